@@ -1,0 +1,46 @@
+#pragma once
+/// \file
+/// The exceptions of Holdfast. A file, an option or an output that cannot be used throws one of these; it carries what
+/// a program needs to say where, and `what()` is the whole sentence for the user. Constraints that cannot be met and
+/// numerical outcomes are values, never exceptions.
+
+#include <stdexcept>
+#include <string>
+
+#include <holdfast/base/types.h>
+
+namespace holdfast {
+
+/// A place in something the user gave. Only `file` need be set.
+struct InputLocation {
+  std::string file;     ///< path as the user wrote it
+  Index line = 0;       ///< from 1; 0 where lines mean nothing (binary files) or are not known
+  std::string element;  ///< JSON path ("constraints[3].at.face"), "vertex 12", "byte 1024"; may be empty
+};
+
+/// An input cannot be read or is not usable. `what()` is "file:line: element: reason".
+class InputError : public std::runtime_error {
+ public:
+  /// `reason` says what is wrong and what to do about it, without the place.
+  InputError(InputLocation location, const std::string& reason);
+
+  [[nodiscard]] const InputLocation& location() const noexcept { return location_; }
+  [[nodiscard]] const std::string& reason() const noexcept { return reason_; }
+
+ private:
+  InputLocation location_;
+  std::string reason_;
+};
+
+/// An output cannot be written. `what()` is "path: reason". Nothing is left half-written.
+class OutputError : public std::runtime_error {
+ public:
+  OutputError(std::string path, const std::string& reason);
+
+  [[nodiscard]] const std::string& path() const noexcept { return path_; }
+
+ private:
+  std::string path_;
+};
+
+}  // namespace holdfast

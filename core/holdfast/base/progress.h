@@ -1,0 +1,36 @@
+#pragma once
+/// \file
+/// How long work tells how far it is, and how it is stopped.
+
+#include <stdexcept>
+#include <string_view>
+
+namespace holdfast {
+
+/// Thrown by `Progress::stage` of a caller that wants the work to stop. Nothing has been changed when it arrives.
+class Cancelled : public std::runtime_error {
+ public:
+  Cancelled() : std::runtime_error("cancelled") {}
+};
+
+/// Told at the start of each stage of long work ("factorising 172,666 unknowns"). Called on the thread that works.
+class Progress {
+ public:
+  virtual ~Progress() = default;
+
+  /// May throw `Cancelled`.
+  virtual void stage(std::string_view description) = 0;
+
+ protected:
+  Progress() = default;
+  Progress(const Progress&) = default;
+  Progress& operator=(const Progress&) = default;
+};
+
+/// Tells nobody.
+class NoProgress final : public Progress {
+ public:
+  void stage(std::string_view /*description*/) override {}
+};
+
+}  // namespace holdfast

@@ -1,0 +1,29 @@
+#pragma once
+/// \file
+/// The numbers and matrices that every part of Holdfast speaks in.
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+namespace holdfast {
+
+/// The one index type: vertices, faces, rows, columns. Signed; ids count from 0 in file order.
+using Index = Eigen::Index;
+
+/// A place or a displacement in space, in model units.
+using Vector3 = Eigen::Vector3d;
+
+/// N x 3, one row a vertex, in model units. Row-major, so that a row is three doubles side by side as files and
+/// renderers want them.
+using Positions = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
+
+/// n x 3, column-major: three right-hand sides, or three solutions, as solvers want them.
+using Columns3 = Eigen::Matrix<double, Eigen::Dynamic, 3>;
+
+/// Column-major with 32-bit inner indices, as CHOLMOD and SPQR take them: no more than 2^31 - 1 non-zeros.
+using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
+
+/// The same by rows.
+using SparseRows = Eigen::SparseMatrix<double, Eigen::RowMajor, int>;
+
+}  // namespace holdfast

@@ -1,0 +1,64 @@
+#pragma once
+/// \file
+/// Sets of vertices named by ids, by shapes in space, by connected part, and by combinations of those.
+
+#include <memory>
+#include <variant>
+#include <vector>
+
+#include <holdfast/mesh/mesh.h>
+
+namespace holdfast {
+
+struct Selection;
+
+/// These vertices, by id.
+struct VertexIds {
+  std::vector<Index> ids;
+};
+
+/// Vertices in the closed axis-aligned box, at rest.
+struct InBox {
+  Vector3 min = Vector3::Zero();
+  Vector3 max = Vector3::Zero();
+};
+
+/// Vertices in the closed ball, at rest.
+struct InSphere {
+  Vector3 center = Vector3::Zero();
+  double radius = 0;
+};
+
+/// Vertices with (p - point) . normal >= 0, at rest. The normal need not be of unit length.
+struct InHalfSpace {
+  Vector3 point = Vector3::Zero();
+  Vector3 normal = Vector3::UnitZ();
+};
+
+/// Vertices of one connected part of the mesh, numbered as `check` lists them (see `connectedComponents`).
+struct InComponent {
+  Index component = 0;
+};
+
+/// Vertices in all / in any of the parts; in none of one part.
+struct AllOf {
+  std::vector<Selection> parts;
+};
+struct AnyOf {
+  std::vector<Selection> parts;
+};
+struct NotIn {
+  std::shared_ptr<const Selection> part;
+};
+
+struct Selection {
+  std::variant<VertexIds, InBox, InSphere, InHalfSpace, InComponent, AllOf, AnyOf, NotIn> what;
+};
+
+/// The ids that `selection` names, ascending, each once; may be empty. `componentOf` holds the connected part of each
+/// vertex, -1 for a vertex that no face uses. Ids out of range must have been refused before (see `readConstraints`).
+/// O(N) per node of the expression.
+[[nodiscard]] std::vector<Index> select(const Selection& selection, const Positions& positions,
+                                        const std::vector<Index>& componentOf);
+
+}  // namespace holdfast

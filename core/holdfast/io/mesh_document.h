@@ -1,0 +1,47 @@
+#pragma once
+/// \file
+/// A mesh together with all that its file said besides, so that it can be written back as the same file with other
+/// positions.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <holdfast/mesh/mesh.h>
+
+namespace holdfast {
+
+/// Contents of a file ready to be written, and what the user should know about them ("120 normals recomputed",
+/// "STL stores single precision").
+struct Serialized {
+  std::string bytes;
+  std::vector<std::string> notes;
+};
+
+/// What a mesh file said: the whole file, in the form that its format needs to be written again.
+class MeshSource {
+ public:
+  virtual ~MeshSource() = default;
+
+  /// File name extension of the format, lower case with the dot: ".obj".
+  [[nodiscard]] virtual std::string extension() const = 0;
+
+  /// The file as it was read with `positions` (as many rows as were read) in place of its own: same order, polygons,
+  /// texture coordinates, groups, materials, properties and comments. Normals are kept where none of the vertices
+  /// that they depend on moved; elsewhere they are recomputed or dropped, and a note says which. Doubles are written
+  /// so that they read back bit for bit, in formats that can hold them.
+  [[nodiscard]] virtual Serialized withPositions(const Positions& positions) const = 0;
+
+ protected:
+  MeshSource() = default;
+  MeshSource(const MeshSource&) = default;
+  MeshSource& operator=(const MeshSource&) = default;
+};
+
+/// A mesh as read from a file, or made in memory (`source` null).
+struct MeshDocument {
+  Mesh mesh;
+  std::shared_ptr<const MeshSource> source;
+};
+
+}  // namespace holdfast

@@ -1,0 +1,29 @@
+#pragma once
+/// \file
+/// Mesh files in and out: OBJ, PLY, OFF, STL by the extension of the name.
+
+#include <filesystem>
+#include <span>
+#include <string_view>
+
+#include <holdfast/io/mesh_document.h>
+
+namespace holdfast {
+
+/// The extensions that `readMesh` and `serializeMesh` know, lower case with the dot.
+[[nodiscard]] std::span<const std::string_view> meshExtensions();
+
+/// Reads a mesh file; the extension (any case) names the format. Throws `InputError` with file, line (text) or byte
+/// offset (binary) and reason where the file is missing, truncated, malformed, or refers to vertices that it does not
+/// have. Non-finite coordinates are read as they stand: `checkMesh` names them. Memory is bounded by the size of the
+/// file, whatever counts its header claims.
+[[nodiscard]] MeshDocument readMesh(const std::filesystem::path& path);
+
+/// The contents of a mesh file of the format named by `extension`, with `positions` (vertexCount x 3) in place of the
+/// document's own. In the document's own format all else is kept (see `MeshSource::withPositions`); in another one
+/// positions and faces are written, and a note says what was left behind. Throws `OutputError` for an extension that
+/// is not known.
+[[nodiscard]] Serialized serializeMesh(const MeshDocument& document, const Positions& positions,
+                                       std::string_view extension);
+
+}  // namespace holdfast

@@ -1,0 +1,59 @@
+#pragma once
+/// \file
+/// A polygon mesh as a file holds it: positions and faces, nothing derived.
+
+#include <cassert>
+#include <initializer_list>
+#include <span>
+#include <vector>
+
+#include <holdfast/base/types.h>
+
+namespace holdfast {
+
+/// Faces of any number of corners, in file order. Face f has the vertices `polygons[f]`, in the file's order.
+class Polygons {
+ public:
+  [[nodiscard]] Index size() const noexcept { return static_cast<Index>(starts_.size()) - 1; }
+  [[nodiscard]] bool isEmpty() const noexcept { return size() == 0; }
+  /// Corners of all faces together.
+  [[nodiscard]] Index cornerCount() const noexcept { return static_cast<Index>(corners_.size()); }
+
+  [[nodiscard]] std::span<const Index> operator[](Index face) const
+  {
+    assert(face >= 0 && face < size());
+    const auto first = corners_.begin() + starts_[face];
+    return {first, corners_.begin() + starts_[face + 1]};
+  }
+
+  void reserve(Index faces, Index corners)
+  {
+    starts_.reserve(faces + 1);
+    corners_.reserve(corners);
+  }
+
+  void add(std::span<const Index> vertices)
+  {
+    corners_.insert(corners_.end(), vertices.begin(), vertices.end());
+    starts_.push_back(cornerCount());
+  }
+
+  void add(std::initializer_list<Index> vertices) { add(std::span<const Index>(vertices.begin(), vertices.size())); }
+
+  friend bool operator==(const Polygons&, const Polygons&) = default;
+
+ private:
+  std::vector<Index> starts_{0};
+  std::vector<Index> corners_;
+};
+
+/// Positions and faces as in the file. Every corner is a valid vertex id and every face has at least three corners
+/// (readers guarantee both); nothing else is promised: see `checkMesh` for what else may be wrong.
+struct Mesh {
+  Positions positions;
+  Polygons faces;
+
+  [[nodiscard]] Index vertexCount() const noexcept { return positions.rows(); }
+};
+
+}  // namespace holdfast
