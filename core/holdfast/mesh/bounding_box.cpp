@@ -10,7 +10,7 @@ Eigen::AlignedBox3d boundingBox(const Positions& positions)
 
 double boundingBoxDiagonal(const Positions& positions)
 {
-  return positions.rows() == 0 ? 0.0 : boundingBox(positions).diagonal().norm();
+  return positions.rows() == 0 ? 0.0 : boundingBox(positions).diagonal().stableNorm();
 }
 
 }  // namespace holdfast

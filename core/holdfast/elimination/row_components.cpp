@@ -1,0 +1,64 @@
+#include <algorithm>
+
+#include <holdfast/base/disjoint_sets.h>
+#include <holdfast/elimination/row_components.h>
+
+namespace holdfast {
+namespace {
+
+// Beyond this a sparse factorisation is faster than a dense one of the same block.
+constexpr std::size_t kDenseRows = 64;
+constexpr std::size_t kDenseUnknowns = 256;
+
+std::vector<Index> unknownsOf(const std::vector<RowTerms>& rows, const std::vector<Index>& some)
+{
+  std::vector<Index> unknowns;
+  for (const Index row : some)
+    for (const PointTerm& term : rows[row]) unknowns.push_back(term.vertex);
+  std::sort(unknowns.begin(), unknowns.end());
+  unknowns.erase(std::unique(unknowns.begin(), unknowns.end()), unknowns.end());
+  return unknowns;
+}
+
+}  // namespace
+
+std::vector<RowComponent> connectedRows(const std::vector<RowTerms>& rows, Index unknownCount)
+{
+  DisjointSets sets(unknownCount);
+  for (const RowTerms& row : rows)
+    for (const PointTerm& term : row) sets.unite(row.front().vertex, term.vertex);
+
+  std::vector<RowComponent> components;
+  std::vector<Index> componentOf(static_cast<std::size_t>(unknownCount), -1);  // by representative
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    if (rows[r].empty()) continue;
+    Index& component = componentOf[sets.find(rows[r].front().vertex)];
+    if (component < 0) {
+      component = static_cast<Index>(components.size());
+      components.emplace_back();
+    }
+    components[component].rows.push_back(static_cast<Index>(r));
+  }
+  for (RowComponent& component : components) component.unknowns = unknownsOf(rows, component.rows);
+  return components;
+}
+
+SparseMatrix transposedBlock(const std::vector<RowTerms>& rows, const RowComponent& component)
+{
+  std::vector<Eigen::Triplet<double, int>> entries;
+  for (std::size_t k = 0; k < component.rows.size(); ++k)
+    for (const PointTerm& term : rows[component.rows[k]]) {
+      const auto place = std::lower_bound(component.unknowns.begin(), component.unknowns.end(), term.vertex);
+      entries.emplace_back(static_cast<int>(place - component.unknowns.begin()), static_cast<int>(k), term.weight);
+    }
+  SparseMatrix block(static_cast<Index>(component.unknowns.size()), static_cast<Index>(component.rows.size()));
+  block.setFromTriplets(entries.begin(), entries.end());
+  return block;
+}
+
+bool isDense(const RowComponent& component)
+{
+  return component.rows.size() <= kDenseRows && component.unknowns.size() <= kDenseUnknowns;
+}
+
+}  // namespace holdfast

@@ -1,0 +1,30 @@
+#pragma once
+/// \file
+/// Rows of B that share unknowns, however indirectly. Rows of different components are orthogonal: each component is
+/// eliminated on its own, and no matrix larger than its block is ever formed.
+
+#include <vector>
+
+#include <holdfast/surface/surface_point.h>
+
+namespace holdfast {
+
+/// The terms of one row of B: ascending unknowns with coefficients.
+using RowTerms = std::vector<PointTerm>;
+
+/// One component: rows ascending, the unknowns that they name ascending.
+struct RowComponent {
+  std::vector<Index> rows;
+  std::vector<Index> unknowns;
+};
+
+/// The components of all rows that are not empty, in the order of their first rows. O(terms log terms).
+[[nodiscard]] std::vector<RowComponent> connectedRows(const std::vector<RowTerms>& rows, Index unknownCount);
+
+/// The component's block of B^T: component.unknowns x component.rows.
+[[nodiscard]] SparseMatrix transposedBlock(const std::vector<RowTerms>& rows, const RowComponent& component);
+
+/// Whether the component is eliminated as a dense block; larger ones by sparse QR.
+[[nodiscard]] bool isDense(const RowComponent& component);
+
+}  // namespace holdfast

@@ -1,0 +1,26 @@
+// Sparse QR by Eigen.
+
+#include <Eigen/OrderingMethods>
+#include <Eigen/SparseQR>
+
+#include <holdfast/elimination/sparse_qr.h>
+
+namespace holdfast {
+
+SparseQrResult sparseQrEigen(const SparseMatrix& M, double tolerance, WantQ wantQ)
+{
+  SparseMatrix compressed = M;
+  compressed.makeCompressed();
+  Eigen::SparseQR<SparseMatrix, Eigen::COLAMDOrdering<int>> qr;
+  // Eigen takes columns shorter than the threshold for dependent; 0 accepts all but exact zeros.
+  qr.setPivotThreshold(tolerance < 0 ? 0 : tolerance);
+  qr.compute(compressed);
+  SparseQrResult result;
+  result.rank = qr.rank();
+  result.R = SparseMatrix(qr.matrixR()).topRows(result.rank);
+  for (Index k = 0; k < M.cols(); ++k) result.columns.push_back(qr.colsPermutation().indices()[k]);
+  if (wantQ == WantQ::Yes) result.Q = qr.matrixQ();
+  return result;
+}
+
+}  // namespace holdfast

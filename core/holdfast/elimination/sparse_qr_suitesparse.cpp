@@ -1,0 +1,100 @@
+// Sparse QR by SPQR of SuiteSparse.
+
+#include <memory>
+#include <stdexcept>
+
+#include <SuiteSparseQR.hpp>
+
+#include <holdfast/elimination/sparse_qr.h>
+
+namespace holdfast {
+namespace {
+
+using LongMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, SuiteSparse_long>;
+
+/// CHOLMOD's workspace for 64-bit indices.
+class Workspace {
+ public:
+  Workspace()
+  {
+    cholmod_l_start(&common_);
+    common_.print = 0;
+  }
+  ~Workspace() { cholmod_l_finish(&common_); }
+  Workspace(const Workspace&) = delete;
+  Workspace& operator=(const Workspace&) = delete;
+
+  cholmod_common* get() { return &common_; }
+
+ private:
+  cholmod_common common_{};
+};
+
+/// A view of `matrix` as CHOLMOD sees it; owns nothing.
+cholmod_sparse viewOf(LongMatrix& matrix)
+{
+  cholmod_sparse view{};
+  view.nrow = static_cast<std::size_t>(matrix.rows());
+  view.ncol = static_cast<std::size_t>(matrix.cols());
+  view.nzmax = static_cast<std::size_t>(matrix.nonZeros());
+  view.p = matrix.outerIndexPtr();
+  view.i = matrix.innerIndexPtr();
+  view.x = matrix.valuePtr();
+  view.stype = 0;
+  view.itype = CHOLMOD_LONG;
+  view.xtype = CHOLMOD_REAL;
+  view.dtype = CHOLMOD_DOUBLE;
+  view.sorted = 1;
+  view.packed = 1;
+  return view;
+}
+
+/// Takes a matrix over from CHOLMOD, its first `rows` rows.
+SparseMatrix taken(cholmod_sparse* matrix, Index rows, cholmod_common* common)
+{
+  const Eigen::Map<const LongMatrix> view(static_cast<Index>(matrix->nrow), static_cast<Index>(matrix->ncol),
+                                          static_cast<SuiteSparse_long*>(matrix->p)[matrix->ncol],
+                                          static_cast<SuiteSparse_long*>(matrix->p),
+                                          static_cast<SuiteSparse_long*>(matrix->i), static_cast<double*>(matrix->x));
+  SparseMatrix result = view;
+  cholmod_l_free_sparse(&matrix, common);
+  if (rows < result.rows()) result.conservativeResize(rows, result.cols());
+  return result;
+}
+
+std::vector<Index> takenPermutation(SuiteSparse_long* columns, Index count, cholmod_common* common)
+{
+  std::vector<Index> result(static_cast<std::size_t>(count));
+  for (Index k = 0; k < count; ++k) result[k] = columns == nullptr ? k : static_cast<Index>(columns[k]);
+  if (columns != nullptr) cholmod_l_free(static_cast<std::size_t>(count), sizeof(SuiteSparse_long), columns, common);
+  return result;
+}
+
+}  // namespace
+
+SparseQrResult sparseQrSuiteSparse(const SparseMatrix& M, double tolerance, WantQ wantQ)
+{
+  Workspace workspace;
+  cholmod_common* const common = workspace.get();
+  LongMatrix matrix = M;
+  matrix.makeCompressed();
+  cholmod_sparse view = viewOf(matrix);
+  cholmod_sparse* Q = nullptr;
+  cholmod_sparse* R = nullptr;
+  SuiteSparse_long* columns = nullptr;
+  const double limit = tolerance < 0 ? SPQR_NO_TOL : tolerance;
+  const SuiteSparse_long rank =
+      wantQ == WantQ::Yes
+          ? SuiteSparseQR<double>(SPQR_ORDERING_COLAMD, limit, M.rows(), &view, &Q, &R, &columns, common)
+          : SuiteSparseQR<double>(SPQR_ORDERING_COLAMD, limit, std::min(M.rows(), M.cols()), &view, &R, &columns,
+                                  common);
+  if (rank < 0 || R == nullptr) throw std::bad_alloc();
+  SparseQrResult result;
+  result.rank = static_cast<Index>(rank);
+  result.R = taken(R, result.rank, common);
+  result.columns = takenPermutation(columns, M.cols(), common);
+  if (Q != nullptr) result.Q = taken(Q, M.rows(), common);
+  return result;
+}
+
+}  // namespace holdfast

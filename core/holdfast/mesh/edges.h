@@ -1,0 +1,39 @@
+#pragma once
+/// \file
+/// The edges of a set of triangles, each once, with the triangles on it.
+
+#include <span>
+#include <vector>
+
+#include <holdfast/mesh/triangulation.h>
+
+namespace holdfast {
+
+/// One side of one triangle, seen as half an edge.
+struct HalfEdge {
+  Index a = 0;  ///< the smaller vertex id of the edge
+  Index b = 0;  ///< the larger
+  Index triangle = 0;
+  int side = 0;            ///< the edge runs between corners side and side + 1 of the triangle
+  bool isForward = false;  ///< the triangle runs through it from a to b
+};
+
+/// All half edges sorted by (a, b, triangle), so that those of one edge stand side by side. Sides that join a vertex to
+/// itself are left out. O(T log T).
+[[nodiscard]] std::vector<HalfEdge> sortedHalfEdges(const std::vector<Triangle>& triangles);
+
+/// Calls `visit(std::span<const HalfEdge>)` once for each edge with its half edges.
+template <class Visitor>
+void forEachEdge(const std::vector<HalfEdge>& halfEdges, Visitor&& visit)
+{
+  for (std::size_t first = 0; first < halfEdges.size();) {
+    std::size_t last = first + 1;
+    while (last < halfEdges.size() && halfEdges[last].a == halfEdges[first].a &&
+           halfEdges[last].b == halfEdges[first].b)
+      ++last;
+    visit(std::span<const HalfEdge>(halfEdges.data() + first, last - first));
+    first = last;
+  }
+}
+
+}  // namespace holdfast

@@ -1,0 +1,31 @@
+#pragma once
+/// \file
+/// The mesh as the solver sees it: triangles over unknowns, in place of polygons over file vertices.
+
+#include <vector>
+
+#include <holdfast/mesh/triangulation.h>
+#include <holdfast/mesh/weld.h>
+
+namespace holdfast {
+
+struct SolverMesh {
+  Positions rest;                   ///< n x 3, position of each unknown at rest, model units
+  std::vector<Triangle> triangles;  ///< unknown ids; none names an unknown twice
+  std::vector<Index> faceOf;        ///< file face of each triangle
+  std::vector<Index> componentOf;   ///< connected part of each unknown; -1 where no triangle uses it
+  Index componentCount = 0;         ///< parts are numbered by their smallest unknown
+  Weld weld;                        ///< file vertices to unknowns
+  double diagonal = 0;              ///< of the bounding box, model units
+
+  [[nodiscard]] Index unknownCount() const noexcept { return rest.rows(); }
+};
+
+/// Welds open edges that coincide exactly and finds the connected parts. Vertices that no face uses are unknowns too
+/// (they can be pinned), in no part. Positions must be finite. O(T log T).
+[[nodiscard]] SolverMesh makeSolverMesh(const Mesh& mesh, const Triangulation& triangulation);
+
+/// The connected part of each file vertex, -1 where no face uses it.
+[[nodiscard]] std::vector<Index> componentOfVertices(const SolverMesh& solverMesh);
+
+}  // namespace holdfast

@@ -1,0 +1,27 @@
+#pragma once
+/// \file
+/// The triangles that the solver and the closest-point search see in place of polygons. Files keep their polygons.
+
+#include <array>
+#include <vector>
+
+#include <holdfast/mesh/mesh.h>
+
+namespace holdfast {
+
+/// Three vertex ids, in the orientation of the face.
+using Triangle = std::array<Index, 3>;
+
+/// The triangles of all faces, those of one face side by side, faces in file order.
+struct Triangulation {
+  std::vector<Triangle> triangles;            ///< vertex ids
+  std::vector<std::array<Index, 3>> corners;  ///< the same as corner numbers within the face
+  std::vector<Index> faceOf;                  ///< file face of each triangle
+};
+
+/// Triangulates every face without new vertices: n - 2 triangles for n corners. Of the ears that can be cut off, the
+/// best shaped goes first, so that a quadrilateral is split along the diagonal that avoids needles. A polygon that
+/// winds about itself or has no area falls back to whatever ears are left. O(n^2) in the corners of one face.
+[[nodiscard]] Triangulation triangulate(const Mesh& mesh);
+
+}  // namespace holdfast

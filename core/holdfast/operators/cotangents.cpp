@@ -1,0 +1,90 @@
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+#include <holdfast/operators/cotangents.h>
+
+namespace holdfast {
+namespace {
+
+Vector3 corner(const Positions& positions, const Triangle& triangle, int k)
+{
+  return positions.row(triangle[k % 3]);
+}
+
+double area(const Positions& positions, const Triangle& triangle)
+{
+  const Vector3 a = corner(positions, triangle, 0);
+  return 0.5 * (corner(positions, triangle, 1) - a).cross(corner(positions, triangle, 2) - a).norm();
+}
+
+/// The part of the Voronoi cell of corner k that lies in the triangle: an eighth of each of the two sides at k,
+/// squared, times the cotangent of the angle across.
+double voronoiPart(const Positions& positions, const Triangle& triangle, const CornerCotangents& cotangents, int k)
+{
+  const Vector3 p = corner(positions, triangle, k);
+  const double toNext = (corner(positions, triangle, k + 1) - p).squaredNorm();
+  const double toPrevious = (corner(positions, triangle, k + 2) - p).squaredNorm();
+  return 0.125 * (toNext * cotangents[(k + 2) % 3] + toPrevious * cotangents[(k + 1) % 3]);
+}
+
+std::array<double, 3> mixedParts(const Positions& positions, const Triangle& triangle)
+{
+  const double whole = area(positions, triangle);
+  if (whole == 0) return {0, 0, 0};
+  const CornerCotangents cotangents = cornerCotangents(positions, triangle);
+  const auto obtuse = std::find_if(cotangents.begin(), cotangents.end(), [](double c) { return c < 0; });
+  std::array<double, 3> parts{};
+  for (int k = 0; k < 3; ++k)
+    if (obtuse == cotangents.end())
+      parts[k] = voronoiPart(positions, triangle, cotangents, k);
+    else
+      parts[k] = whole * (cotangents.begin() + k == obtuse ? 0.5 : 0.25);
+  return parts;
+}
+
+}  // namespace
+
+CornerCotangents cornerCotangents(const Positions& positions, const Triangle& triangle)
+{
+  CornerCotangents result{};
+  for (int k = 0; k < 3; ++k) {
+    const Vector3 p = corner(positions, triangle, k);
+    const Vector3 u = corner(positions, triangle, k + 1) - p;
+    const Vector3 v = corner(positions, triangle, k + 2) - p;
+    result[k] = u.dot(v) / u.cross(v).norm();
+  }
+  return result;
+}
+
+CornerCotangents guarded(const CornerCotangents& cotangents)
+{
+  CornerCotangents result{};
+  const double cot60 = 1 / std::sqrt(3.0);
+  for (int k = 0; k < 3; ++k)
+    result[k] = std::isnan(cotangents[k]) ? cot60 : std::clamp(cotangents[k], -kCotangentCap, kCotangentCap);
+  return result;
+}
+
+Eigen::VectorXd mixedVoronoiAreas(const Positions& positions, const std::vector<Triangle>& triangles)
+{
+  Eigen::VectorXd areas = Eigen::VectorXd::Zero(positions.rows());
+  for (const Triangle& triangle : triangles) {
+    const auto parts = mixedParts(positions, triangle);
+    for (int k = 0; k < 3; ++k) areas[triangle[k]] += parts[k];
+  }
+  return areas;
+}
+
+Eigen::VectorXd literalVoronoiAreas(const Positions& positions, const std::vector<Triangle>& triangles)
+{
+  Eigen::VectorXd areas = Eigen::VectorXd::Zero(positions.rows());
+  for (const Triangle& triangle : triangles) {
+    const CornerCotangents cotangents = cornerCotangents(positions, triangle);
+    for (int k = 0; k < 3; ++k) areas[triangle[k]] += voronoiPart(positions, triangle, cotangents, k);
+  }
+  return areas;
+}
+
+}  // namespace holdfast

@@ -1,0 +1,30 @@
+#pragma once
+/// \file
+/// Laplacians of a mesh from weights on its edges, equations (1) to (3).
+
+#include <vector>
+
+#include <holdfast/mesh/solver_mesh.h>
+#include <holdfast/operators/cotangents.h>
+
+namespace holdfast {
+
+/// A weight on the edge between two unknowns; each edge once, i < j.
+struct EdgeWeight {
+  Index i = 0;
+  Index j = 0;
+  double weight = 0;
+};
+
+/// Weight 1 on every edge.
+[[nodiscard]] std::vector<EdgeWeight> unitEdgeWeights(const std::vector<Triangle>& triangles);
+
+/// cot alpha + cot beta on every edge, of the angles across it in the triangles on it (one at a boundary, more where
+/// the mesh is not a manifold). `cotangents` holds those of each triangle.
+[[nodiscard]] std::vector<EdgeWeight> cotangentEdgeWeights(const std::vector<Triangle>& triangles,
+                                                           const std::vector<CornerCotangents>& cotangents);
+
+/// n x n, symmetric, rows of sum zero: S_ij = -w_ij, S_ii = sum over j of w_ij.
+[[nodiscard]] SparseMatrix stiffness(Index n, const std::vector<EdgeWeight>& weights);
+
+}  // namespace holdfast

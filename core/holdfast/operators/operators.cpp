@@ -1,0 +1,131 @@
+#include <algorithm>
+#include <cmath>
+
+#include <holdfast/operators/cotangents.h>
+#include <holdfast/operators/laplacian.h>
+#include <holdfast/operators/operators.h>
+
+namespace holdfast {
+namespace {
+
+/// 1 / x, and 0 for 0: the row of an unknown without area stays empty.
+Eigen::VectorXd reciprocal(const Eigen::VectorXd& x)
+{
+  return x.unaryExpr([](double value) { return value == 0 ? 0.0 : 1 / value; });
+}
+
+std::vector<CornerCotangents> allCotangents(const Positions& rest, const std::vector<Triangle>& triangles)
+{
+  std::vector<CornerCotangents> result;
+  result.reserve(triangles.size());
+  for (const Triangle& triangle : triangles) result.push_back(cornerCotangents(rest, triangle));
+  return result;
+}
+
+std::vector<Index> ascendingOnce(std::vector<Index> ids)
+{
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  return ids;
+}
+
+/// Guards every triangle's cotangents; returns the unknowns where that changed something.
+std::vector<Index> guardAll(std::vector<CornerCotangents>& cotangents, const std::vector<Triangle>& triangles)
+{
+  std::vector<Index> touched;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const CornerCotangents safe = guarded(cotangents[t]);
+    if (safe != cotangents[t]) touched.insert(touched.end(), triangles[t].begin(), triangles[t].end());
+    cotangents[t] = safe;
+  }
+  return ascendingOnce(std::move(touched));
+}
+
+/// Raises areas below the floor; returns the unknowns where that happened. Unknowns in no part keep their zero.
+std::vector<Index> floorAreas(Eigen::VectorXd& areas, const std::vector<Index>& componentOf)
+{
+  const auto used =
+      static_cast<double>(std::count_if(componentOf.begin(), componentOf.end(), [](Index c) { return c >= 0; }));
+  const double floor = areas.sum() > 0 ? kAreaFloor * areas.sum() / used : 1.0;
+  std::vector<Index> touched;
+  for (Index i = 0; i < areas.size(); ++i)
+    if (componentOf[i] >= 0 && areas[i] < floor) {
+      areas[i] = floor;
+      touched.push_back(i);
+    }
+  return touched;
+}
+
+void makeUniform(Operators& operators, const SolverMesh& mesh)
+{
+  const SparseMatrix S = stiffness(mesh.unknownCount(), unitEdgeWeights(mesh.triangles));
+  operators.L = reciprocal(S.diagonal()).asDiagonal() * S;
+  operators.rowWeights.setOnes(mesh.unknownCount());
+}
+
+/// L = (4 M)^-1 S with M the mixed areas; rows weighted by sqrt(M), so that the energy is S M^-1 S up to a factor.
+void makeCotangent(Operators& operators, const SolverMesh& mesh, const Positions& rest)
+{
+  std::vector<CornerCotangents> cotangents = allCotangents(rest, mesh.triangles);
+  operators.clampedCotangents = guardAll(cotangents, mesh.triangles);
+  Eigen::VectorXd areas = mixedVoronoiAreas(rest, mesh.triangles);
+  operators.flooredAreas = floorAreas(areas, mesh.componentOf);
+  const SparseMatrix S = stiffness(mesh.unknownCount(), cotangentEdgeWeights(mesh.triangles, cotangents));
+  operators.L = reciprocal(4 * areas).asDiagonal() * S;
+  operators.rowWeights = areas.cwiseSqrt();
+}
+
+void makeCotangentPaper(Operators& operators, const SolverMesh& mesh, const Positions& rest)
+{
+  const std::vector<CornerCotangents> cotangents = allCotangents(rest, mesh.triangles);
+  const SparseMatrix S = stiffness(mesh.unknownCount(), cotangentEdgeWeights(mesh.triangles, cotangents));
+  const Eigen::VectorXd areas = literalVoronoiAreas(rest, mesh.triangles);
+  for (Index i = 0; i < areas.size(); ++i)
+    if (mesh.componentOf[i] >= 0 && (!std::isfinite(S.coeff(i, i)) || !std::isfinite(1 / areas[i])))
+      operators.undefinedRows.push_back(i);
+  operators.L = reciprocal(4 * areas).asDiagonal() * S;
+  operators.rowWeights.setOnes(mesh.unknownCount());
+}
+
+}  // namespace
+
+std::string_view name(Weights weights)
+{
+  switch (weights) {
+    case Weights::Cotangent:
+      return "cotangent";
+    case Weights::CotangentPaper:
+      return "cotangent-paper";
+    case Weights::Uniform:
+      return "uniform";
+  }
+  return "";
+}
+
+Operators makeOperators(const SolverMesh& mesh, Weights weights)
+{
+  // Lengths in units of the diagonal: squares of lengths of 1e-200 or 1e200 would leave the range of doubles.
+  const Positions rest = mesh.diagonal > 0 ? Positions(mesh.rest / mesh.diagonal) : mesh.rest;
+  Operators operators;
+  operators.weights = weights;
+  switch (weights) {
+    case Weights::Cotangent:
+      makeCotangent(operators, mesh, rest);
+      break;
+    case Weights::CotangentPaper:
+      makeCotangentPaper(operators, mesh, rest);
+      break;
+    case Weights::Uniform:
+      makeUniform(operators, mesh);
+      break;
+  }
+  operators.delta = operators.L * rest;
+  return operators;
+}
+
+SparseMatrix weightedRows(const Operators& operators)
+{
+  return operators.rowWeights.asDiagonal() * operators.L;
+}
+
+}  // namespace holdfast

@@ -1,0 +1,45 @@
+#pragma once
+/// \file
+/// What the solver minimises: L, the weights of its rows, and delta, equations (1) to (3), (9) and (10).
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <holdfast/mesh/solver_mesh.h>
+
+namespace holdfast {
+
+/// The weights w_ij of equation (1).
+enum class Weights {
+  Cotangent,       ///< guarded cotangents over mixed Voronoi areas, rows scaled to the integrated energy
+  CotangentPaper,  ///< (10) as printed
+  Uniform          ///< (9), 1 / n_i
+};
+
+/// The name in files and options: "cotangent", "cotangent-paper", "uniform".
+[[nodiscard]] std::string_view name(Weights weights);
+
+/// L and delta in units of the bounding box's diagonal (lengths divided by it), so that nothing here depends on the
+/// scale of the model.
+struct Operators {
+  Weights weights = Weights::Cotangent;
+  SparseMatrix L;              ///< n x n, (2): rows of sum zero; empty rows for unknowns that no triangle uses
+  Eigen::VectorXd rowWeights;  ///< n: minimised is the sum of (rowWeights_i |(L p)_i - delta_i|)^2
+  Columns3 delta;              ///< n x 3, L p at rest
+
+  /// Unknowns of triangles where a guard of `Weights::Cotangent` acted, ascending.
+  std::vector<Index> clampedCotangents;
+  std::vector<Index> flooredAreas;
+  /// Unknowns whose row is not finite (`Weights::CotangentPaper` at triangles without area), ascending. Nothing can be
+  /// solved with them.
+  std::vector<Index> undefinedRows;
+};
+
+/// Builds the operators. O(T log T).
+[[nodiscard]] Operators makeOperators(const SolverMesh& mesh, Weights weights);
+
+/// A = diag(rowWeights) L, n x n.
+[[nodiscard]] SparseMatrix weightedRows(const Operators& operators);
+
+}  // namespace holdfast

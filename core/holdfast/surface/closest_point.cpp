@@ -1,0 +1,119 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include <Eigen/Geometry>
+#include <unsupported/Eigen/BVH>
+
+#include <holdfast/surface/closest_point.h>
+
+namespace holdfast {
+namespace {
+
+TrianglePoint at(const std::array<Vector3, 3>& corners, const std::array<double, 3>& weights, const Vector3& place)
+{
+  const Vector3 position = weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2];
+  return {weights, position, (position - place).squaredNorm()};
+}
+
+/// The closest point of the side from corner k to the next.
+TrianglePoint closestOfSide(const std::array<Vector3, 3>& corners, int k, const Vector3& place)
+{
+  const int next = (k + 1) % 3;
+  const Vector3 side = corners[next] - corners[k];
+  const double squared = side.squaredNorm();
+  const double t = squared > 0 ? std::clamp((place - corners[k]).dot(side) / squared, 0.0, 1.0) : 0.0;
+  std::array<double, 3> weights{};
+  weights[k] = 1 - t;
+  weights[next] = t;
+  return at(corners, weights, place);
+}
+
+}  // namespace
+
+TrianglePoint closestPointOfTriangle(const std::array<Vector3, 3>& corners, const Vector3& place)
+{
+  TrianglePoint best = closestOfSide(corners, 0, place);
+  for (int k = 1; k < 3; ++k)
+    if (const TrianglePoint other = closestOfSide(corners, k, place); other.squaredDistance < best.squaredDistance)
+      best = other;
+  const Vector3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+  const double squared = normal.squaredNorm();
+  if (!(squared > 0)) return best;
+  const double w1 = (place - corners[0]).cross(corners[2] - corners[0]).dot(normal) / squared;
+  const double w2 = (corners[1] - corners[0]).cross(place - corners[0]).dot(normal) / squared;
+  const double w0 = 1 - w1 - w2;
+  if (w0 <= 0 || w1 <= 0 || w2 <= 0) return best;
+  const TrianglePoint inside = at(corners, {w0, w1, w2}, place);
+  return inside.squaredDistance < best.squaredDistance ? inside : best;
+}
+
+struct ClosestPointSearch::Tree {
+  std::vector<Triangle> triangles;
+  std::vector<std::array<Vector3, 3>> corners;
+  Eigen::KdBVH<double, 3, int> volumes;
+};
+
+namespace {
+
+/// What Eigen's minimiser asks for: lower bounds on boxes, values on triangles. Remembers the best triangle.
+struct Nearest {
+  using Scalar = double;
+
+  double minimumOnVolume(const Eigen::AlignedBox3d& box) const { return box.squaredExteriorDistance(place); }
+
+  double minimumOnObject(int triangle)
+  {
+    const TrianglePoint candidate = closestPointOfTriangle(corners[static_cast<std::size_t>(triangle)], place);
+    // Of triangles that share the closest point the first in file order is taken, whatever the order of the tree.
+    if (candidate.squaredDistance < best.squaredDistance ||
+        (candidate.squaredDistance == best.squaredDistance && triangle < bestTriangle)) {
+      best = candidate;
+      bestTriangle = triangle;
+    }
+    return candidate.squaredDistance;
+  }
+
+  const std::vector<std::array<Vector3, 3>>& corners;
+  Vector3 place;
+  TrianglePoint best{{}, Vector3::Zero(), std::numeric_limits<double>::infinity()};
+  int bestTriangle = std::numeric_limits<int>::max();
+};
+
+}  // namespace
+
+ClosestPointSearch::ClosestPointSearch(const Positions& positions, const std::vector<Triangle>& triangles)
+{
+  auto tree = std::make_unique<Tree>();
+  tree->triangles = triangles;
+  tree->corners.reserve(triangles.size());
+  std::vector<Eigen::AlignedBox3d> boxes;
+  boxes.reserve(triangles.size());
+  for (const Triangle& triangle : triangles) {
+    tree->corners.push_back({positions.row(triangle[0]), positions.row(triangle[1]), positions.row(triangle[2])});
+    Eigen::AlignedBox3d box;
+    for (const Vector3& corner : tree->corners.back()) box.extend(corner);
+    boxes.push_back(box);
+  }
+  std::vector<int> ids(triangles.size());
+  std::iota(ids.begin(), ids.end(), 0);
+  tree->volumes.init(ids.begin(), ids.end(), boxes.begin(), boxes.end());
+  tree_ = std::move(tree);
+}
+
+ClosestPointSearch::~ClosestPointSearch() = default;
+ClosestPointSearch::ClosestPointSearch(ClosestPointSearch&&) noexcept = default;
+ClosestPointSearch& ClosestPointSearch::operator=(ClosestPointSearch&&) noexcept = default;
+
+ClosestPointSearch::Result ClosestPointSearch::find(const Vector3& place) const
+{
+  Nearest nearest{tree_->corners, place};
+  Eigen::BVMinimize(tree_->volumes, nearest);
+  const Triangle& triangle = tree_->triangles[static_cast<std::size_t>(nearest.bestTriangle)];
+  std::vector<PointTerm> terms;
+  for (int k = 0; k < 3; ++k) terms.push_back({triangle[k], nearest.best.weights[k]});
+  return {canonical(std::move(terms)), nearest.bestTriangle, std::sqrt(nearest.best.squaredDistance)};
+}
+
+}  // namespace holdfast

@@ -1,0 +1,45 @@
+#pragma once
+/// \file
+/// The point of a surface that is closest to a place in space.
+
+#include <memory>
+
+#include <holdfast/mesh/triangulation.h>
+#include <holdfast/surface/surface_point.h>
+
+namespace holdfast {
+
+/// Weights of a triangle's corners; none negative, of sum 1, exact zeros on edges and vertices.
+struct TrianglePoint {
+  std::array<double, 3> weights{};
+  Vector3 position = Vector3::Zero();
+  double squaredDistance = 0;
+};
+
+/// The point of one triangle closest to `place`. Triangles that are segments or points are fine.
+[[nodiscard]] TrianglePoint closestPointOfTriangle(const std::array<Vector3, 3>& corners, const Vector3& place);
+
+/// Finds closest points through a bounding volume tree. Holds copies of what it needs.
+class ClosestPointSearch {
+ public:
+  /// Finite positions, at least one triangle. O(T log T).
+  ClosestPointSearch(const Positions& positions, const std::vector<Triangle>& triangles);
+  ~ClosestPointSearch();
+  ClosestPointSearch(ClosestPointSearch&&) noexcept;
+  ClosestPointSearch& operator=(ClosestPointSearch&&) noexcept;
+
+  struct Result {
+    SurfacePoint point;
+    Index triangle = 0;
+    double distance = 0;  ///< model units
+  };
+
+  /// The exact closest point; on equal distances the same one on every run. About O(log T).
+  [[nodiscard]] Result find(const Vector3& place) const;
+
+ private:
+  struct Tree;
+  std::unique_ptr<const Tree> tree_;
+};
+
+}  // namespace holdfast

@@ -1,0 +1,39 @@
+#pragma once
+/// \file
+/// A point of the surface in canonical form: the vertices that it hangs on, with weights, equations (4) to (6).
+
+#include <vector>
+
+#include <holdfast/base/types.h>
+
+namespace holdfast {
+
+/// One vertex of a surface point, with its share.
+struct PointTerm {
+  Index vertex = 0;  ///< file vertex
+  double weight = 0;
+
+  friend bool operator==(const PointTerm&, const PointTerm&) = default;
+};
+
+/// The point sum of weight * p_vertex. Canonical: vertices ascend and differ, every weight is larger than
+/// `kVanishingWeight`, and a single term has the weight 1 exactly. One term is a vertex, two an edge, three a point in
+/// a triangle, more a point in a polygon.
+struct SurfacePoint {
+  std::vector<PointTerm> terms;
+
+  friend bool operator==(const SurfacePoint&, const SurfacePoint&) = default;
+};
+
+/// Weights up to this count as zero: leaving one out moves the point by no more than this share of an edge, far within
+/// the promised 1e-12 of the bounding box.
+inline constexpr double kVanishingWeight = 1e-14;
+
+/// The canonical form of any list of terms whose weights sum to 1: sorted, repeated vertices added up, vanishing
+/// weights left out.
+[[nodiscard]] SurfacePoint canonical(std::vector<PointTerm> terms);
+
+/// Where the point is, in the units of `positions`.
+[[nodiscard]] Vector3 positionOf(const SurfacePoint& point, const Positions& positions);
+
+}  // namespace holdfast
