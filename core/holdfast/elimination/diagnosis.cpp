@@ -16,18 +16,6 @@ std::vector<RowTerms> termsOf(const ConstraintSystem& system)
   return rows;
 }
 
-std::vector<Index> independentRows(const std::vector<Dependency>& dependencies, std::size_t rowCount)
-{
-  std::vector<Index> result;
-  auto dependent = dependencies.begin();
-  for (std::size_t r = 0; r < rowCount; ++r)
-    if (dependent != dependencies.end() && dependent->row == static_cast<Index>(r))
-      ++dependent;
-    else
-      result.push_back(static_cast<Index>(r));
-  return result;
-}
-
 std::vector<bool> unknownsWithoutRows(const std::vector<RowTerms>& rows, const SolverMesh& mesh)
 {
   std::vector<bool> isAnchored(static_cast<std::size_t>(mesh.componentCount), false);
@@ -54,14 +42,6 @@ double largestCoordinate(const SolverMesh& mesh, const ConstraintSystem& system)
 bool Diagnosis::hasConflicts() const
 {
   return std::find(status.begin(), status.end(), RowStatus::Conflicting) != status.end();
-}
-
-std::vector<Index> Diagnosis::independentRows() const
-{
-  std::vector<Index> result;
-  for (std::size_t r = 0; r < status.size(); ++r)
-    if (status[r] == RowStatus::Independent) result.push_back(static_cast<Index>(r));
-  return result;
 }
 
 double residualLimit(const SolverMesh& mesh, const ConstraintSystem& system)

@@ -28,8 +28,6 @@ struct Diagnosis {
   std::vector<DependentRow> dependent;  ///< ascending by row
 
   [[nodiscard]] bool hasConflicts() const;
-  /// The rows to be enforced, ascending.
-  [[nodiscard]] std::vector<Index> independentRows() const;
 };
 
 /// The gap up to which a dependent row agrees with its partners, as a share of the bounding box's diagonal: half of the

@@ -73,4 +73,16 @@ std::vector<Dependency> findDependencies(const std::vector<RowTerms>& rows, Inde
   return all;
 }
 
+std::vector<Index> independentRows(const std::vector<Dependency>& dependencies, std::size_t rowCount)
+{
+  std::vector<Index> result;
+  auto dependent = dependencies.begin();
+  for (std::size_t r = 0; r < rowCount; ++r)
+    if (dependent != dependencies.end() && dependent->row == static_cast<Index>(r))
+      ++dependent;
+    else
+      result.push_back(static_cast<Index>(r));
+  return result;
+}
+
 }  // namespace holdfast

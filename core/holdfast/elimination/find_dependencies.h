@@ -16,7 +16,10 @@ namespace holdfast {
 /// `kRankTolerance` counts as dependent.
 [[nodiscard]] std::vector<Dependency> findDependencies(const std::vector<RowTerms>& rows, Index unknownCount);
 
-/// The same for one component, by either way.
+/// The rows that are in no dependency, ascending.
+[[nodiscard]] std::vector<Index> independentRows(const std::vector<Dependency>& dependencies, std::size_t rowCount);
+
+/// `findDependencies` of one component, by either way.
 [[nodiscard]] std::vector<Dependency> sequentialDependencies(const std::vector<RowTerms>& rows,
                                                              const RowComponent& component);
 [[nodiscard]] std::vector<Dependency> sparseDependencies(const std::vector<RowTerms>& rows,

@@ -1,0 +1,17 @@
+#include <algorithm>
+#include <utility>
+
+#include <holdfast/check/finding.h>
+
+namespace holdfast {
+
+Finding makeFinding(std::string kind, std::string idsOf, std::vector<Index> ids, const std::string& message)
+{
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  const auto count = static_cast<Index>(ids.size());
+  if (ids.size() > kMaxFindingIds) ids.resize(kMaxFindingIds);
+  return {std::move(kind), count, std::move(idsOf), std::move(ids), std::to_string(count) + " " + message};
+}
+
+}  // namespace holdfast

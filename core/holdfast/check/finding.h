@@ -1,0 +1,27 @@
+#pragma once
+/// \file
+/// Something about a mesh that its user should know before it is deformed.
+
+#include <string>
+#include <vector>
+
+#include <holdfast/base/types.h>
+
+namespace holdfast {
+
+struct Finding {
+  std::string kind;        ///< stable name for programs: "zero_area_faces"
+  Index count = 0;         ///< of all, not only of those named
+  std::string idsOf;       ///< what the ids are: "vertex" or "face", numbered from 0 in file order
+  std::vector<Index> ids;  ///< the first `kMaxFindingIds`, ascending
+  std::string message;     ///< one sentence: what was found and what the solver does about it
+};
+
+inline constexpr std::size_t kMaxFindingIds = 20;
+
+/// A finding about all of `ids`, which it sorts and cuts to the first few. `message` follows the count: "12 " +
+/// message.
+[[nodiscard]] Finding makeFinding(std::string kind, std::string idsOf, std::vector<Index> ids,
+                                  const std::string& message);
+
+}  // namespace holdfast

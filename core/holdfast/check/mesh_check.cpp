@@ -1,0 +1,209 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <tuple>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include <holdfast/base/disjoint_sets.h>
+#include <holdfast/check/mesh_check.h>
+#include <holdfast/mesh/edges.h>
+
+namespace holdfast {
+namespace {
+
+/// Collects findings; those about nothing are left out.
+class Findings {
+ public:
+  void add(const char* kind, const char* idsOf, std::vector<Index> ids, const std::string& message)
+  {
+    if (!ids.empty()) list_.push_back(makeFinding(kind, idsOf, std::move(ids), message));
+  }
+
+  [[nodiscard]] std::vector<Finding> take() { return std::move(list_); }
+
+ private:
+  std::vector<Finding> list_;
+};
+
+std::vector<Index> fileVertices(const SolverMesh& mesh, const std::vector<Index>& unknowns)
+{
+  std::vector<Index> result;
+  result.reserve(unknowns.size());
+  for (const Index u : unknowns) result.push_back(mesh.weld.firstVertexOf[u]);
+  return result;
+}
+
+void addComponents(Findings& findings, const SolverMesh& mesh)
+{
+  if (mesh.componentCount < 2) return;
+  std::vector<Index> first(static_cast<std::size_t>(mesh.componentCount), -1);
+  for (Index u = 0; u < mesh.unknownCount(); ++u)
+    if (const Index c = mesh.componentOf[u]; c >= 0 && first[c] < 0) first[c] = u;
+  findings.add("components", "vertex", fileVertices(mesh, first),
+               "connected parts (a vertex of each is named); a part without a constraint stays at rest");
+}
+
+void addUnreferenced(Findings& findings, const SolverMesh& mesh)
+{
+  std::vector<Index> vertices;
+  for (std::size_t v = 0; v < mesh.weld.unknownOf.size(); ++v)
+    if (mesh.componentOf[mesh.weld.unknownOf[v]] < 0) vertices.push_back(static_cast<Index>(v));
+  findings.add("unreferenced_vertices", "vertex", std::move(vertices),
+               "vertices that no face uses; they stay where they are unless pinned");
+}
+
+/// Vertices that lie on others, apart by whether the solver ties them.
+void addCoincident(Findings& findings, const Mesh& mesh, const SolverMesh& solverMesh)
+{
+  std::vector<Index> order(static_cast<std::size_t>(mesh.vertexCount()));
+  for (std::size_t v = 0; v < order.size(); ++v) order[v] = static_cast<Index>(v);
+  const auto unknownOf = [&](Index v) { return solverMesh.weld.unknownOf[v]; };
+  const auto key = [&](Index v) {
+    return std::tuple(mesh.positions(v, 0), mesh.positions(v, 1), mesh.positions(v, 2), unknownOf(v), v);
+  };
+  std::sort(order.begin(), order.end(), [&](Index a, Index b) { return key(a) < key(b); });
+  std::vector<Index> tied;
+  std::vector<Index> apart;
+  for (std::size_t k = 1; k < order.size(); ++k)
+    if (mesh.positions.row(order[k]) == mesh.positions.row(order[k - 1]))
+      (unknownOf(order[k]) == unknownOf(order[k - 1]) ? tied : apart).push_back(order[k]);
+  findings.add("welded_vertices", "vertex", std::move(tied),
+               "vertices repeat another one exactly along open edges; they are deformed as one and written apart");
+  findings.add("coincident_vertices", "vertex", std::move(apart),
+               "vertices lie exactly on another one without an open edge in common; they may move apart");
+}
+
+double smallestAngleDegrees(const Positions& positions, const Triangle& triangle)
+{
+  const Vector3 a = positions.row(triangle[0]);
+  const Vector3 b = positions.row(triangle[1]);
+  const Vector3 c = positions.row(triangle[2]);
+  std::array<double, 3> edges{(b - a).norm(), (c - b).norm(), (a - c).norm()};
+  std::sort(edges.begin(), edges.end());
+  if (edges[1] == 0) return 0;
+  const double sine = (b - a).cross(c - a).norm() / (edges[1] * edges[2]);
+  return std::asin(std::min(1.0, sine)) * 180 / std::numbers::pi;
+}
+
+void addBadTriangles(Findings& findings, const Mesh& mesh, const Triangulation& triangulation)
+{
+  // An angle of this size is rounding of the coordinates.
+  const double noArea = 64 * std::numeric_limits<double>::epsilon();
+  std::vector<Index> repeated;
+  std::vector<Index> flat;
+  std::vector<Index> needles;
+  for (std::size_t t = 0; t < triangulation.triangles.size(); ++t) {
+    const Triangle& triangle = triangulation.triangles[t];
+    const double angle = smallestAngleDegrees(mesh.positions, triangle);
+    if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0])
+      repeated.push_back(triangulation.faceOf[t]);
+    else if (angle <= noArea)
+      flat.push_back(triangulation.faceOf[t]);
+    else if (angle < kNeedleDegrees)
+      needles.push_back(triangulation.faceOf[t]);
+  }
+  findings.add("repeated_corner_faces", "face", std::move(repeated),
+               "faces name a vertex twice; the solver leaves the part without area out");
+  findings.add("zero_area_faces", "face", std::move(flat),
+               "faces have no area; their cotangents are capped so that they hold together");
+  findings.add("needle_faces", "face", std::move(needles),
+               "faces have an angle below 1 degree; their cotangents are capped");
+}
+
+/// What the edges of the welded mesh say; ids are faces and vertices of the file.
+struct EdgeCheck {
+  std::vector<Index> nonManifoldFaces;
+  std::vector<Index> flippedFaces;
+  std::vector<Index> boundaryVertices;  // one of each boundary
+  std::vector<Index> nonManifoldVertices;
+};
+
+EdgeCheck checkEdges(const SolverMesh& mesh)
+{
+  EdgeCheck result;
+  DisjointSets boundaries(mesh.unknownCount());
+  DisjointSets fans(3 * static_cast<Index>(mesh.triangles.size()));  // corners joined across edges
+  std::vector<bool> isBoundary(static_cast<std::size_t>(mesh.unknownCount()), false);
+  const auto cornerAt = [&](const HalfEdge& half, Index v) {
+    const int k = mesh.triangles[half.triangle][half.side] == v ? half.side : (half.side + 1) % 3;
+    return 3 * half.triangle + k;
+  };
+  forEachEdge(sortedHalfEdges(mesh.triangles), [&](std::span<const HalfEdge> edge) {
+    for (const HalfEdge& half : edge.subspan(1)) {
+      fans.unite(cornerAt(edge[0], half.a), cornerAt(half, half.a));
+      fans.unite(cornerAt(edge[0], half.b), cornerAt(half, half.b));
+    }
+    if (edge.size() == 1) {
+      boundaries.unite(edge[0].a, edge[0].b);
+      isBoundary[edge[0].a] = true;
+    }
+    if (edge.size() > 2)
+      for (const HalfEdge& half : edge) result.nonManifoldFaces.push_back(mesh.faceOf[half.triangle]);
+    if (edge.size() == 2 && edge[0].isForward == edge[1].isForward)
+      for (const HalfEdge& half : edge) result.flippedFaces.push_back(mesh.faceOf[half.triangle]);
+  });
+  for (Index u = 0; u < mesh.unknownCount(); ++u)
+    if (isBoundary[u] && boundaries.find(u) == u) result.boundaryVertices.push_back(u);
+  std::vector<Index> fanOf(static_cast<std::size_t>(mesh.unknownCount()), -1);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      const Index fan = fans.find(static_cast<Index>(3 * t) + k);
+      Index& known = fanOf[mesh.triangles[t][k]];
+      if (known < 0) known = fan;
+      if (known != fan) result.nonManifoldVertices.push_back(mesh.triangles[t][k]);
+    }
+  return result;
+}
+
+void addEdges(Findings& findings, const SolverMesh& mesh)
+{
+  EdgeCheck edges = checkEdges(mesh);
+  findings.add("non_manifold_edges", "face", std::move(edges.nonManifoldFaces),
+               "faces meet at edges of more than two faces; all of them pull on such an edge");
+  findings.add("non_manifold_vertices", "vertex", fileVertices(mesh, edges.nonManifoldVertices),
+               "vertices join fans of faces that share no edge; the fans stay joined there");
+  findings.add("flipped_neighbours", "face", std::move(edges.flippedFaces),
+               "faces disagree with a neighbour on which side is out; the shape is kept all the same, normals are not");
+  findings.add("boundary_loops", "vertex", fileVertices(mesh, edges.boundaryVertices),
+               "boundaries (a vertex of each is named); the surface is open there");
+}
+
+}  // namespace
+
+std::vector<Finding> findNonFinite(const Mesh& mesh)
+{
+  std::vector<Index> vertices;
+  for (Index v = 0; v < mesh.vertexCount(); ++v)
+    if (!mesh.positions.row(v).allFinite()) vertices.push_back(v);
+  Findings findings;
+  findings.add("non_finite_coordinates", "vertex", std::move(vertices),
+               "vertices have a coordinate that is not a finite number; repair them, nothing can be solved");
+  return findings.take();
+}
+
+std::vector<Finding> checkMesh(const Mesh& mesh, const Triangulation& triangulation, const SolverMesh& solverMesh)
+{
+  Findings findings;
+  addComponents(findings, solverMesh);
+  addUnreferenced(findings, solverMesh);
+  addCoincident(findings, mesh, solverMesh);
+  addBadTriangles(findings, mesh, triangulation);
+  addEdges(findings, solverMesh);
+  return findings.take();
+}
+
+std::vector<Finding> guardFindings(const Operators& operators, const SolverMesh& solverMesh)
+{
+  Findings findings;
+  findings.add("capped_cotangents", "vertex", fileVertices(solverMesh, operators.clampedCotangents),
+               "vertices of triangles whose cotangents were capped: very small or very large angles");
+  findings.add("floored_areas", "vertex", fileVertices(solverMesh, operators.flooredAreas),
+               "vertices whose area was raised to a thousandth of the mean");
+  return findings.take();
+}
+
+}  // namespace holdfast

@@ -1,0 +1,30 @@
+#pragma once
+/// \file
+/// What may be wrong with a mesh, found before anything is factorised, each finding with ids and with what the solver
+/// will do about it. docs/errors.md lists the kinds.
+
+#include <vector>
+
+#include <holdfast/check/finding.h>
+#include <holdfast/mesh/solver_mesh.h>
+#include <holdfast/operators/operators.h>
+
+namespace holdfast {
+
+/// A smallest angle below this makes a triangle a needle.
+inline constexpr double kNeedleDegrees = 1;
+
+/// Vertices with a coordinate that is NaN or infinite; empty for a usable mesh. Nothing else may be asked of a mesh
+/// that has such vertices. O(N).
+[[nodiscard]] std::vector<Finding> findNonFinite(const Mesh& mesh);
+
+/// Everything else, in a fixed order: parts, vertices without faces, vertices that coincide, faces without area,
+/// needles, edges and vertices that are not manifold, neighbours that disagree on the orientation, boundaries. O(T log
+/// T).
+[[nodiscard]] std::vector<Finding> checkMesh(const Mesh& mesh, const Triangulation& triangulation,
+                                             const SolverMesh& solverMesh);
+
+/// Vertices where a guard of the weights acted.
+[[nodiscard]] std::vector<Finding> guardFindings(const Operators& operators, const SolverMesh& solverMesh);
+
+}  // namespace holdfast

@@ -1,0 +1,126 @@
+// Cholesky factorisation of the normal equations by CHOLMOD, supernodal.
+
+#include <new>
+#include <utility>
+
+#include <cholmod.h>
+#include <fmt/format.h>
+
+#include <holdfast/solve/gram.h>
+#include <holdfast/solve/least_squares_factor.h>
+
+namespace holdfast {
+namespace {
+
+/// Owns CHOLMOD's workspace, its factor and the memory of both.
+class Cholmod {
+ public:
+  Cholmod()
+  {
+    cholmod_start(&common_);
+    common_.print = 0;
+    common_.supernodal = CHOLMOD_SUPERNODAL;
+  }
+  ~Cholmod()
+  {
+    cholmod_free_factor(&factor_, &common_);
+    cholmod_finish(&common_);
+  }
+  Cholmod(const Cholmod&) = delete;
+  Cholmod& operator=(const Cholmod&) = delete;
+
+  /// Analyses and factorises the matrix whose lower triangle is given; the reason where that fails.
+  std::string factorize(SparseMatrix& lower)
+  {
+    cholmod_sparse view = viewOf(lower);
+    factor_ = cholmod_analyze(&view, &common_);
+    if (factor_ != nullptr) cholmod_factorize(&view, factor_, &common_);
+    return failure(lower.rows());
+  }
+
+  [[nodiscard]] Columns3 solve(Columns3 rightSides)
+  {
+    cholmod_dense view{};
+    view.nrow = static_cast<std::size_t>(rightSides.rows());
+    view.ncol = 3;
+    view.nzmax = view.nrow * view.ncol;
+    view.d = view.nrow;
+    view.x = rightSides.data();
+    view.xtype = CHOLMOD_REAL;
+    view.dtype = CHOLMOD_DOUBLE;
+    cholmod_dense* solution = cholmod_solve(CHOLMOD_A, factor_, &view, &common_);
+    if (solution == nullptr) throw std::bad_alloc();
+    rightSides = Eigen::Map<const Columns3>(static_cast<const double*>(solution->x), rightSides.rows(), 3);
+    cholmod_free_dense(&solution, &common_);
+    return rightSides;
+  }
+
+  [[nodiscard]] Index nonzeros() const { return static_cast<Index>(common_.lnz); }
+
+ private:
+  static cholmod_sparse viewOf(SparseMatrix& lower)
+  {
+    cholmod_sparse view{};
+    view.nrow = static_cast<std::size_t>(lower.rows());
+    view.ncol = static_cast<std::size_t>(lower.cols());
+    view.nzmax = static_cast<std::size_t>(lower.nonZeros());
+    view.p = lower.outerIndexPtr();
+    view.i = lower.innerIndexPtr();
+    view.x = lower.valuePtr();
+    view.stype = -1;
+    view.itype = CHOLMOD_INT;
+    view.xtype = CHOLMOD_REAL;
+    view.dtype = CHOLMOD_DOUBLE;
+    view.sorted = 1;
+    view.packed = 1;
+    return view;
+  }
+
+  [[nodiscard]] std::string failure(Index size) const
+  {
+    switch (common_.status) {
+      case CHOLMOD_OK:
+        return {};
+      case CHOLMOD_NOT_POSDEF:
+        return fmt::format("the normal equations are not positive definite in doubles (pivot {} of {})",
+                           factor_ == nullptr ? 0 : factor_->minor + 1, size);
+      case CHOLMOD_OUT_OF_MEMORY:
+        return fmt::format("not enough memory to factorise {} unknowns", size);
+      case CHOLMOD_TOO_LARGE:
+        return fmt::format("the factor of {} unknowns is too large for 32-bit indices", size);
+      default:
+        return fmt::format("CHOLMOD failed with status {}", common_.status);
+    }
+  }
+
+  mutable cholmod_common common_{};
+  cholmod_factor* factor_ = nullptr;
+};
+
+class CholeskyBySuiteSparse final : public LeastSquaresFactor {
+ public:
+  CholeskyBySuiteSparse(std::shared_ptr<const SparseMatrix> C, std::unique_ptr<Cholmod> cholmod)
+      : C_(std::move(C)), cholmod_(std::move(cholmod))
+  {
+  }
+
+  [[nodiscard]] Columns3 solve(const Columns3& f) const override { return cholmod_->solve(C_->transpose() * f); }
+  [[nodiscard]] Index nonzeros() const override { return cholmod_->nonzeros(); }
+  [[nodiscard]] std::string_view method() const override { return "Cholesky factor of the normal equations (CHOLMOD)"; }
+
+ private:
+  std::shared_ptr<const SparseMatrix> C_;
+  std::unique_ptr<Cholmod> cholmod_;
+};
+
+}  // namespace
+
+FactorAttempt choleskyBySuiteSparse(std::shared_ptr<const SparseMatrix> C)
+{
+  auto cholmod = std::make_unique<Cholmod>();
+  SparseMatrix lower = gramLower(*C);
+  if (std::string failure = cholmod->factorize(lower); !failure.empty()) return {nullptr, std::move(failure)};
+  return {std::make_unique<CholeskyBySuiteSparse>(std::move(C), std::move(cholmod)), {}};
+}
+
+}  // namespace holdfast

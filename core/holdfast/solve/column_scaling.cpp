@@ -1,0 +1,27 @@
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <holdfast/solve/column_scaling.h>
+
+namespace holdfast {
+
+ScaledColumns scaleColumns(SparseMatrix M)
+{
+  ScaledColumns result;
+  result.scale.resize(M.cols());
+  for (Index k = 0; k < M.cols(); ++k) {
+    const double length = M.col(k).norm();
+    if (!(length > 0) || !std::isfinite(length)) {
+      result.failure = fmt::format("unknown {} of {} is in no equation, or in one that is not finite", k, M.cols());
+      return result;
+    }
+    result.scale[k] = 1 / length;
+    M.col(k) *= result.scale[k];
+  }
+  result.C = std::make_shared<const SparseMatrix>(std::move(M));
+  return result;
+}
+
+}  // namespace holdfast

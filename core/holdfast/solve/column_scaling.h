@@ -1,0 +1,21 @@
+#pragma once
+/// \file
+/// Columns of unit length: the normal equations get a unit diagonal.
+
+#include <memory>
+#include <string>
+
+#include <holdfast/base/types.h>
+
+namespace holdfast {
+
+/// C = M diag(scale) with columns of length 1.
+struct ScaledColumns {
+  std::shared_ptr<const SparseMatrix> C;
+  Eigen::VectorXd scale;
+  std::string failure;  ///< why that is not possible: an empty or non-finite column
+};
+
+[[nodiscard]] ScaledColumns scaleColumns(SparseMatrix M);
+
+}  // namespace holdfast

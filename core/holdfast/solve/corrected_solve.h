@@ -1,0 +1,25 @@
+#pragma once
+/// \file
+/// Least-squares solutions with all the digits of a double out of a factor that has half of them.
+
+#include <holdfast/solve/least_squares_factor.h>
+
+namespace holdfast {
+
+struct CorrectedSolution {
+  Columns3 z;           ///< k x 3
+  int corrections = 0;  ///< how many were needed
+  double accuracy = 0;  ///< size of the last correction relative to the solution: an estimate of the relative error
+};
+
+/// Corrected semi-normal equations (Björck, 1987): the residual is computed through C itself, never through C^T C, and
+/// solved for once more with the same factor, until a correction no longer shrinks. `C` is what the factor was made
+/// of. Sizes are measured after `columnScale` (k), that is in the units of what the user sees.
+[[nodiscard]] CorrectedSolution correctedSolve(const LeastSquaresFactor& factor, const SparseMatrix& C,
+                                               const Eigen::VectorXd& columnScale, const Columns3& f);
+
+/// How much of an error one correction leaves: 1e-8 for a good factor, 1 or more (or NaN) for a useless one. Measured
+/// on `probe`, a known solution.
+[[nodiscard]] double contraction(const LeastSquaresFactor& factor, const SparseMatrix& C, const Columns3& probe);
+
+}  // namespace holdfast

@@ -1,0 +1,39 @@
+#pragma once
+/// \file
+/// The whole way from a mesh and its constraints to deformed positions: set-up, decomposition, solution (section 6).
+
+#include <string>
+
+#include <holdfast/base/progress.h>
+#include <holdfast/solve/model.h>
+#include <holdfast/solve/report.h>
+
+namespace holdfast {
+
+struct DeformOptions {
+  Weights weights = Weights::Cotangent;
+  SolverOptions solver;
+};
+
+/// A deformed mesh, or (status `Failed`) the mesh at rest with the reason in the report.
+struct Deformation {
+  Positions positions;      ///< of the file's vertices
+  ConstraintSystem system;  ///< the rows that were asked for
+  Diagnosis diagnosis;
+  Operators operators;
+  Report report;
+};
+
+/// Deforms `model` under `constraints`; `source` names the list in messages. Throws `InputError` for constraints that
+/// do not fit the mesh, and what `progress` throws. Everything else is in the report. The model is not changed.
+[[nodiscard]] Deformation deform(const Model& model, const ConstraintList& constraints, const std::string& source,
+                                 const DeformOptions& options, Progress& progress);
+
+/// The report without a solution: what repeats, what conflicts, which parts would stay at rest. Residuals are not set.
+[[nodiscard]] Report diagnoseConstraints(const Model& model, const ConstraintList& constraints,
+                                         const std::string& source);
+
+/// The part of the report that speaks of the mesh alone.
+[[nodiscard]] MeshReport describeMesh(const Model& model);
+
+}  // namespace holdfast

@@ -1,0 +1,69 @@
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <holdfast/solve/corrected_solve.h>
+#include <holdfast/solve/least_squares_factor.h>
+
+namespace holdfast {
+namespace {
+
+// A factor that leaves at most this share of an error reaches the digits of a double in a dozen corrections.
+constexpr double kGoodContraction = 0.05;
+// Beyond this corrections do not converge at all.
+constexpr double kUsableContraction = 0.5;
+
+/// The factor of a problem without unknowns: constraints and parts at rest have taken all.
+class NothingToSolve final : public LeastSquaresFactor {
+ public:
+  [[nodiscard]] Columns3 solve(const Columns3& /*f*/) const override { return Columns3(0, 3); }
+  [[nodiscard]] Index nonzeros() const override { return 0; }
+  [[nodiscard]] std::string_view method() const override { return "nothing left to solve"; }
+};
+
+FactorAttempt cholesky(std::shared_ptr<const SparseMatrix> C, Backend backend)
+{
+#ifdef HOLDFAST_WITH_CHOLMOD
+  if (backend == Backend::Cholmod) return choleskyBySuiteSparse(std::move(C));
+#endif
+  static_cast<void>(backend);
+  return choleskyByEigen(std::move(C));
+}
+
+}  // namespace
+
+std::string_view name(Backend backend)
+{
+  return backend == Backend::Cholmod ? "cholmod" : "eigen";
+}
+
+Backend defaultBackend()
+{
+#ifdef HOLDFAST_WITH_CHOLMOD
+  return Backend::Cholmod;
+#else
+  return Backend::Eigen;
+#endif
+}
+
+FactorAttempt factorize(std::shared_ptr<const SparseMatrix> C, Backend backend, const Columns3& probe)
+{
+  if (C->cols() == 0) return {std::make_unique<NothingToSolve>(), {}};
+  FactorAttempt first = cholesky(C, backend);
+  double left = 0;
+  if (first.factor != nullptr) {
+    left = contraction(*first.factor, *C, probe);
+    if (left <= kGoodContraction) return first;
+    first.failure = fmt::format("the normal equations keep no digits (a correction leaves {:.1g} of an error)", left);
+  }
+  FactorAttempt second = seminormalQr(C, backend);
+  if (second.factor != nullptr) {
+    const double leftByQr = contraction(*second.factor, *C, probe);
+    if (leftByQr <= kUsableContraction) return second;
+    second.failure = fmt::format("sparse QR keeps no digits (a correction leaves {:.1g} of an error)", leftByQr);
+  }
+  if (first.factor != nullptr && left <= kUsableContraction) return first;
+  return {nullptr, first.failure + "; " + second.failure};
+}
+
+}  // namespace holdfast

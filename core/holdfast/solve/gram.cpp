@@ -1,0 +1,66 @@
+#include <algorithm>
+#include <vector>
+
+#include <holdfast/solve/gram.h>
+
+namespace holdfast {
+namespace {
+
+/// Sums entries of one column at a time.
+class ColumnSum {
+ public:
+  explicit ColumnSum(Index size)
+      : value_(static_cast<std::size_t>(size), 0), isSet_(static_cast<std::size_t>(size), false)
+  {
+  }
+
+  void add(int row, double value)
+  {
+    if (!isSet_[row]) {
+      isSet_[row] = true;
+      rows_.push_back(row);
+    }
+    value_[row] += value;
+  }
+
+  /// Appends the column to `matrix` and starts anew.
+  void moveTo(SparseMatrix& matrix, Index column)
+  {
+    std::sort(rows_.begin(), rows_.end());
+    matrix.startVec(column);
+    for (const int row : rows_) {
+      matrix.insertBack(row, column) = value_[row];
+      value_[row] = 0;
+      isSet_[row] = false;
+    }
+    rows_.clear();
+  }
+
+ private:
+  std::vector<double> value_;
+  std::vector<bool> isSet_;
+  std::vector<int> rows_;
+};
+
+}  // namespace
+
+SparseMatrix gramLower(const SparseMatrix& C)
+{
+  const SparseRows byRows = C;
+  const int* const start = byRows.outerIndexPtr();
+  const int* const column = byRows.innerIndexPtr();
+  const double* const value = byRows.valuePtr();
+  SparseMatrix result(C.cols(), C.cols());
+  result.reserve(3 * C.nonZeros());
+  ColumnSum sum(C.cols());
+  for (int j = 0; j < C.cols(); ++j) {
+    for (SparseMatrix::InnerIterator entry(C, j); entry; ++entry)
+      for (int k = start[entry.row() + 1] - 1; k >= start[entry.row()] && column[k] >= j; --k)
+        sum.add(column[k], entry.value() * value[k]);
+    sum.moveTo(result, j);
+  }
+  result.finalize();
+  return result;
+}
+
+}  // namespace holdfast

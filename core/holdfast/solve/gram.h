@@ -1,0 +1,12 @@
+#pragma once
+/// \file
+/// The matrix of the normal equations.
+
+#include <holdfast/base/types.h>
+
+namespace holdfast {
+
+/// The lower triangle of C^T C, each column with ascending rows. O(sum of squares of the row lengths of C).
+[[nodiscard]] SparseMatrix gramLower(const SparseMatrix& C);
+
+}  // namespace holdfast

@@ -1,0 +1,64 @@
+#pragma once
+/// \file
+/// A factorisation of a sparse least-squares problem, whatever stands behind it: the normal equations by CHOLMOD or
+/// Eigen, or the R of a sparse QR.
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include <holdfast/base/types.h>
+
+namespace holdfast {
+
+/// Who does the numerical work.
+enum class Backend {
+  Cholmod,  ///< SuiteSparse: CHOLMOD, SPQR, UMFPACK
+  Eigen
+};
+
+/// The name in files and options: "cholmod", "eigen".
+[[nodiscard]] std::string_view name(Backend backend);
+
+/// CHOLMOD where it is built, Eigen otherwise.
+[[nodiscard]] Backend defaultBackend();
+
+/// A factorised problem: minimise |C z - f| for any f. Not for concurrent calls.
+class LeastSquaresFactor {
+ public:
+  virtual ~LeastSquaresFactor() = default;
+
+  /// z for three right-hand sides (m x 3), without any correction: see `correctedSolve`. O(nonzeros()).
+  [[nodiscard]] virtual Columns3 solve(const Columns3& f) const = 0;
+
+  /// Stored entries of the factor.
+  [[nodiscard]] virtual Index nonzeros() const = 0;
+
+  /// What stands behind it, in a user's words: "Cholesky factor of the normal equations (CHOLMOD)".
+  [[nodiscard]] virtual std::string_view method() const = 0;
+
+ protected:
+  LeastSquaresFactor() = default;
+  LeastSquaresFactor(const LeastSquaresFactor&) = default;
+  LeastSquaresFactor& operator=(const LeastSquaresFactor&) = default;
+};
+
+/// A factor, or the reason why there is none.
+struct FactorAttempt {
+  std::unique_ptr<const LeastSquaresFactor> factor;
+  std::string failure;
+};
+
+/// Each takes C (m x k) with columns of unit length, and keeps it. Those of SuiteSparse are defined where that is
+/// built.
+[[nodiscard]] FactorAttempt choleskyBySuiteSparse(std::shared_ptr<const SparseMatrix> C);
+[[nodiscard]] FactorAttempt choleskyByEigen(std::shared_ptr<const SparseMatrix> C);
+/// R of a sparse QR of C, Q not kept: R^T R z = C^T f (semi-normal equations; Björck, 1987).
+[[nodiscard]] FactorAttempt seminormalQr(std::shared_ptr<const SparseMatrix> C, Backend backend);
+
+/// A factor that solves with the digits of a double after corrections: Cholesky of the normal equations, and where that
+/// meets a bad pivot or contracts too slowly, sparse QR of C. `probe` (k x 3) is any typical solution; the factor is
+/// judged by how well it finds it. A failure names both reasons.
+[[nodiscard]] FactorAttempt factorize(std::shared_ptr<const SparseMatrix> C, Backend backend, const Columns3& probe);
+
+}  // namespace holdfast

@@ -1,0 +1,25 @@
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <holdfast/base/error.h>
+#include <holdfast/solve/model.h>
+
+namespace holdfast {
+
+Model makeModel(Mesh mesh, const std::string& source)
+{
+  if (mesh.faces.isEmpty()) throw InputError({source, 0, ""}, "the mesh has no faces; give a surface mesh");
+  if (const std::vector<Finding> broken = findNonFinite(mesh); !broken.empty())
+    throw InputError({source, 0, fmt::format("vertex {}", broken.front().ids.front())}, broken.front().message);
+  Model model;
+  model.mesh = std::move(mesh);
+  model.triangulation = triangulate(model.mesh);
+  model.solverMesh = makeSolverMesh(model.mesh, model.triangulation);
+  if (!(model.solverMesh.diagonal > 0))
+    throw InputError({source, 0, ""}, "all vertices lie in one place; the mesh has no size to deform");
+  model.findings = checkMesh(model.mesh, model.triangulation, model.solverMesh);
+  return model;
+}
+
+}  // namespace holdfast

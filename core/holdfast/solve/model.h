@@ -1,0 +1,21 @@
+#pragma once
+/// \file
+/// A mesh made ready for deformation: what depends on neither constraints nor weights.
+
+#include <holdfast/check/mesh_check.h>
+#include <holdfast/mesh/solver_mesh.h>
+
+namespace holdfast {
+
+struct Model {
+  Mesh mesh;
+  Triangulation triangulation;
+  SolverMesh solverMesh;
+  std::vector<Finding> findings;
+};
+
+/// Checks, triangulates and welds. Throws `InputError` for coordinates that are not finite and for a mesh without an
+/// area; `source` names the mesh in messages. O(T log T).
+[[nodiscard]] Model makeModel(Mesh mesh, const std::string& source);
+
+}  // namespace holdfast

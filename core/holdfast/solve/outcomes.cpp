@@ -1,0 +1,119 @@
+#include <algorithm>
+#include <set>
+
+#include <holdfast/solve/outcomes.h>
+
+namespace holdfast {
+namespace {
+
+/// What the rows of one constraint add up to.
+struct RowTally {
+  Index rows = 0;
+  Index redundant = 0;
+  Index conflicting = 0;
+  double gap = 0;
+  std::set<Index> partners;  // constraints
+};
+
+std::vector<RowTally> tally(const ConstraintSystem& system, const Diagnosis& diagnosis, std::size_t constraintCount)
+{
+  std::vector<RowTally> tallies(constraintCount);
+  for (const ConstraintRow& row : system.rows) ++tallies[row.constraint].rows;
+  for (const auto& [dependency, gap] : diagnosis.dependent) {
+    RowTally& own = tallies[system.rows[dependency.row].constraint];
+    const bool isConflicting = diagnosis.status[dependency.row] == RowStatus::Conflicting;
+    ++(isConflicting ? own.conflicting : own.redundant);
+    own.gap = std::max(own.gap, gap.norm());
+    for (const Partner& partner : dependency.partners) own.partners.insert(system.rows[partner.row].constraint);
+  }
+  return tallies;
+}
+
+ConstraintStatus statusOf(const RowTally& rows)
+{
+  if (rows.rows == 0) return ConstraintStatus::Disabled;
+  if (rows.conflicting > 0) return ConstraintStatus::Conflicting;
+  return rows.redundant == rows.rows ? ConstraintStatus::Redundant : ConstraintStatus::Met;
+}
+
+}  // namespace
+
+std::string_view name(ConstraintStatus status)
+{
+  switch (status) {
+    case ConstraintStatus::Met:
+      return "met";
+    case ConstraintStatus::Redundant:
+      return "redundant";
+    case ConstraintStatus::Conflicting:
+      return "conflicting";
+    case ConstraintStatus::Missed:
+      return "missed";
+    case ConstraintStatus::Disabled:
+      return "disabled";
+  }
+  return "";
+}
+
+std::string_view name(SolveStatus status)
+{
+  switch (status) {
+    case SolveStatus::NotRun:
+      return "not run";
+    case SolveStatus::Ok:
+      return "ok";
+    case SolveStatus::Conflicts:
+      return "conflicts";
+    case SolveStatus::Failed:
+      return "failed";
+  }
+  return "";
+}
+
+std::vector<double> rowResiduals(const ConstraintSystem& system, const Weld& weld, const Positions& positions)
+{
+  std::vector<double> residuals;
+  residuals.reserve(system.rows.size());
+  for (const ConstraintRow& row : system.rows) {
+    Vector3 at = Vector3::Zero();
+    for (const PointTerm& term : row.terms)
+      at += term.weight * positions.row(weld.firstVertexOf[term.vertex]).transpose();
+    residuals.push_back((at - row.target).norm());
+  }
+  return residuals;
+}
+
+std::vector<ConstraintOutcome> outcomes(const ConstraintList& list, const ConstraintSystem& system,
+                                        const Diagnosis& diagnosis)
+{
+  const std::vector<RowTally> tallies = tally(system, diagnosis, list.constraints.size());
+  std::vector<ConstraintOutcome> result;
+  for (std::size_t c = 0; c < list.constraints.size(); ++c) {
+    ConstraintOutcome outcome{
+        list.constraints[c].name, typeName(list.constraints[c]), tallies[c].rows, statusOf(tallies[c]), {}, {}, {}};
+    if (outcome.status == ConstraintStatus::Redundant || outcome.status == ConstraintStatus::Conflicting) {
+      outcome.gap = tallies[c].gap;
+      for (const Index partner : tallies[c].partners) outcome.dependsOn.push_back(list.constraints[partner].name);
+    }
+    result.push_back(std::move(outcome));
+  }
+  return result;
+}
+
+void setResiduals(Report& report, const ConstraintSystem& system, const Diagnosis& diagnosis,
+                  const std::vector<double>& residuals, double limit)
+{
+  double largest = 0;
+  for (std::size_t r = 0; r < residuals.size(); ++r) {
+    ConstraintOutcome& outcome = report.constraints[system.rows[r].constraint];
+    outcome.residual = std::max(outcome.residual.value_or(0), residuals[r]);
+    if (diagnosis.status[r] == RowStatus::Conflicting) continue;
+    largest = std::max(largest, residuals[r]);
+    const bool isHeld = outcome.status == ConstraintStatus::Met || outcome.status == ConstraintStatus::Redundant;
+    if (isHeld && residuals[r] > limit) outcome.status = ConstraintStatus::Missed;
+  }
+  report.solve.maxResidual = largest;
+  report.solve.maxResidualRelative = largest / report.mesh.bboxDiagonal;
+}
+
+}  // namespace holdfast

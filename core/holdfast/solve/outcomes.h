@@ -1,0 +1,25 @@
+#pragma once
+/// \file
+/// How each constraint fared, read off positions.
+
+#include <vector>
+
+#include <holdfast/solve/model.h>
+#include <holdfast/solve/report.h>
+
+namespace holdfast {
+
+/// |B x - d| of every row for the file's vertices at `positions`, model units.
+[[nodiscard]] std::vector<double> rowResiduals(const ConstraintSystem& system, const Weld& weld,
+                                               const Positions& positions);
+
+/// One outcome for each constraint of the list, in order, without residuals.
+[[nodiscard]] std::vector<ConstraintOutcome> outcomes(const ConstraintList& list, const ConstraintSystem& system,
+                                                      const Diagnosis& diagnosis);
+
+/// Sets the residuals in `report` from positions as they are, or will be, stored, and the status of constraints whose
+/// residual exceeds `limit` (model units).
+void setResiduals(Report& report, const ConstraintSystem& system, const Diagnosis& diagnosis,
+                  const std::vector<double>& residuals, double limit);
+
+}  // namespace holdfast

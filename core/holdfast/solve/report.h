@@ -1,0 +1,80 @@
+#pragma once
+/// \file
+/// What a deformation tells about itself. docs/formats.md describes the report file, `report_json.h` writes it.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <holdfast/check/finding.h>
+#include <holdfast/operators/operators.h>
+#include <holdfast/solve/deformation_solver.h>
+
+namespace holdfast {
+
+struct MeshReport {
+  Index vertices = 0;
+  Index faces = 0;
+  Index components = 0;
+  double bboxDiagonal = 0;  ///< model units
+  std::vector<Finding> findings;
+};
+
+enum class ConstraintStatus {
+  Met,          ///< residual within the promise
+  Redundant,    ///< follows from constraints before it, and agrees with them
+  Conflicting,  ///< contradicts constraints before it; what contradicts was left out
+  Missed,       ///< soft constraints and Lagrange multipliers: residual beyond the promise
+  Disabled
+};
+
+/// The name in reports: "met", "redundant", ...
+[[nodiscard]] std::string_view name(ConstraintStatus status);
+
+struct ConstraintOutcome {
+  std::string name;
+  std::string type;
+  Index rows = 0;  ///< rows of B; 0 when disabled
+  ConstraintStatus status = ConstraintStatus::Disabled;
+  std::optional<double> residual;      ///< largest distance from target, model units; none when disabled or not solved
+  std::vector<std::string> dependsOn;  ///< names of the constraints that a redundant or conflicting one follows from
+  std::optional<double> gap;           ///< how far it contradicts them, model units; of redundant and conflicting ones
+};
+
+enum class SolveStatus {
+  NotRun,
+  Ok,         ///< every constraint that can be met is met
+  Conflicts,  ///< solved with the conflicting rows left out
+  Failed      ///< no usable solution; `message` says why
+};
+
+[[nodiscard]] std::string_view name(SolveStatus status);
+
+struct Seconds {
+  double setup = 0;          ///< triangulation, operators, rows of constraints
+  double decomposition = 0;  ///< elimination and factorisation
+  double solution = 0;       ///< per set of targets
+};
+
+struct SolveReport {
+  SolveStatus status = SolveStatus::NotRun;
+  std::string message;
+  double maxResidual = 0;          ///< of all constraints that are not disabled or conflicting, model units
+  double maxResidualRelative = 0;  ///< the same as a share of the bounding box's diagonal
+  Weights weights = Weights::Cotangent;
+  SolverOptions options;
+  std::string method;  ///< how the factor was made
+  Index unknowns = 0;
+  Index factorNonzeros = 0;
+  int refinementSteps = 0;
+  double accuracy = 0;  ///< estimated relative error of the free displacements
+  Seconds seconds;
+};
+
+struct Report {
+  MeshReport mesh;
+  std::vector<ConstraintOutcome> constraints;
+  SolveReport solve;
+};
+
+}  // namespace holdfast

@@ -1,0 +1,92 @@
+// The least-squares factor of last resort: R of a sparse QR of C, which never squares the condition number.
+
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <holdfast/elimination/sparse_qr.h>
+#include <holdfast/solve/least_squares_factor.h>
+
+namespace holdfast {
+namespace {
+
+/// The rows of C that are not empty: the others say nothing, and Eigen's QR does not take them.
+SparseMatrix withoutEmptyRows(const SparseMatrix& C)
+{
+  const SparseRows byRows = C;
+  std::vector<Index> kept;
+  for (Index r = 0; r < byRows.rows(); ++r)
+    if (byRows.outerIndexPtr()[r + 1] > byRows.outerIndexPtr()[r]) kept.push_back(r);
+  SparseRows result(static_cast<Index>(kept.size()), C.cols());
+  result.reserve(byRows.nonZeros());
+  for (std::size_t k = 0; k < kept.size(); ++k) {
+    result.startVec(static_cast<Index>(k));
+    for (SparseRows::InnerIterator entry(byRows, kept[k]); entry; ++entry)
+      result.insertBack(static_cast<Index>(k), entry.col()) = entry.value();
+  }
+  result.finalize();
+  return result;
+}
+
+class SeminormalQr final : public LeastSquaresFactor {
+ public:
+  SeminormalQr(std::shared_ptr<const SparseMatrix> C, SparseQrResult qr, Backend backend)
+      : C_(std::move(C)), R_(std::move(qr.R)), columns_(std::move(qr.columns)), backend_(backend)
+  {
+  }
+
+  [[nodiscard]] Columns3 solve(const Columns3& f) const override
+  {
+    const Columns3 g = C_->transpose() * f;
+    Columns3 z(g.rows(), 3);
+    for (Index k = 0; k < z.rows(); ++k) z.row(k) = g.row(columns_[k]);
+    R_.transpose().triangularView<Eigen::Lower>().solveInPlace(z);
+    R_.triangularView<Eigen::Upper>().solveInPlace(z);
+    Columns3 result(z.rows(), 3);
+    for (Index k = 0; k < z.rows(); ++k) result.row(columns_[k]) = z.row(k);
+    return result;
+  }
+
+  [[nodiscard]] Index nonzeros() const override { return R_.nonZeros(); }
+
+  [[nodiscard]] std::string_view method() const override
+  {
+    return backend_ == Backend::Cholmod ? "R of a sparse QR (SPQR)" : "R of a sparse QR (Eigen)";
+  }
+
+ private:
+  std::shared_ptr<const SparseMatrix> C_;
+  SparseMatrix R_;
+  std::vector<Index> columns_;
+  Backend backend_;
+};
+
+SparseQrResult qrBy(Backend backend, const SparseMatrix& M)
+{
+  constexpr double kAcceptAll = -1;
+#ifdef HOLDFAST_WITH_CHOLMOD
+  if (backend == Backend::Cholmod) return sparseQrSuiteSparse(M, kAcceptAll, WantQ::No);
+#endif
+  static_cast<void>(backend);
+  return sparseQrEigen(M, kAcceptAll, WantQ::No);
+}
+
+bool hasRegularDiagonal(const SparseMatrix& R)
+{
+  for (Index k = 0; k < R.cols(); ++k)
+    if (R.coeff(k, k) == 0) return false;
+  return true;
+}
+
+}  // namespace
+
+FactorAttempt seminormalQr(std::shared_ptr<const SparseMatrix> C, Backend backend)
+{
+  SparseQrResult qr = qrBy(backend, withoutEmptyRows(*C));
+  if (qr.rank < C->cols() || qr.R.rows() < C->cols() || !hasRegularDiagonal(qr.R))
+    return {nullptr, fmt::format("sparse QR finds rank {} for {} unknowns", qr.rank, C->cols())};
+  return {std::make_unique<SeminormalQr>(std::move(C), std::move(qr), backend), {}};
+}
+
+}  // namespace holdfast

@@ -1,0 +1,64 @@
+// Soft constraints by weighted least squares: equations (7) and (8), for comparison with hard ones.
+
+#include <utility>
+
+#include <holdfast/solve/column_scaling.h>
+#include <holdfast/solve/constraint_matrix.h>
+#include <holdfast/solve/corrected_solve.h>
+#include <holdfast/solve/deformation_solver.h>
+
+namespace holdfast {
+namespace {
+
+SparseMatrix stacked(const SparseMatrix& top, const SparseMatrix& bottom)
+{
+  SparseRows result(top.rows() + bottom.rows(), top.cols());
+  result.topRows(top.rows()) = top;
+  result.bottomRows(bottom.rows()) = bottom;
+  return result;
+}
+
+class SoftSolver final : public DeformationSolver {
+ public:
+  SoftSolver(double weight, SparseMatrix spread, ScaledColumns stacked,
+             std::unique_ptr<const LeastSquaresFactor> factor)
+      : weight_(weight), spread_(std::move(spread)), stacked_(std::move(stacked)), factor_(std::move(factor))
+  {
+  }
+
+  [[nodiscard]] Displacement solve(const Columns3& shifts, const Columns3& f) const override
+  {
+    Columns3 rightSides(f.rows() + shifts.rows(), 3);
+    rightSides << f, weight_ * shifts;
+    const CorrectedSolution z = correctedSolve(*factor_, *stacked_.C, stacked_.scale, rightSides);
+    return {spread_ * (stacked_.scale.asDiagonal() * z.z), z.corrections, z.accuracy};
+  }
+
+  [[nodiscard]] Index unknowns() const override { return spread_.cols(); }
+  [[nodiscard]] Index factorNonzeros() const override { return factor_->nonzeros(); }
+  [[nodiscard]] std::string method() const override { return std::string(factor_->method()); }
+
+ private:
+  double weight_;
+  SparseMatrix spread_;  // n x free unknowns, identity columns
+  ScaledColumns stacked_;
+  std::unique_ptr<const LeastSquaresFactor> factor_;
+};
+
+}  // namespace
+
+DecompositionAttempt makeSoftSolver(DeformationProblem problem, Backend backend, double weight)
+{
+  const EliminatedConstraints& eliminated = problem.eliminated;
+  const Index n = problem.A.cols();
+  SparseMatrix spread = Elimination({}, {}, n, eliminated.isHeld).Q2();
+  const SparseMatrix all = stacked(problem.A, weight * constraintMatrix(eliminated.rows, n));
+  ScaledColumns scaled = scaleColumns(all * spread);
+  if (!scaled.failure.empty()) return {nullptr, std::move(scaled.failure)};
+  const Columns3 probe = scaled.scale.cwiseInverse().asDiagonal() * Columns3(spread.transpose() * problem.rest);
+  FactorAttempt attempt = factorize(scaled.C, backend, probe);
+  if (attempt.factor == nullptr) return {nullptr, std::move(attempt.failure)};
+  return {std::make_unique<SoftSolver>(weight, std::move(spread), std::move(scaled), std::move(attempt.factor)), {}};
+}
+
+}  // namespace holdfast
