@@ -30,7 +30,12 @@ class MeshSource {
   /// texture coordinates, groups, materials, properties and comments. Normals are kept where none of the vertices
   /// that they depend on moved; elsewhere they are recomputed or dropped, and a note says which. Doubles are written
   /// so that they read back bit for bit, in formats that can hold them.
+  /// Throws `OutputError` where a coordinate is too large for the format.
   [[nodiscard]] virtual Serialized withPositions(const Positions& positions) const = 0;
+
+  /// What the file says besides positions and faces, in the words of a message ("texture coordinates", "groups"):
+  /// what is left behind when the mesh is written in another format.
+  [[nodiscard]] virtual std::vector<std::string> extras() const = 0;
 
  protected:
   MeshSource() = default;

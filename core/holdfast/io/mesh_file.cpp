@@ -1,0 +1,80 @@
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <holdfast/base/error.h>
+#include <holdfast/io/file_bytes.h>
+#include <holdfast/io/mesh_file.h>
+#include <holdfast/io/mesh_writer.h>
+#include <holdfast/io/obj_reader.h>
+#include <holdfast/io/off_reader.h>
+#include <holdfast/io/ply_reader.h>
+#include <holdfast/io/stl_reader.h>
+
+namespace holdfast {
+namespace {
+
+struct Format {
+  std::string_view extension;
+  MeshDocument (*read)(std::string bytes, const std::string& file);
+  Serialized (*write)(const Positions& positions, const Polygons& faces);
+};
+
+constexpr std::array kFormats{Format{".obj", readObj, writeObj}, Format{".ply", readPly, writePly},
+                              Format{".off", readOff, writeOff}, Format{".stl", readStl, writeStl}};
+
+constexpr std::array<std::string_view, kFormats.size()> kExtensions{".obj", ".ply", ".off", ".stl"};
+
+/// The format of `extension` in any case, or null.
+const Format* findFormat(std::string_view extension)
+{
+  std::string lower(extension);
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  const auto format =
+      std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& known) { return known.extension == lower; });
+  return format == kFormats.end() ? nullptr : &*format;
+}
+
+std::string unknownFormat(std::string_view extension)
+{
+  const std::string what = extension.empty() ? "a name without an extension says no mesh format"
+                                             : fmt::format("'{}' is not a mesh format that is known here", extension);
+  return fmt::format("{}: use {}", what, fmt::join(kExtensions, ", "));
+}
+
+}  // namespace
+
+std::span<const std::string_view> meshExtensions()
+{
+  return kExtensions;
+}
+
+MeshDocument readMesh(const std::filesystem::path& path)
+{
+  std::string bytes = readFileBytes(path);
+  const Format* const format = findFormat(path.extension().string());
+  if (format == nullptr) throw InputError({path.string(), 0, {}}, unknownFormat(path.extension().string()));
+  return format->read(std::move(bytes), path.string());
+}
+
+Serialized serializeMesh(const MeshDocument& document, const Positions& positions, std::string_view extension)
+{
+  assert(positions.rows() == document.mesh.vertexCount());
+  const Format* const format = findFormat(extension);
+  if (format == nullptr) throw OutputError(std::string(extension), unknownFormat(extension));
+  if (document.source && document.source->extension() == format->extension)
+    return document.source->withPositions(positions);
+  Serialized result = format->write(positions, document.mesh.faces);
+  const std::vector<std::string> lost = document.source ? document.source->extras() : std::vector<std::string>{};
+  if (!lost.empty())
+    result.notes.push_back(fmt::format("left behind, because the format changes from {} to {}: {}",
+                                       document.source->extension(), format->extension, fmt::join(lost, ", ")));
+  return result;
+}
+
+}  // namespace holdfast

@@ -1,0 +1,55 @@
+#pragma once
+/// \file
+/// The header of a PLY file: what elements follow, and what each of them is made of.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <holdfast/base/types.h>
+
+namespace holdfast {
+
+enum class PlyEncoding { kText, kLittleEndian, kBigEndian };
+
+enum class PlyType { kInt8, kUint8, kInt16, kUint16, kInt32, kUint32, kFloat, kDouble };
+
+/// Bytes that a value takes in a binary file.
+[[nodiscard]] std::size_t sizeOf(PlyType type);
+[[nodiscard]] bool isInteger(PlyType type);
+
+struct PlyProperty {
+  std::string name;
+  PlyType type = PlyType::kFloat;    ///< of a list: of its items
+  std::optional<PlyType> countType;  ///< set for a list
+  std::string_view typeWord;         ///< the word in the header that names `type`
+
+  [[nodiscard]] bool isList() const noexcept { return countType.has_value(); }
+};
+
+struct PlyElement {
+  std::string name;
+  Index count = 0;
+  Index line = 0;  ///< in the header
+  std::vector<PlyProperty> properties;
+
+  /// Place of the property called `wanted`; -1 where there is none.
+  [[nodiscard]] Index find(std::string_view wanted) const;
+};
+
+struct PlyHeader {
+  PlyEncoding encoding = PlyEncoding::kText;
+  std::vector<PlyElement> elements;
+  std::size_t bodyOffset = 0;
+  Index bodyLine = 1;
+
+  /// The element called `wanted`, or null.
+  [[nodiscard]] const PlyElement* find(std::string_view wanted) const;
+};
+
+/// Reads the header at the beginning of `bytes`, which must outlive the result; `file` names it in errors. Throws
+/// `InputError` with the line. Counts are not negative, and otherwise as the file claims.
+[[nodiscard]] PlyHeader parsePlyHeader(std::string_view bytes, const std::string& file);
+
+}  // namespace holdfast

@@ -1,0 +1,16 @@
+#pragma once
+/// \file
+/// PLY in, text and binary of either byte order.
+
+#include <string>
+
+#include <holdfast/io/mesh_document.h>
+
+namespace holdfast {
+
+/// Reads a PLY file; `file` names it in errors. The element `vertex` with x, y, z and the element `face` with the list
+/// `vertex_indices` (or `vertex_index`) make the mesh; everything else is kept. Throws `InputError` with the line
+/// (text) or the byte (binary).
+[[nodiscard]] MeshDocument readPly(std::string bytes, const std::string& file);
+
+}  // namespace holdfast

@@ -1,0 +1,28 @@
+#pragma once
+/// \file
+/// Normals of polygons, of vertices, and of groups of corners that share one.
+
+#include <span>
+#include <vector>
+
+#include <holdfast/mesh/mesh.h>
+
+namespace holdfast {
+
+/// Half the sum of p_i x p_(i+1) around `polygon`: its length is the area, its direction the normal by the right-hand
+/// rule. For a polygon that is not flat, that of its best-fitting plane.
+[[nodiscard]] Vector3 areaVector(const Positions& positions, std::span<const Index> polygon);
+
+/// `vector` at unit length; zero where its length is zero or not finite.
+[[nodiscard]] Vector3 unitOrZero(const Vector3& vector);
+
+/// `count` unit normals, one a row: row n is the sum of the area vectors of the faces at those corners that
+/// `normalOfCorner` (one entry a corner of `faces`, -1 for none) gives the number n, made a unit vector. Zero where
+/// there is no such corner, where the sum vanishes or where it is not finite. O(corners).
+[[nodiscard]] Positions areaWeightedNormals(const Positions& positions, const Polygons& faces,
+                                            std::span<const Index> normalOfCorner, Index count);
+
+/// The vertex at each corner, face after face: as `normalOfCorner`, it makes one normal a vertex.
+[[nodiscard]] std::vector<Index> cornerVertices(const Polygons& faces);
+
+}  // namespace holdfast
