@@ -15,11 +15,12 @@ function(holdfast_configure target)
   target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:holdfast_warnings>)
 endfunction()
 
-# The layer `name`: a static library made of every source below `root`, its headers public and each compiled alone.
-# Sources are found, not listed: the folder is the list.
+# The layer `name`: a static library made of every source below `root`, its headers public and each compiled alone,
+# save those named *_internal.h. Sources are found, not listed: the folder is the list.
 function(holdfast_add_layer name root)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${root}/*.cpp")
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS "${root}/*.h")
+  list(FILTER headers EXCLUDE REGEX "_internal\\.h$")
   add_library(holdfast_${name} STATIC ${sources})
   add_library(holdfast::${name} ALIAS holdfast_${name})
   target_sources(holdfast_${name} PUBLIC FILE_SET HEADERS BASE_DIRS "${root}" FILES ${headers})

@@ -56,7 +56,8 @@ struct Selection {
 };
 
 /// The ids that `selection` names, ascending, each once; may be empty. `componentOf` holds the connected part of each
-/// vertex, -1 for a vertex that no face uses. Ids out of range must have been refused before (see `readConstraints`).
+/// vertex, -1 for a vertex that no face uses. Points exactly on the boundary of a shape are inside. `AllOf` nothing is
+/// every vertex, `AnyOf` nothing is none. Ids out of range must have been refused before (see `makeConstraintSystem`).
 /// O(N) per node of the expression.
 [[nodiscard]] std::vector<Index> select(const Selection& selection, const Positions& positions,
                                         const std::vector<Index>& componentOf);

@@ -1,0 +1,180 @@
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <holdfast/base/error.h>
+#include <holdfast/constraints/constraint_file.h>
+
+namespace holdfast {
+namespace {
+
+std::string textJson(std::string_view text)
+{
+  std::string json = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\')
+      json += {'\\', c};
+    else if (c >= 0 && c < ' ')
+      json += fmt::format("\\u{:04x}", static_cast<int>(c));
+    else
+      json += c;
+  }
+  return json + '"';
+}
+
+std::string numberJson(double value)
+{
+  // JSON cannot say "not finite"; null is refused when the text is read again, with its path.
+  if (!std::isfinite(value)) return "null";
+  // An integer zero has no sign.
+  if (value == 0 && std::signbit(value)) return "-0.0";
+  std::array<char, 32> digits{};
+  const std::to_chars_result end = std::to_chars(digits.data(), digits.data() + digits.size(), value);
+  return {digits.data(), end.ptr};
+}
+
+std::string numberJson(Index value)
+{
+  return std::to_string(value);
+}
+
+template <class Range, class Function>
+std::string listJson(const Range& range, Function elementJson)
+{
+  std::string json;
+  for (const auto& element : range) {
+    json += json.empty() ? "[" : ", ";
+    json += elementJson(element);
+  }
+  return json.empty() ? "[]" : json + "]";
+}
+
+std::string vectorJson(const Vector3& v)
+{
+  return fmt::format("[{}, {}, {}]", numberJson(v.x()), numberJson(v.y()), numberJson(v.z()));
+}
+
+struct SelectionJson {
+  std::string operator()(const VertexIds& vertices) const
+  {
+    return fmt::format(R"({{"vertices": {}}})", listJson(vertices.ids, [](Index id) { return numberJson(id); }));
+  }
+  std::string operator()(const InBox& box) const
+  {
+    return fmt::format(R"({{"box": {{"min": {}, "max": {}}}}})", vectorJson(box.min), vectorJson(box.max));
+  }
+  std::string operator()(const InSphere& sphere) const
+  {
+    return fmt::format(R"({{"sphere": {{"center": {}, "radius": {}}}}})", vectorJson(sphere.center),
+                       numberJson(sphere.radius));
+  }
+  std::string operator()(const InHalfSpace& half) const
+  {
+    return fmt::format(R"({{"halfspace": {{"point": {}, "normal": {}}}}})", vectorJson(half.point),
+                       vectorJson(half.normal));
+  }
+  std::string operator()(const InComponent& part) const
+  {
+    return fmt::format(R"({{"component": {}}})", numberJson(part.component));
+  }
+  std::string operator()(const AllOf& all) const { return fmt::format(R"({{"all": {}}})", partsJson(all.parts)); }
+  std::string operator()(const AnyOf& any) const { return fmt::format(R"({{"any": {}}})", partsJson(any.parts)); }
+  std::string operator()(const NotIn& none) const { return fmt::format(R"({{"not": {}}})", json(*none.part)); }
+
+  static std::string json(const Selection& selection) { return std::visit(SelectionJson{}, selection.what); }
+  static std::string partsJson(const std::vector<Selection>& parts) { return listJson(parts, json); }
+};
+
+struct LocationJson {
+  std::string operator()(const AtVertex& at) const { return fmt::format(R"({{"vertex": {}}})", numberJson(at.vertex)); }
+  std::string operator()(const AtEdge& at) const
+  {
+    return fmt::format(R"({{"edge": [{}, {}], "t": {}}})", numberJson(at.i), numberJson(at.j), numberJson(at.t));
+  }
+  std::string operator()(const AtFace& at) const
+  {
+    return fmt::format(R"({{"face": {}, "weights": {}}})", numberJson(at.face),
+                       listJson(at.weights, [](double weight) { return numberJson(weight); }));
+  }
+  std::string operator()(const AtNear& at) const { return fmt::format(R"({{"near": {}}})", vectorJson(at.place)); }
+
+  static std::string json(const SurfaceLocation& location) { return std::visit(LocationJson{}, location); }
+};
+
+std::string turnJson(const Turn& turn)
+{
+  const std::string center = turn.center ? fmt::format(R"(, "center": {})", vectorJson(*turn.center)) : "";
+  return fmt::format(R"({{"axis": {}, "degrees": {}{}}})", vectorJson(turn.axis), numberJson(turn.degrees), center);
+}
+
+/// The keys that only this type of constraint has, each after a comma.
+struct OwnKeysJson {
+  std::string operator()(const Fixed& fixed) const { return selectJson(fixed.select); }
+  std::string operator()(const Rigid& rigid) const { return selectJson(rigid.select); }
+  std::string operator()(const Handle& handle) const
+  {
+    const std::string rotate = handle.rotate ? fmt::format(R"(, "rotate": {})", turnJson(*handle.rotate)) : "";
+    return fmt::format(R"({}{}, "translate": {})", selectJson(handle.select), rotate, vectorJson(handle.translate));
+  }
+  std::string operator()(const Point& point) const
+  {
+    return fmt::format(R"(, "at": {}{})", LocationJson::json(point.at), std::visit(*this, point.to));
+  }
+  std::string operator()(const Target& target) const
+  {
+    return fmt::format(R"(, "target": {})", vectorJson(target.place));
+  }
+  std::string operator()(const Move& move) const { return fmt::format(R"(, "move": {})", vectorJson(move.shift)); }
+  std::string operator()(const Relative& relative) const
+  {
+    const std::string offset = relative.offset ? fmt::format(R"(, "offset": {})", vectorJson(*relative.offset)) : "";
+    return fmt::format(R"(, "from": {}, "to": {}{})", LocationJson::json(relative.from),
+                       LocationJson::json(relative.to), offset);
+  }
+
+  static std::string selectJson(const Selection& selection)
+  {
+    return fmt::format(R"(, "select": {})", SelectionJson::json(selection));
+  }
+};
+
+std::string constraintJson(const Constraint& constraint)
+{
+  return fmt::format(R"({{ "type": "{}", "name": {}{}{} }})", typeName(constraint), textJson(constraint.name),
+                     constraint.isEnabled ? "" : R"(, "enabled": false)", std::visit(OwnKeysJson{}, constraint.what));
+}
+
+std::string constraintArrayJson(const std::vector<Constraint>& constraints)
+{
+  std::string json;
+  for (const Constraint& constraint : constraints)
+    json += (json.empty() ? "\n    " : ",\n    ") + constraintJson(constraint);
+  return json.empty() ? "[]" : fmt::format("[{}\n  ]", json);
+}
+
+void requireReadable(const std::string& json)
+{
+  try {
+    static_cast<void>(parseConstraintsJson(json, ""));
+  } catch (const InputError& error) {
+    throw OutputError("constraint file",
+                      std::string("the constraints cannot be written so that they can be read; ") + error.what());
+  }
+}
+
+}  // namespace
+
+std::string constraintsToJson(const ConstraintList& list)
+{
+  const std::string units = list.units.empty() ? "" : fmt::format("\n  \"units\": {},", textJson(list.units));
+  const std::string json = fmt::format(
+      "{{\n  \"format\": \"holdfast-constraints\",\n  \"version\": 1,{}\n"
+      "  \"constraints\": {}\n}}\n",
+      units, constraintArrayJson(list.constraints));
+  requireReadable(json);
+  return json;
+}
+
+}  // namespace holdfast

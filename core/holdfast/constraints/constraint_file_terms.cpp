@@ -1,0 +1,137 @@
+#include <array>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <holdfast/constraints/constraint_file.h>
+#include <holdfast/constraints/constraint_file_terms_internal.h>
+
+namespace holdfast {
+namespace {
+
+constexpr std::array<std::string_view, 8> kSelections{"vertices",  "box", "sphere", "halfspace",
+                                                      "component", "all", "any",    "not"};
+constexpr std::array<std::string_view, 4> kLocations{"vertex", "edge", "face", "near"};
+constexpr std::array<std::string_view, 6> kLocationKeys{"vertex", "edge", "t", "face", "weights", "near"};
+constexpr std::array<std::string_view, 2> kBoxKeys{"min", "max"};
+constexpr std::array<std::string_view, 2> kSphereKeys{"center", "radius"};
+constexpr std::array<std::string_view, 2> kHalfSpaceKeys{"point", "normal"};
+constexpr std::array<std::string_view, 2> kEdgeKeys{"edge", "t"};
+constexpr std::array<std::string_view, 2> kFaceKeys{"face", "weights"};
+
+VertexIds readVertices(const JsonReader& json)
+{
+  VertexIds vertices;
+  for (const JsonReader& id : json.someElements()) vertices.ids.push_back(id.id());
+  return vertices;
+}
+
+InBox readBox(const JsonReader& json)
+{
+  json.requireKeys(kBoxKeys);
+  const InBox box{json["min"].vector(), json["max"].vector()};
+  for (int axis = 0; axis < 3; ++axis)
+    if (box.min[axis] > box.max[axis])
+      json.fail(fmt::format("the box is turned inside out: min {} is larger than max {} in {}; exchange them",
+                            box.min[axis], box.max[axis], "xyz"[axis]));
+  return box;
+}
+
+InSphere readSphere(const JsonReader& json)
+{
+  json.requireKeys(kSphereKeys);
+  const InSphere sphere{json["center"].vector(), json["radius"].number()};
+  if (sphere.radius <= 0) json["radius"].fail(fmt::format("the radius must be above 0, this is {}", sphere.radius));
+  return sphere;
+}
+
+InHalfSpace readHalfSpace(const JsonReader& json)
+{
+  json.requireKeys(kHalfSpaceKeys);
+  return {json["point"].vector(), json["normal"].direction()};
+}
+
+Selection readNested(const JsonReader& json, int depth);
+
+std::vector<Selection> readParts(const JsonReader& json, int depth)
+{
+  std::vector<Selection> parts;
+  for (const JsonReader& part : json.someElements()) parts.push_back(readNested(part, depth));
+  return parts;
+}
+
+/// `depth` counts the selections around this one and itself.
+Selection readNested(const JsonReader& json, int depth)
+{
+  if (depth > kMaximumSelectionDepth)
+    json.fail(fmt::format("selections are nested deeper than {}; take levels out", kMaximumSelectionDepth));
+  json.requireKeys(kSelections);
+  const std::string_view kind = json.oneKeyOf(kSelections);
+  const JsonReader body = json[kind];
+  if (kind == "vertices") return {readVertices(body)};
+  if (kind == "box") return {readBox(body)};
+  if (kind == "sphere") return {readSphere(body)};
+  if (kind == "halfspace") return {readHalfSpace(body)};
+  if (kind == "component") return {InComponent{body.id()}};
+  if (kind == "all") return {AllOf{readParts(body, depth + 1)}};
+  if (kind == "any") return {AnyOf{readParts(body, depth + 1)}};
+  return {NotIn{std::make_shared<const Selection>(readNested(body, depth + 1))}};
+}
+
+AtEdge readEdge(const JsonReader& json)
+{
+  json.requireKeys(kEdgeKeys);
+  const std::vector<JsonReader> ends = json["edge"].elements(2, "the two vertices [i, j]");
+  const AtEdge edge{ends[0].id(), ends[1].id(), json["t"].number()};
+  if (edge.i == edge.j) json["edge"].fail(fmt::format("both ends are vertex {}; name two vertices", edge.i));
+  if (edge.t < 0 || edge.t > 1)
+    json["t"].fail(fmt::format("{} is outside [0, 1]; 1 is the first vertex of the edge, 0 the second", edge.t));
+  return edge;
+}
+
+void requireWeights(const JsonReader& json, const std::vector<double>& weights)
+{
+  if (weights.size() < 3)
+    json.fail(fmt::format("a face has at least 3 corners and a weight for each; this list has {}", weights.size()));
+  double sum = 0;
+  for (const double weight : weights) sum += weight;
+  if (std::abs(sum - 1) <= kWeightSumTolerance) return;
+  const char* remedy = sum > 0 ? "divide each by that sum, with all digits" : "give weights above 0";
+  json.fail(fmt::format("the weights sum to {}, not to 1; {}", sum, remedy));
+}
+
+AtFace readFace(const JsonReader& json)
+{
+  json.requireKeys(kFaceKeys);
+  AtFace face{json["face"].id(), {}};
+  const JsonReader weights = json["weights"];
+  for (const JsonReader& weight : weights.elements()) {
+    face.weights.push_back(weight.number());
+    if (face.weights.back() < 0)
+      weight.fail(fmt::format("the weight {} is negative; the point would lie outside the face", face.weights.back()));
+  }
+  requireWeights(weights, face.weights);
+  return face;
+}
+
+}  // namespace
+
+Selection readSelection(const JsonReader& json)
+{
+  return readNested(json, 1);
+}
+
+SurfaceLocation readLocation(const JsonReader& json)
+{
+  json.requireKeys(kLocationKeys);
+  const std::string_view kind = json.oneKeyOf(kLocations);
+  if (kind == "edge") return readEdge(json);
+  if (kind == "face") return readFace(json);
+  json.requireKeys({&kind, 1});
+  if (kind == "vertex") return AtVertex{json[kind].id()};
+  return AtNear{json[kind].vector()};
+}
+
+}  // namespace holdfast

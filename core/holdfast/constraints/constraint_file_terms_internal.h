@@ -1,0 +1,17 @@
+#pragma once
+/// \file
+/// The terms that constraints of a constraint file share: selections of vertices and points of the surface.
+
+#include <holdfast/constraints/json_reader_internal.h>
+#include <holdfast/constraints/selection.h>
+#include <holdfast/surface/surface_location.h>
+
+namespace holdfast {
+
+/// The selection that an object states: {"vertices": [...]}, {"box": {...}}, ... Throws `InputError`.
+[[nodiscard]] Selection readSelection(const JsonReader& json);
+
+/// The point of the surface that an object states: {"vertex": 3}, {"edge": [1, 2], "t": 0.5}, ... Throws `InputError`.
+[[nodiscard]] SurfaceLocation readLocation(const JsonReader& json);
+
+}  // namespace holdfast

@@ -1,0 +1,190 @@
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <fstream>
+#include <system_error>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <holdfast/base/error.h>
+#include <holdfast/constraints/constraint_file_text_internal.h>
+
+namespace holdfast {
+namespace {
+
+/// A device that never ends must not fill the memory; a point takes about 100 bytes.
+constexpr std::size_t kMaximumBytes = std::size_t{1} << 30;
+
+unsigned char byteAt(std::string_view text, std::size_t place)
+{
+  return static_cast<unsigned char>(text[place]);
+}
+
+bool isContinuation(unsigned char byte)
+{
+  return (byte & 0xC0) == 0x80;
+}
+
+std::size_t lengthFromLead(unsigned char lead)
+{
+  if (lead < 0x80) return 1;
+  if (lead >= 0xC2 && lead <= 0xDF) return 2;
+  if (lead >= 0xE0 && lead <= 0xEF) return 3;
+  if (lead >= 0xF0 && lead <= 0xF4) return 4;
+  return 0;
+}
+
+/// Overlong forms, surrogates and code points past U+10FFFF show in the second byte (Unicode, table 3-7).
+bool isSecondByteAllowed(unsigned char lead, unsigned char second)
+{
+  switch (lead) {
+    case 0xE0:
+      return second >= 0xA0;
+    case 0xED:
+      return second <= 0x9F;
+    case 0xF0:
+      return second >= 0x90;
+    case 0xF4:
+      return second <= 0x8F;
+    default:
+      return true;
+  }
+}
+
+/// Bytes of the character at the start of `text`, which is not empty; 0 where there is no valid one.
+std::size_t utf8Length(std::string_view text)
+{
+  const std::size_t length = lengthFromLead(byteAt(text, 0));
+  if (length == 0 || length > text.size()) return 0;
+  for (std::size_t i = 1; i < length; ++i)
+    if (!isContinuation(byteAt(text, i))) return 0;
+  return length == 1 || isSecondByteAllowed(byteAt(text, 0), byteAt(text, 1)) ? length : 0;
+}
+
+char lowerCase(char c)
+{
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+/// Levenshtein's distance, letter case aside.
+std::size_t editDistance(std::string_view a, std::string_view b)
+{
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (lowerCase(a[i]) == lowerCase(b[j]) ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
+    }
+  }
+  return row.back();
+}
+
+void requireReadable(const std::filesystem::path& path)
+{
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (status.type() == std::filesystem::file_type::not_found)
+    throw InputError({path.string(), 0, ""}, "there is no such file; check the path");
+  if (status.type() == std::filesystem::file_type::directory)
+    throw InputError({path.string(), 0, ""}, "this is a directory; name a file in it");
+}
+
+[[noreturn]] void failToRead(const std::filesystem::path& path)
+{
+  const std::string cause = std::error_code(errno, std::generic_category()).message();
+  throw InputError({path.string(), 0, ""}, fmt::format("cannot be read ({}); check its permissions", cause));
+}
+
+}  // namespace
+
+TextPlace placeInText(std::string_view text, std::size_t offset)
+{
+  const std::string_view before = text.substr(0, offset);
+  const std::size_t lineBreak = before.rfind('\n');
+  const std::size_t lineStart = lineBreak == std::string_view::npos ? 0 : lineBreak + 1;
+  return {static_cast<Index>(std::count(before.begin(), before.end(), '\n')) + 1,
+          static_cast<Index>(before.size() - lineStart) + 1};
+}
+
+std::string readTextFile(const std::filesystem::path& path)
+{
+  requireReadable(path);
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) failToRead(path);
+  std::string text;
+  std::array<char, 65536> chunk{};
+  while (stream.read(chunk.data(), chunk.size()) || stream.gcount() > 0) {
+    text.append(chunk.data(), static_cast<std::size_t>(stream.gcount()));
+    if (text.size() > kMaximumBytes)
+      throw InputError({path.string(), 0, ""}, "larger than 1 GiB; split it, or check that this is the right file");
+  }
+  if (stream.bad()) failToRead(path);
+  return text;
+}
+
+std::string_view requireUtf8(std::string_view text, std::string_view file)
+{
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  for (std::size_t offset = 0; offset < text.size();) {
+    const std::size_t length = utf8Length(text.substr(offset));
+    if (length == 0)
+      throw InputError(
+          {std::string(file), placeInText(text, offset).line, ""},
+          fmt::format("not UTF-8 text (byte 0x{:02X}); save the file in the encoding UTF-8", byteAt(text, offset)));
+    offset += length;
+  }
+  return text;
+}
+
+std::string shortened(std::string_view text)
+{
+  constexpr std::size_t kMost = 60;
+  std::size_t length = std::min(text.size(), kMost);
+  while (length < text.size() && length > 0 && isContinuation(byteAt(text, length))) --length;
+  std::string result(text.substr(0, length));
+  std::replace_if(
+      result.begin(), result.end(), [](char c) { return (c >= 0 && c < ' ') || c == '\x7F'; }, ' ');
+  return length < text.size() ? result + "..." : result;
+}
+
+std::string inQuotes(std::string_view text)
+{
+  return '"' + shortened(text) + '"';
+}
+
+std::string listInQuotes(std::span<const std::string_view> words)
+{
+  std::string list;
+  for (const std::string_view word : words) list += (list.empty() ? "" : ", ") + inQuotes(word);
+  return list;
+}
+
+std::optional<std::string_view> closestSpelling(std::string_view word, std::span<const std::string_view> known)
+{
+  constexpr std::size_t kLongestWord = 64;
+  if (word.size() > kLongestWord) return std::nullopt;
+  std::optional<std::string_view> closest;
+  std::size_t smallest = word.size();  // a word that shares no letter is no spelling of it
+  for (const std::string_view candidate : known) {
+    const std::size_t distance = editDistance(word, candidate);
+    if (distance >= smallest || distance > (candidate.size() + 2) / 3) continue;
+    smallest = distance;
+    closest = candidate;
+  }
+  return closest;
+}
+
+std::string spellingHint(std::string_view word, std::span<const std::string_view> known)
+{
+  const std::optional<std::string_view> closest = closestSpelling(word, known);
+  const std::string guess = closest ? fmt::format("; did you mean {}? ", inQuotes(*closest)) : "; ";
+  return fmt::format("{}Known here: {}", guess, listInQuotes(known));
+}
+
+}  // namespace holdfast

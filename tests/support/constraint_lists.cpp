@@ -1,0 +1,231 @@
+#include "support/constraint_lists.h"
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+
+namespace holdfast::test {
+namespace {
+
+double randomNumber(Random& random)
+{
+  constexpr std::array<double, 6> kSpecial{
+      0.0, -0.0, 1e308, std::numeric_limits<double>::denorm_min(), 0.1, 9007199254740993.0};
+  const long choice = random.integer(0, 11);
+  if (choice < static_cast<long>(kSpecial.size())) return kSpecial[choice];
+  return random.uniform(-1, 1) * std::pow(10.0, static_cast<double>(random.integer(-20, 20)));
+}
+
+Vector3 randomVector(Random& random)
+{
+  return {randomNumber(random), randomNumber(random), randomNumber(random)};
+}
+
+Vector3 randomDirection(Random& random)
+{
+  Vector3 direction = randomVector(random);
+  direction[random.integer(0, 2)] = random.uniform(0.1, 2);
+  return direction;
+}
+
+Index randomId(Random& random)
+{
+  return random.integer(0, 9) == 0 ? std::numeric_limits<Index>::max() : random.integer(0, 1000);
+}
+
+std::vector<Selection> randomParts(Random& random, int depth)
+{
+  std::vector<Selection> parts;
+  for (long i = random.integer(1, 3); i > 0; --i) parts.push_back(randomSelection(random, depth));
+  return parts;
+}
+
+InBox randomBox(Random& random)
+{
+  const Vector3 a = randomVector(random);
+  const Vector3 b = randomVector(random);
+  return {a.cwiseMin(b), a.cwiseMax(b)};
+}
+
+VertexIds randomVertices(Random& random)
+{
+  VertexIds vertices;
+  for (long i = random.integer(1, 5); i > 0; --i) vertices.ids.push_back(randomId(random));
+  return vertices;
+}
+
+AtFace randomFace(Random& random)
+{
+  AtFace face{randomId(random), std::vector<double>(random.integer(3, 6))};
+  double sum = 0;
+  for (double& weight : face.weights) sum += weight = random.uniform(0, 1);
+  for (double& weight : face.weights) weight /= sum;
+  return face;
+}
+
+SurfaceLocation randomLocation(Random& random)
+{
+  const Index id = random.integer(0, 1000);
+  switch (random.integer(0, 3)) {
+    case 0:
+      return AtVertex{randomId(random)};
+    case 1:
+      return AtEdge{id, id + 1, random.uniform(0, 1)};
+    case 2:
+      return randomFace(random);
+    default:
+      return AtNear{randomVector(random)};
+  }
+}
+
+Handle randomHandle(Random& random)
+{
+  Handle handle{randomSelection(random, 2), std::nullopt, randomVector(random)};
+  if (random.integer(0, 2) == 0) return handle;
+  handle.rotate = Turn{randomDirection(random), randomNumber(random), std::nullopt};
+  if (random.integer(0, 1) == 0) handle.rotate->center = randomVector(random);
+  return handle;
+}
+
+decltype(Constraint::what) randomWhat(Random& random)
+{
+  switch (random.integer(0, 5)) {
+    case 0:
+      return Fixed{randomSelection(random, 3)};
+    case 1:
+      return randomHandle(random);
+    case 2:
+      return Point{randomLocation(random), Target{randomVector(random)}};
+    case 3:
+      return Point{randomLocation(random), Move{randomVector(random)}};
+    case 4:
+      return Rigid{randomSelection(random, 3)};
+    default:
+      break;
+  }
+  Relative relative{randomLocation(random), randomLocation(random), std::nullopt};
+  if (random.integer(0, 1) == 0) relative.offset = randomVector(random);
+  return relative;
+}
+
+/// Overloads, one for each type that a list is made of.
+struct Same {
+  bool operator()(double a, double b) const
+  {
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+  }
+  bool operator()(Index a, Index b) const { return a == b; }
+  bool operator()(const Vector3& a, const Vector3& b) const
+  {
+    return (*this)(a.x(), b.x()) && (*this)(a.y(), b.y()) && (*this)(a.z(), b.z());
+  }
+  template <class T>
+  bool operator()(const std::optional<T>& a, const std::optional<T>& b) const
+  {
+    return a.has_value() == b.has_value() && (!a || (*this)(*a, *b));
+  }
+  template <class T>
+  bool operator()(const std::vector<T>& a, const std::vector<T>& b) const
+  {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), *this);
+  }
+  template <class... T>
+  bool operator()(const std::variant<T...>& a, const std::variant<T...>& b) const
+  {
+    const auto sameKind = [&](const auto& x) { return (*this)(x, std::get<std::decay_t<decltype(x)>>(b)); };
+    return a.index() == b.index() && std::visit(sameKind, a);
+  }
+
+  bool operator()(const VertexIds& a, const VertexIds& b) const { return (*this)(a.ids, b.ids); }
+  bool operator()(const InBox& a, const InBox& b) const { return (*this)(a.min, b.min) && (*this)(a.max, b.max); }
+  bool operator()(const InSphere& a, const InSphere& b) const
+  {
+    return (*this)(a.center, b.center) && (*this)(a.radius, b.radius);
+  }
+  bool operator()(const InHalfSpace& a, const InHalfSpace& b) const
+  {
+    return (*this)(a.point, b.point) && (*this)(a.normal, b.normal);
+  }
+  bool operator()(const InComponent& a, const InComponent& b) const { return a.component == b.component; }
+  bool operator()(const AllOf& a, const AllOf& b) const { return (*this)(a.parts, b.parts); }
+  bool operator()(const AnyOf& a, const AnyOf& b) const { return (*this)(a.parts, b.parts); }
+  bool operator()(const NotIn& a, const NotIn& b) const { return (*this)(*a.part, *b.part); }
+  bool operator()(const Selection& a, const Selection& b) const { return (*this)(a.what, b.what); }
+
+  bool operator()(const AtVertex& a, const AtVertex& b) const { return a.vertex == b.vertex; }
+  bool operator()(const AtEdge& a, const AtEdge& b) const { return a.i == b.i && a.j == b.j && (*this)(a.t, b.t); }
+  bool operator()(const AtFace& a, const AtFace& b) const { return a.face == b.face && (*this)(a.weights, b.weights); }
+  bool operator()(const AtNear& a, const AtNear& b) const { return (*this)(a.place, b.place); }
+
+  bool operator()(const Fixed& a, const Fixed& b) const { return (*this)(a.select, b.select); }
+  bool operator()(const Rigid& a, const Rigid& b) const { return (*this)(a.select, b.select); }
+  bool operator()(const Turn& a, const Turn& b) const
+  {
+    return (*this)(a.axis, b.axis) && (*this)(a.degrees, b.degrees) && (*this)(a.center, b.center);
+  }
+  bool operator()(const Handle& a, const Handle& b) const
+  {
+    return (*this)(a.select, b.select) && (*this)(a.rotate, b.rotate) && (*this)(a.translate, b.translate);
+  }
+  bool operator()(const Target& a, const Target& b) const { return (*this)(a.place, b.place); }
+  bool operator()(const Move& a, const Move& b) const { return (*this)(a.shift, b.shift); }
+  bool operator()(const Point& a, const Point& b) const { return (*this)(a.at, b.at) && (*this)(a.to, b.to); }
+  bool operator()(const Relative& a, const Relative& b) const
+  {
+    return (*this)(a.from, b.from) && (*this)(a.to, b.to) && (*this)(a.offset, b.offset);
+  }
+};
+
+}  // namespace
+
+Selection randomSelection(Random& random, int depth)
+{
+  switch (random.integer(0, depth > 0 ? 7 : 4)) {
+    case 0:
+      return {randomVertices(random)};
+    case 1:
+      return {randomBox(random)};
+    case 2:
+      return {InSphere{randomVector(random), random.uniform(0.1, 2)}};
+    case 3:
+      return {InHalfSpace{randomVector(random), randomDirection(random)}};
+    case 4:
+      return {InComponent{randomId(random)}};
+    case 5:
+      return {AllOf{randomParts(random, depth - 1)}};
+    case 6:
+      return {AnyOf{randomParts(random, depth - 1)}};
+    default:
+      return {NotIn{std::make_shared<const Selection>(randomSelection(random, depth - 1))}};
+  }
+}
+
+ConstraintList randomConstraintList(Random& random, int count)
+{
+  ConstraintList list{random.integer(0, 1) == 0 ? "mm" : "", {}};
+  const std::array<std::string, 5> stems{"P", "hole \"A\"", "tab\tand\nline", "Bohrung \xC3\xA4\xE2\x82\xAC",
+                                         "back\\slash"};
+  for (int i = 0; i < count; ++i)
+    list.constraints.push_back(
+        {stems[random.integer(0, 4)] + " " + std::to_string(i), random.integer(0, 3) > 0, randomWhat(random)});
+  return list;
+}
+
+testing::AssertionResult areSame(const ConstraintList& a, const ConstraintList& b)
+{
+  if (a.units != b.units) return testing::AssertionFailure() << "units " << a.units << " and " << b.units;
+  if (a.constraints.size() != b.constraints.size())
+    return testing::AssertionFailure() << a.constraints.size() << " and " << b.constraints.size() << " constraints";
+  for (std::size_t i = 0; i < a.constraints.size(); ++i) {
+    const Constraint& left = a.constraints[i];
+    const Constraint& right = b.constraints[i];
+    if (left.name != right.name || left.isEnabled != right.isEnabled || !Same{}(left.what, right.what))
+      return testing::AssertionFailure() << "constraint " << i << " (" << left.name << ") differs";
+  }
+  return testing::AssertionSuccess();
+}
+
+}  // namespace holdfast::test
