@@ -1,0 +1,13 @@
+#!/usr/bin/env bash
+# Builds Holdfast and runs its whole test suite, installing what is missing first (apt).
+#   scripts/test.sh [CTEST-OPTION...]      for example: scripts/test.sh -R layering, scripts/test.sh -LE slow
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+. scripts/lib/packages.sh
+. scripts/lib/build.sh
+
+install_packages "${holdfast_packages[@]}"
+configure_preset release -DHOLDFAST_BUILD_GUI=ON -DHOLDFAST_WITH_CHOLMOD=ON -DHOLDFAST_BUILD_TESTS=ON
+build_preset release
+echo "== Testing"
+exec ctest --preset release "$@"
