@@ -1,0 +1,22 @@
+#!/usr/bin/env bash
+# Runs a command with an X server of its own and ends with the command's exit code.
+#   with_display.sh COMMAND [ARGUMENT...]
+# The server picks a free number itself and tells it once it listens, so two of these never meet on one display; it
+# is ended by its own pid, and by the kernel should this script be killed.
+set -u
+
+log=$(mktemp)
+exec {number}< <(exec setpriv --pdeathsig TERM Xvfb -displayfd 1 -screen 0 1280x1024x24 -noreset -nolisten tcp 2>"$log")
+server=$!
+trap 'kill "$server" 2>/dev/null; wait "$server" 2>/dev/null; rm -f "$log"' EXIT
+
+if ! read -r -t 60 -u "$number" display; then
+  echo "error: the X server of the tests (Xvfb, package xvfb) did not start:" >&2
+  cat "$log" >&2
+  exit 1
+fi
+
+# Mesa's software renderer draws the same picture on every machine.
+export DISPLAY=:$display QT_QPA_PLATFORM=xcb LIBGL_ALWAYS_SOFTWARE=1
+unset WAYLAND_DISPLAY XAUTHORITY
+"$@" {number}<&-
