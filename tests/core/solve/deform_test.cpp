@@ -1,4 +1,4 @@
-#include <holdfast/solve/deform.h>
+#include <holdfast/deform/deform.h>
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include <holdfast/solve/deform.h>
-#include <holdfast/solve/outcomes.h>
+#include <holdfast/deform/deform.h>
+#include <holdfast/deform/outcomes.h>
 
 namespace holdfast {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 
 #include <holdfast/base/progress.h>
-#include <holdfast/solve/model.h>
-#include <holdfast/solve/report.h>
+#include <holdfast/deform/model.h>
+#include <holdfast/deform/report.h>
 
 namespace holdfast {
 

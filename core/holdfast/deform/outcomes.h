@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include <holdfast/solve/model.h>
-#include <holdfast/solve/report.h>
+#include <holdfast/deform/model.h>
+#include <holdfast/deform/report.h>
 
 namespace holdfast {
 

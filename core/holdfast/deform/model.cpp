@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <holdfast/base/error.h>
-#include <holdfast/solve/model.h>
+#include <holdfast/deform/model.h>
 
 namespace holdfast {
 

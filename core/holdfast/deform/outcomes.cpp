@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <set>
 
-#include <holdfast/solve/outcomes.h>
+#include <holdfast/deform/outcomes.h>
 
 namespace holdfast {
 namespace {

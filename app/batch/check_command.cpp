@@ -1,0 +1,60 @@
+#include <algorithm>
+#include <cstdio>
+
+#include <fmt/format.h>
+
+#include <holdfast/base/error.h>
+#include <holdfast/constraints/constraint_file.h>
+#include <holdfast/deform/report_json.h>
+#include <holdfast/io/output_file.h>
+
+#include "batch/commands.h"
+#include "batch/mesh_formats.h"
+#include "batch/summary.h"
+
+namespace holdfast::batch {
+namespace {
+
+void writeReport(const CheckCommand& command, const Report& report)
+{
+  if (command.report) OutputFile(*command.report, reportToJson(report)).commit();
+}
+
+/// A mesh of which no more can be said than that: the report is written, then the error goes its way.
+void refuseNonFinite(const CheckCommand& command, const Mesh& mesh)
+{
+  Report report;
+  report.mesh.findings = findNonFinite(mesh);
+  if (report.mesh.findings.empty()) return;
+  report.mesh.vertices = mesh.vertexCount();
+  report.mesh.faces = mesh.faces.size();
+  writeReport(command, report);
+  const Finding& finding = report.mesh.findings.front();
+  throw InputError({command.mesh.string(), 0, fmt::format("vertex {}", finding.ids.front())}, finding.message);
+}
+
+}  // namespace
+
+ExitCode runCheck(const CheckCommand& command)
+{
+  const MeshDocument document = readAnyMesh(command.mesh);
+  refuseNonFinite(command, document.mesh);
+  const Model model = makeModel(document.mesh, command.mesh.string());
+  const ConstraintList constraints = command.constraints ? readConstraints(*command.constraints) : ConstraintList{};
+  const std::string source = command.constraints ? command.constraints->string() : "";
+  Report report;
+  if (command.constraints)
+    report = diagnoseConstraints(model, constraints, source);
+  else
+    report.mesh = describeMesh(model);
+  writeReport(command, report);
+
+  fmt::print(stderr, "{}", conflictLines(report, constraints.units));
+  if (!command.isQuiet) fmt::print("{}", summary(report, command.mesh.string(), constraints.units));
+  const bool hasConflicts =
+      std::any_of(report.constraints.begin(), report.constraints.end(),
+                  [](const ConstraintOutcome& outcome) { return outcome.status == ConstraintStatus::Conflicting; });
+  return hasConflicts ? kConflicts : kAllMet;
+}
+
+}  // namespace holdfast::batch

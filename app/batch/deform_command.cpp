@@ -1,0 +1,126 @@
+#include <cstdio>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <holdfast/constraints/constraint_file.h>
+#include <holdfast/deform/outcomes.h>
+#include <holdfast/deform/report_json.h>
+#include <holdfast/io/output_file.h>
+
+#include "batch/commands.h"
+#include "batch/mesh_formats.h"
+#include "batch/progress_line.h"
+#include "batch/summary.h"
+
+namespace holdfast::batch {
+namespace {
+
+/// Fails before the long work where an output could not be put in its folder.
+void probeOutputs(const DeformCommand& command)
+{
+  for (const auto& path : {command.out, command.report, command.fields})
+    if (path) static_cast<void>(OutputFile(*path, ""));
+}
+
+/// The residuals of what a reader of the written mesh will find, which is not what was solved where a format rounds.
+void measureStored(Deformation& deformation, const Model& model, const std::filesystem::path& path)
+{
+  const Positions stored = storedPositions(deformation.positions, path);
+  if (stored == deformation.positions) return;
+  const double limit = residualLimit(model.solverMesh, deformation.system);
+  setResiduals(deformation.report, deformation.system, deformation.diagnosis,
+               rowResiduals(deformation.system, model.solverMesh.weld, stored), limit);
+}
+
+/// All outputs are written aside before any is put in its place.
+class Outputs {
+ public:
+  void add(const std::filesystem::path& path, const Serialized& contents)
+  {
+    for (const std::string& note : contents.notes) fmt::print(stderr, "note: {}: {}\n", path.string(), note);
+    files_.emplace_back(path, contents.bytes);
+  }
+
+  void commit()
+  {
+    for (OutputFile& file : files_) file.commit();
+  }
+
+  [[nodiscard]] std::string names() const
+  {
+    std::string text;
+    for (const OutputFile& file : files_) text += fmt::format("wrote        {}\n", file.path().string());
+    return text;
+  }
+
+ private:
+  std::vector<OutputFile> files_;
+};
+
+Outputs writeAll(const DeformCommand& command, const MeshDocument& document, const Model& model,
+                 Deformation& deformation, Progress& progress)
+{
+  Outputs outputs;
+  const bool isSolved = deformation.report.solve.status != SolveStatus::Failed;
+  if (isSolved && command.out) {
+    progress.stage("writing the mesh");
+    outputs.add(*command.out, serializeAnyMesh(document, deformation.positions, *command.out));
+    measureStored(deformation, model, *command.out);
+  }
+  if (isSolved && command.fields) {
+    progress.stage("writing fields");
+    outputs.add(*command.fields, serializeFields(model, deformation));
+  }
+  if (command.report) outputs.add(*command.report, {reportToJson(deformation.report), {}});
+  outputs.commit();
+  return outputs;
+}
+
+ExitCode exitCodeOf(SolveStatus status)
+{
+  switch (status) {
+    case SolveStatus::Ok:
+      return kAllMet;
+    case SolveStatus::Conflicts:
+      return kConflicts;
+    case SolveStatus::Failed:
+      return kNumerical;
+    case SolveStatus::NotRun:
+      break;
+  }
+  return kBug;
+}
+
+ExitCode deformWith(const DeformCommand& command, Progress& progress)
+{
+  probeOutputs(command);
+  progress.stage(fmt::format("reading {}", command.mesh.string()));
+  const MeshDocument document = readAnyMesh(command.mesh);
+  const ConstraintList constraints = readConstraints(command.constraints);
+  progress.stage(fmt::format("checking {} vertices", document.mesh.vertexCount()));
+  const Model model = makeModel(document.mesh, command.mesh.string());
+  Deformation deformation = deform(model, constraints, command.constraints.string(), command.options, progress);
+  const Outputs outputs = writeAll(command, document, model, deformation, progress);
+
+  const Report& report = deformation.report;
+  fmt::print(stderr, "{}", conflictLines(report, constraints.units));
+  if (report.solve.status == SolveStatus::Failed) fmt::print(stderr, "error: {}\n", report.solve.message);
+  if (!command.isQuiet) fmt::print("{}{}", summary(report, command.mesh.string(), constraints.units), outputs.names());
+  return exitCodeOf(report.solve.status);
+}
+
+}  // namespace
+
+ExitCode runDeform(const DeformCommand& command)
+{
+  if (command.isQuiet) {
+    NoProgress quiet;
+    return deformWith(command, quiet);
+  }
+  ProgressLine progress;
+  return deformWith(command, progress);
+}
+
+}  // namespace holdfast::batch

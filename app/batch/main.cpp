@@ -1,0 +1,57 @@
+// holdfast-batch: deforms and checks meshes without a window. The only place that turns exceptions into exit codes.
+
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include <fmt/format.h>
+
+#include <holdfast/base/error.h>
+
+#include "batch/commands.h"
+#include "batch/interrupt.h"
+
+namespace holdfast::batch {
+namespace {
+
+struct Run {
+  ExitCode operator()(const DeformCommand& command) const { return runDeform(command); }
+  ExitCode operator()(const CheckCommand& command) const { return runCheck(command); }
+  ExitCode operator()(const ShowText& show) const
+  {
+    fmt::print("{}", show.text);
+    return kAllMet;
+  }
+};
+
+ExitCode complain(ExitCode code, const std::string& message)
+{
+  fmt::print(stderr, "holdfast-batch: {}\n", message);
+  return code;
+}
+
+ExitCode run(int argc, const char* const* argv)
+{
+  try {
+    installSignalHandlers();
+    return std::visit(Run{}, parseCommandLine(argc, argv));
+  } catch (const UsageError& error) {
+    return complain(kUsage, error.what());
+  } catch (const InputError& error) {
+    return complain(kInput, error.what());
+  } catch (const OutputError& error) {
+    return complain(kOutput, error.what());
+  } catch (const std::bad_alloc&) {
+    return complain(kNumerical, "there is not enough memory for a problem of this size");
+  } catch (const std::exception& error) {
+    return complain(kBug, fmt::format("this is a bug of ours, please report it: {}", error.what()));
+  }
+}
+
+}  // namespace
+}  // namespace holdfast::batch
+
+int main(int argc, char** argv)
+{
+  return holdfast::batch::run(argc, argv);
+}

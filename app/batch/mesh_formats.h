@@ -1,0 +1,35 @@
+#pragma once
+/// \file
+/// Mesh files of every format that this build knows: those of the core, and VTK's where VTK is built.
+
+#include <filesystem>
+#include <string>
+
+#include <holdfast/deform/deform.h>
+#include <holdfast/io/mesh_document.h>
+
+namespace holdfast::batch {
+
+/// The known extensions as one text for people: ".obj, .ply, ...".
+[[nodiscard]] std::string knownFormats();
+
+/// Throws `UsageError` unless a mesh can be written under this name.
+void requireMeshExtension(const std::filesystem::path& path);
+
+/// Throws `UsageError` unless fields can be written under this name.
+void requireFieldsExtension(const std::filesystem::path& path);
+
+/// Reads a mesh by its extension. Throws `InputError`.
+[[nodiscard]] MeshDocument readAnyMesh(const std::filesystem::path& path);
+
+/// The contents of a mesh file of the format that `path` names.
+[[nodiscard]] Serialized serializeAnyMesh(const MeshDocument& document, const Positions& positions,
+                                          const std::filesystem::path& path);
+
+/// The positions that a reader of `path` will find: rounded where the format holds single precision.
+[[nodiscard]] Positions storedPositions(const Positions& positions, const std::filesystem::path& path);
+
+/// The contents of a VTP file with the fields of a deformation.
+[[nodiscard]] Serialized serializeFields(const Model& model, const Deformation& deformation);
+
+}  // namespace holdfast::batch

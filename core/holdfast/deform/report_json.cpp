@@ -1,0 +1,83 @@
+#include <nlohmann/json.hpp>
+
+#include <holdfast/deform/report_json.h>
+
+namespace holdfast {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json orNull(const std::optional<double>& value)
+{
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json toJson(const Finding& finding)
+{
+  return {{"kind", finding.kind},
+          {"count", finding.count},
+          {"ids_of", finding.idsOf},
+          {"ids", finding.ids},
+          {"message", finding.message}};
+}
+
+Json toJson(const MeshReport& mesh)
+{
+  Json findings = Json::array();
+  for (const Finding& finding : mesh.findings) findings.push_back(toJson(finding));
+  return {{"vertices", mesh.vertices},
+          {"faces", mesh.faces},
+          {"components", mesh.components},
+          {"bbox_diagonal", mesh.bboxDiagonal},
+          {"findings", std::move(findings)}};
+}
+
+Json toJson(const ConstraintOutcome& outcome)
+{
+  return {{"name", outcome.name},
+          {"type", outcome.type},
+          {"rows", outcome.rows},
+          {"status", name(outcome.status)},
+          {"residual", orNull(outcome.residual)},
+          {"depends_on", outcome.dependsOn},
+          {"gap", orNull(outcome.gap)}};
+}
+
+Json toJson(const SolveReport& solve)
+{
+  const bool isSolved = solve.status == SolveStatus::Ok || solve.status == SolveStatus::Conflicts;
+  Json json{{"status", name(solve.status)},
+            {"message", solve.message},
+            {"max_residual", isSolved ? Json(solve.maxResidual) : Json(nullptr)},
+            {"max_residual_relative", isSolved ? Json(solve.maxResidualRelative) : Json(nullptr)},
+            {"weights", name(solve.weights)},
+            {"solver", name(solve.options.kind)},
+            {"backend", name(solve.options.backend)},
+            {"method", solve.method},
+            {"unknowns", solve.unknowns},
+            {"factor_nonzeros", solve.factorNonzeros},
+            {"refinement_steps", solve.refinementSteps},
+            {"accuracy", isSolved ? Json(solve.accuracy) : Json(nullptr)},
+            {"seconds",
+             {{"setup", solve.seconds.setup},
+              {"decomposition", solve.seconds.decomposition},
+              {"solution", solve.seconds.solution}}}};
+  if (solve.options.kind == SolverKind::Soft) json["soft_weight"] = solve.options.softWeight;
+  return json;
+}
+
+}  // namespace
+
+std::string reportToJson(const Report& report)
+{
+  Json constraints = Json::array();
+  for (const ConstraintOutcome& outcome : report.constraints) constraints.push_back(toJson(outcome));
+  const Json json{{"format", "holdfast-report"},
+                  {"version", 1},
+                  {"mesh", toJson(report.mesh)},
+                  {"constraints", std::move(constraints)},
+                  {"solve", toJson(report.solve)}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace holdfast
