@@ -13,10 +13,10 @@ namespace holdfast {
 /// Reads a constraint file, ".csv" as a point list and anything else as JSON. Throws `InputError` with file, line (for
 /// syntax) or JSON path (for meaning) and reason: unknown keys, wrong types, missing keys, numbers that are not
 /// finite, names that repeat, weights that are negative or do not sum to 1 within `kWeightSumTolerance`, t outside
-/// [0, 1], a zero axis or normal, a box turned inside out, a radius that is not positive, selections nested deeper than
-/// `kMaximumSelectionDepth`. Constraints without a name get "type N" with N their place in the list from 1. What depends
-/// on the mesh (ids, empty selections) is checked by `makeConstraintSystem`. Time and memory O(size of the file), which
-/// is refused above 1 GiB.
+/// [0, 1], a zero axis or normal, a box turned inside out, a radius that is not positive, selections nested deeper
+/// than `kMaximumSelectionDepth`. Constraints without a name get "type N" with N their place in the list from 1. What
+/// depends on the mesh (ids, empty selections) is checked by `makeConstraintSystem`. Time and memory are O(size of the
+/// file), which is refused above 256 MiB.
 [[nodiscard]] ConstraintList readConstraints(const std::filesystem::path& path);
 
 /// The same from text that is at hand; `name` stands for the file in messages.
@@ -24,8 +24,8 @@ namespace holdfast {
 
 /// A CSV point list: header `name,x,y,z,target_x,target_y,target_z` (columns in any order, names may be empty), each
 /// row a `near` point with a target. Quoted fields, CRLF and a byte order mark are understood, blank lines skipped.
-/// Throws `InputError` with the line: columns that are missing, unknown or repeated, rows of another length, what is not
-/// a finite number, names that repeat, other separators than commas, no row at all.
+/// Throws `InputError` with the line: columns that are missing, unknown or repeated, rows of another length, what is
+/// not a finite number, names that repeat, other separators than commas, no row at all.
 [[nodiscard]] ConstraintList parsePointListCsv(std::string_view text, const std::string& name);
 
 /// The JSON text of a constraint file that reads back as `list`, every double in its shortest exact form. Throws
@@ -37,7 +37,8 @@ namespace holdfast {
 /// weights are off by e would miss its target by e times its distance from the origin.
 inline constexpr double kWeightSumTolerance = 1e-12;
 
-/// Selections inside one another at most, the innermost included: more than anyone writes, and little enough to recurse.
+/// Selections inside one another at most, the innermost included: more than anyone writes, and little enough to
+/// recurse.
 inline constexpr int kMaximumSelectionDepth = 100;
 
 }  // namespace holdfast

@@ -130,8 +130,9 @@ std::vector<Constraint> readConstraintArray(const JsonReader& json)
 {
   std::vector<Constraint> constraints;
   std::map<std::string, std::string, std::less<>> pathOf;  // by name
-  for (const JsonReader& element : json.elements()) {
-    constraints.push_back(readConstraint(element, constraints.size() + 1));
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const JsonReader element = json.element(i);
+    constraints.push_back(readConstraint(element, i + 1));
     const std::string& name = constraints.back().name;
     const auto [first, isNew] = pathOf.try_emplace(name, element.path());
     if (isNew) continue;

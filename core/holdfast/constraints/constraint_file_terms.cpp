@@ -24,7 +24,8 @@ constexpr std::array<std::string_view, 2> kFaceKeys{"face", "weights"};
 VertexIds readVertices(const JsonReader& json)
 {
   VertexIds vertices;
-  for (const JsonReader& id : json.someElements()) vertices.ids.push_back(id.id());
+  vertices.ids.resize(json.sizeAboveZero());
+  for (std::size_t i = 0; i < vertices.ids.size(); ++i) vertices.ids[i] = json.element(i).id();
   return vertices;
 }
 
@@ -57,8 +58,8 @@ Selection readNested(const JsonReader& json, int depth);
 
 std::vector<Selection> readParts(const JsonReader& json, int depth)
 {
-  std::vector<Selection> parts;
-  for (const JsonReader& part : json.someElements()) parts.push_back(readNested(part, depth));
+  std::vector<Selection> parts(json.sizeAboveZero());
+  for (std::size_t i = 0; i < parts.size(); ++i) parts[i] = readNested(json.element(i), depth);
   return parts;
 }
 
@@ -83,9 +84,10 @@ Selection readNested(const JsonReader& json, int depth)
 AtEdge readEdge(const JsonReader& json)
 {
   json.requireKeys(kEdgeKeys);
-  const std::vector<JsonReader> ends = json["edge"].elements(2, "the two vertices [i, j]");
-  const AtEdge edge{ends[0].id(), ends[1].id(), json["t"].number()};
-  if (edge.i == edge.j) json["edge"].fail(fmt::format("both ends are vertex {}; name two vertices", edge.i));
+  const JsonReader ends = json["edge"];
+  ends.requireSize(2, "the two vertices [i, j]");
+  const AtEdge edge{ends.element(0).id(), ends.element(1).id(), json["t"].number()};
+  if (edge.i == edge.j) ends.fail(fmt::format("both ends are vertex {}; name two vertices", edge.i));
   if (edge.t < 0 || edge.t > 1)
     json["t"].fail(fmt::format("{} is outside [0, 1]; 1 is the first vertex of the edge, 0 the second", edge.t));
   return edge;
@@ -105,12 +107,13 @@ void requireWeights(const JsonReader& json, const std::vector<double>& weights)
 AtFace readFace(const JsonReader& json)
 {
   json.requireKeys(kFaceKeys);
-  AtFace face{json["face"].id(), {}};
   const JsonReader weights = json["weights"];
-  for (const JsonReader& weight : weights.elements()) {
-    face.weights.push_back(weight.number());
-    if (face.weights.back() < 0)
-      weight.fail(fmt::format("the weight {} is negative; the point would lie outside the face", face.weights.back()));
+  AtFace face{json["face"].id(), std::vector<double>(weights.size())};
+  for (std::size_t corner = 0; corner < face.weights.size(); ++corner) {
+    const JsonReader weight = weights.element(corner);
+    face.weights[corner] = weight.number();
+    if (face.weights[corner] < 0)
+      weight.fail(fmt::format("the weight {} is negative; the point would lie outside the face", face.weights[corner]));
   }
   requireWeights(weights, face.weights);
   return face;

@@ -13,8 +13,8 @@
 namespace holdfast {
 namespace {
 
-/// A device that never ends must not fill the memory; a point takes about 100 bytes.
-constexpr std::size_t kMaximumBytes = std::size_t{1} << 30;
+/// A device that never ends must not fill the memory. A point takes about 100 bytes: room for two million.
+constexpr std::size_t kMaximumBytes = std::size_t{1} << 28;
 
 unsigned char byteAt(std::string_view text, std::size_t place)
 {
@@ -121,7 +121,7 @@ std::string readTextFile(const std::filesystem::path& path)
   while (stream.read(chunk.data(), chunk.size()) || stream.gcount() > 0) {
     text.append(chunk.data(), static_cast<std::size_t>(stream.gcount()));
     if (text.size() > kMaximumBytes)
-      throw InputError({path.string(), 0, ""}, "larger than 1 GiB; split it, or check that this is the right file");
+      throw InputError({path.string(), 0, ""}, "larger than 256 MiB; split it, or check that this is the right file");
   }
   if (stream.bad()) failToRead(path);
   return text;

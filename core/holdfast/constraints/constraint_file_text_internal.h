@@ -21,7 +21,7 @@ struct TextPlace {
 /// The place of byte `offset`; of the end where `offset` is past it. O(offset).
 [[nodiscard]] TextPlace placeInText(std::string_view text, std::size_t offset);
 
-/// All bytes of a file. Throws `InputError` where it is missing, a directory, unreadable, or larger than 1 GiB.
+/// All bytes of a file. Throws `InputError` where it is missing, a directory, unreadable, or larger than 256 MiB.
 [[nodiscard]] std::string readTextFile(const std::filesystem::path& path);
 
 /// `text` without a byte order mark. Throws `InputError` with the line of the first byte that is not UTF-8.

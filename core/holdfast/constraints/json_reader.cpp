@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cassert>
 #include <limits>
 
 #include <fmt/format.h>
@@ -60,29 +61,26 @@ JsonReader JsonReader::operator[](std::string_view key) const
   return {member->value, file_, memberPath(path_, key)};
 }
 
-std::vector<JsonReader> JsonReader::elements() const
+std::size_t JsonReader::size() const
 {
-  const auto* array = std::get_if<JsonArray>(&value_->what);
-  if (array == nullptr) failKind("a list");
-  std::vector<JsonReader> readers;
-  readers.reserve(array->size());
-  for (const JsonValue& element : *array) readers.push_back({element, file_, elementPath(path_, readers.size())});
-  return readers;
+  return array().size();
 }
 
-std::vector<JsonReader> JsonReader::elements(std::size_t count, std::string_view meaning) const
+std::size_t JsonReader::sizeAboveZero() const
 {
-  std::vector<JsonReader> readers = elements();
-  if (readers.size() != count)
-    fail(fmt::format("a list of {} is expected, {}; this one has {}", count, meaning, readers.size()));
-  return readers;
+  if (array().empty()) fail("the list is empty; give at least one element");
+  return size();
 }
 
-std::vector<JsonReader> JsonReader::someElements() const
+void JsonReader::requireSize(std::size_t count, std::string_view meaning) const
 {
-  std::vector<JsonReader> readers = elements();
-  if (readers.empty()) fail("the list is empty; give at least one element");
-  return readers;
+  if (size() != count) fail(fmt::format("a list of {} is expected, {}; this one has {}", count, meaning, size()));
+}
+
+JsonReader JsonReader::element(std::size_t place) const
+{
+  assert(place < size());
+  return {array()[place], file_, elementPath(path_, place)};
 }
 
 bool JsonReader::boolean() const
@@ -129,8 +127,8 @@ const std::string& JsonReader::text() const
 
 Vector3 JsonReader::vector() const
 {
-  const std::vector<JsonReader> numbers = elements(3, "[x, y, z]");
-  return {numbers[0].number(), numbers[1].number(), numbers[2].number()};
+  requireSize(3, "[x, y, z]");
+  return {element(0).number(), element(1).number(), element(2).number()};
 }
 
 Vector3 JsonReader::direction() const
@@ -142,13 +140,20 @@ Vector3 JsonReader::direction() const
 
 void JsonReader::fail(const std::string& reason) const
 {
-  throw InputError({std::string(file_), 0, path_.empty() ? "top level" : path_}, reason);
+  throw InputError({std::string(file_), 0, namedPath(path_)}, reason);
 }
 
 const JsonObject& JsonReader::object() const
 {
   const auto* value = std::get_if<JsonObject>(&value_->what);
   if (value == nullptr) failKind("an object in braces");
+  return *value;
+}
+
+const JsonArray& JsonReader::array() const
+{
+  const auto* value = std::get_if<JsonArray>(&value_->what);
+  if (value == nullptr) failKind("a list");
   return *value;
 }
 

@@ -30,12 +30,14 @@ class JsonReader {
   /// The value of a key, which must be there.
   [[nodiscard]] JsonReader operator[](std::string_view key) const;
 
-  /// The elements of a list.
-  [[nodiscard]] std::vector<JsonReader> elements() const;
-  /// The elements of a list of `count`, which `meaning` names: "[x, y, z]".
-  [[nodiscard]] std::vector<JsonReader> elements(std::size_t count, std::string_view meaning) const;
-  /// The elements of a list that is not empty.
-  [[nodiscard]] std::vector<JsonReader> someElements() const;
+  /// The length of a list.
+  [[nodiscard]] std::size_t size() const;
+  /// The length of a list that is not empty.
+  [[nodiscard]] std::size_t sizeAboveZero() const;
+  /// This is a list of `count`, which `meaning` names: "[x, y, z]".
+  void requireSize(std::size_t count, std::string_view meaning) const;
+  /// The element at `place` of a list, from 0, below its length.
+  [[nodiscard]] JsonReader element(std::size_t place) const;
 
   [[nodiscard]] bool boolean() const;
   [[nodiscard]] double number() const;
@@ -61,6 +63,7 @@ class JsonReader {
   }
 
   [[nodiscard]] const JsonObject& object() const;
+  [[nodiscard]] const JsonArray& array() const;
   [[noreturn]] void failKind(std::string_view expected) const;
 
   const JsonValue* value_;

@@ -1,5 +1,9 @@
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -20,6 +24,19 @@ std::string causeOf(const nlohmann::json::exception& error)
   return std::string(colon == std::string_view::npos ? message : message.substr(colon + 2));
 }
 
+/// The number that `digits` say; nothing where a double cannot hold it. The parser's own conversion depends on the
+/// locale, and cuts numbers short where the decimal sign takes several bytes; it has also put that sign into `digits`.
+std::optional<double> doubleFrom(std::string digits)
+{
+  constexpr std::string_view kPlain = "0123456789+-eE";
+  std::replace_if(
+      digits.begin(), digits.end(), [&](char c) { return kPlain.find(c) == std::string_view::npos; }, '.');
+  double value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
 /// Receives the parser's events and grows the tree. The parser itself does not recurse.
 class TreeBuilder {
  public:
@@ -29,13 +46,23 @@ class TreeBuilder {
   bool boolean(bool value) { return add({value}); }
   bool number_integer(std::int64_t value) { return add({value}); }
   bool number_unsigned(std::uint64_t value) { return add({value}); }
-  bool number_float(double value, const std::string& /*digits*/) { return add({value}); }
   bool string(std::string& value) { return add({std::move(value)}); }
   bool binary(nlohmann::json::binary_t& /*value*/) { return false; }
   bool start_object(std::size_t /*size*/) { return open({JsonObject{}}); }
   bool start_array(std::size_t /*size*/) { return open({JsonArray{}}); }
   bool end_object() { return close(); }
   bool end_array() { return close(); }
+
+  bool number_float(double /*value*/, const std::string& digits)
+  {
+    JsonValue* number = place({0.0});
+    if (const std::optional<double> value = doubleFrom(digits))
+      number->what = *value;
+    else
+      throw InputError({std::string(file_), 0, namedPath(openPath())},
+                       fmt::format("{} does not fit a number in double precision", shortened(digits)));
+    return true;
+  }
 
   bool key(std::string& key)
   {
@@ -94,7 +121,7 @@ class TreeBuilder {
     // The containers that are open do not grow while a child of theirs is open, so that the addresses last.
     open_.push_back(place(std::move(container)));
     if (open_.size() <= kMaximumJsonDepth) return true;
-    throw InputError({std::string(file_), 0, shortened(openPath())},
+    throw InputError({std::string(file_), 0, shortened(namedPath(openPath()))},
                      fmt::format("lists and objects are nested deeper than {}; take levels out", kMaximumJsonDepth));
   }
 
@@ -149,6 +176,11 @@ std::string_view kindOf(const JsonValue& value)
   constexpr std::array<std::string_view, std::variant_size_v<decltype(JsonValue::what)>> kKinds{
       "null", "true or false", "an integer", "an integer", "a number", "text", "a list", "an object"};
   return kKinds[value.what.index()];
+}
+
+std::string namedPath(const std::string& path)
+{
+  return path.empty() ? "top level" : path;
 }
 
 std::string memberPath(const std::string& path, std::string_view key)

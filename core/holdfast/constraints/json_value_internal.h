@@ -31,12 +31,16 @@ struct JsonMember {
 inline constexpr std::size_t kMaximumJsonDepth = 300;
 
 /// The tree of a JSON text. Throws `InputError` in `file`: with line and column where the text is not JSON, not UTF-8,
-/// or holds a number too large for a double; with the path of what is nested deeper than `kMaximumJsonDepth`.
+/// or holds a number too large for a double; with the path of a number too small for one and of what is nested deeper
+/// than `kMaximumJsonDepth`.
 /// O(size of the text) in time and memory.
 [[nodiscard]] JsonValue parseJson(std::string_view text, std::string_view file);
 
 /// "a number", "a list", ...: what a message calls the value.
 [[nodiscard]] std::string_view kindOf(const JsonValue& value);
+
+/// The path as messages show it: "top level" where it is empty.
+[[nodiscard]] std::string namedPath(const std::string& path);
 
 /// Path of the member `key` of the object at `path`: `path.key`, or `path["key"]` where the key is not a plain word.
 [[nodiscard]] std::string memberPath(const std::string& path, std::string_view key);

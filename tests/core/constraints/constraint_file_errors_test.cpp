@@ -83,6 +83,12 @@ TEST(ConstraintFileErrors, NumbersTooLargeForADoubleAreRefused)
   expectSyntaxError("{\"a\":\n [1, -1e400]}", 2, "11", "-1e400 is too large");
 }
 
+TEST(ConstraintFileErrors, NumbersTooSmallForADoubleAreRefused)
+{
+  expectRefused(R"({"a": [1, 1e-400]})", "a[1]", "1e-400 does not fit");
+  expectRefused("1e-400", "top level", "1e-400 does not fit");
+}
+
 TEST(ConstraintFileErrors, DocumentIsAnObjectOfTheKnownFormatAndVersion)
 {
   expectRefused("[]", "top level", "an object in braces is expected here, this is a list");

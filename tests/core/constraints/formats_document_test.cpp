@@ -1,0 +1,136 @@
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <holdfast/constraints/constraint_file.h>
+
+namespace holdfast {
+namespace {
+
+using testing::ElementsAre;
+using testing::Pair;
+
+const std::string kDocument = HOLDFAST_SOURCE_DIR "/docs/formats.md";
+
+/// A fenced block of the document: what stands behind the opening fence, and the text.
+struct Block {
+  std::string kind;
+  std::string text;
+};
+
+std::vector<Block> blocksOfDocument()
+{
+  std::vector<Block> blocks;
+  std::ifstream document(kDocument);
+  bool isInside = false;
+  for (std::string line; std::getline(document, line);) {
+    if (line.starts_with("```")) {
+      isInside = !isInside;
+      if (isInside) blocks.push_back({line.substr(3), ""});
+    } else if (isInside) {
+      blocks.back().text += line + "\n";
+    }
+  }
+  return blocks;
+}
+
+std::vector<std::string> blocksOf(const std::string& kind)
+{
+  std::vector<std::string> texts;
+  for (const Block& block : blocksOfDocument())
+    if (block.kind == kind) texts.push_back(block.text);
+  return texts;
+}
+
+std::map<std::string, int> countsByType(const ConstraintList& list)
+{
+  std::map<std::string, int> counts;
+  for (const Constraint& constraint : list.constraints) ++counts[typeName(constraint)];
+  return counts;
+}
+
+ConstraintList parsedAlone(const std::string& constraint)
+{
+  return parseConstraintsJson(
+      R"({"format": "holdfast-constraints", "version": 1, "constraints": [)" + constraint + "]}", kDocument);
+}
+
+TEST(FormatsDocument, CompleteExampleHasEveryType)
+{
+  const std::vector<std::string> examples = blocksOf("json");
+  ASSERT_EQ(examples.size(), 1U);
+  const ConstraintList list = parseConstraintsJson(examples[0], kDocument);
+  EXPECT_EQ(list.units, "mm");
+  EXPECT_THAT(countsByType(list), ElementsAre(Pair("fixed", 1), Pair("handle", 1), Pair("point", 4),
+                                              Pair("relative", 1), Pair("rigid", 1)));
+  EXPECT_EQ(list.constraints[5].name, "point 6");
+  EXPECT_FALSE(list.constraints[2].isEnabled);
+}
+
+TEST(FormatsDocument, PointListHasThePointsThatTheTextNames)
+{
+  const std::vector<std::string> examples = blocksOf("csv");
+  ASSERT_EQ(examples.size(), 1U);
+  const ConstraintList list = parsePointListCsv(examples[0], kDocument);
+  ASSERT_EQ(list.constraints.size(), 3U);
+  EXPECT_EQ(list.constraints[1].name, "bolt 2, left");
+  EXPECT_EQ(list.constraints[2].name, "point 3");
+}
+
+TEST(FormatsDocument, ExamplesOfConstraintsAreReadAndShowEveryType)
+{
+  std::map<std::string, int> counts;
+  for (const std::string& text : blocksOf("json constraint")) {
+    SCOPED_TRACE(text);
+    const ConstraintList list = parsedAlone(text);
+    ASSERT_EQ(list.constraints.size(), 1U);
+    ++counts[typeName(list.constraints[0])];
+  }
+  EXPECT_EQ(counts.size(), std::variant_size_v<decltype(Constraint::what)>);
+}
+
+TEST(FormatsDocument, ExamplesOfSelectionsAreReadAndShowEveryKind)
+{
+  std::string all;
+  for (const std::string& text : blocksOf("json selection")) {
+    EXPECT_NO_THROW(static_cast<void>(parsedAlone(R"({"type": "fixed", "select": )" + text + "}"))) << text;
+    all += text;
+  }
+  for (const char* key : {"vertices", "box", "sphere", "halfspace", "component", "all", "any", "not"})
+    EXPECT_THAT(all, testing::HasSubstr('"' + std::string(key) + '"'));
+}
+
+TEST(FormatsDocument, ExamplesOfLocationsAreReadAndShowEveryKind)
+{
+  const std::vector<std::string> examples = blocksOf("json location");
+  for (const std::string& text : examples)
+    EXPECT_NO_THROW(static_cast<void>(parsedAlone(R"({"type": "point", "move": [0,0,0], "at": )" + text + "}")))
+        << text;
+  EXPECT_EQ(examples.size(), std::variant_size_v<SurfaceLocation>);
+}
+
+TEST(FormatsDocument, ExampleOfAReportIsJsonOfTheVersionNamed)
+{
+  const std::vector<std::string> examples = blocksOf("json report");
+  ASSERT_EQ(examples.size(), 1U);
+  const nlohmann::json report = nlohmann::json::parse(examples[0]);
+  EXPECT_EQ(report.at("format"), "holdfast-report");
+  EXPECT_EQ(report.at("version"), 1);
+}
+
+TEST(FormatsDocument, HasNoExampleThatNoTestReads)
+{
+  const std::vector<std::string> known{"json",           "csv",           "json constraint",
+                                       "json selection", "json location", "json report"};
+  for (const Block& block : blocksOfDocument())
+    EXPECT_EQ(std::count(known.begin(), known.end(), block.kind), 1) << block.kind << "\n" << block.text;
+}
+
+}  // namespace
+}  // namespace holdfast
