@@ -66,7 +66,8 @@ Serialized serializeMesh(const MeshDocument& document, const Positions& position
 {
   assert(positions.rows() == document.mesh.vertexCount());
   const Format* const format = findFormat(extension);
-  if (format == nullptr) throw OutputError(std::string(extension), unknownFormat(extension));
+  if (format == nullptr)
+    throw OutputError(extension.empty() ? "(no extension)" : std::string(extension), unknownFormat(extension));
   if (document.source && document.source->extension() == format->extension)
     return document.source->withPositions(positions);
   Serialized result = format->write(positions, document.mesh.faces);

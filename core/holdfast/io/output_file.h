@@ -11,7 +11,8 @@ namespace holdfast {
 /// One output of a program. The bytes go to a temporary file beside `path`; `commit` puts it in place with one rename,
 /// so that a reader, a full disk or a crash never meets half a file, and what stood at `path` stays until then. A
 /// symbolic link is followed, the permissions of a file that is replaced are kept. A path that exists and is not a
-/// regular file (a device, a pipe) is written directly at `commit`.
+/// regular file (a device, a pipe), and the file that standard output or standard error already goes to, are written
+/// directly at `commit`.
 class OutputFile {
  public:
   /// Writes `bytes` aside and flushes them to disk. Throws `OutputError` (folder missing, not writable, disk full)
@@ -31,12 +32,20 @@ class OutputFile {
   [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
 
  private:
-  std::filesystem::path path_;
-  std::filesystem::path temporary_;  // empty once committed, and for what is not a regular file
-  std::string direct_;               // bytes for what is not a regular file
+  void discard() noexcept;
+
+  std::filesystem::path path_;    // as the user wrote it
+  std::filesystem::path target_;  // with symbolic links followed; empty for what is written directly
+  std::string temporary_;         // absolute; empty once committed, and for what is written directly
+  int slot_ = -1;                 // of `temporary_` in the list of unfinished files
+  std::string direct_;            // bytes for what is written directly
 };
 
 /// Removes the temporary file of every `OutputFile` that is not yet committed. Safe to call from a signal handler.
+/// Reaches as many files at a time as `kTrackedOutputs`; what is beyond that is removed by destructors alone.
 void removeUnfinishedOutputs() noexcept;
+
+/// How many unfinished outputs `removeUnfinishedOutputs` can know of at a time.
+inline constexpr int kTrackedOutputs = 32;
 
 }  // namespace holdfast

@@ -1,6 +1,8 @@
 #include <cassert>
 #include <cmath>
 
+#include <Eigen/Geometry>
+
 #include <holdfast/mesh/vertex_normals.h>
 
 namespace holdfast {

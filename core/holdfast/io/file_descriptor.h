@@ -1,0 +1,33 @@
+#pragma once
+/// \file
+/// An open file of the operating system that closes itself, and all of a text written to it.
+
+#include <string_view>
+#include <utility>
+
+namespace holdfast {
+
+/// Owns a file descriptor; -1 for none.
+class FileDescriptor {
+ public:
+  explicit FileDescriptor(int descriptor = -1) noexcept : descriptor_(descriptor) {}
+  ~FileDescriptor() { static_cast<void>(close()); }
+  FileDescriptor(FileDescriptor&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
+  FileDescriptor& operator=(FileDescriptor&&) = delete;
+  FileDescriptor(const FileDescriptor&) = delete;
+  FileDescriptor& operator=(const FileDescriptor&) = delete;
+
+  [[nodiscard]] int get() const noexcept { return descriptor_; }
+  [[nodiscard]] bool isOpen() const noexcept { return descriptor_ >= 0; }
+
+  /// Closes it now. Returns 0, or the errno of a write that failed only then.
+  [[nodiscard]] int close() noexcept;
+
+ private:
+  int descriptor_;
+};
+
+/// Writes all of `bytes`. Returns 0, or an errno; part of the bytes may be written then.
+[[nodiscard]] int writeAll(const FileDescriptor& file, std::string_view bytes) noexcept;
+
+}  // namespace holdfast
