@@ -1,5 +1,4 @@
 #include <cassert>
-#include <cmath>
 
 #include <Eigen/Geometry>
 
@@ -22,9 +21,10 @@ Vector3 areaVector(const Positions& positions, std::span<const Index> polygon)
 
 Vector3 unitOrZero(const Vector3& vector)
 {
-  const double length = vector.stableNorm();
-  if (!(length > 0) || !std::isfinite(length)) return Vector3::Zero();
-  return vector / length;
+  // Scaled first: no square over- or underflows, and a normal along an axis comes out exact.
+  const double scale = vector.cwiseAbs().maxCoeff();
+  if (!vector.allFinite() || scale == 0) return Vector3::Zero();
+  return (vector / scale).normalized();
 }
 
 Positions areaWeightedNormals(const Positions& positions, const Polygons& faces, std::span<const Index> normalOfCorner,
