@@ -86,12 +86,12 @@ void OffReader::readKeyword()
   const std::string_view keyword = cursor_.findToken() ? cursor_.token() : std::string_view{};
   const std::optional<OffVertexForm> form = vertexForm(keyword);
   if (keyword == "4OFF" || keyword == "nOFF" || keyword == "4nOFF")
-    cursor_.fail(fmt::format("{} holds points that are not three-dimensional: convert it to OFF", quoted(keyword)));
+    cursor_.fail(fmt::format("{} holds points that are not three-dimensional: convert it to OFF", inQuotes(keyword)));
   if (!form)
     cursor_.fail(
         fmt::format("the file begins with {}: an OFF file begins with OFF (or COFF, NOFF, CNOFF, STOFF, ...) "
                     "and a blank or line end; is it another format?",
-                    quoted(keyword)));
+                    inQuotes(keyword)));
   layout_.form = *form;
 }
 

@@ -25,7 +25,7 @@ const PlyElement& requireElement(const PlyHeader& header, const std::string& nam
   const PlyElement* const element = header.find(name);
   if (element == nullptr)
     throw InputError({file, 0, {}},
-                     fmt::format("the header has no element {}: export the file as a polygon mesh", quoted(name)));
+                     fmt::format("the header has no element {}: export the file as a polygon mesh", inQuotes(name)));
   if (element->count == 0)
     throw InputError({file, element->line, {}},
                      name == "face" ? "the mesh has no faces: export it as a polygon mesh, not as points"
@@ -35,7 +35,8 @@ const PlyElement& requireElement(const PlyHeader& header, const std::string& nam
 
 Index cornersOf(const PlyElement& face, const std::string& file)
 {
-  const Index corners = std::max(face.find("vertex_indices"), face.find("vertex_index"));
+  const Index usual = face.find("vertex_indices");
+  const Index corners = usual >= 0 ? usual : face.find("vertex_index");
   if (corners < 0 || !face.properties[corners].isList() || !isInteger(face.properties[corners].type))
     throw InputError({file, face.line, {}},
                      "the element 'face' needs the property 'list uchar int vertex_indices' (or "
@@ -50,7 +51,7 @@ MeshElements meshElements(const PlyHeader& header, const std::string& file)
     const Index property = vertex.find(name);
     if (property < 0 || vertex.properties[property].isList())
       throw InputError({file, vertex.line, {}},
-                       fmt::format("the element 'vertex' has no number {}: it needs x, y and z", quoted(name)));
+                       fmt::format("the element 'vertex' has no number {}: it needs x, y and z", inQuotes(name)));
   }
   const PlyElement& face = requireElement(header, "face", file);
   return {&vertex, &face, cornersOf(face, file)};
@@ -194,12 +195,11 @@ std::size_t BodyReader<Scanner>::leastRowBytes(const PlyElement& element) const
 template <class Scanner>
 void BodyReader<Scanner>::expectRoom(const PlyElement& element, std::size_t rowBytes) const
 {
-  // The last value of a text may lack what separates it from a next one.
-  if (rowBytes == 0 || static_cast<std::size_t>(element.count) <= (scanner_.remaining() + 1) / rowBytes) return;
+  if (rowBytes == 0 || static_cast<std::size_t>(element.count) <= scanner_.room() / rowBytes) return;
   scanner_.fail(
       fmt::format("the header promises {} rows of element {}, of {} bytes at least, but only {} bytes follow: "
                   "the file is truncated, or the count is wrong",
-                  element.count, quoted(element.name), rowBytes, scanner_.remaining()));
+                  element.count, inQuotes(element.name), rowBytes, scanner_.remaining()));
 }
 
 template <class Scanner>

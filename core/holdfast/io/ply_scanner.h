@@ -39,6 +39,8 @@ class PlyTextScanner {
   [[noreturn]] void fail(const std::string& reason) const { cursor_.fail(reason); }
   [[nodiscard]] PlyPlace place() const { return {cursor_.offset(), cursor_.line()}; }
   [[nodiscard]] std::size_t remaining() const noexcept { return cursor_.remaining(); }
+  /// Bytes that rows may take: the last value may lack what separates it from a next one.
+  [[nodiscard]] std::size_t room() const noexcept { return remaining() + 1; }
   /// Bytes that a value takes at least, with what separates it from the next.
   [[nodiscard]] static std::size_t leastBytes(PlyType /*type*/) { return 2; }
 
@@ -61,6 +63,7 @@ class PlyBinaryScanner {
   [[noreturn]] void fail(const std::string& reason) const;
   [[nodiscard]] PlyPlace place() const { return {at_, 1}; }
   [[nodiscard]] std::size_t remaining() const noexcept { return bytes_.size() - at_; }
+  [[nodiscard]] std::size_t room() const noexcept { return remaining(); }
   [[nodiscard]] static std::size_t leastBytes(PlyType type) { return sizeOf(type); }
 
  private:

@@ -29,7 +29,7 @@ std::string_view TextCursor::token()
 {
   skipBlanks();
   const std::size_t first = at_;
-  while (at_ < text_.size() && !isBlank(text_[at_]) && text_[at_] != '\n' && !continued(at_)) ++at_;
+  while (at_ < text_.size() && !endsToken(at_)) ++at_;
   return text_.substr(first, at_ - first);
 }
 
@@ -73,7 +73,7 @@ Index TextCursor::integer(std::string_view what)
 void TextCursor::expectLineEnd(std::string_view remedy)
 {
   const std::string_view extra = token();
-  if (!extra.empty()) fail(fmt::format("{} is too much here: {}", quoted(extra), remedy));
+  if (!extra.empty()) fail(fmt::format("{} is too much here: {}", inQuotes(extra), remedy));
 }
 
 void TextCursor::fail(const std::string& reason) const
@@ -108,6 +108,12 @@ void TextCursor::skipBlanks()
   }
 }
 
+bool TextCursor::endsToken(std::size_t at) const
+{
+  const char c = text_[at];
+  return isBlank(c) || c == '\n' || dialect_.comment == c || continued(at);
+}
+
 std::optional<std::size_t> TextCursor::continued(std::size_t at) const
 {
   if (dialect_.continuation != text_[at]) return std::nullopt;
@@ -117,7 +123,7 @@ std::optional<std::size_t> TextCursor::continued(std::size_t at) const
   return std::nullopt;
 }
 
-std::string quoted(std::string_view token)
+std::string inQuotes(std::string_view token)
 {
   constexpr std::size_t kLongest = 40;
   std::string text = "'";
@@ -139,8 +145,8 @@ double numberOf(std::string_view token, std::string_view what, const TextCursor&
     cursor.fail(
         fmt::format("{} is {}, which no double can hold (4.9e-324 to 1.8e308 in magnitude): "
                     "scale the model, or write 0 where that is meant",
-                    what, quoted(token)));
-  cursor.fail(fmt::format("{} is {}, which is not a number: write digits, as in -1.5e3", what, quoted(token)));
+                    what, inQuotes(token)));
+  cursor.fail(fmt::format("{} is {}, which is not a number: write digits, as in -1.5e3", what, inQuotes(token)));
 }
 
 Index integerOf(std::string_view token, std::string_view what, const TextCursor& cursor)
@@ -149,8 +155,8 @@ Index integerOf(std::string_view token, std::string_view what, const TextCursor&
   if (fault == NumberFault::kNone) return value;
   if (token.empty()) cursor.fail(fmt::format("{} is missing: complete the line", what));
   if (fault == NumberFault::kOutOfRange)
-    cursor.fail(fmt::format("{} is {}, far beyond any count or index: correct it", what, quoted(token)));
-  cursor.fail(fmt::format("{} is {}, which is not a whole number: write digits only", what, quoted(token)));
+    cursor.fail(fmt::format("{} is {}, far beyond any count or index: correct it", what, inQuotes(token)));
+  cursor.fail(fmt::format("{} is {}, which is not a whole number: write digits only", what, inQuotes(token)));
 }
 
 }  // namespace holdfast

@@ -53,6 +53,7 @@ class TextCursor {
 
  private:
   void skipBlanks();
+  [[nodiscard]] bool endsToken(std::size_t at) const;
   /// Where the line that ends in a continuation at `at` goes on; nothing if there is no continuation.
   [[nodiscard]] std::optional<std::size_t> continued(std::size_t at) const;
 
@@ -64,7 +65,7 @@ class TextCursor {
 };
 
 /// `token` in quotes for a message: cut where long, bytes that are not printable ASCII as \xNN.
-[[nodiscard]] std::string quoted(std::string_view token);
+[[nodiscard]] std::string inQuotes(std::string_view token);
 
 /// `token` as a number. Throws an `InputError` at the place of `cursor`, naming `what`, where it is none.
 [[nodiscard]] double numberOf(std::string_view token, std::string_view what, const TextCursor& cursor);

@@ -1,0 +1,44 @@
+#pragma once
+/// \file
+/// Files that a reader must refuse, with the place and the reason that it must give.
+
+#include <ostream>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <holdfast/base/error.h>
+#include <holdfast/io/mesh_document.h>
+
+namespace holdfast::test {
+
+struct BadFile {
+  std::string name;
+  std::string bytes;
+  Index line = 0;
+  std::string element;  ///< "byte 84", or empty
+  std::string reason;   ///< part of the message
+};
+
+inline std::ostream& operator<<(std::ostream& stream, const BadFile& file)
+{
+  return stream << file.name;
+}
+
+/// Expects `read` to refuse `file` for the right reason at the right place, and to say what to do after a colon.
+inline void expectRefused(const BadFile& file, MeshDocument (*read)(std::string bytes, const std::string& name))
+{
+  try {
+    static_cast<void>(read(file.bytes, "bad"));
+    ADD_FAILURE() << "was read";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.location().file, "bad");
+    EXPECT_EQ(error.location().line, file.line) << error.what();
+    EXPECT_EQ(error.location().element, file.element) << error.what();
+    EXPECT_THAT(error.reason(), testing::HasSubstr(file.reason));
+    EXPECT_THAT(error.reason(), testing::ContainsRegex("[:;] .+"));
+  }
+}
+
+}  // namespace holdfast::test

@@ -1,0 +1,160 @@
+#include <cmath>
+#include <filesystem>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <holdfast/base/error.h>
+#include <holdfast/io/mesh_file.h>
+
+#include "support/meshes.h"
+#include "support/temporary_folder.h"
+
+namespace holdfast {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const std::string kObj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\ng square\nf 1/1 2/1 3/1 4/1\nf 1 3 2\n";
+
+class MeshFile : public testing::Test {
+ protected:
+  [[nodiscard]] std::string refusal(const std::filesystem::path& path) const
+  {
+    try {
+      static_cast<void>(readMesh(path));
+      return "read";
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.location().file, path.string());
+      return error.reason();
+    }
+  }
+
+  [[nodiscard]] MeshDocument readBack(const Serialized& written, const std::string& extension) const
+  {
+    return readMesh(folder_.file("again" + extension, written.bytes));
+  }
+
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(MeshFile, AMeshMadeInMemorySurvivesEveryFormatThatHoldsDoubles)
+{
+  Mesh mesh = test::icosphere(2);
+  mesh.positions *= 1.0 / 3.0;
+  mesh.faces.add({0, 1, 2, 3, 4});
+  for (const std::string extension : {".obj", ".ply", ".off"}) {
+    const Serialized written = serializeMesh({mesh, nullptr}, mesh.positions, extension);
+    const MeshDocument again = readBack(written, extension);
+    EXPECT_EQ(again.mesh.positions, mesh.positions) << extension;
+    EXPECT_EQ(again.mesh.faces, mesh.faces) << extension;
+    EXPECT_THAT(written.notes, IsEmpty());
+    EXPECT_THAT(again.source->extras(), IsEmpty());
+  }
+}
+
+TEST_F(MeshFile, PlyHoldsFacesOfManyCorners)
+{
+  const Index corners = 300;
+  Mesh mesh{Positions::Zero(corners, 3), {}};
+  std::vector<Index> polygon;
+  for (Index v = 0; v < corners; ++v) polygon.push_back(v);
+  mesh.faces.add(polygon);
+  const Serialized written = serializeMesh({mesh, nullptr}, mesh.positions, ".ply");
+  EXPECT_EQ(readBack(written, ".ply").mesh.faces, mesh.faces);
+}
+
+TEST_F(MeshFile, StlGetsTrianglesInSinglePrecisionAndSaysSo)
+{
+  const MeshDocument document = readMesh(folder_.file("a.obj", kObj));
+  Positions positions = document.mesh.positions;
+  positions(2, 0) = 1.1;
+  const Serialized written = serializeMesh(document, positions, ".stl");
+  const Mesh mesh = readBack(written, ".stl").mesh;
+  EXPECT_EQ(mesh.faces.size(), 3);
+  EXPECT_EQ(mesh.positions(2, 0), static_cast<double>(1.1F));
+  EXPECT_EQ(mesh.positions.row(5).transpose(), Vector3(0, 1, 0));
+  EXPECT_THAT(written.notes,
+              ElementsAre(HasSubstr("1 coordinate rounded, off by at most 2.38e-08"), "1 polygon split into triangles",
+                          "left behind, because the format changes from .obj to .stl: texture coordinates, groups"));
+}
+
+TEST_F(MeshFile, ABinaryStlThatIsWrittenBackSaysWhatItLoses)
+{
+  const Mesh mesh = test::tetrahedron();
+  const MeshDocument stl = readBack(serializeMesh({mesh, nullptr}, mesh.positions, ".stl"), ".stl");
+  Positions positions = stl.mesh.positions;
+  positions(0, 0) = 1.1;
+  positions(0, 1) = 1.2;
+  const Serialized written = serializeMesh(stl, positions, ".stl");
+  EXPECT_EQ(readBack(written, ".stl").mesh.positions(0, 0), static_cast<double>(1.1F));
+  EXPECT_THAT(written.notes,
+              ElementsAre("1 normal recomputed", HasSubstr("2 coordinates rounded, off by at most 4.77e-08")));
+}
+
+TEST_F(MeshFile, StlRefusesWhatNoFloatHolds)
+{
+  const Mesh mesh = test::tetrahedron();
+  const Positions positions = mesh.positions * 1e300;
+  EXPECT_THROW(static_cast<void>(serializeMesh({mesh, nullptr}, positions, ".stl")), OutputError);
+  const MeshDocument stl = readBack(serializeMesh({mesh, nullptr}, mesh.positions, ".stl"), ".stl");
+  EXPECT_THROW(static_cast<void>(serializeMesh(stl, stl.mesh.positions * 1e300, ".stl")), OutputError);
+}
+
+TEST_F(MeshFile, OfStlEveryFacetHasVerticesOfItsOwn)
+{
+  const Mesh mesh = test::tetrahedron();
+  const MeshDocument stl = readBack(serializeMesh({mesh, nullptr}, mesh.positions, ".stl"), ".stl");
+  const Serialized written = serializeMesh(stl, stl.mesh.positions, ".off");
+  EXPECT_EQ(readBack(written, ".off").mesh.vertexCount(), 12);
+  EXPECT_EQ(readBack(written, ".off").mesh.faces, stl.mesh.faces);
+  EXPECT_THAT(written.notes, ElementsAre(HasSubstr("facet normals")));
+}
+
+TEST_F(MeshFile, TheExtensionCountsInAnyCase)
+{
+  const MeshDocument document = readMesh(folder_.file("a.OBJ", kObj));
+  EXPECT_EQ(document.source->extension(), ".obj");
+  EXPECT_EQ(serializeMesh(document, document.mesh.positions, ".Obj").bytes, kObj);
+}
+
+TEST_F(MeshFile, EveryKnownExtensionIsReadAndWritten)
+{
+  const Mesh mesh = test::tetrahedron();
+  EXPECT_THAT(meshExtensions(), ElementsAre(".obj", ".ply", ".off", ".stl"));
+  for (const std::string_view extension : meshExtensions()) {
+    const MeshDocument document =
+        readBack(serializeMesh({mesh, nullptr}, mesh.positions, extension), std::string(extension));
+    EXPECT_EQ(document.source->extension(), extension);
+    EXPECT_EQ(document.mesh.faces.size(), 4);
+  }
+}
+
+TEST_F(MeshFile, AnUnknownExtensionIsRefusedWithThoseThatAreKnown)
+{
+  EXPECT_EQ(refusal(folder_.file("a.xyz", "1")),
+            "'.xyz' is not a mesh format that is known here: use .obj, .ply, .off, .stl");
+  const Mesh mesh = test::tetrahedron();
+  try {
+    static_cast<void>(serializeMesh({mesh, nullptr}, mesh.positions, ""));
+    ADD_FAILURE() << "was written";
+  } catch (const OutputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("a name without an extension says no mesh format: use .obj, .ply, .off, .stl"));
+  }
+}
+
+TEST_F(MeshFile, WhatIsNoFileIsRefusedWithAReason)
+{
+  EXPECT_THAT(refusal(folder_.path() / "none.obj"), HasSubstr("there is no such file: "));
+  EXPECT_THAT(refusal(folder_.path()), HasSubstr("is a directory: "));
+  EXPECT_THAT(refusal(folder_.path() / "none" / "a.obj"), HasSubstr("there is no such file: "));
+  EXPECT_THAT(refusal(folder_.file("file", "x") / "a.obj"), HasSubstr("there is no such file: "));
+  EXPECT_THAT(refusal("/dev/null"), HasSubstr("is not a regular file: "));
+  for (const std::string_view extension : meshExtensions())
+    EXPECT_THAT(refusal(folder_.file("empty" + std::string(extension), "")), HasSubstr("the file is empty: "));
+}
+
+}  // namespace
+}  // namespace holdfast

@@ -1,0 +1,83 @@
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include <holdfast/base/error.h>
+#include <holdfast/io/number_text.h>
+#include <holdfast/io/text_cursor.h>
+
+#include "support/random.h"
+
+namespace holdfast {
+namespace {
+
+constexpr TextDialect kDialect{'#', '\\'};
+
+TEST(TextCursor, TokensKnowTheirLine)
+{
+  TextCursor cursor("a b\r\n\n# no token\n  c \\\n d#e\nf", "file", kDialect);
+  std::string seen;
+  while (cursor.findToken()) {
+    const std::string_view token = cursor.token();
+    seen += std::string(token) + std::to_string(cursor.line()) + " ";
+  }
+  EXPECT_EQ(seen, "a1 b1 c4 d5 f6 ");
+}
+
+TEST(TextCursor, ALineEndsItsTokens)
+{
+  TextCursor cursor("a\nb", "file");
+  EXPECT_EQ(cursor.token(), "a");
+  EXPECT_EQ(cursor.token(), "");
+  cursor.skipLine();
+  EXPECT_EQ(cursor.token(), "b");
+}
+
+TEST(TextCursor, BehindTheLastLineEndErrorsNameTheLastLine)
+{
+  TextCursor cursor("a\nb\n", "file");
+  while (cursor.findToken()) static_cast<void>(cursor.token());
+  EXPECT_EQ(cursor.line(), 2);
+}
+
+TEST(TextCursor, QuotesWhatCannotBePrinted)
+{
+  EXPECT_EQ(inQuotes(std::string_view("a\0\x80", 3)), "'a\\x00\\x80'");
+  EXPECT_EQ(inQuotes(std::string(100, 'x')), "'" + std::string(40, 'x') + "...'");
+}
+
+TEST(NumberText, EveryDoubleReadsBackTheSame)
+{
+  test::Random random(99);
+  for (int i = 0; i < 20000; ++i) {
+    std::uint64_t bits = 0;
+    for (int part = 0; part < 4; ++part) bits = bits << 16U | static_cast<std::uint64_t>(random.integer(0, 65535));
+    const auto value = std::bit_cast<double>(bits);
+    if (std::isnan(value)) continue;
+    ASSERT_TRUE(hasSameBits(parseDouble(NumberText(value).view()).value, value)) << value;
+  }
+}
+
+TEST(NumberText, ExtremesReadBackTheSame)
+{
+  using Limits = std::numeric_limits<double>;
+  for (const double value : {0.0, -0.0, Limits::max(), Limits::lowest(), Limits::min(), Limits::denorm_min(),
+                             -Limits::denorm_min(), Limits::infinity(), -Limits::infinity(), Limits::quiet_NaN()})
+    EXPECT_TRUE(hasSameBits(parseDouble(NumberText(value).view()).value, value)) << value;
+}
+
+TEST(NumberText, WhatIsNoNumberIsSaidToBeNone)
+{
+  for (const char* token : {"", "+", "-", ".", "e5", "1e", "1,5", "0x1", "--1", "+-1", "++1", "1 ", "infinit"})
+    EXPECT_EQ(parseDouble(token).fault, NumberFault::kNotANumber) << token;
+  for (const char* token : {"", "+", "1.0", "1e3", "+-1", "0x1", "one"})
+    EXPECT_EQ(parseInteger(token).fault, NumberFault::kNotANumber) << token;
+  for (const char* token : {"1e309", "-1e309", "1e-400"})
+    EXPECT_EQ(parseDouble(token).fault, NumberFault::kOutOfRange) << token;
+  EXPECT_EQ(parseInteger("9223372036854775808").fault, NumberFault::kOutOfRange);
+}
+
+}  // namespace
+}  // namespace holdfast

@@ -1,0 +1,64 @@
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <holdfast/mesh/vertex_normals.h>
+
+#include "support/meshes.h"
+
+namespace holdfast {
+namespace {
+
+TEST(VertexNormals, AreaVectorsOfAClosedMeshSumToZero)
+{
+  const Mesh mesh = test::box(Vector3(1, 2, 3), 4);
+  Vector3 sum = Vector3::Zero();
+  double area = 0;
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    sum += areaVector(mesh.positions, mesh.faces[f]);
+    area += areaVector(mesh.positions, mesh.faces[f]).norm();
+  }
+  EXPECT_LT(sum.norm(), 1e-13);
+  EXPECT_NEAR(area, 22, 1e-12);
+}
+
+TEST(VertexNormals, AreaOfAPolygonIsThatOfItsTriangles)
+{
+  Positions positions(5, 3);
+  positions << 0, 0, 7, 2, 0, 7, 1, 1, 7, 2, 2, 7, 0, 2, 7;  // a dent at (1, 1)
+  EXPECT_EQ(areaVector(positions, std::array<Index, 5>{0, 1, 2, 3, 4}), Vector3(0, 0, 3));
+}
+
+TEST(VertexNormals, OfASpherePointOutwards)
+{
+  const Mesh mesh = test::icosphere(3);
+  const Positions normals =
+      areaWeightedNormals(mesh.positions, mesh.faces, cornerVertices(mesh.faces), mesh.vertexCount());
+  for (Index v = 0; v < mesh.vertexCount(); ++v) EXPECT_GT(normals.row(v).dot(mesh.positions.row(v)), 0.999);
+}
+
+TEST(VertexNormals, NeitherTinyNorHugeMeshesLoseThem)
+{
+  const Mesh mesh = test::tetrahedron();
+  const auto normalsAt = [&](double scale) {
+    return areaWeightedNormals(mesh.positions * scale, mesh.faces, cornerVertices(mesh.faces), 4);
+  };
+  EXPECT_TRUE(normalsAt(1e-140).isApprox(normalsAt(1), 1e-14));
+  EXPECT_TRUE(normalsAt(1e140).isApprox(normalsAt(1), 1e-14));
+}
+
+TEST(VertexNormals, AreZeroWhereNothingDefinesThem)
+{
+  EXPECT_EQ(unitOrZero(Vector3::Zero()), Vector3::Zero());
+  EXPECT_EQ(unitOrZero(Vector3(1, std::nan(""), 0)), Vector3::Zero());
+  EXPECT_EQ(unitOrZero(Vector3(std::numeric_limits<double>::infinity(), 0, 0)), Vector3::Zero());
+  const Mesh mesh = test::tetrahedron();
+  const std::vector<Index> none(mesh.faces.cornerCount(), -1);
+  EXPECT_EQ(areaWeightedNormals(mesh.positions, mesh.faces, none, 2), Positions::Zero(2, 3));
+}
+
+}  // namespace
+}  // namespace holdfast
