@@ -1,0 +1,33 @@
+# What `cmake --install` puts where, and the package that find_package(holdfast) then finds: one export set a layer, so
+# that a consumer of the core never needs what the view needs.
+
+include(CMakePackageConfigHelpers)
+set(holdfast_package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/holdfast")
+
+set(holdfast_layers core)
+if(TARGET holdfast_view)
+  list(APPEND holdfast_layers view)
+endif()
+
+foreach(layer IN LISTS holdfast_layers)
+  install(TARGETS holdfast_${layer} EXPORT holdfast-${layer} ARCHIVE FILE_SET HEADERS)
+  install(EXPORT holdfast-${layer} NAMESPACE holdfast:: DESTINATION "${holdfast_package_dir}")
+endforeach()
+
+foreach(program IN ITEMS holdfast-batch holdfast)
+  if(TARGET ${program})
+    install(TARGETS ${program} RUNTIME)
+  endif()
+endforeach()
+
+configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/holdfast-config.cmake.in"
+  "${PROJECT_BINARY_DIR}/holdfast-config.cmake" INSTALL_DESTINATION "${holdfast_package_dir}"
+  NO_SET_AND_CHECK_MACRO)
+# Before 1.0 a minor version may change the interface.
+write_basic_package_version_file("${PROJECT_BINARY_DIR}/holdfast-config-version.cmake" COMPATIBILITY SameMinorVersion)
+install(FILES "${PROJECT_BINARY_DIR}/holdfast-config.cmake" "${PROJECT_BINARY_DIR}/holdfast-config-version.cmake"
+  DESTINATION "${holdfast_package_dir}")
+if(HOLDFAST_WITH_CHOLMOD)
+  install(FILES "${CMAKE_CURRENT_LIST_DIR}/FindSuiteSparse.cmake" DESTINATION "${holdfast_package_dir}")
+endif()
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")

@@ -1,0 +1,45 @@
+#pragma once
+/// \file
+/// Files of VTK's formats for tests.
+
+#include <filesystem>
+#include <string>
+
+#include <vtkSmartPointer.h>
+
+#include <holdfast/mesh/mesh.h>
+
+class vtkPolyData;
+
+namespace holdfast::test {
+
+/// A folder of its own for one test, removed with it.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  /// Writes a file in the folder and gives its path.
+  [[nodiscard]] std::filesystem::path file(const std::string& name, const std::string& bytes) const;
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// `mesh` with coordinates that only all 17 digits tell apart, and the odd ones: -0, subnormal, huge.
+[[nodiscard]] Mesh withAwkwardCoordinates(Mesh mesh);
+
+/// True where every bit of both is the same, so that -0 is not 0.
+[[nodiscard]] bool isSameBits(const Positions& a, const Positions& b);
+
+/// A surface with everything that a file of VTK's may hold besides: a vertex and a line cell, polygons of 3, 4 and 5
+/// corners, two scalar arrays and a vector array of the points, ids of the cells, a string of the whole.
+[[nodiscard]] vtkSmartPointer<vtkPolyData> richPolyData();
+
+/// The unit square as two triangles, in VTK's text format with `rest` after the polygons.
+[[nodiscard]] std::string squareAsLegacyText(const std::string& rest = "");
+
+}  // namespace holdfast::test

@@ -1,0 +1,29 @@
+#pragma once
+/// \file
+/// Between Holdfast's meshes and VTK's.
+
+#include <string>
+
+#include <vtkSmartPointer.h>
+
+#include <holdfast/mesh/mesh.h>
+
+class vtkPoints;
+class vtkPolyData;
+
+namespace holdfast {
+
+/// Points of doubles, a copy of `positions`.
+[[nodiscard]] vtkSmartPointer<vtkPoints> toPoints(const Positions& positions);
+
+/// The faces of `mesh` at `positions` (vertexCount x 3): polygons only, no attributes.
+[[nodiscard]] vtkSmartPointer<vtkPolyData> toPolyData(const Mesh& mesh, const Positions& positions);
+
+/// The points of `polyData`, as doubles.
+[[nodiscard]] Positions positionsOf(vtkPolyData& polyData);
+
+/// The polygons of `polyData`: face f is its f-th polygon. Throws `InputError` about `file` where there is no polygon,
+/// where one has fewer than three corners or a corner that is no point, and where there are triangle strips.
+[[nodiscard]] Polygons polygonsOf(vtkPolyData& polyData, const std::string& file);
+
+}  // namespace holdfast

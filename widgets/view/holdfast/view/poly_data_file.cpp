@@ -1,0 +1,173 @@
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cctype>
+#include <new>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include <vtkExecutive.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataReader.h>
+#include <vtkXMLPolyDataReader.h>
+
+#include <holdfast/base/error.h>
+#include <holdfast/view/poly_data.h>
+#include <holdfast/view/poly_data_bytes.h>
+#include <holdfast/view/poly_data_file.h>
+#include <holdfast/view/poly_data_normals.h>
+#include <holdfast/view/vtk_error_log.h>
+
+namespace holdfast {
+namespace {
+
+constexpr std::array<std::string_view, 2> kExtensions{".vtp", ".vtk"};
+
+/// A file as VTK read it.
+struct PolyDataFile {
+  std::string extension;
+  vtkSmartPointer<vtkPolyData> polyData;
+  LegacyHeader header;  ///< of legacy files
+  bool isText = false;
+};
+
+std::string bytesOf(vtkPolyData& polyData, const LegacyHeader& header, std::string_view extension)
+{
+  if (extension == ".vtp") return vtpBytes(polyData);
+  if (extension == ".vtk") return legacyBytes(polyData, header);
+  throw OutputError(std::string(extension), "this is no format of VTK's for surfaces; use .vtp or .vtk");
+}
+
+class PolyDataSource final : public MeshSource {
+ public:
+  PolyDataSource(PolyDataFile file, std::string path) : file_(std::move(file)), path_(std::move(path)) {}
+
+  [[nodiscard]] std::string extension() const override { return file_.extension; }
+
+  [[nodiscard]] Serialized withPositions(const Positions& positions) const override
+  {
+    return withPositions(positions, file_.extension);
+  }
+
+  [[nodiscard]] Serialized withPositions(const Positions& positions, std::string_view extension) const
+  {
+    const Mesh rest{positionsOf(*file_.polyData), polygonsOf(*file_.polyData, path_)};
+    assert(positions.rows() == rest.vertexCount());
+    vtkNew<vtkPolyData> moved;
+    // Not a shallow copy: VTK writes notes of its own into arrays, and this document is const.
+    moved->DeepCopy(file_.polyData);
+    Serialized result{"", refreshNormals(*moved, rest, positions)};
+    moved->SetPoints(toPoints(positions));
+    result.bytes = bytesOf(*moved, file_.header, extension);
+    if (file_.polyData->GetPoints()->GetDataType() != VTK_DOUBLE)
+      result.notes.emplace_back("coordinates that were in single precision are written as doubles");
+    if (file_.isText && extension == ".vtk")
+      result.notes.emplace_back("text became VTK's binary form, since its text does not hold doubles");
+    return result;
+  }
+
+ private:
+  PolyDataFile file_;
+  std::string path_;
+};
+
+/// Runs a reader of VTK. What it read after an error, if anything, is not to be used.
+template <class Reader>
+vtkSmartPointer<vtkPolyData> run(Reader& reader, VtkErrorLog& log, const std::string& path)
+{
+  log.watch(reader);
+  log.watch(*reader.GetExecutive());
+  reader.SetFileName(path.c_str());
+  try {
+    reader.Update();
+  } catch (const std::bad_alloc&) {
+    throw InputError({path, 0, ""},
+                     "it claims more data than there is memory; it is damaged, or too large for this machine");
+  }
+  if (!log.isEmpty()) throw InputError({path, 0, ""}, "VTK cannot read it: " + log.first());
+  return reader.GetOutput();
+}
+
+PolyDataFile readXml(const std::string& path)
+{
+  VtkErrorLog log;
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetReaderErrorObserver(log.observer());
+  reader->SetParserErrorObserver(log.observer());
+  return {".vtp", run(*reader, log, path), {}, false};
+}
+
+PolyDataFile readLegacy(const std::string& path)
+{
+  VtkErrorLog log;
+  vtkNew<vtkPolyDataReader> reader;
+  // Without these only the first array of each kind would be read.
+  reader->ReadAllScalarsOn();
+  reader->ReadAllVectorsOn();
+  reader->ReadAllNormalsOn();
+  reader->ReadAllTensorsOn();
+  reader->ReadAllColorScalarsOn();
+  reader->ReadAllTCoordsOn();
+  reader->ReadAllFieldsOn();
+  PolyDataFile file{".vtk", run(*reader, log, path), {}, reader->GetFileType() == VTK_ASCII};
+  file.header = {reader->GetHeader(), reader->GetFileVersion() / 10};
+  return file;
+}
+
+/// The reasons that the system knows better than VTK.
+void requireReadable(const std::filesystem::path& path)
+{
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status))
+    throw InputError({path.string(), 0, ""}, "there is no such file; check the name");
+  if (std::filesystem::is_directory(status))
+    throw InputError({path.string(), 0, ""}, "this is a folder; name a file in it");
+}
+
+std::string lowerExtension(const std::filesystem::path& path)
+{
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return extension;
+}
+
+PolyDataFile readFile(const std::filesystem::path& path)
+{
+  requireReadable(path);
+  const std::string extension = lowerExtension(path);
+  if (extension == ".vtp") return readXml(path.string());
+  if (extension == ".vtk") return readLegacy(path.string());
+  throw InputError({path.string(), 0, ""}, "this is no format of VTK's for surfaces; use .vtp or .vtk");
+}
+
+}  // namespace
+
+std::span<const std::string_view> polyDataExtensions()
+{
+  return kExtensions;
+}
+
+MeshDocument readPolyData(const std::filesystem::path& path)
+{
+  PolyDataFile file = readFile(path);
+  Mesh mesh{positionsOf(*file.polyData), polygonsOf(*file.polyData, path.string())};
+  return {std::move(mesh), std::make_shared<PolyDataSource>(std::move(file), path.string())};
+}
+
+Serialized serializePolyData(const MeshDocument& document, const Positions& positions, std::string_view extension)
+{
+  if (const auto* source = dynamic_cast<const PolyDataSource*>(document.source.get()))
+    return source->withPositions(positions, extension);
+  Serialized result{bytesOf(*toPolyData(document.mesh, positions), {}, extension), {}};
+  if (document.source != nullptr)
+    result.notes.push_back("only positions and faces of the " + document.source->extension() + " file are kept in " +
+                           std::string(extension));
+  return result;
+}
+
+}  // namespace holdfast
