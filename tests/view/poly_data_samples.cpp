@@ -1,8 +1,9 @@
 #include "view/poly_data_samples.h"
 
-#include <array>
+#include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <cstdlib>
-#include <cstring>
 #include <fstream>
 #include <limits>
 #include <stdexcept>
@@ -76,7 +77,10 @@ Mesh withAwkwardCoordinates(Mesh mesh)
 
 bool isSameBits(const Positions& a, const Positions& b)
 {
-  return a.rows() == b.rows() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+  const auto isSame = [](double x, double y) {
+    return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
+  };
+  return std::equal(a.data(), a.data() + a.size(), b.data(), b.data() + b.size(), isSame);
 }
 
 vtkSmartPointer<vtkPolyData> richPolyData()

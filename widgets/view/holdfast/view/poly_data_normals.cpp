@@ -1,4 +1,3 @@
-#include <cstring>
 #include <span>
 
 #include <Eigen/Geometry>
@@ -30,17 +29,12 @@ Vector3 areaVector(std::span<const Index> corners, const Positions& positions)
   return sum;
 }
 
-bool isMoved(Index vertex, const Positions& rest, const Positions& positions)
-{
-  return std::memcmp(rest.row(vertex).data(), positions.row(vertex).data(), 3 * sizeof(double)) != 0;
-}
-
 std::vector<Index> movedFaces(const Mesh& rest, const Positions& positions)
 {
   std::vector<Index> faces;
   for (Index f = 0; f < rest.faces.size(); ++f)
     for (const Index v : rest.faces[f])
-      if (isMoved(v, rest.positions, positions)) {
+      if (positions.row(v) != rest.positions.row(v)) {
         faces.push_back(f);
         break;
       }
