@@ -11,9 +11,10 @@ holdfast_packages=(
 
 # Those of the packages named that are not installed, one a line.
 absent_packages() {
-  local installed
-  installed=$(dpkg-query --show --showformat '${db:Status-Status} ${Package}\n' "$@" 2>/dev/null |
-    sed -n 's/^installed //p')
+  local known installed
+  # Fails where a package is not known at all, which is an answer too.
+  known=$(dpkg-query --show --showformat '${db:Status-Status} ${Package}\n' "$@" 2>/dev/null) || true
+  installed=$(sed -n 's/^installed //p' <<<"$known")
   comm -23 <(printf '%s\n' "$@" | sort -u) <(sort -u <<<"$installed")
 }
 
