@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <holdfast/constraints/constraint_file.h>
+#include <holdfast/deform/fields.h>
 #include <holdfast/deform/outcomes.h>
 #include <holdfast/deform/report_json.h>
 #include <holdfast/io/output_file.h>
@@ -71,7 +72,7 @@ Outputs writeAll(const DeformCommand& command, const MeshDocument& document, con
   }
   if (isSolved && command.fields) {
     progress.stage("writing fields");
-    outputs.add(*command.fields, serializeFields(model, deformation));
+    outputs.add(*command.fields, serializeFields(model.mesh, deformation.positions, fieldsOf(model, deformation)));
   }
   if (command.report) outputs.add(*command.report, {reportToJson(deformation.report), {}});
   outputs.commit();

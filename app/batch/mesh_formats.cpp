@@ -2,10 +2,16 @@
 
 #include <algorithm>
 #include <cctype>
+#include <stdexcept>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include <holdfast/io/mesh_file.h>
+#ifdef HOLDFAST_WITH_VTK
+#include <holdfast/view/field_file.h>
+#include <holdfast/view/poly_data_file.h>
+#endif
 
 #include "batch/options.h"
 
@@ -20,28 +26,70 @@ std::string extensionOf(const std::filesystem::path& path)
   return extension;
 }
 
+std::vector<std::string_view> knownExtensions()
+{
+  const auto core = meshExtensions();
+  std::vector<std::string_view> known(core.begin(), core.end());
+#ifdef HOLDFAST_WITH_VTK
+  const auto vtk = polyDataExtensions();
+  known.insert(known.end(), vtk.begin(), vtk.end());
+#endif
+  return known;
+}
+
+#ifdef HOLDFAST_WITH_VTK
+bool isVtkFormat(const std::filesystem::path& path)
+{
+  const auto vtk = polyDataExtensions();
+  return std::find(vtk.begin(), vtk.end(), extensionOf(path)) != vtk.end();
+}
+#endif
+
 }  // namespace
 
 std::string knownFormats()
 {
   std::string text;
-  for (const std::string_view extension : meshExtensions())
+  for (const std::string_view extension : knownExtensions())
     text += fmt::format("{}{}", text.empty() ? "" : ", ", extension);
   return text;
 }
 
 void requireMeshExtension(const std::filesystem::path& path)
 {
-  const auto known = meshExtensions();
+  const auto known = knownExtensions();
   if (std::find(known.begin(), known.end(), extensionOf(path)) == known.end())
     throw UsageError(fmt::format("--out: \"{}\" has none of the extensions {}", path.string(), knownFormats()));
 }
 
 void requireFieldsExtension(const std::filesystem::path& path)
 {
+#ifndef HOLDFAST_WITH_VTK
+  throw UsageError("--fields: this build has no VTK to write \"" + path.string() + "\" with; leave the option out");
+#endif
   if (extensionOf(path) != ".vtp")
     throw UsageError(fmt::format("--fields: \"{}\" does not end in .vtp", path.string()));
 }
+
+#ifdef HOLDFAST_WITH_VTK
+
+MeshDocument readAnyMesh(const std::filesystem::path& path)
+{
+  return isVtkFormat(path) ? readPolyData(path) : readMesh(path);
+}
+
+Serialized serializeAnyMesh(const MeshDocument& document, const Positions& positions, const std::filesystem::path& path)
+{
+  return isVtkFormat(path) ? serializePolyData(document, positions, extensionOf(path))
+                           : serializeMesh(document, positions, extensionOf(path));
+}
+
+Serialized serializeFields(const Mesh& mesh, const Positions& positions, std::span<const Field> fields)
+{
+  return fieldsToVtp(mesh, positions, fields, {});
+}
+
+#else
 
 MeshDocument readAnyMesh(const std::filesystem::path& path)
 {
@@ -52,6 +100,13 @@ Serialized serializeAnyMesh(const MeshDocument& document, const Positions& posit
 {
   return serializeMesh(document, positions, extensionOf(path));
 }
+
+Serialized serializeFields(const Mesh& /*mesh*/, const Positions& /*positions*/, std::span<const Field> /*fields*/)
+{
+  throw std::logic_error("fields were asked for in a build without VTK");
+}
+
+#endif
 
 Positions storedPositions(const Positions& positions, const std::filesystem::path& path)
 {

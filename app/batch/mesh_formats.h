@@ -3,10 +3,11 @@
 /// Mesh files of every format that this build knows: those of the core, and VTK's where VTK is built.
 
 #include <filesystem>
+#include <span>
 #include <string>
 
-#include <holdfast/deform/deform.h>
 #include <holdfast/io/mesh_document.h>
+#include <holdfast/mesh/field.h>
 
 namespace holdfast::batch {
 
@@ -29,7 +30,7 @@ void requireFieldsExtension(const std::filesystem::path& path);
 /// The positions that a reader of `path` will find: rounded where the format holds single precision.
 [[nodiscard]] Positions storedPositions(const Positions& positions, const std::filesystem::path& path);
 
-/// The contents of a VTP file with the fields of a deformation.
-[[nodiscard]] Serialized serializeFields(const Model& model, const Deformation& deformation);
+/// The contents of a VTP file with fields over the vertices of `mesh` at `positions`.
+[[nodiscard]] Serialized serializeFields(const Mesh& mesh, const Positions& positions, std::span<const Field> fields);
 
 }  // namespace holdfast::batch
