@@ -25,11 +25,10 @@ void probeOutputs(const DeformCommand& command)
     if (path) static_cast<void>(OutputFile(*path, ""));
 }
 
-/// The residuals of what a reader of the written mesh will find, which is not what was solved where a format rounds.
-void measureStored(Deformation& deformation, const Model& model, const std::filesystem::path& path)
+/// The residuals of what a reader of the written mesh will find: positions rounded to floats.
+void measureRounded(Deformation& deformation, const Model& model)
 {
-  const Positions stored = storedPositions(deformation.positions, path);
-  if (stored == deformation.positions) return;
+  const Positions stored = deformation.positions.cast<float>().cast<double>();
   const double limit = residualLimit(model.solverMesh, deformation.system);
   setResiduals(deformation.report, deformation.system, deformation.diagnosis,
                rowResiduals(deformation.system, model.solverMesh.weld, stored), limit);
@@ -67,14 +66,15 @@ Outputs writeAll(const DeformCommand& command, const MeshDocument& document, con
   const bool isSolved = deformation.report.solve.status != SolveStatus::Failed;
   if (isSolved && command.out) {
     progress.stage("writing the mesh");
-    outputs.add(*command.out, serializeAnyMesh(document, deformation.positions, *command.out));
-    measureStored(deformation, model, *command.out);
+    const Serialized contents = serializeAnyMesh(document, deformation.positions, *command.out);
+    if (contents.isSinglePrecision) measureRounded(deformation, model);
+    outputs.add(*command.out, contents);
   }
   if (isSolved && command.fields) {
     progress.stage("writing fields");
     outputs.add(*command.fields, serializeFields(model.mesh, deformation.positions, fieldsOf(model, deformation)));
   }
-  if (command.report) outputs.add(*command.report, {reportToJson(deformation.report), {}});
+  if (command.report) outputs.add(*command.report, {reportToJson(deformation.report), {}, false});
   outputs.commit();
   return outputs;
 }

@@ -108,10 +108,4 @@ Serialized serializeFields(const Mesh& /*mesh*/, const Positions& /*positions*/,
 
 #endif
 
-Positions storedPositions(const Positions& positions, const std::filesystem::path& path)
-{
-  if (extensionOf(path) != ".stl") return positions;
-  return positions.cast<float>().cast<double>();
-}
-
 }  // namespace holdfast::batch

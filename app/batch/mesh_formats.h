@@ -27,9 +27,6 @@ void requireFieldsExtension(const std::filesystem::path& path);
 [[nodiscard]] Serialized serializeAnyMesh(const MeshDocument& document, const Positions& positions,
                                           const std::filesystem::path& path);
 
-/// The positions that a reader of `path` will find: rounded where the format holds single precision.
-[[nodiscard]] Positions storedPositions(const Positions& positions, const std::filesystem::path& path);
-
 /// The contents of a VTP file with fields over the vertices of `mesh` at `positions`.
 [[nodiscard]] Serialized serializeFields(const Mesh& mesh, const Positions& positions, std::span<const Field> fields);
 

@@ -16,6 +16,8 @@ namespace holdfast {
 struct Serialized {
   std::string bytes;
   std::vector<std::string> notes;
+  /// Coordinates are stored as floats: a reader finds each position rounded to single precision.
+  bool isSinglePrecision = false;
 };
 
 /// What a mesh file said: the whole file, in the form that its format needs to be written again.

@@ -113,6 +113,7 @@ Serialized writeStl(const Positions& positions, const Polygons& faces)
   const std::string rounding = stlRounding(positions).note();
   Serialized result;
   if (!rounding.empty()) result.notes.push_back(rounding);
+  result.isSinglePrecision = true;
   result.bytes = "Holdfast";
   result.bytes.resize(kStlHeaderBytes, ' ');
   result.bytes += toBytes(narrowed<std::uint32_t>(triangleCount(faces), ".stl"), ByteOrder::kLittle).view();

@@ -63,7 +63,7 @@ Serialized BinaryStlSource::withPositions(const Positions& positions) const
         bytes.replace(facet + kStlVectorBytes * (k + 1), kStlVectorBytes, stlBytes(positions.row(3 * f + k)));
   }
   if (!rounding.empty()) update.notes.push_back(rounding);
-  return {std::move(bytes), std::move(update.notes)};
+  return {std::move(bytes), std::move(update.notes), true};
 }
 
 class TextStlSource final : public MeshSource {
@@ -112,7 +112,7 @@ Serialized TextStlSource::withPositions(const Positions& positions) const
     for (Index k = 0; k < 3; ++k)
       if (!hasSameBits(rest_(v, k), positions(v, k))) writer.replace(tokens[k], NumberText(positions(v, k)).view());
   }
-  return {std::move(writer).finish(), update.notes};
+  return {std::move(writer).finish(), update.notes, false};
 }
 
 }  // namespace

@@ -7,8 +7,12 @@
 #include <system_error>
 #include <utility>
 
+#include <fmt/format.h>
+#include <vtkCellData.h>
 #include <vtkExecutive.h>
+#include <vtkFieldData.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataReader.h>
@@ -47,6 +51,17 @@ class PolyDataSource final : public MeshSource {
 
   [[nodiscard]] std::string extension() const override { return file_.extension; }
 
+  [[nodiscard]] std::vector<std::string> extras() const override
+  {
+    std::vector<std::string> names;
+    for (vtkFieldData* const arrays :
+         {static_cast<vtkFieldData*>(file_.polyData->GetPointData()),
+          static_cast<vtkFieldData*>(file_.polyData->GetCellData()), file_.polyData->GetFieldData()})
+      for (int k = 0; k < arrays->GetNumberOfArrays(); ++k)
+        names.push_back(fmt::format("array \"{}\"", arrays->GetArrayName(k)));
+    return names;
+  }
+
   [[nodiscard]] Serialized withPositions(const Positions& positions) const override
   {
     return withPositions(positions, file_.extension);
@@ -59,7 +74,7 @@ class PolyDataSource final : public MeshSource {
     vtkNew<vtkPolyData> moved;
     // Not a shallow copy: VTK writes notes of its own into arrays, and this document is const.
     moved->DeepCopy(file_.polyData);
-    Serialized result{"", refreshNormals(*moved, rest, positions)};
+    Serialized result{"", refreshNormals(*moved, rest, positions), false};
     moved->SetPoints(toPoints(positions));
     result.bytes = bytesOf(*moved, file_.header, extension);
     if (file_.polyData->GetPoints()->GetDataType() != VTK_DOUBLE)
@@ -163,7 +178,7 @@ Serialized serializePolyData(const MeshDocument& document, const Positions& posi
 {
   if (const auto* source = dynamic_cast<const PolyDataSource*>(document.source.get()))
     return source->withPositions(positions, extension);
-  Serialized result{bytesOf(*toPolyData(document.mesh, positions), {}, extension), {}};
+  Serialized result{bytesOf(*toPolyData(document.mesh, positions), {}, extension), {}, false};
   if (document.source != nullptr)
     result.notes.push_back("only positions and faces of the " + document.source->extension() + " file are kept in " +
                            std::string(extension));
