@@ -7,7 +7,8 @@
 
 #include <Eigen/Geometry>
 
-#include "shell.h"
+#include "pad.h"
+#include "revolved.h"
 
 namespace holdfast::generate {
 namespace {
@@ -16,7 +17,6 @@ using namespace bracket;
 using std::numbers::pi;
 
 constexpr double kLargestEdge = 2;
-constexpr double kRowHeight = 0.866;  // of a band of equilateral triangles, per edge length
 
 constexpr double kBaseX = 60, kBaseY = 30, kCornerRadius = 8;
 constexpr double kWallFoot = 38;     // half the width of the wall where it meets the base
@@ -31,25 +31,6 @@ constexpr double kScrewRadius = 1.5, kScrewCircle = 18, kScrewDepth = 16;
 constexpr double kBoltRadius = 4.5, kCounterboreRadius = 7.5, kCounterboreFloor = 9;
 
 constexpr std::array<double, 2> kSides{-1, 1};
-
-/// A point of a meridian: distance from the axis, and place along it.
-struct Meridian {
-  double radius;
-  double along;
-};
-
-/// Points on the straight meridian between two, without the first, at about equilateral rows for `edge`.
-std::vector<Meridian> straight(const Meridian& from, const Meridian& to, double edge)
-{
-  const double length = std::hypot(to.radius - from.radius, to.along - from.along);
-  const Index rows = std::max<Index>(1, std::lround(length / (kRowHeight * edge)));
-  std::vector<Meridian> result;
-  for (Index i = 1; i <= rows; ++i) {
-    const double t = static_cast<double>(i) / static_cast<double>(rows);
-    result.push_back({(1 - t) * from.radius + t * to.radius, (1 - t) * from.along + t * to.along});
-  }
-  return result;
-}
 
 class BracketBuilder {
  public:
@@ -288,16 +269,12 @@ class BracketBuilder {
 
   void addWallFront()
   {
-    std::vector<Curve> outline{crownArc(kWallFront), frontFlank(1), wallFoot(1)};
-    for (const double x : {kGussetOuter, kGussetInner}) outline.push_back(gussetBack(x));
-    outline.insert(outline.end() - 1, gussetAcross(1, kWallFront, kGussetTop));
-    outline.push_back(filletLine(1, -kGussetInner, kGussetInner));
-    outline.push_back(gussetBack(-kGussetInner));
-    outline.push_back(gussetAcross(-1, kWallFront, kGussetTop));
-    outline.push_back(gussetBack(-kGussetOuter));
-    outline.push_back(wallFoot(-1));
-    outline.push_back(frontFlank(-1));
-    shell_.addPatch("wall", planeChart({0, kWallFront, 0}, -Vector3::UnitY()), {Shell::join(outline), bossRoot_});
+    const Ring outline = Shell::join({crownArc(kWallFront), frontFlank(1), wallFoot(1), gussetBack(kGussetOuter),
+                                      gussetAcross(1, kWallFront, kGussetTop), gussetBack(kGussetInner),
+                                      filletLine(1, -kGussetInner, kGussetInner), gussetBack(-kGussetInner),
+                                      gussetAcross(-1, kWallFront, kGussetTop), gussetBack(-kGussetOuter), wallFoot(-1),
+                                      frontFlank(-1)});
+    shell_.addPatch("wall", planeChart({0, kWallFront, 0}, -Vector3::UnitY()), {outline, bossRoot_});
   }
 
   void addWallBack()
@@ -308,38 +285,20 @@ class BracketBuilder {
     shell_.addPatch("wall", planeChart({0, kWallBack, 0}, Vector3::UnitY()), {outline, boreEnd_});
   }
 
-  // -- surfaces of revolution --
+  // -- bore, boss, holes, pads --
 
-  Shell::BandEnds addRevolved(const std::string& group, const Circle& unit, Index count,
-                              const std::vector<Meridian>& meridian)
-  {
-    const Vector3 axis = unit.x.cross(unit.y);
-    const auto place = [&](Index row, double t) -> Vector3 {
-      const Circle circle{unit.centre + meridian[row].along * axis, unit.x, unit.y, meridian[row].radius};
-      return circle.at(2 * pi * t);
-    };
-    return shell_.addBand(group, {static_cast<Index>(meridian.size()) - 1, count, place});
-  }
-
-  Shell::BandEnds addStraight(const std::string& group, const Circle& unit, Index count, const Meridian& from,
-                              const Meridian& to)
-  {
-    std::vector<Meridian> meridian{from};
-    const double edge = 2 * pi * std::max(from.radius, to.radius) / static_cast<double>(count);
-    for (const Meridian& point : straight(from, to, edge)) meridian.push_back(point);
-    return addRevolved(group, unit, count, meridian);
-  }
+  // The axis through `at` that points to the front, or up.
+  [[nodiscard]] static Circle frontward(const Vector3& at) { return {at, Vector3::UnitX(), Vector3::UnitZ(), 1}; }
+  [[nodiscard]] static Circle upward(const Vector3& at) { return {at, Vector3::UnitX(), Vector3::UnitY(), 1}; }
 
   void addBore()
   {
-    constexpr Index kBossCount = 80, kSeatCount = 64, kThroughCount = 48;
-    // Along the axis means towards the front.
-    const Circle unit{{0, 0, kBoreHeight}, Vector3::UnitX(), Vector3::UnitZ(), 1};
-    const Shell::BandEnds boss = addRevolved("boss", unit, kBossCount, bossMeridian(kBossCount));
-    bossRoot_ = boss.first;
-    const Shell::BandEnds seat = addRevolved("bore", unit, kSeatCount, seatMeridian(kSeatCount));
+    const Circle axis = frontward({0, 0, kBoreHeight});
+    const Shell::BandEnds boss = addBoss({axis, 80});
+    const Shell::BandEnds seat = addSeat({axis, 64});
     const Shell::BandEnds through =
-        addStraight("bore", unit, kThroughCount, {kThroughRadius, -kSeatDepth}, {kThroughRadius, -kWallBack});
+        addCylinder(shell_, "bore", {axis, 48}, {kThroughRadius, -kSeatDepth}, {kThroughRadius, -kWallBack});
+    bossRoot_ = boss.first;
     boreEnd_ = through.last;
     shell_.addPatch("bore", planeChart({0, kSeatDepth, 0}, -Vector3::UnitY()), {seat.last, through.first});
     std::vector<Ring> rings{boss.last, seat.first};
@@ -347,111 +306,71 @@ class BracketBuilder {
     shell_.addPatch("boss", planeChart({0, kBossFront, 0}, -Vector3::UnitY()), rings);
   }
 
-  [[nodiscard]] static std::vector<Meridian> bossMeridian(Index count)
+  // From the root of its fillet on the wall to the rim of its face.
+  Shell::BandEnds addBoss(const Revolution& revolution)
   {
     constexpr Index kRootRows = 3;
-    std::vector<Meridian> result;
+    std::vector<Meridian> meridian;
     for (Index i = 0; i <= kRootRows; ++i) {
       const double angle = pi / 2 * static_cast<double>(i) / kRootRows;
-      result.push_back(
+      meridian.push_back(
           {kBossRadius + kBossRoot * (1 - std::sin(angle)), -kWallFront + kBossRoot * (1 - std::cos(angle))});
     }
-    const double edge = 2 * pi * kBossRadius / static_cast<double>(count);
-    for (const Meridian& point : straight(result.back(), {kBossRadius, -kBossFront}, edge)) result.push_back(point);
-    return result;
+    const double edge = revolution.edgeAt(kBossRadius);
+    for (const Meridian& point : straightMeridian(meridian.back(), {kBossRadius, -kBossFront}, edge)) {
+      meridian.push_back(point);
+    }
+    return addRevolved(shell_, "boss", revolution, meridian);
   }
 
-  [[nodiscard]] static std::vector<Meridian> seatMeridian(Index count)
+  // From the chamfer at the face of the boss to the shoulder.
+  Shell::BandEnds addSeat(const Revolution& revolution)
   {
-    std::vector<Meridian> result{{kSeatRadius + kChamfer, -kBossFront}, {kSeatRadius, -kBossFront - kChamfer}};
-    const double edge = 2 * pi * kSeatRadius / static_cast<double>(count);
-    for (const Meridian& point : straight(result.back(), {kSeatRadius, -kSeatDepth}, edge)) result.push_back(point);
-    return result;
+    std::vector<Meridian> meridian{{kSeatRadius + kChamfer, -kBossFront}, {kSeatRadius, -kBossFront - kChamfer}};
+    const double edge = revolution.edgeAt(kSeatRadius);
+    for (const Meridian& point : straightMeridian(meridian.back(), {kSeatRadius, -kSeatDepth}, edge)) {
+      meridian.push_back(point);
+    }
+    return addRevolved(shell_, "bore", revolution, meridian);
   }
 
   Ring addScrewHole(Index i)
   {
-    constexpr Index kCount = 14;
     const std::string name = "screw_" + std::to_string(i + 1);
     const double angle = pi / 4 + static_cast<double>(i) * pi / 2;
-    const Vector3 centre(kScrewCircle * std::cos(angle), 0, kBoreHeight + kScrewCircle * std::sin(angle));
-    const Shell::BandEnds hole = addStraight(name, {centre, Vector3::UnitX(), Vector3::UnitZ(), 1}, kCount,
-                                             {kScrewRadius, -kBossFront}, {kScrewRadius, -kScrewDepth});
+    const Vector3 at(kScrewCircle * std::cos(angle), 0, kBoreHeight + kScrewCircle * std::sin(angle));
+    const Shell::BandEnds hole =
+        addCylinder(shell_, name, {frontward(at), 14}, {kScrewRadius, -kBossFront}, {kScrewRadius, -kScrewDepth});
     shell_.addPatch(name, planeChart({0, kScrewDepth, 0}, -Vector3::UnitY()), {hole.last});
     return hole.first;
   }
 
   void addBolts()
   {
-    constexpr Index kCounterboreCount = 32, kBoltCount = 26;
     Index number = 0;
     for (const double sideY : kSides) {
       for (const double sideX : kSides) {
-        const std::string name = "bolt_" + std::to_string(++number);
-        const Circle unit{{sideX * kBoltX, sideY * kBoltY, 0}, Vector3::UnitX(), Vector3::UnitY(), 1};
-        const Shell::BandEnds wide = addStraight(name, unit, kCounterboreCount, {kCounterboreRadius, kBaseTop},
-                                                 {kCounterboreRadius, kCounterboreFloor});
-        const Shell::BandEnds narrow =
-            addStraight(name, unit, kBoltCount, {kBoltRadius, kCounterboreFloor}, {kBoltRadius, 0});
-        shell_.addPatch(name, planeChart({0, 0, kCounterboreFloor}, Vector3::UnitZ()), {wide.last, narrow.first});
-        topHoles_.push_back(wide.first);
-        bottomHoles_.push_back(narrow.last);
+        addBolt("bolt_" + std::to_string(++number), upward({sideX * kBoltX, sideY * kBoltY, 0}));
       }
     }
   }
 
-  // -- pads: prisms over rounded rectangles --
+  void addBolt(const std::string& name, const Circle& axis)
+  {
+    const Shell::BandEnds wide =
+        addCylinder(shell_, name, {axis, 32}, {kCounterboreRadius, kBaseTop}, {kCounterboreRadius, kCounterboreFloor});
+    const Shell::BandEnds narrow =
+        addCylinder(shell_, name, {axis, 26}, {kBoltRadius, kCounterboreFloor}, {kBoltRadius, 0});
+    shell_.addPatch(name, planeChart({0, 0, kCounterboreFloor}, Vector3::UnitZ()), {wide.last, narrow.first});
+    topHoles_.push_back(wide.first);
+    bottomHoles_.push_back(narrow.last);
+  }
 
   void addPads()
   {
-    addPad("pad_1", {{0, -17, kBaseTop}, 12, 6, 3, 2.5});
-    addPad("pad_2", {{-kBoltX, 0, kBaseTop}, 6, 6, 6, 2});
-    addPad("pad_3", {{kBoltX, 0, kBaseTop}, 6, 6, 6, 2});
-  }
-
-  struct Pad {
-    Vector3 centre;
-    double halfX;
-    double halfY;
-    double radius;
-    double height;
-
-    [[nodiscard]] double perimeter() const { return 4 * (halfX + halfY - 2 * radius) + 2 * pi * radius; }
-
-    // Along the outline at z = 0, anticlockwise from the middle of the right side, at a share t of the perimeter.
-    [[nodiscard]] Vector3 outline(double t) const
-    {
-      const double quarter = perimeter() / 4;
-      const double length = t * perimeter();
-      const Index turns = static_cast<Index>(length / quarter);
-      const Vector2 place = firstQuarter(turns % 2 == 0 ? length - static_cast<double>(turns) * quarter
-                                                        : static_cast<double>(turns + 1) * quarter - length);
-      const double signX = turns == 0 || turns == 3 ? 1 : -1, signY = turns < 2 ? 1 : -1;
-      return {signX * place.x(), signY * place.y(), 0};
-    }
-
-    [[nodiscard]] Vector2 firstQuarter(double length) const
-    {
-      const double up = halfY - radius, arc = radius * pi / 2;
-      if (length < up) return {halfX, length};
-      if (length > up + arc) return {halfX - radius - (length - up - arc), halfY};
-      const double angle = (length - up) / radius;
-      return {halfX - radius + radius * std::cos(angle), up + radius * std::sin(angle)};
-    }
-  };
-
-  void addPad(const std::string& name, const Pad& pad)
-  {
-    constexpr double kEdge = 1.6;
-    const Index count = 4 * std::lround(pad.perimeter() / (4 * kEdge));
-    const Index rows = std::lround(pad.height / (kRowHeight * kEdge));
-    const auto place = [&](Index row, double t) -> Vector3 {
-      const double share = static_cast<double>(row) / static_cast<double>(rows);
-      return pad.centre + pad.outline(std::fmod(t, 1)) + share * pad.height * Vector3::UnitZ();
-    };
-    const Shell::BandEnds band = shell_.addBand(name, {rows, count, place});
-    topHoles_.push_back(band.first);
-    shell_.addPatch(name, planeChart(pad.centre + pad.height * Vector3::UnitZ(), Vector3::UnitZ()), {band.last});
+    topHoles_.push_back(addPad(shell_, "pad_1", {{0, -17, kBaseTop}, 12, 6, 3, 2.5}));
+    topHoles_.push_back(addPad(shell_, "pad_2", {{-kBoltX, 0, kBaseTop}, 6, 6, 6, 2}));
+    topHoles_.push_back(addPad(shell_, "pad_3", {{kBoltX, 0, kBaseTop}, 6, 6, 6, 2}));
   }
 
   Shell shell_{kLargestEdge};

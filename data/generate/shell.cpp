@@ -12,6 +12,14 @@ namespace {
 // Places of border vertices closer than this are one vertex: far above rounding, far below any edge.
 constexpr double kWeldDistance = 1e-7;
 
+// The last bits of sines and cosines differ from one library to the next. Filling a region chooses between equals
+// here and there, so that these bits, if let in, would change the whole pattern of triangles.
+Vector2 snapped(const Vector2& place)
+{
+  constexpr double kPerUnit = 1 << 28;
+  return (place * kPerUnit).array().round() / kPerUnit;
+}
+
 Index stepsFor(double length, double step)
 {
   return std::max<Index>(1, std::lround(length / step));
@@ -105,7 +113,7 @@ void Shell::addPatch(const std::string& group, const Chart& chart, const std::ve
   std::vector<Index> ids;
   for (const Ring& ring : rings) {
     Loop loop;
-    for (const Index vertex : ring) loop.push_back(chart.flatten(mesh_.points[vertex]));
+    for (const Index vertex : ring) loop.push_back(snapped(chart.flatten(mesh_.points[vertex])));
     loops.push_back(loop);
     ids.insert(ids.end(), ring.begin(), ring.end());
   }
