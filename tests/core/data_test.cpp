@@ -249,7 +249,8 @@ TEST(ConstraintData, NamesOnlyVerticesAndFacesThatTheBracketHas)
   const auto counts = halfEdgeCounts(mesh);
   for (const char* name : {"bracket.constraints.json", "bracket.conflict.constraints.json"}) {
     std::ifstream file(kData / name);
-    for (const auto& constraint : nlohmann::json::parse(file).at("constraints")) {
+    const auto json = nlohmann::json::parse(file);
+    for (const auto& constraint : json.at("constraints")) {
       const auto at = constraint.value("at", nlohmann::json::object());
       EXPECT_LT(at.value("vertex", Index{0}), mesh.vertexCount());
       EXPECT_LT(at.value("face", Index{0}), mesh.faces.size());
