@@ -223,7 +223,7 @@ void ObjReader::keepStatement(std::string_view keyword)
                                  [&](const KeptStatement& s) { return s.keyword == keyword; });
   if (kept == kKeptStatements.end())
     cursor_.fail(
-        fmt::format("{} is not an OBJ statement: correct it, or make the line a comment with #", inQuotes(keyword)));
+        fmt::format("{} is not an OBJ statement: correct it, or make the line a comment with #", quotedToken(keyword)));
   keptPurposes_.insert(kept->purpose);
   cursor_.skipLine();
 }

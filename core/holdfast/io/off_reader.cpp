@@ -86,12 +86,13 @@ void OffReader::readKeyword()
   const std::string_view keyword = cursor_.findToken() ? cursor_.token() : std::string_view{};
   const std::optional<OffVertexForm> form = vertexForm(keyword);
   if (keyword == "4OFF" || keyword == "nOFF" || keyword == "4nOFF")
-    cursor_.fail(fmt::format("{} holds points that are not three-dimensional: convert it to OFF", inQuotes(keyword)));
+    cursor_.fail(
+        fmt::format("{} holds points that are not three-dimensional: convert it to OFF", quotedToken(keyword)));
   if (!form)
     cursor_.fail(
         fmt::format("the file begins with {}: an OFF file begins with OFF (or COFF, NOFF, CNOFF, STOFF, ...) "
                     "and a blank or line end; is it another format?",
-                    inQuotes(keyword)));
+                    quotedToken(keyword)));
   layout_.form = *form;
 }
 

@@ -46,7 +46,7 @@ PlyHeader HeaderParser::parse()
 {
   const std::string_view magic = cursor_.token();
   if (magic != "ply")
-    cursor_.fail(fmt::format("the file begins with {}, not with 'ply': is it another format?", inQuotes(magic)));
+    cursor_.fail(fmt::format("the file begins with {}, not with 'ply': is it another format?", quotedToken(magic)));
   cursor_.expectLineEnd("'ply' stands on a line of its own");
   for (;;) {
     if (!cursor_.findToken()) cursor_.fail("the header has no end_header: the file is truncated; export it again");
@@ -61,8 +61,8 @@ PlyHeader HeaderParser::parse()
     else if (keyword == "comment" || keyword == "obj_info")
       cursor_.skipLine();
     else
-      cursor_.fail(
-          fmt::format("{} is not a word of a PLY header: correct it, or make the line a comment", inQuotes(keyword)));
+      cursor_.fail(fmt::format("{} is not a word of a PLY header: correct it, or make the line a comment",
+                               quotedToken(keyword)));
   }
   if (!hasFormat_) cursor_.fail("the header has no format line: write 'format ascii 1.0' where the body is text");
   cursor_.expectLineEnd("'end_header' stands on a line of its own");
@@ -83,9 +83,9 @@ void HeaderParser::parseFormat()
     header_.encoding = PlyEncoding::kBigEndian;
   else
     cursor_.fail(
-        fmt::format("{} is not a PLY format: ascii, binary_little_endian or binary_big_endian", inQuotes(word)));
+        fmt::format("{} is not a PLY format: ascii, binary_little_endian or binary_big_endian", quotedToken(word)));
   const std::string_view version = cursor_.token();
-  if (version != "1.0") cursor_.fail(fmt::format("version {} of PLY is not known: only 1.0 is", inQuotes(version)));
+  if (version != "1.0") cursor_.fail(fmt::format("version {} of PLY is not known: only 1.0 is", quotedToken(version)));
   if (std::exchange(hasFormat_, true)) cursor_.fail("the header names a format twice: keep the one that holds");
   cursor_.expectLineEnd("the line has a format and a version");
 }
@@ -98,7 +98,7 @@ void HeaderParser::parseElement()
   element.count = cursor_.integer("the count of the element");
   if (element.count < 0) cursor_.fail(fmt::format("the count {} is negative: correct it", element.count));
   if (header_.find(element.name) != nullptr)
-    cursor_.fail(fmt::format("element {} is there twice: rename one of them", inQuotes(element.name)));
+    cursor_.fail(fmt::format("element {} is there twice: rename one of them", quotedToken(element.name)));
   cursor_.expectLineEnd("an element has a name and a count");
   header_.elements.push_back(std::move(element));
 }
@@ -117,7 +117,7 @@ void HeaderParser::parseProperty()
   property.name = name("the name of the property");
   PlyElement& element = header_.elements.back();
   if (element.find(property.name) >= 0)
-    cursor_.fail(fmt::format("property {} is there twice: rename one of them", inQuotes(property.name)));
+    cursor_.fail(fmt::format("property {} is there twice: rename one of them", quotedToken(property.name)));
   cursor_.expectLineEnd("a property has a type and a name");
   element.properties.push_back(std::move(property));
 }
@@ -128,7 +128,7 @@ PlyType HeaderParser::typeOf(std::string_view word) const
       std::find_if(kTypeWords.begin(), kTypeWords.end(), [&](const TypeWord& known) { return known.word == word; });
   if (entry == kTypeWords.end())
     cursor_.fail(
-        fmt::format("{} is not a PLY type: char, uchar, short, ushort, int, uint, float or double", inQuotes(word)));
+        fmt::format("{} is not a PLY type: char, uchar, short, ushort, int, uint, float or double", quotedToken(word)));
   return entry->type;
 }
 

@@ -25,7 +25,7 @@ const PlyElement& requireElement(const PlyHeader& header, const std::string& nam
   const PlyElement* const element = header.find(name);
   if (element == nullptr)
     throw InputError({file, 0, {}},
-                     fmt::format("the header has no element {}: export the file as a polygon mesh", inQuotes(name)));
+                     fmt::format("the header has no element {}: export the file as a polygon mesh", quotedToken(name)));
   if (element->count == 0)
     throw InputError({file, element->line, {}},
                      name == "face" ? "the mesh has no faces: export it as a polygon mesh, not as points"
@@ -51,7 +51,7 @@ MeshElements meshElements(const PlyHeader& header, const std::string& file)
     const Index property = vertex.find(name);
     if (property < 0 || vertex.properties[property].isList())
       throw InputError({file, vertex.line, {}},
-                       fmt::format("the element 'vertex' has no number {}: it needs x, y and z", inQuotes(name)));
+                       fmt::format("the element 'vertex' has no number {}: it needs x, y and z", quotedToken(name)));
   }
   const PlyElement& face = requireElement(header, "face", file);
   return {&vertex, &face, cornersOf(face, file)};
@@ -199,7 +199,7 @@ void BodyReader<Scanner>::expectRoom(const PlyElement& element, std::size_t rowB
   scanner_.fail(
       fmt::format("the header promises {} rows of element {}, of {} bytes at least, but only {} bytes follow: "
                   "the file is truncated, or the count is wrong",
-                  element.count, inQuotes(element.name), rowBytes, scanner_.remaining()));
+                  element.count, quotedToken(element.name), rowBytes, scanner_.remaining()));
 }
 
 template <class Scanner>

@@ -50,7 +50,7 @@ void PlyTextScanner::beginRow(const PlyElement& element, Index row)
     cursor_.fail(
         fmt::format("the file ends after {} of {} rows of element {}: it is truncated, or the count in the "
                     "header is wrong",
-                    row, element.count, inQuotes(element.name)));
+                    row, element.count, quotedToken(element.name)));
 }
 
 void PlyTextScanner::endRow()
@@ -93,7 +93,7 @@ void PlyBinaryScanner::beginRow(const PlyElement& element, Index row)
     fail(
         fmt::format("the file ends after {} of {} rows of element {}: it is truncated, or the count in the header is "
                     "wrong",
-                    row, element.count, inQuotes(element.name)));
+                    row, element.count, quotedToken(element.name)));
 }
 
 PlyValue PlyBinaryScanner::value(const PlyProperty& property)

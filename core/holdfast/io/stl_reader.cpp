@@ -74,7 +74,7 @@ void TextStlReader::readSolid()
 {
   for (std::string_view token = word(); !isWord(token, "endsolid"); token = word()) {
     if (!isWord(token, "facet"))
-      cursor_.fail(fmt::format("{} stands where 'facet' or 'endsolid' must: correct it", inQuotes(token)));
+      cursor_.fail(fmt::format("{} stands where 'facet' or 'endsolid' must: correct it", quotedToken(token)));
     readFacet();
   }
   cursor_.skipLine();
@@ -111,7 +111,7 @@ void TextStlReader::expect(std::string_view lowerCase)
   const std::string_view token = word();
   if (!isWord(token, lowerCase))
     cursor_.fail(fmt::format("{} stands where '{}' must: correct it (a facet has a normal and exactly three vertices)",
-                             inQuotes(token), lowerCase));
+                             quotedToken(token), lowerCase));
 }
 
 double TextStlReader::number(std::string_view what)

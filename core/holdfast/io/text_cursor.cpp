@@ -73,7 +73,7 @@ Index TextCursor::integer(std::string_view what)
 void TextCursor::expectLineEnd(std::string_view remedy)
 {
   const std::string_view extra = token();
-  if (!extra.empty()) fail(fmt::format("{} is too much here: {}", inQuotes(extra), remedy));
+  if (!extra.empty()) fail(fmt::format("{} is too much here: {}", quotedToken(extra), remedy));
 }
 
 void TextCursor::fail(const std::string& reason) const
@@ -123,7 +123,7 @@ std::optional<std::size_t> TextCursor::continued(std::size_t at) const
   return std::nullopt;
 }
 
-std::string inQuotes(std::string_view token)
+std::string quotedToken(std::string_view token)
 {
   constexpr std::size_t kLongest = 40;
   std::string text = "'";
@@ -145,8 +145,8 @@ double numberOf(std::string_view token, std::string_view what, const TextCursor&
     cursor.fail(
         fmt::format("{} is {}, which no double can hold (4.9e-324 to 1.8e308 in magnitude): "
                     "scale the model, or write 0 where that is meant",
-                    what, inQuotes(token)));
-  cursor.fail(fmt::format("{} is {}, which is not a number: write digits, as in -1.5e3", what, inQuotes(token)));
+                    what, quotedToken(token)));
+  cursor.fail(fmt::format("{} is {}, which is not a number: write digits, as in -1.5e3", what, quotedToken(token)));
 }
 
 Index integerOf(std::string_view token, std::string_view what, const TextCursor& cursor)
@@ -155,8 +155,8 @@ Index integerOf(std::string_view token, std::string_view what, const TextCursor&
   if (fault == NumberFault::kNone) return value;
   if (token.empty()) cursor.fail(fmt::format("{} is missing: complete the line", what));
   if (fault == NumberFault::kOutOfRange)
-    cursor.fail(fmt::format("{} is {}, far beyond any count or index: correct it", what, inQuotes(token)));
-  cursor.fail(fmt::format("{} is {}, which is not a whole number: write digits only", what, inQuotes(token)));
+    cursor.fail(fmt::format("{} is {}, far beyond any count or index: correct it", what, quotedToken(token)));
+  cursor.fail(fmt::format("{} is {}, which is not a whole number: write digits only", what, quotedToken(token)));
 }
 
 }  // namespace holdfast

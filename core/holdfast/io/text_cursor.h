@@ -65,7 +65,7 @@ class TextCursor {
 };
 
 /// `token` in quotes for a message: cut where long, bytes that are not printable ASCII as \xNN.
-[[nodiscard]] std::string inQuotes(std::string_view token);
+[[nodiscard]] std::string quotedToken(std::string_view token);
 
 /// `token` as a number. Throws an `InputError` at the place of `cursor`, naming `what`, where it is none.
 [[nodiscard]] double numberOf(std::string_view token, std::string_view what, const TextCursor& cursor);

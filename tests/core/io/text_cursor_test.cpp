@@ -44,8 +44,8 @@ TEST(TextCursor, BehindTheLastLineEndErrorsNameTheLastLine)
 
 TEST(TextCursor, QuotesWhatCannotBePrinted)
 {
-  EXPECT_EQ(inQuotes(std::string_view("a\0\x80", 3)), "'a\\x00\\x80'");
-  EXPECT_EQ(inQuotes(std::string(100, 'x')), "'" + std::string(40, 'x') + "...'");
+  EXPECT_EQ(quotedToken(std::string_view("a\0\x80", 3)), "'a\\x00\\x80'");
+  EXPECT_EQ(quotedToken(std::string(100, 'x')), "'" + std::string(40, 'x') + "...'");
 }
 
 TEST(NumberText, EveryDoubleReadsBackTheSame)
