@@ -152,6 +152,7 @@ TEST(PolyDataFile, OtherFormatsLeaveANote)
 {
   struct Obj final : MeshSource {
     [[nodiscard]] std::string extension() const override { return ".obj"; }
+    [[nodiscard]] std::vector<std::string> extras() const override { return {}; }
     [[nodiscard]] Serialized withPositions(const Positions& /*positions*/) const override { return {}; }
   };
   const MeshDocument document{test::tetrahedron(), std::make_shared<Obj>()};
