@@ -27,7 +27,8 @@ run_all() {
 
 rm -rf "$work"
 cmake --install "$build" --prefix "$work/prefix"
-if grep -rnF -e "$source" -e holdfast_warnings "$work/prefix" --include='*.cmake'; then
+if grep -rnF -e "$source/core/" -e "$source/widgets/" -e "$build/core" -e "$build/widgets" -e holdfast_warnings \
+  "$work/prefix" --include="*.cmake"; then
   echo "error: the installed package refers to the source tree it was built from" >&2
   exit 1
 fi

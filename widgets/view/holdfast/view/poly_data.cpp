@@ -33,26 +33,24 @@ std::string polygon(vtkIdType id)
   return "polygon " + std::to_string(id);
 }
 
-/// VTK's readers take offsets as they stand in the file: out of order or past the end they would read anywhere.
-void requireOrderedOffsets(vtkCellArray& cells, const std::string& file)
+void requireSoundCells(vtkCellArray& cells, vtkIdType leastCorners, const char* kind, const std::string& file)
 {
   vtkDataArray& offsets = *cells.GetOffsetsArray();
   const vtkIdType cornerCount = cells.GetNumberOfConnectivityIds();
-  vtkIdType previous = 0;
-  for (vtkIdType i = 0; i < offsets.GetNumberOfTuples(); ++i) {
-    const auto offset = static_cast<vtkIdType>(offsets.GetComponent(i, 0));
-    if (offset < previous || offset > cornerCount || (i == 0 && offset != 0))
-      throw InputError({file, 0, polygon(i)}, "its offset " + std::to_string(offset) +
-                                                  " is out of order or past the last corner; the file is damaged, "
-                                                  "write it anew");
-    previous = offset;
-  }
+  const auto offset = [&](vtkIdType i) { return static_cast<vtkIdType>(offsets.GetComponent(i, 0)); };
+  if (offsets.GetNumberOfTuples() < 1 || offset(0) != 0)
+    throw InputError({file, 0, kind + std::string("s")},
+                     "their first offset is not 0; the file is damaged, write it anew");
+  for (vtkIdType i = 1; i < offsets.GetNumberOfTuples(); ++i)
+    if (offset(i) - offset(i - 1) < leastCorners || offset(i) > cornerCount)
+      throw InputError({file, 0, kind + (" " + std::to_string(i - 1))},
+                       "it goes from corner " + std::to_string(offset(i - 1)) + " to before corner " +
+                           std::to_string(offset(i)) + " of " + std::to_string(cornerCount) + ", and needs at least " +
+                           std::to_string(leastCorners) + "; leave it out or write the file anew");
 }
 
 void requireFace(const std::vector<Index>& corners, Index pointCount, const InputLocation& here)
 {
-  if (corners.size() < 3)
-    throw InputError(here, "it has " + std::to_string(corners.size()) + " corners; a face needs three or more");
   for (const Index corner : corners)
     if (corner < 0 || corner >= pointCount)
       throw InputError(here, "it refers to point " + std::to_string(corner) +
@@ -87,6 +85,14 @@ vtkSmartPointer<vtkPolyData> toPolyData(const Mesh& mesh, const Positions& posit
   return polyData;
 }
 
+void requireSoundCells(vtkPolyData& polyData, const std::string& file)
+{
+  requireSoundCells(*polyData.GetVerts(), 1, "vertex cell", file);
+  requireSoundCells(*polyData.GetLines(), 2, "line", file);
+  requireSoundCells(*polyData.GetPolys(), 3, "polygon", file);
+  requireSoundCells(*polyData.GetStrips(), 3, "strip", file);
+}
+
 Positions positionsOf(vtkPolyData& polyData)
 {
   Positions positions(polyData.GetNumberOfPoints(), 3);
@@ -98,7 +104,6 @@ Polygons polygonsOf(vtkPolyData& polyData, const std::string& file)
 {
   requireSurface(polyData, file);
   vtkCellArray& cells = *polyData.GetPolys();
-  requireOrderedOffsets(cells, file);
   Polygons polygons;
   polygons.reserve(cells.GetNumberOfCells(), cells.GetNumberOfConnectivityIds());
   std::vector<Index> corners;

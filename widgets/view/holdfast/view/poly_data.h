@@ -22,8 +22,12 @@ namespace holdfast {
 /// The points of `polyData`, as doubles.
 [[nodiscard]] Positions positionsOf(vtkPolyData& polyData);
 
-/// The polygons of `polyData`: face f is its f-th polygon. Throws `InputError` about `file` where there is no polygon,
-/// where one has fewer than three corners or a corner that is no point, and where there are triangle strips.
+/// Throws `InputError` about `file` where a cell begins or ends outside the list of corners, or has fewer corners than
+/// its kind needs. VTK's readers take cells as they stand in the file, and the rest of VTK then reads past its buffers.
+void requireSoundCells(vtkPolyData& polyData, const std::string& file);
+
+/// The polygons of `polyData`, whose cells are sound: face f is its f-th polygon. Throws `InputError` about `file`
+/// where there is no polygon, where one has a corner that is no point, and where there are triangle strips.
 [[nodiscard]] Polygons polygonsOf(vtkPolyData& polyData, const std::string& file);
 
 }  // namespace holdfast

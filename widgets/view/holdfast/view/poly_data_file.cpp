@@ -2,13 +2,15 @@
 #include <array>
 #include <cassert>
 #include <cctype>
-#include <new>
+#include <exception>
+#include <fstream>
+#include <iterator>
 #include <string>
-#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
 #include <vtkCellData.h>
+#include <vtkCharArray.h>
 #include <vtkExecutive.h>
 #include <vtkFieldData.h>
 #include <vtkNew.h>
@@ -19,11 +21,13 @@
 #include <vtkXMLPolyDataReader.h>
 
 #include <holdfast/base/error.h>
+#include <holdfast/view/legacy_check.h>
 #include <holdfast/view/poly_data.h>
 #include <holdfast/view/poly_data_bytes.h>
 #include <holdfast/view/poly_data_file.h>
 #include <holdfast/view/poly_data_normals.h>
 #include <holdfast/view/vtk_error_log.h>
+#include <holdfast/view/vtp_check.h>
 
 namespace holdfast {
 namespace {
@@ -95,28 +99,33 @@ vtkSmartPointer<vtkPolyData> run(Reader& reader, VtkErrorLog& log, const std::st
 {
   log.watch(reader);
   log.watch(*reader.GetExecutive());
-  reader.SetFileName(path.c_str());
+  reader.ReadFromInputStringOn();
   try {
     reader.Update();
-  } catch (const std::bad_alloc&) {
-    throw InputError({path, 0, ""},
-                     "it claims more data than there is memory; it is damaged, or too large for this machine");
+  } catch (const std::exception& error) {
+    // std::bad_alloc and std::length_error, from counts that no memory holds.
+    throw InputError({path, 0, ""}, std::string("VTK cannot read it: ") + error.what() +
+                                        "; it is damaged, or too large for this machine");
   }
   if (!log.isEmpty()) throw InputError({path, 0, ""}, "VTK cannot read it: " + log.first());
+  requireSoundCells(*reader.GetOutput(), path);
   return reader.GetOutput();
 }
 
-PolyDataFile readXml(const std::string& path)
+PolyDataFile readXml(const std::string& bytes, const std::string& path)
 {
+  requireSoundVtp(bytes, path);
   VtkErrorLog log;
   vtkNew<vtkXMLPolyDataReader> reader;
   reader->SetReaderErrorObserver(log.observer());
   reader->SetParserErrorObserver(log.observer());
+  reader->SetInputString(bytes);
   return {".vtp", run(*reader, log, path), {}, false};
 }
 
-PolyDataFile readLegacy(const std::string& path)
+PolyDataFile readLegacy(std::string bytes, const std::string& path)
 {
+  requireSoundLegacyFile(bytes, path);
   VtkErrorLog log;
   vtkNew<vtkPolyDataReader> reader;
   // Without these only the first array of each kind would be read.
@@ -127,20 +136,25 @@ PolyDataFile readLegacy(const std::string& path)
   reader->ReadAllColorScalarsOn();
   reader->ReadAllTCoordsOn();
   reader->ReadAllFieldsOn();
+  // As an array, because VTK takes the length of a string as a 32-bit number.
+  vtkNew<vtkCharArray> input;
+  input->SetArray(bytes.data(), static_cast<vtkIdType>(bytes.size()), 1);
+  reader->SetInputArray(input);
   PolyDataFile file{".vtk", run(*reader, log, path), {}, reader->GetFileType() == VTK_ASCII};
   file.header = {reader->GetHeader(), reader->GetFileVersion() / 10};
   return file;
 }
 
-/// The reasons that the system knows better than VTK.
-void requireReadable(const std::filesystem::path& path)
+std::string readBytes(const std::filesystem::path& path)
 {
-  std::error_code error;
-  const auto status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status))
-    throw InputError({path.string(), 0, ""}, "there is no such file; check the name");
-  if (std::filesystem::is_directory(status))
-    throw InputError({path.string(), 0, ""}, "this is a folder; name a file in it");
+  const InputLocation here{path.string(), 0, ""};
+  if (!std::filesystem::exists(path)) throw InputError(here, "there is no such file; check the name");
+  if (std::filesystem::is_directory(path)) throw InputError(here, "this is a folder; name a file in it");
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) throw InputError(here, "it cannot be opened; check its permissions");
+  std::string bytes(std::istreambuf_iterator<char>(stream), {});
+  if (stream.bad()) throw InputError(here, "it cannot be read to its end; check the disk");
+  return bytes;
 }
 
 std::string lowerExtension(const std::filesystem::path& path)
@@ -153,10 +167,9 @@ std::string lowerExtension(const std::filesystem::path& path)
 
 PolyDataFile readFile(const std::filesystem::path& path)
 {
-  requireReadable(path);
   const std::string extension = lowerExtension(path);
-  if (extension == ".vtp") return readXml(path.string());
-  if (extension == ".vtk") return readLegacy(path.string());
+  if (extension == ".vtp") return readXml(readBytes(path), path.string());
+  if (extension == ".vtk") return readLegacy(readBytes(path), path.string());
   throw InputError({path.string(), 0, ""}, "this is no format of VTK's for surfaces; use .vtp or .vtk");
 }
 
