@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 
+#include <Eigen/Geometry>
+
 #include <holdfast/mesh/vertex_normals.h>
 
 namespace holdfast {

@@ -104,8 +104,11 @@ std::string_view name(Weights weights)
 
 Operators makeOperators(const SolverMesh& mesh, Weights weights)
 {
-  // Lengths in units of the diagonal: squares of lengths of 1e-200 or 1e200 would leave the range of doubles.
-  const Positions rest = mesh.diagonal > 0 ? Positions(mesh.rest / mesh.diagonal) : mesh.rest;
+  // About a vertex of the mesh, because rows of L sum to zero only up to rounding, which a faraway mesh would multiply;
+  // and in units of the diagonal, because squares of lengths of 1e-200 or 1e200 would leave the range of doubles.
+  Positions rest = mesh.rest;
+  if (rest.rows() > 0) rest.rowwise() -= mesh.rest.row(0);
+  if (mesh.diagonal > 0) rest /= mesh.diagonal;
   Operators operators;
   operators.weights = weights;
   switch (weights) {

@@ -1,0 +1,148 @@
+#include <memory>
+#include <utility>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <holdfast/solve/column_scaling.h>
+#include <holdfast/solve/corrected_solve.h>
+#include <holdfast/solve/least_squares_factor.h>
+
+#include "support/dense_svd.h"
+#include "support/long_double.h"
+#include "support/meshes.h"
+#include "support/solve_cases.h"
+
+namespace holdfast {
+namespace {
+
+using testing::HasSubstr;
+
+/// A chain of bars, stiffer by `stiffness` than the ground that holds each joint: row i < n - 1 is x_i - x_(i+1) times
+/// the stiffness, row n - 1 + i is x_i.
+SparseMatrix chain(Index n, double stiffness)
+{
+  Eigen::MatrixXd M = Eigen::MatrixXd::Zero(2 * n - 1, n);
+  for (Index i = 0; i + 1 < n; ++i) {
+    M(i, i) = stiffness;
+    M(i, i + 1) = -stiffness;
+  }
+  M.bottomRows(n).setIdentity();
+  return M.sparseView();
+}
+
+/// The bilaplacian of a grid held along one side: of condition 1e5, so that its square leaves 6 digits.
+SparseMatrix heldBilaplacian()
+{
+  const Mesh mesh = test::grid(12, 12);
+  const SparseMatrix L = makeOperators(makeSolverMesh(mesh, triangulate(mesh)), Weights::Uniform).L;
+  return SparseMatrix(L * L).rightCols(156);
+}
+
+FactorAttempt cholesky(std::shared_ptr<const SparseMatrix> C, Backend backend)
+{
+#ifdef HOLDFAST_WITH_CHOLMOD
+  if (backend == Backend::Cholmod) return choleskyBySuiteSparse(std::move(C));
+#endif
+  EXPECT_EQ(backend, Backend::Eigen);
+  return choleskyByEigen(std::move(C));
+}
+
+class Factorize : public testing::TestWithParam<Backend> {};
+
+TEST_P(Factorize, UsesTheNormalEquationsWhereTheyWillDo)
+{
+  const ScaledColumns scaled = scaleColumns(chain(20, 3));
+  const Columns3 probe = Columns3::Random(20, 3);
+  const FactorAttempt attempt = factorize(scaled.C, GetParam(), probe);
+  ASSERT_NE(attempt.factor, nullptr) << attempt.failure;
+  EXPECT_THAT(std::string(attempt.factor->method()), HasSubstr("normal equations"));
+  EXPECT_GE(attempt.factor->nonzeros(), 20);
+  EXPECT_LT((attempt.factor->solve(*scaled.C * probe) - probe).norm(), 1e-10);
+}
+
+TEST_P(Factorize, TurnsToSparseQrWhereNormalEquationsAreNotPositiveDefinite)
+{
+  // With bars 1e9 times as stiff as the ground, 1 + 1e-18 rounds to 1 and pivots vanish; a common move of all joints
+  // strains the ground alone, and is found to full accuracy through R.
+  const Index n = 6;
+  const ScaledColumns scaled = scaleColumns(chain(n, 1e9));
+  const Columns3 probe = scaled.scale.cwiseInverse().asDiagonal() * Columns3::Ones(n, 3);
+  const FactorAttempt byCholesky = cholesky(scaled.C, GetParam());
+  EXPECT_EQ(byCholesky.factor, nullptr);
+  EXPECT_THAT(byCholesky.failure, HasSubstr("not positive definite"));
+
+  const FactorAttempt attempt = factorize(scaled.C, GetParam(), probe);
+  ASSERT_NE(attempt.factor, nullptr) << attempt.failure;
+  EXPECT_THAT(std::string(attempt.factor->method()), HasSubstr("sparse QR"));
+  Columns3 f = Columns3::Zero(2 * n - 1, 3);
+  f.bottomRows(n) << 1, 2, 3, 4, 5, 6, 7, 8, 9, 1, 0, 2, 3, 1, 4, 1, 5, 9;
+  const CorrectedSolution solution = correctedSolve(*attempt.factor, *scaled.C, scaled.scale, f);
+  const Columns3 x = scaled.scale.asDiagonal() * solution.z;
+  const Eigen::MatrixXd expected = test::leastSquaresInLongDouble(chain(n, 1e9), f);
+  EXPECT_LT((x - expected).norm(), 1e-12 * expected.norm());
+}
+
+TEST_P(Factorize, GivesBothReasonsWhereNothingWorks)
+{
+  Eigen::MatrixXd M = Eigen::MatrixXd::Identity(4, 3);
+  M.col(2) = M.col(1);
+  const FactorAttempt attempt = factorize(scaleColumns(M.sparseView()).C, GetParam(), Columns3::Ones(3, 3));
+  EXPECT_EQ(attempt.factor, nullptr);
+  EXPECT_THAT(attempt.failure, HasSubstr("the normal equations"));
+  EXPECT_THAT(attempt.failure, HasSubstr("not positive definite"));
+  EXPECT_THAT(attempt.failure, HasSubstr("sparse QR finds rank 2 for 3 unknowns"));
+}
+
+TEST_P(Factorize, OfNoUnknownsHasNothingToDo)
+{
+  const FactorAttempt attempt = factorize(std::make_shared<const SparseMatrix>(5, 0), GetParam(), Columns3(0, 3));
+  ASSERT_NE(attempt.factor, nullptr);
+  EXPECT_EQ(attempt.factor->solve(Columns3::Ones(5, 3)).rows(), 0);
+}
+
+TEST_P(Factorize, CorrectionsBringBackTheDigitsThatNormalEquationsLose)
+{
+  const ScaledColumns scaled = scaleColumns(heldBilaplacian());
+  const Eigen::MatrixXd C = *scaled.C;
+  const Columns3 known = scaled.scale.cwiseInverse().asDiagonal() * Columns3::Ones(C.cols(), 3);
+  const Columns3 f = C * known;
+  const FactorAttempt attempt = factorize(scaled.C, GetParam(), known);
+  ASSERT_NE(attempt.factor, nullptr) << attempt.failure;
+  ASSERT_THAT(std::string(attempt.factor->method()), HasSubstr("normal equations"));
+  const Columns3 expected = scaled.scale.asDiagonal() * test::leastSquaresInLongDouble(C, f);
+  const auto error = [&](const Columns3& z) {
+    return (scaled.scale.asDiagonal() * z - expected).cwiseAbs().maxCoeff() / expected.cwiseAbs().maxCoeff();
+  };
+  EXPECT_GT(error(attempt.factor->solve(f)), 1e-9);
+  const CorrectedSolution corrected = correctedSolve(*attempt.factor, *scaled.C, scaled.scale, f);
+  EXPECT_LT(error(corrected.z), 2e-14);
+  EXPECT_GE(corrected.corrections, 1);
+  EXPECT_LT(corrected.accuracy, 1e-12);
+}
+
+TEST_P(Factorize, ContractionTellsHowMuchOfAnErrorIsLeft)
+{
+  const ScaledColumns scaled = scaleColumns(heldBilaplacian());
+  const Columns3 probe = Columns3::Random(scaled.C->cols(), 3);
+  const FactorAttempt good = factorize(scaled.C, GetParam(), probe);
+  ASSERT_NE(good.factor, nullptr);
+  EXPECT_LT(contraction(*good.factor, *scaled.C, probe), 1e-3);
+  EXPECT_GT(contraction(*good.factor, 3 * *scaled.C, probe), 1);
+}
+
+TEST_P(Factorize, OfSparseQrAloneSolvesToo)
+{
+  const ScaledColumns scaled = scaleColumns(chain(15, 10));
+  const FactorAttempt attempt = seminormalQr(scaled.C, GetParam());
+  ASSERT_NE(attempt.factor, nullptr) << attempt.failure;
+  const Columns3 f = Columns3::Random(29, 3);
+  const Columns3 expected = test::leastSquares(*scaled.C, f);
+  EXPECT_LT((correctedSolve(*attempt.factor, *scaled.C, scaled.scale, f).z - expected).norm(), 1e-12);
+}
+
+INSTANTIATE_TEST_SUITE_P(Backends, Factorize, testing::ValuesIn(test::backends()),
+                         [](const testing::TestParamInfo<Backend>& backend) { return std::string(name(backend.param)); });
+
+}  // namespace
+}  // namespace holdfast

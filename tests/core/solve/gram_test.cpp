@@ -1,0 +1,69 @@
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include <holdfast/solve/column_scaling.h>
+#include <holdfast/solve/gram.h>
+
+#include "support/random.h"
+
+namespace holdfast {
+namespace {
+
+SparseMatrix randomSparse(test::Random& random, Index rows, Index columns)
+{
+  Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(rows, columns);
+  for (Index k = 0; k < 2 * columns; ++k)
+    dense(random.integer(0, rows - 1), random.integer(0, columns - 1)) = random.uniform(-1, 1);
+  return dense.sparseView(1, 0);
+}
+
+TEST(Gram, IsTheLowerTriangleOfTheProduct)
+{
+  for (std::uint32_t seed = 0; seed < 50; ++seed) {
+    test::Random random(seed);
+    const SparseMatrix C = randomSparse(random, random.integer(1, 20), random.integer(1, 20));
+    const SparseMatrix gram = gramLower(C);
+    const Eigen::MatrixXd dense = C;
+    const Eigen::MatrixXd product = dense.transpose() * dense;
+    const Eigen::MatrixXd expected = product.triangularView<Eigen::Lower>();
+    EXPECT_LT((Eigen::MatrixXd(gram) - expected).cwiseAbs().maxCoeff(), 1e-15);
+  }
+}
+
+TEST(Gram, HasAscendingRowsInEachColumn)
+{
+  test::Random random(3);
+  const SparseMatrix gram = gramLower(randomSparse(random, 40, 30));
+  for (Index j = 0; j < gram.cols(); ++j) {
+    int last = -1;
+    for (SparseMatrix::InnerIterator entry(gram, j); entry; ++entry) {
+      EXPECT_GT(entry.row(), last);
+      EXPECT_GE(entry.row(), j);
+      last = static_cast<int>(entry.row());
+    }
+  }
+}
+
+TEST(ColumnScaling, MakesUnitColumns)
+{
+  test::Random random(8);
+  const SparseMatrix M =
+      Eigen::MatrixXd(Eigen::MatrixXd::NullaryExpr(7, 5, [&] { return random.uniform(-1e5, 1e5); })).sparseView();
+  const ScaledColumns scaled = scaleColumns(M);
+  ASSERT_TRUE(scaled.failure.empty());
+  for (Index k = 0; k < 5; ++k) EXPECT_NEAR(scaled.C->col(k).norm(), 1, 1e-15);
+  EXPECT_LT((Eigen::MatrixXd(*scaled.C) - Eigen::MatrixXd(M) * scaled.scale.asDiagonal()).norm(), 1e-15);
+}
+
+TEST(ColumnScaling, NamesTheColumnThatCannotBeScaled)
+{
+  Eigen::MatrixXd M = Eigen::MatrixXd::Identity(3, 3);
+  M(1, 1) = 0;
+  EXPECT_EQ(scaleColumns(M.sparseView()).failure.substr(0, 14), "unknown 1 of 3");
+  M(1, 1) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(scaleColumns(M.sparseView()).failure.substr(0, 14), "unknown 1 of 3");
+}
+
+}  // namespace
+}  // namespace holdfast
