@@ -79,13 +79,15 @@ void addCoincident(Findings& findings, const Mesh& mesh, const SolverMesh& solve
 
 double smallestAngleDegrees(const Positions& positions, const Triangle& triangle)
 {
-  const Vector3 a = positions.row(triangle[0]);
-  const Vector3 b = positions.row(triangle[1]);
-  const Vector3 c = positions.row(triangle[2]);
-  std::array<double, 3> edges{(b - a).norm(), (c - b).norm(), (a - c).norm()};
+  Vector3 ab = positions.row(triangle[1]) - positions.row(triangle[0]);
+  Vector3 ac = positions.row(triangle[2]) - positions.row(triangle[0]);
+  const double size = std::max(ab.stableNorm(), ac.stableNorm());
+  if (size == 0) return 0;
+  ab /= size;
+  ac /= size;
+  std::array<double, 3> edges{ab.norm(), ac.norm(), (ac - ab).norm()};
   std::sort(edges.begin(), edges.end());
-  if (edges[1] == 0) return 0;
-  const double sine = (b - a).cross(c - a).norm() / (edges[1] * edges[2]);
+  const double sine = ab.cross(ac).norm() / (edges[1] * edges[2]);
   return std::asin(std::min(1.0, sine)) * 180 / std::numbers::pi;
 }
 

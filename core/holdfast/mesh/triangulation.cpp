@@ -42,6 +42,8 @@ class EarClipper {
 
  private:
   static constexpr double kNotAnEar = -1;
+  // A triangle of this height over its longest side has angles of about two degrees.
+  static constexpr double kNeedle = 0.02;
 
   [[nodiscard]] std::array<Index, 3> ear(std::size_t k) const
   {
@@ -64,18 +66,32 @@ class EarClipper {
   {
     const auto [a, b, c] = ear(k);
     const double own = shape(a, b, c);
-    if (own < 0 || holdsAnother(a, b, c)) return kNotAnEar;
-    if (rim_.size() != 4) return own;
-    const double other = shape(a, c, rim_[(k + 2) % 4]);
-    return other < 0 ? kNotAnEar : std::min(own, other);
+    const double gap = gapBehind(a, b, c);
+    if (own < 0 || gap < 0) return kNotAnEar;
+    if (rim_.size() == 4) {
+      const double other = shape(a, c, rim_[(k + 2) % 4]);
+      return other < 0 ? kNotAnEar : std::min(own, other);
+    }
+    // A corner that all but touches the cut makes a needle with it: such an ear waits until there is no other.
+    return gap < kNeedle ? own * kNeedle : own;
   }
 
-  [[nodiscard]] bool holdsAnother(Index a, Index b, Index c) const
+  /// How far behind the cut from a to c the nearest corner is that the ear's two sides have between them, as a share of
+  /// the cut's length; negative where the ear holds a corner.
+  [[nodiscard]] double gapBehind(Index a, Index b, Index c) const
   {
-    return std::any_of(rim_.begin(), rim_.end(), [&](Index p) {
-      if (p == a || p == b || p == c) return false;
-      return shape(a, b, p) > 0 && shape(b, c, p) > 0 && shape(c, a, p) > 0;
-    });
+    double gap = std::numeric_limits<double>::infinity();
+    for (const Index p : rim_)
+      if (p != a && p != b && p != c && shape(a, b, p) > 0 && shape(b, c, p) > 0) gap = std::min(gap, height(a, c, p));
+    return gap;
+  }
+
+  /// Height of the triangle over its side ab as a share of that, signed by the polygon's side; the polygon has an area.
+  [[nodiscard]] double height(Index a, Index b, Index c) const
+  {
+    const Vector3 ab = polygon_[b] - polygon_[a];
+    if (ab.isZero(0)) return std::numeric_limits<double>::infinity();
+    return ab.cross(polygon_[c] - polygon_[a]).dot(normal_) / (ab.squaredNorm() * normal_.norm());
   }
 
   [[nodiscard]] std::size_t bestEar() const
@@ -99,13 +115,25 @@ class EarClipper {
   std::vector<double> quality_;  // of the ear at each corner still there
 };
 
+/// The corners seen from the first one, no coordinate beyond 1: products of areas stay within the range of doubles.
+std::vector<Vector3> inUnitsOfItsSize(const Positions& positions, std::span<const Index> face)
+{
+  std::vector<Vector3> polygon;
+  polygon.reserve(face.size());
+  double size = 0;
+  for (const Index v : face) {
+    polygon.emplace_back(positions.row(v) - positions.row(face[0]));
+    size = std::max(size, polygon.back().cwiseAbs().maxCoeff());
+  }
+  if (size > 0)
+    for (Vector3& corner : polygon) corner /= size;
+  return polygon;
+}
+
 std::vector<std::array<Index, 3>> cornersOfTriangles(const Positions& positions, std::span<const Index> face)
 {
   if (face.size() == 3) return {{0, 1, 2}};
-  std::vector<Vector3> polygon;
-  polygon.reserve(face.size());
-  for (const Index v : face) polygon.emplace_back(positions.row(v));
-  return EarClipper(std::move(polygon)).run();
+  return EarClipper(inUnitsOfItsSize(positions, face)).run();
 }
 
 }  // namespace

@@ -67,7 +67,9 @@ TEST(Elimination, FreeUnknownsHaveIdentityColumnsAndPinnedOnesNone)
     std::vector<bool> isPinned(static_cast<std::size_t>(Q2.rows()), false);
     std::vector<bool> isNamed = isPinned;
     for (const RowTerms& row : problem.eliminated.rows)
-      for (const PointTerm& term : row) (row.size() == 1 ? isPinned : isNamed)[term.vertex] = true;
+      for (const PointTerm& term : row) isNamed[term.vertex] = true;
+    for (const Index row : independentRows(problem.eliminated.dependencies, problem.eliminated.rows.size()))
+      if (problem.system.rows[row].isPin()) isPinned[problem.system.rows[row].terms[0].vertex] = true;
     for (Index u = 0; u < Q2.rows(); ++u) {
       if (isPinned[u] || problem.eliminated.isHeld[u]) {
         EXPECT_EQ(Q2.row(u).squaredNorm(), 0) << u;

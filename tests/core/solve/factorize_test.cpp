@@ -1,3 +1,4 @@
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -31,12 +32,15 @@ SparseMatrix chain(Index n, double stiffness)
   return M.sparseView();
 }
 
-/// The bilaplacian of a grid held along one side: of condition 1e5, so that its square leaves 6 digits.
-SparseMatrix heldBilaplacian()
+/// The square of the second difference along a line of points, held at one end: its condition grows with the fourth
+/// power of n and is 4e5 at 20.
+SparseMatrix heldBeam(Index n)
 {
-  const Mesh mesh = test::grid(12, 12);
-  const SparseMatrix L = makeOperators(makeSolverMesh(mesh, triangulate(mesh)), Weights::Uniform).L;
-  return SparseMatrix(L * L).rightCols(156);
+  Eigen::MatrixXd D = 2 * Eigen::MatrixXd::Identity(n, n);
+  D.diagonal(1).setConstant(-1);
+  D.diagonal(-1).setConstant(-1);
+  D(n - 1, n - 1) = 1;
+  return (D * D).sparseView();
 }
 
 FactorAttempt cholesky(std::shared_ptr<const SparseMatrix> C, Backend backend)
@@ -103,7 +107,7 @@ TEST_P(Factorize, OfNoUnknownsHasNothingToDo)
 
 TEST_P(Factorize, CorrectionsBringBackTheDigitsThatNormalEquationsLose)
 {
-  const ScaledColumns scaled = scaleColumns(heldBilaplacian());
+  const ScaledColumns scaled = scaleColumns(heldBeam(20));
   const Eigen::MatrixXd C = *scaled.C;
   const Columns3 known = scaled.scale.cwiseInverse().asDiagonal() * Columns3::Ones(C.cols(), 3);
   const Columns3 f = C * known;
@@ -114,16 +118,19 @@ TEST_P(Factorize, CorrectionsBringBackTheDigitsThatNormalEquationsLose)
   const auto error = [&](const Columns3& z) {
     return (scaled.scale.asDiagonal() * z - expected).cwiseAbs().maxCoeff() / expected.cwiseAbs().maxCoeff();
   };
-  EXPECT_GT(error(attempt.factor->solve(f)), 1e-9);
+  // Rounding of C alone changes the solution by up to the condition number times epsilon, 1e-10.
+  const Eigen::VectorXd values = test::singularValues(C).values;
+  const double unavoidable = values[0] / values[values.size() - 1] * std::numeric_limits<double>::epsilon();
+  EXPECT_GT(error(attempt.factor->solve(f)), 10 * unavoidable);
   const CorrectedSolution corrected = correctedSolve(*attempt.factor, *scaled.C, scaled.scale, f);
-  EXPECT_LT(error(corrected.z), 2e-14);
+  EXPECT_LT(error(corrected.z), 0.1 * unavoidable);
+  EXPECT_LT(corrected.accuracy, 0.1 * unavoidable);
   EXPECT_GE(corrected.corrections, 1);
-  EXPECT_LT(corrected.accuracy, 1e-12);
 }
 
 TEST_P(Factorize, ContractionTellsHowMuchOfAnErrorIsLeft)
 {
-  const ScaledColumns scaled = scaleColumns(heldBilaplacian());
+  const ScaledColumns scaled = scaleColumns(heldBeam(20));
   const Columns3 probe = Columns3::Random(scaled.C->cols(), 3);
   const FactorAttempt good = factorize(scaled.C, GetParam(), probe);
   ASSERT_NE(good.factor, nullptr);
@@ -142,7 +149,9 @@ TEST_P(Factorize, OfSparseQrAloneSolvesToo)
 }
 
 INSTANTIATE_TEST_SUITE_P(Backends, Factorize, testing::ValuesIn(test::backends()),
-                         [](const testing::TestParamInfo<Backend>& backend) { return std::string(name(backend.param)); });
+                         [](const testing::TestParamInfo<Backend>& backend) {
+                           return std::string(name(backend.param));
+                         });
 
 }  // namespace
 }  // namespace holdfast
