@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <holdfast/deform/deform.h>
 #include <holdfast/mesh/bounding_box.h>
-#include <holdfast/solve/deform.h>
 
 #include "support/law_meshes.h"
 

@@ -2,8 +2,6 @@
 
 #include <Eigen/Geometry>
 
-#include <Eigen/Geometry>
-
 #include <holdfast/mesh/vertex_normals.h>
 
 namespace holdfast {
