@@ -21,8 +21,9 @@ struct Dependency {
   std::vector<Partner> partners;
 };
 
-/// Coefficients smaller than this are rounding of zero. (Barycentric numbers of points that can be told apart are
-/// larger.)
+/// Coefficients smaller than this are rounding of zero: as a share of the largest coefficient of the circuit where that
+/// exceeds 1, as it does in circuits that lead from face to face. (Barycentric numbers of points that can be told apart
+/// are larger.)
 inline constexpr double kPartnerThreshold = 1e-10;
 
 }  // namespace holdfast

@@ -26,11 +26,13 @@ void substitute(Combination& combination, Index leaving, const Combination& repl
   if (found == combination.end()) return;
   const double share = found->second;
   combination.erase(found);
+  double largest = 1;
   for (const auto& [partner, coefficient] : replacement) {
     double& sum = combination[partner];
+    largest = std::max({largest, std::abs(sum), std::abs(share * coefficient)});
     sum += share * coefficient;
-    if (std::abs(sum) <= kPartnerThreshold) combination.erase(partner);
   }
+  std::erase_if(combination, [&](const auto& term) { return std::abs(term.second) <= kPartnerThreshold * largest; });
 }
 
 /// The dependencies as rows of a tableau, changed by exchanges.

@@ -13,8 +13,9 @@ namespace {
 Dependency dependency(Index row, const std::vector<Index>& basis, const Eigen::VectorXd& coefficients)
 {
   Dependency result{row, {}};
+  const double vanishing = kPartnerThreshold * std::max(1.0, coefficients.cwiseAbs().maxCoeff());
   for (Index k = 0; k < coefficients.size(); ++k)
-    if (std::abs(coefficients[k]) > kPartnerThreshold) result.partners.push_back({basis[k], coefficients[k]});
+    if (std::abs(coefficients[k]) > vanishing) result.partners.push_back({basis[k], coefficients[k]});
   std::sort(result.partners.begin(), result.partners.end(),
             [](const Partner& x, const Partner& y) { return x.row < y.row; });
   return result;
