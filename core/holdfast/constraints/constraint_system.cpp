@@ -1,7 +1,5 @@
-#include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -9,8 +7,8 @@
 
 #include <holdfast/base/error.h>
 #include <holdfast/constraints/constraint_system.h>
-#include <holdfast/mesh/edges.h>
-#include <holdfast/surface/closest_point.h>
+#include <holdfast/constraints/selection_check.h>
+#include <holdfast/surface/surface_locator.h>
 
 namespace holdfast {
 namespace {
@@ -49,10 +47,10 @@ class SystemBuilder {
                 const SolverMesh& solverMesh, const std::string& source)
       : list_(list),
         mesh_(mesh),
-        triangulation_(triangulation),
         solverMesh_(solverMesh),
         source_(source),
-        componentOf_(componentOfVertices(solverMesh))
+        componentOf_(componentOfVertices(solverMesh)),
+        locator_(mesh, triangulation)
   {
     system_.points.resize(list.constraints.size());
     system_.surfaceDistances.resize(list.constraints.size(), 0);
@@ -60,17 +58,24 @@ class SystemBuilder {
 
   ConstraintSystem build()
   {
-    for (current_ = 0; current_ < static_cast<Index>(list_.constraints.size()); ++current_)
-      std::visit([this](const auto& what) { add(what); }, list_.constraints[current_].what);
+    for (current_ = 0; current_ < static_cast<Index>(list_.constraints.size()); ++current_) addCurrent();
     return std::move(system_);
   }
 
  private:
-  [[noreturn]] void fail(const std::string& key, const std::string& reason) const
+  void addCurrent()
   {
-    throw InputError(
-        {source_, 0, fmt::format("constraints[{}]{} (\"{}\")", current_, key, list_.constraints[current_].name)},
-        reason);
+    const Constraint& constraint = list_.constraints[current_];
+    try {
+      std::visit([this](const auto& what) { add(what); }, constraint.what);
+    } catch (const InputError& error) {
+      throw InputError(error.location(), fmt::format("\"{}\": {}", constraint.name, error.reason()));
+    }
+  }
+
+  [[nodiscard]] InputLocation key(const std::string& name) const
+  {
+    return {source_, 0, fmt::format("constraints[{}]{}", current_, name)};
   }
 
   [[nodiscard]] bool isEnabled() const { return list_.constraints[current_].isEnabled; }
@@ -96,8 +101,9 @@ class SystemBuilder {
 
   void add(const Point& point)
   {
-    const SurfacePoint at = std::visit([this](const auto& location) { return locate(location); }, point.at);
+    const auto [at, distance] = locator_.locate(point.at, key(".at"));
     system_.points[current_] = at;
+    system_.surfaceDistances[current_] = distance;
     const Vector3 rest = positionOf(at, mesh_.positions);
     if (const Target* target = std::get_if<Target>(&point.to))
       addRow(at, target->place, target->place - rest);
@@ -105,11 +111,14 @@ class SystemBuilder {
       addRow(at, rest + std::get<Move>(point.to).shift, std::get<Move>(point.to).shift);
   }
 
-  void add(const Rigid& /*rigid*/) { fail(".type", "rigid regions are not supported by this version; remove it"); }
+  void add(const Rigid& /*rigid*/)
+  {
+    throw InputError(key(".type"), "rigid regions are not supported by this version; remove it");
+  }
 
   void add(const Relative& /*relative*/)
   {
-    fail(".type", "relative constraints are not supported by this version; remove it");
+    throw InputError(key(".type"), "relative constraints are not supported by this version; remove it");
   }
 
   [[nodiscard]] Vector3 centroid(const std::vector<Index>& vertices) const
@@ -142,98 +151,17 @@ class SystemBuilder {
     return std::exchange(pinnedBy_[row.terms.front().vertex], current_) == current_;
   }
 
-  std::vector<Index> selected(const Selection& selection)
+  [[nodiscard]] std::vector<Index> selected(const Selection& selection) const
   {
-    checkIds(selection, ".select");
-    std::vector<Index> vertices = select(selection, mesh_.positions, componentOf_);
-    if (vertices.empty())
-      fail(".select", "selects no vertex of the mesh; check its place and size, or remove the constraint");
-    return vertices;
-  }
-
-  void checkIds(const Selection& selection, const std::string& path) const
-  {
-    if (const auto* vertices = std::get_if<VertexIds>(&selection.what))
-      for (const Index v : vertices->ids) checkVertex(v, path + ".vertices");
-    if (const auto* component = std::get_if<InComponent>(&selection.what))
-      if (component->component < 0 || component->component >= solverMesh_.componentCount)
-        fail(path + ".component", fmt::format("there is no part {}; the mesh has {} connected parts, numbered from 0",
-                                              component->component, solverMesh_.componentCount));
-    if (const auto* all = std::get_if<AllOf>(&selection.what)) checkParts(all->parts, path + ".all");
-    if (const auto* any = std::get_if<AnyOf>(&selection.what)) checkParts(any->parts, path + ".any");
-    if (const auto* none = std::get_if<NotIn>(&selection.what)) checkIds(*none->part, path + ".not");
-  }
-
-  void checkParts(const std::vector<Selection>& parts, const std::string& path) const
-  {
-    for (std::size_t k = 0; k < parts.size(); ++k) checkIds(parts[k], fmt::format("{}[{}]", path, k));
-  }
-
-  void checkVertex(Index v, const std::string& path) const
-  {
-    if (v < 0 || v >= mesh_.vertexCount())
-      fail(path,
-           fmt::format("there is no vertex {}; the mesh has {} vertices, numbered from 0", v, mesh_.vertexCount()));
-  }
-
-  [[nodiscard]] SurfacePoint locate(const AtVertex& at) const
-  {
-    checkVertex(at.vertex, ".at.vertex");
-    return {{{at.vertex, 1.0}}};
-  }
-
-  [[nodiscard]] SurfacePoint locate(const AtEdge& at)
-  {
-    checkVertex(at.i, ".at.edge[0]");
-    checkVertex(at.j, ".at.edge[1]");
-    if (!isEdge(at.i, at.j))
-      fail(".at.edge", fmt::format("no face has an edge between the vertices {} and {}; name the ends of one edge, or "
-                                   "give the place as \"near\"",
-                                   at.i, at.j));
-    return canonical({{at.i, at.t}, {at.j, 1 - at.t}});
-  }
-
-  [[nodiscard]] SurfacePoint locate(const AtFace& at) const
-  {
-    if (at.face < 0 || at.face >= mesh_.faces.size())
-      fail(".at.face",
-           fmt::format("there is no face {}; the mesh has {} faces, numbered from 0", at.face, mesh_.faces.size()));
-    const auto corners = mesh_.faces[at.face];
-    if (corners.size() != at.weights.size())
-      fail(".at.weights", fmt::format("face {} has {} corners but {} weights are given; give one for each corner in "
-                                      "the order of the file",
-                                      at.face, corners.size(), at.weights.size()));
-    std::vector<PointTerm> terms;
-    for (std::size_t k = 0; k < corners.size(); ++k) terms.push_back({corners[k], at.weights[k]});
-    return canonical(std::move(terms));
-  }
-
-  [[nodiscard]] SurfacePoint locate(const AtNear& at)
-  {
-    if (!search_) search_.emplace(mesh_.positions, triangulation_.triangles);
-    const ClosestPointSearch::Result found = search_->find(at.place);
-    system_.surfaceDistances[current_] = found.distance;
-    return found.point;
-  }
-
-  [[nodiscard]] bool isEdge(Index i, Index j)
-  {
-    if (halfEdges_.empty()) halfEdges_ = sortedHalfEdges(triangulation_.triangles);
-    const std::pair<Index, Index> key = std::minmax(i, j);
-    const auto found = std::lower_bound(
-        halfEdges_.begin(), halfEdges_.end(), key,
-        [](const HalfEdge& edge, const std::pair<Index, Index>& wanted) { return std::pair(edge.a, edge.b) < wanted; });
-    return found != halfEdges_.end() && std::pair(found->a, found->b) == key;
+    return selectOrThrow(selection, mesh_, componentOf_, solverMesh_.componentCount, key(".select"));
   }
 
   const ConstraintList& list_;
   const Mesh& mesh_;
-  const Triangulation& triangulation_;
   const SolverMesh& solverMesh_;
   const std::string& source_;
   std::vector<Index> componentOf_;
-  std::optional<ClosestPointSearch> search_;
-  std::vector<HalfEdge> halfEdges_;
+  SurfaceLocator locator_;
   std::vector<Index> pinnedBy_;  // of each unknown: the constraint that pinned it last
   Index current_ = 0;
   ConstraintSystem system_;

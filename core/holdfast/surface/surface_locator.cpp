@@ -1,0 +1,79 @@
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <holdfast/surface/surface_locator.h>
+
+namespace holdfast {
+
+SurfaceLocator::Located SurfaceLocator::locate(const SurfaceLocation& location, const InputLocation& where)
+{
+  return std::visit([&](const auto& named) { return at(named, where); }, location);
+}
+
+SurfaceLocator::Located SurfaceLocator::at(const AtVertex& vertex, const InputLocation& where) const
+{
+  requireVertex(mesh_, vertex.vertex, where, ".vertex");
+  return {{{{vertex.vertex, 1.0}}}, 0};
+}
+
+SurfaceLocator::Located SurfaceLocator::at(const AtEdge& edge, const InputLocation& where)
+{
+  requireVertex(mesh_, edge.i, where, ".edge[0]");
+  requireVertex(mesh_, edge.j, where, ".edge[1]");
+  if (!isEdge(edge.i, edge.j))
+    throw InputError(below(where, ".edge"),
+                     fmt::format("no face has an edge between the vertices {} and {}; name the ends of one edge, or "
+                                 "give the place as \"near\"",
+                                 edge.i, edge.j));
+  return {canonical({{edge.i, edge.t}, {edge.j, 1 - edge.t}}), 0};
+}
+
+SurfaceLocator::Located SurfaceLocator::at(const AtFace& face, const InputLocation& where) const
+{
+  if (face.face < 0 || face.face >= mesh_.faces.size())
+    throw InputError(below(where, ".face"), fmt::format("there is no face {}; the mesh has {} faces, numbered from 0",
+                                                        face.face, mesh_.faces.size()));
+  const auto corners = mesh_.faces[face.face];
+  if (corners.size() != face.weights.size())
+    throw InputError(below(where, ".weights"),
+                     fmt::format("face {} has {} corners but {} weights are given; give one for each corner in the "
+                                 "order of the file",
+                                 face.face, corners.size(), face.weights.size()));
+  std::vector<PointTerm> terms;
+  for (std::size_t k = 0; k < corners.size(); ++k) terms.push_back({corners[k], face.weights[k]});
+  return {canonical(std::move(terms)), 0};
+}
+
+SurfaceLocator::Located SurfaceLocator::at(const AtNear& near, const InputLocation& /*where*/)
+{
+  if (!search_) search_.emplace(mesh_.positions, triangulation_.triangles);
+  ClosestPointSearch::Result found = search_->find(near.place);
+  return {std::move(found.point), found.distance};
+}
+
+bool SurfaceLocator::isEdge(Index i, Index j)
+{
+  if (halfEdges_.empty()) halfEdges_ = sortedHalfEdges(triangulation_.triangles);
+  const std::pair<Index, Index> key = std::minmax(i, j);
+  const auto ends = [](const HalfEdge& edge) { return std::pair(edge.a, edge.b); };
+  const auto found = std::lower_bound(
+      halfEdges_.begin(), halfEdges_.end(), key,
+      [&](const HalfEdge& edge, const std::pair<Index, Index>& wanted) { return ends(edge) < wanted; });
+  return found != halfEdges_.end() && ends(*found) == key;
+}
+
+void requireVertex(const Mesh& mesh, Index vertex, const InputLocation& where, const std::string& key)
+{
+  if (vertex < 0 || vertex >= mesh.vertexCount())
+    throw InputError(below(where, key), fmt::format("there is no vertex {}; the mesh has {} vertices, numbered from 0",
+                                                    vertex, mesh.vertexCount()));
+}
+
+InputLocation below(const InputLocation& where, const std::string& key)
+{
+  return {where.file, where.line, where.element + key};
+}
+
+}  // namespace holdfast
