@@ -61,7 +61,12 @@ namespace {
 struct Nearest {
   using Scalar = double;
 
-  double minimumOnVolume(const Eigen::AlignedBox3d& box) const { return box.squaredExteriorDistance(place); }
+  double minimumOnVolume(const Eigen::AlignedBox3d& box) const
+  {
+    // A little less than it is: boxes no nearer than the best triangle are passed over, and one of them may hold an
+    // equally near triangle that comes first in file order.
+    return std::nextafter(box.squaredExteriorDistance(place), -1.0);
+  }
 
   double minimumOnObject(int triangle)
   {

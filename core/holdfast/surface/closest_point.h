@@ -34,7 +34,7 @@ class ClosestPointSearch {
     double distance = 0;  ///< model units
   };
 
-  /// The exact closest point; on equal distances the same one on every run. About O(log T).
+  /// The exact closest point; of triangles at the same distance the one that comes first. About O(log T).
   [[nodiscard]] Result find(const Vector3& place) const;
 
  private:

@@ -47,7 +47,7 @@ TEST(Deform, MeetsPointsOfEdgesAndFacesThatOverlap)
       for (std::size_t c = 0; c < list.constraints.size(); ++c) {
         const ConstraintOutcome& outcome = result.report.constraints[c];
         if (outcome.status == ConstraintStatus::Conflicting) continue;
-        EXPECT_LE(missedBy(list, c, mesh, result.positions), 1.1e-12) << outcome.name;
+        EXPECT_LE(missedBy(list, c, mesh, result.positions), 1e-12) << outcome.name;
       }
     }
   });

@@ -89,6 +89,10 @@ TEST(ClosestPoint, OfAVertexIsThatVertex)
       const ClosestPointSearch::Result found = surface.search.find(named.mesh.positions.row(v));
       EXPECT_EQ(found.point, (SurfacePoint{{{v, 1.0}}})) << named.name;
       EXPECT_EQ(found.distance, 0);
+      const auto first = std::find_if(
+          surface.triangles.begin(), surface.triangles.end(),
+          [&](const Triangle& triangle) { return std::find(triangle.begin(), triangle.end(), v) != triangle.end(); });
+      EXPECT_EQ(found.triangle, first - surface.triangles.begin()) << "of those around it the first";
     }
   }
 }
