@@ -34,7 +34,7 @@ void measureRounded(Deformation& deformation, const Model& model)
                rowResiduals(deformation.system, model.solverMesh.weld, stored), limit);
 }
 
-/// All outputs are written aside before any is put in its place.
+/// All outputs are written aside before any is put in its place, and those that cannot be written aside go first.
 class Outputs {
  public:
   void add(const std::filesystem::path& path, const Serialized& contents)
@@ -45,7 +45,10 @@ class Outputs {
 
   void commit()
   {
-    for (OutputFile& file : files_) file.commit();
+    for (OutputFile& file : files_)
+      if (file.isDirect()) file.commit();
+    for (OutputFile& file : files_)
+      if (!file.isDirect()) file.commit();
   }
 
   [[nodiscard]] std::string names() const

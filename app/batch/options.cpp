@@ -51,14 +51,16 @@ struct RawOptions {
 void describe(CLI::App& app, CLI::App& deformApp, CLI::App& checkApp, RawOptions& raw)
 {
   app.require_subcommand(1);
-  app.set_version_flag("--version", std::string("holdfast-batch " HOLDFAST_VERSION));
   app.footer(
       "Exit codes: 0 all met, 2 usage, 3 unusable input, 4 constraints conflict, 5 numerical failure,\n"
       "6 an output cannot be written, 70 a bug of ours. See docs/errors.md.");
+  for (CLI::App* command : {&app, &deformApp, &checkApp}) {
+    command->set_version_flag("--version", std::string("holdfast-batch " HOLDFAST_VERSION));
+    command->add_flag("--quiet", raw.isQuiet, "Print neither progress nor the summary");
+  }
   for (CLI::App* command : {&deformApp, &checkApp}) {
     command->add_option("mesh", raw.mesh, "Mesh file: " + knownFormats())->required()->type_name("MESH");
     command->add_option("--report", raw.report, "Write the report (JSON) here")->type_name("R.json");
-    command->add_flag("--quiet", raw.isQuiet, "Print neither progress nor the summary");
   }
   checkApp.add_option("--constraints", raw.constraints, "Constraint file (JSON) or point list (CSV)")
       ->type_name("C.json");

@@ -170,7 +170,7 @@ OutputFile::OutputFile(OutputFile&& other) noexcept
 
 void OutputFile::commit()
 {
-  if (target_.empty()) {
+  if (isDirect()) {
     FileDescriptor file = openDirect(path_);
     if (!file.isOpen()) fail(path_, "cannot be opened for writing", errno);
     const int writing = writeAll(file, direct_);

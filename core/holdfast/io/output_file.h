@@ -26,8 +26,12 @@ class OutputFile {
   OutputFile& operator=(const OutputFile&) = delete;
 
   /// Puts the file in place. Throws `OutputError`. Call at most once. To write several files together, make all of
-  /// them first, then commit each.
+  /// them first, then commit each, those that are written directly before the others: a device may turn out to be full,
+  /// while a rename hardly fails.
   void commit();
+
+  /// Whether the bytes go to a device, a pipe or a standard stream at `commit`, and not aside before.
+  [[nodiscard]] bool isDirect() const noexcept { return target_.empty(); }
 
   [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
 
