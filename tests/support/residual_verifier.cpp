@@ -1,0 +1,196 @@
+#include "support/residual_verifier.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <stdexcept>
+
+#include <nlohmann/json.hpp>
+
+#include "support/plain_constraints.h"
+#include "support/plain_selection.h"
+
+namespace holdfast::test {
+namespace {
+
+using Json = nlohmann::json;
+using Real = long double;
+using Place = std::array<Real, 3>;
+using Terms = std::vector<std::pair<long, Real>>;
+
+Place placeOf(const PlainMesh& mesh, const Terms& terms)
+{
+  Place place{};
+  for (const auto& [vertex, weight] : terms)
+    for (std::size_t k = 0; k < 3; ++k) place[k] += weight * mesh.positions.at(vertex)[k];
+  return place;
+}
+
+double distance(const Place& a, const Place& b)
+{
+  return static_cast<double>(std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]));
+}
+
+/// Rodrigues' formula about the line through `center` along `axis`.
+Place turned(const Place& place, const Place& center, const Place& axis, Real degrees)
+{
+  const Real length = std::hypot(axis[0], axis[1], axis[2]);
+  const Real angle = std::fmod(degrees, Real{360}) * std::numbers::pi_v<Real> / 180;
+  Place k{};
+  Place v{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    k[i] = axis[i] / length;
+    v[i] = place[i] - center[i];
+  }
+  const Real along = k[0] * v[0] + k[1] * v[1] + k[2] * v[2];
+  Place result{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const std::size_t l = (i + 2) % 3;
+    result[i] = center[i] + v[i] * std::cos(angle) + (k[j] * v[l] - k[l] * v[j]) * std::sin(angle) +
+                k[i] * along * (1 - std::cos(angle));
+  }
+  return result;
+}
+
+/// One run of `verify`.
+class Verifier {
+ public:
+  Verifier(const PlainMesh& rest, const PlainMesh& written) : rest_(rest), written_(written) {}
+
+  void add(const Json& constraint)
+  {
+    name_ = constraint.at("name");
+    const std::string type = constraint.at("type");
+    if (type == "fixed")
+      for (const long v : selectPlain(constraint.at("select"), rest_)) measurePin(v, rest_.positions[v]);
+    else if (type == "handle")
+      addHandle(constraint);
+    else if (type == "point")
+      addPoint(constraint);
+    else
+      throw std::runtime_error("not to be verified: constraints of type " + type);
+  }
+
+  [[nodiscard]] const Verification& result() const { return result_; }
+
+ private:
+  void addHandle(const Json& handle)
+  {
+    const auto shift = handle.value("translate", PlainPoint{});
+    const std::vector<long> vertices = selectPlain(handle.at("select"), rest_);
+    for (const long v : vertices) {
+      const PlainPoint& p = rest_.positions[v];
+      if (!handle.contains("rotate")) {
+        measurePin(v, {p[0] + shift[0], p[1] + shift[1], p[2] + shift[2]});
+        continue;
+      }
+      const Json& turn = handle.at("rotate");
+      const Place center = turn.contains("center") ? turn.at("center").get<Place>() : centroid(vertices);
+      Place target = turned({p[0], p[1], p[2]}, center, turn.at("axis").get<Place>(), turn.at("degrees").get<Real>());
+      for (std::size_t k = 0; k < 3; ++k) target[k] += shift[k];
+      measure({{v, 1}}, target);
+      pinned_.insert(v);
+    }
+  }
+
+  void addPoint(const Json& point)
+  {
+    const Terms terms = termsOf(point.at("at"));
+    if (terms.size() == 1) return measurePin(terms[0].first, pinTarget(point, rest_.positions.at(terms[0].first)));
+    if (point.contains("target")) return measure(terms, point.at("target").get<Place>());
+    Place target = placeOf(rest_, terms);
+    const Place move = point.at("move").get<Place>();
+    for (std::size_t k = 0; k < 3; ++k) target[k] += move[k];
+    measure(terms, target);
+  }
+
+  static PlainPoint pinTarget(const Json& point, PlainPoint place)
+  {
+    if (point.contains("target")) return point.at("target").get<PlainPoint>();
+    for (std::size_t k = 0; k < 3; ++k) place[k] += point.at("move").at(k).get<double>();
+    return place;
+  }
+
+  [[nodiscard]] Terms termsOf(const Json& at) const
+  {
+    if (at.contains("vertex")) return {{at.at("vertex").get<long>(), 1}};
+    if (at.contains("edge")) {
+      const Real t = at.at("t").get<double>();
+      return {{at.at("edge").at(0).get<long>(), t}, {at.at("edge").at(1).get<long>(), 1 - t}};
+    }
+    if (at.contains("near")) {
+      const auto [corners, weights] = nearestPlain(rest_, at.at("near").get<PlainPoint>());
+      return {{corners[0], weights[0]}, {corners[1], weights[1]}, {corners[2], weights[2]}};
+    }
+    Terms terms;
+    const std::vector<long>& corners = rest_.faces.at(at.at("face").get<std::size_t>());
+    for (std::size_t k = 0; k < corners.size(); ++k)
+      terms.emplace_back(corners[k], at.at("weights").at(k).get<double>());
+    return terms;
+  }
+
+  [[nodiscard]] Place centroid(const std::vector<long>& vertices) const
+  {
+    Place sum{};
+    for (const long v : vertices)
+      for (std::size_t k = 0; k < 3; ++k) sum[k] += rest_.positions[v][k];
+    for (Real& coordinate : sum) coordinate /= static_cast<Real>(vertices.size());
+    return sum;
+  }
+
+  /// A pin whose target is one of doubles: the earliest of each vertex is copied bit for bit.
+  void measurePin(long vertex, const PlainPoint& target)
+  {
+    measure({{vertex, 1}}, {target[0], target[1], target[2]});
+    if (pinned_.insert(vertex).second && written_.positions.at(vertex) != target) result_.inexact.insert(name_);
+  }
+
+  void measure(const Terms& terms, const Place& target)
+  {
+    const double residual = distance(placeOf(written_, terms), target);
+    ++result_.points;
+    if (residual <= result_.largest || std::isnan(result_.largest)) return;
+    result_.largest = residual;
+    result_.worst = name_;
+  }
+
+  const PlainMesh& rest_;
+  const PlainMesh& written_;
+  std::string name_;
+  std::set<long> pinned_;
+  Verification result_;
+};
+
+}  // namespace
+
+Verification verify(const PlainMesh& rest, const PlainMesh& written, const std::filesystem::path& constraints,
+                    const std::set<std::string>& leftOut)
+{
+  Verifier verifier(rest, written);
+  for (const Json& constraint : readPlainConstraints(constraints))
+    if (constraint.value("enabled", true) && !leftOut.contains(constraint.at("name"))) verifier.add(constraint);
+  return verifier.result();
+}
+
+testing::AssertionResult meetsConstraints(const std::filesystem::path& rest, const std::filesystem::path& written,
+                                          const std::filesystem::path& constraints,
+                                          const std::set<std::string>& leftOut)
+{
+  const PlainMesh restMesh = readPlainMesh(rest);
+  const PlainMesh writtenMesh = readPlainMesh(written);
+  if (restMesh.positions.size() != writtenMesh.positions.size() || restMesh.faces != writtenMesh.faces)
+    return testing::AssertionFailure() << written << " has other vertices or faces than " << rest;
+  const Verification found = verify(restMesh, writtenMesh, constraints, leftOut);
+  const double relative = found.largest / diagonalOf(restMesh);
+  const auto measured = testing::Message() << found.points << " points, \"" << found.worst << "\" is missed by "
+                                           << relative << " of the diagonal";
+  if (!(relative <= kPromisedResidual)) return testing::AssertionFailure() << measured;
+  if (!found.inexact.empty())
+    return testing::AssertionFailure() << measured << "; not copied: \"" << *found.inexact.begin() << '"';
+  if (found.points == 0) return testing::AssertionFailure() << "nothing was measured";
+  return testing::AssertionSuccess() << measured;
+}
+
+}  // namespace holdfast::test
