@@ -1,0 +1,217 @@
+// What a run comes to: met, conflicts, numerical failure; its exit code, its words, its files and its report.
+
+#include <algorithm>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "app/batch.h"
+#include "app/report_schema.h"
+#include "support/meshes.h"
+#include "support/residual_verifier.h"
+
+namespace holdfast::test {
+namespace {
+
+using Json = nlohmann::json;
+using testing::ElementsAre;
+using testing::ElementsAreArray;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr int kConflicts = 4;
+constexpr int kNumerical = 5;
+
+class Outcome : public BatchTest {
+ protected:
+  [[nodiscard]] Json report() const { return Json::parse(bytesOf(output("report.json"))); }
+};
+
+TEST_F(Outcome, MetConstraintsAreReportedAsMet)
+{
+  EXPECT_EQ(runBatch(deform(mesh(), constraints())).exitCode, 0);
+  const Json report = this->report();
+  EXPECT_TRUE(isReport(report, SolveState::kSolved));
+  EXPECT_EQ(report["mesh"]["vertices"], 162);
+  EXPECT_EQ(report["mesh"]["faces"], 320);
+  EXPECT_EQ(report["mesh"]["components"], 1);
+  EXPECT_EQ(report["solve"]["status"], "ok");
+  EXPECT_EQ(report["solve"]["weights"], "cotangent");
+  EXPECT_EQ(report["solve"]["solver"], "hard");
+  EXPECT_LE(report["solve"]["max_residual_relative"], kPromisedResidual);
+  ASSERT_EQ(report["constraints"].size(), 3U);
+  for (const Json& constraint : report["constraints"]) EXPECT_EQ(constraint["status"], "met") << constraint;
+}
+
+TEST_F(Outcome, EverySolverAndWeightIsReportedByItsName)
+{
+  const std::vector<std::pair<std::string, std::vector<std::string>>> options{
+      {"--weights", {"cotangent", "cotangent-paper", "uniform"}},
+      {"--solver", {"hard", "soft", "lagrange"}},
+      {"--backend", {"eigen"}}};
+  for (const auto& [option, values] : options)
+    for (const std::string& value : values) {
+      SCOPED_TRACE(option + " " + value);
+      const ProcessResult result = runBatch(deform(mesh(), constraints(), {option, value}));
+      EXPECT_EQ(result.exitCode, 0) << result.err;
+      EXPECT_TRUE(isReport(report(), SolveState::kSolved));
+      EXPECT_EQ(report()["solve"][option.substr(2)], value);
+    }
+}
+
+TEST_F(Outcome, SoftConstraintsThatAreMissedAreNotCalledMet)
+{
+  EXPECT_EQ(runBatch(deform(mesh(), constraints(), {"--solver", "soft"})).exitCode, 0);
+  EXPECT_GT(report()["solve"]["max_residual_relative"], kPromisedResidual);
+  EXPECT_EQ(report()["constraints"][1]["status"], "missed");
+  EXPECT_FALSE(meetsConstraints(mesh(), output("out.obj"), constraints()));
+}
+
+class ConflictingConstraints : public Outcome {
+ protected:
+  [[nodiscard]] const std::string& conflicts() const { return conflicts_; }
+
+  void expectConflictsOnStandardError(const ProcessResult& result) const
+  {
+    EXPECT_EQ(result.exitCode, kConflicts) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("conflict: \"torn off\" contradicts \"base\" by 0.5 mm"));
+    EXPECT_THAT(result.err, HasSubstr("conflict: \"too far\" contradicts \"top\" by 0.75 mm"));
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 2) << result.err;
+  }
+
+ private:
+  std::string conflicts_ =
+      in_.file("conflicts.json",
+               constraintText({R"({"type": "fixed", "name": "base", "select": {"vertices": [0, 1, 2]}})",
+                               R"({"type": "point", "name": "top", "at": {"vertex": 3}, "move": [0, 0, 0.25]})",
+                               R"({"type": "point", "name": "top again", "at": {"vertex": 3}, "move": [0, 0, 0.25]})",
+                               R"({"type": "point", "name": "torn off", "at": {"vertex": 1}, "move": [0, 0, 0.5]})",
+                               R"({"type": "point", "name": "too far", "at": {"vertex": 3}, "move": [0, 0, 1]})",
+                               R"({"type": "point", "name": "not asked", "at": {"vertex": 9}, "move": [0, 0, 1],
+                                   "enabled": false})"}))
+          .string();
+};
+
+TEST_F(ConflictingConstraints, AreNamedAndEverythingIsWritten)
+{
+  expectConflictsOnStandardError(runBatch(deform(mesh(), conflicts())));
+  EXPECT_THAT(out_.names(), ElementsAreArray(allOutputs()));
+  EXPECT_TRUE(meetsConstraints(mesh(), output("out.obj"), conflicts(), {"torn off", "too far"}));
+  EXPECT_FALSE(meetsConstraints(mesh(), output("out.obj"), conflicts(), {"torn off"}));
+}
+
+TEST_F(ConflictingConstraints, AreNamedEvenWhenQuiet)
+{
+  const ProcessResult result = runBatch(deform(mesh(), conflicts(), {"--quiet"}));
+  expectConflictsOnStandardError(result);
+  EXPECT_EQ(result.out, "");
+}
+
+TEST_F(ConflictingConstraints, AreFoundByCheckToo)
+{
+  expectConflictsOnStandardError(
+      runBatch({"check", mesh(), "--constraints", conflicts(), "--report", output("report.json")}));
+  EXPECT_THAT(out_.names(), ElementsAre("report.json"));
+  EXPECT_TRUE(isReport(report(), SolveState::kNotRun));
+}
+
+TEST_F(ConflictingConstraints, AreReportedWithPartnersAndGap)
+{
+  EXPECT_EQ(runBatch(deform(mesh(), conflicts())).exitCode, kConflicts);
+  const Json report = this->report();
+  EXPECT_TRUE(isReport(report, SolveState::kSolved));
+  EXPECT_EQ(report["solve"]["status"], "conflicts");
+  const Json& list = report["constraints"];
+  ASSERT_EQ(list.size(), 6U);
+  const std::vector<std::string> statuses{"met", "met", "redundant", "conflicting", "conflicting", "disabled"};
+  for (std::size_t k = 0; k < statuses.size(); ++k) EXPECT_EQ(list[k]["status"], statuses[k]) << list[k];
+  EXPECT_EQ(list[2]["depends_on"], Json::array({"top"}));
+  EXPECT_EQ(list[4]["depends_on"], Json::array({"top"}));
+  EXPECT_DOUBLE_EQ(list[4]["gap"], 0.75);
+  EXPECT_DOUBLE_EQ(list[4]["residual"], 0.75);
+  EXPECT_LE(report["solve"]["max_residual_relative"], kPromisedResidual) << "what was left out does not count";
+}
+
+class FailedNumerics : public Outcome {
+ protected:
+  /// A sheet with a triangle whose corners lie on one line.
+  [[nodiscard]] std::string flatTriangle() const
+  {
+    Mesh mesh = grid(6, 6);
+    mesh.faces.add({0, 2, 1});
+    return in_.file("flat.obj", objText(mesh)).string();
+  }
+  [[nodiscard]] std::string corners() const
+  {
+    return in_
+        .file("corners.json",
+              constraintText({R"({"type": "fixed", "select": {"box": {"min": [0, 0, 0], "max": [0, 6, 0]}}})",
+                              R"({"type": "point", "at": {"vertex": 48}, "move": [0, 0, 1]})"}))
+        .string();
+  }
+};
+
+TEST_F(FailedNumerics, LeaveAReportWithTheReasonAndNoMesh)
+{
+  const ProcessResult result = runBatch(deform(flatTriangle(), corners(), {"--weights", "cotangent-paper"}));
+  EXPECT_EQ(result.exitCode, kNumerical) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("error: the weights \"cotangent-paper\" are not finite at 3 vertices"));
+  EXPECT_THAT(result.err, HasSubstr("vertex 0"));
+  EXPECT_THAT(result.err, HasSubstr("use the weights \"cotangent\" or repair"));
+  EXPECT_THAT(out_.names(), ElementsAre("report.json"));
+  EXPECT_TRUE(isReport(report(), SolveState::kFailed));
+  EXPECT_THAT(result.err, HasSubstr(report()["solve"]["message"].get<std::string>()));
+}
+
+TEST_F(FailedNumerics, KeepTheOldMesh)
+{
+  putOldOutputs();
+  const ProcessResult result = runBatch(deform(flatTriangle(), corners(), {"--weights", "cotangent-paper"}));
+  EXPECT_EQ(result.exitCode, kNumerical) << result.err;
+  EXPECT_THAT(out_.names(), ElementsAreArray(allOutputs()));
+  EXPECT_EQ(bytesOf(output("out.obj")), "an old file");
+  EXPECT_NE(bytesOf(output("report.json")), "an old file");
+}
+
+TEST_F(FailedNumerics, DoNotHappenWithGuardedWeights)
+{
+  EXPECT_EQ(runBatch(deform(flatTriangle(), corners())).exitCode, 0);
+  EXPECT_TRUE(meetsConstraints(flatTriangle(), output("out.obj"), corners()));
+}
+
+TEST_F(Outcome, CheckTellsOfMeshAndConstraintsAndSolvesNothing)
+{
+  const ProcessResult result =
+      runBatch({"check", mesh(), "--constraints", constraints(), "--report", output("report.json")});
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("162 vertices, 320 faces"));
+  EXPECT_THAT(result.out, Not(HasSubstr("solve ")));
+  EXPECT_TRUE(isReport(report(), SolveState::kNotRun));
+  EXPECT_EQ(report()["constraints"].size(), 3U);
+}
+
+TEST_F(Outcome, CheckOfAMeshAloneReportsNoConstraints)
+{
+  EXPECT_EQ(runBatch({"check", mesh(), "--report", output("report.json")}).exitCode, 0);
+  EXPECT_TRUE(isReport(report(), SolveState::kNotRun));
+  EXPECT_EQ(report()["constraints"], Json::array());
+}
+
+TEST_F(Outcome, NoConstraintsLeaveTheMeshByteForByte)
+{
+  const std::string none = in_.file("none.json", constraintText({})).string();
+  EXPECT_EQ(runBatch(deform(mesh(), none)).exitCode, 0);
+  EXPECT_EQ(bytesOf(output("out.obj")), bytesOf(mesh()));
+}
+
+TEST_F(Outcome, TheSameRunWritesTheSameBytes)
+{
+  EXPECT_EQ(runBatch(deform(mesh(), constraints())).exitCode, 0);
+  const std::string first = bytesOf(output("out.obj"));
+  EXPECT_EQ(runBatch(deform(mesh(), constraints())).exitCode, 0);
+  EXPECT_EQ(bytesOf(output("out.obj")), first);
+}
+
+}  // namespace
+}  // namespace holdfast::test

@@ -1,0 +1,183 @@
+// Outputs that cannot be written: exit code 6, and whatever stood in the folder stands there still.
+
+#include <csignal>
+#include <filesystem>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include "app/batch.h"
+#include "support/meshes.h"
+#include "support/residual_verifier.h"
+
+namespace holdfast::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+using testing::ElementsAre;
+using testing::ElementsAreArray;
+using testing::HasSubstr;
+
+constexpr int kOutput = 6;
+
+class Outputs : public BatchTest {
+ protected:
+  /// `deform` with one output.
+  [[nodiscard]] std::vector<std::string> deformTo(const std::string& option, const std::string& path) const
+  {
+    return {"deform", mesh(), "--constraints", constraints(), option, path};
+  }
+};
+
+TEST_F(Outputs, AllAreWrittenAndNamed)
+{
+  const ProcessResult result = runBatch(deform(mesh(), constraints()));
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_EQ(result.err, "");
+  EXPECT_THAT(out_.names(), ElementsAreArray(allOutputs()));
+  for (const std::string& name : allOutputs()) EXPECT_THAT(result.out, HasSubstr("wrote        " + output(name)));
+  EXPECT_TRUE(meetsConstraints(mesh(), output("out.obj"), constraints()));
+}
+
+TEST_F(Outputs, OldOnesAreReplaced)
+{
+  putOldOutputs();
+  EXPECT_EQ(runBatch(deform(mesh(), constraints())).exitCode, 0);
+  EXPECT_THAT(out_.names(), ElementsAreArray(allOutputs()));
+  EXPECT_TRUE(meetsConstraints(mesh(), output("out.obj"), constraints()));
+}
+
+TEST_F(Outputs, AMissingFolderIsNamed)
+{
+  for (const std::string option : {"--out", "--report"}) {
+    const std::string path = output("none/out.obj");
+    expectRefusedWithoutTrace(deformTo(option, path), kOutput, {path + ": ", "make the folder first"});
+  }
+  expectRefusal(runBatch({"check", mesh(), "--report", output("none/report.json")}), kOutput, {"make the folder"});
+}
+
+TEST_F(Outputs, ADirectoryIsNotReplaced)
+{
+  fs::create_directory(out_.path() / "folder.obj");
+  for (const std::string option : {"--out", "--report"})
+    expectRefusal(runBatch(deformTo(option, output("folder.obj"))), kOutput,
+                  {output("folder.obj") + ": is a directory: name a file in it"});
+  EXPECT_THAT(out_.names(), ElementsAre("folder.obj"));
+  EXPECT_TRUE(fs::is_empty(out_.path() / "folder.obj"));
+}
+
+TEST_F(Outputs, OneThatFailsLeavesTheOthersAsTheyWere)
+{
+  putOldOutputs();
+  const std::vector<std::string> command{
+      "deform",          mesh(),     "--constraints",           constraints(), "--out",
+      output("out.obj"), "--report", output("none/report.json")};
+  expectRefusal(runBatch(command), kOutput, {"make the folder first"});
+  expectOldOutputs();
+}
+
+TEST_F(Outputs, AFolderThatMustNotBeWrittenToIsNamed)
+{
+  ProcessOptions options;
+  options.obeysPermissions = true;
+  ASSERT_EQ(::chmod(out_.path().c_str(), 0555), 0);
+  const ProcessResult result = runBatch(deform(mesh(), constraints()), options);
+  ASSERT_EQ(::chmod(out_.path().c_str(), 0755), 0);
+  if (result.exitCode == kNotStarted) GTEST_SKIP() << "root here may not give up the right to ignore permissions";
+  expectRefusal(result, kOutput, {output("out.obj") + ": cannot be written (Permission denied)", "permissions"});
+  EXPECT_THAT(out_.names(), testing::IsEmpty());
+}
+
+TEST_F(Outputs, AFullDiskLeavesWhatWasThere)
+{
+  ProcessOptions options;
+  options.largestFile = 1000;
+  expectRefusedWithoutTrace(deform(mesh(), constraints()), kOutput,
+                            {output("out.obj") + ": cannot be written (File too large)", "ulimit -f"}, options);
+}
+
+TEST_F(Outputs, ADiskFullForTheReportAloneLeavesWhatWasThere)
+{
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
+  putOldOutputs();
+  const std::vector<std::string> command{"deform",          mesh(),     "--constraints", constraints(), "--out",
+                                         output("out.obj"), "--report", "/dev/full"};
+  expectRefusal(runBatch(command), kOutput, {"/dev/full: cannot be written (No space left on device)"});
+  expectOldOutputs();
+}
+
+TEST_F(Outputs, ADiskFullForTheMeshAloneLeavesWhatWasThere)
+{
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
+  fs::create_symlink("/dev/full", in_.path() / "full.obj");
+  putOldOutputs();
+  const std::vector<std::string> command{"deform",        mesh(),
+                                         "--constraints", constraints(),
+                                         "--report",      output("report.json"),
+                                         "--out",         (in_.path() / "full.obj").string()};
+  expectRefusal(runBatch(command), kOutput, {"cannot be written (No space left on device)"});
+  expectOldOutputs();
+}
+
+TEST_F(Outputs, TheReportCanGoToStandardOutput)
+{
+  const ProcessResult result = runBatch(deformTo("--report", "/dev/stdout"));
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("\"holdfast-report\""));
+}
+
+/// Inputs whose work takes many seconds: a sheet of 250,000 vertices, one side held, the other lifted.
+class LongWork : public BatchTest {
+ protected:
+  LongWork()
+  {
+    sheet_ = in_.file("sheet.obj", objText(grid(500, 500))).string();
+    lift_ =
+        in_.file("lift.json",
+                 constraintText({R"({"type": "fixed", "select": {"box": {"min": [0, 0, 0], "max": [0, 500, 0]}}})",
+                                 R"({"type": "handle", "select": {"box": {"min": [500, 0, 0], "max": [500, 500, 0]}},
+                                         "translate": [0, 0, 100]})"}))
+            .string();
+  }
+
+  std::string sheet_;
+  std::string lift_;
+};
+
+TEST_F(LongWork, AnInterruptLeavesOldOutputsAndNothingElse)
+{
+  ProcessOptions options;
+  options.signal = SIGINT;
+  options.signalAt = " s] ";
+  putOldOutputs();
+  const ProcessResult result = runBatch(deform(sheet_, lift_), options);
+  EXPECT_EQ(result.signal, SIGINT) << result.err;
+  EXPECT_EQ(result.out, "");
+  expectOldOutputs();
+}
+
+TEST_F(LongWork, TerminationWhileOutputsAreWrittenLeavesEachOldOrWhole)
+{
+  ProcessOptions options;
+  options.signal = SIGTERM;
+  options.signalAt = "writing the mesh";
+  putOldOutputs();
+  const ProcessResult result = runBatch(deform(sheet_, lift_), options);
+  EXPECT_TRUE(result.signal == SIGTERM || result.exitCode == 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("writing the mesh"));
+  EXPECT_THAT(out_.names(), ElementsAreArray(allOutputs()));
+  const std::string written = bytesOf(output("out.obj"));
+  EXPECT_TRUE(written == "an old file" || meetsConstraints(sheet_, output("out.obj"), lift_));
+}
+
+TEST_F(LongWork, QuietIsQuietHoweverLong)
+{
+  const ProcessResult result = runBatch({"deform", sheet_, "--constraints", lift_, "--quiet"});
+  EXPECT_EQ(result.exitCode, 0);
+  EXPECT_EQ(result.out + result.err, "");
+}
+
+}  // namespace
+}  // namespace holdfast::test

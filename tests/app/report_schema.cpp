@@ -1,0 +1,163 @@
+#include "app/report_schema.h"
+
+#include <algorithm>
+#include <functional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace holdfast::test {
+namespace {
+
+using Json = nlohmann::json;
+
+bool isText(const Json& value)
+{
+  return value.is_string();
+}
+
+bool isCount(const Json& value)
+{
+  return value.is_number_integer() && value >= 0;
+}
+
+bool isLength(const Json& value)
+{
+  return value.is_number() && value >= 0;
+}
+
+bool isLengthOrNull(const Json& value)
+{
+  return value.is_null() || isLength(value);
+}
+
+bool isListOf(const Json& value, bool (*isPart)(const Json&))
+{
+  return value.is_array() && std::all_of(value.begin(), value.end(), isPart);
+}
+
+bool isIds(const Json& value)
+{
+  return isListOf(value, isCount);
+}
+
+bool isNames(const Json& value)
+{
+  return isListOf(value, isText);
+}
+
+using Predicate = std::function<bool(const Json&)>;
+
+Predicate isOneOf(const std::set<std::string>& values)
+{
+  return [values](const Json& value) { return value.is_string() && values.contains(value.get<std::string>()); };
+}
+
+struct Key {
+  const char* name;
+  Predicate holds;
+};
+
+/// Collects what is wrong, by JSON path.
+class Complaints {
+ public:
+  void check(const Json& object, const std::string& path, const std::vector<Key>& keys)
+  {
+    for (const Key& key : keys)
+      if (!object.is_object() || !object.contains(key.name))
+        text_ += path + "." + key.name + " is missing\n";
+      else if (!key.holds(object[key.name]))
+        text_ += path + "." + key.name + " must not be " + object[key.name].dump() + "\n";
+  }
+
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+bool isObject(const Json& value)
+{
+  return value.is_object();
+}
+
+bool isArray(const Json& value)
+{
+  return value.is_array();
+}
+
+void checkMesh(Complaints& complaints, const Json& mesh)
+{
+  complaints.check(mesh, "mesh",
+                   {{"vertices", isCount},
+                    {"faces", isCount},
+                    {"components", isCount},
+                    {"bbox_diagonal", isLength},
+                    {"findings", isArray}});
+  for (const Json& finding : mesh.value("findings", Json::array()))
+    complaints.check(finding, "mesh.findings[]",
+                     {{"kind", isText},
+                      {"count", isCount},
+                      {"ids_of", isOneOf({"vertex", "face"})},
+                      {"ids", isIds},
+                      {"message", isText}});
+}
+
+void checkConstraint(Complaints& complaints, const Json& constraint)
+{
+  complaints.check(constraint, "constraints[]",
+                   {{"name", isText},
+                    {"type", isOneOf({"fixed", "handle", "point", "rigid", "relative"})},
+                    {"rows", isCount},
+                    {"status", isOneOf({"met", "redundant", "conflicting", "missed", "disabled"})},
+                    {"residual", isLengthOrNull},
+                    {"depends_on", isNames},
+                    {"gap", isLengthOrNull}});
+}
+
+void checkSolve(Complaints& complaints, const Json& solve, SolveState state)
+{
+  const bool isSolved = state == SolveState::kSolved;
+  const Predicate isMeasured = isSolved ? Predicate(isLength) : Predicate([](const Json& v) { return v.is_null(); });
+  const std::set<std::string> statuses = isSolved                       ? std::set<std::string>{"ok", "conflicts"}
+                                         : state == SolveState::kFailed ? std::set<std::string>{"failed"}
+                                                                        : std::set<std::string>{"not run"};
+  complaints.check(solve, "solve",
+                   {{"status", isOneOf(statuses)},
+                    {"message", isText},
+                    {"max_residual", isMeasured},
+                    {"max_residual_relative", isMeasured},
+                    {"weights", isOneOf({"cotangent", "cotangent-paper", "uniform"})},
+                    {"solver", isOneOf({"hard", "soft", "lagrange"})},
+                    {"backend", isOneOf({"cholmod", "eigen"})},
+                    {"method", isText},
+                    {"unknowns", isCount},
+                    {"factor_nonzeros", isCount},
+                    {"refinement_steps", isCount},
+                    {"accuracy", isMeasured},
+                    {"seconds", isObject}});
+  complaints.check(solve.value("seconds", Json::object()), "solve.seconds",
+                   {{"setup", isLength}, {"decomposition", isLength}, {"solution", isLength}});
+}
+
+}  // namespace
+
+testing::AssertionResult isReport(const nlohmann::json& report, SolveState state)
+{
+  Complaints complaints;
+  complaints.check(report, "",
+                   {{"format", isOneOf({"holdfast-report"})},
+                    {"version", [](const Json& version) { return version == 1; }},
+                    {"mesh", isObject},
+                    {"constraints", isArray},
+                    {"solve", isObject}});
+  checkMesh(complaints, report.value("mesh", Json::object()));
+  for (const Json& constraint : report.value("constraints", Json::array())) checkConstraint(complaints, constraint);
+  checkSolve(complaints, report.value("solve", Json::object()), state);
+  if (complaints.text().empty()) return testing::AssertionSuccess();
+  return testing::AssertionFailure() << complaints.text();
+}
+
+}  // namespace holdfast::test

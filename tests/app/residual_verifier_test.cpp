@@ -1,0 +1,111 @@
+// The judge is judged: what it passes, and the slightest damage that it must not pass.
+
+#include "support/residual_verifier.h"
+
+#include <cmath>
+#include <fstream>
+#include <iomanip>
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/batch.h"
+#include "support/meshes.h"
+
+namespace holdfast::test {
+namespace {
+
+class ResidualVerifier : public BatchTest {
+ protected:
+  /// A deformed sphere, and constraints that hold at vertex 7, edge 8 to 9, a face, and two selections.
+  ResidualVerifier() { EXPECT_EQ(runBatch(deform(mesh(), constraints())).exitCode, 0); }
+
+  /// The deformed mesh with a coordinate of one vertex multiplied by `factor`.
+  [[nodiscard]] std::filesystem::path damaged(std::size_t vertex, double factor) const
+  {
+    PlainMesh plain = readPlainMesh(output("out.obj"));
+    plain.positions.at(vertex)[2] *= factor;
+    std::ostringstream text;
+    text << std::setprecision(17);
+    for (const PlainPoint& p : plain.positions) text << "v " << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
+    for (const auto& face : plain.faces)
+      text << "f " << face[0] + 1 << ' ' << face[1] + 1 << ' ' << face[2] + 1 << '\n';
+    return out_.file("damaged.obj", text.str());
+  }
+
+  /// The vertex furthest down, which is fixed; furthest up, which a handle moves.
+  [[nodiscard]] std::size_t extreme(double sign) const
+  {
+    const PlainMesh plain = readPlainMesh(mesh());
+    const auto furthest =
+        std::max_element(plain.positions.begin(), plain.positions.end(),
+                         [sign](const PlainPoint& a, const PlainPoint& b) { return sign * a[2] < sign * b[2]; });
+    return static_cast<std::size_t>(furthest - plain.positions.begin());
+  }
+};
+
+TEST_F(ResidualVerifier, PassesWhatIsMet)
+{
+  const auto verdict = meetsConstraints(mesh(), output("out.obj"), constraints());
+  EXPECT_TRUE(verdict);
+  EXPECT_TRUE(meetsConstraints(mesh(), damaged(0, 1), constraints()));
+}
+
+TEST_F(ResidualVerifier, FailsWhenACoordinateChangesInTheTenthDigit)
+{
+  EXPECT_FALSE(meetsConstraints(mesh(), damaged(extreme(-1), 1 + 1e-10), constraints()));
+  EXPECT_FALSE(meetsConstraints(mesh(), damaged(extreme(1), 1 + 1e-10), constraints()));
+}
+
+TEST_F(ResidualVerifier, FailsWhenAFixedVertexChangesInTheLastBit)
+{
+  const auto verdict = meetsConstraints(mesh(), damaged(extreme(-1), 1 + 2.3e-16), constraints());
+  EXPECT_FALSE(verdict);
+  EXPECT_THAT(verdict.message(), testing::HasSubstr("not copied: \"low\""));
+}
+
+TEST_F(ResidualVerifier, FailsWhenACoordinateIsNoNumber)
+{
+  EXPECT_FALSE(meetsConstraints(mesh(), damaged(extreme(-1), std::nan("")), constraints()));
+}
+
+TEST_F(ResidualVerifier, FailsWhenFacesDiffer)
+{
+  std::ofstream(output("out.obj"), std::ios::app) << "f 1 2 3\n";
+  EXPECT_FALSE(meetsConstraints(mesh(), output("out.obj"), constraints()));
+}
+
+TEST_F(ResidualVerifier, FailsForTheMeshAtRest)
+{
+  EXPECT_FALSE(meetsConstraints(mesh(), mesh(), constraints()));
+}
+
+/// A constraint of every kind alone, each on a mesh that meets it but for one coordinate.
+TEST_F(ResidualVerifier, MeasuresEveryKindOfPoint)
+{
+  const std::vector<std::pair<std::string, double>> cases{
+      {R"({"type": "fixed", "name": "c", "select": {"vertices": [4]}})", 1},
+      {R"({"type": "handle", "name": "c", "select": {"vertices": [4]}, "translate": [0, 0, 0]})", 1},
+      {R"({"type": "handle", "name": "c", "select": {"vertices": [4]}, "rotate": {"axis": [1, 2, 3], "degrees": 720}})",
+       1},
+      {R"({"type": "point", "name": "c", "at": {"vertex": 4}, "move": [0, 0, 0]})", 1},
+      {R"({"type": "point", "name": "c", "at": {"edge": [4, 5], "t": 0.25}, "move": [0, 0, 0]})", 0.25},
+      {R"({"type": "point", "name": "c", "at": {"edge": [5, 4], "t": 0.25}, "move": [0, 0, 0]})", 0.75},
+      {R"({"type": "point", "name": "c", "at": {"face": 4, "weights": [0.5, 0.3, 0.2]}, "move": [0, 0, 0]})", 0.3}};
+  const PlainMesh rest = readPlainMesh(mesh());
+  for (const auto& [constraint, weight] : cases) {
+    const auto file = in_.file("one.json", constraintText({constraint}));
+    PlainMesh moved = rest;
+    EXPECT_EQ(verify(rest, moved, file, {}).largest < 1e-15, true) << constraint;
+    const long vertex = constraint.find("face") == std::string::npos ? 4 : rest.faces[4][1];
+    moved.positions[vertex][1] += 1e-6;
+    const Verification found = verify(rest, moved, file, {});
+    EXPECT_NEAR(found.largest, weight * 1e-6, 1e-15) << constraint;
+    EXPECT_EQ(found.points, 1) << constraint;
+    EXPECT_EQ(found.worst, "c");
+  }
+}
+
+}  // namespace
+}  // namespace holdfast::test

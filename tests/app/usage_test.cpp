@@ -1,0 +1,159 @@
+// The command line: what is refused with exit code 2 before any work, and what is merely answered.
+
+#include <filesystem>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/batch.h"
+
+namespace holdfast::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+constexpr int kUsage = 2;
+
+class Usage : public BatchTest {
+ protected:
+  /// `deform` with these options more.
+  void expectRefusedOptions(const std::vector<std::string>& options, const std::vector<std::string>& messages) const
+  {
+    expectRefusedWithoutTrace(deform(mesh(), constraints(), options), kUsage, messages);
+  }
+};
+
+TEST_F(Usage, ACommandIsNeeded)
+{
+  expectRefusal(runBatch({}), kUsage, {"--help"});
+  expectRefusal(runBatch({"bend", mesh()}), kUsage, {"--help"});
+}
+
+TEST_F(Usage, AMeshIsNeeded)
+{
+  expectRefusal(runBatch({"deform", "--constraints", constraints()}), kUsage, {"mesh", "--help"});
+  expectRefusal(runBatch({"check"}), kUsage, {"mesh", "--help"});
+}
+
+TEST_F(Usage, ConstraintsAreNeeded)
+{
+  expectRefusedWithoutTrace({"deform", mesh(), "--out", output("out.obj")}, kUsage, {"--constraints is required"});
+}
+
+TEST_F(Usage, UnknownOptionsAreNamed)
+{
+  expectRefusedOptions({"--wieghts", "uniform"}, {"--wieghts"});
+  expectRefusedOptions({"surplus"}, {"surplus"});
+  expectRefusal(runBatch({"check", mesh(), "--weights", "uniform"}), kUsage, {"--weights"});
+}
+
+TEST_F(Usage, UnknownValuesAreAnsweredWithTheKnownOnes)
+{
+  expectRefusedOptions({"--weights", "cotan"}, {"--weights: \"cotan\"", "cotangent, cotangent-paper, uniform"});
+  expectRefusedOptions({"--solver", "firm"}, {"--solver: \"firm\"", "hard, lagrange, soft"});
+  expectRefusedOptions({"--backend", "mumps"}, {"--backend: \"mumps\"", "eigen"});
+}
+
+TEST_F(Usage, SoftWeightsArePositiveNumbers)
+{
+  for (const std::string value : {"0", "-1", "nan", "inf"})
+    expectRefusedOptions({"--solver", "soft", "--soft-weight", value}, {"--soft-weight: ", "not a positive number"});
+  expectRefusedOptions({"--soft-weight", "much"}, {"--soft-weight", "much"});
+}
+
+TEST_F(Usage, OptionsNeedTheirValues)
+{
+  expectRefusedOptions({"--weights"}, {"--weights"});
+}
+
+TEST_F(Usage, OutputsNeedAKnownExtension)
+{
+  expectRefusedWithoutTrace({"deform", mesh(), "--constraints", constraints(), "--out", output("out.step")}, kUsage,
+                            {"--out: ", "out.step", ".obj, .ply, .off, .stl"});
+  expectRefusedWithoutTrace({"deform", mesh(), "--constraints", constraints(), "--out", output("out")}, kUsage,
+                            {"--out: "});
+}
+
+TEST_F(Usage, FieldsAreVtp)
+{
+  const std::string message = kHasVtk ? "does not end in .vtp" : "this build has no VTK";
+  expectRefusedWithoutTrace({"deform", mesh(), "--constraints", constraints(), "--fields", output("fields.obj")},
+                            kUsage, {"--fields: ", message});
+}
+
+TEST_F(Usage, VtkFormatsAreKnownWhereVtkIsBuilt)
+{
+  if (kHasVtk) GTEST_SKIP() << "this build has VTK";
+  expectRefusedWithoutTrace({"deform", mesh(), "--constraints", constraints(), "--out", output("out.vtp")}, kUsage,
+                            {"--out: ", ".obj, .ply, .off, .stl"});
+}
+
+TEST_F(Usage, TwoOutputsNeedTwoNames)
+{
+  const std::string both = output("both.obj");
+  const std::string again = (out_.path() / ".." / out_.path().filename() / "both.obj").string();
+  for (const std::string& report : {both, again})
+    expectRefusal(runBatch({"deform", mesh(), "--constraints", constraints(), "--out", both, "--report", report}),
+                  kUsage, {"--out and --report name the same file"});
+  EXPECT_THAT(out_.names(), testing::IsEmpty());
+}
+
+TEST_F(Usage, AnInputIsNeverOverwritten)
+{
+  const std::string meshBytes = bytesOf(mesh());
+  const std::string constraintBytes = bytesOf(constraints());
+  const std::string link = output("link.obj");
+  fs::create_symlink(mesh(), link);
+  for (const std::string& out : {mesh(), link})
+    expectRefusal(runBatch({"deform", mesh(), "--constraints", constraints(), "--out", out}), kUsage,
+                  {"--out would overwrite the input"});
+  expectRefusal(runBatch({"deform", mesh(), "--constraints", constraints(), "--report", constraints()}), kUsage,
+                {"--report would overwrite the input"});
+  expectRefusal(runBatch({"check", mesh(), "--report", mesh()}), kUsage, {"--report would overwrite the input"});
+  EXPECT_EQ(bytesOf(mesh()), meshBytes);
+  EXPECT_EQ(bytesOf(constraints()), constraintBytes);
+  EXPECT_THAT(in_.names(), testing::ElementsAre("constraints.json", "sphere.obj"));
+}
+
+TEST_F(Usage, HelpIsAnAnswer)
+{
+  const std::vector<std::vector<std::string>> questions{{"--help"}, {"deform", "--help"}, {"check", "--help"}};
+  for (const auto& question : questions) {
+    const ProcessResult result = runBatch(question);
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_THAT(result.out, HasSubstr("Usage:"));
+    EXPECT_EQ(result.err, "");
+  }
+  EXPECT_THAT(runBatch({"--help"}).out, HasSubstr("Exit codes: 0 all met, 2 usage"));
+  EXPECT_THAT(runBatch({"deform", "--help"}).out, HasSubstr("--soft-weight"));
+}
+
+TEST_F(Usage, VersionIsAnAnswerEverywhere)
+{
+  const std::vector<std::vector<std::string>> questions{{"--version"}, {"deform", "--version"}, {"check", "--version"}};
+  for (const auto& question : questions) {
+    const ProcessResult result = runBatch(question);
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_THAT(result.out, StartsWith("holdfast-batch "));
+    EXPECT_EQ(result.err, "");
+  }
+}
+
+TEST_F(Usage, QuietPrintsNothingWhereverItStands)
+{
+  const std::vector<std::vector<std::string>> commands{
+      deform(mesh(), constraints(), {"--quiet"}), {"check", mesh(), "--quiet"}, {"--quiet", "check", mesh()}};
+  for (const auto& command : commands) {
+    const ProcessResult result = runBatch(command);
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(result.err, "");
+  }
+  EXPECT_THAT(out_.names(), testing::ElementsAreArray(allOutputs()));
+}
+
+}  // namespace
+}  // namespace holdfast::test
