@@ -1,0 +1,47 @@
+#pragma once
+/// \file
+/// Whether a deformation is the one of least energy among those that meet the constraints.
+
+#include <filesystem>
+
+#include <nlohmann/json.hpp>
+
+#include <holdfast/deform/model.h>
+#include <holdfast/operators/operators.h>
+
+#include "support/plain_mesh.h"
+
+namespace holdfast::test {
+
+/// The gradient of |A u|^2 / 2, u the displacement, against the directions that constraints leave free; u in units of
+/// the diagonal.
+struct FreeGradient {
+  double largest = 0;  ///< entry of the projection of A^T A u on null(B): zero at the minimum
+  double bound = 0;    ///< entry that rounding the coordinates of the file to doubles can make: eps |A|^T |A| |p|
+};
+
+/// Judges deformations of one mesh under one list of constraints by one set of weights. The operators are those of the
+/// solver; nothing else is. No two constraints may share a vertex.
+class EnergyJudge {
+ public:
+  EnergyJudge(const std::filesystem::path& rest, const std::filesystem::path& constraints, Weights weights);
+
+  [[nodiscard]] FreeGradient freeGradient(const PlainMesh& written) const;
+
+  /// The cosine of the angle between A u and A (v - u), with u and v the displacements of two meshes that both meet the
+  /// constraints. It is zero for every v where u is the minimum, and sees smooth errors of u that no single entry of
+  /// the gradient betrays. 0 where the two meshes are the same.
+  [[nodiscard]] double cosineTowards(const PlainMesh& written, const PlainMesh& other) const;
+
+ private:
+  [[nodiscard]] Columns3 displacement(const PlainMesh& written) const;
+  void project(Columns3& gradient) const;
+  void projectPoint(Columns3& gradient, const nlohmann::json& at) const;
+
+  Model model_;
+  PlainMesh rest_;
+  nlohmann::json constraints_;
+  SparseMatrix A_;
+};
+
+}  // namespace holdfast::test

@@ -1,0 +1,85 @@
+// Generated constraints on the meshes of data/, and damage that their judges must not pass.
+
+#include "app/generated_task.h"
+
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "app/energy_judge.h"
+#include "support/residual_verifier.h"
+
+namespace holdfast::test {
+namespace {
+
+const std::filesystem::path kData = HOLDFAST_DATA_DIR;
+
+class GeneratedTaskOnData : public testing::TestWithParam<const char*> {};
+
+TEST_P(GeneratedTaskOnData, IsSolvedExactlyAndAtLeastEnergy)
+{
+  const GeneratedTask task(kData / GetParam());
+  task.expectSolved(Weights::Cotangent);
+  task.expectSolved(Weights::Uniform);
+  task.expectSolved(Weights::CotangentPaper);
+  task.expectBothLeast(Weights::Cotangent, Weights::Uniform);
+  task.expectBothLeast(Weights::CotangentPaper, Weights::Uniform);
+}
+
+std::string meshName(const testing::TestParamInfo<const char*>& info)
+{
+  return {info.param, std::strcspn(info.param, "._")};
+}
+
+INSTANTIATE_TEST_SUITE_P(Deform, GeneratedTaskOnData,
+                         testing::Values("bar.obj", "bracket.obj", "head.ply", "plate_unsymmetric.off", "quads.obj"),
+                         meshName);
+
+class EnergyJudgeOnHead : public testing::Test {
+ protected:
+  EnergyJudgeOnHead() : judge_(task_.mesh(), task_.constraints(), Weights::Cotangent)
+  {
+    EXPECT_EQ(task_.deform(Weights::Cotangent).exitCode, 0);
+    best_ = readPlainMesh(task_.out(Weights::Cotangent));
+  }
+
+  GeneratedTask task_{kData / "head.ply"};
+  EnergyJudge judge_;
+  PlainMesh best_;
+};
+
+TEST_F(EnergyJudgeOnHead, SeesAFreeVertexOutOfPlaceByTheTwelfthDigit)
+{
+  const FreeGradient atBest = judge_.freeGradient(best_);
+  EXPECT_LE(atBest.largest, atBest.bound);
+  const double step = 1e-11 * diagonalOf(best_);
+  // Every tenth vertex: most of them are free.
+  for (std::size_t v = 0; v < best_.positions.size(); v += 10) best_.positions[v][0] += step;
+  const FreeGradient damaged = judge_.freeGradient(best_);
+  EXPECT_GT(damaged.largest, damaged.bound);
+}
+
+TEST_F(EnergyJudgeOnHead, SeesThatAnotherMinimumIsNotThisOne)
+{
+  EXPECT_EQ(task_.deform(Weights::Uniform).exitCode, 0);
+  const PlainMesh other = readPlainMesh(task_.out(Weights::Uniform));
+  EXPECT_TRUE(meetsConstraints(task_.mesh(), task_.out(Weights::Uniform), task_.constraints()));
+  const FreeGradient gradient = judge_.freeGradient(other);
+  EXPECT_GT(gradient.largest, gradient.bound);
+  EXPECT_LT(judge_.cosineTowards(other, best_), -1e-3);
+}
+
+TEST_F(EnergyJudgeOnHead, SeesSmoothErrors)
+{
+  EXPECT_EQ(task_.deform(Weights::Uniform).exitCode, 0);
+  const PlainMesh other = readPlainMesh(task_.out(Weights::Uniform));
+  PlainMesh mixed = best_;
+  for (std::size_t v = 0; v < mixed.positions.size(); ++v)
+    for (std::size_t k = 0; k < 3; ++k) mixed.positions[v][k] += 1e-5 * (other.positions[v][k] - best_.positions[v][k]);
+  EXPECT_GT(std::abs(judge_.cosineTowards(mixed, other)), 1e-7);
+}
+
+}  // namespace
+}  // namespace holdfast::test
