@@ -1,0 +1,17 @@
+#pragma once
+/// \file
+/// The groups of benchmarks. Each function registers one with Google Benchmark; docs/benchmarks.md says what they
+/// measure.
+
+namespace holdfast::bench {
+
+void registerHardAgainstSoft();
+void registerBackends();
+void registerConstraintCounts();
+void registerOverlappingPoints();
+void registerClosestPoints();
+#ifdef HOLDFAST_WITH_CHOLMOD
+void registerOrderings();
+#endif
+
+}  // namespace holdfast::bench

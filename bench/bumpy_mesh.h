@@ -1,0 +1,14 @@
+#pragma once
+/// \file
+/// A closed surface of any size for measurements: as irregular as a scan, the same on every run.
+
+#include <holdfast/mesh/mesh.h>
+
+namespace holdfast::bench {
+
+/// An ellipsoid with smooth bumps, 6 divisions^2 + 2 vertices: a cube's grid pushed outwards, its vertices shaken
+/// within the surface, its squares split along either diagonal, its triangles longer one way than the other. About two
+/// units long.
+[[nodiscard]] Mesh bumpyMesh(Index divisions);
+
+}  // namespace holdfast::bench
