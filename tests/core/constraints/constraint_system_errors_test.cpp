@@ -80,7 +80,7 @@ TEST_P(ConstraintSystemError, NamesThePlaceInTheListAndWhatIsWrong)
     } catch (const InputError& error) {
       EXPECT_EQ(error.location().file, "list.json");
       EXPECT_EQ(error.location().element, std::string("constraints[1]") + GetParam().element);
-      EXPECT_THAT(error.reason(), HasSubstr("\"P1\"");
+      EXPECT_THAT(error.reason(), HasSubstr("\"P1\""));
       for (const char* word : GetParam().words) EXPECT_THAT(error.reason(), HasSubstr(word));
     }
   }
