@@ -3,10 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
-#include <cstdlib>
-#include <fstream>
 #include <limits>
-#include <stdexcept>
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -45,25 +42,6 @@ vtkSmartPointer<vtkCellArray> oneCell(std::initializer_list<vtkIdType> ids)
 }
 
 }  // namespace
-
-TemporaryFolder::TemporaryFolder()
-{
-  std::string name = (std::filesystem::temp_directory_path() / "holdfast-test-XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder at " + name);
-  path_ = name;
-}
-
-TemporaryFolder::~TemporaryFolder()
-{
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
-}
-
-std::filesystem::path TemporaryFolder::file(const std::string& name, const std::string& bytes) const
-{
-  std::ofstream(path_ / name, std::ios::binary) << bytes;
-  return path_ / name;
-}
 
 Mesh withAwkwardCoordinates(Mesh mesh)
 {

@@ -2,32 +2,17 @@
 /// \file
 /// Files of VTK's formats for tests.
 
-#include <filesystem>
 #include <string>
 
 #include <vtkSmartPointer.h>
 
 #include <holdfast/mesh/mesh.h>
 
+#include "support/temporary_folder.h"
+
 class vtkPolyData;
 
 namespace holdfast::test {
-
-/// A folder of its own for one test, removed with it.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  /// Writes a file in the folder and gives its path.
-  [[nodiscard]] std::filesystem::path file(const std::string& name, const std::string& bytes) const;
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// `mesh` with coordinates that only all 17 digits tell apart, and the odd ones: -0, subnormal, huge.
 [[nodiscard]] Mesh withAwkwardCoordinates(Mesh mesh);
