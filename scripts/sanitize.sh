@@ -11,4 +11,4 @@ install_packages "${holdfast_packages[@]}"
 configure_preset asan+ubsan -DHOLDFAST_BUILD_GUI=OFF -DHOLDFAST_WITH_CHOLMOD=ON -DHOLDFAST_BUILD_TESTS=ON
 build_preset asan+ubsan
 echo "== Testing under sanitizers"
-exec ctest --preset asan+ubsan --label-exclude slow "$@"
+exec ctest --preset asan+ubsan --label-exclude "slow|large" "$@"

@@ -11,4 +11,4 @@ read -ra launcher <<<"$(ccache_options)"
 cmake --preset core-only --no-warn-unused-cli -B "$1" "${launcher[@]}" -DHOLDFAST_BUILD_TESTS=ON \
   -DCMAKE_DISABLE_FIND_PACKAGE_VTK=ON -DCMAKE_DISABLE_FIND_PACKAGE_SuiteSparse=ON -DCMAKE_DISABLE_FIND_PACKAGE_Qt5=ON
 cmake --build "$1" --parallel "$(build_jobs)"
-ctest --test-dir "$1" --parallel 2 --output-on-failure --no-tests=error --label-exclude slow
+ctest --test-dir "$1" --parallel 2 --output-on-failure --no-tests=error --label-exclude "slow|large"
