@@ -133,6 +133,18 @@ TEST(Triangulate, SplitsAQuadrilateralWhereNoNeedleComesOfIt)
   }
 }
 
+TEST(Triangulate, DoesNotCutThroughACornerWhereItCanCutElsewhere)
+{
+  // An L of three squares with a corner at every lattice point: three of its diagonals pass through the inner one.
+  std::vector<Vector3> points{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}, {0, 1, 0}};
+  for (std::size_t first = 0; first < points.size(); ++first) {
+    const Mesh mesh = polygon(points);
+    for (const Triangle& triangle : triangulate(mesh).triangles)
+      EXPECT_GE(areaVectorOf(mesh, triangle).z(), 0.5) << first;
+    std::rotate(points.begin(), points.begin() + 1, points.end());
+  }
+}
+
 TEST(Triangulate, TakesDegeneratePolygonsWithoutComplaint)
 {
   const Vector3 p(1, 2, 3);
