@@ -12,6 +12,7 @@
 
 #include "batch/commands.h"
 #include "batch/mesh_formats.h"
+#include "batch/pictures.h"
 #include "batch/progress_line.h"
 #include "batch/summary.h"
 
@@ -23,6 +24,9 @@ void probeOutputs(const DeformCommand& command)
 {
   for (const auto& path : {command.out, command.report, command.fields})
     if (path) static_cast<void>(OutputFile(*path, ""));
+  if (!command.picture) return;
+  static_cast<void>(OutputFile(command.picture->path, ""));
+  requirePictures(*command.picture);
 }
 
 /// The residuals of what a reader of the written mesh will find: positions rounded to floats.
@@ -62,8 +66,8 @@ class Outputs {
   std::vector<OutputFile> files_;
 };
 
-Outputs writeAll(const DeformCommand& command, const MeshDocument& document, const Model& model,
-                 Deformation& deformation, Progress& progress)
+Outputs writeAll(const DeformCommand& command, const MeshDocument& document, const std::string& units,
+                 const Model& model, Deformation& deformation, Progress& progress)
 {
   Outputs outputs;
   const bool isSolved = deformation.report.solve.status != SolveStatus::Failed;
@@ -76,6 +80,10 @@ Outputs writeAll(const DeformCommand& command, const MeshDocument& document, con
   if (isSolved && command.fields) {
     progress.stage("writing fields");
     outputs.add(*command.fields, serializeFields(model.mesh, deformation.positions, fieldsOf(model, deformation)));
+  }
+  if (isSolved && command.picture) {
+    progress.stage("drawing the picture");
+    outputs.add(command.picture->path, {snapshot(*command.picture, model, deformation, units), {}, false});
   }
   if (command.report) outputs.add(*command.report, {reportToJson(deformation.report), {}, false});
   outputs.commit();
@@ -106,7 +114,7 @@ ExitCode deformWith(const DeformCommand& command, Progress& progress)
   progress.stage(fmt::format("checking {} vertices", document.mesh.vertexCount()));
   const Model model = makeModel(document.mesh, command.mesh.string());
   Deformation deformation = deform(model, constraints, command.constraints.string(), command.options, progress);
-  const Outputs outputs = writeAll(command, document, model, deformation, progress);
+  const Outputs outputs = writeAll(command, document, constraints.units, model, deformation, progress);
 
   const Report& report = deformation.report;
   fmt::print(stderr, "{}", conflictLines(report, constraints.units));

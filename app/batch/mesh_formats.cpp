@@ -18,14 +18,6 @@
 namespace holdfast::batch {
 namespace {
 
-std::string extensionOf(const std::filesystem::path& path)
-{
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
-
 std::vector<std::string_view> knownExtensions()
 {
   const auto core = meshExtensions();
@@ -46,6 +38,14 @@ bool isVtkFormat(const std::filesystem::path& path)
 #endif
 
 }  // namespace
+
+std::string extensionOf(const std::filesystem::path& path)
+{
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
 
 std::string knownFormats()
 {

@@ -14,6 +14,9 @@ namespace holdfast::batch {
 /// The known extensions as one text for people: ".obj, .ply, ...".
 [[nodiscard]] std::string knownFormats();
 
+/// The extension of a file name, lower case with the dot: ".obj".
+[[nodiscard]] std::string extensionOf(const std::filesystem::path& path);
+
 /// Throws `UsageError` unless a mesh can be written under this name.
 void requireMeshExtension(const std::filesystem::path& path);
 

@@ -41,12 +41,29 @@ struct RawOptions {
   std::string out;
   std::string report;
   std::string fields;
+  std::string snapshot;
+  std::string colorBy = "displacement";
+  std::string size = "1280x960";
   std::string weights = "cotangent";
   std::string solver = "hard";
   std::string backend{name(defaultBackend())};
   double softWeight = 5;
   bool isQuiet = false;
 };
+
+void describePictures(CLI::App& deformApp, RawOptions& raw)
+{
+  CLI::Option* const snapshot =
+      deformApp.add_option("--snapshot", raw.snapshot, "Draw the deformed mesh into this file")->type_name("P.png");
+  deformApp.add_option("--color-by", raw.colorBy, "Colours of the picture: " + knownColorings())
+      ->needs(snapshot)
+      ->type_name("FIELD")
+      ->capture_default_str();
+  deformApp.add_option("--size", raw.size, "Size of the picture in pixels")
+      ->needs(snapshot)
+      ->type_name("WxH")
+      ->capture_default_str();
+}
 
 void describe(CLI::App& app, CLI::App& deformApp, CLI::App& checkApp, RawOptions& raw)
 {
@@ -70,6 +87,7 @@ void describe(CLI::App& app, CLI::App& deformApp, CLI::App& checkApp, RawOptions
   deformApp.add_option("--out", raw.out, "Write the deformed mesh here, in the format of the name")->type_name("MESH");
   deformApp.add_option("--fields", raw.fields, "Write residuals and displacements on the mesh here")
       ->type_name("F.vtp");
+  describePictures(deformApp, raw);
   deformApp.add_option("--weights", raw.weights, "cotangent, cotangent-paper or uniform")->capture_default_str();
   deformApp.add_option("--solver", raw.solver, "hard, soft or lagrange")->capture_default_str();
   deformApp.add_option("--soft-weight", raw.softWeight, "Weight of the constraints of the solver soft")
@@ -117,7 +135,7 @@ void checkPaths(const std::vector<NamedPath>& inputs, const std::vector<NamedPat
 DeformCommand deformCommand(const RawOptions& raw)
 {
   checkPaths({{"MESH", raw.mesh}, {"--constraints", raw.constraints}},
-             {{"--out", raw.out}, {"--report", raw.report}, {"--fields", raw.fields}});
+             {{"--out", raw.out}, {"--report", raw.report}, {"--fields", raw.fields}, {"--snapshot", raw.snapshot}});
   if (!raw.out.empty()) requireMeshExtension(raw.out);
   if (!raw.fields.empty()) requireFieldsExtension(raw.fields);
   if (!(raw.softWeight > 0) || !std::isfinite(raw.softWeight))
@@ -126,8 +144,10 @@ DeformCommand deformCommand(const RawOptions& raw)
   options.weights = chosen("--weights", raw.weights, kWeights);
   options.solver = {chosen("--solver", raw.solver, kSolvers), chosen("--backend", raw.backend, backends()),
                     raw.softWeight};
+  std::optional<PictureRequest> picture;
+  if (!raw.snapshot.empty()) picture = pictureRequest(raw.snapshot, raw.colorBy, raw.size);
   return {raw.mesh, raw.constraints, pathOrNone(raw.out), pathOrNone(raw.report), pathOrNone(raw.fields),
-          options,  raw.isQuiet};
+          picture,  options,         raw.isQuiet};
 }
 
 CheckCommand checkCommand(const RawOptions& raw)

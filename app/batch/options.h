@@ -10,6 +10,8 @@
 
 #include <holdfast/deform/deform.h>
 
+#include "batch/pictures.h"
+
 namespace holdfast::batch {
 
 /// `holdfast-batch deform`
@@ -19,6 +21,7 @@ struct DeformCommand {
   std::optional<std::filesystem::path> out;
   std::optional<std::filesystem::path> report;
   std::optional<std::filesystem::path> fields;
+  std::optional<PictureRequest> picture;
   DeformOptions options;
   bool isQuiet = false;
 };

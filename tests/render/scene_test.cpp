@@ -1,0 +1,162 @@
+#include <gtest/gtest.h>
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkLookupTable.h>
+#include <vtkNew.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkRenderer.h>
+
+#include <holdfast/view/snapshot.h>
+
+#include "render/compare_pictures.h"
+#include "support/meshes.h"
+#include "support/point_constraints.h"
+
+namespace holdfast {
+namespace {
+
+constexpr PictureSize kSmall{320, 240};
+
+/// A thick slab held at one end; the other is lifted, one point of it twice and to different places.
+struct Bent {
+  Model model = makeModel(test::box({6, 2, 1}, 8), "slab");
+  Deformation deformation = bend();
+
+  [[nodiscard]] Deformation bend() const
+  {
+    const Eigen::VectorXd x = model.mesh.positions.col(0);
+    std::vector<Index> held;
+    std::vector<Index> lifted;
+    for (Index v = 0; v < x.size(); ++v) {
+      if (x[v] == x.minCoeff()) held.push_back(v);
+      if (x[v] == x.maxCoeff()) lifted.push_back(v);
+    }
+    ConstraintList list = test::listOf({test::hold(held), test::moveBy(AtVertex{lifted.front()}, {0, 0, 1.5}),
+                                        test::moveBy(AtVertex{lifted.back()}, {0, 0.4, 1.5}),
+                                        test::moveBy(AtVertex{lifted.back()}, {0, 0.4, 2.2})});
+    NoProgress progress;
+    return deform(model, list, "constraints", {}, progress);
+  }
+};
+
+Scene sceneOf(const Bent& bent, ColorBy colorBy)
+{
+  return {bent.model, bent.deformation, {kSmall, colorBy, Legend::Hidden, ""}};
+}
+
+Picture drawn(const Scene& scene)
+{
+  return draw(scene, "picture");
+}
+
+Picture bentSlab(ColorBy colorBy)
+{
+  const Bent bent;
+  return drawn(sceneOf(bent, colorBy));
+}
+
+TEST(Scene, BentSlabInOneColor)
+{
+  EXPECT_EQ(test::differenceFromBaseline(bentSlab(ColorBy::None)), "");
+}
+
+TEST(Scene, BentSlabByDisplacement)
+{
+  EXPECT_EQ(test::differenceFromBaseline(bentSlab(ColorBy::Displacement)), "");
+}
+
+TEST(Scene, BentSlabByConstraintResidual)
+{
+  EXPECT_EQ(test::differenceFromBaseline(bentSlab(ColorBy::ConstraintResidual)), "");
+}
+
+TEST(Scene, BentSlabByDetail)
+{
+  EXPECT_EQ(test::differenceFromBaseline(bentSlab(ColorBy::Detail)), "");
+}
+
+TEST(Scene, SmoothSurfacesHaveNoEdges)
+{
+  const Model model = makeModel(test::icosphere(3), "sphere");
+  NoProgress progress;
+  const Deformation deformation = deform(
+      model, test::listOf({test::hold({0}), test::moveBy(AtVertex{40}, {0, 0, 0.5})}), "constraints", {}, progress);
+  const Scene scene(model, deformation, {kSmall, ColorBy::Displacement, Legend::Hidden, ""});
+  EXPECT_EQ(test::differenceFromBaseline(drawn(scene)), "");
+}
+
+TEST(Scene, SamePixelsAndBytesOnEveryRun)
+{
+  const Bent bent;
+  const Picture first = drawn(Scene(bent.model, bent.deformation, {kSmall, ColorBy::Detail, Legend::Shown, "mm"}));
+  const Picture second = drawn(Scene(bent.model, bent.deformation, {kSmall, ColorBy::Detail, Legend::Shown, "mm"}));
+  EXPECT_EQ(first.pixels, second.pixels);
+  EXPECT_EQ(toPng(first, "first"), toPng(second, "second"));
+}
+
+TEST(Scene, LegendTakesRoomAndOnlyWhereThereIsSome)
+{
+  const Bent bent;
+  const auto share = [&](const PictureSize& size) {
+    const Scene shown(bent.model, bent.deformation, {size, ColorBy::Displacement, Legend::Shown, "mm"});
+    const Scene hidden(bent.model, bent.deformation, {size, ColorBy::Displacement, Legend::Hidden, "mm"});
+    return test::shareOfOtherPixels(drawn(shown), drawn(hidden));
+  };
+  EXPECT_GT(share(kSmall), 0.05);
+  EXPECT_EQ(share({kLeastLegendWidth - 1, 240}), 0);
+}
+
+TEST(Scene, SmallestPictureCanBeDrawn)
+{
+  const Bent bent;
+  const Scene scene(bent.model, bent.deformation,
+                    {{kLeastPictureSide, kLeastPictureSide}, ColorBy::Displacement, Legend::Shown, ""});
+  EXPECT_EQ(drawn(scene).pixels.size(), 3U * kLeastPictureSide * kLeastPictureSide);
+}
+
+// What the comparison must not let pass.
+
+TEST(ComparisonMustFail, ForAnotherColorMap)
+{
+  const Bent bent;
+  Scene scene = sceneOf(bent, ColorBy::Displacement);
+  const Picture right = drawn(scene);
+  vtkNew<vtkLookupTable> rainbow;
+  rainbow->SetTableRange(0, 1);
+  rainbow->Build();
+  scene.mesh().surface().GetMapper()->SetLookupTable(rainbow);
+  EXPECT_GT(test::shareOfOtherPixels(right, drawn(scene)), 100 * test::kLargestShareOfOtherPixels);
+}
+
+TEST(ComparisonMustFail, ForACameraTurnedByOneDegree)
+{
+  const Bent bent;
+  const Scene scene = sceneOf(bent, ColorBy::Displacement);
+  const Picture right = drawn(scene);
+  scene.meshRenderer().GetActiveCamera()->Azimuth(1);
+  EXPECT_GT(test::shareOfOtherPixels(right, drawn(scene)), 5 * test::kLargestShareOfOtherPixels);
+}
+
+TEST(ComparisonMustFail, ForOnePercentOfScale)
+{
+  const Bent bent;
+  Scene scene = sceneOf(bent, ColorBy::Displacement);
+  const Picture right = drawn(scene);
+  scene.mesh().setPositions(1.01 * bent.deformation.positions);
+  EXPECT_GT(test::shareOfOtherPixels(right, drawn(scene)), 5 * test::kLargestShareOfOtherPixels);
+}
+
+TEST(ComparisonMustFail, ForAnotherSize)
+{
+  EXPECT_EQ(
+      test::shareOfOtherPixels({{4, 3}, std::vector<unsigned char>(36)}, {{3, 4}, std::vector<unsigned char>(36)}), 1);
+}
+
+TEST(ComparisonMustFail, WithoutABaseline)
+{
+  const Picture picture{{2, 1}, std::vector<unsigned char>(6, 128)};
+  EXPECT_NE(test::differenceFromBaseline(picture).find("there is no baseline"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace holdfast

@@ -1,0 +1,146 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+#include <vtkCamera.h>
+#include <vtkNew.h>
+
+#include <holdfast/deform/deform.h>
+#include <holdfast/view/coloring.h>
+#include <holdfast/view/constraint_glyphs.h>
+#include <holdfast/view/default_camera.h>
+
+#include "support/meshes.h"
+#include "support/point_constraints.h"
+
+namespace holdfast {
+namespace {
+
+Deformation deformed(const Model& model, const ConstraintList& list, SolverKind solver = SolverKind::Hard)
+{
+  NoProgress progress;
+  DeformOptions options;
+  options.solver.kind = solver;
+  return deform(model, list, "constraints", options, progress);
+}
+
+/// One vertex of a grid stays, one is lifted; the third asks for the second's place once more, `gap` above it.
+ConstraintList threePoints(double gap)
+{
+  return test::listOf(
+      {test::hold({0}), test::moveBy(AtVertex{24}, {0, 0, 1}), test::moveBy(AtVertex{24}, {0, 0, 1 + gap})});
+}
+
+TEST(Coloring, DisplacementIsALengthFromZeroToTheLargest)
+{
+  const Model model = makeModel(test::grid(4, 4), "grid");
+  const Deformation deformation = deformed(model, threePoints(0));
+  const auto coloring = coloringOf(model, deformation, ColorBy::Displacement, "mm");
+  ASSERT_TRUE(coloring);
+  EXPECT_EQ(coloring->values[0], 0);
+  EXPECT_EQ(coloring->values[24], 1);
+  EXPECT_EQ(coloring->scale.low, 0);
+  EXPECT_EQ(coloring->scale.high, *std::max_element(coloring->values.begin(), coloring->values.end()));
+  EXPECT_EQ(coloring->scale.title, "displacement\n[mm]");
+}
+
+TEST(Coloring, ResidualsAreLogarithmicWithThePromiseMarked)
+{
+  const Model model = makeModel(test::grid(4, 4), "grid");
+  const auto coloring = coloringOf(model, deformed(model, threePoints(0)), ColorBy::ConstraintResidual, "");
+  ASSERT_TRUE(coloring);
+  EXPECT_EQ(coloring->scale.scaling, Scaling::Logarithmic);
+  ASSERT_TRUE(coloring->scale.promise);
+  EXPECT_NEAR(*coloring->scale.promise, 1e-12 * std::sqrt(32), 1e-18);
+  EXPECT_LT(coloring->scale.low, *coloring->scale.promise);
+  EXPECT_GT(coloring->scale.high, *coloring->scale.promise);
+  EXPECT_TRUE(std::isnan(coloring->values[12]));
+  EXPECT_EQ(coloring->values[24], 0);
+}
+
+TEST(Coloring, GapsOfConflictsAreInsideTheScale)
+{
+  const Model model = makeModel(test::grid(4, 4), "grid");
+  const auto coloring = coloringOf(model, deformed(model, threePoints(0.25)), ColorBy::ConstraintResidual, "");
+  EXPECT_EQ(coloring->values[24], 0.25);
+  EXPECT_GE(coloring->scale.high, 0.25);
+}
+
+TEST(Coloring, NamesAndValuesBelongTogether)
+{
+  EXPECT_EQ(colorByNamed("none"), ColorBy::None);
+  EXPECT_EQ(colorByNamed("constraint-residual"), ColorBy::ConstraintResidual);
+  EXPECT_EQ(colorByNamed("displacement"), ColorBy::Displacement);
+  EXPECT_EQ(colorByNamed("detail"), ColorBy::Detail);
+  EXPECT_EQ(colorByNamed("Detail"), std::nullopt);
+  EXPECT_EQ(colorByNamed(""), std::nullopt);
+}
+
+TEST(ConstraintMarks, SayHowEachRowFared)
+{
+  const Model model = makeModel(test::grid(4, 4), "grid");
+  const auto agreeing = constraintMarks(model, deformed(model, threePoints(0)));
+  ASSERT_EQ(agreeing.size(), 3);
+  EXPECT_EQ(agreeing[0].status, ConstraintStatus::Met);
+  EXPECT_FALSE(agreeing[0].isSinglePoint);
+  EXPECT_TRUE(agreeing[1].isSinglePoint);
+  EXPECT_EQ(agreeing[1].place, Vector3(4, 4, 1));
+  EXPECT_EQ(agreeing[2].status, ConstraintStatus::Redundant);
+
+  const auto contradicting = constraintMarks(model, deformed(model, threePoints(0.25)));
+  EXPECT_EQ(contradicting[2].status, ConstraintStatus::Conflicting);
+  EXPECT_EQ(contradicting[2].target, Vector3(4, 4, 1.25));
+}
+
+TEST(ConstraintMarks, OfSoftConstraintsAreMissed)
+{
+  const Model model = makeModel(test::grid(4, 4), "grid");
+  ConstraintList list = test::listOf(
+      {test::hold({0, 1, 5}), test::moveBy(AtVertex{24}, {0, 0, 1}), test::moveBy(AtVertex{12}, {0, 0, -1})});
+  const auto marks = constraintMarks(model, deformed(model, list, SolverKind::Soft));
+  EXPECT_EQ(marks.back().status, ConstraintStatus::Missed);
+}
+
+/// The largest share of half the picture that a point reaches; 1 is at the border.
+double reach(vtkCamera& camera, const Positions& points, double aspect)
+{
+  const Vector3 eye(camera.GetPosition());
+  const Vector3 back = (eye - Vector3(camera.GetFocalPoint())).normalized();
+  const Vector3 up(camera.GetViewUp());
+  const Vector3 right = up.cross(back);
+  const double slope = std::tan(camera.GetViewAngle() / 2 * std::numbers::pi / 180);
+  double largest = 0;
+  for (Index k = 0; k < points.rows(); ++k) {
+    const Vector3 p = points.row(k).transpose() - eye;
+    const double depth = -p.dot(back);
+    EXPECT_GT(depth, 0);
+    largest =
+        std::max({largest, std::abs(p.dot(up)) / (depth * slope), std::abs(p.dot(right)) / (depth * slope * aspect)});
+  }
+  return largest;
+}
+
+TEST(DefaultCamera, FitsAnyMeshIntoAnyPicture)
+{
+  for (const Vector3& size : {Vector3(1, 2, 3), Vector3(100, 1, 1), Vector3(1, 50, 30), Vector3(1e-6, 1e-6, 1e-3)})
+    for (const double aspect : {0.3, 1.0, 4.0 / 3, 5.0}) {
+      const Mesh mesh = test::box(size, 2);
+      vtkNew<vtkCamera> camera;
+      fit(*camera, defaultFrame(mesh.positions), mesh.positions, aspect);
+      EXPECT_NEAR(reach(*camera, mesh.positions, aspect), 0.88, 1e-6) << size.transpose() << ", aspect " << aspect;
+    }
+}
+
+TEST(DefaultCamera, LooksFromAboveAtTheLongerSide)
+{
+  const ViewFrame wide = defaultFrame(test::box({10, 1, 5}, 1).positions);
+  EXPECT_GT(-wide.back.y(), std::abs(wide.back.x()));
+  EXPECT_GT(wide.back.z(), 0);
+  const ViewFrame deep = defaultFrame(test::box({1, 10, 5}, 1).positions);
+  EXPECT_GT(deep.back.x(), std::abs(deep.back.y()));
+  EXPECT_NEAR(deep.right.cross(deep.up).dot(deep.back), 1, 1e-12);
+}
+
+}  // namespace
+}  // namespace holdfast

@@ -1,0 +1,116 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <holdfast/deform/fields.h>
+#include <holdfast/view/coloring.h>
+
+namespace holdfast {
+namespace {
+
+// In the order of `ColorBy`.
+constexpr std::array<std::string_view, 4> kNames{"none", "constraint-residual", "displacement", "detail"};
+
+// Decades of the logarithmic scale below the promise and, at least, above it: residuals of a good solution are
+// hundreds of times smaller than promised.
+constexpr double kDecadesBelow = 5;
+constexpr double kDecadesAbove = 1;
+
+// Few vertices next to a pin bend far more than all others: the scale ends where this share of the vertices does.
+constexpr double kDetailShare = 0.99;
+
+Field fieldNamed(const Model& model, const Deformation& deformation, std::string_view name)
+{
+  std::vector<Field> fields = fieldsOf(model, deformation);
+  const auto found = std::find_if(fields.begin(), fields.end(), [&](const Field& field) { return field.name == name; });
+  return std::move(*found);
+}
+
+std::vector<double> lengthsOf(const Field& field)
+{
+  std::vector<double> lengths;
+  for (std::size_t k = 0; k < field.values.size(); k += 3)
+    lengths.push_back(Vector3(field.values[k], field.values[k + 1], field.values[k + 2]).norm());
+  return lengths;
+}
+
+/// The value that `share` of the finite values do not exceed; 0 where there are none.
+double quantile(std::vector<double> values, double share)
+{
+  std::erase_if(values, [](double value) { return !std::isfinite(value); });
+  if (values.empty()) return 0;
+  const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
+
+std::string inUnits(const std::string& title, const std::string& units)
+{
+  return units.empty() ? title : title + "\n[" + units + "]";
+}
+
+/// From 0; where all values are 0 as well, to 1.
+ColorScale linearScale(std::string title, double high)
+{
+  return {std::move(title), Scaling::Linear, 0, high > 0 ? high : 1, {}};
+}
+
+Coloring residualColoring(const Model& model, const Deformation& deformation, const std::string& units)
+{
+  Field field = fieldNamed(model, deformation, "constraint_residual");
+  const double promise = residualLimit(model.solverMesh, deformation.system);
+  const double largest = quantile(field.values, 1);
+  const double lowest = std::floor(std::log10(promise)) - kDecadesBelow;
+  const double highest = std::ceil(std::log10(std::max(largest, promise * std::pow(10, kDecadesAbove))));
+  ColorScale scale{inUnits("constraint residual", units), Scaling::Logarithmic, std::pow(10, lowest),
+                   std::pow(10, highest), promise};
+  return {std::move(field.values), std::move(scale)};
+}
+
+Coloring displacementColoring(const Model& model, const Deformation& deformation, const std::string& units)
+{
+  std::vector<double> lengths = lengthsOf(fieldNamed(model, deformation, "displacement"));
+  ColorScale scale = linearScale(inUnits("displacement", units), quantile(lengths, 1));
+  return {std::move(lengths), std::move(scale)};
+}
+
+Coloring detailColoring(const Model& model, const Deformation& deformation, const std::string& units)
+{
+  Field field = fieldNamed(model, deformation, "detail_residual");
+  const bool isLength = deformation.operators.weights == Weights::Uniform;
+  const std::string unit = units.empty() || isLength ? units : "1/" + units;
+  const double high = quantile(field.values, kDetailShare);
+  return {std::move(field.values), linearScale(inUnits("detail residual", unit), high)};
+}
+
+}  // namespace
+
+std::span<const std::string_view> colorByNames()
+{
+  return kNames;
+}
+
+std::optional<ColorBy> colorByNamed(std::string_view name)
+{
+  const auto found = std::find(kNames.begin(), kNames.end(), name);
+  if (found == kNames.end()) return std::nullopt;
+  return static_cast<ColorBy>(found - kNames.begin());
+}
+
+std::optional<Coloring> coloringOf(const Model& model, const Deformation& deformation, ColorBy colorBy,
+                                   const std::string& units)
+{
+  switch (colorBy) {
+    case ColorBy::ConstraintResidual:
+      return residualColoring(model, deformation, units);
+    case ColorBy::Displacement:
+      return displacementColoring(model, deformation, units);
+    case ColorBy::Detail:
+      return detailColoring(model, deformation, units);
+    case ColorBy::None:
+      break;
+  }
+  return std::nullopt;
+}
+
+}  // namespace holdfast

@@ -1,0 +1,153 @@
+#include <cmath>
+
+#include <vtkActor.h>
+#include <vtkCellArray.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <holdfast/deform/outcomes.h>
+#include <holdfast/view/constraint_glyphs.h>
+
+namespace holdfast {
+namespace {
+
+// Of the diameter of a single point's ball.
+constexpr double kSelectedSize = 0.45;
+constexpr double kLineSize = 0.22;
+
+// Weights of a place sum to 1; those of a difference of two places to 0.
+constexpr double kLeastWeightOfPlace = 0.5;
+
+ConstraintStatus statusOf(RowStatus row, double residual, double limit)
+{
+  if (row == RowStatus::Conflicting) return ConstraintStatus::Conflicting;
+  if (residual > limit) return ConstraintStatus::Missed;
+  return row == RowStatus::Redundant ? ConstraintStatus::Redundant : ConstraintStatus::Met;
+}
+
+bool isOff(const ConstraintMark& mark)
+{
+  return mark.status == ConstraintStatus::Conflicting || mark.status == ConstraintStatus::Missed;
+}
+
+/// Points, lines and a colour for each point.
+struct GlyphData {
+  vtkNew<vtkPolyData> data;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkUnsignedCharArray> colors;
+
+  GlyphData()
+  {
+    points->SetDataTypeToDouble();
+    colors->SetNumberOfComponents(3);
+    data->SetPoints(points);
+    data->GetPointData()->SetScalars(colors);
+  }
+
+  vtkIdType add(const Vector3& place, ConstraintStatus status)
+  {
+    const Color color = glyphColor(status);
+    colors->InsertNextTuple3(std::round(255 * color.red), std::round(255 * color.green), std::round(255 * color.blue));
+    return points->InsertNextPoint(place.data());
+  }
+};
+
+void show(const GlyphData& glyphs, vtkActor& actor)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(glyphs.data);
+  actor.SetMapper(mapper);
+}
+
+void showBalls(const std::vector<ConstraintMark>& marks, bool isSinglePoint, vtkActor& actor)
+{
+  GlyphData glyphs;
+  for (const ConstraintMark& mark : marks)
+    if (mark.isSinglePoint == isSinglePoint) glyphs.cells->InsertNextCell({glyphs.add(mark.place, mark.status)});
+  glyphs.data->SetVerts(glyphs.cells);
+  show(glyphs, actor);
+  vtkProperty& property = *actor.GetProperty();
+  property.RenderPointsAsSpheresOn();
+  property.SetAmbient(0.25);
+  property.SetDiffuse(0.75);
+  property.SetSpecular(0.35);
+  property.SetSpecularPower(30);
+}
+
+void showLines(const std::vector<ConstraintMark>& marks, vtkActor& actor)
+{
+  GlyphData glyphs;
+  for (const ConstraintMark& mark : marks)
+    if (isOff(mark))
+      glyphs.cells->InsertNextCell({glyphs.add(mark.place, mark.status), glyphs.add(mark.target, mark.status)});
+  glyphs.data->SetLines(glyphs.cells);
+  show(glyphs, actor);
+  actor.GetProperty()->LightingOff();
+}
+
+}  // namespace
+
+std::vector<ConstraintMark> constraintMarks(const Model& model, const Deformation& deformation)
+{
+  const Weld& weld = model.solverMesh.weld;
+  const std::vector<double> residuals = rowResiduals(deformation.system, weld, deformation.positions);
+  const double limit = residualLimit(model.solverMesh, deformation.system);
+  std::vector<ConstraintMark> marks;
+  for (std::size_t r = 0; r < residuals.size(); ++r) {
+    const ConstraintRow& row = deformation.system.rows[r];
+    Vector3 place = Vector3::Zero();
+    double weight = 0;
+    for (const PointTerm& term : row.terms) {
+      place += term.weight * deformation.positions.row(weld.firstVertexOf[term.vertex]).transpose();
+      weight += term.weight;
+    }
+    if (weight < kLeastWeightOfPlace) continue;
+    const bool isSinglePoint = !deformation.system.points[row.constraint].terms.empty();
+    marks.push_back({place, row.target, statusOf(deformation.diagnosis.status[r], residuals[r], limit), isSinglePoint});
+  }
+  return marks;
+}
+
+Color glyphColor(ConstraintStatus status)
+{
+  switch (status) {
+    case ConstraintStatus::Redundant:
+      return {1, 1, 1};
+    case ConstraintStatus::Conflicting:
+      return {0.90, 0.22, 0.05};
+    case ConstraintStatus::Missed:
+      return {0.72, 0.25, 0.60};
+    case ConstraintStatus::Met:
+    case ConstraintStatus::Disabled:
+      break;
+  }
+  return {0.14, 0.15, 0.18};
+}
+
+ConstraintGlyphs::ConstraintGlyphs(const std::vector<ConstraintMark>& marks)
+{
+  showBalls(marks, true, *points_);
+  showBalls(marks, false, *selected_);
+  showLines(marks, *lines_);
+}
+
+ConstraintGlyphs::~ConstraintGlyphs() = default;
+
+void ConstraintGlyphs::setBallPixels(double pixels)
+{
+  points_->GetProperty()->SetPointSize(static_cast<float>(pixels));
+  selected_->GetProperty()->SetPointSize(static_cast<float>(kSelectedSize * pixels));
+  lines_->GetProperty()->SetLineWidth(static_cast<float>(kLineSize * pixels));
+}
+
+std::vector<vtkActor*> ConstraintGlyphs::actors() const
+{
+  return {selected_, points_, lines_};
+}
+
+}  // namespace holdfast

@@ -1,0 +1,30 @@
+#pragma once
+/// \file
+/// A mesh cut along its sharp edges for drawing: smooth within, crisp between.
+
+#include <array>
+#include <vector>
+
+#include <holdfast/deform/model.h>
+
+namespace holdfast {
+
+/// Triangles over points for drawing. The corners at a vertex share one point as long as no sharp edge parts them.
+struct ShadedSurface {
+  Polygons triangles;                         ///< over points
+  std::vector<Index> vertexOf;                ///< file vertex of each point
+  std::vector<std::array<Index, 2>> creases;  ///< points at the ends of sharp edges and of borders
+};
+
+/// Edges are sharp where the normals on both sides differ by more than this at rest.
+inline constexpr double kSharpDegrees = 35;
+
+/// The triangles of `model`, cut along the edges that are sharp at rest, so that the cuts stay where they are while the
+/// mesh deforms. Edges of more or fewer than two triangles, and those whose triangles disagree on which side is out,
+/// count as sharp. O(T log T).
+[[nodiscard]] ShadedSurface cutAtSharpEdges(const Model& model);
+
+/// The places of the points of `surface` for the file's vertices at `positions`: copies of rows, bit for bit.
+[[nodiscard]] Positions pointsOf(const ShadedSurface& surface, const Positions& positions);
+
+}  // namespace holdfast
