@@ -11,13 +11,13 @@ namespace holdfast {
 namespace {
 
 /// What a run of holdfast-batch left behind.
-struct Run {
+struct Outcome {
   int exitCode = -1;
   std::string messages;
 };
 
 /// The bar of the examples, deformed in `folder`. `environment` goes before the program, `options` after.
-Run deformBar(const test::TemporaryFolder& folder, const std::string& environment, const std::string& options)
+Outcome deformBar(const test::TemporaryFolder& folder, const std::string& environment, const std::string& options)
 {
   const std::string data = HOLDFAST_DATA_DIR;
   const std::string messages = (folder.path() / "stderr").string();
@@ -25,7 +25,7 @@ Run deformBar(const test::TemporaryFolder& folder, const std::string& environmen
                               " '" HOLDFAST_BATCH "' deform '" + data + "/bar.obj' --constraints '" + data +
                               "/bar.constraints.json' --quiet " + options + " 2>'" + messages + "'";
   const int status = std::system(command.c_str());
-  Run run{WIFEXITED(status) ? WEXITSTATUS(status) : -1, test::bytesOf(messages)};
+  Outcome run{WIFEXITED(status) ? WEXITSTATUS(status) : -1, test::bytesOf(messages)};
   std::filesystem::remove(messages);
   return run;
 }
@@ -40,7 +40,7 @@ std::size_t bigEndian(const std::string& bytes, std::size_t at)
 TEST(SnapshotOption, WritesAPngOfTheSizeThatWasAskedFor)
 {
   const test::TemporaryFolder folder;
-  const Run run = deformBar(folder, "", "--snapshot bar.png --color-by detail --size 200x120");
+  const Outcome run = deformBar(folder, "", "--snapshot bar.png --color-by detail --size 200x120");
   EXPECT_EQ(run.exitCode, 0) << run.messages;
   const std::string bytes = test::bytesOf(folder.path() / "bar.png");
   ASSERT_GT(bytes.size(), 24);
@@ -61,7 +61,7 @@ TEST(SnapshotOption, WithoutADisplayNothingIsWrittenAndTheRemedyIsNamed)
 {
   for (const char* const environment : {"env -u DISPLAY", "env DISPLAY=", "env DISPLAY=:9999"}) {
     const test::TemporaryFolder folder;
-    const Run run = deformBar(folder, environment, "--snapshot bar.png --out bar.obj");
+    const Outcome run = deformBar(folder, environment, "--snapshot bar.png --out bar.obj");
     EXPECT_EQ(run.exitCode, 6) << environment;
     EXPECT_NE(run.messages.find("bar.png: pictures need an X server"), std::string::npos) << run.messages;
     EXPECT_NE(run.messages.find("xvfb-run"), std::string::npos) << run.messages;
@@ -79,7 +79,7 @@ TEST(SnapshotOption, MistakesAreUsageErrorsThatSayWhatToWrite)
 {
   const test::TemporaryFolder folder;
   const auto expectUsage = [&](const std::string& options, const std::string& hint) {
-    const Run run = deformBar(folder, "", options);
+    const Outcome run = deformBar(folder, "", options);
     EXPECT_EQ(run.exitCode, 2) << options;
     EXPECT_NE(run.messages.find(hint), std::string::npos) << run.messages;
   };

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 #include <vtkCamera.h>
 #include <vtkNew.h>

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include <holdfast/deform/fields.h>
 #include <holdfast/view/coloring.h>
@@ -16,7 +17,8 @@ constexpr std::array<std::string_view, 4> kNames{"none", "constraint-residual", 
 constexpr double kDecadesBelow = 5;
 constexpr double kDecadesAbove = 1;
 
-// Few vertices next to a pin bend far more than all others: the scale ends where this share of the vertices does.
+// Few vertices next to a pin bend far more than all others, and those of a moved selection may be torn out of their
+// neighbourhood: the scale ends where this share of the vertices without constraints does.
 constexpr double kDetailShare = 0.99;
 
 Field fieldNamed(const Model& model, const Deformation& deformation, std::string_view name)
@@ -79,7 +81,11 @@ Coloring detailColoring(const Model& model, const Deformation& deformation, cons
   Field field = fieldNamed(model, deformation, "detail_residual");
   const bool isLength = deformation.operators.weights == Weights::Uniform;
   const std::string unit = units.empty() || isLength ? units : "1/" + units;
-  const double high = quantile(field.values, kDetailShare);
+  std::vector<double> free = field.values;
+  const std::vector<double> residuals = fieldNamed(model, deformation, "constraint_residual").values;
+  for (std::size_t v = 0; v < free.size(); ++v)
+    if (!std::isnan(residuals[v])) free[v] = std::numeric_limits<double>::quiet_NaN();
+  const double high = quantile(std::move(free), kDetailShare);
   return {std::move(field.values), linearScale(inUnits("detail residual", unit), high)};
 }
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <vtkActor.h>
@@ -64,11 +65,15 @@ void show(const GlyphData& glyphs, vtkActor& actor)
   actor.SetMapper(mapper);
 }
 
-void showBalls(const std::vector<ConstraintMark>& marks, bool isSinglePoint, vtkActor& actor)
+struct Ball {
+  Vector3 place;
+  ConstraintStatus status;
+};
+
+void showBalls(const std::vector<Ball>& balls, vtkActor& actor)
 {
   GlyphData glyphs;
-  for (const ConstraintMark& mark : marks)
-    if (mark.isSinglePoint == isSinglePoint) glyphs.cells->InsertNextCell({glyphs.add(mark.place, mark.status)});
+  for (const Ball& ball : balls) glyphs.cells->InsertNextCell({glyphs.add(ball.place, ball.status)});
   glyphs.data->SetVerts(glyphs.cells);
   show(glyphs, actor);
   vtkProperty& property = *actor.GetProperty();
@@ -129,10 +134,19 @@ Color glyphColor(ConstraintStatus status)
   return {0.14, 0.15, 0.18};
 }
 
-ConstraintGlyphs::ConstraintGlyphs(const std::vector<ConstraintMark>& marks)
+ConstraintGlyphs::ConstraintGlyphs(std::vector<ConstraintMark> marks)
 {
-  showBalls(marks, true, *points_);
-  showBalls(marks, false, *selected_);
+  // Of several in one place the last is seen: the gravest.
+  std::stable_sort(marks.begin(), marks.end(),
+                   [](const ConstraintMark& a, const ConstraintMark& b) { return a.status < b.status; });
+  std::vector<Ball> large;
+  std::vector<Ball> small;
+  for (const ConstraintMark& mark : marks) {
+    (mark.isSinglePoint ? large : small).push_back({mark.place, mark.status});
+    if (isOff(mark)) small.push_back({mark.target, mark.status});
+  }
+  showBalls(large, *points_);
+  showBalls(small, *selected_);
   showLines(marks, *lines_);
 }
 

@@ -32,10 +32,10 @@ struct ConstraintMark {
 [[nodiscard]] Color glyphColor(ConstraintStatus status);
 
 /// The actors of some marks. Balls and lines keep their size in pixels whatever the camera does; those of selections
-/// are smaller than those of single points.
+/// and of targets that are not reached are smaller than those of single points.
 class ConstraintGlyphs {
  public:
-  explicit ConstraintGlyphs(const std::vector<ConstraintMark>& marks);
+  explicit ConstraintGlyphs(std::vector<ConstraintMark> marks);
   ~ConstraintGlyphs();
   ConstraintGlyphs(const ConstraintGlyphs&) = delete;
   ConstraintGlyphs& operator=(const ConstraintGlyphs&) = delete;

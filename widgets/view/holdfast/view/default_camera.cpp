@@ -46,7 +46,7 @@ ViewFrame defaultFrame(const Positions& positions)
   const bool isLongAlongY = sides.y() > sides.x();
   const double longest = std::max(sides.x(), sides.y());
   const double rise = (sides.z() < kFlat * longest ? kRiseOverFlatDegrees : kRiseDegrees) * kDegree;
-  const double turn = (isLongAlongY ? kTurnDegrees : kTurnDegrees - 90) * kDegree;
+  const double turn = (isLongAlongY ? -kTurnDegrees : kTurnDegrees - 90) * kDegree;
   const Vector3 back(std::cos(rise) * std::cos(turn), std::cos(rise) * std::sin(turn), std::sin(rise));
   const Vector3 right = Vector3::UnitZ().cross(back).normalized();
   return {right, back.cross(right), back};

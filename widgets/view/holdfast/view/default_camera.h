@@ -15,8 +15,9 @@ struct ViewFrame {
   Vector3 back;  ///< from the mesh to the eye
 };
 
-/// z is up. The eye is in front of the longer of the sides that stand (at -y, or at +x for what is longer along y),
-/// a good third of a right angle to the right of it and raised; higher above what lies flat.
+/// z is up and -y the front. The eye is in front of the longer of the sides that stand (at -y, or at +x for what is
+/// longer along y), turned by a third of a right angle towards the other of these two, and raised; higher above what
+/// lies flat.
 [[nodiscard]] ViewFrame defaultFrame(const Positions& positions);
 
 /// Places `camera` along `frame`, as near as all `points` (at least one) are in a picture of `aspect` = width / height

@@ -16,7 +16,7 @@ class vtkPolyDataMapper;
 namespace holdfast {
 
 /// The colour of surfaces without values.
-inline constexpr Color kPlainColor{0.80, 0.82, 0.85};
+inline constexpr Color kPlainColor{0.70, 0.73, 0.77};
 
 /// The actors of one mesh: its surface and, as thin dark lines, its sharp edges and borders.
 class MeshActor {

@@ -130,7 +130,7 @@ std::vector<Tick> decadeTicks(const ColorScale& scale)
   const double step = std::max(1.0, std::ceil((last - first) / (kMostTicks - 1)));
   std::vector<Tick> ticks;
   for (double power = first; power <= last; power += step)
-    ticks.push_back({std::pow(10, power), fmt::format("1e{:.0f}", power)});
+    ticks.push_back({std::pow(10, power), power == 0 ? "1" : fmt::format("1e{:.0f}", power)});
   return ticks;
 }
 

@@ -27,7 +27,7 @@ constexpr double kRestOpacity = 0.22;
 
 // In sizes of the text.
 constexpr double kLegendWidth = 11.5;
-constexpr double kBallSize = 0.72;
+constexpr double kBallSize = 0.62;
 
 int pixelRatioOf(const PictureSize& size)
 {
