@@ -17,7 +17,7 @@ struct ShadedSurface {
 };
 
 /// Edges are sharp where the normals on both sides differ by more than this at rest.
-inline constexpr double kSharpDegrees = 35;
+inline constexpr double kSharpDegrees = 42;
 
 /// The triangles of `model`, cut along the edges that are sharp at rest, so that the cuts stay where they are while the
 /// mesh deforms. Edges of more or fewer than two triangles, and those whose triangles disagree on which side is out,
