@@ -36,6 +36,10 @@ void measureRounded(Deformation& deformation, const Model& model)
   const double limit = residualLimit(model.solverMesh, deformation.system);
   setResiduals(deformation.report, deformation.system, deformation.diagnosis,
                rowResiduals(deformation.system, model.solverMesh.weld, stored), limit);
+  SolveReport& solve = deformation.report.solve;
+  if (solve.maxResidual > limit)
+    solve.message +=
+        fmt::format("; the file holds single precision and misses them by up to {:.3g}", solve.maxResidual);
 }
 
 /// All outputs are written aside before any is put in its place, and those that cannot be written aside go first.

@@ -68,6 +68,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{"EmptyFile", "m.obj", "", {"the file is empty"}},
         BadFile{"NoFaces", "m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n", {"no faces"}},
         BadFile{"NoSize", "m.obj", "v 1 1 1\nv 1 1 1\nv 1 1 1\nf 1 2 3\n", {"in one place"}},
+        BadFile{"TooLargeForDoubles", "m.obj", "v -1e308 0 0\nv 1e308 0 0\nv 0 1 0\nf 1 2 3\n", {"scale it down"}},
         BadFile{"UnknownExtension", "m.step", "ISO-10303-21;\n", {"'.step'", ".obj"}},
         BadFile{"NoExtension", "mesh", "v 0 0 0\n", {"extension", ".obj"}},
         BadFile{"AnotherFormatThanItsName", "m.ply", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", {"ply"}}),

@@ -20,10 +20,6 @@ using Json = nlohmann::json;
 
 constexpr std::uint32_t kSeed = 2006;
 
-// Solutions are accurate to 1e-13 or better in their free displacements; the cosine sees them through A, which
-// amplifies the rounding of coordinates on fine meshes.
-constexpr double kRightAngle = 1e-8;
-
 std::string generated(const fs::path& mesh)
 {
   Random random(kSeed);

@@ -1,6 +1,7 @@
 // What a run comes to: met, conflicts, numerical failure; its exit code, its words, its files and its report.
 
 #include <algorithm>
+#include <sstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -66,6 +67,41 @@ TEST_F(Outcome, SoftConstraintsThatAreMissedAreNotCalledMet)
   EXPECT_GT(report()["solve"]["max_residual_relative"], kPromisedResidual);
   EXPECT_EQ(report()["constraints"][1]["status"], "missed");
   EXPECT_FALSE(meetsConstraints(mesh(), output("out.obj"), constraints()));
+}
+
+TEST_F(Outcome, NeitherSizeNorUnitsMatter)
+{
+  for (const double scale : {1e-300, 1e-100, 1e100, 1e300}) {
+    SCOPED_TRACE(scale);
+    Mesh sheet = grid(8, 8);
+    sheet.positions *= scale;
+    const std::string file = in_.file("sheet.obj", objText(sheet)).string();
+    std::ostringstream shift;
+    shift << R"("move": [0, 0, )" << scale << "]}";
+    const std::string task =
+        in_.file(
+               "task.json",
+               constraintText({R"({"type": "fixed", "select": {"vertices": [0, 1, 2, 3, 4, 5, 6, 7, 8]}})",
+                               R"({"type": "point", "at": {"vertex": 80}, )" + shift.str(),
+                               R"({"type": "point", "at": {"face": 70, "weights": [0.2, 0.3, 0.5]}, )" + shift.str()}))
+            .string();
+    const ProcessResult result = runBatch(deform(file, task));
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_TRUE(meetsConstraints(file, output("out.obj"), task));
+    EXPECT_EQ(report()["mesh"]["findings"].size(), 1U) << "the border, and no needle: " << report()["mesh"]["findings"];
+  }
+}
+
+TEST_F(Outcome, AFileOfSinglePrecisionIsNotCalledExact)
+{
+  const std::vector<std::string> command{"deform",          mesh(),     "--constraints",      constraints(), "--out",
+                                         output("out.stl"), "--report", output("report.json")};
+  const ProcessResult result = runBatch(command);
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("note: " + output("out.stl") + ": STL stores single precision"));
+  EXPECT_THAT(report()["solve"]["message"].get<std::string>(), HasSubstr("misses them by up to"));
+  EXPECT_GT(report()["solve"]["max_residual_relative"], kPromisedResidual);
+  EXPECT_EQ(report()["constraints"][1]["status"], "missed");
 }
 
 class ConflictingConstraints : public Outcome {

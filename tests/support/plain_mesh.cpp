@@ -217,7 +217,7 @@ PlainMesh readPlainMesh(const std::filesystem::path& path)
 
 double diagonalOf(const PlainMesh& mesh)
 {
-  double squared = 0;
+  PlainPoint size{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
@@ -225,9 +225,9 @@ double diagonalOf(const PlainMesh& mesh)
       low = std::min(low, point[axis]);
       high = std::max(high, point[axis]);
     }
-    squared += (high - low) * (high - low);
+    size[axis] = high - low;
   }
-  return std::sqrt(squared);
+  return std::hypot(size[0], size[1], size[2]);
 }
 
 }  // namespace holdfast::test

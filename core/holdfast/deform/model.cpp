@@ -1,3 +1,4 @@
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -16,6 +17,8 @@ Model makeModel(Mesh mesh, const std::string& source)
   model.mesh = std::move(mesh);
   model.triangulation = triangulate(model.mesh);
   model.solverMesh = makeSolverMesh(model.mesh, model.triangulation);
+  if (!std::isfinite(model.solverMesh.diagonal))
+    throw InputError({source, 0, ""}, "the mesh is larger than a double can say; scale it down");
   if (!(model.solverMesh.diagonal > 0))
     throw InputError({source, 0, ""}, "all vertices lie in one place; the mesh has no size to deform");
   model.findings = checkMesh(model.mesh, model.triangulation, model.solverMesh);

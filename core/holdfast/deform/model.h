@@ -14,8 +14,8 @@ struct Model {
   std::vector<Finding> findings;
 };
 
-/// Checks, triangulates and welds. Throws `InputError` for coordinates that are not finite and for a mesh without an
-/// area; `source` names the mesh in messages. O(T log T).
+/// Checks, triangulates and welds. Throws `InputError` for coordinates that are not finite and for a mesh without a
+/// face or without a size that a double can say; `source` names the mesh in messages. O(T log T).
 [[nodiscard]] Model makeModel(Mesh mesh, const std::string& source);
 
 }  // namespace holdfast

@@ -23,7 +23,7 @@ std::vector<RowTally> tally(const ConstraintSystem& system, const Diagnosis& dia
     RowTally& own = tallies[system.rows[dependency.row].constraint];
     const bool isConflicting = diagnosis.status[dependency.row] == RowStatus::Conflicting;
     ++(isConflicting ? own.conflicting : own.redundant);
-    own.gap = std::max(own.gap, gap.norm());
+    own.gap = std::max(own.gap, gap.stableNorm());
     for (const Partner& partner : dependency.partners) own.partners.insert(system.rows[partner.row].constraint);
   }
   return tallies;
@@ -78,7 +78,7 @@ std::vector<double> rowResiduals(const ConstraintSystem& system, const Weld& wel
     Vector3 at = Vector3::Zero();
     for (const PointTerm& term : row.terms)
       at += term.weight * positions.row(weld.firstVertexOf[term.vertex]).transpose();
-    residuals.push_back((at - row.target).norm());
+    residuals.push_back((at - row.target).stableNorm());
   }
   return residuals;
 }
