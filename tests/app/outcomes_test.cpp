@@ -216,6 +216,24 @@ TEST_F(FailedNumerics, DoNotHappenWithGuardedWeights)
   EXPECT_TRUE(meetsConstraints(flatTriangle(), output("out.obj"), corners()));
 }
 
+TEST_F(FailedNumerics, NameConstraintsThatAreTooCloseToTellApart)
+{
+  const std::string task =
+      in_.file(
+             "close.json",
+             constraintText({R"({"type": "fixed", "select": {"box": {"min": [0, 0, 0], "max": [0, 6, 0]}}})",
+                             R"({"type": "point", "name": "A", "at": {"edge": [24, 25], "t": 0.3}, "move": [0, 0, 0]})",
+                             R"({"type": "point", "name": "B", "at": {"edge": [24, 25], "t": 0.30000001},
+                                   "move": [0, 0, 1]})"}))
+          .string();
+  const std::string sheet = in_.file("sheet.obj", objText(grid(6, 6))).string();
+  const ProcessResult result = runBatch(deform(sheet, task));
+  EXPECT_EQ(result.exitCode, kNumerical) << result.err;
+  EXPECT_THAT(result.err, testing::ContainsRegex("error: \"[AB]\" is missed by [^ ]*, more than the promised"));
+  EXPECT_THAT(result.err, HasSubstr("leave one of them out, or move them apart"));
+  EXPECT_THAT(out_.names(), ElementsAre("report.json"));
+}
+
 TEST_F(Outcome, CheckTellsOfMeshAndConstraintsAndSolvesNothing)
 {
   const ProcessResult result =

@@ -89,6 +89,19 @@ std::string solvedMessage(const Deformation& result, double limit)
   return "all constraints are met";
 }
 
+/// Of hard constraints that cannot be kept in doubles: which, by how much, and what to do.
+std::string missedMessage(const Report& report, double limit)
+{
+  const auto worst = std::find_if(report.constraints.begin(), report.constraints.end(), [&](const auto& outcome) {
+    return outcome.status == ConstraintStatus::Missed && outcome.residual == report.solve.maxResidual;
+  });
+  const std::string name = worst == report.constraints.end() ? "a constraint" : '"' + worst->name + '"';
+  return fmt::format(
+      "{} is missed by {:.3g}, more than the promised {:.3g}, because constraints beside it nearly repeat it and ask "
+      "for something else; leave one of them out, or move them apart",
+      name, report.solve.maxResidual, limit);
+}
+
 /// One run of `deform`, stage by stage.
 class Run {
  public:
@@ -185,9 +198,7 @@ class Run {
     solve().status = result_.diagnosis.hasConflicts() ? SolveStatus::Conflicts : SolveStatus::Ok;
     solve().message = solvedMessage(result_, limit);
     if (options_.solver.kind == SolverKind::Hard && solve().maxResidual > limit)
-      fail(fmt::format(
-          "a constraint is missed by {:.3g}, more than the promised {:.3g}: constraints are nearly dependent",
-          solve().maxResidual, limit));
+      fail(missedMessage(result_.report, limit));
   }
 
   const Model& model_;
