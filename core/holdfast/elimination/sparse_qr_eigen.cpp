@@ -17,7 +17,8 @@ SparseQrResult sparseQrEigen(const SparseMatrix& M, double tolerance, WantQ want
   qr.compute(compressed);
   SparseQrResult result;
   result.rank = qr.rank();
-  result.R = SparseMatrix(qr.matrixR()).topRows(result.rank);
+  const SparseRows sorted = qr.matrixR();  // Eigen leaves the entries of a column in any order; by rows they are sorted
+  result.R = sorted.topRows(result.rank);
   for (Index k = 0; k < M.cols(); ++k) result.columns.push_back(qr.colsPermutation().indices()[k]);
   if (wantQ == WantQ::Yes) result.Q = qr.matrixQ();
   return result;
