@@ -22,7 +22,7 @@ std::unique_ptr<const DeformationSolver> factorized(const Model& model, const Se
 
 Displacement solution(const SetUp& setUp, const DeformationSolver& solver)
 {
-  return solver.solve(shiftsOf(setUp.system), Columns3::Zero(setUp.operators.L.rows(), 3));
+  return solver.solve({shiftsOf(setUp.system), {}}, Columns3::Zero(setUp.operators.L.rows(), 3));
 }
 
 double factorMiB(const DeformationSolver& solver)

@@ -168,8 +168,8 @@ class Run {
 
     progress_.stage("solving");
     const Stopwatch solution;
-    const Displacement displacement =
-        attempt.solver->solve(shiftsOf(result_.system), Columns3::Zero(model_.solverMesh.unknownCount(), 3));
+    const Displacement displacement = attempt.solver->solve({shiftsOf(result_.system), result_.diagnosis.reconciled},
+                                                            Columns3::Zero(model_.solverMesh.unknownCount(), 3));
     accept(displacement);
     solve().seconds.solution = solution.seconds();
   }

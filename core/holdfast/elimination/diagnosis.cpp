@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -37,6 +38,31 @@ double largestCoordinate(const SolverMesh& mesh, const ConstraintSystem& system)
   return largest;
 }
 
+/// How far the smallest change of targets that closes a gap is below the gap: |(1, -a)| of b_j = sum a_k b_k, over the
+/// rows that are no pins.
+double gapPerChange(const EliminatedConstraints& eliminated, const Dependency& dependency)
+{
+  double squares = 1;
+  for (const Partner& partner : dependency.partners)
+    if (eliminated.rows[partner.row].size() > 1) squares += partner.coefficient * partner.coefficient;
+  return std::sqrt(squares);
+}
+
+/// What each dependent row misses of a displacement that meets the independent ones: its gap. Read off there, it is
+/// free of the rounding of the coefficients a_k.
+std::vector<DependentRow> gapsOf(const EliminatedConstraints& eliminated, const ConstraintSystem& system)
+{
+  const Columns3 u = eliminated.elimination.particular(shiftsOf(system));
+  std::vector<DependentRow> result;
+  result.reserve(eliminated.dependencies.size());
+  for (const Dependency& dependency : eliminated.dependencies) {
+    Vector3 gap = system.rows[dependency.row].shift;
+    for (const PointTerm& term : system.rows[dependency.row].terms) gap -= term.weight * u.row(term.vertex).transpose();
+    result.push_back({dependency, gap});
+  }
+  return result;
+}
+
 }  // namespace
 
 bool Diagnosis::hasConflicts() const
@@ -64,17 +90,16 @@ Diagnosis diagnose(const EliminatedConstraints& eliminated, const ConstraintSyst
   Diagnosis diagnosis;
   diagnosis.status.assign(system.rows.size(), RowStatus::Independent);
   if (eliminated.dependencies.empty()) return diagnosis;
-  // Of a displacement that meets the independent rows, what a dependent row misses is its gap; reading it there avoids
-  // the rounding of the coefficients a_k.
+  diagnosis.dependent = gapsOf(eliminated, system);
   const double limit = residualLimit(mesh, system) / 2;
-  const Columns3 u = eliminated.elimination.particular(shiftsOf(system));
-  for (const Dependency& dependency : eliminated.dependencies) {
-    const ConstraintRow& row = system.rows[dependency.row];
-    Vector3 gap = row.shift;
-    for (const PointTerm& term : row.terms) gap -= term.weight * u.row(term.vertex).transpose();
-    diagnosis.status[dependency.row] = gap.norm() <= limit ? RowStatus::Redundant : RowStatus::Conflicting;
-    diagnosis.dependent.push_back({dependency, gap});
+  bool isMissed = false;
+  for (const auto& [dependency, gap] : diagnosis.dependent) {
+    const bool agrees = gap.stableNorm() <= limit * gapPerChange(eliminated, dependency);
+    diagnosis.status[dependency.row] = agrees ? RowStatus::Redundant : RowStatus::Conflicting;
+    if (agrees) diagnosis.reconciled.push_back(dependency.row);
+    isMissed = isMissed || (agrees && gap.stableNorm() > limit);
   }
+  if (!isMissed) diagnosis.reconciled.clear();
   return diagnosis;
 }
 

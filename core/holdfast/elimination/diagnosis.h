@@ -26,12 +26,15 @@ struct DependentRow {
 struct Diagnosis {
   std::vector<RowStatus> status;        ///< of each row
   std::vector<DependentRow> dependent;  ///< ascending by row
+  /// The redundant rows, when the independent ones alone would miss some of them: see `reconciledParticular`.
+  std::vector<Index> reconciled;
 
   [[nodiscard]] bool hasConflicts() const;
 };
 
-/// The gap up to which a dependent row agrees with its partners, as a share of the bounding box's diagonal: half of the
-/// residual that is promised, the other half being left to rounding.
+/// A dependent row agrees with its partners when changing what each of them asks for by no more than this share of the
+/// bounding box's diagonal closes the gap: half of the residual that is promised, the other half being left to
+/// rounding. Pins are not changed: they are copied.
 inline constexpr double kConsistentGap = 5e-13;
 
 /// The largest residual of a constraint that is met, in model units: 1e-12 of the diagonal, or, where the coordinates

@@ -1,38 +1,66 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
+#include <utility>
 
 #include <holdfast/elimination/earliest_basis.h>
 
 namespace holdfast {
 namespace {
 
-using Combination = std::map<Index, double>;  // row to coefficient, ascending
+using Combination = std::vector<Partner>;  // ascending by row
+
+bool comesBefore(const Partner& partner, Index row)
+{
+  return partner.row < row;
+}
+
+/// The partner `row` of a combination that has it.
+const Partner& partnerIn(const Combination& combination, Index row)
+{
+  return *std::lower_bound(combination.begin(), combination.end(), row, comesBefore);
+}
+
+double largestOf(const Combination& combination)
+{
+  double largest = 0;
+  for (const Partner& partner : combination) largest = std::max(largest, std::abs(partner.coefficient));
+  return largest;
+}
 
 /// Solves row = sum c_k k for its partner `leaving`.
 Combination solvedFor(Index leaving, Index row, const Combination& combination)
 {
-  const double pivot = combination.at(leaving);
-  Combination result{{row, 1 / pivot}};
-  for (const auto& [partner, coefficient] : combination)
-    if (partner != leaving) result[partner] = -coefficient / pivot;
+  const double pivot = partnerIn(combination, leaving).coefficient;
+  Combination result;
+  result.reserve(combination.size());
+  for (const Partner& partner : combination)
+    if (partner.row != leaving) result.push_back({partner.row, -partner.coefficient / pivot});
+  result.insert(std::lower_bound(result.begin(), result.end(), row, comesBefore), {row, 1 / pivot});
   return result;
 }
 
-/// Puts `replacement` in the place of `leaving`.
-void substitute(Combination& combination, Index leaving, const Combination& replacement)
+/// x + share y without its partner `leaving`, and without what is rounding of zero.
+Combination sum(const Combination& x, double share, const Combination& y, Index leaving)
 {
-  const auto found = combination.find(leaving);
-  if (found == combination.end()) return;
-  const double share = found->second;
-  combination.erase(found);
+  Combination result;
+  result.reserve(x.size() + y.size());
   double largest = 1;
-  for (const auto& [partner, coefficient] : replacement) {
-    double& sum = combination[partner];
-    largest = std::max({largest, std::abs(sum), std::abs(share * coefficient)});
-    sum += share * coefficient;
+  auto a = x.begin();
+  auto b = y.begin();
+  while (a != x.end() || b != y.end()) {
+    const bool takesA = b == y.end() || (a != x.end() && a->row <= b->row);
+    const bool takesB = a == x.end() || (b != y.end() && b->row <= a->row);
+    const Index row = takesA ? a->row : b->row;
+    const double old = takesA ? (a++)->coefficient : 0;
+    const double added = takesB ? share * (b++)->coefficient : 0;
+    largest = std::max({largest, std::abs(old), std::abs(added)});
+    if (row != leaving) result.push_back({row, old + added});
   }
-  std::erase_if(combination, [&](const auto& term) { return std::abs(term.second) <= kPartnerThreshold * largest; });
+  const double vanishing = kPartnerThreshold * largest;
+  std::erase_if(result, [&](const Partner& partner) { return std::abs(partner.coefficient) <= vanishing; });
+  return result;
 }
 
 /// The dependencies as rows of a tableau, changed by exchanges.
@@ -40,40 +68,67 @@ class Tableau {
  public:
   explicit Tableau(const std::vector<Dependency>& dependencies)
   {
-    for (const Dependency& dependency : dependencies)
-      for (Combination& combination = dependent_[dependency.row]; const Partner& partner : dependency.partners)
-        combination[partner.row] = partner.coefficient;
+    for (const Dependency& dependency : dependencies) dependent_[dependency.row] = dependency.partners;
   }
 
-  /// One exchange that lowers the weight of the basis; false when there is none.
-  bool exchange()
+  /// Takes the rows in their order: a dependent one with a partner that comes after it goes into the basis, and nothing
+  /// that comes later drives it out again. The partner that leaves may be any that comes later; the one of the largest
+  /// coefficient keeps the others small.
+  void takeInOrder()
   {
-    for (const auto& [row, combination] : dependent_)
-      if (!combination.empty() && combination.rbegin()->first > row) {
-        exchange(row, combination.rbegin()->first);
-        return true;
-      }
-    return false;
+    for (auto place = dependent_.begin(); place != dependent_.end();) {
+      const Index row = place->first;
+      if (const auto pair = pairOf(row))
+        if (Changes changes = exchanged(*pair); areBounded(changes)) commit(*pair, std::move(changes));
+      place = dependent_.upper_bound(row);
+    }
   }
 
   [[nodiscard]] std::vector<Dependency> dependencies() const
   {
     std::vector<Dependency> result;
-    for (const auto& [row, combination] : dependent_) {
-      Dependency dependency{row, {}};
-      for (const auto& [partner, coefficient] : combination) dependency.partners.push_back({partner, coefficient});
-      result.push_back(std::move(dependency));
-    }
+    for (const auto& [row, combination] : dependent_) result.push_back({row, combination});
     return result;
   }
 
  private:
-  void exchange(Index entering, Index leaving)
+  using Changes = std::vector<std::pair<Index, Combination>>;
+
+  static bool areBounded(const Changes& changes)
   {
-    const Combination replacement = solvedFor(leaving, entering, dependent_.at(entering));
-    dependent_.erase(entering);
-    for (auto& [row, combination] : dependent_) substitute(combination, leaving, replacement);
-    dependent_[leaving] = replacement;
+    return std::all_of(changes.begin(), changes.end(),
+                       [](const auto& change) { return largestOf(change.second) <= kLargestCoefficient; });
+  }
+
+  [[nodiscard]] std::optional<Exchange> pairOf(Index row) const
+  {
+    const Combination& combination = dependent_.at(row);
+    const auto later = std::lower_bound(combination.begin(), combination.end(), row, comesBefore);
+    const auto largest = std::max_element(later, combination.end(), [](const Partner& x, const Partner& y) {
+      return std::abs(x.coefficient) < std::abs(y.coefficient);
+    });
+    if (largest == combination.end()) return std::nullopt;
+    return Exchange{row, largest->row};
+  }
+
+  /// What an exchange would make of the rows that it changes.
+  [[nodiscard]] Changes exchanged(const Exchange& pair) const
+  {
+    Changes changes;
+    const Combination replacement = solvedFor(pair.leaving, pair.entering, dependent_.at(pair.entering));
+    for (const auto& [row, combination] : dependent_) {
+      const auto partner = std::lower_bound(combination.begin(), combination.end(), pair.leaving, comesBefore);
+      if (partner == combination.end() || partner->row != pair.leaving || row == pair.entering) continue;
+      changes.emplace_back(row, sum(combination, partner->coefficient, replacement, pair.leaving));
+    }
+    changes.emplace_back(pair.leaving, replacement);
+    return changes;
+  }
+
+  void commit(const Exchange& pair, Changes changes)
+  {
+    dependent_.erase(pair.entering);
+    for (auto& [row, combination] : changes) dependent_[row] = std::move(combination);
   }
 
   std::map<Index, Combination> dependent_;
@@ -81,12 +136,24 @@ class Tableau {
 
 }  // namespace
 
-std::vector<Dependency> byEarliestBasis(std::vector<Dependency> dependencies)
+std::vector<Dependency> byEarliestBasis(const std::vector<Dependency>& dependencies)
 {
   Tableau tableau(dependencies);
-  while (tableau.exchange()) {
-  }
+  tableau.takeInOrder();
   return tableau.dependencies();
+}
+
+std::optional<Exchange> largestCoefficient(const std::vector<Dependency>& dependencies)
+{
+  std::optional<Exchange> result;
+  double largest = kLargestCoefficient;
+  for (const Dependency& dependency : dependencies)
+    for (const Partner& partner : dependency.partners)
+      if (std::abs(partner.coefficient) > largest) {
+        largest = std::abs(partner.coefficient);
+        result = Exchange{dependency.row, partner.row};
+      }
+  return result;
 }
 
 }  // namespace holdfast

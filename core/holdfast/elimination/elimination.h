@@ -13,6 +13,15 @@ namespace holdfast {
 /// the other rows falls into components, each with a Householder QR of its own, dense when small and sparse when large.
 class Elimination {
  public:
+  /// One component of what pins leave of the rows.
+  struct Block {
+    std::vector<Index> rows;  ///< in the order of R1
+    std::vector<Index> unknowns;
+    SparseMatrix Q1;  ///< unknowns x rows
+    SparseMatrix R1;  ///< upper triangular
+    SparseMatrix Q2;  ///< unknowns x (unknowns - rows)
+  };
+
   /// `independent` names independent rows, ascending. Unknowns with `isHeld` have the displacement 0; no row names one.
   Elimination(const std::vector<RowTerms>& rows, const std::vector<Index>& independent, Index unknownCount,
               const std::vector<bool>& isHeld);
@@ -25,18 +34,12 @@ class Elimination {
   /// that the constructor was given; those that are not independent are not looked at. Pins are copied bit for bit.
   [[nodiscard]] Columns3 particular(const Columns3& d) const;
 
+  [[nodiscard]] const std::vector<Block>& blocks() const noexcept { return blocks_; }
+
  private:
   struct Pin {
     Index unknown;
     Index row;
-  };
-  /// One component of what pins leave of the rows.
-  struct Block {
-    std::vector<Index> rows;  // in the order of R1
-    std::vector<Index> unknowns;
-    SparseMatrix Q1;  // unknowns x rows
-    SparseMatrix R1;  // upper triangular
-    SparseMatrix Q2;  // unknowns x (unknowns - rows)
   };
 
   [[nodiscard]] static Block denseBlock(const std::vector<RowTerms>& rows, const RowComponent& component);

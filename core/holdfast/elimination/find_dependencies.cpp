@@ -9,6 +9,10 @@
 namespace holdfast {
 namespace {
 
+// The second finds what rounding hid from the first.
+constexpr int kMaxRounds = 2;
+constexpr int kMaxReductions = 64;
+
 /// The dependency of `row` by coefficients over some rows, tiny ones left out.
 Dependency dependency(Index row, const std::vector<Index>& basis, const Eigen::VectorXd& coefficients)
 {
@@ -19,6 +23,86 @@ Dependency dependency(Index row, const std::vector<Index>& basis, const Eigen::V
   std::sort(result.partners.begin(), result.partners.end(),
             [](const Partner& x, const Partner& y) { return x.row < y.row; });
   return result;
+}
+
+/// The dependencies by whatever basis sparse QR comes upon.
+std::vector<Dependency> byBasisOfSparseQr(const std::vector<RowTerms>& rows, const RowComponent& component)
+{
+  SparseMatrix block = transposedBlock(rows, component);
+  const Eigen::VectorXd lengths = normalizeColumns(block);
+  const SparseQrResult qr = sparseQr(block, kRankTolerance, WantQ::No);
+  std::vector<Index> basis;
+  for (Index k = 0; k < qr.rank; ++k) basis.push_back(component.rows[qr.columns[k]]);
+
+  std::vector<Dependency> result;
+  const SparseMatrix R1 = qr.R.leftCols(qr.rank);
+  for (Index k = qr.rank; k < block.cols(); ++k) {
+    Eigen::VectorXd coefficients = qr.R.col(k);
+    R1.triangularView<Eigen::Upper>().solveInPlace(coefficients);
+    const Index column = qr.columns[k];
+    for (Index j = 0; j < qr.rank; ++j) coefficients[j] *= lengths[column] / lengths[qr.columns[j]];
+    result.push_back(dependency(component.rows[column], basis, coefficients));
+  }
+  std::sort(result.begin(), result.end(), [](const Dependency& x, const Dependency& y) { return x.row < y.row; });
+  return result;
+}
+
+/// The rows of the component that depend on none, ascending.
+std::vector<Index> independentOf(const RowComponent& component, const std::vector<Dependency>& dependencies)
+{
+  std::vector<Index> dependent;
+  for (const Dependency& dependency : dependencies) dependent.push_back(dependency.row);
+  std::vector<Index> result;
+  std::set_difference(component.rows.begin(), component.rows.end(), dependent.begin(), dependent.end(),
+                      std::back_inserter(result));
+  return result;
+}
+
+/// The dependencies by a given basis of the component's rows, ascending.
+std::vector<Dependency> byBasis(const std::vector<RowTerms>& rows, const RowComponent& component,
+                                const std::vector<Index>& basis)
+{
+  const SparseMatrix block = transposedBlock(rows, {basis, component.unknowns});
+  SparseMatrix unit = block;
+  const Eigen::VectorXd lengths = normalizeColumns(unit);
+  const SparseQrResult qr = sparseQr(unit, -1, WantQ::Yes);
+  const SparseMatrix R1 = qr.R.leftCols(qr.rank);
+  const SparseMatrix Q1T = qr.Q.leftCols(qr.rank).transpose();
+  const auto solve = [&](const Eigen::VectorXd& right) {
+    const Eigen::VectorXd x = R1.triangularView<Eigen::Upper>().solve(Q1T * right);
+    Eigen::VectorXd coefficients = Eigen::VectorXd::Zero(block.cols());
+    for (Index k = 0; k < qr.rank; ++k) coefficients[qr.columns[k]] = x[k] / lengths[qr.columns[k]];
+    return coefficients;
+  };
+
+  std::vector<Index> others;
+  std::set_difference(component.rows.begin(), component.rows.end(), basis.begin(), basis.end(),
+                      std::back_inserter(others));
+  const SparseMatrix dependent = transposedBlock(rows, {others, component.unknowns});
+  std::vector<Dependency> result;
+  for (Index k = 0; k < dependent.cols(); ++k) {
+    const Eigen::VectorXd row = dependent.col(k);
+    Eigen::VectorXd coefficients = solve(row);
+    coefficients += solve(row - block * coefficients);
+    result.push_back(dependency(others[k], basis, coefficients));
+  }
+  return result;
+}
+
+/// `found`, by a basis in which no coefficient exceeds `kLargestCoefficient`. A factorisation for each exchange: where
+/// coefficients are large, those that one leaves small are rounding.
+std::vector<Dependency> bounded(std::vector<Dependency> found, const std::vector<RowTerms>& rows,
+                                const RowComponent& component)
+{
+  for (int exchange = 0; exchange < kMaxReductions; ++exchange) {
+    const auto pair = largestCoefficient(found);
+    if (!pair) break;
+    std::vector<Index> basis = independentOf(component, found);
+    basis.erase(std::find(basis.begin(), basis.end(), pair->leaving));
+    basis.insert(std::lower_bound(basis.begin(), basis.end(), pair->entering), pair->entering);
+    found = byBasis(rows, component, basis);
+  }
+  return found;
 }
 
 }  // namespace
@@ -41,22 +125,14 @@ std::vector<Dependency> sequentialDependencies(const std::vector<RowTerms>& rows
 
 std::vector<Dependency> sparseDependencies(const std::vector<RowTerms>& rows, const RowComponent& component)
 {
-  SparseMatrix block = transposedBlock(rows, component);
-  const Eigen::VectorXd lengths = normalizeColumns(block);
-  const SparseQrResult qr = sparseQr(block, kRankTolerance, WantQ::No);
-  std::vector<Index> basis;
-  for (Index k = 0; k < qr.rank; ++k) basis.push_back(component.rows[qr.columns[k]]);
-
-  std::vector<Dependency> result;
-  const SparseMatrix R1 = qr.R.leftCols(qr.rank);
-  for (Index k = qr.rank; k < block.cols(); ++k) {
-    Eigen::VectorXd coefficients = qr.R.col(k);
-    R1.triangularView<Eigen::Upper>().solveInPlace(coefficients);
-    const Index column = qr.columns[k];
-    for (Index j = 0; j < qr.rank; ++j) coefficients[j] *= lengths[column] / lengths[qr.columns[j]];
-    result.push_back(dependency(component.rows[column], basis, coefficients));
+  std::vector<Dependency> found = bounded(byBasisOfSparseQr(rows, component), rows, component);
+  // Each exchange adds rounding: what they lead to is factorised anew, and exchanged again where that tells more.
+  for (int round = 0; round < kMaxRounds; ++round) {
+    const std::vector<Index> basis = independentOf(component, byEarliestBasis(found));
+    if (basis == independentOf(component, found)) break;
+    found = bounded(byBasis(rows, component, basis), rows, component);
   }
-  return byEarliestBasis(std::move(result));
+  return found;
 }
 
 std::vector<Dependency> findDependencies(const std::vector<RowTerms>& rows, Index unknownCount)

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <limits>
 
 #include <holdfast/solve/corrected_solve.h>
@@ -6,7 +7,10 @@ namespace holdfast {
 namespace {
 
 constexpr int kMaxCorrections = 20;
-constexpr double kDone = 4 * std::numeric_limits<double>::epsilon();
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+// A factor that leaves a share c of an error leaves c of the first correction, too: below this, c^2 is less than a
+// double holds, and another correction would only exchange one rounding for another.
+const double kLastCorrection = std::sqrt(kEpsilon);
 // A correction larger than this share of the one before has met rounding, or a factor that does not contract.
 constexpr double kStalled = 0.5;
 
@@ -20,7 +24,9 @@ double largest(const Columns3& x)
 CorrectedSolution correctedSolve(const LeastSquaresFactor& factor, const SparseMatrix& C,
                                  const Eigen::VectorXd& columnScale, const Columns3& f)
 {
+  if (f.isZero(0)) return {Columns3::Zero(C.cols(), 3), 0, 0};
   CorrectedSolution result{factor.solve(f), 0, 0};
+  double first = 0;
   double last = std::numeric_limits<double>::infinity();
   while (result.corrections < kMaxCorrections) {
     const double size = largest(columnScale.asDiagonal() * result.z);
@@ -29,9 +35,10 @@ CorrectedSolution correctedSolve(const LeastSquaresFactor& factor, const SparseM
     const double change = largest(columnScale.asDiagonal() * correction) / size;
     if (!(change < last)) break;
     result.z += correction;
-    result.accuracy = change;
-    ++result.corrections;
-    if (change <= kDone || change > kStalled * last) break;
+    if (result.corrections++ == 0) first = change;
+    // The normal equations lost cond^2 epsilon = first; what their corrections reach is cond epsilon.
+    result.accuracy = change <= kLastCorrection ? std::sqrt(first * kEpsilon) : change;
+    if (change <= kLastCorrection || change > kStalled * last) break;
     last = change;
   }
   return result;

@@ -9,11 +9,12 @@ namespace holdfast {
 struct CorrectedSolution {
   Columns3 z;           ///< k x 3
   int corrections = 0;  ///< how many were needed
-  double accuracy = 0;  ///< size of the last correction relative to the solution: an estimate of the relative error
+  double accuracy = 0;  ///< estimated relative error, from the sizes of the corrections
 };
 
 /// Corrected semi-normal equations (Björck, 1987): the residual is computed through C itself, never through C^T C, and
-/// solved for once more with the same factor, until a correction no longer shrinks. `C` is what the factor was made
+/// solved for once more with the same factor, until what a correction leaves is less than a double holds, or until
+/// corrections no longer shrink. `C` is what the factor was made
 /// of. Sizes are measured after `columnScale` (k), that is in the units of what the user sees.
 [[nodiscard]] CorrectedSolution correctedSolve(const LeastSquaresFactor& factor, const SparseMatrix& C,
                                                const Eigen::VectorXd& columnScale, const Columns3& f);

@@ -27,6 +27,12 @@ struct SolverOptions {
   double softWeight = 5;  ///< w of (8), for models measured in diagonals of their bounding box
 };
 
+/// What the rows ask of the displacement.
+struct RowTargets {
+  Columns3 shifts;                ///< d of B u = d, for every row of the system
+  std::vector<Index> reconciled;  ///< redundant rows that hard constraints meet by least squares: see `Diagnosis`
+};
+
 /// A displacement of the unknowns from rest. The paper solves for positions; the displacement is the same problem with
 /// the rest shape taken off both sides, and keeps the digits that positions would spend on it.
 struct Displacement {
@@ -40,9 +46,8 @@ class DeformationSolver {
  public:
   virtual ~DeformationSolver() = default;
 
-  /// `shifts` holds d of B u = d for every row of the system; `f` (n x 3) what A u should be near: 0 when no detail is
-  /// turned. O(factor). Not for concurrent calls.
-  [[nodiscard]] virtual Displacement solve(const Columns3& shifts, const Columns3& f) const = 0;
+  /// `f` (n x 3) is what A u should be near: 0 when no detail is turned. O(factor). Not for concurrent calls.
+  [[nodiscard]] virtual Displacement solve(const RowTargets& targets, const Columns3& f) const = 0;
 
   /// Unknowns of the system that is solved, for each coordinate.
   [[nodiscard]] virtual Index unknowns() const = 0;

@@ -10,35 +10,35 @@ namespace {
 class ColumnSum {
  public:
   explicit ColumnSum(Index size)
-      : value_(static_cast<std::size_t>(size), 0), isSet_(static_cast<std::size_t>(size), false)
+      : value_(static_cast<std::size_t>(size)), column_(static_cast<std::size_t>(size), kNoColumn)
   {
   }
 
-  void add(int row, double value)
+  void add(int row, int column, double value)
   {
-    if (!isSet_[row]) {
-      isSet_[row] = true;
-      rows_.push_back(row);
+    if (column_[row] == column) {
+      value_[row] += value;
+      return;
     }
-    value_[row] += value;
+    column_[row] = column;
+    value_[row] = value;
+    rows_.push_back(row);
   }
 
   /// Appends the column to `matrix` and starts anew.
-  void moveTo(SparseMatrix& matrix, Index column)
+  void moveTo(SparseMatrix& matrix, int column)
   {
     std::sort(rows_.begin(), rows_.end());
     matrix.startVec(column);
-    for (const int row : rows_) {
-      matrix.insertBack(row, column) = value_[row];
-      value_[row] = 0;
-      isSet_[row] = false;
-    }
+    for (const int row : rows_) matrix.insertBack(row, column) = value_[row];
     rows_.clear();
   }
 
  private:
+  static constexpr int kNoColumn = -1;
+
   std::vector<double> value_;
-  std::vector<bool> isSet_;
+  std::vector<int> column_;  // that `value_` belongs to
   std::vector<int> rows_;
 };
 
@@ -56,7 +56,7 @@ SparseMatrix gramLower(const SparseMatrix& C)
   for (int j = 0; j < C.cols(); ++j) {
     for (SparseMatrix::InnerIterator entry(C, j); entry; ++entry)
       for (int k = start[entry.row() + 1] - 1; k >= start[entry.row()] && column[k] >= j; --k)
-        sum.add(column[k], entry.value() * value[k]);
+        sum.add(column[k], j, entry.value() * value[k]);
     sum.moveTo(result, j);
   }
   result.finalize();

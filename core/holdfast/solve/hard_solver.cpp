@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include <holdfast/elimination/reconciliation.h>
 #include <holdfast/solve/column_scaling.h>
 #include <holdfast/solve/constraint_matrix.h>
 #include <holdfast/solve/corrected_solve.h>
@@ -20,14 +21,13 @@ class HardSolver final : public DeformationSolver {
   {
   }
 
-  [[nodiscard]] Displacement solve(const Columns3& shifts, const Columns3& f) const override
+  [[nodiscard]] Displacement solve(const RowTargets& targets, const Columns3& f) const override
   {
-    const Elimination& elimination = problem_.eliminated.elimination;
-    Displacement result{elimination.particular(shifts), 0, 0};
+    Displacement result{particular(targets), 0, 0};
     const CorrectedSolution z = correctedSolve(*factor_, *reduced_.C, reduced_.scale, f - problem_.A * result.u);
-    result.u += elimination.Q2() * (reduced_.scale.asDiagonal() * z.z);
+    result.u += problem_.eliminated.elimination.Q2() * (reduced_.scale.asDiagonal() * z.z);
     // What rounding has left of B u = d is taken off in the span of the rows; pins have nothing left.
-    result.u += elimination.particular(shifts - B_ * result.u);
+    result.u += particular({targets.shifts - B_ * result.u, targets.reconciled});
     result.corrections = z.corrections;
     result.accuracy = z.accuracy;
     return result;
@@ -38,6 +38,12 @@ class HardSolver final : public DeformationSolver {
   [[nodiscard]] std::string method() const override { return std::string(factor_->method()); }
 
  private:
+  [[nodiscard]] Columns3 particular(const RowTargets& targets) const
+  {
+    return targets.reconciled.empty() ? problem_.eliminated.elimination.particular(targets.shifts)
+                                      : reconciledParticular(problem_.eliminated, targets.reconciled, targets.shifts);
+  }
+
   DeformationProblem problem_;
   SparseMatrix B_;
   ScaledColumns reduced_;

@@ -37,11 +37,11 @@ class LagrangeSolver final : public DeformationSolver {
   {
   }
 
-  [[nodiscard]] Displacement solve(const Columns3& shifts, const Columns3& f) const override
+  [[nodiscard]] Displacement solve(const RowTargets& targets, const Columns3& f) const override
   {
     Columns3 rightSides(unknowns(), 3);
     rightSides.topRows(A_.cols()) = A_.transpose() * f;
-    for (std::size_t k = 0; k < rows_.size(); ++k) rightSides.row(A_.cols() + k) = shifts.row(rows_[k]);
+    for (std::size_t k = 0; k < rows_.size(); ++k) rightSides.row(A_.cols() + k) = targets.shifts.row(rows_[k]);
     return {spread_ * lu_->solve(rightSides).topRows(A_.cols()), 0, 0};
   }
 

@@ -26,10 +26,10 @@ class SoftSolver final : public DeformationSolver {
   {
   }
 
-  [[nodiscard]] Displacement solve(const Columns3& shifts, const Columns3& f) const override
+  [[nodiscard]] Displacement solve(const RowTargets& targets, const Columns3& f) const override
   {
-    Columns3 rightSides(f.rows() + shifts.rows(), 3);
-    rightSides << f, weight_ * shifts;
+    Columns3 rightSides(f.rows() + targets.shifts.rows(), 3);
+    rightSides << f, weight_ * targets.shifts;
     const CorrectedSolution z = correctedSolve(*factor_, *stacked_.C, stacked_.scale, rightSides);
     return {spread_ * (stacked_.scale.asDiagonal() * z.z), z.corrections, z.accuracy};
   }

@@ -188,8 +188,8 @@ TEST(DeformLaws, ASolverServesOtherTargetsAsAFreshOneWould)
       const DecompositionAttempt used = decompose({A, eliminated, rest}, options.solver);
       const DecompositionAttempt fresh = decompose({A, eliminated, rest}, options.solver);
       ASSERT_NE(used.solver, nullptr) << used.failure;
-      static_cast<void>(used.solver->solve(-3 * shiftsOf(system), f));
-      const Columns3 other = shiftsOf(system).reverse();
+      static_cast<void>(used.solver->solve({-3 * shiftsOf(system), {}}, f));
+      const RowTargets other{shiftsOf(system).reverse(), {}};
       EXPECT_EQ(used.solver->solve(other, f).u, fresh.solver->solve(other, f).u) << name(kind);
     }
   });
