@@ -34,10 +34,9 @@ std::string constraintLine(const Report& report)
   Index rows = 0;
   for (const ConstraintOutcome& outcome : report.constraints) rows += outcome.rows;
   std::string line = fmt::format("constraints  {} in {} rows", report.constraints.size(), rows);
-  const bool isSolved = report.solve.status == SolveStatus::Ok || report.solve.status == SolveStatus::Conflicts;
-  if (isSolved) line += countOf(report, ConstraintStatus::Met);
-  for (const ConstraintStatus status : {ConstraintStatus::Redundant, ConstraintStatus::Conflicting,
-                                        ConstraintStatus::Missed, ConstraintStatus::Disabled})
+  for (const ConstraintStatus status :
+       {ConstraintStatus::Independent, ConstraintStatus::Met, ConstraintStatus::Redundant,
+        ConstraintStatus::Conflicting, ConstraintStatus::Missed, ConstraintStatus::Disabled})
     line += countOf(report, status);
   return line + "\n";
 }
@@ -74,7 +73,7 @@ std::string conflictLines(const Report& report, const std::string& units)
   std::string text;
   for (const ConstraintOutcome& outcome : report.constraints)
     if (outcome.status == ConstraintStatus::Conflicting)
-      text += fmt::format("conflict: \"{}\" contradicts {} by {}; it was left out where it does\n", outcome.name,
+      text += fmt::format("conflict: \"{}\" contradicts {} by {}; it is left out where it does\n", outcome.name,
                           quotedNames(outcome.dependsOn), withUnits(outcome.gap.value_or(0), units));
   return text;
 }

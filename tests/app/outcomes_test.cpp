@@ -27,6 +27,14 @@ constexpr int kNumerical = 5;
 class Outcome : public BatchTest {
  protected:
   [[nodiscard]] Json report() const { return Json::parse(bytesOf(output("report.json"))); }
+
+  void expectStatuses(const std::vector<std::string>& expected) const
+  {
+    const Json report = this->report();
+    std::vector<std::string> statuses;
+    for (const Json& constraint : report["constraints"]) statuses.push_back(constraint["status"]);
+    EXPECT_EQ(statuses, expected);
+  }
 };
 
 TEST_F(Outcome, MetConstraintsAreReportedAsMet)
@@ -150,6 +158,15 @@ TEST_F(ConflictingConstraints, AreFoundByCheckToo)
       runBatch({"check", mesh(), "--constraints", conflicts(), "--report", output("report.json")}));
   EXPECT_THAT(out_.names(), ElementsAre("report.json"));
   EXPECT_TRUE(isReport(report(), SolveState::kNotRun));
+  expectStatuses({"independent", "independent", "redundant", "conflicting", "conflicting", "disabled"});
+}
+
+TEST_F(ConflictingConstraints, AreCountedInTheSummary)
+{
+  const std::string dependent = ", 1 redundant, 2 conflicting, 1 disabled\n";
+  EXPECT_THAT(runBatch(deform(mesh(), conflicts())).out, HasSubstr("rows, 2 met" + dependent));
+  EXPECT_THAT(runBatch({"check", mesh(), "--constraints", conflicts()}).out,
+              HasSubstr("rows, 2 independent" + dependent));
 }
 
 TEST_F(ConflictingConstraints, AreReportedWithPartnersAndGap)
@@ -159,9 +176,7 @@ TEST_F(ConflictingConstraints, AreReportedWithPartnersAndGap)
   EXPECT_TRUE(isReport(report, SolveState::kSolved));
   EXPECT_EQ(report["solve"]["status"], "conflicts");
   const Json& list = report["constraints"];
-  ASSERT_EQ(list.size(), 6U);
-  const std::vector<std::string> statuses{"met", "met", "redundant", "conflicting", "conflicting", "disabled"};
-  for (std::size_t k = 0; k < statuses.size(); ++k) EXPECT_EQ(list[k]["status"], statuses[k]) << list[k];
+  expectStatuses({"met", "met", "redundant", "conflicting", "conflicting", "disabled"});
   EXPECT_EQ(list[2]["depends_on"], Json::array({"top"}));
   EXPECT_EQ(list[4]["depends_on"], Json::array({"top"}));
   EXPECT_DOUBLE_EQ(list[4]["gap"], 0.75);
@@ -197,6 +212,8 @@ TEST_F(FailedNumerics, LeaveAReportWithTheReasonAndNoMesh)
   EXPECT_THAT(result.err, HasSubstr("use the weights \"cotangent\" or repair"));
   EXPECT_THAT(out_.names(), ElementsAre("report.json"));
   EXPECT_TRUE(isReport(report(), SolveState::kFailed));
+  expectStatuses({"independent", "independent"});
+  EXPECT_THAT(result.out, HasSubstr(", 2 independent\n"));
   EXPECT_THAT(result.err, HasSubstr(report()["solve"]["message"].get<std::string>()));
 }
 
@@ -232,6 +249,8 @@ TEST_F(FailedNumerics, NameConstraintsThatAreTooCloseToTellApart)
   EXPECT_THAT(result.err, testing::ContainsRegex("error: \"[AB]\" is missed by [^ ]*, more than the promised"));
   EXPECT_THAT(result.err, HasSubstr("leave one of them out, or move them apart"));
   EXPECT_THAT(out_.names(), ElementsAre("report.json"));
+  EXPECT_TRUE(isReport(report(), SolveState::kFailed));
+  expectStatuses({"independent", "independent", "independent"});
 }
 
 TEST_F(Outcome, CheckTellsOfMeshAndConstraintsAndSolvesNothing)

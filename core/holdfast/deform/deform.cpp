@@ -126,6 +126,8 @@ class Run {
     solve().status = SolveStatus::Failed;
     solve().message = failureMessage(options_.solver, options_.weights, reason);
     result_.positions = model_.mesh.positions;
+    // Residuals of positions that nobody gets would be misleading.
+    result_.report.constraints = outcomes(constraints_, result_.system, result_.diagnosis);
   }
 
   void setUp()

@@ -39,6 +39,7 @@ double statusCode(ConstraintStatus status)
       return 3;
     case ConstraintStatus::Missed:
       return 4;
+    case ConstraintStatus::Independent:
     case ConstraintStatus::Disabled:
       return 0;
   }

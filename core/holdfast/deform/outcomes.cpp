@@ -33,7 +33,7 @@ ConstraintStatus statusOf(const RowTally& rows)
 {
   if (rows.rows == 0) return ConstraintStatus::Disabled;
   if (rows.conflicting > 0) return ConstraintStatus::Conflicting;
-  return rows.redundant == rows.rows ? ConstraintStatus::Redundant : ConstraintStatus::Met;
+  return rows.redundant == rows.rows ? ConstraintStatus::Redundant : ConstraintStatus::Independent;
 }
 
 }  // namespace
@@ -41,6 +41,8 @@ ConstraintStatus statusOf(const RowTally& rows)
 std::string_view name(ConstraintStatus status)
 {
   switch (status) {
+    case ConstraintStatus::Independent:
+      return "independent";
     case ConstraintStatus::Met:
       return "met";
     case ConstraintStatus::Redundant:
@@ -108,6 +110,7 @@ void setResiduals(Report& report, const ConstraintSystem& system, const Diagnosi
     ConstraintOutcome& outcome = report.constraints[system.rows[r].constraint];
     outcome.residual = std::max(outcome.residual.value_or(0), residuals[r]);
     if (diagnosis.status[r] == RowStatus::Conflicting) continue;
+    if (outcome.status == ConstraintStatus::Independent) outcome.status = ConstraintStatus::Met;
     largest = std::max(largest, residuals[r]);
     const bool isHeld = outcome.status == ConstraintStatus::Met || outcome.status == ConstraintStatus::Redundant;
     if (isHeld && residuals[r] > limit) outcome.status = ConstraintStatus::Missed;

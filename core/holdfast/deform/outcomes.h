@@ -13,12 +13,13 @@ namespace holdfast {
 [[nodiscard]] std::vector<double> rowResiduals(const ConstraintSystem& system, const Weld& weld,
                                                const Positions& positions);
 
-/// One outcome for each constraint of the list, in order, without residuals.
+/// One outcome for each constraint of the list, in order, as it stands before anything is solved:
+/// without residuals, and none of them met.
 [[nodiscard]] std::vector<ConstraintOutcome> outcomes(const ConstraintList& list, const ConstraintSystem& system,
                                                       const Diagnosis& diagnosis);
 
-/// Sets the residuals in `report` from positions as they are, or will be, stored, and the status of constraints whose
-/// residual exceeds `limit` (model units).
+/// Sets the residuals in `report` from positions as they are, or will be, stored, and the status of constraints that
+/// were solved: missed where the residual exceeds `limit` (model units), else met.
 void setResiduals(Report& report, const ConstraintSystem& system, const Diagnosis& diagnosis,
                   const std::vector<double>& residuals, double limit);
 

@@ -21,6 +21,7 @@ struct MeshReport {
 };
 
 enum class ConstraintStatus {
+  Independent,  ///< neither follows from constraints before it nor contradicts them; nothing was solved
   Met,          ///< residual within the promise
   Redundant,    ///< follows from constraints before it, and agrees with them
   Conflicting,  ///< contradicts constraints before it; what contradicts was left out
@@ -28,7 +29,7 @@ enum class ConstraintStatus {
   Disabled
 };
 
-/// The name in reports: "met", "redundant", ...
+/// The name in reports: "independent", "met", "redundant", ...
 [[nodiscard]] std::string_view name(ConstraintStatus status);
 
 struct ConstraintOutcome {

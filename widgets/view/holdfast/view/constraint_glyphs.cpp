@@ -127,6 +127,7 @@ Color glyphColor(ConstraintStatus status)
       return {0.90, 0.22, 0.05};
     case ConstraintStatus::Missed:
       return {0.72, 0.25, 0.60};
+    case ConstraintStatus::Independent:
     case ConstraintStatus::Met:
     case ConstraintStatus::Disabled:
       break;
