@@ -1,23 +1,26 @@
 #include <algorithm>
-#include <cstdio>
 
 #include <fmt/format.h>
 
 #include <holdfast/base/error.h>
 #include <holdfast/constraints/constraint_file.h>
 #include <holdfast/deform/report_json.h>
-#include <holdfast/io/output_file.h>
 
 #include "batch/commands.h"
 #include "batch/mesh_formats.h"
+#include "batch/outputs.h"
+#include "batch/standard_streams.h"
 #include "batch/summary.h"
 
 namespace holdfast::batch {
 namespace {
 
-void writeReport(const CheckCommand& command, const Report& report)
+/// Writes the report aside, if there is to be one.
+Outputs writeReport(const CheckCommand& command, const Report& report)
 {
-  if (command.report) OutputFile(*command.report, reportToJson(report)).commit();
+  Outputs outputs;
+  if (command.report) outputs.add(*command.report, reportToJson(report));
+  return outputs;
 }
 
 /// A mesh of which no more can be said than that: the report is written, then the error goes its way.
@@ -28,7 +31,9 @@ void refuseNonFinite(const CheckCommand& command, const Mesh& mesh)
   if (report.mesh.findings.empty()) return;
   report.mesh.vertices = mesh.vertexCount();
   report.mesh.faces = mesh.faces.size();
-  writeReport(command, report);
+  Outputs outputs = writeReport(command, report);
+  outputs.commitDirect();
+  outputs.commitAside();
   const Finding& finding = report.mesh.findings.front();
   throw InputError({command.mesh.string(), 0, fmt::format("vertex {}", finding.ids.front())}, finding.message);
 }
@@ -47,10 +52,12 @@ ExitCode runCheck(const CheckCommand& command)
     report = diagnoseConstraints(model, constraints, source);
   else
     report.mesh = describeMesh(model);
-  writeReport(command, report);
 
-  fmt::print(stderr, "{}", conflictLines(report, constraints.units));
-  if (!command.isQuiet) fmt::print("{}", summary(report, command.mesh.string(), constraints.units));
+  Outputs outputs = writeReport(command, report);
+  outputs.commitDirect();
+  printMessage(conflictLines(report, constraints.units));
+  if (!command.isQuiet) printResult(summary(report, command.mesh.string(), constraints.units));
+  outputs.commitAside();
   const bool hasConflicts =
       std::any_of(report.constraints.begin(), report.constraints.end(),
                   [](const ConstraintOutcome& outcome) { return outcome.status == ConstraintStatus::Conflicting; });

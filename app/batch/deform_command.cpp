@@ -1,7 +1,3 @@
-#include <cstdio>
-#include <utility>
-#include <vector>
-
 #include <fmt/format.h>
 
 #include <holdfast/constraints/constraint_file.h>
@@ -12,8 +8,10 @@
 
 #include "batch/commands.h"
 #include "batch/mesh_formats.h"
+#include "batch/outputs.h"
 #include "batch/pictures.h"
 #include "batch/progress_line.h"
+#include "batch/standard_streams.h"
 #include "batch/summary.h"
 
 namespace holdfast::batch {
@@ -42,34 +40,14 @@ void measureRounded(Deformation& deformation, const Model& model)
         fmt::format("; the file holds single precision and misses them by up to {:.3g}", solve.maxResidual);
 }
 
-/// All outputs are written aside before any is put in its place, and those that cannot be written aside go first.
-class Outputs {
- public:
-  void add(const std::filesystem::path& path, const Serialized& contents)
-  {
-    for (const std::string& note : contents.notes) fmt::print(stderr, "note: {}: {}\n", path.string(), note);
-    files_.emplace_back(path, contents.bytes);
-  }
+/// Adds a file, and tells what it could not hold.
+void addNoted(Outputs& outputs, const std::filesystem::path& path, const Serialized& contents)
+{
+  for (const std::string& note : contents.notes) printMessage(fmt::format("note: {}: {}\n", path.string(), note));
+  outputs.add(path, contents.bytes);
+}
 
-  void commit()
-  {
-    for (OutputFile& file : files_)
-      if (file.isDirect()) file.commit();
-    for (OutputFile& file : files_)
-      if (!file.isDirect()) file.commit();
-  }
-
-  [[nodiscard]] std::string names() const
-  {
-    std::string text;
-    for (const OutputFile& file : files_) text += fmt::format("wrote        {}\n", file.path().string());
-    return text;
-  }
-
- private:
-  std::vector<OutputFile> files_;
-};
-
+/// Writes everything aside.
 Outputs writeAll(const DeformCommand& command, const MeshDocument& document, const std::string& units,
                  const Model& model, Deformation& deformation, Progress& progress)
 {
@@ -79,18 +57,18 @@ Outputs writeAll(const DeformCommand& command, const MeshDocument& document, con
     progress.stage("writing the mesh");
     const Serialized contents = serializeAnyMesh(document, deformation.positions, *command.out);
     if (contents.isSinglePrecision) measureRounded(deformation, model);
-    outputs.add(*command.out, contents);
+    addNoted(outputs, *command.out, contents);
   }
   if (isSolved && command.fields) {
     progress.stage("writing fields");
-    outputs.add(*command.fields, serializeFields(model.mesh, deformation.positions, fieldsOf(model, deformation)));
+    addNoted(outputs, *command.fields,
+             serializeFields(model.mesh, deformation.positions, fieldsOf(model, deformation)));
   }
   if (isSolved && command.picture) {
     progress.stage("drawing the picture");
-    outputs.add(command.picture->path, {snapshot(*command.picture, model, deformation, units), {}, false});
+    outputs.add(command.picture->path, snapshot(*command.picture, model, deformation, units));
   }
-  if (command.report) outputs.add(*command.report, {reportToJson(deformation.report), {}, false});
-  outputs.commit();
+  if (command.report) outputs.add(*command.report, reportToJson(deformation.report));
   return outputs;
 }
 
@@ -118,12 +96,15 @@ ExitCode deformWith(const DeformCommand& command, Progress& progress)
   progress.stage(fmt::format("checking {} vertices", document.mesh.vertexCount()));
   const Model model = makeModel(document.mesh, command.mesh.string());
   Deformation deformation = deform(model, constraints, command.constraints.string(), command.options, progress);
-  const Outputs outputs = writeAll(command, document, constraints.units, model, deformation, progress);
+  Outputs outputs = writeAll(command, document, constraints.units, model, deformation, progress);
 
   const Report& report = deformation.report;
-  fmt::print(stderr, "{}", conflictLines(report, constraints.units));
-  if (report.solve.status == SolveStatus::Failed) fmt::print(stderr, "error: {}\n", report.solve.message);
-  if (!command.isQuiet) fmt::print("{}{}", summary(report, command.mesh.string(), constraints.units), outputs.names());
+  outputs.commitDirect();
+  printMessage(conflictLines(report, constraints.units));
+  if (report.solve.status == SolveStatus::Failed) printMessage(fmt::format("error: {}\n", report.solve.message));
+  if (!command.isQuiet) printResult(summary(report, command.mesh.string(), constraints.units));
+  outputs.commitAside();
+  if (!command.isQuiet) printResult(outputs.names());
   return exitCodeOf(report.solve.status);
 }
 

@@ -1,6 +1,5 @@
 // holdfast-batch: deforms and checks meshes without a window. The only place that turns exceptions into exit codes.
 
-#include <cstdio>
 #include <exception>
 #include <new>
 
@@ -10,6 +9,7 @@
 
 #include "batch/commands.h"
 #include "batch/interrupt.h"
+#include "batch/standard_streams.h"
 
 namespace holdfast::batch {
 namespace {
@@ -19,14 +19,14 @@ struct Run {
   ExitCode operator()(const CheckCommand& command) const { return runCheck(command); }
   ExitCode operator()(const ShowText& show) const
   {
-    fmt::print("{}", show.text);
+    printResult(show.text);
     return kAllMet;
   }
 };
 
 ExitCode complain(ExitCode code, const std::string& message)
 {
-  fmt::print(stderr, "holdfast-batch: {}\n", message);
+  printMessage(fmt::format("holdfast-batch: {}\n", message));
   return code;
 }
 

@@ -1,8 +1,8 @@
 #include "batch/progress_line.h"
 
-#include <cstdio>
-
 #include <fmt/format.h>
+
+#include "batch/standard_streams.h"
 
 namespace holdfast::batch {
 
@@ -36,7 +36,7 @@ void ProgressLine::waitAndPrint()
 void ProgressLine::print() const
 {
   const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
-  fmt::print(stderr, "[{:6.1f} s] {}\n", seconds, description_);
+  printMessage(fmt::format("[{:6.1f} s] {}\n", seconds, description_));
 }
 
 }  // namespace holdfast::batch

@@ -128,6 +128,55 @@ TEST_F(Outputs, TheReportCanGoToStandardOutput)
   EXPECT_THAT(result.out, HasSubstr("\"holdfast-report\""));
 }
 
+/// Standard output or standard error goes to a disk without room.
+class FullStreams : public Outputs {
+ protected:
+  void SetUp() override
+  {
+    if (!fs::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
+    outIsFull_.outPath = "/dev/full";
+    errIsFull_.errPath = "/dev/full";
+  }
+
+  ProcessOptions outIsFull_;
+  ProcessOptions errIsFull_;
+};
+
+TEST_F(FullStreams, AnAnswerThatIsLostIsAnError)
+{
+  const std::vector<std::vector<std::string>> questions{
+      {"--version"}, {"--help"}, {"deform", "--help"}, {"check", mesh()}};
+  for (const auto& question : questions)
+    expectRefusal(runBatch(question, outIsFull_), kOutput,
+                  {"standard output: cannot be written (No space left on device)"});
+}
+
+TEST_F(FullStreams, ASummaryThatIsLostLeavesWhatWasThere)
+{
+  expectRefusedWithoutTrace(deform(mesh(), constraints()), kOutput, {"standard output: cannot be written"}, outIsFull_);
+  const std::vector<std::string> check{"check", mesh(), "--report", output("report.json")};
+  expectRefusedWithoutTrace(check, kOutput, {"standard output: cannot be written"}, outIsFull_);
+}
+
+TEST_F(FullStreams, AReportThatIsLostIsAnError)
+{
+  const std::vector<std::string> quietly{"check", mesh(), "--report", "/dev/stdout", "--quiet"};
+  expectRefusal(runBatch(quietly, outIsFull_), kOutput, {"/dev/stdout: cannot be written (No space left on device)"});
+}
+
+TEST_F(FullStreams, QuietNeedsNoStandardOutput)
+{
+  EXPECT_EQ(runBatch(deform(mesh(), constraints(), {"--quiet"}), outIsFull_).exitCode, 0);
+  EXPECT_THAT(out_.names(), ElementsAreArray(allOutputs()));
+}
+
+TEST_F(FullStreams, MessagesThatAreLostKeepTheExitCode)
+{
+  constexpr int kUsage = 2;
+  EXPECT_EQ(runBatch({"bend"}, errIsFull_).exitCode, kUsage);
+  EXPECT_EQ(runBatch({"check", output("none.obj")}, errIsFull_).exitCode, 3);
+}
+
 /// Inputs whose work takes many seconds: a sheet of 250,000 vertices, one side held, the other lifted.
 class LongWork : public BatchTest {
  protected:

@@ -64,12 +64,20 @@ bool submitToPermissions(const ProcessOptions& options)
   return !options.obeysPermissions || ::geteuid() != 0 || ::prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE, 0, 0, 0) == 0;
 }
 
+/// Makes `stream` go to the file at `path`, or into `pipe` where there is no path.
+bool redirect(int stream, const std::string& path, int pipe)
+{
+  const int file = path.empty() ? pipe : ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  return file >= 0 && ::dup2(file, stream) >= 0;
+}
+
 /// Between fork and exec nothing may allocate: `arguments` is made before.
 [[noreturn]] void becomeProgram(char* const* arguments, const ProcessOptions& options, int out, int err)
 {
   const int nothing = ::open("/dev/null", O_RDONLY);
-  const bool isReady = nothing >= 0 && ::dup2(nothing, STDIN_FILENO) >= 0 && ::dup2(out, STDOUT_FILENO) >= 0 &&
-                       ::dup2(err, STDERR_FILENO) >= 0 && limitFiles(options) && submitToPermissions(options);
+  const bool isReady = nothing >= 0 && ::dup2(nothing, STDIN_FILENO) >= 0 &&
+                       redirect(STDOUT_FILENO, options.outPath, out) && redirect(STDERR_FILENO, options.errPath, err) &&
+                       limitFiles(options) && submitToPermissions(options);
   if (isReady) ::execv(arguments[0], arguments);
   ::_exit(kNotStarted);
 }

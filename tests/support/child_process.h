@@ -14,6 +14,9 @@ struct ProcessOptions {
   std::chrono::seconds timeout{300};
   /// No file may grow beyond this many bytes: the full disk of the tests.
   std::optional<long> largestFile;
+  /// Where standard output or standard error goes; nothing of it is in the result then.
+  std::string outPath;
+  std::string errPath;
   /// Permissions count also where the tests are run by root, for whom otherwise no folder is read-only.
   bool obeysPermissions = false;
   /// `signal` is sent once, as soon as the program's standard error holds `signalAt`.

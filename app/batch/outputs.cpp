@@ -1,0 +1,26 @@
+#include "batch/outputs.h"
+
+#include <fmt/format.h>
+
+namespace holdfast::batch {
+
+void Outputs::commitDirect()
+{
+  for (OutputFile& file : files_)
+    if (file.isDirect()) file.commit();
+}
+
+void Outputs::commitAside()
+{
+  for (OutputFile& file : files_)
+    if (!file.isDirect()) file.commit();
+}
+
+std::string Outputs::names() const
+{
+  std::string text;
+  for (const OutputFile& file : files_) text += fmt::format("wrote        {}\n", file.path().string());
+  return text;
+}
+
+}  // namespace holdfast::batch
