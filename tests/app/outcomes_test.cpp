@@ -209,7 +209,8 @@ TEST_F(FailedNumerics, LeaveAReportWithTheReasonAndNoMesh)
   EXPECT_EQ(result.exitCode, kNumerical) << result.err;
   EXPECT_THAT(result.err, HasSubstr("error: the weights \"cotangent-paper\" are not finite at 3 vertices"));
   EXPECT_THAT(result.err, HasSubstr("vertex 0"));
-  EXPECT_THAT(result.err, HasSubstr("use the weights \"cotangent\" or repair"));
+  EXPECT_THAT(result.err,
+              HasSubstr("; use the weights \"cotangent\", which are guarded against that, or repair those faces\n"));
   EXPECT_THAT(out_.names(), ElementsAre("report.json"));
   EXPECT_TRUE(isReport(report(), SolveState::kFailed));
   expectStatuses({"independent", "independent"});

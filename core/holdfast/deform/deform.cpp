@@ -59,7 +59,7 @@ std::string undefinedRowsMessage(const Model& model, const Operators& operators)
   return fmt::format(
       "the weights \"{}\" are not finite at {} vertices, the first of them vertex {}, because a face there has no "
       "area; "
-      "use the weights \"cotangent\" or repair those faces",
+      "use the weights \"cotangent\", which are guarded against that, or repair those faces",
       name(operators.weights), operators.undefinedRows.size(),
       model.solverMesh.weld.firstVertexOf[operators.undefinedRows.front()]);
 }
@@ -121,10 +121,13 @@ class Run {
  private:
   [[nodiscard]] SolveReport& solve() { return result_.report.solve; }
 
-  void fail(const std::string& reason)
+  /// Numbers went wrong, and other options may help.
+  void fail(const std::string& reason) { refuse(failureMessage(options_.solver, options_.weights, reason)); }
+
+  void refuse(const std::string& message)
   {
     solve().status = SolveStatus::Failed;
-    solve().message = failureMessage(options_.solver, options_.weights, reason);
+    solve().message = message;
     result_.positions = model_.mesh.positions;
     // Residuals of positions that nobody gets would be misleading.
     result_.report.constraints = outcomes(constraints_, result_.system, result_.diagnosis);
@@ -157,7 +160,7 @@ class Run {
     result_.diagnosis = diagnose(eliminated, result_.system, model_.solverMesh);
     result_.report.constraints = outcomes(constraints_, result_.system, result_.diagnosis);
     addFindings(eliminated);
-    if (!result_.operators.undefinedRows.empty()) return fail(undefinedRowsMessage(model_, result_.operators));
+    if (!result_.operators.undefinedRows.empty()) return refuse(undefinedRowsMessage(model_, result_.operators));
 
     progress_.stage(fmt::format("factorising {} unknowns", eliminated.elimination.Q2().cols()));
     const Columns3 centred = model_.solverMesh.rest.rowwise() - model_.solverMesh.rest.colwise().mean();
