@@ -5,6 +5,7 @@
 
 #include <cholmod.h>
 
+#include <holdfast/base/cholmod_view_internal.h>
 #include <holdfast/solve/column_scaling.h>
 #include <holdfast/solve/gram.h>
 
@@ -25,7 +26,8 @@ constexpr double kSolvesPerSession = 60;
 class Ordered {
  public:
   /// `ordering` is one of CHOLMOD's, or `kDefault`.
-  Ordered(SparseMatrix& lower, int ordering) : size_(static_cast<std::size_t>(lower.rows())), matrix_(viewOf(lower))
+  Ordered(SparseMatrix& lower, int ordering)
+      : size_(static_cast<std::size_t>(lower.rows())), matrix_(cholmodView(lower, StoredPart::LowerTriangle))
   {
     cholmod_start(&common_);
     common_.supernodal = CHOLMOD_SUPERNODAL;
@@ -66,23 +68,6 @@ class Ordered {
   [[nodiscard]] double factorMiB() const { return common_.lnz * sizeof(double) / (1024 * 1024); }
 
  private:
-  static cholmod_sparse viewOf(SparseMatrix& lower)
-  {
-    cholmod_sparse view{};
-    view.nrow = view.ncol = static_cast<std::size_t>(lower.rows());
-    view.nzmax = static_cast<std::size_t>(lower.nonZeros());
-    view.p = lower.outerIndexPtr();
-    view.i = lower.innerIndexPtr();
-    view.x = lower.valuePtr();
-    view.stype = -1;
-    view.itype = CHOLMOD_INT;
-    view.xtype = CHOLMOD_REAL;
-    view.dtype = CHOLMOD_DOUBLE;
-    view.sorted = 1;
-    view.packed = 1;
-    return view;
-  }
-
   std::size_t size_;
   cholmod_sparse matrix_;
   cholmod_common common_{};

@@ -1,7 +1,8 @@
 #pragma once
 /// \file
-/// Every mesh, weighting and backend on which a law of the solve is tried.
+/// Every mesh or problem, weighting and backend on which a law of the solve is tried.
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,26 @@ void forEachSolveCase(Check&& check)
         SCOPED_TRACE(named.name + ", " + std::string(name(weights)) + ", " + std::string(name(backend)));
         check(named.mesh, DeformOptions{weights, {SolverKind::Hard, backend, 5}});
       }
+}
+
+/// A mesh and what is asked of it.
+struct Problem {
+  Mesh mesh;
+  ConstraintList list;
+};
+
+/// Calls `check(problem, options)` for `makeProblem(seed)` of every seed below `seeds`, every weighting and backend.
+template <class MakeProblem, class Check>
+void forEachProblem(std::uint32_t seeds, SolverKind kind, MakeProblem&& makeProblem, Check&& check)
+{
+  for (std::uint32_t seed = 0; seed < seeds; ++seed) {
+    const Problem problem = makeProblem(seed);
+    for (const Weights weights : allWeights())
+      for (const Backend backend : backends()) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed << ", " << name(weights) << ", " << name(backend));
+        check(problem, DeformOptions{weights, {kind, backend, 5}});
+      }
+  }
 }
 
 [[nodiscard]] inline Deformation deformed(const Mesh& mesh, const ConstraintList& list, const DeformOptions& options)

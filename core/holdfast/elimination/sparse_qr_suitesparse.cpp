@@ -5,6 +5,7 @@
 
 #include <SuiteSparseQR.hpp>
 
+#include <holdfast/base/cholmod_view_internal.h>
 #include <holdfast/elimination/sparse_qr.h>
 
 namespace holdfast {
@@ -29,25 +30,6 @@ class Workspace {
  private:
   cholmod_common common_{};
 };
-
-/// A view of `matrix` as CHOLMOD sees it; owns nothing.
-cholmod_sparse viewOf(LongMatrix& matrix)
-{
-  cholmod_sparse view{};
-  view.nrow = static_cast<std::size_t>(matrix.rows());
-  view.ncol = static_cast<std::size_t>(matrix.cols());
-  view.nzmax = static_cast<std::size_t>(matrix.nonZeros());
-  view.p = matrix.outerIndexPtr();
-  view.i = matrix.innerIndexPtr();
-  view.x = matrix.valuePtr();
-  view.stype = 0;
-  view.itype = CHOLMOD_LONG;
-  view.xtype = CHOLMOD_REAL;
-  view.dtype = CHOLMOD_DOUBLE;
-  view.sorted = 1;
-  view.packed = 1;
-  return view;
-}
 
 /// Takes a matrix over from CHOLMOD, its first `rows` rows.
 SparseMatrix taken(cholmod_sparse* matrix, Index rows, cholmod_common* common)
@@ -78,7 +60,7 @@ SparseQrResult sparseQrSuiteSparse(const SparseMatrix& M, double tolerance, Want
   cholmod_common* const common = workspace.get();
   LongMatrix matrix = M;
   matrix.makeCompressed();
-  cholmod_sparse view = viewOf(matrix);
+  cholmod_sparse view = cholmodView(matrix, StoredPart::All);
   cholmod_sparse* Q = nullptr;
   cholmod_sparse* R = nullptr;
   SuiteSparse_long* columns = nullptr;

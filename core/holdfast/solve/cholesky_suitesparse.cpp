@@ -6,6 +6,7 @@
 #include <cholmod.h>
 #include <fmt/format.h>
 
+#include <holdfast/base/cholmod_view_internal.h>
 #include <holdfast/solve/gram.h>
 #include <holdfast/solve/least_squares_factor.h>
 
@@ -35,7 +36,7 @@ class Cholmod {
   /// Analyses and factorises the matrix whose lower triangle is given; the reason where that fails.
   std::string factorize(SparseMatrix& lower)
   {
-    cholmod_sparse view = viewOf(lower);
+    cholmod_sparse view = cholmodView(lower, StoredPart::LowerTriangle);
     factor_ = cholmod_analyze(&view, &common_);
     if (factor_ != nullptr) cholmod_factorize(&view, factor_, &common_);
     return failure(lower.rows());
@@ -61,24 +62,6 @@ class Cholmod {
   [[nodiscard]] Index nonzeros() const { return static_cast<Index>(common_.lnz); }
 
  private:
-  static cholmod_sparse viewOf(SparseMatrix& lower)
-  {
-    cholmod_sparse view{};
-    view.nrow = static_cast<std::size_t>(lower.rows());
-    view.ncol = static_cast<std::size_t>(lower.cols());
-    view.nzmax = static_cast<std::size_t>(lower.nonZeros());
-    view.p = lower.outerIndexPtr();
-    view.i = lower.innerIndexPtr();
-    view.x = lower.valuePtr();
-    view.stype = -1;
-    view.itype = CHOLMOD_INT;
-    view.xtype = CHOLMOD_REAL;
-    view.dtype = CHOLMOD_DOUBLE;
-    view.sorted = 1;
-    view.packed = 1;
-    return view;
-  }
-
   [[nodiscard]] std::string failure(Index size) const
   {
     switch (common_.status) {

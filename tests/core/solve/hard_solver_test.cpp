@@ -14,13 +14,6 @@
 namespace holdfast {
 namespace {
 
-/// One random problem: some overlapping points of a small mesh, those that depend on others left out, so that all can
-/// be met.
-struct Problem {
-  Mesh mesh;
-  ConstraintList list;
-};
-
 ConstraintList independent(const ConstraintList& list, const Mesh& mesh)
 {
   const Eigen::MatrixXd B = test::denseRows(list, mesh).B;
@@ -36,7 +29,8 @@ ConstraintList independent(const ConstraintList& list, const Mesh& mesh)
   return test::listOf(kept);
 }
 
-Problem randomProblem(std::uint32_t seed)
+/// Some overlapping points of a small mesh, those that depend on others left out, so that all can be met.
+test::Problem randomProblem(std::uint32_t seed)
 {
   test::Random random(seed);
   const std::vector<Mesh> meshes{test::icosphere(1), test::grid(5, 4), test::box(Vector3(1, 2, 3), 2),
@@ -46,21 +40,13 @@ Problem randomProblem(std::uint32_t seed)
   return {mesh, independent(test::randomMoves(random, mesh, count, 0.4), mesh)};
 }
 
-/// Calls `check(problem, options)` for many random problems, every weighting and backend.
 template <class Check>
 void forEachProblem(std::uint32_t seeds, Check&& check)
 {
-  for (std::uint32_t seed = 0; seed < seeds; ++seed) {
-    const Problem problem = randomProblem(seed);
-    for (const Weights weights : test::allWeights())
-      for (const Backend backend : test::backends()) {
-        SCOPED_TRACE(testing::Message() << "seed " << seed << ", " << name(weights) << ", " << name(backend));
-        check(problem, DeformOptions{weights, {SolverKind::Hard, backend, 5}});
-      }
-  }
+  test::forEachProblem(seeds, SolverKind::Hard, randomProblem, check);
 }
 
-Eigen::MatrixX3d displacement(const Problem& problem, const DeformOptions& options)
+Eigen::MatrixX3d displacement(const test::Problem& problem, const DeformOptions& options)
 {
   const Deformation result = test::deformed(problem.mesh, problem.list, options);
   EXPECT_EQ(result.report.solve.status, SolveStatus::Ok) << result.report.solve.message;
@@ -81,7 +67,7 @@ Reduced reduced(const test::DenseProblem& dense)
 /// What may separate two backward stable solutions, relative to their size: Wedin's bound for the reduced problem, a
 /// hundred times because both sides round matrices of about a hundred columns as often in every sum, and the rounding
 /// of coordinates, from which displacements are read.
-double allowed(const Problem& problem, const test::DenseProblem& dense)
+double allowed(const test::Problem& problem, const test::DenseProblem& dense)
 {
   const Reduced parts = reduced(dense);
   const double ofCoordinates = 1e-15 * problem.mesh.positions.norm() / parts.particular.norm();
@@ -93,7 +79,7 @@ TEST(HardSolver, AgreesWithLapack)
   if (!test::constrainedLeastSquaresByLapack(Eigen::Matrix2d::Identity(), Eigen::MatrixXd::Ones(1, 2),
                                              Eigen::Vector2d::Zero(), Eigen::VectorXd::Zero(1)))
     GTEST_SKIP() << "LAPACK was not found when the tests were configured (package liblapack-dev)";
-  forEachProblem(60, [](const Problem& problem, const DeformOptions& options) {
+  forEachProblem(60, [](const test::Problem& problem, const DeformOptions& options) {
     const test::DenseProblem dense = test::denseProblem(problem.mesh, problem.list, options.weights);
     const Eigen::MatrixXd zero = Eigen::MatrixXd::Zero(dense.A.rows(), 3);
     const auto expected = test::constrainedLeastSquaresByLapack(dense.A, dense.B, zero, dense.d);
@@ -105,7 +91,7 @@ TEST(HardSolver, AgreesWithLapack)
 
 TEST(HardSolver, AgreesWithTheSaddlePointSystemInLongDouble)
 {
-  forEachProblem(30, [](const Problem& problem, const DeformOptions& options) {
+  forEachProblem(30, [](const test::Problem& problem, const DeformOptions& options) {
     const test::DenseProblem dense = test::denseProblem(problem.mesh, problem.list, options.weights);
     const Eigen::MatrixXd expected = test::saddlePointInLongDouble(dense.A, dense.B, dense.d);
     EXPECT_LT((displacement(problem, options) - expected).norm(), allowed(problem, dense) * expected.norm());
@@ -114,7 +100,7 @@ TEST(HardSolver, AgreesWithTheSaddlePointSystemInLongDouble)
 
 TEST(HardSolver, LeavesNoSlopeAlongWhatConstraintsLeaveFree)
 {
-  forEachProblem(60, [](const Problem& problem, const DeformOptions& options) {
+  forEachProblem(60, [](const test::Problem& problem, const DeformOptions& options) {
     const test::DenseProblem dense = test::denseProblem(problem.mesh, problem.list, options.weights);
     const Eigen::MatrixXd N = test::nullSpace(dense.B);
     const Eigen::MatrixXd u = displacement(problem, options);
@@ -127,7 +113,7 @@ TEST(HardSolver, LeavesNoSlopeAlongWhatConstraintsLeaveFree)
 
 TEST(HardSolver, HasNoMoreEnergyThanAnyOtherDisplacementThatMeetsTheConstraints)
 {
-  forEachProblem(30, [](const Problem& problem, const DeformOptions& options) {
+  forEachProblem(30, [](const test::Problem& problem, const DeformOptions& options) {
     const test::DenseProblem dense = test::denseProblem(problem.mesh, problem.list, options.weights);
     const Eigen::MatrixXd N = test::nullSpace(dense.B);
     const Eigen::MatrixXd u = displacement(problem, options);
@@ -144,7 +130,7 @@ TEST(HardSolver, HasNoMoreEnergyThanAnyOtherDisplacementThatMeetsTheConstraints)
 
 TEST(HardSolver, ComparisonsNoticeAnotherWeighting)
 {
-  const Problem problem = randomProblem(3);
+  const test::Problem problem = randomProblem(3);
   const test::DenseProblem dense = test::denseProblem(problem.mesh, problem.list, Weights::Cotangent);
   const Eigen::MatrixXd expected = test::saddlePointInLongDouble(dense.A, dense.B, dense.d);
   const Eigen::MatrixX3d other = displacement(problem, {Weights::Uniform, {}});

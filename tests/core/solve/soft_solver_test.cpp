@@ -15,12 +15,7 @@ namespace {
 
 using testing::HasSubstr;
 
-struct Problem {
-  Mesh mesh;
-  ConstraintList list;
-};
-
-Problem randomProblem(std::uint32_t seed)
+test::Problem randomProblem(std::uint32_t seed)
 {
   test::Random random(seed);
   const std::vector<Mesh> meshes{test::icosphere(1), test::grid(4, 4), test::plate(4, 4), test::polygonPlate(2, 1)};
@@ -31,17 +26,10 @@ Problem randomProblem(std::uint32_t seed)
 template <class Check>
 void forEachProblem(std::uint32_t seeds, Check&& check)
 {
-  for (std::uint32_t seed = 0; seed < seeds; ++seed) {
-    const Problem problem = randomProblem(seed);
-    for (const Weights weights : test::allWeights())
-      for (const Backend backend : test::backends()) {
-        SCOPED_TRACE(testing::Message() << "seed " << seed << ", " << name(weights) << ", " << name(backend));
-        check(problem, DeformOptions{weights, {SolverKind::Soft, backend, 5}});
-      }
-  }
+  test::forEachProblem(seeds, SolverKind::Soft, randomProblem, check);
 }
 
-Eigen::MatrixXd displacement(const Problem& problem, DeformOptions options, SolverKind kind, double weight)
+Eigen::MatrixXd displacement(const test::Problem& problem, DeformOptions options, SolverKind kind, double weight)
 {
   options.solver.kind = kind;
   options.solver.softWeight = weight;
@@ -52,7 +40,7 @@ Eigen::MatrixXd displacement(const Problem& problem, DeformOptions options, Solv
 
 TEST(SoftSolver, AgreesWithTheNormalEquationsInLongDouble)
 {
-  forEachProblem(40, [](const Problem& problem, const DeformOptions& options) {
+  forEachProblem(40, [](const test::Problem& problem, const DeformOptions& options) {
     const test::DenseProblem dense = test::denseProblem(problem.mesh, problem.list, options.weights);
     for (const double weight : {0.5, 5.0, 50.0}) {
       Eigen::MatrixXd C(dense.A.rows() + dense.B.rows(), dense.A.cols());
