@@ -51,11 +51,36 @@ TrianglePoint closestPointOfTriangle(const std::array<Vector3, 3>& corners, cons
 
 struct ClosestPointSearch::Tree {
   std::vector<Triangle> triangles;
+  int exponent = 0;  // a unit of what follows is 2^exponent model units
   std::vector<std::array<Vector3, 3>> corners;
   Eigen::KdBVH<double, 3, int> volumes;
 };
 
 namespace {
+
+// Places farther away than 2^this times the size of the surface are moved nearer: their squares would overflow, and the
+// closest point is the same long before.
+constexpr int kFarthestExponent = 200;
+
+double largestCoordinate(const Positions& positions, const std::vector<Triangle>& triangles)
+{
+  double largest = 0;
+  for (const Triangle& triangle : triangles)
+    for (const Index v : triangle) largest = std::max(largest, positions.row(v).cwiseAbs().maxCoeff());
+  return largest;
+}
+
+/// The exponent of the power of two just below a length; that of 1 for no length.
+int exponentOf(double length)
+{
+  return length > 0 ? std::ilogb(length) : 0;
+}
+
+/// `vector` times 2^exponent; powers of two round nothing.
+Vector3 scaled(const Vector3& vector, int exponent)
+{
+  return vector.unaryExpr([exponent](double x) { return std::ldexp(x, exponent); });
+}
 
 /// What Eigen's minimiser asks for: lower bounds on boxes, values on triangles. Remembers the best triangle.
 struct Nearest {
@@ -92,13 +117,15 @@ ClosestPointSearch::ClosestPointSearch(const Positions& positions, const std::ve
 {
   auto tree = std::make_unique<Tree>();
   tree->triangles = triangles;
+  tree->exponent = exponentOf(largestCoordinate(positions, triangles));
+  const auto corner = [&](Index v) { return scaled(positions.row(v), -tree->exponent); };
   tree->corners.reserve(triangles.size());
   std::vector<Eigen::AlignedBox3d> boxes;
   boxes.reserve(triangles.size());
   for (const Triangle& triangle : triangles) {
-    tree->corners.push_back({positions.row(triangle[0]), positions.row(triangle[1]), positions.row(triangle[2])});
+    tree->corners.push_back({corner(triangle[0]), corner(triangle[1]), corner(triangle[2])});
     Eigen::AlignedBox3d box;
-    for (const Vector3& corner : tree->corners.back()) box.extend(corner);
+    for (const Vector3& end : tree->corners.back()) box.extend(end);
     boxes.push_back(box);
   }
   std::vector<int> ids(triangles.size());
@@ -113,12 +140,14 @@ ClosestPointSearch& ClosestPointSearch::operator=(ClosestPointSearch&&) noexcept
 
 ClosestPointSearch::Result ClosestPointSearch::find(const Vector3& place) const
 {
-  Nearest nearest{tree_->corners, place};
+  const int exponent = std::max(tree_->exponent, exponentOf(place.cwiseAbs().maxCoeff()) - kFarthestExponent);
+  Nearest nearest{tree_->corners, scaled(place, -exponent)};
   Eigen::BVMinimize(tree_->volumes, nearest);
   const Triangle& triangle = tree_->triangles[static_cast<std::size_t>(nearest.bestTriangle)];
   std::vector<PointTerm> terms;
   for (int k = 0; k < 3; ++k) terms.push_back({triangle[k], nearest.best.weights[k]});
-  return {canonical(std::move(terms)), nearest.bestTriangle, std::sqrt(nearest.best.squaredDistance)};
+  return {canonical(std::move(terms)), nearest.bestTriangle,
+          std::ldexp(std::sqrt(nearest.best.squaredDistance), exponent)};
 }
 
 }  // namespace holdfast

@@ -16,10 +16,11 @@ struct TrianglePoint {
   double squaredDistance = 0;
 };
 
-/// The point of one triangle closest to `place`. Triangles that are segments or points are fine.
+/// The point of one triangle closest to `place`. Triangles that are segments or points are fine. Fourth powers of
+/// lengths are taken: they should lie between 1e-70 and 1e70.
 [[nodiscard]] TrianglePoint closestPointOfTriangle(const std::array<Vector3, 3>& corners, const Vector3& place);
 
-/// Finds closest points through a bounding volume tree. Holds copies of what it needs.
+/// Finds closest points through a bounding volume tree, at any size of the surface. Holds copies of what it needs.
 class ClosestPointSearch {
  public:
   /// Finite positions, at least one triangle. O(T log T).
@@ -34,7 +35,8 @@ class ClosestPointSearch {
     double distance = 0;  ///< model units
   };
 
-  /// The exact closest point; of triangles at the same distance the one that comes first. About O(log T).
+  /// The exact closest point of a finite place; of triangles at the same distance the one that comes first. About O(log
+  /// T).
   [[nodiscard]] Result find(const Vector3& place) const;
 
  private:

@@ -156,6 +156,39 @@ TEST(ClosestPoint, OfSliversIsNoFartherThanTheirSides)
   }
 }
 
+TEST(ClosestPoint, DoesNotDependOnTheUnitOfLength)
+{
+  for (const test::NamedMesh& named : test::lawMeshes()) {
+    SCOPED_TRACE(named.name);
+    const Surface surface{named.mesh};
+    for (const int exponent : {-800, -500, -300, 300, 500, 1010}) {
+      Mesh other = named.mesh;
+      other.positions = named.mesh.positions.unaryExpr([&](double x) { return std::ldexp(x, exponent); });
+      const Surface scaled{other};
+      test::Random random(5);
+      for (int k = 0; k < 50; ++k) {
+        const Vector3 place = test::randomVector(random, 3);
+        const Vector3 scaledPlace = place.unaryExpr([&](double x) { return std::ldexp(x, exponent); });
+        const ClosestPointSearch::Result expected = surface.search.find(place);
+        const ClosestPointSearch::Result found = scaled.search.find(scaledPlace);
+        EXPECT_EQ(found.point, expected.point) << exponent;
+        EXPECT_EQ(found.distance, std::ldexp(expected.distance, exponent));
+      }
+    }
+  }
+}
+
+TEST(ClosestPoint, OfAPlaceHoweverFarIsOnTheSurface)
+{
+  const Surface surface{test::box(Vector3(1, 1, 1), 2)};
+  for (const double away : {1e20, 1e100, 1e154, 1e200, 1e307}) {
+    const ClosestPointSearch::Result found = surface.search.find({away, away, away});
+    EXPECT_LE((positionOf(found.point, surface.mesh.positions) - Vector3(1, 1, 1)).norm(), 2);
+    EXPECT_DOUBLE_EQ(found.distance / away, std::sqrt(3.0)) << away;
+    EXPECT_DOUBLE_EQ(surface.search.find({0, -away, 0}).distance, away);
+  }
+}
+
 TEST(ClosestPoint, IsTheSameOnEveryRun)
 {
   const Mesh mesh = test::box(Vector3(1, 1, 1), 4);
