@@ -81,6 +81,14 @@ SurfaceLocation randomLocation(Random& random)
   }
 }
 
+InsideCurve randomCurve(Random& random)
+{
+  InsideCurve curve;
+  for (long i = random.integer(3, 6); i > 0; --i) curve.through.push_back(randomLocation(random));
+  if (random.integer(0, 1) == 0) curve.side = CurveSide::Larger;
+  return curve;
+}
+
 Handle randomHandle(Random& random)
 {
   Handle handle{randomSelection(random, 2), std::nullopt, randomVector(random)};
@@ -150,6 +158,10 @@ struct Same {
     return (*this)(a.point, b.point) && (*this)(a.normal, b.normal);
   }
   bool operator()(const InComponent& a, const InComponent& b) const { return a.component == b.component; }
+  bool operator()(const InsideCurve& a, const InsideCurve& b) const
+  {
+    return (*this)(a.through, b.through) && a.side == b.side;
+  }
   bool operator()(const AllOf& a, const AllOf& b) const { return (*this)(a.parts, b.parts); }
   bool operator()(const AnyOf& a, const AnyOf& b) const { return (*this)(a.parts, b.parts); }
   bool operator()(const NotIn& a, const NotIn& b) const { return (*this)(*a.part, *b.part); }
@@ -183,7 +195,7 @@ struct Same {
 
 Selection randomSelection(Random& random, int depth)
 {
-  switch (random.integer(0, depth > 0 ? 7 : 4)) {
+  switch (random.integer(0, depth > 0 ? 8 : 5)) {
     case 0:
       return {randomVertices(random)};
     case 1:
@@ -195,8 +207,10 @@ Selection randomSelection(Random& random, int depth)
     case 4:
       return {InComponent{randomId(random)}};
     case 5:
-      return {AllOf{randomParts(random, depth - 1)}};
+      return {randomCurve(random)};
     case 6:
+      return {AllOf{randomParts(random, depth - 1)}};
+    case 7:
       return {AnyOf{randomParts(random, depth - 1)}};
     default:
       return {NotIn{std::make_shared<const Selection>(randomSelection(random, depth - 1))}};

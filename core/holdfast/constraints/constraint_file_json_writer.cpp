@@ -56,6 +56,22 @@ std::string vectorJson(const Vector3& v)
   return fmt::format("[{}, {}, {}]", numberJson(v.x()), numberJson(v.y()), numberJson(v.z()));
 }
 
+struct LocationJson {
+  std::string operator()(const AtVertex& at) const { return fmt::format(R"({{"vertex": {}}})", numberJson(at.vertex)); }
+  std::string operator()(const AtEdge& at) const
+  {
+    return fmt::format(R"({{"edge": [{}, {}], "t": {}}})", numberJson(at.i), numberJson(at.j), numberJson(at.t));
+  }
+  std::string operator()(const AtFace& at) const
+  {
+    return fmt::format(R"({{"face": {}, "weights": {}}})", numberJson(at.face),
+                       listJson(at.weights, [](double weight) { return numberJson(weight); }));
+  }
+  std::string operator()(const AtNear& at) const { return fmt::format(R"({{"near": {}}})", vectorJson(at.place)); }
+
+  static std::string json(const SurfaceLocation& location) { return std::visit(LocationJson{}, location); }
+};
+
 struct SelectionJson {
   std::string operator()(const VertexIds& vertices) const
   {
@@ -79,28 +95,17 @@ struct SelectionJson {
   {
     return fmt::format(R"({{"component": {}}})", numberJson(part.component));
   }
+  std::string operator()(const InsideCurve& curve) const
+  {
+    return fmt::format(R"({{"curve": {{"through": {}, "side": "{}"}}}})", listJson(curve.through, LocationJson::json),
+                       curve.side == CurveSide::Smaller ? "smaller" : "larger");
+  }
   std::string operator()(const AllOf& all) const { return fmt::format(R"({{"all": {}}})", partsJson(all.parts)); }
   std::string operator()(const AnyOf& any) const { return fmt::format(R"({{"any": {}}})", partsJson(any.parts)); }
   std::string operator()(const NotIn& none) const { return fmt::format(R"({{"not": {}}})", json(*none.part)); }
 
   static std::string json(const Selection& selection) { return std::visit(SelectionJson{}, selection.what); }
   static std::string partsJson(const std::vector<Selection>& parts) { return listJson(parts, json); }
-};
-
-struct LocationJson {
-  std::string operator()(const AtVertex& at) const { return fmt::format(R"({{"vertex": {}}})", numberJson(at.vertex)); }
-  std::string operator()(const AtEdge& at) const
-  {
-    return fmt::format(R"({{"edge": [{}, {}], "t": {}}})", numberJson(at.i), numberJson(at.j), numberJson(at.t));
-  }
-  std::string operator()(const AtFace& at) const
-  {
-    return fmt::format(R"({{"face": {}, "weights": {}}})", numberJson(at.face),
-                       listJson(at.weights, [](double weight) { return numberJson(weight); }));
-  }
-  std::string operator()(const AtNear& at) const { return fmt::format(R"({{"near": {}}})", vectorJson(at.place)); }
-
-  static std::string json(const SurfaceLocation& location) { return std::visit(LocationJson{}, location); }
 };
 
 std::string turnJson(const Turn& turn)

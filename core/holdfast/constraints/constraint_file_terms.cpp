@@ -7,17 +7,22 @@
 
 #include <holdfast/constraints/constraint_file.h>
 #include <holdfast/constraints/constraint_file_terms_internal.h>
+#include <holdfast/constraints/constraint_file_text_internal.h>
 
 namespace holdfast {
 namespace {
 
-constexpr std::array<std::string_view, 8> kSelections{"vertices",  "box", "sphere", "halfspace",
-                                                      "component", "all", "any",    "not"};
+constexpr std::array<std::string_view, 9> kSelections{"vertices", "box", "sphere", "halfspace", "component",
+                                                      "curve",    "all", "any",    "not"};
+// Fewer would lead there and back.
+constexpr std::size_t kLeastPlacesOfCurve = 3;
 constexpr std::array<std::string_view, 4> kLocations{"vertex", "edge", "face", "near"};
 constexpr std::array<std::string_view, 6> kLocationKeys{"vertex", "edge", "t", "face", "weights", "near"};
 constexpr std::array<std::string_view, 2> kBoxKeys{"min", "max"};
 constexpr std::array<std::string_view, 2> kSphereKeys{"center", "radius"};
 constexpr std::array<std::string_view, 2> kHalfSpaceKeys{"point", "normal"};
+constexpr std::array<std::string_view, 2> kCurveKeys{"through", "side"};
+constexpr std::array<std::string_view, 2> kSides{"smaller", "larger"};
 constexpr std::array<std::string_view, 2> kEdgeKeys{"edge", "t"};
 constexpr std::array<std::string_view, 2> kFaceKeys{"face", "weights"};
 
@@ -54,6 +59,27 @@ InHalfSpace readHalfSpace(const JsonReader& json)
   return {json["point"].vector(), json["normal"].direction()};
 }
 
+CurveSide readSide(const JsonReader& json)
+{
+  const std::string& side = json.text();
+  if (side == kSides[0]) return CurveSide::Smaller;
+  if (side == kSides[1]) return CurveSide::Larger;
+  json.fail(fmt::format("unknown side {}{}", inQuotes(side), spellingHint(side, kSides)));
+}
+
+InsideCurve readCurve(const JsonReader& json)
+{
+  json.requireKeys(kCurveKeys);
+  const JsonReader through = json["through"];
+  if (through.size() < kLeastPlacesOfCurve)
+    through.fail(fmt::format("a closed curve goes through at least {} places, this list has {}; add places along it",
+                             kLeastPlacesOfCurve, through.size()));
+  InsideCurve curve;
+  for (std::size_t i = 0; i < through.size(); ++i) curve.through.push_back(readLocation(through.element(i)));
+  if (json.has("side")) curve.side = readSide(json["side"]);
+  return curve;
+}
+
 Selection readNested(const JsonReader& json, int depth);
 
 std::vector<Selection> readParts(const JsonReader& json, int depth)
@@ -76,6 +102,7 @@ Selection readNested(const JsonReader& json, int depth)
   if (kind == "sphere") return {readSphere(body)};
   if (kind == "halfspace") return {readHalfSpace(body)};
   if (kind == "component") return {InComponent{body.id()}};
+  if (kind == "curve") return {readCurve(body)};
   if (kind == "all") return {AllOf{readParts(body, depth + 1)}};
   if (kind == "any") return {AnyOf{readParts(body, depth + 1)}};
   return {NotIn{std::make_shared<const Selection>(readNested(body, depth + 1))}};

@@ -7,7 +7,7 @@
 
 #include <holdfast/base/error.h>
 #include <holdfast/constraints/constraint_system.h>
-#include <holdfast/constraints/selection_check.h>
+#include <holdfast/constraints/selector.h>
 #include <holdfast/surface/surface_locator.h>
 
 namespace holdfast {
@@ -49,8 +49,8 @@ class SystemBuilder {
         mesh_(mesh),
         solverMesh_(solverMesh),
         source_(source),
-        componentOf_(componentOfVertices(solverMesh)),
-        locator_(mesh, triangulation)
+        locator_(mesh, triangulation),
+        selector_(mesh, solverMesh, locator_)
   {
     system_.points.resize(list.constraints.size());
     system_.surfaceDistances.resize(list.constraints.size(), 0);
@@ -151,17 +151,17 @@ class SystemBuilder {
     return std::exchange(pinnedBy_[row.terms.front().vertex], current_) == current_;
   }
 
-  [[nodiscard]] std::vector<Index> selected(const Selection& selection) const
+  [[nodiscard]] std::vector<Index> selected(const Selection& selection)
   {
-    return selectOrThrow(selection, mesh_, componentOf_, solverMesh_.componentCount, key(".select"));
+    return selector_.select(selection, key(".select"));
   }
 
   const ConstraintList& list_;
   const Mesh& mesh_;
   const SolverMesh& solverMesh_;
   const std::string& source_;
-  std::vector<Index> componentOf_;
   SurfaceLocator locator_;
+  Selector selector_;
   std::vector<Index> pinnedBy_;  // of each unknown: the constraint that pinned it last
   Index current_ = 0;
   ConstraintSystem system_;

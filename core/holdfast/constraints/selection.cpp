@@ -66,6 +66,12 @@ class Selector {
     return selected;
   }
 
+  Mask operator()(const InsideCurve& /*curve*/) const
+  {
+    assert(!"curves are resolved before");
+    return Mask(positions_.rows(), 0);
+  }
+
   Mask operator()(const AllOf& all) const
   {
     Mask selected(positions_.rows(), 1);

@@ -1,12 +1,14 @@
 #pragma once
 /// \file
-/// Sets of vertices named by ids, by shapes in space, by connected part, and by combinations of those.
+/// Sets of vertices named by ids, by shapes in space, by connected part, by closed curves on the surface, and by
+/// combinations of those.
 
 #include <memory>
 #include <variant>
 #include <vector>
 
 #include <holdfast/mesh/mesh.h>
+#include <holdfast/surface/surface_location.h>
 
 namespace holdfast {
 
@@ -40,6 +42,17 @@ struct InComponent {
   Index component = 0;
 };
 
+/// Of the sides of a closed curve the one with fewer vertices, or that with more.
+enum class CurveSide { Smaller, Larger };
+
+/// Vertices on a closed curve, and on one side of it within the connected part that it lies on. The curve joins places
+/// of the surface, at least three, each to the next and the last to the first, along the shortest paths of edges.
+/// `regionOfCurve` tells which side is which.
+struct InsideCurve {
+  std::vector<SurfaceLocation> through;
+  CurveSide side = CurveSide::Smaller;
+};
+
 /// Vertices in all / in any of the parts; in none of one part.
 struct AllOf {
   std::vector<Selection> parts;
@@ -52,13 +65,13 @@ struct NotIn {
 };
 
 struct Selection {
-  std::variant<VertexIds, InBox, InSphere, InHalfSpace, InComponent, AllOf, AnyOf, NotIn> what;
+  std::variant<VertexIds, InBox, InSphere, InHalfSpace, InComponent, InsideCurve, AllOf, AnyOf, NotIn> what;
 };
 
 /// The ids that `selection` names, ascending, each once; may be empty. `componentOf` holds the connected part of each
 /// vertex, -1 for a vertex that no face uses. Points exactly on the boundary of a shape are inside. `AllOf` nothing is
-/// every vertex, `AnyOf` nothing is none. Ids out of range must have been refused before (see `makeConstraintSystem`).
-/// O(N) per node of the expression.
+/// every vertex, `AnyOf` nothing is none. Ids out of range must have been refused, and curves resolved, before (see
+/// `Selector`). O(N) per node of the expression.
 [[nodiscard]] std::vector<Index> select(const Selection& selection, const Positions& positions,
                                         const std::vector<Index>& componentOf);
 

@@ -228,6 +228,20 @@ TEST(ConstraintFileErrors, ShapesAreNotDegenerate)
       "cannot be zero");
 }
 
+TEST(ConstraintFileErrors, CurvesHaveThreePlacesAndTwoSides)
+{
+  expectSelectionRefused(R"({"curve": {"through": [{"vertex": 1}, {"vertex": 2}]}})", ".curve.through",
+                         "at least 3 places, this list has 2");
+  expectSelectionRefused(R"({"curve": {"through": []}})", ".curve.through", "this list has 0");
+  expectSelectionRefused(R"({"curve": {"side": "larger"}})", ".curve", R"("through" is missing)");
+  const std::string three = R"({"curve": {"through": [{"vertex": 1}, {"vertex": 2}, {"edge": [3, 3], "t": 0}])";
+  expectSelectionRefused(three + "}}", ".curve.through[2].edge", "both ends are vertex 3");
+  const std::string curve = R"({"curve": {"through": [{"vertex": 1}, {"vertex": 2}, {"vertex": 3}], )";
+  expectSelectionRefused(curve + R"("side": "small"}})", ".curve.side", R"(unknown side "small"; did you mean)");
+  expectSelectionRefused(curve + R"("side": 1}})", ".curve.side", "text in double quotes");
+  expectSelectionRefused(curve + R"("inside": true}})", ".curve.inside", R"(Known here: "through", "side")");
+}
+
 TEST(ConstraintFileErrors, NamesAreUnique)
 {
   const std::string a = R"({"type": "fixed", "name": "A", "select": {"component": 0}})";

@@ -53,6 +53,16 @@ TEST(ConstraintFile, ReadsEverySelection)
   EXPECT_EQ(selected<InHalfSpace>(R"({"halfspace": {"point": [1,2,3], "normal": [0,0,-2]}})").normal,
             Vector3(0, 0, -2));
   EXPECT_EQ(selected<InComponent>(R"({"component": 4})").component, 4);
+  const InsideCurve curve =
+      selected<InsideCurve>(R"({"curve": {"through": [{"vertex": 3}, {"near": [1,2,3]}, {"vertex": 1}]}})");
+  ASSERT_EQ(curve.through.size(), 3U);
+  EXPECT_EQ(std::get<AtNear>(curve.through[1]).place, Vector3(1, 2, 3));
+  EXPECT_EQ(curve.side, CurveSide::Smaller);
+  const std::string three = R"([{"vertex": 3}, {"vertex": 2}, {"vertex": 1}])";
+  EXPECT_EQ(selected<InsideCurve>(R"({"curve": {"side": "smaller", "through": )" + three + "}}").side,
+            CurveSide::Smaller);
+  EXPECT_EQ(selected<InsideCurve>(R"({"curve": {"through": )" + three + R"(, "side": "larger"}})").side,
+            CurveSide::Larger);
   EXPECT_EQ(selected<AllOf>(R"({"all": [{"component": 4}, {"vertices": [1]}]})").parts.size(), 2U);
   EXPECT_EQ(selected<AnyOf>(R"({"any": [{"component": 4}]})").parts.size(), 1U);
   const NotIn none = selected<NotIn>(R"({"not": {"component": 4}})");

@@ -102,7 +102,7 @@ TEST(FormatsDocument, ExamplesOfSelectionsAreReadAndShowEveryKind)
     EXPECT_NO_THROW(static_cast<void>(parsedAlone(R"({"type": "fixed", "select": )" + text + "}"))) << text;
     all += text;
   }
-  for (const char* key : {"vertices", "box", "sphere", "halfspace", "component", "all", "any", "not"})
+  for (const char* key : {"vertices", "box", "sphere", "halfspace", "component", "curve", "all", "any", "not"})
     EXPECT_THAT(all, testing::HasSubstr('"' + std::string(key) + '"'));
 }
 

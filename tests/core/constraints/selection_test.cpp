@@ -66,6 +66,7 @@ struct Contains {
     return side >= 0;
   }
   bool operator()(const InComponent& s) const { return scene.componentOf[v] == s.component; }
+  bool operator()(const InsideCurve& /*curve*/) const { return false; }  // of meshes with faces only
   bool operator()(const AllOf& s) const
   {
     for (const Selection& part : s.parts)

@@ -1,0 +1,127 @@
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <holdfast/mesh/edge_graph.h>
+
+#include "support/law_meshes.h"
+#include "support/meshes.h"
+#include "support/path_lengths.h"
+
+namespace holdfast {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+SolverMesh solverMeshOf(const Mesh& mesh)
+{
+  return makeSolverMesh(mesh, triangulate(mesh));
+}
+
+/// Meshes of triangles whose vertices are the unknowns.
+std::vector<Mesh> meshes()
+{
+  return {test::plate(6, 5), test::icosphere(1), test::grid(5, 4), test::box(Vector3(1, 2, 3), 2)};
+}
+
+double lengthOf(const std::vector<Index>& path, const Mesh& mesh)
+{
+  double sum = 0;
+  for (std::size_t k = 1; k < path.size(); ++k)
+    sum += (mesh.positions.row(path[k]) - mesh.positions.row(path[k - 1])).norm();
+  return sum;
+}
+
+TEST(EdgeGraph, HasTheEdgesOfTheTrianglesInBothDirections)
+{
+  for (const Mesh& mesh : meshes()) {
+    const SolverMesh solverMesh = solverMeshOf(mesh);
+    const EdgeGraph graph(solverMesh);
+    ASSERT_EQ(graph.vertexCount(), mesh.vertexCount());
+    std::vector<std::set<Index>> expected(static_cast<std::size_t>(mesh.vertexCount()));
+    for (Index f = 0; f < mesh.faces.size(); ++f)
+      for (const Index a : mesh.faces[f])
+        for (const Index b : mesh.faces[f])
+          if (a != b) expected[a].insert(b);
+    for (Index v = 0; v < mesh.vertexCount(); ++v) {
+      EXPECT_THAT(graph.neighbours(v), testing::ElementsAreArray(expected[v]));
+      for (std::size_t k = 0; k < graph.neighbours(v).size(); ++k)
+        EXPECT_NEAR(graph.lengths(v)[k] * solverMesh.diagonal,
+                    (mesh.positions.row(v) - mesh.positions.row(graph.neighbours(v)[k])).norm(), 1e-14);
+    }
+  }
+}
+
+TEST(ShortestPaths, AreNoLongerThanAnyOther)
+{
+  for (const Mesh& mesh : meshes()) {
+    const EdgeGraph graph(solverMeshOf(mesh));
+    const Eigen::MatrixXd lengths = test::pathLengths(mesh);
+    ShortestPaths paths(graph);
+    for (Index from = 0; from < mesh.vertexCount(); ++from)
+      for (Index to = 0; to < mesh.vertexCount(); ++to) {
+        const std::vector<Index> path = paths.path(from, to);
+        ASSERT_FALSE(path.empty());
+        EXPECT_EQ(path.front(), from);
+        EXPECT_EQ(path.back(), to);
+        EXPECT_NEAR(lengthOf(path, mesh), lengths(from, to), 1e-13);
+        for (std::size_t k = 1; k < path.size(); ++k)
+          EXPECT_THAT(graph.neighbours(path[k - 1]), testing::Contains(path[k])) << "along edges";
+      }
+  }
+}
+
+TEST(ShortestPaths, OfTheSameLengthGoByIdsHoweverOftenAsked)
+{
+  const EdgeGraph graph(solverMeshOf(test::grid(3, 3)));
+  ShortestPaths paths(graph);
+  // From (0, 3) to (3, 0) across the diagonals of the squares there are many; seen from the end the smallest ids.
+  const std::vector<Index> first = paths.path(12, 3);
+  EXPECT_EQ(first.size(), 7U);
+  EXPECT_THAT(first, ElementsAre(12, 8, 4, 0, 1, 2, 3));
+  static_cast<void>(paths.path(5, 15));
+  EXPECT_EQ(paths.path(12, 3), first);
+}
+
+TEST(ShortestPaths, DoNotLeadFromOnePartToAnother)
+{
+  const EdgeGraph graph(solverMeshOf(test::merged(test::tetrahedron(), test::tetrahedron())));
+  ShortestPaths paths(graph);
+  EXPECT_THAT(paths.path(0, 5), IsEmpty());
+  EXPECT_THAT(paths.path(5, 6), ElementsAre(5, 6));
+  EXPECT_THAT(paths.path(3, 3), ElementsAre(3));
+}
+
+TEST(ShortestPaths, PassVerticesInOnePlace)
+{
+  Mesh mesh = test::grid(4, 1);
+  mesh.positions.row(1) = mesh.positions.row(2);
+  mesh.positions.row(6) = mesh.positions.row(7);
+  const EdgeGraph graph(solverMeshOf(mesh));
+  ShortestPaths paths(graph);
+  const Eigen::MatrixXd lengths = test::pathLengths(mesh);
+  for (Index from = 0; from < mesh.vertexCount(); ++from)
+    for (Index to = 0; to < mesh.vertexCount(); ++to)
+      EXPECT_NEAR(lengthOf(paths.path(from, to), mesh), lengths(from, to), 1e-14);
+}
+
+TEST(ShortestPaths, AreTheSameAtEverySize)
+{
+  const Mesh mesh = test::plate(6, 5);
+  const EdgeGraph graph(solverMeshOf(mesh));
+  ShortestPaths paths(graph);
+  for (const int exponent : {-1000, -500, 500, 1000}) {
+    Mesh other = mesh;
+    other.positions = mesh.positions.unaryExpr([&](double x) { return std::ldexp(x, exponent); });
+    const EdgeGraph otherGraph(solverMeshOf(other));
+    ShortestPaths otherPaths(otherGraph);
+    for (Index to = 0; to < mesh.vertexCount(); ++to) EXPECT_EQ(otherPaths.path(3, to), paths.path(3, to)) << exponent;
+  }
+}
+
+}  // namespace
+}  // namespace holdfast
