@@ -1,13 +1,11 @@
-#include <cmath>
-#include <numbers>
 #include <utility>
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <holdfast/base/error.h>
 #include <holdfast/constraints/constraint_system.h>
 #include <holdfast/constraints/selector.h>
+#include <holdfast/rotation/rotation_log.h>
 #include <holdfast/surface/surface_locator.h>
 
 namespace holdfast {
@@ -21,24 +19,6 @@ struct RigidMotion {
 
   [[nodiscard]] Vector3 operator()(const Vector3& p) const { return R * (p - center) + center + translate; }
 };
-
-/// Rotations by quarter turns come out exact, as a user expects who types 90.
-double exactCosine(double degrees)
-{
-  const double quarter = std::fmod(std::abs(degrees), 360.0);
-  if (quarter == 90 || quarter == 270) return 0;
-  return std::cos(degrees * std::numbers::pi / 180);
-}
-
-Eigen::Matrix3d rotationMatrix(const Turn& turn)
-{
-  const Vector3 axis = turn.axis.stableNormalized();
-  const double c = exactCosine(turn.degrees);
-  const double s = exactCosine(turn.degrees - 90);
-  Eigen::Matrix3d cross;
-  cross << 0, -axis.z(), axis.y(), axis.z(), 0, -axis.x(), -axis.y(), axis.x(), 0;
-  return c * Eigen::Matrix3d::Identity() + s * cross + (1 - c) * axis * axis.transpose();
-}
 
 /// Makes the rows of one list; remembers what several constraints share.
 class SystemBuilder {
@@ -91,7 +71,7 @@ class SystemBuilder {
     RigidMotion motion;
     motion.translate = handle.translate;
     if (handle.rotate) {
-      motion.R = rotationMatrix(*handle.rotate);
+      motion.R = rotationMatrix(handle.rotate->axis, handle.rotate->degrees);
       motion.center = handle.rotate->center.value_or(centroid(vertices));
     }
     for (const Index v : vertices)

@@ -1,0 +1,44 @@
+#pragma once
+/// \file
+/// Rotations and their logarithms, equations (22) to (24).
+///
+/// The logarithm of a rotation is that of a unit quaternion: q = (angle / 2) times the unit axis, in radians. Its
+/// length is not wrapped: 270 and 720 degrees stay what they are. Logarithms can be averaged and interpolated,
+/// rotations cannot. All numbers are finite. Errors are a few units in the last place of the angle, however small or
+/// large it is.
+
+#include <Eigen/Geometry>
+
+#include <holdfast/base/types.h>
+
+namespace holdfast {
+
+/// exp(q): the unit quaternion (cos |q|, sin |q| q / |q|).
+[[nodiscard]] Eigen::Quaterniond rotationExp(const Vector3& q);
+
+/// exp(q) as a matrix. A log that comes from quarter turns about a coordinate axis gives zeros and ones, as below.
+[[nodiscard]] Eigen::Matrix3d rotationMatrix(const Vector3& q);
+
+/// The rotation by `degrees` about `axis` (any length; none where it is zero), counterclockwise seen against it.
+/// Quarter turns about coordinate axes have entries that are exactly 0, 1 and -1, after any number of turns.
+[[nodiscard]] Eigen::Matrix3d rotationMatrix(const Vector3& axis, double degrees);
+
+/// The shortest log of a rotation, |q| <= pi / 2, that is up to 180 degrees. `rotation` may have any length but zero;
+/// it and its negative are the same rotation and have the same log. Of the two logs of a half turn the one whose first
+/// component that is not zero is positive.
+[[nodiscard]] Vector3 rotationLog(const Eigen::Quaterniond& rotation);
+
+/// The same of a rotation matrix; what rounding has left it short of orthogonal changes the log no more than that.
+[[nodiscard]] Vector3 rotationLog(const Eigen::Matrix3d& rotation);
+
+/// The log of a turn by `degrees`, of any number of turns, about `axis` (any length; no turn where it is zero).
+[[nodiscard]] Vector3 rotationLog(const Vector3& axis, double degrees);
+
+/// The log of `rotation` that is nearest to `reference`: the number of turns that a drag has made is kept from one of
+/// its steps to the next. A rotation by whole turns, which have every axis, is taken to be about that of the reference.
+[[nodiscard]] Vector3 rotationLogNear(const Eigen::Quaterniond& rotation, const Vector3& reference);
+
+/// The angle of exp(q) in degrees, 0 or more, not wrapped.
+[[nodiscard]] double angleDegrees(const Vector3& q);
+
+}  // namespace holdfast
