@@ -1,0 +1,39 @@
+#pragma once
+/// \file
+/// The rotation that fits two sets of points, or two directions: how a handle gets a rotation from its own frame.
+
+#include <Eigen/Geometry>
+
+#include <holdfast/base/types.h>
+
+namespace holdfast {
+
+/// What `fitRotation` found.
+struct RotationFit {
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();  ///< proper: determinant +1
+  bool isDetermined = false;                        ///< no other rotation fits as well
+  double residual = 0;                              ///< root mean square of the distances that are left, model units
+};
+
+/// Squares of extents below this share of the largest count as none: points within a millionth of their length from a
+/// line do not say how to turn about it. Rounding of points far from the origin stays below that.
+inline constexpr double kRankOfFit = 1e-12;
+
+/// The rotation R that minimises the sum of |R (p_i - mean of p) - (t_i - mean of t)|^2 over the rows of `points` and
+/// `targets`, as many of each, finite, at least one (Kabsch, 1976; by singular values). Where points or targets lie on
+/// a line, R takes the line of the points to that of the targets by the shortest rotation; where either all coincide,
+/// it is the identity; both are not determined. Nor is the best rotation to the mirror image of points that are as
+/// thick as they are wide. O(N).
+[[nodiscard]] RotationFit fitRotation(const Positions& points, const Positions& targets);
+
+/// What `shortestRotation` found.
+struct DirectionTurn {
+  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();  ///< of length 1
+  bool isDetermined = false;                                     ///< false where the directions are opposite
+};
+
+/// The shortest rotation that takes the direction of `from` to that of `to` (neither zero, any lengths). Where they are
+/// opposite within rounding, every axis across them will do: one is taken that follows from `from` alone.
+[[nodiscard]] DirectionTurn shortestRotation(const Vector3& from, const Vector3& to);
+
+}  // namespace holdfast

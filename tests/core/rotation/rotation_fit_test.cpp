@@ -1,0 +1,233 @@
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include <holdfast/rotation/rotation_fit.h>
+#include <holdfast/rotation/rotation_log.h>
+
+#include "support/meshes.h"
+#include "support/point_constraints.h"
+
+namespace holdfast {
+namespace {
+
+using test::Random;
+using test::randomVector;
+
+Positions randomPoints(Random& random, Index count)
+{
+  Positions points(count, 3);
+  for (Index k = 0; k < count; ++k) points.row(k) = randomVector(random, 1);
+  return points;
+}
+
+Eigen::Matrix3d randomRotation(Random& random)
+{
+  return rotationMatrix(randomVector(random, 1), random.uniform(-180, 180));
+}
+
+Positions moved(const Positions& points, const Eigen::Matrix3d& R, const Vector3& shift)
+{
+  return (points * R.transpose()).rowwise() + shift.transpose();
+}
+
+double difference(const Eigen::Matrix3d& A, const Eigen::Matrix3d& B)
+{
+  return (A - B).cwiseAbs().maxCoeff();
+}
+
+void expectRotation(const Eigen::Matrix3d& R)
+{
+  EXPECT_LE(difference(R * R.transpose(), Eigen::Matrix3d::Identity()), 1e-14);
+  EXPECT_GT(R.determinant(), 0);
+}
+
+/// What R leaves, by its definition.
+double residualOf(const Eigen::Matrix3d& R, const Positions& points, const Positions& targets)
+{
+  const Vector3 pMean = points.colwise().mean();
+  const Vector3 tMean = targets.colwise().mean();
+  double sum = 0;
+  for (Index k = 0; k < points.rows(); ++k)
+    sum += (R * (points.row(k).transpose() - pMean) - (targets.row(k).transpose() - tMean)).squaredNorm();
+  return std::sqrt(sum / static_cast<double>(points.rows()));
+}
+
+TEST(FitRotation, FindsTheRotationOfARigidMotion)
+{
+  for (std::uint32_t seed = 0; seed < 100; ++seed) {
+    Random random(seed);
+    const Positions points = randomPoints(random, random.integer(3, 20));
+    const Eigen::Matrix3d R = randomRotation(random);
+    const RotationFit fit = fitRotation(points, moved(points, R, randomVector(random, 10)));
+    EXPECT_LE(difference(fit.R, R), 1e-12);
+    EXPECT_TRUE(fit.isDetermined);
+    EXPECT_LE(fit.residual, 1e-14 * 10);
+  }
+}
+
+TEST(FitRotation, DoesNotDependOnTheScaleOfEitherSet)
+{
+  Random random(1);
+  const Positions points = randomPoints(random, 6);
+  const Eigen::Matrix3d R = randomRotation(random);
+  for (const double scale : {1e-200, 1e-6, 1e6, 1e200}) {
+    const RotationFit fit = fitRotation(scale * points, moved(points, R, Vector3::Zero()) / scale);
+    EXPECT_LE(difference(fit.R, R), 1e-14);
+    EXPECT_TRUE(fit.isDetermined);
+  }
+  EXPECT_NEAR(fitRotation(1e200 * points, 2e200 * points).residual / 1e200, fitRotation(points, 2 * points).residual,
+              1e-14);
+}
+
+TEST(FitRotation, LeavesLessThanEveryOtherRotation)
+{
+  for (std::uint32_t seed = 0; seed < 50; ++seed) {
+    Random random(seed);
+    const Positions points = randomPoints(random, 5);
+    const Positions targets = randomPoints(random, 5);
+    const RotationFit fit = fitRotation(points, targets);
+    expectRotation(fit.R);
+    EXPECT_NEAR(fit.residual, residualOf(fit.R, points, targets), 1e-14);
+    for (int k = 0; k < 200; ++k) {
+      const Eigen::Matrix3d nearby = rotationMatrix(randomVector(random, 1e-3)) * fit.R;
+      EXPECT_GE(residualOf(nearby, points, targets), fit.residual - 1e-14);
+      EXPECT_GE(residualOf(randomRotation(random), points, targets), fit.residual);
+    }
+  }
+}
+
+TEST(FitRotation, OfAMirrorImageIsStillARotation)
+{
+  for (std::uint32_t seed = 0; seed < 50; ++seed) {
+    Random random(seed);
+    const Positions points = randomPoints(random, 8);
+    const RotationFit fit = fitRotation(points, -points);
+    expectRotation(fit.R);
+    EXPECT_TRUE(fit.isDetermined);
+    EXPECT_GT(fit.residual, 0.01);
+  }
+}
+
+TEST(FitRotation, OfFlatPointsIsDetermined)
+{
+  Random random(3);
+  Positions points = randomPoints(random, 4);
+  points.col(2).setZero();
+  const Eigen::Matrix3d R = randomRotation(random);
+  const RotationFit fit = fitRotation(points, moved(points, R, Vector3::Ones()));
+  EXPECT_LE(difference(fit.R, R), 1e-14);
+  EXPECT_TRUE(fit.isDetermined);
+}
+
+TEST(FitRotation, FarFromTheOriginLosesOnlyWhatTheCoordinatesLose)
+{
+  Random random(4);
+  const Positions points = randomPoints(random, 10);
+  const Eigen::Matrix3d R = randomRotation(random);
+  const Vector3 far(1e6, -2e6, 3e6);
+  const RotationFit fit = fitRotation(moved(points, Eigen::Matrix3d::Identity(), far), moved(points, R, -far));
+  EXPECT_LE(difference(fit.R, R), 1e-9);
+  EXPECT_TRUE(fit.isDetermined);
+}
+
+TEST(FitRotation, OfPointsOnALineIsTheShortestThatFitsAndNotDetermined)
+{
+  for (std::uint32_t seed = 0; seed < 50; ++seed) {
+    Random random(seed);
+    const Vector3 from = randomVector(random, 1);
+    const Vector3 to = randomVector(random, 1).normalized() * from.norm();
+    Positions points(4, 3);
+    Positions targets(4, 3);
+    for (Index k = 0; k < 4; ++k) {
+      const double t = random.uniform(-1, 1);
+      points.row(k) = t * from + Vector3(1, 2, 3);
+      targets.row(k) = t * to - Vector3(3, 1, 2);
+    }
+    const RotationFit fit = fitRotation(points, targets);
+    EXPECT_FALSE(fit.isDetermined);
+    expectRotation(fit.R);
+    EXPECT_LE(fit.residual, 1e-14);
+    EXPECT_NEAR(angleDegrees(rotationLog(fit.R)),
+                std::acos(from.normalized().dot(to.normalized())) * 180 / std::numbers::pi, 1e-6);
+  }
+}
+
+TEST(FitRotation, OfPointsOnALineToABodyFollowsTheMainDirection)
+{
+  Positions points(3, 3);
+  points << 0, 0, 0, 1, 0, 0, 3, 0, 0;
+  Positions targets(3, 3);
+  targets << 0, 0, 0, 0, 1, 0.2, 0, 3, -0.1;
+  const RotationFit fit = fitRotation(points, targets);
+  EXPECT_FALSE(fit.isDetermined);
+  EXPECT_NEAR(fit.R.col(0).y(), 1, 0.01);
+  for (const double degrees : {-1.0, 1.0})
+    EXPECT_GT(residualOf(rotationMatrix(Vector3(1, 0, 0), degrees) * fit.R, points, targets), fit.residual);
+}
+
+TEST(FitRotation, OfCoincidingPointsIsNone)
+{
+  const Positions one = Positions::Constant(3, 3, 0.1);
+  Random random(5);
+  for (const Positions& targets : {one, randomPoints(random, 3)}) {
+    const RotationFit fit = fitRotation(one, targets);
+    EXPECT_EQ(fit.R, Eigen::Matrix3d::Identity());
+    EXPECT_FALSE(fit.isDetermined);
+    EXPECT_NEAR(fit.residual, residualOf(fit.R, one, targets), 1e-15);
+  }
+  EXPECT_FALSE(fitRotation(one.topRows(1), one.topRows(1)).isDetermined);
+}
+
+TEST(FitRotation, ToTheMirrorImageOfACubeIsNotDetermined)
+{
+  const Positions cube = test::box(Vector3(1, 1, 1), 1).positions;
+  const RotationFit fit = fitRotation(cube, -cube);
+  EXPECT_FALSE(fit.isDetermined);
+  expectRotation(fit.R);
+}
+
+TEST(ShortestRotation, TakesOneDirectionToTheOtherAndTurnsNoMoreThanTheirAngle)
+{
+  for (std::uint32_t seed = 0; seed < 200; ++seed) {
+    Random random(seed);
+    const Vector3 a = randomVector(random, 1).normalized();
+    // From beside `a` to beside its opposite, down to 1e-14 from either.
+    const Vector3 off = randomVector(random, 1).cross(a) * std::pow(10, random.uniform(-14, 0));
+    for (const double side : {1.0, -1.0}) {
+      const Vector3 b = (side * a + off).normalized();
+      const DirectionTurn turn = shortestRotation(3 * a, 1e-5 * b);
+      EXPECT_TRUE(turn.isDetermined);
+      EXPECT_NEAR(turn.rotation.norm(), 1, 1e-15);
+      EXPECT_LE((turn.rotation * a - b).norm(), 2e-15);
+      const double angle = 2 * std::atan2((a - b).norm(), (a + b).norm());
+      EXPECT_NEAR(2 * rotationLog(turn.rotation).norm(), angle, 2e-15);
+    }
+  }
+}
+
+TEST(ShortestRotation, OfOneDirectionToItselfIsNone)
+{
+  const DirectionTurn turn = shortestRotation(Vector3(1, 2, 3), Vector3(2, 4, 6));
+  EXPECT_TRUE(turn.isDetermined);
+  EXPECT_EQ(turn.rotation.vec(), Vector3::Zero());
+  EXPECT_NEAR(shortestRotation(Vector3::UnitX(), Vector3(1, 1e-300, 0)).rotation.z() / 5e-301, 1, 1e-15);
+}
+
+TEST(ShortestRotation, OfOppositeDirectionsIsSomeHalfTurnAndNotDetermined)
+{
+  for (std::uint32_t seed = 0; seed < 50; ++seed) {
+    Random random(seed);
+    for (const Vector3& a : {randomVector(random, 1), Vector3(0, -2, 0), Vector3(1e-200, 0, 0)}) {
+      const DirectionTurn turn = shortestRotation(a, -3 * a);
+      EXPECT_FALSE(turn.isDetermined);
+      EXPECT_LE((turn.rotation * a.stableNormalized() + a.stableNormalized()).norm(), 2e-15);
+      EXPECT_EQ(turn.rotation.coeffs(), shortestRotation(a, -3 * a).rotation.coeffs());
+    }
+  }
+}
+
+}  // namespace
+}  // namespace holdfast
