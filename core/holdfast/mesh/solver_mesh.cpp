@@ -48,6 +48,14 @@ SolverMesh makeSolverMesh(const Mesh& mesh, const Triangulation& triangulation)
   return result;
 }
 
+Positions restInDiagonals(const SolverMesh& mesh)
+{
+  Positions rest = mesh.rest;
+  if (rest.rows() > 0) rest.rowwise() -= mesh.rest.row(0);
+  if (mesh.diagonal > 0) rest /= mesh.diagonal;
+  return rest;
+}
+
 std::vector<Index> componentOfVertices(const SolverMesh& solverMesh)
 {
   std::vector<Index> result;

@@ -25,6 +25,10 @@ struct SolverMesh {
 /// (they can be pinned), in no part. Positions must be finite. O(T log T).
 [[nodiscard]] SolverMesh makeSolverMesh(const Mesh& mesh, const Triangulation& triangulation);
 
+/// The rest positions about the first unknown, in units of the diagonal: squares of lengths of 1e-200 or 1e200 would
+/// leave the range of doubles.
+[[nodiscard]] Positions restInDiagonals(const SolverMesh& mesh);
+
 /// The connected part of each file vertex, -1 where no face uses it.
 [[nodiscard]] std::vector<Index> componentOfVertices(const SolverMesh& solverMesh);
 

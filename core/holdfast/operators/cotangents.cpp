@@ -58,6 +58,14 @@ CornerCotangents cornerCotangents(const Positions& positions, const Triangle& tr
   return result;
 }
 
+std::vector<CornerCotangents> cornerCotangents(const Positions& positions, const std::vector<Triangle>& triangles)
+{
+  std::vector<CornerCotangents> result;
+  result.reserve(triangles.size());
+  for (const Triangle& triangle : triangles) result.push_back(cornerCotangents(positions, triangle));
+  return result;
+}
+
 CornerCotangents guarded(const CornerCotangents& cotangents)
 {
   CornerCotangents result{};

@@ -15,6 +15,10 @@ using CornerCotangents = std::array<double, 3>;
 /// The cotangents as they are: dot over cross product. Infinite or NaN for triangles without area.
 [[nodiscard]] CornerCotangents cornerCotangents(const Positions& positions, const Triangle& triangle);
 
+/// Those of each triangle.
+[[nodiscard]] std::vector<CornerCotangents> cornerCotangents(const Positions& positions,
+                                                             const std::vector<Triangle>& triangles);
+
 /// Largest magnitude of a guarded cotangent: that of 2.9 degrees. Caps of 10 to 50 behave alike on CAD and scan meshes;
 /// without one, the normal equations of slivers lose all digits.
 inline constexpr double kCotangentCap = 20;

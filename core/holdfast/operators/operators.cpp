@@ -14,14 +14,6 @@ Eigen::VectorXd reciprocal(const Eigen::VectorXd& x)
   return x.unaryExpr([](double value) { return value == 0 ? 0.0 : 1 / value; });
 }
 
-std::vector<CornerCotangents> allCotangents(const Positions& rest, const std::vector<Triangle>& triangles)
-{
-  std::vector<CornerCotangents> result;
-  result.reserve(triangles.size());
-  for (const Triangle& triangle : triangles) result.push_back(cornerCotangents(rest, triangle));
-  return result;
-}
-
 std::vector<Index> ascendingOnce(std::vector<Index> ids)
 {
   std::sort(ids.begin(), ids.end());
@@ -66,7 +58,7 @@ void makeUniform(Operators& operators, const SolverMesh& mesh)
 /// L = (4 M)^-1 S with M the mixed areas; rows weighted by sqrt(M), so that the energy is S M^-1 S up to a factor.
 void makeCotangent(Operators& operators, const SolverMesh& mesh, const Positions& rest)
 {
-  std::vector<CornerCotangents> cotangents = allCotangents(rest, mesh.triangles);
+  std::vector<CornerCotangents> cotangents = cornerCotangents(rest, mesh.triangles);
   operators.clampedCotangents = guardAll(cotangents, mesh.triangles);
   Eigen::VectorXd areas = mixedVoronoiAreas(rest, mesh.triangles);
   operators.flooredAreas = floorAreas(areas, mesh.componentOf);
@@ -77,7 +69,7 @@ void makeCotangent(Operators& operators, const SolverMesh& mesh, const Positions
 
 void makeCotangentPaper(Operators& operators, const SolverMesh& mesh, const Positions& rest)
 {
-  const std::vector<CornerCotangents> cotangents = allCotangents(rest, mesh.triangles);
+  const std::vector<CornerCotangents> cotangents = cornerCotangents(rest, mesh.triangles);
   const SparseMatrix S = stiffness(mesh.unknownCount(), cotangentEdgeWeights(mesh.triangles, cotangents));
   const Eigen::VectorXd areas = literalVoronoiAreas(rest, mesh.triangles);
   for (Index i = 0; i < areas.size(); ++i)
@@ -104,11 +96,8 @@ std::string_view name(Weights weights)
 
 Operators makeOperators(const SolverMesh& mesh, Weights weights)
 {
-  // About a vertex of the mesh, because rows of L sum to zero only up to rounding, which a faraway mesh would multiply;
-  // and in units of the diagonal, because squares of lengths of 1e-200 or 1e200 would leave the range of doubles.
-  Positions rest = mesh.rest;
-  if (rest.rows() > 0) rest.rowwise() -= mesh.rest.row(0);
-  if (mesh.diagonal > 0) rest /= mesh.diagonal;
+  // About a vertex of the mesh, because rows of L sum to zero only up to rounding, which a faraway mesh would multiply.
+  const Positions rest = restInDiagonals(mesh);
   Operators operators;
   operators.weights = weights;
   switch (weights) {

@@ -1,0 +1,24 @@
+#pragma once
+/// \file
+/// How strongly the edges of a mesh tie the rotations of their ends together.
+
+#include <vector>
+
+#include <holdfast/operators/laplacian.h>
+#include <holdfast/operators/operators.h>
+
+namespace holdfast {
+
+/// Smallest weight of an edge with `Weights::Cotangent`. Across an obtuse angle cotangents would push the rotations of
+/// the ends apart, out of the hull of those that are given, and across two right ones leave them untied. So little
+/// changes no field that cotangents alone define by more than a millionth, and leaves weights within 4e7 of one
+/// another, whose square root is all that sparse QR sees.
+inline constexpr double kRotationWeightFloor = 1e-6;
+
+/// Weights w_ij of the Dirichlet energy sum of w_ij |q_i - q_j|^2, on every edge of the mesh: 1 with
+/// `Weights::Uniform`; the sum of the guarded cotangents across the edge, not below `kRotationWeightFloor`, with
+/// `Weights::Cotangent`; and with `Weights::CotangentPaper` the cotangents of (10) as they are, negative across obtuse
+/// angles and not finite beside triangles without area. None depends on the scale of the model. O(T log T).
+[[nodiscard]] std::vector<EdgeWeight> rotationEdgeWeights(const SolverMesh& mesh, Weights weights);
+
+}  // namespace holdfast

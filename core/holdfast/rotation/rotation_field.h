@@ -1,0 +1,61 @@
+#pragma once
+/// \file
+/// The rotation of every unknown from those that are given: a harmonic field of logarithms, section 3.3 of the paper.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <holdfast/rotation/rotation_system.h>
+#include <holdfast/solve/column_scaling.h>
+#include <holdfast/solve/least_squares_factor.h>
+
+namespace holdfast {
+
+/// A log for every unknown.
+struct RotationField {
+  Columns3 q;           ///< n x 3, half angle times axis, radians
+  int corrections = 0;  ///< refinement steps
+  double accuracy =
+      0;           ///< size of the last of them relative to the free part of the field: its estimated relative error
+  double gap = 0;  ///< largest |q_i - q_j| between given rotations of one rigid region: 0 where they agree
+};
+
+/// One decomposition, for any number of values at the same unknowns. Other unknowns, regions or weights make another.
+class RotationFieldSolver {
+ public:
+  /// The parts that `decomposeRotations` makes; `factor` is one of `scaled.C`.
+  RotationFieldSolver(RotationUnknowns unknowns, std::vector<RotationPull> pulls, ScaledColumns scaled,
+                      std::unique_ptr<const LeastSquaresFactor> factor);
+
+  /// `values` (prescribed.size() x 3) are the logs at `RotationProblem::prescribed`, of any number of turns; they are
+  /// copied bit for bit. Without negative weights every q is a mean of the given ones with non-negative weights, up to
+  /// rounding. Where all values that a part of the mesh is tied to are the same, so is q there, exactly; unknowns that
+  /// are tied to none have q = 0. O(factor). Not for concurrent calls.
+  [[nodiscard]] RotationField solve(const Columns3& values) const;
+
+  /// Unknowns of the system that is solved, for each component.
+  [[nodiscard]] Index unknowns() const { return unknowns_.columnCount(); }
+  [[nodiscard]] Index factorNonzeros() const { return factor_->nonzeros(); }
+  /// How it is solved, in a user's words.
+  [[nodiscard]] std::string method() const { return std::string(factor_->method()); }
+
+ private:
+  RotationUnknowns unknowns_;
+  std::vector<RotationPull> pulls_;
+  ScaledColumns scaled_;
+  std::unique_ptr<const LeastSquaresFactor> factor_;
+};
+
+/// A solver, or the reason why there is none.
+struct RotationFieldAttempt {
+  std::unique_ptr<const RotationFieldSolver> solver;
+  std::string failure;
+};
+
+/// Minimises the Dirichlet energy by least squares over the edges; where a weight is negative there may be no minimum,
+/// and (25) is solved at every free unknown, summed over each rigid region. Fails for weights that are not finite, and
+/// for negative ones that leave the equations singular.
+[[nodiscard]] RotationFieldAttempt decomposeRotations(const RotationProblem& problem, Backend backend);
+
+}  // namespace holdfast
