@@ -202,6 +202,22 @@ TEST(RotationField, IsZeroWhereNothingIsGiven)
     }
 }
 
+TEST(RotationField, IsNotCarriedByEdgesOfNoWeight)
+{
+  const RotationField field =
+      solved({4, {{0, 1, 1}, {1, 2, 0}, {2, 3, 1}}, {0}, {}}, defaultBackend(), rows({{1, 2, 3}}));
+  EXPECT_EQ(Vector3(field.q.row(1)), Vector3(1, 2, 3));
+  EXPECT_TRUE(field.q.bottomRows(2).isZero(0));
+}
+
+TEST(RotationField, OfAnUnknownThatIsGivenTwiceTakesTheFirst)
+{
+  const RotationProblem problem = problemOf(solverMeshOf(test::grid(2, 2)), Weights::Uniform, {4, 4, 0});
+  const RotationField field = solved(problem, defaultBackend(), rows({{1, 0, 0}, {2, 0, 0}, {1, 0, 0}}));
+  EXPECT_EQ(field.q.col(0), Eigen::VectorXd::Ones(9));
+  EXPECT_EQ(field.gap, 1);
+}
+
 TEST(RotationField, IsCarriedFromPartToPartByARegionOfBoth)
 {
   const SolverMesh mesh = solverMeshOf(test::merged(test::icosphere(1), test::moved(test::icosphere(1), {5, 0, 0})));
