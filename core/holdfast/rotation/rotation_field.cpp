@@ -69,7 +69,7 @@ RotationFieldAttempt decomposeRotations(const RotationProblem& problem, Backend 
     if (!std::isfinite(edge.weight)) return {nullptr, notFiniteMessage(edge)};
   RotationUnknowns unknowns = rotationUnknowns(problem);
   RotationSystem system = systemOf(problem.weights, unknowns);
-  ScaledColumns scaled = scaleColumns(std::move(system.C));
+  ScaledColumns scaled = scaleColumns(system.C);
   if (!scaled.failure.empty()) return {nullptr, "the rotation field: " + scaled.failure};
   // A common rotation: what edges resist least, and so the hardest to find.
   const Columns3 probe = scaled.scale.cwiseInverse().replicate(1, 3);

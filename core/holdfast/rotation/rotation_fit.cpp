@@ -51,7 +51,7 @@ RotationFit rotationOfCovariance(const Eigen::Matrix3d& H)
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(H, Eigen::ComputeFullU | Eigen::ComputeFullV);
   const Eigen::Matrix3d& U = svd.matrixU();
   const Eigen::Matrix3d& V = svd.matrixV();
-  const Vector3 s = svd.singularValues();
+  const Vector3& s = svd.singularValues();
   if (s[0] == 0) return {};
   if (s[1] <= kRankOfFit * s[0]) return {shortestRotation(U.col(0), V.col(0)).rotation.toRotationMatrix(), false, 0};
   const double handedness = (V * U.transpose()).determinant() > 0 ? 1 : -1;
