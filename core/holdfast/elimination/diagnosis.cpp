@@ -3,6 +3,7 @@
 #include <limits>
 #include <utility>
 
+#include <holdfast/base/disjoint_sets.h>
 #include <holdfast/elimination/diagnosis.h>
 #include <holdfast/elimination/find_dependencies.h>
 
@@ -17,18 +18,55 @@ std::vector<RowTerms> termsOf(const ConstraintSystem& system)
   return rows;
 }
 
-std::vector<bool> unknownsWithoutRows(const std::vector<RowTerms>& rows, const SolverMesh& mesh)
+/// Connected parts of the mesh, loose unknowns among them, and which of them rows tie together.
+class Parts {
+ public:
+  Parts(const SolverMesh& mesh, const std::vector<RowTerms>& rows)
+      : mesh_(mesh), sets_(mesh.componentCount + mesh.unknownCount())
+  {
+    for (const RowTerms& row : rows)
+      for (const PointTerm& term : row) sets_.unite(partOf(row.front().vertex), partOf(term.vertex));
+  }
+
+  [[nodiscard]] Index setOf(Index unknown) { return sets_.find(partOf(unknown)); }
+  [[nodiscard]] Index count() const { return mesh_.componentCount + mesh_.unknownCount(); }
+
+ private:
+  [[nodiscard]] Index partOf(Index unknown) const
+  {
+    const Index component = mesh_.componentOf[unknown];
+    return component >= 0 ? component : mesh_.componentCount + unknown;
+  }
+
+  const SolverMesh& mesh_;
+  DisjointSets sets_;
+};
+
+/// Whether the row says where something is, not only how far two things are apart.
+bool isPositional(const RowTerms& row)
 {
-  std::vector<bool> isAnchored(static_cast<std::size_t>(mesh.componentCount), false);
-  std::vector<bool> isHeld(static_cast<std::size_t>(mesh.unknownCount()), true);
+  double sum = 0;
+  for (const PointTerm& term : row) sum += term.weight;
+  return std::abs(sum) > kPartnerThreshold;
+}
+
+/// Unknowns of parts that no row places, not even by way of other parts.
+std::vector<bool> unplacedUnknowns(const std::vector<RowTerms>& rows, const SolverMesh& mesh)
+{
+  Parts parts(mesh, rows);
+  std::vector<bool> isPlaced(static_cast<std::size_t>(parts.count()), false);
   for (const RowTerms& row : rows)
-    for (const PointTerm& term : row) {
-      isHeld[term.vertex] = false;
-      if (const Index component = mesh.componentOf[term.vertex]; component >= 0) isAnchored[component] = true;
-    }
-  for (Index u = 0; u < mesh.unknownCount(); ++u)
-    if (mesh.componentOf[u] >= 0) isHeld[u] = !isAnchored[mesh.componentOf[u]];
+    if (isPositional(row)) isPlaced[parts.setOf(row.front().vertex)] = true;
+  std::vector<bool> isHeld(static_cast<std::size_t>(mesh.unknownCount()), false);
+  for (Index u = 0; u < mesh.unknownCount(); ++u) isHeld[u] = !isPlaced[parts.setOf(u)];
   return isHeld;
+}
+
+/// Rows of what stays at rest ask for a displacement of nothing: they hold if that is 0.
+void clearHeldRows(std::vector<RowTerms>& rows, const std::vector<bool>& isHeld)
+{
+  for (RowTerms& row : rows)
+    if (!row.empty() && isHeld[row.front().vertex]) row.clear();
 }
 
 double largestCoordinate(const SolverMesh& mesh, const ConstraintSystem& system)
@@ -79,8 +117,9 @@ double residualLimit(const SolverMesh& mesh, const ConstraintSystem& system)
 EliminatedConstraints eliminate(const ConstraintSystem& system, const SolverMesh& mesh)
 {
   std::vector<RowTerms> rows = termsOf(system);
+  std::vector<bool> isHeld = unplacedUnknowns(rows, mesh);
+  clearHeldRows(rows, isHeld);
   std::vector<Dependency> dependencies = findDependencies(rows, mesh.unknownCount());
-  std::vector<bool> isHeld = unknownsWithoutRows(rows, mesh);
   Elimination elimination(rows, independentRows(dependencies, rows.size()), mesh.unknownCount(), isHeld);
   return {std::move(rows), std::move(dependencies), std::move(isHeld), std::move(elimination)};
 }

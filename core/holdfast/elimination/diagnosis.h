@@ -26,7 +26,8 @@ struct DependentRow {
 struct Diagnosis {
   std::vector<RowStatus> status;        ///< of each row
   std::vector<DependentRow> dependent;  ///< ascending by row
-  /// The redundant rows, when the independent ones alone would miss some of them: see `reconciledParticular`.
+  /// The redundant rows, when the independent ones alone would miss some of them: see
+  /// `Elimination::reconciledParticular`.
   std::vector<Index> reconciled;
 
   [[nodiscard]] bool hasConflicts() const;
@@ -44,9 +45,9 @@ inline constexpr double kConsistentGap = 5e-13;
 /// What the decomposition of section 5 finds out about the rows from topology and barycentric numbers alone: it does
 /// not change when targets do.
 struct EliminatedConstraints {
-  std::vector<RowTerms> rows;            ///< of B
+  std::vector<RowTerms> rows;            ///< of B; those of parts at rest are empty
   std::vector<Dependency> dependencies;  ///< the rows that follow from rows before them, ascending
-  std::vector<bool> isHeld;              ///< unknowns in parts without a row, and in none: they stay at rest
+  std::vector<bool> isHeld;              ///< unknowns of parts that no row places: they stay at rest
   Elimination elimination;               ///< of the independent rows
 };
 

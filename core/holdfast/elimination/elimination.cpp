@@ -1,106 +1,92 @@
+#include <utility>
+
 #include <holdfast/elimination/elimination.h>
-#include <holdfast/elimination/sequential_qr.h>
-#include <holdfast/elimination/sparse_qr.h>
+#include <holdfast/elimination/reconciliation.h>
 
 namespace holdfast {
 namespace {
 
-using Triplets = std::vector<Eigen::Triplet<double, int>>;
+std::vector<Index> differencesAmong(const std::vector<RowTerms>& rows, const std::vector<Index>& some)
+{
+  std::vector<Index> result;
+  for (const Index row : some)
+    if (differenceOf(rows[row])) result.push_back(row);
+  return result;
+}
 
-constexpr Index kFree = -1;
-constexpr Index kTaken = -2;
+std::vector<Index> othersAmong(const std::vector<RowTerms>& rows, const std::vector<Index>& some)
+{
+  std::vector<Index> result;
+  for (const Index row : some)
+    if (!differenceOf(rows[row])) result.push_back(row);
+  return result;
+}
+
+std::vector<RowTerms> contractedRows(const std::vector<RowTerms>& rows, const Bodies& bodies)
+{
+  std::vector<RowTerms> result;
+  result.reserve(rows.size());
+  for (const RowTerms& row : rows) result.push_back(bodies.contracted(row));
+  return result;
+}
+
+/// No row leads out of what is held: a body is held as a whole.
+std::vector<bool> heldBodies(const std::vector<bool>& isHeld, const Bodies& bodies)
+{
+  std::vector<bool> result(static_cast<std::size_t>(bodies.count()), false);
+  for (std::size_t u = 0; u < isHeld.size(); ++u)
+    if (isHeld[u]) result[bodies.bodyOf(static_cast<Index>(u))] = true;
+  return result;
+}
 
 }  // namespace
 
 Elimination::Elimination(const std::vector<RowTerms>& rows, const std::vector<Index>& independent, Index unknownCount,
                          const std::vector<bool>& isHeld)
-    : pinnedTerms_(rows.size())
+    : rows_(rows),
+      others_(othersAmong(rows, independent)),
+      bodies_(rows, differencesAmong(rows, independent), unknownCount),
+      membership_(bodies_.membership()),
+      contracted_(contractedRows(rows, bodies_)),
+      blocks_(contracted_, others_, bodies_.count(), heldBodies(isHeld, bodies_)),
+      Q2_(membership_ * blocks_.Q2())
 {
-  std::vector<bool> isPinned(static_cast<std::size_t>(unknownCount), false);
-  for (const Index row : independent)
-    if (rows[row].size() == 1) {
-      pins_.push_back({rows[row].front().vertex, row});
-      isPinned[rows[row].front().vertex] = true;
-    }
-  std::vector<RowTerms> left(rows.size());
-  for (const Index row : independent)
-    if (rows[row].size() > 1)
-      for (const PointTerm& term : rows[row]) (isPinned[term.vertex] ? pinnedTerms_ : left)[row].push_back(term);
-  for (const RowComponent& component : connectedRows(left, unknownCount))
-    blocks_.push_back(isDense(component) ? denseBlock(left, component) : sparseBlock(left, component));
-  Q2_ = assembleQ2(unknownCount, isHeld);
-}
-
-Elimination::Block Elimination::denseBlock(const std::vector<RowTerms>& rows, const RowComponent& component)
-{
-  const Eigen::MatrixXd BT = transposedBlock(rows, component);
-  SequentialQr qr(BT.rows(), BT.cols());
-  Block block{{}, component.unknowns, {}, {}, {}};
-  for (Index k = 0; k < BT.cols(); ++k)
-    if (!qr.add(BT.col(k))) block.rows.push_back(component.rows[k]);
-  const Eigen::MatrixXd Q = qr.applyQ(Eigen::MatrixXd::Identity(BT.rows(), BT.rows()));
-  block.Q1 = Q.leftCols(qr.rank()).sparseView(1, 0);
-  block.Q2 = Q.rightCols(BT.rows() - qr.rank()).sparseView(1, 0);
-  block.R1 = qr.R().sparseView(1, 0);
-  return block;
-}
-
-Elimination::Block Elimination::sparseBlock(const std::vector<RowTerms>& rows, const RowComponent& component)
-{
-  SparseMatrix BT = transposedBlock(rows, component);
-  const Eigen::VectorXd lengths = normalizeColumns(BT);
-  const SparseQrResult qr = sparseQr(BT, kRankTolerance, WantQ::Yes);
-  Block block{{}, component.unknowns, {}, {}, {}};
-  for (Index k = 0; k < qr.rank; ++k) block.rows.push_back(component.rows[qr.columns[k]]);
-  block.Q1 = qr.Q.leftCols(qr.rank);
-  block.Q2 = qr.Q.rightCols(BT.rows() - qr.rank);
-  block.R1 = qr.R.leftCols(qr.rank);
-  for (Index k = 0; k < qr.rank; ++k) block.R1.col(k) *= lengths[qr.columns[k]];
-  return block;
-}
-
-SparseMatrix Elimination::assembleQ2(Index unknownCount, const std::vector<bool>& isHeld) const
-{
-  std::vector<Index> role(static_cast<std::size_t>(unknownCount), kFree);
-  for (Index u = 0; u < unknownCount; ++u)
-    if (isHeld[u]) role[u] = kTaken;
-  for (const Pin& pin : pins_) role[pin.unknown] = kTaken;
-  for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    for (const Index u : blocks_[b].unknowns) role[u] = kTaken;
-    role[blocks_[b].unknowns.front()] = static_cast<Index>(b);
-  }
-
-  // Columns in the order of the unknowns, a block's at its first: neighbours on the surface stay neighbours.
-  Triplets entries;
-  int column = 0;
-  for (Index u = 0; u < unknownCount; ++u) {
-    if (role[u] == kFree) entries.emplace_back(static_cast<int>(u), column++, 1.0);
-    if (role[u] < 0) continue;
-    const Block& block = blocks_[role[u]];
-    for (int k = 0; k < block.Q2.outerSize(); ++k, ++column)
-      for (SparseMatrix::InnerIterator entry(block.Q2, k); entry; ++entry)
-        entries.emplace_back(static_cast<int>(block.unknowns[entry.row()]), column, entry.value());
-  }
-  SparseMatrix result(unknownCount, column);
-  result.setFromTriplets(entries.begin(), entries.end());
-  return result;
 }
 
 Columns3 Elimination::particular(const Columns3& d) const
 {
-  Columns3 u = Columns3::Zero(Q2_.rows(), 3);
-  for (const Pin& pin : pins_) u.row(pin.unknown) = d.row(pin.row);
-  for (const Block& block : blocks_) {
-    Columns3 y(static_cast<Index>(block.rows.size()), 3);
-    for (std::size_t k = 0; k < block.rows.size(); ++k) {
-      y.row(k) = d.row(block.rows[k]);
-      for (const PointTerm& term : pinnedTerms_[block.rows[k]]) y.row(k) -= term.weight * u.row(term.vertex);
-    }
-    block.R1.transpose().triangularView<Eigen::Lower>().solveInPlace(y);  // R1^T y = d, (16)
-    const Columns3 part = block.Q1 * y;
-    for (std::size_t k = 0; k < block.unknowns.size(); ++k) u.row(block.unknowns[k]) = part.row(k);
-  }
-  return u;
+  const Columns3 offsets = bodies_.offsets(d);
+  return offsets + membership_ * blocks_.particular(askedOfBodies(d, offsets));
+}
+
+Columns3 Elimination::reconciledParticular(const std::vector<Index>& redundant, const Columns3& d) const
+{
+  const Columns3 offsets = bodies_.offsets(d);
+  return offsets + membership_ * reconciled(blocks_, contracted_, redundant, askedOfBodies(d, offsets));
+}
+
+Columns3 Elimination::askedOfBodies(const Columns3& d, const Columns3& offsets) const
+{
+  Columns3 result = d;
+  for (std::size_t r = 0; r < rows_.size(); ++r)
+    for (const PointTerm& term : rows_[r]) result.row(r) -= term.weight * offsets.row(term.vertex);
+  return result;
+}
+
+Columns3 Elimination::multipliers(const Columns3& gradient) const
+{
+  Columns3 result = blocks_.multipliers(membership_.transpose() * gradient, static_cast<Index>(rows_.size()));
+  Columns3 left = gradient;
+  for (const Index row : others_)
+    for (const PointTerm& term : rows_[row]) left.row(term.vertex) -= term.weight * result.row(row);
+  return result + bodies_.combinationOf(std::move(left), static_cast<Index>(rows_.size()));
+}
+
+std::vector<double> Elimination::amplifications() const
+{
+  std::vector<double> result = blocks_.amplifications(rows_.size());
+  for (const Index row : bodies_.rows()) result[row] = 1;
+  return result;
 }
 
 }  // namespace holdfast

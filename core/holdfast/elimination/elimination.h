@@ -1,54 +1,58 @@
 #pragma once
 /// \file
-/// The elimination of hard constraints: B^T = Q R for independent rows, equations (13) to (17), never as one matrix.
+/// The elimination of hard constraints, equations (12) to (17) and (28): what they give, and what they leave free.
 
 #include <vector>
 
-#include <holdfast/elimination/row_components.h>
+#include <holdfast/elimination/block_elimination.h>
+#include <holdfast/elimination/bodies.h>
 
 namespace holdfast {
 
 /// Splits displacements u of the unknowns into a part that the constraints give and a part that they leave free:
-/// u = particular(d) + Q2 z has B u = d for every z. A pin is an identity column, its value copied; what pins leave of
-/// the other rows falls into components, each with a Householder QR of its own, dense when small and sparse when large.
+/// u = particular(d) + Q2 z has B u = d for every z. Unknowns that difference rows tie together are one body, with one
+/// column however many they are; everything else is eliminated over bodies, block by block.
 class Elimination {
  public:
-  /// One component of what pins leave of the rows.
-  struct Block {
-    std::vector<Index> rows;  ///< in the order of R1
-    std::vector<Index> unknowns;
-    SparseMatrix Q1;  ///< unknowns x rows
-    SparseMatrix R1;  ///< upper triangular
-    SparseMatrix Q2;  ///< unknowns x (unknowns - rows)
-  };
-
   /// `independent` names independent rows, ascending. Unknowns with `isHeld` have the displacement 0; no row names one.
   Elimination(const std::vector<RowTerms>& rows, const std::vector<Index>& independent, Index unknownCount,
               const std::vector<bool>& isHeld);
 
-  /// n x k, orthonormal columns that span the displacements with B u = 0 and 0 where held. A free unknown has an
-  /// identity column.
+  /// n x k, orthogonal columns that span the displacements with B u = 0 and 0 where held. A free unknown has an
+  /// identity column, a free body one of ones.
   [[nodiscard]] const SparseMatrix& Q2() const noexcept { return Q2_; }
 
-  /// Q1 y with R1^T y = d: the displacement in the span of the rows with B u = d, n x 3. `d` has a row for each row
-  /// that the constructor was given; those that are not independent are not looked at. Pins are copied bit for bit.
+  /// The displacement in the span of the rows with B u = d, n x 3. `d` has a row for each row that the constructor was
+  /// given; those that are not independent are not looked at. Pins are copied bit for bit.
   [[nodiscard]] Columns3 particular(const Columns3& d) const;
 
-  [[nodiscard]] const std::vector<Block>& blocks() const noexcept { return blocks_; }
+  /// The same, with `redundant` rows met as well as the independent ones: by least squares over both. Where
+  /// coefficients of circuits are large, the displacement that meets the independent rows to the last digit misses rows
+  /// that follow from them by as much as rounding of d grows along the circuit; that of least squares misses none by
+  /// more than the smallest change of d that makes all agree. One sparse QR for each set of blocks that redundant rows
+  /// join.
+  [[nodiscard]] Columns3 reconciledParticular(const std::vector<Index>& redundant, const Columns3& d) const;
+
+  /// The Lagrange multipliers l of the rows with B^T l = `gradient` (n x 3), which Q2 maps to zero: rows x 3, zero for
+  /// rows that are not independent.
+  [[nodiscard]] Columns3 multipliers(const Columns3& gradient) const;
+
+  /// How far bodies move, all together, for a unit of change in what one row asks for while all others hold: the length
+  /// of that row's column of the pseudo-inverse of B. For each row; 0 for those that are not independent. Estimated to
+  /// some twenty per cent in components too large for a dense block; for pins that other rows hang on, no less than it
+  /// is.
+  [[nodiscard]] std::vector<double> amplifications() const;
 
  private:
-  struct Pin {
-    Index unknown;
-    Index row;
-  };
+  /// `d` less what the offsets of bodies give of it.
+  [[nodiscard]] Columns3 askedOfBodies(const Columns3& d, const Columns3& offsets) const;
 
-  [[nodiscard]] static Block denseBlock(const std::vector<RowTerms>& rows, const RowComponent& component);
-  [[nodiscard]] static Block sparseBlock(const std::vector<RowTerms>& rows, const RowComponent& component);
-  [[nodiscard]] SparseMatrix assembleQ2(Index unknownCount, const std::vector<bool>& isHeld) const;
-
-  std::vector<Pin> pins_;
-  std::vector<RowTerms> pinnedTerms_;  // of each row: its terms at pinned unknowns
-  std::vector<Block> blocks_;
+  std::vector<RowTerms> rows_;
+  std::vector<Index> others_;  // the independent rows that are no differences
+  Bodies bodies_;
+  SparseMatrix membership_;
+  std::vector<RowTerms> contracted_;  // every row, over bodies
+  BlockElimination blocks_;
   SparseMatrix Q2_;
 };
 

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <holdfast/base/disjoint_sets.h>
+#include <holdfast/elimination/bodies.h>
 #include <holdfast/elimination/earliest_basis.h>
 #include <holdfast/elimination/find_dependencies.h>
 #include <holdfast/elimination/sequential_qr.h>
@@ -105,6 +107,40 @@ std::vector<Dependency> bounded(std::vector<Dependency> found, const std::vector
   return found;
 }
 
+/// Difference rows that close no loop, in the user's order, and all other rows.
+struct Forest {
+  std::vector<Index> differences;
+  std::vector<Index> others;
+};
+
+Forest forestOf(const std::vector<RowTerms>& rows, Index unknownCount)
+{
+  Forest forest;
+  DisjointSets sets(unknownCount);
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    const auto difference = differenceOf(rows[r]);
+    const bool joins = difference && sets.find(difference->from) != sets.find(difference->to);
+    (joins ? forest.differences : forest.others).push_back(static_cast<Index>(r));
+    if (joins) sets.unite(difference->from, difference->to);
+  }
+  return forest;
+}
+
+/// What is left of a dependency over bodies when it is read over unknowns is a combination of difference rows.
+void addPartnersInside(const Bodies& bodies, const std::vector<RowTerms>& rows, Dependency& dependency)
+{
+  RowTerms left = rows[dependency.row];
+  double largest = 1;
+  for (const Partner& partner : dependency.partners) {
+    largest = std::max(largest, std::abs(partner.coefficient));
+    for (const PointTerm& term : rows[partner.row]) left.push_back({term.vertex, -partner.coefficient * term.weight});
+  }
+  for (const Partner& partner : bodies.combinationOf(left))
+    if (std::abs(partner.coefficient) > kPartnerThreshold * largest) dependency.partners.push_back(partner);
+  std::sort(dependency.partners.begin(), dependency.partners.end(),
+            [](const Partner& x, const Partner& y) { return x.row < y.row; });
+}
+
 }  // namespace
 
 std::vector<Dependency> sequentialDependencies(const std::vector<RowTerms>& rows, const RowComponent& component)
@@ -137,17 +173,23 @@ std::vector<Dependency> sparseDependencies(const std::vector<RowTerms>& rows, co
 
 std::vector<Dependency> findDependencies(const std::vector<RowTerms>& rows, Index unknownCount)
 {
+  const Forest forest = forestOf(rows, unknownCount);
+  const Bodies bodies(rows, forest.differences, unknownCount);
+  std::vector<RowTerms> contracted(rows.size());
+  for (const Index row : forest.others) contracted[row] = bodies.contracted(rows[row]);
+
   std::vector<Dependency> all;
-  for (std::size_t r = 0; r < rows.size(); ++r)
-    if (rows[r].empty()) all.push_back({static_cast<Index>(r), {}});
-  for (const RowComponent& component : connectedRows(rows, unknownCount)) {
+  for (const Index row : forest.others)
+    if (contracted[row].empty()) all.push_back({row, {}});
+  for (const RowComponent& component : connectedRows(contracted, bodies.count())) {
     if (component.rows.size() == 1) continue;
     std::vector<Dependency> found =
-        isDense(component) ? sequentialDependencies(rows, component) : sparseDependencies(rows, component);
+        isDense(component) ? sequentialDependencies(contracted, component) : sparseDependencies(contracted, component);
     std::move(found.begin(), found.end(), std::back_inserter(all));
   }
+  for (Dependency& dependency : all) addPartnersInside(bodies, rows, dependency);
   std::sort(all.begin(), all.end(), [](const Dependency& x, const Dependency& y) { return x.row < y.row; });
-  return all;
+  return forest.differences.empty() ? all : byEarliestBasis(all);
 }
 
 std::vector<Index> independentRows(const std::vector<Dependency>& dependencies, std::size_t rowCount)

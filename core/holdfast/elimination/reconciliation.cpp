@@ -12,11 +12,11 @@ constexpr int kCorrections = 2;
 
 /// Blocks that redundant rows join, and all rows that hang on them.
 struct Group {
-  std::vector<const Elimination::Block*> blocks;
+  std::vector<const BlockElimination::Block*> blocks;
   std::vector<Index> rows;  // independent ones, then redundant ones
 };
 
-std::vector<Index> blockOfUnknowns(const Elimination& elimination)
+std::vector<Index> blockOfUnknowns(const BlockElimination& elimination)
 {
   std::vector<Index> blockOf(static_cast<std::size_t>(elimination.Q2().rows()), kNone);
   for (std::size_t b = 0; b < elimination.blocks().size(); ++b)
@@ -32,19 +32,17 @@ Index firstBlock(const RowTerms& row, const std::vector<Index>& blockOf)
   return kNone;
 }
 
-std::vector<Group> groupsOf(const EliminatedConstraints& eliminated, const std::vector<Index>& redundant,
-                            const std::vector<Index>& blockOf)
+std::vector<Group> groupsOf(const std::vector<BlockElimination::Block>& blocks, const std::vector<RowTerms>& rows,
+                            const std::vector<Index>& redundant, const std::vector<Index>& blockOf)
 {
-  const std::vector<Elimination::Block>& blocks = eliminated.elimination.blocks();
   DisjointSets sets(static_cast<Index>(blocks.size()));
   for (const Index row : redundant)
-    for (const PointTerm& term : eliminated.rows[row])
-      if (const Index block = blockOf[term.vertex]; block != kNone)
-        sets.unite(block, firstBlock(eliminated.rows[row], blockOf));
+    for (const PointTerm& term : rows[row])
+      if (const Index block = blockOf[term.vertex]; block != kNone) sets.unite(block, firstBlock(rows[row], blockOf));
 
   std::vector<std::vector<Index>> redundantOf(blocks.size());  // by representative
   for (const Index row : redundant)
-    if (const Index block = firstBlock(eliminated.rows[row], blockOf); block != kNone)
+    if (const Index block = firstBlock(rows[row], blockOf); block != kNone)
       redundantOf[sets.find(block)].push_back(row);
 
   std::vector<Group> groups(blocks.size());
@@ -66,7 +64,7 @@ SparseMatrix spanOf(const Group& group, Index unknownCount)
 {
   std::vector<Eigen::Triplet<double, int>> entries;
   int column = 0;
-  for (const Elimination::Block* block : group.blocks)
+  for (const BlockElimination::Block* block : group.blocks)
     for (int k = 0; k < block->Q1.outerSize(); ++k, ++column)
       for (SparseMatrix::InnerIterator entry(block->Q1, k); entry; ++entry)
         entries.emplace_back(static_cast<int>(block->unknowns[entry.row()]), column, entry.value());
@@ -111,16 +109,16 @@ Columns3 leastSquares(SparseMatrix M, const Columns3& d)
 
 }  // namespace
 
-Columns3 reconciledParticular(const EliminatedConstraints& eliminated, const std::vector<Index>& redundant,
-                              const Columns3& d)
+Columns3 reconciled(const BlockElimination& elimination, const std::vector<RowTerms>& rows,
+                    const std::vector<Index>& redundant, const Columns3& d)
 {
-  Columns3 u = eliminated.elimination.particular(d);
-  const std::vector<Index> blockOf = blockOfUnknowns(eliminated.elimination);
-  for (const Group& group : groupsOf(eliminated, redundant, blockOf)) {
+  Columns3 u = elimination.particular(d);
+  const std::vector<Index> blockOf = blockOfUnknowns(elimination);
+  for (const Group& group : groupsOf(elimination.blocks(), rows, redundant, blockOf)) {
     // What the group's blocks hold is found anew; what pins hold is known.
-    for (const Elimination::Block* block : group.blocks)
+    for (const BlockElimination::Block* block : group.blocks)
       for (const Index unknown : block->unknowns) u.row(unknown).setZero();
-    const SparseMatrix B = rowsOf(eliminated.rows, group.rows, u.rows());
+    const SparseMatrix B = rowsOf(rows, group.rows, u.rows());
     const SparseMatrix span = spanOf(group, u.rows());
     Columns3 asked(B.rows(), 3);
     for (std::size_t k = 0; k < group.rows.size(); ++k) asked.row(k) = d.row(group.rows[k]);

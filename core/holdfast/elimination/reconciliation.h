@@ -4,16 +4,13 @@
 
 #include <vector>
 
-#include <holdfast/elimination/diagnosis.h>
+#include <holdfast/elimination/block_elimination.h>
 
 namespace holdfast {
 
-/// As `Elimination::particular`, but `redundant` rows are met as well as the independent ones: by least squares over
-/// both, in the span of the rows. Where coefficients of circuits are large, the displacement that meets the independent
-/// rows to the last digit misses rows that follow from them by as much as rounding of d grows along the circuit; that
-/// of least squares misses none by more than the smallest change of d that makes all agree. Pins stay copied bit for
-/// bit. One sparse QR for each set of blocks that redundant rows join.
-[[nodiscard]] Columns3 reconciledParticular(const EliminatedConstraints& eliminated,
-                                            const std::vector<Index>& redundant, const Columns3& d);
+/// As `BlockElimination::particular`, with `redundant` rows of `rows` met as well: see
+/// `Elimination::reconciledParticular`.
+[[nodiscard]] Columns3 reconciled(const BlockElimination& elimination, const std::vector<RowTerms>& rows,
+                                  const std::vector<Index>& redundant, const Columns3& d);
 
 }  // namespace holdfast

@@ -21,9 +21,6 @@ class Cholmod {
     cholmod_start(&common_);
     common_.print = 0;
     common_.supernodal = CHOLMOD_SUPERNODAL;
-    // Left to itself, CHOLMOD goes on to nested dissection on large meshes: docs/design.md says why not.
-    common_.nmethods = 1;
-    common_.method[0].ordering = CHOLMOD_AMD;
   }
   ~Cholmod()
   {

@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include <holdfast/elimination/reconciliation.h>
 #include <holdfast/solve/column_scaling.h>
 #include <holdfast/solve/constraint_matrix.h>
 #include <holdfast/solve/corrected_solve.h>
@@ -40,8 +39,9 @@ class HardSolver final : public DeformationSolver {
  private:
   [[nodiscard]] Columns3 particular(const RowTargets& targets) const
   {
-    return targets.reconciled.empty() ? problem_.eliminated.elimination.particular(targets.shifts)
-                                      : reconciledParticular(problem_.eliminated, targets.reconciled, targets.shifts);
+    return targets.reconciled.empty()
+               ? problem_.eliminated.elimination.particular(targets.shifts)
+               : problem_.eliminated.elimination.reconciledParticular(targets.reconciled, targets.shifts);
   }
 
   DeformationProblem problem_;

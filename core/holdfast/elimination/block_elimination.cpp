@@ -1,0 +1,163 @@
+#include <cmath>
+#include <random>
+
+#include <holdfast/elimination/block_elimination.h>
+#include <holdfast/elimination/sequential_qr.h>
+#include <holdfast/elimination/sparse_qr.h>
+
+namespace holdfast {
+namespace {
+
+using Triplets = std::vector<Eigen::Triplet<double, int>>;
+
+constexpr Index kFree = -1;
+constexpr Index kTaken = -2;
+
+// The inverse of a triangular matrix of this size is formed as it is; of larger ones the lengths of rows are estimated.
+constexpr Index kLargestInverse = 512;
+constexpr int kProbes = 16;
+
+/// Row lengths of R1^-1. Estimated from what R1^-1 makes of vectors of random signs: the mean square of an entry is
+/// that of the row's length.
+Eigen::VectorXd lengthsOfInverseRows(const SparseMatrix& R1)
+{
+  if (R1.cols() <= kLargestInverse) {
+    Eigen::MatrixXd inverse = Eigen::MatrixXd::Identity(R1.cols(), R1.cols());
+    R1.triangularView<Eigen::Upper>().solveInPlace(inverse);
+    return inverse.rowwise().norm();
+  }
+  std::minstd_rand random(1);
+  Eigen::MatrixXd probes(R1.cols(), kProbes);
+  for (double& entry : probes.reshaped()) entry = (random() >> 16) % 2 == 0 ? 1 : -1;
+  R1.triangularView<Eigen::Upper>().solveInPlace(probes);
+  return probes.rowwise().norm() / std::sqrt(static_cast<double>(kProbes));
+}
+
+}  // namespace
+
+BlockElimination::BlockElimination(const std::vector<RowTerms>& rows, const std::vector<Index>& independent,
+                                   Index unknownCount, const std::vector<bool>& isHeld)
+    : pinnedTerms_(rows.size())
+{
+  std::vector<bool> isPinned(static_cast<std::size_t>(unknownCount), false);
+  for (const Index row : independent)
+    if (rows[row].size() == 1) {
+      pins_.push_back({rows[row].front().vertex, row, rows[row].front().weight});
+      isPinned[rows[row].front().vertex] = true;
+    }
+  std::vector<RowTerms> left(rows.size());
+  for (const Index row : independent)
+    if (rows[row].size() > 1)
+      for (const PointTerm& term : rows[row]) (isPinned[term.vertex] ? pinnedTerms_ : left)[row].push_back(term);
+  for (const RowComponent& component : connectedRows(left, unknownCount))
+    blocks_.push_back(isDense(component) ? denseBlock(left, component) : sparseBlock(left, component));
+  Q2_ = assembleQ2(unknownCount, isHeld);
+}
+
+BlockElimination::Block BlockElimination::denseBlock(const std::vector<RowTerms>& rows, const RowComponent& component)
+{
+  const Eigen::MatrixXd BT = transposedBlock(rows, component);
+  SequentialQr qr(BT.rows(), BT.cols());
+  Block block{{}, component.unknowns, {}, {}, {}};
+  for (Index k = 0; k < BT.cols(); ++k)
+    if (!qr.add(BT.col(k))) block.rows.push_back(component.rows[k]);
+  const Eigen::MatrixXd Q = qr.applyQ(Eigen::MatrixXd::Identity(BT.rows(), BT.rows()));
+  block.Q1 = Q.leftCols(qr.rank()).sparseView(1, 0);
+  block.Q2 = Q.rightCols(BT.rows() - qr.rank()).sparseView(1, 0);
+  block.R1 = qr.R().sparseView(1, 0);
+  return block;
+}
+
+BlockElimination::Block BlockElimination::sparseBlock(const std::vector<RowTerms>& rows, const RowComponent& component)
+{
+  SparseMatrix BT = transposedBlock(rows, component);
+  const Eigen::VectorXd lengths = normalizeColumns(BT);
+  const SparseQrResult qr = sparseQr(BT, kRankTolerance, WantQ::Yes);
+  Block block{{}, component.unknowns, {}, {}, {}};
+  for (Index k = 0; k < qr.rank; ++k) block.rows.push_back(component.rows[qr.columns[k]]);
+  block.Q1 = qr.Q.leftCols(qr.rank);
+  block.Q2 = qr.Q.rightCols(BT.rows() - qr.rank);
+  block.R1 = qr.R.leftCols(qr.rank);
+  for (Index k = 0; k < qr.rank; ++k) block.R1.col(k) *= lengths[qr.columns[k]];
+  return block;
+}
+
+SparseMatrix BlockElimination::assembleQ2(Index unknownCount, const std::vector<bool>& isHeld) const
+{
+  std::vector<Index> role(static_cast<std::size_t>(unknownCount), kFree);
+  for (Index u = 0; u < unknownCount; ++u)
+    if (isHeld[u]) role[u] = kTaken;
+  for (const Pin& pin : pins_) role[pin.unknown] = kTaken;
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    for (const Index u : blocks_[b].unknowns) role[u] = kTaken;
+    role[blocks_[b].unknowns.front()] = static_cast<Index>(b);
+  }
+
+  // Columns in the order of the unknowns, a block's at its first: neighbours on the surface stay neighbours.
+  Triplets entries;
+  int column = 0;
+  for (Index u = 0; u < unknownCount; ++u) {
+    if (role[u] == kFree) entries.emplace_back(static_cast<int>(u), column++, 1.0);
+    if (role[u] < 0) continue;
+    const Block& block = blocks_[role[u]];
+    for (int k = 0; k < block.Q2.outerSize(); ++k, ++column)
+      for (SparseMatrix::InnerIterator entry(block.Q2, k); entry; ++entry)
+        entries.emplace_back(static_cast<int>(block.unknowns[entry.row()]), column, entry.value());
+  }
+  SparseMatrix result(unknownCount, column);
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
+Columns3 BlockElimination::particular(const Columns3& d) const
+{
+  Columns3 u = Columns3::Zero(Q2_.rows(), 3);
+  for (const Pin& pin : pins_) u.row(pin.unknown) = d.row(pin.row) / pin.weight;
+  for (const Block& block : blocks_) {
+    Columns3 y(static_cast<Index>(block.rows.size()), 3);
+    for (std::size_t k = 0; k < block.rows.size(); ++k) {
+      y.row(k) = d.row(block.rows[k]);
+      for (const PointTerm& term : pinnedTerms_[block.rows[k]]) y.row(k) -= term.weight * u.row(term.vertex);
+    }
+    block.R1.transpose().triangularView<Eigen::Lower>().solveInPlace(y);  // R1^T y = d, (16)
+    const Columns3 part = block.Q1 * y;
+    for (std::size_t k = 0; k < block.unknowns.size(); ++k) u.row(block.unknowns[k]) = part.row(k);
+  }
+  return u;
+}
+
+Columns3 BlockElimination::multipliers(const Columns3& gradient, Index rowCount) const
+{
+  Columns3 result = Columns3::Zero(rowCount, 3);
+  Columns3 left = gradient;
+  for (const Block& block : blocks_) {
+    Columns3 part(static_cast<Index>(block.unknowns.size()), 3);
+    for (std::size_t k = 0; k < block.unknowns.size(); ++k) part.row(k) = gradient.row(block.unknowns[k]);
+    Columns3 y = block.Q1.transpose() * part;
+    block.R1.triangularView<Eigen::Upper>().solveInPlace(y);
+    for (std::size_t k = 0; k < block.rows.size(); ++k) {
+      result.row(block.rows[k]) = y.row(k);
+      for (const PointTerm& term : pinnedTerms_[block.rows[k]]) left.row(term.vertex) -= term.weight * y.row(k);
+    }
+  }
+  for (const Pin& pin : pins_) result.row(pin.row) = left.row(pin.unknown) / pin.weight;
+  return result;
+}
+
+std::vector<double> BlockElimination::amplifications(std::size_t rowCount) const
+{
+  std::vector<double> result(rowCount, 0);
+  std::vector<double> ofPinned(static_cast<std::size_t>(Q2_.rows()), 0);
+  for (const Block& block : blocks_) {
+    const Eigen::VectorXd lengths = lengthsOfInverseRows(block.R1);
+    for (std::size_t k = 0; k < block.rows.size(); ++k) {
+      result[block.rows[k]] = lengths[k];
+      for (const PointTerm& term : pinnedTerms_[block.rows[k]])
+        ofPinned[term.vertex] += std::abs(term.weight) * lengths[k];
+    }
+  }
+  for (const Pin& pin : pins_) result[pin.row] = std::hypot(1, ofPinned[pin.unknown]) / std::abs(pin.weight);
+  return result;
+}
+
+}  // namespace holdfast

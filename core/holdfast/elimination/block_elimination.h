@@ -1,0 +1,63 @@
+#pragma once
+/// \file
+/// The elimination of hard constraints: B^T = Q R for independent rows, equations (13) to (17), never as one matrix.
+
+#include <vector>
+
+#include <holdfast/elimination/row_components.h>
+
+namespace holdfast {
+
+/// The elimination of rows of which none is the difference of two unknowns: `Elimination` has made bodies of those.
+/// Splits displacements u of the unknowns into a part that the constraints give and a part that they leave free: u =
+/// particular(d) + Q2 z has B u = d for every z. A pin is an identity column, its value copied; what pins leave of the
+/// other rows falls into components, each with a Householder QR of its own, dense when small and sparse when large.
+class BlockElimination {
+ public:
+  /// One component of what pins leave of the rows.
+  struct Block {
+    std::vector<Index> rows;  ///< in the order of R1
+    std::vector<Index> unknowns;
+    SparseMatrix Q1;  ///< unknowns x rows
+    SparseMatrix R1;  ///< upper triangular
+    SparseMatrix Q2;  ///< unknowns x (unknowns - rows)
+  };
+
+  /// `independent` names independent rows, ascending. Unknowns with `isHeld` have the displacement 0; no row names one.
+  BlockElimination(const std::vector<RowTerms>& rows, const std::vector<Index>& independent, Index unknownCount,
+                   const std::vector<bool>& isHeld);
+
+  /// n x k, orthonormal columns that span the displacements with B u = 0 and 0 where held. A free unknown has an
+  /// identity column.
+  [[nodiscard]] const SparseMatrix& Q2() const noexcept { return Q2_; }
+
+  /// Q1 y with R1^T y = d: the displacement in the span of the rows with B u = d, n x 3. `d` has a row for each row
+  /// that the constructor was given; those that are not independent are not looked at. Pins are copied bit for bit.
+  [[nodiscard]] Columns3 particular(const Columns3& d) const;
+
+  /// The l of pins and blocks with B^T l = `gradient` (n x 3) over the independent rows: `rowCount` x 3.
+  [[nodiscard]] Columns3 multipliers(const Columns3& gradient, Index rowCount) const;
+
+  /// See `Elimination::amplifications`.
+  [[nodiscard]] std::vector<double> amplifications(std::size_t rowCount) const;
+
+  [[nodiscard]] const std::vector<Block>& blocks() const noexcept { return blocks_; }
+
+ private:
+  struct Pin {
+    Index unknown;
+    Index row;
+    double weight;  // 1, but for what is left of relative rows and face points between bodies
+  };
+
+  [[nodiscard]] static Block denseBlock(const std::vector<RowTerms>& rows, const RowComponent& component);
+  [[nodiscard]] static Block sparseBlock(const std::vector<RowTerms>& rows, const RowComponent& component);
+  [[nodiscard]] SparseMatrix assembleQ2(Index unknownCount, const std::vector<bool>& isHeld) const;
+
+  std::vector<Pin> pins_;
+  std::vector<RowTerms> pinnedTerms_;  // of each row: its terms at pinned unknowns
+  std::vector<Block> blocks_;
+  SparseMatrix Q2_;
+};
+
+}  // namespace holdfast

@@ -1,0 +1,124 @@
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+
+#include <holdfast/elimination/bodies.h>
+
+namespace holdfast {
+namespace {
+
+constexpr Index kNone = -1;
+
+struct Neighbour {
+  Index unknown;
+  Index row;
+  double sign;
+};
+
+std::vector<std::vector<Neighbour>> neighbours(const std::vector<RowTerms>& rows, const std::vector<Index>& differences,
+                                               Index unknownCount)
+{
+  std::vector<std::vector<Neighbour>> result(static_cast<std::size_t>(unknownCount));
+  for (const Index row : differences) {
+    const Difference difference = *differenceOf(rows[row]);
+    result[difference.from].push_back({difference.to, row, 1});
+    result[difference.to].push_back({difference.from, row, -1});
+  }
+  return result;
+}
+
+}  // namespace
+
+std::optional<Difference> differenceOf(const RowTerms& row)
+{
+  if (row.size() != 2 || std::abs(row[0].weight) != 1 || row[0].weight != -row[1].weight) return std::nullopt;
+  return row[0].weight < 0 ? Difference{row[0].vertex, row[1].vertex} : Difference{row[1].vertex, row[0].vertex};
+}
+
+Bodies::Bodies(const std::vector<RowTerms>& rows, const std::vector<Index>& differences, Index unknownCount)
+    : bodyOf_(static_cast<std::size_t>(unknownCount), kNone), linkOf_(static_cast<std::size_t>(unknownCount), kNone)
+{
+  const std::vector<std::vector<Neighbour>> adjacent = neighbours(rows, differences, unknownCount);
+  for (Index first = 0; first < unknownCount; ++first) {
+    if (bodyOf_[first] != kNone) continue;
+    bodyOf_[first] = count_;
+    std::vector<Index> reached{first};
+    for (std::size_t k = 0; k < reached.size(); ++k)
+      for (const Neighbour& next : adjacent[reached[k]]) {
+        if (bodyOf_[next.unknown] != kNone) continue;
+        bodyOf_[next.unknown] = count_;
+        linkOf_[next.unknown] = static_cast<Index>(links_.size());
+        links_.push_back({next.unknown, reached[k], next.row, next.sign});
+        reached.push_back(next.unknown);
+      }
+    ++count_;
+  }
+}
+
+RowTerms Bodies::contracted(const RowTerms& row) const
+{
+  if (links_.empty()) return row;
+  std::map<Index, double> weights;
+  for (const PointTerm& term : row) weights[bodyOf_[term.vertex]] += term.weight;
+  RowTerms result;
+  for (const auto& [body, weight] : weights)
+    if (std::abs(weight) > kVanishingWeight) result.push_back({body, weight});
+  // Shares of a point that lies in one body sum to 1 up to rounding.
+  if (result.size() == 1 && std::abs(result.front().weight - 1) <= kVanishingWeight) result.front().weight = 1;
+  return result;
+}
+
+std::vector<Index> Bodies::rows() const
+{
+  std::vector<Index> result;
+  result.reserve(links_.size());
+  for (const Link& link : links_) result.push_back(link.row);
+  return result;
+}
+
+SparseMatrix Bodies::membership() const
+{
+  std::vector<Eigen::Triplet<double, int>> entries;
+  entries.reserve(bodyOf_.size());
+  for (std::size_t u = 0; u < bodyOf_.size(); ++u)
+    entries.emplace_back(static_cast<int>(u), static_cast<int>(bodyOf_[u]), 1.0);
+  SparseMatrix result(static_cast<Index>(bodyOf_.size()), count_);
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
+Columns3 Bodies::offsets(const Columns3& d) const
+{
+  Columns3 result = Columns3::Zero(static_cast<Index>(bodyOf_.size()), 3);
+  for (const Link& link : links_) result.row(link.unknown) = result.row(link.parent) + link.sign * d.row(link.row);
+  return result;
+}
+
+std::vector<Partner> Bodies::combinationOf(const RowTerms& terms) const
+{
+  std::map<Index, double, std::greater<>> pending;  // by link: children before parents
+  for (const PointTerm& term : terms)
+    if (linkOf_[term.vertex] != kNone) pending[linkOf_[term.vertex]] += term.weight;
+  std::vector<Partner> result;
+  while (!pending.empty()) {
+    const auto [place, total] = *pending.begin();
+    pending.erase(pending.begin());
+    const Link& link = links_[place];
+    result.push_back({link.row, link.sign * total});
+    if (linkOf_[link.parent] != kNone) pending[linkOf_[link.parent]] += total;
+  }
+  return result;
+}
+
+Columns3 Bodies::combinationOf(Columns3 totals, Index rowCount) const
+{
+  Columns3 result = Columns3::Zero(rowCount, 3);
+  for (auto link = links_.rbegin(); link != links_.rend(); ++link) {
+    result.row(link->row) = link->sign * totals.row(link->unknown);
+    totals.row(link->parent) += totals.row(link->unknown);
+  }
+  return result;
+}
+
+}  // namespace holdfast

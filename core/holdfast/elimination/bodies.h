@@ -1,0 +1,69 @@
+#pragma once
+/// \file
+/// Unknowns that rows tie to one another at given differences: each body of them moves as one, equations (28) and
+/// Fig. 8.
+
+#include <optional>
+#include <vector>
+
+#include <holdfast/elimination/dependency.h>
+#include <holdfast/elimination/row_components.h>
+
+namespace holdfast {
+
+/// A row x_to - x_from = d.
+struct Difference {
+  Index from = 0;
+  Index to = 0;
+};
+
+/// The two unknowns of a row with the coefficients -1 and +1; nothing for any other row.
+[[nodiscard]] std::optional<Difference> differenceOf(const RowTerms& row);
+
+/// The bodies that some difference rows make, a spanning tree in each. An unknown that no row names is a body of its
+/// own. An unknown of a body is where the body is, plus its offset.
+class Bodies {
+ public:
+  /// `differences` names independent difference rows: they close no loop. O(n).
+  Bodies(const std::vector<RowTerms>& rows, const std::vector<Index>& differences, Index unknownCount);
+
+  /// How many there are; they are numbered by their first unknowns.
+  [[nodiscard]] Index count() const noexcept { return count_; }
+  [[nodiscard]] Index bodyOf(Index unknown) const { return bodyOf_[unknown]; }
+
+  /// A row over unknowns as one over bodies; terms that cancel are left out. A row that holds inside a body is empty.
+  [[nodiscard]] RowTerms contracted(const RowTerms& row) const;
+
+  /// The difference rows, each child's after its parent's.
+  [[nodiscard]] std::vector<Index> rows() const;
+
+  /// n x count, one entry of 1 in each row.
+  [[nodiscard]] SparseMatrix membership() const;
+
+  /// How far each unknown is from its body when difference row k is d_k: n x 3.
+  [[nodiscard]] Columns3 offsets(const Columns3& d) const;
+
+  /// The combination of difference rows that is `terms`, whose coefficients sum to zero over each body. O(terms times
+  /// the depth of the trees).
+  [[nodiscard]] std::vector<Partner> combinationOf(const RowTerms& terms) const;
+
+  /// The same for many at a time: `totals` (n x 3, each column summing to zero over each body) is the sum of
+  /// coefficient times row; the coefficients of difference rows (rows x 3). O(n).
+  [[nodiscard]] Columns3 combinationOf(Columns3 totals, Index rowCount) const;
+
+ private:
+  /// An unknown that is not the first of its body hangs on another one by a row.
+  struct Link {
+    Index unknown;
+    Index parent;
+    Index row;
+    double sign;  // x_unknown = x_parent + sign d_row
+  };
+
+  Index count_ = 0;
+  std::vector<Index> bodyOf_;
+  std::vector<Link> links_;    // parents before children
+  std::vector<Index> linkOf_;  // of each unknown, -1 for the first of a body
+};
+
+}  // namespace holdfast
