@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -62,7 +63,9 @@ class SystemBuilder {
 
   void add(const Fixed& fixed)
   {
-    for (const Index v : selected(fixed.select)) addPin(v, mesh_.positions.row(v));
+    const std::vector<Index> vertices = selected(fixed.select);
+    for (const Index v : vertices) addPin(v, mesh_.positions.row(v));
+    giveRotation(vertices, Vector3::Zero());
   }
 
   void add(const Handle& handle)
@@ -77,13 +80,14 @@ class SystemBuilder {
     for (const Index v : vertices)
       addPin(v, handle.rotate ? motion(mesh_.positions.row(v))
                               : Vector3(mesh_.positions.row(v).transpose() + handle.translate));
+    giveRotation(vertices,
+                 handle.rotate ? rotationLog(handle.rotate->axis, handle.rotate->degrees) : Vector3(Vector3::Zero()));
   }
 
   void add(const Point& point)
   {
-    const auto [at, distance] = locator_.locate(point.at, key(".at"));
+    const SurfacePoint at = located(point.at, ".at");
     system_.points[current_] = at;
-    system_.surfaceDistances[current_] = distance;
     const Vector3 rest = positionOf(at, mesh_.positions);
     if (const Target* target = std::get_if<Target>(&point.to))
       addRow(at, target->place, target->place - rest);
@@ -91,14 +95,25 @@ class SystemBuilder {
       addRow(at, rest + std::get<Move>(point.to).shift, std::get<Move>(point.to).shift);
   }
 
-  void add(const Rigid& /*rigid*/)
+  void add(const Rigid& rigid)
   {
-    throw InputError(key(".type"), "rigid regions are not supported by this version; remove it");
+    const std::vector<Index> body = unknownsOf(selected(rigid.select));
+    if (!isEnabled()) return;
+    const Index reference = body.front();
+    for (const Index u : body)
+      if (u != reference) addCarried(RowKind::Body, {{{u, 1.0}}}, {{{reference, 1.0}}}, {{reference, 1.0}});
+    system_.bodies.push_back(body);
   }
 
-  void add(const Relative& /*relative*/)
+  void add(const Relative& relative)
   {
-    throw InputError(key(".type"), "relative constraints are not supported by this version; remove it");
+    const SurfacePoint from = overUnknowns(located(relative.from, ".from"));
+    const SurfacePoint to = overUnknowns(located(relative.to, ".to"));
+    if (!isEnabled()) return;
+    if (!relative.offset) return addCarried(RowKind::Relative, from, to, midpoint(from, to).terms);
+    const Vector3 rest = restVector(from, to);
+    system_.rows.push_back(
+        {difference(from, to), *relative.offset, *relative.offset - rest, current_, RowKind::Relative});
   }
 
   [[nodiscard]] Vector3 centroid(const std::vector<Index>& vertices) const
@@ -117,10 +132,54 @@ class SystemBuilder {
   void addRow(const SurfacePoint& at, const Vector3& target, const Vector3& shift)
   {
     if (!isEnabled()) return;
-    std::vector<PointTerm> terms = at.terms;
-    for (PointTerm& term : terms) term.vertex = solverMesh_.weld.unknownOf[term.vertex];
-    ConstraintRow row{canonical(std::move(terms)).terms, target, shift, current_};
+    ConstraintRow row{overUnknowns(at).terms, target, shift, current_};
     if (!isRepeatOfOwnPin(row)) system_.rows.push_back(std::move(row));
+  }
+
+  /// The row from - to whose d is what it is at rest, turned by the rotation of `rotation`.
+  void addCarried(RowKind kind, const SurfacePoint& from, const SurfacePoint& to, std::vector<PointTerm> rotation)
+  {
+    const Vector3 rest = restVector(from, to);
+    system_.carried.push_back({static_cast<Index>(system_.rows.size()), rest, std::move(rotation)});
+    system_.rows.push_back({difference(from, to), rest, Vector3::Zero(), current_, kind});
+  }
+
+  void giveRotation(const std::vector<Index>& vertices, const Vector3& q)
+  {
+    if (!isEnabled()) return;
+    isTurned_.resize(static_cast<std::size_t>(solverMesh_.unknownCount()), false);
+    for (const Index u : unknownsOf(vertices)) {
+      if (!isTurned_[u]) system_.rotations.push_back({u, q, current_});
+      isTurned_[u] = true;
+    }
+  }
+
+  [[nodiscard]] SurfacePoint located(const SurfaceLocation& location, const char* where)
+  {
+    auto [point, distance] = locator_.locate(location, key(where));
+    system_.surfaceDistances[current_] = std::max(system_.surfaceDistances[current_], distance);
+    return std::move(point);
+  }
+
+  [[nodiscard]] SurfacePoint overUnknowns(SurfacePoint point) const
+  {
+    for (PointTerm& term : point.terms) term.vertex = solverMesh_.weld.unknownOf[term.vertex];
+    return canonical(std::move(point.terms));
+  }
+
+  /// Ascending, each once.
+  [[nodiscard]] std::vector<Index> unknownsOf(std::vector<Index> vertices) const
+  {
+    for (Index& v : vertices) v = solverMesh_.weld.unknownOf[v];
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    return vertices;
+  }
+
+  /// Between two points of unknowns.
+  [[nodiscard]] Vector3 restVector(const SurfacePoint& from, const SurfacePoint& to) const
+  {
+    return positionOf(from, solverMesh_.rest) - positionOf(to, solverMesh_.rest);
   }
 
   /// Vertices of one selection that are one unknown ask for the same thing once.
@@ -143,6 +202,7 @@ class SystemBuilder {
   SurfaceLocator locator_;
   Selector selector_;
   std::vector<Index> pinnedBy_;  // of each unknown: the constraint that pinned it last
+  std::vector<bool> isTurned_;   // of each unknown: its rotation is given
   Index current_ = 0;
   ConstraintSystem system_;
 };

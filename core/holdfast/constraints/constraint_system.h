@@ -11,14 +11,38 @@
 
 namespace holdfast {
 
+/// What a row prescribes.
+enum class RowKind {
+  Position,  ///< where a point of the surface is
+  Body,      ///< how an unknown of a rigid region lies to the first one of it: x_i - x_ref, equation (28)
+  Relative   ///< how one point of the surface lies to another: p_from - p_to, Fig. 8
+};
+
 /// One row of B x = d. It holds for x, y and z alike.
 struct ConstraintRow {
-  std::vector<PointTerm> terms;  ///< unknowns, ascending, with their coefficients; a pin is one term of weight 1
-  Vector3 target;                ///< d, model units
-  Vector3 shift;                 ///< d - B p at rest: what the row asks of the displacement
-  Index constraint = 0;          ///< place in the list of the constraint that it came from
+  /// Unknowns, ascending, with their coefficients. A pin is one term of weight 1. The coefficients of a difference sum
+  /// to 0, and there are none at all where it is that of a point and itself.
+  std::vector<PointTerm> terms;
+  Vector3 target;        ///< d, model units
+  Vector3 shift;         ///< d - B p at rest: what the row asks of the displacement
+  Index constraint = 0;  ///< place in the list of the constraint that it came from
+  RowKind kind = RowKind::Position;
 
-  [[nodiscard]] bool isPin() const noexcept { return terms.size() == 1; }
+  [[nodiscard]] bool isPin() const noexcept { return kind == RowKind::Position && terms.size() == 1; }
+};
+
+/// A row whose d turns with the surface: exp(q) rest, with q the sum of weight * q_unknown.
+struct CarriedVector {
+  Index row = 0;                    ///< place in `ConstraintSystem::rows`
+  Vector3 rest = Vector3::Zero();   ///< B p at rest, model units
+  std::vector<PointTerm> rotation;  ///< unknowns, ascending, with weights of sum 1
+};
+
+/// A rotation that a constraint prescribes, q = r.
+struct GivenRotation {
+  Index unknown = 0;
+  Vector3 q = Vector3::Zero();  ///< log: half angle times axis, radians, of any number of turns
+  Index constraint = 0;         ///< place in the list
 };
 
 /// All rows of the enabled constraints, in the user's order; what is behind this door may rely on unknowns in range,
@@ -26,7 +50,10 @@ struct ConstraintRow {
 struct ConstraintSystem {
   std::vector<ConstraintRow> rows;
   std::vector<SurfacePoint> points;      ///< of each constraint of type point: where it lies, in file vertices
-  std::vector<double> surfaceDistances;  ///< of each constraint: how far its `near` place lay from the surface; else 0
+  std::vector<double> surfaceDistances;  ///< of each constraint: how far its `near` places lay from the surface; else 0
+  std::vector<CarriedVector> carried;    ///< ascending by row; the rows are as at q = 0, see `turned`
+  std::vector<GivenRotation> rotations;  ///< in the user's order; each unknown once, because the first stands
+  std::vector<std::vector<Index>> bodies;  ///< unknowns of each rigid region, ascending; the rows refer to the first
 };
 
 /// Makes rows of a list of constraints on a mesh whose positions are finite. `source` names the list in messages.

@@ -33,6 +33,13 @@ inline constexpr double kVanishingWeight = 1e-14;
 /// weights left out.
 [[nodiscard]] SurfacePoint canonical(std::vector<PointTerm> terms);
 
+/// The terms of x - y, sorted, repeated vertices merged, vanishing weights left out. Empty where both are one point:
+/// a single weight that is left is rounding, because all of them sum to 0.
+[[nodiscard]] std::vector<PointTerm> difference(const SurfacePoint& x, const SurfacePoint& y);
+
+/// The terms of the point midway between two.
+[[nodiscard]] SurfacePoint midpoint(const SurfacePoint& x, const SurfacePoint& y);
+
 /// Where the point is, in the units of `positions`.
 [[nodiscard]] Vector3 positionOf(const SurfacePoint& point, const Positions& positions);
 

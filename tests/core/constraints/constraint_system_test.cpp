@@ -5,6 +5,7 @@
 
 #include <holdfast/constraints/constraint_system.h>
 
+#include "support/constraint_systems.h"
 #include "support/law_meshes.h"
 #include "support/meshes.h"
 #include "support/point_constraints.h"
@@ -16,12 +17,7 @@ using test::hold;
 using test::listOf;
 using test::moveBy;
 using test::moveTo;
-
-ConstraintSystem systemOf(const Mesh& mesh, const ConstraintList& list)
-{
-  const Triangulation triangulation = triangulate(mesh);
-  return makeConstraintSystem(list, mesh, triangulation, makeSolverMesh(mesh, triangulation), "list");
-}
+using test::systemOf;
 
 Constraint handle(std::vector<Index> vertices, std::optional<Turn> rotate, const Vector3& translate)
 {

@@ -30,5 +30,26 @@ TEST(SurfacePoint, LiesAtTheWeightedMeanOfItsVertices)
   EXPECT_EQ(positionOf({{{0, 0.25}, {1, 0.25}, {2, 0.5}}}, positions), Vector3(1, 4, 1));
 }
 
+TEST(SurfacePoint, DifferenceNamesEachVertexOnce)
+{
+  EXPECT_EQ(difference({{{1, 0.25}, {4, 0.75}}}, {{{2, 0.5}, {4, 0.5}}}),
+            (std::vector<PointTerm>{{1, 0.25}, {2, -0.5}, {4, 0.25}}));
+  EXPECT_EQ(difference({{{1, 0.5}, {3, 0.5}}}, {{{2, 0.5}, {3, 0.5}}}), (std::vector<PointTerm>{{1, 0.5}, {2, -0.5}}));
+}
+
+TEST(SurfacePoint, DifferenceFromItselfIsEmpty)
+{
+  EXPECT_TRUE(difference({{{1, 0.25}, {4, 0.75}}}, {{{1, 0.25}, {4, 0.75}}}).empty());
+  EXPECT_TRUE(difference({{{1, 0.1}, {4, 0.9}}}, {{{1, 0.1 + 1e-16}, {4, 0.9 - 1e-16}}}).empty());
+  EXPECT_TRUE(difference({{{1, 1 - 2e-14}, {2, 1e-14}, {3, 1e-14}}}, {{{1, 1}}}).empty())
+      << "one term that rounding has left over is no point";
+}
+
+TEST(SurfacePoint, MidpointTakesHalfOfBoth)
+{
+  EXPECT_EQ(midpoint({{{1, 1}}}, {{{2, 0.5}, {1, 0.5}}}), (SurfacePoint{{{1, 0.75}, {2, 0.25}}}));
+  EXPECT_EQ(midpoint({{{1, 1}}}, {{{1, 1}}}), (SurfacePoint{{{1, 1}}}));
+}
+
 }  // namespace
 }  // namespace holdfast
