@@ -4,8 +4,11 @@
 
 #include <fmt/format.h>
 
+#include <holdfast/constraints/carried_vectors.h>
 #include <holdfast/deform/deform.h>
+#include <holdfast/deform/forces.h>
 #include <holdfast/deform/outcomes.h>
+#include <holdfast/deform/rotation_stage.h>
 
 namespace holdfast {
 namespace {
@@ -32,6 +35,24 @@ std::vector<Finding> constraintFindings(const Model& model, const EliminatedCons
   if (atRest.empty()) return {};
   return {makeFinding("parts_at_rest", "vertex", std::move(atRest),
                       "connected parts have no constraint and stay at rest (a vertex of each is named)")};
+}
+
+/// Constraints that nearly repeat others.
+void addConstraintFindings(Report& report)
+{
+  std::vector<Index> amplified;
+  double largest = 0;
+  for (std::size_t c = 0; c < report.constraints.size(); ++c)
+    if (report.constraints[c].amplification.value_or(0) > kLargeAmplification) {
+      amplified.push_back(static_cast<Index>(c));
+      largest = std::max(largest, *report.constraints[c].amplification);
+    }
+  if (amplified.empty()) return;
+  report.mesh.findings.push_back(makeFinding(
+      "nearly_dependent_constraints", "constraint", std::move(amplified),
+      fmt::format("constraints nearly follow from others: a unit of inconsistency moves vertices by up to {:.2g} "
+                  "units; move their points apart, or leave some out",
+                  largest)));
 }
 
 /// The file's positions: pins as they were asked for, bit for bit, everything else displaced from rest.
@@ -78,6 +99,11 @@ std::string solvedMessage(const Deformation& result, double limit)
                                          [](const auto& c) { return c.status == ConstraintStatus::Conflicting; });
   const auto missed = std::count_if(result.report.constraints.begin(), result.report.constraints.end(),
                                     [](const auto& c) { return c.status == ConstraintStatus::Missed; });
+  if (missed > 0 && conflicting > 0)
+    return fmt::format(
+        "a compromise: {} of {} constraints conflict with earlier ones, and the {} solver meets neither them nor {} "
+        "others, but only comes near all (beyond {:.3g})",
+        conflicting, result.report.constraints.size(), name(result.report.solve.options.kind), missed, limit);
   if (missed > 0)
     return fmt::format(
         "{} of {} constraints are met only approximately (beyond {:.3g}), as is the nature of the {} solver", missed,
@@ -130,7 +156,11 @@ class Run {
     solve().message = message;
     result_.positions = model_.mesh.positions;
     // Residuals of positions that nobody gets would be misleading.
-    result_.report.constraints = outcomes(constraints_, result_.system, result_.diagnosis);
+    for (ConstraintOutcome& outcome : result_.report.constraints) {
+      outcome.residual.reset();
+      if (outcome.status == ConstraintStatus::Met || outcome.status == ConstraintStatus::Missed)
+        outcome.status = ConstraintStatus::Independent;
+    }
   }
 
   void setUp()
@@ -157,14 +187,18 @@ class Run {
     progress_.stage(fmt::format("eliminating {} rows of constraints", result_.system.rows.size()));
     const Stopwatch stopwatch;
     const EliminatedConstraints eliminated = eliminate(result_.system, model_.solverMesh);
-    result_.diagnosis = diagnose(eliminated, result_.system, model_.solverMesh);
-    result_.report.constraints = outcomes(constraints_, result_.system, result_.diagnosis);
     addFindings(eliminated);
+    result_.rotations = Columns3::Zero(model_.solverMesh.unknownCount(), 3);
+    diagnoseRows(eliminated);
     if (!result_.operators.undefinedRows.empty()) return refuse(undefinedRowsMessage(model_, result_.operators));
+    if (!rotate()) return;
+    diagnoseRows(eliminated);
+    addConstraintFindings(result_.report);
 
     progress_.stage(fmt::format("factorising {} unknowns", eliminated.elimination.Q2().cols()));
+    const SparseMatrix A = weightedRows(result_.operators);
     const Columns3 centred = model_.solverMesh.rest.rowwise() - model_.solverMesh.rest.colwise().mean();
-    DecompositionAttempt attempt = decompose({weightedRows(result_.operators), eliminated, centred}, options_.solver);
+    DecompositionAttempt attempt = decompose({A, eliminated, centred}, options_.solver);
     solve().seconds.decomposition = stopwatch.seconds();
     if (attempt.solver == nullptr) return fail(attempt.failure);
     solve().unknowns = attempt.solver->unknowns();
@@ -173,10 +207,45 @@ class Run {
 
     progress_.stage("solving");
     const Stopwatch solution;
-    const Displacement displacement = attempt.solver->solve({shiftsOf(result_.system), result_.diagnosis.reconciled},
-                                                            Columns3::Zero(model_.solverMesh.unknownCount(), 3));
+    const Columns3 f = turnedDetail(result_.operators, result_.rotations, model_.solverMesh.diagonal);
+    const Displacement displacement =
+        attempt.solver->solve({shiftsOf(result_.system), result_.diagnosis.reconciled}, f);
     accept(displacement);
     solve().seconds.solution = solution.seconds();
+    if (options_.solver.kind == SolverKind::Hard && solve().status != SolveStatus::Failed)
+      weigh(forcesOf(A, eliminated, displacement.u, f, model_.solverMesh.diagonal));
+  }
+
+  void diagnoseRows(const EliminatedConstraints& eliminated)
+  {
+    result_.diagnosis = diagnose(eliminated, result_.system, model_.solverMesh);
+    result_.report.constraints = outcomes(constraints_, result_.system, result_.diagnosis);
+    setAmplifications(result_.report.constraints, result_.system, result_.diagnosis,
+                      eliminated.elimination.amplifications());
+  }
+
+  /// Finds the rotations and what they make of the rows; false when that fails.
+  bool rotate()
+  {
+    progress_.stage("solving the rotation field");
+    Rotations rotations =
+        RotationStage(model_.solverMesh, options_.weights, options_.solver.backend).solve(result_.system);
+    if (!rotations.failure.empty()) {
+      fail("the rotation field cannot be solved: " + rotations.failure);
+      return false;
+    }
+    result_.system = turned(std::move(result_.system), rotations.q);
+    result_.rotations = std::move(rotations.q);
+    return true;
+  }
+
+  void weigh(Forces forces)
+  {
+    const std::vector<double> ofConstraints =
+        forcesOfConstraints(forces, result_.system, result_.report.constraints.size());
+    for (std::size_t c = 0; c < ofConstraints.size(); ++c)
+      if (result_.report.constraints[c].rows > 0) result_.report.constraints[c].force = ofConstraints[c];
+    result_.forces = std::move(forces.ofUnknowns);
   }
 
   /// Takes the solution over when it is one.
@@ -226,11 +295,16 @@ Report diagnoseConstraints(const Model& model, const ConstraintList& constraints
 {
   Report report;
   report.mesh = describeMesh(model);
-  const ConstraintSystem system =
+  ConstraintSystem system =
       makeConstraintSystem(constraints, model.mesh, model.triangulation, model.solverMesh, source);
   const EliminatedConstraints eliminated = eliminate(system, model.solverMesh);
-  report.constraints = outcomes(constraints, system, diagnose(eliminated, system, model.solverMesh));
+  const Rotations rotations = RotationStage(model.solverMesh, Weights::Cotangent, defaultBackend()).solve(system);
+  if (rotations.failure.empty()) system = turned(std::move(system), rotations.q);
+  const Diagnosis diagnosis = diagnose(eliminated, system, model.solverMesh);
+  report.constraints = outcomes(constraints, system, diagnosis);
+  setAmplifications(report.constraints, system, diagnosis, eliminated.elimination.amplifications());
   for (Finding& finding : constraintFindings(model, eliminated)) report.mesh.findings.push_back(std::move(finding));
+  addConstraintFindings(report);
   return report;
 }
 

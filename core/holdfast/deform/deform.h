@@ -17,8 +17,10 @@ struct DeformOptions {
 
 /// A deformed mesh, or (status `Failed`) the mesh at rest with the reason in the report.
 struct Deformation {
-  Positions positions;      ///< of the file's vertices
-  ConstraintSystem system;  ///< the rows that were asked for
+  Positions positions;  ///< of the file's vertices
+  Columns3 rotations;   ///< q of every unknown, n x 3, logs
+  Columns3 forces;      ///< of the constraints on every unknown, n x 3, see `Forces`; empty but for hard constraints
+  ConstraintSystem system;  ///< the rows that were asked for, turned by the rotations
   Diagnosis diagnosis;
   Operators operators;
   Report report;
@@ -29,7 +31,8 @@ struct Deformation {
 [[nodiscard]] Deformation deform(const Model& model, const ConstraintList& constraints, const std::string& source,
                                  const DeformOptions& options, Progress& progress);
 
-/// The report without a solution: what repeats, what conflicts, which parts would stay at rest. Residuals are not set.
+/// The report without positions: what repeats, what conflicts, which parts would stay at rest. Residuals are not set.
+/// Rotations are solved for where any are asked for: what rigid regions and kept distances ask for turns with them.
 [[nodiscard]] Report diagnoseConstraints(const Model& model, const ConstraintList& constraints,
                                          const std::string& source);
 

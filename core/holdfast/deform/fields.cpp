@@ -4,6 +4,8 @@
 
 #include <holdfast/deform/fields.h>
 #include <holdfast/deform/outcomes.h>
+#include <holdfast/deform/rotation_stage.h>
+#include <holdfast/rotation/rotation_log.h>
 
 namespace holdfast {
 namespace {
@@ -62,6 +64,41 @@ Field displacementField(const Model& model, const Deformation& deformation)
   return {"displacement", 3, {displacement.data(), displacement.data() + displacement.size()}};
 }
 
+Field rotationField(const Model& model, const Deformation& deformation)
+{
+  Field field{"rotation_log", 3, {}};
+  for (const Index unknown : model.solverMesh.weld.unknownOf)
+    for (const double q : deformation.rotations.row(unknown)) field.values.push_back(q);
+  return field;
+}
+
+Field angleField(const Model& model, const Deformation& deformation)
+{
+  std::vector<double> degrees;
+  for (Index u = 0; u < deformation.rotations.rows(); ++u)
+    degrees.push_back(angleDegrees(deformation.rotations.row(u).transpose()));
+  return {"rotation_angle_degrees", 1, spread(degrees, model.solverMesh.weld)};
+}
+
+Field forceField(const Model& model, const Deformation& deformation)
+{
+  std::vector<double> lengths(static_cast<std::size_t>(model.solverMesh.unknownCount()),
+                              std::numeric_limits<double>::quiet_NaN());
+  if (deformation.forces.rows() > 0)
+    for (const ConstraintRow& row : deformation.system.rows)
+      for (const PointTerm& term : row.terms) lengths[term.vertex] = deformation.forces.row(term.vertex).norm();
+  return {"constraint_force", 1, spread(lengths, model.solverMesh.weld)};
+}
+
+/// What the rotations make of delta, less delta, in the lengths that L has.
+Columns3 turnedDelta(const Deformation& deformation, double diagonal)
+{
+  Operators unweighted;
+  unweighted.delta = deformation.operators.delta;
+  unweighted.rowWeights = Eigen::VectorXd::Ones(unweighted.delta.rows());
+  return turnedDetail(unweighted, deformation.rotations, diagonal);
+}
+
 Field detailField(const Model& model, const Deformation& deformation)
 {
   const SolverMesh& mesh = model.solverMesh;
@@ -70,10 +107,11 @@ Field detailField(const Model& model, const Deformation& deformation)
     const Index v = mesh.weld.firstVertexOf[k];
     u.row(k) = deformation.positions.row(v) - model.mesh.positions.row(v);
   }
+  const Columns3 turned = turnedDelta(deformation, mesh.diagonal);
   // L was made of lengths in units of the diagonal; that of cotangents is one over a squared length.
   const bool isUniform = deformation.operators.weights == Weights::Uniform;
   const double scale = isUniform ? 1 : 1 / (mesh.diagonal * mesh.diagonal);
-  const Eigen::VectorXd lengths = scale * (deformation.operators.L * u).rowwise().norm();
+  const Eigen::VectorXd lengths = scale * (deformation.operators.L * u - turned).rowwise().norm();
   return {"detail_residual", 1, spread({lengths.begin(), lengths.end()}, mesh.weld)};
 }
 
@@ -82,6 +120,7 @@ Field detailField(const Model& model, const Deformation& deformation)
 std::vector<Field> fieldsOf(const Model& model, const Deformation& deformation)
 {
   return {residualField(model, deformation), statusField(model, deformation), displacementField(model, deformation),
+          rotationField(model, deformation), angleField(model, deformation),  forceField(model, deformation),
           detailField(model, deformation)};
 }
 

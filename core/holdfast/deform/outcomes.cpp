@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include <holdfast/deform/outcomes.h>
 
@@ -89,10 +90,15 @@ std::vector<ConstraintOutcome> outcomes(const ConstraintList& list, const Constr
                                         const Diagnosis& diagnosis)
 {
   const std::vector<RowTally> tallies = tally(system, diagnosis, list.constraints.size());
+  std::vector<std::vector<Clash>> clashes = clashesOf(list, system, diagnosis);
   std::vector<ConstraintOutcome> result;
   for (std::size_t c = 0; c < list.constraints.size(); ++c) {
-    ConstraintOutcome outcome{
-        list.constraints[c].name, typeName(list.constraints[c]), tallies[c].rows, statusOf(tallies[c]), {}, {}, {}};
+    ConstraintOutcome outcome;
+    outcome.name = list.constraints[c].name;
+    outcome.type = typeName(list.constraints[c]);
+    outcome.rows = tallies[c].rows;
+    outcome.status = statusOf(tallies[c]);
+    outcome.clashes = std::move(clashes[c]);
     if (outcome.status == ConstraintStatus::Redundant || outcome.status == ConstraintStatus::Conflicting) {
       outcome.gap = tallies[c].gap;
       for (const Index partner : tallies[c].partners) outcome.dependsOn.push_back(list.constraints[partner].name);
@@ -100,6 +106,21 @@ std::vector<ConstraintOutcome> outcomes(const ConstraintList& list, const Constr
     result.push_back(std::move(outcome));
   }
   return result;
+}
+
+void setAmplifications(std::vector<ConstraintOutcome>& outcomes, const ConstraintSystem& system,
+                       const Diagnosis& diagnosis, const std::vector<double>& ofRows)
+{
+  const auto raise = [&](Index row, double amplification) {
+    std::optional<double>& largest = outcomes[system.rows[row].constraint].amplification;
+    largest = std::max(largest.value_or(0), amplification);
+  };
+  for (std::size_t r = 0; r < ofRows.size(); ++r)
+    if (diagnosis.status[r] == RowStatus::Independent) raise(static_cast<Index>(r), ofRows[r]);
+  for (const auto& [dependency, gap] : diagnosis.dependent) {
+    raise(dependency.row, 0);
+    for (const Partner& partner : dependency.partners) raise(dependency.row, ofRows[partner.row]);
+  }
 }
 
 void setResiduals(Report& report, const ConstraintSystem& system, const Diagnosis& diagnosis,

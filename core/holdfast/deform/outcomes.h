@@ -18,6 +18,14 @@ namespace holdfast {
 [[nodiscard]] std::vector<ConstraintOutcome> outcomes(const ConstraintList& list, const ConstraintSystem& system,
                                                       const Diagnosis& diagnosis);
 
+/// Sets the amplification of each constraint: the largest of its independent rows and of the partners of its dependent
+/// ones. `ofRows` are those of `Elimination::amplifications`.
+void setAmplifications(std::vector<ConstraintOutcome>& outcomes, const ConstraintSystem& system,
+                       const Diagnosis& diagnosis, const std::vector<double>& ofRows);
+
+/// Amplifications above this are warned of: a millionth of the model's size in what is asked for moves it by its size.
+inline constexpr double kLargeAmplification = 1e6;
+
 /// Sets the residuals in `report` from positions as they are, or will be, stored, and the status of constraints that
 /// were solved: missed where the residual exceeds `limit` (model units), else met.
 void setResiduals(Report& report, const ConstraintSystem& system, const Diagnosis& diagnosis,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <holdfast/check/finding.h>
+#include <holdfast/deform/clashes.h>
 #include <holdfast/operators/operators.h>
 #include <holdfast/solve/deformation_solver.h>
 
@@ -40,6 +41,10 @@ struct ConstraintOutcome {
   std::optional<double> residual;      ///< largest distance from target, model units; none when disabled or not solved
   std::vector<std::string> dependsOn;  ///< names of the constraints that a redundant or conflicting one follows from
   std::optional<double> gap;           ///< how far it contradicts them, model units; of redundant and conflicting ones
+  std::vector<Clash> clashes;          ///< the smallest sets that it conflicts with or repeats, and repairs
+  /// How far vertices move, all together, for a unit of change in what one of its rows asks for; none when disabled.
+  std::optional<double> amplification;
+  std::optional<double> force;  ///< how hard it pulls, see `Forces`; of hard constraints that were solved
 };
 
 enum class SolveStatus {

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <nlohmann/json.hpp>
 
 #include <holdfast/deform/report_json.h>
@@ -6,6 +8,9 @@ namespace holdfast {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+// A region that overlaps hundreds of points need not list them all with numbers.
+constexpr std::size_t kMaxReportedClashes = 20;
 
 Json orNull(const std::optional<double>& value)
 {
@@ -32,6 +37,31 @@ Json toJson(const MeshReport& mesh)
           {"findings", std::move(findings)}};
 }
 
+Json toJson(const Vector3& vector)
+{
+  return {vector.x(), vector.y(), vector.z()};
+}
+
+Json toJson(const Clash& clash)
+{
+  Json json{{"with", clash.with},
+            {"rows", clash.rows},
+            {"conflict", clash.isConflict},
+            {"gap", toJson(clash.gap)},
+            {"length", clash.gap.stableNorm()}};
+  if (clash.isConflict) json["repair"] = {{"disable", clash.disable}};
+  if (clash.consistentTarget) json["repair"]["consistent_target"] = toJson(*clash.consistentTarget);
+  return json;
+}
+
+/// The largest.
+Json toJson(const std::vector<Clash>& clashes)
+{
+  Json json = Json::array();
+  for (std::size_t k = 0; k < std::min(clashes.size(), kMaxReportedClashes); ++k) json.push_back(toJson(clashes[k]));
+  return json;
+}
+
 Json toJson(const ConstraintOutcome& outcome)
 {
   return {{"name", outcome.name},
@@ -40,7 +70,11 @@ Json toJson(const ConstraintOutcome& outcome)
           {"status", name(outcome.status)},
           {"residual", orNull(outcome.residual)},
           {"depends_on", outcome.dependsOn},
-          {"gap", orNull(outcome.gap)}};
+          {"gap", orNull(outcome.gap)},
+          {"clashes", toJson(outcome.clashes)},
+          {"clash_count", outcome.clashes.size()},
+          {"amplification", orNull(outcome.amplification)},
+          {"force", orNull(outcome.force)}};
 }
 
 Json toJson(const SolveReport& solve)

@@ -79,6 +79,16 @@ void makeCotangentPaper(Operators& operators, const SolverMesh& mesh, const Posi
   operators.rowWeights.setOnes(mesh.unknownCount());
 }
 
+/// L p by differences along edges, whose rounding is that of edges and not of places.
+Columns3 deltaOf(const SparseMatrix& L, const Positions& p)
+{
+  Columns3 delta = Columns3::Zero(L.rows(), 3);
+  for (int j = 0; j < L.outerSize(); ++j)
+    for (SparseMatrix::InnerIterator entry(L, j); entry; ++entry)
+      if (entry.row() != j) delta.row(entry.row()) += entry.value() * (p.row(j) - p.row(entry.row()));
+  return delta;
+}
+
 }  // namespace
 
 std::string_view name(Weights weights)
@@ -111,7 +121,7 @@ Operators makeOperators(const SolverMesh& mesh, Weights weights)
       makeUniform(operators, mesh);
       break;
   }
-  operators.delta = operators.L * rest;
+  operators.delta = deltaOf(operators.L, rest);
   return operators;
 }
 

@@ -1,0 +1,27 @@
+#include <utility>
+
+#include <holdfast/deform/forces.h>
+
+namespace holdfast {
+
+Forces forcesOf(const SparseMatrix& A, const EliminatedConstraints& eliminated, const Columns3& u, const Columns3& f,
+                double diagonal)
+{
+  // At the minimum the gradient of the energy is what the constraints hold: A^T (A u - f) = B^T l.
+  Columns3 gradient = A.transpose() * (A * u - f) / diagonal;
+  for (Index i = 0; i < gradient.rows(); ++i)
+    if (eliminated.isHeld[i]) gradient.row(i).setZero();
+  Columns3 ofRows = eliminated.elimination.multipliers(gradient);
+  return {std::move(ofRows), std::move(gradient)};
+}
+
+std::vector<double> forcesOfConstraints(const Forces& forces, const ConstraintSystem& system,
+                                        std::size_t constraintCount)
+{
+  std::vector<double> result(constraintCount, 0);
+  for (std::size_t r = 0; r < system.rows.size(); ++r)
+    result[system.rows[r].constraint] += forces.ofRows.row(static_cast<Index>(r)).norm();
+  return result;
+}
+
+}  // namespace holdfast

@@ -1,0 +1,40 @@
+#pragma once
+/// \file
+/// The rotation field of a set of constraints, and what it does to the problem of positions: sections 3.3 and 4.
+
+#include <memory>
+#include <string>
+
+#include <holdfast/constraints/constraint_system.h>
+#include <holdfast/operators/operators.h>
+#include <holdfast/rotation/rotation_field.h>
+
+namespace holdfast {
+
+/// The rotations of all unknowns, or the reason why there are none.
+struct Rotations {
+  Columns3 q;  ///< n x 3, logs; zero everywhere where none is asked for
+  double accuracy = 0;
+  std::string failure;
+};
+
+/// Finds rotations for constraints of one structure. Nothing is factorised before a rotation is asked for.
+class RotationStage {
+ public:
+  /// `mesh` stays alive as long as this.
+  RotationStage(const SolverMesh& mesh, Weights weights, Backend backend);
+
+  /// The field for the rotations of `system`, which has the same prescribed unknowns and bodies at every call.
+  [[nodiscard]] Rotations solve(const ConstraintSystem& system);
+
+ private:
+  const SolverMesh& mesh_;
+  Weights weights_;
+  Backend backend_;
+  RotationFieldAttempt field_;
+};
+
+/// f of A u = f: the weighted difference of delta turned by exp(q_i) and delta at rest, n x 3, model units.
+[[nodiscard]] Columns3 turnedDetail(const Operators& operators, const Columns3& q, double diagonal);
+
+}  // namespace holdfast
