@@ -9,6 +9,7 @@ void registerHardAgainstSoft();
 void registerBackends();
 void registerConstraintCounts();
 void registerOverlappingPoints();
+void registerVerdicts();
 void registerClosestPoints();
 #ifdef HOLDFAST_WITH_CHOLMOD
 void registerOrderings();

@@ -14,6 +14,7 @@ int main(int argc, char** argv)
   registerBackends();
   registerConstraintCounts();
   registerOverlappingPoints();
+  registerVerdicts();
   registerClosestPoints();
 #ifdef HOLDFAST_WITH_CHOLMOD
   registerOrderings();

@@ -60,34 +60,42 @@ std::vector<Index> independentOf(const RowComponent& component, const std::vecto
   return result;
 }
 
-/// The dependencies by a given basis of the component's rows, ascending.
+/// The basis in an order in which its QR fills in little.
+std::vector<Index> inFillReducingOrder(const std::vector<RowTerms>& rows, const RowComponent& component,
+                                       const std::vector<Index>& basis)
+{
+  SparseMatrix block = transposedBlock(rows, {basis, component.unknowns});
+  static_cast<void>(normalizeColumns(block));
+  std::vector<Index> result;
+  for (const Index column : sparseQr(block, -1, WantQ::No).columns) result.push_back(basis[column]);
+  return result;
+}
+
+/// The dependencies by a given basis of the component's rows, ascending. Of a QR of the basis with the others behind
+/// it, [R11, R12], the coefficients are R11^-1 R12: Q is not needed.
 std::vector<Dependency> byBasis(const std::vector<RowTerms>& rows, const RowComponent& component,
                                 const std::vector<Index>& basis)
 {
-  const SparseMatrix block = transposedBlock(rows, {basis, component.unknowns});
-  SparseMatrix unit = block;
-  const Eigen::VectorXd lengths = normalizeColumns(unit);
-  const SparseQrResult qr = sparseQr(unit, -1, WantQ::Yes);
-  const SparseMatrix R1 = qr.R.leftCols(qr.rank);
-  const SparseMatrix Q1T = qr.Q.leftCols(qr.rank).transpose();
-  const auto solve = [&](const Eigen::VectorXd& right) {
-    const Eigen::VectorXd x = R1.triangularView<Eigen::Upper>().solve(Q1T * right);
-    Eigen::VectorXd coefficients = Eigen::VectorXd::Zero(block.cols());
-    for (Index k = 0; k < qr.rank; ++k) coefficients[qr.columns[k]] = x[k] / lengths[qr.columns[k]];
-    return coefficients;
-  };
-
-  std::vector<Index> others;
+  const std::vector<Index> ordered = inFillReducingOrder(rows, component, basis);
+  const Index rank = static_cast<Index>(ordered.size());
+  std::vector<Index> order = ordered;
   std::set_difference(component.rows.begin(), component.rows.end(), basis.begin(), basis.end(),
-                      std::back_inserter(others));
-  const SparseMatrix dependent = transposedBlock(rows, {others, component.unknowns});
+                      std::back_inserter(order));
+  SparseMatrix block = transposedBlock(rows, {order, component.unknowns});
+  const Eigen::VectorXd lengths = normalizeColumns(block);
+  const SparseQrResult qr = sparseQr(block, -1, WantQ::No, ColumnOrder::AsGiven);
+  const SparseMatrix top = SparseRows(SparseRows(qr.R).topRows(rank));
+  const SparseMatrix R11 = top.leftCols(rank);
+
   std::vector<Dependency> result;
-  for (Index k = 0; k < dependent.cols(); ++k) {
-    const Eigen::VectorXd row = dependent.col(k);
-    Eigen::VectorXd coefficients = solve(row);
-    coefficients += solve(row - block * coefficients);
-    result.push_back(dependency(others[k], basis, coefficients));
+  for (Index k = rank; k < block.cols(); ++k) {
+    Eigen::VectorXd coefficients = top.col(k);
+    R11.triangularView<Eigen::Upper>().solveInPlace(coefficients);
+    const Index column = qr.columns[k];
+    coefficients = lengths[column] * coefficients.cwiseQuotient(lengths.head(rank));
+    result.push_back(dependency(order[column], ordered, coefficients));
   }
+  std::sort(result.begin(), result.end(), [](const Dependency& x, const Dependency& y) { return x.row < y.row; });
   return result;
 }
 

@@ -12,12 +12,12 @@ Eigen::VectorXd normalizeColumns(SparseMatrix& M)
   return lengths;
 }
 
-SparseQrResult sparseQr(const SparseMatrix& M, double tolerance, WantQ wantQ)
+SparseQrResult sparseQr(const SparseMatrix& M, double tolerance, WantQ wantQ, ColumnOrder order)
 {
 #ifdef HOLDFAST_WITH_CHOLMOD
-  return sparseQrSuiteSparse(M, tolerance, wantQ);
+  return sparseQrSuiteSparse(M, tolerance, wantQ, order);
 #else
-  return sparseQrEigen(M, tolerance, wantQ);
+  return sparseQrEigen(M, tolerance, wantQ, order);
 #endif
 }
 

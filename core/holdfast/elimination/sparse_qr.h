@@ -19,14 +19,20 @@ struct SparseQrResult {
 
 enum class WantQ { No, Yes };
 
+/// In what order columns are eliminated: so that little fills in, or as they come.
+enum class ColumnOrder { FillReducing, AsGiven };
+
 /// Scales every column of `M` (none is zero) to unit length, so that one tolerance fits all; returns the lengths.
 [[nodiscard]] Eigen::VectorXd normalizeColumns(SparseMatrix& M);
 
 /// Columns whose remainder is `tolerance` or shorter are dependent; a negative tolerance accepts all.
-[[nodiscard]] SparseQrResult sparseQr(const SparseMatrix& M, double tolerance, WantQ wantQ);
+[[nodiscard]] SparseQrResult sparseQr(const SparseMatrix& M, double tolerance, WantQ wantQ,
+                                      ColumnOrder order = ColumnOrder::FillReducing);
 
 /// The two behind it; the first is declared always and defined only where SuiteSparse is built.
-[[nodiscard]] SparseQrResult sparseQrSuiteSparse(const SparseMatrix& M, double tolerance, WantQ wantQ);
-[[nodiscard]] SparseQrResult sparseQrEigen(const SparseMatrix& M, double tolerance, WantQ wantQ);
+[[nodiscard]] SparseQrResult sparseQrSuiteSparse(const SparseMatrix& M, double tolerance, WantQ wantQ,
+                                                 ColumnOrder order = ColumnOrder::FillReducing);
+[[nodiscard]] SparseQrResult sparseQrEigen(const SparseMatrix& M, double tolerance, WantQ wantQ,
+                                           ColumnOrder order = ColumnOrder::FillReducing);
 
 }  // namespace holdfast

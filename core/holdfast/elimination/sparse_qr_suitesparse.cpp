@@ -6,6 +6,7 @@
 #include <SuiteSparseQR.hpp>
 
 #include <holdfast/base/cholmod_view_internal.h>
+#include <holdfast/elimination/householder_vectors.h>
 #include <holdfast/elimination/sparse_qr.h>
 
 namespace holdfast {
@@ -52,30 +53,45 @@ std::vector<Index> takenPermutation(SuiteSparse_long* columns, Index count, chol
   return result;
 }
 
+/// Takes the Householder vectors over from SPQR.
+HouseholderVectors taken(cholmod_sparse* h, SuiteSparse_long* place, cholmod_dense* tau, cholmod_common* common)
+{
+  const Index m = static_cast<Index>(h->nrow);
+  HouseholderVectors result;
+  result.tau = Eigen::Map<const Eigen::VectorXd>(static_cast<const double*>(tau->x), static_cast<Index>(h->ncol));
+  result.h = taken(h, m, common);
+  result.place = takenPermutation(place, m, common);
+  cholmod_l_free_dense(&tau, common);
+  return result;
+}
+
 }  // namespace
 
-SparseQrResult sparseQrSuiteSparse(const SparseMatrix& M, double tolerance, WantQ wantQ)
+SparseQrResult sparseQrSuiteSparse(const SparseMatrix& M, double tolerance, WantQ wantQ, ColumnOrder order)
 {
   Workspace workspace;
   cholmod_common* const common = workspace.get();
   LongMatrix matrix = M;
   matrix.makeCompressed();
   cholmod_sparse view = cholmodView(matrix, StoredPart::All);
-  cholmod_sparse* Q = nullptr;
   cholmod_sparse* R = nullptr;
+  cholmod_sparse* h = nullptr;
+  cholmod_dense* tau = nullptr;
   SuiteSparse_long* columns = nullptr;
+  SuiteSparse_long* place = nullptr;
   const double limit = tolerance < 0 ? SPQR_NO_TOL : tolerance;
+  const int ordering = order == ColumnOrder::AsGiven ? SPQR_ORDERING_FIXED : SPQR_ORDERING_COLAMD;
+  const SuiteSparse_long econ = std::min(M.rows(), M.cols());
+  // SPQR's own explicit Q would take memory for m x m numbers.
   const SuiteSparse_long rank =
-      wantQ == WantQ::Yes
-          ? SuiteSparseQR<double>(SPQR_ORDERING_COLAMD, limit, M.rows(), &view, &Q, &R, &columns, common)
-          : SuiteSparseQR<double>(SPQR_ORDERING_COLAMD, limit, std::min(M.rows(), M.cols()), &view, &R, &columns,
-                                  common);
+      wantQ == WantQ::Yes ? SuiteSparseQR<double>(ordering, limit, econ, &view, &R, &columns, &h, &place, &tau, common)
+                          : SuiteSparseQR<double>(ordering, limit, econ, &view, &R, &columns, common);
   if (rank < 0 || R == nullptr) throw std::bad_alloc();
   SparseQrResult result;
   result.rank = static_cast<Index>(rank);
   result.R = taken(R, result.rank, common);
   result.columns = takenPermutation(columns, M.cols(), common);
-  if (Q != nullptr) result.Q = taken(Q, M.rows(), common);
+  if (h != nullptr) result.Q = explicitQ(taken(h, place, tau, common));
   return result;
 }
 
