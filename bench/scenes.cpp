@@ -28,7 +28,7 @@ ConstraintList ends(const Mesh& mesh)
   const double length = box.sizes().x();
   ConstraintList list;
   list.constraints.push_back({"fixed end", true, Fixed{beyond(box.min().x() + kEnd * length, -1)}});
-  const Handle handle{beyond(box.max().x() - kEnd * length, 1), {}, Vector3(0, 0.2 * length, 0)};
+  const Handle handle{beyond(box.max().x() - kEnd * length, 1), {}, Vector3(0, 0.2 * length, 0), {}};
   list.constraints.push_back({"handle", true, handle});
   return list;
 }

@@ -89,12 +89,58 @@ InsideCurve randomCurve(Random& random)
   return curve;
 }
 
+Frame randomFrame(Random& random)
+{
+  Frame frame;
+  if (random.integer(0, 1) == 0) frame.origin = randomVector(random);
+  if (random.integer(0, 1) == 0) frame.x = Vector3(random.uniform(1, 2), random.uniform(-1, 1), random.uniform(-1, 1));
+  if (random.integer(0, 1) == 0) frame.y = Vector3(random.uniform(-1, 0), random.uniform(2, 3), random.uniform(0, 1));
+  return frame;
+}
+
+decltype(Handle::motion) randomMotion(Random& random)
+{
+  switch (random.integer(0, 4)) {
+    case 0:
+      return Turn{randomDirection(random), randomNumber(random), std::nullopt};
+    case 1:
+      return Turn{randomDirection(random), randomNumber(random), randomVector(random)};
+    case 2:
+      return TurnAboutFixed{};
+    case 3: {
+      Frame to = randomFrame(random);
+      to.x.z() += 1;
+      return FrameMotion{randomFrame(random), to, random.integer(-2, 2)};
+    }
+    default:
+      return std::monostate{};
+  }
+}
+
+/// As many ids as there are entries, ascending or descending, all different.
+VertexIds distinctVertices(Random& random, long count)
+{
+  VertexIds vertices;
+  const Index first = random.integer(0, 1000);
+  const Index step = random.integer(0, 1) == 0 ? 7 : -3;
+  for (long k = 0; k < count; ++k) vertices.ids.push_back(1000 + first + k * step);
+  return vertices;
+}
+
 Handle randomHandle(Random& random)
 {
-  Handle handle{randomSelection(random, 2), std::nullopt, randomVector(random)};
-  if (random.integer(0, 2) == 0) return handle;
-  handle.rotate = Turn{randomDirection(random), randomNumber(random), std::nullopt};
-  if (random.integer(0, 1) == 0) handle.rotate->center = randomVector(random);
+  const long count = random.integer(3, 6);
+  Handle handle{{distinctVertices(random, count)}, randomMotion(random), randomVector(random), {}};
+  const long choice = random.integer(0, 5);
+  if (choice == 0) {
+    VertexTargets targets;
+    for (long k = 0; k < count; ++k) targets.places.push_back(randomVector(random));
+    handle.motion = std::move(targets);
+  }
+  if (choice > 1)
+    handle.select = randomSelection(random, 2);
+  else if (random.integer(0, 1) == 0)
+    for (long k = 0; k < count; ++k) handle.rotations.push_back({randomDirection(random), randomNumber(random)});
   return handle;
 }
 
@@ -178,9 +224,25 @@ struct Same {
   {
     return (*this)(a.axis, b.axis) && (*this)(a.degrees, b.degrees) && (*this)(a.center, b.center);
   }
+  bool operator()(std::monostate /*a*/, std::monostate /*b*/) const { return true; }
+  bool operator()(TurnAboutFixed /*a*/, TurnAboutFixed /*b*/) const { return true; }
+  bool operator()(const Frame& a, const Frame& b) const
+  {
+    return (*this)(a.origin, b.origin) && (*this)(a.x, b.x) && (*this)(a.y, b.y);
+  }
+  bool operator()(const FrameMotion& a, const FrameMotion& b) const
+  {
+    return (*this)(a.from, b.from) && (*this)(a.to, b.to) && a.turns == b.turns;
+  }
+  bool operator()(const VertexTargets& a, const VertexTargets& b) const { return (*this)(a.places, b.places); }
+  bool operator()(const VertexTurn& a, const VertexTurn& b) const
+  {
+    return (*this)(a.axis, b.axis) && (*this)(a.degrees, b.degrees);
+  }
   bool operator()(const Handle& a, const Handle& b) const
   {
-    return (*this)(a.select, b.select) && (*this)(a.rotate, b.rotate) && (*this)(a.translate, b.translate);
+    return (*this)(a.select, b.select) && (*this)(a.motion, b.motion) && (*this)(a.translate, b.translate) &&
+           (*this)(a.rotations, b.rotations);
   }
   bool operator()(const Target& a, const Target& b) const { return (*this)(a.place, b.place); }
   bool operator()(const Move& a, const Move& b) const { return (*this)(a.shift, b.shift); }

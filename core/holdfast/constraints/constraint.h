@@ -25,11 +25,46 @@ struct Turn {
   std::optional<Vector3> center;  ///< the centroid of the selected vertices at rest where absent
 };
 
-/// Every selected vertex goes where a rigid motion takes it: p = R (p0 - center) + center + translate.
+/// The shortest rotation that takes the handle from where the fixed vertices see it to where they see it after
+/// `Handle::translate`, centroid from centroid, at rest; about the handle's own centroid.
+struct TurnAboutFixed {};
+
+/// A right-handed frame in space: z is across x and y, and y is made perpendicular to x. Neither is zero, nor are they
+/// parallel; their lengths do not matter.
+struct Frame {
+  std::optional<Vector3> origin;
+  Vector3 x = Vector3::UnitX();
+  Vector3 y = Vector3::UnitY();
+};
+
+/// The rigid motion that takes `from` to `to` by the shortest rotation and `turns` whole turns about its axis more.
+struct FrameMotion {
+  Frame from;       ///< its origin: the centroid of the selected vertices at rest where absent
+  Frame to;         ///< its origin: that of `from` where absent
+  Index turns = 0;  ///< other than 0 only where the rotation has an axis
+};
+
+/// A place of its own for each vertex, three or more, in the order of the ids of the selection, which has to be
+/// `VertexIds`, distinct. The vertices turn by the rotation that fits best.
+struct VertexTargets {
+  std::vector<Vector3> places;
+};
+
+/// How much one vertex of a handle turns: `degrees` (any number of turns) about `axis` (not zero, any length).
+struct VertexTurn {
+  Vector3 axis = Vector3::UnitZ();
+  double degrees = 0;
+};
+
+/// Every selected vertex goes where `motion` takes it, or stays where there is none, and then by `translate`. The
+/// rotation of the motion, none where there is none, is handed on to the surface.
 struct Handle {
   Selection select;
-  std::optional<Turn> rotate;
+  std::variant<std::monostate, Turn, TurnAboutFixed, FrameMotion, VertexTargets> motion;
   Vector3 translate = Vector3::Zero();
+  /// What each vertex hands on to the surface in the place of the rotation of the motion: one for each of `VertexIds`,
+  /// distinct, in their order; or none at all.
+  std::vector<VertexTurn> rotations;
 };
 
 /// Where a point goes: to a place, or by a shift from where it is at rest; model units.

@@ -27,10 +27,10 @@ struct Type {
 };
 
 constexpr std::array<std::string_view, 4> kRegionKeys{"type", "name", "enabled", "select"};
-constexpr std::array<std::string_view, 6> kHandleKeys{"type", "name", "enabled", "select", "rotate", "translate"};
+constexpr std::array<std::string_view, 10> kHandleKeys{"type", "name",  "enabled", "select",    "rotate",
+                                                       "turn", "frame", "targets", "translate", "rotations"};
 constexpr std::array<std::string_view, 6> kPointKeys{"type", "name", "enabled", "at", "target", "move"};
 constexpr std::array<std::string_view, 6> kRelativeKeys{"type", "name", "enabled", "from", "to", "offset"};
-constexpr std::array<std::string_view, 3> kTurnKeys{"axis", "degrees", "center"};
 constexpr std::array<std::string_view, 2> kDestinations{"target", "move"};
 
 What readFixed(const JsonReader& json)
@@ -43,22 +43,9 @@ What readRigid(const JsonReader& json)
   return Rigid{readSelection(json["select"])};
 }
 
-Turn readTurn(const JsonReader& json)
+What readHandleConstraint(const JsonReader& json)
 {
-  json.requireKeys(kTurnKeys);
-  Turn turn{json["axis"].direction(), json["degrees"].number(), std::nullopt};
-  if (json.has("center")) turn.center = json["center"].vector();
-  return turn;
-}
-
-What readHandle(const JsonReader& json)
-{
-  Handle handle{readSelection(json["select"]), std::nullopt, Vector3::Zero()};
-  if (!json.has("rotate") && !json.has("translate"))
-    json.fail(R"(a handle needs "rotate", "translate" or both; "fixed" is the type of what stays where it is)");
-  if (json.has("rotate")) handle.rotate = readTurn(json["rotate"]);
-  if (json.has("translate")) handle.translate = json["translate"].vector();
-  return handle;
+  return readHandle(json);
 }
 
 What readPoint(const JsonReader& json)
@@ -79,7 +66,7 @@ What readRelative(const JsonReader& json)
 }
 
 constexpr std::array<Type, 5> kTypes{{{"fixed", kRegionKeys, readFixed},
-                                      {"handle", kHandleKeys, readHandle},
+                                      {"handle", kHandleKeys, readHandleConstraint},
                                       {"point", kPointKeys, readPoint},
                                       {"rigid", kRegionKeys, readRigid},
                                       {"relative", kRelativeKeys, readRelative}}};

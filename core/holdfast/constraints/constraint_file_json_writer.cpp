@@ -108,10 +108,39 @@ struct SelectionJson {
   static std::string partsJson(const std::vector<Selection>& parts) { return listJson(parts, json); }
 };
 
-std::string turnJson(const Turn& turn)
+std::string frameJson(const Frame& frame)
 {
-  const std::string center = turn.center ? fmt::format(R"(, "center": {})", vectorJson(*turn.center)) : "";
-  return fmt::format(R"({{"axis": {}, "degrees": {}{}}})", vectorJson(turn.axis), numberJson(turn.degrees), center);
+  const std::string origin = frame.origin ? fmt::format(R"("origin": {}, )", vectorJson(*frame.origin)) : "";
+  return fmt::format(R"({{{}"x": {}, "y": {}}})", origin, vectorJson(frame.x), vectorJson(frame.y));
+}
+
+/// What moves a handle besides `translate`, after a comma.
+struct MotionJson {
+  std::string operator()(std::monostate) const { return ""; }
+  std::string operator()(const Turn& turn) const
+  {
+    const std::string center = turn.center ? fmt::format(R"(, "center": {})", vectorJson(*turn.center)) : "";
+    return fmt::format(R"(, "rotate": {{"axis": {}, "degrees": {}{}}})", vectorJson(turn.axis),
+                       numberJson(turn.degrees), center);
+  }
+  std::string operator()(TurnAboutFixed) const { return R"(, "turn": "about-fixed")"; }
+  std::string operator()(const FrameMotion& motion) const
+  {
+    const std::string turns = motion.turns == 0 ? "" : fmt::format(R"(, "turns": {})", numberJson(motion.turns));
+    return fmt::format(R"(, "frame": {{"from": {}, "to": {}{}}})", frameJson(motion.from), frameJson(motion.to), turns);
+  }
+  std::string operator()(const VertexTargets& targets) const
+  {
+    return fmt::format(R"(, "targets": {})", listJson(targets.places, vectorJson));
+  }
+};
+
+std::string rotationsJson(const std::vector<VertexTurn>& rotations)
+{
+  const auto turnJson = [](const VertexTurn& turn) {
+    return fmt::format(R"({{"axis": {}, "degrees": {}}})", vectorJson(turn.axis), numberJson(turn.degrees));
+  };
+  return rotations.empty() ? "" : fmt::format(R"(, "rotations": {})", listJson(rotations, turnJson));
 }
 
 /// The keys that only this type of constraint has, each after a comma.
@@ -120,8 +149,8 @@ struct OwnKeysJson {
   std::string operator()(const Rigid& rigid) const { return selectJson(rigid.select); }
   std::string operator()(const Handle& handle) const
   {
-    const std::string rotate = handle.rotate ? fmt::format(R"(, "rotate": {})", turnJson(*handle.rotate)) : "";
-    return fmt::format(R"({}{}, "translate": {})", selectJson(handle.select), rotate, vectorJson(handle.translate));
+    return fmt::format(R"({}{}, "translate": {}{})", selectJson(handle.select), std::visit(MotionJson{}, handle.motion),
+                       vectorJson(handle.translate), rotationsJson(handle.rotations));
   }
   std::string operator()(const Point& point) const
   {

@@ -1,7 +1,8 @@
 #pragma once
 /// \file
-/// The terms that constraints of a constraint file share: selections of vertices and points of the surface.
+/// What constraints of a constraint file are made of: selections of vertices, points of the surface, handles.
 
+#include <holdfast/constraints/constraint.h>
 #include <holdfast/constraints/json_reader_internal.h>
 #include <holdfast/constraints/selection.h>
 #include <holdfast/surface/surface_location.h>
@@ -13,5 +14,8 @@ namespace holdfast {
 
 /// The point of the surface that an object states: {"vertex": 3}, {"edge": [1, 2], "t": 0.5}, ... Throws `InputError`.
 [[nodiscard]] SurfaceLocation readLocation(const JsonReader& json);
+
+/// The handle that the constraint states. Throws `InputError`.
+[[nodiscard]] Handle readHandle(const JsonReader& json);
 
 }  // namespace holdfast

@@ -5,21 +5,32 @@
 
 #include <holdfast/base/error.h>
 #include <holdfast/constraints/constraint_system.h>
+#include <holdfast/constraints/handle_mistake.h>
+#include <holdfast/constraints/handle_motion.h>
 #include <holdfast/constraints/selector.h>
-#include <holdfast/rotation/rotation_log.h>
 #include <holdfast/surface/surface_locator.h>
 
 namespace holdfast {
 namespace {
 
-/// A rigid motion p -> R (p - center) + center + translate.
-struct RigidMotion {
-  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
-  Vector3 center = Vector3::Zero();
-  Vector3 translate = Vector3::Zero();
+/// Each id once.
+std::vector<Index> ascending(std::vector<Index> ids)
+{
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  return ids;
+}
 
-  [[nodiscard]] Vector3 operator()(const Vector3& p) const { return R * (p - center) + center + translate; }
-};
+/// The vertices have entries of their own, in the order in which they are listed.
+bool isListed(const Handle& handle)
+{
+  return !handle.rotations.empty() || std::holds_alternative<VertexTargets>(handle.motion);
+}
+
+bool saysNothingOfTurning(const Handle& handle)
+{
+  return handle.rotations.empty() && std::holds_alternative<std::monostate>(handle.motion);
+}
 
 /// Makes the rows of one list; remembers what several constraints share.
 class SystemBuilder {
@@ -31,7 +42,10 @@ class SystemBuilder {
         solverMesh_(solverMesh),
         source_(source),
         locator_(mesh, triangulation),
-        selector_(mesh, solverMesh, locator_)
+        selector_(mesh, solverMesh, locator_),
+        selected_(list.constraints.size()),
+        pinOf_(static_cast<std::size_t>(solverMesh.unknownCount()), -1),
+        isTurned_(static_cast<std::size_t>(solverMesh.unknownCount()), false)
   {
     system_.points.resize(list.constraints.size());
     system_.surfaceDistances.resize(list.constraints.size(), 0);
@@ -39,18 +53,23 @@ class SystemBuilder {
 
   ConstraintSystem build()
   {
-    for (current_ = 0; current_ < static_cast<Index>(list_.constraints.size()); ++current_) addCurrent();
+    forEach([this](const auto& what) { selectFor(what); });
+    surroundings_ = surroundings();
+    forEach([this](const auto& what) { add(what); });
     return std::move(system_);
   }
 
  private:
-  void addCurrent()
+  template <class Function>
+  void forEach(Function function)
   {
-    const Constraint& constraint = list_.constraints[current_];
-    try {
-      std::visit([this](const auto& what) { add(what); }, constraint.what);
-    } catch (const InputError& error) {
-      throw InputError(error.location(), fmt::format("\"{}\": {}", constraint.name, error.reason()));
+    for (current_ = 0; current_ < static_cast<Index>(list_.constraints.size()); ++current_) {
+      const Constraint& constraint = list_.constraints[current_];
+      try {
+        std::visit(function, constraint.what);
+      } catch (const InputError& error) {
+        throw InputError(error.location(), fmt::format("\"{}\": {}", constraint.name, error.reason()));
+      }
     }
   }
 
@@ -61,27 +80,45 @@ class SystemBuilder {
 
   [[nodiscard]] bool isEnabled() const { return list_.constraints[current_].isEnabled; }
 
-  void add(const Fixed& fixed)
+  template <class What>
+  void selectFor(const What& what)
   {
-    const std::vector<Index> vertices = selected(fixed.select);
-    for (const Index v : vertices) addPin(v, mesh_.positions.row(v));
-    giveRotation(vertices, Vector3::Zero());
+    if constexpr (requires { what.select; }) selected_[current_] = selector_.select(what.select, key(".select"));
+  }
+
+  [[nodiscard]] HandleSurroundings surroundings() const
+  {
+    std::vector<Index> fixed;
+    for (std::size_t c = 0; c < selected_.size(); ++c)
+      if (list_.constraints[c].isEnabled && std::holds_alternative<Fixed>(list_.constraints[c].what))
+        fixed.insert(fixed.end(), selected_[c].begin(), selected_[c].end());
+    if (fixed.empty()) return {std::nullopt, solverMesh_.diagonal};
+    return {restOf(ascending(std::move(fixed))).colwise().mean().transpose(), solverMesh_.diagonal};
+  }
+
+  void add(const Fixed& /*fixed*/)
+  {
+    if (!isEnabled()) return;
+    for (const Index v : selected_[current_]) {
+      addPin(v, mesh_.positions.row(v));
+      giveRotation(v, Vector3::Zero());
+    }
   }
 
   void add(const Handle& handle)
   {
-    const std::vector<Index> vertices = selected(handle.select);
-    RigidMotion motion;
-    motion.translate = handle.translate;
-    if (handle.rotate) {
-      motion.R = rotationMatrix(handle.rotate->axis, handle.rotate->degrees);
-      motion.center = handle.rotate->center.value_or(centroid(vertices));
+    if (const std::optional<HandleMistake> mistake = findMistake(handle))
+      throw InputError(key(mistake->key), mistake->reason);
+    if (!isEnabled()) return;
+    const std::vector<Index>& vertices =
+        isListed(handle) ? std::get<VertexIds>(handle.select.what).ids : selected_[current_];
+    const Positions rest = restOf(vertices);
+    const HandlePlacement placement = placeHandle(handle, rest, surroundings_, key(""));
+    for (std::size_t k = 0; k < vertices.size(); ++k) {
+      addPin(vertices[k], placement.places.row(k));
+      giveRotation(vertices[k], placement.q.row(k));
     }
-    for (const Index v : vertices)
-      addPin(v, handle.rotate ? motion(mesh_.positions.row(v))
-                              : Vector3(mesh_.positions.row(v).transpose() + handle.translate));
-    giveRotation(vertices,
-                 handle.rotate ? rotationLog(handle.rotate->axis, handle.rotate->degrees) : Vector3(Vector3::Zero()));
+    noteTurning(handle, placement, shareMoved(handle, rest, surroundings_));
   }
 
   void add(const Point& point)
@@ -95,14 +132,18 @@ class SystemBuilder {
       addRow(at, rest + std::get<Move>(point.to).shift, std::get<Move>(point.to).shift);
   }
 
-  void add(const Rigid& rigid)
+  void add(const Rigid& /*rigid*/)
   {
-    const std::vector<Index> body = unknownsOf(selected(rigid.select));
     if (!isEnabled()) return;
-    const Index reference = body.front();
+    std::vector<Index> body = selected_[current_];
+    for (Index& v : body) v = solverMesh_.weld.unknownOf[v];
+    body = ascending(std::move(body));
+    const SurfacePoint reference{{{body.front(), 1.0}}};
     for (const Index u : body)
-      if (u != reference) addCarried(RowKind::Body, {{{u, 1.0}}}, {{{reference, 1.0}}}, {{reference, 1.0}});
-    system_.bodies.push_back(body);
+      if (u != body.front()) addCarried(RowKind::Body, {{{u, 1.0}}}, reference, reference.terms);
+    if (body.size() == 1)
+      note("rigid_region_of_one_vertex", "a region of one vertex is rigid in any case; select more, or remove it");
+    system_.bodies.push_back(std::move(body));
   }
 
   void add(const Relative& relative)
@@ -116,11 +157,12 @@ class SystemBuilder {
         {difference(from, to), *relative.offset, *relative.offset - rest, current_, RowKind::Relative});
   }
 
-  [[nodiscard]] Vector3 centroid(const std::vector<Index>& vertices) const
+  /// In the order of `vertices`.
+  [[nodiscard]] Positions restOf(const std::vector<Index>& vertices) const
   {
-    Vector3 sum = Vector3::Zero();
-    for (const Index v : vertices) sum += mesh_.positions.row(v).transpose();
-    return sum / static_cast<double>(vertices.size());
+    Positions rest(static_cast<Index>(vertices.size()), 3);
+    for (std::size_t k = 0; k < vertices.size(); ++k) rest.row(k) = mesh_.positions.row(vertices[k]);
+    return rest;
   }
 
   // A target of a vertex is taken as it is: it is what the written file must hold.
@@ -133,7 +175,9 @@ class SystemBuilder {
   {
     if (!isEnabled()) return;
     ConstraintRow row{overUnknowns(at).terms, target, shift, current_};
-    if (!isRepeatOfOwnPin(row)) system_.rows.push_back(std::move(row));
+    if (isRepeatOfOwnPin(row)) return;
+    if (row.isPin()) pinOf_[row.terms.front().vertex] = static_cast<Index>(system_.rows.size());
+    system_.rows.push_back(std::move(row));
   }
 
   /// The row from - to whose d is what it is at rest, turned by the rotation of `rotation`.
@@ -144,14 +188,29 @@ class SystemBuilder {
     system_.rows.push_back({difference(from, to), rest, Vector3::Zero(), current_, kind});
   }
 
-  void giveRotation(const std::vector<Index>& vertices, const Vector3& q)
+  void giveRotation(Index vertex, const Vector3& q)
   {
-    if (!isEnabled()) return;
-    isTurned_.resize(static_cast<std::size_t>(solverMesh_.unknownCount()), false);
-    for (const Index u : unknownsOf(vertices)) {
-      if (!isTurned_[u]) system_.rotations.push_back({u, q, current_});
-      isTurned_[u] = true;
-    }
+    const Index unknown = solverMesh_.weld.unknownOf[vertex];
+    if (!isTurned_[unknown]) system_.rotations.push_back({unknown, q, current_});
+    isTurned_[unknown] = true;
+  }
+
+  void noteTurning(const Handle& handle, const HandlePlacement& placement, double share)
+  {
+    if (!placement.isDetermined)
+      note("undetermined_rotation",
+           "its targets do not say how it turns: they or its vertices lie on a line, or the targets mirror it; the "
+           "rotation that fits is taken, give \"rotations\" if it should be another");
+    if (saysNothingOfTurning(handle) && share > kUnsaidRotation)
+      note("unsaid_rotation",
+           fmt::format("moved {:.0f} % of its distance to the fixed region without turning; give it a rotation "
+                       "(\"rotate\", or \"turn\": \"about-fixed\") if it should turn",
+                       100 * share));
+  }
+
+  void note(std::string kind, std::string message)
+  {
+    system_.notes.push_back({current_, std::move(kind), std::move(message)});
   }
 
   [[nodiscard]] SurfacePoint located(const SurfaceLocation& location, const char* where)
@@ -167,15 +226,6 @@ class SystemBuilder {
     return canonical(std::move(point.terms));
   }
 
-  /// Ascending, each once.
-  [[nodiscard]] std::vector<Index> unknownsOf(std::vector<Index> vertices) const
-  {
-    for (Index& v : vertices) v = solverMesh_.weld.unknownOf[v];
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    return vertices;
-  }
-
   /// Between two points of unknowns.
   [[nodiscard]] Vector3 restVector(const SurfacePoint& from, const SurfacePoint& to) const
   {
@@ -183,16 +233,10 @@ class SystemBuilder {
   }
 
   /// Vertices of one selection that are one unknown ask for the same thing once.
-  [[nodiscard]] bool isRepeatOfOwnPin(const ConstraintRow& row)
+  [[nodiscard]] bool isRepeatOfOwnPin(const ConstraintRow& row) const
   {
-    if (!row.isPin()) return false;
-    if (pinnedBy_.empty()) pinnedBy_.resize(static_cast<std::size_t>(solverMesh_.unknownCount()), -1);
-    return std::exchange(pinnedBy_[row.terms.front().vertex], current_) == current_;
-  }
-
-  [[nodiscard]] std::vector<Index> selected(const Selection& selection)
-  {
-    return selector_.select(selection, key(".select"));
+    const Index before = row.isPin() ? pinOf_[row.terms.front().vertex] : -1;
+    return before >= 0 && system_.rows[before].constraint == current_ && system_.rows[before].target == row.target;
   }
 
   const ConstraintList& list_;
@@ -201,8 +245,10 @@ class SystemBuilder {
   const std::string& source_;
   SurfaceLocator locator_;
   Selector selector_;
-  std::vector<Index> pinnedBy_;  // of each unknown: the constraint that pinned it last
-  std::vector<bool> isTurned_;   // of each unknown: its rotation is given
+  std::vector<std::vector<Index>> selected_;  // vertices of each constraint
+  HandleSurroundings surroundings_;
+  std::vector<Index> pinOf_;    // of each unknown: the row that pinned it last
+  std::vector<bool> isTurned_;  // of each unknown: its rotation is given
   Index current_ = 0;
   ConstraintSystem system_;
 };

@@ -45,6 +45,17 @@ struct GivenRotation {
   Index constraint = 0;         ///< place in the list
 };
 
+/// Something doubtful about an enabled constraint that is solved all the same.
+struct ConstraintNote {
+  Index constraint = 0;  ///< place in the list
+  std::string kind;      ///< "unsaid_rotation", "undetermined_rotation", "rigid_region_of_one_vertex"
+  std::string message;   ///< one sentence for people, without the constraint's name
+};
+
+/// A handle that moves by more than this share of its distance from the fixed vertices, and says nothing of turning, is
+/// noted: on the way there the surface between usually has to turn with it.
+inline constexpr double kUnsaidRotation = 0.25;
+
 /// All rows of the enabled constraints, in the user's order; what is behind this door may rely on unknowns in range,
 /// canonical terms and finite numbers.
 struct ConstraintSystem {
@@ -54,11 +65,13 @@ struct ConstraintSystem {
   std::vector<CarriedVector> carried;    ///< ascending by row; the rows are as at q = 0, see `turned`
   std::vector<GivenRotation> rotations;  ///< in the user's order; each unknown once, because the first stands
   std::vector<std::vector<Index>> bodies;  ///< unknowns of each rigid region, ascending; the rows refer to the first
+  std::vector<ConstraintNote> notes;       ///< in the user's order
 };
 
 /// Makes rows of a list of constraints on a mesh whose positions are finite. `source` names the list in messages.
 /// Throws `InputError` with the place in the list: ids out of range, edges that are not in the mesh, as many weights as
-/// a face has no corners, selections without a vertex. O(N) per selection, O(log T) per `near` point after O(T log T).
+/// a face has no corners, selections without a vertex, handles with a mistake (`findMistake`) or without a place to go
+/// (`placeHandle`). O(N) per selection, O(log T) per `near` point after O(T log T).
 [[nodiscard]] ConstraintSystem makeConstraintSystem(const ConstraintList& list, const Mesh& mesh,
                                                     const Triangulation& triangulation, const SolverMesh& solverMesh,
                                                     const std::string& source);

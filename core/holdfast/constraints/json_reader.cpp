@@ -143,6 +143,11 @@ void JsonReader::fail(const std::string& reason) const
   throw InputError({std::string(file_), 0, namedPath(path_)}, reason);
 }
 
+void JsonReader::failBelow(const std::string& key, const std::string& reason) const
+{
+  throw InputError({std::string(file_), 0, path_ + key}, reason);
+}
+
 const JsonObject& JsonReader::object() const
 {
   const auto* value = std::get_if<JsonObject>(&value_->what);

@@ -55,6 +55,8 @@ class JsonReader {
 
   /// Throws `InputError` with this value's file and path.
   [[noreturn]] void fail(const std::string& reason) const;
+  /// The same with this value's path followed by `key`: ".vertices[3]".
+  [[noreturn]] void failBelow(const std::string& key, const std::string& reason) const;
 
  private:
   JsonReader(const JsonValue& value, std::string_view file, std::string path)

@@ -86,14 +86,62 @@ TEST(ConstraintFile, ReadsHandlesWithATurnAShiftOrBoth)
   const std::string head = R"({"type": "handle", "select": {"component": 0}, )";
   const Handle both =
       only<Handle>(head + R"("rotate": {"axis": [0,0,2], "degrees": 450, "center": [1,2,3]}, "translate": [0,0,2]})");
-  EXPECT_EQ(both.rotate->axis, Vector3(0, 0, 2));
-  EXPECT_EQ(both.rotate->degrees, 450);
-  EXPECT_EQ(both.rotate->center, Vector3(1, 2, 3));
+  const Turn turn = std::get<Turn>(both.motion);
+  EXPECT_EQ(turn.axis, Vector3(0, 0, 2));
+  EXPECT_EQ(turn.degrees, 450);
+  EXPECT_EQ(turn.center, Vector3(1, 2, 3));
   EXPECT_EQ(both.translate, Vector3(0, 0, 2));
   const Handle turned = only<Handle>(head + R"("rotate": {"axis": [0,0,1], "degrees": -90}})");
-  EXPECT_FALSE(turned.rotate->center.has_value());
+  EXPECT_FALSE(std::get<Turn>(turned.motion).center.has_value());
   EXPECT_EQ(turned.translate, Vector3(0, 0, 0));
-  EXPECT_FALSE(only<Handle>(head + R"("translate": [0,0,2]})").rotate.has_value());
+  EXPECT_TRUE(std::holds_alternative<std::monostate>(only<Handle>(head + R"("translate": [0,0,2]})").motion));
+}
+
+TEST(ConstraintFile, ReadsHandlesThatTurnAboutTheFixedVertices)
+{
+  const Handle handle =
+      only<Handle>(R"({"type": "handle", "select": {"component": 0}, "turn": "about-fixed", "translate": [0,0,2]})");
+  EXPECT_TRUE(std::holds_alternative<TurnAboutFixed>(handle.motion));
+  EXPECT_EQ(handle.translate, Vector3(0, 0, 2));
+}
+
+TEST(ConstraintFile, ReadsHandlesThatGoFromFrameToFrame)
+{
+  const std::string head = R"({"type": "handle", "select": {"component": 0}, "frame": )";
+  const auto full =
+      std::get<FrameMotion>(only<Handle>(head + R"({"from": {"origin": [1,2,3], "x": [0,2,0], "y": [0,1,1]},
+                              "to": {"origin": [4,5,6], "x": [0,0,1], "y": [3,0,0]}, "turns": -2}})")
+                                .motion);
+  EXPECT_EQ(full.from.origin, Vector3(1, 2, 3));
+  EXPECT_EQ(full.from.x, Vector3(0, 2, 0));
+  EXPECT_EQ(full.from.y, Vector3(0, 1, 1));
+  EXPECT_EQ(full.to.origin, Vector3(4, 5, 6));
+  EXPECT_EQ(full.to.x, Vector3(0, 0, 1));
+  EXPECT_EQ(full.to.y, Vector3(3, 0, 0));
+  EXPECT_EQ(full.turns, -2);
+  const auto brief = std::get<FrameMotion>(only<Handle>(head + R"({"to": {"x": [0,1,0], "y": [-1,0,0]}}})").motion);
+  EXPECT_FALSE(brief.from.origin.has_value());
+  EXPECT_EQ(brief.from.x, Vector3(1, 0, 0));
+  EXPECT_EQ(brief.from.y, Vector3(0, 1, 0));
+  EXPECT_FALSE(brief.to.origin.has_value());
+  EXPECT_EQ(brief.turns, 0);
+}
+
+TEST(ConstraintFile, ReadsTargetsAndRotationsOfSingleVertices)
+{
+  const Handle handle = only<Handle>(R"({"type": "handle", "select": {"vertices": [7, 3, 5]},
+    "targets": [[1,2,3], [4,5,6], [7,8,9]],
+    "rotations": [{"axis": [0,0,2], "degrees": 720}, {"axis": [1,0,0], "degrees": 0}, {"axis": [0,1,0], "degrees": -9}]})");
+  EXPECT_THAT(std::get<VertexTargets>(handle.motion).places,
+              ElementsAre(Vector3(1, 2, 3), Vector3(4, 5, 6), Vector3(7, 8, 9)));
+  ASSERT_EQ(handle.rotations.size(), 3U);
+  EXPECT_EQ(handle.rotations[0].axis, Vector3(0, 0, 2));
+  EXPECT_EQ(handle.rotations[0].degrees, 720);
+  EXPECT_EQ(handle.rotations[2].degrees, -9);
+  EXPECT_EQ(only<Handle>(R"({"type": "handle", "select": {"vertices": [7]}, "translate": [1,2,3],
+    "rotations": [{"axis": [0,0,2], "degrees": 720}]})")
+                .rotations.size(),
+            1U);
 }
 
 TEST(ConstraintFile, ReadsPointsThatGoToAPlaceOrByAShift)

@@ -60,7 +60,7 @@ std::vector<Case> cases()
       {"EmptyBox", held({InBox{{5, 5, 5}, {6, 6, 6}}}), ".select", {"selects no vertex"}},
       {"NoSuchPart", held({InComponent{1}}), ".select.component", {"no part 1", "1 connected parts"}},
       {"NegativePart", held({InComponent{-1}}), ".select.component", {"no part -1"}},
-      {"EmptyHandle", {"", true, Handle{{AnyOf{}}, std::nullopt, up}}, ".select", {"selects no vertex"}},
+      {"EmptyHandle", {"", true, Handle{{AnyOf{}}, {}, up, {}}}, ".select", {"selects no vertex"}},
   };
 }
 

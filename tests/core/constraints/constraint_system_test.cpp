@@ -19,9 +19,9 @@ using test::moveBy;
 using test::moveTo;
 using test::systemOf;
 
-Constraint handle(std::vector<Index> vertices, std::optional<Turn> rotate, const Vector3& translate)
+Constraint handle(std::vector<Index> vertices, decltype(Handle::motion) motion, const Vector3& translate)
 {
-  return {"", true, Handle{{VertexIds{std::move(vertices)}}, std::move(rotate), translate}};
+  return {"", true, Handle{{VertexIds{std::move(vertices)}}, std::move(motion), translate, {}}};
 }
 
 /// Where a handle takes the vertices of a mesh that consists of `points` and one face among them.
@@ -149,7 +149,7 @@ TEST(ConstraintSystem, HandlesTranslateAfterTheirTurn)
   const Mesh mesh = test::grid(1, 1);
   const Turn turn{{0, 0, 1}, 90, Vector3(0, 0, 0)};
   const ConstraintSystem system =
-      systemOf(mesh, listOf({handle({1}, turn, {0, 0, 5}), handle({2}, std::nullopt, {0.1, 0.2, 0.3})}));
+      systemOf(mesh, listOf({handle({1}, turn, {0, 0, 5}), handle({2}, {}, {0.1, 0.2, 0.3})}));
   EXPECT_EQ(system.rows[0].target, Vector3(0, 1, 5));
   EXPECT_EQ(system.rows[0].shift, Vector3(-1, 1, 5));
   EXPECT_EQ(system.rows[1].target, Vector3(0 + 0.1, 1 + 0.2, 0.3));

@@ -28,9 +28,11 @@ Constraint relative(SurfaceLocation from, SurfaceLocation to, std::optional<Vect
   return {"", true, Relative{std::move(from), std::move(to), std::move(offset)}};
 }
 
-Constraint turning(std::vector<Index> vertices, std::optional<Turn> rotate)
+Constraint turning(std::vector<Index> vertices, decltype(Handle::motion) motion)
 {
-  return {"", true, Handle{{VertexIds{std::move(vertices)}}, std::move(rotate), Vector3(0, 0, 1)}};
+  Handle handle{{VertexIds{std::move(vertices)}}, {}, Vector3(0, 0, 1), {}};
+  handle.motion = std::move(motion);
+  return {"", true, handle};
 }
 
 Vector3 rotationOf(const ConstraintSystem& system, Index unknown)
@@ -132,9 +134,9 @@ TEST(RelativeRows, TellTheFartherOfTheirNearPlaces)
 TEST(GivenRotations, AreThoseOfFixedVerticesAndHandles)
 {
   const Turn twice{{0, 0, 2}, 720, std::nullopt};
-  const ConstraintSystem system =
-      systemOf(test::grid(2, 2), listOf({hold({0, 1}), turning({6, 7}, twice), turning({8}, std::nullopt),
-                                         moveBy(AtVertex{4}, {0, 0, 1}), rigid({2, 5})}));
+  const ConstraintSystem system = systemOf(
+      test::grid(2, 2),
+      listOf({hold({0, 1}), turning({6, 7}, twice), turning({8}, {}), moveBy(AtVertex{4}, {0, 0, 1}), rigid({2, 5})}));
   ASSERT_EQ(system.rotations.size(), 5U) << "points and rigid regions leave theirs free";
   EXPECT_EQ(rotationOf(system, 0), Vector3::Zero());
   EXPECT_EQ(rotationOf(system, 6), Vector3(0, 0, 2 * std::numbers::pi)) << "two turns are not none";
@@ -155,9 +157,8 @@ TEST(GivenRotations, OfTheEarlierConstraintStand)
 
 TEST(DisabledConstraints, GiveNoRotationNoBodyAndNoDifference)
 {
-  ConstraintList list =
-      listOf({hold({0}), turning({6, 7}, std::nullopt), rigid({2, 5}), relative(AtVertex{8}, AtVertex{0}),
-              relative(AtVertex{8}, AtVertex{0}, Vector3(1, 1, 1))});
+  ConstraintList list = listOf({hold({0}), turning({6, 7}, {}), rigid({2, 5}), relative(AtVertex{8}, AtVertex{0}),
+                                relative(AtVertex{8}, AtVertex{0}, Vector3(1, 1, 1))});
   for (Constraint& constraint : list.constraints) constraint.isEnabled = false;
   const ConstraintSystem system = systemOf(test::grid(2, 2), list);
   EXPECT_TRUE(system.rows.empty());

@@ -1,0 +1,150 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <holdfast/constraints/handle_motion.h>
+#include <holdfast/rotation/rotation_fit.h>
+#include <holdfast/rotation/rotation_log.h>
+#include <holdfast/surface/surface_locator.h>
+
+namespace holdfast {
+namespace {
+
+Vector3 centroid(const Positions& points)
+{
+  return points.colwise().mean().transpose();
+}
+
+/// The motion p -> R (p - from) + to, whose rotation has the log q.
+struct RigidMotion {
+  Eigen::Matrix3d R;
+  Vector3 q;
+  Vector3 from;
+  Vector3 to;
+
+  /// Then by `translate`.
+  [[nodiscard]] HandlePlacement place(const Positions& rest, const Vector3& translate) const
+  {
+    HandlePlacement result{rest, q.transpose().replicate(rest.rows(), 1)};
+    for (Index k = 0; k < rest.rows(); ++k)
+      result.places.row(k) = (R * (rest.row(k).transpose() - from) + to + translate).transpose();
+    return result;
+  }
+};
+
+/// One overload for each motion.
+struct Placer {
+  const Positions& rest;
+  const Vector3& translate;
+  const HandleSurroundings& surroundings;
+  const InputLocation& where;
+
+  HandlePlacement operator()(std::monostate) const
+  {
+    return {rest.rowwise() + translate.transpose(), Positions::Zero(rest.rows(), 3)};
+  }
+
+  HandlePlacement operator()(const Turn& turn) const
+  {
+    const Vector3 center = turn.center.value_or(centroid(rest));
+    const RigidMotion motion{rotationMatrix(turn.axis, turn.degrees), rotationLog(turn.axis, turn.degrees), center,
+                             center};
+    return motion.place(rest, translate);
+  }
+
+  HandlePlacement operator()(TurnAboutFixed) const
+  {
+    const Vector3 own = centroid(rest);
+    const Vector3 before = own - fixedCenter();
+    const Vector3 after = before + translate;
+    requireDirection(before, "at rest");
+    requireDirection(after, "after \"translate\"");
+    const DirectionTurn turn = shortestRotation(before, after);
+    if (!turn.isDetermined)
+      fail(R"("translate" takes the handle to the opposite side of the fixed vertices, so any axis across would do; )"
+           R"(say which by "rotate")");
+    const RigidMotion motion{turn.rotation.toRotationMatrix(), rotationLog(turn.rotation), own, own};
+    return motion.place(rest, translate);
+  }
+
+  HandlePlacement operator()(const FrameMotion& motion) const
+  {
+    const Eigen::Matrix3d R = axesOf(motion.to) * axesOf(motion.from).transpose();
+    const Vector3 shortest = rotationLog(R);
+    const Vector3 q =
+        motion.turns == 0
+            ? shortest
+            : Vector3(shortest + shortest.normalized() * std::numbers::pi * static_cast<double>(motion.turns));
+    const Vector3 from = motion.from.origin.value_or(centroid(rest));
+    return RigidMotion{R, q, from, motion.to.origin.value_or(from)}.place(rest, translate);
+  }
+
+  HandlePlacement operator()(const VertexTargets& targets) const
+  {
+    Positions places(rest.rows(), 3);
+    for (Index k = 0; k < places.rows(); ++k) places.row(k) = (targets.places[k] + translate).transpose();
+    requireRange(places);
+    const RotationFit fit = fitRotation(rest, places);
+    return {places, rotationLog(fit.R).transpose().replicate(places.rows(), 1), fit.isDetermined};
+  }
+
+  /// Sums of so many coordinates are doubles.
+  void requireRange(const Positions& places) const
+  {
+    const double largest = std::max(places.cwiseAbs().maxCoeff(), rest.cwiseAbs().maxCoeff());
+    if (!places.allFinite() || !std::isfinite(2 * largest * static_cast<double>(places.rows())))
+      throw InputError(where, "the handle goes to coordinates that are too large for doubles; bring it closer");
+  }
+
+ private:
+  [[nodiscard]] Vector3 fixedCenter() const
+  {
+    if (!surroundings.fixedCenter)
+      fail(R"(nothing is fixed that the handle could turn about; add a constraint of type "fixed", enable one, or say )"
+           R"(how the handle turns by "rotate")");
+    return *surroundings.fixedCenter;
+  }
+
+  void requireDirection(const Vector3& fromFixed, const std::string& when) const
+  {
+    if (fromFixed.stableNorm() <= kNoDirection * surroundings.diagonal)
+      fail("the centroid of the handle lies at that of the fixed vertices " + when +
+           R"(, so it lies in no direction from them; say how it turns by "rotate")");
+  }
+
+  [[noreturn]] void fail(const std::string& reason) const { throw InputError(below(where, ".turn"), reason); }
+};
+
+}  // namespace
+
+Eigen::Matrix3d axesOf(const Frame& frame)
+{
+  Eigen::Matrix3d axes;
+  axes.col(0) = frame.x.stableNormalized();
+  const Vector3 y = frame.y.stableNormalized();
+  axes.col(1) = (y - axes.col(0).dot(y) * axes.col(0)).normalized();
+  axes.col(2) = axes.col(0).cross(axes.col(1));
+  return axes;
+}
+
+HandlePlacement placeHandle(const Handle& handle, const Positions& rest, const HandleSurroundings& surroundings,
+                            const InputLocation& where)
+{
+  const Placer placer{rest, handle.translate, surroundings, where};
+  HandlePlacement result = std::visit(placer, handle.motion);
+  placer.requireRange(result.places);
+  if (handle.rotations.empty()) return result;
+  for (Index k = 0; k < rest.rows(); ++k)
+    result.q.row(k) = rotationLog(handle.rotations[k].axis, handle.rotations[k].degrees).transpose();
+  result.isDetermined = true;
+  return result;
+}
+
+double shareMoved(const Handle& handle, const Positions& rest, const HandleSurroundings& surroundings)
+{
+  if (!surroundings.fixedCenter) return 0;
+  const double distance = (centroid(rest) - *surroundings.fixedCenter).stableNorm();
+  return distance <= kNoDirection * surroundings.diagonal ? 0 : handle.translate.stableNorm() / distance;
+}
+
+}  // namespace holdfast

@@ -1,0 +1,46 @@
+#pragma once
+/// \file
+/// Where a handle goes and how it turns: both ways of section 3.3 of the paper to give it its rotation, and more.
+
+#include <optional>
+
+#include <Eigen/Geometry>
+
+#include <holdfast/base/error.h>
+#include <holdfast/constraints/constraint.h>
+
+namespace holdfast {
+
+/// What the motion of a handle depends on besides the handle.
+struct HandleSurroundings {
+  std::optional<Vector3>
+      fixedCenter;      ///< centroid of all vertices that are fixed, at rest; absent where there are none
+  double diagonal = 0;  ///< of the bounding box of the mesh, model units
+};
+
+/// One row for each vertex of a handle.
+struct HandlePlacement {
+  Positions places;          ///< where it goes, model units
+  Positions q;               ///< how it turns: log, radians
+  bool isDetermined = true;  ///< false where other rotations fit the targets as well
+};
+
+/// A handle whose centroid is nearer to the fixed one than this share of the bounding box's diagonal has no direction
+/// from there: rounding of both would turn it by more than a millionth of a radian.
+inline constexpr double kNoDirection = 1e-9;
+
+/// `rest` holds the vertices of the handle, at least one: as listed, where it has targets or rotations of their own.
+/// The handle has no mistake (`findMistake`). Throws `InputError` at `where`, its element followed by the key at fault:
+/// a turn about fixed vertices that do not exist, or that say no direction, or the opposite one; places beyond the
+/// range of doubles. O(vertices).
+[[nodiscard]] HandlePlacement placeHandle(const Handle& handle, const Positions& rest,
+                                          const HandleSurroundings& surroundings, const InputLocation& where);
+
+/// The axes of a frame as columns, orthonormal, right-handed.
+[[nodiscard]] Eigen::Matrix3d axesOf(const Frame& frame);
+
+/// How far the handle's centroid moves, as a share of its distance from the fixed one; 0 where that is none, or where
+/// nothing is fixed.
+[[nodiscard]] double shareMoved(const Handle& handle, const Positions& rest, const HandleSurroundings& surroundings);
+
+}  // namespace holdfast
