@@ -14,10 +14,10 @@ namespace holdfast {
 /// syntax) or JSON path (for meaning) and reason: unknown keys, wrong types, missing keys, numbers that are not
 /// finite, names that repeat, weights that are negative or do not sum to 1 within `kWeightSumTolerance`, t outside
 /// [0, 1], a zero axis or normal, a box turned inside out, a radius that is not positive, a curve through less than
-/// three places, selections nested deeper
-/// than `kMaximumSelectionDepth`. Constraints without a name get "type N" with N their place in the list from 1. What
-/// depends on the mesh (ids, empty selections) is checked by `makeConstraintSystem`. Time and memory are O(size of the
-/// file), which is refused above 256 MiB.
+/// three places, handles with a mistake (`findMistake`), selections nested deeper than `kMaximumSelectionDepth`.
+/// Constraints without a name get "type N" with N their place in the list from 1. What depends on the mesh (ids, empty
+/// selections) is checked by `makeConstraintSystem`. Time and memory are O(size of the file), which is refused above
+/// 256 MiB.
 [[nodiscard]] ConstraintList readConstraints(const std::filesystem::path& path);
 
 /// The same from text that is at hand; `name` stands for the file in messages.

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <fstream>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -93,6 +94,21 @@ TEST(FormatsDocument, ExamplesOfConstraintsAreReadAndShowEveryType)
     ++counts[typeName(list.constraints[0])];
   }
   EXPECT_EQ(counts.size(), std::variant_size_v<decltype(Constraint::what)>);
+}
+
+TEST(FormatsDocument, ExamplesOfHandlesShowEveryMotionAndRotationsOfSingleVertices)
+{
+  std::set<std::size_t> motions;
+  bool hasRotations = false;
+  for (const std::string& text : blocksOf("json constraint")) {
+    const ConstraintList list = parsedAlone(text);
+    const Handle* handle = std::get_if<Handle>(&list.constraints.at(0).what);
+    if (handle == nullptr) continue;
+    motions.insert(handle->motion.index());
+    hasRotations = hasRotations || !handle->rotations.empty();
+  }
+  EXPECT_EQ(motions.size(), std::variant_size_v<decltype(Handle::motion)>);
+  EXPECT_TRUE(hasRotations);
 }
 
 TEST(FormatsDocument, ExamplesOfSelectionsAreReadAndShowEveryKind)
