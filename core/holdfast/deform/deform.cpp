@@ -37,6 +37,18 @@ std::vector<Finding> constraintFindings(const Model& model, const EliminatedCons
                       "connected parts have no constraint and stay at rest (a vertex of each is named)")};
 }
 
+/// What is doubtful about single constraints, a finding for each.
+void addNotes(Report& report, const ConstraintList& constraints, const ConstraintSystem& system)
+{
+  for (const ConstraintNote& note : system.notes)
+    report.mesh.findings.push_back(
+        {note.kind,
+         1,
+         "constraint",
+         {note.constraint},
+         fmt::format("\"{}\" {}", constraints.constraints[note.constraint].name, note.message)});
+}
+
 /// Constraints that nearly repeat others.
 void addConstraintFindings(Report& report)
 {
@@ -194,6 +206,7 @@ class Run {
     if (!rotate()) return;
     diagnoseRows(eliminated);
     addConstraintFindings(result_.report);
+    addNotes(result_.report, constraints_, result_.system);
 
     progress_.stage(fmt::format("factorising {} unknowns", eliminated.elimination.Q2().cols()));
     const SparseMatrix A = weightedRows(result_.operators);
@@ -305,6 +318,7 @@ Report diagnoseConstraints(const Model& model, const ConstraintList& constraints
   setAmplifications(report.constraints, system, diagnosis, eliminated.elimination.amplifications());
   for (Finding& finding : constraintFindings(model, eliminated)) report.mesh.findings.push_back(std::move(finding));
   addConstraintFindings(report);
+  addNotes(report, constraints, system);
   return report;
 }
 

@@ -77,7 +77,7 @@ std::vector<Constraint> loop(int size, Index j, const Mesh& mesh)
 
 Constraint handle(std::vector<Index> vertices, const Vector3& shift)
 {
-  return {"", true, Handle{{VertexIds{std::move(vertices)}}, {}, shift}};
+  return {"", true, Handle{{VertexIds{std::move(vertices)}}, {}, shift, {}}};
 }
 
 Constraint rigid(std::vector<Index> vertices)

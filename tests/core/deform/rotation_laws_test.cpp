@@ -21,7 +21,7 @@ Constraint turn(std::string name, std::vector<Index> vertices, double degrees, c
 {
   Handle handle;
   handle.select = {VertexIds{std::move(vertices)}};
-  handle.rotate = Turn{kAxis, degrees, Vector3(0.1, 0.2, 0.3)};
+  handle.motion = Turn{kAxis, degrees, Vector3(0.1, 0.2, 0.3)};
   handle.translate = translate;
   return {std::move(name), true, handle};
 }
@@ -98,7 +98,7 @@ TEST(RotationLaws, ATwistedBarTurnsSectionBySection)
   const Mesh bar = test::transformed(test::box(Vector3(1, 1, 1), 10), Eigen::Affine3d(Eigen::Scaling(10.0, 1.0, 1.0)));
   for (const double degrees : {90.0, 360.0, 720.0}) {
     Constraint end = turn("end", between(bar, 0.999, 1), degrees, Vector3::Zero());
-    std::get<Handle>(end.what).rotate = Turn{Vector3::UnitX(), degrees, Vector3(5, 0.5, 0.5)};
+    std::get<Handle>(end.what).motion = Turn{Vector3::UnitX(), degrees, Vector3(5, 0.5, 0.5)};
     const Deformation result = test::deformed(bar, {"", {test::hold(between(bar, 0, 0.001)), end}}, {});
     ASSERT_EQ(result.report.solve.status, SolveStatus::Ok) << result.report.solve.message;
     double last = -1;

@@ -12,7 +12,7 @@ namespace {
 
 struct Method {
   const char* name;
-  SparseQrResult (*run)(const SparseMatrix&, double, WantQ);
+  SparseQrResult (*run)(const SparseMatrix&, double, WantQ, ColumnOrder);
 };
 
 void PrintTo(const Method& method, std::ostream* out)
@@ -44,9 +44,10 @@ SparseMatrix permuted(const SparseMatrix& M, const std::vector<Index>& columns)
 TEST_P(SparseQr, FactorsMultiplyToTheMatrixAndQIsOrthonormal)
 {
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
+    const ColumnOrder order = seed % 2 == 0 ? ColumnOrder::FillReducing : ColumnOrder::AsGiven;
     test::Random random(seed);
     const SparseMatrix M = randomColumns(random, 30, 14, 0);
-    const SparseQrResult qr = GetParam().run(M, 1e-12, WantQ::Yes);
+    const SparseQrResult qr = GetParam().run(M, 1e-12, WantQ::Yes, order);
     ASSERT_EQ(qr.Q.rows(), 30);
     ASSERT_EQ(qr.Q.cols(), 30);
     const Eigen::MatrixXd Q = qr.Q;
@@ -58,11 +59,12 @@ TEST_P(SparseQr, FactorsMultiplyToTheMatrixAndQIsOrthonormal)
 TEST_P(SparseQr, DependentColumnsComeLastAndTheLeadingTriangleIsRegular)
 {
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
+    const ColumnOrder order = seed % 2 == 0 ? ColumnOrder::FillReducing : ColumnOrder::AsGiven;
     test::Random random(seed);
     const SparseMatrix M = randomColumns(random, 60, 30, 6);
     Eigen::ColPivHouseholderQR<Eigen::MatrixXd> pivoted(M.toDense());
     const Index rank = pivoted.setThreshold(1e-12).rank();
-    const SparseQrResult qr = GetParam().run(M, 1e-12, WantQ::No);
+    const SparseQrResult qr = GetParam().run(M, 1e-12, WantQ::No, order);
     ASSERT_EQ(qr.rank, rank);
     ASSERT_EQ(qr.R.rows(), rank);
     ASSERT_EQ(qr.R.cols(), 30);
