@@ -2,6 +2,7 @@
 /// \file
 /// The whole way from a mesh and its constraints to deformed positions: set-up, decomposition, solution (section 6).
 
+#include <memory>
 #include <string>
 
 #include <holdfast/base/progress.h>
@@ -22,7 +23,7 @@ struct Deformation {
   Columns3 forces;      ///< of the constraints on every unknown, n x 3, see `Forces`; empty but for hard constraints
   ConstraintSystem system;  ///< the rows that were asked for, turned by the rotations
   Diagnosis diagnosis;
-  Operators operators;
+  std::shared_ptr<const Operators> operators;
   Report report;
 };
 

@@ -94,7 +94,7 @@ Field forceField(const Model& model, const Deformation& deformation)
 Columns3 turnedDelta(const Deformation& deformation, double diagonal)
 {
   Operators unweighted;
-  unweighted.delta = deformation.operators.delta;
+  unweighted.delta = deformation.operators->delta;
   unweighted.rowWeights = Eigen::VectorXd::Ones(unweighted.delta.rows());
   return turnedDetail(unweighted, deformation.rotations, diagonal);
 }
@@ -109,9 +109,9 @@ Field detailField(const Model& model, const Deformation& deformation)
   }
   const Columns3 turned = turnedDelta(deformation, mesh.diagonal);
   // L was made of lengths in units of the diagonal; that of cotangents is one over a squared length.
-  const bool isUniform = deformation.operators.weights == Weights::Uniform;
+  const bool isUniform = deformation.operators->weights == Weights::Uniform;
   const double scale = isUniform ? 1 : 1 / (mesh.diagonal * mesh.diagonal);
-  const Eigen::VectorXd lengths = scale * (deformation.operators.L * u - turned).rowwise().norm();
+  const Eigen::VectorXd lengths = scale * (deformation.operators->L * u - turned).rowwise().norm();
   return {"detail_residual", 1, spread({lengths.begin(), lengths.end()}, mesh.weld)};
 }
 

@@ -4,11 +4,13 @@
 
 namespace holdfast {
 
-Forces forcesOf(const SparseMatrix& A, const EliminatedConstraints& eliminated, const Columns3& u, const Columns3& f,
-                double diagonal)
+Forces forcesOf(const Operators& operators, const EliminatedConstraints& eliminated, const Columns3& u,
+                const Columns3& f, double diagonal)
 {
   // At the minimum the gradient of the energy is what the constraints hold: A^T (A u - f) = B^T l.
-  Columns3 gradient = A.transpose() * (A * u - f) / diagonal;
+  const auto W = operators.rowWeights.asDiagonal();
+  const Columns3 missed = W * (operators.L * u) - f;
+  Columns3 gradient = operators.L.transpose() * (W * missed) / diagonal;
   for (Index i = 0; i < gradient.rows(); ++i)
     if (eliminated.isHeld[i]) gradient.row(i).setZero();
   Columns3 ofRows = eliminated.elimination.multipliers(gradient);

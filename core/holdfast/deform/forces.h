@@ -14,8 +14,8 @@ struct Forces {
   Columns3 ofUnknowns;  ///< n x 3: their sum where they act
 };
 
-/// The forces that hold the displacement `u` (n x 3) against A u = f. O(entries of A).
-[[nodiscard]] Forces forcesOf(const SparseMatrix& A, const EliminatedConstraints& eliminated, const Columns3& u,
+/// The forces that hold the displacement `u` (n x 3) against A u = f. O(entries of L).
+[[nodiscard]] Forces forcesOf(const Operators& operators, const EliminatedConstraints& eliminated, const Columns3& u,
                               const Columns3& f, double diagonal);
 
 /// The sum of the lengths of its rows' forces, for every constraint of a list.

@@ -30,9 +30,10 @@ std::vector<RowTally> tally(const ConstraintSystem& system, const Diagnosis& dia
   return tallies;
 }
 
-ConstraintStatus statusOf(const RowTally& rows)
+/// An enabled constraint without rows, as a rigid region of one vertex, asks for nothing and holds.
+ConstraintStatus statusOf(const RowTally& rows, bool isEnabled)
 {
-  if (rows.rows == 0) return ConstraintStatus::Disabled;
+  if (!isEnabled) return ConstraintStatus::Disabled;
   if (rows.conflicting > 0) return ConstraintStatus::Conflicting;
   return rows.redundant == rows.rows ? ConstraintStatus::Redundant : ConstraintStatus::Independent;
 }
@@ -97,7 +98,7 @@ std::vector<ConstraintOutcome> outcomes(const ConstraintList& list, const Constr
     outcome.name = list.constraints[c].name;
     outcome.type = typeName(list.constraints[c]);
     outcome.rows = tallies[c].rows;
-    outcome.status = statusOf(tallies[c]);
+    outcome.status = statusOf(tallies[c], list.constraints[c].isEnabled);
     outcome.clashes = std::move(clashes[c]);
     if (outcome.status == ConstraintStatus::Redundant || outcome.status == ConstraintStatus::Conflicting) {
       outcome.gap = tallies[c].gap;

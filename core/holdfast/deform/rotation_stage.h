@@ -27,6 +27,9 @@ class RotationStage {
   /// The field for the rotations of `system`, which has the same prescribed unknowns and bodies at every call.
   [[nodiscard]] Rotations solve(const ConstraintSystem& system);
 
+  /// Whether a factor is there.
+  [[nodiscard]] bool isReady() const noexcept { return field_.solver != nullptr; }
+
  private:
   const SolverMesh& mesh_;
   Weights weights_;

@@ -79,7 +79,7 @@ Coloring displacementColoring(const Model& model, const Deformation& deformation
 Coloring detailColoring(const Model& model, const Deformation& deformation, const std::string& units)
 {
   Field field = fieldNamed(model, deformation, "detail_residual");
-  const bool isLength = deformation.operators.weights == Weights::Uniform;
+  const bool isLength = deformation.operators->weights == Weights::Uniform;
   const std::string unit = units.empty() || isLength ? units : "1/" + units;
   std::vector<double> free = field.values;
   const std::vector<double> residuals = fieldNamed(model, deformation, "constraint_residual").values;

@@ -1,0 +1,18 @@
+#pragma once
+/// \file
+/// Seconds since something began.
+
+#include <chrono>
+
+namespace holdfast {
+
+class Stopwatch {
+ public:
+  [[nodiscard]] double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now();
+};
+
+}  // namespace holdfast

@@ -1,0 +1,58 @@
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <holdfast/deform/constraint_findings.h>
+#include <holdfast/deform/outcomes.h>
+
+namespace holdfast {
+namespace {
+
+/// A vertex of each part that stays at rest.
+std::vector<Index> partsAtRest(const Model& model, const EliminatedConstraints& eliminated)
+{
+  std::vector<Index> atRest(static_cast<std::size_t>(model.solverMesh.componentCount), -1);
+  for (Index u = 0; u < model.solverMesh.unknownCount(); ++u)
+    if (const Index c = model.solverMesh.componentOf[u]; c >= 0 && eliminated.isHeld[u] && atRest[c] < 0)
+      atRest[c] = model.solverMesh.weld.firstVertexOf[u];
+  std::erase(atRest, -1);
+  return atRest;
+}
+
+Finding nearlyDependent(std::vector<Index> amplified, double largest)
+{
+  return makeFinding(
+      "nearly_dependent_constraints", "constraint", std::move(amplified),
+      fmt::format("constraints nearly follow from others: a unit of inconsistency moves vertices by up to {:.2g} "
+                  "units; move their points apart, or leave some out",
+                  largest));
+}
+
+}  // namespace
+
+std::vector<Finding> constraintFindings(const Model& model, const EliminatedConstraints& eliminated,
+                                        const ConstraintSystem& system, const std::vector<ConstraintOutcome>& outcomes)
+{
+  std::vector<Finding> findings;
+  if (std::vector<Index> atRest = partsAtRest(model, eliminated); !atRest.empty())
+    findings.push_back(makeFinding("parts_at_rest", "vertex", std::move(atRest),
+                                   "connected parts have no constraint and stay at rest (a vertex of each is named)"));
+  std::vector<Index> amplified;
+  double largest = 0;
+  for (std::size_t c = 0; c < outcomes.size(); ++c)
+    if (const double amplification = outcomes[c].amplification.value_or(0); amplification > kLargeAmplification) {
+      amplified.push_back(static_cast<Index>(c));
+      largest = std::max(largest, amplification);
+    }
+  if (!amplified.empty()) findings.push_back(nearlyDependent(std::move(amplified), largest));
+  for (const ConstraintNote& note : system.notes)
+    findings.push_back({note.kind,
+                        1,
+                        "constraint",
+                        {note.constraint},
+                        fmt::format("\"{}\" {}", outcomes[note.constraint].name, note.message)});
+  return findings;
+}
+
+}  // namespace holdfast

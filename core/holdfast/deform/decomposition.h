@@ -1,0 +1,48 @@
+#pragma once
+/// \file
+/// The second of the three calls of section 6: all that the structure of a set of constraints costs, for any targets.
+
+#include <memory>
+#include <vector>
+
+#include <holdfast/base/progress.h>
+#include <holdfast/deform/deform.h>
+#include <holdfast/deform/rotation_stage.h>
+
+namespace holdfast {
+
+/// The elimination of a set of constraints and, once they are asked for, the factors of positions and rotations. It
+/// serves every set with the same rows, whatever these ask for; another structure makes another object.
+class Decomposition {
+ public:
+  /// Eliminates. `model` stays alive as long as this. O(see `findDependencies` and `Elimination`).
+  Decomposition(const Model& model, std::shared_ptr<const Operators> operators, const ConstraintSystem& system,
+                const DeformOptions& options);
+  Decomposition(const Decomposition&) = delete;
+  Decomposition& operator=(const Decomposition&) = delete;
+
+  /// Whether `system` has the rows, given rotations and bodies that this was made of. O(terms).
+  [[nodiscard]] bool serves(const ConstraintSystem& system) const;
+
+  [[nodiscard]] const EliminatedConstraints& eliminated() const noexcept { return eliminated_; }
+  [[nodiscard]] const std::vector<double>& amplifications() const noexcept { return amplifications_; }
+
+  /// The rotations that `system` asks for. Factorises when the first are asked for; `progress` may throw then.
+  [[nodiscard]] Rotations rotations(const ConstraintSystem& system, Progress& progress);
+
+  /// The factorised problem of positions, or the reason why there is none. Factorises at the first call; `progress`
+  /// may throw then, and the next call starts anew.
+  [[nodiscard]] const DecompositionAttempt& positions(Progress& progress);
+
+ private:
+  const Model& model_;
+  std::shared_ptr<const Operators> operators_;
+  SolverOptions options_;
+  ConstraintSystem system_;
+  EliminatedConstraints eliminated_;
+  std::vector<double> amplifications_;
+  RotationStage rotations_;
+  DecompositionAttempt positions_;
+};
+
+}  // namespace holdfast

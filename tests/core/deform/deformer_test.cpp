@@ -1,0 +1,97 @@
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <holdfast/deform/deformer.h>
+
+#include "support/law_meshes.h"
+#include "support/point_constraints.h"
+#include "support/solve_cases.h"
+
+namespace holdfast {
+namespace {
+
+/// Remembers the stages, and cancels at the one that begins with `cancelAt`.
+class Recorder final : public Progress {
+ public:
+  void stage(std::string_view description) override
+  {
+    if (!cancelAt.empty() && description.starts_with(cancelAt)) throw Cancelled();
+    stages.emplace_back(description);
+  }
+
+  std::vector<std::string> stages;
+  std::string cancelAt;
+};
+
+bool hasStage(const Recorder& recorder, std::string_view start)
+{
+  return std::any_of(recorder.stages.begin(), recorder.stages.end(),
+                     [&](const std::string& stage) { return stage.starts_with(start); });
+}
+
+ConstraintList dragged(double degrees, const Vector3& shift)
+{
+  Handle handle;
+  handle.select = {VertexIds{{30, 31, 32}}};
+  handle.motion = Turn{Vector3(1, 1, 0), degrees, Vector3(0, 0, 0)};
+  handle.translate = shift;
+  ConstraintList list = test::listOf({test::hold({0, 1, 2}), test::moveBy(AtFace{9, {0.2, 0.3, 0.5}}, shift / 2)});
+  list.constraints.push_back({"handle", true, handle});
+  return list;
+}
+
+TEST(Deformer, FactorisesNothingWhenOnlyTargetsAndRotationsChange)
+{
+  const Model model = makeModel(test::plate(6, 5), "mesh");
+  for (const SolverKind kind : {SolverKind::Hard, SolverKind::Soft, SolverKind::Lagrange}) {
+    const DeformOptions options{Weights::Cotangent, {kind, defaultBackend(), 5}};
+    Deformer deformer(model, options);
+    Recorder first;
+    static_cast<void>(deformer.deform(dragged(20, Vector3::UnitZ()), "list", first));
+    EXPECT_TRUE(hasStage(first, "factorising"));
+    EXPECT_TRUE(hasStage(first, "solving the rotation field"));
+    Recorder second;
+    const Deformation again = deformer.deform(dragged(200, Vector3::UnitX()), "list", second);
+    EXPECT_EQ(second.stages, (std::vector<std::string>{"solving"}));
+    NoProgress progress;
+    const Deformation fresh = deform(model, dragged(200, Vector3::UnitX()), "list", options, progress);
+    EXPECT_EQ(again.positions, fresh.positions) << "bit for bit";
+    EXPECT_EQ(again.rotations, fresh.rotations);
+  }
+}
+
+TEST(Deformer, StartsAnewWhenTheStructureChanges)
+{
+  const Model model = makeModel(test::plate(6, 5), "mesh");
+  Deformer deformer(model, {});
+  NoProgress progress;
+  static_cast<void>(deformer.deform(dragged(20, Vector3::UnitZ()), "list", progress));
+  ConstraintList other = dragged(20, Vector3::UnitZ());
+  std::get<Point>(other.constraints[1].what).at = AtFace{9, {0.2, 0.4, 0.4}};
+  Recorder recorder;
+  const Deformation result = deformer.deform(other, "list", recorder);
+  EXPECT_TRUE(hasStage(recorder, "factorising"));
+  EXPECT_FALSE(hasStage(recorder, "building operators"));
+  EXPECT_EQ(result.positions, deform(model, other, "list", {}, progress).positions);
+}
+
+TEST(Deformer, IsUsableAfterItWasCancelled)
+{
+  const Model model = makeModel(test::plate(6, 5), "mesh");
+  for (const std::string stage : {"building", "eliminating", "solving the", "factorising", "solving"}) {
+    Deformer deformer(model, {});
+    Recorder cancelling;
+    cancelling.cancelAt = stage;
+    EXPECT_THROW(static_cast<void>(deformer.deform(dragged(20, Vector3::UnitZ()), "list", cancelling)), Cancelled);
+    NoProgress progress;
+    EXPECT_EQ(deformer.deform(dragged(20, Vector3::UnitZ()), "list", progress).positions,
+              deform(model, dragged(20, Vector3::UnitZ()), "list", {}, progress).positions)
+        << stage;
+  }
+}
+
+}  // namespace
+}  // namespace holdfast
