@@ -45,7 +45,7 @@ Mistake mistakeInList(const Handle& handle, const char* key, std::size_t count)
                     vertices->ids[k], key)};
   if (count != vertices->ids.size())
     return HandleMistake{fmt::format(".{}", key),
-                         fmt::format("{} entries for the {} vertices of \"select\"; give one for each, in their order",
+                         fmt::format("{} given for the {} vertices of \"select\"; give one for each, in their order",
                                      count, vertices->ids.size())};
   return std::nullopt;
 }
