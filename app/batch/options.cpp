@@ -85,7 +85,7 @@ void describe(CLI::App& app, CLI::App& deformApp, CLI::App& checkApp, RawOptions
       ->required()
       ->type_name("C.json");
   deformApp.add_option("--out", raw.out, "Write the deformed mesh here, in the format of the name")->type_name("MESH");
-  deformApp.add_option("--fields", raw.fields, "Write residuals and displacements on the mesh here")
+  deformApp.add_option("--fields", raw.fields, "Write residuals, displacements, rotations and forces on the mesh here")
       ->type_name("F.vtp");
   describePictures(deformApp, raw);
   deformApp.add_option("--weights", raw.weights, "cotangent, cotangent-paper or uniform")->capture_default_str();
@@ -146,6 +146,8 @@ DeformCommand deformCommand(const RawOptions& raw)
                     raw.softWeight};
   std::optional<PictureRequest> picture;
   if (!raw.snapshot.empty()) picture = pictureRequest(raw.snapshot, raw.colorBy, raw.size);
+  if (picture && picture->colorBy == "force" && options.solver.kind != SolverKind::Hard)
+    throw UsageError("--color-by: forces are known with --solver hard only; choose another colouring or that solver");
   return {raw.mesh, raw.constraints, pathOrNone(raw.out), pathOrNone(raw.report), pathOrNone(raw.fields),
           picture,  options,         raw.isQuiet};
 }

@@ -1,25 +1,57 @@
 #include "batch/summary.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
 namespace holdfast::batch {
 namespace {
 
+constexpr std::size_t kMostPulling = 5;
+constexpr std::size_t kMostConflictLines = 5;
+
+// Of the length of a vector, in the terminal: components below are rounding.
+constexpr double kLeastComponent = 1e-6;
+
 std::string withUnits(double length, const std::string& units)
 {
   return fmt::format("{:.4g}{}{}", length, units.empty() ? "" : " ", units);
 }
 
+/// For people to look at.
+std::string gapText(const Vector3& gap)
+{
+  const auto shown = [&](double x) { return std::abs(x) < kLeastComponent * gap.stableNorm() ? 0 : x; };
+  return fmt::format("({:.4g}, {:.4g}, {:.4g})", shown(gap.x()), shown(gap.y()), shown(gap.z()));
+}
+
+/// For people to copy: every digit.
+std::string placeText(const Vector3& place)
+{
+  return fmt::format("({}, {}, {})", place.x(), place.y(), place.z());
+}
+
 std::string quotedNames(const std::vector<std::string>& names)
 {
   constexpr std::size_t kMostNames = 8;
+  const std::size_t shown = std::min(names.size(), kMostNames);
   std::string text;
-  for (std::size_t k = 0; k < std::min(names.size(), kMostNames); ++k)
-    text += fmt::format("{}\"{}\"", k == 0 ? "" : ", ", names[k]);
-  if (names.size() > kMostNames) text += fmt::format(" and {} more", names.size() - kMostNames);
+  for (std::size_t k = 0; k < shown; ++k) {
+    const bool isLast = k + 1 == names.size();
+    text += fmt::format("{}\"{}\"", k == 0 ? "" : isLast ? " and " : ", ", names[k]);
+  }
+  if (names.size() > shown) text += fmt::format(" and {} more", names.size() - shown);
   return text;
+}
+
+/// The message, and the names of constraints where it is about some.
+std::string findingLine(const Finding& finding, const std::vector<ConstraintOutcome>& constraints)
+{
+  std::vector<std::string> names;
+  if (finding.idsOf == "constraint")
+    for (const Index c : finding.ids) names.push_back(constraints[c].name);
+  return fmt::format("  finding    {}{}{}\n", finding.message, names.empty() ? "" : ": ", quotedNames(names));
 }
 
 std::string countOf(const Report& report, ConstraintStatus status)
@@ -41,6 +73,20 @@ std::string constraintLine(const Report& report)
   return line + "\n";
 }
 
+/// The constraints that do most to the surface.
+std::string pullLine(const std::vector<ConstraintOutcome>& constraints)
+{
+  std::vector<const ConstraintOutcome*> pulling;
+  for (const ConstraintOutcome& outcome : constraints)
+    if (outcome.force.value_or(0) > 0) pulling.push_back(&outcome);
+  if (pulling.empty()) return "";
+  std::stable_sort(pulling.begin(), pulling.end(), [](const auto* a, const auto* b) { return a->force > b->force; });
+  std::string line = "pull         hardest: ";
+  for (std::size_t k = 0; k < std::min(pulling.size(), kMostPulling); ++k)
+    line += fmt::format("{}\"{}\" {:.3g}", k == 0 ? "" : ", ", pulling[k]->name, *pulling[k]->force);
+  return line + "\n";
+}
+
 std::string solveLines(const SolveReport& solve, const std::string& units)
 {
   std::string lines = fmt::format("solve        {}: {}\n", name(solve.status), solve.message);
@@ -55,6 +101,39 @@ std::string solveLines(const SolveReport& solve, const std::string& units)
   return lines;
 }
 
+std::string repairText(const ConstraintOutcome& outcome, const Clash& clash)
+{
+  std::string text = fmt::format("disable \"{}\"", clash.disable);
+  if (clash.consistentTarget) {
+    const std::string it = clash.disable == outcome.name ? "it" : '"' + outcome.name + '"';
+    const char* const what = outcome.type == "relative" ? "offset" : "target";
+    text += fmt::format(", or give {} the {} {}", it, what, placeText(*clash.consistentTarget));
+  }
+  return text;
+}
+
+std::string conflictLine(const ConstraintOutcome& outcome, const Clash& clash, const std::string& units)
+{
+  const std::string partners = clash.with.empty() ? "on its own" : "with " + quotedNames(clash.with);
+  const std::string where = outcome.rows > 1 ? fmt::format(" in {} of its {} rows", clash.rows, outcome.rows) : "";
+  return fmt::format("conflict: \"{}\" cannot hold {}{}: off by {}{} {}; {}\n", outcome.name, partners, where,
+                     outcome.rows > 1 ? "up to " : "", withUnits(clash.gap.stableNorm(), units), gapText(clash.gap),
+                     repairText(outcome, clash));
+}
+
+/// The first few ways in which it conflicts; the largest gaps come first.
+std::string conflictLinesOf(const ConstraintOutcome& outcome, const std::string& units)
+{
+  std::string text;
+  std::size_t count = 0;
+  for (const Clash& clash : outcome.clashes)
+    if (clash.isConflict && count++ < kMostConflictLines) text += conflictLine(outcome, clash, units);
+  if (count > kMostConflictLines)
+    text += fmt::format("conflict: \"{}\" cannot hold in {} more ways; the report lists them\n", outcome.name,
+                        count - kMostConflictLines);
+  return text;
+}
+
 }  // namespace
 
 std::string summary(const Report& report, const std::string& meshName, const std::string& units)
@@ -62,19 +141,16 @@ std::string summary(const Report& report, const std::string& meshName, const std
   std::string text = fmt::format("mesh         {}: {} vertices, {} faces, {} connected part{}, diagonal {}\n", meshName,
                                  report.mesh.vertices, report.mesh.faces, report.mesh.components,
                                  report.mesh.components == 1 ? "" : "s", withUnits(report.mesh.bboxDiagonal, units));
-  for (const Finding& finding : report.mesh.findings) text += fmt::format("  finding    {}\n", finding.message);
+  for (const Finding& finding : report.mesh.findings) text += findingLine(finding, report.constraints);
   if (!report.constraints.empty()) text += constraintLine(report);
   if (report.solve.status != SolveStatus::NotRun) text += solveLines(report.solve, units);
-  return text;
+  return text + pullLine(report.constraints);
 }
 
 std::string conflictLines(const Report& report, const std::string& units)
 {
   std::string text;
-  for (const ConstraintOutcome& outcome : report.constraints)
-    if (outcome.status == ConstraintStatus::Conflicting)
-      text += fmt::format("conflict: \"{}\" contradicts {} by {}; it is left out where it does\n", outcome.name,
-                          quotedNames(outcome.dependsOn), withUnits(outcome.gap.value_or(0), units));
+  for (const ConstraintOutcome& outcome : report.constraints) text += conflictLinesOf(outcome, units);
   return text;
 }
 

@@ -8,10 +8,12 @@
 
 namespace holdfast::batch {
 
-/// The mesh and its findings, the constraints in numbers, the solve; several lines. `units` may be empty.
+/// The mesh and its findings, the constraints in numbers, the solve, and which constraints pull hardest; several lines.
+/// `units` may be empty.
 [[nodiscard]] std::string summary(const Report& report, const std::string& meshName, const std::string& units);
 
-/// A line for each constraint that conflicts, with its partners and its gap; empty where there is none.
+/// For each constraint that conflicts a line for each set of earlier ones with which it cannot hold, the largest gaps
+/// first and no more than a few: by how much it is off, and what would mend it. Empty where there is none.
 [[nodiscard]] std::string conflictLines(const Report& report, const std::string& units);
 
 }  // namespace holdfast::batch

@@ -119,8 +119,10 @@ class ConflictingConstraints : public Outcome {
   void expectConflictsOnStandardError(const ProcessResult& result) const
   {
     EXPECT_EQ(result.exitCode, kConflicts) << result.err;
-    EXPECT_THAT(result.err, HasSubstr("conflict: \"torn off\" contradicts \"base\" by 0.5 mm"));
-    EXPECT_THAT(result.err, HasSubstr("conflict: \"too far\" contradicts \"top\" by 0.75 mm"));
+    EXPECT_THAT(result.err, HasSubstr("conflict: \"torn off\" cannot hold with \"base\": off by 0.5 mm (0, 0, 0.5); "
+                                      "disable \"torn off\", or give it the target ("));
+    EXPECT_THAT(result.err, HasSubstr("conflict: \"too far\" cannot hold with \"top\": off by 0.75 mm (0, 0, 0.75); "
+                                      "disable \"too far\", or give it the target ("));
     EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 2) << result.err;
   }
 
@@ -182,6 +184,59 @@ TEST_F(ConflictingConstraints, AreReportedWithPartnersAndGap)
   EXPECT_DOUBLE_EQ(list[4]["gap"], 0.75);
   EXPECT_DOUBLE_EQ(list[4]["residual"], 0.75);
   EXPECT_LE(report["solve"]["max_residual_relative"], kPromisedResidual) << "what was left out does not count";
+}
+
+TEST_F(ConflictingConstraints, AreMetOnceTheRepairIsMade)
+{
+  EXPECT_EQ(runBatch(deform(mesh(), conflicts())).exitCode, kConflicts);
+  const Json report = this->report();
+  Json repaired = Json::parse(bytesOf(conflicts()));
+  for (std::size_t k : {3U, 4U}) {
+    const Json& clashes = report["constraints"][k]["clashes"];
+    ASSERT_EQ(clashes.size(), 1U);
+    Json& constraint = repaired["constraints"][k];
+    constraint.erase("move");
+    constraint["target"] = clashes[0]["repair"]["consistent_target"];
+  }
+  const std::string task = in_.file("repaired.json", repaired.dump()).string();
+  EXPECT_EQ(runBatch(deform(mesh(), task)).exitCode, 0);
+  expectStatuses({"met", "met", "redundant", "redundant", "redundant", "disabled"});
+}
+
+TEST_F(ConflictingConstraints, MakeASoftSolutionACompromiseThatSaysSo)
+{
+  const ProcessResult result = runBatch(deform(mesh(), conflicts(), {"--solver", "soft"}));
+  expectConflictsOnStandardError(result);
+  EXPECT_THAT(result.out, HasSubstr("a compromise: 2 of 6 constraints conflict"));
+  EXPECT_THAT(report()["solve"]["message"].get<std::string>(), HasSubstr("a compromise: 2 of 6 constraints conflict"));
+  EXPECT_EQ(report()["constraints"][1]["status"], "missed") << "a soft constraint gives way to what contradicts it";
+}
+
+TEST_F(ConflictingConstraints, OfManyPointsAreNamedInNoMoreThanAFewLines)
+{
+  std::vector<std::string> task;
+  for (const char* vertex : {"0", "1", "2", "3", "4", "5", "6", "7", "8"})
+    task.push_back(std::string(R"({"type": "point", "move": [0, 0, 0], "name": "P)") + vertex +
+                   R"(", "at": {"vertex": )" + vertex + "}}");
+  task.emplace_back(R"({"type": "handle", "name": "whole", "translate": [0, 0, 1],
+                        "select": {"halfspace": {"point": [0, 0, -9], "normal": [0, 0, 1]}}})");
+  const ProcessResult result = runBatch(deform(mesh(), in_.file("many.json", constraintText(task)).string()));
+  EXPECT_EQ(result.exitCode, kConflicts) << result.err;
+  EXPECT_THAT(result.err,
+              HasSubstr("conflict: \"whole\" cannot hold with \"P0\" in 1 of its 162 rows: off by up to 1 mm "
+                        "(0, 0, 1); disable \"whole\"\n"));
+  EXPECT_THAT(result.err, HasSubstr("conflict: \"whole\" cannot hold in 4 more ways; the report lists them\n"));
+  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 6) << result.err;
+}
+
+TEST_F(Outcome, TheConstraintsThatPullHardestAreNamed)
+{
+  const ProcessResult result = runBatch(deform(mesh(), constraints()));
+  Json list = report()["constraints"];
+  std::stable_sort(list.begin(), list.end(), [](const Json& a, const Json& b) { return a["force"] > b["force"]; });
+  EXPECT_GT(list[0]["force"], 0);
+  EXPECT_THAT(result.out, HasSubstr("pull         hardest: \"" + list[0]["name"].get<std::string>() + "\" "));
+  EXPECT_THAT(runBatch(deform(mesh(), constraints(), {"--solver", "soft"})).out, Not(HasSubstr("hardest")));
 }
 
 class FailedNumerics : public Outcome {

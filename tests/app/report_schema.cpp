@@ -105,9 +105,32 @@ void checkMesh(Complaints& complaints, const Json& mesh)
     complaints.check(finding, "mesh.findings[]",
                      {{"kind", isText},
                       {"count", isCount},
-                      {"ids_of", isOneOf({"vertex", "face"})},
+                      {"ids_of", isOneOf({"vertex", "face", "constraint"})},
                       {"ids", isIds},
                       {"message", isText}});
+}
+
+bool isVector(const Json& value)
+{
+  return value.is_array() && value.size() == 3 && isListOf(value, [](const Json& part) { return part.is_number(); });
+}
+
+bool isBoolean(const Json& value)
+{
+  return value.is_boolean();
+}
+
+void checkClash(Complaints& complaints, const Json& clash)
+{
+  const std::string path = "constraints[].clashes[]";
+  complaints.check(
+      clash, path,
+      {{"with", isNames}, {"rows", isCount}, {"conflict", isBoolean}, {"gap", isVector}, {"length", isLength}});
+  if (!clash.value("conflict", false)) return;
+  complaints.check(clash, path, {{"repair", isObject}});
+  complaints.check(clash.value("repair", Json::object()), path + ".repair", {{"disable", isText}});
+  if (clash.value("repair", Json::object()).contains("consistent_target"))
+    complaints.check(clash["repair"], path + ".repair", {{"consistent_target", isVector}});
 }
 
 void checkConstraint(Complaints& complaints, const Json& constraint, SolveState state)
@@ -123,7 +146,12 @@ void checkConstraint(Complaints& complaints, const Json& constraint, SolveState 
                     {"status", isOneOf(statuses)},
                     {"residual", isSolved ? Predicate(isLengthOrNull) : Predicate(isNull)},
                     {"depends_on", isNames},
-                    {"gap", isLengthOrNull}});
+                    {"gap", isLengthOrNull},
+                    {"clashes", isArray},
+                    {"clash_count", isCount},
+                    {"amplification", isLengthOrNull},
+                    {"force", isSolved ? Predicate(isLengthOrNull) : Predicate(isNull)}});
+  for (const Json& clash : constraint.value("clashes", Json::array())) checkClash(complaints, clash);
 }
 
 void checkSolve(Complaints& complaints, const Json& solve, SolveState state)

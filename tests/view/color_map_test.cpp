@@ -1,5 +1,7 @@
 #include <cmath>
 #include <limits>
+#include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 #include <vtkLookupTable.h>
@@ -97,6 +99,21 @@ TEST(LegendTicks, AreRoundAndInside)
   EXPECT_EQ(ticks.back().text, "4");
   const auto fine = ticksOf({"", Scaling::Linear, 0, 0.0031, {}});
   EXPECT_EQ(fine[1].text, "0.001");
+}
+
+TEST(LegendTicks, OfDegreesArePartsOfATurnOrTurns)
+{
+  const auto lastAndCount = [](double high) {
+    ColorScale scale{"", Scaling::Linear, 0, high};
+    scale.steps = TickSteps::Degrees;
+    const auto ticks = ticksOf(scale);
+    return std::pair(ticks.back().text, ticks.size());
+  };
+  EXPECT_EQ(lastAndCount(90), std::pair(std::string("90"), std::size_t{7}));
+  EXPECT_EQ(lastAndCount(360), std::pair(std::string("360"), std::size_t{5}));
+  EXPECT_EQ(lastAndCount(720), std::pair(std::string("720"), std::size_t{5}));
+  EXPECT_EQ(lastAndCount(3600), std::pair(std::string("3600"), std::size_t{6}));
+  EXPECT_EQ(lastAndCount(4), std::pair(std::string("4"), std::size_t{5}));
 }
 
 TEST(LegendTicks, OfLogarithmsArePowersOfTen)

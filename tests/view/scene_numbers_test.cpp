@@ -68,12 +68,59 @@ TEST(Coloring, GapsOfConflictsAreInsideTheScale)
   EXPECT_GE(coloring->scale.high, 0.25);
 }
 
+/// One end of a sheet stays, the other makes `degrees` about its length.
+ConstraintList twist(double degrees)
+{
+  const Fixed end{VertexIds{{0, 1, 2}}};
+  const Handle turned{VertexIds{{24, 25, 26}}, Turn{Vector3::UnitY(), degrees, {}}, Vector3::Zero()};
+  return {"", {{"end", true, end}, {"turned", true, turned}}};
+}
+
+TEST(Coloring, AnglesAreTwiceTheLogsInDegreesAndNotWrapped)
+{
+  const Model model = makeModel(test::grid(2, 8), "sheet");
+  const Deformation deformation = deformed(model, twist(450));
+  const auto rotation = coloringOf(model, deformation, ColorBy::Rotation, "mm");
+  const auto angle = coloringOf(model, deformation, ColorBy::Angle, "mm");
+  ASSERT_TRUE(rotation && angle);
+  EXPECT_EQ(rotation->scale.title, "rotation |q|\n[rad]");
+  EXPECT_EQ(angle->scale.title, "rotation angle\n[degrees]");
+  EXPECT_EQ(angle->values[0], 0);
+  EXPECT_NEAR(angle->values[26], 450, 1e-12);
+  EXPECT_NEAR(angle->scale.high, 450, 1e-12);
+  for (std::size_t v = 0; v < angle->values.size(); ++v)
+    EXPECT_NEAR(angle->values[v], 360 / std::numbers::pi * rotation->values[v], 1e-12) << v;
+}
+
+TEST(Coloring, ForcesAreLogarithmicAndWhereConstraintsAre)
+{
+  const Model model = makeModel(test::grid(4, 4), "grid");
+  const auto coloring = coloringOf(model, deformed(model, threePoints(0)), ColorBy::Force, "mm");
+  ASSERT_TRUE(coloring);
+  EXPECT_EQ(coloring->scale.title, "constraint force");
+  EXPECT_EQ(coloring->scale.scaling, Scaling::Logarithmic);
+  EXPECT_TRUE(std::isnan(coloring->values[12]));
+  EXPECT_GT(coloring->values[24], 0);
+  EXPECT_LE(coloring->values[24], coloring->scale.high);
+  EXPECT_GT(coloring->values[24], coloring->scale.low);
+}
+
+TEST(Coloring, ForcesOfSoftConstraintsAreNotKnown)
+{
+  const Model model = makeModel(test::grid(4, 4), "grid");
+  const auto coloring = coloringOf(model, deformed(model, threePoints(0), SolverKind::Soft), ColorBy::Force, "mm");
+  for (const double value : coloring->values) EXPECT_TRUE(std::isnan(value));
+}
+
 TEST(Coloring, NamesAndValuesBelongTogether)
 {
   EXPECT_EQ(colorByNamed("none"), ColorBy::None);
   EXPECT_EQ(colorByNamed("constraint-residual"), ColorBy::ConstraintResidual);
+  EXPECT_EQ(colorByNamed("rotation"), ColorBy::Rotation);
+  EXPECT_EQ(colorByNamed("angle"), ColorBy::Angle);
   EXPECT_EQ(colorByNamed("displacement"), ColorBy::Displacement);
   EXPECT_EQ(colorByNamed("detail"), ColorBy::Detail);
+  EXPECT_EQ(colorByNamed("force"), ColorBy::Force);
   EXPECT_EQ(colorByNamed("Detail"), std::nullopt);
   EXPECT_EQ(colorByNamed(""), std::nullopt);
 }

@@ -5,6 +5,15 @@
 #include <holdfast/deform/messages.h>
 
 namespace holdfast {
+namespace {
+
+std::size_t countOf(const Report& report, ConstraintStatus status)
+{
+  return static_cast<std::size_t>(std::count_if(report.constraints.begin(), report.constraints.end(),
+                                                [&](const auto& c) { return c.status == status; }));
+}
+
+}  // namespace
 
 std::string undefinedRowsMessage(const Model& model, const Operators& operators)
 {
@@ -27,24 +36,22 @@ std::string failureMessage(const DeformOptions& options, const std::string& reas
 
 std::string solvedMessage(const Report& report, double limit)
 {
-  const auto conflicting = std::count_if(report.constraints.begin(), report.constraints.end(),
-                                         [](const auto& c) { return c.status == ConstraintStatus::Conflicting; });
-  const auto missed = std::count_if(report.constraints.begin(), report.constraints.end(),
-                                    [](const auto& c) { return c.status == ConstraintStatus::Missed; });
-  if (missed > 0 && conflicting > 0)
+  const SolverKind kind = report.solve.options.kind;
+  const std::size_t count = report.constraints.size();
+  const std::size_t conflicting = countOf(report, ConstraintStatus::Conflicting);
+  const std::size_t missed = countOf(report, ConstraintStatus::Missed);
+  if (kind == SolverKind::Soft && conflicting > 0)
     return fmt::format(
-        "a compromise: {} of {} constraints conflict with earlier ones, and the {} solver meets neither them nor {} "
-        "others, but only comes near all (beyond {:.3g})",
-        conflicting, report.constraints.size(), name(report.solve.options.kind), missed, limit);
-  if (missed > 0)
-    return fmt::format(
-        "{} of {} constraints are met only approximately (beyond {:.3g}), as is the nature of the {} solver", missed,
-        report.constraints.size(), limit, name(report.solve.options.kind));
-  if (conflicting > 0)
-    return fmt::format(
-        "{} of {} constraints conflict with earlier ones and were left out where they do; all others are met",
-        conflicting, report.constraints.size());
-  return "all constraints are met";
+        "a compromise: {} of {} constraints conflict with earlier ones, and soft constraints pull towards all of them "
+        "at once; {} others are missed as well (beyond {:.3g}); the solver \"hard\" keeps the earlier ones exactly",
+        conflicting, count, missed, limit);
+  const std::string leftOut = fmt::format(
+      "{} of {} constraints conflict with earlier ones and were left out where they do; ", conflicting, count);
+  const std::string nearly =
+      fmt::format("{} of {} constraints are met only approximately (beyond {:.3g}), as is the nature of the {} solver",
+                  missed, count, limit, name(kind));
+  const std::string all = conflicting > 0 ? "all others are met" : "all constraints are met";
+  return (conflicting > 0 ? leftOut : "") + (missed > 0 ? nearly : all);
 }
 
 std::string missedMessage(const Report& report, double limit)

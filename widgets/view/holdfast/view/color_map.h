@@ -39,13 +39,20 @@ inline constexpr Color kNoValueColor{0.80, 0.80, 0.80};
 
 enum class Scaling { Linear, Logarithmic };
 
+/// Which numbers are round on a linear scale.
+enum class TickSteps {
+  Decimal,  ///< 1, 2 and 5 times powers of ten
+  Degrees   ///< 15, 30, 45 and 90 degrees and whole turns; decimal below
+};
+
 /// What values mean on the map.
 struct ColorScale {
   std::string title;  ///< may hold line breaks
   Scaling scaling = Scaling::Linear;
-  double low = 0;                 ///< the value at the map's beginning; larger than 0 where logarithmic
-  double high = 1;                ///< the value at its end, larger than `low`
-  std::optional<double> promise;  ///< a value to mark: what is below it is as good as promised
+  double low = 0;                                ///< the value at the map's beginning; larger than 0 where logarithmic
+  double high = 1;                               ///< the value at its end, larger than `low`
+  std::optional<double> promise = std::nullopt;  ///< a value to mark: what is below it is as good as promised
+  TickSteps steps = TickSteps::Decimal;
 };
 
 /// Where `value` lies between the ends of the scale, from 0 to 1 and no farther; NaN for NaN.

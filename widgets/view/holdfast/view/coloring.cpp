@@ -10,7 +10,8 @@ namespace holdfast {
 namespace {
 
 // In the order of `ColorBy`.
-constexpr std::array<std::string_view, 4> kNames{"none", "constraint-residual", "displacement", "detail"};
+constexpr std::array<std::string_view, 7> kNames{
+    "none", "constraint-residual", "rotation", "angle", "displacement", "detail", "force"};
 
 // Decades of the logarithmic scale below the promise and, at least, above it: residuals of a good solution are
 // hundreds of times smaller than promised.
@@ -20,6 +21,9 @@ constexpr double kDecadesAbove = 1;
 // Few vertices next to a pin bend far more than all others, and those of a moved selection may be torn out of their
 // neighbourhood: the scale ends where this share of the vertices without constraints does.
 constexpr double kDetailShare = 0.99;
+
+// Decades of the logarithmic scale of forces below the largest: what is weaker hardly shows in the shape.
+constexpr double kForceDecades = 4;
 
 Field fieldNamed(const Model& model, const Deformation& deformation, std::string_view name)
 {
@@ -54,7 +58,7 @@ std::string inUnits(const std::string& title, const std::string& units)
 /// From 0; where all values are 0 as well, to 1.
 ColorScale linearScale(std::string title, double high)
 {
-  return {std::move(title), Scaling::Linear, 0, high > 0 ? high : 1, {}};
+  return {std::move(title), Scaling::Linear, 0, high > 0 ? high : 1};
 }
 
 Coloring residualColoring(const Model& model, const Deformation& deformation, const std::string& units)
@@ -65,7 +69,34 @@ Coloring residualColoring(const Model& model, const Deformation& deformation, co
   const double lowest = std::floor(std::log10(promise)) - kDecadesBelow;
   const double highest = std::ceil(std::log10(std::max(largest, promise * std::pow(10, kDecadesAbove))));
   ColorScale scale{inUnits("constraint residual", units), Scaling::Logarithmic, std::pow(10, lowest),
-                   std::pow(10, highest), promise};
+                   std::pow(10, highest)};
+  scale.promise = promise;
+  return {std::move(field.values), std::move(scale)};
+}
+
+Coloring rotationColoring(const Model& model, const Deformation& deformation)
+{
+  std::vector<double> lengths = lengthsOf(fieldNamed(model, deformation, "rotation_log"));
+  ColorScale scale = linearScale(inUnits("rotation |q|", "rad"), quantile(lengths, 1));
+  return {std::move(lengths), std::move(scale)};
+}
+
+Coloring angleColoring(const Model& model, const Deformation& deformation)
+{
+  Field field = fieldNamed(model, deformation, "rotation_angle_degrees");
+  ColorScale scale = linearScale(inUnits("rotation angle", "degrees"), quantile(field.values, 1));
+  scale.steps = TickSteps::Degrees;
+  return {std::move(field.values), std::move(scale)};
+}
+
+/// Lengths of Lagrange multipliers have no units.
+Coloring forceColoring(const Model& model, const Deformation& deformation)
+{
+  Field field = fieldNamed(model, deformation, "constraint_force");
+  const double largest = quantile(field.values, 1);
+  const double highest = largest > 0 ? std::ceil(std::log10(largest)) : 0;
+  ColorScale scale{"constraint force", Scaling::Logarithmic, std::pow(10, highest - kForceDecades),
+                   std::pow(10, highest)};
   return {std::move(field.values), std::move(scale)};
 }
 
@@ -109,6 +140,12 @@ std::optional<Coloring> coloringOf(const Model& model, const Deformation& deform
   switch (colorBy) {
     case ColorBy::ConstraintResidual:
       return residualColoring(model, deformation, units);
+    case ColorBy::Rotation:
+      return rotationColoring(model, deformation);
+    case ColorBy::Angle:
+      return angleColoring(model, deformation);
+    case ColorBy::Force:
+      return forceColoring(model, deformation);
     case ColorBy::Displacement:
       return displacementColoring(model, deformation, units);
     case ColorBy::Detail:

@@ -16,11 +16,14 @@ namespace holdfast {
 enum class ColorBy {
   None,                ///< one colour
   ConstraintResidual,  ///< how far constraints are from being met; logarithmic, the promise marked
+  Rotation,            ///< |q|, half the angle by which the detail is turned, radians
+  Angle,               ///< the whole of it, degrees, not wrapped
   Displacement,        ///< the length of the way from rest
-  Detail               ///< how far the detail is from that at rest
+  Detail,              ///< how far the detail is from that at rest, turned
+  Force                ///< how hard constraints pull; logarithmic. Of hard constraints only, else nowhere a value
 };
 
-/// The names on command lines: "none", "constraint-residual", "displacement", "detail".
+/// The names on command lines, in the order of `ColorBy`: "none", "constraint-residual", "rotation", ...
 [[nodiscard]] std::span<const std::string_view> colorByNames();
 
 [[nodiscard]] std::optional<ColorBy> colorByNamed(std::string_view name);

@@ -114,9 +114,19 @@ double roundStep(double least)
   return 10 * power;
 }
 
+/// The smallest part of a turn that is round in degrees, or number of turns, and no less than `least`.
+double degreeStep(double least)
+{
+  if (least <= 10) return roundStep(least);
+  for (const double degrees : {15.0, 30.0, 45.0, 90.0, 180.0})
+    if (degrees >= least) return degrees;
+  return 360 * roundStep(std::max(1.0, least / 360));
+}
+
 std::vector<Tick> linearTicks(const ColorScale& scale)
 {
-  const double step = roundStep((scale.high - scale.low) / (kMostTicks - 1));
+  const double least = (scale.high - scale.low) / (kMostTicks - 1);
+  const double step = scale.steps == TickSteps::Degrees ? degreeStep(least) : roundStep(least);
   std::vector<Tick> ticks;
   for (double k = std::ceil(scale.low / step); k * step <= scale.high * (1 + 1e-9); ++k)
     ticks.push_back({k * step, fmt::format("{:.6g}", k * step)});
