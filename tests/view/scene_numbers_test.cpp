@@ -72,7 +72,7 @@ TEST(Coloring, GapsOfConflictsAreInsideTheScale)
 ConstraintList twist(double degrees)
 {
   const Fixed end{VertexIds{{0, 1, 2}}};
-  const Handle turned{VertexIds{{24, 25, 26}}, Turn{Vector3::UnitY(), degrees, {}}, Vector3::Zero()};
+  const Handle turned{VertexIds{{24, 25, 26}}, Turn{Vector3::UnitY(), degrees, {}}, Vector3::Zero(), {}};
   return {"", {{"end", true, end}, {"turned", true, turned}}};
 }
 
