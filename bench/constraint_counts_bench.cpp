@@ -1,9 +1,13 @@
 // What many constraints cost: isolated ones of each kind, and points that overlap in one component.
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <string>
+#include <vector>
 
 #include <holdfast/elimination/row_components.h>
+#include <holdfast/mesh/bounding_box.h>
 
 #include "bench/bench_meshes.h"
 #include "bench/benchmarks.h"
@@ -31,6 +35,21 @@ void takeTurn(Samples& samples, const std::string& row, const Model& model, cons
   samples.add(row, "MiB peak", std::max(elimination.peakMiB, factorization.peakMiB));
 }
 
+/// The ends, and a rigid region of about `kIsolated` vertices in the middle.
+ConstraintList rigidScene(const Mesh& mesh)
+{
+  ConstraintList list = scene(mesh, {0, 0, 0});
+  const Eigen::AlignedBox3d box = boundingBox(mesh.positions);
+  std::vector<Index> ids(static_cast<std::size_t>(mesh.vertexCount()));
+  std::iota(ids.begin(), ids.end(), Index{0});
+  const auto distance = [&](Index v) { return std::abs(mesh.positions(v, 0) - box.center().x()); };
+  std::nth_element(ids.begin(), ids.begin() + kIsolated, ids.end(),
+                   [&](Index v, Index w) { return distance(v) < distance(w); });
+  ids.resize(kIsolated);
+  list.constraints.push_back({"rigid", true, Rigid{{VertexIds{std::move(ids)}}}});
+  return list;
+}
+
 void isolatedPoints(benchmark::State& state)
 {
   const Model model = middleModel();
@@ -38,9 +57,11 @@ void isolatedPoints(benchmark::State& state)
   const SetUp pins = setUp(model, scene(model.mesh, {kIsolated, 0, 0}));
   const SetUp edges = setUp(model, scene(model.mesh, {0, kIsolated, 0}));
   const SetUp faces = setUp(model, scene(model.mesh, {0, 0, kIsolated}));
+  const SetUp rigid = setUp(model, rigidScene(model.mesh));
   Samples samples;
   for ([[maybe_unused]] auto turn : state) {
     takeTurn(samples, "0 points", model, none);
+    takeTurn(samples, "rigid region of 10,000", model, rigid);
     takeTurn(samples, "10,000 vertices", model, pins);
     takeTurn(samples, "10,000 points of edges", model, edges);
     takeTurn(samples, "10,000 points of faces", model, faces);
