@@ -197,21 +197,37 @@ Columns3 denseSolution(const Mesh& mesh, const Deformation& result, Weights weig
   return K.fullPivLu().solve(right).topRows(n);
 }
 
+/// Something of every kind at random vertices of a mesh whose first `split` are one part of two.
+ConstraintList someOfEverything(const Mesh& mesh, Index split, test::Random& random)
+{
+  std::vector<Index> ids(static_cast<std::size_t>(split));
+  for (Index v = 0; v < split; ++v) ids[v] = v;
+  for (std::size_t k = ids.size() - 1; k > 0; --k) std::swap(ids[k], ids[random.integer(0, static_cast<Index>(k))]);
+  const Index other = random.integer(split, mesh.vertexCount() - 1);
+  std::vector<Constraint> constraints{
+      test::hold({ids[0], ids[1], ids[2]}),
+      turn("handle", {ids[3], ids[4], ids[5]}, random.uniform(-300, 300), test::randomVector(random, 1)),
+      rigid({ids[6], ids[7], ids[8]}),
+      {"kept", true, Relative{AtVertex{ids[9]}, AtVertex{ids[10]}, {}}},
+      {"tied", true, Relative{AtVertex{ids[11]}, AtVertex{other}, {}}},
+      rigid({ids[12], other}),
+      test::moveBy(AtVertex{ids[13]}, test::randomVector(random, 0.5))};
+  for (std::size_t k = 0; k < constraints.size(); ++k) constraints[k].name = std::to_string(k);
+  return {"", std::move(constraints)};
+}
+
 TEST(RotationLaws, PositionsAreThoseOfTheDenseSystem)
 {
-  for (const Weights weights : {Weights::Cotangent, Weights::Uniform})
-    for (const Mesh& mesh : {test::plate(6, 4), test::icosphere(1)}) {
-      const ConstraintList list{"",
-                                {test::hold({0, 1, 2}),
-                                 turn("handle", {20, 21, 22, 23}, 130, Vector3(0.5, 0.2, 1)),
-                                 rigid({8, 9, 15}),
-                                 {"kept", true, Relative{AtVertex{5}, AtVertex{17}, {}}},
-                                 test::moveBy(AtFace{3, {0.2, 0.3, 0.5}}, Vector3(0.1, 0, 0))}};
-      ConstraintList named = list;
-      named.constraints.front().name = "held";
-      named.constraints.back().name = "point";
-      const Deformation result = test::deformed(mesh, named, {weights, {}});
-      ASSERT_EQ(result.report.solve.status, SolveStatus::Ok) << result.report.solve.message;
+  const Mesh plate = test::plate(6, 4);
+  const Mesh mesh = test::merged(plate, test::moved(test::icosphere(1), Vector3(3, 3, 3)));
+  for (std::uint32_t seed = 0; seed < 20; ++seed)
+    for (const Weights weights : {Weights::Cotangent, Weights::Uniform}) {
+      SCOPED_TRACE(testing::Message() << "seed " << seed << ", " << name(weights));
+      test::Random random(seed);
+      const Deformation result =
+          test::deformed(mesh, someOfEverything(mesh, plate.vertexCount(), random), {weights, {}});
+      ASSERT_NE(result.report.solve.status, SolveStatus::Failed) << result.report.solve.message;
+      ASSERT_TRUE(result.diagnosis.dependent.empty());
       EXPECT_LT(test::distance(result.positions, denseSolution(mesh, result, weights)), 1e-9);
     }
 }
