@@ -93,9 +93,9 @@ std::string solveLines(const SolveReport& solve, const std::string& units)
   if (solve.status != SolveStatus::Ok && solve.status != SolveStatus::Conflicts) return lines;
   lines += fmt::format("residual     largest {}, {:.2g} of the bounding box's diagonal\n",
                        withUnits(solve.maxResidual, units), solve.maxResidualRelative);
-  lines += fmt::format("method       {} weights, {} solver, {}; {} unknowns, {} non-zeros, {} corrections\n",
+  lines += fmt::format("method       {} weights, {} solver, {}; {} unknowns, {} non-zeros, {} correction{}\n",
                        name(solve.weights), name(solve.options.kind), solve.method, solve.unknowns,
-                       solve.factorNonzeros, solve.refinementSteps);
+                       solve.factorNonzeros, solve.refinementSteps, solve.refinementSteps == 1 ? "" : "s");
   lines += fmt::format("seconds      set-up {:.3f}, decomposition {:.3f}, solution {:.3f}\n", solve.seconds.setup,
                        solve.seconds.decomposition, solve.seconds.solution);
   return lines;

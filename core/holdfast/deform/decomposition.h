@@ -27,6 +27,9 @@ class Decomposition {
   [[nodiscard]] const EliminatedConstraints& eliminated() const noexcept { return eliminated_; }
   [[nodiscard]] const std::vector<double>& amplifications() const noexcept { return amplifications_; }
 
+  /// Whether rotations have been asked for and are factorised.
+  [[nodiscard]] bool hasRotationFactor() const noexcept { return rotations_.isReady(); }
+
   /// The rotations that `system` asks for. Factorises when the first are asked for; `progress` may throw then.
   [[nodiscard]] Rotations rotations(const ConstraintSystem& system, Progress& progress);
 

@@ -94,7 +94,11 @@ class Solution {
   /// Finds the rotations and what they make of the rows.
   void rotate(Decomposition& decomposition, Progress& progress)
   {
+    const bool isFactorised = decomposition.hasRotationFactor();
+    const Stopwatch stopwatch;
     Rotations rotations = decomposition.rotations(result_.system, progress);
+    Seconds& seconds = report().seconds;
+    (isFactorised ? seconds.solution : seconds.decomposition) += stopwatch.seconds();
     if (!rotations.failure.empty()) return fail("the rotation field cannot be solved: " + rotations.failure);
     if (rotations.q.isZero(0)) return;
     result_.system = turned(std::move(result_.system), rotations.q);
@@ -115,7 +119,7 @@ class Solution {
   {
     const Stopwatch factorization;
     const DecompositionAttempt& attempt = decomposition.positions(progress);
-    report().seconds.decomposition = factorization.seconds();
+    report().seconds.decomposition += factorization.seconds();
     if (attempt.solver == nullptr) return fail(attempt.failure);
     report().unknowns = attempt.solver->unknowns();
     report().factorNonzeros = attempt.solver->factorNonzeros();
@@ -129,7 +133,7 @@ class Solution {
     accept(displacement);
     if (options_.solver.kind == SolverKind::Hard && report().status != SolveStatus::Failed)
       weigh(forcesOf(*result_.operators, decomposition.eliminated(), displacement.u, f, model_.solverMesh.diagonal));
-    report().seconds.solution = solution.seconds();
+    report().seconds.solution += solution.seconds();
   }
 
   void weigh(Forces forces)
