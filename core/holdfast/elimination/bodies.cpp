@@ -2,6 +2,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <numeric>
 
 #include <holdfast/elimination/bodies.h>
 
@@ -39,6 +40,11 @@ std::optional<Difference> differenceOf(const RowTerms& row)
 Bodies::Bodies(const std::vector<RowTerms>& rows, const std::vector<Index>& differences, Index unknownCount)
     : bodyOf_(static_cast<std::size_t>(unknownCount), kNone), linkOf_(static_cast<std::size_t>(unknownCount), kNone)
 {
+  if (differences.empty()) {
+    count_ = unknownCount;
+    std::iota(bodyOf_.begin(), bodyOf_.end(), Index{0});
+    return;
+  }
   const std::vector<std::vector<Neighbour>> adjacent = neighbours(rows, differences, unknownCount);
   for (Index first = 0; first < unknownCount; ++first) {
     if (bodyOf_[first] != kNone) continue;

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/OrderingMethods>
+
 #include <holdfast/base/disjoint_sets.h>
 #include <holdfast/elimination/bodies.h>
 #include <holdfast/elimination/earliest_basis.h>
@@ -65,9 +67,11 @@ std::vector<Index> inFillReducingOrder(const std::vector<RowTerms>& rows, const 
                                        const std::vector<Index>& basis)
 {
   SparseMatrix block = transposedBlock(rows, {basis, component.unknowns});
-  static_cast<void>(normalizeColumns(block));
-  std::vector<Index> result;
-  for (const Index column : sparseQr(block, -1, WantQ::No).columns) result.push_back(basis[column]);
+  block.makeCompressed();
+  Eigen::COLAMDOrdering<int>::PermutationType placeOf;
+  Eigen::COLAMDOrdering<int>()(block, placeOf);
+  std::vector<Index> result(basis.size());
+  for (std::size_t k = 0; k < basis.size(); ++k) result[placeOf.indices()[static_cast<Index>(k)]] = basis[k];
   return result;
 }
 
