@@ -1,7 +1,6 @@
 // The bracket, and what was "measured" on one that was made: its wall has bent forward and twisted a little, its base
 // has bowed, and each reading is off by some hundredths of a millimetre.
 
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -108,15 +107,6 @@ std::string asBuiltConstraints(const std::vector<MeasuredPoint>& points)
   return constraintFile(constraints);
 }
 
-// A point of one face by weights of its own.
-std::string inFace(const std::string& name, Index face, const std::array<double, 3>& weights, const Vector3& move)
-{
-  const std::string at = "{\"face\": " + std::to_string(face) + ", \"weights\": [" + numberText(weights[0]) + ", " +
-                         numberText(weights[1]) + ", " + numberText(weights[2]) + "]}";
-  return "{\"type\": \"point\", \"name\": \"" + name + "\", \"at\": " + at + ", \"move\": [" + numberText(move.x()) +
-         ", " + numberText(move.y()) + ", " + numberText(move.z()) + "]}";
-}
-
 std::string conflictingConstraints(const GroupedMesh& mesh)
 {
   const Spot crown = findSpot(mesh, SpotKind::kVertex, {0, kWallFront, 80});
@@ -130,10 +120,11 @@ std::string conflictingConstraints(const GroupedMesh& mesh)
        pointBy("crown forward by 1.5", crown, forward),
        pointBy("crown forward by 3.5 instead (conflicting)", crown, further),
        pointBy("crown forward by 1.5 once more (redundant)", crown, forward),
-       inFace("flange 1", face, {0.5, 0.25, 0.25}, flangeMove), inFace("flange 2", face, {0.25, 0.5, 0.25}, flangeMove),
-       inFace("flange 3", face, {0.25, 0.25, 0.5}, flangeMove),
-       inFace("flange 4, 0.75 off the plane of 1 to 3 (conflicting)", face, {0.375, 0.375, 0.25}, flangeOff),
-       inFace("flange 5, in the plane of 1 to 3 (redundant)", face, {0.375, 0.25, 0.375}, flangeMove)});
+       pointInFace("flange 1", face, {0.5, 0.25, 0.25}, flangeMove),
+       pointInFace("flange 2", face, {0.25, 0.5, 0.25}, flangeMove),
+       pointInFace("flange 3", face, {0.25, 0.25, 0.5}, flangeMove),
+       pointInFace("flange 4, 0.75 off the plane of 1 to 3 (conflicting)", face, {0.375, 0.375, 0.25}, flangeOff),
+       pointInFace("flange 5, in the plane of 1 to 3 (redundant)", face, {0.375, 0.25, 0.375}, flangeMove)});
 }
 
 }  // namespace

@@ -59,6 +59,13 @@ std::string inComponent(Index component)
   return object({{"component", std::to_string(component)}});
 }
 
+std::string inCurve(const std::vector<Vector3>& places)
+{
+  std::vector<std::string> through;
+  for (const Vector3& place : places) through.push_back(object({{"near", vectorText(place)}}));
+  return object({{"curve", object({{"through", "[" + joined(through) + "]"}})}});
+}
+
 std::string allOf(const std::vector<std::string>& parts)
 {
   return object({{"all", "[" + joined(parts) + "]"}});
@@ -89,10 +96,34 @@ std::string pointBy(const std::string& name, const Spot& spot, const Vector3& mo
   return pointText(name, spot, "move", move);
 }
 
+std::string pointInFace(const std::string& name, Index face, const std::array<double, 3>& weights, const Vector3& move)
+{
+  const std::string at =
+      object({{"face", std::to_string(face)}, {"weights", vectorText({weights[0], weights[1], weights[2]})}});
+  return object({{"type", quoted("point")}, {"name", quoted(name)}, {"at", at}, {"move", vectorText(move)}});
+}
+
+std::string rigidText(const std::string& name, const std::string& select)
+{
+  return object({{"type", quoted("rigid")}, {"name", quoted(name)}, {"select", select}});
+}
+
+std::string relativeText(const std::string& name, const Spot& from, const Spot& to,
+                         const std::optional<Vector3>& offset)
+{
+  std::vector<std::pair<std::string, std::string>> members{
+      {"type", quoted("relative")}, {"name", quoted(name)}, {"from", atText(from)}, {"to", atText(to)}};
+  if (offset) members.emplace_back("offset", vectorText(*offset));
+  return object(members);
+}
+
 std::string handleText(const std::string& name, const std::string& select, const TurnText& turn,
                        const Vector3& translate)
 {
-  const std::string rotate = object({{"axis", vectorText(turn.axis)}, {"degrees", numberText(turn.degrees)}});
+  std::vector<std::pair<std::string, std::string>> members{{"axis", vectorText(turn.axis)},
+                                                           {"degrees", numberText(turn.degrees)}};
+  if (turn.center) members.emplace_back("center", vectorText(*turn.center));
+  const std::string rotate = object(members);
   return object({{"type", quoted("handle")},
                  {"name", quoted(name)},
                  {"select", select},

@@ -7,7 +7,9 @@
 #include "constraint_text.h"
 #include "files.h"
 #include "head.h"
+#include "planted_conflicts.h"
 #include "plate.h"
+#include "rotation_examples.h"
 #include "small_meshes.h"
 #include "write.h"
 
@@ -51,11 +53,6 @@ std::string bentBar()
   return constraintFile({barFoot(), handleText("top", barTop(), {Vector3::UnitY(), 90}, rounded(end))});
 }
 
-std::string twistedBar()
-{
-  return constraintFile({barFoot(), handleText("top", barTop(), {Vector3::UnitZ(), 360}, Vector3::Zero())});
-}
-
 constexpr double kPlateSide = 100;
 
 std::string raisedPlate()
@@ -90,7 +87,10 @@ std::vector<File> barFiles()
                               {"top 2", {-5, 5, 100}, {6.8, 0.3, 0.6}}};
   return {{"bar.obj", objText(mesh, "Holdfast example: a square bar, mm")},
           {"bar.constraints.json", bentBar()},
-          {"bar.twist_360.constraints.json", twistedBar()},
+          {"bar.twist_90.constraints.json", twistedBar(90)},
+          {"bar.twist_180.constraints.json", twistedBar(180)},
+          {"bar.twist_360.constraints.json", twistedBar(360)},
+          {"bar.twist_720.constraints.json", twistedBar(720)},
           {"bar.measured.csv", aimedPoints(mesh, aims)}};
 }
 
@@ -109,6 +109,9 @@ std::vector<File> plateFiles()
                               {"rear", {50, 80, 0}, {0, 0, 3.5}}};
   return {{"plate_unsymmetric.off", offText(mesh, "Holdfast example: a plate, fine and coarse without symmetry, mm")},
           {"plate_unsymmetric.constraints.json", raisedPlate()},
+          {"plate_unsymmetric.two_handles.constraints.json", plateBetweenTwoHandles()},
+          {"plate_unsymmetric.three_handles.constraints.json", plateBetweenThreeHandles()},
+          {"plate_unsymmetric.conflict.constraints.json", plantedConflicts(mesh)},
           {"plate_unsymmetric.measured.csv", aimedPoints(mesh, aims)}};
 }
 
@@ -130,6 +133,7 @@ std::vector<File> headFiles()
                               {"back", {0, 86, 42}, {0, 2, 0}}};
   return {{"head.ply", plyBytes(mesh, "Holdfast example: a head, mm")},
           {"head.constraints.json", turnedHead()},
+          {"head.rigid_eyes.constraints.json", leaningHead()},
           {"head.measured.csv", aimedPoints(mesh, aims)}};
 }
 

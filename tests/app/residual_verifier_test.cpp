@@ -107,5 +107,26 @@ TEST_F(ResidualVerifier, MeasuresEveryKindOfPoint)
   }
 }
 
+TEST_F(ResidualVerifier, MeasuresDistancesThatAreToBeKept)
+{
+  const PlainMesh rest = readPlainMesh(mesh());
+  PlainMesh moved = rest;
+  moved.positions[4][1] += 1e-3;
+  const auto length = [](const PlainMesh& at) {
+    const PlainPoint& p = at.positions[4];
+    const PlainPoint& q = at.positions[5];
+    return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+  };
+  for (const char* constraint : {R"({"type": "rigid", "name": "c", "select": {"vertices": [4, 5]}})",
+                                 R"({"type": "relative", "name": "c", "from": {"vertex": 4}, "to": {"vertex": 5}})"}) {
+    const auto file = in_.file("one.json", constraintText({constraint}));
+    EXPECT_EQ(verify(rest, rest, file, {}).largest, 0) << constraint;
+    const Verification found = verify(rest, moved, file, {});
+    EXPECT_NEAR(found.largest, std::abs(length(moved) - length(rest)), 1e-15) << constraint;
+    EXPECT_GT(found.largest, 1e-6) << constraint;
+    EXPECT_EQ(found.points, 1) << constraint;
+  }
+}
+
 }  // namespace
 }  // namespace holdfast::test

@@ -237,7 +237,7 @@ TEST(ConstraintData, HasAMeshUniqueNamesAndKnownTypes)
     EXPECT_EQ(json.at("version"), 1);
     std::set<std::string> names;
     for (const auto& constraint : json.at("constraints")) {
-      EXPECT_THAT(constraint.at("type"), testing::AnyOf("fixed", "handle", "point"));
+      EXPECT_THAT(constraint.at("type"), testing::AnyOf("fixed", "handle", "point", "rigid", "relative"));
       EXPECT_TRUE(names.insert(constraint.at("name")).second) << constraint.at("name");
     }
   }

@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <set>
 #include <stdexcept>
+#include <string>
 
 #include <nlohmann/json.hpp>
+
+#include "support/plain_curve.h"
 
 namespace holdfast::test {
 namespace {
@@ -78,6 +82,7 @@ class Selector {
     }
     if (kind == "halfspace")
       return dot(minus(placeOf(p), value.at("point").get<Place>()), value.at("normal").get<Place>()) >= 0;
+    if (kind == "curve") return inside(value).contains(v);
     if (kind == "component") return partOf(v) == value.get<long>();
     if (kind == "all") return std::all_of(value.begin(), value.end(), selectsIt);
     if (kind == "any") return std::any_of(value.begin(), value.end(), selectsIt);
@@ -92,8 +97,16 @@ class Selector {
     return parts_[v];
   }
 
+  const std::set<long>& inside(const Json& curve)
+  {
+    const auto [found, isNew] = insides_.try_emplace(curve.dump());
+    if (isNew) found->second = insidePlain(curve, mesh_);
+    return found->second;
+  }
+
   const PlainMesh& mesh_;
   std::vector<long> parts_;
+  std::map<std::string, std::set<long>> insides_;
 };
 
 /// Weight t of b on the segment a b where it is closest to p.

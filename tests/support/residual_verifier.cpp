@@ -69,6 +69,10 @@ class Verifier {
       addHandle(constraint);
     else if (type == "point")
       addPoint(constraint);
+    else if (type == "rigid")
+      addRigid(selectPlain(constraint.at("select"), rest_));
+    else if (type == "relative")
+      addRelative(constraint);
     else
       throw std::runtime_error("not to be verified: constraints of type " + type);
   }
@@ -93,6 +97,23 @@ class Verifier {
       measure({{v, 1}}, target);
       pinned_.insert(v);
     }
+  }
+
+  void addRigid(const std::vector<long>& vertices)
+  {
+    for (const long v : vertices)
+      for (const long w : vertices)
+        if (v < w) measureLength({{v, 1}, {w, -1}});
+  }
+
+  void addRelative(const Json& relative)
+  {
+    Terms terms = termsOf(relative.at("from"));
+    for (const auto& [vertex, weight] : termsOf(relative.at("to"))) terms.emplace_back(vertex, -weight);
+    if (relative.contains("offset"))
+      measure(terms, relative.at("offset").get<Place>());
+    else
+      measureLength(terms);
   }
 
   void addPoint(const Json& point)
@@ -147,9 +168,16 @@ class Verifier {
     if (pinned_.insert(vertex).second && written_.positions.at(vertex) != target) result_.inexact.insert(name_);
   }
 
-  void measure(const Terms& terms, const Place& target)
+  void measure(const Terms& terms, const Place& target) { note(distance(placeOf(written_, terms), target)); }
+
+  /// Of a vector that may turn.
+  void measureLength(const Terms& terms)
   {
-    const double residual = distance(placeOf(written_, terms), target);
+    note(std::abs(distance(placeOf(written_, terms), {}) - distance(placeOf(rest_, terms), {})));
+  }
+
+  void note(double residual)
+  {
     ++result_.points;
     if (residual <= result_.largest || std::isnan(result_.largest)) return;
     result_.largest = residual;

@@ -22,9 +22,10 @@ struct Verification {
   std::set<std::string> inexact;  ///< constraints with a pin that should have been copied and differs in a bit
 };
 
-/// Measures the enabled constraints of type fixed, handle and point of a constraint file or a point list (`.csv`) that
-/// are not named in `leftOut`. Throws `std::runtime_error` for other types, and for `near` on faces that are not
-/// triangles. Sums are taken in long double. O(faces) for each `near`.
+/// Measures the enabled constraints of a constraint file or a point list (`.csv`) that are not named in `leftOut`. Of
+/// rigid regions, and of relative constraints without an offset, it is distances that are to be kept: the rotation is
+/// for the solver to find. Throws `std::runtime_error` for unknown types, and for `near` on faces that are not
+/// triangles. Sums are taken in long double. O(faces) for each `near`, O(vertices^2) for each rigid region.
 [[nodiscard]] Verification verify(const PlainMesh& rest, const PlainMesh& written,
                                   const std::filesystem::path& constraints, const std::set<std::string>& leftOut);
 

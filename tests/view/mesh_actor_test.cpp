@@ -9,6 +9,7 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkScalarsToColors.h>
 
+#include <holdfast/io/mesh_file.h>
 #include <holdfast/view/mesh_actor.h>
 #include <holdfast/view/poly_data.h>
 
@@ -55,6 +56,12 @@ TEST(MeshActor, BordersAreDrawn)
 {
   const ShadedSurface surface = cutAtSharpEdges(makeModel(test::grid(5, 3), "grid"));
   EXPECT_EQ(surface.creases.size(), 16);
+}
+
+TEST(MeshActor, ShortEndsOfLinesOnASmoothSurfaceAreNotDrawn)
+{
+  const Model head = makeModel(readMesh(HOLDFAST_DATA_DIR "/head.ply").mesh, "head");
+  EXPECT_TRUE(cutAtSharpEdges(head).creases.empty());
 }
 
 TEST(MeshActor, CutsStayWhereTheyAreWhileTheMeshBends)

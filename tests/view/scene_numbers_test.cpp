@@ -14,6 +14,7 @@
 
 #include "support/meshes.h"
 #include "support/point_constraints.h"
+#include "support/temporary_folder.h"
 
 namespace holdfast {
 namespace {
@@ -123,6 +124,35 @@ TEST(Coloring, NamesAndValuesBelongTogether)
   EXPECT_EQ(colorByNamed("force"), ColorBy::Force);
   EXPECT_EQ(colorByNamed("Detail"), std::nullopt);
   EXPECT_EQ(colorByNamed(""), std::nullopt);
+}
+
+TEST(Coloring, EveryNameIsDescribed)
+{
+  const std::string document = test::bytesOf(HOLDFAST_SOURCE_DIR "/docs/formats.md");
+  for (const std::string_view name : colorByNames())
+    EXPECT_NE(document.find("| `" + std::string(name) + "`"), std::string::npos) << name;
+}
+
+TEST(ConstraintMarks, OfDifferencesLieWhereTheyAct)
+{
+  const Model model = makeModel(test::grid(4, 4), "grid");
+  const Relative apart{AtVertex{24}, AtVertex{0}, Vector3(5, 4, 0)};
+  const Relative further{AtVertex{24}, AtVertex{0}, Vector3(5, 4, 2)};
+  const ConstraintList list = {"",
+                               {{"hold", true, Fixed{VertexIds{{0}}}},
+                                {"body", true, Rigid{VertexIds{{11, 12}}}},
+                                {"apart", true, apart},
+                                {"further", true, further}}};
+  const Deformation deformation = deformed(model, list);
+  const auto marks = constraintMarks(model, deformation);
+  ASSERT_EQ(marks.size(), 4);
+  EXPECT_EQ(marks[1].place, Vector3(deformation.positions.row(12)));
+  EXPECT_FALSE(marks[1].isSinglePoint);
+  EXPECT_EQ(marks[2].place, Vector3(deformation.positions.row(24)));
+  EXPECT_TRUE(marks[2].isSinglePoint);
+  EXPECT_EQ(marks[2].status, ConstraintStatus::Met);
+  EXPECT_EQ(marks[3].status, ConstraintStatus::Conflicting);
+  EXPECT_LE((marks[3].target - Vector3(5, 4, 2)).norm(), 1e-12);
 }
 
 TEST(ConstraintMarks, SayHowEachRowFared)

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <vtkActor.h>
 #include <vtkCellArray.h>
@@ -19,9 +20,6 @@ namespace {
 // Of the diameter of a single point's ball.
 constexpr double kSelectedSize = 0.45;
 constexpr double kLineSize = 0.22;
-
-// Weights of a place sum to 1; those of a difference of two places to 0.
-constexpr double kLeastWeightOfPlace = 0.5;
 
 ConstraintStatus statusOf(RowStatus row, double residual, double limit)
 {
@@ -95,6 +93,26 @@ void showLines(const std::vector<ConstraintMark>& marks, vtkActor& actor)
   actor.GetProperty()->LightingOff();
 }
 
+/// Where a row acts, and where it wants that to be: a row that says how one place lies to another acts on the one.
+/// Nothing for a row without terms.
+std::optional<ConstraintMark> placeOf(const ConstraintRow& row, const Weld& weld, const Positions& positions)
+{
+  Vector3 sum = Vector3::Zero();  // B x
+  Vector3 place = Vector3::Zero();
+  double weight = 0;
+  for (const PointTerm& term : row.terms) {
+    const Vector3 part = term.weight * positions.row(weld.firstVertexOf[term.vertex]).transpose();
+    sum += part;
+    if (term.weight < 0) continue;
+    place += part;
+    weight += term.weight;
+  }
+  if (row.terms.empty()) return std::nullopt;
+  if (row.kind == RowKind::Position) return ConstraintMark{sum, row.target};
+  place /= weight;
+  return ConstraintMark{place, place + (row.target - sum) / weight};
+}
+
 }  // namespace
 
 std::vector<ConstraintMark> constraintMarks(const Model& model, const Deformation& deformation)
@@ -105,15 +123,11 @@ std::vector<ConstraintMark> constraintMarks(const Model& model, const Deformatio
   std::vector<ConstraintMark> marks;
   for (std::size_t r = 0; r < residuals.size(); ++r) {
     const ConstraintRow& row = deformation.system.rows[r];
-    Vector3 place = Vector3::Zero();
-    double weight = 0;
-    for (const PointTerm& term : row.terms) {
-      place += term.weight * deformation.positions.row(weld.firstVertexOf[term.vertex]).transpose();
-      weight += term.weight;
-    }
-    if (weight < kLeastWeightOfPlace) continue;
-    const bool isSinglePoint = !deformation.system.points[row.constraint].terms.empty();
-    marks.push_back({place, row.target, statusOf(deformation.diagnosis.status[r], residuals[r], limit), isSinglePoint});
+    auto mark = placeOf(row, weld, deformation.positions);
+    if (!mark) continue;
+    mark->status = statusOf(deformation.diagnosis.status[r], residuals[r], limit);
+    mark->isSinglePoint = row.kind == RowKind::Relative || !deformation.system.points[row.constraint].terms.empty();
+    marks.push_back(*mark);
   }
   return marks;
 }

@@ -21,10 +21,11 @@ struct ConstraintMark {
   Vector3 place;   ///< where the point is, model units
   Vector3 target;  ///< where it was to be
   ConstraintStatus status = ConstraintStatus::Met;
-  bool isSinglePoint = false;  ///< of a constraint of type point; else one of a selection
+  bool isSinglePoint = false;  ///< of a constraint of type point or relative; else one of a selection
 };
 
-/// A mark for each row that speaks of one place, in the order of rows. O(rows).
+/// A mark for each row that has terms, in the order of rows. One of a rigid region lies at its vertex, one of a
+/// relative constraint at the place that `from` names; both want to lie as they should to the other place. O(rows).
 [[nodiscard]] std::vector<ConstraintMark> constraintMarks(const Model& model, const Deformation& deformation);
 
 /// Dark for what is met, white for redundant, orange-red for conflicting, purple for missed: told apart by lightness as

@@ -1,5 +1,7 @@
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <set>
 #include <span>
 
 #include <holdfast/base/disjoint_sets.h>
@@ -58,6 +60,35 @@ ShadedSurface numberPoints(const Model& model, DisjointSets& corners)
   return surface;
 }
 
+/// Sharp edges that hang together.
+struct Chain {
+  Index edges = 0;
+  Index vertices = 0;
+  double length = 0;  // model units
+};
+
+/// The sharp edges without the short ends of lines that bends of a smooth surface leave where they are just sharp:
+/// what is drawn closes a loop, as rims of the smallest holes do, or has some length.
+std::vector<HalfEdge> drawnEdges(const std::vector<HalfEdge>& sharp, const SolverMesh& mesh)
+{
+  DisjointSets sets(mesh.unknownCount());
+  for (const HalfEdge& edge : sharp) sets.unite(edge.a, edge.b);
+  std::map<Index, Chain> chains;
+  std::set<Index> counted;
+  for (const HalfEdge& edge : sharp) {
+    Chain& chain = chains[sets.find(edge.a)];
+    ++chain.edges;
+    chain.length += (mesh.rest.row(edge.a) - mesh.rest.row(edge.b)).stableNorm();
+    for (const Index vertex : {edge.a, edge.b}) chain.vertices += counted.insert(vertex).second ? 1 : 0;
+  }
+  std::vector<HalfEdge> drawn;
+  for (const HalfEdge& edge : sharp) {
+    const Chain& chain = chains[sets.find(edge.a)];
+    if (chain.edges >= chain.vertices || chain.length >= kLeastCreaseLength * mesh.diagonal) drawn.push_back(edge);
+  }
+  return drawn;
+}
+
 }  // namespace
 
 ShadedSurface cutAtSharpEdges(const Model& model)
@@ -71,7 +102,7 @@ ShadedSurface cutAtSharpEdges(const Model& model)
       corners.unite(cornerOf(halves[0], triangles, vertex), cornerOf(halves[1], triangles, vertex));
   });
   ShadedSurface surface = numberPoints(model, corners);
-  for (const HalfEdge& half : sharp) {
+  for (const HalfEdge& half : drawnEdges(sharp, model.solverMesh)) {
     const auto points = surface.triangles[half.triangle];
     surface.creases.push_back({points[half.side], points[(half.side + 1) % 3]});
   }

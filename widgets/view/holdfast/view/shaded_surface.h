@@ -13,11 +13,15 @@ namespace holdfast {
 struct ShadedSurface {
   Polygons triangles;                         ///< over points
   std::vector<Index> vertexOf;                ///< file vertex of each point
-  std::vector<std::array<Index, 2>> creases;  ///< points at the ends of sharp edges and of borders
+  std::vector<std::array<Index, 2>> creases;  ///< points at the ends of sharp edges and of borders that are drawn
 };
 
 /// Edges are sharp where the normals on both sides differ by more than this at rest.
 inline constexpr double kSharpDegrees = 42;
+
+/// Lines of sharp edges that are shorter than this share of the bounding box's diagonal, and close no loop, are not
+/// drawn.
+inline constexpr double kLeastCreaseLength = 0.1;
 
 /// The triangles of `model`, cut along the edges that are sharp at rest, so that the cuts stay where they are while the
 /// mesh deforms. Edges of more or fewer than two triangles, and those whose triangles disagree on which side is out,
