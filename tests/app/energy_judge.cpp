@@ -4,6 +4,10 @@
 #include <utility>
 #include <vector>
 
+#include <Eigen/Geometry>
+
+#include <holdfast/constraints/constraint_file.h>
+#include <holdfast/deform/rotation_stage.h>
 #include <holdfast/io/mesh_file.h>
 
 #include "support/plain_constraints.h"
@@ -27,19 +31,42 @@ void projectRow(Columns3& gradient, const Row& row)
   for (const auto& [unknown, weight] : row) gradient.row(unknown) -= weight / squared * along;
 }
 
+/// The rotations of all unknowns.
+Columns3 rotationsOf(const Model& model, const std::filesystem::path& constraints, Weights weights)
+{
+  const ConstraintSystem system = makeConstraintSystem(readConstraints(constraints), model.mesh, model.triangulation,
+                                                       model.solverMesh, constraints.string());
+  return RotationStage(model.solverMesh, weights, defaultBackend()).solve(system).q;
+}
+
+/// The weighted difference of the turned detail and the detail, with lengths in diagonals.
+Columns3 askedOfDetail(const Operators& operators, const Columns3& q)
+{
+  Columns3 f(q.rows(), 3);
+  for (Index i = 0; i < f.rows(); ++i) {
+    const Vector3 log = q.row(i);
+    const Vector3 detail = operators.delta.row(i);
+    const Eigen::AngleAxisd turn(2 * log.norm(), log.isZero(0) ? Vector3(Vector3::UnitX()) : log.normalized());
+    f.row(i) = operators.rowWeights[i] * (turn * detail - detail);
+  }
+  return f;
+}
+
 }  // namespace
 
 EnergyJudge::EnergyJudge(const std::filesystem::path& rest, const std::filesystem::path& constraints, Weights weights)
     : model_(makeModel(readMesh(rest).mesh, rest.string())),
       rest_(readPlainMesh(rest)),
-      constraints_(readPlainConstraints(constraints)),
-      A_(weightedRows(makeOperators(model_.solverMesh, weights)))
+      constraints_(readPlainConstraints(constraints))
 {
+  const Operators operators = makeOperators(model_.solverMesh, weights);
+  A_ = weightedRows(operators);
+  f_ = askedOfDetail(operators, rotationsOf(model_, constraints, weights));
 }
 
 FreeGradient EnergyJudge::freeGradient(const PlainMesh& written) const
 {
-  Columns3 gradient = A_.transpose() * (A_ * displacement(written));
+  Columns3 gradient = A_.transpose() * (A_ * displacement(written) - f_);
   project(gradient);
   const double coordinate = 1 + model_.mesh.positions.cwiseAbs().maxCoeff() / model_.solverMesh.diagonal;
   const SparseMatrix magnitudes = A_.cwiseAbs();
@@ -51,7 +78,7 @@ FreeGradient EnergyJudge::freeGradient(const PlainMesh& written) const
 double EnergyJudge::cosineTowards(const PlainMesh& written, const PlainMesh& other) const
 {
   const Columns3 u = displacement(written);
-  const Columns3 here = A_ * u;
+  const Columns3 here = A_ * u - f_;
   const Columns3 towards = A_ * (displacement(other) - u);
   const double lengths = here.norm() * towards.norm();
   return lengths > 0 ? here.cwiseProduct(towards).sum() / lengths : 0;
