@@ -17,6 +17,7 @@ using Json = nlohmann::json;
 
 constexpr double kEnd = 0.08;
 constexpr double kShift = 0.1;
+constexpr double kTurnDegrees = 20;
 constexpr double kPointShift = 0.02;
 
 struct Extent {
@@ -115,6 +116,7 @@ class Generator {
     list_.push_back({{"type", "handle"},
                      {"name", "high end"},
                      {"select", {{"box", {{"min", min}, {"max", extent_.high}}}}},
+                     {"rotate", {{"axis", {1, 2, 3}}, {"degrees", kTurnDegrees}}},
                      {"translate", shift}});
     for (const PlainPoint& p : mesh_.positions)
       if (p[axis] <= below || p[axis] >= above) taken_.insert(p);

@@ -162,7 +162,7 @@ void expectExactlyThePlanted(const Planted& planted, const Report& report)
   }
 }
 
-TEST(PlantedConflicts, AreNamedExactlyAmongTenThousandOthersInAnyOrderAndAtAnyScale)
+TEST(PlantedCircuits, AreNamedExactlyAmongTenThousandOthersInAnyOrderAndAtAnyScale)
 {
   for (const double scale : {1e-6, 1.0, 1e6}) {
     const Mesh mesh =
@@ -176,7 +176,7 @@ TEST(PlantedConflicts, AreNamedExactlyAmongTenThousandOthersInAnyOrderAndAtAnySc
   }
 }
 
-TEST(PlantedConflicts, EndWhereTheProposedRepairIsFollowed)
+TEST(PlantedCircuits, EndWhereTheProposedRepairIsFollowed)
 {
   const Mesh mesh = test::grid(kSquares, kSquares);
   const Model model = makeModel(mesh, "mesh");
