@@ -61,7 +61,7 @@ TEST_F(Outcome, EverySolverAndWeightIsReportedByItsName)
       {"--backend", {"eigen"}}};
   for (const auto& [option, values] : options)
     for (const std::string& value : values) {
-      SCOPED_TRACE(option + " " + value);
+      SCOPED_TRACE(testing::Message() << option << " " << value);
       const ProcessResult result = runBatch(deform(mesh(), constraints(), {option, value}));
       EXPECT_EQ(result.exitCode, 0) << result.err;
       EXPECT_TRUE(isReport(report(), SolveState::kSolved));

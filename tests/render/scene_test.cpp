@@ -75,6 +75,25 @@ TEST(Scene, BentSlabByDetail)
   EXPECT_EQ(test::differenceFromBaseline(bentSlab(ColorBy::Detail)), "");
 }
 
+TEST(Scene, TwistedBarByAngle)
+{
+  const Model model = makeModel(test::box({1, 1, 6}, 12), "bar");
+  std::vector<Index> foot;
+  std::vector<Index> top;
+  for (Index v = 0; v < model.mesh.vertexCount(); ++v) {
+    if (model.mesh.positions(v, 2) == 0) foot.push_back(v);
+    if (model.mesh.positions(v, 2) == 6) top.push_back(v);
+  }
+  const ConstraintList list{
+      "",
+      {{"foot", true, Fixed{{VertexIds{foot}}}},
+       {"top", true, Handle{{VertexIds{top}}, Turn{Vector3::UnitZ(), 450, {}}, Vector3::Zero()}}}};
+  NoProgress progress;
+  const Deformation deformation = deform(model, list, "constraints", {}, progress);
+  const Scene scene(model, deformation, {kSmall, ColorBy::Angle, Legend::Shown, "mm"});
+  EXPECT_EQ(test::differenceFromBaseline(drawn(scene)), "");
+}
+
 TEST(Scene, SmoothSurfacesHaveNoEdges)
 {
   const Model model = makeModel(test::icosphere(3), "sphere");

@@ -72,8 +72,8 @@ TEST(Coloring, GapsOfConflictsAreInsideTheScale)
 /// One end of a sheet stays, the other makes `degrees` about its length.
 ConstraintList twist(double degrees)
 {
-  const Fixed end{VertexIds{{0, 1, 2}}};
-  const Handle turned{VertexIds{{24, 25, 26}}, Turn{Vector3::UnitY(), degrees, {}}, Vector3::Zero(), {}};
+  const Fixed end{{VertexIds{{0, 1, 2}}}};
+  const Handle turned{{VertexIds{{24, 25, 26}}}, Turn{Vector3::UnitY(), degrees, {}}, Vector3::Zero(), {}};
   return {"", {{"end", true, end}, {"turned", true, turned}}};
 }
 
@@ -139,8 +139,8 @@ TEST(ConstraintMarks, OfDifferencesLieWhereTheyAct)
   const Relative apart{AtVertex{24}, AtVertex{0}, Vector3(5, 4, 0)};
   const Relative further{AtVertex{24}, AtVertex{0}, Vector3(5, 4, 2)};
   const ConstraintList list = {"",
-                               {{"hold", true, Fixed{VertexIds{{0}}}},
-                                {"body", true, Rigid{VertexIds{{11, 12}}}},
+                               {{"hold", true, Fixed{{VertexIds{{0}}}}},
+                                {"body", true, Rigid{{VertexIds{{11, 12}}}}},
                                 {"apart", true, apart},
                                 {"further", true, further}}};
   const Deformation deformation = deformed(model, list);

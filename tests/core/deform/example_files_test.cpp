@@ -121,6 +121,7 @@ std::vector<Vector3> givenRotations(const Deformation& result)
   std::map<Index, Vector3> ofConstraint;
   for (const GivenRotation& given : result.system.rotations) ofConstraint[given.constraint] = given.q;
   std::vector<Vector3> logs;
+  logs.reserve(ofConstraint.size());
   for (const auto& [constraint, q] : ofConstraint) logs.push_back(q);
   return logs;
 }
