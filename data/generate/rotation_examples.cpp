@@ -34,15 +34,15 @@ std::string twistedBar(double degrees)
 
 std::string plateBetweenTwoHandles()
 {
-  return constraintFile({discText("left", {22, 50, 0}, {{0, -1, 0}, 60}, {8, 0, 12}),
-                         discText("right", {78, 50, 0}, {{1, 0, 0}, 60}, {0, 0, 12})});
+  return constraintFile({discText("left", {22, 50, 0}, {{0, -1, 0}, 45}, {8, 0, 12}),
+                         discText("right", {78, 50, 0}, {{1, 0, 0}, 45}, {0, 0, 12})});
 }
 
 std::string plateBetweenThreeHandles()
 {
-  return constraintFile({discText("left", {22, 26, 0}, {{1, -2, 0}, 60}, {6, 3, 10}),
-                         discText("right", {78, 26, 0}, {{1, 2, 0}, 60}, {-6, 3, 10}),
-                         discText("rear", {50, 80, 0}, {{-1, 0, 0}, 60}, {0, -6, 10})});
+  return constraintFile({discText("left", {22, 26, 0}, {{1, -2, 0}, 35}, {6, 3, 10}),
+                         discText("right", {78, 26, 0}, {{1, 2, 0}, 35}, {-6, 3, 10}),
+                         discText("rear", {50, 80, 0}, {{-1, 0, 0}, 35}, {0, -6, 10})});
 }
 
 std::string leaningHead()
