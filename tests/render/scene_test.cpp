@@ -87,7 +87,7 @@ TEST(Scene, TwistedBarByAngle)
   const ConstraintList list{
       "",
       {{"foot", true, Fixed{{VertexIds{foot}}}},
-       {"top", true, Handle{{VertexIds{top}}, Turn{Vector3::UnitZ(), 450, {}}, Vector3::Zero()}}}};
+       {"top", true, Handle{{VertexIds{top}}, Turn{Vector3::UnitZ(), 450, {}}, Vector3::Zero(), {}}}}};
   NoProgress progress;
   const Deformation deformation = deform(model, list, "constraints", {}, progress);
   const Scene scene(model, deformation, {kSmall, ColorBy::Angle, Legend::Shown, "mm"});
