@@ -40,7 +40,7 @@ std::vector<Ways> waysOf(const ConstraintSystem& system, const Diagnosis& diagno
   return result;
 }
 
-/// Of ways that conflict, only those stay that need no more than another one.
+/// Of ways that conflict, and of ways that repeat, leaves out those that need all that another one needs and more.
 void keepSmallest(Ways& ways)
 {
   const auto needsMore = [&](const auto& way) {

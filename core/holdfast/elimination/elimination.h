@@ -39,7 +39,7 @@ class Elimination {
 
   /// How far bodies move, all together, for a unit of change in what one row asks for while all others hold: the length
   /// of that row's column of the pseudo-inverse of B. For each row; 0 for those that are not independent. Estimated to
-  /// some twenty per cent in components too large for a dense block; for pins that other rows hang on, no less than it
+  /// some twenty per cent in blocks of more than 512 rows; for pins that other rows hang on, no less than it
   /// is.
   [[nodiscard]] std::vector<double> amplifications() const;
 

@@ -15,6 +15,7 @@ namespace {
 
 // The second finds what rounding hid from the first.
 constexpr int kMaxRounds = 2;
+// One or two are the rule where there is any; a basis that needs more is as badly conditioned after them.
 constexpr int kMaxReductions = 64;
 
 /// The dependency of `row` by coefficients over some rows, tiny ones left out.
