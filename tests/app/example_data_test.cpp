@@ -11,6 +11,7 @@
 #include "app/batch.h"
 #include "app/report_schema.h"
 #include "support/residual_verifier.h"
+#include "support/source_tree.h"
 
 namespace holdfast::test {
 namespace {
@@ -18,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-const fs::path kData = HOLDFAST_DATA_DIR;
+const fs::path kData = test::dataFolder();
 
 std::vector<std::string> constraintFiles()
 {

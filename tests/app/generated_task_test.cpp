@@ -10,11 +10,12 @@
 
 #include "app/energy_judge.h"
 #include "support/residual_verifier.h"
+#include "support/source_tree.h"
 
 namespace holdfast::test {
 namespace {
 
-const std::filesystem::path kData = HOLDFAST_DATA_DIR;
+const std::filesystem::path kData = test::dataFolder();
 
 class GeneratedTaskOnData : public testing::TestWithParam<const char*> {};
 

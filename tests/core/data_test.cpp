@@ -20,10 +20,12 @@
 
 #include <holdfast/mesh/mesh.h>
 
+#include "support/source_tree.h"
+
 namespace holdfast {
 namespace {
 
-const std::filesystem::path kData = HOLDFAST_DATA_DIR;
+const std::filesystem::path kData = test::dataFolder();
 
 Mesh meshOf(const std::vector<Vector3>& points, const Polygons& faces)
 {

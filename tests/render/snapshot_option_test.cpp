@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include "support/source_tree.h"
 #include "support/temporary_folder.h"
 
 namespace holdfast {
@@ -19,7 +20,7 @@ struct Outcome {
 /// The bar of the examples, deformed in `folder`. `environment` goes before the program, `options` after.
 Outcome deformBar(const test::TemporaryFolder& folder, const std::string& environment, const std::string& options)
 {
-  const std::string data = HOLDFAST_DATA_DIR;
+  const std::string data = test::dataFolder();
   const std::string messages = (folder.path() / "stderr").string();
   const std::string command = "cd '" + folder.path().string() + "' && " + environment +
                               " '" HOLDFAST_BATCH "' deform '" + data + "/bar.obj' --constraints '" + data +

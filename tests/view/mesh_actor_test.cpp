@@ -14,6 +14,7 @@
 #include <holdfast/view/poly_data.h>
 
 #include "support/meshes.h"
+#include "support/source_tree.h"
 #include "view/poly_data_samples.h"
 
 namespace holdfast {
@@ -60,7 +61,7 @@ TEST(MeshActor, BordersAreDrawn)
 
 TEST(MeshActor, ShortEndsOfLinesOnASmoothSurfaceAreNotDrawn)
 {
-  const Model head = makeModel(readMesh(HOLDFAST_DATA_DIR "/head.ply").mesh, "head");
+  const Model head = makeModel(readMesh(test::dataFolder() + "/head.ply").mesh, "head");
   EXPECT_TRUE(cutAtSharpEdges(head).creases.empty());
 }
 

@@ -14,6 +14,7 @@
 
 #include "support/meshes.h"
 #include "support/point_constraints.h"
+#include "support/source_tree.h"
 #include "support/temporary_folder.h"
 
 namespace holdfast {
@@ -128,7 +129,7 @@ TEST(Coloring, NamesAndValuesBelongTogether)
 
 TEST(Coloring, EveryNameIsDescribed)
 {
-  const std::string document = test::bytesOf(HOLDFAST_SOURCE_DIR "/docs/formats.md");
+  const std::string document = test::bytesOf(test::sourceFolder() + "/docs/formats.md");
   for (const std::string_view name : colorByNames())
     EXPECT_NE(document.find("| `" + std::string(name) + "`"), std::string::npos) << name;
 }

@@ -17,6 +17,7 @@
 #include "support/meshes.h"
 #include "support/path_lengths.h"
 #include "support/random.h"
+#include "support/source_tree.h"
 
 namespace holdfast {
 namespace {
@@ -248,7 +249,7 @@ TEST(CurveSelector, RefusesPlacesThatMakeNoCurve)
 
 TEST(CurveSelector, DrawsAroundAnEyeOfTheHead)
 {
-  const Mesh head = readMesh(HOLDFAST_DATA_DIR "/head.ply").mesh;
+  const Mesh head = readMesh(test::dataFolder() + "/head.ply").mesh;
   InsideCurve curve;
   curve.through = {AtNear{{41, -76, 25}}, AtNear{{27, -76, 39}}, AtNear{{13, -76, 25}}, AtNear{{27, -76, 11}}};
   const std::vector<Index> eye = selected(head, {curve});

@@ -11,13 +11,15 @@
 
 #include <holdfast/constraints/constraint_file.h>
 
+#include "support/source_tree.h"
+
 namespace holdfast {
 namespace {
 
 using testing::ElementsAre;
 using testing::Pair;
 
-const std::string kDocument = HOLDFAST_SOURCE_DIR "/docs/formats.md";
+const std::string kDocument = test::sourceFolder() + "/docs/formats.md";
 
 /// A fenced block of the document: what stands behind the opening fence, and the text.
 struct Block {

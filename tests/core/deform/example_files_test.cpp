@@ -14,12 +14,14 @@
 #include <holdfast/io/mesh_file.h>
 #include <holdfast/rotation/rotation_log.h>
 
+#include "support/source_tree.h"
+
 namespace holdfast {
 namespace {
 
 using testing::ElementsAre;
 
-const std::string kData = HOLDFAST_DATA_DIR "/";
+const std::string kData = test::dataFolder() + "/";
 
 /// An example of data/, solved.
 struct Example {

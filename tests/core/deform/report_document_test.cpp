@@ -13,6 +13,7 @@
 #include "support/meshes.h"
 #include "support/point_constraints.h"
 #include "support/solve_cases.h"
+#include "support/source_tree.h"
 #include "support/temporary_folder.h"
 
 namespace holdfast {
@@ -23,7 +24,7 @@ using testing::HasSubstr;
 
 std::string document()
 {
-  return test::bytesOf(HOLDFAST_SOURCE_DIR "/docs/formats.md");
+  return test::bytesOf(test::sourceFolder() + "/docs/formats.md");
 }
 
 /// A sheet with a conflict, a finding and, by the solver soft, a weight: everything that reports may have.
