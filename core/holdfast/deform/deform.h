@@ -14,6 +14,8 @@ namespace holdfast {
 struct DeformOptions {
   Weights weights = Weights::Cotangent;
   SolverOptions solver;
+
+  friend bool operator==(const DeformOptions&, const DeformOptions&) = default;
 };
 
 /// A deformed mesh, or (status `Failed`) the mesh at rest with the reason in the report.

@@ -25,6 +25,8 @@ struct SolverOptions {
   SolverKind kind = SolverKind::Hard;
   Backend backend = defaultBackend();
   double softWeight = 5;  ///< w of (8), for models measured in diagonals of their bounding box
+
+  friend bool operator==(const SolverOptions&, const SolverOptions&) = default;
 };
 
 /// What the rows ask of the displacement.

@@ -1,0 +1,82 @@
+#pragma once
+/// \file
+/// What a user edits, and the way back: values of the document before and after each edit, with a name.
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <holdfast/constraints/constraint.h>
+#include <holdfast/deform/deform.h>
+
+namespace holdfast {
+
+/// All that edits change and undo brings back. The mesh is not part of it: another mesh is another document.
+struct DocumentState {
+  ConstraintList list;
+  DeformOptions options;
+};
+
+/// The states of one document, oldest first, and which of them is shown. States are values: undo brings back the very
+/// object that was there before, so that nothing is recomputed or rounded on the way. A gesture (a drag) is one edit
+/// however many states it goes through. Not for concurrent calls.
+class History {
+ public:
+  explicit History(DocumentState state);
+
+  /// The state that is shown, that of a gesture under way included. Never null.
+  [[nodiscard]] std::shared_ptr<const DocumentState> state() const
+  {
+    return gesture_ ? gesture_->after : states_[position_].state;
+  }
+
+  /// One edit, named for menus ("move P1"). What could be redone is gone. A gesture under way ends before it.
+  void edit(std::string name, DocumentState after);
+
+  /// Starts a gesture. One under way ends before it.
+  void beginGesture(std::string name);
+  /// What the gesture has come to so far. A gesture is under way.
+  void updateGesture(DocumentState after);
+  /// Makes one edit of the gesture, or nothing where it was never updated. Harmless without a gesture.
+  void endGesture();
+  /// As if the gesture had not begun: the state is the object that it was. Harmless without a gesture.
+  void cancelGesture();
+  [[nodiscard]] bool isInGesture() const noexcept { return gesture_ != nullptr; }
+
+  /// Undo and redo end a gesture before they do their work; false where there is nothing to do.
+  bool undo();
+  bool redo();
+  [[nodiscard]] bool canUndo() const noexcept { return position_ > 0; }
+  [[nodiscard]] bool canRedo() const noexcept { return position_ + 1 < states_.size(); }
+  /// Of the edit that undo would take back; empty where there is none. So for redo.
+  [[nodiscard]] std::string_view undoName() const;
+  [[nodiscard]] std::string_view redoName() const;
+
+  /// The state that is shown is the one that is in the user's file.
+  void markSaved();
+  [[nodiscard]] bool isSaved() const noexcept;
+
+ private:
+  struct Entry {
+    std::string name;  // of the edit that led here
+    std::shared_ptr<const DocumentState> state;
+  };
+  struct Gesture {
+    std::string name;
+    std::shared_ptr<const DocumentState> after;
+  };
+
+  void push(std::string name, std::shared_ptr<const DocumentState> state);
+
+  std::vector<Entry> states_;
+  std::size_t position_ = 0;
+  std::unique_ptr<Gesture> gesture_;
+  std::shared_ptr<const DocumentState> saved_;
+};
+
+/// Edits that can be undone at most; the oldest are forgotten beyond that.
+inline constexpr std::size_t kLongestHistory = 1000;
+
+}  // namespace holdfast

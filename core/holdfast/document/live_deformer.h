@@ -1,0 +1,61 @@
+#pragma once
+/// \file
+/// Deforms on a thread of its own, so that a window never waits: the newest state wins, and none is shown half-done.
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include <holdfast/deform/deform.h>
+#include <holdfast/document/history.h>
+
+namespace holdfast {
+
+/// What the worker tells. All but `Started` and `Stage` end the work on their revision.
+struct LiveEvent {
+  enum class Kind {
+    Started,    ///< work on a revision begins
+    Stage,      ///< `message` says what is being done now
+    Done,       ///< `deformation` is what the state asks for, or the rest shape with the reason in its report
+    Unusable,   ///< the constraints do not fit the mesh; `message` says why and where
+    Cancelled,  ///< by `cancel`; a state that a newer one replaced is not told of
+    Broken      ///< an error that is a mistake of ours or of the machine (memory), in `message`
+  };
+  Kind kind = Kind::Started;
+  std::uint64_t revision = 0;
+  std::string message;
+  std::shared_ptr<const Deformation> deformation;
+};
+
+/// What a newer state does to the work that is under way.
+enum class Supersede {
+  AtNextStage,  ///< it is given up as soon as it can be: an edit
+  WhenDone      ///< it is finished and shown first: a drag, whose frames would starve otherwise
+};
+
+/// Deforms one model on a thread of its own. Calls may come from one thread, the owner's.
+class LiveDeformer {
+ public:
+  /// Called on the worker's thread, never after the destructor has returned.
+  using Listener = std::function<void(const LiveEvent&)>;
+
+  LiveDeformer(std::shared_ptr<const Model> model, Listener listener);
+  /// Returns at once. Work under way is given up at its next stage; until then it keeps what it needs alive.
+  ~LiveDeformer();
+  LiveDeformer(const LiveDeformer&) = delete;
+  LiveDeformer& operator=(const LiveDeformer&) = delete;
+
+  /// Asks for `state`, in the place of what is waiting. Revisions ascend. `source` names the list in messages.
+  void submit(std::uint64_t revision, std::shared_ptr<const DocumentState> state, std::string source,
+              Supersede supersede);
+
+  /// Gives up what is waiting and, at its next stage, what is under way. What was factorised before stays usable.
+  void cancel();
+
+ private:
+  struct Shared;
+  std::shared_ptr<Shared> shared_;
+};
+
+}  // namespace holdfast
