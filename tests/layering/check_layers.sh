@@ -27,5 +27,6 @@ check_layer() {
 
 check_layer core "$vtk" "$qt" "$view" "$widgets"
 check_layer widgets/view "$qt" "$widgets"
+check_layer widgets/qt '[<"]([^>"]*/)?app/'
 check_layer app/batch "$qt" "$widgets"
 exit "$failures"

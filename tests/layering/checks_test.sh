@@ -11,7 +11,7 @@ failures=0
 # Sources that every layer may hold, leaks nowhere.
 plant_clean_tree() {
   local folder
-  for folder in core/holdfast/mesh widgets/view/holdfast/view app/batch; do
+  for folder in core/holdfast/mesh widgets/view/holdfast/view widgets/qt/holdfast/widgets app/batch; do
     mkdir -p "$tree/$folder"
     printf '%s\n' '#include <vector>' '#include <Eigen/QR>' '#include "quaternion.h"' '#include <holdfast/mesh/mesh.h>' \
       '// #include <QWidget>' >"$tree/$folder/clean.cpp"
@@ -56,6 +56,7 @@ for folder in widgets/view/holdfast/view app/batch; do
     expect_found check_layers.sh "$folder/leak.cpp" "$leak"
   done
 done
+expect_found check_layers.sh widgets/qt/holdfast/widgets/leak.cpp '#include "app/holdfast/main.h"'
 for word in TO''DO FIX''ME; do
   expect_found check_words.sh core/leak.txt "later: $word, and so on"
 done

@@ -1,0 +1,92 @@
+#include "gestures.h"
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QWidget>
+#include <QWindow>
+
+namespace holdfast::test {
+namespace {
+
+void send(QWidget& widget, QEvent::Type type, const QPointF& place, Qt::MouseButton button, Qt::MouseButtons buttons,
+          Qt::KeyboardModifiers modifiers)
+{
+  const QPointF global = widget.mapToGlobal(QPoint(0, 0)) + place;
+  const QPointF inWindow = widget.mapTo(widget.window(), QPoint(0, 0)) + place;
+  QMouseEvent event(type, place, inWindow, global, button, buttons, modifiers);
+  QApplication::sendEvent(&widget, &event);
+}
+
+}  // namespace
+
+bool waitUntil(const std::function<bool()>& condition, std::chrono::milliseconds limit)
+{
+  QElapsedTimer timer;
+  timer.start();
+  while (!condition()) {
+    if (timer.elapsed() > limit.count()) return false;
+    QApplication::processEvents(QEventLoop::WaitForMoreEvents | QEventLoop::AllEvents, 20);
+  }
+  return true;
+}
+
+bool showAndWait(QWidget& widget)
+{
+  widget.show();
+  return waitUntil([&] { return widget.windowHandle() != nullptr && widget.windowHandle()->isExposed(); });
+}
+
+void moveMouse(QWidget& widget, const QPointF& place, Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers)
+{
+  send(widget, QEvent::MouseMove, place, Qt::NoButton, buttons, modifiers);
+}
+
+void pressMouse(QWidget& widget, const QPointF& place, Qt::MouseButton button, Qt::KeyboardModifiers modifiers)
+{
+  send(widget, QEvent::MouseButtonPress, place, button, button, modifiers);
+}
+
+void releaseMouse(QWidget& widget, const QPointF& place, Qt::MouseButton button, Qt::KeyboardModifiers modifiers)
+{
+  send(widget, QEvent::MouseButtonRelease, place, button, Qt::NoButton, modifiers);
+}
+
+void click(QWidget& widget, const QPointF& place, Qt::MouseButton button, Qt::KeyboardModifiers modifiers)
+{
+  moveMouse(widget, place, Qt::NoButton, modifiers);
+  pressMouse(widget, place, button, modifiers);
+  releaseMouse(widget, place, button, modifiers);
+}
+
+void drag(QWidget& widget, const std::vector<QPointF>& way, Qt::MouseButton button, Qt::KeyboardModifiers modifiers)
+{
+  moveMouse(widget, way.front(), Qt::NoButton, modifiers);
+  pressMouse(widget, way.front(), button, modifiers);
+  for (const QPointF& place : way) moveMouse(widget, place, button, modifiers);
+  releaseMouse(widget, way.back(), button, modifiers);
+}
+
+void pressKey(QWidget& widget, Qt::Key key, Qt::KeyboardModifiers modifiers)
+{
+  // Shortcuts come before keys, as they do in a real window.
+  QKeyEvent shortcut(QEvent::ShortcutOverride, key, modifiers);
+  QApplication::sendEvent(&widget, &shortcut);
+  QKeyEvent press(QEvent::KeyPress, key, modifiers);
+  QApplication::sendEvent(&widget, &press);
+  QKeyEvent release(QEvent::KeyRelease, key, modifiers);
+  QApplication::sendEvent(&widget, &release);
+}
+
+void type(QWidget& widget, const char* text)
+{
+  for (const QChar& character : QString::fromUtf8(text)) {
+    QKeyEvent press(QEvent::KeyPress, 0, Qt::NoModifier, QString(character));
+    QApplication::sendEvent(&widget, &press);
+    QKeyEvent release(QEvent::KeyRelease, 0, Qt::NoModifier, QString(character));
+    QApplication::sendEvent(&widget, &release);
+  }
+}
+
+}  // namespace holdfast::test

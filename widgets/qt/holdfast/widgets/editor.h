@@ -1,0 +1,129 @@
+#pragma once
+/// \file
+/// The open document as the window's one truth: what is edited, what is selected, and the newest deformation of it.
+
+#include <QObject>
+#include <QString>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <holdfast/document/history.h>
+#include <holdfast/document/live_deformer.h>
+#include <holdfast/io/mesh_document.h>
+
+namespace holdfast {
+
+/// Whether what is on screen is what was asked for.
+enum class Freshness {
+  Nothing,    ///< no mesh is open
+  Current,    ///< the deformation is that of the state
+  Solving,    ///< a newer state is being worked on: the deformation is older
+  Cancelled,  ///< the user stopped the work: the deformation is older
+  Unusable    ///< the state cannot be solved, `Editor::trouble` says why: the deformation is older
+};
+
+/// One mesh, its constraints with their history, the selection, and the worker that deforms. Widgets show what is here
+/// and change it through the functions below; none keeps a copy. Lives on the thread of the window.
+class Editor : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit Editor(QObject* parent = nullptr);
+  ~Editor() override;
+
+  /// Puts another document in the place of this one: history, selection and deformation begin anew. The model is made
+  /// of the mesh of `document` (`makeModel`). `meshPath` names it in messages and sessions.
+  void open(MeshDocument document, std::shared_ptr<const Model> model, const QString& meshPath, DocumentState state);
+  void close();
+  [[nodiscard]] bool isOpen() const noexcept { return model_ != nullptr; }
+
+  /// These need an open document.
+  [[nodiscard]] const std::shared_ptr<const Model>& model() const noexcept { return model_; }
+  [[nodiscard]] const MeshDocument& meshDocument() const noexcept { return document_; }
+  [[nodiscard]] const QString& meshPath() const noexcept { return meshPath_; }
+  [[nodiscard]] const DocumentState& state() const { return *history_->state(); }
+  [[nodiscard]] const ConstraintList& list() const { return state().list; }
+  [[nodiscard]] const History& history() const { return *history_; }
+
+  /// The newest deformation that is finished; null before the first, and where there is no document.
+  [[nodiscard]] const std::shared_ptr<const Deformation>& deformation() const noexcept { return deformation_; }
+  /// The state that `deformation` is of; null with it. Names and places in the report are those of this list.
+  [[nodiscard]] const std::shared_ptr<const DocumentState>& deformedState() const noexcept { return deformedState_; }
+  /// The positions to be shown: deformed, or at rest before the first deformation.
+  [[nodiscard]] const Positions& positions() const;
+  [[nodiscard]] Freshness freshness() const noexcept { return freshness_; }
+  /// Why the newest state cannot be solved; empty otherwise.
+  [[nodiscard]] const QString& trouble() const noexcept { return trouble_; }
+  /// What the worker is doing; empty when it rests.
+  [[nodiscard]] const QString& stage() const noexcept { return stage_; }
+
+  /// One entry of the history each. `name` is what the edit does, for the menu: "move P1".
+  void edit(const QString& name, ConstraintList after);
+  void setOptions(const QString& name, const DeformOptions& options);
+  /// A drag: any number of states, one entry. `cancelGesture` brings back the state and the picture before it.
+  void beginGesture(const QString& name);
+  void updateGesture(ConstraintList after);
+  void endGesture();
+  void cancelGesture();
+  void undo();
+  void redo();
+  void markSaved();
+
+  /// Stops the work under way; the state stays as it is. `solve` takes it up again.
+  void cancelSolving();
+  void solve();
+
+  /// Selected vertices of the file, ascending; and selected constraints by their place in the list, ascending.
+  [[nodiscard]] const std::vector<Index>& selectedVertices() const noexcept { return selectedVertices_; }
+  [[nodiscard]] const std::vector<Index>& selectedConstraints() const noexcept { return selectedConstraints_; }
+  void selectVertices(std::vector<Index> vertices);
+  void selectConstraints(std::vector<Index> constraints);
+
+ Q_SIGNALS:
+  void opened();            ///< another document, or none
+  void stateChanged();      ///< the list or the options; the history with them
+  void deformed();          ///< another deformation
+  void freshnessChanged();  ///< or the trouble
+  void stageChanged();      ///< of the worker
+  void vertexSelectionChanged();
+  void constraintSelectionChanged();
+  void saved();  ///< the history is where the file is
+
+ private:
+  struct Solved {
+    std::shared_ptr<const DocumentState> state;
+    std::shared_ptr<const Deformation> deformation;
+  };
+
+  void stateBecame(Supersede supersede);
+  void show(Solved solved);
+  void remember(const Solved& solved);
+  [[nodiscard]] std::optional<Solved> remembered(const std::shared_ptr<const DocumentState>& state) const;
+  void handle(const LiveEvent& event);
+  void setFreshness(Freshness freshness, const QString& trouble);
+  void setStage(const QString& stage);
+  void dropVanishedSelection();
+
+  MeshDocument document_;
+  std::shared_ptr<const Model> model_;
+  QString meshPath_;
+  std::unique_ptr<History> history_;
+  std::unique_ptr<LiveDeformer> worker_;
+
+  std::uint64_t revision_ = 0;  // of the newest state that was submitted, of any document
+  std::deque<std::pair<std::uint64_t, std::shared_ptr<const DocumentState>>> submitted_;
+  std::deque<Solved> solved_;  // the latest few, so that undo shows at once what was there
+  std::shared_ptr<const Deformation> deformation_;
+  std::shared_ptr<const DocumentState> deformedState_;
+  Freshness freshness_ = Freshness::Nothing;
+  QString trouble_;
+  QString stage_;
+
+  std::vector<Index> selectedVertices_;
+  std::vector<Index> selectedConstraints_;
+};
+
+}  // namespace holdfast
