@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <atomic>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
@@ -19,18 +21,29 @@ class RetiredThreads {
  public:
   ~RetiredThreads()
   {
-    for (std::thread& thread : threads_) thread.join();
+    for (Retired& retired : threads_) retired.thread.join();
   }
 
-  void add(std::thread thread)
+  /// `hasEnded` becomes true when all that is left of the thread is to return. Joins those that have come to that, so
+  /// that a window that opens one mesh after another does not collect their stacks.
+  void add(std::thread thread, std::shared_ptr<const std::atomic<bool>> hasEnded)
   {
     const std::scoped_lock lock(mutex_);
-    threads_.push_back(std::move(thread));
+    threads_.push_back({std::move(thread), std::move(hasEnded)});
+    const auto ended = std::stable_partition(threads_.begin(), threads_.end(),
+                                             [](const Retired& retired) { return !retired.hasEnded->load(); });
+    std::for_each(ended, threads_.end(), [](Retired& retired) { retired.thread.join(); });
+    threads_.erase(ended, threads_.end());
   }
 
  private:
+  struct Retired {
+    std::thread thread;
+    std::shared_ptr<const std::atomic<bool>> hasEnded;
+  };
+
   std::mutex mutex_;
-  std::vector<std::thread> threads_;
+  std::vector<Retired> threads_;
 };
 
 RetiredThreads& retiredThreads()
@@ -43,7 +56,11 @@ struct Job {
   std::uint64_t revision = 0;
   std::shared_ptr<const DocumentState> state;
   std::string source;
+  bool isCancelled = false;  // before its work began
 };
+
+/// What is to become of the work under way.
+enum class Fate { GoOn, GiveUp, GiveUpAndTell };
 
 class StoppableProgress final : public Progress {
  public:
@@ -74,17 +91,20 @@ struct LiveDeformer::Shared {
   void run();
   std::optional<Job> nextJob();
   void work(const Job& job);
+  Deformation deformed(const Job& job);
+  LiveEvent endOf(const Job& job);
   void tell(const LiveEvent& event);
+  Fate currentFate();
 
   const std::shared_ptr<const Model> model;
+  const std::shared_ptr<std::atomic<bool>> hasEnded = std::make_shared<std::atomic<bool>>(false);
   std::thread thread;
 
   std::mutex mutex;  // guards what follows
   std::condition_variable changed;
   std::optional<Job> waiting;
-  bool isStopping = false;    // the owner is gone
-  bool isCancelled = false;   // the owner wants the work under way to stop
-  bool isSuperseded = false;  // a newer state wants it to stop
+  bool isStopping = false;  // the owner is gone
+  Fate fate = Fate::GoOn;   // of the work under way
 
   std::mutex telling;  // held while the listener is called: its owner waits for that alone
   Listener listener;
@@ -100,13 +120,18 @@ void LiveDeformer::Shared::tell(const LiveEvent& event)
   if (listener) listener(event);
 }
 
+Fate LiveDeformer::Shared::currentFate()
+{
+  const std::scoped_lock lock(mutex);
+  return isStopping ? Fate::GiveUp : fate;
+}
+
 std::optional<Job> LiveDeformer::Shared::nextJob()
 {
   std::unique_lock lock(mutex);
   changed.wait(lock, [this] { return isStopping || waiting; });
   if (isStopping) return std::nullopt;
-  isCancelled = false;
-  isSuperseded = false;
+  fate = Fate::GoOn;
   return std::exchange(waiting, std::nullopt);
 }
 
@@ -114,38 +139,47 @@ void LiveDeformer::Shared::run()
 {
   while (const auto job = nextJob()) work(*job);
   deformer.reset();
+  *hasEnded = true;
+}
+
+Deformation LiveDeformer::Shared::deformed(const Job& job)
+{
+  if (deformer == nullptr || deformerOptions != job.state->options) {
+    deformer = std::make_unique<Deformer>(*model, job.state->options);
+    deformerOptions = job.state->options;
+  }
+  StoppableProgress progress([this] { return currentFate() != Fate::GoOn; },
+                             [&](std::string_view stage) {
+                               tell({LiveEvent::Kind::Stage, job.revision, std::string(stage), nullptr});
+                             });
+  return deformer->deform(job.state->list, job.source, progress);
+}
+
+LiveEvent LiveDeformer::Shared::endOf(const Job& job)
+{
+  using Kind = LiveEvent::Kind;
+  try {
+    return {Kind::Done, job.revision, "", std::make_shared<const Deformation>(deformed(job))};
+  } catch (const Cancelled&) {
+    return {Kind::Cancelled, job.revision, "", nullptr};
+  } catch (const InputError& error) {
+    return {Kind::Unusable, job.revision, error.what(), nullptr};
+  } catch (const std::exception& error) {
+    deformer.reset();  // in whatever state it was left
+    return {Kind::Broken, job.revision, error.what(), nullptr};
+  }
 }
 
 void LiveDeformer::Shared::work(const Job& job)
 {
   using Kind = LiveEvent::Kind;
-  StoppableProgress progress(
-      [this] {
-        const std::scoped_lock lock(mutex);
-        return isStopping || isCancelled || isSuperseded;
-      },
-      [&](std::string_view stage) {
-        tell({Kind::Stage, job.revision, std::string(stage), nullptr});
-      });
+  if (job.isCancelled) return tell({Kind::Cancelled, job.revision, "", nullptr});
   tell({Kind::Started, job.revision, "", nullptr});
-  try {
-    if (deformer == nullptr || deformerOptions != job.state->options) {
-      deformer = std::make_unique<Deformer>(*model, job.state->options);
-      deformerOptions = job.state->options;
-    }
-    auto result = std::make_shared<const Deformation>(deformer->deform(job.state->list, job.source, progress));
-    tell({Kind::Done, job.revision, "", std::move(result)});
-  } catch (const Cancelled&) {
-    const bool isTold = [this] {
-      const std::scoped_lock lock(mutex);
-      return isCancelled;
-    }();
-    if (isTold) tell({Kind::Cancelled, job.revision, "", nullptr});
-  } catch (const InputError& error) {
-    tell({Kind::Unusable, job.revision, error.what(), nullptr});
-  } catch (const std::exception& error) {
-    tell({Kind::Broken, job.revision, error.what(), nullptr});
-  }
+  const LiveEvent end = endOf(job);
+  // A result that nobody wants any more should not flash up, even where no stage was left to give it up at.
+  const Fate last = currentFate();
+  if (last == Fate::GoOn) tell(end);
+  if (last == Fate::GiveUpAndTell) tell({Kind::Cancelled, job.revision, "", nullptr});
 }
 
 LiveDeformer::LiveDeformer(std::shared_ptr<const Model> model, Listener listener)
@@ -159,15 +193,15 @@ LiveDeformer::LiveDeformer(std::shared_ptr<const Model> model, Listener listener
 LiveDeformer::~LiveDeformer()
 {
   {
-    const std::scoped_lock lock(shared_->telling);
-    shared_->listener = nullptr;
-  }
-  {
     const std::scoped_lock lock(shared_->mutex);
     shared_->isStopping = true;
   }
   shared_->changed.notify_all();
-  retiredThreads().add(std::move(shared_->thread));
+  {
+    const std::scoped_lock lock(shared_->telling);
+    shared_->listener = nullptr;
+  }
+  retiredThreads().add(std::move(shared_->thread), shared_->hasEnded);
 }
 
 void LiveDeformer::submit(std::uint64_t revision, std::shared_ptr<const DocumentState> state, std::string source,
@@ -175,8 +209,8 @@ void LiveDeformer::submit(std::uint64_t revision, std::shared_ptr<const Document
 {
   {
     const std::scoped_lock lock(shared_->mutex);
-    shared_->waiting = Job{revision, std::move(state), std::move(source)};
-    if (supersede == Supersede::AtNextStage) shared_->isSuperseded = true;
+    shared_->waiting = Job{revision, std::move(state), std::move(source), false};
+    if (supersede == Supersede::AtNextStage && shared_->fate == Fate::GoOn) shared_->fate = Fate::GiveUp;
   }
   shared_->changed.notify_all();
 }
@@ -184,8 +218,8 @@ void LiveDeformer::submit(std::uint64_t revision, std::shared_ptr<const Document
 void LiveDeformer::cancel()
 {
   const std::scoped_lock lock(shared_->mutex);
-  shared_->waiting.reset();
-  shared_->isCancelled = true;
+  if (shared_->waiting) shared_->waiting->isCancelled = true;
+  if (shared_->fate == Fate::GoOn) shared_->fate = Fate::GiveUpAndTell;
 }
 
 }  // namespace holdfast

@@ -12,14 +12,15 @@
 
 namespace holdfast {
 
-/// What the worker tells. All but `Started` and `Stage` end the work on their revision.
+/// What the worker tells. All but `Started` and `Stage` end the work on their revision: each revision ends once, but
+/// for those that a newer one replaced, of whose end nothing is told.
 struct LiveEvent {
   enum class Kind {
     Started,    ///< work on a revision begins
     Stage,      ///< `message` says what is being done now
     Done,       ///< `deformation` is what the state asks for, or the rest shape with the reason in its report
     Unusable,   ///< the constraints do not fit the mesh; `message` says why and where
-    Cancelled,  ///< by `cancel`; a state that a newer one replaced is not told of
+    Cancelled,  ///< by `cancel`, whether or not the work had started
     Broken      ///< an error that is a mistake of ours or of the machine (memory), in `message`
   };
   Kind kind = Kind::Started;
@@ -37,11 +38,13 @@ enum class Supersede {
 /// Deforms one model on a thread of its own. Calls may come from one thread, the owner's.
 class LiveDeformer {
  public:
-  /// Called on the worker's thread, never after the destructor has returned.
+  /// Called on the worker's thread, never after the destructor has returned. It does not throw, and does not wait for
+  /// the owner's thread, whose destructor waits for it.
   using Listener = std::function<void(const LiveEvent&)>;
 
   LiveDeformer(std::shared_ptr<const Model> model, Listener listener);
-  /// Returns at once. Work under way is given up at its next stage; until then it keeps what it needs alive.
+  /// Returns at once, or after the call of the listener that is under way. Work under way is given up at its next
+  /// stage; until then it keeps what it needs alive.
   ~LiveDeformer();
   LiveDeformer(const LiveDeformer&) = delete;
   LiveDeformer& operator=(const LiveDeformer&) = delete;
@@ -50,7 +53,8 @@ class LiveDeformer {
   void submit(std::uint64_t revision, std::shared_ptr<const DocumentState> state, std::string source,
               Supersede supersede);
 
-  /// Gives up what is waiting and, at its next stage, what is under way. What was factorised before stays usable.
+  /// Gives up what is waiting and, at its next stage or its end, what is under way. What was factorised before stays
+  /// usable. An end that the listener was being told of already stands.
   void cancel();
 
  private:

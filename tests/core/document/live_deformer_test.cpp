@@ -1,0 +1,432 @@
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <future>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <holdfast/document/live_deformer.h>
+
+#include "support/law_meshes.h"
+#include "support/point_constraints.h"
+
+namespace holdfast {
+namespace {
+
+using Kind = LiveEvent::Kind;
+using End = std::pair<std::uint64_t, Kind>;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+constexpr std::chrono::seconds kPatience{120};
+
+/// Holds threads back until it is opened.
+class Latch {
+ public:
+  /// Tells under the lock: who is told may take the latch down at once.
+  void open()
+  {
+    const std::scoped_lock lock(mutex_);
+    isOpen_ = true;
+    changed_.notify_all();
+  }
+
+  /// Whether it was opened in time.
+  [[nodiscard]] bool wait()
+  {
+    std::unique_lock lock(mutex_);
+    return changed_.wait_for(lock, kPatience, [this] { return isOpen_; });
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  bool isOpen_ = false;
+};
+
+/// Where a test holds the worker back: at the first event of this revision and kind, and with this message if it says
+/// one.
+struct Gate {
+  std::uint64_t revision = 0;
+  Kind kind = Kind::Started;
+  std::string message;
+
+  [[nodiscard]] bool isMetBy(const LiveEvent& event) const
+  {
+    return event.revision == revision && event.kind == kind && (message.empty() || event.message == message);
+  }
+};
+
+/// What the worker says last before it solves.
+const std::string kLastStage = "solving";
+
+/// Takes down what the worker tells; stops it at a gate until it is opened.
+class Witness {
+ public:
+  explicit Witness(std::optional<Gate> gate = std::nullopt) : gate_(gate) {}
+
+  [[nodiscard]] LiveDeformer::Listener listener()
+  {
+    return [this](const LiveEvent& event) { take(event); };
+  }
+
+  /// Whether the worker has come to the gate in time.
+  [[nodiscard]] bool isAtGate() { return reached_.wait(); }
+  void openGate() { gateway_.open(); }
+
+  /// The events so far once the end of `revision` is among them; fails where it does not come in time.
+  [[nodiscard]] std::vector<LiveEvent> eventsTo(std::uint64_t revision)
+  {
+    const bool hasCome = waitUntil([&] {
+      return std::any_of(events_.begin(), events_.end(),
+                         [&](const LiveEvent& event) { return event.revision == revision && isEnd(event); });
+    });
+    EXPECT_TRUE(hasCome) << "the end of revision " << revision;
+    const std::scoped_lock lock(mutex_);
+    return events_;
+  }
+
+  [[nodiscard]] std::vector<End> endsTo(std::uint64_t revision)
+  {
+    std::vector<End> ends;
+    for (const LiveEvent& event : eventsTo(revision))
+      if (isEnd(event)) ends.emplace_back(event.revision, event.kind);
+    return ends;
+  }
+
+  [[nodiscard]] std::size_t count()
+  {
+    const std::scoped_lock lock(mutex_);
+    return events_.size();
+  }
+
+  static bool isEnd(const LiveEvent& event) { return event.kind != Kind::Started && event.kind != Kind::Stage; }
+
+ private:
+  void take(const LiveEvent& event)
+  {
+    bool isAtGate = false;
+    {
+      const std::scoped_lock lock(mutex_);
+      events_.push_back(event);
+      isAtGate = gate_ && gate_->isMetBy(event);
+      if (isAtGate) gate_.reset();
+      changed_.notify_all();
+    }
+    if (!isAtGate) return;
+    reached_.open();
+    EXPECT_TRUE(gateway_.wait());
+  }
+
+  template <class Condition>
+  bool waitUntil(Condition condition)
+  {
+    std::unique_lock lock(mutex_);
+    return changed_.wait_for(lock, kPatience, condition);
+  }
+
+  std::mutex mutex_;  // guards what follows
+  std::condition_variable changed_;
+  std::optional<Gate> gate_;
+  std::vector<LiveEvent> events_;
+
+  Latch reached_;
+  Latch gateway_;
+};
+
+std::shared_ptr<const Model> plateModel()
+{
+  return std::make_shared<const Model>(makeModel(test::plate(6, 5), "mesh"));
+}
+
+std::shared_ptr<const DocumentState> stateOf(ConstraintList list, DeformOptions options = {})
+{
+  return std::make_shared<const DocumentState>(DocumentState{std::move(list), options});
+}
+
+std::shared_ptr<const DocumentState> dragged(double height)
+{
+  return stateOf(test::listOf({test::hold({0, 1, 2}), test::moveBy(AtFace{9, {0.2, 0.3, 0.5}}, {0, 0, height})}));
+}
+
+std::shared_ptr<const DocumentState> unusable()
+{
+  return stateOf(test::listOf({test::hold({100000})}));
+}
+
+Positions freshly(const Model& model, const DocumentState& state)
+{
+  NoProgress progress;
+  return deform(model, state.list, "list", state.options, progress).positions;
+}
+
+TEST(LiveDeformer, GivesTheDeformationThatIsAskedFor)
+{
+  const auto model = plateModel();
+  Witness witness;
+  LiveDeformer live(model, witness.listener());
+  live.submit(1, dragged(0.5), "list", Supersede::AtNextStage);
+  const std::vector<LiveEvent> events = witness.eventsTo(1);
+  EXPECT_EQ(events.front().kind, Kind::Started);
+  EXPECT_EQ(events[1].kind, Kind::Stage);
+  EXPECT_THAT(events[1].message, HasSubstr("operators"));
+  ASSERT_EQ(events.back().kind, Kind::Done);
+  EXPECT_EQ(events.back().deformation->positions, freshly(*model, *dragged(0.5)));
+}
+
+TEST(LiveDeformer, AnEditGivesUpTheWorkUnderWayAndTellsNothingOfItsEnd)
+{
+  Witness witness(Gate{1, Kind::Stage, ""});
+  LiveDeformer live(plateModel(), witness.listener());
+  live.submit(1, dragged(1), "list", Supersede::AtNextStage);
+  ASSERT_TRUE(witness.isAtGate());
+  live.submit(2, dragged(2), "list", Supersede::AtNextStage);
+  witness.openGate();
+  EXPECT_THAT(witness.endsTo(2), ElementsAre(End(2, Kind::Done)));
+}
+
+TEST(LiveDeformer, AnEditDuringTheLastStageKeepsTheOlderResultToItself)
+{
+  Witness witness(Gate{2, Kind::Stage, kLastStage});
+  LiveDeformer live(plateModel(), witness.listener());
+  live.submit(1, dragged(1), "list", Supersede::AtNextStage);
+  ASSERT_THAT(witness.endsTo(1), ElementsAre(End(1, Kind::Done)));
+  live.submit(2, dragged(2), "list", Supersede::AtNextStage);
+  ASSERT_TRUE(witness.isAtGate());
+  live.submit(3, dragged(3), "list", Supersede::AtNextStage);
+  witness.openGate();
+  EXPECT_THAT(witness.endsTo(3), ElementsAre(End(1, Kind::Done), End(3, Kind::Done)));
+}
+
+TEST(LiveDeformer, AFrameOfADragIsFinishedBeforeTheNext)
+{
+  Witness witness(Gate{1, Kind::Stage, ""});
+  LiveDeformer live(plateModel(), witness.listener());
+  live.submit(1, dragged(1), "list", Supersede::WhenDone);
+  ASSERT_TRUE(witness.isAtGate());
+  live.submit(2, dragged(2), "list", Supersede::WhenDone);
+  witness.openGate();
+  EXPECT_THAT(witness.endsTo(2), ElementsAre(End(1, Kind::Done), End(2, Kind::Done)));
+}
+
+TEST(LiveDeformer, OfStatesThatWaitOnlyTheNewestIsDeformed)
+{
+  Witness witness(Gate{1, Kind::Stage, ""});
+  LiveDeformer live(plateModel(), witness.listener());
+  live.submit(1, dragged(1), "list", Supersede::WhenDone);
+  ASSERT_TRUE(witness.isAtGate());
+  for (std::uint64_t revision = 2; revision <= 9; ++revision)
+    live.submit(revision, dragged(static_cast<double>(revision)), "list", Supersede::WhenDone);
+  witness.openGate();
+  EXPECT_THAT(witness.endsTo(9), ElementsAre(End(1, Kind::Done), End(9, Kind::Done)));
+  for (const LiveEvent& event : witness.eventsTo(9)) EXPECT_TRUE(event.revision == 1 || event.revision == 9);
+}
+
+TEST(LiveDeformer, AnEditStandsWhereADragGoesOn)
+{
+  Witness witness(Gate{1, Kind::Stage, ""});
+  LiveDeformer live(plateModel(), witness.listener());
+  live.submit(1, dragged(1), "list", Supersede::WhenDone);
+  ASSERT_TRUE(witness.isAtGate());
+  live.submit(2, dragged(2), "list", Supersede::AtNextStage);
+  live.submit(3, dragged(3), "list", Supersede::WhenDone);
+  witness.openGate();
+  EXPECT_THAT(witness.endsTo(3), ElementsAre(End(3, Kind::Done)));
+}
+
+TEST(LiveDeformer, CancelEndsWhatIsUnderWayAndWhatWaits)
+{
+  Witness witness(Gate{1, Kind::Stage, ""});
+  LiveDeformer live(plateModel(), witness.listener());
+  live.submit(1, dragged(1), "list", Supersede::WhenDone);
+  ASSERT_TRUE(witness.isAtGate());
+  live.submit(2, dragged(2), "list", Supersede::WhenDone);
+  live.cancel();
+  witness.openGate();
+  EXPECT_THAT(witness.endsTo(2), ElementsAre(End(1, Kind::Cancelled), End(2, Kind::Cancelled)));
+}
+
+TEST(LiveDeformer, CancelDuringTheLastStageKeepsTheResultToItself)
+{
+  Witness witness(Gate{2, Kind::Stage, kLastStage});
+  LiveDeformer live(plateModel(), witness.listener());
+  live.submit(1, dragged(1), "list", Supersede::WhenDone);
+  ASSERT_THAT(witness.endsTo(1), ElementsAre(End(1, Kind::Done)));
+  live.submit(2, dragged(2), "list", Supersede::WhenDone);
+  ASSERT_TRUE(witness.isAtGate());
+  live.cancel();
+  witness.openGate();
+  EXPECT_THAT(witness.endsTo(2), ElementsAre(End(1, Kind::Done), End(2, Kind::Cancelled)));
+}
+
+TEST(LiveDeformer, CancelDoesNotReachWhatIsSubmittedAfterIt)
+{
+  Witness witness(Gate{1, Kind::Stage, ""});
+  LiveDeformer live(plateModel(), witness.listener());
+  live.submit(1, dragged(1), "list", Supersede::WhenDone);
+  ASSERT_TRUE(witness.isAtGate());
+  live.cancel();
+  live.submit(2, dragged(2), "list", Supersede::AtNextStage);
+  witness.openGate();
+  EXPECT_THAT(witness.endsTo(2), ElementsAre(End(1, Kind::Cancelled), End(2, Kind::Done)));
+}
+
+TEST(LiveDeformer, CancelWithNothingToDoIsForgotten)
+{
+  Witness witness;
+  LiveDeformer live(plateModel(), witness.listener());
+  live.cancel();
+  live.submit(1, dragged(1), "list", Supersede::WhenDone);
+  EXPECT_THAT(witness.endsTo(1), ElementsAre(End(1, Kind::Done)));
+  live.cancel();
+  live.submit(2, dragged(2), "list", Supersede::WhenDone);
+  EXPECT_THAT(witness.endsTo(2), ElementsAre(End(1, Kind::Done), End(2, Kind::Done)));
+}
+
+TEST(LiveDeformer, EveryCancelledRevisionEndsOnceWhateverTheTiming)
+{
+  Witness witness;
+  LiveDeformer live(plateModel(), witness.listener());
+  for (std::uint64_t revision = 1; revision <= 200; ++revision) {
+    live.submit(revision, dragged(static_cast<double>(revision)), "list", Supersede::WhenDone);
+    live.cancel();
+    const std::vector<End> ends = witness.endsTo(revision);
+    ASSERT_EQ(ends.size(), revision);
+    EXPECT_EQ(ends.back().first, revision);
+  }
+}
+
+TEST(LiveDeformer, SaysWhyAListIsUnusableAndGoesOn)
+{
+  const auto model = plateModel();
+  Witness witness;
+  LiveDeformer live(model, witness.listener());
+  live.submit(1, unusable(), "part.json", Supersede::AtNextStage);
+  const LiveEvent refused = witness.eventsTo(1).back();
+  EXPECT_EQ(refused.kind, Kind::Unusable);
+  EXPECT_THAT(refused.message, HasSubstr("part.json"));
+  EXPECT_THAT(refused.message, HasSubstr("there is no vertex 100000"));
+  EXPECT_EQ(refused.deformation, nullptr);
+  live.submit(2, dragged(1), "part.json", Supersede::AtNextStage);
+  EXPECT_EQ(witness.eventsTo(2).back().deformation->positions, freshly(*model, *dragged(1)));
+}
+
+TEST(LiveDeformer, AnUnusableListThatANewerOneReplacedIsNotToldOf)
+{
+  Witness witness(Gate{1, Kind::Started, ""});
+  LiveDeformer live(plateModel(), witness.listener());
+  live.submit(1, unusable(), "list", Supersede::WhenDone);
+  ASSERT_TRUE(witness.isAtGate());
+  live.submit(2, dragged(1), "list", Supersede::AtNextStage);
+  witness.openGate();
+  EXPECT_THAT(witness.endsTo(2), ElementsAre(End(2, Kind::Done)));
+}
+
+TEST(LiveDeformer, FramesOfADragAreBitEqualToFreshDeformations)
+{
+  const auto model = plateModel();
+  Witness witness;
+  LiveDeformer live(model, witness.listener());
+  for (std::uint64_t revision = 1; revision <= 20; ++revision) {
+    const auto state = dragged(0.1 * static_cast<double>(revision));
+    live.submit(revision, state, "list", Supersede::WhenDone);
+    const LiveEvent end = witness.eventsTo(revision).back();
+    ASSERT_EQ(end.kind, Kind::Done);
+    EXPECT_EQ(end.deformation->positions, freshly(*model, *state)) << "frame " << revision;
+  }
+}
+
+TEST(LiveDeformer, AFrameAfterTheFirstFactorisesNothing)
+{
+  Witness witness;
+  LiveDeformer live(plateModel(), witness.listener());
+  live.submit(1, dragged(1), "list", Supersede::WhenDone);
+  static_cast<void>(witness.eventsTo(1));
+  live.submit(2, dragged(2), "list", Supersede::WhenDone);
+  for (const LiveEvent& event : witness.eventsTo(2)) {
+    if (event.revision == 1 || event.kind != Kind::Stage) continue;
+    EXPECT_THAT(event.message, StartsWith("solving"));
+  }
+}
+
+TEST(LiveDeformer, OtherOptionsMakeAnotherDeformation)
+{
+  const auto model = plateModel();
+  Witness witness;
+  LiveDeformer live(model, witness.listener());
+  DeformOptions options;
+  std::uint64_t revision = 0;
+  for (const Weights weights : {Weights::Cotangent, Weights::Uniform, Weights::Cotangent}) {
+    options.weights = weights;
+    const auto state = stateOf(dragged(1)->list, options);
+    live.submit(++revision, state, "list", Supersede::AtNextStage);
+    EXPECT_EQ(witness.eventsTo(revision).back().deformation->positions, freshly(*model, *state));
+  }
+}
+
+TEST(LiveDeformer, TheDestructorDoesNotWaitForTheWorkerAndSilencesIt)
+{
+  Latch isHeld;
+  Latch isReleased;
+  Latch isGone;
+  // The worker is held back where it lets go of the first state, outside the listener.
+  std::shared_ptr<const DocumentState> holding(new DocumentState(*dragged(1)), [&](const DocumentState* state) {
+    delete state;
+    isHeld.open();
+    EXPECT_TRUE(isReleased.wait()) << "the destructor waits for the worker";
+  });
+  std::shared_ptr<const Model> model(new Model(*plateModel()), [&](const Model* dying) {
+    delete dying;
+    isGone.open();
+  });
+  Witness witness;
+  {
+    LiveDeformer live(std::move(model), witness.listener());
+    live.submit(1, std::move(holding), "list", Supersede::WhenDone);
+    static_cast<void>(witness.eventsTo(1));
+    ASSERT_TRUE(isHeld.wait());
+    live.submit(2, dragged(2), "list", Supersede::WhenDone);
+  }
+  const std::size_t told = witness.count();
+  isReleased.open();
+  ASSERT_TRUE(isGone.wait()) << "the worker ends";
+  EXPECT_EQ(witness.count(), told);
+}
+
+TEST(LiveDeformer, TheDestructorWaitsForTheListenerThatIsBeingCalled)
+{
+  Latch isCalled;
+  Latch isReleased;
+  bool hasReturned = false;
+  auto live = std::make_unique<LiveDeformer>(plateModel(), [&](const LiveEvent&) {
+    isCalled.open();
+    EXPECT_TRUE(isReleased.wait());
+    hasReturned = true;
+  });
+  live->submit(1, dragged(1), "list", Supersede::WhenDone);
+  ASSERT_TRUE(isCalled.wait());
+  std::future<void> gone = std::async(std::launch::async, [&] { live.reset(); });
+  isReleased.open();
+  gone.get();
+  EXPECT_TRUE(hasReturned);
+}
+
+TEST(LiveDeformer, MayGoAsSoonAsItHasCome)
+{
+  for (int k = 0; k < 50; ++k) {
+    Witness witness;
+    LiveDeformer live(plateModel(), witness.listener());
+    live.submit(1, dragged(1), "list", Supersede::WhenDone);
+  }
+}
+
+}  // namespace
+}  // namespace holdfast
