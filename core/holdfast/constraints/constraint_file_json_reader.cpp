@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <holdfast/constraints/constraint_file.h>
+#include <holdfast/constraints/constraint_file_json_internal.h>
 #include <holdfast/constraints/constraint_file_terms_internal.h>
 #include <holdfast/constraints/constraint_file_text_internal.h>
 #include <holdfast/constraints/json_reader_internal.h>
@@ -17,7 +18,8 @@ using What = decltype(Constraint::what);
 
 constexpr std::string_view kFormat = "holdfast-constraints";
 constexpr Index kVersion = 1;
-constexpr std::array<std::string_view, 4> kDocumentKeys{"format", "version", "units", "constraints"};
+constexpr std::array<std::string_view, 8> kDocumentKeys{
+    "format", "version", "units", "constraints", kSessionKeys[0], kSessionKeys[1], kSessionKeys[2], kSessionKeys[3]};
 
 /// A type of constraint: its name in files, the keys it may have, and what reads it.
 struct Type {
@@ -132,16 +134,20 @@ std::vector<Constraint> readConstraintArray(const JsonReader& json)
 
 }  // namespace
 
-ConstraintList parseConstraintsJson(std::string_view text, const std::string& name)
+ConstraintList readConstraintDocument(const JsonReader& document)
 {
-  const JsonValue root = parseJson(text, name);
-  const JsonReader document(root, name);
   requireFormat(document);
   document.requireKeys(kDocumentKeys);
   ConstraintList list;
   if (document.has("units")) list.units = document["units"].text();
   list.constraints = readConstraintArray(document["constraints"]);
   return list;
+}
+
+ConstraintList parseConstraintsJson(std::string_view text, const std::string& name)
+{
+  const JsonValue root = parseJson(text, name);
+  return readConstraintDocument(JsonReader(root, name));
 }
 
 }  // namespace holdfast

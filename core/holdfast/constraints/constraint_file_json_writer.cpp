@@ -1,60 +1,12 @@
-#include <array>
-#include <charconv>
-#include <cmath>
-
 #include <fmt/format.h>
 
 #include <holdfast/base/error.h>
 #include <holdfast/constraints/constraint_file.h>
+#include <holdfast/constraints/constraint_file_json_internal.h>
+#include <holdfast/constraints/json_text_internal.h>
 
 namespace holdfast {
 namespace {
-
-std::string textJson(std::string_view text)
-{
-  std::string json = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\')
-      json += {'\\', c};
-    else if (c >= 0 && c < ' ')
-      json += fmt::format("\\u{:04x}", static_cast<int>(c));
-    else
-      json += c;
-  }
-  return json + '"';
-}
-
-std::string numberJson(double value)
-{
-  // JSON cannot say "not finite"; null is refused when the text is read again, with its path.
-  if (!std::isfinite(value)) return "null";
-  // An integer zero has no sign.
-  if (value == 0 && std::signbit(value)) return "-0.0";
-  std::array<char, 32> digits{};
-  const std::to_chars_result end = std::to_chars(digits.data(), digits.data() + digits.size(), value);
-  return {digits.data(), end.ptr};
-}
-
-std::string numberJson(Index value)
-{
-  return std::to_string(value);
-}
-
-template <class Range, class Function>
-std::string listJson(const Range& range, Function elementJson)
-{
-  std::string json;
-  for (const auto& element : range) {
-    json += json.empty() ? "[" : ", ";
-    json += elementJson(element);
-  }
-  return json.empty() ? "[]" : json + "]";
-}
-
-std::string vectorJson(const Vector3& v)
-{
-  return fmt::format("[{}, {}, {}]", numberJson(v.x()), numberJson(v.y()), numberJson(v.z()));
-}
 
 struct LocationJson {
   std::string operator()(const AtVertex& at) const { return fmt::format(R"({{"vertex": {}}})", numberJson(at.vertex)); }
@@ -200,13 +152,18 @@ void requireReadable(const std::string& json)
 
 }  // namespace
 
-std::string constraintsToJson(const ConstraintList& list)
+std::string constraintMembersJson(const ConstraintList& list)
 {
   const std::string units = list.units.empty() ? "" : fmt::format("\n  \"units\": {},", textJson(list.units));
-  const std::string json = fmt::format(
-      "{{\n  \"format\": \"holdfast-constraints\",\n  \"version\": 1,{}\n"
-      "  \"constraints\": {}\n}}\n",
+  return fmt::format(
+      "\n  \"format\": \"holdfast-constraints\",\n  \"version\": 1,{}\n"
+      "  \"constraints\": {}\n",
       units, constraintArrayJson(list.constraints));
+}
+
+std::string constraintsToJson(const ConstraintList& list)
+{
+  const std::string json = fmt::format("{{{}}}\n", constraintMembersJson(list));
   requireReadable(json);
   return json;
 }

@@ -105,7 +105,7 @@ TEST(ConstraintFileErrors, DocumentIsAnObjectOfTheKnownFormatAndVersion)
   expectRefused(R"({"format": "holdfast-constraints", "version": 1})", "top level", R"("constraints" is missing)");
   expectRefused(kHead + "{}}", "constraints", "a list is expected");
   expectRefused(kHead + "[], \"units\": 3}", "units", "text in double quotes");
-  expectRefused(kHead + "[], \"mesh\": {}}", "mesh", "unknown key");
+  expectRefused(kHead + "[], \"bones\": {}}", "bones", "unknown key");
 }
 
 TEST(ConstraintFileErrors, UnknownKeysNameTheKnownOnesAndTheClosest)

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <holdfast/constraints/constraint_file.h>
+#include <holdfast/document/session_file.h>
 
 #include "support/source_tree.h"
 
@@ -142,10 +143,22 @@ TEST(FormatsDocument, ExampleOfAReportIsJsonOfTheVersionNamed)
   EXPECT_EQ(report.at("version"), 1);
 }
 
+TEST(FormatsDocument, ExampleOfASessionHasEveryKeyOfTheView)
+{
+  const std::vector<std::string> examples = blocksOf("json session");
+  ASSERT_EQ(examples.size(), 1U);
+  const SessionFile session = parseSession(examples[0], kDocument);
+  const ViewState& view = session.view;
+  EXPECT_TRUE(view.camera && view.colorBy && view.range && view.scale && view.colorMap && view.restShape &&
+              view.meshEdges && view.showsConstraints && view.showsRotations);
+  EXPECT_FALSE(session.mesh.path.empty() || session.mesh.absolutePath.empty() || session.mesh.checksum.empty());
+  EXPECT_EQ(parseConstraintsJson(examples[0], kDocument).constraints.size(), 1U);
+}
+
 TEST(FormatsDocument, HasNoExampleThatNoTestReads)
 {
-  const std::vector<std::string> known{"json",           "csv",           "json constraint",
-                                       "json selection", "json location", "json report"};
+  const std::vector<std::string> known{"json",          "csv",         "json constraint", "json selection",
+                                       "json location", "json report", "json session"};
   for (const Block& block : blocksOfDocument())
     EXPECT_EQ(std::count(known.begin(), known.end(), block.kind), 1) << block.kind << "\n" << block.text;
 }

@@ -1,0 +1,111 @@
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdint>
+#include <fstream>
+#include <system_error>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <holdfast/base/error.h>
+#include <holdfast/document/session_mesh.h>
+
+namespace holdfast {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kAlgorithm = "fnv1a64:";
+constexpr std::size_t kDigits = 16;
+
+/// The Fowler-Noll-Vo hash, variant 1a, with the published constants.
+class Fnv1a {
+ public:
+  void add(std::string_view bytes)
+  {
+    for (const char byte : bytes) hash_ = (hash_ ^ static_cast<unsigned char>(byte)) * 0x100000001B3U;
+  }
+  [[nodiscard]] std::uint64_t value() const { return hash_; }
+
+ private:
+  std::uint64_t hash_ = 0xCBF29CE484222325U;
+};
+
+/// `path` with the symbolic links of its folders followed, but not that of the file itself: a link to a mesh moves with
+/// the folder that it is in.
+fs::path inRealFolder(const fs::path& path)
+{
+  std::error_code ignored;
+  const fs::path absolute = fs::absolute(path, ignored).lexically_normal();
+  const fs::path folder = fs::weakly_canonical(absolute.parent_path(), ignored);
+  return (folder.empty() ? absolute.parent_path() : folder) / absolute.filename();
+}
+
+/// Where the mesh may be, the likelier first.
+std::vector<fs::path> candidates(const MeshReference& mesh, const fs::path& sessionPath)
+{
+  std::vector<fs::path> paths{sessionPath.parent_path() / mesh.path};
+  if (!mesh.absolutePath.empty() && paths.front() != mesh.absolutePath) paths.emplace_back(mesh.absolutePath);
+  return paths;
+}
+
+ResolvedMesh examined(const fs::path& path, const std::string& checksum)
+{
+  try {
+    const std::string found = checksumOfFile(path);
+    if (checksum.empty() || found == checksum) return {path, MeshState::Same, ""};
+    return {path, MeshState::Changed,
+            fmt::format("{}: the mesh is not the one that the session was saved with (checksum {} instead of {}). "
+                        "Vertex and face ids may mean other places now: check the constraints, or bring the old file "
+                        "back",
+                        path.string(), found, checksum)};
+  } catch (const InputError& error) {
+    return {path, MeshState::Missing, fmt::format("{}. Choose where the mesh of the session is", error.what())};
+  }
+}
+
+}  // namespace
+
+std::string checksumOfFile(const fs::path& path)
+{
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (status.type() == fs::file_type::not_found)
+    throw InputError({path.string(), 0, ""}, "there is no such file; check the path");
+  if (!fs::is_regular_file(status)) throw InputError({path.string(), 0, ""}, "not a regular file; name a mesh file");
+  std::ifstream stream(path, std::ios::binary);
+  Fnv1a hash;
+  std::vector<char> block(std::size_t{1} << 16);
+  while (stream.read(block.data(), static_cast<std::streamsize>(block.size())) || stream.gcount() > 0)
+    hash.add({block.data(), static_cast<std::size_t>(stream.gcount())});
+  if (!stream.eof())
+    throw InputError({path.string(), 0, ""}, fmt::format("cannot be read ({}); check its permissions",
+                                                         std::error_code(errno, std::generic_category()).message()));
+  return fmt::format("{}{:016x}", kAlgorithm, hash.value());
+}
+
+bool isChecksum(std::string_view text)
+{
+  if (!text.starts_with(kAlgorithm) || text.size() != kAlgorithm.size() + kDigits) return false;
+  return text.find_first_not_of("0123456789abcdef", kAlgorithm.size()) == std::string_view::npos;
+}
+
+MeshReference referenceTo(const fs::path& mesh, const fs::path& session)
+{
+  const fs::path target = inRealFolder(mesh);
+  return {target.lexically_proximate(inRealFolder(session).parent_path()).generic_string(), target.generic_string(),
+          checksumOfFile(mesh)};
+}
+
+ResolvedMesh resolveMesh(const SessionFile& session, const fs::path& sessionPath)
+{
+  std::vector<ResolvedMesh> found;
+  for (const fs::path& path : candidates(session.mesh, sessionPath))
+    found.push_back(examined(path, session.mesh.checksum));
+  // Same before Changed before Missing; of equals the likelier.
+  return *std::min_element(found.begin(), found.end(),
+                           [](const ResolvedMesh& a, const ResolvedMesh& b) { return a.state < b.state; });
+}
+
+}  // namespace holdfast

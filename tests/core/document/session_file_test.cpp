@@ -1,0 +1,180 @@
+#include <limits>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <holdfast/base/error.h>
+#include <holdfast/constraints/constraint_file.h>
+#include <holdfast/document/session_file.h>
+
+#include "support/constraint_lists.h"
+#include "support/random.h"
+#include "support/temporary_folder.h"
+
+namespace holdfast {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const std::string kHead = R"({"format": "holdfast-constraints", "version": 1, "constraints": [])";
+const std::string kMesh = R"(, "mesh": {"path": "part.ply"})";
+
+/// A session in which nothing has its default value.
+SessionFile fullSession()
+{
+  SessionFile session;
+  session.mesh = {"../meshes/part \"7\".ply", "/home/somebody/meshes/part.ply", "fnv1a64:0123456789abcdef"};
+  test::Random random(7);
+  session.document.list = test::randomConstraintList(random, 40);
+  session.document.options = {Weights::Uniform, {SolverKind::Soft, Backend::Eigen, 0.1}};
+  session.view.camera =
+      Camera{{0.1, -1e-300, 1.0 / 3}, {1e300, -0.0, 2}, {0, 0.6, 0.8}, std::numeric_limits<double>::min(), true};
+  session.view.colorBy = "detail";
+  session.view.range = {-0.1, 0.30000000000000004};
+  session.view.scale = "log";
+  session.view.colorMap = "Björk's";
+  session.view.restShape = "edges";
+  session.view.meshEdges = "all";
+  session.view.showsConstraints = false;
+  session.view.showsRotations = true;
+  session.original = "/home/somebody/part.holdfast";
+  return session;
+}
+
+void expectSame(const SessionFile& a, const SessionFile& b)
+{
+  EXPECT_EQ(a.mesh, b.mesh);
+  EXPECT_TRUE(test::areSame(a.document.list, b.document.list));
+  EXPECT_EQ(a.document.options, b.document.options);
+  EXPECT_EQ(a.view, b.view);
+  EXPECT_EQ(a.original, b.original);
+}
+
+void expectRefused(const std::string& text, const std::string& element, const std::string& words)
+{
+  SCOPED_TRACE(text);
+  try {
+    static_cast<void>(parseSession(text, "s.holdfast"));
+    ADD_FAILURE() << "was read";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.location().file, "s.holdfast");
+    EXPECT_EQ(error.location().element, element);
+    EXPECT_THAT(error.reason(), HasSubstr(words));
+  }
+}
+
+TEST(SessionFile, ReadsBackEqualInEveryMember)
+{
+  const SessionFile session = fullSession();
+  const std::string text = sessionToJson(session);
+  expectSame(parseSession(text, "s"), session);
+  EXPECT_EQ(sessionToJson(parseSession(text, "s")), text);
+}
+
+TEST(SessionFile, WhatIsAbsentStaysAbsent)
+{
+  SessionFile session;
+  session.mesh.path = "part.ply";
+  const std::string text = sessionToJson(session);
+  expectSame(parseSession(text, "s"), session);
+  const nlohmann::json json = nlohmann::json::parse(text);
+  EXPECT_EQ(json["view"], nlohmann::json::object());
+  EXPECT_EQ(json["mesh"], (nlohmann::json{{"path", "part.ply"}}));
+  EXPECT_FALSE(json.contains("original"));
+}
+
+TEST(SessionFile, IsAConstraintFileAsWell)
+{
+  const SessionFile session = fullSession();
+  EXPECT_TRUE(test::areSame(parseConstraintsJson(sessionToJson(session), "s"), session.document.list));
+}
+
+TEST(SessionFile, LeavesTheDefaultBackendToTheBuild)
+{
+  SessionFile session;
+  session.mesh.path = "part.ply";
+  EXPECT_THAT(sessionToJson(session), testing::Not(HasSubstr("backend")));
+  session.document.options.solver.backend = Backend::Eigen;
+  EXPECT_EQ(parseSession(sessionToJson(session), "s").document.options, session.document.options);
+}
+
+TEST(SessionFile, IsWrittenToAFileAndReadFromIt)
+{
+  const test::TemporaryFolder folder;
+  const SessionFile session = fullSession();
+  writeSession(folder.path() / "part.holdfast", session);
+  expectSame(readSession(folder.path() / "part.holdfast"), session);
+  EXPECT_THAT(folder.names(), ElementsAre("part.holdfast"));
+}
+
+TEST(SessionFile, WhatCannotBeReadAgainIsNotWritten)
+{
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("part.holdfast", "as it was");
+  SessionFile nameless;
+  EXPECT_THROW(writeSession(path, nameless), OutputError);
+  SessionFile infinite = fullSession();
+  infinite.view.camera->parallelScale = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(writeSession(path, infinite), OutputError);
+  SessionFile notUtf8 = fullSession();
+  notUtf8.mesh.path = "m\xFFsh.ply";
+  EXPECT_THROW(writeSession(path, notUtf8), OutputError);
+  EXPECT_EQ(test::bytesOf(path), "as it was");
+}
+
+TEST(SessionFile, ConstraintFilesWithoutAMeshAreNoSessions)
+{
+  expectRefused(kHead + "}", "top level", "\"mesh\" is missing: this is a constraint file; open a mesh");
+}
+
+TEST(SessionFile, MistakesOfTheMeshAreRefused)
+{
+  expectRefused(kHead + R"(, "mesh": "part.ply"})", "mesh", "an object in braces");
+  expectRefused(kHead + R"(, "mesh": {}})", "mesh", "\"path\" is missing");
+  expectRefused(kHead + R"(, "mesh": {"path": ""}})", "mesh.path", "the text is empty");
+  expectRefused(kHead + R"(, "mesh": {"path": "p", "sum": 1}})", "mesh.sum", "unknown key");
+  for (const std::string sum :
+       {"", "0123456789abcdef", "md5:0123456789abcdef", "fnv1a64:0123", "fnv1a64:0123456789ABCDEF"})
+    expectRefused(kHead + R"(, "mesh": {"path": "p", "checksum": ")" + sum + R"("}})", "mesh.checksum",
+                  sum.empty() ? "the text is empty" : "16 hexadecimal digits");
+}
+
+TEST(SessionFile, MistakesOfTheOptionsAreRefused)
+{
+  const std::string head = kHead + kMesh + R"(, "options": )";
+  expectRefused(head + R"({"weight": "uniform"}})", "options.weight", R"(did you mean "weights"?)");
+  expectRefused(head + R"({"weights": "cotan"}})", "options.weights", R"("cotan" is not known here; Known here:)");
+  expectRefused(head + R"({"solver": "Soft"}})", "options.solver", R"(did you mean "soft"?)");
+  expectRefused(head + R"({"soft_weight": 0}})", "options.soft_weight", "not above 0");
+  expectRefused(head + R"({"backend": 1}})", "options.backend", "text in double quotes");
+}
+
+TEST(SessionFile, MistakesOfTheViewAreRefused)
+{
+  const std::string head = kHead + kMesh + R"(, "view": )";
+  expectRefused(head + R"({"colour": "x"}})", "view.colour", "unknown key");
+  expectRefused(head + R"({"color_by": ""}})", "view.color_by", "the text is empty");
+  expectRefused(head + R"({"range": [1, 1]}})", "view.range", "low is not below high");
+  expectRefused(head + R"({"range": [1]}})", "view.range", "a list of 2");
+  expectRefused(head + R"({"glyphs": {"rotations": 1}}})", "view.glyphs.rotations", "true or false");
+  const std::string camera = head + R"({"camera": {"position": [0,0,1], "focal_point": )";
+  expectRefused(camera + R"([0,0,1], "view_up": [0,1,0]}}})", "view.camera.focal_point", "the camera's own place");
+  expectRefused(camera + R"([0,0,0]}}})", "view.camera", "\"view_up\" is missing");
+  expectRefused(camera + R"([0,0,0], "view_up": [0,0,0]}}})", "view.camera.view_up", "cannot be zero");
+  expectRefused(camera + R"([0,0,0], "view_up": [0,1,0], "parallel_scale": -1}}})", "view.camera.parallel_scale",
+                "not above 0");
+  expectRefused(camera + R"([0,0,0], "view_up": [0,1,0], "projection": "paralel"}}})", "view.camera.projection",
+                R"(did you mean "parallel"?)");
+}
+
+TEST(SessionFile, AFileThatIsNotThereIsNamed)
+{
+  const test::TemporaryFolder folder;
+  EXPECT_THROW(static_cast<void>(readSession(folder.path() / "none.holdfast")), InputError);
+}
+
+}  // namespace
+}  // namespace holdfast
