@@ -1,0 +1,50 @@
+#pragma once
+/// \file
+/// Edits of lists of constraints, as a table offers them. Each makes a new list and leaves the old one as it is; places
+/// in a list count from 0 and are within it. Names stay unique.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <holdfast/constraints/constraint.h>
+
+namespace holdfast {
+
+/// The place of the constraint of this name. O(n).
+[[nodiscard]] std::optional<Index> indexOf(const ConstraintList& list, std::string_view name);
+
+/// The first of `stem` 1, `stem` 2, ... that no constraint is called: "P1", "P2" for "P". O(n log n).
+[[nodiscard]] std::string freshName(const ConstraintList& list, std::string_view stem);
+
+/// With `constraint` at the end, where it gives way to all others. Throws `InputError` for a name that is empty or
+/// taken.
+[[nodiscard]] ConstraintList added(ConstraintList list, Constraint constraint);
+
+/// With `constraint` in the place of the one at `index`. Throws `InputError` for a name that is empty or another's.
+[[nodiscard]] ConstraintList replaced(ConstraintList list, Index index, Constraint constraint);
+
+/// With another name at `index`. Throws `InputError` for a name that is empty or another's.
+[[nodiscard]] ConstraintList renamed(ConstraintList list, Index index, std::string name);
+
+/// Without the constraints at `indices`, in any order.
+[[nodiscard]] ConstraintList removed(ConstraintList list, const std::vector<Index>& indices);
+
+/// The constraints at `indices` alone, in the order of the list; its units.
+[[nodiscard]] ConstraintList extracted(const ConstraintList& list, const std::vector<Index>& indices);
+
+/// With the constraints at `indices`, in their order in the list, side by side in front of the one that is at `before`
+/// now, or at the end where that is the length of the list.
+[[nodiscard]] ConstraintList moved(ConstraintList list, const std::vector<Index>& indices, Index before);
+
+enum class Enabling { Enabled, Disabled };
+
+[[nodiscard]] ConstraintList withEnabled(ConstraintList list, const std::vector<Index>& indices, Enabling enabling);
+
+/// With all of `other` at the end. Where a name is taken, the first number that makes it unique is put in the place of
+/// the one at its end, or behind it: "P1" becomes "P2", "base" becomes "base 2". Units are those of `list` if it has
+/// any. O(n log n).
+[[nodiscard]] ConstraintList pasted(ConstraintList list, ConstraintList other);
+
+}  // namespace holdfast
