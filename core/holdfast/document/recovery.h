@@ -1,0 +1,62 @@
+#pragma once
+/// \file
+/// Copies of unsaved work that outlive a crash: one for each document that is open, told from those of living programs
+/// by a lock that the operating system lets go of when a program ends, however it ends.
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <holdfast/document/session_file.h>
+
+namespace holdfast {
+
+/// Where programs of this user keep their copies: `holdfast/recovery` below $XDG_STATE_HOME, or below ~/.local/state.
+/// Nothing where the environment names neither as an absolute path.
+[[nodiscard]] std::optional<std::filesystem::path> recoveryFolder();
+
+/// The copy of one open document.
+class RecoveryFile {
+ public:
+  /// `folder` is made when the first copy is written.
+  explicit RecoveryFile(std::filesystem::path folder);
+  /// The document was closed as it should be: its copy is removed.
+  ~RecoveryFile();
+  RecoveryFile(const RecoveryFile&) = delete;
+  RecoveryFile& operator=(const RecoveryFile&) = delete;
+
+  /// Puts a copy of `session` in the place of the last one: there is never half a one. `originalPath` is where the
+  /// session is saved, empty where it is not yet; the mesh is named from there, or absolutely. Throws `OutputError`;
+  /// the last copy stands then.
+  void write(SessionFile session, const std::filesystem::path& originalPath);
+
+  /// Removes the copy, as after the document was saved. The next `write` makes another.
+  void clear() noexcept;
+
+ private:
+  struct Place;
+
+  std::filesystem::path folder_;
+  std::unique_ptr<Place> place_;
+};
+
+/// What a program that is no more has left.
+struct Recoverable {
+  std::filesystem::path path;                  ///< the copy, to be read with `readSession`
+  std::filesystem::path original;              ///< the session that it is of; empty where that was never saved
+  std::filesystem::path mesh;                  ///< absolute; empty where the copy cannot be read
+  std::chrono::system_clock::time_point time;  ///< when the copy was written
+  std::string name;                            ///< for the user: of the session's file, or of the mesh's
+};
+
+/// The copies in `folder` whose programs are no more, the newest first. One that cannot be read is among them:
+/// `readSession` says why. Empty where there is no such folder.
+[[nodiscard]] std::vector<Recoverable> recoverable(const std::filesystem::path& folder);
+
+/// Removes the copy for good. Harmless where another program has done so.
+void discard(const Recoverable& copy) noexcept;
+
+}  // namespace holdfast
