@@ -1,0 +1,116 @@
+#include <algorithm>
+
+#include <holdfast/surface/vertex_regions.h>
+
+namespace holdfast {
+
+VertexRegions::VertexRegions(const Mesh& mesh, const SolverMesh& solverMesh)
+    : mesh_(mesh),
+      solverMesh_(solverMesh),
+      graph_(solverMesh),
+      smoothFaces_(mesh, solverMesh),
+      starts_(static_cast<std::size_t>(solverMesh.unknownCount()) + 1, 0),
+      vertices_(solverMesh.weld.unknownOf.size()),
+      isReached_(static_cast<std::size_t>(solverMesh.unknownCount()), false)
+{
+  const std::vector<Index>& unknownOf = solverMesh.weld.unknownOf;
+  for (const Index unknown : unknownOf) ++starts_[unknown + 1];
+  for (std::size_t u = 1; u < starts_.size(); ++u) starts_[u] += starts_[u - 1];
+  std::vector<Index> next(starts_.begin(), starts_.end() - 1);
+  for (std::size_t v = 0; v < unknownOf.size(); ++v) vertices_[next[unknownOf[v]]++] = static_cast<Index>(v);
+}
+
+std::vector<Index> VertexRegions::connected(Index vertex) const
+{
+  std::vector<bool> isChosen = unknownsOf({&vertex, 1});
+  if (const Index part = solverMesh_.componentOf[solverMesh_.weld.unknownOf[vertex]]; part >= 0)
+    for (Index u = 0; u < solverMesh_.unknownCount(); ++u) isChosen[u] = solverMesh_.componentOf[u] == part;
+  return verticesWhere(isChosen);
+}
+
+std::vector<Index> VertexRegions::smooth(Index face, double degrees) const
+{
+  std::vector<bool> isChosen(isReached_.size(), false);
+  for (const Index reached : smoothFaces_.around(face, degrees))
+    for (const Index vertex : mesh_.faces[reached]) isChosen[solverMesh_.weld.unknownOf[vertex]] = true;
+  return verticesWhere(isChosen);
+}
+
+std::vector<Index> VertexRegions::grown(std::span<const Index> vertices) const
+{
+  const std::vector<bool> isGiven = unknownsOf(vertices);
+  std::vector<bool> isChosen = isGiven;
+  for (Index u = 0; u < graph_.vertexCount(); ++u)
+    if (isGiven[u])
+      for (const Index neighbour : graph_.neighbours(u)) isChosen[neighbour] = true;
+  return verticesWhere(isChosen);
+}
+
+std::vector<Index> VertexRegions::shrunk(std::span<const Index> vertices) const
+{
+  const std::vector<bool> isGiven = unknownsOf(vertices);
+  std::vector<bool> isChosen = isGiven;
+  for (Index u = 0; u < graph_.vertexCount(); ++u)
+    for (const Index neighbour : graph_.neighbours(u))
+      if (!isGiven[neighbour]) isChosen[u] = false;
+  return verticesWhere(isChosen);
+}
+
+std::vector<Index> VertexRegions::inverted(std::span<const Index> vertices) const
+{
+  std::vector<bool> isChosen = unknownsOf(vertices);
+  for (std::size_t u = 0; u < isChosen.size(); ++u) isChosen[u] = !isChosen[u] && solverMesh_.componentOf[u] >= 0;
+  return verticesWhere(isChosen);
+}
+
+std::vector<Index> VertexRegions::within(double radius, const Vector3& place, Index face, const Positions& positions)
+{
+  std::vector<Index> vertices;
+  for (const Index unknown : floodBall(radius, place, face, positions)) {
+    isReached_[unknown] = false;
+    const std::span<const Index> own = verticesOf(unknown);
+    vertices.insert(vertices.end(), own.begin(), own.end());
+  }
+  std::sort(vertices.begin(), vertices.end());
+  return vertices;
+}
+
+/// The unknowns of the dab, which are marked as reached.
+std::vector<Index> VertexRegions::floodBall(double radius, const Vector3& place, Index face, const Positions& positions)
+{
+  std::vector<Index> queue;
+  const auto reach = [&](Index unknown) {
+    const Index vertex = verticesOf(unknown).front();
+    // A ball is convex: with both of its ends an edge lies within.
+    if (isReached_[unknown] || (positions.row(vertex).transpose() - place).stableNorm() > radius) return;
+    isReached_[unknown] = true;
+    queue.push_back(unknown);
+  };
+  for (const Index corner : mesh_.faces[face]) reach(solverMesh_.weld.unknownOf[corner]);
+  for (std::size_t next = 0; next < queue.size(); ++next)
+    for (const Index neighbour : graph_.neighbours(queue[next])) reach(neighbour);
+  return queue;
+}
+
+std::vector<bool> VertexRegions::unknownsOf(std::span<const Index> vertices) const
+{
+  std::vector<bool> isGiven(isReached_.size(), false);
+  for (const Index vertex : vertices) isGiven[solverMesh_.weld.unknownOf[vertex]] = true;
+  return isGiven;
+}
+
+std::vector<Index> VertexRegions::verticesWhere(const std::vector<bool>& isChosen) const
+{
+  std::vector<Index> vertices;
+  for (Index v = 0; v < mesh_.vertexCount(); ++v)
+    if (isChosen[solverMesh_.weld.unknownOf[v]]) vertices.push_back(v);
+  return vertices;
+}
+
+std::span<const Index> VertexRegions::verticesOf(Index unknown) const
+{
+  return std::span(vertices_).subspan(static_cast<std::size_t>(starts_[unknown]),
+                                      static_cast<std::size_t>(starts_[unknown + 1] - starts_[unknown]));
+}
+
+}  // namespace holdfast

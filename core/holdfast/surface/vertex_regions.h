@@ -1,0 +1,59 @@
+#pragma once
+/// \file
+/// Sets of vertices that grow and shrink over the surface, as a user selects them.
+
+#include <span>
+#include <vector>
+
+#include <holdfast/mesh/edge_graph.h>
+#include <holdfast/surface/smooth_faces.h>
+
+namespace holdfast {
+
+/// Makes sets of vertices of one mesh. Vertices are those of the file; in results they ascend, each once. Vertices that
+/// are one unknown go together: a set given with one of them counts as holding all, and results hold all. Not for
+/// several threads at once.
+class VertexRegions {
+ public:
+  /// `solverMesh` is made of `mesh`; both stay alive as long as this. O(T log T).
+  VertexRegions(const Mesh& mesh, const SolverMesh& solverMesh);
+
+  [[nodiscard]] const EdgeGraph& graph() const noexcept { return graph_; }
+
+  /// All vertices that edges join to `vertex`; itself alone where no face uses it. O(N).
+  [[nodiscard]] std::vector<Index> connected(Index vertex) const;
+
+  /// The vertices of the faces that `SmoothFaces::around` reaches. O(N).
+  [[nodiscard]] std::vector<Index> smooth(Index face, double degrees) const;
+
+  /// `vertices` and all that an edge joins to one of them. O(N).
+  [[nodiscard]] std::vector<Index> grown(std::span<const Index> vertices) const;
+
+  /// `vertices` without those that an edge joins to one that is not among them: borders of the mesh stay. O(N).
+  [[nodiscard]] std::vector<Index> shrunk(std::span<const Index> vertices) const;
+
+  /// The vertices that faces use and that are not among `vertices`. O(N).
+  [[nodiscard]] std::vector<Index> inverted(std::span<const Index> vertices) const;
+
+  /// A dab of a brush at `place`, a point of `face` with the vertices at `positions`: those no farther away than
+  /// `radius` to which edges lead, from vertex to vertex within that ball, from a corner of the face within it. The
+  /// other side of a thin wall is not reached. O(k log k) for k vertices in the ball and next to it.
+  [[nodiscard]] std::vector<Index> within(double radius, const Vector3& place, Index face, const Positions& positions);
+
+ private:
+  [[nodiscard]] std::vector<bool> unknownsOf(std::span<const Index> vertices) const;
+  [[nodiscard]] std::vector<Index> verticesWhere(const std::vector<bool>& isChosen) const;
+  [[nodiscard]] std::vector<Index> floodBall(double radius, const Vector3& place, Index face,
+                                             const Positions& positions);
+  [[nodiscard]] std::span<const Index> verticesOf(Index unknown) const;
+
+  const Mesh& mesh_;
+  const SolverMesh& solverMesh_;
+  EdgeGraph graph_;
+  SmoothFaces smoothFaces_;
+  std::vector<Index> starts_;    // of the vertices of each unknown in what follows, and the end
+  std::vector<Index> vertices_;  // of the file
+  std::vector<bool> isReached_;  // by the dab under way; all false between dabs
+};
+
+}  // namespace holdfast

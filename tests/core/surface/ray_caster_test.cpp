@@ -1,0 +1,168 @@
+#include <Eigen/LU>
+#include <gtest/gtest.h>
+
+#include <holdfast/surface/ray_caster.h>
+
+#include "support/law_meshes.h"
+#include "support/meshes.h"
+#include "support/random.h"
+
+namespace holdfast {
+namespace {
+
+Vector3 randomPlace(test::Random& random, double size)
+{
+  return {random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
+}
+
+/// What a ray does with one triangle, by solving origin + t direction = a + u (b - a) + v (c - a).
+struct PlainHit {
+  double t = 0;
+  Vector3 weights = Vector3::Zero();
+
+  [[nodiscard]] bool isInside() const { return t > 0 && weights.minCoeff() >= 0; }
+  /// Whether rounding could decide.
+  [[nodiscard]] bool isClose() const { return std::abs(weights.minCoeff()) < 1e-9 || std::abs(t) < 1e-9; }
+};
+
+PlainHit plainHit(const Ray& ray, const Positions& positions, const Triangle& triangle)
+{
+  const Vector3 a = positions.row(triangle[0]);
+  Eigen::Matrix3d M;
+  M.col(0) = positions.row(triangle[1]).transpose() - a;
+  M.col(1) = positions.row(triangle[2]).transpose() - a;
+  M.col(2) = -ray.direction;
+  const Vector3 uvt = M.fullPivLu().solve(ray.origin - a);
+  return {uvt[2], {1 - uvt[0] - uvt[1], uvt[0], uvt[1]}};
+}
+
+/// The first hit over all triangles; -1 where there is none, -2 where rounding decides.
+Index plainFirst(const Ray& ray, const Positions& positions, const std::vector<Triangle>& triangles)
+{
+  double least = std::numeric_limits<double>::infinity();
+  Index first = -1;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const PlainHit hit = plainHit(ray, positions, triangles[t]);
+    if (hit.isClose()) return -2;
+    if (!hit.isInside() || hit.t >= least) continue;
+    least = hit.t;
+    first = static_cast<Index>(t);
+  }
+  return first;
+}
+
+/// Random rays meet what a search through all triangles finds, at the place that the weights say.
+void expectPlainHits(const RayCaster& caster, const Positions& positions, const std::vector<Triangle>& triangles,
+                     test::Random& random)
+{
+  int hits = 0;
+  for (int k = 0; k < 300; ++k) {
+    const Vector3 origin = randomPlace(random, 6);
+    const Vector3 vertex = positions.row(random.integer(0, positions.rows() - 1));
+    const Ray ray{origin, vertex + randomPlace(random, 1) - origin};
+    const Index expected = plainFirst(ray, positions, triangles);
+    if (expected == -2) continue;
+    const std::optional<RayHit> hit = caster.firstHit(ray);
+    ASSERT_EQ(hit ? hit->triangle : -1, expected);
+    if (!hit) continue;
+    ++hits;
+    const PlainHit plain = plainHit(ray, positions, triangles[expected]);
+    EXPECT_NEAR(hit->t, plain.t, 1e-11 * (1 + plain.t));
+    Vector3 place = Vector3::Zero();
+    for (int c = 0; c < 3; ++c) {
+      EXPECT_GE(hit->weights[c], 0);
+      place += hit->weights[c] * positions.row(triangles[expected][c]).transpose();
+    }
+    EXPECT_NEAR(hit->weights[0] + hit->weights[1] + hit->weights[2], 1, 1e-15);
+    EXPECT_NEAR((place - ray.origin - hit->t * ray.direction).norm(), 0, 1e-13 * (1 + hit->t));
+  }
+  EXPECT_GT(hits, 50);
+}
+
+TEST(RayCaster, FirstHitsAreThoseOfASearchThroughAllTriangles)
+{
+  test::Random random(11);
+  for (const test::NamedMesh& named : test::lawMeshes()) {
+    SCOPED_TRACE(named.name);
+    const std::vector<Triangle> triangles = triangulate(named.mesh).triangles;
+    expectPlainHits(RayCaster(named.mesh.positions, triangles), named.mesh.positions, triangles, random);
+  }
+}
+
+TEST(RayCaster, HitsFollowTheSurface)
+{
+  test::Random random(12);
+  const Mesh mesh = test::plate(7, 5);
+  RayCaster caster(mesh.positions, triangulate(mesh).triangles);
+  Positions crumpled = mesh.positions;
+  for (Index v = 0; v < mesh.vertexCount(); ++v) crumpled.row(v) += randomPlace(random, 2).transpose();
+  caster.setPositions(crumpled);
+  EXPECT_EQ(caster.positions(), crumpled);
+  expectPlainHits(caster, crumpled, triangulate(mesh).triangles, random);
+}
+
+TEST(RayCaster, RaysDoNotSlipThroughEdgesAndVertices)
+{
+  test::Random random(13);
+  const Mesh mesh = test::icosphere(3);
+  const RayCaster caster(mesh.positions, triangulate(mesh).triangles);
+  for (int k = 0; k < 20000; ++k) {
+    const auto face = mesh.faces[random.integer(0, mesh.faces.size() - 1)];
+    const double share = k % 4 == 0 ? 1 : random.uniform(0, 1);
+    const Vector3 onEdge = share * mesh.positions.row(face[0]) + (1 - share) * mesh.positions.row(face[1]);
+    const Vector3 origin = randomPlace(random, 0.5);
+    ASSERT_TRUE(caster.firstHit({origin, onEdge - origin})) << "the origin is enclosed by the sphere";
+  }
+}
+
+TEST(RayCaster, RaysAlongAxesMeetFlatGridsOnTheirLines)
+{
+  const Mesh mesh = test::grid(8, 8);
+  const RayCaster caster(mesh.positions, triangulate(mesh).triangles);
+  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    const Vector3 vertex = mesh.positions.row(v);
+    EXPECT_TRUE(caster.firstHit({vertex + Vector3(0, 0, 3), {0, 0, -1}}));
+    EXPECT_TRUE(caster.firstHit({vertex - Vector3(0, 0, 3), {0, 0, 1}})) << "from behind";
+    EXPECT_FALSE(caster.firstHit({vertex + Vector3(0, 0, 3), {0, 0, 1}})) << "away";
+    EXPECT_FALSE(caster.firstHit({vertex + Vector3(0, 0, 3), {1, 0, 0}})) << "beside";
+  }
+}
+
+TEST(RayCaster, OfTrianglesAtOnePlaceTheFirstIsHit)
+{
+  Mesh mesh = test::grid(8, 8);
+  const Index single = mesh.faces.size();
+  for (Index f = 0; f < single; ++f) mesh.faces.add(mesh.faces[f]);
+  const RayCaster caster(mesh.positions, triangulate(mesh).triangles);
+  test::Random random(14);
+  for (int k = 0; k < 200; ++k) {
+    const auto hit = caster.firstHit({{random.uniform(0, 8), random.uniform(0, 8), 5}, {0, 0, -1}});
+    ASSERT_TRUE(hit);
+    EXPECT_LT(hit->triangle, single);
+  }
+}
+
+TEST(RayCaster, IgnoredTrianglesDoNotBlock)
+{
+  const Mesh mesh = test::merged(test::grid(1, 1), test::moved(test::grid(1, 1), {0, 0, -1}));
+  const RayCaster caster(mesh.positions, triangulate(mesh).triangles);
+  const Ray down{{0.6, 0.3, 1}, {0, 0, -1}};
+  EXPECT_TRUE(caster.isBlocked(down, 3, {}));
+  EXPECT_FALSE(caster.isBlocked(down, 0.9, {}));
+  const std::vector<Index> upper{0, 1};
+  EXPECT_TRUE(caster.isBlocked(down, 3, upper)) << "by the lower one";
+  EXPECT_FALSE(caster.isBlocked(down, 1.9, upper));
+  const std::vector<Index> all{0, 1, 2, 3};
+  EXPECT_FALSE(caster.isBlocked(down, 3, all));
+}
+
+TEST(RayCaster, TrianglesWithoutAreaAreNotHit)
+{
+  const Mesh needle = test::triangle({0, 0, 0}, {1, 0, 0}, {2, 0, 0});
+  const RayCaster caster(needle.positions, {{0, 1, 2}, {0, 0, 1}});
+  EXPECT_FALSE(caster.firstHit({{0.5, 0, 1}, {0, 0, -1}}));
+  EXPECT_FALSE(RayCaster(needle.positions, {}).firstHit({{0.5, 0, 1}, {0, 0, -1}}));
+}
+
+}  // namespace
+}  // namespace holdfast
