@@ -1,0 +1,166 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include <holdfast/constraints/handle_drag.h>
+#include <holdfast/rotation/rotation_log.h>
+
+namespace holdfast {
+namespace {
+
+using std::numbers::pi;
+
+// The sine of the angle between two axes that are one, computed in two ways.
+constexpr double kSameAxis = 1e-12;
+
+// Logs are followed in steps of this size, counted from the beginning of the turn: so a drag that goes on finds the
+// same steps behind it. The number of steps is bounded for turns that nobody drags.
+constexpr double kStepDegrees = 1;
+constexpr double kMostSteps = 20000;
+
+// Closer to whole turns than a third of a step the axis says nothing of where the log came from.
+constexpr double kNoStep = kStepDegrees / 360 * pi / 3;
+
+// A log shorter than this has lost three digits of its axis.
+constexpr double kLeastAxis = 1e-3;
+
+// Just short of half a turn, from where on rounding would choose between its two logs.
+constexpr double kHalfTurn = pi / 2 * (1 - 1e-9);
+
+bool isNone(const VertexTurn& turn)
+{
+  return turn.degrees == 0 || turn.axis.isZero(0);
+}
+
+VertexTurn turnOf(const Vector3& q)
+{
+  return q.isZero(0) ? VertexTurn{} : VertexTurn{q.stableNormalized(), angleDegrees(q)};
+}
+
+Vector3 logOf(const VertexTurn& turn)
+{
+  return rotationLog(turn.axis, turn.degrees);
+}
+
+/// The log of `next` after `start`, followed from `start`.
+Vector3 followedLog(const VertexTurn& start, const VertexTurn& next)
+{
+  const Vector3 first = logOf(start);
+  const Eigen::Quaterniond rotation = rotationExp(first);
+  const double steps = std::min(std::floor(std::abs(next.degrees) / kStepDegrees), kMostSteps);
+  const auto after = [&](double degrees) { return rotationExp(rotationLog(next.axis, degrees)) * rotation; };
+  Vector3 q = first;
+  for (double k = 1; k <= steps; ++k) {
+    const Eigen::Quaterniond step = after(std::copysign(k * kStepDegrees, next.degrees));
+    if (step.vec().norm() > kNoStep) q = rotationLogNear(step, q);
+  }
+  return rotationLogNear(after(next.degrees), q);
+}
+
+/// What a turn about the pivot adds to the place of `from`: exactly nothing at the pivot.
+Vector3 swing(const RigidIncrement& increment, const Vector3& from)
+{
+  const Vector3 arm = from - increment.pivot;
+  return rotationMatrix(increment.axis, increment.degrees) * arm - arm;
+}
+
+Vector3 centroid(const Positions& points)
+{
+  return points.colwise().mean().transpose();
+}
+
+/// One overload for each motion: turns the handle, whose `translate` is still the one before.
+struct Turner {
+  Handle& handle;
+  const RigidIncrement& increment;
+  const Positions& rest;
+  const VertexTurn& before;
+
+  void operator()(std::monostate) const
+  {
+    handle.motion = Turn{increment.axis, increment.degrees, increment.pivot - handle.translate};
+  }
+
+  void operator()(const Turn& turn) const { turnAbout(turn.center); }
+
+  void operator()(TurnAboutFixed) const { turnAbout(std::nullopt); }
+
+  void operator()(const FrameMotion& motion) const
+  {
+    const Vector3 from = motion.from.origin.value_or(centroid(rest));
+    const Vector3 origin = motion.to.origin.value_or(from);
+    const Eigen::Matrix3d R = rotationMatrix(increment.axis, increment.degrees);
+    FrameMotion moved = motion;
+    moved.to = {origin + swing(increment, origin + handle.translate), R * motion.to.x.stableNormalized(),
+                R * motion.to.y.stableNormalized()};
+    const Vector3 q = logOf(after());
+    const Vector3 shortest = rotationLog(Eigen::Matrix3d(axesOf(moved.to) * axesOf(moved.from).transpose()));
+    if (q.norm() > kHalfTurn && shortest.norm() < kLeastAxis) {
+      handle.motion = Turn{after().axis, after().degrees, from};
+      handle.translate += *moved.to.origin - from;
+      return;
+    }
+    moved.turns = std::llround((q - shortest).dot(shortest.normalized()) / pi);
+    handle.motion = std::move(moved);
+  }
+
+  void operator()(const VertexTargets& targets) const
+  {
+    VertexTargets moved = targets;
+    for (Vector3& place : moved.places) place += swing(increment, place + handle.translate);
+    handle.motion = std::move(moved);
+    const VertexTurn turn = after();
+    if (handle.rotations.empty() && logOf(turn).norm() > kHalfTurn)
+      handle.rotations.assign(targets.places.size(), turn);
+  }
+
+ private:
+  [[nodiscard]] VertexTurn after() const { return composed(before, {increment.axis, increment.degrees}); }
+
+  void turnAbout(const std::optional<Vector3>& center) const
+  {
+    const VertexTurn turn = after();
+    handle.translate += swing(increment, center.value_or(centroid(rest)) + handle.translate);
+    handle.motion = Turn{turn.axis, turn.degrees, center};
+  }
+};
+
+/// How `handle` turns before the increment, by its motion alone.
+VertexTurn turnOfMotion(Handle handle, const Positions& rest, const HandleSurroundings& surroundings,
+                        const InputLocation& where)
+{
+  if (const Turn* turn = std::get_if<Turn>(&handle.motion)) return {turn->axis, turn->degrees};
+  handle.rotations.clear();
+  return turnOf(placeHandle(handle, rest, surroundings, where).q.row(0).transpose());
+}
+
+}  // namespace
+
+VertexTurn composed(const VertexTurn& turn, const VertexTurn& next)
+{
+  if (isNone(next)) return turn;
+  if (isNone(turn)) return next;
+  const Vector3 axis = turn.axis.stableNormalized();
+  const Vector3 other = next.axis.stableNormalized();
+  if (axis.cross(other).norm() <= kSameAxis)
+    return {turn.axis, turn.degrees + std::copysign(1.0, axis.dot(other)) * next.degrees};
+  return turnOf(followedLog(turn, next));
+}
+
+Handle composed(const Handle& handle, const RigidIncrement& increment, const Positions& rest,
+                const HandleSurroundings& surroundings, const InputLocation& where)
+{
+  const VertexTurn next{increment.axis, increment.degrees};
+  const bool isMoved = !increment.translation.isZero(0);
+  Handle result = handle;
+  if (!isNone(next)) {
+    const VertexTurn before = turnOfMotion(handle, rest, surroundings, where);
+    for (VertexTurn& turn : result.rotations) turn = composed(turn, next);
+    std::visit(Turner{result, increment, rest, before}, handle.motion);
+  }
+  if (isMoved) result.translate += increment.translation;
+  return result;
+}
+
+}  // namespace holdfast

@@ -1,0 +1,41 @@
+#pragma once
+/// \file
+/// What a drag with the mouse makes of a handle: its motion, and one rigid motion more.
+
+#include <holdfast/base/error.h>
+#include <holdfast/constraints/constraint.h>
+#include <holdfast/constraints/handle_motion.h>
+
+namespace holdfast {
+
+/// The rigid motion p -> R (p - pivot) + pivot + translation, with R the turn by `degrees` (any number of turns) about
+/// `axis` (any length; no turn where it is zero).
+struct RigidIncrement {
+  Vector3 axis = Vector3::UnitZ();
+  double degrees = 0;
+  Vector3 pivot = Vector3::Zero();  ///< model units, as are places on the surface when the drag begins
+  Vector3 translation = Vector3::Zero();
+};
+
+/// `turn` and then `next`, as one turn. About the same line, or against it, degrees are added; about another one the
+/// rotations are composed, and of the logs of the result that one is taken which follows from that of `turn` while
+/// `next` grows from nothing: turns are kept, and nothing jumps during a drag. O(degrees of `next`), bounded.
+[[nodiscard]] VertexTurn composed(const VertexTurn& turn, const VertexTurn& next);
+
+/// The handle that goes where `handle` goes and then by `increment`. `rest` and `surroundings` are those of
+/// `placeHandle`, and the handle has no mistake.
+///
+/// A mere translation is added to `Handle::translate` and changes nothing else; a handle that turns about what is fixed
+/// then goes on doing so, and only its centroid moves as the increment says. No increment at all gives `handle` back,
+/// bit for bit. With a turn
+/// - no motion, a `Turn` and a `TurnAboutFixed` become a `Turn`, with the center that they had, or the pivot;
+/// - the `to` of a `FrameMotion` moves; where its frames are too nearly alike to name the axis of whole turns it
+/// becomes
+///   a `Turn`;
+/// - each place of `VertexTargets` moves; beyond half a turn, which places cannot say, `rotations` say it.
+/// Entries of `Handle::rotations` are turned as well. Throws `InputError` at `where` for a handle that turns about what
+/// is fixed and cannot (`placeHandle`). O(vertices).
+[[nodiscard]] Handle composed(const Handle& handle, const RigidIncrement& increment, const Positions& rest,
+                              const HandleSurroundings& surroundings, const InputLocation& where);
+
+}  // namespace holdfast
