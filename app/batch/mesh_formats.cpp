@@ -9,8 +9,8 @@
 
 #include <holdfast/io/mesh_file.h>
 #ifdef HOLDFAST_WITH_VTK
+#include <holdfast/view/any_mesh_file.h>
 #include <holdfast/view/field_file.h>
-#include <holdfast/view/poly_data_file.h>
 #endif
 
 #include "batch/options.h"
@@ -20,22 +20,13 @@ namespace {
 
 std::vector<std::string_view> knownExtensions()
 {
+#ifdef HOLDFAST_WITH_VTK
+  return anyMeshExtensions();
+#else
   const auto core = meshExtensions();
-  std::vector<std::string_view> known(core.begin(), core.end());
-#ifdef HOLDFAST_WITH_VTK
-  const auto vtk = polyDataExtensions();
-  known.insert(known.end(), vtk.begin(), vtk.end());
+  return {core.begin(), core.end()};
 #endif
-  return known;
 }
-
-#ifdef HOLDFAST_WITH_VTK
-bool isVtkFormat(const std::filesystem::path& path)
-{
-  const auto vtk = polyDataExtensions();
-  return std::find(vtk.begin(), vtk.end(), extensionOf(path)) != vtk.end();
-}
-#endif
 
 }  // namespace
 
@@ -75,13 +66,12 @@ void requireFieldsExtension(const std::filesystem::path& path)
 
 MeshDocument readAnyMesh(const std::filesystem::path& path)
 {
-  return isVtkFormat(path) ? readPolyData(path) : readMesh(path);
+  return holdfast::readAnyMesh(path);
 }
 
 Serialized serializeAnyMesh(const MeshDocument& document, const Positions& positions, const std::filesystem::path& path)
 {
-  return isVtkFormat(path) ? serializePolyData(document, positions, extensionOf(path))
-                           : serializeMesh(document, positions, extensionOf(path));
+  return holdfast::serializeAnyMesh(document, positions, path);
 }
 
 Serialized serializeFields(const Mesh& mesh, const Positions& positions, std::span<const Field> fields)

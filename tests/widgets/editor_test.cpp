@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <holdfast/constraints/constraint_file.h>
-#include <holdfast/io/mesh_file.h>
 #include <holdfast/widgets/editor.h>
 
 #include "gestures.h"
@@ -16,10 +15,8 @@ class EditorOfBracket : public ::testing::Test {
   void SetUp() override
   {
     const std::string path = test::dataFolder() + "/bracket.obj";
-    MeshDocument document = readMesh(path);
-    auto model = std::make_shared<const Model>(makeModel(document.mesh, path));
-    editor.open(std::move(document), std::move(model), QString::fromStdString(path),
-                {readConstraints(test::dataFolder() + "/bracket.constraints.json"), {}});
+    NoProgress quiet;
+    editor.open(loadMesh(path, quiet), {readConstraints(test::dataFolder() + "/bracket.constraints.json"), {}});
     ASSERT_TRUE(waitForCurrent());
   }
 

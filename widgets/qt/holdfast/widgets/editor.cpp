@@ -17,16 +17,13 @@ Editor::Editor(QObject* parent) : QObject(parent) {}
 
 Editor::~Editor() = default;
 
-void Editor::open(MeshDocument document, std::shared_ptr<const Model> model, const QString& meshPath,
-                  DocumentState state)
+void Editor::open(LoadedMesh mesh, DocumentState state)
 {
-  assert(model != nullptr);
+  assert(mesh.model != nullptr);
   close();
-  document_ = std::move(document);
-  model_ = std::move(model);
-  meshPath_ = meshPath;
+  mesh_ = std::move(mesh);
   history_ = std::make_unique<History>(std::move(state));
-  worker_ = std::make_unique<LiveDeformer>(model_, [this](const LiveEvent& event) {
+  worker_ = std::make_unique<LiveDeformer>(mesh_.model, [this](const LiveEvent& event) {
     QMetaObject::invokeMethod(
         this, [this, event] { handle(event); }, Qt::QueuedConnection);
   });
@@ -39,14 +36,13 @@ void Editor::close()
   if (!isOpen()) return;
   worker_.reset();
   history_.reset();
-  model_.reset();
-  document_ = {};
-  meshPath_.clear();
+  mesh_ = {};
   submitted_.clear();
   solved_.clear();
   deformation_.reset();
   deformedState_.reset();
   selectedVertices_.clear();
+  selectedShape_.reset();
   selectedConstraints_.clear();
   setStage({});
   setFreshness(Freshness::Nothing, {});
@@ -55,7 +51,7 @@ void Editor::close()
 
 const Positions& Editor::positions() const
 {
-  return deformation_ ? deformation_->positions : model_->mesh.positions;
+  return deformation_ ? deformation_->positions : model()->mesh.positions;
 }
 
 void Editor::edit(const QString& name, ConstraintList after)
@@ -127,7 +123,7 @@ void Editor::solve()
   ++revision_;
   submitted_.emplace_back(revision_, state);
   setFreshness(Freshness::Solving, {});
-  worker_->submit(revision_, state, QFileInfo(meshPath_).fileName().toStdString(), Supersede::AtNextStage);
+  worker_->submit(revision_, state, mesh_.path.filename().string(), Supersede::AtNextStage);
 }
 
 void Editor::stateBecame(Supersede supersede)
@@ -146,7 +142,7 @@ void Editor::stateBecame(Supersede supersede)
   ++revision_;
   submitted_.emplace_back(revision_, state);
   setFreshness(Freshness::Solving, {});
-  worker_->submit(revision_, state, QFileInfo(meshPath_).fileName().toStdString(), supersede);
+  worker_->submit(revision_, state, mesh_.path.filename().string(), supersede);
   Q_EMIT stateChanged();
 }
 
@@ -208,13 +204,19 @@ void Editor::setStage(const QString& stage)
   Q_EMIT stageChanged();
 }
 
-void Editor::selectVertices(std::vector<Index> vertices)
+void Editor::selectVertices(std::vector<Index> vertices, std::optional<Selection> shape)
 {
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  selectedShape_ = std::move(shape);
   if (vertices == selectedVertices_) return;
   selectedVertices_ = std::move(vertices);
   Q_EMIT vertexSelectionChanged();
+}
+
+Selection Editor::selection() const
+{
+  return selectedShape_ ? *selectedShape_ : Selection{VertexIds{selectedVertices_}};
 }
 
 void Editor::selectConstraints(std::vector<Index> constraints)

@@ -12,7 +12,7 @@
 
 #include <holdfast/document/history.h>
 #include <holdfast/document/live_deformer.h>
-#include <holdfast/io/mesh_document.h>
+#include <holdfast/widgets/loaded_mesh.h>
 
 namespace holdfast {
 
@@ -34,16 +34,14 @@ class Editor : public QObject {
   explicit Editor(QObject* parent = nullptr);
   ~Editor() override;
 
-  /// Puts another document in the place of this one: history, selection and deformation begin anew. The model is made
-  /// of the mesh of `document` (`makeModel`). `meshPath` names it in messages and sessions.
-  void open(MeshDocument document, std::shared_ptr<const Model> model, const QString& meshPath, DocumentState state);
+  /// Puts another document in the place of this one: history, selection and deformation begin anew.
+  void open(LoadedMesh mesh, DocumentState state);
   void close();
-  [[nodiscard]] bool isOpen() const noexcept { return model_ != nullptr; }
+  [[nodiscard]] bool isOpen() const noexcept { return mesh_.model != nullptr; }
 
   /// These need an open document.
-  [[nodiscard]] const std::shared_ptr<const Model>& model() const noexcept { return model_; }
-  [[nodiscard]] const MeshDocument& meshDocument() const noexcept { return document_; }
-  [[nodiscard]] const QString& meshPath() const noexcept { return meshPath_; }
+  [[nodiscard]] const LoadedMesh& mesh() const noexcept { return mesh_; }
+  [[nodiscard]] const std::shared_ptr<const Model>& model() const noexcept { return mesh_.model; }
   [[nodiscard]] const DocumentState& state() const { return *history_->state(); }
   [[nodiscard]] const ConstraintList& list() const { return state().list; }
   [[nodiscard]] const History& history() const { return *history_; }
@@ -79,7 +77,10 @@ class Editor : public QObject {
   /// Selected vertices of the file, ascending; and selected constraints by their place in the list, ascending.
   [[nodiscard]] const std::vector<Index>& selectedVertices() const noexcept { return selectedVertices_; }
   [[nodiscard]] const std::vector<Index>& selectedConstraints() const noexcept { return selectedConstraints_; }
-  void selectVertices(std::vector<Index> vertices);
+  /// `shape` is what a constraint on these vertices says instead of their ids, as long as they stay selected: a curve.
+  void selectVertices(std::vector<Index> vertices, std::optional<Selection> shape = std::nullopt);
+  /// The selected vertices as a constraint names them.
+  [[nodiscard]] Selection selection() const;
   void selectConstraints(std::vector<Index> constraints);
 
  Q_SIGNALS:
@@ -107,9 +108,7 @@ class Editor : public QObject {
   void setStage(const QString& stage);
   void dropVanishedSelection();
 
-  MeshDocument document_;
-  std::shared_ptr<const Model> model_;
-  QString meshPath_;
+  LoadedMesh mesh_;
   std::unique_ptr<History> history_;
   std::unique_ptr<LiveDeformer> worker_;
 
@@ -123,6 +122,7 @@ class Editor : public QObject {
   QString stage_;
 
   std::vector<Index> selectedVertices_;
+  std::optional<Selection> selectedShape_;
   std::vector<Index> selectedConstraints_;
 };
 

@@ -1,0 +1,117 @@
+#include <algorithm>
+#include <cassert>
+#include <numbers>
+#include <utility>
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include <holdfast/constraints/selector.h>
+#include <holdfast/document/constraint_drag.h>
+
+namespace holdfast {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+InputLocation placeInList(const std::string& source, Index constraint)
+{
+  return {source, 0, fmt::format("constraints[{}]", constraint)};
+}
+
+Positions rowsOf(const Positions& positions, const std::vector<Index>& vertices)
+{
+  return positions(vertices, Eigen::all);
+}
+
+/// The centroid of all that the enabled fixed constraints hold, at rest.
+std::optional<Vector3> fixedCenter(const Model& model, const ConstraintList& list, Selector& selector,
+                                   const std::string& source)
+{
+  std::vector<Index> fixed;
+  for (std::size_t c = 0; c < list.constraints.size(); ++c) {
+    const auto* what = std::get_if<Fixed>(&list.constraints[c].what);
+    if (!what || !list.constraints[c].isEnabled) continue;
+    const auto selected = selector.select(what->select, below(placeInList(source, static_cast<Index>(c)), ".select"));
+    fixed.insert(fixed.end(), selected.begin(), selected.end());
+  }
+  std::sort(fixed.begin(), fixed.end());
+  fixed.erase(std::unique(fixed.begin(), fixed.end()), fixed.end());
+  if (fixed.empty()) return std::nullopt;
+  return rowsOf(model.mesh.positions, fixed).colwise().mean().transpose();
+}
+
+/// The vertices of a handle in the order in which `placeHandle` wants them.
+std::vector<Index> verticesOf(const Handle& handle, Selector& selector, const InputLocation& where)
+{
+  auto selected = selector.select(handle.select, below(where, ".select"));
+  const auto* ids = std::get_if<VertexIds>(&handle.select.what);
+  const bool isListed = std::holds_alternative<VertexTargets>(handle.motion) || !handle.rotations.empty();
+  return ids && isListed ? ids->ids : selected;
+}
+
+Vector3 movedPlace(const Vector3& place, const RigidIncrement& increment)
+{
+  if (increment.degrees == 0) return place + increment.translation;
+  const Eigen::AngleAxisd turn(increment.degrees * kDegree, increment.axis.normalized());
+  return turn * (place - increment.pivot) + increment.pivot + increment.translation;
+}
+
+}  // namespace
+
+ConstraintDrag::ConstraintDrag(const Model& model, const ConstraintList& list, std::span<const Index> constraints,
+                               const std::string& source)
+    : list_(list), source_(source)
+{
+  SurfaceLocator locator(model.mesh, model.triangulation);
+  Selector selector(model.mesh, model.solverMesh, locator);
+  for (const Index c : constraints) {
+    const Constraint& constraint = list.constraints[c];
+    if (!constraint.isEnabled) continue;
+    const InputLocation where = placeInList(source, c);
+    if (const auto* point = std::get_if<Point>(&constraint.what)) {
+      const Vector3 rest = positionOf(locator.locate(point->at, below(where, ".at")).point, model.mesh.positions);
+      const auto* target = std::get_if<Target>(&point->to);
+      points_.push_back({c, rest, target ? target->place : Vector3(rest + std::get<Move>(point->to).shift)});
+    } else if (const auto* handle = std::get_if<Handle>(&constraint.what)) {
+      handles_.push_back({c, rowsOf(model.mesh.positions, verticesOf(*handle, selector, where)), Vector3::Zero()});
+    }
+  }
+  surroundings_.diagonal = model.solverMesh.diagonal;
+  if (!handles_.empty()) surroundings_.fixedCenter = fixedCenter(model, list, selector, source);
+  for (DraggedHandle& handle : handles_) {
+    const auto& what = std::get<Handle>(list.constraints[handle.constraint].what);
+    const auto placed = placeHandle(what, handle.rest, surroundings_, placeInList(source, handle.constraint));
+    handle.center = placed.places.colwise().mean().transpose();
+  }
+}
+
+Vector3 ConstraintDrag::center() const
+{
+  assert(!isEmpty());
+  Vector3 sum = Vector3::Zero();
+  for (const DraggedPoint& point : points_) sum += point.place;
+  for (const DraggedHandle& handle : handles_) sum += handle.center;
+  return sum / static_cast<double>(points_.size() + handles_.size());
+}
+
+ConstraintList ConstraintDrag::movedBy(const RigidIncrement& increment) const
+{
+  ConstraintList moved = list_;
+  for (const DraggedPoint& dragged : points_) {
+    auto& point = std::get<Point>(moved.constraints[dragged.constraint].what);
+    const bool isShift = increment.degrees == 0;
+    if (auto* move = std::get_if<Move>(&point.to))
+      move->shift = isShift ? Vector3(move->shift + increment.translation)
+                            : Vector3(movedPlace(dragged.place, increment) - dragged.rest);
+    else
+      std::get<Target>(point.to).place = movedPlace(dragged.place, increment);
+  }
+  for (const DraggedHandle& dragged : handles_) {
+    auto& handle = std::get<Handle>(moved.constraints[dragged.constraint].what);
+    handle = composed(handle, increment, dragged.rest, surroundings_, placeInList(source_, dragged.constraint));
+  }
+  return moved;
+}
+
+}  // namespace holdfast

@@ -1,0 +1,51 @@
+#pragma once
+/// \file
+/// Constraints that a hand moves together: points to be held and handles, from where they are to where they go.
+
+#include <span>
+#include <vector>
+
+#include <holdfast/constraints/handle_drag.h>
+#include <holdfast/deform/model.h>
+
+namespace holdfast {
+
+/// One gesture on some constraints of a list. Each motion is told from where the gesture began, so that nothing adds up
+/// and no motion is exactly the list that there was.
+class ConstraintDrag {
+ public:
+  /// Of `constraints`, places in the list, points and handles that are enabled move; others stay. Throws `InputError` where one of these does
+  /// not fit the mesh; `source` names the list. O(N) per handle and fixed region.
+  ConstraintDrag(const Model& model, const ConstraintList& list, std::span<const Index> constraints,
+                 const std::string& source);
+
+  /// Whether anything moves, and whether anything of it turns: points do not.
+  [[nodiscard]] bool isEmpty() const noexcept { return points_.empty() && handles_.empty(); }
+  [[nodiscard]] bool hasHandles() const noexcept { return !handles_.empty(); }
+
+  /// The middle of where all that moves is to be, model units. Something moves.
+  [[nodiscard]] Vector3 center() const;
+
+  /// The list after the motion. O(list + vertices of handles).
+  [[nodiscard]] ConstraintList movedBy(const RigidIncrement& increment) const;
+
+ private:
+  struct DraggedPoint {
+    Index constraint = 0;
+    Vector3 rest;
+    Vector3 place;  // where it is to be
+  };
+  struct DraggedHandle {
+    Index constraint = 0;
+    Positions rest;
+    Vector3 center;  // of where it is to be
+  };
+
+  ConstraintList list_;
+  std::string source_;
+  HandleSurroundings surroundings_;
+  std::vector<DraggedPoint> points_;
+  std::vector<DraggedHandle> handles_;
+};
+
+}  // namespace holdfast

@@ -1,0 +1,92 @@
+#include <algorithm>
+
+#include <QObject>
+
+#include <holdfast/document/list_edits.h>
+#include <holdfast/widgets/commands.h>
+
+namespace holdfast {
+namespace {
+
+QString tr(const char* text)
+{
+  return QObject::tr(text);
+}
+
+void add(Editor& editor, Constraint constraint)
+{
+  const QString name = tr("add %1").arg(QString::fromStdString(constraint.name));
+  ConstraintList list = added(editor.list(), std::move(constraint));
+  const Index last = static_cast<Index>(list.constraints.size()) - 1;
+  editor.edit(name, std::move(list));
+  editor.selectConstraints({last});
+}
+
+const char* stemOf(RegionKind kind)
+{
+  switch (kind) {
+    case RegionKind::Fixed:
+      return "fixed ";
+    case RegionKind::Handle:
+      return "handle ";
+    case RegionKind::Rigid:
+      break;
+  }
+  return "rigid ";
+}
+
+/// "P1", or how many there are.
+QString namesOf(const Editor& editor)
+{
+  const auto& selected = editor.selectedConstraints();
+  if (selected.size() == 1) return QString::fromStdString(editor.list().constraints[selected.front()].name);
+  return tr("%n constraint(s)").replace("%n", QString::number(selected.size())).replace("(s)", "s");
+}
+
+}  // namespace
+
+void holdPoint(Editor& editor, const SurfacePick& pick)
+{
+  add(editor, {freshName(editor.list(), "P"), true, Point{pick.location, Target{pick.place}}});
+}
+
+void constrainSelection(Editor& editor, RegionKind kind)
+{
+  Constraint constraint;
+  constraint.name = freshName(editor.list(), stemOf(kind));
+  const Selection select = editor.selection();
+  switch (kind) {
+    case RegionKind::Fixed:
+      constraint.what = Fixed{select};
+      break;
+    case RegionKind::Handle:
+      constraint.what = Handle{select, {}, Vector3::Zero(), {}};
+      break;
+    case RegionKind::Rigid:
+      constraint.what = Rigid{select};
+      break;
+  }
+  editor.selectVertices({});
+  add(editor, std::move(constraint));
+}
+
+void removeSelectedConstraints(Editor& editor)
+{
+  const auto selected = editor.selectedConstraints();
+  if (selected.empty()) return;
+  const QString name = tr("delete %1").arg(namesOf(editor));
+  editor.selectConstraints({});
+  editor.edit(name, removed(editor.list(), selected));
+}
+
+void toggleSelectedConstraints(Editor& editor)
+{
+  const auto& selected = editor.selectedConstraints();
+  if (selected.empty()) return;
+  const bool areAllEnabled = std::all_of(selected.begin(), selected.end(),
+                                         [&](Index k) { return editor.list().constraints[k].isEnabled; });
+  const QString name = (areAllEnabled ? tr("disable %1") : tr("enable %1")).arg(namesOf(editor));
+  editor.edit(name, withEnabled(editor.list(), selected, areAllEnabled ? Enabling::Disabled : Enabling::Enabled));
+}
+
+}  // namespace holdfast

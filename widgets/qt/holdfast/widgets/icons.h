@@ -1,0 +1,32 @@
+#pragma once
+/// \file
+/// The signs on the window's buttons: drawn, so that they are sharp on every screen and follow the palette.
+
+#include <QIcon>
+#include <QPalette>
+
+namespace holdfast {
+
+enum class Sign {
+  Select,
+  Point,
+  Brush,
+  Rectangle,
+  Lasso,
+  Flood,
+  Curve,
+  Fix,
+  Handle,
+  Rigid,
+  Undo,
+  Redo,
+  Open,
+  Save,
+  Import,
+  Frame
+};
+
+/// In the colour of the palette's text, faint where disabled.
+[[nodiscard]] QIcon iconOf(Sign sign, const QPalette& palette);
+
+}  // namespace holdfast

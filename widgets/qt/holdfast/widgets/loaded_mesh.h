@@ -1,0 +1,29 @@
+#pragma once
+/// \file
+/// A mesh file and all that the window needs of it, made on any thread before the window is touched.
+
+#include <filesystem>
+#include <memory>
+
+#include <holdfast/base/progress.h>
+#include <holdfast/deform/model.h>
+#include <holdfast/io/mesh_document.h>
+#include <holdfast/surface/vertex_regions.h>
+#include <holdfast/view/shaded_surface.h>
+
+namespace holdfast {
+
+/// What does not change while a mesh is open.
+struct LoadedMesh {
+  std::filesystem::path path;
+  MeshDocument document;
+  std::shared_ptr<const Model> model;
+  std::shared_ptr<const ShadedSurface> shaded;
+  std::shared_ptr<VertexRegions> regions;
+};
+
+/// Reads and prepares the file, by its extension one of core's formats or VTK's. Throws as `readMesh` and `makeModel` do, and what
+/// `progress` throws.
+[[nodiscard]] LoadedMesh loadMesh(const std::filesystem::path& path, Progress& progress);
+
+}  // namespace holdfast

@@ -1,0 +1,246 @@
+#include <algorithm>
+#include <array>
+#include <functional>
+
+#include <QAction>
+#include <QApplication>
+#include <QDockWidget>
+#include <QMenu>
+#include <QMenuBar>
+#include <QToolBar>
+
+#include <holdfast/widgets/commands.h>
+#include <holdfast/widgets/icons.h>
+#include <holdfast/widgets/main_window.h>
+#include <holdfast/widgets/status_line.h>
+#include <holdfast/widgets/tool_box.h>
+#include <holdfast/widgets/viewport.h>
+
+namespace holdfast {
+
+MainWindow::MainWindow()
+    : viewport_(new Viewport(editor_, this)),
+      tools_(new ToolBox(editor_, *viewport_, this)),
+      status_(new StatusLine(editor_, this))
+{
+  setObjectName("mainWindow");
+  setCentralWidget(viewport_);
+  setStatusBar(status_);
+  makeEditMenu();
+  makeSelectionMenu();
+  makeConstraintMenu();
+  makeViewMenu();
+  makeToolBars();
+  connectStatus();
+  resize(1280, 800);
+  updateTitle();
+  updateActions();
+}
+
+MainWindow::~MainWindow() = default;
+
+QAction* MainWindow::addAction(QMenu& menu, const QString& objectName, const QString& text, const QKeySequence& key,
+                               const QString& tip, std::function<void()> run)
+{
+  QAction* action = menu.addAction(text);
+  action->setObjectName(objectName);
+  action->setShortcut(key);
+  action->setToolTip(key.isEmpty() ? tip : QString("%1 (%2)").arg(tip, key.toString(QKeySequence::NativeText)));
+  action->setStatusTip(tip);
+  connect(action, &QAction::triggered, this, std::move(run));
+  return action;
+}
+
+void MainWindow::makeEditMenu()
+{
+  QMenu& menu = *menuBar()->addMenu(tr("&Edit"));
+  undo_ = addAction(menu, "undo", tr("&Undo"), QKeySequence::Undo, tr("Take the last edit back"), [this] { editor_.undo(); });
+  redo_ = addAction(menu, "redo", tr("&Redo"), QKeySequence("Ctrl+Shift+Z"), tr("Do what was undone again"),
+                    [this] { editor_.redo(); });
+  menu.addSeparator();
+  addAction(menu, "escape", tr("&Cancel"), QKeySequence(Qt::Key_Escape),
+            tr("Take back what is under way: a drag, a curve, solving; or select nothing"), [this] { escape(); });
+  withDocument_.push_back(addAction(menu, "solveAgain", tr("&Solve again"), QKeySequence(Qt::Key_F5),
+                                    tr("Solve again after it was stopped"), [this] { editor_.solve(); }));
+}
+
+void MainWindow::makeSelectionMenu()
+{
+  QMenu& menu = *menuBar()->addMenu(tr("&Select"));
+  for (QAction* tool : tools_->actions()) {
+    menu.addAction(tool);
+    withDocument_.push_back(tool);
+  }
+  menu.addSeparator();
+  const auto vertices = [this] { return editor_.selectedVertices(); };
+  const auto regions = [this]() -> VertexRegions& { return *editor_.mesh().regions; };
+  withVertices_.push_back(addAction(menu, "grow", tr("&Grow"), QKeySequence("+"), tr("Select the next ring of vertices, too"),
+                                    [this, vertices, regions] { editor_.selectVertices(regions().grown(vertices())); }));
+  withVertices_.push_back(addAction(menu, "shrink", tr("S&hrink"), QKeySequence("-"),
+                                    tr("Take the outermost vertices out of the selection"),
+                                    [this, vertices, regions] { editor_.selectVertices(regions().shrunk(vertices())); }));
+  withDocument_.push_back(addAction(menu, "invert", tr("&Invert"), QKeySequence("I"), tr("Select all other vertices"),
+                                    [this, vertices, regions] { editor_.selectVertices(regions().inverted(vertices())); }));
+  withVertices_.push_back(addAction(menu, "deselect", tr("&Nothing"), QKeySequence("Ctrl+Shift+A"),
+                                    tr("Deselect all vertices"), [this] { editor_.selectVertices({}); }));
+}
+
+void MainWindow::makeConstraintMenu()
+{
+  QMenu& menu = *menuBar()->addMenu(tr("&Constrain"));
+  const auto add = [&](const char* objectName, const QString& text, const char* key, const QString& tip, RegionKind kind) {
+    withVertices_.push_back(
+        addAction(menu, objectName, text, QKeySequence(key), tip, [this, kind] { constrainSelection(editor_, kind); }));
+  };
+  add("makeFixed", tr("&Fix the selection"), "F", tr("The selected vertices stay where they are"), RegionKind::Fixed);
+  add("makeHandle", tr("Make a &handle of it"), "H", tr("The selected vertices move as you drag them"), RegionKind::Handle);
+  add("makeRigid", tr("Make a &rigid feature of it"), "R", tr("The selected vertices keep their shape wherever the surface takes them"),
+      RegionKind::Rigid);
+  menu.addSeparator();
+  withConstraints_.push_back(addAction(menu, "toggleEnabled", tr("&Enable or disable"), QKeySequence("E"),
+                                       tr("Switch the selected constraints off, or on again"),
+                                       [this] { toggleSelectedConstraints(editor_); }));
+  withConstraints_.push_back(addAction(menu, "deleteConstraints", tr("&Delete"), QKeySequence(Qt::Key_Delete),
+                                       tr("Delete the selected constraints"), [this] { removeSelectedConstraints(editor_); }));
+}
+
+void MainWindow::makeViewMenu()
+{
+  QMenu& menu = *menuBar()->addMenu(tr("&View"));
+  withDocument_.push_back(addAction(menu, "frameAll", tr("Show &all"), QKeySequence(Qt::Key_Home), tr("Show the whole mesh"),
+                                    [this] { viewport_->frameAll(); }));
+  withDocument_.push_back(addAction(menu, "frameSelection", tr("Show the &selection"), QKeySequence("."),
+                                    tr("Show what is selected from near"), [this] { frameSelection(); }));
+  menu.addSeparator();
+  struct Side {
+    const char* objectName;
+    QString text;
+    const char* key;
+    Vector3 direction;
+    Vector3 up;
+  };
+  const std::array sides{Side{"viewFront", tr("From the &front"), "1", Vector3::UnitY(), Vector3::UnitZ()},
+                         Side{"viewBack", tr("From &behind"), "Ctrl+1", -Vector3::UnitY(), Vector3::UnitZ()},
+                         Side{"viewRight", tr("From the &right"), "3", -Vector3::UnitX(), Vector3::UnitZ()},
+                         Side{"viewLeft", tr("From the &left"), "Ctrl+3", Vector3::UnitX(), Vector3::UnitZ()},
+                         Side{"viewTop", tr("From a&bove"), "7", -Vector3::UnitZ(), Vector3::UnitY()},
+                         Side{"viewBottom", tr("From bel&ow"), "Ctrl+7", Vector3::UnitZ(), -Vector3::UnitY()}};
+  for (const Side& side : sides)
+    withDocument_.push_back(addAction(menu, side.objectName, side.text, QKeySequence(side.key), side.text,
+                                      [this, side] { viewport_->lookAlong(side.direction, side.up); }));
+  menu.addSeparator();
+  QAction* parallel = addAction(menu, "parallelProjection", tr("&Parallel projection"), QKeySequence("5"),
+                                tr("Without perspective"), [] {});
+  parallel->setCheckable(true);
+  connect(parallel, &QAction::toggled, viewport_, &Viewport::setParallelProjection);
+
+  QMenu& appearance = *menu.addMenu(tr("&Colours of the window"));
+  auto* group = new QActionGroup(this);
+  const auto add = [&](const QString& text, Appearance value) {
+    QAction* action = appearance.addAction(text);
+    action->setCheckable(true);
+    action->setChecked(value == Appearance::System);
+    group->addAction(action);
+    connect(action, &QAction::triggered, this, [this, value] { setAppearance(value); });
+  };
+  add(tr("As the &desktop"), Appearance::System);
+  add(tr("&Light"), Appearance::Light);
+  add(tr("D&ark"), Appearance::Dark);
+}
+
+void MainWindow::makeToolBars()
+{
+  toolBar_ = addToolBar(tr("Tools"));
+  toolBar_->setObjectName("toolBar");
+  toolBar_->setMovable(false);
+  toolBar_->setToolButtonStyle(Qt::ToolButtonIconOnly);
+  for (QAction* tool : tools_->actions()) toolBar_->addAction(tool);
+  toolBar_->addSeparator();
+  for (const char* name : {"makeFixed", "makeHandle", "makeRigid"}) toolBar_->addAction(findChild<QAction*>(name));
+  toolBar_->addSeparator();
+  toolBar_->addAction(undo_);
+  toolBar_->addAction(redo_);
+  toolBar_->addAction(findChild<QAction*>("frameAll"));
+  setAppearance(Appearance::System);
+}
+
+void MainWindow::setAppearance(Appearance appearance)
+{
+  apply(appearance);
+}
+
+void MainWindow::changeEvent(QEvent* event)
+{
+  QMainWindow::changeEvent(event);
+  if (event->type() != QEvent::PaletteChange) return;
+  viewport_->setDarkBackdrop(isDark(palette()));
+  tools_->drawIcons();
+  const auto setSign = [this](const char* name, Sign sign) {
+    if (auto* action = findChild<QAction*>(name)) action->setIcon(iconOf(sign, palette()));
+  };
+  setSign("makeFixed", Sign::Fix);
+  setSign("makeHandle", Sign::Handle);
+  setSign("makeRigid", Sign::Rigid);
+  setSign("undo", Sign::Undo);
+  setSign("redo", Sign::Redo);
+  setSign("frameAll", Sign::Frame);
+}
+
+void MainWindow::connectStatus()
+{
+  connect(tools_, &ToolBox::hintChanged, status_, &StatusLine::setHint);
+  status_->setHint(tools_->current().hint());
+  connect(viewport_, &Viewport::previewChanged, status_, &StatusLine::setPick);
+  for (const auto& signal : {&Editor::opened, &Editor::stateChanged, &Editor::saved}) {
+    connect(&editor_, signal, this, &MainWindow::updateTitle);
+    connect(&editor_, signal, this, &MainWindow::updateActions);
+  }
+  for (const auto& signal : {&Editor::vertexSelectionChanged, &Editor::constraintSelectionChanged})
+    connect(&editor_, signal, this, &MainWindow::updateActions);
+}
+
+void MainWindow::updateTitle()
+{
+  const QString name = editor_.isOpen() ? QString::fromStdString(editor_.mesh().path.filename().string()) : QString();
+  setWindowTitle(name.isEmpty() ? tr("Holdfast") : tr("%1[*] – Holdfast").arg(name));
+  setWindowModified(editor_.isOpen() && !editor_.history().isSaved());
+}
+
+void MainWindow::updateActions()
+{
+  const bool isOpen = editor_.isOpen();
+  for (QAction* action : withDocument_) action->setEnabled(isOpen);
+  for (QAction* action : withVertices_) action->setEnabled(isOpen && !editor_.selectedVertices().empty());
+  for (QAction* action : withConstraints_) action->setEnabled(isOpen && !editor_.selectedConstraints().empty());
+  const auto textOf = [](const QString& verb, std::string_view name) {
+    return name.empty() ? verb : verb + ' ' + QString::fromUtf8(name.data(), static_cast<int>(name.size()));
+  };
+  undo_->setEnabled(isOpen && editor_.history().canUndo());
+  redo_->setEnabled(isOpen && editor_.history().canRedo());
+  undo_->setText(textOf(tr("&Undo"), isOpen ? editor_.history().undoName() : std::string_view()));
+  redo_->setText(textOf(tr("&Redo"), isOpen ? editor_.history().redoName() : std::string_view()));
+}
+
+void MainWindow::escape()
+{
+  if (viewport_->cancelGesture()) return;
+  if (!editor_.isOpen()) return;
+  if (editor_.freshness() == Freshness::Solving) return editor_.cancelSolving();
+  if (!editor_.selectedVertices().empty()) return editor_.selectVertices({});
+  if (!editor_.selectedConstraints().empty()) return editor_.selectConstraints({});
+  tools_->chooseSelect();
+}
+
+void MainWindow::open(const QString& path)
+{
+  NoProgress quiet;
+  editor_.open(loadMesh(path.toStdString(), quiet), {});
+}
+
+void MainWindow::frameSelection()
+{
+  if (!editor_.selectedVertices().empty()) return viewport_->frameVertices(editor_.selectedVertices());
+  viewport_->frameConstraints(editor_.selectedConstraints());
+}
+
+}  // namespace holdfast

@@ -1,0 +1,62 @@
+#pragma once
+/// \file
+/// The window: the picture in the middle, panels around it, and what menus and keys do.
+
+#include <QMainWindow>
+
+#include <holdfast/widgets/editor.h>
+#include <holdfast/widgets/theme.h>
+
+class QDockWidget;
+class QMenu;
+class QToolBar;
+
+namespace holdfast {
+
+class StatusLine;
+class ToolBox;
+class Viewport;
+
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  MainWindow();
+  ~MainWindow() override;
+
+  [[nodiscard]] Editor& editor() { return editor_; }
+  [[nodiscard]] Viewport& viewport() { return *viewport_; }
+
+  void open(const QString& path);
+  void setAppearance(Appearance appearance);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void makeToolBars();
+  void makeEditMenu();
+  void makeConstraintMenu();
+  void makeSelectionMenu();
+  void makeViewMenu();
+  void connectStatus();
+  void updateTitle();
+  void updateActions();
+  void escape();
+  void frameSelection();
+  QAction* addAction(QMenu& menu, const QString& objectName, const QString& text, const QKeySequence& key,
+                     const QString& tip, std::function<void()> run);
+
+  Editor editor_;
+  Viewport* viewport_;
+  ToolBox* tools_;
+  StatusLine* status_;
+  QToolBar* toolBar_ = nullptr;
+  QAction* undo_ = nullptr;
+  QAction* redo_ = nullptr;
+  std::vector<QAction*> withDocument_;     // need an open document
+  std::vector<QAction*> withVertices_;     // need selected vertices
+  std::vector<QAction*> withConstraints_;  // need selected constraints
+};
+
+}  // namespace holdfast

@@ -1,0 +1,127 @@
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+
+#include <holdfast/widgets/status_line.h>
+
+namespace holdfast {
+namespace {
+
+QString rounded(double value)
+{
+  return QString::number(value, 'g', 4);
+}
+
+QString milliseconds(double seconds)
+{
+  const double value = 1000 * seconds;
+  return value < 10 ? QString::number(value, 'f', 1) : QString::number(value, 'f', 0);
+}
+
+QString describe(const AtVertex& at)
+{
+  return QObject::tr("vertex %1").arg(at.vertex);
+}
+
+QString describe(const AtEdge& at)
+{
+  return QObject::tr("edge %1–%2, t %3").arg(at.i).arg(at.j).arg(rounded(at.t));
+}
+
+QString describe(const AtFace& at)
+{
+  QStringList weights;
+  for (const double weight : at.weights) weights << rounded(weight);
+  return QObject::tr("face %1, weights %2").arg(at.face).arg(weights.join(", "));
+}
+
+QString describe(const AtNear& at)
+{
+  return QObject::tr("near %1, %2, %3").arg(rounded(at.place.x()), rounded(at.place.y()), rounded(at.place.z()));
+}
+
+}  // namespace
+
+QString describe(const SurfacePick& pick)
+{
+  const QString location = std::visit([](const auto& at) { return describe(at); }, pick.location);
+  return QObject::tr("%1  at %2, %3, %4")
+      .arg(location, rounded(pick.place.x()), rounded(pick.place.y()), rounded(pick.place.z()));
+}
+
+StatusLine::StatusLine(Editor& editor, QWidget* parent)
+    : QStatusBar(parent),
+      editor_(editor),
+      left_(new QLabel(this)),
+      stage_(new QLabel(this)),
+      cancel_(new QPushButton(tr("Stop"), this)),
+      numbers_(new QLabel(this))
+{
+  setObjectName("statusLine");
+  left_->setObjectName("statusHint");
+  left_->setMinimumWidth(1);
+  stage_->setObjectName("statusStage");
+  cancel_->setObjectName("statusStop");
+  cancel_->setToolTip(tr("Stop solving; what is shown stays as it is (Esc)"));
+  cancel_->setFlat(true);
+  numbers_->setObjectName("statusNumbers");
+  addWidget(left_, 1);
+  addPermanentWidget(stage_);
+  addPermanentWidget(cancel_);
+  addPermanentWidget(numbers_);
+  connect(cancel_, &QPushButton::clicked, &editor_, &Editor::cancelSolving);
+  connect(&editor_, &Editor::opened, this, &StatusLine::showNumbers);
+  connect(&editor_, &Editor::deformed, this, &StatusLine::showNumbers);
+  connect(&editor_, &Editor::freshnessChanged, this, &StatusLine::showStage);
+  connect(&editor_, &Editor::stageChanged, this, &StatusLine::showStage);
+  showNumbers();
+  showStage();
+}
+
+void StatusLine::setHint(const QString& hint)
+{
+  hint_ = hint;
+  showHint();
+}
+
+void StatusLine::setPick(const std::optional<SurfacePick>& pick)
+{
+  pick_ = pick ? describe(*pick) : QString();
+  showHint();
+}
+
+void StatusLine::showHint()
+{
+  left_->setText(pick_.isEmpty() ? hint_ : pick_);
+  left_->setToolTip(left_->text());
+}
+
+void StatusLine::showStage()
+{
+  const bool isSolving = editor_.freshness() == Freshness::Solving && !editor_.history().isInGesture();
+  stage_->setText(isSolving && !editor_.stage().isEmpty() ? editor_.stage() + "…" : QString());
+  stage_->setVisible(isSolving);
+  cancel_->setVisible(isSolving);
+}
+
+void StatusLine::showNumbers()
+{
+  numbers_->setVisible(editor_.isOpen());
+  if (!editor_.isOpen()) return;
+  const QLocale locale;
+  QStringList parts{tr("%1 vertices").arg(locale.toString(static_cast<qlonglong>(editor_.model()->mesh.vertexCount())))};
+  if (const auto& deformation = editor_.deformation()) {
+    const SolveReport& solve = deformation->report.solve;
+    parts << tr("%1 unknowns").arg(locale.toString(static_cast<qlonglong>(solve.unknowns)))
+          << tr("%1 + %2 + %3 ms")
+                 .arg(milliseconds(solve.seconds.setup), milliseconds(solve.seconds.decomposition),
+                      milliseconds(solve.seconds.solution))
+          << (solve.status == SolveStatus::Failed ? tr("not solved")
+                                                  : tr("residual %1").arg(QString::number(solve.maxResidualRelative, 'e', 1)));
+  }
+  numbers_->setText(parts.join("  ·  "));
+  numbers_->setToolTip(tr("Milliseconds: set-up + decomposition + solution. The largest residual of constraints that are met is a share "
+                          "of the bounding box's diagonal; 1e-12 is promised."));
+}
+
+}  // namespace holdfast

@@ -1,0 +1,66 @@
+#pragma once
+/// \file
+/// Moves the selected constraints by arrows, squares and rings.
+
+#include <memory>
+#include <optional>
+
+#include <QTimer>
+
+#include <holdfast/document/constraint_drag.h>
+#include <holdfast/view/gizmo.h>
+#include <holdfast/view/gizmo_drag.h>
+#include <holdfast/widgets/editor.h>
+#include <holdfast/widgets/tool.h>
+
+namespace holdfast {
+
+class Viewport;
+
+/// Along which axes the arrows point.
+enum class GizmoAxes {
+  Handle,  ///< those of the selected handle, turned with it; of a point: across the surface and along it
+  World,
+  View
+};
+
+/// Stands where the selected points and handles are to be, and is asked before any other tool. A drag is one edit, and Escape takes it back. With
+/// Ctrl it snaps.
+class GizmoTool : public Tool {
+  Q_OBJECT
+
+ public:
+  GizmoTool(Editor& editor, Viewport& viewport, QObject* parent);
+  ~GizmoTool() override;
+
+  [[nodiscard]] QString hint() const override;
+  bool press(const Pointer& pointer) override;
+  bool hover(const Pointer& pointer) override;
+  void drag(const Pointer& pointer) override;
+  void release(const Pointer& pointer) override;
+  bool cancel() override;
+
+  void setAxes(GizmoAxes axes);
+  [[nodiscard]] GizmoAxes axes() const noexcept { return axes_; }
+  [[nodiscard]] const Gizmo& gizmo() const noexcept { return gizmo_; }
+
+  /// Follows the camera: before the viewport is drawn.
+  void update();
+
+ private:
+  void stand();
+  void moveTo(const GizmoMotion& motion);
+  [[nodiscard]] Eigen::Matrix3d handleAxes() const;
+  [[nodiscard]] Eigen::Matrix3d axesNow();
+  [[nodiscard]] GizmoPart partAt(const Pointer& pointer);
+
+  Editor& editor_;
+  Viewport& viewport_;
+  Gizmo gizmo_;
+  GizmoAxes axes_ = GizmoAxes::World;
+  std::unique_ptr<ConstraintDrag> standing_;  // what the gizmo stands for; null where it is hidden
+  std::optional<GizmoDrag> drag_;
+  DisplayPoint cursor_{0, 0};
+};
+
+}  // namespace holdfast

@@ -1,0 +1,498 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QKeyEvent>
+#include <QMimeData>
+#include <QMouseEvent>
+#include <QUrl>
+#include <QWheelEvent>
+#include <vtkCamera.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkLightKit.h>
+#include <vtkRenderWindowInteractor.h>
+#include <vtkRenderer.h>
+
+#include <holdfast/view/default_camera.h>
+#include <holdfast/widgets/viewport.h>
+#include <holdfast/widgets/viewport_overlay.h>
+
+namespace holdfast {
+namespace {
+
+// Of the widget's pixels: a hand that shakes less than this clicks.
+constexpr double kClickReach = 4;
+
+// A hand across the height of the viewport turns the picture by this.
+constexpr double kDegreesAcross = 220;
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+// A notch of the wheel, 120 of Qt's units.
+constexpr double kWheelZoom = 1.2;
+
+// Beyond this a moving picture is drawn of fewer triangles.
+constexpr double kFluentMilliseconds = 30;
+constexpr int kRestMilliseconds = 250;
+
+MarkKind kindOf(const SurfaceLocation& location)
+{
+  if (std::holds_alternative<AtVertex>(location)) return MarkKind::Vertex;
+  return std::holds_alternative<AtEdge>(location) ? MarkKind::Edge : MarkKind::Face;
+}
+
+}  // namespace
+
+Viewport::Viewport(Editor& editor, QWidget* parent) : QVTKOpenGLNativeWidget(parent), editor_(editor)
+{
+  setObjectName("viewport");
+  setAccessibleName(tr("Picture of the mesh"));
+  setFocusPolicy(Qt::StrongFocus);
+  setMouseTracking(true);
+  setAcceptDrops(true);
+  setMinimumSize(320, 240);
+
+  window_->SetMultiSamples(0);
+  window_->SetNumberOfLayers(2);
+  window_->AddRenderer(renderer_);
+  window_->AddRenderer(front_);
+  front_->SetLayer(1);
+  front_->SetActiveCamera(renderer_->GetActiveCamera());
+  renderer_->GradientBackgroundOn();
+  setDarkBackdrop(false);
+  setRenderWindow(window_);
+  // The camera is moved here, a picture at a time, and not by VTK at every event.
+  window_->GetInteractor()->SetInteractorStyle(nullptr);
+  window_->GetInteractor()->EnableRenderOff();
+  addStandardLights(*renderer_);
+  addStandardLights(*front_);
+
+  overlay_ = new ViewportOverlay(editor_, *this);
+  renderTimer_.setSingleShot(true);
+  connect(&renderTimer_, &QTimer::timeout, this, &Viewport::render);
+  detailTimer_.setSingleShot(true);
+  detailTimer_.setInterval(kRestMilliseconds);
+  connect(&detailTimer_, &QTimer::timeout, this, &Viewport::scheduleRender);
+
+  connect(&editor_, &Editor::opened, this, &Viewport::openDocument);
+  connect(&editor_, &Editor::deformed, this, &Viewport::showDeformation);
+  connect(&editor_, &Editor::stateChanged, this, [this] {
+    disabledPlaces_ = disabledPlaces(*editor_.model(), editor_.list());
+    showMarks();
+  });
+  connect(&editor_, &Editor::vertexSelectionChanged, this, &Viewport::showSelection);
+  connect(&editor_, &Editor::constraintSelectionChanged, this, &Viewport::showMarks);
+}
+
+Viewport::~Viewport() = default;
+
+void Viewport::setDarkBackdrop(bool isDark)
+{
+  const Color bottom = isDark ? Color{0.16, 0.17, 0.19} : Color{1.0, 1.0, 1.0};
+  const Color top = isDark ? Color{0.24, 0.26, 0.29} : Color{0.90, 0.915, 0.935};
+  renderer_->SetBackground(bottom.red, bottom.green, bottom.blue);
+  renderer_->SetBackground2(top.red, top.green, top.blue);
+  scheduleRender();
+}
+
+// The document
+
+void Viewport::openDocument()
+{
+  cancelGesture();
+  renderer_->RemoveAllViewProps();
+  contents_.reset();
+  picker_.reset();
+  coloring_.reset();
+  marks_.clear();
+  disabledPlaces_.clear();
+  hasPreview_ = false;
+  if (editor_.isOpen()) {
+    contents_ = std::make_unique<SceneContents>(*editor_.model());
+    contents_->setPixelRatio(pixelRatio());
+    contents_->addTo(*renderer_);
+    picker_ = std::make_unique<SurfacePicker>(*editor_.model());
+    disabledPlaces_ = disabledPlaces(*editor_.model(), editor_.list());
+    fullMilliseconds_ = 0;
+    setDisplay(display_);
+    frameAll();
+  }
+  scheduleRender();
+}
+
+void Viewport::showDeformation()
+{
+  contents_->setPositions(editor_.positions());
+  picker_->setPositions(editor_.positions());
+  showColors();
+  showMarks();
+}
+
+void Viewport::showColors()
+{
+  coloring_.reset();
+  if (const auto& deformation = editor_.deformation())
+    coloring_ = coloringOf(*editor_.model(), *deformation, display_.colorBy, editor_.deformedState()->list.units);
+  contents_->color(coloring_);
+  overlay_->update();
+  scheduleRender();
+}
+
+void Viewport::showMarks()
+{
+  if (!contents_) return;
+  marks_.clear();
+  if (const auto& deformation = editor_.deformation()) marks_ = constraintMarks(*editor_.model(), *deformation);
+  const auto disabled = disabledMarks(*editor_.model(), disabledPlaces_, editor_.positions());
+  marks_.insert(marks_.end(), disabled.begin(), disabled.end());
+  contents_->setMarks(marks_);
+  contents_->highlight(editor_.selectedConstraints());
+  overlay_->update();
+  scheduleRender();
+}
+
+void Viewport::showSelection()
+{
+  if (!contents_) return;
+  contents_->setSelection(editor_.selectedVertices());
+  scheduleRender();
+}
+
+void Viewport::setDisplay(const DisplaySettings& settings)
+{
+  display_ = settings;
+  if (!contents_) return;
+  showColors();
+}
+
+void Viewport::setPreview(const std::optional<SurfacePick>& pick)
+{
+  if (!contents_ || (!pick && !hasPreview_)) return;
+  hasPreview_ = pick.has_value();
+  contents_->setPreview(pick ? std::optional(PreviewedPoint{pick->place, kindOf(pick->location)}) : std::nullopt);
+  scheduleRender();
+  Q_EMIT previewChanged(pick);
+}
+
+// The camera
+
+void Viewport::frameAll()
+{
+  if (!editor_.isOpen()) return;
+  const double aspect = static_cast<double>(width()) / std::max(1, height());
+  fit(*renderer_->GetActiveCamera(), defaultFrame(editor_.positions()), editor_.positions(), aspect);
+  cameraMoved();
+}
+
+void Viewport::frameVertices(const std::vector<Index>& vertices)
+{
+  if (!editor_.isOpen() || vertices.empty()) return;
+  framePlaces(editor_.positions()(vertices, Eigen::all));
+}
+
+void Viewport::frameConstraints(const std::vector<Index>& constraints)
+{
+  std::vector<Vector3> places;
+  for (const ConstraintMark& mark : marks_)
+    if (std::binary_search(constraints.begin(), constraints.end(), mark.constraint)) places.push_back(mark.place);
+  if (places.empty()) return;
+  Positions rows(static_cast<Index>(places.size()), 3);
+  for (std::size_t k = 0; k < places.size(); ++k) rows.row(static_cast<Index>(k)) = places[k].transpose();
+  framePlaces(rows);
+}
+
+void Viewport::framePlaces(const Positions& places)
+{
+  vtkCamera& camera = *renderer_->GetActiveCamera();
+  const Vector3 center = (places.colwise().minCoeff() + places.colwise().maxCoeff()).transpose() / 2;
+  // A single point is shown with a tenth of the mesh around it.
+  const double radius = std::max((places.rowwise() - center.transpose()).rowwise().norm().maxCoeff(),
+                                 editor_.model()->solverMesh.diagonal / 20);
+  const Vector3 direction = Vector3(camera.GetDirectionOfProjection());
+  const double distance = 1.3 * radius / std::sin(camera.GetViewAngle() / 2 * kDegree);
+  const Vector3 eye = center - distance * direction;
+  camera.SetPosition(eye.data());
+  camera.SetFocalPoint(center.data());
+  camera.SetParallelScale(1.3 * radius);
+  cameraMoved();
+}
+
+void Viewport::lookAlong(const Vector3& direction, const Vector3& up)
+{
+  if (!editor_.isOpen()) return;
+  const Vector3 back = -direction.normalized();
+  const Vector3 right = up.cross(back).normalized();
+  const double aspect = static_cast<double>(width()) / std::max(1, height());
+  fit(*renderer_->GetActiveCamera(), {right, back.cross(right), back}, editor_.positions(), aspect);
+  cameraMoved();
+}
+
+void Viewport::setParallelProjection(bool isParallel)
+{
+  vtkCamera& camera = *renderer_->GetActiveCamera();
+  if (isParallel == isParallelProjection()) return;
+  // What is at the focal point keeps its size.
+  const double slope = std::tan(camera.GetViewAngle() / 2 * kDegree);
+  if (isParallel) {
+    camera.SetParallelScale(camera.GetDistance() * slope);
+  } else {
+    const Vector3 eye = Vector3(camera.GetFocalPoint()) -
+                        camera.GetParallelScale() / slope * Vector3(camera.GetDirectionOfProjection());
+    camera.SetPosition(eye.data());
+  }
+  camera.SetParallelProjection(isParallel);
+  cameraMoved();
+}
+
+bool Viewport::isParallelProjection() const
+{
+  return renderer_->GetActiveCamera()->GetParallelProjection() != 0;
+}
+
+void Viewport::cameraMoved()
+{
+  fitClippingRange();
+  scheduleRender();
+}
+
+void Viewport::fitClippingRange()
+{
+  renderer_->ResetCameraClippingRange();
+}
+
+// Drawing
+
+void Viewport::scheduleRender()
+{
+  if (!renderTimer_.isActive()) renderTimer_.start(0);
+}
+
+void Viewport::render()
+{
+  if (!isVisible()) return;
+  const bool isMoving = hand_ != Hand::Empty || detailTimer_.isActive() || editor_.freshness() == Freshness::Solving;
+  const bool isCoarse = contents_ && isMoving && fullMilliseconds_ > kFluentMilliseconds;
+  if (contents_) contents_->setDetail(isCoarse ? Detail::Coarse : Detail::Full);
+  fitClippingRange();
+  Q_EMIT aboutToRender();
+  QElapsedTimer timer;
+  timer.start();
+  window_->Render();
+  renderMilliseconds_ = static_cast<double>(timer.nsecsElapsed()) / 1e6;
+  if (!isCoarse) fullMilliseconds_ = renderMilliseconds_;
+  if (isCoarse && !detailTimer_.isActive()) detailTimer_.start();
+  overlay_->update();
+  Q_EMIT rendered();
+}
+
+void Viewport::resizeEvent(QResizeEvent* event)
+{
+  QVTKOpenGLNativeWidget::resizeEvent(event);
+  overlay_->setGeometry(rect());
+  if (contents_) contents_->setPixelRatio(pixelRatio());
+  scheduleRender();
+}
+
+// The mouse
+
+void Viewport::setTool(Tool* tool)
+{
+  if (tool_ == tool) return;
+  cancelGesture();
+  setPreview(std::nullopt);
+  if (tool_) {
+    tool_->end();
+    disconnect(tool_, nullptr, overlay_, nullptr);
+  }
+  tool_ = tool;
+  if (tool_) {
+    tool_->begin();
+    connect(tool_, &Tool::changed, overlay_, qOverload<>(&QWidget::update));
+  }
+  setCursor(tool_ ? tool_->cursor() : Qt::ArrowCursor);
+  overlay_->setTool(tool_);
+}
+
+void Viewport::setFirstTool(Tool* tool)
+{
+  firstTool_ = tool;
+}
+
+bool Viewport::cancelGesture()
+{
+  const bool wasUnderWay = pressed_ != nullptr;
+  if (pressed_) pressed_->cancel();
+  pressed_ = nullptr;
+  // The camera's gestures have nothing to take back, and stop where they are.
+  hand_ = Hand::Empty;
+  return wasUnderWay || (tool_ && tool_->cancel());
+}
+
+DisplayPoint Viewport::toDisplayPoint(const QPointF& place) const
+{
+  // The middle of the pixel under the cursor's tip.
+  return {std::floor(place.x() * pixelRatio()), std::floor((height() - place.y()) * pixelRatio() - 0.5)};
+}
+
+QPointF Viewport::toPlace(const DisplayPoint& display) const
+{
+  return {display.x() / pixelRatio(), height() - display.y() / pixelRatio()};
+}
+
+Pointer Viewport::pointerAt(const QPointF& place, Qt::KeyboardModifiers modifiers) const
+{
+  return {toDisplayPoint(place), place, modifiers};
+}
+
+bool Viewport::event(QEvent* event)
+{
+  switch (event->type()) {
+    case QEvent::MouseButtonPress:
+      press(static_cast<const QMouseEvent&>(*event));
+      return true;
+    case QEvent::MouseMove:
+      move(static_cast<const QMouseEvent&>(*event));
+      return true;
+    case QEvent::MouseButtonRelease:
+      release(static_cast<const QMouseEvent&>(*event));
+      return true;
+    case QEvent::MouseButtonDblClick:
+      if (tool_ && static_cast<const QMouseEvent&>(*event).button() == Qt::LeftButton)
+        tool_->doubleClick(pointerAt(static_cast<const QMouseEvent&>(*event).localPos(),
+                                     static_cast<const QMouseEvent&>(*event).modifiers()));
+      return true;
+    case QEvent::Wheel:
+      wheel(static_cast<const QWheelEvent&>(*event));
+      return true;
+    case QEvent::Leave:
+      if (tool_ && hand_ == Hand::Empty) tool_->leave();
+      break;
+    case QEvent::KeyPress:
+      if (tool_ && tool_->key(static_cast<const QKeyEvent&>(*event))) return true;
+      event->ignore();
+      return false;
+    case QEvent::KeyRelease:
+    case QEvent::ContextMenu:
+      return true;
+    case QEvent::DragEnter: {
+      auto& enter = static_cast<QDragEnterEvent&>(*event);
+      if (enter.mimeData()->hasUrls()) enter.acceptProposedAction();
+      return true;
+    }
+    case QEvent::Drop: {
+      QStringList paths;
+      for (const QUrl& url : static_cast<QDropEvent&>(*event).mimeData()->urls())
+        if (url.isLocalFile()) paths << url.toLocalFile();
+      static_cast<QDropEvent&>(*event).acceptProposedAction();
+      if (!paths.isEmpty()) Q_EMIT filesDropped(paths);
+      return true;
+    }
+    default:
+      break;
+  }
+  return QVTKOpenGLNativeWidget::event(event);
+}
+
+bool Viewport::offerPress(const Pointer& pointer)
+{
+  for (Tool* tool : {firstTool_, tool_}) {
+    if (!tool || !tool->press(pointer)) continue;
+    pressed_ = tool;
+    return true;
+  }
+  return false;
+}
+
+void Viewport::press(const QMouseEvent& event)
+{
+  if (!contents_ || hand_ != Hand::Empty) return;
+  button_ = event.button();
+  pressedAt_ = event.localPos();
+  movedTo_ = pressedAt_;
+  if (button_ == Qt::LeftButton && offerPress(pointerAt(pressedAt_, event.modifiers()))) {
+    hand_ = Hand::Tool;
+    return;
+  }
+  if (button_ == Qt::MiddleButton || (button_ == Qt::RightButton && event.modifiers() & Qt::ShiftModifier))
+    return beginCamera(Hand::Pan, pressedAt_);
+  hand_ = Hand::Pressed;
+}
+
+void Viewport::move(const QMouseEvent& event)
+{
+  const QPointF place = event.localPos();
+  if (!contents_) return;
+  const Pointer pointer = pointerAt(place, event.modifiers());
+  switch (hand_) {
+    case Hand::Empty:
+      return hover(pointer);
+    case Hand::Tool:
+      return pressed_->drag(pointer);
+    case Hand::Pressed:
+      if (std::hypot(place.x() - pressedAt_.x(), place.y() - pressedAt_.y()) < kClickReach) return;
+      beginCamera(Hand::Orbit, pressedAt_);
+      [[fallthrough]];
+    case Hand::Orbit:
+    case Hand::Pan:
+      turnOrShift(place);
+  }
+}
+
+void Viewport::hover(const Pointer& pointer)
+{
+  const bool isTaken = firstTool_ && firstTool_->hover(pointer);
+  if (tool_ && isTaken) tool_->leave();
+  if (tool_ && !isTaken) static_cast<void>(tool_->hover(pointer));
+}
+
+void Viewport::release(const QMouseEvent& event)
+{
+  if (event.button() != button_) return;
+  const Hand hand = std::exchange(hand_, Hand::Empty);
+  button_ = Qt::NoButton;
+  const Pointer pointer = pointerAt(event.localPos(), event.modifiers());
+  if (Tool* tool = std::exchange(pressed_, nullptr); tool && hand == Hand::Tool) tool->release(pointer);
+  if (hand == Hand::Pressed && event.button() == Qt::LeftButton && tool_) tool_->click(pointer);
+  if (hand == Hand::Pressed && event.button() == Qt::RightButton) Q_EMIT contextMenuWanted(event.pos());
+  if (hand == Hand::Orbit || hand == Hand::Pan) detailTimer_.start();
+}
+
+void Viewport::wheel(const QWheelEvent& event)
+{
+  if (!contents_) return;
+  const double factor = std::pow(kWheelZoom, event.angleDelta().y() / 120.0);
+  zoom(*renderer_, placeUnder(toDisplayPoint(event.position())), factor);
+  detailTimer_.start();
+  cameraMoved();
+}
+
+Vector3 Viewport::placeUnder(const DisplayPoint& display)
+{
+  if (const auto pick = picker_->pick(*renderer_, display.x(), display.y(), PickKind::Face, 0)) return pick->place;
+  return atDepthOf(*renderer_, Vector3(renderer_->GetActiveCamera()->GetFocalPoint()), display);
+}
+
+void Viewport::beginCamera(Hand hand, const QPointF& place)
+{
+  hand_ = hand;
+  pivot_ = placeUnder(toDisplayPoint(place));
+  setPreview(std::nullopt);
+}
+
+void Viewport::turnOrShift(const QPointF& to)
+{
+  const QPointF from = std::exchange(movedTo_, to);
+  if (hand_ == Hand::Pan) {
+    pan(*renderer_, pivot_, toDisplayPoint(from), toDisplayPoint(to));
+  } else {
+    const double degrees = kDegreesAcross / std::max(1, height());
+    orbit(*renderer_->GetActiveCamera(), pivot_, degrees * (to.x() - from.x()), degrees * (from.y() - to.y()));
+  }
+  cameraMoved();
+}
+
+}  // namespace holdfast

@@ -1,0 +1,150 @@
+#pragma once
+/// \file
+/// The picture of the open document, and the mouse in it.
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <QElapsedTimer>
+#include <QTimer>
+
+#include <QVTKOpenGLNativeWidget.h>
+#include <vtkNew.h>
+
+#include <holdfast/view/coloring.h>
+#include <holdfast/view/scene_contents.h>
+#include <holdfast/view/surface_picker.h>
+#include <holdfast/widgets/display_settings.h>
+#include <holdfast/widgets/editor.h>
+#include <holdfast/widgets/tool.h>
+
+class QMouseEvent;
+class QWheelEvent;
+class vtkGenericOpenGLRenderWindow;
+class vtkRenderer;
+
+namespace holdfast {
+
+class ViewportOverlay;
+
+/// Shows the editor's document. The right button turns the picture, the middle one shifts it, the wheel goes nearer; the left button
+/// is the tool's, and turns the picture where the tool leaves it alone. However many events come in one turn of the event loop, the
+/// picture is drawn once.
+class Viewport : public QVTKOpenGLNativeWidget {
+  Q_OBJECT
+
+ public:
+  explicit Viewport(Editor& editor, QWidget* parent = nullptr);
+  ~Viewport() override;
+
+  /// The tool that the left button is for; null for none. Stays its owner's.
+  void setTool(Tool* tool);
+  /// A tool that is asked first, whatever tool is chosen: the gizmo.
+  void setFirstTool(Tool* tool);
+  /// Takes back what is under way with the mouse; false where nothing is.
+  bool cancelGesture();
+
+  void setDisplay(const DisplaySettings& settings);
+  [[nodiscard]] const DisplaySettings& display() const noexcept { return display_; }
+  /// What the surface is coloured by now; none for one colour and for an empty viewport.
+  [[nodiscard]] const std::optional<Coloring>& coloring() const noexcept { return coloring_; }
+  void setDarkBackdrop(bool isDark);
+
+  /// The camera.
+  void frameAll();
+  void frameVertices(const std::vector<Index>& vertices);
+  /// Ascending places in the list.
+  void frameConstraints(const std::vector<Index>& constraints);
+  void lookAlong(const Vector3& direction, const Vector3& up);
+  void setParallelProjection(bool isParallel);
+  [[nodiscard]] bool isParallelProjection() const;
+
+  /// Null without a document.
+  [[nodiscard]] SurfacePicker* picker() noexcept { return picker_.get(); }
+  [[nodiscard]] SceneContents* contents() noexcept { return contents_.get(); }
+  [[nodiscard]] const std::vector<ConstraintMark>& marks() const noexcept { return marks_; }
+  [[nodiscard]] vtkRenderer& renderer() { return *renderer_; }
+  /// Over the picture of the document, with the same camera.
+  [[nodiscard]] vtkRenderer& frontRenderer() { return *front_; }
+
+  /// Pixels of the render window for each of the widget's.
+  [[nodiscard]] double pixelRatio() const { return devicePixelRatioF(); }
+  /// From and to the widget's coordinates.
+  [[nodiscard]] DisplayPoint toDisplayPoint(const QPointF& place) const;
+  [[nodiscard]] QPointF toPlace(const DisplayPoint& display) const;
+  [[nodiscard]] Pointer pointerAt(const QPointF& place, Qt::KeyboardModifiers modifiers) const;
+
+  /// Marks what a click would take; none for nothing.
+  void setPreview(const std::optional<SurfacePick>& pick);
+
+  /// Draws at the next turn of the event loop.
+  void scheduleRender();
+  /// Milliseconds that the last picture took to draw.
+  [[nodiscard]] double lastRenderMilliseconds() const noexcept { return renderMilliseconds_; }
+
+ Q_SIGNALS:
+  void previewChanged(const std::optional<SurfacePick>& pick);
+  void contextMenuWanted(const QPoint& place);
+  void filesDropped(const QStringList& paths);
+  /// Before each picture: time to follow the camera.
+  void aboutToRender();
+  void rendered();
+
+ protected:
+  bool event(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  enum class Hand { Empty, Pressed, Tool, Orbit, Pan };  // what the mouse is doing
+
+  void press(const QMouseEvent& event);
+  void move(const QMouseEvent& event);
+  void hover(const Pointer& pointer);
+  void release(const QMouseEvent& event);
+  void wheel(const QWheelEvent& event);
+  void turnOrShift(const QPointF& to);
+  void beginCamera(Hand hand, const QPointF& place);
+  [[nodiscard]] bool offerPress(const Pointer& pointer);
+  [[nodiscard]] Vector3 placeUnder(const DisplayPoint& display);
+
+  void openDocument();
+  void showDeformation();
+  void showColors();
+  void showMarks();
+  void showSelection();
+  void cameraMoved();
+  void framePlaces(const Positions& places);
+  void render();
+  void fitClippingRange();
+
+  Editor& editor_;
+  std::unique_ptr<SceneContents> contents_;
+  std::unique_ptr<SurfacePicker> picker_;
+  std::vector<ConstraintMark> marks_;
+  std::vector<DisabledPlace> disabledPlaces_;
+  std::optional<Coloring> coloring_;
+  DisplaySettings display_;
+
+  vtkNew<vtkGenericOpenGLRenderWindow> window_;
+  vtkNew<vtkRenderer> renderer_;
+  vtkNew<vtkRenderer> front_;
+  ViewportOverlay* overlay_;
+
+  Tool* tool_ = nullptr;
+  Tool* firstTool_ = nullptr;
+  Tool* pressed_ = nullptr;  // the one whose press was true
+  Hand hand_ = Hand::Empty;
+  Qt::MouseButton button_ = Qt::NoButton;
+  QPointF pressedAt_;
+  QPointF movedTo_;
+  Vector3 pivot_ = Vector3::Zero();
+  bool hasPreview_ = false;
+
+  QTimer renderTimer_;   // draws once a turn of the event loop
+  QTimer detailTimer_;   // draws the full detail when the hand rests
+  double renderMilliseconds_ = 0;
+  double fullMilliseconds_ = 0;  // of the last picture in full detail
+};
+
+}  // namespace holdfast

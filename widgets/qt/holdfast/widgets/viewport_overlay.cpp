@@ -1,0 +1,184 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <QFontMetricsF>
+#include <QPainter>
+#include <QPainterPath>
+
+#include <holdfast/view/constraint_glyphs.h>
+#include <holdfast/view/scalar_legend.h>
+#include <holdfast/widgets/tool.h>
+#include <holdfast/widgets/viewport.h>
+#include <holdfast/widgets/viewport_overlay.h>
+
+namespace holdfast {
+namespace {
+
+constexpr double kMargin = 14;
+constexpr double kBarWidth = 14;
+constexpr double kTickLength = 4;
+constexpr double kBall = 9;
+
+QColor toQColor(const Color& color)
+{
+  return QColor::fromRgbF(color.red, color.green, color.blue);
+}
+
+/// The scale from the top down as a picture of one pixel's width.
+QImage barOf(const ColorScale& scale, int height)
+{
+  QImage image(1, height, QImage::Format_RGB32);
+  for (int y = 0; y < height; ++y) {
+    const double share = 1 - (y + 0.5) / height;
+    image.setPixelColor(0, y, toQColor(mapColor(scale.map, share)));
+  }
+  return image;
+}
+
+}  // namespace
+
+ViewportOverlay::ViewportOverlay(Editor& editor, Viewport& viewport)
+    : QWidget(&viewport), editor_(editor), viewport_(viewport)
+{
+  setObjectName("overlay");
+  setAttribute(Qt::WA_TransparentForMouseEvents);
+  setAttribute(Qt::WA_NoSystemBackground);
+  for (const auto& signal : {&Editor::opened, &Editor::freshnessChanged, &Editor::stageChanged})
+    connect(&editor_, signal, this, qOverload<>(&QWidget::update));
+}
+
+void ViewportOverlay::setTool(Tool* tool)
+{
+  tool_ = tool;
+  update();
+}
+
+void ViewportOverlay::paintEvent(QPaintEvent* /*event*/)
+{
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  if (!editor_.isOpen()) return paintWelcome(painter);
+  if (tool_) tool_->paint(painter);
+  painter.setPen(palette().color(QPalette::WindowText));
+  paintLegend(painter);
+  paintFreshness(painter);
+}
+
+void ViewportOverlay::paintLegend(QPainter& painter) const
+{
+  const auto& coloring = viewport_.coloring();
+  const QFontMetricsF metrics(font());
+  const double bottom = height() - kMargin;
+  if (!coloring) return paintKey(painter, static_cast<int>(bottom));
+
+  const ColorScale& scale = coloring->scale;
+  const QStringList title = QString::fromStdString(scale.title).split('\n');
+  const double barHeight = std::clamp(0.34 * height(), 90.0, 260.0);
+  const double barTop = bottom - barHeight - metrics.height() / 2;
+  const double barLeft = width() - kMargin - kBarWidth;
+  const QRectF bar(barLeft, barTop, kBarWidth, barHeight);
+  painter.drawImage(bar, barOf(scale, static_cast<int>(barHeight)));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawRect(bar);
+
+  const auto label = [&](double value, const QString& text, double length) {
+    const double y = bar.bottom() - shareOf(scale, value) * bar.height();
+    painter.drawLine(QPointF(bar.left() - length, y), QPointF(bar.left(), y));
+    painter.drawText(QRectF(bar.left() - length - 204, y - metrics.height() / 2, 200, metrics.height()),
+                     Qt::AlignRight | Qt::AlignVCenter, text);
+  };
+  for (const Tick& tick : ticksOf(scale)) label(tick.value, QString::fromStdString(tick.text), kTickLength);
+  if (scale.promise && *scale.promise > scale.low && *scale.promise < scale.high)
+    label(*scale.promise, tr("promised"), 12);
+
+  double y = barTop - kMargin / 2 - static_cast<double>(title.size()) * metrics.height();
+  const double titleTop = y;
+  for (const QString& line : title) {
+    painter.drawText(QRectF(0, y, width() - kMargin, metrics.height()), Qt::AlignRight, line);
+    y += metrics.height();
+  }
+  paintKey(painter, static_cast<int>(titleTop - kMargin));
+}
+
+void ViewportOverlay::paintKey(QPainter& painter, int bottom) const
+{
+  const QFontMetricsF metrics(font());
+  double y = bottom;
+  for (const ConstraintStatus status :
+       {ConstraintStatus::Disabled, ConstraintStatus::Missed, ConstraintStatus::Conflicting,
+        ConstraintStatus::Redundant, ConstraintStatus::Met}) {
+    const auto& marks = viewport_.marks();
+    const auto count =
+        std::count_if(marks.begin(), marks.end(), [&](const ConstraintMark& mark) { return mark.status == status; });
+    if (count == 0) continue;
+    y -= metrics.height() * 1.25;
+    const QRectF line(0, y, width() - kMargin - kBall - 6, metrics.height());
+    const std::string_view word = name(status);
+    painter.drawText(line, Qt::AlignRight | Qt::AlignVCenter,
+                     QString("%1 %2").arg(count).arg(QString::fromUtf8(word.data(), static_cast<int>(word.size()))));
+    painter.setBrush(status == ConstraintStatus::Disabled ? QBrush(Qt::NoBrush) : toQColor(glyphColor(status)));
+    painter.drawEllipse(QPointF(width() - kMargin - kBall / 2, line.center().y()), kBall / 2, kBall / 2);
+  }
+}
+
+void ViewportOverlay::paintFreshness(QPainter& painter) const
+{
+  QString text;
+  switch (editor_.freshness()) {
+    case Freshness::Nothing:
+    case Freshness::Current:
+      return;
+    case Freshness::Solving:
+      text = editor_.deformation() ? tr("Older than the constraints: solving") : tr("At rest: solving");
+      break;
+    case Freshness::Cancelled:
+      text = tr("Older than the constraints: solving was stopped. F5 solves again.");
+      break;
+    case Freshness::Unusable:
+      text = tr("Older than the constraints: they cannot be solved.") + '\n' + editor_.trouble();
+      break;
+  }
+  // A drag's frames follow one another faster than a word can be read.
+  if (editor_.freshness() == Freshness::Solving && editor_.deformation() && editor_.history().isInGesture()) return;
+  const QRectF available(0, 0, width() - 4 * kMargin, height());
+  QRectF box = painter.fontMetrics().boundingRect(available.toRect(), Qt::AlignLeft | Qt::TextWordWrap, text);
+  box.moveTo(kMargin + 8, kMargin + 5);
+  QColor plate = palette().color(QPalette::Window);
+  plate.setAlpha(225);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(plate);
+  painter.drawRoundedRect(box.adjusted(-8, -5, 8, 5), 4, 4);
+  painter.setPen(palette().color(QPalette::WindowText));
+  painter.drawText(box, Qt::AlignLeft | Qt::TextWordWrap, text);
+}
+
+void ViewportOverlay::paintWelcome(QPainter& painter) const
+{
+  struct Line {
+    QString text;
+    double size;   // of the font
+    double after;  // space below, in lines
+  };
+  const std::array lines{
+      Line{tr("Hold points of a surface exactly where you want them"), 1.45, 1.0},
+      Line{tr("Drop a mesh here, or open one with Ctrl+O."), 1.0, 0.3},
+      Line{tr("Then pick points on it (P) and drag them, or import measured points (Ctrl+I)."), 1.0, 1.0},
+      Line{tr("OBJ, PLY, OFF, STL, VTP, VTK, and sessions (.holdfast)"), 0.9, 0.0}};
+  const double lineHeight = QFontMetricsF(font()).height();
+  double total = 0;
+  for (const Line& line : lines) total += lineHeight * (line.size + line.after);
+  double y = (height() - total) / 2;
+  for (const Line& line : lines) {
+    QFont sized = font();
+    sized.setPointSizeF(font().pointSizeF() * line.size);
+    painter.setFont(sized);
+    QColor ink = palette().color(QPalette::WindowText);
+    ink.setAlphaF(line.size < 1 ? 0.6 : 0.85);
+    painter.setPen(ink);
+    painter.drawText(QRectF(0, y, width(), lineHeight * line.size * 1.2), Qt::AlignHCenter, line.text);
+    y += lineHeight * (line.size + line.after);
+  }
+}
+
+}  // namespace holdfast

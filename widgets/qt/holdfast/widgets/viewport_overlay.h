@@ -1,0 +1,38 @@
+#pragma once
+/// \file
+/// What is written and drawn over the picture: the legend, what the tool draws, whether the picture is older than the document, and
+/// what to do where nothing is open.
+
+#include <QWidget>
+
+#include <holdfast/widgets/editor.h>
+
+namespace holdfast {
+
+class Tool;
+class Viewport;
+
+/// Covers a viewport, and leaves the mouse to it.
+class ViewportOverlay : public QWidget {
+  Q_OBJECT
+
+ public:
+  ViewportOverlay(Editor& editor, Viewport& viewport);
+
+  void setTool(Tool* tool);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void paintLegend(QPainter& painter) const;
+  void paintKey(QPainter& painter, int bottom) const;
+  void paintFreshness(QPainter& painter) const;
+  void paintWelcome(QPainter& painter) const;
+
+  Editor& editor_;
+  Viewport& viewport_;
+  Tool* tool_ = nullptr;
+};
+
+}  // namespace holdfast

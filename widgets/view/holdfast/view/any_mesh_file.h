@@ -1,0 +1,24 @@
+#pragma once
+/// \file
+/// Mesh files of every format that is known where VTK is: the core's and VTK's.
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <holdfast/io/mesh_document.h>
+
+namespace holdfast {
+
+/// Lower case with the dot, the core's formats first.
+[[nodiscard]] std::vector<std::string_view> anyMeshExtensions();
+
+/// As `readMesh` or `readPolyData`, by the extension (any case).
+[[nodiscard]] MeshDocument readAnyMesh(const std::filesystem::path& path);
+
+/// As `serializeMesh` or `serializePolyData`, by the extension of `path` (any case).
+[[nodiscard]] Serialized serializeAnyMesh(const MeshDocument& document, const Positions& positions,
+                                          const std::filesystem::path& path);
+
+}  // namespace holdfast
