@@ -148,9 +148,9 @@ TEST(ConstraintMarks, OfDifferencesLieWhereTheyAct)
   const auto marks = constraintMarks(model, deformation);
   ASSERT_EQ(marks.size(), 4);
   EXPECT_EQ(marks[1].place, Vector3(deformation.positions.row(12)));
-  EXPECT_FALSE(marks[1].isSinglePoint);
+  EXPECT_FALSE(isSinglePoint(marks[1].kind));
   EXPECT_EQ(marks[2].place, Vector3(deformation.positions.row(24)));
-  EXPECT_TRUE(marks[2].isSinglePoint);
+  EXPECT_TRUE(isSinglePoint(marks[2].kind));
   EXPECT_EQ(marks[2].status, ConstraintStatus::Met);
   EXPECT_EQ(marks[3].status, ConstraintStatus::Conflicting);
   EXPECT_LE((marks[3].target - Vector3(5, 4, 2)).norm(), 1e-12);
@@ -162,8 +162,8 @@ TEST(ConstraintMarks, SayHowEachRowFared)
   const auto agreeing = constraintMarks(model, deformed(model, threePoints(0)));
   ASSERT_EQ(agreeing.size(), 3);
   EXPECT_EQ(agreeing[0].status, ConstraintStatus::Met);
-  EXPECT_FALSE(agreeing[0].isSinglePoint);
-  EXPECT_TRUE(agreeing[1].isSinglePoint);
+  EXPECT_FALSE(isSinglePoint(agreeing[0].kind));
+  EXPECT_TRUE(isSinglePoint(agreeing[1].kind));
   EXPECT_EQ(agreeing[1].place, Vector3(4, 4, 1));
   EXPECT_EQ(agreeing[2].status, ConstraintStatus::Redundant);
 

@@ -1,136 +1,108 @@
 #include <algorithm>
-#include <cmath>
-#include <optional>
+#include <array>
+#include <map>
 
 #include <vtkActor.h>
-#include <vtkCellArray.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkProperty.h>
-#include <vtkUnsignedCharArray.h>
 
-#include <holdfast/deform/outcomes.h>
 #include <holdfast/view/constraint_glyphs.h>
+#include <holdfast/view/evenly_spread.h>
 
 namespace holdfast {
 namespace {
 
-// Of the diameter of a single point's ball.
-constexpr double kSelectedSize = 0.45;
+/// Sprites of one shape and size, in the order in which they are drawn.
+enum Layer { kDots, kHollowDots, kBalls, kBeads, kTriangles, kHollow, kHighlightedDots, kRings, kHidden, kLayerCount };
+
+struct LayerLook {
+  SpriteShape shape;
+  double size;  // of the diameter of a single point's ball
+  SpriteDepth depth = SpriteDepth::InFront;
+};
+
+// A triangle and a bead on its bar have about the area of a ball.
+constexpr std::array<LayerLook, kLayerCount> kLooks{{{SpriteShape::Ball, 0.45},
+                                                     {SpriteShape::Hollow, 0.65},
+                                                     {SpriteShape::Ball, 1},
+                                                     {SpriteShape::Bead, 1.75},
+                                                     {SpriteShape::Wedge, 1.75},
+                                                     {SpriteShape::Hollow, 1.15},
+                                                     {SpriteShape::Ball, 0.6},
+                                                     {SpriteShape::Ring, 2.1},
+                                                     {SpriteShape::Ball, 1, SpriteDepth::Behind}}};
+constexpr double kCrowdedDotSize = 0.34;
 constexpr double kLineSize = 0.22;
 
-ConstraintStatus statusOf(RowStatus row, double residual, double limit)
+// More dots than this are drawn smaller.
+constexpr std::size_t kCrowd = 500;
+
+constexpr Color kRigidColor{0.42, 0.24, 0.08};
+
+bool isOff(ConstraintStatus status)
 {
-  if (row == RowStatus::Conflicting) return ConstraintStatus::Conflicting;
-  if (residual > limit) return ConstraintStatus::Missed;
-  return row == RowStatus::Redundant ? ConstraintStatus::Redundant : ConstraintStatus::Met;
+  return status == ConstraintStatus::Conflicting || status == ConstraintStatus::Missed;
 }
 
-bool isOff(const ConstraintMark& mark)
+/// Nothing moved the others yet: they still show where they want to go.
+bool hasPull(const ConstraintMark& mark)
 {
-  return mark.status == ConstraintStatus::Conflicting || mark.status == ConstraintStatus::Missed;
+  const bool isWaiting = mark.status == ConstraintStatus::Independent || mark.status == ConstraintStatus::Disabled;
+  return isOff(mark.status) || (isWaiting && isSinglePoint(mark.kind) && mark.target != mark.place);
 }
 
-/// Points, lines and a colour for each point.
-struct GlyphData {
-  vtkNew<vtkPolyData> data;
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkCellArray> cells;
-  vtkNew<vtkUnsignedCharArray> colors;
+/// Those of `group` that are drawn where there are too many.
+std::vector<Index> thinned(const std::vector<ConstraintMark>& marks, const std::vector<Index>& group)
+{
+  Positions rest(static_cast<Index>(group.size()), 3);
+  for (Index k = 0; k < rest.rows(); ++k) rest.row(k) = marks[group[k]].rest;
+  std::vector<Index> kept;
+  for (const Index k : evenlySpread(rest, kMostDots)) kept.push_back(group[k]);
+  return kept;
+}
 
-  GlyphData()
+/// Whether both lists hold the same places of the mesh and fared alike: then the same marks are drawn.
+bool areDrawnAlike(const std::vector<ConstraintMark>& a, const std::vector<ConstraintMark>& b)
+{
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const ConstraintMark& p, const ConstraintMark& q) {
+    return p.rest == q.rest && p.status == q.status && p.kind == q.kind;
+  });
+}
+
+Layer layerOf(const ConstraintMark& mark)
+{
+  const bool isPoint = isSinglePoint(mark.kind);
+  if (mark.status == ConstraintStatus::Disabled) return isPoint ? kHollow : kHollowDots;
+  if (!isPoint) return kDots;
+  if (mark.kind == MarkKind::Edge) return kBeads;
+  return mark.kind == MarkKind::Face ? kTriangles : kBalls;
+}
+
+/// What is drawn of some marks.
+struct GlyphSet {
+  std::array<std::vector<Sprite>, kLayerCount> layers;
+  std::vector<GlyphLine> lines;
+
+  void add(const ConstraintMark& mark)
   {
-    points->SetDataTypeToDouble();
-    colors->SetNumberOfComponents(3);
-    data->SetPoints(points);
-    data->GetPointData()->SetScalars(colors);
+    const Color color = glyphColor(mark);
+    layers[layerOf(mark)].push_back({mark.place, color});
+    if (isSinglePoint(mark.kind)) layers[kHidden].push_back({mark.place, color});
+    if (mark.other) {
+      lines.push_back({mark.place, *mark.other, color, LineStyle::Dashed});
+      layers[layerOf(mark)].push_back({*mark.other, color});
+    }
+    if (hasPull(mark)) {
+      layers[kDots].push_back({mark.target, color});
+      lines.push_back({mark.place, mark.target, color});
+    }
   }
 
-  vtkIdType add(const Vector3& place, ConstraintStatus status)
+  void highlight(const ConstraintMark& mark)
   {
-    const Color color = glyphColor(status);
-    colors->InsertNextTuple3(std::round(255 * color.red), std::round(255 * color.green), std::round(255 * color.blue));
-    return points->InsertNextPoint(place.data());
+    layers[isSinglePoint(mark.kind) ? kRings : kHighlightedDots].push_back({mark.place, kAccentColor});
   }
 };
-
-void show(const GlyphData& glyphs, vtkActor& actor)
-{
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(glyphs.data);
-  actor.SetMapper(mapper);
-}
-
-struct Ball {
-  Vector3 place;
-  ConstraintStatus status;
-};
-
-void showBalls(const std::vector<Ball>& balls, vtkActor& actor)
-{
-  GlyphData glyphs;
-  for (const Ball& ball : balls) glyphs.cells->InsertNextCell({glyphs.add(ball.place, ball.status)});
-  glyphs.data->SetVerts(glyphs.cells);
-  show(glyphs, actor);
-  vtkProperty& property = *actor.GetProperty();
-  property.RenderPointsAsSpheresOn();
-  property.SetAmbient(0.25);
-  property.SetDiffuse(0.75);
-  property.SetSpecular(0.35);
-  property.SetSpecularPower(30);
-}
-
-void showLines(const std::vector<ConstraintMark>& marks, vtkActor& actor)
-{
-  GlyphData glyphs;
-  for (const ConstraintMark& mark : marks)
-    if (isOff(mark))
-      glyphs.cells->InsertNextCell({glyphs.add(mark.place, mark.status), glyphs.add(mark.target, mark.status)});
-  glyphs.data->SetLines(glyphs.cells);
-  show(glyphs, actor);
-  actor.GetProperty()->LightingOff();
-}
-
-/// Where a row acts, and where it wants that to be: a row that says how one place lies to another acts on the one.
-/// Nothing for a row without terms.
-std::optional<ConstraintMark> placeOf(const ConstraintRow& row, const Weld& weld, const Positions& positions)
-{
-  Vector3 sum = Vector3::Zero();  // B x
-  Vector3 place = Vector3::Zero();
-  double weight = 0;
-  for (const PointTerm& term : row.terms) {
-    const Vector3 part = term.weight * positions.row(weld.firstVertexOf[term.vertex]).transpose();
-    sum += part;
-    if (term.weight < 0) continue;
-    place += part;
-    weight += term.weight;
-  }
-  if (row.terms.empty()) return std::nullopt;
-  if (row.kind == RowKind::Position) return ConstraintMark{sum, row.target};
-  place /= weight;
-  return ConstraintMark{place, place + (row.target - sum) / weight};
-}
 
 }  // namespace
-
-std::vector<ConstraintMark> constraintMarks(const Model& model, const Deformation& deformation)
-{
-  const Weld& weld = model.solverMesh.weld;
-  const std::vector<double> residuals = rowResiduals(deformation.system, weld, deformation.positions);
-  const double limit = residualLimit(model.solverMesh, deformation.system);
-  std::vector<ConstraintMark> marks;
-  for (std::size_t r = 0; r < residuals.size(); ++r) {
-    const ConstraintRow& row = deformation.system.rows[r];
-    auto mark = placeOf(row, weld, deformation.positions);
-    if (!mark) continue;
-    mark->status = statusOf(deformation.diagnosis.status[r], residuals[r], limit);
-    mark->isSinglePoint = row.kind == RowKind::Relative || !deformation.system.points[row.constraint].terms.empty();
-    marks.push_back(*mark);
-  }
-  return marks;
-}
 
 Color glyphColor(ConstraintStatus status)
 {
@@ -142,41 +114,100 @@ Color glyphColor(ConstraintStatus status)
     case ConstraintStatus::Missed:
       return {0.72, 0.25, 0.60};
     case ConstraintStatus::Independent:
-    case ConstraintStatus::Met:
+      return {0.33, 0.38, 0.48};
     case ConstraintStatus::Disabled:
+      return {0.47, 0.48, 0.50};
+    case ConstraintStatus::Met:
       break;
   }
   return {0.14, 0.15, 0.18};
 }
 
-ConstraintGlyphs::ConstraintGlyphs(std::vector<ConstraintMark> marks)
+Color glyphColor(const ConstraintMark& mark)
 {
-  // Of several in one place the last is seen: the gravest.
-  std::stable_sort(marks.begin(), marks.end(),
-                   [](const ConstraintMark& a, const ConstraintMark& b) { return a.status < b.status; });
-  std::vector<Ball> large;
-  std::vector<Ball> small;
-  for (const ConstraintMark& mark : marks) {
-    (mark.isSinglePoint ? large : small).push_back({mark.place, mark.status});
-    if (isOff(mark)) small.push_back({mark.target, mark.status});
+  return mark.kind == MarkKind::Rigid && mark.status == ConstraintStatus::Met ? kRigidColor : glyphColor(mark.status);
+}
+
+std::vector<Index> drawnMarks(const std::vector<ConstraintMark>& marks)
+{
+  std::map<ConstraintStatus, std::vector<Index>> dots;
+  std::vector<Index> drawn;
+  for (std::size_t k = 0; k < marks.size(); ++k) {
+    const bool isOneOfMany = !isSinglePoint(marks[k].kind) && !isOff(marks[k].status);
+    (isOneOfMany ? dots[marks[k].status] : drawn).push_back(static_cast<Index>(k));
   }
-  showBalls(large, *points_);
-  showBalls(small, *selected_);
-  showLines(marks, *lines_);
+  for (const auto& [status, group] : dots)
+    for (const Index k : thinned(marks, group)) drawn.push_back(k);
+  // What is disabled hides nothing.
+  const auto gravity = [&](Index k) {
+    return marks[k].status == ConstraintStatus::Disabled ? -1 : static_cast<int>(marks[k].status);
+  };
+  std::sort(drawn.begin(), drawn.end(),
+            [&](Index a, Index b) { return std::pair(gravity(a), a) < std::pair(gravity(b), b); });
+  return drawn;
+}
+
+ConstraintGlyphs::ConstraintGlyphs()
+{
+  for (const LayerLook& look : kLooks) layers_.push_back(std::make_unique<PointSprites>(look.shape, look.depth));
+  update();
 }
 
 ConstraintGlyphs::~ConstraintGlyphs() = default;
 
+void ConstraintGlyphs::setMarks(std::vector<ConstraintMark> marks)
+{
+  if (!areDrawnAlike(marks, marks_)) drawn_ = drawnMarks(marks);
+  marks_ = std::move(marks);
+  update();
+}
+
+void ConstraintGlyphs::highlight(std::vector<Index> constraints)
+{
+  highlighted_ = std::move(constraints);
+  std::sort(highlighted_.begin(), highlighted_.end());
+  update();
+}
+
+void ConstraintGlyphs::update()
+{
+  GlyphSet glyphs;
+  for (const Index k : drawn_) {
+    glyphs.add(marks_[k]);
+    if (std::binary_search(highlighted_.begin(), highlighted_.end(), marks_[k].constraint)) glyphs.highlight(marks_[k]);
+  }
+  if (hidden_ == HiddenMarks::Invisible) glyphs.layers[kHidden].clear();
+  for (std::size_t layer = 0; layer < kLayerCount; ++layer) layers_[layer]->set(glyphs.layers[layer]);
+  lines_.set(glyphs.lines);
+  isCrowded_ = glyphs.layers[kDots].size() > kCrowd;
+  resize();
+}
+
 void ConstraintGlyphs::setBallPixels(double pixels)
 {
-  points_->GetProperty()->SetPointSize(static_cast<float>(pixels));
-  selected_->GetProperty()->SetPointSize(static_cast<float>(kSelectedSize * pixels));
-  lines_->GetProperty()->SetLineWidth(static_cast<float>(kLineSize * pixels));
+  ballPixels_ = pixels;
+  resize();
+}
+
+void ConstraintGlyphs::resize()
+{
+  for (std::size_t layer = 0; layer < kLayerCount; ++layer) layers_[layer]->setPixels(kLooks[layer].size * ballPixels_);
+  if (isCrowded_) layers_[kDots]->setPixels(kCrowdedDotSize * ballPixels_);
+  lines_.setWidth(kLineSize * ballPixels_);
+}
+
+void ConstraintGlyphs::setHiddenMarks(HiddenMarks hidden)
+{
+  hidden_ = hidden;
+  update();
 }
 
 std::vector<vtkActor*> ConstraintGlyphs::actors() const
 {
-  return {selected_, points_, lines_};
+  std::vector<vtkActor*> actors;
+  for (const auto& layer : layers_) actors.push_back(&layer->actor());
+  actors.push_back(&lines_.actor());
+  return actors;
 }
 
 }  // namespace holdfast

@@ -1,56 +1,80 @@
 #pragma once
 /// \file
-/// Constraints in a picture: a ball where each acts, in the colour of how it fared, and a line to where it wanted to
-/// go.
+/// Constraints in a picture: a glyph where each acts, its shape after what it holds and its colour after how it fared,
+/// and a line to where it wanted to go.
 
+#include <memory>
 #include <vector>
 
-#include <vtkNew.h>
-
-#include <holdfast/deform/deform.h>
 #include <holdfast/view/color_map.h>
+#include <holdfast/view/constraint_marks.h>
+#include <holdfast/view/glyph_lines.h>
+#include <holdfast/view/point_sprites.h>
 
 class vtkActor;
-class vtkPolyData;
-class vtkPolyDataMapper;
 
 namespace holdfast {
 
-/// One row of B in a picture.
-struct ConstraintMark {
-  Vector3 place;   ///< where the point is, model units
-  Vector3 target;  ///< where it was to be
-  ConstraintStatus status = ConstraintStatus::Met;
-  bool isSinglePoint = false;  ///< of a constraint of type point or relative; else one of a selection
-};
-
-/// A mark for each row that has terms, in the order of rows. One of a rigid region lies at its vertex, one of a
-/// relative constraint at the place that `from` names; both want to lie as they should to the other place. O(rows).
-[[nodiscard]] std::vector<ConstraintMark> constraintMarks(const Model& model, const Deformation& deformation);
-
-/// Dark for what is met, white for redundant, orange-red for conflicting, purple for missed: told apart by lightness as
-/// well as by hue, on every colour of the map.
+/// Dark for what is met, slate where nothing was solved, white for redundant, orange-red for conflicting, purple for
+/// missed, grey for disabled: told apart by lightness or by hue, on every colour of the map.
 [[nodiscard]] Color glyphColor(ConstraintStatus status);
 
-/// The actors of some marks. Balls and lines keep their size in pixels whatever the camera does; those of selections
-/// and of targets that are not reached are smaller than those of single points.
+/// As that of its status; marks of rigid regions that are met are brown.
+[[nodiscard]] Color glyphColor(const ConstraintMark& mark);
+
+/// The colour of what is selected, highlighted or under the cursor.
+inline constexpr Color kAccentColor{0.05, 0.50, 1.00};
+
+/// No more dots of one status are drawn for regions than this, evenly spread over what they hold: ten thousand of them
+/// would be a stain. What conflicts or is missed is always drawn.
+inline constexpr Index kMostDots = 800;
+
+/// The places in `marks` of those that are drawn, in the order in which they are drawn: of several in one place the
+/// last is seen, the gravest.
+[[nodiscard]] std::vector<Index> drawnMarks(const std::vector<ConstraintMark>& marks);
+
+/// Whether single points that lie behind a surface show through it.
+enum class HiddenMarks { Invisible, Faint };
+
+/// The actors of some marks. Glyphs and lines keep their size in pixels whatever the camera does: balls for points on
+/// vertices and for relative constraints, which a dashed line joins to their other place; beads on a bar for points on
+/// edges; triangles for points in faces; dots for the vertices of regions and for targets that are not reached. Those
+/// of disabled constraints are hollow.
 class ConstraintGlyphs {
  public:
-  explicit ConstraintGlyphs(std::vector<ConstraintMark> marks);
+  ConstraintGlyphs();
   ~ConstraintGlyphs();
   ConstraintGlyphs(const ConstraintGlyphs&) = delete;
   ConstraintGlyphs& operator=(const ConstraintGlyphs&) = delete;
 
+  /// In the place of all that there were. O(marks log marks); which dots of regions are drawn is decided anew only
+  /// where others are held.
+  void setMarks(std::vector<ConstraintMark> marks);
+  [[nodiscard]] const std::vector<ConstraintMark>& marks() const noexcept { return marks_; }
+
+  /// Rings around the points of these constraints, places in the list, and larger dots on their regions.
+  void highlight(std::vector<Index> constraints);
+
   /// The diameter of a single point's ball, in pixels of the window; all other sizes follow.
   void setBallPixels(double pixels);
+
+  void setHiddenMarks(HiddenMarks hidden);
 
   /// All of them, in the order in which they are drawn.
   [[nodiscard]] std::vector<vtkActor*> actors() const;
 
  private:
-  vtkNew<vtkActor> points_;
-  vtkNew<vtkActor> selected_;
-  vtkNew<vtkActor> lines_;
+  void update();
+  void resize();
+
+  std::vector<ConstraintMark> marks_;
+  std::vector<Index> drawn_;
+  std::vector<Index> highlighted_;  // ascending
+  HiddenMarks hidden_ = HiddenMarks::Faint;
+  double ballPixels_ = 10;
+  bool isCrowded_ = false;
+  std::vector<std::unique_ptr<PointSprites>> layers_;
+  GlyphLines lines_;
 };
 
 }  // namespace holdfast

@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include <vtkActor.h>
 #include <vtkCellArray.h>
@@ -8,52 +10,71 @@
 #include <vtkFloatArray.h>
 #include <vtkLookupTable.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 
 #include <holdfast/mesh/vertex_normals.h>
 #include <holdfast/view/mesh_actor.h>
-#include <holdfast/view/poly_data.h>
 
 namespace holdfast {
 namespace {
 
 constexpr double kEdgePixels = 1.1;
 
+// No wider than a pixel of the window, OpenGL draws lines itself; wider ones are made of triangles.
+constexpr double kMeshEdgePixels = 1.0;
+
 // Lines lie on the surface: without a shift towards the eye they would come and go.
 constexpr double kEdgeFactor = -1;
 constexpr double kEdgeUnits = -4;
 
-vtkSmartPointer<vtkCellArray> trianglesOf(const ShadedSurface& surface)
+vtkSmartPointer<vtkCellArray> cellsOf(const Polygons& polygons)
 {
   auto cells = vtkSmartPointer<vtkCellArray>::New();
-  cells->AllocateExact(surface.triangles.size(), surface.triangles.cornerCount());
-  for (Index t = 0; t < surface.triangles.size(); ++t) {
-    const auto corners = surface.triangles[t];
+  cells->AllocateExact(polygons.size(), polygons.cornerCount());
+  for (Index t = 0; t < polygons.size(); ++t) {
+    const auto corners = polygons[t];
     cells->InsertNextCell({corners[0], corners[1], corners[2]});
   }
   return cells;
 }
 
-vtkSmartPointer<vtkCellArray> creasesOf(const ShadedSurface& surface)
+vtkSmartPointer<vtkCellArray> linesOf(const std::vector<std::array<Index, 2>>& edges)
 {
   auto cells = vtkSmartPointer<vtkCellArray>::New();
-  for (const auto& [a, b] : surface.creases) cells->InsertNextCell({a, b});
+  for (const auto& [a, b] : edges) cells->InsertNextCell({a, b});
   return cells;
 }
 
-vtkSmartPointer<vtkFloatArray> normalsOf(const ShadedSurface& surface, const Positions& points)
+/// The sides of all polygons of the file, each once, as pairs of points.
+std::vector<std::array<Index, 2>> polygonEdges(const Mesh& mesh, const ShadedSurface& surface)
 {
-  const Positions normals =
-      areaWeightedNormals(points, surface.triangles, cornerVertices(surface.triangles), points.rows());
-  auto array = vtkSmartPointer<vtkFloatArray>::New();
-  array->SetName("Normals");
-  array->SetNumberOfComponents(3);
-  array->SetNumberOfTuples(normals.rows());
-  std::transform(normals.data(), normals.data() + normals.size(), array->GetPointer(0),
-                 [](double value) { return static_cast<float>(value); });
-  return array;
+  std::vector<Index> pointOf(static_cast<std::size_t>(mesh.vertexCount()), -1);
+  for (std::size_t k = surface.vertexOf.size(); k-- > 0;) pointOf[surface.vertexOf[k]] = static_cast<Index>(k);
+  std::vector<std::array<Index, 2>> edges;
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    const auto corners = mesh.faces[f];
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const Index a = pointOf[corners[k]];
+      const Index b = pointOf[corners[(k + 1) % corners.size()]];
+      if (a >= 0 && b >= 0 && a != b) edges.push_back({std::min(a, b), std::max(a, b)});
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
+/// Lines lie on the surface: they are drawn a little nearer.
+void showLines(vtkActor& actor, vtkPolyDataMapper& mapper, vtkPolyData& data)
+{
+  mapper.SetInputData(&data);
+  mapper.ScalarVisibilityOff();
+  mapper.SetResolveCoincidentTopologyToPolygonOffset();
+  mapper.SetRelativeCoincidentTopologyLineOffsetParameters(kEdgeFactor, kEdgeUnits);
+  actor.SetMapper(&mapper);
 }
 
 void setSurfaceLook(vtkProperty& property)
@@ -74,22 +95,46 @@ void setEdgeLook(vtkProperty& property)
   property.SetLineWidth(static_cast<float>(kEdgePixels));
 }
 
+void setMeshEdgeLook(vtkProperty& property)
+{
+  setEdgeLook(property);
+  property.SetOpacity(0.35);
+  property.SetLineWidth(static_cast<float>(kMeshEdgePixels));
+}
+
 }  // namespace
 
-MeshActor::MeshActor(const Model& model) : shaded_(cutAtSharpEdges(model))
+MeshActor::MeshActor(const Model& model)
+    : MeshActor(model, std::make_shared<const ShadedSurface>(cutAtSharpEdges(model)))
 {
-  surfaceData_->SetPolys(trianglesOf(shaded_));
-  edgeData_->SetLines(creasesOf(shaded_));
+}
+
+MeshActor::MeshActor(const Model& model, std::shared_ptr<const ShadedSurface> shaded)
+    : model_(model), shaded_(std::move(shaded)), corners_(cornerVertices(shaded_->triangles))
+{
+  places_.resize(static_cast<Index>(shaded_->vertexOf.size()), 3);
+  coordinates_->SetNumberOfComponents(3);
+  constexpr int kKeepOurs = 1;
+  coordinates_->SetArray(places_.data(), places_.size(), kKeepOurs);
+  points_->SetData(coordinates_);
+  normals_->SetName("Normals");
+  normals_->SetNumberOfComponents(3);
+  normals_->SetNumberOfTuples(places_.rows());
+  for (vtkPolyData* const data : {surfaceData_.Get(), coarseData_.Get(), edgeData_.Get(), meshEdgeData_.Get()})
+    data->SetPoints(points_);
+  for (vtkPolyData* const data : {surfaceData_.Get(), coarseData_.Get()}) data->GetPointData()->SetNormals(normals_);
+  surfaceData_->SetPolys(cellsOf(shaded_->triangles));
+  edgeData_->SetLines(linesOf(shaded_->creases));
   surfaceMapper_->SetInputData(surfaceData_);
-  surfaceMapper_->ScalarVisibilityOff();
-  edgeMapper_->SetInputData(edgeData_);
-  edgeMapper_->ScalarVisibilityOff();
-  edgeMapper_->SetResolveCoincidentTopologyToPolygonOffset();
-  edgeMapper_->SetRelativeCoincidentTopologyLineOffsetParameters(kEdgeFactor, kEdgeUnits);
+  coarseMapper_->SetInputData(coarseData_);
   surface_->SetMapper(surfaceMapper_);
-  edges_->SetMapper(edgeMapper_);
+  clearColors();
+  showLines(*edges_, *edgeMapper_, *edgeData_);
+  showLines(*meshEdges_, *meshEdgeMapper_, *meshEdgeData_);
   setSurfaceLook(*surface_->GetProperty());
   setEdgeLook(*edges_->GetProperty());
+  setMeshEdgeLook(*meshEdges_->GetProperty());
+  updateVisibility();
   setPositions(model.mesh.positions);
 }
 
@@ -97,35 +142,71 @@ MeshActor::~MeshActor() = default;
 
 void MeshActor::setPositions(const Positions& positions)
 {
-  const Positions points = pointsOf(shaded_, positions);
-  const auto shared = toPoints(points);
-  surfaceData_->SetPoints(shared);
-  surfaceData_->GetPointData()->SetNormals(normalsOf(shaded_, points));
-  edgeData_->SetPoints(shared);
+  for (Index k = 0; k < places_.rows(); ++k) places_.row(k) = positions.row(shaded_->vertexOf[k]);
+  const Positions normals = areaWeightedNormals(places_, shaded_->triangles, corners_, places_.rows());
+  std::transform(normals.data(), normals.data() + normals.size(), normals_->GetPointer(0),
+                 [](double value) { return static_cast<float>(value); });
+  coordinates_->Modified();
+  points_->Modified();
+  normals_->Modified();
+}
+
+void MeshActor::clearColors()
+{
+  surfaceMapper_->ScalarVisibilityOff();
+  coarseMapper_->ScalarVisibilityOff();
+}
+
+void MeshActor::setMeshEdges(MeshEdges edges)
+{
+  meshEdgesShown_ = edges;
+  if (edges == MeshEdges::All && !hasMeshEdges_) meshEdgeData_->SetLines(linesOf(polygonEdges(model_.mesh, *shaded_)));
+  hasMeshEdges_ = hasMeshEdges_ || edges == MeshEdges::All;
+  updateVisibility();
+}
+
+void MeshActor::setDetail(Detail detail)
+{
+  detail_ = detail;
+  if (detail == Detail::Coarse && !hasCoarse_)
+    coarseData_->SetPolys(cellsOf(coarseTriangles(model_, *shaded_, kCoarseTriangles)));
+  hasCoarse_ = hasCoarse_ || detail == Detail::Coarse;
+  updateVisibility();
+}
+
+void MeshActor::updateVisibility()
+{
+  const bool isCoarse = detail_ == Detail::Coarse && coarseData_->GetNumberOfPolys() < surfaceData_->GetNumberOfPolys();
+  surface_->SetMapper(isCoarse ? coarseMapper_ : surfaceMapper_);
+  meshEdges_->SetVisibility(meshEdgesShown_ == MeshEdges::All && !isCoarse);
 }
 
 void MeshActor::setColors(const std::vector<double>& values, const ColorScale& scale)
 {
   vtkNew<vtkDoubleArray> shares;
   shares->SetName("shares of the scale");
-  shares->SetNumberOfValues(static_cast<vtkIdType>(shaded_.vertexOf.size()));
+  shares->SetNumberOfValues(static_cast<vtkIdType>(shaded_->vertexOf.size()));
   bool isComplete = true;
-  for (std::size_t k = 0; k < shaded_.vertexOf.size(); ++k) {
-    assert(shaded_.vertexOf[k] < static_cast<Index>(values.size()));
-    const double share = shareOf(scale, values[shaded_.vertexOf[k]]);
+  for (std::size_t k = 0; k < shaded_->vertexOf.size(); ++k) {
+    assert(shaded_->vertexOf[k] < static_cast<Index>(values.size()));
+    const double share = shareOf(scale, values[shaded_->vertexOf[k]]);
     isComplete = isComplete && !std::isnan(share);
     shares->SetValue(static_cast<vtkIdType>(k), share);
   }
-  surfaceData_->GetPointData()->SetScalars(shares);
-  surfaceMapper_->SetLookupTable(toLookupTable());
-  surfaceMapper_->UseLookupTableScalarRangeOn();
-  surfaceMapper_->SetInterpolateScalarsBeforeMapping(isComplete);
-  surfaceMapper_->ScalarVisibilityOn();
+  const auto table = toLookupTable();
+  for (vtkPolyData* const data : {surfaceData_.Get(), coarseData_.Get()}) data->GetPointData()->SetScalars(shares);
+  for (vtkPolyDataMapper* const mapper : {surfaceMapper_.Get(), coarseMapper_.Get()}) {
+    mapper->SetLookupTable(table);
+    mapper->UseLookupTableScalarRangeOn();
+    mapper->SetInterpolateScalarsBeforeMapping(isComplete);
+    mapper->ScalarVisibilityOn();
+  }
 }
 
 void MeshActor::setPixelRatio(double ratio)
 {
   edges_->GetProperty()->SetLineWidth(static_cast<float>(kEdgePixels * ratio));
+  meshEdges_->GetProperty()->SetLineWidth(static_cast<float>(kMeshEdgePixels * ratio));
 }
 
 }  // namespace holdfast

@@ -2,14 +2,19 @@
 /// \file
 /// A mesh as VTK draws it: a smooth surface with crisp edges, in one colour or coloured by values.
 
+#include <memory>
 #include <vector>
 
 #include <vtkNew.h>
 
+#include <holdfast/view/coarse_triangles.h>
 #include <holdfast/view/color_map.h>
 #include <holdfast/view/shaded_surface.h>
 
 class vtkActor;
+class vtkDoubleArray;
+class vtkFloatArray;
+class vtkPoints;
 class vtkPolyData;
 class vtkPolyDataMapper;
 
@@ -18,11 +23,25 @@ namespace holdfast {
 /// The colour of surfaces without values.
 inline constexpr Color kPlainColor{0.70, 0.73, 0.77};
 
+/// Which edges are drawn as lines besides the sharp ones and borders.
+enum class MeshEdges {
+  Sharp,  ///< none
+  All     ///< those of all polygons of the file
+};
+
+/// How much of a large mesh is drawn.
+enum class Detail {
+  Full,
+  Coarse  ///< about `kCoarseTriangles` of its triangles, and of its edges the sharp ones: for what moves
+};
+
 /// The actors of one mesh: its surface and, as thin dark lines, its sharp edges and borders.
 class MeshActor {
  public:
-  /// At rest, in one colour. O(T log T).
+  /// At rest, in one colour. `model` stays alive as long as this. O(T log T).
   explicit MeshActor(const Model& model);
+  /// The same with `shaded`, which was cut from `model`.
+  MeshActor(const Model& model, std::shared_ptr<const ShadedSurface> shaded);
   ~MeshActor();
   MeshActor(const MeshActor&) = delete;
   MeshActor& operator=(const MeshActor&) = delete;
@@ -34,23 +53,56 @@ class MeshActor {
   /// coloured; where some are NaN, the colours are interpolated.
   void setColors(const std::vector<double>& values, const ColorScale& scale);
 
+  /// One colour again.
+  void clearColors();
+
+  void setMeshEdges(MeshEdges edges);
+  /// Makes the coarse triangles when they are first asked for, O(T log T); then switching costs next to nothing.
+  void setDetail(Detail detail);
+
   /// How many pixels of the window are one of the picture: widths of lines are in pixels of the picture.
   void setPixelRatio(double ratio);
 
   [[nodiscard]] vtkActor& surface() const { return *surface_; }
   [[nodiscard]] vtkActor& edges() const { return *edges_; }
+  /// The lines of `MeshEdges::All`.
+  [[nodiscard]] vtkActor& meshEdges() const { return *meshEdges_; }
+
+  [[nodiscard]] const Model& model() const noexcept { return model_; }
 
   /// The file vertex of each point that is drawn.
-  [[nodiscard]] const std::vector<Index>& vertexOf() const noexcept { return shaded_.vertexOf; }
+  [[nodiscard]] const std::vector<Index>& vertexOf() const noexcept { return shaded_->vertexOf; }
+  [[nodiscard]] const std::shared_ptr<const ShadedSurface>& shaded() const noexcept { return shaded_; }
+
+  /// The points and normals that are drawn, for others to draw on them: they move with the mesh.
+  [[nodiscard]] vtkPoints& points() const { return *points_; }
+  [[nodiscard]] vtkFloatArray& normals() const { return *normals_; }
 
  private:
-  ShadedSurface shaded_;
+  void updateVisibility();
+
+  const Model& model_;
+  std::shared_ptr<const ShadedSurface> shaded_;
+  std::vector<Index> corners_;  // the point at each corner of the triangles
+  Positions places_;            // of the points: what VTK draws lies here
+  MeshEdges meshEdgesShown_ = MeshEdges::Sharp;
+  Detail detail_ = Detail::Full;
+  bool hasMeshEdges_ = false;
+  bool hasCoarse_ = false;
+  vtkNew<vtkDoubleArray> coordinates_;
+  vtkNew<vtkPoints> points_;
+  vtkNew<vtkFloatArray> normals_;
   vtkNew<vtkPolyData> surfaceData_;
+  vtkNew<vtkPolyData> coarseData_;
   vtkNew<vtkPolyData> edgeData_;
+  vtkNew<vtkPolyData> meshEdgeData_;
   vtkNew<vtkPolyDataMapper> surfaceMapper_;
+  vtkNew<vtkPolyDataMapper> coarseMapper_;
   vtkNew<vtkPolyDataMapper> edgeMapper_;
+  vtkNew<vtkPolyDataMapper> meshEdgeMapper_;
   vtkNew<vtkActor> surface_;
   vtkNew<vtkActor> edges_;
+  vtkNew<vtkActor> meshEdges_;
 };
 
 }  // namespace holdfast

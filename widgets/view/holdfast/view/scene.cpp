@@ -3,27 +3,19 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <vtkActor.h>
-#include <vtkLightKit.h>
-#include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
 #include <holdfast/view/default_camera.h>
 #include <holdfast/view/scalar_legend.h>
 #include <holdfast/view/scene.h>
+#include <holdfast/view/stage.h>
 
 namespace holdfast {
 namespace {
 
 // Pixels of larger pictures are fine enough as they are, and no OpenGL need hold a window of twice their size.
 constexpr int kLargestSmoothedSide = 4096;
-
-// Nearly white below, a breath of grey above: paper stays paper.
-constexpr Color kBottom{1.0, 1.0, 1.0};
-constexpr Color kTop{0.90, 0.915, 0.935};
-
-constexpr double kRestOpacity = 0.22;
 
 // In sizes of the text.
 constexpr double kLegendWidth = 11.5;
@@ -67,11 +59,7 @@ Positions stacked(const Positions& a, const Positions& b)
 }  // namespace
 
 Scene::Scene(const Model& model, const Deformation& deformation, const SceneOptions& options)
-    : size_(options.size),
-      pixelRatio_(pixelRatioOf(size_)),
-      mesh_(model),
-      rest_(model),
-      glyphs_(constraintMarks(model, deformation))
+    : size_(options.size), pixelRatio_(pixelRatioOf(size_)), contents_(model)
 {
   window_->SetOffScreenRendering(1);
   window_->SetMultiSamples(0);
@@ -81,29 +69,29 @@ Scene::Scene(const Model& model, const Deformation& deformation, const SceneOpti
   window_->AddRenderer(backdrop_);
   window_->AddRenderer(meshRenderer_);
   meshRenderer_->SetLayer(1);
-  backdrop_->SetBackground(kBottom.red, kBottom.green, kBottom.blue);
-  backdrop_->SetBackground2(kTop.red, kTop.green, kTop.blue);
-  backdrop_->GradientBackgroundOn();
+  addBackground(*backdrop_);
+  addLights(*meshRenderer_);
 
-  LegendContents contents;
-  if (const auto coloring = coloringOf(model, deformation, options.colorBy, options.units)) {
-    mesh_.setColors(coloring->values, coloring->scale);
-    contents.scale = coloring->scale;
-  }
-  contents.key = keyOf(constraintMarks(model, deformation));
-  if (options.legend == Legend::Hidden || !hasRoomForLegend(size_)) contents = {};
-  layOut(contents, textSizeOf(size_, pixelRatio_));
-  addLights();
-  addMesh(model, deformation);
+  const auto coloring = coloringOf(model, deformation, options.colorBy, options.units);
+  contents_.setHiddenMarks(HiddenMarks::Invisible);
+  contents_.show(deformation);
+  contents_.color(coloring);
+  contents_.addTo(*meshRenderer_);
+
+  LegendContents legend;
+  if (coloring) legend.scale = coloring->scale;
+  legend.key = keyOf(contents_.marks());
+  if (options.legend == Legend::Hidden || !hasRoomForLegend(size_)) legend = {};
+  layOut(legend, textSizeOf(size_, pixelRatio_));
+  placeCamera(model, deformation);
 }
 
 Scene::~Scene() = default;
 
 void Scene::layOut(const LegendContents& contents, double textSize)
 {
-  mesh_.setPixelRatio(pixelRatio_);
-  rest_.setPixelRatio(pixelRatio_);
-  glyphs_.setBallPixels(kBallSize * textSize);
+  contents_.setPixelRatio(pixelRatio_);
+  contents_.setBallSize(kBallSize * textSize / pixelRatio_);
   if (contents.isEmpty()) return;
   const double width = pixelRatio_ * size_.width;
   const double legendWidth = kLegendWidth * textSize;
@@ -112,27 +100,8 @@ void Scene::layOut(const LegendContents& contents, double textSize)
             {width - legendWidth, legendWidth, static_cast<double>(pixelRatio_) * size_.height, textSize});
 }
 
-void Scene::addLights()
+void Scene::placeCamera(const Model& model, const Deformation& deformation)
 {
-  vtkNew<vtkLightKit> lights;
-  lights->SetKeyLightIntensity(0.95);
-  lights->SetKeyToFillRatio(2.6);
-  lights->SetKeyToHeadRatio(3.2);
-  lights->SetKeyLightAngle(42, 18);
-  lights->SetKeyLightWarmth(0.53);
-  lights->SetFillLightWarmth(0.47);
-  lights->AddLightsToRenderer(meshRenderer_);
-}
-
-void Scene::addMesh(const Model& model, const Deformation& deformation)
-{
-  mesh_.setPositions(deformation.positions);
-  rest_.edges().GetProperty()->SetOpacity(kRestOpacity);
-  meshRenderer_->AddActor(&mesh_.surface());
-  meshRenderer_->AddActor(&mesh_.edges());
-  meshRenderer_->AddActor(&rest_.edges());
-  for (vtkActor* actor : glyphs_.actors()) meshRenderer_->AddActor(actor);
-
   std::array<double, 4> viewport{};
   meshRenderer_->GetViewport(viewport.data());
   const double aspect = (viewport[2] - viewport[0]) * size_.width / size_.height;

@@ -6,9 +6,7 @@
 
 #include <vtkNew.h>
 
-#include <holdfast/view/coloring.h>
-#include <holdfast/view/constraint_glyphs.h>
-#include <holdfast/view/mesh_actor.h>
+#include <holdfast/view/scene_contents.h>
 
 class vtkRenderer;
 class vtkRenderWindow;
@@ -53,22 +51,20 @@ class Scene {
   [[nodiscard]] vtkRenderWindow& window() const { return *window_; }
   /// What shows the mesh; its camera can be moved.
   [[nodiscard]] vtkRenderer& meshRenderer() const { return *meshRenderer_; }
-  [[nodiscard]] MeshActor& mesh() { return mesh_; }
+  [[nodiscard]] SceneContents& contents() { return contents_; }
+  [[nodiscard]] MeshActor& mesh() { return contents_.mesh(); }
 
   [[nodiscard]] PictureSize size() const noexcept { return size_; }
   /// The window has this many pixels for each of the picture, along both sides; `draw` takes the mean.
   [[nodiscard]] int pixelRatio() const noexcept { return pixelRatio_; }
 
  private:
-  void addMesh(const Model& model, const Deformation& deformation);
-  void addLights();
+  void placeCamera(const Model& model, const Deformation& deformation);
   void layOut(const LegendContents& contents, double textSize);
 
   PictureSize size_;
   int pixelRatio_;
-  MeshActor mesh_;
-  MeshActor rest_;
-  ConstraintGlyphs glyphs_;
+  SceneContents contents_;
   vtkNew<vtkRenderWindow> window_;
   vtkNew<vtkRenderer> backdrop_;  // the background and the legend, under the mesh
   vtkNew<vtkRenderer> meshRenderer_;

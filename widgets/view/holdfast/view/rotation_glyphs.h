@@ -1,0 +1,58 @@
+#pragma once
+/// \file
+/// The rotation field as arrows: each along the axis about which the surface turns there.
+
+#include <vector>
+
+#include <vtkNew.h>
+
+#include <holdfast/deform/model.h>
+
+class vtkActor;
+class vtkPolyData;
+
+namespace holdfast {
+
+/// About how many arrows there are at the most.
+inline constexpr Index kRotationArrows = 400;
+
+/// One arrow. The surface turns counterclockwise seen against it.
+struct RotationArrow {
+  Index vertex = 0;  ///< of the file
+  Vector3 tail;      ///< where that is, model units
+  Vector3 along;     ///< the whole of it, model units
+};
+
+/// Arrows at `vertices` of the file, at `positions`, along the axes of the logs `q`, one for each unknown. An angle of
+/// 90 degrees, or the largest of all where that is more, has the length `longest`; where hardly anything turns there is
+/// none.
+[[nodiscard]] std::vector<RotationArrow> rotationArrows(const Model& model, const std::vector<Index>& vertices,
+                                                        const Positions& positions, const Columns3& q, double longest);
+
+/// The actors of such arrows, dark with a light outline, so that they read on every colour. What lies behind a surface
+/// is not drawn.
+class RotationGlyphs {
+ public:
+  /// `model` stays alive as long as this.
+  explicit RotationGlyphs(const Model& model);
+  ~RotationGlyphs();
+  RotationGlyphs(const RotationGlyphs&) = delete;
+  RotationGlyphs& operator=(const RotationGlyphs&) = delete;
+
+  /// Shows the field `q`, one row for each unknown, on the mesh at `positions`; no rows: no arrows. O(arrows), and O(N)
+  /// at the first call.
+  void set(const Positions& positions, const Columns3& q);
+
+  /// In the order in which they are drawn.
+  [[nodiscard]] std::vector<vtkActor*> actors() const;
+
+ private:
+  const Model& model_;
+  std::vector<Index> vertices_;  // evenly spread at rest, of those that faces use
+  vtkNew<vtkPolyData> arrowData_;
+  vtkNew<vtkPolyData> outlineData_;
+  vtkNew<vtkActor> arrows_;
+  vtkNew<vtkActor> outlines_;
+};
+
+}  // namespace holdfast

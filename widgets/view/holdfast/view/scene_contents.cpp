@@ -1,0 +1,145 @@
+#include <vtkActor.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+
+#include <holdfast/view/scene_contents.h>
+
+namespace holdfast {
+namespace {
+
+constexpr double kGhostEdgeOpacity = 0.22;
+constexpr double kGhostSurfaceOpacity = 0.16;
+
+// Of a ball's diameter.
+constexpr double kSelectionDotSize = 0.42;
+
+}  // namespace
+
+SceneContents::SceneContents(const Model& model)
+    : positions_(model.mesh.positions),
+      mesh_(model),
+      rest_(model, mesh_.shaded()),
+      selection_(model, mesh_),
+      arrows_(model)
+{
+  rest_.edges().GetProperty()->SetOpacity(kGhostEdgeOpacity);
+  rest_.surface().GetProperty()->SetOpacity(kGhostSurfaceOpacity);
+  setRestGhost(RestGhost::Edges);
+  setRotationDisplay(RotationDisplay::Hidden);
+  resize();
+}
+
+SceneContents::~SceneContents() = default;
+
+void SceneContents::addTo(vtkRenderer& renderer)
+{
+  for (vtkActor* const actor :
+       {&mesh_.surface(), &mesh_.meshEdges(), &mesh_.edges(), &rest_.edges(), &rest_.surface(), &selection_.tint()})
+    renderer.AddActor(actor);
+  for (vtkActor* const actor : arrows_.actors()) renderer.AddActor(actor);
+  renderer.AddActor(&selection_.dots());
+  for (vtkActor* const actor : glyphs_.actors()) renderer.AddActor(actor);
+  for (vtkActor* const actor : preview_.actors()) renderer.AddActor(actor);
+}
+
+void SceneContents::show(const Deformation& deformation, const std::vector<DisabledPlace>& disabled)
+{
+  rotations_ = deformation.rotations;
+  setPositions(deformation.positions);
+  std::vector<ConstraintMark> marks = constraintMarks(mesh_.model(), deformation);
+  for (ConstraintMark& mark : disabledMarks(mesh_.model(), disabled, deformation.positions))
+    marks.push_back(std::move(mark));
+  setMarks(std::move(marks));
+}
+
+void SceneContents::setPositions(const Positions& positions)
+{
+  positions_ = positions;
+  mesh_.setPositions(positions);
+  updateArrows();
+}
+
+void SceneContents::color(const std::optional<Coloring>& coloring)
+{
+  if (coloring)
+    mesh_.setColors(coloring->values, coloring->scale);
+  else
+    mesh_.clearColors();
+}
+
+void SceneContents::setMarks(std::vector<ConstraintMark> marks)
+{
+  glyphs_.setMarks(std::move(marks));
+}
+
+void SceneContents::highlight(std::vector<Index> constraints)
+{
+  glyphs_.highlight(std::move(constraints));
+}
+
+void SceneContents::setHiddenMarks(HiddenMarks hidden)
+{
+  glyphs_.setHiddenMarks(hidden);
+}
+
+void SceneContents::setRestGhost(RestGhost ghost)
+{
+  rest_.edges().SetVisibility(ghost != RestGhost::Hidden);
+  rest_.surface().SetVisibility(ghost == RestGhost::Surface);
+}
+
+void SceneContents::setMeshEdges(MeshEdges edges)
+{
+  mesh_.setMeshEdges(edges);
+}
+
+void SceneContents::setRotationDisplay(RotationDisplay display)
+{
+  rotationDisplay_ = display;
+  for (vtkActor* const actor : arrows_.actors()) actor->SetVisibility(display == RotationDisplay::Arrows);
+  updateArrows();
+}
+
+void SceneContents::updateArrows()
+{
+  if (rotationDisplay_ == RotationDisplay::Arrows) arrows_.set(positions_, rotations_);
+}
+
+void SceneContents::setSelection(const std::vector<Index>& fileVertices)
+{
+  selection_.set(fileVertices);
+}
+
+void SceneContents::setPreview(const std::optional<PreviewedPoint>& point)
+{
+  preview_.set(point);
+}
+
+void SceneContents::setDetail(Detail detail)
+{
+  mesh_.setDetail(detail);
+  rest_.setDetail(detail);
+}
+
+void SceneContents::setPixelRatio(double ratio)
+{
+  pixelRatio_ = ratio;
+  resize();
+}
+
+void SceneContents::setBallSize(double pixels)
+{
+  ballSize_ = pixels;
+  resize();
+}
+
+void SceneContents::resize()
+{
+  mesh_.setPixelRatio(pixelRatio_);
+  rest_.setPixelRatio(pixelRatio_);
+  glyphs_.setBallPixels(pixelRatio_ * ballSize_);
+  preview_.setBallPixels(pixelRatio_ * ballSize_);
+  selection_.setDotPixels(kSelectionDotSize * pixelRatio_ * ballSize_);
+}
+
+}  // namespace holdfast

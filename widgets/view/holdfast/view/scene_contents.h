@@ -1,0 +1,91 @@
+#pragma once
+/// \file
+/// Everything that shows a document in a renderer, and follows it from frame to frame.
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <vtkNew.h>
+
+#include <holdfast/view/coloring.h>
+#include <holdfast/view/constraint_glyphs.h>
+#include <holdfast/view/mesh_actor.h>
+#include <holdfast/view/point_preview.h>
+#include <holdfast/view/rotation_glyphs.h>
+#include <holdfast/view/selection_overlay.h>
+
+class vtkRenderer;
+
+namespace holdfast {
+
+/// How the shape at rest is shown beside the deformed one.
+enum class RestGhost {
+  Hidden,
+  Edges,   ///< faint lines along its sharp edges and borders
+  Surface  ///< the same and a translucent surface
+};
+
+enum class RotationDisplay { Hidden, Arrows };
+
+/// The mesh, its shape at rest, constraints, selection, the point under the cursor and rotations: actors that a
+/// renderer shows. Nothing is drawn by itself: change what is to change, then render once.
+class SceneContents {
+ public:
+  /// At rest, in one colour, without constraints. `model` stays alive as long as this. O(T log T).
+  explicit SceneContents(const Model& model);
+  ~SceneContents();
+  SceneContents(const SceneContents&) = delete;
+  SceneContents& operator=(const SceneContents&) = delete;
+
+  /// Adds all actors, those that are hidden as well. Once.
+  void addTo(vtkRenderer& renderer);
+
+  /// A deformation: its positions, rotations and constraints; and those of its list that are disabled. Colours stay
+  /// (see `color`). O(T + marks).
+  void show(const Deformation& deformation, const std::vector<DisabledPlace>& disabled = {});
+
+  /// Moves the mesh and the selection on it, nothing else: one row for each vertex of the file. O(T).
+  void setPositions(const Positions& positions);
+
+  /// Colours by values, one for each vertex of the file; none: one colour. O(N).
+  void color(const std::optional<Coloring>& coloring);
+
+  void setMarks(std::vector<ConstraintMark> marks);
+  [[nodiscard]] const std::vector<ConstraintMark>& marks() const noexcept { return glyphs_.marks(); }
+  /// Places in the list of constraints.
+  void highlight(std::vector<Index> constraints);
+  void setHiddenMarks(HiddenMarks hidden);
+
+  void setRestGhost(RestGhost ghost);
+  void setMeshEdges(MeshEdges edges);
+  void setRotationDisplay(RotationDisplay display);
+  void setSelection(const std::vector<Index>& fileVertices);
+  void setPreview(const std::optional<PreviewedPoint>& point);
+  void setDetail(Detail detail);
+
+  /// How many pixels of the window are one of the screen as users see it, or of a finished picture.
+  void setPixelRatio(double ratio);
+  /// The diameter of a point's ball, in pixels before that ratio.
+  void setBallSize(double pixels);
+
+  [[nodiscard]] MeshActor& mesh() { return mesh_; }
+
+ private:
+  void resize();
+  void updateArrows();
+
+  double pixelRatio_ = 1;
+  double ballSize_ = 10;
+  RotationDisplay rotationDisplay_ = RotationDisplay::Hidden;
+  Positions positions_;
+  Columns3 rotations_;
+  MeshActor mesh_;
+  MeshActor rest_;
+  SelectionOverlay selection_;
+  RotationGlyphs arrows_;
+  ConstraintGlyphs glyphs_;
+  PointPreview preview_;
+};
+
+}  // namespace holdfast

@@ -1,0 +1,48 @@
+#pragma once
+/// \file
+/// Vertices that are selected, on the mesh that is drawn.
+
+#include <vector>
+
+#include <vtkNew.h>
+
+#include <holdfast/view/mesh_actor.h>
+
+class vtkActor;
+class vtkPolyData;
+
+namespace holdfast {
+
+/// No more vertices than this are dotted, evenly spread; the tint shows them all.
+inline constexpr Index kMostSelectionDots = 2000;
+
+/// The actors of a selection: small dots on vertices, and a tint over the triangles between them. They move with the
+/// mesh, whose points they share.
+class SelectionOverlay {
+ public:
+  /// Both stay alive as long as this.
+  SelectionOverlay(const Model& model, const MeshActor& mesh);
+  ~SelectionOverlay();
+  SelectionOverlay(const SelectionOverlay&) = delete;
+  SelectionOverlay& operator=(const SelectionOverlay&) = delete;
+
+  /// File vertices, in any order. Those that no face uses do not show. O(T).
+  void set(const std::vector<Index>& fileVertices);
+
+  /// The diameter of dots, in pixels of the window.
+  void setDotPixels(double pixels);
+
+  [[nodiscard]] vtkActor& dots() const { return *dots_; }
+  [[nodiscard]] vtkActor& tint() const { return *tint_; }
+
+ private:
+  const Model& model_;
+  const MeshActor& mesh_;
+  std::vector<Index> pointOf_;  // of each file vertex, -1 where no face uses it
+  vtkNew<vtkPolyData> dotData_;
+  vtkNew<vtkPolyData> tintData_;
+  vtkNew<vtkActor> dots_;
+  vtkNew<vtkActor> tint_;
+};
+
+}  // namespace holdfast

@@ -1,0 +1,15 @@
+#pragma once
+/// \file
+/// The light and the background in which meshes are shown.
+
+class vtkRenderer;
+
+namespace holdfast {
+
+/// A key light from above, a fill light and a head light; they move with the camera.
+void addLights(vtkRenderer& renderer);
+
+/// Nearly white below, a breath of grey above: paper stays paper.
+void addBackground(vtkRenderer& renderer);
+
+}  // namespace holdfast
