@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -20,9 +22,30 @@ double distance(const LabColor& p, const LabColor& q)
   return std::hypot(p.lightness - q.lightness, p.a - q.a, p.b - q.b);
 }
 
-LabColor labAt(int step)
+LabColor labAt(int step, ColorMap map = ColorMap::BlueGreenYellow)
 {
-  return toLab(mapColor(step / static_cast<double>(kSteps)));
+  return toLab(mapColor(step / static_cast<double>(kSteps), map));
+}
+
+constexpr std::array kMaps{ColorMap::BlueGreenYellow, ColorMap::BlueGreyYellow, ColorMap::BlueWhiteOrange,
+                           ColorMap::Grey};
+
+/// The colour as it looks to an eye without the receptors for green (Machado, Oliveira and Fernandes, 2009).
+Color withoutGreenReceptors(const Color& color)
+{
+  const auto light = [](double channel) {
+    return channel <= 0.04045 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
+  };
+  const auto channel = [](double sum) {
+    const double inside = std::clamp(sum, 0.0, 1.0);
+    return inside <= 0.0031308 ? 12.92 * inside : 1.055 * std::pow(inside, 1 / 2.4) - 0.055;
+  };
+  const double red = light(color.red);
+  const double green = light(color.green);
+  const double blue = light(color.blue);
+  return {channel(0.367322 * red + 0.860646 * green - 0.227968 * blue),
+          channel(0.280085 * red + 0.672501 * green + 0.047413 * blue),
+          channel(-0.011820 * red + 0.042940 * green + 0.968881 * blue)};
 }
 
 TEST(ColorMap, LabOfKnownColorsIsKnown)
@@ -36,16 +59,47 @@ TEST(ColorMap, LabOfKnownColorsIsKnown)
 
 TEST(ColorMap, LightnessRisesAllTheWay)
 {
-  for (int k = 0; k < kSteps; ++k) EXPECT_LT(labAt(k).lightness, labAt(k + 1).lightness) << "step " << k;
+  for (const ColorMap map : {ColorMap::BlueGreenYellow, ColorMap::BlueGreyYellow, ColorMap::Grey})
+    for (int k = 0; k < kSteps; ++k)
+      EXPECT_LT(labAt(k, map).lightness, labAt(k + 1, map).lightness) << "map " << static_cast<int>(map) << ", " << k;
+}
+
+TEST(ColorMap, WhiteIsInTheMiddleOfTheTwoSidedOne)
+{
+  constexpr ColorMap kMap = ColorMap::BlueWhiteOrange;
+  for (int k = 0; k < kSteps / 2; ++k) {
+    EXPECT_LT(labAt(k, kMap).lightness, labAt(k + 1, kMap).lightness) << "step " << k;
+    EXPECT_GT(labAt(k + kSteps / 2, kMap).lightness, labAt(k + 1 + kSteps / 2, kMap).lightness) << "step " << k;
+  }
+  EXPECT_LT(distance(labAt(kSteps / 2, kMap), {96, 0, 0}), 0.5);
 }
 
 TEST(ColorMap, EqualStepsLookAboutEqual)
 {
-  double length = 0;
-  for (int k = 0; k < kSteps; ++k) length += distance(labAt(k), labAt(k + 1));
-  // Control points are rounded to whole units of Lab and stand 16 to 20 apart.
-  for (int k = 0; k < kSteps; ++k)
-    EXPECT_NEAR(distance(labAt(k), labAt(k + 1)) * kSteps / length, 1, 0.2) << "step " << k;
+  for (const ColorMap map : kMaps) {
+    double length = 0;
+    for (int k = 0; k < kSteps; ++k) length += distance(labAt(k, map), labAt(k + 1, map));
+    // Control points are rounded to whole units of Lab and stand 14 to 23 apart.
+    for (int k = 0; k < kSteps; ++k)
+      EXPECT_NEAR(distance(labAt(k, map), labAt(k + 1, map)) * kSteps / length, 1, 0.2)
+          << "map " << static_cast<int>(map) << ", step " << k;
+  }
+}
+
+TEST(ColorMap, SharesFarApartLookDifferentWithoutGreenReceptors)
+{
+  constexpr int kTenths = 10;
+  const auto seen = [](int tenth, ColorMap map) { return toLab(withoutGreenReceptors(mapColor(tenth / 10.0, map))); };
+  for (const ColorMap map : kMaps)
+    for (int a = 0; a <= kTenths; ++a)
+      for (int b = a + 2; b <= kTenths; ++b)
+        EXPECT_GT(distance(seen(a, map), seen(b, map)), 10) << "map " << static_cast<int>(map) << ", " << a << " " << b;
+}
+
+TEST(ColorMap, ARainbowLooksTheSameAtDifferentSharesWithoutGreenReceptors)
+{
+  const auto seen = [](const Color& color) { return toLab(withoutGreenReceptors(color)); };
+  EXPECT_LT(distance(seen({0.60, 0.55, 0}), seen({0.25, 0.65, 0})), 10);
 }
 
 TEST(ColorMap, BlueToYellowSetsTheEndsApartWithoutRedAndGreen)
@@ -54,23 +108,37 @@ TEST(ColorMap, BlueToYellowSetsTheEndsApartWithoutRedAndGreen)
   EXPECT_GT(labAt(kSteps).b, 60);
 }
 
-TEST(ColorMap, NoValueIsAGreyThatTheMapDoesNotHave)
+TEST(ColorMap, NoValueIsAGreyThatNoMapHas)
 {
-  EXPECT_EQ(mapColor(kNan), kNoValueColor);
-  for (int k = 0; k <= kSteps; ++k) EXPECT_GT(distance(labAt(k), toLab(kNoValueColor)), 25) << "step " << k;
+  for (const ColorMap map : kMaps) {
+    EXPECT_EQ(mapColor(kNan, map), kNoValueColor);
+    const double least = map == ColorMap::BlueGreenYellow ? 25 : 10;
+    for (int k = 0; k <= kSteps; ++k)
+      EXPECT_GT(distance(labAt(k, map), toLab(kNoValueColor)), least)
+          << "map " << static_cast<int>(map) << ", step " << k;
+  }
 }
 
-TEST(ColorMap, TableOfVtkHasTheSameColors)
+TEST(ColorMap, TablesOfVtkHaveTheSameColors)
 {
-  const auto table = toLookupTable();
-  for (int k = 0; k <= kSteps; ++k) {
-    const double share = k / static_cast<double>(kSteps);
-    const Color color = mapColor(share);
-    const unsigned char* const drawn = table->MapValue(share);
-    EXPECT_NEAR(drawn[0], 255 * color.red, 1) << share;
-    EXPECT_NEAR(drawn[1], 255 * color.green, 1) << share;
-    EXPECT_NEAR(drawn[2], 255 * color.blue, 1) << share;
+  for (const ColorMap map : kMaps) {
+    const auto table = toLookupTable(map);
+    for (int k = 0; k <= kSteps; ++k) {
+      const double share = k / static_cast<double>(kSteps);
+      const Color color = mapColor(share, map);
+      const unsigned char* const drawn = table->MapValue(share);
+      EXPECT_NEAR(drawn[0], 255 * color.red, 1) << share;
+      EXPECT_NEAR(drawn[1], 255 * color.green, 1) << share;
+      EXPECT_NEAR(drawn[2], 255 * color.blue, 1) << share;
+    }
   }
+}
+
+TEST(ColorScale, HasAMap)
+{
+  ColorScale scale{"", Scaling::Linear, 2, 6};
+  scale.map = ColorMap::Grey;
+  EXPECT_EQ(colorOf(scale, 5), mapColor(0.75, ColorMap::Grey));
 }
 
 TEST(ColorScale, EndsAndMiddleOfALinearScale)

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include <vtkLookupTable.h>
 
@@ -9,17 +10,55 @@
 namespace holdfast {
 namespace {
 
-// Points of a smooth curve through Lab space at equal distances along it, so that equal steps of a value look equal;
+// Points of smooth curves through Lab space at equal distances along each, so that equal steps of a value look equal;
 // all of them, and the straight lines between them, can be shown in sRGB.
-constexpr std::array<LabColor, 9> kControlPoints{{{30, 22, -46},
-                                                  {41, 6, -41},
-                                                  {50, -8, -31},
-                                                  {57, -22, -18},
-                                                  {63, -29, -1},
-                                                  {70, -31, 18},
-                                                  {76, -29, 37},
-                                                  {83, -19, 52},
-                                                  {90, -6, 66}}};
+constexpr std::array<LabColor, 9> kBlueGreenYellow{{{30, 22, -46},
+                                                    {41, 6, -41},
+                                                    {50, -8, -31},
+                                                    {57, -22, -18},
+                                                    {63, -29, -1},
+                                                    {70, -31, 18},
+                                                    {76, -29, 37},
+                                                    {83, -19, 52},
+                                                    {90, -6, 66}}};
+
+constexpr std::array<LabColor, 9> kBlueGreyYellow{{{22, 6, -33},
+                                                   {35, 4, -26},
+                                                   {46, 3, -15},
+                                                   {55, 1, -3},
+                                                   {63, 0, 10},
+                                                   {70, -2, 23},
+                                                   {77, -3, 37},
+                                                   {84, -4, 50},
+                                                   {90, -5, 64}}};
+
+constexpr std::array<LabColor, 9> kBlueWhiteOrange{{{36, 12, -50},
+                                                    {52, 3, -42},
+                                                    {68, -1, -30},
+                                                    {83, -1, -15},
+                                                    {96, 0, 0},
+                                                    {87, 8, 19},
+                                                    {76, 18, 35},
+                                                    {62, 29, 48},
+                                                    {44, 42, 52}}};
+
+// Ends well below the grey of what has no value.
+constexpr std::array<LabColor, 2> kGrey{{{8, 0, 0}, {64, 0, 0}}};
+
+std::span<const LabColor> pointsOf(ColorMap map)
+{
+  switch (map) {
+    case ColorMap::BlueGreyYellow:
+      return kBlueGreyYellow;
+    case ColorMap::BlueWhiteOrange:
+      return kBlueWhiteOrange;
+    case ColorMap::Grey:
+      return kGrey;
+    case ColorMap::BlueGreenYellow:
+      break;
+  }
+  return kBlueGreenYellow;
+}
 
 // Finer than the 256 levels of a channel anywhere along the map.
 constexpr int kTableColors = 1024;
@@ -74,14 +113,15 @@ LabColor toLab(const Color& color)
   return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
 }
 
-Color mapColor(double share)
+Color mapColor(double share, ColorMap map)
 {
   if (std::isnan(share)) return kNoValueColor;
-  const double place = std::clamp(share, 0.0, 1.0) * (kControlPoints.size() - 1);
-  const auto leg = std::min(static_cast<std::size_t>(place), kControlPoints.size() - 2);
+  const std::span<const LabColor> points = pointsOf(map);
+  const double place = std::clamp(share, 0.0, 1.0) * static_cast<double>(points.size() - 1);
+  const auto leg = std::min(static_cast<std::size_t>(place), points.size() - 2);
   const double t = place - static_cast<double>(leg);
-  const LabColor& p = kControlPoints[leg];
-  const LabColor& q = kControlPoints[leg + 1];
+  const LabColor& p = points[leg];
+  const LabColor& q = points[leg + 1];
   return toColor({std::lerp(p.lightness, q.lightness, t), std::lerp(p.a, q.a, t), std::lerp(p.b, q.b, t)});
 }
 
@@ -95,16 +135,16 @@ double shareOf(const ColorScale& scale, double value)
 
 Color colorOf(const ColorScale& scale, double value)
 {
-  return mapColor(shareOf(scale, value));
+  return mapColor(shareOf(scale, value), scale.map);
 }
 
-vtkSmartPointer<vtkLookupTable> toLookupTable()
+vtkSmartPointer<vtkLookupTable> toLookupTable(ColorMap map)
 {
   auto table = vtkSmartPointer<vtkLookupTable>::New();
   table->SetNumberOfTableValues(kTableColors);
   table->SetTableRange(0, 1);
   for (int k = 0; k < kTableColors; ++k) {
-    const Color color = mapColor(k / (kTableColors - 1.0));
+    const Color color = mapColor(k / (kTableColors - 1.0), map);
     table->SetTableValue(k, color.red, color.green, color.blue);
   }
   table->SetNanColor(kNoValueColor.red, kNoValueColor.green, kNoValueColor.blue, 1);

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The colours of numbers: a map whose lightness rises evenly, and scales that place values on it.
+/// The colours of numbers: maps along which equal steps look equal, and scales that place values on them.
 
 #include <optional>
 #include <string>
@@ -29,12 +29,19 @@ struct LabColor {
 
 [[nodiscard]] LabColor toLab(const Color& color);
 
-/// The map, from dark blue over green to yellow, for `share` in [0, 1] (clamped; `kNoValueColor` for NaN). Lightness
-/// rises all the way, so that it reads without colours too, and equal steps look about equal; blue against yellow is
-/// told apart with every common colour blindness.
-[[nodiscard]] Color mapColor(double share);
+/// Equal steps of each map look about equal, and no two colours of one look the same with any common colour blindness.
+enum class ColorMap {
+  BlueGreenYellow,  ///< from dark blue over green to yellow
+  BlueGreyYellow,   ///< from dark blue over grey to yellow: looks nearly the same with and without red and green
+  BlueWhiteOrange,  ///< from blue over white to orange, lightest in the middle: for what lies on either side of a value
+  Grey              ///< from black to a middling grey: leaves all colours to other things
+};
 
-/// A quiet grey that the map does not have: there is no value here.
+/// The colour at `share` in [0, 1] (clamped; `kNoValueColor` for NaN). Lightness rises all the way, so that it reads
+/// without colours too; that of `BlueWhiteOrange` rises to the middle and falls from there.
+[[nodiscard]] Color mapColor(double share, ColorMap map = ColorMap::BlueGreenYellow);
+
+/// A quiet grey that the maps do not have: there is no value here.
 inline constexpr Color kNoValueColor{0.80, 0.80, 0.80};
 
 enum class Scaling { Linear, Logarithmic };
@@ -53,6 +60,7 @@ struct ColorScale {
   double high = 1;                               ///< the value at its end, larger than `low`
   std::optional<double> promise = std::nullopt;  ///< a value to mark: what is below it is as good as promised
   TickSteps steps = TickSteps::Decimal;
+  ColorMap map = ColorMap::BlueGreenYellow;
 };
 
 /// Where `value` lies between the ends of the scale, from 0 to 1 and no farther; NaN for NaN.
@@ -61,6 +69,6 @@ struct ColorScale {
 [[nodiscard]] Color colorOf(const ColorScale& scale, double value);
 
 /// The map for VTK, over shares from 0 to 1.
-[[nodiscard]] vtkSmartPointer<vtkLookupTable> toLookupTable();
+[[nodiscard]] vtkSmartPointer<vtkLookupTable> toLookupTable(ColorMap map = ColorMap::BlueGreenYellow);
 
 }  // namespace holdfast

@@ -27,7 +27,7 @@ constexpr std::array<LayerLook, kLayerCount> kLooks{{{SpriteShape::Ball, 0.45},
                                                      {SpriteShape::Wedge, 1.75},
                                                      {SpriteShape::Hollow, 1.15},
                                                      {SpriteShape::Ball, 0.6},
-                                                     {SpriteShape::Ring, 2.1},
+                                                     {SpriteShape::Ring, 2.5},
                                                      {SpriteShape::Ball, 1, SpriteDepth::Behind}}};
 constexpr double kCrowdedDotSize = 0.34;
 constexpr double kLineSize = 0.22;

@@ -193,7 +193,7 @@ void MeshActor::setColors(const std::vector<double>& values, const ColorScale& s
     isComplete = isComplete && !std::isnan(share);
     shares->SetValue(static_cast<vtkIdType>(k), share);
   }
-  const auto table = toLookupTable();
+  const auto table = toLookupTable(scale.map);
   for (vtkPolyData* const data : {surfaceData_.Get(), coarseData_.Get()}) data->GetPointData()->SetScalars(shares);
   for (vtkPolyDataMapper* const mapper : {surfaceMapper_.Get(), coarseMapper_.Get()}) {
     mapper->SetLookupTable(table);

@@ -9,7 +9,7 @@ namespace {
 // Of a ball's diameter.
 constexpr double kBallSize = 0.8;
 constexpr double kShapeSize = 1.4;
-constexpr double kRingSize = 2.3;
+constexpr double kRingSize = 2.4;
 
 std::vector<Sprite> spritesIf(bool isShown, const std::optional<PreviewedPoint>& point)
 {

@@ -153,12 +153,12 @@ struct Bar {
   [[nodiscard]] double heightOf(double share) const { return bottom + share * (top - bottom); }
 };
 
-void addColors(Shape& shape, const Bar& bar)
+void addColors(Shape& shape, const Bar& bar, ColorMap map)
 {
   for (int k = 0; k < kBarSteps; ++k) {
     const double low = bar.heightOf(k / static_cast<double>(kBarSteps));
     const double high = bar.heightOf((k + 1) / static_cast<double>(kBarSteps));
-    shape.addRectangle(bar.left, low, bar.right, high, mapColor((k + 0.5) / kBarSteps));
+    shape.addRectangle(bar.left, low, bar.right, high, mapColor((k + 0.5) / kBarSteps, map));
   }
 }
 
@@ -182,7 +182,7 @@ void addTicks(vtkRenderer& renderer, Shape& shape, const ColorScale& scale, cons
 void addScale(vtkRenderer& renderer, const ColorScale& scale, const Bar& bar, double textSize)
 {
   Shape shape;
-  addColors(shape, bar);
+  addColors(shape, bar, scale.map);
   addTicks(renderer, shape, scale, bar, textSize);
   shape.show(renderer);
 }

@@ -86,6 +86,8 @@ void SceneContents::setRestGhost(RestGhost ghost)
 {
   rest_.edges().SetVisibility(ghost != RestGhost::Hidden);
   rest_.surface().SetVisibility(ghost == RestGhost::Surface);
+  ghost_ = ghost;
+  updateDetail();
 }
 
 void SceneContents::setMeshEdges(MeshEdges edges)
@@ -117,8 +119,14 @@ void SceneContents::setPreview(const std::optional<PreviewedPoint>& point)
 
 void SceneContents::setDetail(Detail detail)
 {
-  mesh_.setDetail(detail);
-  rest_.setDetail(detail);
+  detail_ = detail;
+  updateDetail();
+}
+
+void SceneContents::updateDetail()
+{
+  mesh_.setDetail(detail_);
+  if (ghost_ == RestGhost::Surface) rest_.setDetail(detail_);
 }
 
 void SceneContents::setPixelRatio(double ratio)

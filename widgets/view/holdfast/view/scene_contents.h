@@ -74,9 +74,12 @@ class SceneContents {
  private:
   void resize();
   void updateArrows();
+  void updateDetail();
 
   double pixelRatio_ = 1;
   double ballSize_ = 10;
+  RestGhost ghost_ = RestGhost::Edges;
+  Detail detail_ = Detail::Full;
   RotationDisplay rotationDisplay_ = RotationDisplay::Hidden;
   Positions positions_;
   Columns3 rotations_;
