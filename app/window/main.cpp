@@ -1,5 +1,9 @@
 // holdfast: the window.
 
+#include <QApplication>
+#include <QMessageBox>
+#include <QSurfaceFormat>
+#include <QTimer>
 #include <clocale>
 #include <cstdio>
 #include <exception>
@@ -7,11 +11,6 @@
 #include <string>
 
 #include <CLI/CLI.hpp>
-#include <QApplication>
-#include <QMessageBox>
-#include <QSurfaceFormat>
-#include <QTimer>
-
 #include <QVTKOpenGLNativeWidget.h>
 
 #include <holdfast/view/display_check.h>
@@ -35,10 +34,11 @@ class Application : public QApplication {
     try {
       return QApplication::notify(receiver, event);
     } catch (const std::exception& error) {
-      QMessageBox::critical(activeWindow(), tr("Holdfast"),
-                            tr("Something went wrong that should not have: %1\n\nYour document is still open. Please save it under "
-                               "another name and report this.")
-                                .arg(QString::fromUtf8(error.what())));
+      QMessageBox::critical(
+          activeWindow(), tr("Holdfast"),
+          tr("Something went wrong that should not have: %1\n\nYour document is still open. Please save it under "
+             "another name and report this.")
+              .arg(QString::fromUtf8(error.what())));
       return true;
     }
   }

@@ -14,8 +14,8 @@ namespace holdfast {
 /// and no motion is exactly the list that there was.
 class ConstraintDrag {
  public:
-  /// Of `constraints`, places in the list, points and handles that are enabled move; others stay. Throws `InputError` where one of these does
-  /// not fit the mesh; `source` names the list. O(N) per handle and fixed region.
+  /// Of `constraints`, places in the list, points and handles that are enabled move; others stay. Throws `InputError`
+  /// where one of these does not fit the mesh; `source` names the list. O(N) per handle and fixed region.
   ConstraintDrag(const Model& model, const ConstraintList& list, std::span<const Index> constraints,
                  const std::string& source);
 

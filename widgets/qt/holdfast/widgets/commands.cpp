@@ -1,6 +1,5 @@
-#include <algorithm>
-
 #include <QObject>
+#include <algorithm>
 
 #include <holdfast/document/list_edits.h>
 #include <holdfast/widgets/commands.h>
@@ -83,8 +82,8 @@ void toggleSelectedConstraints(Editor& editor)
 {
   const auto& selected = editor.selectedConstraints();
   if (selected.empty()) return;
-  const bool areAllEnabled = std::all_of(selected.begin(), selected.end(),
-                                         [&](Index k) { return editor.list().constraints[k].isEnabled; });
+  const bool areAllEnabled =
+      std::all_of(selected.begin(), selected.end(), [&](Index k) { return editor.list().constraints[k].isEnabled; });
   const QString name = (areAllEnabled ? tr("disable %1") : tr("enable %1")).arg(namesOf(editor));
   editor.edit(name, withEnabled(editor.list(), selected, areAllEnabled ? Enabling::Disabled : Enabling::Enabled));
 }

@@ -1,8 +1,7 @@
-#include <functional>
-
 #include <QIconEngine>
 #include <QPainter>
 #include <QPainterPath>
+#include <functional>
 
 #include <holdfast/widgets/icons.h>
 

@@ -22,8 +22,8 @@ struct LoadedMesh {
   std::shared_ptr<VertexRegions> regions;
 };
 
-/// Reads and prepares the file, by its extension one of core's formats or VTK's. Throws as `readMesh` and `makeModel` do, and what
-/// `progress` throws.
+/// Reads and prepares the file, by its extension one of core's formats or VTK's. Throws as `readMesh` and `makeModel`
+/// do, and what `progress` throws.
 [[nodiscard]] LoadedMesh loadMesh(const std::filesystem::path& path, Progress& progress);
 
 }  // namespace holdfast

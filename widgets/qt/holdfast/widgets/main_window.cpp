@@ -1,13 +1,12 @@
-#include <algorithm>
-#include <array>
-#include <functional>
-
 #include <QAction>
 #include <QApplication>
 #include <QDockWidget>
 #include <QMenu>
 #include <QMenuBar>
 #include <QToolBar>
+#include <algorithm>
+#include <array>
+#include <functional>
 
 #include <holdfast/widgets/commands.h>
 #include <holdfast/widgets/icons.h>
@@ -54,7 +53,8 @@ QAction* MainWindow::addAction(QMenu& menu, const QString& objectName, const QSt
 void MainWindow::makeEditMenu()
 {
   QMenu& menu = *menuBar()->addMenu(tr("&Edit"));
-  undo_ = addAction(menu, "undo", tr("&Undo"), QKeySequence::Undo, tr("Take the last edit back"), [this] { editor_.undo(); });
+  undo_ = addAction(menu, "undo", tr("&Undo"), QKeySequence::Undo, tr("Take the last edit back"),
+                    [this] { editor_.undo(); });
   redo_ = addAction(menu, "redo", tr("&Redo"), QKeySequence("Ctrl+Shift+Z"), tr("Do what was undone again"),
                     [this] { editor_.redo(); });
   menu.addSeparator();
@@ -74,13 +74,15 @@ void MainWindow::makeSelectionMenu()
   menu.addSeparator();
   const auto vertices = [this] { return editor_.selectedVertices(); };
   const auto regions = [this]() -> VertexRegions& { return *editor_.mesh().regions; };
-  withVertices_.push_back(addAction(menu, "grow", tr("&Grow"), QKeySequence("+"), tr("Select the next ring of vertices, too"),
-                                    [this, vertices, regions] { editor_.selectVertices(regions().grown(vertices())); }));
-  withVertices_.push_back(addAction(menu, "shrink", tr("S&hrink"), QKeySequence("-"),
-                                    tr("Take the outermost vertices out of the selection"),
-                                    [this, vertices, regions] { editor_.selectVertices(regions().shrunk(vertices())); }));
-  withDocument_.push_back(addAction(menu, "invert", tr("&Invert"), QKeySequence("I"), tr("Select all other vertices"),
-                                    [this, vertices, regions] { editor_.selectVertices(regions().inverted(vertices())); }));
+  withVertices_.push_back(
+      addAction(menu, "grow", tr("&Grow"), QKeySequence("+"), tr("Select the next ring of vertices, too"),
+                [this, vertices, regions] { editor_.selectVertices(regions().grown(vertices())); }));
+  withVertices_.push_back(addAction(
+      menu, "shrink", tr("S&hrink"), QKeySequence("-"), tr("Take the outermost vertices out of the selection"),
+      [this, vertices, regions] { editor_.selectVertices(regions().shrunk(vertices())); }));
+  withDocument_.push_back(
+      addAction(menu, "invert", tr("&Invert"), QKeySequence("I"), tr("Select all other vertices"),
+                [this, vertices, regions] { editor_.selectVertices(regions().inverted(vertices())); }));
   withVertices_.push_back(addAction(menu, "deselect", tr("&Nothing"), QKeySequence("Ctrl+Shift+A"),
                                     tr("Deselect all vertices"), [this] { editor_.selectVertices({}); }));
 }
@@ -88,27 +90,30 @@ void MainWindow::makeSelectionMenu()
 void MainWindow::makeConstraintMenu()
 {
   QMenu& menu = *menuBar()->addMenu(tr("&Constrain"));
-  const auto add = [&](const char* objectName, const QString& text, const char* key, const QString& tip, RegionKind kind) {
+  const auto add = [&](const char* objectName, const QString& text, const char* key, const QString& tip,
+                       RegionKind kind) {
     withVertices_.push_back(
         addAction(menu, objectName, text, QKeySequence(key), tip, [this, kind] { constrainSelection(editor_, kind); }));
   };
   add("makeFixed", tr("&Fix the selection"), "F", tr("The selected vertices stay where they are"), RegionKind::Fixed);
-  add("makeHandle", tr("Make a &handle of it"), "H", tr("The selected vertices move as you drag them"), RegionKind::Handle);
-  add("makeRigid", tr("Make a &rigid feature of it"), "R", tr("The selected vertices keep their shape wherever the surface takes them"),
-      RegionKind::Rigid);
+  add("makeHandle", tr("Make a &handle of it"), "H", tr("The selected vertices move as you drag them"),
+      RegionKind::Handle);
+  add("makeRigid", tr("Make a &rigid feature of it"), "R",
+      tr("The selected vertices keep their shape wherever the surface takes them"), RegionKind::Rigid);
   menu.addSeparator();
   withConstraints_.push_back(addAction(menu, "toggleEnabled", tr("&Enable or disable"), QKeySequence("E"),
                                        tr("Switch the selected constraints off, or on again"),
                                        [this] { toggleSelectedConstraints(editor_); }));
   withConstraints_.push_back(addAction(menu, "deleteConstraints", tr("&Delete"), QKeySequence(Qt::Key_Delete),
-                                       tr("Delete the selected constraints"), [this] { removeSelectedConstraints(editor_); }));
+                                       tr("Delete the selected constraints"),
+                                       [this] { removeSelectedConstraints(editor_); }));
 }
 
 void MainWindow::makeViewMenu()
 {
   QMenu& menu = *menuBar()->addMenu(tr("&View"));
-  withDocument_.push_back(addAction(menu, "frameAll", tr("Show &all"), QKeySequence(Qt::Key_Home), tr("Show the whole mesh"),
-                                    [this] { viewport_->frameAll(); }));
+  withDocument_.push_back(addAction(menu, "frameAll", tr("Show &all"), QKeySequence(Qt::Key_Home),
+                                    tr("Show the whole mesh"), [this] { viewport_->frameAll(); }));
   withDocument_.push_back(addAction(menu, "frameSelection", tr("Show the &selection"), QKeySequence("."),
                                     tr("Show what is selected from near"), [this] { frameSelection(); }));
   menu.addSeparator();

@@ -109,19 +109,22 @@ void StatusLine::showNumbers()
   numbers_->setVisible(editor_.isOpen());
   if (!editor_.isOpen()) return;
   const QLocale locale;
-  QStringList parts{tr("%1 vertices").arg(locale.toString(static_cast<qlonglong>(editor_.model()->mesh.vertexCount())))};
+  QStringList parts{
+      tr("%1 vertices").arg(locale.toString(static_cast<qlonglong>(editor_.model()->mesh.vertexCount())))};
   if (const auto& deformation = editor_.deformation()) {
     const SolveReport& solve = deformation->report.solve;
     parts << tr("%1 unknowns").arg(locale.toString(static_cast<qlonglong>(solve.unknowns)))
           << tr("%1 + %2 + %3 ms")
                  .arg(milliseconds(solve.seconds.setup), milliseconds(solve.seconds.decomposition),
                       milliseconds(solve.seconds.solution))
-          << (solve.status == SolveStatus::Failed ? tr("not solved")
-                                                  : tr("residual %1").arg(QString::number(solve.maxResidualRelative, 'e', 1)));
+          << (solve.status == SolveStatus::Failed
+                  ? tr("not solved")
+                  : tr("residual %1").arg(QString::number(solve.maxResidualRelative, 'e', 1)));
   }
   numbers_->setText(parts.join("  ·  "));
-  numbers_->setToolTip(tr("Milliseconds: set-up + decomposition + solution. The largest residual of constraints that are met is a share "
-                          "of the bounding box's diagonal; 1e-12 is promised."));
+  numbers_->setToolTip(
+      tr("Milliseconds: set-up + decomposition + solution. The largest residual of constraints that are met is a share "
+         "of the bounding box's diagonal; 1e-12 is promised."));
 }
 
 }  // namespace holdfast

@@ -2,9 +2,8 @@
 /// \file
 /// The line below the picture: what the mouse does, what is under it, and how the solution went.
 
-#include <optional>
-
 #include <QStatusBar>
+#include <optional>
 
 #include <holdfast/view/surface_picker.h>
 #include <holdfast/widgets/editor.h>

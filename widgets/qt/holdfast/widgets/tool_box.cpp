@@ -1,7 +1,6 @@
-#include <array>
-
 #include <QAction>
 #include <QApplication>
+#include <array>
 
 #include <holdfast/widgets/icons.h>
 #include <holdfast/widgets/tool_box.h>

@@ -2,10 +2,9 @@
 /// \file
 /// The tools of the viewport, one of which is chosen, and the actions that choose them.
 
-#include <vector>
-
 #include <QActionGroup>
 #include <QObject>
+#include <vector>
 
 #include <holdfast/widgets/editor.h>
 #include <holdfast/widgets/tool.h>

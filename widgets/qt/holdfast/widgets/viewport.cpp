@@ -1,9 +1,3 @@
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <utility>
-
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QKeyEvent>
@@ -11,6 +5,12 @@
 #include <QMouseEvent>
 #include <QUrl>
 #include <QWheelEvent>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
 #include <vtkCamera.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkLightKit.h>
@@ -18,6 +18,7 @@
 #include <vtkRenderer.h>
 
 #include <holdfast/view/default_camera.h>
+#include <holdfast/view/stage.h>
 #include <holdfast/widgets/viewport.h>
 #include <holdfast/widgets/viewport_overlay.h>
 
@@ -68,8 +69,8 @@ Viewport::Viewport(Editor& editor, QWidget* parent) : QVTKOpenGLNativeWidget(par
   // The camera is moved here, a picture at a time, and not by VTK at every event.
   window_->GetInteractor()->SetInteractorStyle(nullptr);
   window_->GetInteractor()->EnableRenderOff();
-  addStandardLights(*renderer_);
-  addStandardLights(*front_);
+  addLights(*renderer_);
+  addLights(*front_);
 
   overlay_ = new ViewportOverlay(editor_, *this);
   renderTimer_.setSingleShot(true);
@@ -81,11 +82,11 @@ Viewport::Viewport(Editor& editor, QWidget* parent) : QVTKOpenGLNativeWidget(par
   connect(&editor_, &Editor::opened, this, &Viewport::openDocument);
   connect(&editor_, &Editor::deformed, this, &Viewport::showDeformation);
   connect(&editor_, &Editor::stateChanged, this, [this] {
-    disabledPlaces_ = disabledPlaces(*editor_.model(), editor_.list());
-    showMarks();
+    // While something is dragged, the frames show it.
+    if (!editor_.history().isInGesture()) showConstraints();
   });
   connect(&editor_, &Editor::vertexSelectionChanged, this, &Viewport::showSelection);
-  connect(&editor_, &Editor::constraintSelectionChanged, this, &Viewport::showMarks);
+  connect(&editor_, &Editor::constraintSelectionChanged, this, &Viewport::showSelection);
 }
 
 Viewport::~Viewport() = default;
@@ -108,15 +109,13 @@ void Viewport::openDocument()
   contents_.reset();
   picker_.reset();
   coloring_.reset();
-  marks_.clear();
   disabledPlaces_.clear();
   hasPreview_ = false;
   if (editor_.isOpen()) {
-    contents_ = std::make_unique<SceneContents>(*editor_.model());
+    contents_ = std::make_unique<SceneContents>(*editor_.model(), editor_.mesh().shaded);
     contents_->setPixelRatio(pixelRatio());
     contents_->addTo(*renderer_);
     picker_ = std::make_unique<SurfacePicker>(*editor_.model());
-    disabledPlaces_ = disabledPlaces(*editor_.model(), editor_.list());
     fullMilliseconds_ = 0;
     setDisplay(display_);
     frameAll();
@@ -126,10 +125,19 @@ void Viewport::openDocument()
 
 void Viewport::showDeformation()
 {
-  contents_->setPositions(editor_.positions());
   picker_->setPositions(editor_.positions());
+  showConstraints();
   showColors();
-  showMarks();
+}
+
+void Viewport::showConstraints()
+{
+  if (!contents_) return;
+  if (!editor_.history().isInGesture()) disabledPlaces_ = disabledPlaces(*editor_.model(), editor_.list());
+  if (const auto& deformation = editor_.deformation()) contents_->show(*deformation, disabledPlaces_);
+  if (display_.constraints == ConstraintDisplay::Hidden) contents_->setMarks({});
+  overlay_->update();
+  scheduleRender();
 }
 
 void Viewport::showColors()
@@ -137,20 +145,11 @@ void Viewport::showColors()
   coloring_.reset();
   if (const auto& deformation = editor_.deformation())
     coloring_ = coloringOf(*editor_.model(), *deformation, display_.colorBy, editor_.deformedState()->list.units);
+  if (coloring_) {
+    coloring_->scale.map = display_.map;
+    if (whyNoRange(display_.range).empty()) coloring_ = withRange(std::move(*coloring_), display_.range);
+  }
   contents_->color(coloring_);
-  overlay_->update();
-  scheduleRender();
-}
-
-void Viewport::showMarks()
-{
-  if (!contents_) return;
-  marks_.clear();
-  if (const auto& deformation = editor_.deformation()) marks_ = constraintMarks(*editor_.model(), *deformation);
-  const auto disabled = disabledMarks(*editor_.model(), disabledPlaces_, editor_.positions());
-  marks_.insert(marks_.end(), disabled.begin(), disabled.end());
-  contents_->setMarks(marks_);
-  contents_->highlight(editor_.selectedConstraints());
   overlay_->update();
   scheduleRender();
 }
@@ -159,6 +158,7 @@ void Viewport::showSelection()
 {
   if (!contents_) return;
   contents_->setSelection(editor_.selectedVertices());
+  contents_->highlight(editor_.selectedConstraints());
   scheduleRender();
 }
 
@@ -166,7 +166,17 @@ void Viewport::setDisplay(const DisplaySettings& settings)
 {
   display_ = settings;
   if (!contents_) return;
+  contents_->setRestGhost(display_.rest);
+  contents_->setMeshEdges(display_.edges);
+  contents_->setRotationDisplay(display_.rotations);
+  showConstraints();
   showColors();
+}
+
+const std::vector<ConstraintMark>& Viewport::marks() const noexcept
+{
+  static const std::vector<ConstraintMark> none;
+  return contents_ ? contents_->marks() : none;
 }
 
 void Viewport::setPreview(const std::optional<SurfacePick>& pick)
@@ -197,7 +207,7 @@ void Viewport::frameVertices(const std::vector<Index>& vertices)
 void Viewport::frameConstraints(const std::vector<Index>& constraints)
 {
   std::vector<Vector3> places;
-  for (const ConstraintMark& mark : marks_)
+  for (const ConstraintMark& mark : marks())
     if (std::binary_search(constraints.begin(), constraints.end(), mark.constraint)) places.push_back(mark.place);
   if (places.empty()) return;
   Positions rows(static_cast<Index>(places.size()), 3);

@@ -2,12 +2,11 @@
 /// \file
 /// The picture of the open document, and the mouse in it.
 
+#include <QElapsedTimer>
+#include <QTimer>
 #include <memory>
 #include <optional>
 #include <vector>
-
-#include <QElapsedTimer>
-#include <QTimer>
 
 #include <QVTKOpenGLNativeWidget.h>
 #include <vtkNew.h>
@@ -28,9 +27,9 @@ namespace holdfast {
 
 class ViewportOverlay;
 
-/// Shows the editor's document. The right button turns the picture, the middle one shifts it, the wheel goes nearer; the left button
-/// is the tool's, and turns the picture where the tool leaves it alone. However many events come in one turn of the event loop, the
-/// picture is drawn once.
+/// Shows the editor's document. The right button turns the picture, the middle one shifts it, the wheel goes nearer;
+/// the left button is the tool's, and turns the picture where the tool leaves it alone. However many events come in one
+/// turn of the event loop, the picture is drawn once.
 class Viewport : public QVTKOpenGLNativeWidget {
   Q_OBJECT
 
@@ -63,7 +62,8 @@ class Viewport : public QVTKOpenGLNativeWidget {
   /// Null without a document.
   [[nodiscard]] SurfacePicker* picker() noexcept { return picker_.get(); }
   [[nodiscard]] SceneContents* contents() noexcept { return contents_.get(); }
-  [[nodiscard]] const std::vector<ConstraintMark>& marks() const noexcept { return marks_; }
+  /// The constraints that are drawn; none without a document.
+  [[nodiscard]] const std::vector<ConstraintMark>& marks() const noexcept;
   [[nodiscard]] vtkRenderer& renderer() { return *renderer_; }
   /// Over the picture of the document, with the same camera.
   [[nodiscard]] vtkRenderer& frontRenderer() { return *front_; }
@@ -111,7 +111,7 @@ class Viewport : public QVTKOpenGLNativeWidget {
   void openDocument();
   void showDeformation();
   void showColors();
-  void showMarks();
+  void showConstraints();
   void showSelection();
   void cameraMoved();
   void framePlaces(const Positions& places);
@@ -121,7 +121,6 @@ class Viewport : public QVTKOpenGLNativeWidget {
   Editor& editor_;
   std::unique_ptr<SceneContents> contents_;
   std::unique_ptr<SurfacePicker> picker_;
-  std::vector<ConstraintMark> marks_;
   std::vector<DisabledPlace> disabledPlaces_;
   std::optional<Coloring> coloring_;
   DisplaySettings display_;
@@ -141,8 +140,8 @@ class Viewport : public QVTKOpenGLNativeWidget {
   Vector3 pivot_ = Vector3::Zero();
   bool hasPreview_ = false;
 
-  QTimer renderTimer_;   // draws once a turn of the event loop
-  QTimer detailTimer_;   // draws the full detail when the hand rests
+  QTimer renderTimer_;  // draws once a turn of the event loop
+  QTimer detailTimer_;  // draws the full detail when the hand rests
   double renderMilliseconds_ = 0;
   double fullMilliseconds_ = 0;  // of the last picture in full detail
 };

@@ -1,10 +1,9 @@
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 #include <QFontMetricsF>
 #include <QPainter>
 #include <QPainterPath>
+#include <algorithm>
+#include <array>
+#include <cmath>
 
 #include <holdfast/view/constraint_glyphs.h>
 #include <holdfast/view/scalar_legend.h>
@@ -31,7 +30,7 @@ QImage barOf(const ColorScale& scale, int height)
   QImage image(1, height, QImage::Format_RGB32);
   for (int y = 0; y < height; ++y) {
     const double share = 1 - (y + 0.5) / height;
-    image.setPixelColor(0, y, toQColor(mapColor(scale.map, share)));
+    image.setPixelColor(0, y, toQColor(mapColor(share, scale.map)));
   }
   return image;
 }

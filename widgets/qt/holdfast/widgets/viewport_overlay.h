@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// What is written and drawn over the picture: the legend, what the tool draws, whether the picture is older than the document, and
-/// what to do where nothing is open.
+/// What is written and drawn over the picture: the legend, what the tool draws, whether the picture is older than the
+/// document, and what to do where nothing is open.
 
 #include <QWidget>
 

@@ -1,3 +1,5 @@
+#include <utility>
+
 #include <vtkActor.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
@@ -16,8 +18,13 @@ constexpr double kSelectionDotSize = 0.42;
 }  // namespace
 
 SceneContents::SceneContents(const Model& model)
+    : SceneContents(model, std::make_shared<const ShadedSurface>(cutAtSharpEdges(model)))
+{
+}
+
+SceneContents::SceneContents(const Model& model, std::shared_ptr<const ShadedSurface> shaded)
     : positions_(model.mesh.positions),
-      mesh_(model),
+      mesh_(model, std::move(shaded)),
       rest_(model, mesh_.shaded()),
       selection_(model, mesh_),
       arrows_(model)

@@ -34,6 +34,8 @@ class SceneContents {
  public:
   /// At rest, in one colour, without constraints. `model` stays alive as long as this. O(T log T).
   explicit SceneContents(const Model& model);
+  /// The same with `shaded`, which was cut from `model`. O(T).
+  SceneContents(const Model& model, std::shared_ptr<const ShadedSurface> shaded);
   ~SceneContents();
   SceneContents(const SceneContents&) = delete;
   SceneContents& operator=(const SceneContents&) = delete;

@@ -1,8 +1,7 @@
-#include <algorithm>
-#include <cmath>
-
 #include <QKeyEvent>
 #include <QPainter>
+#include <algorithm>
+#include <cmath>
 
 #include <holdfast/widgets/tools/brush_tool.h>
 #include <holdfast/widgets/viewport.h>
@@ -26,8 +25,9 @@ BrushTool::BrushTool(Editor& editor, Viewport& viewport, QObject* parent)
 
 QString BrushTool::hint() const
 {
-  return tr("Paint a region. Shift adds, Ctrl takes away, [ and ] size the brush. Then F fixes it, H makes a handle, "
-            "R a rigid feature");
+  return tr(
+      "Paint a region. Shift adds, Ctrl takes away, [ and ] size the brush. Then F fixes it, H makes a handle, "
+      "R a rigid feature");
 }
 
 bool BrushTool::dab(const Pointer& pointer)

@@ -12,8 +12,9 @@ namespace holdfast {
 
 class Viewport;
 
-/// A stroke selects the vertices that the brush touches along the surface; with Shift besides those selected, with Ctrl it takes them
-/// away. [ and ] make the brush smaller and larger. A stroke that begins beside the surface turns the picture.
+/// A stroke selects the vertices that the brush touches along the surface; with Shift besides those selected, with Ctrl
+/// it takes them away. [ and ] make the brush smaller and larger. A stroke that begins beside the surface turns the
+/// picture.
 class BrushTool : public Tool {
   Q_OBJECT
 

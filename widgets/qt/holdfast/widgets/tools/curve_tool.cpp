@@ -1,9 +1,8 @@
-#include <algorithm>
-#include <cmath>
-
 #include <QKeyEvent>
 #include <QPainter>
 #include <QPainterPath>
+#include <algorithm>
+#include <cmath>
 
 #include <holdfast/constraints/curve_selector.h>
 #include <holdfast/surface/surface_locator.h>
@@ -79,8 +78,10 @@ bool CurveTool::hover(const Pointer& pointer)
 {
   preview_.clear();
   const auto vertex = isOnFirst(pointer) ? std::optional(places_.front()) : vertexAt(pointer);
-  if (vertex && !places_.empty()) preview_ = wayBetween(places_.back(), *vertex);
-  else if (vertex) preview_ = {*vertex};
+  if (vertex && !places_.empty())
+    preview_ = wayBetween(places_.back(), *vertex);
+  else if (vertex)
+    preview_ = {*vertex};
   Q_EMIT changed();
   return true;
 }

@@ -13,8 +13,9 @@ namespace holdfast {
 
 class Viewport;
 
-/// Clicks place vertices that shortest paths of edges join; a click on the first one, a double click or Enter closes the curve and selects what
-/// is inside. A constraint made of it keeps the curve, not the ids. Backspace takes the last place back.
+/// Clicks place vertices that shortest paths of edges join; a click on the first one, a double click or Enter closes
+/// the curve and selects what is inside. A constraint made of it keeps the curve, not the ids. Backspace takes the last
+/// place back.
 class CurveTool : public Tool {
   Q_OBJECT
 
@@ -44,10 +45,10 @@ class CurveTool : public Tool {
 
   Editor& editor_;
   Viewport& viewport_;
-  std::vector<Index> places_;              // file vertices that were clicked
-  std::vector<std::vector<Index>> ways_;   // from each to the next, file vertices
-  std::vector<Index> preview_;             // from the last one to the one under the cursor
-  QString trouble_;                        // why the curve could not be closed
+  std::vector<Index> places_;             // file vertices that were clicked
+  std::vector<std::vector<Index>> ways_;  // from each to the next, file vertices
+  std::vector<Index> preview_;            // from the last one to the one under the cursor
+  QString trouble_;                       // why the curve could not be closed
 };
 
 }  // namespace holdfast

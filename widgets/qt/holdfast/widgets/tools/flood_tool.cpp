@@ -1,6 +1,5 @@
-#include <algorithm>
-
 #include <QKeyEvent>
+#include <algorithm>
 
 #include <holdfast/widgets/tools/flood_tool.h>
 #include <holdfast/widgets/tools/region_selection.h>

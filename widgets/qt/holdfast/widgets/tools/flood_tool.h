@@ -9,8 +9,8 @@ namespace holdfast {
 
 class Viewport;
 
-/// A click selects the side around it, as far as the surface bends by no more than an angle from face to face; a double click the whole
-/// connected part. [ and ] change the angle.
+/// A click selects the side around it, as far as the surface bends by no more than an angle from face to face; a double
+/// click the whole connected part. [ and ] change the angle.
 class FloodTool : public Tool {
   Q_OBJECT
 

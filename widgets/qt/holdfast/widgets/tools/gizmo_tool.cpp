@@ -117,9 +117,8 @@ bool GizmoTool::press(const Pointer& pointer)
   if (part == GizmoPart::None) return false;
   drag_.emplace(part, gizmo_.frame(), viewGeometryOf(viewport_.renderer()), pointer.center(), gizmo_.ringPixels());
   const auto& selected = editor_.selectedConstraints();
-  const QString what = selected.size() == 1
-                           ? QString::fromStdString(editor_.list().constraints[selected.front()].name)
-                           : tr("%1 constraints").arg(selected.size());
+  const QString what = selected.size() == 1 ? QString::fromStdString(editor_.list().constraints[selected.front()].name)
+                                            : tr("%1 constraints").arg(selected.size());
   const GizmoPartKind kind = kindOf(part);
   const bool isTurn = kind == GizmoPartKind::Ring || kind == GizmoPartKind::ViewRing;
   editor_.beginGesture((isTurn ? tr("turn %1") : tr("move %1")).arg(what));

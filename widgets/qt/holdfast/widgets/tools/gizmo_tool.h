@@ -2,10 +2,9 @@
 /// \file
 /// Moves the selected constraints by arrows, squares and rings.
 
+#include <QTimer>
 #include <memory>
 #include <optional>
-
-#include <QTimer>
 
 #include <holdfast/document/constraint_drag.h>
 #include <holdfast/view/gizmo.h>
@@ -24,8 +23,8 @@ enum class GizmoAxes {
   View
 };
 
-/// Stands where the selected points and handles are to be, and is asked before any other tool. A drag is one edit, and Escape takes it back. With
-/// Ctrl it snaps.
+/// Stands where the selected points and handles are to be, and is asked before any other tool. A drag is one edit, and
+/// Escape takes it back. With Ctrl it snaps.
 class GizmoTool : public Tool {
   Q_OBJECT
 

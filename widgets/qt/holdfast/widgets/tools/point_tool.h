@@ -10,7 +10,8 @@ namespace holdfast {
 
 class Viewport;
 
-/// A click holds the point under the cursor where it is. V, E and F take vertices, edges or faces only; A what is nearest.
+/// A click holds the point under the cursor where it is. V, E and F take vertices, edges or faces only; A what is
+/// nearest.
 class PointTool : public Tool {
   Q_OBJECT
 

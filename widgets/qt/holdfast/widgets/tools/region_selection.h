@@ -2,19 +2,14 @@
 /// \file
 /// How the modifiers of a gesture join what it reaches with what is selected.
 
-#include <vector>
-
 #include <Qt>
+#include <vector>
 
 #include <holdfast/base/types.h>
 
 namespace holdfast {
 
-enum class SelectionMode {
-  Replace,
-  Add,
-  Remove
-};
+enum class SelectionMode { Replace, Add, Remove };
 
 /// Shift adds, Ctrl takes away.
 [[nodiscard]] SelectionMode selectionModeOf(Qt::KeyboardModifiers modifiers);

@@ -1,6 +1,5 @@
-#include <cmath>
-
 #include <QPainter>
+#include <cmath>
 
 #include <holdfast/view/screen_selection.h>
 #include <holdfast/widgets/tools/screen_region_tool.h>
@@ -21,7 +20,8 @@ ScreenRegionTool::ScreenRegionTool(ScreenShape shape, Editor& editor, Viewport& 
 
 QString ScreenRegionTool::hint() const
 {
-  return (shape_ == ScreenShape::Rectangle ? tr("Drag a rectangle around vertices.") : tr("Draw around vertices.")) + ' ' +
+  return (shape_ == ScreenShape::Rectangle ? tr("Drag a rectangle around vertices.") : tr("Draw around vertices.")) +
+         ' ' +
          tr("Shift adds, Ctrl takes away, Alt reaches through. Then F fixes them, H makes a handle, R a rigid feature");
 }
 

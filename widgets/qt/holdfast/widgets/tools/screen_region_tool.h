@@ -2,9 +2,8 @@
 /// \file
 /// Selects vertices by a rectangle or a free line around them on the screen.
 
-#include <vector>
-
 #include <QPointF>
+#include <vector>
 
 #include <holdfast/widgets/editor.h>
 #include <holdfast/widgets/tool.h>
