@@ -1,0 +1,206 @@
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+#include <optional>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+#include <vtkCamera.h>
+#include <vtkNew.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+
+#include <holdfast/view/gizmo.h>
+#include <holdfast/view/gizmo_drag.h>
+#include <holdfast/view/snapshot.h>
+
+#include "render/compare_pictures.h"
+#include "support/meshes.h"
+#include "support/point_constraints.h"
+
+namespace holdfast {
+namespace {
+
+constexpr PictureSize kSize{360, 300};
+constexpr double kPixels = 100;  // of the picture
+
+/// A slab at rest with a gizmo at one of its ends.
+struct Stage {
+  Model model = makeModel(test::box({6, 2, 1}, 8), "slab");
+  Scene scene{model, atRest(model), {kSize, ColorBy::None, Legend::Hidden, ""}};
+  Gizmo gizmo;
+  vtkNew<vtkRenderer> layer;
+
+  Stage()
+  {
+    scene.window().SetNumberOfLayers(3);
+    layer->SetLayer(2);
+    scene.window().AddRenderer(layer);
+    gizmo.addTo(*layer);
+    gizmo.setPixelSize(kPixels * scene.pixelRatio());
+    gizmo.setFrame({4, 1, 0.5}, Eigen::Matrix3d::Identity());
+    look(-35, 25);
+  }
+
+  static Deformation atRest(const Model& model)
+  {
+    NoProgress progress;
+    return deform(model, test::listOf({test::hold({0})}), "constraints", {}, progress);
+  }
+
+  [[nodiscard]] vtkRenderer& renderer() const { return scene.meshRenderer(); }
+
+  /// From `azimuth` degrees about z and `elevation` degrees above, at the gizmo.
+  void look(double azimuth, double elevation) const
+  {
+    constexpr double degree = std::numbers::pi / 180;
+    const Vector3 back(std::cos(elevation * degree) * std::cos(azimuth * degree),
+                       std::cos(elevation * degree) * std::sin(azimuth * degree), std::sin(elevation * degree));
+    const Vector3 focus(3.6, 1, 0.5);
+    const Vector3 eye = focus + 14 * back;
+    vtkCamera& camera = *renderer().GetActiveCamera();
+    camera.SetViewAngle(24);
+    camera.SetFocalPoint(focus.data());
+    camera.SetPosition(eye.data());
+    camera.SetViewUp(0, 0, 1);
+    camera.SetParallelScale(3);
+    renderer().ResetCameraClippingRange();
+  }
+
+  Picture drawn()
+  {
+    gizmo.update(renderer());
+    return draw(scene, "picture");
+  }
+
+  /// Drags a part from a place of the world to where it appears `moved` pixels further.
+  void drag(GizmoPart part, const Vector3& from, const DisplayPoint& moved, Snap snap)
+  {
+    const ViewGeometry view = viewGeometryOf(renderer());
+    const DisplayPoint start = *toDisplay(view, from);
+    GizmoDrag drag(part, gizmo.frame(), view, start, gizmo.ringPixels());
+    const DisplayPoint cursor = start + moved;
+    const GizmoMotion motion = drag.to(cursor, snap);
+    gizmo.showDrag({part, gizmo.frame(), drag.grabbed(), motion, motionText(part, motion, drag.step(), "mm"), cursor});
+    gizmo.setFrame(gizmo.frame().center + motion.translation, gizmo.frame().axes);
+  }
+};
+
+TEST(GizmoPicture, InPerspective)
+{
+  Stage stage;
+  EXPECT_EQ(test::differenceFromBaseline(stage.drawn()), "");
+}
+
+TEST(GizmoPicture, InParallelFromAbove)
+{
+  Stage stage;
+  stage.renderer().GetActiveCamera()->ParallelProjectionOn();
+  stage.look(-60, 62);
+  stage.gizmo.highlight(GizmoPart::RingZ);
+  EXPECT_EQ(test::differenceFromBaseline(stage.drawn()), "");
+}
+
+TEST(GizmoPicture, AlongAnAxis)
+{
+  Stage stage;
+  stage.look(-90, 2);
+  EXPECT_EQ(test::differenceFromBaseline(stage.drawn()), "");
+}
+
+TEST(GizmoPicture, OfAnArrowThatIsDragged)
+{
+  Stage stage;
+  stage.drag(GizmoPart::ArrowZ, {4, 1, 1.5}, {0, 120}, Snap::On);
+  EXPECT_EQ(test::differenceFromBaseline(stage.drawn()), "");
+}
+
+TEST(GizmoPicture, OfARingThatIsDragged)
+{
+  Stage stage;
+  stage.drag(GizmoPart::RingZ, {4.7, 0.4, 0.5}, {70, 30}, Snap::On);
+  EXPECT_EQ(test::differenceFromBaseline(stage.drawn()), "");
+}
+
+TEST(GizmoPicture, OfTheOuterRingThatIsDragged)
+{
+  Stage stage;
+  stage.renderer().GetActiveCamera()->ParallelProjectionOn();
+  stage.drag(GizmoPart::ViewRing, {4, 1, 1.5}, {150, -90}, Snap::None);
+  EXPECT_EQ(test::differenceFromBaseline(stage.drawn()), "");
+}
+
+/// The mean place of the pixels that differ, in pixels of the window.
+std::optional<DisplayPoint> middleOfDifference(const Picture& a, const Picture& b, int pixelRatio)
+{
+  DisplayPoint sum = DisplayPoint::Zero();
+  int count = 0;
+  for (std::size_t k = 0; k < a.pixels.size(); k += 3) {
+    const bool isOther = std::abs(a.pixels[k + 2] - b.pixels[k + 2]) > 10;
+    if (!isOther) continue;
+    const auto pixel = static_cast<int>(k / 3);
+    sum += DisplayPoint(pixel % a.size.width + 0.5, pixel / a.size.width + 0.5);
+    ++count;
+  }
+  return count == 0 ? std::nullopt : std::optional<DisplayPoint>(sum / count * pixelRatio);
+}
+
+TEST(GizmoPicture, ShowsTheCenterWhereItIsAndOverTheSurface)
+{
+  Stage stage;
+  for (const bool isParallel : {false, true})
+    for (const Vector3& center : {Vector3(4, 1, 0.5), Vector3(3, 0.2, 0.3), Vector3(4.5, 2.5, -0.4)}) {
+      SCOPED_TRACE(center.transpose());
+      stage.renderer().GetActiveCamera()->SetParallelProjection(isParallel);
+      stage.gizmo.setFrame(center, Eigen::Matrix3d::Identity());
+      stage.gizmo.showDrag({GizmoPart::Center, stage.gizmo.frame(), {0, 0, 0}, {}, "", {0, 0}});
+      stage.gizmo.hide();
+      const Picture without = stage.drawn();
+      stage.gizmo.show();
+      const auto middle = middleOfDifference(stage.drawn(), without, stage.scene.pixelRatio());
+      ASSERT_TRUE(middle) << "the slab hides it";
+      const DisplayPoint expected = *toDisplay(viewGeometryOf(stage.renderer()), center);
+      EXPECT_LT((*middle - expected).norm(), 0.4) << (*middle - expected).transpose();
+    }
+}
+
+TEST(GizmoPicture, IsTheSceneAloneWhileHidden)
+{
+  Stage stage;
+  stage.gizmo.hide();
+  const Picture hidden = stage.drawn();
+  stage.scene.window().RemoveRenderer(stage.layer);
+  EXPECT_EQ(test::shareOfOtherPixels(hidden, draw(stage.scene, "picture")), 0);
+}
+
+// What the comparison must not let pass.
+
+/// How much more of the picture is different than a comparison lets pass, after `change`.
+template <class Change>
+double excessAfter(Change change)
+{
+  Stage stage;
+  const Picture right = stage.drawn();
+  change(stage);
+  return test::shareOfOtherPixels(right, stage.drawn()) / test::kLargestShareOfOtherPixels;
+}
+
+TEST(GizmoComparisonMustFail, ForAnotherPartThatIsHighlighted)
+{
+  EXPECT_GT(excessAfter([](Stage& stage) { stage.gizmo.highlight(GizmoPart::SquareX); }), 5);
+  EXPECT_GT(excessAfter([](Stage& stage) { stage.gizmo.highlight(GizmoPart::Center); }), 5);
+}
+
+TEST(GizmoComparisonMustFail, ForAxesThatAreTurnedByTwoDegrees)
+{
+  const Eigen::Matrix3d turned = Eigen::AngleAxisd(std::numbers::pi / 90, Vector3::UnitZ()).matrix();
+  EXPECT_GT(excessAfter([&](Stage& stage) { stage.gizmo.setFrame({4, 1, 0.5}, turned); }), 5);
+}
+
+TEST(GizmoComparisonMustFail, ForTwoPercentOfSize)
+{
+  EXPECT_GT(excessAfter([](Stage& stage) { stage.gizmo.setPixelSize(1.02 * stage.gizmo.pixelSize()); }), 5);
+}
+
+}  // namespace
+}  // namespace holdfast
