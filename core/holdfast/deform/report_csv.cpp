@@ -1,0 +1,36 @@
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <holdfast/deform/report_csv.h>
+#include <holdfast/io/csv_text.h>
+#include <holdfast/io/number_text.h>
+
+namespace holdfast {
+namespace {
+
+constexpr const char* kHeader = "name,type,rows,status,residual,gap,depends_on,clash_count,amplification,force\n";
+
+std::string orEmpty(const std::optional<double>& value)
+{
+  return value && std::isfinite(*value) ? std::string(NumberText(*value).view()) : std::string();
+}
+
+std::string row(const ConstraintOutcome& outcome)
+{
+  return fmt::format("{},{},{},{},{},{},{},{},{},{}\n", csvField(outcome.name), csvField(outcome.type), outcome.rows,
+                     name(outcome.status), orEmpty(outcome.residual), orEmpty(outcome.gap),
+                     csvField(fmt::format("{}", fmt::join(outcome.dependsOn, "; "))), outcome.clashes.size(),
+                     orEmpty(outcome.amplification), orEmpty(outcome.force));
+}
+
+}  // namespace
+
+std::string reportToCsv(const Report& report)
+{
+  std::string csv = kHeader;
+  for (const ConstraintOutcome& outcome : report.constraints) csv += row(outcome);
+  return csv;
+}
+
+}  // namespace holdfast
