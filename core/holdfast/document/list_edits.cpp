@@ -156,7 +156,7 @@ ConstraintList pasted(ConstraintList list, ConstraintList other)
 {
   NameMaker names(namesOf(list));
   for (Constraint& constraint : other.constraints) {
-    constraint.name = names.unique(std::move(constraint.name));
+    constraint.name = names.unique(constraint.name);
     list.constraints.push_back(std::move(constraint));
   }
   if (list.units.empty()) list.units = std::move(other.units);

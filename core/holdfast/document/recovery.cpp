@@ -45,7 +45,7 @@ fs::path newPlace(const fs::path& folder)
 {
   makeFolder(folder);
   std::random_device random;
-  const fs::path place = folder / fmt::format("{:08x}{:08x}", random(), random());
+  fs::path place = folder / fmt::format("{:08x}{:08x}", random(), random());
   std::error_code error;
   if (!fs::create_directory(place, error)) fail(place, error ? error.value() : EEXIST);
   fs::permissions(place, fs::perms::owner_all, error);

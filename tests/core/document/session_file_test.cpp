@@ -89,7 +89,9 @@ TEST(SessionFile, WhatIsAbsentStaysAbsent)
 TEST(SessionFile, IsAConstraintFileAsWell)
 {
   const SessionFile session = fullSession();
-  EXPECT_TRUE(test::areSame(parseConstraintsJson(sessionToJson(session), "s"), session.document.list));
+  const test::TemporaryFolder folder;
+  writeSession(folder.path() / "part.holdfast", session);
+  EXPECT_TRUE(test::areSame(readConstraints(folder.path() / "part.holdfast"), session.document.list));
 }
 
 TEST(SessionFile, LeavesTheDefaultBackendToTheBuild)

@@ -1,0 +1,143 @@
+#pragma once
+/// \file
+/// What a worker tells, and ways to hold it back where a test wants it, so that no test depends on timing.
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <holdfast/document/live_deformer.h>
+
+namespace holdfast::test {
+
+/// A revision and how the work on it ended.
+using End = std::pair<std::uint64_t, LiveEvent::Kind>;
+
+/// After this long a test gives up waiting.
+inline constexpr std::chrono::seconds kPatience{120};
+
+/// Holds threads back until it is opened.
+class Latch {
+ public:
+  /// Tells under the lock: who is told may take the latch down at once.
+  void open()
+  {
+    const std::scoped_lock lock(mutex_);
+    isOpen_ = true;
+    changed_.notify_all();
+  }
+
+  /// Whether it was opened in time.
+  [[nodiscard]] bool wait()
+  {
+    std::unique_lock lock(mutex_);
+    return changed_.wait_for(lock, kPatience, [this] { return isOpen_; });
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  bool isOpen_ = false;
+};
+
+/// Where a test holds the worker back: at the first event of this revision and kind, and with this message if it says
+/// one.
+struct Gate {
+  std::uint64_t revision = 0;
+  LiveEvent::Kind kind = LiveEvent::Kind::Started;
+  std::string message;
+
+  [[nodiscard]] bool isMetBy(const LiveEvent& event) const
+  {
+    return event.revision == revision && event.kind == kind && (message.empty() || event.message == message);
+  }
+};
+
+/// What the worker says last before it solves.
+inline const std::string kLastStage = "solving";
+
+/// Takes down what the worker tells; stops it at a gate until it is opened.
+class Witness {
+ public:
+  explicit Witness(std::optional<Gate> gate = std::nullopt) : gate_(gate) {}
+
+  [[nodiscard]] LiveDeformer::Listener listener()
+  {
+    return [this](const LiveEvent& event) { take(event); };
+  }
+
+  /// Whether the worker has come to the gate in time.
+  [[nodiscard]] bool isAtGate() { return reached_.wait(); }
+  void openGate() { gateway_.open(); }
+
+  /// The events so far once the end of `revision` is among them; fails where it does not come in time.
+  [[nodiscard]] std::vector<LiveEvent> eventsTo(std::uint64_t revision)
+  {
+    const bool hasCome = waitUntil([&] {
+      return std::any_of(events_.begin(), events_.end(),
+                         [&](const LiveEvent& event) { return event.revision == revision && isEnd(event); });
+    });
+    EXPECT_TRUE(hasCome) << "the end of revision " << revision;
+    const std::scoped_lock lock(mutex_);
+    return events_;
+  }
+
+  [[nodiscard]] std::vector<End> endsTo(std::uint64_t revision)
+  {
+    std::vector<End> ends;
+    for (const LiveEvent& event : eventsTo(revision))
+      if (isEnd(event)) ends.emplace_back(event.revision, event.kind);
+    return ends;
+  }
+
+  [[nodiscard]] std::size_t count()
+  {
+    const std::scoped_lock lock(mutex_);
+    return events_.size();
+  }
+
+  static bool isEnd(const LiveEvent& event)
+  {
+    return event.kind != LiveEvent::Kind::Started && event.kind != LiveEvent::Kind::Stage;
+  }
+
+ private:
+  void take(const LiveEvent& event)
+  {
+    bool isAtGate = false;
+    {
+      const std::scoped_lock lock(mutex_);
+      events_.push_back(event);
+      isAtGate = gate_ && gate_->isMetBy(event);
+      if (isAtGate) gate_.reset();
+      changed_.notify_all();
+    }
+    if (!isAtGate) return;
+    reached_.open();
+    EXPECT_TRUE(gateway_.wait());
+  }
+
+  template <class Condition>
+  bool waitUntil(Condition condition)
+  {
+    std::unique_lock lock(mutex_);
+    return changed_.wait_for(lock, kPatience, condition);
+  }
+
+  std::mutex mutex_;  // guards what follows
+  std::condition_variable changed_;
+  std::optional<Gate> gate_;
+  std::vector<LiveEvent> events_;
+
+  Latch reached_;
+  Latch gateway_;
+};
+
+}  // namespace holdfast::test
