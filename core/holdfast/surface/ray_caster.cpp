@@ -52,6 +52,24 @@ class RayCaster::Caster {
     return enter <= leave ? enter : kNever;
   }
 
+  [[nodiscard]] auto entries() const
+  {
+    return [this](const Eigen::AlignedBox3d& box, double limit) { return entry(box, limit); };
+  }
+
+  /// The box with all around it that the reach could span where the box is.
+  [[nodiscard]] Eigen::AlignedBox3d widened(const Eigen::AlignedBox3d& box, const RayReach& reach) const
+  {
+    // A place p within reach of that at t has t |d| <= (p - origin) . d / |d| + radius + slope t.
+    const double length = ray_.direction.norm();
+    const Vector3 center = box.center() - ray_.origin;
+    const double farthest =
+        (center.dot(ray_.direction) + 0.5 * box.sizes().dot(ray_.direction.cwiseAbs())) / length + reach.radius;
+    const double t = reach.slope < length ? farthest / (length - reach.slope) : kNever;
+    const Vector3 margin = Vector3::Constant(reach.radius + reach.slope * std::max(t, 0.0));
+    return {box.min() - margin, box.max() + margin};
+  }
+
   [[nodiscard]] std::optional<RayHit> meet(Index triangle, const Triangle& corners, const Positions& positions) const
   {
     const Vector3 a = sheared(positions, corners[0]);
@@ -129,8 +147,14 @@ Index RayCaster::addNode(Index first, Index last, const Positions& centers)
 Eigen::AlignedBox3d RayCaster::boxOf(const Node& leaf) const
 {
   Eigen::AlignedBox3d box;
-  for (Index k = leaf.first; k < leaf.last; ++k)
-    for (const Index vertex : triangles_[order_[k]]) box.extend(positions_.row(vertex).transpose());
+  for (Index k = leaf.first; k < leaf.last; ++k) box.extend(boxOf(order_[k]));
+  return box;
+}
+
+Eigen::AlignedBox3d RayCaster::boxOf(Index triangle) const
+{
+  Eigen::AlignedBox3d box;
+  for (const Index vertex : triangles_[triangle]) box.extend(positions_.row(vertex).transpose());
   return box;
 }
 
@@ -142,10 +166,10 @@ void RayCaster::fitBoxes()
   }
 }
 
-/// Calls `visit(leaf)` for the leaves whose boxes the ray enters up to `limit`, about from near to far, until it
-/// returns true. The limit may shrink on the way.
-template <class Visitor>
-void RayCaster::visitLeaves(const Caster& caster, const double& limit, Visitor&& visit) const
+/// Calls `visit(leaf)` for the leaves whose boxes the ray enters up to `limit`, at `entryOf(box, limit)`, about from
+/// near to far, until it returns true. The limit may shrink on the way.
+template <class Entry, class Visitor>
+void RayCaster::visitLeaves(const Entry& entryOf, const double& limit, Visitor&& visit) const
 {
   if (nodes_.empty()) return;
   std::array<std::pair<double, Index>, kDeepest> waiting;
@@ -153,7 +177,7 @@ void RayCaster::visitLeaves(const Caster& caster, const double& limit, Visitor&&
   const auto push = [&](double entry, Index node) {
     if (entry < kNever) waiting[count++] = {entry, node};
   };
-  push(caster.entry(nodes_[0].box, limit), 0);
+  push(entryOf(nodes_[0].box, limit), 0);
   while (count > 0) {
     const auto [entry, n] = waiting[--count];
     if (entry > limit) continue;
@@ -162,8 +186,8 @@ void RayCaster::visitLeaves(const Caster& caster, const double& limit, Visitor&&
       if (visit(node)) return;
       continue;
     }
-    const double first = caster.entry(nodes_[n + 1].box, limit);
-    const double second = caster.entry(nodes_[node.second].box, limit);
+    const double first = entryOf(nodes_[n + 1].box, limit);
+    const double second = entryOf(nodes_[node.second].box, limit);
     // What lies nearer is looked at first: it may spare the other.
     if (first <= second) {
       push(second, node.second);
@@ -181,7 +205,7 @@ std::optional<RayHit> RayCaster::firstHit(const Ray& ray) const
   RayHit best{-1, std::numeric_limits<double>::max(), {}};
   // Boxes hold what is hit only to rounding: an equally near triangle of smaller id must not be passed over.
   double limit = best.t;
-  visitLeaves(caster, limit, [&](const Node& leaf) {
+  visitLeaves(caster.entries(), limit, [&](const Node& leaf) {
     for (Index k = leaf.first; k < leaf.last; ++k) {
       const std::optional<RayHit> hit = caster.meet(order_[k], triangles_[order_[k]], positions_);
       if (!hit || std::pair(hit->t, hit->triangle) >= std::pair(best.t, best.triangle)) continue;
@@ -197,7 +221,7 @@ bool RayCaster::isBlocked(const Ray& ray, double before, std::span<const Index> 
 {
   const Caster caster(ray);
   bool isBlocked = false;
-  visitLeaves(caster, before, [&](const Node& leaf) {
+  visitLeaves(caster.entries(), before, [&](const Node& leaf) {
     for (Index k = leaf.first; k < leaf.last && !isBlocked; ++k) {
       const std::optional<RayHit> hit = caster.meet(order_[k], triangles_[order_[k]], positions_);
       isBlocked = hit && hit->t < before && !std::binary_search(ignored.begin(), ignored.end(), order_[k]);
@@ -205,6 +229,23 @@ bool RayCaster::isBlocked(const Ray& ray, double before, std::span<const Index> 
     return isBlocked;
   });
   return isBlocked;
+}
+
+std::vector<Index> RayCaster::near(const Ray& ray, const RayReach& reach) const
+{
+  const Caster caster(ray);
+  const double limit = std::numeric_limits<double>::max();
+  const auto entryOf = [&](const Eigen::AlignedBox3d& box, double before) {
+    return caster.entry(caster.widened(box, reach), before);
+  };
+  std::vector<Index> found;
+  visitLeaves(entryOf, limit, [&](const Node& leaf) {
+    for (Index k = leaf.first; k < leaf.last; ++k)
+      if (entryOf(boxOf(order_[k]), limit) < kNever) found.push_back(order_[k]);
+    return false;
+  });
+  std::sort(found.begin(), found.end());
+  return found;
 }
 
 }  // namespace holdfast

@@ -19,6 +19,12 @@ struct Ray {
   Vector3 direction = Vector3::UnitZ();
 };
 
+/// The places that are no farther than `radius` + `slope` t from the place at t of a ray: a cylinder or a cone.
+struct RayReach {
+  double radius = 0;  ///< model units
+  double slope = 0;   ///< model units for each length of the ray's direction
+};
+
 /// A point where a ray meets a triangle.
 struct RayHit {
   Index triangle = 0;
@@ -45,6 +51,10 @@ class RayCaster {
   /// Whether the ray meets a triangle at t < `before` other than those `ignored`, whose ids ascend. About O(log T).
   [[nodiscard]] bool isBlocked(const Ray& ray, double before, std::span<const Index> ignored) const;
 
+  /// All triangles that have a point within reach of the ray, and some that almost have; ascending. About O(log T) and
+  /// what it finds.
+  [[nodiscard]] std::vector<Index> near(const Ray& ray, const RayReach& reach) const;
+
  private:
   struct Node {
     Eigen::AlignedBox3d box;
@@ -55,10 +65,11 @@ class RayCaster {
   class Caster;
 
   Index addNode(Index first, Index last, const Positions& centers);
+  [[nodiscard]] Eigen::AlignedBox3d boxOf(Index triangle) const;
   [[nodiscard]] Eigen::AlignedBox3d boxOf(const Node& leaf) const;
   void fitBoxes();
-  template <class Visitor>
-  void visitLeaves(const Caster& caster, const double& limit, Visitor&& visit) const;
+  template <class Entry, class Visitor>
+  void visitLeaves(const Entry& entryOf, const double& limit, Visitor&& visit) const;
 
   std::vector<Triangle> triangles_;
   std::vector<Index> order_;  // triangles as the leaves hold them

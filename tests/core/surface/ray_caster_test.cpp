@@ -156,6 +156,49 @@ TEST(RayCaster, IgnoredTrianglesDoNotBlock)
   EXPECT_FALSE(caster.isBlocked(down, 3, all));
 }
 
+TEST(RayCaster, NothingWithinReachIsLeftOut)
+{
+  test::Random random(15);
+  std::size_t inReach = 0;
+  std::size_t found = 0;
+  for (const test::NamedMesh& named : test::lawMeshes()) {
+    SCOPED_TRACE(named.name);
+    const std::vector<Triangle> triangles = triangulate(named.mesh).triangles;
+    const RayCaster caster(named.mesh.positions, triangles);
+    for (int k = 0; k < 100; ++k) {
+      const Vector3 origin = randomPlace(random, 6);
+      const Vector3 vertex = named.mesh.positions.row(random.integer(0, named.mesh.vertexCount() - 1));
+      const Ray ray{origin, vertex + randomPlace(random, 0.3) - origin};
+      const RayReach reach{k % 2 == 0 ? 0.1 : 0.0, k % 3 == 0 ? 0.0 : 0.02};
+      const std::vector<Index> near = caster.near(ray, reach);
+      EXPECT_TRUE(std::is_sorted(near.begin(), near.end()));
+      found += near.size();
+      for (std::size_t t = 0; t < triangles.size(); ++t)
+        for (int sample = 0; sample < 5; ++sample) {
+          const double share = random.uniform(0, 1);
+          const Vector3 place = share * named.mesh.positions.row(triangles[t][0]) +
+                                (1 - share) * named.mesh.positions.row(triangles[t][1]);
+          const double at = (place - ray.origin).dot(ray.direction) / ray.direction.squaredNorm();
+          if (at < 0 || (place - ray.origin - at * ray.direction).norm() > reach.radius + reach.slope * at) continue;
+          ++inReach;
+          ASSERT_TRUE(std::binary_search(near.begin(), near.end(), static_cast<Index>(t)));
+        }
+    }
+  }
+  EXPECT_GT(inReach, 100U);
+  EXPECT_LT(found, 8000U) << "of 600 times some hundred triangles";
+}
+
+TEST(RayCaster, ReachesOfACylinderThroughAFlatGridAreTheSquaresAround)
+{
+  const Mesh mesh = test::grid(8, 8);
+  const RayCaster caster(mesh.positions, triangulate(mesh).triangles);
+  EXPECT_EQ(caster.near({{3.5, 3.5, 5}, {0, 0, -1}}, {0.2, 0}).size(), 2U);
+  EXPECT_EQ(caster.near({{3.5, 3.5, 5}, {0, 0, -1}}, {0.6, 0}).size(), 18U);
+  EXPECT_EQ(caster.near({{3.5, 3.5, 5}, {0, 0, -1}}, {0, 0.12}).size(), 18U) << "0.6 at the grid";
+  EXPECT_EQ(caster.near({{3.5, 3.5, 5}, {0, 0, -1}}, {0, 2}).size(), 128U) << "everything";
+}
+
 TEST(RayCaster, TrianglesWithoutAreaAreNotHit)
 {
   const Mesh needle = test::triangle({0, 0, 0}, {1, 0, 0}, {2, 0, 0});

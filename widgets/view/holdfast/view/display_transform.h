@@ -1,0 +1,61 @@
+#pragma once
+/// \file
+/// Between places of the model and places on the screen.
+
+#include <Eigen/Core>
+
+#include <holdfast/surface/ray_caster.h>
+
+class vtkRenderer;
+
+namespace holdfast {
+
+/// A place on the screen in pixels, from the lower left corner of the window. The pixel (x, y) covers the square from
+/// there to (x + 1, y + 1): its centre is (x + 0.5, y + 0.5).
+using DisplayPoint = Eigen::Vector2d;
+
+/// The centre of the pixel that a cursor's coordinates name.
+[[nodiscard]] inline DisplayPoint centerOfPixel(double x, double y)
+{
+  return {x + 0.5, y + 0.5};
+}
+
+/// How a renderer's camera shows places, perspective or parallel, at the time of construction. What the renderer would
+/// clip is shown too: clipping follows the model only when a picture is drawn.
+class DisplayTransform {
+ public:
+  /// The renderer belongs to a window of known size.
+  explicit DisplayTransform(vtkRenderer& renderer);
+
+  /// A place as it is shown.
+  struct Shown {
+    DisplayPoint point = DisplayPoint::Zero();  ///< only where `depth` > 0
+    double depth = 0;  ///< distance from the plane through the eye across the direction of view, model units
+    double size = 0;   ///< lengths near the place are shown in inverse proportion to this
+  };
+  [[nodiscard]] Shown show(const Vector3& place) const;
+
+  /// From the eye, or for parallel projection from the plane of the eye, through a point of the screen.
+  [[nodiscard]] Ray rayThrough(const DisplayPoint& point) const;
+
+  /// The ray to a place in front of the eye; it is there at t = 1, but for rounding.
+  [[nodiscard]] Ray rayTo(const Vector3& place) const;
+
+  /// What is shown no farther than `pixels` from a point of the screen is within this reach of the ray through it.
+  [[nodiscard]] RayReach reachOf(double pixels) const;
+
+  /// Whether the point lies in the part of the window that the renderer draws to.
+  [[nodiscard]] bool isInside(const DisplayPoint& point) const;
+
+ private:
+  [[nodiscard]] bool isParallel() const { return project_.row(3).head<3>().isZero(0); }
+
+  DisplayPoint origin_;  // lower left corner of the renderer's part of the window
+  DisplayPoint size_;    // of that part
+  Eigen::Matrix4d toView_;
+  Eigen::Matrix4d fromView_;
+  Eigen::Matrix4d project_;
+  Eigen::Matrix4d unproject_;
+};
+
+}  // namespace holdfast

@@ -1,0 +1,25 @@
+#pragma once
+/// \file
+/// The vertices inside a rectangle or a lasso drawn on the screen.
+
+#include <span>
+#include <vector>
+
+#include <holdfast/view/surface_picker.h>
+
+namespace holdfast {
+
+enum class ScreenReach {
+  VisibleOnly,  ///< what the user sees: nothing lies before the vertex
+  Through       ///< what is hidden as well
+};
+
+/// The vertices of the file that are shown inside `polygon` in the renderer's part of the window, with the surface at
+/// the picker's positions; ascending. The corners of the polygon are pixels as a cursor names them, each meaning its
+/// centre; it is closed from the last to the first, and what it encloses is as of `ScreenPolygon`. Vertices that no
+/// face uses and those behind the eye are left out. O(N) and, for `VisibleOnly`, about O(k log T) for k vertices
+/// inside.
+[[nodiscard]] std::vector<Index> verticesInScreenPolygon(vtkRenderer& renderer, SurfacePicker& picker,
+                                                         std::span<const DisplayPoint> polygon, ScreenReach reach);
+
+}  // namespace holdfast

@@ -1,0 +1,48 @@
+#include <algorithm>
+#include <iterator>
+
+#include <holdfast/view/visible_surface.h>
+
+namespace holdfast {
+namespace {
+
+// Parts of the surface that touch a place do not hide it, though rounding may put them this share of the way nearer.
+constexpr double kBeforePlace = 1 - 1e-9;
+
+std::vector<Triangle> overUnknowns(const Model& model)
+{
+  std::vector<Triangle> triangles = model.triangulation.triangles;
+  for (Triangle& triangle : triangles)
+    for (Index& vertex : triangle) vertex = model.solverMesh.weld.unknownOf[vertex];
+  return triangles;
+}
+
+}  // namespace
+
+VisibleSurface::VisibleSurface(const Model& model)
+    : model_(model),
+      rays_(model.mesh.positions, model.triangulation.triangles),
+      trianglesOf_(overUnknowns(model), model.solverMesh.unknownCount())
+{
+}
+
+std::span<const Index> VisibleSurface::trianglesAt(Index vertex) const
+{
+  return trianglesOf_.of(model_.solverMesh.weld.unknownOf[vertex]);
+}
+
+bool VisibleSurface::isVertexVisible(Index vertex, const DisplayTransform& display) const
+{
+  return !rays_.isBlocked(display.rayTo(positions().row(vertex)), kBeforePlace, trianglesAt(vertex));
+}
+
+bool VisibleSurface::isEdgeVisible(Index i, Index j, const Vector3& place, const DisplayTransform& display) const
+{
+  const std::span<const Index> atI = trianglesAt(i);
+  const std::span<const Index> atJ = trianglesAt(j);
+  std::vector<Index> both;
+  std::set_intersection(atI.begin(), atI.end(), atJ.begin(), atJ.end(), std::back_inserter(both));
+  return !rays_.isBlocked(display.rayTo(place), kBeforePlace, both);
+}
+
+}  // namespace holdfast
