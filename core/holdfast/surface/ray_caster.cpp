@@ -231,7 +231,7 @@ bool RayCaster::isBlocked(const Ray& ray, double before, std::span<const Index> 
   return isBlocked;
 }
 
-std::vector<Index> RayCaster::near(const Ray& ray, const RayReach& reach) const
+std::vector<Index> RayCaster::withinReach(const Ray& ray, const RayReach& reach) const
 {
   const Caster caster(ray);
   const double limit = std::numeric_limits<double>::max();

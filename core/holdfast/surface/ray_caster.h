@@ -53,7 +53,7 @@ class RayCaster {
 
   /// All triangles that have a point within reach of the ray, and some that almost have; ascending. About O(log T) and
   /// what it finds.
-  [[nodiscard]] std::vector<Index> near(const Ray& ray, const RayReach& reach) const;
+  [[nodiscard]] std::vector<Index> withinReach(const Ray& ray, const RayReach& reach) const;
 
  private:
   struct Node {

@@ -170,7 +170,7 @@ TEST(RayCaster, NothingWithinReachIsLeftOut)
       const Vector3 vertex = named.mesh.positions.row(random.integer(0, named.mesh.vertexCount() - 1));
       const Ray ray{origin, vertex + randomPlace(random, 0.3) - origin};
       const RayReach reach{k % 2 == 0 ? 0.1 : 0.0, k % 3 == 0 ? 0.0 : 0.02};
-      const std::vector<Index> near = caster.near(ray, reach);
+      const std::vector<Index> near = caster.withinReach(ray, reach);
       EXPECT_TRUE(std::is_sorted(near.begin(), near.end()));
       found += near.size();
       for (std::size_t t = 0; t < triangles.size(); ++t)
@@ -193,10 +193,10 @@ TEST(RayCaster, ReachesOfACylinderThroughAFlatGridAreTheSquaresAround)
 {
   const Mesh mesh = test::grid(8, 8);
   const RayCaster caster(mesh.positions, triangulate(mesh).triangles);
-  EXPECT_EQ(caster.near({{3.5, 3.5, 5}, {0, 0, -1}}, {0.2, 0}).size(), 2U);
-  EXPECT_EQ(caster.near({{3.5, 3.5, 5}, {0, 0, -1}}, {0.6, 0}).size(), 18U);
-  EXPECT_EQ(caster.near({{3.5, 3.5, 5}, {0, 0, -1}}, {0, 0.12}).size(), 18U) << "0.6 at the grid";
-  EXPECT_EQ(caster.near({{3.5, 3.5, 5}, {0, 0, -1}}, {0, 2}).size(), 128U) << "everything";
+  EXPECT_EQ(caster.withinReach({{3.5, 3.5, 5}, {0, 0, -1}}, {0.2, 0}).size(), 2U);
+  EXPECT_EQ(caster.withinReach({{3.5, 3.5, 5}, {0, 0, -1}}, {0.6, 0}).size(), 18U);
+  EXPECT_EQ(caster.withinReach({{3.5, 3.5, 5}, {0, 0, -1}}, {0, 0.12}).size(), 18U) << "0.6 at the grid";
+  EXPECT_EQ(caster.withinReach({{3.5, 3.5, 5}, {0, 0, -1}}, {0, 2}).size(), 128U) << "everything";
 }
 
 TEST(RayCaster, TrianglesWithoutAreaAreNotHit)

@@ -1,4 +1,3 @@
-#include <vtkRenderer.h>
 
 #include <holdfast/view/screen_polygon.h>
 #include <holdfast/view/screen_selection.h>

@@ -2,8 +2,6 @@
 #include <limits>
 #include <utility>
 
-#include <vtkRenderer.h>
-
 #include <holdfast/view/shown_edge.h>
 #include <holdfast/view/surface_picker.h>
 
@@ -29,7 +27,7 @@ class Search {
   /// The triangles that come within `pixels` of the cursor.
   [[nodiscard]] std::vector<Index> trianglesWithin(double pixels) const
   {
-    return surface_.near(display_.rayThrough(cursor_), display_.reachOf(pixels));
+    return surface_.withinReach(display_.rayThrough(cursor_), display_.reachOf(pixels));
   }
 
   /// Those of the face under the cursor and of all that share a vertex with it.

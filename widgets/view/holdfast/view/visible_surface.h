@@ -3,6 +3,7 @@
 /// What of a model's surface can be seen from where.
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <holdfast/deform/model.h>
@@ -29,7 +30,10 @@ class VisibleSurface {
 
   [[nodiscard]] std::optional<RayHit> firstHit(const Ray& ray) const { return rays_.firstHit(ray); }
 
-  [[nodiscard]] std::vector<Index> near(const Ray& ray, const RayReach& reach) const { return rays_.near(ray, reach); }
+  [[nodiscard]] std::vector<Index> withinReach(const Ray& ray, const RayReach& reach) const
+  {
+    return rays_.withinReach(ray, reach);
+  }
 
   /// Whether nothing but its own triangles lies before a vertex that is in front of the eye. Takes microseconds.
   [[nodiscard]] bool isVertexVisible(Index vertex, const DisplayTransform& display) const;
