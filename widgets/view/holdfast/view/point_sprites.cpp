@@ -66,7 +66,13 @@ std::string shapeCode(SpriteShape shape)
   return {};
 }
 
-/// Flat shapes float as far before their place as the balls of their size bulge: a tilted surface does not cut them.
+/// How far before their place flat shapes float, in radii: a tilted surface does not cut them. What marks something
+/// else is to be seen as a whole; what marks a place is not to be seen through a thin wall.
+const char* liftOf(SpriteShape shape)
+{
+  return shape == SpriteShape::Ring ? "3.0" : "1.6";
+}
+
 std::string fragmentCode(SpriteShape shape)
 {
   return "//VTK::Light::Impl\n"
@@ -74,8 +80,11 @@ std::string fragmentCode(SpriteShape shape)
          shapeCode(shape) +
          "\n  if (d > 0.0) discard;\n"
          "  if (isLight) fragOutput0.rgb = vec3(0.98);\n"
-         "  gl_FragDepth = cameraParallel == 0 ? (ZCalcS - gl_FragCoord.z) / (ZCalcR - 1.0) + ZCalcS\n"
-         "                                     : gl_FragCoord.z + ZCalcS * ZCalcR;\n";
+         "  float lift = ZCalcR * " +
+         liftOf(shape) +
+         ";\n"
+         "  gl_FragDepth = cameraParallel == 0 ? (ZCalcS - gl_FragCoord.z) / (lift - 1.0) + ZCalcS\n"
+         "                                     : gl_FragCoord.z + ZCalcS * lift;\n";
 }
 
 void setBallLook(vtkProperty& property)

@@ -14,7 +14,7 @@
 namespace holdfast {
 namespace {
 
-constexpr double kTintOpacity = 0.38;
+constexpr double kTintOpacity = 0.45;
 
 // The tint lies on the surface, below the lines of edges.
 constexpr double kTintFactor = -0.5;
