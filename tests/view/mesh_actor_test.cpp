@@ -8,6 +8,7 @@
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkScalarsToColors.h>
+#include <vtkSmartPointer.h>
 
 #include <holdfast/io/mesh_file.h>
 #include <holdfast/view/mesh_actor.h>
@@ -34,6 +35,31 @@ TEST(MeshActor, PointsHandedToTheMapperAreThoseOfTheCore)
   const Positions drawn = positionsOf(drawnBy(actor));
   ASSERT_EQ(drawn.rows(), static_cast<Index>(actor.vertexOf().size()));
   for (Index k = 0; k < drawn.rows(); ++k) EXPECT_EQ(drawn.row(k), moved.row(actor.vertexOf()[k])) << "point " << k;
+}
+
+TEST(MeshActor, MovesWithoutNewMemory)
+{
+  const Model model = makeModel(test::box({1, 2, 3}, 3), "box");
+  MeshActor actor(model);
+  vtkPolyData& surface = drawnBy(actor);
+  const void* const before = surface.GetPoints()->GetVoidPointer(0);
+  const auto drawnTime = surface.GetMTime();
+  actor.setPositions(2 * model.mesh.positions);
+  EXPECT_EQ(surface.GetPoints()->GetVoidPointer(0), before);
+  EXPECT_GT(surface.GetMTime(), drawnTime);
+  EXPECT_EQ(surface.GetBounds()[5], 6);
+}
+
+TEST(MeshActor, ActorsThatOutliveItKeepTheirPoints)
+{
+  const Model model = makeModel(test::box({1, 2, 3}, 3), "box");
+  vtkSmartPointer<vtkActor> surface;
+  {
+    const MeshActor actor(model);
+    surface = &actor.surface();
+  }
+  auto& drawn = *vtkPolyData::SafeDownCast(surface->GetMapper()->GetInputAsDataSet());
+  EXPECT_EQ(positionsOf(drawn).colwise().maxCoeff(), Eigen::RowVector3d(1, 2, 3));
 }
 
 TEST(MeshActor, SmoothSurfacesHaveOnePointAVertex)

@@ -88,6 +88,28 @@ TEST(SceneContents, AddAllTheirActorsOnce)
   EXPECT_EQ(renderer->GetActors()->GetNumberOfItems(), count);
 }
 
+TEST(SceneContents, LeaveTheRendererWhenTheyEnd)
+{
+  const Model model = makeModel(test::grid(4, 4), "grid");
+  vtkNew<vtkRenderer> renderer;
+  {
+    SceneContents contents(model);
+    contents.addTo(*renderer);
+    EXPECT_GT(renderer->GetActors()->GetNumberOfItems(), 0);
+  }
+  EXPECT_EQ(renderer->GetActors()->GetNumberOfItems(), 0);
+}
+
+TEST(SceneContents, OutliveTheirRenderer)
+{
+  const Model model = makeModel(test::grid(4, 4), "grid");
+  SceneContents contents(model);
+  contents.addTo(*vtkNew<vtkRenderer>());
+  vtkNew<vtkRenderer> next;
+  contents.addTo(*next);
+  EXPECT_GT(next->GetActors()->GetNumberOfItems(), 0);
+}
+
 TEST(MeshEdges, AreThoseOfThePolygonsOfTheFile)
 {
   const Model model = makeModel(test::quadBox({1, 1, 1}, 3), "box");

@@ -138,7 +138,13 @@ MeshActor::MeshActor(const Model& model, std::shared_ptr<const ShadedSurface> sh
   setPositions(model.mesh.positions);
 }
 
-MeshActor::~MeshActor() = default;
+MeshActor::~MeshActor()
+{
+  // Whoever still holds an actor draws a copy.
+  vtkNew<vtkDoubleArray> copy;
+  copy->DeepCopy(coordinates_);
+  points_->SetData(copy);
+}
 
 void MeshActor::setPositions(const Positions& positions)
 {

@@ -36,17 +36,35 @@ SceneContents::SceneContents(const Model& model, std::shared_ptr<const ShadedSur
   resize();
 }
 
-SceneContents::~SceneContents() = default;
+SceneContents::~SceneContents()
+{
+  leave();
+}
 
 void SceneContents::addTo(vtkRenderer& renderer)
 {
-  for (vtkActor* const actor :
-       {&mesh_.surface(), &mesh_.meshEdges(), &mesh_.edges(), &rest_.edges(), &rest_.surface(), &selection_.tint()})
-    renderer.AddActor(actor);
-  for (vtkActor* const actor : arrows_.actors()) renderer.AddActor(actor);
-  renderer.AddActor(&selection_.dots());
-  for (vtkActor* const actor : glyphs_.actors()) renderer.AddActor(actor);
-  for (vtkActor* const actor : preview_.actors()) renderer.AddActor(actor);
+  leave();
+  for (vtkActor* const actor : actors()) renderer.AddActor(actor);
+  renderer_ = &renderer;
+}
+
+void SceneContents::leave()
+{
+  if (renderer_ == nullptr) return;
+  for (vtkActor* const actor : actors()) renderer_->RemoveActor(actor);
+}
+
+/// In the order in which they are drawn.
+std::vector<vtkActor*> SceneContents::actors() const
+{
+  std::vector<vtkActor*> all{&mesh_.surface(), &mesh_.meshEdges(), &mesh_.edges(),
+                             &rest_.edges(),   &rest_.surface(),   &selection_.tint()};
+  const auto add = [&](const std::vector<vtkActor*>& some) { all.insert(all.end(), some.begin(), some.end()); };
+  add(arrows_.actors());
+  add({&selection_.dots()});
+  add(glyphs_.actors());
+  add(preview_.actors());
+  return all;
 }
 
 void SceneContents::show(const Deformation& deformation, const std::vector<DisabledPlace>& disabled)

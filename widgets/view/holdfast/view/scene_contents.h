@@ -2,11 +2,10 @@
 /// \file
 /// Everything that shows a document in a renderer, and follows it from frame to frame.
 
-#include <memory>
 #include <optional>
 #include <vector>
 
-#include <vtkNew.h>
+#include <vtkWeakPointer.h>
 
 #include <holdfast/view/coloring.h>
 #include <holdfast/view/constraint_glyphs.h>
@@ -40,7 +39,8 @@ class SceneContents {
   SceneContents(const SceneContents&) = delete;
   SceneContents& operator=(const SceneContents&) = delete;
 
-  /// Adds all actors, those that are hidden as well. Once.
+  /// Adds all actors, those that are hidden as well, in the place of where they were. They leave `renderer` when this
+  /// ends.
   void addTo(vtkRenderer& renderer);
 
   /// A deformation: its positions, rotations and constraints; and those of its list that are disabled. Colours stay
@@ -74,10 +74,13 @@ class SceneContents {
   [[nodiscard]] MeshActor& mesh() { return mesh_; }
 
  private:
+  void leave();
+  [[nodiscard]] std::vector<vtkActor*> actors() const;
   void resize();
   void updateArrows();
   void updateDetail();
 
+  vtkWeakPointer<vtkRenderer> renderer_;
   double pixelRatio_ = 1;
   double ballSize_ = 10;
   RestGhost ghost_ = RestGhost::Edges;
