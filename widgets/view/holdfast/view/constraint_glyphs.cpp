@@ -11,7 +11,7 @@ namespace holdfast {
 namespace {
 
 /// Sprites of one shape and size, in the order in which they are drawn.
-enum Layer { kDots, kHollowDots, kBalls, kBeads, kTriangles, kHollow, kHighlightedDots, kRings, kHidden, kLayerCount };
+enum Layer { Dots, HollowDots, Balls, Beads, Wedges, HollowPoints, HighlightedDots, Rings, HiddenPoints, LayerCount };
 
 struct LayerLook {
   SpriteShape shape;
@@ -20,15 +20,15 @@ struct LayerLook {
 };
 
 // A triangle and a bead on its bar have about the area of a ball.
-constexpr std::array<LayerLook, kLayerCount> kLooks{{{SpriteShape::Ball, 0.45},
-                                                     {SpriteShape::Hollow, 0.65},
-                                                     {SpriteShape::Ball, 1},
-                                                     {SpriteShape::Bead, 1.75},
-                                                     {SpriteShape::Wedge, 1.75},
-                                                     {SpriteShape::Hollow, 1.15},
-                                                     {SpriteShape::Ball, 0.6},
-                                                     {SpriteShape::Ring, 2.5},
-                                                     {SpriteShape::Ball, 1, SpriteDepth::Behind}}};
+constexpr std::array<LayerLook, LayerCount> kLooks{{{SpriteShape::Ball, 0.45},
+                                                    {SpriteShape::Hollow, 0.65},
+                                                    {SpriteShape::Ball, 1},
+                                                    {SpriteShape::Bead, 1.75},
+                                                    {SpriteShape::Wedge, 1.75},
+                                                    {SpriteShape::Hollow, 1.15},
+                                                    {SpriteShape::Ball, 0.6},
+                                                    {SpriteShape::Ring, 2.5},
+                                                    {SpriteShape::Ball, 1, SpriteDepth::Behind}}};
 constexpr double kCrowdedDotSize = 0.34;
 constexpr double kLineSize = 0.22;
 
@@ -70,35 +70,35 @@ bool areDrawnAlike(const std::vector<ConstraintMark>& a, const std::vector<Const
 Layer layerOf(const ConstraintMark& mark)
 {
   const bool isPoint = isSinglePoint(mark.kind);
-  if (mark.status == ConstraintStatus::Disabled) return isPoint ? kHollow : kHollowDots;
-  if (!isPoint) return kDots;
-  if (mark.kind == MarkKind::Edge) return kBeads;
-  return mark.kind == MarkKind::Face ? kTriangles : kBalls;
+  if (mark.status == ConstraintStatus::Disabled) return isPoint ? HollowPoints : HollowDots;
+  if (!isPoint) return Dots;
+  if (mark.kind == MarkKind::Edge) return Beads;
+  return mark.kind == MarkKind::Face ? Wedges : Balls;
 }
 
 /// What is drawn of some marks.
 struct GlyphSet {
-  std::array<std::vector<Sprite>, kLayerCount> layers;
+  std::array<std::vector<Sprite>, LayerCount> layers;
   std::vector<GlyphLine> lines;
 
   void add(const ConstraintMark& mark)
   {
     const Color color = glyphColor(mark);
     layers[layerOf(mark)].push_back({mark.place, color});
-    if (isSinglePoint(mark.kind)) layers[kHidden].push_back({mark.place, color});
+    if (isSinglePoint(mark.kind)) layers[HiddenPoints].push_back({mark.place, color});
     if (mark.other) {
       lines.push_back({mark.place, *mark.other, color, LineStyle::Dashed});
       layers[layerOf(mark)].push_back({*mark.other, color});
     }
     if (hasPull(mark)) {
-      layers[kDots].push_back({mark.target, color});
+      layers[Dots].push_back({mark.target, color});
       lines.push_back({mark.place, mark.target, color});
     }
   }
 
   void highlight(const ConstraintMark& mark)
   {
-    layers[isSinglePoint(mark.kind) ? kRings : kHighlightedDots].push_back({mark.place, kAccentColor});
+    layers[isSinglePoint(mark.kind) ? Rings : HighlightedDots].push_back({mark.place, kAccentColor});
   }
 };
 
@@ -176,10 +176,10 @@ void ConstraintGlyphs::update()
     glyphs.add(marks_[k]);
     if (std::binary_search(highlighted_.begin(), highlighted_.end(), marks_[k].constraint)) glyphs.highlight(marks_[k]);
   }
-  if (hidden_ == HiddenMarks::Invisible) glyphs.layers[kHidden].clear();
-  for (std::size_t layer = 0; layer < kLayerCount; ++layer) layers_[layer]->set(glyphs.layers[layer]);
+  if (hidden_ == HiddenMarks::Invisible) glyphs.layers[HiddenPoints].clear();
+  for (std::size_t layer = 0; layer < LayerCount; ++layer) layers_[layer]->set(glyphs.layers[layer]);
   lines_.set(glyphs.lines);
-  isCrowded_ = glyphs.layers[kDots].size() > kCrowd;
+  isCrowded_ = glyphs.layers[Dots].size() > kCrowd;
   resize();
 }
 
@@ -191,8 +191,8 @@ void ConstraintGlyphs::setBallPixels(double pixels)
 
 void ConstraintGlyphs::resize()
 {
-  for (std::size_t layer = 0; layer < kLayerCount; ++layer) layers_[layer]->setPixels(kLooks[layer].size * ballPixels_);
-  if (isCrowded_) layers_[kDots]->setPixels(kCrowdedDotSize * ballPixels_);
+  for (std::size_t layer = 0; layer < LayerCount; ++layer) layers_[layer]->setPixels(kLooks[layer].size * ballPixels_);
+  if (isCrowded_) layers_[Dots]->setPixels(kCrowdedDotSize * ballPixels_);
   lines_.setWidth(kLineSize * ballPixels_);
 }
 
