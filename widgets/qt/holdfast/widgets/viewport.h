@@ -80,6 +80,8 @@ class Viewport : public QVTKOpenGLNativeWidget {
 
   /// Draws at the next turn of the event loop.
   void scheduleRender();
+  /// Whether a picture, or one of more detail, is still to come.
+  [[nodiscard]] bool isRenderPending() const { return renderTimer_.isActive() || detailTimer_.isActive(); }
   /// Milliseconds that the last picture took to draw.
   [[nodiscard]] double lastRenderMilliseconds() const noexcept { return renderMilliseconds_; }
 
