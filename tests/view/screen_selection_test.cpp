@@ -90,8 +90,7 @@ TEST(ScreenSelection, PlatesHideWhatLiesBehindThemFromBothSides)
   const Mesh front = test::moved(test::grid(2, 2), {-1, -1, 0});
   const Model model = makeModel(test::merged(front, test::moved(front, {0, 0, -3})), "plates");
   const std::vector<Index> nine{0, 1, 2, 3, 4, 5, 6, 7, 8};
-  std::vector<Index> others;
-  for (const Index v : nine) others.push_back(v + 9);
+  const std::vector<Index> others{9, 10, 11, 12, 13, 14, 15, 16, 17};
   const auto visibleFrom = [&](double z) {
     return select(model, {{0, 0, z}, {0, 0, 0}}, kEverything, ScreenReach::VisibleOnly);
   };

@@ -178,14 +178,14 @@ bool Search::isSideOfFace(Index triangle, int side) const
 /// A triangle with both vertices: that under the cursor, or else one of the same face, or else the first.
 Index Search::triangleWith(Index i, Index j) const
 {
-  const auto& [triangles, corners, faceOf] = model_.triangulation;
+  const std::vector<Index>& faceOf = model_.triangulation.faceOf;
   const auto rank = [&](Index t) {
     if (!hit_) return 2;
     return t == hit_->triangle ? 0 : faceOf[t] == faceOf[hit_->triangle] ? 1 : 2;
   };
   Index best = -1;
   for (const Index t : surface_.trianglesAt(i)) {
-    const Triangle& own = triangles[t];
+    const Triangle& own = model_.triangulation.triangles[t];
     if (std::count(own.begin(), own.end(), i) == 0 || std::count(own.begin(), own.end(), j) == 0) continue;
     if (best < 0 || rank(t) < rank(best)) best = t;
   }
