@@ -1,10 +1,8 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
-#include <set>
-#include <tuple>
+#include <span>
+#include <utility>
 
 #include <holdfast/mesh/vertex_normals.h>
 #include <holdfast/view/coarse_triangles.h>
