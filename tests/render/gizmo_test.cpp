@@ -139,7 +139,8 @@ std::optional<DisplayPoint> middleOfDifference(const Picture& a, const Picture& 
     const bool isOther = std::abs(a.pixels[k + 2] - b.pixels[k + 2]) > 10;
     if (!isOther) continue;
     const auto pixel = static_cast<int>(k / 3);
-    sum += DisplayPoint(pixel % a.size.width + 0.5, pixel / a.size.width + 0.5);
+    const int row = pixel / a.size.width;
+    sum += DisplayPoint(pixel % a.size.width + 0.5, row + 0.5);
     ++count;
   }
   return count == 0 ? std::nullopt : std::optional<DisplayPoint>(sum / count * pixelRatio);

@@ -179,9 +179,10 @@ GizmoPart Gizmo::hitTest(vtkRenderer& scene, double displayX, double displayY) c
 
 std::vector<vtkProp*> Gizmo::props() const
 {
-  std::vector<vtkProp*> result = trace_.props();
-  for (const auto& actors : parts_)
-    for (vtkProp* prop : actors->props()) result.push_back(prop);
+  std::vector<vtkProp*> result;
+  for (const auto& actors : parts_) result.push_back(&actors->solid());
+  for (vtkProp* prop : trace_.props()) result.push_back(prop);
+  for (const auto& actors : parts_) result.push_back(&actors->faded());
   for (const auto& letter : letters_) result.push_back(letter);
   return result;
 }

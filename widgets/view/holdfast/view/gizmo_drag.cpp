@@ -218,7 +218,7 @@ GizmoMotion GizmoDrag::typed(double amount) const
 std::string motionText(GizmoPart part, const GizmoMotion& motion, const RoundStep& step, const std::string& units)
 {
   const GizmoPartKind kind = kindOf(part);
-  const auto withoutSignOfNothing = [](std::string text) {
+  const auto withoutSignOfNothing = [](const std::string& text) {
     return text.find_first_of("123456789") == std::string::npos && text.starts_with('-') ? text.substr(1) : text;
   };
   if (kind == GizmoPartKind::Ring || kind == GizmoPartKind::ViewRing)

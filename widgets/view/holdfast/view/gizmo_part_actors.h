@@ -2,8 +2,6 @@
 /// \file
 /// One part of the gizmo as VTK draws it.
 
-#include <vector>
-
 #include <vtkNew.h>
 
 #include <holdfast/view/color_map.h>
@@ -18,7 +16,8 @@ class vtkUnsignedCharArray;
 
 namespace holdfast {
 
-/// What is drawn solid and what shines through are two actors: only the first fill the depth buffer.
+/// What is drawn solid and what shines through are two actors, because the second have to be drawn after the first ones
+/// of all parts.
 class GizmoPartActors {
  public:
   explicit GizmoPartActors(GizmoPart part);
@@ -31,7 +30,8 @@ class GizmoPartActors {
   void hide();
 
   [[nodiscard]] GizmoPart part() const noexcept { return part_; }
-  [[nodiscard]] std::vector<vtkProp*> props() const;
+  [[nodiscard]] vtkProp& solid() const;
+  [[nodiscard]] vtkProp& faded() const;
 
  private:
   GizmoPart part_;

@@ -113,6 +113,7 @@ GizmoTraceActors::GizmoTraceActors()
   setUp(*sector_, *sectorData_);
   setUp(*ends_, *endData_);
   sector_->GetProperty()->SetOpacity(kSectorOpacity);
+  sector_->ForceOpaqueOn();  // as with parts that are faded
   ends_->GetProperty()->RenderPointsAsSpheresOn();
   setUpLabel(*label_);
 }
@@ -155,7 +156,7 @@ void GizmoTraceActors::hide()
 
 std::vector<vtkProp*> GizmoTraceActors::props() const
 {
-  return {sector_, lines_, ends_, label_};
+  return {lines_, ends_, sector_, label_};
 }
 
 }  // namespace holdfast
