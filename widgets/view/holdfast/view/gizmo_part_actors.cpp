@@ -60,8 +60,8 @@ GizmoPartActors::GizmoPartActors(GizmoPart part) : part_(part), shape_(gizmoShap
   }
   setUp(*solid_, *solidData_, part);
   setUp(*faded_, *fadedData_, part);
-  // What is drawn last may be blended as it comes. VTK's own way with translucent surfaces takes four times as long as
-  // all the rest of the gizmo on a machine without a GPU.
+  // What is drawn last may be blended as it comes. VTK's own way with translucent surfaces takes three times as long
+  // as all the rest of the gizmo on a machine without a GPU.
   solid_->ForceOpaqueOn();
   faded_->ForceOpaqueOn();
 }
