@@ -48,13 +48,13 @@ class Tour {
   void selectPoint()
   {
     choose("toolSelect");
-    test::click(viewport(), placeOf(markOf("P3")));
+    test::click(viewport(), placeOf(markOf("flange east")));
     picture("selected_point");
   }
 
   void dragPoint()
   {
-    const QPointF tip = placeOf(markOf("P3"));
+    const QPointF tip = placeOf(markOf("flange east"));
     test::drag(viewport(), {tip, tip + QPointF(20, -30), tip + QPointF(30, -60)});
     settle();
     picture("dragged_point");

@@ -13,17 +13,20 @@
 #include <holdfast/widgets/main_window.h>
 #include <holdfast/widgets/status_line.h>
 #include <holdfast/widgets/tool_box.h>
+#include <holdfast/widgets/tools/gizmo_tool.h>
 #include <holdfast/widgets/viewport.h>
 
 namespace holdfast {
 
 MainWindow::MainWindow()
     : viewport_(new Viewport(editor_, this)),
+      gizmo_(new GizmoTool(editor_, *viewport_, this)),
       tools_(new ToolBox(editor_, *viewport_, this)),
       status_(new StatusLine(editor_, this))
 {
   setObjectName("mainWindow");
   setCentralWidget(viewport_);
+  viewport_->setFirstTool(gizmo_);
   setStatusBar(status_);
   makeEditMenu();
   makeSelectionMenu();
@@ -138,6 +141,19 @@ void MainWindow::makeViewMenu()
                                 tr("Without perspective"), [] {});
   parallel->setCheckable(true);
   connect(parallel, &QAction::toggled, viewport_, &Viewport::setParallelProjection);
+
+  QMenu& axes = *menu.addMenu(tr("A&xes of the arrows"));
+  auto* axesGroup = new QActionGroup(this);
+  const auto addAxes = [&](const char* objectName, const QString& text, const char* key, GizmoAxes value) {
+    QAction* action =
+        addAction(axes, objectName, text, QKeySequence(key), text, [this, value] { gizmo_->setAxes(value); });
+    action->setCheckable(true);
+    action->setChecked(value == gizmo_->axes());
+    axesGroup->addAction(action);
+  };
+  addAxes("axesWorld", tr("Of the &world"), "Shift+W", GizmoAxes::World);
+  addAxes("axesHandle", tr("Of the &handle"), "Shift+H", GizmoAxes::Handle);
+  addAxes("axesView", tr("Of the &view"), "Shift+V", GizmoAxes::View);
 
   QMenu& appearance = *menu.addMenu(tr("&Colours of the window"));
   auto* group = new QActionGroup(this);

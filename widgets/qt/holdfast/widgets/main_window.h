@@ -13,6 +13,7 @@ class QToolBar;
 
 namespace holdfast {
 
+class GizmoTool;
 class StatusLine;
 class ToolBox;
 class Viewport;
@@ -26,6 +27,7 @@ class MainWindow : public QMainWindow {
 
   [[nodiscard]] Editor& editor() { return editor_; }
   [[nodiscard]] Viewport& viewport() { return *viewport_; }
+  [[nodiscard]] GizmoTool& gizmo() { return *gizmo_; }
 
   void open(const QString& path);
   void setAppearance(Appearance appearance);
@@ -49,6 +51,7 @@ class MainWindow : public QMainWindow {
 
   Editor editor_;
   Viewport* viewport_;
+  GizmoTool* gizmo_;
   ToolBox* tools_;
   StatusLine* status_;
   QToolBar* toolBar_ = nullptr;

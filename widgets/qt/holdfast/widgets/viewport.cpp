@@ -62,15 +62,12 @@ Viewport::Viewport(Editor& editor, QWidget* parent) : QVTKOpenGLNativeWidget(par
   window_->AddRenderer(renderer_);
   window_->AddRenderer(front_);
   front_->SetLayer(1);
-  front_->SetActiveCamera(renderer_->GetActiveCamera());
   renderer_->GradientBackgroundOn();
   setDarkBackdrop(false);
   setRenderWindow(window_);
   // The camera is moved here, a picture at a time, and not by VTK at every event.
   window_->GetInteractor()->SetInteractorStyle(nullptr);
-  window_->GetInteractor()->EnableRenderOff();
   addLights(*renderer_);
-  addLights(*front_);
 
   overlay_ = new ViewportOverlay(editor_, *this);
   renderTimer_.setSingleShot(true);

@@ -65,7 +65,7 @@ class Viewport : public QVTKOpenGLNativeWidget {
   /// The constraints that are drawn; none without a document.
   [[nodiscard]] const std::vector<ConstraintMark>& marks() const noexcept;
   [[nodiscard]] vtkRenderer& renderer() { return *renderer_; }
-  /// Over the picture of the document, with the same camera.
+  /// Over the picture of the document: the gizmo's.
   [[nodiscard]] vtkRenderer& frontRenderer() { return *front_; }
 
   /// Pixels of the render window for each of the widget's.
