@@ -92,7 +92,11 @@ PlainScreen::~PlainScreen() = default;
 void PlainScreen::look(const PlainView& view)
 {
   window_->SetSize(view.width, view.height);
-  vtkCamera& camera = *renderer_->GetActiveCamera();
+  test::look(*renderer_->GetActiveCamera(), view);
+}
+
+void look(vtkCamera& camera, const PlainView& view)
+{
   camera.SetPosition(view.eye.data());
   camera.SetFocalPoint(view.target.data());
   camera.SetViewUp(0, 1, 0);

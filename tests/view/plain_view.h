@@ -11,6 +11,7 @@
 
 #include <holdfast/mesh/triangulation.h>
 
+class vtkCamera;
 class vtkRenderer;
 class vtkRenderWindow;
 
@@ -33,6 +34,9 @@ struct PlainView {
   /// Where the line of sight through a point of the screen is at `depth`.
   [[nodiscard]] Vector3 placeAt(const Eigen::Vector2d& point, double depth) const;
 };
+
+/// Moves a camera there.
+void look(vtkCamera& camera, const PlainView& view);
 
 /// A renderer in a window that is never shown, with that camera.
 class PlainScreen {

@@ -60,6 +60,13 @@ void click(QWidget& widget, const QPointF& place, Qt::MouseButton button, Qt::Ke
   releaseMouse(widget, place, button, modifiers);
 }
 
+void doubleClick(QWidget& widget, const QPointF& place, Qt::MouseButton button, Qt::KeyboardModifiers modifiers)
+{
+  click(widget, place, button, modifiers);
+  send(widget, QEvent::MouseButtonDblClick, place, button, button, modifiers);
+  releaseMouse(widget, place, button, modifiers);
+}
+
 void drag(QWidget& widget, const std::vector<QPointF>& way, Qt::MouseButton button, Qt::KeyboardModifiers modifiers)
 {
   moveMouse(widget, way.front(), Qt::NoButton, modifiers);

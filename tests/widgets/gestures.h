@@ -29,6 +29,9 @@ void releaseMouse(QWidget& widget, const QPointF& place, Qt::MouseButton button 
 /// Moves there, presses and releases.
 void click(QWidget& widget, const QPointF& place, Qt::MouseButton button = Qt::LeftButton,
            Qt::KeyboardModifiers modifiers = Qt::NoModifier);
+/// The second press of a double click comes as an event of its own.
+void doubleClick(QWidget& widget, const QPointF& place, Qt::MouseButton button = Qt::LeftButton,
+                 Qt::KeyboardModifiers modifiers = Qt::NoModifier);
 /// Presses at the first place, moves through the others, releases at the last.
 void drag(QWidget& widget, const std::vector<QPointF>& way, Qt::MouseButton button = Qt::LeftButton,
           Qt::KeyboardModifiers modifiers = Qt::NoModifier);

@@ -72,9 +72,9 @@ Viewport::Viewport(Editor& editor, QWidget* parent) : QVTKOpenGLNativeWidget(par
   overlay_ = new ViewportOverlay(editor_, *this);
   renderTimer_.setSingleShot(true);
   connect(&renderTimer_, &QTimer::timeout, this, &Viewport::render);
-  detailTimer_.setSingleShot(true);
-  detailTimer_.setInterval(kRestMilliseconds);
-  connect(&detailTimer_, &QTimer::timeout, this, &Viewport::scheduleRender);
+  restTimer_.setSingleShot(true);
+  restTimer_.setInterval(kRestMilliseconds);
+  connect(&restTimer_, &QTimer::timeout, this, &Viewport::scheduleRender);
 
   connect(&editor_, &Editor::opened, this, &Viewport::openDocument);
   connect(&editor_, &Editor::deformed, this, &Viewport::showDeformation);
@@ -281,7 +281,7 @@ void Viewport::scheduleRender()
 void Viewport::render()
 {
   if (!isVisible()) return;
-  const bool isMoving = hand_ != Hand::Empty || detailTimer_.isActive() || editor_.freshness() == Freshness::Solving;
+  const bool isMoving = hand_ != Hand::Empty || restTimer_.isActive();
   const bool isCoarse = contents_ && isMoving && fullMilliseconds_ > kFluentMilliseconds;
   if (contents_) contents_->setDetail(isCoarse ? Detail::Coarse : Detail::Full);
   fitClippingRange();
@@ -291,7 +291,6 @@ void Viewport::render()
   window_->Render();
   renderMilliseconds_ = static_cast<double>(timer.nsecsElapsed()) / 1e6;
   if (!isCoarse) fullMilliseconds_ = renderMilliseconds_;
-  if (isCoarse && !detailTimer_.isActive()) detailTimer_.start();
   overlay_->update();
   Q_EMIT rendered();
 }
@@ -465,7 +464,7 @@ void Viewport::release(const QMouseEvent& event)
   if (Tool* tool = std::exchange(pressed_, nullptr); tool && hand == Hand::Tool) tool->release(pointer);
   if (hand == Hand::Pressed && event.button() == Qt::LeftButton && tool_) tool_->click(pointer);
   if (hand == Hand::Pressed && event.button() == Qt::RightButton) Q_EMIT contextMenuWanted(event.pos());
-  if (hand == Hand::Orbit || hand == Hand::Pan) detailTimer_.start();
+  restTimer_.start();
 }
 
 void Viewport::wheel(const QWheelEvent& event)
@@ -473,7 +472,7 @@ void Viewport::wheel(const QWheelEvent& event)
   if (!contents_) return;
   const double factor = std::pow(kWheelZoom, event.angleDelta().y() / 120.0);
   zoom(*renderer_, placeUnder(toDisplayPoint(event.position())), factor);
-  detailTimer_.start();
+  restTimer_.start();
   cameraMoved();
 }
 

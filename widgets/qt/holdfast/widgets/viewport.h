@@ -81,7 +81,7 @@ class Viewport : public QVTKOpenGLNativeWidget {
   /// Draws at the next turn of the event loop.
   void scheduleRender();
   /// Whether a picture, or one of more detail, is still to come.
-  [[nodiscard]] bool isRenderPending() const { return renderTimer_.isActive() || detailTimer_.isActive(); }
+  [[nodiscard]] bool isRenderPending() const { return renderTimer_.isActive() || restTimer_.isActive(); }
   /// Milliseconds that the last picture took to draw.
   [[nodiscard]] double lastRenderMilliseconds() const noexcept { return renderMilliseconds_; }
 
@@ -143,7 +143,7 @@ class Viewport : public QVTKOpenGLNativeWidget {
   bool hasPreview_ = false;
 
   QTimer renderTimer_;  // draws once a turn of the event loop
-  QTimer detailTimer_;  // draws the full detail when the hand rests
+  QTimer restTimer_;  // draws the full detail when the hand rests
   double renderMilliseconds_ = 0;
   double fullMilliseconds_ = 0;  // of the last picture in full detail
 };

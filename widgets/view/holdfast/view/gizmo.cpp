@@ -91,9 +91,10 @@ void Gizmo::setPixelSize(double radius)
   pixels_ = radius;
 }
 
-void Gizmo::show()
+void Gizmo::show(GizmoMotions motions)
 {
   isShown_ = true;
+  motions_ = motions;
 }
 
 void Gizmo::hide()
@@ -116,9 +117,16 @@ void Gizmo::endDrag()
   drag_.reset();
 }
 
+bool Gizmo::isOffered(GizmoPart part) const
+{
+  const GizmoPartKind kind = kindOf(part);
+  const bool isTurn = kind == GizmoPartKind::Ring || kind == GizmoPartKind::ViewRing;
+  return isShown_ && (motions_ == GizmoMotions::MovesAndTurns || !isTurn);
+}
+
 bool Gizmo::isDrawn(GizmoPart part) const
 {
-  return isShown_ && (!drag_ || drag_->part == part);
+  return isOffered(part) && (!drag_ || drag_->part == part);
 }
 
 Color Gizmo::colorOf(GizmoPart part) const
@@ -174,7 +182,9 @@ GizmoPart Gizmo::hitTest(vtkRenderer& scene, double displayX, double displayY) c
 {
   if (!isShown_) return GizmoPart::None;
   const ViewGeometry view = viewGeometryOf(scene);
-  return hitGizmo(view, placementOf(view, frame_, pixels_), {displayX, displayY});
+  const GizmoPart part = hitGizmo(view, placementOf(view, frame_, pixels_), {displayX, displayY});
+  // What turns comes last of all that can be hit: nothing lies behind it.
+  return isOffered(part) ? part : GizmoPart::None;
 }
 
 std::vector<vtkProp*> Gizmo::props() const

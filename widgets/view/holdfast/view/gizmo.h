@@ -20,6 +20,9 @@ namespace holdfast {
 /// The radius of the outer ring unless something else is said, in pixels of the window.
 inline constexpr double kGizmoPixels = 115;
 
+/// What the gizmo offers: points move, and have nothing to turn.
+enum class GizmoMotions { Moves, MovesAndTurns };
+
 /// Arrows move along an axis, squares across one, the ball across the view; rings turn about an axis, the outer one
 /// about the view direction. Drawn over everything, in a layer of its own. It has the same size on the display at any
 /// distance. What is seen from the end or the edge fades out and cannot be grabbed.
@@ -45,7 +48,7 @@ class Gizmo {
   /// That of the other rings: what `GizmoDrag` wants to know.
   [[nodiscard]] double ringPixels() const noexcept { return gizmo_layout::kRingRadius * pixels_; }
 
-  void show();
+  void show(GizmoMotions motions = GizmoMotions::MovesAndTurns);
   void hide();
   [[nodiscard]] bool isShown() const noexcept { return isShown_; }
 
@@ -70,12 +73,14 @@ class Gizmo {
   void followCamera(vtkRenderer& scene);
   void updateLetters(const GizmoPlacement& placement, const ViewGeometry& view);
   void updateTrace(const GizmoPlacement& placement);
+  [[nodiscard]] bool isOffered(GizmoPart part) const;
   [[nodiscard]] bool isDrawn(GizmoPart part) const;
   [[nodiscard]] Color colorOf(GizmoPart part) const;
 
   GizmoFrame frame_;
   double pixels_ = kGizmoPixels;
   bool isShown_ = true;
+  GizmoMotions motions_ = GizmoMotions::MovesAndTurns;
   GizmoPart highlighted_ = GizmoPart::None;
   std::optional<GizmoTrace> drag_;
   std::vector<std::unique_ptr<GizmoPartActors>> parts_;  // one for each but `None`, in their order

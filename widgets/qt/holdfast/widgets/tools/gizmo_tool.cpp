@@ -46,7 +46,7 @@ void GizmoTool::stand()
   if (standing_ && standing_->isEmpty()) standing_.reset();
   if (standing_) {
     gizmo_.setFrame(standing_->center(), axesNow());
-    gizmo_.show();
+    gizmo_.show(standing_->hasHandles() ? GizmoMotions::MovesAndTurns : GizmoMotions::Moves);
   } else {
     gizmo_.hide();
   }

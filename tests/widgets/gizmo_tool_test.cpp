@@ -1,0 +1,168 @@
+#include <gmock/gmock.h>
+
+#include <holdfast/document/list_edits.h>
+#include <holdfast/view/camera_motion.h>
+#include <holdfast/widgets/tools/gizmo_tool.h>
+
+#include "gestures.h"
+#include "open_window.h"
+
+namespace holdfast {
+namespace {
+
+/// The bracket with its measured points, of which one is selected.
+class GizmoOnPoint : public test::OpenWindow {
+ protected:
+  void SetUp() override
+  {
+    OpenWindow::SetUp();
+    open("bracket.obj", "bracket.constraints.json");
+    point = *indexOf(list(), "flange east");
+    editor().selectConstraints({point});
+    ASSERT_TRUE(settle());
+  }
+
+  [[nodiscard]] QPointF shown(const Vector3& place)
+  {
+    return viewport().toPlace(toDisplay(viewport().renderer(), place).head<2>());
+  }
+
+  [[nodiscard]] Vector3 target() { return std::get<Target>(std::get<Point>(list().constraints[point].what).to).place; }
+
+  /// On the shaft of an arrow of the gizmo.
+  [[nodiscard]] QPointF onArrow(int axis)
+  {
+    const Gizmo& gizmo = window.gizmo().gizmo();
+    const Vector3 along = gizmo.frame().axes.col(axis);
+    const Vector3 center = gizmo.frame().center;
+    const QPointF step = shown(center + along) - shown(center);
+    const double pixels = std::hypot(step.x(), step.y());
+    return shown(center + along * (0.5 * kGizmoPixels / pixels));
+  }
+
+  void dragArrow(int axis, const QPointF& by, Qt::KeyboardModifiers modifiers = Qt::NoModifier)
+  {
+    const QPointF from = onArrow(axis);
+    test::drag(viewport(), {from, from + by / 3, from + by / 2, from + by}, Qt::LeftButton, modifiers);
+    ASSERT_TRUE(settle());
+  }
+
+  Index point = 0;
+};
+
+TEST_F(GizmoOnPoint, AnArrowMovesTheTargetAlongItsAxisAlone)
+{
+  const Vector3 before = target();
+  dragArrow(2, {0, -40});
+  const Vector3 moved = target() - before;
+  EXPECT_GT(moved.z(), 1);
+  EXPECT_EQ(moved.x(), 0);
+  EXPECT_EQ(moved.y(), 0);
+}
+
+TEST_F(GizmoOnPoint, TheSurfaceFollowsExactly)
+{
+  dragArrow(2, {0, -40});
+  EXPECT_EQ(editor().freshness(), Freshness::Current);
+  const auto& report = editor().deformation()->report;
+  EXPECT_EQ(report.solve.status, SolveStatus::Ok);
+  EXPECT_LE(report.solve.maxResidualRelative, 1e-12);
+}
+
+TEST_F(GizmoOnPoint, ADragIsOneEditThatUndoAndRedoBringBackBitForBit)
+{
+  const Positions before = editor().positions();
+  dragArrow(0, {50, 10});
+  const Positions after = editor().positions();
+  ASSERT_NE(before, after);
+  EXPECT_EQ(editor().history().undoName(), "move flange east");
+
+  trigger("undo");
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(editor().positions(), before);
+  EXPECT_FALSE(editor().history().canUndo());
+  trigger("redo");
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(editor().positions(), after);
+}
+
+TEST_F(GizmoOnPoint, EscapeDuringADragRestoresExactlyWhatWas)
+{
+  const auto state = editor().history().state();
+  const Positions before = editor().positions();
+  const QPointF from = onArrow(2);
+  test::pressMouse(viewport(), from);
+  test::moveMouse(viewport(), from + QPointF(0, -50), Qt::LeftButton);
+  ASSERT_TRUE(settle());
+  ASSERT_NE(editor().positions(), before);
+  trigger("escape");
+  EXPECT_EQ(editor().history().state(), state);
+  EXPECT_EQ(editor().positions(), before);
+  test::moveMouse(viewport(), from + QPointF(0, -80), Qt::LeftButton);
+  test::releaseMouse(viewport(), from + QPointF(0, -80));
+  EXPECT_EQ(editor().history().state(), state) << "the rest of the gesture says nothing";
+}
+
+TEST_F(GizmoOnPoint, ControlSnapsToARoundLength)
+{
+  const double before = target().z();
+  dragArrow(2, {0, -61}, Qt::ControlModifier);
+  const double moved = target().z() - before;
+  const double step = 1;  // mm, at this distance: 8 pixels or more
+  const double steps = moved / step;
+  EXPECT_GT(moved, 0);
+  EXPECT_NEAR(steps, std::round(steps), 1e-9);
+}
+
+TEST_F(GizmoOnPoint, PointsHaveNoRings)
+{
+  const Vector3 center = window.gizmo().gizmo().frame().center;
+  const QPointF outer = shown(center) + QPointF(kGizmoPixels, 0);
+  test::moveMouse(viewport(), outer);
+  EXPECT_EQ(window.gizmo().gizmo().highlighted(), GizmoPart::None);
+}
+
+TEST_F(GizmoOnPoint, NothingStandsWhereNothingIsSelected)
+{
+  editor().selectConstraints({});
+  EXPECT_FALSE(window.gizmo().gizmo().isShown());
+  editor().selectConstraints({*indexOf(list(), "bolt rear left")});
+  EXPECT_FALSE(window.gizmo().gizmo().isShown()) << "what is fixed does not move";
+}
+
+/// The bar with a handle at its end.
+class GizmoOnHandle : public GizmoOnPoint {
+ protected:
+  void SetUp() override
+  {
+    OpenWindow::SetUp();
+    open("bar.obj", "bar.twist_90.constraints.json");
+    for (Index k = 0; k < static_cast<Index>(list().constraints.size()); ++k)
+      if (std::holds_alternative<Handle>(list().constraints[k].what)) point = k;
+    editor().selectConstraints({point});
+    ASSERT_TRUE(settle());
+  }
+
+  [[nodiscard]] const Handle& handle() { return std::get<Handle>(list().constraints[point].what); }
+};
+
+TEST_F(GizmoOnHandle, ARingTurnsItAsOftenAsTheCursorGoesRound)
+{
+  const double before = std::get<Turn>(handle().motion).degrees;
+  const Vector3 center = window.gizmo().gizmo().frame().center;
+  const QPointF middle = shown(center);
+  std::vector<QPointF> way;
+  for (int step = 0; step <= 80; ++step) {
+    const double angle = -step * 2 * 3.14159265358979 * 1.25 / 80;
+    way.push_back(middle + kGizmoPixels * QPointF(std::cos(angle), std::sin(angle)));
+  }
+  test::drag(viewport(), way);
+  ASSERT_TRUE(settle());
+  const auto& turn = std::get<Turn>(handle().motion);
+  EXPECT_NE(turn.degrees, before);
+  EXPECT_EQ(editor().history().undoName().substr(0, 4), "turn");
+  EXPECT_LE(editor().deformation()->report.solve.maxResidualRelative, 1e-12);
+}
+
+}  // namespace
+}  // namespace holdfast

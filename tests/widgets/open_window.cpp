@@ -1,0 +1,56 @@
+#include "open_window.h"
+
+#include <QAction>
+#include <cmath>
+
+#include <vtkRenderer.h>
+
+#include <holdfast/constraints/constraint_file.h>
+
+#include "gestures.h"
+#include "support/source_tree.h"
+
+namespace holdfast::test {
+
+void OpenWindow::SetUp()
+{
+  ASSERT_TRUE(showAndWait(window));
+}
+
+void OpenWindow::open(const std::string& mesh, const std::string& constraints)
+{
+  NoProgress quiet;
+  DocumentState state;
+  if (!constraints.empty()) state.list = readConstraints(dataFolder() + "/" + constraints);
+  editor().open(loadMesh(dataFolder() + "/" + mesh, quiet), std::move(state));
+  ASSERT_TRUE(settle());
+}
+
+bool OpenWindow::settle()
+{
+  return waitUntil([&] { return editor().freshness() != Freshness::Solving && !viewport().isRenderPending(); });
+}
+
+void OpenWindow::trigger(const char* name)
+{
+  auto* action = window.findChild<QAction*>(name);
+  ASSERT_NE(action, nullptr) << name;
+  ASSERT_TRUE(action->isEnabled()) << name;
+  action->trigger();
+}
+
+void OpenWindow::look(PlainView& view)
+{
+  view.width = viewport().width();
+  view.height = viewport().height();
+  test::look(*viewport().renderer().GetActiveCamera(), view);
+  viewport().scheduleRender();
+  ASSERT_TRUE(settle());
+}
+
+QPointF OpenWindow::inWidget(const Eigen::Vector2d& screen)
+{
+  return {std::floor(screen.x()) + 0.5, viewport().height() - std::floor(screen.y()) - 0.5};
+}
+
+}  // namespace holdfast::test

@@ -1,0 +1,179 @@
+#include <algorithm>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include <holdfast/view/camera_motion.h>
+
+#include "gestures.h"
+#include "open_window.h"
+#include "support/plain_curve.h"
+#include "support/plain_mesh.h"
+#include "support/source_tree.h"
+
+namespace holdfast {
+namespace {
+
+/// The head from the front.
+class RegionsOfHead : public test::OpenWindow {
+ protected:
+  void SetUp() override
+  {
+    OpenWindow::SetUp();
+    open("head.ply");
+    trigger("viewFront");
+    ASSERT_TRUE(settle());
+  }
+
+  [[nodiscard]] QPointF shown(const Vector3& place)
+  {
+    return viewport().toPlace(toDisplay(viewport().renderer(), place).head<2>());
+  }
+
+  [[nodiscard]] Vector3 placeOf(Index vertex) { return editor().positions().row(vertex).transpose(); }
+
+  [[nodiscard]] Index nearestVertex(const Vector3& place)
+  {
+    Index nearest = 0;
+    (editor().positions().rowwise() - place.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
+    return nearest;
+  }
+};
+
+TEST_F(RegionsOfHead, ACurveAroundAnEyeSelectsWhatIsInsideIt)
+{
+  const std::vector<Vector3> around{{41, -76, 25}, {27, -76, 39}, {13, -76, 25}, {27, -76, 11}};
+  trigger("toolCurve");
+  nlohmann::json curve;
+  for (const Vector3& place : around) {
+    const Index vertex = nearestVertex(place);
+    test::click(viewport(), shown(placeOf(vertex)));
+    const Vector3 exact = placeOf(vertex);
+    curve["through"].push_back({{"near", {exact.x(), exact.y(), exact.z()}}});
+  }
+  test::pressKey(viewport(), Qt::Key_Return);
+
+  const std::set<long> expected = test::insidePlain(curve, test::readPlainMesh(test::dataFolder() + "/head.ply"));
+  const auto& selected = editor().selectedVertices();
+  EXPECT_GT(selected.size(), 10u);
+  EXPECT_EQ(std::set<long>(selected.begin(), selected.end()), expected);
+}
+
+TEST_F(RegionsOfHead, ARigidFeatureOfACurveKeepsTheCurve)
+{
+  trigger("toolCurve");
+  for (const Vector3& place : {Vector3(41, -76, 25), Vector3(27, -76, 39), Vector3(13, -76, 25), Vector3(27, -76, 11)})
+    test::click(viewport(), shown(placeOf(nearestVertex(place))));
+  test::pressKey(viewport(), Qt::Key_Return);
+  trigger("makeRigid");
+  ASSERT_EQ(list().constraints.size(), 1u);
+  const auto& rigid = std::get<Rigid>(list().constraints.front().what);
+  ASSERT_TRUE(std::holds_alternative<InsideCurve>(rigid.select.what));
+  EXPECT_EQ(std::get<InsideCurve>(rigid.select.what).through.size(), 4u);
+  EXPECT_TRUE(editor().selectedVertices().empty());
+  EXPECT_EQ(editor().selectedConstraints(), (std::vector<Index>{0}));
+}
+
+TEST_F(RegionsOfHead, ARectangleSelectsWhatIsSeenInIt)
+{
+  trigger("toolRectangle");
+  const QPointF a = shown({10, -76, 10});
+  const QPointF b = shown({45, -76, 42});
+  test::drag(viewport(), {a, (a + b) / 2, b});
+  const QRectF box = QRectF(a, b).normalized();
+  const auto selected = editor().selectedVertices();
+  EXPECT_GT(selected.size(), 20u);
+  for (const Index vertex : selected) {
+    EXPECT_TRUE(box.adjusted(-1, -1, 1, 1).contains(shown(placeOf(vertex))));
+    EXPECT_LT(placeOf(vertex).y(), 0) << "the back of the head is hidden";
+  }
+  // With Alt what is hidden counts as well.
+  test::drag(viewport(), {a, (a + b) / 2, b}, Qt::LeftButton, Qt::AltModifier);
+  EXPECT_GT(editor().selectedVertices().size(), selected.size());
+  EXPECT_TRUE(std::includes(editor().selectedVertices().begin(), editor().selectedVertices().end(), selected.begin(),
+                            selected.end()));
+}
+
+TEST_F(RegionsOfHead, ALassoSelectsAsTheRectangleOfTheSameOutline)
+{
+  const QPointF a = shown({10, -76, 10});
+  const QPointF b = shown({45, -76, 42});
+  trigger("toolRectangle");
+  test::drag(viewport(), {a, b});
+  const auto byRectangle = editor().selectedVertices();
+  trigger("toolLasso");
+  test::drag(viewport(), {a, {b.x(), a.y()}, b, {a.x(), b.y()}, a});
+  EXPECT_EQ(editor().selectedVertices(), byRectangle);
+}
+
+TEST_F(RegionsOfHead, TheBrushPaintsAddsAndTakesAway)
+{
+  trigger("toolBrush");
+  const QPointF eye = shown({27, -84, 25});
+  test::drag(viewport(), {eye, eye + QPointF(20, 0), eye + QPointF(40, 0)});
+  const auto painted = editor().selectedVertices();
+  ASSERT_GT(painted.size(), 5u);
+  const QPointF chin = shown({0, -84, -50});
+  test::drag(viewport(), {chin, chin + QPointF(10, 0)}, Qt::LeftButton, Qt::ShiftModifier);
+  EXPECT_GT(editor().selectedVertices().size(), painted.size());
+  test::drag(viewport(), {chin, chin + QPointF(10, 0)}, Qt::LeftButton, Qt::ControlModifier);
+  EXPECT_EQ(editor().selectedVertices(), painted);
+}
+
+TEST_F(RegionsOfHead, EscapeDuringAStrokeBringsTheSelectionBack)
+{
+  editor().selectVertices({1, 2, 3});
+  trigger("toolBrush");
+  const QPointF eye = shown({27, -84, 25});
+  test::pressMouse(viewport(), eye);
+  test::moveMouse(viewport(), eye + QPointF(20, 0), Qt::LeftButton);
+  EXPECT_NE(editor().selectedVertices(), (std::vector<Index>{1, 2, 3}));
+  trigger("escape");
+  EXPECT_EQ(editor().selectedVertices(), (std::vector<Index>{1, 2, 3}));
+}
+
+TEST_F(RegionsOfHead, GrowThenShrinkInsideTheSurfaceIsNothing)
+{
+  trigger("toolBrush");
+  const QPointF eye = shown({27, -84, 25});
+  test::drag(viewport(), {eye, eye + QPointF(15, 0)});
+  const auto painted = editor().selectedVertices();
+  trigger("grow");
+  EXPECT_GT(editor().selectedVertices().size(), painted.size());
+  trigger("shrink");
+  EXPECT_TRUE(std::includes(editor().selectedVertices().begin(), editor().selectedVertices().end(), painted.begin(),
+                            painted.end()));
+  trigger("invert");
+  trigger("invert");
+  EXPECT_TRUE(std::includes(editor().selectedVertices().begin(), editor().selectedVertices().end(), painted.begin(),
+                            painted.end()));
+}
+
+TEST_F(RegionsOfHead, ADoubleClickSelectsTheWholePart)
+{
+  trigger("toolFlood");
+  const QPointF eye = shown({27, -84, 25});
+  test::doubleClick(viewport(), eye);
+  EXPECT_EQ(static_cast<Index>(editor().selectedVertices().size()), editor().model()->mesh.vertexCount());
+}
+
+TEST_F(RegionsOfHead, OneKeyEachMakesConstraintsOfTheSelection)
+{
+  editor().selectVertices({1, 2, 3});
+  trigger("makeFixed");
+  editor().selectVertices({100, 101});
+  trigger("makeHandle");
+  editor().selectVertices({200, 201, 202});
+  trigger("makeRigid");
+  ASSERT_EQ(list().constraints.size(), 3u);
+  EXPECT_STREQ(typeName(list().constraints[0]), "fixed");
+  EXPECT_STREQ(typeName(list().constraints[1]), "handle");
+  EXPECT_STREQ(typeName(list().constraints[2]), "rigid");
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(editor().deformation()->report.solve.status, SolveStatus::Ok);
+  trigger("deleteConstraints");
+  EXPECT_EQ(list().constraints.size(), 2u) << "the newest is selected";
+}
+
+}  // namespace
+}  // namespace holdfast
