@@ -1,0 +1,403 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <Eigen/Geometry>
+#include <vtkActor.h>
+#include <vtkCallbackCommand.h>
+#include <vtkCamera.h>
+#include <vtkCoordinate.h>
+#include <vtkDoubleArray.h>
+#include <vtkLookupTable.h>
+#include <vtkMatrix4x4.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
+
+#include <holdfast/view/rotation_sphere.h>
+#include <holdfast/view/sphere_shapes.h>
+
+namespace holdfast {
+namespace {
+
+// Sizes in pixels of the picture.
+constexpr double kPointPixels = 4.5;
+constexpr double kBallPixels = 14;
+constexpr double kMarkPixels = 17;
+constexpr double kRingPixels = 1;
+constexpr double kArcPixels = 2;
+constexpr double kTextPixels = 14;
+constexpr double kScaleTextPixels = 12;
+
+constexpr double kShellOpacity = 0.8;
+constexpr Color kPlainPoint{0.16, 0.38, 0.66};
+
+// Arcs between all of more rotations than this would cover the sphere.
+constexpr std::size_t kMostJoined = 12;
+// So would their names.
+constexpr std::size_t kMostNamed = 24;
+
+// In radii: where names of axes stand, and how much of an axis must lie in the picture for it to be named.
+constexpr double kAxisNameRadius = 1.1;
+constexpr double kNamedAxis = 0.5;
+constexpr std::array<const char*, 3> kAxisNames{"x", "y", "z"};
+
+// Texts are hidden from where the surface has turned away from the eye.
+constexpr double kFarText = -0.1;
+
+// The camera looks at the middle of what is prescribed, from a little beside it.
+constexpr double kTilt = 0.5;
+constexpr double kEyeDistance = 10;
+
+// Half the height of the picture, in radii: at least, beyond which all of the sphere is shown, and then.
+constexpr double kLeastView = 0.5;
+constexpr double kWholeView = 0.9;
+constexpr double kWholeScale = 1.2;
+constexpr double kViewMargin = 1.25;
+
+void setColor(vtkActor& actor, const Color& color)
+{
+  actor.GetProperty()->SetColor(color.red, color.green, color.blue);
+}
+
+void setData(vtkActor& actor, vtkPolyData& data)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(&data);
+  mapper->ScalarVisibilityOff();
+  actor.SetMapper(mapper);
+}
+
+void makeBalls(vtkActor& actor)
+{
+  actor.GetProperty()->RenderPointsAsSpheresOn();
+  actor.GetProperty()->SetAmbient(0.35);
+  actor.GetProperty()->SetDiffuse(0.65);
+}
+
+Vector3 directionOfProjection(const vtkCamera& camera)
+{
+  return Vector3(const_cast<vtkCamera&>(camera).GetDirectionOfProjection());
+}
+
+/// From places in the picture to the window.
+class Projection {
+ public:
+  explicit Projection(vtkRenderer& renderer)
+  {
+    vtkMatrix4x4* const matrix =
+        renderer.GetActiveCamera()->GetCompositeProjectionTransformMatrix(renderer.GetTiledAspectRatio(), -1, 1);
+    for (int r = 0; r < 4; ++r)
+      for (int c = 0; c < 4; ++c) toClip_(r, c) = matrix->GetElement(r, c);
+    const int* const size = renderer.GetSize();
+    const int* const origin = renderer.GetOrigin();
+    half_ = {size[0] / 2.0, size[1] / 2.0};
+    center_ = half_ + Eigen::Vector2d(origin[0], origin[1]);
+  }
+
+  [[nodiscard]] Vector3 operator()(const Vector3& place) const
+  {
+    const Eigen::Vector4d clip = toClip_ * Eigen::Vector4d(place.x(), place.y(), place.z(), 1);
+    const Vector3 device = clip.head<3>() / clip.w();
+    return {center_.x() + half_.x() * device.x(), center_.y() + half_.y() * device.y(), device.z()};
+  }
+
+ private:
+  Eigen::Matrix4d toClip_;
+  Eigen::Vector2d half_;
+  Eigen::Vector2d center_;
+};
+
+/// All `places`, from a little in front of their middle; the whole sphere where they reach around it.
+void fit(vtkCamera& camera, const std::vector<Vector3>& places)
+{
+  Vector3 middle = Vector3::Zero();
+  for (const Vector3& place : places) middle += place / static_cast<double>(places.size());
+  const Vector3 back = (middle + kTilt * Vector3(0.5, -0.8, 0.4)).normalized();
+  const Vector3 right = Vector3::UnitZ().cross(back).normalized();
+  const Vector3 up = back.cross(right);
+  Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
+  Eigen::Vector2d high = -low;
+  for (const Vector3& place : places) {
+    const Eigen::Vector2d seen(place.dot(right), place.dot(up));
+    low = low.cwiseMin(seen);
+    high = high.cwiseMax(seen);
+  }
+  const double reach = kViewMargin * (high - low).maxCoeff() / 2;
+  const bool isWhole = reach > kWholeView;
+  const Eigen::Vector2d center = isWhole ? Eigen::Vector2d(0, 0) : Eigen::Vector2d((low + high) / 2);
+  const Vector3 focus = center.x() * right + center.y() * up;
+  const Vector3 eye = focus + kEyeDistance * back;
+  camera.SetFocalPoint(focus.data());
+  camera.SetPosition(eye.data());
+  camera.SetViewUp(up.data());
+  camera.SetParallelScale(isWhole ? std::max(reach, kWholeScale) : std::max(reach, kLeastView));
+}
+
+}  // namespace
+
+RotationSphere::RotationSphere(const Model& model) : pointOf_(model.mesh.vertexCount(), -1)
+{
+  const SolverMesh& mesh = model.solverMesh;
+  std::vector<Index> pointOfUnknown(mesh.unknownCount(), -1);
+  for (Index u = 0; u < mesh.unknownCount(); ++u) {
+    if (mesh.componentOf[u] < 0) continue;
+    pointOfUnknown[u] = static_cast<Index>(vertexOf_.size());
+    vertexOf_.push_back(mesh.weld.firstVertexOf[u]);
+    unknownOf_.push_back(u);
+  }
+  for (std::size_t v = 0; v < pointOf_.size(); ++v) pointOf_[v] = pointOfUnknown[mesh.weld.unknownOf[v]];
+  places_->SetDataTypeToDouble();
+  pointData_->SetPoints(places_);
+  pointData_->SetVerts(singlePoints(static_cast<Index>(vertexOf_.size())));
+  setData(*points_, *pointData_);
+  setData(*balls_, *boundaryData_);
+  setData(*arcs_, *arcData_);
+  setData(*mark_, *markData_);
+  setData(*shell_, *sphereShell());
+  setData(*rings_, *sphereRings());
+  for (vtkActor* const actor : {points_.Get(), balls_.Get(), mark_.Get()}) makeBalls(*actor);
+  for (vtkActor* const actor : {rings_.Get(), arcs_.Get()}) actor->GetProperty()->LightingOff();
+  shell_->GetProperty()->SetOpacity(kShellOpacity);
+  // Nearly flat, so that the colours of points are told apart at the rim too.
+  shell_->GetProperty()->SetAmbient(0.6);
+  shell_->GetProperty()->SetDiffuse(0.4);
+  // The far half is what is seen through the near one.
+  shell_->GetProperty()->BackfaceCullingOn();
+  mark_->VisibilityOff();
+  applyLook();
+}
+
+RotationSphere::~RotationSphere()
+{
+  if (renderer_) renderer_->RemoveObserver(observer_);
+}
+
+void RotationSphere::addTo(vtkRenderer& renderer)
+{
+  renderer_ = &renderer;
+  for (vtkActor* const actor : {rings_.Get(), arcs_.Get(), points_.Get(), balls_.Get(), mark_.Get(), shell_.Get()})
+    renderer.AddActor(actor);
+  renderer.GetActiveCamera()->ParallelProjectionOn();
+  vtkNew<vtkCallbackCommand> beforeDrawing;
+  beforeDrawing->SetClientData(this);
+  beforeDrawing->SetCallback([](vtkObject* /*caller*/, unsigned long /*event*/, void* sphere, void* /*data*/) {
+    static_cast<const RotationSphere*>(sphere)->hideFarTexts();
+  });
+  observer_ = renderer.AddObserver(vtkCommand::StartEvent, beforeDrawing);
+  applyLook();
+  showScale();
+  fitCamera();
+}
+
+void RotationSphere::setLook(const SphereLook& look)
+{
+  look_ = look;
+  applyLook();
+  showScale();
+  showNames();
+}
+
+void RotationSphere::applyLook()
+{
+  if (renderer_) renderer_->SetBackground(look_.background.red, look_.background.green, look_.background.blue);
+  setColor(*shell_, look_.shell);
+  setColor(*points_, kPlainPoint);
+  setColor(*balls_, look_.ink);
+  setColor(*arcs_, look_.ink);
+  setColor(*rings_, mixed(look_.ink, look_.shell, 0.7));
+  setColor(*mark_, look_.mark);
+  const auto pixels = [&](double size) { return static_cast<float>(size * look_.pixelRatio); };
+  points_->GetProperty()->SetPointSize(pixels(kPointPixels));
+  balls_->GetProperty()->SetPointSize(pixels(kBallPixels));
+  mark_->GetProperty()->SetPointSize(pixels(kMarkPixels));
+  rings_->GetProperty()->SetLineWidth(pixels(kRingPixels));
+  arcs_->GetProperty()->SetLineWidth(pixels(kArcPixels));
+}
+
+void RotationSphere::show(const Deformation& deformation)
+{
+  boundary_ = boundaryRotations(deformation);
+  const SphereFrame frame = sphereFrame(boundary_, frame_);
+  const bool isOther = frame.axes != frame_.axes;
+  frame_ = frame;
+  placePoints(deformation);
+  placeBoundary();
+  placeMark();
+  if (isOther) showScale();
+  showNames();
+}
+
+void RotationSphere::placePoints(const Deformation& deformation)
+{
+  places_->SetNumberOfPoints(static_cast<vtkIdType>(unknownOf_.size()));
+  for (std::size_t k = 0; k < unknownOf_.size(); ++k) {
+    const Vector3 place = spherePlace(frame_, deformation.rotations.row(unknownOf_[k]).transpose());
+    places_->SetPoint(static_cast<vtkIdType>(k), place.data());
+  }
+  places_->Modified();
+}
+
+void RotationSphere::placeBoundary()
+{
+  std::vector<Vector3> balls;
+  std::vector<std::vector<Vector3>> arcs;
+  for (std::size_t a = 0; a < boundary_.size(); ++a) {
+    balls.push_back(spherePlace(frame_, boundary_[a].q));
+    for (std::size_t b = a + 1; b < boundary_.size() && boundary_.size() <= kMostJoined; ++b)
+      arcs.push_back(sphereArc(frame_, boundary_[a].q, boundary_[b].q));
+  }
+  setPoints(*boundaryData_, balls);
+  setPolylines(*arcData_, arcs);
+}
+
+void RotationSphere::setColoring(const std::optional<Coloring>& coloring)
+{
+  vtkMapper& mapper = *points_->GetMapper();
+  mapper.SetScalarVisibility(coloring.has_value());
+  if (!coloring) return;
+  vtkNew<vtkDoubleArray> shares;
+  shares->SetNumberOfValues(static_cast<vtkIdType>(vertexOf_.size()));
+  for (std::size_t k = 0; k < vertexOf_.size(); ++k)
+    shares->SetValue(static_cast<vtkIdType>(k), shareOf(coloring->scale, coloring->values[vertexOf_[k]]));
+  pointData_->GetPointData()->SetScalars(shares);
+  mapper.SetLookupTable(toLookupTable());
+  mapper.UseLookupTableScalarRangeOn();
+}
+
+void RotationSphere::mark(std::optional<Index> vertex)
+{
+  marked_ = vertex;
+  placeMark();
+}
+
+void RotationSphere::placeMark()
+{
+  const auto place = placeOf(marked_.value_or(-1));
+  mark_->SetVisibility(place.has_value());
+  if (place) setPoints(*markData_, {*place});
+}
+
+std::optional<Vector3> RotationSphere::placeOf(Index vertex) const
+{
+  if (vertex < 0 || vertex >= static_cast<Index>(pointOf_.size())) return std::nullopt;
+  const Index point = pointOf_[vertex];
+  if (point < 0 || point >= places_->GetNumberOfPoints()) return std::nullopt;
+  return Vector3(places_->GetPoint(point));
+}
+
+vtkSmartPointer<vtkTextActor> RotationSphere::textAt(const std::string& text, const Vector3& place, double pixels) const
+{
+  auto actor = vtkSmartPointer<vtkTextActor>::New();
+  actor->SetInput(text.c_str());
+  vtkNew<vtkCoordinate> anchor;
+  anchor->SetCoordinateSystemToWorld();
+  anchor->SetValue(place.x(), place.y(), place.z());
+  vtkCoordinate& position = *actor->GetPositionCoordinate();
+  position.SetCoordinateSystemToViewport();
+  position.SetReferenceCoordinate(anchor);
+  position.SetValue(0, 0);
+  vtkTextProperty& property = *actor->GetTextProperty();
+  property.SetFontFamilyToArial();
+  property.SetFontSize(static_cast<int>(std::lround(pixels * look_.pixelRatio)));
+  property.SetColor(look_.ink.red, look_.ink.green, look_.ink.blue);
+  property.SetJustificationToCentered();
+  property.SetVerticalJustificationToCentered();
+  return actor;
+}
+
+void RotationSphere::hideFarTexts() const
+{
+  const Vector3 forward = directionOfProjection(*renderer_->GetActiveCamera());
+  for (const Texts* const texts : {&scaleTexts_, &nameTexts_})
+    for (const auto& text : *texts) {
+      const Vector3 place(text->GetPositionCoordinate()->GetReferenceCoordinate()->GetValue());
+      const bool isBeside = (place - place.dot(forward) * forward).norm() > 1;
+      text->SetVisibility(isBeside || place.dot(forward) < kFarText);
+    }
+}
+
+void RotationSphere::replace(Texts& texts, Texts with)
+{
+  if (!renderer_) return;
+  for (const auto& text : texts) renderer_->RemoveActor(text);
+  texts = std::move(with);
+  for (const auto& text : texts) renderer_->AddActor(text);
+}
+
+void RotationSphere::showScale()
+{
+  Texts texts;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vector3 shown(frame_.axes(axis, 0), frame_.axes(axis, 1), 0);
+    if (shown.norm() < kNamedAxis) continue;
+    texts.push_back(textAt(kAxisNames[axis], kAxisNameRadius * shown.normalized(), kTextPixels));
+    texts.push_back(
+        textAt(std::string("\u2212") + kAxisNames[axis], -kAxisNameRadius * shown.normalized(), kTextPixels));
+  }
+  for (const RingName& ring : ringNames()) {
+    texts.push_back(textAt(ring.text, ring.place, kScaleTextPixels));
+    texts.back()->GetTextProperty()->SetOpacity(0.7);
+  }
+  replace(scaleTexts_, std::move(texts));
+}
+
+void RotationSphere::showNames()
+{
+  Texts texts;
+  for (std::size_t k = 0; k < std::min(boundary_.size(), kMostNamed); ++k) {
+    texts.push_back(textAt(boundary_[k].label, 1.02 * spherePlace(frame_, boundary_[k].q), kTextPixels));
+    const double away = 0.85 * kBallPixels * look_.pixelRatio;
+    texts.back()->GetPositionCoordinate()->SetValue(away, away);
+    texts.back()->GetTextProperty()->SetJustificationToLeft();
+    texts.back()->GetTextProperty()->SetBold(1);
+  }
+  replace(nameTexts_, std::move(texts));
+}
+
+void RotationSphere::fitCamera() const
+{
+  if (!renderer_) return;
+  std::vector<Vector3> places{Vector3::UnitZ()};
+  for (const BoundaryRotation& value : boundary_)
+    for (const Vector3& place : sphereArc(frame_, Vector3::Zero(), value.q)) places.push_back(place);
+  fit(*renderer_->GetActiveCamera(), places);
+  renderer_->ResetCameraClippingRange();
+}
+
+std::optional<Index> RotationSphere::pick(double displayX, double displayY) const
+{
+  if (!renderer_) return std::nullopt;
+  const Projection toDisplay(*renderer_);
+  const Vector3 forward = directionOfProjection(*renderer_->GetActiveCamera());
+  // Squared distances; of the near side, of the far one.
+  const double reach = std::pow(kSphereReach * look_.pixelRatio, 2);
+  std::array<double, 2> least{reach, reach};
+  std::array<std::optional<Index>, 2> found;
+  for (vtkIdType k = 0; k < places_->GetNumberOfPoints(); ++k) {
+    const Vector3 place(places_->GetPoint(k));
+    const Vector3 seen = toDisplay(place);
+    const double distance = std::pow(seen.x() - displayX, 2) + std::pow(seen.y() - displayY, 2);
+    const std::size_t side = place.dot(forward) > 0 ? 1 : 0;
+    if (distance > least[side] || (found[side] && distance == least[side])) continue;
+    least[side] = distance;
+    found[side] = vertexOf_[k];
+  }
+  return found[0] ? found[0] : found[1];
+}
+
+std::optional<Vector3> RotationSphere::displayPlace(Index vertex) const
+{
+  const auto place = placeOf(vertex);
+  if (!place || !renderer_) return std::nullopt;
+  return Projection(*renderer_)(*place);
+}
+
+}  // namespace holdfast
