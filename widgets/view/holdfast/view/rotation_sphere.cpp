@@ -1,17 +1,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
-#include <Eigen/Geometry>
 #include <vtkActor.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
 #include <vtkCoordinate.h>
 #include <vtkDoubleArray.h>
 #include <vtkLookupTable.h>
-#include <vtkMatrix4x4.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -22,6 +18,7 @@
 #include <vtkTextProperty.h>
 
 #include <holdfast/view/rotation_sphere.h>
+#include <holdfast/view/sphere_camera.h>
 #include <holdfast/view/sphere_shapes.h>
 
 namespace holdfast {
@@ -49,18 +46,8 @@ constexpr double kAxisNameRadius = 1.1;
 constexpr double kNamedAxis = 0.5;
 constexpr std::array<const char*, 3> kAxisNames{"x", "y", "z"};
 
-// Texts are hidden from where the surface has turned away from the eye.
+// Names of rings and axes are hidden from where the surface has turned away from the eye.
 constexpr double kFarText = -0.1;
-
-// The camera looks at the middle of what is prescribed, from a little beside it.
-constexpr double kTilt = 0.5;
-constexpr double kEyeDistance = 10;
-
-// Half the height of the picture, in radii: at least, beyond which all of the sphere is shown, and then.
-constexpr double kLeastView = 0.5;
-constexpr double kWholeView = 0.9;
-constexpr double kWholeScale = 1.2;
-constexpr double kViewMargin = 1.25;
 
 void setColor(vtkActor& actor, const Color& color)
 {
@@ -80,65 +67,6 @@ void makeBalls(vtkActor& actor)
   actor.GetProperty()->RenderPointsAsSpheresOn();
   actor.GetProperty()->SetAmbient(0.35);
   actor.GetProperty()->SetDiffuse(0.65);
-}
-
-Vector3 directionOfProjection(const vtkCamera& camera)
-{
-  return Vector3(const_cast<vtkCamera&>(camera).GetDirectionOfProjection());
-}
-
-/// From places in the picture to the window.
-class Projection {
- public:
-  explicit Projection(vtkRenderer& renderer)
-  {
-    vtkMatrix4x4* const matrix =
-        renderer.GetActiveCamera()->GetCompositeProjectionTransformMatrix(renderer.GetTiledAspectRatio(), -1, 1);
-    for (int r = 0; r < 4; ++r)
-      for (int c = 0; c < 4; ++c) toClip_(r, c) = matrix->GetElement(r, c);
-    const int* const size = renderer.GetSize();
-    const int* const origin = renderer.GetOrigin();
-    half_ = {size[0] / 2.0, size[1] / 2.0};
-    center_ = half_ + Eigen::Vector2d(origin[0], origin[1]);
-  }
-
-  [[nodiscard]] Vector3 operator()(const Vector3& place) const
-  {
-    const Eigen::Vector4d clip = toClip_ * Eigen::Vector4d(place.x(), place.y(), place.z(), 1);
-    const Vector3 device = clip.head<3>() / clip.w();
-    return {center_.x() + half_.x() * device.x(), center_.y() + half_.y() * device.y(), device.z()};
-  }
-
- private:
-  Eigen::Matrix4d toClip_;
-  Eigen::Vector2d half_;
-  Eigen::Vector2d center_;
-};
-
-/// All `places`, from a little in front of their middle; the whole sphere where they reach around it.
-void fit(vtkCamera& camera, const std::vector<Vector3>& places)
-{
-  Vector3 middle = Vector3::Zero();
-  for (const Vector3& place : places) middle += place / static_cast<double>(places.size());
-  const Vector3 back = (middle + kTilt * Vector3(0.5, -0.8, 0.4)).normalized();
-  const Vector3 right = Vector3::UnitZ().cross(back).normalized();
-  const Vector3 up = back.cross(right);
-  Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
-  Eigen::Vector2d high = -low;
-  for (const Vector3& place : places) {
-    const Eigen::Vector2d seen(place.dot(right), place.dot(up));
-    low = low.cwiseMin(seen);
-    high = high.cwiseMax(seen);
-  }
-  const double reach = kViewMargin * (high - low).maxCoeff() / 2;
-  const bool isWhole = reach > kWholeView;
-  const Eigen::Vector2d center = isWhole ? Eigen::Vector2d(0, 0) : Eigen::Vector2d((low + high) / 2);
-  const Vector3 focus = center.x() * right + center.y() * up;
-  const Vector3 eye = focus + kEyeDistance * back;
-  camera.SetFocalPoint(focus.data());
-  camera.SetPosition(eye.data());
-  camera.SetViewUp(up.data());
-  camera.SetParallelScale(isWhole ? std::max(reach, kWholeScale) : std::max(reach, kLeastView));
 }
 
 }  // namespace
@@ -315,13 +243,12 @@ vtkSmartPointer<vtkTextActor> RotationSphere::textAt(const std::string& text, co
 
 void RotationSphere::hideFarTexts() const
 {
-  const Vector3 forward = directionOfProjection(*renderer_->GetActiveCamera());
-  for (const Texts* const texts : {&scaleTexts_, &nameTexts_})
-    for (const auto& text : *texts) {
-      const Vector3 place(text->GetPositionCoordinate()->GetReferenceCoordinate()->GetValue());
-      const bool isBeside = (place - place.dot(forward) * forward).norm() > 1;
-      text->SetVisibility(isBeside || place.dot(forward) < kFarText);
-    }
+  const Vector3 forward = sightOf(*renderer_->GetActiveCamera());
+  for (const auto& text : scaleTexts_) {
+    const Vector3 place(text->GetPositionCoordinate()->GetReferenceCoordinate()->GetValue());
+    const bool isBeside = (place - place.dot(forward) * forward).norm() > 1;
+    text->SetVisibility(isBeside || place.dot(forward) < kFarText);
+  }
 }
 
 void RotationSphere::replace(Texts& texts, Texts with)
@@ -368,15 +295,15 @@ void RotationSphere::fitCamera() const
   std::vector<Vector3> places{Vector3::UnitZ()};
   for (const BoundaryRotation& value : boundary_)
     for (const Vector3& place : sphereArc(frame_, Vector3::Zero(), value.q)) places.push_back(place);
-  fit(*renderer_->GetActiveCamera(), places);
+  lookAtPlaces(*renderer_->GetActiveCamera(), places);
   renderer_->ResetCameraClippingRange();
 }
 
 std::optional<Index> RotationSphere::pick(double displayX, double displayY) const
 {
   if (!renderer_) return std::nullopt;
-  const Projection toDisplay(*renderer_);
-  const Vector3 forward = directionOfProjection(*renderer_->GetActiveCamera());
+  const DisplayPlaces toDisplay(*renderer_);
+  const Vector3 forward = sightOf(*renderer_->GetActiveCamera());
   // Squared distances; of the near side, of the far one.
   const double reach = std::pow(kSphereReach * look_.pixelRatio, 2);
   std::array<double, 2> least{reach, reach};
@@ -397,7 +324,7 @@ std::optional<Vector3> RotationSphere::displayPlace(Index vertex) const
 {
   const auto place = placeOf(vertex);
   if (!place || !renderer_) return std::nullopt;
-  return Projection(*renderer_)(*place);
+  return DisplayPlaces(*renderer_)(*place);
 }
 
 }  // namespace holdfast

@@ -48,6 +48,8 @@ class RotationSphere {
   void show(const Deformation& deformation);
   /// Whether anything is asked to turn in what is shown.
   [[nodiscard]] bool isTurning() const { return hasRotation(boundary_); }
+  /// What is prescribed in what is shown.
+  [[nodiscard]] const std::vector<BoundaryRotation>& boundary() const noexcept { return boundary_; }
   /// As the mesh is coloured; in one colour where there is nothing. One value for each vertex of the file.
   void setColoring(const std::optional<Coloring>& coloring);
   /// Marks the point of a vertex of the file. None, and vertices that no face uses: no mark.

@@ -1,0 +1,310 @@
+#include <QApplication>
+#include <QHBoxLayout>
+#include <QHelpEvent>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QMouseEvent>
+#include <QStackedLayout>
+#include <QToolButton>
+#include <QToolTip>
+#include <QVBoxLayout>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+
+#include <QVTKOpenGLNativeWidget.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkRenderer.h>
+
+#include <holdfast/rotation/rotation_log.h>
+#include <holdfast/view/rotation_sphere.h>
+#include <holdfast/view/sphere_camera.h>
+#include <holdfast/widgets/render_request.h>
+#include <holdfast/widgets/sphere_panel.h>
+#include <holdfast/widgets/vtk_palette.h>
+
+namespace holdfast {
+namespace {
+
+// A drag across half the height of the view turns the sphere by so much: about as if the hand held it.
+constexpr double kRadiansAcrossHalf = 1.6;
+constexpr double kKeyPixels = 20;
+constexpr double kZoomPerStep = 1.2;
+constexpr double kWheelStep = 120;  // eighths of a degree, by Qt's definition
+constexpr int kDigits = 4;
+
+QString number(double value)
+{
+  return QString::number(value, 'g', kDigits);
+}
+
+double largestDegrees(const std::vector<BoundaryRotation>& boundary)
+{
+  double largest = 0;
+  for (const BoundaryRotation& value : boundary) largest = std::max(largest, angleDegrees(value.q));
+  return largest;
+}
+
+}  // namespace
+
+SpherePanel::SpherePanel(Editor& editor, QWidget* parent) : QWidget(parent), editor_(editor)
+{
+  setObjectName("spherePanel");
+  summary_ = new QLabel(this);
+  summary_->setObjectName("sphereSummary");
+  auto* fitButton = new QToolButton(this);
+  fitButton->setObjectName("sphereFit");
+  fitButton->setText(tr("&Fit"));
+  fitButton->setToolTip(tr("Show everything that is prescribed (double click, Home)"));
+  fitButton->setAutoRaise(true);
+  auto* header = new QHBoxLayout;
+  header->setContentsMargins(6, 2, 6, 2);
+  header->addWidget(summary_, 1);
+  header->addWidget(fitButton);
+
+  view_ = new QVTKOpenGLNativeWidget;
+  view_->setObjectName("sphereView");
+  view_->setAccessibleName(tr("Rotation sphere"));
+  view_->setFocusPolicy(Qt::StrongFocus);
+  view_->setMinimumSize(120, 120);
+  view_->renderWindow()->SetMultiSamples(4);
+  view_->installEventFilter(this);
+  drawing_ = new RenderRequest(*view_);
+  auto* page = new QWidget;
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addLayout(header);
+  column->addWidget(view_, 1);
+
+  hint_ = new QLabel;
+  hint_->setObjectName("sphereHint");
+  hint_->setAlignment(Qt::AlignCenter);
+  hint_->setWordWrap(true);
+  hint_->setMargin(16);
+  pages_ = new QStackedLayout(this);
+  pages_->addWidget(hint_);
+  pages_->addWidget(page);
+
+  connect(fitButton, &QToolButton::clicked, this, &SpherePanel::fit);
+  connect(&editor_, &Editor::opened, this, &SpherePanel::begin);
+  connect(&editor_, &Editor::deformed, this, &SpherePanel::becomeStale);
+  begin();
+}
+
+SpherePanel::~SpherePanel() = default;
+
+void SpherePanel::begin()
+{
+  if (renderer_) view_->renderWindow()->RemoveRenderer(renderer_);
+  sphere_.reset();
+  renderer_ = nullptr;
+  coloring_.reset();
+  isFitted_ = false;
+  if (editor_.isOpen()) {
+    renderer_ = vtkSmartPointer<vtkRenderer>::New();
+    view_->renderWindow()->AddRenderer(renderer_);
+    sphere_ = std::make_unique<RotationSphere>(*editor_.model());
+    sphere_->addTo(*renderer_);
+    applyPalette();
+  }
+  becomeStale();
+}
+
+void SpherePanel::becomeStale()
+{
+  isStale_ = true;
+  if (isVisible()) refresh();
+}
+
+bool SpherePanel::isTurning() const
+{
+  return editor_.deformation() && hasRotation(boundaryRotations(*editor_.deformation()));
+}
+
+void SpherePanel::refresh()
+{
+  isStale_ = false;
+  hint_->setText(editor_.isOpen() ? tr("No rotation yet: give a handle a turn.") : tr("No mesh is open."));
+  if (sphere_ && isTurning()) refreshPoints();
+  pages_->setCurrentIndex(sphere_ && isTurning() ? 1 : 0);
+}
+
+void SpherePanel::refreshPoints()
+{
+  sphere_->show(*editor_.deformation());
+  sphere_->setColoring(coloring_);
+  if (!isFitted_) sphere_->fitCamera();
+  isFitted_ = true;
+  summary_->setText(tr("Prescribed rotations: %1, largest %2°")
+                        .arg(sphere_->boundary().size())
+                        .arg(number(largestDegrees(sphere_->boundary()))));
+  summary_->setToolTip(tr("A point for each vertex: half its angle from the pole, towards its axis"));
+  redraw();
+}
+
+void SpherePanel::redraw()
+{
+  drawing_->post();
+}
+
+void SpherePanel::showVertex(std::optional<Index> vertex)
+{
+  if (!sphere_) return;
+  sphere_->mark(vertex);
+  redraw();
+}
+
+void SpherePanel::setColoring(const std::optional<Coloring>& coloring)
+{
+  const bool fits = coloring && editor_.isOpen() &&
+                    static_cast<Index>(coloring->values.size()) == editor_.model()->mesh.vertexCount();
+  coloring_ = fits ? coloring : std::nullopt;
+  if (!sphere_) return;
+  sphere_->setColoring(coloring_);
+  redraw();
+}
+
+void SpherePanel::fit()
+{
+  if (!sphere_) return;
+  sphere_->fitCamera();
+  redraw();
+}
+
+void SpherePanel::applyPalette()
+{
+  if (!sphere_) return;
+  const PictureColors colors = pictureColors(palette());
+  sphere_->setLook({colors.ground, colors.raised, colors.ink, colors.accent, devicePixelRatioF()});
+  redraw();
+}
+
+void SpherePanel::turn(const QPointF& pixels)
+{
+  const double radians = kRadiansAcrossHalf / std::max(1.0, view_->height() / 2.0);
+  turnSphere(*renderer_->GetActiveCamera(), radians * pixels.x(), -radians * pixels.y());
+  redraw();
+}
+
+void SpherePanel::zoom(double steps)
+{
+  zoomSphere(*renderer_->GetActiveCamera(), std::pow(kZoomPerStep, steps));
+  redraw();
+}
+
+std::optional<Index> SpherePanel::vertexAt(const QPointF& place) const
+{
+  // Through the pixel's centre; VTK counts from below.
+  const double ratio = view_->devicePixelRatioF();
+  return sphere_->pick((place.x() + 0.5) * ratio, (view_->height() - place.y() - 0.5) * ratio);
+}
+
+void SpherePanel::showTip(const QPoint& place)
+{
+  const auto vertex = vertexAt(place);
+  if (!vertex || !editor_.deformation()) return QToolTip::hideText();
+  const Index unknown = editor_.model()->solverMesh.weld.unknownOf[*vertex];
+  const Vector3 q = editor_.deformation()->rotations.row(unknown).transpose();
+  QString text = tr("vertex %1: %2°").arg(*vertex).arg(number(angleDegrees(q)));
+  if (const double length = q.norm(); length > 0)
+    text += tr(" about (%1, %2, %3)").arg(number(q.x() / length), number(q.y() / length), number(q.z() / length));
+  QToolTip::showText(view_->mapToGlobal(place), text, view_);
+}
+
+bool SpherePanel::handleKey(int key)
+{
+  switch (key) {
+    case Qt::Key_Left:
+      turn({-kKeyPixels, 0});
+      return true;
+    case Qt::Key_Right:
+      turn({kKeyPixels, 0});
+      return true;
+    case Qt::Key_Up:
+      turn({0, -kKeyPixels});
+      return true;
+    case Qt::Key_Down:
+      turn({0, kKeyPixels});
+      return true;
+    case Qt::Key_Plus:
+    case Qt::Key_Equal:
+      zoom(1);
+      return true;
+    case Qt::Key_Minus:
+      zoom(-1);
+      return true;
+    case Qt::Key_Home:
+      fit();
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool SpherePanel::eventFilter(QObject* watched, QEvent* event)
+{
+  if (watched != view_ || !sphere_) return QWidget::eventFilter(watched, event);
+  switch (event->type()) {
+    case QEvent::MouseButtonPress:
+      handlePress(*static_cast<QMouseEvent*>(event));
+      return true;
+    case QEvent::MouseMove:
+      handleMove(*static_cast<QMouseEvent*>(event));
+      return true;
+    case QEvent::MouseButtonRelease:
+      handleRelease(*static_cast<QMouseEvent*>(event));
+      return true;
+    case QEvent::MouseButtonDblClick:
+      fit();
+      return true;
+    case QEvent::Wheel:
+      zoom(static_cast<QWheelEvent*>(event)->angleDelta().y() / kWheelStep);
+      return true;
+    case QEvent::KeyPress:
+      return handleKey(static_cast<QKeyEvent*>(event)->key());
+    case QEvent::ToolTip:
+      showTip(static_cast<QHelpEvent*>(event)->pos());
+      return true;
+    default:
+      return QWidget::eventFilter(watched, event);
+  }
+}
+
+void SpherePanel::handlePress(const QMouseEvent& event)
+{
+  if (event.button() != Qt::LeftButton) return;
+  pressed_ = last_ = event.localPos();
+  isDragging_ = false;
+}
+
+void SpherePanel::handleMove(const QMouseEvent& event)
+{
+  if (!pressed_) return;
+  const QPointF way = event.localPos() - *pressed_;
+  isDragging_ = isDragging_ || way.manhattanLength() >= QApplication::startDragDistance();
+  if (isDragging_) turn(event.localPos() - last_);
+  last_ = event.localPos();
+}
+
+void SpherePanel::handleRelease(const QMouseEvent& event)
+{
+  if (event.button() != Qt::LeftButton || !pressed_) return;
+  pressed_.reset();
+  if (isDragging_) return;
+  if (const auto vertex = vertexAt(event.localPos())) Q_EMIT vertexPicked(*vertex);
+}
+
+void SpherePanel::showEvent(QShowEvent* event)
+{
+  QWidget::showEvent(event);
+  applyPalette();
+  if (isStale_) refresh();
+}
+
+void SpherePanel::changeEvent(QEvent* event)
+{
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) applyPalette();
+}
+
+}  // namespace holdfast

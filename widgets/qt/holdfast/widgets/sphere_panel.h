@@ -1,0 +1,85 @@
+#pragma once
+/// \file
+/// The panel with the rotation sphere: which rotations there are, and which vertex has which.
+
+#include <QWidget>
+#include <memory>
+#include <optional>
+
+#include <vtkSmartPointer.h>
+
+#include <holdfast/view/coloring.h>
+#include <holdfast/widgets/editor.h>
+
+class QLabel;
+class QStackedLayout;
+class QVTKOpenGLNativeWidget;
+class vtkRenderer;
+
+namespace holdfast {
+
+class RenderRequest;
+class RotationSphere;
+
+/// The rotations of the editor's deformation. A drag turns the sphere, the wheel zooms, a click picks a vertex, a
+/// double click shows everything; arrow keys, plus, minus and Home do the same. Draws only while it is visible.
+class SpherePanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit SpherePanel(Editor& editor, QWidget* parent = nullptr);
+  ~SpherePanel() override;
+
+  /// What is shown; null while no mesh is open.
+  [[nodiscard]] const RotationSphere* sphere() const { return sphere_.get(); }
+
+ public Q_SLOTS:
+  /// Marks a vertex of the file, or none.
+  void showVertex(std::optional<Index> vertex);
+  /// Colours points as the mesh, one value for each vertex of the file; one colour where there is nothing.
+  void setColoring(const std::optional<Coloring>& coloring);
+  /// Everything that is prescribed, as large as it fits.
+  void fit();
+
+ Q_SIGNALS:
+  void vertexPicked(Index vertex);  ///< of the file
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void begin();
+  void becomeStale();
+  void refresh();
+  void refreshPoints();
+  void applyPalette();
+  void redraw();
+  void turn(const QPointF& pixels);
+  void zoom(double steps);
+  void handlePress(const QMouseEvent& event);
+  void handleMove(const QMouseEvent& event);
+  void handleRelease(const QMouseEvent& event);
+  bool handleKey(int key);
+  void showTip(const QPoint& place);
+  [[nodiscard]] bool isTurning() const;
+  [[nodiscard]] std::optional<Index> vertexAt(const QPointF& place) const;
+
+  Editor& editor_;
+  QStackedLayout* pages_ = nullptr;
+  QLabel* hint_ = nullptr;
+  QLabel* summary_ = nullptr;
+  QVTKOpenGLNativeWidget* view_ = nullptr;
+  RenderRequest* drawing_ = nullptr;
+  vtkSmartPointer<vtkRenderer> renderer_;
+  std::unique_ptr<RotationSphere> sphere_;
+  std::optional<Coloring> coloring_;
+  std::optional<QPointF> pressed_;
+  QPointF last_;
+  bool isDragging_ = false;
+  bool isStale_ = true;
+  bool isFitted_ = false;
+};
+
+}  // namespace holdfast
