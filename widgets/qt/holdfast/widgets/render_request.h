@@ -8,8 +8,7 @@ class QVTKOpenGLNativeWidget;
 
 namespace holdfast {
 
-/// Of one view, which it outlives in none of its work: it is the view's child. A view that is hidden is not drawn; ask
-/// again when it is shown.
+/// Belongs to one view, as its child. A view that is hidden is not drawn: ask again when it is shown.
 class RenderRequest : public QObject {
  public:
   explicit RenderRequest(QVTKOpenGLNativeWidget& view);
