@@ -196,7 +196,7 @@ void RotationSphere::setColoring(const std::optional<Coloring>& coloring)
   for (std::size_t k = 0; k < vertexOf_.size(); ++k)
     shares->SetValue(static_cast<vtkIdType>(k), shareOf(coloring->scale, coloring->values[vertexOf_[k]]));
   pointData_->GetPointData()->SetScalars(shares);
-  mapper.SetLookupTable(toLookupTable());
+  mapper.SetLookupTable(toLookupTable(coloring->scale.map));
   mapper.UseLookupTableScalarRangeOn();
 }
 
