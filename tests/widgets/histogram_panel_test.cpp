@@ -1,4 +1,5 @@
 #include <QLabel>
+#include <QPixmap>
 #include <QToolTip>
 #include <algorithm>
 #include <cmath>
@@ -117,6 +118,41 @@ TEST_F(HistogramPanelTest, BesideTheBarsNothingIsPicked)
   QObject::connect(&panel, &HistogramPanel::verticesPicked, &panel, [&] { isPicked = true; });
   test::click(*panel.angleView().chartView(), {1, 1});
   EXPECT_FALSE(isPicked);
+}
+
+TEST_F(HistogramPanelTest, KeysReachEveryBar)
+{
+  open("bracket.obj", "bracket.conflict.constraints.json");
+  show();
+  std::vector<Index> picked;
+  QObject::connect(&panel, &HistogramPanel::constraintsPicked, &panel,
+                   [&](const std::vector<Index>& constraints) { picked = constraints; });
+  QWidget& chart = *panel.residualView().chartView();
+  const std::vector<Index>& counts = panel.residualView().histogram().counts;
+  for (const Index count : counts) {
+    if (count == 0) continue;
+    test::pressKey(chart, Qt::Key_Right);
+    test::pressKey(chart, Qt::Key_Return);
+    EXPECT_EQ(static_cast<Index>(picked.size()), count);
+  }
+}
+
+TEST_F(HistogramPanelTest, BarsAreDrawnWhereTheyAreClicked)
+{
+  open("bracket.obj", "bracket.conflict.constraints.json");
+  show();
+  const HistogramView& view = panel.residualView();
+  const auto& counts = view.histogram().counts;
+  const Index highest = std::max_element(counts.begin(), counts.end()) - counts.begin();
+  const Index empty = std::find(counts.begin(), counts.end(), 0) - counts.begin();
+  const auto colorAt = [&](Index bar) {
+    const QPixmap grabbed = view.chartView()->grab();
+    const QPointF place = view.middleOf(bar) * grabbed.devicePixelRatioF();
+    return grabbed.toImage().pixelColor(place.toPoint());
+  };
+  const QColor ground = panel.palette().color(QPalette::Base);
+  EXPECT_GT(colorAt(highest).saturation(), 80);
+  EXPECT_EQ(colorAt(empty).rgb(), ground.rgb());
 }
 
 TEST_F(HistogramPanelTest, HintsSayWhatToDo)

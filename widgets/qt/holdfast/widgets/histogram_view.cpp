@@ -1,5 +1,5 @@
 #include <QEvent>
-#include <QHelpEvent>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QMouseEvent>
 #include <QToolTip>
@@ -85,6 +85,7 @@ HistogramView::HistogramView(QWidget* parent) : QWidget(parent)
   view_->setObjectName("chart");
   view_->setMinimumSize(160, 110);
   view_->setMouseTracking(true);
+  view_->setFocusPolicy(Qt::StrongFocus);
   view_->installEventFilter(this);
   drawing_ = new RenderRequest(*view_);
   auto* column = new QVBoxLayout(this);
@@ -215,8 +216,10 @@ bool HistogramView::eventFilter(QObject* watched, QEvent* event)
       hover(std::nullopt);
       return false;
     case QEvent::MouseButtonRelease:
-      if (const auto bar = barAt(static_cast<QMouseEvent*>(event)->localPos())) Q_EMIT barClicked(*bar);
+      handleRelease(*static_cast<QMouseEvent*>(event));
       return true;
+    case QEvent::KeyPress:
+      return handleKey(static_cast<QKeyEvent*>(event)->key());
     case QEvent::Resize:
       // More room, more numbers.
       rebuild();
@@ -224,6 +227,39 @@ bool HistogramView::eventFilter(QObject* watched, QEvent* event)
     default:
       return QWidget::eventFilter(watched, event);
   }
+}
+
+void HistogramView::handleRelease(const QMouseEvent& event)
+{
+  if (event.button() != Qt::LeftButton) return;
+  if (const auto bar = barAt(event.localPos())) Q_EMIT barClicked(*bar);
+}
+
+bool HistogramView::handleKey(int key)
+{
+  switch (key) {
+    case Qt::Key_Left:
+      hover(nextBar(-1));
+      return true;
+    case Qt::Key_Right:
+      hover(nextBar(1));
+      return true;
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+    case Qt::Key_Space:
+      if (hovered_) Q_EMIT barClicked(*hovered_);
+      return true;
+    default:
+      return false;
+  }
+}
+
+std::optional<Index> HistogramView::nextBar(Index step) const
+{
+  const auto bars = static_cast<Index>(histogram_.counts.size());
+  for (Index bar = hovered_ ? *hovered_ + step : (step > 0 ? 0 : bars - 1); bar >= 0 && bar < bars; bar += step)
+    if (histogram_.counts[bar] > 0) return bar;
+  return hovered_;
 }
 
 void HistogramView::hover(std::optional<Index> bar)

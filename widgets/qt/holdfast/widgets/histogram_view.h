@@ -29,7 +29,8 @@ struct ChartTexts {
   std::function<QString(Index bin)> describe;  ///< the range and the count of a bar, for its tool tip
 };
 
-/// The whole column of a bar is its target: small bars are as easy to hit as large ones.
+/// The whole column of a bar is its target: small bars are as easy to hit as large ones. Arrow keys go from bar to bar,
+/// Enter is a click.
 class HistogramView : public QWidget {
   Q_OBJECT
 
@@ -60,6 +61,9 @@ class HistogramView : public QWidget {
   void addBars(const PictureColors& colors);
   void addMark(const PictureColors& colors);
   void setAxes(const PictureColors& colors);
+  void handleRelease(const QMouseEvent& event);
+  bool handleKey(int key);
+  [[nodiscard]] std::optional<Index> nextBar(Index step) const;
   void hover(std::optional<Index> bar);
 
   Histogram histogram_;
