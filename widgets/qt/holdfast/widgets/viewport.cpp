@@ -115,6 +115,7 @@ void Viewport::openDocument()
     picker_ = std::make_unique<SurfacePicker>(*editor_.model());
     fullMilliseconds_ = 0;
     setDisplay(display_);
+    showColors();
     frameAll();
   }
   scheduleRender();
@@ -132,7 +133,7 @@ void Viewport::showConstraints()
   if (!contents_) return;
   if (!editor_.history().isInGesture()) disabledPlaces_ = disabledPlaces(*editor_.model(), editor_.list());
   if (const auto& deformation = editor_.deformation()) contents_->show(*deformation, disabledPlaces_);
-  if (display_.constraints == ConstraintDisplay::Hidden) contents_->setMarks({});
+  if (!display_.areConstraintsShown) contents_->setMarks({});
   overlay_->update();
   scheduleRender();
 }
@@ -141,14 +142,11 @@ void Viewport::showColors()
 {
   coloring_.reset();
   if (const auto& deformation = editor_.deformation())
-    coloring_ = coloringOf(*editor_.model(), *deformation, display_.colorBy, editor_.deformedState()->list.units);
-  if (coloring_) {
-    coloring_->scale.map = display_.map;
-    if (whyNoRange(display_.range).empty()) coloring_ = withRange(std::move(*coloring_), display_.range);
-  }
+    coloring_ = coloringOf(*editor_.model(), *deformation, colors_, editor_.deformedState()->list.units);
   contents_->color(coloring_);
   overlay_->update();
   scheduleRender();
+  Q_EMIT coloringChanged(coloring_);
 }
 
 void Viewport::showSelection()
@@ -159,6 +157,12 @@ void Viewport::showSelection()
   scheduleRender();
 }
 
+void Viewport::setColors(const ColorSettings& settings)
+{
+  colors_ = settings;
+  if (contents_) showColors();
+}
+
 void Viewport::setDisplay(const DisplaySettings& settings)
 {
   display_ = settings;
@@ -167,7 +171,6 @@ void Viewport::setDisplay(const DisplaySettings& settings)
   contents_->setMeshEdges(display_.edges);
   contents_->setRotationDisplay(display_.rotations);
   showConstraints();
-  showColors();
 }
 
 const std::vector<ConstraintMark>& Viewport::marks() const noexcept

@@ -11,10 +11,8 @@
 #include <QVTKOpenGLNativeWidget.h>
 #include <vtkNew.h>
 
-#include <holdfast/view/coloring.h>
-#include <holdfast/view/scene_contents.h>
+#include <holdfast/view/display_settings.h>
 #include <holdfast/view/surface_picker.h>
-#include <holdfast/widgets/display_settings.h>
 #include <holdfast/widgets/editor.h>
 #include <holdfast/widgets/tool.h>
 
@@ -44,6 +42,8 @@ class Viewport : public QVTKOpenGLNativeWidget {
   /// Takes back what is under way with the mouse; false where nothing is.
   bool cancelGesture();
 
+  void setColors(const ColorSettings& settings);
+  [[nodiscard]] const ColorSettings& colors() const noexcept { return colors_; }
   void setDisplay(const DisplaySettings& settings);
   [[nodiscard]] const DisplaySettings& display() const noexcept { return display_; }
   /// What the surface is coloured by now; none for one colour and for an empty viewport.
@@ -87,6 +87,8 @@ class Viewport : public QVTKOpenGLNativeWidget {
 
  Q_SIGNALS:
   void previewChanged(const std::optional<SurfacePick>& pick);
+  /// Another field, another scale, or other values of it.
+  void coloringChanged(const std::optional<Coloring>& coloring);
   void contextMenuWanted(const QPoint& place);
   void filesDropped(const QStringList& paths);
   /// Before each picture: time to follow the camera.
@@ -125,6 +127,7 @@ class Viewport : public QVTKOpenGLNativeWidget {
   std::unique_ptr<SurfacePicker> picker_;
   std::vector<DisabledPlace> disabledPlaces_;
   std::optional<Coloring> coloring_;
+  ColorSettings colors_;
   DisplaySettings display_;
 
   vtkNew<vtkGenericOpenGLRenderWindow> window_;
@@ -143,7 +146,7 @@ class Viewport : public QVTKOpenGLNativeWidget {
   bool hasPreview_ = false;
 
   QTimer renderTimer_;  // draws once a turn of the event loop
-  QTimer restTimer_;  // draws the full detail when the hand rests
+  QTimer restTimer_;    // draws the full detail when the hand rests
   double renderMilliseconds_ = 0;
   double fullMilliseconds_ = 0;  // of the last picture in full detail
 };
