@@ -1,0 +1,41 @@
+#pragma once
+/// \file
+/// The table of the constraint panel: rows are selected, dragged and typed into.
+
+#include <QTableView>
+
+namespace holdfast {
+
+/// Rows in a table. Keys of its actions work while it has the focus, whatever menus use them for. Clicks in cells that
+/// set a value keep a selection of several rows, because the value goes to all of them.
+class ConstraintTable : public QTableView {
+  Q_OBJECT
+
+ public:
+  explicit ConstraintTable(QWidget* parent = nullptr);
+
+  /// Shown where there are no rows.
+  void setEmptyText(const QString& text);
+
+ Q_SIGNALS:
+  /// A title was clicked for the first, the second or the third time: the third returns to the order of precedence.
+  void sortAsked(int column, Qt::SortOrder order);
+  void precedenceAsked();
+
+ protected:
+  bool event(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+  [[nodiscard]] QItemSelectionModel::SelectionFlags selectionCommand(const QModelIndex& index,
+                                                                     const QEvent* event) const override;
+
+ private:
+  [[nodiscard]] QAction* actionOf(const QKeyEvent& event) const;
+  void cycleSorting(int column);
+
+  QString emptyText_;
+  int sortedColumn_ = -1;
+  Qt::SortOrder order_ = Qt::AscendingOrder;
+};
+
+}  // namespace holdfast

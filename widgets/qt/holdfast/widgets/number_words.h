@@ -1,0 +1,36 @@
+#pragma once
+/// \file
+/// Numbers as the window writes and reads them, whatever the locale is: with decimal points, exact where they are
+/// edited.
+
+#include <QString>
+#include <optional>
+#include <string>
+
+#include <holdfast/base/types.h>
+
+namespace holdfast {
+
+/// The shortest text that reads back as the same double.
+[[nodiscard]] QString exactText(double value);
+
+/// Four significant digits, for numbers that are only shown.
+[[nodiscard]] QString roundedText(double value);
+
+/// The exact text where it is short, seven significant digits otherwise: for tables, where columns are narrow.
+[[nodiscard]] QString coordinateText(double value);
+
+/// "0.42 mm", rounded; without a unit where `units` is empty.
+[[nodiscard]] QString lengthText(double length, const std::string& units);
+
+/// "(1, 2.5, 3)", rounded or exact.
+[[nodiscard]] QString roundedText(const Vector3& vector);
+[[nodiscard]] QString exactText(const Vector3& vector);
+
+/// What the user typed, blanks around it aside, as the nearest double; nothing where that is no finite number.
+[[nodiscard]] std::optional<double> typedNumber(const QString& typed);
+
+/// Why `typedNumber` gave nothing, and what to write instead.
+[[nodiscard]] QString notANumber(const QString& typed);
+
+}  // namespace holdfast

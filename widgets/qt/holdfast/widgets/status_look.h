@@ -1,0 +1,28 @@
+#pragma once
+/// \file
+/// How the status of a constraint looks: a form and a colour each, so that neither is needed to tell it.
+
+#include <QColor>
+#include <QIcon>
+#include <QPalette>
+#include <optional>
+
+#include <holdfast/deform/report.h>
+
+namespace holdfast {
+
+/// Of the background that texts of a palette stand on.
+enum class Lightness { Light, Dark };
+[[nodiscard]] Lightness lightnessOf(const QPalette& palette);
+
+/// Of texts that step back: between text and background, still readable.
+[[nodiscard]] QColor quietColor(const QPalette& palette);
+
+/// Readable on the background; nothing stands for a constraint that was not solved yet.
+[[nodiscard]] QColor statusColor(std::optional<ConstraintStatus> status, Lightness background);
+
+/// A disc with a tick: met; a ring with =: redundant; a triangle with !: conflicting; a diamond: missed; a broken ring:
+/// disabled; a ring with a dot: independent; three dots: not solved yet.
+[[nodiscard]] QIcon statusIcon(std::optional<ConstraintStatus> status, Lightness background);
+
+}  // namespace holdfast
