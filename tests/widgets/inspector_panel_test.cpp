@@ -1,0 +1,235 @@
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+
+#include <gtest/gtest.h>
+
+#include <holdfast/io/number_text.h>
+#include <holdfast/widgets/inspector_panel.h>
+
+#include "gestures.h"
+#include "open_document.h"
+#include "support/meshes.h"
+
+namespace holdfast {
+namespace {
+
+ConstraintList sheetList()
+{
+  ConstraintList list{"mm", {}};
+  list.constraints = {
+      {"base", true, Fixed{{InHalfSpace{Vector3(0.5, 0, 0), Vector3(-1, 0, 0)}}}},
+      {"P1", true, Point{AtVertex{36}, Target{Vector3(3, 2, 1)}}},
+      {"P2", true, Point{AtEdge{48, 49, 0.25}, Move{Vector3(0, 0, 0.1)}}},
+      {"P3", true, Point{AtFace{77, {0.25, 0.25, 0.5}}, Move{Vector3(0, 0, 0.1)}}},
+  };
+  Handle tip;
+  tip.select.what = VertexIds{{118, 119, 120}};
+  tip.motion.emplace<Turn>();
+  tip.translate = Vector3(0, 0, 2);
+  list.constraints.push_back({"tip", true, tip});
+  list.constraints.push_back({"pair", true, Relative{AtVertex{60}, AtVertex{62}, {}}});
+  return list;
+}
+
+class InspectorPanelOfSheet : public ::testing::Test {
+ protected:
+  void SetUp() override
+  {
+    ASSERT_TRUE(test::openMesh(editor, test::grid(10, 10), sheetList()));
+    panel.resize(380, 700);
+    ASSERT_TRUE(test::showAndWait(panel));
+  }
+
+  template <class Widget = QLineEdit>
+  [[nodiscard]] Widget& find(const char* name)
+  {
+    return *panel.findChild<Widget*>(name);
+  }
+  void typeInto(const char* name, const char* text)
+  {
+    QLineEdit& line = find(name);
+    ASSERT_TRUE(line.isVisible()) << name;
+    line.selectAll();
+    test::type(line, text);
+    test::pressKey(line, Qt::Key_Return);
+  }
+  /// As a click on an entry of the list does.
+  void choose(const char* name, int entry)
+  {
+    QComboBox& box = find<QComboBox>(name);
+    ASSERT_TRUE(box.isVisible()) << name;
+    box.setCurrentIndex(entry);
+    Q_EMIT box.activated(entry);
+  }
+  template <class What>
+  [[nodiscard]] const What& what(Index k) const
+  {
+    return std::get<What>(editor.list().constraints[k].what);
+  }
+  [[nodiscard]] std::string refusal()
+  {
+    QLabel& label = find<QLabel>("inspectorRefusal");
+    return label.isVisible() ? label.text().toStdString() : "";
+  }
+
+  Editor editor;
+  InspectorPanel panel{editor};
+};
+
+TEST_F(InspectorPanelOfSheet, SaysWhatToDoWhereNothingIsSelected)
+{
+  EXPECT_TRUE(find<QLabel>("inspectorEmpty").isVisible());
+  editor.selectConstraints({1});
+  EXPECT_FALSE(find<QLabel>("inspectorEmpty").isVisible());
+  editor.edit("delete all", {});
+  EXPECT_TRUE(find<QLabel>("inspectorEmpty").isVisible());
+}
+
+TEST_F(InspectorPanelOfSheet, ATypedTargetIsTheTargetToTheLastBit)
+{
+  editor.selectConstraints({1});
+  typeInto("targetPlaceY", "0.30000000000000004");
+  EXPECT_TRUE(hasSameBits(std::get<Target>(what<Point>(1).to).place.y(), 0.1 + 0.2));
+  EXPECT_EQ(find("targetPlaceY").text(), "0.30000000000000004") << "shown with all digits";
+}
+
+TEST_F(InspectorPanelOfSheet, EscapeBringsBackTheNumberThatWasThere)
+{
+  editor.selectConstraints({1});
+  QLineEdit& line = find("targetPlaceX");
+  line.selectAll();
+  test::type(line, "77");
+  test::pressKey(line, Qt::Key_Escape);
+  EXPECT_EQ(line.text(), "3");
+  EXPECT_FALSE(editor.history().canUndo());
+}
+
+TEST_F(InspectorPanelOfSheet, AShiftIsTypedExactlyAndCanBecomeAPlace)
+{
+  editor.selectConstraints({2});
+  typeInto("targetShiftZ", "-0.7");
+  EXPECT_EQ(std::get<Move>(what<Point>(2).to).shift, Vector3(0, 0, -0.7));
+  choose("targetWay", 0);
+  EXPECT_EQ(std::get<Target>(what<Point>(2).to).place.z(), -0.7);
+  EXPECT_FALSE(find("targetShiftZ").isVisible());
+}
+
+TEST_F(InspectorPanelOfSheet, WeightsThatDoNotSumToOneAreRefusedUntilNormalised)
+{
+  editor.selectConstraints({3});
+  const auto before = editor.history().state();
+  typeInto("locationWeight0", "0.75");
+  EXPECT_EQ(editor.history().state(), before);
+  EXPECT_NE(refusal().find("1.5"), std::string::npos) << refusal();
+  QPushButton& button = find<QPushButton>("locationNormalise");
+  test::click(button, QPointF(button.rect().center()));
+  EXPECT_EQ(std::get<AtFace>(what<Point>(3).at).weights, (std::vector<double>{0.5, 0.25 / 1.5, 0.5 / 1.5}));
+  EXPECT_EQ(refusal(), "");
+}
+
+TEST_F(InspectorPanelOfSheet, WeightsThatSumToOneAreTaken)
+{
+  editor.selectConstraints({3});
+  typeInto("locationWeight0", "0.5");
+  typeInto("locationWeight2", "0.25");
+  EXPECT_EQ(std::get<AtFace>(what<Point>(3).at).weights, (std::vector<double>{0.5, 0.25, 0.25}));
+}
+
+TEST_F(InspectorPanelOfSheet, PlacesThatTheMeshDoesNotHaveAreRefusedWithTheReason)
+{
+  editor.selectConstraints({1});
+  const auto before = editor.history().state();
+  typeInto("locationFirst", "1000");
+  EXPECT_NE(refusal().find("no vertex 1000"), std::string::npos) << refusal();
+  typeInto("locationFirst", "1.5");
+  EXPECT_NE(refusal().find("whole numbers"), std::string::npos) << refusal();
+  editor.selectConstraints({2});
+  typeInto("locationT", "1.25");
+  EXPECT_NE(refusal().find("from 0 to 1"), std::string::npos) << refusal();
+  EXPECT_EQ(editor.history().state(), before);
+  EXPECT_EQ(find("locationT").text(), "0.25");
+  typeInto("locationT", "0.5");
+  EXPECT_EQ(std::get<AtEdge>(what<Point>(2).at).t, 0.5);
+}
+
+TEST_F(InspectorPanelOfSheet, AHandleTurnsByAnyNumberOfTurnsAndByBothMethods)
+{
+  editor.selectConstraints({4});
+  typeInto("handleDegrees", "720");
+  EXPECT_EQ(std::get<Turn>(what<Handle>(4).motion).degrees, 720);
+  typeInto("handleAxisX", "1");
+  EXPECT_EQ(std::get<Turn>(what<Handle>(4).motion).axis, Vector3(1, 0, 1));
+  choose("handleCenterChoice", 1);
+  EXPECT_EQ(std::get<Turn>(what<Handle>(4).motion).center, Vector3(9, 10, 0)) << "from the centroid on";
+  choose("handleMethod", 2);
+  EXPECT_TRUE(std::holds_alternative<TurnAboutFixed>(what<Handle>(4).motion));
+  EXPECT_FALSE(find("handleDegrees").isVisible());
+}
+
+TEST_F(InspectorPanelOfSheet, AnAxisOfZeroIsRefused)
+{
+  editor.selectConstraints({4});
+  typeInto("handleAxisZ", "0");
+  EXPECT_NE(refusal().find("axis"), std::string::npos);
+  EXPECT_EQ(std::get<Turn>(what<Handle>(4).motion).axis, Vector3(0, 0, 1));
+}
+
+TEST_F(InspectorPanelOfSheet, RegionsTellTheirVerticesAndSelectThem)
+{
+  editor.selectConstraints({0});
+  EXPECT_EQ(find<QLabel>("verticesCount").text(), "11 vertices");
+  QPushButton& button = find<QPushButton>("verticesSelect");
+  test::click(button, QPointF(button.rect().center()));
+  ASSERT_EQ(editor.selectedVertices().size(), 11U);
+  EXPECT_EQ(editor.selectedVertices()[1], 11);
+}
+
+TEST_F(InspectorPanelOfSheet, ARelativeConstraintTakesAnOffset)
+{
+  editor.selectConstraints({5});
+  choose("relativeWay", 1);
+  EXPECT_EQ(what<Relative>(5).offset, Vector3(-2, 0, 0)) << "what it was at rest";
+  typeInto("relativeOffsetX", "-2.5");
+  EXPECT_EQ(what<Relative>(5).offset, Vector3(-2.5, 0, 0));
+}
+
+TEST_F(InspectorPanelOfSheet, SeveralConstraintsAreEditedWhereTheyHaveSomethingInCommon)
+{
+  editor.selectConstraints({2, 3});
+  EXPECT_EQ(find("targetShiftZ").text(), "0.1");
+  EXPECT_EQ(find("targetPlaceX").text(), "") << "they differ";
+  typeInto("targetPlaceX", "5");
+  EXPECT_EQ(find("targetPlaceX").text(), "5");
+  editor.undo();
+  EXPECT_FALSE(editor.history().canUndo()) << "one entry";
+  editor.selectConstraints({1, 4});
+  EXPECT_FALSE(find("targetPlaceX").isVisible());
+  QCheckBox& enabled = find<QCheckBox>("inspectorEnabled");
+  test::click(enabled, QPointF(8, enabled.height() / 2.0));
+  EXPECT_FALSE(editor.list().constraints[1].isEnabled);
+  EXPECT_FALSE(editor.list().constraints[4].isEnabled);
+}
+
+TEST_F(InspectorPanelOfSheet, TellsTheOutcome)
+{
+  editor.selectConstraints({1});
+  EXPECT_EQ(find<QLabel>("outcomeStatus").text(), "met");
+  EXPECT_EQ(find<QLabel>("outcomeResidual").text(), "0 mm");
+  EXPECT_FALSE(find<QLabel>("outcomeAge").isVisible());
+  editor.edit("delete", {"mm", {editor.list().constraints[0], editor.list().constraints[1]}});
+  EXPECT_TRUE(find<QLabel>("outcomeAge").isVisible());
+}
+
+TEST_F(InspectorPanelOfSheet, ATakenNameIsRefusedWithTheReason)
+{
+  editor.selectConstraints({1});
+  typeInto("inspectorName", "P2");
+  EXPECT_EQ(editor.list().constraints[1].name, "P1");
+  EXPECT_NE(refusal(), "");
+  EXPECT_EQ(find("inspectorName").text(), "P1");
+}
+
+}  // namespace
+}  // namespace holdfast

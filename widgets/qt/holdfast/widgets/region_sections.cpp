@@ -1,0 +1,126 @@
+#include <QComboBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <algorithm>
+
+#include <holdfast/widgets/constraint_words.h>
+#include <holdfast/widgets/number_words.h>
+#include <holdfast/widgets/region_sections.h>
+
+namespace holdfast {
+
+VerticesSection::VerticesSection(Editor& editor, QWidget* parent) : InspectorSection(editor, parent), vertices_(editor)
+{
+  how_ = addText(tr("Selects"), "verticesHow");
+  count_ = addText(tr("Holds"), "verticesCount");
+  select_ = new QPushButton(tr("Select Its &Vertices"), this);
+  select_->setObjectName("verticesSelect");
+  form().addRow(QString(), select_);
+  connect(select_, &QPushButton::clicked, this, &VerticesSection::selectThem);
+}
+
+bool VerticesSection::fits(const Constraint& constraint) const
+{
+  return selectionOf(constraint) != nullptr;
+}
+
+void VerticesSection::refresh()
+{
+  setFieldVisible(how_, rows().size() == 1);
+  if (rows().size() == 1) how_->setText(selectionText(*selectionOf(constraint(rows().front()))));
+  // A drag moves what is selected and selects nothing else.
+  const bool isSame =
+      counted_ == editor().history().state() || (counted_ != nullptr && editor().history().isInGesture());
+  if (!isSame || countedRows_ != rows()) count();
+}
+
+void VerticesSection::count()
+{
+  counted_ = editor().history().state();
+  countedRows_ = rows();
+  Index count = 0;
+  QString reason;
+  for (const Index row : rows()) {
+    const SelectedVertices::Found found = vertices_.of(*selectionOf(constraint(row)));
+    count += static_cast<Index>(found.vertices.size());
+    if (!found.reason.empty()) reason = quoted(constraint(row).name) + ": " + QString::fromStdString(found.reason);
+  }
+  const QString number = count == 1 ? tr("1 vertex") : tr("%n vertices", nullptr, static_cast<int>(count));
+  count_->setText(reason.isEmpty() ? number : reason);
+  select_->setEnabled(reason.isEmpty());
+}
+
+void VerticesSection::selectThem()
+{
+  std::vector<Index> all;
+  for (const Index row : rows()) {
+    const SelectedVertices::Found found = vertices_.of(*selectionOf(constraint(row)));
+    all.insert(all.end(), found.vertices.begin(), found.vertices.end());
+  }
+  editor().selectVertices(std::move(all));
+}
+
+RelativeSection::RelativeSection(Editor& editor, QWidget* parent) : InspectorSection(editor, parent), places_(editor)
+{
+  from_ = addText(tr("From"), "relativeFrom");
+  to_ = addText(tr("To"), "relativeTo");
+  way_ = new QComboBox(this);
+  way_->setObjectName("relativeWay");
+  way_->setAccessibleName(tr("How the places lie to each other"));
+  way_->addItem(tr("its vector at rest, turning with the surface"));
+  way_->addItem(tr("an offset of its own"));
+  form().addRow(tr("&Keeps"), way_);
+  offset_ = addVector(tr("&Offset"), "relativeOffset");
+  connect(way_, qOverload<int>(&QComboBox::activated), this, &RelativeSection::chooseWay);
+  connect(offset_, &VectorEdit::entered, this, &RelativeSection::setOffset);
+}
+
+bool RelativeSection::fits(const Constraint& constraint) const
+{
+  return std::holds_alternative<Relative>(constraint.what);
+}
+
+void RelativeSection::refresh()
+{
+  const auto relative = [this](Index row) -> const Relative& { return std::get<Relative>(constraint(row).what); };
+  const bool isOne = rows().size() == 1;
+  setFieldVisible(from_, isOne);
+  setFieldVisible(to_, isOne);
+  if (isOne) from_->setText(locationText(relative(rows().front()).from));
+  if (isOne) to_->setText(locationText(relative(rows().front()).to));
+  const auto hasOffset = [&](Index row) { return relative(row).offset.has_value(); };
+  const bool areOffsets = std::all_of(rows().begin(), rows().end(), hasOffset);
+  const bool areKept = std::none_of(rows().begin(), rows().end(), hasOffset);
+  way_->setCurrentIndex(areOffsets ? 1 : areKept ? 0 : -1);
+  setFieldVisible(offset_, areOffsets);
+  if (areOffsets)
+    offset_->setNumbers(
+        commonVector([](const Constraint& constraint) { return std::get<Relative>(constraint.what).offset; }));
+}
+
+void RelativeSection::chooseWay(int way)
+{
+  const QString name = way == 0 ? tr("keep the vector of %1") : tr("give %1 an offset");
+  change(name.arg(subject()), [&](Constraint constraint) -> std::optional<Constraint> {
+    Relative& relative = std::get<Relative>(constraint.what);
+    if (relative.offset.has_value() == (way == 1)) return std::nullopt;
+    const std::optional<Vector3> from = places_.of(relative.from);
+    const std::optional<Vector3> to = places_.of(relative.to);
+    if (!from || !to) return std::nullopt;
+    relative.offset = way == 1 ? std::optional<Vector3>(*from - *to) : std::nullopt;
+    return constraint;
+  });
+  refresh();
+}
+
+void RelativeSection::setOffset(int axis, double value)
+{
+  change(tr("set the offset of %1 to %2 = %3").arg(subject(), axisText(axis), exactText(value)),
+         [&](Constraint constraint) {
+           (*std::get<Relative>(constraint.what).offset)[axis] = value;
+           return constraint;
+         });
+}
+
+}  // namespace holdfast
