@@ -1,0 +1,50 @@
+#pragma once
+/// \file
+/// A framed piece of text with buttons below it: what panels of conflicts and findings are made of.
+
+#include <QFrame>
+#include <QScrollArea>
+
+class QGridLayout;
+class QLabel;
+class QPushButton;
+class QVBoxLayout;
+
+namespace holdfast {
+
+/// A title with an icon, some text that can be copied, and buttons.
+class Card : public QFrame {
+  Q_OBJECT
+
+ public:
+  explicit Card(QWidget* parent = nullptr);
+
+  void setIcon(const QIcon& icon);
+  void setTitle(const QString& title);
+  /// Hidden where it is empty.
+  void setText(const QString& text);
+  /// Below the text, two side by side; every third has a line of its own.
+  QPushButton* addButton(const QString& text, const QString& name);
+
+ private:
+  QLabel* icon_;
+  QLabel* title_;
+  QLabel* text_;
+  QGridLayout* buttons_;
+};
+
+/// Cards below one another, scrolled where they need more room, and a text where there are none.
+class CardList : public QScrollArea {
+  Q_OBJECT
+
+ public:
+  explicit CardList(QWidget* parent = nullptr);
+
+  /// Behind those that are there.
+  void add(QWidget* card);
+
+ private:
+  QVBoxLayout* layout_;
+};
+
+}  // namespace holdfast
