@@ -1,0 +1,92 @@
+#include <QCoreApplication>
+#include <QStringList>
+#include <algorithm>
+
+#include <holdfast/widgets/constraint_words.h>
+#include <holdfast/widgets/number_words.h>
+#include <holdfast/widgets/report_words.h>
+
+namespace holdfast {
+namespace {
+
+struct ReportWords {
+  Q_DECLARE_TR_FUNCTIONS(ReportWords)
+};
+
+QString tr(const char* text)
+{
+  return ReportWords::tr(text);
+}
+
+QString text(std::string_view view)
+{
+  return QString::fromUtf8(view.data(), static_cast<int>(view.size()));
+}
+
+/// 1 234 567
+QString grouped(Index number)
+{
+  QString digits = QString::number(number);
+  for (int place = digits.size() - 3; place > 0; place -= 3) digits.insert(place, QChar(0x202f));
+  return digits;
+}
+
+QString secondsText(double seconds)
+{
+  return tr("%1 s").arg(roundedText(seconds));
+}
+
+/// "12 met, 2 conflicting"
+QString countsText(const std::vector<ConstraintOutcome>& outcomes)
+{
+  QStringList words;
+  for (const ConstraintStatus status :
+       {ConstraintStatus::Met, ConstraintStatus::Redundant, ConstraintStatus::Conflicting, ConstraintStatus::Missed,
+        ConstraintStatus::Independent, ConstraintStatus::Disabled}) {
+    const auto count = std::count_if(outcomes.begin(), outcomes.end(),
+                                     [&](const ConstraintOutcome& outcome) { return outcome.status == status; });
+    if (count > 0) words << grouped(count) + ' ' + statusText(status);
+  }
+  return words.isEmpty() ? tr("none") : words.join(", ");
+}
+
+}  // namespace
+
+ReportLines reportLines(const Report& report, const std::string& units)
+{
+  const SolveReport& solve = report.solve;
+  ReportLines lines = {{"Status", tr("Status"), text(name(solve.status))},
+                       {"Meaning", tr("Meaning"), QString::fromStdString(solve.message)}};
+  lines.push_back({"Constraints", tr("Constraints"), countsText(report.constraints)});
+  lines.push_back(
+      {"Mesh", tr("Mesh"),
+       tr("%1 vertices, %2 faces, %3 parts")
+           .arg(grouped(report.mesh.vertices), grouped(report.mesh.faces), grouped(report.mesh.components))});
+  lines.push_back({"Weights", tr("Weights"), text(name(solve.weights))});
+  lines.push_back({"Solver", tr("Solver"), text(name(solve.options.kind))});
+  if (solve.status == SolveStatus::Failed || solve.status == SolveStatus::NotRun) return lines;
+  lines.push_back({"Residual", tr("Largest residual"), lengthText(solve.maxResidual, units)});
+  lines.push_back({"RelativeResidual", tr("Relative residual"),
+                   tr("%1 of the diagonal, promised 1e-12").arg(roundedText(solve.maxResidualRelative))});
+  lines.push_back({"Method", tr("Method"), QString::fromStdString(solve.method)});
+  lines.push_back({"Unknowns", tr("Unknowns"), grouped(solve.unknowns)});
+  lines.push_back({"Factor", tr("Factor"), tr("%1 non-zeros").arg(grouped(solve.factorNonzeros))});
+  lines.push_back({"Refinement", tr("Refinement"),
+                   solve.refinementSteps == 1 ? tr("1 step") : tr("%1 steps").arg(solve.refinementSteps)});
+  lines.push_back({"Accuracy", tr("Accuracy"), roundedText(solve.accuracy)});
+  lines.push_back({"Setup", tr("Set-up"), secondsText(solve.seconds.setup)});
+  lines.push_back({"Decomposition", tr("Decomposition"), secondsText(solve.seconds.decomposition)});
+  lines.push_back({"Solution", tr("Solution"), secondsText(solve.seconds.solution)});
+  return lines;
+}
+
+QString reportText(const ReportLines& lines)
+{
+  int widest = 0;
+  for (const ReportLine& line : lines) widest = std::max(widest, static_cast<int>(line.title.size()));
+  QString text;
+  for (const ReportLine& line : lines) text += line.title.leftJustified(widest + 2) + line.value + '\n';
+  return text;
+}
+
+}  // namespace holdfast
