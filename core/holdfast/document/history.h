@@ -56,6 +56,8 @@ class History {
 
   /// The state that is shown is the one that is in the user's file.
   void markSaved();
+  /// No state is the one in the user's file: there is none, or it says something else.
+  void markUnsaved() noexcept { saved_.reset(); }
   [[nodiscard]] bool isSaved() const noexcept;
 
  private:

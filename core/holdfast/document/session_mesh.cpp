@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <fstream>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -93,9 +94,14 @@ bool isChecksum(std::string_view text)
 
 MeshReference referenceTo(const fs::path& mesh, const fs::path& session)
 {
+  return referenceTo(mesh, session, checksumOfFile(mesh));
+}
+
+MeshReference referenceTo(const fs::path& mesh, const fs::path& session, std::string checksum)
+{
   const fs::path target = inRealFolder(mesh);
   return {target.lexically_proximate(inRealFolder(session).parent_path()).generic_string(), target.generic_string(),
-          checksumOfFile(mesh)};
+          std::move(checksum)};
 }
 
 ResolvedMesh resolveMesh(const SessionFile& session, const fs::path& sessionPath)

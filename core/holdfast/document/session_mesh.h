@@ -21,6 +21,10 @@ namespace holdfast {
 /// move together. Throws `InputError` where the mesh cannot be read.
 [[nodiscard]] MeshReference referenceTo(const std::filesystem::path& mesh, const std::filesystem::path& session);
 
+/// The same where the checksum of the mesh is known: nothing is read, and nothing needs to be there any more.
+[[nodiscard]] MeshReference referenceTo(const std::filesystem::path& mesh, const std::filesystem::path& session,
+                                        std::string checksum);
+
 enum class MeshState {
   Same,     ///< as it was, or the session does not say how it was
   Changed,  ///< the bytes of the file are others

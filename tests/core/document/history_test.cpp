@@ -130,5 +130,15 @@ TEST(History, ForgetsTheOldestEditsBeyondItsLength)
   EXPECT_EQ(nameOf(history), "5");
 }
 
+TEST(History, ADocumentThatIsInNoFileIsUnsavedUntilItIsSaved)
+{
+  History history(named("rest"));
+  history.markUnsaved();
+  EXPECT_FALSE(history.isSaved());
+  EXPECT_FALSE(history.canUndo()) << "nothing was edited";
+  history.markSaved();
+  EXPECT_TRUE(history.isSaved());
+}
+
 }  // namespace
 }  // namespace holdfast

@@ -75,6 +75,14 @@ TEST(SessionMesh, IsNamedFromTheFolderOfTheSession)
   EXPECT_EQ(reference.checksum, checksumOfFile(project.mesh()));
 }
 
+TEST(SessionMesh, WhoseChecksumIsKnownIsNotRead)
+{
+  const Project project;
+  const MeshReference read = referenceTo(project.mesh(), project.session());
+  fs::remove(project.mesh());
+  EXPECT_EQ(referenceTo(project.mesh(), project.session(), read.checksum), read);
+}
+
 TEST(SessionMesh, IsNamedThroughLinkedFolders)
 {
   const Project project;

@@ -107,6 +107,12 @@ void Editor::markSaved()
   Q_EMIT saved();
 }
 
+void Editor::markUnsaved()
+{
+  history_->markUnsaved();
+  Q_EMIT saved();
+}
+
 void Editor::cancelSolving()
 {
   if (freshness_ != Freshness::Solving) return;

@@ -69,6 +69,8 @@ class Editor : public QObject {
   void undo();
   void redo();
   void markSaved();
+  /// The document is in no file, though nothing was edited: a copy that a crash has left.
+  void markUnsaved();
 
   /// Stops the work under way; the state stays as it is. `solve` takes it up again.
   void cancelSolving();
@@ -91,7 +93,7 @@ class Editor : public QObject {
   void stageChanged();      ///< of the worker
   void vertexSelectionChanged();
   void constraintSelectionChanged();
-  void saved();  ///< the history is where the file is
+  void saved();  ///< the history is where the file is, or `markUnsaved` was called
 
  private:
   struct Solved {
