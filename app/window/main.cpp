@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QMessageBox>
+#include <QScreen>
 #include <QSurfaceFormat>
 #include <QTimer>
 #include <clocale>
@@ -85,8 +86,10 @@ int run(int argc, char** argv)
   std::setlocale(LC_NUMERIC, "C");
 
   MainWindow window;
+  window.resize(window.screen()->availableSize().boundedTo({1600, 1000}) * 0.95);
   window.show();
-  if (!line.file.empty()) QTimer::singleShot(0, &window, [&] { window.open(QString::fromStdString(line.file)); });
+  if (!line.file.empty())
+    QTimer::singleShot(0, &window, [&] { window.files().open(QString::fromStdString(line.file)); });
   return QApplication::exec();
 }
 

@@ -34,6 +34,7 @@ class Tour {
   explicit Tour(std::filesystem::path folder) : folder_(std::move(folder))
   {
     std::filesystem::create_directories(folder_);
+    window_.resize(1280, 800);
     require(test::showAndWait(window_), "the window comes up");
   }
 

@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include <holdfast/constraints/constraint_file.h>
-#include <holdfast/io/mesh_file.h>
 #include <holdfast/rotation/rotation_log.h>
 #include <holdfast/widgets/histogram_panel.h>
 #include <holdfast/widgets/histogram_view.h>
@@ -23,10 +22,8 @@ class HistogramPanelTest : public ::testing::Test {
   void open(const std::string& mesh, const std::string& constraints)
   {
     const std::string path = test::dataFolder() + "/" + mesh;
-    MeshDocument document = readMesh(path);
-    auto model = std::make_shared<const Model>(makeModel(document.mesh, path));
-    editor.open(std::move(document), std::move(model), QString::fromStdString(path),
-                {readConstraints(test::dataFolder() + "/" + constraints), {}});
+    NoProgress quiet;
+    editor.open(loadMesh(path, quiet), {readConstraints(test::dataFolder() + "/" + constraints), {}});
     ASSERT_TRUE(test::waitUntil([&] { return editor.freshness() == Freshness::Current; }));
   }
 

@@ -3,7 +3,6 @@
 #include <utility>
 
 #include <holdfast/constraints/constraint_file.h>
-#include <holdfast/io/mesh_file.h>
 
 #include "gestures.h"
 #include "support/source_tree.h"
@@ -18,10 +17,8 @@ bool waitForCurrent(const Editor& editor)
 bool openData(Editor& editor, const std::string& mesh, const std::string& constraints)
 {
   const std::string path = dataFolder() + '/' + mesh;
-  MeshDocument document = readMesh(path);
-  auto model = std::make_shared<const Model>(makeModel(document.mesh, path));
-  editor.open(std::move(document), std::move(model), QString::fromStdString(path),
-              {readConstraints(dataFolder() + '/' + constraints), {}});
+  NoProgress quiet;
+  editor.open(loadMesh(path, quiet), {readConstraints(dataFolder() + '/' + constraints), {}});
   return waitForCurrent(editor);
 }
 
@@ -29,8 +26,8 @@ bool openMesh(Editor& editor, Mesh mesh, ConstraintList list)
 {
   MeshDocument document;
   document.mesh = std::move(mesh);
-  auto model = std::make_shared<const Model>(makeModel(document.mesh, "mesh"));
-  editor.open(std::move(document), std::move(model), "mesh", {std::move(list), {}});
+  NoProgress quiet;
+  editor.open(prepareMesh(std::move(document), "mesh", quiet), {std::move(list), {}});
   return waitForCurrent(editor);
 }
 

@@ -14,6 +14,7 @@ namespace holdfast::test {
 
 void OpenWindow::SetUp()
 {
+  window.resize(1270, 1000);
   ASSERT_TRUE(showAndWait(window));
 }
 

@@ -8,7 +8,6 @@
 #include <vtkRendererCollection.h>
 
 #include <holdfast/constraints/constraint_file.h>
-#include <holdfast/io/mesh_file.h>
 #include <holdfast/view/rotation_sphere.h>
 #include <holdfast/widgets/sphere_panel.h>
 
@@ -31,10 +30,8 @@ class SpherePanelOfPlate : public ::testing::Test {
   void open(const std::string& constraints)
   {
     const std::string path = test::dataFolder() + "/plate_unsymmetric.off";
-    MeshDocument document = readMesh(path);
-    auto model = std::make_shared<const Model>(makeModel(document.mesh, path));
-    editor.open(std::move(document), std::move(model), QString::fromStdString(path),
-                {readConstraints(test::dataFolder() + "/" + constraints), {}});
+    NoProgress quiet;
+    editor.open(loadMesh(path, quiet), {readConstraints(test::dataFolder() + "/" + constraints), {}});
     ASSERT_TRUE(test::waitUntil([&] { return editor.freshness() == Freshness::Current; }));
   }
 

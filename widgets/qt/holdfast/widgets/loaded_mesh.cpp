@@ -1,3 +1,5 @@
+#include <utility>
+
 #include <fmt/format.h>
 
 #include <holdfast/view/any_mesh_file.h>
@@ -7,11 +9,16 @@ namespace holdfast {
 
 LoadedMesh loadMesh(const std::filesystem::path& path, Progress& progress)
 {
+  progress.stage(fmt::format("reading {}", path.filename().string()));
+  return prepareMesh(readAnyMesh(path), path, progress);
+}
+
+LoadedMesh prepareMesh(MeshDocument document, const std::filesystem::path& path, Progress& progress)
+{
+  progress.stage(fmt::format("preparing {} vertices", document.mesh.vertexCount()));
   LoadedMesh loaded;
   loaded.path = path;
-  progress.stage(fmt::format("reading {}", path.filename().string()));
-  loaded.document = readAnyMesh(path);
-  progress.stage(fmt::format("preparing {} vertices", loaded.document.mesh.vertexCount()));
+  loaded.document = std::move(document);
   loaded.model = std::make_shared<const Model>(makeModel(loaded.document.mesh, path.string()));
   loaded.shaded = std::make_shared<const ShadedSurface>(cutAtSharpEdges(*loaded.model));
   loaded.regions = std::make_shared<VertexRegions>(loaded.model->mesh, loaded.model->solverMesh);

@@ -26,4 +26,7 @@ struct LoadedMesh {
 /// do, and what `progress` throws.
 [[nodiscard]] LoadedMesh loadMesh(const std::filesystem::path& path, Progress& progress);
 
+/// The same for a mesh that is at hand; `path` names it.
+[[nodiscard]] LoadedMesh prepareMesh(MeshDocument document, const std::filesystem::path& path, Progress& progress);
+
 }  // namespace holdfast

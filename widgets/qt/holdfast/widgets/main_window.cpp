@@ -1,40 +1,48 @@
 #include <QAction>
 #include <QApplication>
-#include <QDockWidget>
+#include <QCloseEvent>
 #include <QMenu>
 #include <QMenuBar>
+#include <QMessageBox>
 #include <QToolBar>
 #include <algorithm>
 #include <array>
 #include <functional>
 
 #include <holdfast/widgets/commands.h>
+#include <holdfast/widgets/help_dialog.h>
 #include <holdfast/widgets/icons.h>
 #include <holdfast/widgets/main_window.h>
+#include <holdfast/widgets/panel_docks.h>
 #include <holdfast/widgets/status_line.h>
 #include <holdfast/widgets/tool_box.h>
 #include <holdfast/widgets/tools/gizmo_tool.h>
+#include <holdfast/widgets/view_state.h>
 #include <holdfast/widgets/viewport.h>
 
 namespace holdfast {
 
 MainWindow::MainWindow()
-    : viewport_(new Viewport(editor_, this)),
+    : files_(editor_, this),
+      viewport_(new Viewport(editor_, this)),
       gizmo_(new GizmoTool(editor_, *viewport_, this)),
       tools_(new ToolBox(editor_, *viewport_, this)),
-      status_(new StatusLine(editor_, this))
+      status_(new StatusLine(editor_, this)),
+      panels_(new PanelDocks(editor_, *viewport_, *this))
 {
   setObjectName("mainWindow");
   setCentralWidget(viewport_);
   viewport_->setFirstTool(gizmo_);
   setStatusBar(status_);
+  makeFileMenu();
   makeEditMenu();
   makeSelectionMenu();
   makeConstraintMenu();
   makeViewMenu();
+  makeHelpMenu();
   makeToolBars();
   connectStatus();
-  resize(1280, 800);
+  connectFiles();
   updateTitle();
   updateActions();
 }
@@ -51,6 +59,68 @@ QAction* MainWindow::addAction(QMenu& menu, const QString& objectName, const QSt
   action->setStatusTip(tip);
   connect(action, &QAction::triggered, this, std::move(run));
   return action;
+}
+
+void MainWindow::makeFileMenu()
+{
+  QMenu& menu = *menuBar()->addMenu(tr("&File"));
+  addAction(menu, "open", tr("&Open…"), QKeySequence::Open, tr("Open a mesh or a session"),
+            [this] { files_.openDialog(); });
+  QMenu* recent = menu.addMenu(tr("Open &recent"));
+  connect(recent, &QMenu::aboutToShow, this, [this, recent] { files_.fillRecentMenu(*recent); });
+  menu.addSeparator();
+  withDocument_.push_back(addAction(menu, "save", tr("&Save"), QKeySequence::Save,
+                                    tr("Save the mesh's constraints and the view as a session"),
+                                    [this] { files_.save(); }));
+  withDocument_.push_back(addAction(menu, "saveAs", tr("Save &as…"), QKeySequence("Ctrl+Shift+S"),
+                                    tr("Save as another session"), [this] { files_.saveAs(); }));
+  menu.addSeparator();
+  addAction(menu, "quit", tr("&Quit"), QKeySequence("Ctrl+Q"), tr("Close the window"), [this] { close(); });
+}
+
+void MainWindow::makeHelpMenu()
+{
+  QMenu& menu = *menuBar()->addMenu(tr("&Help"));
+  addAction(menu, "help", tr("&Ten gestures"), QKeySequence(Qt::Key_F1), tr("What is worth knowing, on one page"),
+            [this] { HelpDialog(this).exec(); });
+  addAction(menu, "about", tr("&About Holdfast"), {}, tr("Which version this is"), [this] {
+    QMessageBox::about(
+        this, tr("About Holdfast"),
+        tr("<b>Holdfast %1</b><p>Deforms triangle meshes under exact positional constraints, after H. Masuda, "
+           "Y. Yoshioka, Y. Furukawa, <i>Interactive mesh deformation using equality-constrained least "
+           "squares</i>.</p>")
+            .arg(QApplication::applicationVersion()));
+  });
+}
+
+void MainWindow::connectFiles()
+{
+  files_.setView([this] { return viewStateOf(*viewport_); });
+  connect(&files_, &DocumentFiles::viewOpened, this, [this](const ViewState& view) {
+    apply(view, *viewport_);
+    panels_->followViewport();
+  });
+  connect(&files_, &DocumentFiles::pathChanged, this, &MainWindow::updateTitle);
+  connect(&files_, &DocumentFiles::done, this, [this](const QString& what) { status_->showMessage(what, 6000); });
+  connect(viewport_, &Viewport::filesDropped, this, [this](const QStringList& paths) { files_.open(paths.front()); });
+  connect(viewport_, &Viewport::contextMenuWanted, this, &MainWindow::showContextMenu);
+}
+
+void MainWindow::showContextMenu(const QPoint& place)
+{
+  QMenu menu(this);
+  for (const char* name : {"makeFixed", "makeHandle", "makeRigid", "", "grow", "shrink", "invert", "", "toggleEnabled",
+                           "deleteConstraints", "", "frameSelection", "frameAll"})
+    if (*name == 0)
+      menu.addSeparator();
+    else
+      menu.addAction(findChild<QAction*>(name));
+  menu.exec(viewport_->mapToGlobal(place));
+}
+
+void MainWindow::closeEvent(QCloseEvent* event)
+{
+  event->setAccepted(files_.maySaveBefore(tr("closing the window")));
 }
 
 void MainWindow::makeEditMenu()
@@ -155,6 +225,7 @@ void MainWindow::makeViewMenu()
   addAxes("axesHandle", tr("Of the &handle"), "Shift+H", GizmoAxes::Handle);
   addAxes("axesView", tr("Of the &view"), "Shift+V", GizmoAxes::View);
 
+  panels_->fillMenu(*menu.addMenu(tr("&Panels")));
   QMenu& appearance = *menu.addMenu(tr("&Colours of the window"));
   auto* group = new QActionGroup(this);
   const auto add = [&](const QString& text, Appearance value) {
@@ -222,7 +293,7 @@ void MainWindow::connectStatus()
 
 void MainWindow::updateTitle()
 {
-  const QString name = editor_.isOpen() ? QString::fromStdString(editor_.mesh().path.filename().string()) : QString();
+  const QString name = files_.name();
   setWindowTitle(name.isEmpty() ? tr("Holdfast") : tr("%1[*] – Holdfast").arg(name));
   setWindowModified(editor_.isOpen() && !editor_.history().isSaved());
 }
@@ -250,12 +321,6 @@ void MainWindow::escape()
   if (!editor_.selectedVertices().empty()) return editor_.selectVertices({});
   if (!editor_.selectedConstraints().empty()) return editor_.selectConstraints({});
   tools_->chooseSelect();
-}
-
-void MainWindow::open(const QString& path)
-{
-  NoProgress quiet;
-  editor_.open(loadMesh(path.toStdString(), quiet), {});
 }
 
 void MainWindow::frameSelection()

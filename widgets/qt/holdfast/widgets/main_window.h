@@ -2,18 +2,22 @@
 /// \file
 /// The window: the picture in the middle, panels around it, and what menus and keys do.
 
+#include <QKeySequence>
 #include <QMainWindow>
+#include <functional>
+#include <vector>
 
+#include <holdfast/widgets/document_files.h>
 #include <holdfast/widgets/editor.h>
 #include <holdfast/widgets/theme.h>
 
-class QDockWidget;
 class QMenu;
 class QToolBar;
 
 namespace holdfast {
 
 class GizmoTool;
+class PanelDocks;
 class StatusLine;
 class ToolBox;
 class Viewport;
@@ -29,18 +33,24 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] Viewport& viewport() { return *viewport_; }
   [[nodiscard]] GizmoTool& gizmo() { return *gizmo_; }
 
-  void open(const QString& path);
+  [[nodiscard]] DocumentFiles& files() { return files_; }
+
   void setAppearance(Appearance appearance);
 
  protected:
   void changeEvent(QEvent* event) override;
+  void closeEvent(QCloseEvent* event) override;
 
  private:
   void makeToolBars();
+  void makeFileMenu();
   void makeEditMenu();
   void makeConstraintMenu();
   void makeSelectionMenu();
   void makeViewMenu();
+  void makeHelpMenu();
+  void connectFiles();
+  void showContextMenu(const QPoint& place);
   void connectStatus();
   void updateTitle();
   void updateActions();
@@ -50,10 +60,12 @@ class MainWindow : public QMainWindow {
                      const QString& tip, std::function<void()> run);
 
   Editor editor_;
+  DocumentFiles files_;
   Viewport* viewport_;
   GizmoTool* gizmo_;
   ToolBox* tools_;
   StatusLine* status_;
+  PanelDocks* panels_;
   QToolBar* toolBar_ = nullptr;
   QAction* undo_ = nullptr;
   QAction* redo_ = nullptr;

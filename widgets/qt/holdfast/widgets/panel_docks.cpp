@@ -1,0 +1,125 @@
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QMenu>
+#include <QScrollArea>
+#include <algorithm>
+
+#include <holdfast/widgets/color_panel.h>
+#include <holdfast/widgets/conflict_panel.h>
+#include <holdfast/widgets/constraint_panel.h>
+#include <holdfast/widgets/findings_panel.h>
+#include <holdfast/widgets/histogram_panel.h>
+#include <holdfast/widgets/inspector_panel.h>
+#include <holdfast/widgets/panel_docks.h>
+#include <holdfast/widgets/report_panel.h>
+#include <holdfast/widgets/sphere_panel.h>
+#include <holdfast/widgets/viewport.h>
+
+namespace holdfast {
+namespace {
+
+// Of the window, in pixels: the picture keeps the rest.
+constexpr int kPanelWidth = 430;
+
+/// The vertex that a point under the cursor is nearest to, as its weights say.
+std::optional<Index> nearestVertex(const std::optional<SurfacePick>& pick, const Model& model)
+{
+  if (!pick) return std::nullopt;
+  if (const auto* vertex = std::get_if<AtVertex>(&pick->location)) return vertex->vertex;
+  if (const auto* edge = std::get_if<AtEdge>(&pick->location)) return edge->t >= 0.5 ? edge->i : edge->j;
+  const auto& weights = std::get<AtFace>(pick->location).weights;
+  const auto largest = std::max_element(weights.begin(), weights.end()) - weights.begin();
+  return model.mesh.faces[pick->face][static_cast<std::size_t>(largest)];
+}
+
+}  // namespace
+
+PanelDocks::PanelDocks(Editor& editor, Viewport& viewport, QMainWindow& window)
+    : QObject(&window), editor_(editor), viewport_(viewport), window_(window)
+{
+  auto* constraints = new ConstraintPanel(editor, &window);
+  auto* sphere = new SpherePanel(editor, &window);
+  auto* histograms = new HistogramPanel(editor, &window);
+  auto* findings = new FindingsPanel(editor, &window);
+  colors_ = new ColorPanel(editor, &window);
+  upper_ = {add(tr("Constraints"), "constraintsDock", constraints), add(tr("Colours"), "colorsDock", colors_),
+            add(tr("Rotations"), "sphereDock", sphere), add(tr("Distributions"), "histogramDock", histograms)};
+  conflicts_ = add(tr("Conflicts"), "conflictsDock", new ConflictPanel(editor, &window));
+  lower_ = {add(tr("Selected"), "inspectorDock", new InspectorPanel(editor, &window)), conflicts_,
+            add(tr("Mesh"), "findingsDock", findings),
+            add(tr("Solution"), "reportDock", new ReportPanel(editor, &window))};
+  arrange();
+
+  connect(constraints, &ConstraintPanel::activated, &viewport_, [this](Index k) { viewport_.frameConstraints({k}); });
+  connect(colors_, &ColorPanel::settingsChanged, &viewport_, &Viewport::setColors);
+  connect(colors_, &ColorPanel::displaySettingsChanged, &viewport_, &Viewport::setDisplay);
+  connect(&viewport_, &Viewport::coloringChanged, sphere, &SpherePanel::setColoring);
+  connect(&viewport_, &Viewport::coloringChanged, colors_, [this](const std::optional<Coloring>& coloring) {
+    colors_->setShownScale(coloring ? std::optional(coloring->scale) : std::nullopt);
+  });
+  connect(&viewport_, &Viewport::previewChanged, sphere, [this, sphere](const std::optional<SurfacePick>& pick) {
+    sphere->showVertex(nearestVertex(pick, *editor_.model()));
+  });
+  connect(sphere, &SpherePanel::vertexPicked, &editor_, [this](Index vertex) { editor_.selectVertices({vertex}); });
+  connect(&editor_, &Editor::vertexSelectionChanged, sphere, [this, sphere] {
+    const auto& selected = editor_.selectedVertices();
+    sphere->showVertex(selected.size() == 1 ? std::optional(selected.front()) : std::nullopt);
+  });
+  connect(histograms, &HistogramPanel::constraintsPicked, &editor_, &Editor::selectConstraints);
+  const auto showVertices = [this](const std::vector<Index>& vertices) {
+    editor_.selectVertices(vertices);
+    viewport_.frameVertices(vertices);
+  };
+  connect(histograms, &HistogramPanel::verticesPicked, &editor_,
+          [this](const std::vector<Index>& vertices) { editor_.selectVertices(vertices); });
+  connect(findings, &FindingsPanel::showVertices, &viewport_, showVertices);
+  for (const auto& signal : {&Editor::opened, &Editor::deformed})
+    connect(&editor_, signal, this, &PanelDocks::countConflicts);
+}
+
+QDockWidget* PanelDocks::add(const QString& title, const QString& objectName, QWidget* panel)
+{
+  auto* dock = new QDockWidget(title, &window_);
+  dock->setObjectName(objectName);
+  dock->setWidget(panel);
+  dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable |
+                    QDockWidget::DockWidgetFloatable);
+  return dock;
+}
+
+void PanelDocks::arrange()
+{
+  window_.setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
+  window_.addDockWidget(Qt::RightDockWidgetArea, upper_.front());
+  window_.splitDockWidget(upper_.front(), lower_.front(), Qt::Vertical);
+  for (const auto* stack : {&upper_, &lower_}) {
+    for (int k = 1; k < stack->size(); ++k) window_.tabifyDockWidget((*stack)[k - 1], (*stack)[k]);
+    stack->front()->raise();
+  }
+  window_.resizeDocks({upper_.front()}, {kPanelWidth}, Qt::Horizontal);
+  window_.resizeDocks({upper_.front(), lower_.front()}, {56, 44}, Qt::Vertical);
+}
+
+void PanelDocks::fillMenu(QMenu& menu) const
+{
+  for (const auto* stack : {&upper_, &lower_})
+    for (QDockWidget* dock : *stack) menu.addAction(dock->toggleViewAction());
+}
+
+void PanelDocks::followViewport()
+{
+  colors_->setSettings(viewport_.colors());
+  colors_->setDisplaySettings(viewport_.display());
+}
+
+void PanelDocks::countConflicts()
+{
+  Index count = 0;
+  if (const auto& deformation = editor_.deformation())
+    count =
+        std::count_if(deformation->report.constraints.begin(), deformation->report.constraints.end(),
+                      [](const ConstraintOutcome& outcome) { return outcome.status == ConstraintStatus::Conflicting; });
+  conflicts_->setWindowTitle(count > 0 ? tr("Conflicts (%1)").arg(count) : tr("Conflicts"));
+}
+
+}  // namespace holdfast
