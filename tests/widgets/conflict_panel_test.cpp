@@ -52,8 +52,9 @@ class ConflictPanelOfBracket : public ::testing::Test {
 TEST_F(ConflictPanelOfBracket, SaysByHowMuchAndWithWhatEachConflicts)
 {
   ASSERT_NE(card(lifted), nullptr);
-  EXPECT_TRUE(title(lifted).contains("0.5 mm away from where “bolts front” puts it")) << title(lifted).toStdString();
-  EXPECT_TRUE(title(crown).contains("2 mm away from where “crown forward by 1.5” puts it"));
+  EXPECT_TRUE(title(lifted).contains("0.5\u00a0mm away from where “bolts front” puts it"))
+      << title(lifted).toStdString();
+  EXPECT_TRUE(title(crown).contains("2\u00a0mm away from where “crown forward by 1.5” puts it"));
   EXPECT_TRUE(title(flange).contains("“flange 1” and “flange 2” put it")) << title(flange).toStdString();
   EXPECT_TRUE(card(lifted)->findChild<QLabel*>("cardText")->text().contains("(0, 0, 0.5) mm"));
   EXPECT_TRUE(panel.findChild<QLabel*>("repetitions")

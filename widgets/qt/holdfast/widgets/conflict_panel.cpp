@@ -168,6 +168,7 @@ void ConflictPanel::fill(ConflictCard& card, const Conflict& conflict)
   card.card->setIcon(statusIcon(ConstraintStatus::Conflicting, lightnessOf(palette())));
   card.card->setTitle(conflictText(*conflict.outcome, *conflict.clash, units));
   card.card->setText(gapText(*conflict.outcome, *conflict.clash, units));
+  card.card->setToolTip(exactText(conflict.clash->gap));
   fillRepairs(card);
 }
 

@@ -27,7 +27,8 @@ QString loneConflict(const ConstraintOutcome& outcome, const QString& length)
 
 QString conflictText(const ConstraintOutcome& outcome, const Clash& clash, const std::string& units)
 {
-  const QString length = lengthText(clash.gap.stableNorm(), units);
+  // The unit stays on the line of its number.
+  const QString length = lengthText(clash.gap.stableNorm(), units).replace(' ', QChar::Nbsp);
   if (clash.with.empty()) return loneConflict(outcome, length);
   const QString others = quotedList(clash.with);
   const QString own = quoted(outcome.name);

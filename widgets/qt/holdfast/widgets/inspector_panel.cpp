@@ -97,8 +97,15 @@ void InspectorPanel::addSection(QVBoxLayout& layout, const QString& title, Inspe
   parts_.push_back({label, section});
 }
 
+void InspectorPanel::showEvent(QShowEvent* event)
+{
+  refresh();
+  QWidget::showEvent(event);
+}
+
 void InspectorPanel::refresh()
 {
+  if (!isVisible()) return;
   const Rows& rows = editor_.selectedConstraints();
   const bool isEmpty = !editor_.isOpen() || rows.empty();
   const bool isStale = !isEmpty && rows.back() >= static_cast<Index>(editor_.list().constraints.size());

@@ -23,6 +23,9 @@ class InspectorPanel : public QWidget {
   /// `editor` stays alive as long as this.
   explicit InspectorPanel(Editor& editor, QWidget* parent = nullptr);
 
+ protected:
+  void showEvent(QShowEvent* event) override;
+
  private:
   void makeHead(QVBoxLayout& layout);
   void addSection(QVBoxLayout& layout, const QString& title, InspectorSection* section);

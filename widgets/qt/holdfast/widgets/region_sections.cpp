@@ -9,6 +9,12 @@
 #include <holdfast/widgets/region_sections.h>
 
 namespace holdfast {
+namespace {
+
+// Each is a pass over all vertices, at every change of the selection.
+constexpr std::size_t kMostCounted = 50;
+
+}  // namespace
 
 VerticesSection::VerticesSection(Editor& editor, QWidget* parent) : InspectorSection(editor, parent), vertices_(editor)
 {
@@ -39,6 +45,8 @@ void VerticesSection::count()
 {
   counted_ = editor().history().state();
   countedRows_ = rows();
+  select_->setEnabled(true);
+  if (rows().size() > kMostCounted) return count_->setText(tr("not counted for so many constraints"));
   Index count = 0;
   QString reason;
   for (const Index row : rows()) {

@@ -29,6 +29,7 @@ ReportPanel::ReportPanel(Editor& editor, QWidget* parent) : QWidget(parent), edi
   age_->setWordWrap(true);
   layout->addWidget(age_);
   report_ = new QFormLayout;
+  report_->setLabelAlignment(Qt::AlignLeft | Qt::AlignTop);
   report_->setHorizontalSpacing(10);
   report_->setVerticalSpacing(4);
   layout->addLayout(report_);
@@ -134,6 +135,7 @@ void ReportPanel::show(const ReportLines& lines)
   for (std::size_t k = 0; k < lines.size(); ++k) {
     static_cast<QLabel*>(report_->labelForField(values_[k]))->setText(lines[k].title);
     values_[k]->setText(lines[k].value);
+    values_[k]->setToolTip(lines[k].exact);
     values_[k]->setObjectName("report" + lines[k].key);
   }
 }

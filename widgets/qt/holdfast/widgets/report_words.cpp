@@ -36,6 +36,12 @@ QString secondsText(double seconds)
   return tr("%1 s").arg(roundedText(seconds));
 }
 
+QString meshText(const MeshReport& mesh)
+{
+  const QString parts = mesh.components == 1 ? tr("1 part") : tr("%1 parts").arg(grouped(mesh.components));
+  return tr("%1 vertices, %2 faces, %3").arg(grouped(mesh.vertices), grouped(mesh.faces), parts);
+}
+
 /// "12 met, 2 conflicting"
 QString countsText(const std::vector<ConstraintOutcome>& outcomes)
 {
@@ -55,28 +61,33 @@ QString countsText(const std::vector<ConstraintOutcome>& outcomes)
 ReportLines reportLines(const Report& report, const std::string& units)
 {
   const SolveReport& solve = report.solve;
-  ReportLines lines = {{"Status", tr("Status"), text(name(solve.status))},
-                       {"Meaning", tr("Meaning"), QString::fromStdString(solve.message)}};
-  lines.push_back({"Constraints", tr("Constraints"), countsText(report.constraints)});
-  lines.push_back(
-      {"Mesh", tr("Mesh"),
-       tr("%1 vertices, %2 faces, %3 parts")
-           .arg(grouped(report.mesh.vertices), grouped(report.mesh.faces), grouped(report.mesh.components))});
-  lines.push_back({"Weights", tr("Weights"), text(name(solve.weights))});
-  lines.push_back({"Solver", tr("Solver"), text(name(solve.options.kind))});
+  ReportLines lines;
+  const auto say = [&](const QString& key, const QString& title, const QString& value) {
+    lines.push_back({key, title, value, {}});
+  };
+  const auto round = [&](const QString& key, const QString& title, const QString& value, double exact) {
+    lines.push_back({key, title, value, exactText(exact)});
+  };
+  say("Status", tr("Status"), text(name(solve.status)));
+  say("Meaning", tr("Meaning"), QString::fromStdString(solve.message));
+  say("Constraints", tr("Constraints"), countsText(report.constraints));
+  say("Mesh", tr("Mesh"), meshText(report.mesh));
+  say("Weights", tr("Weights"), text(name(solve.weights)));
+  say("Solver", tr("Solver"), text(name(solve.options.kind)));
   if (solve.status == SolveStatus::Failed || solve.status == SolveStatus::NotRun) return lines;
-  lines.push_back({"Residual", tr("Largest residual"), lengthText(solve.maxResidual, units)});
-  lines.push_back({"RelativeResidual", tr("Relative residual"),
-                   tr("%1 of the diagonal, promised 1e-12").arg(roundedText(solve.maxResidualRelative))});
-  lines.push_back({"Method", tr("Method"), QString::fromStdString(solve.method)});
-  lines.push_back({"Unknowns", tr("Unknowns"), grouped(solve.unknowns)});
-  lines.push_back({"Factor", tr("Factor"), tr("%1 non-zeros").arg(grouped(solve.factorNonzeros))});
-  lines.push_back({"Refinement", tr("Refinement"),
-                   solve.refinementSteps == 1 ? tr("1 step") : tr("%1 steps").arg(solve.refinementSteps)});
-  lines.push_back({"Accuracy", tr("Accuracy"), roundedText(solve.accuracy)});
-  lines.push_back({"Setup", tr("Set-up"), secondsText(solve.seconds.setup)});
-  lines.push_back({"Decomposition", tr("Decomposition"), secondsText(solve.seconds.decomposition)});
-  lines.push_back({"Solution", tr("Solution"), secondsText(solve.seconds.solution)});
+  round("Residual", tr("Largest residual"), lengthText(solve.maxResidual, units), solve.maxResidual);
+  round("RelativeResidual", tr("Relative residual"),
+        tr("%1 of the diagonal, promised 1e-12").arg(roundedText(solve.maxResidualRelative)),
+        solve.maxResidualRelative);
+  say("Method", tr("Method"), QString::fromStdString(solve.method));
+  say("Unknowns", tr("Unknowns"), grouped(solve.unknowns));
+  say("Factor", tr("Factor"), tr("%1 non-zeros").arg(grouped(solve.factorNonzeros)));
+  say("Refinement", tr("Refinement"),
+      solve.refinementSteps == 1 ? tr("1 step") : tr("%1 steps").arg(solve.refinementSteps));
+  round("Accuracy", tr("Accuracy"), roundedText(solve.accuracy), solve.accuracy);
+  round("Setup", tr("Set-up"), secondsText(solve.seconds.setup), solve.seconds.setup);
+  round("Decomposition", tr("Decomposition"), secondsText(solve.seconds.decomposition), solve.seconds.decomposition);
+  round("Solution", tr("Solution"), secondsText(solve.seconds.solution), solve.seconds.solution);
   return lines;
 }
 

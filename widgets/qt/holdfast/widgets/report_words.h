@@ -10,11 +10,12 @@
 
 namespace holdfast {
 
-/// A value with its title; `key` names it for scripts.
+/// A value with its title.
 struct ReportLine {
-  QString key;
+  QString key;  ///< its name for scripts
   QString title;
   QString value;
+  QString exact;  ///< with all digits, where `value` is rounded
 };
 
 /// In the order in which they are read.
