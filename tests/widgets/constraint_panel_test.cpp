@@ -24,7 +24,7 @@ namespace {
 
 using Table = ConstraintTableModel;
 
-/// A flat sheet of 100 x 100 squares, its left border fixed, with points of all kinds.
+/// A flat sheet of 10 x 10 squares, its left border fixed, with points of all kinds.
 ConstraintList sheetList()
 {
   const Vector3 up(0, 0, 0.1);
@@ -358,7 +358,7 @@ TEST_F(ConstraintPanelOfSheet, TenThousandRowsAreShownFilteredAndSortedFluently)
   QHeaderView& header = *panel.table().horizontalHeader();
   test::click(*header.viewport(), QPointF(header.sectionViewportPosition(Table::Where) + 20, header.height() / 2.0));
   EXPECT_EQ(shown(0, Table::Where), "3 vertices");
-  // Seconds where each row had a widget or was told of on its own; a tenth of one here.
+  // A tenth of a second; many where each row has a widget, or is told of on its own.
   EXPECT_LT(timer.elapsed(), 5000);
 }
 
