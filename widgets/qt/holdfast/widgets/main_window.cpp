@@ -118,6 +118,12 @@ void MainWindow::showContextMenu(const QPoint& place)
   menu.exec(viewport_->mapToGlobal(place));
 }
 
+void MainWindow::showEvent(QShowEvent* event)
+{
+  QMainWindow::showEvent(event);
+  if (!event->spontaneous()) panels_->share(size());
+}
+
 void MainWindow::closeEvent(QCloseEvent* event)
 {
   event->setAccepted(files_.maySaveBefore(tr("closing the window")));

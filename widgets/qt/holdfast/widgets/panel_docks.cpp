@@ -82,8 +82,8 @@ QDockWidget* PanelDocks::add(const QString& title, const QString& objectName, QW
   auto* dock = new QDockWidget(title, &window_);
   dock->setObjectName(objectName);
   dock->setWidget(panel);
-  dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable |
-                    QDockWidget::DockWidgetFloatable);
+  // Its tab names it already; the menu shows and hides it.
+  dock->setTitleBarWidget(new QWidget(dock));
   return dock;
 }
 
@@ -96,8 +96,12 @@ void PanelDocks::arrange()
     for (int k = 1; k < stack->size(); ++k) window_.tabifyDockWidget((*stack)[k - 1], (*stack)[k]);
     stack->front()->raise();
   }
-  window_.resizeDocks({upper_.front()}, {kPanelWidth}, Qt::Horizontal);
-  window_.resizeDocks({upper_.front(), lower_.front()}, {56, 44}, Qt::Vertical);
+}
+
+void PanelDocks::share(const QSize& size)
+{
+  window_.resizeDocks({upper_.front()}, {std::min(kPanelWidth, size.width() / 3)}, Qt::Horizontal);
+  window_.resizeDocks({upper_.front(), lower_.front()}, {size.height() / 2, size.height() / 2}, Qt::Vertical);
 }
 
 void PanelDocks::fillMenu(QMenu& menu) const

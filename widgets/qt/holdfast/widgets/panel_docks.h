@@ -25,6 +25,9 @@ class PanelDocks : public QObject {
   /// An entry for each panel, to show and to hide it.
   void fillMenu(QMenu& menu) const;
 
+  /// Gives the panels their parts of a window of this size, which is shown.
+  void share(const QSize& size);
+
   /// What the controls of the display show, after someone else changed it.
   void followViewport();
 
