@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <holdfast/view/any_mesh_file.h>
+#include <holdfast/view/coarse_triangles.h>
 #include <holdfast/widgets/loaded_mesh.h>
 
 namespace holdfast {
@@ -20,9 +21,17 @@ LoadedMesh prepareMesh(MeshDocument document, const std::filesystem::path& path,
   loaded.path = path;
   loaded.document = std::move(document);
   loaded.model = std::make_shared<const Model>(makeModel(loaded.document.mesh, path.string()));
-  loaded.shaded = std::make_shared<const ShadedSurface>(cutAtSharpEdges(*loaded.model));
   loaded.regions = std::make_shared<VertexRegions>(loaded.model->mesh, loaded.model->solverMesh);
+  loaded.contents = std::make_shared<SceneContents>(*loaded.model);
+  if (isLarge(*loaded.model)) loaded.contents->setDetail(Detail::Coarse);
+  loaded.picker = std::make_shared<SurfacePicker>(*loaded.model);
+  static_cast<void>(loaded.picker->surface());
   return loaded;
+}
+
+bool isLarge(const Model& model)
+{
+  return static_cast<Index>(model.triangulation.triangles.size()) > 2 * kCoarseTriangles;
 }
 
 }  // namespace holdfast

@@ -9,7 +9,8 @@
 #include <holdfast/deform/model.h>
 #include <holdfast/io/mesh_document.h>
 #include <holdfast/surface/vertex_regions.h>
-#include <holdfast/view/shaded_surface.h>
+#include <holdfast/view/scene_contents.h>
+#include <holdfast/view/surface_picker.h>
 
 namespace holdfast {
 
@@ -18,8 +19,9 @@ struct LoadedMesh {
   std::filesystem::path path;
   MeshDocument document;
   std::shared_ptr<const Model> model;
-  std::shared_ptr<const ShadedSurface> shaded;
   std::shared_ptr<VertexRegions> regions;
+  std::shared_ptr<SceneContents> contents;  ///< at rest, with the coarse triangles of large meshes
+  std::shared_ptr<SurfacePicker> picker;    ///< ready for rays
 };
 
 /// Reads and prepares the file, by its extension one of core's formats or VTK's. Throws as `readMesh` and `makeModel`
@@ -28,5 +30,8 @@ struct LoadedMesh {
 
 /// The same for a mesh that is at hand; `path` names it.
 [[nodiscard]] LoadedMesh prepareMesh(MeshDocument document, const std::filesystem::path& path, Progress& progress);
+
+/// Whether drawing all of it may take longer than a picture that moves has time for.
+[[nodiscard]] bool isLarge(const Model& model);
 
 }  // namespace holdfast

@@ -40,12 +40,6 @@ constexpr double kWheelZoom = 1.2;
 constexpr double kFluentMilliseconds = 30;
 constexpr int kRestMilliseconds = 250;
 
-MarkKind kindOf(const SurfaceLocation& location)
-{
-  if (std::holds_alternative<AtVertex>(location)) return MarkKind::Vertex;
-  return std::holds_alternative<AtEdge>(location) ? MarkKind::Edge : MarkKind::Face;
-}
-
 }  // namespace
 
 Viewport::Viewport(Editor& editor, QWidget* parent) : QVTKOpenGLNativeWidget(parent), editor_(editor)
@@ -74,7 +68,7 @@ Viewport::Viewport(Editor& editor, QWidget* parent) : QVTKOpenGLNativeWidget(par
   connect(&renderTimer_, &QTimer::timeout, this, &Viewport::render);
   restTimer_.setSingleShot(true);
   restTimer_.setInterval(kRestMilliseconds);
-  connect(&restTimer_, &QTimer::timeout, this, &Viewport::scheduleRender);
+  connect(&restTimer_, &QTimer::timeout, this, &Viewport::render);
 
   connect(&editor_, &Editor::opened, this, &Viewport::openDocument);
   connect(&editor_, &Editor::deformed, this, &Viewport::showDeformation);
@@ -107,13 +101,14 @@ void Viewport::openDocument()
   picker_.reset();
   coloring_.reset();
   disabledPlaces_.clear();
-  hasPreview_ = false;
+  preview_.reset();
   if (editor_.isOpen()) {
-    contents_ = std::make_unique<SceneContents>(*editor_.model(), editor_.mesh().shaded);
+    contents_ = editor_.mesh().contents;
     contents_->setPixelRatio(pixelRatio());
     contents_->addTo(*renderer_);
-    picker_ = std::make_unique<SurfacePicker>(*editor_.model());
-    fullMilliseconds_ = 0;
+    picker_ = editor_.mesh().picker;
+    // Until the first picture in full tells how long it takes.
+    fullMilliseconds_ = isLarge(*editor_.model()) ? 2 * kFluentMilliseconds : 0;
     setDisplay(display_);
     showColors();
     frameAll();
@@ -181,10 +176,10 @@ const std::vector<ConstraintMark>& Viewport::marks() const noexcept
 
 void Viewport::setPreview(const std::optional<SurfacePick>& pick)
 {
-  if (!contents_ || (!pick && !hasPreview_)) return;
-  hasPreview_ = pick.has_value();
-  contents_->setPreview(pick ? std::optional(PreviewedPoint{pick->place, kindOf(pick->location)}) : std::nullopt);
-  scheduleRender();
+  if (!pick && !preview_) return;
+  preview_ = pick;
+  // Drawn over the picture, which stays as it is: a mesh of any size follows the cursor.
+  overlay_->update();
   Q_EMIT previewChanged(pick);
 }
 
@@ -279,21 +274,22 @@ void Viewport::fitClippingRange()
 void Viewport::scheduleRender()
 {
   if (!renderTimer_.isActive()) renderTimer_.start(0);
+  if (fullMilliseconds_ > kFluentMilliseconds) restTimer_.start();
 }
 
 void Viewport::render()
 {
   if (!isVisible()) return;
   const bool isMoving = hand_ != Hand::Empty || restTimer_.isActive();
-  const bool isCoarse = contents_ && isMoving && fullMilliseconds_ > kFluentMilliseconds;
-  if (contents_) contents_->setDetail(isCoarse ? Detail::Coarse : Detail::Full);
+  isCoarse_ = contents_ && isMoving && fullMilliseconds_ > kFluentMilliseconds;
+  if (contents_) contents_->setDetail(isCoarse_ ? Detail::Coarse : Detail::Full);
   fitClippingRange();
   Q_EMIT aboutToRender();
   QElapsedTimer timer;
   timer.start();
   window_->Render();
   renderMilliseconds_ = static_cast<double>(timer.nsecsElapsed()) / 1e6;
-  if (!isCoarse) fullMilliseconds_ = renderMilliseconds_;
+  if (!isCoarse_) fullMilliseconds_ = renderMilliseconds_;
   overlay_->update();
   Q_EMIT rendered();
 }
@@ -467,7 +463,8 @@ void Viewport::release(const QMouseEvent& event)
   if (Tool* tool = std::exchange(pressed_, nullptr); tool && hand == Hand::Tool) tool->release(pointer);
   if (hand == Hand::Pressed && event.button() == Qt::LeftButton && tool_) tool_->click(pointer);
   if (hand == Hand::Pressed && event.button() == Qt::RightButton) Q_EMIT contextMenuWanted(event.pos());
-  restTimer_.start();
+  // What was coarse while the hand moved is drawn in full when it rests.
+  if (isCoarse_) restTimer_.start();
 }
 
 void Viewport::wheel(const QWheelEvent& event)
@@ -475,7 +472,6 @@ void Viewport::wheel(const QWheelEvent& event)
   if (!contents_) return;
   const double factor = std::pow(kWheelZoom, event.angleDelta().y() / 120.0);
   zoom(*renderer_, placeUnder(toDisplayPoint(event.position())), factor);
-  restTimer_.start();
   cameraMoved();
 }
 

@@ -77,9 +77,12 @@ class Viewport : public QVTKOpenGLNativeWidget {
 
   /// Marks what a click would take; none for nothing.
   void setPreview(const std::optional<SurfacePick>& pick);
+  [[nodiscard]] const std::optional<SurfacePick>& preview() const noexcept { return preview_; }
 
   /// Draws at the next turn of the event loop.
   void scheduleRender();
+  /// Whether only some triangles of a large mesh are drawn: it moves, and moved a moment ago.
+  [[nodiscard]] bool isCoarse() const noexcept { return isCoarse_; }
   /// Whether a picture, or one of more detail, is still to come.
   [[nodiscard]] bool isRenderPending() const { return renderTimer_.isActive() || restTimer_.isActive(); }
   /// Milliseconds that the last picture took to draw.
@@ -123,8 +126,8 @@ class Viewport : public QVTKOpenGLNativeWidget {
   void fitClippingRange();
 
   Editor& editor_;
-  std::unique_ptr<SceneContents> contents_;
-  std::unique_ptr<SurfacePicker> picker_;
+  std::shared_ptr<SceneContents> contents_;
+  std::shared_ptr<SurfacePicker> picker_;
   std::vector<DisabledPlace> disabledPlaces_;
   std::optional<Coloring> coloring_;
   ColorSettings colors_;
@@ -143,12 +146,13 @@ class Viewport : public QVTKOpenGLNativeWidget {
   QPointF pressedAt_;
   QPointF movedTo_;
   Vector3 pivot_ = Vector3::Zero();
-  bool hasPreview_ = false;
+  std::optional<SurfacePick> preview_;
 
   QTimer renderTimer_;  // draws once a turn of the event loop
   QTimer restTimer_;    // draws the full detail when the hand rests
   double renderMilliseconds_ = 0;
   double fullMilliseconds_ = 0;  // of the last picture in full detail
+  bool isCoarse_ = false;
 };
 
 }  // namespace holdfast

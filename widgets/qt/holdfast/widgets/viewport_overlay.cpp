@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include <holdfast/view/camera_motion.h>
 #include <holdfast/view/constraint_glyphs.h>
 #include <holdfast/view/scalar_legend.h>
 #include <holdfast/widgets/tool.h>
@@ -18,6 +19,7 @@ constexpr double kMargin = 14;
 constexpr double kBarWidth = 14;
 constexpr double kTickLength = 4;
 constexpr double kBall = 9;
+constexpr double kPreviewRadius = 7;
 
 QColor toQColor(const Color& color)
 {
@@ -58,10 +60,39 @@ void ViewportOverlay::paintEvent(QPaintEvent* /*event*/)
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   if (!editor_.isOpen()) return paintWelcome(painter);
+  paintPreview(painter);
   if (tool_) tool_->paint(painter);
   painter.setPen(palette().color(QPalette::WindowText));
   paintLegend(painter);
   paintFreshness(painter);
+}
+
+void ViewportOverlay::paintPreview(QPainter& painter) const
+{
+  const auto& pick = viewport_.preview();
+  if (!pick) return;
+  const QPointF at = viewport_.toPlace(toDisplay(viewport_.renderer(), pick->place).head<2>());
+  QPolygonF corners;
+  // What the point hangs on: the ends of the edge, the corners of the face.
+  const auto show = [&](Index vertex) {
+    const Vector3 place = editor_.positions().row(vertex).transpose();
+    corners << viewport_.toPlace(toDisplay(viewport_.renderer(), place).head<2>());
+  };
+  if (const auto* edge = std::get_if<AtEdge>(&pick->location)) {
+    show(edge->i);
+    show(edge->j);
+  } else if (std::holds_alternative<AtFace>(pick->location)) {
+    for (const Index vertex : editor_.model()->mesh.faces[pick->face]) show(vertex);
+  }
+  painter.setBrush(Qt::NoBrush);
+  for (const QPen& pen : {QPen(QColor(255, 255, 255, 220), 3.5), QPen(toQColor(kAccentColor), 1.6)}) {
+    painter.setPen(pen);
+    painter.drawPolygon(corners);
+    painter.drawEllipse(at, kPreviewRadius, kPreviewRadius);
+  }
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(toQColor(kAccentColor));
+  painter.drawEllipse(at, 1.8, 1.8);
 }
 
 void ViewportOverlay::paintLegend(QPainter& painter) const

@@ -25,6 +25,7 @@ class ViewportOverlay : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  void paintPreview(QPainter& painter) const;
   void paintLegend(QPainter& painter) const;
   void paintKey(QPainter& painter, int bottom) const;
   void paintFreshness(QPainter& painter) const;

@@ -1,5 +1,5 @@
+#include <algorithm>
 
-#include <holdfast/view/screen_polygon.h>
 #include <holdfast/view/screen_selection.h>
 
 namespace holdfast {
@@ -14,20 +14,33 @@ ScreenPolygon throughCenters(std::span<const DisplayPoint> pixels)
 
 }  // namespace
 
+ScreenSelection::ScreenSelection(vtkRenderer& renderer, SurfacePicker& picker, std::span<const DisplayPoint> polygon,
+                                 ScreenReach reach)
+    : surface_(picker.surface()), display_(renderer), outline_(throughCenters(polygon)), reach_(reach)
+{
+}
+
+bool ScreenSelection::isInside(Index vertex) const
+{
+  const DisplayTransform::Shown shown = display_.show(surface_.positions().row(vertex));
+  if (!(shown.depth > 0) || !display_.isInside(shown.point) || !outline_.contains(shown.point)) return false;
+  if (surface_.trianglesAt(vertex).empty()) return false;
+  return reach_ == ScreenReach::Through || surface_.isVertexVisible(vertex, display_);
+}
+
+void ScreenSelection::advance(Index count)
+{
+  const Index end = std::min(next_ + count, surface_.positions().rows());
+  for (; next_ < end; ++next_)
+    if (isInside(next_)) inside_.push_back(next_);
+}
+
 std::vector<Index> verticesInScreenPolygon(vtkRenderer& renderer, SurfacePicker& picker,
                                            std::span<const DisplayPoint> polygon, ScreenReach reach)
 {
-  const DisplayTransform display(renderer);
-  const VisibleSurface& surface = picker.surface();
-  const ScreenPolygon outline = throughCenters(polygon);
-  std::vector<Index> inside;
-  for (Index v = 0; v < surface.positions().rows(); ++v) {
-    const DisplayTransform::Shown shown = display.show(surface.positions().row(v));
-    if (!(shown.depth > 0) || !display.isInside(shown.point) || !outline.contains(shown.point)) continue;
-    if (surface.trianglesAt(v).empty()) continue;
-    if (reach == ScreenReach::Through || surface.isVertexVisible(v, display)) inside.push_back(v);
-  }
-  return inside;
+  ScreenSelection selection(renderer, picker, polygon, reach);
+  selection.advance(selection.isDone() ? 0 : picker.model().mesh.vertexCount());
+  return selection.inside();
 }
 
 }  // namespace holdfast

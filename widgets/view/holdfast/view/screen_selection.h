@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include <holdfast/view/display_transform.h>
+#include <holdfast/view/screen_polygon.h>
 #include <holdfast/view/surface_picker.h>
 
 namespace holdfast {
@@ -21,5 +23,30 @@ enum class ScreenReach {
 /// inside.
 [[nodiscard]] std::vector<Index> verticesInScreenPolygon(vtkRenderer& renderer, SurfacePicker& picker,
                                                          std::span<const DisplayPoint> polygon, ScreenReach reach);
+
+/// The same a few vertices at a time, for a window that answers in between.
+class ScreenSelection {
+ public:
+  /// Sees what `renderer` shows now. `picker` stays alive as long as this.
+  ScreenSelection(vtkRenderer& renderer, SurfacePicker& picker, std::span<const DisplayPoint> polygon,
+                  ScreenReach reach);
+
+  /// Looks at `count` vertices more, or as many as are left.
+  void advance(Index count);
+  [[nodiscard]] bool isDone() const { return next_ == surface_.positions().rows(); }
+
+  /// Of the vertices looked at so far those inside, ascending.
+  [[nodiscard]] const std::vector<Index>& inside() const noexcept { return inside_; }
+
+ private:
+  [[nodiscard]] bool isInside(Index vertex) const;
+
+  const VisibleSurface& surface_;
+  DisplayTransform display_;
+  ScreenPolygon outline_;
+  ScreenReach reach_;
+  Index next_ = 0;
+  std::vector<Index> inside_;
+};
 
 }  // namespace holdfast

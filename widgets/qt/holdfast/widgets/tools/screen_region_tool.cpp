@@ -1,7 +1,6 @@
 #include <QPainter>
 #include <cmath>
 
-#include <holdfast/view/screen_selection.h>
 #include <holdfast/widgets/tools/screen_region_tool.h>
 #include <holdfast/widgets/viewport.h>
 
@@ -11,11 +10,16 @@ namespace {
 // Of the viewport's pixels: what is drawn with less is a click, and selects nothing.
 constexpr double kLeastSize = 3;
 
+// Vertices in one turn of the event loop: some 15 milliseconds at the most.
+constexpr Index kAtOnce = 12'000;
+
 }  // namespace
 
 ScreenRegionTool::ScreenRegionTool(ScreenShape shape, Editor& editor, Viewport& viewport, QObject* parent)
     : Tool(parent), shape_(shape), editor_(editor), viewport_(viewport)
 {
+  next_.setSingleShot(true);
+  connect(&next_, &QTimer::timeout, this, &ScreenRegionTool::goOn);
 }
 
 QString ScreenRegionTool::hint() const
@@ -27,6 +31,7 @@ QString ScreenRegionTool::hint() const
 
 bool ScreenRegionTool::press(const Pointer& pointer)
 {
+  finding_.reset();
   way_ = {pointer.place};
   return true;
 }
@@ -57,14 +62,26 @@ void ScreenRegionTool::release(const Pointer& pointer)
   std::vector<DisplayPoint> polygon;
   for (const QPointF& place : shape) polygon.push_back(viewport_.toDisplayPoint(place));
   const ScreenReach reach = pointer.modifiers & Qt::AltModifier ? ScreenReach::Through : ScreenReach::VisibleOnly;
-  const auto inside = verticesInScreenPolygon(viewport_.renderer(), *viewport_.picker(), polygon, reach);
-  editor_.selectVertices(joined(editor_.selectedVertices(), inside, selectionModeOf(pointer.modifiers)));
+  finding_ = std::make_unique<ScreenSelection>(viewport_.renderer(), *viewport_.picker(), polygon, reach);
+  mode_ = selectionModeOf(pointer.modifiers);
+  goOn();
+}
+
+void ScreenRegionTool::goOn()
+{
+  if (!finding_) return;
+  finding_->advance(kAtOnce);
+  if (!finding_->isDone()) return next_.start(0);
+  const auto inside = finding_->inside();
+  finding_.reset();
+  editor_.selectVertices(joined(editor_.selectedVertices(), inside, mode_));
 }
 
 bool ScreenRegionTool::cancel()
 {
-  if (way_.empty()) return false;
+  if (way_.empty() && !finding_) return false;
   way_.clear();
+  finding_.reset();
   Q_EMIT changed();
   return true;
 }

@@ -3,8 +3,11 @@
 /// Selects vertices by a rectangle or a free line around them on the screen.
 
 #include <QPointF>
+#include <QTimer>
+#include <memory>
 #include <vector>
 
+#include <holdfast/view/screen_selection.h>
 #include <holdfast/widgets/editor.h>
 #include <holdfast/widgets/tool.h>
 #include <holdfast/widgets/tools/region_selection.h>
@@ -33,11 +36,16 @@ class ScreenRegionTool : public Tool {
 
  private:
   [[nodiscard]] std::vector<QPointF> outline() const;
+  void goOn();
 
   const ScreenShape shape_;
   Editor& editor_;
   Viewport& viewport_;
   std::vector<QPointF> way_;  // of the mouse; empty without a gesture
+  // On large meshes finding what is seen takes several turns of the event loop.
+  std::unique_ptr<ScreenSelection> finding_;
+  SelectionMode mode_ = SelectionMode::Replace;
+  QTimer next_;
 };
 
 }  // namespace holdfast
