@@ -231,7 +231,14 @@ QString DocumentFiles::name() const
 
 SessionFile DocumentFiles::sessionAt(const fs::path& path) const
 {
-  return {referenceTo(editor_.mesh().path, path, meshChecksum_), editor_.state(), view_ ? view_() : ViewState{}, ""};
+  SessionFile session = emptySessionAt(path);
+  session.document = editor_.state();
+  return session;
+}
+
+SessionFile DocumentFiles::emptySessionAt(const fs::path& path) const
+{
+  return {referenceTo(editor_.mesh().path, path, meshChecksum_), {}, view_ ? view_() : ViewState{}, ""};
 }
 
 QString DocumentFiles::suggestedPath() const

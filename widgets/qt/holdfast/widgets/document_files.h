@@ -60,6 +60,8 @@ class DocumentFiles : public QObject {
   [[nodiscard]] QString name() const;
   /// The document as a session at `path` says it. There is an open document.
   [[nodiscard]] SessionFile sessionAt(const std::filesystem::path& path) const;
+  /// The same without constraints and options, which take time to copy where they are many.
+  [[nodiscard]] SessionFile emptySessionAt(const std::filesystem::path& path) const;
 
   [[nodiscard]] RecentFiles& recentFiles() noexcept { return recent_; }
   void fillRecentMenu(QMenu& menu) { recent_.fill(menu); }

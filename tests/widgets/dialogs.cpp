@@ -1,0 +1,60 @@
+#include "dialogs.h"
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QDialog>
+#include <QMessageBox>
+#include <QWindow>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "gestures.h"
+
+namespace holdfast::test {
+
+DialogAnswer::DialogAnswer(QString objectName, std::function<void(QDialog&)> answer)
+    : objectName_(std::move(objectName)), answer_(std::move(answer))
+{
+  QObject::connect(&timer_, &QTimer::timeout, &timer_, [this] { look(); });
+  timer_.start(5);
+}
+
+DialogAnswer::~DialogAnswer()
+{
+  EXPECT_TRUE(isGiven_) << "no dialog called " << objectName_.toStdString() << " came";
+}
+
+void DialogAnswer::look()
+{
+  QDialog* dialog = findDialog(objectName_);
+  if (isGiven_ || dialog == nullptr) return;
+  isGiven_ = true;
+  timer_.stop();
+  answer_(*dialog);
+}
+
+QDialog* findDialog(const QString& objectName)
+{
+  for (QWidget* widget : QApplication::topLevelWidgets())
+    if (widget->objectName() == objectName && widget->isVisible() && widget->windowHandle()->isExposed())
+      return qobject_cast<QDialog*>(widget);
+  return nullptr;
+}
+
+void clickButton(QDialog& dialog, const QString& button)
+{
+  for (QAbstractButton* candidate : dialog.findChildren<QAbstractButton*>())
+    if (candidate->objectName() == button || candidate->text().remove('&') == button)
+      return click(*candidate, QRectF(candidate->rect()).center());
+  ADD_FAILURE() << "no button " << button.toStdString();
+  dialog.reject();
+}
+
+QString textOf(QDialog& messageBox)
+{
+  const auto* box = qobject_cast<QMessageBox*>(&messageBox);
+  return box == nullptr ? QString() : box->text() + '\n' + box->informativeText();
+}
+
+}  // namespace holdfast::test
