@@ -72,7 +72,8 @@ Scene::Scene(const Model& model, const Deformation& deformation, const SceneOpti
   addBackground(*backdrop_);
   addLights(*meshRenderer_);
 
-  const auto coloring = coloringOf(model, deformation, options.colorBy, options.units);
+  const auto coloring =
+      options.coloring ? options.coloring : coloringOf(model, deformation, options.colorBy, options.units);
   contents_.setHiddenMarks(HiddenMarks::Invisible);
   contents_.show(deformation);
   contents_.color(coloring);

@@ -2,6 +2,7 @@
 /// \file
 /// A deformed mesh with all that explains it, ready to be drawn without a window.
 
+#include <optional>
 #include <string>
 
 #include <vtkNew.h>
@@ -37,6 +38,8 @@ struct SceneOptions {
   ColorBy colorBy = ColorBy::Displacement;
   Legend legend = Legend::Shown;
   std::string units;  ///< the user's name of the model's length; may be empty
+  /// In the place of what `colorBy` would make: colours over a range or of a map that a user has chosen.
+  std::optional<Coloring> coloring = std::nullopt;
 };
 
 /// The deformed surface with its sharp edges, those of the rest shape in faint lines, the constraints, the legend; in a
