@@ -2,9 +2,12 @@
 #include <QStandardPaths>
 #include <QSurfaceFormat>
 #include <clocale>
+#include <string_view>
 
 #include <QVTKOpenGLNativeWidget.h>
 #include <gtest/gtest.h>
+
+#include "kept_window.h"
 
 /// Windows need an application, one in a program. Settings and state go to places of the tests' own.
 int main(int argc, char** argv)
@@ -16,5 +19,7 @@ int main(int argc, char** argv)
   QApplication::setApplicationName("holdfast-tests");
   // Qt takes the user's locale for the whole program; numbers of tests are written with points.
   std::setlocale(LC_NUMERIC, "C");
+  if (argc == 3 && std::string_view(argv[1]) == holdfast::test::kWorkUntilKilled)
+    return holdfast::test::workUntilKilled(argv[2]);
   return RUN_ALL_TESTS();
 }
