@@ -112,6 +112,15 @@ TEST_F(ImportDialogTest, TheToleranceIsTypedAndImportsNothingByItself)
   EXPECT_EQ(importText(), "Import 2");
 }
 
+TEST_F(ImportDialogTest, EnterInTheTableImportsWhatIsTicked)
+{
+  openDialog(nearAndFar());
+  EXPECT_EQ(dialog->focusWidget(), &table());
+  test::pressKey(table(), Qt::Key_Return);
+  EXPECT_FALSE(dialog->isVisible());
+  EXPECT_THAT(names(), ElementsAre("A"));
+}
+
 TEST_F(ImportDialogTest, NamesThatAreTakenAreShownAsWhatTheyBecome)
 {
   w.editor.edit("hold", added(w.editor.list(), {"A", true, Point{AtVertex{3}, Move{}}}));

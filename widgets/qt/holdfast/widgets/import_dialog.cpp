@@ -58,6 +58,7 @@ ImportDialog::ImportDialog(Editor& editor, std::filesystem::path path, QWidget* 
   layout->addWidget(makeToleranceRow());
   layout->addWidget(table_, 1);
   layout->addWidget(makeButtons());
+  table_->setFocus();
   resize(fontMetrics().averageCharWidth() * 120, fontMetrics().height() * 30);
   connect(&model_, &ImportTableModel::ticksChanged, this, &ImportDialog::updateTexts);
   connect(&job_, &BackgroundJob::failed, this, &ImportDialog::showFailure);
@@ -123,6 +124,7 @@ QWidget* ImportDialog::makeButtons()
   import_->setObjectName("import");
   import_->setDefault(true);
   import_->setEnabled(false);
+  buttons->button(QDialogButtonBox::Cancel)->setAutoDefault(false);
   const auto add = [&](const QString& text, const char* name, const auto& run) {
     QPushButton* button = buttons->addButton(text, QDialogButtonBox::ResetRole);
     button->setObjectName(name);
@@ -141,7 +143,6 @@ void ImportDialog::show(ImportContents contents)
   busy_->hide();
   model_.setContents(std::move(contents), tolerance_->typed().value_or(usualImportTolerance(*editor_.model())));
   table_->resizeColumnsToContents();
-  table_->setFocus();
 }
 
 void ImportDialog::showFailure(const std::exception_ptr& error)

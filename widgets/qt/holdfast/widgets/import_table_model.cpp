@@ -140,8 +140,6 @@ QVariant ImportTableModel::data(const QModelIndex& index, int role) const
       return toolTip(row, index.column());
     case Qt::CheckStateRole:
       return index.column() == Name ? QVariant(isTicked_[row] ? Qt::Checked : Qt::Unchecked) : QVariant();
-    case Qt::TextAlignmentRole:
-      return index.column() == Distance ? QVariant(int(Qt::AlignRight | Qt::AlignVCenter)) : QVariant();
     case Qt::ForegroundRole:
       return isFar(row) ? QVariant(statusColor(ConstraintStatus::Conflicting, lightnessOf(QGuiApplication::palette())))
                         : QVariant();

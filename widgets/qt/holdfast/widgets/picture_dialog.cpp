@@ -53,6 +53,7 @@ PictureDialog::PictureDialog(QWidget* parent)
   QPushButton* go = buttons->addButton(tr("&Export…"), QDialogButtonBox::AcceptRole);
   go->setObjectName("export");
   go->setDefault(true);
+  buttons->button(QDialogButtonBox::Cancel)->setAutoDefault(false);
   connect(buttons, &QDialogButtonBox::accepted, this, &PictureDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 
@@ -62,6 +63,8 @@ PictureDialog::PictureDialog(QWidget* parent)
   layout->addWidget(new QLabel(tr("The picture is drawn from where you look at the mesh now.")));
   layout->addLayout(form);
   layout->addWidget(buttons);
+  width_->setFocus();
+  width_->selectAll();
 }
 
 PictureSize PictureDialog::size() const
