@@ -6,6 +6,7 @@
 #include <QApplication>
 #include <QStandardPaths>
 #include <QSurfaceFormat>
+#include <QTemporaryDir>
 #include <clocale>
 #include <cstdio>
 #include <filesystem>
@@ -140,6 +141,9 @@ int run(int argc, char** argv)
     std::fprintf(stderr, "usage: holdfast_tour FOLDER\n");
     return 2;
   }
+  const QTemporaryDir home;
+  qputenv("XDG_STATE_HOME", home.filePath("state").toUtf8());
+  qputenv("XDG_CONFIG_HOME", home.filePath("config").toUtf8());
   QStandardPaths::setTestModeEnabled(true);
   QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
   QApplication application(argc, argv);

@@ -1,6 +1,7 @@
 #include <QApplication>
 #include <QStandardPaths>
 #include <QSurfaceFormat>
+#include <QTemporaryDir>
 #include <clocale>
 #include <string_view>
 
@@ -13,6 +14,9 @@
 int main(int argc, char** argv)
 {
   ::testing::InitGoogleTest(&argc, argv);
+  const QTemporaryDir home;
+  qputenv("XDG_STATE_HOME", home.filePath("state").toUtf8());
+  qputenv("XDG_CONFIG_HOME", home.filePath("config").toUtf8());
   QStandardPaths::setTestModeEnabled(true);
   QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
   QApplication application(argc, argv);

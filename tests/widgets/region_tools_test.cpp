@@ -32,6 +32,15 @@ class RegionsOfHead : public test::OpenWindow {
 
   [[nodiscard]] Vector3 placeOf(Index vertex) { return editor().positions().row(vertex).transpose(); }
 
+  /// Draws on the screen, and waits for what is found there: on large meshes that takes several turns of the event
+  /// loop.
+  void select(const std::vector<QPointF>& way, Qt::KeyboardModifiers modifiers = Qt::NoModifier)
+  {
+    editor().selectVertices({});
+    test::drag(viewport(), way, Qt::LeftButton, modifiers);
+    ASSERT_TRUE(test::waitUntil([&] { return !editor().selectedVertices().empty(); }));
+  }
+
   [[nodiscard]] Index nearestVertex(const Vector3& place)
   {
     Index nearest = 0;
@@ -79,7 +88,7 @@ TEST_F(RegionsOfHead, ARectangleSelectsWhatIsSeenInIt)
   trigger("toolRectangle");
   const QPointF a = shown({10, -76, 10});
   const QPointF b = shown({45, -76, 42});
-  test::drag(viewport(), {a, (a + b) / 2, b});
+  select({a, (a + b) / 2, b});
   const QRectF box = QRectF(a, b).normalized();
   const auto selected = editor().selectedVertices();
   EXPECT_GT(selected.size(), 20u);
@@ -88,7 +97,7 @@ TEST_F(RegionsOfHead, ARectangleSelectsWhatIsSeenInIt)
     EXPECT_LT(placeOf(vertex).y(), 0) << "the back of the head is hidden";
   }
   // With Alt what is hidden counts as well.
-  test::drag(viewport(), {a, (a + b) / 2, b}, Qt::LeftButton, Qt::AltModifier);
+  select({a, (a + b) / 2, b}, Qt::AltModifier);
   EXPECT_GT(editor().selectedVertices().size(), selected.size());
   EXPECT_TRUE(std::includes(editor().selectedVertices().begin(), editor().selectedVertices().end(), selected.begin(),
                             selected.end()));
@@ -99,10 +108,10 @@ TEST_F(RegionsOfHead, ALassoSelectsAsTheRectangleOfTheSameOutline)
   const QPointF a = shown({10, -76, 10});
   const QPointF b = shown({45, -76, 42});
   trigger("toolRectangle");
-  test::drag(viewport(), {a, b});
+  select({a, b});
   const auto byRectangle = editor().selectedVertices();
   trigger("toolLasso");
-  test::drag(viewport(), {a, {b.x(), a.y()}, b, {a.x(), b.y()}, a});
+  select({a, {b.x(), a.y()}, b, {a.x(), b.y()}, a});
   EXPECT_EQ(editor().selectedVertices(), byRectangle);
 }
 

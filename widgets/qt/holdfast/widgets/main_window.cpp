@@ -4,14 +4,19 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QTimer>
 #include <QToolBar>
 #include <algorithm>
 #include <array>
 #include <functional>
 
+#include <vtkRenderer.h>
+
+#include <holdfast/view/camera_state.h>
 #include <holdfast/widgets/commands.h>
 #include <holdfast/widgets/help_dialog.h>
 #include <holdfast/widgets/icons.h>
+#include <holdfast/widgets/import_dialog.h>
 #include <holdfast/widgets/main_window.h>
 #include <holdfast/widgets/panel_docks.h>
 #include <holdfast/widgets/status_line.h>
@@ -24,6 +29,7 @@ namespace holdfast {
 
 MainWindow::MainWindow()
     : files_(editor_, this),
+      exports_(editor_, this),
       viewport_(new Viewport(editor_, this)),
       gizmo_(new GizmoTool(editor_, *viewport_, this)),
       tools_(new ToolBox(editor_, *viewport_, this)),
@@ -75,6 +81,24 @@ void MainWindow::makeFileMenu()
   withDocument_.push_back(addAction(menu, "saveAs", tr("Save &as…"), QKeySequence("Ctrl+Shift+S"),
                                     tr("Save as another session"), [this] { files_.saveAs(); }));
   menu.addSeparator();
+  withDocument_.push_back(
+      addAction(menu, "import", tr("&Import constraints…"), QKeySequence("Ctrl+I"),
+                tr("Add measured points (CSV) or constraints (JSON), after a look at where they lie"),
+                [this] { importConstraints(editor_, this); }));
+  QMenu& out = *menu.addMenu(tr("&Export"));
+  const auto add = [&](const char* objectName, const QString& text, const QString& tip,
+                       void (DocumentExports::*run)()) {
+    withDocument_.push_back(addAction(out, objectName, text, {}, tip, [this, run] { (exports_.*run)(); }));
+  };
+  add("exportMesh", tr("&Mesh…"), tr("The deformed mesh, in any format"), &DocumentExports::exportMesh);
+  add("exportFields", tr("&Fields…"), tr("Residuals, rotations and displacements at all vertices, as VTP"),
+      &DocumentExports::exportFields);
+  add("exportReport", tr("&Report…"), tr("What became of each constraint, as JSON or CSV"),
+      &DocumentExports::exportReport);
+  add("exportConstraints", tr("&Constraints…"), tr("A constraint file for holdfast-batch"),
+      &DocumentExports::exportConstraints);
+  add("exportPicture", tr("&Picture…"), tr("The picture as it is seen, at any size"), &DocumentExports::exportPicture);
+  menu.addSeparator();
   addAction(menu, "quit", tr("&Quit"), QKeySequence("Ctrl+Q"), tr("Close the window"), [this] { close(); });
 }
 
@@ -102,8 +126,27 @@ void MainWindow::connectFiles()
   });
   connect(&files_, &DocumentFiles::pathChanged, this, &MainWindow::updateTitle);
   connect(&files_, &DocumentFiles::done, this, [this](const QString& what) { status_->showMessage(what, 6000); });
-  connect(viewport_, &Viewport::filesDropped, this, [this](const QStringList& paths) { files_.open(paths.front()); });
+  exports_.setPictureView([this]() -> PictureView {
+    const DisplaySettings display = viewport_->display();
+    return {cameraOf(*viewport_->renderer().GetActiveCamera()), viewport_->coloring(),
+            [display](SceneContents& contents) { arrange(contents, display); }};
+  });
+  connect(&exports_, &DocumentExports::done, this, [this](const QString& what) { status_->showMessage(what, 6000); });
+  if (const auto folder = recoveryFolder()) {
+    autosave_ = std::make_unique<Autosave>(editor_, files_, *folder, this);
+    connect(autosave_.get(), &Autosave::failed, this, [this](const QString& why) { status_->showMessage(why, 12000); });
+  }
+  connect(viewport_, &Viewport::filesDropped, this, &MainWindow::openDropped);
   connect(viewport_, &Viewport::contextMenuWanted, this, &MainWindow::showContextMenu);
+}
+
+void MainWindow::openDropped(const QStringList& paths)
+{
+  // One document is open at a time; lists of constraints belong to the one that is.
+  const QString& path = paths.front();
+  const bool isList = path.endsWith(".csv", Qt::CaseInsensitive) || path.endsWith(".json", Qt::CaseInsensitive);
+  if (!isList || !editor_.isOpen()) return files_.open(path);
+  importConstraints(editor_, this, [path](QWidget*, const FileQuestion&) { return path; });
 }
 
 void MainWindow::showContextMenu(const QPoint& place)
@@ -121,7 +164,9 @@ void MainWindow::showContextMenu(const QPoint& place)
 void MainWindow::showEvent(QShowEvent* event)
 {
   QMainWindow::showEvent(event);
-  if (!event->spontaneous()) panels_->share(size());
+  if (event->spontaneous()) return;
+  panels_->share(size());
+  if (autosave_) QTimer::singleShot(0, this, [this] { autosave_->offerRecovery(); });
 }
 
 void MainWindow::closeEvent(QCloseEvent* event)

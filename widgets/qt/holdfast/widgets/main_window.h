@@ -5,8 +5,11 @@
 #include <QKeySequence>
 #include <QMainWindow>
 #include <functional>
+#include <memory>
 #include <vector>
 
+#include <holdfast/widgets/autosave.h>
+#include <holdfast/widgets/document_exports.h>
 #include <holdfast/widgets/document_files.h>
 #include <holdfast/widgets/editor.h>
 #include <holdfast/widgets/theme.h>
@@ -34,6 +37,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] GizmoTool& gizmo() { return *gizmo_; }
 
   [[nodiscard]] DocumentFiles& files() { return files_; }
+  [[nodiscard]] DocumentExports& exports() { return exports_; }
 
   void setAppearance(Appearance appearance);
 
@@ -51,6 +55,7 @@ class MainWindow : public QMainWindow {
   void makeViewMenu();
   void makeHelpMenu();
   void connectFiles();
+  void openDropped(const QStringList& paths);
   void showContextMenu(const QPoint& place);
   void connectStatus();
   void updateTitle();
@@ -62,6 +67,8 @@ class MainWindow : public QMainWindow {
 
   Editor editor_;
   DocumentFiles files_;
+  DocumentExports exports_;
+  std::unique_ptr<Autosave> autosave_;  // null where there is no place for copies
   Viewport* viewport_;
   GizmoTool* gizmo_;
   ToolBox* tools_;

@@ -2,9 +2,9 @@
 #include <array>
 #include <string_view>
 
-#include <vtkCamera.h>
 #include <vtkRenderer.h>
 
+#include <holdfast/view/camera_state.h>
 #include <holdfast/widgets/view_state.h>
 #include <holdfast/widgets/viewport.h>
 
@@ -32,12 +32,6 @@ Value named(const Names& names, const std::optional<std::string>& name, Value ot
   if (!name) return otherwise;
   const auto found = std::find(names.begin(), names.end(), *name);
   return found == names.end() ? otherwise : static_cast<Value>(found - names.begin());
-}
-
-Camera cameraOf(vtkCamera& camera)
-{
-  return {Vector3(camera.GetPosition()), Vector3(camera.GetFocalPoint()), Vector3(camera.GetViewUp()),
-          camera.GetParallelScale(), camera.GetParallelProjection() != 0};
 }
 
 }  // namespace
@@ -81,12 +75,7 @@ void apply(const ViewState& state, Viewport& viewport)
   viewport.setDisplay(display);
 
   if (!state.camera) return;
-  vtkCamera& camera = *viewport.renderer().GetActiveCamera();
-  camera.SetPosition(state.camera->position.data());
-  camera.SetFocalPoint(state.camera->focalPoint.data());
-  camera.SetViewUp(state.camera->viewUp.data());
-  camera.SetParallelScale(state.camera->parallelScale);
-  camera.SetParallelProjection(state.camera->isParallel ? 1 : 0);
+  place(*viewport.renderer().GetActiveCamera(), *state.camera);
   viewport.scheduleRender();
 }
 

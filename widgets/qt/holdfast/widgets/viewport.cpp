@@ -128,7 +128,7 @@ void Viewport::showConstraints()
   if (!contents_) return;
   if (!editor_.history().isInGesture()) disabledPlaces_ = disabledPlaces(*editor_.model(), editor_.list());
   if (const auto& deformation = editor_.deformation()) contents_->show(*deformation, disabledPlaces_);
-  if (!display_.areConstraintsShown) contents_->setMarks({});
+  arrange(*contents_, display_);
   overlay_->update();
   scheduleRender();
 }
@@ -162,9 +162,6 @@ void Viewport::setDisplay(const DisplaySettings& settings)
 {
   display_ = settings;
   if (!contents_) return;
-  contents_->setRestGhost(display_.rest);
-  contents_->setMeshEdges(display_.edges);
-  contents_->setRotationDisplay(display_.rotations);
   showConstraints();
 }
 

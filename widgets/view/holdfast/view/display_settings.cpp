@@ -2,6 +2,14 @@
 
 namespace holdfast {
 
+void arrange(SceneContents& contents, const DisplaySettings& settings)
+{
+  contents.setRestGhost(settings.rest);
+  contents.setMeshEdges(settings.edges);
+  contents.setRotationDisplay(settings.rotations);
+  if (!settings.areConstraintsShown) contents.setMarks({});
+}
+
 std::optional<Coloring> coloringOf(const Model& model, const Deformation& deformation, const ColorSettings& settings,
                                    const std::string& units)
 {

@@ -24,6 +24,9 @@ struct DisplaySettings {
   friend bool operator==(const DisplaySettings&, const DisplaySettings&) = default;
 };
 
+/// Shows in `contents`, to which a deformation was shown, what `settings` say.
+void arrange(SceneContents& contents, const DisplaySettings& settings);
+
 /// The values of the chosen field on the chosen scale; none for `ColorBy::None`. `units` as in the function of the same
 /// name.
 [[nodiscard]] std::optional<Coloring> coloringOf(const Model& model, const Deformation& deformation,
