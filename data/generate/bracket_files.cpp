@@ -8,6 +8,7 @@
 #include "bracket.h"
 #include "constraint_text.h"
 #include "files.h"
+#include "session_text.h"
 #include "write.h"
 
 namespace holdfast::generate {
@@ -135,8 +136,11 @@ std::vector<File> bracketFiles()
   const std::vector<MeasuredPoint> points = measured(mesh);
   std::vector<MeasuredPoint> list = datums(mesh);
   list.insert(list.end(), points.begin(), points.end());
-  return {{"bracket.obj", objText(mesh, "Holdfast example: a machined bracket, mm")},
-          {"bracket.constraints.json", asBuiltConstraints(points)},
+  const File obj{"bracket.obj", objText(mesh, "Holdfast example: a machined bracket, mm")};
+  const std::string asBuilt = asBuiltConstraints(points);
+  return {obj,
+          {"bracket.constraints.json", asBuilt},
+          {"bracket.holdfast", sessionText(obj, asBuilt)},
           {"bracket.conflict.constraints.json", conflictingConstraints(mesh)},
           {"bracket.measured.csv", pointList(list)}};
 }

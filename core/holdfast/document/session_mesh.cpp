@@ -33,6 +33,11 @@ class Fnv1a {
   std::uint64_t hash_ = 0xCBF29CE484222325U;
 };
 
+std::string textOf(const Fnv1a& hash)
+{
+  return fmt::format("{}{:016x}", kAlgorithm, hash.value());
+}
+
 /// `path` with the symbolic links of its folders followed, but not that of the file itself: a link to a mesh moves with
 /// the folder that it is in.
 fs::path inRealFolder(const fs::path& path)
@@ -83,7 +88,14 @@ std::string checksumOfFile(const fs::path& path)
   if (!stream.eof())
     throw InputError({path.string(), 0, ""}, fmt::format("cannot be read ({}); check its permissions",
                                                          std::error_code(errno, std::generic_category()).message()));
-  return fmt::format("{}{:016x}", kAlgorithm, hash.value());
+  return textOf(hash);
+}
+
+std::string checksumOfBytes(std::string_view bytes)
+{
+  Fnv1a hash;
+  hash.add(bytes);
+  return textOf(hash);
 }
 
 bool isChecksum(std::string_view text)

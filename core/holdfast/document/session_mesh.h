@@ -14,6 +14,9 @@ namespace holdfast {
 /// one that was forged. Throws `InputError` where the file cannot be read. O(size of the file), a block at a time.
 [[nodiscard]] std::string checksumOfFile(const std::filesystem::path& path);
 
+/// The same of a file with these bytes.
+[[nodiscard]] std::string checksumOfBytes(std::string_view bytes);
+
 /// Whether `text` is what `checksumOfFile` could return.
 [[nodiscard]] bool isChecksum(std::string_view text);
 

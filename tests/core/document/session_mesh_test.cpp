@@ -44,6 +44,7 @@ TEST(Checksum, IsThePublishedHash)
   EXPECT_EQ(checksumOfFile(folder.file("empty", "")), "fnv1a64:cbf29ce484222325");
   EXPECT_EQ(checksumOfFile(folder.file("a", "a")), "fnv1a64:af63dc4c8601ec8c");
   EXPECT_EQ(checksumOfFile(folder.file("foobar", "foobar")), "fnv1a64:85944171f73967e8");
+  EXPECT_EQ(checksumOfBytes("foobar"), "fnv1a64:85944171f73967e8");
 }
 
 TEST(Checksum, DependsOnEveryByteOfALargeFile)
