@@ -1,3 +1,5 @@
+#include <QApplication>
+#include <QKeyEvent>
 #include <QLabel>
 #include <algorithm>
 #include <cmath>
@@ -151,6 +153,20 @@ TEST_F(PointToolOnBracket, ADragTurnsThePictureAndHoldsNothing)
   const QPointF from = inWidget(middleOf(largestSeenTriangle()));
   test::drag(viewport(), {from, from + QPointF(30, 0), from + QPointF(60, 10)});
   EXPECT_TRUE(list().constraints.empty());
+}
+
+TEST_F(PointToolOnBracket, ItsKeysComeBeforeThoseOfMenus)
+{
+  const auto isTaken = [this](Qt::Key key) {
+    QKeyEvent event(QEvent::ShortcutOverride, key, Qt::NoModifier);
+    event.ignore();
+    QApplication::sendEvent(&viewport(), &event);
+    return event.isAccepted();
+  };
+  for (const Qt::Key key : {Qt::Key_V, Qt::Key_E, Qt::Key_F, Qt::Key_A}) EXPECT_TRUE(isTaken(key));
+  EXPECT_FALSE(isTaken(Qt::Key_H)) << "makes a handle";
+  trigger("toolSelect");
+  EXPECT_FALSE(isTaken(Qt::Key_E)) << "switches constraints off";
 }
 
 TEST_F(PointToolOnBracket, AHeldPointThatIsNotMovedMovesNothing)

@@ -51,6 +51,8 @@ class Tool : public QObject {
   virtual void doubleClick(const Pointer& /*pointer*/) {}
   /// The mouse left the viewport.
   virtual void leave() {}
+  /// Whether `key` would use it: it comes before what menus have the key for.
+  [[nodiscard]] virtual bool wants(const QKeyEvent& /*event*/) const { return false; }
   /// True where the tool uses the key.
   virtual bool key(const QKeyEvent& /*event*/) { return false; }
 

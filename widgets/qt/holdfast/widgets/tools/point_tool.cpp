@@ -10,6 +10,23 @@ namespace {
 // Of the viewport's pixels.
 constexpr double kSnapReach = 7;
 
+std::optional<PickKind> chosenBy(const QKeyEvent& event)
+{
+  if (event.modifiers() != Qt::NoModifier) return std::nullopt;
+  switch (event.key()) {
+    case Qt::Key_V:
+      return PickKind::Vertex;
+    case Qt::Key_E:
+      return PickKind::Edge;
+    case Qt::Key_F:
+      return PickKind::Face;
+    case Qt::Key_A:
+      return PickKind::Nearest;
+    default:
+      return std::nullopt;
+  }
+}
+
 }  // namespace
 
 PointTool::PointTool(Editor& editor, Viewport& viewport, QObject* parent)
@@ -62,25 +79,16 @@ void PointTool::click(const Pointer& pointer)
   if (const auto pick = pickAt(pointer)) holdPoint(editor_, *pick);
 }
 
+bool PointTool::wants(const QKeyEvent& event) const
+{
+  return chosenBy(event).has_value();
+}
+
 bool PointTool::key(const QKeyEvent& event)
 {
-  if (event.modifiers() != Qt::NoModifier) return false;
-  switch (event.key()) {
-    case Qt::Key_V:
-      kind_ = PickKind::Vertex;
-      break;
-    case Qt::Key_E:
-      kind_ = PickKind::Edge;
-      break;
-    case Qt::Key_F:
-      kind_ = PickKind::Face;
-      break;
-    case Qt::Key_A:
-      kind_ = PickKind::Nearest;
-      break;
-    default:
-      return false;
-  }
+  const auto kind = chosenBy(event);
+  if (!kind) return false;
+  kind_ = *kind;
   viewport_.setPreview(pickAt(last_));
   Q_EMIT changed();
   return true;

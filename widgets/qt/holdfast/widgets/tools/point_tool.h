@@ -24,6 +24,7 @@ class PointTool : public Tool {
   bool hover(const Pointer& pointer) override;
   void click(const Pointer& pointer) override;
   void leave() override;
+  [[nodiscard]] bool wants(const QKeyEvent& event) const override;
   bool key(const QKeyEvent& event) override;
 
   [[nodiscard]] PickKind kind() const noexcept { return kind_; }
