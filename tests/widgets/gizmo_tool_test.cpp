@@ -1,4 +1,7 @@
+#include <algorithm>
+
 #include <gmock/gmock.h>
+#include <vtkProp.h>
 
 #include <holdfast/document/list_edits.h>
 #include <holdfast/view/camera_motion.h>
@@ -124,8 +127,15 @@ TEST_F(GizmoOnPoint, PointsHaveNoRings)
 
 TEST_F(GizmoOnPoint, NothingStandsWhereNothingIsSelected)
 {
+  const auto isSeen = [this] {
+    const auto props = window.gizmo().gizmo().props();
+    return std::any_of(props.begin(), props.end(), [](vtkProp* prop) { return prop->GetVisibility() != 0; });
+  };
+  EXPECT_TRUE(isSeen());
   editor().selectConstraints({});
+  ASSERT_TRUE(settle());
   EXPECT_FALSE(window.gizmo().gizmo().isShown());
+  EXPECT_FALSE(isSeen());
   editor().selectConstraints({*indexOf(list(), "bolt rear left")});
   EXPECT_FALSE(window.gizmo().gizmo().isShown()) << "what is fixed does not move";
 }

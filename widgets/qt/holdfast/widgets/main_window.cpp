@@ -331,8 +331,10 @@ void MainWindow::changeEvent(QEvent* event)
 
 void MainWindow::connectStatus()
 {
-  connect(tools_, &ToolBox::hintChanged, status_, &StatusLine::setHint);
-  status_->setHint(tools_->current().hint());
+  const auto showHint = [this] { status_->setHint(gizmo_->isTouched() ? gizmo_->hint() : tools_->current().hint()); };
+  connect(tools_, &ToolBox::hintChanged, this, showHint);
+  connect(gizmo_, &Tool::changed, this, showHint);
+  showHint();
   connect(viewport_, &Viewport::previewChanged, status_, &StatusLine::setPick);
   for (const auto& signal : {&Editor::opened, &Editor::stateChanged, &Editor::saved}) {
     connect(&editor_, signal, this, &MainWindow::updateTitle);

@@ -29,7 +29,18 @@ GizmoTool::~GizmoTool() = default;
 
 QString GizmoTool::hint() const
 {
+  const GizmoPartKind kind = kindOf(gizmo_.highlighted());
+  if (kind == GizmoPartKind::Ring || kind == GizmoPartKind::ViewRing)
+    return tr("Drag to turn, as many times round as you like; Ctrl snaps, Escape takes it back");
   return tr("Drag to move; Ctrl snaps, Escape takes it back");
+}
+
+void GizmoTool::highlight(GizmoPart part)
+{
+  if (part == gizmo_.highlighted()) return;
+  gizmo_.highlight(part);
+  viewport_.scheduleRender();
+  Q_EMIT changed();
 }
 
 void GizmoTool::stand()
@@ -49,6 +60,7 @@ void GizmoTool::stand()
     gizmo_.show(standing_->hasHandles() ? GizmoMotions::MovesAndTurns : GizmoMotions::Moves);
   } else {
     gizmo_.hide();
+    highlight(GizmoPart::None);
   }
   viewport_.scheduleRender();
 }
@@ -89,8 +101,7 @@ void GizmoTool::setAxes(GizmoAxes axes)
 
 void GizmoTool::update()
 {
-  if (!standing_) return;
-  if (axes_ == GizmoAxes::View && !drag_) gizmo_.setFrame(gizmo_.frame().center, axesNow());
+  if (standing_ && axes_ == GizmoAxes::View && !drag_) gizmo_.setFrame(gizmo_.frame().center, axesNow());
   gizmo_.setPixelSize(kGizmoPixels * viewport_.pixelRatio());
   gizmo_.update(viewport_.renderer());
 }
@@ -104,11 +115,13 @@ GizmoPart GizmoTool::partAt(const Pointer& pointer)
 bool GizmoTool::hover(const Pointer& pointer)
 {
   const GizmoPart part = partAt(pointer);
-  if (part != gizmo_.highlighted()) {
-    gizmo_.highlight(part);
-    viewport_.scheduleRender();
-  }
+  highlight(part);
   return part != GizmoPart::None;
+}
+
+void GizmoTool::leave()
+{
+  if (!drag_) highlight(GizmoPart::None);
 }
 
 bool GizmoTool::press(const Pointer& pointer)

@@ -37,11 +37,14 @@ class GizmoTool : public Tool {
   bool hover(const Pointer& pointer) override;
   void drag(const Pointer& pointer) override;
   void release(const Pointer& pointer) override;
+  void leave() override;
   bool cancel() override;
 
   void setAxes(GizmoAxes axes);
   [[nodiscard]] GizmoAxes axes() const noexcept { return axes_; }
   [[nodiscard]] const Gizmo& gizmo() const noexcept { return gizmo_; }
+  /// Whether the cursor is over one of its parts, or drags it: `hint` is what counts then.
+  [[nodiscard]] bool isTouched() const noexcept { return gizmo_.highlighted() != GizmoPart::None; }
 
   /// Follows the camera: before the viewport is drawn.
   void update();
@@ -51,6 +54,7 @@ class GizmoTool : public Tool {
   void moveTo(const GizmoMotion& motion);
   [[nodiscard]] Eigen::Matrix3d handleAxes() const;
   [[nodiscard]] Eigen::Matrix3d axesNow();
+  void highlight(GizmoPart part);
   [[nodiscard]] GizmoPart partAt(const Pointer& pointer);
 
   Editor& editor_;
