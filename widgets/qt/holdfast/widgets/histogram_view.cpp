@@ -84,6 +84,8 @@ HistogramView::HistogramView(QWidget* parent) : QWidget(parent)
   view_ = new QVTKOpenGLNativeWidget(this);
   view_->setObjectName("chart");
   view_->setMinimumSize(160, 110);
+  // Sizes are given in pixels of the window, as in the viewport.
+  view_->setEnableHiDPI(false);
   view_->setMouseTracking(true);
   view_->setFocusPolicy(Qt::StrongFocus);
   view_->installEventFilter(this);

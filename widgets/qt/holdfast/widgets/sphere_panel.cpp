@@ -67,6 +67,8 @@ SpherePanel::SpherePanel(Editor& editor, QWidget* parent) : QWidget(parent), edi
   view_->setAccessibleName(tr("Rotation sphere"));
   view_->setFocusPolicy(Qt::StrongFocus);
   view_->setMinimumSize(120, 120);
+  // Sizes are given in pixels of the window, as in the viewport.
+  view_->setEnableHiDPI(false);
   view_->renderWindow()->SetMultiSamples(4);
   view_->installEventFilter(this);
   drawing_ = new RenderRequest(*view_);

@@ -40,6 +40,17 @@ constexpr double kWheelZoom = 1.2;
 constexpr double kFluentMilliseconds = 30;
 constexpr int kRestMilliseconds = 250;
 
+/// A mesh at rest would be of one dark colour, and look like a result. A range that the user has fixed is what he
+/// wants.
+bool saysAnything(const Coloring& coloring, const ColorSettings& settings)
+{
+  if (std::holds_alternative<FixedRange>(settings.range)) return true;
+  // No residual is good news, and told where it is.
+  const bool isZeroTold = settings.field == ColorBy::ConstraintResidual;
+  return std::any_of(coloring.values.begin(), coloring.values.end(),
+                     [&](double value) { return isZeroTold ? value >= 0 : value > 0; });
+}
+
 }  // namespace
 
 Viewport::Viewport(Editor& editor, QWidget* parent) : QVTKOpenGLNativeWidget(parent), editor_(editor)
@@ -59,6 +70,8 @@ Viewport::Viewport(Editor& editor, QWidget* parent) : QVTKOpenGLNativeWidget(par
   renderer_->GradientBackgroundOn();
   setDarkBackdrop(false);
   setRenderWindow(window_);
+  // Sizes are given in pixels of the window: scaled by the resolution as well texts would be too large.
+  setEnableHiDPI(false);
   // The camera is moved here, a picture at a time, and not by VTK at every event.
   window_->GetInteractor()->SetInteractorStyle(nullptr);
   addLights(*renderer_);
@@ -112,6 +125,7 @@ void Viewport::openDocument()
     setDisplay(display_);
     showColors();
     frameAll();
+    openedFrom_ = Vector3(renderer_->GetActiveCamera()->GetPosition());
   }
   scheduleRender();
 }
@@ -119,6 +133,10 @@ void Viewport::openDocument()
 void Viewport::showDeformation()
 {
   picker_->setPositions(editor_.positions());
+  // The mesh was shown at rest so far; who has looked elsewhere since goes on looking there.
+  if (const auto eye = std::exchange(openedFrom_, std::nullopt);
+      eye && *eye == Vector3(renderer_->GetActiveCamera()->GetPosition()))
+    frameAll();
   showConstraints();
   showColors();
 }
@@ -138,6 +156,7 @@ void Viewport::showColors()
   coloring_.reset();
   if (const auto& deformation = editor_.deformation())
     coloring_ = coloringOf(*editor_.model(), *deformation, colors_, editor_.deformedState()->list.units);
+  if (coloring_ && !saysAnything(*coloring_, colors_)) coloring_.reset();
   contents_->color(coloring_);
   overlay_->update();
   scheduleRender();
@@ -371,8 +390,14 @@ bool Viewport::event(QEvent* event)
       wheel(static_cast<const QWheelEvent&>(*event));
       return true;
     case QEvent::Leave:
-      if (tool_ && hand_ == Hand::Empty) tool_->leave();
+      if (hand_ == Hand::Empty)
+        for (Tool* tool : {firstTool_, tool_})
+          if (tool) tool->leave();
       break;
+    case QEvent::ShortcutOverride:
+      if (!tool_ || !tool_->wants(static_cast<const QKeyEvent&>(*event))) break;
+      event->accept();
+      return true;
     case QEvent::KeyPress:
       if (tool_ && tool_->key(static_cast<const QKeyEvent&>(*event))) return true;
       event->ignore();

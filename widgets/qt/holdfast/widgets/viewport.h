@@ -46,7 +46,8 @@ class Viewport : public QVTKOpenGLNativeWidget {
   [[nodiscard]] const ColorSettings& colors() const noexcept { return colors_; }
   void setDisplay(const DisplaySettings& settings);
   [[nodiscard]] const DisplaySettings& display() const noexcept { return display_; }
-  /// What the surface is coloured by now; none for one colour and for an empty viewport.
+  /// What the surface is coloured by now; none for one colour, for an empty viewport, and where the chosen field is
+  /// zero everywhere.
   [[nodiscard]] const std::optional<Coloring>& coloring() const noexcept { return coloring_; }
   void setDarkBackdrop(bool isDark);
 
@@ -129,6 +130,7 @@ class Viewport : public QVTKOpenGLNativeWidget {
   std::shared_ptr<SceneContents> contents_;
   std::shared_ptr<SurfacePicker> picker_;
   std::vector<DisabledPlace> disabledPlaces_;
+  std::optional<Vector3> openedFrom_;  // the camera's place until the first deformation
   std::optional<Coloring> coloring_;
   ColorSettings colors_;
   DisplaySettings display_;

@@ -1,40 +1,26 @@
 #include <QFontMetricsF>
 #include <QPainter>
-#include <QPainterPath>
+#include <QPolygonF>
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include <holdfast/view/camera_motion.h>
 #include <holdfast/view/constraint_glyphs.h>
-#include <holdfast/view/scalar_legend.h>
+#include <holdfast/widgets/color_words.h>
 #include <holdfast/widgets/tool.h>
 #include <holdfast/widgets/viewport.h>
+#include <holdfast/widgets/viewport_legend.h>
 #include <holdfast/widgets/viewport_overlay.h>
 
 namespace holdfast {
 namespace {
 
 constexpr double kMargin = 14;
-constexpr double kBarWidth = 14;
-constexpr double kTickLength = 4;
-constexpr double kBall = 9;
 constexpr double kPreviewRadius = 7;
 
 QColor toQColor(const Color& color)
 {
   return QColor::fromRgbF(color.red, color.green, color.blue);
-}
-
-/// The scale from the top down as a picture of one pixel's width.
-QImage barOf(const ColorScale& scale, int height)
-{
-  QImage image(1, height, QImage::Format_RGB32);
-  for (int y = 0; y < height; ++y) {
-    const double share = 1 - (y + 0.5) / height;
-    image.setPixelColor(0, y, toQColor(mapColor(share, scale.map)));
-  }
-  return image;
 }
 
 }  // namespace
@@ -62,7 +48,6 @@ void ViewportOverlay::paintEvent(QPaintEvent* /*event*/)
   if (!editor_.isOpen()) return paintWelcome(painter);
   paintPreview(painter);
   if (tool_) tool_->paint(painter);
-  painter.setPen(palette().color(QPalette::WindowText));
   paintLegend(painter);
   paintFreshness(painter);
 }
@@ -97,58 +82,27 @@ void ViewportOverlay::paintPreview(QPainter& painter) const
 
 void ViewportOverlay::paintLegend(QPainter& painter) const
 {
-  const auto& coloring = viewport_.coloring();
-  const QFontMetricsF metrics(font());
-  const double bottom = height() - kMargin;
-  if (!coloring) return paintKey(painter, static_cast<int>(bottom));
-
-  const ColorScale& scale = coloring->scale;
-  const QStringList title = QString::fromStdString(scale.title).split('\n');
-  const double barHeight = std::clamp(0.34 * height(), 90.0, 260.0);
-  const double barTop = bottom - barHeight - metrics.height() / 2;
-  const double barLeft = width() - kMargin - kBarWidth;
-  const QRectF bar(barLeft, barTop, kBarWidth, barHeight);
-  painter.drawImage(bar, barOf(scale, static_cast<int>(barHeight)));
-  painter.setBrush(Qt::NoBrush);
-  painter.drawRect(bar);
-
-  const auto label = [&](double value, const QString& text, double length) {
-    const double y = bar.bottom() - shareOf(scale, value) * bar.height();
-    painter.drawLine(QPointF(bar.left() - length, y), QPointF(bar.left(), y));
-    painter.drawText(QRectF(bar.left() - length - 204, y - metrics.height() / 2, 200, metrics.height()),
-                     Qt::AlignRight | Qt::AlignVCenter, text);
-  };
-  for (const Tick& tick : ticksOf(scale)) label(tick.value, QString::fromStdString(tick.text), kTickLength);
-  if (scale.promise && *scale.promise > scale.low && *scale.promise < scale.high)
-    label(*scale.promise, tr("promised"), 12);
-
-  double y = barTop - kMargin / 2 - static_cast<double>(title.size()) * metrics.height();
-  const double titleTop = y;
-  for (const QString& line : title) {
-    painter.drawText(QRectF(0, y, width() - kMargin, metrics.height()), Qt::AlignRight, line);
-    y += metrics.height();
-  }
-  paintKey(painter, static_cast<int>(titleTop - kMargin));
+  ViewportLegend legend(rect(), QFontMetricsF(font()));
+  const ColorBy field = viewport_.colors().field;
+  if (const auto& coloring = viewport_.coloring())
+    legend.addScale(coloring->scale);
+  else if (editor_.deformation() && field != ColorBy::None)
+    legend.addLine(tr("%1: nothing to show").arg(fieldWords(field).name));
+  addCounts(legend);
+  legend.paint(painter, palette());
 }
 
-void ViewportOverlay::paintKey(QPainter& painter, int bottom) const
+void ViewportOverlay::addCounts(ViewportLegend& legend) const
 {
-  const QFontMetricsF metrics(font());
-  double y = bottom;
+  const auto& deformation = editor_.deformation();
+  if (!deformation || !viewport_.display().areConstraintsShown) return;
+  const auto& outcomes = deformation->report.constraints;
   for (const ConstraintStatus status :
        {ConstraintStatus::Disabled, ConstraintStatus::Missed, ConstraintStatus::Conflicting,
         ConstraintStatus::Redundant, ConstraintStatus::Met}) {
-    const auto& marks = viewport_.marks();
-    const auto count =
-        std::count_if(marks.begin(), marks.end(), [&](const ConstraintMark& mark) { return mark.status == status; });
-    if (count == 0) continue;
-    y -= metrics.height() * 1.25;
-    const QRectF line(0, y, width() - kMargin - kBall - 6, metrics.height());
-    const std::string_view word = name(status);
-    painter.drawText(line, Qt::AlignRight | Qt::AlignVCenter,
-                     QString("%1 %2").arg(count).arg(QString::fromUtf8(word.data(), static_cast<int>(word.size()))));
-    painter.setBrush(status == ConstraintStatus::Disabled ? QBrush(Qt::NoBrush) : toQColor(glyphColor(status)));
-    painter.drawEllipse(QPointF(width() - kMargin - kBall / 2, line.center().y()), kBall / 2, kBall / 2);
+    const auto count = std::count_if(outcomes.begin(), outcomes.end(),
+                                     [&](const ConstraintOutcome& outcome) { return outcome.status == status; });
+    if (count > 0) legend.addCount(status, count);
   }
 }
 

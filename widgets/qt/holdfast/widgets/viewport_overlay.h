@@ -11,6 +11,7 @@ namespace holdfast {
 
 class Tool;
 class Viewport;
+class ViewportLegend;
 
 /// Covers a viewport, and leaves the mouse to it.
 class ViewportOverlay : public QWidget {
@@ -27,7 +28,7 @@ class ViewportOverlay : public QWidget {
  private:
   void paintPreview(QPainter& painter) const;
   void paintLegend(QPainter& painter) const;
-  void paintKey(QPainter& painter, int bottom) const;
+  void addCounts(ViewportLegend& legend) const;
   void paintFreshness(QPainter& painter) const;
   void paintWelcome(QPainter& painter) const;
 
