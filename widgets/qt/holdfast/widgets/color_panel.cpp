@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <QPainter>
 #include <QPixmap>
+#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QStackedWidget>
@@ -87,10 +88,18 @@ ColorPanel::ColorPanel(Editor& editor, QWidget* parent) : QWidget(parent), edito
   auto* display = new QGroupBox(tr("Shown beside the surface"));
   auto* displayForm = new QFormLayout(display);
   makeDisplayRows(*displayForm);
-  auto* column = new QVBoxLayout(this);
+  auto* content = new QWidget;
+  auto* column = new QVBoxLayout(content);
   column->addWidget(colors);
   column->addWidget(display);
   column->addStretch(1);
+  auto* area = new QScrollArea;
+  area->setWidget(content);
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  auto* outer = new QVBoxLayout(this);
+  outer->setContentsMargins(0, 0, 0, 0);
+  outer->addWidget(area);
   connect(&editor_, &Editor::opened, this, &ColorPanel::explain);
   connect(&editor_, &Editor::stateChanged, this, &ColorPanel::explain);
   showSettings();

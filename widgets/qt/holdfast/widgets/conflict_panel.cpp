@@ -19,7 +19,7 @@ namespace {
 // Nobody reads more; the table has them all.
 constexpr std::size_t kMostCards = 100;
 constexpr std::size_t kMostRepetitions = 200;
-constexpr int kLettersOnButtons = 24;
+constexpr int kLettersOnButtons = 16;
 
 QLabel* wrapped(const QString& name)
 {

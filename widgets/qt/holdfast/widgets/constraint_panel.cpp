@@ -6,6 +6,7 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QScopedValueRollback>
+#include <QScrollBar>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -64,7 +65,10 @@ ConstraintPanel::ConstraintPanel(Editor& editor, QWidget* parent)
   layout->addWidget(count_);
 
   connect(&model_, &Table::refused, this, &ConstraintPanel::refuse);
-  connect(&editor_, &Editor::opened, this, &ConstraintPanel::showSelection);
+  connect(&editor_, &Editor::opened, this, [this] {
+    table_->horizontalScrollBar()->setValue(0);
+    showSelection();
+  });
   connect(&editor_, &Editor::stateChanged, this, [this] {
     reason_->setVisible(false);
     showSelection();
@@ -96,10 +100,15 @@ void ConstraintPanel::makeTable()
 
   const int wide = table_->fontMetrics().horizontalAdvance('0');
   const std::vector<std::pair<int, int>> widths = {
-      {Table::On, 4}, {Table::Name, 21}, {Table::Kind, 8},     {Table::Where, 20}, {Table::X, 10},
-      {Table::Y, 10}, {Table::Z, 10},    {Table::Residual, 9}, {Table::Force, 8},  {Table::Status, 14}};
+      {Table::On, 4}, {Table::Name, 17}, {Table::Kind, 8},     {Table::Where, 20}, {Table::X, 11},
+      {Table::Y, 11}, {Table::Z, 11},    {Table::Residual, 9}, {Table::Force, 8},  {Table::Status, 13}};
   for (const auto& [column, characters] : widths) table_->setColumnWidth(column, characters * wide);
-  table_->horizontalHeader()->setStretchLastSection(true);
+  QHeaderView& titles = *table_->horizontalHeader();
+  // A narrow panel shows first what is read and typed most.
+  int place = 0;
+  for (const int column : {Table::On, Table::Name, Table::Status, Table::X, Table::Y, Table::Z})
+    titles.moveSection(titles.visualIndex(column), place++);
+  titles.setStretchLastSection(true);
   connect(table_, &ConstraintTable::sortAsked, this, [this](int column, Qt::SortOrder order) {
     filter_.sort(column, order);
     updateActions();

@@ -110,8 +110,7 @@ void InspectorPanel::refresh()
   const bool isEmpty = !editor_.isOpen() || rows.empty();
   const bool isStale = !isEmpty && rows.back() >= static_cast<Index>(editor_.list().constraints.size());
   pages_->setCurrentIndex(isEmpty || isStale ? 0 : 1);
-  empty_->setText(editor_.isOpen() ? tr("Select a constraint in the table or in the view to see and edit it.")
-                                   : tr("No mesh is open."));
+  empty_->setText(editor_.isOpen() ? tr("Select a constraint to see and edit it.") : tr("No mesh is open."));
   if (isEmpty || isStale) return;
   refreshHead();
   for (const Part& part : parts_) {

@@ -18,8 +18,10 @@
 namespace holdfast {
 namespace {
 
-// Of the window, in pixels: the picture keeps the rest.
-constexpr int kPanelWidth = 430;
+// Of the window: the picture keeps the rest.
+constexpr double kPanelShare = 0.34;
+constexpr int kLeastPanelWidth = 340;
+constexpr int kMostPanelWidth = 680;
 
 /// The vertex that a point under the cursor is nearest to, as its weights say.
 std::optional<Index> nearestVertex(const std::optional<SurfacePick>& pick, const Model& model)
@@ -100,7 +102,8 @@ void PanelDocks::arrange()
 
 void PanelDocks::share(const QSize& size)
 {
-  window_.resizeDocks({upper_.front()}, {std::min(kPanelWidth, size.width() / 3)}, Qt::Horizontal);
+  const int width = std::clamp(static_cast<int>(kPanelShare * size.width()), kLeastPanelWidth, kMostPanelWidth);
+  window_.resizeDocks({upper_.front()}, {width}, Qt::Horizontal);
   window_.resizeDocks({upper_.front(), lower_.front()}, {size.height() / 2, size.height() / 2}, Qt::Vertical);
 }
 

@@ -1,15 +1,29 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
+#include <QResizeEvent>
+#include <cmath>
 
 #include <holdfast/widgets/status_line.h>
 
 namespace holdfast {
 namespace {
 
+constexpr int kIndent = 6;
+
 QString rounded(double value)
 {
   return QString::number(value, 'g', 4);
+}
+
+/// Coordinates that are rounding beside the others are zero.
+QString rounded(const Vector3& place)
+{
+  constexpr double kNoise = 1e-12;
+  QStringList coordinates;
+  for (const double value : place)
+    coordinates << rounded(std::abs(value) <= kNoise * place.cwiseAbs().maxCoeff() ? 0 : value);
+  return coordinates.join(", ");
 }
 
 QString milliseconds(double seconds)
@@ -37,7 +51,7 @@ QString describe(const AtFace& at)
 
 QString describe(const AtNear& at)
 {
-  return QObject::tr("near %1, %2, %3").arg(rounded(at.place.x()), rounded(at.place.y()), rounded(at.place.z()));
+  return QObject::tr("near %1").arg(rounded(at.place));
 }
 
 }  // namespace
@@ -45,8 +59,7 @@ QString describe(const AtNear& at)
 QString describe(const SurfacePick& pick)
 {
   const QString location = std::visit([](const auto& at) { return describe(at); }, pick.location);
-  return QObject::tr("%1  at %2, %3, %4")
-      .arg(location, rounded(pick.place.x()), rounded(pick.place.y()), rounded(pick.place.z()));
+  return QObject::tr("%1  at %2").arg(location, rounded(pick.place));
 }
 
 StatusLine::StatusLine(Editor& editor, QWidget* parent)
@@ -60,6 +73,8 @@ StatusLine::StatusLine(Editor& editor, QWidget* parent)
   setObjectName("statusLine");
   left_->setObjectName("statusHint");
   left_->setMinimumWidth(1);
+  left_->setIndent(kIndent);
+  left_->installEventFilter(this);
   stage_->setObjectName("statusStage");
   cancel_->setObjectName("statusStop");
   cancel_->setToolTip(tr("Stop solving; what is shown stays as it is (Esc)"));
@@ -92,8 +107,15 @@ void StatusLine::setPick(const std::optional<SurfacePick>& pick)
 
 void StatusLine::showHint()
 {
-  left_->setText(pick_.isEmpty() ? hint_ : pick_);
-  left_->setToolTip(left_->text());
+  const QString text = pick_.isEmpty() ? hint_ : pick_;
+  left_->setText(left_->fontMetrics().elidedText(text, Qt::ElideRight, left_->width() - 2 * kIndent));
+  left_->setToolTip(text);
+}
+
+bool StatusLine::eventFilter(QObject* watched, QEvent* event)
+{
+  if (watched == left_ && event->type() == QEvent::Resize) showHint();
+  return QStatusBar::eventFilter(watched, event);
 }
 
 void StatusLine::showStage()
@@ -119,7 +141,9 @@ void StatusLine::showNumbers()
                       milliseconds(solve.seconds.solution))
           << (solve.status == SolveStatus::Failed
                   ? tr("not solved")
-                  : tr("residual %1").arg(QString::number(solve.maxResidualRelative, 'e', 1)));
+                  : tr("residual %1")
+                        .arg(solve.maxResidualRelative == 0 ? QString("0")
+                                                            : QString::number(solve.maxResidualRelative, 'e', 1)));
   }
   numbers_->setText(parts.join("  ·  "));
   numbers_->setToolTip(

@@ -22,6 +22,10 @@ class StatusLine : public QStatusBar {
   void setHint(const QString& hint);
   void setPick(const std::optional<SurfacePick>& pick);
 
+ protected:
+  /// Hints that are too long for their place end in dots.
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   void showHint();
   void showNumbers();

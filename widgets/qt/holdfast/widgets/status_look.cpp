@@ -157,15 +157,20 @@ QIcon statusIcon(std::optional<ConstraintStatus> status, Lightness background)
 {
   const QColor paper = background == Lightness::Dark ? QColor("#202020") : QColor("#ffffff");
   QIcon icon;
-  for (const int pixels : kPixels) {
+  const auto add = [&](int pixels, QIcon::Mode mode, const QColor& color, const QColor& within) {
     QPixmap pixmap(pixels, pixels);
     pixmap.fill(Qt::transparent);
     QPainter painter(&pixmap);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.scale(pixels / kSide, pixels / kSide);
-    draw(status, Form(painter, statusColor(status, background), paper));
+    draw(status, Form(painter, color, within));
     painter.end();
-    icon.addPixmap(pixmap);
+    icon.addPixmap(pixmap, mode);
+  };
+  for (const int pixels : kPixels) {
+    add(pixels, QIcon::Normal, statusColor(status, background), paper);
+    // On the colour of selected rows, which is one of the forms' own.
+    add(pixels, QIcon::Selected, Qt::white, QColor("#202020"));
   }
   return icon;
 }

@@ -171,15 +171,19 @@ void CurveTool::paint(QPainter& painter) const
     painter.setPen(pen);
     for (const auto& way : ways_) paintWay(painter, way);
   }
-  painter.setPen(QPen(QColor(200, 60, 0), 1.5, Qt::DashLine));
-  paintWay(painter, preview_);
+  for (const QPen& pen : {QPen(QColor(255, 255, 255, 210), 3.5), QPen(QColor(200, 60, 0), 1.5, Qt::DashLine)}) {
+    painter.setPen(pen);
+    paintWay(painter, preview_);
+  }
   painter.setPen(QPen(Qt::white, 1));
   painter.setBrush(QColor(200, 60, 0));
   for (const Index vertex : places_) painter.drawEllipse(placeOf(vertex), kDot, kDot);
   if (places_.size() >= kLeastPlaces) {
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(QColor(200, 60, 0), 1.5));
-    painter.drawEllipse(placeOf(places_.front()), kSnapReach, kSnapReach);
+    for (const QPen& pen : {QPen(QColor(255, 255, 255, 210), 3.5), QPen(QColor(200, 60, 0), 1.5)}) {
+      painter.setPen(pen);
+      painter.drawEllipse(placeOf(places_.front()), kSnapReach, kSnapReach);
+    }
   } else if (places_.empty() && preview_.size() == 1) {
     painter.drawEllipse(placeOf(preview_.front()), kDot, kDot);
   }

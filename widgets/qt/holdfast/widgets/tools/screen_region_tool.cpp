@@ -92,6 +92,10 @@ void ScreenRegionTool::paint(QPainter& painter) const
   const auto shape = outline();
   const QPolygonF polygon(QVector<QPointF>(shape.begin(), shape.end()));
   painter.setBrush(QColor(30, 120, 255, 40));
+  // Light below dark: seen on every surface.
+  painter.setPen(QPen(QColor(255, 255, 255, 210), 3));
+  painter.drawPolygon(polygon);
+  painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(QColor(20, 90, 210), 1.2));
   painter.drawPolygon(polygon);
 }
