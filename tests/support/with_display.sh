@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # Runs a command with an X server of its own and ends with the command's exit code.
 #   with_display.sh COMMAND [ARGUMENT...]
+# HOLDFAST_SCREEN is the size of its screen, 1280x1024 where it is not set.
 # The server picks a free number itself and tells it once it listens, so two of these never meet on one display; it
 # is ended by its own pid, and by the kernel should this script be killed.
 set -u
 
 log=$(mktemp)
-exec {number}< <(exec setpriv --pdeathsig TERM Xvfb -displayfd 1 -screen 0 1280x1024x24 -noreset -nolisten tcp 2>"$log")
+exec {number}< <(exec setpriv --pdeathsig TERM Xvfb -displayfd 1 -screen 0 "${HOLDFAST_SCREEN:-1280x1024}x24" -noreset -nolisten tcp 2>"$log")
 server=$!
 trap 'kill "$server" 2>/dev/null; wait "$server" 2>/dev/null; rm -f "$log"' EXIT
 

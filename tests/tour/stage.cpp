@@ -1,0 +1,221 @@
+#include "stage.h"
+
+#include <QAbstractItemView>
+#include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QLineEdit>
+#include <QTimer>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <vtkRenderer.h>
+
+#include <holdfast/constraints/constraint_file.h>
+#include <holdfast/document/list_edits.h>
+#include <holdfast/view/camera_motion.h>
+#include <holdfast/widgets/tools/gizmo_tool.h>
+
+#include "support/source_tree.h"
+#include "widgets/gestures.h"
+
+namespace holdfast::tour {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Until nothing more is waiting to be done.
+void handleEvents()
+{
+  for (int round = 0; round < 4; ++round) QApplication::processEvents();
+}
+
+void replaceText(QLineEdit& line, const char* text)
+{
+  line.setFocus();
+  line.selectAll();
+  test::type(line, text);
+  test::pressKey(line, Qt::Key_Return);
+}
+
+}  // namespace
+
+void require(bool holds, const std::string& what)
+{
+  if (!holds) throw std::runtime_error(what);
+}
+
+int picturesIn(const fs::path& folder)
+{
+  std::error_code ignored;
+  return static_cast<int>(std::count_if(fs::directory_iterator(folder, ignored), fs::directory_iterator(),
+                                        [](const auto& entry) { return entry.path().extension() == ".png"; }));
+}
+
+Stage::Stage(fs::path folder, int picturesBefore) : folder_(std::move(folder)), count_(picturesBefore)
+{
+  fs::create_directories(folder_);
+  window_.resize(1280, 800);
+  require(test::showAndWait(window_), "the window comes up");
+}
+
+void Stage::picture(const std::string& name)
+{
+  pictureOf(window_, name);
+}
+
+void Stage::pictureOf(QWidget& widget, const std::string& name)
+{
+  settle();
+  const fs::path path = folder_ / fmt::format("{:02}_{}.png", ++count_, name);
+  require(widget.grab().save(QString::fromStdString(path.string())), "written: " + path.string());
+  std::printf("%s\n", path.c_str());
+}
+
+void Stage::settle()
+{
+  handleEvents();
+  require(test::waitUntil([&] {
+            return !editor().isOpen() || (editor().freshness() != Freshness::Solving && !viewport().isRenderPending());
+          }),
+          "the document is solved and drawn");
+  handleEvents();
+}
+
+void Stage::open(const std::string& mesh, const std::string& constraints)
+{
+  NoProgress quiet;
+  DocumentState state;
+  if (!constraints.empty()) state.list = readConstraints(test::dataFolder() + "/" + constraints);
+  editor().open(loadMesh(test::dataFolder() + "/" + mesh, quiet), std::move(state));
+  settle();
+}
+
+void Stage::openSession(const std::string& session)
+{
+  window_.files().open(QString::fromStdString(test::dataFolder() + "/" + session));
+  require(test::waitUntil([&] { return !window_.files().isOpening() && editor().isOpen(); }), session + " is opened");
+  settle();
+}
+
+void Stage::resize(int width, int height)
+{
+  window_.resize(width, height);
+  require(test::waitUntil([&] { return window_.size() == QSize(width, height); }), "the window has its size");
+  settle();
+}
+
+void Stage::trigger(const char* name)
+{
+  auto& action = find<QAction>(name);
+  require(action.isEnabled(), std::string("enabled: ") + name);
+  action.trigger();
+  settle();
+}
+
+void Stage::ask(const char* action, const std::function<void(QWidget&)>& see)
+{
+  bool wasSeen = false;
+  QTimer watch;
+  QObject::connect(&watch, &QTimer::timeout, [&] {
+    QWidget* dialog = QApplication::activeModalWidget();
+    if (!dialog || !dialog->isVisible()) return;
+    watch.stop();
+    see(*dialog);
+    wasSeen = true;
+    dialog->close();
+  });
+  watch.start(0);
+  trigger(action);
+  require(wasSeen, std::string("a dialog comes of ") + action);
+}
+
+void Stage::raise(const char* dock)
+{
+  auto& panel = find<QDockWidget>(dock);
+  panel.raise();
+  require(test::waitUntil([&] { return !panel.widget()->visibleRegion().isEmpty(); }),
+          std::string("in front: ") + dock);
+  settle();
+}
+
+void Stage::choose(const char* comboBox, int index)
+{
+  auto& box = find<QComboBox>(comboBox);
+  box.setCurrentIndex(index);
+  Q_EMIT box.activated(index);
+  settle();
+}
+
+void Stage::check(const char* checkBox, Qt::CheckState state)
+{
+  find<QCheckBox>(checkBox).setCheckState(state);
+  settle();
+}
+
+void Stage::enter(const char* line, const char* text)
+{
+  replaceText(find<QLineEdit>(line), text);
+  settle();
+}
+
+void Stage::enterCell(QAbstractItemView& table, int row, int column, const char* text)
+{
+  const QModelIndex cell = table.model()->index(row, column);
+  table.scrollTo(cell);
+  table.selectionModel()->setCurrentIndex(cell, QItemSelectionModel::NoUpdate);
+  test::pressKey(table, Qt::Key_F2);
+  auto* line = table.viewport()->findChild<QLineEdit*>();
+  require(line != nullptr, "the cell can be edited");
+  replaceText(*line, text);
+  require(test::waitUntil([&] { return table.viewport()->findChild<QLineEdit*>() == nullptr; }), "the cell takes it");
+  settle();
+}
+
+void Stage::select(const std::string& constraint)
+{
+  const auto row = indexOf(editor().list(), constraint);
+  require(row.has_value(), "there is a constraint " + constraint);
+  editor().selectConstraints({*row});
+  settle();
+}
+
+QPointF Stage::shown(const Vector3& place)
+{
+  return viewport().toPlace(toDisplay(viewport().renderer(), place).head<2>());
+}
+
+QPointF Stage::shownVertex(Index vertex)
+{
+  return shown(editor().positions().row(vertex).transpose());
+}
+
+QPointF Stage::shownMark(const std::string& constraint)
+{
+  for (const ConstraintMark& mark : viewport().marks())
+    if (editor().list().constraints[mark.constraint].name == constraint) return shown(mark.place);
+  throw std::runtime_error("there is a mark of " + constraint);
+}
+
+QPointF Stage::shownArrow(int axis)
+{
+  const Gizmo& gizmo = window_.gizmo().gizmo();
+  require(gizmo.isShown(), "the gizmo stands");
+  const Vector3 center = gizmo.frame().center;
+  const Vector3 along = gizmo.frame().axes.col(axis);
+  const QPointF step = shown(center + along) - shown(center);
+  return shown(center + along * (0.5 * kGizmoPixels / std::hypot(step.x(), step.y())));
+}
+
+Index Stage::nearestVertex(const Vector3& place)
+{
+  Index nearest = 0;
+  (editor().positions().rowwise() - place.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
+  return nearest;
+}
+
+}  // namespace holdfast::tour
