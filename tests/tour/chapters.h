@@ -18,6 +18,8 @@ void colors(Stage& stage);
 void rotations(Stage& stage);
 /// The head: a curve around an eye made rigid; brush, rectangle, lasso, side.
 void regions(Stage& stage);
+/// Measured points taken in, after a look at them; what is asked before a picture is written.
+void dialogs(Stage& stage);
 /// Help, dark, small and large windows.
 void looks(Stage& stage);
 /// A few pictures of everything, for screens of high resolution.

@@ -27,13 +27,14 @@ struct Chapter {
   void (*play)(Stage& stage);
 };
 
-constexpr std::array kChapters{
-    Chapter{"opening", opening}, Chapter{"moving", moving},       Chapter{"conflicts", conflicts},
-    Chapter{"colors", colors},   Chapter{"rotations", rotations}, Chapter{"regions", regions},
-    Chapter{"looks", looks},     Chapter{"glance", glance},       Chapter{"postcards", postcards}};
+constexpr std::array kChapters{Chapter{"opening", opening},     Chapter{"moving", moving},
+                               Chapter{"conflicts", conflicts}, Chapter{"colors", colors},
+                               Chapter{"rotations", rotations}, Chapter{"regions", regions},
+                               Chapter{"dialogs", dialogs},     Chapter{"looks", looks},
+                               Chapter{"glance", glance},       Chapter{"postcards", postcards}};
 
 // The first ones.
-constexpr std::size_t kStory = 7;
+constexpr std::size_t kStory = 8;
 
 /// Empty where one of the names is none.
 std::vector<Chapter> chaptersNamed(const std::vector<std::string_view>& names)

@@ -1,0 +1,28 @@
+#include <QTableView>
+
+#include <holdfast/widgets/import_dialog.h>
+#include <holdfast/widgets/picture_dialog.h>
+
+#include "chapters.h"
+#include "support/source_tree.h"
+#include "widgets/gestures.h"
+
+namespace holdfast::tour {
+
+void dialogs(Stage& stage)
+{
+  stage.open("bracket.obj");
+  ImportDialog import(stage.editor(), test::dataFolder() + "/bracket.measured.csv", &stage.window());
+  require(test::showAndWait(import), "the import dialog comes up");
+  const auto* table = import.findChild<QTableView*>("preview");
+  require(test::waitUntil([&] { return table->model()->rowCount() > 0; }), "the points are read");
+  stage.pictureOf(import, "import_of_measured_points");
+  import.accept();
+  stage.picture("imported_points");
+
+  PictureDialog picture(&stage.window());
+  require(test::showAndWait(picture), "the picture dialog comes up");
+  stage.pictureOf(picture, "export_of_a_picture");
+}
+
+}  // namespace holdfast::tour
