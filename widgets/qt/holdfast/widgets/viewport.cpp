@@ -76,12 +76,15 @@ Viewport::Viewport(Editor& editor, QWidget* parent) : QVTKOpenGLNativeWidget(par
   window_->GetInteractor()->SetInteractorStyle(nullptr);
   addLights(*renderer_);
 
+  slices_ = std::make_unique<SlicedDrawing>(*renderer_);
   overlay_ = new ViewportOverlay(editor_, *this);
   renderTimer_.setSingleShot(true);
   connect(&renderTimer_, &QTimer::timeout, this, &Viewport::render);
   restTimer_.setSingleShot(true);
   restTimer_.setInterval(kRestMilliseconds);
-  connect(&restTimer_, &QTimer::timeout, this, &Viewport::render);
+  connect(&restTimer_, &QTimer::timeout, this, &Viewport::renderInFull);
+  sliceTimer_.setSingleShot(true);
+  connect(&sliceTimer_, &QTimer::timeout, this, &Viewport::renderSlice);
 
   connect(&editor_, &Editor::opened, this, &Viewport::openDocument);
   connect(&editor_, &Editor::deformed, this, &Viewport::showDeformation);
@@ -109,6 +112,7 @@ void Viewport::setDarkBackdrop(bool isDark)
 void Viewport::openDocument()
 {
   cancelGesture();
+  slices_->abandon();
   renderer_->RemoveAllViewProps();
   contents_.reset();
   picker_.reset();
@@ -295,9 +299,11 @@ void Viewport::scheduleRender()
 
 void Viewport::render()
 {
+  slices_->abandon();
+  sliceTimer_.stop();
   if (!isVisible()) return;
-  const bool isMoving = hand_ != Hand::Empty || restTimer_.isActive();
-  isCoarse_ = contents_ && isMoving && fullMilliseconds_ > kFluentMilliseconds;
+  // Until the hand rests a large mesh is drawn of fewer triangles.
+  isCoarse_ = contents_ && fullMilliseconds_ > kFluentMilliseconds;
   if (contents_) contents_->setDetail(isCoarse_ ? Detail::Coarse : Detail::Full);
   fitClippingRange();
   Q_EMIT aboutToRender();
@@ -310,8 +316,32 @@ void Viewport::render()
   Q_EMIT rendered();
 }
 
+void Viewport::renderInFull()
+{
+  if (!isVisible() || !isCoarse_ || hand_ != Hand::Empty) return;
+  fitClippingRange();
+  Q_EMIT aboutToRender();
+  sliceMilliseconds_ = 0;
+  slices_->begin(*contents_);
+  sliceTimer_.start(0);
+}
+
+void Viewport::renderSlice()
+{
+  if (!slices_->isUnderWay()) return;
+  QElapsedTimer timer;
+  timer.start();
+  slices_->advance();
+  sliceMilliseconds_ += static_cast<double>(timer.nsecsElapsed()) / 1e6;
+  if (slices_->isUnderWay()) return sliceTimer_.start(0);
+  isCoarse_ = false;
+  fullMilliseconds_ = sliceMilliseconds_;
+  Q_EMIT rendered();
+}
+
 void Viewport::resizeEvent(QResizeEvent* event)
 {
+  slices_->abandon();
   QVTKOpenGLNativeWidget::resizeEvent(event);
   overlay_->setGeometry(rect());
   if (contents_) contents_->setPixelRatio(pixelRatio());

@@ -12,6 +12,7 @@
 #include <vtkNew.h>
 
 #include <holdfast/view/display_settings.h>
+#include <holdfast/view/sliced_drawing.h>
 #include <holdfast/view/surface_picker.h>
 #include <holdfast/widgets/editor.h>
 #include <holdfast/widgets/tool.h>
@@ -85,7 +86,10 @@ class Viewport : public QVTKOpenGLNativeWidget {
   /// Whether only some triangles of a large mesh are drawn: it moves, and moved a moment ago.
   [[nodiscard]] bool isCoarse() const noexcept { return isCoarse_; }
   /// Whether a picture, or one of more detail, is still to come.
-  [[nodiscard]] bool isRenderPending() const { return renderTimer_.isActive() || restTimer_.isActive(); }
+  [[nodiscard]] bool isRenderPending() const
+  {
+    return renderTimer_.isActive() || restTimer_.isActive() || sliceTimer_.isActive();
+  }
   /// Milliseconds that the last picture took to draw.
   [[nodiscard]] double lastRenderMilliseconds() const noexcept { return renderMilliseconds_; }
 
@@ -124,6 +128,8 @@ class Viewport : public QVTKOpenGLNativeWidget {
   void cameraMoved();
   void framePlaces(const Positions& places);
   void render();
+  void renderInFull();
+  void renderSlice();
   void fitClippingRange();
 
   Editor& editor_;
@@ -152,6 +158,9 @@ class Viewport : public QVTKOpenGLNativeWidget {
 
   QTimer renderTimer_;  // draws once a turn of the event loop
   QTimer restTimer_;    // draws the full detail when the hand rests
+  QTimer sliceTimer_;   // draws the next part of it
+  std::unique_ptr<SlicedDrawing> slices_;
+  double sliceMilliseconds_ = 0;  // so far
   double renderMilliseconds_ = 0;
   double fullMilliseconds_ = 0;  // of the last picture in full detail
   bool isCoarse_ = false;

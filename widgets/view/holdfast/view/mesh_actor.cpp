@@ -30,15 +30,21 @@ constexpr double kMeshEdgePixels = 1.0;
 constexpr double kEdgeFactor = -1;
 constexpr double kEdgeUnits = -4;
 
-vtkSmartPointer<vtkCellArray> cellsOf(const Polygons& polygons)
+/// Some of the triangles, in their order.
+vtkSmartPointer<vtkCellArray> cellsOf(const Polygons& polygons, Index begin, Index end)
 {
   auto cells = vtkSmartPointer<vtkCellArray>::New();
-  cells->AllocateExact(polygons.size(), polygons.cornerCount());
-  for (Index t = 0; t < polygons.size(); ++t) {
+  cells->AllocateExact(end - begin, 3 * (end - begin));
+  for (Index t = begin; t < end; ++t) {
     const auto corners = polygons[t];
     cells->InsertNextCell({corners[0], corners[1], corners[2]});
   }
   return cells;
+}
+
+vtkSmartPointer<vtkCellArray> cellsOf(const Polygons& polygons)
+{
+  return cellsOf(polygons, 0, polygons.size());
 }
 
 vtkSmartPointer<vtkCellArray> linesOf(const std::vector<std::array<Index, 2>>& edges)
@@ -161,6 +167,7 @@ void MeshActor::clearColors()
 {
   surfaceMapper_->ScalarVisibilityOff();
   coarseMapper_->ScalarVisibilityOff();
+  for (const auto& mapper : sliceMappers_) mapper->ScalarVisibilityOff();
 }
 
 void MeshActor::setMeshEdges(MeshEdges edges)
@@ -178,6 +185,42 @@ void MeshActor::setDetail(Detail detail)
     coarseData_->SetPolys(cellsOf(coarseTriangles(model_, *shaded_, kCoarseTriangles)));
   hasCoarse_ = hasCoarse_ || detail == Detail::Coarse;
   updateVisibility();
+}
+
+Index MeshActor::sliceCount() const
+{
+  return (shaded_->triangles.size() + kSliceTriangles - 1) / kSliceTriangles;
+}
+
+void MeshActor::makeSlices()
+{
+  const Index count = shaded_->triangles.size();
+  for (Index begin = 0; begin < count; begin += kSliceTriangles) {
+    auto data = vtkSmartPointer<vtkPolyData>::New();
+    auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
+    data->SetPoints(points_);
+    data->GetPointData()->SetNormals(normals_);
+    data->SetPolys(cellsOf(shaded_->triangles, begin, std::min(begin + kSliceTriangles, count)));
+    mapper->SetInputData(data);
+    takeColors(*mapper, *data);
+    sliceData_.push_back(data);
+    sliceMappers_.push_back(mapper);
+  }
+}
+
+void MeshActor::takeColors(vtkPolyDataMapper& mapper, vtkPolyData& data) const
+{
+  data.GetPointData()->SetScalars(surfaceData_->GetPointData()->GetScalars());
+  mapper.SetLookupTable(surfaceMapper_->GetLookupTable());
+  mapper.UseLookupTableScalarRangeOn();
+  mapper.SetInterpolateScalarsBeforeMapping(surfaceMapper_->GetInterpolateScalarsBeforeMapping());
+  mapper.SetScalarVisibility(surfaceMapper_->GetScalarVisibility());
+}
+
+void MeshActor::showSlice(Index slice)
+{
+  if (sliceMappers_.empty()) makeSlices();
+  surface_->SetMapper(sliceMappers_[slice]);
 }
 
 void MeshActor::updateVisibility()
@@ -199,14 +242,13 @@ void MeshActor::setColors(const std::vector<double>& values, const ColorScale& s
     isComplete = isComplete && !std::isnan(share);
     shares->SetValue(static_cast<vtkIdType>(k), share);
   }
-  const auto table = toLookupTable(scale.map);
-  for (vtkPolyData* const data : {surfaceData_.Get(), coarseData_.Get()}) data->GetPointData()->SetScalars(shares);
-  for (vtkPolyDataMapper* const mapper : {surfaceMapper_.Get(), coarseMapper_.Get()}) {
-    mapper->SetLookupTable(table);
-    mapper->UseLookupTableScalarRangeOn();
-    mapper->SetInterpolateScalarsBeforeMapping(isComplete);
-    mapper->ScalarVisibilityOn();
-  }
+  surfaceData_->GetPointData()->SetScalars(shares);
+  surfaceMapper_->SetLookupTable(toLookupTable(scale.map));
+  surfaceMapper_->UseLookupTableScalarRangeOn();
+  surfaceMapper_->SetInterpolateScalarsBeforeMapping(isComplete);
+  surfaceMapper_->ScalarVisibilityOn();
+  takeColors(*coarseMapper_, *coarseData_);
+  for (std::size_t k = 0; k < sliceMappers_.size(); ++k) takeColors(*sliceMappers_[k], *sliceData_[k]);
 }
 
 void MeshActor::setPixelRatio(double ratio)

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <vtkNew.h>
+#include <vtkSmartPointer.h>
 
 #include <holdfast/view/coarse_triangles.h>
 #include <holdfast/view/color_map.h>
@@ -35,6 +36,9 @@ enum class Detail {
   Coarse  ///< about `kCoarseTriangles` of its triangles, and of its edges the sharp ones: for what moves
 };
 
+/// Triangles that are drawn in a few milliseconds without a GPU.
+inline constexpr Index kSliceTriangles = 50'000;
+
 /// The actors of one mesh: its surface and, as thin dark lines, its sharp edges and borders.
 class MeshActor {
  public:
@@ -60,6 +64,11 @@ class MeshActor {
   /// Makes the coarse triangles when they are first asked for, O(T log T); then switching costs next to nothing.
   void setDetail(Detail detail);
 
+  /// The triangles in their order, some `kSliceTriangles` at a time: `surface` is only slice `slice` of `sliceCount`
+  /// until the next `setDetail`. The first call takes O(T).
+  void showSlice(Index slice);
+  [[nodiscard]] Index sliceCount() const;
+
   /// How many pixels of the window are one of the picture: widths of lines are in pixels of the picture.
   void setPixelRatio(double ratio);
 
@@ -80,6 +89,8 @@ class MeshActor {
 
  private:
   void updateVisibility();
+  void makeSlices();
+  void takeColors(vtkPolyDataMapper& mapper, vtkPolyData& data) const;
 
   const Model& model_;
   std::shared_ptr<const ShadedSurface> shaded_;
@@ -96,6 +107,8 @@ class MeshActor {
   vtkNew<vtkPolyData> coarseData_;
   vtkNew<vtkPolyData> edgeData_;
   vtkNew<vtkPolyData> meshEdgeData_;
+  std::vector<vtkSmartPointer<vtkPolyData>> sliceData_;
+  std::vector<vtkSmartPointer<vtkPolyDataMapper>> sliceMappers_;
   vtkNew<vtkPolyDataMapper> surfaceMapper_;
   vtkNew<vtkPolyDataMapper> coarseMapper_;
   vtkNew<vtkPolyDataMapper> edgeMapper_;

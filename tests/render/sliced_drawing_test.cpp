@@ -1,0 +1,115 @@
+#include <optional>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <vtkCamera.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <holdfast/view/sliced_drawing.h>
+#include <holdfast/view/stage.h>
+
+#include "support/meshes.h"
+
+namespace holdfast {
+namespace {
+
+using Pixels = std::vector<unsigned char>;
+
+/// A bent plate of several slices in a window that is never shown.
+class SlicedPlate : public ::testing::Test {
+ protected:
+  SlicedPlate()
+  {
+    window->SetOffScreenRendering(1);
+    window->SetMultiSamples(0);
+    window->SetNumberOfLayers(2);
+    window->SetSize(320, 240);
+    window->AddRenderer(scene);
+    window->AddRenderer(front);
+    front->SetLayer(1);
+    addBackground(*scene);
+    addLights(*scene);
+    contents.addTo(*scene);
+    Positions bent = model.mesh.positions;
+    for (Index v = 0; v < bent.rows(); ++v) bent(v, 2) += 0.02 * bent(v, 0) * bent(v, 0);
+    contents.setPositions(bent);
+    contents.setSelection({0, 1, 2, 500});
+    scene->ResetCamera();
+    scene->GetActiveCamera()->Elevation(-50);
+    scene->ResetCameraClippingRange();
+    slices.emplace(*scene);
+  }
+
+  void color()
+  {
+    Coloring coloring;
+    for (Index v = 0; v < model.mesh.vertexCount(); ++v) coloring.values.push_back(static_cast<double>(v % 1000));
+    coloring.scale.high = 1000;
+    contents.color(coloring);
+  }
+
+  [[nodiscard]] Pixels drawnAtOnce()
+  {
+    window->Render();
+    return shown();
+  }
+
+  [[nodiscard]] Pixels drawnInSlices()
+  {
+    slices->begin(contents);
+    while (slices->isUnderWay()) slices->advance();
+    return shown();
+  }
+
+  [[nodiscard]] Pixels shown()
+  {
+    vtkNew<vtkUnsignedCharArray> pixels;
+    constexpr int kFront = 1;
+    window->GetPixelData(0, 0, 319, 239, kFront, pixels);
+    return {pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues()};
+  }
+
+  const Model model = makeModel(test::grid(260, 260), "plate");
+  SceneContents contents{model};
+  vtkNew<vtkRenderWindow> window;
+  vtkNew<vtkRenderer> scene;
+  vtkNew<vtkRenderer> front;
+  std::optional<SlicedDrawing> slices;
+};
+
+TEST_F(SlicedPlate, TheFinishedPictureIsTheOneDrawnAtOnce)
+{
+  ASSERT_GT(contents.mesh().sliceCount(), 1);
+  const Pixels atOnce = drawnAtOnce();
+  EXPECT_EQ(drawnInSlices(), atOnce);
+  EXPECT_EQ(drawnAtOnce(), atOnce) << "and nothing of it stays behind";
+}
+
+TEST_F(SlicedPlate, ColoursAreThoseDrawnAtOnce)
+{
+  static_cast<void>(drawnInSlices());
+  const Pixels plain = shown();
+  color();
+  const Pixels atOnce = drawnAtOnce();
+  ASSERT_NE(atOnce, plain);
+  EXPECT_EQ(drawnInSlices(), atOnce);
+  contents.color(std::nullopt);
+  EXPECT_EQ(drawnInSlices(), plain);
+}
+
+TEST_F(SlicedPlate, NothingIsShownBeforeThePictureIsWhole)
+{
+  const Pixels before = drawnAtOnce();
+  scene->GetActiveCamera()->Azimuth(20);
+  slices->begin(contents);
+  slices->advance();
+  EXPECT_EQ(shown(), before);
+  slices->abandon();
+  EXPECT_EQ(shown(), before);
+  EXPECT_NE(drawnAtOnce(), before) << "the camera was turned";
+}
+
+}  // namespace
+}  // namespace holdfast

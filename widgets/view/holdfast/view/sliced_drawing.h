@@ -1,0 +1,45 @@
+#pragma once
+/// \file
+/// Drawing a large mesh a few milliseconds at a time, so that a window can answer in between.
+
+#include <vtkNew.h>
+
+#include <holdfast/view/scene_contents.h>
+
+class vtkRenderWindow;
+
+namespace holdfast {
+
+/// Draws what a window's renderer shows in parts: slices of the surface first, then all else, without showing anything
+/// before it is whole. The finished picture is the one that is drawn at once, pixel for pixel.
+class SlicedDrawing {
+ public:
+  /// `scene` is in a window, which stays alive as long as this, and shows contents as `SceneContents::addTo` adds them.
+  explicit SlicedDrawing(vtkRenderer& scene);
+  ~SlicedDrawing();
+  SlicedDrawing(const SlicedDrawing&) = delete;
+  SlicedDrawing& operator=(const SlicedDrawing&) = delete;
+
+  /// Begins a picture of `contents`, which stays as it is until the picture is done or abandoned. One under way is
+  /// abandoned.
+  void begin(SceneContents& contents);
+  /// Draws the next part. One is under way.
+  void advance();
+  [[nodiscard]] bool isUnderWay() const noexcept { return contents_ != nullptr; }
+  /// As if it had not begun: what was shown before is still shown.
+  void abandon();
+
+ private:
+  void drawSlice();
+  void drawRest();
+  void drawOthers(int isDrawn);
+  void restore();
+
+  vtkRenderer& scene_;
+  vtkRenderWindow& window_;
+  vtkNew<vtkRenderer> slices_;
+  SceneContents* contents_ = nullptr;
+  Index next_ = 0;
+};
+
+}  // namespace holdfast
