@@ -25,6 +25,24 @@ QColor toQColor(const Color& color)
 
 }  // namespace
 
+QString freshnessText(const Editor& editor)
+{
+  switch (editor.freshness()) {
+    case Freshness::Nothing:
+    case Freshness::Current:
+      break;
+    case Freshness::Solving:
+      if (!editor.deformation()) return ViewportOverlay::tr("At rest: solving");
+      // A drag's frames follow one another faster than a word can be read.
+      return editor.history().isInGesture() ? QString() : ViewportOverlay::tr("Older than the constraints: solving");
+    case Freshness::Cancelled:
+      return ViewportOverlay::tr("Older than the constraints: solving was stopped. F5 solves again.");
+    case Freshness::Unusable:
+      return ViewportOverlay::tr("Older than the constraints: they cannot be solved.") + '\n' + editor.trouble();
+  }
+  return {};
+}
+
 ViewportOverlay::ViewportOverlay(Editor& editor, Viewport& viewport)
     : QWidget(&viewport), editor_(editor), viewport_(viewport)
 {
@@ -108,23 +126,8 @@ void ViewportOverlay::addCounts(ViewportLegend& legend) const
 
 void ViewportOverlay::paintFreshness(QPainter& painter) const
 {
-  QString text;
-  switch (editor_.freshness()) {
-    case Freshness::Nothing:
-    case Freshness::Current:
-      return;
-    case Freshness::Solving:
-      text = editor_.deformation() ? tr("Older than the constraints: solving") : tr("At rest: solving");
-      break;
-    case Freshness::Cancelled:
-      text = tr("Older than the constraints: solving was stopped. F5 solves again.");
-      break;
-    case Freshness::Unusable:
-      text = tr("Older than the constraints: they cannot be solved.") + '\n' + editor_.trouble();
-      break;
-  }
-  // A drag's frames follow one another faster than a word can be read.
-  if (editor_.freshness() == Freshness::Solving && editor_.deformation() && editor_.history().isInGesture()) return;
+  const QString text = freshnessText(editor_);
+  if (text.isEmpty()) return;
   const QRectF available(0, 0, width() - 4 * kMargin, height());
   QRectF box = painter.fontMetrics().boundingRect(available.toRect(), Qt::AlignLeft | Qt::TextWordWrap, text);
   box.moveTo(kMargin + 8, kMargin + 5);

@@ -37,4 +37,7 @@ class ViewportOverlay : public QWidget {
   Tool* tool_ = nullptr;
 };
 
+/// What the picture says of its age, in a sentence; empty where it shows what was asked for.
+[[nodiscard]] QString freshnessText(const Editor& editor);
+
 }  // namespace holdfast
