@@ -103,7 +103,9 @@ void LocationSection::showFields()
   setFieldVisible(second_, edge != nullptr);
   setFieldVisible(t_, edge != nullptr);
   setFieldVisible(near_, near != nullptr);
-  static_cast<QLabel*>(form().labelForField(first_))->setText(face != nullptr ? tr("&Face") : tr("&Vertex"));
+  // A line that is hidden has no title.
+  if (auto* title = static_cast<QLabel*>(form().labelForField(first_)))
+    title->setText(face != nullptr ? tr("&Face") : tr("&Vertex"));
   if (vertex != nullptr) first_->setNumber(numberOf(vertex->vertex));
   if (edge != nullptr) {
     first_->setNumber(numberOf(edge->i));
