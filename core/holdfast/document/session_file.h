@@ -40,6 +40,7 @@ struct ViewState {
   std::optional<std::string> colorBy;
   std::optional<std::array<double, 2>> range;  ///< low below high; automatic where absent
   std::optional<std::string> scale;            ///< of the colours: "linear", "log"
+  std::optional<Index> decades;                ///< powers of ten that a logarithmic scale shows, 1 or more
   std::optional<std::string> colorMap;
   std::optional<std::string> restShape;
   std::optional<std::string> meshEdges;

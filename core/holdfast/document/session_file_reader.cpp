@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kMeshKeys{"path", "absolute_path", "checksum"};
 constexpr std::array<std::string_view, 4> kOptionKeys{"weights", "solver", "soft_weight", "backend"};
-constexpr std::array<std::string_view, 8> kViewKeys{"camera",    "color_by",   "range",      "scale",
+constexpr std::array<std::string_view, 9> kViewKeys{"camera",    "color_by",   "range",      "scale", "decades",
                                                     "color_map", "rest_shape", "mesh_edges", "glyphs"};
 constexpr std::array<std::string_view, 5> kCameraKeys{"position", "focal_point", "view_up", "parallel_scale",
                                                       "projection"};
@@ -120,6 +120,12 @@ std::array<double, 2> readRange(const JsonReader& json)
   return range;
 }
 
+Index readDecades(const JsonReader& json)
+{
+  if (json.integer() < 1) json.fail(fmt::format("{} is not above 0", json.integer()));
+  return json.integer();
+}
+
 ViewState readView(const JsonReader& json)
 {
   json.requireKeys(kViewKeys);
@@ -128,6 +134,7 @@ ViewState readView(const JsonReader& json)
   view.colorBy = textOrNone(json, "color_by");
   if (json.has("range")) view.range = readRange(json["range"]);
   view.scale = textOrNone(json, "scale");
+  if (json.has("decades")) view.decades = readDecades(json["decades"]);
   view.colorMap = textOrNone(json, "color_map");
   view.restShape = textOrNone(json, "rest_shape");
   view.meshEdges = textOrNone(json, "mesh_edges");

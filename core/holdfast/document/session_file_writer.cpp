@@ -76,7 +76,9 @@ ObjectJson viewJson(const ViewState& view)
   if (view.camera) json.addObject("camera", cameraJson(*view.camera));
   json.addOptional("color_by", view.colorBy);
   if (view.range) json.add("range", listJson(*view.range, [](double value) { return numberJson(value); }));
-  json.addOptional("scale", view.scale).addOptional("color_map", view.colorMap);
+  json.addOptional("scale", view.scale);
+  if (view.decades) json.add("decades", std::to_string(*view.decades));
+  json.addOptional("color_map", view.colorMap);
   json.addOptional("rest_shape", view.restShape).addOptional("mesh_edges", view.meshEdges);
   ObjectJson glyphs;
   glyphs.addOptional("constraints", view.showsConstraints).addOptional("rotations", view.showsRotations);

@@ -35,6 +35,7 @@ SessionFile fullSession()
   session.view.colorBy = "detail";
   session.view.range = {-0.1, 0.30000000000000004};
   session.view.scale = "log";
+  session.view.decades = 7;
   session.view.colorMap = "Björk's";
   session.view.restShape = "edges";
   session.view.meshEdges = "all";

@@ -123,6 +123,7 @@ void MainWindow::connectFiles()
   connect(&files_, &DocumentFiles::viewOpened, this, [this](const ViewState& view) {
     apply(view, *viewport_);
     panels_->followViewport();
+    findChild<QAction*>("parallelProjection")->setChecked(viewport_->isParallelProjection());
   });
   connect(&files_, &DocumentFiles::pathChanged, this, &MainWindow::updateTitle);
   connect(&files_, &DocumentFiles::done, this, [this](const QString& what) { status_->showMessage(what, 6000); });

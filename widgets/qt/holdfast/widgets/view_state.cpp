@@ -19,6 +19,9 @@ constexpr std::array<std::string_view, 2> kEdgeNames{"sharp", "all"};
 
 constexpr std::string_view kLogarithmic = "log";
 
+// Doubles have no more powers of ten.
+constexpr Index kMostDecades = 600;
+
 template <class Names, class Value>
 std::string nameOf(const Names& names, Value value)
 {
@@ -34,6 +37,13 @@ Value named(const Names& names, const std::optional<std::string>& name, Value ot
   return found == names.end() ? otherwise : static_cast<Value>(found - names.begin());
 }
 
+/// The default where `state` says nothing, or more than there is.
+LogarithmicRange logarithmicRange(const ViewState& state)
+{
+  const Index decades = state.decades.value_or(LogarithmicRange{}.decades);
+  return decades <= kMostDecades ? LogarithmicRange{static_cast<int>(decades)} : LogarithmicRange{};
+}
+
 }  // namespace
 
 ViewState viewStateOf(Viewport& viewport)
@@ -44,7 +54,10 @@ ViewState viewStateOf(Viewport& viewport)
   state.camera = cameraOf(*viewport.renderer().GetActiveCamera());
   state.colorBy = nameOf(colorByNames(), colors.field);
   if (const auto* fixed = std::get_if<FixedRange>(&colors.range)) state.range = {fixed->low, fixed->high};
-  if (std::holds_alternative<LogarithmicRange>(colors.range)) state.scale = kLogarithmic;
+  if (const auto* logarithmic = std::get_if<LogarithmicRange>(&colors.range)) {
+    state.scale = kLogarithmic;
+    state.decades = logarithmic->decades;
+  }
   state.colorMap = nameOf(kMapNames, colors.map);
   state.restShape = nameOf(kRestNames, display.rest);
   state.meshEdges = nameOf(kEdgeNames, display.edges);
@@ -61,7 +74,7 @@ void apply(const ViewState& state, Viewport& viewport)
   if (state.range)
     colors.range = FixedRange{(*state.range)[0], (*state.range)[1]};
   else if (state.scale == kLogarithmic)
-    colors.range = LogarithmicRange{};
+    colors.range = logarithmicRange(state);
   else if (state.colorBy)
     colors.range = AutomaticRange{};
   viewport.setColors(colors);
