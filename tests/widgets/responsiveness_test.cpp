@@ -1,0 +1,260 @@
+#include <QEventLoop>
+#include <QTimer>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include <holdfast/document/list_edits.h>
+#include <holdfast/widgets/tools/gizmo_tool.h>
+
+#include "event_delays.h"
+#include "gestures.h"
+#include "support/meshes.h"
+#include "support/point_constraints.h"
+#include "window_user.h"
+
+namespace holdfast {
+namespace {
+
+// No event is to wait longer, whatever the window does.
+constexpr double kPromisedMilliseconds = 50;
+
+// Beyond this many times the promise a test fails: machines differ, and others use them at the same time.
+constexpr double kLeeway = 10;
+
+// Of a hand that moves.
+constexpr int kMilliSecondsBetweenMoves = 8;
+
+/// As large as a scan: an ellipsoid with bumps, of 173,402 vertices.
+Mesh largeMesh()
+{
+  Mesh mesh = test::box({2, 2, 2}, 170);
+  const Vector3 middle = mesh.positions.colwise().mean().transpose();
+  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    const Vector3 out = (mesh.positions.row(v).transpose() - middle).normalized();
+    const double bumps = 1 + 0.03 * std::sin(9 * out.x()) * std::sin(8 * out.y()) * std::sin(11 * out.z());
+    mesh.positions.row(v) = bumps * out.cwiseProduct(Vector3(60, 50, 90)).transpose();
+  }
+  return mesh;
+}
+
+/// How long events wait in a window with a large mesh while something goes on in it. The figures are printed, and
+/// recorded with the test.
+class Responsiveness : public test::WindowUser {
+ protected:
+  void SetUp() override
+  {
+    WindowUser::SetUp();
+    MeshDocument document;
+    document.mesh = largeMesh();
+    NoProgress quiet;
+    LoadedMesh loaded = prepareMesh(std::move(document), "ellipsoid", quiet);
+    const Mesh& mesh = loaded.model->mesh;
+    DocumentState state;
+    // Not the outermost: marks are to be seen.
+    const Index below = lowest(mesh, 0.9);
+    state.list = test::listOf({test::hold(around(mesh, below, 12)), test::moveBy(AtVertex{front(mesh)}, {0, -4, 0}),
+                               test::moveBy(AtFace{1000, {0.2, 0.3, 0.5}}, {1, 0, 0})});
+    opening = [this, state, loaded] { editor().open(loaded, state); };
+  }
+
+  void openIt()
+  {
+    opening();
+    ASSERT_TRUE(settle());
+    ASSERT_EQ(editor().freshness(), Freshness::Current);
+    ASSERT_GE(editor().model()->mesh.vertexCount(), 173'000);
+    trigger("viewFront");
+    ASSERT_TRUE(settle());
+  }
+
+  [[nodiscard]] static Index lowest(const Mesh& mesh, double share)
+  {
+    Index vertex = 0;
+    (mesh.positions.col(2).array() - share * mesh.positions.col(2).minCoeff()).abs().minCoeff(&vertex);
+    return vertex;
+  }
+
+  [[nodiscard]] static Index front(const Mesh& mesh)
+  {
+    Index vertex = 0;
+    mesh.positions.col(1).minCoeff(&vertex);
+    return vertex;
+  }
+
+  [[nodiscard]] static std::vector<Index> around(const Mesh& mesh, Index middle, double radius)
+  {
+    std::vector<Index> vertices;
+    for (Index v = 0; v < mesh.vertexCount(); ++v)
+      if ((mesh.positions.row(v) - mesh.positions.row(middle)).norm() < radius) vertices.push_back(v);
+    return vertices;
+  }
+
+  /// Does `act` and waits for all that comes of it; prints how long events have waited meanwhile.
+  void measure(const char* phase, const std::function<void()>& act)
+  {
+    test::EventDelays delays;
+    act();
+    ASSERT_TRUE(settle());
+    delays.stop();
+    std::printf("%-32s largest %7.1f ms   99 of 100 %7.1f ms   half %6.1f ms   of %zu events\n", phase,
+                delays.largest(), delays.quantile(0.99), delays.quantile(0.5), delays.count());
+    RecordProperty(std::string(phase) + " largest", std::to_string(delays.largest()));
+    RecordProperty(std::string(phase) + " 99 of 100", std::to_string(delays.quantile(0.99)));
+    EXPECT_LT(delays.largest(), kLeeway * kPromisedMilliseconds) << phase;
+  }
+
+  /// Moves the mouse along `way`, a place at a time as a hand does, while events are handled.
+  void moveAlong(const std::vector<QPointF>& way, Qt::MouseButtons buttons)
+  {
+    QEventLoop loop;
+    QTimer hand;
+    std::size_t next = 0;
+    QObject::connect(&hand, &QTimer::timeout, &loop, [&] {
+      if (next == way.size()) return loop.quit();
+      test::moveMouse(viewport(), way[next++], buttons);
+    });
+    hand.start(kMilliSecondsBetweenMoves);
+    loop.exec();
+  }
+
+  /// Places along a wave around the middle of the picture.
+  [[nodiscard]] std::vector<QPointF> wave(const QPointF& from, double width, double height, int count)
+  {
+    std::vector<QPointF> way;
+    for (int k = 0; k <= count; ++k) {
+      const double share = static_cast<double>(k) / count;
+      way.push_back(from + QPointF(width * share, height * std::sin(4 * std::numbers::pi * share)));
+    }
+    return way;
+  }
+
+  void moveWith(Qt::MouseButton button, const std::vector<QPointF>& way)
+  {
+    test::moveMouse(viewport(), way.front());
+    test::pressMouse(viewport(), way.front(), button);
+    moveAlong(way, button);
+    test::releaseMouse(viewport(), way.back(), button);
+  }
+
+  [[nodiscard]] QPointF middle() { return {viewport().width() / 2.0, viewport().height() / 2.0}; }
+
+  std::function<void()> opening;
+};
+
+TEST_F(Responsiveness, WhileADocumentIsOpened)
+{
+  measure("opening a prepared mesh", [this] { opening(); });
+}
+
+TEST_F(Responsiveness, WhileNothingIsDone)
+{
+  openIt();
+  measure("idle", [this] { moveAlong(std::vector<QPointF>(100, QPointF(2, 2)), Qt::NoButton); });
+}
+
+TEST_F(Responsiveness, WhileAnEditIsSolved)
+{
+  openIt();
+  measure("solving after an edit", [this] {
+    for (int k = 0; k < 5; ++k) {
+      ConstraintList after = list();
+      std::get<Move>(std::get<Point>(after.constraints[1].what).to).shift.y() -= 1;
+      editor().edit("move", after);
+      ASSERT_TRUE(settle());
+    }
+  });
+}
+
+TEST_F(Responsiveness, WhileAMatrixIsFactorised)
+{
+  openIt();
+  measure("factorising", [this] {
+    for (const Index vertex : {40'000, 90'000, 140'000}) {
+      editor().edit("hold", added(list(), {"held " + std::to_string(vertex), true, Point{AtVertex{vertex}, Move{}}}));
+      ASSERT_TRUE(settle());
+    }
+  });
+  EXPECT_EQ(editor().deformation()->report.constraints.size(), 6u);
+}
+
+TEST_F(Responsiveness, WhileTheArrowsAreDragged)
+{
+  openIt();
+  editor().selectConstraints({1});
+  ASSERT_TRUE(settle());
+  const Vector3 center = window.gizmo().gizmo().frame().center;
+  const QPointF step = seenAt(Vector3(center + Vector3::UnitZ())) - seenAt(center);
+  const QPointF from = seenAt(center) + 0.5 * kGizmoPixels / std::hypot(step.x(), step.y()) * step;
+  int frames = 0;
+  QObject::connect(&editor(), &Editor::deformed, &window, [&] { ++frames; });
+  measure("dragging the arrows", [&] { moveWith(Qt::LeftButton, wave(from, 0, 60, 250)); });
+  std::printf("%-32s %d deformations\n", "", frames);
+  EXPECT_EQ(editor().history().undoName(), "move P1");
+}
+
+TEST_F(Responsiveness, WhileThePictureIsTurned)
+{
+  openIt();
+  measure("turning the picture", [this] { moveWith(Qt::RightButton, wave(middle(), 200, 100, 250)); });
+}
+
+TEST_F(Responsiveness, WhileTheToolThatHoldsPointsHovers)
+{
+  openIt();
+  trigger("toolPoint");
+  measure("hovering with the point tool", [this] { moveAlong(wave(middle(), 120, 100, 250), Qt::NoButton); });
+}
+
+TEST_F(Responsiveness, WhileItHoversAndAnEditIsSolved)
+{
+  openIt();
+  trigger("toolPoint");
+  measure("hovering while solving", [this] {
+    for (int k = 0; k < 3; ++k) {
+      ConstraintList after = list();
+      std::get<Move>(std::get<Point>(after.constraints[1].what).to).shift.y() -= 1;
+      editor().edit("move", after);
+      moveAlong(wave(middle(), 120, 100, 60), Qt::NoButton);
+      ASSERT_TRUE(settle());
+    }
+  });
+}
+
+TEST_F(Responsiveness, WhileConstraintsAreSelected)
+{
+  openIt();
+  measure("selecting constraints", [this] {
+    for (const Index k : {0, 1, 2, 0, 1}) {
+      editor().selectConstraints({k});
+      ASSERT_TRUE(settle());
+    }
+  });
+}
+
+TEST_F(Responsiveness, WhileVerticesAreSelected)
+{
+  openIt();
+  trigger("toolRectangle");
+  const QPointF reach(150, 150);
+  measure("selecting by a rectangle", [&] {
+    moveWith(Qt::LeftButton, wave(middle() - reach, 300, 0, 60));
+    std::vector<QPointF> across;
+    for (int k = 0; k <= 60; ++k) across.push_back(middle() - reach + reach * (2 * k / 60.0));
+    moveWith(Qt::LeftButton, across);
+  });
+  EXPECT_GT(editor().selectedVertices().size(), 1000u);
+  trigger("toolBrush");
+  measure("painting with the brush", [&] { moveWith(Qt::LeftButton, wave(middle(), 100, 80, 120)); });
+  measure("inverting and growing", [&] {
+    trigger("invert");
+    trigger("shrink");
+    trigger("grow");
+  });
+}
+
+}  // namespace
+}  // namespace holdfast
