@@ -60,7 +60,15 @@ class ColorsOfBar : public test::WindowUser {
     ASSERT_TRUE(settle());
   }
 
-  [[nodiscard]] QImage picture() { return viewport().grab().toImage().convertToFormat(QImage::Format_RGB32); }
+  /// Without what is written over it: Qt's text may differ in a bit from time to time.
+  [[nodiscard]] QImage picture()
+  {
+    auto& overlay = *window.findChild<QWidget*>("overlay");
+    overlay.hide();
+    const QImage image = viewport().grab().toImage().convertToFormat(QImage::Format_RGB32);
+    overlay.show();
+    return image;
+  }
 
   /// What the core says of each vertex; lengths of vectors.
   [[nodiscard]] std::vector<double> known(const char* field)
