@@ -138,7 +138,8 @@ void Stage::raise(const char* dock)
 {
   auto& panel = find<QDockWidget>(dock);
   panel.raise();
-  require(test::waitUntil([&] { return !panel.widget()->visibleRegion().isEmpty(); }),
+  // Those behind others in their stack stand outside the window.
+  require(test::waitUntil([&] { return panel.isVisible() && window_.rect().intersects(panel.geometry()); }),
           std::string("in front: ") + dock);
   settle();
 }
