@@ -52,21 +52,18 @@ void BackgroundJob::start(Work work)
   const auto run = std::make_shared<Run>();
   current_ = run;
   runs_.push_back(run);
-  const auto post = [this](std::function<void()> call) {
-    QMetaObject::invokeMethod(this, std::move(call), Qt::QueuedConnection);
-  };
-  run->thread = std::thread([this, run = run.get(), weak = std::weak_ptr(run), work = std::move(work), post] {
+  run->thread = std::thread([this, run = run.get(), weak = std::weak_ptr(run), work = std::move(work)] {
     StageTeller progress(run->isUnwanted, [&](const QString& stage) {
-      post([this, weak, stage] {
+      told_.post([this, weak, stage] {
         if (current_ != nullptr && current_ == weak.lock()) Q_EMIT stageChanged(stage);
       });
     });
     try {
-      post([this, weak, result = work(progress)] { finish(weak.lock(), result); });
+      told_.post([this, weak, result = work(progress)] { finish(weak.lock(), result); });
     } catch (const Cancelled&) {
-      post([this, weak] { end(weak.lock()); });
+      told_.post([this, weak] { end(weak.lock()); });
     } catch (...) {
-      post([this, weak, error = std::current_exception()] { fail(weak.lock(), error); });
+      told_.post([this, weak, error = std::current_exception()] { fail(weak.lock(), error); });
     }
     run->hasEnded = true;
   });

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <holdfast/base/progress.h>
+#include <holdfast/widgets/posted_calls.h>
 
 namespace holdfast {
 
@@ -47,6 +48,7 @@ class BackgroundJob : public QObject {
   bool end(const std::shared_ptr<Run>& run);
   void joinEnded();
 
+  PostedCalls told_;                        // by the threads; outlives them
   std::shared_ptr<Run> current_;            // the one that counts; null where none does
   std::vector<std::shared_ptr<Run>> runs_;  // all whose threads are not joined yet
 };

@@ -23,10 +23,8 @@ void Editor::open(LoadedMesh mesh, DocumentState state)
   close();
   mesh_ = std::move(mesh);
   history_ = std::make_unique<History>(std::move(state));
-  worker_ = std::make_unique<LiveDeformer>(mesh_.model, [this](const LiveEvent& event) {
-    QMetaObject::invokeMethod(
-        this, [this, event] { handle(event); }, Qt::QueuedConnection);
-  });
+  worker_ = std::make_unique<LiveDeformer>(
+      mesh_.model, [this](const LiveEvent& event) { told_.post([this, event] { handle(event); }); });
   Q_EMIT opened();
   stateBecame(Supersede::AtNextStage);
 }

@@ -13,6 +13,7 @@
 #include <holdfast/document/history.h>
 #include <holdfast/document/live_deformer.h>
 #include <holdfast/widgets/loaded_mesh.h>
+#include <holdfast/widgets/posted_calls.h>
 
 namespace holdfast {
 
@@ -112,6 +113,7 @@ class Editor : public QObject {
 
   LoadedMesh mesh_;
   std::unique_ptr<History> history_;
+  PostedCalls told_;  // by the worker; outlives it
   std::unique_ptr<LiveDeformer> worker_;
 
   std::uint64_t revision_ = 0;  // of the newest state that was submitted, of any document
