@@ -7,10 +7,8 @@
 #include <system_error>
 
 #include <fcntl.h>
-#include <linux/capability.h>
 #include <poll.h>
-#include <sys/prctl.h>
-#include <sys/resource.h>
+#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -51,35 +49,62 @@ struct Pipe {
   int writing = -1;
 };
 
-bool limitFiles(const ProcessOptions& options)
+/// What the program is to have open, by `posix_spawn`.
+class Streams {
+ public:
+  Streams(const ProcessOptions& options, int out, int err)
+  {
+    check(::posix_spawn_file_actions_init(&actions_));
+    check(::posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0));
+    send(STDOUT_FILENO, options.outPath, out);
+    send(STDERR_FILENO, options.errPath, err);
+  }
+  ~Streams() { ::posix_spawn_file_actions_destroy(&actions_); }
+  Streams(const Streams&) = delete;
+  Streams& operator=(const Streams&) = delete;
+
+  [[nodiscard]] const posix_spawn_file_actions_t* get() const noexcept { return &actions_; }
+
+ private:
+  /// Makes `stream` go to the file at `path`, or into `pipe` where there is no path.
+  void send(int stream, const std::string& path, int pipe)
+  {
+    check(path.empty() ? ::posix_spawn_file_actions_adddup2(&actions_, pipe, stream)
+                       : ::posix_spawn_file_actions_addopen(&actions_, stream, path.c_str(), O_WRONLY, 0));
+  }
+  static void check(int error)
+  {
+    if (error != 0) throw std::system_error(error, std::generic_category(), "posix_spawn");
+  }
+
+  posix_spawn_file_actions_t actions_{};
+};
+
+/// `command` under the limits that `options` ask for.
+std::vector<std::string> limited(const std::vector<std::string>& command, const ProcessOptions& options)
 {
-  if (!options.largestFile) return true;
-  const rlimit limit{static_cast<rlim_t>(*options.largestFile), static_cast<rlim_t>(*options.largestFile)};
-  return ::setrlimit(RLIMIT_FSIZE, &limit) == 0;
+  std::vector<std::string> words;
+  if (options.largestFile) words = {"prlimit", "--fsize=" + std::to_string(*options.largestFile), "--"};
+  // Root stays root, but without the capability to ignore permissions once it has become another program.
+  if (options.obeysPermissions && ::geteuid() == 0)
+    words.insert(words.end(), {"setpriv", "--bounding-set=-dac_override", "--"});
+  words.insert(words.end(), command.begin(), command.end());
+  return words;
 }
 
-/// Root stays root, but without the capability to ignore permissions once it has become another program.
-bool submitToPermissions(const ProcessOptions& options)
+/// Starts the program. Not by `fork`, before which libraries tidy up: that of OpenBLAS ends its threads, and a
+/// factorisation that is under way on another thread waits for them for ever.
+pid_t start(const std::vector<std::string>& command, const ProcessOptions& options, int out, int err)
 {
-  return !options.obeysPermissions || ::geteuid() != 0 || ::prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE, 0, 0, 0) == 0;
-}
-
-/// Makes `stream` go to the file at `path`, or into `pipe` where there is no path.
-bool redirect(int stream, const std::string& path, int pipe)
-{
-  const int file = path.empty() ? pipe : ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-  return file >= 0 && ::dup2(file, stream) >= 0;
-}
-
-/// Between fork and exec nothing may allocate: `arguments` is made before.
-[[noreturn]] void becomeProgram(char* const* arguments, const ProcessOptions& options, int out, int err)
-{
-  const int nothing = ::open("/dev/null", O_RDONLY);
-  const bool isReady = nothing >= 0 && ::dup2(nothing, STDIN_FILENO) >= 0 &&
-                       redirect(STDOUT_FILENO, options.outPath, out) && redirect(STDERR_FILENO, options.errPath, err) &&
-                       limitFiles(options) && submitToPermissions(options);
-  if (isReady) ::execv(arguments[0], arguments);
-  ::_exit(kNotStarted);
+  std::vector<std::string> words = limited(command, options);
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  const Streams streams(options, out, err);
+  pid_t child = 0;
+  if (const int error = ::posix_spawnp(&child, arguments[0], streams.get(), nullptr, arguments.data(), environ))
+    throw std::system_error(error, std::generic_category(), words[0]);
+  return child;
 }
 
 /// Appends what there is to read; false at the end.
@@ -119,15 +144,9 @@ void follow(pid_t child, const ProcessOptions& options, int out, int err, Proces
 
 ProcessResult runProcess(const std::vector<std::string>& command, const ProcessOptions& options)
 {
-  std::vector<std::string> words = command;
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
   Pipe out;
   Pipe err;
-  const pid_t child = ::fork();
-  if (child < 0) throwErrno("fork");
-  if (child == 0) becomeProgram(arguments.data(), options, out.writing, err.writing);
+  const pid_t child = start(command, options, out.writing, err.writing);
   out.closeWriting();
   err.closeWriting();
 

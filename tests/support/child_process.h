@@ -32,11 +32,11 @@ struct ProcessResult {
   std::string err;
 };
 
-/// The exit code of a program that could not be given its options or be executed.
+/// The exit code of a program that could not be given its limits: that of prlimit and setpriv (util-linux).
 inline constexpr int kNotStarted = 127;
 
 /// Runs `command` (the program's path and its arguments) to its end, with nothing to read. Throws `std::system_error`
-/// where no process can be made.
+/// where no process can be made of it.
 [[nodiscard]] ProcessResult runProcess(const std::vector<std::string>& command, const ProcessOptions& options = {});
 
 }  // namespace holdfast::test
