@@ -35,7 +35,9 @@ class ColorsOfBar : public test::WindowUser {
     look(view);
     openPanel("Colours");
     choose("restGhost", 0);
-    test::pressKey(find<QWidget>("constraintGlyphs"), Qt::Key_Space);
+    find<QWidget>("constraintGlyphs").setFocus();
+    key(Qt::Key_Space);
+    ASSERT_FALSE(viewport().display().areConstraintsShown);
     viewport().contents()->mesh().edges().VisibilityOff();
     viewport().contents()->mesh().surface().GetProperty()->LightingOff();
     ASSERT_TRUE(settle());
