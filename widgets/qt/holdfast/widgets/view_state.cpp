@@ -87,9 +87,7 @@ void apply(const ViewState& state, Viewport& viewport)
     display.rotations = *state.showsRotations ? RotationDisplay::Arrows : RotationDisplay::Hidden;
   viewport.setDisplay(display);
 
-  if (!state.camera) return;
-  place(*viewport.renderer().GetActiveCamera(), *state.camera);
-  viewport.scheduleRender();
+  if (state.camera) viewport.setCamera(*state.camera);
 }
 
 }  // namespace holdfast

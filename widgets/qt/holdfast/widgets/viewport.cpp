@@ -17,6 +17,7 @@
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 
+#include <holdfast/view/camera_state.h>
 #include <holdfast/view/default_camera.h>
 #include <holdfast/view/stage.h>
 #include <holdfast/widgets/viewport.h>
@@ -210,6 +211,13 @@ void Viewport::frameAll()
   if (!editor_.isOpen()) return;
   const double aspect = static_cast<double>(width()) / std::max(1, height());
   fit(*renderer_->GetActiveCamera(), defaultFrame(editor_.positions()), editor_.positions(), aspect);
+  cameraMoved();
+}
+
+void Viewport::setCamera(const Camera& camera)
+{
+  openedFrom_.reset();
+  place(*renderer_->GetActiveCamera(), camera);
   cameraMoved();
 }
 

@@ -11,6 +11,7 @@
 #include <QVTKOpenGLNativeWidget.h>
 #include <vtkNew.h>
 
+#include <holdfast/document/session_file.h>
 #include <holdfast/view/display_settings.h>
 #include <holdfast/view/sliced_drawing.h>
 #include <holdfast/view/surface_picker.h>
@@ -54,6 +55,8 @@ class Viewport : public QVTKOpenGLNativeWidget {
 
   /// The camera.
   void frameAll();
+  /// Stays as it is from then on, where it was not moved since the document was opened, too.
+  void setCamera(const Camera& camera);
   void frameVertices(const std::vector<Index>& vertices);
   /// Ascending places in the list.
   void frameConstraints(const std::vector<Index>& constraints);
