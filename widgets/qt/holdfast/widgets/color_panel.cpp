@@ -94,6 +94,7 @@ ColorPanel::ColorPanel(Editor& editor, QWidget* parent) : QWidget(parent), edito
   column->addWidget(display);
   column->addStretch(1);
   auto* area = new QScrollArea;
+  area->setAccessibleName(tr("Colours and what is shown"));
   area->setWidget(content);
   area->setWidgetResizable(true);
   area->setFrameShape(QFrame::NoFrame);

@@ -59,6 +59,7 @@ ConflictPanel::ConflictPanel(Editor& editor, QWidget* parent) : QWidget(parent),
 {
   setObjectName("conflictPanel");
   list_ = new CardList;
+  list_->setAccessibleName(tr("Conflicts"));
   makeTrouble();
   conflicts_ = new QWidget;
   conflictLayout_ = new QVBoxLayout(conflicts_);

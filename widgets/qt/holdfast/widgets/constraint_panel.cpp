@@ -167,11 +167,12 @@ void ConstraintPanel::makeTopLine()
 }
 
 QAction* ConstraintPanel::makeAction(const QString& text, const QKeySequence& keys, const char* name,
-                                     void (ConstraintPanel::*run)())
+                                     const QString& tip, void (ConstraintPanel::*run)())
 {
   QAction* action = new QAction(text, this);
   action->setObjectName(name);
   action->setShortcut(keys);
+  action->setToolTip(tip);
   // Pressed keys are found by the table: menus of a window may use the same ones.
   action->setShortcutContext(Qt::WidgetShortcut);
   action->setShortcutVisibleInContextMenu(true);
@@ -190,21 +191,28 @@ void ConstraintPanel::separate()
 void ConstraintPanel::makeActions()
 {
   using Panel = ConstraintPanel;
-  needSelection_.push_back(
-      makeAction(tr("&Switch On or Off"), Qt::Key_Space, "constraintSwitch", &Panel::switchSelected));
-  needSelection_.push_back(makeAction(tr("Re&name"), {}, "constraintRename", &Panel::rename));
+  needSelection_.push_back(makeAction(tr("&Switch On or Off"), Qt::Key_Space, "constraintSwitch",
+                                      tr("Switches the selected constraints off, or on again"),
+                                      &Panel::switchSelected));
+  needSelection_.push_back(makeAction(tr("Re&name"), {}, "constraintRename",
+                                      tr("Gives the current constraint another name"), &Panel::rename));
   separate();
-  up_ = makeAction(tr("Move &Up"), QKeySequence(QStringLiteral("Alt+Up")), "constraintMoveUp", &Panel::moveSelectedUp);
+  up_ = makeAction(tr("Move &Up"), QKeySequence(QStringLiteral("Alt+Up")), "constraintMoveUp",
+                   tr("Gives the selected constraints precedence over the one above"), &Panel::moveSelectedUp);
   down_ = makeAction(tr("Move Do&wn"), QKeySequence(QStringLiteral("Alt+Down")), "constraintMoveDown",
-                     &Panel::moveSelectedDown);
+                     tr("Gives the one below precedence over the selected constraints"), &Panel::moveSelectedDown);
   separate();
-  needSelection_.push_back(makeAction(tr("&Copy"), QKeySequence::Copy, "constraintCopy", &Panel::copySelected));
-  makeAction(tr("&Paste"), QKeySequence::Paste, "constraintPaste", &Panel::paste);
+  needSelection_.push_back(makeAction(tr("&Copy"), QKeySequence::Copy, "constraintCopy",
+                                      tr("Copies the selected constraints: points as a table"), &Panel::copySelected));
+  makeAction(tr("&Paste"), QKeySequence::Paste, "constraintPaste",
+             tr("Adds the constraints or the table of points that were copied"), &Panel::paste);
   needSelection_.push_back(makeAction(tr("&Duplicate"), QKeySequence(QStringLiteral("Ctrl+D")), "constraintDuplicate",
-                                      &Panel::duplicateSelected));
-  needSelection_.push_back(makeAction(tr("De&lete"), QKeySequence::Delete, "constraintDelete", &Panel::removeSelected));
+                                      tr("Adds the selected constraints once more"), &Panel::duplicateSelected));
+  needSelection_.push_back(makeAction(tr("De&lete"), QKeySequence::Delete, "constraintDelete",
+                                      tr("Deletes the selected constraints"), &Panel::removeSelected));
   separate();
-  makeAction(tr("Select &All"), QKeySequence::SelectAll, "constraintSelectAll", &Panel::selectAll);
+  makeAction(tr("Select &All"), QKeySequence::SelectAll, "constraintSelectAll",
+             tr("Selects all constraints that are shown"), &Panel::selectAll);
   table_->setContextMenuPolicy(Qt::ActionsContextMenu);
 }
 

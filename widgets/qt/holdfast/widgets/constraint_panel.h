@@ -39,7 +39,8 @@ class ConstraintPanel : public QWidget {
   void makeTopLine();
   void makeTable();
   void makeActions();
-  QAction* makeAction(const QString& text, const QKeySequence& keys, const char* name, void (ConstraintPanel::*run)());
+  QAction* makeAction(const QString& text, const QKeySequence& keys, const char* name, const QString& tip,
+                      void (ConstraintPanel::*run)());
   void separate();
   void attempt(const std::function<void()>& run);
 

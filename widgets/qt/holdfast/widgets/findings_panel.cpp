@@ -51,6 +51,7 @@ FindingsPanel::FindingsPanel(Editor& editor, QWidget* parent) : QWidget(parent),
   empty_->setWordWrap(true);
   empty_->setMargin(12);
   list_ = new CardList;
+  list_->setAccessibleName(tr("Findings about the mesh"));
   pages_ = new QStackedWidget;
   pages_->addWidget(empty_);
   pages_->addWidget(list_);

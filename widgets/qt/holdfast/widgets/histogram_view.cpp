@@ -83,6 +83,7 @@ HistogramView::HistogramView(QWidget* parent) : QWidget(parent)
   title_->setWordWrap(true);
   view_ = new QVTKOpenGLNativeWidget(this);
   view_->setObjectName("chart");
+  view_->setAccessibleName(tr("Chart of the distribution"));
   view_->setMinimumSize(160, 110);
   // Sizes are given in pixels of the window, as in the viewport.
   view_->setEnableHiDPI(false);

@@ -43,6 +43,7 @@ InspectorPanel::InspectorPanel(Editor& editor, QWidget* parent) : QWidget(parent
   for (const Part& part : parts_) part.section->setTitleWidth(widest);
 
   QScrollArea* area = new QScrollArea;
+  area->setAccessibleName(tr("Selected constraints"));
   area->setWidget(content);
   area->setWidgetResizable(true);
   area->setFrameShape(QFrame::NoFrame);

@@ -61,8 +61,9 @@ QAction* MainWindow::addAction(QMenu& menu, const QString& objectName, const QSt
   QAction* action = menu.addAction(text);
   action->setObjectName(objectName);
   action->setShortcut(key);
-  action->setToolTip(key.isEmpty() ? tip : QString("%1 (%2)").arg(tip, key.toString(QKeySequence::NativeText)));
-  action->setStatusTip(tip);
+  const QString plain = QString(tip).remove('&');
+  action->setToolTip(key.isEmpty() ? plain : QString("%1 (%2)").arg(plain, key.toString(QKeySequence::NativeText)));
+  action->setStatusTip(plain);
   connect(action, &QAction::triggered, this, std::move(run));
   return action;
 }
@@ -284,6 +285,7 @@ void MainWindow::makeViewMenu()
     QAction* action = appearance.addAction(text);
     action->setCheckable(true);
     action->setChecked(value == Appearance::System);
+    action->setToolTip(tr("Colours of the window: %1").arg(QString(text).remove('&').toLower()));
     group->addAction(action);
     connect(action, &QAction::triggered, this, [this, value] { setAppearance(value); });
   };
@@ -297,6 +299,7 @@ void MainWindow::makeToolBars()
   toolBar_ = addToolBar(tr("Tools"));
   toolBar_->setObjectName("toolBar");
   toolBar_->setMovable(false);
+  toolBar_->toggleViewAction()->setToolTip(tr("Show or hide the tools"));
   toolBar_->setToolButtonStyle(Qt::ToolButtonIconOnly);
   for (QAction* tool : tools_->actions()) toolBar_->addAction(tool);
   toolBar_->addSeparator();

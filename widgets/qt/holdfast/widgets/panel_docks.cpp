@@ -1,3 +1,4 @@
+#include <QAction>
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QMenu>
@@ -83,6 +84,7 @@ QDockWidget* PanelDocks::add(const QString& title, const QString& objectName, QW
 {
   auto* dock = new QDockWidget(title, &window_);
   dock->setObjectName(objectName);
+  dock->toggleViewAction()->setToolTip(tr("Show or hide the panel “%1”").arg(title));
   dock->setWidget(panel);
   // Its tab names it already; the menu shows and hides it.
   dock->setTitleBarWidget(new QWidget(dock));

@@ -40,6 +40,7 @@ ReportPanel::ReportPanel(Editor& editor, QWidget* parent) : QWidget(parent), edi
   layout->addStretch(1);
 
   QScrollArea* area = new QScrollArea;
+  area->setAccessibleName(tr("Solution"));
   area->setWidget(content);
   area->setWidgetResizable(true);
   area->setFrameShape(QFrame::NoFrame);
