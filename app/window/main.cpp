@@ -14,6 +14,7 @@
 #include <CLI/CLI.hpp>
 #include <QVTKOpenGLNativeWidget.h>
 
+#include <holdfast/base/thread_priority.h>
 #include <holdfast/view/display_check.h>
 #include <holdfast/widgets/main_window.h>
 
@@ -67,6 +68,7 @@ CommandLine parse(int argc, char** argv)
 
 int run(int argc, char** argv)
 {
+  letOthersComputeInBackground();
   const CommandLine line = parse(argc, argv);
   if (line.exitCode) return *line.exitCode;
   if (const std::string reason = whyNoPictures(); !reason.empty()) {

@@ -81,7 +81,7 @@ class SlicedPlate : public ::testing::Test {
 
 TEST_F(SlicedPlate, TheFinishedPictureIsTheOneDrawnAtOnce)
 {
-  ASSERT_GT(contents.mesh().sliceCount(), 1);
+  ASSERT_GT(contents.mesh().surfaceSlices().count(), 1);
   const Pixels atOnce = drawnAtOnce();
   EXPECT_EQ(drawnInSlices(), atOnce);
   EXPECT_EQ(drawnAtOnce(), atOnce) << "and nothing of it stays behind";
@@ -97,6 +97,24 @@ TEST_F(SlicedPlate, ColoursAreThoseDrawnAtOnce)
   EXPECT_EQ(drawnInSlices(), atOnce);
   contents.color(std::nullopt);
   EXPECT_EQ(drawnInSlices(), plain);
+}
+
+TEST_F(SlicedPlate, LargeSelectionsAndTheEdgesOfPolygonsAreThoseDrawnAtOnce)
+{
+  std::vector<Index> half;
+  for (Index v = 0; v < model.mesh.vertexCount() / 2; ++v) half.push_back(v);
+  const Pixels before = drawnAtOnce();
+  contents.setSelection(half);
+  contents.setMeshEdges(MeshEdges::All);
+  ASSERT_EQ(contents.slices().size(), 3u);
+  for (const ActorSlices* part : contents.slices()) EXPECT_GT(part->count(), 1);
+  const Pixels atOnce = drawnAtOnce();
+  ASSERT_NE(atOnce, before);
+  EXPECT_EQ(drawnInSlices(), atOnce);
+  EXPECT_EQ(drawnAtOnce(), atOnce) << "and nothing of it stays behind";
+  contents.setSelection({0, 1, 2, 500});
+  contents.setMeshEdges(MeshEdges::Sharp);
+  EXPECT_EQ(drawnInSlices(), before);
 }
 
 TEST_F(SlicedPlate, NothingIsShownBeforeThePictureIsWhole)

@@ -132,7 +132,24 @@ TEST(MeshEdges, AreThoseOfThePolygonsOfTheFile)
   EXPECT_EQ(static_cast<vtkIdType>(edges.size()), kEdges);
 }
 
-TEST(Detail, CoarseTrianglesHaveTheSamePointsNormalsAndColors)
+/// Whether what is drawn coarsely has the places, normals and values of its vertices.
+void expectCopies(vtkPolyData& coarse, vtkPolyData& full, const MeshActor& actor)
+{
+  ASSERT_EQ(static_cast<std::size_t>(coarse.GetNumberOfPoints()), actor.coarse().vertexOf().size());
+  // A sphere has one point for each vertex.
+  ASSERT_EQ(full.GetNumberOfPoints(), actor.model().mesh.vertexCount());
+  std::vector<vtkIdType> pointOf(actor.vertexOf().size());
+  for (std::size_t k = 0; k < pointOf.size(); ++k) pointOf[actor.vertexOf()[k]] = static_cast<vtkIdType>(k);
+  for (vtkIdType k = 0; k < coarse.GetNumberOfPoints(); ++k) {
+    const vtkIdType v = pointOf[actor.coarse().vertexOf()[k]];
+    EXPECT_EQ(Vector3(coarse.GetPoint(k)), Vector3(full.GetPoint(v)));
+    EXPECT_EQ(Vector3(coarse.GetPointData()->GetNormals()->GetTuple3(k)),
+              Vector3(full.GetPointData()->GetNormals()->GetTuple3(v)));
+    EXPECT_EQ(coarse.GetPointData()->GetScalars()->GetTuple1(k), full.GetPointData()->GetScalars()->GetTuple1(v));
+  }
+}
+
+TEST(Detail, CoarseTrianglesHaveThePlacesNormalsAndColorsOfTheirVertices)
 {
   const Model model = makeModel(test::icosphere(6), "sphere");
   MeshActor actor(model);
@@ -140,12 +157,35 @@ TEST(Detail, CoarseTrianglesHaveTheSamePointsNormalsAndColors)
   actor.setDetail(Detail::Coarse);
   vtkPolyData& coarse = drawnBy(actor.surface());
   EXPECT_LT(coarse.GetNumberOfPolys(), 1.5 * kCoarseTriangles);
-  actor.setColors(std::vector<double>(static_cast<std::size_t>(model.mesh.vertexCount()), 0.5), {});
-  EXPECT_EQ(coarse.GetPoints(), full.GetPoints());
-  EXPECT_EQ(coarse.GetPointData()->GetNormals(), full.GetPointData()->GetNormals());
-  EXPECT_EQ(coarse.GetPointData()->GetScalars(), full.GetPointData()->GetScalars());
+  std::vector<double> values;
+  for (Index v = 0; v < model.mesh.vertexCount(); ++v) values.push_back(static_cast<double>(v) / 1e5);
+  actor.setColors(values, {});
+  expectCopies(coarse, full, actor);
+  Positions moved = model.mesh.positions;
+  moved.col(0) = 2 * moved.col(0) + moved.col(1);
+  actor.setPositions(moved);
+  std::reverse(values.begin(), values.end());
+  actor.setColors(values, {});
+  expectCopies(coarse, full, actor);
   actor.setDetail(Detail::Full);
   EXPECT_EQ(&drawnBy(actor.surface()), &full);
+}
+
+TEST(Detail, LargeTintsAreCoarseAndSmallOnesAreNot)
+{
+  const Model model = makeModel(test::icosphere(7), "sphere");
+  const MeshActor actor(model);
+  SelectionOverlay overlay(model, actor);
+  std::vector<Index> all(static_cast<std::size_t>(model.mesh.vertexCount()));
+  std::iota(all.begin(), all.end(), Index{0});
+  overlay.set(all);
+  EXPECT_EQ(drawnBy(overlay.tint()).GetNumberOfPolys(), static_cast<vtkIdType>(model.mesh.faces.size()));
+  overlay.setDetail(Detail::Coarse);
+  EXPECT_EQ(drawnBy(overlay.tint()).GetNumberOfPolys(), static_cast<vtkIdType>(actor.coarse().triangles().size()));
+  EXPECT_EQ(drawnBy(overlay.tint()).GetPoints(), actor.coarse().data().GetPoints());
+  const auto corners = model.mesh.faces[5];
+  overlay.set({corners[0], corners[1], corners[2]});
+  EXPECT_EQ(drawnBy(overlay.tint()).GetNumberOfPolys(), 1);
 }
 
 TEST(Detail, OfSmallMeshesIsAlwaysFull)

@@ -3,13 +3,22 @@
 #include <QCoreApplication>
 #include <QEvent>
 #include <algorithm>
+#include <chrono>
+#include <system_error>
+
+#include <pthread.h>
 
 namespace holdfast::test {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr std::chrono::milliseconds kInterval{3};
+
+double milliseconds(clockid_t clock)
+{
+  timespec time{};
+  if (::clock_gettime(clock, &time) != 0) throw std::system_error(errno, std::generic_category(), "clock_gettime");
+  return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
+}
 
 struct Probe : QEvent {
   static Type type()
@@ -18,20 +27,36 @@ struct Probe : QEvent {
     return static_cast<Type>(kType);
   }
 
-  Probe() : QEvent(type()), posted(Clock::now()) {}
+  explicit Probe(clockid_t computing)
+      : QEvent(type()), posted(milliseconds(CLOCK_MONOTONIC)), computed(milliseconds(computing))
+  {
+  }
 
-  Clock::time_point posted;
+  double posted;
+  double computed;
 };
+
+Quantiles quantiles(std::vector<double> values)
+{
+  if (values.empty()) return {};
+  std::sort(values.begin(), values.end());
+  const auto at = [&](double share) {
+    return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+  };
+  return {at(0.5), at(0.99), at(1)};
+}
 
 }  // namespace
 
 EventDelays::EventDelays()
 {
+  if (const int error = ::pthread_getcpuclockid(::pthread_self(), &computing_))
+    throw std::system_error(error, std::generic_category(), "pthread_getcpuclockid");
   static_cast<void>(Probe::type());
   poster_ = std::thread([this] {
-    for (auto next = Clock::now(); !isStopping_; next += kInterval) {
+    for (auto next = std::chrono::steady_clock::now(); !isStopping_; next += kInterval) {
       std::this_thread::sleep_until(next);
-      QCoreApplication::postEvent(this, new Probe);
+      QCoreApplication::postEvent(this, new Probe(computing_));
     }
   });
 }
@@ -52,22 +77,20 @@ void EventDelays::stop()
 bool EventDelays::event(QEvent* event)
 {
   if (event->type() != Probe::type()) return QObject::event(event);
-  const auto waited = Clock::now() - static_cast<Probe*>(event)->posted;
-  milliseconds_.push_back(std::chrono::duration<double, std::milli>(waited).count());
+  const auto* probe = static_cast<Probe*>(event);
+  waited_.push_back(milliseconds(CLOCK_MONOTONIC) - probe->posted);
+  computed_.push_back(milliseconds(computing_) - probe->computed);
   return true;
 }
 
-double EventDelays::largest() const
+Quantiles EventDelays::waited() const
 {
-  return quantile(1);
+  return quantiles(waited_);
 }
 
-double EventDelays::quantile(double share) const
+Quantiles EventDelays::computed() const
 {
-  if (milliseconds_.empty()) return 0;
-  std::vector<double> sorted = milliseconds_;
-  std::sort(sorted.begin(), sorted.end());
-  return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
+  return quantiles(computed_);
 }
 
 }  // namespace holdfast::test

@@ -4,15 +4,22 @@
 
 #include <QObject>
 #include <atomic>
-#include <chrono>
-#include <string>
+#include <ctime>
 #include <thread>
 #include <vector>
 
 namespace holdfast::test {
 
+/// In milliseconds.
+struct Quantiles {
+  double half = 0;
+  double ninetyNine = 0;  ///< of 100
+  double largest = 0;
+};
+
 /// From its making on another thread posts events to this one, a few hundred a second whatever this one does, and each
-/// takes down how long it has waited.
+/// takes down how long it has waited, and how long this thread has computed meanwhile: the rest of the time it was
+/// others' turn, of this machine or of this program.
 class EventDelays : public QObject {
  public:
   EventDelays();
@@ -23,17 +30,18 @@ class EventDelays : public QObject {
   /// Posts no more, and handles what is under way.
   void stop();
 
-  /// Milliseconds. `stop` was called.
-  [[nodiscard]] double largest() const;
-  /// That which `share` of the events do not exceed.
-  [[nodiscard]] double quantile(double share) const;
-  [[nodiscard]] std::size_t count() const noexcept { return milliseconds_.size(); }
+  /// `stop` was called.
+  [[nodiscard]] Quantiles waited() const;
+  [[nodiscard]] Quantiles computed() const;
+  [[nodiscard]] std::size_t count() const noexcept { return waited_.size(); }
 
  protected:
   bool event(QEvent* event) override;
 
  private:
-  std::vector<double> milliseconds_;
+  std::vector<double> waited_;
+  std::vector<double> computed_;
+  clockid_t computing_;  // the time that this object's thread has computed
   std::atomic<bool> isStopping_ = false;
   std::thread poster_;
 };

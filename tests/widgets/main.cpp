@@ -8,11 +8,14 @@
 #include <QVTKOpenGLNativeWidget.h>
 #include <gtest/gtest.h>
 
+#include <holdfast/base/thread_priority.h>
+
 #include "kept_window.h"
 
 /// Windows need an application, one in a program. Settings and state go to places of the tests' own.
 int main(int argc, char** argv)
 {
+  holdfast::letOthersComputeInBackground();
   ::testing::InitGoogleTest(&argc, argv);
   const QTemporaryDir home;
   qputenv("XDG_STATE_HOME", home.filePath("state").toUtf8());

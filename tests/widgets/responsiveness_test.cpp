@@ -22,8 +22,9 @@ namespace {
 // No event is to wait longer, whatever the window does.
 constexpr double kPromisedMilliseconds = 50;
 
-// Beyond this many times the promise a test fails: machines differ, and others use them at the same time.
-constexpr double kLeeway = 10;
+// Beyond this many times the promise the test fails if the thread of the window has computed all that time. How long
+// events have waited is printed alone: others use machines at the same time.
+constexpr double kLeeway = 5;
 
 // Of a hand that moves.
 constexpr int kMilliSecondsBetweenMoves = 8;
@@ -45,30 +46,152 @@ Mesh largeMesh()
 /// recorded with the test.
 class Responsiveness : public test::WindowUser {
  protected:
-  void SetUp() override
+  using Phase = std::function<void()>;
+
+  void whileADocumentIsOpened()
   {
-    WindowUser::SetUp();
-    MeshDocument document;
-    document.mesh = largeMesh();
+    const auto [mesh, state] = document();
+    measure("opening a prepared mesh", [&, mesh = mesh, state = state] { editor().open(mesh, state); });
+    ASSERT_EQ(editor().freshness(), Freshness::Current);
+    ASSERT_GE(editor().model()->mesh.vertexCount(), 173'000);
+  }
+
+  [[nodiscard]] std::vector<Phase> phases()
+  {
+    return {[this] { whileNothingIsDone(); },          [this] { whileAnEditIsSolved(); },
+            [this] { whileTheArrowsAreDragged(); },    [this] { whileThePictureIsTurned(); },
+            [this] { whileThePointToolHovers(); },     [this] { whileItHoversAndAnEditIsSolved(); },
+            [this] { whileConstraintsAreSelected(); }, [this] { whileVerticesAreSelected(); },
+            [this] { whileAMatrixIsFactorised(); }};
+  }
+
+  void lookFromTheFront()
+  {
+    trigger("viewFront");
+    ASSERT_TRUE(settle());
+  }
+
+  void whileNothingIsDone()
+  {
+    measure("idle", [this] { moveAlong(std::vector<QPointF>(100, QPointF(2, 2)), Qt::NoButton); });
+  }
+
+  void whileAnEditIsSolved()
+  {
+    measure("solving after an edit", [this] {
+      for (int k = 0; k < 5; ++k) {
+        movePoint();
+        ASSERT_TRUE(settle());
+      }
+    });
+  }
+
+  void whileTheArrowsAreDragged()
+  {
+    editor().selectConstraints({1});
+    ASSERT_TRUE(settle());
+    const Vector3 center = window.gizmo().gizmo().frame().center;
+    const QPointF step = seenAt(Vector3(center + Vector3::UnitZ())) - seenAt(center);
+    const QPointF from = seenAt(center) + 0.5 * kGizmoPixels / std::hypot(step.x(), step.y()) * step;
+    int frames = 0;
+    const QObject scope;
+    QObject::connect(&editor(), &Editor::deformed, &scope, [&] { ++frames; });
+    measure("dragging the arrows", [&] { moveWith(Qt::LeftButton, wave(from, 0, 60, 250)); });
+    std::printf("%-30s %d deformations\n", "", frames);
+    EXPECT_EQ(editor().history().undoName(), "move P1");
+    editor().selectConstraints({});
+  }
+
+  void whileThePictureIsTurned()
+  {
+    measure("turning the picture", [this] { moveWith(Qt::RightButton, wave(middle(), 200, 100, 250)); });
+  }
+
+  void whileThePointToolHovers()
+  {
+    trigger("toolPoint");
+    measure("hovering with the point tool", [this] { moveAlong(wave(middle(), 120, 100, 250), Qt::NoButton); });
+  }
+
+  void whileItHoversAndAnEditIsSolved()
+  {
+    trigger("toolPoint");
+    measure("hovering while solving", [this] {
+      for (int k = 0; k < 3; ++k) {
+        movePoint();
+        moveAlong(wave(middle(), 120, 100, 60), Qt::NoButton);
+        ASSERT_TRUE(settle());
+      }
+    });
+  }
+
+  void whileConstraintsAreSelected()
+  {
+    trigger("toolSelect");
+    measure("selecting constraints", [this] {
+      for (const Index k : {0, 1, 2, 0, 1}) {
+        editor().selectConstraints({k});
+        ASSERT_TRUE(settle());
+      }
+    });
+    editor().selectConstraints({});
+  }
+
+  void whileVerticesAreSelected()
+  {
+    trigger("toolRectangle");
+    const QPointF reach(150, 150);
+    measure("selecting by a rectangle", [&] {
+      moveWith(Qt::LeftButton, wave(middle() - reach, 300, 0, 60));
+      std::vector<QPointF> across;
+      for (int k = 0; k <= 60; ++k) across.push_back(middle() - reach + reach * (2 * k / 60.0));
+      moveWith(Qt::LeftButton, across);
+      EXPECT_TRUE(test::waitUntil([this] { return editor().selectedVertices().size() > 1000; }));
+    });
+    trigger("toolBrush");
+    measure("painting with the brush", [&] { moveWith(Qt::LeftButton, wave(middle(), 100, 80, 120)); });
+    measure("inverting, shrinking, growing", [&] {
+      for (const char* const action : {"invert", "shrink", "grow"}) {
+        trigger(action);
+        ASSERT_TRUE(settle());
+      }
+    });
+  }
+
+  void whileAMatrixIsFactorised()
+  {
+    measure("factorising", [this] {
+      for (const Index vertex : {40'000, 90'000, 140'000}) {
+        editor().edit("hold", added(list(), {"held " + std::to_string(vertex), true, Point{AtVertex{vertex}, Move{}}}));
+        ASSERT_TRUE(settle());
+      }
+    });
+    EXPECT_EQ(editor().deformation()->report.constraints.size(), 6u);
+  }
+
+ private:
+  /// Half prepared already, as by the thread that reads files.
+  [[nodiscard]] static std::pair<LoadedMesh, DocumentState> document()
+  {
+    MeshDocument read;
+    read.mesh = largeMesh();
     NoProgress quiet;
-    LoadedMesh loaded = prepareMesh(std::move(document), "ellipsoid", quiet);
+    LoadedMesh loaded = prepareMesh(std::move(read), "ellipsoid", quiet);
     const Mesh& mesh = loaded.model->mesh;
     DocumentState state;
     // Not the outermost: marks are to be seen.
-    const Index below = lowest(mesh, 0.9);
-    state.list = test::listOf({test::hold(around(mesh, below, 12)), test::moveBy(AtVertex{front(mesh)}, {0, -4, 0}),
-                               test::moveBy(AtFace{1000, {0.2, 0.3, 0.5}}, {1, 0, 0})});
-    opening = [this, state, loaded] { editor().open(loaded, state); };
+    state.list =
+        test::listOf({test::hold(around(mesh, lowest(mesh, 0.9), 12)), test::moveBy(AtVertex{front(mesh)}, {0, -4, 0}),
+                      test::moveBy(AtFace{1000, {0.2, 0.3, 0.5}}, {1, 0, 0})});
+    return {std::move(loaded), std::move(state)};
   }
 
-  void openIt()
+  /// An edit: all that is factorised stays.
+  void movePoint()
   {
-    opening();
-    ASSERT_TRUE(settle());
-    ASSERT_EQ(editor().freshness(), Freshness::Current);
-    ASSERT_GE(editor().model()->mesh.vertexCount(), 173'000);
-    trigger("viewFront");
-    ASSERT_TRUE(settle());
+    ConstraintList after = list();
+    std::get<Move>(std::get<Point>(after.constraints[1].what).to).shift.y() -= 1;
+    editor().edit("move", after);
   }
 
   [[nodiscard]] static Index lowest(const Mesh& mesh, double share)
@@ -100,11 +223,14 @@ class Responsiveness : public test::WindowUser {
     act();
     ASSERT_TRUE(settle());
     delays.stop();
-    std::printf("%-32s largest %7.1f ms   99 of 100 %7.1f ms   half %6.1f ms   of %zu events\n", phase,
-                delays.largest(), delays.quantile(0.99), delays.quantile(0.5), delays.count());
-    RecordProperty(std::string(phase) + " largest", std::to_string(delays.largest()));
-    RecordProperty(std::string(phase) + " 99 of 100", std::to_string(delays.quantile(0.99)));
-    EXPECT_LT(delays.largest(), kLeeway * kPromisedMilliseconds) << phase;
+    const test::Quantiles waited = delays.waited();
+    const test::Quantiles computed = delays.computed();
+    std::printf("%-30s waited: half %5.1f ms, 99 of 100 %6.1f ms, all %6.1f ms; computed: all %6.1f ms; %zu events\n",
+                phase, waited.half, waited.ninetyNine, waited.largest, computed.largest, delays.count());
+    RecordProperty(std::string(phase) + ", 99 of 100", std::to_string(waited.ninetyNine));
+    RecordProperty(std::string(phase) + ", all", std::to_string(waited.largest));
+    EXPECT_GT(delays.count(), 0u) << phase;
+    EXPECT_LT(computed.largest, kLeeway * kPromisedMilliseconds) << phase;
   }
 
   /// Moves the mouse along `way`, a place at a time as a hand does, while events are handled.
@@ -141,119 +267,16 @@ class Responsiveness : public test::WindowUser {
   }
 
   [[nodiscard]] QPointF middle() { return {viewport().width() / 2.0, viewport().height() / 2.0}; }
-
-  std::function<void()> opening;
 };
 
-TEST_F(Responsiveness, WhileADocumentIsOpened)
+TEST_F(Responsiveness, HoldsWhateverTheWindowDoes)
 {
-  measure("opening a prepared mesh", [this] { opening(); });
-}
-
-TEST_F(Responsiveness, WhileNothingIsDone)
-{
-  openIt();
-  measure("idle", [this] { moveAlong(std::vector<QPointF>(100, QPointF(2, 2)), Qt::NoButton); });
-}
-
-TEST_F(Responsiveness, WhileAnEditIsSolved)
-{
-  openIt();
-  measure("solving after an edit", [this] {
-    for (int k = 0; k < 5; ++k) {
-      ConstraintList after = list();
-      std::get<Move>(std::get<Point>(after.constraints[1].what).to).shift.y() -= 1;
-      editor().edit("move", after);
-      ASSERT_TRUE(settle());
-    }
-  });
-}
-
-TEST_F(Responsiveness, WhileAMatrixIsFactorised)
-{
-  openIt();
-  measure("factorising", [this] {
-    for (const Index vertex : {40'000, 90'000, 140'000}) {
-      editor().edit("hold", added(list(), {"held " + std::to_string(vertex), true, Point{AtVertex{vertex}, Move{}}}));
-      ASSERT_TRUE(settle());
-    }
-  });
-  EXPECT_EQ(editor().deformation()->report.constraints.size(), 6u);
-}
-
-TEST_F(Responsiveness, WhileTheArrowsAreDragged)
-{
-  openIt();
-  editor().selectConstraints({1});
-  ASSERT_TRUE(settle());
-  const Vector3 center = window.gizmo().gizmo().frame().center;
-  const QPointF step = seenAt(Vector3(center + Vector3::UnitZ())) - seenAt(center);
-  const QPointF from = seenAt(center) + 0.5 * kGizmoPixels / std::hypot(step.x(), step.y()) * step;
-  int frames = 0;
-  QObject::connect(&editor(), &Editor::deformed, &window, [&] { ++frames; });
-  measure("dragging the arrows", [&] { moveWith(Qt::LeftButton, wave(from, 0, 60, 250)); });
-  std::printf("%-32s %d deformations\n", "", frames);
-  EXPECT_EQ(editor().history().undoName(), "move P1");
-}
-
-TEST_F(Responsiveness, WhileThePictureIsTurned)
-{
-  openIt();
-  measure("turning the picture", [this] { moveWith(Qt::RightButton, wave(middle(), 200, 100, 250)); });
-}
-
-TEST_F(Responsiveness, WhileTheToolThatHoldsPointsHovers)
-{
-  openIt();
-  trigger("toolPoint");
-  measure("hovering with the point tool", [this] { moveAlong(wave(middle(), 120, 100, 250), Qt::NoButton); });
-}
-
-TEST_F(Responsiveness, WhileItHoversAndAnEditIsSolved)
-{
-  openIt();
-  trigger("toolPoint");
-  measure("hovering while solving", [this] {
-    for (int k = 0; k < 3; ++k) {
-      ConstraintList after = list();
-      std::get<Move>(std::get<Point>(after.constraints[1].what).to).shift.y() -= 1;
-      editor().edit("move", after);
-      moveAlong(wave(middle(), 120, 100, 60), Qt::NoButton);
-      ASSERT_TRUE(settle());
-    }
-  });
-}
-
-TEST_F(Responsiveness, WhileConstraintsAreSelected)
-{
-  openIt();
-  measure("selecting constraints", [this] {
-    for (const Index k : {0, 1, 2, 0, 1}) {
-      editor().selectConstraints({k});
-      ASSERT_TRUE(settle());
-    }
-  });
-}
-
-TEST_F(Responsiveness, WhileVerticesAreSelected)
-{
-  openIt();
-  trigger("toolRectangle");
-  const QPointF reach(150, 150);
-  measure("selecting by a rectangle", [&] {
-    moveWith(Qt::LeftButton, wave(middle() - reach, 300, 0, 60));
-    std::vector<QPointF> across;
-    for (int k = 0; k <= 60; ++k) across.push_back(middle() - reach + reach * (2 * k / 60.0));
-    moveWith(Qt::LeftButton, across);
-  });
-  EXPECT_GT(editor().selectedVertices().size(), 1000u);
-  trigger("toolBrush");
-  measure("painting with the brush", [&] { moveWith(Qt::LeftButton, wave(middle(), 100, 80, 120)); });
-  measure("inverting and growing", [&] {
-    trigger("invert");
-    trigger("shrink");
-    trigger("grow");
-  });
+  whileADocumentIsOpened();
+  for (const auto& phase : phases()) {
+    lookFromTheFront();
+    phase();
+    if (HasFatalFailure()) return;
+  }
 }
 
 }  // namespace

@@ -117,11 +117,35 @@ Field detailField(const Model& model, const Deformation& deformation)
 
 }  // namespace
 
+Field fieldOf(const Model& model, const Deformation& deformation, FieldKind kind)
+{
+  switch (kind) {
+    case FieldKind::ConstraintResidual:
+      return residualField(model, deformation);
+    case FieldKind::ConstraintStatus:
+      return statusField(model, deformation);
+    case FieldKind::Displacement:
+      return displacementField(model, deformation);
+    case FieldKind::RotationLog:
+      return rotationField(model, deformation);
+    case FieldKind::RotationAngleDegrees:
+      return angleField(model, deformation);
+    case FieldKind::ConstraintForce:
+      return forceField(model, deformation);
+    case FieldKind::DetailResidual:
+      return detailField(model, deformation);
+  }
+  return {};
+}
+
 std::vector<Field> fieldsOf(const Model& model, const Deformation& deformation)
 {
-  return {residualField(model, deformation), statusField(model, deformation), displacementField(model, deformation),
-          rotationField(model, deformation), angleField(model, deformation),  forceField(model, deformation),
-          detailField(model, deformation)};
+  std::vector<Field> fields;
+  for (const FieldKind kind :
+       {FieldKind::ConstraintResidual, FieldKind::ConstraintStatus, FieldKind::Displacement, FieldKind::RotationLog,
+        FieldKind::RotationAngleDegrees, FieldKind::ConstraintForce, FieldKind::DetailResidual})
+    fields.push_back(fieldOf(model, deformation, kind));
+  return fields;
 }
 
 }  // namespace holdfast

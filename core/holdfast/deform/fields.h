@@ -9,12 +9,21 @@
 
 namespace holdfast {
 
-/// `constraint_residual` (model units; the largest of the constraints that hang on the vertex, NaN where there is
-/// none), `constraint_status` (0 none, 1 met, 2 redundant, 3 conflicting, 4 missed; the gravest at the vertex),
-/// `displacement` (3, model units), `rotation_log` (3, half angle times axis, radians), `rotation_angle_degrees` (not
-/// wrapped), `constraint_force` (see `Forces`; NaN where there is no constraint, and but for hard constraints),
-/// `detail_residual` (|L p - R delta|, for `uniform` weights in model units, for the
-/// others in one over model units). O(N + rows).
+/// In the order in which they are written to files.
+enum class FieldKind {
+  ConstraintResidual,  ///< model units; the largest of the constraints that hang on the vertex, NaN where there is none
+  ConstraintStatus,    ///< 0 none, 1 met, 2 redundant, 3 conflicting, 4 missed; the gravest at the vertex
+  Displacement,        ///< three components, model units
+  RotationLog,         ///< three components: half angle times axis, radians
+  RotationAngleDegrees,  ///< not wrapped
+  ConstraintForce,       ///< see `Forces`; NaN where there is no constraint, and but for hard constraints
+  DetailResidual  ///< |L p - R delta|, for `uniform` weights in model units, for the others in one over model units
+};
+
+/// The field, called as its kind in small letters: `constraint_residual`. O(N + rows).
+[[nodiscard]] Field fieldOf(const Model& model, const Deformation& deformation, FieldKind kind);
+
+/// All of them. O(N + rows).
 [[nodiscard]] std::vector<Field> fieldsOf(const Model& model, const Deformation& deformation);
 
 }  // namespace holdfast

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <holdfast/base/error.h>
+#include <holdfast/base/thread_priority.h>
 #include <holdfast/deform/deformer.h>
 #include <holdfast/document/live_deformer.h>
 
@@ -187,7 +188,10 @@ LiveDeformer::LiveDeformer(std::shared_ptr<const Model> model, Listener listener
 {
   // The list of retired threads is made before the first of them, so that it outlives all.
   retiredThreads();
-  shared_->thread = std::thread([shared = shared_] { shared->run(); });
+  shared_->thread = std::thread([shared = shared_] {
+    computeInBackground();
+    shared->run();
+  });
 }
 
 LiveDeformer::~LiveDeformer()

@@ -3,6 +3,7 @@
 #include <thread>
 #include <utility>
 
+#include <holdfast/base/thread_priority.h>
 #include <holdfast/widgets/background_job.h>
 
 namespace holdfast {
@@ -53,6 +54,7 @@ void BackgroundJob::start(Work work)
   current_ = run;
   runs_.push_back(run);
   run->thread = std::thread([this, run = run.get(), weak = std::weak_ptr(run), work = std::move(work)] {
+    computeInBackground();
     StageTeller progress(run->isUnwanted, [&](const QString& stage) {
       told_.post([this, weak, stage] {
         if (current_ != nullptr && current_ == weak.lock()) Q_EMIT stageChanged(stage);

@@ -30,18 +30,27 @@ class ViewportLegend {
   /// With a halo that keeps it legible over the mesh.
   void paint(QPainter& painter, const QPalette& palette) const;
 
+  /// Whether the same is painted.
+  friend bool operator==(const ViewportLegend&, const ViewportLegend&) = default;
+
  private:
   struct Words {
     QRectF box;
     QString text;
+
+    friend bool operator==(const Words&, const Words&) = default;
   };
   struct Tick {
     double y = 0;
     double length = 0;
+
+    friend bool operator==(const Tick&, const Tick&) = default;
   };
   struct Ball {
     QPointF middle;
     ConstraintStatus status = ConstraintStatus::Met;
+
+    friend bool operator==(const Ball&, const Ball&) = default;
   };
 
   void addWords(double right, double middle, const QString& text);

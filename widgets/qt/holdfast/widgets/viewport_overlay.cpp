@@ -98,7 +98,7 @@ void ViewportOverlay::paintPreview(QPainter& painter) const
   painter.drawEllipse(at, 1.8, 1.8);
 }
 
-void ViewportOverlay::paintLegend(QPainter& painter) const
+ViewportLegend ViewportOverlay::legend() const
 {
   ViewportLegend legend(rect(), QFontMetricsF(font()));
   const ColorBy field = viewport_.colors().field;
@@ -107,7 +107,25 @@ void ViewportOverlay::paintLegend(QPainter& painter) const
   else if (editor_.deformation() && field != ColorBy::None)
     legend.addLine(tr("%1: nothing to show").arg(fieldWords(field).name));
   addCounts(legend);
-  legend.paint(painter, palette());
+  return legend;
+}
+
+void ViewportOverlay::paintLegend(QPainter& painter)
+{
+  const ViewportLegend current = legend();
+  const QSize pixels = size() * devicePixelRatioF();
+  if (paintedLegend_ != current || paintedPalette_ != palette() || legendPicture_.size() != pixels) {
+    legendPicture_ = QPixmap(pixels);
+    legendPicture_.setDevicePixelRatio(devicePixelRatioF());
+    legendPicture_.fill(Qt::transparent);
+    QPainter once(&legendPicture_);
+    once.setRenderHint(QPainter::Antialiasing);
+    once.setFont(font());
+    current.paint(once, palette());
+    paintedLegend_ = current;
+    paintedPalette_ = palette();
+  }
+  painter.drawPixmap(0, 0, legendPicture_);
 }
 
 void ViewportOverlay::addCounts(ViewportLegend& legend) const

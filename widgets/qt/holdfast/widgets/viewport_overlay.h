@@ -3,15 +3,18 @@
 /// What is written and drawn over the picture: the legend, what the tool draws, whether the picture is older than the
 /// document, and what to do where nothing is open.
 
+#include <QPalette>
+#include <QPixmap>
 #include <QWidget>
+#include <optional>
 
 #include <holdfast/widgets/editor.h>
+#include <holdfast/widgets/viewport_legend.h>
 
 namespace holdfast {
 
 class Tool;
 class Viewport;
-class ViewportLegend;
 
 /// Covers a viewport, and leaves the mouse to it.
 class ViewportOverlay : public QWidget {
@@ -27,7 +30,8 @@ class ViewportOverlay : public QWidget {
 
  private:
   void paintPreview(QPainter& painter) const;
-  void paintLegend(QPainter& painter) const;
+  void paintLegend(QPainter& painter);
+  [[nodiscard]] ViewportLegend legend() const;
   void addCounts(ViewportLegend& legend) const;
   void paintFreshness(QPainter& painter) const;
   void paintWelcome(QPainter& painter) const;
@@ -35,6 +39,10 @@ class ViewportOverlay : public QWidget {
   Editor& editor_;
   Viewport& viewport_;
   Tool* tool_ = nullptr;
+  // The legend as it was painted last: halos take longer than most pictures.
+  std::optional<ViewportLegend> paintedLegend_;
+  QPalette paintedPalette_;
+  QPixmap legendPicture_;
 };
 
 /// What the picture says of its age, in a sentence; empty where it shows what was asked for.

@@ -7,7 +7,7 @@
 namespace holdfast {
 
 /// About how many triangles are drawn of what moves: as many as are drawn in a few milliseconds without a GPU.
-inline constexpr Index kCoarseTriangles = 40'000;
+inline constexpr Index kCoarseTriangles = 20'000;
 
 /// Triangles over points of `surface`, which was cut from `model`, about `target` (larger than 0) of them; its own
 /// where it has no more than one and a half times as many. Vertices near one another at rest that face the same way are

@@ -61,6 +61,8 @@ struct ColorScale {
   std::optional<double> promise = std::nullopt;  ///< a value to mark: what is below it is as good as promised
   TickSteps steps = TickSteps::Decimal;
   ColorMap map = ColorMap::BlueGreenYellow;
+
+  friend bool operator==(const ColorScale&, const ColorScale&) = default;
 };
 
 /// Where `value` lies between the ends of the scale, from 0 to 1 and no farther; NaN for NaN.

@@ -25,13 +25,6 @@ constexpr double kDetailShare = 0.99;
 // Decades of the logarithmic scale of forces below the largest: what is weaker hardly shows in the shape.
 constexpr double kForceDecades = 4;
 
-Field fieldNamed(const Model& model, const Deformation& deformation, std::string_view name)
-{
-  std::vector<Field> fields = fieldsOf(model, deformation);
-  const auto found = std::find_if(fields.begin(), fields.end(), [&](const Field& field) { return field.name == name; });
-  return std::move(*found);
-}
-
 std::vector<double> lengthsOf(const Field& field)
 {
   std::vector<double> lengths;
@@ -63,7 +56,7 @@ ColorScale linearScale(std::string title, double high)
 
 Coloring residualColoring(const Model& model, const Deformation& deformation, const std::string& units)
 {
-  Field field = fieldNamed(model, deformation, "constraint_residual");
+  Field field = fieldOf(model, deformation, FieldKind::ConstraintResidual);
   const double promise = residualLimit(model.solverMesh, deformation.system);
   const double largest = quantile(field.values, 1);
   const double lowest = std::floor(std::log10(promise)) - kDecadesBelow;
@@ -76,14 +69,14 @@ Coloring residualColoring(const Model& model, const Deformation& deformation, co
 
 Coloring rotationColoring(const Model& model, const Deformation& deformation)
 {
-  std::vector<double> lengths = lengthsOf(fieldNamed(model, deformation, "rotation_log"));
+  std::vector<double> lengths = lengthsOf(fieldOf(model, deformation, FieldKind::RotationLog));
   ColorScale scale = linearScale(inUnits("rotation |q|", "rad"), quantile(lengths, 1));
   return {std::move(lengths), std::move(scale)};
 }
 
 Coloring angleColoring(const Model& model, const Deformation& deformation)
 {
-  Field field = fieldNamed(model, deformation, "rotation_angle_degrees");
+  Field field = fieldOf(model, deformation, FieldKind::RotationAngleDegrees);
   ColorScale scale = linearScale(inUnits("rotation angle", "degrees"), quantile(field.values, 1));
   scale.steps = TickSteps::Degrees;
   return {std::move(field.values), std::move(scale)};
@@ -92,7 +85,7 @@ Coloring angleColoring(const Model& model, const Deformation& deformation)
 /// Lengths of Lagrange multipliers have no units.
 Coloring forceColoring(const Model& model, const Deformation& deformation)
 {
-  Field field = fieldNamed(model, deformation, "constraint_force");
+  Field field = fieldOf(model, deformation, FieldKind::ConstraintForce);
   const double largest = quantile(field.values, 1);
   const double highest = largest > 0 ? std::ceil(std::log10(largest)) : 0;
   ColorScale scale{"constraint force", Scaling::Logarithmic, std::pow(10, highest - kForceDecades),
@@ -102,18 +95,18 @@ Coloring forceColoring(const Model& model, const Deformation& deformation)
 
 Coloring displacementColoring(const Model& model, const Deformation& deformation, const std::string& units)
 {
-  std::vector<double> lengths = lengthsOf(fieldNamed(model, deformation, "displacement"));
+  std::vector<double> lengths = lengthsOf(fieldOf(model, deformation, FieldKind::Displacement));
   ColorScale scale = linearScale(inUnits("displacement", units), quantile(lengths, 1));
   return {std::move(lengths), std::move(scale)};
 }
 
 Coloring detailColoring(const Model& model, const Deformation& deformation, const std::string& units)
 {
-  Field field = fieldNamed(model, deformation, "detail_residual");
+  Field field = fieldOf(model, deformation, FieldKind::DetailResidual);
   const bool isLength = deformation.operators->weights == Weights::Uniform;
   const std::string unit = units.empty() || isLength ? units : "1/" + units;
   std::vector<double> free = field.values;
-  const std::vector<double> residuals = fieldNamed(model, deformation, "constraint_residual").values;
+  const std::vector<double> residuals = fieldOf(model, deformation, FieldKind::ConstraintResidual).values;
   for (std::size_t v = 0; v < free.size(); ++v)
     if (!std::isnan(residuals[v])) free[v] = std::numeric_limits<double>::quiet_NaN();
   const double high = quantile(std::move(free), kDetailShare);

@@ -17,6 +17,7 @@
 
 #include <holdfast/mesh/vertex_normals.h>
 #include <holdfast/view/mesh_actor.h>
+#include <holdfast/view/poly_data.h>
 
 namespace holdfast {
 namespace {
@@ -29,23 +30,6 @@ constexpr double kMeshEdgePixels = 1.0;
 // Lines lie on the surface: without a shift towards the eye they would come and go.
 constexpr double kEdgeFactor = -1;
 constexpr double kEdgeUnits = -4;
-
-/// Some of the triangles, in their order.
-vtkSmartPointer<vtkCellArray> cellsOf(const Polygons& polygons, Index begin, Index end)
-{
-  auto cells = vtkSmartPointer<vtkCellArray>::New();
-  cells->AllocateExact(end - begin, 3 * (end - begin));
-  for (Index t = begin; t < end; ++t) {
-    const auto corners = polygons[t];
-    cells->InsertNextCell({corners[0], corners[1], corners[2]});
-  }
-  return cells;
-}
-
-vtkSmartPointer<vtkCellArray> cellsOf(const Polygons& polygons)
-{
-  return cellsOf(polygons, 0, polygons.size());
-}
 
 vtkSmartPointer<vtkCellArray> linesOf(const std::vector<std::array<Index, 2>>& edges)
 {
@@ -126,13 +110,11 @@ MeshActor::MeshActor(const Model& model, std::shared_ptr<const ShadedSurface> sh
   normals_->SetName("Normals");
   normals_->SetNumberOfComponents(3);
   normals_->SetNumberOfTuples(places_.rows());
-  for (vtkPolyData* const data : {surfaceData_.Get(), coarseData_.Get(), edgeData_.Get(), meshEdgeData_.Get()})
-    data->SetPoints(points_);
-  for (vtkPolyData* const data : {surfaceData_.Get(), coarseData_.Get()}) data->GetPointData()->SetNormals(normals_);
-  surfaceData_->SetPolys(cellsOf(shaded_->triangles));
+  for (vtkPolyData* const data : {surfaceData_.Get(), edgeData_.Get(), meshEdgeData_.Get()}) data->SetPoints(points_);
+  surfaceData_->GetPointData()->SetNormals(normals_);
+  surfaceData_->SetPolys(toCells(shaded_->triangles));
   edgeData_->SetLines(linesOf(shaded_->creases));
   surfaceMapper_->SetInputData(surfaceData_);
-  coarseMapper_->SetInputData(coarseData_);
   surface_->SetMapper(surfaceMapper_);
   clearColors();
   showLines(*edges_, *edgeMapper_, *edgeData_);
@@ -140,6 +122,8 @@ MeshActor::MeshActor(const Model& model, std::shared_ptr<const ShadedSurface> sh
   setSurfaceLook(*surface_->GetProperty());
   setEdgeLook(*edges_->GetProperty());
   setMeshEdgeLook(*meshEdges_->GetProperty());
+  // They hide nothing that the surface below them does not hide, and need no order.
+  meshEdges_->ForceOpaqueOn();
   updateVisibility();
   setPositions(model.mesh.positions);
 }
@@ -161,13 +145,13 @@ void MeshActor::setPositions(const Positions& positions)
   coordinates_->Modified();
   points_->Modified();
   normals_->Modified();
+  if (coarse_) coarse_->follow(places_, *normals_);
 }
 
 void MeshActor::clearColors()
 {
   surfaceMapper_->ScalarVisibilityOff();
-  coarseMapper_->ScalarVisibilityOff();
-  for (const auto& mapper : sliceMappers_) mapper->ScalarVisibilityOff();
+  colorCoarse();
 }
 
 void MeshActor::setMeshEdges(MeshEdges edges)
@@ -181,51 +165,37 @@ void MeshActor::setMeshEdges(MeshEdges edges)
 void MeshActor::setDetail(Detail detail)
 {
   detail_ = detail;
-  if (detail == Detail::Coarse && !hasCoarse_)
-    coarseData_->SetPolys(cellsOf(coarseTriangles(model_, *shaded_, kCoarseTriangles)));
-  hasCoarse_ = hasCoarse_ || detail == Detail::Coarse;
+  if (detail == Detail::Coarse && coarseMapper_->GetInput() == nullptr) {
+    coarseMapper_->SetInputData(&coarse().data());
+    colorCoarse();
+  }
   updateVisibility();
 }
 
-Index MeshActor::sliceCount() const
+const CoarseSurface& MeshActor::coarse() const
 {
-  return (shaded_->triangles.size() + kSliceTriangles - 1) / kSliceTriangles;
-}
-
-void MeshActor::makeSlices()
-{
-  const Index count = shaded_->triangles.size();
-  for (Index begin = 0; begin < count; begin += kSliceTriangles) {
-    auto data = vtkSmartPointer<vtkPolyData>::New();
-    auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
-    data->SetPoints(points_);
-    data->GetPointData()->SetNormals(normals_);
-    data->SetPolys(cellsOf(shaded_->triangles, begin, std::min(begin + kSliceTriangles, count)));
-    mapper->SetInputData(data);
-    takeColors(*mapper, *data);
-    sliceData_.push_back(data);
-    sliceMappers_.push_back(mapper);
+  if (!coarse_) {
+    coarse_ = std::make_unique<CoarseSurface>(model_, *shaded_);
+    coarse_->follow(places_, *normals_);
   }
+  return *coarse_;
 }
 
-void MeshActor::takeColors(vtkPolyDataMapper& mapper, vtkPolyData& data) const
+void MeshActor::colorCoarse()
 {
-  data.GetPointData()->SetScalars(surfaceData_->GetPointData()->GetScalars());
-  mapper.SetLookupTable(surfaceMapper_->GetLookupTable());
-  mapper.UseLookupTableScalarRangeOn();
-  mapper.SetInterpolateScalarsBeforeMapping(surfaceMapper_->GetInterpolateScalarsBeforeMapping());
-  mapper.SetScalarVisibility(surfaceMapper_->GetScalarVisibility());
-}
-
-void MeshActor::showSlice(Index slice)
-{
-  if (sliceMappers_.empty()) makeSlices();
-  surface_->SetMapper(sliceMappers_[slice]);
+  if (coarseMapper_->GetInput() == nullptr) return;
+  const bool isColored = surfaceMapper_->GetScalarVisibility() != 0;
+  coarse_->color(isColored ? vtkDoubleArray::SafeDownCast(surfaceData_->GetPointData()->GetScalars()) : nullptr);
+  coarseMapper_->SetScalarVisibility(surfaceMapper_->GetScalarVisibility());
+  if (!isColored) return;
+  coarseMapper_->SetLookupTable(surfaceMapper_->GetLookupTable());
+  coarseMapper_->UseLookupTableScalarRangeOn();
+  coarseMapper_->SetInterpolateScalarsBeforeMapping(surfaceMapper_->GetInterpolateScalarsBeforeMapping());
 }
 
 void MeshActor::updateVisibility()
 {
-  const bool isCoarse = detail_ == Detail::Coarse && coarseData_->GetNumberOfPolys() < surfaceData_->GetNumberOfPolys();
+  const bool isCoarse = detail_ == Detail::Coarse && coarse().triangles().size() < shaded_->triangles.size();
   surface_->SetMapper(isCoarse ? coarseMapper_ : surfaceMapper_);
   meshEdges_->SetVisibility(meshEdgesShown_ == MeshEdges::All && !isCoarse);
 }
@@ -247,8 +217,7 @@ void MeshActor::setColors(const std::vector<double>& values, const ColorScale& s
   surfaceMapper_->UseLookupTableScalarRangeOn();
   surfaceMapper_->SetInterpolateScalarsBeforeMapping(isComplete);
   surfaceMapper_->ScalarVisibilityOn();
-  takeColors(*coarseMapper_, *coarseData_);
-  for (std::size_t k = 0; k < sliceMappers_.size(); ++k) takeColors(*sliceMappers_[k], *sliceData_[k]);
+  colorCoarse();
 }
 
 void MeshActor::setPixelRatio(double ratio)

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include <vtkNew.h>
-#include <vtkSmartPointer.h>
 
-#include <holdfast/view/coarse_triangles.h>
+#include <holdfast/view/actor_slices.h>
+#include <holdfast/view/coarse_surface.h>
 #include <holdfast/view/color_map.h>
 #include <holdfast/view/shaded_surface.h>
 
@@ -36,9 +36,6 @@ enum class Detail {
   Coarse  ///< about `kCoarseTriangles` of its triangles, and of its edges the sharp ones: for what moves
 };
 
-/// Triangles that are drawn in a few milliseconds without a GPU.
-inline constexpr Index kSliceTriangles = 50'000;
-
 /// The actors of one mesh: its surface and, as thin dark lines, its sharp edges and borders.
 class MeshActor {
  public:
@@ -61,13 +58,12 @@ class MeshActor {
   void clearColors();
 
   void setMeshEdges(MeshEdges edges);
-  /// Makes the coarse triangles when they are first asked for, O(T log T); then switching costs next to nothing.
+  /// Switching costs next to nothing once there are coarse triangles.
   void setDetail(Detail detail);
 
-  /// The triangles in their order, some `kSliceTriangles` at a time: `surface` is only slice `slice` of `sliceCount`
-  /// until the next `setDetail`. The first call takes O(T).
-  void showSlice(Index slice);
-  [[nodiscard]] Index sliceCount() const;
+  /// What is drawn in full detail of `surface` and `meshEdges`, a part at a time, until the next `setDetail`.
+  [[nodiscard]] ActorSlices& surfaceSlices() { return surfaceSlices_; }
+  [[nodiscard]] ActorSlices& meshEdgeSlices() { return meshEdgeSlices_; }
 
   /// How many pixels of the window are one of the picture: widths of lines are in pixels of the picture.
   void setPixelRatio(double ratio);
@@ -86,11 +82,12 @@ class MeshActor {
   /// The points and normals that are drawn, for others to draw on them: they move with the mesh.
   [[nodiscard]] vtkPoints& points() const { return *points_; }
   [[nodiscard]] vtkFloatArray& normals() const { return *normals_; }
+  /// What is drawn of a large mesh in coarse detail. Made when it is first asked for, O(T log T); moves with the mesh.
+  [[nodiscard]] const CoarseSurface& coarse() const;
 
  private:
   void updateVisibility();
-  void makeSlices();
-  void takeColors(vtkPolyDataMapper& mapper, vtkPolyData& data) const;
+  void colorCoarse();
 
   const Model& model_;
   std::shared_ptr<const ShadedSurface> shaded_;
@@ -99,16 +96,13 @@ class MeshActor {
   MeshEdges meshEdgesShown_ = MeshEdges::Sharp;
   Detail detail_ = Detail::Full;
   bool hasMeshEdges_ = false;
-  bool hasCoarse_ = false;
+  mutable std::unique_ptr<CoarseSurface> coarse_;
   vtkNew<vtkDoubleArray> coordinates_;
   vtkNew<vtkPoints> points_;
   vtkNew<vtkFloatArray> normals_;
   vtkNew<vtkPolyData> surfaceData_;
-  vtkNew<vtkPolyData> coarseData_;
   vtkNew<vtkPolyData> edgeData_;
   vtkNew<vtkPolyData> meshEdgeData_;
-  std::vector<vtkSmartPointer<vtkPolyData>> sliceData_;
-  std::vector<vtkSmartPointer<vtkPolyDataMapper>> sliceMappers_;
   vtkNew<vtkPolyDataMapper> surfaceMapper_;
   vtkNew<vtkPolyDataMapper> coarseMapper_;
   vtkNew<vtkPolyDataMapper> edgeMapper_;
@@ -116,6 +110,8 @@ class MeshActor {
   vtkNew<vtkActor> surface_;
   vtkNew<vtkActor> edges_;
   vtkNew<vtkActor> meshEdges_;
+  ActorSlices surfaceSlices_{*surface_, *surfaceMapper_};
+  ActorSlices meshEdgeSlices_{*meshEdges_, *meshEdgeMapper_};
 };
 
 }  // namespace holdfast

@@ -70,18 +70,23 @@ vtkSmartPointer<vtkPoints> toPoints(const Positions& positions)
   return points;
 }
 
-vtkSmartPointer<vtkPolyData> toPolyData(const Mesh& mesh, const Positions& positions)
+vtkSmartPointer<vtkCellArray> toCells(const Polygons& polygons)
 {
-  vtkNew<vtkCellArray> cells;
-  cells->AllocateExact(mesh.faces.size(), mesh.faces.cornerCount());
-  for (Index f = 0; f < mesh.faces.size(); ++f) {
-    const auto corners = mesh.faces[f];
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->AllocateExact(polygons.size(), polygons.cornerCount());
+  for (Index f = 0; f < polygons.size(); ++f) {
+    const auto corners = polygons[f];
     cells->InsertNextCell(static_cast<int>(corners.size()));
     for (const Index corner : corners) cells->InsertCellPoint(corner);
   }
+  return cells;
+}
+
+vtkSmartPointer<vtkPolyData> toPolyData(const Mesh& mesh, const Positions& positions)
+{
   auto polyData = vtkSmartPointer<vtkPolyData>::New();
   polyData->SetPoints(toPoints(positions));
-  polyData->SetPolys(cells);
+  polyData->SetPolys(toCells(mesh.faces));
   return polyData;
 }
 

@@ -8,6 +8,7 @@
 
 #include <holdfast/mesh/mesh.h>
 
+class vtkCellArray;
 class vtkPoints;
 class vtkPolyData;
 
@@ -15,6 +16,9 @@ namespace holdfast {
 
 /// Points of doubles, a copy of `positions`.
 [[nodiscard]] vtkSmartPointer<vtkPoints> toPoints(const Positions& positions);
+
+/// The same cells.
+[[nodiscard]] vtkSmartPointer<vtkCellArray> toCells(const Polygons& polygons);
 
 /// The faces of `mesh` at `positions` (vertexCount x 3): polygons only, no attributes.
 [[nodiscard]] vtkSmartPointer<vtkPolyData> toPolyData(const Mesh& mesh, const Positions& positions);

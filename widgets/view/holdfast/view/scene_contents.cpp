@@ -57,8 +57,8 @@ void SceneContents::leave()
 /// In the order in which they are drawn.
 std::vector<vtkActor*> SceneContents::actors() const
 {
-  std::vector<vtkActor*> all{&mesh_.surface(), &mesh_.meshEdges(), &mesh_.edges(),
-                             &rest_.edges(),   &rest_.surface(),   &selection_.tint()};
+  std::vector<vtkActor*> all{&mesh_.surface(), &selection_.tint(), &mesh_.meshEdges(),
+                             &mesh_.edges(),   &rest_.edges(),     &rest_.surface()};
   const auto add = [&](const std::vector<vtkActor*>& some) { all.insert(all.end(), some.begin(), some.end()); };
   add(arrows_.actors());
   add({&selection_.dots()});
@@ -82,6 +82,14 @@ void SceneContents::setPositions(const Positions& positions)
   positions_ = positions;
   mesh_.setPositions(positions);
   updateArrows();
+}
+
+std::vector<ActorSlices*> SceneContents::slices()
+{
+  std::vector<ActorSlices*> shown;
+  for (ActorSlices* slices : {&mesh_.surfaceSlices(), &selection_.tintSlices(), &mesh_.meshEdgeSlices()})
+    if (slices->actor().GetVisibility() != 0) shown.push_back(slices);
+  return shown;
 }
 
 void SceneContents::color(const std::optional<Coloring>& coloring)
@@ -151,7 +159,9 @@ void SceneContents::setDetail(Detail detail)
 void SceneContents::updateDetail()
 {
   mesh_.setDetail(detail_);
-  if (ghost_ == RestGhost::Surface) rest_.setDetail(detail_);
+  selection_.setDetail(detail_);
+  // Faint as it is, nobody sees that it has fewer triangles.
+  if (ghost_ == RestGhost::Surface) rest_.setDetail(Detail::Coarse);
 }
 
 void SceneContents::setPixelRatio(double ratio)

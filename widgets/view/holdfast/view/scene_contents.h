@@ -64,7 +64,10 @@ class SceneContents {
   void setRotationDisplay(RotationDisplay display);
   void setSelection(const std::vector<Index>& fileVertices);
   void setPreview(const std::optional<PreviewedPoint>& point);
+  /// The shape at rest, where it is shown as a surface, is that of coarse detail in both.
   void setDetail(Detail detail);
+  /// What is large of what is shown in full detail, in the order in which it is drawn, before all else.
+  [[nodiscard]] std::vector<ActorSlices*> slices();
 
   /// How many pixels of the window are one of the screen as users see it, or of a finished picture.
   void setPixelRatio(double ratio);

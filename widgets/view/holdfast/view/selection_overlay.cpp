@@ -32,9 +32,8 @@ void setTintLook(vtkProperty& property)
 {
   property.SetColor(kAccentColor.red, kAccentColor.green, kAccentColor.blue);
   property.SetOpacity(kTintOpacity);
-  property.SetInterpolationToPhong();
-  property.SetAmbient(0.5);
-  property.SetDiffuse(0.5);
+  // The shades are those of the surface that shines through.
+  property.LightingOff();
 }
 
 }  // namespace
@@ -43,18 +42,21 @@ SelectionOverlay::SelectionOverlay(const Model& model, const MeshActor& mesh)
     : model_(model), mesh_(mesh), pointOf_(pointsOfVertices(mesh, model.mesh.vertexCount()))
 {
   dotData_->SetPoints(&mesh.points());
-  tintData_->SetPoints(&mesh.points());
-  tintData_->GetPointData()->SetNormals(&mesh.normals());
   vtkNew<vtkPolyDataMapper> dotMapper;
   dotMapper->SetInputData(dotData_);
   dots_->SetMapper(dotMapper);
-  vtkNew<vtkPolyDataMapper> tintMapper;
-  tintMapper->SetInputData(tintData_);
-  tintMapper->SetResolveCoincidentTopologyToPolygonOffset();
-  tintMapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(kTintFactor, kTintUnits);
-  tint_->SetMapper(tintMapper);
   showPointsAsBalls(*dots_, kAccentColor);
+  tintData_->SetPoints(&mesh.points());
+  tintData_->GetPointData()->SetNormals(&mesh.normals());
+  tintMapper_->SetInputData(tintData_);
+  coarseTintMapper_->SetInputData(coarseTintData_);
+  for (vtkPolyDataMapper* const mapper : {tintMapper_.Get(), coarseTintMapper_.Get()}) {
+    mapper->SetResolveCoincidentTopologyToPolygonOffset();
+    mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(kTintFactor, kTintUnits);
+  }
   setTintLook(*tint_->GetProperty());
+  // It hides nothing that the surface below it does not hide, and needs no order.
+  tint_->ForceOpaqueOn();
   set({});
 }
 
@@ -62,28 +64,57 @@ SelectionOverlay::~SelectionOverlay() = default;
 
 void SelectionOverlay::set(const std::vector<Index>& fileVertices)
 {
+  isSelected_.assign(pointOf_.size(), 0);
+  for (const Index vertex : fileVertices) isSelected_[vertex] = 1;
+  setDots();
+  setTint(*tintData_, mesh_.shaded()->triangles, mesh_.vertexOf());
+  coarseTintData_->SetPolys(nullptr);
+  tint_->SetVisibility(tintData_->GetNumberOfPolys() > 0);
+  updateTint();
+}
+
+void SelectionOverlay::setDots()
+{
   std::vector<Index> points;
-  std::vector<char> isSelected(pointOf_.size(), 0);
-  for (const Index vertex : fileVertices) {
-    isSelected[vertex] = 1;
-    if (pointOf_[vertex] >= 0) points.push_back(pointOf_[vertex]);
-  }
+  for (std::size_t vertex = 0; vertex < pointOf_.size(); ++vertex)
+    if (isSelected_[vertex] != 0 && pointOf_[vertex] >= 0) points.push_back(pointOf_[vertex]);
   Positions rest(static_cast<Index>(points.size()), 3);
   for (Index k = 0; k < rest.rows(); ++k) rest.row(k) = model_.mesh.positions.row(mesh_.vertexOf()[points[k]]);
   vtkNew<vtkCellArray> dots;
   for (const Index k : evenlySpread(rest, kMostSelectionDots)) dots->InsertNextCell({points[k]});
+  dotData_->SetVerts(dots);
+  dots_->SetVisibility(dots->GetNumberOfCells() > 0);
+}
+
+void SelectionOverlay::setTint(vtkPolyData& data, const Polygons& triangles, const std::vector<Index>& vertexOf) const
+{
   vtkNew<vtkCellArray> tinted;
-  const Polygons& triangles = mesh_.shaded()->triangles;
-  const auto isTinted = [&](Index point) { return isSelected[mesh_.vertexOf()[point]] != 0; };
-  for (Index t = 0; t < triangles.size() && !points.empty(); ++t) {
+  const auto isTinted = [&](Index point) { return isSelected_[vertexOf[point]] != 0; };
+  for (Index t = 0; t < triangles.size(); ++t) {
     const auto corners = triangles[t];
     if (isTinted(corners[0]) && isTinted(corners[1]) && isTinted(corners[2]))
       tinted->InsertNextCell({corners[0], corners[1], corners[2]});
   }
-  dotData_->SetVerts(dots);
-  tintData_->SetPolys(tinted);
-  dots_->SetVisibility(dots->GetNumberOfCells() > 0);
-  tint_->SetVisibility(tinted->GetNumberOfCells() > 0);
+  data.SetPolys(tinted);
+}
+
+void SelectionOverlay::setDetail(Detail detail)
+{
+  detail_ = detail;
+  updateTint();
+}
+
+void SelectionOverlay::updateTint()
+{
+  // Small tints would lose their shape.
+  const bool isCoarse = detail_ == Detail::Coarse && tintData_->GetNumberOfPolys() > kCoarseTriangles;
+  if (isCoarse && coarseTintData_->GetNumberOfPolys() == 0) {
+    const CoarseSurface& coarse = mesh_.coarse();
+    coarseTintData_->SetPoints(coarse.data().GetPoints());
+    coarseTintData_->GetPointData()->SetNormals(coarse.data().GetPointData()->GetNormals());
+    setTint(*coarseTintData_, coarse.triangles(), coarse.vertexOf());
+  }
+  tint_->SetMapper(isCoarse ? coarseTintMapper_ : tintMapper_);
 }
 
 void SelectionOverlay::setDotPixels(double pixels)

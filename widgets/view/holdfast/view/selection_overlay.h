@@ -10,6 +10,7 @@
 
 class vtkActor;
 class vtkPolyData;
+class vtkPolyDataMapper;
 
 namespace holdfast {
 
@@ -28,21 +29,35 @@ class SelectionOverlay {
 
   /// File vertices, in any order. Those that no face uses do not show. O(T).
   void set(const std::vector<Index>& fileVertices);
+  /// Of the tint, where it covers many triangles.
+  void setDetail(Detail detail);
 
   /// The diameter of dots, in pixels of the window.
   void setDotPixels(double pixels);
 
   [[nodiscard]] vtkActor& dots() const { return *dots_; }
   [[nodiscard]] vtkActor& tint() const { return *tint_; }
+  /// The tint in full detail, a part at a time, until the next `setDetail`.
+  [[nodiscard]] ActorSlices& tintSlices() { return tintSlices_; }
 
  private:
+  void setDots();
+  void setTint(vtkPolyData& data, const Polygons& triangles, const std::vector<Index>& vertexOf) const;
+  void updateTint();
+
   const Model& model_;
   const MeshActor& mesh_;
-  std::vector<Index> pointOf_;  // of each file vertex, -1 where no face uses it
+  std::vector<Index> pointOf_;    // of each file vertex, -1 where no face uses it
+  std::vector<char> isSelected_;  // of each file vertex
+  Detail detail_ = Detail::Full;
   vtkNew<vtkPolyData> dotData_;
   vtkNew<vtkPolyData> tintData_;
+  vtkNew<vtkPolyData> coarseTintData_;
+  vtkNew<vtkPolyDataMapper> tintMapper_;
+  vtkNew<vtkPolyDataMapper> coarseTintMapper_;
   vtkNew<vtkActor> dots_;
   vtkNew<vtkActor> tint_;
+  ActorSlices tintSlices_{*tint_, *tintMapper_};
 };
 
 }  // namespace holdfast

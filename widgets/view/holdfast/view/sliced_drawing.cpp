@@ -29,8 +29,10 @@ void SlicedDrawing::begin(SceneContents& contents)
 {
   abandon();
   contents_ = &contents;
-  next_ = 0;
-  slices_->AddActor(&contents.mesh().surface());
+  contents.setDetail(Detail::Full);
+  parts_ = contents.slices();
+  part_ = 0;
+  slice_ = 0;
   slices_->SetGradientBackground(scene_.GetGradientBackground());
   slices_->SetBackground(scene_.GetBackground());
   slices_->SetBackground2(scene_.GetBackground2());
@@ -41,7 +43,7 @@ void SlicedDrawing::begin(SceneContents& contents)
 
 void SlicedDrawing::advance()
 {
-  if (next_ < contents_->mesh().sliceCount())
+  if (part_ < parts_.size())
     drawSlice();
   else
     drawRest();
@@ -57,18 +59,26 @@ void SlicedDrawing::drawOthers(int isDrawn)
 
 void SlicedDrawing::drawSlice()
 {
-  contents_->mesh().showSlice(next_);
+  ActorSlices& part = *parts_[part_];
+  if (slice_ == 0) {
+    slices_->RemoveAllViewProps();
+    slices_->AddActor(&part.actor());
+  }
+  part.show(slice_);
   drawOthers(0);
-  slices_->SetErase(next_ == 0 ? 1 : 0);
+  slices_->SetErase(part_ == 0 && slice_ == 0 ? 1 : 0);
   window_.SwapBuffersOff();
   window_.Render();
-  ++next_;
+  window_.WaitForCompletion();
+  if (++slice_ < part.count()) return;
+  ++part_;
+  slice_ = 0;
 }
 
 void SlicedDrawing::drawRest()
 {
   drawOthers(1);
-  contents_->mesh().surface().VisibilityOff();
+  for (const ActorSlices* part : parts_) part->actor().VisibilityOff();
   scene_.EraseOff();
   window_.SwapBuffersOn();
   window_.Render();
@@ -81,8 +91,11 @@ void SlicedDrawing::restore()
   scene_.EraseOn();
   window_.SwapBuffersOn();
   slices_->RemoveAllViewProps();
-  contents_->mesh().surface().VisibilityOn();
-  contents_->setDetail(Detail::Full);
+  for (ActorSlices* part : parts_) {
+    part->actor().VisibilityOn();
+    part->showWhole();
+  }
+  parts_.clear();
   contents_ = nullptr;
 }
 

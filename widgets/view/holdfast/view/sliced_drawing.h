@@ -2,6 +2,8 @@
 /// \file
 /// Drawing a large mesh a few milliseconds at a time, so that a window can answer in between.
 
+#include <vector>
+
 #include <vtkNew.h>
 
 #include <holdfast/view/scene_contents.h>
@@ -10,8 +12,9 @@ class vtkRenderWindow;
 
 namespace holdfast {
 
-/// Draws what a window's renderer shows in parts: slices of the surface first, then all else, without showing anything
-/// before it is whole. The finished picture is the one that is drawn at once, pixel for pixel.
+/// Draws what a window's renderer shows in parts: slices of what is large first, then all else, without showing
+/// anything before it is whole. Each part is waited for: it takes the time that it seems to take. The finished picture
+/// is the one that is drawn at once, pixel for pixel.
 class SlicedDrawing {
  public:
   /// `scene` is in a window, which stays alive as long as this, and shows contents as `SceneContents::addTo` adds them.
@@ -39,7 +42,9 @@ class SlicedDrawing {
   vtkRenderWindow& window_;
   vtkNew<vtkRenderer> slices_;
   SceneContents* contents_ = nullptr;
-  Index next_ = 0;
+  std::vector<ActorSlices*> parts_;
+  std::size_t part_ = 0;  // the part and the slice of it that are next
+  Index slice_ = 0;
 };
 
 }  // namespace holdfast

@@ -1,0 +1,15 @@
+#pragma once
+/// \file
+/// Who goes first where threads that compute for long and a thread that answers a user share few cores.
+
+namespace holdfast {
+
+/// Lets other threads go before the calling one, and before those that it starts from now on: for work that takes
+/// long. Alone on a core it is as quick as before. Where the system has no priorities of threads nothing happens; not
+/// taken back, for a program without privileges may not.
+void computeInBackground() noexcept;
+
+/// The same for every thread of this program but the calling one: pools that libraries have started before `main`.
+void letOthersComputeInBackground() noexcept;
+
+}  // namespace holdfast

@@ -1,0 +1,51 @@
+#pragma once
+/// \file
+/// A large mesh, some of its cells at a time.
+
+#include <vector>
+
+#include <vtkSmartPointer.h>
+#include <vtkType.h>
+
+#include <holdfast/base/types.h>
+
+class vtkActor;
+class vtkCellArray;
+class vtkPolyData;
+class vtkPolyDataMapper;
+
+namespace holdfast {
+
+/// Triangles, or lines, that are drawn in a few milliseconds without a GPU.
+inline constexpr Index kSliceCells = 20'000;
+
+/// The cells of one actor in their order, cut into slices that share its points, normals and colours. Slices are made
+/// when they are first shown, and anew when the cells were replaced.
+class ActorSlices {
+ public:
+  /// Of what `whole`, one of the mappers of `actor`, draws: its polygons, or its lines where it has none. Both stay
+  /// alive as long as this.
+  ActorSlices(vtkActor& actor, vtkPolyDataMapper& whole);
+  ~ActorSlices();
+  ActorSlices(const ActorSlices&) = delete;
+  ActorSlices& operator=(const ActorSlices&) = delete;
+
+  [[nodiscard]] vtkActor& actor() const noexcept { return actor_; }
+  [[nodiscard]] Index count() const;
+  /// The actor draws one of `count` slices only, until it is given another mapper. O(`kSliceCells`) the first time.
+  void show(Index slice);
+  void showWhole();
+
+ private:
+  struct Slice;
+
+  [[nodiscard]] vtkCellArray& cells() const;
+  void make(Index slice);
+
+  vtkActor& actor_;
+  vtkPolyDataMapper& whole_;
+  vtkMTimeType cellsTime_ = 0;
+  std::vector<Slice> slices_;
+};
+
+}  // namespace holdfast

@@ -1,0 +1,45 @@
+#pragma once
+/// \file
+/// A large mesh as it is drawn while it moves.
+
+#include <vector>
+
+#include <vtkNew.h>
+
+#include <holdfast/view/coarse_triangles.h>
+
+class vtkDoubleArray;
+class vtkFloatArray;
+class vtkPolyData;
+
+namespace holdfast {
+
+/// About `kCoarseTriangles` of a surface, over copies of the points that they need: what is drawn again and again is
+/// small.
+class CoarseSurface {
+ public:
+  /// O(T log T).
+  CoarseSurface(const Model& model, const ShadedSurface& surface);
+  ~CoarseSurface();
+  CoarseSurface(const CoarseSurface&) = delete;
+  CoarseSurface& operator=(const CoarseSurface&) = delete;
+
+  /// Copies what the points of the surface have; `shares` is null where it has one colour.
+  void follow(const Positions& places, const vtkFloatArray& normals);
+  void color(const vtkDoubleArray* shares);
+
+  [[nodiscard]] const Polygons& triangles() const noexcept { return triangles_; }
+  /// The file's vertex of each point.
+  [[nodiscard]] const std::vector<Index>& vertexOf() const noexcept { return vertexOf_; }
+  [[nodiscard]] vtkPolyData& data() const { return *data_; }
+
+ private:
+  Polygons triangles_;
+  std::vector<Index> pointOf_;  // of the surface, for each point
+  std::vector<Index> vertexOf_;
+  vtkNew<vtkDoubleArray> places_;
+  vtkNew<vtkFloatArray> normals_;
+  vtkNew<vtkPolyData> data_;
+};
+
+}  // namespace holdfast
