@@ -7,6 +7,7 @@
 
 #include <holdfast/base/cholmod_view_internal.h>
 #include <holdfast/elimination/householder_vectors.h>
+#include <holdfast/base/one_thread_internal.h>
 #include <holdfast/elimination/sparse_qr.h>
 
 namespace holdfast {
@@ -29,6 +30,7 @@ class Workspace {
   cholmod_common* get() { return &common_; }
 
  private:
+  OneThread libraries_;
   cholmod_common common_{};
 };
 

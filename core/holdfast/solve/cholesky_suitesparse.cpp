@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <holdfast/base/cholmod_view_internal.h>
+#include <holdfast/base/one_thread_internal.h>
 #include <holdfast/solve/gram.h>
 #include <holdfast/solve/least_squares_factor.h>
 
@@ -33,6 +34,7 @@ class Cholmod {
   /// Analyses and factorises the matrix whose lower triangle is given; the reason where that fails.
   std::string factorize(SparseMatrix& lower)
   {
+    const OneThread libraries;
     cholmod_sparse view = cholmodView(lower, StoredPart::LowerTriangle);
     factor_ = cholmod_analyze(&view, &common_);
     if (factor_ != nullptr) cholmod_factorize(&view, factor_, &common_);
@@ -41,6 +43,7 @@ class Cholmod {
 
   [[nodiscard]] Columns3 solve(Columns3 rightSides)
   {
+    const OneThread libraries;
     cholmod_dense view{};
     view.nrow = static_cast<std::size_t>(rightSides.rows());
     view.ncol = 3;

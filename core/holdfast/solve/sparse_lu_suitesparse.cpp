@@ -2,6 +2,7 @@
 
 #include <Eigen/UmfPackSupport>
 
+#include <holdfast/base/one_thread_internal.h>
 #include <holdfast/solve/sparse_lu.h>
 
 namespace holdfast {
@@ -9,10 +10,18 @@ namespace {
 
 class LuBySuiteSparse final : public SparseLu {
  public:
-  explicit LuBySuiteSparse(const SparseMatrix& K) : K_(K) { lu_.compute(K_); }
+  explicit LuBySuiteSparse(const SparseMatrix& K) : K_(K)
+  {
+    const OneThread libraries;
+    lu_.compute(K_);
+  }
 
   [[nodiscard]] bool isRegular() const { return lu_.info() == Eigen::Success; }
-  [[nodiscard]] Columns3 solve(const Columns3& rightSides) const override { return lu_.solve(rightSides); }
+  [[nodiscard]] Columns3 solve(const Columns3& rightSides) const override
+  {
+    const OneThread libraries;
+    return lu_.solve(rightSides);
+  }
   [[nodiscard]] Index nonzeros() const override
   {
     int lower = 0;
