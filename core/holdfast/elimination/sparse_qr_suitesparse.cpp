@@ -6,8 +6,8 @@
 #include <SuiteSparseQR.hpp>
 
 #include <holdfast/base/cholmod_view_internal.h>
-#include <holdfast/elimination/householder_vectors.h>
 #include <holdfast/base/one_thread_internal.h>
+#include <holdfast/elimination/householder_vectors.h>
 #include <holdfast/elimination/sparse_qr.h>
 
 namespace holdfast {
