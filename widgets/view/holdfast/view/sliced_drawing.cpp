@@ -9,6 +9,17 @@
 #include <holdfast/view/stage.h>
 
 namespace holdfast {
+namespace {
+
+/// Whether the renderer draws onto the picture that is there, or begins anew. Without `SetErase`, by which VTK leaves
+/// OpenGL in the state that a widget of Qt has left it in: without a test of depths.
+void setOnTop(vtkRenderer& renderer, bool isOnTop)
+{
+  renderer.SetPreserveColorBuffer(isOnTop ? 1 : 0);
+  renderer.SetPreserveDepthBuffer(isOnTop ? 1 : 0);
+}
+
+}  // namespace
 
 SlicedDrawing::SlicedDrawing(vtkRenderer& scene) : scene_(scene), window_(*scene.GetRenderWindow())
 {
@@ -66,7 +77,7 @@ void SlicedDrawing::drawSlice()
   }
   part.show(slice_);
   drawOthers(0);
-  slices_->SetErase(part_ == 0 && slice_ == 0 ? 1 : 0);
+  setOnTop(*slices_, part_ > 0 || slice_ > 0);
   window_.SwapBuffersOff();
   window_.Render();
   window_.WaitForCompletion();
@@ -79,7 +90,7 @@ void SlicedDrawing::drawRest()
 {
   drawOthers(1);
   for (const ActorSlices* part : parts_) part->actor().VisibilityOff();
-  scene_.EraseOff();
+  setOnTop(scene_, true);
   window_.SwapBuffersOn();
   window_.Render();
   restore();
@@ -88,7 +99,7 @@ void SlicedDrawing::drawRest()
 void SlicedDrawing::restore()
 {
   drawOthers(1);
-  scene_.EraseOn();
+  setOnTop(scene_, false);
   window_.SwapBuffersOn();
   slices_->RemoveAllViewProps();
   for (ActorSlices* part : parts_) {

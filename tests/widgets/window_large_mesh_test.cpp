@@ -1,0 +1,51 @@
+#include <gtest/gtest.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+
+#include "gestures.h"
+#include "open_window.h"
+#include "support/meshes.h"
+
+namespace holdfast {
+namespace {
+
+/// A closed surface, large enough to be drawn in slices, whose triangles before and behind are mixed in the file.
+class LargeMeshInWindow : public test::OpenWindow {
+ protected:
+  void SetUp() override
+  {
+    OpenWindow::SetUp();
+    MeshDocument document;
+    document.mesh = test::icosphere(6);
+    NoProgress quiet;
+    editor().open(prepareMesh(std::move(document), "sphere", quiet), {});
+    ASSERT_TRUE(isLarge(*editor().model()));
+    ASSERT_TRUE(settle());
+    ASSERT_GT(editor().mesh().contents->mesh().surfaceSlices().count(), 2);
+  }
+
+  [[nodiscard]] QImage shown() { return viewport().grabFramebuffer().convertToFormat(QImage::Format_RGB32); }
+
+  /// What is shown when all is at rest is what one call of the renderer draws.
+  void expectTheWholePicture()
+  {
+    ASSERT_TRUE(settle());
+    const QImage rested = shown();
+    editor().mesh().contents->setDetail(Detail::Full);
+    viewport().renderer().GetRenderWindow()->Render();
+    EXPECT_EQ(rested, shown());
+  }
+};
+
+TEST_F(LargeMeshInWindow, RestsAsThePictureThatIsDrawnAtOnce)
+{
+  trigger("viewFront");
+  expectTheWholePicture();
+  const QImage plain = shown();
+  trigger("invert");
+  expectTheWholePicture();
+  EXPECT_NE(shown(), plain) << "all is selected";
+}
+
+}  // namespace
+}  // namespace holdfast
