@@ -150,7 +150,9 @@ void ConstraintPanel::makeTopLine()
   menu->addActions(table_->actions());
   QToolButton* more = new QToolButton;
   more->setObjectName("constraintMenu");
-  more->setText(tr("Edit"));
+  // The style's own sign of a menu is cut off beside a text.
+  more->setText(tr("Edit") + QStringLiteral(" \u25be"));
+  more->setStyleSheet("QToolButton::menu-indicator { image: none; }");
   more->setAccessibleName(tr("Edit the selected constraints"));
   more->setAutoRaise(true);
   more->setPopupMode(QToolButton::InstantPopup);

@@ -25,9 +25,7 @@ BrushTool::BrushTool(Editor& editor, Viewport& viewport, QObject* parent)
 
 QString BrushTool::hint() const
 {
-  return tr(
-      "Paint a region. Shift adds, Ctrl takes away, [ and ] size the brush. Then F fixes it, H makes a handle, "
-      "R a rigid feature");
+  return tr("Paint a region. Shift adds, Ctrl takes away, [ and ] size the brush. Then F: fixed, H: handle, R: rigid");
 }
 
 bool BrushTool::dab(const Pointer& pointer)

@@ -25,8 +25,8 @@ FloodTool::FloodTool(Editor& editor, Viewport& viewport, QObject* parent)
 
 QString FloodTool::hint() const
 {
-  return tr("Click a side to select it as far as it bends by less than %1° an edge ([ and ] change that). "
-            "A double click selects the whole part. Shift adds, Ctrl takes away")
+  return tr("Click a side that bends by less than %1° an edge ([ and ]). Double click: the whole part. "
+            "Shift adds, Ctrl takes away")
       .arg(degrees_);
 }
 

@@ -24,9 +24,8 @@ ScreenRegionTool::ScreenRegionTool(ScreenShape shape, Editor& editor, Viewport& 
 
 QString ScreenRegionTool::hint() const
 {
-  return (shape_ == ScreenShape::Rectangle ? tr("Drag a rectangle around vertices.") : tr("Draw around vertices.")) +
-         ' ' +
-         tr("Shift adds, Ctrl takes away, Alt reaches through. Then F fixes them, H makes a handle, R a rigid feature");
+  return (shape_ == ScreenShape::Rectangle ? tr("Drag a rectangle.") : tr("Draw around vertices.")) + ' ' +
+         tr("Shift adds, Ctrl takes away, Alt reaches through. Then F: fixed, H: handle, R: rigid");
 }
 
 bool ScreenRegionTool::press(const Pointer& pointer)
