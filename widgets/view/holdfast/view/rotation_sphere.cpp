@@ -17,6 +17,7 @@
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 
+#include <holdfast/view/display_transform.h>
 #include <holdfast/view/rotation_sphere.h>
 #include <holdfast/view/sphere_camera.h>
 #include <holdfast/view/sphere_shapes.h>
@@ -117,7 +118,7 @@ void RotationSphere::addTo(vtkRenderer& renderer)
   vtkNew<vtkCallbackCommand> beforeDrawing;
   beforeDrawing->SetClientData(this);
   beforeDrawing->SetCallback([](vtkObject* /*caller*/, unsigned long /*event*/, void* sphere, void* /*data*/) {
-    static_cast<const RotationSphere*>(sphere)->hideFarTexts();
+    static_cast<const RotationSphere*>(sphere)->hideTexts();
   });
   observer_ = renderer.AddObserver(vtkCommand::StartEvent, beforeDrawing);
   applyLook();
@@ -241,13 +242,27 @@ vtkSmartPointer<vtkTextActor> RotationSphere::textAt(const std::string& text, co
   return actor;
 }
 
-void RotationSphere::hideFarTexts() const
+void RotationSphere::hideTexts() const
 {
   const Vector3 forward = sightOf(*renderer_->GetActiveCamera());
+  const double room = kScaleTextPixels * look_.pixelRatio;
+  const auto seenAt = [&](vtkCoordinate& place) {
+    return DisplayPoint(place.GetComputedDoubleDisplayValue(renderer_));
+  };
+  std::vector<DisplayPoint> taken;
+  for (const auto& name : nameTexts_) {
+    taken.push_back(seenAt(*name->GetPositionCoordinate()));
+    taken.push_back(seenAt(*name->GetPositionCoordinate()->GetReferenceCoordinate()));  // of its ball
+  }
   for (const auto& text : scaleTexts_) {
     const Vector3 place(text->GetPositionCoordinate()->GetReferenceCoordinate()->GetValue());
     const bool isBeside = (place - place.dot(forward) * forward).norm() > 1;
-    text->SetVisibility(isBeside || place.dot(forward) < kFarText);
+    const DisplayPoint seen = seenAt(*text->GetPositionCoordinate());
+    const bool isNear = isBeside || place.dot(forward) < kFarText;
+    const bool isFree = std::none_of(taken.begin(), taken.end(),
+                                     [&](const DisplayPoint& other) { return (seen - other).norm() < room; });
+    text->SetVisibility(isNear && isFree);
+    if (isNear && isFree) taken.push_back(seen);
   }
 }
 

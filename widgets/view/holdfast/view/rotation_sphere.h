@@ -82,7 +82,7 @@ class RotationSphere {
   void showScale();
   void showNames();
   void replace(Texts& texts, Texts with);
-  void hideFarTexts() const;
+  void hideTexts() const;  // those far behind, and those that others leave no room
   [[nodiscard]] vtkSmartPointer<vtkTextActor> textAt(const std::string& text, const Vector3& place,
                                                      double pixels) const;
   [[nodiscard]] std::optional<Vector3> placeOf(Index vertex) const;
