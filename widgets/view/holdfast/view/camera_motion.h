@@ -2,15 +2,12 @@
 /// \file
 /// How a hand on the mouse moves a camera: around a place, across the view, towards what is under the cursor.
 
-#include <holdfast/base/types.h>
+#include <holdfast/view/display_transform.h>
 
 class vtkCamera;
 class vtkRenderer;
 
 namespace holdfast {
-
-/// A place in the window of a renderer: pixels from the lower left corner.
-using DisplayPoint = Eigen::Vector2d;
 
 /// Turns eye and focal point about `pivot` (model units), which stays where it is on the screen: `degreesRight` about
 /// the camera's up, `degreesUp` about its right, as if the hand turned the model. No pole where it stops or flips.
