@@ -14,7 +14,7 @@ namespace holdfast::test {
 
 /// Handles events until `condition` holds. False where it does not within `limit`: the test fails then, nothing hangs.
 [[nodiscard]] bool waitUntil(const std::function<bool()>& condition,
-                             std::chrono::milliseconds limit = std::chrono::seconds(240));
+                             std::chrono::milliseconds limit = std::chrono::seconds(60));
 
 /// Shows the widget, and waits for it to be on the screen.
 [[nodiscard]] bool showAndWait(QWidget& widget);

@@ -21,7 +21,7 @@ class OpenWindow : public ::testing::Test {
   /// Opens a mesh of `data/` under constraints of `data/` (none where empty), and waits for it to be solved and drawn.
   void open(const std::string& mesh, const std::string& constraints = "");
 
-  /// Until what is shown is what was asked for, and is drawn in full. False after some minutes.
+  /// Until what is shown is what was asked for, and is drawn in full. False after a minute.
   [[nodiscard]] bool settle();
 
   /// Triggers an action by its object name, as a menu does.

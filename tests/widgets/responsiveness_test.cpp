@@ -24,7 +24,7 @@ constexpr double kPromisedMilliseconds = 50;
 
 // Beyond this many times the promise the test fails if the thread of the window has computed all that time: a solution
 // on that thread would take more. How long events have waited is printed alone: others use machines at the same time.
-constexpr double kLeeway = 12;
+constexpr double kLeeway = 10;
 
 // Of a hand that moves.
 constexpr int kMilliSecondsBetweenMoves = 8;
