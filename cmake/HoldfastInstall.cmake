@@ -10,7 +10,7 @@ if(TARGET holdfast_view)
 endif()
 
 foreach(layer IN LISTS holdfast_layers)
-  install(TARGETS holdfast_${layer} EXPORT holdfast-${layer} ARCHIVE FILE_SET HEADERS)
+  install(TARGETS holdfast_${layer} EXPORT holdfast-${layer} ARCHIVE FILE_SET HEADERS FILE_SET headers_alone)
   install(EXPORT holdfast-${layer} NAMESPACE holdfast:: DESTINATION "${holdfast_package_dir}")
 endforeach()
 

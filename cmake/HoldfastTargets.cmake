@@ -15,15 +15,25 @@ function(holdfast_configure target)
   target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:holdfast_warnings>)
 endfunction()
 
-# The layer `name`: a static library made of every source below `root`, its headers public and each compiled alone,
-# save those named *_internal.h. Sources are found, not listed: the folder is the list.
+# The layer `name`: a static library made of every source below `root`, its headers public, save those named
+# *_internal.h. Sources are found, not listed: the folder is the list. Every header needs nothing before it: its own
+# source includes it first (tests/layering/check_own_headers.sh), and those without a source are compiled alone.
 function(holdfast_add_layer name root)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${root}/*.cpp")
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS "${root}/*.h")
   list(FILTER headers EXCLUDE REGEX "_internal\\.h$")
   add_library(holdfast_${name} STATIC ${sources})
   add_library(holdfast::${name} ALIAS holdfast_${name})
-  target_sources(holdfast_${name} PUBLIC FILE_SET HEADERS BASE_DIRS "${root}" FILES ${headers})
-  set_target_properties(holdfast_${name} PROPERTIES EXPORT_NAME ${name} VERIFY_INTERFACE_HEADER_SETS ON)
+  set(headers_alone ${headers})
+  foreach(source IN LISTS sources)
+    string(REGEX REPLACE "\\.cpp$" ".h" own_header "${source}")
+    list(REMOVE_ITEM headers_alone "${own_header}")
+  endforeach()
+  list(REMOVE_ITEM headers ${headers_alone})
+  target_sources(holdfast_${name} PUBLIC
+    FILE_SET HEADERS BASE_DIRS "${root}" FILES ${headers}
+    FILE_SET headers_alone TYPE HEADERS BASE_DIRS "${root}" FILES ${headers_alone})
+  set_target_properties(holdfast_${name} PROPERTIES EXPORT_NAME ${name}
+    VERIFY_INTERFACE_HEADER_SETS ON INTERFACE_HEADER_SETS_TO_VERIFY headers_alone)
   holdfast_configure(holdfast_${name})
 endfunction()

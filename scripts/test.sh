@@ -9,7 +9,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 install_packages "${holdfast_packages[@]}"
 configure_preset release -DHOLDFAST_BUILD_GUI=ON -DHOLDFAST_WITH_CHOLMOD=ON -DHOLDFAST_BUILD_TESTS=ON
 build_preset release
-# Each public header compiles alone.
+# Public headers without a source of their own compile alone; all others are the first include of theirs.
 build_preset release all_verify_interface_header_sets
 echo "== Testing"
 exec ctest --preset release "$@"

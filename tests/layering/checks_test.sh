@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The controls of check_layers.sh and check_words.sh: each leak planted in a tree of sources is found, alone, at its
-# line, and a tree without leaks passes.
+# The controls of the checks beside it: each leak planted in a tree of sources is found, alone, at its line, and a tree
+# without leaks passes.
 #   checks_test.sh
 set -u
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -17,6 +17,8 @@ plant_clean_tree() {
       '// #include <QWidget>' >"$tree/$folder/clean.cpp"
   done
   echo '#include <vtkPolyData.h>' >"$tree/widgets/view/holdfast/view/actor.cpp"
+  touch "$tree/core/holdfast/mesh/weld.h"
+  printf '%s\n' '// Of vertices.' '#include "holdfast/mesh/weld.h"' '#include <vector>' >"$tree/core/holdfast/mesh/weld.cpp"
   echo '#include <holdfast/view/actor.h>' >"$tree/app/batch/picture.cpp"
 }
 
@@ -45,6 +47,7 @@ expect_clean() {
 plant_clean_tree
 expect_clean check_layers.sh
 expect_clean check_words.sh
+expect_clean check_own_headers.sh
 
 for leak in '#include <vtkPolyData.h>' '#  include "vtkNew.h"' '#include <QVTKOpenGLNativeWidget.h>' '#include <QWidget>' \
   '#include <QtCore/QObject>' '#include <qobject.h>' '#include "QtWidgets/qwidget.h"' '#include "QWidget"' \
@@ -59,6 +62,13 @@ done
 expect_found check_layers.sh widgets/qt/holdfast/widgets/leak.cpp '#include "app/holdfast/main.h"'
 for word in TO''DO FIX''ME; do
   expect_found check_words.sh core/leak.txt "later: $word, and so on"
+done
+for folder in core/holdfast/mesh widgets/qt/holdfast/widgets; do
+  touch "$tree/$folder/leak.h"
+  for leak in '#include <vector>' "#include <holdfast/${folder#*/holdfast/}/leak.h>" '#include "holdfast/mesh/weld.h"'; do
+    expect_found check_own_headers.sh "$folder/leak.cpp" "$leak"
+  done
+  rm "$tree/$folder/leak.h"
 done
 
 rm -r "$tree/core/holdfast"

@@ -1,6 +1,6 @@
-#include <utility>
+#include "holdfast/base/error.h"
 
-#include <holdfast/base/error.h>
+#include <utility>
 
 namespace holdfast {
 namespace {

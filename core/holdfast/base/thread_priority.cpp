@@ -1,4 +1,4 @@
-#include <holdfast/base/thread_priority.h>
+#include "holdfast/base/thread_priority.h"
 
 #if defined(__linux__)
 #include <charconv>

@@ -1,7 +1,7 @@
+#include "holdfast/check/finding.h"
+
 #include <algorithm>
 #include <utility>
-
-#include <holdfast/check/finding.h>
 
 namespace holdfast {
 

@@ -1,3 +1,5 @@
+#include "holdfast/check/mesh_check.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,7 +11,6 @@
 #include <Eigen/Geometry>
 
 #include <holdfast/base/disjoint_sets.h>
-#include <holdfast/check/mesh_check.h>
 #include <holdfast/mesh/edges.h>
 
 namespace holdfast {

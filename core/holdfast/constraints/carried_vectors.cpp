@@ -1,4 +1,5 @@
-#include <holdfast/constraints/carried_vectors.h>
+#include "holdfast/constraints/carried_vectors.h"
+
 #include <holdfast/rotation/rotation_log.h>
 
 namespace holdfast {

@@ -1,4 +1,4 @@
-#include <holdfast/constraints/constraint.h>
+#include "holdfast/constraints/constraint.h"
 
 namespace holdfast {
 namespace {

@@ -1,6 +1,7 @@
+#include "holdfast/constraints/constraint_file.h"
+
 #include <algorithm>
 
-#include <holdfast/constraints/constraint_file.h>
 #include <holdfast/constraints/constraint_file_text_internal.h>
 
 namespace holdfast {

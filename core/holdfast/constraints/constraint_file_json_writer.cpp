@@ -140,7 +140,7 @@ std::string constraintArrayJson(const std::vector<Constraint>& constraints)
   return json.empty() ? "[]" : fmt::format("[{}\n  ]", json);
 }
 
-void requireReadable(const std::string& json)
+void requireReadableConstraints(const std::string& json)
 {
   try {
     static_cast<void>(parseConstraintsJson(json, ""));
@@ -164,7 +164,7 @@ std::string constraintMembersJson(const ConstraintList& list)
 std::string constraintsToJson(const ConstraintList& list)
 {
   const std::string json = fmt::format("{{{}}}\n", constraintMembersJson(list));
-  requireReadable(json);
+  requireReadableConstraints(json);
   return json;
 }
 

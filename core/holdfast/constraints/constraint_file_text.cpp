@@ -84,7 +84,7 @@ std::size_t editDistance(std::string_view a, std::string_view b)
   return row.back();
 }
 
-void requireReadable(const std::filesystem::path& path)
+void requireFile(const std::filesystem::path& path)
 {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
@@ -113,7 +113,7 @@ TextPlace placeInText(std::string_view text, std::size_t offset)
 
 std::string readTextFile(const std::filesystem::path& path)
 {
-  requireReadable(path);
+  requireFile(path);
   std::ifstream stream(path, std::ios::binary);
   if (!stream) failToRead(path);
   std::string text;

@@ -1,13 +1,15 @@
+#include "holdfast/constraints/constraint_system.h"
+
 #include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include <holdfast/base/error.h>
-#include <holdfast/constraints/constraint_system.h>
 #include <holdfast/constraints/handle_mistake.h>
 #include <holdfast/constraints/handle_motion.h>
 #include <holdfast/constraints/selector.h>
+#include <holdfast/mesh/centroid.h>
 #include <holdfast/surface/surface_locator.h>
 
 namespace holdfast {
@@ -93,7 +95,7 @@ class SystemBuilder {
       if (list_.constraints[c].isEnabled && std::holds_alternative<Fixed>(list_.constraints[c].what))
         fixed.insert(fixed.end(), selected_[c].begin(), selected_[c].end());
     if (fixed.empty()) return {std::nullopt, solverMesh_.diagonal};
-    return {restOf(ascending(std::move(fixed))).colwise().mean().transpose(), solverMesh_.diagonal};
+    return {centroid(restOf(ascending(std::move(fixed)))), solverMesh_.diagonal};
   }
 
   void add(const Fixed& /*fixed*/)

@@ -1,9 +1,10 @@
+#include "holdfast/constraints/curve_selector.h"
+
 #include <limits>
 #include <map>
 
 #include <fmt/format.h>
 
-#include <holdfast/constraints/curve_selector.h>
 #include <holdfast/surface/curve_region.h>
 
 namespace holdfast {

@@ -1,9 +1,11 @@
+#include "holdfast/constraints/handle_drag.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
-#include <holdfast/constraints/handle_drag.h>
+#include <holdfast/mesh/centroid.h>
 #include <holdfast/rotation/rotation_log.h>
 
 namespace holdfast {
@@ -63,11 +65,6 @@ Vector3 swing(const RigidIncrement& increment, const Vector3& from)
 {
   const Vector3 arm = from - increment.pivot;
   return rotationMatrix(increment.axis, increment.degrees) * arm - arm;
-}
-
-Vector3 centroid(const Positions& points)
-{
-  return points.colwise().mean().transpose();
 }
 
 /// One overload for each motion: turns the handle, whose `translate` is still the one before.

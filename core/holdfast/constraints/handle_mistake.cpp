@@ -1,9 +1,10 @@
+#include "holdfast/constraints/handle_mistake.h"
+
 #include <algorithm>
 #include <limits>
 
 #include <fmt/format.h>
 
-#include <holdfast/constraints/handle_mistake.h>
 #include <holdfast/constraints/handle_motion.h>
 #include <holdfast/rotation/rotation_log.h>
 

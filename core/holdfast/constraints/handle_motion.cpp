@@ -1,19 +1,16 @@
+#include "holdfast/constraints/handle_motion.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include <holdfast/constraints/handle_motion.h>
+#include <holdfast/mesh/centroid.h>
 #include <holdfast/rotation/rotation_fit.h>
 #include <holdfast/rotation/rotation_log.h>
 #include <holdfast/surface/surface_locator.h>
 
 namespace holdfast {
 namespace {
-
-Vector3 centroid(const Positions& points)
-{
-  return points.colwise().mean().transpose();
-}
 
 /// The motion p -> R (p - from) + to, whose rotation has the log q.
 struct RigidMotion {

@@ -1,9 +1,9 @@
+#include "holdfast/constraints/selection.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <functional>
-
-#include <holdfast/constraints/selection.h>
 
 namespace holdfast {
 namespace {
@@ -20,9 +20,9 @@ Vector3 moderate(const Vector3& normal)
 }
 
 /// Turns each kind of selection into a mask.
-class Selector {
+class MaskMaker {
  public:
-  Selector(const Positions& positions, const std::vector<Index>& componentOf)
+  MaskMaker(const Positions& positions, const std::vector<Index>& componentOf)
       : positions_(positions), componentOf_(componentOf)
   {
   }
@@ -117,7 +117,7 @@ class Selector {
 
 std::vector<Index> select(const Selection& selection, const Positions& positions, const std::vector<Index>& componentOf)
 {
-  const Mask selected = Selector(positions, componentOf).mask(selection);
+  const Mask selected = MaskMaker(positions, componentOf).mask(selection);
   std::vector<Index> ids;
   for (Index v = 0; v < positions.rows(); ++v)
     if (selected[v] != 0) ids.push_back(v);

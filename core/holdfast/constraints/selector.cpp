@@ -1,9 +1,9 @@
+#include "holdfast/constraints/selector.h"
+
 #include <memory>
 #include <utility>
 
 #include <fmt/format.h>
-
-#include <holdfast/constraints/selector.h>
 
 namespace holdfast {
 namespace {

@@ -1,10 +1,10 @@
+#include "holdfast/deform/clashes.h"
+
 #include <algorithm>
 #include <map>
 #include <set>
 #include <tuple>
 #include <utility>
-
-#include <holdfast/deform/clashes.h>
 
 namespace holdfast {
 namespace {

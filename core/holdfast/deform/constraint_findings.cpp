@@ -1,9 +1,10 @@
+#include "holdfast/deform/constraint_findings.h"
+
 #include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include <holdfast/deform/constraint_findings.h>
 #include <holdfast/deform/outcomes.h>
 
 namespace holdfast {

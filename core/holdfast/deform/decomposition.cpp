@@ -1,9 +1,9 @@
+#include "holdfast/deform/decomposition.h"
+
 #include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
-
-#include <holdfast/deform/decomposition.h>
 
 namespace holdfast {
 namespace {

@@ -1,8 +1,9 @@
+#include "holdfast/deform/deform.h"
+
 #include <utility>
 
 #include <holdfast/constraints/carried_vectors.h>
 #include <holdfast/deform/constraint_findings.h>
-#include <holdfast/deform/deform.h>
 #include <holdfast/deform/deformer.h>
 #include <holdfast/deform/outcomes.h>
 #include <holdfast/deform/rotation_stage.h>

@@ -1,3 +1,5 @@
+#include "holdfast/deform/deformer.h"
+
 #include <utility>
 
 #include <fmt/format.h>
@@ -5,7 +7,6 @@
 #include <holdfast/base/stopwatch.h>
 #include <holdfast/constraints/carried_vectors.h>
 #include <holdfast/deform/constraint_findings.h>
-#include <holdfast/deform/deformer.h>
 #include <holdfast/deform/forces.h>
 #include <holdfast/deform/messages.h>
 #include <holdfast/deform/outcomes.h>

@@ -1,8 +1,9 @@
+#include "holdfast/deform/fields.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include <holdfast/deform/fields.h>
 #include <holdfast/deform/outcomes.h>
 #include <holdfast/deform/rotation_stage.h>
 #include <holdfast/rotation/rotation_log.h>

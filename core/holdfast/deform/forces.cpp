@@ -1,6 +1,6 @@
-#include <utility>
+#include "holdfast/deform/forces.h"
 
-#include <holdfast/deform/forces.h>
+#include <utility>
 
 namespace holdfast {
 

@@ -1,8 +1,8 @@
+#include "holdfast/deform/messages.h"
+
 #include <algorithm>
 
 #include <fmt/format.h>
-
-#include <holdfast/deform/messages.h>
 
 namespace holdfast {
 namespace {

@@ -1,10 +1,11 @@
+#include "holdfast/deform/model.h"
+
 #include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include <holdfast/base/error.h>
-#include <holdfast/deform/model.h>
 
 namespace holdfast {
 

@@ -1,8 +1,8 @@
+#include "holdfast/deform/outcomes.h"
+
 #include <algorithm>
 #include <set>
 #include <utility>
-
-#include <holdfast/deform/outcomes.h>
 
 namespace holdfast {
 namespace {

@@ -1,15 +1,16 @@
+#include "holdfast/deform/report_csv.h"
+
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include <holdfast/deform/report_csv.h>
 #include <holdfast/io/csv_text.h>
 #include <holdfast/io/number_text.h>
 
 namespace holdfast {
 namespace {
 
-constexpr const char* kHeader = "name,type,rows,status,residual,gap,depends_on,clash_count,amplification,force\n";
+constexpr const char* kReportHeader = "name,type,rows,status,residual,gap,depends_on,clash_count,amplification,force\n";
 
 std::string orEmpty(const std::optional<double>& value)
 {
@@ -28,7 +29,7 @@ std::string row(const ConstraintOutcome& outcome)
 
 std::string reportToCsv(const Report& report)
 {
-  std::string csv = kHeader;
+  std::string csv = kReportHeader;
   for (const ConstraintOutcome& outcome : report.constraints) csv += row(outcome);
   return csv;
 }

@@ -1,8 +1,8 @@
+#include "holdfast/deform/report_json.h"
+
 #include <algorithm>
 
 #include <nlohmann/json.hpp>
-
-#include <holdfast/deform/report_json.h>
 
 namespace holdfast {
 namespace {

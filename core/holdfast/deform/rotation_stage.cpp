@@ -1,7 +1,8 @@
+#include "holdfast/deform/rotation_stage.h"
+
 #include <algorithm>
 #include <utility>
 
-#include <holdfast/deform/rotation_stage.h>
 #include <holdfast/rotation/edge_weights.h>
 #include <holdfast/rotation/rotation_log.h>
 

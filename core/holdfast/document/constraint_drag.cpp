@@ -1,3 +1,5 @@
+#include "holdfast/document/constraint_drag.h"
+
 #include <algorithm>
 #include <cassert>
 #include <numbers>
@@ -7,7 +9,7 @@
 #include <fmt/format.h>
 
 #include <holdfast/constraints/selector.h>
-#include <holdfast/document/constraint_drag.h>
+#include <holdfast/mesh/centroid.h>
 
 namespace holdfast {
 namespace {
@@ -38,7 +40,7 @@ std::optional<Vector3> fixedCenter(const Model& model, const ConstraintList& lis
   std::sort(fixed.begin(), fixed.end());
   fixed.erase(std::unique(fixed.begin(), fixed.end()), fixed.end());
   if (fixed.empty()) return std::nullopt;
-  return rowsOf(model.mesh.positions, fixed).colwise().mean().transpose();
+  return centroid(rowsOf(model.mesh.positions, fixed));
 }
 
 /// The vertices of a handle in the order in which `placeHandle` wants them.
@@ -82,7 +84,7 @@ ConstraintDrag::ConstraintDrag(const Model& model, const ConstraintList& list, s
   for (DraggedHandle& handle : handles_) {
     const auto& what = std::get<Handle>(list.constraints[handle.constraint].what);
     const auto placed = placeHandle(what, handle.rest, surroundings_, placeInList(source, handle.constraint));
-    handle.center = placed.places.colwise().mean().transpose();
+    handle.center = centroid(placed.places);
   }
 }
 

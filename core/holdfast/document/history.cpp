@@ -1,7 +1,7 @@
+#include "holdfast/document/history.h"
+
 #include <cassert>
 #include <utility>
-
-#include <holdfast/document/history.h>
 
 namespace holdfast {
 

@@ -1,3 +1,5 @@
+#include "holdfast/document/list_edits.h"
+
 #include <algorithm>
 #include <cassert>
 #include <iterator>
@@ -8,7 +10,6 @@
 #include <fmt/format.h>
 
 #include <holdfast/base/error.h>
-#include <holdfast/document/list_edits.h>
 
 namespace holdfast {
 namespace {

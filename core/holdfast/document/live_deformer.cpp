@@ -1,3 +1,5 @@
+#include "holdfast/document/live_deformer.h"
+
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
@@ -11,7 +13,6 @@
 #include <holdfast/base/error.h>
 #include <holdfast/base/thread_priority.h>
 #include <holdfast/deform/deformer.h>
-#include <holdfast/document/live_deformer.h>
 
 namespace holdfast {
 namespace {
@@ -53,16 +54,6 @@ RetiredThreads& retiredThreads()
   return threads;
 }
 
-struct Job {
-  std::uint64_t revision = 0;
-  std::shared_ptr<const DocumentState> state;
-  std::string source;
-  bool isCancelled = false;  // before its work began
-};
-
-/// What is to become of the work under way.
-enum class Fate { GoOn, GiveUp, GiveUpAndTell };
-
 class StoppableProgress final : public Progress {
  public:
   StoppableProgress(std::function<bool()> isUnwanted, std::function<void(std::string_view)> tell)
@@ -84,6 +75,16 @@ class StoppableProgress final : public Progress {
 }  // namespace
 
 struct LiveDeformer::Shared {
+  struct Job {
+    std::uint64_t revision = 0;
+    std::shared_ptr<const DocumentState> state;
+    std::string source;
+    bool isCancelled = false;  // before its work began
+  };
+
+  /// What is to become of the work under way.
+  enum class Fate { GoOn, GiveUp, GiveUpAndTell };
+
   explicit Shared(std::shared_ptr<const Model> itsModel, Listener itsListener)
       : model(std::move(itsModel)), listener(std::move(itsListener))
   {
@@ -104,8 +105,8 @@ struct LiveDeformer::Shared {
   std::mutex mutex;  // guards what follows
   std::condition_variable changed;
   std::optional<Job> waiting;
-  bool isStopping = false;  // the owner is gone
-  Fate fate = Fate::GoOn;   // of the work under way
+  bool isStopping = false;         // the owner is gone
+  Fate fate = Shared::Fate::GoOn;  // of the work under way
 
   std::mutex telling;  // held while the listener is called: its owner waits for that alone
   Listener listener;
@@ -121,18 +122,18 @@ void LiveDeformer::Shared::tell(const LiveEvent& event)
   if (listener) listener(event);
 }
 
-Fate LiveDeformer::Shared::currentFate()
+LiveDeformer::Shared::Fate LiveDeformer::Shared::currentFate()
 {
   const std::scoped_lock lock(mutex);
-  return isStopping ? Fate::GiveUp : fate;
+  return isStopping ? Shared::Fate::GiveUp : fate;
 }
 
-std::optional<Job> LiveDeformer::Shared::nextJob()
+std::optional<LiveDeformer::Shared::Job> LiveDeformer::Shared::nextJob()
 {
   std::unique_lock lock(mutex);
   changed.wait(lock, [this] { return isStopping || waiting; });
   if (isStopping) return std::nullopt;
-  fate = Fate::GoOn;
+  fate = Shared::Fate::GoOn;
   return std::exchange(waiting, std::nullopt);
 }
 
@@ -149,7 +150,7 @@ Deformation LiveDeformer::Shared::deformed(const Job& job)
     deformer = std::make_unique<Deformer>(*model, job.state->options);
     deformerOptions = job.state->options;
   }
-  StoppableProgress progress([this] { return currentFate() != Fate::GoOn; },
+  StoppableProgress progress([this] { return currentFate() != Shared::Fate::GoOn; },
                              [&](std::string_view stage) {
                                tell({LiveEvent::Kind::Stage, job.revision, std::string(stage), nullptr});
                              });
@@ -179,8 +180,8 @@ void LiveDeformer::Shared::work(const Job& job)
   const LiveEvent end = endOf(job);
   // A result that nobody wants any more should not flash up, even where no stage was left to give it up at.
   const Fate last = currentFate();
-  if (last == Fate::GoOn) tell(end);
-  if (last == Fate::GiveUpAndTell) tell({Kind::Cancelled, job.revision, "", nullptr});
+  if (last == Shared::Fate::GoOn) tell(end);
+  if (last == Shared::Fate::GiveUpAndTell) tell({Kind::Cancelled, job.revision, "", nullptr});
 }
 
 LiveDeformer::LiveDeformer(std::shared_ptr<const Model> model, Listener listener)
@@ -213,8 +214,9 @@ void LiveDeformer::submit(std::uint64_t revision, std::shared_ptr<const Document
 {
   {
     const std::scoped_lock lock(shared_->mutex);
-    shared_->waiting = Job{revision, std::move(state), std::move(source), false};
-    if (supersede == Supersede::AtNextStage && shared_->fate == Fate::GoOn) shared_->fate = Fate::GiveUp;
+    shared_->waiting = Shared::Job{revision, std::move(state), std::move(source), false};
+    if (supersede == Supersede::AtNextStage && shared_->fate == Shared::Fate::GoOn)
+      shared_->fate = Shared::Fate::GiveUp;
   }
   shared_->changed.notify_all();
 }
@@ -223,7 +225,7 @@ void LiveDeformer::cancel()
 {
   const std::scoped_lock lock(shared_->mutex);
   if (shared_->waiting) shared_->waiting->isCancelled = true;
-  if (shared_->fate == Fate::GoOn) shared_->fate = Fate::GiveUpAndTell;
+  if (shared_->fate == Shared::Fate::GoOn) shared_->fate = Shared::Fate::GiveUpAndTell;
 }
 
 }  // namespace holdfast

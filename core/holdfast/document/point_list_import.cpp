@@ -1,9 +1,10 @@
+#include "holdfast/document/point_list_import.h"
+
 #include <algorithm>
 #include <numeric>
 #include <set>
 #include <utility>
 
-#include <holdfast/document/point_list_import.h>
 #include <holdfast/surface/closest_point.h>
 
 namespace holdfast {

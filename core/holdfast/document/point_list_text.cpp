@@ -1,3 +1,5 @@
+#include "holdfast/document/point_list_text.h"
+
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -5,7 +7,6 @@
 #include <holdfast/base/error.h>
 #include <holdfast/constraints/constraint_file.h>
 #include <holdfast/document/list_edits.h>
-#include <holdfast/document/point_list_text.h>
 #include <holdfast/io/csv_text.h>
 #include <holdfast/io/number_text.h>
 #include <holdfast/surface/surface_locator.h>
@@ -13,7 +14,7 @@
 namespace holdfast {
 namespace {
 
-constexpr const char* kHeader = "name,x,y,z,target_x,target_y,target_z\n";
+constexpr const char* kPointListHeader = "name,x,y,z,target_x,target_y,target_z\n";
 constexpr const char* kClipboard = "clipboard";
 
 std::string coordinates(const Vector3& place)
@@ -65,7 +66,7 @@ bool hasTabs(std::string_view text)
 std::string toPointListCsv(const ConstraintList& list, const std::vector<Index>& indices, const Model& model)
 {
   SurfaceLocator locator(model.mesh, model.triangulation);
-  std::string csv = kHeader;
+  std::string csv = kPointListHeader;
   for (const Constraint& constraint : extracted(list, indices).constraints)
     csv += row(constraint.name, std::get<Point>(constraint.what), locator, model);
   return csv;

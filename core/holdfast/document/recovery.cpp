@@ -1,3 +1,5 @@
+#include "holdfast/document/recovery.h"
+
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
@@ -11,7 +13,6 @@
 #include <unistd.h>
 
 #include <holdfast/base/error.h>
-#include <holdfast/document/recovery.h>
 #include <holdfast/io/file_descriptor.h>
 #include <holdfast/io/output_file.h>
 

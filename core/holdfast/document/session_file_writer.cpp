@@ -85,7 +85,7 @@ ObjectJson viewJson(const ViewState& view)
   return json.addObject("glyphs", glyphs);
 }
 
-void requireReadable(const std::string& json)
+void requireReadableSession(const std::string& json)
 {
   try {
     static_cast<void>(parseSession(json, ""));
@@ -105,7 +105,7 @@ std::string sessionToJson(const SessionFile& session)
                                  viewJson(session.view).json());
   if (!session.original.empty()) json += fmt::format(",\n  \"original\": {}", textJson(session.original));
   json += "\n}\n";
-  requireReadable(json);
+  requireReadableSession(json);
   return json;
 }
 

@@ -1,3 +1,5 @@
+#include "holdfast/document/session_mesh.h"
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -10,7 +12,6 @@
 #include <fmt/format.h>
 
 #include <holdfast/base/error.h>
-#include <holdfast/document/session_mesh.h>
 
 namespace holdfast {
 namespace {

@@ -1,7 +1,8 @@
+#include "holdfast/elimination/block_elimination.h"
+
 #include <cmath>
 #include <random>
 
-#include <holdfast/elimination/block_elimination.h>
 #include <holdfast/elimination/sequential_qr.h>
 #include <holdfast/elimination/sparse_qr.h>
 
@@ -10,7 +11,7 @@ namespace {
 
 using Triplets = std::vector<Eigen::Triplet<double, int>>;
 
-constexpr Index kFree = -1;
+constexpr Index kNotPivot = -1;
 constexpr Index kTaken = -2;
 
 // The inverse of a triangular matrix of this size is formed as it is; of larger ones the lengths of rows are estimated.
@@ -84,7 +85,7 @@ BlockElimination::Block BlockElimination::sparseBlock(const std::vector<RowTerms
 
 SparseMatrix BlockElimination::assembleQ2(Index unknownCount, const std::vector<bool>& isHeld) const
 {
-  std::vector<Index> role(static_cast<std::size_t>(unknownCount), kFree);
+  std::vector<Index> role(static_cast<std::size_t>(unknownCount), kNotPivot);
   for (Index u = 0; u < unknownCount; ++u)
     if (isHeld[u]) role[u] = kTaken;
   for (const Pin& pin : pins_) role[pin.unknown] = kTaken;
@@ -97,7 +98,7 @@ SparseMatrix BlockElimination::assembleQ2(Index unknownCount, const std::vector<
   Triplets entries;
   int column = 0;
   for (Index u = 0; u < unknownCount; ++u) {
-    if (role[u] == kFree) entries.emplace_back(static_cast<int>(u), column++, 1.0);
+    if (role[u] == kNotPivot) entries.emplace_back(static_cast<int>(u), column++, 1.0);
     if (role[u] < 0) continue;
     const Block& block = blocks_[role[u]];
     for (int k = 0; k < block.Q2.outerSize(); ++k, ++column)

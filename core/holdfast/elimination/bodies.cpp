@@ -1,15 +1,16 @@
+#include "holdfast/elimination/bodies.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>
 #include <numeric>
 
-#include <holdfast/elimination/bodies.h>
-
 namespace holdfast {
 namespace {
 
-constexpr Index kNone = -1;
+constexpr Index kNoBody = -1;
+constexpr Index kNoLink = -1;
 
 struct Neighbour {
   Index unknown;
@@ -38,7 +39,7 @@ std::optional<Difference> differenceOf(const RowTerms& row)
 }
 
 Bodies::Bodies(const std::vector<RowTerms>& rows, const std::vector<Index>& differences, Index unknownCount)
-    : bodyOf_(static_cast<std::size_t>(unknownCount), kNone), linkOf_(static_cast<std::size_t>(unknownCount), kNone)
+    : bodyOf_(static_cast<std::size_t>(unknownCount), kNoBody), linkOf_(static_cast<std::size_t>(unknownCount), kNoLink)
 {
   if (differences.empty()) {
     count_ = unknownCount;
@@ -47,12 +48,12 @@ Bodies::Bodies(const std::vector<RowTerms>& rows, const std::vector<Index>& diff
   }
   const std::vector<std::vector<Neighbour>> adjacent = neighbours(rows, differences, unknownCount);
   for (Index first = 0; first < unknownCount; ++first) {
-    if (bodyOf_[first] != kNone) continue;
+    if (bodyOf_[first] != kNoBody) continue;
     bodyOf_[first] = count_;
     std::vector<Index> reached{first};
     for (std::size_t k = 0; k < reached.size(); ++k)
       for (const Neighbour& next : adjacent[reached[k]]) {
-        if (bodyOf_[next.unknown] != kNone) continue;
+        if (bodyOf_[next.unknown] != kNoBody) continue;
         bodyOf_[next.unknown] = count_;
         linkOf_[next.unknown] = static_cast<Index>(links_.size());
         links_.push_back({next.unknown, reached[k], next.row, next.sign});
@@ -105,14 +106,14 @@ std::vector<Partner> Bodies::combinationOf(const RowTerms& terms) const
 {
   std::map<Index, double, std::greater<>> pending;  // by link: children before parents
   for (const PointTerm& term : terms)
-    if (linkOf_[term.vertex] != kNone) pending[linkOf_[term.vertex]] += term.weight;
+    if (linkOf_[term.vertex] != kNoLink) pending[linkOf_[term.vertex]] += term.weight;
   std::vector<Partner> result;
   while (!pending.empty()) {
     const auto [place, total] = *pending.begin();
     pending.erase(pending.begin());
     const Link& link = links_[place];
     result.push_back({link.row, link.sign * total});
-    if (linkOf_[link.parent] != kNone) pending[linkOf_[link.parent]] += total;
+    if (linkOf_[link.parent] != kNoLink) pending[linkOf_[link.parent]] += total;
   }
   return result;
 }

@@ -1,10 +1,11 @@
+#include "holdfast/elimination/diagnosis.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include <holdfast/base/disjoint_sets.h>
-#include <holdfast/elimination/diagnosis.h>
 #include <holdfast/elimination/find_dependencies.h>
 
 namespace holdfast {

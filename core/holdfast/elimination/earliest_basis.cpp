@@ -1,10 +1,10 @@
+#include "holdfast/elimination/earliest_basis.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
 #include <utility>
-
-#include <holdfast/elimination/earliest_basis.h>
 
 namespace holdfast {
 namespace {

@@ -1,6 +1,7 @@
+#include "holdfast/elimination/elimination.h"
+
 #include <utility>
 
-#include <holdfast/elimination/elimination.h>
 #include <holdfast/elimination/reconciliation.h>
 
 namespace holdfast {

@@ -1,3 +1,5 @@
+#include "holdfast/elimination/find_dependencies.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -6,7 +8,6 @@
 #include <holdfast/base/disjoint_sets.h>
 #include <holdfast/elimination/bodies.h>
 #include <holdfast/elimination/earliest_basis.h>
-#include <holdfast/elimination/find_dependencies.h>
 #include <holdfast/elimination/sequential_qr.h>
 #include <holdfast/elimination/sparse_qr.h>
 

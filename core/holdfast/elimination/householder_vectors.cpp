@@ -1,15 +1,15 @@
+#include "holdfast/elimination/householder_vectors.h"
+
 #include <algorithm>
 #include <queue>
-
-#include <holdfast/elimination/householder_vectors.h>
 
 namespace holdfast {
 namespace {
 
 /// One column at a time, in dense workspaces that are cleared where they were touched.
-class Column {
+class ReflectedUnit {
  public:
-  explicit Column(const HouseholderVectors& vectors)
+  explicit ReflectedUnit(const HouseholderVectors& vectors)
       : vectors_(vectors),
         byRow_(vectors.h),
         x_(Eigen::VectorXd::Zero(vectors.h.rows())),
@@ -85,7 +85,7 @@ SparseMatrix explicitQ(const HouseholderVectors& vectors)
   std::vector<Index> rowAt(static_cast<std::size_t>(m));
   for (Index i = 0; i < m; ++i) rowAt[vectors.place[i]] = i;
   SparseMatrix Q(m, m);
-  Column column(vectors);
+  ReflectedUnit column(vectors);
   for (Index k = 0; k < m; ++k) {
     column.reflect(k);
     std::vector<Index> rows;

@@ -1,13 +1,14 @@
+#include "holdfast/elimination/reconciliation.h"
+
 #include <numeric>
 
 #include <holdfast/base/disjoint_sets.h>
-#include <holdfast/elimination/reconciliation.h>
 #include <holdfast/elimination/sparse_qr.h>
 
 namespace holdfast {
 namespace {
 
-constexpr Index kNone = -1;
+constexpr Index kNoBlock = -1;
 constexpr int kCorrections = 2;
 
 /// Blocks that redundant rows join, and all rows that hang on them.
@@ -18,7 +19,7 @@ struct Group {
 
 std::vector<Index> blockOfUnknowns(const BlockElimination& elimination)
 {
-  std::vector<Index> blockOf(static_cast<std::size_t>(elimination.Q2().rows()), kNone);
+  std::vector<Index> blockOf(static_cast<std::size_t>(elimination.Q2().rows()), kNoBlock);
   for (std::size_t b = 0; b < elimination.blocks().size(); ++b)
     for (const Index u : elimination.blocks()[b].unknowns) blockOf[u] = static_cast<Index>(b);
   return blockOf;
@@ -28,8 +29,8 @@ std::vector<Index> blockOfUnknowns(const BlockElimination& elimination)
 Index firstBlock(const RowTerms& row, const std::vector<Index>& blockOf)
 {
   for (const PointTerm& term : row)
-    if (blockOf[term.vertex] != kNone) return blockOf[term.vertex];
-  return kNone;
+    if (blockOf[term.vertex] != kNoBlock) return blockOf[term.vertex];
+  return kNoBlock;
 }
 
 std::vector<Group> groupsOf(const std::vector<BlockElimination::Block>& blocks, const std::vector<RowTerms>& rows,
@@ -38,11 +39,12 @@ std::vector<Group> groupsOf(const std::vector<BlockElimination::Block>& blocks, 
   DisjointSets sets(static_cast<Index>(blocks.size()));
   for (const Index row : redundant)
     for (const PointTerm& term : rows[row])
-      if (const Index block = blockOf[term.vertex]; block != kNone) sets.unite(block, firstBlock(rows[row], blockOf));
+      if (const Index block = blockOf[term.vertex]; block != kNoBlock)
+        sets.unite(block, firstBlock(rows[row], blockOf));
 
   std::vector<std::vector<Index>> redundantOf(blocks.size());  // by representative
   for (const Index row : redundant)
-    if (const Index block = firstBlock(rows[row], blockOf); block != kNone)
+    if (const Index block = firstBlock(rows[row], blockOf); block != kNoBlock)
       redundantOf[sets.find(block)].push_back(row);
 
   std::vector<Group> groups(blocks.size());

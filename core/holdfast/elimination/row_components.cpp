@@ -1,7 +1,8 @@
+#include "holdfast/elimination/row_components.h"
+
 #include <algorithm>
 
 #include <holdfast/base/disjoint_sets.h>
-#include <holdfast/elimination/row_components.h>
 
 namespace holdfast {
 namespace {

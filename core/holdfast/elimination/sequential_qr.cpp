@@ -1,8 +1,8 @@
+#include "holdfast/elimination/sequential_qr.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
-
-#include <holdfast/elimination/sequential_qr.h>
 
 namespace holdfast {
 

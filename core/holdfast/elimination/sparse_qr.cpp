@@ -1,4 +1,4 @@
-#include <holdfast/elimination/sparse_qr.h>
+#include "holdfast/elimination/sparse_qr.h"
 
 namespace holdfast {
 

@@ -1,9 +1,9 @@
-#include <holdfast/io/csv_text.h>
+#include "holdfast/io/csv_text.h"
 
 namespace holdfast {
 namespace {
 
-bool isBlank(char c)
+bool isSpaceOrTab(char c)
 {
   return c == ' ' || c == '\t';
 }
@@ -12,7 +12,7 @@ bool isBlank(char c)
 
 std::string csvField(std::string_view text)
 {
-  const bool hasBlankEnd = !text.empty() && (isBlank(text.front()) || isBlank(text.back()));
+  const bool hasBlankEnd = !text.empty() && (isSpaceOrTab(text.front()) || isSpaceOrTab(text.back()));
   if (!hasBlankEnd && text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
   std::string field = "\"";
   for (const char c : text) field.append(c == '"' ? 2 : 1, c);

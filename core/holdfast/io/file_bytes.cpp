@@ -1,3 +1,5 @@
+#include "holdfast/io/file_bytes.h"
+
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -7,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <holdfast/base/error.h>
-#include <holdfast/io/file_bytes.h>
 
 namespace holdfast {
 namespace {

@@ -1,8 +1,8 @@
+#include "holdfast/io/file_descriptor.h"
+
 #include <cerrno>
 
 #include <unistd.h>
-
-#include <holdfast/io/file_descriptor.h>
 
 namespace holdfast {
 

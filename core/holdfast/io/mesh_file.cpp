@@ -1,3 +1,5 @@
+#include "holdfast/io/mesh_file.h"
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -8,7 +10,6 @@
 
 #include <holdfast/base/error.h>
 #include <holdfast/io/file_bytes.h>
-#include <holdfast/io/mesh_file.h>
 #include <holdfast/io/mesh_writer.h>
 #include <holdfast/io/obj_reader.h>
 #include <holdfast/io/off_reader.h>

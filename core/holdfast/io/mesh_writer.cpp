@@ -1,3 +1,5 @@
+#include "holdfast/io/mesh_writer.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <limits>
@@ -6,7 +8,6 @@
 
 #include <holdfast/base/error.h>
 #include <holdfast/io/byte_order.h>
-#include <holdfast/io/mesh_writer.h>
 #include <holdfast/io/number_text.h>
 #include <holdfast/io/stl_format.h>
 #include <holdfast/io/stored_normals.h>

@@ -1,7 +1,7 @@
+#include "holdfast/io/number_text.h"
+
 #include <charconv>
 #include <system_error>
-
-#include <holdfast/io/number_text.h>
 
 namespace holdfast {
 namespace {

@@ -11,6 +11,9 @@
 
 namespace holdfast {
 
+/// What messages call the numbers of a point.
+inline constexpr std::array<std::string_view, 3> kCoordinateNames{"coordinate x", "coordinate y", "coordinate z"};
+
 /// Why a token is not a number that can be held.
 enum class NumberFault { kNone, kNotANumber, kOutOfRange };
 

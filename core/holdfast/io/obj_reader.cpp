@@ -1,3 +1,5 @@
+#include "holdfast/io/obj_reader.h"
+
 #include <algorithm>
 #include <array>
 #include <set>
@@ -7,7 +9,6 @@
 
 #include <holdfast/base/error.h>
 #include <holdfast/io/number_text.h>
-#include <holdfast/io/obj_reader.h>
 #include <holdfast/io/obj_source.h>
 
 namespace holdfast {
@@ -63,7 +64,6 @@ enum class ObjList { kVertex, kTexture, kNormal };
 
 constexpr std::array<std::string_view, 3> kListNames{"vertex", "texture coordinate", "normal"};
 constexpr std::array<std::string_view, 3> kListKeywords{"v", "vt", "vn"};
-constexpr std::array<std::string_view, 3> kCoordinateNames{"coordinate x", "coordinate y", "coordinate z"};
 
 /// A reference to an entry that had not been read yet: whether it exists shows at the end of the file.
 struct ForwardReference {

@@ -1,10 +1,12 @@
+#include "holdfast/io/off_reader.h"
+
 #include <array>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include <holdfast/base/error.h>
-#include <holdfast/io/off_reader.h>
+#include <holdfast/io/number_text.h>
 #include <holdfast/io/off_source.h>
 
 namespace holdfast {
@@ -13,8 +15,6 @@ namespace {
 // The shortest lines there are, "0 0 0" and "3 0 0 0" with a line end: what a count in the header must have room for.
 constexpr std::size_t kLeastVertexBytes = 6;
 constexpr std::size_t kLeastFaceBytes = 8;
-
-constexpr std::array<std::string_view, 3> kCoordinateNames{"coordinate x", "coordinate y", "coordinate z"};
 
 class OffReader {
  public:

@@ -1,8 +1,9 @@
+#include "holdfast/io/off_source.h"
+
 #include <cassert>
 #include <utility>
 
 #include <holdfast/io/number_text.h>
-#include <holdfast/io/off_source.h>
 #include <holdfast/io/splice_writer.h>
 #include <holdfast/io/stored_normals.h>
 #include <holdfast/mesh/vertex_normals.h>

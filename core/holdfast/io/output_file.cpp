@@ -1,3 +1,5 @@
+#include "holdfast/io/output_file.h"
+
 #include <cerrno>
 #include <cstring>
 #include <optional>
@@ -12,7 +14,6 @@
 
 #include <holdfast/base/error.h>
 #include <holdfast/io/file_descriptor.h>
-#include <holdfast/io/output_file.h>
 #include <holdfast/io/unfinished_files.h>
 
 namespace holdfast {

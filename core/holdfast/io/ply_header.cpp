@@ -1,10 +1,11 @@
+#include "holdfast/io/ply_header.h"
+
 #include <algorithm>
 #include <array>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include <holdfast/io/ply_header.h>
 #include <holdfast/io/text_cursor.h>
 
 namespace holdfast {

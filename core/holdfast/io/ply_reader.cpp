@@ -1,3 +1,5 @@
+#include "holdfast/io/ply_reader.h"
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -6,7 +8,6 @@
 
 #include <holdfast/base/error.h>
 #include <holdfast/io/ply_header.h>
-#include <holdfast/io/ply_reader.h>
 #include <holdfast/io/ply_scanner.h>
 #include <holdfast/io/ply_source.h>
 

@@ -1,3 +1,5 @@
+#include "holdfast/io/ply_scanner.h"
+
 #include <cassert>
 #include <cstdint>
 #include <utility>
@@ -6,7 +8,6 @@
 
 #include <holdfast/base/error.h>
 #include <holdfast/io/number_text.h>
-#include <holdfast/io/ply_scanner.h>
 
 namespace holdfast {
 namespace {

@@ -1,3 +1,5 @@
+#include "holdfast/io/stl_format.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -6,7 +8,6 @@
 
 #include <holdfast/base/error.h>
 #include <holdfast/io/byte_order.h>
-#include <holdfast/io/stl_format.h>
 
 namespace holdfast {
 

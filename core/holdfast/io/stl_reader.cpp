@@ -1,3 +1,5 @@
+#include "holdfast/io/stl_reader.h"
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -8,15 +10,13 @@
 
 #include <holdfast/base/error.h>
 #include <holdfast/io/byte_order.h>
+#include <holdfast/io/number_text.h>
 #include <holdfast/io/stl_format.h>
-#include <holdfast/io/stl_reader.h>
 #include <holdfast/io/stl_source.h>
 #include <holdfast/io/text_cursor.h>
 
 namespace holdfast {
 namespace {
-
-constexpr std::array<std::string_view, 3> kCoordinateNames{"coordinate x", "coordinate y", "coordinate z"};
 
 /// `count` facets, of which facet f has the vertices 3f, 3f + 1 and 3f + 2.
 Polygons facets(Index count)

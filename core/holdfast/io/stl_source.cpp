@@ -1,3 +1,5 @@
+#include "holdfast/io/stl_source.h"
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -6,7 +8,6 @@
 #include <holdfast/io/number_text.h>
 #include <holdfast/io/splice_writer.h>
 #include <holdfast/io/stl_format.h>
-#include <holdfast/io/stl_source.h>
 #include <holdfast/io/stored_normals.h>
 #include <holdfast/io/text_cursor.h>
 #include <holdfast/mesh/vertex_normals.h>

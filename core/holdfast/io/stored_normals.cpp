@@ -1,9 +1,10 @@
+#include "holdfast/io/stored_normals.h"
+
 #include <algorithm>
 #include <cassert>
 #include <utility>
 
 #include <holdfast/io/number_text.h>
-#include <holdfast/io/stored_normals.h>
 #include <holdfast/mesh/vertex_normals.h>
 
 namespace holdfast {

@@ -1,3 +1,5 @@
+#include "holdfast/io/text_cursor.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -5,7 +7,6 @@
 
 #include <holdfast/base/error.h>
 #include <holdfast/io/number_text.h>
-#include <holdfast/io/text_cursor.h>
 
 namespace holdfast {
 namespace {

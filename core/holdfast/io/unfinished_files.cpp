@@ -1,3 +1,5 @@
+#include "holdfast/io/unfinished_files.h"
+
 #include <array>
 #include <atomic>
 #include <climits>
@@ -6,7 +8,6 @@
 #include <unistd.h>
 
 #include <holdfast/io/output_file.h>
-#include <holdfast/io/unfinished_files.h>
 
 namespace holdfast {
 namespace {

@@ -1,4 +1,4 @@
-#include <holdfast/mesh/bounding_box.h>
+#include "holdfast/mesh/bounding_box.h"
 
 namespace holdfast {
 

@@ -1,9 +1,10 @@
+#include "holdfast/mesh/edge_graph.h"
+
 #include <algorithm>
 #include <functional>
 #include <queue>
 #include <utility>
 
-#include <holdfast/mesh/edge_graph.h>
 #include <holdfast/mesh/edges.h>
 
 namespace holdfast {

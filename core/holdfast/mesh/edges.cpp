@@ -1,7 +1,7 @@
+#include "holdfast/mesh/edges.h"
+
 #include <algorithm>
 #include <tuple>
-
-#include <holdfast/mesh/edges.h>
 
 namespace holdfast {
 

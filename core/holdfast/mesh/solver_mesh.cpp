@@ -1,6 +1,7 @@
+#include "holdfast/mesh/solver_mesh.h"
+
 #include <holdfast/base/disjoint_sets.h>
 #include <holdfast/mesh/bounding_box.h>
-#include <holdfast/mesh/solver_mesh.h>
 
 namespace holdfast {
 namespace {

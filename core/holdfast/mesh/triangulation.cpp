@@ -1,10 +1,10 @@
+#include "holdfast/mesh/triangulation.h"
+
 #include <algorithm>
 #include <limits>
 #include <span>
 
 #include <Eigen/Geometry>
-
-#include <holdfast/mesh/triangulation.h>
 
 namespace holdfast {
 namespace {

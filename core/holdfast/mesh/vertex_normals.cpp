@@ -1,8 +1,8 @@
+#include "holdfast/mesh/vertex_normals.h"
+
 #include <cassert>
 
 #include <Eigen/Geometry>
-
-#include <holdfast/mesh/vertex_normals.h>
 
 namespace holdfast {
 

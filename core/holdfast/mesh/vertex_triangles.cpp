@@ -1,4 +1,4 @@
-#include <holdfast/mesh/vertex_triangles.h>
+#include "holdfast/mesh/vertex_triangles.h"
 
 namespace holdfast {
 namespace {

@@ -1,3 +1,5 @@
+#include "holdfast/mesh/weld.h"
+
 #include <algorithm>
 #include <array>
 #include <tuple>
@@ -5,7 +7,6 @@
 
 #include <holdfast/base/disjoint_sets.h>
 #include <holdfast/mesh/edges.h>
-#include <holdfast/mesh/weld.h>
 
 namespace holdfast {
 namespace {

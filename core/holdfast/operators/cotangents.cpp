@@ -1,9 +1,9 @@
+#include "holdfast/operators/cotangents.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include <Eigen/Geometry>
-
-#include <holdfast/operators/cotangents.h>
 
 namespace holdfast {
 namespace {

@@ -1,5 +1,6 @@
+#include "holdfast/operators/laplacian.h"
+
 #include <holdfast/mesh/edges.h>
-#include <holdfast/operators/laplacian.h>
 
 namespace holdfast {
 

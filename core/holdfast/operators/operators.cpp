@@ -1,9 +1,10 @@
+#include "holdfast/operators/operators.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include <holdfast/operators/cotangents.h>
 #include <holdfast/operators/laplacian.h>
-#include <holdfast/operators/operators.h>
 
 namespace holdfast {
 namespace {

@@ -1,7 +1,7 @@
+#include "holdfast/rotation/edge_weights.h"
+
 #include <algorithm>
 #include <utility>
-
-#include <holdfast/rotation/edge_weights.h>
 
 namespace holdfast {
 namespace {

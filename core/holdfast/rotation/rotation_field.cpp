@@ -1,3 +1,5 @@
+#include "holdfast/rotation/rotation_field.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -5,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include <holdfast/rotation/rotation_field.h>
 #include <holdfast/solve/corrected_solve.h>
 
 namespace holdfast {

@@ -1,10 +1,10 @@
+#include "holdfast/rotation/rotation_fit.h"
+
 #include <cassert>
 #include <cmath>
 #include <limits>
 
 #include <Eigen/SVD>
-
-#include <holdfast/rotation/rotation_fit.h>
 
 namespace holdfast {
 namespace {
@@ -20,7 +20,7 @@ Positions centred(const Positions& points)
   return result;
 }
 
-double largest(const Positions& points)
+double longest(const Positions& points)
 {
   return points.cwiseAbs().maxCoeff();
 }
@@ -28,13 +28,13 @@ double largest(const Positions& points)
 /// The points in units of their largest coordinate, so that no square leaves the range of doubles.
 Positions inOwnUnits(const Positions& points)
 {
-  const double size = largest(points);
+  const double size = longest(points);
   return size > 0 ? Positions(points / size) : points;
 }
 
 double rootMeanSquare(const Positions& differences)
 {
-  return largest(differences) * inOwnUnits(differences).norm() / std::sqrt(static_cast<double>(differences.rows()));
+  return longest(differences) * inOwnUnits(differences).norm() / std::sqrt(static_cast<double>(differences.rows()));
 }
 
 /// The unit vector across `direction` and across the coordinate axis that is farthest from it.

@@ -1,8 +1,8 @@
+#include "holdfast/rotation/rotation_log.h"
+
 #include <cmath>
 #include <limits>
 #include <numbers>
-
-#include <holdfast/rotation/rotation_log.h>
 
 namespace holdfast {
 namespace {

@@ -1,8 +1,8 @@
+#include "holdfast/rotation/rotation_system.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
-
-#include <holdfast/rotation/rotation_system.h>
 
 namespace holdfast {
 namespace {

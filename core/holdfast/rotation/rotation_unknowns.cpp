@@ -1,5 +1,6 @@
+#include "holdfast/rotation/rotation_unknowns.h"
+
 #include <holdfast/base/disjoint_sets.h>
-#include <holdfast/rotation/rotation_unknowns.h>
 
 namespace holdfast {
 namespace {

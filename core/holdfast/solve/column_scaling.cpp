@@ -1,9 +1,9 @@
+#include "holdfast/solve/column_scaling.h"
+
 #include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
-
-#include <holdfast/solve/column_scaling.h>
 
 namespace holdfast {
 

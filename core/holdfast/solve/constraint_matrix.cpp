@@ -1,4 +1,4 @@
-#include <holdfast/solve/constraint_matrix.h>
+#include "holdfast/solve/constraint_matrix.h"
 
 namespace holdfast {
 

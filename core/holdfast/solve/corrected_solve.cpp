@@ -1,7 +1,7 @@
+#include "holdfast/solve/corrected_solve.h"
+
 #include <cmath>
 #include <limits>
-
-#include <holdfast/solve/corrected_solve.h>
 
 namespace holdfast {
 namespace {

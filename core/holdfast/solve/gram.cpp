@@ -1,7 +1,7 @@
+#include "holdfast/solve/gram.h"
+
 #include <algorithm>
 #include <vector>
-
-#include <holdfast/solve/gram.h>
 
 namespace holdfast {
 namespace {

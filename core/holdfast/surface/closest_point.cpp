@@ -1,3 +1,5 @@
+#include "holdfast/surface/closest_point.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -5,8 +7,6 @@
 
 #include <Eigen/Geometry>
 #include <unsupported/Eigen/BVH>
-
-#include <holdfast/surface/closest_point.h>
 
 namespace holdfast {
 namespace {

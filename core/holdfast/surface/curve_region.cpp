@@ -1,8 +1,8 @@
+#include "holdfast/surface/curve_region.h"
+
 #include <algorithm>
 #include <cassert>
 #include <utility>
-
-#include <holdfast/surface/curve_region.h>
 
 namespace holdfast {
 namespace {

@@ -1,10 +1,10 @@
+#include "holdfast/surface/ray_caster.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <utility>
-
-#include <holdfast/surface/ray_caster.h>
 
 namespace holdfast {
 namespace {

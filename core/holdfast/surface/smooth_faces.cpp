@@ -1,3 +1,5 @@
+#include "holdfast/surface/smooth_faces.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -8,7 +10,6 @@
 
 #include <holdfast/mesh/edges.h>
 #include <holdfast/mesh/vertex_normals.h>
-#include <holdfast/surface/smooth_faces.h>
 
 namespace holdfast {
 namespace {

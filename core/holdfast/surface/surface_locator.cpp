@@ -1,9 +1,9 @@
+#include "holdfast/surface/surface_locator.h"
+
 #include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
-
-#include <holdfast/surface/surface_locator.h>
 
 namespace holdfast {
 

@@ -1,8 +1,8 @@
+#include "holdfast/surface/surface_point.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
-
-#include <holdfast/surface/surface_point.h>
 
 namespace holdfast {
 

@@ -1,6 +1,6 @@
-#include <algorithm>
+#include "holdfast/surface/vertex_regions.h"
 
-#include <holdfast/surface/vertex_regions.h>
+#include <algorithm>
 
 namespace holdfast {
 

@@ -1,7 +1,8 @@
+#include "holdfast/widgets/autosave.h"
+
 #include <QWidget>
 #include <utility>
 
-#include <holdfast/widgets/autosave.h>
 #include <holdfast/widgets/recovery_dialog.h>
 
 namespace holdfast {

@@ -1,10 +1,11 @@
+#include "holdfast/widgets/background_job.h"
+
 #include <algorithm>
 #include <atomic>
 #include <thread>
 #include <utility>
 
 #include <holdfast/base/thread_priority.h>
-#include <holdfast/widgets/background_job.h>
 
 namespace holdfast {
 

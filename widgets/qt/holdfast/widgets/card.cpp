@@ -1,3 +1,5 @@
+#include "holdfast/widgets/card.h"
+
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QIcon>
@@ -5,8 +7,6 @@
 #include <QPushButton>
 #include <QStyle>
 #include <QVBoxLayout>
-
-#include <holdfast/widgets/card.h>
 
 namespace holdfast {
 namespace {

@@ -1,3 +1,5 @@
+#include "holdfast/widgets/color_panel.h"
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
@@ -14,7 +16,6 @@
 #include <QVBoxLayout>
 
 #include <holdfast/io/number_text.h>
-#include <holdfast/widgets/color_panel.h>
 #include <holdfast/widgets/color_words.h>
 
 namespace holdfast {

@@ -1,6 +1,6 @@
-#include <QCoreApplication>
+#include "holdfast/widgets/color_words.h"
 
-#include <holdfast/widgets/color_words.h>
+#include <QCoreApplication>
 
 namespace holdfast {
 namespace {

@@ -1,8 +1,9 @@
+#include "holdfast/widgets/commands.h"
+
 #include <QObject>
 #include <algorithm>
 
 #include <holdfast/document/list_edits.h>
-#include <holdfast/widgets/commands.h>
 
 namespace holdfast {
 namespace {

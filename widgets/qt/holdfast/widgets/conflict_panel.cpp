@@ -1,3 +1,5 @@
+#include "holdfast/widgets/conflict_panel.h"
+
 #include <QLabel>
 #include <QPushButton>
 #include <QStackedWidget>
@@ -5,7 +7,6 @@
 #include <algorithm>
 
 #include <holdfast/document/list_edits.h>
-#include <holdfast/widgets/conflict_panel.h>
 #include <holdfast/widgets/conflict_words.h>
 #include <holdfast/widgets/constraint_words.h>
 #include <holdfast/widgets/number_words.h>

@@ -1,6 +1,7 @@
+#include "holdfast/widgets/conflict_words.h"
+
 #include <QCoreApplication>
 
-#include <holdfast/widgets/conflict_words.h>
 #include <holdfast/widgets/constraint_words.h>
 #include <holdfast/widgets/number_words.h>
 

@@ -1,3 +1,5 @@
+#include "holdfast/widgets/constraint_actions.h"
+
 #include <QClipboard>
 #include <QCoreApplication>
 #include <QGuiApplication>
@@ -7,7 +9,6 @@
 
 #include <holdfast/document/list_edits.h>
 #include <holdfast/document/point_list_text.h>
-#include <holdfast/widgets/constraint_actions.h>
 
 namespace holdfast {
 namespace {

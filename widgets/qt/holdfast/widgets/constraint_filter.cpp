@@ -1,6 +1,6 @@
-#include <algorithm>
+#include "holdfast/widgets/constraint_filter.h"
 
-#include <holdfast/widgets/constraint_filter.h>
+#include <algorithm>
 
 namespace holdfast {
 namespace {

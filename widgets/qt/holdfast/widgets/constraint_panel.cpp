@@ -1,3 +1,5 @@
+#include "holdfast/widgets/constraint_panel.h"
+
 #include <QAction>
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -12,7 +14,6 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include <holdfast/widgets/constraint_panel.h>
 #include <holdfast/widgets/constraint_words.h>
 
 namespace holdfast {

@@ -1,9 +1,10 @@
+#include "holdfast/widgets/constraint_table.h"
+
 #include <QAction>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QPainter>
 
-#include <holdfast/widgets/constraint_table.h>
 #include <holdfast/widgets/constraint_table_model.h>
 #include <holdfast/widgets/status_look.h>
 

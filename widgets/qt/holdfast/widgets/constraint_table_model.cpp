@@ -1,3 +1,5 @@
+#include "holdfast/widgets/constraint_table_model.h"
+
 #include <QDataStream>
 #include <QFont>
 #include <QGuiApplication>
@@ -7,7 +9,6 @@
 
 #include <holdfast/base/error.h>
 #include <holdfast/io/number_text.h>
-#include <holdfast/widgets/constraint_table_model.h>
 #include <holdfast/widgets/constraint_words.h>
 #include <holdfast/widgets/number_words.h>
 

@@ -1,8 +1,9 @@
+#include "holdfast/widgets/constraint_words.h"
+
 #include <QCoreApplication>
 #include <QStringList>
 #include <algorithm>
 
-#include <holdfast/widgets/constraint_words.h>
 #include <holdfast/widgets/number_words.h>
 
 namespace holdfast {

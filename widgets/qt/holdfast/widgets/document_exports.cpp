@@ -1,3 +1,5 @@
+#include "holdfast/widgets/document_exports.h"
+
 #include <QFileInfo>
 #include <QWidget>
 #include <algorithm>
@@ -18,7 +20,6 @@
 #include <holdfast/view/camera_state.h>
 #include <holdfast/view/field_file.h>
 #include <holdfast/view/snapshot.h>
-#include <holdfast/widgets/document_exports.h>
 #include <holdfast/widgets/file_messages.h>
 #include <holdfast/widgets/picture_dialog.h>
 

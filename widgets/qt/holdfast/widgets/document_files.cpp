@@ -1,3 +1,5 @@
+#include "holdfast/widgets/document_files.h"
+
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
@@ -5,7 +7,6 @@
 #include <utility>
 
 #include <holdfast/base/error.h>
-#include <holdfast/widgets/document_files.h>
 #include <holdfast/widgets/file_messages.h>
 #include <holdfast/widgets/found_document.h>
 

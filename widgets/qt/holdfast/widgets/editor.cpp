@@ -1,9 +1,9 @@
+#include "holdfast/widgets/editor.h"
+
 #include <QFileInfo>
 #include <algorithm>
 #include <cassert>
 #include <utility>
-
-#include <holdfast/widgets/editor.h>
 
 namespace holdfast {
 namespace {

@@ -1,10 +1,11 @@
+#include "holdfast/widgets/file_chooser.h"
+
 #include <QCoreApplication>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QRegularExpression>
 
 #include <holdfast/view/any_mesh_file.h>
-#include <holdfast/widgets/file_chooser.h>
 
 namespace holdfast {
 namespace {

@@ -1,9 +1,10 @@
+#include "holdfast/widgets/file_messages.h"
+
 #include <QCoreApplication>
 #include <QMessageBox>
 #include <QPushButton>
 
 #include <holdfast/base/error.h>
-#include <holdfast/widgets/file_messages.h>
 
 namespace holdfast {
 namespace {

@@ -1,3 +1,5 @@
+#include "holdfast/widgets/findings_panel.h"
+
 #include <QLabel>
 #include <QPushButton>
 #include <QStackedWidget>
@@ -7,7 +9,6 @@
 
 #include <holdfast/document/list_edits.h>
 #include <holdfast/widgets/constraint_actions.h>
-#include <holdfast/widgets/findings_panel.h>
 #include <holdfast/widgets/status_look.h>
 
 namespace holdfast {

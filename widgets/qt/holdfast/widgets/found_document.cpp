@@ -1,10 +1,10 @@
+#include "holdfast/widgets/found_document.h"
+
 #include <algorithm>
 #include <cctype>
 #include <utility>
 
 #include <fmt/format.h>
-
-#include <holdfast/widgets/found_document.h>
 
 namespace holdfast {
 

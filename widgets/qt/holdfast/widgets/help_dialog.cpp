@@ -1,10 +1,10 @@
+#include "holdfast/widgets/help_dialog.h"
+
 #include <QDialogButtonBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QVBoxLayout>
 #include <array>
-
-#include <holdfast/widgets/help_dialog.h>
 
 namespace holdfast {
 namespace {

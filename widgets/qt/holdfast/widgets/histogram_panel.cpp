@@ -1,3 +1,5 @@
+#include "holdfast/widgets/histogram_panel.h"
+
 #include <QLabel>
 #include <QSplitter>
 #include <QStackedLayout>
@@ -9,7 +11,6 @@
 
 #include <holdfast/rotation/rotation_log.h>
 #include <holdfast/view/rotation_projection.h>
-#include <holdfast/widgets/histogram_panel.h>
 #include <holdfast/widgets/histogram_view.h>
 
 namespace holdfast {

@@ -1,3 +1,5 @@
+#include "holdfast/widgets/histogram_view.h"
+
 #include <QEvent>
 #include <QKeyEvent>
 #include <QLabel>
@@ -22,7 +24,6 @@
 #include <vtkTable.h>
 #include <vtkTextProperty.h>
 
-#include <holdfast/widgets/histogram_view.h>
 #include <holdfast/widgets/render_request.h>
 #include <holdfast/widgets/vtk_palette.h>
 

@@ -1,9 +1,9 @@
+#include "holdfast/widgets/icons.h"
+
 #include <QIconEngine>
 #include <QPainter>
 #include <QPainterPath>
 #include <functional>
-
-#include <holdfast/widgets/icons.h>
 
 namespace holdfast {
 namespace {

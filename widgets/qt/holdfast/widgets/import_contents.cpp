@@ -1,8 +1,9 @@
+#include "holdfast/widgets/import_contents.h"
+
 #include <utility>
 
 #include <holdfast/constraints/constraint_file.h>
 #include <holdfast/document/list_edits.h>
-#include <holdfast/widgets/import_contents.h>
 
 namespace holdfast {
 

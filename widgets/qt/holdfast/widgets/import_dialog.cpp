@@ -1,3 +1,5 @@
+#include "holdfast/widgets/import_dialog.h"
+
 #include <QDialogButtonBox>
 #include <QFileInfo>
 #include <QHBoxLayout>
@@ -14,7 +16,6 @@
 
 #include <holdfast/base/error.h>
 #include <holdfast/widgets/file_messages.h>
-#include <holdfast/widgets/import_dialog.h>
 #include <holdfast/widgets/number_edit.h>
 #include <holdfast/widgets/number_words.h>
 

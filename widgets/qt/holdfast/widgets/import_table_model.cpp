@@ -1,3 +1,5 @@
+#include "holdfast/widgets/import_table_model.h"
+
 #include <QGuiApplication>
 #include <algorithm>
 #include <array>
@@ -6,7 +8,6 @@
 #include <variant>
 
 #include <holdfast/widgets/constraint_words.h>
-#include <holdfast/widgets/import_table_model.h>
 #include <holdfast/widgets/number_words.h>
 #include <holdfast/widgets/status_look.h>
 

@@ -1,3 +1,5 @@
+#include "holdfast/widgets/inspector_panel.h"
+
 #include <QCheckBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -9,7 +11,6 @@
 
 #include <holdfast/base/error.h>
 #include <holdfast/widgets/constraint_words.h>
-#include <holdfast/widgets/inspector_panel.h>
 #include <holdfast/widgets/outcome_section.h>
 #include <holdfast/widgets/point_section.h>
 #include <holdfast/widgets/region_sections.h>

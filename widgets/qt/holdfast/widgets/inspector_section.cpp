@@ -1,9 +1,10 @@
+#include "holdfast/widgets/inspector_section.h"
+
 #include <QFormLayout>
 #include <QLabel>
 #include <algorithm>
 
 #include <holdfast/base/error.h>
-#include <holdfast/widgets/inspector_section.h>
 
 namespace holdfast {
 

@@ -1,10 +1,11 @@
+#include "holdfast/widgets/loaded_mesh.h"
+
 #include <utility>
 
 #include <fmt/format.h>
 
 #include <holdfast/view/any_mesh_file.h>
 #include <holdfast/view/coarse_triangles.h>
-#include <holdfast/widgets/loaded_mesh.h>
 
 namespace holdfast {
 

@@ -1,3 +1,5 @@
+#include "holdfast/widgets/main_window.h"
+
 #include <QAction>
 #include <QApplication>
 #include <QCloseEvent>
@@ -17,7 +19,6 @@
 #include <holdfast/widgets/help_dialog.h>
 #include <holdfast/widgets/icons.h>
 #include <holdfast/widgets/import_dialog.h>
-#include <holdfast/widgets/main_window.h>
 #include <holdfast/widgets/panel_docks.h>
 #include <holdfast/widgets/status_line.h>
 #include <holdfast/widgets/tool_box.h>

@@ -1,9 +1,10 @@
+#include "holdfast/widgets/number_edit.h"
+
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 
 #include <holdfast/io/number_text.h>
-#include <holdfast/widgets/number_edit.h>
 #include <holdfast/widgets/number_words.h>
 
 namespace holdfast {

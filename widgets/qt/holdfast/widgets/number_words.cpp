@@ -1,10 +1,11 @@
+#include "holdfast/widgets/number_words.h"
+
 #include <QCoreApplication>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include <holdfast/io/number_text.h>
-#include <holdfast/widgets/number_words.h>
 
 namespace holdfast {
 namespace {

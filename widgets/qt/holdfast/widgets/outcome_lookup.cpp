@@ -1,4 +1,4 @@
-#include <holdfast/widgets/outcome_lookup.h>
+#include "holdfast/widgets/outcome_lookup.h"
 
 namespace holdfast {
 

@@ -1,3 +1,5 @@
+#include "holdfast/widgets/outcome_section.h"
+
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -6,7 +8,6 @@
 
 #include <holdfast/widgets/constraint_words.h>
 #include <holdfast/widgets/number_words.h>
-#include <holdfast/widgets/outcome_section.h>
 #include <holdfast/widgets/status_look.h>
 
 namespace holdfast {

@@ -1,3 +1,5 @@
+#include "holdfast/widgets/panel_docks.h"
+
 #include <QAction>
 #include <QDockWidget>
 #include <QMainWindow>
@@ -11,7 +13,6 @@
 #include <holdfast/widgets/findings_panel.h>
 #include <holdfast/widgets/histogram_panel.h>
 #include <holdfast/widgets/inspector_panel.h>
-#include <holdfast/widgets/panel_docks.h>
 #include <holdfast/widgets/report_panel.h>
 #include <holdfast/widgets/sphere_panel.h>
 #include <holdfast/widgets/viewport.h>

@@ -1,3 +1,5 @@
+#include "holdfast/widgets/picture_dialog.h"
+
 #include <QCheckBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
@@ -7,8 +9,6 @@
 #include <QSettings>
 #include <QSpinBox>
 #include <QVBoxLayout>
-
-#include <holdfast/widgets/picture_dialog.h>
 
 namespace holdfast {
 namespace {

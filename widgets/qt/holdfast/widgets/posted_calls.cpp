@@ -1,8 +1,8 @@
+#include "holdfast/widgets/posted_calls.h"
+
 #include <QCoreApplication>
 #include <QEvent>
 #include <utility>
-
-#include <holdfast/widgets/posted_calls.h>
 
 namespace holdfast {
 

@@ -1,7 +1,8 @@
+#include "holdfast/widgets/progress_sheet.h"
+
 #include <QProgressDialog>
 
 #include <holdfast/widgets/background_job.h>
-#include <holdfast/widgets/progress_sheet.h>
 
 namespace holdfast {
 namespace {

@@ -1,10 +1,10 @@
+#include "holdfast/widgets/recent_files.h"
+
 #include <QAction>
 #include <QDir>
 #include <QFileInfo>
 #include <QMenu>
 #include <QSettings>
-
-#include <holdfast/widgets/recent_files.h>
 
 namespace holdfast {
 namespace {

@@ -1,3 +1,5 @@
+#include "holdfast/widgets/recovery_dialog.h"
+
 #include <QDateTime>
 #include <QDialogButtonBox>
 #include <QDir>
@@ -9,7 +11,6 @@
 #include <utility>
 
 #include <holdfast/widgets/file_messages.h>
-#include <holdfast/widgets/recovery_dialog.h>
 
 namespace holdfast {
 namespace {

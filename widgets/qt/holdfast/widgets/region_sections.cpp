@@ -1,3 +1,5 @@
+#include "holdfast/widgets/region_sections.h"
+
 #include <QComboBox>
 #include <QFormLayout>
 #include <QLabel>
@@ -6,7 +8,6 @@
 
 #include <holdfast/widgets/constraint_words.h>
 #include <holdfast/widgets/number_words.h>
-#include <holdfast/widgets/region_sections.h>
 
 namespace holdfast {
 namespace {

@@ -1,7 +1,7 @@
+#include "holdfast/widgets/render_request.h"
+
 #include <QVTKOpenGLNativeWidget.h>
 #include <vtkRenderWindow.h>
-
-#include <holdfast/widgets/render_request.h>
 
 namespace holdfast {
 

@@ -1,3 +1,5 @@
+#include "holdfast/widgets/report_panel.h"
+
 #include <QClipboard>
 #include <QComboBox>
 #include <QFormLayout>
@@ -10,7 +12,6 @@
 #include <holdfast/widgets/number_edit.h>
 #include <holdfast/widgets/number_words.h>
 #include <holdfast/widgets/outcome_lookup.h>
-#include <holdfast/widgets/report_panel.h>
 #include <holdfast/widgets/status_look.h>
 
 namespace holdfast {

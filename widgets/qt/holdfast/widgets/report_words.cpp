@@ -1,10 +1,11 @@
+#include "holdfast/widgets/report_words.h"
+
 #include <QCoreApplication>
 #include <QStringList>
 #include <algorithm>
 
 #include <holdfast/widgets/constraint_words.h>
 #include <holdfast/widgets/number_words.h>
-#include <holdfast/widgets/report_words.h>
 
 namespace holdfast {
 namespace {

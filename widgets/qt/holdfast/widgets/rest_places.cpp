@@ -1,6 +1,7 @@
+#include "holdfast/widgets/rest_places.h"
+
 #include <holdfast/io/number_text.h>
 #include <holdfast/surface/surface_point.h>
-#include <holdfast/widgets/rest_places.h>
 
 namespace holdfast {
 

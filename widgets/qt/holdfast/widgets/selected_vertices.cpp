@@ -1,4 +1,4 @@
-#include <holdfast/widgets/selected_vertices.h>
+#include "holdfast/widgets/selected_vertices.h"
 
 namespace holdfast {
 

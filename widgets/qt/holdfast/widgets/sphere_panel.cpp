@@ -1,3 +1,5 @@
+#include "holdfast/widgets/sphere_panel.h"
+
 #include <QApplication>
 #include <QHBoxLayout>
 #include <QHelpEvent>
@@ -20,7 +22,6 @@
 #include <holdfast/view/rotation_sphere.h>
 #include <holdfast/view/sphere_camera.h>
 #include <holdfast/widgets/render_request.h>
-#include <holdfast/widgets/sphere_panel.h>
 #include <holdfast/widgets/vtk_palette.h>
 
 namespace holdfast {

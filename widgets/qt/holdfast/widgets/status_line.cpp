@@ -1,10 +1,10 @@
+#include "holdfast/widgets/status_line.h"
+
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
 #include <QResizeEvent>
 #include <cmath>
-
-#include <holdfast/widgets/status_line.h>
 
 namespace holdfast {
 namespace {

@@ -1,9 +1,9 @@
+#include "holdfast/widgets/status_look.h"
+
 #include <QPainter>
 #include <QPainterPath>
 #include <QPixmap>
 #include <array>
-
-#include <holdfast/widgets/status_look.h>
 
 namespace holdfast {
 namespace {

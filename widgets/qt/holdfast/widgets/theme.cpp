@@ -1,8 +1,8 @@
+#include "holdfast/widgets/theme.h"
+
 #include <QApplication>
 #include <QStyle>
 #include <QStyleFactory>
-
-#include <holdfast/widgets/theme.h>
 
 namespace holdfast {
 namespace {

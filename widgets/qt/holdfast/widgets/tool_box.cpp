@@ -1,9 +1,10 @@
+#include "holdfast/widgets/tool_box.h"
+
 #include <QAction>
 #include <QApplication>
 #include <array>
 
 #include <holdfast/widgets/icons.h>
-#include <holdfast/widgets/tool_box.h>
 #include <holdfast/widgets/tools/brush_tool.h>
 #include <holdfast/widgets/tools/curve_tool.h>
 #include <holdfast/widgets/tools/flood_tool.h>

@@ -1,3 +1,5 @@
+#include "holdfast/widgets/view_state.h"
+
 #include <algorithm>
 #include <array>
 #include <string_view>
@@ -5,7 +7,6 @@
 #include <vtkRenderer.h>
 
 #include <holdfast/view/camera_state.h>
-#include <holdfast/widgets/view_state.h>
 #include <holdfast/widgets/viewport.h>
 
 namespace holdfast {

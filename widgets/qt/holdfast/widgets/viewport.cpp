@@ -1,3 +1,5 @@
+#include "holdfast/widgets/viewport.h"
+
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QKeyEvent>
@@ -20,7 +22,6 @@
 #include <holdfast/view/camera_state.h>
 #include <holdfast/view/default_camera.h>
 #include <holdfast/view/stage.h>
-#include <holdfast/widgets/viewport.h>
 #include <holdfast/widgets/viewport_overlay.h>
 
 namespace holdfast {

@@ -1,3 +1,5 @@
+#include "holdfast/widgets/viewport_legend.h"
+
 #include <QCoreApplication>
 #include <QImage>
 #include <QPainter>
@@ -8,7 +10,6 @@
 
 #include <holdfast/view/constraint_glyphs.h>
 #include <holdfast/view/scalar_legend.h>
-#include <holdfast/widgets/viewport_legend.h>
 
 namespace holdfast {
 namespace {

@@ -1,3 +1,5 @@
+#include "holdfast/widgets/viewport_overlay.h"
+
 #include <QFontMetricsF>
 #include <QPainter>
 #include <QPolygonF>
@@ -10,7 +12,6 @@
 #include <holdfast/widgets/tool.h>
 #include <holdfast/widgets/viewport.h>
 #include <holdfast/widgets/viewport_legend.h>
-#include <holdfast/widgets/viewport_overlay.h>
 
 namespace holdfast {
 namespace {

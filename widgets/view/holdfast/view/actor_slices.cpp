@@ -1,3 +1,5 @@
+#include "holdfast/view/actor_slices.h"
+
 #include <algorithm>
 
 #include <vtkActor.h>
@@ -6,8 +8,6 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
-
-#include <holdfast/view/actor_slices.h>
 
 namespace holdfast {
 

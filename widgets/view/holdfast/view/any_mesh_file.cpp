@@ -1,8 +1,9 @@
+#include "holdfast/view/any_mesh_file.h"
+
 #include <algorithm>
 #include <cctype>
 
 #include <holdfast/io/mesh_file.h>
-#include <holdfast/view/any_mesh_file.h>
 #include <holdfast/view/poly_data_file.h>
 
 namespace holdfast {

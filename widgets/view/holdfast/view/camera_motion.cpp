@@ -1,10 +1,10 @@
+#include "holdfast/view/camera_motion.h"
+
 #include <numbers>
 
 #include <Eigen/Geometry>
 #include <vtkCamera.h>
 #include <vtkRenderer.h>
-
-#include <holdfast/view/camera_motion.h>
 
 namespace holdfast {
 namespace {

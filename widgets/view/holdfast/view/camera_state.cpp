@@ -1,6 +1,6 @@
-#include <vtkCamera.h>
+#include "holdfast/view/camera_state.h"
 
-#include <holdfast/view/camera_state.h>
+#include <vtkCamera.h>
 
 namespace holdfast {
 

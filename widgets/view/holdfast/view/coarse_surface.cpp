@@ -1,3 +1,5 @@
+#include "holdfast/view/coarse_surface.h"
+
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
@@ -5,7 +7,6 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
-#include <holdfast/view/coarse_surface.h>
 #include <holdfast/view/poly_data.h>
 
 namespace holdfast {

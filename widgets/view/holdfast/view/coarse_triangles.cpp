@@ -1,3 +1,5 @@
+#include "holdfast/view/coarse_triangles.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -5,7 +7,6 @@
 #include <utility>
 
 #include <holdfast/mesh/vertex_normals.h>
-#include <holdfast/view/coarse_triangles.h>
 
 namespace holdfast {
 namespace {

@@ -1,11 +1,11 @@
+#include "holdfast/view/color_map.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
 
 #include <vtkLookupTable.h>
-
-#include <holdfast/view/color_map.h>
 
 namespace holdfast {
 namespace {

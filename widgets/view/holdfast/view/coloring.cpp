@@ -1,10 +1,11 @@
+#include "holdfast/view/coloring.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
 #include <holdfast/deform/fields.h>
-#include <holdfast/view/coloring.h>
 
 namespace holdfast {
 namespace {

@@ -1,9 +1,9 @@
+#include "holdfast/view/coloring_range.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <utility>
-
-#include <holdfast/view/coloring_range.h>
 
 namespace holdfast {
 namespace {

@@ -1,3 +1,5 @@
+#include "holdfast/view/constraint_glyphs.h"
+
 #include <algorithm>
 #include <array>
 #include <map>
@@ -5,7 +7,6 @@
 
 #include <vtkActor.h>
 
-#include <holdfast/view/constraint_glyphs.h>
 #include <holdfast/view/evenly_spread.h>
 
 namespace holdfast {

@@ -1,3 +1,5 @@
+#include "holdfast/view/constraint_marks.h"
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -5,7 +7,6 @@
 #include <holdfast/constraints/selector.h>
 #include <holdfast/deform/outcomes.h>
 #include <holdfast/surface/surface_locator.h>
-#include <holdfast/view/constraint_marks.h>
 
 namespace holdfast {
 namespace {

@@ -1,3 +1,5 @@
+#include "holdfast/view/default_camera.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -5,7 +7,6 @@
 #include <vtkCamera.h>
 
 #include <holdfast/mesh/bounding_box.h>
-#include <holdfast/view/default_camera.h>
 
 namespace holdfast {
 namespace {

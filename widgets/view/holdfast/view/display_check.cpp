@@ -1,3 +1,5 @@
+#include "holdfast/view/display_check.h"
+
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
@@ -10,8 +12,6 @@
 #include <vtkNew.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
-
-#include <holdfast/view/display_check.h>
 
 namespace holdfast {
 namespace {

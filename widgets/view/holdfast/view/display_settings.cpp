@@ -1,4 +1,4 @@
-#include <holdfast/view/display_settings.h>
+#include "holdfast/view/display_settings.h"
 
 namespace holdfast {
 

@@ -1,9 +1,9 @@
+#include "holdfast/view/display_transform.h"
+
 #include <Eigen/LU>
 #include <vtkCamera.h>
 #include <vtkMatrix4x4.h>
 #include <vtkRenderer.h>
-
-#include <holdfast/view/display_transform.h>
 
 namespace holdfast {
 namespace {

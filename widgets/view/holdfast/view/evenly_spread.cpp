@@ -1,3 +1,5 @@
+#include "holdfast/view/evenly_spread.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -5,7 +7,6 @@
 #include <unordered_map>
 
 #include <holdfast/mesh/bounding_box.h>
-#include <holdfast/view/evenly_spread.h>
 
 namespace holdfast {
 namespace {

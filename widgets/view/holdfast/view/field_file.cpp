@@ -1,3 +1,5 @@
+#include "holdfast/view/field_file.h"
+
 #include <algorithm>
 #include <cassert>
 
@@ -7,7 +9,6 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
-#include <holdfast/view/field_file.h>
 #include <holdfast/view/poly_data.h>
 #include <holdfast/view/poly_data_bytes.h>
 

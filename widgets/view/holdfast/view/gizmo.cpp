@@ -1,3 +1,5 @@
+#include "holdfast/view/gizmo.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -10,7 +12,6 @@
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 
-#include <holdfast/view/gizmo.h>
 #include <holdfast/view/gizmo_colors.h>
 
 namespace holdfast {

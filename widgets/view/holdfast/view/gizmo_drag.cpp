@@ -1,3 +1,5 @@
+#include "holdfast/view/gizmo_drag.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -5,8 +7,6 @@
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
-
-#include <holdfast/view/gizmo_drag.h>
 
 namespace holdfast {
 namespace {

@@ -1,3 +1,5 @@
+#include "holdfast/view/gizmo_layout.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -6,8 +8,6 @@
 #include <vector>
 
 #include <Eigen/Geometry>
-
-#include <holdfast/view/gizmo_layout.h>
 
 namespace holdfast {
 namespace {

@@ -1,3 +1,5 @@
+#include "holdfast/view/gizmo_part_actors.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,8 +13,6 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkUnsignedCharArray.h>
-
-#include <holdfast/view/gizmo_part_actors.h>
 
 namespace holdfast {
 namespace {

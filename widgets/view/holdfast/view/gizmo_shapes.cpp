@@ -1,3 +1,5 @@
+#include "holdfast/view/gizmo_shapes.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -5,7 +7,6 @@
 #include <Eigen/Geometry>
 
 #include <holdfast/view/gizmo_layout.h>
-#include <holdfast/view/gizmo_shapes.h>
 
 namespace holdfast {
 namespace {

@@ -1,3 +1,5 @@
+#include "holdfast/view/gizmo_trace.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -14,7 +16,6 @@
 #include <vtkTextProperty.h>
 
 #include <holdfast/view/gizmo_colors.h>
-#include <holdfast/view/gizmo_trace.h>
 
 namespace holdfast {
 namespace {

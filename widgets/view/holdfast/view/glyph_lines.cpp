@@ -1,3 +1,5 @@
+#include "holdfast/view/glyph_lines.h"
+
 #include <cmath>
 
 #include <vtkActor.h>
@@ -8,8 +10,6 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkUnsignedCharArray.h>
-
-#include <holdfast/view/glyph_lines.h>
 
 namespace holdfast {
 namespace {

@@ -1,10 +1,10 @@
+#include "holdfast/view/histogram.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 
 #include <fmt/format.h>
-
-#include <holdfast/view/histogram.h>
 
 namespace holdfast {
 namespace {

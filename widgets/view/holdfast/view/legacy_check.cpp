@@ -1,7 +1,8 @@
+#include "holdfast/view/legacy_check.h"
+
 #include <algorithm>
 #include <array>
 
-#include <holdfast/view/legacy_check.h>
 #include <holdfast/view/legacy_cursor.h>
 
 namespace holdfast {

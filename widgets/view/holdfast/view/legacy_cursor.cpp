@@ -1,10 +1,11 @@
+#include "holdfast/view/legacy_cursor.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <utility>
 
 #include <holdfast/base/error.h>
-#include <holdfast/view/legacy_cursor.h>
 
 namespace holdfast {
 namespace {

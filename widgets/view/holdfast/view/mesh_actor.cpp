@@ -1,3 +1,5 @@
+#include "holdfast/view/mesh_actor.h"
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -16,7 +18,6 @@
 #include <vtkProperty.h>
 
 #include <holdfast/mesh/vertex_normals.h>
-#include <holdfast/view/mesh_actor.h>
 #include <holdfast/view/poly_data.h>
 
 namespace holdfast {

@@ -1,7 +1,8 @@
+#include "holdfast/view/point_preview.h"
+
 #include <vtkActor.h>
 
 #include <holdfast/view/constraint_glyphs.h>
-#include <holdfast/view/point_preview.h>
 
 namespace holdfast {
 namespace {

@@ -1,3 +1,5 @@
+#include "holdfast/view/point_sprites.h"
+
 #include <cmath>
 #include <string>
 
@@ -15,8 +17,6 @@
 #include <vtkRenderer.h>
 #include <vtkShaderProperty.h>
 #include <vtkUnsignedCharArray.h>
-
-#include <holdfast/view/point_sprites.h>
 
 namespace holdfast {
 namespace {

@@ -1,3 +1,5 @@
+#include "holdfast/view/poly_data.h"
+
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -10,7 +12,6 @@
 #include <vtkPolyData.h>
 
 #include <holdfast/base/error.h>
-#include <holdfast/view/poly_data.h>
 
 namespace holdfast {
 namespace {

@@ -1,3 +1,5 @@
+#include "holdfast/view/poly_data_bytes.h"
+
 #include <vtkExecutive.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
@@ -5,7 +7,6 @@
 #include <vtkXMLPolyDataWriter.h>
 
 #include <holdfast/base/error.h>
-#include <holdfast/view/poly_data_bytes.h>
 #include <holdfast/view/vtk_error_log.h>
 
 namespace holdfast {

@@ -1,3 +1,5 @@
+#include "holdfast/view/poly_data_file.h"
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -24,7 +26,6 @@
 #include <holdfast/view/legacy_check.h>
 #include <holdfast/view/poly_data.h>
 #include <holdfast/view/poly_data_bytes.h>
-#include <holdfast/view/poly_data_file.h>
 #include <holdfast/view/poly_data_normals.h>
 #include <holdfast/view/vtk_error_log.h>
 #include <holdfast/view/vtp_check.h>

@@ -1,3 +1,5 @@
+#include "holdfast/view/poly_data_normals.h"
+
 #include <span>
 
 #include <Eigen/Geometry>
@@ -6,8 +8,6 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
-
-#include <holdfast/view/poly_data_normals.h>
 
 namespace holdfast {
 namespace {

@@ -1,3 +1,5 @@
+#include "holdfast/view/rotation_glyphs.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,7 +15,6 @@
 
 #include <holdfast/rotation/rotation_log.h>
 #include <holdfast/view/evenly_spread.h>
-#include <holdfast/view/rotation_glyphs.h>
 
 namespace holdfast {
 namespace {

@@ -1,3 +1,5 @@
+#include "holdfast/view/rotation_projection.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,7 +10,6 @@
 #include <Eigen/Eigenvalues>
 
 #include <holdfast/rotation/rotation_log.h>
-#include <holdfast/view/rotation_projection.h>
 
 namespace holdfast {
 namespace {

@@ -1,3 +1,5 @@
+#include "holdfast/view/rotation_sphere.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,7 +20,6 @@
 #include <vtkTextProperty.h>
 
 #include <holdfast/view/display_transform.h>
-#include <holdfast/view/rotation_sphere.h>
 #include <holdfast/view/sphere_camera.h>
 #include <holdfast/view/sphere_shapes.h>
 

@@ -1,3 +1,5 @@
+#include "holdfast/view/scalar_legend.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,8 +18,6 @@
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 #include <vtkUnsignedCharArray.h>
-
-#include <holdfast/view/scalar_legend.h>
 
 namespace holdfast {
 namespace {

@@ -1,3 +1,5 @@
+#include "holdfast/view/scene.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,7 +10,6 @@
 
 #include <holdfast/view/default_camera.h>
 #include <holdfast/view/scalar_legend.h>
-#include <holdfast/view/scene.h>
 #include <holdfast/view/stage.h>
 
 namespace holdfast {

@@ -1,10 +1,10 @@
+#include "holdfast/view/scene_contents.h"
+
 #include <utility>
 
 #include <vtkActor.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
-
-#include <holdfast/view/scene_contents.h>
 
 namespace holdfast {
 namespace {

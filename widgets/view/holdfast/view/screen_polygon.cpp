@@ -1,8 +1,8 @@
+#include "holdfast/view/screen_polygon.h"
+
 #include <algorithm>
 #include <limits>
 #include <utility>
-
-#include <holdfast/view/screen_polygon.h>
 
 namespace holdfast {
 namespace {

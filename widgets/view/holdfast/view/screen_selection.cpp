@@ -1,6 +1,6 @@
-#include <algorithm>
+#include "holdfast/view/screen_selection.h"
 
-#include <holdfast/view/screen_selection.h>
+#include <algorithm>
 
 namespace holdfast {
 namespace {

@@ -1,3 +1,5 @@
+#include "holdfast/view/selection_overlay.h"
+
 #include <vtkActor.h>
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
@@ -9,7 +11,6 @@
 
 #include <holdfast/view/constraint_glyphs.h>
 #include <holdfast/view/evenly_spread.h>
-#include <holdfast/view/selection_overlay.h>
 
 namespace holdfast {
 namespace {

@@ -1,3 +1,5 @@
+#include "holdfast/view/shaded_surface.h"
+
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -7,7 +9,6 @@
 #include <holdfast/base/disjoint_sets.h>
 #include <holdfast/mesh/edges.h>
 #include <holdfast/mesh/vertex_normals.h>
-#include <holdfast/view/shaded_surface.h>
 
 namespace holdfast {
 namespace {

@@ -1,7 +1,7 @@
+#include "holdfast/view/shown_edge.h"
+
 #include <algorithm>
 #include <cmath>
-
-#include <holdfast/view/shown_edge.h>
 
 namespace holdfast {
 namespace {

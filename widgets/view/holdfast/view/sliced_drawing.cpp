@@ -1,3 +1,5 @@
+#include "holdfast/view/sliced_drawing.h"
+
 #include <array>
 
 #include <vtkActor.h>
@@ -5,7 +7,6 @@
 #include <vtkRenderer.h>
 #include <vtkRendererCollection.h>
 
-#include <holdfast/view/sliced_drawing.h>
 #include <holdfast/view/stage.h>
 
 namespace holdfast {

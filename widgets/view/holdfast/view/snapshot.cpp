@@ -1,3 +1,5 @@
+#include "holdfast/view/snapshot.h"
+
 #include <algorithm>
 
 #include <vtkImageData.h>
@@ -9,7 +11,6 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <holdfast/base/error.h>
-#include <holdfast/view/snapshot.h>
 #include <holdfast/view/vtk_error_log.h>
 
 namespace holdfast {

@@ -1,3 +1,5 @@
+#include "holdfast/view/sphere_camera.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -5,8 +7,6 @@
 #include <vtkCamera.h>
 #include <vtkMatrix4x4.h>
 #include <vtkRenderer.h>
-
-#include <holdfast/view/sphere_camera.h>
 
 namespace holdfast {
 namespace {

@@ -1,3 +1,5 @@
+#include "holdfast/view/sphere_shapes.h"
+
 #include <cmath>
 #include <numbers>
 
@@ -7,8 +9,6 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-
-#include <holdfast/view/sphere_shapes.h>
 
 namespace holdfast {
 namespace {

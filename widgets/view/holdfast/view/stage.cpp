@@ -1,9 +1,10 @@
+#include "holdfast/view/stage.h"
+
 #include <vtkLightKit.h>
 #include <vtkNew.h>
 #include <vtkRenderer.h>
 
 #include <holdfast/view/color_map.h>
-#include <holdfast/view/stage.h>
 
 namespace holdfast {
 namespace {

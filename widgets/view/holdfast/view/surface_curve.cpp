@@ -1,8 +1,9 @@
+#include "holdfast/view/surface_curve.h"
+
 #include <algorithm>
 #include <vector>
 
 #include <holdfast/surface/curve_region.h>
-#include <holdfast/view/surface_curve.h>
 
 namespace holdfast {
 namespace {

@@ -1,9 +1,10 @@
+#include "holdfast/view/surface_picker.h"
+
 #include <algorithm>
 #include <limits>
 #include <utility>
 
 #include <holdfast/view/shown_edge.h>
-#include <holdfast/view/surface_picker.h>
 
 namespace holdfast {
 namespace {

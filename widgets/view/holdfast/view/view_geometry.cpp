@@ -1,10 +1,10 @@
+#include "holdfast/view/view_geometry.h"
+
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <vtkCamera.h>
 #include <vtkMatrix4x4.h>
 #include <vtkRenderer.h>
-
-#include <holdfast/view/view_geometry.h>
 
 namespace holdfast {
 namespace {

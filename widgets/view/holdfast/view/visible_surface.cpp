@@ -1,7 +1,7 @@
+#include "holdfast/view/visible_surface.h"
+
 #include <algorithm>
 #include <iterator>
-
-#include <holdfast/view/visible_surface.h>
 
 namespace holdfast {
 namespace {

@@ -1,11 +1,11 @@
+#include "holdfast/view/vtk_error_log.h"
+
 #include <mutex>
 #include <string_view>
 
 #include <vtkLogger.h>
 #include <vtkObject.h>
 #include <vtkOutputWindow.h>
-
-#include <holdfast/view/vtk_error_log.h>
 
 namespace holdfast {
 namespace {

@@ -1,3 +1,5 @@
+#include "holdfast/view/vtp_check.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
@@ -6,7 +8,6 @@
 
 #include <holdfast/base/error.h>
 #include <holdfast/base/types.h>
-#include <holdfast/view/vtp_check.h>
 #include <holdfast/view/xml_tags.h>
 
 namespace holdfast {

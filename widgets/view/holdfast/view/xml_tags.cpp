@@ -1,6 +1,6 @@
-#include <algorithm>
+#include "holdfast/view/xml_tags.h"
 
-#include <holdfast/view/xml_tags.h>
+#include <algorithm>
 
 namespace holdfast {
 namespace {

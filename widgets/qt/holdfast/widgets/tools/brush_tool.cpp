@@ -1,9 +1,10 @@
+#include "holdfast/widgets/tools/brush_tool.h"
+
 #include <QKeyEvent>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
 
-#include <holdfast/widgets/tools/brush_tool.h>
 #include <holdfast/widgets/viewport.h>
 
 namespace holdfast {

@@ -1,3 +1,5 @@
+#include "holdfast/widgets/tools/curve_tool.h"
+
 #include <QKeyEvent>
 #include <QPainter>
 #include <QPainterPath>
@@ -6,7 +8,6 @@
 
 #include <holdfast/constraints/curve_selector.h>
 #include <holdfast/surface/surface_locator.h>
-#include <holdfast/widgets/tools/curve_tool.h>
 #include <holdfast/widgets/viewport.h>
 
 namespace holdfast {

@@ -1,7 +1,8 @@
+#include "holdfast/widgets/tools/flood_tool.h"
+
 #include <QKeyEvent>
 #include <algorithm>
 
-#include <holdfast/widgets/tools/flood_tool.h>
 #include <holdfast/widgets/tools/region_selection.h>
 #include <holdfast/widgets/viewport.h>
 

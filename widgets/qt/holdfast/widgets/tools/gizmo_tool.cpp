@@ -1,3 +1,5 @@
+#include "holdfast/widgets/tools/gizmo_tool.h"
+
 #include <numbers>
 
 #include <Eigen/Geometry>
@@ -5,7 +7,6 @@
 
 #include <holdfast/mesh/vertex_normals.h>
 #include <holdfast/view/view_geometry.h>
-#include <holdfast/widgets/tools/gizmo_tool.h>
 #include <holdfast/widgets/viewport.h>
 
 namespace holdfast {

@@ -1,7 +1,8 @@
+#include "holdfast/widgets/tools/point_tool.h"
+
 #include <QKeyEvent>
 
 #include <holdfast/widgets/commands.h>
-#include <holdfast/widgets/tools/point_tool.h>
 #include <holdfast/widgets/viewport.h>
 
 namespace holdfast {

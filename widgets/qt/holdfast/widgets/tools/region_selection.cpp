@@ -1,7 +1,7 @@
+#include "holdfast/widgets/tools/region_selection.h"
+
 #include <algorithm>
 #include <iterator>
-
-#include <holdfast/widgets/tools/region_selection.h>
 
 namespace holdfast {
 

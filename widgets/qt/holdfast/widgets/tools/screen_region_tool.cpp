@@ -1,7 +1,8 @@
+#include "holdfast/widgets/tools/screen_region_tool.h"
+
 #include <QPainter>
 #include <cmath>
 
-#include <holdfast/widgets/tools/screen_region_tool.h>
 #include <holdfast/widgets/viewport.h>
 
 namespace holdfast {

@@ -1,6 +1,7 @@
+#include "holdfast/widgets/tools/select_tool.h"
+
 #include <algorithm>
 
-#include <holdfast/widgets/tools/select_tool.h>
 #include <holdfast/widgets/viewport.h>
 
 namespace holdfast {
