@@ -79,9 +79,11 @@ void describe(CLI::App& app, CLI::App& deformApp, CLI::App& checkApp, RawOptions
     command->add_option("mesh", raw.mesh, "Mesh file: " + knownFormats())->required()->type_name("MESH");
     command->add_option("--report", raw.report, "Write the report (JSON) here")->type_name("R.json");
   }
-  checkApp.add_option("--constraints", raw.constraints, "Constraint file (JSON) or point list (CSV)")
+  checkApp
+      .add_option("--constraints", raw.constraints, "Constraint file (JSON), session (.holdfast) or point list (CSV)")
       ->type_name("C.json");
-  deformApp.add_option("--constraints", raw.constraints, "Constraint file (JSON) or point list (CSV)")
+  deformApp
+      .add_option("--constraints", raw.constraints, "Constraint file (JSON), session (.holdfast) or point list (CSV)")
       ->required()
       ->type_name("C.json");
   deformApp.add_option("--out", raw.out, "Write the deformed mesh here, in the format of the name")->type_name("MESH");

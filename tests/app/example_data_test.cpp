@@ -19,12 +19,10 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-const fs::path kData = test::dataFolder();
-
 std::vector<std::string> constraintFiles()
 {
   std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(kData)) {
+  for (const auto& entry : fs::directory_iterator(dataFolder())) {
     const std::string name = entry.path().filename().string();
     if (name.ends_with(".constraints.json") || name.ends_with(".measured.csv")) names.push_back(name);
   }
@@ -36,11 +34,12 @@ std::vector<std::string> constraintFiles()
 fs::path meshOf(const std::string& file)
 {
   for (const char* extension : {".obj", ".off", ".ply", ".stl"})
-    if (const fs::path mesh = kData / (file.substr(0, file.find('.')) + extension); fs::exists(mesh)) return mesh;
+    if (const fs::path mesh = fs::path(dataFolder()) / (file.substr(0, file.find('.')) + extension); fs::exists(mesh))
+      return mesh;
   return {};
 }
 
-std::string testName(const testing::TestParamInfo<std::string>& info)
+std::string exampleName(const testing::TestParamInfo<std::string>& info)
 {
   std::string name = info.param;
   std::replace_if(
@@ -73,7 +72,7 @@ TEST_P(ExampleData, IsMet)
   // Binary STL cannot hold what is promised.
   const fs::path out = out_.path() / ("out" + (mesh.extension() == ".stl" ? ".obj" : mesh.extension().string()));
   const fs::path reportFile = out_.path() / "report.json";
-  const fs::path constraints = kData / GetParam();
+  const fs::path constraints = fs::path(dataFolder()) / GetParam();
   const ProcessResult result = runBatch({"deform", mesh.string(), "--constraints", constraints.string(), "--out",
                                          out.string(), "--report", reportFile.string()});
   const bool hasConflicts = GetParam().find(".conflict.") != std::string::npos;
@@ -86,7 +85,7 @@ TEST_P(ExampleData, IsMet)
   EXPECT_TRUE(meetsConstraints(mesh, out, constraints, leftOut));
 }
 
-INSTANTIATE_TEST_SUITE_P(Deform, ExampleData, testing::ValuesIn(constraintFiles()), testName);
+INSTANTIATE_TEST_SUITE_P(Deform, ExampleData, testing::ValuesIn(constraintFiles()), exampleName);
 
 }  // namespace
 }  // namespace holdfast::test

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <cstring>
-#include <filesystem>
 
 #include <gtest/gtest.h>
 
@@ -15,13 +14,11 @@
 namespace holdfast::test {
 namespace {
 
-const std::filesystem::path kData = test::dataFolder();
-
 class GeneratedTaskOnData : public testing::TestWithParam<const char*> {};
 
 TEST_P(GeneratedTaskOnData, IsSolvedExactlyAndAtLeastEnergy)
 {
-  const GeneratedTask task(kData / GetParam());
+  const GeneratedTask task(dataFolder() + "/" + GetParam());
   task.expectSolved(Weights::Cotangent);
   task.expectSolved(Weights::Uniform);
   task.expectSolved(Weights::CotangentPaper);
@@ -46,7 +43,7 @@ class EnergyJudgeOnHead : public testing::Test {
     best_ = readPlainMesh(task_.out(Weights::Cotangent));
   }
 
-  GeneratedTask task_{kData / "head.ply"};
+  GeneratedTask task_{dataFolder() + "/head.ply"};
   EnergyJudge judge_;
   PlainMesh best_;
 };

@@ -31,7 +31,7 @@ std::vector<std::string> meshesIn(const std::string& folder)
   return names;
 }
 
-std::string testName(const testing::TestParamInfo<std::string>& info)
+std::string libraryMeshName(const testing::TestParamInfo<std::string>& info)
 {
   std::string name = info.param.empty() ? "absent" : fs::path(info.param).stem().string();
   name.erase(std::remove_if(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }),
@@ -71,7 +71,7 @@ TEST_P(RealMesh, IsSolvedOrRefusedWithTheFormulaAsPrinted)
   GeneratedTask(mesh_).expectSolvedOrRefused(Weights::CotangentPaper);
 }
 
-INSTANTIATE_TEST_SUITE_P(MeshLibrary, RealMesh, testing::ValuesIn(meshesIn("real")), testName);
+INSTANTIATE_TEST_SUITE_P(MeshLibrary, RealMesh, testing::ValuesIn(meshesIn("real")), libraryMeshName);
 
 /// What the name of a file says is wrong with it, as the kind of a finding; empty where nothing need be found.
 std::string promisedFinding(const std::string& stem)
@@ -111,7 +111,7 @@ TEST_P(DirtyMesh, IsSolvedOrRefusedWithTheFormulaAsPrinted)
   GeneratedTask(mesh_).expectSolvedOrRefused(Weights::CotangentPaper);
 }
 
-INSTANTIATE_TEST_SUITE_P(MeshLibrary, DirtyMesh, testing::ValuesIn(meshesIn("dirty")), testName);
+INSTANTIATE_TEST_SUITE_P(MeshLibrary, DirtyMesh, testing::ValuesIn(meshesIn("dirty")), libraryMeshName);
 
 }  // namespace
 }  // namespace holdfast::test

@@ -35,7 +35,7 @@ Mesh meshOf(const std::vector<Vector3>& points, const Polygons& faces)
 }
 
 // "v" and "f" lines; what follows a slash is left out.
-Mesh readObj(const std::string& name)
+Mesh readObjData(const std::string& name)
 {
   std::ifstream file(kData / name);
   std::vector<Vector3> points;
@@ -66,7 +66,7 @@ Number take(std::istream& stream)
 }
 
 // The layout that the generator writes: three doubles a vertex; a count and three ints a face.
-Mesh readPly(const std::string& name)
+Mesh readPlyData(const std::string& name)
 {
   std::ifstream file(kData / name, std::ios::binary);
   std::map<std::string, Index> counts;
@@ -89,7 +89,7 @@ Mesh readPly(const std::string& name)
   return meshOf(points, faces);
 }
 
-Mesh readOff(const std::string& name)
+Mesh readOffData(const std::string& name)
 {
   std::ifstream file(kData / name);
   std::string line;
@@ -112,7 +112,7 @@ Mesh readOff(const std::string& name)
 Mesh readData(const std::string& name)
 {
   const std::string extension = std::filesystem::path(name).extension().string();
-  return extension == ".ply" ? readPly(name) : extension == ".off" ? readOff(name) : readObj(name);
+  return extension == ".ply" ? readPlyData(name) : extension == ".off" ? readOffData(name) : readObjData(name);
 }
 
 double smallestAngleDegrees(const Mesh& mesh)
@@ -194,7 +194,7 @@ TEST_P(ExampleData, HasNoTwoVerticesInOnePlaceAndNoneUnused)
 
 TEST(BracketData, VerticesOfTheBoreLieOnItsCircles)
 {
-  const Mesh mesh = readObj("bracket.obj");
+  const Mesh mesh = readObjData("bracket.obj");
   Index onRim = 0;
   for (const auto& position : mesh.positions.rowwise()) {
     const double distance = std::hypot(position.x(), position.z() - 50);
@@ -247,7 +247,7 @@ TEST(ConstraintData, HasAMeshUniqueNamesAndKnownTypes)
 
 TEST(ConstraintData, NamesOnlyVerticesAndFacesThatTheBracketHas)
 {
-  const Mesh mesh = readObj("bracket.obj");
+  const Mesh mesh = readObjData("bracket.obj");
   const auto counts = halfEdgeCounts(mesh);
   for (const char* name : {"bracket.constraints.json", "bracket.conflict.constraints.json"}) {
     std::ifstream file(kData / name);

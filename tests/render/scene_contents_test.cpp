@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 #include <vtkCamera.h>
+#include <vtkProperty.h>
 #include <vtkRenderer.h>
 
 #include <holdfast/view/snapshot.h>
@@ -266,6 +267,33 @@ TEST(SceneContents, LargeMeshesLookMuchTheSameInCoarseDetail)
   const Picture coarse = drawn(scene);
   EXPECT_GT(test::shareOfOtherPixels(full, coarse), 0);
   EXPECT_LT(test::shareOfOtherPixels(full, coarse), 0.01);
+}
+
+TEST(SceneContents, BacksOfASolidAreLeftOutWhereTheyAreNotSeen)
+{
+  const Model model = makeModel(test::icosphere(6), "sphere");
+  NoProgress progress;
+  const Deformation deformation = deform(model, test::listOf({test::hold({0})}), "constraints", {}, progress);
+  Scene scene(model, deformation, {kSize, ColorBy::Displacement, Legend::Hidden, ""});
+  SceneContents& contents = scene.contents();
+  vtkProperty& look = *contents.mesh().surface().GetProperty();
+  contents.setDetail(Detail::Coarse);
+  const Picture whole = drawn(scene);
+  EXPECT_FALSE(look.GetBackfaceCulling()) << "nobody has said where the eye is";
+  contents.lookFrom({0, 0, 9});
+  EXPECT_TRUE(look.GetBackfaceCulling());
+  // Pixels of the outline, where the last back is seen beside the last front.
+  constexpr double kOutline = 0.001;
+  EXPECT_LT(test::shareOfOtherPixels(whole, drawn(scene)), kOutline);
+  look.BackfaceCullingOff();
+  look.FrontfaceCullingOn();
+  EXPECT_GT(test::shareOfOtherPixels(whole, drawn(scene)), 10 * kOutline) << "the control: without the fronts";
+  look.FrontfaceCullingOff();
+  contents.lookFrom({0.1, 0.2, 0.3});
+  EXPECT_FALSE(look.GetBackfaceCulling()) << "inside, backs are all that is seen";
+  contents.lookFrom({0, 0, 9});
+  contents.setDetail(Detail::Full);
+  EXPECT_FALSE(look.GetBackfaceCulling()) << "what is turned inside out must be seen";
 }
 
 // What the baselines must not let pass.

@@ -1,12 +1,17 @@
 #pragma once
 /// \file
-/// Lists of constraints made at random, and compared member by member.
+/// Lists of constraints made at random, compared member by member, and as text.
+
+#include <string>
 
 #include <holdfast/constraints/constraint.h>
 
 #include "support/random.h"
 
 namespace holdfast::test {
+
+/// The first line of a point list as text.
+inline const std::string kPointListHeader = "name,x,y,z,target_x,target_y,target_z\n";
 
 /// A selection of every kind and up to `depth` levels, as a constraint file can say it.
 [[nodiscard]] Selection randomSelection(Random& random, int depth);

@@ -148,4 +148,9 @@ Mesh renumbered(const Mesh& mesh, const std::vector<Index>& newIdOf)
   return result;
 }
 
+SolverMesh solverMeshOf(const Mesh& mesh)
+{
+  return makeSolverMesh(mesh, triangulate(mesh));
+}
+
 }  // namespace holdfast::test

@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include <holdfast/mesh/mesh.h>
+#include <holdfast/mesh/solver_mesh.h>
 
 namespace holdfast::test {
 
@@ -47,5 +48,7 @@ struct NamedMesh {
 
 /// The same surface with vertex v called `newIdOf[v]`.
 [[nodiscard]] Mesh renumbered(const Mesh& mesh, const std::vector<Index>& newIdOf);
+
+[[nodiscard]] SolverMesh solverMeshOf(const Mesh& mesh);
 
 }  // namespace holdfast::test

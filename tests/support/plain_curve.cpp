@@ -17,16 +17,6 @@ using Json = nlohmann::json;
 using Real = long double;
 using Place = std::array<Real, 3>;
 
-Place placeOf(const PlainPoint& point)
-{
-  return {point[0], point[1], point[2]};
-}
-
-Real distance(const Place& a, const Place& b)
-{
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
-
 /// The vertices that edges join to each.
 std::vector<std::set<long>> neighboursOf(const PlainMesh& mesh)
 {
@@ -57,9 +47,16 @@ class CurveInside {
   }
 
  private:
+  [[nodiscard]] Real distance(long v, const Place& place) const
+  {
+    const auto& [x, y, z] = mesh_.positions[v];
+    return std::hypot(x - place[0], y - place[1], z - place[2]);
+  }
+
   [[nodiscard]] Real length(long v, long w) const
   {
-    return distance(placeOf(mesh_.positions[v]), placeOf(mesh_.positions[w]));
+    const auto& [x, y, z] = mesh_.positions[w];
+    return distance(v, {x, y, z});
   }
 
   /// Of the corners of the nearest face the one nearest to its nearest point.
@@ -69,9 +66,7 @@ class CurveInside {
     Place foot{};
     for (std::size_t k = 0; k < 3; ++k)
       for (std::size_t i = 0; i < 3; ++i) foot[i] += weights[k] * mesh_.positions[corners[k]][i];
-    const auto isNearer = [&](long v, long w) {
-      return distance(placeOf(mesh_.positions[v]), foot) < distance(placeOf(mesh_.positions[w]), foot);
-    };
+    const auto isNearer = [&](long v, long w) { return distance(v, foot) < distance(w, foot); };
     return *std::min_element(corners.begin(), corners.end(), isNearer);
   }
 

@@ -117,10 +117,10 @@ Real alongSegment(const Place& a, const Place& b, const Place& p)
   return length > 0 ? std::clamp(dot(minus(p, a), d) / length, Real{0}, Real{1}) : Real{0};
 }
 
-using Weights = std::array<Real, 3>;
-using Corners = std::array<Place, 3>;
+using BarycentricWeights = std::array<Real, 3>;
+using CornerPlaces = std::array<Place, 3>;
 
-Real squaredDistance(const Corners& corners, const Weights& weights, const Place& p)
+Real squaredDistance(const CornerPlaces& corners, const BarycentricWeights& weights, const Place& p)
 {
   Place offset = p;
   for (std::size_t k = 0; k < 3; ++k)
@@ -130,7 +130,7 @@ Real squaredDistance(const Corners& corners, const Weights& weights, const Place
 
 /// The foot of the perpendicular by Cramer's rule where it lies inside, and otherwise the best point of the three
 /// sides.
-Weights nearestOfTriangle(const Corners& corners, const Place& p)
+BarycentricWeights nearestOfTriangle(const CornerPlaces& corners, const Place& p)
 {
   const Place u = minus(corners[1], corners[0]);
   const Place v = minus(corners[2], corners[0]);
@@ -141,9 +141,9 @@ Weights nearestOfTriangle(const Corners& corners, const Place& p)
     const Real t = (dot(u, u) * dot(v, w) - dot(u, v) * dot(u, w)) / determinant;
     if (s >= 0 && t >= 0 && s + t <= 1) return {1 - s - t, s, t};
   }
-  Weights best{1, 0, 0};
+  BarycentricWeights best{1, 0, 0};
   for (std::size_t k = 0; k < 3; ++k) {
-    Weights side{};
+    BarycentricWeights side{};
     side[(k + 1) % 3] = alongSegment(corners[k], corners[(k + 1) % 3], p);
     side[k] = 1 - side[(k + 1) % 3];
     if (squaredDistance(corners, side, p) < squaredDistance(corners, best, p)) best = side;
@@ -164,14 +164,14 @@ std::vector<long> selectPlain(const nlohmann::json& selection, const PlainMesh& 
 
 std::pair<std::array<long, 3>, std::array<long double, 3>> nearestPlain(const PlainMesh& mesh, const PlainPoint& place)
 {
-  std::pair<std::array<long, 3>, Weights> best;
+  std::pair<std::array<long, 3>, BarycentricWeights> best;
   Real least = std::numeric_limits<Real>::infinity();
   for (const auto& face : mesh.faces) {
     if (face.size() != 3) throw std::runtime_error("nearest points are found on triangles only");
     const std::array<long, 3> ids{face[0], face[1], face[2]};
-    const Corners corners{placeOf(mesh.positions[ids[0]]), placeOf(mesh.positions[ids[1]]),
-                          placeOf(mesh.positions[ids[2]])};
-    const Weights weights = nearestOfTriangle(corners, placeOf(place));
+    const CornerPlaces corners{placeOf(mesh.positions[ids[0]]), placeOf(mesh.positions[ids[1]]),
+                               placeOf(mesh.positions[ids[2]])};
+    const BarycentricWeights weights = nearestOfTriangle(corners, placeOf(place));
     const Real distance = squaredDistance(corners, weights, placeOf(place));
     if (distance >= least) continue;
     least = distance;

@@ -31,6 +31,16 @@ Constraint hold(std::vector<Index> vertices)
   return {"", true, Fixed{{VertexIds{std::move(vertices)}}}};
 }
 
+Constraint rigid(std::vector<Index> vertices)
+{
+  return {"", true, Rigid{{VertexIds{std::move(vertices)}}}};
+}
+
+Constraint handle(std::vector<Index> vertices, decltype(Handle::motion) motion, const Vector3& translate)
+{
+  return {"", true, Handle{{VertexIds{std::move(vertices)}}, std::move(motion), translate, {}}};
+}
+
 ConstraintList listOf(std::vector<Constraint> constraints)
 {
   ConstraintList list{"", std::move(constraints)};

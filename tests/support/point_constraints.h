@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Lists of constraints on points of a mesh, in few words.
+/// Lists of constraints on points and vertices of a mesh, in few words.
 
 #include <vector>
 
@@ -14,6 +14,8 @@ namespace holdfast::test {
 [[nodiscard]] Constraint moveBy(SurfaceLocation at, const Vector3& shift);
 [[nodiscard]] Constraint moveTo(SurfaceLocation at, const Vector3& target);
 [[nodiscard]] Constraint hold(std::vector<Index> vertices);
+[[nodiscard]] Constraint rigid(std::vector<Index> vertices);
+[[nodiscard]] Constraint handle(std::vector<Index> vertices, decltype(Handle::motion) motion, const Vector3& translate);
 
 /// The constraints in order, named "P0", "P1", ...
 [[nodiscard]] ConstraintList listOf(std::vector<Constraint> constraints);

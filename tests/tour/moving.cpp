@@ -27,6 +27,16 @@ void dragArrow(Stage& stage)
   stage.picture("dragged_point");
 }
 
+void typeAlongArrow(Stage& stage)
+{
+  Viewport& viewport = stage.viewport();
+  test::moveMouse(viewport, stage.shownArrow(1));
+  test::type(viewport, "-12.5");
+  stage.picture("length_typed_over_an_arrow");
+  test::pressKey(viewport, Qt::Key_Return);
+  stage.settle();
+}
+
 }  // namespace
 
 void moving(Stage& stage)
@@ -38,6 +48,7 @@ void moving(Stage& stage)
   dragArrow(stage);
   stage.trigger("undo");
   stage.picture("undone");
+  typeAlongArrow(stage);
 
   auto& table = stage.find<QTableView>("constraintTable");
   const auto row = static_cast<int>(indexOf(stage.editor().list(), "flange east").value());

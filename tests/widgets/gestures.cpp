@@ -4,11 +4,14 @@
 #include <QElapsedTimer>
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QTimer>
 #include <QWidget>
 #include <QWindow>
 
 namespace holdfast::test {
 namespace {
+
+constexpr int kMillisecondsBetweenLooks = 10;
 
 void send(QWidget& widget, QEvent::Type type, const QPointF& place, Qt::MouseButton button, Qt::MouseButtons buttons,
           Qt::KeyboardModifiers modifiers)
@@ -25,9 +28,13 @@ bool waitUntil(const std::function<bool()>& condition, std::chrono::milliseconds
 {
   QElapsedTimer timer;
   timer.start();
+  // Not every condition comes true with an event.
+  QTimer lookAgain;
+  lookAgain.start(kMillisecondsBetweenLooks);
   while (!condition()) {
     if (timer.elapsed() > limit.count()) return false;
-    QApplication::processEvents(QEventLoop::WaitForMoreEvents | QEventLoop::AllEvents, 20);
+    // Without a time of its own: with one Qt does not wait, and takes a whole core from what is waited for.
+    QApplication::processEvents(QEventLoop::WaitForMoreEvents);
   }
   return true;
 }

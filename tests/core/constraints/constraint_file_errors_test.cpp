@@ -11,10 +11,10 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::string kHead = R"({"format": "holdfast-constraints", "version": 1, "constraints": )";
+const std::string kConstraintsHead = R"({"format": "holdfast-constraints", "version": 1, "constraints": )";
 
 /// `text` is refused: where, and with which words in the reason.
-void expectRefused(const std::string& text, const std::string& element, const std::string& words)
+void expectFileRefused(const std::string& text, const std::string& element, const std::string& words)
 {
   SCOPED_TRACE(text.substr(0, 300));
   try {
@@ -29,7 +29,7 @@ void expectRefused(const std::string& text, const std::string& element, const st
 
 void expectConstraintRefused(const std::string& constraint, const std::string& key, const std::string& words)
 {
-  expectRefused(kHead + "[" + constraint + "]}", "constraints[0]" + key, words);
+  expectFileRefused(kConstraintsHead + "[" + constraint + "]}", "constraints[0]" + key, words);
 }
 
 void expectSelectionRefused(const std::string& selection, const std::string& key, const std::string& words)
@@ -85,32 +85,33 @@ TEST(ConstraintFileErrors, NumbersTooLargeForADoubleAreRefused)
 
 TEST(ConstraintFileErrors, NumbersTooSmallForADoubleAreRefused)
 {
-  expectRefused(R"({"a": [1, 1e-400]})", "a[1]", "1e-400 does not fit");
-  expectRefused("1e-400", "top level", "1e-400 does not fit");
+  expectFileRefused(R"({"a": [1, 1e-400]})", "a[1]", "1e-400 does not fit");
+  expectFileRefused("1e-400", "top level", "1e-400 does not fit");
 }
 
 TEST(ConstraintFileErrors, DocumentIsAnObjectOfTheKnownFormatAndVersion)
 {
-  expectRefused("[]", "top level", "an object in braces is expected here, this is a list");
-  expectRefused("null", "top level", "this is null");
-  expectRefused("{}", "top level", R"("format" is missing)");
-  expectRefused(R"({"format": 1})", "format", "text in double quotes is expected here, this is an integer");
-  expectRefused(R"({"format": "holdfast-report", "version": 1})", "format", R"(says "holdfast-report")");
-  expectRefused(R"({"format": "holdfast-constraints"})", "top level", R"("version" is missing)");
-  expectRefused(R"({"format": "holdfast-constraints", "version": 2, "new": 1})", "version",
-                "version 2 is newer than this program");
-  expectRefused(R"({"format": "holdfast-constraints", "version": 0})", "version", "no version 0");
-  expectRefused(R"({"format": "holdfast-constraints", "version": 1.5})", "version", "not an integer");
-  expectRefused(R"({"format": "holdfast-constraints", "version": "1"})", "version", "this is text");
-  expectRefused(R"({"format": "holdfast-constraints", "version": 1})", "top level", R"("constraints" is missing)");
-  expectRefused(kHead + "{}}", "constraints", "a list is expected");
-  expectRefused(kHead + "[], \"units\": 3}", "units", "text in double quotes");
-  expectRefused(kHead + "[], \"bones\": {}}", "bones", "unknown key");
+  expectFileRefused("[]", "top level", "an object in braces is expected here, this is a list");
+  expectFileRefused("null", "top level", "this is null");
+  expectFileRefused("{}", "top level", R"("format" is missing)");
+  expectFileRefused(R"({"format": 1})", "format", "text in double quotes is expected here, this is an integer");
+  expectFileRefused(R"({"format": "holdfast-report", "version": 1})", "format", R"(says "holdfast-report")");
+  expectFileRefused(R"({"format": "holdfast-constraints"})", "top level", R"("version" is missing)");
+  expectFileRefused(R"({"format": "holdfast-constraints", "version": 2, "new": 1})", "version",
+                    "version 2 is newer than this program");
+  expectFileRefused(R"({"format": "holdfast-constraints", "version": 0})", "version", "no version 0");
+  expectFileRefused(R"({"format": "holdfast-constraints", "version": 1.5})", "version", "not an integer");
+  expectFileRefused(R"({"format": "holdfast-constraints", "version": "1"})", "version", "this is text");
+  expectFileRefused(R"({"format": "holdfast-constraints", "version": 1})", "top level", R"("constraints" is missing)");
+  expectFileRefused(kConstraintsHead + "{}}", "constraints", "a list is expected");
+  expectFileRefused(kConstraintsHead + "[], \"units\": 3}", "units", "text in double quotes");
+  expectFileRefused(kConstraintsHead + "[], \"bones\": {}}", "bones", "unknown key");
 }
 
 TEST(ConstraintFileErrors, UnknownKeysNameTheKnownOnesAndTheClosest)
 {
-  expectRefused(kHead + "[], \"unit\": \"mm\"}", "unit", R"(unknown key "unit"; did you mean "units"? Known here: )");
+  expectFileRefused(kConstraintsHead + "[], \"unit\": \"mm\"}", "unit",
+                    R"(unknown key "unit"; did you mean "units"? Known here: )");
   expectConstraintRefused(R"({"type": "fixed", "selct": {}})", ".selct",
                           R"(did you mean "select"? Known here: "type", "name", "enabled", "select")");
   expectConstraintRefused(R"({"type": "fixed", "select": {"component": 0}, "Name": "A"})", ".Name",
@@ -129,8 +130,8 @@ TEST(ConstraintFileErrors, UnknownKeysNameTheKnownOnesAndTheClosest)
 
 TEST(ConstraintFileErrors, RepeatedKeysAreRefused)
 {
-  expectRefused(R"({"format": "holdfast-constraints", "version": 1, "constraints": [], "constraints": []})",
-                "constraints", "more than once");
+  expectFileRefused(R"({"format": "holdfast-constraints", "version": 1, "constraints": [], "constraints": []})",
+                    "constraints", "more than once");
   expectConstraintRefused(R"({"type": "point", "at": {"vertex": 1}, "target": [0,0,0], "target": [0,0,1]})", ".target",
                           "more than once");
   expectSelectionRefused(R"({"vertices": [1], "vertices": [2]})", ".vertices", "more than once");
@@ -247,10 +248,10 @@ TEST(ConstraintFileErrors, NamesAreUnique)
   const std::string a = R"({"type": "fixed", "name": "A", "select": {"component": 0}})";
   const std::string nameless = R"({"type": "fixed", "select": {"component": 0}})";
   const std::string third = R"({"type": "fixed", "name": "fixed 3", "select": {"component": 0}})";
-  expectRefused(kHead + "[" + a + "," + nameless + "," + a + "]}", "constraints[2].name",
-                R"("A" is the name of constraints[0] already)");
-  expectRefused(kHead + "[" + third + "," + a + "," + nameless + "]}", "constraints[2]",
-                R"(default name "fixed 3" is that of constraints[0]; give it a name)");
+  expectFileRefused(kConstraintsHead + "[" + a + "," + nameless + "," + a + "]}", "constraints[2].name",
+                    R"("A" is the name of constraints[0] already)");
+  expectFileRefused(kConstraintsHead + "[" + third + "," + a + "," + nameless + "]}", "constraints[2]",
+                    R"(default name "fixed 3" is that of constraints[0]; give it a name)");
 }
 
 TEST(ConstraintFileErrors, PathLeadsThroughNestedSelections)
@@ -262,7 +263,7 @@ TEST(ConstraintFileErrors, PathLeadsThroughNestedSelections)
 TEST(ConstraintFileErrors, DeepNestingIsRefusedWhateverItsDepth)
 {
   for (const int depth : {101, 200, 400, 1000000}) {
-    std::string text = kHead + R"([{"type": "fixed", "select": )";
+    std::string text = kConstraintsHead + R"([{"type": "fixed", "select": )";
     for (int level = 0; level < depth; ++level) text += R"({"not":)";
     try {
       static_cast<void>(parseConstraintsJson(text, "c.json"));
@@ -271,15 +272,16 @@ TEST(ConstraintFileErrors, DeepNestingIsRefusedWhateverItsDepth)
       EXPECT_TRUE(error.location().line > 0 || !error.location().element.empty());
     }
   }
-  expectRefused(std::string(1000000, '['), "[0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0]...",
-                "nested deeper than");
+  expectFileRefused(std::string(1000000, '['), "[0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0]...",
+                    "nested deeper than");
 }
 
 TEST(ConstraintFileErrors, WholeSentenceNamesFilePlaceReasonAndRemedy)
 {
   try {
     static_cast<void>(parseConstraintsJson(
-        kHead + R"([{"type": "point", "at": {"edge": [1, 2], "t": 2}, "target": [0,0,0]}]})", "bracket.json"));
+        kConstraintsHead + R"([{"type": "point", "at": {"edge": [1, 2], "t": 2}, "target": [0,0,0]}]})",
+        "bracket.json"));
     FAIL() << "was read";
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(),

@@ -27,19 +27,19 @@ Selection ids(std::vector<Index> vertices)
   return {VertexIds{std::move(vertices)}};
 }
 
-struct Case {
+struct BadConstraint {
   const char* name;
   Constraint constraint;
   const char* element;
   std::vector<const char*> words;
 };
 
-void PrintTo(const Case& what, std::ostream* out)
+void PrintTo(const BadConstraint& bad, std::ostream* out)
 {
-  *out << what.name;
+  *out << bad.name;
 }
 
-std::vector<Case> cases()
+std::vector<BadConstraint> badConstraints()
 {
   const Vector3 up(0, 0, 1);
   const AllOf nested{{ids({0}), {AnyOf{{ids({1}), {NotIn{std::make_shared<const Selection>(ids({25}))}}}}}}};
@@ -64,7 +64,7 @@ std::vector<Case> cases()
   };
 }
 
-class ConstraintSystemError : public testing::TestWithParam<Case> {};
+class ConstraintSystemError : public testing::TestWithParam<BadConstraint> {};
 
 TEST_P(ConstraintSystemError, NamesThePlaceInTheListAndWhatIsWrong)
 {
@@ -86,8 +86,8 @@ TEST_P(ConstraintSystemError, NamesThePlaceInTheListAndWhatIsWrong)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Cases, ConstraintSystemError, testing::ValuesIn(cases()),
-                         [](const testing::TestParamInfo<Case>& what) { return what.param.name; });
+INSTANTIATE_TEST_SUITE_P(Cases, ConstraintSystemError, testing::ValuesIn(badConstraints()),
+                         [](const testing::TestParamInfo<BadConstraint>& what) { return what.param.name; });
 
 }  // namespace
 }  // namespace holdfast

@@ -13,16 +13,12 @@
 namespace holdfast {
 namespace {
 
+using test::handle;
 using test::hold;
 using test::listOf;
 using test::moveBy;
 using test::moveTo;
 using test::systemOf;
-
-Constraint handle(std::vector<Index> vertices, decltype(Handle::motion) motion, const Vector3& translate)
-{
-  return {"", true, Handle{{VertexIds{std::move(vertices)}}, std::move(motion), translate, {}}};
-}
 
 /// Where a handle takes the vertices of a mesh that consists of `points` and one face among them.
 std::vector<Vector3> turned(const std::vector<Vector3>& points, const Turn& turn)

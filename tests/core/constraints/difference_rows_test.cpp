@@ -15,13 +15,9 @@ namespace {
 using test::hold;
 using test::listOf;
 using test::moveBy;
+using test::rigid;
 using test::systemOf;
 using Terms = std::vector<PointTerm>;
-
-Constraint rigid(std::vector<Index> vertices)
-{
-  return {"", true, Rigid{{VertexIds{std::move(vertices)}}}};
-}
 
 Constraint relative(SurfaceLocation from, SurfaceLocation to, std::optional<Vector3> offset = {})
 {

@@ -17,7 +17,7 @@ namespace {
 using std::numbers::pi;
 
 // Roundings of a few dozen operations on numbers up to 100.
-constexpr double kRounding = 1e-11;
+constexpr double kRoundingOfDrags = 1e-11;
 
 const InputLocation kWhere{"list", 0, "handle"};
 
@@ -87,9 +87,9 @@ void expectMovedBy(const RigidIncrement& increment, const ConstraintSystem& befo
   ASSERT_EQ(after.rotations.size(), before.rotations.size());
   for (std::size_t r = 1; r < after.rows.size(); ++r) {
     EXPECT_EQ(after.rows[r].terms, before.rows[r].terms);
-    EXPECT_LT((after.rows[r].target - moved(before.rows[r].target, increment)).norm(), kRounding);
+    EXPECT_LT((after.rows[r].target - moved(before.rows[r].target, increment)).norm(), kRoundingOfDrags);
     const Eigen::Matrix3d expected = R * rotationMatrix(before.rotations[r].q);
-    EXPECT_LT((rotationMatrix(after.rotations[r].q) - expected).cwiseAbs().maxCoeff(), kRounding);
+    EXPECT_LT((rotationMatrix(after.rotations[r].q) - expected).cwiseAbs().maxCoeff(), kRoundingOfDrags);
   }
 }
 
@@ -111,7 +111,7 @@ TEST(HandleDrag, MovesWhatCoreMakesOfTheHandleByTheIncrement)
             EXPECT_LT(
                 (dragged.system(after).rows[k + 1].target - moved(dragged.system(handle).rows[k + 1].target, increment))
                     .norm(),
-                kRounding);
+                kRoundingOfDrags);
         else
           expectMovedBy(increment, dragged.system(handle), dragged.system(after));
         handle = after;
@@ -213,7 +213,7 @@ TEST(HandleDrag, KeepsTurnsAboutTheFramesAxis)
   const Handle handle = dragged.handle(FrameMotion{});
   for (const double degrees : {90.0, 179.0, 181.0, 300.0, 360.0, 450.0, 1080.0, 1100.0, -540.5}) {
     const Handle after = dragged.after(handle, {{1, 1, 0}, degrees, {2, 2, 0}, {0, 0, 0}});
-    EXPECT_NEAR(dragged.degreesOf(after), std::abs(degrees), kRounding) << degrees;
+    EXPECT_NEAR(dragged.degreesOf(after), std::abs(degrees), kRoundingOfDrags) << degrees;
     EXPECT_EQ(std::holds_alternative<FrameMotion>(after.motion), std::fmod(degrees, 360) != 0) << degrees;
   }
 }
@@ -226,7 +226,7 @@ TEST(HandleDrag, KeepsTurnsOfPlaces)
   for (Index k = 0; k < rest.rows(); ++k) targets.places.emplace_back(rest.row(k).transpose());
   for (const double degrees : {90.0, 179.0, 180.0, 181.0, 720.0}) {
     const Handle after = dragged.after(dragged.handle(targets), {{0, 1, 0}, degrees, {2, 2, 0}, {0, 0, 0}});
-    EXPECT_NEAR(dragged.degreesOf(after), degrees, kRounding);
+    EXPECT_NEAR(dragged.degreesOf(after), degrees, kRoundingOfDrags);
     EXPECT_TRUE(std::holds_alternative<VertexTargets>(after.motion));
     EXPECT_EQ(after.rotations.empty(), degrees < 180);
   }

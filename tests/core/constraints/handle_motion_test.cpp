@@ -23,9 +23,9 @@ using test::systemOf;
 using testing::HasSubstr;
 
 // A few roundings of numbers up to 10.
-constexpr double kRounding = 1e-14;
+constexpr double kRoundingOfMotions = 1e-14;
 
-Handle handle(std::vector<Index> vertices, const Vector3& translate)
+Handle translatedHandle(std::vector<Index> vertices, const Vector3& translate)
 {
   return {{VertexIds{std::move(vertices)}}, {}, translate, {}};
 }
@@ -75,15 +75,15 @@ TEST(HandleAboutFixed, TurnsAsItsCentroidDoesAboutTheFixedOne)
   const HandlePlacement placement = placeHandle(handle, rest, {Vector3(0, 0, 0), 10}, {"list", 0, "handle"});
   Positions expected(2, 3);
   expected << -1, 3, 0, 1, 5, 0;  // a quarter turn about z, then the centroid at (0, 4, 0)
-  EXPECT_LT(largestDifference(placement.places, expected), kRounding);
+  EXPECT_LT(largestDifference(placement.places, expected), kRoundingOfMotions);
   for (Index k = 0; k < 2; ++k)
-    EXPECT_LT((Vector3(placement.q.row(k)) - Vector3(0, 0, pi / 4)).norm(), kRounding) << "half of 90 degrees";
+    EXPECT_LT((Vector3(placement.q.row(k)) - Vector3(0, 0, pi / 4)).norm(), kRoundingOfMotions) << "half of 90 degrees";
 }
 
 TEST(HandleAboutFixed, SeesTheCentroidOfAllVerticesThatAreFixed)
 {
   const Mesh mesh = test::grid(4, 4);
-  ConstraintList list = listOf({hold({0, 1}), hold({1, 2}), hold({24}), named(handle({14}, {-3, 1, 0}))});
+  ConstraintList list = listOf({hold({0, 1}), hold({1, 2}), hold({24}), named(translatedHandle({14}, {-3, 1, 0}))});
   list.constraints[2].isEnabled = false;
   std::get<Handle>(list.constraints[3].what).motion = TurnAboutFixed{};
   const ConstraintSystem system = systemOf(mesh, list);
@@ -91,8 +91,8 @@ TEST(HandleAboutFixed, SeesTheCentroidOfAllVerticesThatAreFixed)
   // (0, 3).
   const double angle = pi / 2 - std::atan2(2, 3);
   ASSERT_EQ(system.rotations.size(), 4U);
-  EXPECT_LT((system.rotations[3].q - Vector3(0, 0, angle / 2)).norm(), kRounding);
-  EXPECT_LT((system.rows.back().target - Vector3(1, 3, 0)).norm(), kRounding);
+  EXPECT_LT((system.rotations[3].q - Vector3(0, 0, angle / 2)).norm(), kRoundingOfMotions);
+  EXPECT_LT((system.rows.back().target - Vector3(1, 3, 0)).norm(), kRoundingOfMotions);
 }
 
 TEST(HandleAboutFixed, DoesNotTurnOnItsWayOutOrAtRest)
@@ -103,8 +103,9 @@ TEST(HandleAboutFixed, DoesNotTurnOnItsWayOutOrAtRest)
   for (const double share : {0.0, 0.5, 3.0}) {
     const Handle handle{{AllOf{}}, TurnAboutFixed{}, share * centroid, {}};
     const HandlePlacement placement = placeHandle(handle, rest, {Vector3(0, 0, 0), 10}, {"list", 0, "handle"});
-    EXPECT_LT(placement.q.cwiseAbs().maxCoeff(), kRounding) << share;
-    EXPECT_LT(largestDifference(placement.places, rest.rowwise() + share * centroid.transpose()), kRounding) << share;
+    EXPECT_LT(placement.q.cwiseAbs().maxCoeff(), kRoundingOfMotions) << share;
+    EXPECT_LT(largestDifference(placement.places, rest.rowwise() + share * centroid.transpose()), kRoundingOfMotions)
+        << share;
   }
 }
 
@@ -122,10 +123,10 @@ TEST(HandleFrame, IsTakenToTheOtherFrame)
     Positions expected(4, 3);
     expected.row(0) = to.origin->transpose();
     expected.bottomRows(3) = axesOf(to).transpose().rowwise() + to.origin->transpose();
-    EXPECT_LT(largestDifference(placement.places, expected), kRounding);
+    EXPECT_LT(largestDifference(placement.places, expected), kRoundingOfMotions);
     const Eigen::Matrix3d R = axesOf(to) * axesOf(from).transpose();
-    EXPECT_LT((rotationMatrix(Vector3(placement.q.row(2))) - R).cwiseAbs().maxCoeff(), kRounding);
-    EXPECT_LE(placement.q.row(0).norm(), pi / 2 + kRounding) << "the shortest way";
+    EXPECT_LT((rotationMatrix(Vector3(placement.q.row(2))) - R).cwiseAbs().maxCoeff(), kRoundingOfMotions);
+    EXPECT_LE(placement.q.row(0).norm(), pi / 2 + kRoundingOfMotions) << "the shortest way";
   }
 }
 
@@ -134,7 +135,7 @@ TEST(HandleFrame, HasRightHandedAxesWhateverLengthsAndAnglesAreGiven)
   const Eigen::Matrix3d axes = axesOf(frame({9, 9, 9}, {0, 1e200, 0}, {-1e-200, 5e-200, 0}));
   Eigen::Matrix3d expected;
   expected << 0, -1, 0, 1, 0, 0, 0, 0, 1;
-  EXPECT_LT((axes - expected).cwiseAbs().maxCoeff(), kRounding);
+  EXPECT_LT((axes - expected).cwiseAbs().maxCoeff(), kRoundingOfMotions);
 }
 
 TEST(HandleFrame, StandsAtTheCentroidAlongTheAxesWhereNothingElseIsSaid)
@@ -162,7 +163,8 @@ TEST(HandleFrame, TakesWholeTurnsMoreAboutTheSameAxis)
     motion.turns = turns;
     const HandlePlacement some = placed(motion, rest);
     EXPECT_EQ(some.places, none.places);
-    EXPECT_LT((Vector3(some.q.row(0)) - Vector3(0, 0, pi / 4 + pi * static_cast<double>(turns))).norm(), kRounding);
+    EXPECT_LT((Vector3(some.q.row(0)) - Vector3(0, 0, pi / 4 + pi * static_cast<double>(turns))).norm(),
+              kRoundingOfMotions);
   }
 }
 
@@ -181,14 +183,14 @@ TEST(HandleTargets, FindTheRotationThatWasPlanted)
     EXPECT_TRUE(placement.isDetermined);
     for (Index k = 0; k < rest.rows(); ++k) {
       EXPECT_EQ(Vector3(placement.places.row(k)), targets.places[k]) << "bit for bit";
-      EXPECT_LT((Vector3(placement.q.row(k)) - q).norm(), kRounding);
+      EXPECT_LT((Vector3(placement.q.row(k)) - q).norm(), kRoundingOfMotions);
     }
   }
 }
 
 TEST(HandleTargets, GoToTheVerticesInTheOrderOfTheirList)
 {
-  Handle moved = handle({8, 0, 2}, {0, 0, 0.5});
+  Handle moved = translatedHandle({8, 0, 2}, {0, 0, 0.5});
   moved.motion = VertexTargets{{{1, 0, 0}, {2, 0, 0}, {3, 1, 0}}};
   const ConstraintSystem system = systemOf(test::grid(2, 2), listOf({named(moved)}));
   ASSERT_EQ(system.rows.size(), 3U);
@@ -207,7 +209,7 @@ TEST(HandleTargets, OfWeldedVerticesThatDifferAreAskedForBoth)
   std::vector<Index> middle;
   for (Index v = 0; v < mesh.vertexCount(); ++v)
     if (Vector3(mesh.positions.row(v)) == Vector3(1, 1, 0)) middle.push_back(v);
-  Handle moved = handle({middle[0], middle[1], middle[2], middle[3]}, {0, 0, 0});
+  Handle moved = translatedHandle({middle[0], middle[1], middle[2], middle[3]}, {0, 0, 0});
   moved.motion = VertexTargets{{{1, 1, 1}, {1, 1, 1}, {1, 1, 2}, {1, 1, 2}}};
   EXPECT_EQ(systemOf(mesh, listOf({named(moved)})).rows.size(), 2U);
 }
@@ -219,7 +221,7 @@ TEST(HandleRotations, ReplaceTheRotationOfTheMotion)
   for (const decltype(Handle::motion)& motion :
        {decltype(Handle::motion){}, decltype(Handle::motion){Turn{{1, 1, 1}, 30, std::nullopt}},
         decltype(Handle::motion){VertexTargets{{{1, 0, 0}, {2, 0, 0}, {3, 0, 0}}}}}) {
-    Handle moved = handle({8, 0, 2}, {0, 0, 9});
+    Handle moved = translatedHandle({8, 0, 2}, {0, 0, 9});
     moved.motion = motion;
     const ConstraintSystem plain = systemOf(test::grid(2, 2), listOf({named(moved)}));
     moved.rotations = turns;
@@ -251,10 +253,10 @@ TEST(ConstraintNotes, NameHandlesThatMoveFarWithoutTurning)
 {
   const Mesh mesh = test::grid(4, 4);
   const auto system = [&](const Handle& moved) { return systemOf(mesh, listOf({hold({0}), named(moved)})); };
-  const Handle far = handle({4}, {0, 0, 1.6});
+  const Handle far = translatedHandle({4}, {0, 0, 1.6});
   EXPECT_THAT(onlyNote(system(far), 1, "unsaid_rotation"),
               HasSubstr("moved 40 % of its distance to the fixed region without turning"));
-  EXPECT_TRUE(system(handle({4}, {0, 0, 1})).notes.empty()) << "25 % is not much";
+  EXPECT_TRUE(system(translatedHandle({4}, {0, 0, 1})).notes.empty()) << "25 % is not much";
   Handle said = far;
   said.motion = Turn{{0, 0, 1}, 0, std::nullopt};
   EXPECT_TRUE(system(said).notes.empty()) << "that it does not turn is said";
@@ -265,11 +267,11 @@ TEST(ConstraintNotes, NameHandlesThatMoveFarWithoutTurning)
 
 TEST(ConstraintNotes, NameTargetsThatDoNotSayHowTheHandleTurns)
 {
-  Handle moved = handle({0, 1, 2}, {0, 0, 0});
+  Handle moved = translatedHandle({0, 1, 2}, {0, 0, 0});
   moved.motion = VertexTargets{{{0, 0, 0}, {0, 1, 0}, {0, 2, 0}}};
   const ConstraintSystem system = systemOf(test::grid(2, 2), listOf({named(moved)}));
   EXPECT_THAT(onlyNote(system, 0, "undetermined_rotation"), HasSubstr("on a line"));
-  EXPECT_LT((system.rotations[0].q - Vector3(0, 0, pi / 4)).norm(), kRounding) << "the shortest that fits";
+  EXPECT_LT((system.rotations[0].q - Vector3(0, 0, pi / 4)).norm(), kRoundingOfMotions) << "the shortest that fits";
 }
 
 TEST(ConstraintNotes, NameRigidRegionsOfOneVertex)
@@ -280,7 +282,8 @@ TEST(ConstraintNotes, NameRigidRegionsOfOneVertex)
 
 TEST(ConstraintNotes, SayNothingOfDisabledConstraints)
 {
-  ConstraintList list = listOf({hold({0}), {"", true, Rigid{{VertexIds{{4}}}}}, named(handle({8}, {0, 0, 9}))});
+  ConstraintList list =
+      listOf({hold({0}), {"", true, Rigid{{VertexIds{{4}}}}}, named(translatedHandle({8}, {0, 0, 9}))});
   EXPECT_EQ(systemOf(test::grid(2, 2), list).notes.size(), 2U);
   list.constraints[1].isEnabled = false;
   list.constraints[2].isEnabled = false;

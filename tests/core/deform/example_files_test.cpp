@@ -21,8 +21,6 @@ namespace {
 
 using testing::ElementsAre;
 
-const std::string kData = test::dataFolder() + "/";
-
 /// An example of data/, solved.
 struct Example {
   Model model;
@@ -38,8 +36,8 @@ Deformation solved(const Model& model, const ConstraintList& list)
 
 Example example(const std::string& mesh, const std::string& constraints)
 {
-  Model model = makeModel(readMesh(kData + mesh).mesh, mesh);
-  ConstraintList list = readConstraints(kData + constraints + ".constraints.json");
+  Model model = makeModel(readMesh(test::dataFolder() + "/" + mesh).mesh, mesh);
+  ConstraintList list = readConstraints(test::dataFolder() + "/" + constraints + ".constraints.json");
   Deformation result = solved(model, list);
   return {std::move(model), std::move(list), std::move(result)};
 }

@@ -75,27 +75,20 @@ std::vector<Constraint> loop(int size, Index j, const Mesh& mesh)
   return members;
 }
 
-Constraint handle(std::vector<Index> vertices, const Vector3& shift)
-{
-  return {"", true, Handle{{VertexIds{std::move(vertices)}}, {}, shift, {}}};
-}
-
-Constraint rigid(std::vector<Index> vertices)
-{
-  return {"", true, Rigid{{VertexIds{std::move(vertices)}}}};
-}
-
 void plantMixed(Planted& planted, Index j)
 {
   const Vector3 shift = planted.shift();
-  planted.plant({handle({vertexAt(0, j), vertexAt(2, j)}, shift), handle({vertexAt(2, j), vertexAt(4, j)}, shift)}, 1);
-  planted.plant({rigid({vertexAt(0, j + 3), vertexAt(1, j + 3), vertexAt(2, j + 3), vertexAt(3, j + 3)}),
+  planted.plant({test::handle({vertexAt(0, j), vertexAt(2, j)}, {}, shift),
+                 test::handle({vertexAt(2, j), vertexAt(4, j)}, {}, shift)},
+                1);
+  planted.plant({test::rigid({vertexAt(0, j + 3), vertexAt(1, j + 3), vertexAt(2, j + 3), vertexAt(3, j + 3)}),
                  test::moveBy(AtVertex{vertexAt(1, j + 3)}, shift), test::moveBy(AtVertex{vertexAt(3, j + 3)}, shift)},
                 1);
-  planted.plant({rigid({vertexAt(10, j + 3), vertexAt(11, j + 3)}), handle({vertexAt(10, j + 3)}, shift),
-                 test::moveBy(AtEdge{vertexAt(11, j + 3), vertexAt(12, j + 3), 0.4}, shift),
-                 test::moveBy(AtVertex{vertexAt(12, j + 3)}, shift)},
-                2);
+  planted.plant(
+      {test::rigid({vertexAt(10, j + 3), vertexAt(11, j + 3)}), test::handle({vertexAt(10, j + 3)}, {}, shift),
+       test::moveBy(AtEdge{vertexAt(11, j + 3), vertexAt(12, j + 3), 0.4}, shift),
+       test::moveBy(AtVertex{vertexAt(12, j + 3)}, shift)},
+      2);
   const Index face = 2 * ((j + 6) * kSquares + 5);
   planted.plant(
       {test::moveBy(AtFace{face, {0.2, 0.3, 0.5}}, shift), test::moveBy(AtFace{face, {0.5, 0.3, 0.2}}, shift),

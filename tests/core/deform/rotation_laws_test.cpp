@@ -26,11 +26,6 @@ Constraint turn(std::string name, std::vector<Index> vertices, double degrees, c
   return {std::move(name), true, handle};
 }
 
-Constraint rigid(std::vector<Index> vertices)
-{
-  return {"rigid", true, Rigid{{VertexIds{std::move(vertices)}}}};
-}
-
 /// The vertices of `mesh` whose place along x is in the given share of its extent.
 std::vector<Index> between(const Mesh& mesh, double from, double to)
 {
@@ -133,7 +128,8 @@ TEST(RotationLaws, RigidRegionsKeepTheirDistances)
   for (const std::vector<Index>& region :
        {std::vector<Index>(ring.begin(), ring.begin() + 10), between(sphere, 0.03, 0.97)}) {
     ASSERT_GT(region.size(), 9U);
-    const ConstraintList list{"", {test::hold(bottom), turn("top", top, 150, Vector3(2, 0, 0.5)), rigid(region)}};
+    const ConstraintList list =
+        test::listOf({test::hold(bottom), turn("top", top, 150, Vector3(2, 0, 0.5)), test::rigid(region)});
     const Deformation result = test::deformed(sphere, list, {});
     ASSERT_EQ(result.report.solve.status, SolveStatus::Ok) << result.report.solve.message;
     EXPECT_LT(largestChangeOfDistance(sphere.positions, result.positions, region) / 2, kExact) << region.size();
@@ -207,10 +203,10 @@ ConstraintList someOfEverything(const Mesh& mesh, Index split, test::Random& ran
   std::vector<Constraint> constraints{
       test::hold({ids[0], ids[1], ids[2]}),
       turn("handle", {ids[3], ids[4], ids[5]}, random.uniform(-300, 300), test::randomVector(random, 1)),
-      rigid({ids[6], ids[7], ids[8]}),
+      test::rigid({ids[6], ids[7], ids[8]}),
       {"kept", true, Relative{AtVertex{ids[9]}, AtVertex{ids[10]}, {}}},
       {"tied", true, Relative{AtVertex{ids[11]}, AtVertex{other}, {}}},
-      rigid({ids[12], other}),
+      test::rigid({ids[12], other}),
       test::moveBy(AtVertex{ids[13]}, test::randomVector(random, 0.5))};
   for (std::size_t k = 0; k < constraints.size(); ++k) constraints[k].name = std::to_string(k);
   return {"", std::move(constraints)};

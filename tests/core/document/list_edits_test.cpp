@@ -21,7 +21,7 @@ Constraint point(const std::string& name, Index vertex = 0)
   return {name, true, Point{AtVertex{vertex}, Move{}}};
 }
 
-ConstraintList listOf(const Names& names)
+ConstraintList pointsNamed(const Names& names)
 {
   ConstraintList list{"mm", {}};
   for (const std::string& name : names) list.constraints.push_back(point(name, std::ssize(list.constraints)));
@@ -45,7 +45,7 @@ std::vector<Index> verticesOf(const ConstraintList& list)
 }
 
 template <class Edit>
-void expectRefused(Edit edit, const std::string& words)
+void expectEditRefused(Edit edit, const std::string& words)
 {
   try {
     static_cast<void>(edit());
@@ -57,7 +57,7 @@ void expectRefused(Edit edit, const std::string& words)
 
 TEST(ListEdits, FindByName)
 {
-  const ConstraintList list = listOf({"a", "b"});
+  const ConstraintList list = pointsNamed({"a", "b"});
   EXPECT_EQ(indexOf(list, "b"), 1);
   EXPECT_EQ(indexOf(list, "B"), std::nullopt);
 }
@@ -65,28 +65,28 @@ TEST(ListEdits, FindByName)
 TEST(ListEdits, FreshNamesFillTheFirstGap)
 {
   EXPECT_EQ(freshName({}, "P"), "P1");
-  EXPECT_EQ(freshName(listOf({"P1", "P3", "P", "Q2"}), "P"), "P2");
-  EXPECT_EQ(freshName(listOf({"P2", "P1"}), "P"), "P3");
+  EXPECT_EQ(freshName(pointsNamed({"P1", "P3", "P", "Q2"}), "P"), "P2");
+  EXPECT_EQ(freshName(pointsNamed({"P2", "P1"}), "P"), "P3");
 }
 
 TEST(ListEdits, AddAtTheEnd)
 {
-  EXPECT_THAT(namesOf(added(listOf({"a", "b"}), point("c"))), ElementsAre("a", "b", "c"));
+  EXPECT_THAT(namesOf(added(pointsNamed({"a", "b"}), point("c"))), ElementsAre("a", "b", "c"));
 }
 
 TEST(ListEdits, NamesThatAreTakenOrEmptyAreRefused)
 {
-  const ConstraintList list = listOf({"a", "b"});
-  expectRefused([&] { return added(list, point("b")); }, "\"b\" is the name of constraint 2 in the list already");
-  expectRefused([&] { return added(list, point("")); }, "the name is empty");
-  expectRefused([&] { return renamed(list, 0, "b"); }, "choose another");
-  expectRefused([&] { return renamed(list, 0, ""); }, "the name is empty");
-  expectRefused([&] { return replaced(list, 0, point("b")); }, "already");
+  const ConstraintList list = pointsNamed({"a", "b"});
+  expectEditRefused([&] { return added(list, point("b")); }, "\"b\" is the name of constraint 2 in the list already");
+  expectEditRefused([&] { return added(list, point("")); }, "the name is empty");
+  expectEditRefused([&] { return renamed(list, 0, "b"); }, "choose another");
+  expectEditRefused([&] { return renamed(list, 0, ""); }, "the name is empty");
+  expectEditRefused([&] { return replaced(list, 0, point("b")); }, "already");
 }
 
 TEST(ListEdits, RenameChangesNothingElse)
 {
-  const ConstraintList list = renamed(listOf({"a", "b"}), 1, "c");
+  const ConstraintList list = renamed(pointsNamed({"a", "b"}), 1, "c");
   EXPECT_THAT(namesOf(list), ElementsAre("a", "c"));
   EXPECT_THAT(verticesOf(list), ElementsAre(0, 1));
   EXPECT_THAT(namesOf(renamed(list, 1, "c")), ElementsAre("a", "c")) << "to its own name";
@@ -94,14 +94,14 @@ TEST(ListEdits, RenameChangesNothingElse)
 
 TEST(ListEdits, ReplaceKeepsThePlace)
 {
-  const ConstraintList list = replaced(listOf({"a", "b", "c"}), 1, point("b", 7));
+  const ConstraintList list = replaced(pointsNamed({"a", "b", "c"}), 1, point("b", 7));
   EXPECT_THAT(namesOf(list), ElementsAre("a", "b", "c"));
   EXPECT_THAT(verticesOf(list), ElementsAre(0, 7, 2));
 }
 
 TEST(ListEdits, RemoveAndExtractDivideTheList)
 {
-  const ConstraintList list = listOf({"a", "b", "c", "d"});
+  const ConstraintList list = pointsNamed({"a", "b", "c", "d"});
   EXPECT_THAT(namesOf(removed(list, {3, 1, 3})), ElementsAre("a", "c"));
   EXPECT_THAT(namesOf(extracted(list, {3, 1, 3})), ElementsAre("b", "d"));
   EXPECT_THAT(namesOf(removed(list, {})), ElementsAre("a", "b", "c", "d"));
@@ -111,7 +111,7 @@ TEST(ListEdits, RemoveAndExtractDivideTheList)
 
 TEST(ListEdits, MovePutsTheChosenSideBySideInTheirOrder)
 {
-  const ConstraintList list = listOf({"a", "b", "c", "d", "e"});
+  const ConstraintList list = pointsNamed({"a", "b", "c", "d", "e"});
   EXPECT_THAT(namesOf(moved(list, {3, 1}, 0)), ElementsAre("b", "d", "a", "c", "e"));
   EXPECT_THAT(namesOf(moved(list, {3, 1}, 5)), ElementsAre("a", "c", "e", "b", "d"));
   EXPECT_THAT(namesOf(moved(list, {3, 1}, 2)), ElementsAre("a", "b", "d", "c", "e"));
@@ -120,7 +120,7 @@ TEST(ListEdits, MovePutsTheChosenSideBySideInTheirOrder)
 
 TEST(ListEdits, MoveToWhereItIsChangesNothing)
 {
-  const ConstraintList list = listOf({"a", "b", "c"});
+  const ConstraintList list = pointsNamed({"a", "b", "c"});
   for (const Index before : {1, 2}) EXPECT_TRUE(test::areSame(moved(list, {1}, before), list));
   EXPECT_TRUE(test::areSame(moved(list, {}, 1), list));
   EXPECT_TRUE(test::areSame(moved(list, {0, 1, 2}, 1), list));
@@ -128,7 +128,7 @@ TEST(ListEdits, MoveToWhereItIsChangesNothing)
 
 TEST(ListEdits, EnableAndDisableTheChosenAlone)
 {
-  const ConstraintList list = withEnabled(listOf({"a", "b", "c"}), {0, 2}, Enabling::Disabled);
+  const ConstraintList list = withEnabled(pointsNamed({"a", "b", "c"}), {0, 2}, Enabling::Disabled);
   EXPECT_FALSE(list.constraints[0].isEnabled);
   EXPECT_TRUE(list.constraints[1].isEnabled);
   EXPECT_FALSE(list.constraints[2].isEnabled);
@@ -137,20 +137,21 @@ TEST(ListEdits, EnableAndDisableTheChosenAlone)
 
 TEST(ListEdits, PasteMakesNamesUniqueAndKeepsTheOrder)
 {
-  const ConstraintList list = pasted(listOf({"P1", "P3", "base", "7"}), listOf({"P1", "base", "P3", "new", "P2", "7"}));
+  const ConstraintList list =
+      pasted(pointsNamed({"P1", "P3", "base", "7"}), pointsNamed({"P1", "base", "P3", "new", "P2", "7"}));
   EXPECT_THAT(namesOf(list), ElementsAre("P1", "P3", "base", "7", "P2", "base 2", "P4", "new", "P5", "7 2"));
 }
 
 TEST(ListEdits, PasteTwiceCountsOn)
 {
-  const ConstraintList one = listOf({"base"});
+  const ConstraintList one = pointsNamed({"base"});
   EXPECT_THAT(namesOf(pasted(pasted(one, one), one)), ElementsAre("base", "base 2", "base 3"));
 }
 
 TEST(ListEdits, PasteKeepsTheUnitsOfTheList)
 {
-  EXPECT_EQ(pasted({"inch", {}}, listOf({"a"})).units, "inch");
-  EXPECT_EQ(pasted({}, listOf({"a"})).units, "mm");
+  EXPECT_EQ(pasted({"inch", {}}, pointsNamed({"a"})).units, "inch");
+  EXPECT_EQ(pasted({}, pointsNamed({"a"})).units, "mm");
 }
 
 TEST(ListEdits, PasteOfManyAlikeTakesNoQuadraticTime)

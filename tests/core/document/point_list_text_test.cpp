@@ -16,17 +16,16 @@
 namespace holdfast {
 namespace {
 
+using test::kPointListHeader;
 using testing::HasSubstr;
 using testing::StartsWith;
-
-const std::string kHeader = "name,x,y,z,target_x,target_y,target_z\n";
 
 Model gridModel()
 {
   return makeModel(test::grid(4, 4), "mesh");
 }
 
-void expectRefused(const std::string& text, const std::string& words)
+void expectPasteRefused(const std::string& text, const std::string& words)
 {
   try {
     static_cast<void>(fromClipboardText(text));
@@ -42,9 +41,9 @@ TEST(PointListText, SaysWherePointsLieAndWhereTheyGo)
       test::listOf({test::moveTo(AtVertex{6}, {0.1, -2, 1e300}), test::hold({0}),
                     test::moveBy(AtEdge{0, 1, 0.25}, {0, 0.5, 1}), test::moveBy(AtNear{{2, 2, 3}}, {0, 0, 1})});
   list.constraints[2].name = "bolt \"2\", left";
-  EXPECT_EQ(
-      toPointListCsv(list, {3, 0, 2}, gridModel()),
-      kHeader + "P0,1,1,0,0.1,-2,1e+300\n" + "\"bolt \"\"2\"\", left\",0.75,0,0,0.75,0.5,1\n" + "P3,2,2,3,2,2,1\n");
+  EXPECT_EQ(toPointListCsv(list, {3, 0, 2}, gridModel()), kPointListHeader + "P0,1,1,0,0.1,-2,1e+300\n" +
+                                                              "\"bolt \"\"2\"\", left\",0.75,0,0,0.75,0.5,1\n" +
+                                                              "P3,2,2,3,2,2,1\n");
 }
 
 TEST(PointListText, PointsComeBackBitForBit)
@@ -85,16 +84,16 @@ TEST(PointListText, TakesTheCellsOfASpreadsheet)
   EXPECT_EQ(list.constraints[2].name, "a\ttab, \"quoted\"");
   EXPECT_EQ(list.constraints[3].name, "point 4");
   EXPECT_EQ(std::get<AtNear>(std::get<Point>(list.constraints[1].what).at).place, Vector3(1, 2, 3));
-  expectRefused(header + "A\t1,5\t2\t3\t4\t5\t6\r\n", "the decimal sign is a point");
+  expectPasteRefused(header + "A\t1,5\t2\t3\t4\t5\t6\r\n", "the decimal sign is a point");
 }
 
 TEST(PointListText, OtherTextIsRefused)
 {
-  expectRefused("", "there is no text to paste");
-  expectRefused(" \n\t", "there is no text to paste");
-  expectRefused("https://example.org", "clipboard");
-  expectRefused("{", "not valid JSON");
-  expectRefused(kHeader, "there is no row");
+  expectPasteRefused("", "there is no text to paste");
+  expectPasteRefused(" \n\t", "there is no text to paste");
+  expectPasteRefused("https://example.org", "clipboard");
+  expectPasteRefused("{", "not valid JSON");
+  expectPasteRefused(kPointListHeader, "there is no row");
 }
 
 TEST(PointListText, PointsThatTheMeshDoesNotHaveAreRefused)

@@ -19,7 +19,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-const std::string kHead = R"({"format": "holdfast-constraints", "version": 1, "constraints": [])";
+const std::string kSessionHead = R"({"format": "holdfast-constraints", "version": 1, "constraints": [])";
 const std::string kMesh = R"(, "mesh": {"path": "part.ply"})";
 
 /// A session in which nothing has its default value.
@@ -54,7 +54,7 @@ void expectSame(const SessionFile& a, const SessionFile& b)
   EXPECT_EQ(a.original, b.original);
 }
 
-void expectRefused(const std::string& text, const std::string& element, const std::string& words)
+void expectSessionRefused(const std::string& text, const std::string& element, const std::string& words)
 {
   SCOPED_TRACE(text);
   try {
@@ -130,47 +130,49 @@ TEST(SessionFile, WhatCannotBeReadAgainIsNotWritten)
 
 TEST(SessionFile, ConstraintFilesWithoutAMeshAreNoSessions)
 {
-  expectRefused(kHead + "}", "top level", "\"mesh\" is missing: this is a constraint file; open a mesh");
+  expectSessionRefused(kSessionHead + "}", "top level", "\"mesh\" is missing: this is a constraint file; open a mesh");
 }
 
 TEST(SessionFile, MistakesOfTheMeshAreRefused)
 {
-  expectRefused(kHead + R"(, "mesh": "part.ply"})", "mesh", "an object in braces");
-  expectRefused(kHead + R"(, "mesh": {}})", "mesh", "\"path\" is missing");
-  expectRefused(kHead + R"(, "mesh": {"path": ""}})", "mesh.path", "the text is empty");
-  expectRefused(kHead + R"(, "mesh": {"path": "p", "sum": 1}})", "mesh.sum", "unknown key");
+  expectSessionRefused(kSessionHead + R"(, "mesh": "part.ply"})", "mesh", "an object in braces");
+  expectSessionRefused(kSessionHead + R"(, "mesh": {}})", "mesh", "\"path\" is missing");
+  expectSessionRefused(kSessionHead + R"(, "mesh": {"path": ""}})", "mesh.path", "the text is empty");
+  expectSessionRefused(kSessionHead + R"(, "mesh": {"path": "p", "sum": 1}})", "mesh.sum", "unknown key");
   for (const std::string sum :
        {"", "0123456789abcdef", "md5:0123456789abcdef", "fnv1a64:0123", "fnv1a64:0123456789ABCDEF"})
-    expectRefused(kHead + R"(, "mesh": {"path": "p", "checksum": ")" + sum + R"("}})", "mesh.checksum",
-                  sum.empty() ? "the text is empty" : "16 hexadecimal digits");
+    expectSessionRefused(kSessionHead + R"(, "mesh": {"path": "p", "checksum": ")" + sum + R"("}})", "mesh.checksum",
+                         sum.empty() ? "the text is empty" : "16 hexadecimal digits");
 }
 
 TEST(SessionFile, MistakesOfTheOptionsAreRefused)
 {
-  const std::string head = kHead + kMesh + R"(, "options": )";
-  expectRefused(head + R"({"weight": "uniform"}})", "options.weight", R"(did you mean "weights"?)");
-  expectRefused(head + R"({"weights": "cotan"}})", "options.weights", R"("cotan" is not known here; Known here:)");
-  expectRefused(head + R"({"solver": "Soft"}})", "options.solver", R"(did you mean "soft"?)");
-  expectRefused(head + R"({"soft_weight": 0}})", "options.soft_weight", "not above 0");
-  expectRefused(head + R"({"backend": 1}})", "options.backend", "text in double quotes");
+  const std::string head = kSessionHead + kMesh + R"(, "options": )";
+  expectSessionRefused(head + R"({"weight": "uniform"}})", "options.weight", R"(did you mean "weights"?)");
+  expectSessionRefused(head + R"({"weights": "cotan"}})", "options.weights",
+                       R"("cotan" is not known here; Known here:)");
+  expectSessionRefused(head + R"({"solver": "Soft"}})", "options.solver", R"(did you mean "soft"?)");
+  expectSessionRefused(head + R"({"soft_weight": 0}})", "options.soft_weight", "not above 0");
+  expectSessionRefused(head + R"({"backend": 1}})", "options.backend", "text in double quotes");
 }
 
 TEST(SessionFile, MistakesOfTheViewAreRefused)
 {
-  const std::string head = kHead + kMesh + R"(, "view": )";
-  expectRefused(head + R"({"colour": "x"}})", "view.colour", "unknown key");
-  expectRefused(head + R"({"color_by": ""}})", "view.color_by", "the text is empty");
-  expectRefused(head + R"({"range": [1, 1]}})", "view.range", "low is not below high");
-  expectRefused(head + R"({"range": [1]}})", "view.range", "a list of 2");
-  expectRefused(head + R"({"glyphs": {"rotations": 1}}})", "view.glyphs.rotations", "true or false");
+  const std::string head = kSessionHead + kMesh + R"(, "view": )";
+  expectSessionRefused(head + R"({"colour": "x"}})", "view.colour", "unknown key");
+  expectSessionRefused(head + R"({"color_by": ""}})", "view.color_by", "the text is empty");
+  expectSessionRefused(head + R"({"range": [1, 1]}})", "view.range", "low is not below high");
+  expectSessionRefused(head + R"({"range": [1]}})", "view.range", "a list of 2");
+  expectSessionRefused(head + R"({"glyphs": {"rotations": 1}}})", "view.glyphs.rotations", "true or false");
   const std::string camera = head + R"({"camera": {"position": [0,0,1], "focal_point": )";
-  expectRefused(camera + R"([0,0,1], "view_up": [0,1,0]}}})", "view.camera.focal_point", "the camera's own place");
-  expectRefused(camera + R"([0,0,0]}}})", "view.camera", "\"view_up\" is missing");
-  expectRefused(camera + R"([0,0,0], "view_up": [0,0,0]}}})", "view.camera.view_up", "cannot be zero");
-  expectRefused(camera + R"([0,0,0], "view_up": [0,1,0], "parallel_scale": -1}}})", "view.camera.parallel_scale",
-                "not above 0");
-  expectRefused(camera + R"([0,0,0], "view_up": [0,1,0], "projection": "paralel"}}})", "view.camera.projection",
-                R"(did you mean "parallel"?)");
+  expectSessionRefused(camera + R"([0,0,1], "view_up": [0,1,0]}}})", "view.camera.focal_point",
+                       "the camera's own place");
+  expectSessionRefused(camera + R"([0,0,0]}}})", "view.camera", "\"view_up\" is missing");
+  expectSessionRefused(camera + R"([0,0,0], "view_up": [0,0,0]}}})", "view.camera.view_up", "cannot be zero");
+  expectSessionRefused(camera + R"([0,0,0], "view_up": [0,1,0], "parallel_scale": -1}}})", "view.camera.parallel_scale",
+                       "not above 0");
+  expectSessionRefused(camera + R"([0,0,0], "view_up": [0,1,0], "projection": "paralel"}}})", "view.camera.projection",
+                       R"(did you mean "parallel"?)");
 }
 
 TEST(SessionFile, AFileThatIsNotThereIsNamed)

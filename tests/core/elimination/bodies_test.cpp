@@ -13,7 +13,7 @@
 namespace holdfast {
 namespace {
 
-RowTerms difference(Index from, Index to)
+RowTerms differenceTerms(Index from, Index to)
 {
   return from < to ? RowTerms{{from, -1}, {to, 1}} : RowTerms{{to, 1}, {from, -1}};
 }
@@ -50,7 +50,7 @@ std::vector<RowTerms> randomRows(test::Random& random, int count, Index unknownC
         rows.push_back({{u[0], t}, {u[1], 1 - t}, {u[2], -1}});
         break;
       default:
-        rows.push_back(difference(u[0], u[1]));
+        rows.push_back(differenceTerms(u[0], u[1]));
     }
     std::sort(rows.back().begin(), rows.back().end(),
               [](const PointTerm& x, const PointTerm& y) { return x.vertex < y.vertex; });
@@ -82,7 +82,7 @@ TEST(Bodies, CircuitsThroughThemAreThoseOfAllSubsets)
 }
 
 /// Random rows, eliminated.
-struct Problem {
+struct EliminatedRows {
   std::vector<RowTerms> rows;
   std::vector<Index> independent;
   Elimination elimination;
@@ -91,7 +91,7 @@ struct Problem {
 
 constexpr Index kManyUnknowns = 40;
 
-Problem problemOf(std::uint32_t seed)
+EliminatedRows randomEliminatedRows(std::uint32_t seed)
 {
   test::Random random(seed);
   std::vector<RowTerms> rows = randomRows(random, 30, kManyUnknowns);
@@ -106,7 +106,7 @@ Problem problemOf(std::uint32_t seed)
 TEST(Bodies, AreEliminatedToWhatTheRowsLeaveFree)
 {
   for (std::uint32_t seed = 0; seed < 50; ++seed) {
-    const Problem problem = problemOf(seed);
+    const EliminatedRows problem = randomEliminatedRows(seed);
     const Eigen::MatrixXd Q2 = problem.elimination.Q2();
     EXPECT_EQ(Q2.cols(), kManyUnknowns - problem.B.rows()) << seed;
     EXPECT_LT((problem.B * Q2).cwiseAbs().maxCoeff(), 1e-13) << seed;
@@ -122,7 +122,7 @@ TEST(Bodies, AreEliminatedToWhatTheRowsLeaveFree)
 TEST(Bodies, MultipliersAreFoundThroughThem)
 {
   for (std::uint32_t seed = 0; seed < 50; ++seed) {
-    const Problem problem = problemOf(seed);
+    const EliminatedRows problem = randomEliminatedRows(seed);
     const Columns3 expected = Columns3::Random(problem.B.rows(), 3);
     const Columns3 found = problem.elimination.multipliers(problem.B.transpose() * expected);
     for (std::size_t k = 0; k < problem.independent.size(); ++k)
@@ -134,7 +134,7 @@ TEST(Bodies, OfTenThousandUnknownsHaveOneColumn)
 {
   constexpr Index kCount = 10000;
   std::vector<RowTerms> rows;
-  for (Index u = 1; u < kCount; ++u) rows.push_back(difference(0, u));
+  for (Index u = 1; u < kCount; ++u) rows.push_back(differenceTerms(0, u));
   rows.push_back({{5, 0.5}, {kCount, 0.5}});
   const std::vector<Dependency> dependencies = findDependencies(rows, kCount + 1);
   EXPECT_TRUE(dependencies.empty());

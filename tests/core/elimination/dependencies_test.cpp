@@ -26,23 +26,23 @@ double sizeOf(const Dependency& dependency)
 }
 
 /// A handful of points that depend on one another exactly.
-struct Case {
+struct DependentPoints {
   std::string name;
   Mesh mesh;
   std::vector<SurfaceLocation> places;
 };
 
-void PrintTo(const Case& what, std::ostream* out)
+void PrintTo(const DependentPoints& points, std::ostream* out)
 {
-  *out << what.name;
+  *out << points.name;
 }
 
-std::vector<Case> cases()
+std::vector<DependentPoints> dependentPoints()
 {
   const Mesh square = test::grid(1, 1);  // faces (0, 1, 3) and (0, 3, 2)
   const Mesh tetrahedron = test::tetrahedron();
   const std::vector<double> thirds{0.25, 0.25, 0.5};
-  std::vector<Case> result{
+  std::vector<DependentPoints> result{
       {"RepeatedPoints",
        square,
        {AtVertex{0}, AtEdge{0, 1, 0.5}, AtVertex{0}, AtEdge{1, 0, 0.5}, AtFace{0, thirds}, AtFace{0, thirds}}},
@@ -70,14 +70,14 @@ std::vector<Case> cases()
   };
   for (std::uint32_t seed = 0; seed < 40; ++seed) {
     test::Random random(seed);
-    Case drawn{"Random" + std::to_string(seed), seed % 2 == 0 ? square : tetrahedron, {}};
+    DependentPoints drawn{"Random" + std::to_string(seed), seed % 2 == 0 ? square : tetrahedron, {}};
     for (long k = random.integer(5, 7); k > 0; --k) drawn.places.push_back(test::randomPlace(random, drawn.mesh));
     result.push_back(std::move(drawn));
   }
   return result;
 }
 
-ConstraintList listOf(const std::vector<SurfaceLocation>& places, const std::vector<Index>& order)
+ConstraintList listInOrder(const std::vector<SurfaceLocation>& places, const std::vector<Index>& order)
 {
   std::vector<Constraint> constraints;
   for (const Index k : order) constraints.push_back(test::moveBy(places[k], Vector3::Zero()));
@@ -116,7 +116,7 @@ std::vector<Dependency> bySolverOfComponents(OfComponent method, const std::vect
   return all;
 }
 
-class Dependencies : public testing::TestWithParam<Case> {
+class Dependencies : public testing::TestWithParam<DependentPoints> {
  protected:
   Triangulation triangulation_ = triangulate(GetParam().mesh);
   SolverMesh solverMesh_ = makeSolverMesh(GetParam().mesh, triangulation_);
@@ -131,12 +131,13 @@ class Dependencies : public testing::TestWithParam<Case> {
 
   [[nodiscard]] test::Circuits circuits() const
   {
-    return test::Circuits(test::denseRows(listOf(GetParam().places, first_), GetParam().mesh).B);
+    return test::Circuits(test::denseRows(listInOrder(GetParam().places, first_), GetParam().mesh).B);
   }
 
   [[nodiscard]] ConstraintSystem system(const std::vector<Index>& order) const
   {
-    return makeConstraintSystem(listOf(GetParam().places, order), GetParam().mesh, triangulation_, solverMesh_, "list");
+    return makeConstraintSystem(listInOrder(GetParam().places, order), GetParam().mesh, triangulation_, solverMesh_,
+                                "list");
   }
 
   /// Calls `check(order)` for the list in every order.
@@ -178,7 +179,7 @@ Eigen::MatrixX3d shiftsOff(test::Random& random, const Eigen::MatrixXd& B, doubl
 TEST_P(Dependencies, AreJudgedByTheirGapsInEveryOrder)
 {
   test::Random random(11);
-  const Eigen::MatrixXd B = test::denseRows(listOf(GetParam().places, first_), GetParam().mesh).B;
+  const Eigen::MatrixXd B = test::denseRows(listInOrder(GetParam().places, first_), GetParam().mesh).B;
   const test::Circuits circuits = this->circuits();
   const Eigen::MatrixX3d shifts = shiftsOff(random, B, 0.3);
   inEveryOrder([&](const std::vector<Index>& order) {
@@ -215,8 +216,8 @@ TEST_P(Dependencies, LeaveIndependentRowsThatSpanTheSame)
       EXPECT_TRUE(std::binary_search(independent.begin(), independent.end(), partner.row));
 }
 
-INSTANTIATE_TEST_SUITE_P(Cases, Dependencies, testing::ValuesIn(cases()),
-                         [](const testing::TestParamInfo<Case>& what) { return what.param.name; });
+INSTANTIATE_TEST_SUITE_P(Cases, Dependencies, testing::ValuesIn(dependentPoints()),
+                         [](const testing::TestParamInfo<DependentPoints>& what) { return what.param.name; });
 
 TEST(FindDependencies, OfNothingIsNothing)
 {

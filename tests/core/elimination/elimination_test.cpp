@@ -14,7 +14,7 @@ namespace holdfast {
 namespace {
 
 /// Random points of a mesh, eliminated.
-struct Problem {
+struct EliminatedPoints {
   Mesh mesh;
   ConstraintList list;
   Triangulation triangulation = triangulate(mesh);
@@ -29,22 +29,22 @@ struct Problem {
 /// Calls `check(problem)` for few and many, isolated and overlapping points on every mesh; the most make components
 /// beyond the dense blocks.
 template <class Check>
-void forEachProblem(Check&& check)
+void forEachSetOfPoints(Check&& check)
 {
   for (const test::NamedMesh& named : test::lawMeshes())
     for (const int count : {1, 5, 20, 60}) {
       SCOPED_TRACE(named.name + ", " + std::to_string(count) + " points");
       test::Random random(static_cast<std::uint32_t>(count));
-      check(Problem{named.mesh, test::randomMoves(random, named.mesh, count, 0.3)});
+      check(EliminatedPoints{named.mesh, test::randomMoves(random, named.mesh, count, 0.3)});
     }
   test::Random random(5);
   const Mesh sphere = test::icosphere(2);
-  check(Problem{sphere, test::randomMoves(random, sphere, 130, 0.3)});
+  check(EliminatedPoints{sphere, test::randomMoves(random, sphere, 130, 0.3)});
 }
 
 TEST(Elimination, Q2HasOrthonormalColumns)
 {
-  forEachProblem([](const Problem& problem) {
+  forEachSetOfPoints([](const EliminatedPoints& problem) {
     const Eigen::MatrixXd Q2 = problem.Q2();
     EXPECT_LT((Q2.transpose() * Q2 - Eigen::MatrixXd::Identity(Q2.cols(), Q2.cols())).cwiseAbs().maxCoeff(), 1e-14);
   });
@@ -52,7 +52,7 @@ TEST(Elimination, Q2HasOrthonormalColumns)
 
 TEST(Elimination, Q2IsWhatTheRowsMapToZero)
 {
-  forEachProblem([](const Problem& problem) {
+  forEachSetOfPoints([](const EliminatedPoints& problem) {
     EXPECT_LT((problem.B * problem.Q2()).cwiseAbs().maxCoeff(), 1e-14);
     const auto held = std::count(problem.eliminated.isHeld.begin(), problem.eliminated.isHeld.end(), true);
     const auto independent = static_cast<Index>(problem.system.rows.size() - problem.eliminated.dependencies.size());
@@ -62,7 +62,7 @@ TEST(Elimination, Q2IsWhatTheRowsMapToZero)
 
 TEST(Elimination, FreeUnknownsHaveIdentityColumnsAndPinnedOnesNone)
 {
-  forEachProblem([](const Problem& problem) {
+  forEachSetOfPoints([](const EliminatedPoints& problem) {
     const Eigen::MatrixXd Q2 = problem.Q2();
     std::vector<bool> isPinned(static_cast<std::size_t>(Q2.rows()), false);
     std::vector<bool> isNamed = isPinned;
@@ -83,7 +83,7 @@ TEST(Elimination, FreeUnknownsHaveIdentityColumnsAndPinnedOnesNone)
 
 TEST(Elimination, TheParticularDisplacementMeetsIndependentRowsAndCopiesPins)
 {
-  forEachProblem([](const Problem& problem) {
+  forEachSetOfPoints([](const EliminatedPoints& problem) {
     const Columns3 d = shiftsOf(problem.system);
     const Columns3 u = problem.eliminated.elimination.particular(d);
     const Columns3 missed = problem.B * u - d;
@@ -100,8 +100,8 @@ TEST(Elimination, IsolatedPointsMakeBlocksOfTheirOwn)
 {
   // An edge and a face far apart: one and two columns that are not of the identity.
   const Mesh mesh = test::grid(6, 5);
-  const Problem problem{mesh, test::listOf({test::moveBy(AtEdge{0, 1, 0.25}, {0, 0, 1}),
-                                            test::moveBy(AtFace{59, {0.25, 0.25, 0.5}}, {0, 0, 1})})};
+  const EliminatedPoints problem{mesh, test::listOf({test::moveBy(AtEdge{0, 1, 0.25}, {0, 0, 1}),
+                                                     test::moveBy(AtFace{59, {0.25, 0.25, 0.5}}, {0, 0, 1})})};
   Index others = 0;
   for (Index k = 0; k < problem.Q2().cols(); ++k)
     if (Eigen::SparseVector<double>(problem.Q2().col(k)).nonZeros() > 1) ++others;
@@ -114,8 +114,8 @@ TEST(Elimination, HoldsPartsWithoutARowAndLooseVertices)
   Mesh mesh = test::merged(test::tetrahedron(), test::tetrahedron());
   mesh.positions.conservativeResize(10, 3);
   mesh.positions.bottomRows(2).setConstant(7);
-  const Problem problem{mesh,
-                        test::listOf({test::moveBy(AtVertex{1}, {0, 0, 1}), test::moveBy(AtVertex{9}, {0, 0, 2})})};
+  const EliminatedPoints problem{
+      mesh, test::listOf({test::moveBy(AtVertex{1}, {0, 0, 1}), test::moveBy(AtVertex{9}, {0, 0, 2})})};
   EXPECT_EQ(problem.eliminated.isHeld,
             (std::vector<bool>{false, false, false, false, true, true, true, true, true, false}));
   EXPECT_EQ(problem.Q2().cols(), 3);

@@ -55,7 +55,7 @@ Rows rowsOf(const Mesh& mesh, const ConstraintList& list)
   return result;
 }
 
-void expectSame(const std::vector<Dependency>& sparse, const std::vector<Dependency>& sequential)
+void expectAlike(const std::vector<Dependency>& sparse, const std::vector<Dependency>& sequential)
 {
   ASSERT_EQ(sparse.size(), sequential.size());
   for (std::size_t k = 0; k < sparse.size(); ++k) {
@@ -80,7 +80,7 @@ TEST(LargeComponents, AreJudgedAlikeBySparseAndSequentialElimination)
     ASSERT_FALSE(isDense(rows.largest));
     const std::vector<Dependency> sparse = sparseDependencies(rows.rows, rows.largest);
     EXPECT_GT(sparse.size(), 60U) << "the planted ones";
-    expectSame(sparse, sequentialDependencies(rows.rows, rows.largest));
+    expectAlike(sparse, sequentialDependencies(rows.rows, rows.largest));
   }
 }
 
@@ -98,7 +98,7 @@ TEST(LargeComponents, AreJudgedAlikeWhereCircuitsLeadFromFaceToFace)
       constraints.push_back(test::moveBy(AtFace{f, {a, b, 1 - a - b}}, Vector3::UnitZ()));
     }
     const Rows rows = rowsOf(mesh, test::listOf(constraints));
-    expectSame(sparseDependencies(rows.rows, rows.largest), sequentialDependencies(rows.rows, rows.largest));
+    expectAlike(sparseDependencies(rows.rows, rows.largest), sequentialDependencies(rows.rows, rows.largest));
   }
 }
 

@@ -9,12 +9,12 @@
 namespace holdfast {
 namespace {
 
-struct Problem {
+struct EliminatedList {
   ConstraintSystem system;
   EliminatedConstraints eliminated;
 };
 
-Problem problemOf(const Mesh& mesh, const ConstraintList& list)
+EliminatedList eliminatedList(const Mesh& mesh, const ConstraintList& list)
 {
   const Triangulation triangulation = triangulate(mesh);
   const SolverMesh solverMesh = makeSolverMesh(mesh, triangulation);
@@ -33,7 +33,7 @@ ConstraintList nearlyRepeated(double apart)
   return test::listOf(std::move(constraints));
 }
 
-double largestMiss(const Problem& problem, const Columns3& u, const Columns3& d)
+double largestMiss(const EliminatedList& problem, const Columns3& u, const Columns3& d)
 {
   double largest = 0;
   for (std::size_t r = 0; r < problem.eliminated.rows.size(); ++r) {
@@ -46,7 +46,7 @@ double largestMiss(const Problem& problem, const Columns3& u, const Columns3& d)
 
 TEST(Reconciliation, MissesNoRowByMoreThanTheSmallestChangeThatMakesAllAgree)
 {
-  const Problem problem = problemOf(test::grid(4, 4), nearlyRepeated(1e-5));
+  const EliminatedList problem = eliminatedList(test::grid(4, 4), nearlyRepeated(1e-5));
   ASSERT_EQ(problem.eliminated.dependencies.size(), 1U);
   const Dependency& dependency = problem.eliminated.dependencies.front();
   Columns3 d = Columns3::Zero(problem.eliminated.rows.size(), 3);
@@ -73,7 +73,7 @@ TEST(Reconciliation, LeavesPinsAndOtherRowsAsTheyAre)
   ConstraintList list = nearlyRepeated(1e-3);
   list.constraints.push_back(test::moveBy(AtFace{20, {0.2, 0.3, 0.5}}, Vector3(1, 2, 3)));
   list.constraints.push_back(test::moveBy(AtVertex{7}, Vector3::Zero()));
-  const Problem problem = problemOf(test::grid(4, 4), list);
+  const EliminatedList problem = eliminatedList(test::grid(4, 4), list);
   std::vector<Index> redundant;
   for (const Dependency& dependency : problem.eliminated.dependencies) redundant.push_back(dependency.row);
   ASSERT_EQ(redundant.size(), 2U);
@@ -96,7 +96,7 @@ TEST(Reconciliation, JoinsBlocksThatARedundantRowHangsOn)
                                             test::moveBy(AtEdge{1, 5, 0.5}, Vector3::UnitX()),
                                             test::moveBy(AtEdge{4, 8, 0.5}, Vector3::UnitX()),
                                             test::moveBy(AtFace{0, {0.2, 0.3, 0.5}}, 2 * Vector3::UnitX())});
-  const Problem problem = problemOf(mesh, list);
+  const EliminatedList problem = eliminatedList(mesh, list);
   ASSERT_EQ(problem.eliminated.dependencies.size(), 1U);
   Columns3 d = shiftsOf(problem.system);
   d(d.rows() - 1, 0) += 1e-9;

@@ -13,6 +13,9 @@
 
 namespace holdfast::test {
 
+/// The vertices of one triangle as lines of text.
+inline const std::string kTriangleVertices = "0 0 0\n1 0 0\n0 1 0\n";
+
 struct BadFile {
   std::string name;
   std::string bytes;

@@ -8,13 +8,12 @@ namespace holdfast {
 namespace {
 
 using test::BadFile;
+using test::kTriangleVertices;
 using testing::ElementsAre;
-
-const std::string kVertices = "0 0 0\n1 0 0\n0 1 0\n";
 
 TEST(OffReader, CountsMayStandOnTheFirstLineWithoutEdges)
 {
-  const Mesh mesh = readOff("OFF 3 1\n" + kVertices + "3 2 1 0", "mesh.off").mesh;
+  const Mesh mesh = readOff("OFF 3 1\n" + kTriangleVertices + "3 2 1 0", "mesh.off").mesh;
   EXPECT_EQ(mesh.positions.row(1).transpose(), Vector3(1, 0, 0));
   EXPECT_THAT(mesh.faces[0], ElementsAre(2, 1, 0));
 }
@@ -56,10 +55,10 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{"CountsNotWhole", "OFF\n3 1.5 0\n", 2, "", "'1.5', which is not a whole number"},
         BadFile{"NoVertices", "OFF\n0 1 0\n3 0 1 2\n", 2, "", "the mesh has no vertices: "},
         BadFile{"NegativeVertices", "OFF\n-3 1 0\n", 2, "", "the mesh has no vertices: "},
-        BadFile{"NoFaces", "OFF\n3 0 0\n" + kVertices, 2, "", "the mesh has no faces: "},
-        BadFile{"MoreVerticesThanBytes", "OFF\n9000000000000000000 1 0\n" + kVertices + "3 0 1 2\n", 2, "",
+        BadFile{"NoFaces", "OFF\n3 0 0\n" + kTriangleVertices, 2, "", "the mesh has no faces: "},
+        BadFile{"MoreVerticesThanBytes", "OFF\n9000000000000000000 1 0\n" + kTriangleVertices + "3 0 1 2\n", 2, "",
                 "the header promises 9000000000000000000 vertices, but only 27 bytes follow"},
-        BadFile{"MoreFacesThanBytes", "OFF\n3 1000 0\n" + kVertices + "3 0 1 2\n", 2, "",
+        BadFile{"MoreFacesThanBytes", "OFF\n3 1000 0\n" + kTriangleVertices + "3 0 1 2\n", 2, "",
                 "the header promises 1000 faces"},
         BadFile{"TruncatedVertices", "OFF\n4 1 0\n0.00 0.00 0.00\n1.00 0.00 0.00\n", 4, "",
                 "the file ends after 2 of 4 vertices"},
@@ -72,13 +71,16 @@ INSTANTIATE_TEST_SUITE_P(
                 "vertex 0 has 6 numbers, and by the header's first word it needs 3: "},
         BadFile{"ColorsMissing", "COFF\n3 1 0\n0 0 0 1 1 1\n1 0 0\n0 1 0\n3 0 1 2\n", 4, "",
                 "vertex 1 has 3 numbers, and by the header's first word it needs 6 or 7: "},
-        BadFile{"TwoCorners", "OFF\n3 1 0\n" + kVertices + "2 0 1 \n", 6, "", "face 0 has 2 corners"},
-        BadFile{"CornerMissing", "OFF\n3 1 0\n" + kVertices + "4 0 1 2\n", 6, "", "a corner of the face is missing"},
-        BadFile{"IndexPastEnd", "OFF\n3 1 0\n" + kVertices + "3 0 1 3\n", 6, "", "vertex 3 of face 0 does not exist"},
-        BadFile{"NegativeIndex", "OFF\n3 1 0\n" + kVertices + "3 0 1 -1\n", 6, "",
+        BadFile{"TwoCorners", "OFF\n3 1 0\n" + kTriangleVertices + "2 0 1 \n", 6, "", "face 0 has 2 corners"},
+        BadFile{"CornerMissing", "OFF\n3 1 0\n" + kTriangleVertices + "4 0 1 2\n", 6, "",
+                "a corner of the face is missing"},
+        BadFile{"IndexPastEnd", "OFF\n3 1 0\n" + kTriangleVertices + "3 0 1 3\n", 6, "",
+                "vertex 3 of face 0 does not exist"},
+        BadFile{"NegativeIndex", "OFF\n3 1 0\n" + kTriangleVertices + "3 0 1 -1\n", 6, "",
                 "vertex -1 of face 0 does not exist"},
-        BadFile{"OddColor", "OFF\n3 1 0\n" + kVertices + "3 0 1 2 1 1\n", 6, "", "2 numbers stand behind the corners"},
-        BadFile{"TrailingLine", "OFF\n3 1 0\n" + kVertices + "3 0 1 2\n\n3 0 1 2\n", 8, "",
+        BadFile{"OddColor", "OFF\n3 1 0\n" + kTriangleVertices + "3 0 1 2 1 1\n", 6, "",
+                "2 numbers stand behind the corners"},
+        BadFile{"TrailingLine", "OFF\n3 1 0\n" + kTriangleVertices + "3 0 1 2\n\n3 0 1 2\n", 8, "",
                 "more text behind the last of the 1 faces"}),
     testing::PrintToStringParamName());
 

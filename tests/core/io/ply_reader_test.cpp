@@ -8,11 +8,11 @@ namespace holdfast {
 namespace {
 
 using test::BadFile;
+using test::kTriangleVertices;
 using testing::ElementsAre;
 
 const std::string kVertex = "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
 const std::string kFace = "element face 1\nproperty list uchar int vertex_indices\n";
-const std::string kVertices = "0 0 0\n1 0 0\n0 1 0\n";
 
 /// A text file with the header lines `elements`, which end on line 2 + their number.
 std::string text(const std::string& elements, const std::string& body)
@@ -46,7 +46,7 @@ TEST(PlyReader, BothNamesOfTheListAreKnown)
 {
   for (const char* name : {"vertex_indices", "vertex_index"}) {
     const std::string face = std::string("element face 1\nproperty list uint8 uint32 ") + name + "\n";
-    EXPECT_THAT(readPly(text(kVertex + face, kVertices + "3 2 1 0\n"), "").mesh.faces[0], ElementsAre(2, 1, 0));
+    EXPECT_THAT(readPly(text(kVertex + face, kTriangleVertices + "3 2 1 0\n"), "").mesh.faces[0], ElementsAre(2, 1, 0));
   }
 }
 
@@ -59,7 +59,7 @@ TEST(PlyReader, BigEndianIntegersAreRead)
 TEST(PlyReader, AnElementOfNothingTakesNoTime)
 {
   const std::string elements = kVertex + "element nothing 9000000000000000000\n" + kFace;
-  EXPECT_EQ(readPly(text(elements, kVertices + "3 0 1 2\n"), "").mesh.faces.size(), 1);
+  EXPECT_EQ(readPly(text(elements, kTriangleVertices + "3 0 1 2\n"), "").mesh.faces.size(), 1);
 }
 
 TEST(PlyReader, NamesWhatAnotherFormatWouldLose)
@@ -100,7 +100,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "count of a list must have a whole type"},
         BadFile{"NoName", "ply\nformat ascii 1.0\nelement a 1\nproperty float\n", 4, "", "name of the property"},
         BadFile{"NoVertexElement", text(kFace, "3 0 1 2\n"), 0, "", "no element 'vertex'"},
-        BadFile{"NoFaceElement", text(kVertex, kVertices), 0, "", "no element 'face'"},
+        BadFile{"NoFaceElement", text(kVertex, kTriangleVertices), 0, "", "no element 'face'"},
         BadFile{"NoZ", text("element vertex 3\nproperty float x\nproperty float y\n" + kFace, ""), 3, "",
                 "no number 'z'"},
         BadFile{"ListAsX",
@@ -112,7 +112,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{"NoVertices",
                 text("element vertex 0\nproperty float x\nproperty float y\nproperty float z\n" + kFace, ""), 3, "",
                 "the mesh has no vertices: "},
-        BadFile{"NoFaces", text(kVertex + "element face 0\nproperty list uchar int vertex_indices\n", kVertices), 7, "",
+        BadFile{"NoFaces",
+                text(kVertex + "element face 0\nproperty list uchar int vertex_indices\n", kTriangleVertices), 7, "",
                 "the mesh has no faces: "}),
     testing::PrintToStringParamName());
 
@@ -121,22 +122,24 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         BadFile{"MoreRowsThanBytes",
                 text("element vertex 4000000000\nproperty float x\nproperty float y\nproperty float z\n" + kFace,
-                     kVertices + "3 0 1 2\n"),
+                     kTriangleVertices + "3 0 1 2\n"),
                 10, "", "promises 4000000000 rows of element 'vertex'"},
         BadFile{"Truncated", text(kVertex + kFace, "0.00 0.00 0.00\n1.00 0.00 0.00\n"), 11, "",
                 "ends after 2 of 3 rows of element 'vertex'"},
-        BadFile{"TruncatedFaces", text(kVertex + kFace, kVertices), 12, "", "promises 1 rows of element 'face'"},
+        BadFile{"TruncatedFaces", text(kVertex + kFace, kTriangleVertices), 12, "",
+                "promises 1 rows of element 'face'"},
         BadFile{"MissingCoordinate", text(kVertex + kFace, "0 0 0\n1 0\n0 1 0\n3 0 1 2\n"), 11, "", "z is missing"},
         BadFile{"ExtraNumber", text(kVertex + kFace, "0 0 0\n1 0 0 5\n0 1 0\n3 0 1 2\n"), 11, "", "'5' is too much"},
         BadFile{"Garbage", text(kVertex + kFace, "0 0 0\n1 0 zero\n0 1 0\n3 0 1 2\n"), 11, "", "z is 'zero'"},
         BadFile{"TooLarge", text(kVertex + kFace, "0 0 0\n1 0 1e999\n0 1 0\n3 0 1 2\n"), 11, "", "no double can hold"},
-        BadFile{"TwoCorners", text(kVertex + kFace, kVertices + "2 0 1  \n"), 13, "", "face 0 has 2 corners"},
-        BadFile{"CornerMissing", text(kVertex + kFace, kVertices + "4 0 1 2\n"), 13, "",
+        BadFile{"TwoCorners", text(kVertex + kFace, kTriangleVertices + "2 0 1  \n"), 13, "", "face 0 has 2 corners"},
+        BadFile{"CornerMissing", text(kVertex + kFace, kTriangleVertices + "4 0 1 2\n"), 13, "",
                 "corner of the face is missing"},
-        BadFile{"IndexPastEnd", text(kVertex + kFace, kVertices + "3 0 1 3\n"), 13, "",
+        BadFile{"IndexPastEnd", text(kVertex + kFace, kTriangleVertices + "3 0 1 3\n"), 13, "",
                 "vertex 3 of face 0 does not exist"},
-        BadFile{"NegativeIndex", text(kVertex + kFace, kVertices + "3 0 -1 2\n"), 13, "", "vertex -1 of face 0"},
-        BadFile{"TrailingLine", text(kVertex + kFace, kVertices + "3 0 1 2\n\n3 0 1 2\n"), 15, "",
+        BadFile{"NegativeIndex", text(kVertex + kFace, kTriangleVertices + "3 0 -1 2\n"), 13, "",
+                "vertex -1 of face 0"},
+        BadFile{"TrailingLine", text(kVertex + kFace, kTriangleVertices + "3 0 1 2\n\n3 0 1 2\n"), 15, "",
                 "more text behind the last element"}),
     testing::PrintToStringParamName());
 

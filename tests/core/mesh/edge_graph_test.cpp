@@ -14,13 +14,9 @@
 namespace holdfast {
 namespace {
 
+using test::solverMeshOf;
 using testing::ElementsAre;
 using testing::IsEmpty;
-
-SolverMesh solverMeshOf(const Mesh& mesh)
-{
-  return makeSolverMesh(mesh, triangulate(mesh));
-}
 
 /// Meshes of triangles whose vertices are the unknowns.
 std::vector<Mesh> meshes()

@@ -1,5 +1,4 @@
 #include <cmath>
-#include <limits>
 #include <set>
 
 #include <gmock/gmock.h>
@@ -10,21 +9,18 @@
 #include <holdfast/operators/operators.h>
 
 #include "support/dense_operators.h"
+#include "support/law_meshes.h"
 #include "support/meshes.h"
+#include "support/rounding.h"
 #include "support/solve_cases.h"
 
 namespace holdfast {
 namespace {
 
+using test::kEpsilon;
+using test::solverMeshOf;
 using testing::ElementsAre;
 using testing::IsEmpty;
-
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-
-SolverMesh solverMeshOf(const Mesh& mesh)
-{
-  return makeSolverMesh(mesh, triangulate(mesh));
-}
 
 /// Calls `check(mesh, operators)` for every mesh and weighting.
 template <class Check>

@@ -19,11 +19,6 @@
 
 namespace holdfast::test {
 
-[[nodiscard]] inline SolverMesh solverMeshOf(const Mesh& mesh)
-{
-  return makeSolverMesh(mesh, triangulate(mesh));
-}
-
 /// Every triangle split at a point beside the middle of a side: caps with an angle of nearly 180 degrees.
 [[nodiscard]] inline Mesh withCaps(const Mesh& mesh, double height)
 {

@@ -1,4 +1,3 @@
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -8,6 +7,7 @@
 #include <holdfast/rotation/rotation_log.h>
 
 #include "core/rotation/rotation_cases.h"
+#include "support/rounding.h"
 
 namespace holdfast {
 namespace {
@@ -21,7 +21,7 @@ using test::solverMeshOf;
 using test::someUnknowns;
 
 // Fields are solved for to a few units in the last place of the largest rotation; this allows for a thousand.
-constexpr double kRounding = 1000 * std::numeric_limits<double>::epsilon();
+constexpr double kRoundingOfFields = 1000 * test::kEpsilon;
 
 /// `count` unknowns and the rotation given at each: those of `values` in turn.
 struct Boundary {
@@ -77,9 +77,9 @@ TEST(RotationField, OfOneHandleLiesOnTheShortestArc)
       for (Index i = 0; i < mesh.unknownCount(); ++i) {
         const Vector3 q = field.q.row(i);
         const double share = q.dot(r) / r.squaredNorm();
-        EXPECT_GE(share, -kRounding);
-        EXPECT_LE(share, 1 + kRounding);
-        EXPECT_LE((q - share * r).norm(), kRounding * r.norm());
+        EXPECT_GE(share, -kRoundingOfFields);
+        EXPECT_LE(share, 1 + kRoundingOfFields);
+        EXPECT_LE((q - share * r).norm(), kRoundingOfFields * r.norm());
         const Eigen::Quaterniond onArc = Eigen::Quaterniond::Identity().slerp(share, whole);
         EXPECT_LE((rotationExp(q).coeffs() - onArc.coeffs()).norm(), 1e-12);
       }
@@ -223,7 +223,7 @@ TEST(RotationField, IsCarriedFromPartToPartByARegionOfBoth)
   const SolverMesh mesh = solverMeshOf(test::merged(test::icosphere(1), test::moved(test::icosphere(1), {5, 0, 0})));
   const RotationField field = solved(problemOf(mesh, Weights::Cotangent, {0, 11}, {{20, 42 + 20}}), defaultBackend(),
                                      rows({{0, 0, 0}, {0, 0, 2}}));
-  for (Index i = 42; i < 84; ++i) EXPECT_NEAR(field.q(i, 2), field.q(20, 2), kRounding);
+  for (Index i = 42; i < 84; ++i) EXPECT_NEAR(field.q(i, 2), field.q(20, 2), kRoundingOfFields);
   EXPECT_GT(field.q(20, 2), 0.1);
   EXPECT_LT(field.q(20, 2), 1.9);
 }
@@ -248,7 +248,7 @@ TEST(RotationField, DoesNotDependOnTheNumberingOfVertices)
       const RotationField second = solved(problemOf(renumbered, weights, renamed(boundary.unknowns), {renamed(region)}),
                                           defaultBackend(), boundary.values);
       for (Index i = 0; i < mesh.unknownCount(); ++i)
-        EXPECT_LE((first.q.row(i) - second.q.row(newIdOf[i])).norm(), kRounding) << i;
+        EXPECT_LE((first.q.row(i) - second.q.row(newIdOf[i])).norm(), kRoundingOfFields) << i;
     }
   }
 }
@@ -265,7 +265,7 @@ TEST(RotationField, DoesNotDependOnTheScaleOfTheModel)
           solved(problemOf(mesh, weights, boundary.unknowns), defaultBackend(), boundary.values);
       const RotationField second =
           solved(problemOf(scaled, weights, boundary.unknowns), defaultBackend(), boundary.values);
-      EXPECT_LE((first.q - second.q).cwiseAbs().maxCoeff(), 10 * kRounding) << name(weights) << " " << scale;
+      EXPECT_LE((first.q - second.q).cwiseAbs().maxCoeff(), 10 * kRoundingOfFields) << name(weights) << " " << scale;
     }
 }
 
@@ -277,7 +277,7 @@ TEST(RotationField, IsLinearInTheGivenRotations)
     const Columns3 other = boundary.values.rowwise().reverse();
     const Columns3 expected = 2 * solved(problem, backend, boundary.values).q - 3 * solved(problem, backend, other).q;
     EXPECT_LE((solved(problem, backend, 2 * boundary.values - 3 * other).q - expected).cwiseAbs().maxCoeff(),
-              10 * kRounding);
+              10 * kRoundingOfFields);
   });
 }
 

@@ -33,14 +33,14 @@ Positions moved(const Positions& points, const Eigen::Matrix3d& R, const Vector3
   return (points * R.transpose()).rowwise() + shift.transpose();
 }
 
-double difference(const Eigen::Matrix3d& A, const Eigen::Matrix3d& B)
+double maxNormDistance(const Eigen::Matrix3d& A, const Eigen::Matrix3d& B)
 {
   return (A - B).cwiseAbs().maxCoeff();
 }
 
 void expectRotation(const Eigen::Matrix3d& R)
 {
-  EXPECT_LE(difference(R * R.transpose(), Eigen::Matrix3d::Identity()), 1e-14);
+  EXPECT_LE(maxNormDistance(R * R.transpose(), Eigen::Matrix3d::Identity()), 1e-14);
   EXPECT_GT(R.determinant(), 0);
 }
 
@@ -62,7 +62,7 @@ TEST(FitRotation, FindsTheRotationOfARigidMotion)
     const Positions points = randomPoints(random, random.integer(3, 20));
     const Eigen::Matrix3d R = randomRotation(random);
     const RotationFit fit = fitRotation(points, moved(points, R, randomVector(random, 10)));
-    EXPECT_LE(difference(fit.R, R), 1e-12);
+    EXPECT_LE(maxNormDistance(fit.R, R), 1e-12);
     EXPECT_TRUE(fit.isDetermined);
     EXPECT_LE(fit.residual, 1e-14 * 10);
   }
@@ -75,7 +75,7 @@ TEST(FitRotation, DoesNotDependOnTheScaleOfEitherSet)
   const Eigen::Matrix3d R = randomRotation(random);
   for (const double scale : {1e-200, 1e-6, 1e6, 1e200}) {
     const RotationFit fit = fitRotation(scale * points, moved(points, R, Vector3::Zero()) / scale);
-    EXPECT_LE(difference(fit.R, R), 1e-14);
+    EXPECT_LE(maxNormDistance(fit.R, R), 1e-14);
     EXPECT_TRUE(fit.isDetermined);
   }
   EXPECT_NEAR(fitRotation(1e200 * points, 2e200 * points).residual / 1e200, fitRotation(points, 2 * points).residual,
@@ -118,7 +118,7 @@ TEST(FitRotation, OfFlatPointsIsDetermined)
   points.col(2).setZero();
   const Eigen::Matrix3d R = randomRotation(random);
   const RotationFit fit = fitRotation(points, moved(points, R, Vector3::Ones()));
-  EXPECT_LE(difference(fit.R, R), 1e-14);
+  EXPECT_LE(maxNormDistance(fit.R, R), 1e-14);
   EXPECT_TRUE(fit.isDetermined);
 }
 
@@ -129,7 +129,7 @@ TEST(FitRotation, FarFromTheOriginLosesOnlyWhatTheCoordinatesLose)
   const Eigen::Matrix3d R = randomRotation(random);
   const Vector3 far(1e6, -2e6, 3e6);
   const RotationFit fit = fitRotation(moved(points, Eigen::Matrix3d::Identity(), far), moved(points, R, -far));
-  EXPECT_LE(difference(fit.R, R), 1e-9);
+  EXPECT_LE(maxNormDistance(fit.R, R), 1e-9);
   EXPECT_TRUE(fit.isDetermined);
 }
 

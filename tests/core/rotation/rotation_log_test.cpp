@@ -1,5 +1,4 @@
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include <Eigen/Geometry>
@@ -8,17 +7,17 @@
 #include <holdfast/rotation/rotation_log.h>
 
 #include "support/point_constraints.h"
+#include "support/rounding.h"
 
 namespace holdfast {
 namespace {
 
 using std::numbers::pi;
+using test::kEpsilon;
 using test::Random;
 using test::randomVector;
 using Long3 = Eigen::Matrix<long double, 3, 1>;
 using Long33 = Eigen::Matrix<long double, 3, 3>;
-
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 Vector3 randomAxis(Random& random)
 {

@@ -30,7 +30,7 @@ ConstraintList independent(const ConstraintList& list, const Mesh& mesh)
 }
 
 /// Some overlapping points of a small mesh, those that depend on others left out, so that all can be met.
-test::Problem randomProblem(std::uint32_t seed)
+test::Problem independentProblem(std::uint32_t seed)
 {
   test::Random random(seed);
   const std::vector<Mesh> meshes{test::icosphere(1), test::grid(5, 4), test::box(Vector3(1, 2, 3), 2),
@@ -41,9 +41,9 @@ test::Problem randomProblem(std::uint32_t seed)
 }
 
 template <class Check>
-void forEachProblem(std::uint32_t seeds, Check&& check)
+void forEachHardProblem(std::uint32_t seeds, Check&& check)
 {
-  test::forEachProblem(seeds, SolverKind::Hard, randomProblem, check);
+  test::forEachProblem(seeds, SolverKind::Hard, independentProblem, check);
 }
 
 Eigen::MatrixX3d displacement(const test::Problem& problem, const DeformOptions& options)
@@ -79,7 +79,7 @@ TEST(HardSolver, AgreesWithLapack)
   if (!test::constrainedLeastSquaresByLapack(Eigen::Matrix2d::Identity(), Eigen::MatrixXd::Ones(1, 2),
                                              Eigen::Vector2d::Zero(), Eigen::VectorXd::Zero(1)))
     GTEST_SKIP() << "LAPACK was not found when the tests were configured (package liblapack-dev)";
-  forEachProblem(60, [](const test::Problem& problem, const DeformOptions& options) {
+  forEachHardProblem(60, [](const test::Problem& problem, const DeformOptions& options) {
     const test::DenseProblem dense = test::denseProblem(problem.mesh, problem.list, options.weights);
     const Eigen::MatrixXd zero = Eigen::MatrixXd::Zero(dense.A.rows(), 3);
     const auto expected = test::constrainedLeastSquaresByLapack(dense.A, dense.B, zero, dense.d);
@@ -91,7 +91,7 @@ TEST(HardSolver, AgreesWithLapack)
 
 TEST(HardSolver, AgreesWithTheSaddlePointSystemInLongDouble)
 {
-  forEachProblem(30, [](const test::Problem& problem, const DeformOptions& options) {
+  forEachHardProblem(30, [](const test::Problem& problem, const DeformOptions& options) {
     const test::DenseProblem dense = test::denseProblem(problem.mesh, problem.list, options.weights);
     const Eigen::MatrixXd expected = test::saddlePointInLongDouble(dense.A, dense.B, dense.d);
     EXPECT_LT((displacement(problem, options) - expected).norm(), allowed(problem, dense) * expected.norm());
@@ -100,7 +100,7 @@ TEST(HardSolver, AgreesWithTheSaddlePointSystemInLongDouble)
 
 TEST(HardSolver, LeavesNoSlopeAlongWhatConstraintsLeaveFree)
 {
-  forEachProblem(60, [](const test::Problem& problem, const DeformOptions& options) {
+  forEachHardProblem(60, [](const test::Problem& problem, const DeformOptions& options) {
     const test::DenseProblem dense = test::denseProblem(problem.mesh, problem.list, options.weights);
     const Eigen::MatrixXd N = test::nullSpace(dense.B);
     const Eigen::MatrixXd u = displacement(problem, options);
@@ -113,7 +113,7 @@ TEST(HardSolver, LeavesNoSlopeAlongWhatConstraintsLeaveFree)
 
 TEST(HardSolver, HasNoMoreEnergyThanAnyOtherDisplacementThatMeetsTheConstraints)
 {
-  forEachProblem(30, [](const test::Problem& problem, const DeformOptions& options) {
+  forEachHardProblem(30, [](const test::Problem& problem, const DeformOptions& options) {
     const test::DenseProblem dense = test::denseProblem(problem.mesh, problem.list, options.weights);
     const Eigen::MatrixXd N = test::nullSpace(dense.B);
     const Eigen::MatrixXd u = displacement(problem, options);
@@ -130,7 +130,7 @@ TEST(HardSolver, HasNoMoreEnergyThanAnyOtherDisplacementThatMeetsTheConstraints)
 
 TEST(HardSolver, ComparisonsNoticeAnotherWeighting)
 {
-  const test::Problem problem = randomProblem(3);
+  const test::Problem problem = independentProblem(3);
   const test::DenseProblem dense = test::denseProblem(problem.mesh, problem.list, Weights::Cotangent);
   const Eigen::MatrixXd expected = test::saddlePointInLongDouble(dense.A, dense.B, dense.d);
   const Eigen::MatrixX3d other = displacement(problem, {Weights::Uniform, {}});

@@ -15,7 +15,7 @@ namespace {
 
 using testing::HasSubstr;
 
-test::Problem randomProblem(std::uint32_t seed)
+test::Problem overlappingProblem(std::uint32_t seed)
 {
   test::Random random(seed);
   const std::vector<Mesh> meshes{test::icosphere(1), test::grid(4, 4), test::plate(4, 4), test::polygonPlate(2, 1)};
@@ -24,9 +24,9 @@ test::Problem randomProblem(std::uint32_t seed)
 }
 
 template <class Check>
-void forEachProblem(std::uint32_t seeds, Check&& check)
+void forEachSoftProblem(std::uint32_t seeds, Check&& check)
 {
-  test::forEachProblem(seeds, SolverKind::Soft, randomProblem, check);
+  test::forEachProblem(seeds, SolverKind::Soft, overlappingProblem, check);
 }
 
 Eigen::MatrixXd displacement(const test::Problem& problem, DeformOptions options, SolverKind kind, double weight)
@@ -40,7 +40,7 @@ Eigen::MatrixXd displacement(const test::Problem& problem, DeformOptions options
 
 TEST(SoftSolver, AgreesWithTheNormalEquationsInLongDouble)
 {
-  forEachProblem(40, [](const test::Problem& problem, const DeformOptions& options) {
+  forEachSoftProblem(40, [](const test::Problem& problem, const DeformOptions& options) {
     const test::DenseProblem dense = test::denseProblem(problem.mesh, problem.list, options.weights);
     for (const double weight : {0.5, 5.0, 50.0}) {
       Eigen::MatrixXd C(dense.A.rows() + dense.B.rows(), dense.A.cols());

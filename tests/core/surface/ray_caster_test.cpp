@@ -5,15 +5,11 @@
 
 #include "support/law_meshes.h"
 #include "support/meshes.h"
+#include "support/point_constraints.h"
 #include "support/random.h"
 
 namespace holdfast {
 namespace {
-
-Vector3 randomPlace(test::Random& random, double size)
-{
-  return {random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
-}
 
 /// What a ray does with one triangle, by solving origin + t direction = a + u (b - a) + v (c - a).
 struct PlainHit {
@@ -57,9 +53,9 @@ void expectPlainHits(const RayCaster& caster, const Positions& positions, const 
 {
   int hits = 0;
   for (int k = 0; k < 300; ++k) {
-    const Vector3 origin = randomPlace(random, 6);
+    const Vector3 origin = test::randomVector(random, 6);
     const Vector3 vertex = positions.row(random.integer(0, positions.rows() - 1));
-    const Ray ray{origin, vertex + randomPlace(random, 1) - origin};
+    const Ray ray{origin, vertex + test::randomVector(random, 1) - origin};
     const Index expected = plainFirst(ray, positions, triangles);
     if (expected == -2) continue;
     const std::optional<RayHit> hit = caster.firstHit(ray);
@@ -95,7 +91,7 @@ TEST(RayCaster, HitsFollowTheSurface)
   const Mesh mesh = test::plate(7, 5);
   RayCaster caster(mesh.positions, triangulate(mesh).triangles);
   Positions crumpled = mesh.positions;
-  for (Index v = 0; v < mesh.vertexCount(); ++v) crumpled.row(v) += randomPlace(random, 2).transpose();
+  for (Index v = 0; v < mesh.vertexCount(); ++v) crumpled.row(v) += test::randomVector(random, 2).transpose();
   caster.setPositions(crumpled);
   EXPECT_EQ(caster.positions(), crumpled);
   expectPlainHits(caster, crumpled, triangulate(mesh).triangles, random);
@@ -110,7 +106,7 @@ TEST(RayCaster, RaysDoNotSlipThroughEdgesAndVertices)
     const auto face = mesh.faces[random.integer(0, mesh.faces.size() - 1)];
     const double share = k % 4 == 0 ? 1 : random.uniform(0, 1);
     const Vector3 onEdge = share * mesh.positions.row(face[0]) + (1 - share) * mesh.positions.row(face[1]);
-    const Vector3 origin = randomPlace(random, 0.5);
+    const Vector3 origin = test::randomVector(random, 0.5);
     ASSERT_TRUE(caster.firstHit({origin, onEdge - origin})) << "the origin is enclosed by the sphere";
   }
 }
@@ -166,9 +162,9 @@ TEST(RayCaster, NothingWithinReachIsLeftOut)
     const std::vector<Triangle> triangles = triangulate(named.mesh).triangles;
     const RayCaster caster(named.mesh.positions, triangles);
     for (int k = 0; k < 100; ++k) {
-      const Vector3 origin = randomPlace(random, 6);
+      const Vector3 origin = test::randomVector(random, 6);
       const Vector3 vertex = named.mesh.positions.row(random.integer(0, named.mesh.vertexCount() - 1));
-      const Ray ray{origin, vertex + randomPlace(random, 0.3) - origin};
+      const Ray ray{origin, vertex + test::randomVector(random, 0.3) - origin};
       const RayReach reach{k % 2 == 0 ? 0.1 : 0.0, k % 3 == 0 ? 0.0 : 0.02};
       const std::vector<Index> near = caster.withinReach(ray, reach);
       EXPECT_TRUE(std::is_sorted(near.begin(), near.end()));

@@ -24,11 +24,13 @@ HelpDialog::HelpDialog(QWidget* parent) : QDialog(parent)
       Gesture{tr("Turn the picture"), tr("Drag with the right button, or beside what the tool takes")},
       Gesture{tr("Shift it, go nearer"), tr("Drag with the middle button; turn the wheel")},
       Gesture{tr("Hold a point exactly"), tr("P, then click a vertex, an edge or a face; V, E and F choose which")},
-      Gesture{tr("Move it"), tr("Drag an arrow or a square of what is selected; Ctrl snaps; or type in the table")},
+      Gesture{tr("Move it"),
+              tr("Drag an arrow or a square of what is selected; Ctrl snaps; a typed number counts exactly")},
       Gesture{tr("Select a region"), tr("B paints, M draws a rectangle, L a line around, W takes a whole side; "
                                         "Shift adds, Ctrl takes away")},
       Gesture{tr("Say what it does"), tr("F fixes the region, H makes a handle, R a rigid feature")},
-      Gesture{tr("Turn a handle"), tr("Drag one of its rings, as many times round as you like")},
+      Gesture{tr("Turn a handle"),
+              tr("Drag one of its rings, as many times round as you like, or type degrees over it")},
       Gesture{tr("Draw around a feature"), tr("C, click places around it, Enter; then R keeps it rigid")},
       Gesture{tr("Measured points"), tr("Ctrl+I imports a list, and shows how far each lay from the surface")},
       Gesture{tr("Take it back"), tr("Escape during a drag; Ctrl+Z afterwards")}};

@@ -56,6 +56,9 @@ class Tool : public QObject {
   /// True where the tool uses the key.
   virtual bool key(const QKeyEvent& /*event*/) { return false; }
 
+  /// The keyboard goes elsewhere.
+  virtual void loseFocus() {}
+
   /// Takes back what is under way, exactly; false where nothing is.
   virtual bool cancel() { return false; }
 

@@ -313,7 +313,10 @@ void Viewport::render()
   if (!isVisible()) return;
   // Until the hand rests a large mesh is drawn of fewer triangles.
   isCoarse_ = contents_ && fullMilliseconds_ > kFluentMilliseconds;
-  if (contents_) contents_->setDetail(isCoarse_ ? Detail::Coarse : Detail::Full);
+  if (contents_) {
+    contents_->lookFrom(Vector3(renderer_->GetActiveCamera()->GetPosition()));
+    contents_->setDetail(isCoarse_ ? Detail::Coarse : Detail::Full);
+  }
   fitClippingRange();
   Q_EMIT aboutToRender();
   QElapsedTimer timer;
@@ -389,7 +392,7 @@ bool Viewport::cancelGesture()
   pressed_ = nullptr;
   // The camera's gestures have nothing to take back, and stop where they are.
   hand_ = Hand::Empty;
-  return wasUnderWay || (tool_ && tool_->cancel());
+  return wasUnderWay || (firstTool_ && firstTool_->cancel()) || (tool_ && tool_->cancel());
 }
 
 DisplayPoint Viewport::toDisplayPoint(const QPointF& place) const
@@ -434,13 +437,21 @@ bool Viewport::event(QEvent* event)
           if (tool) tool->leave();
       break;
     case QEvent::ShortcutOverride:
-      if (!tool_ || !tool_->wants(static_cast<const QKeyEvent&>(*event))) break;
-      event->accept();
-      return true;
+      for (const Tool* tool : {firstTool_, tool_}) {
+        if (!tool || !tool->wants(static_cast<const QKeyEvent&>(*event))) continue;
+        event->accept();
+        return true;
+      }
+      break;
     case QEvent::KeyPress:
-      if (tool_ && tool_->key(static_cast<const QKeyEvent&>(*event))) return true;
+      for (Tool* tool : {firstTool_, tool_})
+        if (tool && tool->key(static_cast<const QKeyEvent&>(*event))) return true;
       event->ignore();
       return false;
+    case QEvent::FocusOut:
+      for (Tool* tool : {firstTool_, tool_})
+        if (tool) tool->loseFocus();
+      break;
     case QEvent::KeyRelease:
     case QEvent::ContextMenu:
       return true;

@@ -1,5 +1,6 @@
 #include "holdfast/view/coarse_surface.h"
 
+#include <vtkBoundingBox.h>
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
@@ -7,11 +8,13 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
+#include <holdfast/mesh/solid.h>
 #include <holdfast/view/poly_data.h>
 
 namespace holdfast {
 
 CoarseSurface::CoarseSurface(const Model& model, const ShadedSurface& surface)
+    : isSolid_(holdfast::isSolid(model.solverMesh))
 {
   const Polygons coarse = coarseTriangles(model, surface, kCoarseTriangles);
   std::vector<Index> newPointOf(surface.vertexOf.size(), -1);
@@ -52,6 +55,11 @@ void CoarseSurface::follow(const Positions& places, const vtkFloatArray& normals
   places_->Modified();
   normals_->Modified();
   data_->GetPoints()->Modified();
+}
+
+bool CoarseSurface::isNear(const Vector3& place) const
+{
+  return vtkBoundingBox(data_->GetBounds()).ContainsPoint(place.data()) != 0;
 }
 
 void CoarseSurface::color(const vtkDoubleArray* shares)

@@ -29,12 +29,17 @@ class CoarseSurface {
   void color(const vtkDoubleArray* shares);
 
   [[nodiscard]] const Polygons& triangles() const noexcept { return triangles_; }
+  /// Whether it is the skin of a solid at rest: from outside only fronts of triangles are seen.
+  [[nodiscard]] bool isSolid() const noexcept { return isSolid_; }
+  /// Whether the place is within the box around its points.
+  [[nodiscard]] bool isNear(const Vector3& place) const;
   /// The file's vertex of each point.
   [[nodiscard]] const std::vector<Index>& vertexOf() const noexcept { return vertexOf_; }
   [[nodiscard]] vtkPolyData& data() const { return *data_; }
 
  private:
   Polygons triangles_;
+  bool isSolid_;
   std::vector<Index> pointOf_;  // of the surface, for each point
   std::vector<Index> vertexOf_;
   vtkNew<vtkDoubleArray> places_;

@@ -215,6 +215,13 @@ GizmoMotion GizmoDrag::typed(double amount) const
   return motion;
 }
 
+std::string motionUnit(GizmoPart part, const std::string& units)
+{
+  const GizmoPartKind kind = kindOf(part);
+  if (kind == GizmoPartKind::Ring || kind == GizmoPartKind::ViewRing) return "°";
+  return units.empty() ? "" : " " + units;
+}
+
 std::string motionText(GizmoPart part, const GizmoMotion& motion, const RoundStep& step, const std::string& units)
 {
   const GizmoPartKind kind = kindOf(part);
@@ -222,11 +229,11 @@ std::string motionText(GizmoPart part, const GizmoMotion& motion, const RoundSte
     return text.find_first_of("123456789") == std::string::npos && text.starts_with('-') ? text.substr(1) : text;
   };
   if (kind == GizmoPartKind::Ring || kind == GizmoPartKind::ViewRing)
-    return withoutSignOfNothing(fmt::format("{:.1f}", motion.degrees)) + "°";
+    return withoutSignOfNothing(fmt::format("{:.1f}", motion.degrees)) + motionUnit(part, units);
   const bool isPlain = step.decimals() <= kMostDecimals && std::abs(motion.distance) < kLongest;
   const std::string number =
       isPlain ? fmt::format("{:.{}f}", motion.distance, step.decimals()) : fmt::format("{:.4g}", motion.distance);
-  return withoutSignOfNothing(number) + (units.empty() ? "" : " " + units);
+  return withoutSignOfNothing(number) + motionUnit(part, units);
 }
 
 }  // namespace holdfast

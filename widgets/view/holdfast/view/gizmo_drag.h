@@ -97,6 +97,9 @@ class GizmoDrag {
   double degrees_ = 0;
 };
 
+/// What stands behind the number of a motion: "°", " mm", or nothing where `units` is empty.
+[[nodiscard]] std::string motionUnit(GizmoPart part, const std::string& units);
+
 /// "12.5 mm" or "30.0°", as a label says it: lengths with the digits that a step of `step` needs; nothing is "-0".
 [[nodiscard]] std::string motionText(GizmoPart part, const GizmoMotion& motion, const RoundStep& step,
                                      const std::string& units);

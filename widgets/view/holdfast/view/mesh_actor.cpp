@@ -173,6 +173,12 @@ void MeshActor::setDetail(Detail detail)
   updateVisibility();
 }
 
+void MeshActor::lookFrom(const Vector3& eye)
+{
+  eye_ = eye;
+  updateVisibility();
+}
+
 const CoarseSurface& MeshActor::coarse() const
 {
   if (!coarse_) {
@@ -198,6 +204,7 @@ void MeshActor::updateVisibility()
 {
   const bool isCoarse = detail_ == Detail::Coarse && coarse().triangles().size() < shaded_->triangles.size();
   surface_->SetMapper(isCoarse ? coarseMapper_ : surfaceMapper_);
+  surface_->GetProperty()->SetBackfaceCulling(isCoarse && coarse().isSolid() && eye_ && !coarse().isNear(*eye_));
   meshEdges_->SetVisibility(meshEdgesShown_ == MeshEdges::All && !isCoarse);
 }
 

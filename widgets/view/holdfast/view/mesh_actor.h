@@ -3,6 +3,7 @@
 /// A mesh as VTK draws it: a smooth surface with crisp edges, in one colour or coloured by values.
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <vtkNew.h>
@@ -60,6 +61,10 @@ class MeshActor {
   void setMeshEdges(MeshEdges edges);
   /// Switching costs next to nothing once there are coarse triangles.
   void setDetail(Detail detail);
+  /// From where it is looked at next. In coarse detail the backs of a solid are not drawn while this is outside the box
+  /// around it: without a GPU that takes a third of the time, more or less. Where what is solid at rest was turned
+  /// inside out, full detail shows it.
+  void lookFrom(const Vector3& eye);
 
   /// What is drawn in full detail of `surface` and `meshEdges`, a part at a time, until the next `setDetail`.
   [[nodiscard]] ActorSlices& surfaceSlices() { return surfaceSlices_; }
@@ -95,6 +100,7 @@ class MeshActor {
   Positions places_;            // of the points: what VTK draws lies here
   MeshEdges meshEdgesShown_ = MeshEdges::Sharp;
   Detail detail_ = Detail::Full;
+  std::optional<Vector3> eye_;
   bool hasMeshEdges_ = false;
   mutable std::unique_ptr<CoarseSurface> coarse_;
   vtkNew<vtkDoubleArray> coordinates_;

@@ -156,6 +156,11 @@ void SceneContents::setDetail(Detail detail)
   updateDetail();
 }
 
+void SceneContents::lookFrom(const Vector3& eye)
+{
+  mesh_.lookFrom(eye);
+}
+
 void SceneContents::updateDetail()
 {
   mesh_.setDetail(detail_);

@@ -66,6 +66,8 @@ class SceneContents {
   void setPreview(const std::optional<PreviewedPoint>& point);
   /// The shape at rest, where it is shown as a surface, is that of coarse detail in both.
   void setDetail(Detail detail);
+  /// As `MeshActor::lookFrom`.
+  void lookFrom(const Vector3& eye);
   /// What is large of what is shown in full detail, in the order in which it is drawn, before all else.
   [[nodiscard]] std::vector<ActorSlices*> slices();
 

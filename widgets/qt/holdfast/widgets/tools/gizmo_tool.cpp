@@ -1,5 +1,6 @@
 #include "holdfast/widgets/tools/gizmo_tool.h"
 
+#include <QKeyEvent>
 #include <numbers>
 
 #include <Eigen/Geometry>
@@ -30,10 +31,15 @@ GizmoTool::~GizmoTool() = default;
 
 QString GizmoTool::hint() const
 {
+  if (!typed_.isEmpty()) return tr("Enter keeps it, Backspace corrects it, Escape takes it back");
+  return isTurn() ? tr("Drag to turn, or type degrees; Ctrl snaps, Escape takes it back")
+                  : tr("Drag to move, or type a length; Ctrl snaps, Escape takes it back");
+}
+
+bool GizmoTool::isTurn() const
+{
   const GizmoPartKind kind = kindOf(gizmo_.highlighted());
-  if (kind == GizmoPartKind::Ring || kind == GizmoPartKind::ViewRing)
-    return tr("Drag to turn, as many times round as you like; Ctrl snaps, Escape takes it back");
-  return tr("Drag to move; Ctrl snaps, Escape takes it back");
+  return kind == GizmoPartKind::Ring || kind == GizmoPartKind::ViewRing;
 }
 
 void GizmoTool::highlight(GizmoPart part)
@@ -115,6 +121,8 @@ GizmoPart GizmoTool::partAt(const Pointer& pointer)
 
 bool GizmoTool::hover(const Pointer& pointer)
 {
+  if (drag_) return true;
+  cursor_ = pointer.center();
   const GizmoPart part = partAt(pointer);
   highlight(part);
   return part != GizmoPart::None;
@@ -127,50 +135,118 @@ void GizmoTool::leave()
 
 bool GizmoTool::press(const Pointer& pointer)
 {
+  if (drag_) {
+    keep();
+    return true;
+  }
   const GizmoPart part = partAt(pointer);
   if (part == GizmoPart::None) return false;
-  drag_.emplace(part, gizmo_.frame(), viewGeometryOf(viewport_.renderer()), pointer.center(), gizmo_.ringPixels());
+  cursor_ = pointer.center();
+  highlight(part);
+  grab(part);
+  isHeld_ = true;
+  return true;
+}
+
+void GizmoTool::grab(GizmoPart part)
+{
+  drag_.emplace(part, gizmo_.frame(), viewGeometryOf(viewport_.renderer()), cursor_, gizmo_.ringPixels());
   const auto& selected = editor_.selectedConstraints();
   const QString what = selected.size() == 1 ? QString::fromStdString(editor_.list().constraints[selected.front()].name)
                                             : tr("%1 constraints").arg(selected.size());
-  const GizmoPartKind kind = kindOf(part);
-  const bool isTurn = kind == GizmoPartKind::Ring || kind == GizmoPartKind::ViewRing;
-  editor_.beginGesture((isTurn ? tr("turn %1") : tr("move %1")).arg(what));
-  return true;
+  editor_.beginGesture((isTurn() ? tr("turn %1") : tr("move %1")).arg(what));
 }
 
 void GizmoTool::drag(const Pointer& pointer)
 {
+  if (!drag_) return;
   cursor_ = pointer.center();
-  moveTo(drag_->to(pointer.center(), pointer.modifiers & Qt::ControlModifier ? Snap::On : Snap::None));
+  if (typed_.isEmpty()) follow(pointer.modifiers & Qt::ControlModifier ? Snap::On : Snap::None);
 }
 
-void GizmoTool::moveTo(const GizmoMotion& motion)
+void GizmoTool::follow(Snap snap)
+{
+  const GizmoMotion motion = drag_->to(cursor_, snap);
+  moveTo(motion, motionText(drag_->part(), motion, drag_->step(), editor_.list().units));
+}
+
+void GizmoTool::moveByTyped()
+{
+  moveTo(drag_->typed(typed_.value()),
+         typed_.text().toStdString() + "_" + motionUnit(drag_->part(), editor_.list().units));
+}
+
+void GizmoTool::moveTo(const GizmoMotion& motion, const std::string& label)
 {
   const Vector3 pivot = drag_->frame().center;
   editor_.updateGesture(standing_->movedBy({motion.axis, motion.degrees, pivot, motion.translation}));
   gizmo_.setFrame(pivot + motion.translation, drag_->frame().axes);
-  gizmo_.showDrag({drag_->part(), drag_->frame(), drag_->grabbed(), motion,
-                   motionText(drag_->part(), motion, drag_->step(), editor_.list().units), cursor_});
+  gizmo_.showDrag({drag_->part(), drag_->frame(), drag_->grabbed(), motion, label, cursor_});
   viewport_.scheduleRender();
 }
 
 void GizmoTool::release(const Pointer& pointer)
 {
+  if (!drag_) return;
   drag(pointer);
+  keep();
+}
+
+void GizmoTool::keep()
+{
   drag_.reset();
+  isHeld_ = false;
+  typed_.clear();
   gizmo_.endDrag();
   editor_.endGesture();
   stand();
+  Q_EMIT changed();
+}
+
+bool GizmoTool::wants(const QKeyEvent& event) const
+{
+  // Nothing else is edited before the number is.
+  if (!typed_.isEmpty()) return event.key() != Qt::Key_Escape;
+  return isTouched() && TypedAmount::isBegunBy(event);
+}
+
+bool GizmoTool::key(const QKeyEvent& event)
+{
+  if (!wants(event)) return false;
+  if (event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter) {
+    keep();
+    return true;
+  }
+  if (event.key() == Qt::Key_Backspace)
+    typed_.chop();
+  else if (!typed_.add(event))
+    return true;
+  if (!drag_) grab(gizmo_.highlighted());
+  if (!typed_.isEmpty())
+    moveByTyped();
+  else if (isHeld_)
+    follow(Snap::None);
+  else
+    cancel();
+  Q_EMIT changed();
+  return true;
+}
+
+void GizmoTool::loseFocus()
+{
+  if (drag_ && !isHeld_) keep();
 }
 
 bool GizmoTool::cancel()
 {
   if (!drag_) return false;
   drag_.reset();
+  isHeld_ = false;
+  typed_.clear();
   gizmo_.endDrag();
   editor_.cancelGesture();
   stand();
+  Q_EMIT changed();
   return true;
 }
 

@@ -11,6 +11,7 @@
 #include <holdfast/view/gizmo_drag.h>
 #include <holdfast/widgets/editor.h>
 #include <holdfast/widgets/tool.h>
+#include <holdfast/widgets/tools/typed_amount.h>
 
 namespace holdfast {
 
@@ -24,7 +25,8 @@ enum class GizmoAxes {
 };
 
 /// Stands where the selected points and handles are to be, and is asked before any other tool. A drag is one edit, and
-/// Escape takes it back. With Ctrl it snaps.
+/// Escape takes it back. With Ctrl it snaps. A number typed while a part is held, or the cursor is over it, moves or
+/// turns along that part by exactly so much: the mouse says no more then, and Enter, a click or letting go keeps it.
 class GizmoTool : public Tool {
   Q_OBJECT
 
@@ -38,6 +40,9 @@ class GizmoTool : public Tool {
   void drag(const Pointer& pointer) override;
   void release(const Pointer& pointer) override;
   void leave() override;
+  [[nodiscard]] bool wants(const QKeyEvent& event) const override;
+  bool key(const QKeyEvent& event) override;
+  void loseFocus() override;
   bool cancel() override;
 
   void setAxes(GizmoAxes axes);
@@ -51,7 +56,12 @@ class GizmoTool : public Tool {
 
  private:
   void stand();
-  void moveTo(const GizmoMotion& motion);
+  void grab(GizmoPart part);
+  void follow(Snap snap);
+  void moveByTyped();
+  void moveTo(const GizmoMotion& motion, const std::string& label);
+  void keep();
+  [[nodiscard]] bool isTurn() const;
   [[nodiscard]] Eigen::Matrix3d handleAxes() const;
   [[nodiscard]] Eigen::Matrix3d axesNow();
   void highlight(GizmoPart part);
@@ -63,6 +73,8 @@ class GizmoTool : public Tool {
   GizmoAxes axes_ = GizmoAxes::World;
   std::unique_ptr<ConstraintDrag> standing_;  // what the gizmo stands for; null where it is hidden
   std::optional<GizmoDrag> drag_;
+  bool isHeld_ = false;  // by the mouse
+  TypedAmount typed_;
   DisplayPoint cursor_{0, 0};
 };
 
