@@ -1,11 +1,15 @@
 #include "holdfast/base/thread_priority.h"
 
 #if defined(__linux__)
+#include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <system_error>
+#include <vector>
 
+#include <sched.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
 #include <unistd.h>
@@ -31,6 +35,41 @@ void lowerPriority(pid_t thread) noexcept
   ::setpriority(PRIO_PROCESS, static_cast<id_t>(thread), kNiceness);
 }
 
+/// All of this program, in the order in which they were started.
+std::vector<pid_t> threads()
+{
+  std::vector<pid_t> found;
+  std::error_code error;
+  for (std::filesystem::directory_iterator entry("/proc/self/task", error), end; !error && entry != end;
+       entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    pid_t thread = 0;
+    std::from_chars(name.data(), name.data() + name.size(), thread);
+    if (thread > 0) found.push_back(thread);
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+std::string nameOf(pid_t thread)
+{
+  std::ifstream file("/proc/self/task/" + std::to_string(thread) + "/comm");
+  std::string name;
+  std::getline(file, name);
+  return name;
+}
+
+std::vector<int> usableCores()
+{
+  std::vector<int> cores;
+  cpu_set_t usable;
+  CPU_ZERO(&usable);
+  if (::sched_getaffinity(0, sizeof(usable), &usable) != 0) return cores;
+  for (int core = 0; core < CPU_SETSIZE; ++core)
+    if (CPU_ISSET(core, &usable)) cores.push_back(core);
+  return cores;
+}
+
 }  // namespace
 
 void computeInBackground() noexcept
@@ -40,13 +79,20 @@ void computeInBackground() noexcept
 
 void letOthersComputeInBackground() noexcept
 {
-  std::error_code error;
-  for (std::filesystem::directory_iterator entry("/proc/self/task", error), end; !error && entry != end;
-       entry.increment(error)) {
-    const std::string name = entry->path().filename().string();
-    pid_t thread = 0;
-    std::from_chars(name.data(), name.data() + name.size(), thread);
-    if (thread > 0 && thread != thisThread()) lowerPriority(thread);
+  for (const pid_t thread : threads())
+    if (thread != thisThread()) lowerPriority(thread);
+}
+
+void spreadOverCores(std::string_view name) noexcept
+{
+  const std::vector<int> cores = usableCores();
+  std::size_t next = 0;
+  for (const pid_t thread : threads()) {
+    if (cores.empty() || !nameOf(thread).starts_with(name)) continue;
+    cpu_set_t only;
+    CPU_ZERO(&only);
+    CPU_SET(cores[next++ % cores.size()], &only);
+    ::sched_setaffinity(thread, sizeof(only), &only);
   }
 }
 
@@ -55,6 +101,8 @@ void letOthersComputeInBackground() noexcept
 void computeInBackground() noexcept {}
 
 void letOthersComputeInBackground() noexcept {}
+
+void spreadOverCores(std::string_view /*name*/) noexcept {}
 
 #endif
 

@@ -26,6 +26,14 @@ QString timeOf(const Recoverable& copy)
   return QLocale().toString(QDateTime::fromMSecsSinceEpoch(time.count()), QLocale::ShortFormat);
 }
 
+/// What the copy is of.
+QString originOf(const Recoverable& copy)
+{
+  if (!copy.original.empty()) return native(copy.original);
+  if (!copy.mesh.empty()) return RecoveryDialog::tr("never saved; of the mesh %1").arg(native(copy.mesh));
+  return RecoveryDialog::tr("cannot be read: %1").arg(native(copy.path));
+}
+
 }  // namespace
 
 RecoveryDialog::RecoveryDialog(std::vector<Recoverable> copies, QWidget* parent)
@@ -41,8 +49,7 @@ RecoveryDialog::RecoveryDialog(std::vector<Recoverable> copies, QWidget* parent)
   list_->setAccessibleName(tr("Unsaved work"));
   list_->setAlternatingRowColors(true);
   for (const Recoverable& copy : copies_) {
-    const QString of =
-        copy.original.empty() ? tr("never saved; of the mesh %1").arg(native(copy.mesh)) : native(copy.original);
+    const QString of = originOf(copy);
     auto* item =
         new QListWidgetItem(tr("%1, kept %2\n%3").arg(QString::fromStdString(copy.name), timeOf(copy), of), list_);
     item->setToolTip(of);

@@ -19,6 +19,7 @@
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 
+#include <holdfast/base/thread_priority.h>
 #include <holdfast/view/camera_state.h>
 #include <holdfast/view/default_camera.h>
 #include <holdfast/view/stage.h>
@@ -32,6 +33,9 @@ constexpr double kClickReach = 4;
 
 // A hand across the height of the viewport turns the picture by this.
 constexpr double kDegreesAcross = 220;
+
+// Of Mesa's renderer for machines without a GPU.
+constexpr const char* kDrawingThreads = "llvmpipe-";
 
 constexpr double kDegree = std::numbers::pi / 180;
 
@@ -299,6 +303,12 @@ void Viewport::fitClippingRange()
 }
 
 // Drawing
+
+void Viewport::initializeGL()
+{
+  QVTKOpenGLNativeWidget::initializeGL();
+  spreadOverCores(kDrawingThreads);
+}
 
 void Viewport::scheduleRender()
 {

@@ -107,6 +107,7 @@ class Viewport : public QVTKOpenGLNativeWidget {
   void rendered();
 
  protected:
+  void initializeGL() override;
   bool event(QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
