@@ -46,6 +46,14 @@ constexpr double kWheelZoom = 1.2;
 constexpr double kFluentMilliseconds = 30;
 constexpr int kRestMilliseconds = 250;
 
+// Whether something is drawn by now is asked for this often.
+constexpr int kMillisecondsBetweenLooks = 1;
+
+double millisecondsOf(const QElapsedTimer& timer)
+{
+  return static_cast<double>(timer.nsecsElapsed()) / 1e6;
+}
+
 /// A mesh at rest would be of one dark colour, and look like a result. A range that the user has fixed is what he
 /// wants.
 bool saysAnything(const Coloring& coloring, const ColorSettings& settings)
@@ -82,6 +90,7 @@ Viewport::Viewport(Editor& editor, QWidget* parent) : QVTKOpenGLNativeWidget(par
   window_->GetInteractor()->SetInteractorStyle(nullptr);
   addLights(*renderer_);
 
+  fence_ = std::make_unique<DrawFence>(*window_);
   slices_ = std::make_unique<SlicedDrawing>(*renderer_);
   overlay_ = new ViewportOverlay(editor_, *this);
   renderTimer_.setSingleShot(true);
@@ -89,8 +98,8 @@ Viewport::Viewport(Editor& editor, QWidget* parent) : QVTKOpenGLNativeWidget(par
   restTimer_.setSingleShot(true);
   restTimer_.setInterval(kRestMilliseconds);
   connect(&restTimer_, &QTimer::timeout, this, &Viewport::renderInFull);
-  sliceTimer_.setSingleShot(true);
-  connect(&sliceTimer_, &QTimer::timeout, this, &Viewport::renderSlice);
+  drawnTimer_.setSingleShot(true);
+  connect(&drawnTimer_, &QTimer::timeout, this, &Viewport::goOnWhenDrawn);
 
   connect(&editor_, &Editor::opened, this, &Viewport::openDocument);
   connect(&editor_, &Editor::deformed, this, &Viewport::showDeformation);
@@ -118,7 +127,7 @@ void Viewport::setDarkBackdrop(bool isDark)
 void Viewport::openDocument()
 {
   cancelGesture();
-  slices_->abandon();
+  abandonDrawing();
   renderer_->RemoveAllViewProps();
   contents_.reset();
   picker_.reset();
@@ -318,8 +327,9 @@ void Viewport::scheduleRender()
 
 void Viewport::render()
 {
-  slices_->abandon();
-  sliceTimer_.stop();
+  // Coarse pictures follow one another: one that is being drawn will be seen.
+  if (fence_->isSet() && !slices_->isUnderWay()) return renderTimer_.start(kMillisecondsBetweenLooks);
+  abandonDrawing();
   if (!isVisible()) return;
   // Until the hand rests a large mesh is drawn of fewer triangles.
   isCoarse_ = contents_ && fullMilliseconds_ > kFluentMilliseconds;
@@ -329,33 +339,72 @@ void Viewport::render()
   }
   fitClippingRange();
   Q_EMIT aboutToRender();
-  QElapsedTimer timer;
-  timer.start();
+  drawing_.start();
+  if (isCoarse_)
+    renderCoarse();
+  else
+    renderAtOnce();
+}
+
+void Viewport::renderAtOnce()
+{
   window_->Render();
-  renderMilliseconds_ = static_cast<double>(timer.nsecsElapsed()) / 1e6;
-  if (!isCoarse_) fullMilliseconds_ = renderMilliseconds_;
+  renderMilliseconds_ = millisecondsOf(drawing_);
+  fullMilliseconds_ = renderMilliseconds_;
   overlay_->update();
   Q_EMIT rendered();
+}
+
+void Viewport::renderCoarse()
+{
+  // What is shown would be waited for.
+  window_->SwapBuffersOff();
+  window_->Render();
+  window_->SwapBuffersOn();
+  fence_->set();
+  drawnTimer_.start(kMillisecondsBetweenLooks);
+}
+
+void Viewport::goOnWhenDrawn()
+{
+  if (!fence_->pass()) return drawnTimer_.start(kMillisecondsBetweenLooks);
+  if (slices_->isUnderWay()) {
+    sliceMilliseconds_ += millisecondsOf(drawing_);
+    return renderSlice();
+  }
+  window_->Frame();
+  renderMilliseconds_ = millisecondsOf(drawing_);
+  overlay_->update();
+  Q_EMIT rendered();
+}
+
+void Viewport::abandonDrawing()
+{
+  slices_->abandon();
+  fence_->drop();
+  drawnTimer_.stop();
 }
 
 void Viewport::renderInFull()
 {
   if (!isVisible() || !isCoarse_ || hand_ != Hand::Empty) return;
+  if (fence_->isSet()) return restTimer_.start();
   fitClippingRange();
   Q_EMIT aboutToRender();
   sliceMilliseconds_ = 0;
   slices_->begin(*contents_);
-  sliceTimer_.start(0);
+  renderSlice();
 }
 
 void Viewport::renderSlice()
 {
-  if (!slices_->isUnderWay()) return;
-  QElapsedTimer timer;
-  timer.start();
+  drawing_.start();
   slices_->advance();
-  sliceMilliseconds_ += static_cast<double>(timer.nsecsElapsed()) / 1e6;
-  if (slices_->isUnderWay()) return sliceTimer_.start(0);
+  if (slices_->isUnderWay()) {
+    fence_->set();
+    return drawnTimer_.start(kMillisecondsBetweenLooks);
+  }
+  sliceMilliseconds_ += millisecondsOf(drawing_);
   isCoarse_ = false;
   fullMilliseconds_ = sliceMilliseconds_;
   Q_EMIT rendered();
@@ -363,7 +412,7 @@ void Viewport::renderSlice()
 
 void Viewport::resizeEvent(QResizeEvent* event)
 {
-  slices_->abandon();
+  abandonDrawing();
   QVTKOpenGLNativeWidget::resizeEvent(event);
   overlay_->setGeometry(rect());
   if (contents_) contents_->setPixelRatio(pixelRatio());

@@ -15,6 +15,7 @@
 #include <holdfast/view/display_settings.h>
 #include <holdfast/view/sliced_drawing.h>
 #include <holdfast/view/surface_picker.h>
+#include <holdfast/widgets/draw_fence.h>
 #include <holdfast/widgets/editor.h>
 #include <holdfast/widgets/tool.h>
 
@@ -91,9 +92,9 @@ class Viewport : public QVTKOpenGLNativeWidget {
   /// Whether a picture, or one of more detail, is still to come.
   [[nodiscard]] bool isRenderPending() const
   {
-    return renderTimer_.isActive() || restTimer_.isActive() || sliceTimer_.isActive();
+    return renderTimer_.isActive() || restTimer_.isActive() || drawnTimer_.isActive();
   }
-  /// Milliseconds that the last picture took to draw.
+  /// Milliseconds that the last picture took to draw, what was done meanwhile included.
   [[nodiscard]] double lastRenderMilliseconds() const noexcept { return renderMilliseconds_; }
 
  Q_SIGNALS:
@@ -132,8 +133,12 @@ class Viewport : public QVTKOpenGLNativeWidget {
   void cameraMoved();
   void framePlaces(const Positions& places);
   void render();
+  void renderAtOnce();
+  void renderCoarse();
   void renderInFull();
   void renderSlice();
+  void goOnWhenDrawn();
+  void abandonDrawing();
   void fitClippingRange();
 
   Editor& editor_;
@@ -162,9 +167,11 @@ class Viewport : public QVTKOpenGLNativeWidget {
 
   QTimer renderTimer_;  // draws once a turn of the event loop
   QTimer restTimer_;    // draws the full detail when the hand rests
-  QTimer sliceTimer_;   // draws the next part of it
+  QTimer drawnTimer_;   // goes on when what was ordered is drawn
+  std::unique_ptr<DrawFence> fence_;
   std::unique_ptr<SlicedDrawing> slices_;
-  double sliceMilliseconds_ = 0;  // so far
+  QElapsedTimer drawing_;         // since the coarse picture, or the slice, was begun
+  double sliceMilliseconds_ = 0;  // of the slices so far
   double renderMilliseconds_ = 0;
   double fullMilliseconds_ = 0;  // of the last picture in full detail
   bool isCoarse_ = false;

@@ -45,6 +45,7 @@ void SlicedDrawing::begin(SceneContents& contents)
   parts_ = contents.slices();
   part_ = 0;
   slice_ = 0;
+  isWhole_ = false;
   slices_->SetGradientBackground(scene_.GetGradientBackground());
   slices_->SetBackground(scene_.GetBackground());
   slices_->SetBackground2(scene_.GetBackground2());
@@ -57,8 +58,10 @@ void SlicedDrawing::advance()
 {
   if (part_ < parts_.size())
     drawSlice();
-  else
+  else if (!isWhole_)
     drawRest();
+  else
+    show();
 }
 
 void SlicedDrawing::drawOthers(int isDrawn)
@@ -81,7 +84,6 @@ void SlicedDrawing::drawSlice()
   setOnTop(*slices_, part_ > 0 || slice_ > 0);
   window_.SwapBuffersOff();
   window_.Render();
-  window_.WaitForCompletion();
   if (++slice_ < part.count()) return;
   ++part_;
   slice_ = 0;
@@ -92,8 +94,15 @@ void SlicedDrawing::drawRest()
   drawOthers(1);
   for (const ActorSlices* part : parts_) part->actor().VisibilityOff();
   setOnTop(scene_, true);
-  window_.SwapBuffersOn();
+  window_.SwapBuffersOff();
   window_.Render();
+  isWhole_ = true;
+}
+
+void SlicedDrawing::show()
+{
+  window_.SwapBuffersOn();
+  window_.Frame();
   restore();
 }
 
