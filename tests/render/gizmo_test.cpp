@@ -81,7 +81,7 @@ struct Stage {
     GizmoDrag drag(part, gizmo.frame(), view, start, gizmo.ringPixels());
     const DisplayPoint cursor = start + moved;
     const GizmoMotion motion = drag.to(cursor, snap);
-    gizmo.showDrag({part, gizmo.frame(), drag.grabbed(), motion, motionText(part, motion, drag.step(), "mm"), cursor});
+    gizmo.showDrag({part, gizmo.frame(), drag.grabbed(), motion});
     gizmo.setFrame(gizmo.frame().center + motion.translation, gizmo.frame().axes);
   }
 };
@@ -154,7 +154,7 @@ TEST(GizmoPicture, ShowsTheCenterWhereItIsAndOverTheSurface)
       SCOPED_TRACE(center.transpose());
       stage.renderer().GetActiveCamera()->SetParallelProjection(isParallel);
       stage.gizmo.setFrame(center, Eigen::Matrix3d::Identity());
-      stage.gizmo.showDrag({GizmoPart::Center, stage.gizmo.frame(), {0, 0, 0}, {}, "", {0, 0}});
+      stage.gizmo.showDrag({GizmoPart::Center, stage.gizmo.frame(), {0, 0, 0}, {}});
       stage.gizmo.hide();
       const Picture without = stage.drawn();
       stage.gizmo.show();

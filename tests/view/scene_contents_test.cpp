@@ -166,9 +166,10 @@ TEST(Detail, CoarseTrianglesHaveThePlacesNormalsAndColorsOfTheirVertices)
   actor.setPositions(moved);
   std::reverse(values.begin(), values.end());
   actor.setColors(values, {});
-  expectCopies(coarse, full, actor);
+  EXPECT_EQ(&drawnBy(actor.surface()), &coarse);
   actor.setDetail(Detail::Full);
   EXPECT_EQ(&drawnBy(actor.surface()), &full);
+  expectCopies(coarse, full, actor);
 }
 
 TEST(Detail, LargeTintsAreCoarseAndSmallOnesAreNot)

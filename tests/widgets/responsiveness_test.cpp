@@ -50,8 +50,8 @@ class Responsiveness : public test::WindowUser {
 
   void whileADocumentIsOpened()
   {
-    const auto [mesh, state] = document();
-    measure("opening a prepared mesh", [&, mesh = mesh, state = state] { editor().open(mesh, state); });
+    auto prepared = document();
+    measure("opening a prepared mesh", [&] { editor().open(std::move(prepared.first), std::move(prepared.second)); });
     ASSERT_EQ(editor().freshness(), Freshness::Current);
     ASSERT_GE(editor().model()->mesh.vertexCount(), 173'000);
   }

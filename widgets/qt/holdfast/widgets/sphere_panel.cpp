@@ -102,15 +102,19 @@ void SpherePanel::begin()
   sphere_.reset();
   renderer_ = nullptr;
   coloring_.reset();
+  marked_.reset();
   isFitted_ = false;
-  if (editor_.isOpen()) {
-    renderer_ = vtkSmartPointer<vtkRenderer>::New();
-    view_->renderWindow()->AddRenderer(renderer_);
-    sphere_ = std::make_unique<RotationSphere>(*editor_.model());
-    sphere_->addTo(*renderer_);
-    applyPalette();
-  }
   becomeStale();
+}
+
+void SpherePanel::makeSphere()
+{
+  renderer_ = vtkSmartPointer<vtkRenderer>::New();
+  view_->renderWindow()->AddRenderer(renderer_);
+  sphere_ = std::make_unique<RotationSphere>(*editor_.model());
+  sphere_->addTo(*renderer_);
+  sphere_->mark(marked_);
+  applyPalette();
 }
 
 void SpherePanel::becomeStale()
@@ -128,12 +132,14 @@ void SpherePanel::refresh()
 {
   isStale_ = false;
   hint_->setText(editor_.isOpen() ? tr("No rotation yet: give a handle a turn.") : tr("No mesh is open."));
-  if (sphere_ && isTurning()) refreshPoints();
-  pages_->setCurrentIndex(sphere_ && isTurning() ? 1 : 0);
+  const bool hasPoints = isTurning();
+  if (hasPoints) refreshPoints();
+  pages_->setCurrentIndex(hasPoints ? 1 : 0);
 }
 
 void SpherePanel::refreshPoints()
 {
+  if (!sphere_) makeSphere();
   sphere_->show(*editor_.deformation());
   sphere_->setColoring(coloring_);
   if (!isFitted_) sphere_->fitCamera();
@@ -152,6 +158,7 @@ void SpherePanel::redraw()
 
 void SpherePanel::showVertex(std::optional<Index> vertex)
 {
+  marked_ = vertex;
   if (!sphere_) return;
   sphere_->mark(vertex);
   redraw();

@@ -30,7 +30,7 @@ class SpherePanel : public QWidget {
   explicit SpherePanel(Editor& editor, QWidget* parent = nullptr);
   ~SpherePanel() override;
 
-  /// What is shown; null while no mesh is open.
+  /// What is shown; null before there is a rotation to show.
   [[nodiscard]] const RotationSphere* sphere() const { return sphere_.get(); }
 
  public Q_SLOTS:
@@ -63,6 +63,7 @@ class SpherePanel : public QWidget {
   void handleRelease(const QMouseEvent& event);
   bool handleKey(int key);
   void showTip(const QPoint& place);
+  void makeSphere();
   [[nodiscard]] bool isTurning() const;
   [[nodiscard]] std::optional<Index> vertexAt(const QPointF& place) const;
 
@@ -73,7 +74,8 @@ class SpherePanel : public QWidget {
   QVTKOpenGLNativeWidget* view_ = nullptr;
   RenderRequest* drawing_ = nullptr;
   vtkSmartPointer<vtkRenderer> renderer_;
-  std::unique_ptr<RotationSphere> sphere_;
+  std::unique_ptr<RotationSphere> sphere_;  // from the first rotation that is to be shown
+  std::optional<Index> marked_;
   std::optional<Coloring> coloring_;
   std::optional<QPointF> pressed_;
   QPointF last_;

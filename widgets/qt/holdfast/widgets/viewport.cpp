@@ -345,15 +345,23 @@ void Viewport::renderCoarse()
   window_->SwapBuffersOff();
   window_->Render();
   window_->SwapBuffersOn();
+  awaitDrawing();
+}
+
+void Viewport::awaitDrawing()
+{
   fence_->set();
+  pause_.begin();
   drawnTimer_.start(kMillisecondsBetweenLooks);
 }
 
 void Viewport::goOnWhenDrawn()
 {
   if (!fence_->pass()) return drawnTimer_.start(kMillisecondsBetweenLooks);
+  const bool isRepaintDue = pause_.end();
   if (slices_->isUnderWay()) {
-    sliceMilliseconds_ += millisecondsOf(drawing_);
+    // Between two slices the window may show what has changed in it.
+    if (isRepaintDue) return drawnTimer_.start(kMillisecondsBetweenLooks);
     return renderSlice();
   }
   // Before its first painting there is no context, and nothing was drawn.
@@ -367,6 +375,7 @@ void Viewport::abandonDrawing()
 {
   slices_->abandon();
   fence_->drop();
+  pause_.end();
   drawnTimer_.stop();
 }
 
@@ -376,22 +385,17 @@ void Viewport::renderInFull()
   if (fence_->isSet()) return restTimer_.start();
   fitClippingRange();
   Q_EMIT aboutToRender();
-  sliceMilliseconds_ = 0;
+  drawing_.start();
   slices_->begin(*contents_);
   renderSlice();
 }
 
 void Viewport::renderSlice()
 {
-  drawing_.start();
   slices_->advance();
-  if (slices_->isUnderWay()) {
-    fence_->set();
-    return drawnTimer_.start(kMillisecondsBetweenLooks);
-  }
-  sliceMilliseconds_ += millisecondsOf(drawing_);
+  if (slices_->isUnderWay()) return awaitDrawing();
   isCoarse_ = false;
-  fullMilliseconds_ = sliceMilliseconds_;
+  fullMilliseconds_ = millisecondsOf(drawing_);
   Q_EMIT rendered();
 }
 

@@ -17,6 +17,7 @@
 #include <holdfast/view/surface_picker.h>
 #include <holdfast/widgets/draw_fence.h>
 #include <holdfast/widgets/editor.h>
+#include <holdfast/widgets/repaint_pause.h>
 #include <holdfast/widgets/tool.h>
 
 class QMouseEvent;
@@ -122,6 +123,7 @@ class Viewport : public QVTKOpenGLNativeWidget {
   void wheel(const QWheelEvent& event);
   void turnOrShift(const QPointF& to);
   void beginCamera(Hand hand, const QPointF& place);
+  void paintTools();
   [[nodiscard]] bool offerPress(const Pointer& pointer);
   [[nodiscard]] Vector3 placeUnder(const DisplayPoint& display);
 
@@ -137,6 +139,7 @@ class Viewport : public QVTKOpenGLNativeWidget {
   void renderCoarse();
   void renderInFull();
   void renderSlice();
+  void awaitDrawing();
   void goOnWhenDrawn();
   void abandonDrawing();
   void fitClippingRange();
@@ -169,9 +172,9 @@ class Viewport : public QVTKOpenGLNativeWidget {
   QTimer restTimer_;    // draws the full detail when the hand rests
   QTimer drawnTimer_;   // goes on when what was ordered is drawn
   std::unique_ptr<DrawFence> fence_;
+  RepaintPause pause_{*this};  // while something is drawn
   std::unique_ptr<SlicedDrawing> slices_;
-  QElapsedTimer drawing_;         // since the coarse picture, or the slice, was begun
-  double sliceMilliseconds_ = 0;  // of the slices so far
+  QElapsedTimer drawing_;  // since the picture was begun
   double renderMilliseconds_ = 0;
   double fullMilliseconds_ = 0;  // of the last picture in full detail
   bool isCoarse_ = false;

@@ -46,12 +46,21 @@ void Viewport::setTool(Tool* tool)
     connect(tool_, &Tool::changed, overlay_, qOverload<>(&QWidget::update));
   }
   setCursor(tool_ ? tool_->cursor() : Qt::ArrowCursor);
-  overlay_->setTool(tool_);
+  paintTools();
 }
 
 void Viewport::setFirstTool(Tool* tool)
 {
   firstTool_ = tool;
+  paintTools();
+}
+
+void Viewport::paintTools()
+{
+  std::vector<const Tool*> tools;
+  for (const Tool* tool : {tool_, firstTool_})
+    if (tool) tools.push_back(tool);
+  overlay_->setTools(std::move(tools));
 }
 
 bool Viewport::cancelGesture()

@@ -5,6 +5,7 @@
 #include <QPolygonF>
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include <holdfast/view/camera_motion.h>
 #include <holdfast/view/constraint_glyphs.h>
@@ -54,9 +55,9 @@ ViewportOverlay::ViewportOverlay(Editor& editor, Viewport& viewport)
     connect(&editor_, signal, this, qOverload<>(&QWidget::update));
 }
 
-void ViewportOverlay::setTool(Tool* tool)
+void ViewportOverlay::setTools(std::vector<const Tool*> tools)
 {
-  tool_ = tool;
+  tools_ = std::move(tools);
   update();
 }
 
@@ -66,9 +67,13 @@ void ViewportOverlay::paintEvent(QPaintEvent* /*event*/)
   painter.setRenderHint(QPainter::Antialiasing);
   if (!editor_.isOpen()) return paintWelcome(painter);
   paintPreview(painter);
-  if (tool_) tool_->paint(painter);
   paintLegend(painter);
   paintFreshness(painter);
+  for (const Tool* tool : tools_) {
+    painter.save();
+    tool->paint(painter);
+    painter.restore();
+  }
 }
 
 void ViewportOverlay::paintPreview(QPainter& painter) const

@@ -7,6 +7,7 @@
 #include <QPixmap>
 #include <QWidget>
 #include <optional>
+#include <vector>
 
 #include <holdfast/widgets/editor.h>
 #include <holdfast/widgets/viewport_legend.h>
@@ -23,7 +24,8 @@ class ViewportOverlay : public QWidget {
  public:
   ViewportOverlay(Editor& editor, Viewport& viewport);
 
-  void setTool(Tool* tool);
+  /// Those that paint over the picture.
+  void setTools(std::vector<const Tool*> tools);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -38,7 +40,7 @@ class ViewportOverlay : public QWidget {
 
   Editor& editor_;
   Viewport& viewport_;
-  Tool* tool_ = nullptr;
+  std::vector<const Tool*> tools_;
   // The legend as it was painted last: halos take longer than most pictures.
   std::optional<ViewportLegend> paintedLegend_;
   QPalette paintedPalette_;

@@ -1,5 +1,7 @@
 #include "holdfast/view/coarse_surface.h"
 
+#include <algorithm>
+
 #include <vtkBoundingBox.h>
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
@@ -9,6 +11,7 @@
 #include <vtkPolyData.h>
 
 #include <holdfast/mesh/solid.h>
+#include <holdfast/mesh/vertex_normals.h>
 #include <holdfast/view/poly_data.h>
 
 namespace holdfast {
@@ -28,6 +31,12 @@ CoarseSurface::CoarseSurface(const Model& model, const ShadedSurface& surface)
   };
   for (Index t = 0; t < coarse.size(); ++t)
     triangles_.add({newPoint(coarse[t][0]), newPoint(coarse[t][1]), newPoint(coarse[t][2])});
+  for (Index t = 0; t < surface.triangles.size(); ++t) {
+    const auto corners = surface.triangles[t];
+    if (std::all_of(corners.begin(), corners.end(), [&](Index point) { return newPointOf[point] < 0; })) continue;
+    around_.add(corners);
+    for (const Index point : corners) cornerOf_.push_back(newPointOf[point]);
+  }
 
   const auto count = static_cast<vtkIdType>(pointOf_.size());
   places_->SetNumberOfComponents(3);
@@ -44,13 +53,14 @@ CoarseSurface::CoarseSurface(const Model& model, const ShadedSurface& surface)
 
 CoarseSurface::~CoarseSurface() = default;
 
-void CoarseSurface::follow(const Positions& places, const vtkFloatArray& normals)
+void CoarseSurface::follow(const Positions& places)
 {
+  const Positions normals = areaWeightedNormals(places, around_, cornerOf_, static_cast<Index>(pointOf_.size()));
   for (std::size_t k = 0; k < pointOf_.size(); ++k)
     for (int axis = 0; axis < 3; ++axis) {
-      const auto to = static_cast<vtkIdType>(k);
+      const auto to = static_cast<Index>(k);
       places_->SetTypedComponent(to, axis, places(pointOf_[k], axis));
-      normals_->SetTypedComponent(to, axis, normals.GetTypedComponent(pointOf_[k], axis));
+      normals_->SetTypedComponent(to, axis, static_cast<float>(normals(to, axis)));
     }
   places_->Modified();
   normals_->Modified();

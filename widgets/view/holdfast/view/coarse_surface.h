@@ -24,8 +24,9 @@ class CoarseSurface {
   CoarseSurface(const CoarseSurface&) = delete;
   CoarseSurface& operator=(const CoarseSurface&) = delete;
 
-  /// Copies what the points of the surface have; `shares` is null where it has one colour.
-  void follow(const Positions& places, const vtkFloatArray& normals);
+  /// Moves it with the points of the surface, of which all triangles shape its normals.
+  void follow(const Positions& places);
+  /// Copies the shares of the surface's points; null where it has one colour.
   void color(const vtkDoubleArray* shares);
 
   [[nodiscard]] const Polygons& triangles() const noexcept { return triangles_; }
@@ -42,6 +43,8 @@ class CoarseSurface {
   bool isSolid_;
   std::vector<Index> pointOf_;  // of the surface, for each point
   std::vector<Index> vertexOf_;
+  Polygons around_;              // the triangles of the surface at these points
+  std::vector<Index> cornerOf_;  // the point, if any, at each of their corners
   vtkNew<vtkDoubleArray> places_;
   vtkNew<vtkFloatArray> normals_;
   vtkNew<vtkPolyData> data_;

@@ -14,6 +14,7 @@
 #include <holdfast/view/gizmo_trace.h>
 
 class vtkRenderer;
+class vtkTextActor;
 
 namespace holdfast {
 

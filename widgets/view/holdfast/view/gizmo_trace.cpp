@@ -7,13 +7,10 @@
 #include <Eigen/Geometry>
 #include <vtkActor.h>
 #include <vtkCellArray.h>
-#include <vtkCoordinate.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
-#include <vtkTextActor.h>
-#include <vtkTextProperty.h>
 
 #include <holdfast/view/gizmo_colors.h>
 
@@ -26,9 +23,6 @@ constexpr double kSectorOpacity = 0.20;
 // Of the radius of the outer ring.
 constexpr double kLineWidth = 0.018;
 constexpr double kEndSize = 0.075;
-constexpr double kTextSize = 0.145;
-constexpr double kTextRight = 0.16;
-constexpr double kTextUp = 0.14;
 
 /// Points of a picture that is made anew for each step of a drag.
 struct Sketch {
@@ -94,18 +88,6 @@ void setUp(vtkActor& actor, vtkPolyData& data)
   actor.VisibilityOff();
 }
 
-void setUpLabel(vtkTextActor& label)
-{
-  vtkTextProperty& property = *label.GetTextProperty();
-  property.SetFontFamilyToArial();
-  property.BoldOn();
-  property.SetColor(0.13, 0.15, 0.19);
-  property.SetBackgroundColor(1, 1, 1);
-  property.SetBackgroundOpacity(0.82);
-  label.GetPositionCoordinate()->SetCoordinateSystemToDisplay();
-  label.VisibilityOff();
-}
-
 }  // namespace
 
 GizmoTraceActors::GizmoTraceActors()
@@ -116,7 +98,6 @@ GizmoTraceActors::GizmoTraceActors()
   sector_->GetProperty()->SetOpacity(kSectorOpacity);
   sector_->ForceOpaqueOn();  // as with parts that are faded
   ends_->GetProperty()->RenderPointsAsSpheresOn();
-  setUpLabel(*label_);
 }
 
 GizmoTraceActors::~GizmoTraceActors() = default;
@@ -144,10 +125,6 @@ void GizmoTraceActors::show(const GizmoTrace& trace, double radius, double pixel
   lines_->VisibilityOn();
   sector_->SetVisibility(isTurn);
   ends_->SetVisibility(!isTurn);
-  label_->SetVisibility(!trace.text.empty());
-  label_->SetInput((" " + trace.text + " ").c_str());
-  label_->GetTextProperty()->SetFontSize(std::max(8, static_cast<int>(std::lround(kTextSize * pixels))));
-  label_->SetPosition(trace.cursor.x() + kTextRight * pixels, trace.cursor.y() + kTextUp * pixels);
 }
 
 void GizmoTraceActors::hide()
@@ -157,7 +134,7 @@ void GizmoTraceActors::hide()
 
 std::vector<vtkProp*> GizmoTraceActors::props() const
 {
-  return {lines_, ends_, sector_, label_};
+  return {lines_, ends_, sector_};
 }
 
 }  // namespace holdfast

@@ -1,8 +1,7 @@
 #pragma once
 /// \file
-/// What is shown of a drag while it goes on: the way so far as a quiet line or sector, and how far it is.
+/// What is shown of a drag while it goes on: the way so far as a quiet line or sector.
 
-#include <string>
 #include <vector>
 
 #include <vtkNew.h>
@@ -13,7 +12,6 @@
 class vtkActor;
 class vtkPolyData;
 class vtkProp;
-class vtkTextActor;
 
 namespace holdfast {
 
@@ -23,8 +21,6 @@ struct GizmoTrace {
   GizmoFrame from;                    ///< where the gizmo stood when the drag began
   Vector3 grabbed = Vector3::Zero();  ///< `GizmoDrag::grabbed`
   GizmoMotion motion;
-  std::string text;  ///< "12.5 mm"; may be empty
-  DisplayPoint cursor = DisplayPoint::Zero();
 };
 
 /// The actors of a trace.
@@ -48,7 +44,6 @@ class GizmoTraceActors {
   vtkNew<vtkActor> lines_;
   vtkNew<vtkActor> sector_;
   vtkNew<vtkActor> ends_;
-  vtkNew<vtkTextActor> label_;
 };
 
 }  // namespace holdfast

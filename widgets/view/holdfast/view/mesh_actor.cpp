@@ -6,7 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include <vtkActor.h>
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
@@ -125,7 +124,6 @@ MeshActor::MeshActor(const Model& model, std::shared_ptr<const ShadedSurface> sh
   setMeshEdgeLook(*meshEdges_->GetProperty());
   // They hide nothing that the surface below them does not hide, and need no order.
   meshEdges_->ForceOpaqueOn();
-  updateVisibility();
   setPositions(model.mesh.positions);
 }
 
@@ -140,13 +138,20 @@ MeshActor::~MeshActor()
 void MeshActor::setPositions(const Positions& positions)
 {
   for (Index k = 0; k < places_.rows(); ++k) places_.row(k) = positions.row(shaded_->vertexOf[k]);
+  coordinates_->Modified();
+  points_->Modified();
+  areNormalsOld_ = true;
+  isCoarseOld_ = true;
+  update();
+}
+
+void MeshActor::updateNormals()
+{
   const Positions normals = areaWeightedNormals(places_, shaded_->triangles, corners_, places_.rows());
   std::transform(normals.data(), normals.data() + normals.size(), normals_->GetPointer(0),
                  [](double value) { return static_cast<float>(value); });
-  coordinates_->Modified();
-  points_->Modified();
   normals_->Modified();
-  if (coarse_) coarse_->follow(places_, *normals_);
+  areNormalsOld_ = false;
 }
 
 void MeshActor::clearColors()
@@ -160,7 +165,7 @@ void MeshActor::setMeshEdges(MeshEdges edges)
   meshEdgesShown_ = edges;
   if (edges == MeshEdges::All && !hasMeshEdges_) meshEdgeData_->SetLines(linesOf(polygonEdges(model_.mesh, *shaded_)));
   hasMeshEdges_ = hasMeshEdges_ || edges == MeshEdges::All;
-  updateVisibility();
+  update();
 }
 
 void MeshActor::setDetail(Detail detail)
@@ -170,21 +175,19 @@ void MeshActor::setDetail(Detail detail)
     coarseMapper_->SetInputData(&coarse().data());
     colorCoarse();
   }
-  updateVisibility();
+  update();
 }
 
 void MeshActor::lookFrom(const Vector3& eye)
 {
   eye_ = eye;
-  updateVisibility();
+  update();
 }
 
 const CoarseSurface& MeshActor::coarse() const
 {
-  if (!coarse_) {
-    coarse_ = std::make_unique<CoarseSurface>(model_, *shaded_);
-    coarse_->follow(places_, *normals_);
-  }
+  if (!coarse_) coarse_ = std::make_unique<CoarseSurface>(model_, *shaded_);
+  if (std::exchange(isCoarseOld_, false)) coarse_->follow(places_);
   return *coarse_;
 }
 
@@ -200,9 +203,15 @@ void MeshActor::colorCoarse()
   coarseMapper_->SetInterpolateScalarsBeforeMapping(surfaceMapper_->GetInterpolateScalarsBeforeMapping());
 }
 
-void MeshActor::updateVisibility()
+bool MeshActor::isCoarse() const
 {
-  const bool isCoarse = detail_ == Detail::Coarse && coarse().triangles().size() < shaded_->triangles.size();
+  return detail_ == Detail::Coarse && coarse().triangles().size() < shaded_->triangles.size();
+}
+
+void MeshActor::update()
+{
+  const bool isCoarse = this->isCoarse();
+  if (!isCoarse && areNormalsOld_) updateNormals();
   surface_->SetMapper(isCoarse ? coarseMapper_ : surfaceMapper_);
   surface_->GetProperty()->SetBackfaceCulling(isCoarse && coarse().isSolid() && eye_ && !coarse().isNear(*eye_));
   meshEdges_->SetVisibility(meshEdgesShown_ == MeshEdges::All && !isCoarse);

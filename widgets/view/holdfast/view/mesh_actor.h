@@ -9,6 +9,7 @@
 #include <vtkNew.h>
 
 #include <holdfast/view/actor_slices.h>
+#include <holdfast/view/blended_actor.h>
 #include <holdfast/view/coarse_surface.h>
 #include <holdfast/view/color_map.h>
 #include <holdfast/view/shaded_surface.h>
@@ -48,7 +49,7 @@ class MeshActor {
   MeshActor(const MeshActor&) = delete;
   MeshActor& operator=(const MeshActor&) = delete;
 
-  /// Moves the mesh: one row for each vertex of the file. O(T).
+  /// Moves the mesh: one row for each vertex of the file. O(T); in coarse detail most of it waits for the full one.
   void setPositions(const Positions& positions);
 
   /// Colours by `values`, one for each vertex of the file. Between vertices the values are interpolated and then
@@ -86,12 +87,15 @@ class MeshActor {
 
   /// The points and normals that are drawn, for others to draw on them: they move with the mesh.
   [[nodiscard]] vtkPoints& points() const { return *points_; }
+  /// In coarse detail they may be older than the points.
   [[nodiscard]] vtkFloatArray& normals() const { return *normals_; }
   /// What is drawn of a large mesh in coarse detail. Made when it is first asked for, O(T log T); moves with the mesh.
   [[nodiscard]] const CoarseSurface& coarse() const;
 
  private:
-  void updateVisibility();
+  [[nodiscard]] bool isCoarse() const;
+  void update();
+  void updateNormals();
   void colorCoarse();
 
   const Model& model_;
@@ -102,6 +106,8 @@ class MeshActor {
   Detail detail_ = Detail::Full;
   std::optional<Vector3> eye_;
   bool hasMeshEdges_ = false;
+  bool areNormalsOld_ = true;  // older than the places
+  mutable bool isCoarseOld_ = true;
   mutable std::unique_ptr<CoarseSurface> coarse_;
   vtkNew<vtkDoubleArray> coordinates_;
   vtkNew<vtkPoints> points_;
@@ -114,7 +120,7 @@ class MeshActor {
   vtkNew<vtkPolyDataMapper> edgeMapper_;
   vtkNew<vtkPolyDataMapper> meshEdgeMapper_;
   vtkNew<vtkActor> surface_;
-  vtkNew<vtkActor> edges_;
+  vtkNew<BlendedActor> edges_;
   vtkNew<vtkActor> meshEdges_;
   ActorSlices surfaceSlices_{*surface_, *surfaceMapper_};
   ActorSlices meshEdgeSlices_{*meshEdges_, *meshEdgeMapper_};

@@ -6,7 +6,6 @@
 #include <vtkActor.h>
 #include <vtkCellArray.h>
 #include <vtkObjectFactory.h>
-#include <vtkOpenGLActor.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLState.h>
 #include <vtkPointData.h>
@@ -17,6 +16,8 @@
 #include <vtkRenderer.h>
 #include <vtkShaderProperty.h>
 #include <vtkUnsignedCharArray.h>
+
+#include <holdfast/view/blended_actor.h>
 
 namespace holdfast {
 namespace {
@@ -29,16 +30,16 @@ constexpr unsigned int kAsNearOrNearer = 0x0203;
 constexpr unsigned int kFarther = 0x0204;
 
 /// Draws only what lies behind what has been drawn.
-class BehindActor final : public vtkOpenGLActor {
+class BehindActor final : public BlendedActor {
  public:
   static BehindActor* New();
-  vtkTypeMacro(BehindActor, vtkOpenGLActor)
+  vtkTypeMacro(BehindActor, BlendedActor)
 
       void Render(vtkRenderer* renderer, vtkMapper* mapper) override
   {
     vtkOpenGLState* const state = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow())->GetState();
     state->vtkglDepthFunc(kFarther);
-    vtkOpenGLActor::Render(renderer, mapper);
+    BlendedActor::Render(renderer, mapper);
     state->vtkglDepthFunc(kAsNearOrNearer);
   }
 };

@@ -57,13 +57,13 @@ void SceneContents::leave()
 /// In the order in which they are drawn.
 std::vector<vtkActor*> SceneContents::actors() const
 {
-  std::vector<vtkActor*> all{&mesh_.surface(), &selection_.tint(), &mesh_.meshEdges(),
-                             &mesh_.edges(),   &rest_.edges(),     &rest_.surface()};
+  std::vector<vtkActor*> all{&mesh_.surface(), &selection_.tint(), &mesh_.meshEdges()};
   const auto add = [&](const std::vector<vtkActor*>& some) { all.insert(all.end(), some.begin(), some.end()); };
   add(arrows_.actors());
   add({&selection_.dots()});
   add(glyphs_.actors());
   add(preview_.actors());
+  add({&mesh_.edges(), &rest_.edges(), &rest_.surface()});
   return all;
 }
 

@@ -1,6 +1,9 @@
 #include "holdfast/widgets/tools/gizmo_tool.h"
 
+#include <QFontMetricsF>
 #include <QKeyEvent>
+#include <QPainter>
+#include <algorithm>
 #include <numbers>
 
 #include <Eigen/Geometry>
@@ -14,6 +17,17 @@ namespace holdfast {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
+
+// Up and to the right of the cursor, clear of what is dragged.
+constexpr QPointF kLabelOffset(18, -16);
+
+/// Where it is as a whole within `room`, as near as can be.
+QRectF movedInto(QRectF box, const QRectF& room)
+{
+  box.moveLeft(std::max(room.left(), std::min(box.left(), room.right() - box.width())));
+  box.moveTop(std::max(room.top(), std::min(box.top(), room.bottom() - box.height())));
+  return box;
+}
 
 }  // namespace
 
@@ -181,8 +195,25 @@ void GizmoTool::moveTo(const GizmoMotion& motion, const std::string& label)
   const Vector3 pivot = drag_->frame().center;
   editor_.updateGesture(standing_->movedBy({motion.axis, motion.degrees, pivot, motion.translation}));
   gizmo_.setFrame(pivot + motion.translation, drag_->frame().axes);
-  gizmo_.showDrag({drag_->part(), drag_->frame(), drag_->grabbed(), motion, label, cursor_});
+  gizmo_.showDrag({drag_->part(), drag_->frame(), drag_->grabbed(), motion});
+  label_ = QString::fromStdString(label);
   viewport_.scheduleRender();
+}
+
+void GizmoTool::paint(QPainter& painter) const
+{
+  if (!drag_) return;
+  QFont font = painter.font();
+  font.setBold(true);
+  painter.setFont(font);
+  QRectF plate = QFontMetricsF(font).boundingRect(label_).adjusted(-6, -3, 6, 3);
+  plate.moveBottomLeft(viewport_.toPlace(cursor_) + kLabelOffset);
+  plate = movedInto(plate, viewport_.rect());
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(QColor(255, 255, 255, 210));
+  painter.drawRoundedRect(plate, 4, 4);
+  painter.setPen(QColor(33, 38, 48));
+  painter.drawText(plate, Qt::AlignCenter, label_);
 }
 
 void GizmoTool::release(const Pointer& pointer)

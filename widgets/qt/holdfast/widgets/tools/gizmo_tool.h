@@ -44,6 +44,8 @@ class GizmoTool : public Tool {
   bool key(const QKeyEvent& event) override;
   void loseFocus() override;
   bool cancel() override;
+  /// How far the drag is, at the cursor.
+  void paint(QPainter& painter) const override;
 
   void setAxes(GizmoAxes axes);
   [[nodiscard]] GizmoAxes axes() const noexcept { return axes_; }
@@ -76,6 +78,7 @@ class GizmoTool : public Tool {
   bool isHeld_ = false;  // by the mouse
   TypedAmount typed_;
   DisplayPoint cursor_{0, 0};
+  QString label_;  // how far the drag is
 };
 
 }  // namespace holdfast
