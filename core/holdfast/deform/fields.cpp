@@ -68,6 +68,7 @@ Field displacementField(const Model& model, const Deformation& deformation)
 Field rotationField(const Model& model, const Deformation& deformation)
 {
   Field field{"rotation_log", 3, {}};
+  field.values.reserve(3 * model.solverMesh.weld.unknownOf.size());
   for (const Index unknown : model.solverMesh.weld.unknownOf)
     for (const double q : deformation.rotations.row(unknown)) field.values.push_back(q);
   return field;
@@ -76,6 +77,7 @@ Field rotationField(const Model& model, const Deformation& deformation)
 Field angleField(const Model& model, const Deformation& deformation)
 {
   std::vector<double> degrees;
+  degrees.reserve(static_cast<std::size_t>(deformation.rotations.rows()));
   for (Index u = 0; u < deformation.rotations.rows(); ++u)
     degrees.push_back(angleDegrees(deformation.rotations.row(u).transpose()));
   return {"rotation_angle_degrees", 1, spread(degrees, model.solverMesh.weld)};

@@ -19,6 +19,7 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkPen.h>
 #include <vtkPlot.h>
+#include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 #include <vtkStringArray.h>
 #include <vtkTable.h>
@@ -98,6 +99,8 @@ HistogramView::HistogramView(QWidget* parent) : QWidget(parent)
   column->addWidget(title_);
   column->addWidget(view_, 1);
   context_->SetRenderWindow(view_->renderWindow());
+  // What the mouse does is told here, and drawn once.
+  context_->GetInteractor()->SetInteractorStyle(nullptr);
   view_->renderWindow()->SetMultiSamples(4);
   context_->GetScene()->AddItem(chart_);
   chart_->SetInteractive(false);

@@ -135,6 +135,7 @@ void Viewport::openDocument()
 
 void Viewport::showDeformation()
 {
+  prepareToMove();
   picker_->setPositions(editor_.positions());
   // The mesh was shown at rest so far; who has looked elsewhere since goes on looking there.
   if (const auto eye = std::exchange(openedFrom_, std::nullopt);
@@ -169,6 +170,7 @@ void Viewport::showColors()
 void Viewport::showSelection()
 {
   if (!contents_) return;
+  prepareToMove();
   contents_->setSelection(editor_.selectedVertices());
   contents_->highlight(editor_.selectedConstraints());
   scheduleRender();
@@ -379,6 +381,14 @@ void Viewport::abandonDrawing()
   drawnTimer_.stop();
 }
 
+void Viewport::prepareToMove()
+{
+  if (fullMilliseconds_ <= kFluentMilliseconds) return;
+  // What is drawn in slices is not shown by halves.
+  if (slices_->isUnderWay()) abandonDrawing();
+  contents_->setDetail(Detail::Coarse);
+}
+
 void Viewport::renderInFull()
 {
   if (!isVisible() || !isValid() || !isCoarse_ || hand_ != Hand::Empty) return;
@@ -387,7 +397,7 @@ void Viewport::renderInFull()
   Q_EMIT aboutToRender();
   drawing_.start();
   slices_->begin(*contents_);
-  renderSlice();
+  drawnTimer_.start(0);
 }
 
 void Viewport::renderSlice()

@@ -134,6 +134,8 @@ class Viewport : public QVTKOpenGLNativeWidget {
   void showSelection();
   void cameraMoved();
   void framePlaces(const Positions& places);
+  /// Nothing is worked out for the full picture of what comes next, where it will not be drawn.
+  void prepareToMove();
   void render();
   void renderAtOnce();
   void renderCoarse();

@@ -29,9 +29,19 @@ constexpr double kForceDecades = 4;
 std::vector<double> lengthsOf(const Field& field)
 {
   std::vector<double> lengths;
+  lengths.reserve(field.values.size() / 3);
   for (std::size_t k = 0; k < field.values.size(); k += 3)
     lengths.push_back(Vector3(field.values[k], field.values[k + 1], field.values[k + 2]).norm());
   return lengths;
+}
+
+/// The largest finite value; 0 where there is none.
+double largestOf(const std::vector<double>& values)
+{
+  double largest = -std::numeric_limits<double>::infinity();
+  for (const double value : values)
+    if (std::isfinite(value)) largest = std::max(largest, value);
+  return std::isfinite(largest) ? largest : 0;
 }
 
 /// The value that `share` of the finite values do not exceed; 0 where there are none.
@@ -59,7 +69,7 @@ Coloring residualColoring(const Model& model, const Deformation& deformation, co
 {
   Field field = fieldOf(model, deformation, FieldKind::ConstraintResidual);
   const double promise = residualLimit(model.solverMesh, deformation.system);
-  const double largest = quantile(field.values, 1);
+  const double largest = largestOf(field.values);
   const double lowest = std::floor(std::log10(promise)) - kDecadesBelow;
   const double highest = std::ceil(std::log10(std::max(largest, promise * std::pow(10, kDecadesAbove))));
   ColorScale scale{inUnits("constraint residual", units), Scaling::Logarithmic, std::pow(10, lowest),
@@ -71,14 +81,14 @@ Coloring residualColoring(const Model& model, const Deformation& deformation, co
 Coloring rotationColoring(const Model& model, const Deformation& deformation)
 {
   std::vector<double> lengths = lengthsOf(fieldOf(model, deformation, FieldKind::RotationLog));
-  ColorScale scale = linearScale(inUnits("rotation |q|", "rad"), quantile(lengths, 1));
+  ColorScale scale = linearScale(inUnits("rotation |q|", "rad"), largestOf(lengths));
   return {std::move(lengths), std::move(scale)};
 }
 
 Coloring angleColoring(const Model& model, const Deformation& deformation)
 {
   Field field = fieldOf(model, deformation, FieldKind::RotationAngleDegrees);
-  ColorScale scale = linearScale(inUnits("rotation angle", "degrees"), quantile(field.values, 1));
+  ColorScale scale = linearScale(inUnits("rotation angle", "degrees"), largestOf(field.values));
   scale.steps = TickSteps::Degrees;
   return {std::move(field.values), std::move(scale)};
 }
@@ -87,7 +97,7 @@ Coloring angleColoring(const Model& model, const Deformation& deformation)
 Coloring forceColoring(const Model& model, const Deformation& deformation)
 {
   Field field = fieldOf(model, deformation, FieldKind::ConstraintForce);
-  const double largest = quantile(field.values, 1);
+  const double largest = largestOf(field.values);
   const double highest = largest > 0 ? std::ceil(std::log10(largest)) : 0;
   ColorScale scale{"constraint force", Scaling::Logarithmic, std::pow(10, highest - kForceDecades),
                    std::pow(10, highest)};
@@ -97,7 +107,7 @@ Coloring forceColoring(const Model& model, const Deformation& deformation)
 Coloring displacementColoring(const Model& model, const Deformation& deformation, const std::string& units)
 {
   std::vector<double> lengths = lengthsOf(fieldOf(model, deformation, FieldKind::Displacement));
-  ColorScale scale = linearScale(inUnits("displacement", units), quantile(lengths, 1));
+  ColorScale scale = linearScale(inUnits("displacement", units), largestOf(lengths));
   return {std::move(lengths), std::move(scale)};
 }
 

@@ -1,5 +1,7 @@
 #include "holdfast/view/selection_overlay.h"
 
+#include <algorithm>
+
 #include <vtkActor.h>
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
@@ -68,9 +70,10 @@ void SelectionOverlay::set(const std::vector<Index>& fileVertices)
   isSelected_.assign(pointOf_.size(), 0);
   for (const Index vertex : fileVertices) isSelected_[vertex] = 1;
   setDots();
-  setTint(*tintData_, mesh_.shaded()->triangles, mesh_.vertexOf());
-  coarseTintData_->SetPolys(nullptr);
-  tint_->SetVisibility(tintData_->GetNumberOfPolys() > 0);
+  tinted_ = tintedOf(mesh_.shaded()->triangles, mesh_.vertexOf());
+  // Made when they are to be drawn.
+  for (vtkPolyData* const data : {tintData_.Get(), coarseTintData_.Get()}) data->SetPolys(nullptr);
+  tint_->SetVisibility(tinted_ > 0);
   updateTint();
 }
 
@@ -87,14 +90,26 @@ void SelectionOverlay::setDots()
   dots_->SetVisibility(dots->GetNumberOfCells() > 0);
 }
 
+bool SelectionOverlay::areSelected(std::span<const Index> points, const std::vector<Index>& vertexOf) const
+{
+  return std::all_of(points.begin(), points.end(), [&](Index point) { return isSelected_[vertexOf[point]] != 0; });
+}
+
+vtkIdType SelectionOverlay::tintedOf(const Polygons& triangles, const std::vector<Index>& vertexOf) const
+{
+  vtkIdType count = 0;
+  for (Index t = 0; t < triangles.size(); ++t) count += areSelected(triangles[t], vertexOf) ? 1 : 0;
+  return count;
+}
+
 void SelectionOverlay::setTint(vtkPolyData& data, const Polygons& triangles, const std::vector<Index>& vertexOf) const
 {
+  const vtkIdType count = tintedOf(triangles, vertexOf);
   vtkNew<vtkCellArray> tinted;
-  const auto isTinted = [&](Index point) { return isSelected_[vertexOf[point]] != 0; };
+  tinted->AllocateExact(count, 3 * count);
   for (Index t = 0; t < triangles.size(); ++t) {
     const auto corners = triangles[t];
-    if (isTinted(corners[0]) && isTinted(corners[1]) && isTinted(corners[2]))
-      tinted->InsertNextCell({corners[0], corners[1], corners[2]});
+    if (areSelected(corners, vertexOf)) tinted->InsertNextCell({corners[0], corners[1], corners[2]});
   }
   data.SetPolys(tinted);
 }
@@ -108,7 +123,8 @@ void SelectionOverlay::setDetail(Detail detail)
 void SelectionOverlay::updateTint()
 {
   // Small tints would lose their shape.
-  const bool isCoarse = detail_ == Detail::Coarse && tintData_->GetNumberOfPolys() > kCoarseTriangles;
+  const bool isCoarse = detail_ == Detail::Coarse && tinted_ > kCoarseTriangles;
+  if (!isCoarse && tintData_->GetNumberOfPolys() == 0) setTint(*tintData_, mesh_.shaded()->triangles, mesh_.vertexOf());
   if (isCoarse && coarseTintData_->GetNumberOfPolys() == 0) {
     const CoarseSurface& coarse = mesh_.coarse();
     coarseTintData_->SetPoints(coarse.data().GetPoints());

@@ -2,6 +2,7 @@
 /// \file
 /// Vertices that are selected, on the mesh that is drawn.
 
+#include <span>
 #include <vector>
 
 #include <vtkNew.h>
@@ -42,6 +43,8 @@ class SelectionOverlay {
 
  private:
   void setDots();
+  [[nodiscard]] bool areSelected(std::span<const Index> points, const std::vector<Index>& vertexOf) const;
+  [[nodiscard]] vtkIdType tintedOf(const Polygons& triangles, const std::vector<Index>& vertexOf) const;
   void setTint(vtkPolyData& data, const Polygons& triangles, const std::vector<Index>& vertexOf) const;
   void updateTint();
 
@@ -50,6 +53,7 @@ class SelectionOverlay {
   std::vector<Index> pointOf_;    // of each file vertex, -1 where no face uses it
   std::vector<char> isSelected_;  // of each file vertex
   Detail detail_ = Detail::Full;
+  vtkIdType tinted_ = 0;  // of the triangles of the mesh
   vtkNew<vtkPolyData> dotData_;
   vtkNew<vtkPolyData> tintData_;
   vtkNew<vtkPolyData> coarseTintData_;
