@@ -30,16 +30,23 @@ Vector3 unitOrZero(const Vector3& vector)
 Positions areaWeightedNormals(const Positions& positions, const Polygons& faces, std::span<const Index> normalOfCorner,
                               Index count)
 {
+  Positions normals(count, 3);
+  areaWeightedNormals(positions, faces, normalOfCorner, normals);
+  return normals;
+}
+
+void areaWeightedNormals(const Positions& positions, const Polygons& faces, std::span<const Index> normalOfCorner,
+                         Positions& normals)
+{
   assert(static_cast<Index>(normalOfCorner.size()) == faces.cornerCount());
-  Positions normals = Positions::Zero(count, 3);
+  normals.setZero();
   std::size_t corner = 0;
   for (Index f = 0; f < faces.size(); ++f) {
     const Vector3 area = areaVector(positions, faces[f]);
     for (std::size_t k = 0; k < faces[f].size(); ++k, ++corner)
       if (normalOfCorner[corner] >= 0) normals.row(normalOfCorner[corner]) += area;
   }
-  for (Index n = 0; n < count; ++n) normals.row(n) = unitOrZero(normals.row(n));
-  return normals;
+  for (Index n = 0; n < normals.rows(); ++n) normals.row(n) = unitOrZero(normals.row(n));
 }
 
 std::vector<Index> cornerVertices(const Polygons& faces)

@@ -21,6 +21,9 @@ namespace holdfast {
 /// there is no such corner, where the sum vanishes or where it is not finite. O(corners).
 [[nodiscard]] Positions areaWeightedNormals(const Positions& positions, const Polygons& faces,
                                             std::span<const Index> normalOfCorner, Index count);
+/// The same into `normals`, one for each of its rows: again and again in the same memory.
+void areaWeightedNormals(const Positions& positions, const Polygons& faces, std::span<const Index> normalOfCorner,
+                         Positions& normals);
 
 /// The vertex at each corner, face after face: as `normalOfCorner`, it makes one normal a vertex.
 [[nodiscard]] std::vector<Index> cornerVertices(const Polygons& faces);

@@ -101,7 +101,8 @@ HistogramView::HistogramView(QWidget* parent) : QWidget(parent)
   context_->SetRenderWindow(view_->renderWindow());
   // What the mouse does is told here, and drawn once.
   context_->GetInteractor()->SetInteractorStyle(nullptr);
-  view_->renderWindow()->SetMultiSamples(4);
+  // Bars and axes lie along the pixels.
+  view_->renderWindow()->SetMultiSamples(0);
   context_->GetScene()->AddItem(chart_);
   chart_->SetInteractive(false);
   chart_->SetShowLegend(false);

@@ -1,9 +1,52 @@
 #include "holdfast/widgets/render_request.h"
 
+#include <QCoreApplication>
+#include <QPointer>
+#include <QTimer>
+#include <deque>
+
 #include <QVTKOpenGLNativeWidget.h>
 #include <vtkRenderWindow.h>
 
 namespace holdfast {
+namespace {
+
+/// Those that wait, and a turn of the event loop for each.
+class Queue : public QObject {
+ public:
+  explicit Queue(QObject* parent) : QObject(parent)
+  {
+    turn_.setSingleShot(true);
+    connect(&turn_, &QTimer::timeout, this, &Queue::drawNext);
+  }
+
+  static Queue& ofApplication()
+  {
+    static QPointer<Queue> queue;
+    if (!queue) queue = new Queue(QCoreApplication::instance());
+    return *queue;
+  }
+
+  void add(RenderRequest& request)
+  {
+    waiting_.emplace_back(&request);
+    if (!turn_.isActive()) turn_.start(0);
+  }
+
+ private:
+  void drawNext()
+  {
+    const QPointer<RenderRequest> next = waiting_.front();
+    waiting_.pop_front();
+    if (!waiting_.empty()) turn_.start(0);
+    if (next) next->draw();
+  }
+
+  std::deque<QPointer<RenderRequest>> waiting_;
+  QTimer turn_;
+};
+
+}  // namespace
 
 RenderRequest::RenderRequest(QVTKOpenGLNativeWidget& view) : QObject(&view), view_(view) {}
 
@@ -11,8 +54,7 @@ void RenderRequest::post()
 {
   if (isPosted_) return;
   isPosted_ = true;
-  QMetaObject::invokeMethod(
-      this, [this] { draw(); }, Qt::QueuedConnection);
+  Queue::ofApplication().add(*this);
 }
 
 void RenderRequest::draw()

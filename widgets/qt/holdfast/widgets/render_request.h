@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Drawing a VTK view later, once for all requests of one turn of the event loop.
+/// Drawing a VTK view later, once for all requests of one turn of the event loop, and one view a turn.
 
 #include <QObject>
 
@@ -14,10 +14,10 @@ class RenderRequest : public QObject {
   explicit RenderRequest(QVTKOpenGLNativeWidget& view);
 
   void post();
-
- private:
+  /// Now: its turn has come.
   void draw();
 
+ private:
   QVTKOpenGLNativeWidget& view_;
   bool isPosted_ = false;
 };

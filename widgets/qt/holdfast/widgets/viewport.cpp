@@ -141,6 +141,7 @@ void Viewport::showDeformation()
   if (const auto eye = std::exchange(openedFrom_, std::nullopt);
       eye && *eye == Vector3(renderer_->GetActiveCamera()->GetPosition()))
     frameAll();
+  contents_->showShape(*editor_.deformation());
   showConstraints();
   showColors();
 }
@@ -149,7 +150,7 @@ void Viewport::showConstraints()
 {
   if (!contents_) return;
   if (!editor_.history().isInGesture()) disabledPlaces_ = disabledPlaces(*editor_.model(), editor_.list());
-  if (const auto& deformation = editor_.deformation()) contents_->show(*deformation, disabledPlaces_);
+  if (const auto& deformation = editor_.deformation()) contents_->showConstraints(*deformation, disabledPlaces_);
   arrange(*contents_, display_);
   overlay_->update();
   scheduleRender();

@@ -121,7 +121,7 @@ void ViewportOverlay::paintLegend(QPainter& painter)
   const ViewportLegend current = legend();
   const QSize pixels = size() * devicePixelRatioF();
   if (paintedLegend_ != current || paintedPalette_ != palette() || legendPicture_.size() != pixels) {
-    legendPicture_ = QPixmap(pixels);
+    if (legendPicture_.size() != pixels) legendPicture_ = QPixmap(pixels);
     legendPicture_.setDevicePixelRatio(devicePixelRatioF());
     legendPicture_.fill(Qt::transparent);
     QPainter once(&legendPicture_);

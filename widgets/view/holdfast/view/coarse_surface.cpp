@@ -55,12 +55,13 @@ CoarseSurface::~CoarseSurface() = default;
 
 void CoarseSurface::follow(const Positions& places)
 {
-  const Positions normals = areaWeightedNormals(places, around_, cornerOf_, static_cast<Index>(pointOf_.size()));
+  doubleNormals_.resize(static_cast<Index>(pointOf_.size()), 3);
+  areaWeightedNormals(places, around_, cornerOf_, doubleNormals_);
   for (std::size_t k = 0; k < pointOf_.size(); ++k)
     for (int axis = 0; axis < 3; ++axis) {
       const auto to = static_cast<Index>(k);
       places_->SetTypedComponent(to, axis, places(pointOf_[k], axis));
-      normals_->SetTypedComponent(to, axis, static_cast<float>(normals(to, axis)));
+      normals_->SetTypedComponent(to, axis, static_cast<float>(doubleNormals_(to, axis)));
     }
   places_->Modified();
   normals_->Modified();

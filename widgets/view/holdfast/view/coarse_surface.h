@@ -45,6 +45,7 @@ class CoarseSurface {
   std::vector<Index> vertexOf_;
   Polygons around_;              // the triangles of the surface at these points
   std::vector<Index> cornerOf_;  // the point, if any, at each of their corners
+  Positions doubleNormals_;      // at the points: kept for the memory
   vtkNew<vtkDoubleArray> places_;
   vtkNew<vtkFloatArray> normals_;
   vtkNew<vtkPolyData> data_;

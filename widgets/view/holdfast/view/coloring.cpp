@@ -26,15 +26,6 @@ constexpr double kDetailShare = 0.99;
 // Decades of the logarithmic scale of forces below the largest: what is weaker hardly shows in the shape.
 constexpr double kForceDecades = 4;
 
-std::vector<double> lengthsOf(const Field& field)
-{
-  std::vector<double> lengths;
-  lengths.reserve(field.values.size() / 3);
-  for (std::size_t k = 0; k < field.values.size(); k += 3)
-    lengths.push_back(Vector3(field.values[k], field.values[k + 1], field.values[k + 2]).norm());
-  return lengths;
-}
-
 /// The largest finite value; 0 where there is none.
 double largestOf(const std::vector<double>& values)
 {
@@ -80,7 +71,10 @@ Coloring residualColoring(const Model& model, const Deformation& deformation, co
 
 Coloring rotationColoring(const Model& model, const Deformation& deformation)
 {
-  std::vector<double> lengths = lengthsOf(fieldOf(model, deformation, FieldKind::RotationLog));
+  std::vector<double> lengths;
+  lengths.reserve(model.solverMesh.weld.unknownOf.size());
+  for (const Index unknown : model.solverMesh.weld.unknownOf)
+    lengths.push_back(deformation.rotations.row(unknown).norm());
   ColorScale scale = linearScale(inUnits("rotation |q|", "rad"), largestOf(lengths));
   return {std::move(lengths), std::move(scale)};
 }
@@ -106,7 +100,10 @@ Coloring forceColoring(const Model& model, const Deformation& deformation)
 
 Coloring displacementColoring(const Model& model, const Deformation& deformation, const std::string& units)
 {
-  std::vector<double> lengths = lengthsOf(fieldOf(model, deformation, FieldKind::Displacement));
+  std::vector<double> lengths;
+  lengths.reserve(static_cast<std::size_t>(deformation.positions.rows()));
+  for (Index v = 0; v < deformation.positions.rows(); ++v)
+    lengths.push_back((deformation.positions.row(v) - model.mesh.positions.row(v)).norm());
   ColorScale scale = linearScale(inUnits("displacement", units), largestOf(lengths));
   return {std::move(lengths), std::move(scale)};
 }

@@ -147,8 +147,9 @@ void MeshActor::setPositions(const Positions& positions)
 
 void MeshActor::updateNormals()
 {
-  const Positions normals = areaWeightedNormals(places_, shaded_->triangles, corners_, places_.rows());
-  std::transform(normals.data(), normals.data() + normals.size(), normals_->GetPointer(0),
+  doubleNormals_.resize(places_.rows(), 3);
+  areaWeightedNormals(places_, shaded_->triangles, corners_, doubleNormals_);
+  std::transform(doubleNormals_.data(), doubleNormals_.data() + doubleNormals_.size(), normals_->GetPointer(0),
                  [](double value) { return static_cast<float>(value); });
   normals_->Modified();
   areNormalsOld_ = false;

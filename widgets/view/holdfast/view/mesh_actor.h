@@ -102,6 +102,7 @@ class MeshActor {
   std::shared_ptr<const ShadedSurface> shaded_;
   std::vector<Index> corners_;  // the point at each corner of the triangles
   Positions places_;            // of the points: what VTK draws lies here
+  Positions doubleNormals_;     // at the points: kept for the memory
   MeshEdges meshEdgesShown_ = MeshEdges::Sharp;
   Detail detail_ = Detail::Full;
   std::optional<Vector3> eye_;

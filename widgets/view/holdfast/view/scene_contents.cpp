@@ -69,8 +69,18 @@ std::vector<vtkActor*> SceneContents::actors() const
 
 void SceneContents::show(const Deformation& deformation, const std::vector<DisabledPlace>& disabled)
 {
+  showShape(deformation);
+  showConstraints(deformation, disabled);
+}
+
+void SceneContents::showShape(const Deformation& deformation)
+{
   rotations_ = deformation.rotations;
   setPositions(deformation.positions);
+}
+
+void SceneContents::showConstraints(const Deformation& deformation, const std::vector<DisabledPlace>& disabled)
+{
   std::vector<ConstraintMark> marks = constraintMarks(mesh_.model(), deformation);
   for (ConstraintMark& mark : disabledMarks(mesh_.model(), disabled, deformation.positions))
     marks.push_back(std::move(mark));

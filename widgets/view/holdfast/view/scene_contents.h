@@ -47,6 +47,11 @@ class SceneContents {
   /// (see `color`). O(T + marks).
   void show(const Deformation& deformation, const std::vector<DisabledPlace>& disabled = {});
 
+  /// The shape of it alone.
+  void showShape(const Deformation& deformation);
+  /// Its constraints alone, and those that are disabled. O(marks).
+  void showConstraints(const Deformation& deformation, const std::vector<DisabledPlace>& disabled);
+
   /// Moves the mesh and the selection on it, nothing else: one row for each vertex of the file. O(T).
   void setPositions(const Positions& positions);
 

@@ -124,7 +124,8 @@ void SelectionOverlay::updateTint()
 {
   // Small tints would lose their shape.
   const bool isCoarse = detail_ == Detail::Coarse && tinted_ > kCoarseTriangles;
-  if (!isCoarse && tintData_->GetNumberOfPolys() == 0) setTint(*tintData_, mesh_.shaded()->triangles, mesh_.vertexOf());
+  if (!isCoarse && tintData_->GetNumberOfPolys() < tinted_)
+    setTint(*tintData_, mesh_.shaded()->triangles, mesh_.vertexOf());
   if (isCoarse && coarseTintData_->GetNumberOfPolys() == 0) {
     const CoarseSurface& coarse = mesh_.coarse();
     coarseTintData_->SetPoints(coarse.data().GetPoints());
