@@ -21,13 +21,13 @@
 namespace holdfast {
 namespace {
 
-constexpr PictureSize kSize{360, 300};
+constexpr PictureSize kStageSize{360, 300};
 constexpr double kPixels = 100;  // of the picture
 
 /// A slab at rest with a gizmo at one of its ends.
 struct Stage {
   Model model = makeModel(test::box({6, 2, 1}, 8), "slab");
-  Scene scene{model, atRest(model), {kSize, ColorBy::None, Legend::Hidden, ""}};
+  Scene scene{model, atRest(model), {kStageSize, ColorBy::None, Legend::Hidden, ""}};
   Gizmo gizmo;
   vtkNew<vtkRenderer> layer;
 

@@ -22,7 +22,7 @@
 namespace holdfast {
 namespace {
 
-constexpr PictureSize kSize{360, 320};
+constexpr PictureSize kSphereSize{360, 320};
 
 Deformation deformed(const Model& model, const ConstraintList& list)
 {
@@ -81,7 +81,7 @@ struct Shown {
       if (auto* text = vtkTextActor::SafeDownCast(flat.GetItemAsObject(k))) text->GetTextProperty()->SetOpacity(0);
   }
 
-  test::OffscreenWindow window{kSize};
+  test::OffscreenWindow window{kSphereSize};
   RotationSphere sphere;
 };
 

@@ -44,7 +44,7 @@ Scene sceneOf(const Bent& bent, ColorBy colorBy)
   return {bent.model, bent.deformation, {kSmall, colorBy, Legend::Hidden, ""}};
 }
 
-Picture drawn(const Scene& scene)
+Picture drawnScene(const Scene& scene)
 {
   return draw(scene, "picture");
 }
@@ -52,7 +52,7 @@ Picture drawn(const Scene& scene)
 Picture bentSlab(ColorBy colorBy)
 {
   const Bent bent;
-  return drawn(sceneOf(bent, colorBy));
+  return drawnScene(sceneOf(bent, colorBy));
 }
 
 TEST(Scene, BentSlabInOneColor)
@@ -91,7 +91,7 @@ TEST(Scene, TwistedBarByAngle)
   NoProgress progress;
   const Deformation deformation = deform(model, list, "constraints", {}, progress);
   const Scene scene(model, deformation, {kSmall, ColorBy::Angle, Legend::Shown, "mm"});
-  EXPECT_EQ(test::differenceFromBaseline(drawn(scene)), "");
+  EXPECT_EQ(test::differenceFromBaseline(drawnScene(scene)), "");
 }
 
 TEST(Scene, SmoothSurfacesHaveNoEdges)
@@ -101,14 +101,15 @@ TEST(Scene, SmoothSurfacesHaveNoEdges)
   const Deformation deformation = deform(
       model, test::listOf({test::hold({0}), test::moveBy(AtVertex{40}, {0, 0, 0.5})}), "constraints", {}, progress);
   const Scene scene(model, deformation, {kSmall, ColorBy::Displacement, Legend::Hidden, ""});
-  EXPECT_EQ(test::differenceFromBaseline(drawn(scene)), "");
+  EXPECT_EQ(test::differenceFromBaseline(drawnScene(scene)), "");
 }
 
 TEST(Scene, SamePixelsAndBytesOnEveryRun)
 {
   const Bent bent;
-  const Picture first = drawn(Scene(bent.model, bent.deformation, {kSmall, ColorBy::Detail, Legend::Shown, "mm"}));
-  const Picture second = drawn(Scene(bent.model, bent.deformation, {kSmall, ColorBy::Detail, Legend::Shown, "mm"}));
+  const Picture first = drawnScene(Scene(bent.model, bent.deformation, {kSmall, ColorBy::Detail, Legend::Shown, "mm"}));
+  const Picture second =
+      drawnScene(Scene(bent.model, bent.deformation, {kSmall, ColorBy::Detail, Legend::Shown, "mm"}));
   EXPECT_EQ(first.pixels, second.pixels);
   EXPECT_EQ(toPng(first, "first"), toPng(second, "second"));
 }
@@ -119,7 +120,7 @@ TEST(Scene, LegendTakesRoomAndOnlyWhereThereIsSome)
   const auto share = [&](const PictureSize& size) {
     const Scene shown(bent.model, bent.deformation, {size, ColorBy::Displacement, Legend::Shown, "mm"});
     const Scene hidden(bent.model, bent.deformation, {size, ColorBy::Displacement, Legend::Hidden, "mm"});
-    return test::shareOfOtherPixels(drawn(shown), drawn(hidden));
+    return test::shareOfOtherPixels(drawnScene(shown), drawnScene(hidden));
   };
   EXPECT_GT(share(kSmall), 0.05);
   EXPECT_EQ(share({kLeastLegendWidth - 1, 240}), 0);
@@ -130,7 +131,7 @@ TEST(Scene, SmallestPictureCanBeDrawn)
   const Bent bent;
   const Scene scene(bent.model, bent.deformation,
                     {{kLeastPictureSide, kLeastPictureSide}, ColorBy::Displacement, Legend::Shown, ""});
-  EXPECT_EQ(drawn(scene).pixels.size(), 3U * kLeastPictureSide * kLeastPictureSide);
+  EXPECT_EQ(drawnScene(scene).pixels.size(), 3U * kLeastPictureSide * kLeastPictureSide);
 }
 
 // What the comparison must not let pass.
@@ -139,30 +140,30 @@ TEST(ComparisonMustFail, ForAnotherColorMap)
 {
   const Bent bent;
   Scene scene = sceneOf(bent, ColorBy::Displacement);
-  const Picture right = drawn(scene);
+  const Picture right = drawnScene(scene);
   vtkNew<vtkLookupTable> rainbow;
   rainbow->SetTableRange(0, 1);
   rainbow->Build();
   scene.mesh().surface().GetMapper()->SetLookupTable(rainbow);
-  EXPECT_GT(test::shareOfOtherPixels(right, drawn(scene)), 100 * test::kLargestShareOfOtherPixels);
+  EXPECT_GT(test::shareOfOtherPixels(right, drawnScene(scene)), 100 * test::kLargestShareOfOtherPixels);
 }
 
 TEST(ComparisonMustFail, ForACameraTurnedByOneDegree)
 {
   const Bent bent;
   const Scene scene = sceneOf(bent, ColorBy::Displacement);
-  const Picture right = drawn(scene);
+  const Picture right = drawnScene(scene);
   scene.meshRenderer().GetActiveCamera()->Azimuth(1);
-  EXPECT_GT(test::shareOfOtherPixels(right, drawn(scene)), 5 * test::kLargestShareOfOtherPixels);
+  EXPECT_GT(test::shareOfOtherPixels(right, drawnScene(scene)), 5 * test::kLargestShareOfOtherPixels);
 }
 
 TEST(ComparisonMustFail, ForOnePercentOfScale)
 {
   const Bent bent;
   Scene scene = sceneOf(bent, ColorBy::Displacement);
-  const Picture right = drawn(scene);
+  const Picture right = drawnScene(scene);
   scene.mesh().setPositions(1.01 * bent.deformation.positions);
-  EXPECT_GT(test::shareOfOtherPixels(right, drawn(scene)), 5 * test::kLargestShareOfOtherPixels);
+  EXPECT_GT(test::shareOfOtherPixels(right, drawnScene(scene)), 5 * test::kLargestShareOfOtherPixels);
 }
 
 TEST(ComparisonMustFail, ForAnotherSize)

@@ -11,10 +11,11 @@
 #include <holdfast/view/color_map.h>
 #include <holdfast/view/scalar_legend.h>
 
+#include "support/special_values.h"
+
 namespace holdfast {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr int kSteps = 500;
 
 double distance(const LabColor& p, const LabColor& q)
@@ -111,7 +112,7 @@ TEST(ColorMap, BlueToYellowSetsTheEndsApartWithoutRedAndGreen)
 TEST(ColorMap, NoValueIsAGreyThatNoMapHas)
 {
   for (const ColorMap map : kMaps) {
-    EXPECT_EQ(mapColor(kNan, map), kNoValueColor);
+    EXPECT_EQ(mapColor(test::kNan, map), kNoValueColor);
     const double least = map == ColorMap::BlueGreenYellow ? 25 : 10;
     for (int k = 0; k <= kSteps; ++k)
       EXPECT_GT(distance(labAt(k, map), toLab(kNoValueColor)), least)
@@ -156,7 +157,7 @@ TEST(ColorScale, ValuesBeyondTheEndsTakeTheirColors)
   EXPECT_EQ(shareOf(scale, 0), 0);
   EXPECT_NEAR(shareOf(scale, 1e-10), 0.5, 1e-12);
   EXPECT_EQ(shareOf(scale, std::numeric_limits<double>::infinity()), 1);
-  EXPECT_TRUE(std::isnan(shareOf(scale, kNan)));
+  EXPECT_TRUE(std::isnan(shareOf(scale, test::kNan)));
 }
 
 TEST(LegendTicks, AreRoundAndInside)

@@ -1,18 +1,16 @@
-#include <limits>
 
 #include <gtest/gtest.h>
 
 #include <holdfast/view/coloring_range.h>
 
+#include "support/special_values.h"
+
 namespace holdfast {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 Coloring sample()
 {
-  return {{0, kNan, 0.02, 37}, {"lengths", Scaling::Linear, 0, 37}};
+  return {{0, test::kNan, 0.02, 37}, {"lengths", Scaling::Linear, 0, 37}};
 }
 
 TEST(ColoringRange, AutomaticIsWhatItWas)
@@ -50,7 +48,7 @@ TEST(ColoringRange, LogarithmicIsDecadesBelowTheLargest)
 
 TEST(ColoringRange, LogarithmicNeedsAValueAboveZero)
 {
-  for (const double value : {0.0, -3.0, kNan, kInfinity, 5e-324}) {
+  for (const double value : {0.0, -3.0, test::kNan, test::kInfinity, 5e-324}) {
     const Coloring coloring = withRange({{value}, {"", Scaling::Linear, -4, 1}}, LogarithmicRange{4});
     EXPECT_EQ(coloring.scale.scaling, Scaling::Linear) << value;
     EXPECT_EQ(coloring.scale.low, -4) << value;
@@ -70,7 +68,7 @@ TEST(ColoringRange, ImpossibleOnesAreNamed)
   EXPECT_EQ(whyNoRange(AutomaticRange{}), "");
   EXPECT_EQ(whyNoRange(FixedRange{1, 2}), "");
   EXPECT_NE(whyNoRange(FixedRange{2, 2}), "");
-  EXPECT_NE(whyNoRange(FixedRange{kNan, 2}), "");
+  EXPECT_NE(whyNoRange(FixedRange{test::kNan, 2}), "");
   EXPECT_NE(whyNoRange(FixedRange{-1.7e308, 1.7e308}), "");
   EXPECT_EQ(whyNoRange(LogarithmicRange{1}), "");
   EXPECT_NE(whyNoRange(LogarithmicRange{0}), "");

@@ -17,7 +17,7 @@ using std::numbers::pi;
 using test::Projection;
 
 // Roundings of a ray, magnified by the distance of the eye.
-constexpr double kRounding = 1e-9;
+constexpr double kRoundedOff = 1e-9;
 
 ViewGeometry viewFrom(const Vector3& direction, Projection projection, const Vector3& at = Vector3::Zero())
 {
@@ -66,8 +66,8 @@ TEST(GizmoDrag, ArrowsFollowThePlaceThatWasGrabbed)
       GizmoDrag drag(part, frame, view, seen(view, frame.center + 0.4 * along));
       for (const double way : {0.3, -0.9, 1.7}) {
         const GizmoMotion motion = drag.to(seen(view, frame.center + (0.4 + way) * along), Snap::None);
-        EXPECT_LT((motion.translation - way * along).norm(), kRounding);
-        EXPECT_NEAR(motion.distance, way, kRounding);
+        EXPECT_LT((motion.translation - way * along).norm(), kRoundedOff);
+        EXPECT_NEAR(motion.distance, way, kRoundedOff);
         EXPECT_EQ(motion.degrees, 0);
       }
     }
@@ -87,8 +87,8 @@ TEST(GizmoDrag, SquaresAndTheCenterFollowThePlaceThatWasGrabbed)
       const Vector3 grabbed = frame.center + 0.1 * u + 0.15 * v;
       GizmoDrag drag(part, frame, view, seen(view, grabbed));
       const GizmoMotion motion = drag.to(seen(view, grabbed + 0.6 * u - 0.4 * v), Snap::None);
-      EXPECT_LT((motion.translation - (0.6 * u - 0.4 * v)).norm(), kRounding);
-      EXPECT_NEAR(motion.distance, std::hypot(0.6, 0.4), kRounding);
+      EXPECT_LT((motion.translation - (0.6 * u - 0.4 * v)).norm(), kRoundedOff);
+      EXPECT_NEAR(motion.distance, std::hypot(0.6, 0.4), kRoundedOff);
     }
   }
 }
@@ -138,7 +138,7 @@ TEST(GizmoDrag, RingsSayWhereTheyWereGrabbed)
   const Vector3 arm = (frame.axes * Vector3(0.6, 0.8, 0));
   ASSERT_GT(std::abs(frame.axes.col(2).dot(view.direction)), 0.3);
   EXPECT_LT((GizmoDrag(GizmoPart::RingZ, frame, view, seen(view, frame.center + 0.5 * arm)).grabbed() - arm).norm(),
-            kRounding);
+            kRoundedOff);
 }
 
 TEST(GizmoDrag, RingsSeenFromTheSideRollWithTheCursor)

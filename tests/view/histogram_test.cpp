@@ -1,5 +1,4 @@
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -8,12 +7,10 @@
 #include <holdfast/view/histogram.h>
 
 #include "support/random.h"
+#include "support/special_values.h"
 
 namespace holdfast {
 namespace {
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 using Counts = std::vector<Index>;
 using Edges = std::vector<double>;
@@ -66,19 +63,19 @@ TEST(Histogram, ValuesThatHardlyDifferEnd)
 
 TEST(Histogram, WhatIsNoNumberIsLeftOutAndCounted)
 {
-  const std::vector<double> values{kNan, 1, kInfinity, 2, -kInfinity, kNan};
+  const std::vector<double> values{test::kNan, 1, test::kInfinity, 2, -test::kInfinity, test::kNan};
   for (const Histogram& histogram :
        {linearHistogram(values, TickSteps::Decimal, 4), logarithmicHistogram(values, -3, 1)}) {
     EXPECT_EQ(histogram.valueCount, 2);
     EXPECT_EQ(histogram.withoutValueCount, 4);
-    EXPECT_FALSE(binOf(histogram, kNan));
-    EXPECT_FALSE(binOf(histogram, kInfinity));
+    EXPECT_FALSE(binOf(histogram, test::kNan));
+    EXPECT_FALSE(binOf(histogram, test::kInfinity));
   }
 }
 
 TEST(Histogram, WithoutAValueThereIsNothing)
 {
-  const std::vector<double> values{kNan};
+  const std::vector<double> values{test::kNan};
   const Histogram histogram = linearHistogram(values, TickSteps::Decimal, 4);
   EXPECT_TRUE(histogram.counts.empty());
   EXPECT_TRUE(edgeTicks(histogram, 5).empty());
@@ -104,7 +101,7 @@ TEST(Histogram, LargeValuesAddPowersOfTen)
 
 TEST(Histogram, PlacesInABinAreThoseOfItsValues)
 {
-  const std::vector<double> values{0.5, 2.5, kNan, 0.25, 3};
+  const std::vector<double> values{0.5, 2.5, test::kNan, 0.25, 3};
   const Histogram histogram = linearHistogram(values, TickSteps::Decimal, 4);
   EXPECT_EQ(placesInBin(histogram, values, 0), (Counts{0, 3}));
   EXPECT_EQ(placesInBin(histogram, values, 2), (Counts{1, 4}));

@@ -12,9 +12,9 @@
 
 #include <holdfast/view/view_geometry.h>
 
-namespace holdfast::test {
+#include "plain_view.h"
 
-enum class Projection { Perspective, Parallel };
+namespace holdfast::test {
 
 class StageWithoutWindow {
  public:

@@ -15,7 +15,7 @@
 namespace holdfast {
 namespace {
 
-ConstraintList sheetList()
+ConstraintList inspectedList()
 {
   ConstraintList list{"mm", {}};
   list.constraints = {
@@ -37,7 +37,7 @@ class InspectorPanelOfSheet : public ::testing::Test {
  protected:
   void SetUp() override
   {
-    ASSERT_TRUE(test::openMesh(editor, test::grid(10, 10), sheetList()));
+    ASSERT_TRUE(test::openMesh(editor, test::grid(10, 10), inspectedList()));
     panel.resize(380, 700);
     ASSERT_TRUE(test::showAndWait(panel));
   }

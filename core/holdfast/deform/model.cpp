@@ -26,4 +26,12 @@ Model makeModel(Mesh mesh, const std::string& source)
   return model;
 }
 
+std::vector<Triangle> trianglesOverUnknowns(const Model& model)
+{
+  std::vector<Triangle> triangles = model.triangulation.triangles;
+  for (Triangle& triangle : triangles)
+    for (Index& vertex : triangle) vertex = model.solverMesh.weld.unknownOf[vertex];
+  return triangles;
+}
+
 }  // namespace holdfast

@@ -18,4 +18,8 @@ struct Model {
 /// face or without a size that a double can say; `source` names the mesh in messages. O(T log T).
 [[nodiscard]] Model makeModel(Mesh mesh, const std::string& source);
 
+/// Those of the triangulation, in its order and over unknowns; where vertices were welded, one may name an unknown
+/// twice.
+[[nodiscard]] std::vector<Triangle> trianglesOverUnknowns(const Model& model);
+
 }  // namespace holdfast

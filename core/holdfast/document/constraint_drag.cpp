@@ -2,19 +2,17 @@
 
 #include <algorithm>
 #include <cassert>
-#include <numbers>
 #include <utility>
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include <holdfast/base/degree.h>
 #include <holdfast/constraints/selector.h>
 #include <holdfast/mesh/centroid.h>
 
 namespace holdfast {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 InputLocation placeInList(const std::string& source, Index constraint)
 {

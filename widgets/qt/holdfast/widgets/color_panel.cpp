@@ -22,11 +22,11 @@ namespace holdfast {
 namespace {
 
 // In the order of the alternatives of `ColorRange`.
-enum RangeKind { kAutomatic, kFixed, kLogarithmic };
+enum RangeKind { kAutomatic, kFixed, kDecades };
 
 constexpr int kDefaultDecades = 4;
-constexpr int kMostDecades = 60;
-constexpr int kDigits = 4;
+constexpr int kMostDecadesShown = 60;
+constexpr int kFieldDigits = 4;
 constexpr QSize kSwatch(64, 12);
 
 QString exact(double value)
@@ -180,7 +180,7 @@ QWidget* ColorPanel::makeLogarithmicRange()
   decades_ = new QSpinBox;
   decades_->setObjectName("colorDecades");
   decades_->setAccessibleName(tr("Powers of ten below the largest value"));
-  decades_->setRange(1, kMostDecades);
+  decades_->setRange(1, kMostDecadesShown);
   decades_->setValue(kDefaultDecades);
   decades_->setSuffix(tr(" powers of ten below the largest"));
   connect(decades_, QOverload<int>::of(&QSpinBox::valueChanged), this,
@@ -276,7 +276,8 @@ void ColorPanel::setShownScale(const std::optional<ColorScale>& scale)
 {
   shownScale_ = scale;
   automatic_->setText(
-      scale ? tr("%1 to %2").arg(QString::number(scale->low, 'g', kDigits), QString::number(scale->high, 'g', kDigits))
+      scale ? tr("%1 to %2")
+                  .arg(QString::number(scale->low, 'g', kFieldDigits), QString::number(scale->high, 'g', kFieldDigits))
             : QString());
   automatic_->setToolTip(scale ? tr("%1 to %2").arg(exact(scale->low), exact(scale->high)) : QString());
 }
@@ -285,7 +286,7 @@ void ColorPanel::chooseRangeKind(int kind)
 {
   rangeRows_->setCurrentIndex(kind);
   if (kind == kAutomatic) changeRange(AutomaticRange{});
-  if (kind == kLogarithmic) changeRange(LogarithmicRange{decades_->value()});
+  if (kind == kDecades) changeRange(LogarithmicRange{decades_->value()});
   if (kind != kFixed) return;
   // What is on screen stays as it is until other ends are typed.
   const FixedRange begin = shownScale_ ? FixedRange{shownScale_->low, shownScale_->high} : FixedRange{};

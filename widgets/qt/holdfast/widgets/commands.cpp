@@ -8,14 +8,9 @@
 namespace holdfast {
 namespace {
 
-QString tr(const char* text)
-{
-  return QObject::tr(text);
-}
-
 void add(Editor& editor, Constraint constraint)
 {
-  const QString name = tr("add %1").arg(QString::fromStdString(constraint.name));
+  const QString name = QObject::tr("add %1").arg(QString::fromStdString(constraint.name));
   ConstraintList list = added(editor.list(), std::move(constraint));
   const Index last = static_cast<Index>(list.constraints.size()) - 1;
   editor.edit(name, std::move(list));
@@ -40,7 +35,7 @@ QString namesOf(const Editor& editor)
 {
   const auto& selected = editor.selectedConstraints();
   if (selected.size() == 1) return QString::fromStdString(editor.list().constraints[selected.front()].name);
-  return tr("%n constraint(s)").replace("%n", QString::number(selected.size())).replace("(s)", "s");
+  return QObject::tr("%n constraint(s)").replace("%n", QString::number(selected.size())).replace("(s)", "s");
 }
 
 }  // namespace
@@ -74,7 +69,7 @@ void removeSelectedConstraints(Editor& editor)
 {
   const auto selected = editor.selectedConstraints();
   if (selected.empty()) return;
-  const QString name = tr("delete %1").arg(namesOf(editor));
+  const QString name = QObject::tr("delete %1").arg(namesOf(editor));
   editor.selectConstraints({});
   editor.edit(name, removed(editor.list(), selected));
 }
@@ -85,7 +80,7 @@ void toggleSelectedConstraints(Editor& editor)
   if (selected.empty()) return;
   const bool areAllEnabled =
       std::all_of(selected.begin(), selected.end(), [&](Index k) { return editor.list().constraints[k].isEnabled; });
-  const QString name = (areAllEnabled ? tr("disable %1") : tr("enable %1")).arg(namesOf(editor));
+  const QString name = (areAllEnabled ? QObject::tr("disable %1") : QObject::tr("enable %1")).arg(namesOf(editor));
   editor.edit(name, withEnabled(editor.list(), selected, areAllEnabled ? Enabling::Disabled : Enabling::Enabled));
 }
 

@@ -18,7 +18,7 @@ namespace holdfast {
 namespace {
 
 // Nobody reads more; the table has them all.
-constexpr std::size_t kMostCards = 100;
+constexpr std::size_t kMostConflicts = 100;
 constexpr std::size_t kMostRepetitions = 200;
 constexpr int kLettersOnButtons = 16;
 
@@ -137,7 +137,7 @@ void ConflictPanel::refreshTrouble()
 
 void ConflictPanel::refreshConflicts(const std::vector<Conflict>& conflicts)
 {
-  const std::size_t count = std::min(conflicts.size(), kMostCards);
+  const std::size_t count = std::min(conflicts.size(), kMostConflicts);
   while (cards_.size() < count) addCard();
   for (std::size_t k = 0; k < cards_.size(); ++k) {
     cards_[k].card->setVisible(k < count);

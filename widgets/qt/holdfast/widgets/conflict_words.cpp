@@ -12,15 +12,10 @@ struct ConflictWords {
   Q_DECLARE_TR_FUNCTIONS(ConflictWords)
 };
 
-QString tr(const char* text)
-{
-  return ConflictWords::tr(text);
-}
-
 /// Of a set that is empty: the constraint contradicts itself, or its part of the mesh.
 QString loneConflict(const ConstraintOutcome& outcome, const QString& length)
 {
-  return tr("%1 contradicts itself by %2, or asks a part to move that nothing places.")
+  return ConflictWords::tr("%1 contradicts itself by %2, or asks a part to move that nothing places.")
       .arg(quoted(outcome.name), length);
 }
 
@@ -35,37 +30,38 @@ QString conflictText(const ConstraintOutcome& outcome, const Clash& clash, const
   const QString own = quoted(outcome.name);
   const bool isOne = clash.with.size() == 1;
   if (outcome.type == "relative")
-    return (isOne ? tr("%1 asks for an offset that differs by %2 from what %3 says.")
-                  : tr("%1 asks for an offset that differs by %2 from what %3 say."))
+    return (isOne ? ConflictWords::tr("%1 asks for an offset that differs by %2 from what %3 says.")
+                  : ConflictWords::tr("%1 asks for an offset that differs by %2 from what %3 say."))
         .arg(own, length, others);
   if (outcome.type == "rigid")
-    return (isOne ? tr("%1 cannot stay rigid: %3 bends it by %2.") : tr("%1 cannot stay rigid: %3 bend it by %2."))
+    return (isOne ? ConflictWords::tr("%1 cannot stay rigid: %3 bends it by %2.")
+                  : ConflictWords::tr("%1 cannot stay rigid: %3 bend it by %2."))
         .arg(own, length, others);
   if (outcome.type == "point")
-    return (isOne ? tr("%1 asks for a place %2 away from where %3 puts it.")
-                  : tr("%1 asks for a place %2 away from where %3 put it."))
+    return (isOne ? ConflictWords::tr("%1 asks for a place %2 away from where %3 puts it.")
+                  : ConflictWords::tr("%1 asks for a place %2 away from where %3 put it."))
         .arg(own, length, others);
-  return (isOne ? tr("%1 asks for places up to %2 away from where %3 puts them.")
-                : tr("%1 asks for places up to %2 away from where %3 put them."))
+  return (isOne ? ConflictWords::tr("%1 asks for places up to %2 away from where %3 puts them.")
+                : ConflictWords::tr("%1 asks for places up to %2 away from where %3 put them."))
       .arg(own, length, others);
 }
 
 QString gapText(const ConstraintOutcome& outcome, const Clash& clash, const std::string& units)
 {
-  QString text = tr("Off by %1").arg(roundedText(clash.gap));
+  QString text = ConflictWords::tr("Off by %1").arg(roundedText(clash.gap));
   if (!units.empty()) text += ' ' + QString::fromStdString(units);
   if (outcome.rows > 1)
-    text += tr(", in %1 of its %2 rows").arg(QString::number(clash.rows), QString::number(outcome.rows));
+    text += ConflictWords::tr(", in %1 of its %2 rows").arg(QString::number(clash.rows), QString::number(outcome.rows));
   return text + '.';
 }
 
 QString repetitionText(const ConstraintOutcome& outcome, const Clash& clash)
 {
   const QString own = quoted(outcome.name);
-  if (clash.with.empty()) return tr("%1 repeats itself").arg(own);
+  if (clash.with.empty()) return ConflictWords::tr("%1 repeats itself").arg(own);
   const QString others = quotedList(clash.with);
-  return clash.rows == outcome.rows ? tr("%1 repeats %2").arg(own, others)
-                                    : tr("%1 repeats %2 in part").arg(own, others);
+  return clash.rows == outcome.rows ? ConflictWords::tr("%1 repeats %2").arg(own, others)
+                                    : ConflictWords::tr("%1 repeats %2 in part").arg(own, others);
 }
 
 }  // namespace holdfast

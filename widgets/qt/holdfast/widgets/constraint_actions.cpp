@@ -17,11 +17,6 @@ struct ConstraintActions {
   Q_DECLARE_TR_FUNCTIONS(ConstraintActions)
 };
 
-QString tr(const char* text)
-{
-  return ConstraintActions::tr(text);
-}
-
 Index sizeOf(const ConstraintList& list)
 {
   return static_cast<Index>(list.constraints.size());
@@ -64,27 +59,29 @@ void changeConstraints(Editor& editor, const QString& name, const Rows& rows, co
 void enableConstraints(Editor& editor, const Rows& rows)
 {
   if (!rows.empty())
-    editor.edit(tr("enable %1").arg(subjectOf(editor, rows)), withEnabled(editor.list(), rows, Enabling::Enabled));
+    editor.edit(ConstraintActions::tr("enable %1").arg(subjectOf(editor, rows)),
+                withEnabled(editor.list(), rows, Enabling::Enabled));
 }
 
 void disableConstraints(Editor& editor, const Rows& rows)
 {
   if (!rows.empty())
-    editor.edit(tr("disable %1").arg(subjectOf(editor, rows)), withEnabled(editor.list(), rows, Enabling::Disabled));
+    editor.edit(ConstraintActions::tr("disable %1").arg(subjectOf(editor, rows)),
+                withEnabled(editor.list(), rows, Enabling::Disabled));
 }
 
 void renameConstraint(Editor& editor, Index row, const QString& name)
 {
   const std::string before = editor.list().constraints[row].name;
   if (name.toStdString() == before) return;
-  editor.edit(tr("rename %1 to %2").arg(QString::fromStdString(before), name),
+  editor.edit(ConstraintActions::tr("rename %1 to %2").arg(QString::fromStdString(before), name),
               renamed(editor.list(), row, name.toStdString()));
 }
 
 void removeConstraints(Editor& editor, const Rows& rows)
 {
   if (rows.empty()) return;
-  editor.edit(tr("delete %1").arg(subjectOf(editor, rows)), removed(editor.list(), rows));
+  editor.edit(ConstraintActions::tr("delete %1").arg(subjectOf(editor, rows)), removed(editor.list(), rows));
   const Index size = sizeOf(editor.list());
   editor.selectConstraints(size == 0 ? Rows{} : Rows{std::min(rows.front(), size - 1)});
 }
@@ -95,7 +92,7 @@ void moveConstraints(Editor& editor, const Rows& rows, Index to)
   const Index first = to - before;
   const Rows after = rowsFrom(first, static_cast<Index>(rows.size()));
   if (rows.empty() || rows == after) return;
-  editor.edit(tr("reorder %1").arg(subjectOf(editor, rows)), moved(editor.list(), rows, to));
+  editor.edit(ConstraintActions::tr("reorder %1").arg(subjectOf(editor, rows)), moved(editor.list(), rows, to));
   editor.selectConstraints(after);
 }
 
@@ -111,7 +108,8 @@ void moveConstraintsDown(Editor& editor, const Rows& rows)
 
 void duplicateConstraints(Editor& editor, const Rows& rows)
 {
-  if (!rows.empty()) append(editor, tr("duplicate %1").arg(subjectOf(editor, rows)), extracted(editor.list(), rows));
+  if (!rows.empty())
+    append(editor, ConstraintActions::tr("duplicate %1").arg(subjectOf(editor, rows)), extracted(editor.list(), rows));
 }
 
 void copyConstraints(const Editor& editor, const Rows& rows)
@@ -125,7 +123,7 @@ void pasteConstraints(Editor& editor)
   const ConstraintList list = fromClipboardText(QGuiApplication::clipboard()->text().toStdString());
   const std::size_t count = list.constraints.size();
   append(editor,
-         count == 1 ? tr("paste %1").arg(QString::fromStdString(list.constraints.front().name))
+         count == 1 ? ConstraintActions::tr("paste %1").arg(QString::fromStdString(list.constraints.front().name))
                     : ConstraintActions::tr("paste %n constraints", nullptr, static_cast<int>(count)),
          list);
 }

@@ -17,29 +17,24 @@ constexpr std::size_t kPartsInWords = 3;
 constexpr std::size_t kWeightsInWords = 6;
 constexpr std::size_t kNamesInWords = 5;
 
-QString tr(const char* text)
-{
-  return ConstraintWords::tr(text);
-}
-
 QString counted(std::size_t n, const char* one, const char* many)
 {
   return n == 1 ? ConstraintWords::tr(one) : ConstraintWords::tr(many, nullptr, static_cast<int>(n));
 }
 
 struct KindWords {
-  QString operator()(const Fixed& /*fixed*/) const { return tr("fixed"); }
-  QString operator()(const Handle& /*handle*/) const { return tr("handle"); }
-  QString operator()(const Point& /*point*/) const { return tr("point"); }
-  QString operator()(const Rigid& /*rigid*/) const { return tr("rigid"); }
-  QString operator()(const Relative& /*relative*/) const { return tr("relative"); }
+  QString operator()(const Fixed& /*fixed*/) const { return ConstraintWords::tr("fixed"); }
+  QString operator()(const Handle& /*handle*/) const { return ConstraintWords::tr("handle"); }
+  QString operator()(const Point& /*point*/) const { return ConstraintWords::tr("point"); }
+  QString operator()(const Rigid& /*rigid*/) const { return ConstraintWords::tr("rigid"); }
+  QString operator()(const Relative& /*relative*/) const { return ConstraintWords::tr("relative"); }
 };
 
 struct LocationWords {
-  QString operator()(const AtVertex& at) const { return tr("vertex %1").arg(at.vertex); }
+  QString operator()(const AtVertex& at) const { return ConstraintWords::tr("vertex %1").arg(at.vertex); }
   QString operator()(const AtEdge& at) const
   {
-    return tr("edge %1–%2, t %3").arg(QString::number(at.i), QString::number(at.j), roundedText(at.t));
+    return ConstraintWords::tr("edge %1–%2, t %3").arg(QString::number(at.i), QString::number(at.j), roundedText(at.t));
   }
   QString operator()(const AtFace& at) const
   {
@@ -47,9 +42,9 @@ struct LocationWords {
     for (std::size_t k = 0; k < std::min(at.weights.size(), kWeightsInWords); ++k)
       weights << roundedText(at.weights[k]);
     if (at.weights.size() > kWeightsInWords) weights << QStringLiteral("…");
-    return tr("face %1: %2").arg(QString::number(at.face), weights.join(", "));
+    return ConstraintWords::tr("face %1: %2").arg(QString::number(at.face), weights.join(", "));
   }
-  QString operator()(const AtNear& at) const { return tr("near %1").arg(roundedText(at.place)); }
+  QString operator()(const AtNear& at) const { return ConstraintWords::tr("near %1").arg(roundedText(at.place)); }
 };
 
 struct SelectionWords {
@@ -57,27 +52,36 @@ struct SelectionWords {
   {
     return counted(vertices.ids.size(), "1 vertex", "%n vertices");
   }
-  QString operator()(const InBox& /*box*/) const { return tr("box"); }
-  QString operator()(const InSphere& sphere) const { return tr("sphere of radius %1").arg(roundedText(sphere.radius)); }
-  QString operator()(const InHalfSpace& /*half*/) const { return tr("half space"); }
-  QString operator()(const InComponent& part) const { return tr("part %1").arg(part.component); }
+  QString operator()(const InBox& /*box*/) const { return ConstraintWords::tr("box"); }
+  QString operator()(const InSphere& sphere) const
+  {
+    return ConstraintWords::tr("sphere of radius %1").arg(roundedText(sphere.radius));
+  }
+  QString operator()(const InHalfSpace& /*half*/) const { return ConstraintWords::tr("half space"); }
+  QString operator()(const InComponent& part) const { return ConstraintWords::tr("part %1").arg(part.component); }
   QString operator()(const InsideCurve& curve) const
   {
     return curve.side == CurveSide::Smaller
                ? counted(curve.through.size(), "curve", "curve through %n places")
                : counted(curve.through.size(), "outside a curve", "outside a curve through %n places");
   }
-  QString operator()(const AllOf& all) const { return joined(all.parts, tr(" and "), tr("everything")); }
-  QString operator()(const AnyOf& any) const { return joined(any.parts, tr(" or "), tr("nothing")); }
-  QString operator()(const NotIn& no) const { return tr("not %1").arg(inner(*no.part)); }
+  QString operator()(const AllOf& all) const
+  {
+    return joined(all.parts, ConstraintWords::tr(" and "), ConstraintWords::tr("everything"));
+  }
+  QString operator()(const AnyOf& any) const
+  {
+    return joined(any.parts, ConstraintWords::tr(" or "), ConstraintWords::tr("nothing"));
+  }
+  QString operator()(const NotIn& no) const { return ConstraintWords::tr("not %1").arg(inner(*no.part)); }
 
  private:
   // One level is told in words; what is deeper is told by its kind alone.
   static QString inner(const Selection& selection)
   {
-    if (std::holds_alternative<AllOf>(selection.what)) return tr("(several at once)");
-    if (std::holds_alternative<AnyOf>(selection.what)) return tr("(any of several)");
-    if (std::holds_alternative<NotIn>(selection.what)) return tr("(all but some)");
+    if (std::holds_alternative<AllOf>(selection.what)) return ConstraintWords::tr("(several at once)");
+    if (std::holds_alternative<AnyOf>(selection.what)) return ConstraintWords::tr("(any of several)");
+    if (std::holds_alternative<NotIn>(selection.what)) return ConstraintWords::tr("(all but some)");
     return selectionText(selection);
   }
 
@@ -95,7 +99,7 @@ struct WhereWords {
   QString operator()(const Point& point) const { return locationText(point.at); }
   QString operator()(const Relative& relative) const
   {
-    return tr("%1 to %2").arg(locationText(relative.from), locationText(relative.to));
+    return ConstraintWords::tr("%1 to %2").arg(locationText(relative.from), locationText(relative.to));
   }
   template <class Selecting>
   QString operator()(const Selecting& selecting) const
@@ -128,40 +132,40 @@ QString whereText(const Constraint& constraint)
 
 QString statusText(std::optional<ConstraintStatus> status)
 {
-  if (!status) return tr("not solved");
+  if (!status) return ConstraintWords::tr("not solved");
   switch (*status) {
     case ConstraintStatus::Independent:
-      return tr("independent");
+      return ConstraintWords::tr("independent");
     case ConstraintStatus::Met:
-      return tr("met");
+      return ConstraintWords::tr("met");
     case ConstraintStatus::Redundant:
-      return tr("redundant");
+      return ConstraintWords::tr("redundant");
     case ConstraintStatus::Conflicting:
-      return tr("conflicting");
+      return ConstraintWords::tr("conflicting");
     case ConstraintStatus::Missed:
-      return tr("missed");
+      return ConstraintWords::tr("missed");
     case ConstraintStatus::Disabled:
-      return tr("disabled");
+      return ConstraintWords::tr("disabled");
   }
   return {};
 }
 
 QString statusMeaning(std::optional<ConstraintStatus> status)
 {
-  if (!status) return tr("Nothing was solved with this constraint yet.");
+  if (!status) return ConstraintWords::tr("Nothing was solved with this constraint yet.");
   switch (*status) {
     case ConstraintStatus::Independent:
-      return tr("Earlier constraints neither imply nor contradict it; nothing was solved.");
+      return ConstraintWords::tr("Earlier constraints neither imply nor contradict it; nothing was solved.");
     case ConstraintStatus::Met:
-      return tr("It holds.");
+      return ConstraintWords::tr("It holds.");
     case ConstraintStatus::Redundant:
-      return tr("Earlier constraints imply it, and it holds.");
+      return ConstraintWords::tr("Earlier constraints imply it, and it holds.");
     case ConstraintStatus::Conflicting:
-      return tr("Earlier constraints contradict it; it is left out where they do.");
+      return ConstraintWords::tr("Earlier constraints contradict it; it is left out where they do.");
     case ConstraintStatus::Missed:
-      return tr("It is part of the solution, but holds only approximately.");
+      return ConstraintWords::tr("It is part of the solution, but holds only approximately.");
     case ConstraintStatus::Disabled:
-      return tr("It is switched off.");
+      return ConstraintWords::tr("It is switched off.");
   }
   return {};
 }
@@ -178,7 +182,7 @@ QString quotedList(const std::vector<std::string>& names)
   if (names.size() > kNamesInWords) words << counted(names.size() - kNamesInWords, "1 other", "%n others");
   if (words.size() < 2) return words.join(QString());
   const QString last = words.takeLast();
-  return tr("%1 and %2").arg(words.join(", "), last);
+  return ConstraintWords::tr("%1 and %2").arg(words.join(", "), last);
 }
 
 }  // namespace holdfast

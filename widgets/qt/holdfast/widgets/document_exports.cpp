@@ -21,6 +21,7 @@
 #include <holdfast/view/field_file.h>
 #include <holdfast/view/snapshot.h>
 #include <holdfast/widgets/file_messages.h>
+#include <holdfast/widgets/number_words.h>
 #include <holdfast/widgets/picture_dialog.h>
 
 namespace holdfast {
@@ -50,11 +51,6 @@ std::string pictureOf(const Model& model, const Deformation& deformation, const 
 }
 
 /// Four significant digits: for reading, not for computing.
-QString rounded(double value)
-{
-  return QString::number(value, 'g', 4);
-}
-
 }  // namespace
 
 DocumentExports::DocumentExports(Editor& editor, QWidget* window)
@@ -183,7 +179,7 @@ void DocumentExports::made(const QString& path, const std::shared_ptr<Made>& fil
                                        tr("This format stores coordinates in single precision: whoever reads the file "
                                           "finds constraints missed by up "
                                           "to %1 %2. PLY, OBJ and OFF keep every digit.")
-                                           .arg(rounded(file->missedBy),
+                                           .arg(roundedText(file->missedBy),
                                                 QString::fromStdString(editor_.isOpen() ? editor_.list().units : "")),
                                        tr("&Export all the same")))
     return;

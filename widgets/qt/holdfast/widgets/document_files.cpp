@@ -15,11 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-QString textOf(const fs::path& path)
-{
-  return QString::fromStdString(path.string());
-}
-
 fs::path pathOf(const QString& text)
 {
   return text.toStdString();

@@ -9,10 +9,9 @@
 namespace holdfast {
 namespace {
 
-QString tr(const char* text)
-{
-  return QCoreApplication::translate("holdfast::FileMessages", text);
-}
+struct FileMessages {
+  Q_DECLARE_TR_FUNCTIONS(FileMessages)
+};
 
 /// A sentence as it stands by itself. Reasons of the core follow a colon elsewhere.
 QString asSentence(const QString& reason)
@@ -25,9 +24,9 @@ QString asSentence(const QString& reason)
 
 QString placeOf(const InputLocation& location)
 {
-  QStringList lines{tr("File: %1").arg(QString::fromStdString(location.file))};
-  if (location.line > 0) lines << tr("Line: %1").arg(location.line);
-  if (!location.element.empty()) lines << tr("Place: %1").arg(QString::fromStdString(location.element));
+  QStringList lines{FileMessages::tr("File: %1").arg(QString::fromStdString(location.file))};
+  if (location.line > 0) lines << FileMessages::tr("Line: %1").arg(location.line);
+  if (!location.element.empty()) lines << FileMessages::tr("Place: %1").arg(QString::fromStdString(location.element));
   return lines.join('\n');
 }
 
@@ -63,7 +62,7 @@ class Box : public QMessageBox {
 
 MeshAnswer askAboutMesh(Box& box, QAbstractButton* use)
 {
-  QPushButton* const locate = box.addButton(tr("&Locate the mesh…"), QMessageBox::ActionRole);
+  QPushButton* const locate = box.addButton(FileMessages::tr("&Locate the mesh…"), QMessageBox::ActionRole);
   locate->setObjectName("locate");
   box.addButton(QMessageBox::Cancel);
   box.setDefaultButton(locate);
@@ -73,6 +72,11 @@ MeshAnswer askAboutMesh(Box& box, QAbstractButton* use)
 }
 
 }  // namespace
+
+QString textOf(const std::filesystem::path& path)
+{
+  return QString::fromStdString(path.string());
+}
 
 void showProblem(QWidget* window, const QString& headline, const std::exception& error)
 {
@@ -93,8 +97,8 @@ void showNotes(QWidget* window, const QString& headline, const QStringList& note
 
 SaveAnswer askToSave(QWidget* window, const QString& name, const QString& action)
 {
-  Box box(window, QMessageBox::Warning, tr("Save the changes to “%1” before %2?").arg(name, action),
-          tr("Changes that are not saved are lost."));
+  Box box(window, QMessageBox::Warning, FileMessages::tr("Save the changes to “%1” before %2?").arg(name, action),
+          FileMessages::tr("Changes that are not saved are lost."));
   box.setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
   box.setDefaultButton(QMessageBox::Save);
   box.setEscapeButton(QMessageBox::Cancel);
@@ -115,14 +119,16 @@ bool askToGoOn(QWidget* window, const QString& headline, const QString& explanat
 
 MeshAnswer askAboutMissingMesh(QWidget* window, const QString& session, const QString& explanation)
 {
-  Box box(window, QMessageBox::Warning, tr("The mesh of “%1” is not there.").arg(session), asSentence(explanation));
+  Box box(window, QMessageBox::Warning, FileMessages::tr("The mesh of “%1” is not there.").arg(session),
+          asSentence(explanation));
   return askAboutMesh(box, nullptr);
 }
 
 MeshAnswer askAboutChangedMesh(QWidget* window, const QString& session, const QString& explanation)
 {
-  Box box(window, QMessageBox::Warning, tr("The mesh of “%1” has changed.").arg(session), asSentence(explanation));
-  QPushButton* const use = box.addButton(tr("&Use it all the same"), QMessageBox::AcceptRole);
+  Box box(window, QMessageBox::Warning, FileMessages::tr("The mesh of “%1” has changed.").arg(session),
+          asSentence(explanation));
+  QPushButton* const use = box.addButton(FileMessages::tr("&Use it all the same"), QMessageBox::AcceptRole);
   use->setObjectName("useAllTheSame");
   return askAboutMesh(box, use);
 }

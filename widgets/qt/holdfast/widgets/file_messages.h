@@ -5,10 +5,13 @@
 #include <QString>
 #include <QStringList>
 #include <exception>
+#include <filesystem>
 
 class QWidget;
 
 namespace holdfast {
+
+[[nodiscard]] QString textOf(const std::filesystem::path& path);
 
 /// `headline` says what did not work; the file, the line, the place in it and the reason are those of `error`.
 void showProblem(QWidget* window, const QString& headline, const std::exception& error);

@@ -15,7 +15,7 @@ namespace holdfast {
 namespace {
 
 // More are read by nobody; the report has them all.
-constexpr std::size_t kMostCards = 200;
+constexpr std::size_t kMostFindings = 200;
 
 /// The constraints that a finding names by their places in the list that was solved, by those in the list on screen.
 Rows constraintsOf(const Finding& finding, const Editor& editor)
@@ -77,7 +77,7 @@ void FindingsPanel::refresh()
   findings_ = !editor_.isOpen()                  ? std::vector<Finding>()
               : editor_.deformation() == nullptr ? editor_.model()->findings
                                                  : editor_.deformation()->report.mesh.findings;
-  if (findings_.size() > kMostCards) findings_.resize(kMostCards);
+  if (findings_.size() > kMostFindings) findings_.resize(kMostFindings);
   while (cards_.size() < findings_.size()) addCard();
   for (std::size_t k = 0; k < cards_.size(); ++k) {
     cards_[k]->setVisible(k < findings_.size());

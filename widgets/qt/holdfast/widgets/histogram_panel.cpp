@@ -12,6 +12,7 @@
 #include <holdfast/rotation/rotation_log.h>
 #include <holdfast/view/rotation_projection.h>
 #include <holdfast/widgets/histogram_view.h>
+#include <holdfast/widgets/number_words.h>
 
 namespace holdfast {
 namespace {
@@ -23,13 +24,6 @@ constexpr int kFirstPower = -17;
 constexpr int kLastPower = -11;
 
 constexpr Index kMostAngleBins = 25;
-constexpr int kDigits = 4;
-
-QString number(double value)
-{
-  return QString::number(value, 'g', kDigits);
-}
-
 std::vector<double> residualShares(const Deformation& deformation, double diagonal)
 {
   std::vector<double> shares;
@@ -120,7 +114,7 @@ void HistogramPanel::refreshResiduals()
   texts.title = tr("Residuals of constraints: %1 of %2 within the promise, %3 of the diagonal (dashed)")
                     .arg(within)
                     .arg(histogram.valueCount)
-                    .arg(number(promise));
+                    .arg(roundedText(promise));
   texts.valueAxis = tr("residual / diagonal of the bounding box");
   texts.countAxis = tr("constraints");
   const QString units = QString::fromStdString(editor_.deformedState()->list.units);
@@ -128,7 +122,7 @@ void HistogramPanel::refreshResiduals()
     const double low = histogram.edges[bar];
     const double high = histogram.edges[bar + 1];
     return tr("%1 to %2 of the diagonal (%3 to %4 %5)\nconstraints: %6")
-        .arg(number(low), number(high), number(low * diagonal), number(high * diagonal), units)
+        .arg(roundedText(low), roundedText(high), roundedText(low * diagonal), roundedText(high * diagonal), units)
         .arg(histogram.counts[bar]);
   };
   residuals_.values = std::move(shares);
@@ -147,7 +141,7 @@ void HistogramPanel::refreshAngles()
   texts.countAxis = tr("vertices");
   texts.describe = [=](Index bar) {
     return tr("%1° to %2°\nvertices: %3")
-        .arg(number(histogram.edges[bar]), number(histogram.edges[bar + 1]))
+        .arg(roundedText(histogram.edges[bar]), roundedText(histogram.edges[bar + 1]))
         .arg(histogram.counts[bar]);
   };
   angles_.view->setHistogram(histogram, texts, std::nullopt);

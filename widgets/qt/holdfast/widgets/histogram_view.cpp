@@ -31,7 +31,7 @@
 namespace holdfast {
 namespace {
 
-constexpr float kBarWidth = 0.9F;
+constexpr float kShareOfBar = 0.9F;
 constexpr double kHeadroom = 1.06;  // of the highest bar
 constexpr double kTextPixels = 12;
 constexpr double kPixelsPerTick = 62;
@@ -106,7 +106,7 @@ HistogramView::HistogramView(QWidget* parent) : QWidget(parent)
   context_->GetScene()->AddItem(chart_);
   chart_->SetInteractive(false);
   chart_->SetShowLegend(false);
-  chart_->SetBarWidthFraction(kBarWidth);
+  chart_->SetBarWidthFraction(kShareOfBar);
 }
 
 HistogramView::~HistogramView() = default;

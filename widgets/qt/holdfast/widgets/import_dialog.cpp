@@ -24,11 +24,6 @@ namespace {
 
 constexpr double kUsualShareOfDiagonal = 0.01;
 
-QString textOf(const std::filesystem::path& path)
-{
-  return QString::fromStdString(path.string());
-}
-
 }  // namespace
 
 double usualImportTolerance(const Model& model)

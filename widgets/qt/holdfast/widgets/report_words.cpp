@@ -14,11 +14,6 @@ struct ReportWords {
   Q_DECLARE_TR_FUNCTIONS(ReportWords)
 };
 
-QString tr(const char* text)
-{
-  return ReportWords::tr(text);
-}
-
 QString text(std::string_view view)
 {
   return QString::fromUtf8(view.data(), static_cast<int>(view.size()));
@@ -34,13 +29,14 @@ QString grouped(Index number)
 
 QString secondsText(double seconds)
 {
-  return tr("%1 s").arg(roundedText(seconds));
+  return ReportWords::tr("%1 s").arg(roundedText(seconds));
 }
 
 QString meshText(const MeshReport& mesh)
 {
-  const QString parts = mesh.components == 1 ? tr("1 part") : tr("%1 parts").arg(grouped(mesh.components));
-  return tr("%1 vertices, %2 faces, %3").arg(grouped(mesh.vertices), grouped(mesh.faces), parts);
+  const QString parts =
+      mesh.components == 1 ? ReportWords::tr("1 part") : ReportWords::tr("%1 parts").arg(grouped(mesh.components));
+  return ReportWords::tr("%1 vertices, %2 faces, %3").arg(grouped(mesh.vertices), grouped(mesh.faces), parts);
 }
 
 /// "12 met, 2 conflicting"
@@ -54,7 +50,7 @@ QString countsText(const std::vector<ConstraintOutcome>& outcomes)
                                      [&](const ConstraintOutcome& outcome) { return outcome.status == status; });
     if (count > 0) words << grouped(count) + ' ' + statusText(status);
   }
-  return words.isEmpty() ? tr("none") : words.join(", ");
+  return words.isEmpty() ? ReportWords::tr("none") : words.join(", ");
 }
 
 }  // namespace
@@ -69,26 +65,27 @@ ReportLines reportLines(const Report& report, const std::string& units)
   const auto round = [&](const QString& key, const QString& title, const QString& value, double exact) {
     lines.push_back({key, title, value, exactText(exact)});
   };
-  say("Status", tr("Status"), text(name(solve.status)));
-  say("Meaning", tr("Meaning"), QString::fromStdString(solve.message));
-  say("Constraints", tr("Constraints"), countsText(report.constraints));
-  say("Mesh", tr("Mesh"), meshText(report.mesh));
-  say("Weights", tr("Weights"), text(name(solve.weights)));
-  say("Solver", tr("Solver"), text(name(solve.options.kind)));
+  say("Status", ReportWords::tr("Status"), text(name(solve.status)));
+  say("Meaning", ReportWords::tr("Meaning"), QString::fromStdString(solve.message));
+  say("Constraints", ReportWords::tr("Constraints"), countsText(report.constraints));
+  say("Mesh", ReportWords::tr("Mesh"), meshText(report.mesh));
+  say("Weights", ReportWords::tr("Weights"), text(name(solve.weights)));
+  say("Solver", ReportWords::tr("Solver"), text(name(solve.options.kind)));
   if (solve.status == SolveStatus::Failed || solve.status == SolveStatus::NotRun) return lines;
-  round("Residual", tr("Largest residual"), lengthText(solve.maxResidual, units), solve.maxResidual);
-  round("RelativeResidual", tr("Relative residual"),
-        tr("%1 of the diagonal, promised 1e-12").arg(roundedText(solve.maxResidualRelative)),
+  round("Residual", ReportWords::tr("Largest residual"), lengthText(solve.maxResidual, units), solve.maxResidual);
+  round("RelativeResidual", ReportWords::tr("Relative residual"),
+        ReportWords::tr("%1 of the diagonal, promised 1e-12").arg(roundedText(solve.maxResidualRelative)),
         solve.maxResidualRelative);
-  say("Method", tr("Method"), QString::fromStdString(solve.method));
-  say("Unknowns", tr("Unknowns"), grouped(solve.unknowns));
-  say("Factor", tr("Factor"), tr("%1 non-zeros").arg(grouped(solve.factorNonzeros)));
-  say("Refinement", tr("Refinement"),
-      solve.refinementSteps == 1 ? tr("1 step") : tr("%1 steps").arg(solve.refinementSteps));
-  round("Accuracy", tr("Accuracy"), roundedText(solve.accuracy), solve.accuracy);
-  round("Setup", tr("Set-up"), secondsText(solve.seconds.setup), solve.seconds.setup);
-  round("Decomposition", tr("Decomposition"), secondsText(solve.seconds.decomposition), solve.seconds.decomposition);
-  round("Solution", tr("Solution"), secondsText(solve.seconds.solution), solve.seconds.solution);
+  say("Method", ReportWords::tr("Method"), QString::fromStdString(solve.method));
+  say("Unknowns", ReportWords::tr("Unknowns"), grouped(solve.unknowns));
+  say("Factor", ReportWords::tr("Factor"), ReportWords::tr("%1 non-zeros").arg(grouped(solve.factorNonzeros)));
+  say("Refinement", ReportWords::tr("Refinement"),
+      solve.refinementSteps == 1 ? ReportWords::tr("1 step") : ReportWords::tr("%1 steps").arg(solve.refinementSteps));
+  round("Accuracy", ReportWords::tr("Accuracy"), roundedText(solve.accuracy), solve.accuracy);
+  round("Setup", ReportWords::tr("Set-up"), secondsText(solve.seconds.setup), solve.seconds.setup);
+  round("Decomposition", ReportWords::tr("Decomposition"), secondsText(solve.seconds.decomposition),
+        solve.seconds.decomposition);
+  round("Solution", ReportWords::tr("Solution"), secondsText(solve.seconds.solution), solve.seconds.solution);
   return lines;
 }
 

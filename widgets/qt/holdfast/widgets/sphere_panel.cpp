@@ -21,6 +21,7 @@
 #include <holdfast/rotation/rotation_log.h>
 #include <holdfast/view/rotation_sphere.h>
 #include <holdfast/view/sphere_camera.h>
+#include <holdfast/widgets/number_words.h>
 #include <holdfast/widgets/render_request.h>
 #include <holdfast/widgets/vtk_palette.h>
 
@@ -32,13 +33,6 @@ constexpr double kRadiansAcrossHalf = 1.6;
 constexpr double kKeyPixels = 20;
 constexpr double kZoomPerStep = 1.2;
 constexpr double kWheelStep = 120;  // eighths of a degree, by Qt's definition
-constexpr int kDigits = 4;
-
-QString number(double value)
-{
-  return QString::number(value, 'g', kDigits);
-}
-
 double largestDegrees(const std::vector<BoundaryRotation>& boundary)
 {
   double largest = 0;
@@ -146,7 +140,7 @@ void SpherePanel::refreshPoints()
   isFitted_ = true;
   summary_->setText(tr("Prescribed rotations: %1, largest %2°")
                         .arg(sphere_->boundary().size())
-                        .arg(number(largestDegrees(sphere_->boundary()))));
+                        .arg(roundedText(largestDegrees(sphere_->boundary()))));
   summary_->setToolTip(tr("A point for each vertex: half its angle from the pole, towards its axis"));
   redraw();
 }
@@ -215,9 +209,10 @@ void SpherePanel::showTip(const QPoint& place)
   if (!vertex || !editor_.deformation()) return QToolTip::hideText();
   const Index unknown = editor_.model()->solverMesh.weld.unknownOf[*vertex];
   const Vector3 q = editor_.deformation()->rotations.row(unknown).transpose();
-  QString text = tr("vertex %1: %2°").arg(*vertex).arg(number(angleDegrees(q)));
+  QString text = tr("vertex %1: %2°").arg(*vertex).arg(roundedText(angleDegrees(q)));
   if (const double length = q.norm(); length > 0)
-    text += tr(" about (%1, %2, %3)").arg(number(q.x() / length), number(q.y() / length), number(q.z() / length));
+    text += tr(" about (%1, %2, %3)")
+                .arg(roundedText(q.x() / length), roundedText(q.y() / length), roundedText(q.z() / length));
   QToolTip::showText(view_->mapToGlobal(place), text, view_);
 }
 

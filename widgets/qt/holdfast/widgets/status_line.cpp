@@ -6,23 +6,20 @@
 #include <QResizeEvent>
 #include <cmath>
 
+#include <holdfast/widgets/number_words.h>
+
 namespace holdfast {
 namespace {
 
 constexpr int kIndent = 6;
 
-QString rounded(double value)
-{
-  return QString::number(value, 'g', 4);
-}
-
 /// Coordinates that are rounding beside the others are zero.
-QString rounded(const Vector3& place)
+QString placeText(const Vector3& place)
 {
   constexpr double kNoise = 1e-12;
   QStringList coordinates;
   for (const double value : place)
-    coordinates << rounded(std::abs(value) <= kNoise * place.cwiseAbs().maxCoeff() ? 0 : value);
+    coordinates << roundedText(std::abs(value) <= kNoise * place.cwiseAbs().maxCoeff() ? 0 : value);
   return coordinates.join(", ");
 }
 
@@ -39,19 +36,19 @@ QString describe(const AtVertex& at)
 
 QString describe(const AtEdge& at)
 {
-  return QObject::tr("edge %1–%2, t %3").arg(at.i).arg(at.j).arg(rounded(at.t));
+  return QObject::tr("edge %1–%2, t %3").arg(at.i).arg(at.j).arg(roundedText(at.t));
 }
 
 QString describe(const AtFace& at)
 {
   QStringList weights;
-  for (const double weight : at.weights) weights << rounded(weight);
+  for (const double weight : at.weights) weights << roundedText(weight);
   return QObject::tr("face %1, weights %2").arg(at.face).arg(weights.join(", "));
 }
 
 QString describe(const AtNear& at)
 {
-  return QObject::tr("near %1").arg(rounded(at.place));
+  return QObject::tr("near %1").arg(placeText(at.place));
 }
 
 }  // namespace
@@ -59,7 +56,7 @@ QString describe(const AtNear& at)
 QString describe(const SurfacePick& pick)
 {
   const QString location = std::visit([](const auto& at) { return describe(at); }, pick.location);
-  return QObject::tr("%1  at %2").arg(location, rounded(pick.place));
+  return QObject::tr("%1  at %2").arg(location, placeText(pick.place));
 }
 
 StatusLine::StatusLine(Editor& editor, QWidget* parent)

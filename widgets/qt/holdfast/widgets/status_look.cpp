@@ -9,7 +9,7 @@ namespace holdfast {
 namespace {
 
 // Drawn in a square of this side, at the sizes that displays of one, two and three times the usual density ask for.
-constexpr double kSide = 16;
+constexpr double kFormSide = 16;
 constexpr std::array kPixels = {16, 24, 32, 48};
 
 constexpr double kQuiet = 0.55;  // the share of the text's colour in a quiet one
@@ -45,7 +45,7 @@ void drawLines(QPainter& painter, const QPen& pen, std::initializer_list<QPointF
   painter.drawPolyline(points.begin(), static_cast<int>(points.size()));
 }
 
-/// Draws one form in a square of `kSide`.
+/// Draws one form in a square of `kFormSide`.
 class Form {
  public:
   Form(QPainter& painter, const QColor& color, const QColor& paper) : painter_(painter), color_(color), paper_(paper) {}
@@ -162,7 +162,7 @@ QIcon statusIcon(std::optional<ConstraintStatus> status, Lightness background)
     pixmap.fill(Qt::transparent);
     QPainter painter(&pixmap);
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.scale(pixels / kSide, pixels / kSide);
+    painter.scale(pixels / kFormSide, pixels / kFormSide);
     draw(status, Form(painter, color, within));
     painter.end();
     icon.addPixmap(pixmap, mode);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include <vtkCamera.h>
@@ -12,6 +11,7 @@
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 
+#include <holdfast/base/degree.h>
 #include <holdfast/base/thread_priority.h>
 #include <holdfast/view/camera_state.h>
 #include <holdfast/view/default_camera.h>
@@ -23,8 +23,6 @@ namespace {
 
 // Of Mesa's renderer for machines without a GPU.
 constexpr const char* kDrawingThreads = "llvmpipe-";
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 // Beyond this a moving picture is drawn of fewer triangles.
 constexpr double kFluentMilliseconds = 30;

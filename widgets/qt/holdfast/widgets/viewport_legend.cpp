@@ -10,22 +10,18 @@
 
 #include <holdfast/view/constraint_glyphs.h>
 #include <holdfast/view/scalar_legend.h>
+#include <holdfast/widgets/vtk_palette.h>
 
 namespace holdfast {
 namespace {
 
-constexpr double kMargin = 14;
-constexpr double kBarWidth = 14;
+constexpr double kLegendMargin = 14;
+constexpr double kScaleWidth = 14;
 constexpr double kShortTick = 4;
 constexpr double kLongTick = 12;
 constexpr double kBall = 9;
 constexpr double kHalo = 4;
 constexpr int kHaloOpacity = 200;
-
-QColor toQColor(const Color& color)
-{
-  return QColor::fromRgbF(color.red, color.green, color.blue);
-}
 
 /// The scale from the top down as a picture of one pixel's width.
 QImage pictureOf(const ColorScale& scale, int height)
@@ -41,7 +37,9 @@ QImage pictureOf(const ColorScale& scale, int height)
 }  // namespace
 
 ViewportLegend::ViewportLegend(const QRectF& area, const QFontMetricsF& metrics)
-    : area_(area.adjusted(kMargin, kMargin, -kMargin, -kMargin)), metrics_(metrics), top_(area_.bottom())
+    : area_(area.adjusted(kLegendMargin, kLegendMargin, -kLegendMargin, -kLegendMargin)),
+      metrics_(metrics),
+      top_(area_.bottom())
 {
 }
 
@@ -61,27 +59,27 @@ void ViewportLegend::addTick(const ColorScale& scale, double value, const QStrin
 void ViewportLegend::addScale(const ColorScale& scale)
 {
   const double height = std::clamp(0.34 * area_.height(), 90.0, 260.0);
-  bar_ = QRectF(area_.right() - kBarWidth, top_ - height - metrics_.height() / 2, kBarWidth, height);
+  bar_ = QRectF(area_.right() - kScaleWidth, top_ - height - metrics_.height() / 2, kScaleWidth, height);
   scale_ = scale;
   for (const holdfast::Tick& tick : ticksOf(scale))
     addTick(scale, tick.value, QString::fromStdString(tick.text), kShortTick);
   if (scale.promise && *scale.promise > scale.low && *scale.promise < scale.high)
     addTick(scale, *scale.promise, QCoreApplication::translate("ViewportLegend", "promised"), kLongTick);
 
-  top_ = bar_.top() - kMargin / 2;
+  top_ = bar_.top() - kLegendMargin / 2;
   const QStringList title = QString::fromStdString(scale.title).split('\n');
   for (auto line = title.rbegin(); line != title.rend(); ++line) {
     top_ -= metrics_.height();
     addWords(area_.right(), top_ + metrics_.height() / 2, *line);
   }
-  top_ -= kMargin;
+  top_ -= kLegendMargin;
 }
 
 void ViewportLegend::addLine(const QString& text)
 {
   top_ -= metrics_.height();
   addWords(area_.right(), top_ + metrics_.height() / 2, text);
-  top_ -= kMargin / 2;
+  top_ -= kLegendMargin / 2;
 }
 
 void ViewportLegend::addCount(ConstraintStatus status, Index count)

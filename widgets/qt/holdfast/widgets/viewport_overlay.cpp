@@ -13,17 +13,13 @@
 #include <holdfast/widgets/tool.h>
 #include <holdfast/widgets/viewport.h>
 #include <holdfast/widgets/viewport_legend.h>
+#include <holdfast/widgets/vtk_palette.h>
 
 namespace holdfast {
 namespace {
 
-constexpr double kMargin = 14;
+constexpr double kNoteMargin = 14;
 constexpr double kPreviewRadius = 7;
-
-QColor toQColor(const Color& color)
-{
-  return QColor::fromRgbF(color.red, color.green, color.blue);
-}
 
 }  // namespace
 
@@ -152,9 +148,9 @@ void ViewportOverlay::paintFreshness(QPainter& painter) const
 {
   const QString text = freshnessText(editor_);
   if (text.isEmpty()) return;
-  const QRectF available(0, 0, width() - 4 * kMargin, height());
+  const QRectF available(0, 0, width() - 4 * kNoteMargin, height());
   QRectF box = painter.fontMetrics().boundingRect(available.toRect(), Qt::AlignLeft | Qt::TextWordWrap, text);
-  box.moveTo(kMargin + 8, kMargin + 5);
+  box.moveTo(kNoteMargin + 8, kNoteMargin + 5);
   QColor plate = palette().color(QPalette::Window);
   plate.setAlpha(225);
   painter.setPen(Qt::NoPen);

@@ -14,6 +14,11 @@ namespace holdfast {
   return {color.redF(), color.greenF(), color.blueF()};
 }
 
+[[nodiscard]] inline QColor toQColor(const Color& color)
+{
+  return QColor::fromRgbF(color.red, color.green, color.blue);
+}
+
 /// `from` with `share` of `to`.
 [[nodiscard]] inline Color between(const Color& from, const Color& to, double share)
 {

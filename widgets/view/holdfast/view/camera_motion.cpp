@@ -1,15 +1,13 @@
 #include "holdfast/view/camera_motion.h"
 
-#include <numbers>
-
 #include <Eigen/Geometry>
 #include <vtkCamera.h>
 #include <vtkRenderer.h>
 
+#include <holdfast/base/degree.h>
+
 namespace holdfast {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 Vector3 vectorOf(const double* values)
 {

@@ -11,12 +11,12 @@
 namespace holdfast {
 namespace {
 
-constexpr double kFew = 0.75;
-constexpr double kMany = 1.25;
-constexpr int kMostTries = 5;
+constexpr double kTooFew = 0.75;
+constexpr double kTooMany = 1.25;
+constexpr int kMostAttempts = 5;
 
 // Cells along the diagonal: their numbers fit into a third of a key.
-constexpr double kMostCells = 1e5;
+constexpr double kMostCellsAcross = 1e5;
 
 /// The unknowns as places in units of the mesh's diagonal, and the octant into which each faces.
 struct Cloud {
@@ -101,11 +101,11 @@ std::vector<Triangle> aboutAsMany(const SolverMesh& mesh, Index target)
   const auto wanted = static_cast<double>(target);
   double cellSize = 1 / std::sqrt(wanted);
   std::vector<Triangle> triangles;
-  for (int attempt = 0; attempt < kMostTries; ++attempt) {
+  for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
     triangles = between(mesh, representatives(cloud, cellSize));
     const double share = static_cast<double>(triangles.size()) / wanted;
-    if (share >= kFew && share <= kMany) break;
-    cellSize = std::clamp(cellSize * std::sqrt(std::max(share, 0.01)), 1 / kMostCells, 1.0);
+    if (share >= kTooFew && share <= kTooMany) break;
+    cellSize = std::clamp(cellSize * std::sqrt(std::max(share, 0.01)), 1 / kMostCellsAcross, 1.0);
   }
   return triangles;
 }

@@ -2,16 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <vtkCamera.h>
 
+#include <holdfast/base/degree.h>
 #include <holdfast/mesh/bounding_box.h>
 
 namespace holdfast {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kTurnDegrees = 32;
 constexpr double kRiseDegrees = 24;
 

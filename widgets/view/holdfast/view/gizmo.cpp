@@ -42,7 +42,7 @@ void setUpLetter(vtkTextActor& letter, std::size_t axis)
 }
 
 /// Light from above the left shoulder, so that tubes look round.
-void addLights(vtkRenderer& layer)
+void addLight(vtkRenderer& layer)
 {
   layer.RemoveAllLights();
   layer.AutomaticLightCreationOff();
@@ -78,7 +78,7 @@ void Gizmo::addTo(vtkRenderer& layer)
   vtkNew<vtkCamera> camera;
   layer.SetActiveCamera(camera);
   layer.InteractiveOff();
-  addLights(layer);
+  addLight(layer);
   for (vtkProp* prop : props()) layer.AddViewProp(prop);
 }
 

@@ -3,15 +3,14 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <numbers>
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include <holdfast/base/degree.h>
+
 namespace holdfast {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 // The sine of the angle to an axis or a plane below which a ray does not say where it meets it: about one degree, and
 // motions stay within fifty times the distance of the eye.

@@ -15,7 +15,7 @@ namespace {
 using namespace gizmo_layout;
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
-constexpr int kRingSteps = 96;
+constexpr int kSegments = 96;
 
 // Sines between which parts fade.
 constexpr double kArrowGone = 0.10;
@@ -27,7 +27,7 @@ constexpr double kRingFull = 0.10;
 
 // Cosines of the angle between a ring's arm and the way to the eye.
 constexpr double kBehind = -0.30;
-constexpr double kBeside = -0.05;
+constexpr double kInSight = -0.05;
 constexpr double kFadedRing = 0.16;
 
 double smoothStep(double low, double high, double value)
@@ -115,11 +115,11 @@ struct Distances {
     const Vector3 v = Vector3::Unit((axis + 2) % 3);
     const Vector3 sight = sightOf(view, placement.frame.center);
     const auto arm = [&](int k) {
-      const double angle = 2 * std::numbers::pi * k / kRingSteps;
+      const double angle = 2 * std::numbers::pi * k / kSegments;
       return Vector3(std::cos(angle) * u + std::sin(angle) * v);
     };
     double nearest = kFar;
-    for (int k = 0; k < kRingSteps; ++k)
+    for (int k = 0; k < kSegments; ++k)
       if (ringVisibility(placement.frame.axes * arm(k), sight) >= kLeastVisible)
         nearest = std::min(nearest, toLine(place(kRingRadius * arm(k)), place(kRingRadius * arm(k + 1))));
     return nearest;
@@ -146,7 +146,7 @@ double visibilityOf(GizmoPart part, const GizmoFrame& frame, const ViewGeometry&
 
 double ringVisibility(const Vector3& arm, const Vector3& sight)
 {
-  return kFadedRing + (1 - kFadedRing) * smoothStep(kBehind, kBeside, -arm.dot(sight));
+  return kFadedRing + (1 - kFadedRing) * smoothStep(kBehind, kInSight, -arm.dot(sight));
 }
 
 GizmoPart hitGizmo(const ViewGeometry& view, const GizmoPlacement& placement, const DisplayPoint& cursor)

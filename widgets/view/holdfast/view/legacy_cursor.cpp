@@ -13,7 +13,7 @@ namespace {
 /// VTK reads words into 256 characters.
 constexpr std::size_t kLongestWord = 255;
 
-constexpr std::string_view kBlanks = " \t\r\n\v\f";
+constexpr std::string_view kLegacyBlanks = " \t\r\n\v\f";
 
 /// Bits of one number in a binary block, by the name of its type in files.
 constexpr std::array<std::pair<std::string_view, Index>, 16> kTypes{{{"bit", 1},
@@ -55,7 +55,7 @@ void LegacyCursor::fail(const std::string& reason) const
 
 void LegacyCursor::skipBlanks()
 {
-  at_ = std::min(bytes_.find_first_not_of(kBlanks, at_), bytes_.size());
+  at_ = std::min(bytes_.find_first_not_of(kLegacyBlanks, at_), bytes_.size());
 }
 
 bool LegacyCursor::isAtEnd()
@@ -79,7 +79,7 @@ std::string_view LegacyCursor::rawWord()
   const bool isNoMore = isAtEnd();
   place_ = at_;
   if (isNoMore) fail("the file ends where more was announced; it was cut short, write it anew");
-  const std::size_t end = std::min(bytes_.find_first_of(kBlanks, at_), bytes_.size());
+  const std::size_t end = std::min(bytes_.find_first_of(kLegacyBlanks, at_), bytes_.size());
   const std::string_view text = bytes_.substr(at_, end - at_);
   if (text.size() > kLongestWord) fail("a word of more than 255 characters; the file is damaged");
   at_ = end;
@@ -126,7 +126,7 @@ Index LegacyCursor::product(Index a, Index b) const
 
 void LegacyCursor::requireBlankRestOfLine()
 {
-  if (line().find_first_not_of(kBlanks) != std::string_view::npos)
+  if (line().find_first_not_of(kLegacyBlanks) != std::string_view::npos)
     fail("binary data must begin on a line of their own");
 }
 
@@ -216,7 +216,7 @@ void LegacyCursor::skipStrings(Index count)
 
 void LegacyCursor::skipParagraph()
 {
-  while (remaining() > 0 && line().find_first_not_of(kBlanks) != std::string_view::npos) {
+  while (remaining() > 0 && line().find_first_not_of(kLegacyBlanks) != std::string_view::npos) {
   }
 }
 

@@ -8,7 +8,7 @@ namespace holdfast {
 namespace {
 
 // Of a ball's diameter.
-constexpr double kBallSize = 0.8;
+constexpr double kPreviewBallSize = 0.8;
 constexpr double kShapeSize = 1.4;
 constexpr double kRingSize = 2.4;
 
@@ -37,7 +37,7 @@ void PointPreview::set(const std::optional<PreviewedPoint>& point)
 
 void PointPreview::setBallPixels(double pixels)
 {
-  ball_.setPixels(kBallSize * pixels);
+  ball_.setPixels(kPreviewBallSize * pixels);
   bead_.setPixels(kShapeSize * pixels);
   triangle_.setPixels(kShapeSize * pixels);
   ring_.setPixels(kRingSize * pixels);

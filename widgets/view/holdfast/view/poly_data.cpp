@@ -34,7 +34,7 @@ std::string polygon(vtkIdType id)
   return "polygon " + std::to_string(id);
 }
 
-void requireSoundCells(vtkCellArray& cells, vtkIdType leastCorners, const char* kind, const std::string& file)
+void requireSoundKind(vtkCellArray& cells, vtkIdType leastCorners, const char* kind, const std::string& file)
 {
   vtkDataArray& offsets = *cells.GetOffsetsArray();
   const vtkIdType cornerCount = cells.GetNumberOfConnectivityIds();
@@ -93,10 +93,10 @@ vtkSmartPointer<vtkPolyData> toPolyData(const Mesh& mesh, const Positions& posit
 
 void requireSoundCells(vtkPolyData& polyData, const std::string& file)
 {
-  requireSoundCells(*polyData.GetVerts(), 1, "vertex cell", file);
-  requireSoundCells(*polyData.GetLines(), 2, "line", file);
-  requireSoundCells(*polyData.GetPolys(), 3, "polygon", file);
-  requireSoundCells(*polyData.GetStrips(), 3, "strip", file);
+  requireSoundKind(*polyData.GetVerts(), 1, "vertex cell", file);
+  requireSoundKind(*polyData.GetLines(), 2, "line", file);
+  requireSoundKind(*polyData.GetPolys(), 3, "polygon", file);
+  requireSoundKind(*polyData.GetStrips(), 3, "strip", file);
 }
 
 Positions positionsOf(vtkPolyData& polyData)

@@ -1,13 +1,13 @@
 #include "holdfast/view/poly_data_normals.h"
 
-#include <span>
-
 #include <Eigen/Geometry>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
+
+#include <holdfast/mesh/vertex_normals.h>
 
 namespace holdfast {
 namespace {
@@ -18,16 +18,6 @@ struct Outdated {
   Vector3 rest;
   Vector3 moved;
 };
-
-/// Twice the area of a face times its unit normal, for polygons that are not flat too.
-Vector3 areaVector(std::span<const Index> corners, const Positions& positions)
-{
-  const Vector3 origin = positions.row(corners[0]);
-  Vector3 sum = Vector3::Zero();
-  for (std::size_t i = 1; i + 1 < corners.size(); ++i)
-    sum += (Vector3(positions.row(corners[i])) - origin).cross(Vector3(positions.row(corners[i + 1])) - origin);
-  return sum;
-}
 
 std::vector<Index> movedFaces(const Mesh& rest, const Positions& positions)
 {
@@ -47,7 +37,7 @@ std::vector<Outdated> outdatedFaces(const vtkIdType firstPolygon, const Mesh& re
   std::vector<Outdated> outdated;
   for (const Index f : movedFaces(rest, positions))
     outdated.push_back(
-        {firstPolygon + f, areaVector(rest.faces[f], rest.positions), areaVector(rest.faces[f], positions)});
+        {firstPolygon + f, areaVector(rest.positions, rest.faces[f]), areaVector(positions, rest.faces[f])});
   return outdated;
 }
 
@@ -62,8 +52,8 @@ std::vector<Outdated> outdatedPoints(const Mesh& rest, const Positions& position
   for (Index f = 0; f < rest.faces.size(); ++f)
     for (const Index v : rest.faces[f])
       if (isOutdated[v]) {
-        before.row(v) += areaVector(rest.faces[f], rest.positions);
-        after.row(v) += areaVector(rest.faces[f], positions);
+        before.row(v) += areaVector(rest.positions, rest.faces[f]);
+        after.row(v) += areaVector(positions, rest.faces[f]);
       }
 
   std::vector<Outdated> outdated;

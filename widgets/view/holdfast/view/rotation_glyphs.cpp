@@ -20,19 +20,19 @@ namespace holdfast {
 namespace {
 
 // Shares of the diagonal of the model's bounding box.
-constexpr double kLongest = 0.075;
+constexpr double kLongestArrow = 0.075;
 constexpr double kOutline = 0.0011;
 
 // Of the longest arrow.
-constexpr double kShaftRadius = 0.035;
-constexpr double kHeadRadius = 0.11;
+constexpr double kArrowShaft = 0.035;
+constexpr double kArrowHead = 0.11;
 constexpr double kHeadLength = 0.30;
 
 // An angle that the longest arrow stands for at least; and that below which there is none.
 constexpr double kFullDegrees = 90;
 constexpr double kLeastDegrees = 0.5;
 
-constexpr int kSides = 8;
+constexpr int kArrowSides = 8;
 
 /// A ring around the axis of an arrow; of radius 0 at its tip.
 struct Ring {
@@ -40,15 +40,15 @@ struct Ring {
   double radius;
 };
 
-using Profile = std::array<Ring, 5>;
+using ArrowProfile = std::array<Ring, 5>;
 
 /// From tail to tip. Short arrows are thinner than long ones, and mostly head.
-Profile profileOf(double length, double longest, double outline)
+ArrowProfile profileOf(double length, double longest, double outline)
 {
   const double size = longest * std::sqrt(length / longest);
   const double neck = std::max(length - kHeadLength * size, 0.3 * length);
-  const double shaft = kShaftRadius * size + outline;
-  const double head = kHeadRadius * size + outline;
+  const double shaft = kArrowShaft * size + outline;
+  const double head = kArrowHead * size + outline;
   return {
       {{-outline, 0}, {-outline, shaft}, {neck - outline, shaft}, {neck - outline, head}, {length + 3 * outline, 0}}};
 }
@@ -57,23 +57,23 @@ class ArrowMesh {
  public:
   ArrowMesh() { points_->SetDataTypeToDouble(); }
 
-  void add(const RotationArrow& arrow, const Profile& profile)
+  void add(const RotationArrow& arrow, const ArrowProfile& profile)
   {
     const Vector3 axis = arrow.along.normalized();
     const Vector3 x = axis.unitOrthogonal();
     const Vector3 y = axis.cross(x);
     const vtkIdType first = points_->GetNumberOfPoints();
     for (const Ring& ring : profile)
-      for (int side = 0; side < kSides; ++side) {
-        const double angle = 2 * std::numbers::pi * side / kSides;
+      for (int side = 0; side < kArrowSides; ++side) {
+        const double angle = 2 * std::numbers::pi * side / kArrowSides;
         const Vector3 across = std::cos(angle) * x + std::sin(angle) * y;
         points_->InsertNextPoint(Vector3(arrow.tail + ring.height * axis + ring.radius * across).data());
       }
     for (vtkIdType ring = 0; ring + 1 < static_cast<vtkIdType>(profile.size()); ++ring)
-      for (vtkIdType side = 0; side < kSides; ++side) {
-        const vtkIdType low = first + ring * kSides;
-        const vtkIdType next = (side + 1) % kSides;
-        cells_->InsertNextCell({low + side, low + next, low + kSides + next, low + kSides + side});
+      for (vtkIdType side = 0; side < kArrowSides; ++side) {
+        const vtkIdType low = first + ring * kArrowSides;
+        const vtkIdType next = (side + 1) % kArrowSides;
+        cells_->InsertNextCell({low + side, low + next, low + kArrowSides + next, low + kArrowSides + side});
       }
   }
 
@@ -145,7 +145,7 @@ void RotationGlyphs::set(const Positions& positions, const Columns3& q)
 {
   if (vertices_.empty()) vertices_ = spreadVertices(model_);
   const double diagonal = model_.solverMesh.diagonal;
-  const double longest = kLongest * diagonal;
+  const double longest = kLongestArrow * diagonal;
   ArrowMesh arrows;
   ArrowMesh outlines;
   if (q.rows() > 0)

@@ -30,7 +30,7 @@ namespace {
 constexpr double kPointPixels = 4.5;
 constexpr double kBallPixels = 14;
 constexpr double kMarkPixels = 17;
-constexpr double kRingPixels = 1;
+constexpr double kRingLinePixels = 1;
 constexpr double kArcPixels = 2;
 constexpr double kTextPixels = 14;
 constexpr double kScaleTextPixels = 12;
@@ -148,7 +148,7 @@ void RotationSphere::applyLook()
   points_->GetProperty()->SetPointSize(pixels(kPointPixels));
   balls_->GetProperty()->SetPointSize(pixels(kBallPixels));
   mark_->GetProperty()->SetPointSize(pixels(kMarkPixels));
-  rings_->GetProperty()->SetLineWidth(pixels(kRingPixels));
+  rings_->GetProperty()->SetLineWidth(pixels(kRingLinePixels));
   arcs_->GetProperty()->SetLineWidth(pixels(kArcPixels));
 }
 

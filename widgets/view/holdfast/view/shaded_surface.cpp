@@ -13,15 +13,7 @@
 namespace holdfast {
 namespace {
 
-std::vector<Triangle> overUnknowns(const Model& model)
-{
-  std::vector<Triangle> triangles = model.triangulation.triangles;
-  for (Triangle& triangle : triangles)
-    for (Index& vertex : triangle) vertex = model.solverMesh.weld.unknownOf[vertex];
-  return triangles;
-}
-
-Vector3 unitNormal(const Model& model, Index triangle)
+Vector3 normalOfTriangle(const Model& model, Index triangle)
 {
   return unitOrZero(areaVector(model.mesh.positions, model.triangulation.triangles[triangle]));
 }
@@ -36,7 +28,7 @@ Index cornerOf(const HalfEdge& half, const std::vector<Triangle>& triangles, Ind
 bool isSmooth(std::span<const HalfEdge> halves, const Model& model)
 {
   if (halves.size() != 2 || halves[0].isForward == halves[1].isForward) return false;
-  const double cosine = unitNormal(model, halves[0].triangle).dot(unitNormal(model, halves[1].triangle));
+  const double cosine = normalOfTriangle(model, halves[0].triangle).dot(normalOfTriangle(model, halves[1].triangle));
   return cosine >= std::cos(kSharpDegrees * std::numbers::pi / 180);
 }
 
@@ -94,7 +86,7 @@ std::vector<HalfEdge> drawnEdges(const std::vector<HalfEdge>& sharp, const Solve
 
 ShadedSurface cutAtSharpEdges(const Model& model)
 {
-  const std::vector<Triangle> triangles = overUnknowns(model);
+  const std::vector<Triangle> triangles = trianglesOverUnknowns(model);
   DisjointSets corners(3 * static_cast<Index>(triangles.size()));
   std::vector<HalfEdge> sharp;
   forEachEdge(sortedHalfEdges(triangles), [&](std::span<const HalfEdge> halves) {

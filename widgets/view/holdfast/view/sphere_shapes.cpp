@@ -10,12 +10,14 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
+#include <holdfast/base/degree.h>
+
 namespace holdfast {
 namespace {
 
 // Rings lie between the shell and the points.
 constexpr double kShellRadius = 0.985;
-constexpr double kRingRadius = 0.993;
+constexpr double kGridRadius = 0.993;
 constexpr int kShellRings = 48;
 constexpr int kShellMeridians = 96;
 constexpr int kSteps = 120;
@@ -28,8 +30,6 @@ constexpr int kLastRing = 315;
 // Between the meridians, where data about coordinate axes are.
 constexpr double kNameAzimuth = 22.5;
 constexpr double kNameRadius = 1.01;
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 Vector3 onSphere(double fromPole, double azimuth)
 {
@@ -71,12 +71,12 @@ vtkSmartPointer<vtkPolyData> sphereRings()
   for (int degrees = kRingDegrees; degrees <= kLastRing; degrees += kRingDegrees) {
     std::vector<Vector3>& line = lines.emplace_back();
     for (int k = 0; k <= kSteps; ++k)
-      line.push_back(kRingRadius * onSphere(degrees / 2.0 * kDegree, k * 2 * std::numbers::pi / kSteps));
+      line.push_back(kGridRadius * onSphere(degrees / 2.0 * kDegree, k * 2 * std::numbers::pi / kSteps));
   }
   for (int meridian = 0; meridian < kMeridians; ++meridian) {
     std::vector<Vector3>& line = lines.emplace_back();
     for (int k = 0; k <= kSteps; ++k)
-      line.push_back(kRingRadius *
+      line.push_back(kGridRadius *
                      onSphere(k * std::numbers::pi / kSteps, meridian * 2 * std::numbers::pi / kMeridians));
   }
   auto data = vtkSmartPointer<vtkPolyData>::New();

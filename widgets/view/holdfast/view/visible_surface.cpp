@@ -9,20 +9,12 @@ namespace {
 // Parts of the surface that touch a place do not hide it, though rounding may put them this share of the way nearer.
 constexpr double kBeforePlace = 1 - 1e-9;
 
-std::vector<Triangle> overUnknowns(const Model& model)
-{
-  std::vector<Triangle> triangles = model.triangulation.triangles;
-  for (Triangle& triangle : triangles)
-    for (Index& vertex : triangle) vertex = model.solverMesh.weld.unknownOf[vertex];
-  return triangles;
-}
-
 }  // namespace
 
 VisibleSurface::VisibleSurface(const Model& model)
     : model_(model),
       rays_(model.mesh.positions, model.triangulation.triangles),
-      trianglesOf_(overUnknowns(model), model.solverMesh.unknownCount())
+      trianglesOf_(trianglesOverUnknowns(model), model.solverMesh.unknownCount())
 {
 }
 

@@ -14,7 +14,7 @@ namespace holdfast {
 namespace {
 
 // Of the viewport's pixels.
-constexpr double kSnapReach = 12;
+constexpr double kCloseReach = 12;
 constexpr double kDot = 4;
 
 constexpr std::size_t kLeastPlaces = 3;
@@ -37,7 +37,7 @@ QString CurveTool::hint() const
 std::optional<Index> CurveTool::vertexAt(const Pointer& pointer)
 {
   const auto pick = viewport_.picker()->pick(viewport_.renderer(), pointer.display.x(), pointer.display.y(),
-                                             PickKind::Vertex, kSnapReach * viewport_.pixelRatio());
+                                             PickKind::Vertex, kCloseReach * viewport_.pixelRatio());
   if (!pick) return std::nullopt;
   return std::get<AtVertex>(pick->location).vertex;
 }
@@ -51,7 +51,7 @@ bool CurveTool::isOnFirst(const Pointer& pointer) const
 {
   if (places_.size() < kLeastPlaces) return false;
   const QPointF way = placeOf(places_.front()) - pointer.place;
-  return std::hypot(way.x(), way.y()) < kSnapReach;
+  return std::hypot(way.x(), way.y()) < kCloseReach;
 }
 
 std::vector<Index> CurveTool::wayBetween(Index from, Index to) const
@@ -183,7 +183,7 @@ void CurveTool::paint(QPainter& painter) const
     painter.setBrush(Qt::NoBrush);
     for (const QPen& pen : {QPen(QColor(255, 255, 255, 210), 3.5), QPen(QColor(200, 60, 0), 1.5)}) {
       painter.setPen(pen);
-      painter.drawEllipse(placeOf(places_.front()), kSnapReach, kSnapReach);
+      painter.drawEllipse(placeOf(places_.front()), kCloseReach, kCloseReach);
     }
   } else if (places_.empty() && preview_.size() == 1) {
     painter.drawEllipse(placeOf(preview_.front()), kDot, kDot);

@@ -4,19 +4,17 @@
 #include <QKeyEvent>
 #include <QPainter>
 #include <algorithm>
-#include <numbers>
 
 #include <Eigen/Geometry>
 #include <vtkRenderer.h>
 
+#include <holdfast/base/degree.h>
 #include <holdfast/mesh/vertex_normals.h>
 #include <holdfast/view/view_geometry.h>
 #include <holdfast/widgets/viewport.h>
 
 namespace holdfast {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 // Up and to the right of the cursor, clear of what is dragged.
 constexpr QPointF kLabelOffset(18, -16);

@@ -1,0 +1,12 @@
+#pragma once
+/// \file
+/// Degrees, for what people read and write; all else counts in radians.
+
+#include <numbers>
+
+namespace holdfast {
+
+/// In radians.
+inline constexpr double kDegree = std::numbers::pi / 180;
+
+}  // namespace holdfast
