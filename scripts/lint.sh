@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Checks the layout and the names of all sources: clang-format and clang-tidy, version 14 as in Debian 12.
 #   scripts/lint.sh [--format] [FILE...]     --format: the layout alone, which needs no compile database
-# Without files: all of them. clang-tidy reads how each is compiled from build/release.
+# Without files: all of them. clang-tidy reads how each is compiled from build/debug, where each is compiled by itself.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 . scripts/lib/build.sh
@@ -29,11 +29,9 @@ clang-format --dry-run -Werror "${files[@]}"
 [ "$checks" = all ] || exit 0
 
 require clang-tidy
-database=build/release
-if [ ! -f "$database/compile_commands.json" ]; then
-  echo "error: no $database/compile_commands.json; run scripts/test.sh first" >&2
-  exit 1
-fi
+database=build/debug
+[ -f "$database/compile_commands.json" ] ||
+  configure_preset debug -DHOLDFAST_BUILD_GUI=ON -DHOLDFAST_WITH_CHOLMOD=ON -DHOLDFAST_BUILD_TESTS=ON
 # Headers are checked through the sources that include them.
 mapfile -t sources < <(printf '%s\n' "${files[@]}" | grep '\.cpp$' | grep -v '^tests/package/consumer/')
 echo "== Names and mistakes in ${#sources[@]} sources"

@@ -1,3 +1,4 @@
+#include <QLineF>
 #include <algorithm>
 
 #include <gmock/gmock.h>
@@ -115,6 +116,23 @@ TEST_F(GizmoOnPoint, ControlSnapsToARoundLength)
   const double steps = moved / step;
   EXPECT_GT(moved, 0);
   EXPECT_NEAR(steps, std::round(steps), 1e-9);
+}
+
+TEST_F(GizmoOnPoint, TheLabelStaysAtTheCursorAndInTheWindow)
+{
+  EXPECT_TRUE(window.gizmo().labelPlate().isEmpty());
+  const QPointF from = onArrow(0);
+  const QRectF room = viewport().rect();
+  test::pressMouse(viewport(), from);
+  for (const QPointF& cursor : {from + QPointF(30, 5), room.topRight(), room.bottomRight(), room.topLeft()}) {
+    test::moveMouse(viewport(), cursor, Qt::LeftButton);
+    const QRectF plate = window.gizmo().labelPlate();
+    EXPECT_GT(plate.width(), 20);
+    EXPECT_TRUE(room.contains(plate)) << cursor.x() << ", " << cursor.y();
+    EXPECT_LT(QLineF(plate.center(), cursor).length(), 2 * plate.width()) << cursor.x() << ", " << cursor.y();
+  }
+  test::releaseMouse(viewport(), room.topLeft());
+  EXPECT_TRUE(window.gizmo().labelPlate().isEmpty());
 }
 
 TEST_F(GizmoOnPoint, PointsHaveNoRings)

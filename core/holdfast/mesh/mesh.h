@@ -34,7 +34,7 @@ class Polygons {
 
   void add(std::span<const Index> vertices)
   {
-    corners_.insert(corners_.end(), vertices.begin(), vertices.end());
+    for (const Index vertex : vertices) corners_.push_back(vertex);
     starts_.push_back(cornerCount());
   }
 

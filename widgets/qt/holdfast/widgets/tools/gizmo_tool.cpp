@@ -2,6 +2,7 @@
 
 #include <QFontMetricsF>
 #include <QKeyEvent>
+#include <QMarginsF>
 #include <QPainter>
 #include <algorithm>
 
@@ -18,6 +19,7 @@ namespace {
 
 // Up and to the right of the cursor, clear of what is dragged.
 constexpr QPointF kLabelOffset(18, -16);
+constexpr QMarginsF kLabelMargins(6, 3, 6, 3);
 
 /// Where it is as a whole within `room`, as near as can be.
 QRectF movedInto(QRectF box, const QRectF& room)
@@ -198,18 +200,29 @@ void GizmoTool::moveTo(const GizmoMotion& motion, const std::string& label)
   viewport_.scheduleRender();
 }
 
+QFont GizmoTool::labelFont() const
+{
+  QFont font = viewport_.font();
+  font.setBold(true);
+  return font;
+}
+
+QRectF GizmoTool::labelPlate() const
+{
+  if (!drag_) return {};
+  QRectF plate = QFontMetricsF(labelFont()).boundingRect(label_) + kLabelMargins;
+  plate.moveBottomLeft(viewport_.toPlace(cursor_) + kLabelOffset);
+  return movedInto(plate, viewport_.rect());
+}
+
 void GizmoTool::paint(QPainter& painter) const
 {
-  if (!drag_) return;
-  QFont font = painter.font();
-  font.setBold(true);
-  painter.setFont(font);
-  QRectF plate = QFontMetricsF(font).boundingRect(label_).adjusted(-6, -3, 6, 3);
-  plate.moveBottomLeft(viewport_.toPlace(cursor_) + kLabelOffset);
-  plate = movedInto(plate, viewport_.rect());
+  const QRectF plate = labelPlate();
+  if (plate.isEmpty()) return;
   painter.setPen(Qt::NoPen);
   painter.setBrush(QColor(255, 255, 255, 210));
   painter.drawRoundedRect(plate, 4, 4);
+  painter.setFont(labelFont());
   painter.setPen(QColor(33, 38, 48));
   painter.drawText(plate, Qt::AlignCenter, label_);
 }

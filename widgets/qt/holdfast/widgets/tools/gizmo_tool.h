@@ -2,6 +2,8 @@
 /// \file
 /// Moves the selected constraints by arrows, squares and rings.
 
+#include <QFont>
+#include <QRectF>
 #include <QTimer>
 #include <memory>
 #include <optional>
@@ -47,6 +49,9 @@ class GizmoTool : public Tool {
   /// How far the drag is, at the cursor.
   void paint(QPainter& painter) const override;
 
+  /// What lies under that label, in the viewport's own coordinates and wholly inside it; empty without a drag.
+  [[nodiscard]] QRectF labelPlate() const;
+
   void setAxes(GizmoAxes axes);
   [[nodiscard]] GizmoAxes axes() const noexcept { return axes_; }
   [[nodiscard]] const Gizmo& gizmo() const noexcept { return gizmo_; }
@@ -64,6 +69,7 @@ class GizmoTool : public Tool {
   void moveTo(const GizmoMotion& motion, const std::string& label);
   void keep();
   [[nodiscard]] bool isTurn() const;
+  [[nodiscard]] QFont labelFont() const;
   [[nodiscard]] Eigen::Matrix3d handleAxes() const;
   [[nodiscard]] Eigen::Matrix3d axesNow();
   void highlight(GizmoPart part);
