@@ -1,3 +1,5 @@
+#include <QElapsedTimer>
+
 #include <gtest/gtest.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
@@ -45,6 +47,34 @@ TEST_F(LargeMeshInWindow, RestsAsThePictureThatIsDrawnAtOnce)
   trigger("invert");
   expectTheWholePicture();
   EXPECT_NE(shown(), plain) << "all is selected";
+}
+
+TEST_F(LargeMeshInWindow, EveryPictureOfAMovementIsSeen)
+{
+  int pictures = 0;
+  int unseen = 0;
+  bool isSeen = true;
+  QElapsedTimer waiting;
+  QObject::connect(&viewport(), &Viewport::aboutToRender, &viewport(), [&] {
+    if (!isSeen && waiting.elapsed() < Viewport::kMostMillisecondsUnseen) ++unseen;
+  });
+  QObject::connect(&viewport(), &Viewport::rendered, &viewport(), [&] {
+    ++pictures;
+    isSeen = false;
+    waiting.start();
+  });
+  QObject::connect(&viewport(), &QOpenGLWidget::frameSwapped, &viewport(), [&] { isSeen = true; });
+  QPointF at(100, 100);
+  test::moveMouse(viewport(), at);
+  test::pressMouse(viewport(), at, Qt::RightButton);
+  EXPECT_TRUE(test::waitUntil([&] {
+    at += QPointF(1, 0.5);
+    test::moveMouse(viewport(), at, Qt::RightButton);
+    return pictures >= 20;
+  }));
+  test::releaseMouse(viewport(), at, Qt::RightButton);
+  EXPECT_EQ(unseen, 0);
+  EXPECT_TRUE(test::waitUntil([&] { return isSeen; }));
 }
 
 }  // namespace

@@ -82,6 +82,7 @@ Viewport::Viewport(Editor& editor, QWidget* parent) : QVTKOpenGLNativeWidget(par
   connect(&restTimer_, &QTimer::timeout, this, &Viewport::renderInFull);
   drawnTimer_.setSingleShot(true);
   connect(&drawnTimer_, &QTimer::timeout, this, &Viewport::goOnWhenDrawn);
+  connect(this, &QOpenGLWidget::frameSwapped, this, [this] { waiting_.invalidate(); });
 
   connect(&editor_, &Editor::opened, this, &Viewport::openDocument);
   connect(&editor_, &Editor::deformed, this, &Viewport::showDeformation);
@@ -313,7 +314,8 @@ void Viewport::scheduleRender()
 void Viewport::render()
 {
   // Coarse pictures follow one another: one that is being drawn will be seen.
-  if (fence_->isSet() && !slices_->isUnderWay()) return renderTimer_.start(kMillisecondsBetweenLooks);
+  const bool isOneComing = (fence_->isSet() && !slices_->isUnderWay()) || isUnseen();
+  if (isOneComing) return renderTimer_.start(kMillisecondsBetweenLooks);
   abandonDrawing();
   if (!isVisible()) return;
   // Until the hand rests a large mesh is drawn of fewer triangles.
@@ -367,9 +369,15 @@ void Viewport::goOnWhenDrawn()
   }
   // Before its first painting there is no context, and nothing was drawn.
   if (isValid()) window_->Frame();
+  waiting_.start();
   renderMilliseconds_ = millisecondsOf(drawing_);
   overlay_->update();
   Q_EMIT rendered();
+}
+
+bool Viewport::isUnseen() const
+{
+  return waiting_.isValid() && waiting_.elapsed() < kMostMillisecondsUnseen;
 }
 
 void Viewport::abandonDrawing()

@@ -86,6 +86,10 @@ class Viewport : public QVTKOpenGLNativeWidget {
   void setPreview(const std::optional<SurfacePick>& pick);
   [[nodiscard]] const std::optional<SurfacePick>& preview() const noexcept { return preview_; }
 
+  /// How long a picture may wait to be put into the window before the next one is drawn all the same: nothing is put
+  /// into a window that is minimised.
+  static constexpr int kMostMillisecondsUnseen = 100;
+
   /// Draws at the next turn of the event loop.
   void scheduleRender();
   /// Whether only some triangles of a large mesh are drawn: it moves, and moved a moment ago.
@@ -143,6 +147,7 @@ class Viewport : public QVTKOpenGLNativeWidget {
   void renderSlice();
   void awaitDrawing();
   void goOnWhenDrawn();
+  [[nodiscard]] bool isUnseen() const;
   void abandonDrawing();
   void fitClippingRange();
 
@@ -177,6 +182,7 @@ class Viewport : public QVTKOpenGLNativeWidget {
   RepaintPause pause_{*this};  // while something is drawn
   std::unique_ptr<SlicedDrawing> slices_;
   QElapsedTimer drawing_;  // since the picture was begun
+  QElapsedTimer waiting_;  // since it was to be put into the window; invalid when it is there
   double renderMilliseconds_ = 0;
   double fullMilliseconds_ = 0;  // of the last picture in full detail
   bool isCoarse_ = false;
