@@ -28,7 +28,8 @@ DialogAnswer::~DialogAnswer()
 void DialogAnswer::look()
 {
   QDialog* dialog = findDialog(objectName_);
-  if (isGiven_ || dialog == nullptr) return;
+  // Keys go where the focus is: before the dialog has it, a file dialog takes what is typed for a choice in its list.
+  if (isGiven_ || dialog == nullptr || !dialog->isActiveWindow()) return;
   isGiven_ = true;
   timer_.stop();
   answer_(*dialog);

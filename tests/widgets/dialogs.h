@@ -10,8 +10,8 @@ class QDialog;
 
 namespace holdfast::test {
 
-/// Answers one dialog with this object name as soon as it is on the screen, while other code waits in it. Fails the
-/// test where none has come by the end of its life.
+/// Answers one dialog with this object name as soon as it is on the screen and has the keys, while other code waits in
+/// it. Fails the test where none has come by the end of its life.
 class DialogAnswer {
  public:
   DialogAnswer(QString objectName, std::function<void(QDialog&)> answer);
