@@ -1,3 +1,5 @@
+#include <memory>
+
 #include <gtest/gtest.h>
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -77,7 +79,7 @@ Count countMistakes(const Mesh& mesh, int parallelProjection, double shift)
 {
   const Model model = makeModel(mesh, "mesh");
   const FacesDrawn picture(model, parallelProjection);
-  SurfacePicker picker(model);
+  const SurfacePicker picker(std::make_shared<const VisibleSurface>(model));
   Count count;
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth; ++x) {

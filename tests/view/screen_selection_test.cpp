@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <memory>
 
 #include <Eigen/Geometry>
 #include <gmock/gmock.h>
@@ -30,8 +31,7 @@ std::vector<Index> select(const Model& model, const test::PlainView& view, const
                           ScreenReach reach)
 {
   const test::PlainScreen screen(view);
-  SurfacePicker picker(model);
-  return verticesInScreenPolygon(screen.renderer(), picker, polygon, reach);
+  return verticesInScreenPolygon(screen.renderer(), std::make_shared<const VisibleSurface>(model), polygon, reach);
 }
 
 TEST(ScreenSelection, OfASphereTheVisibleVerticesAreThoseOfFacesTurnedToTheEye)
@@ -103,15 +103,17 @@ TEST(ScreenSelection, FollowsTheSurface)
 {
   const Model model = makeModel(test::merged(test::grid(1, 1), test::moved(test::grid(1, 1), {0, 0, -1})), "plates");
   const test::PlainScreen screen({{0.5, 0.5, 10}, {0.5, 0.5, 0}});
-  SurfacePicker picker(model);
-  const auto visible = [&] {
-    return verticesInScreenPolygon(screen.renderer(), picker, kEverything, ScreenReach::VisibleOnly);
+  const auto visible = [&](const VisibleSurface& surface) {
+    return verticesInScreenPolygon(screen.renderer(), std::make_shared<const VisibleSurface>(surface), kEverything,
+                                   ScreenReach::VisibleOnly);
   };
-  EXPECT_THAT(visible(), ElementsAre(0, 1, 2, 3));
+  const VisibleSurface atRest(model);
+  EXPECT_THAT(visible(atRest), ElementsAre(0, 1, 2, 3));
   Positions swapped = model.mesh.positions;
   swapped.bottomRows(4).col(2).setConstant(1);
-  picker.setPositions(swapped);
-  EXPECT_THAT(visible(), ElementsAre(4, 5, 6, 7));
+  const VisibleSurface moved = atRest.movedTo(std::make_shared<const Positions>(swapped));
+  EXPECT_THAT(visible(moved), ElementsAre(4, 5, 6, 7));
+  EXPECT_THAT(visible(atRest), ElementsAre(0, 1, 2, 3)) << "what another was made from stays where it is";
 }
 
 TEST(ScreenSelection, VerticesThatNoFaceUsesAndThoseBehindTheEyeAreLeftOut)

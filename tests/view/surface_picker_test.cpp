@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numeric>
 #include <set>
 
@@ -49,7 +50,7 @@ struct Shown {
   Model model;
   PlainView view;
   test::PlainScreen screen;
-  SurfacePicker picker{model};
+  SurfacePicker picker{std::make_shared<const VisibleSurface>(model)};
   Positions positions = model.mesh.positions;
 };
 
@@ -320,7 +321,8 @@ TEST(SurfacePicker, PicksFollowTheSurface)
   ASSERT_TRUE(shown.pick(middle, PickKind::Face));
   Positions moved = shown.positions;
   moved.col(0).array() += 1;
-  shown.picker.setPositions(moved);
+  shown.picker = SurfacePicker(std::make_shared<const VisibleSurface>(
+      shown.picker.surface()->movedTo(std::make_shared<const Positions>(moved))));
   EXPECT_FALSE(shown.pick(middle, PickKind::Face));
   const auto pick = shown.pick(shown.pixelOf({1.2, 0.1, 0}), PickKind::Face);
   ASSERT_TRUE(pick);

@@ -41,6 +41,7 @@ TEST_F(EditorOfBracket, ShowsWhatItsStateAsksFor)
   NoProgress quiet;
   const Deformation expected = deform(*editor.model(), editor.list(), "bracket", editor.state().options, quiet);
   EXPECT_EQ(editor.positions(), expected.positions);
+  EXPECT_EQ(&editor.positions(), &editor.deformation()->positions) << "what is picked is what was solved, not a copy";
 }
 
 TEST_F(EditorOfBracket, UndoAndRedoBringBackPositionsBitForBit)

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <functional>
 #include <numbers>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -62,7 +63,7 @@ class Responsiveness : public test::WindowUser {
             [this] { whileTheArrowsAreDragged(); },    [this] { whileThePictureIsTurned(); },
             [this] { whileThePointToolHovers(); },     [this] { whileItHoversAndAnEditIsSolved(); },
             [this] { whileConstraintsAreSelected(); }, [this] { whileVerticesAreSelected(); },
-            [this] { whileAMatrixIsFactorised(); }};
+            [this] { whilePanelsAreOpened(); },        [this] { whileAMatrixIsFactorised(); }};
   }
 
   void lookFromTheFront()
@@ -156,6 +157,20 @@ class Responsiveness : public test::WindowUser {
         ASSERT_TRUE(settle());
       }
     });
+  }
+
+  void whilePanelsAreOpened()
+  {
+    // Something for the sphere and the angles to show.
+    const Mesh& mesh = editor().model()->mesh;
+    Constraint turned = test::handle(around(mesh, front(mesh), 8), Turn{Vector3::UnitX(), 40, {}}, Vector3::Zero());
+    turned.name = "turned";
+    editor().edit("turn", added(list(), std::move(turned)));
+    ASSERT_TRUE(settle());
+    for (const char* const panel : {"Colours", "Rotations", "Distributions", "Mesh", "Solution", "Constraints"})
+      measure((std::string("opening the panel ") + panel).c_str(), [&] { openPanel(panel); });
+    editor().undo();
+    ASSERT_TRUE(settle());
   }
 
   void whileAMatrixIsFactorised()

@@ -21,6 +21,22 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
+/// Which triangles the boxes hold, whatever their places.
+struct RayCaster::Tree {
+  struct Node {
+    Index first = 0;   // of its triangles in `order`
+    Index last = 0;    // past the last of them
+    Index second = 0;  // node of its second half; that of the first half is the next one; 0 for a leaf
+  };
+
+  Tree(const Positions& positions, std::vector<Triangle> itsTriangles);
+  Index addNode(Index first, Index last, const Positions& centers);
+
+  std::vector<Triangle> triangles;
+  std::vector<Index> order;  // triangles as the leaves hold them
+  std::vector<Node> nodes;   // each before those below it
+};
+
 /// A ray made ready to meet many boxes and triangles. Triangles are met as by S. Woop, C. Benthin and I. Wald,
 /// Watertight Ray/Triangle Intersection (JCGT 2, 2013): in coordinates in which the ray is the third axis, so that both
 /// triangles at an edge compute the same sign for it.
@@ -104,66 +120,71 @@ class RayCaster::Caster {
   int z_ = 0;
 };
 
-RayCaster::RayCaster(const Positions& positions, std::vector<Triangle> triangles)
-    : triangles_(std::move(triangles)), order_(triangles_.size()), positions_(positions)
+RayCaster::Tree::Tree(const Positions& positions, std::vector<Triangle> itsTriangles)
+    : triangles(std::move(itsTriangles)), order(triangles.size())
 {
-  std::iota(order_.begin(), order_.end(), Index{0});
-  Positions centers(static_cast<Index>(triangles_.size()), 3);
+  std::iota(order.begin(), order.end(), Index{0});
+  Positions centers(static_cast<Index>(triangles.size()), 3);
   for (Index t = 0; t < centers.rows(); ++t) {
-    const auto& [a, b, c] = triangles_[t];
+    const auto& [a, b, c] = triangles[t];
     centers.row(t) = positions.row(a) / 3 + positions.row(b) / 3 + positions.row(c) / 3;
   }
-  if (!triangles_.empty()) addNode(0, centers.rows(), centers);
-  fitBoxes();
-}
-
-void RayCaster::setPositions(const Positions& positions)
-{
-  positions_ = positions;
-  fitBoxes();
+  if (!triangles.empty()) addNode(0, centers.rows(), centers);
 }
 
 /// Adds the node of these triangles and all below it; returns its number.
-Index RayCaster::addNode(Index first, Index last, const Positions& centers)
+Index RayCaster::Tree::addNode(Index first, Index last, const Positions& centers)
 {
-  const Index node = static_cast<Index>(nodes_.size());
-  nodes_.push_back({{}, first, last, 0});
+  const Index node = static_cast<Index>(nodes.size());
+  nodes.push_back({first, last, 0});
   if (last - first <= kLeafTriangles) return node;
   Eigen::AlignedBox3d box;
-  for (Index k = first; k < last; ++k) box.extend(centers.row(order_[k]).transpose());
+  for (Index k = first; k < last; ++k) box.extend(centers.row(order[k]).transpose());
   int axis = 0;
   box.sizes().maxCoeff(&axis);
   const Index middle = first + (last - first) / 2;
   const auto isBefore = [&](Index s, Index t) {
     return std::pair(centers(s, axis), s) < std::pair(centers(t, axis), t);
   };
-  std::nth_element(order_.begin() + first, order_.begin() + middle, order_.begin() + last, isBefore);
+  std::nth_element(order.begin() + first, order.begin() + middle, order.begin() + last, isBefore);
   addNode(first, middle, centers);
   const Index second = addNode(middle, last, centers);
-  nodes_[node].second = second;
+  nodes[node].second = second;
   return node;
 }
 
-Eigen::AlignedBox3d RayCaster::boxOf(const Node& leaf) const
+RayCaster::RayCaster(const Positions& positions, std::vector<Triangle> triangles)
+    : RayCaster(std::make_shared<const Tree>(positions, std::move(triangles)),
+                std::make_shared<const Positions>(positions))
 {
-  Eigen::AlignedBox3d box;
-  for (Index k = leaf.first; k < leaf.last; ++k) box.extend(boxOf(order_[k]));
-  return box;
+}
+
+RayCaster::RayCaster(std::shared_ptr<const Tree> tree, std::shared_ptr<const Positions> positions)
+    : tree_(std::move(tree)), positions_(std::move(positions))
+{
+  auto boxes = std::make_shared<std::vector<Eigen::AlignedBox3d>>(tree_->nodes.size());
+  for (Index n = static_cast<Index>(boxes->size()) - 1; n >= 0; --n) {
+    const Tree::Node& node = tree_->nodes[n];
+    Eigen::AlignedBox3d& box = (*boxes)[n];
+    if (node.second != 0) {
+      box = (*boxes)[n + 1].merged((*boxes)[node.second]);
+    } else {
+      for (Index k = node.first; k < node.last; ++k) box.extend(boxOf(tree_->order[k]));
+    }
+  }
+  boxes_ = std::move(boxes);
+}
+
+RayCaster RayCaster::movedTo(std::shared_ptr<const Positions> positions) const
+{
+  return {tree_, std::move(positions)};
 }
 
 Eigen::AlignedBox3d RayCaster::boxOf(Index triangle) const
 {
   Eigen::AlignedBox3d box;
-  for (const Index vertex : triangles_[triangle]) box.extend(positions_.row(vertex).transpose());
+  for (const Index vertex : tree_->triangles[triangle]) box.extend(positions_->row(vertex).transpose());
   return box;
-}
-
-void RayCaster::fitBoxes()
-{
-  for (Index n = static_cast<Index>(nodes_.size()) - 1; n >= 0; --n) {
-    Node& node = nodes_[n];
-    node.box = node.second == 0 ? boxOf(node) : nodes_[n + 1].box.merged(nodes_[node.second].box);
-  }
 }
 
 /// Calls `visit(leaf)` for the leaves whose boxes the ray enters up to `limit`, at `entryOf(box, limit)`, about from
@@ -171,23 +192,25 @@ void RayCaster::fitBoxes()
 template <class Entry, class Visitor>
 void RayCaster::visitLeaves(const Entry& entryOf, const double& limit, Visitor&& visit) const
 {
-  if (nodes_.empty()) return;
+  const std::vector<Tree::Node>& nodes = tree_->nodes;
+  const std::vector<Eigen::AlignedBox3d>& boxes = *boxes_;
+  if (nodes.empty()) return;
   std::array<std::pair<double, Index>, kDeepest> waiting;
   std::size_t count = 0;
   const auto push = [&](double entry, Index node) {
     if (entry < kNever) waiting[count++] = {entry, node};
   };
-  push(entryOf(nodes_[0].box, limit), 0);
+  push(entryOf(boxes[0], limit), 0);
   while (count > 0) {
     const auto [entry, n] = waiting[--count];
     if (entry > limit) continue;
-    const Node& node = nodes_[n];
+    const Tree::Node& node = nodes[n];
     if (node.second == 0) {
       if (visit(node)) return;
       continue;
     }
-    const double first = entryOf(nodes_[n + 1].box, limit);
-    const double second = entryOf(nodes_[node.second].box, limit);
+    const double first = entryOf(boxes[n + 1], limit);
+    const double second = entryOf(boxes[node.second], limit);
     // What lies nearer is looked at first: it may spare the other.
     if (first <= second) {
       push(second, node.second);
@@ -202,12 +225,13 @@ void RayCaster::visitLeaves(const Entry& entryOf, const double& limit, Visitor&&
 std::optional<RayHit> RayCaster::firstHit(const Ray& ray) const
 {
   const Caster caster(ray);
+  const std::vector<Index>& order = tree_->order;
   RayHit best{-1, std::numeric_limits<double>::max(), {}};
   // Boxes hold what is hit only to rounding: an equally near triangle of smaller id must not be passed over.
   double limit = best.t;
-  visitLeaves(caster.entries(), limit, [&](const Node& leaf) {
+  visitLeaves(caster.entries(), limit, [&](const Tree::Node& leaf) {
     for (Index k = leaf.first; k < leaf.last; ++k) {
-      const std::optional<RayHit> hit = caster.meet(order_[k], triangles_[order_[k]], positions_);
+      const std::optional<RayHit> hit = caster.meet(order[k], tree_->triangles[order[k]], *positions_);
       if (!hit || std::pair(hit->t, hit->triangle) >= std::pair(best.t, best.triangle)) continue;
       best = *hit;
       limit = best.t * kBoxSlack;
@@ -220,11 +244,12 @@ std::optional<RayHit> RayCaster::firstHit(const Ray& ray) const
 bool RayCaster::isBlocked(const Ray& ray, double before, std::span<const Index> ignored) const
 {
   const Caster caster(ray);
+  const std::vector<Index>& order = tree_->order;
   bool isBlocked = false;
-  visitLeaves(caster.entries(), before, [&](const Node& leaf) {
+  visitLeaves(caster.entries(), before, [&](const Tree::Node& leaf) {
     for (Index k = leaf.first; k < leaf.last && !isBlocked; ++k) {
-      const std::optional<RayHit> hit = caster.meet(order_[k], triangles_[order_[k]], positions_);
-      isBlocked = hit && hit->t < before && !std::binary_search(ignored.begin(), ignored.end(), order_[k]);
+      const std::optional<RayHit> hit = caster.meet(order[k], tree_->triangles[order[k]], *positions_);
+      isBlocked = hit && hit->t < before && !std::binary_search(ignored.begin(), ignored.end(), order[k]);
     }
     return isBlocked;
   });
@@ -234,14 +259,15 @@ bool RayCaster::isBlocked(const Ray& ray, double before, std::span<const Index> 
 std::vector<Index> RayCaster::withinReach(const Ray& ray, const RayReach& reach) const
 {
   const Caster caster(ray);
+  const std::vector<Index>& order = tree_->order;
   const double limit = std::numeric_limits<double>::max();
   const auto entryOf = [&](const Eigen::AlignedBox3d& box, double before) {
     return caster.entry(caster.widened(box, reach), before);
   };
   std::vector<Index> found;
-  visitLeaves(entryOf, limit, [&](const Node& leaf) {
+  visitLeaves(entryOf, limit, [&](const Tree::Node& leaf) {
     for (Index k = leaf.first; k < leaf.last; ++k)
-      if (entryOf(boxOf(order_[k]), limit) < kNever) found.push_back(order_[k]);
+      if (entryOf(boxOf(order[k]), limit) < kNever) found.push_back(order[k]);
     return false;
   });
   std::sort(found.begin(), found.end());

@@ -1,8 +1,9 @@
 #pragma once
 /// \file
-/// Where rays meet a surface that moves.
+/// Where rays meet a surface, and meet it again where it has moved to.
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -32,18 +33,20 @@ struct RayHit {
   std::array<double, 3> weights{};  ///< of the triangle's corners; none negative, of sum 1 to rounding
 };
 
-/// Intersects rays with triangles, seen from either side, through a tree of boxes. The tree divides the triangles as
-/// they lie when it is made and its boxes follow them, so that moving the surface costs a fraction of making a tree.
-/// Rays do not slip through between triangles that share an edge. Triangles without an area are not hit. Products of
-/// two lengths are taken: they should lie between 1e-140 and 1e140.
+/// Intersects rays with triangles, seen from either side, through a tree of boxes. Never changes: any number of
+/// threads may use one, copies cost nothing. The tree divides the triangles as they lie when it is made and the boxes
+/// follow them, so that a caster for the surface where it has moved to costs a fraction of the first. Rays do not slip
+/// through between triangles that share an edge. Triangles without an area are not hit. Products of two lengths are
+/// taken: they should lie between 1e-140 and 1e140.
 class RayCaster {
  public:
   /// Finite positions. O(T log T).
   RayCaster(const Positions& positions, std::vector<Triangle> triangles);
 
-  /// Moves the surface. O(T).
-  void setPositions(const Positions& positions);
-  [[nodiscard]] const Positions& positions() const noexcept { return positions_; }
+  /// For the same triangles at other positions, finite as well. O(T), and shares all but the boxes.
+  [[nodiscard]] RayCaster movedTo(std::shared_ptr<const Positions> positions) const;
+
+  [[nodiscard]] const Positions& positions() const noexcept { return *positions_; }
 
   /// The first of the triangles that the ray meets; of several at the same place that of smallest id. About O(log T).
   [[nodiscard]] std::optional<RayHit> firstHit(const Ray& ray) const;
@@ -56,25 +59,18 @@ class RayCaster {
   [[nodiscard]] std::vector<Index> withinReach(const Ray& ray, const RayReach& reach) const;
 
  private:
-  struct Node {
-    Eigen::AlignedBox3d box;
-    Index first = 0;   // of its triangles in `order_`
-    Index last = 0;    // past the last of them
-    Index second = 0;  // node of its second half; that of the first half is the next one; 0 for a leaf
-  };
+  struct Tree;
   class Caster;
 
-  Index addNode(Index first, Index last, const Positions& centers);
+  RayCaster(std::shared_ptr<const Tree> tree, std::shared_ptr<const Positions> positions);
+
   [[nodiscard]] Eigen::AlignedBox3d boxOf(Index triangle) const;
-  [[nodiscard]] Eigen::AlignedBox3d boxOf(const Node& leaf) const;
-  void fitBoxes();
   template <class Entry, class Visitor>
   void visitLeaves(const Entry& entryOf, const double& limit, Visitor&& visit) const;
 
-  std::vector<Triangle> triangles_;
-  std::vector<Index> order_;  // triangles as the leaves hold them
-  std::vector<Node> nodes_;   // each before those below it
-  Positions positions_;
+  std::shared_ptr<const Tree> tree_;
+  std::shared_ptr<const Positions> positions_;
+  std::shared_ptr<const std::vector<Eigen::AlignedBox3d>> boxes_;  // of the tree's nodes, at the positions
 };
 
 }  // namespace holdfast

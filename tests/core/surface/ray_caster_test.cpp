@@ -1,3 +1,5 @@
+#include <memory>
+
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
@@ -89,12 +91,14 @@ TEST(RayCaster, HitsFollowTheSurface)
 {
   test::Random random(12);
   const Mesh mesh = test::plate(7, 5);
-  RayCaster caster(mesh.positions, triangulate(mesh).triangles);
+  const std::vector<Triangle> triangles = triangulate(mesh).triangles;
+  const RayCaster atRest(mesh.positions, triangles);
   Positions crumpled = mesh.positions;
   for (Index v = 0; v < mesh.vertexCount(); ++v) crumpled.row(v) += test::randomVector(random, 2).transpose();
-  caster.setPositions(crumpled);
-  EXPECT_EQ(caster.positions(), crumpled);
-  expectPlainHits(caster, crumpled, triangulate(mesh).triangles, random);
+  const RayCaster moved = atRest.movedTo(std::make_shared<const Positions>(crumpled));
+  EXPECT_EQ(moved.positions(), crumpled);
+  expectPlainHits(moved, crumpled, triangles, random);
+  expectPlainHits(atRest, mesh.positions, triangles, random);
 }
 
 TEST(RayCaster, RaysDoNotSlipThroughEdgesAndVertices)

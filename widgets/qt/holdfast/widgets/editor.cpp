@@ -11,6 +11,12 @@ namespace {
 // Of solved states: enough to go back and forth between neighbours at once, little beside the factor.
 constexpr std::size_t kRemembered = 6;
 
+std::shared_ptr<const VisibleSurface> moved(const VisibleSurface& atRest,
+                                            const std::shared_ptr<const Deformation>& deformation)
+{
+  return std::make_shared<const VisibleSurface>(atRest.movedTo({deformation, &deformation->positions}));
+}
+
 }  // namespace
 
 Editor::Editor(QObject* parent) : QObject(parent) {}
@@ -23,8 +29,11 @@ void Editor::open(LoadedMesh mesh, DocumentState state)
   close();
   mesh_ = std::move(mesh);
   history_ = std::make_unique<History>(std::move(state));
-  worker_ = std::make_unique<LiveDeformer>(
-      mesh_.model, [this](const LiveEvent& event) { told_.post([this, event] { handle(event); }); });
+  worker_ = std::make_unique<LiveDeformer>(mesh_.model, [this, atRest = mesh_.surface](const LiveEvent& event) {
+    // Made ready for the cursor by the worker: the window would have to wait for it.
+    auto surface = event.deformation == nullptr ? nullptr : moved(*atRest, event.deformation);
+    told_.post([this, event, surface = std::move(surface)] { handle(event, surface); });
+  });
   Q_EMIT opened();
   stateBecame(Supersede::AtNextStage);
 }
@@ -39,6 +48,7 @@ void Editor::close()
   solved_.clear();
   deformation_.reset();
   deformedState_.reset();
+  deformedSurface_.reset();
   selectedVertices_.clear();
   selectedShape_.reset();
   selectedConstraints_.clear();
@@ -47,9 +57,9 @@ void Editor::close()
   Q_EMIT opened();
 }
 
-const Positions& Editor::positions() const
+const std::shared_ptr<const VisibleSurface>& Editor::surface() const
 {
-  return deformation_ ? deformation_->positions : model()->mesh.positions;
+  return deformedSurface_ ? deformedSurface_ : mesh_.surface;
 }
 
 void Editor::edit(const QString& name, ConstraintList after)
@@ -155,6 +165,7 @@ void Editor::show(Solved solved)
   remember(solved);
   deformedState_ = std::move(solved.state);
   deformation_ = std::move(solved.deformation);
+  deformedSurface_ = std::move(solved.surface);
   Q_EMIT deformed();
 }
 
@@ -172,7 +183,7 @@ std::optional<Editor::Solved> Editor::remembered(const std::shared_ptr<const Doc
   return found == solved_.end() ? std::nullopt : std::optional(*found);
 }
 
-void Editor::handle(const LiveEvent& event)
+void Editor::handle(const LiveEvent& event, std::shared_ptr<const VisibleSurface> surface)
 {
   using Kind = LiveEvent::Kind;
   // What was cancelled, shown from memory or belongs to another document is not waited for any more.
@@ -185,7 +196,7 @@ void Editor::handle(const LiveEvent& event)
   submitted_.pop_front();
   const bool isNewest = submitted_.empty();
   if (isNewest) setStage({});
-  if (event.kind == Kind::Done) show({state, event.deformation});
+  if (event.kind == Kind::Done) show({state, event.deformation, std::move(surface)});
   if (!isNewest) return;
   if (event.kind == Kind::Done) setFreshness(Freshness::Current, {});
   if (event.kind == Kind::Cancelled) setFreshness(Freshness::Cancelled, {});

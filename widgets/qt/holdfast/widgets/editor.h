@@ -51,8 +51,9 @@ class Editor : public QObject {
   [[nodiscard]] const std::shared_ptr<const Deformation>& deformation() const noexcept { return deformation_; }
   /// The state that `deformation` is of; null with it. Names and places in the report are those of this list.
   [[nodiscard]] const std::shared_ptr<const DocumentState>& deformedState() const noexcept { return deformedState_; }
-  /// The positions to be shown: deformed, or at rest before the first deformation.
-  [[nodiscard]] const Positions& positions() const;
+  /// What is to be shown: deformed, or at rest before the first deformation.
+  [[nodiscard]] const Positions& positions() const { return surface()->positions(); }
+  [[nodiscard]] const std::shared_ptr<const VisibleSurface>& surface() const;
   [[nodiscard]] Freshness freshness() const noexcept { return freshness_; }
   /// Why the newest state cannot be solved; empty otherwise.
   [[nodiscard]] const QString& trouble() const noexcept { return trouble_; }
@@ -100,13 +101,14 @@ class Editor : public QObject {
   struct Solved {
     std::shared_ptr<const DocumentState> state;
     std::shared_ptr<const Deformation> deformation;
+    std::shared_ptr<const VisibleSurface> surface;  // where the deformation has moved it
   };
 
   void stateBecame(Supersede supersede);
   void show(Solved solved);
   void remember(const Solved& solved);
   [[nodiscard]] std::optional<Solved> remembered(const std::shared_ptr<const DocumentState>& state) const;
-  void handle(const LiveEvent& event);
+  void handle(const LiveEvent& event, std::shared_ptr<const VisibleSurface> surface);
   void setFreshness(Freshness freshness, const QString& trouble);
   void setStage(const QString& stage);
   void dropVanishedSelection();
@@ -121,6 +123,7 @@ class Editor : public QObject {
   std::deque<Solved> solved_;  // the latest few, so that undo shows at once what was there
   std::shared_ptr<const Deformation> deformation_;
   std::shared_ptr<const DocumentState> deformedState_;
+  std::shared_ptr<const VisibleSurface> deformedSurface_;
   Freshness freshness_ = Freshness::Nothing;
   QString trouble_;
   QString stage_;

@@ -25,8 +25,7 @@ LoadedMesh prepareMesh(MeshDocument document, const std::filesystem::path& path,
   loaded.regions = std::make_shared<VertexRegions>(loaded.model->mesh, loaded.model->solverMesh);
   loaded.contents = std::make_shared<SceneContents>(*loaded.model);
   if (isLarge(*loaded.model)) loaded.contents->setDetail(Detail::Coarse);
-  loaded.picker = std::make_shared<SurfacePicker>(*loaded.model);
-  static_cast<void>(loaded.picker->surface());
+  loaded.surface = std::make_shared<const VisibleSurface>(*loaded.model);
   return loaded;
 }
 

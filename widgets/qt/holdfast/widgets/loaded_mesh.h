@@ -10,7 +10,7 @@
 #include <holdfast/io/mesh_document.h>
 #include <holdfast/surface/vertex_regions.h>
 #include <holdfast/view/scene_contents.h>
-#include <holdfast/view/surface_picker.h>
+#include <holdfast/view/visible_surface.h>
 
 namespace holdfast {
 
@@ -20,8 +20,8 @@ struct LoadedMesh {
   MeshDocument document;
   std::shared_ptr<const Model> model;
   std::shared_ptr<VertexRegions> regions;
-  std::shared_ptr<SceneContents> contents;  ///< at rest, with the coarse triangles of large meshes
-  std::shared_ptr<SurfacePicker> picker;    ///< ready for rays
+  std::shared_ptr<SceneContents> contents;        ///< at rest, with the coarse triangles of large meshes
+  std::shared_ptr<const VisibleSurface> surface;  ///< at rest, ready for rays
 };
 
 /// Reads and prepares the file, by its extension one of core's formats or VTK's. Throws as `readMesh` and `makeModel`

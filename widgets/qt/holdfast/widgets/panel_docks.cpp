@@ -36,6 +36,18 @@ std::optional<Index> nearestVertex(const std::optional<SurfacePick>& pick, const
   return model.mesh.faces[pick->face][static_cast<std::size_t>(largest)];
 }
 
+/// Qt moves a dock behind others out of the window and calls it visible: its panel would go on following every change,
+/// and draw what nobody sees.
+void showWhileInFront(QWidget& panel, const QDockWidget& dock)
+{
+  // The dock asks for the same room, so that nothing moves from tab to tab.
+  QSizePolicy policy = panel.sizePolicy();
+  policy.setRetainSizeWhenHidden(true);
+  panel.setSizePolicy(policy);
+  panel.hide();
+  QObject::connect(&dock, &QDockWidget::visibilityChanged, &panel, &QWidget::setVisible);
+}
+
 }  // namespace
 
 PanelDocks::PanelDocks(Editor& editor, Viewport& viewport, QMainWindow& window)
@@ -89,6 +101,7 @@ QDockWidget* PanelDocks::add(const QString& title, const QString& objectName, QW
   dock->setWidget(panel);
   // Its tab names it already; the menu shows and hides it.
   dock->setTitleBarWidget(new QWidget(dock));
+  showWhileInFront(*panel, *dock);
   return dock;
 }
 

@@ -121,7 +121,7 @@ void Viewport::openDocument()
     contents_ = editor_.mesh().contents;
     contents_->setPixelRatio(pixelRatio());
     contents_->addTo(*renderer_);
-    picker_ = editor_.mesh().picker;
+    picker_ = std::make_unique<SurfacePicker>(editor_.surface());
     // Until the first picture in full tells how long it takes.
     fullMilliseconds_ = isLarge(*editor_.model()) ? 2 * kFluentMilliseconds : 0;
     setDisplay(display_);
@@ -135,7 +135,7 @@ void Viewport::openDocument()
 void Viewport::showDeformation()
 {
   prepareToMove();
-  picker_->setPositions(editor_.positions());
+  *picker_ = SurfacePicker(editor_.surface());
   // The mesh was shown at rest so far; who has looked elsewhere since goes on looking there.
   if (const auto eye = std::exchange(openedFrom_, std::nullopt);
       eye && *eye == Vector3(renderer_->GetActiveCamera()->GetPosition()))

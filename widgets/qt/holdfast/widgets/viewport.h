@@ -67,7 +67,7 @@ class Viewport : public QVTKOpenGLNativeWidget {
   [[nodiscard]] bool isParallelProjection() const;
 
   /// Null without a document.
-  [[nodiscard]] SurfacePicker* picker() noexcept { return picker_.get(); }
+  [[nodiscard]] const SurfacePicker* picker() const noexcept { return picker_.get(); }
   [[nodiscard]] SceneContents* contents() noexcept { return contents_.get(); }
   /// The constraints that are drawn; none without a document.
   [[nodiscard]] const std::vector<ConstraintMark>& marks() const noexcept;
@@ -153,7 +153,7 @@ class Viewport : public QVTKOpenGLNativeWidget {
 
   Editor& editor_;
   std::shared_ptr<SceneContents> contents_;
-  std::shared_ptr<SurfacePicker> picker_;
+  std::unique_ptr<SurfacePicker> picker_;
   std::vector<DisabledPlace> disabledPlaces_;
   std::optional<Vector3> openedFrom_;  // the camera's place until the first deformation
   std::optional<Coloring> coloring_;

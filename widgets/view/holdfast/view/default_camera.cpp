@@ -24,6 +24,21 @@ constexpr double kViewAngleDegrees = 18;
 // Of the picture's height and width.
 constexpr double kMargin = 0.06;
 
+/// How far the points reach along each of the directions, in lengths of it.
+template <int Count>
+Eigen::Vector<double, Count> reachAlong(const Eigen::Matrix<double, 3, Count>& directions, const Positions& points)
+{
+  // A few at a time: products of all points would be a large matrix for a moment.
+  constexpr Index kAtOnce = 512;
+  Eigen::RowVector<double, Count> farthest = points.row(0) * directions;
+  for (Index first = 0; first < points.rows(); first += kAtOnce) {
+    const Index count = std::min(kAtOnce, points.rows() - first);
+    const auto reached = (points.middleRows(first, count) * directions).colwise().maxCoeff();
+    farthest = farthest.cwiseMax(reached);
+  }
+  return farthest.transpose();
+}
+
 /// Where the eye must be along one direction across the view, and how far back, to see all points between two planes
 /// of slope `slope` through it.
 struct Wedge {
@@ -31,10 +46,9 @@ struct Wedge {
   double back;
 };
 
-Wedge wedgeAround(const Eigen::VectorXd& across, const Eigen::VectorXd& back, double slope)
+/// From how far points reach along `slope` back + across and along `slope` back - across.
+Wedge wedgeAround(double above, double below, double slope)
 {
-  const double above = (across + slope * back).maxCoeff();
-  const double below = (slope * back - across).maxCoeff();
   return {(above - below) / 2, (above + below) / (2 * slope)};
 }
 
@@ -55,16 +69,21 @@ ViewFrame defaultFrame(const Positions& positions)
 void fit(vtkCamera& camera, const ViewFrame& frame, const Positions& points, double aspect)
 {
   const double slope = std::tan(kViewAngleDegrees / 2 * kDegree) * (1 - 2 * kMargin);
-  const Eigen::VectorXd back = points * frame.back;
-  const Wedge horizontal = wedgeAround(points * frame.right, back, slope * aspect);
-  const Wedge vertical = wedgeAround(points * frame.up, back, slope);
+  const double slopeAcross = slope * aspect;
+  Eigen::Matrix<double, 3, 6> directions;
+  directions << slopeAcross * frame.back + frame.right, slopeAcross * frame.back - frame.right,
+      slope * frame.back + frame.up, slope * frame.back - frame.up, frame.back, -frame.back;
+  const Eigen::Vector<double, 6> reach = reachAlong(directions, points);
+  const Wedge horizontal = wedgeAround(reach[0], reach[1], slopeAcross);
+  const Wedge vertical = wedgeAround(reach[2], reach[3], slope);
+  const double nearest = reach[4];
+  const double farthest = -reach[5];
   // A single point has no size to fit: any distance from it will do.
-  const double nearest = back.maxCoeff();
   const double distance = std::max(horizontal.back, vertical.back) - nearest;
   const double eyeBack = nearest + (distance > 0 ? distance : 1);
   const Vector3 across = horizontal.across * frame.right + vertical.across * frame.up;
   const Vector3 eye = across + eyeBack * frame.back;
-  const Vector3 focus = across + (back.minCoeff() + nearest) / 2 * frame.back;
+  const Vector3 focus = across + (farthest + nearest) / 2 * frame.back;
   camera.SetViewAngle(kViewAngleDegrees);
   camera.SetPosition(eye.data());
   camera.SetFocalPoint(focus.data());

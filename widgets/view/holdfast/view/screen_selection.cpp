@@ -1,6 +1,7 @@
 #include "holdfast/view/screen_selection.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace holdfast {
 namespace {
@@ -14,32 +15,33 @@ ScreenPolygon throughCenters(std::span<const DisplayPoint> pixels)
 
 }  // namespace
 
-ScreenSelection::ScreenSelection(vtkRenderer& renderer, SurfacePicker& picker, std::span<const DisplayPoint> polygon,
-                                 ScreenReach reach)
-    : surface_(picker.surface()), display_(renderer), outline_(throughCenters(polygon)), reach_(reach)
+ScreenSelection::ScreenSelection(vtkRenderer& renderer, std::shared_ptr<const VisibleSurface> surface,
+                                 std::span<const DisplayPoint> polygon, ScreenReach reach)
+    : surface_(std::move(surface)), display_(renderer), outline_(throughCenters(polygon)), reach_(reach)
 {
 }
 
 bool ScreenSelection::isInside(Index vertex) const
 {
-  const DisplayTransform::Shown shown = display_.show(surface_.positions().row(vertex));
+  const DisplayTransform::Shown shown = display_.show(surface_->positions().row(vertex));
   if (!(shown.depth > 0) || !display_.isInside(shown.point) || !outline_.contains(shown.point)) return false;
-  if (surface_.trianglesAt(vertex).empty()) return false;
-  return reach_ == ScreenReach::Through || surface_.isVertexVisible(vertex, display_);
+  if (surface_->trianglesAt(vertex).empty()) return false;
+  return reach_ == ScreenReach::Through || surface_->isVertexVisible(vertex, display_);
 }
 
 void ScreenSelection::advance(Index count)
 {
-  const Index end = std::min(next_ + count, surface_.positions().rows());
+  const Index end = std::min(next_ + count, surface_->positions().rows());
   for (; next_ < end; ++next_)
     if (isInside(next_)) inside_.push_back(next_);
 }
 
-std::vector<Index> verticesInScreenPolygon(vtkRenderer& renderer, SurfacePicker& picker,
+std::vector<Index> verticesInScreenPolygon(vtkRenderer& renderer, std::shared_ptr<const VisibleSurface> surface,
                                            std::span<const DisplayPoint> polygon, ScreenReach reach)
 {
-  ScreenSelection selection(renderer, picker, polygon, reach);
-  selection.advance(selection.isDone() ? 0 : picker.model().mesh.vertexCount());
+  const Index count = surface->positions().rows();
+  ScreenSelection selection(renderer, std::move(surface), polygon, reach);
+  selection.advance(count);
   return selection.inside();
 }
 

@@ -2,12 +2,13 @@
 /// \file
 /// The vertices inside a rectangle or a lasso drawn on the screen.
 
+#include <memory>
 #include <span>
 #include <vector>
 
 #include <holdfast/view/display_transform.h>
 #include <holdfast/view/screen_polygon.h>
-#include <holdfast/view/surface_picker.h>
+#include <holdfast/view/visible_surface.h>
 
 namespace holdfast {
 
@@ -16,24 +17,24 @@ enum class ScreenReach {
   Through       ///< what is hidden as well
 };
 
-/// The vertices of the file that are shown inside `polygon` in the renderer's part of the window, with the surface at
-/// the picker's positions; ascending. The corners of the polygon are pixels as a cursor names them, each meaning its
-/// centre; it is closed from the last to the first, and what it encloses is as of `ScreenPolygon`. Vertices that no
-/// face uses and those behind the eye are left out. O(N) and, for `VisibleOnly`, about O(k log T) for k vertices
-/// inside.
-[[nodiscard]] std::vector<Index> verticesInScreenPolygon(vtkRenderer& renderer, SurfacePicker& picker,
+/// The vertices of the file that are shown inside `polygon` in the renderer's part of the window; ascending. The
+/// corners of the polygon are pixels as a cursor names them, each meaning its centre; it is closed from the last to the
+/// first, and what it encloses is as of `ScreenPolygon`. Vertices that no face uses and those behind the eye are left
+/// out. O(N) and, for `VisibleOnly`, about O(k log T) for k vertices inside.
+[[nodiscard]] std::vector<Index> verticesInScreenPolygon(vtkRenderer& renderer,
+                                                         std::shared_ptr<const VisibleSurface> surface,
                                                          std::span<const DisplayPoint> polygon, ScreenReach reach);
 
 /// The same a few vertices at a time, for a window that answers in between.
 class ScreenSelection {
  public:
-  /// Sees what `renderer` shows now. `picker` stays alive as long as this.
-  ScreenSelection(vtkRenderer& renderer, SurfacePicker& picker, std::span<const DisplayPoint> polygon,
-                  ScreenReach reach);
+  /// Sees what `renderer` shows now of `surface`, which is not null.
+  ScreenSelection(vtkRenderer& renderer, std::shared_ptr<const VisibleSurface> surface,
+                  std::span<const DisplayPoint> polygon, ScreenReach reach);
 
   /// Looks at `count` vertices more, or as many as are left.
   void advance(Index count);
-  [[nodiscard]] bool isDone() const { return next_ == surface_.positions().rows(); }
+  [[nodiscard]] bool isDone() const { return next_ == surface_->positions().rows(); }
 
   /// Of the vertices looked at so far those inside, ascending.
   [[nodiscard]] const std::vector<Index>& inside() const noexcept { return inside_; }
@@ -41,7 +42,7 @@ class ScreenSelection {
  private:
   [[nodiscard]] bool isInside(Index vertex) const;
 
-  const VisibleSurface& surface_;
+  std::shared_ptr<const VisibleSurface> surface_;
   DisplayTransform display_;
   ScreenPolygon outline_;
   ScreenReach reach_;

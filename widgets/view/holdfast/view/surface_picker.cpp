@@ -14,8 +14,8 @@ constexpr double kAnyDistance = std::numeric_limits<double>::infinity();
 /// One search around one cursor.
 class Search {
  public:
-  Search(const Model& model, const VisibleSurface& surface, const DisplayTransform& display, const DisplayPoint& cursor)
-      : model_(model),
+  Search(const VisibleSurface& surface, const DisplayTransform& display, const DisplayPoint& cursor)
+      : model_(surface.model()),
         surface_(surface),
         display_(display),
         cursor_(cursor),
@@ -201,17 +201,11 @@ SurfacePick Search::pickOf(SurfaceLocation location, const Vector3& place, Index
 
 }  // namespace
 
-void SurfacePicker::setPositions(const Positions& positions)
-{
-  positions_ = positions;
-  isStale_ = true;
-}
-
 std::optional<SurfacePick> SurfacePicker::pick(vtkRenderer& renderer, double displayX, double displayY, PickKind kind,
-                                               double snapPixels)
+                                               double snapPixels) const
 {
   const DisplayTransform display(renderer);
-  Search search(model_, surface(), display, centerOfPixel(displayX, displayY));
+  Search search(*surface_, display, centerOfPixel(displayX, displayY));
   if (kind != PickKind::Face) {
     const std::vector<Index> triangles = search.trianglesWithin(snapPixels);
     if (kind != PickKind::Edge)
@@ -223,13 +217,6 @@ std::optional<SurfacePick> SurfacePicker::pick(vtkRenderer& renderer, double dis
   if (kind == PickKind::Vertex) return search.vertexOf(search.trianglesAround(), kAnyDistance);
   if (kind == PickKind::Edge) return search.edgeOf(search.trianglesAround(), kAnyDistance);
   return search.ofFace();
-}
-
-const VisibleSurface& SurfacePicker::surface()
-{
-  if (!surface_) surface_.emplace(model_);
-  if (std::exchange(isStale_, false)) surface_->setPositions(positions_);
-  return *surface_;
 }
 
 }  // namespace holdfast

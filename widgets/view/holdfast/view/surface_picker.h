@@ -2,8 +2,9 @@
 /// \file
 /// The point of the surface under the cursor.
 
+#include <memory>
 #include <optional>
-#include <vector>
+#include <utility>
 
 #include <holdfast/surface/surface_location.h>
 #include <holdfast/view/visible_surface.h>
@@ -30,15 +31,11 @@ struct SurfacePick {
   Index triangle = 0;               ///< the same of the triangles of the model's triangulation
 };
 
-/// Picks points of one model. Sees the surface from both sides, and only what nothing hides.
+/// Picks points of a surface. Sees it from both sides, and only what nothing hides.
 class SurfacePicker {
  public:
-  /// At rest. `model` stays alive as long as this. Costs nothing before the first pick, which makes the search tree in
-  /// O(T log T).
-  explicit SurfacePicker(const Model& model) : model_(model), positions_(model.mesh.positions) {}
-
-  /// Moves the surface: one row for each vertex of the file, all finite. O(N); the next pick costs O(T) more.
-  void setPositions(const Positions& positions);
+  /// `surface` is not null.
+  explicit SurfacePicker(std::shared_ptr<const VisibleSurface> surface) : surface_(std::move(surface)) {}
 
   /// What is under the cursor, which is at the pixel (`displayX`, `displayY`) of the renderer's window, counted from
   /// the lower left; the point meant is the pixel's centre. Distances are those on the screen.
@@ -46,22 +43,17 @@ class SurfacePicker {
   /// - `Vertex`, `Edge`: the nearest visible vertex, or the nearest point of an edge where that is visible, within
   ///   `snapPixels`; else of the front-most face there and of the faces that touch it, at any distance.
   /// - `Nearest`: the vertex within `snapPixels`, if there is one; else the point of an edge, likewise; else that of
-  /// the
-  ///   face.
+  ///   the face.
   /// Where there is no face under the cursor, a vertex or an edge still counts within `snapPixels`. Nothing where there
   /// is no such point. About O(log T) and what is shown within `snapPixels`, hidden or not.
   [[nodiscard]] std::optional<SurfacePick> pick(vtkRenderer& renderer, double displayX, double displayY, PickKind kind,
-                                                double snapPixels);
+                                                double snapPixels) const;
 
-  /// The surface at the present positions, ready for rays.
-  [[nodiscard]] const VisibleSurface& surface();
-  [[nodiscard]] const Model& model() const noexcept { return model_; }
+  [[nodiscard]] const std::shared_ptr<const VisibleSurface>& surface() const noexcept { return surface_; }
+  [[nodiscard]] const Model& model() const noexcept { return surface_->model(); }
 
  private:
-  const Model& model_;
-  Positions positions_;
-  bool isStale_ = false;  // the surface is not yet at `positions_`
-  std::optional<VisibleSurface> surface_;
+  std::shared_ptr<const VisibleSurface> surface_;
 };
 
 }  // namespace holdfast

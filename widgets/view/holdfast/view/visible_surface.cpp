@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace holdfast {
 namespace {
@@ -12,15 +13,23 @@ constexpr double kBeforePlace = 1 - 1e-9;
 }  // namespace
 
 VisibleSurface::VisibleSurface(const Model& model)
-    : model_(model),
+    : model_(&model),
       rays_(model.mesh.positions, model.triangulation.triangles),
-      trianglesOf_(trianglesOverUnknowns(model), model.solverMesh.unknownCount())
+      trianglesOf_(
+          std::make_shared<const VertexTriangles>(trianglesOverUnknowns(model), model.solverMesh.unknownCount()))
 {
+}
+
+VisibleSurface VisibleSurface::movedTo(std::shared_ptr<const Positions> positions) const
+{
+  VisibleSurface moved(*this);
+  moved.rays_ = rays_.movedTo(std::move(positions));
+  return moved;
 }
 
 std::span<const Index> VisibleSurface::trianglesAt(Index vertex) const
 {
-  return trianglesOf_.of(model_.solverMesh.weld.unknownOf[vertex]);
+  return trianglesOf_->of(model_->solverMesh.weld.unknownOf[vertex]);
 }
 
 bool VisibleSurface::isVertexVisible(Index vertex, const DisplayTransform& display) const

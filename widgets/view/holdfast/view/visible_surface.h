@@ -2,6 +2,7 @@
 /// \file
 /// What of a model's surface can be seen from where.
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -13,15 +14,17 @@
 
 namespace holdfast {
 
-/// The triangles of one model at its present positions, hit by rays. Triangles are numbered as in the model's
-/// triangulation.
+/// The triangles of one model at some positions, hit by rays. Triangles are numbered as in the model's triangulation.
+/// Never changes, and shares with its copies, and with those that have moved, whatever it can.
 class VisibleSurface {
  public:
   /// At rest. `model` stays alive as long as this. O(T log T).
   explicit VisibleSurface(const Model& model);
 
-  /// One row for each vertex of the file, all finite. O(T).
-  void setPositions(const Positions& positions) { rays_.setPositions(positions); }
+  /// The same at other positions: one row for each vertex of the file, all finite. O(T), on any thread.
+  [[nodiscard]] VisibleSurface movedTo(std::shared_ptr<const Positions> positions) const;
+
+  [[nodiscard]] const Model& model() const noexcept { return *model_; }
   [[nodiscard]] const Positions& positions() const noexcept { return rays_.positions(); }
 
   /// The triangles at a vertex of the file and at all that are the same unknown; ascending, none for a vertex that no
@@ -42,9 +45,9 @@ class VisibleSurface {
   [[nodiscard]] bool isEdgeVisible(Index i, Index j, const Vector3& place, const DisplayTransform& display) const;
 
  private:
-  const Model& model_;
+  const Model* model_;
   RayCaster rays_;
-  VertexTriangles trianglesOf_;  // of each unknown
+  std::shared_ptr<const VertexTriangles> trianglesOf_;  // of each unknown
 };
 
 }  // namespace holdfast

@@ -52,7 +52,7 @@ QString PointTool::hint() const
 
 std::optional<SurfacePick> PointTool::pickAt(const Pointer& pointer)
 {
-  SurfacePicker* picker = viewport_.picker();
+  const SurfacePicker* picker = viewport_.picker();
   if (!picker) return std::nullopt;
   return picker->pick(viewport_.renderer(), pointer.display.x(), pointer.display.y(), kind_,
                       kSnapReach * viewport_.pixelRatio());

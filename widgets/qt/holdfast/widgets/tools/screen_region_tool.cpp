@@ -62,7 +62,7 @@ void ScreenRegionTool::release(const Pointer& pointer)
   std::vector<DisplayPoint> polygon;
   for (const QPointF& place : shape) polygon.push_back(viewport_.toDisplayPoint(place));
   const ScreenReach reach = pointer.modifiers & Qt::AltModifier ? ScreenReach::Through : ScreenReach::VisibleOnly;
-  finding_ = std::make_unique<ScreenSelection>(viewport_.renderer(), *viewport_.picker(), polygon, reach);
+  finding_ = std::make_unique<ScreenSelection>(viewport_.renderer(), viewport_.picker()->surface(), polygon, reach);
   mode_ = selectionModeOf(pointer.modifiers);
   goOn();
 }

@@ -1,0 +1,57 @@
+#include <gtest/gtest.h>
+
+#include <holdfast/document/list_edits.h>
+#include <holdfast/widgets/histogram_panel.h>
+#include <holdfast/widgets/histogram_view.h>
+#include <holdfast/widgets/sphere_panel.h>
+
+#include "window_user.h"
+
+namespace holdfast {
+namespace {
+
+class PanelDocksOfBar : public test::WindowUser {
+ protected:
+  void SetUp() override
+  {
+    WindowUser::SetUp();
+    open("bar.obj", "bar.twist_90.constraints.json");
+  }
+
+  [[nodiscard]] Index residualsShown() { return charts().residualView().histogram().valueCount; }
+  [[nodiscard]] HistogramPanel& charts() { return find<HistogramPanel>("histogramPanel"); }
+};
+
+TEST_F(PanelDocksOfBar, OnlyPanelsInFrontFollowWhatIsShown)
+{
+  EXPECT_FALSE(charts().isVisible());
+  EXPECT_FALSE(find<SpherePanel>("spherePanel").isVisible());
+  EXPECT_EQ(residualsShown(), 0);
+
+  openPanel("Distributions");
+  EXPECT_TRUE(charts().isVisible());
+  const auto all = static_cast<Index>(list().constraints.size());
+  EXPECT_EQ(residualsShown(), all);
+
+  openPanel("Constraints");
+  EXPECT_FALSE(charts().isVisible());
+  editor().edit("delete", removed(list(), {0}));
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(residualsShown(), all) << "nobody looks";
+  openPanel("Distributions");
+  EXPECT_EQ(residualsShown(), all - 1);
+}
+
+TEST_F(PanelDocksOfBar, NothingMovesFromTabToTab)
+{
+  const QRect picture = viewport().geometry();
+  for (const char* const panel :
+       {"Colours", "Rotations", "Distributions", "Constraints", "Conflicts", "Mesh", "Solution", "Selected"}) {
+    openPanel(panel);
+    ASSERT_TRUE(settle());
+    EXPECT_EQ(viewport().geometry(), picture) << panel;
+  }
+}
+
+}  // namespace
+}  // namespace holdfast
