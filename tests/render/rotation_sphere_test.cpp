@@ -6,7 +6,8 @@
 #include <vtkActor2DCollection.h>
 #include <vtkCamera.h>
 #include <vtkMapper.h>
-#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
 #include <vtkRenderer.h>
 #include <vtkScalarsToColors.h>
 #include <vtkTextActor.h>
@@ -118,11 +119,14 @@ TEST(RotationSphere, PointsAreTheQuaternionsOfTheirVertices)
   const Sheet sheet;
   const Shown shown(sheet.model, sheet.deformation);
   ASSERT_EQ(shown.sphere.vertexOf().size(), 169);
+  ASSERT_EQ(shown.sphere.drawn().size(), 169);
+  auto& mapper = dynamic_cast<vtkPolyDataMapper&>(*shown.sphere.points().GetMapper());
   for (std::size_t k = 0; k < 169; ++k) {
     const Index unknown = sheet.model.solverMesh.weld.unknownOf[shown.sphere.vertexOf()[k]];
     // The plane of the axes is that of x and y here.
     const Eigen::Quaterniond rotation = rotationExp(sheet.deformation.rotations.row(unknown).transpose());
-    const Vector3 drawn(shown.sphere.places().GetPoint(static_cast<vtkIdType>(k)));
+    const Vector3 drawn(mapper.GetInput()->GetPoint(static_cast<vtkIdType>(k)));
+    EXPECT_EQ(drawn, shown.sphere.places()[k]);
     EXPECT_NEAR((drawn - Vector3(rotation.x(), rotation.y(), rotation.w())).norm(), 0, 1e-14) << k;
   }
 }

@@ -11,7 +11,6 @@
 #include <vtkDoubleArray.h>
 #include <vtkLookupTable.h>
 #include <vtkPointData.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
@@ -22,6 +21,7 @@
 #include <holdfast/view/display_transform.h>
 #include <holdfast/view/sphere_camera.h>
 #include <holdfast/view/sphere_shapes.h>
+#include <holdfast/view/thinned_places.h>
 
 namespace holdfast {
 namespace {
@@ -37,6 +37,10 @@ constexpr double kScaleTextPixels = 12;
 
 constexpr double kShellOpacity = 0.8;
 constexpr Color kPlainPoint{0.16, 0.38, 0.66};
+
+// In radii: points that are nearer to one another than a pixel of a sphere that is shown several times as large as the
+// panel hide one another.
+constexpr double kFinestCell = 1.0 / 4096;
 
 // Arcs between all of more rotations than this would cover the sphere.
 constexpr std::size_t kMostJoined = 12;
@@ -84,9 +88,6 @@ RotationSphere::RotationSphere(const Model& model) : pointOf_(model.mesh.vertexC
     unknownOf_.push_back(u);
   }
   for (std::size_t v = 0; v < pointOf_.size(); ++v) pointOf_[v] = pointOfUnknown[mesh.weld.unknownOf[v]];
-  places_->SetDataTypeToDouble();
-  pointData_->SetPoints(places_);
-  pointData_->SetVerts(singlePoints(static_cast<Index>(vertexOf_.size())));
   setData(*points_, *pointData_);
   setData(*balls_, *boundaryData_);
   setData(*arcs_, *arcData_);
@@ -113,8 +114,10 @@ RotationSphere::~RotationSphere()
 void RotationSphere::addTo(vtkRenderer& renderer)
 {
   renderer_ = &renderer;
-  for (vtkActor* const actor : {rings_.Get(), arcs_.Get(), points_.Get(), balls_.Get(), mark_.Get(), shell_.Get()})
+  for (vtkActor* const actor : {rings_.Get(), arcs_.Get(), points_.Get(), balls_.Get(), mark_.Get()})
     renderer.AddActor(actor);
+  // What is behind it is seen through it.
+  renderer.AddActor(shell_);
   renderer.GetActiveCamera()->ParallelProjectionOn();
   vtkNew<vtkCallbackCommand> beforeDrawing;
   beforeDrawing->SetClientData(this);
@@ -167,12 +170,14 @@ void RotationSphere::show(const Deformation& deformation)
 
 void RotationSphere::placePoints(const Deformation& deformation)
 {
-  places_->SetNumberOfPoints(static_cast<vtkIdType>(unknownOf_.size()));
-  for (std::size_t k = 0; k < unknownOf_.size(); ++k) {
-    const Vector3 place = spherePlace(frame_, deformation.rotations.row(unknownOf_[k]).transpose());
-    places_->SetPoint(static_cast<vtkIdType>(k), place.data());
-  }
-  places_->Modified();
+  places_.resize(unknownOf_.size());
+  for (std::size_t k = 0; k < unknownOf_.size(); ++k)
+    places_[k] = spherePlace(frame_, deformation.rotations.row(unknownOf_[k]).transpose());
+  drawn_ = thinnedPlaces(places_, kMostSpherePoints, kFinestCell);
+  std::vector<Vector3> drawn;
+  for (const Index point : drawn_) drawn.push_back(places_[point]);
+  setPoints(*pointData_, drawn);
+  colorPoints();
 }
 
 void RotationSphere::placeBoundary()
@@ -190,15 +195,21 @@ void RotationSphere::placeBoundary()
 
 void RotationSphere::setColoring(const std::optional<Coloring>& coloring)
 {
+  coloring_ = coloring;
+  colorPoints();
+}
+
+void RotationSphere::colorPoints()
+{
   vtkMapper& mapper = *points_->GetMapper();
-  mapper.SetScalarVisibility(coloring.has_value());
-  if (!coloring) return;
+  mapper.SetScalarVisibility(coloring_.has_value());
+  if (!coloring_) return;
   vtkNew<vtkDoubleArray> shares;
-  shares->SetNumberOfValues(static_cast<vtkIdType>(vertexOf_.size()));
-  for (std::size_t k = 0; k < vertexOf_.size(); ++k)
-    shares->SetValue(static_cast<vtkIdType>(k), shareOf(coloring->scale, coloring->values[vertexOf_[k]]));
+  shares->SetNumberOfValues(static_cast<vtkIdType>(drawn_.size()));
+  for (std::size_t k = 0; k < drawn_.size(); ++k)
+    shares->SetValue(static_cast<vtkIdType>(k), shareOf(coloring_->scale, coloring_->values[vertexOf_[drawn_[k]]]));
   pointData_->GetPointData()->SetScalars(shares);
-  mapper.SetLookupTable(toLookupTable(coloring->scale.map));
+  mapper.SetLookupTable(toLookupTable(coloring_->scale.map));
   mapper.UseLookupTableScalarRangeOn();
 }
 
@@ -219,8 +230,8 @@ std::optional<Vector3> RotationSphere::placeOf(Index vertex) const
 {
   if (vertex < 0 || vertex >= static_cast<Index>(pointOf_.size())) return std::nullopt;
   const Index point = pointOf_[vertex];
-  if (point < 0 || point >= places_->GetNumberOfPoints()) return std::nullopt;
-  return Vector3(places_->GetPoint(point));
+  if (point < 0 || point >= static_cast<Index>(places_.size())) return std::nullopt;
+  return places_[point];
 }
 
 vtkSmartPointer<vtkTextActor> RotationSphere::textAt(const std::string& text, const Vector3& place, double pixels) const
@@ -324,8 +335,8 @@ std::optional<Index> RotationSphere::pick(double displayX, double displayY) cons
   const double reach = std::pow(kSphereReach * look_.pixelRatio, 2);
   std::array<double, 2> least{reach, reach};
   std::array<std::optional<Index>, 2> found;
-  for (vtkIdType k = 0; k < places_->GetNumberOfPoints(); ++k) {
-    const Vector3 place(places_->GetPoint(k));
+  for (std::size_t k = 0; k < places_.size(); ++k) {
+    const Vector3& place = places_[k];
     const Vector3 seen = toDisplay(place);
     const double distance = std::pow(seen.x() - displayX, 2) + std::pow(seen.y() - displayY, 2);
     const std::size_t side = place.dot(forward) > 0 ? 1 : 0;

@@ -9,11 +9,11 @@
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
+#include <holdfast/view/blended_actor.h>
 #include <holdfast/view/coloring.h>
 #include <holdfast/view/rotation_projection.h>
 
 class vtkActor;
-class vtkPoints;
 class vtkPolyData;
 class vtkRenderer;
 class vtkTextActor;
@@ -28,6 +28,9 @@ struct SphereLook {
   Color mark{0.93, 0.38, 0.05};
   double pixelRatio = 1;  ///< pixels of the window for each of the picture: sizes are in the latter
 };
+
+/// Of more points, as many are drawn, spread evenly: they would hide one another. Each one is found by a click.
+inline constexpr Index kMostSpherePoints = 20'000;
 
 /// How near to a point a click must be, in pixels of the picture.
 inline constexpr double kSphereReach = 8;
@@ -68,8 +71,10 @@ class RotationSphere {
 
   /// The file vertex of each point, and where it is in the picture.
   [[nodiscard]] const std::vector<Index>& vertexOf() const noexcept { return vertexOf_; }
-  [[nodiscard]] vtkPoints& places() const { return *places_; }
-  /// What draws the points: its mapper colours them.
+  [[nodiscard]] const std::vector<Vector3>& places() const noexcept { return places_; }
+  /// Those that are drawn, ascending: all up to `kMostSpherePoints`.
+  [[nodiscard]] const std::vector<Index>& drawn() const noexcept { return drawn_; }
+  /// What draws them, in that order: its mapper colours them.
   [[nodiscard]] vtkActor& points() const { return *points_; }
 
  private:
@@ -77,6 +82,7 @@ class RotationSphere {
 
   void applyLook();
   void placePoints(const Deformation& deformation);
+  void colorPoints();
   void placeBoundary();
   void placeMark();
   void showScale();
@@ -90,18 +96,20 @@ class RotationSphere {
   std::vector<Index> vertexOf_;   // file vertex of each point
   std::vector<Index> unknownOf_;  // unknown of each point
   std::vector<Index> pointOf_;    // of each file vertex; -1 without one
+  std::vector<Vector3> places_;   // of each point; none before the first deformation
+  std::vector<Index> drawn_;      // of the points
+  std::optional<Coloring> coloring_;
   std::vector<BoundaryRotation> boundary_;
   SphereFrame frame_;
   SphereLook look_;
   std::optional<Index> marked_;
   vtkSmartPointer<vtkRenderer> renderer_;
   unsigned long observer_ = 0;
-  vtkNew<vtkPoints> places_;
   vtkNew<vtkPolyData> pointData_;
   vtkNew<vtkPolyData> boundaryData_;
   vtkNew<vtkPolyData> arcData_;
   vtkNew<vtkPolyData> markData_;
-  vtkNew<vtkActor> shell_;
+  vtkNew<BlendedActor> shell_;
   vtkNew<vtkActor> rings_;
   vtkNew<vtkActor> points_;
   vtkNew<vtkActor> balls_;

@@ -36,6 +36,14 @@ Vector3 onSphere(double fromPole, double azimuth)
   return {std::sin(fromPole) * std::cos(azimuth), std::sin(fromPole) * std::sin(azimuth), std::cos(fromPole)};
 }
 
+vtkSmartPointer<vtkCellArray> singlePoints(Index count)
+{
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->AllocateExact(count, count);
+  for (vtkIdType k = 0; k < count; ++k) cells->InsertNextCell({k});
+  return cells;
+}
+
 }  // namespace
 
 vtkSmartPointer<vtkPolyData> sphereShell()
@@ -95,18 +103,12 @@ std::vector<RingName> ringNames()
   return names;
 }
 
-vtkSmartPointer<vtkCellArray> singlePoints(Index count)
-{
-  auto cells = vtkSmartPointer<vtkCellArray>::New();
-  cells->AllocateExact(count, count);
-  for (vtkIdType k = 0; k < count; ++k) cells->InsertNextCell({k});
-  return cells;
-}
-
 void setPoints(vtkPolyData& data, const std::vector<Vector3>& places)
 {
   vtkNew<vtkPoints> points;
-  for (const Vector3& place : places) points->InsertNextPoint(place.data());
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(places.size()));
+  for (std::size_t k = 0; k < places.size(); ++k) points->SetPoint(static_cast<vtkIdType>(k), places[k].data());
   data.SetPoints(points);
   data.SetVerts(singlePoints(static_cast<Index>(places.size())));
 }

@@ -10,7 +10,6 @@
 #include <holdfast/base/types.h>
 #include <holdfast/view/color_map.h>
 
-class vtkCellArray;
 class vtkPolyData;
 
 namespace holdfast {
@@ -28,9 +27,6 @@ struct RingName {
 [[nodiscard]] vtkSmartPointer<vtkPolyData> sphereRings();
 
 [[nodiscard]] std::vector<RingName> ringNames();
-
-/// Cells that draw each of `count` points.
-[[nodiscard]] vtkSmartPointer<vtkCellArray> singlePoints(Index count);
 
 /// Puts points, or lines through points, in the place of what `data` holds.
 void setPoints(vtkPolyData& data, const std::vector<Vector3>& places);
