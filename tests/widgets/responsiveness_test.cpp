@@ -49,6 +49,12 @@ class Responsiveness : public test::WindowUser {
  protected:
   using Phase = std::function<void()>;
 
+  void SetUp() override
+  {
+    window.warmUp();
+    WindowUser::SetUp();
+  }
+
   void whileADocumentIsOpened()
   {
     auto prepared = document();

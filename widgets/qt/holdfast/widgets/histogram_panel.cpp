@@ -80,6 +80,11 @@ HistogramPanel::Page HistogramPanel::makePage(const QString& name)
   return page;
 }
 
+void HistogramPanel::warmUp()
+{
+  for (const Page* const page : {&residuals_, &angles_}) page->view->warmUp();
+}
+
 void HistogramPanel::becomeStale()
 {
   isStale_ = true;

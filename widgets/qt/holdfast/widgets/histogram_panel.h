@@ -23,6 +23,8 @@ class HistogramPanel : public QWidget {
  public:
   explicit HistogramPanel(Editor& editor, QWidget* parent = nullptr);
 
+  void warmUp();
+
   [[nodiscard]] HistogramView& residualView() const { return *residuals_.view; }
   [[nodiscard]] HistogramView& angleView() const { return *angles_.view; }
 

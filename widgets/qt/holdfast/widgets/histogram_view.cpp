@@ -127,6 +127,15 @@ void HistogramView::setHistogram(const Histogram& histogram, const ChartTexts& t
   rebuild();
 }
 
+void HistogramView::warmUp()
+{
+  ChartTexts texts;
+  texts.valueAxis = texts.countAxis = "0";
+  setHistogram({Scaling::Linear, {0, 1, 2}, {1, 2}, 3, 0}, texts, 1.0);
+  view_->grabFramebuffer();
+  setHistogram({}, {}, std::nullopt);
+}
+
 void HistogramView::rebuild()
 {
   const PictureColors colors = pictureColors(palette());

@@ -41,6 +41,9 @@ class HistogramView : public QWidget {
   /// `marked`: a value with a dashed line at it.
   void setHistogram(const Histogram& histogram, const ChartTexts& texts, std::optional<double> marked);
 
+  /// Draws an example that nobody sees: `PanelDocks::warmUp`. The chart is empty afterwards.
+  void warmUp();
+
   [[nodiscard]] const Histogram& histogram() const noexcept { return histogram_; }
   /// The bar at a place in the chart (Qt's coordinates of `chartView`); none where there is no column or an empty one.
   [[nodiscard]] std::optional<Index> barAt(const QPointF& place) const;

@@ -164,6 +164,13 @@ void MainWindow::showContextMenu(const QPoint& place)
   menu.exec(viewport_->mapToGlobal(place));
 }
 
+void MainWindow::warmUp()
+{
+  // What the panels draw in shares its memory with the window's.
+  static_cast<void>(winId());
+  panels_->warmUp();
+}
+
 void MainWindow::showEvent(QShowEvent* event)
 {
   QMainWindow::showEvent(event);

@@ -32,6 +32,9 @@ class MainWindow : public QMainWindow {
   MainWindow();
   ~MainWindow() override;
 
+  /// Before the window is shown, so that panels answer at once when they are opened: `PanelDocks::warmUp`.
+  void warmUp();
+
   [[nodiscard]] Editor& editor() { return editor_; }
   [[nodiscard]] Viewport& viewport() { return *viewport_; }
   [[nodiscard]] GizmoTool& gizmo() { return *gizmo_; }

@@ -54,12 +54,12 @@ PanelDocks::PanelDocks(Editor& editor, Viewport& viewport, QMainWindow& window)
     : QObject(&window), editor_(editor), viewport_(viewport), window_(window)
 {
   auto* constraints = new ConstraintPanel(editor, &window);
-  auto* sphere = new SpherePanel(editor, &window);
-  auto* histograms = new HistogramPanel(editor, &window);
+  sphere_ = new SpherePanel(editor, &window);
+  histograms_ = new HistogramPanel(editor, &window);
   auto* findings = new FindingsPanel(editor, &window);
   colors_ = new ColorPanel(editor, &window);
   upper_ = {add(tr("Constraints"), "constraintsDock", constraints), add(tr("Colours"), "colorsDock", colors_),
-            add(tr("Rotations"), "sphereDock", sphere), add(tr("Distributions"), "histogramDock", histograms)};
+            add(tr("Rotations"), "sphereDock", sphere_), add(tr("Distributions"), "histogramDock", histograms_)};
   conflicts_ = add(tr("Conflicts"), "conflictsDock", new ConflictPanel(editor, &window));
   lower_ = {add(tr("Selected"), "inspectorDock", new InspectorPanel(editor, &window)), conflicts_,
             add(tr("Mesh"), "findingsDock", findings),
@@ -69,24 +69,24 @@ PanelDocks::PanelDocks(Editor& editor, Viewport& viewport, QMainWindow& window)
   connect(constraints, &ConstraintPanel::activated, &viewport_, [this](Index k) { viewport_.frameConstraints({k}); });
   connect(colors_, &ColorPanel::settingsChanged, &viewport_, &Viewport::setColors);
   connect(colors_, &ColorPanel::displaySettingsChanged, &viewport_, &Viewport::setDisplay);
-  connect(&viewport_, &Viewport::coloringChanged, sphere, &SpherePanel::setColoring);
+  connect(&viewport_, &Viewport::coloringChanged, sphere_, &SpherePanel::setColoring);
   connect(&viewport_, &Viewport::coloringChanged, colors_, [this](const std::optional<Coloring>& coloring) {
     colors_->setShownScale(coloring ? std::optional(coloring->scale) : std::nullopt);
   });
-  connect(&viewport_, &Viewport::previewChanged, sphere, [this, sphere](const std::optional<SurfacePick>& pick) {
-    sphere->showVertex(nearestVertex(pick, *editor_.model()));
+  connect(&viewport_, &Viewport::previewChanged, sphere_, [this](const std::optional<SurfacePick>& pick) {
+    sphere_->showVertex(nearestVertex(pick, *editor_.model()));
   });
-  connect(sphere, &SpherePanel::vertexPicked, &editor_, [this](Index vertex) { editor_.selectVertices({vertex}); });
-  connect(&editor_, &Editor::vertexSelectionChanged, sphere, [this, sphere] {
+  connect(sphere_, &SpherePanel::vertexPicked, &editor_, [this](Index vertex) { editor_.selectVertices({vertex}); });
+  connect(&editor_, &Editor::vertexSelectionChanged, sphere_, [this] {
     const auto& selected = editor_.selectedVertices();
-    sphere->showVertex(selected.size() == 1 ? std::optional(selected.front()) : std::nullopt);
+    sphere_->showVertex(selected.size() == 1 ? std::optional(selected.front()) : std::nullopt);
   });
-  connect(histograms, &HistogramPanel::constraintsPicked, &editor_, &Editor::selectConstraints);
+  connect(histograms_, &HistogramPanel::constraintsPicked, &editor_, &Editor::selectConstraints);
   const auto showVertices = [this](const std::vector<Index>& vertices) {
     editor_.selectVertices(vertices);
     viewport_.frameVertices(vertices);
   };
-  connect(histograms, &HistogramPanel::verticesPicked, &editor_,
+  connect(histograms_, &HistogramPanel::verticesPicked, &editor_,
           [this](const std::vector<Index>& vertices) { editor_.selectVertices(vertices); });
   connect(findings, &FindingsPanel::showVertices, &viewport_, showVertices);
   for (const auto& signal : {&Editor::opened, &Editor::deformed})
@@ -114,6 +114,12 @@ void PanelDocks::arrange()
     for (int k = 1; k < stack->size(); ++k) window_.tabifyDockWidget((*stack)[k - 1], (*stack)[k]);
     stack->front()->raise();
   }
+}
+
+void PanelDocks::warmUp()
+{
+  sphere_->warmUp();
+  histograms_->warmUp();
 }
 
 void PanelDocks::share(const QSize& size)

@@ -13,6 +13,8 @@ class QMenu;
 namespace holdfast {
 
 class ColorPanel;
+class HistogramPanel;
+class SpherePanel;
 class Viewport;
 
 /// Two stacks of tabs at the right: what there is and how it is shown, and what became of it.
@@ -24,6 +26,10 @@ class PanelDocks : public QObject {
 
   /// An entry for each panel, to show and to hide it.
   void fillMenu(QMenu& menu) const;
+
+  /// Compiles the shaders of panels that draw: without a GPU this takes some tenths of a second, in which nobody waits
+  /// as long as the window is not on the screen. Without it their first pictures take as long.
+  void warmUp();
 
   /// Gives the panels their parts of a window of this size, which is shown.
   void share(const QSize& size);
@@ -40,6 +46,8 @@ class PanelDocks : public QObject {
   Viewport& viewport_;
   QMainWindow& window_;
   ColorPanel* colors_ = nullptr;
+  SpherePanel* sphere_ = nullptr;
+  HistogramPanel* histograms_ = nullptr;
   QDockWidget* conflicts_ = nullptr;
   QList<QDockWidget*> upper_;
   QList<QDockWidget*> lower_;

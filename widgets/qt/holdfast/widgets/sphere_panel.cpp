@@ -16,6 +16,7 @@
 
 #include <QVTKOpenGLNativeWidget.h>
 #include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkNew.h>
 #include <vtkRenderer.h>
 
 #include <holdfast/rotation/rotation_log.h>
@@ -99,6 +100,26 @@ void SpherePanel::begin()
   marked_.reset();
   isFitted_ = false;
   becomeStale();
+}
+
+void SpherePanel::warmUp()
+{
+  Mesh triangle;
+  triangle.positions = Eigen::Matrix3d::Identity();
+  triangle.faces.add({0, 1, 2});
+  const Model model = makeModel(triangle, "example");
+  Deformation atRest;
+  atRest.rotations = Columns3::Zero(model.solverMesh.unknownCount(), 3);
+  vtkNew<vtkRenderer> renderer;
+  view_->renderWindow()->AddRenderer(renderer);
+  RotationSphere sphere(model);
+  sphere.addTo(*renderer);
+  sphere.show(atRest);
+  for (const auto& coloring : {std::optional<Coloring>(), std::optional(Coloring{{0, 0, 0}, {}})}) {
+    sphere.setColoring(coloring);
+    view_->grabFramebuffer();
+  }
+  view_->renderWindow()->RemoveRenderer(renderer);
 }
 
 void SpherePanel::makeSphere()

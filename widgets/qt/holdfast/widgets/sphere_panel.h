@@ -30,6 +30,9 @@ class SpherePanel : public QWidget {
   explicit SpherePanel(Editor& editor, QWidget* parent = nullptr);
   ~SpherePanel() override;
 
+  /// Draws an example that nobody sees: `PanelDocks::warmUp`. Before a document is opened.
+  void warmUp();
+
   /// What is shown; null before there is a rotation to show.
   [[nodiscard]] const RotationSphere* sphere() const { return sphere_.get(); }
 
