@@ -1,6 +1,10 @@
+#include <QVTKOpenGLNativeWidget.h>
 #include <gtest/gtest.h>
+#include <vtkRenderWindow.h>
+#include <vtkRendererCollection.h>
 
 #include <holdfast/document/list_edits.h>
+#include <holdfast/view/rotation_sphere.h>
 #include <holdfast/widgets/histogram_panel.h>
 #include <holdfast/widgets/histogram_view.h>
 #include <holdfast/widgets/sphere_panel.h>
@@ -51,6 +55,30 @@ TEST_F(PanelDocksOfBar, NothingMovesFromTabToTab)
     ASSERT_TRUE(settle());
     EXPECT_EQ(viewport().geometry(), picture) << panel;
   }
+}
+
+class WarmedUpPanels : public PanelDocksOfBar {
+ protected:
+  void SetUp() override
+  {
+    window.warmUp();
+    EXPECT_EQ(residualsShown(), 0) << "of the example";
+    EXPECT_EQ(sphere().sphere(), nullptr);
+    PanelDocksOfBar::SetUp();
+  }
+
+  [[nodiscard]] SpherePanel& sphere() { return find<SpherePanel>("spherePanel"); }
+};
+
+TEST_F(WarmedUpPanels, KeepNothingOfTheExample)
+{
+  openPanel("Distributions");
+  EXPECT_EQ(residualsShown(), static_cast<Index>(list().constraints.size()));
+  openPanel("Rotations");
+  ASSERT_NE(sphere().sphere(), nullptr);
+  EXPECT_GT(sphere().sphere()->vertexOf().size(), 3000u);
+  auto& view = find<QVTKOpenGLNativeWidget>("sphereView");
+  EXPECT_EQ(view.renderWindow()->GetRenderers()->GetNumberOfItems(), 1);
 }
 
 }  // namespace
