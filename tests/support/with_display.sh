@@ -3,13 +3,20 @@
 #   with_display.sh COMMAND [ARGUMENT...]
 # HOLDFAST_SCREEN is the size of its screen, 1280x1024 where it is not set.
 # The server picks a free number itself and tells it once it listens, so two of these never meet on one display; it
-# is ended by its own pid, and by the kernel should this script be killed.
+# is ended by its own pid, by force where it does not listen, and by the kernel should this script be killed.
 set -u
 
 log=$(mktemp)
 exec {number}< <(exec setpriv --pdeathsig TERM Xvfb -displayfd 1 -screen 0 "${HOLDFAST_SCREEN:-1280x1024}x24" -noreset -nolisten tcp 2>"$log")
 server=$!
-trap 'kill "$server" 2>/dev/null; wait "$server" 2>/dev/null; rm -f "$log"' EXIT
+
+end_server() {
+  rm -f "$log"
+  kill "$server" 2>/dev/null
+  timeout 5 tail --pid="$server" --sleep-interval=0.01 -f /dev/null || kill -KILL "$server"
+  wait "$server" 2>/dev/null
+}
+trap end_server EXIT
 
 if ! read -r -t 60 -u "$number" display; then
   echo "error: the X server of the tests (Xvfb, package xvfb) did not start:" >&2

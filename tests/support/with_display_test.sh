@@ -50,4 +50,16 @@ expect "whether the server outlives its command (1: no)" 1 $?
 # The kernel's signal comes at its own time: a server that stays is a time-out of the test.
 while is_running "$(cat "$folder/killed")"; do :; done
 
+# A server that does not listen does not keep its test from ending.
+mkdir "$folder/bin"
+cat >"$folder/bin/Xvfb" <<'END'
+#!/usr/bin/env bash
+trap '' TERM
+echo 999
+exec sleep 600
+END
+chmod +x "$folder/bin/Xvfb"
+PATH=$folder/bin:$PATH timeout --signal=KILL 60 "$with_display" true 2>/dev/null
+expect "exit code where the server does not listen" 0 $?
+
 exit "$failures"
