@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <exception>
 #include <thread>
 #include <utility>
 
@@ -61,13 +62,16 @@ void BackgroundJob::start(Work work)
         if (current_ != nullptr && current_ == weak.lock()) Q_EMIT stageChanged(stage);
       });
     });
+    std::exception_ptr error;
     try {
       told_.post([this, weak, result = work(progress)] { finish(weak.lock(), result); });
     } catch (const Cancelled&) {
       told_.post([this, weak] { end(weak.lock()); });
     } catch (...) {
-      told_.post([this, weak, error = std::current_exception()] { fail(weak.lock(), error); });
+      error = std::current_exception();
     }
+    // Handed over whole: who reads it is who lets it go.
+    if (error) told_.post([this, weak, error = std::move(error)] { fail(weak.lock(), error); });
     run->hasEnded = true;
   });
   Q_EMIT started();
