@@ -80,7 +80,7 @@ class Responsiveness : public test::WindowUser {
 
   void whileNothingIsDone()
   {
-    measure("idle", [this] { moveAlong(std::vector<QPointF>(100, QPointF(2, 2)), Qt::NoButton); });
+    measure("idle", [this] { restTheHand(100); });
   }
 
   void whileAnEditIsSolved()
@@ -174,7 +174,10 @@ class Responsiveness : public test::WindowUser {
     editor().edit("turn", added(list(), std::move(turned)));
     ASSERT_TRUE(settle());
     for (const char* const panel : {"Colours", "Rotations", "Distributions", "Mesh", "Solution", "Constraints"})
-      measure((std::string("opening the panel ") + panel).c_str(), [&] { openPanel(panel); });
+      measure((std::string("opening the panel ") + panel).c_str(), [&] {
+        openPanel(panel);
+        restTheHand(30);  // what the panel draws comes after it was opened
+      });
     editor().undo();
     ASSERT_TRUE(settle());
   }
@@ -278,6 +281,8 @@ class Responsiveness : public test::WindowUser {
     }
     return way;
   }
+
+  void restTheHand(std::size_t moves) { moveAlong(std::vector<QPointF>(moves, QPointF(2, 2)), Qt::NoButton); }
 
   void moveWith(Qt::MouseButton button, const std::vector<QPointF>& way)
   {
