@@ -65,10 +65,10 @@ struct Bar {
 
 /// A sphere in a window, with a deformation.
 struct Shown {
-  Shown(const Model& model, const Deformation& deformation) : sphere(model)
+  Shown(const Model& model, const Deformation& deformation)
   {
     sphere.addTo(window.renderer());
-    sphere.show(deformation);
+    sphere.show(placeRotations(model, deformation, nullptr));
     sphere.setColoring(coloringOf(model, deformation, ColorBy::Angle, ""));
     sphere.fitCamera();
     hideTexts();
@@ -118,15 +118,15 @@ TEST(RotationSphere, PointsAreTheQuaternionsOfTheirVertices)
 {
   const Sheet sheet;
   const Shown shown(sheet.model, sheet.deformation);
-  ASSERT_EQ(shown.sphere.vertexOf().size(), 169);
-  ASSERT_EQ(shown.sphere.drawn().size(), 169);
+  ASSERT_EQ(shown.sphere.placed().vertices->vertexOf.size(), 169);
+  ASSERT_EQ(shown.sphere.placed().drawn.size(), 169);
   auto& mapper = dynamic_cast<vtkPolyDataMapper&>(*shown.sphere.points().GetMapper());
   for (std::size_t k = 0; k < 169; ++k) {
-    const Index unknown = sheet.model.solverMesh.weld.unknownOf[shown.sphere.vertexOf()[k]];
+    const Index unknown = sheet.model.solverMesh.weld.unknownOf[shown.sphere.placed().vertices->vertexOf[k]];
     // The plane of the axes is that of x and y here.
     const Eigen::Quaterniond rotation = rotationExp(sheet.deformation.rotations.row(unknown).transpose());
     const Vector3 drawn(mapper.GetInput()->GetPoint(static_cast<vtkIdType>(k)));
-    EXPECT_EQ(drawn, shown.sphere.places()[k]);
+    EXPECT_EQ(drawn, shown.sphere.placed().places[k]);
     EXPECT_NEAR((drawn - Vector3(rotation.x(), rotation.y(), rotation.w())).norm(), 0, 1e-14) << k;
   }
 }
@@ -172,15 +172,16 @@ TEST(RotationSphere, NothingIsPickedBesideThePoints)
   EXPECT_FALSE(shown.sphere.pick(2, 2));
 }
 
-TEST(RotationSphere, VerticesThatNoFaceUsesHaveNoPoint)
+TEST(RotationSphere, NothingIsThereBeforeTheFirstRotations)
 {
-  Mesh mesh = test::grid(2, 2);
-  mesh.positions.conservativeResize(10, 3);
-  mesh.positions.row(9) = Eigen::RowVector3d(5, 5, 5);
-  const Model model = makeModel(mesh, "grid");
-  const RotationSphere sphere(model);
-  EXPECT_EQ(sphere.vertexOf().size(), 9);
-  EXPECT_FALSE(sphere.displayPlace(9));
+  test::OffscreenWindow window{kSphereSize};
+  RotationSphere sphere;
+  sphere.addTo(window.renderer());
+  sphere.mark(0);
+  (void)window.drawn();
+  EXPECT_FALSE(sphere.displayPlace(0));
+  EXPECT_FALSE(sphere.pick(kSphereSize.width / 2.0, kSphereSize.height / 2.0));
+  EXPECT_TRUE(sphere.placed().places.empty());
 }
 
 // What the comparison must not let pass.

@@ -75,8 +75,9 @@ TEST_F(WarmedUpPanels, KeepNothingOfTheExample)
   openPanel("Distributions");
   EXPECT_EQ(residualsShown(), static_cast<Index>(list().constraints.size()));
   openPanel("Rotations");
+  ASSERT_TRUE(test::waitUntil([&] { return sphere().isCurrent(); }));
   ASSERT_NE(sphere().sphere(), nullptr);
-  EXPECT_GT(sphere().sphere()->vertexOf().size(), 3000u);
+  EXPECT_GT(sphere().sphere()->placed().places.size(), 3000u);
   auto& view = find<QVTKOpenGLNativeWidget>("sphereView");
   EXPECT_EQ(view.renderWindow()->GetRenderers()->GetNumberOfItems(), 1);
 }

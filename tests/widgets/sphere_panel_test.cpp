@@ -8,6 +8,7 @@
 #include <vtkRendererCollection.h>
 
 #include <holdfast/constraints/constraint_file.h>
+#include <holdfast/rotation/rotation_log.h>
 #include <holdfast/view/rotation_sphere.h>
 #include <holdfast/widgets/sphere_panel.h>
 
@@ -25,6 +26,7 @@ class SpherePanelOfPlate : public ::testing::Test {
     open("plate_unsymmetric.three_handles.constraints.json");
     panel.resize(480, 420);
     ASSERT_TRUE(test::showAndWait(panel));
+    ASSERT_TRUE(isShown());
   }
 
   void open(const std::string& constraints)
@@ -33,6 +35,11 @@ class SpherePanelOfPlate : public ::testing::Test {
     NoProgress quiet;
     editor.open(loadMesh(path, quiet), {readConstraints(test::dataFolder() + "/" + constraints), {}});
     ASSERT_TRUE(test::waitUntil([&] { return editor.freshness() == Freshness::Current; }));
+  }
+
+  [[nodiscard]] bool isShown() const
+  {
+    return test::waitUntil([&] { return panel.isCurrent(); });
   }
 
   [[nodiscard]] QVTKOpenGLNativeWidget& view() const { return *panel.findChild<QVTKOpenGLNativeWidget*>("sphereView"); }
@@ -103,6 +110,7 @@ TEST_F(SpherePanelOfPlate, WithoutARotationTheHintSaysWhatToDo)
   const auto* hint = panel.findChild<QLabel*>("sphereHint");
   EXPECT_FALSE(hint->isVisible());
   open("plate_unsymmetric.conflict.constraints.json");
+  ASSERT_TRUE(isShown());
   EXPECT_TRUE(hint->isVisible());
   EXPECT_TRUE(hint->text().contains("turn"));
   editor.close();
@@ -115,20 +123,60 @@ TEST_F(SpherePanelOfPlate, ColorsOfAnotherMeshAreNotTaken)
   panel.setColoring(Coloring{{1, 2, 3}, {}});
   panel.showVertex(Index{1'000'000});
   panel.showVertex(std::nullopt);
-  EXPECT_TRUE(panel.sphere()->isTurning());
+  EXPECT_TRUE(hasRotation(panel.sphere()->placed().boundary));
 }
 
 TEST_F(SpherePanelOfPlate, HiddenItIsNotKeptUpToDate)
 {
   panel.hide();
-  const std::size_t before = panel.sphere()->boundary().size();
+  const std::size_t before = panel.sphere()->placed().boundary.size();
   ConstraintList fewer = editor.list();
   fewer.constraints.pop_back();
   editor.edit("delete", fewer);
   ASSERT_TRUE(test::waitUntil([&] { return editor.freshness() == Freshness::Current; }));
-  EXPECT_EQ(panel.sphere()->boundary().size(), before);
+  EXPECT_EQ(panel.sphere()->placed().boundary.size(), before);
   panel.show();
-  EXPECT_LT(panel.sphere()->boundary().size(), before);
+  ASSERT_TRUE(isShown());
+  EXPECT_LT(panel.sphere()->placed().boundary.size(), before);
+}
+
+TEST_F(SpherePanelOfPlate, OfManyChangesTheLastIsShown)
+{
+  ConstraintList turning = editor.list();
+  for (int degrees = 1; degrees <= 12; ++degrees) {
+    const auto before = editor.deformation();
+    for (Constraint& constraint : turning.constraints)
+      if (auto* const moved = std::get_if<Handle>(&constraint.what))
+        moved->motion = Turn{{0, 0, 1}, 10.0 * degrees, {}};
+    editor.edit("turn", turning);
+    ASSERT_TRUE(test::waitUntil([&] { return editor.deformation() != before; }));
+  }
+  ASSERT_TRUE(test::waitUntil([&] { return editor.freshness() == Freshness::Current; }));
+  ASSERT_TRUE(isShown());
+  const PlacedRotations& placed = panel.sphere()->placed();
+  for (const BoundaryRotation& value : placed.boundary)
+    EXPECT_NEAR(angleDegrees(value.q), value.q.isZero(0) ? 0 : 120, 1e-12);
+  const auto expected = placeRotations(*editor.model(), *editor.deformation(), nullptr);
+  ASSERT_EQ(placed.places.size(), expected->places.size());
+  for (std::size_t k = 0; k < placed.places.size(); ++k) EXPECT_EQ(placed.places[k].z(), expected->places[k].z()) << k;
+}
+
+TEST_F(SpherePanelOfPlate, AnotherDocumentTakesThePlaceOfWhatIsBeingPlaced)
+{
+  const std::size_t prescribed = panel.sphere()->placed().boundary.size();
+  std::optional<bool> isCurrent;
+  QObject::connect(&editor, &Editor::deformed, &panel, [&] { isCurrent = panel.isCurrent(); });
+  ConstraintList fewer = editor.list();
+  fewer.constraints.pop_back();
+  editor.edit("delete", fewer);
+  ASSERT_TRUE(test::waitUntil([&] { return isCurrent.has_value(); }));
+  EXPECT_FALSE(*isCurrent) << "nobody waits for points";
+  editor.close();
+  EXPECT_TRUE(panel.isCurrent());
+  EXPECT_EQ(panel.sphere(), nullptr);
+  open("plate_unsymmetric.three_handles.constraints.json");
+  ASSERT_TRUE(isShown());
+  EXPECT_EQ(panel.sphere()->placed().boundary.size(), prescribed);
 }
 
 }  // namespace

@@ -22,6 +22,7 @@
 #include <holdfast/rotation/rotation_log.h>
 #include <holdfast/view/rotation_sphere.h>
 #include <holdfast/view/sphere_camera.h>
+#include <holdfast/widgets/background_job.h>
 #include <holdfast/widgets/number_words.h>
 #include <holdfast/widgets/render_request.h>
 #include <holdfast/widgets/vtk_palette.h>
@@ -34,6 +35,7 @@ constexpr double kRadiansAcrossHalf = 1.6;
 constexpr double kKeyPixels = 20;
 constexpr double kZoomPerStep = 1.2;
 constexpr double kWheelStep = 120;  // eighths of a degree, by Qt's definition
+
 double largestDegrees(const std::vector<BoundaryRotation>& boundary)
 {
   double largest = 0;
@@ -85,7 +87,8 @@ SpherePanel::SpherePanel(Editor& editor, QWidget* parent) : QWidget(parent), edi
 
   connect(fitButton, &QToolButton::clicked, this, &SpherePanel::fit);
   connect(&editor_, &Editor::opened, this, &SpherePanel::begin);
-  connect(&editor_, &Editor::deformed, this, &SpherePanel::becomeStale);
+  placing_ = new BackgroundJob(this);
+  connect(&editor_, &Editor::deformed, this, &SpherePanel::follow);
   begin();
 }
 
@@ -93,13 +96,17 @@ SpherePanel::~SpherePanel() = default;
 
 void SpherePanel::begin()
 {
+  placing_->cancel();
   if (renderer_) view_->renderWindow()->RemoveRenderer(renderer_);
   sphere_.reset();
   renderer_ = nullptr;
+  shown_.reset();
+  placed_.reset();
   coloring_.reset();
   marked_.reset();
   isFitted_ = false;
-  becomeStale();
+  showHint();
+  follow();
 }
 
 void SpherePanel::warmUp()
@@ -112,9 +119,9 @@ void SpherePanel::warmUp()
   atRest.rotations = Columns3::Zero(model.solverMesh.unknownCount(), 3);
   vtkNew<vtkRenderer> renderer;
   view_->renderWindow()->AddRenderer(renderer);
-  RotationSphere sphere(model);
+  RotationSphere sphere;
   sphere.addTo(*renderer);
-  sphere.show(atRest);
+  sphere.show(placeRotations(model, atRest, nullptr));
   for (const auto& coloring : {std::optional<Coloring>(), std::optional(Coloring{{0, 0, 0}, {}})}) {
     sphere.setColoring(coloring);
     view_->grabFramebuffer();
@@ -126,43 +133,54 @@ void SpherePanel::makeSphere()
 {
   renderer_ = vtkSmartPointer<vtkRenderer>::New();
   view_->renderWindow()->AddRenderer(renderer_);
-  sphere_ = std::make_unique<RotationSphere>(*editor_.model());
+  sphere_ = std::make_unique<RotationSphere>();
   sphere_->addTo(*renderer_);
   sphere_->mark(marked_);
   applyPalette();
 }
 
-void SpherePanel::becomeStale()
+void SpherePanel::follow()
 {
-  isStale_ = true;
-  if (isVisible()) refresh();
+  if (isVisible() && !isCurrent() && !placing_->isRunning()) place();
 }
 
-bool SpherePanel::isTurning() const
+void SpherePanel::place()
 {
-  return editor_.deformation() && hasRotation(boundaryRotations(*editor_.deformation()));
+  // Whether anything turns is not known yet.
+  if (!placed_) hint_->clear();
+  placing_->start([this, model = editor_.model(), deformation = editor_.deformation(), before = placed_,
+                   coloring = coloring_](Progress&) -> BackgroundJob::Finish {
+    return [this, deformation, coloring, placed = placeRotations(*model, *deformation, before)] {
+      shown_ = deformation;
+      placed_ = placed;
+      if (hasRotation(placed->boundary))
+        showPoints(isCurrent() ? coloring_ : coloring);
+      else
+        showHint();
+      // What came meanwhile.
+      follow();
+    };
+  });
 }
 
-void SpherePanel::refresh()
+void SpherePanel::showHint()
 {
-  isStale_ = false;
   hint_->setText(editor_.isOpen() ? tr("No rotation yet: give a handle a turn.") : tr("No mesh is open."));
-  const bool hasPoints = isTurning();
-  if (hasPoints) refreshPoints();
-  pages_->setCurrentIndex(hasPoints ? 1 : 0);
+  pages_->setCurrentIndex(0);
 }
 
-void SpherePanel::refreshPoints()
+void SpherePanel::showPoints(const std::optional<Coloring>& coloring)
 {
   if (!sphere_) makeSphere();
-  sphere_->show(*editor_.deformation());
-  sphere_->setColoring(coloring_);
+  sphere_->show(placed_);
+  sphere_->setColoring(coloring);
   if (!isFitted_) sphere_->fitCamera();
   isFitted_ = true;
   summary_->setText(tr("Prescribed rotations: %1, largest %2°")
-                        .arg(sphere_->boundary().size())
-                        .arg(roundedText(largestDegrees(sphere_->boundary()))));
+                        .arg(placed_->boundary.size())
+                        .arg(roundedText(largestDegrees(placed_->boundary))));
   summary_->setToolTip(tr("A point for each vertex: half its angle from the pole, towards its axis"));
+  pages_->setCurrentIndex(1);
   redraw();
 }
 
@@ -184,7 +202,8 @@ void SpherePanel::setColoring(const std::optional<Coloring>& coloring)
   const bool fits = coloring && editor_.isOpen() &&
                     static_cast<Index>(coloring->values.size()) == editor_.model()->mesh.vertexCount();
   coloring_ = fits ? coloring : std::nullopt;
-  if (!sphere_) return;
+  // Values of a deformation are shown with its points.
+  if (!sphere_ || !isCurrent()) return;
   sphere_->setColoring(coloring_);
   redraw();
 }
@@ -227,9 +246,9 @@ std::optional<Index> SpherePanel::vertexAt(const QPointF& place) const
 void SpherePanel::showTip(const QPoint& place)
 {
   const auto vertex = vertexAt(place);
-  if (!vertex || !editor_.deformation()) return QToolTip::hideText();
+  if (!vertex) return QToolTip::hideText();
   const Index unknown = editor_.model()->solverMesh.weld.unknownOf[*vertex];
-  const Vector3 q = editor_.deformation()->rotations.row(unknown).transpose();
+  const Vector3 q = shown_->rotations.row(unknown).transpose();
   QString text = tr("vertex %1: %2°").arg(*vertex).arg(roundedText(angleDegrees(q)));
   if (const double length = q.norm(); length > 0)
     text += tr(" about (%1, %2, %3)")
@@ -324,7 +343,7 @@ void SpherePanel::showEvent(QShowEvent* event)
 {
   QWidget::showEvent(event);
   applyPalette();
-  if (isStale_) refresh();
+  follow();
 }
 
 void SpherePanel::changeEvent(QEvent* event)

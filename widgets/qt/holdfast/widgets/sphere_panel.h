@@ -18,11 +18,14 @@ class vtkRenderer;
 
 namespace holdfast {
 
+class BackgroundJob;
 class RenderRequest;
 class RotationSphere;
+struct PlacedRotations;
 
 /// The rotations of the editor's deformation. A drag turns the sphere, the wheel zooms, a click picks a vertex, a
-/// double click shows everything; arrow keys, plus, minus and Home do the same. Draws only while it is visible.
+/// double click shows everything; arrow keys, plus, minus and Home do the same. Follows only while it is visible;
+/// points are placed in the background, and shown all at once.
 class SpherePanel : public QWidget {
   Q_OBJECT
 
@@ -35,6 +38,8 @@ class SpherePanel : public QWidget {
 
   /// What is shown; null before there is a rotation to show.
   [[nodiscard]] const RotationSphere* sphere() const { return sphere_.get(); }
+  /// Whether that is the editor's newest deformation.
+  [[nodiscard]] bool isCurrent() const { return shown_ == editor_.deformation(); }
 
  public Q_SLOTS:
   /// Marks a vertex of the file, or none.
@@ -54,9 +59,10 @@ class SpherePanel : public QWidget {
 
  private:
   void begin();
-  void becomeStale();
-  void refresh();
-  void refreshPoints();
+  void follow();
+  void place();
+  void showPoints(const std::optional<Coloring>& coloring);
+  void showHint();
   void applyPalette();
   void redraw();
   void turn(const QPointF& pixels);
@@ -78,12 +84,14 @@ class SpherePanel : public QWidget {
   RenderRequest* drawing_ = nullptr;
   vtkSmartPointer<vtkRenderer> renderer_;
   std::unique_ptr<RotationSphere> sphere_;  // from the first rotation that is to be shown
+  BackgroundJob* placing_ = nullptr;
+  std::shared_ptr<const Deformation> shown_;
+  std::shared_ptr<const PlacedRotations> placed_;  // the latest of this mesh
   std::optional<Index> marked_;
   std::optional<Coloring> coloring_;
   std::optional<QPointF> pressed_;
   QPointF last_;
   bool isDragging_ = false;
-  bool isStale_ = true;
   bool isFitted_ = false;
 };
 

@@ -21,7 +21,6 @@
 #include <holdfast/view/display_transform.h>
 #include <holdfast/view/sphere_camera.h>
 #include <holdfast/view/sphere_shapes.h>
-#include <holdfast/view/thinned_places.h>
 
 namespace holdfast {
 namespace {
@@ -37,10 +36,6 @@ constexpr double kScaleTextPixels = 12;
 
 constexpr double kShellOpacity = 0.8;
 constexpr Color kPlainPoint{0.16, 0.38, 0.66};
-
-// In radii: points that are nearer to one another than a pixel of a sphere that is shown several times as large as the
-// panel hide one another.
-constexpr double kFinestCell = 1.0 / 4096;
 
 // Arcs between all of more rotations than this would cover the sphere.
 constexpr std::size_t kMostJoined = 12;
@@ -77,17 +72,11 @@ void makeBalls(vtkActor& actor)
 
 }  // namespace
 
-RotationSphere::RotationSphere(const Model& model) : pointOf_(model.mesh.vertexCount(), -1)
+RotationSphere::RotationSphere()
 {
-  const SolverMesh& mesh = model.solverMesh;
-  std::vector<Index> pointOfUnknown(mesh.unknownCount(), -1);
-  for (Index u = 0; u < mesh.unknownCount(); ++u) {
-    if (mesh.componentOf[u] < 0) continue;
-    pointOfUnknown[u] = static_cast<Index>(vertexOf_.size());
-    vertexOf_.push_back(mesh.weld.firstVertexOf[u]);
-    unknownOf_.push_back(u);
-  }
-  for (std::size_t v = 0; v < pointOf_.size(); ++v) pointOf_[v] = pointOfUnknown[mesh.weld.unknownOf[v]];
+  auto nothing = std::make_shared<PlacedRotations>();
+  nothing->vertices = std::make_shared<const SphereVertices>();
+  placed_ = std::move(nothing);
   setData(*points_, *pointData_);
   setData(*balls_, *boundaryData_);
   setData(*arcs_, *arcData_);
@@ -155,39 +144,29 @@ void RotationSphere::applyLook()
   arcs_->GetProperty()->SetLineWidth(pixels(kArcPixels));
 }
 
-void RotationSphere::show(const Deformation& deformation)
+void RotationSphere::show(std::shared_ptr<const PlacedRotations> placed)
 {
-  boundary_ = boundaryRotations(deformation);
-  const SphereFrame frame = sphereFrame(boundary_, frame_);
-  const bool isOther = frame.axes != frame_.axes;
-  frame_ = frame;
-  placePoints(deformation);
-  placeBoundary();
-  placeMark();
-  if (isOther) showScale();
-  showNames();
-}
-
-void RotationSphere::placePoints(const Deformation& deformation)
-{
-  places_.resize(unknownOf_.size());
-  for (std::size_t k = 0; k < unknownOf_.size(); ++k)
-    places_[k] = spherePlace(frame_, deformation.rotations.row(unknownOf_[k]).transpose());
-  drawn_ = thinnedPlaces(places_, kMostSpherePoints, kFinestCell);
+  const bool isOtherFrame = placed->frame.axes != placed_->frame.axes;
+  placed_ = std::move(placed);
   std::vector<Vector3> drawn;
-  for (const Index point : drawn_) drawn.push_back(places_[point]);
+  for (const Index point : placed_->drawn) drawn.push_back(placed_->places[point]);
   setPoints(*pointData_, drawn);
   colorPoints();
+  placeBoundary();
+  placeMark();
+  if (isOtherFrame) showScale();
+  showNames();
 }
 
 void RotationSphere::placeBoundary()
 {
+  const std::vector<BoundaryRotation>& boundary = placed_->boundary;
   std::vector<Vector3> balls;
   std::vector<std::vector<Vector3>> arcs;
-  for (std::size_t a = 0; a < boundary_.size(); ++a) {
-    balls.push_back(spherePlace(frame_, boundary_[a].q));
-    for (std::size_t b = a + 1; b < boundary_.size() && boundary_.size() <= kMostJoined; ++b)
-      arcs.push_back(sphereArc(frame_, boundary_[a].q, boundary_[b].q));
+  for (std::size_t a = 0; a < boundary.size(); ++a) {
+    balls.push_back(spherePlace(placed_->frame, boundary[a].q));
+    for (std::size_t b = a + 1; b < boundary.size() && boundary.size() <= kMostJoined; ++b)
+      arcs.push_back(sphereArc(placed_->frame, boundary[a].q, boundary[b].q));
   }
   setPoints(*boundaryData_, balls);
   setPolylines(*arcData_, arcs);
@@ -205,9 +184,11 @@ void RotationSphere::colorPoints()
   mapper.SetScalarVisibility(coloring_.has_value());
   if (!coloring_) return;
   vtkNew<vtkDoubleArray> shares;
-  shares->SetNumberOfValues(static_cast<vtkIdType>(drawn_.size()));
-  for (std::size_t k = 0; k < drawn_.size(); ++k)
-    shares->SetValue(static_cast<vtkIdType>(k), shareOf(coloring_->scale, coloring_->values[vertexOf_[drawn_[k]]]));
+  shares->Allocate(static_cast<vtkIdType>(placed_->drawn.size()));
+  for (const Index point : placed_->drawn) {
+    const double value = coloring_->values[placed_->vertices->vertexOf[point]];
+    shares->InsertNextValue(shareOf(coloring_->scale, value));
+  }
   pointData_->GetPointData()->SetScalars(shares);
   mapper.SetLookupTable(toLookupTable(coloring_->scale.map));
   mapper.UseLookupTableScalarRangeOn();
@@ -228,10 +209,9 @@ void RotationSphere::placeMark()
 
 std::optional<Vector3> RotationSphere::placeOf(Index vertex) const
 {
-  if (vertex < 0 || vertex >= static_cast<Index>(pointOf_.size())) return std::nullopt;
-  const Index point = pointOf_[vertex];
-  if (point < 0 || point >= static_cast<Index>(places_.size())) return std::nullopt;
-  return places_[point];
+  const std::vector<Index>& pointOf = placed_->vertices->pointOf;
+  if (vertex < 0 || vertex >= static_cast<Index>(pointOf.size()) || pointOf[vertex] < 0) return std::nullopt;
+  return placed_->places[pointOf[vertex]];
 }
 
 vtkSmartPointer<vtkTextActor> RotationSphere::textAt(const std::string& text, const Vector3& place, double pixels) const
@@ -290,7 +270,7 @@ void RotationSphere::showScale()
 {
   Texts texts;
   for (int axis = 0; axis < 3; ++axis) {
-    const Vector3 shown(frame_.axes(axis, 0), frame_.axes(axis, 1), 0);
+    const Vector3 shown(placed_->frame.axes(axis, 0), placed_->frame.axes(axis, 1), 0);
     if (shown.norm() < kNamedAxis) continue;
     texts.push_back(textAt(kAxisNames[axis], kAxisNameRadius * shown.normalized(), kTextPixels));
     texts.push_back(
@@ -306,8 +286,9 @@ void RotationSphere::showScale()
 void RotationSphere::showNames()
 {
   Texts texts;
-  for (std::size_t k = 0; k < std::min(boundary_.size(), kMostNamed); ++k) {
-    texts.push_back(textAt(boundary_[k].label, 1.02 * spherePlace(frame_, boundary_[k].q), kTextPixels));
+  for (std::size_t k = 0; k < std::min(placed_->boundary.size(), kMostNamed); ++k) {
+    const BoundaryRotation& value = placed_->boundary[k];
+    texts.push_back(textAt(value.label, 1.02 * spherePlace(placed_->frame, value.q), kTextPixels));
     const double away = 0.85 * kBallPixels * look_.pixelRatio;
     texts.back()->GetPositionCoordinate()->SetValue(away, away);
     texts.back()->GetTextProperty()->SetJustificationToLeft();
@@ -320,8 +301,8 @@ void RotationSphere::fitCamera() const
 {
   if (!renderer_) return;
   std::vector<Vector3> places{Vector3::UnitZ()};
-  for (const BoundaryRotation& value : boundary_)
-    for (const Vector3& place : sphereArc(frame_, Vector3::Zero(), value.q)) places.push_back(place);
+  for (const BoundaryRotation& value : placed_->boundary)
+    for (const Vector3& place : sphereArc(placed_->frame, Vector3::Zero(), value.q)) places.push_back(place);
   lookAtPlaces(*renderer_->GetActiveCamera(), places);
   renderer_->ResetCameraClippingRange();
 }
@@ -335,14 +316,14 @@ std::optional<Index> RotationSphere::pick(double displayX, double displayY) cons
   const double reach = std::pow(kSphereReach * look_.pixelRatio, 2);
   std::array<double, 2> least{reach, reach};
   std::array<std::optional<Index>, 2> found;
-  for (std::size_t k = 0; k < places_.size(); ++k) {
-    const Vector3& place = places_[k];
+  for (std::size_t k = 0; k < placed_->places.size(); ++k) {
+    const Vector3& place = placed_->places[k];
     const Vector3 seen = toDisplay(place);
     const double distance = std::pow(seen.x() - displayX, 2) + std::pow(seen.y() - displayY, 2);
     const std::size_t side = place.dot(forward) > 0 ? 1 : 0;
     if (distance > least[side] || (found[side] && distance == least[side])) continue;
     least[side] = distance;
-    found[side] = vertexOf_[k];
+    found[side] = placed_->vertices->vertexOf[k];
   }
   return found[0] ? found[0] : found[1];
 }

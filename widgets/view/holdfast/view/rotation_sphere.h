@@ -3,6 +3,7 @@
 /// The rotation field on a sphere, Fig. 6 of the paper: a point for each vertex, a ball for each rotation that is
 /// prescribed, great arcs between these. `rotation_projection.h` says where a rotation is.
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -11,7 +12,7 @@
 
 #include <holdfast/view/blended_actor.h>
 #include <holdfast/view/coloring.h>
-#include <holdfast/view/rotation_projection.h>
+#include <holdfast/view/placed_rotations.h>
 
 class vtkActor;
 class vtkPolyData;
@@ -29,16 +30,13 @@ struct SphereLook {
   double pixelRatio = 1;  ///< pixels of the window for each of the picture: sizes are in the latter
 };
 
-/// Of more points, as many are drawn, spread evenly: they would hide one another. Each one is found by a click.
-inline constexpr Index kMostSpherePoints = 20'000;
-
 /// How near to a point a click must be, in pixels of the picture.
 inline constexpr double kSphereReach = 8;
 
-/// The sphere and the points of one model. One point for each unknown of the mesh that a face uses.
+/// The sphere, and the points of one deformation at a time.
 class RotationSphere {
  public:
-  explicit RotationSphere(const Model& model);
+  RotationSphere();
   ~RotationSphere();
   RotationSphere(const RotationSphere&) = delete;
   RotationSphere& operator=(const RotationSphere&) = delete;
@@ -47,13 +45,12 @@ class RotationSphere {
   void addTo(vtkRenderer& renderer);
   void setLook(const SphereLook& look);
 
-  /// The rotations of `deformation`, which is one of the model. O(N).
-  void show(const Deformation& deformation);
-  /// Whether anything is asked to turn in what is shown.
-  [[nodiscard]] bool isTurning() const { return hasRotation(boundary_); }
-  /// What is prescribed in what is shown.
-  [[nodiscard]] const std::vector<BoundaryRotation>& boundary() const noexcept { return boundary_; }
-  /// As the mesh is coloured; in one colour where there is nothing. One value for each vertex of the file.
+  /// Not null. O(number of points that are drawn).
+  void show(std::shared_ptr<const PlacedRotations> placed);
+  /// What is shown; without any point before the first.
+  [[nodiscard]] const PlacedRotations& placed() const noexcept { return *placed_; }
+  /// As the mesh is coloured; in one colour where there is nothing. One value for each vertex of the file: set anew
+  /// with rotations of another.
   void setColoring(const std::optional<Coloring>& coloring);
   /// Marks the point of a vertex of the file. None, and vertices that no face uses: no mark.
   void mark(std::optional<Index> vertex);
@@ -69,19 +66,13 @@ class RotationSphere {
   /// Where the point of a vertex of the file is in the window, pixels from its lower left corner; none without one.
   [[nodiscard]] std::optional<Vector3> displayPlace(Index vertex) const;
 
-  /// The file vertex of each point, and where it is in the picture.
-  [[nodiscard]] const std::vector<Index>& vertexOf() const noexcept { return vertexOf_; }
-  [[nodiscard]] const std::vector<Vector3>& places() const noexcept { return places_; }
-  /// Those that are drawn, ascending: all up to `kMostSpherePoints`.
-  [[nodiscard]] const std::vector<Index>& drawn() const noexcept { return drawn_; }
-  /// What draws them, in that order: its mapper colours them.
+  /// What draws the points that are drawn, in their order: its mapper colours them.
   [[nodiscard]] vtkActor& points() const { return *points_; }
 
  private:
   using Texts = std::vector<vtkSmartPointer<vtkTextActor>>;
 
   void applyLook();
-  void placePoints(const Deformation& deformation);
   void colorPoints();
   void placeBoundary();
   void placeMark();
@@ -93,14 +84,8 @@ class RotationSphere {
                                                      double pixels) const;
   [[nodiscard]] std::optional<Vector3> placeOf(Index vertex) const;
 
-  std::vector<Index> vertexOf_;   // file vertex of each point
-  std::vector<Index> unknownOf_;  // unknown of each point
-  std::vector<Index> pointOf_;    // of each file vertex; -1 without one
-  std::vector<Vector3> places_;   // of each point; none before the first deformation
-  std::vector<Index> drawn_;      // of the points
+  std::shared_ptr<const PlacedRotations> placed_;
   std::optional<Coloring> coloring_;
-  std::vector<BoundaryRotation> boundary_;
-  SphereFrame frame_;
   SphereLook look_;
   std::optional<Index> marked_;
   vtkSmartPointer<vtkRenderer> renderer_;
