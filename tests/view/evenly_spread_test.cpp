@@ -57,6 +57,20 @@ TEST(EvenlySpread, IsAllOfFew)
   EXPECT_TRUE(evenlySpread(Positions(0, 3), 5).empty());
 }
 
+TEST(EvenlySpread, OfSomePointsKnowsNoOthers)
+{
+  const Positions sphere = test::icosphere(4).positions;
+  std::vector<Index> upper;
+  for (Index k = sphere.rows() - 1; k >= 0; --k)
+    if (sphere(k, 2) > 0) upper.push_back(k);
+  const std::vector<Index> chosen = evenlySpread(sphere, upper, 100);
+  const Positions alone = sphere(upper, Eigen::all);
+  std::vector<Index> expected;
+  for (const Index k : evenlySpread(alone, 100)) expected.push_back(upper[k]);
+  EXPECT_EQ(chosen, expected);
+  EXPECT_EQ(evenlySpread(sphere, {7, 3}, 2), (std::vector<Index>{7, 3}));
+}
+
 TEST(EvenlySpread, OfPointsInOnePlaceIsOne)
 {
   EXPECT_EQ(evenlySpread(Positions::Constant(50, 3, 7.5), 10), std::vector<Index>{0});

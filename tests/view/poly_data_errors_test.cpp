@@ -18,7 +18,6 @@ namespace holdfast {
 namespace {
 
 using test::TemporaryFolder;
-using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -86,7 +85,7 @@ TEST_F(PolyDataErrors, NameAnExtensionThatIsNotVtks)
 
 TEST_F(PolyDataErrors, CarryTheReasonOfVtk)
 {
-  EXPECT_THAT(errorOf("text.vtp", "no XML at all\n"), AllOf(HasSubstr("XML"), Not(HasSubstr("ERROR: In"))));
+  EXPECT_THAT(errorOf("text.vtp", "no XML at all\n"), testing::AllOf(HasSubstr("XML"), Not(HasSubstr("ERROR: In"))));
   EXPECT_THAT(errorOf("empty.vtp", ""), HasSubstr("VTK cannot read it: "));
 }
 
@@ -95,9 +94,9 @@ TEST_F(PolyDataErrors, NameTheLineOfALegacyFile)
   EXPECT_THAT(errorOf("empty.vtk", ""), HasSubstr("empty.vtk:1: "));
   EXPECT_THAT(errorOf("text.vtk", "no VTK at all\nnor this\n"), HasSubstr("text.vtk:1: "));
   EXPECT_THAT(errorOf("word.vtk", test::squareAsLegacyText("POLYGON 1 3\n")),
-              AllOf(HasSubstr("word.vtk:13: "), HasSubstr("'polygon'")));
+              testing::AllOf(HasSubstr("word.vtk:13: "), HasSubstr("'polygon'")));
   EXPECT_THAT(errorOf("number.vtk", test::squareAsLegacyText("POINT_DATA 4\nVECTORS v double\n1 2 x")),
-              AllOf(HasSubstr("number.vtk:15: "), HasSubstr("'x'")));
+              testing::AllOf(HasSubstr("number.vtk:15: "), HasSubstr("'x'")));
 }
 
 TEST_F(PolyDataErrors, NameOtherKindsOfData)
@@ -118,14 +117,16 @@ TEST_F(PolyDataErrors, NameASurfaceWithoutPolygons)
 TEST_F(PolyDataErrors, NameTriangleStrips)
 {
   EXPECT_THAT(errorOf("strips.vtk", test::squareAsLegacyText("TRIANGLE_STRIPS 1 5\n4 0 1 2 3\n")),
-              AllOf(HasSubstr("triangle strips (1)"), HasSubstr("Triangulate")));
+              testing::AllOf(HasSubstr("triangle strips (1)"), HasSubstr("Triangulate")));
 }
 
 TEST_F(PolyDataErrors, NameThePolygonThatIsNoFace)
 {
-  EXPECT_THAT(errorOf("corner.vtp", vtpText("0 1 3", "3")), AllOf(HasSubstr("polygon 0"), HasSubstr("point 3")));
-  EXPECT_THAT(errorOf("negative.vtp", vtpText("0 1 -1", "3")), AllOf(HasSubstr("polygon 0"), HasSubstr("point -1")));
-  EXPECT_THAT(errorOf("two.vtp", vtpText("0 1", "2")), AllOf(HasSubstr("polygon 0"), HasSubstr("at least 3")));
+  EXPECT_THAT(errorOf("corner.vtp", vtpText("0 1 3", "3")),
+              testing::AllOf(HasSubstr("polygon 0"), HasSubstr("point 3")));
+  EXPECT_THAT(errorOf("negative.vtp", vtpText("0 1 -1", "3")),
+              testing::AllOf(HasSubstr("polygon 0"), HasSubstr("point -1")));
+  EXPECT_THAT(errorOf("two.vtp", vtpText("0 1", "2")), testing::AllOf(HasSubstr("polygon 0"), HasSubstr("at least 3")));
 }
 
 TEST_F(PolyDataErrors, NameOffsetsThatLeadNowhere)
@@ -144,7 +145,7 @@ TEST_F(PolyDataErrors, NameCountsThatTheFileDoesNotHold)
               HasSubstr("cells.vtk:14: "));
   std::string vtp = vtpText("0 1 2", "3");
   vtp.replace(vtp.find("NumberOfPoints=\"3\""), 18, "NumberOfPoints=\"-3\"");
-  EXPECT_THAT(errorOf("negative.vtp", vtp), AllOf(HasSubstr("negative.vtp:2: "), HasSubstr("NumberOfPoints")));
+  EXPECT_THAT(errorOf("negative.vtp", vtp), testing::AllOf(HasSubstr("negative.vtp:2: "), HasSubstr("NumberOfPoints")));
 }
 
 /// Reading `bytes` gives the mesh that they hold or an `InputError`; the count says how often it was refused.

@@ -102,6 +102,7 @@ std::vector<bool> VertexRegions::unknownsOf(std::span<const Index> vertices) con
 std::vector<Index> VertexRegions::verticesWhere(const std::vector<bool>& isChosen) const
 {
   std::vector<Index> vertices;
+  vertices.reserve(static_cast<std::size_t>(mesh_.vertexCount()));
   for (Index v = 0; v < mesh_.vertexCount(); ++v)
     if (isChosen[solverMesh_.weld.unknownOf[v]]) vertices.push_back(v);
   return vertices;

@@ -18,13 +18,13 @@ class DrawFence {
 
   /// In the place of one that was set before.
   void set();
-  void drop();
-  [[nodiscard]] bool isSet() const noexcept { return sync_ != nullptr; }
 
   /// False while what is before the fence is being drawn; else true, and it is no longer set. True where none is set.
   [[nodiscard]] bool pass();
 
  private:
+  void drop();
+
   vtkRenderWindow& window_;
   void* sync_ = nullptr;  // a GLsync
 };

@@ -23,7 +23,7 @@ class HistogramPanel : public QWidget {
  public:
   explicit HistogramPanel(Editor& editor, QWidget* parent = nullptr);
 
-  /// Draws examples that nobody sees: `PanelDocks::warmUp`.
+  /// Draws examples that nobody sees: `MainWindow::warmUp`.
   void warmUp();
 
   [[nodiscard]] HistogramView& residualView() const { return *residuals_.view; }

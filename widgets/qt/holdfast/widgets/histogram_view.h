@@ -41,7 +41,7 @@ class HistogramView : public QWidget {
   /// `marked`: a value with a dashed line at it.
   void setHistogram(const Histogram& histogram, const ChartTexts& texts, std::optional<double> marked);
 
-  /// Draws an example that nobody sees: `PanelDocks::warmUp`. The chart is empty afterwards.
+  /// Draws an example that nobody sees: `MainWindow::warmUp`. The chart is empty afterwards.
   void warmUp();
 
   [[nodiscard]] const Histogram& histogram() const noexcept { return histogram_; }

@@ -15,6 +15,7 @@
 #include <vtkRenderer.h>
 
 #include <holdfast/view/camera_state.h>
+#include <holdfast/view/example_document.h>
 #include <holdfast/widgets/commands.h>
 #include <holdfast/widgets/help_dialog.h>
 #include <holdfast/widgets/icons.h>
@@ -168,7 +169,9 @@ void MainWindow::warmUp()
 {
   // What the panels draw in shares its memory with the window's.
   static_cast<void>(winId());
-  panels_->warmUp();
+  const ExampleDocument example = exampleDocument();
+  viewport_->warmUp(example);
+  panels_->warmUp(example);
 }
 
 void MainWindow::showEvent(QShowEvent* event)

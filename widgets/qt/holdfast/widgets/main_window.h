@@ -32,7 +32,9 @@ class MainWindow : public QMainWindow {
   MainWindow();
   ~MainWindow() override;
 
-  /// Before the window is shown, so that panels answer at once when they are opened: `PanelDocks::warmUp`.
+  /// Draws an example that nobody sees, everything of it in every view: this compiles shaders. Without a GPU it takes
+  /// some tenths of a second, in which nobody waits as long as the window is not on the screen; first pictures of
+  /// meshes and of panels take as much longer without it. Before the window is shown.
   void warmUp();
 
   [[nodiscard]] Editor& editor() { return editor_; }

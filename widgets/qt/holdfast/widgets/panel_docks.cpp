@@ -116,9 +116,9 @@ void PanelDocks::arrange()
   }
 }
 
-void PanelDocks::warmUp()
+void PanelDocks::warmUp(const ExampleDocument& example)
 {
-  sphere_->warmUp();
+  sphere_->warmUp(example);
   histograms_->warmUp();
 }
 

@@ -16,6 +16,7 @@ class ColorPanel;
 class HistogramPanel;
 class SpherePanel;
 class Viewport;
+struct ExampleDocument;
 
 /// Two stacks of tabs at the right: what there is and how it is shown, and what became of it.
 class PanelDocks : public QObject {
@@ -27,9 +28,8 @@ class PanelDocks : public QObject {
   /// An entry for each panel, to show and to hide it.
   void fillMenu(QMenu& menu) const;
 
-  /// Compiles the shaders of panels that draw: without a GPU this takes some tenths of a second, in which nobody waits
-  /// as long as the window is not on the screen. Without it their first pictures take as long.
-  void warmUp();
+  /// The part of panels that draw: `MainWindow::warmUp`.
+  void warmUp(const ExampleDocument& example);
 
   /// Gives the panels their parts of a window of this size, which is shown.
   void share(const QSize& size);

@@ -20,6 +20,7 @@
 #include <vtkRenderer.h>
 
 #include <holdfast/rotation/rotation_log.h>
+#include <holdfast/view/example_document.h>
 #include <holdfast/view/rotation_sphere.h>
 #include <holdfast/view/sphere_camera.h>
 #include <holdfast/widgets/background_job.h>
@@ -109,21 +110,16 @@ void SpherePanel::begin()
   follow();
 }
 
-void SpherePanel::warmUp()
+void SpherePanel::warmUp(const ExampleDocument& example)
 {
-  Mesh triangle;
-  triangle.positions = Eigen::Matrix3d::Identity();
-  triangle.faces.add({0, 1, 2});
-  const Model model = makeModel(triangle, "example");
-  Deformation atRest;
-  atRest.rotations = Columns3::Zero(model.solverMesh.unknownCount(), 3);
   vtkNew<vtkRenderer> renderer;
   view_->renderWindow()->AddRenderer(renderer);
   RotationSphere sphere;
   sphere.addTo(*renderer);
-  sphere.show(placeRotations(model, atRest, nullptr));
-  for (const auto& coloring : {std::optional<Coloring>(), std::optional(Coloring{{0, 0, 0}, {}})}) {
-    sphere.setColoring(coloring);
+  sphere.show(placeRotations(example.model, example.deformation, nullptr));
+  sphere.mark(0);
+  for (const ColorBy colors : {ColorBy::None, ColorBy::Angle}) {
+    sphere.setColoring(coloringOf(example.model, example.deformation, colors, ""));
     view_->grabFramebuffer();
   }
   view_->renderWindow()->RemoveRenderer(renderer);

@@ -21,6 +21,7 @@ namespace holdfast {
 class BackgroundJob;
 class RenderRequest;
 class RotationSphere;
+struct ExampleDocument;
 struct PlacedRotations;
 
 /// The rotations of the editor's deformation. A drag turns the sphere, the wheel zooms, a click picks a vertex, a
@@ -33,8 +34,8 @@ class SpherePanel : public QWidget {
   explicit SpherePanel(Editor& editor, QWidget* parent = nullptr);
   ~SpherePanel() override;
 
-  /// Draws an example that nobody sees: `PanelDocks::warmUp`. Before a document is opened.
-  void warmUp();
+  /// Draws an example that nobody sees: `MainWindow::warmUp`. Before a document is opened.
+  void warmUp(const ExampleDocument& example);
 
   /// What is shown; null before there is a rotation to show.
   [[nodiscard]] const RotationSphere* sphere() const { return sphere_.get(); }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include <vtkCamera.h>
@@ -15,6 +16,7 @@
 #include <holdfast/base/thread_priority.h>
 #include <holdfast/view/camera_state.h>
 #include <holdfast/view/default_camera.h>
+#include <holdfast/view/example_document.h>
 #include <holdfast/view/stage.h>
 #include <holdfast/widgets/viewport_overlay.h>
 
@@ -95,6 +97,25 @@ Viewport::Viewport(Editor& editor, QWidget* parent) : QVTKOpenGLNativeWidget(par
 }
 
 Viewport::~Viewport() = default;
+
+void Viewport::warmUp(const ExampleDocument& example)
+{
+  std::vector<Index> corners(static_cast<std::size_t>(example.model.mesh.vertexCount()));
+  std::iota(corners.begin(), corners.end(), Index{0});
+  SceneContents contents(example.model);
+  contents.addTo(*renderer_);
+  contents.show(example.deformation, disabledPlaces(example.model, example.list));
+  contents.setSelection(corners);
+  contents.highlight({0});
+  contents.setRotationDisplay(RotationDisplay::Arrows);
+  contents.setRestGhost(RestGhost::Surface);
+  contents.setMeshEdges(MeshEdges::All);
+  renderer_->ResetCamera();
+  for (const ColorBy colors : {ColorBy::None, ColorBy::Angle}) {
+    contents.color(coloringOf(example.model, example.deformation, colors, ""));
+    grabFramebuffer();
+  }
+}
 
 void Viewport::setDarkBackdrop(bool isDark)
 {
@@ -314,9 +335,10 @@ void Viewport::scheduleRender()
 void Viewport::render()
 {
   // Coarse pictures follow one another: one that is being drawn will be seen.
-  const bool isOneComing = (fence_->isSet() && !slices_->isUnderWay()) || isUnseen();
-  if (isOneComing) return renderTimer_.start(kMillisecondsBetweenLooks);
-  abandonDrawing();
+  const bool isOneComing = (drawnTimer_.isActive() && !slices_->isUnderWay()) || isUnseen();
+  if (!isOneComing) abandonDrawing();
+  // What was abandoned is drawn all the same, and would be waited for.
+  if (isOneComing || !fence_->pass()) return renderTimer_.start(kMillisecondsBetweenLooks);
   if (!isVisible()) return;
   // Until the hand rests a large mesh is drawn of fewer triangles.
   isCoarse_ = contents_ && fullMilliseconds_ > kFluentMilliseconds;
@@ -383,7 +405,6 @@ bool Viewport::isUnseen() const
 void Viewport::abandonDrawing()
 {
   slices_->abandon();
-  fence_->drop();
   pause_.end();
   drawnTimer_.stop();
 }
@@ -399,7 +420,7 @@ void Viewport::prepareToMove()
 void Viewport::renderInFull()
 {
   if (!isVisible() || !isValid() || !isCoarse_ || hand_ != Hand::Empty) return;
-  if (fence_->isSet()) return restTimer_.start();
+  if (drawnTimer_.isActive() || !fence_->pass()) return restTimer_.start();
   fitClippingRange();
   Q_EMIT aboutToRender();
   drawing_.start();

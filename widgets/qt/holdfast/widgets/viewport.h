@@ -28,6 +28,7 @@ class vtkRenderer;
 namespace holdfast {
 
 class ViewportOverlay;
+struct ExampleDocument;
 
 /// Shows the editor's document. The right button turns the picture, the middle one shifts it, the wheel goes nearer;
 /// the left button is the tool's, and turns the picture where the tool leaves it alone. However many events come in one
@@ -38,6 +39,9 @@ class Viewport : public QVTKOpenGLNativeWidget {
  public:
   explicit Viewport(Editor& editor, QWidget* parent = nullptr);
   ~Viewport() override;
+
+  /// Draws an example that nobody sees: `MainWindow::warmUp`. Before a document is opened.
+  void warmUp(const ExampleDocument& example);
 
   /// The tool that the left button is for; null for none. Stays its owner's.
   void setTool(Tool* tool);

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <unordered_map>
 
-#include <holdfast/mesh/bounding_box.h>
+#include <Eigen/Geometry>
 
 namespace holdfast {
 namespace {
@@ -78,11 +78,12 @@ class Grid {
 };
 
 /// Takes each point that is `distance` or more from all that were taken before it.
-std::vector<Index> spread(const Positions& points, const Vector3& origin, double distance)
+std::vector<Index> spread(const Positions& points, const std::vector<Index>& among, const Vector3& origin,
+                          double distance)
 {
   Grid taken(points, origin, distance);
   std::vector<Index> places;
-  for (Index k = 0; k < points.rows(); ++k) {
+  for (const Index k : among) {
     if (taken.hasNear(k)) continue;
     taken.add(k);
     places.push_back(k);
@@ -90,29 +91,39 @@ std::vector<Index> spread(const Positions& points, const Vector3& origin, double
   return places;
 }
 
+Eigen::AlignedBox3d boxAround(const Positions& points, const std::vector<Index>& among)
+{
+  Eigen::AlignedBox3d box;
+  for (const Index k : among) box.extend(points.row(k).transpose());
+  return box;
+}
+
 }  // namespace
 
-std::vector<Index> evenlySpread(const Positions& points, Index target)
+std::vector<Index> evenlySpread(const Positions& points, const std::vector<Index>& among, Index target)
 {
-  if (points.rows() <= target) {
-    std::vector<Index> all(static_cast<std::size_t>(points.rows()));
-    std::iota(all.begin(), all.end(), Index{0});
-    return all;
-  }
-  const Eigen::AlignedBox3d box = boundingBox(points);
+  if (static_cast<Index>(among.size()) <= target) return among;
+  const Eigen::AlignedBox3d box = boxAround(points, among);
   const double diagonal = box.sizes().stableNorm();
-  if (diagonal == 0) return {0};
+  if (diagonal == 0) return {among.front()};
   const auto wanted = static_cast<double>(target);
   double distance = diagonal / std::sqrt(wanted);
   std::vector<Index> places;
   for (int attempt = 0; attempt < kMostTries; ++attempt) {
-    places = spread(points, box.min(), distance);
+    places = spread(points, among, box.min(), distance);
     const double share = static_cast<double>(places.size()) / wanted;
     if (share >= kFew && share <= kMany) break;
     // On a surface there are as many as discs of this size fit on it.
     distance = std::clamp(distance * std::sqrt(share), diagonal / kMostCells, diagonal);
   }
   return places;
+}
+
+std::vector<Index> evenlySpread(const Positions& points, Index target)
+{
+  std::vector<Index> all(static_cast<std::size_t>(points.rows()));
+  std::iota(all.begin(), all.end(), Index{0});
+  return evenlySpread(points, all, target);
 }
 
 }  // namespace holdfast

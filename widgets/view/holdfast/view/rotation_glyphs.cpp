@@ -102,11 +102,7 @@ std::vector<Index> spreadVertices(const Model& model)
   std::vector<Index> used;
   for (Index unknown = 0; unknown < mesh.unknownCount(); ++unknown)
     if (mesh.componentOf[unknown] >= 0) used.push_back(mesh.weld.firstVertexOf[unknown]);
-  Positions rest(static_cast<Index>(used.size()), 3);
-  for (Index k = 0; k < rest.rows(); ++k) rest.row(k) = model.mesh.positions.row(used[k]);
-  std::vector<Index> vertices;
-  for (const Index k : evenlySpread(rest, kRotationArrows)) vertices.push_back(used[k]);
-  return vertices;
+  return evenlySpread(model.mesh.positions, used, kRotationArrows);
 }
 
 }  // namespace

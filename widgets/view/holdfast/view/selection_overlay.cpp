@@ -79,13 +79,13 @@ void SelectionOverlay::set(const std::vector<Index>& fileVertices)
 
 void SelectionOverlay::setDots()
 {
-  std::vector<Index> points;
+  std::vector<Index> drawn;
+  drawn.reserve(pointOf_.size());
   for (std::size_t vertex = 0; vertex < pointOf_.size(); ++vertex)
-    if (isSelected_[vertex] != 0 && pointOf_[vertex] >= 0) points.push_back(pointOf_[vertex]);
-  Positions rest(static_cast<Index>(points.size()), 3);
-  for (Index k = 0; k < rest.rows(); ++k) rest.row(k) = model_.mesh.positions.row(mesh_.vertexOf()[points[k]]);
+    if (isSelected_[vertex] != 0 && pointOf_[vertex] >= 0) drawn.push_back(static_cast<Index>(vertex));
   vtkNew<vtkCellArray> dots;
-  for (const Index k : evenlySpread(rest, kMostSelectionDots)) dots->InsertNextCell({points[k]});
+  for (const Index vertex : evenlySpread(model_.mesh.positions, drawn, kMostSelectionDots))
+    dots->InsertNextCell({pointOf_[vertex]});
   dotData_->SetVerts(dots);
   dots_->SetVisibility(dots->GetNumberOfCells() > 0);
 }
@@ -106,6 +106,8 @@ void SelectionOverlay::setTint(vtkPolyData& data, const Polygons& triangles, con
 {
   const vtkIdType count = tintedOf(triangles, vertexOf);
   vtkNew<vtkCellArray> tinted;
+  // Fresh memory takes longer than what is written into it.
+  tinted->Use32BitStorage();
   tinted->AllocateExact(count, 3 * count);
   for (Index t = 0; t < triangles.size(); ++t) {
     const auto corners = triangles[t];

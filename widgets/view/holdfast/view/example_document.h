@@ -1,0 +1,19 @@
+#pragma once
+/// \file
+/// A small document with something of everything that a picture can show.
+
+#include <holdfast/deform/deform.h>
+
+namespace holdfast {
+
+/// A sheet that is pinned, pulled and turned, with constraints that repeat, that conflict, and one that is disabled.
+struct ExampleDocument {
+  Model model;
+  ConstraintList list;
+  Deformation deformation;
+};
+
+/// A few milliseconds.
+[[nodiscard]] ExampleDocument exampleDocument();
+
+}  // namespace holdfast
