@@ -28,7 +28,9 @@ GizmoPart arrowOf(std::size_t axis)
   return static_cast<GizmoPart>(static_cast<std::size_t>(GizmoPart::ArrowX) + axis);
 }
 
-void setUpLetter(vtkTextActor& letter, std::size_t axis)
+/// `place` is that of the letter, in the display. A position of its own would have VTK draw the letter and load it onto
+/// the graphics card anew each time that it changes, for which all that is being drawn there is waited for.
+void setUpLetter(vtkTextActor& letter, vtkCoordinate& place, std::size_t axis)
 {
   letter.SetInput(kLetters.at(axis));
   vtkTextProperty& property = *letter.GetTextProperty();
@@ -38,7 +40,9 @@ void setUpLetter(vtkTextActor& letter, std::size_t axis)
   property.SetColor(kLetterShade * color.red, kLetterShade * color.green, kLetterShade * color.blue);
   property.SetJustificationToCentered();
   property.SetVerticalJustificationToCentered();
-  letter.GetPositionCoordinate()->SetCoordinateSystemToDisplay();
+  place.SetCoordinateSystemToDisplay();
+  letter.GetPositionCoordinate()->SetCoordinateSystemToViewport();
+  letter.GetPositionCoordinate()->SetReferenceCoordinate(&place);
 }
 
 /// Light from above the left shoulder, so that tubes look round.
@@ -67,7 +71,7 @@ Gizmo::Gizmo()
 {
   for (int k = 1; k < kGizmoPartCount; ++k)
     parts_.push_back(std::make_unique<GizmoPartActors>(static_cast<GizmoPart>(k)));
-  for (std::size_t axis = 0; axis < letters_.size(); ++axis) setUpLetter(*letters_.at(axis), axis);
+  for (std::size_t axis = 0; axis < letters_.size(); ++axis) setUpLetter(*letters_.at(axis), *letterPlaces_.at(axis), axis);
 }
 
 Gizmo::~Gizmo() = default;
@@ -159,7 +163,7 @@ void Gizmo::updateLetters(const GizmoPlacement& placement, const ViewGeometry& v
     const std::optional<DisplayPoint> place = toDisplay(view, end);
     const double visibility = visibilityOf(arrow, frame_, view);
     letter.SetVisibility(isDrawn(arrow) && place && placement.scale > 0 && visibility >= kLeastVisible);
-    if (place) letter.SetPosition(place->x(), place->y());
+    if (place) letterPlaces_.at(axis)->SetValue(place->x(), place->y());
     letter.GetTextProperty()->SetFontSize(std::max(8, static_cast<int>(std::lround(kLetterSize * pixels_))));
   }
 }

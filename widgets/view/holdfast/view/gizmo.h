@@ -13,6 +13,7 @@
 #include <holdfast/view/gizmo_part_actors.h>
 #include <holdfast/view/gizmo_trace.h>
 
+class vtkCoordinate;
 class vtkRenderer;
 class vtkTextActor;
 
@@ -86,6 +87,7 @@ class Gizmo {
   std::optional<GizmoTrace> drag_;
   std::vector<std::unique_ptr<GizmoPartActors>> parts_;  // one for each but `None`, in their order
   std::array<vtkNew<vtkTextActor>, 3> letters_;
+  std::array<vtkNew<vtkCoordinate>, 3> letterPlaces_;
   GizmoTraceActors trace_;
   vtkSmartPointer<vtkRenderer> layer_;
 };
