@@ -6,9 +6,12 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 #include <vtkCamera.h>
+#include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkTextActor.h>
+#include <vtkTexture.h>
 
 #include <holdfast/view/gizmo.h>
 #include <holdfast/view/gizmo_drag.h>
@@ -172,6 +175,32 @@ TEST(GizmoPicture, IsTheSceneAloneWhileHidden)
   const Picture hidden = stage.drawn();
   stage.scene.window().RemoveRenderer(stage.layer);
   EXPECT_EQ(test::shareOfOtherPixels(hidden, draw(stage.scene, "picture")), 0);
+}
+
+/// When VTK drew each text of the gizmo as an image, which is loaded onto the graphics card then.
+std::vector<vtkMTimeType> textTimes(const Gizmo& gizmo)
+{
+  std::vector<vtkMTimeType> times;
+  for (vtkProp* const prop : gizmo.props())
+    if (auto* const text = vtkTextActor::SafeDownCast(prop))
+      times.push_back(text->GetTexture()->GetInput()->GetMTime());
+  return times;
+}
+
+TEST(Gizmo, MovesItsLettersWithoutDrawingThemAnew)
+{
+  Stage stage;
+  // The first picture tells VTK the resolution.
+  static_cast<void>(stage.drawn());
+  const Picture before = stage.drawn();
+  const std::vector<vtkMTimeType> times = textTimes(stage.gizmo);
+  ASSERT_EQ(times.size(), 3u);
+  stage.gizmo.setFrame({3.5, 1, 0.5}, Eigen::Matrix3d::Identity());
+  EXPECT_GT(test::shareOfOtherPixels(before, stage.drawn()), 0.01);
+  EXPECT_EQ(textTimes(stage.gizmo), times);
+  stage.gizmo.setPixelSize(2 * stage.gizmo.pixelSize());
+  static_cast<void>(stage.drawn());
+  EXPECT_NE(textTimes(stage.gizmo), times) << "larger letters";
 }
 
 // What the comparison must not let pass.

@@ -71,7 +71,8 @@ Gizmo::Gizmo()
 {
   for (int k = 1; k < kGizmoPartCount; ++k)
     parts_.push_back(std::make_unique<GizmoPartActors>(static_cast<GizmoPart>(k)));
-  for (std::size_t axis = 0; axis < letters_.size(); ++axis) setUpLetter(*letters_.at(axis), *letterPlaces_.at(axis), axis);
+  for (std::size_t axis = 0; axis < letters_.size(); ++axis)
+    setUpLetter(*letters_.at(axis), *letterPlaces_.at(axis), axis);
 }
 
 Gizmo::~Gizmo() = default;
