@@ -8,7 +8,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
 launcher=()
 read -ra launcher <<<"$(ccache_options)"
-# Optimised as little as the tests allow: compiling is most of what this takes.
+# Little optimised: compiling is most of what this takes.
 cmake --preset core-only --no-warn-unused-cli -B "$1" "${launcher[@]}" -DHOLDFAST_BUILD_TESTS=ON \
   "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG" \
   -DCMAKE_DISABLE_FIND_PACKAGE_VTK=ON -DCMAKE_DISABLE_FIND_PACKAGE_SuiteSparse=ON -DCMAKE_DISABLE_FIND_PACKAGE_Qt5=ON
