@@ -1,6 +1,8 @@
 #include <QVTKOpenGLNativeWidget.h>
 #include <gtest/gtest.h>
+#include <vtkPropCollection.h>
 #include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
 #include <vtkRendererCollection.h>
 
 #include <holdfast/document/list_edits.h>
@@ -64,6 +66,7 @@ class WarmedUpPanels : public PanelDocksOfBar {
     window.warmUp();
     EXPECT_EQ(residualsShown(), 0) << "of the example";
     EXPECT_EQ(sphere().sphere(), nullptr);
+    EXPECT_EQ(viewport().renderer().GetViewProps()->GetNumberOfItems(), 0);
     PanelDocksOfBar::SetUp();
   }
 
