@@ -15,6 +15,7 @@
 #include "gestures.h"
 #include "support/meshes.h"
 #include "support/point_constraints.h"
+#include "support/temporary_folder.h"
 #include "window_user.h"
 
 namespace holdfast {
@@ -69,7 +70,8 @@ class Responsiveness : public test::WindowUser {
             [this] { whileTheArrowsAreDragged(); },    [this] { whileThePictureIsTurned(); },
             [this] { whileThePointToolHovers(); },     [this] { whileItHoversAndAnEditIsSolved(); },
             [this] { whileConstraintsAreSelected(); }, [this] { whileVerticesAreSelected(); },
-            [this] { whilePanelsAreOpened(); },        [this] { whileAMatrixIsFactorised(); }};
+            [this] { whileMuchIsFixedAndSaved(); },    [this] { whilePanelsAreOpened(); },
+            [this] { whileAMatrixIsFactorised(); }};
   }
 
   void lookFromTheFront()
@@ -163,6 +165,25 @@ class Responsiveness : public test::WindowUser {
         ASSERT_TRUE(settle());
       }
     });
+  }
+
+  /// What is selected by now: nearly everything.
+  void whileMuchIsFixedAndSaved()
+  {
+    ASSERT_GT(editor().selectedVertices().size(), 100'000u);
+    const auto act = [this](const char* phase, const char* action) {
+      measure(phase, [&] {
+        trigger(action);
+        ASSERT_TRUE(settle());
+      });
+    };
+    act("fixing a large selection", "makeFixed");
+    EXPECT_EQ(list().constraints.size(), 4u);
+    chooseFile((folder_.path() / "ellipsoid.holdfast").string());
+    act("saving the session", "saveAs");
+    EXPECT_TRUE(editor().history().isSaved());
+    act("undoing", "undo");
+    EXPECT_EQ(list().constraints.size(), 3u);
   }
 
   void whilePanelsAreOpened()
@@ -293,6 +314,8 @@ class Responsiveness : public test::WindowUser {
   }
 
   [[nodiscard]] QPointF middle() { return {viewport().width() / 2.0, viewport().height() / 2.0}; }
+
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(Responsiveness, HoldsWhateverTheWindowDoes)
