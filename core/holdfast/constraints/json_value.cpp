@@ -2,6 +2,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -191,7 +192,11 @@ std::string memberPath(const std::string& path, std::string_view key)
 
 std::string elementPath(const std::string& path, std::size_t place)
 {
-  return fmt::format("{}[{}]", path, place);
+  // Once for each element of a list that is read, most of them for no message: piece by piece this takes half the time.
+  std::string element;
+  element.reserve(path.size() + std::numeric_limits<std::size_t>::digits10 + 3);
+  element.append(path).append(1, '[').append(fmt::format_int(place).c_str()).append(1, ']');
+  return element;
 }
 
 }  // namespace holdfast

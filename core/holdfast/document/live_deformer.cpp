@@ -161,7 +161,7 @@ LiveEvent LiveDeformer::Shared::endOf(const Job& job)
 {
   using Kind = LiveEvent::Kind;
   try {
-    return {Kind::Done, job.revision, "", std::make_shared<const Deformation>(deformed(job))};
+    return {Kind::Done, job.revision, "", std::make_shared<const Deformation>(deformed(job)), job.state};
   } catch (const Cancelled&) {
     return {Kind::Cancelled, job.revision, "", nullptr};
   } catch (const InputError& error) {

@@ -27,6 +27,7 @@ struct LiveEvent {
   std::uint64_t revision = 0;
   std::string message;
   std::shared_ptr<const Deformation> deformation;
+  std::shared_ptr<const DocumentState> state = nullptr;  ///< with `Done`: what `deformation` is of
 };
 
 /// What a newer state does to the work that is under way.

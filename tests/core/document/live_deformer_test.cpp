@@ -188,6 +188,21 @@ TEST(LiveDeformer, EveryCancelledRevisionEndsOnceWhateverTheTiming)
   }
 }
 
+TEST(LiveDeformer, SaysWhichStateADeformationIsOf)
+{
+  Latch isDone;
+  std::shared_ptr<const DocumentState> told;
+  LiveDeformer live(plateModel(), [&](const LiveEvent& event) {
+    if (event.kind != Kind::Done) return;
+    told = event.state;
+    isDone.open();
+  });
+  const auto state = dragged(1);
+  live.submit(1, state, "list", Supersede::WhenDone);
+  ASSERT_TRUE(isDone.wait());
+  EXPECT_EQ(told, state);
+}
+
 TEST(LiveDeformer, SaysWhyAListIsUnusableAndGoesOn)
 {
   const auto model = plateModel();

@@ -115,6 +115,7 @@ class Witness {
     {
       const std::scoped_lock lock(mutex_);
       events_.push_back(event);
+      events_.back().state = nullptr;  // its owner is to see when the worker lets go of it
       isAtGate = gate_ && gate_->isMetBy(event);
       if (isAtGate) gate_.reset();
       changed_.notify_all();

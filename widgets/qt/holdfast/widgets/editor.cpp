@@ -29,10 +29,15 @@ void Editor::open(LoadedMesh mesh, DocumentState state)
   close();
   mesh_ = std::move(mesh);
   history_ = std::make_unique<History>(std::move(state));
-  worker_ = std::make_unique<LiveDeformer>(mesh_.model, [this, atRest = mesh_.surface](const LiveEvent& event) {
-    // Made ready for the cursor by the worker: the window would have to wait for it.
-    auto surface = event.deformation == nullptr ? nullptr : moved(*atRest, event.deformation);
-    told_.post([this, event, surface = std::move(surface)] { handle(event, surface); });
+  // Made ready for the picture and the cursor by the worker: the window would have to wait for it.
+  auto prepared = [atRest = mesh_.surface, model = mesh_.model,
+                   marks = std::shared_ptr<const MarkSet>()](const LiveEvent& event) mutable -> Solved {
+    if (event.deformation == nullptr) return {};
+    marks = markSet(constraintMarks(*model, event.state->list, *event.deformation), marks);
+    return {event.state, event.deformation, moved(*atRest, event.deformation), marks};
+  };
+  worker_ = std::make_unique<LiveDeformer>(mesh_.model, [this, prepared](const LiveEvent& event) mutable {
+    told_.post([this, event, solved = prepared(event)] { handle(event, solved); });
   });
   Q_EMIT opened();
   stateBecame(Supersede::AtNextStage);
@@ -49,6 +54,7 @@ void Editor::close()
   deformation_.reset();
   deformedState_.reset();
   deformedSurface_.reset();
+  deformedMarks_.reset();
   selectedVertices_.clear();
   selectedShape_.reset();
   selectedConstraints_.clear();
@@ -166,6 +172,7 @@ void Editor::show(Solved solved)
   deformedState_ = std::move(solved.state);
   deformation_ = std::move(solved.deformation);
   deformedSurface_ = std::move(solved.surface);
+  deformedMarks_ = std::move(solved.marks);
   Q_EMIT deformed();
 }
 
@@ -183,7 +190,7 @@ std::optional<Editor::Solved> Editor::remembered(const std::shared_ptr<const Doc
   return found == solved_.end() ? std::nullopt : std::optional(*found);
 }
 
-void Editor::handle(const LiveEvent& event, std::shared_ptr<const VisibleSurface> surface)
+void Editor::handle(const LiveEvent& event, Solved solved)
 {
   using Kind = LiveEvent::Kind;
   // What was cancelled, shown from memory or belongs to another document is not waited for any more.
@@ -192,11 +199,10 @@ void Editor::handle(const LiveEvent& event, std::shared_ptr<const VisibleSurface
   if (event.kind == Kind::Started) return;
   if (event.kind == Kind::Stage) return setStage(QString::fromStdString(event.message));
 
-  const auto state = submitted_.front().second;
   submitted_.pop_front();
   const bool isNewest = submitted_.empty();
   if (isNewest) setStage({});
-  if (event.kind == Kind::Done) show({state, event.deformation, std::move(surface)});
+  if (event.kind == Kind::Done) show(std::move(solved));
   if (!isNewest) return;
   if (event.kind == Kind::Done) setFreshness(Freshness::Current, {});
   if (event.kind == Kind::Cancelled) setFreshness(Freshness::Cancelled, {});

@@ -12,6 +12,7 @@
 
 #include <holdfast/document/history.h>
 #include <holdfast/document/live_deformer.h>
+#include <holdfast/view/mark_set.h>
 #include <holdfast/widgets/loaded_mesh.h>
 #include <holdfast/widgets/posted_calls.h>
 
@@ -54,6 +55,8 @@ class Editor : public QObject {
   /// What is to be shown: deformed, or at rest before the first deformation.
   [[nodiscard]] const Positions& positions() const { return surface()->positions(); }
   [[nodiscard]] const std::shared_ptr<const VisibleSurface>& surface() const;
+  /// Where the constraints of `deformedState` act in `deformation`, those that are disabled last; null with it.
+  [[nodiscard]] const std::shared_ptr<const MarkSet>& marks() const noexcept { return deformedMarks_; }
   [[nodiscard]] Freshness freshness() const noexcept { return freshness_; }
   /// Why the newest state cannot be solved; empty otherwise.
   [[nodiscard]] const QString& trouble() const noexcept { return trouble_; }
@@ -102,13 +105,14 @@ class Editor : public QObject {
     std::shared_ptr<const DocumentState> state;
     std::shared_ptr<const Deformation> deformation;
     std::shared_ptr<const VisibleSurface> surface;  // where the deformation has moved it
+    std::shared_ptr<const MarkSet> marks;
   };
 
   void stateBecame(Supersede supersede);
   void show(Solved solved);
   void remember(const Solved& solved);
   [[nodiscard]] std::optional<Solved> remembered(const std::shared_ptr<const DocumentState>& state) const;
-  void handle(const LiveEvent& event, std::shared_ptr<const VisibleSurface> surface);
+  void handle(const LiveEvent& event, Solved solved);
   void setFreshness(Freshness freshness, const QString& trouble);
   void setStage(const QString& stage);
   void dropVanishedSelection();
@@ -124,6 +128,7 @@ class Editor : public QObject {
   std::shared_ptr<const Deformation> deformation_;
   std::shared_ptr<const DocumentState> deformedState_;
   std::shared_ptr<const VisibleSurface> deformedSurface_;
+  std::shared_ptr<const MarkSet> deformedMarks_;
   Freshness freshness_ = Freshness::Nothing;
   QString trouble_;
   QString stage_;

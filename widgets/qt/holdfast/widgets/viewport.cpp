@@ -88,10 +88,6 @@ Viewport::Viewport(Editor& editor, QWidget* parent) : QVTKOpenGLNativeWidget(par
 
   connect(&editor_, &Editor::opened, this, &Viewport::openDocument);
   connect(&editor_, &Editor::deformed, this, &Viewport::showDeformation);
-  connect(&editor_, &Editor::stateChanged, this, [this] {
-    // While something is dragged, the frames show it.
-    if (!editor_.history().isInGesture()) showConstraints();
-  });
   connect(&editor_, &Editor::vertexSelectionChanged, this, &Viewport::showSelection);
   connect(&editor_, &Editor::constraintSelectionChanged, this, &Viewport::showSelection);
 }
@@ -136,7 +132,6 @@ void Viewport::openDocument()
   contents_.reset();
   picker_.reset();
   coloring_.reset();
-  disabledPlaces_.clear();
   preview_.reset();
   if (editor_.isOpen()) {
     contents_ = editor_.mesh().contents;
@@ -169,8 +164,7 @@ void Viewport::showDeformation()
 void Viewport::showConstraints()
 {
   if (!contents_) return;
-  if (!editor_.history().isInGesture()) disabledPlaces_ = disabledPlaces(*editor_.model(), editor_.list());
-  if (const auto& deformation = editor_.deformation()) contents_->showConstraints(*deformation, disabledPlaces_);
+  if (const auto& marks = editor_.marks()) contents_->showMarks(marks);
   arrange(*contents_, display_);
   overlay_->update();
   scheduleRender();

@@ -158,7 +158,6 @@ class Viewport : public QVTKOpenGLNativeWidget {
   Editor& editor_;
   std::shared_ptr<SceneContents> contents_;
   std::unique_ptr<SurfacePicker> picker_;
-  std::vector<DisabledPlace> disabledPlaces_;
   std::optional<Vector3> openedFrom_;  // the camera's place until the first deformation
   std::optional<Coloring> coloring_;
   ColorSettings colors_;

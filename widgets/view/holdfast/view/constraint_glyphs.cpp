@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <utility>
 
 #include <vtkActor.h>
-
-#include <holdfast/view/evenly_spread.h>
 
 namespace holdfast {
 namespace {
@@ -39,34 +36,11 @@ constexpr std::size_t kCrowd = 500;
 
 constexpr Color kRigidColor{0.42, 0.24, 0.08};
 
-bool isOff(ConstraintStatus status)
-{
-  return status == ConstraintStatus::Conflicting || status == ConstraintStatus::Missed;
-}
-
 /// Nothing moved the others yet: they still show where they want to go.
 bool hasPull(const ConstraintMark& mark)
 {
   const bool isWaiting = mark.status == ConstraintStatus::Independent || mark.status == ConstraintStatus::Disabled;
   return isOff(mark.status) || (isWaiting && isSinglePoint(mark.kind) && mark.target != mark.place);
-}
-
-/// Those of `group` that are drawn where there are too many.
-std::vector<Index> thinned(const std::vector<ConstraintMark>& marks, const std::vector<Index>& group)
-{
-  Positions rest(static_cast<Index>(group.size()), 3);
-  for (Index k = 0; k < rest.rows(); ++k) rest.row(k) = marks[group[k]].rest;
-  std::vector<Index> kept;
-  for (const Index k : evenlySpread(rest, kMostDots)) kept.push_back(group[k]);
-  return kept;
-}
-
-/// Whether both lists hold the same places of the mesh and fared alike: then the same marks are drawn.
-bool areDrawnAlike(const std::vector<ConstraintMark>& a, const std::vector<ConstraintMark>& b)
-{
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const ConstraintMark& p, const ConstraintMark& q) {
-    return p.rest == q.rest && p.status == q.status && p.kind == q.kind;
-  });
 }
 
 Layer layerOf(const ConstraintMark& mark)
@@ -130,26 +104,7 @@ Color glyphColor(const ConstraintMark& mark)
   return mark.kind == MarkKind::Rigid && mark.status == ConstraintStatus::Met ? kRigidColor : glyphColor(mark.status);
 }
 
-std::vector<Index> drawnMarks(const std::vector<ConstraintMark>& marks)
-{
-  std::map<ConstraintStatus, std::vector<Index>> dots;
-  std::vector<Index> drawn;
-  for (std::size_t k = 0; k < marks.size(); ++k) {
-    const bool isOneOfMany = !isSinglePoint(marks[k].kind) && !isOff(marks[k].status);
-    (isOneOfMany ? dots[marks[k].status] : drawn).push_back(static_cast<Index>(k));
-  }
-  for (const auto& [status, group] : dots)
-    for (const Index k : thinned(marks, group)) drawn.push_back(k);
-  // What is disabled hides nothing.
-  const auto gravity = [&](Index k) {
-    return marks[k].status == ConstraintStatus::Disabled ? -1 : static_cast<int>(marks[k].status);
-  };
-  std::sort(drawn.begin(), drawn.end(),
-            [&](Index a, Index b) { return std::pair(gravity(a), a) < std::pair(gravity(b), b); });
-  return drawn;
-}
-
-ConstraintGlyphs::ConstraintGlyphs()
+ConstraintGlyphs::ConstraintGlyphs() : marks_(std::make_shared<const MarkSet>())
 {
   for (const LayerLook& look : kLooks) layers_.push_back(std::make_unique<PointSprites>(look.shape, look.depth));
   update();
@@ -157,9 +112,8 @@ ConstraintGlyphs::ConstraintGlyphs()
 
 ConstraintGlyphs::~ConstraintGlyphs() = default;
 
-void ConstraintGlyphs::setMarks(std::vector<ConstraintMark> marks)
+void ConstraintGlyphs::setMarks(std::shared_ptr<const MarkSet> marks)
 {
-  if (!areDrawnAlike(marks, marks_)) drawn_ = drawnMarks(marks);
   marks_ = std::move(marks);
   update();
 }
@@ -174,9 +128,10 @@ void ConstraintGlyphs::highlight(std::vector<Index> constraints)
 void ConstraintGlyphs::update()
 {
   GlyphSet glyphs;
-  for (const Index k : drawn_) {
-    glyphs.add(marks_[k]);
-    if (std::binary_search(highlighted_.begin(), highlighted_.end(), marks_[k].constraint)) glyphs.highlight(marks_[k]);
+  for (const Index k : marks_->drawn) {
+    const ConstraintMark& mark = marks_->marks[k];
+    glyphs.add(mark);
+    if (std::binary_search(highlighted_.begin(), highlighted_.end(), mark.constraint)) glyphs.highlight(mark);
   }
   if (hidden_ == HiddenMarks::Invisible) glyphs.layers[HiddenPoints].clear();
   for (std::size_t layer = 0; layer < LayerCount; ++layer) layers_[layer]->set(glyphs.layers[layer]);

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include <holdfast/view/color_map.h>
-#include <holdfast/view/constraint_marks.h>
 #include <holdfast/view/glyph_lines.h>
+#include <holdfast/view/mark_set.h>
 #include <holdfast/view/point_sprites.h>
 
 class vtkActor;
@@ -25,14 +25,6 @@ namespace holdfast {
 /// The colour of what is selected, highlighted or under the cursor.
 inline constexpr Color kAccentColor{0.05, 0.50, 1.00};
 
-/// No more dots of one status are drawn for regions than this, evenly spread over what they hold: ten thousand of them
-/// would be a stain. What conflicts or is missed is always drawn.
-inline constexpr Index kMostDots = 800;
-
-/// The places in `marks` of those that are drawn, in the order in which they are drawn: of several in one place the
-/// last is seen, the gravest.
-[[nodiscard]] std::vector<Index> drawnMarks(const std::vector<ConstraintMark>& marks);
-
 /// Whether single points that lie behind a surface show through it.
 enum class HiddenMarks { Invisible, Faint };
 
@@ -47,10 +39,9 @@ class ConstraintGlyphs {
   ConstraintGlyphs(const ConstraintGlyphs&) = delete;
   ConstraintGlyphs& operator=(const ConstraintGlyphs&) = delete;
 
-  /// In the place of all that there were. O(marks log marks); which dots of regions are drawn is decided anew only
-  /// where others are held.
-  void setMarks(std::vector<ConstraintMark> marks);
-  [[nodiscard]] const std::vector<ConstraintMark>& marks() const noexcept { return marks_; }
+  /// In the place of all that there were; not null. O(those that are drawn).
+  void setMarks(std::shared_ptr<const MarkSet> marks);
+  [[nodiscard]] const std::shared_ptr<const MarkSet>& marks() const noexcept { return marks_; }
 
   /// Rings around the points of these constraints, places in the list, and larger dots on their regions.
   void highlight(std::vector<Index> constraints);
@@ -67,8 +58,7 @@ class ConstraintGlyphs {
   void update();
   void resize();
 
-  std::vector<ConstraintMark> marks_;
-  std::vector<Index> drawn_;
+  std::shared_ptr<const MarkSet> marks_;
   std::vector<Index> highlighted_;  // ascending
   HiddenMarks hidden_ = HiddenMarks::Faint;
   double ballPixels_ = 10;

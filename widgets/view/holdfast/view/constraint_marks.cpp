@@ -121,6 +121,7 @@ std::vector<ConstraintMark> constraintMarks(const Model& model, const Deformatio
   const std::vector<double> residuals = rowResiduals(system, model.solverMesh.weld, deformation.positions);
   const double limit = residualLimit(model.solverMesh, system);
   std::vector<ConstraintMark> marks;
+  marks.reserve(residuals.size());
   for (std::size_t r = 0; r < residuals.size(); ++r) {
     const ConstraintRow& row = system.rows[r];
     if (row.terms.empty()) continue;

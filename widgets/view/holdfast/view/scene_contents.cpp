@@ -112,6 +112,11 @@ void SceneContents::color(const std::optional<Coloring>& coloring)
 
 void SceneContents::setMarks(std::vector<ConstraintMark> marks)
 {
+  glyphs_.setMarks(markSet(std::move(marks), glyphs_.marks()));
+}
+
+void SceneContents::showMarks(std::shared_ptr<const MarkSet> marks)
+{
   glyphs_.setMarks(std::move(marks));
 }
 

@@ -59,7 +59,9 @@ class SceneContents {
   void color(const std::optional<Coloring>& coloring);
 
   void setMarks(std::vector<ConstraintMark> marks);
-  [[nodiscard]] const std::vector<ConstraintMark>& marks() const noexcept { return glyphs_.marks(); }
+  /// Those that another thread has made ready; not null. O(those that are drawn).
+  void showMarks(std::shared_ptr<const MarkSet> marks);
+  [[nodiscard]] const std::vector<ConstraintMark>& marks() const noexcept { return glyphs_.marks()->marks; }
   /// Places in the list of constraints.
   void highlight(std::vector<Index> constraints);
   void setHiddenMarks(HiddenMarks hidden);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <holdfast/view/display_transform.h>
 #include <holdfast/widgets/viewport.h>
 
 namespace holdfast {
@@ -26,8 +27,11 @@ std::optional<Index> SelectTool::constraintAt(const Pointer& pointer) const
 {
   double nearest = kReach * viewport_.pixelRatio();
   std::optional<Index> found;
+  const DisplayTransform toDisplay(viewport_.renderer());
   for (const ConstraintMark& mark : viewport_.marks()) {
-    const double distance = (toDisplay(viewport_.renderer(), mark.place).head<2>() - pointer.display).norm();
+    const DisplayTransform::Shown shown = toDisplay.show(mark.place);
+    if (shown.depth <= 0) continue;
+    const double distance = (shown.point - pointer.display).norm();
     // Of what lies in one place single points come before regions: they are what a hand aims at.
     const double judged = isSinglePoint(mark.kind) ? distance : distance + 2;
     if (judged >= nearest) continue;
