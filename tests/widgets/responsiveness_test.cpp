@@ -66,11 +66,16 @@ class Responsiveness : public test::WindowUser {
 
   [[nodiscard]] std::vector<Phase> phases()
   {
-    return {[this] { whileNothingIsDone(); },          [this] { whileAnEditIsSolved(); },
-            [this] { whileTheArrowsAreDragged(); },    [this] { whileThePictureIsTurned(); },
-            [this] { whileThePointToolHovers(); },     [this] { whileItHoversAndAnEditIsSolved(); },
-            [this] { whileConstraintsAreSelected(); }, [this] { whileVerticesAreSelected(); },
-            [this] { whileMuchIsFixedAndSaved(); },    [this] { whilePanelsAreOpened(); },
+    return {[this] { whileNothingIsDone(); },
+            [this] { whileAnEditIsSolved(); },
+            [this] { whileTheArrowsAreDragged("dragging the arrows"); },
+            [this] { whileThePictureIsTurned(); },
+            [this] { whileThePointToolHovers(); },
+            [this] { whileItHoversAndAnEditIsSolved(); },
+            [this] { whileConstraintsAreSelected(); },
+            [this] { whileVerticesAreSelected(); },
+            [this] { whileMuchIsFixedAndSaved(); },
+            [this] { whilePanelsAreOpened(); },
             [this] { whileAMatrixIsFactorised(); }};
   }
 
@@ -95,7 +100,7 @@ class Responsiveness : public test::WindowUser {
     });
   }
 
-  void whileTheArrowsAreDragged()
+  void whileTheArrowsAreDragged(const char* phase)
   {
     editor().selectConstraints({1});
     ASSERT_TRUE(settle());
@@ -105,7 +110,7 @@ class Responsiveness : public test::WindowUser {
     int frames = 0;
     const QObject scope;
     QObject::connect(&editor(), &Editor::deformed, &scope, [&] { ++frames; });
-    measure("dragging the arrows", [&] { moveWith(Qt::LeftButton, wave(from, 0, 60, 250)); });
+    measure(phase, [&] { moveWith(Qt::LeftButton, wave(from, 0, 60, 250)); });
     std::printf("%-30s %d deformations\n", "", frames);
     EXPECT_EQ(editor().history().undoName(), "move P1");
     editor().selectConstraints({});
@@ -182,6 +187,10 @@ class Responsiveness : public test::WindowUser {
     chooseFile((folder_.path() / "ellipsoid.holdfast").string());
     act("saving the session", "saveAs");
     EXPECT_TRUE(editor().history().isSaved());
+    trigger("toolSelect");
+    measure("hovering over much that is fixed", [this] { moveAlong(wave(middle(), 120, 100, 100), Qt::NoButton); });
+    whileTheArrowsAreDragged("dragging beside it");
+    act("undoing", "undo");
     act("undoing", "undo");
     EXPECT_EQ(list().constraints.size(), 3u);
   }
