@@ -132,11 +132,78 @@ TEST_F(DocumentFilesTest, AFailureToSaveIsExplainedAndKeepsTheDocument)
     said = test::textOf(box);
     test::clickButton(box, "OK");
   });
-  EXPECT_FALSE(w.files.saveAs());
+  w.files.saveAsInBackground();
+  EXPECT_TRUE(w.files.isSaving());
+  EXPECT_TRUE(test::waitUntil([&] { return !said.isEmpty(); }));
   EXPECT_TRUE(said.contains("no such folder")) << said.toStdString();
   EXPECT_EQ(w.editor.history().state(), state);
   EXPECT_FALSE(w.editor.history().isSaved());
   EXPECT_EQ(w.files.sessionPath(), w.path("part.holdfast"));
+}
+
+TEST_F(DocumentFilesTest, WhatIsEditedWhileItIsSavedIsUnsaved)
+{
+  openSession();
+  w.holdVertex(3);
+  const ConstraintList saved = w.editor.list();
+  w.files.saveInBackground();
+  w.holdVertex(4);
+  ASSERT_TRUE(test::waitUntil([&] { return !w.files.isSaving(); }));
+  EXPECT_FALSE(w.editor.history().isSaved());
+  EXPECT_TRUE(test::areSame(readSession(w.path("part.holdfast")).document.list, saved));
+  w.editor.undo();
+  EXPECT_TRUE(w.editor.history().isSaved());
+}
+
+TEST_F(DocumentFilesTest, SavedOnceMoreWhileItIsSavedTheNewestStays)
+{
+  openSession();
+  std::vector<QString> told;
+  QObject::connect(&w.files, &DocumentFiles::done, &w.files, [&](const QString& what) { told.push_back(what); });
+  for (const Index vertex : {3, 4, 5}) {
+    w.holdVertex(vertex);
+    w.files.saveInBackground();
+  }
+  ASSERT_TRUE(test::waitUntil([&] { return w.editor.history().isSaved(); }));
+  EXPECT_FALSE(w.files.isSaving());
+  EXPECT_EQ(told.size(), 2u) << "the one in between was older";
+  EXPECT_TRUE(test::areSame(readSession(w.path("part.holdfast")).document.list, w.editor.list()));
+}
+
+TEST_F(DocumentFilesTest, NobodyIsAskedAboutWhatIsBeingSaved)
+{
+  openSession();
+  w.holdVertex(3);
+  w.files.saveInBackground();
+  w.holdVertex(4);
+  w.files.saveInBackground();
+  EXPECT_TRUE(w.files.maySaveBefore("closing the window"));
+  EXPECT_TRUE(w.editor.history().isSaved());
+  EXPECT_TRUE(test::areSame(readSession(w.path("part.holdfast")).document.list, w.editor.list()));
+}
+
+TEST_F(DocumentFilesTest, ASaveGoesToItsFileThoughTheDocumentIsClosed)
+{
+  openSession();
+  w.holdVertex(3);
+  const ConstraintList saved = w.editor.list();
+  w.files.saveInBackground();
+  w.editor.close();
+  ASSERT_TRUE(test::waitUntil([&] { return !w.files.isSaving(); }));
+  EXPECT_TRUE(w.files.sessionPath().empty());
+  EXPECT_TRUE(test::areSame(readSession(w.path("part.holdfast")).document.list, saved));
+}
+
+TEST_F(DocumentFilesTest, ASaveGoesToItsFileThoughTheWindowIsGone)
+{
+  auto other = std::make_unique<test::FilesWindow>();
+  ASSERT_TRUE(other->open(other->sample("bracket.obj")));
+  other->holdVertex(3);
+  other->answers = {w.path("other.holdfast")};
+  const ConstraintList saved = other->editor.list();
+  other->files.saveAsInBackground();
+  other.reset();
+  EXPECT_TRUE(test::areSame(readSession(w.path("other.holdfast")).document.list, saved));
 }
 
 TEST_F(DocumentFilesTest, ACancelledSaveSavesNothing)

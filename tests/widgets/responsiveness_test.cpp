@@ -185,8 +185,10 @@ class Responsiveness : public test::WindowUser {
     act("fixing a large selection", "makeFixed");
     EXPECT_EQ(list().constraints.size(), 4u);
     chooseFile((folder_.path() / "ellipsoid.holdfast").string());
-    act("saving the session", "saveAs");
-    EXPECT_TRUE(editor().history().isSaved());
+    measure("saving the session", [this] {
+      trigger("saveAs");
+      EXPECT_TRUE(test::waitUntil([this] { return editor().history().isSaved(); }));
+    });
     trigger("toolSelect");
     measure("hovering over much that is fixed", [this] { moveAlong(wave(middle(), 120, 100, 100), Qt::NoButton); });
     whileTheArrowsAreDragged("dragging beside it");

@@ -68,7 +68,7 @@ class KeyboardInWindow : public test::WindowUser {
 
   void TearDown() override
   {
-    if (editor().isOpen()) editor().markSaved();
+    if (editor().isOpen()) editor().markSaved(editor().history().state());
   }
 };
 
@@ -103,6 +103,7 @@ TEST_F(KeyboardInWindow, HoldsMovesUndoesAndSaves)
   const auto path = folder.path() / "keys.holdfast";
   chooseFile(path.string());
   key(Qt::Key_S, Qt::ControlModifier);
+  ASSERT_TRUE(test::waitUntil([this] { return !window.files().isSaving(); }));
   std::ifstream file(path);
   ASSERT_TRUE(file);
   EXPECT_EQ(nlohmann::json::parse(file).at("constraints").at(1).at("target").at(2).get<double>(), 72.125);

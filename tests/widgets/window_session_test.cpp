@@ -56,7 +56,7 @@ class SessionInWindow : public test::WindowUser {
   void TearDown() override
   {
     // Of a window that was closed there is nothing to be asked.
-    if (editor().isOpen()) editor().markSaved();
+    if (editor().isOpen()) editor().markSaved(editor().history().state());
   }
 
   [[nodiscard]] fs::path mesh() const { return folder.path() / "bracket.obj"; }
@@ -66,6 +66,7 @@ class SessionInWindow : public test::WindowUser {
   {
     chooseFile(session().string());
     key(Qt::Key_S, Qt::ControlModifier);
+    ASSERT_TRUE(test::waitUntil([this] { return !window.files().isSaving(); }));
     ASSERT_TRUE(fs::exists(session()));
     ASSERT_FALSE(window.isWindowModified());
   }

@@ -81,6 +81,7 @@ TEST_F(TypedTarget, IsInTheSavedSessionToTheLastBit)
   const auto path = folder.path() / "typed.holdfast";
   chooseFile(path.string());
   key(Qt::Key_S, Qt::ControlModifier);
+  ASSERT_TRUE(test::waitUntil([this] { return !window.files().isSaving(); }));
   std::ifstream file(path);
   ASSERT_TRUE(file) << "nothing was saved";
   const auto session = nlohmann::json::parse(file);

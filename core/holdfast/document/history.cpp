@@ -74,11 +74,6 @@ std::string_view History::redoName() const
   return canRedo() ? std::string_view(states_[position_ + 1].name) : std::string_view();
 }
 
-void History::markSaved()
-{
-  saved_ = state();
-}
-
 bool History::isSaved() const noexcept
 {
   return saved_ == (gesture_ ? gesture_->after : states_[position_].state);

@@ -54,8 +54,8 @@ class History {
   [[nodiscard]] std::string_view undoName() const;
   [[nodiscard]] std::string_view redoName() const;
 
-  /// The state that is shown is the one that is in the user's file.
-  void markSaved();
+  /// `state`, one that was shown, is what the user's file holds.
+  void markSaved(std::shared_ptr<const DocumentState> state) noexcept { saved_ = std::move(state); }
   /// No state is the one in the user's file: there is none, or it says something else.
   void markUnsaved() noexcept { saved_.reset(); }
   [[nodiscard]] bool isSaved() const noexcept;

@@ -109,7 +109,7 @@ TEST(History, KnowsWhetherTheFileHasWhatIsShown)
   EXPECT_TRUE(history.isSaved());
   history.edit("to b", named("b"));
   EXPECT_FALSE(history.isSaved());
-  history.markSaved();
+  history.markSaved(history.state());
   EXPECT_TRUE(history.isSaved());
   history.undo();
   EXPECT_FALSE(history.isSaved());
@@ -136,7 +136,7 @@ TEST(History, ADocumentThatIsInNoFileIsUnsavedUntilItIsSaved)
   history.markUnsaved();
   EXPECT_FALSE(history.isSaved());
   EXPECT_FALSE(history.canUndo()) << "nothing was edited";
-  history.markSaved();
+  history.markSaved(history.state());
   EXPECT_TRUE(history.isSaved());
 }
 

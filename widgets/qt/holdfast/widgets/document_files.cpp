@@ -4,6 +4,7 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QWidget>
+#include <future>
 #include <utility>
 
 #include <holdfast/base/error.h>
@@ -175,38 +176,96 @@ bool DocumentFiles::mayReplaceDocument()
 
 // Saving
 
+/// Waits for the disk when it is destroyed: what was begun is on it then.
+struct DocumentFiles::Saving {
+  fs::path path;
+  std::shared_ptr<const Model> model;
+  std::shared_ptr<const DocumentState> state;
+  std::future<std::exception_ptr> failure;
+};
+
 bool DocumentFiles::save()
 {
-  return sessionPath_.empty() ? saveAs() : saveTo(sessionPath_);
+  while (saving_) finishSaving();
+  const fs::path path = sessionPath_.empty() ? askWhereToSave() : sessionPath_;
+  if (path.empty()) return false;
+  beginSaving(path);
+  return finishSaving();
 }
 
-bool DocumentFiles::saveAs()
+void DocumentFiles::saveInBackground()
+{
+  if (sessionPath_.empty()) return saveAsInBackground();
+  beginSaving(sessionPath_);
+}
+
+void DocumentFiles::saveAsInBackground()
+{
+  if (const fs::path path = askWhereToSave(); !path.empty()) beginSaving(path);
+}
+
+fs::path DocumentFiles::askWhereToSave()
 {
   const QString suggestion =
       QFileInfo(suggestedPath()).path() + '/' + QFileInfo(name()).completeBaseName() + ".holdfast";
   QString path = chooser_(
       window_, {FileQuestion::Purpose::Write, tr("Save the session"), suggestion, {tr("Sessions (*.holdfast)")}});
-  if (path.isEmpty()) return false;
-  return saveTo(pathOf(QFileInfo(path).absoluteFilePath()));
+  return path.isEmpty() ? fs::path() : pathOf(QFileInfo(path).absoluteFilePath());
 }
 
-bool DocumentFiles::saveTo(const fs::path& path)
+void DocumentFiles::beginSaving(const fs::path& path)
 {
-  try {
-    writeSession(path, sessionAt(path));
-  } catch (const std::exception& error) {
-    showProblem(window_, tr("“%1” cannot be saved.").arg(textOf(path.filename())), error);
+  // One after the other: the newest is to stay.
+  if (saving_) {
+    saveNext_ = path;
+    return;
+  }
+  saving_ = std::make_shared<Saving>(Saving{path, editor_.model(), editor_.history().state(), {}});
+  saving_->failure =
+      std::async(std::launch::async,
+                 [this, path, session = sessionAt(path), weak = std::weak_ptr(saving_)]() -> std::exception_ptr {
+                   std::exception_ptr failure;
+                   try {
+                     writeSession(path, session);
+                   } catch (...) {
+                     failure = std::current_exception();
+                   }
+                   told_.post([this, weak] {
+                     if (saving_ && saving_ == weak.lock()) finishSaving();
+                   });
+                   return failure;
+                 });
+}
+
+/// Waits for what is being saved, and tells how it went: true as well where nothing is.
+bool DocumentFiles::finishSaving()
+{
+  const std::shared_ptr<Saving> ended = std::exchange(saving_, nullptr);
+  if (!ended) return true;
+  const QString file = textOf(ended->path.filename());
+  if (const std::exception_ptr failure = ended->failure.get()) {
+    saveNext_.reset();
+    try {
+      std::rethrow_exception(failure);
+    } catch (const std::exception& error) {
+      showProblem(window_, tr("“%1” cannot be saved.").arg(file), error);
+    }
     return false;
   }
-  setPath(path);
-  editor_.markSaved();
-  recent_.add(textOf(path));
-  Q_EMIT done(tr("saved %1").arg(textOf(path.filename())));
+  recent_.add(textOf(ended->path));
+  if (editor_.isOpen() && editor_.model() == ended->model) {
+    setPath(ended->path);
+    editor_.markSaved(ended->state);
+  }
+  Q_EMIT done(tr("saved %1").arg(file));
+  if (const auto next = std::exchange(saveNext_, std::nullopt); next && editor_.isOpen()) beginSaving(*next);
   return true;
 }
 
 bool DocumentFiles::maySaveBefore(const QString& action)
 {
+  while (saving_)
+    if (!finishSaving()) return false;
   if (!editor_.isOpen() || editor_.history().isSaved()) return true;
   switch (askToSave(window_, name(), action)) {
     case SaveAnswer::Save:

@@ -7,12 +7,14 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include <holdfast/document/recovery.h>
 #include <holdfast/document/session_file.h>
 #include <holdfast/widgets/background_job.h>
 #include <holdfast/widgets/editor.h>
 #include <holdfast/widgets/file_chooser.h>
+#include <holdfast/widgets/posted_calls.h>
 #include <holdfast/widgets/progress_sheet.h>
 #include <holdfast/widgets/recent_files.h>
 
@@ -48,7 +50,11 @@ class DocumentFiles : public QObject {
 
   /// False where nothing was saved: it failed, or the user thought better of it. There is an open document.
   bool save();
-  bool saveAs();
+  /// As `save` and to another session, on a thread of its own: nobody waits for the disk. What is edited meanwhile is
+  /// not in the file, and unsaved. Asked for once more meanwhile, it is done once more. `done` tells when it is.
+  void saveInBackground();
+  void saveAsInBackground();
+  [[nodiscard]] bool isSaving() const noexcept { return saving_ != nullptr; }
 
   /// Asks about unsaved changes where there are any, and saves them if told to. `action` is what comes next: "closing
   /// the window". False where it must not.
@@ -75,7 +81,8 @@ class DocumentFiles : public QObject {
   void done(const QString& what);
 
  private:
-  struct Wish;  // what is to be opened
+  struct Wish;    // what is to be opened
+  struct Saving;  // what is being written
 
   void openSession(Wish wish);
   void find(Wish wish);
@@ -86,7 +93,9 @@ class DocumentFiles : public QObject {
   void setPath(const std::filesystem::path& path);
   void showFailure(const std::exception_ptr& error);
   [[nodiscard]] bool mayReplaceDocument();
-  [[nodiscard]] bool saveTo(const std::filesystem::path& path);
+  [[nodiscard]] std::filesystem::path askWhereToSave();
+  void beginSaving(const std::filesystem::path& path);
+  bool finishSaving();
   [[nodiscard]] QString suggestedPath() const;
 
   Editor& editor_;
@@ -97,9 +106,12 @@ class DocumentFiles : public QObject {
   ProgressSheet sheet_;
   RecentFiles recent_;
   std::filesystem::path sessionPath_;
-  std::string meshChecksum_;                      // of the mesh as it was read
-  QString opening_;                               // the file, for messages
-  std::shared_ptr<const DocumentState> givenUp_;  // the unsaved state that the user has agreed to lose
+  std::string meshChecksum_;                       // of the mesh as it was read
+  QString opening_;                                // the file, for messages
+  std::shared_ptr<const DocumentState> givenUp_;   // the unsaved state that the user has agreed to lose
+  std::optional<std::filesystem::path> saveNext_;  // asked for while something was being saved
+  PostedCalls told_;                               // by the thread that writes; outlives it
+  std::shared_ptr<Saving> saving_;                 // null when nothing is written
 };
 
 }  // namespace holdfast

@@ -115,9 +115,9 @@ void Editor::redo()
   if (isOpen() && history_->redo()) stateBecame(Supersede::AtNextStage);
 }
 
-void Editor::markSaved()
+void Editor::markSaved(std::shared_ptr<const DocumentState> state)
 {
-  history_->markSaved();
+  history_->markSaved(std::move(state));
   Q_EMIT saved();
 }
 

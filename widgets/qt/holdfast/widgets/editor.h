@@ -73,7 +73,8 @@ class Editor : public QObject {
   void cancelGesture();
   void undo();
   void redo();
-  void markSaved();
+  /// `state`, one that was shown, is what the user's file holds.
+  void markSaved(std::shared_ptr<const DocumentState> state);
   /// The document is in no file, though nothing was edited: a copy that a crash has left.
   void markUnsaved();
 

@@ -80,9 +80,9 @@ void MainWindow::makeFileMenu()
   menu.addSeparator();
   withDocument_.push_back(addAction(menu, "save", tr("&Save"), QKeySequence::Save,
                                     tr("Save the mesh's constraints and the view as a session"),
-                                    [this] { files_.save(); }));
+                                    [this] { files_.saveInBackground(); }));
   withDocument_.push_back(addAction(menu, "saveAs", tr("Save &as…"), QKeySequence("Ctrl+Shift+S"),
-                                    tr("Save as another session"), [this] { files_.saveAs(); }));
+                                    tr("Save as another session"), [this] { files_.saveAsInBackground(); }));
   menu.addSeparator();
   withDocument_.push_back(
       addAction(menu, "import", tr("&Import constraints…"), QKeySequence("Ctrl+I"),
