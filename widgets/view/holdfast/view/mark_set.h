@@ -20,6 +20,7 @@ inline constexpr Index kMostDots = 800;
 /// last is seen, the gravest.
 [[nodiscard]] std::vector<Index> drawnMarks(const std::vector<ConstraintMark>& marks);
 
+/// Never changes once it is shared.
 struct MarkSet {
   std::vector<ConstraintMark> marks;
   std::vector<Index> drawn;  ///< `drawnMarks` of them
