@@ -2,6 +2,7 @@
 
 #include <QOpenGLContext>
 #include <QOpenGLExtraFunctions>
+#include <utility>
 
 #include <vtkRenderWindow.h>
 
@@ -22,33 +23,35 @@ DrawFence::DrawFence(vtkRenderWindow& window) : window_(window) {}
 
 DrawFence::~DrawFence()
 {
-  drop();
+  drop({&asked_, &held_, &passed_});
 }
 
 void DrawFence::set()
 {
-  drop();
+  drop({&asked_, &held_});
   QOpenGLExtraFunctions* gl = functionsOf(window_);
   if (gl == nullptr) return;
-  sync_ = gl->glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+  for (Sync* sync : {&asked_, &held_}) *sync = gl->glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
   gl->glFlush();
 }
 
-void DrawFence::drop()
+void DrawFence::drop(std::initializer_list<Sync*> syncs)
 {
-  if (sync_ == nullptr) return;
-  if (QOpenGLExtraFunctions* gl = functionsOf(window_)) gl->glDeleteSync(static_cast<GLsync>(sync_));
-  sync_ = nullptr;
+  QOpenGLExtraFunctions* gl = functionsOf(window_);
+  for (Sync* sync : syncs) {
+    if (gl != nullptr && *sync != nullptr) gl->glDeleteSync(static_cast<GLsync>(*sync));
+    *sync = nullptr;
+  }
 }
 
-bool DrawFence::pass()
+bool DrawFence::pass(std::chrono::nanoseconds patience)
 {
-  if (sync_ == nullptr) return true;
+  if (asked_ == nullptr) return true;
   QOpenGLExtraFunctions* gl = functionsOf(window_);
-  constexpr GLuint64 kDoNotWait = 0;
-  if (gl != nullptr && gl->glClientWaitSync(static_cast<GLsync>(sync_), 0, kDoNotWait) == GL_TIMEOUT_EXPIRED)
-    return false;
-  drop();
+  const auto time = static_cast<GLuint64>(patience.count());
+  if (gl != nullptr && gl->glClientWaitSync(static_cast<GLsync>(asked_), 0, time) == GL_TIMEOUT_EXPIRED) return false;
+  drop({&asked_, &passed_});
+  passed_ = std::exchange(held_, nullptr);
   return true;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -32,6 +33,9 @@ constexpr int kRestMilliseconds = 250;
 
 // Whether something is drawn by now is asked for this often.
 constexpr int kMillisecondsBetweenLooks = 1;
+
+// Longer than any picture takes.
+constexpr std::chrono::seconds kMostPatience(10);
 
 double millisecondsOf(const QElapsedTimer& timer)
 {
@@ -320,6 +324,14 @@ void Viewport::initializeGL()
   spreadOverCores(kDrawingThreads);
 }
 
+void Viewport::paintGL()
+{
+  // Draws, or puts what was drawn into the window: that would wait as well.
+  static_cast<void>(fence_->pass(kMostPatience));
+  QVTKOpenGLNativeWidget::paintGL();
+  fence_->set();
+}
+
 void Viewport::scheduleRender()
 {
   if (!renderTimer_.isActive()) renderTimer_.start(0);
@@ -352,6 +364,7 @@ void Viewport::render()
 void Viewport::renderAtOnce()
 {
   window_->Render();
+  fence_->set();
   renderMilliseconds_ = millisecondsOf(drawing_);
   fullMilliseconds_ = renderMilliseconds_;
   overlay_->update();

@@ -118,6 +118,7 @@ class Viewport : public QVTKOpenGLNativeWidget {
 
  protected:
   void initializeGL() override;
+  void paintGL() override;
   bool event(QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
