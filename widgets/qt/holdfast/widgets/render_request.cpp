@@ -4,8 +4,10 @@
 #include <QPointer>
 #include <QTimer>
 #include <deque>
+#include <utility>
 
 #include <QVTKOpenGLNativeWidget.h>
+#include <vtkCommand.h>
 #include <vtkRenderWindow.h>
 
 namespace holdfast {
@@ -48,7 +50,10 @@ class Queue : public QObject {
 
 }  // namespace
 
-RenderRequest::RenderRequest(QVTKOpenGLNativeWidget& view) : QObject(&view), view_(view) {}
+RenderRequest::RenderRequest(QVTKOpenGLNativeWidget& view) : QObject(&view), view_(view)
+{
+  view.renderWindow()->AddObserver(vtkCommand::EndEvent, this, &RenderRequest::drawn);
+}
 
 void RenderRequest::post()
 {
@@ -59,7 +64,7 @@ void RenderRequest::post()
 
 void RenderRequest::draw()
 {
-  isPosted_ = false;
+  if (!std::exchange(isPosted_, false)) return;
   // Before its first frame the view has no OpenGL, and draws of itself.
   if (view_.isVisible() && view_.isValid()) view_.renderWindow()->Render();
 }

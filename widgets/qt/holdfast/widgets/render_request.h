@@ -13,11 +13,14 @@ class RenderRequest : public QObject {
  public:
   explicit RenderRequest(QVTKOpenGLNativeWidget& view);
 
+  /// Nothing comes of it where the view is drawn before for another reason: when it is shown, say.
   void post();
-  /// Now: its turn has come.
+  /// Its turn has come.
   void draw();
 
  private:
+  void drawn() { isPosted_ = false; }
+
   QVTKOpenGLNativeWidget& view_;
   bool isPosted_ = false;
 };
