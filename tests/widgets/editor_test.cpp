@@ -1,3 +1,5 @@
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include <holdfast/constraints/constraint_file.h>
@@ -84,6 +86,33 @@ TEST_F(EditorOfBracket, SaysWhyAStateCannotBeSolvedAndKeepsWhatWasShown)
   ASSERT_TRUE(test::waitUntil([&] { return editor.freshness() == Freshness::Unusable; }));
   EXPECT_TRUE(editor.trouble().contains("1000000")) << editor.trouble().toStdString();
   EXPECT_EQ(editor.positions(), before);
+}
+
+TEST_F(EditorOfBracket, MarksAreThoseOfWhatIsShown)
+{
+  const auto before = editor.marks();
+  const auto stateBefore = editor.deformedState();
+  const auto disabled = [this] {
+    std::vector<Index> constraints;
+    for (const ConstraintMark& mark : editor.marks()->marks)
+      if (mark.status == ConstraintStatus::Disabled) constraints.push_back(mark.constraint);
+    return constraints;
+  };
+  ASSERT_TRUE(disabled().empty());
+
+  ConstraintList list = editor.list();
+  const Index last = static_cast<Index>(list.constraints.size()) - 1;
+  list.constraints.back().isEnabled = false;
+  list.constraints.push_back({"beyond", true, Point{AtVertex{1'000'000}, Move{}}});
+  editor.edit("disable and add", list);
+  ASSERT_TRUE(test::waitUntil([&] { return editor.freshness() == Freshness::Unusable; }));
+  EXPECT_EQ(editor.marks(), before);
+  EXPECT_EQ(editor.deformedState(), stateBefore);
+
+  list.constraints.pop_back();
+  editor.edit("delete", list);
+  ASSERT_TRUE(waitForCurrent());
+  EXPECT_EQ(disabled(), (std::vector<Index>{last}));
 }
 
 TEST_F(EditorOfBracket, CancelledWorkSaysSoAndCanBeTakenUpAgain)
