@@ -8,26 +8,15 @@
 #include <QStyle>
 #include <QVBoxLayout>
 
+#include <holdfast/widgets/labels.h>
+
 namespace holdfast {
-namespace {
-
-QLabel* textLabel(const QString& name)
-{
-  QLabel* label = new QLabel;
-  label->setObjectName(name);
-  label->setWordWrap(true);
-  label->setTextFormat(Qt::PlainText);
-  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  return label;
-}
-
-}  // namespace
 
 Card::Card(QWidget* parent)
     : QFrame(parent),
       icon_(new QLabel),
-      title_(textLabel("cardTitle")),
-      text_(textLabel("cardText")),
+      title_(newText("cardTitle")),
+      text_(newText("cardText")),
       buttons_(new QGridLayout)
 {
   setFrameShape(StyledPanel);

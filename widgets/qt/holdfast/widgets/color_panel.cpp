@@ -17,6 +17,7 @@
 
 #include <holdfast/io/number_text.h>
 #include <holdfast/widgets/color_words.h>
+#include <holdfast/widgets/labels.h>
 
 namespace holdfast {
 namespace {
@@ -69,15 +70,6 @@ QLineEdit* makeNumber(const QString& name, const QString& accessibleName)
   return edit;
 }
 
-QLabel* makeNote(const QString& name)
-{
-  auto* label = new QLabel;
-  label->setObjectName(name);
-  label->setWordWrap(true);
-  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  return label;
-}
-
 }  // namespace
 
 ColorPanel::ColorPanel(Editor& editor, QWidget* parent) : QWidget(parent), editor_(editor)
@@ -114,17 +106,17 @@ void ColorPanel::makeColorRows(QFormLayout& form)
   field_->setObjectName("colorField");
   for (std::size_t k = 0; k < colorByNames().size(); ++k)
     field_->addItem(fieldWords(static_cast<ColorBy>(k)).name, static_cast<int>(k));
-  explanation_ = makeNote("colorExplanation");
+  explanation_ = newText("colorExplanation");
   rangeKind_ = new QComboBox;
   rangeKind_->setObjectName("colorRangeKind");
   rangeKind_->addItems({tr("Automatic"), tr("Fixed"), tr("Logarithmic")});
-  automatic_ = makeNote("colorAutomaticRange");
+  automatic_ = newText("colorAutomaticRange");
   rangeRows_ = new QStackedWidget;
   rangeRows_->addWidget(automatic_);
   rangeRows_->addWidget(makeFixedRange());
   rangeRows_->addWidget(makeLogarithmicRange());
   rangeRows_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
-  refusal_ = makeNote("colorRefusal");
+  refusal_ = newText("colorRefusal");
   map_ = new QComboBox;
   map_->setObjectName("colorMap");
   map_->setIconSize(kSwatch);

@@ -9,6 +9,7 @@
 #include <holdfast/document/list_edits.h>
 #include <holdfast/widgets/conflict_words.h>
 #include <holdfast/widgets/constraint_words.h>
+#include <holdfast/widgets/labels.h>
 #include <holdfast/widgets/number_words.h>
 #include <holdfast/widgets/outcome_lookup.h>
 #include <holdfast/widgets/rest_places.h>
@@ -21,16 +22,6 @@ namespace {
 constexpr std::size_t kMostConflicts = 100;
 constexpr std::size_t kMostRepetitions = 200;
 constexpr int kLettersOnButtons = 16;
-
-QLabel* wrapped(const QString& name)
-{
-  QLabel* label = new QLabel;
-  label->setObjectName(name);
-  label->setWordWrap(true);
-  label->setTextFormat(Qt::PlainText);
-  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  return label;
-}
 
 /// A name in few letters, for buttons.
 QString shortened(const std::string& name)
@@ -67,18 +58,14 @@ ConflictPanel::ConflictPanel(Editor& editor, QWidget* parent) : QWidget(parent),
   conflictLayout_->setContentsMargins(0, 0, 0, 0);
   conflictLayout_->setSpacing(8);
   list_->add(conflicts_);
-  more_ = wrapped("conflictMore");
+  more_ = newText("conflictMore");
   list_->add(more_);
-  repetitionTitle_ = wrapped("repetitionTitle");
+  repetitionTitle_ = newText("repetitionTitle");
   list_->add(repetitionTitle_);
-  repetitions_ = wrapped("repetitions");
+  repetitions_ = newText("repetitions");
   list_->add(repetitions_);
 
-  empty_ = new QLabel;
-  empty_->setObjectName("conflictEmpty");
-  empty_->setAlignment(Qt::AlignCenter);
-  empty_->setWordWrap(true);
-  empty_->setMargin(12);
+  empty_ = newHint("conflictEmpty");
   pages_ = new QStackedWidget;
   pages_->addWidget(empty_);
   pages_->addWidget(list_);

@@ -9,6 +9,7 @@
 
 #include <holdfast/document/list_edits.h>
 #include <holdfast/widgets/constraint_actions.h>
+#include <holdfast/widgets/labels.h>
 #include <holdfast/widgets/status_look.h>
 
 namespace holdfast {
@@ -46,11 +47,7 @@ std::vector<Index> verticesOf(const Finding& finding, const Mesh& mesh)
 FindingsPanel::FindingsPanel(Editor& editor, QWidget* parent) : QWidget(parent), editor_(editor)
 {
   setObjectName("findingsPanel");
-  empty_ = new QLabel;
-  empty_->setObjectName("findingsEmpty");
-  empty_->setAlignment(Qt::AlignCenter);
-  empty_->setWordWrap(true);
-  empty_->setMargin(12);
+  empty_ = newHint("findingsEmpty");
   list_ = new CardList;
   list_->setAccessibleName(tr("Findings about the mesh"));
   pages_ = new QStackedWidget;

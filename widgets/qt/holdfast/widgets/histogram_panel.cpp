@@ -12,6 +12,7 @@
 #include <holdfast/rotation/rotation_log.h>
 #include <holdfast/view/rotation_projection.h>
 #include <holdfast/widgets/histogram_view.h>
+#include <holdfast/widgets/labels.h>
 #include <holdfast/widgets/number_words.h>
 
 namespace holdfast {
@@ -68,11 +69,7 @@ HistogramPanel::Page HistogramPanel::makePage(const QString& name)
   Page page;
   auto* frame = new QWidget;
   page.pages = new QStackedLayout(frame);
-  page.hint = new QLabel;
-  page.hint->setObjectName(name + "Hint");
-  page.hint->setAlignment(Qt::AlignCenter);
-  page.hint->setWordWrap(true);
-  page.hint->setMargin(16);
+  page.hint = newHint(name + "Hint");
   page.view = new HistogramView;
   page.view->setObjectName(name + "View");
   page.pages->addWidget(page.hint);

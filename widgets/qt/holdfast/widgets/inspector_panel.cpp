@@ -11,6 +11,7 @@
 
 #include <holdfast/base/error.h>
 #include <holdfast/widgets/constraint_words.h>
+#include <holdfast/widgets/labels.h>
 #include <holdfast/widgets/outcome_section.h>
 #include <holdfast/widgets/point_section.h>
 #include <holdfast/widgets/region_sections.h>
@@ -21,11 +22,7 @@ namespace holdfast {
 InspectorPanel::InspectorPanel(Editor& editor, QWidget* parent) : QWidget(parent), editor_(editor)
 {
   setObjectName("inspectorPanel");
-  empty_ = new QLabel;
-  empty_->setObjectName("inspectorEmpty");
-  empty_->setAlignment(Qt::AlignCenter);
-  empty_->setWordWrap(true);
-  empty_->setMargin(12);
+  empty_ = newHint("inspectorEmpty");
 
   QWidget* content = new QWidget;
   QVBoxLayout* layout = new QVBoxLayout(content);

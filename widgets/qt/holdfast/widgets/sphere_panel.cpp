@@ -24,6 +24,7 @@
 #include <holdfast/view/rotation_sphere.h>
 #include <holdfast/view/sphere_camera.h>
 #include <holdfast/widgets/background_job.h>
+#include <holdfast/widgets/labels.h>
 #include <holdfast/widgets/number_words.h>
 #include <holdfast/widgets/render_request.h>
 #include <holdfast/widgets/vtk_palette.h>
@@ -77,11 +78,7 @@ SpherePanel::SpherePanel(Editor& editor, QWidget* parent) : QWidget(parent), edi
   column->addLayout(header);
   column->addWidget(view_, 1);
 
-  hint_ = new QLabel;
-  hint_->setObjectName("sphereHint");
-  hint_->setAlignment(Qt::AlignCenter);
-  hint_->setWordWrap(true);
-  hint_->setMargin(16);
+  hint_ = newHint("sphereHint");
   pages_ = new QStackedLayout(this);
   pages_->addWidget(hint_);
   pages_->addWidget(page);
