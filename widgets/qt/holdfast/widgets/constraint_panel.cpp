@@ -15,6 +15,7 @@
 #include <stdexcept>
 
 #include <holdfast/widgets/constraint_words.h>
+#include <holdfast/widgets/number_words.h>
 
 namespace holdfast {
 namespace {
@@ -347,9 +348,9 @@ void ConstraintPanel::updateTexts()
                        : all == 0 ? tr("No constraints yet.\n\nPick a point on the surface, paste a point list, or "
                                        "open a constraint file.")
                                   : tr("Nothing matches.\n\nClear the filter to see all constraints."));
-  QString text = all == 1 ? tr("1 constraint") : tr("%n constraints", nullptr, all);
-  if (shown != all) text += tr(", %1 shown").arg(shown);
-  if (selected > 1) text += tr(", %1 selected").arg(selected);
+  QString text = all == 1 ? tr("1 constraint") : tr("%1 constraints").arg(countText(all));
+  if (shown != all) text += tr(", %1 shown").arg(countText(shown));
+  if (selected > 1) text += tr(", %1 selected").arg(countText(static_cast<Index>(selected)));
   count_->setText(text);
 }
 

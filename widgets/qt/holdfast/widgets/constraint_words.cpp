@@ -19,7 +19,7 @@ constexpr std::size_t kNamesInWords = 5;
 
 QString counted(std::size_t n, const char* one, const char* many)
 {
-  return n == 1 ? ConstraintWords::tr(one) : ConstraintWords::tr(many, nullptr, static_cast<int>(n));
+  return n == 1 ? ConstraintWords::tr(one) : ConstraintWords::tr(many).arg(countText(static_cast<Index>(n)));
 }
 
 struct KindWords {
@@ -50,7 +50,7 @@ struct LocationWords {
 struct SelectionWords {
   QString operator()(const VertexIds& vertices) const
   {
-    return counted(vertices.ids.size(), "1 vertex", "%n vertices");
+    return counted(vertices.ids.size(), "1 vertex", "%1 vertices");
   }
   QString operator()(const InBox& /*box*/) const { return ConstraintWords::tr("box"); }
   QString operator()(const InSphere& sphere) const
@@ -62,8 +62,8 @@ struct SelectionWords {
   QString operator()(const InsideCurve& curve) const
   {
     return curve.side == CurveSide::Smaller
-               ? counted(curve.through.size(), "curve", "curve through %n places")
-               : counted(curve.through.size(), "outside a curve", "outside a curve through %n places");
+               ? counted(curve.through.size(), "curve", "curve through %1 places")
+               : counted(curve.through.size(), "outside a curve", "outside a curve through %1 places");
   }
   QString operator()(const AllOf& all) const
   {
@@ -90,7 +90,7 @@ struct SelectionWords {
     if (parts.empty()) return ofNone;
     QStringList words;
     for (std::size_t k = 0; k < std::min(parts.size(), kPartsInWords); ++k) words << inner(parts[k]);
-    if (parts.size() > kPartsInWords) words << counted(parts.size() - kPartsInWords, "1 more", "%n more");
+    if (parts.size() > kPartsInWords) words << counted(parts.size() - kPartsInWords, "1 more", "%1 more");
     return words.join(glue);
   }
 };
@@ -179,7 +179,7 @@ QString quotedList(const std::vector<std::string>& names)
 {
   QStringList words;
   for (std::size_t k = 0; k < std::min(names.size(), kNamesInWords); ++k) words << quoted(names[k]);
-  if (names.size() > kNamesInWords) words << counted(names.size() - kNamesInWords, "1 other", "%n others");
+  if (names.size() > kNamesInWords) words << counted(names.size() - kNamesInWords, "1 other", "%1 others");
   if (words.size() < 2) return words.join(QString());
   const QString last = words.takeLast();
   return ConstraintWords::tr("%1 and %2").arg(words.join(", "), last);

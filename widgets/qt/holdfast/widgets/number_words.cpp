@@ -40,6 +40,14 @@ QString coordinateText(double value)
   return exact.size() <= kShortText ? exact : toText(fmt::format("{:.7g}", value));
 }
 
+QString countText(Index count)
+{
+  constexpr QChar kNarrowSpace(0x202f);
+  QString digits = QString::number(count);
+  for (int place = digits.size() - 3; place > 0; place -= 3) digits.insert(place, kNarrowSpace);
+  return digits;
+}
+
 QString lengthText(double length, const std::string& units)
 {
   return units.empty() ? roundedText(length) : roundedText(length) + ' ' + QString::fromStdString(units);

@@ -20,6 +20,9 @@ namespace holdfast {
 /// The exact text where it is short, seven significant digits otherwise: for tables, where columns are narrow.
 [[nodiscard]] QString coordinateText(double value);
 
+/// How many: "173 402", in groups that narrow spaces part and no line breaks.
+[[nodiscard]] QString countText(Index count);
+
 /// "0.42 mm", rounded; without a unit where `units` is empty.
 [[nodiscard]] QString lengthText(double length, const std::string& units);
 

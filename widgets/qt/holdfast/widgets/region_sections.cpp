@@ -55,7 +55,7 @@ void VerticesSection::count()
     count += static_cast<Index>(found.vertices.size());
     if (!found.reason.empty()) reason = quoted(constraint(row).name) + ": " + QString::fromStdString(found.reason);
   }
-  const QString number = count == 1 ? tr("1 vertex") : tr("%n vertices", nullptr, static_cast<int>(count));
+  const QString number = count == 1 ? tr("1 vertex") : tr("%1 vertices").arg(countText(count));
   count_->setText(reason.isEmpty() ? number : reason);
   select_->setEnabled(reason.isEmpty());
 }

@@ -19,14 +19,6 @@ QString text(std::string_view view)
   return QString::fromUtf8(view.data(), static_cast<int>(view.size()));
 }
 
-/// 1 234 567
-QString grouped(Index number)
-{
-  QString digits = QString::number(number);
-  for (int place = digits.size() - 3; place > 0; place -= 3) digits.insert(place, QChar(0x202f));
-  return digits;
-}
-
 QString secondsText(double seconds)
 {
   return ReportWords::tr("%1 s").arg(roundedText(seconds));
@@ -35,8 +27,8 @@ QString secondsText(double seconds)
 QString meshText(const MeshReport& mesh)
 {
   const QString parts =
-      mesh.components == 1 ? ReportWords::tr("1 part") : ReportWords::tr("%1 parts").arg(grouped(mesh.components));
-  return ReportWords::tr("%1 vertices, %2 faces, %3").arg(grouped(mesh.vertices), grouped(mesh.faces), parts);
+      mesh.components == 1 ? ReportWords::tr("1 part") : ReportWords::tr("%1 parts").arg(countText(mesh.components));
+  return ReportWords::tr("%1 vertices, %2 faces, %3").arg(countText(mesh.vertices), countText(mesh.faces), parts);
 }
 
 /// "12 met, 2 conflicting"
@@ -48,7 +40,7 @@ QString countsText(const std::vector<ConstraintOutcome>& outcomes)
         ConstraintStatus::Independent, ConstraintStatus::Disabled}) {
     const auto count = std::count_if(outcomes.begin(), outcomes.end(),
                                      [&](const ConstraintOutcome& outcome) { return outcome.status == status; });
-    if (count > 0) words << grouped(count) + ' ' + statusText(status);
+    if (count > 0) words << countText(count) + ' ' + statusText(status);
   }
   return words.isEmpty() ? ReportWords::tr("none") : words.join(", ");
 }
@@ -77,8 +69,8 @@ ReportLines reportLines(const Report& report, const std::string& units)
         ReportWords::tr("%1 of the diagonal, promised 1e-12").arg(roundedText(solve.maxResidualRelative)),
         solve.maxResidualRelative);
   say("Method", ReportWords::tr("Method"), QString::fromStdString(solve.method));
-  say("Unknowns", ReportWords::tr("Unknowns"), grouped(solve.unknowns));
-  say("Factor", ReportWords::tr("Factor"), ReportWords::tr("%1 non-zeros").arg(grouped(solve.factorNonzeros)));
+  say("Unknowns", ReportWords::tr("Unknowns"), countText(solve.unknowns));
+  say("Factor", ReportWords::tr("Factor"), ReportWords::tr("%1 non-zeros").arg(countText(solve.factorNonzeros)));
   say("Refinement", ReportWords::tr("Refinement"),
       solve.refinementSteps == 1 ? ReportWords::tr("1 step") : ReportWords::tr("%1 steps").arg(solve.refinementSteps));
   round("Accuracy", ReportWords::tr("Accuracy"), roundedText(solve.accuracy), solve.accuracy);

@@ -1,7 +1,6 @@
 #include "holdfast/widgets/status_line.h"
 
 #include <QLabel>
-#include <QLocale>
 #include <QPushButton>
 #include <QResizeEvent>
 #include <cmath>
@@ -127,12 +126,10 @@ void StatusLine::showNumbers()
 {
   numbers_->setVisible(editor_.isOpen());
   if (!editor_.isOpen()) return;
-  const QLocale locale;
-  QStringList parts{
-      tr("%1 vertices").arg(locale.toString(static_cast<qlonglong>(editor_.model()->mesh.vertexCount())))};
+  QStringList parts{tr("%1 vertices").arg(countText(editor_.model()->mesh.vertexCount()))};
   if (const auto& deformation = editor_.deformation()) {
     const SolveReport& solve = deformation->report.solve;
-    parts << tr("%1 unknowns").arg(locale.toString(static_cast<qlonglong>(solve.unknowns)))
+    parts << tr("%1 unknowns").arg(countText(solve.unknowns))
           << tr("%1 + %2 + %3 ms")
                  .arg(milliseconds(solve.seconds.setup), milliseconds(solve.seconds.decomposition),
                       milliseconds(solve.seconds.solution))
