@@ -69,7 +69,7 @@ SpherePanel::SpherePanel(Editor& editor, QWidget* parent) : QWidget(parent), edi
   view_->setMinimumSize(120, 120);
   // Sizes are given in pixels of the window, as in the viewport.
   view_->setEnableHiDPI(false);
-  view_->renderWindow()->SetMultiSamples(4);
+  view_->renderWindow()->SetMultiSamples(0);
   view_->installEventFilter(this);
   drawing_ = new RenderRequest(*view_);
   auto* page = new QWidget;
