@@ -3,9 +3,13 @@
 #include <QAction>
 #include <QApplication>
 #include <QCloseEvent>
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QFileInfo>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QMimeData>
 #include <QTimer>
 #include <QToolBar>
 #include <algorithm>
@@ -17,6 +21,8 @@
 #include <holdfast/view/camera_state.h>
 #include <holdfast/view/example_document.h>
 #include <holdfast/widgets/commands.h>
+#include <holdfast/widgets/dropped_files.h>
+#include <holdfast/widgets/file_messages.h>
 #include <holdfast/widgets/help_dialog.h>
 #include <holdfast/widgets/icons.h>
 #include <holdfast/widgets/import_dialog.h>
@@ -39,6 +45,7 @@ MainWindow::MainWindow()
       panels_(new PanelDocks(editor_, *viewport_, *this))
 {
   setObjectName("mainWindow");
+  setAcceptDrops(true);
   setCentralWidget(viewport_);
   viewport_->setFirstTool(gizmo_);
   setStatusBar(status_);
@@ -140,17 +147,36 @@ void MainWindow::connectFiles()
     autosave_ = std::make_unique<Autosave>(editor_, files_, *folder, this);
     connect(autosave_.get(), &Autosave::failed, this, [this](const QString& why) { status_->showMessage(why, 12000); });
   }
-  connect(viewport_, &Viewport::filesDropped, this, &MainWindow::openDropped);
   connect(viewport_, &Viewport::contextMenuWanted, this, &MainWindow::showContextMenu);
 }
 
-void MainWindow::openDropped(const QStringList& paths)
+void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 {
-  // One document is open at a time; lists of constraints belong to the one that is.
-  const QString& path = paths.front();
-  const bool isList = path.endsWith(".csv", Qt::CaseInsensitive) || path.endsWith(".json", Qt::CaseInsensitive);
-  if (!isList || !editor_.isOpen()) return files_.open(path);
-  importConstraints(editor_, this, [path](QWidget*, const FileQuestion&) { return path; });
+  if (localFiles(*event->mimeData()).isEmpty()) return;
+  // Whatever else is proposed: a file that was moved is deleted where it came from.
+  event->setDropAction(Qt::CopyAction);
+  event->accept();
+}
+
+void MainWindow::dropEvent(QDropEvent* event)
+{
+  event->setDropAction(Qt::CopyAction);
+  event->accept();
+  // Who dragged the files waits until this returns; questions may take longer.
+  QTimer::singleShot(0, this, [this, files = sorted(localFiles(*event->mimeData()))] { take(files); });
+}
+
+void MainWindow::take(const DroppedFiles& files)
+{
+  const QString& path = files.taken;
+  const QString name = QFileInfo(path).fileName();
+  if (!files.leftAlone.isEmpty())
+    status_->showMessage(tr("One file at a time: %1 is taken, %2 more not").arg(name).arg(files.leftAlone.size()),
+                         12000);
+  if (!files.isList) return files_.open(path);
+  if (editor_.isOpen()) return importConstraints(editor_, this, [path](QWidget*, const FileQuestion&) { return path; });
+  showProblem(this, tr("“%1” cannot be opened.").arg(name),
+              tr("It is a list of constraints. Open the mesh that they belong to, and drop the list on it."));
 }
 
 void MainWindow::showContextMenu(const QPoint& place)

@@ -23,6 +23,7 @@ class GizmoTool;
 class PanelDocks;
 class StatusLine;
 class ToolBox;
+struct DroppedFiles;
 class Viewport;
 
 class MainWindow : public QMainWindow {
@@ -49,6 +50,8 @@ class MainWindow : public QMainWindow {
  protected:
   void changeEvent(QEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
   void showEvent(QShowEvent* event) override;
 
  private:
@@ -60,7 +63,7 @@ class MainWindow : public QMainWindow {
   void makeViewMenu();
   void makeHelpMenu();
   void connectFiles();
-  void openDropped(const QStringList& paths);
+  void take(const DroppedFiles& files);
   void showContextMenu(const QPoint& place);
   void connectStatus();
   void updateTitle();

@@ -61,7 +61,6 @@ Viewport::Viewport(Editor& editor, QWidget* parent) : QVTKOpenGLNativeWidget(par
   setAccessibleName(tr("Picture of the mesh"));
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
-  setAcceptDrops(true);
   setMinimumSize(320, 240);
 
   window_->SetMultiSamples(0);

@@ -111,7 +111,6 @@ class Viewport : public QVTKOpenGLNativeWidget {
   /// Another field, another scale, or other values of it.
   void coloringChanged(const std::optional<Coloring>& coloring);
   void contextMenuWanted(const QPoint& place);
-  void filesDropped(const QStringList& paths);
   /// Before each picture: time to follow the camera.
   void aboutToRender();
   void rendered();

@@ -1,11 +1,7 @@
 // What the mouse and the keys do in the viewport.
 
-#include <QDragEnterEvent>
-#include <QDropEvent>
 #include <QKeyEvent>
-#include <QMimeData>
 #include <QMouseEvent>
-#include <QUrl>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -133,19 +129,6 @@ bool Viewport::event(QEvent* event)
     case QEvent::KeyRelease:
     case QEvent::ContextMenu:
       return true;
-    case QEvent::DragEnter: {
-      auto& enter = static_cast<QDragEnterEvent&>(*event);
-      if (enter.mimeData()->hasUrls()) enter.acceptProposedAction();
-      return true;
-    }
-    case QEvent::Drop: {
-      QStringList paths;
-      for (const QUrl& url : static_cast<QDropEvent&>(*event).mimeData()->urls())
-        if (url.isLocalFile()) paths << url.toLocalFile();
-      static_cast<QDropEvent&>(*event).acceptProposedAction();
-      if (!paths.isEmpty()) Q_EMIT filesDropped(paths);
-      return true;
-    }
     default:
       break;
   }
