@@ -1,7 +1,9 @@
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -229,6 +231,26 @@ TEST_F(InspectorPanelOfSheet, ATakenNameIsRefusedWithTheReason)
   EXPECT_EQ(editor.list().constraints[1].name, "P1");
   EXPECT_NE(refusal(), "");
   EXPECT_EQ(find("inspectorName").text(), "P1");
+}
+
+TEST_F(InspectorPanelOfSheet, NoTextIsCut)
+{
+  Mesh mesh = test::grid(10, 10);
+  mesh.positions = (1.2345 * mesh.positions).rowwise() + Eigen::RowVector3d(-111.0625, -111.4723, 112.6439);
+  ConstraintList list = inspectedList();
+  list.constraints[0].what = Fixed{{VertexIds{{0, 11, 22}}}};  // not by its place
+  ASSERT_TRUE(test::openMesh(editor, std::move(mesh), std::move(list)));
+  panel.resize(400, 300);
+  for (const Index k : {0, 1, 2, 3, 4, 5, 3, 2, 1, 0}) {
+    editor.selectConstraints({k});
+    QApplication::processEvents();
+    for (const QLabel* const label : panel.findChildren<QLabel*>()) {
+      if (!label->isVisible() || !label->wordWrap()) continue;
+      const int missing = label->heightForWidth(label->width()) - label->height();
+      EXPECT_LT(missing, label->fontMetrics().height() / 4)
+          << editor.list().constraints[k].name << ": " << label->text().toStdString();
+    }
+  }
 }
 
 }  // namespace

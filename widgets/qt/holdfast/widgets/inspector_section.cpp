@@ -41,6 +41,10 @@ QLabel* InspectorSection::addText(const QString& title, const QString& name)
   label->setWordWrap(true);
   label->setTextFormat(Qt::PlainText);
   label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+  // All the room there is: by itself it would take a few words' width, and break lines that need not be broken.
+  QSizePolicy policy = label->sizePolicy();
+  policy.setHorizontalPolicy(QSizePolicy::Expanding);
+  label->setSizePolicy(policy);
   form_->addRow(title, label);
   return label;
 }
