@@ -8,7 +8,8 @@
 namespace holdfast::test {
 
 /// From now on a thread of Mesa's software renderer sleeps whenever it has told others that it is done with a picture,
-/// before it lets go of the lock around that and begins the next.
+/// before it lets go of the lock around that and begins the next. The test never waits for that time to pass: it is the
+/// moment in which those threads may be overtaken, made long enough to be met each time.
 void holdUpDrawingThreads(std::chrono::microseconds time);
 
 /// How often one was held up so.
