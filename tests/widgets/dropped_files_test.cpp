@@ -5,7 +5,6 @@
 #include <QMimeData>
 #include <QPushButton>
 #include <QStatusBar>
-#include <QTableView>
 #include <QToolBar>
 #include <QUrl>
 #include <vector>

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include <holdfast/base/error.h>
+#include <holdfast/widgets/labels.h>
 
 namespace holdfast {
 
@@ -36,10 +37,7 @@ void InspectorSection::change(const QString& name, const Change& change)
 
 QLabel* InspectorSection::addText(const QString& title, const QString& name)
 {
-  QLabel* label = new QLabel(this);
-  label->setObjectName(name);
-  label->setWordWrap(true);
-  label->setTextFormat(Qt::PlainText);
+  QLabel* label = newText(name);
   label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   // All the room there is: by itself it would take a few words' width, and break lines that need not be broken.
   QSizePolicy policy = label->sizePolicy();

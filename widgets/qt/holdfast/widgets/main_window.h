@@ -23,8 +23,8 @@ class GizmoTool;
 class PanelDocks;
 class StatusLine;
 class ToolBox;
-struct DroppedFiles;
 class Viewport;
+struct DroppedFiles;
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
