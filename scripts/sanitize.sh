@@ -24,4 +24,4 @@ install_packages "${holdfast_packages[@]}"
 configure_preset "$preset" -DHOLDFAST_BUILD_GUI=$gui -DHOLDFAST_WITH_CHOLMOD=ON -DHOLDFAST_BUILD_TESTS=ON
 build_preset "$preset"
 echo "== Testing under sanitizers"
-exec ctest --preset "$preset" --label-exclude "slow|large" "$@"
+exec ctest --preset "$preset" --label-exclude "slow|nightly" "$@"

@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# What takes too long for every change, once a night: the tests of label `nightly` (meshes that are no part of the project,
+# the tour of the window, the core alone with all its tests), the window and the workers under sanitizers, the batch
+# program under valgrind, and the benchmarks. Installs what is missing first (apt). Goes on after a failure, says at the
+# end which parts failed and how long each took, and ends with 1 if any did. docs/testing.md says more.
+#   scripts/nightly.sh [PART...]      PART: tests, window, threads, threads-window, valgrind, benchmarks; all if left out
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+. scripts/lib/packages.sh
+
+run_tests() { scripts/test.sh --label-regex nightly; }
+run_window() { scripts/sanitize.sh --window; }
+run_threads() { scripts/sanitize.sh --threads; }
+run_threads_window() { scripts/sanitize.sh --threads --window; }
+run_benchmarks() { scripts/bench.sh --benchmark_out=out/benchmarks.json --benchmark_out_format=json; }
+
+# Reads of what was never written, which no sanitizer of ours looks for, on the bundled examples.
+run_valgrind() {
+  local example status
+  install_packages valgrind
+  mkdir -p out
+  for example in bar.obj:bar plate_unsymmetric.off:plate_unsymmetric.conflict head.ply:head.rigid_eyes; do
+    status=0
+    valgrind --quiet --error-exitcode=99 --suppressions=tests/support/valgrind.supp build/release/app/holdfast-batch \
+      deform "data/${example%%:*}" --constraints "data/${example#*:}.constraints.json" --out out/valgrind.obj || status=$?
+    # 4: some constraints contradict others, as they should.
+    [ "$status" -eq 0 ] || [ "$status" -eq 4 ] || return "$status"
+  done
+}
+
+parts=("$@")
+[ ${#parts[@]} -gt 0 ] || parts=(tests window threads threads-window valgrind benchmarks)
+failed=0
+summary=()
+for part in "${parts[@]}"; do
+  echo "== Nightly: $part"
+  start=$SECONDS
+  if ("run_${part//-/_}"); then result=passed; else result=FAILED failed=1; fi
+  summary+=("$(printf '  %-16s %s in %d min %02d s' "$part" "$result" $(((SECONDS - start) / 60)) $(((SECONDS - start) % 60)))")
+done
+echo "== Nightly summary"
+printf '%s\n' "${summary[@]}"
+exit "$failed"
