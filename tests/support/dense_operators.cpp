@@ -72,7 +72,7 @@ Eigen::MatrixXd denseCotangentL(const Mesh& mesh, const std::vector<Triangle>& t
       L(i, i) += weight;
       L(j, j) += weight;
     }
-  return (4 * areas(mesh, triangles, weights, unit)).cwiseInverse().asDiagonal() * L;
+  return (2 * areas(mesh, triangles, weights, unit)).cwiseInverse().asDiagonal() * L;
 }
 
 Eigen::MatrixXd denseUniformL(Index n, const std::vector<Triangle>& triangles)

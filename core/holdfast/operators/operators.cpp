@@ -56,7 +56,7 @@ void makeUniform(Operators& operators, const SolverMesh& mesh)
   operators.rowWeights.setOnes(mesh.unknownCount());
 }
 
-/// L = (4 M)^-1 S with M the mixed areas; rows weighted by sqrt(M), so that the energy is S M^-1 S up to a factor.
+/// L = (2 M)^-1 S with M the mixed areas; rows weighted by sqrt(M), so that the energy is a quarter of S M^-1 S.
 void makeCotangent(Operators& operators, const SolverMesh& mesh, const Positions& rest)
 {
   std::vector<CornerCotangents> cotangents = cornerCotangents(rest, mesh.triangles);
@@ -64,7 +64,7 @@ void makeCotangent(Operators& operators, const SolverMesh& mesh, const Positions
   Eigen::VectorXd areas = mixedVoronoiAreas(rest, mesh.triangles);
   operators.flooredAreas = floorAreas(areas, mesh.componentOf);
   const SparseMatrix S = stiffness(mesh.unknownCount(), cotangentEdgeWeights(mesh.triangles, cotangents));
-  operators.L = reciprocal(4 * areas).asDiagonal() * S;
+  operators.L = reciprocal(2 * areas).asDiagonal() * S;
   operators.rowWeights = areas.cwiseSqrt();
 }
 
@@ -76,7 +76,7 @@ void makeCotangentPaper(Operators& operators, const SolverMesh& mesh, const Posi
   for (Index i = 0; i < areas.size(); ++i)
     if (mesh.componentOf[i] >= 0 && (!std::isfinite(S.coeff(i, i)) || !std::isfinite(1 / areas[i])))
       operators.undefinedRows.push_back(i);
-  operators.L = reciprocal(4 * areas).asDiagonal() * S;
+  operators.L = reciprocal(2 * areas).asDiagonal() * S;
   operators.rowWeights.setOnes(mesh.unknownCount());
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// What the solver minimises: L, the weights of its rows, and delta, equations (1) to (3), (9) and (10).
+/// What the solver minimises: L, the weights of its rows, and delta, equations (1) to (3), with uniform weights (9) or
+/// cotangent weights (10).
 
 #include <string>
 #include <string_view>
@@ -10,11 +11,12 @@
 
 namespace holdfast {
 
-/// The weights w_ij of equation (1).
+/// The weights w_ij of the Laplacian, equations (1) to (3). With both kinds of cotangents L p is that of (10), on a
+/// smooth surface twice the mean curvature along the normal.
 enum class Weights {
-  Cotangent,       ///< guarded cotangents over mixed Voronoi areas, rows scaled to the integrated energy
-  CotangentPaper,  ///< (10) as printed
-  Uniform          ///< (9), 1 / n_i
+  Cotangent,       ///< (10) with guarded cotangents and mixed Voronoi areas, rows scaled to the integrated energy
+  CotangentPaper,  ///< cotangents as printed in (10)
+  Uniform          ///< (9), uniform weights 1 / n_i
 };
 
 /// The name in files and options: "cotangent", "cotangent-paper", "uniform".
@@ -24,7 +26,7 @@ enum class Weights {
 /// scale of the model.
 struct Operators {
   Weights weights = Weights::Cotangent;
-  SparseMatrix L;              ///< n x n, (2): rows of sum zero; empty rows for unknowns that no triangle uses
+  SparseMatrix L;              ///< n x n, rows of sum zero; empty rows for unknowns that no triangle uses
   Eigen::VectorXd rowWeights;  ///< n: minimised is the sum of (rowWeights_i |(L p)_i - delta_i|)^2
   Columns3 delta;              ///< n x 3, L p at rest
 

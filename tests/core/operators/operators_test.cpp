@@ -1,4 +1,5 @@
 #include <cmath>
+#include <numbers>
 #include <set>
 
 #include <gmock/gmock.h>
@@ -125,6 +126,41 @@ TEST(Operators, AreThoseOfTheDefinition)
             .norm(),
         1e-14 * operators.L.norm());
   });
+}
+
+/// A vertex in the middle of six equilateral triangles of unit edges, in a plane.
+Mesh hexagonFan()
+{
+  Mesh mesh;
+  mesh.positions = Positions::Zero(7, 3);
+  for (Index k = 0; k < 6; ++k) {
+    const double angle = static_cast<double>(k) * std::numbers::pi / 3;
+    mesh.positions.row(k + 1) << std::cos(angle), std::sin(angle), 0;
+    mesh.faces.add({0, k + 1, (k + 1) % 6 + 1});
+  }
+  return mesh;
+}
+
+TEST(Operators, OfCotangentsAreEquation10WorkedOutByHand)
+{
+  // cot 60 degrees is 1 / sqrt 3, and the Voronoi area of the middle a third of six triangles of sqrt 3 / 4:
+  // w = (2 / sqrt 3) / (2 sqrt 3 / 2) = 2/3. The bounding box is 2 by sqrt 3, so the square of its diagonal is 7.
+  for (const Weights weights : {Weights::Cotangent, Weights::CotangentPaper}) {
+    const Operators operators = makeOperators(solverMeshOf(hexagonFan()), weights);
+    for (Index j = 1; j < 7; ++j) EXPECT_NEAR(operators.L.coeff(0, j), -2.0 / 3 * 7, 1e-13) << name(weights);
+    EXPECT_NEAR(operators.L.coeff(0, 0), 6 * 2.0 / 3 * 7, 1e-13) << name(weights);
+  }
+}
+
+TEST(Operators, OfCotangentsGiveTwiceTheMeanCurvature)
+{
+  // On the unit sphere: 2, along the normal. The diagonal of its box is 2 sqrt 3.
+  const Mesh sphere = test::icosphere(4);
+  for (const Weights weights : {Weights::Cotangent, Weights::CotangentPaper}) {
+    const Operators operators = makeOperators(solverMeshOf(sphere), weights);
+    const Columns3 delta = operators.delta / boundingBoxDiagonal(sphere.positions);
+    EXPECT_LT((delta - 2 * sphere.positions).rowwise().norm().maxCoeff(), 0.01) << name(weights);
+  }
 }
 
 TEST(Operators, DeltaIsLTimesTheRestShape)
