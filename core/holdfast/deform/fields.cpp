@@ -89,33 +89,35 @@ Field forceField(const Model& model, const Deformation& deformation)
                               std::numeric_limits<double>::quiet_NaN());
   if (deformation.forces.rows() > 0)
     for (const ConstraintRow& row : deformation.system.rows)
-      for (const PointTerm& term : row.terms) lengths[term.vertex] = deformation.forces.row(term.vertex).norm();
+      for (const PointTerm& term : row.terms) lengths[term.vertex] = deformation.forces.row(term.vertex).stableNorm();
   return {"constraint_force", 1, spread(lengths, model.solverMesh.weld)};
 }
 
-/// What the rotations make of delta, less delta, in the lengths that L has.
-Columns3 turnedDelta(const Deformation& deformation, double diagonal)
+/// What the rotations make of delta, less delta, in diagonals.
+Columns3 turnedDelta(const Deformation& deformation)
 {
   Operators unweighted;
   unweighted.delta = deformation.operators->delta;
   unweighted.rowWeights = Eigen::VectorXd::Ones(unweighted.delta.rows());
-  return turnedDetail(unweighted, deformation.rotations, diagonal);
+  return turnedDetail(unweighted, deformation.rotations, 1);
 }
 
 Field detailField(const Model& model, const Deformation& deformation)
 {
   const SolverMesh& mesh = model.solverMesh;
-  Columns3 u(mesh.unknownCount(), 3);
+  Columns3 u(mesh.unknownCount(), 3);  // in diagonals, as L and delta are
   for (Index k = 0; k < u.rows(); ++k) {
     const Index v = mesh.weld.firstVertexOf[k];
-    u.row(k) = deformation.positions.row(v) - model.mesh.positions.row(v);
+    u.row(k) = (deformation.positions.row(v) - model.mesh.positions.row(v)) / mesh.diagonal;
   }
-  const Columns3 turned = turnedDelta(deformation, mesh.diagonal);
-  // L was made of lengths in units of the diagonal; that of cotangents is one over a squared length.
+  const Columns3 missed = deformation.operators->L * u - turnedDelta(deformation);
+  // L of cotangents is one over a squared length.
   const bool isUniform = deformation.operators->weights == Weights::Uniform;
-  const double scale = isUniform ? 1 : 1 / (mesh.diagonal * mesh.diagonal);
-  const Eigen::VectorXd lengths = scale * (deformation.operators->L * u - turned).rowwise().norm();
-  return {"detail_residual", 1, spread({lengths.begin(), lengths.end()}, mesh.weld)};
+  const double unit = isUniform ? mesh.diagonal : 1 / mesh.diagonal;
+  std::vector<double> lengths;
+  lengths.reserve(static_cast<std::size_t>(missed.rows()));
+  for (Index k = 0; k < missed.rows(); ++k) lengths.push_back(unit * missed.row(k).stableNorm());
+  return {"detail_residual", 1, spread(lengths, mesh.weld)};
 }
 
 }  // namespace

@@ -9,8 +9,8 @@ Forces forcesOf(const Operators& operators, const EliminatedConstraints& elimina
 {
   // At the minimum the gradient of the energy is what the constraints hold: A^T (A u - f) = B^T l.
   const auto W = operators.rowWeights.asDiagonal();
-  const Columns3 missed = W * (operators.L * u) - f;
-  Columns3 gradient = operators.L.transpose() * (W * missed) / diagonal;
+  const Columns3 missed = W * (operators.L * (u / diagonal)) - f / diagonal;
+  Columns3 gradient = operators.L.transpose() * (W * missed);
   for (Index i = 0; i < gradient.rows(); ++i)
     if (eliminated.isHeld[i]) gradient.row(i).setZero();
   Columns3 ofRows = eliminated.elimination.multipliers(gradient);
@@ -22,7 +22,7 @@ std::vector<double> forcesOfConstraints(const Forces& forces, const ConstraintSy
 {
   std::vector<double> result(constraintCount, 0);
   for (std::size_t r = 0; r < system.rows.size(); ++r)
-    result[system.rows[r].constraint] += forces.ofRows.row(static_cast<Index>(r)).norm();
+    result[system.rows[r].constraint] += forces.ofRows.row(static_cast<Index>(r)).stableNorm();
   return result;
 }
 

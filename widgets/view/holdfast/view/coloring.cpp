@@ -103,7 +103,7 @@ Coloring displacementColoring(const Model& model, const Deformation& deformation
   std::vector<double> lengths;
   lengths.reserve(static_cast<std::size_t>(deformation.positions.rows()));
   for (Index v = 0; v < deformation.positions.rows(); ++v)
-    lengths.push_back((deformation.positions.row(v) - model.mesh.positions.row(v)).norm());
+    lengths.push_back((deformation.positions.row(v) - model.mesh.positions.row(v)).stableNorm());
   ColorScale scale = linearScale(inUnits("displacement", units), largestOf(lengths));
   return {std::move(lengths), std::move(scale)};
 }
