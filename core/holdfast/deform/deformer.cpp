@@ -152,13 +152,13 @@ class Solution {
     report().refinementSteps = displacement.corrections;
     report().accuracy = displacement.accuracy;
     if (!displacement.u.allFinite()) return fail("the solution is not finite: the problem is singular in doubles");
-    if (displacement.accuracy > kUsableAccuracy)
+    if (!(displacement.accuracy <= kUsableAccuracy))
       return fail(fmt::format("the solution is accurate to {:.1g} only: the problem is nearly singular",
                               displacement.accuracy));
-    // Pins of a soft solution are not met, so none is copied.
-    const bool isExact = options_.solver.kind != SolverKind::Soft;
-    result_.positions = isExact ? deformedPositions(model_, result_.system, result_.diagnosis, displacement.u)
-                                : deformedPositions(model_, {}, {}, displacement.u);
+    // The elimination copies pins. What the other solvers find is measured as they find it.
+    const bool isEliminated = options_.solver.kind == SolverKind::Hard;
+    result_.positions = isEliminated ? deformedPositions(model_, result_.system, result_.diagnosis, displacement.u)
+                                     : deformedPositions(model_, {}, {}, displacement.u);
     judge();
   }
 

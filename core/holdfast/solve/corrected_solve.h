@@ -6,6 +6,9 @@
 
 namespace holdfast {
 
+/// Factors that leave a larger share of an error are of no use: corrections do not converge, nor do they tell accuracy.
+inline constexpr double kUsableContraction = 0.5;
+
 struct CorrectedSolution {
   Columns3 z;           ///< k x 3
   int corrections = 0;  ///< how many were needed

@@ -14,7 +14,7 @@ namespace holdfast {
 
 enum class SolverKind {
   Hard,     ///< constraints eliminated, (11) to (21): exact
-  Soft,     ///< constraints as weighted rows, (7) and (8): for comparison
+  Soft,     ///< soft constraints as weighted rows, (7) and (8): for comparison
   Lagrange  ///< constraints by Lagrange multipliers, end of section 3.2: for comparison
 };
 
@@ -24,7 +24,8 @@ enum class SolverKind {
 struct SolverOptions {
   SolverKind kind = SolverKind::Hard;
   Backend backend = defaultBackend();
-  double softWeight = 5;  ///< w of (8), for models measured in diagonals of their bounding box
+  double softWeight =
+      5;  ///< w of soft constraints, (7) and (8), for models measured in diagonals of their bounding box
 
   friend bool operator==(const SolverOptions&, const SolverOptions&) = default;
 };
@@ -40,7 +41,7 @@ struct RowTargets {
 struct Displacement {
   Columns3 u;           ///< n x 3, model units
   int corrections = 0;  ///< refinement steps
-  double accuracy = 0;  ///< estimated relative error
+  double accuracy = 0;  ///< estimated relative error, from residuals through A itself: see `correctedSolve`
 };
 
 /// One decomposition, for any number of solutions with the same rows. Another set of constraints makes another object.

@@ -10,8 +10,6 @@ namespace {
 
 // A factor that leaves at most this share of an error reaches the digits of a double in a dozen corrections.
 constexpr double kGoodContraction = 0.05;
-// Beyond this corrections do not converge at all.
-constexpr double kUsableContraction = 0.5;
 
 /// The factor of a problem without unknowns: constraints and parts at rest have taken all.
 class NothingToSolve final : public LeastSquaresFactor {
