@@ -10,6 +10,7 @@
 #include <holdfast/constraints/handle_motion.h>
 #include <holdfast/constraints/selector.h>
 #include <holdfast/mesh/centroid.h>
+#include <holdfast/rotation/rotation_unknowns.h>
 #include <holdfast/surface/surface_locator.h>
 
 namespace holdfast {
@@ -58,6 +59,7 @@ class SystemBuilder {
     forEach([this](const auto& what) { selectFor(what); });
     surroundings_ = surroundings();
     forEach([this](const auto& what) { add(what); });
+    turnBodiesByTheirLeaders();
     return std::move(system_);
   }
 
@@ -195,6 +197,21 @@ class SystemBuilder {
     const Index unknown = solverMesh_.weld.unknownOf[vertex];
     if (!isTurned_[unknown]) system_.rotations.push_back({unknown, q, current_});
     isTurned_[unknown] = true;
+  }
+
+  /// The rows of a body turn by the rotation that the field has where none is given: the first that is given in the
+  /// body or in one that overlaps it.
+  void turnBodiesByTheirLeaders()
+  {
+    RotationProblem problem{solverMesh_.unknownCount(), {}, {}, system_.bodies};
+    for (const GivenRotation& given : system_.rotations) problem.prescribed.push_back(given.unknown);
+    const RotationUnknowns unknowns = rotationUnknowns(problem);
+    for (CarriedVector& carried : system_.carried) {
+      if (system_.rows[carried.row].kind != RowKind::Body) continue;
+      Index& unknown = carried.rotation.front().vertex;
+      if (const Index given = unknowns.givenOf[unknown]; given >= 0)
+        unknown = system_.rotations[unknowns.leaderOf[given]].unknown;
+    }
   }
 
   void noteTurning(const Handle& handle, const HandlePlacement& placement, double share)

@@ -14,7 +14,7 @@ namespace holdfast {
 /// What a row prescribes.
 enum class RowKind {
   Position,  ///< where a point of the surface is
-  Body,      ///< how an unknown of a rigid region lies to the first one of it: x_i - x_ref, equation (28)
+  Body,      ///< how an unknown of a rigid region lies to the first one of it: the vector x_i - x_ref of (28)
   Relative   ///< how one point of the surface lies to another: p_from - p_to, Fig. 8
 };
 
@@ -31,7 +31,9 @@ struct ConstraintRow {
   [[nodiscard]] bool isPin() const noexcept { return kind == RowKind::Position && terms.size() == 1; }
 };
 
-/// A row whose d turns with the surface: exp(q) rest, with q the sum of weight * q_unknown.
+/// A row whose d turns with the surface: exp(q) rest, with q the sum of weight * q_unknown. In a rigid region that is
+/// the q of its first unknown, or, where rotations are given in it, of the unknown whose rotation is given first: that
+/// is the one which the rotation field has in the region.
 struct CarriedVector {
   Index row = 0;                    ///< place in `ConstraintSystem::rows`
   Vector3 rest = Vector3::Zero();   ///< B p at rest, model units

@@ -61,6 +61,26 @@ TEST(RigidRows, TieEveryUnknownOfTheRegionToItsFirst)
   }
 }
 
+TEST(RigidRows, TurnAsTheMemberWhoseRotationIsGivenFirst)
+{
+  const Turn quarter{Vector3(0, 0, 1), 90, Vector3::Zero()};
+  const ConstraintSystem system =
+      systemOf(test::grid(2, 2), listOf({hold({0}), turning({7}, quarter), hold({3}), rigid({3, 4, 7})}));
+  ASSERT_EQ(system.carried.size(), 2U);
+  for (const CarriedVector& carried : system.carried) EXPECT_EQ(carried.rotation, (Terms{{7, 1}}));
+}
+
+TEST(RigidRows, OfRegionsThatOverlapTurnAsOne)
+{
+  const Turn quarter{Vector3(0, 0, 1), 90, Vector3::Zero()};
+  const ConstraintSystem system = systemOf(
+      test::grid(2, 2), listOf({turning({8}, quarter), hold({0}), rigid({0, 1}), rigid({1, 8}), rigid({3, 6})}));
+  ASSERT_EQ(system.carried.size(), 3U);
+  EXPECT_EQ(system.carried[0].rotation, (Terms{{8, 1}}));
+  EXPECT_EQ(system.carried[1].rotation, (Terms{{8, 1}}));
+  EXPECT_EQ(system.carried[2].rotation, (Terms{{3, 1}})) << "no rotation of this region is given";
+}
+
 TEST(RigidRows, OfWeldedVerticesAskOnce)
 {
   const ConstraintSystem system =

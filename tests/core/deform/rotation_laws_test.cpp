@@ -138,6 +138,21 @@ TEST(RotationLaws, RigidRegionsKeepTheirDistances)
   }
 }
 
+TEST(RotationLaws, ARegionTurnsAsItsFirstGivenRotationAndNotAsItsLowestId)
+{
+  const Mesh mesh = test::plate(6, 5);
+  const ConstraintList list{
+      "", {turn("handle", {20}, 90, Vector3(0.1, 0.2, 0.3)), test::rigid({10, 13, 20, 21}), test::hold({0, 1, 2, 10})}};
+  const Deformation result = test::deformed(mesh, list, {});
+  ASSERT_EQ(result.report.solve.status, SolveStatus::Conflicts) << "vertex 10 cannot stay";
+  EXPECT_EQ(result.report.constraints[1].status, ConstraintStatus::Met);
+  const Eigen::Matrix3d R = rotationMatrix(kAxis, 90);
+  for (const Index v : {10, 13, 21}) {
+    const Vector3 expected = R * (mesh.positions.row(v) - mesh.positions.row(20)).transpose();
+    EXPECT_LT((result.positions.row(v) - result.positions.row(20) - expected.transpose()).norm(), kExact) << v;
+  }
+}
+
 TEST(RotationLaws, KeptDistancesTurnWithTheSurface)
 {
   const Mesh mesh = test::plate(12, 4);
