@@ -1,6 +1,7 @@
 #include "holdfast/elimination/block_elimination.h"
 
 #include <cmath>
+#include <map>
 #include <random>
 
 #include <holdfast/elimination/sequential_qr.h>
@@ -18,20 +19,21 @@ constexpr Index kTaken = -2;
 constexpr Index kLargestInverse = 512;
 constexpr int kProbes = 16;
 
-/// Row lengths of R1^-1. Estimated from what R1^-1 makes of vectors of random signs: the mean square of an entry is
-/// that of the row's length.
-Eigen::VectorXd lengthsOfInverseRows(const SparseMatrix& R1)
+/// R1^-1, or rows that have about its lengths, and so have their sums: what R1^-1 makes of vectors of random signs. The
+/// mean square of an entry is that of the row's length.
+Eigen::MatrixXd inverseRows(const SparseMatrix& R1)
 {
+  Eigen::MatrixXd result;
   if (R1.cols() <= kLargestInverse) {
-    Eigen::MatrixXd inverse = Eigen::MatrixXd::Identity(R1.cols(), R1.cols());
-    R1.triangularView<Eigen::Upper>().solveInPlace(inverse);
-    return inverse.rowwise().norm();
+    result.setIdentity(R1.cols(), R1.cols());
+  } else {
+    std::minstd_rand random(1);
+    result.resize(R1.cols(), kProbes);
+    const double size = 1 / std::sqrt(static_cast<double>(kProbes));
+    for (double& entry : result.reshaped()) entry = (random() >> 16) % 2 == 0 ? size : -size;
   }
-  std::minstd_rand random(1);
-  Eigen::MatrixXd probes(R1.cols(), kProbes);
-  for (double& entry : probes.reshaped()) entry = (random() >> 16) % 2 == 0 ? 1 : -1;
-  R1.triangularView<Eigen::Upper>().solveInPlace(probes);
-  return probes.rowwise().norm() / std::sqrt(static_cast<double>(kProbes));
+  R1.triangularView<Eigen::Upper>().solveInPlace(result);
+  return result;
 }
 
 }  // namespace
@@ -120,7 +122,7 @@ Columns3 BlockElimination::particular(const Columns3& d) const
       y.row(k) = d.row(block.rows[k]);
       for (const PointTerm& term : pinnedTerms_[block.rows[k]]) y.row(k) -= term.weight * u.row(term.vertex);
     }
-    block.R1.transpose().triangularView<Eigen::Lower>().solveInPlace(y);  // R1^T y = d, (16)
+    block.R1.transpose().triangularView<Eigen::Lower>().solveInPlace(y);  // R1^T y = d, (18)
     const Columns3 part = block.Q1 * y;
     for (std::size_t k = 0; k < block.unknowns.size(); ++k) u.row(block.unknowns[k]) = part.row(k);
   }
@@ -147,17 +149,22 @@ Columns3 BlockElimination::multipliers(const Columns3& gradient, Index rowCount)
 
 std::vector<double> BlockElimination::amplifications(std::size_t rowCount) const
 {
+  // The transpose of the pseudo-inverse, row by row: R1^-1 Q1^T at the rows of blocks, and at a pin 1, and what the
+  // blocks do when it moves.
   std::vector<double> result(rowCount, 0);
-  std::vector<double> ofPinned(static_cast<std::size_t>(Q2_.rows()), 0);
+  std::vector<double> squaresOfPinned(static_cast<std::size_t>(Q2_.rows()), 1);
   for (const Block& block : blocks_) {
-    const Eigen::VectorXd lengths = lengthsOfInverseRows(block.R1);
+    const Eigen::MatrixXd inverse = inverseRows(block.R1);
+    std::map<Index, Eigen::RowVectorXd> ofPinned;
     for (std::size_t k = 0; k < block.rows.size(); ++k) {
-      result[block.rows[k]] = lengths[k];
+      const auto row = inverse.row(static_cast<Index>(k));
+      result[block.rows[k]] = row.norm();
       for (const PointTerm& term : pinnedTerms_[block.rows[k]])
-        ofPinned[term.vertex] += std::abs(term.weight) * lengths[k];
+        ofPinned.try_emplace(term.vertex, Eigen::RowVectorXd::Zero(inverse.cols())).first->second += term.weight * row;
     }
+    for (const auto& [unknown, moved] : ofPinned) squaresOfPinned[unknown] += moved.squaredNorm();
   }
-  for (const Pin& pin : pins_) result[pin.row] = std::hypot(1, ofPinned[pin.unknown]) / std::abs(pin.weight);
+  for (const Pin& pin : pins_) result[pin.row] = std::sqrt(squaresOfPinned[pin.unknown]) / std::abs(pin.weight);
   return result;
 }
 

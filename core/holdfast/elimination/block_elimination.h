@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The elimination of hard constraints: B^T = Q R for independent rows, equations (13) to (17), never as one matrix.
+/// The elimination of hard constraints: B^T = Q R for independent rows, (14), never as one matrix.
 
 #include <vector>
 
@@ -31,14 +31,14 @@ class BlockElimination {
   /// identity column.
   [[nodiscard]] const SparseMatrix& Q2() const noexcept { return Q2_; }
 
-  /// Q1 y with R1^T y = d: the displacement in the span of the rows with B u = d, n x 3. `d` has a row for each row
-  /// that the constructor was given; those that are not independent are not looked at. Pins are copied bit for bit.
+  /// Q1 y with R1^T y = d, (18): the displacement in the span of the rows with B u = d, n x 3. `d` has a row for each
+  /// row that the constructor was given; those that are not independent are not looked at. Pins are copied bit for bit.
   [[nodiscard]] Columns3 particular(const Columns3& d) const;
 
   /// The l of pins and blocks with B^T l = `gradient` (n x 3) over the independent rows: `rowCount` x 3.
   [[nodiscard]] Columns3 multipliers(const Columns3& gradient, Index rowCount) const;
 
-  /// See `Elimination::amplifications`.
+  /// See `Elimination::amplifications`: over these unknowns, whatever bodies they stand for.
   [[nodiscard]] std::vector<double> amplifications(std::size_t rowCount) const;
 
   [[nodiscard]] const std::vector<Block>& blocks() const noexcept { return blocks_; }

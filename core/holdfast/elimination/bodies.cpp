@@ -44,23 +44,34 @@ Bodies::Bodies(const std::vector<RowTerms>& rows, const std::vector<Index>& diff
   if (differences.empty()) {
     count_ = unknownCount;
     std::iota(bodyOf_.begin(), bodyOf_.end(), Index{0});
+    firstLinkOf_.assign(bodyOf_.size() + 1, 0);
     return;
   }
   const std::vector<std::vector<Neighbour>> adjacent = neighbours(rows, differences, unknownCount);
   for (Index first = 0; first < unknownCount; ++first) {
     if (bodyOf_[first] != kNoBody) continue;
     bodyOf_[first] = count_;
+    firstLinkOf_.push_back(static_cast<Index>(links_.size()));
     std::vector<Index> reached{first};
     for (std::size_t k = 0; k < reached.size(); ++k)
       for (const Neighbour& next : adjacent[reached[k]]) {
         if (bodyOf_[next.unknown] != kNoBody) continue;
         bodyOf_[next.unknown] = count_;
         linkOf_[next.unknown] = static_cast<Index>(links_.size());
-        links_.push_back({next.unknown, reached[k], next.row, next.sign});
+        links_.push_back({next.unknown, reached[k], next.row, next.sign, 1});
         reached.push_back(next.unknown);
       }
     ++count_;
   }
+  firstLinkOf_.push_back(static_cast<Index>(links_.size()));
+  for (auto link = links_.rbegin(); link != links_.rend(); ++link)
+    if (const Index above = linkOf_[link->parent]; above != kNoLink) links_[above].hanging += link->hanging;
+}
+
+std::span<const Bodies::Link> Bodies::linksOf(Index body) const
+{
+  const std::span<const Link> links(links_);
+  return links.subspan(firstLinkOf_[body], firstLinkOf_[body + 1] - firstLinkOf_[body]);
 }
 
 RowTerms Bodies::contracted(const RowTerms& row) const
@@ -73,14 +84,6 @@ RowTerms Bodies::contracted(const RowTerms& row) const
     if (std::abs(weight) > kVanishingWeight) result.push_back({body, weight});
   // Shares of a point that lies in one body sum to 1 up to rounding.
   if (result.size() == 1 && std::abs(result.front().weight - 1) <= kVanishingWeight) result.front().weight = 1;
-  return result;
-}
-
-std::vector<Index> Bodies::rows() const
-{
-  std::vector<Index> result;
-  result.reserve(links_.size());
-  for (const Link& link : links_) result.push_back(link.row);
   return result;
 }
 

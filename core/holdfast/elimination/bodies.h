@@ -1,9 +1,10 @@
 #pragma once
 /// \file
-/// Unknowns that rows tie to one another at given differences: each body of them moves as one, equations (28) and
-/// Fig. 8.
+/// Unknowns that rows tie to one another at given differences: each body of them moves as one. The vectors of rigid
+/// regions, equation (28), and of Fig. 8.
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <holdfast/elimination/dependency.h>
@@ -24,6 +25,15 @@ struct Difference {
 /// own. An unknown of a body is where the body is, plus its offset.
 class Bodies {
  public:
+  /// An unknown that is not the first of its body hangs on another one by a row.
+  struct Link {
+    Index unknown;
+    Index parent;
+    Index row;
+    double sign;    // x_unknown = x_parent + sign d_row
+    Index hanging;  // how many unknowns hang on the row: this one and those that hang on it
+  };
+
   /// `differences` names independent difference rows: they close no loop. O(n).
   Bodies(const std::vector<RowTerms>& rows, const std::vector<Index>& differences, Index unknownCount);
 
@@ -31,11 +41,12 @@ class Bodies {
   [[nodiscard]] Index count() const noexcept { return count_; }
   [[nodiscard]] Index bodyOf(Index unknown) const { return bodyOf_[unknown]; }
 
+  /// The links of a body, parents before children: one fewer than it has unknowns.
+  [[nodiscard]] std::span<const Link> linksOf(Index body) const;
+  [[nodiscard]] Index sizeOf(Index body) const { return static_cast<Index>(linksOf(body).size()) + 1; }
+
   /// A row over unknowns as one over bodies; terms that cancel are left out. A row that holds inside a body is empty.
   [[nodiscard]] RowTerms contracted(const RowTerms& row) const;
-
-  /// The difference rows, each child's after its parent's.
-  [[nodiscard]] std::vector<Index> rows() const;
 
   /// n x count, one entry of 1 in each row.
   [[nodiscard]] SparseMatrix membership() const;
@@ -43,8 +54,9 @@ class Bodies {
   /// How far each unknown is from its body when difference row k is d_k: n x 3.
   [[nodiscard]] Columns3 offsets(const Columns3& d) const;
 
-  /// The combination of difference rows that is `terms`, whose coefficients sum to zero over each body. O(terms times
-  /// the depth of the trees).
+  /// For each difference row that terms hang on, the sum of their coefficients times its sign. Where coefficients sum
+  /// to zero over each body this is the combination of difference rows that is `terms`. O(terms times the depth of the
+  /// trees).
   [[nodiscard]] std::vector<Partner> combinationOf(const RowTerms& terms) const;
 
   /// The same for many at a time: `totals` (n x 3, each column summing to zero over each body) is the sum of
@@ -52,18 +64,11 @@ class Bodies {
   [[nodiscard]] Columns3 combinationOf(Columns3 totals, Index rowCount) const;
 
  private:
-  /// An unknown that is not the first of its body hangs on another one by a row.
-  struct Link {
-    Index unknown;
-    Index parent;
-    Index row;
-    double sign;  // x_unknown = x_parent + sign d_row
-  };
-
   Index count_ = 0;
   std::vector<Index> bodyOf_;
-  std::vector<Link> links_;    // parents before children
-  std::vector<Index> linkOf_;  // of each unknown, -1 for the first of a body
+  std::vector<Link> links_;         // body by body, parents before children
+  std::vector<Index> firstLinkOf_;  // of each body, and their number at the end
+  std::vector<Index> linkOf_;       // of each unknown, -1 for the first of a body
 };
 
 }  // namespace holdfast

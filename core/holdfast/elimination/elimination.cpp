@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include <holdfast/elimination/body_amplifications.h>
 #include <holdfast/elimination/reconciliation.h>
 
 namespace holdfast {
@@ -86,7 +87,7 @@ Columns3 Elimination::multipliers(const Columns3& gradient) const
 std::vector<double> Elimination::amplifications() const
 {
   std::vector<double> result = blocks_.amplifications(rows_.size());
-  for (const Index row : bodies_.rows()) result[row] = 1;
+  amplifyBodies(result, rows_, contracted_, others_, bodies_);
   return result;
 }
 

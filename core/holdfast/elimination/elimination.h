@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The elimination of hard constraints, equations (12) to (17) and (28): what they give, and what they leave free.
+/// The elimination of the hard constraints B u = d, (12): what they give, and what they leave free.
 
 #include <vector>
 
@@ -37,10 +37,9 @@ class Elimination {
   /// rows that are not independent.
   [[nodiscard]] Columns3 multipliers(const Columns3& gradient) const;
 
-  /// How far bodies move, all together, for a unit of change in what one row asks for while all others hold: the length
-  /// of that row's column of the pseudo-inverse of B. For each row; 0 for those that are not independent. Estimated to
-  /// some twenty per cent in blocks of more than 512 rows; for pins that other rows hang on, no less than it
-  /// is.
+  /// How far unknowns move, all together, for a unit of change in what one row asks for while all others hold: the
+  /// length of that row's column of the pseudo-inverse of B. For each row; 0 for those that are not independent.
+  /// Estimated to some twenty per cent in blocks of more than 512 rows.
   [[nodiscard]] std::vector<double> amplifications() const;
 
  private:

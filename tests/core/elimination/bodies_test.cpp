@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include <Eigen/LU>
@@ -8,6 +9,7 @@
 #include <holdfast/elimination/find_dependencies.h>
 
 #include "support/circuits.h"
+#include "support/dense_svd.h"
 #include "support/random.h"
 
 namespace holdfast {
@@ -142,6 +144,33 @@ TEST(Bodies, OfTenThousandUnknownsHaveOneColumn)
                                 std::vector<bool>(kCount + 1, false));
   EXPECT_EQ(elimination.Q2().cols(), 1);
   EXPECT_EQ(elimination.Q2().nonZeros(), kCount + 1);
+}
+
+TEST(Bodies, AmplificationsAreTheColumnsOfThePseudoInverse)
+{
+  for (std::uint32_t seed = 0; seed < 200; ++seed) {
+    const EliminatedRows problem = randomEliminatedRows(seed);
+    const Eigen::MatrixXd inverse =
+        test::leastSquares(problem.B, Eigen::MatrixXd::Identity(problem.B.rows(), problem.B.rows()));
+    const std::vector<double> found = problem.elimination.amplifications();
+    for (std::size_t k = 0; k < problem.independent.size(); ++k) {
+      const double expected = inverse.col(static_cast<Index>(k)).norm();
+      EXPECT_NEAR(found[problem.independent[k]], expected, 1e-9 * expected) << "seed " << seed << ", row " << k;
+    }
+  }
+}
+
+TEST(Bodies, AllOfABodyMovesWithAPinOfIt)
+{
+  constexpr Index kCount = 10000;
+  std::vector<RowTerms> rows;
+  for (Index u = 1; u < kCount; ++u) rows.push_back(differenceTerms(0, u));
+  rows.push_back({{5, 1}});
+  const Elimination elimination(rows, independentRows({}, rows.size()), kCount, std::vector<bool>(kCount, false));
+  const std::vector<double> found = elimination.amplifications();
+  EXPECT_NEAR(found.back(), std::sqrt(static_cast<double>(kCount)), 1e-9);
+  EXPECT_NEAR(found[0], 1, 1e-12) << "another unknown alone";
+  EXPECT_NEAR(found[4], std::sqrt(static_cast<double>(kCount - 1)), 1e-9) << "all but the pinned one";
 }
 
 TEST(Bodies, NearlyEqualPointsAmplifyByTheInverseOfTheirDistance)
