@@ -76,7 +76,7 @@ class BracketBuilder {
 
   [[nodiscard]] static Vector3 onFlank(double side, double y, double z) { return {flankX(side, z), y, z}; }
 
-  // Across the profile of the fillet, from the toe on the base (0) to the top on the wall (1).
+  // Across the profile of the fillet, from the toe on the base, 0, to the top on the wall, 1.
   [[nodiscard]] static Vector3 onFillet(double t, double x)
   {
     const double angle = t * pi / 2;
@@ -136,7 +136,7 @@ class BracketBuilder {
   Curve gussetSlope(double x) { return shell_.segment({x, kGussetFront, kGussetToe}, {x, kWallFront, kGussetTop}); }
   Curve gussetBack(double x) { return shell_.segment(onGussetFace(x, 1), {x, kWallFront, kGussetTop}); }
 
-  // Where the corner of base and wall starts (0) and ends (1) on a gusset: rounded on the inner face, sharp outside.
+  // Where the corner of base and wall starts, 0, and ends, 1, on a gusset: rounded on the inner face, sharp outside.
   [[nodiscard]] static Vector3 onGussetFace(double x, double t)
   {
     return std::abs(x) == kGussetInner ? onFillet(t, x) : Vector3(x, kWallFront, kBaseTop);

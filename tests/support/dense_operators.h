@@ -11,7 +11,8 @@
 
 namespace holdfast::test {
 
-/// L of equations (1) to (3) with the weights (9) or (10), n x n, for lengths in units of `unit`.
+/// The Laplacian of equations (1) to (3) with uniform weights (9) or cotangent weights (10), n x n, for lengths in
+/// units of `unit`.
 [[nodiscard]] Eigen::MatrixXd denseL(const Mesh& mesh, const std::vector<Triangle>& triangles, Weights weights,
                                      double unit);
 

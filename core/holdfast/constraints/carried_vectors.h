@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Constraints that turn with the surface: the right-hand sides of (28) and Fig. 8 once the rotations are known.
+/// Constraints that turn with the surface: right-hand sides once the rotations are known, for the vectors of rigid
+/// regions, (28), and of Fig. 8.
 
 #include <holdfast/constraints/constraint_system.h>
 

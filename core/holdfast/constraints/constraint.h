@@ -81,7 +81,8 @@ struct Point {
   std::variant<Target, Move> to;
 };
 
-/// The selected vertices move as one body, wherever the rest takes it, equations (28) and (29).
+/// The selected vertices move as one body, wherever the rest takes it: the vectors between them are kept and their
+/// rotations are equal, equations (28) and (29).
 struct Rigid {
   Selection select;
 };

@@ -34,8 +34,8 @@ inline constexpr double kAreaFloor = 1e-3;
 /// obtuse angle, a half or a quarter of the triangle's area otherwise. Never negative; the sum is the area of the mesh.
 [[nodiscard]] Eigen::VectorXd mixedVoronoiAreas(const Positions& positions, const std::vector<Triangle>& triangles);
 
-/// Voronoi area of each unknown by the formula behind equation (10), obtuse angles or not: an eighth of the sum of
-/// (cot alpha + cot beta) |p_i - p_j|^2. Negative or infinite on bad triangles.
+/// Area(i) of the cotangent weights (10): the Voronoi area of each unknown by its formula, obtuse angles or not, an
+/// eighth of the sum of (cot alpha + cot beta) |p_i - p_j|^2. Negative or infinite on bad triangles.
 [[nodiscard]] Eigen::VectorXd literalVoronoiAreas(const Positions& positions, const std::vector<Triangle>& triangles);
 
 }  // namespace holdfast

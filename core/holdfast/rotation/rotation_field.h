@@ -54,8 +54,8 @@ struct RotationFieldAttempt {
 };
 
 /// Minimises the Dirichlet energy by least squares over the edges; where a weight is negative there may be no minimum,
-/// and (25) is solved at every free unknown, summed over each rigid region. Fails for weights that are not finite, and
-/// for negative ones that leave the equations singular.
+/// and L q = 0, (25), is solved at every free unknown, summed over each rigid region. Fails for weights that are not
+/// finite, and for negative ones that leave the equations singular.
 [[nodiscard]] RotationFieldAttempt decomposeRotations(const RotationProblem& problem, Backend backend);
 
 }  // namespace holdfast

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The equations of the rotation field: (25) with (26) to (29) eliminated.
+/// The equations of the rotation field, (25) to (29), for what is left to find.
 
 #include <vector>
 
@@ -27,8 +27,8 @@ struct RotationSystem {
 /// weight is negative.
 [[nodiscard]] RotationSystem energyRows(const std::vector<EdgeWeight>& weights, const RotationUnknowns& unknowns);
 
-/// A row for each column, the sum of w_ij (q_i - q_j) over its unknowns and their neighbours, which (25) wants to be 0,
-/// by the size of its largest coefficient. Square, for weights of any sign.
+/// A row for each column, the sum of w_ij (q_i - q_j) over its unknowns and their neighbours, of L q = 0, (25), by the
+/// size of its largest coefficient. Square, for weights of any sign.
 [[nodiscard]] RotationSystem balanceRows(const std::vector<EdgeWeight>& weights, const RotationUnknowns& unknowns);
 
 }  // namespace holdfast

@@ -1,4 +1,4 @@
-// The rotation field against (25) to (29) written out densely and solved by LU with complete pivoting.
+// The rotation field, (25) to (29), written out densely and solved by LU with complete pivoting.
 
 #include <algorithm>
 #include <cmath>
@@ -74,8 +74,8 @@ struct DenseSolution {
   double condition = 0;
 };
 
-/// A row for each unknown: (26) and (27) where q is given, (29) to the first of its region, (25) summed over a region
-/// at its first, and q = 0 where no edge or region leads to anything given.
+/// A row for each unknown of the rotation field, (25) to (29): its value where q is given, the difference from the first
+/// of its region, the sum of L q over a region at its first, and q = 0 where no edge or region leads to anything given.
 DenseSolution denseField(const Eigen::MatrixXd& W, const std::vector<Index>& given,
                          const std::vector<std::vector<Index>>& groups, const Columns3& values)
 {
