@@ -1,40 +1,91 @@
 #!/usr/bin/env bash
-# Installs a build into a fresh prefix, builds the consumer project against it and runs it; first with the core alone,
-# for which no other layer's dependencies may be asked, then with every layer that was built.
+# Installs a build into a fresh prefix and uses it as others do: the README's project deforms the bundled bracket with the
+# core alone, and a second project with the view, if it was built. Then the controls: what must not pass.
 #   package_test.sh BUILD-FOLDER WORK-FOLDER LAYER...
 set -euo pipefail
 build=$1
 work=$2
 shift 2
+layers=" $* "
 source=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+prefix=$work/prefix
 
-# consume NAME LAYERS [CMAKE-OPTION...]
-consume() {
-  local name=$1 layers=$2
-  shift 2
-  cmake --no-warn-unused-cli -G Ninja -S "$source/tests/package/consumer" -B "$work/$name" \
-    -DCMAKE_PREFIX_PATH="$work/prefix" -DLAYERS="$layers" "$@" &&
-    cmake --build "$work/$name" &&
-    run_all "$work/$name"/use_*
+fail() {
+  echo "error: $*" >&2
+  exit 1
 }
 
-run_all() {
-  local program
-  for program in "$@"; do
-    "$program" || return
-  done
+# readme_block LANGUAGE: what the README prints in that language.
+readme_block() {
+  sed -n "/^\`\`\`$1\$/,/^\`\`\`\$/ { /^\`\`\`/d; p }" "$source/README.md"
+}
+
+# build_project FOLDER [CMAKE-OPTION...]
+build_project() {
+  local folder=$1
+  shift
+  cmake -G Ninja -S "$folder" -B "$folder/build" -DCMAKE_PREFIX_PATH="$prefix" "$@" && cmake --build "$folder/build"
+}
+
+# expect_refused WORDS COMMAND...: the command fails, and says these words.
+expect_refused() {
+  local words=$1
+  shift
+  if "$@" >"$work/refused.log" 2>&1; then fail "this must fail: $*"; fi
+  tr -s ' \n' ' ' <"$work/refused.log" | grep -qF "$words" || fail "no word of '$words' from: $*; see $work/refused.log"
+}
+
+# bracket_in FOLDER [CONSTRAINTS]: the bundled bracket and constraints for it.
+bracket_in() {
+  mkdir -p "$1"
+  cp "$source/data/bracket.obj" "$1/"
+  cp "${2:-$source/data/bracket.constraints.json}" "$1/bracket.constraints.json"
+}
+
+# is_deformed MESH: the bracket as its constraints ask. The first one that is pinned to a vertex tells it from others
+# without the library, and holdfast-batch writes the same file.
+is_deformed() {
+  [ "$(grep '^v ' "$1" | sed -n 3142p)" = "v 15.1786 9.365903 50.37766" ] && cmp "$work/expected.obj" "$1"
 }
 
 rm -rf "$work"
-cmake --install "$build" --prefix "$work/prefix"
+cmake --install "$build" --prefix "$prefix"
 if grep -rnF -e "$source/core/" -e "$source/widgets/" -e "$build/core" -e "$build/widgets" -e holdfast_warnings \
-  "$work/prefix" --include="*.cmake"; then
-  echo "error: the installed package refers to the source tree it was built from" >&2
-  exit 1
+  "$prefix" --include="*.cmake"; then
+  fail "the installed package refers to the source tree it was built from"
 fi
-consume core core -DCMAKE_DISABLE_FIND_PACKAGE_VTK=ON
-consume all "$(IFS=';' && echo "$*")"
-if consume absent "core;nonesuch" >"$work/absent.log" 2>&1 || ! grep -q 'nonesuch' "$work/absent.log"; then
-  echo "error: a layer that does not exist was found, or not named; see $work/absent.log" >&2
-  exit 1
-fi
+"$prefix/bin/holdfast-batch" deform "$source/data/bracket.obj" --quiet \
+  --constraints "$source/data/bracket.constraints.json" --out "$work/expected.obj"
+echo '{"format": "holdfast-constraints", "version": 1, "constraints": []}' >"$work/nothing.json"
+bracket_in "$work/bracket"
+bracket_in "$work/rest" "$work/nothing.json"
+
+mkdir "$work/mine"
+readme_block cmake >"$work/mine/CMakeLists.txt"
+readme_block cpp >"$work/mine/mine.cpp"
+# Nothing of VTK may be asked for.
+build_project "$work/mine" -DCMAKE_DISABLE_FIND_PACKAGE_VTK=ON
+(cd "$work/bracket" && "$work/mine/build/mine")
+is_deformed "$work/bracket/deformed.obj" || fail "the README's program does not write the deformed bracket"
+# Controls: another result, and no input.
+(cd "$work/rest" && "$work/mine/build/mine")
+if is_deformed "$work/rest/deformed.obj"; then fail "the bracket at rest passes for the deformed one"; fi
+expect_refused "bracket.obj" "$work/mine/build/mine"
+
+# refuse_components WORDS LANGUAGES COMPONENTS
+refuse_components() {
+  printf 'cmake_minimum_required(VERSION 3.25)\nproject(refused %s)\nfind_package(holdfast REQUIRED COMPONENTS %s)\n' \
+    "$2" "$3" >"$work/CMakeLists.txt"
+  rm -rf "$work/build"
+  expect_refused "$1" build_project "$work"
+}
+
+refuse_components "This holdfast has no nonesuch" CXX "core nonesuch"
+case $layers in *" view "*)
+  refuse_components "project(... LANGUAGES C CXX)" CXX view
+  cp -r "$source/tests/package/view_consumer" "$work/view"
+  build_project "$work/view"
+  (cd "$work/bracket" && "$work/view/build/use_view") || fail "the view does not write the deformed bracket"
+  # Control.
+  if (cd "$work/rest" && "$work/view/build/use_view"); then fail "the bracket at rest passes for the deformed one"; fi
+esac
