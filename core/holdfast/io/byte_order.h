@@ -37,7 +37,7 @@ template <class Number>
 {
   assert(bytes.size() == sizeof(Number));
   std::array<char, sizeof(Number)> native{};
-  std::copy(bytes.begin(), bytes.end(), native.begin());
+  std::copy_n(bytes.begin(), native.size(), native.begin());
   const bool isNative = (order == ByteOrder::kLittle) == (std::endian::native == std::endian::little);
   if (!isNative) std::reverse(native.begin(), native.end());
   return std::bit_cast<Number>(native);

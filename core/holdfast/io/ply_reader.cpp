@@ -21,7 +21,7 @@ struct MeshElements {
   Index corners = -1;  // property of `face`
 };
 
-const PlyElement& requireElement(const PlyHeader& header, const std::string& name, const std::string& file)
+const PlyElement& requireElement(const PlyHeader& header, std::string_view name, const std::string& file)
 {
   const PlyElement* const element = header.find(name);
   if (element == nullptr)
