@@ -1,4 +1,4 @@
-# What a bare Debian 12 (or Ubuntu 24.04) needs to build, test and run Holdfast. Sourced, not run.
+# What a bare Debian 12 or 13 needs to build, test and run Holdfast. Sourced, not run.
 
 holdfast_packages=(
   g++ cmake ninja-build ccache
