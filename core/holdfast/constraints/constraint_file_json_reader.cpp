@@ -73,7 +73,7 @@ constexpr std::array<Type, 5> kTypes{{{"fixed", kRegionKeys, readFixed},
                                       {"rigid", kRegionKeys, readRigid},
                                       {"relative", kRelativeKeys, readRelative}}};
 
-const Type& readType(const JsonReader& json)
+Type readType(const JsonReader& json)
 {
   const std::string& name = json.text();
   for (const Type& type : kTypes)
@@ -94,7 +94,7 @@ std::string readName(const JsonReader& json, std::string_view type, std::size_t 
 
 Constraint readConstraint(const JsonReader& json, std::size_t place)
 {
-  const Type& type = readType(json["type"]);
+  const Type type = readType(json["type"]);
   json.requireKeys(type.keys);
   const bool isEnabled = !json.has("enabled") || json["enabled"].boolean();
   return {readName(json, type.name, place), isEnabled, type.read(json)};
