@@ -2,6 +2,7 @@
 
 #include "support/residual_verifier.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iomanip>
@@ -104,6 +105,90 @@ TEST_F(ResidualVerifier, MeasuresEveryKindOfPoint)
     EXPECT_NEAR(found.largest, weight * 1e-6, 1e-15) << constraint;
     EXPECT_EQ(found.points, 1) << constraint;
     EXPECT_EQ(found.worst, "c");
+  }
+}
+
+/// Handles of two vertices beside a fixed one, and where they go.
+class VerifierOfHandles : public testing::Test {
+ protected:
+  [[nodiscard]] Verification verified(const std::string& motion, const PlainPoint& first, const PlainPoint& second)
+  {
+    const auto file = in_.file(
+        "handle.json",
+        constraintText({R"({"type": "fixed", "name": "f", "select": {"vertices": [0]}})",
+                        R"({"type": "fixed", "name": "g", "select": {"vertices": [0, 1]}})",
+                        R"({"type": "handle", "name": "h", "select": {"vertices": [3, 2]}, )" + motion + "}"}));
+    PlainMesh moved = rest_;
+    moved.positions[3] = first;
+    moved.positions[2] = second;
+    return verify(rest_, moved, file, {});
+  }
+
+  /// The places are right, and others are not.
+  void expectPlaces(const std::string& motion, const PlainPoint& first, const PlainPoint& second)
+  {
+    SCOPED_TRACE(motion);
+    EXPECT_LT(verified(motion, first, second).largest, 1e-14);
+    const Verification exchanged = verified(motion, second, first);
+    EXPECT_GT(exchanged.largest, 1);
+    EXPECT_EQ(exchanged.worst, "h");
+    EXPECT_NEAR(verified(motion, first, {second[0], second[1] + 1e-6, second[2]}).largest, 1e-6, 1e-14);
+  }
+
+  // The centroids of what is fixed and of the handle are (0, 0, 0) and (4, 0, 0).
+  PlainMesh rest_{{{-1, 0, 0}, {1, 0, 0}, {5, -1, 0}, {3, 1, 0}}, {{0, 1, 2}, {1, 2, 3}}};
+  TemporaryFolder in_;
+};
+
+TEST_F(VerifierOfHandles, KnowsTheTurnAboutWhatIsFixed)
+{
+  // A quarter turn about z; then out of it.
+  expectPlaces(R"("turn": "about-fixed", "translate": [-4, 4, 0])", {-1, 3, 0}, {1, 5, 0});
+  expectPlaces(R"("turn": "about-fixed", "translate": [4, 0, 0])", {7, 1, 0}, {9, -1, 0});
+}
+
+TEST_F(VerifierOfHandles, KnowsFrames)
+{
+  expectPlaces(R"("frame": {"to": {"x": [0, 2, 0], "y": [-1, 5, 0]}})", {3, -1, 0}, {5, 1, 0});
+  expectPlaces(R"("frame": {"to": {"x": [0, 2, 0], "y": [-1, 5, 0]}, "turns": 2}, "translate": [0, 0, 1])", {3, -1, 1},
+               {5, 1, 1});
+  expectPlaces(
+      R"("frame": {"from": {"origin": [3, 1, 1], "x": [0, 0, 1], "y": [1, 0, 0]}, "to": {"origin": [0, 0, 7]}})",
+      {-1, 0, 7}, {-1, 2, 5});
+}
+
+TEST_F(VerifierOfHandles, KnowsTargetsInTheOrderOfTheIdsAndBitForBit)
+{
+  const std::string targets = R"("targets": [[0.1, 7, 8], [9, 0.2, 4]])";
+  expectPlaces(targets, {0.1, 7, 8}, {9, 0.2, 4});
+  EXPECT_TRUE(verified(targets, {0.1, 7, 8}, {9, 0.2, 4}).inexact.empty());
+  EXPECT_EQ(verified(targets, {std::nextafter(0.1, 1), 7, 8}, {9, 0.2, 4}).inexact, std::set<std::string>{"h"});
+  expectPlaces(R"("targets": [[0.1, 7, 8], [9, 0.2, 4]], "translate": [0.2, 0, -1])", {0.1 + 0.2, 7, 7}, {9.2, 0.2, 3});
+}
+
+TEST_F(VerifierOfHandles, DoesNotPassOverKeysThatItDoesNotKnow)
+{
+  EXPECT_THROW(static_cast<void>(verified(R"("scale": 2)", {3, 1, 0}, {5, -1, 0})), std::runtime_error);
+}
+
+/// What holdfast-batch writes for each, and that it is not what the others ask for.
+TEST_F(ResidualVerifier, TellsTheMotionsOfHandlesApart)
+{
+  const std::string low =
+      R"({"type": "fixed", "name": "low", "select": {"halfspace": {"point": [0, 0, -0.8], "normal": [0, 0, -1]}}})";
+  const std::string high = R"({"type": "handle", "name": "high", "select": {"vertices": [0, 5, 11, 40]}, )";
+  std::vector<std::string> files;
+  for (const char* const motion :
+       {R"("translate": [0.3, 0.2, 0.4])", R"("translate": [0.3, 0.2, 0.4], "turn": "about-fixed")",
+        R"("translate": [0.3, 0.2, 0.4], "rotate": {"axis": [1, 2, 3], "degrees": 400})",
+        R"("frame": {"from": {"x": [1, 1, 0]}, "to": {"origin": [1, 1, 1], "y": [0.5, -3, 1]}, "turns": -1})",
+        R"("targets": [[1, 0, 2], [0, 1.1, 2], [-1, 0, 2.3], [0.2, -1, 2]])"})
+    files.push_back(
+        in_.file(std::to_string(files.size()) + ".json", constraintText({low, high + motion + "}"})).string());
+  for (const std::string& file : files) {
+    ASSERT_EQ(runBatch(deform(mesh(), file)).exitCode, 0) << file;
+    for (const std::string& other : files)
+      EXPECT_EQ(meetsConstraints(mesh(), output("out.obj"), other), file == other) << file << ", " << other;
   }
 }
 

@@ -1,14 +1,13 @@
 #include "support/residual_verifier.h"
 
-#include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <numeric>
 #include <stdexcept>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
 #include "support/plain_constraints.h"
+#include "support/plain_motion.h"
 #include "support/plain_selection.h"
 
 namespace holdfast::test {
@@ -16,7 +15,7 @@ namespace {
 
 using Json = nlohmann::json;
 using Real = long double;
-using Place = std::array<Real, 3>;
+using Place = PlainPlace;
 using Terms = std::vector<std::pair<long, Real>>;
 
 Place placeOf(const PlainMesh& mesh, const Terms& terms)
@@ -32,32 +31,14 @@ double distance(const Place& a, const Place& b)
   return static_cast<double>(std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]));
 }
 
-/// Rodrigues' formula about the line through `center` along `axis`.
-Place turned(const Place& place, const Place& center, const Place& axis, Real degrees)
-{
-  const Real length = std::hypot(axis[0], axis[1], axis[2]);
-  const Real angle = std::fmod(degrees, Real{360}) * std::numbers::pi_v<Real> / 180;
-  Place k{};
-  Place v{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    k[i] = axis[i] / length;
-    v[i] = place[i] - center[i];
-  }
-  const Real along = k[0] * v[0] + k[1] * v[1] + k[2] * v[2];
-  Place result{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3;
-    const std::size_t l = (i + 2) % 3;
-    result[i] = center[i] + v[i] * std::cos(angle) + (k[j] * v[l] - k[l] * v[j]) * std::sin(angle) +
-                k[i] * along * (1 - std::cos(angle));
-  }
-  return result;
-}
-
 /// One run of `verify`.
 class Verifier {
  public:
-  Verifier(const PlainMesh& rest, const PlainMesh& written) : rest_(rest), written_(written) {}
+  /// `fixed` are the vertices that handles may turn about.
+  Verifier(const PlainMesh& rest, const PlainMesh& written, std::vector<long> fixed)
+      : rest_(rest), written_(written), fixed_(std::move(fixed))
+  {
+  }
 
   void add(const Json& constraint)
   {
@@ -82,21 +63,14 @@ class Verifier {
  private:
   void addHandle(const Json& handle)
   {
-    const auto shift = handle.value("translate", PlainPoint{});
-    const std::vector<long> vertices = selectPlain(handle.at("select"), rest_);
-    for (const long v : vertices) {
-      const PlainPoint& p = rest_.positions[v];
-      if (!handle.contains("rotate")) {
-        measurePin(v, {p[0] + shift[0], p[1] + shift[1], p[2] + shift[2]});
-        continue;
+    for (const auto& [vertex, place] : placesOfHandle(handle, fixed_, rest_))
+      if (isTurned(handle)) {
+        measure({{vertex, 1}}, place);
+        pinned_.insert(vertex);
+      } else {
+        measurePin(vertex,
+                   {static_cast<double>(place[0]), static_cast<double>(place[1]), static_cast<double>(place[2])});
       }
-      const Json& turn = handle.at("rotate");
-      const Place center = turn.contains("center") ? turn.at("center").get<Place>() : centroid(vertices);
-      Place target = turned({p[0], p[1], p[2]}, center, turn.at("axis").get<Place>(), turn.at("degrees").get<Real>());
-      for (std::size_t k = 0; k < 3; ++k) target[k] += shift[k];
-      measure({{v, 1}}, target);
-      pinned_.insert(v);
-    }
   }
 
   void addRigid(const std::vector<long>& vertices)
@@ -152,15 +126,6 @@ class Verifier {
     return terms;
   }
 
-  [[nodiscard]] Place centroid(const std::vector<long>& vertices) const
-  {
-    Place sum{};
-    for (const long v : vertices)
-      for (std::size_t k = 0; k < 3; ++k) sum[k] += rest_.positions[v][k];
-    for (Real& coordinate : sum) coordinate /= static_cast<Real>(vertices.size());
-    return sum;
-  }
-
   /// A pin whose target is one of doubles: the earliest of each vertex is copied bit for bit.
   void measurePin(long vertex, const PlainPoint& target)
   {
@@ -186,18 +151,29 @@ class Verifier {
 
   const PlainMesh& rest_;
   const PlainMesh& written_;
+  std::vector<long> fixed_;
   std::string name_;
   std::set<long> pinned_;
   Verification result_;
 };
+
+std::vector<long> fixedVertices(const Json& constraints, const PlainMesh& rest)
+{
+  std::set<long> fixed;
+  for (const Json& constraint : constraints)
+    if (constraint.value("enabled", true) && constraint.at("type") == "fixed")
+      for (const long v : selectPlain(constraint.at("select"), rest)) fixed.insert(v);
+  return {fixed.begin(), fixed.end()};
+}
 
 }  // namespace
 
 Verification verify(const PlainMesh& rest, const PlainMesh& written, const std::filesystem::path& constraints,
                     const std::set<std::string>& leftOut)
 {
-  Verifier verifier(rest, written);
-  for (const Json& constraint : readPlainConstraints(constraints))
+  const Json list = readPlainConstraints(constraints);
+  Verifier verifier(rest, written, fixedVertices(list, rest));
+  for (const Json& constraint : list)
     if (constraint.value("enabled", true) && !leftOut.contains(constraint.at("name"))) verifier.add(constraint);
   return verifier.result();
 }
