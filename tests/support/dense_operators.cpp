@@ -25,10 +25,9 @@ double angle(const Corners& p, int k)
   return 2 * std::atan2((u - v).norm(), (u + v).norm());
 }
 
-double cotangent(const Corners& p, int k, Weights weights)
+double cotangent(const Corners& p, int k)
 {
-  const double plain = std::tan(std::numbers::pi / 2 - angle(p, k));
-  return weights == Weights::Cotangent ? std::clamp(plain, -20.0, 20.0) : plain;
+  return std::tan(std::numbers::pi / 2 - angle(p, k));
 }
 
 double voronoiArea(const Corners& p, int k)
@@ -55,7 +54,6 @@ Eigen::VectorXd areas(const Mesh& mesh, const std::vector<Triangle>& triangles, 
       const Corners p = cornersOf(mesh, triangle, unit);
       result[triangle[k]] += weights == Weights::Cotangent ? mixedArea(p, k) : voronoiArea(p, k);
     }
-  if (weights == Weights::Cotangent) result = result.cwiseMax(1e-3 * result.mean());
   return result;
 }
 
@@ -66,7 +64,7 @@ Eigen::MatrixXd denseCotangentL(const Mesh& mesh, const std::vector<Triangle>& t
     for (int k = 0; k < 3; ++k) {
       const Index i = triangle[(k + 1) % 3];
       const Index j = triangle[(k + 2) % 3];
-      const double weight = cotangent(cornersOf(mesh, triangle, unit), k, weights);
+      const double weight = cotangent(cornersOf(mesh, triangle, unit), k);
       L(i, j) -= weight;
       L(j, i) -= weight;
       L(i, i) += weight;

@@ -1,7 +1,8 @@
 #pragma once
 /// \file
 /// The operators and the rows of constraints written down a second time, densely and straight from the definitions, for
-/// comparison with the engine. Meshes without coinciding vertices.
+/// comparison with the engine. Meshes without coinciding vertices, on which no guard of the engine acts: there is none
+/// here.
 
 #include <Eigen/Core>
 

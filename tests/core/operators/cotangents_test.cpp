@@ -57,13 +57,23 @@ TEST(Cotangents, OfTrianglesWithoutAreaAreNotFinite)
   for (const double cot : cornerCotangents(Positions::Zero(3, 3), {0, 1, 2})) EXPECT_TRUE(std::isnan(cot));
 }
 
-TEST(GuardedCotangents, AreCappedAndOtherwiseUnchanged)
+/// The figures of docs/math.md.
+TEST(GuardedCotangents, AreHeldWithinTwentyAndOtherwiseUnchanged)
 {
   const double inf = std::numeric_limits<double>::infinity();
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(guarded({inf, -inf, 1e9}), (CornerCotangents{kCotangentCap, -kCotangentCap, kCotangentCap}));
-  EXPECT_EQ(guarded({0.5, -0.25, kCotangentCap}), (CornerCotangents{0.5, -0.25, kCotangentCap}));
+  EXPECT_EQ(guarded({inf, -inf, 1e9}), (CornerCotangents{20, -20, 20}));
+  EXPECT_EQ(guarded({0.5, -0.25, 19.99}), (CornerCotangents{0.5, -0.25, 19.99}));
   for (const double cot : guarded({nan, nan, nan})) EXPECT_DOUBLE_EQ(std::atan(1 / cot), std::numbers::pi / 3);
+}
+
+TEST(GuardedCotangents, AreThoseOfAnglesAbove2Point9Degrees)
+{
+  for (const double degrees : {2.85, 2.87}) {
+    const double height = std::tan(degrees * std::numbers::pi / 180);
+    const CornerCotangents plain = cornerCotangents(triangleAt({0, 0, 0}, {1, 0, 0}, {1, height, 0}), {0, 1, 2});
+    EXPECT_EQ(guarded(plain) == plain, degrees > 2.86) << plain[0];
+  }
 }
 
 TEST(MixedAreas, ArePositiveAndSumToTheAreaOfTheMesh)

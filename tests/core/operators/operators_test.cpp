@@ -231,7 +231,8 @@ TEST(Operators, NameTheLiteralRowsThatAreUndefined)
   EXPECT_THAT(operators.undefinedRows, ElementsAre(0, 3, 4));
 }
 
-TEST(Operators, RaiseTinyAreasToTheFloor)
+/// The figure of docs/math.md.
+TEST(Operators, RaiseTinyAreasToAThousandthOfTheMean)
 {
   Mesh mesh = test::grid(4, 4);
   mesh.positions.conservativeResize(26, 3);
@@ -241,7 +242,7 @@ TEST(Operators, RaiseTinyAreasToTheFloor)
   EXPECT_THAT(operators.flooredAreas, ElementsAre(25));
   EXPECT_THAT(operators.clampedCotangents, ElementsAre(0, 1, 25));
   const Eigen::VectorXd areas = operators.rowWeights.cwiseAbs2();
-  EXPECT_NEAR(areas[25], kAreaFloor * (areas.sum() - areas[25]) / 26, 1e-3 * areas[25]);
+  EXPECT_NEAR(areas[25], (areas.sum() - areas[25]) / 26 / 1000, 1e-3 * areas[25]);
 }
 
 TEST(Operators, LeaveRowsOfLooseVerticesEmpty)

@@ -124,8 +124,8 @@ TEST(RotationField, OfATwistedBarTurnsEachSectionByItsShareOfAnyNumberOfTurns)
       const double whole = rotationLog(Vector3(0, 0, 1), degrees).z();
       const RotationField field = solved(problemOf(mesh, Weights::Cotangent, ends), backend, whole * rows(shares));
       for (Index i = 0; i < mesh.unknownCount(); ++i) {
-        // Floors of the weights across right angles change shares by as much as they are.
-        EXPECT_NEAR(field.q(i, 2) / whole, mesh.rest(i, 2) / 10, 10 * kRotationWeightFloor);
+        // Floors of the weights across right angles, a millionth, change shares by as much as they are.
+        EXPECT_NEAR(field.q(i, 2) / whole, mesh.rest(i, 2) / 10, 1e-5);
         EXPECT_EQ(field.q(i, 0), 0);
         EXPECT_EQ(field.q(i, 1), 0);
       }
