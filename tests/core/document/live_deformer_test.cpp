@@ -321,9 +321,19 @@ TEST(LiveDeformer, TheDestructorWaitsForTheListenerThatIsBeingCalled)
 TEST(LiveDeformer, MayGoAsSoonAsItHasCome)
 {
   for (int k = 0; k < 50; ++k) {
+    Latch isGone;
+    std::shared_ptr<const Model> model(new Model(*plateModel()), [&](const Model* dying) {
+      delete dying;
+      isGone.open();
+    });
     Witness witness;
-    LiveDeformer live(plateModel(), witness.listener());
-    live.submit(1, dragged(1), "list", Supersede::WhenDone);
+    {
+      LiveDeformer live(std::move(model), witness.listener());
+      live.submit(1, dragged(1), "list", Supersede::WhenDone);
+    }
+    const std::size_t told = witness.count();
+    ASSERT_TRUE(isGone.wait()) << "the worker ends";
+    EXPECT_EQ(witness.count(), told);
   }
 }
 
