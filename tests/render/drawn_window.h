@@ -2,6 +2,9 @@
 /// \file
 /// Windows that are never shown, and what is drawn in them.
 
+#include <string>
+#include <vector>
+
 #include <vtkNew.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
@@ -10,11 +13,18 @@
 
 namespace holdfast::test {
 
+/// Hides all that VTK writes in a window: fonts differ from machine to machine, so no text is part of a baseline.
+void hideTexts(vtkRenderWindow& window);
+
+/// What VTK writes in a window, in the order of the actors.
+[[nodiscard]] std::vector<std::string> textsIn(vtkRenderWindow& window);
+
 /// A window with one renderer, drawn offscreen. One pixel of the window is one of the picture.
 class OffscreenWindow {
  public:
   explicit OffscreenWindow(const PictureSize& size);
 
+  [[nodiscard]] vtkRenderWindow& window() const { return *window_; }
   [[nodiscard]] vtkRenderer& renderer() const { return *renderer_; }
   [[nodiscard]] Picture drawn() const;
 

@@ -11,6 +11,7 @@
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkTextActor.h>
+#include <vtkTextProperty.h>
 #include <vtkTexture.h>
 
 #include <holdfast/view/gizmo.h>
@@ -18,6 +19,7 @@
 #include <holdfast/view/snapshot.h>
 
 #include "render/compare_pictures.h"
+#include "render/drawn_window.h"
 #include "support/meshes.h"
 #include "support/point_constraints.h"
 
@@ -76,6 +78,13 @@ struct Stage {
     return draw(scene, "picture");
   }
 
+  /// For comparison with a baseline.
+  Picture drawnWithoutLetters()
+  {
+    test::hideTexts(scene.window());
+    return drawn();
+  }
+
   /// Drags a part from a place of the world to where it appears `moved` pixels further.
   void drag(GizmoPart part, const Vector3& from, const DisplayPoint& moved, Snap snap)
   {
@@ -92,7 +101,7 @@ struct Stage {
 TEST(GizmoPicture, InPerspective)
 {
   Stage stage;
-  EXPECT_EQ(test::differenceFromBaseline(stage.drawn()), "");
+  EXPECT_EQ(test::differenceFromBaseline(stage.drawnWithoutLetters()), "");
 }
 
 TEST(GizmoPicture, InParallelFromAbove)
@@ -101,28 +110,28 @@ TEST(GizmoPicture, InParallelFromAbove)
   stage.renderer().GetActiveCamera()->ParallelProjectionOn();
   stage.look(-60, 62);
   stage.gizmo.highlight(GizmoPart::RingZ);
-  EXPECT_EQ(test::differenceFromBaseline(stage.drawn()), "");
+  EXPECT_EQ(test::differenceFromBaseline(stage.drawnWithoutLetters()), "");
 }
 
 TEST(GizmoPicture, AlongAnAxis)
 {
   Stage stage;
   stage.look(-90, 2);
-  EXPECT_EQ(test::differenceFromBaseline(stage.drawn()), "");
+  EXPECT_EQ(test::differenceFromBaseline(stage.drawnWithoutLetters()), "");
 }
 
 TEST(GizmoPicture, OfAnArrowThatIsDragged)
 {
   Stage stage;
   stage.drag(GizmoPart::ArrowZ, {4, 1, 1.5}, {0, 120}, Snap::On);
-  EXPECT_EQ(test::differenceFromBaseline(stage.drawn()), "");
+  EXPECT_EQ(test::differenceFromBaseline(stage.drawnWithoutLetters()), "");
 }
 
 TEST(GizmoPicture, OfARingThatIsDragged)
 {
   Stage stage;
   stage.drag(GizmoPart::RingZ, {4.7, 0.4, 0.5}, {70, 30}, Snap::On);
-  EXPECT_EQ(test::differenceFromBaseline(stage.drawn()), "");
+  EXPECT_EQ(test::differenceFromBaseline(stage.drawnWithoutLetters()), "");
 }
 
 TEST(GizmoPicture, OfTheOuterRingThatIsDragged)
@@ -130,7 +139,7 @@ TEST(GizmoPicture, OfTheOuterRingThatIsDragged)
   Stage stage;
   stage.renderer().GetActiveCamera()->ParallelProjectionOn();
   stage.drag(GizmoPart::ViewRing, {4, 1, 1.5}, {150, -90}, Snap::None);
-  EXPECT_EQ(test::differenceFromBaseline(stage.drawn()), "");
+  EXPECT_EQ(test::differenceFromBaseline(stage.drawnWithoutLetters()), "");
 }
 
 /// The mean place of the pixels that differ, in pixels of the window.
@@ -168,6 +177,38 @@ TEST(GizmoPicture, ShowsTheCenterWhereItIsAndOverTheSurface)
     }
 }
 
+/// The letters of the gizmo, x first.
+std::vector<vtkTextActor*> lettersOf(const Gizmo& gizmo)
+{
+  std::vector<vtkTextActor*> letters;
+  for (vtkProp* const prop : gizmo.props())
+    if (auto* const letter = vtkTextActor::SafeDownCast(prop)) letters.push_back(letter);
+  return letters;
+}
+
+TEST(GizmoPicture, HasItsLettersBeyondTheTipsOfTheirArrows)
+{
+  Stage stage;
+  const std::vector<vtkTextActor*> letters = lettersOf(stage.gizmo);
+  EXPECT_EQ(test::textsIn(stage.scene.window()), (std::vector<std::string>{"x", "y", "z"}));
+  ASSERT_EQ(letters.size(), 3u);
+  const Picture all = stage.drawn();
+  const ViewGeometry view = viewGeometryOf(stage.renderer());
+  const DisplayPoint center = *toDisplay(view, stage.gizmo.frame().center);
+  for (int axis = 0; axis < 3; ++axis) {
+    letters[axis]->GetTextProperty()->SetOpacity(0);
+    const auto middle = middleOfDifference(stage.drawn(), all, stage.scene.pixelRatio());
+    letters[axis]->GetTextProperty()->SetOpacity(1);
+    ASSERT_TRUE(middle) << axis;
+    const Vector3 along = stage.gizmo.frame().center + Vector3::Unit(axis);
+    const DisplayPoint direction = (*toDisplay(view, along) - center).normalized();
+    const DisplayPoint arm = (*middle - center) / stage.scene.pixelRatio();
+    EXPECT_NEAR(arm.normalized().dot(direction), 1, 0.02) << axis;
+    EXPECT_GT(arm.norm(), 0.5 * kPixels) << axis;
+    EXPECT_LT(arm.norm(), kPixels) << axis;
+  }
+}
+
 TEST(GizmoPicture, IsTheSceneAloneWhileHidden)
 {
   Stage stage;
@@ -181,9 +222,7 @@ TEST(GizmoPicture, IsTheSceneAloneWhileHidden)
 std::vector<vtkMTimeType> textTimes(const Gizmo& gizmo)
 {
   std::vector<vtkMTimeType> times;
-  for (vtkProp* const prop : gizmo.props())
-    if (auto* const text = vtkTextActor::SafeDownCast(prop))
-      times.push_back(text->GetTexture()->GetInput()->GetMTime());
+  for (vtkTextActor* const letter : lettersOf(gizmo)) times.push_back(letter->GetTexture()->GetInput()->GetMTime());
   return times;
 }
 

@@ -3,15 +3,12 @@
 
 #include <gtest/gtest.h>
 #include <vtkActor.h>
-#include <vtkActor2DCollection.h>
 #include <vtkCamera.h>
 #include <vtkMapper.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkRenderer.h>
 #include <vtkScalarsToColors.h>
-#include <vtkTextActor.h>
-#include <vtkTextProperty.h>
 
 #include <holdfast/rotation/rotation_log.h>
 #include <holdfast/view/rotation_sphere.h>
@@ -71,15 +68,7 @@ struct Shown {
     sphere.show(placeRotations(model, deformation, nullptr));
     sphere.setColoring(coloringOf(model, deformation, ColorBy::Angle, ""));
     sphere.fitCamera();
-    hideTexts();
-  }
-
-  /// Fonts differ from machine to machine.
-  void hideTexts()
-  {
-    vtkActor2DCollection& flat = *window.renderer().GetActors2D();
-    for (int k = 0; k < flat.GetNumberOfItems(); ++k)
-      if (auto* text = vtkTextActor::SafeDownCast(flat.GetItemAsObject(k))) text->GetTextProperty()->SetOpacity(0);
+    test::hideTexts(window.window());
   }
 
   test::OffscreenWindow window{kSphereSize};
@@ -110,7 +99,7 @@ TEST(RotationSphere, OnADarkGroundWithSmallAngles)
   look.shell = {0.20, 0.215, 0.24};
   look.ink = {0.90, 0.92, 0.94};
   shown.sphere.setLook(look);
-  shown.hideTexts();
+  test::hideTexts(shown.window.window());
   EXPECT_EQ(test::differenceFromBaseline(shown.window.drawn()), "");
 }
 

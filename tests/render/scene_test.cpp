@@ -1,3 +1,9 @@
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -9,6 +15,7 @@
 #include <holdfast/view/snapshot.h>
 
 #include "render/compare_pictures.h"
+#include "render/drawn_window.h"
 #include "support/meshes.h"
 #include "support/point_constraints.h"
 
@@ -91,7 +98,51 @@ TEST(Scene, TwistedBarByAngle)
   NoProgress progress;
   const Deformation deformation = deform(model, list, "constraints", {}, progress);
   const Scene scene(model, deformation, {kSmall, ColorBy::Angle, Legend::Shown, "mm"});
+  EXPECT_EQ(test::textsIn(scene.window()),
+            (std::vector<std::string>{"338 met", "rotation angle\n[degrees]", "0", "90", "180", "270", "360", "450"}));
+  test::hideTexts(scene.window());
   EXPECT_EQ(test::differenceFromBaseline(drawnScene(scene)), "");
+}
+
+/// A slab that is held in the middle and turned at both ends, each about an axis of its own.
+struct Twisted {
+  Model model = makeModel(test::box({6, 2, 1}, 8), "slab");
+  Deformation deformation = twist();
+
+  [[nodiscard]] Deformation twist() const
+  {
+    NoProgress progress;
+    const ConstraintList list{
+        "",
+        {{"middle", true, Fixed{{at(3)}}},
+         {"left", true, Handle{{at(0)}, Turn{Vector3::UnitY(), 50, {}}, Vector3::Zero(), {}}},
+         {"right", true, Handle{{at(6)}, Turn{Vector3::UnitX(), -140, {}}, Vector3::Zero(), {}}}}};
+    return deform(model, list, "constraints", {}, progress);
+  }
+
+  [[nodiscard]] VertexIds at(double x) const
+  {
+    VertexIds section;
+    for (Index v = 0; v < model.mesh.vertexCount(); ++v)
+      if (model.mesh.positions(v, 0) == x) section.ids.push_back(v);
+    return section;
+  }
+
+  [[nodiscard]] Picture drawn(const std::optional<Coloring>& other = std::nullopt) const
+  {
+    Scene scene(model, deformation, {kSmall, ColorBy::Rotation, Legend::Shown, ""});
+    if (other) scene.contents().color(other);
+    test::hideTexts(scene.window());
+    return drawnScene(scene);
+  }
+};
+
+TEST(Scene, TwistedSlabByRotation)
+{
+  const Twisted slab;
+  EXPECT_EQ(test::differenceFromBaseline(slab.drawn()), "");
+  const Scene scene(slab.model, slab.deformation, {kSmall, ColorBy::Rotation, Legend::Shown, ""});
+  EXPECT_THAT(test::textsIn(scene.window()), testing::Contains("rotation |q|\n[rad]"));
 }
 
 TEST(Scene, SmoothSurfacesHaveNoEdges)
@@ -146,6 +197,15 @@ TEST(ComparisonMustFail, ForAnotherColorMap)
   rainbow->Build();
   scene.mesh().surface().GetMapper()->SetLookupTable(rainbow);
   EXPECT_GT(test::shareOfOtherPixels(right, drawnScene(scene)), 100 * test::kLargestShareOfOtherPixels);
+}
+
+TEST(ComparisonMustFail, ForOneComponentInThePlaceOfTheRotation)
+{
+  const Twisted slab;
+  auto component = coloringOf(slab.model, slab.deformation, ColorBy::Rotation, "");
+  for (std::size_t v = 0; v < component->values.size(); ++v)
+    component->values[v] = std::abs(slab.deformation.rotations(slab.model.solverMesh.weld.unknownOf[v], 0));
+  EXPECT_GT(test::shareOfOtherPixels(slab.drawn(), slab.drawn(component)), 100 * test::kLargestShareOfOtherPixels);
 }
 
 TEST(ComparisonMustFail, ForACameraTurnedByOneDegree)
