@@ -4,7 +4,9 @@
 #include <gmock/gmock.h>
 #include <vtkProp.h>
 
+#include <holdfast/base/degree.h>
 #include <holdfast/document/list_edits.h>
+#include <holdfast/rotation/rotation_log.h>
 #include <holdfast/view/camera_motion.h>
 #include <holdfast/widgets/tools/gizmo_tool.h>
 
@@ -171,25 +173,52 @@ class GizmoOnHandle : public GizmoOnPoint {
     ASSERT_TRUE(settle());
   }
 
-  [[nodiscard]] const Handle& handle() { return std::get<Handle>(list().constraints[point].what); }
+  [[nodiscard]] double degrees()
+  {
+    return std::get<Turn>(std::get<Handle>(list().constraints[point].what).motion).degrees;
+  }
+
+  /// Takes the outer ring at its right and around the center by `degrees`, counterclockwise.
+  void turnOuterRing(double degrees, Qt::KeyboardModifiers modifiers = Qt::NoModifier)
+  {
+    const QPointF middle = shown(window.gizmo().gizmo().frame().center);
+    std::vector<QPointF> way;
+    for (int step = 0; step <= 80; ++step) {
+      const double angle = degrees * kDegree * step / 80;
+      way.push_back(middle + kGizmoPixels * QPointF(std::cos(angle), -std::sin(angle)));
+    }
+    test::drag(viewport(), way, Qt::LeftButton, modifiers);
+    ASSERT_TRUE(settle());
+  }
+
+  /// What the handle at the end of the bar carries into the surface there.
+  [[nodiscard]] double degreesOfTheSurface()
+  {
+    const Model& model = *editor().model();
+    Index top = 0;
+    model.mesh.positions.col(2).maxCoeff(&top);
+    return angleDegrees(editor().deformation()->rotations.row(model.solverMesh.weld.unknownOf[top]).transpose());
+  }
 };
+
+// Both ends of a drag are seen to half a pixel.
+constexpr double kPixelInDegrees = 1 / kGizmoPixels / kDegree;
 
 TEST_F(GizmoOnHandle, ARingTurnsItAsOftenAsTheCursorGoesRound)
 {
-  const double before = std::get<Turn>(handle().motion).degrees;
-  const Vector3 center = window.gizmo().gizmo().frame().center;
-  const QPointF middle = shown(center);
-  std::vector<QPointF> way;
-  for (int step = 0; step <= 80; ++step) {
-    const double angle = -step * 2 * 3.14159265358979 * 1.25 / 80;
-    way.push_back(middle + kGizmoPixels * QPointF(std::cos(angle), std::sin(angle)));
-  }
-  test::drag(viewport(), way);
+  // About the axis of the handle, which makes 90 degrees already.
+  trigger("viewTop");
   ASSERT_TRUE(settle());
-  const auto& turn = std::get<Turn>(handle().motion);
-  EXPECT_NE(turn.degrees, before);
+  turnOuterRing(400);
+  EXPECT_NEAR(degrees(), 490, kPixelInDegrees);
+  EXPECT_NEAR(degreesOfTheSurface(), degrees(), 1e-9);
   EXPECT_EQ(editor().history().undoName().substr(0, 4), "turn");
   EXPECT_LE(editor().deformation()->report.solve.maxResidualRelative, 1e-12);
+  turnOuterRing(-800);
+  EXPECT_NEAR(degrees(), -310, 2 * kPixelInDegrees);
+  const double before = degrees();
+  turnOuterRing(751, Qt::ControlModifier);
+  EXPECT_NEAR(degrees(), before + 750, 1e-9) << "steps of 15 degrees";
 }
 
 }  // namespace
