@@ -1,5 +1,7 @@
+#include <QApplication>
 #include <QProgressDialog>
 #include <atomic>
+#include <chrono>
 #include <future>
 #include <memory>
 #include <stdexcept>
@@ -71,9 +73,30 @@ TEST(BackgroundJob, FailuresAreHanded)
 TEST(BackgroundJob, EndsWithItsOwnerInTheMiddleOfWork)
 {
   auto job = std::make_unique<BackgroundJob>();
-  job->start(forever);
+  int heard = 0;
+  const auto hear = [&] { ++heard; };
+  QObject::connect(job.get(), &BackgroundJob::stageChanged, hear);
+  QObject::connect(job.get(), &BackgroundJob::ended, hear);
+  QObject::connect(job.get(), &BackgroundJob::failed, hear);
+  std::promise<void> hasBegun;
+  std::atomic<bool> hasEnded = false;
+  job->start([&](Progress& progress) -> BackgroundJob::Finish {
+    progress.stage("turning the wheel");
+    hasBegun.set_value();
+    try {
+      return forever(progress);
+    } catch (...) {
+      // Late enough for an owner who does not wait to be found out.
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+      hasEnded = true;
+      throw;
+    }
+  });
+  hasBegun.get_future().wait();
   job.reset();
-  SUCCEED() << "and does not hang";
+  EXPECT_TRUE(hasEnded) << "the thread is gone with its owner";
+  QApplication::processEvents();
+  EXPECT_EQ(heard, 0);
 }
 
 TEST(ProgressSheet, TellsTheStageAndCancels)
