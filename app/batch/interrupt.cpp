@@ -19,7 +19,7 @@ extern "C" void removeOutputsAndDie(int signal)
 void installSignalHandlers()
 {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, removeOutputsAndDie);
-  std::signal(SIGXFSZ, SIG_IGN);
+  for (const int signal : {SIGXFSZ, SIGPIPE}) std::signal(signal, SIG_IGN);
 }
 
 }  // namespace holdfast::batch

@@ -128,6 +128,17 @@ TEST_F(Outputs, TheReportCanGoToStandardOutput)
   EXPECT_THAT(result.out, HasSubstr("\"holdfast-report\""));
 }
 
+TEST_F(Outputs, AnAnswerThatIsNotReadIsAnErrorOfWriting)
+{
+  ProcessOptions options;
+  options.isOutUnread = true;
+  expectRefusedWithoutTrace(deform(mesh(), constraints()), kOutput,
+                            {"standard output: cannot be written (Broken pipe)"}, options);
+  expectRefusal(runBatch({"--version"}, options), kOutput, {"Broken pipe"});
+  const std::vector<std::string> quietly{"check", mesh(), "--report", "/dev/stdout", "--quiet"};
+  expectRefusal(runBatch(quietly, options), kOutput, {"/dev/stdout: cannot be written (Broken pipe)"});
+}
+
 /// Standard output or standard error goes to a disk without room.
 class FullStreams : public Outputs {
  protected:
@@ -219,6 +230,18 @@ TEST_F(LongWork, TerminationWhileOutputsAreWrittenLeavesEachOldOrWhole)
   EXPECT_THAT(out_.names(), ElementsAreArray(allOutputs()));
   const std::string written = bytesOf(output("out.obj"));
   EXPECT_TRUE(written == "an old file" || meetsConstraints(sheet_, output("out.obj"), lift_));
+}
+
+TEST_F(LongWork, WhatIsLeftByAProgramThatWasKilledIsRemovedByTheNext)
+{
+  if (!kHasVtk) GTEST_SKIP() << "there is one stage of writing, and nothing is aside when it begins";
+  ProcessOptions options;
+  options.signal = SIGKILL;
+  options.signalAt = "writing fields";
+  EXPECT_EQ(runBatch(deform(sheet_, lift_), options).signal, SIGKILL);
+  EXPECT_EQ(out_.names().size(), 1U);
+  EXPECT_EQ(runBatch(deform(mesh(), constraints())).exitCode, 0);
+  EXPECT_THAT(out_.names(), ElementsAreArray(allOutputs()));
 }
 
 TEST_F(LongWork, QuietIsQuietHoweverLong)

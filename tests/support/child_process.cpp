@@ -33,12 +33,17 @@ struct Pipe {
   }
   ~Pipe()
   {
-    ::close(reading);
+    closeReading();
     closeWriting();
   }
   Pipe(const Pipe&) = delete;
   Pipe& operator=(const Pipe&) = delete;
 
+  void closeReading()
+  {
+    if (reading >= 0) ::close(reading);
+    reading = -1;
+  }
   void closeWriting()
   {
     if (writing >= 0) ::close(writing);
@@ -85,6 +90,8 @@ std::vector<std::string> limited(const std::vector<std::string>& command, const 
 {
   std::vector<std::string> words;
   if (options.largestFile) words = {"prlimit", "--fsize=" + std::to_string(*options.largestFile), "--"};
+  if (options.addressSpace)
+    words.insert(words.end(), {"prlimit", "--as=" + std::to_string(*options.addressSpace), "--"});
   // Root stays root, but without the capability to ignore permissions once it has become another program.
   if (options.obeysPermissions && ::geteuid() == 0)
     words.insert(words.end(), {"setpriv", "--bounding-set=-dac_override", "--"});
@@ -146,6 +153,7 @@ ProcessResult runProcess(const std::vector<std::string>& command, const ProcessO
 {
   Pipe out;
   Pipe err;
+  if (options.isOutUnread) out.closeReading();
   const pid_t child = start(command, options, out.writing, err.writing);
   out.closeWriting();
   err.closeWriting();

@@ -14,6 +14,10 @@ struct ProcessOptions {
   std::chrono::seconds timeout{300};
   /// No file may grow beyond this many bytes: the full disk of the tests.
   std::optional<long> largestFile;
+  /// The program may use this many bytes of address space: the small machine of the tests.
+  std::optional<long> addressSpace;
+  /// Standard output is a pipe whose reader has gone.
+  bool isOutUnread = false;
   /// Where standard output or standard error goes; nothing of it is in the result then.
   std::string outPath;
   std::string errPath;

@@ -13,7 +13,11 @@ class FileDescriptor {
   explicit FileDescriptor(int descriptor = -1) noexcept : descriptor_(descriptor) {}
   ~FileDescriptor() { static_cast<void>(close()); }
   FileDescriptor(FileDescriptor&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
-  FileDescriptor& operator=(FileDescriptor&&) = delete;
+  FileDescriptor& operator=(FileDescriptor&& other) noexcept
+  {
+    std::swap(descriptor_, other.descriptor_);
+    return *this;
+  }
   FileDescriptor(const FileDescriptor&) = delete;
   FileDescriptor& operator=(const FileDescriptor&) = delete;
 

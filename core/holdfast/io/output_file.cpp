@@ -9,11 +9,11 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <holdfast/base/error.h>
-#include <holdfast/io/file_descriptor.h>
 #include <holdfast/io/unfinished_files.h>
 
 namespace holdfast {
@@ -88,13 +88,46 @@ fs::path withLinksFollowed(const fs::path& path)
   fail(path, "cannot be written", ELOOP);
 }
 
+constexpr std::string_view kTemporaryBegin = ".part";
+constexpr std::size_t kTemporaryDigits = 16;
+
 /// A name in `folder` that no other program will think of. Short, so that no name of a file makes it too long.
 fs::path temporaryName(const fs::path& folder, const fs::path& extension)
 {
   constexpr std::size_t kLongestExtension = 16;
   std::random_device random;
-  return folder /
-         fmt::format(".part{}.{:08x}{:08x}", extension.string().substr(0, kLongestExtension), random(), random());
+  return folder / fmt::format("{}{}.{:08x}{:08x}", kTemporaryBegin, extension.string().substr(0, kLongestExtension),
+                              random(), random());
+}
+
+/// Whether a file has a name as `temporaryName` makes them.
+bool isTemporaryName(const std::string& name)
+{
+  const std::size_t dot = name.rfind('.');
+  return name.starts_with(kTemporaryBegin) && name.size() - dot == 1 + kTemporaryDigits &&
+         name.find_first_not_of("0123456789abcdef", dot + 1) == std::string::npos;
+}
+
+/// Removes the temporary files of programs that were killed. Where the file system has no locks there is no telling,
+/// and they stay.
+void removeAbandoned(const fs::path& folder)
+{
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    if (!isTemporaryName(entry->path().filename().string())) continue;
+    const FileDescriptor file(::open(entry->path().c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+    if (file.isOpen() && ::flock(file.get(), LOCK_EX | LOCK_NB) == 0) ::unlink(entry->path().c_str());
+  }
+}
+
+/// Locks a new temporary file. False where another program has taken it for an abandoned one before; it holds the lock
+/// until it has removed the file.
+bool isKept(const FileDescriptor& file)
+{
+  while (::flock(file.get(), LOCK_EX) != 0 && errno == EINTR) {
+  }
+  FileInfo info{};
+  return ::fstat(file.get(), &info) != 0 || info.st_nlink > 0;
 }
 
 FileDescriptor openDirect(const fs::path& path)
@@ -114,13 +147,14 @@ int takeOver(const FileDescriptor& file, const FileInfo& replaced)
 }
 
 /// 0, or the errno of the first step that failed. `replaced`: the file that stood at the target, if any.
-int writeAndFlush(FileDescriptor& file, std::string_view bytes, const std::optional<FileInfo>& replaced)
+int writeAndFlush(const FileDescriptor& file, std::string_view bytes, const std::optional<FileInfo>& replaced)
 {
   int code = replaced ? takeOver(file, *replaced) : 0;
   if (code == 0) code = writeAll(file, bytes);
   // EINVAL: the file system cannot flush single files.
   if (code == 0 && ::fsync(file.get()) != 0 && errno != EINVAL) code = errno;
-  const int closing = file.close();
+  // Some file systems tell of a full disk at a close. That of a duplicate keeps the lock.
+  const int closing = FileDescriptor(::dup(file.get())).close();
   return code != 0 ? code : closing;
 }
 
@@ -145,14 +179,27 @@ OutputFile::OutputFile(fs::path path, std::string_view bytes) : path_(std::move(
   std::error_code error;
   target_ = fs::absolute(withLinksFollowed(path_), error);
   if (error) fail(path_, "cannot be written", error.value());
-  temporary_ = temporaryName(target_.parent_path(), target_.extension()).string();
-  slot_ = trackUnfinishedFile(temporary_);
-  // Nobody else may read the new contents of a file that was not open to all, not even for a moment.
-  FileDescriptor file(::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, existing ? 0600 : 0666));
-  const int code = file.isOpen() ? writeAndFlush(file, bytes, existing) : errno;
+  removeAbandoned(target_.parent_path());
+  int code = openTemporary(existing.has_value());
+  if (code == 0) code = writeAndFlush(file_, bytes, existing);
   if (code == 0) return;
   discard();
   fail(path_, "cannot be written", code);
+}
+
+/// Makes the temporary file and locks it. Returns 0 or an errno.
+int OutputFile::openTemporary(bool isReplacing)
+{
+  do {
+    discard();
+    temporary_ = temporaryName(target_.parent_path(), target_.extension()).string();
+    slot_ = trackUnfinishedFile(temporary_);
+    // Nobody else may read the new contents of a file that was not open to all, not even for a moment.
+    const mode_t permissions = isReplacing ? 0600 : 0666;
+    file_ = FileDescriptor(::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, permissions));
+    if (!file_.isOpen()) return errno;
+  } while (!isKept(file_));
+  return 0;
 }
 
 OutputFile::~OutputFile()
@@ -164,6 +211,7 @@ OutputFile::OutputFile(OutputFile&& other) noexcept
     : path_(std::move(other.path_)),
       target_(std::move(other.target_)),
       temporary_(std::exchange(other.temporary_, {})),
+      file_(std::move(other.file_)),
       slot_(std::exchange(other.slot_, -1)),
       direct_(std::move(other.direct_))
 {
@@ -185,6 +233,7 @@ void OutputFile::commit()
     fail(path_, "cannot be put in place", code);
   }
   temporary_.clear();
+  static_cast<void>(file_.close());
   forgetUnfinishedFile(std::exchange(slot_, -1));
   flushFolder(target_.parent_path());
 }
@@ -193,6 +242,7 @@ void OutputFile::discard() noexcept
 {
   if (!temporary_.empty()) ::unlink(temporary_.c_str());
   temporary_.clear();
+  static_cast<void>(file_.close());
   forgetUnfinishedFile(std::exchange(slot_, -1));
 }
 

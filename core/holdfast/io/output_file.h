@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include <holdfast/io/file_descriptor.h>
+
 namespace holdfast {
 
 /// One output of a program. The bytes go to a temporary file beside `path`; `commit` puts it in place with one rename,
@@ -13,10 +15,13 @@ namespace holdfast {
 /// symbolic link is followed, the permissions of a file that is replaced are kept. A path that exists and is not a
 /// regular file (a device, a pipe), and the file that standard output or standard error already goes to, are written
 /// directly at `commit`.
+///
+/// The temporary file is locked as long as the output is unfinished. The system unlocks it however the program ends,
+/// so that the next output in the folder can tell which temporary files a killed program has left, and removes those.
 class OutputFile {
  public:
   /// Writes `bytes` aside and flushes them to disk. Throws `OutputError` (folder missing, not writable, disk full)
-  /// and leaves nothing behind then.
+  /// and leaves nothing behind then. O(bytes + files in the folder).
   OutputFile(std::filesystem::path path, std::string_view bytes);
   /// Removes the temporary file if `commit` was not called.
   ~OutputFile();
@@ -36,11 +41,13 @@ class OutputFile {
   [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
 
  private:
+  [[nodiscard]] int openTemporary(bool isReplacing);
   void discard() noexcept;
 
   std::filesystem::path path_;    // as the user wrote it
   std::filesystem::path target_;  // with symbolic links followed; empty for what is written directly
   std::string temporary_;         // absolute; empty once committed, and for what is written directly
+  FileDescriptor file_;           // of `temporary_`, locked
   int slot_ = -1;                 // of `temporary_` in the list of unfinished files
   std::string direct_;            // bytes for what is written directly
 };

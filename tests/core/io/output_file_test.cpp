@@ -254,6 +254,24 @@ TEST_F(OutputFileTest, AnInterruptLeavesNothingUnfinished)
   EXPECT_THROW(first.commit(), OutputError);
 }
 
+TEST_F(OutputFileTest, WhatAKilledProgramHasLeftIsRemovedByTheNext)
+{
+  const fs::path own = folder_.file(".part.obj", "somebody's own");
+  const OutputFile underWay(folder_.path() / "under way.obj", "x");
+  EXPECT_TRUE(holdsInChild([&] {
+    // Ends without destructors, as by SIGKILL.
+    static_cast<void>(new OutputFile(folder_.path() / "a.obj", "x"));
+    return true;
+  }));
+  EXPECT_EQ(folder_.names().size(), 3U);
+  OutputFile(folder_.path() / "b.obj", "x").commit();
+  EXPECT_EQ(folder_.names().size(), 3U);
+  OutputFile(folder_.path() / "c.obj", "x").commit();
+  EXPECT_THAT(folder_.names(), testing::Contains("b.obj"));
+  EXPECT_THAT(folder_.names(), testing::Contains(".part.obj"));
+  EXPECT_EQ(folder_.names().size(), 4U);
+}
+
 TEST_F(OutputFileTest, SlotsOfFinishedOutputsAreUsedAgain)
 {
   for (int i = 0; i < 3 * kTrackedOutputs; ++i) OutputFile(folder_.path() / "a", "x").commit();
