@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <sys/stat.h>
 
 #include "app/batch.h"
 
@@ -163,6 +164,27 @@ TEST_F(MissingFile, ADirectoryIsNoMesh)
   std::filesystem::create_directory(folder);
   expectRefusedWithoutTrace(deform(folder.string(), constraints()), kInput, {folder.string(), "directory"});
   expectRefusedWithoutTrace(deform(in_.path().string(), constraints()), kInput, {in_.path().string(), "directory"});
+}
+
+TEST_F(MissingFile, WhatIsNoFileIsNoMeshInAnyFormat)
+{
+  namespace fs = std::filesystem;
+  ProcessOptions options;
+  options.timeout = std::chrono::seconds(30);
+  const auto expectRefused = [&](const fs::path& path, const std::string& reason) {
+    expectRefusal(runBatch({"check", path.string()}, options), kInput, {path.string() + ": ", reason});
+  };
+  const std::vector<std::string> all{".obj", ".vtp", ".vtk"};
+  for (const std::string& extension : kHasVtk ? all : std::vector<std::string>{".obj"}) {
+    const fs::path pipe = in_.path() / ("pipe" + extension);
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    expectRefused(pipe, "is not a regular file");
+    fs::create_symlink("/dev/zero", in_.path() / ("zero" + extension));
+    expectRefused(in_.path() / ("zero" + extension), "is not a regular file");
+    fs::create_symlink("loop" + extension, in_.path() / ("loop" + extension));
+    expectRefused(in_.path() / ("loop" + extension), "Too many levels of symbolic links");
+    expectRefused(std::string(5000, 'n') + extension, "File name too long");
+  }
 }
 
 TEST_F(MissingFile, ADirectoryIsNoConstraintFile)

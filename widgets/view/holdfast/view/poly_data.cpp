@@ -43,7 +43,7 @@ void requireSoundKind(vtkCellArray& cells, vtkIdType leastCorners, const char* k
     throw InputError({file, 0, kind + std::string("s")},
                      "their first offset is not 0; the file is damaged, write it anew");
   for (vtkIdType i = 1; i < offsets.GetNumberOfTuples(); ++i)
-    if (offset(i) - offset(i - 1) < leastCorners || offset(i) > cornerCount)
+    if (offset(i) < offset(i - 1) + leastCorners || offset(i) > cornerCount)
       throw InputError({file, 0, kind + (" " + std::to_string(i - 1))},
                        "it goes from corner " + std::to_string(offset(i - 1)) + " to before corner " +
                            std::to_string(offset(i)) + " of " + std::to_string(cornerCount) + ", and needs at least " +

@@ -4,9 +4,7 @@
 #include <array>
 #include <cassert>
 #include <cctype>
-#include <exception>
-#include <fstream>
-#include <iterator>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -20,15 +18,15 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataReader.h>
-#include <vtkXMLPolyDataReader.h>
 
 #include <holdfast/base/error.h>
+#include <holdfast/io/file_bytes.h>
 #include <holdfast/view/legacy_check.h>
 #include <holdfast/view/poly_data.h>
 #include <holdfast/view/poly_data_bytes.h>
 #include <holdfast/view/poly_data_normals.h>
 #include <holdfast/view/vtk_error_log.h>
-#include <holdfast/view/vtp_check.h>
+#include <holdfast/view/vtp_reader.h>
 
 namespace holdfast {
 namespace {
@@ -41,6 +39,7 @@ struct PolyDataFile {
   vtkSmartPointer<vtkPolyData> polyData;
   LegacyHeader header;  ///< of legacy files
   bool isText = false;
+  std::set<std::string> lostKeys;
 };
 
 std::string bytesOf(vtkPolyData& polyData, const LegacyHeader& header, std::string_view extension)
@@ -86,6 +85,8 @@ class PolyDataSource final : public MeshSource {
       result.notes.emplace_back("coordinates that were in single precision are written as doubles");
     if (file_.isText && extension == ".vtk")
       result.notes.emplace_back("text became VTK's binary form, since its text does not hold doubles");
+    for (const std::string& key : file_.lostKeys)
+      result.notes.push_back(fmt::format("the information key \"{}\" of an array is left out", key));
     return result;
   }
 
@@ -94,34 +95,10 @@ class PolyDataSource final : public MeshSource {
   std::string path_;
 };
 
-/// Runs a reader of VTK. What it read after an error, if anything, is not to be used.
-template <class Reader>
-vtkSmartPointer<vtkPolyData> run(Reader& reader, VtkErrorLog& log, const std::string& path)
-{
-  log.watch(reader);
-  log.watch(*reader.GetExecutive());
-  reader.ReadFromInputStringOn();
-  try {
-    reader.Update();
-  } catch (const std::exception& error) {
-    // std::bad_alloc and std::length_error, from counts that no memory holds.
-    throw InputError({path, 0, ""}, std::string("VTK cannot read it: ") + error.what() +
-                                        "; it is damaged, or too large for this machine");
-  }
-  if (!log.isEmpty()) throw InputError({path, 0, ""}, "VTK cannot read it: " + log.first());
-  requireSoundCells(*reader.GetOutput(), path);
-  return reader.GetOutput();
-}
-
 PolyDataFile readXml(const std::string& bytes, const std::string& path)
 {
-  requireSoundVtp(bytes, path);
-  VtkErrorLog log;
-  vtkNew<vtkXMLPolyDataReader> reader;
-  reader->SetReaderErrorObserver(log.observer());
-  reader->SetParserErrorObserver(log.observer());
-  reader->SetInputString(bytes);
-  return {".vtp", run(*reader, log, path), {}, false};
+  VtpContents contents = readVtp(bytes, path);
+  return {".vtp", contents.polyData, {}, false, contents.lostKeys};
 }
 
 PolyDataFile readLegacy(std::string bytes, const std::string& path)
@@ -141,21 +118,15 @@ PolyDataFile readLegacy(std::string bytes, const std::string& path)
   vtkNew<vtkCharArray> input;
   input->SetArray(bytes.data(), static_cast<vtkIdType>(bytes.size()), 1);
   reader->SetInputArray(input);
-  PolyDataFile file{".vtk", run(*reader, log, path), {}, reader->GetFileType() == VTK_ASCII};
+  reader->ReadFromInputStringOn();
+  log.watch(*reader);
+  log.watch(*reader->GetExecutive());
+  reader->Update();
+  if (!log.isEmpty()) throw InputError({path, 0, ""}, "VTK cannot read it: " + log.first());
+  requireSoundCells(*reader->GetOutput(), path);
+  PolyDataFile file{".vtk", reader->GetOutput(), {}, reader->GetFileType() == VTK_ASCII, {}};
   file.header = {reader->GetHeader(), reader->GetFileVersion() / 10};
   return file;
-}
-
-std::string readBytes(const std::filesystem::path& path)
-{
-  const InputLocation here{path.string(), 0, ""};
-  if (!std::filesystem::exists(path)) throw InputError(here, "there is no such file; check the name");
-  if (std::filesystem::is_directory(path)) throw InputError(here, "this is a folder; name a file in it");
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) throw InputError(here, "it cannot be opened; check its permissions");
-  std::string bytes(std::istreambuf_iterator<char>(stream), {});
-  if (stream.bad()) throw InputError(here, "it cannot be read to its end; check the disk");
-  return bytes;
 }
 
 std::string lowerExtension(const std::filesystem::path& path)
@@ -169,8 +140,8 @@ std::string lowerExtension(const std::filesystem::path& path)
 PolyDataFile readFile(const std::filesystem::path& path)
 {
   const std::string extension = lowerExtension(path);
-  if (extension == ".vtp") return readXml(readBytes(path), path.string());
-  if (extension == ".vtk") return readLegacy(readBytes(path), path.string());
+  if (extension == ".vtp") return readXml(readFileBytes(path), path.string());
+  if (extension == ".vtk") return readLegacy(readFileBytes(path), path.string());
   throw InputError({path.string(), 0, ""}, "this is no format of VTK's for surfaces; use .vtp or .vtk");
 }
 
