@@ -2,6 +2,7 @@
 
 #include <exception>
 #include <new>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -30,6 +31,14 @@ ExitCode complain(ExitCode code, const std::string& message)
   return code;
 }
 
+/// Also where a thread cannot be given its stack.
+bool isLackOfMemory(const std::exception& error)
+{
+  if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return true;
+  const auto* const system = dynamic_cast<const std::system_error*>(&error);
+  return system != nullptr && system->code() == std::errc::resource_unavailable_try_again;
+}
+
 ExitCode run(int argc, const char* const* argv)
 {
   try {
@@ -41,9 +50,10 @@ ExitCode run(int argc, const char* const* argv)
     return complain(kInput, error.what());
   } catch (const OutputError& error) {
     return complain(kOutput, error.what());
-  } catch (const std::bad_alloc&) {
-    return complain(kNumerical, "there is not enough memory for a problem of this size");
   } catch (const std::exception& error) {
+    if (isLackOfMemory(error))
+      return complain(kNumerical,
+                      "there is not enough memory for a problem of this size; free some or raise its limit");
     return complain(kBug, fmt::format("this is a bug of ours, please report it: {}", error.what()));
   }
 }

@@ -1,6 +1,9 @@
+#include <cstddef>
 #include <mutex>
+#include <new>
 
 #include <dlfcn.h>
+#include <sys/mman.h>
 
 #include <holdfast/base/one_thread_internal.h>
 
@@ -26,13 +29,33 @@ int activeLevels() noexcept
   return get == nullptr ? 0 : get();
 }
 
+void requireRoom(std::size_t bytes)
+{
+  void* const room = ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (room == MAP_FAILED) throw std::bad_alloc();
+  ::munmap(room, bytes);
+}
+
+/// By the functions of OpenBLAS's own: it gives memory back to itself, never to the system.
+void takeBlasMemory()
+{
+  auto* const allocate = loaded<void*(int)>("blas_memory_alloc");
+  auto* const free = loaded<void(void*)>("blas_memory_free");
+  if (allocate == nullptr || free == nullptr) return;
+  constexpr std::size_t kBlasMemory = std::size_t{144} << 20U;  // 128 MiB in one piece, and what malloc adds
+  requireRoom(kBlasMemory);
+  constexpr int kAnyPlace = 0;
+  free(allocate(kAnyPlace));
+}
+
 }  // namespace
 
-OneThread::OneThread() noexcept : activeLevels_(activeLevels())
+OneThread::OneThread() : activeLevels_(activeLevels())
 {
   static std::once_flag blas;
   std::call_once(blas, [] {
     if (auto* const set = loaded<void(int)>("openblas_set_num_threads")) set(1);
+    takeBlasMemory();
   });
   setActiveLevels(0);
 }

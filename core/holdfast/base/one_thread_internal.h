@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Keeps the libraries below the sparse solvers from starting threads of their own.
+/// Keeps the libraries below the sparse solvers from starting threads of their own, and from waiting for memory.
 
 namespace holdfast {
 
@@ -9,9 +9,12 @@ namespace holdfast {
 /// OpenBLAS wait by spinning, and where they share cores with one another or with other programs a factorisation takes
 /// several times as long; alone on a machine they win nothing for the sizes that are solved here (docs/benchmarks.md).
 /// Libraries that are not there are passed over.
+///
+/// The first one also has OpenBLAS take the memory that it computes in, which it keeps: where there is none, OpenBLAS
+/// asks the system for ever. Throws `std::bad_alloc` instead.
 class OneThread {
  public:
-  OneThread() noexcept;
+  OneThread();
   ~OneThread();
   OneThread(const OneThread&) = delete;
   OneThread& operator=(const OneThread&) = delete;
