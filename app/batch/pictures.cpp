@@ -39,7 +39,12 @@ PictureSize sizeOf(const std::string& text)
   if (!width || !height)
     throw UsageError(fmt::format("--size: \"{}\" is not WIDTHxHEIGHT in pixels, each from {} to {}, such as 1280x960",
                                  text, kLeastPictureSide, kLargestPictureSide));
-  return {*width, *height};
+  const PictureSize pixels{*width, *height};
+  if (hasTooManyPixels(pixels))
+    throw UsageError(fmt::format(
+        "--size: {} has more than {} pixels, for which drawing takes 2.5 GiB of memory; ask for 8192x8192 or less",
+        text, kMostPicturePixels));
+  return pixels;
 }
 
 }  // namespace

@@ -90,6 +90,7 @@ TEST(SnapshotOption, MistakesAreUsageErrorsThatSayWhatToWrite)
   expectUsage("--snapshot p.jpg", "does not end in .png");
   for (const char* const size : {"15x100", "100x16385", "100", "100x", "x100", "100x100x", "-20x30", "1e3x100", "''"})
     expectUsage(std::string("--snapshot p.png --size ") + size, "such as 1280x960");
+  expectUsage("--snapshot p.png --size 16384x16384", "67108864 pixels, for which drawing takes 2.5 GiB");
   expectUsage("--color-by none", "--snapshot");
   expectUsage("--snapshot p.png --report p.png", "name the same file");
   EXPECT_TRUE(folder.names().empty());

@@ -24,6 +24,14 @@ struct PictureSize {
 /// Both sides of a picture, in pixels.
 inline constexpr int kLeastPictureSide = 16;
 inline constexpr int kLargestPictureSide = 16384;
+/// 8192 x 8192 or as many otherwise. Drawing so many takes 2.5 GiB of memory.
+inline constexpr int kMostPicturePixels = 8192 * 8192;
+
+/// Whether a picture of sides that are allowed has too many pixels.
+[[nodiscard]] constexpr bool hasTooManyPixels(const PictureSize& size)
+{
+  return size.width > kMostPicturePixels / size.height;
+}
 
 enum class Legend {
   Shown,  ///< where the picture is at least `kLeastLegendWidth` x `kLeastLegendHeight`

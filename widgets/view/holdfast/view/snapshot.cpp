@@ -60,6 +60,8 @@ Picture averaged(const vtkUnsignedCharArray& drawn, const PictureSize& size, int
 
 Picture draw(const Scene& scene, const std::string& name)
 {
+  if (hasTooManyPixels(scene.size()))
+    fail(name, "it would have more than 8192 x 8192 pixels, and take more than 2.5 GiB of memory; ask for fewer");
   VtkErrorLog log;
   vtkRenderWindow& window = scene.window();
   log.watch(window);

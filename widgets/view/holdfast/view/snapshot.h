@@ -15,8 +15,8 @@ struct Picture {
   std::vector<unsigned char> pixels;  ///< 3 width height
 };
 
-/// Draws `scene`; `name` names the picture in messages. The same pixels on every run. Throws `OutputError` where
-/// OpenGL cannot hold a picture of this size, or fails.
+/// Draws `scene`; `name` names the picture in messages. The same pixels on every run. Throws `OutputError` where the
+/// picture has more than `kMostPicturePixels`, and where OpenGL cannot hold one of this size, or fails.
 [[nodiscard]] Picture draw(const Scene& scene, const std::string& name);
 
 /// The picture as the contents of a PNG file. The same bytes on every run. Throws `OutputError` where VTK fails.
