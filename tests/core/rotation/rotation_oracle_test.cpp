@@ -71,8 +71,9 @@ struct DenseSolution {
   double condition = 0;
 };
 
-/// A row for each unknown of the rotation field, (25) to (29): its value where q is given, the difference from the first
-/// of its region, the sum of L q over a region at its first, and q = 0 where no edge or region leads to anything given.
+/// A row for each unknown of the rotation field, (25) to (29): its value where q is given, the difference from the
+/// first of its region, the sum of L q over a region at its first, and q = 0 where no edge or region leads to anything
+/// given.
 DenseSolution denseField(const Eigen::MatrixXd& W, const std::vector<Index>& given,
                          const std::vector<std::vector<Index>>& groups, const Columns3& values)
 {
