@@ -49,15 +49,18 @@ ExitCode runCheck(const CheckCommand& command)
   const std::string source = command.constraints ? command.constraints->string() : "";
   Report report;
   if (command.constraints)
-    report = diagnoseConstraints(model, constraints, source);
+    report = diagnoseConstraints(model, constraints, source, command.options);
   else
     report.mesh = describeMesh(model);
 
   Outputs outputs = writeReport(command, report);
   outputs.commitDirect();
+  printMessage(warningLines(report));
   printMessage(conflictLines(report, constraints.units));
+  if (report.solve.status == SolveStatus::Failed) printMessage(fmt::format("error: {}\n", report.solve.message));
   if (!command.isQuiet) printResult(summary(report, command.mesh.string(), constraints.units));
   outputs.commitAside();
+  if (report.solve.status == SolveStatus::Failed) return kNumerical;
   const bool hasConflicts =
       std::any_of(report.constraints.begin(), report.constraints.end(),
                   [](const ConstraintOutcome& outcome) { return outcome.status == ConstraintStatus::Conflicting; });

@@ -31,11 +31,11 @@ void probeOutputs(const DeformCommand& command)
 void measureRounded(Deformation& deformation, const Model& model)
 {
   const Positions stored = deformation.positions.cast<float>().cast<double>();
-  const double limit = residualLimit(model.solverMesh, deformation.system);
-  setResiduals(deformation.report, deformation.system, deformation.diagnosis,
-               rowResiduals(deformation.system, model.solverMesh.weld, stored), limit);
+  const bool isMissed = setResiduals(deformation.report, deformation.system, deformation.diagnosis,
+                                     rowResiduals(deformation.system, model.solverMesh.weld, stored))
+                            .has_value();
   SolveReport& solve = deformation.report.solve;
-  if (solve.maxResidual > limit)
+  if (isMissed)
     solve.message +=
         fmt::format("; the file holds single precision and misses them by up to {:.3g}", solve.maxResidual);
 }
@@ -100,6 +100,7 @@ ExitCode deformWith(const DeformCommand& command, Progress& progress)
 
   const Report& report = deformation.report;
   outputs.commitDirect();
+  printMessage(warningLines(report));
   printMessage(conflictLines(report, constraints.units));
   if (report.solve.status == SolveStatus::Failed) printMessage(fmt::format("error: {}\n", report.solve.message));
   if (!command.isQuiet) printResult(summary(report, command.mesh.string(), constraints.units));

@@ -78,6 +78,8 @@ void describe(CLI::App& app, CLI::App& deformApp, CLI::App& checkApp, RawOptions
   for (CLI::App* command : {&deformApp, &checkApp}) {
     command->add_option("mesh", raw.mesh, "Mesh file: " + knownFormats())->required()->type_name("MESH");
     command->add_option("--report", raw.report, "Write the report (JSON) here")->type_name("R.json");
+    command->add_option("--weights", raw.weights, "cotangent, cotangent-paper or uniform")->capture_default_str();
+    command->add_option("--backend", raw.backend, "cholmod or eigen")->capture_default_str();
   }
   checkApp
       .add_option("--constraints", raw.constraints, "Constraint file (JSON), session (.holdfast) or point list (CSV)")
@@ -90,11 +92,9 @@ void describe(CLI::App& app, CLI::App& deformApp, CLI::App& checkApp, RawOptions
   deformApp.add_option("--fields", raw.fields, "Write residuals, displacements, rotations and forces on the mesh here")
       ->type_name("F.vtp");
   describePictures(deformApp, raw);
-  deformApp.add_option("--weights", raw.weights, "cotangent, cotangent-paper or uniform")->capture_default_str();
   deformApp.add_option("--solver", raw.solver, "hard, soft or lagrange")->capture_default_str();
   deformApp.add_option("--soft-weight", raw.softWeight, "Weight of the constraints of the solver soft")
       ->capture_default_str();
-  deformApp.add_option("--backend", raw.backend, "cholmod or eigen")->capture_default_str();
 }
 
 std::optional<std::filesystem::path> pathOrNone(const std::string& text)
@@ -134,6 +134,13 @@ void checkPaths(const std::vector<NamedPath>& inputs, const std::vector<NamedPat
   }
 }
 
+/// What the names of weights, solver and backend mean.
+DeformOptions deformOptions(const RawOptions& raw)
+{
+  return {chosen("--weights", raw.weights, kWeights),
+          {chosen("--solver", raw.solver, kSolvers), chosen("--backend", raw.backend, backends()), raw.softWeight}};
+}
+
 DeformCommand deformCommand(const RawOptions& raw)
 {
   checkPaths({{"MESH", raw.mesh}, {"--constraints", raw.constraints}},
@@ -142,10 +149,7 @@ DeformCommand deformCommand(const RawOptions& raw)
   if (!raw.fields.empty()) requireFieldsExtension(raw.fields);
   if (!(raw.softWeight > 0) || !std::isfinite(raw.softWeight))
     throw UsageError(fmt::format("--soft-weight: {} is not a positive number", raw.softWeight));
-  DeformOptions options;
-  options.weights = chosen("--weights", raw.weights, kWeights);
-  options.solver = {chosen("--solver", raw.solver, kSolvers), chosen("--backend", raw.backend, backends()),
-                    raw.softWeight};
+  const DeformOptions options = deformOptions(raw);
   std::optional<PictureRequest> picture;
   if (!raw.snapshot.empty()) picture = pictureRequest(raw.snapshot, raw.colorBy, raw.size);
   if (picture && picture->colorBy == "force" && options.solver.kind != SolverKind::Hard)
@@ -157,7 +161,7 @@ DeformCommand deformCommand(const RawOptions& raw)
 CheckCommand checkCommand(const RawOptions& raw)
 {
   checkPaths({{"MESH", raw.mesh}, {"--constraints", raw.constraints}}, {{"--report", raw.report}});
-  return {raw.mesh, pathOrNone(raw.constraints), pathOrNone(raw.report), raw.isQuiet};
+  return {raw.mesh, pathOrNone(raw.constraints), pathOrNone(raw.report), deformOptions(raw), raw.isQuiet};
 }
 
 }  // namespace

@@ -31,6 +31,7 @@ struct CheckCommand {
   std::filesystem::path mesh;
   std::optional<std::filesystem::path> constraints;
   std::optional<std::filesystem::path> report;
+  DeformOptions options;  ///< of the rotation field: weights and backend
   bool isQuiet = false;
 };
 

@@ -147,6 +147,14 @@ std::string summary(const Report& report, const std::string& meshName, const std
   return text + pullLine(report.constraints);
 }
 
+std::string warningLines(const Report& report)
+{
+  std::string text;
+  for (const Finding& finding : report.mesh.findings)
+    if (finding.idsOf == "solution") text += fmt::format("warning: {}\n", finding.message);
+  return text;
+}
+
 std::string conflictLines(const Report& report, const std::string& units)
 {
   std::string text;

@@ -12,6 +12,9 @@ namespace holdfast::batch {
 /// `units` may be empty.
 [[nodiscard]] std::string summary(const Report& report, const std::string& meshName, const std::string& units);
 
+/// A line for each finding that warns of the solution. Empty where there is none.
+[[nodiscard]] std::string warningLines(const Report& report);
+
 /// For each constraint that conflicts a line for each set of earlier ones with which it cannot hold, the largest gaps
 /// first and no more than a few: by how much it is off, and what would mend it. Empty where there is none.
 [[nodiscard]] std::string conflictLines(const Report& report, const std::string& units);

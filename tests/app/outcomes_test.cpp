@@ -1,6 +1,7 @@
 // What a run comes to: met, conflicts, numerical failure; its exit code, its words, its files and its report.
 
 #include <algorithm>
+#include <limits>
 #include <sstream>
 
 #include <gmock/gmock.h>
@@ -307,6 +308,91 @@ TEST_F(FailedNumerics, NameConstraintsThatAreTooCloseToTellApart)
   EXPECT_THAT(out_.names(), ElementsAre("report.json"));
   EXPECT_TRUE(isReport(report(), SolveState::kFailed));
   expectStatuses({"independent", "independent", "independent"});
+}
+
+TEST_F(FailedNumerics, OfTheRotationFieldAreFoundByCheckToo)
+{
+  const std::string task = in_.file("turned.json", constraintText({R"({"type": "fixed", "select": {"vertices": [42]}})",
+                                                                   R"({"type": "handle", "select": {"vertices": [48]},
+                                   "rotate": {"axis": [0, 0, 1], "degrees": 30}})"}))
+                               .string();
+  const std::vector<std::string> check{"check", flatTriangle(), "--constraints",
+                                       task,    "--report",     output("report.json")};
+  std::vector<std::string> literal = check;
+  literal.insert(literal.end(), {"--weights", "cotangent-paper"});
+  const ProcessResult result = runBatch(literal);
+  EXPECT_EQ(result.exitCode, kNumerical) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("error: the rotation field cannot be solved: the weight of the edge"));
+  EXPECT_THAT(result.out, HasSubstr("solve        failed: the rotation field cannot be solved"));
+  EXPECT_TRUE(isReport(report(), SolveState::kFailed));
+  EXPECT_EQ(report()["solve"]["weights"], "cotangent-paper");
+  EXPECT_EQ(runBatch(check).exitCode, 0) << "guarded weights";
+  EXPECT_TRUE(isReport(report(), SolveState::kNotRun));
+}
+
+TEST_F(Outcome, RotationsThatDisagreeInARigidRegionAreToldOfWithTheirConstraints)
+{
+  const std::string task =
+      in_.file("disagreeing.json",
+               constraintText({R"({"type": "fixed", "name": "base", "select": {"vertices": [0, 8]}})",
+                               R"({"type": "rigid", "name": "eye", "select": {"vertices": [8, 9, 10]}})",
+                               R"({"type": "handle", "name": "turned", "select": {"vertices": [10]},
+                                   "rotate": {"axis": [0, 0, 1], "degrees": 40}})"}))
+          .string();
+  const std::string sheet = in_.file("sheet.obj", objText(grid(6, 6))).string();
+  const std::string told = "give rotations inside one rigid region that differ by up to 40 degrees";
+  for (const auto& command : {deform(sheet, task), std::vector<std::string>{"check", sheet, "--constraints", task,
+                                                                            "--report", output("report.json")}}) {
+    const ProcessResult result = runBatch(command);
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_THAT(result.out, HasSubstr(told));
+    EXPECT_THAT(result.out, HasSubstr("by the first: \"base\" and \"turned\"\n"));
+    EXPECT_NEAR(report()["solve"]["rotation_disagreement_degrees"].get<double>(), 40, 1e-12);
+    EXPECT_LE(report()["solve"]["rotation_accuracy"], 1e-9);
+  }
+}
+
+TEST_F(Outcome, TheAccuracyStandsBesideOk)
+{
+  const ProcessResult result = runBatch(deform(mesh(), constraints()));
+  EXPECT_THAT(result.out,
+              testing::ContainsRegex("solve        ok: all constraints are met; accuracy [0-9.]*e-1[0-9]\n"));
+  EXPECT_EQ(result.err, "");
+}
+
+TEST_F(Outcome, ASolutionOfDoubtfulAccuracyIsWarnedOfEvenWhenQuiet)
+{
+  // The longer a strip that is held at one end, the fewer digits its far end has.
+  int doubtful = 0;
+  for (const Index length : {100, 14000, 18000, 22000}) {
+    const std::string strip = in_.file("strip.obj", objText(grid(length, 1))).string();
+    const std::string end = std::to_string(length);
+    const std::string start = R"({"type": "fixed", "select": {"vertices": [0, )" + std::to_string(length + 1) + "]}}";
+    const std::string task =
+        in_.file("ends.json", constraintText({start, R"({"type": "point", "at": {"vertex": )" + end +
+                                                         R"(}, "move": [0, 0, )" + end + "]}"}))
+            .string();
+    const ProcessResult result = runBatch(deform(strip, task, {"--quiet"}));
+    if (result.exitCode == kNumerical) continue;
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    const bool isDoubtful = report()["solve"]["accuracy"] > 1e-9;
+    doubtful += isDoubtful ? 1 : 0;
+    EXPECT_EQ(result.err.starts_with("warning: the solution is accurate to "), isDoubtful) << result.err;
+  }
+  EXPECT_GT(doubtful, 0) << "the test has met no doubtful solution";
+}
+
+TEST_F(Outcome, EachConstraintIsReportedWithItsOwnLimit)
+{
+  const std::string task =
+      in_.file("far.json", constraintText({R"({"type": "fixed", "select": {"vertices": [0, 1, 2]}})",
+                                           R"({"type": "point", "at": {"vertex": 9}, "target": [0, 0, 1e9]})"}))
+          .string();
+  EXPECT_EQ(runBatch(deform(mesh(), task)).exitCode, 0);
+  const Json report = this->report();
+  const double diagonal = report["mesh"]["bbox_diagonal"];
+  EXPECT_DOUBLE_EQ(report["constraints"][0]["limit"], 1e-12 * diagonal);
+  EXPECT_DOUBLE_EQ(report["constraints"][1]["limit"], 8 * std::numeric_limits<double>::epsilon() * 1e9);
 }
 
 TEST_F(Outcome, CheckTellsOfMeshAndConstraintsAndSolvesNothing)

@@ -105,7 +105,7 @@ void checkMesh(Complaints& complaints, const Json& mesh)
     complaints.check(finding, "mesh.findings[]",
                      {{"kind", isText},
                       {"count", isCount},
-                      {"ids_of", isOneOf({"vertex", "face", "constraint"})},
+                      {"ids_of", isOneOf({"vertex", "face", "constraint", "solution"})},
                       {"ids", isIds},
                       {"message", isText}});
 }
@@ -145,6 +145,7 @@ void checkConstraint(Complaints& complaints, const Json& constraint, SolveState 
                     {"rows", isCount},
                     {"status", isOneOf(statuses)},
                     {"residual", isSolved ? Predicate(isLengthOrNull) : Predicate(isNull)},
+                    {"limit", constraint.value("rows", 0) > 0 ? Predicate(isLength) : Predicate(isNull)},
                     {"depends_on", isNames},
                     {"gap", isLengthOrNull},
                     {"clashes", isArray},
@@ -174,6 +175,8 @@ void checkSolve(Complaints& complaints, const Json& solve, SolveState state)
                     {"factor_nonzeros", isCount},
                     {"refinement_steps", isCount},
                     {"accuracy", isMeasured},
+                    {"rotation_accuracy", isLengthOrNull},
+                    {"rotation_disagreement_degrees", isLengthOrNull},
                     {"seconds", isObject}});
   complaints.check(solve.value("seconds", Json::object()), "solve.seconds",
                    {{"setup", isLength}, {"decomposition", isLength}, {"solution", isLength}});

@@ -47,7 +47,7 @@ TEST_F(Usage, UnknownOptionsAreNamed)
 {
   expectRefusedOptions({"--wieghts", "uniform"}, {"--wieghts"});
   expectRefusedOptions({"surplus"}, {"surplus"});
-  expectRefusal(runBatch({"check", mesh(), "--weights", "uniform"}), kUsage, {"--weights"});
+  expectRefusal(runBatch({"check", mesh(), "--solver", "uniform"}), kUsage, {"--solver"});
 }
 
 TEST_F(Usage, UnknownValuesAreAnsweredWithTheKnownOnes)

@@ -2,6 +2,7 @@
 /// \file
 /// Every mesh or problem, weighting and backend on which a law of the solve is tried.
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -66,6 +67,15 @@ void forEachProblem(std::uint32_t seeds, SolverKind kind, MakeProblem&& makeProb
 {
   NoProgress progress;
   return deform(makeModel(mesh, "mesh"), list, "constraints", options, progress);
+}
+
+/// The finding of that kind; null where there is none.
+[[nodiscard]] inline const Finding* findingOf(const Report& report, const std::string& kind)
+{
+  const std::vector<Finding>& findings = report.mesh.findings;
+  const auto found =
+      std::find_if(findings.begin(), findings.end(), [&](const Finding& finding) { return finding.kind == kind; });
+  return found == findings.end() ? nullptr : &*found;
 }
 
 /// The largest coordinate of a difference, as a share of the diagonal of `b`'s bounding box.

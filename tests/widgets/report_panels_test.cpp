@@ -90,11 +90,30 @@ TEST_F(ReportPanelOfSphere, TellsTheSolutionAndCopiesIt)
 {
   EXPECT_EQ(value("Status"), "ok");
   EXPECT_EQ(value("Constraints"), "2 met");
-  EXPECT_TRUE(value("RelativeResidual").contains("promised 1e-12"));
+  EXPECT_TRUE(value("RelativeResidual").endsWith("of the diagonal, promised 1e-12")) << "and no other limit";
+  EXPECT_TRUE(value("Accuracy").endsWith("; doubtful above 1e-09, refused above 1e-06"));
   EXPECT_EQ(value("Unknowns"), QString::number(editor.deformation()->report.solve.unknowns));
   press(*panel.findChild<QPushButton*>("reportCopy"));
   EXPECT_TRUE(QApplication::clipboard()->text().contains("Largest residual"));
   EXPECT_TRUE(QApplication::clipboard()->text().contains("cotangent"));
+}
+
+TEST_F(ReportPanelOfSphere, TellsWhatIsPromisedFarAway)
+{
+  ConstraintList list = editor.list();
+  list.constraints[1].what = Point{AtVertex{3}, Target{Vector3(1e9, 0, 0)}};
+  editor.edit("move", list);
+  ASSERT_TRUE(test::waitForCurrent(editor));
+  EXPECT_TRUE(value("RelativeResidual").contains("promised 1e-12, and up to 5.1"));
+}
+
+TEST_F(ReportPanelOfSphere, TellsTheAccuracyOfRotations)
+{
+  ConstraintList list = editor.list();
+  list.constraints[1].what = Handle{{VertexIds{{3}}}, Turn{Vector3::UnitX(), 30, {}}, Vector3::Zero(), {}};
+  editor.edit("turn", list);
+  ASSERT_TRUE(test::waitForCurrent(editor));
+  EXPECT_TRUE(value("RotationAccuracy").endsWith("; doubtful above 1e-09, refused above 1e-06"));
 }
 
 TEST_F(ReportPanelOfSphere, ChoosesWeightsAndSolver)

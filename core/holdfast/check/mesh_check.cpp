@@ -209,4 +209,15 @@ std::vector<Finding> guardFindings(const Operators& operators, const SolverMesh&
   return findings.take();
 }
 
+std::vector<Finding> guardFindings(const RotationWeights& weights, const SolverMesh& solverMesh)
+{
+  Findings findings;
+  findings.add("capped_rotation_weights", "vertex", fileVertices(solverMesh, weights.capped),
+               "vertices of triangles whose cotangents were capped for the rotations: very small or very large angles");
+  findings.add("floored_rotation_weights", "vertex", fileVertices(solverMesh, weights.floored),
+               "vertices of edges that hardly pass rotations on: the cotangents across them sum to less than a "
+               "millionth, and were raised to that");
+  return findings.take();
+}
+
 }  // namespace holdfast

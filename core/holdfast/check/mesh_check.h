@@ -8,6 +8,7 @@
 #include <holdfast/check/finding.h>
 #include <holdfast/mesh/solver_mesh.h>
 #include <holdfast/operators/operators.h>
+#include <holdfast/rotation/edge_weights.h>
 
 namespace holdfast {
 
@@ -24,7 +25,8 @@ inline constexpr double kNeedleDegrees = 1;
 [[nodiscard]] std::vector<Finding> checkMesh(const Mesh& mesh, const Triangulation& triangulation,
                                              const SolverMesh& solverMesh);
 
-/// Vertices where a guard of the weights acted.
+/// Vertices where a guard of the weights acted, in those of the surface and in those of its rotations.
 [[nodiscard]] std::vector<Finding> guardFindings(const Operators& operators, const SolverMesh& solverMesh);
+[[nodiscard]] std::vector<Finding> guardFindings(const RotationWeights& weights, const SolverMesh& solverMesh);
 
 }  // namespace holdfast

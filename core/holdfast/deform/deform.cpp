@@ -5,6 +5,7 @@
 #include <holdfast/constraints/carried_vectors.h>
 #include <holdfast/deform/constraint_findings.h>
 #include <holdfast/deform/deformer.h>
+#include <holdfast/deform/messages.h>
 #include <holdfast/deform/outcomes.h>
 #include <holdfast/deform/rotation_stage.h>
 
@@ -16,15 +17,24 @@ Deformation deform(const Model& model, const ConstraintList& constraints, const 
   return Deformer(model, options).deform(constraints, source, progress);
 }
 
-Report diagnoseConstraints(const Model& model, const ConstraintList& constraints, const std::string& source)
+Report diagnoseConstraints(const Model& model, const ConstraintList& constraints, const std::string& source,
+                           const DeformOptions& options)
 {
   Report report;
   report.mesh = describeMesh(model);
+  report.solve.weights = options.weights;
+  report.solve.options = options.solver;
   ConstraintSystem system =
       makeConstraintSystem(constraints, model.mesh, model.triangulation, model.solverMesh, source);
   const EliminatedConstraints eliminated = eliminate(system, model.solverMesh);
-  const Rotations rotations = RotationStage(model.solverMesh, Weights::Cotangent, defaultBackend()).solve(system);
-  if (rotations.failure.empty()) system = turned(std::move(system), rotations.q);
+  const Rotations rotations = RotationStage(model.solverMesh, options.weights, options.solver.backend).solve(system);
+  takeOver(rotations, report);
+  if (rotations.failure.empty()) {
+    system = turned(std::move(system), rotations.q);
+  } else {
+    report.solve.status = SolveStatus::Failed;
+    report.solve.message = failureMessage(options, rotations.failure);
+  }
   const Diagnosis diagnosis = diagnose(eliminated, system, model.solverMesh);
   report.constraints = outcomes(constraints, system, diagnosis);
   setAmplifications(report.constraints, system, diagnosis, eliminated.elimination.amplifications());

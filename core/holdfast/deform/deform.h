@@ -35,9 +35,11 @@ struct Deformation {
                                  const DeformOptions& options, Progress& progress);
 
 /// The report without positions: what repeats, what conflicts, which parts would stay at rest. Residuals are not set.
-/// Rotations are solved for where any are asked for: what rigid regions and kept distances ask for turns with them.
+/// Rotations are solved for, with the weights and the backend of `options`, where any are asked for: what rigid regions
+/// and kept distances ask for turns with them. The status is `Failed` where the rotations cannot be found; what is said
+/// of constraints then holds without them.
 [[nodiscard]] Report diagnoseConstraints(const Model& model, const ConstraintList& constraints,
-                                         const std::string& source);
+                                         const std::string& source, const DeformOptions& options = {});
 
 /// The part of the report that speaks of the mesh alone.
 [[nodiscard]] MeshReport describeMesh(const Model& model);

@@ -6,6 +6,7 @@
 
 #include <holdfast/base/stopwatch.h>
 #include <holdfast/constraints/carried_vectors.h>
+#include <holdfast/deform/accuracy.h>
 #include <holdfast/deform/constraint_findings.h>
 #include <holdfast/deform/forces.h>
 #include <holdfast/deform/messages.h>
@@ -13,9 +14,6 @@
 
 namespace holdfast {
 namespace {
-
-// Solutions less accurate than this are no answer.
-constexpr double kUsableAccuracy = 1e-6;
 
 /// The file's positions: pins as they were asked for, bit for bit, everything else displaced from rest.
 Positions deformedPositions(const Model& model, const ConstraintSystem& system, const Diagnosis& diagnosis,
@@ -100,7 +98,8 @@ class Solution {
     Rotations rotations = decomposition.rotations(result_.system, progress);
     Seconds& seconds = report().seconds;
     (isFactorised ? seconds.solution : seconds.decomposition) += stopwatch.seconds();
-    if (!rotations.failure.empty()) return fail("the rotation field cannot be solved: " + rotations.failure);
+    takeOver(rotations, result_.report);
+    if (!rotations.failure.empty()) return fail(rotations.failure);
     if (rotations.q.isZero(0)) return;
     result_.system = turned(std::move(result_.system), rotations.q);
     result_.rotations = std::move(rotations.q);
@@ -152,9 +151,10 @@ class Solution {
     report().refinementSteps = displacement.corrections;
     report().accuracy = displacement.accuracy;
     if (!displacement.u.allFinite()) return fail("the solution is not finite: the problem is singular in doubles");
-    if (!(displacement.accuracy <= kUsableAccuracy))
-      return fail(fmt::format("the solution is accurate to {:.1g} only: the problem is nearly singular",
-                              displacement.accuracy));
+    if (const std::string failure = accuracyFailure(displacement.accuracy); !failure.empty())
+      return fail("the solution cannot be used: " + failure);
+    if (const auto warning = accuracyWarning("low_accuracy", "the solution", displacement.accuracy))
+      result_.report.mesh.findings.push_back(*warning);
     // The elimination copies pins. What the other solvers find is measured as they find it.
     const bool isEliminated = options_.solver.kind == SolverKind::Hard;
     result_.positions = isEliminated ? deformedPositions(model_, result_.system, result_.diagnosis, displacement.u)
@@ -164,13 +164,14 @@ class Solution {
 
   void judge()
   {
-    const double limit = residualLimit(model_.solverMesh, result_.system);
-    setResiduals(result_.report, result_.system, result_.diagnosis,
-                 rowResiduals(result_.system, model_.solverMesh.weld, result_.positions), limit);
+    const SolverMesh& mesh = model_.solverMesh;
+    result_.diagnosis.limits = residualLimits(mesh, result_.system, result_.diagnosis.dependent,
+                                              result_.positions(mesh.weld.firstVertexOf, Eigen::all));
+    const std::optional<MissedRow> worst = setResiduals(result_.report, result_.system, result_.diagnosis,
+                                                        rowResiduals(result_.system, mesh.weld, result_.positions));
     report().status = result_.diagnosis.hasConflicts() ? SolveStatus::Conflicts : SolveStatus::Ok;
-    report().message = solvedMessage(result_.report, limit);
-    if (options_.solver.kind == SolverKind::Hard && report().maxResidual > limit)
-      fail(missedMessage(result_.report, limit));
+    report().message = solvedMessage(result_.report, worst);
+    if (options_.solver.kind == SolverKind::Hard && worst) fail(missedMessage(result_.report, *worst));
   }
 
   const Model& model_;

@@ -2,9 +2,11 @@
 /// \file
 /// What a solve has to say, in sentences: what was wrong, where, and what to do.
 
+#include <optional>
 #include <string>
 
 #include <holdfast/deform/deform.h>
+#include <holdfast/deform/outcomes.h>
 
 namespace holdfast {
 
@@ -14,10 +16,10 @@ namespace holdfast {
 /// Of numbers that went wrong: `reason`, and the options that may help.
 [[nodiscard]] std::string failureMessage(const DeformOptions& options, const std::string& reason);
 
-/// Of a solution: what is met, and what is not. `limit` is the residual of a constraint that is met.
-[[nodiscard]] std::string solvedMessage(const Report& report, double limit);
+/// Of a solution: what is met, and what is not, `worst` being missed most, and how accurate the rest is.
+[[nodiscard]] std::string solvedMessage(const Report& report, const std::optional<MissedRow>& worst);
 
-/// Of hard constraints that cannot be kept in doubles: which, by how much, and what to do.
-[[nodiscard]] std::string missedMessage(const Report& report, double limit);
+/// Of hard constraints of which `row` is not met: by how much, why as far as that is known, and what to do.
+[[nodiscard]] std::string missedMessage(const Report& report, const MissedRow& row);
 
 }  // namespace holdfast

@@ -38,6 +38,17 @@ ConstraintStatus statusOf(const RowTally& rows, bool isEnabled)
   return rows.redundant == rows.rows ? ConstraintStatus::Redundant : ConstraintStatus::Independent;
 }
 
+/// Of each constraint the largest of its rows.
+void setLimits(std::vector<ConstraintOutcome>& outcomes, const ConstraintSystem& system,
+               const std::vector<double>& limits)
+{
+  for (ConstraintOutcome& outcome : outcomes) outcome.limit.reset();
+  for (std::size_t r = 0; r < limits.size(); ++r) {
+    std::optional<double>& limit = outcomes[system.rows[r].constraint].limit;
+    limit = std::max(limit.value_or(0), limits[r]);
+  }
+}
+
 }  // namespace
 
 std::string_view name(ConstraintStatus status)
@@ -106,6 +117,7 @@ std::vector<ConstraintOutcome> outcomes(const ConstraintList& list, const Constr
     }
     result.push_back(std::move(outcome));
   }
+  setLimits(result, system, diagnosis.limits);
   return result;
 }
 
@@ -124,9 +136,11 @@ void setAmplifications(std::vector<ConstraintOutcome>& outcomes, const Constrain
   }
 }
 
-void setResiduals(Report& report, const ConstraintSystem& system, const Diagnosis& diagnosis,
-                  const std::vector<double>& residuals, double limit)
+std::optional<MissedRow> setResiduals(Report& report, const ConstraintSystem& system, const Diagnosis& diagnosis,
+                                      const std::vector<double>& residuals)
 {
+  setLimits(report.constraints, system, diagnosis.limits);
+  std::optional<MissedRow> worst;
   double largest = 0;
   for (std::size_t r = 0; r < residuals.size(); ++r) {
     ConstraintOutcome& outcome = report.constraints[system.rows[r].constraint];
@@ -134,11 +148,15 @@ void setResiduals(Report& report, const ConstraintSystem& system, const Diagnosi
     if (diagnosis.status[r] == RowStatus::Conflicting) continue;
     if (outcome.status == ConstraintStatus::Independent) outcome.status = ConstraintStatus::Met;
     largest = std::max(largest, residuals[r]);
-    const bool isHeld = outcome.status == ConstraintStatus::Met || outcome.status == ConstraintStatus::Redundant;
-    if (isHeld && residuals[r] > limit) outcome.status = ConstraintStatus::Missed;
+    const MissedRow row{system.rows[r].constraint, residuals[r], diagnosis.limits[r]};
+    if (row.residual <= row.limit) continue;
+    if (outcome.status != ConstraintStatus::Conflicting) outcome.status = ConstraintStatus::Missed;
+    outcome.limit = std::min(*outcome.limit, row.limit);
+    if (!worst || row.residual / row.limit > worst->residual / worst->limit) worst = row;
   }
   report.solve.maxResidual = largest;
   report.solve.maxResidualRelative = largest / report.mesh.bboxDiagonal;
+  return worst;
 }
 
 }  // namespace holdfast

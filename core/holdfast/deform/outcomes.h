@@ -2,6 +2,7 @@
 /// \file
 /// How each constraint fared, read off positions.
 
+#include <optional>
 #include <vector>
 
 #include <holdfast/deform/model.h>
@@ -26,9 +27,17 @@ void setAmplifications(std::vector<ConstraintOutcome>& outcomes, const Constrain
 /// Amplifications above this are warned of: a millionth of the model's size in what is asked for moves it by its size.
 inline constexpr double kLargeAmplification = 1e6;
 
+/// A row that was solved and is not met.
+struct MissedRow {
+  Index constraint = 0;  ///< place in the list
+  double residual = 0;   ///< model units
+  double limit = 0;      ///< what it should not exceed
+};
+
 /// Sets the residuals in `report` from positions as they are, or will be, stored, and the status of constraints that
-/// were solved: missed where the residual exceeds `limit` (model units), else met.
-void setResiduals(Report& report, const ConstraintSystem& system, const Diagnosis& diagnosis,
-                  const std::vector<double>& residuals, double limit);
+/// were solved: missed where the residual of a row exceeds its limit in `diagnosis`, else met. Returns the row that
+/// exceeds its limit most, as a share of it, if any does.
+std::optional<MissedRow> setResiduals(Report& report, const ConstraintSystem& system, const Diagnosis& diagnosis,
+                                      const std::vector<double>& residuals);
 
 }  // namespace holdfast

@@ -23,10 +23,10 @@ struct MeshReport {
 
 enum class ConstraintStatus {
   Independent,  ///< neither follows from constraints before it nor contradicts them; nothing was solved
-  Met,          ///< residual within the promise
+  Met,          ///< residual within its limit
   Redundant,    ///< follows from constraints before it, and agrees with them
   Conflicting,  ///< contradicts constraints before it; what contradicts was left out
-  Missed,       ///< soft constraints and Lagrange multipliers: residual beyond the promise
+  Missed,       ///< soft constraints and Lagrange multipliers: residual beyond its limit
   Disabled
 };
 
@@ -38,7 +38,10 @@ struct ConstraintOutcome {
   std::string type;
   Index rows = 0;  ///< rows of B; 0 when disabled
   ConstraintStatus status = ConstraintStatus::Disabled;
-  std::optional<double> residual;      ///< largest distance from target, model units; none when disabled or not solved
+  std::optional<double> residual;  ///< largest distance from target, model units; none when disabled or not solved
+  /// The residual up to which it is met, see `residualLimits`: of a missed row where there is one, else the largest of
+  /// its rows; none when disabled.
+  std::optional<double> limit;
   std::vector<std::string> dependsOn;  ///< names of the constraints that a redundant or conflicting one follows from
   std::optional<double> gap;           ///< how far it contradicts them, model units; of redundant and conflicting ones
   std::vector<Clash> clashes;          ///< the smallest sets that it conflicts with or repeats, and repairs
@@ -73,7 +76,9 @@ struct SolveReport {
   Index unknowns = 0;
   Index factorNonzeros = 0;
   int refinementSteps = 0;
-  double accuracy = 0;  ///< estimated relative error of the free displacements
+  double accuracy = 0;                        ///< estimated relative error of the displacements
+  std::optional<double> rotationAccuracy;     ///< that of the rotation field; none where none was solved for
+  std::optional<double> disagreementDegrees;  ///< of rotations given in one rigid region: the largest difference
   Seconds seconds;
 };
 

@@ -10,7 +10,8 @@
 namespace holdfast {
 namespace {
 
-constexpr const char* kReportHeader = "name,type,rows,status,residual,gap,depends_on,clash_count,amplification,force\n";
+constexpr const char* kReportHeader =
+    "name,type,rows,status,residual,limit,gap,depends_on,clash_count,amplification,force\n";
 
 std::string orEmpty(const std::optional<double>& value)
 {
@@ -19,8 +20,8 @@ std::string orEmpty(const std::optional<double>& value)
 
 std::string row(const ConstraintOutcome& outcome)
 {
-  return fmt::format("{},{},{},{},{},{},{},{},{},{}\n", csvField(outcome.name), csvField(outcome.type), outcome.rows,
-                     name(outcome.status), orEmpty(outcome.residual), orEmpty(outcome.gap),
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", csvField(outcome.name), csvField(outcome.type), outcome.rows,
+                     name(outcome.status), orEmpty(outcome.residual), orEmpty(outcome.limit), orEmpty(outcome.gap),
                      csvField(fmt::format("{}", fmt::join(outcome.dependsOn, "; "))), outcome.clashes.size(),
                      orEmpty(outcome.amplification), orEmpty(outcome.force));
 }

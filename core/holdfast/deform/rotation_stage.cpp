@@ -3,11 +3,17 @@
 #include <algorithm>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include <holdfast/check/mesh_check.h>
+#include <holdfast/deform/accuracy.h>
 #include <holdfast/rotation/edge_weights.h>
 #include <holdfast/rotation/rotation_log.h>
 
 namespace holdfast {
 namespace {
+
+const std::string kRefused = "the rotation field cannot be solved: ";
 
 bool asksForRotation(const ConstraintSystem& system)
 {
@@ -15,11 +21,33 @@ bool asksForRotation(const ConstraintSystem& system)
                      [](const GivenRotation& given) { return !given.q.isZero(0); });
 }
 
-RotationProblem problemOf(const ConstraintSystem& system, const SolverMesh& mesh, Weights weights)
+RotationProblem problemOf(const ConstraintSystem& system, const SolverMesh& mesh, std::vector<EdgeWeight> weights)
 {
-  RotationProblem problem{mesh.unknownCount(), rotationEdgeWeights(mesh, weights), {}, system.bodies};
+  RotationProblem problem{mesh.unknownCount(), std::move(weights), {}, system.bodies};
   for (const GivenRotation& given : system.rotations) problem.prescribed.push_back(given.unknown);
   return problem;
+}
+
+double largestDegrees(const std::vector<RotationGap>& gaps)
+{
+  double largest = 0;
+  for (const RotationGap& gap : gaps) largest = std::max(largest, angleDegrees(gap.difference));
+  return largest;
+}
+
+/// Names the constraints that give rotations of one region which differ.
+std::optional<Finding> disagreement(const RotationField& field, const ConstraintSystem& system)
+{
+  std::vector<Index> constraints;
+  for (const RotationGap& gap : field.gaps)
+    if (gap.difference.stableNorm() > kAgreeingRotations)
+      constraints.insert(constraints.end(),
+                         {system.rotations[gap.first].constraint, system.rotations[gap.given].constraint});
+  if (constraints.empty()) return std::nullopt;
+  return makeFinding("rotations_disagree", "constraint", std::move(constraints),
+                     fmt::format("constraints give rotations inside one rigid region that differ by up to {:.3g} "
+                                 "degrees; each given vertex turns by its own, the region by the first",
+                                 largestDegrees(field.gaps)));
 }
 
 Columns3 valuesOf(const ConstraintSystem& system)
@@ -38,11 +66,29 @@ RotationStage::RotationStage(const SolverMesh& mesh, Weights weights, Backend ba
 
 Rotations RotationStage::solve(const ConstraintSystem& system)
 {
-  if (!asksForRotation(system)) return {Columns3::Zero(mesh_.unknownCount(), 3), 0, {}};
-  if (field_.solver == nullptr) field_ = decomposeRotations(problemOf(system, mesh_, weights_), backend_);
-  if (field_.solver == nullptr) return {{}, 0, field_.failure};
+  if (!asksForRotation(system)) return {Columns3::Zero(mesh_.unknownCount(), 3), {}, {}, {}, {}};
+  if (field_.solver == nullptr) {
+    RotationWeights weights = rotationEdgeWeights(mesh_, weights_);
+    guards_ = guardFindings(weights, mesh_);
+    field_ = decomposeRotations(problemOf(system, mesh_, std::move(weights.edges)), backend_);
+  }
+  if (field_.solver == nullptr) return {{}, {}, {}, guards_, kRefused + field_.failure};
   RotationField field = field_.solver->solve(valuesOf(system));
-  return {std::move(field.q), field.accuracy, {}};
+  std::vector<Finding> findings = guards_;
+  for (const std::optional<Finding>& finding :
+       {accuracyWarning("low_rotation_accuracy", "the rotation field", field.accuracy), disagreement(field, system)})
+    if (finding) findings.push_back(*finding);
+  const std::string failure = accuracyFailure(field.accuracy);
+  return {std::move(field.q), field.accuracy, largestDegrees(field.gaps), std::move(findings),
+          failure.empty() ? "" : kRefused + failure};
+}
+
+void takeOver(const Rotations& rotations, Report& report)
+{
+  report.solve.rotationAccuracy = rotations.accuracy;
+  report.solve.disagreementDegrees = rotations.disagreementDegrees;
+  std::vector<Finding>& findings = report.mesh.findings;
+  findings.insert(findings.end(), rotations.findings.begin(), rotations.findings.end());
 }
 
 Columns3 turnedDetail(const Operators& operators, const Columns3& q, double diagonal)

@@ -70,11 +70,30 @@ void clearHeldRows(std::vector<RowTerms>& rows, const std::vector<bool>& isHeld)
     if (!row.empty() && isHeld[row.front().vertex]) row.clear();
 }
 
-double largestCoordinate(const SolverMesh& mesh, const ConstraintSystem& system)
+double largestCoordinate(const Vector3& place)
 {
-  double largest = mesh.rest.size() == 0 ? 0 : mesh.rest.cwiseAbs().maxCoeff();
-  for (const ConstraintRow& row : system.rows) largest = std::max(largest, row.target.cwiseAbs().maxCoeff());
-  return largest;
+  return place.cwiseAbs().maxCoeff();
+}
+
+/// The largest coordinate of the sum of |w_i| |x_i|, of which the rounding of B x is a few epsilon.
+double largestSum(const RowTerms& row, const Positions& x)
+{
+  Vector3 sum = Vector3::Zero();
+  for (const PointTerm& term : row) sum += std::abs(term.weight) * x.row(term.vertex).transpose().cwiseAbs();
+  return largestCoordinate(sum);
+}
+
+/// The largest of each row's own numbers, see `residualLimits`.
+std::vector<double> magnitudes(const SolverMesh& mesh, const ConstraintSystem& system, const Positions& x)
+{
+  double asked = 0;
+  for (const ConstraintRow& row : system.rows) asked = std::max(asked, largestCoordinate(row.target));
+  std::vector<double> result;
+  result.reserve(system.rows.size());
+  for (const ConstraintRow& row : system.rows)
+    result.push_back(std::max(
+        {largestCoordinate(row.target), largestSum(row.terms, mesh.rest), std::min(asked, largestSum(row.terms, x))}));
+  return result;
 }
 
 /// How far the smallest change of targets that closes a gap is below the gap: |(1, -a)| of b_j = sum a_k b_k, over the
@@ -87,11 +106,11 @@ double gapPerChange(const EliminatedConstraints& eliminated, const Dependency& d
   return std::sqrt(squares);
 }
 
-/// What each dependent row misses of a displacement that meets the independent ones: its gap. Read off there, it is
+/// What each dependent row misses of a displacement `u` that meets the independent ones: its gap. Read off there, it is
 /// free of the rounding of the coefficients a_k.
-std::vector<DependentRow> gapsOf(const EliminatedConstraints& eliminated, const ConstraintSystem& system)
+std::vector<DependentRow> gapsOf(const EliminatedConstraints& eliminated, const ConstraintSystem& system,
+                                 const Columns3& u)
 {
-  const Columns3 u = eliminated.elimination.particular(shiftsOf(system));
   std::vector<DependentRow> result;
   result.reserve(eliminated.dependencies.size());
   for (const Dependency& dependency : eliminated.dependencies) {
@@ -109,10 +128,18 @@ bool Diagnosis::hasConflicts() const
   return std::find(status.begin(), status.end(), RowStatus::Conflicting) != status.end();
 }
 
-double residualLimit(const SolverMesh& mesh, const ConstraintSystem& system)
+std::vector<double> residualLimits(const SolverMesh& mesh, const ConstraintSystem& system,
+                                   const std::vector<DependentRow>& dependent, const Positions& x)
 {
-  const double spacing = std::numeric_limits<double>::epsilon() * largestCoordinate(mesh, system);
-  return std::max(2 * kConsistentGap * mesh.diagonal, 8 * spacing);
+  const std::vector<double> own = magnitudes(mesh, system, x);
+  std::vector<double> limits = own;
+  for (const auto& [dependency, gap] : dependent)
+    for (const Partner& partner : dependency.partners)
+      limits[dependency.row] = std::max(limits[dependency.row], own[partner.row]);
+  for (double& limit : limits)
+    limit =
+        std::max(kPromisedResidual * mesh.diagonal, kPromisedSpacings * std::numeric_limits<double>::epsilon() * limit);
+  return limits;
 }
 
 EliminatedConstraints eliminate(const ConstraintSystem& system, const SolverMesh& mesh)
@@ -129,11 +156,13 @@ Diagnosis diagnose(const EliminatedConstraints& eliminated, const ConstraintSyst
 {
   Diagnosis diagnosis;
   diagnosis.status.assign(system.rows.size(), RowStatus::Independent);
-  if (eliminated.dependencies.empty()) return diagnosis;
-  diagnosis.dependent = gapsOf(eliminated, system);
-  const double limit = residualLimit(mesh, system) / 2;
+  Columns3 u = Columns3::Zero(mesh.unknownCount(), 3);
+  if (!eliminated.dependencies.empty()) u = eliminated.elimination.particular(shiftsOf(system));
+  diagnosis.dependent = gapsOf(eliminated, system, u);
+  diagnosis.limits = residualLimits(mesh, system, diagnosis.dependent, mesh.rest + u);
   bool isMissed = false;
   for (const auto& [dependency, gap] : diagnosis.dependent) {
+    const double limit = kConsistentShare * diagnosis.limits[dependency.row];
     const bool agrees = gap.stableNorm() <= limit * gapPerChange(eliminated, dependency);
     diagnosis.status[dependency.row] = agrees ? RowStatus::Redundant : RowStatus::Conflicting;
     if (agrees) diagnosis.reconciled.push_back(dependency.row);

@@ -26,6 +26,7 @@ struct DependentRow {
 struct Diagnosis {
   std::vector<RowStatus> status;        ///< of each row
   std::vector<DependentRow> dependent;  ///< ascending by row
+  std::vector<double> limits;  ///< of each row: the largest residual with which it is met, see `residualLimits`
   /// The redundant rows, when the independent ones alone would miss some of them: see
   /// `Elimination::reconciledParticular`.
   std::vector<Index> reconciled;
@@ -33,14 +34,24 @@ struct Diagnosis {
   [[nodiscard]] bool hasConflicts() const;
 };
 
-/// A dependent row agrees with its partners when changing what each of them asks for by no more than this share of the
-/// bounding box's diagonal closes the gap: half of the residual that is promised, the other half being left to
-/// rounding. Pins are not changed: they are copied.
-inline constexpr double kConsistentGap = 5e-13;
+/// The residual that is promised, as a share of the bounding box's diagonal.
+inline constexpr double kPromisedResidual = 1e-12;
 
-/// The largest residual of a constraint that is met, in model units: 1e-12 of the diagonal, or, where the coordinates
-/// are so large that doubles lie farther apart than that, eight times their spacing.
-[[nodiscard]] double residualLimit(const SolverMesh& mesh, const ConstraintSystem& system);
+/// Where doubles lie farther apart than that, this many epsilon of the largest number in a row are promised: what
+/// rounding of three stored places, of their weighted sum and of its target can come to.
+inline constexpr double kPromisedSpacings = 8;
+
+/// A dependent row agrees with its partners when changing what each of them asks for by no more than this share of its
+/// limit closes the gap; the rest is left to rounding. Pins are not changed: they are copied.
+inline constexpr double kConsistentShare = 0.5;
+
+/// The largest residual with which each row is met, in model units: `kPromisedResidual` of the diagonal or, if that is
+/// more, `kPromisedSpacings` epsilon of the largest of the row's own numbers. These are the coordinates of its target
+/// and the sums of its unknowns' coordinates times the size of their weights, at rest and at `x` (n x 3). Sums at `x`
+/// count up to the largest coordinate that is asked for: what merely gets out of hand excuses nothing. For a dependent
+/// row the numbers of its partners count as well. O(terms).
+[[nodiscard]] std::vector<double> residualLimits(const SolverMesh& mesh, const ConstraintSystem& system,
+                                                 const std::vector<DependentRow>& dependent, const Positions& x);
 
 /// What the decomposition of section 5 finds out about the rows from topology and barycentric numbers alone: it does
 /// not change when targets do.

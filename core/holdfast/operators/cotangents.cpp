@@ -75,6 +75,19 @@ CornerCotangents guarded(const CornerCotangents& cotangents)
   return result;
 }
 
+std::vector<Index> guardAll(std::vector<CornerCotangents>& cotangents, const std::vector<Triangle>& triangles)
+{
+  std::vector<Index> touched;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const CornerCotangents safe = guarded(cotangents[t]);
+    if (safe != cotangents[t]) touched.insert(touched.end(), triangles[t].begin(), triangles[t].end());
+    cotangents[t] = safe;
+  }
+  std::sort(touched.begin(), touched.end());
+  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+  return touched;
+}
+
 Eigen::VectorXd mixedVoronoiAreas(const Positions& positions, const std::vector<Triangle>& triangles)
 {
   Eigen::VectorXd areas = Eigen::VectorXd::Zero(positions.rows());

@@ -30,6 +30,10 @@ inline constexpr double kAreaFloor = 1e-3;
 /// degrees, which keeps the vertices tied to the mesh.
 [[nodiscard]] CornerCotangents guarded(const CornerCotangents& cotangents);
 
+/// Guards those of every triangle; returns the unknowns where that changed something, ascending.
+[[nodiscard]] std::vector<Index> guardAll(std::vector<CornerCotangents>& cotangents,
+                                          const std::vector<Triangle>& triangles);
+
 /// Mixed Voronoi area of each unknown (Meyer, Desbrun, Schroeder, Barr, 2003): the Voronoi area in triangles without an
 /// obtuse angle, a half or a quarter of the triangle's area otherwise. Never negative; the sum is the area of the mesh.
 [[nodiscard]] Eigen::VectorXd mixedVoronoiAreas(const Positions& positions, const std::vector<Triangle>& triangles);

@@ -15,25 +15,6 @@ Eigen::VectorXd reciprocal(const Eigen::VectorXd& x)
   return x.unaryExpr([](double value) { return value == 0 ? 0.0 : 1 / value; });
 }
 
-std::vector<Index> ascendingOnce(std::vector<Index> ids)
-{
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-  return ids;
-}
-
-/// Guards every triangle's cotangents; returns the unknowns where that changed something.
-std::vector<Index> guardAll(std::vector<CornerCotangents>& cotangents, const std::vector<Triangle>& triangles)
-{
-  std::vector<Index> touched;
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    const CornerCotangents safe = guarded(cotangents[t]);
-    if (safe != cotangents[t]) touched.insert(touched.end(), triangles[t].begin(), triangles[t].end());
-    cotangents[t] = safe;
-  }
-  return ascendingOnce(std::move(touched));
-}
-
 /// Raises areas below the floor; returns the unknowns where that happened. Unknowns in no part keep their zero.
 std::vector<Index> floorAreas(Eigen::VectorXd& areas, const std::vector<Index>& componentOf)
 {

@@ -6,21 +6,34 @@
 namespace holdfast {
 namespace {
 
-std::vector<EdgeWeight> guardedWeights(const SolverMesh& mesh, std::vector<CornerCotangents> cotangents)
+/// Raises weights below the floor; returns the ends of those edges.
+std::vector<Index> floorWeights(std::vector<EdgeWeight>& edges)
 {
-  for (CornerCotangents& corners : cotangents) corners = guarded(corners);
-  std::vector<EdgeWeight> weights = cotangentEdgeWeights(mesh.triangles, cotangents);
-  for (EdgeWeight& edge : weights) edge.weight = std::max(edge.weight, kRotationWeightFloor);
+  std::vector<Index> ends;
+  for (auto& [i, j, weight] : edges) {
+    if (weight >= kRotationWeightFloor) continue;
+    weight = kRotationWeightFloor;
+    ends.insert(ends.end(), {i, j});
+  }
+  return ends;
+}
+
+RotationWeights guardedWeights(const SolverMesh& mesh, std::vector<CornerCotangents> cotangents)
+{
+  RotationWeights weights;
+  weights.capped = guardAll(cotangents, mesh.triangles);
+  weights.edges = cotangentEdgeWeights(mesh.triangles, cotangents);
+  weights.floored = floorWeights(weights.edges);
   return weights;
 }
 
 }  // namespace
 
-std::vector<EdgeWeight> rotationEdgeWeights(const SolverMesh& mesh, Weights weights)
+RotationWeights rotationEdgeWeights(const SolverMesh& mesh, Weights weights)
 {
-  if (weights == Weights::Uniform) return unitEdgeWeights(mesh.triangles);
+  if (weights == Weights::Uniform) return {unitEdgeWeights(mesh.triangles), {}, {}};
   std::vector<CornerCotangents> cotangents = cornerCotangents(restInDiagonals(mesh), mesh.triangles);
-  if (weights == Weights::CotangentPaper) return cotangentEdgeWeights(mesh.triangles, cotangents);
+  if (weights == Weights::CotangentPaper) return {cotangentEdgeWeights(mesh.triangles, cotangents), {}, {}};
   return guardedWeights(mesh, std::move(cotangents));
 }
 

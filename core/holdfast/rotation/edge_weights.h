@@ -15,10 +15,17 @@ namespace holdfast {
 /// another, whose square root is all that sparse QR sees.
 inline constexpr double kRotationWeightFloor = 1e-6;
 
+/// The weights of all edges of a mesh.
+struct RotationWeights {
+  std::vector<EdgeWeight> edges;  ///< each once
+  std::vector<Index> capped;      ///< unknowns of triangles whose cotangents were held within the cap, ascending
+  std::vector<Index> floored;     ///< both ends of each edge whose weight was raised
+};
+
 /// Weights w_ij of the Dirichlet energy sum of w_ij |q_i - q_j|^2, on every edge of the mesh: 1 with
 /// `Weights::Uniform`; the sum of the guarded cotangents across the edge, not below `kRotationWeightFloor`, with
 /// `Weights::Cotangent`; and with `Weights::CotangentPaper` the cotangents of (10) as they are, negative across obtuse
 /// angles and not finite beside triangles without area. None depends on the scale of the model. O(T log T).
-[[nodiscard]] std::vector<EdgeWeight> rotationEdgeWeights(const SolverMesh& mesh, Weights weights);
+[[nodiscard]] RotationWeights rotationEdgeWeights(const SolverMesh& mesh, Weights weights);
 
 }  // namespace holdfast

@@ -12,13 +12,14 @@
 namespace holdfast {
 namespace {
 
-/// The largest difference between a given rotation and the first one of its region.
-double largestGap(const RotationUnknowns& unknowns, const Columns3& values)
+std::vector<RotationGap> rotationGaps(const RotationUnknowns& unknowns, const Columns3& values)
 {
-  double gap = 0;
-  for (Index k = 0; k < values.rows(); ++k)
-    gap = std::max(gap, (values.row(k) - values.row(unknowns.leaderOf[k])).stableNorm());
-  return gap;
+  std::vector<RotationGap> gaps;
+  for (Index k = 0; k < values.rows(); ++k) {
+    const Vector3 difference = values.row(k) - values.row(unknowns.leaderOf[k]);
+    if (!difference.isZero(0)) gaps.push_back({k, unknowns.leaderOf[k], difference});
+  }
+  return gaps;
 }
 
 std::string notFiniteMessage(const EdgeWeight& edge)
@@ -53,7 +54,7 @@ RotationField RotationFieldSolver::solve(const Columns3& values) const
   const CorrectedSolution z = correctedSolve(*factor_, *scaled_.C, scaled_.scale, f);
 
   const auto n = static_cast<Index>(unknowns_.givenOf.size());
-  RotationField field{Columns3::Zero(n, 3), z.corrections, z.accuracy, largestGap(unknowns_, values)};
+  RotationField field{Columns3::Zero(n, 3), z.corrections, z.accuracy, rotationGaps(unknowns_, values)};
   for (Index i = 0; i < n; ++i) {
     const Index column = unknowns_.columnOf[i];
     if (unknowns_.givenOf[i] >= 0)

@@ -12,13 +12,20 @@
 
 namespace holdfast {
 
+/// Two given rotations of one rigid region that differ.
+struct RotationGap {
+  Index given = 0;  ///< place in `RotationProblem::prescribed`
+  Index first = 0;  ///< place of the first of the region
+  Vector3 difference = Vector3::Zero();
+};
+
 /// A log for every unknown.
 struct RotationField {
   Columns3 q;           ///< n x 3, half angle times axis, radians
   int corrections = 0;  ///< refinement steps
   double accuracy =
-      0;           ///< size of the last of them relative to the free part of the field: its estimated relative error
-  double gap = 0;  ///< largest |q_i - q_j| between given rotations of one rigid region: 0 where they agree
+      0;  ///< size of the last of them relative to the free part of the field: its estimated relative error
+  std::vector<RotationGap> gaps;  ///< ascending by `given`; none where the given rotations of each region agree
 };
 
 /// One decomposition, for any number of values at the same unknowns. Other unknowns, regions or weights make another.

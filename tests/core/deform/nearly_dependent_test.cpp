@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include <gtest/gtest.h>
 
 #include "support/meshes.h"
@@ -23,8 +21,7 @@ ConstraintList fourPoints(double apart, double error)
 
 bool isWarnedOf(const Report& report)
 {
-  return std::any_of(report.mesh.findings.begin(), report.mesh.findings.end(),
-                     [](const Finding& finding) { return finding.kind == "nearly_dependent_constraints"; });
+  return test::findingOf(report, "nearly_dependent_constraints") != nullptr;
 }
 
 TEST(NearlyDependent, ConstraintsAmplifyByTheInverseOfTheirDistance)

@@ -30,14 +30,6 @@ void forEachOption(Check&& check)
       }
 }
 
-const Finding* findingOf(const Report& report, const std::string& kind)
-{
-  const auto& findings = report.mesh.findings;
-  const auto found =
-      std::find_if(findings.begin(), findings.end(), [&](const Finding& finding) { return finding.kind == kind; });
-  return found == findings.end() ? nullptr : &*found;
-}
-
 TEST(Parts, WithoutAConstraintStayAtRestBitForBitAndAreReported)
 {
   const Mesh sphere = test::icosphere(2);
@@ -49,7 +41,7 @@ TEST(Parts, WithoutAConstraintStayAtRestBitForBitAndAreReported)
     ASSERT_EQ(result.report.solve.status, SolveStatus::Ok) << result.report.solve.message;
     EXPECT_EQ(result.positions.bottomRows(25), mesh.positions.bottomRows(25));
     EXPECT_NE(result.positions.row(60), mesh.positions.row(60));
-    const Finding* finding = findingOf(result.report, "parts_at_rest");
+    const Finding* finding = test::findingOf(result.report, "parts_at_rest");
     ASSERT_NE(finding, nullptr);
     EXPECT_THAT(finding->ids, ElementsAre(n));
   });

@@ -31,25 +31,25 @@ std::optional<double> numberIn(const std::string& field)
 
 TEST(ReportCsv, IsAHeaderAloneWithoutConstraints)
 {
-  EXPECT_EQ(reportToCsv({}), "name,type,rows,status,residual,gap,depends_on,clash_count,amplification,force\n");
+  EXPECT_EQ(reportToCsv({}), "name,type,rows,status,residual,limit,gap,depends_on,clash_count,amplification,force\n");
 }
 
 TEST(ReportCsv, QuotesNamesAndLeavesOutWhatWasNotComputed)
 {
   Report report;
   ConstraintOutcome outcome{
-      "bolt \"A\", left\nrim", "point", 1, ConstraintStatus::Conflicting, 0.1, {}, {}, {}, {}, {}};
+      "bolt \"A\", left\nrim", "point", 1, ConstraintStatus::Conflicting, 0.1, 0.01, {}, {}, {}, {}, {}};
   outcome.dependsOn = {"base", "P1, lower"};
   outcome.gap = 1.0 / 3;
   outcome.clashes.resize(2);
   outcome.amplification = std::numeric_limits<double>::infinity();
   outcome.force = 0.0;
-  report.constraints = {outcome, {" blank", "fixed", 0, ConstraintStatus::Disabled, {}, {}, {}, {}, {}, {}}};
+  report.constraints = {outcome, {" blank", "fixed", 0, ConstraintStatus::Disabled, {}, {}, {}, {}, {}, {}, {}}};
   const std::vector<CsvRecord> table = tableOf(report);
   ASSERT_EQ(table.size(), 3U);
-  EXPECT_THAT(table[1].fields, ElementsAre("bolt \"A\", left\nrim", "point", "1", "conflicting", "0.1",
+  EXPECT_THAT(table[1].fields, ElementsAre("bolt \"A\", left\nrim", "point", "1", "conflicting", "0.1", "0.01",
                                            "0.3333333333333333", "base; P1, lower", "2", "", "0"));
-  EXPECT_THAT(table[2].fields, ElementsAre(" blank", "fixed", "0", "disabled", "", "", "", "0", "", ""));
+  EXPECT_THAT(table[2].fields, ElementsAre(" blank", "fixed", "0", "disabled", "", "", "", "", "0", "", ""));
 }
 
 TEST(ReportCsv, SaysWhatTheReportSays)
@@ -67,12 +67,13 @@ TEST(ReportCsv, SaysWhatTheReportSays)
     EXPECT_EQ(fields[0], outcome.name);
     EXPECT_EQ(fields[3], name(outcome.status));
     EXPECT_EQ(numberIn(fields[4]), outcome.residual);
-    EXPECT_EQ(numberIn(fields[5]), outcome.gap);
-    EXPECT_EQ(numberIn(fields[8]), outcome.amplification);
-    EXPECT_EQ(numberIn(fields[9]), outcome.force);
+    EXPECT_EQ(numberIn(fields[5]), outcome.limit);
+    EXPECT_EQ(numberIn(fields[6]), outcome.gap);
+    EXPECT_EQ(numberIn(fields[9]), outcome.amplification);
+    EXPECT_EQ(numberIn(fields[10]), outcome.force);
   }
   EXPECT_EQ(table[3].fields[3], "conflicting");
-  EXPECT_EQ(table[3].fields[6], "P1");
+  EXPECT_EQ(table[3].fields[7], "P1");
 }
 
 }  // namespace

@@ -76,7 +76,7 @@ void forEachGuardedCase(Check&& check)
 [[nodiscard]] inline RotationProblem problemOf(const SolverMesh& mesh, Weights weights, std::vector<Index> prescribed,
                                                std::vector<std::vector<Index>> groups = {})
 {
-  return {mesh.unknownCount(), rotationEdgeWeights(mesh, weights), std::move(prescribed), std::move(groups)};
+  return {mesh.unknownCount(), rotationEdgeWeights(mesh, weights).edges, std::move(prescribed), std::move(groups)};
 }
 
 /// `count` different unknowns in random order.

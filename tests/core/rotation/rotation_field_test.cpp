@@ -46,7 +46,7 @@ TEST(RotationField, EqualRotationsOfAllHandlesTurnEverythingEqually)
     ASSERT_EQ(field.q.rows(), mesh.unknownCount());
     for (Index i = 0; i < mesh.unknownCount(); ++i)
       EXPECT_TRUE(Vector3(field.q.row(i)) == q || field.q.row(i).isZero(0)) << i;
-    EXPECT_EQ(field.gap, 0);
+    EXPECT_TRUE(field.gaps.empty());
     for (const Index i : boundary.unknowns)
       for (Index j = 0; j < mesh.unknownCount(); ++j)
         EXPECT_TRUE(mesh.componentOf[j] != mesh.componentOf[i] || Vector3(field.q.row(j)) == q) << j;
@@ -168,7 +168,7 @@ TEST(RotationField, IsOneRotationInsideEachRegion)
         solved(problemOf(mesh, weights, given, groups), backend, rows({{0, 0, 0}, {1, 2, 3}, {-1, 0, 2}}));
     for (const int k : {4, 5, 6, 7}) EXPECT_EQ(field.q.row(unknowns[k]), field.q.row(unknowns[3]));
     for (const int k : {8, 9}) EXPECT_EQ(Vector3(field.q.row(unknowns[k])), Vector3(1, 2, 3));
-    EXPECT_EQ(field.gap, 0);
+    EXPECT_TRUE(field.gaps.empty());
   });
 }
 
@@ -180,7 +180,10 @@ TEST(RotationField, OfARegionWithTwoRotationsFollowsTheFirstAndTellsTheGap)
   EXPECT_EQ(Vector3(field.q.row(12)), Vector3(0, 0, 1));
   EXPECT_EQ(Vector3(field.q.row(7)), Vector3(0, 3, 5));
   for (const Index i : {6, 11}) EXPECT_EQ(Vector3(field.q.row(i)), Vector3(0, 0, 1));
-  EXPECT_DOUBLE_EQ(field.gap, 5);
+  ASSERT_EQ(field.gaps.size(), 1U);
+  EXPECT_EQ(field.gaps[0].given, 1);
+  EXPECT_EQ(field.gaps[0].first, 0);
+  EXPECT_EQ(field.gaps[0].difference, Vector3(0, 3, 4));
 }
 
 TEST(RotationField, IsZeroWhereNothingIsGiven)
@@ -215,7 +218,8 @@ TEST(RotationField, OfAnUnknownThatIsGivenTwiceTakesTheFirst)
   const RotationProblem problem = problemOf(solverMeshOf(test::grid(2, 2)), Weights::Uniform, {4, 4, 0});
   const RotationField field = solved(problem, defaultBackend(), rows({{1, 0, 0}, {2, 0, 0}, {1, 0, 0}}));
   EXPECT_EQ(field.q.col(0), Eigen::VectorXd::Ones(9));
-  EXPECT_EQ(field.gap, 1);
+  ASSERT_EQ(field.gaps.size(), 1U);
+  EXPECT_EQ(field.gaps[0].difference, Vector3(1, 0, 0));
 }
 
 TEST(RotationField, IsCarriedFromPartToPartByARegionOfBoth)

@@ -14,7 +14,6 @@
 #include <holdfast/deform/outcomes.h>
 #include <holdfast/deform/report_csv.h>
 #include <holdfast/deform/report_json.h>
-#include <holdfast/elimination/diagnosis.h>
 #include <holdfast/io/output_file.h>
 #include <holdfast/view/any_mesh_file.h>
 #include <holdfast/view/camera_state.h>
@@ -32,10 +31,10 @@ double missedInSinglePrecision(const Model& model, const Deformation& deformatio
 {
   const Positions stored = deformation.positions.cast<float>().cast<double>();
   Report report = deformation.report;
-  const double limit = residualLimit(model.solverMesh, deformation.system);
-  setResiduals(report, deformation.system, deformation.diagnosis,
-               rowResiduals(deformation.system, model.solverMesh.weld, stored), limit);
-  return report.solve.maxResidual > limit ? report.solve.maxResidual : 0;
+  const bool isMissed = setResiduals(report, deformation.system, deformation.diagnosis,
+                                     rowResiduals(deformation.system, model.solverMesh.weld, stored))
+                            .has_value();
+  return isMissed ? report.solve.maxResidual : 0;
 }
 
 std::string pictureOf(const Model& model, const Deformation& deformation, const SceneOptions& options,

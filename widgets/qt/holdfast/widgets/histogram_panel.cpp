@@ -33,6 +33,21 @@ std::vector<double> residualShares(const Deformation& deformation, double diagon
   return shares;
 }
 
+/// The smallest limit of a constraint as a share of the diagonal: what is marked.
+double leastLimit(const Deformation& deformation, double diagonal)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (const double limit : deformation.diagnosis.limits) least = std::min(least, limit / diagonal);
+  return least;
+}
+
+Index countWithinLimits(const std::vector<ConstraintOutcome>& outcomes)
+{
+  return std::count_if(outcomes.begin(), outcomes.end(), [](const ConstraintOutcome& outcome) {
+    return outcome.residual && *outcome.residual <= outcome.limit;
+  });
+}
+
 std::vector<double> anglesOf(const Model& model, const Deformation& deformation)
 {
   const SolverMesh& mesh = model.solverMesh;
@@ -110,11 +125,10 @@ void HistogramPanel::refreshResiduals()
   std::vector<double> shares = residualShares(deformation, diagonal);
   const Histogram histogram = logarithmicHistogram(shares, kFirstPower, kLastPower);
   if (histogram.valueCount == 0) return;
-  const double promise = residualLimit(editor_.model()->solverMesh, deformation.system) / diagonal;
-  const auto within = std::count_if(shares.begin(), shares.end(), [&](double share) { return share <= promise; });
+  const double promise = leastLimit(deformation, diagonal);
   ChartTexts texts;
-  texts.title = tr("Residuals of constraints: %1 of %2 within the promise, %3 of the diagonal (dashed)")
-                    .arg(within)
+  texts.title = tr("Residuals of constraints: %1 of %2 within their limits, the least %3 of the diagonal (dashed)")
+                    .arg(countWithinLimits(deformation.report.constraints))
                     .arg(histogram.valueCount)
                     .arg(roundedText(promise));
   texts.valueAxis = tr("residual / diagonal of the bounding box");

@@ -4,11 +4,15 @@
 #include <QStringList>
 #include <algorithm>
 
+#include <holdfast/deform/accuracy.h>
 #include <holdfast/widgets/constraint_words.h>
 #include <holdfast/widgets/number_words.h>
 
 namespace holdfast {
 namespace {
+
+// Of a limit that is the usual one.
+constexpr double kRounding = 1.000001;
 
 struct ReportWords {
   Q_DECLARE_TR_FUNCTIONS(ReportWords)
@@ -45,6 +49,24 @@ QString countsText(const std::vector<ConstraintOutcome>& outcomes)
   return words.isEmpty() ? ReportWords::tr("none") : words.join(", ");
 }
 
+/// What is promised of the constraints, as shares of the diagonal: those far from the origin have limits of their own.
+QString promiseText(const Report& report)
+{
+  double largest = kPromisedResidual;
+  for (const ConstraintOutcome& outcome : report.constraints)
+    largest = std::max(largest, outcome.limit.value_or(0) / report.mesh.bboxDiagonal);
+  const QString usual = roundedText(kPromisedResidual);
+  return largest <= kPromisedResidual * kRounding
+             ? usual
+             : ReportWords::tr("%1, and up to %2 where doubles lie farther apart").arg(usual, roundedText(largest));
+}
+
+QString accuracyText(double accuracy)
+{
+  return ReportWords::tr("%1; doubtful above %2, refused above %3")
+      .arg(roundedText(accuracy), roundedText(kDoubtfulAccuracy), roundedText(kUsableAccuracy));
+}
+
 }  // namespace
 
 ReportLines reportLines(const Report& report, const std::string& units)
@@ -66,14 +88,18 @@ ReportLines reportLines(const Report& report, const std::string& units)
   if (solve.status == SolveStatus::Failed || solve.status == SolveStatus::NotRun) return lines;
   round("Residual", ReportWords::tr("Largest residual"), lengthText(solve.maxResidual, units), solve.maxResidual);
   round("RelativeResidual", ReportWords::tr("Relative residual"),
-        ReportWords::tr("%1 of the diagonal, promised 1e-12").arg(roundedText(solve.maxResidualRelative)),
+        ReportWords::tr("%1 of the diagonal, promised %2")
+            .arg(roundedText(solve.maxResidualRelative), promiseText(report)),
         solve.maxResidualRelative);
   say("Method", ReportWords::tr("Method"), QString::fromStdString(solve.method));
   say("Unknowns", ReportWords::tr("Unknowns"), countText(solve.unknowns));
   say("Factor", ReportWords::tr("Factor"), ReportWords::tr("%1 non-zeros").arg(countText(solve.factorNonzeros)));
   say("Refinement", ReportWords::tr("Refinement"),
       solve.refinementSteps == 1 ? ReportWords::tr("1 step") : ReportWords::tr("%1 steps").arg(solve.refinementSteps));
-  round("Accuracy", ReportWords::tr("Accuracy"), roundedText(solve.accuracy), solve.accuracy);
+  round("Accuracy", ReportWords::tr("Accuracy"), accuracyText(solve.accuracy), solve.accuracy);
+  if (solve.rotationAccuracy)
+    round("RotationAccuracy", ReportWords::tr("Rotations"), accuracyText(*solve.rotationAccuracy),
+          *solve.rotationAccuracy);
   round("Setup", ReportWords::tr("Set-up"), secondsText(solve.seconds.setup), solve.seconds.setup);
   round("Decomposition", ReportWords::tr("Decomposition"), secondsText(solve.seconds.decomposition),
         solve.seconds.decomposition);

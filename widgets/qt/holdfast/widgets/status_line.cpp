@@ -22,6 +22,11 @@ QString placeText(const Vector3& place)
   return coordinates.join(", ");
 }
 
+QString shareText(double share)
+{
+  return share == 0 ? QString("0") : QString::number(share, 'e', 1);
+}
+
 QString milliseconds(double seconds)
 {
   const double value = 1000 * seconds;
@@ -133,16 +138,17 @@ void StatusLine::showNumbers()
           << tr("%1 + %2 + %3 ms")
                  .arg(milliseconds(solve.seconds.setup), milliseconds(solve.seconds.decomposition),
                       milliseconds(solve.seconds.solution))
-          << (solve.status == SolveStatus::Failed
-                  ? tr("not solved")
-                  : tr("residual %1")
-                        .arg(solve.maxResidualRelative == 0 ? QString("0")
-                                                            : QString::number(solve.maxResidualRelative, 'e', 1)));
+          << (solve.status == SolveStatus::Failed ? tr("not solved")
+                                                  : tr("residual %1").arg(shareText(solve.maxResidualRelative)));
+    if (solve.status != SolveStatus::Failed) parts << tr("accuracy %1").arg(shareText(solve.accuracy));
   }
   numbers_->setText(parts.join("  ·  "));
-  numbers_->setToolTip(
-      tr("Milliseconds: set-up + decomposition + solution. The largest residual of constraints that are met is a share "
-         "of the bounding box's diagonal; 1e-12 is promised."));
+  numbers_->setToolTip(tr(
+      "Milliseconds: set-up + decomposition + solution. Residual: the largest of all constraints but those that "
+      "conflict, as a share of the bounding box's diagonal. With the solver “hard” at most 1e-12 is promised or, for "
+      "a constraint whose coordinates are so large that doubles lie farther apart, 8 epsilon of the largest of them. "
+      "Accuracy: the estimated relative error of what constraints leave free; above 1e-9 it is a finding, above 1e-6 "
+      "the solution is refused."));
 }
 
 }  // namespace holdfast

@@ -59,7 +59,9 @@ ColorScale linearScale(std::string title, double high)
 Coloring residualColoring(const Model& model, const Deformation& deformation, const std::string& units)
 {
   Field field = fieldOf(model, deformation, FieldKind::ConstraintResidual);
-  const double promise = residualLimit(model.solverMesh, deformation.system);
+  const std::vector<double>& limits = deformation.diagnosis.limits;
+  const double promise =
+      limits.empty() ? kPromisedResidual * model.solverMesh.diagonal : *std::min_element(limits.begin(), limits.end());
   const double largest = largestOf(field.values);
   const double lowest = std::floor(std::log10(promise)) - kDecadesBelow;
   const double highest = std::ceil(std::log10(std::max(largest, promise * std::pow(10, kDecadesAbove))));

@@ -119,14 +119,13 @@ std::vector<ConstraintMark> constraintMarks(const Model& model, const Deformatio
 {
   const ConstraintSystem& system = deformation.system;
   const std::vector<double> residuals = rowResiduals(system, model.solverMesh.weld, deformation.positions);
-  const double limit = residualLimit(model.solverMesh, system);
   std::vector<ConstraintMark> marks;
   marks.reserve(residuals.size());
   for (std::size_t r = 0; r < residuals.size(); ++r) {
     const ConstraintRow& row = system.rows[r];
     if (row.terms.empty()) continue;
     ConstraintMark mark = markOf(row, model, deformation.positions);
-    mark.status = statusOf(deformation.diagnosis.status[r], residuals[r], limit);
+    mark.status = statusOf(deformation.diagnosis.status[r], residuals[r], deformation.diagnosis.limits[r]);
     mark.kind = kindOf(row, system.points[row.constraint]);
     mark.constraint = row.constraint;
     marks.push_back(std::move(mark));
