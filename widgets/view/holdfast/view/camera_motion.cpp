@@ -5,6 +5,7 @@
 #include <vtkRenderer.h>
 
 #include <holdfast/base/degree.h>
+#include <holdfast/view/camera_state.h>
 
 namespace holdfast {
 namespace {
@@ -30,7 +31,7 @@ void orbit(vtkCamera& camera, const Vector3& pivot, double degreesRight, double 
   const Vector3 newUp = turn * right.cross(forward);
   camera.SetPosition(eye.data());
   camera.SetFocalPoint(focus.data());
-  camera.SetViewUp(newUp.data());
+  setViewUp(camera, newUp);
 }
 
 void pan(vtkRenderer& renderer, const Vector3& anchor, const DisplayPoint& from, const DisplayPoint& to)

@@ -10,8 +10,12 @@ namespace holdfast {
 
 [[nodiscard]] Camera cameraOf(vtkCamera& camera);
 
-/// Places `camera` so that `cameraOf` gives `state` back. The angle of view and the clipping planes stay: set those
-/// anew.
+/// Sets the view up to the unit vector along `up` that VTK keeps: given it again, it stays bit for bit. VTK normalises
+/// every view up that it is given, and rounding may change the last bit of one that is normalised already.
+void setViewUp(vtkCamera& camera, const Vector3& up);
+
+/// Places `camera` so that `cameraOf` gives `state` back, if the view up is one that `setViewUp` has set. The angle of
+/// view and the clipping planes stay: set those anew.
 void place(vtkCamera& camera, const Camera& state);
 
 }  // namespace holdfast

@@ -7,6 +7,7 @@
 
 #include <holdfast/base/degree.h>
 #include <holdfast/mesh/bounding_box.h>
+#include <holdfast/view/camera_state.h>
 
 namespace holdfast {
 namespace {
@@ -87,7 +88,7 @@ void fit(vtkCamera& camera, const ViewFrame& frame, const Positions& points, dou
   camera.SetViewAngle(kViewAngleDegrees);
   camera.SetPosition(eye.data());
   camera.SetFocalPoint(focus.data());
-  camera.SetViewUp(frame.up.data());
+  setViewUp(camera, frame.up);
 }
 
 }  // namespace holdfast
