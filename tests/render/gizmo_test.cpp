@@ -78,11 +78,10 @@ struct Stage {
     return draw(scene, "picture");
   }
 
-  /// For comparison with a baseline.
-  Picture drawnWithoutLetters()
+  [[nodiscard]] std::string differenceFromBaseline()
   {
     test::hideTexts(scene.window());
-    return drawn();
+    return test::differenceFromBaseline(*renderer().GetActiveCamera(), [this] { return drawn(); });
   }
 
   /// Drags a part from a place of the world to where it appears `moved` pixels further.
@@ -101,7 +100,7 @@ struct Stage {
 TEST(GizmoPicture, InPerspective)
 {
   Stage stage;
-  EXPECT_EQ(test::differenceFromBaseline(stage.drawnWithoutLetters()), "");
+  EXPECT_EQ(stage.differenceFromBaseline(), "");
 }
 
 TEST(GizmoPicture, InParallelFromAbove)
@@ -110,28 +109,28 @@ TEST(GizmoPicture, InParallelFromAbove)
   stage.renderer().GetActiveCamera()->ParallelProjectionOn();
   stage.look(-60, 62);
   stage.gizmo.highlight(GizmoPart::RingZ);
-  EXPECT_EQ(test::differenceFromBaseline(stage.drawnWithoutLetters()), "");
+  EXPECT_EQ(stage.differenceFromBaseline(), "");
 }
 
 TEST(GizmoPicture, AlongAnAxis)
 {
   Stage stage;
   stage.look(-90, 2);
-  EXPECT_EQ(test::differenceFromBaseline(stage.drawnWithoutLetters()), "");
+  EXPECT_EQ(stage.differenceFromBaseline(), "");
 }
 
 TEST(GizmoPicture, OfAnArrowThatIsDragged)
 {
   Stage stage;
   stage.drag(GizmoPart::ArrowZ, {4, 1, 1.5}, {0, 120}, Snap::On);
-  EXPECT_EQ(test::differenceFromBaseline(stage.drawnWithoutLetters()), "");
+  EXPECT_EQ(stage.differenceFromBaseline(), "");
 }
 
 TEST(GizmoPicture, OfARingThatIsDragged)
 {
   Stage stage;
   stage.drag(GizmoPart::RingZ, {4.7, 0.4, 0.5}, {70, 30}, Snap::On);
-  EXPECT_EQ(test::differenceFromBaseline(stage.drawnWithoutLetters()), "");
+  EXPECT_EQ(stage.differenceFromBaseline(), "");
 }
 
 TEST(GizmoPicture, OfTheOuterRingThatIsDragged)
@@ -139,7 +138,7 @@ TEST(GizmoPicture, OfTheOuterRingThatIsDragged)
   Stage stage;
   stage.renderer().GetActiveCamera()->ParallelProjectionOn();
   stage.drag(GizmoPart::ViewRing, {4, 1, 1.5}, {150, -90}, Snap::None);
-  EXPECT_EQ(test::differenceFromBaseline(stage.drawnWithoutLetters()), "");
+  EXPECT_EQ(stage.differenceFromBaseline(), "");
 }
 
 /// The mean place of the pixels that differ, in pixels of the window.

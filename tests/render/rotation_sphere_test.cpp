@@ -71,6 +71,11 @@ struct Shown {
     test::hideTexts(window.window());
   }
 
+  [[nodiscard]] std::string differenceFromBaseline() const
+  {
+    return test::differenceFromBaseline(*window.renderer().GetActiveCamera(), [this] { return window.drawn(); });
+  }
+
   test::OffscreenWindow window{kSphereSize};
   RotationSphere sphere;
 };
@@ -79,7 +84,7 @@ TEST(RotationSphere, TwoHandlesAndACorner)
 {
   const Sheet sheet;
   const Shown shown(sheet.model, sheet.deformation);
-  EXPECT_EQ(test::differenceFromBaseline(shown.window.drawn()), "");
+  EXPECT_EQ(shown.differenceFromBaseline(), "");
 }
 
 TEST(RotationSphere, MoreThanAWholeTurn)
@@ -87,7 +92,7 @@ TEST(RotationSphere, MoreThanAWholeTurn)
   const Bar bar(720);
   Shown shown(bar.model, bar.deformation);
   shown.sphere.mark(bar.model.mesh.vertexCount() - 1);
-  EXPECT_EQ(test::differenceFromBaseline(shown.window.drawn()), "");
+  EXPECT_EQ(shown.differenceFromBaseline(), "");
 }
 
 TEST(RotationSphere, OnADarkGroundWithSmallAngles)
@@ -100,7 +105,7 @@ TEST(RotationSphere, OnADarkGroundWithSmallAngles)
   look.ink = {0.90, 0.92, 0.94};
   shown.sphere.setLook(look);
   test::hideTexts(shown.window.window());
-  EXPECT_EQ(test::differenceFromBaseline(shown.window.drawn()), "");
+  EXPECT_EQ(shown.differenceFromBaseline(), "");
 }
 
 TEST(RotationSphere, PointsAreTheQuaternionsOfTheirVertices)

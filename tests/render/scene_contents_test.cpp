@@ -118,6 +118,11 @@ Picture drawn(const Scene& scene)
   return draw(scene, "picture");
 }
 
+std::string differenceFromBaseline(const Scene& scene)
+{
+  return test::differenceFromBaseline(*scene.meshRenderer().GetActiveCamera(), [&] { return drawn(scene); });
+}
+
 void lookFromBelow(const Scene& scene)
 {
   scene.meshRenderer().GetActiveCamera()->Elevation(-60);
@@ -137,7 +142,7 @@ TEST(SceneContents, GlyphsTellKindsAndStatusesApart)
   const Slab slab;
   SlabScene scene(slab, ColorBy::None);
   scene.contents().show(slab.deformation(), slab.disabled());
-  EXPECT_EQ(test::differenceFromBaseline(drawn(scene)), "");
+  EXPECT_EQ(differenceFromBaseline(scene), "");
 }
 
 TEST(SceneContents, HighlightSelectionPreviewAndMeshEdges)
@@ -149,7 +154,7 @@ TEST(SceneContents, HighlightSelectionPreviewAndMeshEdges)
   contents.setSelection(slab.middle());
   contents.setPreview(PreviewedPoint{slab.onTop(2, 3), MarkKind::Edge});
   contents.setMeshEdges(MeshEdges::All);
-  EXPECT_EQ(test::differenceFromBaseline(drawn(scene)), "");
+  EXPECT_EQ(differenceFromBaseline(scene), "");
 }
 
 TEST(SceneContents, ArrowsAndTheShapeAtRest)
@@ -158,7 +163,7 @@ TEST(SceneContents, ArrowsAndTheShapeAtRest)
   SlabScene scene(slab, ColorBy::Angle);
   scene.contents().setRotationDisplay(RotationDisplay::Arrows);
   scene.contents().setRestGhost(RestGhost::Surface);
-  EXPECT_EQ(test::differenceFromBaseline(drawn(scene)), "");
+  EXPECT_EQ(differenceFromBaseline(scene), "");
 }
 
 TEST(SceneContents, PointsBehindTheSurfaceShowFaintly)
@@ -167,7 +172,7 @@ TEST(SceneContents, PointsBehindTheSurfaceShowFaintly)
   SlabScene scene(slab, ColorBy::None);
   scene.contents().setHiddenMarks(HiddenMarks::Faint);
   lookFromBelow(scene);
-  EXPECT_EQ(test::differenceFromBaseline(drawn(scene)), "");
+  EXPECT_EQ(differenceFromBaseline(scene), "");
 }
 
 TEST(SceneContents, TwoSidedColors)
@@ -178,7 +183,7 @@ TEST(SceneContents, TwoSidedColors)
   coloring->scale.map = ColorMap::BlueWhiteOrange;
   scene.contents().color(coloring);
   scene.contents().setMarks({});
-  EXPECT_EQ(test::differenceFromBaseline(drawn(scene)), "");
+  EXPECT_EQ(differenceFromBaseline(scene), "");
 }
 
 TEST(SceneContents, GoingBackLeavesNoTrace)
