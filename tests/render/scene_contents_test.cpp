@@ -7,6 +7,7 @@
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 
+#include <holdfast/view/camera_motion.h>
 #include <holdfast/view/snapshot.h>
 
 #include "render/compare_pictures.h"
@@ -59,6 +60,18 @@ class Slab {
     for (Index v = 0; v < model_.mesh.vertexCount(); ++v)
       if (std::abs(model_.mesh.positions(v, 0) - 4) < 1) vertices.push_back(v);
     return vertices;
+  }
+
+  /// Where the vertices inside the turned end are, none of them on a sharp edge.
+  [[nodiscard]] std::vector<Vector3> insideTheTurnedEnd() const
+  {
+    std::vector<Vector3> places;
+    for (const Index v : end(6)) {
+      const Vector3 rest = model_.mesh.positions.row(v);
+      if (rest.y() > 0 && rest.y() < 2 && rest.z() > 0 && rest.z() < 1)
+        places.emplace_back(deformation_.positions.row(v));
+    }
+    return places;
   }
 
   /// Where a vertex of the top is.
@@ -143,6 +156,22 @@ TEST(SceneContents, GlyphsTellKindsAndStatusesApart)
   SlabScene scene(slab, ColorBy::None);
   scene.contents().show(slab.deformation(), slab.disabled());
   EXPECT_EQ(differenceFromBaseline(scene), "");
+}
+
+TEST(SceneContents, BallsInTheMiddleOfAFaceAreSeen)
+{
+  const Slab slab;
+  SlabScene scene(slab, ColorBy::None);
+  const Picture with = drawn(scene);
+  scene.contents().setMarks({});
+  const Picture without = drawn(scene);
+  const std::vector<Vector3> places = slab.insideTheTurnedEnd();
+  EXPECT_EQ(places.size(), 49);
+  for (const Vector3& place : places) {
+    const Vector3 pixel = toDisplay(scene.meshRenderer(), place) / scene.pixelRatio();
+    const auto at = 3 * (static_cast<std::size_t>(pixel.y()) * kSize.width + static_cast<std::size_t>(pixel.x()));
+    EXPECT_LT(with.pixels[at], without.pixels[at] - 50) << "no dark ball at " << pixel.transpose();
+  }
 }
 
 TEST(SceneContents, HighlightSelectionPreviewAndMeshEdges)

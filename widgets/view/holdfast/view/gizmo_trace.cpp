@@ -13,6 +13,7 @@
 #include <vtkProperty.h>
 
 #include <holdfast/view/gizmo_colors.h>
+#include <holdfast/view/point_sprites.h>
 
 namespace holdfast {
 namespace {
@@ -97,7 +98,7 @@ GizmoTraceActors::GizmoTraceActors()
   setUp(*ends_, *endData_);
   sector_->GetProperty()->SetOpacity(kSectorOpacity);
   sector_->ForceOpaqueOn();  // as with parts that are faded
-  ends_->GetProperty()->RenderPointsAsSpheresOn();
+  drawPointsAsBalls(*ends_);
 }
 
 GizmoTraceActors::~GizmoTraceActors() = default;

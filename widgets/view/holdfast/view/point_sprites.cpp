@@ -88,9 +88,10 @@ std::string fragmentCode(SpriteShape shape)
          "                                     : gl_FragCoord.z + ZCalcS * lift;\n";
 }
 
-void setBallLook(vtkProperty& property)
+void setBallLook(vtkActor& actor)
 {
-  property.RenderPointsAsSpheresOn();
+  drawPointsAsBalls(actor);
+  vtkProperty& property = *actor.GetProperty();
   property.SetAmbient(0.25);
   property.SetDiffuse(0.75);
   property.SetSpecular(0.35);
@@ -99,7 +100,7 @@ void setBallLook(vtkProperty& property)
 
 void setLook(vtkActor& actor, SpriteShape shape)
 {
-  setBallLook(*actor.GetProperty());
+  setBallLook(actor);
   if (shape == SpriteShape::Ball) return;
   actor.GetProperty()->LightingOff();
   actor.GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", true, fragmentCode(shape), false);
@@ -153,9 +154,19 @@ vtkActor& PointSprites::actor() const
   return *actor_;
 }
 
+void drawPointsAsBalls(vtkActor& actor)
+{
+  actor.GetProperty()->RenderPointsAsSpheresOn();
+  // Where lines are shifted towards the eye, VTK shifts points as well. Version 9.3 adds a slope of depths that are not
+  // yet known then, and balls sink into the surface: their shift is none.
+  double units = 0;
+  vtkMapper::GetResolveCoincidentTopologyPointOffsetParameter(units);
+  actor.GetMapper()->SetRelativeCoincidentTopologyPointOffsetParameter(-units);
+}
+
 void showPointsAsBalls(vtkActor& actor, const Color& color)
 {
-  setBallLook(*actor.GetProperty());
+  setBallLook(actor);
   actor.GetProperty()->SetColor(color.red, color.green, color.blue);
 }
 

@@ -19,6 +19,7 @@
 #include <vtkTextProperty.h>
 
 #include <holdfast/view/display_transform.h>
+#include <holdfast/view/point_sprites.h>
 #include <holdfast/view/sphere_camera.h>
 #include <holdfast/view/sphere_shapes.h>
 
@@ -65,7 +66,7 @@ void setData(vtkActor& actor, vtkPolyData& data)
 
 void makeBalls(vtkActor& actor)
 {
-  actor.GetProperty()->RenderPointsAsSpheresOn();
+  drawPointsAsBalls(actor);
   actor.GetProperty()->SetAmbient(0.35);
   actor.GetProperty()->SetDiffuse(0.65);
 }
