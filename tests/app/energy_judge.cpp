@@ -1,6 +1,7 @@
 #include "app/energy_judge.h"
 
 #include <limits>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -100,6 +101,8 @@ void EnergyJudge::project(Columns3& gradient) const
   for (const Json& constraint : constraints_)
     if (constraint.contains("at"))
       projectPoint(gradient, constraint["at"]);
+    else if (constraint.at("type") != "fixed" && constraint.at("type") != "handle")
+      throw std::runtime_error("not to be judged: " + constraint.dump());
     else
       for (const long v : selectPlain(constraint.at("select"), rest_))
         gradient.row(model_.solverMesh.weld.unknownOf[v]).setZero();

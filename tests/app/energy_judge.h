@@ -24,7 +24,8 @@ struct FreeGradient {
 inline constexpr double kRightAngle = 1e-12;
 
 /// Judges deformations of one mesh under one list of constraints by one set of weights. The operators and the rotations
-/// are those of the solver; nothing else is. No two constraints may share a vertex.
+/// are those of the solver; nothing else is. No two constraints may share a vertex. Throws `std::runtime_error` for
+/// constraints that are neither fixed vertices, nor handles, nor points.
 class EnergyJudge {
  public:
   EnergyJudge(const std::filesystem::path& rest, const std::filesystem::path& constraints, Weights weights);
