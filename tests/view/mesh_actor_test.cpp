@@ -1,5 +1,7 @@
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <utility>
 
 #include <gtest/gtest.h>
 #include <vtkActor.h>
@@ -14,6 +16,7 @@
 #include <holdfast/view/mesh_actor.h>
 #include <holdfast/view/poly_data.h>
 
+#include "support/law_meshes.h"
 #include "support/meshes.h"
 #include "support/source_tree.h"
 #include "view/poly_data_samples.h"
@@ -89,6 +92,17 @@ TEST(MeshActor, ShortEndsOfLinesOnASmoothSurfaceAreNotDrawn)
 {
   const Model head = makeModel(readMesh(test::dataFolder() + "/head.ply").mesh, "head");
   EXPECT_TRUE(cutAtSharpEdges(head).creases.empty());
+}
+
+TEST(ShadedSurface, IsCutWhereItBendsByMoreThan42Degrees)
+{
+  for (const double degrees : {41.9, 42.1}) {
+    const double angle = degrees * std::numbers::pi / 180;
+    Mesh hinge = test::triangle({1, 0, 0}, {0, 0, 0}, {0, -1, 0});
+    hinge = test::withVertex(std::move(hinge), {0, std::cos(angle), std::sin(angle)});
+    hinge = test::withFace(std::move(hinge), {1, 0, 3});
+    EXPECT_EQ(cutAtSharpEdges(makeModel(hinge, "hinge")).vertexOf.size(), degrees < 42 ? 4u : 6u) << degrees;
+  }
 }
 
 TEST(MeshActor, CutsStayWhereTheyAreWhileTheMeshBends)

@@ -104,7 +104,23 @@ TEST(Coloring, ForcesAreLogarithmicAndWhereConstraintsAre)
   EXPECT_TRUE(std::isnan(coloring->values[12]));
   EXPECT_GT(coloring->values[24], 0);
   EXPECT_LE(coloring->values[24], coloring->scale.high);
-  EXPECT_GT(coloring->values[24], coloring->scale.low);
+  EXPECT_GT(10 * coloring->values[24], coloring->scale.high);
+  EXPECT_NEAR(coloring->scale.high / coloring->scale.low, 1e4, 1e-9) << "four decades";
+}
+
+TEST(Coloring, TheScaleOfDetailEndsWhere99PercentOfTheFreeVerticesDo)
+{
+  const Model model = makeModel(test::grid(30, 30), "grid");
+  const auto coloring = coloringOf(model, deformed(model, threePoints(0)), ColorBy::Detail, "");
+  ASSERT_TRUE(coloring);
+  Index above = 0;
+  Index free = 0;
+  for (Index v = 0; v < model.mesh.vertexCount(); ++v) {
+    if (v == 0 || v == 24) continue;
+    ++free;
+    above += coloring->values[v] > coloring->scale.high ? 1 : 0;
+  }
+  EXPECT_NEAR(static_cast<double>(above) / static_cast<double>(free), 0.01, 0.002);
 }
 
 TEST(Coloring, ForcesOfSoftConstraintsAreNotKnown)

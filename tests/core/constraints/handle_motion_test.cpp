@@ -257,6 +257,7 @@ TEST(ConstraintNotes, NameHandlesThatMoveFarWithoutTurning)
   EXPECT_THAT(onlyNote(system(far), 1, "unsaid_rotation"),
               HasSubstr("moved 40 % of its distance to the fixed region without turning"));
   EXPECT_TRUE(system(translatedHandle({4}, {0, 0, 1})).notes.empty()) << "25 % is not much";
+  EXPECT_FALSE(system(translatedHandle({4}, {0, 0, 1.01})).notes.empty()) << "but no more than that";
   Handle said = far;
   said.motion = Turn{{0, 0, 1}, 0, std::nullopt};
   EXPECT_TRUE(system(said).notes.empty()) << "that it does not turn is said";

@@ -41,6 +41,20 @@ TEST(NearlyDependent, ConstraintsAmplifyByTheInverseOfTheirDistance)
   }
 }
 
+TEST(NearlyDependent, ConstraintsAreWarnedOfFromAMillionOn)
+{
+  int warnings = 0;
+  for (double apart = 1e-7; apart < 1e-5; apart *= 1.1) {
+    const Report report = test::deformed(test::grid(4, 4), fourPoints(apart, 0), {}).report;
+    double largest = 0;
+    for (const ConstraintOutcome& outcome : report.constraints)
+      largest = std::max(largest, outcome.amplification.value_or(0));
+    EXPECT_EQ(isWarnedOf(report), largest > 1e6) << largest;
+    warnings += isWarnedOf(report) ? 1 : 0;
+  }
+  EXPECT_GT(warnings, 0);
+}
+
 TEST(NearlyDependent, AnInconsistencyMovesVerticesByWhatTheReportSays)
 {
   // Without the third point the fourth is independent, and what it asks for is met, at a price.

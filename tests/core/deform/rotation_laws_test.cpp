@@ -243,6 +243,25 @@ TEST(RotationLaws, PositionsAreThoseOfTheDenseSystem)
     }
 }
 
+TEST(RotationLaws, AForceIsHowFastTheEnergyGrowsWithItsTarget)
+{
+  const Mesh mesh = test::plate(6, 5);
+  const Vector3 shift(0.3, -0.7, 1);
+  for (const Weights weights : {Weights::Cotangent, Weights::Uniform}) {
+    const Deformation result =
+        test::deformed(mesh, test::listOf({test::hold({0, 1, 2}), test::moveBy(AtVertex{20}, shift)}), {weights, {}});
+    // Lengths in diagonals of the bounding box.
+    const double unit = boundingBoxDiagonal(mesh.positions);
+    const std::vector<Triangle> triangles = triangulate(mesh).triangles;
+    const Eigen::MatrixX3d Au = test::denseRowWeights(mesh, triangles, weights, unit).asDiagonal() *
+                                test::denseL(mesh, triangles, weights, unit) *
+                                ((result.positions - mesh.positions) / unit);
+    // |A u|^2 / 2 is a square of the length of the shift, and the force has its direction.
+    const double expected = Au.squaredNorm() / (shift.norm() / unit);
+    EXPECT_NEAR(*result.report.constraints[1].force, expected, 1e-9 * expected) << name(weights);
+  }
+}
+
 TEST(RotationLaws, ForcesBalanceTheElasticForcesAndVanishAtRest)
 {
   const Mesh mesh = test::plate(6, 5);

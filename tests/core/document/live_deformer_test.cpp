@@ -327,9 +327,15 @@ TEST(LiveDeformer, MayGoAsSoonAsItHasCome)
       isGone.open();
     });
     Witness witness;
+    Latch hasBegun;
     {
-      LiveDeformer live(std::move(model), witness.listener());
+      LiveDeformer live(std::move(model), [&, tell = witness.listener()](const LiveEvent& event) {
+        tell(event);
+        hasBegun.open();
+      });
       live.submit(1, dragged(1), "list", Supersede::WhenDone);
+      // Before its work begins, and in the middle of it.
+      ASSERT_TRUE(k % 2 == 0 || hasBegun.wait());
     }
     const std::size_t told = witness.count();
     ASSERT_TRUE(isGone.wait()) << "the worker ends";

@@ -57,6 +57,15 @@ TEST(SequentialQr, AcceptsNoMoreColumnsThanRows)
   EXPECT_EQ(qr.rank(), 3);
 }
 
+TEST(SequentialQr, TellsDirectionsApartDownToTheSinePromised)
+{
+  for (const double sine : {0.9e-12, 1.1e-12}) {
+    SequentialQr qr(2, 2);
+    EXPECT_FALSE(qr.add(Eigen::Vector2d(1, 0)).has_value());
+    EXPECT_EQ(qr.add(Eigen::Vector2d(7, 7 * sine)).has_value(), sine < 1e-12) << sine;
+  }
+}
+
 TEST(SequentialQr, DoesNotLookAtLengths)
 {
   for (const double scale : {1e-100, 1.0, 1e100}) {

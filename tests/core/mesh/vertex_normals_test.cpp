@@ -40,6 +40,17 @@ TEST(VertexNormals, OfASpherePointOutwards)
   for (Index v = 0; v < mesh.vertexCount(); ++v) EXPECT_GT(normals.row(v).dot(mesh.positions.row(v)), 0.999);
 }
 
+TEST(VertexNormals, AreWeightedByArea)
+{
+  Positions positions(4, 3);
+  positions << 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 3;
+  Polygons faces;
+  faces.add({0, 1, 2});  // half a unit of area towards z
+  faces.add({0, 2, 3});  // three halves towards x
+  const Positions normals = areaWeightedNormals(positions, faces, cornerVertices(faces), 4);
+  EXPECT_LT((normals.row(0) - Eigen::RowVector3d(3, 0, 1).normalized()).norm(), 1e-15);
+}
+
 TEST(VertexNormals, NeitherTinyNorHugeMeshesLoseThem)
 {
   const Mesh mesh = test::tetrahedron();
