@@ -1,5 +1,7 @@
 #include <QDialog>
+#include <chrono>
 #include <csignal>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -47,6 +49,20 @@ TEST_F(AutosaveTest, TheCopyFollowsTheWork)
     ASSERT_EQ(copies().size(), 1U);
     EXPECT_EQ(readSession(copies()[0]).document.list.constraints.size(), static_cast<std::size_t>(k));
   }
+}
+
+TEST_F(AutosaveTest, WorkWithoutAPauseIsKeptToo)
+{
+  test::KeptWindow w(recovery);
+  w.autosave->setDelay(std::chrono::seconds(1));
+  ASSERT_TRUE(w.open(w.sample("bracket.obj")));
+  int works = 0;
+  EXPECT_TRUE(test::waitUntil([&] {
+    ConstraintList next = w.editor.list();
+    next.units = std::to_string(++works);
+    w.editor.edit("work", next);
+    return w.kept > 0;
+  }));
 }
 
 TEST_F(AutosaveTest, TheCopyGoesWhenTheWorkIsSaved)

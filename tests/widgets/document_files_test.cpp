@@ -328,6 +328,9 @@ TEST_F(DocumentFilesTest, RecentFilesAreTheLatestTenThatWereOpen)
   for (int k = 0; k < 12; ++k) w.files.recentFiles().add(QString("/somewhere/%1.obj").arg(k));
   EXPECT_EQ(w.files.recentFiles().paths().size(), kMostRecentFiles);
   EXPECT_EQ(w.files.recentFiles().paths().front(), "/somewhere/11.obj");
+  w.files.recentFiles().add("/somewhere/5.obj");
+  EXPECT_EQ(w.files.recentFiles().paths().front(), "/somewhere/5.obj");
+  EXPECT_EQ(w.files.recentFiles().paths().count("/somewhere/5.obj"), 1);
 }
 
 TEST_F(DocumentFilesTest, RecentFilesThatAreMissingAreGreyAndCannotBeOpened)

@@ -1,3 +1,5 @@
+#include <QApplication>
+#include <QEvent>
 #include <QLineF>
 #include <algorithm>
 
@@ -142,6 +144,15 @@ TEST_F(GizmoOnPoint, PointsHaveNoRings)
   const Vector3 center = window.gizmo().gizmo().frame().center;
   const QPointF outer = shown(center) + QPointF(kGizmoPixels, 0);
   test::moveMouse(viewport(), outer);
+  EXPECT_EQ(window.gizmo().gizmo().highlighted(), GizmoPart::None);
+}
+
+TEST_F(GizmoOnPoint, NoPartIsHighlightedOnceTheMouseHasLeft)
+{
+  test::moveMouse(viewport(), onArrow(2));
+  EXPECT_EQ(window.gizmo().gizmo().highlighted(), GizmoPart::ArrowZ);
+  QEvent leave(QEvent::Leave);
+  QApplication::sendEvent(&viewport(), &leave);
   EXPECT_EQ(window.gizmo().gizmo().highlighted(), GizmoPart::None);
 }
 

@@ -71,6 +71,20 @@ class PointToolOnBracket : public test::OpenWindow {
 
   void clickAt(const Eigen::Vector2d& screen) { test::click(viewport(), inWidget(screen)); }
 
+  /// One constraint, at a point of a face.
+  void expectHeld(const PlainSight& sight)
+  {
+    ASSERT_EQ(list().constraints.size(), 1u);
+    const auto* at = std::get_if<AtFace>(&lastPoint().at);
+    ASSERT_NE(at, nullptr);
+    EXPECT_EQ(at->face, model().triangulation.faceOf[sight.triangle]);
+    ASSERT_EQ(at->weights.size(), 3u);
+    for (int corner = 0; corner < 3; ++corner) {
+      const Index cornerOfFace = model().triangulation.corners[sight.triangle][corner];
+      EXPECT_NEAR(at->weights[cornerOfFace], sight.weights[corner], 1e-9);
+    }
+  }
+
   [[nodiscard]] const Point& lastPoint() { return std::get<Point>(list().constraints.back().what); }
 
   test::PlainView view;
@@ -82,17 +96,17 @@ TEST_F(PointToolOnBracket, AClickInAFaceHoldsThatPointWithItsWeights)
   const Index triangle = largestSeenTriangle();
   ASSERT_GE(triangle, 0);
   clickAt(middleOf(triangle));
+  expectHeld(seenAt(middleOf(triangle)));
+}
 
-  ASSERT_EQ(list().constraints.size(), 1u);
-  const auto* at = std::get_if<AtFace>(&lastPoint().at);
-  ASSERT_NE(at, nullptr);
-  const PlainSight sight = seenAt(middleOf(triangle));
-  EXPECT_EQ(at->face, model().triangulation.faceOf[sight.triangle]);
-  ASSERT_EQ(at->weights.size(), 3u);
-  for (int corner = 0; corner < 3; ++corner) {
-    const Index cornerOfFace = model().triangulation.corners[sight.triangle][corner];
-    EXPECT_NEAR(at->weights[cornerOfFace], sight.weights[corner], 1e-9);
-  }
+/// The cursor of most mice is at whole numbers, the upper left of a pixel.
+TEST_F(PointToolOnBracket, AClickAtTheUpperLeftOfAPixelHoldsWhatItsMiddleShows)
+{
+  test::pressKey(viewport(), Qt::Key_F);
+  const Index triangle = largestSeenTriangle();
+  ASSERT_GE(triangle, 0);
+  test::click(viewport(), inWidget(middleOf(triangle)) - QPointF(0.5, 0.5));
+  expectHeld(seenAt(middleOf(triangle)));
 }
 
 TEST_F(PointToolOnBracket, AClickNearAVertexHoldsTheVertex)

@@ -158,6 +158,19 @@ TEST_F(RegionsOfHead, GrowThenShrinkInsideTheSurfaceIsNothing)
                             painted.end()));
 }
 
+TEST_F(RegionsOfHead, BracketsSayHowMuchASideMayBend)
+{
+  trigger("toolFlood");
+  const auto sideAfter = [this](Qt::Key key, int times) {
+    for (int k = 0; k < times; ++k) test::pressKey(viewport(), key);
+    test::click(viewport(), shown({27, -84, 25}));
+    return editor().selectedVertices();
+  };
+  const auto usual = sideAfter(Qt::Key_BracketLeft, 0);
+  EXPECT_LT(sideAfter(Qt::Key_BracketLeft, 3).size(), usual.size());
+  EXPECT_EQ(sideAfter(Qt::Key_BracketRight, 3), usual);
+}
+
 TEST_F(RegionsOfHead, ADoubleClickSelectsTheWholePart)
 {
   trigger("toolFlood");
