@@ -27,9 +27,9 @@ void OpenWindow::open(const std::string& mesh, const std::string& constraints)
   ASSERT_TRUE(settle());
 }
 
-bool OpenWindow::settle()
+bool OpenWindow::settle(std::chrono::milliseconds limit)
 {
-  return waitUntil([&] { return editor().freshness() != Freshness::Solving && !viewport().isRenderPending(); });
+  return waitUntil([&] { return editor().freshness() != Freshness::Solving && !viewport().isRenderPending(); }, limit);
 }
 
 void OpenWindow::trigger(const char* name)

@@ -2,6 +2,7 @@
 /// \file
 /// The real window with one of the project's own meshes in it, for tests that use it as a user does.
 
+#include <chrono>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -21,8 +22,8 @@ class OpenWindow : public ::testing::Test {
   /// Opens a mesh of `data/` under constraints of `data/` (none where empty), and waits for it to be solved and drawn.
   void open(const std::string& mesh, const std::string& constraints = "");
 
-  /// Until what is shown is what was asked for, and is drawn in full. False after a minute.
-  [[nodiscard]] bool settle();
+  /// Until what is shown is what was asked for, and is drawn in full. False where it does not come to that in time.
+  [[nodiscard]] bool settle(std::chrono::milliseconds limit = std::chrono::minutes(1));
 
   /// Triggers an action by its object name, as a menu does.
   void trigger(const char* action);

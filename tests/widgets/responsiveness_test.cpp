@@ -1,9 +1,13 @@
 #include <QEventLoop>
 #include <QTimer>
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <map>
 #include <numbers>
+#include <string>
 #include <utility>
 
 #include <gtest/gtest.h>
@@ -21,12 +25,16 @@
 namespace holdfast {
 namespace {
 
-// No event is to wait longer, whatever the window does.
+// No event is to wait longer while the thread of the window computes. How long events have waited in all is printed
+// alone: others use machines at the same time.
 constexpr double kPromisedMilliseconds = 50;
 
-// Beyond this many times the promise the test fails if the thread of the window has computed all that time: a solution
-// on that thread would take more. How long events have waited is printed alone: others use machines at the same time.
-constexpr double kLeeway = 10;
+// Others slow down what is computed as well, and a program that has just been loaded is slow. That passes, and what the
+// window computes for too long does not: only what is late every time is a failure.
+constexpr int kAttempts = 3;
+
+/// How long the thread of the window has computed at most while an event waited, by phase, in milliseconds.
+using Computed = std::map<std::string, double>;
 
 // Of a hand that moves.
 constexpr int kMilliSecondsBetweenMoves = 8;
@@ -46,9 +54,28 @@ Mesh largeMesh()
 
 /// How long events wait in a window with a large mesh while something goes on in it. The figures are printed, and
 /// recorded with the test.
-class Responsiveness : public test::WindowUser {
+class LargeMeshUser : public test::WindowUser {
+ public:
+  /// Goes through everything once.
+  Computed computed()
+  {
+    SetUp();
+    if (!HasFatalFailure()) whileADocumentIsOpened();
+    for (const auto& phase : phases()) {
+      if (HasFatalFailure()) break;
+      lookFromTheFront();
+      phase();
+    }
+    return computed_;
+  }
+
  protected:
   using Phase = std::function<void()>;
+
+  void TestBody() override {}
+
+  /// However many others use the machine.
+  [[nodiscard]] bool settle() { return WindowUser::settle(std::chrono::minutes(20)); }
 
   void SetUp() override
   {
@@ -286,7 +313,7 @@ class Responsiveness : public test::WindowUser {
     RecordProperty(std::string(phase) + ", 99 of 100", std::to_string(waited.ninetyNine));
     RecordProperty(std::string(phase) + ", all", std::to_string(waited.largest));
     EXPECT_GT(delays.count(), 0u) << phase;
-    EXPECT_LT(computed.largest, kLeeway * kPromisedMilliseconds) << phase;
+    computed_[phase] = std::max(computed_[phase], computed.largest);
   }
 
   /// Moves the mouse along `way`, a place at a time as a hand does, while events are handled.
@@ -327,16 +354,28 @@ class Responsiveness : public test::WindowUser {
   [[nodiscard]] QPointF middle() { return {viewport().width() / 2.0, viewport().height() / 2.0}; }
 
   test::TemporaryFolder folder_;
+  Computed computed_;
 };
 
-TEST_F(Responsiveness, HoldsWhateverTheWindowDoes)
+/// The smaller of both figures of each phase.
+Computed least(Computed a, const Computed& b)
 {
-  whileADocumentIsOpened();
-  for (const auto& phase : phases()) {
-    lookFromTheFront();
-    phase();
-    if (HasFatalFailure()) return;
-  }
+  for (auto& [phase, milliseconds] : a) milliseconds = std::min(milliseconds, b.at(phase));
+  return a;
+}
+
+bool isKept(const Computed& computed)
+{
+  return std::all_of(computed.begin(), computed.end(),
+                     [](const auto& phase) { return phase.second < kPromisedMilliseconds; });
+}
+
+TEST(Responsiveness, HoldsWhateverTheWindowDoes)
+{
+  Computed best = LargeMeshUser().computed();
+  for (int attempt = 1; attempt < kAttempts && !isKept(best) && !testing::Test::HasFatalFailure(); ++attempt)
+    best = least(best, LargeMeshUser().computed());
+  for (const auto& [phase, milliseconds] : best) EXPECT_LT(milliseconds, kPromisedMilliseconds) << phase;
 }
 
 }  // namespace
