@@ -100,13 +100,15 @@ Frame randomFrame(Random& random)
 
 decltype(Handle::motion) randomMotion(Random& random)
 {
-  switch (random.integer(0, 4)) {
+  switch (random.integer(0, 5)) {
     case 0:
       return Turn{randomDirection(random), randomNumber(random), std::nullopt};
     case 1:
       return Turn{randomDirection(random), randomNumber(random), randomVector(random)};
     case 2:
       return TurnAboutFixed{};
+    case 4:
+      return TurnAboutFixed{VertexTurn{randomDirection(random), randomNumber(random)}};
     case 3: {
       Frame to = randomFrame(random);
       to.x.z() += 1;
@@ -225,7 +227,7 @@ struct Same {
     return (*this)(a.axis, b.axis) && (*this)(a.degrees, b.degrees) && (*this)(a.center, b.center);
   }
   bool operator()(std::monostate /*a*/, std::monostate /*b*/) const { return true; }
-  bool operator()(TurnAboutFixed /*a*/, TurnAboutFixed /*b*/) const { return true; }
+  bool operator()(const TurnAboutFixed& a, const TurnAboutFixed& b) const { return (*this)(a.near, b.near); }
   bool operator()(const Frame& a, const Frame& b) const
   {
     return (*this)(a.origin, b.origin) && (*this)(a.x, b.x) && (*this)(a.y, b.y);

@@ -25,9 +25,19 @@ struct Turn {
   std::optional<Vector3> center;  ///< the centroid of the selected vertices at rest where absent
 };
 
+/// How much something turns: `degrees` (any number of turns) about `axis` (not zero, any length).
+struct VertexTurn {
+  Vector3 axis = Vector3::UnitZ();
+  double degrees = 0;
+};
+
 /// The shortest rotation that takes the handle from where the fixed vertices see it to where they see it after
 /// `Handle::translate`, centroid from centroid, at rest; about the handle's own centroid.
-struct TurnAboutFixed {};
+struct TurnAboutFixed {
+  /// Of the turns that make this rotation, which differ by whole turns, the nearest to this one is meant; the shortest
+  /// where absent. Where both directions are opposite it says the axis as well: the nearest across them.
+  std::optional<VertexTurn> near;
+};
 
 /// A right-handed frame in space: z is across x and y, and y is made perpendicular to x. Neither is zero, nor are they
 /// parallel; their lengths do not matter.
@@ -48,12 +58,6 @@ struct FrameMotion {
 /// `VertexIds`, distinct. The vertices turn by the rotation that fits best.
 struct VertexTargets {
   std::vector<Vector3> places;
-};
-
-/// How much one vertex of a handle turns: `degrees` (any number of turns) about `axis` (not zero, any length).
-struct VertexTurn {
-  Vector3 axis = Vector3::UnitZ();
-  double degrees = 0;
 };
 
 /// Every selected vertex goes where `motion` takes it, or stays where there is none, and then by `translate`. The

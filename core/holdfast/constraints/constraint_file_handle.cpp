@@ -34,6 +34,12 @@ Turn readTurn(const JsonReader& json)
   return turn;
 }
 
+VertexTurn readVertexTurn(const JsonReader& json)
+{
+  json.requireKeys(kVertexTurnKeys);
+  return {json["axis"].direction(), json["degrees"].number()};
+}
+
 TurnAboutFixed readTurnAboutFixed(const JsonReader& handle)
 {
   const JsonReader json = handle["turn"];
@@ -41,7 +47,8 @@ TurnAboutFixed readTurnAboutFixed(const JsonReader& handle)
     json.fail(fmt::format("unknown way to turn {}{}", inQuotes(json.text()), spellingHint(json.text(), kTurns)));
   if (!handle.has("translate"))
     json.fail(R"(the handle turns as "translate" moves it about the fixed vertices; add "translate")");
-  return {};
+  if (!handle.has("turn_near")) return {};
+  return {readVertexTurn(handle["turn_near"])};
 }
 
 Frame readFrame(const JsonReader& json)
@@ -74,16 +81,14 @@ VertexTargets readTargets(const JsonReader& json)
 std::vector<VertexTurn> readRotations(const JsonReader& json)
 {
   std::vector<VertexTurn> rotations;
-  for (std::size_t k = 0; k < json.sizeAboveZero(); ++k) {
-    const JsonReader turn = json.element(k);
-    turn.requireKeys(kVertexTurnKeys);
-    rotations.push_back({turn["axis"].direction(), turn["degrees"].number()});
-  }
+  for (std::size_t k = 0; k < json.sizeAboveZero(); ++k) rotations.push_back(readVertexTurn(json.element(k)));
   return rotations;
 }
 
 Motion readMotion(const JsonReader& json)
 {
+  if (json.has("turn_near") && !json.has("turn"))
+    json.failBelow(".turn_near", R"(says which "turn" is meant, and there is none; add "turn": "about-fixed")");
   if (!hasAnyOf(json, kMotions)) return std::monostate{};
   const std::string_view kind = json.oneKeyOf(kMotions);
   if (kind == "rotate") return readTurn(json[kind]);

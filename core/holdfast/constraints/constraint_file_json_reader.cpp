@@ -29,8 +29,8 @@ struct Type {
 };
 
 constexpr std::array<std::string_view, 4> kRegionKeys{"type", "name", "enabled", "select"};
-constexpr std::array<std::string_view, 10> kHandleKeys{"type", "name",  "enabled", "select",    "rotate",
-                                                       "turn", "frame", "targets", "translate", "rotations"};
+constexpr std::array<std::string_view, 11> kHandleKeys{"type",  "name",    "enabled",   "select",    "rotate",   "turn",
+                                                       "frame", "targets", "translate", "turn_near", "rotations"};
 constexpr std::array<std::string_view, 6> kPointKeys{"type", "name", "enabled", "at", "target", "move"};
 constexpr std::array<std::string_view, 6> kRelativeKeys{"type", "name", "enabled", "from", "to", "offset"};
 constexpr std::array<std::string_view, 2> kDestinations{"target", "move"};

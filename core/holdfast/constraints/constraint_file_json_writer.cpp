@@ -66,6 +66,11 @@ std::string frameJson(const Frame& frame)
   return fmt::format(R"({{{}"x": {}, "y": {}}})", origin, vectorJson(frame.x), vectorJson(frame.y));
 }
 
+std::string turnJson(const VertexTurn& turn)
+{
+  return fmt::format(R"({{"axis": {}, "degrees": {}}})", vectorJson(turn.axis), numberJson(turn.degrees));
+}
+
 /// What moves a handle besides `translate`, after a comma.
 struct MotionJson {
   std::string operator()(std::monostate) const { return ""; }
@@ -75,7 +80,10 @@ struct MotionJson {
     return fmt::format(R"(, "rotate": {{"axis": {}, "degrees": {}{}}})", vectorJson(turn.axis),
                        numberJson(turn.degrees), center);
   }
-  std::string operator()(TurnAboutFixed) const { return R"(, "turn": "about-fixed")"; }
+  std::string operator()(const TurnAboutFixed& turn) const
+  {
+    return R"(, "turn": "about-fixed")" + (turn.near ? R"(, "turn_near": )" + turnJson(*turn.near) : "");
+  }
   std::string operator()(const FrameMotion& motion) const
   {
     const std::string turns = motion.turns == 0 ? "" : fmt::format(R"(, "turns": {})", numberJson(motion.turns));
@@ -89,9 +97,6 @@ struct MotionJson {
 
 std::string rotationsJson(const std::vector<VertexTurn>& rotations)
 {
-  const auto turnJson = [](const VertexTurn& turn) {
-    return fmt::format(R"({{"axis": {}, "degrees": {}}})", vectorJson(turn.axis), numberJson(turn.degrees));
-  };
   return rotations.empty() ? "" : fmt::format(R"(, "rotations": {})", listJson(rotations, turnJson));
 }
 

@@ -81,7 +81,7 @@ struct Turner {
 
   void operator()(const Turn& turn) const { turnAbout(turn.center); }
 
-  void operator()(TurnAboutFixed) const { turnAbout(std::nullopt); }
+  void operator()(const TurnAboutFixed& /*turn*/) const { turnAbout(std::nullopt); }
 
   void operator()(const FrameMotion& motion) const
   {
@@ -123,7 +123,8 @@ struct Turner {
   }
 };
 
-/// How `handle` turns before the increment, by its motion alone.
+}  // namespace
+
 VertexTurn turnOfMotion(Handle handle, const Positions& rest, const HandleSurroundings& surroundings,
                         const InputLocation& where)
 {
@@ -132,7 +133,16 @@ VertexTurn turnOfMotion(Handle handle, const Positions& rest, const HandleSurrou
   return turnOf(placeHandle(handle, rest, surroundings, where).q.row(0).transpose());
 }
 
-}  // namespace
+Handle followed(Handle handle, const VertexTurn& last, const Positions& rest, const HandleSurroundings& surroundings,
+                const InputLocation& where)
+{
+  auto* const about = std::get_if<TurnAboutFixed>(&handle.motion);
+  if (about == nullptr) return handle;
+  about->near = last;
+  const VertexTurn turn = turnOfMotion(handle, rest, surroundings, where);
+  about->near = logOf(turn).norm() > kHalfTurn ? std::optional(turn) : std::nullopt;
+  return handle;
+}
 
 VertexTurn composed(const VertexTurn& turn, const VertexTurn& next)
 {

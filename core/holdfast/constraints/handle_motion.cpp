@@ -29,6 +29,20 @@ struct RigidMotion {
   }
 };
 
+/// A unit vector is along a direction where what is across it is shorter than this.
+constexpr double kAlong = 1e-8;
+
+/// The half turn about the axis across `direction` that is nearest to `axis`, where there is one.
+std::optional<Eigen::Quaterniond> halfTurnAcross(const Vector3& direction, const Vector3& axis)
+{
+  const Vector3 a = direction.stableNormalized();
+  const Vector3 unit = axis.stableNormalized();
+  const Vector3 across = unit - a.dot(unit) * a;
+  if (across.norm() <= kAlong) return std::nullopt;
+  const Vector3 v = across.normalized();
+  return Eigen::Quaterniond(0, v.x(), v.y(), v.z());
+}
+
 /// One overload for each motion.
 struct Placer {
   const Positions& rest;
@@ -49,19 +63,17 @@ struct Placer {
     return motion.place(rest, translate);
   }
 
-  HandlePlacement operator()(TurnAboutFixed) const
+  HandlePlacement operator()(const TurnAboutFixed& turn) const
   {
     const Vector3 own = centroid(rest);
     const Vector3 before = own - fixedCenter();
     const Vector3 after = before + translate;
     requireDirection(before, "at rest");
     requireDirection(after, "after \"translate\"");
-    const DirectionTurn turn = shortestRotation(before, after);
-    if (!turn.isDetermined)
-      fail(R"("translate" takes the handle to the opposite side of the fixed vertices, so any axis across would do; )"
-           R"(say which by "rotate")");
-    const RigidMotion motion{turn.rotation.toRotationMatrix(), rotationLog(turn.rotation), own, own};
-    return motion.place(rest, translate);
+    const Eigen::Quaterniond rotation = rotationFromTo(before, after, turn.near);
+    const Vector3 q =
+        turn.near ? rotationLogNear(rotation, rotationLog(turn.near->axis, turn.near->degrees)) : rotationLog(rotation);
+    return RigidMotion{rotation.toRotationMatrix(), q, own, own}.place(rest, translate);
   }
 
   HandlePlacement operator()(const FrameMotion& motion) const
@@ -100,6 +112,18 @@ struct Placer {
       fail(R"(nothing is fixed that the handle could turn about; add a constraint of type "fixed", enable one, or say )"
            R"(how the handle turns by "rotate")");
     return *surroundings.fixedCenter;
+  }
+
+  [[nodiscard]] Eigen::Quaterniond rotationFromTo(const Vector3& before, const Vector3& after,
+                                                  const std::optional<VertexTurn>& near) const
+  {
+    const DirectionTurn shortest = shortestRotation(before, after);
+    if (shortest.isDetermined) return shortest.rotation;
+    const auto halfTurn = near ? halfTurnAcross(before, near->axis) : std::nullopt;
+    if (!halfTurn)
+      fail(R"("translate" takes the handle to the opposite side of the fixed vertices, so any axis across would do; )"
+           R"(say which by "turn_near")");
+    return *halfTurn;
   }
 
   void requireDirection(const Vector3& fromFixed, const std::string& when) const

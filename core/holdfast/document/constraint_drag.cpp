@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <holdfast/base/degree.h>
+#include <holdfast/base/error.h>
 #include <holdfast/constraints/selector.h>
 #include <holdfast/mesh/centroid.h>
 
@@ -74,15 +75,16 @@ ConstraintDrag::ConstraintDrag(const Model& model, const ConstraintList& list, s
       const auto* target = std::get_if<Target>(&point->to);
       points_.push_back({c, rest, target ? target->place : Vector3(rest + std::get<Move>(point->to).shift)});
     } else if (const auto* handle = std::get_if<Handle>(&constraint.what)) {
-      handles_.push_back({c, rowsOf(model.mesh.positions, verticesOf(*handle, selector, where)), Vector3::Zero()});
+      handles_.push_back({c, rowsOf(model.mesh.positions, verticesOf(*handle, selector, where)), Vector3::Zero(), {}});
     }
   }
   surroundings_.diagonal = model.solverMesh.diagonal;
   if (!handles_.empty()) surroundings_.fixedCenter = fixedCenter(model, list, selector, source);
   for (DraggedHandle& handle : handles_) {
     const auto& what = std::get<Handle>(list.constraints[handle.constraint].what);
-    const auto placed = placeHandle(what, handle.rest, surroundings_, placeInList(source, handle.constraint));
-    handle.center = centroid(placed.places);
+    const InputLocation where = placeInList(source, handle.constraint);
+    handle.center = centroid(placeHandle(what, handle.rest, surroundings_, where).places);
+    handle.turn = turnOfMotion(what, handle.rest, surroundings_, where);
   }
 }
 
@@ -95,7 +97,21 @@ Vector3 ConstraintDrag::center() const
   return sum / static_cast<double>(points_.size() + handles_.size());
 }
 
-ConstraintList ConstraintDrag::movedBy(const RigidIncrement& increment) const
+Handle ConstraintDrag::nextFrame(DraggedHandle& dragged, const RigidIncrement& increment) const
+{
+  const InputLocation where = placeInList(source_, dragged.constraint);
+  const auto& start = std::get<Handle>(list_.constraints[dragged.constraint].what);
+  Handle moved = composed(start, increment, dragged.rest, surroundings_, where);
+  try {
+    moved = followed(moved, dragged.turn, dragged.rest, surroundings_, where);
+    dragged.turn = turnOfMotion(moved, dragged.rest, surroundings_, where);
+  } catch (const InputError&) {
+    // It cannot turn about what is fixed there; the list is refused with the reason, and the next frame goes on.
+  }
+  return moved;
+}
+
+ConstraintList ConstraintDrag::movedBy(const RigidIncrement& increment)
 {
   ConstraintList moved = list_;
   for (const DraggedPoint& dragged : points_) {
@@ -107,10 +123,7 @@ ConstraintList ConstraintDrag::movedBy(const RigidIncrement& increment) const
     else
       std::get<Target>(point.to).place = movedPlace(dragged.place, increment);
   }
-  for (const DraggedHandle& dragged : handles_) {
-    auto& handle = std::get<Handle>(moved.constraints[dragged.constraint].what);
-    handle = composed(handle, increment, dragged.rest, surroundings_, placeInList(source_, dragged.constraint));
-  }
+  for (DraggedHandle& dragged : handles_) moved.constraints[dragged.constraint].what = nextFrame(dragged, increment);
   return moved;
 }
 

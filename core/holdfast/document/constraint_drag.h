@@ -10,8 +10,9 @@
 
 namespace holdfast {
 
-/// One gesture on some constraints of a list. Each motion is told from where the gesture began, so that nothing adds up
-/// and no motion is exactly the list that there was.
+/// One gesture on some constraints of a list. Each motion is told from where the gesture began, so that nothing adds
+/// up. Handles that turn about what is fixed follow it from frame to frame (`followed`), so that they can go round;
+/// but for these no motion is exactly the list that there was.
 class ConstraintDrag {
  public:
   /// Of `constraints`, places in the list, points and handles that are enabled move; others stay. Throws `InputError`
@@ -26,8 +27,8 @@ class ConstraintDrag {
   /// The middle of where all that moves is to be, model units. Something moves.
   [[nodiscard]] Vector3 center() const;
 
-  /// The list after the motion. O(list + vertices of handles).
-  [[nodiscard]] ConstraintList movedBy(const RigidIncrement& increment) const;
+  /// The list after the motion, the next frame of the gesture. O(list + vertices of handles).
+  [[nodiscard]] ConstraintList movedBy(const RigidIncrement& increment);
 
  private:
   struct DraggedPoint {
@@ -38,8 +39,11 @@ class ConstraintDrag {
   struct DraggedHandle {
     Index constraint = 0;
     Positions rest;
-    Vector3 center;  // of where it is to be
+    Vector3 center;   // of where it is to be
+    VertexTurn turn;  // of the last frame
   };
+
+  [[nodiscard]] Handle nextFrame(DraggedHandle& dragged, const RigidIncrement& increment) const;
 
   ConstraintList list_;
   std::string source_;

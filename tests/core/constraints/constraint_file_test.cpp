@@ -101,8 +101,14 @@ TEST(ConstraintFile, ReadsHandlesThatTurnAboutTheFixedVertices)
 {
   const Handle handle =
       only<Handle>(R"({"type": "handle", "select": {"component": 0}, "turn": "about-fixed", "translate": [0,0,2]})");
-  EXPECT_TRUE(std::holds_alternative<TurnAboutFixed>(handle.motion));
+  EXPECT_FALSE(std::get<TurnAboutFixed>(handle.motion).near.has_value());
   EXPECT_EQ(handle.translate, Vector3(0, 0, 2));
+  const Handle round = only<Handle>(R"({"type": "handle", "select": {"component": 0}, "turn": "about-fixed",
+                                        "translate": [0,0,2], "turn_near": {"axis": [0,3,0], "degrees": 190}})");
+  const std::optional<VertexTurn>& near = std::get<TurnAboutFixed>(round.motion).near;
+  ASSERT_TRUE(near.has_value());
+  EXPECT_EQ(near->axis, Vector3(0, 3, 0));
+  EXPECT_EQ(near->degrees, 190);
 }
 
 TEST(ConstraintFile, ReadsHandlesThatGoFromFrameToFrame)

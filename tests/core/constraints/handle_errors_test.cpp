@@ -55,6 +55,16 @@ TEST(HandleErrors, TurnIsAboutFixedAndHasATranslation)
   expectHandleRefused(kPart + R"("turn": "about-fixed"})", ".turn", R"(add "translate")");
 }
 
+TEST(HandleErrors, TurnNearIsATurnBesideTurn)
+{
+  const std::string head = kPart + R"("turn": "about-fixed", "translate": [0,0,1], "turn_near": )";
+  expectHandleRefused(head + R"({"degrees": 190}})", ".turn_near", R"("axis" is missing)");
+  expectHandleRefused(head + R"({"axis": [0,0,0], "degrees": 190}})", ".turn_near.axis", "cannot be zero");
+  expectHandleRefused(head + R"({"axis": [0,0,1], "degrees": 190, "turns": 1}})", ".turn_near.turns", "Known here");
+  expectHandleRefused(kPart + R"("translate": [0,0,1], "turn_near": {"axis": [0,0,1], "degrees": 190}})", ".turn_near",
+                      R"(add "turn": "about-fixed")");
+}
+
 TEST(HandleErrors, FramesHaveTwoAxes)
 {
   const std::string head = kPart + R"("frame": )";
@@ -129,7 +139,10 @@ TEST(HandleErrors, AboutFixedNeedsADirectionBeforeAndAfter)
                      R"("P0": nothing is fixed that the handle could turn about; add a constraint of type "fixed")");
   expectUnusable(aboutFixed(0, {0, 0, 1}), ".turn", "lies at that of the fixed vertices at rest");
   expectUnusable(aboutFixed(8, {-2, -2, 0}), ".turn", R"(lies at that of the fixed vertices after "translate")");
-  expectUnusable(aboutFixed(8, {-4, -4, 0}), ".turn", R"(say which by "rotate")");
+  expectUnusable(aboutFixed(8, {-4, -4, 0}), ".turn", R"(say which by "turn_near")");
+  Handle along = aboutFixed(8, {-4, -4, 0});
+  along.motion = TurnAboutFixed{VertexTurn{{1, 1, 0}, 180}};
+  expectUnusable(along, ".turn", R"(say which by "turn_near")");
 }
 
 TEST(HandleErrors, DisabledHandlesNeedNothingFixed)

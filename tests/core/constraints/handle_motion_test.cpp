@@ -80,6 +80,37 @@ TEST(HandleAboutFixed, TurnsAsItsCentroidDoesAboutTheFixedOne)
     EXPECT_LT((Vector3(placement.q.row(k)) - Vector3(0, 0, pi / 4)).norm(), kRoundingOfMotions) << "half of 90 degrees";
 }
 
+TEST(HandleAboutFixed, TurnsByWhatIsNearestToTheTurnThatIsSaid)
+{
+  Positions rest(2, 3);
+  rest << 3, 1, 0, 5, -1, 0;
+  const HandleSurroundings surroundings{Vector3(0, 0, 0), 10};
+  const Handle shortest{{AllOf{}}, TurnAboutFixed{}, Vector3(-4, 4, 0), {}};
+  const Positions places = placeHandle(shortest, rest, surroundings, {}).places;
+  for (const double turns : {-2, -1, 0, 1, 3}) {
+    const double degrees = 90 + 360 * turns;
+    Handle said = shortest;
+    said.motion = TurnAboutFixed{VertexTurn{{0.2, 0, 1}, degrees + 100}};
+    const HandlePlacement placement = placeHandle(said, rest, surroundings, {});
+    EXPECT_EQ(placement.places, places) << "where it goes is the same";
+    EXPECT_LT((Vector3(placement.q.row(0)) - Vector3(0, 0, degrees / 360 * pi)).norm(), kRoundingOfMotions) << degrees;
+  }
+}
+
+TEST(HandleAboutFixed, IsToldTheAxisOfTheOppositeSide)
+{
+  Positions rest(2, 3);
+  rest << 3, 1, 0, 5, -1, 0;
+  for (const double degrees : {180.0, -180.0, 540.0}) {
+    const Handle said{{AllOf{}}, TurnAboutFixed{VertexTurn{{0.5, 0, 2}, degrees}}, Vector3(-8, 0, 0), {}};
+    const HandlePlacement placement = placeHandle(said, rest, {Vector3(0, 0, 0), 10}, {});
+    Positions expected(2, 3);
+    expected << -3, -1, 0, -5, 1, 0;
+    EXPECT_LT(largestDifference(placement.places, expected), kRoundingOfMotions);
+    EXPECT_LT((Vector3(placement.q.row(0)) - Vector3(0, 0, degrees / 360 * pi)).norm(), kRoundingOfMotions) << degrees;
+  }
+}
+
 TEST(HandleAboutFixed, SeesTheCentroidOfAllVerticesThatAreFixed)
 {
   const Mesh mesh = test::grid(4, 4);

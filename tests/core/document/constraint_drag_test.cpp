@@ -1,0 +1,166 @@
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include <holdfast/base/degree.h>
+#include <holdfast/constraints/constraint_file.h>
+#include <holdfast/deform/deformer.h>
+#include <holdfast/document/constraint_drag.h>
+#include <holdfast/document/history.h>
+
+#include "support/law_meshes.h"
+#include "support/point_constraints.h"
+
+namespace holdfast {
+namespace {
+
+constexpr double kLength = 6;
+
+/// A bar that stands on its fixed end. The other end is a handle that turns about what is fixed.
+class DragAboutFixed : public testing::Test {
+ protected:
+  const Model model = makeModel(test::quadBox({1, 1, kLength}, 4), "bar");
+  ConstraintList list = barList();
+  ConstraintDrag drag = dragOf(list);
+
+  [[nodiscard]] static ConstraintList barList()
+  {
+    const auto below = [](const Vector3& point, const Vector3& normal) {
+      return Selection{InHalfSpace{point, normal}};
+    };
+    return {"",
+            {{"base", true, Fixed{below({0, 0, 0.1}, {0, 0, -1})}},
+             {"top", true, Handle{below({0, 0, kLength - 0.1}, {0, 0, 1}), TurnAboutFixed{}, {0, 0, 0}, {}}}}};
+  }
+
+  [[nodiscard]] ConstraintDrag dragOf(const ConstraintList& start) const
+  {
+    const Index top = 1;
+    return {model, start, {&top, 1}, "list"};
+  }
+
+  /// Where the handle is after `degrees` of the circle about the fixed end, which begins at the top.
+  [[nodiscard]] static Vector3 onCircle(double degrees)
+  {
+    if (std::remainder(degrees, 360) == 180) return {0, 0, -2 * kLength};  // exactly opposite
+    const double angle = degrees * kDegree;
+    return kLength * Vector3(std::sin(angle), 0, std::cos(angle) - 1);
+  }
+
+  [[nodiscard]] ConstraintList frame(const Vector3& translation) { return drag.movedBy({{}, 0, {}, translation}); }
+
+  [[nodiscard]] Deformation deformed(const ConstraintList& of)
+  {
+    NoProgress progress;
+    return deformer_.deform(of, "list", progress);
+  }
+
+  [[nodiscard]] Vector3 turnOfTop(const Deformation& deformation) const
+  {
+    return deformation.system.rotations.back().q;
+  }
+
+  [[nodiscard]] static const Handle& top(const ConstraintList& of) { return std::get<Handle>(of.constraints[1].what); }
+
+ private:
+  Deformer deformer_{model, {}};
+};
+
+TEST_F(DragAboutFixed, GoesRoundAndRoundWithoutAJump)
+{
+  constexpr double kStep = 2;
+  Positions before = deformed(list).positions;
+  for (double degrees = kStep; degrees <= 800; degrees += kStep) {
+    const Deformation now = deformed(frame(onCircle(degrees)));
+    EXPECT_LT((turnOfTop(now) - Vector3(0, degrees / 360 * std::numbers::pi, 0)).norm(), 1e-9) << degrees;
+    // The end moves by 0.21 each time, what lies between by no more than a few times that.
+    EXPECT_LT((now.positions - before).rowwise().norm().maxCoeff(), 0.5) << degrees;
+    before = now.positions;
+  }
+}
+
+TEST_F(DragAboutFixed, GoesBackTheSameWay)
+{
+  for (const double degrees : {90, 170, 180, 250, 340, 400, 340, 250, 180, 170, 90}) {
+    const Vector3 q = turnOfTop(deformed(frame(onCircle(degrees))));
+    EXPECT_LT((q - Vector3(0, degrees / 360 * std::numbers::pi, 0)).norm(), 1e-9) << degrees;
+  }
+  const ConstraintList back = frame(onCircle(0));
+  EXPECT_EQ(constraintsToJson(back), constraintsToJson(list)) << "no motion is the list that there was";
+}
+
+TEST_F(DragAboutFixed, SaysTheTurnFromHalfATurnOnOnly)
+{
+  EXPECT_FALSE(std::get<TurnAboutFixed>(top(frame(onCircle(100))).motion).near.has_value());
+  EXPECT_FALSE(std::get<TurnAboutFixed>(top(frame(onCircle(179))).motion).near.has_value());
+  EXPECT_TRUE(std::get<TurnAboutFixed>(top(frame(onCircle(180))).motion).near.has_value());
+  const auto near = std::get<TurnAboutFixed>(top(frame(onCircle(181))).motion).near;
+  ASSERT_TRUE(near.has_value());
+  EXPECT_NEAR(near->degrees, 181, 1e-9);
+  EXPECT_FALSE(std::get<TurnAboutFixed>(top(frame(onCircle(100))).motion).near.has_value());
+}
+
+TEST_F(DragAboutFixed, IsTheSameBitForBitWhenItHasBeenWrittenAndRead)
+{
+  for (double degrees = 0; degrees <= 760; degrees += 20) {
+    const ConstraintList now = frame(onCircle(degrees));
+    const ConstraintList read = parseConstraintsJson(constraintsToJson(now), "list");
+    const Deformation shown = deformed(now);
+    const Deformation again = deformed(read);
+    EXPECT_EQ(again.positions, shown.positions) << degrees;
+    EXPECT_EQ(again.rotations, shown.rotations) << degrees;
+  }
+}
+
+TEST_F(DragAboutFixed, GoesOnWhereTheLastDragEnded)
+{
+  for (const double degrees : {100, 190, 280}) static_cast<void>(frame(onCircle(degrees)));
+  const ConstraintList kept = frame(onCircle(350));
+  ConstraintDrag next = dragOf(kept);
+  EXPECT_EQ(constraintsToJson(next.movedBy({})), constraintsToJson(kept)) << "no motion is the list that there was";
+  const Deformation on = deformed(next.movedBy({{}, 0, {}, onCircle(370) - onCircle(350)}));
+  EXPECT_LT((turnOfTop(on) - Vector3(0, 370.0 / 360 * std::numbers::pi, 0)).norm(), 1e-9);
+}
+
+TEST_F(DragAboutFixed, IsOneEditAndIsTakenBackAsOne)
+{
+  History history({list, {}});
+  const auto before = history.state();
+  const auto goRound = [&] {
+    drag = dragOf(history.state()->list);
+    history.beginGesture("move top");
+    for (double degrees = 0; degrees <= 400; degrees += 20) history.updateGesture({frame(onCircle(degrees)), {}});
+  };
+  goRound();
+  history.cancelGesture();
+  EXPECT_EQ(history.state(), before);
+  EXPECT_FALSE(history.canUndo());
+  goRound();
+  history.endGesture();
+  const Vector3 q = turnOfTop(deformed(history.state()->list));
+  EXPECT_LT((q - Vector3(0, 400.0 / 360 * std::numbers::pi, 0)).norm(), 1e-9) << "the first time left nothing behind";
+  EXPECT_TRUE(history.undo());
+  EXPECT_EQ(history.state(), before);
+  EXPECT_FALSE(history.canUndo());
+}
+
+TEST_F(DragAboutFixed, PassesOverWhatHasNoDirectionAndGoesOn)
+{
+  static_cast<void>(frame(onCircle(150)));
+  const ConstraintList astray = frame({0, 0, -kLength});
+  EXPECT_THROW(static_cast<void>(deformed(astray)), InputError) << "it lies at the centroid of what is fixed";
+  const Vector3 q = turnOfTop(deformed(frame(onCircle(210))));
+  EXPECT_LT((q - Vector3(0, 210.0 / 360 * std::numbers::pi, 0)).norm(), 1e-9);
+}
+
+TEST_F(DragAboutFixed, TurnedByARingItKeepsWhatItHasTurned)
+{
+  for (const double degrees : {100, 190, 280}) static_cast<void>(frame(onCircle(degrees)));
+  ConstraintDrag ring = dragOf(frame(onCircle(280)));
+  const ConstraintList turned = ring.movedBy({{0, 1, 0}, 30, ring.center(), {0, 0, 0}});
+  EXPECT_NEAR(std::get<Turn>(top(turned).motion).degrees, 310, 1e-9);
+}
+
+}  // namespace
+}  // namespace holdfast
