@@ -111,8 +111,8 @@ Motion motionOf(const Json& handle, const PlainPlace& own, const std::vector<lon
 
 void requireKnownKeys(const Json& handle)
 {
-  static const std::set<std::string> kKnown{"type",   "name", "enabled", "select",  "translate",
-                                            "rotate", "turn", "frame",   "targets", "rotations"};
+  static const std::set<std::string> kKnown{"type", "name",      "enabled", "select",  "translate", "rotate",
+                                            "turn", "turn_near", "frame",   "targets", "rotations"};
   for (const auto& entry : handle.items())
     if (!kKnown.contains(entry.key())) throw std::runtime_error("not to be verified: handles with " + entry.key());
 }
