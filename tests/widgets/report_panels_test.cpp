@@ -14,6 +14,7 @@
 #include "open_document.h"
 #include "support/law_meshes.h"
 #include "support/meshes.h"
+#include "support/point_constraints.h"
 
 namespace holdfast {
 namespace {
@@ -110,7 +111,7 @@ TEST_F(ReportPanelOfSphere, TellsWhatIsPromisedFarAway)
 TEST_F(ReportPanelOfSphere, TellsTheAccuracyOfRotations)
 {
   ConstraintList list = editor.list();
-  list.constraints[1].what = Handle{{VertexIds{{3}}}, Turn{Vector3::UnitX(), 30, {}}, Vector3::Zero(), {}};
+  list.constraints[1] = test::handle({3}, Turn{Vector3::UnitX(), 30, {}}, Vector3::Zero());
   editor.edit("turn", list);
   ASSERT_TRUE(test::waitForCurrent(editor));
   EXPECT_TRUE(value("RotationAccuracy").endsWith("; doubtful above 1e-09, refused above 1e-06"));
