@@ -37,7 +37,8 @@ Columns3 rotationsOf(const Model& model, const std::filesystem::path& constraint
 {
   const ConstraintSystem system = makeConstraintSystem(readConstraints(constraints), model.mesh, model.triangulation,
                                                        model.solverMesh, constraints.string());
-  return RotationStage(model.solverMesh, weights, defaultBackend()).solve(system).q;
+  NoProgress progress;
+  return RotationStage(model.solverMesh, weights, defaultBackend()).solve(system, progress).q;
 }
 
 /// The weighted difference of the turned detail and the detail, with lengths in diagonals.

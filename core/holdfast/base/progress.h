@@ -7,7 +7,7 @@
 
 namespace holdfast {
 
-/// Thrown by `Progress::stage` of a caller that wants the work to stop. Nothing has been changed when it arrives.
+/// Thrown by a `Progress` of a caller that wants the work to stop. Nothing has been changed when it arrives.
 class Cancelled : public std::runtime_error {
  public:
   Cancelled() : std::runtime_error("cancelled") {}
@@ -20,6 +20,9 @@ class Progress {
 
   /// May throw `Cancelled`.
   virtual void stage(std::string_view description) = 0;
+
+  /// Called again and again while a step that nothing can stop goes on elsewhere (`LongStep`). May throw `Cancelled`.
+  virtual void proceed() {}
 
  protected:
   Progress() = default;

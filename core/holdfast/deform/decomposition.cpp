@@ -21,17 +21,23 @@ bool haveSameRotations(const ConstraintSystem& a, const ConstraintSystem& b)
                     [](const GivenRotation& x, const GivenRotation& y) { return x.unknown == y.unknown; });
 }
 
+Columns3 aboutTheirMean(const Positions& positions)
+{
+  return positions.rowwise() - positions.colwise().mean();
+}
+
 }  // namespace
 
 Decomposition::Decomposition(const Model& model, std::shared_ptr<const Operators> operators,
                              const ConstraintSystem& system, const DeformOptions& options)
-    : model_(model),
-      operators_(std::move(operators)),
-      options_(options.solver),
-      system_(system),
-      eliminated_(eliminate(system, model.solverMesh)),
-      amplifications_(eliminated_.elimination.amplifications()),
-      rotations_(model.solverMesh, options.weights, options.solver.backend)
+    : system_(system),
+      eliminated_(std::make_shared<const EliminatedConstraints>(eliminate(system, model.solverMesh))),
+      amplifications_(eliminated_->elimination.amplifications()),
+      rotations_(model.solverMesh, options.weights, options.solver.backend),
+      positions_([operators = std::move(operators), eliminated = eliminated_,
+                  rest = aboutTheirMean(model.solverMesh.rest), options = options.solver]() mutable {
+        return decompose({weightedRows(*operators), *eliminated, std::move(rest)}, options);
+      })
 {
 }
 
@@ -43,16 +49,14 @@ bool Decomposition::serves(const ConstraintSystem& system) const
 Rotations Decomposition::rotations(const ConstraintSystem& system, Progress& progress)
 {
   if (!rotations_.isReady()) progress.stage("solving the rotation field");
-  return rotations_.solve(system);
+  return rotations_.solve(system, progress);
 }
 
 const DecompositionAttempt& Decomposition::positions(Progress& progress)
 {
-  if (positions_.solver != nullptr || !positions_.failure.empty()) return positions_;
-  progress.stage(fmt::format("factorising {} unknowns", eliminated_.elimination.Q2().cols()));
-  const Columns3 centred = model_.solverMesh.rest.rowwise() - model_.solverMesh.rest.colwise().mean();
-  positions_ = decompose({weightedRows(*operators_), eliminated_, centred}, options_);
-  return positions_;
+  if (!positions_.isDone())
+    progress.stage(fmt::format("factorising {} unknowns", eliminated_->elimination.Q2().cols()));
+  return positions_.result(progress);
 }
 
 }  // namespace holdfast

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include <holdfast/base/progress.h>
+#include <holdfast/base/long_step.h>
 #include <holdfast/deform/deform.h>
 #include <holdfast/deform/rotation_stage.h>
 
@@ -15,7 +15,8 @@ namespace holdfast {
 /// serves every set with the same rows, whatever these ask for; another structure makes another object.
 class Decomposition {
  public:
-  /// Eliminates. `model` stays alive as long as this. O(see `findDependencies` and `Elimination`).
+  /// Eliminates. `model` stays alive as long as this; a factorisation that is left behind (`LongStep`) does not need
+  /// it. O(see `findDependencies` and `Elimination`).
   Decomposition(const Model& model, std::shared_ptr<const Operators> operators, const ConstraintSystem& system,
                 const DeformOptions& options);
   Decomposition(const Decomposition&) = delete;
@@ -24,28 +25,26 @@ class Decomposition {
   /// Whether `system` has the rows, given rotations and bodies that this was made of. O(terms).
   [[nodiscard]] bool serves(const ConstraintSystem& system) const;
 
-  [[nodiscard]] const EliminatedConstraints& eliminated() const noexcept { return eliminated_; }
+  [[nodiscard]] const EliminatedConstraints& eliminated() const noexcept { return *eliminated_; }
   [[nodiscard]] const std::vector<double>& amplifications() const noexcept { return amplifications_; }
 
-  /// Whether rotations have been asked for and are factorised.
-  [[nodiscard]] bool hasRotationFactor() const noexcept { return rotations_.isReady(); }
+  /// Whether rotations have been asked for and are factorised, or cannot be.
+  [[nodiscard]] bool hasRotationFactor() const { return rotations_.isReady(); }
 
-  /// The rotations that `system` asks for. Factorises when the first are asked for; `progress` may throw then.
+  /// The rotations that `system` asks for. Factorises when the first are asked for; `progress` may throw then, and the
+  /// next call goes on where that is.
   [[nodiscard]] Rotations rotations(const ConstraintSystem& system, Progress& progress);
 
   /// The factorised problem of positions, or the reason why there is none. Factorises at the first call; `progress`
-  /// may throw then, and the next call starts anew.
+  /// may throw then, and the next call goes on where that is.
   [[nodiscard]] const DecompositionAttempt& positions(Progress& progress);
 
  private:
-  const Model& model_;
-  std::shared_ptr<const Operators> operators_;
-  SolverOptions options_;
   ConstraintSystem system_;
-  EliminatedConstraints eliminated_;
+  std::shared_ptr<const EliminatedConstraints> eliminated_;
   std::vector<double> amplifications_;
   RotationStage rotations_;
-  DecompositionAttempt positions_;
+  LongStep<DecompositionAttempt> positions_;
 };
 
 }  // namespace holdfast

@@ -27,7 +27,9 @@ Report diagnoseConstraints(const Model& model, const ConstraintList& constraints
   ConstraintSystem system =
       makeConstraintSystem(constraints, model.mesh, model.triangulation, model.solverMesh, source);
   const EliminatedConstraints eliminated = eliminate(system, model.solverMesh);
-  const Rotations rotations = RotationStage(model.solverMesh, options.weights, options.solver.backend).solve(system);
+  NoProgress progress;
+  const Rotations rotations =
+      RotationStage(model.solverMesh, options.weights, options.solver.backend).solve(system, progress);
   takeOver(rotations, report);
   if (rotations.failure.empty()) {
     system = turned(std::move(system), rotations.q);

@@ -64,16 +64,20 @@ RotationStage::RotationStage(const SolverMesh& mesh, Weights weights, Backend ba
 {
 }
 
-Rotations RotationStage::solve(const ConstraintSystem& system)
+Rotations RotationStage::solve(const ConstraintSystem& system, Progress& progress)
 {
   if (!asksForRotation(system)) return {Columns3::Zero(mesh_.unknownCount(), 3), {}, {}, {}, {}};
-  if (field_.solver == nullptr) {
+  if (!field_) {
     RotationWeights weights = rotationEdgeWeights(mesh_, weights_);
     guards_ = guardFindings(weights, mesh_);
-    field_ = decomposeRotations(problemOf(system, mesh_, std::move(weights.edges)), backend_);
+    field_.emplace([problem = problemOf(system, mesh_, std::move(weights.edges)), backend = backend_]() mutable {
+      const RotationProblem own = std::move(problem);  // not to be kept beside its factor
+      return decomposeRotations(own, backend);
+    });
   }
-  if (field_.solver == nullptr) return {{}, {}, {}, guards_, kRefused + field_.failure};
-  RotationField field = field_.solver->solve(valuesOf(system));
+  const auto& [solver, noSolver] = field_->result(progress);
+  if (solver == nullptr) return {{}, {}, {}, guards_, kRefused + noSolver};
+  RotationField field = solver->solve(valuesOf(system));
   std::vector<Finding> findings = guards_;
   for (const std::optional<Finding>& finding :
        {accuracyWarning("low_rotation_accuracy", "the rotation field", field.accuracy), disagreement(field, system)})

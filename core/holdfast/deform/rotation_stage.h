@@ -2,11 +2,11 @@
 /// \file
 /// The rotation field of a set of constraints, and what it does to the problem of positions: sections 3.3 and 4.
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include <holdfast/base/long_step.h>
 #include <holdfast/check/finding.h>
 #include <holdfast/constraints/constraint_system.h>
 #include <holdfast/deform/report.h>
@@ -35,16 +35,17 @@ class RotationStage {
   RotationStage(const SolverMesh& mesh, Weights weights, Backend backend);
 
   /// The field for the rotations of `system`, which has the same prescribed unknowns and bodies at every call.
-  [[nodiscard]] Rotations solve(const ConstraintSystem& system);
+  /// Factorises when the first are asked for; `progress` may throw then, and the next call goes on.
+  [[nodiscard]] Rotations solve(const ConstraintSystem& system, Progress& progress);
 
-  /// Whether a factor is there.
-  [[nodiscard]] bool isReady() const noexcept { return field_.solver != nullptr; }
+  /// Whether nothing is left to factorise.
+  [[nodiscard]] bool isReady() const { return field_ && field_->isDone(); }
 
  private:
   const SolverMesh& mesh_;
   Weights weights_;
   Backend backend_;
-  RotationFieldAttempt field_;
+  std::optional<LongStep<RotationFieldAttempt>> field_;
   std::vector<Finding> guards_;
 };
 

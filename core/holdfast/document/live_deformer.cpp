@@ -1,6 +1,5 @@
 #include "holdfast/document/live_deformer.h"
 
-#include <algorithm>
 #include <atomic>
 #include <condition_variable>
 #include <exception>
@@ -8,51 +7,14 @@
 #include <optional>
 #include <thread>
 #include <utility>
-#include <vector>
 
 #include <holdfast/base/error.h>
+#include <holdfast/base/retired_threads.h>
 #include <holdfast/base/thread_priority.h>
 #include <holdfast/deform/deformer.h>
 
 namespace holdfast {
 namespace {
-
-/// Threads whose owners are gone may still be inside a factorisation: the program waits for them at its end, so that
-/// none runs while its memory is torn down.
-class RetiredThreads {
- public:
-  ~RetiredThreads()
-  {
-    for (Retired& retired : threads_) retired.thread.join();
-  }
-
-  /// `hasEnded` becomes true when all that is left of the thread is to return. Joins those that have come to that, so
-  /// that a window that opens one mesh after another does not collect their stacks.
-  void add(std::thread thread, std::shared_ptr<const std::atomic<bool>> hasEnded)
-  {
-    const std::scoped_lock lock(mutex_);
-    threads_.push_back({std::move(thread), std::move(hasEnded)});
-    const auto ended = std::stable_partition(threads_.begin(), threads_.end(),
-                                             [](const Retired& retired) { return !retired.hasEnded->load(); });
-    std::for_each(ended, threads_.end(), [](Retired& retired) { retired.thread.join(); });
-    threads_.erase(ended, threads_.end());
-  }
-
- private:
-  struct Retired {
-    std::thread thread;
-    std::shared_ptr<const std::atomic<bool>> hasEnded;
-  };
-
-  std::mutex mutex_;
-  std::vector<Retired> threads_;
-};
-
-RetiredThreads& retiredThreads()
-{
-  static RetiredThreads threads;
-  return threads;
-}
 
 class StoppableProgress final : public Progress {
  public:
@@ -63,8 +25,13 @@ class StoppableProgress final : public Progress {
 
   void stage(std::string_view description) override
   {
-    if (isUnwanted_()) throw Cancelled();
+    proceed();
     tell_(description);
+  }
+
+  void proceed() override
+  {
+    if (isUnwanted_()) throw Cancelled();
   }
 
  private:
@@ -188,7 +155,7 @@ LiveDeformer::LiveDeformer(std::shared_ptr<const Model> model, Listener listener
     : shared_(std::make_shared<Shared>(std::move(model), std::move(listener)))
 {
   // The list of retired threads is made before the first of them, so that it outlives all.
-  retiredThreads();
+  static_cast<void>(retiredThreads());
   shared_->thread = std::thread([shared = shared_] {
     computeInBackground();
     shared->run();

@@ -32,7 +32,7 @@ struct LiveEvent {
 
 /// What a newer state does to the work that is under way.
 enum class Supersede {
-  AtNextStage,  ///< it is given up as soon as it can be: an edit
+  AtNextStage,  ///< it is given up as soon as it can be, as by `cancel`: an edit
   WhenDone      ///< it is finished and shown first: a drag, whose frames would starve otherwise
 };
 
@@ -44,8 +44,8 @@ class LiveDeformer {
   using Listener = std::function<void(const LiveEvent&)>;
 
   LiveDeformer(std::shared_ptr<const Model> model, Listener listener);
-  /// Returns at once, or after the call of the listener that is under way. Work under way is given up at its next
-  /// stage; until then it keeps what it needs alive.
+  /// Returns at once, or after the call of the listener that is under way. Work under way is given up as `cancel` does
+  /// it; until then it keeps what it needs alive.
   ~LiveDeformer();
   LiveDeformer(const LiveDeformer&) = delete;
   LiveDeformer& operator=(const LiveDeformer&) = delete;
@@ -54,8 +54,9 @@ class LiveDeformer {
   void submit(std::uint64_t revision, std::shared_ptr<const DocumentState> state, std::string source,
               Supersede supersede);
 
-  /// Gives up what is waiting and, at its next stage or its end, what is under way. What was factorised before stays
-  /// usable. An end that the listener was being told of already stands.
+  /// Gives up what is waiting and, at its next stage or its end, what is under way. No factorisation is waited for: it
+  /// goes on by itself, serves the next state that needs it, and is left behind where that needs another one
+  /// (`LongStep`). What was factorised before stays usable. An end that the listener was being told of already stands.
   void cancel();
 
  private:

@@ -1,5 +1,6 @@
 // Cholesky factorisation of the normal equations by CHOLMOD, supernodal.
 
+#include <mutex>
 #include <new>
 #include <utility>
 
@@ -36,7 +37,7 @@ class Cholmod {
   {
     const OneThread libraries;
     cholmod_sparse view = cholmodView(lower, StoredPart::LowerTriangle);
-    factor_ = cholmod_analyze(&view, &common_);
+    factor_ = analyze(view);
     if (factor_ != nullptr) cholmod_factorize(&view, factor_, &common_);
     return failure(lower.rows());
   }
@@ -62,6 +63,15 @@ class Cholmod {
   [[nodiscard]] Index nonzeros() const { return static_cast<Index>(common_.lnz); }
 
  private:
+  /// METIS draws from the random numbers of the C library, which it starts anew for each order that it looks for: one
+  /// at a time, so that the order does not depend on what other threads do.
+  cholmod_factor* analyze(cholmod_sparse& lower)
+  {
+    static std::mutex ordering;
+    const std::scoped_lock lock(ordering);
+    return cholmod_analyze(&lower, &common_);
+  }
+
   [[nodiscard]] std::string failure(Index size) const
   {
     switch (common_.status) {

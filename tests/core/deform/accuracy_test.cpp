@@ -67,7 +67,8 @@ Rotations rotationsOf(const SolverMesh& mesh)
   ConstraintSystem system;
   for (Index u = 0; u < mesh.unknownCount(); ++u)
     if (u != 5 && u != 6) system.rotations.push_back({u, {0, 0, 0.1 * static_cast<double>(u)}, 0});
-  return RotationStage(mesh, Weights::CotangentPaper, defaultBackend()).solve(system);
+  NoProgress progress;
+  return RotationStage(mesh, Weights::CotangentPaper, defaultBackend()).solve(system, progress);
 }
 
 TEST(Accuracy, OfARotationFieldThatIsHardlyDeterminedIsWarnedOfOrRefused)

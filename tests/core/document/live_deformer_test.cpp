@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <holdfast/base/long_step.h>
 #include <holdfast/document/live_deformer.h>
 
 #include "core/document/live_witness.h"
@@ -186,6 +187,52 @@ TEST(LiveDeformer, EveryCancelledRevisionEndsOnceWhateverTheTiming)
     ASSERT_EQ(ends.size(), revision);
     EXPECT_EQ(ends.back().first, revision);
   }
+}
+
+/// Steps that were left behind and go on until this ends.
+class LeftBehind {
+ public:
+  explicit LeftBehind(int count)
+  {
+    NoProgress progress;
+    for (int k = 0; k < count; ++k) StepThread().start([mayEnd = mayEnd_] { EXPECT_TRUE(mayEnd->wait()); }, progress);
+  }
+  ~LeftBehind() { end(); }
+  LeftBehind(const LeftBehind&) = delete;
+  LeftBehind& operator=(const LeftBehind&) = delete;
+
+  void end() { mayEnd_->open(); }
+
+ private:
+  std::shared_ptr<Latch> mayEnd_ = std::make_shared<Latch>();
+};
+
+TEST(LiveDeformer, FactorisesBesideWhatIsLeftBehind)
+{
+  LeftBehind factorisation(1);
+  Witness witness;
+  LiveDeformer live(plateModel(), witness.listener());
+  live.submit(1, dragged(1), "list", Supersede::AtNextStage);
+  EXPECT_THAT(witness.endsTo(1), ElementsAre(End(1, Kind::Done)));
+}
+
+TEST(LiveDeformer, CancelWaitsForNoFactorisation)
+{
+  LeftBehind factorisations(2);  // so that no other begins
+  const auto model = plateModel();
+  Witness witness;
+  LiveDeformer live(model, witness.listener());
+  live.submit(1, dragged(1), "list", Supersede::WhenDone);
+  ASSERT_TRUE(witness.hasStage(1, "factorising"));
+  live.cancel();
+  EXPECT_THAT(witness.endsTo(1), ElementsAre(End(1, Kind::Cancelled)));
+  live.submit(2, dragged(2), "list", Supersede::WhenDone);
+  ASSERT_TRUE(witness.hasStage(2, "factorising"));
+  live.submit(3, dragged(3), "list", Supersede::AtNextStage);
+  ASSERT_TRUE(witness.hasStage(3, "factorising"));
+  factorisations.end();
+  EXPECT_THAT(witness.endsTo(3), ElementsAre(End(1, Kind::Cancelled), End(3, Kind::Done)));
+  EXPECT_EQ(witness.eventsTo(3).back().deformation->positions, freshly(*model, *dragged(3)));
 }
 
 TEST(LiveDeformer, SaysWhichStateADeformationIsOf)

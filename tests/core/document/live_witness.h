@@ -3,11 +3,11 @@
 /// What a worker tells, and ways to hold it back where a test wants it, so that no test depends on timing.
 
 #include <algorithm>
-#include <chrono>
 #include <condition_variable>
 #include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -15,37 +15,12 @@
 
 #include <holdfast/document/live_deformer.h>
 
+#include "support/latch.h"
+
 namespace holdfast::test {
 
 /// A revision and how the work on it ended.
 using End = std::pair<std::uint64_t, LiveEvent::Kind>;
-
-/// After this long a test gives up waiting.
-inline constexpr std::chrono::seconds kPatience{120};
-
-/// Holds threads back until it is opened.
-class Latch {
- public:
-  /// Tells under the lock: who is told may take the latch down at once.
-  void open()
-  {
-    const std::scoped_lock lock(mutex_);
-    isOpen_ = true;
-    changed_.notify_all();
-  }
-
-  /// Whether it was opened in time.
-  [[nodiscard]] bool wait()
-  {
-    std::unique_lock lock(mutex_);
-    return changed_.wait_for(lock, kPatience, [this] { return isOpen_; });
-  }
-
- private:
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  bool isOpen_ = false;
-};
 
 /// Where a test holds the worker back: at the first event of this revision and kind, and with this message if it says
 /// one.
@@ -87,6 +62,16 @@ class Witness {
     EXPECT_TRUE(hasCome) << "the end of revision " << revision;
     const std::scoped_lock lock(mutex_);
     return events_;
+  }
+
+  /// Whether the work on `revision` has come, in time, to a stage that begins so.
+  [[nodiscard]] bool hasStage(std::uint64_t revision, std::string_view start)
+  {
+    return waitUntil([&] {
+      return std::any_of(events_.begin(), events_.end(), [&](const LiveEvent& event) {
+        return event.revision == revision && event.kind == LiveEvent::Kind::Stage && event.message.starts_with(start);
+      });
+    });
   }
 
   [[nodiscard]] std::vector<End> endsTo(std::uint64_t revision)

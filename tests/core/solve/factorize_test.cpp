@@ -1,6 +1,9 @@
+#include <array>
+#include <future>
 #include <limits>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -41,6 +44,25 @@ SparseMatrix heldBeam(Index n)
   D.diagonal(-1).setConstant(-1);
   D(n - 1, n - 1) = 1;
   return (D * D).sparseView();
+}
+
+/// Springs between neighbours in a cube of n x n x n points, each held by the ground as well: its factor is so full
+/// that CHOLMOD looks for an order by METIS, too.
+SparseMatrix cubeOfSprings(Index n)
+{
+  std::vector<Eigen::Triplet<double>> entries;
+  const std::array<Index, 3> steps{1, n, n * n};
+  for (Index i = 0; i < n * n * n; ++i) {
+    entries.emplace_back(i, i, 6.5);
+    for (const Index step : steps) {
+      if (i / step % n + 1 == n) continue;
+      entries.emplace_back(i, i + step, -1);
+      entries.emplace_back(i + step, i, -1);
+    }
+  }
+  SparseMatrix M(n * n * n, n * n * n);
+  M.setFromTriplets(entries.begin(), entries.end());
+  return M;
 }
 
 FactorAttempt cholesky(std::shared_ptr<const SparseMatrix> C, Backend backend)
@@ -147,6 +169,17 @@ TEST_P(Factorize, OfSparseQrAloneSolvesToo)
   const Columns3 f = Columns3::Random(29, 3);
   const Columns3 expected = test::leastSquares(*scaled.C, f);
   EXPECT_LT((correctedSolve(*attempt.factor, *scaled.C, scaled.scale, f).z - expected).norm(), 1e-12);
+}
+
+TEST(FactorizeBesideAnother, IsTheSameBitForBit)
+{
+  const ScaledColumns scaled = scaleColumns(cubeOfSprings(20));
+  const Columns3 f = Columns3::Ones(scaled.C->rows(), 3);
+  const auto solved = [&] { return cholesky(scaled.C, defaultBackend()).factor->solve(f); };
+  const Columns3 alone = solved();
+  std::future<Columns3> other = std::async(std::launch::async, solved);
+  EXPECT_EQ(solved(), alone);
+  EXPECT_EQ(other.get(), alone);
 }
 
 INSTANTIATE_TEST_SUITE_P(Backends, Factorize, testing::ValuesIn(test::backends()),

@@ -1,0 +1,67 @@
+#pragma once
+/// \file
+/// Work that nothing can stop, such as a factorisation by a library: who waits for it can stop waiting.
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <future>
+#include <memory>
+#include <utility>
+
+#include <holdfast/base/progress.h>
+
+namespace holdfast {
+
+/// Runs one thing, at most, on a thread of its own and to its end. It is left behind by whoever destroys this earlier:
+/// the thread goes on, with what it holds, and nothing waits for it but the end of the program.
+class StepThread {
+ public:
+  StepThread() = default;
+  ~StepThread();
+  StepThread(const StepThread&) = delete;
+  StepThread& operator=(const StepThread&) = delete;
+
+  /// Starts `work`, which does not throw. One thing that was left behind may still go on then, so that what comes after
+  /// it need not wait; of more of them, all but one end first, so that memory and cores are not used up. `progress` may
+  /// throw meanwhile; nothing has been started then.
+  void start(std::function<void()> work, Progress& progress);
+
+ private:
+  enum class State { Running, Ended, LeftBehind };
+
+  std::shared_ptr<std::atomic<State>> state_;
+};
+
+/// One result that takes long. The work begins when it is asked for, on a thread of its own; it holds all that it
+/// needs, for it may outlive this.
+template <class Result>
+class LongStep {
+ public:
+  template <class Work>
+  explicit LongStep(Work work)
+      : task_(std::make_shared<std::packaged_task<Result()>>(std::move(work))), result_(task_->get_future())
+  {
+  }
+
+  [[nodiscard]] bool isDone() const { return result_.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }
+
+  /// Waits for the result; throws what the work throws. `progress` may throw as long as it is not there, within
+  /// hundredths of a second: the work goes on then, and who asks again waits for what is left of it.
+  const Result& result(Progress& progress)
+  {
+    if (task_ != nullptr) thread_.start([task = task_] { (*task)(); }, progress);
+    task_.reset();
+    while (result_.wait_for(kAnswer) != std::future_status::ready) progress.proceed();
+    return result_.get();
+  }
+
+ private:
+  static constexpr std::chrono::milliseconds kAnswer{10};
+
+  std::shared_ptr<std::packaged_task<Result()>> task_;  // until it is started
+  std::shared_future<Result> result_;
+  StepThread thread_;
+};
+
+}  // namespace holdfast
