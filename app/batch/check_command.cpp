@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <holdfast/base/error.h>
-#include <holdfast/constraints/constraint_file.h>
+#include <holdfast/base/printable.h>
 #include <holdfast/deform/report_json.h>
 
 #include "batch/commands.h"
@@ -45,11 +45,12 @@ ExitCode runCheck(const CheckCommand& command)
   const MeshDocument document = readAnyMesh(command.mesh);
   refuseNonFinite(command, document.mesh);
   const Model model = makeModel(document.mesh, command.mesh.string());
-  const ConstraintList constraints = command.constraints ? readConstraints(*command.constraints) : ConstraintList{};
+  const auto [constraints, ofSession] =
+      command.constraints ? readStatedConstraints(*command.constraints) : StatedConstraints{};
   const std::string source = command.constraints ? command.constraints->string() : "";
   Report report;
   if (command.constraints)
-    report = diagnoseConstraints(model, constraints, source, command.options);
+    report = diagnoseConstraints(model, constraints, source, withStated(withStated({}, ofSession), command.options));
   else
     report.mesh = describeMesh(model);
 
@@ -57,7 +58,8 @@ ExitCode runCheck(const CheckCommand& command)
   outputs.commitDirect();
   printMessage(warningLines(report));
   printMessage(conflictLines(report, constraints.units));
-  if (report.solve.status == SolveStatus::Failed) printMessage(fmt::format("error: {}\n", report.solve.message));
+  if (report.solve.status == SolveStatus::Failed)
+    printMessage(fmt::format("error: {}\n", printable(report.solve.message)));
   if (!command.isQuiet) printResult(summary(report, command.mesh.string(), constraints.units));
   outputs.commitAside();
   if (report.solve.status == SolveStatus::Failed) return kNumerical;

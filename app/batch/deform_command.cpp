@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <holdfast/constraints/constraint_file.h>
+#include <holdfast/base/printable.h>
 #include <holdfast/deform/fields.h>
 #include <holdfast/deform/outcomes.h>
 #include <holdfast/deform/report_json.h>
@@ -43,8 +43,18 @@ void measureRounded(Deformation& deformation, const Model& model)
 /// Adds a file, and tells what it could not hold.
 void addNoted(Outputs& outputs, const std::filesystem::path& path, const Serialized& contents)
 {
-  for (const std::string& note : contents.notes) printMessage(fmt::format("note: {}: {}\n", path.string(), note));
+  for (const std::string& note : contents.notes)
+    printMessage(fmt::format("note: {}: {}\n", printable(path.string()), note));
   outputs.add(path, contents.bytes);
+}
+
+/// The options of the command line, those of the session where it says nothing, then the defaults.
+DeformOptions chosenOptions(const DeformCommand& command, const StatedOptions& ofSession)
+{
+  const DeformOptions options = withStated(withStated({}, ofSession), command.options);
+  if (command.picture && command.picture->colorBy == "force" && options.solver.kind != SolverKind::Hard)
+    throw UsageError("--color-by: forces are known with --solver hard only; choose another colouring or that solver");
+  return options;
 }
 
 /// Writes everything aside.
@@ -90,20 +100,24 @@ ExitCode exitCodeOf(SolveStatus status)
 ExitCode deformWith(const DeformCommand& command, Progress& progress)
 {
   probeOutputs(command);
-  progress.stage(fmt::format("reading {}", command.mesh.string()));
+  const auto [constraints, ofSession] = readStatedConstraints(command.constraints);
+  const DeformOptions options = chosenOptions(command, ofSession);
+  progress.stage(fmt::format("reading {}", printable(command.mesh.string())));
   const MeshDocument document = readAnyMesh(command.mesh);
-  const ConstraintList constraints = readConstraints(command.constraints);
   progress.stage(fmt::format("checking {} vertices", document.mesh.vertexCount()));
   const Model model = makeModel(document.mesh, command.mesh.string());
-  Deformation deformation = deform(model, constraints, command.constraints.string(), command.options, progress);
+  Deformation deformation = deform(model, constraints, command.constraints.string(), options, progress);
   Outputs outputs = writeAll(command, document, constraints.units, model, deformation, progress);
 
   const Report& report = deformation.report;
   outputs.commitDirect();
   printMessage(warningLines(report));
   printMessage(conflictLines(report, constraints.units));
-  if (report.solve.status == SolveStatus::Failed) printMessage(fmt::format("error: {}\n", report.solve.message));
-  if (!command.isQuiet) printResult(summary(report, command.mesh.string(), constraints.units));
+  if (report.solve.status == SolveStatus::Failed)
+    printMessage(fmt::format("error: {}\n", printable(report.solve.message)));
+  if (!command.isQuiet)
+    printResult(summary(report, command.mesh.string(), constraints.units) +
+                optionsLine(beside(command.options, ofSession), command.constraints.string()));
   outputs.commitAside();
   if (!command.isQuiet) printResult(outputs.names());
   return exitCodeOf(report.solve.status);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <holdfast/base/error.h>
+#include <holdfast/base/printable.h>
 
 #include "batch/commands.h"
 #include "batch/interrupt.h"
@@ -27,7 +28,7 @@ struct Run {
 
 ExitCode complain(ExitCode code, const std::string& message)
 {
-  printMessage(fmt::format("holdfast-batch: {}\n", message));
+  printMessage(fmt::format("holdfast-batch: {}\n", printable(message, kLongestPrintedMessage)));
   return code;
 }
 

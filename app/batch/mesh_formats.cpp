@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <holdfast/base/error.h>
+#include <holdfast/base/printable.h>
 #include <holdfast/io/mesh_file.h>
 #ifdef HOLDFAST_WITH_VTK
 #include <holdfast/view/any_mesh_file.h>
@@ -50,7 +52,8 @@ void requireMeshExtension(const std::filesystem::path& path)
 {
   const auto known = knownExtensions();
   if (std::find(known.begin(), known.end(), extensionOf(path)) == known.end())
-    throw UsageError(fmt::format("--out: \"{}\" has none of the extensions {}", path.string(), knownFormats()));
+    throw UsageError(
+        fmt::format("--out: \"{}\" has none of the extensions {}", printable(path.string()), knownFormats()));
 }
 
 void requireFieldsExtension(const std::filesystem::path& path)
@@ -59,7 +62,7 @@ void requireFieldsExtension(const std::filesystem::path& path)
   throw UsageError("--fields: this build has no VTK to write \"" + path.string() + "\" with; leave the option out");
 #endif
   if (extensionOf(path) != ".vtp")
-    throw UsageError(fmt::format("--fields: \"{}\" does not end in .vtp", path.string()));
+    throw UsageError(fmt::format("--fields: \"{}\" does not end in .vtp", printable(path.string())));
 }
 
 #ifdef HOLDFAST_WITH_VTK
@@ -88,7 +91,11 @@ MeshDocument readAnyMesh(const std::filesystem::path& path)
 
 Serialized serializeAnyMesh(const MeshDocument& document, const Positions& positions, const std::filesystem::path& path)
 {
-  return serializeMesh(document, positions, extensionOf(path));
+  try {
+    return serializeMesh(document, positions, extensionOf(path));
+  } catch (const OutputError& error) {
+    throw OutputError(path.string(), error.reason());
+  }
 }
 
 Serialized serializeFields(const Mesh& /*mesh*/, const Positions& /*positions*/, std::span<const Field> /*fields*/)

@@ -1,11 +1,14 @@
 #include "batch/options.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+
+#include <holdfast/base/printable.h>
 
 #include "batch/mesh_formats.h"
 
@@ -24,14 +27,16 @@ std::map<std::string, Backend> backends()
   return result;
 }
 
-/// The value of an option that has a few.
+/// The value of an option that has a few, or none where it was not given.
 template <class Value>
-Value chosen(const std::string& option, const std::string& text, const std::map<std::string, Value>& values)
+std::optional<Value> chosen(const std::string& option, const std::optional<std::string>& text,
+                            const std::map<std::string, Value>& values)
 {
-  if (const auto found = values.find(text); found != values.end()) return found->second;
+  if (!text) return std::nullopt;
+  if (const auto found = values.find(*text); found != values.end()) return found->second;
   std::string known;
   for (const auto& [key, value] : values) known += (known.empty() ? "" : ", ") + key;
-  throw UsageError(fmt::format("{}: \"{}\" is not one of {}", option, text, known));
+  throw UsageError(fmt::format("{}: {} is not one of {}", option, inQuotes(*text), known));
 }
 
 /// What the command line says, as text.
@@ -44,10 +49,10 @@ struct RawOptions {
   std::string snapshot;
   std::string colorBy = "displacement";
   std::string size = "1280x960";
-  std::string weights = "cotangent";
-  std::string solver = "hard";
-  std::string backend{name(defaultBackend())};
-  double softWeight = 5;
+  std::optional<std::string> weights;
+  std::optional<std::string> solver;
+  std::optional<std::string> backend;
+  std::optional<double> softWeight;
   bool isQuiet = false;
 };
 
@@ -65,8 +70,15 @@ void describePictures(CLI::App& deformApp, RawOptions& raw)
       ->capture_default_str();
 }
 
+/// An option that a session may state as well.
+void addOption(const char* option, auto& value, const std::string& values, const auto& otherwise, CLI::App& command)
+{
+  command.add_option(option, value, fmt::format("{}; what the session says if left out, else {}", values, otherwise));
+}
+
 void describe(CLI::App& app, CLI::App& deformApp, CLI::App& checkApp, RawOptions& raw)
 {
+  const DeformOptions defaults;
   app.require_subcommand(1);
   app.footer(
       "Exit codes: 0 all met, 2 usage, 3 unusable input, 4 constraints conflict, 5 numerical failure,\n"
@@ -78,8 +90,8 @@ void describe(CLI::App& app, CLI::App& deformApp, CLI::App& checkApp, RawOptions
   for (CLI::App* command : {&deformApp, &checkApp}) {
     command->add_option("mesh", raw.mesh, "Mesh file: " + knownFormats())->required()->type_name("MESH");
     command->add_option("--report", raw.report, "Write the report (JSON) here")->type_name("R.json");
-    command->add_option("--weights", raw.weights, "cotangent, cotangent-paper or uniform")->capture_default_str();
-    command->add_option("--backend", raw.backend, "cholmod or eigen")->capture_default_str();
+    addOption("--weights", raw.weights, "cotangent, cotangent-paper or uniform", name(defaults.weights), *command);
+    addOption("--backend", raw.backend, "cholmod or eigen", name(defaults.solver.backend), *command);
   }
   checkApp
       .add_option("--constraints", raw.constraints, "Constraint file (JSON), session (.holdfast) or point list (CSV)")
@@ -92,9 +104,9 @@ void describe(CLI::App& app, CLI::App& deformApp, CLI::App& checkApp, RawOptions
   deformApp.add_option("--fields", raw.fields, "Write residuals, displacements, rotations and forces on the mesh here")
       ->type_name("F.vtp");
   describePictures(deformApp, raw);
-  deformApp.add_option("--solver", raw.solver, "hard, soft or lagrange")->capture_default_str();
-  deformApp.add_option("--soft-weight", raw.softWeight, "Weight of the constraints of the solver soft")
-      ->capture_default_str();
+  addOption("--solver", raw.solver, "hard, soft or lagrange", name(defaults.solver.kind), deformApp);
+  addOption("--soft-weight", raw.softWeight, "Weight of the constraints of the solver soft", defaults.solver.softWeight,
+            deformApp);
 }
 
 std::optional<std::filesystem::path> pathOrNone(const std::string& text)
@@ -103,10 +115,23 @@ std::optional<std::filesystem::path> pathOrNone(const std::string& text)
   return std::filesystem::path(text);
 }
 
+/// The file that writing to `path` makes or replaces. Symbolic links are followed also where they lead to nothing yet.
+std::filesystem::path writtenFile(std::filesystem::path path)
+{
+  constexpr int kMostLinks = 40;  // as many as Linux follows
+  std::error_code error;
+  for (int i = 0; i < kMostLinks && std::filesystem::is_symlink(path, error); ++i)
+    path = path.parent_path() / std::filesystem::read_symlink(path, error);
+  // A path without a folder is made absolute first: nothing of it need exist, and then it stays relative.
+  const std::filesystem::path end = std::filesystem::weakly_canonical(std::filesystem::absolute(path, error), error);
+  return error ? path : end;
+}
+
+/// Whether both names lead to one file, which need not exist. Hard links of one file count as one.
 bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b)
 {
   std::error_code ignored;
-  return std::filesystem::weakly_canonical(a, ignored) == std::filesystem::weakly_canonical(b, ignored);
+  return std::filesystem::equivalent(a, b, ignored) || writtenFile(a) == writtenFile(b);
 }
 
 struct NamedPath {
@@ -125,20 +150,20 @@ void checkPaths(const std::vector<NamedPath>& inputs, const std::vector<NamedPat
       continue;  // a device or a pipe can take several outputs
     for (const NamedPath& input : inputs)
       if (!input.path.empty() && isSameFile(outputs[k].path, input.path))
-        throw UsageError(
-            fmt::format("{} would overwrite the input \"{}\"; choose another name", outputs[k].option, input.path));
+        throw UsageError(fmt::format("{} would overwrite the input \"{}\"; choose another name", outputs[k].option,
+                                     printable(input.path)));
     for (std::size_t other = 0; other < k; ++other)
       if (!outputs[other].path.empty() && isSameFile(outputs[k].path, outputs[other].path))
         throw UsageError(fmt::format("{} and {} name the same file \"{}\"; choose another name for one of them",
-                                     outputs[other].option, outputs[k].option, outputs[k].path));
+                                     outputs[other].option, outputs[k].option, printable(outputs[k].path)));
   }
 }
 
 /// What the names of weights, solver and backend mean.
-DeformOptions deformOptions(const RawOptions& raw)
+StatedOptions statedOptions(const RawOptions& raw)
 {
-  return {chosen("--weights", raw.weights, kWeights),
-          {chosen("--solver", raw.solver, kSolvers), chosen("--backend", raw.backend, backends()), raw.softWeight}};
+  return {chosen("--weights", raw.weights, kWeights), chosen("--solver", raw.solver, kSolvers), raw.softWeight,
+          chosen("--backend", raw.backend, backends())};
 }
 
 DeformCommand deformCommand(const RawOptions& raw)
@@ -147,13 +172,11 @@ DeformCommand deformCommand(const RawOptions& raw)
              {{"--out", raw.out}, {"--report", raw.report}, {"--fields", raw.fields}, {"--snapshot", raw.snapshot}});
   if (!raw.out.empty()) requireMeshExtension(raw.out);
   if (!raw.fields.empty()) requireFieldsExtension(raw.fields);
-  if (!(raw.softWeight > 0) || !std::isfinite(raw.softWeight))
-    throw UsageError(fmt::format("--soft-weight: {} is not a positive number", raw.softWeight));
-  const DeformOptions options = deformOptions(raw);
+  if (raw.softWeight && (!(*raw.softWeight > 0) || !std::isfinite(*raw.softWeight)))
+    throw UsageError(fmt::format("--soft-weight: {} is not a positive number", *raw.softWeight));
+  const StatedOptions options = statedOptions(raw);
   std::optional<PictureRequest> picture;
   if (!raw.snapshot.empty()) picture = pictureRequest(raw.snapshot, raw.colorBy, raw.size);
-  if (picture && picture->colorBy == "force" && options.solver.kind != SolverKind::Hard)
-    throw UsageError("--color-by: forces are known with --solver hard only; choose another colouring or that solver");
   return {raw.mesh, raw.constraints, pathOrNone(raw.out), pathOrNone(raw.report), pathOrNone(raw.fields),
           picture,  options,         raw.isQuiet};
 }
@@ -161,7 +184,7 @@ DeformCommand deformCommand(const RawOptions& raw)
 CheckCommand checkCommand(const RawOptions& raw)
 {
   checkPaths({{"MESH", raw.mesh}, {"--constraints", raw.constraints}}, {{"--report", raw.report}});
-  return {raw.mesh, pathOrNone(raw.constraints), pathOrNone(raw.report), deformOptions(raw), raw.isQuiet};
+  return {raw.mesh, pathOrNone(raw.constraints), pathOrNone(raw.report), statedOptions(raw), raw.isQuiet};
 }
 
 }  // namespace
@@ -182,7 +205,7 @@ Command parseCommandLine(int argc, const char* const* argv)
   } catch (const CLI::CallForVersion& version) {
     return ShowText{std::string(version.what()) + "\n"};
   } catch (const CLI::ParseError& error) {
-    throw UsageError(std::string(error.what()) + "\nRun with --help for more information.");
+    throw UsageError(std::string(error.what()) + ". Run with --help for more information.");
   }
   if (deformApp->parsed()) return deformCommand(raw);
   return checkCommand(raw);

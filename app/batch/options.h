@@ -8,7 +8,7 @@
 #include <string>
 #include <variant>
 
-#include <holdfast/deform/deform.h>
+#include <holdfast/document/stated_options.h>
 
 #include "batch/pictures.h"
 
@@ -22,7 +22,7 @@ struct DeformCommand {
   std::optional<std::filesystem::path> report;
   std::optional<std::filesystem::path> fields;
   std::optional<PictureRequest> picture;
-  DeformOptions options;
+  StatedOptions options;  ///< those of the command line
   bool isQuiet = false;
 };
 
@@ -31,7 +31,7 @@ struct CheckCommand {
   std::filesystem::path mesh;
   std::optional<std::filesystem::path> constraints;
   std::optional<std::filesystem::path> report;
-  DeformOptions options;  ///< of the rotation field: weights and backend
+  StatedOptions options;  ///< those of the command line
   bool isQuiet = false;
 };
 

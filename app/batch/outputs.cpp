@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <holdfast/base/printable.h>
+
 namespace holdfast::batch {
 
 void Outputs::commitDirect()
@@ -19,7 +21,7 @@ void Outputs::commitAside()
 std::string Outputs::names() const
 {
   std::string text;
-  for (const OutputFile& file : files_) text += fmt::format("wrote        {}\n", file.path().string());
+  for (const OutputFile& file : files_) text += fmt::format("wrote        {}\n", printable(file.path().string()));
   return text;
 }
 

@@ -9,6 +9,7 @@
 
 #ifdef HOLDFAST_WITH_VTK
 #include <holdfast/base/error.h>
+#include <holdfast/base/printable.h>
 #include <holdfast/view/display_check.h>
 #include <holdfast/view/snapshot.h>
 #endif
@@ -37,13 +38,13 @@ PictureSize sizeOf(const std::string& text)
   const auto width = sideOf(whole.substr(0, cross));
   const auto height = cross == std::string_view::npos ? std::nullopt : sideOf(whole.substr(cross + 1));
   if (!width || !height)
-    throw UsageError(fmt::format("--size: \"{}\" is not WIDTHxHEIGHT in pixels, each from {} to {}, such as 1280x960",
-                                 text, kLeastPictureSide, kLargestPictureSide));
+    throw UsageError(fmt::format("--size: {} is not WIDTHxHEIGHT in pixels, each from {} to {}, such as 1280x960",
+                                 inQuotes(text), kLeastPictureSide, kLargestPictureSide));
   const PictureSize pixels{*width, *height};
   if (hasTooManyPixels(pixels))
     throw UsageError(fmt::format(
         "--size: {} has more than {} pixels, for which drawing takes 2.5 GiB of memory; ask for 8192x8192 or less",
-        text, kMostPicturePixels));
+        printable(text), kMostPicturePixels));
   return pixels;
 }
 
@@ -59,9 +60,9 @@ std::string knownColorings()
 PictureRequest pictureRequest(const std::filesystem::path& path, const std::string& colorBy, const std::string& size)
 {
   if (extensionOf(path) != ".png")
-    throw UsageError(fmt::format("--snapshot: \"{}\" does not end in .png", path.string()));
+    throw UsageError(fmt::format("--snapshot: \"{}\" does not end in .png", printable(path.string())));
   if (!colorByNamed(colorBy))
-    throw UsageError(fmt::format("--color-by: \"{}\" is not one of {}", colorBy, knownColorings()));
+    throw UsageError(fmt::format("--color-by: {} is not one of {}", inQuotes(colorBy), knownColorings()));
   const PictureSize pixels = sizeOf(size);
   return {path, colorBy, pixels.width, pixels.height};
 }

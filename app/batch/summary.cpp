@@ -4,6 +4,10 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <holdfast/base/counted.h>
+#include <holdfast/base/printable.h>
 
 namespace holdfast::batch {
 namespace {
@@ -16,7 +20,7 @@ constexpr double kLeastComponent = 1e-6;
 
 std::string withUnits(double length, const std::string& units)
 {
-  return fmt::format("{:.4g}{}{}", length, units.empty() ? "" : " ", units);
+  return fmt::format("{:.4g}{}{}", length, units.empty() ? "" : " ", shortened(units));
 }
 
 /// For people to look at.
@@ -39,7 +43,7 @@ std::string quotedNames(const std::vector<std::string>& names)
   std::string text;
   for (std::size_t k = 0; k < shown; ++k) {
     const bool isLast = k + 1 == names.size();
-    text += fmt::format("{}\"{}\"", k == 0 ? "" : isLast ? " and " : ", ", names[k]);
+    text += fmt::format("{}{}", k == 0 ? "" : isLast ? " and " : ", ", inQuotes(names[k]));
   }
   if (names.size() > shown) text += fmt::format(" and {} more", names.size() - shown);
   return text;
@@ -51,7 +55,8 @@ std::string findingLine(const Finding& finding, const std::vector<ConstraintOutc
   std::vector<std::string> names;
   if (finding.idsOf == "constraint")
     for (const Index c : finding.ids) names.push_back(constraints[c].name);
-  return fmt::format("  finding    {}{}{}\n", finding.message, names.empty() ? "" : ": ", quotedNames(names));
+  return fmt::format("  finding    {}{}{}\n", printable(finding.message), names.empty() ? "" : ": ",
+                     quotedNames(names));
 }
 
 std::string countOf(const Report& report, ConstraintStatus status)
@@ -65,7 +70,7 @@ std::string constraintLine(const Report& report)
 {
   Index rows = 0;
   for (const ConstraintOutcome& outcome : report.constraints) rows += outcome.rows;
-  std::string line = fmt::format("constraints  {} in {} rows", report.constraints.size(), rows);
+  std::string line = fmt::format("constraints  {} in {}", report.constraints.size(), counted(rows, "row"));
   for (const ConstraintStatus status :
        {ConstraintStatus::Independent, ConstraintStatus::Met, ConstraintStatus::Redundant,
         ConstraintStatus::Conflicting, ConstraintStatus::Missed, ConstraintStatus::Disabled})
@@ -83,19 +88,19 @@ std::string pullLine(const std::vector<ConstraintOutcome>& constraints)
   std::stable_sort(pulling.begin(), pulling.end(), [](const auto* a, const auto* b) { return a->force > b->force; });
   std::string line = "pull         hardest: ";
   for (std::size_t k = 0; k < std::min(pulling.size(), kMostPulling); ++k)
-    line += fmt::format("{}\"{}\" {:.3g}", k == 0 ? "" : ", ", pulling[k]->name, *pulling[k]->force);
+    line += fmt::format("{}{} {:.3g}", k == 0 ? "" : ", ", inQuotes(pulling[k]->name), *pulling[k]->force);
   return line + "\n";
 }
 
 std::string solveLines(const SolveReport& solve, const std::string& units)
 {
-  std::string lines = fmt::format("solve        {}: {}\n", name(solve.status), solve.message);
+  std::string lines = fmt::format("solve        {}: {}\n", name(solve.status), printable(solve.message));
   if (solve.status != SolveStatus::Ok && solve.status != SolveStatus::Conflicts) return lines;
   lines += fmt::format("residual     largest {}, {:.2g} of the bounding box's diagonal\n",
                        withUnits(solve.maxResidual, units), solve.maxResidualRelative);
-  lines += fmt::format("method       {} weights, {} solver, {}; {} unknowns, {} non-zeros, {} correction{}\n",
-                       name(solve.weights), name(solve.options.kind), solve.method, solve.unknowns,
-                       solve.factorNonzeros, solve.refinementSteps, solve.refinementSteps == 1 ? "" : "s");
+  lines += fmt::format("method       {} weights, {} solver, {}; {}, {}, {}\n", name(solve.weights),
+                       name(solve.options.kind), solve.method, counted(solve.unknowns, "unknown"),
+                       counted(solve.factorNonzeros, "non-zero"), counted(solve.refinementSteps, "correction"));
   lines += fmt::format("seconds      set-up {:.3f}, decomposition {:.3f}, solution {:.3f}\n", solve.seconds.setup,
                        solve.seconds.decomposition, solve.seconds.solution);
   return lines;
@@ -103,9 +108,9 @@ std::string solveLines(const SolveReport& solve, const std::string& units)
 
 std::string repairText(const ConstraintOutcome& outcome, const Clash& clash)
 {
-  std::string text = fmt::format("disable \"{}\"", clash.disable);
+  std::string text = fmt::format("disable {}", inQuotes(clash.disable));
   if (clash.consistentTarget) {
-    const std::string it = clash.disable == outcome.name ? "it" : '"' + outcome.name + '"';
+    const std::string it = clash.disable == outcome.name ? "it" : inQuotes(outcome.name);
     const char* const what = outcome.type == "relative" ? "offset" : "target";
     text += fmt::format(", or give {} the {} {}", it, what, placeText(*clash.consistentTarget));
   }
@@ -116,7 +121,7 @@ std::string conflictLine(const ConstraintOutcome& outcome, const Clash& clash, c
 {
   const std::string partners = clash.with.empty() ? "on its own" : "with " + quotedNames(clash.with);
   const std::string where = outcome.rows > 1 ? fmt::format(" in {} of its {} rows", clash.rows, outcome.rows) : "";
-  return fmt::format("conflict: \"{}\" cannot hold {}{}: off by {}{} {}; {}\n", outcome.name, partners, where,
+  return fmt::format("conflict: {} cannot hold {}{}: off by {}{} {}; {}\n", inQuotes(outcome.name), partners, where,
                      outcome.rows > 1 ? "up to " : "", withUnits(clash.gap.stableNorm(), units), gapText(clash.gap),
                      repairText(outcome, clash));
 }
@@ -129,8 +134,8 @@ std::string conflictLinesOf(const ConstraintOutcome& outcome, const std::string&
   for (const Clash& clash : outcome.clashes)
     if (clash.isConflict && count++ < kMostConflictLines) text += conflictLine(outcome, clash, units);
   if (count > kMostConflictLines)
-    text += fmt::format("conflict: \"{}\" cannot hold in {} more ways; the report lists them\n", outcome.name,
-                        count - kMostConflictLines);
+    text += fmt::format("conflict: {} cannot hold in {}; the report lists them\n", inQuotes(outcome.name),
+                        counted(static_cast<Index>(count - kMostConflictLines), "more way"));
   return text;
 }
 
@@ -138,9 +143,10 @@ std::string conflictLinesOf(const ConstraintOutcome& outcome, const std::string&
 
 std::string summary(const Report& report, const std::string& meshName, const std::string& units)
 {
-  std::string text = fmt::format("mesh         {}: {} vertices, {} faces, {} connected part{}, diagonal {}\n", meshName,
-                                 report.mesh.vertices, report.mesh.faces, report.mesh.components,
-                                 report.mesh.components == 1 ? "" : "s", withUnits(report.mesh.bboxDiagonal, units));
+  std::string text =
+      fmt::format("mesh         {}: {} vertices, {}, {}, diagonal {}\n", printable(meshName), report.mesh.vertices,
+                  counted(report.mesh.faces, "face"), counted(report.mesh.components, "connected part"),
+                  withUnits(report.mesh.bboxDiagonal, units));
   for (const Finding& finding : report.mesh.findings) text += findingLine(finding, report.constraints);
   if (!report.constraints.empty()) text += constraintLine(report);
   if (report.solve.status != SolveStatus::NotRun) text += solveLines(report.solve, units);
@@ -151,8 +157,19 @@ std::string warningLines(const Report& report)
 {
   std::string text;
   for (const Finding& finding : report.mesh.findings)
-    if (finding.idsOf == "solution") text += fmt::format("warning: {}\n", finding.message);
+    if (finding.idsOf == "solution") text += fmt::format("warning: {}\n", printable(finding.message));
   return text;
+}
+
+std::string optionsLine(const StatedOptions& taken, const std::string& source)
+{
+  std::vector<std::string> options;
+  if (taken.weights) options.push_back(fmt::format("weights {}", name(*taken.weights)));
+  if (taken.solver) options.push_back(fmt::format("solver {}", name(*taken.solver)));
+  if (taken.softWeight) options.push_back(fmt::format("soft weight {}", *taken.softWeight));
+  if (taken.backend) options.push_back(fmt::format("backend {}", name(*taken.backend)));
+  if (options.empty()) return "";
+  return fmt::format("options      {}: taken from {}\n", fmt::join(options, ", "), printable(source));
 }
 
 std::string conflictLines(const Report& report, const std::string& units)

@@ -144,6 +144,13 @@ INSTANTIATE_TEST_SUITE_P(
                {"constraints[1].name", "base"})),
     nameOf);
 
+TEST_F(BatchTest, AnUnknownFormatIsAnsweredWithAllThatAreKnown)
+{
+  const std::string known = kHasVtk ? "use .obj, .ply, .off, .stl, .vtp, .vtk\n" : "use .obj, .ply, .off, .stl\n";
+  for (const std::string name : {"m.step", "mesh"})
+    expectRefusal(runBatch({"check", in_.file(name, "ISO-10303-21;\n").string()}), kInput, {name + ": ", known});
+}
+
 class MissingFile : public BatchTest {};
 
 TEST_F(MissingFile, AMissingMeshIsNamed)

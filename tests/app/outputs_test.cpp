@@ -121,6 +121,17 @@ TEST_F(Outputs, ADiskFullForTheMeshAloneLeavesWhatWasThere)
   expectOldOutputs();
 }
 
+TEST_F(Outputs, AMeshThatDoesNotFitItsFormatNamesTheFile)
+{
+  const std::string far = in_.file("far.json", constraintText({R"({"type": "handle", "select": {"component": 0},
+                                                                   "translate": [1e39, 0, 0]})"}))
+                              .string();
+  const std::string path = output("out.stl");
+  expectRefusal(runBatch({"deform", mesh(), "--constraints", far, "--out", path}), kOutput,
+                {path + ": the coordinate 1e+39 is too large for single precision"});
+  EXPECT_THAT(out_.names(), testing::IsEmpty());
+}
+
 TEST_F(Outputs, TheReportCanGoToStandardOutput)
 {
   const ProcessResult result = runBatch(deformTo("--report", "/dev/stdout"));

@@ -101,13 +101,39 @@ TEST_F(Usage, TwoOutputsNeedTwoNames)
   EXPECT_THAT(out_.names(), testing::IsEmpty());
 }
 
+TEST_F(Usage, OutputsThatAreNotThereYetAreComparedByWhereTheyWillBe)
+{
+  const std::string name = "holdfast_usage_test_" + out_.path().filename().string() + ".obj";
+  for (const std::string& report : {"./" + name, fs::absolute(name).string()})
+    expectRefusal(runBatch({"deform", mesh(), "--constraints", constraints(), "--out", name, "--report", report}),
+                  kUsage, {"--out and --report name the same file"});
+  EXPECT_FALSE(fs::exists(name));
+}
+
+TEST_F(Usage, LinksToOneFileAreOneOutput)
+{
+  const std::string target = output("target.obj");
+  const std::string link = output("link.obj");
+  fs::create_symlink("target.obj", link);
+  const std::vector<std::string> both{"deform", mesh(), "--constraints", constraints(),
+                                      "--out",  link,   "--report",      target};
+  expectRefusal(runBatch(both), kUsage, {"--out and --report name the same file"});
+  fs::remove(link);
+  static_cast<void>(out_.file("target.obj", "old"));
+  fs::create_hard_link(target, link);
+  expectRefusal(runBatch(both), kUsage, {"--out and --report name the same file"});
+  EXPECT_EQ(bytesOf(target), "old");
+}
+
 TEST_F(Usage, AnInputIsNeverOverwritten)
 {
   const std::string meshBytes = bytesOf(mesh());
   const std::string constraintBytes = bytesOf(constraints());
   const std::string link = output("link.obj");
   fs::create_symlink(mesh(), link);
-  for (const std::string& out : {mesh(), link})
+  const std::string hardLink = output("hard_link.obj");
+  fs::create_hard_link(mesh(), hardLink);
+  for (const std::string& out : {mesh(), link, hardLink})
     expectRefusal(runBatch({"deform", mesh(), "--constraints", constraints(), "--out", out}), kUsage,
                   {"--out would overwrite the input"});
   expectRefusal(runBatch({"deform", mesh(), "--constraints", constraints(), "--report", constraints()}), kUsage,

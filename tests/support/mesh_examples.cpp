@@ -84,6 +84,27 @@ end_header
 8 3 1 4 2
 )";
 
+constexpr const char* kPlyStripsText = R"(ply
+format ascii 1.0
+element vertex 5
+property # x
+property # y
+property # z
+property float nx
+property float ny
+property float nz
+element tristrips 2
+property list int int vertex_indices
+end_header
+@ @ @ 0 0 1
+@ @ @ 0 0 1
+@ @ @ 0 0 1
+@ @ @ 0 0 1
+@ @ @ 0 0 1
+5 0 1 3 2 -1
+6 -1 1 4 2 2 -1
+)";
+
 constexpr const char* kStlText = R"(solid left  side
  facet normal 0 0 1
   outer loop
@@ -174,6 +195,23 @@ std::string binaryPly(const Positions& positions, Spelling spelling, Order order
   return bytes + raw(std::int32_t{0}, order) + raw(std::int32_t{1}, order);
 }
 
+/// As Stanford writes its scans: all strips in one row.
+std::string binaryPlyStrips(const Positions& positions, Spelling spelling, Order order)
+{
+  const bool isFloat = spelling == Spelling::kAsRead;
+  const std::string type = isFloat ? "float" : "double";
+  std::string bytes = std::string("ply\nformat binary_") + (order == Order::kLittle ? "little" : "big") +
+                      "_endian 1.0\nelement vertex 5\nproperty " + type + " x\nproperty " + type + " y\nproperty " +
+                      type + " z\nelement tristrips 1\nproperty list int int vertex_indices\nend_header\n";
+  for (Index v = 0; v < positions.rows(); ++v)
+    for (Index k = 0; k < 3; ++k)
+      bytes += isFloat ? raw(static_cast<float>(positions(v, k)), order) : raw(positions(v, k), order);
+  const std::vector<std::int32_t> strips{0, 1, 3, 2, -1, 1, 4, 2, 2, -1};
+  bytes += raw(static_cast<std::int32_t>(strips.size()), order);
+  for (const std::int32_t vertex : strips) bytes += raw(vertex, order);
+  return bytes;
+}
+
 std::string binaryStl(const Positions& positions)
 {
   std::string bytes = "solid, and yet binary";
@@ -207,6 +245,17 @@ MeshExample soup(const std::string& name)
   return example;
 }
 
+/// The same in two strips, the second of which ends in a triangle that names a vertex twice.
+MeshExample strips(const std::string& name)
+{
+  MeshExample example = shared(name, ".ply");
+  example.faces = {};
+  example.faces.add({0, 1, 3});
+  example.faces.add({3, 1, 2});
+  example.faces.add({1, 4, 2});
+  return example;
+}
+
 MeshExample text(MeshExample example, const std::string& pattern)
 {
   example.isText = true;
@@ -224,6 +273,13 @@ MeshExample ply(const std::string& name, Order order, const std::string& restTyp
   MeshExample example = shared(name, ".ply");
   if (restType == "int") example.rest(4, 1) = 1;
   example.bytes = [=](const Positions& p, Spelling spelling) { return binaryPly(p, spelling, order, restType); };
+  return example;
+}
+
+MeshExample plyStrips(const std::string& name, Order order)
+{
+  MeshExample example = strips(name);
+  example.bytes = [=](const Positions& p, Spelling spelling) { return binaryPlyStrips(p, spelling, order); };
   return example;
 }
 
@@ -247,6 +303,10 @@ std::vector<MeshExample> makeExamples()
       ply("PlyLittleInt", Order::kLittle, "int"),
       ply("PlyBigFloat", Order::kBig, "float"),
       ply("PlyBigDouble", Order::kBig, "double"),
+      text(strips("PlyStripsText"), kPlyStripsText),
+      windowsText(strips("PlyStripsTextWindows"), kPlyStripsText),
+      plyStrips("PlyStripsLittle", Order::kLittle),
+      plyStrips("PlyStripsBig", Order::kBig),
       text(soup("StlText"), kStlText),
       windowsText(soup("StlTextWindows"), kStlText),
       soup("StlBinary"),

@@ -259,6 +259,18 @@ TEST_F(ConstraintPanelOfSheet, FiltersByTextAndStatus)
   EXPECT_EQ(shownNames(), (QStringList{"P3"}));
 }
 
+TEST_F(ConstraintPanelOfSheet, ANameIsShownOnOneLineAndEditedAsItIs)
+{
+  const std::string name = "P\n\x1B\xE2\x80\xAE" + std::string(1000, 'x');
+  renameConstraint(editor, 1, QString::fromStdString(name));
+  EXPECT_TRUE(shown(1, Table::Name).startsWith(R"(P\x0a\x1b\xe2\x80\xaexxx)"));
+  EXPECT_EQ(rows().index(1, Table::Name).data(Qt::EditRole).toString().toStdString(), name);
+  disableConstraints(editor, {1});
+  const std::string undo(editor.history().undoName());
+  EXPECT_LT(undo.size(), 100U) << "menus stay narrow";
+  EXPECT_TRUE(undo.starts_with(R"(disable P\x0a)")) << undo;
+}
+
 TEST_F(ConstraintPanelOfSheet, ATakenNameIsRefusedWithTheReason)
 {
   typeInto(1, Table::Name, "P2");

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include <holdfast/base/printable.h>
+
 namespace holdfast {
 namespace {
 
@@ -10,7 +12,7 @@ std::string sentence(const InputLocation& location, const std::string& reason)
   std::string text = location.file;
   if (location.line > 0) text += ":" + std::to_string(location.line);
   if (!location.element.empty()) text += (text.empty() ? "" : ": ") + location.element;
-  return text.empty() ? reason : text + ": " + reason;
+  return printable(text.empty() ? reason : text + ": " + reason, kLongestPrintedMessage);
 }
 
 }  // namespace
@@ -21,7 +23,7 @@ InputError::InputError(InputLocation location, const std::string& reason)
 }
 
 OutputError::OutputError(std::string path, const std::string& reason)
-    : std::runtime_error(path + ": " + reason), path_(std::move(path))
+    : std::runtime_error(sentence({path, 0, {}}, reason)), path_(std::move(path)), reason_(reason)
 {
 }
 

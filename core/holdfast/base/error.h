@@ -1,8 +1,8 @@
 #pragma once
 /// \file
 /// The exceptions of Holdfast. A file, an option or an output that cannot be used throws one of these; it carries what
-/// a program needs to say where, and `what()` is the whole sentence for the user. Constraints that cannot be met and
-/// numerical outcomes are values, never exceptions.
+/// a program needs to say where, and `what()` is the whole sentence for the user, on one printable line (see
+/// `printable`). Constraints that cannot be met and numerical outcomes are values, never exceptions.
 
 #include <stdexcept>
 #include <string>
@@ -38,9 +38,11 @@ class OutputError : public std::runtime_error {
   OutputError(std::string path, const std::string& reason);
 
   [[nodiscard]] const std::string& path() const noexcept { return path_; }
+  [[nodiscard]] const std::string& reason() const noexcept { return reason_; }
 
  private:
   std::string path_;
+  std::string reason_;
 };
 
 }  // namespace holdfast

@@ -20,9 +20,14 @@ struct Finding {
 
 inline constexpr std::size_t kMaxFindingIds = 20;
 
-/// A finding about all of `ids`, which it sorts and cuts to the first few. `message` follows the count: "12 " +
-/// message.
+/// What follows a count in a sentence: "1 " + one, "12 " + many.
+struct CountedWords {
+  std::string one;
+  std::string many;
+};
+
+/// A finding about all of `ids`, which it sorts and cuts to the first few.
 [[nodiscard]] Finding makeFinding(std::string kind, std::string idsOf, std::vector<Index> ids,
-                                  const std::string& message);
+                                  const CountedWords& words);
 
 }  // namespace holdfast

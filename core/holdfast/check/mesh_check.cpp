@@ -19,9 +19,9 @@ namespace {
 /// Collects findings; those about nothing are left out.
 class Findings {
  public:
-  void add(const char* kind, const char* idsOf, std::vector<Index> ids, const std::string& message)
+  void add(const char* kind, const char* idsOf, std::vector<Index> ids, const CountedWords& words)
   {
-    if (!ids.empty()) list_.push_back(makeFinding(kind, idsOf, std::move(ids), message));
+    if (!ids.empty()) list_.push_back(makeFinding(kind, idsOf, std::move(ids), words));
   }
 
   [[nodiscard]] std::vector<Finding> take() { return std::move(list_); }
@@ -45,7 +45,7 @@ void addComponents(Findings& findings, const SolverMesh& mesh)
   for (Index u = 0; u < mesh.unknownCount(); ++u)
     if (const Index c = mesh.componentOf[u]; c >= 0 && first[c] < 0) first[c] = u;
   findings.add("components", "vertex", fileVertices(mesh, first),
-               "connected parts (a vertex of each is named); a part without a constraint stays at rest");
+               {{}, "connected parts (a vertex of each is named); a part without a constraint stays at rest"});
 }
 
 void addUnreferenced(Findings& findings, const SolverMesh& mesh)
@@ -54,7 +54,8 @@ void addUnreferenced(Findings& findings, const SolverMesh& mesh)
   for (std::size_t v = 0; v < mesh.weld.unknownOf.size(); ++v)
     if (mesh.componentOf[mesh.weld.unknownOf[v]] < 0) vertices.push_back(static_cast<Index>(v));
   findings.add("unreferenced_vertices", "vertex", std::move(vertices),
-               "vertices that no face uses; they stay where they are unless pinned");
+               {"vertex that no face uses; it stays where it is unless pinned",
+                "vertices that no face uses; they stay where they are unless pinned"});
 }
 
 /// Vertices that lie on others, apart by whether the solver ties them.
@@ -73,9 +74,11 @@ void addCoincident(Findings& findings, const Mesh& mesh, const SolverMesh& solve
     if (mesh.positions.row(order[k]) == mesh.positions.row(order[k - 1]))
       (unknownOf(order[k]) == unknownOf(order[k - 1]) ? tied : apart).push_back(order[k]);
   findings.add("welded_vertices", "vertex", std::move(tied),
-               "vertices repeat another one exactly along open edges; they are deformed as one and written apart");
+               {"vertex repeats another one exactly along an open edge; they are deformed as one and written apart",
+                "vertices repeat another one exactly along open edges; they are deformed as one and written apart"});
   findings.add("coincident_vertices", "vertex", std::move(apart),
-               "vertices lie exactly on another one without an open edge in common; they may move apart");
+               {"vertex lies exactly on another one without an open edge in common; they may move apart",
+                "vertices lie exactly on another one without an open edge in common; they may move apart"});
 }
 
 double smallestAngleDegrees(const Positions& positions, const Triangle& triangle)
@@ -110,11 +113,14 @@ void addBadTriangles(Findings& findings, const Mesh& mesh, const Triangulation& 
       needles.push_back(triangulation.faceOf[t]);
   }
   findings.add("repeated_corner_faces", "face", std::move(repeated),
-               "faces name a vertex twice; the solver leaves the part without area out");
+               {"face names a vertex twice; the solver leaves the part without area out",
+                "faces name a vertex twice; the solver leaves the part without area out"});
   findings.add("zero_area_faces", "face", std::move(flat),
-               "faces have no area; their cotangents are capped so that they hold together");
+               {"face has no area; its cotangents are capped so that it holds together",
+                "faces have no area; their cotangents are capped so that they hold together"});
   findings.add("needle_faces", "face", std::move(needles),
-               "faces have an angle below 1 degree; their cotangents are capped");
+               {"face has an angle below 1 degree; its cotangents are capped",
+                "faces have an angle below 1 degree; their cotangents are capped"});
 }
 
 /// What the edges of the welded mesh say; ids are faces and vertices of the file.
@@ -166,13 +172,18 @@ void addEdges(Findings& findings, const SolverMesh& mesh)
 {
   EdgeCheck edges = checkEdges(mesh);
   findings.add("non_manifold_edges", "face", std::move(edges.nonManifoldFaces),
-               "faces meet at edges of more than two faces; all of them pull on such an edge");
+               {"face meets itself and others at an edge of more than two faces; all of them pull on it",
+                "faces meet at edges of more than two faces; all of them pull on such an edge"});
   findings.add("non_manifold_vertices", "vertex", fileVertices(mesh, edges.nonManifoldVertices),
-               "vertices join fans of faces that share no edge; the fans stay joined there");
-  findings.add("flipped_neighbours", "face", std::move(edges.flippedFaces),
-               "faces disagree with a neighbour on which side is out; the shape is kept all the same, normals are not");
+               {"vertex joins fans of faces that share no edge; the fans stay joined there",
+                "vertices join fans of faces that share no edge; the fans stay joined there"});
+  findings.add(
+      "flipped_neighbours", "face", std::move(edges.flippedFaces),
+      {"face disagrees with itself on which side is out; the shape is kept all the same, normals are not",
+       "faces disagree with a neighbour on which side is out; the shape is kept all the same, normals are not"});
   findings.add("boundary_loops", "vertex", fileVertices(mesh, edges.boundaryVertices),
-               "boundaries (a vertex of each is named); the surface is open there");
+               {"boundary (a vertex of it is named); the surface is open there",
+                "boundaries (a vertex of each is named); the surface is open there"});
 }
 
 }  // namespace
@@ -184,7 +195,8 @@ std::vector<Finding> findNonFinite(const Mesh& mesh)
     if (!mesh.positions.row(v).allFinite()) vertices.push_back(v);
   Findings findings;
   findings.add("non_finite_coordinates", "vertex", std::move(vertices),
-               "vertices have a coordinate that is not a finite number; repair them, nothing can be solved");
+               {"vertex has a coordinate that is not a finite number; repair it, nothing can be solved",
+                "vertices have a coordinate that is not a finite number; repair them, nothing can be solved"});
   return findings.take();
 }
 
@@ -203,9 +215,11 @@ std::vector<Finding> guardFindings(const Operators& operators, const SolverMesh&
 {
   Findings findings;
   findings.add("capped_cotangents", "vertex", fileVertices(solverMesh, operators.clampedCotangents),
-               "vertices of triangles whose cotangents were capped: very small or very large angles");
+               {"vertex of triangles whose cotangents were capped: very small or very large angles",
+                "vertices of triangles whose cotangents were capped: very small or very large angles"});
   findings.add("floored_areas", "vertex", fileVertices(solverMesh, operators.flooredAreas),
-               "vertices whose area was raised to a thousandth of the mean");
+               {"vertex whose area was raised to a thousandth of the mean",
+                "vertices whose area was raised to a thousandth of the mean"});
   return findings.take();
 }
 

@@ -5,9 +5,8 @@
 #include <holdfast/constraints/constraint_file_text_internal.h>
 
 namespace holdfast {
-namespace {
 
-bool isCsv(const std::filesystem::path& path)
+bool isPointList(const std::filesystem::path& path)
 {
   const std::string extension = path.extension().string();
   constexpr std::string_view kCsv = ".csv";
@@ -15,12 +14,10 @@ bool isCsv(const std::filesystem::path& path)
                     [](char a, char b) { return a == b || (b >= 'a' && b <= 'z' && a == b - 'a' + 'A'); });
 }
 
-}  // namespace
-
 ConstraintList readConstraints(const std::filesystem::path& path)
 {
   const std::string text = readTextFile(path);
-  return isCsv(path) ? parsePointListCsv(text, path.string()) : parseConstraintsJson(text, path.string());
+  return isPointList(path) ? parsePointListCsv(text, path.string()) : parseConstraintsJson(text, path.string());
 }
 
 }  // namespace holdfast

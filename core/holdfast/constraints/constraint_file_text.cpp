@@ -16,52 +16,6 @@ namespace {
 /// A device that never ends must not fill the memory. A point takes about 100 bytes: room for two million.
 constexpr std::size_t kMaximumBytes = std::size_t{1} << 28;
 
-unsigned char byteAt(std::string_view text, std::size_t place)
-{
-  return static_cast<unsigned char>(text[place]);
-}
-
-bool isContinuation(unsigned char byte)
-{
-  return (byte & 0xC0) == 0x80;
-}
-
-std::size_t lengthFromLead(unsigned char lead)
-{
-  if (lead < 0x80) return 1;
-  if (lead >= 0xC2 && lead <= 0xDF) return 2;
-  if (lead >= 0xE0 && lead <= 0xEF) return 3;
-  if (lead >= 0xF0 && lead <= 0xF4) return 4;
-  return 0;
-}
-
-/// Overlong forms, surrogates and code points past U+10FFFF show in the second byte (Unicode, table 3-7).
-bool isSecondByteAllowed(unsigned char lead, unsigned char second)
-{
-  switch (lead) {
-    case 0xE0:
-      return second >= 0xA0;
-    case 0xED:
-      return second <= 0x9F;
-    case 0xF0:
-      return second >= 0x90;
-    case 0xF4:
-      return second <= 0x8F;
-    default:
-      return true;
-  }
-}
-
-/// Bytes of the character at the start of `text`, which is not empty; 0 where there is no valid one.
-std::size_t utf8Length(std::string_view text)
-{
-  const std::size_t length = lengthFromLead(byteAt(text, 0));
-  if (length == 0 || length > text.size()) return 0;
-  for (std::size_t i = 1; i < length; ++i)
-    if (!isContinuation(byteAt(text, i))) return 0;
-  return length == 1 || isSecondByteAllowed(byteAt(text, 0), byteAt(text, 1)) ? length : 0;
-}
-
 char lowerCase(char c)
 {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
@@ -134,28 +88,12 @@ std::string_view requireUtf8(std::string_view text, std::string_view file)
   for (std::size_t offset = 0; offset < text.size();) {
     const std::size_t length = utf8Length(text.substr(offset));
     if (length == 0)
-      throw InputError(
-          {std::string(file), placeInText(text, offset).line, ""},
-          fmt::format("not UTF-8 text (byte 0x{:02X}); save the file in the encoding UTF-8", byteAt(text, offset)));
+      throw InputError({std::string(file), placeInText(text, offset).line, ""},
+                       fmt::format("not UTF-8 text (byte 0x{:02X}); save the file in the encoding UTF-8",
+                                   static_cast<unsigned char>(text[offset])));
     offset += length;
   }
   return text;
-}
-
-std::string shortened(std::string_view text)
-{
-  constexpr std::size_t kMost = 60;
-  std::size_t length = std::min(text.size(), kMost);
-  while (length < text.size() && length > 0 && isContinuation(byteAt(text, length))) --length;
-  std::string result(text.substr(0, length));
-  std::replace_if(
-      result.begin(), result.end(), [](char c) { return (c >= 0 && c < ' ') || c == '\x7F'; }, ' ');
-  return length < text.size() ? result + "..." : result;
-}
-
-std::string inQuotes(std::string_view text)
-{
-  return '"' + shortened(text) + '"';
 }
 
 std::string listInQuotes(std::span<const std::string_view> words)

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include <holdfast/base/printable.h>
 #include <holdfast/base/types.h>
 
 namespace holdfast {
@@ -24,14 +25,11 @@ struct TextPlace {
 /// All bytes of a file. Throws `InputError` where it is missing, a directory, unreadable, or larger than 256 MiB.
 [[nodiscard]] std::string readTextFile(const std::filesystem::path& path);
 
+/// Whether the name says that the file is a point list: it ends in .csv, in any case of letters.
+[[nodiscard]] bool isPointList(const std::filesystem::path& path);
+
 /// `text` without a byte order mark. Throws `InputError` with the line of the first byte that is not UTF-8.
 [[nodiscard]] std::string_view requireUtf8(std::string_view text, std::string_view file);
-
-/// At most 60 bytes of `text` (whole characters) on one line, for a message.
-[[nodiscard]] std::string shortened(std::string_view text);
-
-/// The same in double quotes.
-[[nodiscard]] std::string inQuotes(std::string_view text);
 
 /// "a", "b", "c".
 [[nodiscard]] std::string listInQuotes(std::span<const std::string_view> words);

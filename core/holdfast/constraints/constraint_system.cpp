@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <holdfast/base/error.h>
+#include <holdfast/base/printable.h>
 #include <holdfast/constraints/handle_mistake.h>
 #include <holdfast/constraints/handle_motion.h>
 #include <holdfast/constraints/selector.h>
@@ -72,7 +73,7 @@ class SystemBuilder {
       try {
         std::visit(function, constraint.what);
       } catch (const InputError& error) {
-        throw InputError(error.location(), fmt::format("\"{}\": {}", constraint.name, error.reason()));
+        throw InputError(error.location(), fmt::format("{}: {}", inQuotes(constraint.name), error.reason()));
       }
     }
   }

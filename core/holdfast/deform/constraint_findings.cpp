@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <holdfast/base/printable.h>
 #include <holdfast/deform/outcomes.h>
 
 namespace holdfast {
@@ -23,11 +24,11 @@ std::vector<Index> partsAtRest(const Model& model, const EliminatedConstraints& 
 
 Finding nearlyDependent(std::vector<Index> amplified, double largest)
 {
+  const std::string amount = fmt::format("a unit of inconsistency moves vertices by up to {:.2g} units; ", largest);
   return makeFinding(
       "nearly_dependent_constraints", "constraint", std::move(amplified),
-      fmt::format("constraints nearly follow from others: a unit of inconsistency moves vertices by up to {:.2g} "
-                  "units; move their points apart, or leave some out",
-                  largest));
+      {"constraint nearly follows from others: " + amount + "move its points apart, or leave it out",
+       "constraints nearly follow from others: " + amount + "move their points apart, or leave some out"});
 }
 
 }  // namespace
@@ -37,8 +38,10 @@ std::vector<Finding> constraintFindings(const Model& model, const EliminatedCons
 {
   std::vector<Finding> findings;
   if (std::vector<Index> atRest = partsAtRest(model, eliminated); !atRest.empty())
-    findings.push_back(makeFinding("parts_at_rest", "vertex", std::move(atRest),
-                                   "connected parts have no constraint and stay at rest (a vertex of each is named)"));
+    findings.push_back(
+        makeFinding("parts_at_rest", "vertex", std::move(atRest),
+                    {"connected part has no constraint and stays at rest (a vertex of it is named)",
+                     "connected parts have no constraint and stay at rest (a vertex of each is named)"}));
   std::vector<Index> amplified;
   double largest = 0;
   for (std::size_t c = 0; c < outcomes.size(); ++c)
@@ -52,7 +55,7 @@ std::vector<Finding> constraintFindings(const Model& model, const EliminatedCons
                         1,
                         "constraint",
                         {note.constraint},
-                        fmt::format("\"{}\" {}", outcomes[note.constraint].name, note.message)});
+                        fmt::format("{} {}", inQuotes(outcomes[note.constraint].name), note.message)});
   return findings;
 }
 

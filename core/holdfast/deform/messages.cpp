@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <holdfast/base/printable.h>
+
 namespace holdfast {
 namespace {
 
@@ -16,8 +18,8 @@ std::size_t countOf(const Report& report, ConstraintStatus status)
 /// By how much it is missed, and what is promised.
 std::string missText(const Report& report, const MissedRow& row)
 {
-  return fmt::format("\"{}\" is missed by {:.3g}, more than the promised {:.3g}",
-                     report.constraints[row.constraint].name, row.residual, row.limit);
+  return fmt::format("{} is missed by {:.3g}, more than the promised {:.3g}",
+                     inQuotes(report.constraints[row.constraint].name), row.residual, row.limit);
 }
 
 std::string accuracyText(double accuracy)

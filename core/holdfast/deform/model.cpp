@@ -1,5 +1,6 @@
 #include "holdfast/deform/model.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -8,6 +9,28 @@
 #include <holdfast/base/error.h>
 
 namespace holdfast {
+namespace {
+
+void requireSparseRows(const SolverMesh& mesh, const std::string& source)
+{
+  constexpr double kMany = 1000;  // fewer make nothing dense that would be sparse without them
+  std::vector<double> count(static_cast<std::size_t>(mesh.unknownCount()), 0);
+  for (const Triangle& triangle : mesh.triangles)
+    for (const Index u : triangle) ++count[u];
+  double squares = 0;
+  for (const double n : count)
+    if (n > kMany) squares += n * n;
+  constexpr double kMost = kMostTrianglesAtAVertex;
+  if (squares <= kMost * kMost) return;
+  const auto largest = std::max_element(count.begin(), count.end());
+  throw InputError(
+      {source, 0, fmt::format("vertex {}", mesh.weld.firstVertexOf[largest - count.begin()])},
+      fmt::format("{} triangles meet here; more than {} at one vertex, or as much by the sum of squares at "
+                  "several of more than {}, would fill the memory: divide the faces so that fewer meet",
+                  *largest, kMostTrianglesAtAVertex, kMany));
+}
+
+}  // namespace
 
 Model makeModel(Mesh mesh, const std::string& source)
 {
@@ -22,6 +45,7 @@ Model makeModel(Mesh mesh, const std::string& source)
     throw InputError({source, 0, ""}, "the mesh is larger than a double can say; scale it down");
   if (!(model.solverMesh.diagonal > 0))
     throw InputError({source, 0, ""}, "all vertices lie in one place; the mesh has no size to deform");
+  requireSparseRows(model.solverMesh, source);
   model.findings = checkMesh(model.mesh, model.triangulation, model.solverMesh);
   return model;
 }

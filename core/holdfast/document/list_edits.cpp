@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <holdfast/base/error.h>
+#include <holdfast/base/printable.h>
 
 namespace holdfast {
 namespace {
@@ -39,9 +40,9 @@ void requireUsableName(const ConstraintList& list, const std::string& name, std:
   if (name.empty()) throw InputError({}, "the name is empty; every constraint needs one");
   const std::optional<Index> other = indexOf(list, name);
   if (other && other != owner)
-    throw InputError({}, fmt::format("\"{}\" is the name of constraint {} in the list already; choose another, because "
+    throw InputError({}, fmt::format("{} is the name of constraint {} in the list already; choose another, because "
                                      "reports tell constraints apart by their names",
-                                     name, *other + 1));
+                                     inQuotes(name), *other + 1));
 }
 
 /// Makes names that are not taken, however many of them begin alike, without counting from the start each time.

@@ -3,11 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <holdfast/constraints/constraint_file.h>
 #include <holdfast/constraints/constraint_file_json_internal.h>
 #include <holdfast/constraints/constraint_file_text_internal.h>
 #include <holdfast/constraints/json_reader_internal.h>
 #include <holdfast/document/session_file.h>
 #include <holdfast/document/session_mesh.h>
+#include <holdfast/document/stated_options.h>
 
 namespace holdfast {
 namespace {
@@ -65,16 +67,16 @@ Backend readBackend(const JsonReader& json)
   return backend;
 }
 
-DeformOptions readOptions(const JsonReader& json)
+StatedOptions readOptions(const JsonReader& json)
 {
   constexpr std::array kWeights{Weights::Cotangent, Weights::CotangentPaper, Weights::Uniform};
   constexpr std::array kSolvers{SolverKind::Hard, SolverKind::Soft, SolverKind::Lagrange};
   json.requireKeys(kOptionKeys);
-  DeformOptions options;
+  StatedOptions options;
   if (json.has("weights")) options.weights = chosen<Weights>(json["weights"], kWeights);
-  if (json.has("solver")) options.solver.kind = chosen<SolverKind>(json["solver"], kSolvers);
-  if (json.has("soft_weight")) options.solver.softWeight = positive(json["soft_weight"]);
-  if (json.has("backend")) options.solver.backend = readBackend(json["backend"]);
+  if (json.has("solver")) options.solver = chosen<SolverKind>(json["solver"], kSolvers);
+  if (json.has("soft_weight")) options.softWeight = positive(json["soft_weight"]);
+  if (json.has("backend")) options.backend = readBackend(json["backend"]);
   return options;
 }
 
@@ -156,7 +158,7 @@ SessionFile parseSession(std::string_view text, const std::string& name)
   if (!json.has("mesh"))
     json.fail("the key \"mesh\" is missing: this is a constraint file; open a mesh, then the constraints");
   session.mesh = readMeshReference(json["mesh"]);
-  if (json.has("options")) session.document.options = readOptions(json["options"]);
+  if (json.has("options")) session.document.options = withStated({}, readOptions(json["options"]));
   if (json.has("view")) session.view = readView(json["view"]);
   session.original = textOrNone(json, "original").value_or("");
   return session;
@@ -165,6 +167,15 @@ SessionFile parseSession(std::string_view text, const std::string& name)
 SessionFile readSession(const std::filesystem::path& path)
 {
   return parseSession(readTextFile(path), path.string());
+}
+
+StatedConstraints readStatedConstraints(const std::filesystem::path& path)
+{
+  if (isPointList(path)) return {readConstraints(path), {}};
+  const std::string name = path.string();
+  const JsonValue root = parseJson(readTextFile(path), name);
+  const JsonReader json(root, name);
+  return {readConstraintDocument(json), json.has("options") ? readOptions(json["options"]) : StatedOptions{}};
 }
 
 }  // namespace holdfast

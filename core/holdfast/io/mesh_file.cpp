@@ -15,6 +15,7 @@
 #include <holdfast/io/off_reader.h>
 #include <holdfast/io/ply_reader.h>
 #include <holdfast/io/stl_reader.h>
+#include <holdfast/io/text_cursor.h>
 
 namespace holdfast {
 namespace {
@@ -41,11 +42,12 @@ const Format* findFormat(std::string_view extension)
   return format == kFormats.end() ? nullptr : &*format;
 }
 
-std::string unknownFormat(std::string_view extension)
+std::string unknownFormat(std::string_view extension, std::span<const std::string_view> known)
 {
-  const std::string what = extension.empty() ? "a name without an extension says no mesh format"
-                                             : fmt::format("'{}' is not a mesh format that is known here", extension);
-  return fmt::format("{}: use {}", what, fmt::join(kExtensions, ", "));
+  const std::string what = extension.empty()
+                               ? "a name without an extension says no mesh format"
+                               : fmt::format("{} is not a mesh format that is known here", quotedToken(extension));
+  return fmt::format("{}: use {}", what, fmt::join(known, ", "));
 }
 
 }  // namespace
@@ -55,11 +57,12 @@ std::span<const std::string_view> meshExtensions()
   return kExtensions;
 }
 
-MeshDocument readMesh(const std::filesystem::path& path)
+MeshDocument readMesh(const std::filesystem::path& path, std::span<const std::string_view> known)
 {
   std::string bytes = readFileBytes(path);
-  const Format* const format = findFormat(path.extension().string());
-  if (format == nullptr) throw InputError({path.string(), 0, {}}, unknownFormat(path.extension().string()));
+  const std::string extension = path.extension().string();
+  const Format* const format = findFormat(extension);
+  if (format == nullptr) throw InputError({path.string(), 0, {}}, unknownFormat(extension, known));
   return format->read(std::move(bytes), path.string());
 }
 
@@ -68,7 +71,8 @@ Serialized serializeMesh(const MeshDocument& document, const Positions& position
   assert(positions.rows() == document.mesh.vertexCount());
   const Format* const format = findFormat(extension);
   if (format == nullptr)
-    throw OutputError(extension.empty() ? "(no extension)" : std::string(extension), unknownFormat(extension));
+    throw OutputError(extension.empty() ? "(no extension)" : std::string(extension),
+                      unknownFormat(extension, kExtensions));
   if (document.source && document.source->extension() == format->extension)
     return document.source->withPositions(positions);
   Serialized result = format->write(positions, document.mesh.faces);

@@ -13,11 +13,13 @@ namespace holdfast {
 /// The extensions that `readMesh` and `serializeMesh` know, lower case with the dot.
 [[nodiscard]] std::span<const std::string_view> meshExtensions();
 
-/// Reads a mesh file; the extension (any case) names the format. Throws `InputError` with file, line (text) or byte
+/// Reads a mesh file; the extension (any case) names the format. `known` are the extensions that the message about
+/// another one lists: a caller may read more formats by other means. Throws `InputError` with file, line (text) or byte
 /// offset (binary) and reason where the file is missing, truncated, malformed, or refers to vertices that it does not
 /// have. Non-finite coordinates are read as they stand: `checkMesh` names them. Memory is bounded by the size of the
 /// file, whatever counts its header claims.
-[[nodiscard]] MeshDocument readMesh(const std::filesystem::path& path);
+[[nodiscard]] MeshDocument readMesh(const std::filesystem::path& path,
+                                    std::span<const std::string_view> known = meshExtensions());
 
 /// The contents of a mesh file of the format named by `extension`, with `positions` (vertexCount x 3) in place of the
 /// document's own. In the document's own format all else is kept (see `MeshSource::withPositions`); in another one

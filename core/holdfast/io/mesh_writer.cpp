@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <holdfast/base/counted.h>
 #include <holdfast/base/error.h>
 #include <holdfast/io/byte_order.h>
 #include <holdfast/io/number_text.h>

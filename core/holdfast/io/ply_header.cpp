@@ -177,6 +177,13 @@ const PlyElement* PlyHeader::find(std::string_view wanted) const
   return found == elements.end() ? nullptr : &*found;
 }
 
+const PlyElement* PlyHeader::surface() const
+{
+  const PlyElement* const face = find("face");
+  const PlyElement* const strips = find("tristrips");
+  return strips != nullptr && (face == nullptr || face->count == 0) ? strips : face;
+}
+
 PlyHeader parsePlyHeader(std::string_view bytes, const std::string& file)
 {
   return HeaderParser(bytes, file).parse();

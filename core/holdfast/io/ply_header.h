@@ -36,6 +36,8 @@ struct PlyElement {
 
   /// Place of the property called `wanted`; -1 where there is none.
   [[nodiscard]] Index find(std::string_view wanted) const;
+  /// Whether the rows are strips of triangles, as Stanford's scans have them.
+  [[nodiscard]] bool hasStrips() const { return name == "tristrips"; }
 };
 
 struct PlyHeader {
@@ -46,6 +48,9 @@ struct PlyHeader {
 
   /// The element called `wanted`, or null.
   [[nodiscard]] const PlyElement* find(std::string_view wanted) const;
+  /// The element whose rows are the surface: `tristrips` where there is no `face` or none of its rows, else `face`.
+  /// Null where there is neither.
+  [[nodiscard]] const PlyElement* surface() const;
 };
 
 /// Reads the header at the beginning of `bytes`, which must outlive the result; `file` names it in errors. Throws

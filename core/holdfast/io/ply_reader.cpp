@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <holdfast/base/counted.h>
 #include <holdfast/base/error.h>
 #include <holdfast/io/ply_header.h>
 #include <holdfast/io/ply_scanner.h>
@@ -17,45 +18,48 @@ namespace {
 /// The parts of a header that make the mesh.
 struct MeshElements {
   const PlyElement* vertex = nullptr;
-  const PlyElement* face = nullptr;
-  Index corners = -1;  // property of `face`
+  const PlyElement* surface = nullptr;
+  Index corners = -1;  // property of `surface`
 };
 
-const PlyElement& requireElement(const PlyHeader& header, std::string_view name, const std::string& file)
+[[noreturn]] void failWithoutFaces(const std::string& file, Index line)
 {
-  const PlyElement* const element = header.find(name);
-  if (element == nullptr)
-    throw InputError({file, 0, {}},
-                     fmt::format("the header has no element {}: export the file as a polygon mesh", quotedToken(name)));
-  if (element->count == 0)
-    throw InputError({file, element->line, {}},
-                     name == "face" ? "the mesh has no faces: export it as a polygon mesh, not as points"
-                                    : "the mesh has no vertices: export it again");
-  return *element;
+  throw InputError({file, line, {}}, "the mesh has no faces: export it as a polygon mesh, not as points");
 }
 
-Index cornersOf(const PlyElement& face, const std::string& file)
+/// `element`, which is called `name` and must be there.
+const PlyElement& require(const PlyElement* element, std::string_view name, const std::string& file)
 {
-  const Index usual = face.find("vertex_indices");
-  const Index corners = usual >= 0 ? usual : face.find("vertex_index");
-  if (corners < 0 || !face.properties[corners].isList() || !isInteger(face.properties[corners].type))
-    throw InputError({file, face.line, {}},
-                     "the element 'face' needs the property 'list uchar int vertex_indices' (or "
-                     "vertex_index) of a whole type: export the file as a polygon mesh");
+  if (element != nullptr) return *element;
+  throw InputError({file, 0, {}},
+                   fmt::format("the header has no element {}: export the file as a polygon mesh", quotedToken(name)));
+}
+
+Index cornersOf(const PlyElement& surface, const std::string& file)
+{
+  const Index usual = surface.find("vertex_indices");
+  const Index corners = usual >= 0 ? usual : surface.find("vertex_index");
+  if (corners < 0 || !surface.properties[corners].isList() || !isInteger(surface.properties[corners].type))
+    throw InputError({file, surface.line, {}},
+                     fmt::format("the element {} needs the property 'list {} int vertex_indices' (or vertex_index) of "
+                                 "a whole type: export the file as a polygon mesh",
+                                 quotedToken(surface.name), surface.hasStrips() ? "int" : "uchar"));
   return corners;
 }
 
 MeshElements meshElements(const PlyHeader& header, const std::string& file)
 {
-  const PlyElement& vertex = requireElement(header, "vertex", file);
+  const PlyElement& vertex = require(header.find("vertex"), "vertex", file);
+  if (vertex.count == 0) throw InputError({file, vertex.line, {}}, "the mesh has no vertices: export it again");
   for (const std::string_view name : {"x", "y", "z"}) {
     const Index property = vertex.find(name);
     if (property < 0 || vertex.properties[property].isList())
       throw InputError({file, vertex.line, {}},
                        fmt::format("the element 'vertex' has no number {}: it needs x, y and z", quotedToken(name)));
   }
-  const PlyElement& face = requireElement(header, "face", file);
-  return {&vertex, &face, cornersOf(face, file)};
+  const PlyElement& surface = require(header.surface(), "face", file);
+  if (surface.count == 0) failWithoutFaces(file, surface.line);
+  return {&vertex, &surface, cornersOf(surface, file)};
 }
 
 /// Reads the body with one of the two scanners.
@@ -73,8 +77,11 @@ class BodyReader {
 
  private:
   void readVertices();
-  void readFaces();
+  void readSurface();
   void readCorners(const PlyProperty& property, Index face);
+  void readStrips(const PlyProperty& property);
+  void addStrip();
+  void requireVertex(Index vertex, std::string_view owner, Index id) const;
   void skipElement(const PlyElement& element);
   void skipProperty(const PlyProperty& property);
   Index listSize(const PlyProperty& property);
@@ -86,7 +93,8 @@ class BodyReader {
   Scanner scanner_;
   Mesh mesh_;
   PlyPlace vertices_;
-  std::vector<Index> polygon_;
+  std::vector<Index> polygon_;  // the face or the strip that is being read
+  Index strip_ = 0;
 };
 
 template <class Scanner>
@@ -96,8 +104,8 @@ void BodyReader<Scanner>::read()
     expectRoom(element, leastRowBytes(element));
     if (&element == elements_.vertex)
       readVertices();
-    else if (&element == elements_.face)
-      readFaces();
+    else if (&element == elements_.surface)
+      readSurface();
     else
       skipElement(element);
   }
@@ -125,17 +133,19 @@ void BodyReader<Scanner>::readVertices()
 }
 
 template <class Scanner>
-void BodyReader<Scanner>::readFaces()
+void BodyReader<Scanner>::readSurface()
 {
-  const PlyElement& face = *elements_.face;
-  mesh_.faces.reserve(face.count, 3 * face.count);
-  for (Index f = 0; f < face.count; ++f) {
-    scanner_.beginRow(face, f);
-    for (Index p = 0; p < static_cast<Index>(face.properties.size()); ++p) {
-      if (p == elements_.corners)
-        readCorners(face.properties[p], f);
+  const PlyElement& surface = *elements_.surface;
+  mesh_.faces.reserve(surface.count, 3 * surface.count);
+  for (Index row = 0; row < surface.count; ++row) {
+    scanner_.beginRow(surface, row);
+    for (Index p = 0; p < static_cast<Index>(surface.properties.size()); ++p) {
+      if (p != elements_.corners)
+        skipProperty(surface.properties[p]);
+      else if (surface.hasStrips())
+        readStrips(surface.properties[p]);
       else
-        skipProperty(face.properties[p]);
+        readCorners(surface.properties[p], row);
     }
     scanner_.endRow();
   }
@@ -149,12 +159,53 @@ void BodyReader<Scanner>::readCorners(const PlyProperty& property, Index face)
   polygon_.clear();
   for (Index k = 0; k < size; ++k) {
     const Index vertex = scanner_.integer(property.type, "a corner of the face");
-    if (vertex < 0 || vertex >= elements_.vertex->count)
-      scanner_.fail(fmt::format("vertex {} of face {} does not exist: the file has {} vertices, numbered from 0",
-                                vertex, face, elements_.vertex->count));
+    requireVertex(vertex, "face", face);
     polygon_.push_back(vertex);
   }
   mesh_.faces.add(polygon_);
+}
+
+template <class Scanner>
+void BodyReader<Scanner>::readStrips(const PlyProperty& property)
+{
+  constexpr Index kEndOfStrip = -1;
+  const Index size = listSize(property);
+  for (Index k = 0; k < size; ++k) {
+    const Index vertex = scanner_.integer(property.type, "a corner of a strip");
+    if (vertex == kEndOfStrip) {
+      addStrip();
+      continue;
+    }
+    requireVertex(vertex, "strip", strip_);
+    polygon_.push_back(vertex);
+  }
+  addStrip();
+}
+
+/// Adds the triangles of the strip in `polygon_`, and begins the next one. An end may follow an end.
+template <class Scanner>
+void BodyReader<Scanner>::addStrip()
+{
+  if (polygon_.empty()) return;
+  if (polygon_.size() < 3)
+    scanner_.fail(fmt::format("strip {} has {}: it needs three or more; remove it", strip_,
+                              counted(static_cast<Index>(polygon_.size()), "corner")));
+  for (std::size_t k = 0; k + 2 < polygon_.size(); ++k) {
+    const Index a = polygon_[k + k % 2];
+    const Index b = polygon_[k + 1 - k % 2];
+    const Index c = polygon_[k + 2];
+    if (a != b && b != c && c != a) mesh_.faces.add({a, b, c});
+  }
+  polygon_.clear();
+  ++strip_;
+}
+
+template <class Scanner>
+void BodyReader<Scanner>::requireVertex(Index vertex, std::string_view owner, Index id) const
+{
+  if (vertex >= 0 && vertex < elements_.vertex->count) return;
+  scanner_.fail(fmt::format("vertex {} of {} {} does not exist: the file has {} vertices, numbered from 0", vertex,
+                            owner, id, elements_.vertex->count));
 }
 
 template <class Scanner>
@@ -189,7 +240,8 @@ std::size_t BodyReader<Scanner>::leastRowBytes(const PlyElement& element) const
   std::size_t bytes = 0;
   for (const PlyProperty& property : element.properties)
     bytes += scanner_.leastBytes(property.countType.value_or(property.type));
-  if (&element == elements_.face) bytes += 3 * scanner_.leastBytes(element.properties[elements_.corners].type);
+  if (&element == elements_.surface && !element.hasStrips())
+    bytes += 3 * scanner_.leastBytes(element.properties[elements_.corners].type);
   return bytes;
 }
 
@@ -204,12 +256,14 @@ void BodyReader<Scanner>::expectRoom(const PlyElement& element, std::size_t rowB
 }
 
 template <class Scanner>
-MeshDocument readBody(std::string bytes, const PlyHeader& header, const MeshElements& elements, Scanner scanner)
+MeshDocument readBody(std::string bytes, const PlyHeader& header, const MeshElements& elements, Scanner scanner,
+                      const std::string& file)
 {
   BodyReader<Scanner> reader(header, elements, std::move(scanner));
   reader.read();
   const PlyPlace vertices = reader.vertices();
   Mesh mesh = std::move(reader).takeMesh();
+  if (mesh.faces.isEmpty()) failWithoutFaces(file, elements.surface->line);
   return {mesh, makePlySource(std::move(bytes), vertices, mesh)};
 }
 
@@ -222,8 +276,9 @@ MeshDocument readPly(std::string bytes, const std::string& file)
   const PlyPlace body{header.bodyOffset, header.bodyLine};
   const std::string_view view = bytes;
   if (header.encoding == PlyEncoding::kText)
-    return readBody(std::move(bytes), header, elements, PlyTextScanner(view, file, body));
-  return readBody(std::move(bytes), header, elements, PlyBinaryScanner(view, file, body, byteOrder(header.encoding)));
+    return readBody(std::move(bytes), header, elements, PlyTextScanner(view, file, body), file);
+  return readBody(std::move(bytes), header, elements, PlyBinaryScanner(view, file, body, byteOrder(header.encoding)),
+                  file);
 }
 
 }  // namespace holdfast

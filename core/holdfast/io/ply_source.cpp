@@ -159,7 +159,7 @@ std::vector<std::string> PlySource::extras() const
     std::string name;
     if (element.name == "vertex")
       name = otherProperties(element, {"x", "y", "z"});
-    else if (element.name == "face")
+    else if (&element == header_.surface())
       name = otherProperties(element, {"vertex_indices", "vertex_index"});
     else
       name = fmt::format("element {}", element.name);

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <utility>
 
+#include <holdfast/base/counted.h>
 #include <holdfast/io/number_text.h>
 #include <holdfast/mesh/vertex_normals.h>
 
@@ -54,11 +55,6 @@ NormalUpdate updateNormals(const Polygons& faces, std::span<const Index> normalO
   if (kept > 0)
     update.notes.push_back(counted(kept, "normal") + " kept from before: the faces around have no area now");
   return update;
-}
-
-std::string counted(Index count, const std::string& singular)
-{
-  return std::to_string(count) + " " + singular + (count == 1 ? "" : "s");
 }
 
 }  // namespace holdfast

@@ -26,7 +26,4 @@ struct NormalUpdate {
 [[nodiscard]] NormalUpdate updateNormals(const Polygons& faces, std::span<const Index> normalOfCorner, Index count,
                                          const Positions& before, const Positions& after);
 
-/// "1 normal", "3 normals".
-[[nodiscard]] std::string counted(Index count, const std::string& singular);
-
 }  // namespace holdfast

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <holdfast/base/error.h>
+#include <holdfast/base/printable.h>
 #include <holdfast/io/number_text.h>
 
 namespace holdfast {
@@ -127,14 +128,7 @@ std::optional<std::size_t> TextCursor::continued(std::size_t at) const
 std::string quotedToken(std::string_view token)
 {
   constexpr std::size_t kLongest = 40;
-  std::string text = "'";
-  for (const char c : token.substr(0, kLongest)) {
-    if (c >= ' ' && c <= '~')
-      text += c;
-    else
-      text += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
-  }
-  return text + (token.size() > kLongest ? "...'" : "'");
+  return '\'' + printable(token, kLongest) + '\'';
 }
 
 double numberOf(std::string_view token, std::string_view what, const TextCursor& cursor)

@@ -64,7 +64,7 @@ class TextCursor {
   Index line_ = 1;
 };
 
-/// `token` in quotes for a message: cut where long, bytes that are not printable ASCII as \xNN.
+/// `token` in quotes for a message: cut where long, see `printable`.
 [[nodiscard]] std::string quotedToken(std::string_view token);
 
 /// `token` as a number. Throws an `InputError` at the place of `cursor`, naming `what`, where it is none.

@@ -55,6 +55,29 @@ TEST(CheckMesh, NamesVerticesThatNoFaceUses)
               ElementsAre(Pair("unreferenced_vertices", ElementsAre(4))));
 }
 
+/// The message of the finding of this kind.
+std::string messageOf(const Mesh& mesh, const std::string& kind)
+{
+  for (const Finding& finding : check(mesh))
+    if (finding.kind == kind) return finding.message;
+  return "no finding";
+}
+
+TEST(CheckMesh, SpeaksOfOneThingInTheSingular)
+{
+  EXPECT_EQ(messageOf(test::grid(2, 2), "boundary_loops"),
+            "1 boundary (a vertex of it is named); the surface is open there");
+  const Mesh loose = test::withVertex(test::tetrahedron(), {9, 9, 9});
+  EXPECT_EQ(messageOf(loose, "unreferenced_vertices"),
+            "1 vertex that no face uses; it stays where it is unless pinned");
+  EXPECT_EQ(messageOf(test::withVertex(loose, {8, 8, 8}), "unreferenced_vertices"),
+            "2 vertices that no face uses; they stay where they are unless pinned");
+  Mesh broken = test::tetrahedron();
+  broken.positions(1, 1) = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(findNonFinite(broken).front().message,
+            "1 vertex has a coordinate that is not a finite number; repair it, nothing can be solved");
+}
+
 TEST(CheckMesh, NamesVerticesThatAreWelded)
 {
   // The corners of the second triangle, of which two repeat those of the first; the boundary is that of the square.

@@ -71,6 +71,44 @@ TEST(PlyReader, NamesWhatAnotherFormatWouldLose)
               ElementsAre("vertex properties nx, red", "face properties tag", "element edge"));
 }
 
+/// A text file of one triangle's vertices with the rows of strips `rows`.
+std::string strips(const std::string& rows, Index count = 1, const std::string& more = "")
+{
+  return text(
+      kVertex + more + "element tristrips " + std::to_string(count) + "\nproperty list int int vertex_indices\n",
+      kTriangleVertices + rows);
+}
+
+TEST(PlyReader, EverySecondTriangleOfAStripIsTurnedRoundAndThoseThatNameAVertexTwiceAreNoFaces)
+{
+  const Mesh mesh = readPly(strips("8 0 1 2 2 0 0 1 2\n"), "").mesh;
+  // Of the six triangles 012, 212, 220, 020, 001 and 210 the first alone and the last, turned round, have an area.
+  ASSERT_EQ(mesh.faces.size(), 2);
+  EXPECT_THAT(mesh.faces[0], ElementsAre(0, 1, 2));
+  EXPECT_THAT(mesh.faces[1], ElementsAre(1, 0, 2));
+}
+
+TEST(PlyReader, AStripEndsWithItsRowAndAtMinusOne)
+{
+  const Mesh mesh = readPly(strips("3 0 1 2\n8 2 1 0 -1 -1 1 0 2\n0\n", 3), "").mesh;
+  ASSERT_EQ(mesh.faces.size(), 3);
+  EXPECT_THAT(mesh.faces[1], ElementsAre(2, 1, 0));
+  EXPECT_THAT(mesh.faces[2], ElementsAre(1, 0, 2));
+}
+
+TEST(PlyReader, FacesComeBeforeStrips)
+{
+  const std::string faces = "element face 1\nproperty list uchar int vertex_indices\n";
+  const MeshDocument both = readPly(strips("3 2 1 0\n3 0 1 2\n", 1, faces), "");
+  ASSERT_EQ(both.mesh.faces.size(), 1);
+  EXPECT_THAT(both.mesh.faces[0], ElementsAre(2, 1, 0));
+  EXPECT_THAT(both.source->extras(), ElementsAre("element tristrips"));
+  const std::string noFaces = "element face 0\nproperty list uchar int vertex_indices\n";
+  const MeshDocument one = readPly(strips("3 0 1 2\n", 1, noFaces), "");
+  EXPECT_EQ(one.mesh.faces.size(), 1);
+  EXPECT_THAT(one.source->extras(), ElementsAre("element face"));
+}
+
 class BadPly : public testing::TestWithParam<BadFile> {};
 
 TEST_P(BadPly, IsRefusedAtItsPlace)
@@ -141,6 +179,18 @@ INSTANTIATE_TEST_SUITE_P(
                 "vertex -1 of face 0"},
         BadFile{"TrailingLine", text(kVertex + kFace, kTriangleVertices + "3 0 1 2\n\n3 0 1 2\n"), 15, "",
                 "more text behind the last element"}),
+    testing::PrintToStringParamName());
+
+INSTANTIATE_TEST_SUITE_P(
+    Strips, BadPly,
+    testing::Values(BadFile{"StripOfTwo", strips("6 0 1 2 -1 0 1\n"), 13, "", "strip 1 has 2 corners"},
+                    BadFile{"StripOfOne", strips("5 0 -1 0 1 2\n"), 13, "", "strip 0 has 1 corner:"},
+                    BadFile{"StripPastEnd", strips("7 0 1 2 -1 0 1 3\n"), 13, "", "vertex 3 of strip 1 does not exist"},
+                    BadFile{"StripBelowMinusOne", strips("3 0 1 -2\n"), 13, "", "vertex -2 of strip 0"},
+                    BadFile{"StripsOfNothing", strips("1 -1\n"), 7, "", "the mesh has no faces: "},
+                    BadFile{"StripsWithoutArea", strips("3 0 1 1\n"), 7, "", "the mesh has no faces: "},
+                    BadFile{"NoStrips", strips("", 0), 7, "", "the mesh has no faces: "},
+                    BadFile{"StripCornerMissing", strips("4 0 1 2\n"), 13, "", "corner of a strip is missing"}),
     testing::PrintToStringParamName());
 
 INSTANTIATE_TEST_SUITE_P(

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <ctime>
+#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -99,6 +101,52 @@ TEST(Triangulate, CoversConcavePolygonsOnceWithTheSideOfTheFaceUp)
     EXPECT_NEAR(sum, areaVector(mesh.positions, mesh.faces[0]).norm(), 1e-14);
     for (int k = 0; k < 20; ++k) EXPECT_LE(coverOf(mesh, result, {random.uniform(-1, 1), random.uniform(-1, 1), 0}), 1);
   }
+}
+
+TEST(Triangulate, CoversPolygonsOfManyCornersOnce)
+{
+  for (const int corners : {31, 32, 33, 64, 65, 1000, 5000}) {
+    SCOPED_TRACE(corners);
+    test::Random random(static_cast<std::uint32_t>(corners));
+    const Mesh mesh = polygon(star(random, corners));
+    double sum = 0;
+    for (const Triangle& triangle : triangulate(mesh).triangles) {
+      EXPECT_GE(areaVectorOf(mesh, triangle).z(), 0);
+      sum += areaVectorOf(mesh, triangle).norm();
+    }
+    EXPECT_NEAR(sum, areaVector(mesh.positions, mesh.faces[0]).norm(), 1e-12);
+  }
+}
+
+/// A wavy disc without corners of note.
+std::vector<Vector3> wavyDisc(int corners)
+{
+  std::vector<Vector3> points;
+  for (int k = 0; k < corners; ++k) {
+    const double angle = 2 * std::numbers::pi * k / corners;
+    const double radius = 1 + 0.3 * std::sin(7 * angle);
+    points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0.1 * std::sin(angle));
+  }
+  return points;
+}
+
+/// The time that the program itself computes, the best of three.
+double processorSeconds(const Mesh& mesh)
+{
+  double best = std::numeric_limits<double>::infinity();
+  for (int trial = 0; trial < 3; ++trial) {
+    const std::clock_t start = std::clock();
+    static_cast<void>(triangulate(mesh));
+    best = std::min(best, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+  }
+  return best;
+}
+
+TEST(Triangulate, TakesAboutFourTimesAsLongForFourTimesAsManyCorners)
+{
+  const double few = processorSeconds(polygon(wavyDisc(4000)));
+  const double many = processorSeconds(polygon(wavyDisc(16000)));
+  EXPECT_LT(many, 9 * few) << "quadratic: 16 times";
 }
 
 TEST(Triangulate, DoesNotDependOnTheFirstCornerOfAQuadrilateral)

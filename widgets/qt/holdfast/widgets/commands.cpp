@@ -4,13 +4,14 @@
 #include <algorithm>
 
 #include <holdfast/document/list_edits.h>
+#include <holdfast/widgets/constraint_words.h>
 
 namespace holdfast {
 namespace {
 
 void add(Editor& editor, Constraint constraint)
 {
-  const QString name = QObject::tr("add %1").arg(QString::fromStdString(constraint.name));
+  const QString name = QObject::tr("add %1").arg(nameText(constraint.name));
   ConstraintList list = added(editor.list(), std::move(constraint));
   const Index last = static_cast<Index>(list.constraints.size()) - 1;
   editor.edit(name, std::move(list));
@@ -34,7 +35,7 @@ const char* stemOf(RegionKind kind)
 QString namesOf(const Editor& editor)
 {
   const auto& selected = editor.selectedConstraints();
-  if (selected.size() == 1) return QString::fromStdString(editor.list().constraints[selected.front()].name);
+  if (selected.size() == 1) return nameText(editor.list().constraints[selected.front()].name);
   return QObject::tr("%n constraint(s)").replace("%n", QString::number(selected.size())).replace("(s)", "s");
 }
 

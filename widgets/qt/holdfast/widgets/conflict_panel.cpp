@@ -24,7 +24,7 @@ constexpr std::size_t kMostRepetitions = 200;
 constexpr int kLettersOnButtons = 16;
 
 /// A name in few letters, for buttons.
-QString shortened(const std::string& name)
+QString inFewLetters(const std::string& name)
 {
   const QString all = QString::fromStdString(name);
   return all.size() <= kLettersOnButtons ? quoted(name) : quoted(all.left(kLettersOnButtons - 1).toStdString() + "…");
@@ -167,7 +167,7 @@ void ConflictPanel::fillRepairs(ConflictCard& card)
   // Repairs are of the list that was solved: while another one is on screen they wait.
   const bool isCurrent = areResultsCurrent(editor_);
   card.card->setEnabled(isCurrent);
-  card.disable->setText(tr("Disable %1").arg(shortened(clash->disable)));
+  card.disable->setText(tr("Disable %1").arg(inFewLetters(clash->disable)));
   card.disable->setToolTip(
       tr("Disabling %1 ends most conflicts at the price of the fewest rows").arg(quoted(clash->disable)));
   const std::optional<Vector3>& target = clash->consistentTarget;

@@ -9,6 +9,7 @@
 
 #include <holdfast/document/list_edits.h>
 #include <holdfast/document/point_list_text.h>
+#include <holdfast/widgets/constraint_words.h>
 
 namespace holdfast {
 namespace {
@@ -40,7 +41,7 @@ void append(Editor& editor, const QString& name, const ConstraintList& more)
 
 QString subjectOf(const Editor& editor, const Rows& rows)
 {
-  if (rows.size() == 1) return QString::fromStdString(editor.list().constraints[rows.front()].name);
+  if (rows.size() == 1) return nameText(editor.list().constraints[rows.front()].name);
   return ConstraintActions::tr("%n constraints", nullptr, static_cast<int>(rows.size()));
 }
 
@@ -74,7 +75,7 @@ void renameConstraint(Editor& editor, Index row, const QString& name)
 {
   const std::string before = editor.list().constraints[row].name;
   if (name.toStdString() == before) return;
-  editor.edit(ConstraintActions::tr("rename %1 to %2").arg(QString::fromStdString(before), name),
+  editor.edit(ConstraintActions::tr("rename %1 to %2").arg(nameText(before), nameText(name.toStdString())),
               renamed(editor.list(), row, name.toStdString()));
 }
 
@@ -123,7 +124,7 @@ void pasteConstraints(Editor& editor)
   const ConstraintList list = fromClipboardText(QGuiApplication::clipboard()->text().toStdString());
   const std::size_t count = list.constraints.size();
   append(editor,
-         count == 1 ? ConstraintActions::tr("paste %1").arg(QString::fromStdString(list.constraints.front().name))
+         count == 1 ? ConstraintActions::tr("paste %1").arg(nameText(list.constraints.front().name))
                     : ConstraintActions::tr("paste %n constraints", nullptr, static_cast<int>(count)),
          list);
 }

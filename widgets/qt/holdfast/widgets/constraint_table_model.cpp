@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <holdfast/base/error.h>
+#include <holdfast/base/printable.h>
 #include <holdfast/io/number_text.h>
 #include <holdfast/widgets/constraint_words.h>
 #include <holdfast/widgets/number_words.h>
@@ -145,7 +146,7 @@ std::optional<double> ConstraintTableModel::number(int row, int column) const
 
 QString ConstraintTableModel::text(int row, int column) const
 {
-  if (column == Name) return QString::fromStdString(constraint(row).name);
+  if (column == Name) return QString::fromStdString(printable(constraint(row).name));
   if (column == Kind) return kindText(constraint(row));
   if (column == Where) return whereText(constraint(row));
   if (column == Status) return statusText(status(row));
@@ -163,6 +164,7 @@ QVariant ConstraintTableModel::data(const QModelIndex& index, int role) const
     case Qt::DisplayRole:
       return column == On ? QVariant() : text(row, column);
     case Qt::EditRole: {
+      if (column == Name) return QString::fromStdString(constraint(row).name);
       const std::optional<double> number = exactNumber(row, column);
       return number ? exactText(*number) : text(row, column);
     }

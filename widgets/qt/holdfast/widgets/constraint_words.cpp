@@ -4,6 +4,7 @@
 #include <QStringList>
 #include <algorithm>
 
+#include <holdfast/base/printable.h>
 #include <holdfast/widgets/number_words.h>
 
 namespace holdfast {
@@ -172,7 +173,12 @@ QString statusMeaning(std::optional<ConstraintStatus> status)
 
 QString quoted(const std::string& name)
 {
-  return QStringLiteral("“%1”").arg(QString::fromStdString(name));
+  return QStringLiteral("“%1”").arg(nameText(name));
+}
+
+QString nameText(const std::string& name)
+{
+  return QString::fromStdString(shortened(name));
 }
 
 QString quotedList(const std::vector<std::string>& names)

@@ -30,8 +30,11 @@ namespace holdfast {
 /// What the status means, one sentence.
 [[nodiscard]] QString statusMeaning(std::optional<ConstraintStatus> status);
 
-/// “P1”
+/// “P1”; cut where it is long, and on one line: see `shortened`.
 [[nodiscard]] QString quoted(const std::string& name);
+
+/// The same without quotes, for menus.
+[[nodiscard]] QString nameText(const std::string& name);
 
 /// “P1”, “P2” and “P3”; of many the first few and how many others.
 [[nodiscard]] QString quotedList(const std::vector<std::string>& names);

@@ -100,9 +100,9 @@ QString ImportTableModel::text(int row, int column, Digits digits) const
   };
   switch (column) {
     case Name: {
-      const QString name = QString::fromStdString(constraint(row).name);
-      const QString newName = QString::fromStdString(contents_.newNames[row]);
-      return name == newName ? name : tr("%1 → %2").arg(name, newName);
+      const QString name = nameText(constraint(row).name);
+      const std::string& newName = contents_.newNames[row];
+      return constraint(row).name == newName ? name : tr("%1 → %2").arg(name, nameText(newName));
     }
     case Kind:
       return kindText(constraint(row));
@@ -125,8 +125,7 @@ QString ImportTableModel::toolTip(int row, int column) const
     return tr("%1: farther from the surface than the tolerance. The point may be in another unit or coordinate system.")
         .arg(text(row, column, Digits::All));
   if (column == Name && constraint(row).name != contents_.newNames[row])
-    return tr("The name is taken: the constraint will be called “%1”.")
-        .arg(QString::fromStdString(contents_.newNames[row]));
+    return tr("The name is taken: the constraint will be called “%1”.").arg(nameText(contents_.newNames[row]));
   return text(row, column, Digits::All);
 }
 

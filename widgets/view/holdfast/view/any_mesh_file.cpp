@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include <holdfast/base/error.h>
 #include <holdfast/io/mesh_file.h>
 #include <holdfast/view/poly_data_file.h>
 
@@ -36,13 +37,17 @@ std::vector<std::string_view> anyMeshExtensions()
 
 MeshDocument readAnyMesh(const std::filesystem::path& path)
 {
-  return isVtkFormat(path) ? readPolyData(path) : readMesh(path);
+  return isVtkFormat(path) ? readPolyData(path) : readMesh(path, anyMeshExtensions());
 }
 
 Serialized serializeAnyMesh(const MeshDocument& document, const Positions& positions, const std::filesystem::path& path)
 {
-  return isVtkFormat(path) ? serializePolyData(document, positions, extensionOf(path))
-                           : serializeMesh(document, positions, extensionOf(path));
+  try {
+    return isVtkFormat(path) ? serializePolyData(document, positions, extensionOf(path))
+                             : serializeMesh(document, positions, extensionOf(path));
+  } catch (const OutputError& error) {
+    throw OutputError(path.string(), error.reason());
+  }
 }
 
 }  // namespace holdfast

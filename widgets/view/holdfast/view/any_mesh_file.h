@@ -17,7 +17,7 @@ namespace holdfast {
 /// As `readMesh` or `readPolyData`, by the extension (any case).
 [[nodiscard]] MeshDocument readAnyMesh(const std::filesystem::path& path);
 
-/// As `serializeMesh` or `serializePolyData`, by the extension of `path` (any case).
+/// As `serializeMesh` or `serializePolyData`, by the extension of `path` (any case), which errors name.
 [[nodiscard]] Serialized serializeAnyMesh(const MeshDocument& document, const Positions& positions,
                                           const std::filesystem::path& path);
 

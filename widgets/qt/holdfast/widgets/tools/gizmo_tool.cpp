@@ -12,6 +12,7 @@
 #include <holdfast/base/degree.h>
 #include <holdfast/mesh/vertex_normals.h>
 #include <holdfast/view/view_geometry.h>
+#include <holdfast/widgets/constraint_words.h>
 #include <holdfast/widgets/viewport.h>
 
 namespace holdfast {
@@ -166,7 +167,7 @@ void GizmoTool::grab(GizmoPart part)
 {
   drag_.emplace(part, gizmo_.frame(), viewGeometryOf(viewport_.renderer()), cursor_, gizmo_.ringPixels());
   const auto& selected = editor_.selectedConstraints();
-  const QString what = selected.size() == 1 ? QString::fromStdString(editor_.list().constraints[selected.front()].name)
+  const QString what = selected.size() == 1 ? nameText(editor_.list().constraints[selected.front()].name)
                                             : tr("%1 constraints").arg(selected.size());
   editor_.beginGesture((isTurn() ? tr("turn %1") : tr("move %1")).arg(what));
 }

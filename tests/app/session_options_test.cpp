@@ -1,0 +1,92 @@
+// Sessions as constraint files: their options count where the command line says nothing, and the summary says so.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "app/batch.h"
+
+namespace holdfast::test {
+namespace {
+
+using Json = nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
+
+class SessionOptions : public BatchTest {
+ protected:
+  /// A session of this test's constraints with `options`, the text of an object.
+  [[nodiscard]] std::string session(const std::string& options) const
+  {
+    Json json = Json::parse(bytesOf(constraints()));
+    json["mesh"] = {{"path", "sphere.obj"}};
+    json["options"] = Json::parse(options);
+    return in_.file("s.holdfast", json.dump()).string();
+  }
+
+  /// What the report of a run says of its solution.
+  [[nodiscard]] Json solved(const std::string& constraintPath, const std::vector<std::string>& more) const
+  {
+    const ProcessResult result = runBatch(deform(mesh(), constraintPath, more));
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    return Json::parse(bytesOf(output("report.json"))).at("solve");
+  }
+};
+
+TEST_F(SessionOptions, CountWhereTheCommandLineSaysNothing)
+{
+  const std::string path = session(R"({"weights": "uniform", "solver": "soft", "soft_weight": 7, "backend": "eigen"})");
+  const Json solve = solved(path, {});
+  EXPECT_EQ(solve.at("weights"), "uniform");
+  EXPECT_EQ(solve.at("solver"), "soft");
+  EXPECT_EQ(solve.at("soft_weight"), 7);
+  EXPECT_EQ(solve.at("backend"), "eigen");
+}
+
+TEST_F(SessionOptions, GiveTheMeshThatTheSameOptionsOnTheCommandLineGive)
+{
+  static_cast<void>(solved(session(R"({"weights": "uniform", "solver": "soft", "soft_weight": 7})"), {}));
+  const std::string bySession = bytesOf(output("out.obj"));
+  static_cast<void>(solved(constraints(), {"--weights", "uniform", "--solver", "soft", "--soft-weight", "7"}));
+  EXPECT_TRUE(bytesOf(output("out.obj")) == bySession);
+  static_cast<void>(solved(constraints(), {}));
+  EXPECT_FALSE(bytesOf(output("out.obj")) == bySession);
+}
+
+TEST_F(SessionOptions, GiveWayToTheCommandLineOneByOne)
+{
+  const std::string path = session(R"({"weights": "uniform", "solver": "soft", "soft_weight": 7})");
+  const Json solve = solved(path, {"--weights", "cotangent", "--soft-weight", "5"});
+  EXPECT_EQ(solve.at("weights"), "cotangent");
+  EXPECT_EQ(solve.at("solver"), "soft");
+  EXPECT_EQ(solve.at("soft_weight"), 5);
+}
+
+TEST_F(SessionOptions, AreNamedInTheSummaryWithTheSession)
+{
+  const std::string path = session(R"({"weights": "uniform", "solver": "soft", "soft_weight": 7})");
+  EXPECT_THAT(runBatch(deform(mesh(), path)).out,
+              HasSubstr("options      weights uniform, solver soft, soft weight 7: taken from " + path + "\n"));
+  EXPECT_THAT(runBatch(deform(mesh(), path, {"--solver", "hard", "--soft-weight", "5"})).out,
+              HasSubstr("options      weights uniform: taken from " + path + "\n"));
+  EXPECT_THAT(runBatch(deform(mesh(), path, {"--solver", "hard", "--soft-weight", "5", "--weights", "cotangent"})).out,
+              Not(HasSubstr("options ")));
+  EXPECT_THAT(runBatch(deform(mesh(), constraints())).out, Not(HasSubstr("options ")));
+}
+
+TEST_F(SessionOptions, ThatDoNotExistAreRefusedByTheirPlace)
+{
+  expectRefusedWithoutTrace(deform(mesh(), session(R"({"solver": "firm"})")), 3,
+                            {"s.holdfast: options.solver: \"firm\" is not known here"});
+}
+
+TEST_F(SessionOptions, ForcesNeedTheSolverHardWhoeverChoseAnother)
+{
+  if (!kHasVtk) GTEST_SKIP() << "pictures need a build with VTK";
+  expectRefusal(runBatch(deform(mesh(), session(R"({"solver": "soft"})"),
+                                {"--snapshot", output("p.png"), "--color-by", "force"})),
+                2, {"--color-by: forces are known with --solver hard only"});
+}
+
+}  // namespace
+}  // namespace holdfast::test

@@ -1,0 +1,54 @@
+#include <cmath>
+#include <numbers>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <holdfast/base/error.h>
+#include <holdfast/deform/model.h>
+
+namespace holdfast {
+namespace {
+
+/// Cones beside one another, each of `sides` triangles that meet at its tip, its first vertex.
+Mesh cones(Index count, Index sides)
+{
+  Mesh mesh{Positions(count * (sides + 1), 3), {}};
+  for (Index c = 0; c < count; ++c) {
+    const Index tip = c * (sides + 1);
+    mesh.positions.row(tip) << 3.0 * static_cast<double>(c), 0, 1;
+    for (Index k = 0; k < sides; ++k) {
+      const double angle = 2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(sides);
+      mesh.positions.row(tip + 1 + k) << 3.0 * static_cast<double>(c) + std::cos(angle), std::sin(angle), 0;
+      mesh.faces.add({tip, tip + 1 + k, tip + 1 + (k + 1) % sides});
+    }
+  }
+  return mesh;
+}
+
+std::string refusal(const Mesh& mesh)
+{
+  try {
+    static_cast<void>(makeModel(mesh, "cones.obj"));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "taken";
+}
+
+TEST(Model, RefusesAVertexOfSoManyTrianglesThatItsEquationsWouldFillTheMemory)
+{
+  EXPECT_EQ(refusal(cones(1, kMostTrianglesAtAVertex)), "taken");
+  EXPECT_THAT(refusal(cones(1, kMostTrianglesAtAVertex + 1)),
+              testing::HasSubstr("cones.obj: vertex 0: 8001 triangles meet here; more than 8000 at one vertex"));
+}
+
+TEST(Model, CountsSuchVerticesTogether)
+{
+  EXPECT_EQ(refusal(cones(3, kMostTrianglesAtAVertex / 2)), "taken");
+  EXPECT_THAT(refusal(cones(5, kMostTrianglesAtAVertex / 2)), testing::HasSubstr("vertex 0: 4000 triangles meet here"));
+  EXPECT_EQ(refusal(cones(100, 1000)), "taken");
+}
+
+}  // namespace
+}  // namespace holdfast
