@@ -99,9 +99,9 @@ ExitCode exitCodeOf(SolveStatus status)
 
 ExitCode deformWith(const DeformCommand& command, Progress& progress)
 {
-  probeOutputs(command);
   const auto [constraints, ofSession] = readStatedConstraints(command.constraints);
   const DeformOptions options = chosenOptions(command, ofSession);
+  probeOutputs(command);
   progress.stage(fmt::format("reading {}", printable(command.mesh.string())));
   const MeshDocument document = readAnyMesh(command.mesh);
   progress.stage(fmt::format("checking {} vertices", document.mesh.vertexCount()));

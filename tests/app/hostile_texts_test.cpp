@@ -59,7 +59,7 @@ TEST_F(HostileTexts, NamesAndUnitsAreEscapedWhereConflictsAndResultsAreTold)
     EXPECT_EQ(result.exitCode, 4) << result.err;
     expectHarmless(result);
     EXPECT_THAT(result.err, HasSubstr("conflict: \"" + kHarmless + "2\" cannot hold with \"" + kHarmless + "1\""));
-    EXPECT_THAT(result.out, HasSubstr("1 " + kHarmless + "\n")) << "the unit";
+    EXPECT_THAT(result.out, HasSubstr("diagonal 3.464 " + kHarmless + "\n")) << "the unit";
   }
 }
 

@@ -226,11 +226,14 @@ std::vector<Finding> guardFindings(const Operators& operators, const SolverMesh&
 std::vector<Finding> guardFindings(const RotationWeights& weights, const SolverMesh& solverMesh)
 {
   Findings findings;
-  findings.add("capped_rotation_weights", "vertex", fileVertices(solverMesh, weights.capped),
-               "vertices of triangles whose cotangents were capped for the rotations: very small or very large angles");
-  findings.add("floored_rotation_weights", "vertex", fileVertices(solverMesh, weights.floored),
-               "vertices of edges that hardly pass rotations on: the cotangents across them sum to less than a "
-               "millionth, and were raised to that");
+  findings.add(
+      "capped_rotation_weights", "vertex", fileVertices(solverMesh, weights.capped),
+      {"vertex of triangles whose cotangents were capped for the rotations: very small or very large angles",
+       "vertices of triangles whose cotangents were capped for the rotations: very small or very large angles"});
+  findings.add(
+      "floored_rotation_weights", "vertex", fileVertices(solverMesh, weights.floored),
+      {"vertex of edges that hardly pass rotations on: negative sums of cotangents were raised to a millionth",
+       "vertices of edges that hardly pass rotations on: negative sums of cotangents were raised to a millionth"});
   return findings.take();
 }
 

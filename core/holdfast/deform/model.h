@@ -15,7 +15,7 @@ struct Model {
 };
 
 /// Triangles at one vertex at most. The row of its Laplacian makes the normal equations dense over all its neighbours:
-/// 5,000 take 0.8 GB and 9 s, and both grow at least with the square.
+/// 8,000 take up to 2 GB and 13 s of a core, and both grow at least with the square.
 inline constexpr Index kMostTrianglesAtAVertex = 8000;
 
 /// Checks, triangulates and welds. Throws `InputError` for coordinates that are not finite, for a mesh without a

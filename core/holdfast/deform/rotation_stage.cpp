@@ -44,10 +44,12 @@ std::optional<Finding> disagreement(const RotationField& field, const Constraint
       constraints.insert(constraints.end(),
                          {system.rotations[gap.first].constraint, system.rotations[gap.given].constraint});
   if (constraints.empty()) return std::nullopt;
+  const std::string differ =
+      fmt::format("that differ by up to {:.3g} degrees; each given vertex turns by its own, the region by the first",
+                  largestDegrees(field.gaps));
   return makeFinding("rotations_disagree", "constraint", std::move(constraints),
-                     fmt::format("constraints give rotations inside one rigid region that differ by up to {:.3g} "
-                                 "degrees; each given vertex turns by its own, the region by the first",
-                                 largestDegrees(field.gaps)));
+                     {"constraint gives rotations inside one rigid region " + differ,
+                      "constraints give rotations inside one rigid region " + differ});
 }
 
 Columns3 valuesOf(const ConstraintSystem& system)

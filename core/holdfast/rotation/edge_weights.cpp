@@ -6,14 +6,15 @@
 namespace holdfast {
 namespace {
 
-/// Raises weights below the floor; returns the ends of those edges.
+/// Raises weights below the floor; returns the ends of the edges that were negative. Weights of about 0, as across the
+/// right angles of a grid, are raised without a word.
 std::vector<Index> floorWeights(std::vector<EdgeWeight>& edges)
 {
   std::vector<Index> ends;
   for (auto& [i, j, weight] : edges) {
     if (weight >= kRotationWeightFloor) continue;
+    if (weight < -kRotationWeightFloor) ends.insert(ends.end(), {i, j});
     weight = kRotationWeightFloor;
-    ends.insert(ends.end(), {i, j});
   }
   return ends;
 }

@@ -19,7 +19,7 @@ inline constexpr double kRotationWeightFloor = 1e-6;
 struct RotationWeights {
   std::vector<EdgeWeight> edges;  ///< each once
   std::vector<Index> capped;      ///< unknowns of triangles whose cotangents were held within the cap, ascending
-  std::vector<Index> floored;     ///< both ends of each edge whose weight was raised
+  std::vector<Index> floored;     ///< both ends of each edge whose weight was negative, by more than the floor
 };
 
 /// Weights w_ij of the Dirichlet energy sum of w_ij |q_i - q_j|^2, on every edge of the mesh: 1 with

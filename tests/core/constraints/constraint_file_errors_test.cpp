@@ -120,7 +120,7 @@ TEST(ConstraintFileErrors, UnknownKeysNameTheKnownOnesAndTheClosest)
       R"({"type": "handle", "select": {"component": 0}, "rotate": {"axis": [0,0,1], "degrees": 1, "centre": [0,0,0]}})",
       ".rotate.centre", R"(did you mean "center"? Known here: "axis", "degrees", "center")");
   expectConstraintRefused(R"({"type": "fixed", "target": [0,0,0]})", ".target", R"("target"; Known here: "type")");
-  expectSelectionRefused(R"({"box": {"min": [0,0,0], "max": [1,1,1], "a \"key\"\n": 1}})", R"(.box["a "key" "])",
+  expectSelectionRefused(R"({"box": {"min": [0,0,0], "max": [1,1,1], "a \"key\"\n": 1}})", R"(.box["a "key"\x0a"])",
                          "unknown key");
   expectSelectionRefused(R"({"sfere": {}})", ".sfere", R"(did you mean "sphere"?)");
   expectLocationRefused(R"({"vertex": 1, "t": 0.5})", ".t", R"(Known here: "vertex")");
