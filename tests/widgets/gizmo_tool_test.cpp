@@ -1,7 +1,9 @@
 #include <QApplication>
 #include <QEvent>
 #include <QLineF>
+#include <QTransform>
 #include <algorithm>
+#include <numbers>
 
 #include <gmock/gmock.h>
 #include <vtkProp.h>
@@ -230,6 +232,46 @@ TEST_F(GizmoOnHandle, ARingTurnsItAsOftenAsTheCursorGoesRound)
   const double before = degrees();
   turnOuterRing(751, Qt::ControlModifier);
   EXPECT_NEAR(degrees(), before + 750, 1e-9) << "steps of 15 degrees";
+}
+
+TEST_F(GizmoOnHandle, WhatTurnsAboutTheFixedEndIsDraggedRoundItWithoutAJump)
+{
+  ConstraintList changed = list();
+  std::get<Handle>(changed.constraints[point].what).motion = TurnAboutFixed{};
+  editor().edit("turn about the foot", changed);
+  trigger("viewFront");
+  ASSERT_TRUE(settle());
+  const auto state = editor().history().state();
+  const Positions before = editor().positions();
+  const QPointF from = shown(window.gizmo().gizmo().frame().center);
+  const QPointF foot = shown({0, 0, 0});
+  const auto goRound = [&](double turns) {
+    test::pressMouse(viewport(), from);
+    for (double degrees = 0; degrees <= 360 * turns; degrees += 5) {
+      QTransform turn;
+      turn.rotate(degrees);
+      test::moveMouse(viewport(), foot + turn.map(from - foot), Qt::LeftButton);
+    }
+  };
+  goRound(0.75);
+  trigger("escape");
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(editor().history().state(), state);
+  EXPECT_EQ(editor().positions(), before);
+
+  goRound(0.75);
+  test::releaseMouse(viewport(), foot + QPointF(-(foot - from).y(), (foot - from).x()));
+  ASSERT_TRUE(settle());
+  const auto& near = std::get<TurnAboutFixed>(handle().motion).near;
+  ASSERT_TRUE(near.has_value());
+  EXPECT_NEAR(near->degrees, 270, 5);
+  EXPECT_NEAR(editor().deformation()->system.rotations.back().q.norm() / std::numbers::pi * 360, near->degrees, 1e-9);
+  EXPECT_LE(editor().deformation()->report.solve.maxResidualRelative, 1e-12);
+  EXPECT_EQ(editor().history().undoName().substr(0, 4), "move");
+  trigger("undo");
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(editor().history().state(), state) << "a drag is one edit";
+  EXPECT_EQ(editor().positions(), before);
 }
 
 }  // namespace
