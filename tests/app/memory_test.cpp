@@ -11,7 +11,7 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr int kNumerical = 5;
+constexpr int kShortOfMemory = 5;
 constexpr long kMebibyte = 1024L * 1024;
 
 class LittleMemory : public BatchTest {
@@ -55,7 +55,7 @@ TEST_F(LittleMemory, IsNamedWhereItIsNotEnough)
     isEnough = result.exitCode == 0;
     if (isEnough) continue;
     ++refused;
-    EXPECT_EQ(result.exitCode, kNumerical) << mebibytes << " MiB, signal " << result.signal << "\n" << result.err;
+    EXPECT_EQ(result.exitCode, kShortOfMemory) << mebibytes << " MiB, signal " << result.signal << "\n" << result.err;
     EXPECT_THAT(result.err, HasSubstr("not enough memory")) << mebibytes;
     EXPECT_THAT(out_.names(), testing::IsEmpty()) << mebibytes;
   }

@@ -262,7 +262,7 @@ TEST_F(GizmoOnHandle, WhatTurnsAboutTheFixedEndIsDraggedRoundItWithoutAJump)
   goRound(0.75);
   test::releaseMouse(viewport(), foot + QPointF(-(foot - from).y(), (foot - from).x()));
   ASSERT_TRUE(settle());
-  const auto& near = std::get<TurnAboutFixed>(handle().motion).near;
+  const auto& near = std::get<TurnAboutFixed>(std::get<Handle>(list().constraints[point].what).motion).near;
   ASSERT_TRUE(near.has_value());
   EXPECT_NEAR(near->degrees, 270, 5);
   EXPECT_NEAR(editor().deformation()->system.rotations.back().q.norm() / std::numbers::pi * 360, near->degrees, 1e-9);
