@@ -60,7 +60,7 @@ TEST_F(LittleMemory, IsNamedWhereItIsNotEnough)
     EXPECT_THAT(out_.names(), testing::IsEmpty()) << mebibytes;
   }
   EXPECT_TRUE(isEnough);
-  EXPECT_GT(refused, 2);
+  EXPECT_GT(refused, 0);
 }
 
 }  // namespace

@@ -364,7 +364,8 @@ TEST_F(Outcome, ASolutionOfDoubtfulAccuracyIsWarnedOfEvenWhenQuiet)
 {
   // The longer a strip that is held at one end, the fewer digits its far end has.
   int doubtful = 0;
-  for (const Index length : {100, 14000, 18000, 22000}) {
+  for (const Index length : {100, 12000, 14000, 18000}) {
+    if (doubtful > 0) break;  // longer strips take Eigen minutes
     const std::string strip = in_.file("strip.obj", objText(grid(length, 1))).string();
     const std::string end = std::to_string(length);
     const std::string start = R"({"type": "fixed", "select": {"vertices": [0, )" + std::to_string(length + 1) + "]}}";
