@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds the core, the batch program and their tests where neither VTK nor SuiteSparse nor Qt can be found, and runs
 # those tests. The build is kept, so that the next time only what changed is compiled.
-#   core_only_test.sh BUILD-FOLDER [FOLDER-OF-TESTS]      for example app: the tests of the batch program alone
+#   core_only_test.sh BUILD-FOLDER
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 . scripts/lib/build.sh
@@ -12,5 +12,5 @@ read -ra launcher <<<"$(ccache_options)"
 cmake --preset core-only --no-warn-unused-cli -B "$1" "${launcher[@]}" -DHOLDFAST_BUILD_TESTS=ON \
   "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG" \
   -DCMAKE_DISABLE_FIND_PACKAGE_VTK=ON -DCMAKE_DISABLE_FIND_PACKAGE_SuiteSparse=ON -DCMAKE_DISABLE_FIND_PACKAGE_Qt5=ON
-cmake --build "$1" --parallel "$(build_jobs)" ${2:+--target "holdfast_$2_tests"}
-ctest --test-dir "$1" --parallel 2 --output-on-failure --no-tests=error --label-exclude "slow|nightly" ${2:+--tests-regex "^$2/"}
+cmake --build "$1" --parallel "$(build_jobs)"
+ctest --test-dir "$1" --parallel 2 --output-on-failure --no-tests=error --label-exclude "slow|nightly"
