@@ -43,6 +43,8 @@ class RotationSphere {
 
   /// Puts everything into `renderer`, sets its background and its camera. Once; the renderer is in a window.
   void addTo(vtkRenderer& renderer);
+  /// That renderer; null before.
+  [[nodiscard]] vtkRenderer* renderer() const { return renderer_; }
   void setLook(const SphereLook& look);
 
   /// Not null. O(number of points that are drawn).

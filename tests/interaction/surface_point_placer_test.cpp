@@ -1,0 +1,71 @@
+#include "holdfast/view/interaction/surface_point_placer.h"
+
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "interaction/interaction_stage.h"
+#include "support/meshes.h"
+
+namespace holdfast {
+namespace {
+
+using test::InteractionStage;
+using testing::HasSubstr;
+
+struct PlacerOnGrid : testing::Test {
+  InteractionStage stage{test::grid(4, 3)};
+  vtkNew<SurfacePointPlacer> placer;
+  double world[3] = {7, 7, 7};
+  double orient[9] = {};
+
+  int place(const DisplayPoint& pixel)
+  {
+    double display[2] = {pixel.x(), pixel.y()};
+    return placer->ComputeWorldPosition(&stage.renderer(), display, world, orient);
+  }
+};
+
+TEST_F(PlacerOnGrid, GivesPlaceAndWeightsOfWhatIsUnderThePixel)
+{
+  placer->SetSurface(stage.surface());
+  placer->SetKind(PickKind::Vertex);
+  ASSERT_EQ(place(stage.pixelOfVertex(6)), 1);
+  EXPECT_EQ(Vector3(world), Vector3(1, 1, 0));
+  ASSERT_TRUE(placer->GetLastPick());
+  EXPECT_EQ(std::get<AtVertex>(placer->GetLastPick()->location).vertex, 6);
+  EXPECT_EQ(orient[0] + orient[4] + orient[8], 3);
+}
+
+TEST_F(PlacerOnGrid, PlacesNothingBesideTheSurfaceOrWithoutOne)
+{
+  EXPECT_EQ(place(stage.pixelOfVertex(6)), 0);
+  placer->SetSurface(stage.surface());
+  EXPECT_EQ(place({1, 1}), 0);
+  EXPECT_EQ(Vector3(world), Vector3(7, 7, 7));
+  EXPECT_FALSE(placer->GetLastPick());
+}
+
+TEST_F(PlacerOnGrid, SnapsAsFarAsItsPixelsAndTheRatioReach)
+{
+  placer->SetSurface(stage.surface());
+  placer->SetSnapPixels(5);
+  const DisplayPoint beside = stage.pixelOfVertex(6) + DisplayPoint(8, 4);
+  ASSERT_EQ(place(beside), 1);
+  EXPECT_TRUE(std::holds_alternative<AtFace>(placer->GetLastPick()->location) ||
+              std::holds_alternative<AtEdge>(placer->GetLastPick()->location));
+  placer->SetPixelRatio(2);
+  ASSERT_EQ(place(beside), 1);
+  EXPECT_TRUE(std::holds_alternative<AtVertex>(placer->GetLastPick()->location));
+}
+
+TEST_F(PlacerOnGrid, PrintsItsState)
+{
+  std::ostringstream text;
+  placer->Print(text);
+  EXPECT_THAT(text.str(), HasSubstr("SnapPixels: 7"));
+}
+
+}  // namespace
+}  // namespace holdfast
