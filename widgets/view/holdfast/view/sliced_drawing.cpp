@@ -28,6 +28,7 @@ SlicedDrawing::SlicedDrawing(vtkRenderer& scene) : scene_(scene), window_(*scene
   slices_->SetLayer(scene_.GetLayer());
   addLights(*slices_);
   slices_->DrawOff();
+  slices_->InteractiveOff();
   window_.AddRenderer(slices_);
 }
 

@@ -1,0 +1,123 @@
+#include "holdfast/view/interaction/rotation_sphere_style.h"
+
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <vtkCallbackCommand.h>
+#include <vtkCamera.h>
+
+#include <holdfast/view/example_document.h>
+#include <holdfast/view/rotation_sphere.h>
+
+#include "interaction/interaction_stage.h"
+#include "support/meshes.h"
+
+namespace holdfast {
+namespace {
+
+using test::EventLog;
+using test::InteractionStage;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// The rotations of a small document on their sphere.
+struct SphereInWindow : testing::Test {
+  SphereInWindow()
+  {
+    stage.renderer().RemoveAllViewProps();
+    sphere.addTo(stage.renderer());
+    sphere.show(placeRotations(example.model, example.deformation, nullptr));
+    sphere.fitCamera();
+    style->SetSphere(&sphere);
+    stage.interactor().SetInteractorStyle(style);
+    stage.window().SetSize(400, 300);
+  }
+
+  [[nodiscard]] vtkCamera& camera() const { return *stage.renderer().GetActiveCamera(); }
+  [[nodiscard]] Vector3 eye() const { return Vector3(camera().GetPosition()); }
+
+  InteractionStage stage{test::grid(1, 1)};
+  const ExampleDocument example = exampleDocument();
+  RotationSphere sphere;
+  vtkNew<RotationSphereStyle> style;
+};
+
+TEST_F(SphereInWindow, ADragTurnsItAsIfTheHandHeldIt)
+{
+  const EventLog log(*style, {vtkCommand::StartInteractionEvent, vtkCommand::InteractionEvent,
+                              vtkCommand::EndInteractionEvent, vtkCommand::PickEvent});
+  const Vector3 before = eye();
+  const double distance = before.norm();
+  stage.hand().drag({{200, 150}, {240, 150}});
+  EXPECT_GT((eye() - before).norm(), 0.5);
+  EXPECT_NEAR(eye().norm(), distance, 1e-9);
+  EXPECT_THAT(log.events(), ElementsAre(vtkCommand::StartInteractionEvent, vtkCommand::InteractionEvent,
+                                        vtkCommand::EndInteractionEvent));
+}
+
+TEST_F(SphereInWindow, AClickPicksThePointUnderIt)
+{
+  std::optional<Index> vertex;
+  for (Index v = 0; v < example.model.mesh.vertexCount() && !vertex; ++v)
+    if (const auto place = sphere.displayPlace(v))
+      if (sphere.pick(place->x(), place->y()) == v) vertex = v;
+  ASSERT_TRUE(vertex);
+  Index picked = -1;
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&picked);
+  command->SetCallback([](vtkObject*, unsigned long, void* result, void* data) {
+    *static_cast<Index*>(result) = *static_cast<const Index*>(data);
+  });
+  style->AddObserver(vtkCommand::PickEvent, command);
+  stage.hand().click({1, 1});
+  EXPECT_EQ(picked, -1);
+  stage.hand().click(sphere.displayPlace(*vertex)->head<2>());
+  EXPECT_EQ(picked, *vertex);
+}
+
+TEST_F(SphereInWindow, WheelAndKeysZoomAndTurnAndADoubleClickShowsAll)
+{
+  const double scale = camera().GetParallelScale();
+  stage.hand().wheel({200, 150}, 1);
+  EXPECT_NEAR(camera().GetParallelScale(), scale / 1.2, 1e-12);
+  stage.hand().key("minus");
+  EXPECT_NEAR(camera().GetParallelScale(), scale, 1e-12);
+  const Vector3 before = eye();
+  stage.hand().key("Left");
+  EXPECT_GT((eye() - before).norm(), 0.1);
+  stage.hand().key("Right");
+  EXPECT_LT((eye() - before).norm(), 1e-9);
+  stage.hand().key("Up");
+  stage.hand().key("plus");
+  stage.hand().key("Home");
+  EXPECT_EQ(eye(), before);
+  EXPECT_EQ(camera().GetParallelScale(), scale);
+  stage.hand().key("Down");
+  stage.hand().doubleClick({200, 150});
+  EXPECT_EQ(eye(), before);
+}
+
+TEST_F(SphereInWindow, WithoutASphereNothingHappens)
+{
+  style->SetSphere(nullptr);
+  const EventLog log(*style, {vtkCommand::InteractionEvent, vtkCommand::PickEvent});
+  const unsigned long before = camera().GetMTime();
+  stage.hand().drag({{200, 150}, {240, 150}});
+  stage.hand().doubleClick({200, 150});
+  stage.hand().wheel({200, 150}, 1);
+  stage.hand().key("Left");
+  EXPECT_EQ(camera().GetMTime(), before);
+  EXPECT_THAT(log.events(), IsEmpty());
+}
+
+TEST_F(SphereInWindow, PrintsItsState)
+{
+  std::ostringstream text;
+  style->Print(text);
+  EXPECT_THAT(text.str(), HasSubstr("PixelRatio: 1"));
+}
+
+}  // namespace
+}  // namespace holdfast

@@ -1,0 +1,248 @@
+#include "holdfast/view/interaction/surface_camera_style.h"
+
+#include <cmath>
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <vtkCamera.h>
+#include <vtkHandleWidget.h>
+#include <vtkPointHandleRepresentation3D.h>
+#include <vtkRenderWindow.h>
+#include <vtkWidgetEvent.h>
+
+#include <holdfast/view/camera_motion.h>
+#include <holdfast/view/interaction/interaction_events.h>
+#include <holdfast/view/surface_picker.h>
+
+#include "interaction/interaction_stage.h"
+#include "support/meshes.h"
+
+namespace holdfast {
+namespace {
+
+using test::EventLog;
+using test::InteractionStage;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// A box before the style's camera, which is seen from a corner.
+struct CameraOfBox : testing::Test {
+  CameraOfBox()
+  {
+    style->SetSurface(stage.surface());
+    stage.interactor().SetInteractorStyle(style);
+    lookFromACorner(camera());
+    stage.renderer().ResetCameraClippingRange();
+    at = stage.pixelOf({1.8, 1.8, 2});
+    under = SurfacePicker(stage.surface()).pick(stage.renderer(), at.x(), at.y(), PickKind::Face, 0).value().place;
+  }
+
+  static void lookFromACorner(vtkCamera& camera)
+  {
+    camera.Azimuth(30);
+    camera.Elevation(20);
+    camera.OrthogonalizeViewUp();
+  }
+
+  [[nodiscard]] vtkCamera& camera() const { return *stage.renderer().GetActiveCamera(); }
+  [[nodiscard]] Vector3 eye() const { return Vector3(camera().GetPosition()); }
+  [[nodiscard]] Vector3 focus() const { return Vector3(camera().GetFocalPoint()); }
+  [[nodiscard]] DisplayPoint shown(const Vector3& place) const
+  {
+    return toDisplay(stage.renderer(), place).head<2>();
+  }
+
+  InteractionStage stage{test::box({2, 2, 2}, 4)};
+  vtkNew<SurfaceCameraStyle> style;
+  DisplayPoint at;  // a pixel of the box, and what is under it
+  Vector3 under;
+};
+
+TEST_F(CameraOfBox, LeftDragTurnsAboutThePlaceUnderTheCursor)
+{
+  const double before = (eye() - under).norm();
+  const DisplayPoint seen = shown(under);
+  const Vector3 from = eye();
+  stage.hand().drag({at, at + DisplayPoint(30, 0), at + DisplayPoint(60, 20)});
+  EXPECT_GT((eye() - from).norm(), 0.5);
+  EXPECT_NEAR((eye() - under).norm(), before, 1e-9);
+  EXPECT_LT((shown(under) - seen).norm(), 1e-6) << "it stays where it is on the screen";
+}
+
+TEST_F(CameraOfBox, ADragBegunAndEndedInSmallStepsTurnsByAllOfIt)
+{
+  stage.hand().drag({at, at + DisplayPoint(50, 0)});
+  const Vector3 atOnce = eye();
+  InteractionStage other{test::box({2, 2, 2}, 4)};
+  other.interactor().SetInteractorStyle(style);
+  lookFromACorner(*other.renderer().GetActiveCamera());
+  other.hand().drag({at, at + DisplayPoint(2, 0), at + DisplayPoint(3, 0), at + DisplayPoint(20, 0),
+                     at + DisplayPoint(50, 0)});
+  EXPECT_LT((Vector3(other.renderer().GetActiveCamera()->GetPosition()) - atOnce).norm(), 1e-9);
+}
+
+TEST_F(CameraOfBox, MiddleAndShiftRightShiftThePlaceWithTheCursor)
+{
+  const DisplayPoint seen = shown(under);
+  stage.hand().middlePress(at);
+  stage.hand().moveTo(at + DisplayPoint(40, 10));
+  stage.hand().middleRelease(at + DisplayPoint(40, 10));
+  EXPECT_LT((shown(under) - seen - DisplayPoint(40, 10)).norm(), 1e-6);
+  stage.hand().rightPress(at + DisplayPoint(40, 10), {.shift = true});
+  stage.hand().moveTo(at, {.shift = true});
+  stage.hand().rightRelease(at, {.shift = true});
+  EXPECT_LT((shown(under) - seen).norm(), 1e-6);
+}
+
+TEST_F(CameraOfBox, TheWheelGoesNearerToThePlaceUnderTheCursorByAFifthANotch)
+{
+  const DisplayPoint seen = shown(under);
+  const double before = (eye() - under).norm();
+  stage.hand().wheel(at, 1);
+  EXPECT_NEAR((eye() - under).norm(), before / 1.2, 1e-9);
+  EXPECT_LT((shown(under) - seen).norm(), 1e-6);
+  stage.hand().wheel(at, -1);
+  EXPECT_NEAR((eye() - under).norm(), before, 1e-9);
+  style->SetMouseWheelMotionFactor(0.25);
+  stage.hand().wheel(at, 1);
+  EXPECT_NEAR((eye() - under).norm(), before / std::pow(1.2, 0.25), 1e-9);
+}
+
+TEST_F(CameraOfBox, BesideTheSurfaceItTurnsAboutThePlaceAtTheDepthOfTheFocus)
+{
+  const DisplayPoint beside(2, 2);
+  const Vector3 pivot = atDepthOf(stage.renderer(), focus(), beside);
+  const double before = (eye() - pivot).norm();
+  stage.hand().drag({beside, beside + DisplayPoint(40, 40)});
+  EXPECT_NEAR((eye() - pivot).norm(), before, 1e-9);
+  EXPECT_NE(eye(), Vector3::Zero());
+}
+
+TEST_F(CameraOfBox, AHandThatShakesLessThanFourPixelsMovesNothing)
+{
+  const EventLog log(*style, {vtkCommand::StartInteractionEvent, vtkCommand::InteractionEvent});
+  const unsigned long before = camera().GetMTime();
+  stage.hand().drag({at, at + DisplayPoint(3, 2)});
+  EXPECT_EQ(camera().GetMTime(), before);
+  EXPECT_THAT(log.events(), IsEmpty());
+  style->SetPixelRatio(2);
+  stage.hand().drag({at, at + DisplayPoint(6, 4)});
+  EXPECT_EQ(camera().GetMTime(), before);
+  stage.hand().drag({at, at + DisplayPoint(7, 4)});
+  EXPECT_NE(camera().GetMTime(), before);
+}
+
+TEST_F(CameraOfBox, TellsWhenADragBeginsGoesOnAndEnds)
+{
+  const EventLog log(*style, {vtkCommand::StartInteractionEvent, vtkCommand::InteractionEvent,
+                              vtkCommand::EndInteractionEvent, ContextMenuRequestEvent});
+  stage.hand().drag({at, at + DisplayPoint(10, 0), at + DisplayPoint(20, 0)});
+  EXPECT_THAT(log.events(), ElementsAre(vtkCommand::StartInteractionEvent, vtkCommand::InteractionEvent,
+                                        vtkCommand::InteractionEvent, vtkCommand::EndInteractionEvent));
+}
+
+TEST_F(CameraOfBox, ARightClickAsksForAMenuAndARightDragTurns)
+{
+  EventLog log(*style, {vtkCommand::StartInteractionEvent, ContextMenuRequestEvent});
+  stage.hand().rightPress(at);
+  stage.hand().rightRelease(at);
+  EXPECT_THAT(log.events(), ElementsAre(ContextMenuRequestEvent));
+  log.clear();
+  stage.hand().rightPress(at);
+  stage.hand().moveTo(at + DisplayPoint(30, 0));
+  stage.hand().rightRelease(at + DisplayPoint(30, 0));
+  EXPECT_THAT(log.events(), ElementsAre(vtkCommand::StartInteractionEvent));
+}
+
+TEST_F(CameraOfBox, IsBusyAsLongAsItMovesTheCamera)
+{
+  EXPECT_FALSE(isCameraMoving(stage.interactor()));
+  stage.hand().press(at);
+  EXPECT_FALSE(isCameraMoving(stage.interactor()));
+  stage.hand().moveTo(at + DisplayPoint(30, 0));
+  EXPECT_TRUE(isCameraMoving(stage.interactor()));
+  style->Cancel();
+  EXPECT_FALSE(isCameraMoving(stage.interactor()));
+  const unsigned long before = camera().GetMTime();
+  stage.hand().moveTo(at + DisplayPoint(60, 0));
+  EXPECT_EQ(camera().GetMTime(), before);
+}
+
+TEST_F(CameraOfBox, ASecondButtonDoesNotDisturbTheDragOfTheFirst)
+{
+  stage.hand().press(at);
+  stage.hand().moveTo(at + DisplayPoint(30, 0));
+  stage.hand().middlePress(at + DisplayPoint(30, 0));
+  stage.hand().middleRelease(at + DisplayPoint(30, 0));
+  EXPECT_TRUE(isCameraMoving(stage.interactor()));
+  stage.hand().release(at + DisplayPoint(30, 0));
+  EXPECT_FALSE(isCameraMoving(stage.interactor()));
+}
+
+TEST_F(CameraOfBox, BindingsCanBeChanged)
+{
+  style->GetEventTranslator()->SetTranslation(vtkCommand::LeftButtonPressEvent, vtkWidgetEvent::NoEvent);
+  style->GetEventTranslator()->SetTranslation(vtkCommand::MiddleButtonPressEvent, vtkWidgetEvent::Rotate);
+  const unsigned long before = camera().GetMTime();
+  stage.hand().drag({at, at + DisplayPoint(30, 0)});
+  EXPECT_EQ(camera().GetMTime(), before);
+  const double distance = (eye() - focus()).norm();
+  stage.hand().middlePress(at);
+  stage.hand().moveTo(at + DisplayPoint(30, 0));
+  stage.hand().middleRelease(at + DisplayPoint(30, 0));
+  EXPECT_NE(camera().GetMTime(), before);
+  EXPECT_NEAR((eye() - focus()).norm(), distance, 1e-9) << "turned, not shifted";
+}
+
+TEST_F(CameraOfBox, WidgetsComeFirst)
+{
+  vtkNew<vtkPointHandleRepresentation3D> cross;
+  double place[3] = {under.x(), under.y(), under.z()};
+  cross->SetWorldPosition(place);
+  cross->ActiveRepresentationOn();
+  vtkNew<vtkHandleWidget> handle;
+  handle->SetInteractor(&stage.interactor());
+  handle->SetRepresentation(cross);
+  handle->On();
+  stage.window().Render();
+  const unsigned long before = camera().GetMTime();
+  stage.hand().drag({at, at + DisplayPoint(30, 0)});
+  EXPECT_EQ(camera().GetMTime(), before);
+  handle->Off();
+  stage.hand().drag({at, at + DisplayPoint(30, 0)});
+  EXPECT_NE(camera().GetMTime(), before);
+}
+
+TEST_F(CameraOfBox, MovesTheCameraOfTheRendererUnderTheCursor)
+{
+  vtkNew<vtkRenderer> right;
+  stage.renderer().SetViewport(0, 0, 0.5, 1);
+  right->SetViewport(0.5, 0, 1, 1);
+  stage.window().AddRenderer(right);
+  const unsigned long before = camera().GetMTime();
+  const Vector3 eyeOfRight(right->GetActiveCamera()->GetPosition());
+  stage.hand().drag({{300, 150}, {340, 150}});
+  EXPECT_EQ(camera().GetMTime(), before);
+  EXPECT_NE(Vector3(right->GetActiveCamera()->GetPosition()), eyeOfRight);
+}
+
+TEST_F(CameraOfBox, KeysOfVtkAreNotBound)
+{
+  const EventLog log(stage.interactor(), {vtkCommand::ExitEvent, vtkCommand::UserEvent});
+  const unsigned long before = camera().GetMTime();
+  for (const char* key : {"q", "e", "f", "r", "w", "s", "3", "p", "u"}) stage.hand().key(key);
+  EXPECT_THAT(log.events(), IsEmpty());
+  EXPECT_EQ(camera().GetMTime(), before);
+}
+
+TEST_F(CameraOfBox, PrintsItsState)
+{
+  std::ostringstream text;
+  style->Print(text);
+  EXPECT_THAT(text.str(), HasSubstr("PixelRatio: 1"));
+}
+
+}  // namespace
+}  // namespace holdfast

@@ -1,0 +1,126 @@
+#include "holdfast/view/kept_scene.h"
+
+#include <optional>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <vtkActor.h>
+#include <vtkCallbackCommand.h>
+#include <vtkCamera.h>
+#include <vtkCommand.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkSphereSource.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <holdfast/view/scene_contents.h>
+#include <holdfast/view/stage.h>
+
+#include "support/meshes.h"
+
+namespace holdfast {
+namespace {
+
+/// A box, and in a layer above, which shares camera and depths with it, a ball that it hides by half.
+class KeptBox : public ::testing::Test {
+ protected:
+  using Colors = std::vector<unsigned char>;
+
+  KeptBox()
+  {
+    window->SetOffScreenRendering(1);
+    window->SetMultiSamples(0);
+    window->SetNumberOfLayers(2);
+    window->SetSize(320, 240);
+    window->AddRenderer(scene);
+    window->AddRenderer(above);
+    addLights(*scene);
+    contents.addTo(*scene);
+    scene->ResetCamera();
+    above->SetLayer(1);
+    above->SetActiveCamera(scene->GetActiveCamera());
+    above->PreserveDepthBufferOn();
+    ball->SetRadius(0.7);
+    ball->SetCenter(1, 1, 1);
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(ball->GetOutputPort());
+    actor->SetMapper(mapper);
+    actor->GetProperty()->SetColor(1, 0, 0);
+    above->AddActor(actor);
+    kept.emplace(*scene);
+  }
+
+  [[nodiscard]] Colors shown()
+  {
+    vtkNew<vtkUnsignedCharArray> pixels;
+    window->GetPixelData(0, 0, window->GetSize()[0] - 1, window->GetSize()[1] - 1, 1, pixels);
+    return {pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues()};
+  }
+
+  [[nodiscard]] Colors drawnWhole()
+  {
+    window->Render();
+    return shown();
+  }
+
+  [[nodiscard]] Colors drawnAbove()
+  {
+    kept->drawLayersAbove();
+    return shown();
+  }
+
+  const Model model = makeModel(test::box({1, 1, 1}, 4), "box");
+  SceneContents contents{model};
+  vtkNew<vtkRenderWindow> window;
+  vtkNew<vtkRenderer> scene;
+  vtkNew<vtkRenderer> above;
+  vtkNew<vtkSphereSource> ball;
+  vtkNew<vtkActor> actor;
+  std::optional<KeptScene> kept;
+};
+
+TEST_F(KeptBox, LayersAboveAreDrawnOntoItAsIfAllWereDrawn)
+{
+  const Colors before = drawnWhole();
+  ball->SetCenter(0, 0.4, 1);
+  const Colors moved = drawnAbove();
+  EXPECT_NE(moved, before);
+  EXPECT_EQ(moved, drawnWhole());
+  actor->VisibilityOff();
+  EXPECT_EQ(drawnAbove(), drawnWhole()) << "nothing of what was there stays behind";
+}
+
+TEST_F(KeptBox, TheSceneIsNotDrawnForIt)
+{
+  static_cast<void>(drawnWhole());
+  int count = 0;
+  vtkNew<vtkCallbackCommand> counter;
+  counter->SetClientData(&count);
+  counter->SetCallback([](vtkObject*, unsigned long, void* result, void*) { ++*static_cast<int*>(result); });
+  scene->AddObserver(vtkCommand::StartEvent, counter);
+  static_cast<void>(drawnAbove());
+  EXPECT_EQ(count, 0);
+  static_cast<void>(drawnWhole());
+  EXPECT_EQ(count, 1);
+}
+
+TEST_F(KeptBox, IsCurrentUntilTheCameraMovesOrTheWindowHasAnotherSize)
+{
+  EXPECT_FALSE(kept->isCurrent());
+  static_cast<void>(drawnWhole());
+  EXPECT_TRUE(kept->isCurrent());
+  scene->GetActiveCamera()->Azimuth(1);
+  EXPECT_FALSE(kept->isCurrent());
+  static_cast<void>(drawnWhole());
+  EXPECT_TRUE(kept->isCurrent());
+  window->SetSize(300, 240);
+  EXPECT_FALSE(kept->isCurrent());
+  const Colors before = drawnWhole();
+  ASSERT_TRUE(kept->isCurrent());
+  EXPECT_EQ(drawnAbove(), before);
+}
+
+}  // namespace
+}  // namespace holdfast
