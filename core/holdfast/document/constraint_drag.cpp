@@ -10,7 +10,9 @@
 #include <holdfast/base/degree.h>
 #include <holdfast/base/error.h>
 #include <holdfast/constraints/selector.h>
+#include <holdfast/document/own_axes.h>
 #include <holdfast/mesh/centroid.h>
+#include <holdfast/rotation/rotation_log.h>
 
 namespace holdfast {
 namespace {
@@ -26,8 +28,8 @@ Positions rowsOf(const Positions& positions, const std::vector<Index>& vertices)
 }
 
 /// The centroid of all that the enabled fixed constraints hold, at rest.
-std::optional<Vector3> fixedCenter(const Model& model, const ConstraintList& list, Selector& selector,
-                                   const std::string& source)
+std::optional<Vector3> centerOfFixed(const Model& model, const ConstraintList& list, Selector& selector,
+                                     const std::string& source)
 {
   std::vector<Index> fixed;
   for (std::size_t c = 0; c < list.constraints.size(); ++c) {
@@ -62,7 +64,7 @@ Vector3 movedPlace(const Vector3& place, const RigidIncrement& increment)
 
 ConstraintDrag::ConstraintDrag(const Model& model, const ConstraintList& list, std::span<const Index> constraints,
                                const std::string& source)
-    : list_(list), source_(source)
+    : model_(&model), list_(list), source_(source)
 {
   SurfaceLocator locator(model.mesh, model.triangulation);
   Selector selector(model.mesh, model.solverMesh, locator);
@@ -71,15 +73,16 @@ ConstraintDrag::ConstraintDrag(const Model& model, const ConstraintList& list, s
     if (!constraint.isEnabled) continue;
     const InputLocation where = placeInList(source, c);
     if (const auto* point = std::get_if<Point>(&constraint.what)) {
-      const Vector3 rest = positionOf(locator.locate(point->at, below(where, ".at")).point, model.mesh.positions);
+      const SurfacePoint at = locator.locate(point->at, below(where, ".at")).point;
+      const Vector3 rest = positionOf(at, model.mesh.positions);
       const auto* target = std::get_if<Target>(&point->to);
-      points_.push_back({c, rest, target ? target->place : Vector3(rest + std::get<Move>(point->to).shift)});
+      points_.push_back({c, at, rest, target ? target->place : Vector3(rest + std::get<Move>(point->to).shift)});
     } else if (const auto* handle = std::get_if<Handle>(&constraint.what)) {
       handles_.push_back({c, rowsOf(model.mesh.positions, verticesOf(*handle, selector, where)), Vector3::Zero(), {}});
     }
   }
   surroundings_.diagonal = model.solverMesh.diagonal;
-  if (!handles_.empty()) surroundings_.fixedCenter = fixedCenter(model, list, selector, source);
+  if (!handles_.empty()) surroundings_.fixedCenter = centerOfFixed(model, list, selector, source);
   for (DraggedHandle& handle : handles_) {
     const auto& what = std::get<Handle>(list.constraints[handle.constraint].what);
     const InputLocation where = placeInList(source, handle.constraint);
@@ -95,6 +98,18 @@ Vector3 ConstraintDrag::center() const
   for (const DraggedPoint& point : points_) sum += point.place;
   for (const DraggedHandle& handle : handles_) sum += handle.center;
   return sum / static_cast<double>(points_.size() + handles_.size());
+}
+
+Eigen::Matrix3d ConstraintDrag::axes(const Positions& positions) const
+{
+  assert(!isEmpty());
+  const bool isPoint =
+      handles_.empty() || (!points_.empty() && points_.front().constraint < handles_.front().constraint);
+  if (isPoint) return surfaceAxes(*model_, points_.front().point, positions);
+  const DraggedHandle& dragged = handles_.front();
+  const auto& handle = std::get<Handle>(list_.constraints[dragged.constraint].what);
+  if (const auto* motion = std::get_if<FrameMotion>(&handle.motion)) return axesOf(motion->to);
+  return rotationMatrix(dragged.turn.axis, dragged.turn.degrees) * principalAxes(dragged.rest);
 }
 
 Handle ConstraintDrag::nextFrame(DraggedHandle& dragged, const RigidIncrement& increment) const

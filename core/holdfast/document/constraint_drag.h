@@ -7,6 +7,7 @@
 
 #include <holdfast/constraints/handle_drag.h>
 #include <holdfast/deform/model.h>
+#include <holdfast/surface/surface_point.h>
 
 namespace holdfast {
 
@@ -16,7 +17,8 @@ namespace holdfast {
 class ConstraintDrag {
  public:
   /// Of `constraints`, places in the list, points and handles that are enabled move; others stay. Throws `InputError`
-  /// where one of these does not fit the mesh; `source` names the list. O(N) per handle and fixed region.
+  /// where one of these does not fit the mesh; `source` names the list. `model` stays alive as long as this. O(N) per
+  /// handle and fixed region.
   ConstraintDrag(const Model& model, const ConstraintList& list, std::span<const Index> constraints,
                  const std::string& source);
 
@@ -27,12 +29,20 @@ class ConstraintDrag {
   /// The middle of where all that moves is to be, model units. Something moves.
   [[nodiscard]] Vector3 center() const;
 
+  /// Axes of the first constraint that moves, right-handed orthonormal columns. Of a handle: the axes of the frame that
+  /// it goes to, else its `principalAxes` at rest, turned with it. Of a point: its `surfaceAxes` at `positions`.
+  [[nodiscard]] Eigen::Matrix3d axes(const Positions& positions) const;
+
+  /// The centroid of all that is fixed; none where nothing is, and where no handle moves.
+  [[nodiscard]] const std::optional<Vector3>& fixedCenter() const noexcept { return surroundings_.fixedCenter; }
+
   /// The list after the motion, the next frame of the gesture. O(list + vertices of handles).
   [[nodiscard]] ConstraintList movedBy(const RigidIncrement& increment);
 
  private:
   struct DraggedPoint {
     Index constraint = 0;
+    SurfacePoint point;
     Vector3 rest;
     Vector3 place;  // where it is to be
   };
@@ -45,6 +55,7 @@ class ConstraintDrag {
 
   [[nodiscard]] Handle nextFrame(DraggedHandle& dragged, const RigidIncrement& increment) const;
 
+  const Model* model_;
   ConstraintList list_;
   std::string source_;
   HandleSurroundings surroundings_;
