@@ -1,9 +1,11 @@
-// OpenBLAS starts threads before `main`. Each asks for memory for ever where the address space is limited (ulimit -v),
-// and the program cannot end while one does.
+// OpenBLAS takes memory before `main`. Where the address space is limited (ulimit -v) and too little, it asks for more
+// for ever, in every thread that it starts, and the program cannot end.
 
+#include <cstdio>
 #include <cstring>
 #include <vector>
 
+#include <sys/mman.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -13,17 +15,47 @@ namespace {
 constexpr const char* kVariable = "OPENBLAS_NUM_THREADS=";
 constexpr const char* kOneThread = "OPENBLAS_NUM_THREADS=1";
 
-bool isAddressSpaceLimited()
+constexpr rlim_t kMebibyte = 1U << 20U;
+
+// Two pieces of 128 MiB, which version 0.3.29 takes even for one thread, and what libraries need to begin with.
+constexpr rlim_t kRoom = 288 * kMebibyte;
+
+// Exit code: numerical failures, and too little memory for them.
+constexpr int kOutOfMemory = 5;
+
+/// Of the address space; `RLIM_INFINITY` for none.
+rlim_t limitOfAddressSpace()
 {
   rlimit limit{};
-  return ::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+  return ::getrlimit(RLIMIT_AS, &limit) == 0 ? limit.rlim_cur : RLIM_INFINITY;
+}
+
+bool hasRoom()
+{
+  void* const room = ::mmap(nullptr, kRoom, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (room == MAP_FAILED) return false;
+  ::munmap(room, kRoom);
+  return true;
+}
+
+[[noreturn]] void refuse(rlim_t limit)
+{
+  char text[256];
+  const int length = std::snprintf(text, sizeof text,
+                                   "holdfast-batch: error: there is not enough memory to begin: the address space is "
+                                   "limited to %llu MiB (ulimit -v); allow 500 or more\n",
+                                   static_cast<unsigned long long>(limit / kMebibyte));
+  static_cast<void>(!::write(STDERR_FILENO, text, static_cast<std::size_t>(length)));
+  ::_exit(kOutOfMemory);
 }
 
 /// Begins the program anew with OpenBLAS on one thread, which is all that it ever uses. Where that cannot be done the
 /// program goes on as it is.
 void keepBlasFromThreads(int /*argc*/, char** argv, char** environment)
 {
-  if (!isAddressSpaceLimited()) return;
+  const rlim_t limit = limitOfAddressSpace();
+  if (limit == RLIM_INFINITY) return;
+  if (!hasRoom()) refuse(limit);
   std::vector<char*> changed;
   for (char** entry = environment; *entry != nullptr; ++entry) {
     if (std::strcmp(*entry, kOneThread) == 0) return;

@@ -32,9 +32,16 @@ class LittleMemory : public BatchTest {
   }
 };
 
-TEST_F(LittleMemory, IsEnoughForAnAnswer)
+TEST_F(LittleMemory, IsNamedWhereItIsNotEnoughToBegin)
 {
   const ProcessResult result = runBatch({"--version"}, within(200));
+  EXPECT_EQ(result.exitCode, kShortOfMemory) << "signal " << result.signal;
+  EXPECT_THAT(result.err, HasSubstr("limited to 200 MiB (ulimit -v)"));
+}
+
+TEST_F(LittleMemory, IsEnoughForAnAnswerWhereTheMessageAllowsIt)
+{
+  const ProcessResult result = runBatch({"--version"}, within(500));
   EXPECT_EQ(result.exitCode, 0) << "signal " << result.signal << "\n" << result.err;
 }
 
