@@ -125,9 +125,7 @@ void Gizmo::endDrag()
 
 bool Gizmo::isOffered(GizmoPart part) const
 {
-  const GizmoPartKind kind = kindOf(part);
-  const bool isTurn = kind == GizmoPartKind::Ring || kind == GizmoPartKind::ViewRing;
-  return isShown_ && (motions_ == GizmoMotions::MovesAndTurns || !isTurn);
+  return isShown_ && (motions_ == GizmoMotions::MovesAndTurns || !isTurn(part));
 }
 
 bool Gizmo::isDrawn(GizmoPart part) const
@@ -147,7 +145,7 @@ void Gizmo::update(vtkRenderer& scene)
   const Vector3 sight = sightOf(view, frame_.center);
   for (const auto& actors : parts_) {
     const GizmoPart part = actors->part();
-    const double visibility = drag_ ? 1 : visibilityOf(part, frame_, view);
+    const double visibility = drag_ || part == highlighted_ ? 1 : visibilityOf(part, frame_, view);
     actors->show(placementFor(part, placement, view), colorOf(part), isDrawn(part) ? visibility : 0, sight);
   }
   updateLetters(placement, view);

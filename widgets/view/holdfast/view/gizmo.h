@@ -54,13 +54,14 @@ class Gizmo {
   void hide();
   [[nodiscard]] bool isShown() const noexcept { return isShown_; }
 
-  /// The part that is drawn in yellow: the one under the cursor, or `None`.
+  /// The part that is drawn in yellow, also where it is seen from the end: the one under the cursor, or `None`.
   void highlight(GizmoPart part);
   [[nodiscard]] GizmoPart highlighted() const noexcept { return highlighted_; }
 
   /// Until `endDrag` only the part of `trace` is drawn, where the frame is now, and what the trace says.
   void showDrag(GizmoTrace trace);
   void endDrag();
+  [[nodiscard]] bool isDragging() const noexcept { return drag_.has_value(); }
 
   /// Follows the camera of `scene`: to be called before each time that the window is rendered. About a millisecond.
   void update(vtkRenderer& scene);

@@ -95,18 +95,13 @@ GizmoDrag::GizmoDrag(GizmoPart part, const GizmoFrame& frame, const ViewGeometry
   step_ = stepFor(view, frame.center, {first_, second_});
   const Vector3 sight = sightOf(view, frame.center);
   isFlat_ = kindOf(part) == GizmoPartKind::Ring && std::abs(normal_.dot(sight)) < kFlatRing;
-  if (isTurn()) {
+  if (isTurn(part_)) {
     const std::optional<double> degrees = isFlat_ ? std::nullopt : degreesAt(start);
     // What is rolled is held where it is nearest to the eye.
     grabbed_ = degrees ? Vector3(std::cos(*degrees * kDegree) * first_ + std::sin(*degrees * kDegree) * second_)
                        : Vector3((sight.dot(normal_) * normal_ - sight).normalized());
   }
   follow(start);
-}
-
-bool GizmoDrag::isTurn() const
-{
-  return kindOf(part_) == GizmoPartKind::Ring || kindOf(part_) == GizmoPartKind::ViewRing;
 }
 
 /// The parameter of the point on the arrow's line that is closest to the ray.
@@ -164,7 +159,7 @@ std::optional<double> GizmoDrag::degreesAt(const DisplayPoint& point) const
 
 void GizmoDrag::follow(const DisplayPoint& point)
 {
-  if (isTurn()) {
+  if (isTurn(part_)) {
     const std::optional<double> degrees = degreesAt(point);
     if (!degrees) return;
     if (!startDegrees_) startDegrees_ = degrees;
@@ -199,7 +194,8 @@ GizmoMotion GizmoDrag::turned(double degrees) const
 GizmoMotion GizmoDrag::to(const DisplayPoint& point, Snap snap)
 {
   follow(point);
-  if (isTurn()) return turned(snap == Snap::On ? plain(kSnapDegrees * std::round(degrees_ / kSnapDegrees)) : degrees_);
+  if (isTurn(part_))
+    return turned(snap == Snap::On ? plain(kSnapDegrees * std::round(degrees_ / kSnapDegrees)) : degrees_);
   if (snap == Snap::None) return shifted(shift_);
   const auto snapped = [this](double amount) { return plain(step_.multiple(std::round(amount / step_.size()))); };
   return shifted({snapped(shift_.x()), snapped(shift_.y())});
@@ -207,7 +203,7 @@ GizmoMotion GizmoDrag::to(const DisplayPoint& point, Snap snap)
 
 GizmoMotion GizmoDrag::typed(double amount) const
 {
-  if (isTurn()) return turned(amount);
+  if (isTurn(part_)) return turned(amount);
   if (kindOf(part_) == GizmoPartKind::Arrow || shift_.isZero(0)) return shifted({amount, 0});
   GizmoMotion motion = shifted(amount * shift_.normalized());
   motion.distance = std::abs(amount);
@@ -216,19 +212,16 @@ GizmoMotion GizmoDrag::typed(double amount) const
 
 std::string motionUnit(GizmoPart part, const std::string& units)
 {
-  const GizmoPartKind kind = kindOf(part);
-  if (kind == GizmoPartKind::Ring || kind == GizmoPartKind::ViewRing) return "°";
+  if (isTurn(part)) return "°";
   return units.empty() ? "" : " " + units;
 }
 
 std::string motionText(GizmoPart part, const GizmoMotion& motion, const RoundStep& step, const std::string& units)
 {
-  const GizmoPartKind kind = kindOf(part);
   const auto withoutSignOfNothing = [](const std::string& text) {
     return text.find_first_of("123456789") == std::string::npos && text.starts_with('-') ? text.substr(1) : text;
   };
-  if (kind == GizmoPartKind::Ring || kind == GizmoPartKind::ViewRing)
-    return withoutSignOfNothing(fmt::format("{:.1f}", motion.degrees)) + motionUnit(part, units);
+  if (isTurn(part)) return withoutSignOfNothing(fmt::format("{:.1f}", motion.degrees)) + motionUnit(part, units);
   const bool isPlain = step.decimals() <= kMostDecimals && std::abs(motion.distance) < kLongest;
   const std::string number =
       isPlain ? fmt::format("{:.{}f}", motion.distance, step.decimals()) : fmt::format("{:.4g}", motion.distance);

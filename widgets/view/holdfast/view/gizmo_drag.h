@@ -71,7 +71,6 @@ class GizmoDrag {
   [[nodiscard]] const Vector3& grabbed() const noexcept { return grabbed_; }
 
  private:
-  [[nodiscard]] bool isTurn() const;
   [[nodiscard]] std::optional<Eigen::Vector2d> shiftAt(const DisplayPoint& point) const;
   [[nodiscard]] std::optional<double> alongArrow(const ViewRay& ray) const;
   [[nodiscard]] std::optional<Vector3> onPlane(const ViewRay& ray) const;

@@ -22,6 +22,12 @@ enum class GizmoPartKind { None, Center, Arrow, Square, Ring, ViewRing };
   return part <= GizmoPart::RingZ ? GizmoPartKind::Ring : GizmoPartKind::ViewRing;
 }
 
+/// Whether the part turns; all others but `None` move.
+[[nodiscard]] constexpr bool isTurn(GizmoPart part)
+{
+  return kindOf(part) == GizmoPartKind::Ring || kindOf(part) == GizmoPartKind::ViewRing;
+}
+
 /// 0, 1 and 2 for what belongs to x, y and z; -1 for what belongs to no axis.
 [[nodiscard]] constexpr int axisIndexOf(GizmoPart part)
 {
