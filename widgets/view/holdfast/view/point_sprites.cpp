@@ -5,46 +5,18 @@
 
 #include <vtkActor.h>
 #include <vtkCellArray.h>
-#include <vtkObjectFactory.h>
-#include <vtkOpenGLRenderWindow.h>
-#include <vtkOpenGLState.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
-#include <vtkRenderer.h>
 #include <vtkShaderProperty.h>
 #include <vtkUnsignedCharArray.h>
 
-#include <holdfast/view/blended_actor.h>
+#include <holdfast/view/behind_actor.h>
 
 namespace holdfast {
 namespace {
-
-// Of what lies behind a surface.
-constexpr double kFaintOpacity = 0.30;
-
-// GL_LEQUAL and GL_GREATER.
-constexpr unsigned int kAsNearOrNearer = 0x0203;
-constexpr unsigned int kFarther = 0x0204;
-
-/// Draws only what lies behind what has been drawn.
-class BehindActor final : public BlendedActor {
- public:
-  static BehindActor* New();
-  vtkTypeMacro(BehindActor, BlendedActor)
-
-      void Render(vtkRenderer* renderer, vtkMapper* mapper) override
-  {
-    vtkOpenGLState* const state = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow())->GetState();
-    state->vtkglDepthFunc(kFarther);
-    BlendedActor::Render(renderer, mapper);
-    state->vtkglDepthFunc(kAsNearOrNearer);
-  }
-};
-
-vtkStandardNewMacro(BehindActor);
 
 /// The distance `d` of the pixel at `p`, in radii of the sprite, from the border of the shape, negative inside; and
 /// whether it is light there.
@@ -122,9 +94,7 @@ PointSprites::PointSprites(SpriteShape shape, SpriteDepth depth)
     actor_ = vtkSmartPointer<vtkActor>::New();
   actor_->SetMapper(mapper);
   setLook(*actor_, shape);
-  if (depth == SpriteDepth::InFront) return;
-  actor_->GetProperty()->LightingOff();
-  actor_->GetProperty()->SetOpacity(kFaintOpacity);
+  if (depth == SpriteDepth::Behind) actor_->GetProperty()->LightingOff();
 }
 
 PointSprites::~PointSprites() = default;

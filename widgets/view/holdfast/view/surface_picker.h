@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <holdfast/surface/surface_location.h>
+#include <holdfast/surface/surface_point.h>
 #include <holdfast/view/visible_surface.h>
 
 class vtkRenderer;
@@ -30,6 +31,9 @@ struct SurfacePick {
   Index face = 0;                   ///< the point lies on it: the face under the cursor wherever possible
   Index triangle = 0;               ///< the same of the triangles of the model's triangulation
 };
+
+/// The canonical form of the location of a pick, or of another that `mesh` has and that is not `AtNear`.
+[[nodiscard]] SurfacePoint pointOf(const SurfaceLocation& location, const Mesh& mesh);
 
 /// Picks points of a surface. Sees it from both sides, and only what nothing hides.
 class SurfacePicker {

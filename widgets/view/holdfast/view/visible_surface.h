@@ -24,6 +24,12 @@ class VisibleSurface {
   /// The same at other positions: one row for each vertex of the file, all finite. O(T), on any thread.
   [[nodiscard]] VisibleSurface movedTo(std::shared_ptr<const Positions> positions) const;
 
+  /// Whether one was made of the other, or both of a third: places are named alike on both.
+  [[nodiscard]] bool isSameMesh(const VisibleSurface& other) const noexcept
+  {
+    return trianglesOf_ == other.trianglesOf_;
+  }
+
   [[nodiscard]] const Model& model() const noexcept { return *model_; }
   [[nodiscard]] const Positions& positions() const noexcept { return rays_.positions(); }
 

@@ -1,0 +1,413 @@
+#include "holdfast/view/interaction/surface_point_widget.h"
+
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <vtkCamera.h>
+#include <vtkEvent.h>
+#include <vtkHandleWidget.h>
+#include <vtkInteractorStyle.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointHandleRepresentation2D.h>
+#include <vtkPropCollection.h>
+#include <vtkRenderWindow.h>
+#include <vtkWidgetEventTranslator.h>
+
+#include <holdfast/view/interaction/interaction_events.h>
+#include <holdfast/view/interaction/surface_camera_style.h>
+
+#include "interaction/call_data_log.h"
+#include "interaction/interaction_stage.h"
+#include "interaction/recorded_gesture.h"
+#include "support/law_meshes.h"
+#include "support/meshes.h"
+
+namespace holdfast {
+namespace {
+
+using test::CallDataLog;
+using test::InteractionStage;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// Turns from the press on, as styles of VTK do.
+class TurningStyle : public vtkInteractorStyle {
+ public:
+  static TurningStyle* New();
+  vtkTypeMacro(TurningStyle, vtkInteractorStyle)
+  void OnLeftButtonDown() override { StartRotate(); }
+  void OnLeftButtonUp() override { EndRotate(); }
+  void OnRightButtonDown() override { StartDolly(); }
+  void OnRightButtonUp() override { EndDolly(); }
+};
+
+vtkStandardNewMacro(TurningStyle);
+
+struct PointWidgetStage : InteractionStage {
+  explicit PointWidgetStage(Mesh mesh) : InteractionStage(std::move(mesh))
+  {
+    widget->SetInteractor(&interactor());
+    widget->SetCurrentRenderer(&renderer());
+    widget->SetSurface(surface());
+    widget->SetEnabled(1);
+  }
+
+  /// Inside of the triangle below the diagonal of the square with this lower left vertex.
+  [[nodiscard]] DisplayPoint inFace(double x, double y) const { return pixelOf({x + 0.65, y + 0.35, 0}); }
+
+  vtkNew<SurfacePointWidget> widget;
+  CallDataLog<SurfacePick> shown{*widget, vtkCommand::InteractionEvent};
+  CallDataLog<SurfacePick> placed{*widget, vtkCommand::PlacePointEvent};
+  CallDataLog<PickKind> kinds{*widget, vtkCommand::WidgetValueChangedEvent};
+};
+
+struct PointWidgetOnGrid : PointWidgetStage, testing::Test {
+  PointWidgetOnGrid() : PointWidgetStage(test::grid(4, 3)) {}
+};
+
+Index vertexOf(const std::optional<SurfacePick>& pick)
+{
+  const AtVertex* const at = pick ? std::get_if<AtVertex>(&pick->location) : nullptr;
+  return at ? at->vertex : -1;
+}
+
+std::vector<Index> verticesOf(const std::vector<std::optional<SurfacePick>>& picks)
+{
+  std::vector<Index> vertices;
+  for (const auto& pick : picks) vertices.push_back(vertexOf(pick));
+  return vertices;
+}
+
+TEST_F(PointWidgetOnGrid, ShowsWhatAClickWouldTakeAndTakesIt)
+{
+  hand().moveTo(pixelOfVertex(6));
+  ASSERT_TRUE(widget->GetPreview());
+  EXPECT_EQ(widget->GetPreview()->place, Vector3(1, 1, 0));
+  EXPECT_THAT(placed.data(), IsEmpty());
+  hand().click(pixelOfVertex(7));
+  EXPECT_THAT(verticesOf(shown.data()), ElementsAre(6, 7));
+  EXPECT_THAT(verticesOf(placed.data()), ElementsAre(7));
+}
+
+TEST_F(PointWidgetOnGrid, GoesWithTheCursor)
+{
+  hand().moveTo(pixelOfVertex(6));
+  hand().moveTo({1, 1});
+  EXPECT_FALSE(widget->GetPreview());
+  hand().moveTo({2, 1});
+  hand().moveTo(pixelOfVertex(6));
+  hand().leave();
+  EXPECT_FALSE(widget->GetPreview());
+  ASSERT_EQ(shown.data().size(), 4U) << "nothing is said where nothing changes";
+  EXPECT_FALSE(shown.data()[1]);
+  EXPECT_FALSE(shown.data()[3]);
+  hand().click({1, 1});
+  EXPECT_THAT(placed.data(), IsEmpty()) << "beside the surface";
+}
+
+TEST_F(PointWidgetOnGrid, ADragIsNoClickAndBelongsToTheCamera)
+{
+  vtkNew<SurfaceCameraStyle> style;
+  interactor().SetInteractorStyle(style);
+  const DisplayPoint from = pixelOfVertex(6);
+  const Vector3 before(renderer().GetActiveCamera()->GetPosition());
+  hand().drag({from, from + DisplayPoint(3, 0), from + DisplayPoint(9, 0), from + DisplayPoint(15, 0)});
+  EXPECT_NE(Vector3(renderer().GetActiveCamera()->GetPosition()), before);
+  EXPECT_FALSE(widget->GetPreview()) << "nothing is shown while the camera moves";
+  hand().drag({from, from + DisplayPoint(9, 0), from});
+  EXPECT_THAT(placed.data(), IsEmpty());
+  const DisplayPoint at = pixelOfVertex(7);
+  hand().drag({at, at + DisplayPoint(2, 1)});
+  EXPECT_THAT(verticesOf(placed.data()), ElementsAre(7)) << "a hand that trembles clicks";
+  const Vector3 after(renderer().GetActiveCamera()->GetPosition());
+  hand().moveTo({20, 20});
+  EXPECT_EQ(Vector3(renderer().GetActiveCamera()->GetPosition()), after) << "the style has seen the release";
+}
+
+TEST_F(PointWidgetOnGrid, ClicksBesideAStyleThatTurnsAtOnce)
+{
+  vtkNew<TurningStyle> style;
+  interactor().SetInteractorStyle(style);
+  hand().click(pixelOfVertex(7));
+  EXPECT_THAT(verticesOf(placed.data()), ElementsAre(7));
+  hand().moveTo(pixelOfVertex(6));
+  hand().wheel(pixelOfVertex(6), 1);
+  EXPECT_FALSE(widget->GetPreview()) << "the camera has moved";
+  hand().rightPress(pixelOfVertex(7));
+  hand().moveTo(pixelOfVertex(7));
+  EXPECT_FALSE(widget->GetPreview());
+  hand().rightRelease(pixelOfVertex(7));
+  hand().moveTo(pixelOfVertex(7));
+  EXPECT_TRUE(widget->GetPreview());
+}
+
+TEST_F(PointWidgetOnGrid, ADoubleClickPlacesOnePoint)
+{
+  hand().doubleClick(pixelOfVertex(6));
+  EXPECT_EQ(placed.data().size(), 1U);
+}
+
+TEST_F(PointWidgetOnGrid, KeysChooseWhatPointsLieOn)
+{
+  const DisplayPoint cursor = inFace(1, 1);
+  hand().moveTo(cursor);
+  EXPECT_TRUE(std::holds_alternative<AtFace>(widget->GetPreview()->location));
+  hand().type("v");
+  EXPECT_TRUE(std::holds_alternative<AtVertex>(widget->GetPreview()->location)) << "at once, without a move";
+  hand().type("e");
+  EXPECT_TRUE(std::holds_alternative<AtEdge>(widget->GetPreview()->location));
+  hand().moveTo(pixelOfVertex(6));
+  hand().type("f");
+  EXPECT_TRUE(std::holds_alternative<AtFace>(widget->GetPreview()->location));
+  hand().type("aa");
+  EXPECT_TRUE(std::holds_alternative<AtVertex>(widget->GetPreview()->location));
+  EXPECT_THAT(kinds.data(), ElementsAre(PickKind::Vertex, PickKind::Edge, PickKind::Face, PickKind::Nearest));
+  hand().key("v", {.ctrl = true});
+  EXPECT_EQ(widget->GetKind(), PickKind::Nearest) << "a shortcut of the window";
+}
+
+TEST_F(PointWidgetOnGrid, KeysThatAreUsedStayWithTheWidget)
+{
+  vtkNew<TurningStyle> style;
+  interactor().SetInteractorStyle(style);
+  const test::EventLog exits(interactor(), {vtkCommand::ExitEvent});
+  hand().type("e");
+  EXPECT_THAT(exits.events(), IsEmpty()) << "VTK's styles quit with this key";
+  EXPECT_EQ(widget->GetKind(), PickKind::Edge);
+}
+
+TEST_F(PointWidgetOnGrid, BindingsCanBeChanged)
+{
+  EXPECT_TRUE(widget->WantsKey('v'));
+  EXPECT_FALSE(widget->WantsKey('k'));
+  vtkWidgetEventTranslator& translator = *widget->GetEventTranslator();
+  translator.RemoveTranslation(vtkCommand::CharEvent, vtkEvent::NoModifier, 'v', 0, nullptr);
+  translator.SetTranslation(vtkCommand::CharEvent, vtkEvent::NoModifier, 'k', 0, nullptr,
+                            SurfacePointWidget::ChooseVertices);
+  translator.RemoveTranslation(vtkCommand::LeftButtonReleaseEvent);
+  EXPECT_FALSE(widget->WantsKey('v'));
+  EXPECT_TRUE(widget->WantsKey('k'));
+  hand().type("v");
+  EXPECT_EQ(widget->GetKind(), PickKind::Nearest);
+  hand().type("k");
+  EXPECT_EQ(widget->GetKind(), PickKind::Vertex);
+  hand().click(pixelOfVertex(6));
+  EXPECT_THAT(placed.data(), IsEmpty());
+}
+
+TEST_F(PointWidgetOnGrid, AfterADeformationThePointIsAtTheSameLocation)
+{
+  hand().moveTo(inFace(1, 1));
+  const auto before = widget->GetPreview();
+  const auto moved = std::make_shared<Positions>(2 * model().mesh.positions);
+  widget->SetSurface(std::make_shared<const VisibleSurface>(surface()->movedTo(moved)));
+  ASSERT_TRUE(widget->GetPreview());
+  EXPECT_LE((widget->GetPreview()->place - 2 * before->place).norm(), 1e-14);
+  widget->SetSurface(std::make_shared<const VisibleSurface>(model()));
+  EXPECT_FALSE(widget->GetPreview()) << "another mesh, for all that is known";
+  widget->SetSurface(nullptr);
+  hand().click(pixelOfVertex(6));
+  EXPECT_THAT(placed.data(), IsEmpty());
+}
+
+TEST_F(PointWidgetOnGrid, IsSetFromOutsideWithoutEvents)
+{
+  SurfacePick pick;
+  pick.location = AtVertex{6};
+  widget->SetPreview(pick);
+  EXPECT_EQ(widget->GetPreview()->place, Vector3(1, 1, 0));
+  widget->HidePreview();
+  EXPECT_FALSE(widget->GetPreview());
+  EXPECT_THAT(shown.data(), IsEmpty());
+}
+
+TEST_F(PointWidgetOnGrid, DisabledItShowsAndTakesNothing)
+{
+  hand().moveTo(pixelOfVertex(6));
+  hand().press(pixelOfVertex(6));
+  widget->SetEnabled(0);
+  EXPECT_FALSE(widget->GetPreview());
+  EXPECT_FALSE(shown.data().back());
+  EXPECT_FALSE(renderer().HasViewProp(widget->GetRepresentation()));
+  hand().release(pixelOfVertex(6));
+  hand().click(pixelOfVertex(6));
+  widget->SetCurrentRenderer(&renderer());
+  widget->SetEnabled(1);
+  hand().release(pixelOfVertex(6));
+  EXPECT_THAT(placed.data(), IsEmpty()) << "the press came before it was disabled";
+  hand().click(pixelOfVertex(6));
+  EXPECT_EQ(placed.data().size(), 1U);
+}
+
+TEST_F(PointWidgetOnGrid, ActsInItsRendererAlone)
+{
+  renderer().SetViewport(0, 0, 0.5, 1);
+  vtkNew<vtkRenderer> other;
+  other->SetViewport(0.5, 0, 1, 1);
+  other->SetActiveCamera(renderer().GetActiveCamera());
+  window().AddRenderer(other);
+  const DisplayPoint inside = pixelOfVertex(7);
+  ASSERT_LT(inside.x(), 200);
+  hand().click(inside + DisplayPoint(200, 0));
+  EXPECT_THAT(shown.data(), IsEmpty());
+  EXPECT_THAT(placed.data(), IsEmpty());
+  hand().click(inside);
+  EXPECT_THAT(verticesOf(placed.data()), ElementsAre(7));
+  hand().moveTo(inside + DisplayPoint(200, 0));
+  EXPECT_FALSE(widget->GetPreview());
+}
+
+TEST_F(PointWidgetOnGrid, ReachesFartherOnADisplayOfManyPixels)
+{
+  const DisplayPoint beside = pixelOfVertex(6) + DisplayPoint(10, 5);
+  hand().moveTo(beside);
+  EXPECT_EQ(vertexOf(widget->GetPreview()), -1);
+  widget->SetPixelRatio(2);
+  hand().drag({beside, beside + DisplayPoint(6, 0), beside});
+  EXPECT_THAT(verticesOf(placed.data()), ElementsAre(6)) << "6 of its pixels are 3";
+  EXPECT_EQ(widget->GetSurfacePointRepresentation()->GetPixelRatio(), 2);
+}
+
+TEST_F(PointWidgetOnGrid, LeavesToAWidgetOfVTKAboveItWhatThatUses)
+{
+  vtkNew<vtkPointHandleRepresentation2D> cross;
+  vtkNew<vtkHandleWidget> handle;
+  handle->SetRepresentation(cross);
+  handle->SetInteractor(&interactor());
+  handle->SetCurrentRenderer(&renderer());
+  handle->SetPriority(0.6F);
+  handle->SetEnabled(1);
+  double place[3] = {1, 1, 0};
+  cross->SetWorldPosition(place);
+  window().Render();
+  const test::EventLog grabbed(*handle, {vtkCommand::StartInteractionEvent});
+  hand().click(pixelOfVertex(6));
+  EXPECT_EQ(grabbed.events().size(), 1U);
+  EXPECT_THAT(placed.data(), IsEmpty()) << "the press was aborted above";
+  hand().click(pixelOfVertex(7));
+  EXPECT_EQ(placed.data().size(), 1U);
+}
+
+TEST_F(PointWidgetOnGrid, CanBeEnabledBeforeThereIsASurface)
+{
+  vtkNew<SurfacePointWidget> early;
+  early->SetInteractor(&interactor());
+  early->SetEnabled(1);
+  const CallDataLog<SurfacePick> taken(*early, vtkCommand::PlacePointEvent);
+  hand().click(pixelOfVertex(7));
+  EXPECT_THAT(taken.data(), IsEmpty());
+  early->SetSurface(surface());
+  hand().click(pixelOfVertex(7));
+  EXPECT_EQ(taken.data().size(), 1U);
+}
+
+TEST_F(PointWidgetOnGrid, AReplayedGestureDoesTheSame)
+{
+  const std::string events = test::recorded(interactor(), [&] {
+    hand().moveTo(inFace(1, 1));
+    hand().type("v");
+    hand().click(inFace(1, 1));
+  });
+  PointWidgetStage again(test::grid(4, 3));
+  test::replay(events, again.interactor());
+  ASSERT_EQ(placed.data().size(), 1U);
+  EXPECT_GE(vertexOf(placed.data()[0]), 0);
+  EXPECT_EQ(verticesOf(again.placed.data()), verticesOf(placed.data()));
+  EXPECT_EQ(verticesOf(again.shown.data()), verticesOf(shown.data()));
+}
+
+TEST_F(PointWidgetOnGrid, PrintsItsState)
+{
+  std::ostringstream text;
+  hand().moveTo(pixelOfVertex(6));
+  widget->Print(text);
+  widget->GetRepresentation()->Print(text);
+  EXPECT_THAT(text.str(), HasSubstr("IsHovering: 1"));
+  EXPECT_THAT(text.str(), HasSubstr("Preview: 1 1 0"));
+  vtkNew<vtkPropCollection> actors;
+  widget->GetRepresentation()->GetActors(actors);
+  EXPECT_GT(actors->GetNumberOfItems(), 3);
+}
+
+// The accent colour, and that of halos, in a picture.
+const std::vector<int> kAccent{13, 128, 255};
+const std::vector<int> kLight{250, 250, 250};
+
+struct PreviewPicture : testing::Test {
+  /// Pixels of the accent colour where a point at `place`, in the middle of the picture, is shown from `direction`.
+  int accentOf(PointWidgetStage& stage, const Vector3& place, const SurfaceLocation& location, const Vector3& direction)
+  {
+    vtkCamera& camera = *stage.renderer().GetActiveCamera();
+    camera.SetFocalPoint(place.data());
+    const Vector3 eye = place + 6 * direction.normalized();
+    camera.SetPosition(eye.data());
+    camera.OrthogonalizeViewUp();
+    stage.renderer().ResetCameraClippingRange();
+    SurfacePick pick;
+    pick.location = location;
+    stage.widget->SetPreview(pick);
+    return stage.countPixels(kAccent, 30);
+  }
+};
+
+TEST_F(PreviewPicture, OfAVisiblePointIsDrawnWholeFromAllSides)
+{
+  PointWidgetStage stage(test::icosphere(3));
+  for (const Vector3& direction : {Vector3(0, 0, 1), Vector3(0.3, 0.2, 1), Vector3(0.8, 0.1, 0.5)}) {
+    Index nearest = 0;
+    (stage.model().mesh.positions * direction).maxCoeff(&nearest);
+    const Vector3 place = stage.model().mesh.positions.row(nearest);
+    // From straight above, and 70 degrees aslant.
+    const int straight = accentOf(stage, place, AtVertex{nearest}, place);
+    const Vector3 aside = place.cross(Vector3(0.1, 1, 0.2)).normalized();
+    const int aslant = accentOf(stage, place, AtVertex{nearest}, 0.34 * place.normalized() + 0.94 * aside);
+    EXPECT_GT(straight, 60);
+    EXPECT_GT(aslant, 0.9 * straight);
+    EXPECT_EQ(accentOf(stage, place, AtVertex{nearest}, -place), 0) << "behind the sphere";
+  }
+}
+
+TEST_F(PreviewPicture, OutlinesTheEdgeOrTheFace)
+{
+  PointWidgetStage stage(test::grid(4, 3));
+  const auto accent = [&](const SurfaceLocation& location) {
+    return accentOf(stage, Vector3(1.5, 1.5, 0), location, {0, 0, 1});
+  };
+  const int ofVertex = accent(AtVertex{7});
+  const int ofEdge = accent(AtEdge{6, 7, 0.5});
+  const int ofFace = accent(AtFace{10, {0.3, 0.3, 0.4}});
+  EXPECT_GT(ofEdge, ofVertex + 50);
+  EXPECT_GT(ofFace, ofEdge + 100);
+  EXPECT_GT(stage.countPixels(kLight, 10), 100) << "halos";
+  stage.widget->HidePreview();
+  EXPECT_EQ(stage.countPixels(kAccent, 30), 0);
+  EXPECT_EQ(stage.countPixels(kLight, 10), 0);
+}
+
+TEST_F(PreviewPicture, WhatAnotherPartHidesOfTheOutlineIsFaint)
+{
+  // A plate over the right half of a larger one, of which a side passes below it.
+  const Mesh above = test::moved(test::grid(2, 3), {2, 0, 0.5});
+  PointWidgetStage stage(test::merged(test::triangle({0, 1.5, 0}, {4, 1.5, 0}, {0, 1.4, 0}), above));
+  static_cast<void>(accentOf(stage, {2, 1.5, 0}, AtEdge{0, 1, 0.9}, {0, 0, 1}));
+  const std::vector<int> open = stage.colorAt(stage.pixelOf({1.5, 1.5, 0}));
+  const std::vector<int> hidden = stage.colorAt(stage.pixelOf({2.6, 1.5, 0}));
+  const std::vector<int> beside = stage.colorAt(stage.pixelOf({2.6, 1.8, 0}));
+  EXPECT_NEAR(open[0], kAccent[0], 30);
+  EXPECT_GT(hidden[2], beside[2] + 15) << "bluer than the plate";
+  EXPECT_GT(hidden[0], kAccent[0] + 50) << "and far from the full colour";
+}
+
+TEST_F(PreviewPicture, IsLargerOnADisplayOfManyPixels)
+{
+  PointWidgetStage stage(test::grid(4, 3));
+  const int once = accentOf(stage, Vector3(1.5, 1.5, 0), AtEdge{6, 7, 0.5}, {0, 0, 1});
+  stage.widget->SetPixelRatio(2);
+  const int twice = accentOf(stage, Vector3(1.5, 1.5, 0), AtEdge{6, 7, 0.5}, {0, 0, 1});
+  EXPECT_GT(twice, 1.6 * once);
+}
+
+}  // namespace
+}  // namespace holdfast

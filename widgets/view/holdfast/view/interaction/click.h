@@ -1,0 +1,29 @@
+#pragma once
+/// \file
+/// How a click is told from a drag.
+
+#include <optional>
+
+#include <holdfast/view/display_transform.h>
+
+namespace holdfast {
+
+/// A button that goes down and comes up in one place, within `kClickPixels`, clicks. What listens to clicks aborts
+/// neither, so that a drag from the same place is the camera's.
+class Click {
+ public:
+  void press(const DisplayPoint& place) { press_ = place; }
+
+  /// The cursor is at `place`. Whether that ends what could have become a click.
+  bool leaveAt(const DisplayPoint& place, double pixelRatio);
+
+  /// Whether the button that comes up at `place` clicks.
+  [[nodiscard]] bool release(const DisplayPoint& place, double pixelRatio);
+
+  void forget() { press_.reset(); }
+
+ private:
+  std::optional<DisplayPoint> press_;  // while the button is down and the cursor near
+};
+
+}  // namespace holdfast
