@@ -1,0 +1,209 @@
+#include "holdfast/view/interaction/constraint_mark_widget.h"
+
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <vtkCamera.h>
+#include <vtkRenderWindow.h>
+#include <vtkWidgetEvent.h>
+#include <vtkWidgetEventTranslator.h>
+
+#include <holdfast/view/interaction/surface_camera_style.h>
+
+#include "interaction/call_data_log.h"
+#include "interaction/interaction_stage.h"
+#include "interaction/recorded_gesture.h"
+#include "support/meshes.h"
+
+namespace holdfast {
+namespace {
+
+using test::CallDataLog;
+using test::InteractionStage;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+ConstraintMark markAt(const Vector3& place, MarkKind kind, Index constraint)
+{
+  ConstraintMark mark{place, place};
+  mark.kind = kind;
+  mark.constraint = constraint;
+  return mark;
+}
+
+/// A region, a point in one of its vertices, and a point elsewhere.
+std::vector<ConstraintMark> threeConstraints()
+{
+  return {markAt({1, 1, 0}, MarkKind::Selection, 0), markAt({2, 1, 0}, MarkKind::Selection, 0),
+          markAt({2, 1, 0}, MarkKind::Vertex, 1), markAt({3, 2, 0}, MarkKind::Face, 2)};
+}
+
+struct MarkWidgetStage : InteractionStage {
+  MarkWidgetStage() : InteractionStage(test::grid(4, 3))
+  {
+    widget->SetInteractor(&interactor());
+    widget->SetCurrentRenderer(&renderer());
+    widget->SetMarks(threeConstraints());
+    widget->SetEnabled(1);
+  }
+
+  vtkNew<ConstraintMarkWidget> widget;
+  CallDataLog<Index> highlighted{*widget, vtkCommand::HighlightEvent};
+  CallDataLog<ConstraintPick> picked{*widget, vtkCommand::PickEvent};
+};
+
+struct MarkWidget : MarkWidgetStage, testing::Test {};
+
+TEST_F(MarkWidget, TellsWhatTheCursorIsOver)
+{
+  hand().moveTo(pixelOf({1, 1, 0}));
+  hand().moveTo(pixelOf({1, 1, 0}) + DisplayPoint(3, 2));
+  hand().moveTo(pixelOf({2, 1, 0}));
+  EXPECT_EQ(widget->GetHighlighted(), 1) << "points before regions";
+  hand().moveTo(pixelOf({2.5, 1.5, 0}));
+  hand().moveTo(pixelOf({3, 2, 0}));
+  hand().leave();
+  EXPECT_THAT(highlighted.data(), ElementsAre(0, 1, std::nullopt, 2, std::nullopt));
+  EXPECT_THAT(picked.data(), IsEmpty());
+}
+
+TEST_F(MarkWidget, TellsWhatIsClickedAndWhatIsHeld)
+{
+  hand().click(pixelOf({3, 2, 0}));
+  hand().click(pixelOf({1, 1, 0}), {.shift = true});
+  hand().click(pixelOf({2, 1, 0}), {.ctrl = true});
+  hand().click(pixelOf({2.5, 1.5, 0}));
+  hand().click({1, 1}, {.shift = true});
+  ASSERT_EQ(picked.data().size(), 5U);
+  const auto is = [](std::optional<Index> constraint, bool isAdded) {
+    return testing::Optional(testing::AllOf(testing::Field(&ConstraintPick::constraint, constraint),
+                                            testing::Field(&ConstraintPick::isAdded, isAdded)));
+  };
+  EXPECT_THAT(picked.data(),
+              ElementsAre(is(2, false), is(0, true), is(1, true), is(std::nullopt, false), is(std::nullopt, true)));
+}
+
+TEST_F(MarkWidget, ADragIsNoClickAndBelongsToTheCamera)
+{
+  vtkNew<SurfaceCameraStyle> style;
+  interactor().SetInteractorStyle(style);
+  const DisplayPoint from = pixelOf({3, 2, 0});
+  hand().moveTo(from);
+  hand().press(from);
+  hand().moveTo(from + DisplayPoint(6, 0));
+  hand().moveTo(from + DisplayPoint(1, 0));
+  EXPECT_FALSE(widget->GetHighlighted()) << "while the camera moves";
+  hand().release(from);
+  EXPECT_THAT(picked.data(), IsEmpty());
+  hand().doubleClick(pixelOf({3, 2, 0}));
+  EXPECT_EQ(picked.data().size(), 1U);
+}
+
+TEST_F(MarkWidget, ReachesAsFarAsItsPixelsAndTheRatio)
+{
+  const DisplayPoint beside = pixelOf({3, 2, 0}) + DisplayPoint(12, 0);
+  hand().moveTo(beside);
+  EXPECT_FALSE(widget->GetHighlighted());
+  widget->SetPixelRatio(2);
+  hand().moveTo(beside);
+  EXPECT_EQ(widget->GetHighlighted(), 2);
+  widget->GetConstraintMarkRepresentation()->SetReachPixels(4);
+  hand().moveTo(beside);
+  EXPECT_FALSE(widget->GetHighlighted());
+}
+
+TEST_F(MarkWidget, MarksBehindTheEyeAreNotFound)
+{
+  renderer().GetActiveCamera()->SetPosition(3, 2, -1);
+  renderer().GetActiveCamera()->SetFocalPoint(3, 2, -5);
+  hand().click({200, 150});
+  ASSERT_EQ(picked.data().size(), 1U);
+  EXPECT_FALSE(picked.data()[0]->constraint);
+}
+
+TEST_F(MarkWidget, ForgetsWhatHasNoMarksAnyMore)
+{
+  hand().moveTo(pixelOf({3, 2, 0}));
+  auto marks = threeConstraints();
+  marks.back().place.x() = 3.2;
+  widget->SetMarks(marks);
+  EXPECT_EQ(widget->GetHighlighted(), 2) << "a mark that moves is not lost";
+  marks.pop_back();
+  widget->SetMarks(marks);
+  EXPECT_FALSE(widget->GetHighlighted());
+  EXPECT_THAT(highlighted.data(), ElementsAre(2, std::nullopt));
+}
+
+TEST_F(MarkWidget, DisabledItTellsNothing)
+{
+  hand().moveTo(pixelOf({3, 2, 0}));
+  hand().press(pixelOf({3, 2, 0}));
+  widget->SetEnabled(0);
+  EXPECT_THAT(highlighted.data(), ElementsAre(2, std::nullopt));
+  hand().release(pixelOf({3, 2, 0}));
+  hand().click(pixelOf({3, 2, 0}));
+  EXPECT_THAT(picked.data(), IsEmpty());
+}
+
+TEST_F(MarkWidget, ActsInItsRendererAlone)
+{
+  renderer().SetViewport(0, 0, 0.5, 1);
+  vtkNew<vtkRenderer> other;
+  other->SetViewport(0.5, 0, 1, 1);
+  other->SetActiveCamera(renderer().GetActiveCamera());
+  window().AddRenderer(other);
+  const DisplayPoint inside = pixelOf({2, 1, 0});
+  hand().click(inside + DisplayPoint(200, 0));
+  EXPECT_THAT(picked.data(), IsEmpty()) << "not even beside all marks";
+  hand().click(inside);
+  EXPECT_EQ(picked.data().size(), 1U);
+}
+
+TEST_F(MarkWidget, BindingsAndPrioritiesCanBeChanged)
+{
+  vtkNew<ConstraintMarkWidget> above;
+  above->SetInteractor(&interactor());
+  above->SetCurrentRenderer(&renderer());
+  above->SetPriority(0.6F);
+  above->SetEnabled(1);
+  const CallDataLog<ConstraintPick> first(*above, vtkCommand::PickEvent);
+  hand().click(pixelOf({3, 2, 0}));
+  EXPECT_EQ(first.data().size() + picked.data().size(), 2U) << "clicks are left to all";
+  widget->GetEventTranslator()->SetTranslation(vtkCommand::LeftButtonReleaseEvent, vtkWidgetEvent::NoEvent);
+  widget->GetEventTranslator()->SetTranslation(vtkCommand::MiddleButtonReleaseEvent, vtkWidgetEvent::EndSelect);
+  widget->SetPriority(0.4F);
+  hand().click(pixelOf({3, 2, 0}));
+  EXPECT_EQ(picked.data().size(), 1U);
+  hand().press(pixelOf({3, 2, 0}));
+  hand().middleRelease(pixelOf({3, 2, 0}));
+  EXPECT_EQ(picked.data().size(), 2U);
+}
+
+TEST_F(MarkWidget, AReplayedGestureDoesTheSame)
+{
+  const std::string events = test::recorded(interactor(), [&] {
+    hand().click(pixelOf({2, 1, 0}), {.shift = true});
+    hand().moveTo(pixelOf({1, 1, 0}));
+  });
+  MarkWidgetStage again;
+  test::replay(events, again.interactor());
+  EXPECT_EQ(again.highlighted.data(), highlighted.data());
+  ASSERT_EQ(again.picked.data().size(), 1U);
+  EXPECT_EQ(again.picked.data()[0]->constraint, 1);
+  EXPECT_TRUE(again.picked.data()[0]->isAdded);
+}
+
+TEST_F(MarkWidget, PrintsItsState)
+{
+  std::ostringstream text;
+  hand().moveTo(pixelOf({3, 2, 0}));
+  widget->Print(text);
+  widget->GetRepresentation()->Print(text);
+  EXPECT_THAT(text.str(), HasSubstr("Highlighted: 2"));
+  EXPECT_THAT(text.str(), HasSubstr("Marks: 4"));
+}
+
+}  // namespace
+}  // namespace holdfast

@@ -1,0 +1,53 @@
+#include "holdfast/view/interaction/constraint_mark_representation.h"
+
+#include <utility>
+
+#include <vtkObjectFactory.h>
+#include <vtkRenderer.h>
+
+#include <holdfast/view/display_transform.h>
+
+namespace holdfast {
+namespace {
+
+// A hand aims at single points, not at one vertex of a region that lies there as well.
+constexpr double kRegionHandicapPixels = 2;
+
+}  // namespace
+
+vtkStandardNewMacro(ConstraintMarkRepresentation);
+
+void ConstraintMarkRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Marks: " << this->Marks.size() << '\n';
+  os << indent << "ReachPixels: " << this->ReachPixels << '\n';
+  os << indent << "PixelRatio: " << this->PixelRatio << '\n';
+}
+
+void ConstraintMarkRepresentation::SetMarks(std::vector<ConstraintMark> marks)
+{
+  this->Marks = std::move(marks);
+  this->Modified();
+}
+
+std::optional<Index> ConstraintMarkRepresentation::FindConstraint(double displayX, double displayY) const
+{
+  if (this->Renderer == nullptr) return std::nullopt;
+  const DisplayTransform toDisplay(*this->Renderer);
+  const DisplayPoint cursor = centerOfPixel(displayX, displayY);
+  double nearest = this->ReachPixels * this->PixelRatio;
+  std::optional<Index> found;
+  for (const ConstraintMark& mark : this->Marks) {
+    const DisplayTransform::Shown shown = toDisplay.show(mark.place);
+    if (shown.depth <= 0) continue;
+    const double handicap = isSinglePoint(mark.kind) ? 0 : kRegionHandicapPixels * this->PixelRatio;
+    const double distance = (shown.point - cursor).norm() + handicap;
+    if (distance >= nearest) continue;
+    nearest = distance;
+    found = mark.constraint;
+  }
+  return found;
+}
+
+}  // namespace holdfast
