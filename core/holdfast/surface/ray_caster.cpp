@@ -222,7 +222,7 @@ void RayCaster::visitLeaves(const Entry& entryOf, const double& limit, Visitor&&
   }
 }
 
-std::optional<RayHit> RayCaster::firstHit(const Ray& ray) const
+std::optional<RayHit> RayCaster::firstHit(const Ray& ray, const RayRange& range) const
 {
   const Caster caster(ray);
   const std::vector<Index>& order = tree_->order;
@@ -232,7 +232,8 @@ std::optional<RayHit> RayCaster::firstHit(const Ray& ray) const
   visitLeaves(caster.entries(), limit, [&](const Tree::Node& leaf) {
     for (Index k = leaf.first; k < leaf.last; ++k) {
       const std::optional<RayHit> hit = caster.meet(order[k], tree_->triangles[order[k]], *positions_);
-      if (!hit || std::pair(hit->t, hit->triangle) >= std::pair(best.t, best.triangle)) continue;
+      if (!hit || hit->t < range.begin || hit->t > range.end) continue;
+      if (std::pair(hit->t, hit->triangle) >= std::pair(best.t, best.triangle)) continue;
       best = *hit;
       limit = best.t * kBoxSlack;
     }
@@ -241,7 +242,7 @@ std::optional<RayHit> RayCaster::firstHit(const Ray& ray) const
   return best.triangle < 0 ? std::nullopt : std::optional(best);
 }
 
-bool RayCaster::isBlocked(const Ray& ray, double before, std::span<const Index> ignored) const
+bool RayCaster::isBlocked(const Ray& ray, double before, std::span<const Index> ignored, double from) const
 {
   const Caster caster(ray);
   const std::vector<Index>& order = tree_->order;
@@ -249,7 +250,8 @@ bool RayCaster::isBlocked(const Ray& ray, double before, std::span<const Index> 
   visitLeaves(caster.entries(), before, [&](const Tree::Node& leaf) {
     for (Index k = leaf.first; k < leaf.last && !isBlocked; ++k) {
       const std::optional<RayHit> hit = caster.meet(order[k], tree_->triangles[order[k]], *positions_);
-      isBlocked = hit && hit->t < before && !std::binary_search(ignored.begin(), ignored.end(), order[k]);
+      isBlocked =
+          hit && hit->t >= from && hit->t < before && !std::binary_search(ignored.begin(), ignored.end(), order[k]);
     }
     return isBlocked;
   });

@@ -3,6 +3,7 @@
 /// Where rays meet a surface, and meet it again where it has moved to.
 
 #include <array>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -18,6 +19,12 @@ namespace holdfast {
 struct Ray {
   Vector3 origin = Vector3::Zero();
   Vector3 direction = Vector3::UnitZ();
+};
+
+/// The places of a ray from `begin` to `end`; none where `begin` > `end`.
+struct RayRange {
+  double begin = 0;  ///< in lengths of the ray's direction
+  double end = std::numeric_limits<double>::infinity();
 };
 
 /// The places that are no farther than `radius` + `slope` t from the place at t of a ray: a cylinder or a cone.
@@ -48,11 +55,13 @@ class RayCaster {
 
   [[nodiscard]] const Positions& positions() const noexcept { return *positions_; }
 
-  /// The first of the triangles that the ray meets; of several at the same place that of smallest id. About O(log T).
-  [[nodiscard]] std::optional<RayHit> firstHit(const Ray& ray) const;
+  /// The first of the triangles that the ray meets within `range`; of several at the same place that of smallest id.
+  /// About O(log T), and as many triangles as it meets before.
+  [[nodiscard]] std::optional<RayHit> firstHit(const Ray& ray, const RayRange& range = {}) const;
 
-  /// Whether the ray meets a triangle at t < `before` other than those `ignored`, whose ids ascend. About O(log T).
-  [[nodiscard]] bool isBlocked(const Ray& ray, double before, std::span<const Index> ignored) const;
+  /// Whether the ray meets a triangle at `from` <= t < `before` other than those `ignored`, whose ids ascend. About
+  /// O(log T).
+  [[nodiscard]] bool isBlocked(const Ray& ray, double before, std::span<const Index> ignored, double from = 0) const;
 
   /// All triangles that have a point within reach of the ray, and some that almost have; ascending. About O(log T) and
   /// what it finds.

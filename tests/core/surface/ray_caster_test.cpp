@@ -156,6 +156,20 @@ TEST(RayCaster, IgnoredTrianglesDoNotBlock)
   EXPECT_FALSE(caster.isBlocked(down, 3, all));
 }
 
+TEST(RayCaster, WhatLiesOutsideOfTheRangeIsNotMet)
+{
+  const Mesh mesh = test::merged(test::grid(1, 1), test::moved(test::grid(1, 1), {0, 0, -1}));
+  const RayCaster caster(mesh.positions, triangulate(mesh).triangles);
+  const Ray down{{0.6, 0.3, 1}, {0, 0, -1}};
+  EXPECT_EQ(caster.firstHit(down, {0.5, 3})->t, 1);
+  EXPECT_EQ(caster.firstHit(down, {1, 1})->t, 1) << "both ends belong to it";
+  EXPECT_EQ(caster.firstHit(down, {1.5})->t, 2);
+  EXPECT_FALSE(caster.firstHit(down, {1.2, 1.8}));
+  EXPECT_FALSE(caster.firstHit(down, {2.5, 0.5}));
+  EXPECT_TRUE(caster.isBlocked(down, 3, {}, 1.5));
+  EXPECT_FALSE(caster.isBlocked(down, 1.9, {}, 1.5));
+}
+
 TEST(RayCaster, NothingWithinReachIsLeftOut)
 {
   test::Random random(15);

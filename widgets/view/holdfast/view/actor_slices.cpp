@@ -45,6 +45,7 @@ void share(vtkPolyDataMapper& whole, vtkPolyDataMapper& slice)
   slice.SetInterpolateScalarsBeforeMapping(whole.GetInterpolateScalarsBeforeMapping());
   slice.SetUseLookupTableScalarRange(whole.GetUseLookupTableScalarRange());
   if (whole.GetScalarVisibility() != 0) slice.SetLookupTable(whole.GetLookupTable());
+  slice.SetClippingPlanes(whole.GetClippingPlanes());
   double factor = 0;
   double units = 0;
   whole.GetRelativeCoincidentTopologyPolygonOffsetParameters(factor, units);

@@ -10,6 +10,8 @@
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
 #include <vtkLookupTable.h>
+#include <vtkPlane.h>
+#include <vtkPlaneCollection.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -114,6 +116,9 @@ MeshActor::MeshActor(const Model& model, std::shared_ptr<const ShadedSurface> sh
   surfaceData_->GetPointData()->SetNormals(normals_);
   surfaceData_->SetPolys(toCells(shaded_->triangles));
   edgeData_->SetLines(linesOf(shaded_->creases));
+  for (vtkPolyDataMapper* const mapper :
+       {surfaceMapper_.Get(), coarseMapper_.Get(), edgeMapper_.Get(), meshEdgeMapper_.Get()})
+    mapper->SetClippingPlanes(sectionPlanes_);
   surfaceMapper_->SetInputData(surfaceData_);
   surface_->SetMapper(surfaceMapper_);
   clearColors();
@@ -185,6 +190,19 @@ void MeshActor::lookFrom(const Vector3& eye)
   update();
 }
 
+void MeshActor::setSection(const std::optional<SectionPlane>& section)
+{
+  // Mappers make their shaders anew when planes come or go, and nothing when one moves.
+  if (!section) {
+    sectionPlanes_->RemoveAllItems();
+  } else {
+    sectionPlane_->SetOrigin(section->origin.data());
+    sectionPlane_->SetNormal(section->normal.data());
+    if (sectionPlanes_->GetNumberOfItems() == 0) sectionPlanes_->AddItem(sectionPlane_);
+  }
+  update();
+}
+
 const CoarseSurface& MeshActor::coarse() const
 {
   if (!coarse_) coarse_ = std::make_unique<CoarseSurface>(model_, *shaded_);
@@ -214,7 +232,9 @@ void MeshActor::update()
   const bool isCoarse = this->isCoarse();
   if (!isCoarse && areNormalsOld_) updateNormals();
   surface_->SetMapper(isCoarse ? coarseMapper_ : surfaceMapper_);
-  surface_->GetProperty()->SetBackfaceCulling(isCoarse && coarse().isSolid() && eye_ && !coarse().isNear(*eye_));
+  const bool isOpened = sectionPlanes_->GetNumberOfItems() > 0;
+  surface_->GetProperty()->SetBackfaceCulling(isCoarse && coarse().isSolid() && eye_ && !coarse().isNear(*eye_) &&
+                                              !isOpened);
   meshEdges_->SetVisibility(meshEdgesShown_ == MeshEdges::All && !isCoarse);
 }
 

@@ -12,11 +12,14 @@
 #include <holdfast/view/blended_actor.h>
 #include <holdfast/view/coarse_surface.h>
 #include <holdfast/view/color_map.h>
+#include <holdfast/view/section_plane.h>
 #include <holdfast/view/shaded_surface.h>
 
 class vtkActor;
 class vtkDoubleArray;
 class vtkFloatArray;
+class vtkPlane;
+class vtkPlaneCollection;
 class vtkPoints;
 class vtkPolyData;
 class vtkPolyDataMapper;
@@ -63,13 +66,18 @@ class MeshActor {
   /// Switching costs next to nothing once there are coarse triangles.
   void setDetail(Detail detail);
   /// From where it is looked at next. In coarse detail the backs of a solid are not drawn while this is outside the box
-  /// around it: without a GPU that takes a third of the time, more or less. Where what is solid at rest was turned
-  /// inside out, full detail shows it.
+  /// around it, and no section opens it: without a GPU that takes a third of the time, more or less. Where what is
+  /// solid at rest was turned inside out, full detail shows it.
   void lookFrom(const Vector3& eye);
 
   /// What is drawn in full detail of `surface` and `meshEdges`, a part at a time, until the next `setDetail`.
   [[nodiscard]] ActorSlices& surfaceSlices() { return surfaceSlices_; }
   [[nodiscard]] ActorSlices& meshEdgeSlices() { return meshEdgeSlices_; }
+
+  /// Draws what a plane keeps alone; none: everything. The mesh is not touched. Moving the plane costs next to nothing.
+  void setSection(const std::optional<SectionPlane>& section);
+  /// What cuts the mesh, for others that are drawn on it: it follows `setSection`.
+  [[nodiscard]] vtkPlaneCollection& sectionPlanes() const { return *sectionPlanes_; }
 
   /// How many pixels of the window are one of the picture: widths of lines are in pixels of the picture.
   void setPixelRatio(double ratio);
@@ -110,6 +118,8 @@ class MeshActor {
   bool areNormalsOld_ = true;  // older than the places
   mutable bool isCoarseOld_ = true;
   mutable std::unique_ptr<CoarseSurface> coarse_;
+  vtkNew<vtkPlane> sectionPlane_;
+  vtkNew<vtkPlaneCollection> sectionPlanes_;  // none, or that one
   vtkNew<vtkDoubleArray> coordinates_;
   vtkNew<vtkPoints> points_;
   vtkNew<vtkFloatArray> normals_;

@@ -130,6 +130,12 @@ void SceneContents::setHiddenMarks(HiddenMarks hidden)
   glyphs_.setHiddenMarks(hidden);
 }
 
+void SceneContents::setSection(const std::optional<SectionPlane>& section)
+{
+  mesh_.setSection(section);
+  rest_.setSection(section);
+}
+
 void SceneContents::setRestGhost(RestGhost ghost)
 {
   rest_.edges().SetVisibility(ghost != RestGhost::Hidden);

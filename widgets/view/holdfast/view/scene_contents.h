@@ -66,6 +66,10 @@ class SceneContents {
   void highlight(std::vector<Index> constraints);
   void setHiddenMarks(HiddenMarks hidden);
 
+  /// Draws of the mesh, of its shape at rest and of the selection what a plane keeps; none: all. Constraints and
+  /// rotations stay.
+  void setSection(const std::optional<SectionPlane>& section);
+
   void setRestGhost(RestGhost ghost);
   void setMeshEdges(MeshEdges edges);
   void setRotationDisplay(RotationDisplay display);

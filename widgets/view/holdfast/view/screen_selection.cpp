@@ -23,9 +23,10 @@ ScreenSelection::ScreenSelection(vtkRenderer& renderer, std::shared_ptr<const Vi
 
 bool ScreenSelection::isInside(Index vertex) const
 {
-  const DisplayTransform::Shown shown = display_.show(surface_->positions().row(vertex));
+  const Vector3 place = surface_->positions().row(vertex);
+  const DisplayTransform::Shown shown = display_.show(place);
   if (!(shown.depth > 0) || !display_.isInside(shown.point) || !outline_.contains(shown.point)) return false;
-  if (surface_->trianglesAt(vertex).empty()) return false;
+  if (surface_->trianglesAt(vertex).empty() || !surface_->isKept(place)) return false;
   return reach_ == ScreenReach::Through || surface_->isVertexVisible(vertex, display_);
 }
 

@@ -14,13 +14,13 @@ namespace holdfast {
 
 enum class ScreenReach {
   VisibleOnly,  ///< what the user sees: nothing lies before the vertex
-  Through       ///< what is hidden as well
+  Through       ///< what is hidden as well, but not what a section cuts away
 };
 
 /// The vertices of the file that are shown inside `polygon` in the renderer's part of the window; ascending. The
 /// corners of the polygon are pixels as a cursor names them, each meaning its centre; it is closed from the last to the
-/// first, and what it encloses is as of `ScreenPolygon`. Vertices that no face uses and those behind the eye are left
-/// out. O(N) and, for `VisibleOnly`, about O(k log T) for k vertices inside.
+/// first, and what it encloses is as of `ScreenPolygon`. Vertices that no face uses, those behind the eye and those
+/// that a section cuts away are left out. O(N) and, for `VisibleOnly`, about O(k log T) for k vertices inside.
 [[nodiscard]] std::vector<Index> verticesInScreenPolygon(vtkRenderer& renderer,
                                                          std::shared_ptr<const VisibleSurface> surface,
                                                          std::span<const DisplayPoint> polygon, ScreenReach reach);

@@ -5,6 +5,7 @@
 #include <vtkActor.h>
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
+#include <vtkPlaneCollection.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -47,6 +48,7 @@ SelectionOverlay::SelectionOverlay(const Model& model, const MeshActor& mesh)
   dotData_->SetPoints(&mesh.points());
   vtkNew<vtkPolyDataMapper> dotMapper;
   dotMapper->SetInputData(dotData_);
+  dotMapper->SetClippingPlanes(&mesh.sectionPlanes());
   dots_->SetMapper(dotMapper);
   showPointsAsBalls(*dots_, kAccentColor);
   tintData_->SetPoints(&mesh.points());
@@ -54,6 +56,7 @@ SelectionOverlay::SelectionOverlay(const Model& model, const MeshActor& mesh)
   tintMapper_->SetInputData(tintData_);
   coarseTintMapper_->SetInputData(coarseTintData_);
   for (vtkPolyDataMapper* const mapper : {tintMapper_.Get(), coarseTintMapper_.Get()}) {
+    mapper->SetClippingPlanes(&mesh.sectionPlanes());
     mapper->SetResolveCoincidentTopologyToPolygonOffset();
     mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(kTintFactor, kTintUnits);
   }

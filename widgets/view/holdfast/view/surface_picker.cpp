@@ -143,8 +143,13 @@ std::vector<Search::ShownEdge> Search::edgesByDistance(const std::vector<Index>&
   for (const auto& [i, j] : sidesOfFaces(triangles)) {
     const Vector3 a = surface_.positions().row(i);
     const Vector3 b = surface_.positions().row(j);
-    if (const auto point = nearestOfEdge(a, b, cursor_, display_); point && point->distance <= reach)
-      found.push_back({*point, i, j});
+    const auto placeAt = [&](double share) -> Vector3 { return (1 - share) * a + share * b; };
+    const auto [begin, end] = surface_.keptPart({a, b - a}, {0, 1});
+    if (begin > end) continue;
+    auto point = nearestOfEdge(placeAt(begin), placeAt(end), cursor_, display_);
+    if (!point || point->distance > reach) continue;
+    point->share = begin + point->share * (end - begin);
+    found.push_back({*point, i, j});
   }
   std::stable_sort(found.begin(), found.end(),
                    [](const ShownEdge& a, const ShownEdge& b) { return a.point.distance < b.point.distance; });

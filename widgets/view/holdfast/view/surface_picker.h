@@ -35,7 +35,7 @@ struct SurfacePick {
 /// The canonical form of the location of a pick, or of another that `mesh` has and that is not `AtNear`.
 [[nodiscard]] SurfacePoint pointOf(const SurfaceLocation& location, const Mesh& mesh);
 
-/// Picks points of a surface. Sees it from both sides, and only what nothing hides.
+/// Picks points of a surface. Sees it from both sides, and only what nothing hides and no section cuts away.
 class SurfacePicker {
  public:
   /// `surface` is not null.

@@ -20,6 +20,13 @@ VisibleSurface::VisibleSurface(const Model& model)
 {
 }
 
+VisibleSurface VisibleSurface::withSection(const std::optional<SectionPlane>& section) const
+{
+  VisibleSurface cut(*this);
+  cut.section_ = section;
+  return cut;
+}
+
 VisibleSurface VisibleSurface::movedTo(std::shared_ptr<const Positions> positions) const
 {
   VisibleSurface moved(*this);
@@ -32,9 +39,22 @@ std::span<const Index> VisibleSurface::trianglesAt(Index vertex) const
   return trianglesOf_->of(model_->solverMesh.weld.unknownOf[vertex]);
 }
 
+RayRange VisibleSurface::keptPart(const Ray& ray, const RayRange& range) const
+{
+  return section_ ? holdfast::keptPart(*section_, ray, range) : range;
+}
+
+/// Whether triangles other than `own` lie between the ray's origin and its place at t = 1.
+bool VisibleSurface::isBlocked(const Ray& toPlace, std::span<const Index> own) const
+{
+  const RayRange kept = keptPart(toPlace, {0, kBeforePlace});
+  return rays_.isBlocked(toPlace, kept.end, own, kept.begin);
+}
+
 bool VisibleSurface::isVertexVisible(Index vertex, const DisplayTransform& display) const
 {
-  return !rays_.isBlocked(display.rayTo(positions().row(vertex)), kBeforePlace, trianglesAt(vertex));
+  const Vector3 place = positions().row(vertex);
+  return isKept(place) && !isBlocked(display.rayTo(place), trianglesAt(vertex));
 }
 
 bool VisibleSurface::isEdgeVisible(Index i, Index j, const Vector3& place, const DisplayTransform& display) const
@@ -43,7 +63,7 @@ bool VisibleSurface::isEdgeVisible(Index i, Index j, const Vector3& place, const
   const std::span<const Index> atJ = trianglesAt(j);
   std::vector<Index> both;
   std::set_intersection(atI.begin(), atI.end(), atJ.begin(), atJ.end(), std::back_inserter(both));
-  return !rays_.isBlocked(display.rayTo(place), kBeforePlace, both);
+  return !isBlocked(display.rayTo(place), both);
 }
 
 }  // namespace holdfast

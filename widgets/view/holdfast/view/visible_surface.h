@@ -11,6 +11,7 @@
 #include <holdfast/mesh/vertex_triangles.h>
 #include <holdfast/surface/ray_caster.h>
 #include <holdfast/view/display_transform.h>
+#include <holdfast/view/section_plane.h>
 
 namespace holdfast {
 
@@ -21,7 +22,12 @@ class VisibleSurface {
   /// At rest. `model` stays alive as long as this. O(T log T).
   explicit VisibleSurface(const Model& model);
 
-  /// The same at other positions: one row for each vertex of the file, all finite. O(T), on any thread.
+  /// The same without what a plane cuts away, which is neither hit nor seen, and hides nothing; none: all of it. O(1).
+  [[nodiscard]] VisibleSurface withSection(const std::optional<SectionPlane>& section) const;
+  [[nodiscard]] const std::optional<SectionPlane>& section() const noexcept { return section_; }
+
+  /// The same at other positions, cut by the same plane: one row for each vertex of the file, all finite. O(T), on any
+  /// thread.
   [[nodiscard]] VisibleSurface movedTo(std::shared_ptr<const Positions> positions) const;
 
   /// Whether one was made of the other, or both of a third: places are named alike on both.
@@ -37,23 +43,34 @@ class VisibleSurface {
   /// face uses.
   [[nodiscard]] std::span<const Index> trianglesAt(Index vertex) const;
 
-  [[nodiscard]] std::optional<RayHit> firstHit(const Ray& ray) const { return rays_.firstHit(ray); }
+  /// Whether a place is not cut away.
+  [[nodiscard]] bool isKept(const Vector3& place) const { return !section_ || holdfast::isKept(*section_, place); }
+  /// The part of a ray within `range` that is not cut away.
+  [[nodiscard]] RayRange keptPart(const Ray& ray, const RayRange& range = {}) const;
 
+  [[nodiscard]] std::optional<RayHit> firstHit(const Ray& ray) const { return rays_.firstHit(ray, keptPart(ray)); }
+
+  /// Those that are cut away as well.
   [[nodiscard]] std::vector<Index> withinReach(const Ray& ray, const RayReach& reach) const
   {
     return rays_.withinReach(ray, reach);
   }
 
-  /// Whether nothing but its own triangles lies before a vertex that is in front of the eye. Takes microseconds.
+  /// Whether a vertex that is in front of the eye is kept, and nothing but its own triangles lies before it. Takes
+  /// microseconds.
   [[nodiscard]] bool isVertexVisible(Index vertex, const DisplayTransform& display) const;
 
-  /// Whether nothing but the triangles of the edge between two vertices lies before a place on it in front of the eye.
+  /// Whether nothing but the triangles of the edge between two vertices lies before a place on it, which is kept and in
+  /// front of the eye.
   [[nodiscard]] bool isEdgeVisible(Index i, Index j, const Vector3& place, const DisplayTransform& display) const;
 
  private:
+  [[nodiscard]] bool isBlocked(const Ray& toPlace, std::span<const Index> own) const;
+
   const Model* model_;
   RayCaster rays_;
   std::shared_ptr<const VertexTriangles> trianglesOf_;  // of each unknown
+  std::optional<SectionPlane> section_;
 };
 
 }  // namespace holdfast
