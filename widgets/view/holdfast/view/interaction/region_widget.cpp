@@ -14,6 +14,7 @@
 #include <vtkWidgetCallbackMapper.h>
 #include <vtkWidgetEvent.h>
 
+#include <holdfast/view/interaction/cursor.h>
 #include <holdfast/view/interaction/interaction_events.h>
 #include <holdfast/view/interaction/region_representation.h>
 
@@ -161,21 +162,9 @@ void RegionWidget::SetPixelRatio(double ratio)
   this->Modified();
 }
 
-DisplayPoint RegionWidget::Cursor() const
-{
-  const int* position = this->Interactor->GetEventPosition();
-  return {position[0], position[1]};
-}
-
-bool RegionWidget::IsCursorInside() const
-{
-  const int* position = this->Interactor->GetEventPosition();
-  return this->CurrentRenderer != nullptr && this->CurrentRenderer->IsInViewport(position[0], position[1]) != 0;
-}
-
 std::optional<SurfacePick> RegionWidget::FaceUnderCursor() const
 {
-  const DisplayPoint cursor = this->Cursor();
+  const DisplayPoint cursor = cursorOf(*this->Interactor);
   return SurfacePicker(this->Surface).pick(*this->CurrentRenderer, cursor.x(), cursor.y(), PickKind::Face, 0);
 }
 
@@ -194,8 +183,8 @@ void RegionWidget::Press()
 {
   if (this->Shape == RegionShape::Side && isSecondPress(*this->Interactor)) return this->SelectPart();
   this->Cancel();
-  if (!this->Surface || !this->IsCursorInside()) return;
-  this->Way = {this->Cursor()};
+  if (!this->Surface || !isCursorIn(*this->CurrentRenderer, *this->Interactor)) return;
+  this->Way = {cursorOf(*this->Interactor)};
   this->Mode = selectionModeOf(*this->Interactor);
   switch (this->Shape) {
     case RegionShape::Brush:
@@ -204,7 +193,7 @@ void RegionWidget::Press()
     case RegionShape::Lasso:
       return this->BeginOutline();
     case RegionShape::Side:
-      this->Current = Gesture::Click;
+      this->LeftClick.press(cursorOf(*this->Interactor));
   }
 }
 
@@ -219,14 +208,14 @@ void RegionWidget::MoveTo()
   switch (this->Current) {
     case Gesture::Stroke:
       this->Use();
-      return this->PaintTo(this->Cursor());
+      return this->PaintTo(cursorOf(*this->Interactor));
     case Gesture::Outline:
       this->Use();
-      this->Way.push_back(this->Cursor());
+      this->Way.push_back(cursorOf(*this->Interactor));
       return this->ShowOutline();
     case Gesture::None:
-    case Gesture::Click:
     case Gesture::Search:
+      this->LeftClick.leaveAt(cursorOf(*this->Interactor), this->PixelRatio);
       if (!isCameraMoving(*this->Interactor)) this->Hover();
   }
 }
@@ -234,21 +223,17 @@ void RegionWidget::MoveTo()
 void RegionWidget::Release()
 {
   switch (this->Current) {
-    case Gesture::Click:
-      this->Current = Gesture::None;
-      if ((this->Cursor() - this->Way.front()).norm() < kClickPixels * this->PixelRatio) this->SelectSide();
-      return;
     case Gesture::Stroke:
       this->Use();
       this->Current = Gesture::None;
       return this->Tell(vtkCommand::EndInteractionEvent, std::exchange(this->Stroke, std::nullopt)->reached());
     case Gesture::Outline:
       this->Use();
-      this->Way.push_back(this->Cursor());
+      this->Way.push_back(cursorOf(*this->Interactor));
       return this->EndOutline();
     case Gesture::None:
     case Gesture::Search:
-      return;
+      if (this->LeftClick.release(cursorOf(*this->Interactor), this->PixelRatio)) this->SelectSide();
   }
 }
 
@@ -259,7 +244,7 @@ void RegionWidget::BeginStroke()
   this->Current = Gesture::Stroke;
   this->Stroke.emplace(this->Regions);
   this->Tell(vtkCommand::StartInteractionEvent, {});
-  this->PaintTo(this->Cursor());
+  this->PaintTo(cursorOf(*this->Interactor));
 }
 
 void RegionWidget::PaintTo(const DisplayPoint& cursor)
@@ -329,7 +314,7 @@ void RegionWidget::SelectSide()
 void RegionWidget::SelectPart()
 {
   this->Cancel();
-  if (!this->Surface || !this->Regions || !this->IsCursorInside()) return;
+  if (!this->Surface || !this->Regions || !isCursorIn(*this->CurrentRenderer, *this->Interactor)) return;
   const auto pick = this->FaceUnderCursor();
   if (!pick) return;
   this->Use();
@@ -345,8 +330,9 @@ void RegionWidget::SelectAtOnce(std::vector<Index> reached)
 
 bool RegionWidget::Cancel()
 {
+  this->LeftClick.forget();
   const Gesture gesture = std::exchange(this->Current, Gesture::None);
-  if (gesture == Gesture::None || gesture == Gesture::Click) return false;
+  if (gesture == Gesture::None) return false;
   this->Stroke.reset();
   this->Found.reset();
   if (gesture == Gesture::Search) this->Interactor->DestroyTimer(this->TimerId);
@@ -394,14 +380,14 @@ void RegionWidget::Leave()
 
 void RegionWidget::Hover()
 {
-  if (!this->Surface || !this->IsCursorInside()) return this->Leave();
+  if (!this->Surface || !isCursorIn(*this->CurrentRenderer, *this->Interactor)) return this->Leave();
   if (this->ManagesCursor != 0) this->RequestCursorShape(VTK_CURSOR_CROSSHAIR);
   if (this->Shape == RegionShape::Brush) this->ShowBrush();
 }
 
 void RegionWidget::ShowBrush()
 {
-  this->GetRegionRepresentation()->ShowCircle(this->Cursor(), this->BrushRadius * this->PixelRatio);
+  this->GetRegionRepresentation()->ShowCircle(cursorOf(*this->Interactor), this->BrushRadius * this->PixelRatio);
   this->Render();
 }
 

@@ -10,6 +10,7 @@
 
 #include <holdfast/surface/vertex_regions.h>
 #include <holdfast/view/interaction/brush_stroke.h>
+#include <holdfast/view/interaction/click.h>
 #include <holdfast/view/interaction/selection_mode.h>
 #include <holdfast/view/screen_selection.h>
 #include <holdfast/view/visible_surface.h>
@@ -105,7 +106,6 @@ class RegionWidget : public vtkAbstractWidget {
  private:
   enum class Gesture {
     None,
-    Click,    // pressed, and not yet moved
     Stroke,   // of the brush
     Outline,  // is drawn
     Search    // for what is in the outline
@@ -144,8 +144,6 @@ class RegionWidget : public vtkAbstractWidget {
   void Hover();
   void ShowBrush();
   void ShowOutline();
-  [[nodiscard]] DisplayPoint Cursor() const;
-  [[nodiscard]] bool IsCursorInside() const;
   [[nodiscard]] std::vector<DisplayPoint> Polygon() const;
   [[nodiscard]] std::optional<SurfacePick> FaceUnderCursor() const;
   void Tell(unsigned long event, std::vector<Index> reached);
@@ -158,6 +156,7 @@ class RegionWidget : public vtkAbstractWidget {
   double PixelRatio = 1;
 
   Gesture Current = Gesture::None;
+  Click LeftClick;  // on a side
   SelectionMode Mode = SelectionMode::Replace;
   std::vector<DisplayPoint> Way;  // of the cursor since the press
   std::optional<BrushStroke> Stroke;
