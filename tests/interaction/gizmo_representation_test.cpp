@@ -108,7 +108,7 @@ TEST_F(GizmoDrawn, IsNoReasonForCamerasToMove)
   stage.renderer().AddViewProp(gizmo);
   stage.renderer().ResetCamera();
   const double distance = stage.renderer().GetActiveCamera()->GetDistance();
-  gizmo->SetFrame({100, 0, 0}, Eigen::Matrix3d::Identity());
+  gizmo->SetFrame({-100, 0, 0}, Eigen::Matrix3d::Identity());
   stage.window().Render();
   stage.renderer().ResetCamera();
   EXPECT_NEAR(stage.renderer().GetActiveCamera()->GetDistance(), distance, 1e-9);
@@ -184,6 +184,8 @@ TEST_F(GizmoDrawn, ShowsWhatIsDraggedAlone)
   EXPECT_EQ(pixelsOf(GizmoPart::ArrowY), 0);
   EXPECT_EQ(pixelsOf(GizmoPart::ArrowZ), 0);
   EXPECT_GT(highlightedPixels(), 50);
+  const std::vector<int> besideIt = stage.colorAt(placeOnArrow(*gizmo, 2));
+  EXPECT_LT(std::abs(besideIt[0] - besideIt[2]), 40) << "grey or black, and not yellow";
   EXPECT_EQ(gizmo->GetFrame().center, Vector3(2, 1, 0));
   gizmo->EndDrag();
   EXPECT_GT(pixelsOf(GizmoPart::ArrowY), 50);

@@ -239,9 +239,7 @@ bool GizmoWidget::Choose(GizmoPart ofX)
 {
   const char key = this->Interactor->GetKeyCode();
   if (!isAxisKey(key) || !this->WantsKey(key)) return false;
-  const auto part = static_cast<GizmoPart>(static_cast<int>(ofX) + axisOfKey(key));
-  if (!this->GetGizmoRepresentation()->Offers(part)) return false;
-  this->SetPart(part);
+  this->SetPart(static_cast<GizmoPart>(static_cast<int>(ofX) + axisOfKey(key)));
   return true;
 }
 
