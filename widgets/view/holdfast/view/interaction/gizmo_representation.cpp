@@ -189,13 +189,13 @@ void GizmoRepresentation::PlaceLabel()
   actor.SetInput(this->Label.c_str());
   vtkTextProperty& property = *actor.GetTextProperty();
   property.SetFontSize(static_cast<int>(std::lround(kLabelFontSize * this->PixelRatio)));
-  double box[4];  // from the actor's position
-  actor.GetBoundingBox(this->Layer, box);
+  Eigen::Matrix2d box;  // of x and of y, from the actor's position: least above most
+  actor.GetBoundingBox(this->Layer, box.data());
   int place[2];
   for (int axis = 0; axis < 2; ++axis) {
-    const double least = this->Layer->GetOrigin()[axis] - box[2 * axis];
-    const double most = this->Layer->GetOrigin()[axis] + this->Layer->GetSize()[axis] - 1 - box[2 * axis + 1];
-    const double wanted = this->LabelPosition[axis] + kLabelOffset[axis] * this->PixelRatio - box[2 * axis];
+    const double least = this->Layer->GetOrigin()[axis] - box(0, axis);
+    const double most = this->Layer->GetOrigin()[axis] + this->Layer->GetSize()[axis] - 1 - box(1, axis);
+    const double wanted = this->LabelPosition[axis] + kLabelOffset[axis] * this->PixelRatio - box(0, axis);
     place[axis] = static_cast<int>(std::max(least, std::min(wanted, most)));
   }
   actor.SetDisplayPosition(place[0], place[1]);

@@ -10,7 +10,7 @@
 
 #include <holdfast/view/gizmo_drag.h>
 #include <holdfast/view/interaction/gizmo_representation.h>
-#include <holdfast/view/interaction/numeric_input.h>
+#include <holdfast/view/numeric_input.h>
 
 namespace holdfast {
 
@@ -20,30 +20,30 @@ namespace holdfast {
 /// exactly so much, and the mouse says no more. So "x 2.5 Return" moves by 2.5 along x. With Ctrl the mouse snaps
 /// (gizmo_drag.h); angles count several turns.
 ///
-/// | VTK event                                      | widget event | by default                               |
-/// |------------------------------------------------|--------------|------------------------------------------|
-/// | MouseMoveEvent                                 | Move         | highlights; drags what is held           |
-/// | LeaveEvent                                     | HoverLeave   | highlights nothing                       |
-/// | LeftButtonPressEvent, LeftButtonDoubleClickEvent | Select     | grabs a part; keeps what is typed        |
-/// | LeftButtonReleaseEvent                         | EndSelect    | keeps what is dragged                    |
-/// | KeyPressEvent "x", "y", "z"                    | Translate    | chooses the arrow of that axis           |
-/// | KeyPressEvent Shift + "x", "y", "z"            | Rotate       | chooses the ring of that axis            |
-/// | KeyPressEvent of a digit, '.', ',', '-'        | ModifyEvent  | types how far                            |
-/// | KeyPressEvent "BackSpace"                      | Delete       | takes back what was typed last           |
-/// | KeyPressEvent "Return", "KP_Enter"             | Completed    | keeps what is typed                      |
-/// | KeyPressEvent "Escape"                         | Reset        | takes back the drag; chooses nothing     |
+/// | VTK event                                        | widget event | by default                           |
+/// |--------------------------------------------------|--------------|--------------------------------------|
+/// | MouseMoveEvent                                   | Move         | highlights; drags what is held       |
+/// | LeaveEvent                                       | HoverLeave   | highlights nothing                   |
+/// | LeftButtonPressEvent, LeftButtonDoubleClickEvent | Select       | grabs a part; keeps what is typed    |
+/// | LeftButtonReleaseEvent                           | EndSelect    | keeps what is dragged                |
+/// | KeyPressEvent "x", "y", "z"                      | Translate    | chooses the arrow of that axis       |
+/// | KeyPressEvent Shift + "x", "y", "z"              | Rotate       | chooses the ring of that axis        |
+/// | KeyPressEvent of a digit, '.', ',', '-'          | ModifyEvent  | types how far                        |
+/// | KeyPressEvent "BackSpace"                        | Delete       | takes back what was typed last       |
+/// | KeyPressEvent "Return", "KP_Enter"               | Completed    | keeps what is typed                  |
+/// | KeyPressEvent "Escape"                           | Reset        | takes back the drag; chooses nothing |
 ///
 /// It aborts the events that it uses, those of the mouse over a part among them; all others pass, and so do keys with
 /// Ctrl or Alt. The first move onto the gizmo passes too: other widgets learn by it that the cursor has left what is
 /// theirs. It does not highlight while a button is down that was pressed beside it: that gesture belongs to others.
 ///
-/// | event                  | when                                                | call data               |
-/// |------------------------|-----------------------------------------------------|-------------------------|
-/// | HighlightEvent         | another part is active, or none                     | `GizmoPart*`            |
-/// | StartInteractionEvent  | a drag begins                                       | none                    |
-/// | InteractionEvent       | the gizmo moved or turned                           | `GizmoMotion*`, from where it stood
-/// when the drag began | | EndInteractionEvent    | the drag is over, and counts                        | none | |
-/// CancelInteractionEvent | the drag is taken back: the gizmo stands where it stood, bit for bit | none   |
+/// | event                  | when                                                            | call data      |
+/// |------------------------|-----------------------------------------------------------------|----------------|
+/// | HighlightEvent         | another part is active, or none                                 | `GizmoPart*`   |
+/// | StartInteractionEvent  | a drag begins                                                   | none           |
+/// | InteractionEvent       | the gizmo moved or turned, from where it stood before the drag  | `GizmoMotion*` |
+/// | EndInteractionEvent    | the drag is over, and counts                                    | none           |
+/// | CancelInteractionEvent | the gizmo stands where it stood before the drag, bit for bit    | none           |
 ///
 /// After a drag the gizmo stands where the drag has moved it to; a turn leaves its axes as they were.
 class GizmoWidget : public vtkAbstractWidget {

@@ -1,4 +1,4 @@
-#include "holdfast/view/interaction/numeric_input.h"
+#include "holdfast/view/numeric_input.h"
 
 #include <holdfast/io/number_text.h>
 
