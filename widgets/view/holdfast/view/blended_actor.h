@@ -15,7 +15,7 @@ class BlendedActor : public vtkOpenGLActor {
   static BlendedActor* New();
   vtkTypeMacro(BlendedActor, vtkOpenGLActor)
 
-      void Render(vtkRenderer* renderer, vtkMapper* mapper) override;
+  void Render(vtkRenderer* renderer, vtkMapper* mapper) override;
 
  protected:
   BlendedActor();
