@@ -6,17 +6,17 @@
 
 namespace holdfast {
 
-bool Click::leaveAt(const DisplayPoint& place, double pixelRatio)
+bool Click::LeaveAt(const DisplayPoint& place, double pixelRatio)
 {
-  if (!press_ || (place - *press_).norm() < kClickPixels * pixelRatio) return false;
-  press_.reset();
+  if (!this->PressedAt || (place - *this->PressedAt).norm() < kClickPixels * pixelRatio) return false;
+  this->PressedAt.reset();
   return true;
 }
 
-bool Click::release(const DisplayPoint& place, double pixelRatio)
+bool Click::Release(const DisplayPoint& place, double pixelRatio)
 {
-  leaveAt(place, pixelRatio);
-  return std::exchange(press_, std::nullopt).has_value();
+  this->LeaveAt(place, pixelRatio);
+  return std::exchange(this->PressedAt, std::nullopt).has_value();
 }
 
 }  // namespace holdfast

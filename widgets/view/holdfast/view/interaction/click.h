@@ -12,18 +12,18 @@ namespace holdfast {
 /// neither, so that a drag from the same place is the camera's.
 class Click {
  public:
-  void press(const DisplayPoint& place) { press_ = place; }
+  void Press(const DisplayPoint& place) { this->PressedAt = place; }
 
   /// The cursor is at `place`. Whether that ends what could have become a click.
-  bool leaveAt(const DisplayPoint& place, double pixelRatio);
+  bool LeaveAt(const DisplayPoint& place, double pixelRatio);
 
   /// Whether the button that comes up at `place` clicks.
-  [[nodiscard]] bool release(const DisplayPoint& place, double pixelRatio);
+  [[nodiscard]] bool Release(const DisplayPoint& place, double pixelRatio);
 
-  void forget() { press_.reset(); }
+  void Forget() { this->PressedAt.reset(); }
 
  private:
-  std::optional<DisplayPoint> press_;  // while the button is down and the cursor near
+  std::optional<DisplayPoint> PressedAt;  // while the button is down and the cursor near
 };
 
 }  // namespace holdfast

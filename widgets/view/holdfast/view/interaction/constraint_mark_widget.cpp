@@ -62,7 +62,7 @@ ConstraintMarkRepresentation* ConstraintMarkWidget::GetConstraintMarkRepresentat
 void ConstraintMarkWidget::SetEnabled(int enabling)
 {
   if (enabling == 0 && this->Enabled != 0) this->Leave();
-  this->LeftClick.forget();
+  this->LeftClick.Forget();
   this->Superclass::SetEnabled(enabling);
 }
 
@@ -91,7 +91,7 @@ void ConstraintMarkWidget::Highlight(std::optional<Index> constraint)
 
 void ConstraintMarkWidget::Hover()
 {
-  this->LeftClick.leaveAt(cursorOf(*this->Interactor), this->PixelRatio());
+  this->LeftClick.LeaveAt(cursorOf(*this->Interactor), this->PixelRatio());
   this->Highlight(isCameraMoving(*this->Interactor) ? std::nullopt : this->ConstraintAtCursor());
 }
 
@@ -102,14 +102,14 @@ void ConstraintMarkWidget::Leave()
 
 void ConstraintMarkWidget::Press()
 {
-  this->LeftClick.forget();
+  this->LeftClick.Forget();
   if (isSecondPress(*this->Interactor) || !isCursorIn(*this->CurrentRenderer, *this->Interactor)) return;
-  this->LeftClick.press(cursorOf(*this->Interactor));
+  this->LeftClick.Press(cursorOf(*this->Interactor));
 }
 
 void ConstraintMarkWidget::Release()
 {
-  if (!this->LeftClick.release(cursorOf(*this->Interactor), this->PixelRatio())) return;
+  if (!this->LeftClick.Release(cursorOf(*this->Interactor), this->PixelRatio())) return;
   ConstraintPick pick{this->ConstraintAtCursor(),
                       this->Interactor->GetShiftKey() != 0 || this->Interactor->GetControlKey() != 0};
   this->InvokeEvent(vtkCommand::PickEvent, &pick);

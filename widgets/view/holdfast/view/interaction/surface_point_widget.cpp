@@ -78,7 +78,7 @@ SurfacePointRepresentation* SurfacePointWidget::GetSurfacePointRepresentation()
 void SurfacePointWidget::SetEnabled(int enabling)
 {
   if (enabling == 0 && this->Enabled != 0) this->Leave();
-  this->LeftClick.forget();
+  this->LeftClick.Forget();
   this->Superclass::SetEnabled(enabling);
 }
 
@@ -133,7 +133,7 @@ void SurfacePointWidget::Show(std::optional<SurfacePick> pick)
 
 void SurfacePointWidget::Hover()
 {
-  const bool isDrag = this->LeftClick.leaveAt(cursorOf(*this->Interactor), this->GetPixelRatio());
+  const bool isDrag = this->LeftClick.LeaveAt(cursorOf(*this->Interactor), this->GetPixelRatio());
   const bool isInside = isCursorIn(*this->CurrentRenderer, *this->Interactor);
   if (isDrag || !isInside || isCameraMoving(*this->Interactor)) return this->Leave();
   this->IsHovering = true;
@@ -148,14 +148,14 @@ void SurfacePointWidget::Leave()
 
 void SurfacePointWidget::Press()
 {
-  this->LeftClick.forget();
+  this->LeftClick.Forget();
   if (isSecondPress(*this->Interactor) || !isCursorIn(*this->CurrentRenderer, *this->Interactor)) return;
-  this->LeftClick.press(cursorOf(*this->Interactor));
+  this->LeftClick.Press(cursorOf(*this->Interactor));
 }
 
 void SurfacePointWidget::Release()
 {
-  if (!this->LeftClick.release(cursorOf(*this->Interactor), this->GetPixelRatio())) return;
+  if (!this->LeftClick.Release(cursorOf(*this->Interactor), this->GetPixelRatio())) return;
   if (auto pick = this->PickAtCursor()) this->InvokeEvent(vtkCommand::PlacePointEvent, &*pick);
 }
 

@@ -63,7 +63,7 @@ SurfaceRulerRepresentation* SurfaceRulerWidget::GetRulerRepresentation()
 void SurfaceRulerWidget::SetEnabled(int enabling)
 {
   if (enabling == 0) this->Cancel();
-  this->LeftClick.forget();
+  this->LeftClick.Forget();
   // VTK asks for it before it makes one.
   this->CreateDefaultRepresentation();
   if (enabling != 0 && this->Interactor != nullptr) this->PrepareHandles();
@@ -165,10 +165,10 @@ void SurfaceRulerWidget::StopDrag()
 
 void SurfaceRulerWidget::Press()
 {
-  this->LeftClick.forget();
+  this->LeftClick.Forget();
   if (!isCursorIn(*this->CurrentRenderer, *this->Interactor)) return;
   if (this->WidgetState == vtkDistanceWidget::Manipulate) return this->Grab();
-  if (!isSecondPress(*this->Interactor)) this->LeftClick.press(cursorOf(*this->Interactor));
+  if (!isSecondPress(*this->Interactor)) this->LeftClick.Press(cursorOf(*this->Interactor));
 }
 
 void SurfaceRulerWidget::Grab()
@@ -182,7 +182,7 @@ void SurfaceRulerWidget::Grab()
 
 void SurfaceRulerWidget::Move()
 {
-  this->LeftClick.leaveAt(cursorOf(*this->Interactor), this->GetRulerRepresentation()->GetPixelRatio());
+  this->LeftClick.LeaveAt(cursorOf(*this->Interactor), this->GetRulerRepresentation()->GetPixelRatio());
   if (this->WidgetState == vtkDistanceWidget::Define) return this->MoveSecondEnd();
   if (this->GrabbedAt) return MoveAction(this);
   if (this->WidgetState == vtkDistanceWidget::Manipulate) this->Hover();
@@ -218,7 +218,7 @@ void SurfaceRulerWidget::Release()
     return EndSelectAction(this);
   }
   const DisplayPoint cursor = cursorOf(*this->Interactor);
-  if (this->LeftClick.release(cursor, this->GetRulerRepresentation()->GetPixelRatio())) this->PlaceEnd();
+  if (this->LeftClick.Release(cursor, this->GetRulerRepresentation()->GetPixelRatio())) this->PlaceEnd();
 }
 
 void SurfaceRulerWidget::PlaceEnd()
