@@ -14,7 +14,7 @@ void dragArrow(Stage& stage)
 {
   Viewport& viewport = stage.viewport();
   const QPointF from = stage.shownArrow(1);
-  const QPointF to = from + 1.2 * (stage.shownArrow(1) - stage.shown(stage.window().gizmo().gizmo().frame().center));
+  const QPointF to = from + 1.2 * (stage.shownArrow(1) - stage.shown(stage.window().gizmo().gizmo().GetFrame().center));
   test::moveMouse(viewport, from);
   test::pressMouse(viewport, from);
   for (int step = 1; step <= 10; ++step) {

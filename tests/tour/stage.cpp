@@ -204,10 +204,10 @@ QPointF Stage::shownMark(const std::string& constraint)
 
 QPointF Stage::shownArrow(int axis)
 {
-  const Gizmo& gizmo = window_.gizmo().gizmo();
-  require(gizmo.isShown(), "the gizmo stands");
-  const Vector3 center = gizmo.frame().center;
-  const Vector3 along = gizmo.frame().axes.col(axis);
+  const GizmoRepresentation& gizmo = window_.gizmo().gizmo();
+  require(window_.gizmo().widget().GetEnabled() != 0, "the gizmo stands");
+  const Vector3 center = gizmo.GetFrame().center;
+  const Vector3 along = gizmo.GetFrame().axes.col(axis);
   const QPointF step = shown(center + along) - shown(center);
   return shown(center + along * (0.5 * kGizmoPixels / std::hypot(step.x(), step.y())));
 }

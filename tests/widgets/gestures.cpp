@@ -82,14 +82,25 @@ void drag(QWidget& widget, const std::vector<QPointF>& way, Qt::MouseButton butt
   releaseMouse(widget, way.back(), button, modifiers);
 }
 
+QString textOf(Qt::Key key, Qt::KeyboardModifiers modifiers)
+{
+  if (key == Qt::Key_Return || key == Qt::Key_Enter) return "\r";
+  if (key == Qt::Key_Backspace) return "\b";
+  if (key == Qt::Key_Escape) return "\x1b";
+  if (key >= Qt::Key_Space && key <= Qt::Key_AsciiTilde)
+    return modifiers & Qt::ShiftModifier ? QString(QChar(key)) : QString(QChar(key)).toLower();
+  return {};
+}
+
 void pressKey(QWidget& widget, Qt::Key key, Qt::KeyboardModifiers modifiers)
 {
+  const QString text = textOf(key, modifiers);
   // Shortcuts come before keys, as they do in a real window.
-  QKeyEvent shortcut(QEvent::ShortcutOverride, key, modifiers);
+  QKeyEvent shortcut(QEvent::ShortcutOverride, key, modifiers, text);
   QApplication::sendEvent(&widget, &shortcut);
-  QKeyEvent press(QEvent::KeyPress, key, modifiers);
+  QKeyEvent press(QEvent::KeyPress, key, modifiers, text);
   QApplication::sendEvent(&widget, &press);
-  QKeyEvent release(QEvent::KeyRelease, key, modifiers);
+  QKeyEvent release(QEvent::KeyRelease, key, modifiers, text);
   QApplication::sendEvent(&widget, &release);
 }
 

@@ -3,6 +3,7 @@
 /// What a user does, as events sent to the real widgets, and waiting for what comes of it.
 
 #include <QPointF>
+#include <QString>
 #include <Qt>
 #include <chrono>
 #include <functional>
@@ -35,6 +36,9 @@ void doubleClick(QWidget& widget, const QPointF& place, Qt::MouseButton button =
 /// Presses at the first place, moves through the others, releases at the last.
 void drag(QWidget& widget, const std::vector<QPointF>& way, Qt::MouseButton button = Qt::LeftButton,
           Qt::KeyboardModifiers modifiers = Qt::NoModifier);
+
+/// What a keyboard of the United States types with a key; empty for keys of no character.
+[[nodiscard]] QString textOf(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier);
 
 /// A key pressed and released, and a text typed, at `widget`.
 void pressKey(QWidget& widget, Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier);

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include <gmock/gmock.h>
-#include <vtkProp.h>
+#include <vtkRenderWindow.h>
 
 #include <holdfast/base/degree.h>
 #include <holdfast/document/list_edits.h>
@@ -42,9 +42,9 @@ class GizmoOnPoint : public test::OpenWindow {
   /// On the shaft of an arrow of the gizmo.
   [[nodiscard]] QPointF onArrow(int axis)
   {
-    const Gizmo& gizmo = window.gizmo().gizmo();
-    const Vector3 along = gizmo.frame().axes.col(axis);
-    const Vector3 center = gizmo.frame().center;
+    const GizmoRepresentation& gizmo = window.gizmo().gizmo();
+    const Vector3 along = gizmo.GetFrame().axes.col(axis);
+    const Vector3 center = gizmo.GetFrame().center;
     const QPointF step = shown(center + along) - shown(center);
     const double pixels = std::hypot(step.x(), step.y());
     return shown(center + along * (0.5 * kGizmoPixels / pixels));
@@ -143,34 +143,33 @@ TEST_F(GizmoOnPoint, TheLabelStaysAtTheCursorAndInTheWindow)
 
 TEST_F(GizmoOnPoint, PointsHaveNoRings)
 {
-  const Vector3 center = window.gizmo().gizmo().frame().center;
+  const Vector3 center = window.gizmo().gizmo().GetFrame().center;
   const QPointF outer = shown(center) + QPointF(kGizmoPixels, 0);
   test::moveMouse(viewport(), outer);
-  EXPECT_EQ(window.gizmo().gizmo().highlighted(), GizmoPart::None);
+  EXPECT_EQ(window.gizmo().gizmo().GetPart(), GizmoPart::None);
 }
 
 TEST_F(GizmoOnPoint, NoPartIsHighlightedOnceTheMouseHasLeft)
 {
   test::moveMouse(viewport(), onArrow(2));
-  EXPECT_EQ(window.gizmo().gizmo().highlighted(), GizmoPart::ArrowZ);
+  EXPECT_EQ(window.gizmo().gizmo().GetPart(), GizmoPart::ArrowZ);
   QEvent leave(QEvent::Leave);
   QApplication::sendEvent(&viewport(), &leave);
-  EXPECT_EQ(window.gizmo().gizmo().highlighted(), GizmoPart::None);
+  EXPECT_EQ(window.gizmo().gizmo().GetPart(), GizmoPart::None);
 }
 
 TEST_F(GizmoOnPoint, NothingStandsWhereNothingIsSelected)
 {
   const auto isSeen = [this] {
-    const auto props = window.gizmo().gizmo().props();
-    return std::any_of(props.begin(), props.end(), [](vtkProp* prop) { return prop->GetVisibility() != 0; });
+    return viewport().renderWindow()->HasRenderer(window.gizmo().gizmo().GetLayer()) != 0;
   };
   EXPECT_TRUE(isSeen());
   editor().selectConstraints({});
   ASSERT_TRUE(settle());
-  EXPECT_FALSE(window.gizmo().gizmo().isShown());
+  EXPECT_FALSE(window.gizmo().widget().GetEnabled());
   EXPECT_FALSE(isSeen());
   editor().selectConstraints({*indexOf(list(), "bolt rear left")});
-  EXPECT_FALSE(window.gizmo().gizmo().isShown()) << "what is fixed does not move";
+  EXPECT_FALSE(window.gizmo().widget().GetEnabled()) << "what is fixed does not move";
 }
 
 /// The bar with a handle at its end.
@@ -194,7 +193,7 @@ class GizmoOnHandle : public GizmoOnPoint {
   /// Takes the outer ring at its right and around the center by `degrees`, counterclockwise.
   void turnOuterRing(double degrees, Qt::KeyboardModifiers modifiers = Qt::NoModifier)
   {
-    const QPointF middle = shown(window.gizmo().gizmo().frame().center);
+    const QPointF middle = shown(window.gizmo().gizmo().GetFrame().center);
     std::vector<QPointF> way;
     for (int step = 0; step <= 80; ++step) {
       const double angle = degrees * kDegree * step / 80;
@@ -243,7 +242,7 @@ TEST_F(GizmoOnHandle, WhatTurnsAboutTheFixedEndIsDraggedRoundItWithoutAJump)
   ASSERT_TRUE(settle());
   const auto state = editor().history().state();
   const Positions before = editor().positions();
-  const QPointF from = shown(window.gizmo().gizmo().frame().center);
+  const QPointF from = shown(window.gizmo().gizmo().GetFrame().center);
   const QPointF foot = shown({0, 0, 0});
   const auto goRound = [&](double turns) {
     test::pressMouse(viewport(), from);

@@ -30,7 +30,7 @@ class NumberTypedAtAPoint : public test::WindowUser {
   /// On the shaft of an arrow of the gizmo.
   [[nodiscard]] QPointF onArrow(int axis)
   {
-    const GizmoFrame& frame = window.gizmo().gizmo().frame();
+    const GizmoFrame& frame = window.gizmo().gizmo().GetFrame();
     const QPointF center = seenAt(frame.center);
     const QPointF step = seenAt(Vector3(frame.center + frame.axes.col(axis))) - center;
     return center + 0.5 * kGizmoPixels / std::hypot(step.x(), step.y()) * step;
@@ -150,8 +150,8 @@ TEST_F(NumberTypedAtAHandle, ATypedAngleTurnsByExactlyThat)
     return Eigen::AngleAxisd(turn.degrees * std::numbers::pi / 180, turn.axis.normalized()).toRotationMatrix();
   };
   const Eigen::Matrix3d before = rotation();
-  test::moveMouse(viewport(), seenAt(window.gizmo().gizmo().frame().center) + QPointF(kGizmoPixels, 0));
-  ASSERT_EQ(window.gizmo().gizmo().highlighted(), GizmoPart::ViewRing);
+  test::moveMouse(viewport(), seenAt(window.gizmo().gizmo().GetFrame().center) + QPointF(kGizmoPixels, 0));
+  ASSERT_EQ(window.gizmo().gizmo().GetPart(), GizmoPart::ViewRing);
   keys("37.5");
   key(Qt::Key_Return);
   const Eigen::AngleAxisd turned(Eigen::Matrix3d(rotation() * before.transpose()));

@@ -172,7 +172,7 @@ TEST_F(PointToolOnBracket, ADragTurnsThePictureAndHoldsNothing)
 TEST_F(PointToolOnBracket, ItsKeysComeBeforeThoseOfMenus)
 {
   const auto isTaken = [this](Qt::Key key) {
-    QKeyEvent event(QEvent::ShortcutOverride, key, Qt::NoModifier);
+    QKeyEvent event(QEvent::ShortcutOverride, key, Qt::NoModifier, test::textOf(key));
     event.ignore();
     QApplication::sendEvent(&viewport(), &event);
     return event.isAccepted();

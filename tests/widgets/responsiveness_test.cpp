@@ -131,7 +131,7 @@ class LargeMeshUser : public test::WindowUser {
   {
     editor().selectConstraints({1});
     ASSERT_TRUE(settle());
-    const Vector3 center = window.gizmo().gizmo().frame().center;
+    const Vector3 center = window.gizmo().gizmo().GetFrame().center;
     const QPointF step = seenAt(Vector3(center + Vector3::UnitZ())) - seenAt(center);
     const QPointF from = seenAt(center) + 0.5 * kGizmoPixels / std::hypot(step.x(), step.y()) * step;
     int frames = 0;

@@ -159,9 +159,9 @@ TEST_F(HeldTwice, ConflictsWhereItIsDraggedAway)
 {
   editor().selectConstraints({second});
   ASSERT_TRUE(settle());
-  const Gizmo& gizmo = window.gizmo().gizmo();
-  ASSERT_TRUE(gizmo.isShown());
-  const Vector3 center = gizmo.frame().center;
+  const GizmoRepresentation& gizmo = window.gizmo().gizmo();
+  ASSERT_TRUE(window.gizmo().widget().GetEnabled());
+  const Vector3 center = gizmo.GetFrame().center;
   const QPointF step = seenAt(Vector3(center + Vector3::UnitZ())) - seenAt(center);
   // On the shaft of the arrow that points up.
   const QPointF from = seenAt(center) + 0.5 * kGizmoPixels / std::hypot(step.x(), step.y()) * step;

@@ -98,8 +98,10 @@ Index WindowUser::freeVertex()
     if (std::any_of(marks.begin(), marks.end(),
                     [&](const ConstraintMark& mark) { return (mark.rest - place).norm() < reach; }))
       continue;
-    const DisplayPoint display = viewport().toDisplayPoint(seenAt(v));
-    const auto pick = viewport().picker()->pick(viewport().renderer(), display.x(), display.y(), PickKind::Vertex, 4);
+    const DisplayPoint display = toDisplay(viewport().renderer(), editor().positions().row(v).transpose()).head<2>();
+    const auto pick = SurfacePicker(viewport().surface())
+                          .pick(viewport().renderer(), std::floor(display.x()), std::floor(display.y()),
+                                PickKind::Vertex, 4);
     if (!pick) continue;
     const auto* at = std::get_if<AtVertex>(&pick->location);
     if (at != nullptr && at->vertex == v) return v;

@@ -93,6 +93,13 @@ void drawCurve(QPainter& painter)
   for (const QPointF& place : {QPointF(12, 4), QPointF(17, 17), QPointF(4, 13)}) painter.drawEllipse(place, 2, 2);
 }
 
+void drawRuler(QPainter& painter)
+{
+  painter.drawPolygon(QPolygonF({{3, 16}, {16, 3}, {21, 8}, {8, 21}}));
+  for (const double at : {0.25, 0.5, 0.75})
+    painter.drawLine(QPointF(3 + 13 * at, 16 - 13 * at), QPointF(5.5 + 13 * at, 18.5 - 13 * at));
+}
+
 void drawFix(QPainter& painter)
 {
   painter.drawEllipse(QPointF(12, 8), 4.5, 4.5);
@@ -191,6 +198,8 @@ void draw(Sign sign, QPainter& painter)
       return drawFlood(painter);
     case Sign::Curve:
       return drawCurve(painter);
+    case Sign::Ruler:
+      return drawRuler(painter);
     case Sign::Fix:
       return drawFix(painter);
     case Sign::Handle:

@@ -15,6 +15,7 @@ enum class Sign {
   Lasso,
   Flood,
   Curve,
+  Ruler,
   Fix,
   Handle,
   Rigid,

@@ -30,6 +30,7 @@
 #include <holdfast/widgets/status_line.h>
 #include <holdfast/widgets/tool_box.h>
 #include <holdfast/widgets/tools/gizmo_tool.h>
+#include <holdfast/widgets/tools/section_tool.h>
 #include <holdfast/widgets/view_state.h>
 #include <holdfast/widgets/viewport.h>
 
@@ -312,8 +313,30 @@ void MainWindow::makeViewMenu()
     axesGroup->addAction(action);
   };
   addAxes("axesWorld", tr("Of the &world"), "Shift+W", GizmoAxes::World);
-  addAxes("axesHandle", tr("Of the &handle"), "Shift+H", GizmoAxes::Handle);
+  addAxes("axesOwn", tr("Its &own: a handle's, or across the surface"), "Shift+H", GizmoAxes::Own);
   addAxes("axesView", tr("Of the &view"), "Shift+V", GizmoAxes::View);
+
+  QMenu& turns = *menu.addMenu(tr("&Turn of a handle that is moved"));
+  auto* turnGroup = new QActionGroup(this);
+  const auto addTurn = [&](const char* objectName, const QString& text, const QString& tip, TurnOfMoves value) {
+    QAction* action = addAction(turns, objectName, text, {}, tip, [this, value] { gizmo_->setTurnOfMoves(value); });
+    action->setCheckable(true);
+    action->setChecked(value == gizmo_->turnOfMoves());
+    turnGroup->addAction(action);
+  };
+  addTurn("turnAsConstraint", tr("As the &constraint says"),
+          tr("A handle that is moved turns as its constraint says: not at all, or about what is fixed"),
+          TurnOfMoves::AsConstraint);
+  addTurn("turnAsSeen", tr("As &seen about what is fixed"),
+          tr("A handle that is moved turns about the viewing axis, by the angle that it makes on the screen"),
+          TurnOfMoves::AsSeen);
+  menu.addSeparator();
+  QAction* section = addAction(menu, "sectionPlane", tr("&Section plane"), QKeySequence("Shift+S"),
+                               tr("Cut the picture open; the mesh stays whole"), [] {});
+  section->setCheckable(true);
+  withDocument_.push_back(section);
+  auto* plane = new SectionTool(editor_, *viewport_, this);
+  connect(section, &QAction::toggled, plane, &SectionTool::setOn);
 
   panels_->fillMenu(*menu.addMenu(tr("&Panels")));
   QMenu& appearance = *menu.addMenu(tr("&Colours of the window"));

@@ -26,14 +26,13 @@ constexpr int kLeastPanelWidth = 340;
 constexpr int kMostPanelWidth = 680;
 
 /// The vertex that a point under the cursor is nearest to, as its weights say.
-std::optional<Index> nearestVertex(const std::optional<SurfacePick>& pick, const Model& model)
+Index nearestVertex(const SurfacePick& pick, const Model& model)
 {
-  if (!pick) return std::nullopt;
-  if (const auto* vertex = std::get_if<AtVertex>(&pick->location)) return vertex->vertex;
-  if (const auto* edge = std::get_if<AtEdge>(&pick->location)) return edge->t >= 0.5 ? edge->i : edge->j;
-  const auto& weights = std::get<AtFace>(pick->location).weights;
+  if (const auto* vertex = std::get_if<AtVertex>(&pick.location)) return vertex->vertex;
+  if (const auto* edge = std::get_if<AtEdge>(&pick.location)) return edge->t >= 0.5 ? edge->i : edge->j;
+  const auto& weights = std::get<AtFace>(pick.location).weights;
   const auto largest = std::max_element(weights.begin(), weights.end()) - weights.begin();
-  return model.mesh.faces[pick->face][static_cast<std::size_t>(largest)];
+  return model.mesh.faces[pick.face][static_cast<std::size_t>(largest)];
 }
 
 /// Qt moves a dock behind others out of the window and calls it visible: its panel would go on following every change,
@@ -74,7 +73,7 @@ PanelDocks::PanelDocks(Editor& editor, Viewport& viewport, QMainWindow& window)
     colors_->setShownScale(coloring ? std::optional(coloring->scale) : std::nullopt);
   });
   connect(&viewport_, &Viewport::previewChanged, sphere_, [this](const std::optional<SurfacePick>& pick) {
-    sphere_->showVertex(nearestVertex(pick, *editor_.model()));
+    sphere_->showVertex(pick ? std::optional(nearestVertex(*pick, *editor_.model())) : std::nullopt);
   });
   connect(sphere_, &SpherePanel::vertexPicked, &editor_, [this](Index vertex) { editor_.selectVertices({vertex}); });
   connect(&editor_, &Editor::vertexSelectionChanged, sphere_, [this] {

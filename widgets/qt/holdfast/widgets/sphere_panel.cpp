@@ -1,42 +1,30 @@
 #include "holdfast/widgets/sphere_panel.h"
 
-#include <QApplication>
 #include <QHBoxLayout>
 #include <QHelpEvent>
-#include <QKeyEvent>
 #include <QLabel>
-#include <QMouseEvent>
 #include <QStackedLayout>
 #include <QToolButton>
 #include <QToolTip>
 #include <QVBoxLayout>
-#include <QWheelEvent>
 #include <algorithm>
-#include <cmath>
 
-#include <QVTKOpenGLNativeWidget.h>
-#include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkNew.h>
+#include <QVTKInteractor.h>
+#include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
 #include <holdfast/rotation/rotation_log.h>
 #include <holdfast/view/example_document.h>
 #include <holdfast/view/rotation_sphere.h>
-#include <holdfast/view/sphere_camera.h>
 #include <holdfast/widgets/background_job.h>
 #include <holdfast/widgets/labels.h>
 #include <holdfast/widgets/number_words.h>
 #include <holdfast/widgets/render_request.h>
 #include <holdfast/widgets/vtk_palette.h>
+#include <holdfast/widgets/vtk_view.h>
 
 namespace holdfast {
 namespace {
-
-// A drag across half the height of the view turns the sphere by so much: about as if the hand held it.
-constexpr double kRadiansAcrossHalf = 1.6;
-constexpr double kKeyPixels = 20;
-constexpr double kZoomPerStep = 1.2;
-constexpr double kWheelStep = 120;  // eighths of a degree, by Qt's definition
 
 double largestDegrees(const std::vector<BoundaryRotation>& boundary)
 {
@@ -62,16 +50,16 @@ SpherePanel::SpherePanel(Editor& editor, QWidget* parent) : QWidget(parent), edi
   header->addWidget(summary_, 1);
   header->addWidget(fitButton);
 
-  view_ = new QVTKOpenGLNativeWidget;
+  view_ = new VtkView;
   view_->setObjectName("sphereView");
   view_->setAccessibleName(tr("Rotation sphere"));
   view_->setFocusPolicy(Qt::StrongFocus);
   view_->setMinimumSize(120, 120);
-  // Sizes are given in pixels of the window, as in the viewport.
-  view_->setEnableHiDPI(false);
-  view_->renderWindow()->SetMultiSamples(0);
   view_->installEventFilter(this);
   drawing_ = new RenderRequest(*view_);
+  connect(view_, &VtkView::renderWanted, this, &SpherePanel::redraw);
+  view_->interactor()->SetInteractorStyle(style_);
+  style_->AddObserver(vtkCommand::PickEvent, this, &SpherePanel::pickVertex);
   auto* page = new QWidget;
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(0, 0, 0, 0);
@@ -96,6 +84,7 @@ void SpherePanel::begin()
 {
   placing_->cancel();
   if (renderer_) view_->renderWindow()->RemoveRenderer(renderer_);
+  style_->SetSphere(nullptr);
   sphere_.reset();
   renderer_ = nullptr;
   shown_.reset();
@@ -129,6 +118,7 @@ void SpherePanel::makeSphere()
   sphere_ = std::make_unique<RotationSphere>();
   sphere_->addTo(*renderer_);
   sphere_->mark(marked_);
+  style_->SetSphere(sphere_.get());
   applyPalette();
 }
 
@@ -212,21 +202,14 @@ void SpherePanel::applyPalette()
 {
   if (!sphere_) return;
   const PictureColors colors = pictureColors(palette());
+  style_->SetPixelRatio(devicePixelRatioF());
   sphere_->setLook({colors.ground, colors.raised, colors.ink, colors.accent, devicePixelRatioF()});
   redraw();
 }
 
-void SpherePanel::turn(const QPointF& pixels)
+void SpherePanel::pickVertex(vtkObject* /*caller*/, unsigned long /*event*/, void* vertex)
 {
-  const double radians = kRadiansAcrossHalf / std::max(1.0, view_->height() / 2.0);
-  turnSphere(*renderer_->GetActiveCamera(), radians * pixels.x(), -radians * pixels.y());
-  redraw();
-}
-
-void SpherePanel::zoom(double steps)
-{
-  zoomSphere(*renderer_->GetActiveCamera(), std::pow(kZoomPerStep, steps));
-  redraw();
+  Q_EMIT vertexPicked(*static_cast<const Index*>(vertex));
 }
 
 std::optional<Index> SpherePanel::vertexAt(const QPointF& place) const
@@ -249,87 +232,14 @@ void SpherePanel::showTip(const QPoint& place)
   QToolTip::showText(view_->mapToGlobal(place), text, view_);
 }
 
-bool SpherePanel::handleKey(int key)
-{
-  switch (key) {
-    case Qt::Key_Left:
-      turn({-kKeyPixels, 0});
-      return true;
-    case Qt::Key_Right:
-      turn({kKeyPixels, 0});
-      return true;
-    case Qt::Key_Up:
-      turn({0, -kKeyPixels});
-      return true;
-    case Qt::Key_Down:
-      turn({0, kKeyPixels});
-      return true;
-    case Qt::Key_Plus:
-    case Qt::Key_Equal:
-      zoom(1);
-      return true;
-    case Qt::Key_Minus:
-      zoom(-1);
-      return true;
-    case Qt::Key_Home:
-      fit();
-      return true;
-    default:
-      return false;
-  }
-}
-
 bool SpherePanel::eventFilter(QObject* watched, QEvent* event)
 {
   if (watched != view_ || !sphere_) return QWidget::eventFilter(watched, event);
-  switch (event->type()) {
-    case QEvent::MouseButtonPress:
-      handlePress(*static_cast<QMouseEvent*>(event));
-      return true;
-    case QEvent::MouseMove:
-      handleMove(*static_cast<QMouseEvent*>(event));
-      return true;
-    case QEvent::MouseButtonRelease:
-      handleRelease(*static_cast<QMouseEvent*>(event));
-      return true;
-    case QEvent::MouseButtonDblClick:
-      fit();
-      return true;
-    case QEvent::Wheel:
-      zoom(static_cast<QWheelEvent*>(event)->angleDelta().y() / kWheelStep);
-      return true;
-    case QEvent::KeyPress:
-      return handleKey(static_cast<QKeyEvent*>(event)->key());
-    case QEvent::ToolTip:
-      showTip(static_cast<QHelpEvent*>(event)->pos());
-      return true;
-    default:
-      return QWidget::eventFilter(watched, event);
+  if (event->type() == QEvent::ToolTip) {
+    showTip(static_cast<QHelpEvent*>(event)->pos());
+    return true;
   }
-}
-
-void SpherePanel::handlePress(const QMouseEvent& event)
-{
-  if (event.button() != Qt::LeftButton) return;
-  pressed_ = last_ = event.localPos();
-  isDragging_ = false;
-}
-
-void SpherePanel::handleMove(const QMouseEvent& event)
-{
-  if (!pressed_) return;
-  const QPointF way = event.localPos() - *pressed_;
-  isDragging_ = isDragging_ || way.manhattanLength() >= QApplication::startDragDistance();
-  if (isDragging_) turn(event.localPos() - last_);
-  last_ = event.localPos();
-}
-
-void SpherePanel::handleRelease(const QMouseEvent& event)
-{
-  if (event.button() != Qt::LeftButton || !pressed_) return;
-  pressed_.reset();
-  if (isDragging_) return;
-  if (const auto vertex = vertexAt(event.localPos())) Q_EMIT vertexPicked(*vertex);
+  return QWidget::eventFilter(watched, event);
 }
 
 void SpherePanel::showEvent(QShowEvent* event)

@@ -6,14 +6,16 @@
 #include <memory>
 #include <optional>
 
+#include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
 #include <holdfast/view/coloring.h>
+#include <holdfast/view/interaction/rotation_sphere_style.h>
 #include <holdfast/widgets/editor.h>
 
 class QLabel;
 class QStackedLayout;
-class QVTKOpenGLNativeWidget;
+class vtkObject;
 class vtkRenderer;
 
 namespace holdfast {
@@ -21,6 +23,7 @@ namespace holdfast {
 class BackgroundJob;
 class RenderRequest;
 class RotationSphere;
+class VtkView;
 struct ExampleDocument;
 struct PlacedRotations;
 
@@ -66,12 +69,7 @@ class SpherePanel : public QWidget {
   void showHint();
   void applyPalette();
   void redraw();
-  void turn(const QPointF& pixels);
-  void zoom(double steps);
-  void handlePress(const QMouseEvent& event);
-  void handleMove(const QMouseEvent& event);
-  void handleRelease(const QMouseEvent& event);
-  bool handleKey(int key);
+  void pickVertex(vtkObject* caller, unsigned long event, void* vertex);
   void showTip(const QPoint& place);
   void makeSphere();
   [[nodiscard]] bool isTurning() const;
@@ -81,18 +79,16 @@ class SpherePanel : public QWidget {
   QStackedLayout* pages_ = nullptr;
   QLabel* hint_ = nullptr;
   QLabel* summary_ = nullptr;
-  QVTKOpenGLNativeWidget* view_ = nullptr;
+  VtkView* view_ = nullptr;
   RenderRequest* drawing_ = nullptr;
   vtkSmartPointer<vtkRenderer> renderer_;
+  vtkNew<RotationSphereStyle> style_;
   std::unique_ptr<RotationSphere> sphere_;  // from the first rotation that is to be shown
   BackgroundJob* placing_ = nullptr;
   std::shared_ptr<const Deformation> shown_;
   std::shared_ptr<const PlacedRotations> placed_;  // the latest of this mesh
   std::optional<Index> marked_;
   std::optional<Coloring> coloring_;
-  std::optional<QPointF> pressed_;
-  QPointF last_;
-  bool isDragging_ = false;
   bool isFitted_ = false;
 };
 

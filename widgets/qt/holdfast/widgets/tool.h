@@ -3,28 +3,16 @@
 /// What the mouse does in the viewport while one tool is chosen.
 
 #include <QObject>
-#include <QPointF>
 #include <QString>
 #include <Qt>
-
-#include <holdfast/view/camera_motion.h>
 
 class QKeyEvent;
 class QPainter;
 
 namespace holdfast {
 
-/// Where the mouse is and what is held.
-struct Pointer {
-  DisplayPoint display{0, 0};  ///< the pixel of the render window, counted from its lower left corner
-  QPointF place;               ///< the same in the viewport's own coordinates: from the upper left corner
-  Qt::KeyboardModifiers modifiers;
-
-  /// The middle of the pixel.
-  [[nodiscard]] DisplayPoint center() const { return display + DisplayPoint(0.5, 0.5); }
-};
-
-/// One of several, of which the viewport holds one at a time. What a tool does not want moves the camera.
+/// One of several, of which the viewport holds one at a time. Tools listen to widgets of VTK and edit the document;
+/// what the widgets leave moves the camera.
 class Tool : public QObject {
   Q_OBJECT
 
@@ -36,25 +24,14 @@ class Tool : public QObject {
   [[nodiscard]] virtual Qt::CursorShape cursor() const { return Qt::ArrowCursor; }
 
   /// The tool is chosen; another one is.
-  virtual void begin() {}
-  virtual void end() { cancel(); }
+  virtual void begin() = 0;
+  virtual void end() = 0;
 
-  /// The left button goes down. True: the mouse is the tool's until it comes up again; else the camera's, or a click.
-  virtual bool press(const Pointer& /*pointer*/) { return false; }
-  /// The mouse moves without a button. True: it is over something of the tool's own, and another tool need not look.
-  virtual bool hover(const Pointer& /*pointer*/) { return false; }
-  /// The mouse moves after `press` was true.
-  virtual void drag(const Pointer& /*pointer*/) {}
-  virtual void release(const Pointer& /*pointer*/) {}
-  /// The left button went down and up in one place, and `press` was false.
-  virtual void click(const Pointer& /*pointer*/) {}
-  virtual void doubleClick(const Pointer& /*pointer*/) {}
-  /// The mouse left the viewport.
+  /// Something in front of what the tool works on has the mouse.
   virtual void leave() {}
-  /// Whether `key` would use it: it comes before what menus have the key for.
+
+  /// Whether the key is the tool's: it comes before what menus have it for.
   [[nodiscard]] virtual bool wants(const QKeyEvent& /*event*/) const { return false; }
-  /// True where the tool uses the key.
-  virtual bool key(const QKeyEvent& /*event*/) { return false; }
 
   /// The keyboard goes elsewhere.
   virtual void loseFocus() {}

@@ -5,11 +5,10 @@
 #include <array>
 
 #include <holdfast/widgets/icons.h>
-#include <holdfast/widgets/tools/brush_tool.h>
 #include <holdfast/widgets/tools/curve_tool.h>
-#include <holdfast/widgets/tools/flood_tool.h>
 #include <holdfast/widgets/tools/point_tool.h>
-#include <holdfast/widgets/tools/screen_region_tool.h>
+#include <holdfast/widgets/tools/region_tool.h>
+#include <holdfast/widgets/tools/ruler_tool.h>
 #include <holdfast/widgets/tools/select_tool.h>
 #include <holdfast/widgets/viewport.h>
 
@@ -18,7 +17,7 @@ namespace {
 
 // In the order in which the tools are added.
 constexpr std::array kSigns{Sign::Select, Sign::Point, Sign::Brush, Sign::Rectangle,
-                            Sign::Lasso,  Sign::Flood, Sign::Curve};
+                            Sign::Lasso,  Sign::Flood, Sign::Curve, Sign::Ruler};
 
 }  // namespace
 
@@ -29,15 +28,18 @@ ToolBox::ToolBox(Editor& editor, Viewport& viewport, QObject* parent)
       tr("Select constraints, and move them by the arrows and rings"));
   add(new PointTool(editor, viewport, this), "toolPoint", tr("Hold &point"), "P",
       tr("Hold a point on a vertex, on an edge or inside a face"));
-  add(new BrushTool(editor, viewport, this), "toolBrush", tr("&Brush"), "B", tr("Paint a region along the surface"));
-  add(new ScreenRegionTool(ScreenShape::Rectangle, editor, viewport, this), "toolRectangle", tr("Rec&tangle"), "M",
+  add(new RegionTool(RegionShape::Brush, editor, viewport, this), "toolBrush", tr("&Brush"), "B",
+      tr("Paint a region along the surface"));
+  add(new RegionTool(RegionShape::Rectangle, editor, viewport, this), "toolRectangle", tr("Rec&tangle"), "M",
       tr("Select vertices in a rectangle"));
-  add(new ScreenRegionTool(ScreenShape::Lasso, editor, viewport, this), "toolLasso", tr("&Lasso"), "L",
+  add(new RegionTool(RegionShape::Lasso, editor, viewport, this), "toolLasso", tr("&Lasso"), "L",
       tr("Select vertices by drawing around them"));
-  add(new FloodTool(editor, viewport, this), "toolFlood", tr("Si&de"), "W",
+  add(new RegionTool(RegionShape::Side, editor, viewport, this), "toolFlood", tr("Si&de"), "W",
       tr("Select a smooth side, or a whole part by a double click"));
   add(new CurveTool(editor, viewport, this), "toolCurve", tr("&Curve"), "C",
       tr("Draw a closed curve around a feature on the surface"));
+  add(new RulerTool(editor, viewport, this), "toolRuler", tr("R&uler"), "D",
+      tr("Measure between two points of the surface, now and at rest"));
   drawIcons();
   chooseSelect();
 }

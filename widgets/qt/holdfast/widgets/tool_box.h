@@ -4,7 +4,6 @@
 
 #include <QActionGroup>
 #include <QObject>
-#include <vector>
 
 #include <holdfast/widgets/editor.h>
 #include <holdfast/widgets/tool.h>

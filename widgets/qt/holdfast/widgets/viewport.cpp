@@ -7,10 +7,11 @@
 #include <numeric>
 #include <utility>
 
+#include <QVTKInteractor.h>
+#include <vtkBoundingBox.h>
 #include <vtkCamera.h>
-#include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkLightKit.h>
-#include <vtkRenderWindowInteractor.h>
+#include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
 #include <holdfast/base/degree.h>
@@ -18,6 +19,7 @@
 #include <holdfast/view/camera_state.h>
 #include <holdfast/view/default_camera.h>
 #include <holdfast/view/example_document.h>
+#include <holdfast/view/interaction/interaction_events.h>
 #include <holdfast/view/stage.h>
 #include <holdfast/widgets/viewport_overlay.h>
 
@@ -55,7 +57,7 @@ bool saysAnything(const Coloring& coloring, const ColorSettings& settings)
 
 }  // namespace
 
-Viewport::Viewport(Editor& editor, QWidget* parent) : QVTKOpenGLNativeWidget(parent), editor_(editor)
+Viewport::Viewport(Editor& editor, QWidget* parent) : VtkView(parent), editor_(editor)
 {
   setObjectName("viewport");
   setAccessibleName(tr("Picture of the mesh"));
@@ -63,22 +65,27 @@ Viewport::Viewport(Editor& editor, QWidget* parent) : QVTKOpenGLNativeWidget(par
   setMouseTracking(true);
   setMinimumSize(320, 240);
 
-  window_->SetMultiSamples(0);
   window_->SetNumberOfLayers(2);
   window_->AddRenderer(renderer_);
-  window_->AddRenderer(front_);
-  front_->SetLayer(1);
+  window_->AddRenderer(widgetRenderer_);
+  widgetRenderer_->SetLayer(1);
+  widgetRenderer_->SetActiveCamera(renderer_->GetActiveCamera());
+  widgetRenderer_->PreserveDepthBufferOn();
   renderer_->GradientBackgroundOn();
   setDarkBackdrop(false);
-  setRenderWindow(window_);
-  // Sizes are given in pixels of the window: scaled by the resolution as well texts would be too large.
-  setEnableHiDPI(false);
-  // The camera is moved here, a picture at a time, and not by VTK at every event.
-  window_->GetInteractor()->SetInteractorStyle(nullptr);
+  interactor()->SetInteractorStyle(style_);
+  style_->AutoAdjustCameraClippingRangeOff();
+  style_->AddObserver(ContextMenuRequestEvent, this, &Viewport::askForContextMenu);
   addLights(*renderer_);
+  addLights(*widgetRenderer_);
+  orientation_->SetParentRenderer(renderer_);
+  orientation_->AnimateOff();
+  orientation_->KeyPressActivationOff();
+  orientation_->On();
 
   fence_ = std::make_unique<DrawFence>(*window_);
   slices_ = std::make_unique<SlicedDrawing>(*renderer_);
+  kept_ = std::make_unique<KeptScene>(*renderer_);
   overlay_ = new ViewportOverlay(editor_, *this);
   renderTimer_.setSingleShot(true);
   connect(&renderTimer_, &QTimer::timeout, this, &Viewport::render);
@@ -89,13 +96,18 @@ Viewport::Viewport(Editor& editor, QWidget* parent) : QVTKOpenGLNativeWidget(par
   connect(&drawnTimer_, &QTimer::timeout, this, &Viewport::goOnWhenDrawn);
   connect(this, &QOpenGLWidget::frameSwapped, this, [this] { waiting_.invalidate(); });
 
+  connect(this, &VtkView::renderWanted, this, &Viewport::scheduleWidgets);
   connect(&editor_, &Editor::opened, this, &Viewport::openDocument);
   connect(&editor_, &Editor::deformed, this, &Viewport::showDeformation);
   connect(&editor_, &Editor::vertexSelectionChanged, this, &Viewport::showSelection);
   connect(&editor_, &Editor::constraintSelectionChanged, this, &Viewport::showSelection);
 }
 
-Viewport::~Viewport() = default;
+Viewport::~Viewport()
+{
+  // Widgets are not to outlive the interactor, nor to speak to it while it goes.
+  Q_EMIT closing();
+}
 
 void Viewport::warmUp(const ExampleDocument& example)
 {
@@ -133,14 +145,12 @@ void Viewport::openDocument()
   abandonDrawing();
   renderer_->RemoveAllViewProps();
   contents_.reset();
-  picker_.reset();
   coloring_.reset();
-  preview_.reset();
   if (editor_.isOpen()) {
     contents_ = editor_.mesh().contents;
     contents_->setPixelRatio(pixelRatio());
     contents_->addTo(*renderer_);
-    picker_ = std::make_unique<SurfacePicker>(editor_.surface());
+    contents_->setSection(section_);
     // Until the first picture in full tells how long it takes.
     fullMilliseconds_ = isLarge(*editor_.model()) ? 2 * kFluentMilliseconds : 0;
     setDisplay(display_);
@@ -148,13 +158,33 @@ void Viewport::openDocument()
     frameAll();
     openedFrom_ = Vector3(renderer_->GetActiveCamera()->GetPosition());
   }
+  showSurface();
+  Q_EMIT marksChanged();
+  scheduleRender();
+}
+
+void Viewport::showSurface()
+{
+  surface_ = editor_.isOpen() ? editor_.surface() : nullptr;
+  if (surface_ && section_) surface_ = std::make_shared<const VisibleSurface>(surface_->withSection(section_));
+  style_->SetSurface(surface_);
+  Q_EMIT surfaceChanged();
+}
+
+void Viewport::setSection(const std::optional<SectionPlane>& section)
+{
+  section_ = section;
+  if (!contents_) return;
+  prepareToMove();
+  contents_->setSection(section_);
+  showSurface();
   scheduleRender();
 }
 
 void Viewport::showDeformation()
 {
   prepareToMove();
-  *picker_ = SurfacePicker(editor_.surface());
+  showSurface();
   // The mesh was shown at rest so far; who has looked elsewhere since goes on looking there.
   if (const auto eye = std::exchange(openedFrom_, std::nullopt);
       eye && *eye == Vector3(renderer_->GetActiveCamera()->GetPosition()))
@@ -171,6 +201,7 @@ void Viewport::showConstraints()
   arrange(*contents_, display_);
   overlay_->update();
   scheduleRender();
+  Q_EMIT marksChanged();
 }
 
 void Viewport::showColors()
@@ -211,15 +242,6 @@ const std::vector<ConstraintMark>& Viewport::marks() const noexcept
 {
   static const std::vector<ConstraintMark> none;
   return contents_ ? contents_->marks() : none;
-}
-
-void Viewport::setPreview(const std::optional<SurfacePick>& pick)
-{
-  if (!pick && !preview_) return;
-  preview_ = pick;
-  // Drawn over the picture, which stays as it is: a mesh of any size follows the cursor.
-  overlay_->update();
-  Q_EMIT previewChanged(pick);
 }
 
 // The camera
@@ -312,14 +334,20 @@ void Viewport::cameraMoved()
 
 void Viewport::fitClippingRange()
 {
-  renderer_->ResetCameraClippingRange();
+  vtkBoundingBox shown;
+  for (vtkRenderer* renderer : {renderer_.Get(), widgetRenderer_.Get()})
+    if (const double* bounds = renderer->ComputeVisiblePropBounds(); vtkBoundingBox::IsValid(bounds))
+      shown.AddBounds(bounds);
+  std::array<double, 6> bounds{};
+  shown.GetBounds(bounds.data());
+  if (shown.IsValid()) renderer_->ResetCameraClippingRange(bounds.data());
 }
 
 // Drawing
 
 void Viewport::initializeGL()
 {
-  QVTKOpenGLNativeWidget::initializeGL();
+  VtkView::initializeGL();
   spreadOverCores(kDrawingThreads);
 }
 
@@ -327,24 +355,33 @@ void Viewport::paintGL()
 {
   // Draws, or puts what was drawn into the window: that would wait as well.
   static_cast<void>(fence_->pass(kMostPatience));
-  QVTKOpenGLNativeWidget::paintGL();
+  VtkView::paintGL();
   fence_->set();
 }
 
 void Viewport::scheduleRender()
 {
+  isSceneDue_ = true;
   if (!renderTimer_.isActive()) renderTimer_.start(0);
   if (fullMilliseconds_ > kFluentMilliseconds) restTimer_.start();
 }
 
+void Viewport::scheduleWidgets()
+{
+  // A widget that has moved the camera does not say so.
+  if (!kept_->isCurrent()) return scheduleRender();
+  if (!renderTimer_.isActive()) renderTimer_.start(0);
+}
+
 void Viewport::render()
 {
-  // Coarse pictures follow one another: one that is being drawn will be seen.
-  const bool isOneComing = (drawnTimer_.isActive() && !slices_->isUnderWay()) || isUnseen();
+  // Coarse pictures follow one another: one that is being drawn will be seen. Slices have the widgets on top, too.
+  const bool isOneComing = (drawnTimer_.isActive() && (!slices_->isUnderWay() || !isSceneDue_)) || isUnseen();
   if (!isOneComing) abandonDrawing();
   // What was abandoned is drawn all the same, and would be waited for.
   if (isOneComing || !fence_->pass()) return renderTimer_.start(kMillisecondsBetweenLooks);
   if (!isVisible()) return;
+  if (!std::exchange(isSceneDue_, false) && kept_->isCurrent()) return renderWidgets();
   // Until the hand rests a large mesh is drawn of fewer triangles.
   isCoarse_ = contents_ && fullMilliseconds_ > kFluentMilliseconds;
   if (contents_) {
@@ -358,6 +395,16 @@ void Viewport::render()
     renderCoarse();
   else
     renderAtOnce();
+}
+
+void Viewport::renderWidgets()
+{
+  Q_EMIT aboutToRender();
+  drawing_.start();
+  window_->SwapBuffersOff();
+  kept_->drawLayersAbove();
+  window_->SwapBuffersOn();
+  awaitDrawing();
 }
 
 void Viewport::renderAtOnce()
@@ -425,7 +472,7 @@ void Viewport::prepareToMove()
 
 void Viewport::renderInFull()
 {
-  if (!isVisible() || !isValid() || !isCoarse_ || hand_ != Hand::Empty) return;
+  if (!isVisible() || !isValid() || !isCoarse_ || isHeld_) return;
   if (drawnTimer_.isActive() || !fence_->pass()) return restTimer_.start();
   fitClippingRange();
   Q_EMIT aboutToRender();
@@ -446,7 +493,7 @@ void Viewport::renderSlice()
 void Viewport::resizeEvent(QResizeEvent* event)
 {
   abandonDrawing();
-  QVTKOpenGLNativeWidget::resizeEvent(event);
+  VtkView::resizeEvent(event);
   overlay_->setGeometry(rect());
   if (contents_) contents_->setPixelRatio(pixelRatio());
   scheduleRender();

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The picture of the open document, and the mouse in it.
+/// The picture of the open document, and VTK's interactor in it.
 
 #include <QElapsedTimer>
 #include <QTimer>
@@ -8,21 +8,23 @@
 #include <optional>
 #include <vector>
 
-#include <QVTKOpenGLNativeWidget.h>
+#include <vtkCameraOrientationWidget.h>
 #include <vtkNew.h>
 
 #include <holdfast/document/session_file.h>
 #include <holdfast/view/display_settings.h>
+#include <holdfast/view/interaction/surface_camera_style.h>
+#include <holdfast/view/kept_scene.h>
 #include <holdfast/view/sliced_drawing.h>
 #include <holdfast/view/surface_picker.h>
+#include <holdfast/view/visible_surface.h>
 #include <holdfast/widgets/draw_fence.h>
 #include <holdfast/widgets/editor.h>
 #include <holdfast/widgets/repaint_pause.h>
 #include <holdfast/widgets/tool.h>
+#include <holdfast/widgets/vtk_view.h>
 
-class QMouseEvent;
-class QWheelEvent;
-class vtkGenericOpenGLRenderWindow;
+class vtkRenderWindow;
 class vtkRenderer;
 
 namespace holdfast {
@@ -30,10 +32,9 @@ namespace holdfast {
 class ViewportOverlay;
 struct ExampleDocument;
 
-/// Shows the editor's document. The right button turns the picture, the middle one shifts it, the wheel goes nearer;
-/// the left button is the tool's, and turns the picture where the tool leaves it alone. However many events come in one
-/// turn of the event loop, the picture is drawn once.
-class Viewport : public QVTKOpenGLNativeWidget {
+/// Shows the editor's document. Qt's events go to VTK's interactor, whose widgets and camera style interpret them; what
+/// these ask to be drawn is drawn once in a turn of the event loop, however many events it had.
+class Viewport : public VtkView {
   Q_OBJECT
 
  public:
@@ -43,10 +44,12 @@ class Viewport : public QVTKOpenGLNativeWidget {
   /// Draws an example that nobody sees: `MainWindow::warmUp`. Before a document is opened.
   void warmUp(const ExampleDocument& example);
 
-  /// The tool that the left button is for; null for none. Stays its owner's.
+  /// The tool that is chosen; null for none. Stays its owner's.
   void setTool(Tool* tool);
-  /// A tool that is asked first, whatever tool is chosen: the gizmo.
+  /// A tool that is there whatever tool is chosen: the gizmo.
   void setFirstTool(Tool* tool);
+  /// The mouse is over something in front of what the chosen tool works on.
+  void leaveTool();
   /// Takes back what is under way with the mouse; false where nothing is.
   bool cancelGesture();
 
@@ -70,25 +73,21 @@ class Viewport : public QVTKOpenGLNativeWidget {
   void setParallelProjection(bool isParallel);
   [[nodiscard]] bool isParallelProjection() const;
 
-  /// Null without a document.
-  [[nodiscard]] const SurfacePicker* picker() const noexcept { return picker_.get(); }
+  /// What is seen and picked, without what the section plane cuts away; null without a document.
+  [[nodiscard]] const std::shared_ptr<const VisibleSurface>& surface() const noexcept { return surface_; }
+  /// Cuts the picture, not the mesh; none: shows all of it. Stays for the next document.
+  void setSection(const std::optional<SectionPlane>& section);
+  [[nodiscard]] const std::optional<SectionPlane>& section() const noexcept { return section_; }
   [[nodiscard]] SceneContents* contents() noexcept { return contents_.get(); }
   /// The constraints that are drawn; none without a document.
   [[nodiscard]] const std::vector<ConstraintMark>& marks() const noexcept;
   [[nodiscard]] vtkRenderer& renderer() { return *renderer_; }
-  /// Over the picture of the document: the gizmo's.
-  [[nodiscard]] vtkRenderer& frontRenderer() { return *front_; }
+  /// A layer over the picture of the document, with its camera and its depths: what widgets draw is drawn here, without
+  /// drawing the document again.
+  [[nodiscard]] vtkRenderer& widgetRenderer() { return *widgetRenderer_; }
 
-  /// Pixels of the render window for each of the widget's.
-  [[nodiscard]] double pixelRatio() const { return devicePixelRatioF(); }
-  /// From and to the widget's coordinates.
-  [[nodiscard]] DisplayPoint toDisplayPoint(const QPointF& place) const;
+  /// To the widget's own coordinates: from the upper left corner.
   [[nodiscard]] QPointF toPlace(const DisplayPoint& display) const;
-  [[nodiscard]] Pointer pointerAt(const QPointF& place, Qt::KeyboardModifiers modifiers) const;
-
-  /// Marks what a click would take; none for nothing.
-  void setPreview(const std::optional<SurfacePick>& pick);
-  [[nodiscard]] const std::optional<SurfacePick>& preview() const noexcept { return preview_; }
 
   /// How long a picture may wait to be put into the window before the next one is drawn all the same: nothing is put
   /// into a window that is minimised.
@@ -96,6 +95,8 @@ class Viewport : public QVTKOpenGLNativeWidget {
 
   /// Draws at the next turn of the event loop.
   void scheduleRender();
+  /// The same of the layers above the document alone, where it has not changed: what VTK's interactor asks for.
+  void scheduleWidgets();
   /// Whether only some triangles of a large mesh are drawn: it moves, and moved a moment ago.
   [[nodiscard]] bool isCoarse() const noexcept { return isCoarse_; }
   /// Whether a picture, or one of more detail, is still to come.
@@ -107,12 +108,19 @@ class Viewport : public QVTKOpenGLNativeWidget {
   [[nodiscard]] double lastRenderMilliseconds() const noexcept { return renderMilliseconds_; }
 
  Q_SIGNALS:
+  /// What a click of the chosen tool would take, or nothing; tools say it.
   void previewChanged(const std::optional<SurfacePick>& pick);
   /// Another field, another scale, or other values of it.
   void coloringChanged(const std::optional<Coloring>& coloring);
+  /// `surface` is another one.
+  void surfaceChanged();
+  /// Other constraints are drawn, or elsewhere: `marks`.
+  void marksChanged();
   void contextMenuWanted(const QPoint& place);
-  /// Before each picture: time to follow the camera.
+  /// Before each picture.
   void aboutToRender();
+  /// The last time to take a widget away from the interactor.
+  void closing();
   void rendered();
 
  protected:
@@ -122,20 +130,11 @@ class Viewport : public QVTKOpenGLNativeWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  enum class Hand { Empty, Pressed, Tool, Orbit, Pan };  // what the mouse is doing
-
-  void press(const QMouseEvent& event);
-  void move(const QMouseEvent& event);
-  void hover(const Pointer& pointer);
-  void release(const QMouseEvent& event);
-  void wheel(const QWheelEvent& event);
-  void turnOrShift(const QPointF& to);
-  void beginCamera(Hand hand, const QPointF& place);
+  void askForContextMenu();
   void paintTools();
-  [[nodiscard]] bool offerPress(const Pointer& pointer);
-  [[nodiscard]] Vector3 placeUnder(const DisplayPoint& display);
 
   void openDocument();
+  void showSurface();
   void showDeformation();
   void showColors();
   void showConstraints();
@@ -145,6 +144,7 @@ class Viewport : public QVTKOpenGLNativeWidget {
   /// Nothing is worked out for the full picture of what comes next, where it will not be drawn.
   void prepareToMove();
   void render();
+  void renderWidgets();
   void renderAtOnce();
   void renderCoarse();
   void renderInFull();
@@ -157,26 +157,23 @@ class Viewport : public QVTKOpenGLNativeWidget {
 
   Editor& editor_;
   std::shared_ptr<SceneContents> contents_;
-  std::unique_ptr<SurfacePicker> picker_;
+  std::shared_ptr<const VisibleSurface> surface_;
+  std::optional<SectionPlane> section_;
   std::optional<Vector3> openedFrom_;  // the camera's place until the first deformation
   std::optional<Coloring> coloring_;
   ColorSettings colors_;
   DisplaySettings display_;
 
-  vtkNew<vtkGenericOpenGLRenderWindow> window_;
+  vtkRenderWindow* window_ = renderWindow();
   vtkNew<vtkRenderer> renderer_;
-  vtkNew<vtkRenderer> front_;
+  vtkNew<vtkRenderer> widgetRenderer_;
+  vtkNew<SurfaceCameraStyle> style_;
+  vtkNew<vtkCameraOrientationWidget> orientation_;  // in the corner
   ViewportOverlay* overlay_;
 
   Tool* tool_ = nullptr;
   Tool* firstTool_ = nullptr;
-  Tool* pressed_ = nullptr;  // the one whose press was true
-  Hand hand_ = Hand::Empty;
-  Qt::MouseButton button_ = Qt::NoButton;
-  QPointF pressedAt_;
-  QPointF movedTo_;
-  Vector3 pivot_ = Vector3::Zero();
-  std::optional<SurfacePick> preview_;
+  bool isHeld_ = false;  // a button of the mouse is down
 
   QTimer renderTimer_;  // draws once a turn of the event loop
   QTimer restTimer_;    // draws the full detail when the hand rests
@@ -184,11 +181,13 @@ class Viewport : public QVTKOpenGLNativeWidget {
   std::unique_ptr<DrawFence> fence_;
   RepaintPause pause_{*this};  // while something is drawn
   std::unique_ptr<SlicedDrawing> slices_;
+  std::unique_ptr<KeptScene> kept_;
   QElapsedTimer drawing_;  // since the picture was begun
   QElapsedTimer waiting_;  // since it was to be put into the window; invalid when it is there
   double renderMilliseconds_ = 0;
   double fullMilliseconds_ = 0;  // of the last picture in full detail
   bool isCoarse_ = false;
+  bool isSceneDue_ = false;  // the next picture is one of the document, too
 };
 
 }  // namespace holdfast

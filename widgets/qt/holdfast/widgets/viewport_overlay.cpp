@@ -2,13 +2,10 @@
 
 #include <QFontMetricsF>
 #include <QPainter>
-#include <QPolygonF>
 #include <algorithm>
 #include <array>
 #include <utility>
 
-#include <holdfast/view/camera_motion.h>
-#include <holdfast/view/constraint_glyphs.h>
 #include <holdfast/widgets/color_words.h>
 #include <holdfast/widgets/tool.h>
 #include <holdfast/widgets/viewport.h>
@@ -19,7 +16,6 @@ namespace holdfast {
 namespace {
 
 constexpr double kNoteMargin = 14;
-constexpr double kPreviewRadius = 7;
 
 }  // namespace
 
@@ -62,7 +58,6 @@ void ViewportOverlay::paintEvent(QPaintEvent* /*event*/)
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   if (!editor_.isOpen()) return paintWelcome(painter);
-  paintPreview(painter);
   paintLegend(painter);
   paintFreshness(painter);
   for (const Tool* tool : tools_) {
@@ -70,34 +65,6 @@ void ViewportOverlay::paintEvent(QPaintEvent* /*event*/)
     tool->paint(painter);
     painter.restore();
   }
-}
-
-void ViewportOverlay::paintPreview(QPainter& painter) const
-{
-  const auto& pick = viewport_.preview();
-  if (!pick) return;
-  const QPointF at = viewport_.toPlace(toDisplay(viewport_.renderer(), pick->place).head<2>());
-  QPolygonF corners;
-  // What the point hangs on: the ends of the edge, the corners of the face.
-  const auto show = [&](Index vertex) {
-    const Vector3 place = editor_.positions().row(vertex).transpose();
-    corners << viewport_.toPlace(toDisplay(viewport_.renderer(), place).head<2>());
-  };
-  if (const auto* edge = std::get_if<AtEdge>(&pick->location)) {
-    show(edge->i);
-    show(edge->j);
-  } else if (std::holds_alternative<AtFace>(pick->location)) {
-    for (const Index vertex : editor_.model()->mesh.faces[pick->face]) show(vertex);
-  }
-  painter.setBrush(Qt::NoBrush);
-  for (const QPen& pen : {QPen(QColor(255, 255, 255, 220), 3.5), QPen(toQColor(kAccentColor), 1.6)}) {
-    painter.setPen(pen);
-    painter.drawPolygon(corners);
-    painter.drawEllipse(at, kPreviewRadius, kPreviewRadius);
-  }
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(toQColor(kAccentColor));
-  painter.drawEllipse(at, 1.8, 1.8);
 }
 
 ViewportLegend ViewportOverlay::legend() const

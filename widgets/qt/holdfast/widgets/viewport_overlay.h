@@ -31,7 +31,6 @@ class ViewportOverlay : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  void paintPreview(QPainter& painter) const;
   void paintLegend(QPainter& painter);
   [[nodiscard]] ViewportLegend legend() const;
   void addCounts(ViewportLegend& legend) const;

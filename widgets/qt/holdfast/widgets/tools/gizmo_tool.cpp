@@ -1,18 +1,13 @@
 #include "holdfast/widgets/tools/gizmo_tool.h"
 
 #include <QFontMetricsF>
-#include <QKeyEvent>
 #include <QMarginsF>
 #include <QPainter>
 #include <algorithm>
 
-#include <Eigen/Geometry>
-#include <vtkRenderer.h>
-
-#include <holdfast/base/degree.h>
-#include <holdfast/mesh/vertex_normals.h>
-#include <holdfast/view/view_geometry.h>
-#include <holdfast/widgets/constraint_words.h>
+#include <holdfast/view/interaction/interaction_events.h>
+#include <holdfast/view/seen_turn.h>
+#include <holdfast/widgets/constraint_actions.h>
 #include <holdfast/widgets/viewport.h>
 
 namespace holdfast {
@@ -33,86 +28,67 @@ QRectF movedInto(QRectF box, const QRectF& room)
 }  // namespace
 
 GizmoTool::GizmoTool(Editor& editor, Viewport& viewport, QObject* parent)
-    : Tool(parent), editor_(editor), viewport_(viewport)
+    : WidgetTool(editor, viewport, parent), gizmo_(*widget_->GetGizmoRepresentation())
 {
-  gizmo_.addTo(viewport_.frontRenderer());
-  gizmo_.hide();
+  attach(*widget_);
+  // Painted here, in the window's own font and not by what draws the mesh.
+  gizmo_.LabelVisibilityOff();
+  widget_->AddObserver(vtkCommand::HighlightEvent, this, &GizmoTool::highlight);
+  widget_->AddObserver(vtkCommand::StartInteractionEvent, this, &GizmoTool::start);
+  widget_->AddObserver(vtkCommand::InteractionEvent, this, &GizmoTool::move);
+  widget_->AddObserver(vtkCommand::EndInteractionEvent, this, &GizmoTool::keep);
+  widget_->AddObserver(CancelInteractionEvent, this, &GizmoTool::restore);
   for (const auto& signal : {&Editor::opened, &Editor::stateChanged, &Editor::constraintSelectionChanged})
-    connect(&editor_, signal, this, &GizmoTool::stand);
-  connect(&viewport_, &Viewport::aboutToRender, this, &GizmoTool::update);
+    connect(&editor, signal, this, &GizmoTool::stand);
 }
 
 GizmoTool::~GizmoTool() = default;
 
 QString GizmoTool::hint() const
 {
-  if (!typed_.isEmpty()) return tr("Enter keeps it, Backspace corrects it, Escape takes it back");
+  if (widget_->IsDragging() && !widget_->IsHeld())
+    return tr("Enter keeps it, Backspace corrects it, Escape takes it back");
   return isTurn() ? tr("Drag to turn, or type degrees; Ctrl snaps, Escape takes it back")
                   : tr("Drag to move, or type a length; Ctrl snaps, Escape takes it back");
 }
 
 bool GizmoTool::isTurn() const
 {
-  const GizmoPartKind kind = kindOf(gizmo_.highlighted());
+  const GizmoPartKind kind = kindOf(widget_->GetPart());
   return kind == GizmoPartKind::Ring || kind == GizmoPartKind::ViewRing;
 }
 
-void GizmoTool::highlight(GizmoPart part)
+void GizmoTool::highlight()
 {
-  if (part == gizmo_.highlighted()) return;
-  gizmo_.highlight(part);
-  viewport_.scheduleRender();
+  if (isTouched()) viewport().leaveTool();
   Q_EMIT changed();
 }
 
 void GizmoTool::stand()
 {
-  if (drag_) return;
+  if (widget_->IsDragging()) return;
   standing_.reset();
-  if (editor_.isOpen() && !editor_.selectedConstraints().empty()) try {
-      standing_ = std::make_unique<ConstraintDrag>(*editor_.model(), editor_.list(), editor_.selectedConstraints(),
-                                                   editor_.mesh().path.filename().string());
+  if (editor().isOpen() && !editor().selectedConstraints().empty()) try {
+      standing_ = std::make_unique<ConstraintDrag>(*editor().model(), editor().list(), editor().selectedConstraints(),
+                                                   editor().mesh().path.filename().string());
     } catch (const InputError&) {
       // A constraint that does not fit the mesh: the editor's trouble says so, and there is nothing to move.
       standing_.reset();
     }
   if (standing_ && standing_->isEmpty()) standing_.reset();
-  if (standing_) {
-    gizmo_.setFrame(standing_->center(), axesNow());
-    gizmo_.show(standing_->hasHandles() ? GizmoMotions::MovesAndTurns : GizmoMotions::Moves);
-  } else {
-    gizmo_.hide();
-    highlight(GizmoPart::None);
-  }
-  viewport_.scheduleRender();
+  if (!standing_) return widget_->Off();
+  gizmo_.SetMotions(standing_->hasHandles() ? GizmoMotions::MovesAndTurns : GizmoMotions::Moves);
+  gizmo_.SetUnits(editor().list().units);
+  placeFrame();
+  widget_->On();
+  widget_->Render();
 }
 
-Eigen::Matrix3d GizmoTool::handleAxes() const
+void GizmoTool::placeFrame()
 {
-  const auto& selected = editor_.selectedConstraints();
-  const auto* handle = std::get_if<Handle>(&editor_.list().constraints[selected.front()].what);
-  if (!handle) return Eigen::Matrix3d::Identity();
-  if (const auto* turn = std::get_if<Turn>(&handle->motion))
-    return Eigen::AngleAxisd(turn->degrees * kDegree, turn->axis.normalized()).toRotationMatrix();
-  if (const auto* motion = std::get_if<FrameMotion>(&handle->motion)) return axesOf(motion->to);
-  return Eigen::Matrix3d::Identity();
-}
-
-Eigen::Matrix3d GizmoTool::axesNow()
-{
-  switch (axes_) {
-    case GizmoAxes::Handle:
-      return handleAxes();
-    case GizmoAxes::View: {
-      const ViewGeometry view = viewGeometryOf(viewport_.renderer());
-      Eigen::Matrix3d axes;
-      axes << view.right, view.up, -view.direction;
-      return axes;
-    }
-    case GizmoAxes::World:
-      break;
-  }
-  return Eigen::Matrix3d::Identity();
+  gizmo_.SetAlignToView(axes_ == GizmoAxes::View);
+  gizmo_.SetFrame(standing_->center(),
+                  axes_ == GizmoAxes::Own ? standing_->axes(editor().positions()) : Eigen::Matrix3d::Identity());
 }
 
 void GizmoTool::setAxes(GizmoAxes axes)
@@ -121,99 +97,68 @@ void GizmoTool::setAxes(GizmoAxes axes)
   stand();
 }
 
-void GizmoTool::update()
+void GizmoTool::followSurface()
 {
-  if (standing_ && axes_ == GizmoAxes::View && !drag_) gizmo_.setFrame(gizmo_.frame().center, axesNow());
-  gizmo_.setPixelSize(kGizmoPixels * viewport_.pixelRatio());
-  gizmo_.update(viewport_.renderer());
+  // The axes of a point are those of the surface.
+  if (standing_ && axes_ == GizmoAxes::Own && !widget_->IsDragging()) placeFrame();
 }
 
-GizmoPart GizmoTool::partAt(const Pointer& pointer)
+void GizmoTool::followDisplay()
 {
-  if (!standing_) return GizmoPart::None;
-  return gizmo_.hitTest(viewport_.renderer(), pointer.center().x(), pointer.center().y());
+  gizmo_.SetPixelRatio(viewport().pixelRatio());
 }
 
-bool GizmoTool::hover(const Pointer& pointer)
+void GizmoTool::start()
 {
-  if (drag_) return true;
-  cursor_ = pointer.center();
-  const GizmoPart part = partAt(pointer);
-  highlight(part);
-  return part != GizmoPart::None;
+  view_ = viewGeometryOf(viewport().renderer());
+  pivot_ = gizmo_.GetFrame().center;
+  degreesSeen_ = 0;
+  editor().beginGesture(
+      (isTurn() ? tr("turn %1") : tr("move %1")).arg(subjectOf(editor(), editor().selectedConstraints())));
 }
 
-void GizmoTool::leave()
+RigidIncrement GizmoTool::incrementOf(const GizmoMotion& motion)
 {
-  if (!drag_) highlight(GizmoPart::None);
+  const auto& fixed = standing_->fixedCenter();
+  if (turnOfMoves_ == TurnOfMoves::AsConstraint || isTurn() || !fixed)
+    return {motion.axis, motion.degrees, pivot_, motion.translation};
+  degreesSeen_ = degreesSeen(view_, *fixed, pivot_, pivot_ + motion.translation, degreesSeen_);
+  return {-view_.direction, degreesSeen_, pivot_, motion.translation};
 }
 
-bool GizmoTool::press(const Pointer& pointer)
+void GizmoTool::move(vtkObject* /*caller*/, unsigned long /*event*/, void* motion)
 {
-  if (drag_) {
-    keep();
-    return true;
-  }
-  const GizmoPart part = partAt(pointer);
-  if (part == GizmoPart::None) return false;
-  cursor_ = pointer.center();
-  highlight(part);
-  grab(part);
-  isHeld_ = true;
-  return true;
+  editor().updateGesture(standing_->movedBy(incrementOf(*static_cast<const GizmoMotion*>(motion))));
+  viewport().scheduleRender();
 }
 
-void GizmoTool::grab(GizmoPart part)
+void GizmoTool::keep()
 {
-  drag_.emplace(part, gizmo_.frame(), viewGeometryOf(viewport_.renderer()), cursor_, gizmo_.ringPixels());
-  const auto& selected = editor_.selectedConstraints();
-  const QString what = selected.size() == 1 ? nameText(editor_.list().constraints[selected.front()].name)
-                                            : tr("%1 constraints").arg(selected.size());
-  editor_.beginGesture((isTurn() ? tr("turn %1") : tr("move %1")).arg(what));
+  editor().endGesture();
+  stand();
+  Q_EMIT changed();
 }
 
-void GizmoTool::drag(const Pointer& pointer)
+void GizmoTool::restore()
 {
-  if (!drag_) return;
-  cursor_ = pointer.center();
-  if (typed_.isEmpty()) follow(pointer.modifiers & Qt::ControlModifier ? Snap::On : Snap::None);
-}
-
-void GizmoTool::follow(Snap snap)
-{
-  const GizmoMotion motion = drag_->to(cursor_, snap);
-  moveTo(motion, motionText(drag_->part(), motion, drag_->step(), editor_.list().units));
-}
-
-void GizmoTool::moveByTyped()
-{
-  moveTo(drag_->typed(typed_.value()),
-         typed_.text().toStdString() + "_" + motionUnit(drag_->part(), editor_.list().units));
-}
-
-void GizmoTool::moveTo(const GizmoMotion& motion, const std::string& label)
-{
-  const Vector3 pivot = drag_->frame().center;
-  editor_.updateGesture(standing_->movedBy({motion.axis, motion.degrees, pivot, motion.translation}));
-  gizmo_.setFrame(pivot + motion.translation, drag_->frame().axes);
-  gizmo_.showDrag({drag_->part(), drag_->frame(), drag_->grabbed(), motion});
-  label_ = QString::fromStdString(label);
-  viewport_.scheduleRender();
+  editor().cancelGesture();
+  stand();
+  Q_EMIT changed();
 }
 
 QFont GizmoTool::labelFont() const
 {
-  QFont font = viewport_.font();
+  QFont font = viewport().font();
   font.setBold(true);
   return font;
 }
 
 QRectF GizmoTool::labelPlate() const
 {
-  if (!drag_) return {};
-  QRectF plate = QFontMetricsF(labelFont()).boundingRect(label_) + kLabelMargins;
-  plate.moveBottomLeft(viewport_.toPlace(cursor_) + kLabelOffset);
-  return movedInto(plate, viewport_.rect());
+  if (!widget_->IsDragging()) return {};
+  QRectF plate = QFontMetricsF(labelFont()).boundingRect(QString::fromStdString(gizmo_.GetLabel())) + kLabelMargins;
+  plate.moveBottomLeft(viewport().toPlace(gizmo_.GetLabelPosition()) + kLabelOffset);
+  return movedInto(plate, viewport().rect());
 }
 
 void GizmoTool::paint(QPainter& painter) const
@@ -225,72 +170,26 @@ void GizmoTool::paint(QPainter& painter) const
   painter.drawRoundedRect(plate, 4, 4);
   painter.setFont(labelFont());
   painter.setPen(QColor(33, 38, 48));
-  painter.drawText(plate, Qt::AlignCenter, label_);
-}
-
-void GizmoTool::release(const Pointer& pointer)
-{
-  if (!drag_) return;
-  drag(pointer);
-  keep();
-}
-
-void GizmoTool::keep()
-{
-  drag_.reset();
-  isHeld_ = false;
-  typed_.clear();
-  gizmo_.endDrag();
-  editor_.endGesture();
-  stand();
-  Q_EMIT changed();
+  painter.drawText(plate, Qt::AlignCenter, QString::fromStdString(gizmo_.GetLabel()));
 }
 
 bool GizmoTool::wants(const QKeyEvent& event) const
 {
-  // Nothing else is edited before the number is.
-  if (!typed_.isEmpty()) return event.key() != Qt::Key_Escape;
-  return isTouched() && TypedAmount::isBegunBy(event);
-}
-
-bool GizmoTool::key(const QKeyEvent& event)
-{
-  if (!wants(event)) return false;
-  if (event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter) {
-    keep();
-    return true;
-  }
-  if (event.key() == Qt::Key_Backspace)
-    typed_.chop();
-  else if (!typed_.add(event))
-    return true;
-  if (!drag_) grab(gizmo_.highlighted());
-  if (!typed_.isEmpty())
-    moveByTyped();
-  else if (isHeld_)
-    follow(Snap::None);
-  else
-    cancel();
-  Q_EMIT changed();
-  return true;
+  const char key = characterOf(event);
+  // Escape is the window's, and comes as `cancel`.
+  return key != 27 && widget_->WantsKey(key);
 }
 
 void GizmoTool::loseFocus()
 {
-  if (drag_ && !isHeld_) keep();
+  if (widget_->IsDragging() && !widget_->IsHeld()) widget_->Keep();
 }
 
 bool GizmoTool::cancel()
 {
-  if (!drag_) return false;
-  drag_.reset();
-  isHeld_ = false;
-  typed_.clear();
-  gizmo_.endDrag();
-  editor_.cancelGesture();
-  stand();
-  Q_EMIT changed();
-  return true;
+  const bool wasDragging = widget_->IsDragging();
+  widget_->Cancel();
+  return wasDragging;
 }
 
 }  // namespace holdfast

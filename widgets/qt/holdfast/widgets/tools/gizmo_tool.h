@@ -4,32 +4,31 @@
 
 #include <QFont>
 #include <QRectF>
-#include <QTimer>
 #include <memory>
-#include <optional>
+
+#include <vtkNew.h>
 
 #include <holdfast/document/constraint_drag.h>
-#include <holdfast/view/gizmo.h>
-#include <holdfast/view/gizmo_drag.h>
-#include <holdfast/widgets/editor.h>
-#include <holdfast/widgets/tool.h>
-#include <holdfast/widgets/tools/typed_amount.h>
+#include <holdfast/view/interaction/gizmo_widget.h>
+#include <holdfast/widgets/tools/widget_tool.h>
 
 namespace holdfast {
 
-class Viewport;
-
 /// Along which axes the arrows point.
 enum class GizmoAxes {
-  Handle,  ///< those of the selected handle, turned with it; of a point: across the surface and along it
+  Own,  ///< `ConstraintDrag::axes`: of a handle, turned with it; of a point, across the surface and along it
   World,
   View
 };
 
-/// Stands where the selected points and handles are to be, and is asked before any other tool. A drag is one edit, and
-/// Escape takes it back. With Ctrl it snaps. A number typed while a part is held, or the cursor is over it, moves or
-/// turns along that part by exactly so much: the mouse says no more then, and Enter, a click or letting go keeps it.
-class GizmoTool : public Tool {
+/// How a handle turns while it is moved about what is fixed, section 3.3 of the paper.
+enum class TurnOfMoves {
+  AsConstraint,  ///< as the handle says, which may be by the shortest turn (`TurnAboutFixed`)
+  AsSeen         ///< by the angle that is seen on the screen, about the viewing axis
+};
+
+/// The gizmo stands where the selected points and handles are to be, whatever tool is chosen. A drag is one edit.
+class GizmoTool : public WidgetTool {
   Q_OBJECT
 
  public:
@@ -37,13 +36,8 @@ class GizmoTool : public Tool {
   ~GizmoTool() override;
 
   [[nodiscard]] QString hint() const override;
-  bool press(const Pointer& pointer) override;
-  bool hover(const Pointer& pointer) override;
-  void drag(const Pointer& pointer) override;
-  void release(const Pointer& pointer) override;
-  void leave() override;
+  void begin() override { stand(); }
   [[nodiscard]] bool wants(const QKeyEvent& event) const override;
-  bool key(const QKeyEvent& event) override;
   void loseFocus() override;
   bool cancel() override;
   /// How far the drag is, at the cursor.
@@ -54,37 +48,38 @@ class GizmoTool : public Tool {
 
   void setAxes(GizmoAxes axes);
   [[nodiscard]] GizmoAxes axes() const noexcept { return axes_; }
-  [[nodiscard]] const Gizmo& gizmo() const noexcept { return gizmo_; }
-  /// Whether the cursor is over one of its parts, or drags it: `hint` is what counts then.
-  [[nodiscard]] bool isTouched() const noexcept { return gizmo_.highlighted() != GizmoPart::None; }
+  void setTurnOfMoves(TurnOfMoves turn) { turnOfMoves_ = turn; }
+  [[nodiscard]] TurnOfMoves turnOfMoves() const noexcept { return turnOfMoves_; }
 
-  /// Follows the camera: before the viewport is drawn.
-  void update();
+  [[nodiscard]] GizmoWidget& widget() const { return *widget_; }
+  [[nodiscard]] const GizmoRepresentation& gizmo() const noexcept { return gizmo_; }
+  /// Whether the cursor is over one of its parts, or drags it: `hint` is what counts then.
+  [[nodiscard]] bool isTouched() const { return widget_->GetPart() != GizmoPart::None; }
+
+ protected:
+  void followSurface() override;
+  void followDisplay() override;
 
  private:
   void stand();
-  void grab(GizmoPart part);
-  void follow(Snap snap);
-  void moveByTyped();
-  void moveTo(const GizmoMotion& motion, const std::string& label);
+  void placeFrame();
+  void highlight();
+  void start();
+  void move(vtkObject* caller, unsigned long event, void* motion);
   void keep();
+  void restore();
   [[nodiscard]] bool isTurn() const;
+  [[nodiscard]] RigidIncrement incrementOf(const GizmoMotion& motion);
   [[nodiscard]] QFont labelFont() const;
-  [[nodiscard]] Eigen::Matrix3d handleAxes() const;
-  [[nodiscard]] Eigen::Matrix3d axesNow();
-  void highlight(GizmoPart part);
-  [[nodiscard]] GizmoPart partAt(const Pointer& pointer);
 
-  Editor& editor_;
-  Viewport& viewport_;
-  Gizmo gizmo_;
+  vtkNew<GizmoWidget> widget_;
+  GizmoRepresentation& gizmo_;
   GizmoAxes axes_ = GizmoAxes::World;
+  TurnOfMoves turnOfMoves_ = TurnOfMoves::AsConstraint;
   std::unique_ptr<ConstraintDrag> standing_;  // what the gizmo stands for; null where it is hidden
-  std::optional<GizmoDrag> drag_;
-  bool isHeld_ = false;  // by the mouse
-  TypedAmount typed_;
-  DisplayPoint cursor_{0, 0};
-  QString label_;  // how far the drag is
+  ViewGeometry view_;                         // when the drag began
+  Vector3 pivot_ = Vector3::Zero();
+  double degreesSeen_ = 0;  // so far
 };
 
 }  // namespace holdfast

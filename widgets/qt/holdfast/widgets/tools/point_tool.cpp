@@ -1,43 +1,21 @@
 #include "holdfast/widgets/tools/point_tool.h"
 
-#include <QKeyEvent>
-
 #include <holdfast/widgets/commands.h>
 #include <holdfast/widgets/viewport.h>
 
 namespace holdfast {
-namespace {
 
-// Of the viewport's pixels.
-constexpr double kSnapReach = 7;
-
-std::optional<PickKind> chosenBy(const QKeyEvent& event)
+PointTool::PointTool(Editor& editor, Viewport& viewport, QObject* parent) : WidgetTool(editor, viewport, parent)
 {
-  if (event.modifiers() != Qt::NoModifier) return std::nullopt;
-  switch (event.key()) {
-    case Qt::Key_V:
-      return PickKind::Vertex;
-    case Qt::Key_E:
-      return PickKind::Edge;
-    case Qt::Key_F:
-      return PickKind::Face;
-    case Qt::Key_A:
-      return PickKind::Nearest;
-    default:
-      return std::nullopt;
-  }
-}
-
-}  // namespace
-
-PointTool::PointTool(Editor& editor, Viewport& viewport, QObject* parent)
-    : Tool(parent), editor_(editor), viewport_(viewport)
-{
+  attach(*widget_);
+  widget_->AddObserver(vtkCommand::InteractionEvent, this, &PointTool::preview);
+  widget_->AddObserver(vtkCommand::PlacePointEvent, this, &PointTool::place);
+  widget_->AddObserver(vtkCommand::WidgetValueChangedEvent, this, &PointTool::changed);
 }
 
 QString PointTool::hint() const
 {
-  switch (kind_) {
+  switch (widget_->GetKind()) {
     case PickKind::Vertex:
       return tr("Click a vertex to hold it. E: edges, F: faces, A: whatever is nearest");
     case PickKind::Edge:
@@ -50,49 +28,43 @@ QString PointTool::hint() const
   return tr("Click a point of the surface to hold it. V: vertices only, E: edges, F: faces");
 }
 
-std::optional<SurfacePick> PointTool::pickAt(const Pointer& pointer)
+void PointTool::followSurface()
 {
-  const SurfacePicker* picker = viewport_.picker();
-  if (!picker) return std::nullopt;
-  return picker->pick(viewport_.renderer(), pointer.display.x(), pointer.display.y(), kind_,
-                      kSnapReach * viewport_.pixelRatio());
+  widget_->SetSurface(viewport().surface());
 }
 
-void PointTool::end()
+void PointTool::followDisplay()
 {
-  viewport_.setPreview(std::nullopt);
-}
-
-bool PointTool::hover(const Pointer& pointer)
-{
-  last_ = pointer;
-  viewport_.setPreview(pickAt(pointer));
-  return true;
+  widget_->SetPixelRatio(viewport().pixelRatio());
 }
 
 void PointTool::leave()
 {
-  viewport_.setPreview(std::nullopt);
+  widget_->HidePreview();
+  Q_EMIT viewport().previewChanged(std::nullopt);
 }
 
-void PointTool::click(const Pointer& pointer)
+void PointTool::end()
 {
-  if (const auto pick = pickAt(pointer)) holdPoint(editor_, *pick);
+  WidgetTool::end();
+  Q_EMIT viewport().previewChanged(std::nullopt);
 }
 
 bool PointTool::wants(const QKeyEvent& event) const
 {
-  return chosenBy(event).has_value();
+  const char key = characterOf(event);
+  return key != '\0' && widget_->WantsKey(key);
 }
 
-bool PointTool::key(const QKeyEvent& event)
+void PointTool::preview(vtkObject* /*caller*/, unsigned long /*event*/, void* pick)
 {
-  const auto kind = chosenBy(event);
-  if (!kind) return false;
-  kind_ = *kind;
-  viewport_.setPreview(pickAt(last_));
-  Q_EMIT changed();
-  return true;
+  const auto* shown = static_cast<const SurfacePick*>(pick);
+  Q_EMIT viewport().previewChanged(shown != nullptr ? std::optional(*shown) : std::nullopt);
+}
+
+void PointTool::place(vtkObject* /*caller*/, unsigned long /*event*/, void* pick)
+{
+  holdPoint(editor(), *static_cast<const SurfacePick*>(pick));
 }
 
 }  // namespace holdfast

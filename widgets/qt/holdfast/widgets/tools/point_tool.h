@@ -2,17 +2,16 @@
 /// \file
 /// Places points of the surface that are to be held.
 
-#include <holdfast/view/surface_picker.h>
-#include <holdfast/widgets/editor.h>
-#include <holdfast/widgets/tool.h>
+#include <vtkNew.h>
+
+#include <holdfast/view/interaction/surface_point_widget.h>
+#include <holdfast/widgets/tools/widget_tool.h>
 
 namespace holdfast {
 
-class Viewport;
-
 /// A click holds the point under the cursor where it is. V, E and F take vertices, edges or faces only; A what is
 /// nearest.
-class PointTool : public Tool {
+class PointTool : public WidgetTool {
   Q_OBJECT
 
  public:
@@ -21,21 +20,20 @@ class PointTool : public Tool {
   [[nodiscard]] QString hint() const override;
   [[nodiscard]] Qt::CursorShape cursor() const override { return Qt::CrossCursor; }
   void end() override;
-  bool hover(const Pointer& pointer) override;
-  void click(const Pointer& pointer) override;
   void leave() override;
   [[nodiscard]] bool wants(const QKeyEvent& event) const override;
-  bool key(const QKeyEvent& event) override;
 
-  [[nodiscard]] PickKind kind() const noexcept { return kind_; }
+  [[nodiscard]] SurfacePointWidget& widget() { return *widget_; }
+
+ protected:
+  void followSurface() override;
+  void followDisplay() override;
 
  private:
-  [[nodiscard]] std::optional<SurfacePick> pickAt(const Pointer& pointer);
+  void preview(vtkObject* caller, unsigned long event, void* pick);
+  void place(vtkObject* caller, unsigned long event, void* pick);
 
-  Editor& editor_;
-  Viewport& viewport_;
-  PickKind kind_ = PickKind::Nearest;
-  Pointer last_;
+  vtkNew<SurfacePointWidget> widget_;
 };
 
 }  // namespace holdfast

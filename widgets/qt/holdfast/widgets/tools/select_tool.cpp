@@ -1,21 +1,16 @@
 #include "holdfast/widgets/tools/select_tool.h"
 
-#include <algorithm>
+#include <vector>
 
-#include <holdfast/view/display_transform.h>
 #include <holdfast/widgets/viewport.h>
 
 namespace holdfast {
-namespace {
 
-// Of the viewport's pixels.
-constexpr double kReach = 9;
-
-}  // namespace
-
-SelectTool::SelectTool(Editor& editor, Viewport& viewport, QObject* parent)
-    : Tool(parent), editor_(editor), viewport_(viewport)
+SelectTool::SelectTool(Editor& editor, Viewport& viewport, QObject* parent) : WidgetTool(editor, viewport, parent)
 {
+  attach(*widget_);
+  widget_->AddObserver(vtkCommand::PickEvent, this, &SelectTool::pick);
+  connect(&viewport, &Viewport::marksChanged, this, &SelectTool::followMarks);
 }
 
 QString SelectTool::hint() const
@@ -23,40 +18,24 @@ QString SelectTool::hint() const
   return tr("Click a constraint to select it, drag to turn the picture");
 }
 
-std::optional<Index> SelectTool::constraintAt(const Pointer& pointer) const
+void SelectTool::followMarks()
 {
-  double nearest = kReach * viewport_.pixelRatio();
-  std::optional<Index> found;
-  const DisplayTransform toDisplay(viewport_.renderer());
-  for (const ConstraintMark& mark : viewport_.marks()) {
-    const DisplayTransform::Shown shown = toDisplay.show(mark.place);
-    if (shown.depth <= 0) continue;
-    const double distance = (shown.point - pointer.display).norm();
-    // Of what lies in one place single points come before regions: they are what a hand aims at.
-    const double judged = isSinglePoint(mark.kind) ? distance : distance + 2;
-    if (judged >= nearest) continue;
-    nearest = judged;
-    found = mark.constraint;
-  }
-  return found;
+  widget_->SetMarks(viewport().marks());
 }
 
-bool SelectTool::hover(const Pointer& pointer)
+void SelectTool::followDisplay()
 {
-  const bool isOver = constraintAt(pointer).has_value();
-  viewport_.setCursor(isOver ? Qt::PointingHandCursor : cursor());
-  return isOver;
+  widget_->SetPixelRatio(viewport().pixelRatio());
 }
 
-void SelectTool::click(const Pointer& pointer)
+void SelectTool::pick(vtkObject* /*caller*/, unsigned long /*event*/, void* picked)
 {
-  const auto found = constraintAt(pointer);
-  const bool isMore = pointer.modifiers & (Qt::ShiftModifier | Qt::ControlModifier);
-  if (!isMore) return editor_.selectConstraints(found ? std::vector{*found} : std::vector<Index>{});
-  if (!found) return;
-  auto selected = editor_.selectedConstraints();
-  if (std::erase(selected, *found) == 0) selected.push_back(*found);
-  editor_.selectConstraints(std::move(selected));
+  const auto& [constraint, isAdded] = *static_cast<const ConstraintPick*>(picked);
+  if (!isAdded) return editor().selectConstraints(constraint ? std::vector{*constraint} : std::vector<Index>{});
+  if (!constraint) return;
+  auto selected = editor().selectedConstraints();
+  if (std::erase(selected, *constraint) == 0) selected.push_back(*constraint);
+  editor().selectConstraints(std::move(selected));
 }
 
 }  // namespace holdfast

@@ -2,32 +2,31 @@
 /// \file
 /// Selects constraints by their glyphs.
 
-#include <optional>
+#include <vtkNew.h>
 
-#include <holdfast/widgets/editor.h>
-#include <holdfast/widgets/tool.h>
+#include <holdfast/view/interaction/constraint_mark_widget.h>
+#include <holdfast/widgets/tools/widget_tool.h>
 
 namespace holdfast {
 
-class Viewport;
-
 /// A click on a glyph selects its constraint, with Shift or Ctrl besides those that are selected; a click beside all
 /// selects none.
-class SelectTool : public Tool {
+class SelectTool : public WidgetTool {
   Q_OBJECT
 
  public:
   SelectTool(Editor& editor, Viewport& viewport, QObject* parent);
 
   [[nodiscard]] QString hint() const override;
-  bool hover(const Pointer& pointer) override;
-  void click(const Pointer& pointer) override;
+
+ protected:
+  void followDisplay() override;
 
  private:
-  [[nodiscard]] std::optional<Index> constraintAt(const Pointer& pointer) const;
+  void followMarks();
+  void pick(vtkObject* caller, unsigned long event, void* picked);
 
-  Editor& editor_;
-  Viewport& viewport_;
+  vtkNew<ConstraintMarkWidget> widget_;
 };
 
 }  // namespace holdfast

@@ -193,7 +193,7 @@ void RegionWidget::Press()
     case RegionShape::Lasso:
       return this->BeginOutline();
     case RegionShape::Side:
-      this->LeftClick.press(cursorOf(*this->Interactor));
+      this->LeftClick.Press(cursorOf(*this->Interactor));
   }
 }
 
@@ -215,7 +215,7 @@ void RegionWidget::MoveTo()
       return this->ShowOutline();
     case Gesture::None:
     case Gesture::Search:
-      this->LeftClick.leaveAt(cursorOf(*this->Interactor), this->PixelRatio);
+      this->LeftClick.LeaveAt(cursorOf(*this->Interactor), this->PixelRatio);
       if (!isCameraMoving(*this->Interactor)) this->Hover();
   }
 }
@@ -233,7 +233,7 @@ void RegionWidget::Release()
       return this->EndOutline();
     case Gesture::None:
     case Gesture::Search:
-      if (this->LeftClick.release(cursorOf(*this->Interactor), this->PixelRatio)) this->SelectSide();
+      if (this->LeftClick.Release(cursorOf(*this->Interactor), this->PixelRatio)) this->SelectSide();
   }
 }
 
@@ -330,7 +330,7 @@ void RegionWidget::SelectAtOnce(std::vector<Index> reached)
 
 bool RegionWidget::Cancel()
 {
-  this->LeftClick.forget();
+  this->LeftClick.Forget();
   const Gesture gesture = std::exchange(this->Current, Gesture::None);
   if (gesture == Gesture::None) return false;
   this->Stroke.reset();

@@ -75,7 +75,7 @@ void SurfaceCurveWidget::SetEnabled(int enabling)
 {
   if (enabling == 0 && this->Enabled != 0) {
     if (this->IsDragging()) this->Cancel();
-    this->LeftClick.forget();
+    this->LeftClick.Forget();
     this->GetSurfaceCurveRepresentation()->SetPreview(std::nullopt);
     this->RequestCursorShape(VTK_CURSOR_DEFAULT);
   }
@@ -233,7 +233,7 @@ void SurfaceCurveWidget::Press()
 {
   if (!isCursorIn(*this->CurrentRenderer, *this->Interactor)) return;
   if (isSecondPress(*this->Interactor)) return this->CloseByHand();
-  this->LeftClick.press(cursorOf(*this->Interactor));
+  this->LeftClick.Press(cursorOf(*this->Interactor));
   if (this->IsClosed()) this->BeginDrag();
 }
 
@@ -246,7 +246,7 @@ void SurfaceCurveWidget::BeginDrag()
       (curve.AddNodeOnContour(cursor[0], cursor[1]) == 0 || curve.ActivateNode(cursor[0], cursor[1]) == 0))
     return this->ShowChanges();
   this->Use();
-  this->LeftClick.forget();
+  this->LeftClick.Forget();
   this->PlacesBefore = before;
   curve.SetCurrentOperationToTranslate();
   this->Tell(vtkCommand::StartInteractionEvent);
@@ -279,7 +279,7 @@ void SurfaceCurveWidget::MoveTo()
     this->Use();
     return this->DragTo(cursor);
   }
-  this->LeftClick.leaveAt(cursor, this->GetPixelRatio());
+  this->LeftClick.LeaveAt(cursor, this->GetPixelRatio());
   if (!isCameraMoving(*this->Interactor)) this->Hover(cursor);
 }
 
@@ -310,7 +310,7 @@ void SurfaceCurveWidget::Release()
     return this->EndDrag();
   }
   const DisplayPoint cursor = cursorOf(*this->Interactor);
-  if (this->LeftClick.release(cursor, this->GetPixelRatio())) this->ClickAt(cursor);
+  if (this->LeftClick.Release(cursor, this->GetPixelRatio())) this->ClickAt(cursor);
 }
 
 void SurfaceCurveWidget::ClickAt(const DisplayPoint& cursor)

@@ -1,0 +1,81 @@
+// Hold points of a mesh in a plain window of VTK, and drag the last one: the surface follows at every frame.
+//   drag_point MESH.obj RESULT.obj [RECORDING]      RECORDING: of vtkInteractorEventRecorder, played instead of a hand
+#include <iostream>
+
+#include <vtkInteractorEventRecorder.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderWindowInteractor.h>
+#include <vtkRenderer.h>
+
+#include <holdfast/deform/deformer.h>
+#include <holdfast/io/mesh_file.h>
+#include <holdfast/io/output_file.h>
+#include <holdfast/view/interaction/gizmo_widget.h>
+#include <holdfast/view/interaction/surface_camera_style.h>
+#include <holdfast/view/interaction/surface_point_widget.h>
+#include <holdfast/view/scene_contents.h>
+
+using namespace holdfast;
+
+struct DragPoint {
+  const Model& model;
+  ConstraintList list{};
+  Deformer deformer{model, {}};
+  SceneContents scene{model};
+  std::shared_ptr<const VisibleSurface> surface = std::make_shared<VisibleSurface>(model);
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkRenderWindow> window;
+  vtkNew<vtkRenderWindowInteractor> interactor;
+  vtkNew<SurfaceCameraStyle> style;
+  vtkNew<SurfacePointWidget> point;
+  vtkNew<GizmoWidget> gizmo;
+
+  void begin()
+  {
+    scene.addTo(*renderer);
+    window->AddRenderer(renderer);
+    interactor->SetRenderWindow(window);
+    interactor->SetInteractorStyle(style);
+    point->SetInteractor(interactor);
+    point->AddObserver(vtkCommand::PlacePointEvent, this, &DragPoint::hold);
+    gizmo->SetInteractor(interactor);
+    gizmo->GetGizmoRepresentation()->SetMotions(GizmoMotions::Moves);
+    gizmo->AddObserver(vtkCommand::InteractionEvent, this, &DragPoint::drag);
+    interactor->Initialize();
+    point->SetSurface(surface);
+    point->On();
+  }
+  void hold(vtkObject*, unsigned long, void* callData)
+  {
+    const auto& [location, place, face, triangle] = *static_cast<const SurfacePick*>(callData);
+    list.constraints.push_back({std::to_string(list.constraints.size()), true, Point{location, Target{place}}});
+    gizmo->GetGizmoRepresentation()->SetFrame(place, Eigen::Matrix3d::Identity());
+    gizmo->On();
+  }
+  void drag(vtkObject*, unsigned long, void*)
+  {
+    std::get<Point>(list.constraints.back().what).to = Target{gizmo->GetGizmoRepresentation()->GetFrame().center};
+    NoProgress progress;
+    const auto positions = std::make_shared<Positions>(deformer.deform(list, "clicks", progress).positions);
+    scene.setPositions(*positions);
+    surface = std::make_shared<VisibleSurface>(surface->movedTo(positions));
+    point->SetSurface(surface);
+  }
+};
+
+int main(int argc, char** argv)
+try {
+  if (argc < 3) throw std::runtime_error("drag_point MESH.obj RESULT.obj [RECORDING]");
+  const MeshDocument document = readMesh(argv[1]);
+  const Model model = makeModel(document.mesh, argv[1]);
+  DragPoint program{model};
+  program.begin();
+  vtkNew<vtkInteractorEventRecorder> player;
+  player->SetInteractor(program.interactor);
+  player->SetFileName(argc > 3 ? argv[3] : nullptr);
+  argc > 3 ? player->Play() : program.interactor->Start();
+  OutputFile(argv[2], serializeMesh(document, program.surface->positions(), ".obj").bytes).commit();
+} catch (const std::exception& error) {
+  std::cerr << error.what() << '\n';
+  return 1;
+}
