@@ -29,12 +29,14 @@ class SurfaceLocator {
   /// out of range, an edge that no face has, as many weights as the face has no corners. O(log T) after O(T log T).
   [[nodiscard]] Located locate(const SurfaceLocation& location, const InputLocation& where);
 
+  /// Whether a face has an edge between the vertices, or is cut in triangles along it. O(log T) after O(T log T).
+  [[nodiscard]] bool isEdge(Index i, Index j);
+
  private:
   [[nodiscard]] Located at(const AtVertex& vertex, const InputLocation& where) const;
   [[nodiscard]] Located at(const AtEdge& edge, const InputLocation& where);
   [[nodiscard]] Located at(const AtFace& face, const InputLocation& where) const;
   [[nodiscard]] Located at(const AtNear& near, const InputLocation& where);
-  [[nodiscard]] bool isEdge(Index i, Index j);
 
   const Mesh& mesh_;
   const Triangulation& triangulation_;
