@@ -1,48 +1,20 @@
 #include "holdfast/document/constraint_drag.h"
 
-#include <algorithm>
 #include <cassert>
 #include <utility>
 
 #include <Eigen/Geometry>
-#include <fmt/format.h>
 
 #include <holdfast/base/degree.h>
 #include <holdfast/base/error.h>
 #include <holdfast/constraints/selector.h>
+#include <holdfast/document/handle_setting.h>
 #include <holdfast/document/own_axes.h>
 #include <holdfast/mesh/centroid.h>
 #include <holdfast/rotation/rotation_log.h>
 
 namespace holdfast {
 namespace {
-
-InputLocation placeInList(const std::string& source, Index constraint)
-{
-  return {source, 0, fmt::format("constraints[{}]", constraint)};
-}
-
-Positions rowsOf(const Positions& positions, const std::vector<Index>& vertices)
-{
-  return positions(vertices, Eigen::all);
-}
-
-/// The centroid of all that the enabled fixed constraints hold, at rest.
-std::optional<Vector3> centerOfFixed(const Model& model, const ConstraintList& list, Selector& selector,
-                                     const std::string& source)
-{
-  std::vector<Index> fixed;
-  for (std::size_t c = 0; c < list.constraints.size(); ++c) {
-    const auto* what = std::get_if<Fixed>(&list.constraints[c].what);
-    if (!what || !list.constraints[c].isEnabled) continue;
-    const auto selected = selector.select(what->select, below(placeInList(source, static_cast<Index>(c)), ".select"));
-    fixed.insert(fixed.end(), selected.begin(), selected.end());
-  }
-  std::sort(fixed.begin(), fixed.end());
-  fixed.erase(std::unique(fixed.begin(), fixed.end()), fixed.end());
-  if (fixed.empty()) return std::nullopt;
-  return centroid(rowsOf(model.mesh.positions, fixed));
-}
 
 /// The vertices of a handle in the order in which `placeHandle` wants them.
 std::vector<Index> verticesOf(const Handle& handle, Selector& selector, const InputLocation& where)
