@@ -1,84 +1,20 @@
 #include <QApplication>
 #include <QCheckBox>
-#include <QComboBox>
 #include <QLabel>
-#include <QPushButton>
 #include <utility>
 
 #include <gtest/gtest.h>
 
 #include <holdfast/io/number_text.h>
-#include <holdfast/widgets/inspector_panel.h>
 
-#include "gestures.h"
+#include "inspected_sheet.h"
 #include "open_document.h"
 #include "support/meshes.h"
 
 namespace holdfast {
 namespace {
 
-ConstraintList inspectedList()
-{
-  ConstraintList list{"mm", {}};
-  list.constraints = {
-      {"base", true, Fixed{{InHalfSpace{Vector3(0.5, 0, 0), Vector3(-1, 0, 0)}}}},
-      {"P1", true, Point{AtVertex{36}, Target{Vector3(3, 2, 1)}}},
-      {"P2", true, Point{AtEdge{48, 49, 0.25}, Move{Vector3(0, 0, 0.1)}}},
-      {"P3", true, Point{AtFace{77, {0.25, 0.25, 0.5}}, Move{Vector3(0, 0, 0.1)}}},
-  };
-  Handle tip;
-  tip.select.what = VertexIds{{118, 119, 120}};
-  tip.motion.emplace<Turn>();
-  tip.translate = Vector3(0, 0, 2);
-  list.constraints.push_back({"tip", true, tip});
-  list.constraints.push_back({"pair", true, Relative{AtVertex{60}, AtVertex{62}, {}}});
-  return list;
-}
-
-class InspectorPanelOfSheet : public ::testing::Test {
- protected:
-  void SetUp() override
-  {
-    ASSERT_TRUE(test::openMesh(editor, test::grid(10, 10), inspectedList()));
-    panel.resize(380, 700);
-    ASSERT_TRUE(test::showAndWait(panel));
-  }
-
-  template <class Widget = QLineEdit>
-  [[nodiscard]] Widget& find(const char* name)
-  {
-    return *panel.findChild<Widget*>(name);
-  }
-  void typeInto(const char* name, const char* text)
-  {
-    QLineEdit& line = find(name);
-    ASSERT_TRUE(line.isVisible()) << name;
-    line.selectAll();
-    test::type(line, text);
-    test::pressKey(line, Qt::Key_Return);
-  }
-  /// As a click on an entry of the list does.
-  void choose(const char* name, int entry)
-  {
-    QComboBox& box = find<QComboBox>(name);
-    ASSERT_TRUE(box.isVisible()) << name;
-    box.setCurrentIndex(entry);
-    Q_EMIT box.activated(entry);
-  }
-  template <class What>
-  [[nodiscard]] const What& what(Index k) const
-  {
-    return std::get<What>(editor.list().constraints[k].what);
-  }
-  [[nodiscard]] std::string refusal()
-  {
-    QLabel& label = find<QLabel>("inspectorRefusal");
-    return label.isVisible() ? label.text().toStdString() : "";
-  }
-
-  Editor editor;
-  InspectorPanel panel{editor};
-};
+class InspectorPanelOfSheet : public test::InspectedSheet {};
 
 TEST_F(InspectorPanelOfSheet, SaysWhatToDoWhereNothingIsSelected)
 {
@@ -125,8 +61,7 @@ TEST_F(InspectorPanelOfSheet, WeightsThatDoNotSumToOneAreRefusedUntilNormalised)
   typeInto("locationWeight0", "0.75");
   EXPECT_EQ(editor.history().state(), before);
   EXPECT_NE(refusal().find("1.5"), std::string::npos) << refusal();
-  QPushButton& button = find<QPushButton>("locationNormalise");
-  test::click(button, QPointF(button.rect().center()));
+  press("locationNormalise");
   EXPECT_EQ(std::get<AtFace>(what<Point>(3).at).weights, (std::vector<double>{0.5, 0.25 / 1.5, 0.5 / 1.5}));
   EXPECT_EQ(refusal(), "");
 }
@@ -182,8 +117,7 @@ TEST_F(InspectorPanelOfSheet, RegionsTellTheirVerticesAndSelectThem)
 {
   editor.selectConstraints({0});
   EXPECT_EQ(find<QLabel>("verticesCount").text(), "11 vertices");
-  QPushButton& button = find<QPushButton>("verticesSelect");
-  test::click(button, QPointF(button.rect().center()));
+  press("verticesSelect");
   ASSERT_EQ(editor.selectedVertices().size(), 11U);
   EXPECT_EQ(editor.selectedVertices()[1], 11);
 }

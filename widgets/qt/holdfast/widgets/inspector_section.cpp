@@ -1,8 +1,10 @@
 #include "holdfast/widgets/inspector_section.h"
 
+#include <QComboBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <algorithm>
+#include <utility>
 
 #include <holdfast/base/error.h>
 #include <holdfast/widgets/labels.h>
@@ -23,6 +25,19 @@ void InspectorSection::inspect(const Rows& rows)
 {
   rows_ = rows;
   refresh();
+}
+
+bool InspectorSection::isNews()
+{
+  const auto before = std::exchange(told_, editor_.history().state());
+  const Rows rowsBefore = std::exchange(toldRows_, rows_);
+  return before != told_ || rowsBefore != toldRows_;
+}
+
+void InspectorSection::hideEvent(QHideEvent* event)
+{
+  told_.reset();
+  QWidget::hideEvent(event);
 }
 
 void InspectorSection::change(const QString& name, const Change& change)
@@ -47,9 +62,9 @@ QLabel* InspectorSection::addText(const QString& title, const QString& name)
   return label;
 }
 
-VectorEdit* InspectorSection::addVector(const QString& title, const QString& name)
+VectorEdit* InspectorSection::addVector(const QString& title, const QString& name, const QString& spoken)
 {
-  VectorEdit* edit = new VectorEdit(name, QString(title).remove('&'), this);
+  VectorEdit* edit = new VectorEdit(name, spoken.isEmpty() ? QString(title).remove('&') : spoken, this);
   edit->setObjectName(name);
   connect(edit, &VectorEdit::refused, this, &InspectorSection::refused);
   form_->addRow(title, edit);
@@ -64,6 +79,24 @@ NumberEdit* InspectorSection::addNumber(const QString& title, const QString& nam
   connect(edit, &NumberEdit::refused, this, &InspectorSection::refused);
   form_->addRow(title, edit);
   return edit;
+}
+
+QComboBox* InspectorSection::addChoice(const QString& title, const QString& name, const QString& spoken,
+                                       const QStringList& choices)
+{
+  QComboBox* box = new QComboBox(this);
+  box->setObjectName(name);
+  box->setAccessibleName(spoken);
+  box->addItems(choices);
+  form_->addRow(title, box);
+  return box;
+}
+
+void InspectorSection::explain(QWidget* field, const QString& text)
+{
+  form_->labelForField(field)->setToolTip(text);
+  field->setToolTip(text);
+  field->setAccessibleDescription(text);
 }
 
 void InspectorSection::collectRows()

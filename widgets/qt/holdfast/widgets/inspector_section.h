@@ -4,6 +4,7 @@
 
 #include <QString>
 #include <QWidget>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include <holdfast/widgets/editor.h>
 #include <holdfast/widgets/number_edit.h>
 
+class QComboBox;
 class QFormLayout;
 class QLabel;
 
@@ -42,6 +44,10 @@ class InspectorSection : public QWidget {
 
  protected:
   virtual void refresh() = 0;
+  /// Whether the state or the rows are others than when this was asked before. Where they are not, lines that only make
+  /// sense together keep what was typed into them.
+  [[nodiscard]] bool isNews();
+  void hideEvent(QHideEvent* event) override;
 
   [[nodiscard]] Editor& editor() const { return editor_; }
   [[nodiscard]] const Rows& rows() const { return rows_; }
@@ -79,8 +85,13 @@ class InspectorSection : public QWidget {
   [[nodiscard]] QFormLayout& form() { return *form_; }
   /// A line of text that can be selected and copied.
   [[nodiscard]] QLabel* addText(const QString& title, const QString& name);
-  [[nodiscard]] VectorEdit* addVector(const QString& title, const QString& name);
+  /// `spoken` is the title for people who hear what they cannot see, where the one that is shown does not say it all.
+  [[nodiscard]] VectorEdit* addVector(const QString& title, const QString& name, const QString& spoken = {});
   [[nodiscard]] NumberEdit* addNumber(const QString& title, const QString& name);
+  [[nodiscard]] QComboBox* addChoice(const QString& title, const QString& name, const QString& spoken,
+                                     const QStringList& choices);
+  /// A tool tip for a field that stands in the form, on its title too: lines of numbers show all their digits instead.
+  void explain(QWidget* field, const QString& text);
   /// Shows or hides a field with its title.
   void setFieldVisible(QWidget* field, bool isVisible);
 
@@ -94,6 +105,8 @@ class InspectorSection : public QWidget {
 
   Editor& editor_;
   Rows rows_;
+  std::shared_ptr<const DocumentState> told_;  // of the latest news
+  Rows toldRows_;
   QFormLayout* form_;
   std::vector<Field> fields_;  // all of them, in order; those in the form are visible
 };

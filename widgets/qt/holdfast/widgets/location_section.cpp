@@ -1,3 +1,4 @@
+#include <QComboBox>
 #include <QFormLayout>
 #include <QGridLayout>
 #include <QLabel>
@@ -8,7 +9,6 @@
 
 #include <holdfast/base/error.h>
 #include <holdfast/constraints/constraint_file.h>
-#include <holdfast/widgets/constraint_words.h>
 #include <holdfast/widgets/number_words.h>
 #include <holdfast/widgets/point_section.h>
 
@@ -45,11 +45,13 @@ std::optional<double> numberOf(Index id)
 
 LocationSection::LocationSection(Editor& editor, QWidget* parent) : InspectorSection(editor, parent), places_(editor)
 {
-  kind_ = addText(tr("Lies on"), "locationKind");
+  kind_ = addChoice(tr("&Lies on"), "locationKind", tr("What the point lies on"),
+                    {tr("a vertex"), tr("an edge"), tr("a face"), tr("the surface, closest to a place")});
+  explain(kind_, tr("Another kind keeps the point as near as it can be"));
   first_ = addNumber(tr("&Vertex"), "locationFirst");
   second_ = addNumber(tr("and vertex"), "locationSecond");
   t_ = addNumber(tr("&t"), "locationT");
-  t_->setToolTip(tr("The share of the first vertex: 1 there, 0 at the second"));
+  explain(t_, tr("The share of the first vertex: 1 there, 0 at the second"));
   near_ = addVector(tr("&Near"), "locationNear");
 
   weights_ = new QWidget(this);
@@ -65,8 +67,9 @@ LocationSection::LocationSection(Editor& editor, QWidget* parent) : InspectorSec
   form().addRow(tr("Weights"), weights_);
   rest_ = addText(tr("At rest"), "locationRest");
 
-  connect(first_, &NumberEdit::entered, this, [this](double typed) { setId(0, typed); });
-  connect(second_, &NumberEdit::entered, this, [this](double typed) { setId(1, typed); });
+  connect(kind_, qOverload<int>(&QComboBox::activated), this, &LocationSection::chooseKind);
+  connect(first_, &NumberEdit::entered, this, &LocationSection::setId);
+  connect(second_, &NumberEdit::entered, this, &LocationSection::takeEnds);
   connect(t_, &NumberEdit::entered, this, &LocationSection::setT);
   connect(near_, &VectorEdit::entered, this, &LocationSection::setPlace);
   connect(normalise_, &QPushButton::clicked, this, &LocationSection::normalise);
@@ -85,7 +88,9 @@ const SurfaceLocation& LocationSection::location() const
 void LocationSection::refresh()
 {
   setVisible(rows().size() == 1);
-  if (rows().size() == 1) showFields();
+  if (rows().size() != 1) return;
+  kind_->setCurrentIndex(static_cast<int>(kindOf(location())));
+  if (isNews()) showFields();
 }
 
 void LocationSection::showFields()
@@ -95,10 +100,6 @@ void LocationSection::showFields()
   const AtEdge* edge = std::get_if<AtEdge>(&at);
   const AtFace* face = std::get_if<AtFace>(&at);
   const AtNear* near = std::get_if<AtNear>(&at);
-  kind_->setText(vertex != nullptr ? tr("a vertex")
-                 : edge != nullptr ? tr("an edge")
-                 : face != nullptr ? tr("a face")
-                                   : tr("the surface, closest to a place"));
   setFieldVisible(first_, near == nullptr);
   setFieldVisible(second_, edge != nullptr);
   setFieldVisible(t_, edge != nullptr);
@@ -140,7 +141,12 @@ void LocationSection::showWeights(const AtFace* at)
     const int below = (static_cast<int>(at->weights.size()) + kWeightsInLine - 1) / kWeightsInLine;
     weightLines_->addWidget(sum_, below, 0, 1, kWeightsInLine - 1);
     weightLines_->addWidget(normalise_, below, kWeightsInLine - 1);
-    QWidget::setTabOrder(weightEdits_.back(), normalise_);
+    QWidget* before = &near_->line(2);
+    for (NumberEdit* edit : weightEdits_) {
+      QWidget::setTabOrder(before, edit);
+      before = edit;
+    }
+    QWidget::setTabOrder(before, normalise_);
   }
   for (std::size_t k = 0; k < weightEdits_.size(); ++k) weightEdits_[k]->replaceTyped(at->weights[k]);
   sum_->setText(tr("sum 1"));
@@ -174,26 +180,54 @@ void LocationSection::normalise()
   takeWeights();
 }
 
-void LocationSection::setId(int place, double typed)
+void LocationSection::chooseKind(int kind)
+{
+  const auto chosen = static_cast<LocationKind>(kind);
+  const QString name = chosen == LocationKind::Vertex ? tr("put %1 on a vertex")
+                       : chosen == LocationKind::Edge ? tr("put %1 on an edge")
+                       : chosen == LocationKind::Face ? tr("put %1 in a face")
+                                                      : tr("put %1 closest to a place");
+  change(name.arg(subject()), [&](Constraint constraint) -> std::optional<Constraint> {
+    SurfaceLocation& at = std::get<Point>(constraint.what).at;
+    if (kindOf(at) == chosen) return std::nullopt;
+    at = places_.converted(at, chosen);
+    return constraint;
+  });
+}
+
+void LocationSection::setId(double typed)
 {
   SurfaceLocation at = location();
+  if (std::holds_alternative<AtEdge>(at)) return takeEnds();
   try {
     const Index id = idOf(typed);
     if (AtVertex* vertex = std::get_if<AtVertex>(&at)) vertex->vertex = id;
-    if (AtEdge* edge = std::get_if<AtEdge>(&at)) (place == 0 ? edge->i : edge->j) = id;
     if (AtFace* face = std::get_if<AtFace>(&at)) {
       face->face = id;
       const Polygons& faces = editor().model()->mesh.faces;
       const std::size_t corners = id < faces.size() ? faces[id].size() : face->weights.size();
       if (corners != face->weights.size()) face->weights.assign(corners, 1.0 / static_cast<double>(corners));
     }
-    places_.require(at);
+    (void)places_.require(at);
     relocate(at);
   } catch (const InputError& error) {
     Q_EMIT refused(QString::fromStdString(error.reason()));
     first_->replaceTyped(std::nullopt);
-    second_->replaceTyped(std::nullopt);
-    refresh();
+    showFields();
+  }
+}
+
+/// What was typed stays in the lines until both are ends of one edge.
+void LocationSection::takeEnds()
+{
+  AtEdge at = std::get<AtEdge>(location());
+  try {
+    at.i = idOf(first_->typed().value_or(-1));
+    at.j = idOf(second_->typed().value_or(-1));
+    (void)places_.require(at);
+    relocate(at);
+  } catch (const InputError& error) {
+    Q_EMIT refused(QString::fromStdString(error.reason()));
   }
 }
 

@@ -100,4 +100,9 @@ void VectorEdit::setNumbers(const Numbers& numbers)
   for (std::size_t axis = 0; axis < 3; ++axis) lines_[axis]->setNumber(numbers[axis]);
 }
 
+VectorEdit::Numbers VectorEdit::typed() const
+{
+  return {lines_[0]->typed(), lines_[1]->typed(), lines_[2]->typed()};
+}
+
 }  // namespace holdfast

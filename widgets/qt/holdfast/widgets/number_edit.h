@@ -50,6 +50,8 @@ class VectorEdit : public QWidget {
   VectorEdit(const QString& name, const QString& title, QWidget* parent = nullptr);
 
   void setNumbers(const Numbers& numbers);
+  /// What the lines say at the moment; nothing where that is no number.
+  [[nodiscard]] Numbers typed() const;
   [[nodiscard]] NumberEdit& line(int axis) { return *lines_[static_cast<std::size_t>(axis)]; }
 
  Q_SIGNALS:

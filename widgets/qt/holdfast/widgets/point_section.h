@@ -28,7 +28,9 @@ class LocationSection : public InspectorSection {
   [[nodiscard]] const SurfaceLocation& location() const;
   void showFields();
   void showWeights(const AtFace* at);
-  void setId(int place, double typed);
+  void chooseKind(int kind);
+  void setId(double typed);
+  void takeEnds();
   void setT(double typed);
   void setPlace(int axis, double typed);
   void takeWeights();
@@ -36,7 +38,7 @@ class LocationSection : public InspectorSection {
   void relocate(const SurfaceLocation& location);
 
   RestPlaces places_;
-  QLabel* kind_ = nullptr;
+  QComboBox* kind_ = nullptr;
   NumberEdit* first_ = nullptr;   // vertex, first end of the edge, or face
   NumberEdit* second_ = nullptr;  // second end of the edge
   NumberEdit* t_ = nullptr;

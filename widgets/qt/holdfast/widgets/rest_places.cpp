@@ -18,10 +18,20 @@ std::optional<Vector3> RestPlaces::of(const SurfaceLocation& location)
 {
   if (!editor_.isOpen()) return std::nullopt;
   try {
-    return positionOf(locator().locate(location, {}).point, editor_.model()->mesh.positions);
+    return require(location);
   } catch (const InputError&) {
     return std::nullopt;
   }
+}
+
+Vector3 RestPlaces::require(const SurfaceLocation& location)
+{
+  return positionOf(locator().locate(location, {}).point, editor_.model()->mesh.positions);
+}
+
+SurfaceLocation RestPlaces::converted(const SurfaceLocation& location, LocationKind kind)
+{
+  return holdfast::converted(location, kind, editor_.model()->mesh, locator());
 }
 
 Vector3 placeOf(const Point& point, const Vector3& rest)

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include <holdfast/surface/location_kind.h>
 #include <holdfast/surface/surface_locator.h>
 #include <holdfast/widgets/editor.h>
 
@@ -20,8 +21,11 @@ class RestPlaces {
   /// first of type `near` O(T log T).
   [[nodiscard]] std::optional<Vector3> of(const SurfaceLocation& location);
 
-  /// Throws `InputError` with the reason where the mesh has no such location. A mesh is open.
-  void require(const SurfaceLocation& location) { (void)locator().locate(location, {}); }
+  /// The same where a mesh is open; throws `InputError` with the reason where that has no such location.
+  [[nodiscard]] Vector3 require(const SurfaceLocation& location);
+
+  /// The location as one of another kind, with the errors of `holdfast::converted`. A mesh is open.
+  [[nodiscard]] SurfaceLocation converted(const SurfaceLocation& location, LocationKind kind);
 
  private:
   [[nodiscard]] SurfaceLocator& locator();

@@ -1,5 +1,4 @@
 #include <QComboBox>
-#include <QFormLayout>
 #include <algorithm>
 
 #include <holdfast/widgets/number_words.h>
@@ -9,12 +8,8 @@ namespace holdfast {
 
 TargetSection::TargetSection(Editor& editor, QWidget* parent) : InspectorSection(editor, parent), places_(editor)
 {
-  way_ = new QComboBox(this);
-  way_->setObjectName("targetWay");
-  way_->setAccessibleName(tr("How the target is said"));
-  way_->addItem(tr("to a place"));
-  way_->addItem(tr("by a shift from rest"));
-  form().addRow(tr("&Goes"), way_);
+  way_ =
+      addChoice(tr("&Goes"), "targetWay", tr("How the target is said"), {tr("to a place"), tr("by a shift from rest")});
   place_ = addVector(tr("T&arget"), "targetPlace");
   shift_ = addVector(tr("&Shift"), "targetShift");
   connect(way_, qOverload<int>(&QComboBox::activated), this, &TargetSection::chooseWay);
