@@ -131,6 +131,43 @@ TEST_F(InspectorPanelOfSheet, ARelativeConstraintTakesAnOffset)
   EXPECT_EQ(what<Relative>(5).offset, Vector3(-2.5, 0, 0));
 }
 
+TEST_F(InspectorPanelOfSheet, ARelativeConstraintTellsBothPlacesAndItsVectorAtRest)
+{
+  editor.selectConstraints({5});
+  EXPECT_TRUE(find<QLabel>("relativeFrom").text().contains("vertex 60"));
+  EXPECT_TRUE(find<QLabel>("relativeFrom").text().contains("(5, 5, 0)"));
+  EXPECT_TRUE(find<QLabel>("relativeTo").text().contains("(7, 5, 0)"));
+  EXPECT_EQ(find("relativeOffsetX").text(), "-2");
+  EXPECT_EQ(find("relativeOffsetY").text(), "0");
+}
+
+TEST_F(InspectorPanelOfSheet, ATypedComponentMakesTheVectorAtRestAnOffset)
+{
+  editor.selectConstraints({5});
+  const auto before = editor.history().state();
+  typeInto("relativeOffsetZ", "0.30000000000000004");
+  EXPECT_EQ(what<Relative>(5).offset, Vector3(-2, 0, 0.1 + 0.2));
+  expectOneEntry(before, "set the offset of pair to z = 0.30000000000000004");
+  expectKeptInSession();
+  choose("relativeWay", 0);
+  EXPECT_FALSE(what<Relative>(5).offset) << "that at rest again";
+  EXPECT_EQ(find("relativeOffsetZ").text(), "0");
+}
+
+TEST_F(InspectorPanelOfSheet, AVectorBetweenPlacesThatTheMeshDoesNotHaveIsRefused)
+{
+  ConstraintList list = editor.list();
+  std::get<Relative>(list.constraints[5].what).to = AtVertex{1000};
+  editor.edit("elsewhere", list);
+  const auto before = editor.history().state();
+  editor.selectConstraints({5});
+  EXPECT_TRUE(find<QLabel>("relativeTo").text().contains("nowhere"));
+  EXPECT_EQ(find("relativeOffsetX").text(), "");
+  typeInto("relativeOffsetX", "1");
+  EXPECT_NE(refusal().find("no vertex 1000"), std::string::npos) << refusal();
+  EXPECT_EQ(editor.history().state(), before);
+}
+
 TEST_F(InspectorPanelOfSheet, SeveralConstraintsAreEditedWhereTheyHaveSomethingInCommon)
 {
   editor.selectConstraints({2, 3});

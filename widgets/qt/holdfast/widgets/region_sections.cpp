@@ -74,13 +74,10 @@ RelativeSection::RelativeSection(Editor& editor, QWidget* parent) : InspectorSec
 {
   from_ = addText(tr("From"), "relativeFrom");
   to_ = addText(tr("To"), "relativeTo");
-  way_ = new QComboBox(this);
-  way_->setObjectName("relativeWay");
-  way_->setAccessibleName(tr("How the places lie to each other"));
-  way_->addItem(tr("its vector at rest, turning with the surface"));
-  way_->addItem(tr("an offset of its own"));
-  form().addRow(tr("&Keeps"), way_);
+  way_ = addChoice(tr("&Keeps"), "relativeWay", tr("How the places lie to each other"),
+                   {tr("its vector at rest, turning with the surface"), tr("an offset of its own")});
   offset_ = addVector(tr("&Offset"), "relativeOffset");
+  explain(offset_, tr("The first place minus the second. What is typed is an offset of its own"));
   connect(way_, qOverload<int>(&QComboBox::activated), this, &RelativeSection::chooseWay);
   connect(offset_, &VectorEdit::entered, this, &RelativeSection::setOffset);
 }
@@ -96,16 +93,32 @@ void RelativeSection::refresh()
   const bool isOne = rows().size() == 1;
   setFieldVisible(from_, isOne);
   setFieldVisible(to_, isOne);
-  if (isOne) from_->setText(locationText(relative(rows().front()).from));
-  if (isOne) to_->setText(locationText(relative(rows().front()).to));
+  if (isOne) showPlace(*from_, relative(rows().front()).from);
+  if (isOne) showPlace(*to_, relative(rows().front()).to);
   const auto hasOffset = [&](Index row) { return relative(row).offset.has_value(); };
   const bool areOffsets = std::all_of(rows().begin(), rows().end(), hasOffset);
   const bool areKept = std::none_of(rows().begin(), rows().end(), hasOffset);
   way_->setCurrentIndex(areOffsets ? 1 : areKept ? 0 : -1);
-  setFieldVisible(offset_, areOffsets);
-  if (areOffsets)
-    offset_->setNumbers(
-        commonVector([](const Constraint& constraint) { return std::get<Relative>(constraint.what).offset; }));
+  offset_->setNumbers(commonVector([this](const Constraint& constraint) -> std::optional<Vector3> {
+    const Relative& what = std::get<Relative>(constraint.what);
+    if (what.offset) return what.offset;
+    const std::optional<Vector3> from = places_.of(what.from);
+    const std::optional<Vector3> to = places_.of(what.to);
+    return from && to ? std::optional<Vector3>(*from - *to) : std::nullopt;
+  }));
+}
+
+void RelativeSection::showPlace(QLabel& label, const SurfaceLocation& location)
+{
+  const std::optional<Vector3> rest = places_.of(location);
+  const QString place = rest ? tr("at rest %1").arg(roundedText(*rest)) : tr("nowhere: the mesh has no such place");
+  label.setText(locationText(location) + '\n' + place);
+  label.setToolTip(rest ? exactText(*rest) : QString());
+}
+
+Vector3 RelativeSection::offsetOf(const Relative& relative)
+{
+  return relative.offset ? *relative.offset : Vector3(places_.require(relative.from) - places_.require(relative.to));
 }
 
 void RelativeSection::chooseWay(int way)
@@ -114,10 +127,7 @@ void RelativeSection::chooseWay(int way)
   change(name.arg(subject()), [&](Constraint constraint) -> std::optional<Constraint> {
     Relative& relative = std::get<Relative>(constraint.what);
     if (relative.offset.has_value() == (way == 1)) return std::nullopt;
-    const std::optional<Vector3> from = places_.of(relative.from);
-    const std::optional<Vector3> to = places_.of(relative.to);
-    if (!from || !to) return std::nullopt;
-    relative.offset = way == 1 ? std::optional<Vector3>(*from - *to) : std::nullopt;
+    relative.offset = way == 1 ? std::optional(offsetOf(relative)) : std::nullopt;
     return constraint;
   });
   refresh();
@@ -127,7 +137,10 @@ void RelativeSection::setOffset(int axis, double value)
 {
   change(tr("set the offset of %1 to %2 = %3").arg(subject(), axisText(axis), exactText(value)),
          [&](Constraint constraint) {
-           (*std::get<Relative>(constraint.what).offset)[axis] = value;
+           Relative& relative = std::get<Relative>(constraint.what);
+           Vector3 offset = offsetOf(relative);
+           offset[axis] = value;
+           relative.offset = offset;
            return constraint;
          });
 }

@@ -34,7 +34,7 @@ class VerticesSection : public InspectorSection {
   QPushButton* select_ = nullptr;
 };
 
-/// How handles turn and where they go.
+/// How handles turn and where they go. Frames have a section of their own.
 class HandleSection : public InspectorSection {
   Q_OBJECT
 
@@ -74,8 +74,11 @@ class RelativeSection : public InspectorSection {
   void refresh() override;
 
  private:
+  void showPlace(QLabel& label, const SurfaceLocation& location);
   void chooseWay(int way);
   void setOffset(int axis, double value);
+  /// The vector that is kept, in numbers.
+  [[nodiscard]] Vector3 offsetOf(const Relative& relative);
 
   RestPlaces places_;
   QLabel* from_ = nullptr;
