@@ -1,8 +1,11 @@
+#include <QPushButton>
+#include <QScrollArea>
 #include <QTableView>
 
 #include <holdfast/document/list_edits.h>
 #include <holdfast/widgets/constraint_table_model.h>
 #include <holdfast/widgets/tools/gizmo_tool.h>
+#include <holdfast/widgets/vertex_table_model.h>
 
 #include "chapters.h"
 #include "widgets/gestures.h"
@@ -37,6 +40,48 @@ void typeAlongArrow(Stage& stage)
   stage.settle();
 }
 
+void pressButton(Stage& stage, const char* name)
+{
+  auto& button = stage.find<QPushButton>(name);
+  test::click(button, QPointF(button.rect().center()));
+  stage.settle();
+}
+
+/// Scrolls the inspector until all down to this can be seen.
+void scrollTo(Stage& stage, const char* name)
+{
+  stage.find<QWidget>("inspectorPanel").findChild<QScrollArea*>()->ensureWidgetVisible(&stage.find<QWidget>(name));
+}
+
+/// Every part of it that a handle or a relative constraint has.
+void inspect(Stage& stage)
+{
+  stage.select("crown top");
+  stage.picture("inspector_of_a_point_on_an_edge");
+  stage.choose("locationKind", 2);
+  stage.picture("inspector_of_the_point_in_a_face");
+  stage.open("bar.obj", "bar.twist_90.constraints.json");
+  stage.select("top");
+  stage.picture("inspector_of_a_handle");
+  stage.choose("handleMethod", 3);
+  stage.enter("frameTurns", "1");
+  scrollTo(stage, "frameTurns");
+  stage.picture("inspector_of_frames");
+  // The handle once more, of listed vertices.
+  pressButton(stage, "verticesSelect");
+  stage.trigger("deleteConstraints");
+  stage.trigger("makeHandle");
+  stage.choose("handleMethod", 0);
+  pressButton(stage, "vertexRotationsSwitch");
+  stage.enterCell(stage.find<QTableView>("vertexRotations"), 1, VertexTableModel::Degrees, "33.3333333333");
+  pressButton(stage, "vertexTargetsSwitch");
+  scrollTo(stage, "vertexTargets");
+  stage.picture("inspector_of_single_vertices");
+  stage.open("head.ply", "head.rigid_eyes.constraints.json");
+  stage.select("mouth to nose");
+  stage.picture("inspector_of_a_relative_constraint");
+}
+
 }  // namespace
 
 void moving(Stage& stage)
@@ -56,11 +101,7 @@ void moving(Stage& stage)
   stage.picture("typed_in_the_table");
 
   stage.raise("inspectorDock");
-  stage.select("crown top");
-  stage.picture("inspector_of_a_point_on_an_edge");
-  stage.open("bar.obj", "bar.twist_90.constraints.json");
-  stage.select("top");
-  stage.picture("inspector_of_a_handle");
+  inspect(stage);
 }
 
 }  // namespace holdfast::tour

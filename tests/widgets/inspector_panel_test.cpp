@@ -1,3 +1,4 @@
+#include <QAccessible>
 #include <QApplication>
 #include <QCheckBox>
 #include <QLabel>
@@ -204,15 +205,54 @@ TEST_F(InspectorPanelOfSheet, ATakenNameIsRefusedWithTheReason)
   EXPECT_EQ(find("inspectorName").text(), "P1");
 }
 
+TEST_F(InspectorPanelOfSheet, TabGoesFromTopToBottomAndEachFieldHasAName)
+{
+  ConstraintList list = editor.list();
+  Handle tip = what<Handle>(4);
+  tip.rotations.assign(3, {});
+  list.constraints.push_back({"vertex by vertex", true, tip});
+  tip.motion = FrameMotion{{Vector3(1, 1, 1)}, {Vector3(2, 2, 2)}, 0};
+  list.constraints.push_back({"by frames", true, tip});
+  editor.edit("more", list);
+  panel.resize(400, 1600);
+  for (const Index k : {1, 2, 3, 4, 5, 6, 7}) {
+    SCOPED_TRACE(k);
+    editor.selectConstraints({k});
+    // Layouts in layouts take a turn of the event loop each.
+    for (int turn = 0; turn < 4; ++turn) QApplication::processEvents();
+    int fields = 0;
+    int lowest = 0;
+    for (QWidget* next = panel.nextInFocusChain(); next != &panel; next = next->nextInFocusChain()) {
+      if (!next->isVisible() || (next->focusPolicy() & Qt::TabFocus) == 0) continue;
+      const std::string field = next->objectName().toStdString();
+      EXPECT_FALSE(QAccessible::queryAccessibleInterface(next)->text(QAccessible::Name).isEmpty()) << field;
+      if (field.empty()) continue;  // what scrolls all the others
+      const int middle = next->mapTo(&panel, next->rect().center()).y();
+      EXPECT_GE(middle, lowest - 2) << field;
+      lowest = middle;
+      ++fields;
+    }
+    EXPECT_GT(fields, 5);
+  }
+}
+
 TEST_F(InspectorPanelOfSheet, NoTextIsCut)
 {
   Mesh mesh = test::grid(10, 10);
   mesh.positions = (1.2345 * mesh.positions).rowwise() + Eigen::RowVector3d(-111.0625, -111.4723, 112.6439);
   ConstraintList list = inspectedList();
   list.constraints[0].what = Fixed{{VertexIds{{0, 11, 22}}}};  // not by its place
+  Handle byFrames;
+  byFrames.select.what = InHalfSpace{Vector3(-100, -111, 112), Vector3(1, 1, 0)};
+  byFrames.motion = FrameMotion{};
+  Handle vertexByVertex = std::get<Handle>(list.constraints[4].what);
+  vertexByVertex.motion = VertexTargets{{{1, 2, 3}, {4, 5, 7}, {6, 7, 8}}};
+  vertexByVertex.rotations.assign(3, {{0, 0, 1}, 12.3456789});
+  list.constraints.push_back({"by frames", true, byFrames});
+  list.constraints.push_back({"vertex by vertex", true, vertexByVertex});
   ASSERT_TRUE(test::openMesh(editor, std::move(mesh), std::move(list)));
   panel.resize(400, 300);
-  for (const Index k : {0, 1, 2, 3, 4, 5, 3, 2, 1, 0}) {
+  for (const Index k : {0, 1, 2, 3, 4, 5, 6, 7, 6, 3, 2, 1, 0}) {
     editor.selectConstraints({k});
     QApplication::processEvents();
     for (const QLabel* const label : panel.findChildren<QLabel*>()) {

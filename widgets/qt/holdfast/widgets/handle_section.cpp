@@ -1,16 +1,13 @@
 #include <QComboBox>
-#include <QFormLayout>
-#include <QLabel>
 
-#include <holdfast/base/error.h>
-#include <holdfast/widgets/constraint_words.h>
+#include <holdfast/widgets/handle_actions.h>
 #include <holdfast/widgets/number_words.h>
 #include <holdfast/widgets/region_sections.h>
 
 namespace holdfast {
 namespace {
 
-/// In the order of `Handle::motion`; the last two cannot be chosen, because nothing here edits them.
+/// In the order of `Handle::motion`.
 enum Method { NoTurn, AboutAxis, AboutFixed, FromFrameToFrame, VertexByVertex };
 
 int methodOf(const Constraint& constraint)
@@ -27,20 +24,15 @@ const Turn* turnOf(const Constraint& constraint)
 
 HandleSection::HandleSection(Editor& editor, QWidget* parent) : InspectorSection(editor, parent), vertices_(editor)
 {
-  method_ = new QComboBox(this);
-  method_->setObjectName("handleMethod");
-  method_->setAccessibleName(tr("How the handle turns"));
-  method_->addItems(
-      {tr("not at all"), tr("by its own frame, about an axis"), tr("about the fixed region as it moves")});
-  form().addRow(tr("&Turns"), method_);
+  method_ =
+      addChoice(tr("&Turns"), "handleMethod", tr("How the handle turns"),
+                {tr("not at all"), tr("by its own frame, about an axis"), tr("about the fixed region as it moves"),
+                 tr("from frame to frame"), tr("as the targets of its vertices say")});
   axis_ = addVector(tr("&Axis"), "handleAxis");
   degrees_ = addNumber(tr("&Degrees"), "handleDegrees");
-  degrees_->setToolTip(tr("Any number of turns: 720 is twice around"));
-  centerChoice_ = new QComboBox(this);
-  centerChoice_->setObjectName("handleCenterChoice");
-  centerChoice_->setAccessibleName(tr("What the axis goes through"));
-  centerChoice_->addItems({tr("its centroid"), tr("a place")});
-  form().addRow(tr("T&hrough"), centerChoice_);
+  explain(degrees_, tr("Any number of turns: 720 is twice around"));
+  centerChoice_ = addChoice(tr("T&hrough"), "handleCenterChoice", tr("What the axis goes through"),
+                            {tr("its centroid"), tr("a place")});
   center_ = addVector(tr("&Center"), "handleCenter");
   translation_ = addVector(tr("&Shift"), "handleTranslation");
 
@@ -54,8 +46,7 @@ HandleSection::HandleSection(Editor& editor, QWidget* parent) : InspectorSection
   connect(axis_, &VectorEdit::entered, this, [this](int axis, double value) {
     changeTurn(tr("turn %1 about another axis").arg(subject()), [=](Turn& turn, const Handle&) {
       turn.axis[axis] = value;
-      if (turn.axis.isZero(0))
-        throw InputError({}, "an axis cannot be zero in x, y and z; type the new direction first, then this 0");
+      requireAxis(turn.axis);
     });
   });
   connect(center_, &VectorEdit::entered, this, [this](int axis, double value) {
@@ -73,10 +64,7 @@ void HandleSection::refresh()
 {
   const int method = methodOf(constraint(rows().front()));
   const bool isCommon = common([](const Constraint& c) { return std::optional<double>(methodOf(c)); }).has_value();
-  while (method_->count() > FromFrameToFrame) method_->removeItem(FromFrameToFrame);
-  if (isCommon && method == FromFrameToFrame) method_->addItem(tr("from frame to frame"));
-  if (isCommon && method == VertexByVertex) method_->addItem(tr("as the targets of its vertices say"));
-  method_->setCurrentIndex(isCommon ? std::min<int>(method, FromFrameToFrame) : -1);
+  method_->setCurrentIndex(isCommon ? method : -1);
 
   const bool areTurns = isCommon && method == AboutAxis;
   setFieldVisible(axis_, areTurns);
@@ -95,11 +83,12 @@ void HandleSection::refresh()
 
 void HandleSection::chooseMethod(int method)
 {
-  if (method > AboutFixed) return;
   change(tr("turn %1 %2").arg(subject(), method_->itemText(method)),
          [&](Constraint constraint) -> std::optional<Constraint> {
+           if (methodOf(constraint) == method) return std::nullopt;
+           if (method == FromFrameToFrame) return restated(editor(), constraint, byFrames);
+           if (method == VertexByVertex) return restated(editor(), constraint, byTargets);
            Handle& handle = std::get<Handle>(constraint.what);
-           if (static_cast<int>(handle.motion.index()) == method) return std::nullopt;
            if (method == NoTurn) handle.motion = std::monostate{};
            if (method == AboutAxis) handle.motion = Turn{};
            if (method == AboutFixed) handle.motion = TurnAboutFixed{};

@@ -11,10 +11,12 @@
 
 #include <holdfast/base/error.h>
 #include <holdfast/widgets/constraint_words.h>
+#include <holdfast/widgets/frame_section.h>
 #include <holdfast/widgets/labels.h>
 #include <holdfast/widgets/outcome_section.h>
 #include <holdfast/widgets/point_section.h>
 #include <holdfast/widgets/region_sections.h>
+#include <holdfast/widgets/single_vertices_section.h>
 #include <holdfast/widgets/status_look.h>
 
 namespace holdfast {
@@ -33,6 +35,8 @@ InspectorPanel::InspectorPanel(Editor& editor, QWidget* parent) : QWidget(parent
   addSection(*layout, tr("Target"), new TargetSection(editor));
   addSection(*layout, tr("Vertices"), new VerticesSection(editor));
   addSection(*layout, tr("Motion"), new HandleSection(editor));
+  addSection(*layout, tr("Frames"), new FrameSection(editor));
+  addSection(*layout, tr("Single vertices"), new SingleVerticesSection(editor));
   addSection(*layout, tr("Places"), new RelativeSection(editor));
   addSection(*layout, tr("Outcome"), new OutcomeSection(editor));
   layout->addStretch(1);

@@ -1,0 +1,50 @@
+#pragma once
+/// \file
+/// What each listed vertex of a handle has of its own, as a table.
+
+#include <QAbstractTableModel>
+#include <memory>
+#include <optional>
+
+#include <holdfast/document/history.h>
+
+namespace holdfast {
+
+/// A row for each vertex, in the order of the list: its id, and x, y, z of its target, or its rotation by axis and
+/// degrees. Keeps the state and no copy of the numbers: a handle may have a hundred thousand vertices.
+class VertexTableModel : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  enum class What { Rotations, Targets };
+  enum Column { Vertex, X, Y, Z, Degrees };
+
+  explicit VertexTableModel(What what, QObject* parent = nullptr) : QAbstractTableModel(parent), what_(what) {}
+
+  /// Shows a handle of the list, which has what the table is about: one entry for each of its `VertexIds`.
+  void show(std::shared_ptr<const DocumentState> state, Index constraint);
+
+  [[nodiscard]] Index vertex(int row) const;
+  [[nodiscard]] double number(int row, int column) const;
+
+  [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+  [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+  [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+  [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+  [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
+  bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+
+ Q_SIGNALS:
+  /// Another number was typed.
+  void entered(int row, int column, double number);
+  void refused(const QString& reason);
+
+ private:
+  [[nodiscard]] const Handle& handle() const;
+
+  What what_;
+  std::shared_ptr<const DocumentState> state_;
+  Index constraint_ = 0;
+};
+
+}  // namespace holdfast
