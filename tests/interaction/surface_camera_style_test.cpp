@@ -49,10 +49,7 @@ struct CameraOfBox : testing::Test {
   [[nodiscard]] vtkCamera& camera() const { return *stage.renderer().GetActiveCamera(); }
   [[nodiscard]] Vector3 eye() const { return Vector3(camera().GetPosition()); }
   [[nodiscard]] Vector3 focus() const { return Vector3(camera().GetFocalPoint()); }
-  [[nodiscard]] DisplayPoint shown(const Vector3& place) const
-  {
-    return toDisplay(stage.renderer(), place).head<2>();
-  }
+  [[nodiscard]] DisplayPoint shown(const Vector3& place) const { return toDisplay(stage.renderer(), place).head<2>(); }
 
   InteractionStage stage{test::box({2, 2, 2}, 4)};
   vtkNew<SurfaceCameraStyle> style;
@@ -78,8 +75,8 @@ TEST_F(CameraOfBox, ADragBegunAndEndedInSmallStepsTurnsByAllOfIt)
   InteractionStage other{test::box({2, 2, 2}, 4)};
   other.interactor().SetInteractorStyle(style);
   lookFromACorner(*other.renderer().GetActiveCamera());
-  other.hand().drag({at, at + DisplayPoint(2, 0), at + DisplayPoint(3, 0), at + DisplayPoint(20, 0),
-                     at + DisplayPoint(50, 0)});
+  other.hand().drag(
+      {at, at + DisplayPoint(2, 0), at + DisplayPoint(3, 0), at + DisplayPoint(20, 0), at + DisplayPoint(50, 0)});
   EXPECT_LT((Vector3(other.renderer().GetActiveCamera()->GetPosition()) - atOnce).norm(), 1e-9);
 }
 

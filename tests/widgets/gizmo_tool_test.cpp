@@ -160,9 +160,7 @@ TEST_F(GizmoOnPoint, NoPartIsHighlightedOnceTheMouseHasLeft)
 
 TEST_F(GizmoOnPoint, NothingStandsWhereNothingIsSelected)
 {
-  const auto isSeen = [this] {
-    return viewport().renderWindow()->HasRenderer(window.gizmo().gizmo().GetLayer()) != 0;
-  };
+  const auto isSeen = [this] { return viewport().renderWindow()->HasRenderer(window.gizmo().gizmo().GetLayer()) != 0; };
   EXPECT_TRUE(isSeen());
   editor().selectConstraints({});
   ASSERT_TRUE(settle());

@@ -99,9 +99,9 @@ Index WindowUser::freeVertex()
                     [&](const ConstraintMark& mark) { return (mark.rest - place).norm() < reach; }))
       continue;
     const DisplayPoint display = toDisplay(viewport().renderer(), editor().positions().row(v).transpose()).head<2>();
-    const auto pick = SurfacePicker(viewport().surface())
-                          .pick(viewport().renderer(), std::floor(display.x()), std::floor(display.y()),
-                                PickKind::Vertex, 4);
+    const auto pick =
+        SurfacePicker(viewport().surface())
+            .pick(viewport().renderer(), std::floor(display.x()), std::floor(display.y()), PickKind::Vertex, 4);
     if (!pick) continue;
     const auto* at = std::get_if<AtVertex>(&pick->location);
     if (at != nullptr && at->vertex == v) return v;
