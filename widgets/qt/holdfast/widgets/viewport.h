@@ -131,6 +131,7 @@ class Viewport : public VtkView {
 
  private:
   void askForContextMenu();
+  void wakeOrientation(const QPointF& place);
   void paintTools();
 
   void openDocument();
@@ -174,6 +175,7 @@ class Viewport : public VtkView {
   Tool* tool_ = nullptr;
   Tool* firstTool_ = nullptr;
   bool isHeld_ = false;  // a button of the mouse is down
+  bool isOverOrientation_ = false;
 
   QTimer renderTimer_;  // draws once a turn of the event loop
   QTimer restTimer_;    // draws the full detail when the hand rests

@@ -2,8 +2,10 @@
 
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <utility>
 
 #include <QVTKInteractor.h>
+#include <vtkRenderer.h>
 
 #include <holdfast/widgets/viewport.h>
 #include <holdfast/widgets/viewport_overlay.h>
@@ -68,6 +70,7 @@ bool Viewport::event(QEvent* event)
     case QEvent::MouseMove:
     case QEvent::MouseButtonRelease:
     case QEvent::MouseButtonDblClick:
+      if (!isHeld_) wakeOrientation(static_cast<const QMouseEvent&>(*event).localPos());
       isHeld_ = static_cast<const QMouseEvent&>(*event).buttons() != Qt::NoButton;
       // What was coarse while the hand moved is drawn in full when it rests.
       if (!isHeld_ && isCoarse_) restTimer_.start();
@@ -90,6 +93,16 @@ bool Viewport::event(QEvent* event)
       break;
   }
   return VtkView::event(event);
+}
+
+void Viewport::wakeOrientation(const QPointF& place)
+{
+  const QPointF pixel = pixelRatio() * QPointF(place.x(), height() - place.y());
+  const bool isOver =
+      orientation_->GetDefaultRenderer()->IsInViewport(static_cast<int>(pixel.x()), static_cast<int>(pixel.y())) != 0;
+  // It asks for a picture at every move, wherever the cursor is; the last one that it gets is that beside it.
+  const bool wasOver = std::exchange(isOverOrientation_, isOver);
+  orientation_->SetProcessEvents(isOver || wasOver ? 1 : 0);
 }
 
 void Viewport::askForContextMenu()
