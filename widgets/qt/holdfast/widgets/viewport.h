@@ -77,7 +77,6 @@ class Viewport : public VtkView {
   [[nodiscard]] const std::shared_ptr<const VisibleSurface>& surface() const noexcept { return surface_; }
   /// Cuts the picture, not the mesh; none: shows all of it. Stays for the next document.
   void setSection(const std::optional<SectionPlane>& section);
-  [[nodiscard]] const std::optional<SectionPlane>& section() const noexcept { return section_; }
   [[nodiscard]] SceneContents* contents() noexcept { return contents_.get(); }
   /// The constraints that are drawn; none without a document.
   [[nodiscard]] const std::vector<ConstraintMark>& marks() const noexcept;

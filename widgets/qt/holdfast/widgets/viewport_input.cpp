@@ -11,6 +11,7 @@
 #include <holdfast/widgets/viewport_overlay.h>
 
 namespace holdfast {
+
 void Viewport::setTool(Tool* tool)
 {
   if (tool_ == tool) return;

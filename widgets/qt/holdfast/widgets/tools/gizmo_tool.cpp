@@ -129,7 +129,6 @@ RigidIncrement GizmoTool::incrementOf(const GizmoMotion& motion)
 void GizmoTool::move(vtkObject* /*caller*/, unsigned long /*event*/, void* motion)
 {
   editor().updateGesture(standing_->movedBy(incrementOf(*static_cast<const GizmoMotion*>(motion))));
-  viewport().scheduleRender();
 }
 
 void GizmoTool::keep()

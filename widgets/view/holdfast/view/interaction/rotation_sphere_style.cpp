@@ -10,6 +10,7 @@
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 
+#include <holdfast/view/interaction/cursor.h>
 #include <holdfast/view/interaction/interaction_events.h>
 #include <holdfast/view/rotation_sphere.h>
 #include <holdfast/view/sphere_camera.h>
@@ -40,18 +41,12 @@ void RotationSphereStyle::SetSphere(RotationSphere* sphere)
   this->State = VTKIS_NONE;
 }
 
-DisplayPoint RotationSphereStyle::Cursor() const
-{
-  const int* position = this->Interactor->GetEventPosition();
-  return {position[0], position[1]};
-}
-
 void RotationSphereStyle::OnLeftButtonDown()
 {
   if (!this->Sphere) return;
   if (isSecondPress(*this->Interactor)) return this->Fit();
   this->IsPressed = true;
-  this->Last = this->Cursor();
+  this->Last = cursorOf(*this->Interactor);
 }
 
 void RotationSphereStyle::OnLeftButtonDoubleClick()
@@ -62,7 +57,7 @@ void RotationSphereStyle::OnLeftButtonDoubleClick()
 void RotationSphereStyle::OnMouseMove()
 {
   if (!this->IsPressed) return;
-  const DisplayPoint to = this->Cursor();
+  const DisplayPoint to = cursorOf(*this->Interactor);
   if (this->State == VTKIS_NONE && (to - this->Last).norm() < kClickPixels * this->PixelRatio) return;
   if (this->State == VTKIS_NONE) this->StartState(VTKIS_ROTATE);
   this->Turn(to - std::exchange(this->Last, to));
@@ -72,7 +67,7 @@ void RotationSphereStyle::OnLeftButtonUp()
 {
   if (!std::exchange(this->IsPressed, false)) return;
   if (this->State != VTKIS_NONE) return this->StopState();
-  const DisplayPoint place = this->Cursor() + DisplayPoint(0.5, 0.5);
+  const DisplayPoint place = cursorOf(*this->Interactor) + DisplayPoint(0.5, 0.5);
   if (auto vertex = this->Sphere->pick(place.x(), place.y())) this->InvokeEvent(vtkCommand::PickEvent, &*vertex);
 }
 

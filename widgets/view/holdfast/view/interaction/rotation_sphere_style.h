@@ -49,7 +49,6 @@ class RotationSphereStyle : public vtkInteractorStyle {
   RotationSphereStyle(const RotationSphereStyle&) = delete;
   void operator=(const RotationSphereStyle&) = delete;
 
-  [[nodiscard]] DisplayPoint Cursor() const;
   void Turn(const DisplayPoint& pixels);
   void Zoom(double notches);
   void Fit();

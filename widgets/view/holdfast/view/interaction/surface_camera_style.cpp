@@ -12,6 +12,7 @@
 #include <vtkWidgetEvent.h>
 
 #include <holdfast/view/camera_motion.h>
+#include <holdfast/view/interaction/cursor.h>
 #include <holdfast/view/interaction/interaction_events.h>
 #include <holdfast/view/surface_picker.h>
 
@@ -54,12 +55,6 @@ void SurfaceCameraStyle::SetSurface(std::shared_ptr<const VisibleSurface> surfac
   this->Modified();
 }
 
-DisplayPoint SurfaceCameraStyle::Cursor() const
-{
-  const int* position = this->Interactor->GetEventPosition();
-  return {position[0], position[1]};
-}
-
 Vector3 SurfaceCameraStyle::PlaceUnder(const DisplayPoint& cursor)
 {
   vtkRenderer& renderer = *this->CurrentRenderer;
@@ -76,7 +71,7 @@ void SurfaceCameraStyle::ButtonDown(unsigned long event)
   if (this->CurrentRenderer == nullptr) return;
   this->PressEvent = event;
   this->Motion = this->EventTranslator->GetTranslation(event, vtkEvent::GetModifier(this->Interactor), 0, 0, nullptr);
-  this->Last = this->Cursor();
+  this->Last = cursorOf(*this->Interactor);
 }
 
 void SurfaceCameraStyle::ButtonUp(unsigned long pressEvent)
@@ -96,7 +91,7 @@ void SurfaceCameraStyle::Cancel()
 void SurfaceCameraStyle::OnMouseMove()
 {
   if (this->PressEvent == 0) return;
-  const DisplayPoint to = this->Cursor();
+  const DisplayPoint to = cursorOf(*this->Interactor);
   if (this->State == VTKIS_NONE) {
     const bool isMotion = this->Motion == vtkWidgetEvent::Rotate || this->Motion == vtkWidgetEvent::Translate;
     if (!isMotion || (to - this->Last).norm() < kClickPixels * this->PixelRatio) return;
@@ -115,7 +110,7 @@ void SurfaceCameraStyle::OnMouseMove()
 
 void SurfaceCameraStyle::Zoom(double notches)
 {
-  const DisplayPoint cursor = this->Cursor();
+  const DisplayPoint cursor = cursorOf(*this->Interactor);
   this->FindPokedRenderer(static_cast<int>(cursor.x()), static_cast<int>(cursor.y()));
   if (this->CurrentRenderer == nullptr) return;
   zoom(*this->CurrentRenderer, this->PlaceUnder(cursor),

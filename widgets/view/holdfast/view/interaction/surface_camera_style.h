@@ -72,7 +72,6 @@ class SurfaceCameraStyle : public vtkInteractorStyle {
   void ButtonUp(unsigned long pressEvent);
   void Zoom(double notches);
   void CameraMoved();
-  [[nodiscard]] DisplayPoint Cursor() const;
   [[nodiscard]] Vector3 PlaceUnder(const DisplayPoint& cursor);
 
   std::shared_ptr<const VisibleSurface> Surface;
