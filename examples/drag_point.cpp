@@ -18,22 +18,11 @@
 using namespace holdfast;
 
 struct DragPoint {
-  const Model& model;
-  ConstraintList list{};
-  Deformer deformer{model, {}};
-  SceneContents scene{model};
-  std::shared_ptr<const VisibleSurface> surface = std::make_shared<VisibleSurface>(model);
-  vtkNew<vtkRenderer> renderer;
-  vtkNew<vtkRenderWindow> window;
-  vtkNew<vtkRenderWindowInteractor> interactor;
-  vtkNew<SurfaceCameraStyle> style;
-  vtkNew<SurfacePointWidget> point;
-  vtkNew<GizmoWidget> gizmo;
-
-  void begin()
+  explicit DragPoint(const Model& m) : deformer(m, {}), scene(m), surface(std::make_shared<VisibleSurface>(m))
   {
     scene.addTo(*renderer);
     window->AddRenderer(renderer);
+    window->SetSize(800, 600);
     interactor->SetRenderWindow(window);
     interactor->SetInteractorStyle(style);
     point->SetInteractor(interactor);
@@ -61,6 +50,17 @@ struct DragPoint {
     surface = std::make_shared<VisibleSurface>(surface->movedTo(positions));
     point->SetSurface(surface);
   }
+
+  ConstraintList list;
+  Deformer deformer;
+  SceneContents scene;
+  std::shared_ptr<const VisibleSurface> surface;
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkRenderWindow> window;
+  vtkNew<vtkRenderWindowInteractor> interactor;
+  vtkNew<SurfaceCameraStyle> style;
+  vtkNew<SurfacePointWidget> point;
+  vtkNew<GizmoWidget> gizmo;
 };
 
 int main(int argc, char** argv)
@@ -68,11 +68,10 @@ try {
   if (argc < 3) throw std::runtime_error("drag_point MESH.obj RESULT.obj [RECORDING]");
   const MeshDocument document = readMesh(argv[1]);
   const Model model = makeModel(document.mesh, argv[1]);
-  DragPoint program{model};
-  program.begin();
+  DragPoint program(model);
   vtkNew<vtkInteractorEventRecorder> player;
   player->SetInteractor(program.interactor);
-  player->SetFileName(argc > 3 ? argv[3] : nullptr);
+  player->SetFileName(argv[3]);
   argc > 3 ? player->Play() : program.interactor->Start();
   OutputFile(argv[2], serializeMesh(document, program.surface->positions(), ".obj").bytes).commit();
 } catch (const std::exception& error) {
