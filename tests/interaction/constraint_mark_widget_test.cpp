@@ -45,7 +45,7 @@ struct MarkWidgetStage : InteractionStage {
   {
     widget->SetInteractor(&interactor());
     widget->SetCurrentRenderer(&renderer());
-    widget->SetMarks(threeConstraints());
+    widget->SetMarks(markSet(threeConstraints(), nullptr));
     widget->SetEnabled(1);
   }
 
@@ -128,10 +128,10 @@ TEST_F(MarkWidget, ForgetsWhatHasNoMarksAnyMore)
   hand().moveTo(pixelOf({3, 2, 0}));
   auto marks = threeConstraints();
   marks.back().place.x() = 3.2;
-  widget->SetMarks(marks);
+  widget->SetMarks(markSet(marks, nullptr));
   EXPECT_EQ(widget->GetHighlighted(), 2) << "a mark that moves is not lost";
   marks.pop_back();
-  widget->SetMarks(marks);
+  widget->SetMarks(markSet(marks, nullptr));
   EXPECT_FALSE(widget->GetHighlighted());
   EXPECT_THAT(highlighted.data(), ElementsAre(2, std::nullopt));
 }

@@ -49,7 +49,7 @@ class KeptBox : public ::testing::Test {
     actor->SetMapper(mapper);
     actor->GetProperty()->SetColor(1, 0, 0);
     above->AddActor(actor);
-    kept.emplace(*scene);
+    kept.emplace(*scene, *scene);
   }
 
   [[nodiscard]] Colors shown()

@@ -10,9 +10,11 @@
 #include <QVTKInteractor.h>
 #include <vtkBoundingBox.h>
 #include <vtkCamera.h>
+#include <vtkCameraOrientationRepresentation.h>
 #include <vtkLightKit.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkTextProperty.h>
 
 #include <holdfast/base/degree.h>
 #include <holdfast/base/thread_priority.h>
@@ -44,6 +46,17 @@ double millisecondsOf(const QElapsedTimer& timer)
   return static_cast<double>(timer.nsecsElapsed()) / 1e6;
 }
 
+/// The balls are worked out anew for each picture, with their letters as textures.
+void drawQuickly(vtkCameraOrientationRepresentation& balls)
+{
+  balls.SetHandleCircumferentialResolution(16);
+  balls.SetShaftResolution(6);
+  for (vtkTextProperty* letter :
+       {balls.GetXPlusLabelProperty(), balls.GetXMinusLabelProperty(), balls.GetYPlusLabelProperty(),
+        balls.GetYMinusLabelProperty(), balls.GetZPlusLabelProperty(), balls.GetZMinusLabelProperty()})
+    letter->SetFontSize(24);
+}
+
 /// A mesh at rest would be of one dark colour, and look like a result. A range that the user has fixed is what he
 /// wants.
 bool saysAnything(const Coloring& coloring, const ColorSettings& settings)
@@ -68,7 +81,7 @@ Viewport::Viewport(Editor& editor, QWidget* parent) : VtkView(parent), editor_(e
   window_->SetNumberOfLayers(2);
   window_->AddRenderer(renderer_);
   window_->AddRenderer(widgetRenderer_);
-  widgetRenderer_->SetLayer(1);
+  widgetRenderer_->SetLayer(2);
   widgetRenderer_->SetActiveCamera(renderer_->GetActiveCamera());
   widgetRenderer_->PreserveDepthBufferOn();
   renderer_->GradientBackgroundOn();
@@ -79,13 +92,15 @@ Viewport::Viewport(Editor& editor, QWidget* parent) : VtkView(parent), editor_(e
   addLights(*renderer_);
   addLights(*widgetRenderer_);
   orientation_->SetParentRenderer(renderer_);
+  orientation_->CreateDefaultRepresentation();
+  drawQuickly(*vtkCameraOrientationRepresentation::SafeDownCast(orientation_->GetRepresentation()));
   orientation_->AnimateOff();
   orientation_->KeyPressActivationOff();
   orientation_->On();
 
   fence_ = std::make_unique<DrawFence>(*window_);
   slices_ = std::make_unique<SlicedDrawing>(*renderer_);
-  kept_ = std::make_unique<KeptScene>(*renderer_);
+  kept_ = std::make_unique<KeptScene>(*renderer_, *orientation_->GetDefaultRenderer());
   overlay_ = new ViewportOverlay(editor_, *this);
   renderTimer_.setSingleShot(true);
   connect(&renderTimer_, &QTimer::timeout, this, &Viewport::render);
@@ -368,8 +383,8 @@ void Viewport::scheduleRender()
 
 void Viewport::scheduleWidgets()
 {
-  // A widget that has moved the camera does not say so.
-  if (!kept_->isCurrent()) return scheduleRender();
+  // A widget that has moved the camera does not say so, and the balls in the corner are kept with the document.
+  if (orientation_->GetProcessEvents() != 0 || !kept_->isCurrent()) return scheduleRender();
   if (!renderTimer_.isActive()) renderTimer_.start(0);
 }
 

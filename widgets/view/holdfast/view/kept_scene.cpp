@@ -20,16 +20,16 @@ constexpr int kDepthBits = 32;
 
 }  // namespace
 
-KeptScene::KeptScene(vtkRenderer& scene)
-    : scene_(scene), window_(*vtkOpenGLRenderWindow::SafeDownCast(scene.GetRenderWindow()))
+KeptScene::KeptScene(vtkRenderer& scene, vtkRenderer& last)
+    : scene_(scene), last_(last), window_(*vtkOpenGLRenderWindow::SafeDownCast(scene.GetRenderWindow()))
 {
   kept_->SetContext(&window_);
-  observer_ = scene_.AddObserver(vtkCommand::EndEvent, this, &KeptScene::keep);
+  observer_ = last_.AddObserver(vtkCommand::EndEvent, this, &KeptScene::keep);
 }
 
 KeptScene::~KeptScene()
 {
-  scene_.RemoveObserver(observer_);
+  last_.RemoveObserver(observer_);
   kept_->ReleaseGraphicsResources(&window_);
 }
 
@@ -83,7 +83,7 @@ void KeptScene::drawLayersAbove()
   vtkRenderer* first = nullptr;
   for (int k = 0; k < renderers.GetNumberOfItems(); ++k) {
     auto* renderer = static_cast<vtkRenderer*>(renderers.GetItemAsObject(k));
-    if (renderer->GetLayer() <= scene_.GetLayer()) {
+    if (renderer->GetLayer() <= last_.GetLayer()) {
       if (renderer->GetDraw() != 0) hidden.push_back(renderer);
       renderer->DrawOff();
     } else if (first == nullptr || renderer->GetLayer() < first->GetLayer()) {

@@ -62,6 +62,7 @@ class SceneContents {
   /// Those that another thread has made ready; not null. O(those that are drawn).
   void showMarks(std::shared_ptr<const MarkSet> marks);
   [[nodiscard]] const std::vector<ConstraintMark>& marks() const noexcept { return glyphs_.marks()->marks; }
+  [[nodiscard]] const std::shared_ptr<const MarkSet>& sharedMarks() const noexcept { return glyphs_.marks(); }
   /// Places in the list of constraints.
   void highlight(std::vector<Index> constraints);
   void setHiddenMarks(HiddenMarks hidden);

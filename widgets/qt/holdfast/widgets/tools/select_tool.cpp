@@ -20,7 +20,7 @@ QString SelectTool::hint() const
 
 void SelectTool::followMarks()
 {
-  widget_->SetMarks(viewport().marks());
+  widget_->SetMarks(viewport().contents() ? viewport().contents()->sharedMarks() : nullptr);
 }
 
 void SelectTool::followDisplay()

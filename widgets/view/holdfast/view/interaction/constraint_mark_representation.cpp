@@ -1,5 +1,6 @@
 #include "holdfast/view/interaction/constraint_mark_representation.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <vtkObjectFactory.h>
@@ -20,25 +21,31 @@ vtkStandardNewMacro(ConstraintMarkRepresentation);
 void ConstraintMarkRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Marks: " << this->Marks.size() << '\n';
+  os << indent << "Marks: " << (this->Marks ? this->Marks->marks.size() : 0) << '\n';
   os << indent << "ReachPixels: " << this->ReachPixels << '\n';
   os << indent << "PixelRatio: " << this->PixelRatio << '\n';
 }
 
-void ConstraintMarkRepresentation::SetMarks(std::vector<ConstraintMark> marks)
+void ConstraintMarkRepresentation::SetMarks(std::shared_ptr<const MarkSet> marks)
 {
   this->Marks = std::move(marks);
   this->Modified();
 }
 
+bool ConstraintMarkRepresentation::HasMarksOf(Index constraint) const
+{
+  return this->Marks && std::any_of(this->Marks->marks.begin(), this->Marks->marks.end(),
+                                    [&](const ConstraintMark& mark) { return mark.constraint == constraint; });
+}
+
 std::optional<Index> ConstraintMarkRepresentation::FindConstraint(double displayX, double displayY) const
 {
-  if (this->Renderer == nullptr) return std::nullopt;
+  if (this->Renderer == nullptr || !this->Marks) return std::nullopt;
   const DisplayTransform toDisplay(*this->Renderer);
   const DisplayPoint cursor = centerOfPixel(displayX, displayY);
   double nearest = this->ReachPixels * this->PixelRatio;
   std::optional<Index> found;
-  for (const ConstraintMark& mark : this->Marks) {
+  for (const ConstraintMark& mark : this->Marks->marks) {
     const DisplayTransform::Shown shown = toDisplay.show(mark.place);
     if (shown.depth <= 0) continue;
     const double handicap = isSinglePoint(mark.kind) ? 0 : kRegionHandicapPixels * this->PixelRatio;

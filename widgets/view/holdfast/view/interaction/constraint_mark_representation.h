@@ -2,12 +2,12 @@
 /// \file
 /// Finds constraints by their marks in a picture. Draws nothing: glyphs are drawn elsewhere.
 
+#include <memory>
 #include <optional>
-#include <vector>
 
 #include <vtkWidgetRepresentation.h>
 
-#include <holdfast/view/constraint_marks.h>
+#include <holdfast/view/mark_set.h>
 
 namespace holdfast {
 
@@ -17,9 +17,9 @@ class ConstraintMarkRepresentation : public vtkWidgetRepresentation {
   vtkTypeMacro(ConstraintMarkRepresentation, vtkWidgetRepresentation)
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// What can be found; none by default.
-  void SetMarks(std::vector<ConstraintMark> marks);
-  [[nodiscard]] const std::vector<ConstraintMark>& GetMarks() const { return this->Marks; }
+  /// What can be found; null, the default: nothing.
+  void SetMarks(std::shared_ptr<const MarkSet> marks);
+  [[nodiscard]] const std::shared_ptr<const MarkSet>& GetMarks() const { return this->Marks; }
 
   /// How near the cursor a mark is found, pixels of a display of ordinary resolution; 9 by default.
   vtkSetClampMacro(ReachPixels, double, 0.0, VTK_DOUBLE_MAX);
@@ -32,6 +32,9 @@ class ConstraintMarkRepresentation : public vtkWidgetRepresentation {
   /// mark of a single point comes before one of a region in the same place. O(marks).
   [[nodiscard]] std::optional<Index> FindConstraint(double displayX, double displayY) const;
 
+  /// Whether any mark is of this constraint. O(marks).
+  [[nodiscard]] bool HasMarksOf(Index constraint) const;
+
   void BuildRepresentation() override {}
 
  protected:
@@ -42,7 +45,7 @@ class ConstraintMarkRepresentation : public vtkWidgetRepresentation {
   ConstraintMarkRepresentation(const ConstraintMarkRepresentation&) = delete;
   void operator=(const ConstraintMarkRepresentation&) = delete;
 
-  std::vector<ConstraintMark> Marks;
+  std::shared_ptr<const MarkSet> Marks;
   double ReachPixels = 9;
   double PixelRatio = 1;
 };

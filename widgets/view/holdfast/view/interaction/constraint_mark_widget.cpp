@@ -66,12 +66,10 @@ void ConstraintMarkWidget::SetEnabled(int enabling)
   this->Superclass::SetEnabled(enabling);
 }
 
-void ConstraintMarkWidget::SetMarks(std::vector<ConstraintMark> marks)
+void ConstraintMarkWidget::SetMarks(std::shared_ptr<const MarkSet> marks)
 {
-  const bool isGone = std::none_of(marks.begin(), marks.end(),
-                                   [&](const ConstraintMark& mark) { return mark.constraint == this->Highlighted; });
   this->GetConstraintMarkRepresentation()->SetMarks(std::move(marks));
-  if (isGone) this->Leave();
+  if (this->Highlighted && !this->GetConstraintMarkRepresentation()->HasMarksOf(*this->Highlighted)) this->Leave();
 }
 
 std::optional<Index> ConstraintMarkWidget::ConstraintAtCursor()

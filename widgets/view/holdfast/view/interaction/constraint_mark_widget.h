@@ -2,8 +2,8 @@
 /// \file
 /// Tells over which constraint the cursor is, and which one was clicked.
 
+#include <memory>
 #include <optional>
-#include <vector>
 
 #include <vtkAbstractWidget.h>
 
@@ -46,8 +46,9 @@ class ConstraintMarkWidget : public vtkAbstractWidget {
   /// Disabling ends what is highlighted.
   void SetEnabled(int enabling) override;
 
-  /// What is watched. What is highlighted stays until the cursor moves, unless its constraint has no marks any more.
-  void SetMarks(std::vector<ConstraintMark> marks);
+  /// What is watched; null: nothing. What is highlighted stays until the cursor moves, unless its constraint has no
+  /// marks any more.
+  void SetMarks(std::shared_ptr<const MarkSet> marks);
   void SetPixelRatio(double ratio) { this->GetConstraintMarkRepresentation()->SetPixelRatio(ratio); }
 
   /// The constraint under the cursor.
