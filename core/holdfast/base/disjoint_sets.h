@@ -36,6 +36,13 @@ class DisjointSets {
     parent_[b] = a;
   }
 
+  /// The members of each group become one set.
+  void uniteEach(const std::vector<std::vector<Index>>& groups)
+  {
+    for (const std::vector<Index>& group : groups)
+      for (const Index member : group) unite(group.front(), member);
+  }
+
  private:
   std::vector<Index> parent_;
 };

@@ -5,13 +5,13 @@
 
 #include <fmt/format.h>
 
+#include <holdfast/base/disjoint_sets.h>
 #include <holdfast/base/error.h>
 #include <holdfast/base/printable.h>
 #include <holdfast/constraints/handle_mistake.h>
 #include <holdfast/constraints/handle_motion.h>
 #include <holdfast/constraints/selector.h>
 #include <holdfast/mesh/centroid.h>
-#include <holdfast/rotation/rotation_unknowns.h>
 #include <holdfast/surface/surface_locator.h>
 
 namespace holdfast {
@@ -204,14 +204,16 @@ class SystemBuilder {
   /// body or in one that overlaps it.
   void turnBodiesByTheirLeaders()
   {
-    RotationProblem problem{solverMesh_.unknownCount(), {}, {}, system_.bodies};
-    for (const GivenRotation& given : system_.rotations) problem.prescribed.push_back(given.unknown);
-    const RotationUnknowns unknowns = rotationUnknowns(problem);
+    DisjointSets bodies(solverMesh_.unknownCount());
+    bodies.uniteEach(system_.bodies);
+    // Of each representative.
+    std::vector<Index> leader(static_cast<std::size_t>(solverMesh_.unknownCount()), -1);
+    for (auto given = system_.rotations.rbegin(); given != system_.rotations.rend(); ++given)
+      leader[bodies.find(given->unknown)] = given->unknown;
     for (CarriedVector& carried : system_.carried) {
       if (system_.rows[carried.row].kind != RowKind::Body) continue;
       Index& unknown = carried.rotation.front().vertex;
-      if (const Index given = unknowns.givenOf[unknown]; given >= 0)
-        unknown = system_.rotations[unknowns.leaderOf[given]].unknown;
+      if (const Index given = leader[bodies.find(unknown)]; given >= 0) unknown = given;
     }
   }
 

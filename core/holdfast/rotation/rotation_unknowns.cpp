@@ -8,8 +8,7 @@ namespace {
 DisjointSets regionsOf(const RotationProblem& problem)
 {
   DisjointSets regions(problem.unknownCount);
-  for (const std::vector<Index>& group : problem.groups)
-    for (const Index member : group) regions.unite(group.front(), member);
+  regions.uniteEach(problem.groups);
   return regions;
 }
 
