@@ -33,9 +33,9 @@ namespace holdfast {
 /// | KeyPressEvent "Return", "KP_Enter"               | Completed    | keeps what is typed                  |
 /// | KeyPressEvent "Escape"                           | Reset        | takes back the drag; chooses nothing |
 ///
-/// It aborts the events that it uses, those of the mouse over a part among them; all others pass, and so do keys with
-/// Ctrl or Alt. The first move onto the gizmo passes too: other widgets learn by it that the cursor has left what is
-/// theirs. It does not highlight while a button is down that was pressed beside it: that gesture belongs to others.
+/// It aborts the events that it uses, those of the mouse over a part among them; all others pass, and so do characters
+/// with Ctrl or Alt. The first move onto the gizmo passes too: other widgets learn by it that the cursor has left what
+/// is theirs. It does not highlight while a button is down that was pressed beside it: that gesture belongs to others.
 ///
 /// | event                  | when                                                            | call data      |
 /// |------------------------|-----------------------------------------------------------------|----------------|

@@ -40,21 +40,24 @@ struct RegionCallData {
 /// | StartInteractionEvent   | a gesture begins; nothing is reached yet                       | `RegionCallData*` |
 /// | InteractionEvent        | the brush has been led on, the first time where it came down   | `RegionCallData*` |
 /// | EndInteractionEvent     | all that the gesture reaches is known                          | `RegionCallData*` |
-/// | CancelInteractionEvent  | instead: Escape, an outline too small, another setting, disabled | `RegionCallData*` |
-/// | WidgetValueChangedEvent | a key has changed the radius of the brush or the angle of sides | none             |
+/// | CancelInteractionEvent  | instead: Escape, an outline too small, another press, another  | `RegionCallData*` |
+/// |                         | shape, regions or model, disabled                              |                   |
+/// | WidgetValueChangedEvent | a key asks for another radius of the brush or angle of sides   | none              |
 ///
 /// Bindings, which the event translator can change:
 ///
-/// | VTK event                                                     | widget event               | |
-/// |---------------------------------------------------------------|----------------------------|-----------------------|
-/// | LeftButtonPressEvent                                          | vtkWidgetEvent::Select     | begins | |
-/// MouseMoveEvent                                                | vtkWidgetEvent::Move       | goes on, or hovers    |
-/// | LeftButtonReleaseEvent                                        | vtkWidgetEvent::EndSelect  | ends | |
-/// LeftButtonDoubleClickEvent, or Select with a repeat count     | vtkWidgetEvent::Completed  | the whole part        |
-/// | LeaveEvent                                                    | vtkWidgetEvent::HoverLeave | hides the brush | |
-/// KeyPressEvent "bracketleft", "bracketright"                   | vtkWidgetEvent::Down, Up   | smaller, larger       |
-/// | KeyPressEvent "Escape"                                        | vtkWidgetEvent::Reset      | cancels | |
-/// TimerEvent                                                    | vtkWidgetEvent::TimedOut   | goes on looking       |
+/// | VTK event                                         | widget event               |                      |
+/// |---------------------------------------------------|----------------------------|----------------------|
+/// | LeftButtonPressEvent                              | vtkWidgetEvent::Select     | begins; of a side, a |
+/// |                                                   |                            | second one: the part |
+/// | MouseMoveEvent                                    | vtkWidgetEvent::Move       | goes on, or hovers   |
+/// | LeftButtonReleaseEvent                            | vtkWidgetEvent::EndSelect  | ends                 |
+/// | LeftButtonDoubleClickEvent                        | vtkWidgetEvent::Completed  | as a second press    |
+/// | LeaveEvent                                        | vtkWidgetEvent::HoverLeave | hides the brush      |
+/// | KeyPressEvent "bracketleft"                       | vtkWidgetEvent::Down       | smaller              |
+/// | KeyPressEvent "bracketright"                      | vtkWidgetEvent::Up         | larger               |
+/// | KeyPressEvent "Escape"                            | vtkWidgetEvent::Reset      | cancels              |
+/// | TimerEvent                                        | vtkWidgetEvent::TimedOut   | goes on looking      |
 ///
 /// Shift adds to what is selected, Ctrl takes away: of a brush as it comes down, else at the end of the gesture. With
 /// Alt, rectangle and lasso reach what is hidden as well. What they reach is looked for 12,000 vertices at a time, in

@@ -13,10 +13,12 @@ class RotationSphere;
 /// A drag with the left button turns the sphere as if the hand held it, the wheel and "plus" and "minus" zoom, arrow
 /// keys turn, a double click and "Home" show all that is prescribed.
 ///
-/// | event            | when                                              | call data                        |
-/// |------------------|---------------------------------------------------|----------------------------------|
-/// | InteractionEvent | the camera was moved                              | none                             |
-/// | PickEvent        | a click on a point                                | `Index*`, the vertex of the file |
+/// | event                 | when                                            | call data                        |
+/// |-----------------------|-------------------------------------------------|----------------------------------|
+/// | StartInteractionEvent | a drag begins: the cursor is 4 pixels away      | none                             |
+/// | InteractionEvent      | the camera was moved, by keys and wheel as well | none                             |
+/// | EndInteractionEvent   | the drag ends                                   | none                             |
+/// | PickEvent             | a click on a point                              | `Index*`, the vertex of the file |
 class RotationSphereStyle : public vtkInteractorStyle {
  public:
   static RotationSphereStyle* New();

@@ -14,10 +14,10 @@ namespace holdfast {
 
 /// What a drag does is read from the event translator, which a program may change. By default
 ///
-/// | VTK event                                   | widget event              |                                      |
-/// |---------------------------------------------|---------------------------|--------------------------------------|
+/// | VTK event                                   | widget event              |                                        |
+/// |---------------------------------------------|---------------------------|----------------------------------------|
 /// | LeftButtonPressEvent, RightButtonPressEvent | vtkWidgetEvent::Rotate    | turns about the place under the cursor |
-/// | MiddleButtonPressEvent, Shift + Right       | vtkWidgetEvent::Translate | shifts that place with the cursor    |
+/// | MiddleButtonPressEvent, Shift + Right       | vtkWidgetEvent::Translate | shifts that place with the cursor      |
 ///
 /// and the wheel goes nearer to that place, 1.2 times a notch to the power of `GetMouseWheelMotionFactor`. A drag
 /// begins when the cursor has left the place of the press by 4 pixels, so that widgets above can take clicks.

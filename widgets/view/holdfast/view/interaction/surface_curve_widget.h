@@ -19,27 +19,30 @@ class SurfaceCurveRepresentation;
 /// then its places can be dragged, and a drag from elsewhere on it puts one more. Presses that neither close the curve
 /// nor drag a place are left to the camera: a place is put where the button comes up within 4 pixels.
 ///
-/// | event                   | when                                                    | call data |
-/// |-------------------------|---------------------------------------------------------|--------------------------------|
-/// | StartInteractionEvent   | the first place is put; a drag of a place begins        | `std::vector<Index>*`, places
-/// | | PlacePointEvent         | a place is put                                          | `Index*`, its vertex | |
-/// InteractionEvent        | a place has been dragged on                             | `std::vector<Index>*`, places  |
-/// | WidgetValueChangedEvent | each time that hand or keys have changed the curve      | `std::vector<Index>*`, places
-/// | | EndInteractionEvent     | the curve is closed; a drag of a place ends             | `std::vector<Index>*`,
-/// places  | | CancelInteractionEvent  | Escape took all places, or a drag back                  |
-/// `std::vector<Index>*`, places  |
+/// | event                   | when                                                                  | call data  |
+/// |-------------------------|-----------------------------------------------------------------------|------------|
+/// | StartInteractionEvent   | the first place is put; a drag of a place begins                      | all places |
+/// | PlacePointEvent         | a place is put                                                        | `Index*`   |
+/// | InteractionEvent        | a place has been dragged on                                           | all places |
+/// | WidgetValueChangedEvent | each time that hand or keys, but for Escape, have changed the curve   | all places |
+/// | EndInteractionEvent     | the curve is closed; a drag of a place ends                           | all places |
+/// | CancelInteractionEvent  | Escape took all places, or a drag back                                | all places |
 ///
-/// Places are vertices of the file, in the order of the curve. Bindings, which the event translator can change:
+/// All places are a `std::vector<Index>*`: vertices of the file, in the order of the curve. Bindings, which the event
+/// translator can change:
 ///
-/// | VTK event                                                 | widget event                  | |
-/// |-----------------------------------------------------------|-------------------------------|--------------------------|
-/// | LeftButtonPressEvent, LeftButtonReleaseEvent              | vtkWidgetEvent::Select, EndSelect | puts or drags a
-/// place | | MouseMoveEvent                                            | vtkWidgetEvent::Move          | shows the way
-/// to the cursor | | LeaveEvent                                                | vtkWidgetEvent::HoverLeave    | hides
-/// it                 | | LeftButtonDoubleClickEvent, a press with a repeat count, KeyPressEvent "Return", "KP_Enter" |
-/// vtkWidgetEvent::AddFinalPoint | closes | | KeyPressEvent "BackSpace", "Delete"                       |
-/// vtkWidgetEvent::Delete        | takes a place back: of a closed curve the one under the cursor, else the last | |
-/// KeyPressEvent "Escape"                                    | vtkWidgetEvent::Reset         | takes all back |
+/// | VTK event                                      | widget event                      |                             |
+/// |------------------------------------------------|-----------------------------------|-----------------------------|
+/// | LeftButtonPressEvent, LeftButtonReleaseEvent   | vtkWidgetEvent::Select, EndSelect | puts or drags a place; a    |
+/// |                                                |                                   | second press closes         |
+/// | MouseMoveEvent                                 | vtkWidgetEvent::Move              | shows the way to the cursor |
+/// | LeaveEvent                                     | vtkWidgetEvent::HoverLeave        | hides it                    |
+/// | LeftButtonDoubleClickEvent                     | vtkWidgetEvent::AddFinalPoint     | closes                      |
+/// | KeyPressEvent "Return", "KP_Enter"             | vtkWidgetEvent::AddFinalPoint     | closes                      |
+/// | KeyPressEvent "BackSpace", "Delete"            | vtkWidgetEvent::Delete            | takes a place back: of a    |
+/// |                                                |                                   | closed curve the one under  |
+/// |                                                |                                   | the cursor, else the last   |
+/// | KeyPressEvent "Escape"                         | vtkWidgetEvent::Reset             | takes all back              |
 ///
 /// `FollowCursor`, on by default, shows the way to the vertex under the cursor; `ContinuousDraw` and
 /// `AllowNodePicking` are without effect. `CloseLoop` closes without an event. Disabling keeps the curve.

@@ -18,19 +18,19 @@ namespace holdfast {
 /// Shows the point that a click would take, and takes it when there is one. A click is a press and a release within
 /// `kClickPixels`; neither is aborted, so that a drag from the same place turns the picture.
 ///
-/// | event                   | when                                                  | call data              |
-/// |-------------------------|-------------------------------------------------------|------------------------|
-/// | InteractionEvent        | the point that is shown is another one, or goes       | `SurfacePick*` or null |
-/// | PlacePointEvent         | a click on a point                                    | `SurfacePick*`         |
-/// | WidgetValueChangedEvent | a key has chosen what points may lie on               | `PickKind*`            |
+/// | event                   | when                                                    | call data              |
+/// |-------------------------|---------------------------------------------------------|------------------------|
+/// | InteractionEvent        | at each move over the surface; once when the point goes | `SurfacePick*` or null |
+/// | PlacePointEvent         | a click on a point                                      | `SurfacePick*`         |
+/// | WidgetValueChangedEvent | a key has chosen what points may lie on                 | `PickKind*`            |
 ///
-/// | VTK event                                        | widget event                       |                       |
-/// |--------------------------------------------------|------------------------------------|-----------------------|
-/// | MouseMoveEvent                                   | vtkWidgetEvent::Move               | shows the point       |
-/// | LeaveEvent, MouseWheel{Forward,Backward}Event    | vtkWidgetEvent::HoverLeave         | hides it              |
-/// | LeftButtonPressEvent                             | vtkWidgetEvent::Select             | begins a click        |
-/// | LeftButtonReleaseEvent                           | vtkWidgetEvent::AddPoint           | ends it               |
-/// | CharEvent "v", "e", "f", "a"                     | `Choose{Vertices,Edges,Faces,Nearest}` | points may lie on |
+/// | VTK event                                     | widget event                           |                   |
+/// |-----------------------------------------------|----------------------------------------|-------------------|
+/// | MouseMoveEvent                                | vtkWidgetEvent::Move                   | shows the point   |
+/// | LeaveEvent, MouseWheel{Forward,Backward}Event | vtkWidgetEvent::HoverLeave             | hides it          |
+/// | LeftButtonPressEvent                          | vtkWidgetEvent::Select                 | begins a click    |
+/// | LeftButtonReleaseEvent                        | vtkWidgetEvent::AddPoint               | ends it           |
+/// | CharEvent "v", "e", "f", "a"                  | `Choose{Vertices,Edges,Faces,Nearest}` | points may lie on |
 ///
 /// The second press of a double click begins none. Keys are those of CharEvent, at which VTK's own styles would quit
 /// and fly: those that are used are aborted.
