@@ -29,6 +29,7 @@ draw_window() {
 configure_preset release -DHOLDFAST_BUILD_GUI=ON -DHOLDFAST_BUILD_TESTS=ON
 build_preset release app/holdfast-batch
 build_preset release holdfast_tour
+build_preset release widget_pictures
 draw bracket bracket.obj bracket displacement 1200x800
 draw twist bar.obj bar.twist_720 angle 720x640
 draw two_handles plate_unsymmetric.off plate_unsymmetric.two_handles angle 720x640
@@ -37,3 +38,4 @@ draw rigid_eyes head.ply head.rigid_eyes angle 720x640
 draw conflicts plate_unsymmetric.off plate_unsymmetric.conflict displacement 720x640
 draw forces bracket.obj bracket force 720x640
 draw_window
+tests/support/with_display.sh build/release/examples/widget_pictures data docs/images

@@ -22,18 +22,6 @@ std::string nameOfRunningTest()
   return std::string(info.test_suite_name()) + "." + info.name() + ".png";
 }
 
-Picture readPng(const std::filesystem::path& path)
-{
-  vtkNew<vtkPNGReader> reader;
-  reader->SetFileName(path.c_str());
-  reader->Update();
-  vtkImageData& image = *reader->GetOutput();
-  const int* const size = image.GetDimensions();
-  if (image.GetNumberOfScalarComponents() != 3) return {};
-  const auto* const first = static_cast<const unsigned char*>(image.GetScalarPointer());
-  return {{size[0], size[1]}, {first, first + 3 * image.GetNumberOfPoints()}};
-}
-
 std::string keep(const Picture& picture)
 {
   const std::filesystem::path folder = HOLDFAST_RENDERED_DIR;
@@ -64,6 +52,18 @@ double leastShareOfOtherPixels(const Picture& picture)
 }
 
 }  // namespace
+
+Picture readPng(const std::filesystem::path& path)
+{
+  vtkNew<vtkPNGReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  vtkImageData& image = *reader->GetOutput();
+  const int* const size = image.GetDimensions();
+  if (image.GetNumberOfScalarComponents() != 3) return {};
+  const auto* const first = static_cast<const unsigned char*>(image.GetScalarPointer());
+  return {{size[0], size[1]}, {first, first + 3 * image.GetNumberOfPoints()}};
+}
 
 double shareOfOtherPixels(const Picture& a, const Picture& b)
 {

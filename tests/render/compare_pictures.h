@@ -2,6 +2,7 @@
 /// \file
 /// Pictures against the ones that are known to be right.
 
+#include <filesystem>
 #include <functional>
 #include <string>
 
@@ -10,6 +11,9 @@
 class vtkCamera;
 
 namespace holdfast::test {
+
+/// A PNG file of three channels; no pixels where it is none.
+[[nodiscard]] Picture readPng(const std::filesystem::path& path);
 
 /// The share of pixels that differ by more than 10 of 255 in any channel; 1 where the sizes differ.
 [[nodiscard]] double shareOfOtherPixels(const Picture& a, const Picture& b);
