@@ -145,7 +145,7 @@ void Examples::constraintMarks()
   // [constraint marks]
   vtkNew<ConstraintMarkWidget> marks;
   marks->SetInteractor(interactor);
-  marks->SetMarks(scene.marks());
+  marks->SetMarks(scene.sharedMarks());
   vtkNew<vtkCallbackCommand> highlight;
   highlight->SetClientData(&scene);
   highlight->SetCallback([](vtkObject* widget, unsigned long, void* clientData, void* callData) {
