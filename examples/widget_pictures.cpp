@@ -277,7 +277,7 @@ void Examples::keptScene()
   layer->PreserveDepthBufferOn();
   window->AddRenderer(layer);
   point->SetDefaultRenderer(layer);
-  KeptScene kept(*renderer);
+  KeptScene kept(*renderer, *renderer);
   const auto drawAgain = [&] { kept.isCurrent() ? kept.drawLayersAbove() : window->Render(); };
   // [kept scene]
   point->On();

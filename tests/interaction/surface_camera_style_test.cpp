@@ -181,16 +181,17 @@ TEST_F(CameraOfBox, ASecondButtonDoesNotDisturbTheDragOfTheFirst)
 TEST_F(CameraOfBox, BindingsCanBeChanged)
 {
   style->GetEventTranslator()->SetTranslation(vtkCommand::LeftButtonPressEvent, vtkWidgetEvent::NoEvent);
+  // The first translation that fits counts.
+  style->GetEventTranslator()->SetTranslation(vtkCommand::MiddleButtonPressEvent, vtkWidgetEvent::NoEvent);
   style->GetEventTranslator()->SetTranslation(vtkCommand::MiddleButtonPressEvent, vtkWidgetEvent::Rotate);
   const unsigned long before = camera().GetMTime();
   stage.hand().drag({at, at + DisplayPoint(30, 0)});
   EXPECT_EQ(camera().GetMTime(), before);
-  const double distance = (eye() - focus()).norm();
+  const Vector3 direction = (focus() - eye()).normalized();
   stage.hand().middlePress(at);
   stage.hand().moveTo(at + DisplayPoint(30, 0));
   stage.hand().middleRelease(at + DisplayPoint(30, 0));
-  EXPECT_NE(camera().GetMTime(), before);
-  EXPECT_NEAR((eye() - focus()).norm(), distance, 1e-9) << "turned, not shifted";
+  EXPECT_LT((focus() - eye()).normalized().dot(direction), 0.999) << "turned, not shifted";
 }
 
 TEST_F(CameraOfBox, WidgetsComeFirst)
