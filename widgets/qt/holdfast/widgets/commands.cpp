@@ -46,6 +46,11 @@ void holdPoint(Editor& editor, const SurfacePick& pick)
   add(editor, {freshName(editor.list(), "P"), true, Point{pick.location, Target{pick.place}}});
 }
 
+void keepVector(Editor& editor, const SurfaceLocation& from, const SurfaceLocation& to)
+{
+  add(editor, {freshName(editor.list(), "vector "), true, Relative{from, to, {}}});
+}
+
 void constrainSelection(Editor& editor, RegionKind kind)
 {
   Constraint constraint;

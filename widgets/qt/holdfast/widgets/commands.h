@@ -10,6 +10,9 @@ namespace holdfast {
 /// Holds the point of the surface where it is now.
 void holdPoint(Editor& editor, const SurfacePick& pick);
 
+/// Keeps the vector from the place `to` to the place `from` as it is at rest, turned as the surface turns.
+void keepVector(Editor& editor, const SurfaceLocation& from, const SurfaceLocation& to);
+
 enum class RegionKind { Fixed, Handle, Rigid };
 
 /// Makes one constraint of the selected vertices, which are deselected. Some are selected.

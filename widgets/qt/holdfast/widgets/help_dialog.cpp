@@ -23,7 +23,8 @@ HelpDialog::HelpDialog(QWidget* parent) : QDialog(parent)
   const std::array gestures{
       Gesture{tr("Turn the picture"), tr("Drag with the right button, or beside what the tool takes")},
       Gesture{tr("Shift it, go nearer"), tr("Drag with the middle button; turn the wheel")},
-      Gesture{tr("Hold a point exactly"), tr("P, then click a vertex, an edge or a face; V, E and F choose which")},
+      Gesture{tr("Hold a point exactly"), tr("P, then click a vertex, an edge or a face; V, E and F choose which. "
+                                             "K and two clicks keep the vector between two points")},
       Gesture{tr("Move it"),
               tr("Drag an arrow or a square of what is selected; Ctrl snaps; a typed number counts exactly")},
       Gesture{tr("Select a region"), tr("B paints, M draws a rectangle, L a line around, W takes a whole side; "

@@ -42,6 +42,15 @@ void drawPoint(QPainter& painter)
   painter.drawEllipse(QPointF(12, 14), 2.6, 2.6);
 }
 
+void drawRelative(QPainter& painter)
+{
+  painter.drawEllipse(QPointF(5, 19), 2.6, 2.6);
+  painter.drawLine(QPointF(7, 17), QPointF(15, 9));
+  painter.setBrush(painter.pen().color());
+  painter.drawPath(arrowTo({17, 7}, -45));
+  painter.drawEllipse(QPointF(19.4, 4.6), 2.2, 2.2);
+}
+
 void drawBrush(QPainter& painter)
 {
   painter.drawEllipse(QPointF(9.5, 14.5), 6.5, 6.5);
@@ -188,6 +197,8 @@ void draw(Sign sign, QPainter& painter)
       return drawSelect(painter);
     case Sign::Point:
       return drawPoint(painter);
+    case Sign::Relative:
+      return drawRelative(painter);
     case Sign::Brush:
       return drawBrush(painter);
     case Sign::Rectangle:

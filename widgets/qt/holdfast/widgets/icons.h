@@ -10,6 +10,7 @@ namespace holdfast {
 enum class Sign {
   Select,
   Point,
+  Relative,
   Brush,
   Rectangle,
   Lasso,

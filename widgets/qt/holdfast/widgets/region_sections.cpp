@@ -77,7 +77,7 @@ RelativeSection::RelativeSection(Editor& editor, QWidget* parent) : InspectorSec
   way_ = addChoice(tr("&Keeps"), "relativeWay", tr("How the places lie to each other"),
                    {tr("its vector at rest, turning with the surface"), tr("an offset of its own")});
   offset_ = addVector(tr("&Offset"), "relativeOffset");
-  explain(offset_, tr("The first place minus the second. What is typed is an offset of its own"));
+  explain(offset_, tr("The place “From” minus the place “To”. What is typed is an offset of its own"));
   connect(way_, qOverload<int>(&QComboBox::activated), this, &RelativeSection::chooseWay);
   connect(offset_, &VectorEdit::entered, this, &RelativeSection::setOffset);
 }

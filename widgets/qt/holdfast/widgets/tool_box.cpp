@@ -8,6 +8,7 @@
 #include <holdfast/widgets/tools/curve_tool.h>
 #include <holdfast/widgets/tools/point_tool.h>
 #include <holdfast/widgets/tools/region_tool.h>
+#include <holdfast/widgets/tools/relative_tool.h>
 #include <holdfast/widgets/tools/ruler_tool.h>
 #include <holdfast/widgets/tools/select_tool.h>
 #include <holdfast/widgets/viewport.h>
@@ -16,8 +17,8 @@ namespace holdfast {
 namespace {
 
 // In the order in which the tools are added.
-constexpr std::array kSigns{Sign::Select, Sign::Point, Sign::Brush, Sign::Rectangle,
-                            Sign::Lasso,  Sign::Flood, Sign::Curve, Sign::Ruler};
+constexpr std::array kSigns{Sign::Select, Sign::Point, Sign::Relative, Sign::Brush, Sign::Rectangle,
+                            Sign::Lasso,  Sign::Flood, Sign::Curve,    Sign::Ruler};
 
 }  // namespace
 
@@ -28,6 +29,8 @@ ToolBox::ToolBox(Editor& editor, Viewport& viewport, QObject* parent)
       tr("Select constraints, and move them by the arrows and rings"));
   add(new PointTool(editor, viewport, this), "toolPoint", tr("Hold &point"), "P",
       tr("Hold a point on a vertex, on an edge or inside a face"));
+  add(new RelativeTool(editor, viewport, this), "toolRelative", tr("&Keep vector"), "K",
+      tr("Keep the vector between two points of the surface, or give it"));
   add(new RegionTool(RegionShape::Brush, editor, viewport, this), "toolBrush", tr("&Brush"), "B",
       tr("Paint a region along the surface"));
   add(new RegionTool(RegionShape::Rectangle, editor, viewport, this), "toolRectangle", tr("Rec&tangle"), "M",

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <utility>
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 #include <vtkAxisActor2D.h>
 #include <vtkCellArray.h>
@@ -17,6 +18,7 @@
 #include <vtkTextProperty.h>
 #include <vtkWindow.h>
 
+#include <holdfast/base/degree.h>
 #include <holdfast/view/constraint_glyphs.h>
 #include <holdfast/view/display_transform.h>
 
@@ -32,6 +34,9 @@ constexpr double kGrabPixels = 9;
 constexpr double kLetterPixels = 14;
 constexpr double kLabelGapPixels = 12;
 
+constexpr double kBarbPixels = 12;
+constexpr double kBarbDegrees = 25;
+
 constexpr int kRingCorners = 32;
 
 // A font of so many points has as many pixels.
@@ -43,6 +48,15 @@ std::string verbatim(const std::string& text)
   std::string format;
   for (const char letter : text) format += letter == '%' ? "%%" : std::string(1, letter);
   return format;
+}
+
+/// With four digits of the longest; what is less than these is 0.
+std::string componentsText(const Vector3& vector)
+{
+  constexpr double kFourDigits = 1e-4;
+  const double least = kFourDigits * vector.cwiseAbs().maxCoeff();
+  const auto shown = [&](double value) { return std::abs(value) < least ? 0 : value; };
+  return fmt::format("{:.4g}, {:.4g}, {:.4g}", shown(vector.x()), shown(vector.y()), shown(vector.z()));
 }
 
 void setLabelLook(vtkAxisActor2D& axis)
@@ -67,6 +81,12 @@ void addRing(const DisplayPoint& center, double radius, vtkPoints& points, vtkCe
     points.InsertNextPoint(center.x() + radius * std::cos(angle), center.y() + radius * std::sin(angle), 0);
     lines.InsertNextCell({first + k, first + (k + 1) % kRingCorners});
   }
+}
+
+void addLine(const DisplayPoint& from, const DisplayPoint& to, vtkPoints& points, vtkCellArray& lines)
+{
+  const vtkIdType first = points.InsertNextPoint(from.x(), from.y(), 0);
+  lines.InsertNextCell({first, points.InsertNextPoint(to.x(), to.y(), 0)});
 }
 
 }  // namespace
@@ -131,9 +151,14 @@ void SurfaceRulerRepresentation::SetSurface(std::shared_ptr<const VisibleSurface
   this->Modified();
 }
 
+Vector3 SurfaceRulerRepresentation::GetVector() const
+{
+  return this->IsPlaced() ? Vector3(this->GetHandle(1).GetPlace() - this->GetHandle(0).GetPlace()) : Vector3::Zero();
+}
+
 double SurfaceRulerRepresentation::GetDistance()
 {
-  return this->IsPlaced() ? (this->GetHandle(0).GetPlace() - this->GetHandle(1).GetPlace()).stableNorm() : 0;
+  return this->GetVector().stableNorm();
 }
 
 double SurfaceRulerRepresentation::GetRestDistance() const
@@ -150,7 +175,8 @@ void SurfaceRulerRepresentation::SetUnits(const std::string& units)
 std::string SurfaceRulerRepresentation::GetLabel()
 {
   const std::string units = this->Units.empty() ? "" : ' ' + this->Units;
-  return fmt::format("{:.4g}{} (rest {:.4g})", this->GetDistance(), units, this->GetRestDistance());
+  const std::string vector = this->ShowVector ? ": " + componentsText(this->GetVector()) : "";
+  return fmt::format("{:.4g}{}{} (rest {:.4g})", this->GetDistance(), units, vector, this->GetRestDistance());
 }
 
 void SurfaceRulerRepresentation::SetPixelRatio(double ratio)
@@ -196,8 +222,12 @@ void SurfaceRulerRepresentation::BuildLines()
     if (along.norm() > radius(0) + radius(1)) {
       const DisplayPoint from = a.point + radius(0) * along.normalized();
       const DisplayPoint to = b.point - radius(1) * along.normalized();
-      const vtkIdType first = points->InsertNextPoint(from.x(), from.y(), 0);
-      lines->InsertNextCell({first, points->InsertNextPoint(to.x(), to.y(), 0)});
+      addLine(from, to, *points, *lines);
+      for (const double degrees : {-kBarbDegrees, kBarbDegrees})
+        if (this->ShowVector) {
+          const DisplayPoint back = Eigen::Rotation2Dd(degrees * kDegree) * -along.normalized();
+          addLine(to, to + kBarbPixels * this->GetPixelRatio() * back, *points, *lines);
+        }
     }
   }
   this->Lines->SetPoints(points);

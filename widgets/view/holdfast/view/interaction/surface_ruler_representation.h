@@ -18,6 +18,7 @@ namespace holdfast {
 
 /// A line with a ring at each end, on top of the picture, and a label with the distance now and at rest, as
 /// "12.34 mm (rest 11.98)". A light halo, and a light ground under the label, tell both from dark and light surfaces.
+/// With `ShowVector` the line is an arrow to end 1, and the label has its components: "5 mm: 3, 0, 4 (rest 4.9)".
 class SurfaceRulerRepresentation : public vtkDistanceRepresentation2D {
  public:
   static SurfaceRulerRepresentation* New();
@@ -38,6 +39,13 @@ class SurfaceRulerRepresentation : public vtkDistanceRepresentation2D {
   /// Model units; 0 before both ends are placed.
   double GetDistance() override;
   [[nodiscard]] double GetRestDistance() const;
+  /// From end 0 to end 1; zero before both are placed.
+  [[nodiscard]] Vector3 GetVector() const;
+
+  /// Off by default.
+  vtkSetMacro(ShowVector, bool);
+  vtkGetMacro(ShowVector, bool);
+  vtkBooleanMacro(ShowVector, bool);
 
   /// The user's name of the model's length, in UTF-8; empty by default.
   void SetUnits(const std::string& units);
@@ -66,6 +74,7 @@ class SurfaceRulerRepresentation : public vtkDistanceRepresentation2D {
 
   vtkNew<SurfacePointPlacer> Placer;
   std::string Units;
+  bool ShowVector = false;
   bool IsInView = false;      // both ends are in front of the eye
   vtkNew<vtkPolyData> Lines;  // in pixels of the window
   vtkNew<vtkActor2D> Halo;
