@@ -2,6 +2,7 @@
 
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
+#include <vtkWidgetRepresentation.h>
 
 namespace holdfast {
 
@@ -15,6 +16,12 @@ bool isCursorIn(vtkRenderer& renderer, vtkRenderWindowInteractor& interactor)
 {
   const int* position = interactor.GetEventPosition();
   return renderer.IsInViewport(position[0], position[1]) != 0;
+}
+
+int stateAtCursor(vtkWidgetRepresentation& representation, vtkRenderWindowInteractor& interactor)
+{
+  const int* position = interactor.GetEventPosition();
+  return representation.ComputeInteractionState(position[0], position[1]);
 }
 
 }  // namespace holdfast

@@ -6,6 +6,7 @@
 
 class vtkRenderWindowInteractor;
 class vtkRenderer;
+class vtkWidgetRepresentation;
 
 namespace holdfast {
 
@@ -14,5 +15,8 @@ namespace holdfast {
 
 /// Whether that pixel is in the renderer's part of the window.
 [[nodiscard]] bool isCursorIn(vtkRenderer& renderer, vtkRenderWindowInteractor& interactor);
+
+/// What the representation says of that pixel, and is in from then on: its `ComputeInteractionState`.
+int stateAtCursor(vtkWidgetRepresentation& representation, vtkRenderWindowInteractor& interactor);
 
 }  // namespace holdfast

@@ -11,6 +11,7 @@
 #include <vtkWidgetCallbackMapper.h>
 #include <vtkWidgetEvent.h>
 
+#include <holdfast/view/interaction/cursor.h>
 #include <holdfast/view/interaction/interaction_events.h>
 
 namespace holdfast {
@@ -149,14 +150,13 @@ void GizmoWidget::NoteButton(vtkObject* /*interactor*/, unsigned long event, voi
 
 DisplayPoint GizmoWidget::Cursor() const
 {
-  const int* position = this->Interactor->GetEventPosition();
-  return {position[0] + 0.5, position[1] + 0.5};
+  const DisplayPoint pixel = cursorOf(*this->Interactor);
+  return centerOfPixel(pixel.x(), pixel.y());
 }
 
 GizmoPart GizmoWidget::PartUnderCursor()
 {
-  const int* position = this->Interactor->GetEventPosition();
-  return static_cast<GizmoPart>(this->WidgetRep->ComputeInteractionState(position[0], position[1]));
+  return static_cast<GizmoPart>(stateAtCursor(*this->WidgetRep, *this->Interactor));
 }
 
 void GizmoWidget::Highlight(GizmoPart part)

@@ -240,11 +240,13 @@ void SurfaceCurveWidget::Press()
 void SurfaceCurveWidget::BeginDrag()
 {
   SurfaceCurveRepresentation& curve = *this->GetSurfaceCurveRepresentation();
-  const int* cursor = this->Interactor->GetEventPosition();
+  DisplayPoint cursor = cursorOf(*this->Interactor);
   const std::vector<Index> before = this->GetPlaces();
-  if (curve.ActivateNode(cursor[0], cursor[1]) == 0 &&
-      (curve.AddNodeOnContour(cursor[0], cursor[1]) == 0 || curve.ActivateNode(cursor[0], cursor[1]) == 0))
-    return this->ShowChanges();
+  const auto activate = [&] { return curve.ActivateNode(cursor.data()) != 0; };
+  const auto add = [&] {
+    return curve.AddNodeOnContour(static_cast<int>(cursor.x()), static_cast<int>(cursor.y())) != 0;
+  };
+  if (!activate() && !(add() && activate())) return this->ShowChanges();
   this->Use();
   this->LeftClick.Forget();
   this->PlacesBefore = before;
@@ -332,8 +334,7 @@ void SurfaceCurveWidget::RemoveByHand()
   SurfaceCurveRepresentation& curve = *this->GetSurfaceCurveRepresentation();
   if (this->GetPlaces().empty() || this->IsDragging()) return;
   this->Use();
-  const int* cursor = this->Interactor->GetEventPosition();
-  if (!this->IsClosed() || curve.ActivateNode(cursor[0], cursor[1]) == 0) {
+  if (!this->IsClosed() || curve.ActivateNode(cursorOf(*this->Interactor).data()) == 0) {
     this->RemoveLast();
     return;
   }

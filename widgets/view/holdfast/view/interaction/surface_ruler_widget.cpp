@@ -200,13 +200,12 @@ void SurfaceRulerWidget::MoveSecondEnd()
 /// Finds the end under the cursor, and shows it.
 void SurfaceRulerWidget::Hover()
 {
-  const int* cursor = this->Interactor->GetEventPosition();
   bool isChanged = false;
   for (const int end : {0, 1}) {
     SurfaceHandleRepresentation& handle = this->GetRulerRepresentation()->GetHandle(end);
     const int before = handle.GetInteractionState();
     handle.BuildRepresentation();
-    isChanged = handle.ComputeInteractionState(cursor[0], cursor[1]) != before || isChanged;
+    isChanged = stateAtCursor(handle, *this->Interactor) != before || isChanged;
   }
   if (isChanged) this->Render();
 }
