@@ -43,10 +43,8 @@ std::vector<ConstraintMark> threeConstraints()
 struct MarkWidgetStage : InteractionStage {
   MarkWidgetStage() : InteractionStage(test::grid(4, 3))
   {
-    widget->SetInteractor(&interactor());
-    widget->SetCurrentRenderer(&renderer());
     widget->SetMarks(markSet(threeConstraints(), nullptr));
-    widget->SetEnabled(1);
+    enable(*widget);
   }
 
   vtkNew<ConstraintMarkWidget> widget;
@@ -164,10 +162,8 @@ TEST_F(MarkWidget, ActsInItsRendererAlone)
 TEST_F(MarkWidget, BindingsAndPrioritiesCanBeChanged)
 {
   vtkNew<ConstraintMarkWidget> above;
-  above->SetInteractor(&interactor());
-  above->SetCurrentRenderer(&renderer());
   above->SetPriority(0.6F);
-  above->SetEnabled(1);
+  enable(*above);
   const CallDataLog<ConstraintPick> first(*above, vtkCommand::PickEvent);
   hand().click(pixelOf({3, 2, 0}));
   EXPECT_EQ(first.data().size() + picked.data().size(), 2U) << "clicks are left to all";

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include <vtkAbstractWidget.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
 #include <vtkCommand.h>
@@ -165,6 +166,22 @@ InteractionStage::InteractionStage(Mesh mesh, int width, int height)
 }
 
 InteractionStage::~InteractionStage() = default;
+
+void InteractionStage::enable(vtkAbstractWidget& widget)
+{
+  widget.SetInteractor(interactor_);
+  widget.SetCurrentRenderer(renderer_);
+  widget.SetEnabled(1);
+}
+
+void InteractionStage::lookFromFront()
+{
+  vtkCamera& camera = *renderer_->GetActiveCamera();
+  camera.SetPosition(0, -1, 0);
+  camera.SetFocalPoint(0, 0, 0);
+  camera.SetViewUp(0, 0, 1);
+  renderer_->ResetCamera();
+}
 
 DisplayPoint InteractionStage::pixelOf(const Vector3& place) const
 {

@@ -13,6 +13,7 @@
 #include <holdfast/deform/model.h>
 #include <holdfast/view/visible_surface.h>
 
+class vtkAbstractWidget;
 class vtkObject;
 class vtkRenderWindow;
 
@@ -73,6 +74,11 @@ class InteractionStage {
   [[nodiscard]] vtkRenderer& renderer() const { return *renderer_; }
   [[nodiscard]] vtkRenderWindowInteractor& interactor() const { return *interactor_; }
   [[nodiscard]] Hand& hand() { return hand_; }
+
+  /// Puts the widget into the window, and switches it on.
+  void enable(vtkAbstractWidget& widget);
+  /// Looks along y at the whole mesh, z to the top.
+  void lookFromFront();
 
   /// The pixel in which a place is shown, and that of a vertex.
   [[nodiscard]] DisplayPoint pixelOf(const Vector3& place) const;

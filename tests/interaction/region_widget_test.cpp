@@ -1,6 +1,5 @@
 #include "holdfast/view/interaction/region_widget.h"
 
-#include <cmath>
 #include <sstream>
 #include <utility>
 
@@ -10,20 +9,14 @@
 #include <vtkGenericRenderWindowInteractor.h>
 #include <vtkHandleWidget.h>
 #include <vtkInteractorEventRecorder.h>
-#include <vtkMatrix4x4.h>
 #include <vtkPointHandleRepresentation3D.h>
 #include <vtkRenderWindow.h>
 #include <vtkWidgetEvent.h>
 #include <vtkWidgetEventTranslator.h>
 
 #include <holdfast/io/mesh_file.h>
-#include <holdfast/view/interaction/interaction_events.h>
-#include <holdfast/view/interaction/region_representation.h>
-#include <holdfast/view/interaction/surface_camera_style.h>
 
-#include "interaction/interaction_stage.h"
-#include "support/law_meshes.h"
-#include "support/meshes.h"
+#include "interaction/region_window.h"
 #include "support/source_tree.h"
 #include "support/temporary_folder.h"
 
@@ -32,152 +25,19 @@ namespace {
 
 using test::EventLog;
 using test::Hand;
-using test::Held;
-using test::InteractionStage;
-using testing::Each;
+using test::kBegins;
+using test::kCancels;
+using test::kEnds;
+using test::kMoves;
+using test::RegionsOfGrid;
+using test::RegionWindow;
 using testing::ElementsAre;
 using testing::Gt;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::IsSupersetOf;
-using testing::Le;
 using testing::Lt;
 using testing::SizeIs;
-
-constexpr unsigned long kRegionBegins = vtkCommand::StartInteractionEvent;
-constexpr unsigned long kRegionGrows = vtkCommand::InteractionEvent;
-constexpr unsigned long kRegionEnds = vtkCommand::EndInteractionEvent;
-constexpr unsigned long kRegionCancelled = CancelInteractionEvent;
-
-/// A window with a region widget, and a selection that follows it as an observer is told to.
-class RegionWindow {
- public:
-  explicit RegionWindow(Mesh mesh, int width = 400, int height = 300) : stage(std::move(mesh), width, height)
-  {
-    widget->SetInteractor(&stage.interactor());
-    widget->SetCurrentRenderer(&stage.renderer());
-    widget->SetSurface(stage.surface());
-    widget->SetRegions(std::make_shared<VertexRegions>(stage.model().mesh, stage.model().solverMesh));
-    for (const unsigned long event : {kRegionBegins, kRegionGrows, kRegionEnds, kRegionCancelled})
-      widget->AddObserver(event, this, &RegionWindow::follow);
-    widget->On();
-  }
-
-  void follow(vtkObject* /*widget*/, unsigned long event, void* callData)
-  {
-    const auto& data = *static_cast<RegionCallData*>(callData);
-    if (event == kRegionBegins) before = selected;
-    if (event == kRegionGrows || event == kRegionEnds) selected = joined(before, data.reached, data.mode);
-    if (event == kRegionCancelled) selected = before;
-    events.push_back(event);
-    reached.push_back(data.reached);
-    modes.push_back(data.mode);
-  }
-
-  /// Leaves the interactor of the stage for another one.
-  void listenTo(vtkRenderWindowInteractor& interactor)
-  {
-    widget->Off();
-    interactor.SetRenderWindow(&stage.window());
-    interactor.SetInteractorStyle(nullptr);
-    interactor.Initialize();
-    widget->SetInteractor(&interactor);
-    widget->SetCurrentRenderer(&stage.renderer());
-    widget->On();
-  }
-
-  [[nodiscard]] Hand& hand() { return stage.hand(); }
-  [[nodiscard]] DisplayPoint pixelOf(double x, double y) const { return stage.pixelOf({x, y, 0}); }
-  [[nodiscard]] const std::vector<DisplayPoint>& outline() const
-  {
-    return widget->GetRegionRepresentation()->GetOutline();
-  }
-  /// Pixels between the places of the grid (0, 0) and (1, 0).
-  [[nodiscard]] double pixelsOfUnit() const { return (pixelOf(1, 0) - pixelOf(0, 0)).norm(); }
-
-  InteractionStage stage;
-  vtkNew<RegionWidget> widget;
-  std::vector<Index> before;
-  std::vector<Index> selected;
-  std::vector<unsigned long> events;
-  std::vector<std::vector<Index>> reached;
-  std::vector<SelectionMode> modes;
-};
-
-/// Vertex (i, j) of the grid is 11 j + i.
-struct RegionsOfGrid : testing::Test, RegionWindow {
-  RegionsOfGrid() : RegionWindow(test::grid(10, 8)) {}
-};
-
-/// Vertices of the grid no farther from (x, y) than `radius`.
-std::vector<Index> gridBall(double x, double y, double radius)
-{
-  std::vector<Index> vertices;
-  for (Index v = 0; v < 99; ++v)
-    if (std::hypot(static_cast<double>(v % 11) - x, static_cast<double>(v / 11) - y) <= radius) vertices.push_back(v);
-  return vertices;
-}
-
-TEST_F(RegionsOfGrid, ADabReachesTheVerticesUnderTheBrush)
-{
-  widget->SetBrushRadius(1.2 * pixelsOfUnit());
-  hand().click(pixelOf(5, 4));
-  EXPECT_THAT(events, ElementsAre(kRegionBegins, kRegionGrows, kRegionEnds));
-  EXPECT_THAT(reached[0], IsEmpty());
-  EXPECT_EQ(reached[1], gridBall(5, 4, 1.2));
-  EXPECT_EQ(reached[2], gridBall(5, 4, 1.2));
-}
-
-TEST_F(RegionsOfGrid, AStrokeOfOneJumpReachesAllOnItsWay)
-{
-  widget->SetBrushRadius(0.6 * pixelsOfUnit());
-  hand().press(pixelOf(1, 4));
-  hand().moveTo(pixelOf(9, 4));
-  hand().release(pixelOf(9, 4));
-  EXPECT_THAT(events, ElementsAre(kRegionBegins, kRegionGrows, kRegionGrows, kRegionEnds));
-  EXPECT_THAT(selected, ElementsAre(45, 46, 47, 48, 49, 50, 51, 52, 53));
-}
-
-TEST_F(RegionsOfGrid, AStrokeThatLeavesTheSurfaceGoesOnWhereItComesBack)
-{
-  widget->SetBrushRadius(0.6 * pixelsOfUnit());
-  hand().drag({pixelOf(1, 7), pixelOf(1, 9.5), pixelOf(9, 9.5), pixelOf(9, 7)});
-  EXPECT_THAT(selected, ElementsAre(78, 86, 89, 97));
-}
-
-TEST_F(RegionsOfGrid, PixelRatioScalesTheBrush)
-{
-  widget->SetBrushRadius(0.6 * pixelsOfUnit());
-  widget->SetPixelRatio(2);
-  hand().click(pixelOf(5, 4));
-  EXPECT_EQ(selected, gridBall(5, 4, 1.2));
-  EXPECT_NEAR((outline().front() - pixelOf(5, 4)).norm(), 1.2 * pixelsOfUnit(), 1e-9);
-}
-
-TEST_F(RegionsOfGrid, ShiftAddsAndCtrlTakesAway)
-{
-  widget->SetBrushRadius(0.6 * pixelsOfUnit());
-  hand().click(pixelOf(2, 2));
-  hand().click(pixelOf(5, 4), {.shift = true});
-  EXPECT_THAT(selected, ElementsAre(24, 49));
-  hand().click(pixelOf(2, 2), {.ctrl = true});
-  EXPECT_THAT(selected, ElementsAre(49));
-  hand().click(pixelOf(8, 6));
-  EXPECT_THAT(selected, ElementsAre(74));
-}
-
-TEST_F(RegionsOfGrid, EscapeCancelsAStrokeAndTheRestOfItsDrag)
-{
-  selected = {1, 2, 3};
-  hand().press(pixelOf(2, 2));
-  hand().moveTo(pixelOf(5, 4));
-  EXPECT_NE(selected, (std::vector<Index>{1, 2, 3}));
-  hand().key("Escape");
-  EXPECT_EQ(selected, (std::vector<Index>{1, 2, 3}));
-  hand().moveTo(pixelOf(8, 4));
-  hand().release(pixelOf(8, 4));
-  EXPECT_THAT(events, ElementsAre(kRegionBegins, kRegionGrows, kRegionGrows, kRegionCancelled));
-}
 
 TEST_F(RegionsOfGrid, WhateverTakesTheGroundAwayCancels)
 {
@@ -185,14 +45,13 @@ TEST_F(RegionsOfGrid, WhateverTakesTheGroundAwayCancels)
     events.clear();
     hand().press(pixelOf(2, 2));
     action();
-    EXPECT_THAT(events, ElementsAre(kRegionBegins, kRegionGrows, kRegionCancelled)) << what;
+    EXPECT_THAT(events, ElementsAre(kBegins, kMoves, kCancels)) << what;
     hand().release(pixelOf(2, 2));
     EXPECT_THAT(events, SizeIs(3)) << what;
   };
   const auto regions = widget->GetRegions();
   expectCancelled("disabled", [this] { widget->Off(); });
-  widget->SetCurrentRenderer(&stage.renderer());
-  widget->On();
+  stage.enable(*widget);
   expectCancelled("shape", [this] { widget->SetShape(RegionShape::Side); });
   widget->SetShape(RegionShape::Brush);
   expectCancelled("regions", [this] { widget->SetRegions(nullptr); });
@@ -203,161 +62,16 @@ TEST_F(RegionsOfGrid, WhateverTakesTheGroundAwayCancels)
 TEST_F(RegionsOfGrid, ObserversMayDisableTheWidgetAtAnyEvent)
 {
   for (const RegionShape shape : {RegionShape::Brush, RegionShape::Rectangle, RegionShape::Side}) {
-    for (const unsigned long event : {kRegionBegins, kRegionGrows, kRegionEnds}) {
+    for (const unsigned long event : {kBegins, kMoves, kEnds}) {
       widget->SetShape(shape);
       const unsigned long tag = widget->AddObserver(event, widget.Get(), &RegionWidget::Off);
       hand().drag({pixelOf(2, 2), pixelOf(2.02, 2.02), pixelOf(2.03, 2)});
       hand().drag({pixelOf(2, 2), pixelOf(5, 5), pixelOf(6, 5)});
       widget->RemoveObserver(tag);
-      widget->SetCurrentRenderer(&stage.renderer());
-      widget->On();
+      stage.enable(*widget);
       EXPECT_FALSE(widget->Cancel());
     }
   }
-}
-
-TEST_F(RegionsOfGrid, AStrokeGoesOnWhereTheSurfaceMovesMeanwhile)
-{
-  widget->SetBrushRadius(0.6 * pixelsOfUnit());
-  auto moved = std::make_shared<Positions>(stage.surface()->positions());
-  moved->col(0).array() += 1;
-  hand().press(pixelOf(2, 2));
-  widget->SetSurface(std::make_shared<const VisibleSurface>(stage.surface()->movedTo(moved)));
-  hand().moveTo(pixelOf(4, 2));
-  hand().release(pixelOf(4, 2));
-  EXPECT_THAT(events, ElementsAre(kRegionBegins, kRegionGrows, kRegionGrows, kRegionEnds));
-  EXPECT_THAT(selected,
-              testing::AllOf(testing::Contains(24), testing::Contains(25), testing::Not(testing::Contains(26))));
-}
-
-TEST_F(RegionsOfGrid, APressBesideTheSurfaceIsLeftToTheCamera)
-{
-  vtkNew<SurfaceCameraStyle> style;
-  stage.interactor().SetInteractorStyle(style);
-  const auto cameraAfter = [this](const std::vector<DisplayPoint>& way) {
-    hand().drag(way);
-    const double* eye = stage.renderer().GetActiveCamera()->GetPosition();
-    return Vector3(eye);
-  };
-  const Vector3 rest(stage.renderer().GetActiveCamera()->GetPosition());
-  EXPECT_EQ(cameraAfter({pixelOf(2, 2), pixelOf(4, 5)}), rest);
-  EXPECT_THAT(events, Not(IsEmpty()));
-  events.clear();
-  EXPECT_NE(cameraAfter({{3, 3}, {60, 80}}), rest);
-  EXPECT_THAT(events, IsEmpty());
-}
-
-TEST_F(RegionsOfGrid, TheBrushFollowsTheCursorAndVanishesWithIt)
-{
-  EXPECT_THAT(outline(), IsEmpty());
-  hand().moveTo(pixelOf(2, 2));
-  ASSERT_THAT(outline(), Not(IsEmpty()));
-  for (const DisplayPoint& corner : outline()) EXPECT_NEAR((corner - pixelOf(2, 2)).norm(), 24, 1e-9);
-  hand().moveTo(pixelOf(5, 2));
-  EXPECT_NEAR((outline().front() - pixelOf(5, 2)).norm(), 24, 1e-9);
-  EXPECT_EQ(stage.window().GetCurrentCursor(), VTK_CURSOR_CROSSHAIR);
-  hand().leave();
-  EXPECT_THAT(outline(), IsEmpty());
-  EXPECT_EQ(stage.window().GetCurrentCursor(), VTK_CURSOR_DEFAULT);
-  hand().moveTo(pixelOf(5, 2));
-  widget->Off();
-  EXPECT_THAT(outline(), IsEmpty());
-  EXPECT_EQ(stage.window().GetCurrentCursor(), VTK_CURSOR_DEFAULT);
-}
-
-TEST_F(RegionsOfGrid, HoveringWaitsWhileTheCameraMoves)
-{
-  vtkNew<SurfaceCameraStyle> style;
-  stage.interactor().SetInteractorStyle(style);
-  hand().press({3, 3});
-  // The style begins with this one, which it sees after the widget.
-  hand().moveTo({10, 3});
-  hand().moveTo({60, 80});
-  EXPECT_NEAR((outline().front() - DisplayPoint(10, 3)).norm(), 24, 1e-9);
-  hand().release({60, 80});
-}
-
-TEST_F(RegionsOfGrid, BracketsSizeTheBrushWithinItsLimits)
-{
-  EventLog changes(*widget, {vtkCommand::WidgetValueChangedEvent});
-  hand().moveTo(pixelOf(5, 2));
-  hand().key("bracketright");
-  EXPECT_DOUBLE_EQ(widget->GetBrushRadius(), 24 * 1.2);
-  EXPECT_NEAR((outline().front() - pixelOf(5, 2)).norm(), 24 * 1.2, 1e-9);
-  hand().key("bracketleft");
-  hand().key("bracketleft");
-  EXPECT_DOUBLE_EQ(widget->GetBrushRadius(), 20);
-  EXPECT_THAT(changes.events(), SizeIs(3));
-  for (int k = 0; k < 20; ++k) hand().key("bracketleft");
-  EXPECT_EQ(widget->GetBrushRadius(), 4);
-  widget->SetBrushRadius(1e9);
-  EXPECT_EQ(widget->GetBrushRadius(), 300);
-  EXPECT_EQ(widget->GetSideAngle(), 20);
-}
-
-TEST_F(RegionsOfGrid, ARectangleReachesWhatLiesInIt)
-{
-  widget->SetShape(RegionShape::Rectangle);
-  hand().press(pixelOf(1.5, 1.5));
-  EXPECT_THAT(events, ElementsAre(kRegionBegins));
-  hand().moveTo(pixelOf(3, 2));
-  hand().moveTo(pixelOf(4.5, 3.5));
-  EXPECT_THAT(outline(), ElementsAre(pixelOf(1.5, 1.5), DisplayPoint(pixelOf(4.5, 0).x(), pixelOf(0, 1.5).y()),
-                                     pixelOf(4.5, 3.5), DisplayPoint(pixelOf(1.5, 0).x(), pixelOf(0, 3.5).y())));
-  EXPECT_THAT(events, ElementsAre(kRegionBegins));
-  hand().release(pixelOf(4.5, 3.5));
-  EXPECT_THAT(events, ElementsAre(kRegionBegins, kRegionEnds));
-  EXPECT_THAT(selected, ElementsAre(24, 25, 26, 35, 36, 37));
-  EXPECT_THAT(outline(), IsEmpty());
-}
-
-TEST_F(RegionsOfGrid, ALassoReachesWhatItsLineEncloses)
-{
-  widget->SetShape(RegionShape::Lasso);
-  hand().drag({pixelOf(0.5, 0.5), pixelOf(4.5, 0.5), pixelOf(4.5, 4.5), pixelOf(0.5, 4.5)});
-  EXPECT_THAT(selected, SizeIs(16));
-  hand().drag({pixelOf(0.5, 0.5), pixelOf(4.5, 0.5), pixelOf(4.5, 4.5)});
-  EXPECT_THAT(selected, SizeIs(testing::AllOf(Gt(5u), Lt(11u))));
-}
-
-TEST_F(RegionsOfGrid, ModifiersOfAnOutlineCountWhereItEnds)
-{
-  widget->SetShape(RegionShape::Rectangle);
-  selected = {0, 24, 98};
-  hand().press(pixelOf(1.5, 1.5));
-  hand().moveTo(pixelOf(2.5, 2.5));
-  hand().release(pixelOf(2.5, 2.5), {.ctrl = true});
-  EXPECT_THAT(selected, ElementsAre(0, 98));
-  hand().press(pixelOf(1.5, 1.5));
-  hand().moveTo(pixelOf(2.5, 2.5));
-  hand().release(pixelOf(2.5, 2.5), {.shift = true});
-  EXPECT_THAT(selected, ElementsAre(0, 24, 98));
-}
-
-TEST_F(RegionsOfGrid, AnOutlineOfHardlyAPixelSelectsNothing)
-{
-  selected = {1, 2, 3};
-  for (const RegionShape shape : {RegionShape::Rectangle, RegionShape::Lasso}) {
-    widget->SetShape(shape);
-    events.clear();
-    hand().drag({{100, 100}, {102, 101}});
-    EXPECT_THAT(events, ElementsAre(kRegionBegins, kRegionCancelled));
-    EXPECT_THAT(selected, ElementsAre(1, 2, 3));
-  }
-  widget->SetPixelRatio(2);
-  hand().drag({{100, 100}, {105, 100}});
-  EXPECT_THAT(selected, ElementsAre(1, 2, 3));
-}
-
-TEST_F(RegionsOfGrid, EscapeTakesAnOutlineBack)
-{
-  widget->SetShape(RegionShape::Lasso);
-  hand().press(pixelOf(1.5, 1.5));
-  hand().moveTo(pixelOf(4.5, 3.5));
-  hand().key("Escape");
-  EXPECT_THAT(outline(), IsEmpty());
-  hand().release(pixelOf(4.5, 3.5));
-  EXPECT_THAT(events, ElementsAre(kRegionBegins, kRegionCancelled));
 }
 
 TEST_F(RegionsOfGrid, KeysThatAreNotUsedGoOn)
@@ -419,13 +133,12 @@ TEST_F(RegionsOfGrid, BindingsCanBeChanged)
   translator.ClearEvents();
   translator.SetTranslation(vtkCommand::RightButtonPressEvent, vtkWidgetEvent::Select);
   translator.SetTranslation(vtkCommand::RightButtonReleaseEvent, vtkWidgetEvent::EndSelect);
-  widget->SetCurrentRenderer(&stage.renderer());
-  widget->On();
+  stage.enable(*widget);
   hand().click(pixelOf(5, 4));
   EXPECT_THAT(events, IsEmpty());
   hand().rightPress(pixelOf(5, 4));
   hand().rightRelease(pixelOf(5, 4));
-  EXPECT_THAT(events, ElementsAre(kRegionBegins, kRegionGrows, kRegionEnds));
+  EXPECT_THAT(events, ElementsAre(kBegins, kMoves, kEnds));
 }
 
 TEST_F(RegionsOfGrid, ARecordedGestureReachesTheSameAgain)
@@ -478,187 +191,11 @@ TEST_F(RegionsOfGrid, WithoutASurfaceNothingHappens)
   EXPECT_THAT(events, IsEmpty());
 }
 
-TEST_F(RegionsOfGrid, OutlinesAreLightBelowDark)
-{
-  hand().moveTo(pixelOf(5, 4));
-  const DisplayPoint onCircle = pixelOf(5, 4) + DisplayPoint(24, 0);
-  EXPECT_THAT(stage.colorAt(onCircle), Each(Lt(110)));
-  EXPECT_THAT(stage.colorAt(onCircle + DisplayPoint(2, 0)), testing::Not(Each(Lt(110))));
-  const int light = stage.countPixels({240, 240, 240}, 20);
-  EXPECT_GT(light, 100);
-  hand().leave();
-  EXPECT_LT(stage.countPixels({240, 240, 240}, 20), light / 10);
-}
-
-TEST_F(RegionsOfGrid, ALassoIsFilledWhereItEncloses)
-{
-  widget->SetShape(RegionShape::Lasso);
-  const std::vector<int> plain = stage.colorAt(pixelOf(3.3, 3.4));
-  hand().press(pixelOf(1, 1));
-  // A square with a smaller one in it, drawn in one line.
-  for (const auto& [x, y] : {std::pair(8, 1), {8, 7}, {1, 7}, {1, 1}, {4, 4}, {6, 4}, {6, 6}, {4, 6}, {4, 4}})
-    hand().moveTo(pixelOf(x, y));
-  EXPECT_EQ(stage.colorAt(pixelOf(5, 5)), plain);
-  EXPECT_EQ(stage.colorAt(pixelOf(0.5, 0.5)), plain);
-  const std::vector<int> inside = stage.colorAt(pixelOf(3.3, 3.4));
-  EXPECT_GT(inside[2], plain[2]);
-  EXPECT_LT(inside[0], plain[0]);
-}
-
-/// A box seen from its corner: three sides of 25 vertices each.
-struct RegionsOfBox : testing::Test, RegionWindow {
-  RegionsOfBox() : RegionWindow(test::merged(test::box({1, 1, 1}, 4), test::moved(test::box({1, 1, 1}, 4), {3, 0, 0})))
-  {
-    stage.renderer().GetActiveCamera()->Azimuth(30);
-    stage.renderer().GetActiveCamera()->Elevation(30);
-    stage.renderer().ResetCamera();
-    widget->SetShape(RegionShape::Side);
-  }
-
-  DisplayPoint onTop = stage.pixelOf({0.55, 1, 0.45});
-};
-
-TEST_F(RegionsOfBox, AClickSelectsTheSide)
-{
-  const Positions& places = stage.model().mesh.positions;
-  // Wherever the box stands: its topmost vertices.
-  const double top = places.col(1).maxCoeff();
-  const Vector3 least = places.colwise().minCoeff();
-  onTop = stage.pixelOf({least.x() + 0.55, top, least.z() + 0.45});
-  hand().click(onTop);
-  EXPECT_THAT(events, ElementsAre(kRegionBegins, kRegionEnds));
-  EXPECT_THAT(selected, SizeIs(25));
-  for (const Index vertex : selected) EXPECT_EQ(places(vertex, 1), top);
-  hand().click(onTop, {.ctrl = true});
-  EXPECT_THAT(selected, IsEmpty());
-}
-
-TEST_F(RegionsOfBox, ADoubleClickSelectsTheConnectedPart)
-{
-  hand().doubleClick(onTop);
-  EXPECT_THAT(selected, SizeIs(stage.model().mesh.vertexCount() / 2));
-  EXPECT_THAT(events, ElementsAre(kRegionBegins, kRegionEnds, kRegionBegins, kRegionEnds));
-  events.clear();
-  stage.interactor().SetEventInformation(static_cast<int>(onTop.x()), static_cast<int>(onTop.y()));
-  stage.interactor().InvokeEvent(vtkCommand::LeftButtonDoubleClickEvent);
-  EXPECT_THAT(events, ElementsAre(kRegionBegins, kRegionEnds));
-}
-
-TEST_F(RegionsOfBox, ADragFromASideTurnsThePictureAndSelectsNothing)
-{
-  vtkNew<SurfaceCameraStyle> style;
-  stage.interactor().SetInteractorStyle(style);
-  const Vector3 eye(stage.renderer().GetActiveCamera()->GetPosition());
-  hand().drag({onTop, onTop + DisplayPoint(6, 0), onTop + DisplayPoint(30, 5)});
-  EXPECT_THAT(events, IsEmpty());
-  EXPECT_NE(Vector3(stage.renderer().GetActiveCamera()->GetPosition()), eye);
-  stage.interactor().SetInteractorStyle(nullptr);
-  hand().drag({onTop, onTop + DisplayPoint(6, 0), onTop});
-  EXPECT_THAT(events, IsEmpty()) << "the hand came back";
-  // Four pixels of a display of high resolution are eight.
-  widget->SetPixelRatio(2);
-  hand().drag({onTop, onTop + DisplayPoint(6, 0)});
-  EXPECT_THAT(events, ElementsAre(kRegionBegins, kRegionEnds));
-}
-
-TEST_F(RegionsOfBox, BracketsChangeTheAngleOfASide)
-{
-  EventLog changes(*widget, {vtkCommand::WidgetValueChangedEvent});
-  for (int k = 0; k < 14; ++k) hand().key("bracketright");
-  EXPECT_EQ(widget->GetSideAngle(), 90);
-  EXPECT_THAT(changes.events(), SizeIs(14));
-  hand().key("bracketright");
-  hand().click(onTop);
-  EXPECT_THAT(selected, SizeIs(stage.model().mesh.vertexCount() / 2));
-  for (int k = 0; k < 100; ++k) hand().key("bracketright");
-  EXPECT_EQ(widget->GetSideAngle(), 175);
-  for (int k = 0; k < 100; ++k) hand().key("bracketleft");
-  EXPECT_EQ(widget->GetSideAngle(), 0);
-  EXPECT_EQ(widget->GetBrushRadius(), 24);
-}
-
-/// An interactor of a window that has an event loop. Timers go off when the test says so.
-class TimedInteractor : public vtkRenderWindowInteractor {
- public:
-  static TimedInteractor* New();
-  vtkTypeMacro(TimedInteractor, vtkRenderWindowInteractor)
-
-  std::vector<int> timers;
-
- protected:
-  int InternalCreateTimer(int timerId, int /*type*/, unsigned long /*duration*/) override
-  {
-    timers.push_back(timerId);
-    return timerId;
-  }
-  int InternalDestroyTimer(int timerId) override { return static_cast<int>(std::erase(timers, timerId)); }
-};
-
-vtkStandardNewMacro(TimedInteractor);
-
-/// A rectangle for more vertices than are looked at in one turn.
-struct RegionsOfLargeGrid : testing::Test, RegionWindow {
-  RegionsOfLargeGrid() : RegionWindow(test::grid(150, 200)) { widget->SetShape(RegionShape::Rectangle); }
-};
-
-struct RegionsInTurns : RegionsOfLargeGrid {
-  RegionsInTurns() { listenTo(*timed); }
-
-  void fire(int timer) { timed->InvokeEvent(vtkCommand::TimerEvent, &timer); }
-  void draw() { Hand(*timed).drag({pixelOf(20.5, 20.5), pixelOf(120.5, 150.5)}); }
-
-  vtkNew<TimedInteractor> timed;
-};
-
-TEST_F(RegionsInTurns, LooksAtLargeMeshesInTurnsOfTheEventLoop)
-{
-  draw();
-  EXPECT_THAT(events, ElementsAre(kRegionBegins));
-  ASSERT_THAT(timed->timers, SizeIs(1));
-  fire(timed->timers.back() + 1);
-  EXPECT_THAT(timed->timers, SizeIs(1));
-  fire(timed->timers.back());
-  EXPECT_THAT(events, ElementsAre(kRegionBegins));
-  ASSERT_THAT(timed->timers, SizeIs(2));
-  fire(timed->timers.front());
-  EXPECT_THAT(timed->timers, SizeIs(2));
-  fire(timed->timers.back());
-  EXPECT_THAT(events, ElementsAre(kRegionBegins, kRegionEnds));
-  EXPECT_THAT(selected, SizeIs(100 * 130));
-}
-
-TEST_F(RegionsInTurns, EscapeAndANewGestureStopTheSearch)
-{
-  draw();
-  const int first = timed->timers.back();
-  Hand(*timed).key("Escape");
-  EXPECT_THAT(events, ElementsAre(kRegionBegins, kRegionCancelled));
-  EXPECT_THAT(timed->timers, IsEmpty());
-  fire(first);
-  EXPECT_THAT(events, ElementsAre(kRegionBegins, kRegionCancelled));
-  draw();
-  Hand(*timed).press(pixelOf(20.5, 20.5));
-  EXPECT_THAT(events, ElementsAre(kRegionBegins, kRegionCancelled, kRegionBegins, kRegionCancelled, kRegionBegins));
-}
-
-TEST_F(RegionsOfLargeGrid, AreFoundAtOnceWithoutTimers)
-{
-  vtkNew<vtkGenericRenderWindowInteractor> withoutTimers;
-  listenTo(*withoutTimers);
-  Hand(*withoutTimers).drag({pixelOf(20.5, 20.5), pixelOf(120.5, 150.5)});
-  EXPECT_THAT(events, ElementsAre(kRegionBegins, kRegionEnds));
-  EXPECT_THAT(selected, SizeIs(100 * 130));
-}
-
 /// The head from the front, without timers.
 struct RegionsOfHead : testing::Test, RegionWindow {
   RegionsOfHead() : RegionWindow(readMesh(test::dataFolder() + "/head.ply").mesh, 640, 480)
   {
-    vtkCamera& camera = *stage.renderer().GetActiveCamera();
-    camera.SetPosition(0, -1, 0);
-    camera.SetFocalPoint(0, 0, 0);
-    camera.SetViewUp(0, 0, 1);
-    stage.renderer().ResetCamera();
+    stage.lookFromFront();
     listenTo(*withoutTimers);
   }
 

@@ -13,36 +13,33 @@
 #include <vtkWidgetEventTranslator.h>
 
 #include <holdfast/base/error.h>
-#include <holdfast/view/interaction/interaction_events.h>
 #include <holdfast/view/interaction/surface_camera_style.h>
 
 #include "interaction/call_data_log.h"
 #include "interaction/interaction_stage.h"
 #include "interaction/recorded_gesture.h"
+#include "interaction/widget_events.h"
 #include "support/meshes.h"
 
 namespace holdfast {
 namespace {
 
 using test::InteractionStage;
+using test::kBegins;
+using test::kCancels;
+using test::kEnds;
+using test::kMoves;
+using test::kPlaces;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-constexpr unsigned long kStart = vtkCommand::StartInteractionEvent;
-constexpr unsigned long kMove = vtkCommand::InteractionEvent;
-constexpr unsigned long kPlace = vtkCommand::PlacePointEvent;
-constexpr unsigned long kEnd = vtkCommand::EndInteractionEvent;
-constexpr unsigned long kCancel = CancelInteractionEvent;
 
 struct RulerStage : InteractionStage {
   explicit RulerStage(Mesh mesh = test::grid(4, 3), int width = 400, int height = 300)
       : InteractionStage(std::move(mesh), width, height)
   {
-    widget->SetInteractor(&interactor());
-    widget->SetCurrentRenderer(&renderer());
     widget->SetSurface(surface());
-    widget->SetEnabled(1);
+    enable(*widget);
   }
 
   void draw(Index from, Index to)
@@ -67,8 +64,8 @@ struct RulerStage : InteractionStage {
   }
 
   vtkNew<SurfaceRulerWidget> widget;
-  test::EventLog log{*widget, {kStart, kMove, kPlace, kEnd, kCancel}};
-  test::CallDataLog<int> placed{*widget, kPlace};
+  test::EventLog log{*widget, {kBegins, kMoves, kPlaces, kEnds, kCancels}};
+  test::CallDataLog<int> placed{*widget, kPlaces};
 };
 
 struct Ruler : RulerStage, testing::Test {};
@@ -82,7 +79,7 @@ TEST_F(Ruler, TwoClicksMeasureBetweenPointsOfTheSurface)
   EXPECT_EQ(widget->GetDistance(), std::hypot(3, 1)) << "not to the pixel, to the last digit";
   EXPECT_EQ(widget->GetRestDistance(), widget->GetDistance());
   EXPECT_EQ(widget->GetDistance(), widget->GetRulerRepresentation()->GetDistance());
-  EXPECT_THAT(log.events(), ElementsAre(kStart, kPlace, kMove, kPlace, kEnd));
+  EXPECT_THAT(log.events(), ElementsAre(kBegins, kPlaces, kMoves, kPlaces, kEnds));
   EXPECT_THAT(placed.data(), ElementsAre(0, 1));
   hand().click(pixelOfVertex(9));
   EXPECT_EQ(vertexOfEnd(1), 13) << "a ruler that is drawn stays";
@@ -146,7 +143,7 @@ TEST_F(Ruler, EndsCanBeDragged)
   EXPECT_EQ(vertexOfEnd(0), 5);
   EXPECT_EQ(vertexOfEnd(1), 7);
   EXPECT_EQ(widget->GetDistance(), 2);
-  EXPECT_THAT(log.events(), ElementsAre(kStart, kMove, kMove, kMove, kEnd));
+  EXPECT_THAT(log.events(), ElementsAre(kBegins, kMoves, kMoves, kMoves, kEnds));
   hand().drag({pixelOfVertex(5), pixelOfVertex(0)});
   EXPECT_EQ(vertexOfEnd(0), 0);
   EXPECT_EQ(Vector3(renderer().GetActiveCamera()->GetPosition()), eye) << "drags of ends are not the camera's";
@@ -163,7 +160,7 @@ TEST_F(Ruler, EscapeTakesBackAHalfDrawnRulerOrADrag)
   hand().click(pixelOfVertex(5));
   hand().moveTo(pixelOfVertex(7));
   hand().key("Escape");
-  EXPECT_THAT(log.events(), ElementsAre(kStart, kPlace, kMove, kCancel));
+  EXPECT_THAT(log.events(), ElementsAre(kBegins, kPlaces, kMoves, kCancels));
   EXPECT_FALSE(widget->GetLocation(0));
   EXPECT_EQ(widget->GetDistance(), 0);
   draw(5, 13);
@@ -172,12 +169,12 @@ TEST_F(Ruler, EscapeTakesBackAHalfDrawnRulerOrADrag)
   hand().press(pixelOfVertex(13));
   hand().moveTo(pixelOfVertex(7));
   hand().key("Escape");
-  EXPECT_THAT(log.events(), ElementsAre(kStart, kMove, kCancel));
+  EXPECT_THAT(log.events(), ElementsAre(kBegins, kMoves, kCancels));
   EXPECT_EQ(vertexOfEnd(1), 13);
   hand().moveTo(pixelOfVertex(8));
   hand().release(pixelOfVertex(8));
   EXPECT_EQ(vertexOfEnd(1), 13) << "the end was let go";
-  EXPECT_THAT(log.events(), ElementsAre(kStart, kMove, kCancel));
+  EXPECT_THAT(log.events(), ElementsAre(kBegins, kMoves, kCancels));
   hand().drag({pixelOfVertex(13), pixelOfVertex(7)});
   EXPECT_EQ(vertexOfEnd(1), 7) << "and can be grabbed again";
 }
@@ -211,7 +208,7 @@ TEST_F(Ruler, GoesWithItsMesh)
   hand().click(pixelOfVertex(5));
   log.clear();
   widget->SetSurface(nullptr);
-  EXPECT_THAT(log.events(), ElementsAre(kCancel));
+  EXPECT_THAT(log.events(), ElementsAre(kCancels));
   EXPECT_FALSE(widget->IsUnderWay());
 }
 
@@ -262,9 +259,8 @@ TEST_F(Ruler, DisabledItKeepsARulerThatIsDrawnAndCancelsWhatIsUnderWay)
 {
   hand().click(pixelOfVertex(5));
   widget->SetEnabled(0);
-  EXPECT_EQ(log.events().back(), kCancel);
-  widget->SetCurrentRenderer(&renderer());
-  widget->SetEnabled(1);
+  EXPECT_EQ(log.events().back(), kCancels);
+  enable(*widget);
   draw(5, 13);
   hand().moveTo(pixelOfVertex(13));
   hand().press(pixelOfVertex(13));
@@ -274,8 +270,7 @@ TEST_F(Ruler, DisabledItKeepsARulerThatIsDrawnAndCancelsWhatIsUnderWay)
   const test::EventLog moves(interactor(), {vtkCommand::MouseMoveEvent});
   hand().moveTo(pixelOfVertex(8));
   EXPECT_EQ(moves.events().size(), 1U) << "nobody holds the mouse";
-  widget->SetCurrentRenderer(&renderer());
-  widget->SetEnabled(1);
+  enable(*widget);
   EXPECT_EQ(widget->GetDistance(), std::hypot(3, 1));
   hand().drag({pixelOfVertex(13), pixelOfVertex(7)});
   EXPECT_EQ(widget->GetDistance(), 2);
@@ -327,8 +322,7 @@ TEST_F(Ruler, StandsBesideAWidgetOfVTKAndItsBindingsCanBeChanged)
   widget->SetEnabled(0);
   widget->GetEventTranslator()->RemoveTranslation(vtkCommand::LeftButtonReleaseEvent);
   widget->GetEventTranslator()->SetTranslation(vtkCommand::MiddleButtonReleaseEvent, vtkWidgetEvent::EndSelect);
-  widget->SetCurrentRenderer(&renderer());
-  widget->SetEnabled(1);
+  enable(*widget);
   hand().click(pixelOfVertex(5));
   EXPECT_FALSE(widget->IsUnderWay());
   hand().middleRelease(pixelOfVertex(5));

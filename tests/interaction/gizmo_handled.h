@@ -1,0 +1,65 @@
+#pragma once
+/// \file
+/// A gizmo that a hand drags, and what it tells of that.
+
+#include <functional>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <holdfast/view/interaction/gizmo_widget.h>
+#include <holdfast/view/interaction/interaction_events.h>
+
+#include "interaction/gizmo_stage.h"
+
+namespace holdfast::test {
+
+/// The gizmo stands at (1.5, 1, 0), its axes are those of the world.
+struct GizmoHandled : testing::Test {
+  GizmoStage stage;
+  vtkNew<GizmoWidget> widget;
+  GizmoRepresentation& gizmo = *widget->GetGizmoRepresentation();
+  Hand& hand = stage.hand();
+  DisplayPoint beside{5, 5};
+  std::vector<GizmoPart> parts;
+  std::vector<GizmoMotion> motions;
+  std::function<void()> atMotion = [] {};
+  EventLog log{*widget,
+               {vtkCommand::StartInteractionEvent, vtkCommand::InteractionEvent, vtkCommand::EndInteractionEvent,
+                CancelInteractionEvent}};
+
+  GizmoHandled()
+  {
+    gizmo.SetPixelSize(kGizmoRadius);
+    gizmo.SetFrame({1.5, 1, 0}, Eigen::Matrix3d::Identity());
+    widget->SetInteractor(&stage.interactor());
+    widget->On();
+    widget->AddObserver(vtkCommand::HighlightEvent, this, &GizmoHandled::notePart);
+    widget->AddObserver(vtkCommand::InteractionEvent, this, &GizmoHandled::noteMotion);
+  }
+
+  void notePart(vtkObject*, unsigned long, void* part) { parts.push_back(*static_cast<GizmoPart*>(part)); }
+  void noteMotion(vtkObject*, unsigned long, void* motion)
+  {
+    motions.push_back(*static_cast<GizmoMotion*>(motion));
+    atMotion();
+  }
+
+  void standElsewhere() { gizmo.SetFrame({8, 8, 8}, Eigen::Matrix3d::Identity()); }
+
+  [[nodiscard]] unsigned long lastEvent() const { return log.events().empty() ? 0 : log.events().back(); }
+  [[nodiscard]] DisplayPoint arrow(int axis) const { return placeOnArrow(gizmo, axis); }
+  [[nodiscard]] const Vector3& center() const { return gizmo.GetFrame().center; }
+
+  /// Presses an arrow and moves on, along it on the display.
+  void grabArrow(int axis, double pixels = 40)
+  {
+    const DisplayPoint from = arrow(axis);
+    const DisplayPoint along = (from - placeOnGizmo(gizmo, Vector3::Zero())).normalized();
+    hand.moveTo(from);
+    hand.press(from);
+    hand.moveTo(from + pixels * along);
+  }
+};
+
+}  // namespace holdfast::test

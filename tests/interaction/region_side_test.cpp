@@ -1,0 +1,95 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <vtkCamera.h>
+
+#include <holdfast/view/interaction/surface_camera_style.h>
+
+#include "interaction/region_window.h"
+#include "support/law_meshes.h"
+#include "support/meshes.h"
+
+namespace holdfast {
+namespace {
+
+using test::EventLog;
+using test::kBegins;
+using test::kEnds;
+using test::RegionWindow;
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+/// A box seen from its corner: three sides of 25 vertices each.
+struct RegionsOfBox : testing::Test, RegionWindow {
+  RegionsOfBox() : RegionWindow(test::merged(test::box({1, 1, 1}, 4), test::moved(test::box({1, 1, 1}, 4), {3, 0, 0})))
+  {
+    stage.renderer().GetActiveCamera()->Azimuth(30);
+    stage.renderer().GetActiveCamera()->Elevation(30);
+    stage.renderer().ResetCamera();
+    widget->SetShape(RegionShape::Side);
+  }
+
+  DisplayPoint onTop = stage.pixelOf({0.55, 1, 0.45});
+};
+
+TEST_F(RegionsOfBox, AClickSelectsTheSide)
+{
+  const Positions& places = stage.model().mesh.positions;
+  // Wherever the box stands: its topmost vertices.
+  const double top = places.col(1).maxCoeff();
+  const Vector3 least = places.colwise().minCoeff();
+  onTop = stage.pixelOf({least.x() + 0.55, top, least.z() + 0.45});
+  hand().click(onTop);
+  EXPECT_THAT(events, ElementsAre(kBegins, kEnds));
+  EXPECT_THAT(selected, SizeIs(25));
+  for (const Index vertex : selected) EXPECT_EQ(places(vertex, 1), top);
+  hand().click(onTop, {.ctrl = true});
+  EXPECT_THAT(selected, IsEmpty());
+}
+
+TEST_F(RegionsOfBox, ADoubleClickSelectsTheConnectedPart)
+{
+  hand().doubleClick(onTop);
+  EXPECT_THAT(selected, SizeIs(stage.model().mesh.vertexCount() / 2));
+  EXPECT_THAT(events, ElementsAre(kBegins, kEnds, kBegins, kEnds));
+  events.clear();
+  stage.interactor().SetEventInformation(static_cast<int>(onTop.x()), static_cast<int>(onTop.y()));
+  stage.interactor().InvokeEvent(vtkCommand::LeftButtonDoubleClickEvent);
+  EXPECT_THAT(events, ElementsAre(kBegins, kEnds));
+}
+
+TEST_F(RegionsOfBox, ADragFromASideTurnsThePictureAndSelectsNothing)
+{
+  vtkNew<SurfaceCameraStyle> style;
+  stage.interactor().SetInteractorStyle(style);
+  const Vector3 eye(stage.renderer().GetActiveCamera()->GetPosition());
+  hand().drag({onTop, onTop + DisplayPoint(6, 0), onTop + DisplayPoint(30, 5)});
+  EXPECT_THAT(events, IsEmpty());
+  EXPECT_NE(Vector3(stage.renderer().GetActiveCamera()->GetPosition()), eye);
+  stage.interactor().SetInteractorStyle(nullptr);
+  hand().drag({onTop, onTop + DisplayPoint(6, 0), onTop});
+  EXPECT_THAT(events, IsEmpty()) << "the hand came back";
+  // Four pixels of a display of high resolution are eight.
+  widget->SetPixelRatio(2);
+  hand().drag({onTop, onTop + DisplayPoint(6, 0)});
+  EXPECT_THAT(events, ElementsAre(kBegins, kEnds));
+}
+
+TEST_F(RegionsOfBox, BracketsChangeTheAngleOfASide)
+{
+  EventLog changes(*widget, {vtkCommand::WidgetValueChangedEvent});
+  for (int k = 0; k < 14; ++k) hand().key("bracketright");
+  EXPECT_EQ(widget->GetSideAngle(), 90);
+  EXPECT_THAT(changes.events(), SizeIs(14));
+  hand().key("bracketright");
+  hand().click(onTop);
+  EXPECT_THAT(selected, SizeIs(stage.model().mesh.vertexCount() / 2));
+  for (int k = 0; k < 100; ++k) hand().key("bracketright");
+  EXPECT_EQ(widget->GetSideAngle(), 175);
+  for (int k = 0; k < 100; ++k) hand().key("bracketleft");
+  EXPECT_EQ(widget->GetSideAngle(), 0);
+  EXPECT_EQ(widget->GetBrushRadius(), 24);
+}
+
+}  // namespace
+}  // namespace holdfast

@@ -1,0 +1,170 @@
+#include <algorithm>
+#include <set>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <vtkCamera.h>
+#include <vtkRenderWindow.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <holdfast/constraints/curve_selector.h>
+#include <holdfast/io/mesh_file.h>
+#include <holdfast/surface/curve_region.h>
+
+#include "interaction/drawn_curve.h"
+#include "support/law_meshes.h"
+#include "support/meshes.h"
+#include "support/plain_curve.h"
+#include "support/source_tree.h"
+
+namespace holdfast {
+namespace {
+
+using test::DrawnCurve;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::Gt;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+TEST(CurveOnParts, PlacesOfAnotherPartAreRefused)
+{
+  DrawnCurve curve(test::merged(test::grid(4, 4), test::moved(test::grid(4, 4), {5, 0, 0})));
+  curve.click({6, 8});
+  curve.click(25 + 12);
+  EXPECT_THAT(curve.widget->GetPlaces(), ElementsAre(6, 8));
+  curve.hand().moveTo(curve.stage.pixelOfVertex(25 + 12));
+  EXPECT_THAT(curve.curve().GetPreview(), IsEmpty());
+  curve.click({18, 16});
+  curve.hand().key("Return");
+  // Nor can one be dragged there.
+  curve.hand().drag({curve.stage.pixelOfVertex(8), curve.stage.pixelOfVertex(25 + 6)});
+  EXPECT_THAT(curve.widget->GetPlaces(), ElementsAre(6, 8, 18, 16));
+}
+
+TEST(CurveOnSoup, PathsCrossFacesThatShareNoVertices)
+{
+  DrawnCurve curve(test::soup(test::grid(6, 6)));
+  const Model& model = curve.stage.model();
+  const auto vertexAt = [&](double x, double y) {
+    Index nearest = 0;
+    (model.mesh.positions.rowwise() - Vector3(x, y, 0).transpose()).rowwise().squaredNorm().minCoeff(&nearest);
+    return nearest;
+  };
+  const std::vector<Index> corners{vertexAt(1, 1), vertexAt(5, 1), vertexAt(5, 5)};
+  curve.click(corners);
+  curve.hand().key("Return");
+  ASSERT_TRUE(curve.widget->IsClosed());
+  std::vector<Index> unknowns;
+  for (const Index vertex : curve.widget->GetPath()) unknowns.push_back(model.solverMesh.weld.unknownOf[vertex]);
+  std::vector<Index> expected;
+  for (const Index vertex : corners) expected.push_back(model.solverMesh.weld.unknownOf[vertex]);
+  EXPECT_EQ(unknowns, closedCurve(EdgeGraph(model.solverMesh), expected));
+  // Corners at one place are one place.
+  EXPECT_EQ(model.solverMesh.unknownCount(), 49);
+  for (Index v = 0; v < model.mesh.vertexCount(); ++v) {
+    if (model.mesh.positions.row(v) != model.mesh.positions.row(corners[0])) continue;
+    EXPECT_FALSE(curve.curve().InsertPlace(3, v));
+  }
+}
+
+/// The head from the front.
+struct CurveOnHead : testing::Test, DrawnCurve {
+  CurveOnHead() : DrawnCurve(readMesh(test::dataFolder() + "/head.ply").mesh, 640, 480)
+  {
+    stage.lookFromFront();
+    stage.renderer().GetActiveCamera()->Zoom(1.7);
+  }
+
+  [[nodiscard]] std::vector<Index> aroundAnEye() const
+  {
+    std::vector<Index> places;
+    for (const Vector3& place :
+         {Vector3(41, -76, 25), Vector3(27, -76, 39), Vector3(13, -76, 25), Vector3(27, -76, 11)}) {
+      Index nearest = 0;
+      (stage.model().mesh.positions.rowwise() - place.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
+      places.push_back(nearest);
+    }
+    return places;
+  }
+};
+
+TEST_F(CurveOnHead, ACurveAroundAnEyeEnclosesWhatItsConstraintWould)
+{
+  const std::vector<Index> places = aroundAnEye();
+  click(places);
+  hand().key("Return");
+  ASSERT_EQ(told, places);
+  nlohmann::json plain;
+  InsideCurve inside;
+  for (const Index vertex : told) {
+    const Vector3 exact = stage.model().mesh.positions.row(vertex).transpose();
+    plain["through"].push_back({{"near", {exact.x(), exact.y(), exact.z()}}});
+    inside.through.push_back(AtVertex{vertex});
+  }
+  const Model& model = stage.model();
+  SurfaceLocator locator(model.mesh, model.triangulation);
+  const std::vector<Index> selected = CurveSelector(model.mesh, model.solverMesh, locator).select(inside, {});
+  EXPECT_THAT(selected, SizeIs(Gt(10u)));
+  EXPECT_EQ(std::set<long>(selected.begin(), selected.end()),
+            test::insidePlain(plain, test::readPlainMesh(test::dataFolder() + "/head.ply")));
+  for (const Index vertex : widget->GetPath()) EXPECT_THAT(selected, Contains(vertex));
+}
+
+/// How many of these places have a pixel beside them that is more red than blue by `difference`.
+int countRed(vtkRenderWindow& window, const std::vector<DisplayPoint>& places, int difference)
+{
+  window.Render();
+  const int width = window.GetSize()[0];
+  vtkNew<vtkUnsignedCharArray> colors;
+  window.GetPixelData(0, 0, width - 1, window.GetSize()[1] - 1, 0, colors);
+  const auto isRed = [&](const DisplayPoint& place) {
+    const vtkIdType pixel = 3 * (static_cast<vtkIdType>(place.y()) * width + static_cast<vtkIdType>(place.x()));
+    return colors->GetValue(pixel) > colors->GetValue(pixel + 2) + difference;
+  };
+  return static_cast<int>(std::count_if(places.begin(), places.end(), [&](const DisplayPoint& place) {
+    bool isAnyRed = false;
+    for (int k = 0; k < 9; ++k) isAnyRed = isAnyRed || isRed(place + DisplayPoint(k % 3 - 1, k / 3 - 1));
+    return isAnyRed;
+  }));
+}
+
+constexpr int kSolidRed = 140;
+constexpr int kFaintRed = 12;
+
+TEST_F(CurveOnHead, NoneOfItSinksIntoTheSurface)
+{
+  click(aroundAnEye());
+  hand().key("Return");
+  for (const double degrees : {0.0, 20.0, -35.0}) {
+    stage.renderer().GetActiveCamera()->Azimuth(degrees);
+    std::vector<DisplayPoint> visible;
+    for (const Index vertex : widget->GetPath())
+      if (stage.surface()->isVertexVisible(vertex, DisplayTransform(stage.renderer())))
+        visible.push_back(stage.pixelOfVertex(vertex));
+    EXPECT_THAT(visible, SizeIs(Gt(20u)));
+    EXPECT_EQ(countRed(stage.window(), visible, kSolidRed), static_cast<int>(visible.size())) << degrees;
+  }
+}
+
+TEST_F(CurveOnHead, WhatLiesBehindIsFaint)
+{
+  click(aroundAnEye());
+  hand().key("Return");
+  const std::vector<int> orange{199, 61, 0};
+  const int inFront = stage.countPixels(orange, 25);
+  EXPECT_GT(inFront, 150);
+  stage.renderer().GetActiveCamera()->Azimuth(180);
+  stage.renderer().ResetCameraClippingRange();
+  EXPECT_LT(stage.countPixels(orange, 25), inFront / 20);
+  std::vector<DisplayPoint> hidden;
+  for (const Index vertex : widget->GetPath()) hidden.push_back(stage.pixelOfVertex(vertex));
+  EXPECT_EQ(countRed(stage.window(), hidden, kSolidRed), 0);
+  EXPECT_EQ(countRed(stage.window(), hidden, kFaintRed), static_cast<int>(hidden.size()));
+  widget->Off();
+  EXPECT_EQ(countRed(stage.window(), hidden, kFaintRed), 0);
+}
+
+}  // namespace
+}  // namespace holdfast
