@@ -8,6 +8,7 @@
 #include <vtkRenderer.h>
 
 #include <holdfast/deform/deformer.h>
+#include <holdfast/io/file_bytes.h>
 #include <holdfast/io/mesh_file.h>
 #include <holdfast/io/output_file.h>
 #include <holdfast/view/interaction/gizmo_widget.h>
@@ -18,9 +19,10 @@
 using namespace holdfast;
 
 struct DragPoint {
-  explicit DragPoint(const Model& m) : deformer(m, {}), scene(m), surface(std::make_shared<VisibleSurface>(m))
+  explicit DragPoint(const Model& m) : deformer(m, {}), scene(m)
   {
     scene.addTo(*renderer);
+    renderer->SetBackground(1, 1, 1);
     window->AddRenderer(renderer);
     window->SetSize(800, 600);
     interactor->SetRenderWindow(window);
@@ -30,8 +32,8 @@ struct DragPoint {
     gizmo->SetInteractor(interactor);
     gizmo->GetGizmoRepresentation()->SetMotions(GizmoMotions::Moves);
     gizmo->AddObserver(vtkCommand::InteractionEvent, this, &DragPoint::drag);
-    interactor->Initialize();
-    point->SetSurface(surface);
+    window->Render();
+    point->SetSurface(std::make_shared<VisibleSurface>(m));
     point->On();
   }
   void hold(vtkObject*, unsigned long, void* callData)
@@ -47,14 +49,11 @@ struct DragPoint {
     NoProgress progress;
     const auto positions = std::make_shared<Positions>(deformer.deform(list, "clicks", progress).positions);
     scene.setPositions(*positions);
-    surface = std::make_shared<VisibleSurface>(surface->movedTo(positions));
-    point->SetSurface(surface);
+    point->SetSurface(std::make_shared<VisibleSurface>(point->GetPlacer()->GetSurface()->movedTo(positions)));
   }
-
   ConstraintList list;
   Deformer deformer;
   SceneContents scene;
-  std::shared_ptr<const VisibleSurface> surface;
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkRenderWindow> window;
   vtkNew<vtkRenderWindowInteractor> interactor;
@@ -66,14 +65,15 @@ struct DragPoint {
 int main(int argc, char** argv)
 try {
   if (argc < 3) throw std::runtime_error("drag_point MESH.obj RESULT.obj [RECORDING]");
-  const MeshDocument document = readMesh(argv[1]);
-  const Model model = makeModel(document.mesh, argv[1]);
-  DragPoint program(model);
+  const MeshDocument file = readMesh(argv[1]);
+  const Model model = makeModel(file.mesh, argv[1]);
+  DragPoint tool(model);
   vtkNew<vtkInteractorEventRecorder> player;
-  player->SetInteractor(program.interactor);
-  player->SetFileName(argv[3]);
-  argc > 3 ? player->Play() : program.interactor->Start();
-  OutputFile(argv[2], serializeMesh(document, program.surface->positions(), ".obj").bytes).commit();
+  player->SetInteractor(tool.interactor);
+  player->ReadFromInputStringOn();
+  if (argc > 3) player->SetInputString(readFileBytes(argv[3]).c_str());
+  argc > 3 ? player->Play() : tool.interactor->Start();
+  OutputFile(argv[2], serializeMesh(file, tool.point->GetPlacer()->GetSurface()->positions(), ".obj").bytes).commit();
 } catch (const std::exception& error) {
   std::cerr << error.what() << '\n';
   return 1;

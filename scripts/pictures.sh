@@ -26,10 +26,17 @@ draw_window() {
   rmdir "$folder"
 }
 
+# The window of the example, as the test of its recording sees it.
+draw_example() {
+  tests/support/with_display.sh build/release/tests/holdfast_interaction_tests --gtest_filter=DragPointExample.IsPicturedAtWork
+  cp build/release/tests/drag_point.png docs/images/drag_point.png
+}
+
 configure_preset release -DHOLDFAST_BUILD_GUI=ON -DHOLDFAST_BUILD_TESTS=ON
 build_preset release app/holdfast-batch
 build_preset release holdfast_tour
 build_preset release widget_pictures
+build_preset release holdfast_interaction_tests
 draw bracket bracket.obj bracket displacement 1200x800
 draw twist bar.obj bar.twist_720 angle 720x640
 draw two_handles plate_unsymmetric.off plate_unsymmetric.two_handles angle 720x640
@@ -39,3 +46,4 @@ draw conflicts plate_unsymmetric.off plate_unsymmetric.conflict displacement 720
 draw forces bracket.obj bracket force 720x640
 draw_window
 tests/support/with_display.sh build/release/examples/widget_pictures data docs/images
+draw_example
