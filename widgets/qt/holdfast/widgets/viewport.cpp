@@ -10,11 +10,11 @@
 #include <QVTKInteractor.h>
 #include <vtkBoundingBox.h>
 #include <vtkCamera.h>
-#include <vtkCameraOrientationRepresentation.h>
+#include <vtkCameraInterpolator.h>
 #include <vtkLightKit.h>
+#include <vtkObjectFactory.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
-#include <vtkTextProperty.h>
 
 #include <holdfast/base/degree.h>
 #include <holdfast/base/thread_priority.h>
@@ -22,6 +22,7 @@
 #include <holdfast/view/default_camera.h>
 #include <holdfast/view/example_document.h>
 #include <holdfast/view/interaction/interaction_events.h>
+#include <holdfast/view/interaction/orientation_representation.h>
 #include <holdfast/view/stage.h>
 #include <holdfast/widgets/viewport_overlay.h>
 
@@ -46,16 +47,17 @@ double millisecondsOf(const QElapsedTimer& timer)
   return static_cast<double>(timer.nsecsElapsed()) / 1e6;
 }
 
-/// The balls are worked out anew for each picture, with their letters as textures.
-void drawQuickly(vtkCameraOrientationRepresentation& balls)
-{
-  balls.SetHandleCircumferentialResolution(16);
-  balls.SetShaftResolution(6);
-  for (vtkTextProperty* letter :
-       {balls.GetXPlusLabelProperty(), balls.GetXMinusLabelProperty(), balls.GetYPlusLabelProperty(),
-        balls.GetYMinusLabelProperty(), balls.GetZPlusLabelProperty(), balls.GetZMinusLabelProperty()})
-    letter->SetFontSize(24);
-}
+class OrientationWidget : public vtkCameraOrientationWidget {
+ public:
+  static OrientationWidget* New();
+  vtkTypeMacro(OrientationWidget, vtkCameraOrientationWidget)
+  void CreateDefaultRepresentation() override
+  {
+    if (this->WidgetRep == nullptr) this->WidgetRep = OrientationRepresentation::New();
+  }
+};
+
+vtkStandardNewMacro(OrientationWidget);
 
 /// A mesh at rest would be of one dark colour, and look like a result. A range that the user has fixed is what he
 /// wants.
@@ -70,7 +72,8 @@ bool saysAnything(const Coloring& coloring, const ColorSettings& settings)
 
 }  // namespace
 
-Viewport::Viewport(Editor& editor, QWidget* parent) : VtkView(parent), editor_(editor)
+Viewport::Viewport(Editor& editor, QWidget* parent)
+    : VtkView(parent), editor_(editor), orientation_(vtkSmartPointer<OrientationWidget>::New())
 {
   setObjectName("viewport");
   setAccessibleName(tr("Picture of the mesh"));
@@ -92,8 +95,6 @@ Viewport::Viewport(Editor& editor, QWidget* parent) : VtkView(parent), editor_(e
   addLights(*renderer_);
   addLights(*widgetRenderer_);
   orientation_->SetParentRenderer(renderer_);
-  orientation_->CreateDefaultRepresentation();
-  drawQuickly(*vtkCameraOrientationRepresentation::SafeDownCast(orientation_->GetRepresentation()));
   orientation_->AnimateOff();
   orientation_->KeyPressActivationOff();
   orientation_->On();
@@ -384,7 +385,7 @@ void Viewport::scheduleRender()
 void Viewport::scheduleWidgets()
 {
   // A widget that has moved the camera does not say so, and the balls in the corner are kept with the document.
-  if (orientation_->GetProcessEvents() != 0 || !kept_->isCurrent()) return scheduleRender();
+  if (orientation_->GetProcessEvents() != 0 || kept_->isOutdated()) return scheduleRender();
   if (!renderTimer_.isActive()) renderTimer_.start(0);
 }
 
@@ -399,6 +400,7 @@ void Viewport::render()
   if (!std::exchange(isSceneDue_, false) && kept_->isCurrent()) return renderWidgets();
   // Until the hand rests a large mesh is drawn of fewer triangles.
   isCoarse_ = contents_ && fullMilliseconds_ > kFluentMilliseconds;
+  kept_->setKeeping(!isCoarse_);
   if (contents_) {
     contents_->lookFrom(Vector3(renderer_->GetActiveCamera()->GetPosition()));
     contents_->setDetail(isCoarse_ ? Detail::Coarse : Detail::Full);
@@ -492,6 +494,7 @@ void Viewport::renderInFull()
   fitClippingRange();
   Q_EMIT aboutToRender();
   drawing_.start();
+  kept_->setKeeping(true);
   slices_->begin(*contents_);
   drawnTimer_.start(0);
 }

@@ -10,6 +10,7 @@
 
 #include <vtkCameraOrientationWidget.h>
 #include <vtkNew.h>
+#include <vtkSmartPointer.h>
 
 #include <holdfast/document/session_file.h>
 #include <holdfast/view/display_settings.h>
@@ -168,7 +169,7 @@ class Viewport : public VtkView {
   vtkNew<vtkRenderer> renderer_;
   vtkNew<vtkRenderer> widgetRenderer_;
   vtkNew<SurfaceCameraStyle> style_;
-  vtkNew<vtkCameraOrientationWidget> orientation_;  // in the corner
+  vtkSmartPointer<vtkCameraOrientationWidget> orientation_;  // in the corner
   ViewportOverlay* overlay_;
 
   Tool* tool_ = nullptr;

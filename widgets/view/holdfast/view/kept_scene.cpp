@@ -24,7 +24,7 @@ KeptScene::KeptScene(vtkRenderer& scene, vtkRenderer& last)
     : scene_(scene), last_(last), window_(*vtkOpenGLRenderWindow::SafeDownCast(scene.GetRenderWindow()))
 {
   kept_->SetContext(&window_);
-  observer_ = last_.AddObserver(vtkCommand::EndEvent, this, &KeptScene::keep);
+  observer_ = last_.AddObserver(vtkCommand::EndEvent, this, &KeptScene::noteScene);
 }
 
 KeptScene::~KeptScene()
@@ -33,27 +33,31 @@ KeptScene::~KeptScene()
   kept_->ReleaseGraphicsResources(&window_);
 }
 
-bool KeptScene::isCurrent() const
+bool KeptScene::isOutdated() const
 {
   const int* size = window_.GetActualSize();
-  const std::array<int, 2> keptSize{kept_->GetLastSize()[0], kept_->GetLastSize()[1]};
-  return isKept_ && keptSize[0] == size[0] && keptSize[1] == size[1] &&
-         scene_.GetActiveCamera()->GetMTime() == cameraTime_;
+  return size_ != std::array{size[0], size[1]} || scene_.GetActiveCamera()->GetMTime() != cameraTime_;
+}
+
+void KeptScene::noteScene()
+{
+  const int* size = window_.GetActualSize();
+  size_ = {size[0], size[1]};
+  cameraTime_ = scene_.GetActiveCamera()->GetMTime();
+  isKept_ = isKeeping_;
+  if (isKeeping_) keep();
 }
 
 void KeptScene::keep()
 {
-  const int* size = window_.GetActualSize();
   if (kept_->GetFBOIndex() == 0) {
     window_.GetState()->PushFramebufferBindings();
-    kept_->PopulateFramebuffer(size[0], size[1], true, 1, VTK_UNSIGNED_CHAR, true, kDepthBits, 0);
+    kept_->PopulateFramebuffer(size_[0], size_[1], true, 1, VTK_UNSIGNED_CHAR, true, kDepthBits, 0);
     window_.GetState()->PopFramebufferBindings();
   } else {
-    kept_->Resize(size[0], size[1]);
+    kept_->Resize(size_[0], size_[1]);
   }
   copy(*window_.GetRenderFramebuffer(), *kept_);
-  cameraTime_ = scene_.GetActiveCamera()->GetMTime();
-  isKept_ = true;
 }
 
 void KeptScene::copy(vtkOpenGLFramebufferObject& from, vtkOpenGLFramebufferObject& to)

@@ -2,6 +2,8 @@
 /// \file
 /// Drawing what follows the cursor again without the scene under it.
 
+#include <array>
+
 #include <vtkNew.h>
 
 class vtkOpenGLFramebufferObject;
@@ -22,13 +24,20 @@ class KeptScene {
   KeptScene(const KeptScene&) = delete;
   KeptScene& operator=(const KeptScene&) = delete;
 
-  /// Whether a scene is kept that the renderer's camera has not left since, in a window of the same size.
-  [[nodiscard]] bool isCurrent() const;
+  /// Whether scenes that are drawn from now on are kept; they are by default. A copy waits for what is being drawn,
+  /// which is lost time where one scene follows another.
+  void setKeeping(bool isKeeping) { isKeeping_ = isKeeping; }
+
+  /// Whether the camera has moved or the window got another size since the scene was drawn, or none was.
+  [[nodiscard]] bool isOutdated() const;
+  /// Whether the scene that was drawn last is kept, and not outdated.
+  [[nodiscard]] bool isCurrent() const { return isKept_ && !isOutdated(); }
 
   /// Draws the layers above onto the kept scene, and shows the picture. The scene is current.
   void drawLayersAbove();
 
  private:
+  void noteScene();
   void keep();
   void putBack();
   void copy(vtkOpenGLFramebufferObject& from, vtkOpenGLFramebufferObject& to);
@@ -38,7 +47,9 @@ class KeptScene {
   vtkOpenGLRenderWindow& window_;
   vtkNew<vtkOpenGLFramebufferObject> kept_;
   unsigned long observer_ = 0;
-  unsigned long cameraTime_ = 0;  // of the kept scene's camera
+  unsigned long cameraTime_ = 0;  // of the camera that the last scene was drawn with
+  std::array<int, 2> size_{};     // of that picture
+  bool isKeeping_ = true;
   bool isKept_ = false;
 };
 
