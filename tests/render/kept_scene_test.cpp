@@ -92,6 +92,28 @@ TEST_F(KeptBox, LayersAboveAreDrawnOntoItAsIfAllWereDrawn)
   EXPECT_EQ(drawnAbove(), drawnWhole()) << "nothing of what was there stays behind";
 }
 
+TEST_F(KeptBox, IsKeptAsAWholeWhereTheLastOfItsLayersIsASmallPartOfTheWindow)
+{
+  vtkNew<vtkSphereSource> source;
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(source->GetOutputPort());
+  vtkNew<vtkActor> axes;
+  axes->SetMapper(mapper);
+  vtkNew<vtkRenderer> corner;
+  corner->AddActor(axes);
+  corner->SetViewport(0.7, 0.7, 1, 1);
+  corner->SetLayer(1);
+  window->SetNumberOfLayers(3);
+  window->AddRenderer(corner);
+  above->SetLayer(2);
+  kept.emplace(*scene, *corner);
+  const Colors before = drawnWhole();
+  ball->SetCenter(-1, 0.4, 1);
+  const Colors moved = drawnAbove();
+  EXPECT_NE(moved, before);
+  EXPECT_EQ(moved, drawnWhole());
+}
+
 TEST_F(KeptBox, TheSceneIsNotDrawnForIt)
 {
   static_cast<void>(drawnWhole());

@@ -65,6 +65,9 @@ void KeptScene::copy(vtkOpenGLFramebufferObject& from, vtkOpenGLFramebufferObjec
   const int* size = window_.GetActualSize();
   const std::array<int, 4> all{0, size[0], 0, size[1]};
   vtkOpenGLState& state = *window_.GetState();
+  // The renderer that was drawn last leaves its viewport as the only part that may be written to.
+  const vtkOpenGLState::ScopedglEnableDisable scissor(&state, GL_SCISSOR_TEST);
+  state.vtkglDisable(GL_SCISSOR_TEST);
   state.PushFramebufferBindings();
   from.Bind(GL_READ_FRAMEBUFFER);
   from.ActivateReadBuffer(0);
