@@ -14,7 +14,7 @@ using test::PlainScreen;
 using test::PlainView;
 using test::Projection;
 
-constexpr double kRounding = 1e-9;
+constexpr double kDegreesRounding = 1e-9;
 
 class DegreesSeen : public testing::TestWithParam<Projection> {
  protected:
@@ -35,7 +35,7 @@ TEST_P(DegreesSeen, InAPlaneAcrossTheViewAreTheAngleAboutItsAxis)
   const Vector3 center(0.3, -0.2, 0);
   for (const double degrees : {0.0, 10.0, 90.0, 179.0, -45.0}) {
     const Vector3 to = center + Vector3(std::cos(degrees * kDegree), std::sin(degrees * kDegree), 0);
-    EXPECT_NEAR(degreesSeen(view, center, center + Vector3::UnitX(), to, 0), degrees, kRounding);
+    EXPECT_NEAR(degreesSeen(view, center, center + Vector3::UnitX(), to, 0), degrees, kDegreesRounding);
   }
 }
 
@@ -45,7 +45,7 @@ TEST_P(DegreesSeen, GoOnOverWholeTurns)
   for (int step = 1; step <= 108; ++step) {
     const double angle = 10 * step * kDegree;
     seen = degreesSeen(view, {0, 0, 0}, {1, 0, 0}, {std::cos(angle), std::sin(angle), 0}, seen);
-    EXPECT_NEAR(seen, 10 * step, kRounding);
+    EXPECT_NEAR(seen, 10 * step, kDegreesRounding);
   }
 }
 
@@ -55,7 +55,7 @@ TEST_P(DegreesSeen, DoNotSayWhatHappensAlongTheSight)
   const Vector3 from(1, 0, 0);
   const Vector3 eye(0, 0, 10);
   const Vector3 towards = GetParam() == Projection::Parallel ? Vector3(1, 0, 3) : Vector3(from + 0.3 * (eye - from));
-  EXPECT_NEAR(degreesSeen(view, {0, 0, 0}, from, towards, 0), 0, kRounding);
+  EXPECT_NEAR(degreesSeen(view, {0, 0, 0}, from, towards, 0), 0, kDegreesRounding);
 }
 
 TEST_P(DegreesSeen, StayAsTheyWereWhereNothingIsSeen)

@@ -1,17 +1,12 @@
 #include "holdfast/view/display_transform.h"
 
 #include <Eigen/LU>
-#include <vtkCamera.h>
-#include <vtkMatrix4x4.h>
 #include <vtkRenderer.h>
+
+#include <holdfast/view/projection.h>
 
 namespace holdfast {
 namespace {
-
-Eigen::Matrix4d toEigen(vtkMatrix4x4& matrix)
-{
-  return Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(matrix.GetData());
-}
 
 Vector3 applied(const Eigen::Matrix4d& matrix, const Vector3& place)
 {
@@ -27,9 +22,8 @@ DisplayTransform::DisplayTransform(vtkRenderer& renderer)
   renderer.GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
   size_ = {size[0], size[1]};
   origin_ = {origin[0], origin[1]};
-  vtkCamera& camera = *renderer.GetActiveCamera();
-  toView_ = toEigen(*camera.GetModelViewTransformMatrix());
-  project_ = toEigen(*camera.GetProjectionTransformMatrix(renderer.GetTiledAspectRatio(), -1, 1));
+  toView_ = viewOf(renderer);
+  project_ = projectionOf(renderer);
   fromView_ = toView_.inverse();
   unproject_ = project_.inverse();
 }

@@ -3,8 +3,9 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <vtkCamera.h>
-#include <vtkMatrix4x4.h>
 #include <vtkRenderer.h>
+
+#include <holdfast/view/projection.h>
 
 namespace holdfast {
 namespace {
@@ -27,11 +28,9 @@ Eigen::Matrix3d displayFromCube(vtkRenderer& renderer)
 /// Without the row of depths.
 Matrix34 cubeFromWorld(vtkRenderer& renderer)
 {
-  const vtkMatrix4x4& m =
-      *renderer.GetActiveCamera()->GetCompositeProjectionTransformMatrix(renderer.GetTiledAspectRatio(), -1, 1);
+  const Eigen::Matrix4d cube = projectionOf(renderer) * viewOf(renderer);
   Matrix34 result;
-  for (int column = 0; column < 4; ++column)
-    result.col(column) << m.GetElement(0, column), m.GetElement(1, column), m.GetElement(3, column);
+  result << cube.topRows<2>(), cube.row(3);
   return result;
 }
 
