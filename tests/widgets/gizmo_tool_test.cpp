@@ -3,15 +3,18 @@
 #include <QLineF>
 #include <QTransform>
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
+#include <Eigen/Geometry>
 #include <gmock/gmock.h>
 #include <vtkRenderWindow.h>
 
 #include <holdfast/base/degree.h>
 #include <holdfast/document/list_edits.h>
+#include <holdfast/document/own_axes.h>
 #include <holdfast/rotation/rotation_log.h>
-#include <holdfast/view/camera_motion.h>
+#include <holdfast/view/surface_picker.h>
 #include <holdfast/widgets/tools/gizmo_tool.h>
 
 #include "gestures.h"
@@ -32,23 +35,7 @@ class GizmoOnPoint : public test::OpenWindow {
     ASSERT_TRUE(settle());
   }
 
-  [[nodiscard]] QPointF shown(const Vector3& place)
-  {
-    return viewport().toPlace(toDisplay(viewport().renderer(), place).head<2>());
-  }
-
   [[nodiscard]] Vector3 target() { return std::get<Target>(std::get<Point>(list().constraints[point].what).to).place; }
-
-  /// On the shaft of an arrow of the gizmo.
-  [[nodiscard]] QPointF onArrow(int axis)
-  {
-    const GizmoRepresentation& gizmo = window.gizmo().gizmo();
-    const Vector3 along = gizmo.GetFrame().axes.col(axis);
-    const Vector3 center = gizmo.GetFrame().center;
-    const QPointF step = shown(center + along) - shown(center);
-    const double pixels = std::hypot(step.x(), step.y());
-    return shown(center + along * (0.5 * kGizmoPixels / pixels));
-  }
 
   void dragArrow(int axis, const QPointF& by, Qt::KeyboardModifiers modifiers = Qt::NoModifier)
   {
@@ -144,7 +131,7 @@ TEST_F(GizmoOnPoint, TheLabelStaysAtTheCursorAndInTheWindow)
 TEST_F(GizmoOnPoint, PointsHaveNoRings)
 {
   const Vector3 center = window.gizmo().gizmo().GetFrame().center;
-  const QPointF outer = shown(center) + QPointF(kGizmoPixels, 0);
+  const QPointF outer = shownAt(center) + QPointF(kGizmoPixels, 0);
   test::moveMouse(viewport(), outer);
   EXPECT_EQ(window.gizmo().gizmo().GetPart(), GizmoPart::None);
 }
@@ -191,7 +178,7 @@ class GizmoOnHandle : public GizmoOnPoint {
   /// Takes the outer ring at its right and around the center by `degrees`, counterclockwise.
   void turnOuterRing(double degrees, Qt::KeyboardModifiers modifiers = Qt::NoModifier)
   {
-    const QPointF middle = shown(window.gizmo().gizmo().GetFrame().center);
+    const QPointF middle = shownAt(window.gizmo().gizmo().GetFrame().center);
     std::vector<QPointF> way;
     for (int step = 0; step <= 80; ++step) {
       const double angle = degrees * kDegree * step / 80;
@@ -240,8 +227,8 @@ TEST_F(GizmoOnHandle, WhatTurnsAboutTheFixedEndIsDraggedRoundItWithoutAJump)
   ASSERT_TRUE(settle());
   const auto state = editor().history().state();
   const Positions before = editor().positions();
-  const QPointF from = shown(window.gizmo().gizmo().GetFrame().center);
-  const QPointF foot = shown({0, 0, 0});
+  const QPointF from = shownAt(window.gizmo().gizmo().GetFrame().center);
+  const QPointF foot = shownAt({0, 0, 0});
   const auto goRound = [&](double turns) {
     test::pressMouse(viewport(), from);
     for (double degrees = 0; degrees <= 360 * turns; degrees += 5) {
@@ -269,6 +256,132 @@ TEST_F(GizmoOnHandle, WhatTurnsAboutTheFixedEndIsDraggedRoundItWithoutAJump)
   ASSERT_TRUE(settle());
   EXPECT_EQ(editor().history().state(), state) << "a drag is one edit";
   EXPECT_EQ(editor().positions(), before);
+}
+
+/// The bar, whose free end has not turned yet, from the front.
+class TurnOfMovesInMenu : public GizmoOnHandle {
+ protected:
+  void SetUp() override
+  {
+    GizmoOnHandle::SetUp();
+    ConstraintList changed = list();
+    std::get<Turn>(std::get<Handle>(changed.constraints[point].what).motion).degrees = 0;
+    editor().edit("stand upright", changed);
+    trigger("viewFront");
+    ASSERT_TRUE(settle());
+  }
+
+  [[nodiscard]] const Handle& handle() { return std::get<Handle>(list().constraints[point].what); }
+
+  /// By the ball in the middle, across the view.
+  void dragMiddle(const QPointF& way)
+  {
+    const QPointF from = shownAt(window.gizmo().gizmo().GetFrame().center);
+    test::drag(viewport(), {from, from + way / 2, from + way});
+    ASSERT_TRUE(settle());
+  }
+
+  /// Counterclockwise, of the way from the middle of the foot to the free end.
+  [[nodiscard]] double degreesOnScreen()
+  {
+    const Model& model = *editor().model();
+    Vector3 foot = Vector3::Zero();
+    Index count = 0;
+    for (const Vector3 place : model.mesh.positions.rowwise()) {
+      if (place.z() > 5) continue;
+      foot += place;
+      ++count;
+    }
+    const QLineF way(shownAt(foot / static_cast<double>(count)), shownAt(window.gizmo().gizmo().GetFrame().center));
+    return way.angle();
+  }
+};
+
+TEST_F(TurnOfMovesInMenu, AMoveTurnsTheHandleAsItsConstraintSays)
+{
+  dragMiddle({-200, 30});
+  EXPECT_GT(handle().translate.norm(), 10);
+  EXPECT_EQ(degrees(), 0);
+}
+
+TEST_F(TurnOfMovesInMenu, AMoveTurnsTheHandleByTheAngleThatIsSeenWhereThatIsChosen)
+{
+  trigger("turnAsSeen");
+  const double before = degreesOnScreen();
+  dragMiddle({-200, 30});
+  const double seen = degreesOnScreen() - before;
+  ASSERT_GT(seen, 10);
+  const Turn& turn = std::get<Turn>(handle().motion);
+  EXPECT_NEAR(turn.degrees, seen, 1e-6);
+  // From the front one looks along y: towards the eye it is counterclockwise.
+  EXPECT_LT((turn.axis.normalized() + Vector3::UnitY()).norm(), 1e-9);
+  EXPECT_LE(editor().deformation()->report.solve.maxResidualRelative, 1e-12);
+
+  trigger("turnAsConstraint");
+  dragMiddle({60, 0});
+  EXPECT_NEAR(std::get<Turn>(handle().motion).degrees, seen, 1e-6) << "turns no further";
+}
+
+TEST_F(TurnOfMovesInMenu, ARingTurnsAlikeInBoth)
+{
+  trigger("viewTop");
+  ASSERT_TRUE(settle());
+  turnOuterRing(40, Qt::ControlModifier);
+  const double asConstraint = degrees();
+  EXPECT_GT(std::abs(asConstraint), 20);
+  trigger("undo");
+  trigger("turnAsSeen");
+  ASSERT_TRUE(settle());
+  turnOuterRing(40, Qt::ControlModifier);
+  EXPECT_EQ(degrees(), asConstraint);
+}
+
+TEST_F(GizmoOnHandle, ItsOwnAxesTurnWithIt)
+{
+  trigger("axesOwn");
+  trigger("viewTop");
+  ASSERT_TRUE(settle());
+  const Eigen::Matrix3d before = window.gizmo().gizmo().GetFrame().axes;
+  EXPECT_NEAR(std::abs(before(2, 2)), 1, 1e-9) << "along the bar";
+  const double degreesBefore = degrees();
+  turnOuterRing(30, Qt::ControlModifier);
+  const double turned = degrees() - degreesBefore;
+  ASSERT_GT(std::abs(turned), 10);
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(turned * kDegree, Vector3::UnitZ()).toRotationMatrix();
+  EXPECT_LT((window.gizmo().gizmo().GetFrame().axes - turn * before).norm(), 1e-9);
+
+  // Across both axes of the world.
+  const Vector3 along = window.gizmo().gizmo().GetFrame().axes.col(0);
+  ASSERT_GT(along.head<2>().cwiseAbs().minCoeff(), 0.2);
+  const auto translate = [&] { return std::get<Handle>(list().constraints[point].what).translate; };
+  const Vector3 placeBefore = translate();
+  const QPointF from = onArrow(0);
+  const QPointF way = from - shownAt(window.gizmo().gizmo().GetFrame().center);
+  test::drag(viewport(), {from, from + way / 2, from + way});
+  ASSERT_TRUE(settle());
+  const Vector3 moved = translate() - placeBefore;
+  EXPECT_GT(moved.dot(along), 0.5);
+  EXPECT_LT(moved.cross(along).norm(), 1e-9 * moved.norm());
+}
+
+TEST_F(GizmoOnPoint, ItsOwnAxesFollowTheSurface)
+{
+  trigger("axesOwn");
+  ASSERT_TRUE(settle());
+  const Eigen::Matrix3d before = window.gizmo().gizmo().GetFrame().axes;
+  dragArrow(2, {0, -60});
+  const auto& surfacePoint = std::get<Point>(list().constraints[point].what);
+  const Eigen::Matrix3d expected =
+      surfaceAxes(*editor().model(), pointOf(surfacePoint.at, editor().model()->mesh), editor().positions());
+  const Eigen::Matrix3d after = window.gizmo().gizmo().GetFrame().axes;
+  EXPECT_GT((after - before).norm(), 1e-3) << "the flange bends";
+  EXPECT_EQ(after, expected);
+
+  const Vector3 placeBefore = target();
+  dragArrow(0, (onArrow(0) - shownAt(window.gizmo().gizmo().GetFrame().center)));
+  const Vector3 moved = target() - placeBefore;
+  EXPECT_GT(moved.dot(after.col(0)), 0.1);
+  EXPECT_LT(moved.cross(after.col(0)).norm(), 1e-9 * moved.norm());
 }
 
 }  // namespace

@@ -27,15 +27,6 @@ class NumberTypedAtAPoint : public test::WindowUser {
 
   [[nodiscard]] Vector3 target() { return std::get<Target>(std::get<Point>(list().constraints[point].what).to).place; }
 
-  /// On the shaft of an arrow of the gizmo.
-  [[nodiscard]] QPointF onArrow(int axis)
-  {
-    const GizmoFrame& frame = window.gizmo().gizmo().GetFrame();
-    const QPointF center = seenAt(frame.center);
-    const QPointF step = seenAt(Vector3(frame.center + frame.axes.col(axis))) - center;
-    return center + 0.5 * kGizmoPixels / std::hypot(step.x(), step.y()) * step;
-  }
-
   Index point = 0;
 };
 

@@ -6,6 +6,8 @@
 #include <vtkRenderer.h>
 
 #include <holdfast/constraints/constraint_file.h>
+#include <holdfast/view/camera_motion.h>
+#include <holdfast/widgets/tools/gizmo_tool.h>
 
 #include "gestures.h"
 #include "support/source_tree.h"
@@ -52,6 +54,19 @@ void OpenWindow::look(PlainView& view)
 QPointF OpenWindow::inWidget(const Eigen::Vector2d& screen)
 {
   return {std::floor(screen.x()) + 0.5, viewport().height() - std::floor(screen.y()) - 0.5};
+}
+
+QPointF OpenWindow::shownAt(const Vector3& place)
+{
+  return viewport().toPlace(toDisplay(viewport().renderer(), place).head<2>());
+}
+
+QPointF OpenWindow::onArrow(int axis)
+{
+  const GizmoFrame& frame = window.gizmo().gizmo().GetFrame();
+  const QPointF center = shownAt(frame.center);
+  const QPointF step = shownAt(Vector3(frame.center + frame.axes.col(axis))) - center;
+  return center + 0.5 * kGizmoPixels / std::hypot(step.x(), step.y()) * step;
 }
 
 }  // namespace holdfast::test

@@ -3,8 +3,6 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include <holdfast/view/camera_motion.h>
-
 #include "gestures.h"
 #include "open_window.h"
 #include "support/plain_curve.h"
@@ -23,11 +21,6 @@ class RegionsOfHead : public test::OpenWindow {
     open("head.ply");
     trigger("viewFront");
     ASSERT_TRUE(settle());
-  }
-
-  [[nodiscard]] QPointF shown(const Vector3& place)
-  {
-    return viewport().toPlace(toDisplay(viewport().renderer(), place).head<2>());
   }
 
   [[nodiscard]] Vector3 placeOf(Index vertex) { return editor().positions().row(vertex).transpose(); }
@@ -56,7 +49,7 @@ TEST_F(RegionsOfHead, ACurveAroundAnEyeSelectsWhatIsInsideIt)
   nlohmann::json curve;
   for (const Vector3& place : around) {
     const Index vertex = nearestVertex(place);
-    test::click(viewport(), shown(placeOf(vertex)));
+    test::click(viewport(), shownAt(placeOf(vertex)));
     const Vector3 exact = placeOf(vertex);
     curve["through"].push_back({{"near", {exact.x(), exact.y(), exact.z()}}});
   }
@@ -72,7 +65,7 @@ TEST_F(RegionsOfHead, ARigidFeatureOfACurveKeepsTheCurve)
 {
   trigger("toolCurve");
   for (const Vector3& place : {Vector3(41, -76, 25), Vector3(27, -76, 39), Vector3(13, -76, 25), Vector3(27, -76, 11)})
-    test::click(viewport(), shown(placeOf(nearestVertex(place))));
+    test::click(viewport(), shownAt(placeOf(nearestVertex(place))));
   test::pressKey(viewport(), Qt::Key_Return);
   trigger("makeRigid");
   ASSERT_EQ(list().constraints.size(), 1u);
@@ -86,14 +79,14 @@ TEST_F(RegionsOfHead, ARigidFeatureOfACurveKeepsTheCurve)
 TEST_F(RegionsOfHead, ARectangleSelectsWhatIsSeenInIt)
 {
   trigger("toolRectangle");
-  const QPointF a = shown({10, -76, 10});
-  const QPointF b = shown({45, -76, 42});
+  const QPointF a = shownAt({10, -76, 10});
+  const QPointF b = shownAt({45, -76, 42});
   select({a, (a + b) / 2, b});
   const QRectF box = QRectF(a, b).normalized();
   const auto selected = editor().selectedVertices();
   EXPECT_GT(selected.size(), 20u);
   for (const Index vertex : selected) {
-    EXPECT_TRUE(box.adjusted(-1, -1, 1, 1).contains(shown(placeOf(vertex))));
+    EXPECT_TRUE(box.adjusted(-1, -1, 1, 1).contains(shownAt(placeOf(vertex))));
     EXPECT_LT(placeOf(vertex).y(), 0) << "the back of the head is hidden";
   }
   // With Alt what is hidden counts as well.
@@ -105,8 +98,8 @@ TEST_F(RegionsOfHead, ARectangleSelectsWhatIsSeenInIt)
 
 TEST_F(RegionsOfHead, ALassoSelectsAsTheRectangleOfTheSameOutline)
 {
-  const QPointF a = shown({10, -76, 10});
-  const QPointF b = shown({45, -76, 42});
+  const QPointF a = shownAt({10, -76, 10});
+  const QPointF b = shownAt({45, -76, 42});
   trigger("toolRectangle");
   select({a, b});
   const auto byRectangle = editor().selectedVertices();
@@ -118,11 +111,11 @@ TEST_F(RegionsOfHead, ALassoSelectsAsTheRectangleOfTheSameOutline)
 TEST_F(RegionsOfHead, TheBrushPaintsAddsAndTakesAway)
 {
   trigger("toolBrush");
-  const QPointF eye = shown({27, -84, 25});
+  const QPointF eye = shownAt({27, -84, 25});
   test::drag(viewport(), {eye, eye + QPointF(20, 0), eye + QPointF(40, 0)});
   const auto painted = editor().selectedVertices();
   ASSERT_GT(painted.size(), 5u);
-  const QPointF chin = shown({0, -84, -50});
+  const QPointF chin = shownAt({0, -84, -50});
   test::drag(viewport(), {chin, chin + QPointF(10, 0)}, Qt::LeftButton, Qt::ShiftModifier);
   EXPECT_GT(editor().selectedVertices().size(), painted.size());
   test::drag(viewport(), {chin, chin + QPointF(10, 0)}, Qt::LeftButton, Qt::ControlModifier);
@@ -133,7 +126,7 @@ TEST_F(RegionsOfHead, EscapeDuringAStrokeBringsTheSelectionBack)
 {
   editor().selectVertices({1, 2, 3});
   trigger("toolBrush");
-  const QPointF eye = shown({27, -84, 25});
+  const QPointF eye = shownAt({27, -84, 25});
   test::pressMouse(viewport(), eye);
   test::moveMouse(viewport(), eye + QPointF(20, 0), Qt::LeftButton);
   EXPECT_NE(editor().selectedVertices(), (std::vector<Index>{1, 2, 3}));
@@ -144,7 +137,7 @@ TEST_F(RegionsOfHead, EscapeDuringAStrokeBringsTheSelectionBack)
 TEST_F(RegionsOfHead, GrowThenShrinkInsideTheSurfaceIsNothing)
 {
   trigger("toolBrush");
-  const QPointF eye = shown({27, -84, 25});
+  const QPointF eye = shownAt({27, -84, 25});
   test::drag(viewport(), {eye, eye + QPointF(15, 0)});
   const auto painted = editor().selectedVertices();
   trigger("grow");
@@ -163,7 +156,7 @@ TEST_F(RegionsOfHead, BracketsSayHowMuchASideMayBend)
   trigger("toolFlood");
   const auto sideAfter = [this](Qt::Key key, int times) {
     for (int k = 0; k < times; ++k) test::pressKey(viewport(), key);
-    test::click(viewport(), shown({27, -84, 25}));
+    test::click(viewport(), shownAt({27, -84, 25}));
     return editor().selectedVertices();
   };
   const auto usual = sideAfter(Qt::Key_BracketLeft, 0);
@@ -174,7 +167,7 @@ TEST_F(RegionsOfHead, BracketsSayHowMuchASideMayBend)
 TEST_F(RegionsOfHead, ADoubleClickSelectsTheWholePart)
 {
   trigger("toolFlood");
-  const QPointF eye = shown({27, -84, 25});
+  const QPointF eye = shownAt({27, -84, 25});
   test::doubleClick(viewport(), eye);
   EXPECT_EQ(static_cast<Index>(editor().selectedVertices().size()), editor().model()->mesh.vertexCount());
 }
