@@ -4,14 +4,42 @@
 
 #include <QVTKInteractor.h>
 #include <vtkCamera.h>
-#include <vtkImplicitPlaneRepresentation.h>
 #include <vtkImplicitPlaneWidget2.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
+#include <vtkWidgetEventTranslator.h>
 
+#include <holdfast/view/constraint_glyphs.h>
+#include <holdfast/view/gizmo_colors.h>
 #include <holdfast/widgets/viewport.h>
 
 namespace holdfast {
+namespace {
+
+// What can be grabbed of the plane is small and comes before the tools; before it comes the gizmo.
+constexpr float kPriority = 0.55F;
+
+/// Of one colour wherever the light comes from.
+void setColor(vtkProperty& property, const Color& color)
+{
+  property.SetColor(color.red, color.green, color.blue);
+  property.SetAmbient(1);
+  property.SetDiffuse(0);
+  property.SetSpecular(0);
+}
+
+/// In the colour of what is selected, and in the gizmo's yellow where the cursor would take it.
+void setLook(vtkImplicitPlaneRepresentation& plane)
+{
+  plane.DrawOutlineOff();
+  // A filled plane would tint the colours of all that is seen through it.
+  plane.DrawPlaneOff();
+  plane.SetEdgeColor(kAccentColor.red, kAccentColor.green, kAccentColor.blue);
+  setColor(*plane.GetNormalProperty(), kAccentColor);
+  setColor(*plane.GetSelectedNormalProperty(), kHighlightColor);
+}
+
+}  // namespace
 
 SectionTool::SectionTool(Editor& editor, Viewport& viewport, QObject* parent)
     : QObject(parent), editor_(editor), viewport_(viewport)
@@ -20,12 +48,16 @@ SectionTool::SectionTool(Editor& editor, Viewport& viewport, QObject* parent)
   widget_->SetDefaultRenderer(&viewport.widgetRenderer());
   widget_->KeyPressActivationOff();
   widget_->SetRepresentation(plane_);
+  widget_->SetPriority(kPriority);
+  // They move the camera.
+  widget_->GetEventTranslator()->RemoveTranslation(vtkCommand::MiddleButtonPressEvent);
+  widget_->GetEventTranslator()->RemoveTranslation(vtkCommand::RightButtonPressEvent);
   widget_->AddObserver(vtkCommand::InteractionEvent, this, &SectionTool::cut);
   plane_->SetPlaceFactor(1.1);
   plane_->OutlineTranslationOff();
   plane_->ScaleEnabledOff();
-  plane_->DrawOutlineOff();
-  plane_->GetPlaneProperty()->SetOpacity(0.15);
+  setLook(*plane_);
+  connect(&viewport, &Viewport::surfaceChanged, this, [this] { plane_->SetSurface(viewport_.surface()); });
   connect(&viewport, &Viewport::closing, this, [this] { widget_->SetInteractor(nullptr); });
   connect(&editor, &Editor::opened, this, [this] {
     isPlaced_ = false;

@@ -6,9 +6,9 @@
 
 #include <vtkNew.h>
 
+#include <holdfast/view/interaction/section_plane_representation.h>
 #include <holdfast/widgets/editor.h>
 
-class vtkImplicitPlaneRepresentation;
 class vtkImplicitPlaneWidget2;
 
 namespace holdfast {
@@ -16,7 +16,8 @@ namespace holdfast {
 class Viewport;
 
 /// VTK's plane, beside whatever tool is chosen: what lies on the side that its arrow does not point to is cut away from
-/// the picture and cannot be picked. The mesh, its constraints and its files stay as they are.
+/// the picture and cannot be picked. The arrow turns it, the ball in its middle moves it, and beside the mesh it can be
+/// pushed by itself. The mesh, its constraints and its files stay as they are.
 class SectionTool : public QObject {
   Q_OBJECT
 
@@ -34,7 +35,7 @@ class SectionTool : public QObject {
 
   Editor& editor_;
   Viewport& viewport_;
-  vtkNew<vtkImplicitPlaneRepresentation> plane_;
+  vtkNew<SectionPlaneRepresentation> plane_;
   vtkNew<vtkImplicitPlaneWidget2> widget_;
   bool isOn_ = false;
   bool isPlaced_ = false;  // in this document

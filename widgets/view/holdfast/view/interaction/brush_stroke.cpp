@@ -21,8 +21,9 @@ bool BrushStroke::dab(const DisplayPoint& pixel, double radiusPixels, const Surf
   if (!pick) return false;
   const Vector3 center = atDepthOf(renderer, pick->place, pixel);
   const Vector3 border = atDepthOf(renderer, pick->place, pixel + DisplayPoint(radiusPixels, 0));
-  const auto touched =
-      regions_->within((border - center).norm(), pick->place, pick->face, picker.surface()->positions());
+  const VisibleSurface& surface = *picker.surface();
+  auto touched = regions_->within((border - center).norm(), pick->place, pick->face, surface.positions());
+  std::erase_if(touched, [&](Index v) { return !surface.isKept(surface.positions().row(v)); });
   reached_ = joined(reached_, touched, SelectionMode::Add);
   return true;
 }

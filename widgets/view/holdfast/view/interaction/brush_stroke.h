@@ -11,7 +11,7 @@
 namespace holdfast {
 
 /// One stroke. Dabs of it are balls around places of the surface, of a radius that is seen as so many pixels there, and
-/// reach along edges only (`VertexRegions::within`).
+/// reach along edges only (`VertexRegions::within`), and nothing that a section cuts away.
 class BrushStroke {
  public:
   /// `regions` is not null, and made of the mesh whose surfaces `paintTo` gets.
