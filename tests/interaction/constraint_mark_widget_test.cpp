@@ -177,6 +177,16 @@ TEST_F(MarkWidget, BindingsAndPrioritiesCanBeChanged)
   EXPECT_EQ(picked.data().size(), 2U);
 }
 
+TEST_F(MarkWidget, FindsNothingThatASectionCutsAway)
+{
+  widget->GetConstraintMarkRepresentation()->SetSection(SectionPlane{{2.5, 0, 0}, {1, 0, 0}});
+  hand().click(pixelOf({2, 1, 0}));
+  hand().click(pixelOf({3, 2, 0}));
+  ASSERT_EQ(picked.data().size(), 2U);
+  EXPECT_EQ(picked.data()[0]->constraint, std::nullopt);
+  EXPECT_EQ(picked.data()[1]->constraint, 2);
+}
+
 TEST_F(MarkWidget, AReplayedGestureDoesTheSame)
 {
   const std::string events = test::recorded(interactor(), [&] {

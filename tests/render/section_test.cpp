@@ -1,4 +1,5 @@
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -36,10 +37,11 @@ class CutScene {
     contents.addTo(*renderer_);
     renderer_->GetActiveCamera()->ParallelProjectionOn();
     renderer_->ResetCamera();
+    renderer_->GetActiveCamera()->SetClippingRange(0.1, 1000);
     slices_.emplace(*renderer_);
   }
 
-  /// Everything that is drawn on a mesh: edges of polygons, the shape at rest as a surface, a selection.
+  /// Everything that is drawn on a mesh: edges of polygons, the shape at rest as a surface, a selection, rotations.
   void showAll()
   {
     std::vector<Index> vertices(static_cast<std::size_t>(model_.mesh.vertexCount()));
@@ -50,7 +52,27 @@ class CutScene {
     Positions moved = model_.mesh.positions;
     moved.col(1).array() += 0.1;
     moved.col(2).array() += 0.2;
-    contents.setPositions(moved);
+    Deformation deformation;
+    deformation.positions = moved;
+    deformation.rotations = Columns3::Ones(model_.solverMesh.unknownCount(), 3);
+    contents.showShape(deformation);
+    contents.setRotationDisplay(RotationDisplay::Arrows);
+  }
+
+  /// One of every kind of constraint at all vertices in turn, some of them disabled, some selected.
+  void showMarks()
+  {
+    const Positions& positions = model_.mesh.positions;
+    std::vector<ConstraintMark> marks;
+    std::vector<Index> highlighted;
+    for (Index v = 0; v < positions.rows(); ++v) {
+      const auto kind = static_cast<MarkKind>(v % 6);
+      const Vector3 place = positions.row(v);
+      marks.push_back({place, place, v % 7 == 0 ? ConstraintStatus::Disabled : ConstraintStatus::Met, kind, v, place});
+      if (v % 3 == 0) highlighted.push_back(v);
+    }
+    contents.setMarks(std::move(marks));
+    contents.highlight(std::move(highlighted));
   }
 
   /// A picture, as rows of pixels of three colours.
@@ -103,8 +125,8 @@ int differing(const std::vector<unsigned char>& a, const std::vector<unsigned ch
   return count;
 }
 
-// Lines and dots reach a few pixels beyond the place where they are cut.
-constexpr int kMarginOfCut = 6;
+// Lines and glyphs reach some pixels beyond the place where they are cut.
+constexpr int kMarginOfCut = 16;
 
 /// The picture is that of nothing to the left of x, and that without a section to the right of it.
 void expectCutAt(double x, CutScene& scene, const std::vector<unsigned char>& cut,
@@ -122,6 +144,7 @@ TEST(Section, CutsAllThatIsDrawnOfTheMesh)
 {
   CutScene scene(test::grid(12, 9));
   scene.showAll();
+  scene.showMarks();
   const auto whole = scene.shown();
   for (const double x : {4.1, 7.3}) {
     scene.contents.setSection(SectionPlane{{x, 0, 0}, {2, 0, 0}});
@@ -173,6 +196,32 @@ TEST(Section, LeavesTheMeshAsItIs)
   scene.contents.setSection(SectionPlane{{4, 0, 0}, {1, 0, 0}});
   static_cast<void>(scene.shown());
   EXPECT_EQ(scene.contents.mesh().points().GetMTime(), before);
+}
+
+TEST(Section, ShowsBothEndsOfARelativeConstraintForThemselves)
+{
+  CutScene scene(test::grid(12, 9));
+  const auto markBetween = [](const Vector3& place, const Vector3& other) {
+    ConstraintMark mark{place, place, ConstraintStatus::Met, MarkKind::Relative, 0, place};
+    mark.other = other;
+    return mark;
+  };
+  const Vector3 left(2, 4, 0.5);
+  const Vector3 right(10, 4, 0.5);
+  scene.contents.setSection(SectionPlane{{6, 0, 0}, {1, 0, 0}});
+  const auto without = scene.shown();
+  const auto changedAround = [&](double x) {
+    const int column = scene.columnOf(x);
+    return differing(scene.shown(), without, column - 6, column + 6);
+  };
+  for (const auto& [place, other] : {std::pair{left, right}, std::pair{right, left}}) {
+    scene.contents.setMarks({markBetween(place, other)});
+    EXPECT_GT(changedAround(10), 40);
+    EXPECT_LT(changedAround(2), 30) << "the line, and no ball";
+    EXPECT_GT(changedAround(2), 0);
+  }
+  scene.contents.setMarks({markBetween(left, {3, 4, 0.5})});
+  EXPECT_EQ(scene.shown(), without);
 }
 
 }  // namespace

@@ -140,8 +140,12 @@ void MainWindow::connectFiles()
   connect(&files_, &DocumentFiles::done, this, [this](const QString& what) { status_->showMessage(what, 6000); });
   exports_.setPictureView([this]() -> PictureView {
     const DisplaySettings display = viewport_->display();
+    const auto section = viewport_->section();
     return {cameraOf(*viewport_->renderer().GetActiveCamera()), viewport_->coloring(),
-            [display](SceneContents& contents) { arrange(contents, display); }};
+            [display, section](SceneContents& contents) {
+              arrange(contents, display);
+              contents.setSection(section);
+            }};
   });
   connect(&exports_, &DocumentExports::done, this, [this](const QString& what) { status_->showMessage(what, 6000); });
   if (const auto folder = recoveryFolder()) {

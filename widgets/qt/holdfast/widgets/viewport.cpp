@@ -173,9 +173,10 @@ void Viewport::openDocument()
     showColors();
     frameAll();
     openedFrom_ = Vector3(renderer_->GetActiveCamera()->GetPosition());
+  } else {
+    Q_EMIT marksChanged();
   }
   showSurface();
-  Q_EMIT marksChanged();
   scheduleRender();
 }
 
@@ -189,12 +190,14 @@ void Viewport::showSurface()
 
 void Viewport::setSection(const std::optional<SectionPlane>& section)
 {
+  if (section_ == section) return;
   section_ = section;
   if (!contents_) return;
   prepareToMove();
   contents_->setSection(section_);
   showSurface();
   scheduleRender();
+  Q_EMIT marksChanged();
 }
 
 void Viewport::showDeformation()

@@ -78,8 +78,9 @@ class Viewport : public VtkView {
   [[nodiscard]] const std::shared_ptr<const VisibleSurface>& surface() const noexcept { return surface_; }
   /// Cuts the picture, not the mesh; none: shows all of it. Stays for the next document.
   void setSection(const std::optional<SectionPlane>& section);
+  [[nodiscard]] const std::optional<SectionPlane>& section() const noexcept { return section_; }
   [[nodiscard]] SceneContents* contents() noexcept { return contents_.get(); }
-  /// The constraints that are drawn; none without a document.
+  /// The constraints that are drawn, those that the section plane cuts away as well; none without a document.
   [[nodiscard]] const std::vector<ConstraintMark>& marks() const noexcept;
   [[nodiscard]] vtkRenderer& renderer() { return *renderer_; }
   /// A layer over the picture of the document, with its camera and its depths: what widgets draw is drawn here, without
@@ -114,7 +115,7 @@ class Viewport : public VtkView {
   void coloringChanged(const std::optional<Coloring>& coloring);
   /// `surface` is another one.
   void surfaceChanged();
-  /// Other constraints are drawn, or elsewhere: `marks`.
+  /// Other constraints are drawn, or elsewhere: `marks` and `section`.
   void marksChanged();
   void contextMenuWanted(const QPoint& place);
   /// Before each picture.

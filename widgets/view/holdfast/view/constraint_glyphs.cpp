@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <utility>
 
 #include <vtkActor.h>
@@ -32,7 +33,7 @@ constexpr double kCrowdedDotSize = 0.34;
 constexpr double kLineSize = 0.22;
 
 // More dots than this are drawn smaller.
-constexpr std::size_t kCrowd = 500;
+constexpr std::ptrdiff_t kCrowd = 500;
 
 constexpr Color kRigidColor{0.42, 0.24, 0.08};
 
@@ -54,19 +55,24 @@ Layer layerOf(const ConstraintMark& mark)
 
 /// What is drawn of some marks.
 struct GlyphSet {
+  std::optional<SectionPlane> section;
   std::array<std::vector<Sprite>, LayerCount> layers;
   std::vector<GlyphLine> lines;
+
+  [[nodiscard]] bool isShown(const Vector3& place) const { return !section || isKept(*section, place); }
 
   void add(const ConstraintMark& mark)
   {
     const Color color = glyphColor(mark);
-    layers[layerOf(mark)].push_back({mark.place, color});
-    if (isSinglePoint(mark.kind)) layers[HiddenPoints].push_back({mark.place, color});
+    const bool isPlaceShown = isShown(mark.place);
+    if (isPlaceShown) layers[layerOf(mark)].push_back({mark.place, color});
+    if (isPlaceShown && isSinglePoint(mark.kind)) layers[HiddenPoints].push_back({mark.place, color});
     if (mark.other) {
-      lines.push_back({mark.place, *mark.other, color, LineStyle::Dashed});
-      layers[layerOf(mark)].push_back({*mark.other, color});
+      const bool isOtherShown = isShown(*mark.other);
+      if (isPlaceShown || isOtherShown) lines.push_back({mark.place, *mark.other, color, LineStyle::Dashed});
+      if (isOtherShown) layers[layerOf(mark)].push_back({*mark.other, color});
     }
-    if (hasPull(mark)) {
+    if (isPlaceShown && hasPull(mark)) {
       layers[Dots].push_back({mark.target, color});
       lines.push_back({mark.place, mark.target, color});
     }
@@ -74,6 +80,7 @@ struct GlyphSet {
 
   void highlight(const ConstraintMark& mark)
   {
+    if (!isShown(mark.place)) return;
     layers[isSinglePoint(mark.kind) ? Rings : HighlightedDots].push_back({mark.place, kAccentColor});
   }
 };
@@ -128,6 +135,7 @@ void ConstraintGlyphs::highlight(std::vector<Index> constraints)
 void ConstraintGlyphs::update()
 {
   GlyphSet glyphs;
+  glyphs.section = section_;
   for (const Index k : marks_->drawn) {
     const ConstraintMark& mark = marks_->marks[k];
     glyphs.add(mark);
@@ -136,7 +144,9 @@ void ConstraintGlyphs::update()
   if (hidden_ == HiddenMarks::Invisible) glyphs.layers[HiddenPoints].clear();
   for (std::size_t layer = 0; layer < LayerCount; ++layer) layers_[layer]->set(glyphs.layers[layer]);
   lines_.set(glyphs.lines);
-  isCrowded_ = glyphs.layers[Dots].size() > kCrowd;
+  // Those that are cut away as well: sizes do not change while a plane moves.
+  isCrowded_ = std::count_if(marks_->drawn.begin(), marks_->drawn.end(),
+                             [&](Index k) { return layerOf(marks_->marks[k]) == Dots; }) > kCrowd;
   resize();
 }
 
@@ -156,6 +166,12 @@ void ConstraintGlyphs::resize()
 void ConstraintGlyphs::setHiddenMarks(HiddenMarks hidden)
 {
   hidden_ = hidden;
+  update();
+}
+
+void ConstraintGlyphs::setSection(const std::optional<SectionPlane>& section)
+{
+  section_ = section;
   update();
 }
 

@@ -4,12 +4,14 @@
 /// and a line to where it wanted to go.
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <holdfast/view/color_map.h>
 #include <holdfast/view/glyph_lines.h>
 #include <holdfast/view/mark_set.h>
 #include <holdfast/view/point_sprites.h>
+#include <holdfast/view/section_plane.h>
 
 class vtkActor;
 
@@ -51,6 +53,9 @@ class ConstraintGlyphs {
 
   void setHiddenMarks(HiddenMarks hidden);
 
+  /// Draws the marks whose places a plane keeps, and the lines that begin or end there; none: all.
+  void setSection(const std::optional<SectionPlane>& section);
+
   /// All of them, in the order in which they are drawn.
   [[nodiscard]] std::vector<vtkActor*> actors() const;
 
@@ -61,6 +66,7 @@ class ConstraintGlyphs {
   std::shared_ptr<const MarkSet> marks_;
   std::vector<Index> highlighted_;  // ascending
   HiddenMarks hidden_ = HiddenMarks::Faint;
+  std::optional<SectionPlane> section_;
   double ballPixels_ = 10;
   bool isCrowded_ = false;
   std::vector<std::unique_ptr<PointSprites>> layers_;

@@ -3,6 +3,8 @@
 #include <utility>
 
 #include <vtkActor.h>
+#include <vtkMapper.h>
+#include <vtkPlaneCollection.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 
@@ -31,6 +33,7 @@ SceneContents::SceneContents(const Model& model, std::shared_ptr<const ShadedSur
 {
   rest_.edges().GetProperty()->SetOpacity(kGhostEdgeOpacity);
   rest_.surface().GetProperty()->SetOpacity(kGhostSurfaceOpacity);
+  for (vtkActor* const actor : arrows_.actors()) actor->GetMapper()->SetClippingPlanes(&mesh_.sectionPlanes());
   setRestGhost(RestGhost::Edges);
   setRotationDisplay(RotationDisplay::Hidden);
   resize();
@@ -134,6 +137,7 @@ void SceneContents::setSection(const std::optional<SectionPlane>& section)
 {
   mesh_.setSection(section);
   rest_.setSection(section);
+  glyphs_.setSection(section);
 }
 
 void SceneContents::setRestGhost(RestGhost ghost)

@@ -67,8 +67,7 @@ class SceneContents {
   void highlight(std::vector<Index> constraints);
   void setHiddenMarks(HiddenMarks hidden);
 
-  /// Draws of the mesh, of its shape at rest and of the selection what a plane keeps; none: all. Constraints and
-  /// rotations stay.
+  /// Draws what a plane keeps of the mesh, its shape at rest, the selection, constraints and rotations; none: all.
   void setSection(const std::optional<SectionPlane>& section);
 
   void setRestGhost(RestGhost ghost);

@@ -20,6 +20,7 @@ QString SelectTool::hint() const
 
 void SelectTool::followMarks()
 {
+  widget_->GetConstraintMarkRepresentation()->SetSection(viewport().section());
   widget_->SetMarks(viewport().contents() ? viewport().contents()->sharedMarks() : nullptr);
 }
 

@@ -22,6 +22,7 @@ void ConstraintMarkRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Marks: " << (this->Marks ? this->Marks->marks.size() : 0) << '\n';
+  os << indent << "Section: " << (this->Section ? "set" : "(none)") << '\n';
   os << indent << "ReachPixels: " << this->ReachPixels << '\n';
   os << indent << "PixelRatio: " << this->PixelRatio << '\n';
 }
@@ -46,6 +47,7 @@ std::optional<Index> ConstraintMarkRepresentation::FindConstraint(double display
   double nearest = this->ReachPixels * this->PixelRatio;
   std::optional<Index> found;
   for (const ConstraintMark& mark : this->Marks->marks) {
+    if (this->Section && !isKept(*this->Section, mark.place)) continue;
     const DisplayTransform::Shown shown = toDisplay.show(mark.place);
     if (shown.depth <= 0) continue;
     const double handicap = isSinglePoint(mark.kind) ? 0 : kRegionHandicapPixels * this->PixelRatio;

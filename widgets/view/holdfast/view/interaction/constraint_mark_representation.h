@@ -8,6 +8,7 @@
 #include <vtkWidgetRepresentation.h>
 
 #include <holdfast/view/mark_set.h>
+#include <holdfast/view/section_plane.h>
 
 namespace holdfast {
 
@@ -20,6 +21,10 @@ class ConstraintMarkRepresentation : public vtkWidgetRepresentation {
   /// What can be found; null, the default: nothing.
   void SetMarks(std::shared_ptr<const MarkSet> marks);
   [[nodiscard]] const std::shared_ptr<const MarkSet>& GetMarks() const { return this->Marks; }
+
+  /// Marks whose places it cuts away are not found; none by default.
+  void SetSection(const std::optional<SectionPlane>& section) { this->Section = section; }
+  [[nodiscard]] const std::optional<SectionPlane>& GetSection() const { return this->Section; }
 
   /// How near the cursor a mark is found, pixels of a display of ordinary resolution; 9 by default.
   vtkSetClampMacro(ReachPixels, double, 0.0, VTK_DOUBLE_MAX);
@@ -46,6 +51,7 @@ class ConstraintMarkRepresentation : public vtkWidgetRepresentation {
   void operator=(const ConstraintMarkRepresentation&) = delete;
 
   std::shared_ptr<const MarkSet> Marks;
+  std::optional<SectionPlane> Section;
   double ReachPixels = 9;
   double PixelRatio = 1;
 };
