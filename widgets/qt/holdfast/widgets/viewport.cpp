@@ -10,9 +10,7 @@
 #include <QVTKInteractor.h>
 #include <vtkBoundingBox.h>
 #include <vtkCamera.h>
-#include <vtkCameraInterpolator.h>
 #include <vtkLightKit.h>
-#include <vtkObjectFactory.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
@@ -22,7 +20,6 @@
 #include <holdfast/view/default_camera.h>
 #include <holdfast/view/example_document.h>
 #include <holdfast/view/interaction/interaction_events.h>
-#include <holdfast/view/interaction/orientation_representation.h>
 #include <holdfast/view/stage.h>
 #include <holdfast/widgets/viewport_overlay.h>
 
@@ -47,18 +44,6 @@ double millisecondsOf(const QElapsedTimer& timer)
   return static_cast<double>(timer.nsecsElapsed()) / 1e6;
 }
 
-class OrientationWidget : public vtkCameraOrientationWidget {
- public:
-  static OrientationWidget* New();
-  vtkTypeMacro(OrientationWidget, vtkCameraOrientationWidget)
-  void CreateDefaultRepresentation() override
-  {
-    if (this->WidgetRep == nullptr) this->WidgetRep = OrientationRepresentation::New();
-  }
-};
-
-vtkStandardNewMacro(OrientationWidget);
-
 /// A mesh at rest would be of one dark colour, and look like a result. A range that the user has fixed is what he
 /// wants.
 bool saysAnything(const Coloring& coloring, const ColorSettings& settings)
@@ -72,8 +57,7 @@ bool saysAnything(const Coloring& coloring, const ColorSettings& settings)
 
 }  // namespace
 
-Viewport::Viewport(Editor& editor, QWidget* parent)
-    : VtkView(parent), editor_(editor), orientation_(vtkSmartPointer<OrientationWidget>::New())
+Viewport::Viewport(Editor& editor, QWidget* parent) : VtkView(parent), editor_(editor)
 {
   setObjectName("viewport");
   setAccessibleName(tr("Picture of the mesh"));
@@ -517,6 +501,7 @@ void Viewport::resizeEvent(QResizeEvent* event)
   VtkView::resizeEvent(event);
   overlay_->setGeometry(rect());
   if (contents_) contents_->setPixelRatio(pixelRatio());
+  orientation_->SetPixelRatio(pixelRatio());
   scheduleRender();
 }
 

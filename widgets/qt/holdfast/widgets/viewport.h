@@ -8,12 +8,11 @@
 #include <optional>
 #include <vector>
 
-#include <vtkCameraOrientationWidget.h>
 #include <vtkNew.h>
-#include <vtkSmartPointer.h>
 
 #include <holdfast/document/session_file.h>
 #include <holdfast/view/display_settings.h>
+#include <holdfast/view/interaction/corner_axes.h>
 #include <holdfast/view/interaction/surface_camera_style.h>
 #include <holdfast/view/kept_scene.h>
 #include <holdfast/view/sliced_drawing.h>
@@ -170,7 +169,7 @@ class Viewport : public VtkView {
   vtkNew<vtkRenderer> renderer_;
   vtkNew<vtkRenderer> widgetRenderer_;
   vtkNew<SurfaceCameraStyle> style_;
-  vtkSmartPointer<vtkCameraOrientationWidget> orientation_;  // in the corner
+  vtkNew<OrientationWidget> orientation_;  // in the corner
   ViewportOverlay* overlay_;
 
   Tool* tool_ = nullptr;

@@ -1,8 +1,10 @@
-#include "holdfast/view/interaction/orientation_representation.h"
+#include "holdfast/view/interaction/corner_axes.h"
 
 #include <array>
+#include <cmath>
 
 #include <vtkActor.h>
+#include <vtkCameraInterpolator.h>
 #include <vtkEllipticalButtonSource.h>
 #include <vtkMath.h>
 #include <vtkObjectFactory.h>
@@ -11,8 +13,17 @@
 #include <vtkTransform.h>
 #include <vtkTubeFilter.h>
 
+#include <holdfast/base/types.h>
+
 namespace holdfast {
 namespace {
+
+// Of the window at a ratio of 1, as VTK has it.
+constexpr double kSizePixels = 120;
+constexpr double kPaddingPixels = 10;
+
+// Of the cosine: both balls of an axis are then in the same pixels.
+constexpr double kFacing = 1e-4;
 
 // Balls and letters are some twenty pixels wide.
 constexpr int kBallSides = 16;
@@ -26,6 +37,7 @@ constexpr int kFirstBall = 7;
 }  // namespace
 
 vtkStandardNewMacro(OrientationRepresentation);
+vtkStandardNewMacro(OrientationWidget);
 
 OrientationRepresentation::OrientationRepresentation()
 {
@@ -66,6 +78,45 @@ void OrientationRepresentation::HighlightHandle()
   if (this->Renderer == nullptr || picked == this->LetteredFor) return;
   this->Superclass::HighlightHandle();
   this->LetteredFor = picked;
+}
+
+/// Whether the ball under the cursor is the nearest to the viewer, with that of the other direction right behind it.
+bool OrientationRepresentation::IsPickedFacing()
+{
+  if (this->PickedAxis < 0) return false;
+  const Vector3 axis = (this->PickedDir == 0 ? 1 : -1) * Vector3::Unit(this->PickedAxis);
+  const Vector3 seen(this->GetTransform()->TransformVector(axis.data()));
+  return seen.z() > 1 - kFacing;
+}
+
+void OrientationRepresentation::EndWidgetInteraction(double place[2])
+{
+  const bool isFromBehind = this->IsPickedFacing();
+  this->LastPickedAx = isFromBehind ? this->PickedAxis : -1;
+  this->LastPickedDir = isFromBehind ? this->PickedDir : -1;
+  this->Superclass::EndWidgetInteraction(place);
+}
+
+OrientationWidget::OrientationWidget() = default;
+OrientationWidget::~OrientationWidget() = default;
+
+void OrientationWidget::CreateDefaultRepresentation()
+{
+  if (this->WidgetRep == nullptr) this->WidgetRep = OrientationRepresentation::New();
+}
+
+OrientationRepresentation* OrientationWidget::GetOrientationRepresentation()
+{
+  return static_cast<OrientationRepresentation*>(this->GetRepresentation());
+}
+
+void OrientationWidget::SetPixelRatio(double ratio)
+{
+  const int size = static_cast<int>(std::lround(kSizePixels * ratio));
+  const int padding = static_cast<int>(std::lround(kPaddingPixels * ratio));
+  this->GetOrientationRepresentation()->SetSize(size, size);
+  this->GetOrientationRepresentation()->SetPadding(padding, padding);
+  this->SquareResize();
 }
 
 }  // namespace holdfast
