@@ -1,6 +1,7 @@
 #include <QDialog>
 
 #include "chapters.h"
+#include "widgets/gestures.h"
 
 namespace holdfast::tour {
 namespace {
@@ -26,12 +27,31 @@ void dark(Stage& stage)
   stage.window().setAppearance(Appearance::Light);
 }
 
+/// A cut through the mesh, and a distance on it.
+void inside(Stage& stage)
+{
+  stage.open("bracket.obj", "bracket.constraints.json");
+  stage.trigger("sectionPlane");
+  test::moveMouse(stage.viewport(), QPointF(115, 90));
+  stage.settle();
+  stage.picture("section_plane");
+  stage.trigger("sectionPlane");
+  stage.trigger("toolRuler");
+  for (const Vector3& place : {Vector3(-60, -30, 80), Vector3(60, -30, 80)})
+    test::click(stage.viewport(), stage.shownVertex(stage.nearestVertex(place)));
+  stage.settle();
+  stage.picture("ruler");
+  stage.trigger("escape");
+  stage.trigger("toolSelect");
+}
+
 }  // namespace
 
 void looks(Stage& stage)
 {
   stage.ask("help", [&](QWidget& dialog) { stage.pictureOf(dialog, "help"); });
   dark(stage);
+  inside(stage);
   stage.open("bracket.obj", "bracket.constraints.json");
   stage.select("flange east");
   stage.resize(1024, 700);
