@@ -116,6 +116,14 @@ class SectionInWindow : public test::WindowUser {
     return shownAt(plane().origin + side * 0.3 * 1.1 * diagonal * plane().normal);
   }
 
+  /// Whether something of the mesh is seen there that is not cut away.
+  [[nodiscard]] bool isOverMesh(const QPointF& place)
+  {
+    return SurfacePicker(viewport().surface())
+        .pick(viewport().renderer(), place.x(), viewport().height() - place.y(), PickKind::Face, 0)
+        .has_value();
+  }
+
   /// On the plane, which is a little larger than the mesh, near a corner of it where nothing else is.
   [[nodiscard]] QPointF besideTheMesh()
   {
@@ -125,10 +133,7 @@ class SectionInWindow : public test::WindowUser {
       for (const double y : {1.04, -0.04}) {
         Vector3 corner = low + Vector3(x, y, 0).cwiseProduct(high - low);
         corner.z() = plane().origin.z();
-        const QPointF place = shownAt(corner);
-        if (!SurfacePicker(viewport().surface())
-                 .pick(viewport().renderer(), place.x(), viewport().height() - place.y(), PickKind::Face, 0))
-          return place;
+        if (!isOverMesh(shownAt(corner))) return shownAt(corner);
       }
     throw std::runtime_error("the mesh covers the plane");
   }
@@ -259,7 +264,10 @@ TEST_F(SectionInWindow, ItsBallMovesItAndBesideTheMeshItIsPushed)
 {
   cut();
   const SectionPlane before = plane();
+  trigger("toolBrush");
+  ASSERT_TRUE(isOverMesh(shownAt(before.origin))) << "where the brush would paint";
   dragPlane(shownAt(before.origin), {30, 30});
+  EXPECT_TRUE(editor().selectedVertices().empty());
   EXPECT_GT((plane().origin - before.origin).norm(), 1);
   EXPECT_EQ(plane().normal, before.normal);
 
