@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
+#include <vtkRenderWindow.h>
 
 #include <holdfast/view/example_document.h>
 #include <holdfast/view/rotation_sphere.h>

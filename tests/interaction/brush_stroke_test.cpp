@@ -1,0 +1,33 @@
+#include "holdfast/view/interaction/brush_stroke.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "interaction/interaction_stage.h"
+#include "support/meshes.h"
+
+namespace holdfast {
+namespace {
+
+TEST(BrushStroke, ReachesNothingThatASectionCutsAway)
+{
+  test::InteractionStage stage(test::grid(10, 8));
+  const auto regions = std::make_shared<VertexRegions>(stage.model().mesh, stage.model().solverMesh);
+  const DisplayPoint pixel = stage.pixelOf({5, 4, 0});
+  const double radius = 1.2 * (stage.pixelOf({6, 4, 0}) - pixel).norm();
+  const auto reached = [&](const std::optional<SectionPlane>& section) {
+    BrushStroke stroke(regions);
+    stroke.paintTo(pixel, radius, std::make_shared<const VisibleSurface>(stage.surface()->withSection(section)),
+                   stage.renderer());
+    return stroke.reached();
+  };
+  // Vertex (i, j) of the grid is 11 j + i.
+  EXPECT_EQ(reached(std::nullopt), (std::vector<Index>{38, 48, 49, 50, 60}));
+  EXPECT_EQ(reached(SectionPlane{{4.5, 0, 0}, {1, 0, 0}}), (std::vector<Index>{38, 49, 50, 60}));
+}
+
+}  // namespace
+}  // namespace holdfast
