@@ -1,10 +1,18 @@
 #include "holdfast/view/interaction/corner_axes.h"
 
+#include <cstdlib>
+#include <vector>
+
 #include <gtest/gtest.h>
 #include <vtkActor.h>
 #include <vtkCamera.h>
+#include <vtkDataSet.h>
+#include <vtkImageData.h>
+#include <vtkMapper.h>
 #include <vtkPropCollection.h>
 #include <vtkRenderWindow.h>
+#include <vtkTexture.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <holdfast/view/camera_motion.h>
 
@@ -64,6 +72,64 @@ TEST_F(OrientationOfGrid, ABallLooksFromItsEndAndTheOneThatFacesTheViewerFromBeh
       clickBall(axis, side > 0);
       EXPECT_LT((sight() - side * Vector3::Unit(axis)).norm(), 1e-6);
     }
+}
+
+/// When each part of a representation was made, as GPUs are told.
+std::vector<vtkMTimeType> makingsOf(vtkCameraOrientationRepresentation& representation)
+{
+  vtkNew<vtkPropCollection> parts;
+  representation.GetActors(parts);
+  std::vector<vtkMTimeType> times;
+  for (int k = 0; k < parts->GetNumberOfItems(); ++k) {
+    auto& part = *vtkActor::SafeDownCast(parts->GetItemAsObject(k));
+    times.push_back(part.GetMapper()->GetInputAsDataSet()->GetMTime());
+    if (part.GetTexture() != nullptr) times.push_back(part.GetTexture()->GetInput()->GetMTime());
+  }
+  return times;
+}
+
+TEST_F(OrientationOfGrid, NoPartIsMadeAnewWhereTheCameraTurns)
+{
+  const auto before = makingsOf(*widget->GetOrientationRepresentation());
+  renderer().GetActiveCamera()->Azimuth(30);
+  window().Render();
+  EXPECT_EQ(makingsOf(*widget->GetOrientationRepresentation()), before);
+  // The control.
+  vtkNew<vtkCameraOrientationWidget> ofVtk;
+  ofVtk->SetParentRenderer(&renderer());
+  ofVtk->On();
+  window().Render();
+  auto& balls = *vtkCameraOrientationRepresentation::SafeDownCast(ofVtk->GetRepresentation());
+  const auto ofBefore = makingsOf(balls);
+  renderer().GetActiveCamera()->Azimuth(30);
+  window().Render();
+  EXPECT_NE(makingsOf(balls), ofBefore);
+  ofVtk->SetInteractor(nullptr);
+}
+
+TEST_F(OrientationOfGrid, BallsAndLettersAreWhereVtkHasThem)
+{
+  const auto corner = [&] {
+    lookFromCorner();
+    vtkNew<vtkUnsignedCharArray> colors;
+    window().GetPixelData(240, 150, 399, 299, 0, colors);
+    return std::vector<unsigned char>(colors->GetPointer(0), colors->GetPointer(0) + colors->GetNumberOfValues());
+  };
+  const auto differing = [](const std::vector<unsigned char>& a, const std::vector<unsigned char>& b) {
+    int count = 0;
+    for (std::size_t k = 0; k < a.size(); ++k) count += std::abs(a[k] - b[k]) > 40 ? 1 : 0;
+    return static_cast<double>(count) / static_cast<double>(a.size());
+  };
+  const auto ours = corner();
+  widget->GetRepresentation()->VisibilityOff();
+  const auto empty = corner();
+  vtkNew<vtkCameraOrientationWidget> ofVtk;
+  ofVtk->SetParentRenderer(&renderer());
+  ofVtk->On();
+  const auto theirs = corner();
+  ofVtk->SetInteractor(nullptr);
+  EXPECT_GT(differing(empty, theirs), 0.01);
+  EXPECT_LT(differing(ours, theirs), 0.1 * differing(empty, theirs)) << "edges of letters alone";
 }
 
 TEST_F(OrientationOfGrid, HasItsSizeInPixelsOfTheDisplay)
