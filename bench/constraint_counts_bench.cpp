@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <holdfast/elimination/row_components.h>
-#include <holdfast/mesh/bounding_box.h>
+#include <holdfast/geometry/bounding_box.h>
 
 #include "bench/bench_meshes.h"
 #include "bench/benchmarks.h"

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include <holdfast/mesh/bounding_box.h>
+#include <holdfast/geometry/bounding_box.h>
 
 #include "bench/random.h"
 

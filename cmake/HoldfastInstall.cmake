@@ -1,12 +1,12 @@
 # What `cmake --install` puts where, and the package that find_package(holdfast) then finds: one export set a layer, so
-# that a consumer of the core never needs what the view needs.
+# that a consumer of the core never needs what the widgets need.
 
 include(CMakePackageConfigHelpers)
 set(holdfast_package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/holdfast")
 
 set(holdfast_layers core)
-if(TARGET holdfast_view)
-  list(APPEND holdfast_layers view)
+if(TARGET holdfast_widgets)
+  list(APPEND holdfast_layers widgets)
 endif()
 
 foreach(layer IN LISTS holdfast_layers)

@@ -8,13 +8,13 @@
 #include <vtkRenderer.h>
 
 #include <holdfast/deform/deformer.h>
-#include <holdfast/io/file_bytes.h>
+#include <holdfast/io/files/file_bytes.h>
+#include <holdfast/io/files/output_file.h>
 #include <holdfast/io/mesh_file.h>
-#include <holdfast/io/output_file.h>
-#include <holdfast/view/interaction/gizmo_widget.h>
-#include <holdfast/view/interaction/surface_camera_style.h>
-#include <holdfast/view/interaction/surface_point_widget.h>
-#include <holdfast/view/scene_contents.h>
+#include <holdfast/widgets/interaction/gizmo_widget.h>
+#include <holdfast/widgets/interaction/surface_camera_style.h>
+#include <holdfast/widgets/interaction/surface_point_widget.h>
+#include <holdfast/widgets/scene/scene_contents.h>
 
 using namespace holdfast;
 

@@ -12,18 +12,18 @@
 #include <vtkWidgetEvent.h>
 #include <vtkWidgetEventTranslator.h>
 
-#include <holdfast/view/default_camera.h>
-#include <holdfast/view/interaction/constraint_mark_widget.h>
-#include <holdfast/view/interaction/gizmo_widget.h>
-#include <holdfast/view/interaction/region_widget.h>
-#include <holdfast/view/interaction/rotation_sphere_style.h>
-#include <holdfast/view/interaction/surface_camera_style.h>
-#include <holdfast/view/interaction/surface_curve_widget.h>
-#include <holdfast/view/interaction/surface_point_widget.h>
-#include <holdfast/view/interaction/surface_ruler_widget.h>
-#include <holdfast/view/kept_scene.h>
-#include <holdfast/view/rotation_sphere.h>
-#include <holdfast/view/stage.h>
+#include <holdfast/widgets/camera/default_camera.h>
+#include <holdfast/widgets/interaction/constraint_mark_widget.h>
+#include <holdfast/widgets/interaction/gizmo_widget.h>
+#include <holdfast/widgets/interaction/region_widget.h>
+#include <holdfast/widgets/interaction/rotation_sphere_style.h>
+#include <holdfast/widgets/interaction/surface_camera_style.h>
+#include <holdfast/widgets/interaction/surface_curve_widget.h>
+#include <holdfast/widgets/interaction/surface_point_widget.h>
+#include <holdfast/widgets/interaction/surface_ruler_widget.h>
+#include <holdfast/widgets/rotation_sphere/rotation_sphere.h>
+#include <holdfast/widgets/scene/kept_scene.h>
+#include <holdfast/widgets/scene/stage.h>
 
 #include "widget_stage.h"
 

@@ -11,12 +11,12 @@
 #include <vtkPNGWriter.h>
 #include <vtkWindowToImageFilter.h>
 
-#include <holdfast/base/degree.h>
-#include <holdfast/constraints/constraint_file.h>
+#include <holdfast/constraint_files/constraint_file.h>
+#include <holdfast/geometry/degree.h>
 #include <holdfast/io/mesh_file.h>
-#include <holdfast/view/camera_motion.h>
-#include <holdfast/view/default_camera.h>
-#include <holdfast/view/stage.h>
+#include <holdfast/widgets/camera/camera_motion.h>
+#include <holdfast/widgets/camera/default_camera.h>
+#include <holdfast/widgets/scene/stage.h>
 
 namespace holdfast {
 namespace {

@@ -14,9 +14,9 @@
 #include <vtkRenderer.h>
 
 #include <holdfast/deform/deform.h>
-#include <holdfast/view/display_transform.h>
-#include <holdfast/view/scene_contents.h>
-#include <holdfast/view/visible_surface.h>
+#include <holdfast/widgets/camera/display_transform.h>
+#include <holdfast/widgets/picking/visible_surface.h>
+#include <holdfast/widgets/scene/scene_contents.h>
 
 class vtkInteractorObserver;
 

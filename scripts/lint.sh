@@ -13,7 +13,7 @@ if [ "${1:-}" = --format ]; then
 fi
 files=("$@")
 if [ ${#files[@]} -eq 0 ]; then
-  mapfile -t files < <(find core widgets app tests bench -name '*.h' -o -name '*.cpp' 2>/dev/null | sort)
+  mapfile -t files < <(find core widgets app examples tests bench -name '*.h' -o -name '*.cpp' 2>/dev/null | sort)
 fi
 
 # Other versions lay out differently. 77 is CTest's word for a test that was skipped.
@@ -38,7 +38,7 @@ database=build/debug
 [ -f "$database/compile_commands.json" ] ||
   configure_preset debug -DHOLDFAST_BUILD_GUI=ON -DHOLDFAST_WITH_CHOLMOD=ON -DHOLDFAST_BUILD_TESTS=ON
 # Headers are checked through the sources that include them.
-mapfile -t sources < <(printf '%s\n' "${files[@]}" | grep '\.cpp$' | grep -v '^tests/package/view_consumer/')
+mapfile -t sources < <(printf '%s\n' "${files[@]}" | grep '\.cpp$' | grep -v '^tests/package/widgets_consumer/')
 echo "== Names and mistakes in ${#sources[@]} sources"
 printf '%s\0' "${sources[@]}" | xargs -0 -n 1 -P "$(build_jobs)" \
   clang-tidy --quiet -p "$database" --extra-arg=-Wno-unknown-warning-option

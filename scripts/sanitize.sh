@@ -2,7 +2,7 @@
 # Runs tests under the sanitizers of the compiler, installing what is missing first (apt). docs/testing.md says more.
 #   scripts/sanitize.sh [--threads] [--window] [CTEST-OPTION...]
 #     alone                 core and batch, under the address and undefined-behaviour sanitizers
-#     --window              view layer, pictures and window, under the same
+#     --window              widgets, pictures and window, under the same
 #     --threads             the worker that deforms in the background, under the thread sanitizer
 #     --threads --window    the window and its workers, under the thread sanitizer
 # Libraries are not built for sanitizers. Those of the window leak (libdbus, drivers of OpenGL), so leaks are looked for

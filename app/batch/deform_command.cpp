@@ -4,7 +4,7 @@
 #include <holdfast/deform/fields.h>
 #include <holdfast/deform/outcomes.h>
 #include <holdfast/deform/report_json.h>
-#include <holdfast/io/output_file.h>
+#include <holdfast/io/files/output_file.h>
 
 #include "batch/commands.h"
 #include "batch/mesh_formats.h"

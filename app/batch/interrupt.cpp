@@ -2,7 +2,7 @@
 
 #include <csignal>
 
-#include <holdfast/io/output_file.h>
+#include <holdfast/io/files/output_file.h>
 
 namespace holdfast::batch {
 namespace {

@@ -11,8 +11,8 @@
 #include <holdfast/base/printable.h>
 #include <holdfast/io/mesh_file.h>
 #ifdef HOLDFAST_WITH_VTK
-#include <holdfast/view/any_mesh_file.h>
-#include <holdfast/view/field_file.h>
+#include <holdfast/widgets/files/any_mesh_file.h>
+#include <holdfast/widgets/files/field_file.h>
 #endif
 
 #include "batch/options.h"

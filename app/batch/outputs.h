@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <holdfast/io/output_file.h>
+#include <holdfast/io/files/output_file.h>
 
 namespace holdfast::batch {
 

@@ -10,8 +10,8 @@
 #ifdef HOLDFAST_WITH_VTK
 #include <holdfast/base/error.h>
 #include <holdfast/base/printable.h>
-#include <holdfast/view/display_check.h>
-#include <holdfast/view/snapshot.h>
+#include <holdfast/widgets/scene/display_check.h>
+#include <holdfast/widgets/scene/snapshot.h>
 #endif
 
 #include "batch/mesh_formats.h"

@@ -7,7 +7,7 @@
 #include <unistd.h>
 
 #include <holdfast/base/error.h>
-#include <holdfast/io/file_descriptor.h>
+#include <holdfast/io/files/file_descriptor.h>
 
 namespace holdfast::batch {
 

@@ -7,7 +7,7 @@
 
 #include <Eigen/Geometry>
 
-#include <holdfast/constraints/constraint_file.h>
+#include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/deform/rotation_stage.h>
 #include <holdfast/io/mesh_file.h>
 

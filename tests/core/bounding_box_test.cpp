@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <holdfast/mesh/bounding_box.h>
+#include <holdfast/geometry/bounding_box.h>
 
 #include "support/meshes.h"
 

@@ -11,7 +11,7 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
 
-#include <holdfast/widgets/draw_fence.h>
+#include <holdfast/window/viewport/draw_fence.h>
 
 #include "slow_drawing_threads.h"
 

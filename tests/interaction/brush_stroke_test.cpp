@@ -1,4 +1,4 @@
-#include "holdfast/view/interaction/brush_stroke.h"
+#include "holdfast/widgets/interaction/brush_stroke.h"
 
 #include <memory>
 #include <optional>

@@ -1,4 +1,4 @@
-#include "holdfast/view/interaction/constraint_mark_widget.h"
+#include "holdfast/widgets/interaction/constraint_mark_widget.h"
 
 #include <sstream>
 
@@ -9,7 +9,7 @@
 #include <vtkWidgetEvent.h>
 #include <vtkWidgetEventTranslator.h>
 
-#include <holdfast/view/interaction/surface_camera_style.h>
+#include <holdfast/widgets/interaction/surface_camera_style.h>
 
 #include "interaction/call_data_log.h"
 #include "interaction/interaction_stage.h"

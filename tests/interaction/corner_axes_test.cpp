@@ -1,4 +1,4 @@
-#include "holdfast/view/interaction/corner_axes.h"
+#include "holdfast/widgets/interaction/corner_axes.h"
 
 #include <cstdlib>
 #include <vector>
@@ -14,7 +14,7 @@
 #include <vtkTexture.h>
 #include <vtkUnsignedCharArray.h>
 
-#include <holdfast/view/camera_motion.h>
+#include <holdfast/widgets/camera/camera_motion.h>
 
 #include "interaction/interaction_stage.h"
 #include "support/meshes.h"

@@ -11,11 +11,11 @@
 #include <gtest/gtest.h>
 
 #include <holdfast/io/mesh_file.h>
-#include <holdfast/view/display_transform.h>
-#include <holdfast/view/interaction/gizmo_widget.h>
-#include <holdfast/view/interaction/surface_camera_style.h>
-#include <holdfast/view/interaction/surface_point_placer.h>
-#include <holdfast/view/scene_contents.h>
+#include <holdfast/widgets/camera/display_transform.h>
+#include <holdfast/widgets/interaction/gizmo_widget.h>
+#include <holdfast/widgets/interaction/surface_camera_style.h>
+#include <holdfast/widgets/interaction/surface_point_placer.h>
+#include <holdfast/widgets/scene/scene_contents.h>
 
 #include "interaction/gizmo_stage.h"
 #include "interaction/recorded_gesture.h"

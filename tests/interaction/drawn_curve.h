@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include <holdfast/surface/curve_region.h>
-#include <holdfast/view/interaction/surface_curve_representation.h>
-#include <holdfast/view/interaction/surface_curve_widget.h>
+#include <holdfast/widgets/interaction/surface_curve_representation.h>
+#include <holdfast/widgets/interaction/surface_curve_widget.h>
 
 #include "interaction/interaction_stage.h"
 #include "interaction/widget_events.h"

@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include <holdfast/view/interaction/gizmo_widget.h>
-#include <holdfast/view/interaction/interaction_events.h>
+#include <holdfast/widgets/interaction/gizmo_widget.h>
+#include <holdfast/widgets/interaction/interaction_events.h>
 
 #include "interaction/gizmo_stage.h"
 

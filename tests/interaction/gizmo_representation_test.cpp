@@ -1,4 +1,4 @@
-#include "holdfast/view/interaction/gizmo_representation.h"
+#include "holdfast/widgets/interaction/gizmo_representation.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -10,7 +10,7 @@
 #include <vtkRendererCollection.h>
 #include <vtkTextActor.h>
 
-#include <holdfast/view/gizmo_colors.h>
+#include <holdfast/widgets/gizmo/gizmo_colors.h>
 
 #include "interaction/gizmo_stage.h"
 

@@ -4,9 +4,9 @@
 
 #include <vtkCamera.h>
 
-#include <holdfast/view/gizmo_layout.h>
-#include <holdfast/view/interaction/gizmo_representation.h>
-#include <holdfast/view/view_geometry.h>
+#include <holdfast/widgets/camera/view_geometry.h>
+#include <holdfast/widgets/gizmo/gizmo_layout.h>
+#include <holdfast/widgets/interaction/gizmo_representation.h>
 
 #include "interaction/interaction_stage.h"
 #include "support/meshes.h"

@@ -7,8 +7,8 @@
 #include <gmock/gmock.h>
 #include <vtkInteractorEventRecorder.h>
 
-#include <holdfast/view/interaction/interaction_events.h>
-#include <holdfast/view/interaction/surface_camera_style.h>
+#include <holdfast/widgets/interaction/interaction_events.h>
+#include <holdfast/widgets/interaction/surface_camera_style.h>
 
 #include "interaction/gizmo_handled.h"
 #include "support/temporary_folder.h"

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include <holdfast/view/interaction/interaction_events.h>
+#include <holdfast/widgets/interaction/interaction_events.h>
 
 #include "interaction/gizmo_handled.h"
 

@@ -1,4 +1,4 @@
-#include "holdfast/view/interaction/gizmo_widget.h"
+#include "holdfast/widgets/interaction/gizmo_widget.h"
 
 #include <sstream>
 
@@ -10,7 +10,7 @@
 #include <vtkWidgetEvent.h>
 #include <vtkWidgetEventTranslator.h>
 
-#include <holdfast/view/interaction/interaction_events.h>
+#include <holdfast/widgets/interaction/interaction_events.h>
 
 #include "interaction/gizmo_handled.h"
 

@@ -18,8 +18,8 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkWindowToImageFilter.h>
 
-#include <holdfast/view/camera_motion.h>
-#include <holdfast/view/poly_data.h>
+#include <holdfast/widgets/camera/camera_motion.h>
+#include <holdfast/widgets/mesh/poly_data.h>
 
 namespace holdfast::test {
 namespace {

@@ -11,7 +11,7 @@
 #include <vtkRenderer.h>
 
 #include <holdfast/deform/model.h>
-#include <holdfast/view/visible_surface.h>
+#include <holdfast/widgets/picking/visible_surface.h>
 
 class vtkAbstractWidget;
 class vtkObject;

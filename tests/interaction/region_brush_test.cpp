@@ -5,7 +5,7 @@
 #include <vtkCamera.h>
 #include <vtkRenderWindow.h>
 
-#include <holdfast/view/interaction/surface_camera_style.h>
+#include <holdfast/widgets/interaction/surface_camera_style.h>
 
 #include "interaction/region_window.h"
 

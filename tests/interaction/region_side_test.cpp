@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <vtkCamera.h>
 
-#include <holdfast/view/interaction/surface_camera_style.h>
+#include <holdfast/widgets/interaction/surface_camera_style.h>
 
 #include "interaction/region_window.h"
 #include "support/law_meshes.h"

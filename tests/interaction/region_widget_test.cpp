@@ -1,4 +1,4 @@
-#include "holdfast/view/interaction/region_widget.h"
+#include "holdfast/widgets/interaction/region_widget.h"
 
 #include <sstream>
 #include <utility>

@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include <holdfast/view/interaction/region_representation.h>
-#include <holdfast/view/interaction/region_widget.h>
+#include <holdfast/widgets/interaction/region_representation.h>
+#include <holdfast/widgets/interaction/region_widget.h>
 
 #include "interaction/interaction_stage.h"
 #include "interaction/widget_events.h"

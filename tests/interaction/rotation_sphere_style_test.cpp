@@ -1,4 +1,4 @@
-#include "holdfast/view/interaction/rotation_sphere_style.h"
+#include "holdfast/widgets/interaction/rotation_sphere_style.h"
 
 #include <sstream>
 
@@ -8,8 +8,8 @@
 #include <vtkCamera.h>
 #include <vtkRenderWindow.h>
 
-#include <holdfast/view/example_document.h>
-#include <holdfast/view/rotation_sphere.h>
+#include <holdfast/widgets/rotation_sphere/rotation_sphere.h>
+#include <holdfast/widgets/scene/example_document.h>
 
 #include "interaction/interaction_stage.h"
 #include "support/meshes.h"

@@ -1,4 +1,4 @@
-#include "holdfast/view/interaction/section_plane_representation.h"
+#include "holdfast/widgets/interaction/section_plane_representation.h"
 
 #include <array>
 #include <sstream>

@@ -1,4 +1,4 @@
-#include "holdfast/view/interaction/surface_camera_style.h"
+#include "holdfast/widgets/interaction/surface_camera_style.h"
 
 #include <cmath>
 #include <sstream>
@@ -11,9 +11,9 @@
 #include <vtkRenderWindow.h>
 #include <vtkWidgetEvent.h>
 
-#include <holdfast/view/camera_motion.h>
-#include <holdfast/view/interaction/interaction_events.h>
-#include <holdfast/view/surface_picker.h>
+#include <holdfast/widgets/camera/camera_motion.h>
+#include <holdfast/widgets/interaction/interaction_events.h>
+#include <holdfast/widgets/picking/surface_picker.h>
 
 #include "interaction/interaction_stage.h"
 #include "support/meshes.h"

@@ -3,7 +3,7 @@
 #include <vtkCamera.h>
 #include <vtkRenderWindow.h>
 
-#include <holdfast/view/interaction/surface_camera_style.h>
+#include <holdfast/widgets/interaction/surface_camera_style.h>
 
 #include "interaction/drawn_curve.h"
 

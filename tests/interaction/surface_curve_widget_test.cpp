@@ -1,4 +1,4 @@
-#include "holdfast/view/interaction/surface_curve_widget.h"
+#include "holdfast/widgets/interaction/surface_curve_widget.h"
 
 #include <sstream>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "holdfast/view/interaction/surface_point_placer.h"
+#include "holdfast/widgets/interaction/surface_point_placer.h"
 
 #include <sstream>
 

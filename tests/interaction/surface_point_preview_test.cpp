@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <vtkCamera.h>
 
-#include <holdfast/view/interaction/surface_point_widget.h>
+#include <holdfast/widgets/interaction/surface_point_widget.h>
 
 #include "interaction/interaction_stage.h"
 #include "support/law_meshes.h"

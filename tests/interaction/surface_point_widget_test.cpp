@@ -1,4 +1,4 @@
-#include "holdfast/view/interaction/surface_point_widget.h"
+#include "holdfast/widgets/interaction/surface_point_widget.h"
 
 #include <sstream>
 
@@ -14,8 +14,8 @@
 #include <vtkRenderWindow.h>
 #include <vtkWidgetEventTranslator.h>
 
-#include <holdfast/view/interaction/interaction_events.h>
-#include <holdfast/view/interaction/surface_camera_style.h>
+#include <holdfast/widgets/interaction/interaction_events.h>
+#include <holdfast/widgets/interaction/surface_camera_style.h>
 
 #include "interaction/call_data_log.h"
 #include "interaction/interaction_stage.h"

@@ -1,4 +1,4 @@
-#include "holdfast/view/interaction/surface_ruler_representation.h"
+#include "holdfast/widgets/interaction/surface_ruler_representation.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "holdfast/view/interaction/surface_ruler_widget.h"
+#include "holdfast/widgets/interaction/surface_ruler_widget.h"
 
 #include <cmath>
 #include <sstream>
@@ -13,7 +13,7 @@
 #include <vtkWidgetEventTranslator.h>
 
 #include <holdfast/base/error.h>
-#include <holdfast/view/interaction/surface_camera_style.h>
+#include <holdfast/widgets/interaction/surface_camera_style.h>
 
 #include "interaction/call_data_log.h"
 #include "interaction/interaction_stage.h"

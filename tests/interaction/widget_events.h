@@ -2,7 +2,7 @@
 /// \file
 /// Short names of what widgets tell.
 
-#include <holdfast/view/interaction/interaction_events.h>
+#include <holdfast/widgets/interaction/interaction_events.h>
 
 namespace holdfast::test {
 

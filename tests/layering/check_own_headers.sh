@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Fails with file:line where a source includes anything before the header of its own name: only as the first include
 # is a header compiled with nothing before it.
-#   check_own_headers.sh ROOT        ROOT is the folder that holds core and widgets
+#   check_own_headers.sh ROOT        ROOT is the folder that holds core, widgets and app
 set -u
 cd "$1" || exit 2
 
@@ -17,5 +17,5 @@ while read -r source; do
       failures=1
       ;;
   esac
-done < <(find core widgets -name '*.cpp')
+done < <(find core widgets app/window -name '*.cpp')
 exit "$failures"

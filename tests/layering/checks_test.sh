@@ -11,15 +11,21 @@ failures=0
 # Sources that every layer may hold, leaks nowhere.
 plant_clean_tree() {
   local folder
-  for folder in core/holdfast/mesh widgets/view/holdfast/view widgets/qt/holdfast/widgets app/batch; do
+  for folder in core/holdfast/mesh core/holdfast/base widgets/holdfast/widgets/scene app/window/holdfast/window/panels app/batch; do
     mkdir -p "$tree/$folder"
     printf '%s\n' '#include <vector>' '#include <Eigen/QR>' '#include "quaternion.h"' '#include <holdfast/mesh/mesh.h>' \
       '// #include <QWidget>' >"$tree/$folder/clean.cpp"
   done
-  echo '#include <vtkPolyData.h>' >"$tree/widgets/view/holdfast/view/actor.cpp"
+  sed -i '/mesh.h/d' "$tree/core/holdfast/base/clean.cpp"
+  echo '#include <vtkPolyData.h>' >"$tree/widgets/holdfast/widgets/scene/actor.cpp"
   touch "$tree/core/holdfast/mesh/weld.h"
   printf '%s\n' '// Of vertices.' '#include "holdfast/mesh/weld.h"' '#include <vector>' >"$tree/core/holdfast/mesh/weld.cpp"
-  echo '#include <holdfast/view/actor.h>' >"$tree/app/batch/picture.cpp"
+  echo '#include <holdfast/widgets/scene/actor.h>' >"$tree/app/batch/picture.cpp"
+  mkdir "$tree/docs"
+  {
+    printf '| `%s` | what is in it |\n' app/batch window/panels widgets/scene core/mesh core/base
+    printf '```mermaid\n%s\n```\n' "$("$here/../../scripts/rooms.sh" "$tree")"
+  } >"$tree/docs/design.md"
 }
 
 # expect_found CHECK FILE LINE-OF-CODE: the check passes without the line, and with it names the file and the line.
@@ -46,24 +52,46 @@ expect_clean() {
 
 plant_clean_tree
 expect_clean check_layers.sh
+expect_clean check_rooms.sh
 expect_clean check_words.sh
 expect_clean check_own_headers.sh
 
 for leak in '#include <vtkPolyData.h>' '#  include "vtkNew.h"' '#include <QVTKOpenGLNativeWidget.h>' '#include <QWidget>' \
-  '#include <QtCore/QObject>' '#include <qobject.h>' '#include "QtWidgets/qwidget.h"' '#include "QWidget"' \
-  '#include <holdfast/view/actor.h>' '#include "../../view/actor.h"' '#include <holdfast/widgets/table.h>'; do
+  '#include <QtCore/QObject>' '#include <qobject.h>' '#include "QtWidgets/qwidget.h"' '#include "QWidget"'; do
   expect_found check_layers.sh core/holdfast/mesh/leak.h "$leak"
 done
-for folder in widgets/view/holdfast/view app/batch; do
-  for leak in '#include <QWidget>' '#include <holdfast/widgets/table.h>'; do
-    expect_found check_layers.sh "$folder/leak.cpp" "$leak"
-  done
+for folder in widgets/holdfast/widgets/scene app/batch; do
+  expect_found check_layers.sh "$folder/leak.cpp" '#include <QWidget>'
 done
-expect_found check_layers.sh widgets/qt/holdfast/widgets/leak.cpp '#include "app/holdfast/main.h"'
+
+# expect_room_error WORDS: the rooms are not those of the page, and it says so.
+expect_room_error() {
+  local found status
+  found=$("$here/check_rooms.sh" "$tree")
+  status=$?
+  if [ $status -eq 0 ] || [[ $found != *"$1"* ]]; then
+    echo "check_rooms.sh: exit code $status, found '$found' in the place of '$1'"
+    failures=1
+  fi
+}
+
+leak=core/holdfast/base/leak.h
+echo '#include <holdfast/mesh/mesh.h>' >"$tree/$leak"
+expect_room_error "$leak:1: core/base includes core/mesh, which does not stand below it"
+rm "$tree/$leak"
+mkdir "$tree/core/holdfast/attic"
+expect_room_error "no row for the room core/attic"
+rmdir "$tree/core/holdfast/attic"
+sed -i.whole '/core_mesh --> core_base/d; s/`core.base`/`core\/cellar`/' "$tree/docs/design.md"
+expect_room_error "no folder for the room core/cellar"
+mv "$tree/docs/design.md.whole" "$tree/docs/design.md"
+echo '#include <holdfast/base/types.h>' >"$tree/core/holdfast/mesh/new.h"
+expect_room_error "the picture is not that of scripts/rooms.sh"
+rm "$tree/core/holdfast/mesh/new.h"
 for word in TO''DO FIX''ME; do
   expect_found check_words.sh core/leak.txt "later: $word, and so on"
 done
-for folder in core/holdfast/mesh widgets/qt/holdfast/widgets; do
+for folder in core/holdfast/mesh app/window/holdfast/window/panels; do
   touch "$tree/$folder/leak.h"
   for leak in '#include <vector>' "#include <holdfast/${folder#*/holdfast/}/leak.h>" '#include "holdfast/mesh/weld.h"'; do
     expect_found check_own_headers.sh "$folder/leak.cpp" "$leak"

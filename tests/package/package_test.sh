@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs a build into a fresh prefix and uses it as others do: the README's project deforms the bundled bracket with the
-# core alone, and a second project with the view, if it was built. Then the controls: what must not pass.
+# core alone, and a second project with the widgets, if they were built. Then the controls: what must not pass.
 #   package_test.sh BUILD-FOLDER WORK-FOLDER LAYER...
 set -euo pipefail
 build=$1
@@ -81,11 +81,11 @@ refuse_components() {
 }
 
 refuse_components "This holdfast has no nonesuch" CXX "core nonesuch"
-case $layers in *" view "*)
-  refuse_components "project(... LANGUAGES C CXX)" CXX view
-  cp -r "$source/tests/package/view_consumer" "$work/view"
-  build_project "$work/view"
-  (cd "$work/bracket" && "$work/view/build/use_view") || fail "the view does not write the deformed bracket"
+case $layers in *" widgets "*)
+  refuse_components "project(... LANGUAGES C CXX)" CXX widgets
+  cp -r "$source/tests/package/widgets_consumer" "$work/widgets"
+  build_project "$work/widgets"
+  (cd "$work/bracket" && "$work/widgets/build/use_widgets") || fail "the project with widgets does not write the deformed bracket"
   # Control.
-  if (cd "$work/rest" && "$work/view/build/use_view"); then fail "the bracket at rest passes for the deformed one"; fi
+  if (cd "$work/rest" && "$work/widgets/build/use_widgets"); then fail "the bracket at rest passes for the deformed one"; fi
 esac

@@ -6,7 +6,7 @@
 #include <functional>
 #include <string>
 
-#include <holdfast/view/snapshot.h>
+#include <holdfast/widgets/scene/snapshot.h>
 
 class vtkCamera;
 

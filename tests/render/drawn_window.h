@@ -9,7 +9,7 @@
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
-#include <holdfast/view/snapshot.h>
+#include <holdfast/widgets/scene/snapshot.h>
 
 namespace holdfast::test {
 

@@ -14,9 +14,9 @@
 #include <vtkTextProperty.h>
 #include <vtkTexture.h>
 
-#include <holdfast/view/gizmo.h>
-#include <holdfast/view/gizmo_drag.h>
-#include <holdfast/view/snapshot.h>
+#include <holdfast/widgets/gizmo/gizmo.h>
+#include <holdfast/widgets/gizmo/gizmo_drag.h>
+#include <holdfast/widgets/scene/snapshot.h>
 
 #include "render/compare_pictures.h"
 #include "render/drawn_window.h"

@@ -1,4 +1,4 @@
-#include "holdfast/view/kept_scene.h"
+#include "holdfast/widgets/scene/kept_scene.h"
 
 #include <optional>
 #include <vector>
@@ -15,8 +15,8 @@
 #include <vtkSphereSource.h>
 #include <vtkUnsignedCharArray.h>
 
-#include <holdfast/view/scene_contents.h>
-#include <holdfast/view/stage.h>
+#include <holdfast/widgets/scene/scene_contents.h>
+#include <holdfast/widgets/scene/stage.h>
 
 #include "support/meshes.h"
 

@@ -12,9 +12,9 @@
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
-#include <holdfast/view/default_camera.h>
-#include <holdfast/view/poly_data.h>
-#include <holdfast/view/surface_picker.h>
+#include <holdfast/widgets/camera/default_camera.h>
+#include <holdfast/widgets/mesh/poly_data.h>
+#include <holdfast/widgets/picking/surface_picker.h>
 
 #include "support/law_meshes.h"
 #include "support/meshes.h"

@@ -10,8 +10,8 @@
 #include <vtkRenderer.h>
 #include <vtkScalarsToColors.h>
 
-#include <holdfast/rotation/rotation_log.h>
-#include <holdfast/view/rotation_sphere.h>
+#include <holdfast/geometry/rotation_log.h>
+#include <holdfast/widgets/rotation_sphere/rotation_sphere.h>
 
 #include "render/compare_pictures.h"
 #include "render/drawn_window.h"

@@ -9,9 +9,9 @@
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
-#include <holdfast/view/camera_motion.h>
-#include <holdfast/view/sliced_drawing.h>
-#include <holdfast/view/stage.h>
+#include <holdfast/widgets/camera/camera_motion.h>
+#include <holdfast/widgets/scene/sliced_drawing.h>
+#include <holdfast/widgets/scene/stage.h>
 
 #include "support/law_meshes.h"
 #include "support/meshes.h"

@@ -7,8 +7,8 @@
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
-#include <holdfast/view/sliced_drawing.h>
-#include <holdfast/view/stage.h>
+#include <holdfast/widgets/scene/sliced_drawing.h>
+#include <holdfast/widgets/scene/stage.h>
 
 #include "support/meshes.h"
 

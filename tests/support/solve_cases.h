@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <holdfast/deform/deform.h>
-#include <holdfast/mesh/bounding_box.h>
+#include <holdfast/geometry/bounding_box.h>
 
 #include "support/law_meshes.h"
 

@@ -1,7 +1,7 @@
 #include <QPushButton>
 
 #include "chapters.h"
-#include "widgets/gestures.h"
+#include "window/gestures.h"
 
 namespace holdfast::tour {
 

@@ -1,13 +1,13 @@
 #include <QTableView>
 #include <chrono>
 
-#include <holdfast/widgets/import_dialog.h>
-#include <holdfast/widgets/picture_dialog.h>
-#include <holdfast/widgets/recovery_dialog.h>
+#include <holdfast/window/files/import_dialog.h>
+#include <holdfast/window/files/picture_dialog.h>
+#include <holdfast/window/files/recovery_dialog.h>
 
 #include "chapters.h"
 #include "support/source_tree.h"
-#include "widgets/gestures.h"
+#include "window/gestures.h"
 
 namespace holdfast::tour {
 

@@ -3,12 +3,12 @@
 #include <QTableView>
 
 #include <holdfast/document/list_edits.h>
-#include <holdfast/widgets/constraint_table_model.h>
-#include <holdfast/widgets/tools/gizmo_tool.h>
-#include <holdfast/widgets/vertex_table_model.h>
+#include <holdfast/window/table/constraint_table_model.h>
+#include <holdfast/window/table/vertex_table_model.h>
+#include <holdfast/window/tools/gizmo_tool.h>
 
 #include "chapters.h"
-#include "widgets/gestures.h"
+#include "window/gestures.h"
 
 namespace holdfast::tour {
 namespace {

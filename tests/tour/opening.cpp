@@ -1,7 +1,7 @@
 #include <holdfast/document/list_edits.h>
 
 #include "chapters.h"
-#include "widgets/gestures.h"
+#include "window/gestures.h"
 
 namespace holdfast::tour {
 namespace {

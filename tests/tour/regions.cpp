@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "chapters.h"
-#include "widgets/gestures.h"
+#include "window/gestures.h"
 
 namespace holdfast::tour {
 namespace {

@@ -1,5 +1,5 @@
 #include "chapters.h"
-#include "widgets/gestures.h"
+#include "window/gestures.h"
 
 namespace holdfast::tour {
 

@@ -15,13 +15,13 @@
 #include <fmt/format.h>
 #include <vtkRenderer.h>
 
-#include <holdfast/constraints/constraint_file.h>
+#include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/document/list_edits.h>
-#include <holdfast/view/camera_motion.h>
-#include <holdfast/widgets/tools/gizmo_tool.h>
+#include <holdfast/widgets/camera/camera_motion.h>
+#include <holdfast/window/tools/gizmo_tool.h>
 
 #include "support/source_tree.h"
-#include "widgets/gestures.h"
+#include "window/gestures.h"
 
 namespace holdfast::tour {
 namespace {

@@ -8,8 +8,8 @@
 #include <functional>
 #include <string>
 
-#include <holdfast/widgets/main_window.h>
-#include <holdfast/widgets/viewport.h>
+#include <holdfast/window/viewport/viewport.h>
+#include <holdfast/window/window/main_window.h>
 
 class QAbstractItemView;
 

@@ -1,6 +1,6 @@
 #include "holdfast/constraints/carried_vectors.h"
 
-#include <holdfast/rotation/rotation_log.h>
+#include <holdfast/geometry/rotation_log.h>
 
 namespace holdfast {
 

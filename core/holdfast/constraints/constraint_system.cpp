@@ -11,7 +11,7 @@
 #include <holdfast/constraints/handle_mistake.h>
 #include <holdfast/constraints/handle_motion.h>
 #include <holdfast/constraints/selector.h>
-#include <holdfast/mesh/centroid.h>
+#include <holdfast/geometry/centroid.h>
 #include <holdfast/surface/surface_locator.h>
 
 namespace holdfast {

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <utility>
 
-#include <holdfast/mesh/centroid.h>
-#include <holdfast/rotation/rotation_log.h>
+#include <holdfast/geometry/centroid.h>
+#include <holdfast/geometry/rotation_log.h>
 
 namespace holdfast {
 namespace {

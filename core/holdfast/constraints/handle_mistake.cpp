@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include <holdfast/constraints/handle_motion.h>
-#include <holdfast/rotation/rotation_log.h>
+#include <holdfast/geometry/rotation_log.h>
 
 namespace holdfast {
 namespace {

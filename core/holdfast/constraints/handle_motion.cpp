@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include <holdfast/mesh/centroid.h>
-#include <holdfast/rotation/rotation_fit.h>
-#include <holdfast/rotation/rotation_log.h>
+#include <holdfast/geometry/centroid.h>
+#include <holdfast/geometry/rotation_fit.h>
+#include <holdfast/geometry/rotation_log.h>
 #include <holdfast/surface/surface_locator.h>
 
 namespace holdfast {

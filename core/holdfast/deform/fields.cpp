@@ -6,7 +6,7 @@
 
 #include <holdfast/deform/outcomes.h>
 #include <holdfast/deform/rotation_stage.h>
-#include <holdfast/rotation/rotation_log.h>
+#include <holdfast/geometry/rotation_log.h>
 
 namespace holdfast {
 namespace {

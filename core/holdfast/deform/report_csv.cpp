@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include <holdfast/io/csv_text.h>
-#include <holdfast/io/number_text.h>
+#include <holdfast/io/text/csv_text.h>
+#include <holdfast/io/text/number_text.h>
 
 namespace holdfast {
 namespace {

@@ -7,8 +7,8 @@
 
 #include <holdfast/check/mesh_check.h>
 #include <holdfast/deform/accuracy.h>
+#include <holdfast/geometry/rotation_log.h>
 #include <holdfast/rotation/edge_weights.h>
-#include <holdfast/rotation/rotation_log.h>
 
 namespace holdfast {
 namespace {

@@ -5,13 +5,13 @@
 
 #include <Eigen/Geometry>
 
-#include <holdfast/base/degree.h>
 #include <holdfast/base/error.h>
 #include <holdfast/constraints/selector.h>
 #include <holdfast/document/handle_setting.h>
 #include <holdfast/document/own_axes.h>
-#include <holdfast/mesh/centroid.h>
-#include <holdfast/rotation/rotation_log.h>
+#include <holdfast/geometry/centroid.h>
+#include <holdfast/geometry/degree.h>
+#include <holdfast/geometry/rotation_log.h>
 
 namespace holdfast {
 namespace {

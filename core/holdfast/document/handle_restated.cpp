@@ -8,8 +8,8 @@
 #include <holdfast/constraints/handle_drag.h>
 #include <holdfast/constraints/handle_mistake.h>
 #include <holdfast/document/own_axes.h>
-#include <holdfast/mesh/centroid.h>
-#include <holdfast/rotation/rotation_log.h>
+#include <holdfast/geometry/centroid.h>
+#include <holdfast/geometry/rotation_log.h>
 
 namespace holdfast {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <holdfast/mesh/centroid.h>
+#include <holdfast/geometry/centroid.h>
 
 namespace holdfast {
 

@@ -5,7 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
-#include <holdfast/mesh/centroid.h>
+#include <holdfast/geometry/centroid.h>
 #include <holdfast/mesh/vertex_normals.h>
 
 namespace holdfast {

@@ -5,10 +5,10 @@
 #include <fmt/format.h>
 
 #include <holdfast/base/error.h>
-#include <holdfast/constraints/constraint_file.h>
+#include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/document/list_edits.h>
-#include <holdfast/io/csv_text.h>
-#include <holdfast/io/number_text.h>
+#include <holdfast/io/text/csv_text.h>
+#include <holdfast/io/text/number_text.h>
 #include <holdfast/surface/surface_locator.h>
 
 namespace holdfast {

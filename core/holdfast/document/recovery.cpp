@@ -13,8 +13,8 @@
 #include <unistd.h>
 
 #include <holdfast/base/error.h>
-#include <holdfast/io/file_descriptor.h>
-#include <holdfast/io/output_file.h>
+#include <holdfast/io/files/file_descriptor.h>
+#include <holdfast/io/files/output_file.h>
 
 namespace holdfast {
 namespace {

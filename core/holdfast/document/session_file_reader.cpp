@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <holdfast/constraints/constraint_file.h>
-#include <holdfast/constraints/constraint_file_json_internal.h>
-#include <holdfast/constraints/constraint_file_text_internal.h>
-#include <holdfast/constraints/json_reader_internal.h>
+#include <holdfast/constraint_files/constraint_file.h>
+#include <holdfast/constraint_files/constraint_file_json_internal.h>
+#include <holdfast/constraint_files/constraint_file_text_internal.h>
+#include <holdfast/constraint_files/json_reader_internal.h>
 #include <holdfast/document/session_file.h>
 #include <holdfast/document/session_mesh.h>
 #include <holdfast/document/stated_options.h>

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <holdfast/base/error.h>
-#include <holdfast/constraints/constraint_file_json_internal.h>
-#include <holdfast/constraints/json_text_internal.h>
+#include <holdfast/constraint_files/constraint_file_json_internal.h>
+#include <holdfast/constraint_files/json_text_internal.h>
 #include <holdfast/document/session_file.h>
-#include <holdfast/io/output_file.h>
+#include <holdfast/io/files/output_file.h>
 
 namespace holdfast {
 namespace {

@@ -9,13 +9,13 @@
 #include <fmt/ranges.h>
 
 #include <holdfast/base/error.h>
-#include <holdfast/io/file_bytes.h>
-#include <holdfast/io/mesh_writer.h>
-#include <holdfast/io/obj_reader.h>
-#include <holdfast/io/off_reader.h>
-#include <holdfast/io/ply_reader.h>
-#include <holdfast/io/stl_reader.h>
-#include <holdfast/io/text_cursor.h>
+#include <holdfast/io/files/file_bytes.h>
+#include <holdfast/io/formats/mesh_writer.h>
+#include <holdfast/io/formats/obj_reader.h>
+#include <holdfast/io/formats/off_reader.h>
+#include <holdfast/io/formats/ply_reader.h>
+#include <holdfast/io/formats/stl_reader.h>
+#include <holdfast/io/text/text_cursor.h>
 
 namespace holdfast {
 namespace {

@@ -1,7 +1,7 @@
 #include "holdfast/mesh/solver_mesh.h"
 
 #include <holdfast/base/disjoint_sets.h>
-#include <holdfast/mesh/bounding_box.h>
+#include <holdfast/geometry/bounding_box.h>
 
 namespace holdfast {
 namespace {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <holdfast/constraints/carried_vectors.h>
-#include <holdfast/rotation/rotation_log.h>
+#include <holdfast/geometry/rotation_log.h>
 
 #include "support/constraint_systems.h"
 #include "support/law_meshes.h"

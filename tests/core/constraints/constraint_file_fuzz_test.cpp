@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <holdfast/base/error.h>
-#include <holdfast/constraints/constraint_file.h>
+#include <holdfast/constraint_files/constraint_file.h>
 
 #include "support/constraint_lists.h"
 

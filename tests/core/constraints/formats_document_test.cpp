@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <holdfast/constraints/constraint_file.h>
+#include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/document/session_file.h>
 
 #include "support/source_tree.h"

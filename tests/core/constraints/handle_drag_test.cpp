@@ -5,7 +5,7 @@
 
 #include <holdfast/constraints/handle_drag.h>
 #include <holdfast/constraints/handle_mistake.h>
-#include <holdfast/rotation/rotation_log.h>
+#include <holdfast/geometry/rotation_log.h>
 
 #include "support/constraint_systems.h"
 #include "support/meshes.h"

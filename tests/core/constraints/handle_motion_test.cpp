@@ -6,7 +6,7 @@
 
 #include <holdfast/constraints/constraint_system.h>
 #include <holdfast/constraints/handle_motion.h>
-#include <holdfast/rotation/rotation_log.h>
+#include <holdfast/geometry/rotation_log.h>
 
 #include "support/constraint_systems.h"
 #include "support/law_meshes.h"

@@ -9,10 +9,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <holdfast/constraints/constraint_file.h>
+#include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/deform/deform.h>
+#include <holdfast/geometry/rotation_log.h>
 #include <holdfast/io/mesh_file.h>
-#include <holdfast/rotation/rotation_log.h>
 
 #include "support/source_tree.h"
 

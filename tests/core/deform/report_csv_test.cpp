@@ -5,10 +5,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <holdfast/constraints/point_list_csv_records_internal.h>
+#include <holdfast/constraint_files/point_list_csv_records_internal.h>
 #include <holdfast/deform/deform.h>
 #include <holdfast/deform/report_csv.h>
-#include <holdfast/io/number_text.h>
+#include <holdfast/io/text/number_text.h>
 
 #include "support/law_meshes.h"
 #include "support/point_constraints.h"

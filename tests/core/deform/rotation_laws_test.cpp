@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
-#include <holdfast/rotation/rotation_log.h>
+#include <holdfast/geometry/rotation_log.h>
 
 #include "support/dense_operators.h"
 #include "support/law_meshes.h"

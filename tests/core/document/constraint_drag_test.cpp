@@ -3,11 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include <holdfast/base/degree.h>
-#include <holdfast/constraints/constraint_file.h>
+#include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/deform/deformer.h>
 #include <holdfast/document/constraint_drag.h>
 #include <holdfast/document/history.h>
+#include <holdfast/geometry/degree.h>
 
 #include "support/law_meshes.h"
 #include "support/point_constraints.h"

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <holdfast/document/constraint_drag.h>
-#include <holdfast/rotation/rotation_log.h>
+#include <holdfast/geometry/rotation_log.h>
 
 #include "support/law_meshes.h"
 #include "support/meshes.h"

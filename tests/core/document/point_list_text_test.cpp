@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <holdfast/base/error.h>
-#include <holdfast/constraints/constraint_file.h>
+#include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/document/list_edits.h>
 #include <holdfast/document/point_list_text.h>
 

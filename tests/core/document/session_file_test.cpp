@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <holdfast/base/error.h>
-#include <holdfast/constraints/constraint_file.h>
+#include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/document/session_file.h>
 
 #include "support/constraint_lists.h"

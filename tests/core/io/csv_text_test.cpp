@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <holdfast/constraints/point_list_csv_records_internal.h>
-#include <holdfast/io/csv_text.h>
+#include <holdfast/constraint_files/point_list_csv_records_internal.h>
+#include <holdfast/io/text/csv_text.h>
 
 namespace holdfast {
 namespace {

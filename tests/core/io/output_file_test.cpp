@@ -13,7 +13,7 @@
 #include <unistd.h>
 
 #include <holdfast/base/error.h>
-#include <holdfast/io/output_file.h>
+#include <holdfast/io/files/output_file.h>
 
 #include "support/temporary_folder.h"
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <holdfast/io/stl_reader.h>
+#include <holdfast/io/formats/stl_reader.h>
 
 #include "core/io/bad_file.h"
 

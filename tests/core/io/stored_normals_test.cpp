@@ -1,10 +1,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <holdfast/io/obj_reader.h>
-#include <holdfast/io/off_reader.h>
-#include <holdfast/io/ply_reader.h>
-#include <holdfast/io/stored_normals.h>
+#include <holdfast/io/formats/obj_reader.h>
+#include <holdfast/io/formats/off_reader.h>
+#include <holdfast/io/formats/ply_reader.h>
+#include <holdfast/io/formats/stored_normals.h>
 
 namespace holdfast {
 namespace {

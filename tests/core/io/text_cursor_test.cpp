@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <holdfast/base/error.h>
-#include <holdfast/io/number_text.h>
-#include <holdfast/io/text_cursor.h>
+#include <holdfast/io/text/number_text.h>
+#include <holdfast/io/text/text_cursor.h>
 
 #include "support/random.h"
 

@@ -4,8 +4,8 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include <holdfast/rotation/rotation_fit.h>
-#include <holdfast/rotation/rotation_log.h>
+#include <holdfast/geometry/rotation_fit.h>
+#include <holdfast/geometry/rotation_log.h>
 
 #include "support/meshes.h"
 #include "support/point_constraints.h"

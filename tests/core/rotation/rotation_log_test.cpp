@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include <holdfast/rotation/rotation_log.h>
+#include <holdfast/geometry/rotation_log.h>
 
 #include "support/point_constraints.h"
 #include "support/rounding.h"

@@ -1,0 +1,105 @@
+// holdfast: the window.
+
+#include <QApplication>
+#include <QMessageBox>
+#include <QScreen>
+#include <QSurfaceFormat>
+#include <QTimer>
+#include <clocale>
+#include <cstdio>
+#include <exception>
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <QVTKOpenGLNativeWidget.h>
+
+#include <holdfast/base/thread_priority.h>
+#include <holdfast/widgets/scene/display_check.h>
+#include <holdfast/window/window/main_window.h>
+
+namespace holdfast {
+namespace {
+
+// As those of holdfast-batch.
+constexpr int kUsage = 2;
+constexpr int kNoDisplay = 3;
+
+/// Says what went wrong where no code has: whatever comes here is a mistake of ours or of the machine, and the document
+/// is still there.
+class Application : public QApplication {
+ public:
+  using QApplication::QApplication;
+
+  bool notify(QObject* receiver, QEvent* event) override
+  {
+    try {
+      return QApplication::notify(receiver, event);
+    } catch (const std::exception& error) {
+      QMessageBox::critical(
+          activeWindow(), tr("Holdfast"),
+          tr("Something went wrong that should not have: %1\n\nYour document is still open. Please save it under "
+             "another name and report this.")
+              .arg(QString::fromUtf8(error.what())));
+      return true;
+    }
+  }
+};
+
+/// What the command line asks for; an exit code where that is all.
+struct CommandLine {
+  std::string file;
+  std::optional<int> exitCode;
+};
+
+CommandLine parse(int argc, char** argv)
+{
+  CommandLine line;
+  CLI::App app("Deforms triangle meshes under exact positional constraints.", "holdfast");
+  app.set_version_flag("--version", "holdfast " HOLDFAST_VERSION);
+  app.add_option("FILE", line.file, "a mesh (.obj, .ply, .off, .stl, .vtp, .vtk) or a session (.holdfast)");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    line.exitCode = app.exit(error) == 0 ? 0 : kUsage;
+  }
+  return line;
+}
+
+int run(int argc, char** argv)
+{
+  letOthersComputeInBackground();
+  const CommandLine line = parse(argc, argv);
+  if (line.exitCode) return *line.exitCode;
+  if (const std::string reason = whyNoPictures(); !reason.empty()) {
+    std::fprintf(stderr, "holdfast: %s\nholdfast: holdfast-batch works without a window.\n", reason.c_str());
+    return kNoDisplay;
+  }
+  QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
+#if QT_VERSION < QT_VERSION_CHECK(6, 0, 0)
+  QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+  QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+#endif
+  Application application(argc, argv);
+  QApplication::setApplicationName("holdfast");
+  QApplication::setOrganizationName("holdfast");
+  QApplication::setApplicationVersion(HOLDFAST_VERSION);
+  // Qt takes the user's locale for the whole program; numbers in files are written with points.
+  std::setlocale(LC_NUMERIC, "C");
+
+  MainWindow window;
+  window.resize(window.screen()->availableSize().boundedTo({1600, 1000}) * 0.95);
+  window.warmUp();
+  window.show();
+  if (!line.file.empty())
+    QTimer::singleShot(0, &window, [&] { window.files().open(QString::fromStdString(line.file)); });
+  return QApplication::exec();
+}
+
+}  // namespace
+}  // namespace holdfast
+
+int main(int argc, char** argv)
+{
+  return holdfast::run(argc, argv);
+}

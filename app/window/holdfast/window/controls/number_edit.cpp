@@ -1,0 +1,108 @@
+#include "holdfast/window/controls/number_edit.h"
+
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+
+#include <holdfast/io/text/number_text.h>
+#include <holdfast/window/text/number_words.h>
+
+namespace holdfast {
+namespace {
+
+bool isSame(const std::optional<double>& a, const std::optional<double>& b)
+{
+  return a.has_value() == b.has_value() && (!a || hasSameBits(*a, *b));
+}
+
+constexpr int kVisibleDigits = 9;
+
+}  // namespace
+
+NumberEdit::NumberEdit(QWidget* parent) : QLineEdit(parent)
+{
+  setPlaceholderText(tr("several"));
+  connect(this, &QLineEdit::editingFinished, this, &NumberEdit::finish);
+}
+
+void NumberEdit::setNumber(std::optional<double> number)
+{
+  if (isModified() && hasFocus() && isSame(number, number_)) return;
+  replaceTyped(number);
+}
+
+void NumberEdit::replaceTyped(std::optional<double> number)
+{
+  number_ = number;
+  const QString exact = number ? exactText(*number) : QString();
+  if (text() != exact) setText(exact);
+  setModified(false);
+  setToolTip(exact);
+  if (!hasFocus()) setCursorPosition(0);
+}
+
+std::optional<double> NumberEdit::typed() const
+{
+  return typedNumber(text());
+}
+
+QSize NumberEdit::sizeHint() const
+{
+  const QSize usual = QLineEdit::sizeHint();
+  return {fontMetrics().horizontalAdvance('0') * kVisibleDigits + usual.height(), usual.height()};
+}
+
+void NumberEdit::keyPressEvent(QKeyEvent* event)
+{
+  if (event->key() == Qt::Key_Escape && isModified()) {
+    replaceTyped(number_);
+    event->accept();
+    return;
+  }
+  QLineEdit::keyPressEvent(event);
+}
+
+void NumberEdit::finish()
+{
+  if (!isModified()) return;
+  const QString shown = text();
+  const std::optional<double> number = typed();
+  if (!number) {
+    if (!hasFocus()) replaceTyped(number_);
+    if (!shown.trimmed().isEmpty() || number_) Q_EMIT refused(notANumber(shown));
+    return;
+  }
+  const bool isOther = !isSame(number, number_);
+  replaceTyped(number);
+  if (isOther) Q_EMIT entered(*number);
+}
+
+VectorEdit::VectorEdit(const QString& name, const QString& title, QWidget* parent) : QWidget(parent)
+{
+  QHBoxLayout* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(4);
+  const QString axes = QStringLiteral("xyz");
+  for (int axis = 0; axis < 3; ++axis) {
+    NumberEdit* line = new NumberEdit(this);
+    line->setObjectName(name + axes[axis].toUpper());
+    line->setAccessibleName(title + ' ' + axes[axis]);
+    connect(line, &NumberEdit::entered, this, [this, axis](double number) { Q_EMIT entered(axis, number); });
+    connect(line, &NumberEdit::refused, this, &VectorEdit::refused);
+    layout->addWidget(line, 1);
+    lines_[static_cast<std::size_t>(axis)] = line;
+  }
+  setFocusProxy(lines_.front());
+}
+
+void VectorEdit::setNumbers(const Numbers& numbers)
+{
+  for (std::size_t axis = 0; axis < 3; ++axis) lines_[axis]->setNumber(numbers[axis]);
+}
+
+VectorEdit::Numbers VectorEdit::typed() const
+{
+  return {lines_[0]->typed(), lines_[1]->typed(), lines_[2]->typed()};
+}
+
+}  // namespace holdfast

@@ -1,0 +1,101 @@
+#include "holdfast/window/controls/vtk_view.h"
+
+#include <QMouseEvent>
+#include <QScopedValueRollback>
+#include <QWheelEvent>
+#include <cmath>
+
+#include <QVTKInteractor.h>
+#include <vtkCommand.h>
+#include <vtkInteractorStyle.h>
+#include <vtkRenderWindow.h>
+
+namespace holdfast {
+namespace {
+
+// Of Qt's units.
+constexpr double kNotch = 120;
+
+unsigned long vtkEventOf(const QMouseEvent& event)
+{
+  if (event.type() == QEvent::MouseMove) return vtkCommand::MouseMoveEvent;
+  const bool isRelease = event.type() == QEvent::MouseButtonRelease;
+  switch (event.button()) {
+    case Qt::LeftButton:
+      return isRelease ? vtkCommand::LeftButtonReleaseEvent : vtkCommand::LeftButtonPressEvent;
+    case Qt::MiddleButton:
+      return isRelease ? vtkCommand::MiddleButtonReleaseEvent : vtkCommand::MiddleButtonPressEvent;
+    case Qt::RightButton:
+      return isRelease ? vtkCommand::RightButtonReleaseEvent : vtkCommand::RightButtonPressEvent;
+    default:
+      return vtkCommand::NoEvent;
+  }
+}
+
+}  // namespace
+
+VtkView::VtkView(QWidget* parent) : QVTKOpenGLNativeWidget(parent)
+{
+  // Sizes are given in pixels of the window: scaled by the resolution as well texts would be too large.
+  setEnableHiDPI(false);
+  renderWindow()->SetMultiSamples(0);
+  interactor()->EnableRenderOff();
+  interactor()->AddObserver(vtkCommand::RenderEvent, this, &VtkView::tellRender);
+}
+
+void VtkView::tellRender()
+{
+  if (!isPainting_) Q_EMIT renderWanted();
+}
+
+void VtkView::paintGL()
+{
+  // What Qt wants to have painted is drawn now, where it is not drawn yet.
+  const QScopedValueRollback<bool> painting(isPainting_, true);
+  interactor()->EnableRenderOn();
+  QVTKOpenGLNativeWidget::paintGL();
+  interactor()->EnableRenderOff();
+}
+
+bool VtkView::event(QEvent* event)
+{
+  switch (event->type()) {
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseMove:
+    case QEvent::MouseButtonRelease:
+    case QEvent::MouseButtonDblClick:
+      sendMouse(static_cast<const QMouseEvent&>(*event));
+      return true;
+    case QEvent::Wheel:
+      sendWheel(static_cast<const QWheelEvent&>(*event));
+      return true;
+    default:
+      return QVTKOpenGLNativeWidget::event(event);
+  }
+}
+
+void VtkView::setInformation(const QPointF& place, Qt::KeyboardModifiers modifiers, int repeatCount)
+{
+  const auto pixel = [this](double coordinate) { return static_cast<int>(std::floor(coordinate * pixelRatio())); };
+  interactor()->SetEventInformationFlipY(pixel(place.x()), pixel(place.y()),
+                                         modifiers.testFlag(Qt::ControlModifier) ? 1 : 0,
+                                         modifiers.testFlag(Qt::ShiftModifier) ? 1 : 0, '\0', repeatCount);
+  interactor()->SetAltKey(modifiers.testFlag(Qt::AltModifier) ? 1 : 0);
+}
+
+void VtkView::sendMouse(const QMouseEvent& event)
+{
+  setInformation(event.localPos(), event.modifiers(), event.type() == QEvent::MouseButtonDblClick ? 1 : 0);
+  if (const unsigned long id = vtkEventOf(event); id != vtkCommand::NoEvent) interactor()->InvokeEvent(id);
+}
+
+void VtkView::sendWheel(const QWheelEvent& event)
+{
+  setInformation(event.position(), event.modifiers(), 0);
+  const double notches = event.angleDelta().y() / kNotch;
+  if (auto* style = vtkInteractorStyle::SafeDownCast(interactor()->GetInteractorStyle()))
+    style->SetMouseWheelMotionFactor(std::abs(notches));
+  interactor()->InvokeEvent(notches > 0 ? vtkCommand::MouseWheelForwardEvent : vtkCommand::MouseWheelBackwardEvent);
+}
+
+}  // namespace holdfast

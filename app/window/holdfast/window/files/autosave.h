@@ -1,0 +1,71 @@
+#pragma once
+/// \file
+/// Keeps unsaved work against a crash, and offers what a crash has left.
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include <holdfast/document/recovery.h>
+#include <holdfast/window/files/document_files.h>
+#include <holdfast/window/model/background_job.h>
+#include <holdfast/window/model/editor.h>
+
+class QWidget;
+
+namespace holdfast {
+
+/// Unsaved work that is older than this is kept.
+inline constexpr std::chrono::milliseconds kAutosaveDelay = std::chrono::seconds(2);
+
+/// Writes a copy of the editor's document on a thread of its own, a moment after a change and never in the middle of a
+/// gesture. The copy goes when the document is saved, replaced, or closed as it should be: when this is destroyed.
+class Autosave : public QObject {
+  Q_OBJECT
+
+ public:
+  /// Copies go to `folder`: `recoveryFolder()`.
+  Autosave(Editor& editor, DocumentFiles& files, std::filesystem::path folder, QWidget* window);
+  /// Waits for a copy that is being written, then removes it.
+  ~Autosave() override;
+
+  void setDelay(std::chrono::milliseconds delay) { delay_.setInterval(delay); }
+
+  /// Shows what crashed programs have left, if anything, without blocking: one can be recovered in this window, each be
+  /// discarded, all be left for later.
+  void offerRecovery();
+  /// Opens the copy, and removes it as soon as this document has a copy of its own.
+  void recover(const Recoverable& copy);
+
+ Q_SIGNALS:
+  /// A copy of the state that is shown is on the disk.
+  void kept();
+  /// No copy can be kept; told once until one can. `reason` says why and what to do.
+  void failed(const QString& reason);
+
+ private:
+  void changed();
+  void writeNow();
+  void written(const std::shared_ptr<const DocumentState>& state);
+  void removeCopy();
+  void discardRecovered();
+  void showFailure(const std::exception_ptr& error);
+
+  Editor& editor_;
+  DocumentFiles& files_;
+  QWidget* window_;
+  std::filesystem::path folder_;
+  std::shared_ptr<RecoveryFile> copy_;         // shared with the thread that writes
+  std::shared_ptr<const DocumentState> kept_;  // the state that the copy holds; null without one
+  std::vector<Recoverable> recovered_;         // to be discarded once there is a copy
+  bool isObsolete_ = false;                    // what is being written is not to stay
+  bool hasFailed_ = false;
+  QTimer delay_;
+  BackgroundJob job_;  // last: its thread uses what is above
+};
+
+}  // namespace holdfast

@@ -1,0 +1,90 @@
+#pragma once
+/// \file
+/// What goes out of the open document besides sessions: meshes, fields, reports, constraints and pictures.
+
+#include <QObject>
+#include <QString>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <holdfast/document/session_file.h>
+#include <holdfast/io/mesh_document.h>
+#include <holdfast/widgets/color/coloring.h>
+#include <holdfast/window/files/file_chooser.h>
+#include <holdfast/window/files/progress_sheet.h>
+#include <holdfast/window/model/background_job.h>
+#include <holdfast/window/model/editor.h>
+
+class QWidget;
+
+namespace holdfast {
+
+class SceneContents;
+
+/// How a picture shows the document. What is absent is as `Scene` has it.
+struct PictureView {
+  std::optional<Camera> camera;
+  std::optional<Coloring> coloring;                  ///< none: one colour
+  std::function<void(SceneContents&)> arrange = {};  ///< switches what is shown besides; may be empty
+};
+
+/// Writes what is shown, after questions where that is not what a user would expect: results that are older than the
+/// constraints, coordinates in single precision. Files are whole or not there. All that fails is told in a box over
+/// `window`. Each needs an open document.
+class DocumentExports : public QObject {
+  Q_OBJECT
+
+ public:
+  DocumentExports(Editor& editor, QWidget* window);
+  ~DocumentExports() override;
+
+  /// In the place of `chooseFile`, for a program that drives the window.
+  void setChooser(FileChooser chooser) { chooser_ = std::move(chooser); }
+  /// How pictures show the document: from where, and in which colours.
+  void setPictureView(std::function<PictureView()> view) { pictureView_ = std::move(view); }
+
+  /// In any format that is known, by the extension. What the format cannot hold is told.
+  void exportMesh();
+  /// What `fieldsOf` computes, as .vtp.
+  void exportFields();
+  /// As .json, or the constraints alone as .csv.
+  void exportReport();
+  /// As a constraint file.
+  void exportConstraints();
+  /// As .png, of a size that is asked for.
+  void exportPicture();
+  [[nodiscard]] bool isWriting() const noexcept { return job_.isRunning(); }
+
+ Q_SIGNALS:
+  /// For the status line: "wrote bracket.ply".
+  void done(const QString& what);
+
+ private:
+  /// A file ready to be written, made on any thread.
+  struct Made {
+    Serialized contents;
+    double missedBy = 0;  // model units: how far a reader finds constraints that are met here; 0 within the promise
+  };
+
+  [[nodiscard]] bool mayExportShown();
+  [[nodiscard]] QString ask(const QString& title, const QString& ending, const QStringList& filters);
+  void make(const QString& path, std::function<Made(Progress&)> maker);
+  void made(const QString& path, const std::shared_ptr<Made>& file);
+  void write(const QString& path, const std::function<std::string()>& text);
+  void write(const QString& path, std::shared_ptr<const Serialized> contents);
+  void written(const QString& path, const std::vector<std::string>& notes);
+  void showFailure(const QString& path, const std::exception& error);
+
+  Editor& editor_;
+  QWidget* window_;
+  FileChooser chooser_ = chooseFile;
+  std::function<PictureView()> pictureView_ = [] { return PictureView{}; };
+  BackgroundJob job_;
+  ProgressSheet sheet_;
+  QString writing_;  // the file, for messages
+};
+
+}  // namespace holdfast

@@ -1,0 +1,71 @@
+#include "holdfast/window/files/recent_files.h"
+
+#include <QAction>
+#include <QDir>
+#include <QFileInfo>
+#include <QMenu>
+#include <QSettings>
+
+namespace holdfast {
+namespace {
+
+constexpr const char* kKey = "recentFiles";
+
+/// Entries "&1" to "&9" by their digit, the last by 0. Ampersands of names are no mnemonics.
+QString textOf(int place, const QString& path)
+{
+  QString name = QFileInfo(path).fileName();
+  name.replace('&', "&&");
+  return QString("&%1  %2").arg((place + 1) % kMostRecentFiles).arg(name);
+}
+
+}  // namespace
+
+QStringList RecentFiles::paths() const
+{
+  return QSettings().value(kKey).toStringList().mid(0, kMostRecentFiles);
+}
+
+void RecentFiles::add(const QString& path)
+{
+  const QString absolute = QFileInfo(path).absoluteFilePath();
+  QStringList all = paths();
+  all.removeAll(absolute);
+  all.prepend(absolute);
+  QSettings().setValue(kKey, QStringList(all.mid(0, kMostRecentFiles)));
+}
+
+void RecentFiles::remove(const QString& path)
+{
+  QStringList all = paths();
+  if (all.removeAll(QFileInfo(path).absoluteFilePath()) > 0) QSettings().setValue(kKey, all);
+}
+
+void RecentFiles::clear()
+{
+  QSettings().remove(kKey);
+}
+
+void RecentFiles::fill(QMenu& menu)
+{
+  menu.clear();
+  menu.setToolTipsVisible(true);
+  const QStringList all = paths();
+  for (int place = 0; place < all.size(); ++place) {
+    const QString path = all[place];
+    const bool isThere = QFileInfo::exists(path);
+    QAction* action = menu.addAction(textOf(place, path), this, [this, path] { Q_EMIT chosen(path); });
+    action->setEnabled(isThere);
+    const QString native = QDir::toNativeSeparators(path);
+    action->setToolTip(isThere ? native : tr("%1 is not there any more").arg(native));
+    action->setStatusTip(action->toolTip());
+  }
+  if (all.isEmpty()) {
+    menu.addAction(tr("Nothing was open yet"))->setEnabled(false);
+    return;
+  }
+  menu.addSeparator();
+  menu.addAction(tr("&Forget these files"), this, &RecentFiles::clear);
+}
+
+}  // namespace holdfast

@@ -1,0 +1,92 @@
+#include "holdfast/window/inspector/outcome_section.h"
+
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QStyle>
+#include <map>
+
+#include <holdfast/window/controls/status_look.h>
+#include <holdfast/window/text/constraint_words.h>
+#include <holdfast/window/text/number_words.h>
+
+namespace holdfast {
+
+OutcomeSection::OutcomeSection(Editor& editor, QWidget* parent) : InspectorSection(editor, parent), outcomes_(editor)
+{
+  QWidget* line = new QWidget(this);
+  QHBoxLayout* layout = new QHBoxLayout(line);
+  layout->setContentsMargins(0, 0, 0, 0);
+  icon_ = new QLabel(line);
+  status_ = new QLabel(line);
+  status_->setObjectName("outcomeStatus");
+  status_->setWordWrap(true);
+  layout->addWidget(icon_);
+  layout->addWidget(status_, 1);
+  form().addRow(tr("Status"), line);
+  residual_ = addText(tr("Residual"), "outcomeResidual");
+  gap_ = addText(tr("Gap"), "outcomeGap");
+  force_ = addText(tr("Force"), "outcomeForce");
+  amplification_ = addText(tr("Amplification"), "outcomeAmplification");
+  age_ = new QLabel(tr("Of the list before the latest changes."), this);
+  age_->setObjectName("outcomeAge");
+  age_->setWordWrap(true);
+  form().addRow(age_);
+}
+
+bool OutcomeSection::fits(const Constraint& /*constraint*/) const
+{
+  return true;
+}
+
+void OutcomeSection::refresh()
+{
+  const std::string& units = editor().list().units;
+  showStatus();
+  showLargest(residual_, &ConstraintOutcome::residual, units);
+  showLargest(gap_, &ConstraintOutcome::gap, units);
+  showLargest(force_, &ConstraintOutcome::force, {});
+  showLargest(amplification_, &ConstraintOutcome::amplification, {});
+  const bool isCurrent = areResultsCurrent(editor());
+  setFieldVisible(age_, !isCurrent);
+  QPalette own = palette();
+  if (!isCurrent) own.setColor(QPalette::WindowText, quietColor(own));
+  for (QLabel* label : {status_, residual_, gap_, force_, amplification_, age_}) label->setPalette(own);
+}
+
+void OutcomeSection::showStatus()
+{
+  std::map<std::optional<ConstraintStatus>, int> counts;
+  for (const Index row : rows()) ++counts[shownStatus(constraint(row), outcomes_.find(constraint(row).name, row))];
+  icon_->setVisible(counts.size() == 1);
+  if (counts.size() == 1) {
+    const std::optional<ConstraintStatus> status = counts.begin()->first;
+    const int side = style()->pixelMetric(QStyle::PM_SmallIconSize);
+    icon_->setPixmap(statusIcon(status, lightnessOf(palette())).pixmap(side, side));
+    status_->setText(statusText(status));
+    status_->setToolTip(statusMeaning(status));
+    return;
+  }
+  QStringList words;
+  for (const auto& [status, count] : counts) words << QString::number(count) + ' ' + statusText(status);
+  status_->setText(words.join(", "));
+  status_->setToolTip({});
+}
+
+void OutcomeSection::showLargest(QLabel* label, std::optional<double> ConstraintOutcome::*number,
+                                 const std::string& units)
+{
+  std::optional<double> largest;
+  for (const Index row : rows()) {
+    const ConstraintOutcome* outcome = outcomes_.find(constraint(row).name, row);
+    if (outcome == nullptr || !constraint(row).isEnabled || !(outcome->*number)) continue;
+    largest = std::max(largest.value_or(0), *(outcome->*number));
+  }
+  setFieldVisible(label, largest.has_value());
+  if (!largest) return;
+  const QString text = lengthText(*largest, units);
+  label->setText(rows().size() == 1 ? text : tr("%1 at most").arg(text));
+  label->setToolTip(exactText(*largest));
+}
+
+}  // namespace holdfast

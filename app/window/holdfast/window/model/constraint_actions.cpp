@@ -1,0 +1,132 @@
+#include "holdfast/window/model/constraint_actions.h"
+
+#include <QClipboard>
+#include <QCoreApplication>
+#include <QGuiApplication>
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include <holdfast/document/list_edits.h>
+#include <holdfast/document/point_list_text.h>
+#include <holdfast/window/text/constraint_words.h>
+
+namespace holdfast {
+namespace {
+
+struct ConstraintActions {
+  Q_DECLARE_TR_FUNCTIONS(ConstraintActions)
+};
+
+Index sizeOf(const ConstraintList& list)
+{
+  return static_cast<Index>(list.constraints.size());
+}
+
+Rows rowsFrom(Index first, Index count)
+{
+  Rows rows(static_cast<std::size_t>(count));
+  std::iota(rows.begin(), rows.end(), first);
+  return rows;
+}
+
+void append(Editor& editor, const QString& name, const ConstraintList& more)
+{
+  const Index before = sizeOf(editor.list());
+  editor.edit(name, pasted(editor.list(), more));
+  editor.selectConstraints(rowsFrom(before, sizeOf(editor.list()) - before));
+}
+
+}  // namespace
+
+QString subjectOf(const Editor& editor, const Rows& rows)
+{
+  if (rows.size() == 1) return nameText(editor.list().constraints[rows.front()].name);
+  return ConstraintActions::tr("%n constraints", nullptr, static_cast<int>(rows.size()));
+}
+
+void changeConstraints(Editor& editor, const QString& name, const Rows& rows, const Change& change)
+{
+  ConstraintList list = editor.list();
+  bool isChanged = false;
+  for (const Index row : rows)
+    if (std::optional<Constraint> after = change(list.constraints[row])) {
+      list.constraints[row] = std::move(*after);
+      isChanged = true;
+    }
+  if (isChanged) editor.edit(name, std::move(list));
+}
+
+void enableConstraints(Editor& editor, const Rows& rows)
+{
+  if (!rows.empty())
+    editor.edit(ConstraintActions::tr("enable %1").arg(subjectOf(editor, rows)),
+                withEnabled(editor.list(), rows, Enabling::Enabled));
+}
+
+void disableConstraints(Editor& editor, const Rows& rows)
+{
+  if (!rows.empty())
+    editor.edit(ConstraintActions::tr("disable %1").arg(subjectOf(editor, rows)),
+                withEnabled(editor.list(), rows, Enabling::Disabled));
+}
+
+void renameConstraint(Editor& editor, Index row, const QString& name)
+{
+  const std::string before = editor.list().constraints[row].name;
+  if (name.toStdString() == before) return;
+  editor.edit(ConstraintActions::tr("rename %1 to %2").arg(nameText(before), nameText(name.toStdString())),
+              renamed(editor.list(), row, name.toStdString()));
+}
+
+void removeConstraints(Editor& editor, const Rows& rows)
+{
+  if (rows.empty()) return;
+  editor.edit(ConstraintActions::tr("delete %1").arg(subjectOf(editor, rows)), removed(editor.list(), rows));
+  const Index size = sizeOf(editor.list());
+  editor.selectConstraints(size == 0 ? Rows{} : Rows{std::min(rows.front(), size - 1)});
+}
+
+void moveConstraints(Editor& editor, const Rows& rows, Index to)
+{
+  const Index before = static_cast<Index>(std::lower_bound(rows.begin(), rows.end(), to) - rows.begin());
+  const Index first = to - before;
+  const Rows after = rowsFrom(first, static_cast<Index>(rows.size()));
+  if (rows.empty() || rows == after) return;
+  editor.edit(ConstraintActions::tr("reorder %1").arg(subjectOf(editor, rows)), moved(editor.list(), rows, to));
+  editor.selectConstraints(after);
+}
+
+void moveConstraintsUp(Editor& editor, const Rows& rows)
+{
+  if (!rows.empty()) moveConstraints(editor, rows, std::max<Index>(rows.front() - 1, 0));
+}
+
+void moveConstraintsDown(Editor& editor, const Rows& rows)
+{
+  if (!rows.empty()) moveConstraints(editor, rows, std::min(rows.back() + 2, sizeOf(editor.list())));
+}
+
+void duplicateConstraints(Editor& editor, const Rows& rows)
+{
+  if (!rows.empty())
+    append(editor, ConstraintActions::tr("duplicate %1").arg(subjectOf(editor, rows)), extracted(editor.list(), rows));
+}
+
+void copyConstraints(const Editor& editor, const Rows& rows)
+{
+  if (rows.empty()) return;
+  QGuiApplication::clipboard()->setText(QString::fromStdString(toClipboardText(editor.list(), rows, *editor.model())));
+}
+
+void pasteConstraints(Editor& editor)
+{
+  const ConstraintList list = fromClipboardText(QGuiApplication::clipboard()->text().toStdString());
+  const std::size_t count = list.constraints.size();
+  append(editor,
+         count == 1 ? ConstraintActions::tr("paste %1").arg(nameText(list.constraints.front().name))
+                    : ConstraintActions::tr("paste %n constraints", nullptr, static_cast<int>(count)),
+         list);
+}
+
+}  // namespace holdfast

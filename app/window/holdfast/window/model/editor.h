@@ -1,0 +1,142 @@
+#pragma once
+/// \file
+/// The open document as the window's one truth: what is edited, what is selected, and the newest deformation of it.
+
+#include <QObject>
+#include <QString>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <holdfast/document/history.h>
+#include <holdfast/document/live_deformer.h>
+#include <holdfast/widgets/marks/mark_set.h>
+#include <holdfast/window/model/loaded_mesh.h>
+#include <holdfast/window/model/posted_calls.h>
+
+namespace holdfast {
+
+/// Whether what is on screen is what was asked for.
+enum class Freshness {
+  Nothing,    ///< no mesh is open
+  Current,    ///< the deformation is that of the state
+  Solving,    ///< a newer state is being worked on: the deformation is older
+  Cancelled,  ///< the user stopped the work: the deformation is older
+  Unusable    ///< the state cannot be solved, `Editor::trouble` says why: the deformation is older
+};
+
+/// One mesh, its constraints with their history, the selection, and the worker that deforms. Widgets show what is here
+/// and change it through the functions below; none keeps a copy. Lives on the thread of the window.
+class Editor : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit Editor(QObject* parent = nullptr);
+  ~Editor() override;
+
+  /// Puts another document in the place of this one: history, selection and deformation begin anew.
+  void open(LoadedMesh mesh, DocumentState state);
+  void close();
+  [[nodiscard]] bool isOpen() const noexcept { return mesh_.model != nullptr; }
+
+  /// These need an open document.
+  [[nodiscard]] const LoadedMesh& mesh() const noexcept { return mesh_; }
+  [[nodiscard]] const std::shared_ptr<const Model>& model() const noexcept { return mesh_.model; }
+  [[nodiscard]] const DocumentState& state() const { return *history_->state(); }
+  [[nodiscard]] const ConstraintList& list() const { return state().list; }
+  [[nodiscard]] const History& history() const { return *history_; }
+
+  /// The newest deformation that is finished; null before the first, and where there is no document.
+  [[nodiscard]] const std::shared_ptr<const Deformation>& deformation() const noexcept { return deformation_; }
+  /// The state that `deformation` is of; null with it. Names and places in the report are those of this list.
+  [[nodiscard]] const std::shared_ptr<const DocumentState>& deformedState() const noexcept { return deformedState_; }
+  /// What is to be shown: deformed, or at rest before the first deformation.
+  [[nodiscard]] const Positions& positions() const { return surface()->positions(); }
+  [[nodiscard]] const std::shared_ptr<const VisibleSurface>& surface() const;
+  /// Where the constraints of `deformedState` act in `deformation`, those that are disabled last; null with it.
+  [[nodiscard]] const std::shared_ptr<const MarkSet>& marks() const noexcept { return deformedMarks_; }
+  [[nodiscard]] Freshness freshness() const noexcept { return freshness_; }
+  /// Why the newest state cannot be solved; empty otherwise.
+  [[nodiscard]] const QString& trouble() const noexcept { return trouble_; }
+  /// What the worker is doing; empty when it rests.
+  [[nodiscard]] const QString& stage() const noexcept { return stage_; }
+
+  /// One entry of the history each. `name` is what the edit does, for the menu: "move P1".
+  void edit(const QString& name, ConstraintList after);
+  void setOptions(const QString& name, const DeformOptions& options);
+  /// A drag: any number of states, one entry. `cancelGesture` brings back the state and the picture before it.
+  void beginGesture(const QString& name);
+  void updateGesture(ConstraintList after);
+  void endGesture();
+  void cancelGesture();
+  void undo();
+  void redo();
+  /// `state`, one that was shown, is what the user's file holds.
+  void markSaved(std::shared_ptr<const DocumentState> state);
+  /// The document is in no file, though nothing was edited: a copy that a crash has left.
+  void markUnsaved();
+
+  /// Stops the work under way; the state stays as it is. `solve` takes it up again.
+  void cancelSolving();
+  void solve();
+
+  /// Selected vertices of the file, ascending; and selected constraints by their place in the list, ascending.
+  [[nodiscard]] const std::vector<Index>& selectedVertices() const noexcept { return selectedVertices_; }
+  [[nodiscard]] const std::vector<Index>& selectedConstraints() const noexcept { return selectedConstraints_; }
+  /// `shape` is what a constraint on these vertices says instead of their ids, as long as they stay selected: a curve.
+  void selectVertices(std::vector<Index> vertices, std::optional<Selection> shape = std::nullopt);
+  /// The selected vertices as a constraint names them.
+  [[nodiscard]] Selection selection() const;
+  void selectConstraints(std::vector<Index> constraints);
+
+ Q_SIGNALS:
+  void opened();            ///< another document, or none
+  void stateChanged();      ///< the list or the options; the history with them
+  void deformed();          ///< another deformation
+  void freshnessChanged();  ///< or the trouble
+  void stageChanged();      ///< of the worker
+  void vertexSelectionChanged();
+  void constraintSelectionChanged();
+  void saved();  ///< the history is where the file is, or `markUnsaved` was called
+
+ private:
+  struct Solved {
+    std::shared_ptr<const DocumentState> state;
+    std::shared_ptr<const Deformation> deformation;
+    std::shared_ptr<const VisibleSurface> surface;  // where the deformation has moved it
+    std::shared_ptr<const MarkSet> marks;
+  };
+
+  void stateBecame(Supersede supersede);
+  void show(Solved solved);
+  void remember(const Solved& solved);
+  [[nodiscard]] std::optional<Solved> remembered(const std::shared_ptr<const DocumentState>& state) const;
+  void handle(const LiveEvent& event, Solved solved);
+  void setFreshness(Freshness freshness, const QString& trouble);
+  void setStage(const QString& stage);
+  void dropVanishedSelection();
+
+  LoadedMesh mesh_;
+  std::unique_ptr<History> history_;
+  PostedCalls told_;  // by the worker; outlives it
+  std::unique_ptr<LiveDeformer> worker_;
+
+  std::uint64_t revision_ = 0;  // of the newest state that was submitted, of any document
+  std::deque<std::pair<std::uint64_t, std::shared_ptr<const DocumentState>>> submitted_;
+  std::deque<Solved> solved_;  // the latest few, so that undo shows at once what was there
+  std::shared_ptr<const Deformation> deformation_;
+  std::shared_ptr<const DocumentState> deformedState_;
+  std::shared_ptr<const VisibleSurface> deformedSurface_;
+  std::shared_ptr<const MarkSet> deformedMarks_;
+  Freshness freshness_ = Freshness::Nothing;
+  QString trouble_;
+  QString stage_;
+
+  std::vector<Index> selectedVertices_;
+  std::optional<Selection> selectedShape_;
+  std::vector<Index> selectedConstraints_;
+};
+
+}  // namespace holdfast

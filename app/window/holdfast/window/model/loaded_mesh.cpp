@@ -1,0 +1,37 @@
+#include "holdfast/window/model/loaded_mesh.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <holdfast/widgets/files/any_mesh_file.h>
+#include <holdfast/widgets/mesh/coarse_triangles.h>
+
+namespace holdfast {
+
+LoadedMesh loadMesh(const std::filesystem::path& path, Progress& progress)
+{
+  progress.stage(fmt::format("reading {}", path.filename().string()));
+  return prepareMesh(readAnyMesh(path), path, progress);
+}
+
+LoadedMesh prepareMesh(MeshDocument document, const std::filesystem::path& path, Progress& progress)
+{
+  progress.stage(fmt::format("preparing {} vertices", document.mesh.vertexCount()));
+  LoadedMesh loaded;
+  loaded.path = path;
+  loaded.document = std::move(document);
+  loaded.model = std::make_shared<const Model>(makeModel(loaded.document.mesh, path.string()));
+  loaded.regions = std::make_shared<VertexRegions>(loaded.model->mesh, loaded.model->solverMesh);
+  loaded.contents = std::make_shared<SceneContents>(*loaded.model);
+  if (isLarge(*loaded.model)) loaded.contents->setDetail(Detail::Coarse);
+  loaded.surface = std::make_shared<const VisibleSurface>(*loaded.model);
+  return loaded;
+}
+
+bool isLarge(const Model& model)
+{
+  return static_cast<Index>(model.triangulation.triangles.size()) > 2 * kCoarseTriangles;
+}
+
+}  // namespace holdfast

@@ -1,0 +1,37 @@
+#pragma once
+/// \file
+/// A mesh file and all that the window needs of it, made on any thread before the window is touched.
+
+#include <filesystem>
+#include <memory>
+
+#include <holdfast/base/progress.h>
+#include <holdfast/deform/model.h>
+#include <holdfast/io/mesh_document.h>
+#include <holdfast/surface/vertex_regions.h>
+#include <holdfast/widgets/picking/visible_surface.h>
+#include <holdfast/widgets/scene/scene_contents.h>
+
+namespace holdfast {
+
+/// What does not change while a mesh is open.
+struct LoadedMesh {
+  std::filesystem::path path;
+  MeshDocument document;
+  std::shared_ptr<const Model> model;
+  std::shared_ptr<VertexRegions> regions;
+  std::shared_ptr<SceneContents> contents;        ///< at rest, with the coarse triangles of large meshes
+  std::shared_ptr<const VisibleSurface> surface;  ///< at rest, ready for rays
+};
+
+/// Reads and prepares the file, by its extension one of core's formats or VTK's. Throws as `readMesh` and `makeModel`
+/// do, and what `progress` throws.
+[[nodiscard]] LoadedMesh loadMesh(const std::filesystem::path& path, Progress& progress);
+
+/// The same for a mesh that is at hand; `path` names it.
+[[nodiscard]] LoadedMesh prepareMesh(MeshDocument document, const std::filesystem::path& path, Progress& progress);
+
+/// Whether drawing all of it may take longer than a picture that moves has time for.
+[[nodiscard]] bool isLarge(const Model& model);
+
+}  // namespace holdfast

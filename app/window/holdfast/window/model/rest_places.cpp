@@ -1,0 +1,63 @@
+#include "holdfast/window/model/rest_places.h"
+
+#include <holdfast/io/text/number_text.h>
+#include <holdfast/surface/surface_point.h>
+
+namespace holdfast {
+
+SurfaceLocator& RestPlaces::locator()
+{
+  if (model_ != editor_.model()) {
+    model_ = editor_.model();
+    locator_.emplace(model_->mesh, model_->triangulation);
+  }
+  return *locator_;
+}
+
+std::optional<Vector3> RestPlaces::of(const SurfaceLocation& location)
+{
+  if (!editor_.isOpen()) return std::nullopt;
+  try {
+    return require(location);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+Vector3 RestPlaces::require(const SurfaceLocation& location)
+{
+  return positionOf(locator().locate(location, {}).point, editor_.model()->mesh.positions);
+}
+
+SurfaceLocation RestPlaces::converted(const SurfaceLocation& location, LocationKind kind)
+{
+  return holdfast::converted(location, kind, editor_.model()->mesh, locator());
+}
+
+Vector3 placeOf(const Point& point, const Vector3& rest)
+{
+  if (const Target* target = std::get_if<Target>(&point.to)) return target->place;
+  return rest + std::get<Move>(point.to).shift;
+}
+
+Point goingTo(Point point, const Vector3& rest, const Vector3& place)
+{
+  const Move* move = std::get_if<Move>(&point.to);
+  if (move == nullptr) {
+    point.to = Target{place};
+    return point;
+  }
+  Vector3 shift = move->shift;
+  for (Index k = 0; k < 3; ++k) {
+    if (hasSameBits(rest[k] + shift[k], place[k])) continue;
+    shift[k] = place[k] - rest[k];
+    if (!hasSameBits(rest[k] + shift[k], place[k])) {
+      point.to = Target{place};
+      return point;
+    }
+  }
+  point.to = Move{shift};
+  return point;
+}
+
+}  // namespace holdfast

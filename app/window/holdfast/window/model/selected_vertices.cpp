@@ -1,0 +1,32 @@
+#include "holdfast/window/model/selected_vertices.h"
+
+namespace holdfast {
+
+SelectedVertices::Found SelectedVertices::of(const Selection& selection)
+{
+  if (model_ != editor_.model()) {
+    selector_.reset();
+    model_ = editor_.model();
+    locator_.emplace(model_->mesh, model_->triangulation);
+    selector_.emplace(model_->mesh, model_->solverMesh, *locator_);
+  }
+  try {
+    return {selector_->select(selection, {}), {}};
+  } catch (const InputError& error) {
+    return {{}, error.reason()};
+  }
+}
+
+const Selection* selectionOf(const Constraint& constraint)
+{
+  return std::visit(
+      [](const auto& what) -> const Selection* {
+        if constexpr (requires { what.select; })
+          return &what.select;
+        else
+          return nullptr;
+      },
+      constraint.what);
+}
+
+}  // namespace holdfast

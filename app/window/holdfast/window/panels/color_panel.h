@@ -1,0 +1,77 @@
+#pragma once
+/// \file
+/// The panel in which a user chooses colours, and what is shown beside the surface.
+
+#include <QWidget>
+#include <optional>
+
+#include <holdfast/widgets/scene/display_settings.h>
+#include <holdfast/window/model/editor.h>
+
+class QCheckBox;
+class QComboBox;
+class QFormLayout;
+class QLabel;
+class QLineEdit;
+class QSpinBox;
+class QStackedWidget;
+
+namespace holdfast {
+
+/// What its controls say is the settings. A range that cannot be is refused with the reason: the settings stay what
+/// they were.
+class ColorPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ColorPanel(Editor& editor, QWidget* parent = nullptr);
+
+  [[nodiscard]] const ColorSettings& settings() const noexcept { return settings_; }
+  [[nodiscard]] const DisplaySettings& displaySettings() const noexcept { return display_; }
+
+ public Q_SLOTS:
+  /// Without signals.
+  void setSettings(const ColorSettings& settings);
+  void setDisplaySettings(const DisplaySettings& settings);
+  /// The scale of what is on screen, none in one colour: told beside an automatic range, and where a fixed one begins.
+  void setShownScale(const std::optional<ColorScale>& scale);
+
+ Q_SIGNALS:
+  void settingsChanged(const ColorSettings& settings);
+  void displaySettingsChanged(const DisplaySettings& settings);
+
+ private:
+  void makeColorRows(QFormLayout& form);
+  void makeDisplayRows(QFormLayout& form);
+  void addMaps();
+  [[nodiscard]] QWidget* makeFixedRange();
+  [[nodiscard]] QWidget* makeLogarithmicRange();
+  void showSettings();
+  void explain();
+  void chooseRangeKind(int kind);
+  void takeFixedRange();
+  void takeDisplay();
+  void refuse(const QString& reason);
+  void changeRange(const ColorRange& range);
+
+  Editor& editor_;
+  ColorSettings settings_;
+  DisplaySettings display_;
+  std::optional<ColorScale> shownScale_;
+  QComboBox* field_ = nullptr;
+  QLabel* explanation_ = nullptr;
+  QComboBox* rangeKind_ = nullptr;
+  QStackedWidget* rangeRows_ = nullptr;
+  QLabel* automatic_ = nullptr;
+  QLineEdit* low_ = nullptr;
+  QLineEdit* high_ = nullptr;
+  QSpinBox* decades_ = nullptr;
+  QLabel* refusal_ = nullptr;
+  QComboBox* map_ = nullptr;
+  QComboBox* rest_ = nullptr;
+  QComboBox* edges_ = nullptr;
+  QCheckBox* arrows_ = nullptr;
+  QCheckBox* constraints_ = nullptr;
+};
+
+}  // namespace holdfast

@@ -1,0 +1,190 @@
+#include "holdfast/window/panels/histogram_panel.h"
+
+#include <QLabel>
+#include <QSplitter>
+#include <QStackedLayout>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <unordered_set>
+
+#include <holdfast/geometry/rotation_log.h>
+#include <holdfast/widgets/rotation_sphere/rotation_projection.h>
+#include <holdfast/window/controls/labels.h>
+#include <holdfast/window/panels/histogram_view.h>
+#include <holdfast/window/text/number_words.h>
+
+namespace holdfast {
+namespace {
+
+constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
+
+// Powers of ten of the scale of residuals: below the first there is only rounding, and the promise is inside.
+constexpr int kFirstPower = -17;
+constexpr int kLastPower = -11;
+
+constexpr Index kMostAngleBins = 25;
+std::vector<double> residualShares(const Deformation& deformation, double diagonal)
+{
+  std::vector<double> shares;
+  for (const ConstraintOutcome& outcome : deformation.report.constraints)
+    shares.push_back(outcome.residual ? *outcome.residual / diagonal : kNoValue);
+  return shares;
+}
+
+/// The smallest limit of a constraint as a share of the diagonal: what is marked.
+double leastLimit(const Deformation& deformation, double diagonal)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (const double limit : deformation.diagnosis.limits) least = std::min(least, limit / diagonal);
+  return least;
+}
+
+Index countWithinLimits(const std::vector<ConstraintOutcome>& outcomes)
+{
+  return std::count_if(outcomes.begin(), outcomes.end(), [](const ConstraintOutcome& outcome) {
+    return outcome.residual && *outcome.residual <= outcome.limit;
+  });
+}
+
+std::vector<double> anglesOf(const Model& model, const Deformation& deformation)
+{
+  const SolverMesh& mesh = model.solverMesh;
+  std::vector<double> ofUnknowns;
+  for (Index u = 0; u < mesh.unknownCount(); ++u)
+    ofUnknowns.push_back(mesh.componentOf[u] < 0 ? kNoValue : angleDegrees(deformation.rotations.row(u).transpose()));
+  std::vector<double> angles;
+  for (const Index unknown : mesh.weld.unknownOf) angles.push_back(ofUnknowns[unknown]);
+  return angles;
+}
+
+}  // namespace
+
+HistogramPanel::HistogramPanel(Editor& editor, QWidget* parent) : QWidget(parent), editor_(editor)
+{
+  setObjectName("histogramPanel");
+  auto* splitter = new QSplitter(Qt::Vertical, this);
+  splitter->setChildrenCollapsible(false);
+  residuals_ = makePage("residuals");
+  angles_ = makePage("angles");
+  splitter->addWidget(residuals_.pages->parentWidget());
+  splitter->addWidget(angles_.pages->parentWidget());
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(splitter);
+  connect(residuals_.view, &HistogramView::barClicked, this, &HistogramPanel::pickConstraints);
+  connect(angles_.view, &HistogramView::barClicked, this, &HistogramPanel::pickVertices);
+  connect(&editor_, &Editor::opened, this, &HistogramPanel::becomeStale);
+  connect(&editor_, &Editor::deformed, this, &HistogramPanel::becomeStale);
+}
+
+HistogramPanel::Page HistogramPanel::makePage(const QString& name)
+{
+  Page page;
+  auto* frame = new QWidget;
+  page.pages = new QStackedLayout(frame);
+  page.hint = newHint(name + "Hint");
+  page.view = new HistogramView;
+  page.view->setObjectName(name + "View");
+  page.pages->addWidget(page.hint);
+  page.pages->addWidget(page.view);
+  return page;
+}
+
+void HistogramPanel::warmUp()
+{
+  for (const Page* const page : {&residuals_, &angles_}) page->view->warmUp();
+}
+
+void HistogramPanel::becomeStale()
+{
+  isStale_ = true;
+  if (isVisible()) refresh();
+}
+
+void HistogramPanel::refresh()
+{
+  isStale_ = false;
+  residuals_.values.clear();
+  angles_.values.clear();
+  if (editor_.deformation()) {
+    refreshResiduals();
+    refreshAngles();
+  }
+  const QString nothing = tr("No mesh is open.");
+  residuals_.hint->setText(editor_.isOpen() ? tr("No residuals yet: add a constraint.") : nothing);
+  angles_.hint->setText(editor_.isOpen() ? tr("No rotation yet: give a handle a turn.") : nothing);
+  for (Page* const page : {&residuals_, &angles_}) page->pages->setCurrentIndex(page->values.empty() ? 0 : 1);
+}
+
+void HistogramPanel::refreshResiduals()
+{
+  const Deformation& deformation = *editor_.deformation();
+  const double diagonal = editor_.model()->solverMesh.diagonal;
+  std::vector<double> shares = residualShares(deformation, diagonal);
+  const Histogram histogram = logarithmicHistogram(shares, kFirstPower, kLastPower);
+  if (histogram.valueCount == 0) return;
+  const double promise = leastLimit(deformation, diagonal);
+  ChartTexts texts;
+  texts.title = tr("Residuals of constraints: %1 of %2 within their limits, the least %3 of the diagonal (dashed)")
+                    .arg(countWithinLimits(deformation.report.constraints))
+                    .arg(histogram.valueCount)
+                    .arg(roundedText(promise));
+  texts.valueAxis = tr("residual / diagonal of the bounding box");
+  texts.countAxis = tr("constraints");
+  const QString units = QString::fromStdString(editor_.deformedState()->list.units);
+  texts.describe = [=](Index bar) {
+    const double low = histogram.edges[bar];
+    const double high = histogram.edges[bar + 1];
+    return tr("%1 to %2 of the diagonal (%3 to %4 %5)\nconstraints: %6")
+        .arg(roundedText(low), roundedText(high), roundedText(low * diagonal), roundedText(high * diagonal), units)
+        .arg(histogram.counts[bar]);
+  };
+  residuals_.values = std::move(shares);
+  residuals_.view->setHistogram(histogram, texts, promise);
+}
+
+void HistogramPanel::refreshAngles()
+{
+  const Deformation& deformation = *editor_.deformation();
+  if (!hasRotation(boundaryRotations(deformation))) return;
+  angles_.values = anglesOf(*editor_.model(), deformation);
+  const Histogram histogram = linearHistogram(angles_.values, TickSteps::Degrees, kMostAngleBins);
+  ChartTexts texts;
+  texts.title = tr("Rotation angles of vertices");
+  texts.valueAxis = tr("angle, degrees (whole turns counted)");
+  texts.countAxis = tr("vertices");
+  texts.describe = [=](Index bar) {
+    return tr("%1° to %2°\nvertices: %3")
+        .arg(roundedText(histogram.edges[bar]), roundedText(histogram.edges[bar + 1]))
+        .arg(histogram.counts[bar]);
+  };
+  angles_.view->setHistogram(histogram, texts, std::nullopt);
+}
+
+void HistogramPanel::pickConstraints(Index bar)
+{
+  // What is shown may be older than the list: constraints are found by their names.
+  std::unordered_set<std::string> names;
+  for (const Index k : placesInBin(residuals_.view->histogram(), residuals_.values, bar))
+    names.insert(editor_.deformation()->report.constraints[k].name);
+  const std::vector<Constraint>& list = editor_.list().constraints;
+  std::vector<Index> places;
+  for (std::size_t k = 0; k < list.size(); ++k)
+    if (names.count(list[k].name) > 0) places.push_back(static_cast<Index>(k));
+  Q_EMIT constraintsPicked(places);
+}
+
+void HistogramPanel::pickVertices(Index bar)
+{
+  Q_EMIT verticesPicked(placesInBin(angles_.view->histogram(), angles_.values, bar));
+}
+
+void HistogramPanel::showEvent(QShowEvent* event)
+{
+  QWidget::showEvent(event);
+  if (isStale_) refresh();
+}
+
+}  // namespace holdfast

@@ -1,0 +1,62 @@
+#pragma once
+/// \file
+/// The panel of distributions: how well constraints are met, and how much the surface turns.
+
+#include <QWidget>
+#include <vector>
+
+#include <holdfast/window/model/editor.h>
+
+class QLabel;
+class QStackedLayout;
+
+namespace holdfast {
+
+class HistogramView;
+
+/// Two charts of the editor's deformation: residuals of constraints as shares of the bounding box's diagonal, on a
+/// logarithmic scale with the promise marked, and rotation angles of vertices in degrees. A click on a bar picks what
+/// it counts. Kept up to date only while it is visible.
+class HistogramPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit HistogramPanel(Editor& editor, QWidget* parent = nullptr);
+
+  /// Draws examples that nobody sees: `MainWindow::warmUp`.
+  void warmUp();
+
+  [[nodiscard]] HistogramView& residualView() const { return *residuals_.view; }
+  [[nodiscard]] HistogramView& angleView() const { return *angles_.view; }
+
+ Q_SIGNALS:
+  void constraintsPicked(std::vector<Index> constraints);  ///< places in the editor's list, ascending
+  void verticesPicked(std::vector<Index> vertices);        ///< of the file, ascending
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  /// A chart, or what to do to get one.
+  struct Page {
+    QStackedLayout* pages = nullptr;
+    QLabel* hint = nullptr;
+    HistogramView* view = nullptr;
+    std::vector<double> values;
+  };
+
+  [[nodiscard]] Page makePage(const QString& name);
+  void becomeStale();
+  void refresh();
+  void refreshResiduals();
+  void refreshAngles();
+  void pickConstraints(Index bar);
+  void pickVertices(Index bar);
+
+  Editor& editor_;
+  Page residuals_;  // of each constraint of the deformed list, shares of the diagonal
+  Page angles_;     // of each vertex of the file, degrees
+  bool isStale_ = true;
+};
+
+}  // namespace holdfast

@@ -1,0 +1,258 @@
+#include "holdfast/window/panels/sphere_panel.h"
+
+#include <QHBoxLayout>
+#include <QHelpEvent>
+#include <QLabel>
+#include <QStackedLayout>
+#include <QToolButton>
+#include <QToolTip>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include <QVTKInteractor.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+
+#include <holdfast/geometry/rotation_log.h>
+#include <holdfast/widgets/rotation_sphere/rotation_sphere.h>
+#include <holdfast/widgets/scene/example_document.h>
+#include <holdfast/window/controls/labels.h>
+#include <holdfast/window/controls/render_request.h>
+#include <holdfast/window/controls/vtk_palette.h>
+#include <holdfast/window/controls/vtk_view.h>
+#include <holdfast/window/model/background_job.h>
+#include <holdfast/window/text/number_words.h>
+
+namespace holdfast {
+namespace {
+
+double largestDegrees(const std::vector<BoundaryRotation>& boundary)
+{
+  double largest = 0;
+  for (const BoundaryRotation& value : boundary) largest = std::max(largest, angleDegrees(value.q));
+  return largest;
+}
+
+}  // namespace
+
+SpherePanel::SpherePanel(Editor& editor, QWidget* parent) : QWidget(parent), editor_(editor)
+{
+  setObjectName("spherePanel");
+  summary_ = new QLabel(this);
+  summary_->setObjectName("sphereSummary");
+  auto* fitButton = new QToolButton(this);
+  fitButton->setObjectName("sphereFit");
+  fitButton->setText(tr("&Fit"));
+  fitButton->setToolTip(tr("Show everything that is prescribed (double click, Home)"));
+  fitButton->setAutoRaise(true);
+  auto* header = new QHBoxLayout;
+  header->setContentsMargins(6, 2, 6, 2);
+  header->addWidget(summary_, 1);
+  header->addWidget(fitButton);
+
+  view_ = new VtkView;
+  view_->setObjectName("sphereView");
+  view_->setAccessibleName(tr("Rotation sphere"));
+  view_->setFocusPolicy(Qt::StrongFocus);
+  view_->setMinimumSize(120, 120);
+  view_->installEventFilter(this);
+  drawing_ = new RenderRequest(*view_);
+  connect(view_, &VtkView::renderWanted, this, &SpherePanel::redraw);
+  view_->interactor()->SetInteractorStyle(style_);
+  style_->AddObserver(vtkCommand::PickEvent, this, &SpherePanel::pickVertex);
+  auto* page = new QWidget;
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addLayout(header);
+  column->addWidget(view_, 1);
+
+  hint_ = newHint("sphereHint");
+  pages_ = new QStackedLayout(this);
+  pages_->addWidget(hint_);
+  pages_->addWidget(page);
+
+  connect(fitButton, &QToolButton::clicked, this, &SpherePanel::fit);
+  connect(&editor_, &Editor::opened, this, &SpherePanel::begin);
+  placing_ = new BackgroundJob(this);
+  connect(&editor_, &Editor::deformed, this, &SpherePanel::follow);
+  begin();
+}
+
+SpherePanel::~SpherePanel() = default;
+
+void SpherePanel::begin()
+{
+  placing_->cancel();
+  if (renderer_) view_->renderWindow()->RemoveRenderer(renderer_);
+  style_->SetSphere(nullptr);
+  sphere_.reset();
+  renderer_ = nullptr;
+  shown_.reset();
+  placed_.reset();
+  coloring_.reset();
+  marked_.reset();
+  isFitted_ = false;
+  showHint();
+  follow();
+}
+
+void SpherePanel::warmUp(const ExampleDocument& example)
+{
+  vtkNew<vtkRenderer> renderer;
+  view_->renderWindow()->AddRenderer(renderer);
+  RotationSphere sphere;
+  sphere.addTo(*renderer);
+  sphere.show(placeRotations(example.model, example.deformation, nullptr));
+  sphere.mark(0);
+  for (const ColorBy colors : {ColorBy::None, ColorBy::Angle}) {
+    sphere.setColoring(coloringOf(example.model, example.deformation, colors, ""));
+    view_->grabFramebuffer();
+  }
+  view_->renderWindow()->RemoveRenderer(renderer);
+}
+
+void SpherePanel::makeSphere()
+{
+  renderer_ = vtkSmartPointer<vtkRenderer>::New();
+  view_->renderWindow()->AddRenderer(renderer_);
+  sphere_ = std::make_unique<RotationSphere>();
+  sphere_->addTo(*renderer_);
+  sphere_->mark(marked_);
+  style_->SetSphere(sphere_.get());
+  applyPalette();
+}
+
+void SpherePanel::follow()
+{
+  if (isVisible() && !isCurrent() && !placing_->isRunning()) place();
+}
+
+void SpherePanel::place()
+{
+  // Whether anything turns is not known yet.
+  if (!placed_) hint_->clear();
+  placing_->start([this, model = editor_.model(), deformation = editor_.deformation(), before = placed_,
+                   coloring = coloring_](Progress&) -> BackgroundJob::Finish {
+    return [this, deformation, coloring, placed = placeRotations(*model, *deformation, before)] {
+      shown_ = deformation;
+      placed_ = placed;
+      if (hasRotation(placed->boundary))
+        showPoints(isCurrent() ? coloring_ : coloring);
+      else
+        showHint();
+      // What came meanwhile.
+      follow();
+    };
+  });
+}
+
+void SpherePanel::showHint()
+{
+  hint_->setText(editor_.isOpen() ? tr("No rotation yet: give a handle a turn.") : tr("No mesh is open."));
+  pages_->setCurrentIndex(0);
+}
+
+void SpherePanel::showPoints(const std::optional<Coloring>& coloring)
+{
+  if (!sphere_) makeSphere();
+  sphere_->show(placed_);
+  sphere_->setColoring(coloring);
+  if (!isFitted_) sphere_->fitCamera();
+  isFitted_ = true;
+  summary_->setText(tr("Prescribed rotations: %1, largest %2°")
+                        .arg(placed_->boundary.size())
+                        .arg(roundedText(largestDegrees(placed_->boundary))));
+  summary_->setToolTip(tr("A point for each vertex: half its angle from the pole, towards its axis"));
+  pages_->setCurrentIndex(1);
+  redraw();
+}
+
+void SpherePanel::redraw()
+{
+  drawing_->post();
+}
+
+void SpherePanel::showVertex(std::optional<Index> vertex)
+{
+  marked_ = vertex;
+  if (!sphere_) return;
+  sphere_->mark(vertex);
+  redraw();
+}
+
+void SpherePanel::setColoring(const std::optional<Coloring>& coloring)
+{
+  const bool fits = coloring && editor_.isOpen() &&
+                    static_cast<Index>(coloring->values.size()) == editor_.model()->mesh.vertexCount();
+  coloring_ = fits ? coloring : std::nullopt;
+  // Values of a deformation are shown with its points.
+  if (!sphere_ || !isCurrent()) return;
+  sphere_->setColoring(coloring_);
+  redraw();
+}
+
+void SpherePanel::fit()
+{
+  if (!sphere_) return;
+  sphere_->fitCamera();
+  redraw();
+}
+
+void SpherePanel::applyPalette()
+{
+  if (!sphere_) return;
+  const PictureColors colors = pictureColors(palette());
+  style_->SetPixelRatio(devicePixelRatioF());
+  sphere_->setLook({colors.ground, colors.raised, colors.ink, colors.accent, devicePixelRatioF()});
+  redraw();
+}
+
+void SpherePanel::pickVertex(vtkObject* /*caller*/, unsigned long /*event*/, void* vertex)
+{
+  Q_EMIT vertexPicked(*static_cast<const Index*>(vertex));
+}
+
+std::optional<Index> SpherePanel::vertexAt(const QPointF& place) const
+{
+  // Through the pixel's centre; VTK counts from below.
+  const double ratio = view_->devicePixelRatioF();
+  return sphere_->pick((place.x() + 0.5) * ratio, (view_->height() - place.y() - 0.5) * ratio);
+}
+
+void SpherePanel::showTip(const QPoint& place)
+{
+  const auto vertex = vertexAt(place);
+  if (!vertex) return QToolTip::hideText();
+  const Index unknown = editor_.model()->solverMesh.weld.unknownOf[*vertex];
+  const Vector3 q = shown_->rotations.row(unknown).transpose();
+  QString text = tr("vertex %1: %2°").arg(*vertex).arg(roundedText(angleDegrees(q)));
+  if (const double length = q.norm(); length > 0)
+    text += tr(" about (%1, %2, %3)")
+                .arg(roundedText(q.x() / length), roundedText(q.y() / length), roundedText(q.z() / length));
+  QToolTip::showText(view_->mapToGlobal(place), text, view_);
+}
+
+bool SpherePanel::eventFilter(QObject* watched, QEvent* event)
+{
+  if (watched != view_ || !sphere_) return QWidget::eventFilter(watched, event);
+  if (event->type() == QEvent::ToolTip) {
+    showTip(static_cast<QHelpEvent*>(event)->pos());
+    return true;
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+void SpherePanel::showEvent(QShowEvent* event)
+{
+  QWidget::showEvent(event);
+  applyPalette();
+  follow();
+}
+
+void SpherePanel::changeEvent(QEvent* event)
+{
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) applyPalette();
+}
+
+}  // namespace holdfast

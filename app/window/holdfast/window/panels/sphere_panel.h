@@ -1,0 +1,95 @@
+#pragma once
+/// \file
+/// The panel with the rotation sphere: which rotations there are, and which vertex has which.
+
+#include <QWidget>
+#include <memory>
+#include <optional>
+
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+
+#include <holdfast/widgets/color/coloring.h>
+#include <holdfast/widgets/interaction/rotation_sphere_style.h>
+#include <holdfast/window/model/editor.h>
+
+class QLabel;
+class QStackedLayout;
+class vtkObject;
+class vtkRenderer;
+
+namespace holdfast {
+
+class BackgroundJob;
+class RenderRequest;
+class RotationSphere;
+class VtkView;
+struct ExampleDocument;
+struct PlacedRotations;
+
+/// The rotations of the editor's deformation. A drag turns the sphere, the wheel zooms, a click picks a vertex, a
+/// double click shows everything; arrow keys, plus, minus and Home do the same. Follows only while it is visible;
+/// points are placed in the background, and shown all at once.
+class SpherePanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit SpherePanel(Editor& editor, QWidget* parent = nullptr);
+  ~SpherePanel() override;
+
+  /// Draws an example that nobody sees: `MainWindow::warmUp`. Before a document is opened.
+  void warmUp(const ExampleDocument& example);
+
+  /// What is shown; null before there is a rotation to show.
+  [[nodiscard]] const RotationSphere* sphere() const { return sphere_.get(); }
+  /// Whether that is the editor's newest deformation.
+  [[nodiscard]] bool isCurrent() const { return shown_ == editor_.deformation(); }
+
+ public Q_SLOTS:
+  /// Marks a vertex of the file, or none.
+  void showVertex(std::optional<Index> vertex);
+  /// Colours points as the mesh, one value for each vertex of the file; one colour where there is nothing.
+  void setColoring(const std::optional<Coloring>& coloring);
+  /// Everything that is prescribed, as large as it fits.
+  void fit();
+
+ Q_SIGNALS:
+  void vertexPicked(Index vertex);  ///< of the file
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void begin();
+  void follow();
+  void place();
+  void showPoints(const std::optional<Coloring>& coloring);
+  void showHint();
+  void applyPalette();
+  void redraw();
+  void pickVertex(vtkObject* caller, unsigned long event, void* vertex);
+  void showTip(const QPoint& place);
+  void makeSphere();
+  [[nodiscard]] bool isTurning() const;
+  [[nodiscard]] std::optional<Index> vertexAt(const QPointF& place) const;
+
+  Editor& editor_;
+  QStackedLayout* pages_ = nullptr;
+  QLabel* hint_ = nullptr;
+  QLabel* summary_ = nullptr;
+  VtkView* view_ = nullptr;
+  RenderRequest* drawing_ = nullptr;
+  vtkSmartPointer<vtkRenderer> renderer_;
+  vtkNew<RotationSphereStyle> style_;
+  std::unique_ptr<RotationSphere> sphere_;  // from the first rotation that is to be shown
+  BackgroundJob* placing_ = nullptr;
+  std::shared_ptr<const Deformation> shown_;
+  std::shared_ptr<const PlacedRotations> placed_;  // the latest of this mesh
+  std::optional<Index> marked_;
+  std::optional<Coloring> coloring_;
+  bool isFitted_ = false;
+};
+
+}  // namespace holdfast

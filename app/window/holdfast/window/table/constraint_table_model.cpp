@@ -1,0 +1,388 @@
+#include "holdfast/window/table/constraint_table_model.h"
+
+#include <QDataStream>
+#include <QFont>
+#include <QGuiApplication>
+#include <QMimeData>
+#include <algorithm>
+#include <utility>
+
+#include <holdfast/base/error.h>
+#include <holdfast/base/printable.h>
+#include <holdfast/io/text/number_text.h>
+#include <holdfast/window/text/constraint_words.h>
+#include <holdfast/window/text/number_words.h>
+
+namespace holdfast {
+namespace {
+
+constexpr const char* kRowsFormat = "application/x-holdfast-constraint-rows";
+
+const std::vector<Constraint>& constraintsOf(const std::shared_ptr<const DocumentState>& state)
+{
+  static const std::vector<Constraint> none;
+  return state == nullptr ? none : state->list.constraints;
+}
+
+/// The gravest first, as a user looks for them.
+double rankOf(std::optional<ConstraintStatus> status)
+{
+  if (!status) return 2;
+  switch (*status) {
+    case ConstraintStatus::Conflicting:
+      return 0;
+    case ConstraintStatus::Missed:
+      return 1;
+    case ConstraintStatus::Redundant:
+      return 3;
+    case ConstraintStatus::Independent:
+      return 4;
+    case ConstraintStatus::Met:
+      return 5;
+    case ConstraintStatus::Disabled:
+      return 6;
+  }
+  return 7;
+}
+
+QString axisName(int column)
+{
+  return QStringLiteral("xyz").mid(column - ConstraintTableModel::X, 1);
+}
+
+bool isCoordinate(int column)
+{
+  return column >= ConstraintTableModel::X && column <= ConstraintTableModel::Z;
+}
+
+/// How many constraints two lists have in common at their beginnings and, of the rest, at their ends.
+std::pair<std::size_t, std::size_t> commonEnds(const std::vector<Constraint>& a, const std::vector<Constraint>& b)
+{
+  const std::size_t shorter = std::min(a.size(), b.size());
+  std::size_t front = 0;
+  while (front < shorter && a[front].name == b[front].name) ++front;
+  std::size_t back = 0;
+  while (back < shorter - front && a[a.size() - 1 - back].name == b[b.size() - 1 - back].name) ++back;
+  return {front, back};
+}
+
+/// The rows of a drag that began in this program, over this list.
+Rows rowsOf(const QMimeData& data, const void* list)
+{
+  QDataStream stream(data.data(kRowsFormat));
+  quint64 owner = 0;
+  QVector<qint64> rows;
+  stream >> owner >> rows;
+  if (owner != reinterpret_cast<quintptr>(list)) return {};
+  return {rows.begin(), rows.end()};
+}
+
+}  // namespace
+
+ConstraintTableModel::ConstraintTableModel(Editor& editor, QObject* parent)
+    : QAbstractTableModel(parent), editor_(editor), outcomes_(editor), places_(editor)
+{
+  connect(&editor, &Editor::opened, this, [this] {
+    beginResetModel();
+    shown_ = editor_.isOpen() ? editor_.history().state() : nullptr;
+    endResetModel();
+  });
+  connect(&editor, &Editor::stateChanged, this, &ConstraintTableModel::follow);
+  connect(&editor, &Editor::deformed, this, &ConstraintTableModel::resultsChanged);
+  connect(&editor, &Editor::freshnessChanged, this, &ConstraintTableModel::resultsChanged);
+  if (editor.isOpen()) shown_ = editor.history().state();
+}
+
+int ConstraintTableModel::rowCount(const QModelIndex& parent) const
+{
+  return parent.isValid() ? 0 : static_cast<int>(constraintsOf(shown_).size());
+}
+
+int ConstraintTableModel::columnCount(const QModelIndex& parent) const
+{
+  return parent.isValid() ? 0 : static_cast<int>(ColumnCount);
+}
+
+bool ConstraintTableModel::isInStep() const
+{
+  return shown_ == (editor_.isOpen() ? editor_.history().state() : nullptr);
+}
+
+const ConstraintOutcome* ConstraintTableModel::outcome(int row) const
+{
+  return outcomes_.find(constraint(row).name, row);
+}
+
+std::optional<ConstraintStatus> ConstraintTableModel::status(int row) const
+{
+  return shownStatus(constraint(row), outcome(row));
+}
+
+std::optional<double> ConstraintTableModel::coordinate(int row, int column) const
+{
+  if (const Handle* handle = std::get_if<Handle>(&constraint(row).what)) return handle->translate[column - X];
+  const Point* point = std::get_if<Point>(&constraint(row).what);
+  if (point == nullptr) return std::nullopt;
+  if (const Target* target = std::get_if<Target>(&point->to)) return target->place[column - X];
+  const std::optional<Vector3> rest = places_.of(point->at);
+  return rest ? std::optional(placeOf(*point, *rest)[column - X]) : std::nullopt;
+}
+
+/// Of the columns that show numbers.
+std::optional<double> ConstraintTableModel::exactNumber(int row, int column) const
+{
+  if (isCoordinate(column)) return coordinate(row, column);
+  const ConstraintOutcome* found = outcome(row);
+  if (found == nullptr || !constraint(row).isEnabled) return std::nullopt;
+  if (column == Residual) return found->residual;
+  return column == Force ? found->force : std::nullopt;
+}
+
+std::optional<double> ConstraintTableModel::number(int row, int column) const
+{
+  if (column == On) return constraint(row).isEnabled ? 0 : 1;
+  return column == Status ? rankOf(status(row)) : exactNumber(row, column);
+}
+
+QString ConstraintTableModel::text(int row, int column) const
+{
+  if (column == Name) return QString::fromStdString(printable(constraint(row).name));
+  if (column == Kind) return kindText(constraint(row));
+  if (column == Where) return whereText(constraint(row));
+  if (column == Status) return statusText(status(row));
+  const std::optional<double> number = exactNumber(row, column);
+  if (!number) return {};
+  return isCoordinate(column) ? coordinateText(*number) : roundedText(*number);
+}
+
+QVariant ConstraintTableModel::data(const QModelIndex& index, int role) const
+{
+  if (!index.isValid()) return {};
+  const int row = index.row();
+  const int column = index.column();
+  switch (role) {
+    case Qt::DisplayRole:
+      return column == On ? QVariant() : text(row, column);
+    case Qt::EditRole: {
+      if (column == Name) return QString::fromStdString(constraint(row).name);
+      const std::optional<double> number = exactNumber(row, column);
+      return number ? exactText(*number) : text(row, column);
+    }
+    case Qt::CheckStateRole:
+      return column == On ? QVariant(constraint(row).isEnabled ? Qt::Checked : Qt::Unchecked) : QVariant();
+    case Qt::DecorationRole:
+      return column == Status ? QVariant(icon(status(row))) : QVariant();
+    case Qt::TextAlignmentRole:
+      return QVariant(isCoordinate(column) || column == Residual || column == Force
+                          ? static_cast<int>(Qt::AlignRight | Qt::AlignVCenter)
+                          : static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter));
+    case Qt::ForegroundRole:
+      return foreground(row, column);
+    case Qt::ToolTipRole:
+      return toolTip(row, column);
+    case Qt::AccessibleTextRole:
+      return column == On ? (constraint(row).isEnabled ? tr("on") : tr("off")) : text(row, column);
+    default:
+      return {};
+  }
+}
+
+QVariant ConstraintTableModel::foreground(int row, int column) const
+{
+  const bool isOld = column >= Residual && !areResultsCurrent(editor_);
+  if (!isOld && constraint(row).isEnabled) return {};
+  return quietColor(QGuiApplication::palette());
+}
+
+QString ConstraintTableModel::toolTip(int row, int column) const
+{
+  const std::optional<double> number = exactNumber(row, column);
+  const QString exact = number ? exactText(*number) : QString();
+  const bool isOld = column >= Residual && !areResultsCurrent(editor_);
+  const QString age = isOld ? tr("\nOf the list before the latest changes.") : QString();
+  if (column == On) return tr("Whether the constraint takes part");
+  if (column == Status) return statusMeaning(status(row)) + age;
+  if (!number) return text(row, column);
+  if (!isCoordinate(column)) return exact + age;
+  const bool isHandle = std::holds_alternative<Handle>(constraint(row).what);
+  return isHandle ? tr("%1, the handle's shift along %2").arg(exact, axisName(column))
+                  : tr("%1, the target's %2").arg(exact, axisName(column));
+}
+
+const QIcon& ConstraintTableModel::icon(std::optional<ConstraintStatus> status) const
+{
+  const Lightness background = lightnessOf(QGuiApplication::palette());
+  const auto [found, isNew] = icons_.try_emplace({status, background});
+  if (isNew) found->second = statusIcon(status, background);
+  return found->second;
+}
+
+QVariant ConstraintTableModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+  if (orientation == Qt::Vertical)
+    return role == Qt::DisplayRole ? QVariant(section + 1)
+           : role == Qt::ToolTipRole
+               ? QVariant(tr("Precedence: of constraints that cannot all hold, the earlier stand"))
+               : QVariant();
+  const QString units = shown_ == nullptr || shown_->list.units.empty()
+                            ? QString()
+                            : QStringLiteral(" (%1)").arg(QString::fromStdString(shown_->list.units));
+  const QStringList titles = {tr("On"),
+                              tr("Name"),
+                              tr("Kind"),
+                              tr("Where"),
+                              QStringLiteral("x"),
+                              QStringLiteral("y"),
+                              QStringLiteral("z"),
+                              tr("Residual"),
+                              tr("Force"),
+                              tr("Status")};
+  const QStringList meanings = {tr("Whether the constraint takes part"),
+                                tr("The name in reports and messages"),
+                                tr("What kind of constraint"),
+                                tr("The point or the vertices that it holds"),
+                                tr("Where a point goes%1; how far a handle is shifted").arg(units),
+                                tr("Where a point goes%1; how far a handle is shifted").arg(units),
+                                tr("Where a point goes%1; how far a handle is shifted").arg(units),
+                                tr("Largest distance from where it should be%1").arg(units),
+                                tr("How hard it pulls; to be compared within one solution"),
+                                tr("Whether it holds")};
+  if (role == Qt::DisplayRole) return titles.value(section);
+  return role == Qt::ToolTipRole ? QVariant(meanings.value(section)) : QVariant();
+}
+
+bool ConstraintTableModel::isEditable(int row, int column) const
+{
+  if (column == Name) return true;
+  return isCoordinate(column) && coordinate(row, column).has_value();
+}
+
+Qt::ItemFlags ConstraintTableModel::flags(const QModelIndex& index) const
+{
+  if (!index.isValid()) return Qt::ItemIsDropEnabled;
+  Qt::ItemFlags flags = Qt::ItemIsSelectable | Qt::ItemIsEnabled | Qt::ItemIsDragEnabled | Qt::ItemNeverHasChildren;
+  if (index.column() == On) flags |= Qt::ItemIsUserCheckable;
+  if (isEditable(index.row(), index.column())) flags |= Qt::ItemIsEditable;
+  return flags;
+}
+
+bool ConstraintTableModel::setData(const QModelIndex& index, const QVariant& value, int role)
+{
+  return index.isValid() && setCells({index.row()}, index.column(), value, role);
+}
+
+bool ConstraintTableModel::setCells(const Rows& rows, int column, const QVariant& value, int role)
+{
+  if (rows.empty() || !isInStep()) return false;
+  if (column == On && role == Qt::CheckStateRole) {
+    value.toInt() == Qt::Checked ? enableConstraints(editor_, rows) : disableConstraints(editor_, rows);
+    return true;
+  }
+  if (role != Qt::EditRole) return false;
+  if (column == Name) return rename(rows.front(), value.toString());
+  return isCoordinate(column) && setCoordinate(rows, column, value.toString());
+}
+
+bool ConstraintTableModel::rename(Index row, const QString& name)
+{
+  try {
+    renameConstraint(editor_, row, name);
+    return true;
+  } catch (const InputError& error) {
+    Q_EMIT refused(QString::fromStdString(error.reason()));
+    return false;
+  }
+}
+
+bool ConstraintTableModel::setCoordinate(const Rows& rows, int column, const QString& typed)
+{
+  const std::optional<double> value = typedNumber(typed);
+  if (!value) {
+    Q_EMIT refused(notANumber(typed));
+    return false;
+  }
+  const Index axis = column - X;
+  const QString name = tr("move %1 to %2 = %3").arg(subjectOf(editor_, rows), axisName(column), exactText(*value));
+  changeConstraints(editor_, name, rows, [&](Constraint constraint) -> std::optional<Constraint> {
+    if (Handle* handle = std::get_if<Handle>(&constraint.what)) {
+      if (hasSameBits(handle->translate[axis], *value)) return std::nullopt;
+      handle->translate[axis] = *value;
+      return constraint;
+    }
+    Point* point = std::get_if<Point>(&constraint.what);
+    const std::optional<Vector3> rest = point == nullptr ? std::nullopt : places_.of(point->at);
+    if (!rest) return std::nullopt;
+    Vector3 place = placeOf(*point, *rest);
+    if (hasSameBits(place[axis], *value)) return std::nullopt;
+    place[axis] = *value;
+    *point = goingTo(*point, *rest, place);
+    return constraint;
+  });
+  return true;
+}
+
+QStringList ConstraintTableModel::mimeTypes() const
+{
+  return {kRowsFormat};
+}
+
+QMimeData* ConstraintTableModel::mimeData(const QModelIndexList& indexes) const
+{
+  QVector<qint64> rows;
+  for (const QModelIndex& index : indexes) rows.push_back(index.row());
+  std::sort(rows.begin(), rows.end());
+  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+  QByteArray bytes;
+  QDataStream stream(&bytes, QIODevice::WriteOnly);
+  stream << static_cast<quint64>(reinterpret_cast<quintptr>(shown_.get())) << rows;
+  QMimeData* data = new QMimeData;
+  data->setData(kRowsFormat, bytes);
+  return data;
+}
+
+bool ConstraintTableModel::canDropMimeData(const QMimeData* data, Qt::DropAction action, int /*row*/, int /*column*/,
+                                           const QModelIndex& parent) const
+{
+  return action == Qt::MoveAction && !parent.isValid() && data->hasFormat(kRowsFormat) &&
+         !rowsOf(*data, shown_.get()).empty();
+}
+
+bool ConstraintTableModel::dropMimeData(const QMimeData* data, Qt::DropAction action, int row, int column,
+                                        const QModelIndex& parent)
+{
+  if (!canDropMimeData(data, action, row, column, parent)) return false;
+  moveConstraints(editor_, rowsOf(*data, shown_.get()), row < 0 ? rowCount() : row);
+  return true;
+}
+
+/// Rows in front and at the end stay those that they were, so that views keep their place.
+void ConstraintTableModel::follow()
+{
+  const std::shared_ptr<const DocumentState> next = editor_.history().state();
+  const auto& before = constraintsOf(shown_);
+  const auto& after = next->list.constraints;
+  const auto [front, back] = commonEnds(before, after);
+  const std::size_t kept = front + back;
+  if (before.size() != after.size() && kept == before.size()) {
+    beginInsertRows({}, static_cast<int>(front), static_cast<int>(after.size() - back) - 1);
+    shown_ = next;
+    endInsertRows();
+  } else if (before.size() != after.size() && kept == after.size()) {
+    beginRemoveRows({}, static_cast<int>(front), static_cast<int>(before.size() - back) - 1);
+    shown_ = next;
+    endRemoveRows();
+  } else if (before.size() != after.size()) {
+    beginResetModel();
+    shown_ = next;
+    endResetModel();
+  }
+  shown_ = next;
+  if (rowCount() > 0) Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+}
+
+void ConstraintTableModel::resultsChanged()
+{
+  if (rowCount() > 0) Q_EMIT dataChanged(index(0, Residual), index(rowCount() - 1, Status));
+}
+
+}  // namespace holdfast

@@ -1,0 +1,84 @@
+#pragma once
+/// \file
+/// The constraints of an editor as rows of a table, in the order of precedence.
+
+#include <QAbstractTableModel>
+#include <QIcon>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include <holdfast/window/controls/status_look.h>
+#include <holdfast/window/model/constraint_actions.h>
+#include <holdfast/window/model/editor.h>
+#include <holdfast/window/model/outcome_lookup.h>
+#include <holdfast/window/model/rest_places.h>
+
+namespace holdfast {
+
+/// Reads all that it shows from the editor when it is asked, and edits through it. Results that are older than the list
+/// are grey. 10,000 rows cost no more than the few that are visible.
+class ConstraintTableModel : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  enum Column { On, Name, Kind, Where, X, Y, Z, Residual, Force, Status, ColumnCount };
+
+  /// `editor` stays alive as long as this.
+  explicit ConstraintTableModel(Editor& editor, QObject* parent = nullptr);
+
+  [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+  [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+  [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+  [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+  [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
+  bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+
+  /// One edit of the same cell of several rows: the switch (`Qt::CheckStateRole`), a coordinate of the target (text),
+  /// the name (of the first row). False, with `refused`, where the value makes no sense.
+  bool setCells(const Rows& rows, int column, const QVariant& value, int role);
+
+  [[nodiscard]] Qt::DropActions supportedDropActions() const override { return Qt::MoveAction; }
+  [[nodiscard]] QStringList mimeTypes() const override;
+  [[nodiscard]] QMimeData* mimeData(const QModelIndexList& indexes) const override;
+  [[nodiscard]] bool canDropMimeData(const QMimeData* data, Qt::DropAction action, int row, int column,
+                                     const QModelIndex& parent) const override;
+  bool dropMimeData(const QMimeData* data, Qt::DropAction action, int row, int column,
+                    const QModelIndex& parent) override;
+
+  /// Whether the rows are those of `Editor::list`. They are not for a moment while the editor tells of a change.
+  [[nodiscard]] bool isInStep() const;
+
+  /// What rows are sorted and filtered by: numbers of numeric columns and ranks of the status, the gravest first; texts
+  /// of the others.
+  [[nodiscard]] bool hasNumbers(int column) const { return column == On || column >= X; }
+  [[nodiscard]] std::optional<double> number(int row, int column) const;
+  [[nodiscard]] QString text(int row, int column) const;
+  [[nodiscard]] std::optional<ConstraintStatus> status(int row) const;
+
+ Q_SIGNALS:
+  /// An edit that makes no sense, and why.
+  void refused(const QString& reason);
+
+ private:
+  [[nodiscard]] const Constraint& constraint(int row) const { return shown_->list.constraints[row]; }
+  [[nodiscard]] const ConstraintOutcome* outcome(int row) const;
+  [[nodiscard]] std::optional<double> coordinate(int row, int column) const;
+  [[nodiscard]] std::optional<double> exactNumber(int row, int column) const;
+  [[nodiscard]] bool isEditable(int row, int column) const;
+  [[nodiscard]] QVariant foreground(int row, int column) const;
+  [[nodiscard]] QString toolTip(int row, int column) const;
+  [[nodiscard]] const QIcon& icon(std::optional<ConstraintStatus> status) const;
+  bool setCoordinate(const Rows& rows, int column, const QString& typed);
+  bool rename(Index row, const QString& name);
+  void follow();
+  void resultsChanged();
+
+  Editor& editor_;
+  std::shared_ptr<const DocumentState> shown_;  // the rows that views were told of
+  mutable OutcomeLookup outcomes_;
+  mutable RestPlaces places_;
+  mutable std::map<std::pair<std::optional<ConstraintStatus>, Lightness>, QIcon> icons_;
+};
+
+}  // namespace holdfast

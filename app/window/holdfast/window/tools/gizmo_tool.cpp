@@ -1,0 +1,194 @@
+#include "holdfast/window/tools/gizmo_tool.h"
+
+#include <QFontMetricsF>
+#include <QMarginsF>
+#include <QPainter>
+#include <algorithm>
+
+#include <holdfast/widgets/interaction/interaction_events.h>
+#include <holdfast/widgets/interaction/seen_turn.h>
+#include <holdfast/window/model/constraint_actions.h>
+#include <holdfast/window/viewport/viewport.h>
+
+namespace holdfast {
+namespace {
+
+// Up and to the right of the cursor, clear of what is dragged.
+constexpr QPointF kLabelOffset(18, -16);
+constexpr QMarginsF kLabelMargins(6, 3, 6, 3);
+
+/// Where it is as a whole within `room`, as near as can be.
+QRectF movedInto(QRectF box, const QRectF& room)
+{
+  box.moveLeft(std::max(room.left(), std::min(box.left(), room.right() - box.width())));
+  box.moveTop(std::max(room.top(), std::min(box.top(), room.bottom() - box.height())));
+  return box;
+}
+
+}  // namespace
+
+GizmoTool::GizmoTool(Editor& editor, Viewport& viewport, QObject* parent)
+    : WidgetTool(editor, viewport, parent), gizmo_(*widget_->GetGizmoRepresentation())
+{
+  attach(*widget_);
+  // Painted here, in the window's own font and not by what draws the mesh.
+  gizmo_.LabelVisibilityOff();
+  widget_->AddObserver(vtkCommand::HighlightEvent, this, &GizmoTool::highlight);
+  widget_->AddObserver(vtkCommand::StartInteractionEvent, this, &GizmoTool::start);
+  widget_->AddObserver(vtkCommand::InteractionEvent, this, &GizmoTool::move);
+  widget_->AddObserver(vtkCommand::EndInteractionEvent, this, &GizmoTool::keep);
+  widget_->AddObserver(CancelInteractionEvent, this, &GizmoTool::restore);
+  for (const auto& signal : {&Editor::opened, &Editor::stateChanged, &Editor::constraintSelectionChanged})
+    connect(&editor, signal, this, &GizmoTool::stand);
+}
+
+GizmoTool::~GizmoTool() = default;
+
+QString GizmoTool::hint() const
+{
+  if (widget_->IsDragging() && !widget_->IsHeld())
+    return tr("Enter keeps it, Backspace corrects it, Escape takes it back");
+  return isTurn() ? tr("Drag to turn, or type degrees; Ctrl snaps, Escape takes it back")
+                  : tr("Drag to move, or type a length; Ctrl snaps, Escape takes it back");
+}
+
+bool GizmoTool::isTurn() const
+{
+  const GizmoPartKind kind = kindOf(widget_->GetPart());
+  return kind == GizmoPartKind::Ring || kind == GizmoPartKind::ViewRing;
+}
+
+void GizmoTool::highlight()
+{
+  if (isTouched()) viewport().leaveTool();
+  Q_EMIT changed();
+}
+
+void GizmoTool::stand()
+{
+  if (widget_->IsDragging()) return;
+  standing_.reset();
+  if (editor().isOpen() && !editor().selectedConstraints().empty()) try {
+      standing_ = std::make_unique<ConstraintDrag>(*editor().model(), editor().list(), editor().selectedConstraints(),
+                                                   editor().mesh().path.filename().string());
+    } catch (const InputError&) {
+      // A constraint that does not fit the mesh: the editor's trouble says so, and there is nothing to move.
+      standing_.reset();
+    }
+  if (standing_ && standing_->isEmpty()) standing_.reset();
+  if (!standing_) return widget_->Off();
+  gizmo_.SetMotions(standing_->hasHandles() ? GizmoMotions::MovesAndTurns : GizmoMotions::Moves);
+  gizmo_.SetUnits(editor().list().units);
+  placeFrame();
+  widget_->On();
+  widget_->Render();
+}
+
+void GizmoTool::placeFrame()
+{
+  gizmo_.SetAlignToView(axes_ == GizmoAxes::View);
+  gizmo_.SetFrame(standing_->center(),
+                  axes_ == GizmoAxes::Own ? standing_->axes(editor().positions()) : Eigen::Matrix3d::Identity());
+}
+
+void GizmoTool::setAxes(GizmoAxes axes)
+{
+  axes_ = axes;
+  stand();
+}
+
+void GizmoTool::followSurface()
+{
+  // The axes of a point are those of the surface.
+  if (standing_ && axes_ == GizmoAxes::Own && !widget_->IsDragging()) placeFrame();
+}
+
+void GizmoTool::followDisplay()
+{
+  gizmo_.SetPixelRatio(viewport().pixelRatio());
+}
+
+void GizmoTool::start()
+{
+  view_ = viewGeometryOf(viewport().renderer());
+  pivot_ = gizmo_.GetFrame().center;
+  degreesSeen_ = 0;
+  editor().beginGesture(
+      (isTurn() ? tr("turn %1") : tr("move %1")).arg(subjectOf(editor(), editor().selectedConstraints())));
+}
+
+RigidIncrement GizmoTool::incrementOf(const GizmoMotion& motion)
+{
+  const auto& fixed = standing_->fixedCenter();
+  if (turnOfMoves_ == TurnOfMoves::AsConstraint || isTurn() || !fixed)
+    return {motion.axis, motion.degrees, pivot_, motion.translation};
+  degreesSeen_ = degreesSeen(view_, *fixed, pivot_, pivot_ + motion.translation, degreesSeen_);
+  return {-view_.direction, degreesSeen_, pivot_, motion.translation};
+}
+
+void GizmoTool::move(vtkObject* /*caller*/, unsigned long /*event*/, void* motion)
+{
+  editor().updateGesture(standing_->movedBy(incrementOf(*static_cast<const GizmoMotion*>(motion))));
+}
+
+void GizmoTool::keep()
+{
+  editor().endGesture();
+  stand();
+  Q_EMIT changed();
+}
+
+void GizmoTool::restore()
+{
+  editor().cancelGesture();
+  stand();
+  Q_EMIT changed();
+}
+
+QFont GizmoTool::labelFont() const
+{
+  QFont font = viewport().font();
+  font.setBold(true);
+  return font;
+}
+
+QRectF GizmoTool::labelPlate() const
+{
+  if (!widget_->IsDragging()) return {};
+  QRectF plate = QFontMetricsF(labelFont()).boundingRect(QString::fromStdString(gizmo_.GetLabel())) + kLabelMargins;
+  plate.moveBottomLeft(viewport().toPlace(gizmo_.GetLabelPosition()) + kLabelOffset);
+  return movedInto(plate, viewport().rect());
+}
+
+void GizmoTool::paint(QPainter& painter) const
+{
+  const QRectF plate = labelPlate();
+  if (plate.isEmpty()) return;
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(QColor(255, 255, 255, 210));
+  painter.drawRoundedRect(plate, 4, 4);
+  painter.setFont(labelFont());
+  painter.setPen(QColor(33, 38, 48));
+  painter.drawText(plate, Qt::AlignCenter, QString::fromStdString(gizmo_.GetLabel()));
+}
+
+bool GizmoTool::wants(const QKeyEvent& event) const
+{
+  const char key = characterOf(event);
+  // Escape is the window's, and comes as `cancel`.
+  return key != 27 && widget_->WantsKey(key);
+}
+
+void GizmoTool::loseFocus()
+{
+  if (widget_->IsDragging() && !widget_->IsHeld()) widget_->Keep();
+}
+
+bool GizmoTool::cancel()
+{
+  const bool wasDragging = widget_->IsDragging();
+  widget_->Cancel();
+  return wasDragging;
+}
+
+}  // namespace holdfast

@@ -1,0 +1,85 @@
+#pragma once
+/// \file
+/// Moves the selected constraints by arrows, squares and rings.
+
+#include <QFont>
+#include <QRectF>
+#include <memory>
+
+#include <vtkNew.h>
+
+#include <holdfast/document/constraint_drag.h>
+#include <holdfast/widgets/interaction/gizmo_widget.h>
+#include <holdfast/window/tools/widget_tool.h>
+
+namespace holdfast {
+
+/// Along which axes the arrows point.
+enum class GizmoAxes {
+  Own,  ///< `ConstraintDrag::axes`: of a handle, turned with it; of a point, across the surface and along it
+  World,
+  View
+};
+
+/// How a handle turns while it is moved about what is fixed, section 3.3 of the paper.
+enum class TurnOfMoves {
+  AsConstraint,  ///< as the handle says, which may be by the shortest turn (`TurnAboutFixed`)
+  AsSeen         ///< by the angle that is seen on the screen, about the viewing axis
+};
+
+/// The gizmo stands where the selected points and handles are to be, whatever tool is chosen. A drag is one edit.
+class GizmoTool : public WidgetTool {
+  Q_OBJECT
+
+ public:
+  GizmoTool(Editor& editor, Viewport& viewport, QObject* parent);
+  ~GizmoTool() override;
+
+  [[nodiscard]] QString hint() const override;
+  void begin() override { stand(); }
+  [[nodiscard]] bool wants(const QKeyEvent& event) const override;
+  void loseFocus() override;
+  bool cancel() override;
+  /// How far the drag is, at the cursor.
+  void paint(QPainter& painter) const override;
+
+  /// What lies under that label, in the viewport's own coordinates and wholly inside it; empty without a drag.
+  [[nodiscard]] QRectF labelPlate() const;
+
+  void setAxes(GizmoAxes axes);
+  [[nodiscard]] GizmoAxes axes() const noexcept { return axes_; }
+  void setTurnOfMoves(TurnOfMoves turn) { turnOfMoves_ = turn; }
+  [[nodiscard]] TurnOfMoves turnOfMoves() const noexcept { return turnOfMoves_; }
+
+  [[nodiscard]] GizmoWidget& widget() const { return *widget_; }
+  [[nodiscard]] const GizmoRepresentation& gizmo() const noexcept { return gizmo_; }
+  /// Whether the cursor is over one of its parts, or drags it: `hint` is what counts then.
+  [[nodiscard]] bool isTouched() const { return widget_->GetPart() != GizmoPart::None; }
+
+ protected:
+  void followSurface() override;
+  void followDisplay() override;
+
+ private:
+  void stand();
+  void placeFrame();
+  void highlight();
+  void start();
+  void move(vtkObject* caller, unsigned long event, void* motion);
+  void keep();
+  void restore();
+  [[nodiscard]] bool isTurn() const;
+  [[nodiscard]] RigidIncrement incrementOf(const GizmoMotion& motion);
+  [[nodiscard]] QFont labelFont() const;
+
+  vtkNew<GizmoWidget> widget_;
+  GizmoRepresentation& gizmo_;
+  GizmoAxes axes_ = GizmoAxes::World;
+  TurnOfMoves turnOfMoves_ = TurnOfMoves::AsConstraint;
+  std::unique_ptr<ConstraintDrag> standing_;  // what the gizmo stands for; null where it is hidden
+  ViewGeometry view_;                         // when the drag began
+  Vector3 pivot_ = Vector3::Zero();
+  double degreesSeen_ = 0;  // so far
+};
+
+}  // namespace holdfast

@@ -1,0 +1,103 @@
+#include "holdfast/window/tools/section_tool.h"
+
+#include <array>
+
+#include <QVTKInteractor.h>
+#include <vtkCamera.h>
+#include <vtkImplicitPlaneWidget2.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkWidgetEventTranslator.h>
+
+#include <holdfast/widgets/gizmo/gizmo_colors.h>
+#include <holdfast/widgets/marks/constraint_glyphs.h>
+#include <holdfast/window/viewport/viewport.h>
+
+namespace holdfast {
+namespace {
+
+// What can be grabbed of the plane is small and comes before the tools; before it comes the gizmo.
+constexpr float kPriority = 0.55F;
+
+/// Of one colour wherever the light comes from.
+void setColor(vtkProperty& property, const Color& color)
+{
+  property.SetColor(color.red, color.green, color.blue);
+  property.SetAmbient(1);
+  property.SetDiffuse(0);
+  property.SetSpecular(0);
+}
+
+/// In the colour of what is selected, and in the gizmo's yellow where the cursor would take it.
+void setLook(vtkImplicitPlaneRepresentation& plane)
+{
+  plane.DrawOutlineOff();
+  // A filled plane would tint the colours of all that is seen through it.
+  plane.DrawPlaneOff();
+  plane.SetEdgeColor(kAccentColor.red, kAccentColor.green, kAccentColor.blue);
+  setColor(*plane.GetNormalProperty(), kAccentColor);
+  setColor(*plane.GetSelectedNormalProperty(), kHighlightColor);
+}
+
+}  // namespace
+
+SectionTool::SectionTool(Editor& editor, Viewport& viewport, QObject* parent)
+    : QObject(parent), editor_(editor), viewport_(viewport)
+{
+  widget_->SetInteractor(viewport.interactor());
+  widget_->SetDefaultRenderer(&viewport.widgetRenderer());
+  widget_->KeyPressActivationOff();
+  widget_->SetRepresentation(plane_);
+  widget_->SetPriority(kPriority);
+  // They move the camera.
+  widget_->GetEventTranslator()->RemoveTranslation(vtkCommand::MiddleButtonPressEvent);
+  widget_->GetEventTranslator()->RemoveTranslation(vtkCommand::RightButtonPressEvent);
+  widget_->AddObserver(vtkCommand::InteractionEvent, this, &SectionTool::cut);
+  plane_->SetPlaceFactor(1.1);
+  plane_->OutlineTranslationOff();
+  plane_->ScaleEnabledOff();
+  setLook(*plane_);
+  connect(&viewport, &Viewport::surfaceChanged, this, [this] { plane_->SetSurface(viewport_.surface()); });
+  connect(&viewport, &Viewport::closing, this, [this] { widget_->SetInteractor(nullptr); });
+  connect(&editor, &Editor::opened, this, [this] {
+    isPlaced_ = false;
+    setOn(isOn_);
+  });
+}
+
+SectionTool::~SectionTool() = default;
+
+void SectionTool::setOn(bool isOn)
+{
+  isOn_ = isOn;
+  const bool isCutting = isOn && editor_.isOpen();
+  if (isCutting && !isPlaced_) placeInDocument();
+  widget_->SetEnabled(isCutting ? 1 : 0);
+  if (isCutting) return cut();
+  viewport_.setSection(std::nullopt);
+}
+
+void SectionTool::placeInDocument()
+{
+  const Positions& positions = editor_.positions();
+  const Vector3 low = positions.colwise().minCoeff();
+  const Vector3 high = positions.colwise().maxCoeff();
+  std::array<double, 6> bounds{low.x(), high.x(), low.y(), high.y(), low.z(), high.z()};
+  plane_->PlaceWidget(bounds.data());
+  const Vector3 sight(viewport_.renderer().GetActiveCamera()->GetDirectionOfProjection());
+  Index axis = 0;
+  sight.cwiseAbs().maxCoeff(&axis);
+  Vector3 away = Vector3::Unit(axis);
+  if (sight[axis] < 0) away = -away;
+  Vector3 middle = (low + high) / 2;
+  plane_->SetOrigin(middle.data());
+  plane_->SetNormal(away.data());
+  isPlaced_ = true;
+}
+
+void SectionTool::cut()
+{
+  viewport_.setSection(SectionPlane{Vector3(plane_->GetOrigin()), Vector3(plane_->GetNormal())});
+}
+
+}  // namespace holdfast

@@ -1,0 +1,41 @@
+#pragma once
+/// \file
+/// The tools of the viewport, one of which is chosen, and the actions that choose them.
+
+#include <QActionGroup>
+#include <QObject>
+
+#include <holdfast/window/model/editor.h>
+#include <holdfast/window/viewport/tool.h>
+
+namespace holdfast {
+
+class Viewport;
+
+class ToolBox : public QObject {
+  Q_OBJECT
+
+ public:
+  ToolBox(Editor& editor, Viewport& viewport, QObject* parent);
+
+  /// In the order of the tool bar. Chosen by key, too.
+  [[nodiscard]] QList<QAction*> actions() const { return group_->actions(); }
+  [[nodiscard]] const Tool& current() const { return *current_; }
+  /// The one that is chosen when nothing else is.
+  void chooseSelect();
+  /// Signs follow the palette.
+  void drawIcons();
+
+ Q_SIGNALS:
+  void hintChanged(const QString& hint);
+
+ private:
+  void add(Tool* tool, const QString& objectName, const QString& name, const QString& key, const QString& tip);
+  void choose(Tool* tool);
+
+  Viewport& viewport_;
+  QActionGroup* group_;
+  Tool* current_ = nullptr;
+};
+
+}  // namespace holdfast

@@ -1,0 +1,94 @@
+#include "holdfast/window/viewport/view_state.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include <vtkRenderer.h>
+
+#include <holdfast/widgets/camera/camera_state.h>
+#include <holdfast/window/viewport/viewport.h>
+
+namespace holdfast {
+namespace {
+
+// In the order of the enumerators.
+constexpr std::array<std::string_view, 4> kMapNames{"blue-green-yellow", "blue-grey-yellow", "blue-white-orange",
+                                                    "grey"};
+constexpr std::array<std::string_view, 3> kRestNames{"hidden", "edges", "surface"};
+constexpr std::array<std::string_view, 2> kEdgeNames{"sharp", "all"};
+
+constexpr std::string_view kLogarithmic = "log";
+
+// Doubles have no more powers of ten.
+constexpr Index kMostDecades = 600;
+
+template <class Names, class Value>
+std::string nameOf(const Names& names, Value value)
+{
+  return std::string(names[static_cast<std::size_t>(value)]);
+}
+
+/// The enumerator called `name`; `otherwise` where there is none.
+template <class Names, class Value>
+Value named(const Names& names, const std::optional<std::string>& name, Value otherwise)
+{
+  if (!name) return otherwise;
+  const auto found = std::find(names.begin(), names.end(), *name);
+  return found == names.end() ? otherwise : static_cast<Value>(found - names.begin());
+}
+
+/// The default where `state` says nothing, or more than there is.
+LogarithmicRange logarithmicRange(const ViewState& state)
+{
+  const Index decades = state.decades.value_or(LogarithmicRange{}.decades);
+  return decades <= kMostDecades ? LogarithmicRange{static_cast<int>(decades)} : LogarithmicRange{};
+}
+
+}  // namespace
+
+ViewState viewStateOf(Viewport& viewport)
+{
+  const ColorSettings& colors = viewport.colors();
+  const DisplaySettings& display = viewport.display();
+  ViewState state;
+  state.camera = cameraOf(*viewport.renderer().GetActiveCamera());
+  state.colorBy = nameOf(colorByNames(), colors.field);
+  if (const auto* fixed = std::get_if<FixedRange>(&colors.range)) state.range = {fixed->low, fixed->high};
+  if (const auto* logarithmic = std::get_if<LogarithmicRange>(&colors.range)) {
+    state.scale = kLogarithmic;
+    state.decades = logarithmic->decades;
+  }
+  state.colorMap = nameOf(kMapNames, colors.map);
+  state.restShape = nameOf(kRestNames, display.rest);
+  state.meshEdges = nameOf(kEdgeNames, display.edges);
+  state.showsConstraints = display.areConstraintsShown;
+  state.showsRotations = display.rotations == RotationDisplay::Arrows;
+  return state;
+}
+
+void apply(const ViewState& state, Viewport& viewport)
+{
+  ColorSettings colors = viewport.colors();
+  colors.field = named(colorByNames(), state.colorBy, colors.field);
+  colors.map = named(kMapNames, state.colorMap, colors.map);
+  if (state.range)
+    colors.range = FixedRange{(*state.range)[0], (*state.range)[1]};
+  else if (state.scale == kLogarithmic)
+    colors.range = logarithmicRange(state);
+  else if (state.colorBy)
+    colors.range = AutomaticRange{};
+  viewport.setColors(colors);
+
+  DisplaySettings display = viewport.display();
+  display.rest = named(kRestNames, state.restShape, display.rest);
+  display.edges = named(kEdgeNames, state.meshEdges, display.edges);
+  display.areConstraintsShown = state.showsConstraints.value_or(display.areConstraintsShown);
+  if (state.showsRotations)
+    display.rotations = *state.showsRotations ? RotationDisplay::Arrows : RotationDisplay::Hidden;
+  viewport.setDisplay(display);
+
+  if (state.camera) viewport.setCamera(*state.camera);
+}
+
+}  // namespace holdfast

@@ -1,0 +1,508 @@
+#include "holdfast/window/viewport/viewport.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include <QVTKInteractor.h>
+#include <vtkBoundingBox.h>
+#include <vtkCamera.h>
+#include <vtkLightKit.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+
+#include <holdfast/base/thread_priority.h>
+#include <holdfast/geometry/degree.h>
+#include <holdfast/widgets/camera/camera_state.h>
+#include <holdfast/widgets/camera/default_camera.h>
+#include <holdfast/widgets/interaction/interaction_events.h>
+#include <holdfast/widgets/scene/example_document.h>
+#include <holdfast/widgets/scene/stage.h>
+#include <holdfast/window/viewport/viewport_overlay.h>
+
+namespace holdfast {
+namespace {
+
+// Of Mesa's renderer for machines without a GPU.
+constexpr const char* kDrawingThreads = "llvmpipe-";
+
+// Beyond this a moving picture is drawn of fewer triangles.
+constexpr double kFluentMilliseconds = 30;
+constexpr int kRestMilliseconds = 250;
+
+// Whether something is drawn by now is asked for this often.
+constexpr int kMillisecondsBetweenLooks = 1;
+
+// Longer than any picture takes.
+constexpr std::chrono::seconds kMostPatience(10);
+
+double millisecondsOf(const QElapsedTimer& timer)
+{
+  return static_cast<double>(timer.nsecsElapsed()) / 1e6;
+}
+
+/// A mesh at rest would be of one dark colour, and look like a result. A range that the user has fixed is what he
+/// wants.
+bool saysAnything(const Coloring& coloring, const ColorSettings& settings)
+{
+  if (std::holds_alternative<FixedRange>(settings.range)) return true;
+  // No residual is good news, and told where it is.
+  const bool isZeroTold = settings.field == ColorBy::ConstraintResidual;
+  return std::any_of(coloring.values.begin(), coloring.values.end(),
+                     [&](double value) { return isZeroTold ? value >= 0 : value > 0; });
+}
+
+}  // namespace
+
+Viewport::Viewport(Editor& editor, QWidget* parent) : VtkView(parent), editor_(editor)
+{
+  setObjectName("viewport");
+  setAccessibleName(tr("Picture of the mesh"));
+  setFocusPolicy(Qt::StrongFocus);
+  setMouseTracking(true);
+  setMinimumSize(320, 240);
+
+  window_->SetNumberOfLayers(2);
+  window_->AddRenderer(renderer_);
+  window_->AddRenderer(widgetRenderer_);
+  widgetRenderer_->SetLayer(2);
+  widgetRenderer_->SetActiveCamera(renderer_->GetActiveCamera());
+  widgetRenderer_->PreserveDepthBufferOn();
+  renderer_->GradientBackgroundOn();
+  setDarkBackdrop(false);
+  interactor()->SetInteractorStyle(style_);
+  style_->AutoAdjustCameraClippingRangeOff();
+  style_->AddObserver(ContextMenuRequestEvent, this, &Viewport::askForContextMenu);
+  addLights(*renderer_);
+  addLights(*widgetRenderer_);
+  orientation_->SetParentRenderer(renderer_);
+  orientation_->AnimateOff();
+  orientation_->KeyPressActivationOff();
+  orientation_->On();
+
+  fence_ = std::make_unique<DrawFence>(*window_);
+  slices_ = std::make_unique<SlicedDrawing>(*renderer_);
+  kept_ = std::make_unique<KeptScene>(*renderer_, *orientation_->GetDefaultRenderer());
+  overlay_ = new ViewportOverlay(editor_, *this);
+  renderTimer_.setSingleShot(true);
+  connect(&renderTimer_, &QTimer::timeout, this, &Viewport::render);
+  restTimer_.setSingleShot(true);
+  restTimer_.setInterval(kRestMilliseconds);
+  connect(&restTimer_, &QTimer::timeout, this, &Viewport::renderInFull);
+  drawnTimer_.setSingleShot(true);
+  connect(&drawnTimer_, &QTimer::timeout, this, &Viewport::goOnWhenDrawn);
+  connect(this, &QOpenGLWidget::frameSwapped, this, [this] { waiting_.invalidate(); });
+
+  connect(this, &VtkView::renderWanted, this, &Viewport::scheduleWidgets);
+  connect(&editor_, &Editor::opened, this, &Viewport::openDocument);
+  connect(&editor_, &Editor::deformed, this, &Viewport::showDeformation);
+  connect(&editor_, &Editor::vertexSelectionChanged, this, &Viewport::showSelection);
+  connect(&editor_, &Editor::constraintSelectionChanged, this, &Viewport::showSelection);
+}
+
+Viewport::~Viewport()
+{
+  // Widgets are not to outlive the interactor, nor to speak to it while it goes.
+  Q_EMIT closing();
+}
+
+void Viewport::warmUp(const ExampleDocument& example)
+{
+  std::vector<Index> corners(static_cast<std::size_t>(example.model.mesh.vertexCount()));
+  std::iota(corners.begin(), corners.end(), Index{0});
+  SceneContents contents(example.model);
+  contents.addTo(*renderer_);
+  contents.show(example.deformation, disabledPlaces(example.model, example.list));
+  contents.setSelection(corners);
+  contents.highlight({0});
+  contents.setRotationDisplay(RotationDisplay::Arrows);
+  contents.setRestGhost(RestGhost::Surface);
+  contents.setMeshEdges(MeshEdges::All);
+  renderer_->ResetCamera();
+  for (const ColorBy colors : {ColorBy::None, ColorBy::Angle}) {
+    contents.color(coloringOf(example.model, example.deformation, colors, ""));
+    grabFramebuffer();
+  }
+}
+
+void Viewport::setDarkBackdrop(bool isDark)
+{
+  const Color bottom = isDark ? Color{0.16, 0.17, 0.19} : Color{1.0, 1.0, 1.0};
+  const Color top = isDark ? Color{0.24, 0.26, 0.29} : Color{0.90, 0.915, 0.935};
+  renderer_->SetBackground(bottom.red, bottom.green, bottom.blue);
+  renderer_->SetBackground2(top.red, top.green, top.blue);
+  scheduleRender();
+}
+
+// The document
+
+void Viewport::openDocument()
+{
+  cancelGesture();
+  abandonDrawing();
+  renderer_->RemoveAllViewProps();
+  contents_.reset();
+  coloring_.reset();
+  if (editor_.isOpen()) {
+    contents_ = editor_.mesh().contents;
+    contents_->setPixelRatio(pixelRatio());
+    contents_->addTo(*renderer_);
+    contents_->setSection(section_);
+    // Until the first picture in full tells how long it takes.
+    fullMilliseconds_ = isLarge(*editor_.model()) ? 2 * kFluentMilliseconds : 0;
+    setDisplay(display_);
+    showColors();
+    frameAll();
+    openedFrom_ = Vector3(renderer_->GetActiveCamera()->GetPosition());
+  } else {
+    Q_EMIT marksChanged();
+  }
+  showSurface();
+  scheduleRender();
+}
+
+void Viewport::showSurface()
+{
+  surface_ = editor_.isOpen() ? editor_.surface() : nullptr;
+  if (surface_ && section_) surface_ = std::make_shared<const VisibleSurface>(surface_->withSection(section_));
+  style_->SetSurface(surface_);
+  Q_EMIT surfaceChanged();
+}
+
+void Viewport::setSection(const std::optional<SectionPlane>& section)
+{
+  if (section_ == section) return;
+  section_ = section;
+  if (!contents_) return;
+  prepareToMove();
+  contents_->setSection(section_);
+  showSurface();
+  scheduleRender();
+  Q_EMIT marksChanged();
+}
+
+void Viewport::showDeformation()
+{
+  prepareToMove();
+  showSurface();
+  // The mesh was shown at rest so far; who has looked elsewhere since goes on looking there.
+  if (const auto eye = std::exchange(openedFrom_, std::nullopt);
+      eye && *eye == Vector3(renderer_->GetActiveCamera()->GetPosition()))
+    frameAll();
+  contents_->showShape(*editor_.deformation());
+  showConstraints();
+  showColors();
+}
+
+void Viewport::showConstraints()
+{
+  if (!contents_) return;
+  if (const auto& marks = editor_.marks()) contents_->showMarks(marks);
+  arrange(*contents_, display_);
+  overlay_->update();
+  scheduleRender();
+  Q_EMIT marksChanged();
+}
+
+void Viewport::showColors()
+{
+  coloring_.reset();
+  if (const auto& deformation = editor_.deformation())
+    coloring_ = coloringOf(*editor_.model(), *deformation, colors_, editor_.deformedState()->list.units);
+  if (coloring_ && !saysAnything(*coloring_, colors_)) coloring_.reset();
+  contents_->color(coloring_);
+  overlay_->update();
+  scheduleRender();
+  Q_EMIT coloringChanged(coloring_);
+}
+
+void Viewport::showSelection()
+{
+  if (!contents_) return;
+  prepareToMove();
+  contents_->setSelection(editor_.selectedVertices());
+  contents_->highlight(editor_.selectedConstraints());
+  scheduleRender();
+}
+
+void Viewport::setColors(const ColorSettings& settings)
+{
+  colors_ = settings;
+  if (contents_) showColors();
+}
+
+void Viewport::setDisplay(const DisplaySettings& settings)
+{
+  display_ = settings;
+  if (!contents_) return;
+  showConstraints();
+}
+
+const std::vector<ConstraintMark>& Viewport::marks() const noexcept
+{
+  static const std::vector<ConstraintMark> none;
+  return contents_ ? contents_->marks() : none;
+}
+
+// The camera
+
+void Viewport::frameAll()
+{
+  if (!editor_.isOpen()) return;
+  const double aspect = static_cast<double>(width()) / std::max(1, height());
+  fit(*renderer_->GetActiveCamera(), defaultFrame(editor_.positions()), editor_.positions(), aspect);
+  cameraMoved();
+}
+
+void Viewport::setCamera(const Camera& camera)
+{
+  openedFrom_.reset();
+  place(*renderer_->GetActiveCamera(), camera);
+  cameraMoved();
+}
+
+void Viewport::frameVertices(const std::vector<Index>& vertices)
+{
+  if (!editor_.isOpen() || vertices.empty()) return;
+  framePlaces(editor_.positions()(vertices, Eigen::all));
+}
+
+void Viewport::frameConstraints(const std::vector<Index>& constraints)
+{
+  std::vector<Vector3> places;
+  for (const ConstraintMark& mark : marks())
+    if (std::binary_search(constraints.begin(), constraints.end(), mark.constraint)) places.push_back(mark.place);
+  if (places.empty()) return;
+  Positions rows(static_cast<Index>(places.size()), 3);
+  for (std::size_t k = 0; k < places.size(); ++k) rows.row(static_cast<Index>(k)) = places[k].transpose();
+  framePlaces(rows);
+}
+
+void Viewport::framePlaces(const Positions& places)
+{
+  vtkCamera& camera = *renderer_->GetActiveCamera();
+  const Vector3 center = (places.colwise().minCoeff() + places.colwise().maxCoeff()).transpose() / 2;
+  // A single point is shown with a tenth of the mesh around it.
+  const double radius = std::max((places.rowwise() - center.transpose()).rowwise().norm().maxCoeff(),
+                                 editor_.model()->solverMesh.diagonal / 20);
+  const Vector3 direction = Vector3(camera.GetDirectionOfProjection());
+  const double distance = 1.3 * radius / std::sin(camera.GetViewAngle() / 2 * kDegree);
+  const Vector3 eye = center - distance * direction;
+  camera.SetPosition(eye.data());
+  camera.SetFocalPoint(center.data());
+  camera.SetParallelScale(1.3 * radius);
+  cameraMoved();
+}
+
+void Viewport::lookAlong(const Vector3& direction, const Vector3& up)
+{
+  if (!editor_.isOpen()) return;
+  const Vector3 back = -direction.normalized();
+  const Vector3 right = up.cross(back).normalized();
+  const double aspect = static_cast<double>(width()) / std::max(1, height());
+  fit(*renderer_->GetActiveCamera(), {right, back.cross(right), back}, editor_.positions(), aspect);
+  cameraMoved();
+}
+
+void Viewport::setParallelProjection(bool isParallel)
+{
+  vtkCamera& camera = *renderer_->GetActiveCamera();
+  if (isParallel == isParallelProjection()) return;
+  // What is at the focal point keeps its size.
+  const double slope = std::tan(camera.GetViewAngle() / 2 * kDegree);
+  if (isParallel) {
+    camera.SetParallelScale(camera.GetDistance() * slope);
+  } else {
+    const Vector3 eye = Vector3(camera.GetFocalPoint()) -
+                        camera.GetParallelScale() / slope * Vector3(camera.GetDirectionOfProjection());
+    camera.SetPosition(eye.data());
+  }
+  camera.SetParallelProjection(isParallel);
+  cameraMoved();
+}
+
+bool Viewport::isParallelProjection() const
+{
+  return renderer_->GetActiveCamera()->GetParallelProjection() != 0;
+}
+
+void Viewport::cameraMoved()
+{
+  fitClippingRange();
+  scheduleRender();
+}
+
+void Viewport::fitClippingRange()
+{
+  vtkBoundingBox shown;
+  for (vtkRenderer* renderer : {renderer_.Get(), widgetRenderer_.Get()})
+    if (const double* bounds = renderer->ComputeVisiblePropBounds(); vtkBoundingBox::IsValid(bounds))
+      shown.AddBounds(bounds);
+  std::array<double, 6> bounds{};
+  shown.GetBounds(bounds.data());
+  if (shown.IsValid()) renderer_->ResetCameraClippingRange(bounds.data());
+}
+
+// Drawing
+
+void Viewport::initializeGL()
+{
+  VtkView::initializeGL();
+  spreadOverCores(kDrawingThreads);
+}
+
+void Viewport::paintGL()
+{
+  // Draws, or puts what was drawn into the window: that would wait as well.
+  static_cast<void>(fence_->pass(kMostPatience));
+  VtkView::paintGL();
+  fence_->set();
+}
+
+void Viewport::scheduleRender()
+{
+  isSceneDue_ = true;
+  if (!renderTimer_.isActive()) renderTimer_.start(0);
+  if (fullMilliseconds_ > kFluentMilliseconds) restTimer_.start();
+}
+
+void Viewport::scheduleWidgets()
+{
+  // A widget that has moved the camera does not say so, and the balls in the corner are kept with the document.
+  if (orientation_->GetProcessEvents() != 0 || kept_->isOutdated()) return scheduleRender();
+  if (!renderTimer_.isActive()) renderTimer_.start(0);
+}
+
+void Viewport::render()
+{
+  // Coarse pictures follow one another: one that is being drawn will be seen. Slices have the widgets on top, too.
+  const bool isOneComing = (drawnTimer_.isActive() && (!slices_->isUnderWay() || !isSceneDue_)) || isUnseen();
+  if (!isOneComing) abandonDrawing();
+  // What was abandoned is drawn all the same, and would be waited for.
+  if (isOneComing || !fence_->pass()) return renderTimer_.start(kMillisecondsBetweenLooks);
+  if (!isVisible()) return;
+  if (!std::exchange(isSceneDue_, false) && kept_->isCurrent()) return renderWidgets();
+  // Until the hand rests a large mesh is drawn of fewer triangles.
+  isCoarse_ = contents_ && fullMilliseconds_ > kFluentMilliseconds;
+  kept_->setKeeping(!isCoarse_);
+  if (contents_) {
+    contents_->lookFrom(Vector3(renderer_->GetActiveCamera()->GetPosition()));
+    contents_->setDetail(isCoarse_ ? Detail::Coarse : Detail::Full);
+  }
+  fitClippingRange();
+  Q_EMIT aboutToRender();
+  drawing_.start();
+  if (isCoarse_)
+    renderCoarse();
+  else
+    renderAtOnce();
+}
+
+void Viewport::renderWidgets()
+{
+  Q_EMIT aboutToRender();
+  drawing_.start();
+  window_->SwapBuffersOff();
+  kept_->drawLayersAbove();
+  window_->SwapBuffersOn();
+  awaitDrawing();
+}
+
+void Viewport::renderAtOnce()
+{
+  window_->Render();
+  fence_->set();
+  renderMilliseconds_ = millisecondsOf(drawing_);
+  fullMilliseconds_ = renderMilliseconds_;
+  overlay_->update();
+  Q_EMIT rendered();
+}
+
+void Viewport::renderCoarse()
+{
+  // What is shown would be waited for.
+  window_->SwapBuffersOff();
+  window_->Render();
+  window_->SwapBuffersOn();
+  awaitDrawing();
+}
+
+void Viewport::awaitDrawing()
+{
+  fence_->set();
+  pause_.begin();
+  drawnTimer_.start(kMillisecondsBetweenLooks);
+}
+
+void Viewport::goOnWhenDrawn()
+{
+  if (!fence_->pass()) return drawnTimer_.start(kMillisecondsBetweenLooks);
+  const bool isRepaintDue = pause_.end();
+  if (slices_->isUnderWay()) {
+    // Between two slices the window may show what has changed in it.
+    if (isRepaintDue) return drawnTimer_.start(kMillisecondsBetweenLooks);
+    return renderSlice();
+  }
+  // Before its first painting there is no context, and nothing was drawn.
+  if (isValid()) window_->Frame();
+  waiting_.start();
+  renderMilliseconds_ = millisecondsOf(drawing_);
+  overlay_->update();
+  Q_EMIT rendered();
+}
+
+bool Viewport::isUnseen() const
+{
+  return waiting_.isValid() && waiting_.elapsed() < kMostMillisecondsUnseen;
+}
+
+void Viewport::abandonDrawing()
+{
+  slices_->abandon();
+  pause_.end();
+  drawnTimer_.stop();
+}
+
+void Viewport::prepareToMove()
+{
+  if (fullMilliseconds_ <= kFluentMilliseconds) return;
+  // What is drawn in slices is not shown by halves.
+  if (slices_->isUnderWay()) abandonDrawing();
+  contents_->setDetail(Detail::Coarse);
+}
+
+void Viewport::renderInFull()
+{
+  if (!isVisible() || !isValid() || !isCoarse_ || isHeld_) return;
+  if (drawnTimer_.isActive() || !fence_->pass()) return restTimer_.start();
+  fitClippingRange();
+  Q_EMIT aboutToRender();
+  drawing_.start();
+  kept_->setKeeping(true);
+  slices_->begin(*contents_);
+  drawnTimer_.start(0);
+}
+
+void Viewport::renderSlice()
+{
+  slices_->advance();
+  if (slices_->isUnderWay()) return awaitDrawing();
+  isCoarse_ = false;
+  fullMilliseconds_ = millisecondsOf(drawing_);
+  Q_EMIT rendered();
+}
+
+void Viewport::resizeEvent(QResizeEvent* event)
+{
+  abandonDrawing();
+  VtkView::resizeEvent(event);
+  overlay_->setGeometry(rect());
+  if (contents_) contents_->setPixelRatio(pixelRatio());
+  orientation_->SetPixelRatio(pixelRatio());
+  scheduleRender();
+}
+
+}  // namespace holdfast

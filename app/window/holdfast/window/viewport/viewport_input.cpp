@@ -1,0 +1,115 @@
+// How Qt's events reach VTK's interactor, and what of the keys is Qt's.
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <utility>
+
+#include <QVTKInteractor.h>
+#include <vtkRenderer.h>
+
+#include <holdfast/window/viewport/viewport.h>
+#include <holdfast/window/viewport/viewport_overlay.h>
+
+namespace holdfast {
+
+void Viewport::setTool(Tool* tool)
+{
+  if (tool_ == tool) return;
+  cancelGesture();
+  if (tool_) {
+    tool_->end();
+    disconnect(tool_, nullptr, overlay_, nullptr);
+  }
+  tool_ = tool;
+  if (tool_) {
+    tool_->begin();
+    connect(tool_, &Tool::changed, overlay_, qOverload<>(&QWidget::update));
+  }
+  // Widgets that show another one come back to this.
+  setDefaultCursor(tool_ ? tool_->cursor() : Qt::ArrowCursor);
+  setCursor(defaultCursor());
+  paintTools();
+}
+
+void Viewport::setFirstTool(Tool* tool)
+{
+  firstTool_ = tool;
+  connect(tool, &Tool::changed, overlay_, qOverload<>(&QWidget::update));
+  paintTools();
+}
+
+void Viewport::leaveTool()
+{
+  if (tool_) tool_->leave();
+}
+
+void Viewport::paintTools()
+{
+  std::vector<const Tool*> tools;
+  for (const Tool* tool : {tool_, firstTool_})
+    if (tool) tools.push_back(tool);
+  overlay_->setTools(std::move(tools));
+}
+
+bool Viewport::cancelGesture()
+{
+  // The camera's gestures have nothing to take back, and stop where they are.
+  style_->Cancel();
+  isHeld_ = false;
+  return (firstTool_ && firstTool_->cancel()) || (tool_ && tool_->cancel());
+}
+
+QPointF Viewport::toPlace(const DisplayPoint& display) const
+{
+  return {display.x() / pixelRatio(), height() - display.y() / pixelRatio()};
+}
+
+bool Viewport::event(QEvent* event)
+{
+  switch (event->type()) {
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseMove:
+    case QEvent::MouseButtonRelease:
+    case QEvent::MouseButtonDblClick:
+      if (!isHeld_) wakeOrientation(static_cast<const QMouseEvent&>(*event).localPos());
+      isHeld_ = static_cast<const QMouseEvent&>(*event).buttons() != Qt::NoButton;
+      // What was coarse while the hand moved is drawn in full when it rests.
+      if (!isHeld_ && isCoarse_) restTimer_.start();
+      break;
+    case QEvent::ShortcutOverride:
+      for (const Tool* tool : {firstTool_, tool_}) {
+        if (!tool || !tool->wants(static_cast<const QKeyEvent&>(*event))) continue;
+        event->accept();
+        return true;
+      }
+      break;
+    case QEvent::FocusOut:
+      for (Tool* tool : {firstTool_, tool_})
+        if (tool) tool->loseFocus();
+      break;
+    case QEvent::ContextMenu:
+      // Comes with the press; the camera's style asks for the menu when the button comes up.
+      return true;
+    default:
+      break;
+  }
+  return VtkView::event(event);
+}
+
+void Viewport::wakeOrientation(const QPointF& place)
+{
+  const QPointF pixel = pixelRatio() * QPointF(place.x(), height() - place.y());
+  const bool isOver =
+      orientation_->GetDefaultRenderer()->IsInViewport(static_cast<int>(pixel.x()), static_cast<int>(pixel.y())) != 0;
+  // It asks for a picture at every move, wherever the cursor is; the last one that it gets is that beside it.
+  const bool wasOver = std::exchange(isOverOrientation_, isOver);
+  orientation_->SetProcessEvents(isOver || wasOver ? 1 : 0);
+}
+
+void Viewport::askForContextMenu()
+{
+  const int* place = interactor()->GetEventPosition();
+  if (contents_) Q_EMIT contextMenuWanted(toPlace({place[0], place[1]}).toPoint());
+}
+
+}  // namespace holdfast

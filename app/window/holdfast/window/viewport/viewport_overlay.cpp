@@ -1,0 +1,158 @@
+#include "holdfast/window/viewport/viewport_overlay.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <holdfast/window/controls/vtk_palette.h>
+#include <holdfast/window/text/color_words.h>
+#include <holdfast/window/viewport/tool.h>
+#include <holdfast/window/viewport/viewport.h>
+#include <holdfast/window/viewport/viewport_legend.h>
+
+namespace holdfast {
+namespace {
+
+constexpr double kNoteMargin = 14;
+
+}  // namespace
+
+QString freshnessText(const Editor& editor)
+{
+  switch (editor.freshness()) {
+    case Freshness::Nothing:
+    case Freshness::Current:
+      break;
+    case Freshness::Solving:
+      if (!editor.deformation()) return ViewportOverlay::tr("At rest: solving");
+      // A drag's frames follow one another faster than a word can be read.
+      return editor.history().isInGesture() ? QString() : ViewportOverlay::tr("Older than the constraints: solving");
+    case Freshness::Cancelled:
+      return ViewportOverlay::tr("Older than the constraints: solving was stopped. F5 solves again.");
+    case Freshness::Unusable:
+      return ViewportOverlay::tr("Older than the constraints: they cannot be solved.") + '\n' + editor.trouble();
+  }
+  return {};
+}
+
+ViewportOverlay::ViewportOverlay(Editor& editor, Viewport& viewport)
+    : QWidget(&viewport), editor_(editor), viewport_(viewport)
+{
+  setObjectName("overlay");
+  setAttribute(Qt::WA_TransparentForMouseEvents);
+  setAttribute(Qt::WA_NoSystemBackground);
+  for (const auto& signal : {&Editor::opened, &Editor::freshnessChanged, &Editor::stageChanged})
+    connect(&editor_, signal, this, qOverload<>(&QWidget::update));
+}
+
+void ViewportOverlay::setTools(std::vector<const Tool*> tools)
+{
+  tools_ = std::move(tools);
+  update();
+}
+
+void ViewportOverlay::paintEvent(QPaintEvent* /*event*/)
+{
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  if (!editor_.isOpen()) return paintWelcome(painter);
+  paintLegend(painter);
+  paintFreshness(painter);
+  for (const Tool* tool : tools_) {
+    painter.save();
+    tool->paint(painter);
+    painter.restore();
+  }
+}
+
+ViewportLegend ViewportOverlay::legend() const
+{
+  ViewportLegend legend(rect(), QFontMetricsF(font()));
+  const ColorBy field = viewport_.colors().field;
+  if (const auto& coloring = viewport_.coloring())
+    legend.addScale(coloring->scale);
+  else if (editor_.deformation() && field != ColorBy::None)
+    legend.addLine(tr("%1: nothing to show").arg(fieldWords(field).name));
+  addCounts(legend);
+  return legend;
+}
+
+void ViewportOverlay::paintLegend(QPainter& painter)
+{
+  const ViewportLegend current = legend();
+  const QSize pixels = size() * devicePixelRatioF();
+  if (paintedLegend_ != current || paintedPalette_ != palette() || legendPicture_.size() != pixels) {
+    if (legendPicture_.size() != pixels) legendPicture_ = QPixmap(pixels);
+    legendPicture_.setDevicePixelRatio(devicePixelRatioF());
+    legendPicture_.fill(Qt::transparent);
+    QPainter once(&legendPicture_);
+    once.setRenderHint(QPainter::Antialiasing);
+    once.setFont(font());
+    current.paint(once, palette());
+    paintedLegend_ = current;
+    paintedPalette_ = palette();
+  }
+  painter.drawPixmap(0, 0, legendPicture_);
+}
+
+void ViewportOverlay::addCounts(ViewportLegend& legend) const
+{
+  const auto& deformation = editor_.deformation();
+  if (!deformation || !viewport_.display().areConstraintsShown) return;
+  const auto& outcomes = deformation->report.constraints;
+  for (const ConstraintStatus status :
+       {ConstraintStatus::Disabled, ConstraintStatus::Missed, ConstraintStatus::Conflicting,
+        ConstraintStatus::Redundant, ConstraintStatus::Met}) {
+    const auto count = std::count_if(outcomes.begin(), outcomes.end(),
+                                     [&](const ConstraintOutcome& outcome) { return outcome.status == status; });
+    if (count > 0) legend.addCount(status, count);
+  }
+}
+
+void ViewportOverlay::paintFreshness(QPainter& painter) const
+{
+  const QString text = freshnessText(editor_);
+  if (text.isEmpty()) return;
+  const QRectF available(0, 0, width() - 4 * kNoteMargin, height());
+  QRectF box = painter.fontMetrics().boundingRect(available.toRect(), Qt::AlignLeft | Qt::TextWordWrap, text);
+  box.moveTo(kNoteMargin + 8, kNoteMargin + 5);
+  QColor plate = palette().color(QPalette::Window);
+  plate.setAlpha(225);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(plate);
+  painter.drawRoundedRect(box.adjusted(-8, -5, 8, 5), 4, 4);
+  painter.setPen(palette().color(QPalette::WindowText));
+  painter.drawText(box, Qt::AlignLeft | Qt::TextWordWrap, text);
+}
+
+void ViewportOverlay::paintWelcome(QPainter& painter) const
+{
+  struct Line {
+    QString text;
+    double size;   // of the font
+    double after;  // space below, in lines
+  };
+  const std::array lines{
+      Line{tr("Hold points of a surface exactly where you want them"), 1.45, 1.0},
+      Line{tr("Drop a mesh here, or open one with Ctrl+O."), 1.0, 0.3},
+      Line{tr("Then pick points on it (P) and drag them, or import measured points (Ctrl+I)."), 1.0, 1.0},
+      Line{tr("OBJ, PLY, OFF, STL, VTP, VTK, and sessions (.holdfast)"), 0.9, 0.0}};
+  const double lineHeight = QFontMetricsF(font()).height();
+  double total = 0;
+  for (const Line& line : lines) total += lineHeight * (line.size + line.after);
+  double y = (height() - total) / 2;
+  for (const Line& line : lines) {
+    QFont sized = font();
+    sized.setPointSizeF(font().pointSizeF() * line.size);
+    painter.setFont(sized);
+    QColor ink = palette().color(QPalette::WindowText);
+    ink.setAlphaF(line.size < 1 ? 0.6 : 0.85);
+    painter.setPen(ink);
+    painter.drawText(QRectF(0, y, width(), lineHeight * line.size * 1.2), Qt::AlignHCenter, line.text);
+    y += lineHeight * (line.size + line.after);
+  }
+}
+
+}  // namespace holdfast

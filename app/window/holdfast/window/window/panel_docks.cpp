@@ -1,0 +1,153 @@
+#include "holdfast/window/window/panel_docks.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QMenu>
+#include <QScrollArea>
+#include <algorithm>
+
+#include <holdfast/window/inspector/inspector_panel.h>
+#include <holdfast/window/panels/color_panel.h>
+#include <holdfast/window/panels/conflict_panel.h>
+#include <holdfast/window/panels/findings_panel.h>
+#include <holdfast/window/panels/histogram_panel.h>
+#include <holdfast/window/panels/report_panel.h>
+#include <holdfast/window/panels/sphere_panel.h>
+#include <holdfast/window/table/constraint_panel.h>
+#include <holdfast/window/viewport/viewport.h>
+
+namespace holdfast {
+namespace {
+
+// Of the window: the picture keeps the rest.
+constexpr double kPanelShare = 0.34;
+constexpr int kLeastPanelWidth = 340;
+constexpr int kMostPanelWidth = 680;
+
+/// The vertex that a point under the cursor is nearest to, as its weights say.
+Index nearestVertex(const SurfacePick& pick, const Model& model)
+{
+  if (const auto* vertex = std::get_if<AtVertex>(&pick.location)) return vertex->vertex;
+  if (const auto* edge = std::get_if<AtEdge>(&pick.location)) return edge->t >= 0.5 ? edge->i : edge->j;
+  const auto& weights = std::get<AtFace>(pick.location).weights;
+  const auto largest = std::max_element(weights.begin(), weights.end()) - weights.begin();
+  return model.mesh.faces[pick.face][static_cast<std::size_t>(largest)];
+}
+
+/// Qt moves a dock behind others out of the window and calls it visible: its panel would go on following every change,
+/// and draw what nobody sees.
+void showWhileInFront(QWidget& panel, const QDockWidget& dock)
+{
+  // The dock asks for the same room, so that nothing moves from tab to tab.
+  QSizePolicy policy = panel.sizePolicy();
+  policy.setRetainSizeWhenHidden(true);
+  panel.setSizePolicy(policy);
+  panel.hide();
+  QObject::connect(&dock, &QDockWidget::visibilityChanged, &panel, &QWidget::setVisible);
+}
+
+}  // namespace
+
+PanelDocks::PanelDocks(Editor& editor, Viewport& viewport, QMainWindow& window)
+    : QObject(&window), editor_(editor), viewport_(viewport), window_(window)
+{
+  auto* constraints = new ConstraintPanel(editor, &window);
+  sphere_ = new SpherePanel(editor, &window);
+  histograms_ = new HistogramPanel(editor, &window);
+  auto* findings = new FindingsPanel(editor, &window);
+  colors_ = new ColorPanel(editor, &window);
+  upper_ = {add(tr("Constraints"), "constraintsDock", constraints), add(tr("Colours"), "colorsDock", colors_),
+            add(tr("Rotations"), "sphereDock", sphere_), add(tr("Distributions"), "histogramDock", histograms_)};
+  conflicts_ = add(tr("Conflicts"), "conflictsDock", new ConflictPanel(editor, &window));
+  lower_ = {add(tr("Selected"), "inspectorDock", new InspectorPanel(editor, &window)), conflicts_,
+            add(tr("Mesh"), "findingsDock", findings),
+            add(tr("Solution"), "reportDock", new ReportPanel(editor, &window))};
+  arrange();
+
+  connect(constraints, &ConstraintPanel::activated, &viewport_, [this](Index k) { viewport_.frameConstraints({k}); });
+  connect(colors_, &ColorPanel::settingsChanged, &viewport_, &Viewport::setColors);
+  connect(colors_, &ColorPanel::displaySettingsChanged, &viewport_, &Viewport::setDisplay);
+  connect(&viewport_, &Viewport::coloringChanged, sphere_, &SpherePanel::setColoring);
+  connect(&viewport_, &Viewport::coloringChanged, colors_, [this](const std::optional<Coloring>& coloring) {
+    colors_->setShownScale(coloring ? std::optional(coloring->scale) : std::nullopt);
+  });
+  connect(&viewport_, &Viewport::previewChanged, sphere_, [this](const std::optional<SurfacePick>& pick) {
+    sphere_->showVertex(pick ? std::optional(nearestVertex(*pick, *editor_.model())) : std::nullopt);
+  });
+  connect(sphere_, &SpherePanel::vertexPicked, &editor_, [this](Index vertex) { editor_.selectVertices({vertex}); });
+  connect(&editor_, &Editor::vertexSelectionChanged, sphere_, [this] {
+    const auto& selected = editor_.selectedVertices();
+    sphere_->showVertex(selected.size() == 1 ? std::optional(selected.front()) : std::nullopt);
+  });
+  connect(histograms_, &HistogramPanel::constraintsPicked, &editor_, &Editor::selectConstraints);
+  const auto showVertices = [this](const std::vector<Index>& vertices) {
+    editor_.selectVertices(vertices);
+    viewport_.frameVertices(vertices);
+  };
+  connect(histograms_, &HistogramPanel::verticesPicked, &editor_,
+          [this](const std::vector<Index>& vertices) { editor_.selectVertices(vertices); });
+  connect(findings, &FindingsPanel::showVertices, &viewport_, showVertices);
+  for (const auto& signal : {&Editor::opened, &Editor::deformed})
+    connect(&editor_, signal, this, &PanelDocks::countConflicts);
+}
+
+QDockWidget* PanelDocks::add(const QString& title, const QString& objectName, QWidget* panel)
+{
+  auto* dock = new QDockWidget(title, &window_);
+  dock->setObjectName(objectName);
+  dock->toggleViewAction()->setToolTip(tr("Show or hide the panel “%1”").arg(title));
+  dock->setWidget(panel);
+  // Its tab names it already; the menu shows and hides it.
+  dock->setTitleBarWidget(new QWidget(dock));
+  showWhileInFront(*panel, *dock);
+  return dock;
+}
+
+void PanelDocks::arrange()
+{
+  window_.setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
+  window_.addDockWidget(Qt::RightDockWidgetArea, upper_.front());
+  window_.splitDockWidget(upper_.front(), lower_.front(), Qt::Vertical);
+  for (const auto* stack : {&upper_, &lower_}) {
+    for (int k = 1; k < stack->size(); ++k) window_.tabifyDockWidget((*stack)[k - 1], (*stack)[k]);
+    stack->front()->raise();
+  }
+}
+
+void PanelDocks::warmUp(const ExampleDocument& example)
+{
+  sphere_->warmUp(example);
+  histograms_->warmUp();
+}
+
+void PanelDocks::share(const QSize& size)
+{
+  const int width = std::clamp(static_cast<int>(kPanelShare * size.width()), kLeastPanelWidth, kMostPanelWidth);
+  window_.resizeDocks({upper_.front()}, {width}, Qt::Horizontal);
+  window_.resizeDocks({upper_.front(), lower_.front()}, {size.height() / 2, size.height() / 2}, Qt::Vertical);
+}
+
+void PanelDocks::fillMenu(QMenu& menu) const
+{
+  for (const auto* stack : {&upper_, &lower_})
+    for (QDockWidget* dock : *stack) menu.addAction(dock->toggleViewAction());
+}
+
+void PanelDocks::followViewport()
+{
+  colors_->setSettings(viewport_.colors());
+  colors_->setDisplaySettings(viewport_.display());
+}
+
+void PanelDocks::countConflicts()
+{
+  Index count = 0;
+  if (const auto& deformation = editor_.deformation())
+    count =
+        std::count_if(deformation->report.constraints.begin(), deformation->report.constraints.end(),
+                      [](const ConstraintOutcome& outcome) { return outcome.status == ConstraintStatus::Conflicting; });
+  conflicts_->setWindowTitle(count > 0 ? tr("Conflicts (%1)").arg(count) : tr("Conflicts"));
+}
+
+}  // namespace holdfast

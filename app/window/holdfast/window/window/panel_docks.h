@@ -1,0 +1,56 @@
+#pragma once
+/// \file
+/// The panels around the picture, and how they and the picture tell one another.
+
+#include <QObject>
+
+#include <holdfast/window/model/editor.h>
+
+class QDockWidget;
+class QMainWindow;
+class QMenu;
+
+namespace holdfast {
+
+class ColorPanel;
+class HistogramPanel;
+class SpherePanel;
+class Viewport;
+struct ExampleDocument;
+
+/// Two stacks of tabs at the right: what there is and how it is shown, and what became of it.
+class PanelDocks : public QObject {
+  Q_OBJECT
+
+ public:
+  PanelDocks(Editor& editor, Viewport& viewport, QMainWindow& window);
+
+  /// An entry for each panel, to show and to hide it.
+  void fillMenu(QMenu& menu) const;
+
+  /// The part of panels that draw: `MainWindow::warmUp`.
+  void warmUp(const ExampleDocument& example);
+
+  /// Gives the panels their parts of a window of this size, which is shown.
+  void share(const QSize& size);
+
+  /// What the controls of the display show, after someone else changed it.
+  void followViewport();
+
+ private:
+  QDockWidget* add(const QString& title, const QString& objectName, QWidget* panel);
+  void arrange();
+  void countConflicts();
+
+  Editor& editor_;
+  Viewport& viewport_;
+  QMainWindow& window_;
+  ColorPanel* colors_ = nullptr;
+  SpherePanel* sphere_ = nullptr;
+  HistogramPanel* histograms_ = nullptr;
+  QDockWidget* conflicts_ = nullptr;
+  QList<QDockWidget*> upper_;
+  QList<QDockWidget*> lower_;
+};
+
+}  // namespace holdfast

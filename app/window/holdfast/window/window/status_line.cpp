@@ -1,0 +1,154 @@
+#include "holdfast/window/window/status_line.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QResizeEvent>
+#include <cmath>
+
+#include <holdfast/window/text/number_words.h>
+
+namespace holdfast {
+namespace {
+
+constexpr int kIndent = 6;
+
+/// Coordinates that are rounding beside the others are zero.
+QString placeText(const Vector3& place)
+{
+  constexpr double kNoise = 1e-12;
+  QStringList coordinates;
+  for (const double value : place)
+    coordinates << roundedText(std::abs(value) <= kNoise * place.cwiseAbs().maxCoeff() ? 0 : value);
+  return coordinates.join(", ");
+}
+
+QString shareText(double share)
+{
+  return share == 0 ? QString("0") : QString::number(share, 'e', 1);
+}
+
+QString milliseconds(double seconds)
+{
+  const double value = 1000 * seconds;
+  return value < 10 ? QString::number(value, 'f', 1) : QString::number(value, 'f', 0);
+}
+
+QString describe(const AtVertex& at)
+{
+  return QObject::tr("vertex %1").arg(at.vertex);
+}
+
+QString describe(const AtEdge& at)
+{
+  return QObject::tr("edge %1–%2, t %3").arg(at.i).arg(at.j).arg(roundedText(at.t));
+}
+
+QString describe(const AtFace& at)
+{
+  QStringList weights;
+  for (const double weight : at.weights) weights << roundedText(weight);
+  return QObject::tr("face %1, weights %2").arg(at.face).arg(weights.join(", "));
+}
+
+QString describe(const AtNear& at)
+{
+  return QObject::tr("near %1").arg(placeText(at.place));
+}
+
+}  // namespace
+
+QString describe(const SurfacePick& pick)
+{
+  const QString location = std::visit([](const auto& at) { return describe(at); }, pick.location);
+  return QObject::tr("%1  at %2").arg(location, placeText(pick.place));
+}
+
+StatusLine::StatusLine(Editor& editor, QWidget* parent)
+    : QStatusBar(parent),
+      editor_(editor),
+      left_(new QLabel(this)),
+      stage_(new QLabel(this)),
+      cancel_(new QPushButton(tr("Stop"), this)),
+      numbers_(new QLabel(this))
+{
+  setObjectName("statusLine");
+  left_->setObjectName("statusHint");
+  left_->setMinimumWidth(1);
+  left_->setIndent(kIndent);
+  left_->installEventFilter(this);
+  stage_->setObjectName("statusStage");
+  cancel_->setObjectName("statusStop");
+  cancel_->setToolTip(tr("Stop solving; what is shown stays as it is (Esc)"));
+  cancel_->setFlat(true);
+  numbers_->setObjectName("statusNumbers");
+  addWidget(left_, 1);
+  addPermanentWidget(stage_);
+  addPermanentWidget(cancel_);
+  addPermanentWidget(numbers_);
+  connect(cancel_, &QPushButton::clicked, &editor_, &Editor::cancelSolving);
+  connect(&editor_, &Editor::opened, this, &StatusLine::showNumbers);
+  connect(&editor_, &Editor::deformed, this, &StatusLine::showNumbers);
+  connect(&editor_, &Editor::freshnessChanged, this, &StatusLine::showStage);
+  connect(&editor_, &Editor::stageChanged, this, &StatusLine::showStage);
+  showNumbers();
+  showStage();
+}
+
+void StatusLine::setHint(const QString& hint)
+{
+  hint_ = hint;
+  showHint();
+}
+
+void StatusLine::setPick(const std::optional<SurfacePick>& pick)
+{
+  pick_ = pick ? describe(*pick) : QString();
+  showHint();
+}
+
+void StatusLine::showHint()
+{
+  const QString text = pick_.isEmpty() ? hint_ : pick_;
+  left_->setText(left_->fontMetrics().elidedText(text, Qt::ElideRight, left_->width() - 2 * kIndent));
+  left_->setToolTip(text);
+}
+
+bool StatusLine::eventFilter(QObject* watched, QEvent* event)
+{
+  if (watched == left_ && event->type() == QEvent::Resize) showHint();
+  return QStatusBar::eventFilter(watched, event);
+}
+
+void StatusLine::showStage()
+{
+  const bool isSolving = editor_.freshness() == Freshness::Solving && !editor_.history().isInGesture();
+  stage_->setText(isSolving && !editor_.stage().isEmpty() ? editor_.stage() + "…" : QString());
+  stage_->setVisible(isSolving);
+  cancel_->setVisible(isSolving);
+}
+
+void StatusLine::showNumbers()
+{
+  numbers_->setVisible(editor_.isOpen());
+  if (!editor_.isOpen()) return;
+  QStringList parts{tr("%1 vertices").arg(countText(editor_.model()->mesh.vertexCount()))};
+  if (const auto& deformation = editor_.deformation()) {
+    const SolveReport& solve = deformation->report.solve;
+    parts << tr("%1 unknowns").arg(countText(solve.unknowns))
+          << tr("%1 + %2 + %3 ms")
+                 .arg(milliseconds(solve.seconds.setup), milliseconds(solve.seconds.decomposition),
+                      milliseconds(solve.seconds.solution))
+          << (solve.status == SolveStatus::Failed ? tr("not solved")
+                                                  : tr("residual %1").arg(shareText(solve.maxResidualRelative)));
+    if (solve.status != SolveStatus::Failed) parts << tr("accuracy %1").arg(shareText(solve.accuracy));
+  }
+  numbers_->setText(parts.join("  ·  "));
+  numbers_->setToolTip(tr(
+      "Milliseconds: set-up + decomposition + solution. Residual: the largest of all constraints but those that "
+      "conflict, as a share of the bounding box's diagonal. With the solver “hard” at most 1e-12 is promised or, for "
+      "a constraint whose coordinates are so large that doubles lie farther apart, 8 epsilon of the largest of them. "
+      "Accuracy: the estimated relative error of what constraints leave free; above 1e-9 it is a finding, above 1e-6 "
+      "the solution is refused."));
+}
+
+}  // namespace holdfast

@@ -1,0 +1,46 @@
+#pragma once
+/// \file
+/// The line below the picture: what the mouse does, what is under it, and how the solution went.
+
+#include <QStatusBar>
+#include <optional>
+
+#include <holdfast/widgets/picking/surface_picker.h>
+#include <holdfast/window/model/editor.h>
+
+class QLabel;
+class QPushButton;
+
+namespace holdfast {
+
+class StatusLine : public QStatusBar {
+  Q_OBJECT
+
+ public:
+  explicit StatusLine(Editor& editor, QWidget* parent = nullptr);
+
+  void setHint(const QString& hint);
+  void setPick(const std::optional<SurfacePick>& pick);
+
+ protected:
+  /// Hints that are too long for their place end in dots.
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void showHint();
+  void showNumbers();
+  void showStage();
+
+  Editor& editor_;
+  QString hint_;
+  QString pick_;
+  QLabel* left_;
+  QLabel* stage_;
+  QPushButton* cancel_;
+  QLabel* numbers_;
+};
+
+/// "vertex 12", "edge 12–13, t = 0.25", "face 77: 0.2, 0.3, 0.5": weights in full where `precision` is 17.
+[[nodiscard]] QString describe(const SurfacePick& pick);
+
+}  // namespace holdfast

@@ -1,0 +1,128 @@
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <fstream>
+#include <system_error>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <holdfast/base/error.h>
+#include <holdfast/constraint_files/constraint_file_text_internal.h>
+
+namespace holdfast {
+namespace {
+
+/// A device that never ends must not fill the memory. A point takes about 100 bytes: room for two million.
+constexpr std::size_t kMaximumBytes = std::size_t{1} << 28;
+
+char lowerCase(char c)
+{
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+/// Levenshtein's distance, letter case aside.
+std::size_t editDistance(std::string_view a, std::string_view b)
+{
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (lowerCase(a[i]) == lowerCase(b[j]) ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
+    }
+  }
+  return row.back();
+}
+
+void requireFile(const std::filesystem::path& path)
+{
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (status.type() == std::filesystem::file_type::not_found)
+    throw InputError({path.string(), 0, ""}, "there is no such file; check the path");
+  if (status.type() == std::filesystem::file_type::directory)
+    throw InputError({path.string(), 0, ""}, "this is a directory; name a file in it");
+}
+
+[[noreturn]] void failToRead(const std::filesystem::path& path)
+{
+  const std::string cause = std::error_code(errno, std::generic_category()).message();
+  throw InputError({path.string(), 0, ""}, fmt::format("cannot be read ({}); check its permissions", cause));
+}
+
+}  // namespace
+
+TextPlace placeInText(std::string_view text, std::size_t offset)
+{
+  const std::string_view before = text.substr(0, offset);
+  const std::size_t lineBreak = before.rfind('\n');
+  const std::size_t lineStart = lineBreak == std::string_view::npos ? 0 : lineBreak + 1;
+  return {static_cast<Index>(std::count(before.begin(), before.end(), '\n')) + 1,
+          static_cast<Index>(before.size() - lineStart) + 1};
+}
+
+std::string readTextFile(const std::filesystem::path& path)
+{
+  requireFile(path);
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) failToRead(path);
+  std::string text;
+  std::array<char, 65536> chunk{};
+  while (stream.read(chunk.data(), chunk.size()) || stream.gcount() > 0) {
+    text.append(chunk.data(), static_cast<std::size_t>(stream.gcount()));
+    if (text.size() > kMaximumBytes)
+      throw InputError({path.string(), 0, ""}, "larger than 256 MiB; split it, or check that this is the right file");
+  }
+  if (stream.bad()) failToRead(path);
+  return text;
+}
+
+std::string_view requireUtf8(std::string_view text, std::string_view file)
+{
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  for (std::size_t offset = 0; offset < text.size();) {
+    const std::size_t length = utf8Length(text.substr(offset));
+    if (length == 0)
+      throw InputError({std::string(file), placeInText(text, offset).line, ""},
+                       fmt::format("not UTF-8 text (byte 0x{:02X}); save the file in the encoding UTF-8",
+                                   static_cast<unsigned char>(text[offset])));
+    offset += length;
+  }
+  return text;
+}
+
+std::string listInQuotes(std::span<const std::string_view> words)
+{
+  std::string list;
+  for (const std::string_view word : words) list += (list.empty() ? "" : ", ") + inQuotes(word);
+  return list;
+}
+
+std::optional<std::string_view> closestSpelling(std::string_view word, std::span<const std::string_view> known)
+{
+  constexpr std::size_t kLongestWord = 64;
+  if (word.size() > kLongestWord) return std::nullopt;
+  std::optional<std::string_view> closest;
+  std::size_t smallest = word.size();  // a word that shares no letter is no spelling of it
+  for (const std::string_view candidate : known) {
+    const std::size_t distance = editDistance(word, candidate);
+    if (distance >= smallest || distance > (candidate.size() + 2) / 3) continue;
+    smallest = distance;
+    closest = candidate;
+  }
+  return closest;
+}
+
+std::string spellingHint(std::string_view word, std::span<const std::string_view> known)
+{
+  const std::optional<std::string_view> closest = closestSpelling(word, known);
+  const std::string guess = closest ? fmt::format("; did you mean {}? ", inQuotes(*closest)) : "; ";
+  return fmt::format("{}Known here: {}", guess, listInQuotes(known));
+}
+
+}  // namespace holdfast

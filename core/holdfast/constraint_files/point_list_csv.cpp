@@ -1,0 +1,160 @@
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include <holdfast/base/error.h>
+#include <holdfast/constraint_files/constraint_file.h>
+#include <holdfast/constraint_files/constraint_file_text_internal.h>
+#include <holdfast/constraint_files/point_list_csv_records_internal.h>
+
+namespace holdfast {
+namespace {
+
+enum Column : std::size_t { kName, kX, kY, kZ, kTargetX, kTargetY, kTargetZ, kColumnCount };
+
+constexpr std::array<std::string_view, kColumnCount> kColumnNames{"name",     "x",        "y",       "z",
+                                                                  "target_x", "target_y", "target_z"};
+
+/// Where in a record each column stands.
+using Places = std::array<std::size_t, kColumnCount>;
+
+std::string_view trimmed(std::string_view field)
+{
+  const std::size_t first = field.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return field.substr(first, field.find_last_not_of(" \t") - first + 1);
+}
+
+/// One CSV text on its way to a list.
+class PointListReader {
+ public:
+  explicit PointListReader(std::string_view file) : file_(file) {}
+
+  [[nodiscard]] ConstraintList read(std::string_view text) const
+  {
+    requireCommas(text);
+    const std::vector<CsvRecord> records = splitCsv(text, file_);
+    if (records.empty()) fail(1, "", fmt::format("there is no header; the first line must be {}", header()));
+    const Places places = readHeader(records.front());
+    if (records.size() == 1) fail(records.front().line, "", "there is no row after the header; add a line a point");
+    return readRows(records, places);
+  }
+
+ private:
+  [[noreturn]] void fail(Index line, std::string_view column, const std::string& reason) const
+  {
+    throw InputError({std::string(file_), line, column.empty() ? "" : fmt::format("column {}", column)}, reason);
+  }
+
+  static std::string header() { return fmt::format("{}", fmt::join(kColumnNames, ",")); }
+
+  /// Tables with other separators are common where the comma is the decimal sign.
+  void requireCommas(std::string_view text) const
+  {
+    const std::string_view firstLine = text.substr(0, text.find_first_of("\r\n"));
+    if (firstLine.find(',') != std::string_view::npos) return;
+    for (const auto& [separator, name] : {std::pair(';', "semicolons"), std::pair('\t', "tabs")})
+      if (firstLine.find(separator) != std::string_view::npos)
+        fail(
+            1, "",
+            fmt::format("the fields are separated by {}; separate them by commas, with points as decimal signs", name));
+  }
+
+  [[nodiscard]] Places readHeader(const CsvRecord& record) const
+  {
+    constexpr std::size_t kMissing = static_cast<std::size_t>(-1);
+    Places places;
+    places.fill(kMissing);
+    for (std::size_t place = 0; place < record.fields.size(); ++place) {
+      std::size_t& known = places[columnNamed(trimmed(record.fields[place]), record.line)];
+      if (known != kMissing)
+        fail(record.line, trimmed(record.fields[place]), "this column stands here more than once; keep one");
+      known = place;
+    }
+    for (std::size_t column = 0; column < kColumnCount; ++column)
+      if (places[column] == kMissing)
+        fail(record.line, kColumnNames[column], fmt::format("this column is missing; the header is {}", header()));
+    return places;
+  }
+
+  [[nodiscard]] std::size_t columnNamed(std::string_view name, Index line) const
+  {
+    const auto* found = std::find(kColumnNames.begin(), kColumnNames.end(), name);
+    if (found == kColumnNames.end())
+      fail(line, "",
+           fmt::format("unknown column {}{}. The first line is the header", inQuotes(name),
+                       spellingHint(name, kColumnNames)));
+    return static_cast<std::size_t>(found - kColumnNames.begin());
+  }
+
+  [[nodiscard]] ConstraintList readRows(const std::vector<CsvRecord>& records, const Places& places) const
+  {
+    ConstraintList list;
+    std::map<std::string, Index, std::less<>> lineOf;  // by name
+    for (std::size_t row = 1; row < records.size(); ++row) {
+      requireLength(records[row]);
+      list.constraints.push_back(readRow(records[row], places, row));
+      const std::string& name = list.constraints.back().name;
+      const auto [first, isNew] = lineOf.try_emplace(name, records[row].line);
+      if (!isNew)
+        fail(records[row].line, kColumnNames[kName],
+             fmt::format("{} is the name of the point in line {} already; names are unique, and the name of a row "
+                         "without one is \"point\" and its number",
+                         inQuotes(name), first->second));
+    }
+    return list;
+  }
+
+  void requireLength(const CsvRecord& record) const
+  {
+    if (record.fields.size() == kColumnCount) return;
+    const char* hint = record.fields.size() > kColumnCount
+                           ? "decimal signs are points, and a name with a comma stands in double quotes"
+                           : "fill the row up";
+    fail(record.line, "",
+         fmt::format("this row has {} fields, the header has {}; {}", record.fields.size(),
+                     static_cast<std::size_t>(kColumnCount), hint));
+  }
+
+  [[nodiscard]] Constraint readRow(const CsvRecord& record, const Places& places, std::size_t row) const
+  {
+    const auto number = [&](Column column) { return readNumber(record.fields[places[column]], record.line, column); };
+    const std::string& name = record.fields[places[kName]];
+    const Vector3 place(number(kX), number(kY), number(kZ));
+    const Vector3 target(number(kTargetX), number(kTargetY), number(kTargetZ));
+    return {name.empty() ? fmt::format("point {}", row) : name, true, Point{AtNear{place}, Target{target}}};
+  }
+
+  [[nodiscard]] double readNumber(std::string_view field, Index line, Column column) const
+  {
+    std::string_view digits = trimmed(field);
+    if (digits.empty()) fail(line, kColumnNames[column], "a number is missing; every coordinate is needed");
+    // from_chars knows no plus sign, which some measuring programs write.
+    if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.remove_prefix(1);
+    double value = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (error == std::errc::result_out_of_range)
+      fail(line, kColumnNames[column], fmt::format("{} does not fit a number in double precision", shortened(digits)));
+    if (error == std::errc() && end == digits.data() + digits.size() && std::isfinite(value)) return value;
+    const bool hasComma = digits.find(',') != std::string_view::npos;
+    fail(line, kColumnNames[column],
+         fmt::format("{} is not a number{}", inQuotes(digits),
+                     hasComma ? "; the decimal sign is a point" : "; correct it"));
+  }
+
+  std::string_view file_;
+};
+
+}  // namespace
+
+ConstraintList parsePointListCsv(std::string_view text, const std::string& name)
+{
+  return PointListReader(name).read(requireUtf8(text, name));
+}
+
+}  // namespace holdfast

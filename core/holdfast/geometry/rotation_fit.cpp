@@ -1,0 +1,93 @@
+#include "holdfast/geometry/rotation_fit.h"
+
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/SVD>
+
+namespace holdfast {
+namespace {
+
+// Unit vectors whose sum is shorter than this are opposite within rounding.
+constexpr double kOpposite = 8 * std::numeric_limits<double>::epsilon();
+
+/// Points about their mean. The first is taken off before: a mean of large numbers would cost digits.
+Positions centred(const Positions& points)
+{
+  Positions result = points.rowwise() - points.row(0);
+  result.rowwise() -= Eigen::RowVector3d(result.colwise().mean());
+  return result;
+}
+
+double longest(const Positions& points)
+{
+  return points.cwiseAbs().maxCoeff();
+}
+
+/// The points in units of their largest coordinate, so that no square leaves the range of doubles.
+Positions inOwnUnits(const Positions& points)
+{
+  const double size = longest(points);
+  return size > 0 ? Positions(points / size) : points;
+}
+
+double rootMeanSquare(const Positions& differences)
+{
+  return longest(differences) * inOwnUnits(differences).norm() / std::sqrt(static_cast<double>(differences.rows()));
+}
+
+/// The unit vector across `direction` and across the coordinate axis that is farthest from it.
+Vector3 across(const Vector3& direction)
+{
+  int axis = 0;
+  direction.cwiseAbs().minCoeff(&axis);
+  return direction.cross(Vector3::Unit(axis)).normalized();
+}
+
+/// R of the covariance H = sum of p t^T, and whether it is the only best one.
+RotationFit rotationOfCovariance(const Eigen::Matrix3d& H)
+{
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(H, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Eigen::Matrix3d& U = svd.matrixU();
+  const Eigen::Matrix3d& V = svd.matrixV();
+  const Vector3& s = svd.singularValues();
+  if (s[0] == 0) return {};
+  if (s[1] <= kRankOfFit * s[0]) return {shortestRotation(U.col(0), V.col(0)).rotation.toRotationMatrix(), false, 0};
+  const double handedness = (V * U.transpose()).determinant() > 0 ? 1 : -1;
+  const Eigen::Matrix3d R = V * Vector3(1, 1, handedness).asDiagonal() * U.transpose();
+  return {R, s[1] + handedness * s[2] > kRankOfFit * s[0], 0};
+}
+
+}  // namespace
+
+RotationFit fitRotation(const Positions& points, const Positions& targets)
+{
+  assert(points.rows() > 0 && points.rows() == targets.rows());
+  const Positions p = centred(points);
+  const Positions t = centred(targets);
+  RotationFit result = rotationOfCovariance(inOwnUnits(p).transpose() * inOwnUnits(t));
+  result.residual = rootMeanSquare(p * result.R.transpose() - t);
+  return result;
+}
+
+DirectionTurn shortestRotation(const Vector3& from, const Vector3& to)
+{
+  const Vector3 a = from.stableNormalized();
+  const Vector3 b = to.stableNormalized();
+  Vector3 middle = a + b;
+  if (middle.norm() <= kOpposite) {
+    const Vector3 axis = across(a);
+    return {Eigen::Quaterniond(0, axis.x(), axis.y(), axis.z()), false};
+  }
+  const Vector3 difference = b - a;
+  const bool isObtuse = a.dot(b) < 0;
+  // The middle of directions that are nearly opposite is as short as its rounding is large: it has to stay across b -
+  // a.
+  if (isObtuse) middle -= difference * (difference.dot(middle) / difference.squaredNorm());
+  // The same up to rounding, which is small beside the shorter of the two.
+  const Vector3 v = a.cross(isObtuse ? middle : difference);
+  return {Eigen::Quaterniond(a.dot(middle), v.x(), v.y(), v.z()).normalized(), true};
+}
+
+}  // namespace holdfast

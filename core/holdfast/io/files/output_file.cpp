@@ -1,0 +1,249 @@
+#include "holdfast/io/files/output_file.h"
+
+#include <cerrno>
+#include <cstring>
+#include <optional>
+#include <random>
+#include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <holdfast/base/error.h>
+#include <holdfast/io/files/unfinished_files.h>
+
+namespace holdfast {
+namespace {
+
+namespace fs = std::filesystem;
+
+using FileInfo = struct stat;
+
+constexpr mode_t kPermissionBits = 07777;
+
+std::string remedy(int code)
+{
+  switch (code) {
+    case ENOENT:
+    case ENOTDIR:
+      return "make the folder first, or name another";
+    case EACCES:
+    case EPERM:
+    case EROFS:
+      return "change the permissions, or write to another folder";
+    case ENOSPC:
+    case EDQUOT:
+      return "free some space, or write to another disk";
+    case EFBIG:
+      return "raise the limit on the size of files (ulimit -f)";
+    case ENAMETOOLONG:
+      return "choose a shorter name";
+    case ELOOP:
+      return "the symbolic links lead in a circle; remove one";
+    case EPIPE:
+      return "who reads the pipe has closed it; let it read to the end";
+    default:
+      return "nothing was changed; try another place";
+  }
+}
+
+[[noreturn]] void fail(const fs::path& path, const std::string& what, int code)
+{
+  throw OutputError(path.string(), fmt::format("{} ({}): {}", what, std::strerror(code), remedy(code)));
+}
+
+std::optional<FileInfo> infoOf(const fs::path& path)
+{
+  FileInfo info{};
+  if (::stat(path.c_str(), &info) != 0) return std::nullopt;
+  return info;
+}
+
+/// Standard output or standard error, where `file` is what it goes to; -1 otherwise. A rename would put another file
+/// in its place, and what the program still writes to the stream would be lost.
+int standardStream(const FileInfo& file)
+{
+  for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) {
+    FileInfo info{};
+    if (::fstat(stream, &info) == 0 && info.st_dev == file.st_dev && info.st_ino == file.st_ino) return stream;
+  }
+  return -1;
+}
+
+/// Where the symbolic links from `path` on end; the end need not exist.
+fs::path withLinksFollowed(const fs::path& path)
+{
+  constexpr int kMostLinks = 40;  // as many as Linux follows
+  fs::path end = path;
+  for (int i = 0; i < kMostLinks; ++i) {
+    std::error_code error;
+    const fs::path next = fs::read_symlink(end, error);
+    if (error) return end;
+    end = next.is_absolute() ? next : end.parent_path() / next;
+  }
+  fail(path, "cannot be written", ELOOP);
+}
+
+constexpr std::string_view kTemporaryBegin = ".part";
+constexpr std::size_t kTemporaryDigits = 16;
+
+/// A name in `folder` that no other program will think of. Short, so that no name of a file makes it too long.
+fs::path temporaryName(const fs::path& folder, const fs::path& extension)
+{
+  constexpr std::size_t kLongestExtension = 16;
+  std::random_device random;
+  return folder / fmt::format("{}{}.{:08x}{:08x}", kTemporaryBegin, extension.string().substr(0, kLongestExtension),
+                              random(), random());
+}
+
+/// Whether a file has a name as `temporaryName` makes them.
+bool isTemporaryName(const std::string& name)
+{
+  const std::size_t dot = name.rfind('.');
+  return name.starts_with(kTemporaryBegin) && name.size() - dot == 1 + kTemporaryDigits &&
+         name.find_first_not_of("0123456789abcdef", dot + 1) == std::string::npos;
+}
+
+/// Removes the temporary files of programs that were killed. Where the file system has no locks there is no telling,
+/// and they stay.
+void removeAbandoned(const fs::path& folder)
+{
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    if (!isTemporaryName(entry->path().filename().string())) continue;
+    const FileDescriptor file(::open(entry->path().c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+    if (file.isOpen() && ::flock(file.get(), LOCK_EX | LOCK_NB) == 0) ::unlink(entry->path().c_str());
+  }
+}
+
+/// Locks a new temporary file. False where another program has taken it for an abandoned one before; it holds the lock
+/// until it has removed the file.
+bool isKept(const FileDescriptor& file)
+{
+  while (::flock(file.get(), LOCK_EX) != 0 && errno == EINTR) {
+  }
+  FileInfo info{};
+  return ::fstat(file.get(), &info) != 0 || info.st_nlink > 0;
+}
+
+FileDescriptor openDirect(const fs::path& path)
+{
+  const std::optional<FileInfo> info = infoOf(path);
+  const int stream = info ? standardStream(*info) : -1;
+  // A duplicate goes on where the stream is; the file opened anew would be written from its beginning.
+  return FileDescriptor(stream >= 0 ? ::dup(stream) : ::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+}
+
+/// Gives a new file the owner and the permissions of the one that it replaces. Only root may give files away; for
+/// others the owner is the same, or cannot be kept.
+int takeOver(const FileDescriptor& file, const FileInfo& replaced)
+{
+  static_cast<void>(::fchown(file.get(), replaced.st_uid, replaced.st_gid) == 0);  // not to be ignored otherwise
+  return ::fchmod(file.get(), replaced.st_mode & kPermissionBits) == 0 ? 0 : errno;
+}
+
+/// 0, or the errno of the first step that failed. `replaced`: the file that stood at the target, if any.
+int writeAndFlush(const FileDescriptor& file, std::string_view bytes, const std::optional<FileInfo>& replaced)
+{
+  int code = replaced ? takeOver(file, *replaced) : 0;
+  if (code == 0) code = writeAll(file, bytes);
+  // EINVAL: the file system cannot flush single files.
+  if (code == 0 && ::fsync(file.get()) != 0 && errno != EINVAL) code = errno;
+  // Some file systems tell of a full disk at a close. That of a duplicate keeps the lock.
+  const int closing = FileDescriptor(::dup(file.get())).close();
+  return code != 0 ? code : closing;
+}
+
+/// Makes the rename itself survive a power cut, where the file system can. The file is in place already.
+void flushFolder(const fs::path& folder)
+{
+  const FileDescriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (descriptor.isOpen()) ::fsync(descriptor.get());
+}
+
+}  // namespace
+
+OutputFile::OutputFile(fs::path path, std::string_view bytes) : path_(std::move(path))
+{
+  const std::optional<FileInfo> existing = infoOf(path_);
+  if (existing && S_ISDIR(existing->st_mode)) throw OutputError(path_.string(), "is a directory: name a file in it");
+  if (existing && (!S_ISREG(existing->st_mode) || standardStream(*existing) >= 0)) {
+    direct_ = bytes;
+    return;
+  }
+  if (existing && ::access(path_.c_str(), W_OK) != 0) fail(path_, "the file there must not be replaced", errno);
+  std::error_code error;
+  target_ = fs::absolute(withLinksFollowed(path_), error);
+  if (error) fail(path_, "cannot be written", error.value());
+  removeAbandoned(target_.parent_path());
+  int code = openTemporary(existing.has_value());
+  if (code == 0) code = writeAndFlush(file_, bytes, existing);
+  if (code == 0) return;
+  discard();
+  fail(path_, "cannot be written", code);
+}
+
+/// Makes the temporary file and locks it. Returns 0 or an errno.
+int OutputFile::openTemporary(bool isReplacing)
+{
+  do {
+    discard();
+    temporary_ = temporaryName(target_.parent_path(), target_.extension()).string();
+    slot_ = trackUnfinishedFile(temporary_);
+    // Nobody else may read the new contents of a file that was not open to all, not even for a moment.
+    const mode_t permissions = isReplacing ? 0600 : 0666;
+    file_ = FileDescriptor(::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, permissions));
+    if (!file_.isOpen()) return errno;
+  } while (!isKept(file_));
+  return 0;
+}
+
+OutputFile::~OutputFile()
+{
+  discard();
+}
+
+OutputFile::OutputFile(OutputFile&& other) noexcept
+    : path_(std::move(other.path_)),
+      target_(std::move(other.target_)),
+      temporary_(std::exchange(other.temporary_, {})),
+      file_(std::move(other.file_)),
+      slot_(std::exchange(other.slot_, -1)),
+      direct_(std::move(other.direct_))
+{
+}
+
+void OutputFile::commit()
+{
+  if (isDirect()) {
+    FileDescriptor file = openDirect(path_);
+    if (!file.isOpen()) fail(path_, "cannot be opened for writing", errno);
+    const int writing = writeAll(file, direct_);
+    const int closing = file.close();
+    if (writing != 0 || closing != 0) fail(path_, "cannot be written", writing != 0 ? writing : closing);
+    return;
+  }
+  if (::rename(temporary_.c_str(), target_.c_str()) != 0) {
+    const int code = errno;
+    discard();
+    fail(path_, "cannot be put in place", code);
+  }
+  temporary_.clear();
+  static_cast<void>(file_.close());
+  forgetUnfinishedFile(std::exchange(slot_, -1));
+  flushFolder(target_.parent_path());
+}
+
+void OutputFile::discard() noexcept
+{
+  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+  temporary_.clear();
+  static_cast<void>(file_.close());
+  forgetUnfinishedFile(std::exchange(slot_, -1));
+}
+
+}  // namespace holdfast

@@ -1,0 +1,62 @@
+#pragma once
+/// \file
+/// Output files that are either whole or not there: written aside, then renamed.
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include <holdfast/io/files/file_descriptor.h>
+
+namespace holdfast {
+
+/// One output of a program. The bytes go to a temporary file beside `path`; `commit` puts it in place with one rename,
+/// so that a reader, a full disk or a crash never meets half a file, and what stood at `path` stays until then. A
+/// symbolic link is followed, the permissions of a file that is replaced are kept. A path that exists and is not a
+/// regular file (a device, a pipe), and the file that standard output or standard error already goes to, are written
+/// directly at `commit`.
+///
+/// The temporary file is locked as long as the output is unfinished. The system unlocks it however the program ends,
+/// so that the next output in the folder can tell which temporary files a killed program has left, and removes those.
+class OutputFile {
+ public:
+  /// Writes `bytes` aside and flushes them to disk. Throws `OutputError` (folder missing, not writable, disk full)
+  /// and leaves nothing behind then. O(bytes + files in the folder).
+  OutputFile(std::filesystem::path path, std::string_view bytes);
+  /// Removes the temporary file if `commit` was not called.
+  ~OutputFile();
+  OutputFile(OutputFile&& other) noexcept;
+  OutputFile& operator=(OutputFile&&) = delete;
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  /// Puts the file in place. Throws `OutputError`. Call at most once. To write several files together, make all of
+  /// them first, then commit each, those that are written directly before the others: a device may turn out to be full,
+  /// while a rename hardly fails.
+  void commit();
+
+  /// Whether the bytes go to a device, a pipe or a standard stream at `commit`, and not aside before.
+  [[nodiscard]] bool isDirect() const noexcept { return target_.empty(); }
+
+  [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
+
+ private:
+  [[nodiscard]] int openTemporary(bool isReplacing);
+  void discard() noexcept;
+
+  std::filesystem::path path_;    // as the user wrote it
+  std::filesystem::path target_;  // with symbolic links followed; empty for what is written directly
+  std::string temporary_;         // absolute; empty once committed, and for what is written directly
+  FileDescriptor file_;           // of `temporary_`, locked
+  int slot_ = -1;                 // of `temporary_` in the list of unfinished files
+  std::string direct_;            // bytes for what is written directly
+};
+
+/// Removes the temporary file of every `OutputFile` that is not yet committed. Safe to call from a signal handler.
+/// Reaches as many files at a time as `kTrackedOutputs`; what is beyond that is removed by destructors alone.
+void removeUnfinishedOutputs() noexcept;
+
+/// How many unfinished outputs `removeUnfinishedOutputs` can know of at a time.
+inline constexpr int kTrackedOutputs = 32;
+
+}  // namespace holdfast

@@ -1,0 +1,51 @@
+#include "holdfast/io/text/number_text.h"
+
+#include <charconv>
+#include <system_error>
+
+namespace holdfast {
+namespace {
+
+template <class Number>
+ParsedNumber<Number> parse(std::string_view token)
+{
+  // std::from_chars knows no '+'; "+-1" must not slip through.
+  if (token.size() > 1 && token[0] == '+' && token[1] != '-') token.remove_prefix(1);
+  ParsedNumber<Number> parsed;
+  const char* const end = token.data() + token.size();
+  const auto [stop, error] = std::from_chars(token.data(), end, parsed.value);
+  if (stop != end || token.empty() || error == std::errc::invalid_argument)
+    parsed.fault = NumberFault::kNotANumber;
+  else if (error != std::errc{})
+    parsed.fault = NumberFault::kOutOfRange;
+  return parsed;
+}
+
+}  // namespace
+
+ParsedNumber<double> parseDouble(std::string_view token)
+{
+  return parse<double>(token);
+}
+
+ParsedNumber<Index> parseInteger(std::string_view token)
+{
+  return parse<Index>(token);
+}
+
+NumberText::NumberText(double value)
+    : size_(std::to_chars(characters_.data(), characters_.data() + characters_.size(), value).ptr - characters_.data())
+{
+}
+
+NumberText::NumberText(float value)
+    : size_(std::to_chars(characters_.data(), characters_.data() + characters_.size(), value).ptr - characters_.data())
+{
+}
+
+NumberText::NumberText(Index value)
+    : size_(std::to_chars(characters_.data(), characters_.data() + characters_.size(), value).ptr - characters_.data())
+{
+}
+
+}  // namespace holdfast

@@ -1,0 +1,198 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include <gtest/gtest.h>
+#include <vtkLookupTable.h>
+
+#include <holdfast/widgets/color/color_map.h>
+#include <holdfast/widgets/color/scalar_legend.h>
+
+#include "support/special_values.h"
+
+namespace holdfast {
+namespace {
+
+constexpr int kSteps = 500;
+
+double distance(const LabColor& p, const LabColor& q)
+{
+  return std::hypot(p.lightness - q.lightness, p.a - q.a, p.b - q.b);
+}
+
+LabColor labAt(int step, ColorMap map = ColorMap::BlueGreenYellow)
+{
+  return toLab(mapColor(step / static_cast<double>(kSteps), map));
+}
+
+constexpr std::array kMaps{ColorMap::BlueGreenYellow, ColorMap::BlueGreyYellow, ColorMap::BlueWhiteOrange,
+                           ColorMap::Grey};
+
+/// The colour as it looks to an eye without the receptors for green (Machado, Oliveira and Fernandes, 2009).
+Color withoutGreenReceptors(const Color& color)
+{
+  const auto light = [](double channel) {
+    return channel <= 0.04045 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
+  };
+  const auto channel = [](double sum) {
+    const double inside = std::clamp(sum, 0.0, 1.0);
+    return inside <= 0.0031308 ? 12.92 * inside : 1.055 * std::pow(inside, 1 / 2.4) - 0.055;
+  };
+  const double red = light(color.red);
+  const double green = light(color.green);
+  const double blue = light(color.blue);
+  return {channel(0.367322 * red + 0.860646 * green - 0.227968 * blue),
+          channel(0.280085 * red + 0.672501 * green + 0.047413 * blue),
+          channel(-0.011820 * red + 0.042940 * green + 0.968881 * blue)};
+}
+
+TEST(ColorMap, LabOfKnownColorsIsKnown)
+{
+  const LabColor white = toLab({1, 1, 1});
+  EXPECT_NEAR(white.lightness, 100, 1e-3);
+  EXPECT_NEAR(std::hypot(white.a, white.b), 0, 0.02);
+  // sRGB red under D65, as tabulated.
+  EXPECT_NEAR(distance(toLab({1, 0, 0}), {53.24, 80.09, 67.20}), 0, 0.05);
+}
+
+TEST(ColorMap, LightnessRisesAllTheWay)
+{
+  for (const ColorMap map : {ColorMap::BlueGreenYellow, ColorMap::BlueGreyYellow, ColorMap::Grey})
+    for (int k = 0; k < kSteps; ++k)
+      EXPECT_LT(labAt(k, map).lightness, labAt(k + 1, map).lightness) << "map " << static_cast<int>(map) << ", " << k;
+}
+
+TEST(ColorMap, WhiteIsInTheMiddleOfTheTwoSidedOne)
+{
+  constexpr ColorMap kMap = ColorMap::BlueWhiteOrange;
+  for (int k = 0; k < kSteps / 2; ++k) {
+    EXPECT_LT(labAt(k, kMap).lightness, labAt(k + 1, kMap).lightness) << "step " << k;
+    EXPECT_GT(labAt(k + kSteps / 2, kMap).lightness, labAt(k + 1 + kSteps / 2, kMap).lightness) << "step " << k;
+  }
+  EXPECT_LT(distance(labAt(kSteps / 2, kMap), {96, 0, 0}), 0.5);
+}
+
+TEST(ColorMap, EqualStepsLookAboutEqual)
+{
+  for (const ColorMap map : kMaps) {
+    double length = 0;
+    for (int k = 0; k < kSteps; ++k) length += distance(labAt(k, map), labAt(k + 1, map));
+    // Control points are rounded to whole units of Lab and stand 14 to 23 apart.
+    for (int k = 0; k < kSteps; ++k)
+      EXPECT_NEAR(distance(labAt(k, map), labAt(k + 1, map)) * kSteps / length, 1, 0.2)
+          << "map " << static_cast<int>(map) << ", step " << k;
+  }
+}
+
+TEST(ColorMap, SharesFarApartLookDifferentWithoutGreenReceptors)
+{
+  constexpr int kTenths = 10;
+  const auto seen = [](int tenth, ColorMap map) { return toLab(withoutGreenReceptors(mapColor(tenth / 10.0, map))); };
+  for (const ColorMap map : kMaps)
+    for (int a = 0; a <= kTenths; ++a)
+      for (int b = a + 2; b <= kTenths; ++b)
+        EXPECT_GT(distance(seen(a, map), seen(b, map)), 10) << "map " << static_cast<int>(map) << ", " << a << " " << b;
+}
+
+TEST(ColorMap, ARainbowLooksTheSameAtDifferentSharesWithoutGreenReceptors)
+{
+  const auto seen = [](const Color& color) { return toLab(withoutGreenReceptors(color)); };
+  EXPECT_LT(distance(seen({0.60, 0.55, 0}), seen({0.25, 0.65, 0})), 10);
+}
+
+TEST(ColorMap, BlueToYellowSetsTheEndsApartWithoutRedAndGreen)
+{
+  EXPECT_LT(labAt(0).b, -40);
+  EXPECT_GT(labAt(kSteps).b, 60);
+}
+
+TEST(ColorMap, NoValueIsAGreyThatNoMapHas)
+{
+  for (const ColorMap map : kMaps) {
+    EXPECT_EQ(mapColor(test::kNan, map), kNoValueColor);
+    const double least = map == ColorMap::BlueGreenYellow ? 25 : 10;
+    for (int k = 0; k <= kSteps; ++k)
+      EXPECT_GT(distance(labAt(k, map), toLab(kNoValueColor)), least)
+          << "map " << static_cast<int>(map) << ", step " << k;
+  }
+}
+
+TEST(ColorMap, TablesOfVtkHaveTheSameColors)
+{
+  for (const ColorMap map : kMaps) {
+    const auto table = toLookupTable(map);
+    for (int k = 0; k <= kSteps; ++k) {
+      const double share = k / static_cast<double>(kSteps);
+      const Color color = mapColor(share, map);
+      const unsigned char* const drawn = table->MapValue(share);
+      EXPECT_NEAR(drawn[0], 255 * color.red, 1) << share;
+      EXPECT_NEAR(drawn[1], 255 * color.green, 1) << share;
+      EXPECT_NEAR(drawn[2], 255 * color.blue, 1) << share;
+    }
+  }
+}
+
+TEST(ColorScale, HasAMap)
+{
+  ColorScale scale{"", Scaling::Linear, 2, 6};
+  scale.map = ColorMap::Grey;
+  EXPECT_EQ(colorOf(scale, 5), mapColor(0.75, ColorMap::Grey));
+}
+
+TEST(ColorScale, EndsAndMiddleOfALinearScale)
+{
+  const ColorScale scale{"", Scaling::Linear, 2, 6, {}};
+  EXPECT_EQ(shareOf(scale, 2), 0);
+  EXPECT_EQ(shareOf(scale, 4), 0.5);
+  EXPECT_EQ(shareOf(scale, 6), 1);
+  EXPECT_EQ(colorOf(scale, 4), mapColor(0.5));
+}
+
+TEST(ColorScale, ValuesBeyondTheEndsTakeTheirColors)
+{
+  const ColorScale scale{"", Scaling::Logarithmic, 1e-15, 1e-5, {}};
+  EXPECT_EQ(shareOf(scale, 0), 0);
+  EXPECT_NEAR(shareOf(scale, 1e-10), 0.5, 1e-12);
+  EXPECT_EQ(shareOf(scale, std::numeric_limits<double>::infinity()), 1);
+  EXPECT_TRUE(std::isnan(shareOf(scale, test::kNan)));
+}
+
+TEST(LegendTicks, AreRoundAndInside)
+{
+  const auto ticks = ticksOf({"", Scaling::Linear, 0, 4.37, {}});
+  ASSERT_EQ(ticks.size(), 5);
+  EXPECT_EQ(ticks.front().text, "0");
+  EXPECT_EQ(ticks.back().text, "4");
+  const auto fine = ticksOf({"", Scaling::Linear, 0, 0.0031, {}});
+  EXPECT_EQ(fine[1].text, "0.001");
+}
+
+TEST(LegendTicks, OfDegreesArePartsOfATurnOrTurns)
+{
+  const auto lastAndCount = [](double high) {
+    ColorScale scale{"", Scaling::Linear, 0, high};
+    scale.steps = TickSteps::Degrees;
+    const auto ticks = ticksOf(scale);
+    return std::pair(ticks.back().text, ticks.size());
+  };
+  EXPECT_EQ(lastAndCount(90), std::pair(std::string("90"), std::size_t{7}));
+  EXPECT_EQ(lastAndCount(360), std::pair(std::string("360"), std::size_t{5}));
+  EXPECT_EQ(lastAndCount(720), std::pair(std::string("720"), std::size_t{5}));
+  EXPECT_EQ(lastAndCount(3600), std::pair(std::string("3600"), std::size_t{6}));
+  EXPECT_EQ(lastAndCount(4), std::pair(std::string("4"), std::size_t{5}));
+}
+
+TEST(LegendTicks, OfLogarithmsArePowersOfTen)
+{
+  const auto ticks = ticksOf({"", Scaling::Logarithmic, 1e-15, 1e-9, {}});
+  ASSERT_EQ(ticks.size(), 7);
+  EXPECT_EQ(ticks.front().text, "1e-15");
+  EXPECT_EQ(ticks.back().text, "1e-9");
+  EXPECT_LE(ticksOf({"", Scaling::Logarithmic, 1e-15, 1e3, {}}).size(), 7);
+}
+
+}  // namespace
+}  // namespace holdfast

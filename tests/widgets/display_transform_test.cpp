@@ -1,0 +1,87 @@
+#include <gtest/gtest.h>
+#include <vtkRenderer.h>
+
+#include <holdfast/widgets/camera/display_transform.h>
+
+#include "support/random.h"
+#include "widgets/plain_view.h"
+
+namespace holdfast {
+namespace {
+
+using test::Projection;
+
+Vector3 randomPlace(test::Random& random, double size)
+{
+  return {random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
+}
+
+TEST(DisplayTransform, PlacesAreShownWhereTheCameraSaysItsParameters)
+{
+  test::Random random(31);
+  for (const Projection projection : {Projection::Perspective, Projection::Parallel})
+    for (int k = 0; k < 50; ++k) {
+      const test::PlainView view{randomPlace(random, 9), randomPlace(random, 2), projection};
+      const test::PlainScreen screen(view);
+      const DisplayTransform display(screen.renderer());
+      const Vector3 place = randomPlace(random, 3);
+      const Vector3 expected = view.shown(place);
+      const DisplayTransform::Shown shown = display.show(place);
+      EXPECT_NEAR(shown.depth, expected[2], 1e-12);
+      if (expected[2] < 0.1) continue;
+      EXPECT_NEAR(shown.point.x(), expected[0], 1e-9);
+      EXPECT_NEAR(shown.point.y(), expected[1], 1e-9);
+    }
+}
+
+TEST(DisplayTransform, RaysLeadThroughWhatIsShownThere)
+{
+  test::Random random(32);
+  for (const Projection projection : {Projection::Perspective, Projection::Parallel})
+    for (int k = 0; k < 50; ++k) {
+      const test::PlainView view{randomPlace(random, 9), randomPlace(random, 2), projection};
+      const test::PlainScreen screen(view);
+      const DisplayTransform display(screen.renderer());
+      const DisplayPoint point(random.uniform(0, view.width), random.uniform(0, view.height));
+      const double depth = random.uniform(0.1, 20);
+      const Vector3 place = view.placeAt(point, depth);
+      const Ray ray = display.rayThrough(point);
+      EXPECT_NEAR((ray.origin + depth * ray.direction - place).norm(), 0, 1e-12 * (1 + depth));
+      const Ray toPlace = display.rayTo(place);
+      EXPECT_NEAR((toPlace.origin - ray.origin).norm(), 0, 1e-12 * (1 + depth));
+      EXPECT_NEAR((toPlace.origin + toPlace.direction - place).norm(), 0, 1e-14 * (1 + depth));
+    }
+}
+
+TEST(DisplayTransform, RaysDoNotDependOnTheClippingRange)
+{
+  const test::PlainView view;
+  const test::PlainScreen screen(view);
+  const DisplayTransform before(screen.renderer());
+  screen.renderer().ResetCameraClippingRange(-1, 1, -1, 1, -1, 1);
+  const DisplayTransform after(screen.renderer());
+  const Ray a = before.rayThrough({12.5, 200.5});
+  const Ray b = after.rayThrough({12.5, 200.5});
+  EXPECT_NEAR((a.origin - b.origin).norm(), 0, 1e-13);
+  EXPECT_NEAR((a.direction - b.direction).norm(), 0, 1e-13);
+}
+
+TEST(DisplayTransform, PartsOfAWindowShowTheSameElsewhere)
+{
+  const test::PlainView whole;
+  test::PlainView half = whole;
+  half.width = 200;
+  const test::PlainScreen screen(whole);
+  screen.renderer().SetViewport(0.5, 0, 1, 1);
+  const DisplayTransform display(screen.renderer());
+  const Vector3 place(0.3, -0.2, 0.7);
+  const Vector3 expected = half.shown(place);
+  EXPECT_NEAR(display.show(place).point.x(), 200 + expected[0], 1e-9);
+  EXPECT_NEAR(display.show(place).point.y(), expected[1], 1e-9);
+  EXPECT_TRUE(display.isInside({201, 10}));
+  EXPECT_FALSE(display.isInside({199, 10}));
+  EXPECT_FALSE(display.isInside({300, 301}));
+}
+
+}  // namespace
+}  // namespace holdfast

@@ -1,0 +1,241 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+#include <vtkCamera.h>
+#include <vtkNew.h>
+
+#include <holdfast/deform/deform.h>
+#include <holdfast/widgets/camera/default_camera.h>
+#include <holdfast/widgets/color/coloring.h>
+#include <holdfast/widgets/marks/constraint_glyphs.h>
+
+#include "support/meshes.h"
+#include "support/point_constraints.h"
+#include "support/source_tree.h"
+#include "support/temporary_folder.h"
+
+namespace holdfast {
+namespace {
+
+Deformation deformed(const Model& model, const ConstraintList& list, SolverKind solver = SolverKind::Hard)
+{
+  NoProgress progress;
+  DeformOptions options;
+  options.solver.kind = solver;
+  return deform(model, list, "constraints", options, progress);
+}
+
+/// One vertex of a grid stays, one is lifted; the third asks for the second's place once more, `gap` above it.
+ConstraintList threePoints(double gap)
+{
+  return test::listOf(
+      {test::hold({0}), test::moveBy(AtVertex{24}, {0, 0, 1}), test::moveBy(AtVertex{24}, {0, 0, 1 + gap})});
+}
+
+TEST(Coloring, DisplacementIsALengthFromZeroToTheLargest)
+{
+  const Model model = makeModel(test::grid(4, 4), "grid");
+  const Deformation deformation = deformed(model, threePoints(0));
+  const auto coloring = coloringOf(model, deformation, ColorBy::Displacement, "mm");
+  ASSERT_TRUE(coloring);
+  EXPECT_EQ(coloring->values[0], 0);
+  EXPECT_EQ(coloring->values[24], 1);
+  EXPECT_EQ(coloring->scale.low, 0);
+  EXPECT_EQ(coloring->scale.high, *std::max_element(coloring->values.begin(), coloring->values.end()));
+  EXPECT_EQ(coloring->scale.title, "displacement\n[mm]");
+}
+
+TEST(Coloring, ResidualsAreLogarithmicWithThePromiseMarked)
+{
+  const Model model = makeModel(test::grid(4, 4), "grid");
+  const auto coloring = coloringOf(model, deformed(model, threePoints(0)), ColorBy::ConstraintResidual, "");
+  ASSERT_TRUE(coloring);
+  EXPECT_EQ(coloring->scale.scaling, Scaling::Logarithmic);
+  ASSERT_TRUE(coloring->scale.promise);
+  EXPECT_NEAR(*coloring->scale.promise, 1e-12 * std::sqrt(32), 1e-18);
+  EXPECT_LT(coloring->scale.low, *coloring->scale.promise);
+  EXPECT_GT(coloring->scale.high, *coloring->scale.promise);
+  EXPECT_TRUE(std::isnan(coloring->values[12]));
+  EXPECT_EQ(coloring->values[24], 0);
+}
+
+TEST(Coloring, GapsOfConflictsAreInsideTheScale)
+{
+  const Model model = makeModel(test::grid(4, 4), "grid");
+  const auto coloring = coloringOf(model, deformed(model, threePoints(0.25)), ColorBy::ConstraintResidual, "");
+  EXPECT_EQ(coloring->values[24], 0.25);
+  EXPECT_GE(coloring->scale.high, 0.25);
+}
+
+/// One end of a sheet stays, the other makes `degrees` about its length.
+ConstraintList twist(double degrees)
+{
+  const Fixed end{{VertexIds{{0, 1, 2}}}};
+  const Handle turned{{VertexIds{{24, 25, 26}}}, Turn{Vector3::UnitY(), degrees, {}}, Vector3::Zero(), {}};
+  return {"", {{"end", true, end}, {"turned", true, turned}}};
+}
+
+TEST(Coloring, AnglesAreTwiceTheLogsInDegreesAndNotWrapped)
+{
+  const Model model = makeModel(test::grid(2, 8), "sheet");
+  const Deformation deformation = deformed(model, twist(450));
+  const auto rotation = coloringOf(model, deformation, ColorBy::Rotation, "mm");
+  const auto angle = coloringOf(model, deformation, ColorBy::Angle, "mm");
+  ASSERT_TRUE(rotation && angle);
+  EXPECT_EQ(rotation->scale.title, "rotation |q|\n[rad]");
+  EXPECT_EQ(angle->scale.title, "rotation angle\n[degrees]");
+  EXPECT_EQ(angle->values[0], 0);
+  EXPECT_NEAR(angle->values[26], 450, 1e-12);
+  EXPECT_NEAR(angle->scale.high, 450, 1e-12);
+  for (std::size_t v = 0; v < angle->values.size(); ++v)
+    EXPECT_NEAR(angle->values[v], 360 / std::numbers::pi * rotation->values[v], 1e-12) << v;
+}
+
+TEST(Coloring, ForcesAreLogarithmicAndWhereConstraintsAre)
+{
+  const Model model = makeModel(test::grid(4, 4), "grid");
+  const auto coloring = coloringOf(model, deformed(model, threePoints(0)), ColorBy::Force, "mm");
+  ASSERT_TRUE(coloring);
+  EXPECT_EQ(coloring->scale.title, "constraint force");
+  EXPECT_EQ(coloring->scale.scaling, Scaling::Logarithmic);
+  EXPECT_TRUE(std::isnan(coloring->values[12]));
+  EXPECT_GT(coloring->values[24], 0);
+  EXPECT_LE(coloring->values[24], coloring->scale.high);
+  EXPECT_GT(10 * coloring->values[24], coloring->scale.high);
+  EXPECT_NEAR(coloring->scale.high / coloring->scale.low, 1e4, 1e-9) << "four decades";
+}
+
+TEST(Coloring, TheScaleOfDetailEndsWhere99PercentOfTheFreeVerticesDo)
+{
+  const Model model = makeModel(test::grid(30, 30), "grid");
+  const auto coloring = coloringOf(model, deformed(model, threePoints(0)), ColorBy::Detail, "");
+  ASSERT_TRUE(coloring);
+  Index above = 0;
+  Index free = 0;
+  for (Index v = 0; v < model.mesh.vertexCount(); ++v) {
+    if (v == 0 || v == 24) continue;
+    ++free;
+    above += coloring->values[v] > coloring->scale.high ? 1 : 0;
+  }
+  EXPECT_NEAR(static_cast<double>(above) / static_cast<double>(free), 0.01, 0.002);
+}
+
+TEST(Coloring, ForcesOfSoftConstraintsAreNotKnown)
+{
+  const Model model = makeModel(test::grid(4, 4), "grid");
+  const auto coloring = coloringOf(model, deformed(model, threePoints(0), SolverKind::Soft), ColorBy::Force, "mm");
+  for (const double value : coloring->values) EXPECT_TRUE(std::isnan(value));
+}
+
+TEST(Coloring, NamesAndValuesBelongTogether)
+{
+  EXPECT_EQ(colorByNamed("none"), ColorBy::None);
+  EXPECT_EQ(colorByNamed("constraint-residual"), ColorBy::ConstraintResidual);
+  EXPECT_EQ(colorByNamed("rotation"), ColorBy::Rotation);
+  EXPECT_EQ(colorByNamed("angle"), ColorBy::Angle);
+  EXPECT_EQ(colorByNamed("displacement"), ColorBy::Displacement);
+  EXPECT_EQ(colorByNamed("detail"), ColorBy::Detail);
+  EXPECT_EQ(colorByNamed("force"), ColorBy::Force);
+  EXPECT_EQ(colorByNamed("Detail"), std::nullopt);
+  EXPECT_EQ(colorByNamed(""), std::nullopt);
+}
+
+TEST(Coloring, EveryNameIsDescribed)
+{
+  const std::string document = test::bytesOf(test::sourceFolder() + "/docs/formats.md");
+  for (const std::string_view name : colorByNames())
+    EXPECT_NE(document.find("| `" + std::string(name) + "`"), std::string::npos) << name;
+}
+
+TEST(ConstraintMarks, OfDifferencesLieWhereTheyAct)
+{
+  const Model model = makeModel(test::grid(4, 4), "grid");
+  const Relative apart{AtVertex{24}, AtVertex{0}, Vector3(5, 4, 0)};
+  const Relative further{AtVertex{24}, AtVertex{0}, Vector3(5, 4, 2)};
+  const ConstraintList list = {"",
+                               {{"hold", true, Fixed{{VertexIds{{0}}}}},
+                                {"body", true, Rigid{{VertexIds{{11, 12}}}}},
+                                {"apart", true, apart},
+                                {"further", true, further}}};
+  const Deformation deformation = deformed(model, list);
+  const auto marks = constraintMarks(model, deformation);
+  ASSERT_EQ(marks.size(), 4);
+  EXPECT_EQ(marks[1].place, Vector3(deformation.positions.row(12)));
+  EXPECT_FALSE(isSinglePoint(marks[1].kind));
+  EXPECT_EQ(marks[2].place, Vector3(deformation.positions.row(24)));
+  EXPECT_TRUE(isSinglePoint(marks[2].kind));
+  EXPECT_EQ(marks[2].status, ConstraintStatus::Met);
+  EXPECT_EQ(marks[3].status, ConstraintStatus::Conflicting);
+  EXPECT_LE((marks[3].target - Vector3(5, 4, 2)).norm(), 1e-12);
+}
+
+TEST(ConstraintMarks, SayHowEachRowFared)
+{
+  const Model model = makeModel(test::grid(4, 4), "grid");
+  const auto agreeing = constraintMarks(model, deformed(model, threePoints(0)));
+  ASSERT_EQ(agreeing.size(), 3);
+  EXPECT_EQ(agreeing[0].status, ConstraintStatus::Met);
+  EXPECT_FALSE(isSinglePoint(agreeing[0].kind));
+  EXPECT_TRUE(isSinglePoint(agreeing[1].kind));
+  EXPECT_EQ(agreeing[1].place, Vector3(4, 4, 1));
+  EXPECT_EQ(agreeing[2].status, ConstraintStatus::Redundant);
+
+  const auto contradicting = constraintMarks(model, deformed(model, threePoints(0.25)));
+  EXPECT_EQ(contradicting[2].status, ConstraintStatus::Conflicting);
+  EXPECT_EQ(contradicting[2].target, Vector3(4, 4, 1.25));
+}
+
+TEST(ConstraintMarks, OfSoftConstraintsAreMissed)
+{
+  const Model model = makeModel(test::grid(4, 4), "grid");
+  ConstraintList list = test::listOf(
+      {test::hold({0, 1, 5}), test::moveBy(AtVertex{24}, {0, 0, 1}), test::moveBy(AtVertex{12}, {0, 0, -1})});
+  const auto marks = constraintMarks(model, deformed(model, list, SolverKind::Soft));
+  EXPECT_EQ(marks.back().status, ConstraintStatus::Missed);
+}
+
+/// The largest share of half the picture that a point reaches; 1 is at the border.
+double reach(vtkCamera& camera, const Positions& points, double aspect)
+{
+  const Vector3 eye(camera.GetPosition());
+  const Vector3 back = (eye - Vector3(camera.GetFocalPoint())).normalized();
+  const Vector3 up(camera.GetViewUp());
+  const Vector3 right = up.cross(back);
+  const double slope = std::tan(camera.GetViewAngle() / 2 * std::numbers::pi / 180);
+  double largest = 0;
+  for (Index k = 0; k < points.rows(); ++k) {
+    const Vector3 p = points.row(k).transpose() - eye;
+    const double depth = -p.dot(back);
+    EXPECT_GT(depth, 0);
+    largest =
+        std::max({largest, std::abs(p.dot(up)) / (depth * slope), std::abs(p.dot(right)) / (depth * slope * aspect)});
+  }
+  return largest;
+}
+
+TEST(DefaultCamera, FitsAnyMeshIntoAnyPicture)
+{
+  for (const Vector3& size : {Vector3(1, 2, 3), Vector3(100, 1, 1), Vector3(1, 50, 30), Vector3(1e-6, 1e-6, 1e-3)})
+    for (const double aspect : {0.3, 1.0, 4.0 / 3, 5.0}) {
+      const Mesh mesh = test::box(size, 2);
+      vtkNew<vtkCamera> camera;
+      fit(*camera, defaultFrame(mesh.positions), mesh.positions, aspect);
+      EXPECT_NEAR(reach(*camera, mesh.positions, aspect), 0.88, 1e-6) << size.transpose() << ", aspect " << aspect;
+    }
+}
+
+TEST(DefaultCamera, LooksFromAboveAtTheLongerSide)
+{
+  const ViewFrame wide = defaultFrame(test::box({10, 1, 5}, 1).positions);
+  EXPECT_GT(-wide.back.y(), std::abs(wide.back.x()));
+  EXPECT_GT(wide.back.z(), 0);
+  const ViewFrame deep = defaultFrame(test::box({1, 10, 5}, 1).positions);
+  EXPECT_GT(deep.back.x(), std::abs(deep.back.y()));
+  EXPECT_NEAR(deep.right.cross(deep.up).dot(deep.back), 1, 1e-12);
+}
+
+}  // namespace
+}  // namespace holdfast

@@ -1,0 +1,183 @@
+#include <QLabel>
+
+#include <QVTKOpenGLNativeWidget.h>
+#include <gtest/gtest.h>
+#include <vtkCamera.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkRendererCollection.h>
+
+#include <holdfast/constraint_files/constraint_file.h>
+#include <holdfast/geometry/rotation_log.h>
+#include <holdfast/widgets/rotation_sphere/rotation_sphere.h>
+#include <holdfast/window/panels/sphere_panel.h>
+
+#include "gestures.h"
+#include "support/source_tree.h"
+
+namespace holdfast {
+namespace {
+
+/// The panel beside the plate with three handles that lean.
+class SpherePanelOfPlate : public ::testing::Test {
+ protected:
+  void SetUp() override
+  {
+    open("plate_unsymmetric.three_handles.constraints.json");
+    panel.resize(480, 420);
+    ASSERT_TRUE(test::showAndWait(panel));
+    ASSERT_TRUE(isShown());
+  }
+
+  void open(const std::string& constraints)
+  {
+    const std::string path = test::dataFolder() + "/plate_unsymmetric.off";
+    NoProgress quiet;
+    editor.open(loadMesh(path, quiet), {readConstraints(test::dataFolder() + "/" + constraints), {}});
+    ASSERT_TRUE(test::waitUntil([&] { return editor.freshness() == Freshness::Current; }));
+  }
+
+  [[nodiscard]] bool isShown() const
+  {
+    return test::waitUntil([&] { return panel.isCurrent(); });
+  }
+
+  [[nodiscard]] QVTKOpenGLNativeWidget& view() const { return *panel.findChild<QVTKOpenGLNativeWidget*>("sphereView"); }
+  [[nodiscard]] vtkCamera& camera() const
+  {
+    return *view().renderWindow()->GetRenderers()->GetFirstRenderer()->GetActiveCamera();
+  }
+
+  /// Where a vertex is seen, in the coordinates of the view.
+  [[nodiscard]] QPointF placeOf(Index vertex) const
+  {
+    const double ratio = view().devicePixelRatioF();
+    const Vector3 place = panel.sphere()->displayPlace(vertex).value();
+    return {place.x() / ratio - 0.5, view().height() - place.y() / ratio - 0.5};
+  }
+
+  Editor editor;
+  SpherePanel panel{editor};
+};
+
+TEST_F(SpherePanelOfPlate, AClickPicksTheVertexWhoseRotationIsThere)
+{
+  std::optional<Index> picked;
+  QObject::connect(&panel, &SpherePanel::vertexPicked, &panel, [&](Index vertex) { picked = vertex; });
+  const Weld& weld = editor.model()->solverMesh.weld;
+  for (const Index vertex : {7, 200, 411}) {
+    picked.reset();
+    test::click(view(), placeOf(vertex));
+    ASSERT_TRUE(picked) << vertex;
+    const Columns3& q = editor.deformation()->rotations;
+    EXPECT_LT((q.row(weld.unknownOf[*picked]) - q.row(weld.unknownOf[vertex])).norm(), 0.02) << vertex;
+  }
+}
+
+TEST_F(SpherePanelOfPlate, ADragTurnsTheSphereAndPicksNothing)
+{
+  bool isPicked = false;
+  QObject::connect(&panel, &SpherePanel::vertexPicked, &panel, [&] { isPicked = true; });
+  const QPointF from = placeOf(200);
+  const Vector3 before(camera().GetPosition());
+  ASSERT_TRUE(test::waitUntil([&] { return view().isValid(); }));
+  const QImage picture = view().grabFramebuffer();
+  test::drag(view(), {from, from + QPointF(30, 0), from + QPointF(60, 10)});
+  EXPECT_TRUE(test::waitUntil([&] { return view().grabFramebuffer() != picture; }, std::chrono::seconds(5)));
+  EXPECT_GT((Vector3(camera().GetPosition()) - before).norm(), 0.5);
+  EXPECT_FALSE(isPicked);
+  // What was grabbed follows the hand.
+  EXPECT_GT(placeOf(200).x(), from.x() + 10);
+}
+
+TEST_F(SpherePanelOfPlate, KeysZoomAndHomeShowsEverythingAgain)
+{
+  const double before = camera().GetParallelScale();
+  test::pressKey(view(), Qt::Key_Plus);
+  EXPECT_LT(camera().GetParallelScale(), before);
+  test::pressKey(view(), Qt::Key_Left);
+  test::pressKey(view(), Qt::Key_Home);
+  EXPECT_EQ(camera().GetParallelScale(), before);
+}
+
+TEST_F(SpherePanelOfPlate, TheSummarySaysHowMuchIsAskedFor)
+{
+  EXPECT_TRUE(panel.findChild<QLabel*>("sphereSummary")->text().contains(QStringLiteral("35°")));
+}
+
+TEST_F(SpherePanelOfPlate, WithoutARotationTheHintSaysWhatToDo)
+{
+  const auto* hint = panel.findChild<QLabel*>("sphereHint");
+  EXPECT_FALSE(hint->isVisible());
+  open("plate_unsymmetric.conflict.constraints.json");
+  ASSERT_TRUE(isShown());
+  EXPECT_TRUE(hint->isVisible());
+  EXPECT_TRUE(hint->text().contains("turn"));
+  editor.close();
+  EXPECT_TRUE(hint->isVisible());
+  EXPECT_TRUE(hint->text().contains("No mesh"));
+}
+
+TEST_F(SpherePanelOfPlate, ColorsOfAnotherMeshAreNotTaken)
+{
+  panel.setColoring(Coloring{{1, 2, 3}, {}});
+  panel.showVertex(Index{1'000'000});
+  panel.showVertex(std::nullopt);
+  EXPECT_TRUE(hasRotation(panel.sphere()->placed().boundary));
+}
+
+TEST_F(SpherePanelOfPlate, HiddenItIsNotKeptUpToDate)
+{
+  panel.hide();
+  const std::size_t before = panel.sphere()->placed().boundary.size();
+  ConstraintList fewer = editor.list();
+  fewer.constraints.pop_back();
+  editor.edit("delete", fewer);
+  ASSERT_TRUE(test::waitUntil([&] { return editor.freshness() == Freshness::Current; }));
+  EXPECT_EQ(panel.sphere()->placed().boundary.size(), before);
+  panel.show();
+  ASSERT_TRUE(isShown());
+  EXPECT_LT(panel.sphere()->placed().boundary.size(), before);
+}
+
+TEST_F(SpherePanelOfPlate, OfManyChangesTheLastIsShown)
+{
+  ConstraintList turning = editor.list();
+  for (int degrees = 1; degrees <= 12; ++degrees) {
+    const auto before = editor.deformation();
+    for (Constraint& constraint : turning.constraints)
+      if (auto* const moved = std::get_if<Handle>(&constraint.what))
+        moved->motion = Turn{{0, 0, 1}, 10.0 * degrees, {}};
+    editor.edit("turn", turning);
+    ASSERT_TRUE(test::waitUntil([&] { return editor.deformation() != before; }));
+  }
+  ASSERT_TRUE(test::waitUntil([&] { return editor.freshness() == Freshness::Current; }));
+  ASSERT_TRUE(isShown());
+  const PlacedRotations& placed = panel.sphere()->placed();
+  for (const BoundaryRotation& value : placed.boundary)
+    EXPECT_NEAR(angleDegrees(value.q), value.q.isZero(0) ? 0 : 120, 1e-12);
+  const auto expected = placeRotations(*editor.model(), *editor.deformation(), nullptr);
+  ASSERT_EQ(placed.places.size(), expected->places.size());
+  for (std::size_t k = 0; k < placed.places.size(); ++k) EXPECT_EQ(placed.places[k].z(), expected->places[k].z()) << k;
+}
+
+TEST_F(SpherePanelOfPlate, AnotherDocumentTakesThePlaceOfWhatIsBeingPlaced)
+{
+  const std::size_t prescribed = panel.sphere()->placed().boundary.size();
+  std::optional<bool> isCurrent;
+  QObject::connect(&editor, &Editor::deformed, &panel, [&] { isCurrent = panel.isCurrent(); });
+  ConstraintList fewer = editor.list();
+  fewer.constraints.pop_back();
+  editor.edit("delete", fewer);
+  ASSERT_TRUE(test::waitUntil([&] { return isCurrent.has_value(); }));
+  EXPECT_FALSE(*isCurrent) << "nobody waits for points";
+  editor.close();
+  EXPECT_TRUE(panel.isCurrent());
+  EXPECT_EQ(panel.sphere(), nullptr);
+  open("plate_unsymmetric.three_handles.constraints.json");
+  ASSERT_TRUE(isShown());
+  EXPECT_EQ(panel.sphere()->placed().boundary.size(), prescribed);
+}
+
+}  // namespace
+}  // namespace holdfast

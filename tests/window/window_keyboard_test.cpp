@@ -1,0 +1,243 @@
+#include <QAbstractScrollArea>
+#include <QAccessible>
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QLineEdit>
+#include <QMenu>
+#include <QTabBar>
+#include <QToolButton>
+#include <filesystem>
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include <holdfast/window/table/constraint_table_model.h>
+
+#include "gestures.h"
+#include "support/source_tree.h"
+#include "support/temporary_folder.h"
+#include "window_user.h"
+
+namespace holdfast {
+namespace {
+
+using Table = ConstraintTableModel;
+using testing::IsEmpty;
+
+/// The window, used by keys alone.
+class KeyboardInWindow : public test::WindowUser {
+ protected:
+  /// Goes on with Tab until this has the keys.
+  [[nodiscard]] bool tabTo(QWidget& widget)
+  {
+    for (int k = 0; k < 100 && QApplication::focusWidget() != &widget; ++k) key(Qt::Key_Tab);
+    return QApplication::focusWidget() == &widget;
+  }
+
+  /// Into the cell that has the keys: F2, the text in the place of what is there, Enter.
+  void typeIntoCell(const char* text)
+  {
+    key(Qt::Key_F2);
+    ASSERT_NE(qobject_cast<QLineEdit*>(QApplication::focusWidget()), nullptr);
+    key(Qt::Key_A, Qt::ControlModifier);
+    keys(text);
+    key(Qt::Key_Return);
+    ASSERT_TRUE(test::waitUntil([this] { return QApplication::focusWidget() == &table(); }));
+    ASSERT_TRUE(settle());
+  }
+
+  /// Columns may stand in another order than they are counted.
+  void goToColumn(int column)
+  {
+    const int last = Table::ColumnCount;
+    for (int k = 0; k < last; ++k) key(Qt::Key_Left);
+    for (int k = 0; k < last && table().currentIndex().column() != column; ++k) key(Qt::Key_Right);
+    ASSERT_EQ(table().currentIndex().column(), column);
+  }
+
+  /// Opens the bracket with Ctrl+O.
+  void openByKeys()
+  {
+    chooseFile(test::dataFolder() + "/bracket.obj");
+    key(Qt::Key_O, Qt::ControlModifier);
+    ASSERT_TRUE(test::waitUntil([this] { return editor().isOpen(); }));
+    ASSERT_TRUE(settle());
+  }
+
+  void TearDown() override
+  {
+    if (editor().isOpen()) editor().markSaved(editor().history().state());
+  }
+};
+
+TEST_F(KeyboardInWindow, HoldsMovesUndoesAndSaves)
+{
+  openByKeys();
+  ASSERT_TRUE(tabTo(table()));
+  // Two points, measured elsewhere and copied there.
+  QApplication::clipboard()->setText(
+      "name,x,y,z,target_x,target_y,target_z\n"
+      "base,-49,-19,0,-49,-19,0\n"
+      "crown,0,23,70,0,23,71\n");
+  key(Qt::Key_V, Qt::ControlModifier);
+  ASSERT_EQ(list().constraints.size(), 2u);
+  ASSERT_TRUE(settle());
+
+  key(Qt::Key_Home, Qt::ControlModifier);
+  key(Qt::Key_Down);
+  EXPECT_EQ(editor().selectedConstraints(), (std::vector<Index>{1}));
+  goToColumn(Table::Z);
+  typeIntoCell("72.125");
+  const auto target = [this] { return std::get<Target>(std::get<Point>(list().constraints[1].what).to).place; };
+  EXPECT_EQ(target(), Vector3(0, 23, 72.125));
+  EXPECT_EQ(shown(1, Table::Status), "met");
+
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(target(), Vector3(0, 23, 71));
+  key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_EQ(target(), Vector3(0, 23, 72.125));
+
+  const test::TemporaryFolder folder;
+  const auto path = folder.path() / "keys.holdfast";
+  chooseFile(path.string());
+  key(Qt::Key_S, Qt::ControlModifier);
+  ASSERT_TRUE(test::waitUntil([this] { return !window.files().isSaving(); }));
+  std::ifstream file(path);
+  ASSERT_TRUE(file);
+  EXPECT_EQ(nlohmann::json::parse(file).at("constraints").at(1).at("target").at(2).get<double>(), 72.125);
+  EXPECT_FALSE(window.isWindowModified());
+}
+
+TEST_F(KeyboardInWindow, MakesAHandleOfWhatIsSelectedAndShiftsIt)
+{
+  openByKeys();
+  key(Qt::Key_I);
+  ASSERT_EQ(static_cast<Index>(editor().selectedVertices().size()), editor().model()->mesh.vertexCount());
+  key(Qt::Key_H);
+  ASSERT_EQ(list().constraints.size(), 1u);
+  ASSERT_TRUE(tabTo(table()));
+  key(Qt::Key_Home, Qt::ControlModifier);
+  goToColumn(Table::X);
+  typeIntoCell("3.5");
+  EXPECT_EQ(std::get<Handle>(list().constraints[0].what).translate, Vector3(3.5, 0, 0));
+  EXPECT_EQ(editor().positions().col(0), (editor().model()->mesh.positions.col(0).array() + 3.5).matrix());
+}
+
+TEST_F(KeyboardInWindow, ToolsHearTheirLettersThoughMenusUseThemToo)
+{
+  openByKeys();
+  viewport().setFocus();
+  holdVertex(freeVertex());
+  ASSERT_EQ(editor().selectedConstraints().size(), 1u);
+  // E: hold points of edges; not: disable what is selected.
+  const QString before = find<QWidget>("statusLine").findChild<QWidget*>("statusHint")->toolTip();
+  key(Qt::Key_E);
+  EXPECT_TRUE(list().constraints[0].isEnabled);
+  EXPECT_EQ(editor().history().undoName(), "add " + list().constraints[0].name);
+  // With another tool the letter is the menu's.
+  key(Qt::Key_S);
+  key(Qt::Key_E);
+  EXPECT_FALSE(list().constraints[0].isEnabled);
+}
+
+TEST_F(KeyboardInWindow, TypedLettersAreNoShortcuts)
+{
+  openByKeys();
+  key(Qt::Key_I);
+  ASSERT_FALSE(editor().selectedVertices().empty());
+  auto& filter = find<QLineEdit>("constraintFilter");
+  ASSERT_TRUE(tabTo(filter));
+  keys("fhr");
+  EXPECT_EQ(filter.text(), "fhr");
+  EXPECT_TRUE(list().constraints.empty());
+}
+
+TEST_F(KeyboardInWindow, TabGoesThroughAllThatIsShownAndReturns)
+{
+  openByKeys();
+  ASSERT_TRUE(tabTo(table()));
+  ASSERT_TRUE(tabTo(viewport()));
+  ASSERT_TRUE(tabTo(table()));
+}
+
+/// Names of actions whose tip is missing, says no more than their text, or shows the mark of a mnemonic.
+std::vector<std::string> actionsWithoutTips(const QWidget& window)
+{
+  std::vector<std::string> found;
+  for (const QAction* action : window.findChildren<QAction*>()) {
+    // Of menus within menus, and of Qt's own line edits, scroll bars and tool bars.
+    if (action->isSeparator() || action->menu() != nullptr || qobject_cast<QLineEdit*>(action->parent()) != nullptr)
+      continue;
+    const QString text = action->text().remove('&').remove(QStringLiteral("…"));
+    const QString tip = action->toolTip();
+    if (tip.isEmpty() || tip.contains('&') || tip == text || tip == action->text())
+      found.push_back((action->objectName() + ": " + action->text() + " – " + tip).toStdString());
+  }
+  return found;
+}
+
+/// Whether this is a part of one of Qt's own widgets, which speaks for it.
+bool isPart(const QWidget& widget)
+{
+  if (widget.objectName().startsWith("qt_") || widget.inherits("QComboBoxListView") ||
+      qobject_cast<const QTabBar*>(&widget) != nullptr)
+    return true;
+  const auto* area = qobject_cast<const QAbstractScrollArea*>(widget.parentWidget());
+  return area != nullptr && area->viewport() == &widget;
+}
+
+/// Widgets that can have the keys and that no screen reader could name.
+std::vector<std::string> namelessWidgets(const QWidget& window)
+{
+  std::vector<std::string> found;
+  for (QWidget* widget : window.findChildren<QWidget*>()) {
+    if ((widget->focusPolicy() & Qt::TabFocus) == 0 || widget->focusProxy() != nullptr || isPart(*widget)) continue;
+    QAccessibleInterface* spoken = QAccessible::queryAccessibleInterface(widget);
+    if (spoken != nullptr && !spoken->text(QAccessible::Name).trimmed().isEmpty()) continue;
+    found.push_back(widget->metaObject()->className() + (" " + widget->objectName()).toStdString() + " in " +
+                    widget->parentWidget()->metaObject()->className());
+  }
+  return found;
+}
+
+class NamesInWindow : public test::WindowUser {
+ protected:
+  void SetUp() override
+  {
+    WindowUser::SetUp();
+    open("bracket.obj", "bracket.conflict.constraints.json");
+    // Panels make some of their controls when they are first looked at.
+    for (const char* panel : {"Colours", "Rotations", "Distributions", "Conflicts", "Mesh", "Solution"})
+      openPanel(panel);
+    openPanel("Selected");
+    openPanel("Constraints");
+    for (Index k = 0; k < static_cast<Index>(list().constraints.size()); ++k) editor().selectConstraints({k});
+    ASSERT_TRUE(settle());
+  }
+};
+
+TEST_F(NamesInWindow, EveryActionHasATip)
+{
+  EXPECT_THAT(actionsWithoutTips(window), IsEmpty());
+}
+
+TEST_F(NamesInWindow, EveryControlHasAName)
+{
+  EXPECT_THAT(namelessWidgets(window), IsEmpty());
+}
+
+TEST_F(NamesInWindow, WhatHasNoneIsFound)
+{
+  const auto widgets = namelessWidgets(window).size();
+  const auto actions = actionsWithoutTips(window).size();
+  auto* bare = new QToolButton(&window);
+  bare->setFocusPolicy(Qt::StrongFocus);
+  bare->addAction(new QAction("&Bare", bare));
+  EXPECT_EQ(namelessWidgets(window).size(), widgets + 1);
+  EXPECT_EQ(actionsWithoutTips(window).size(), actions + 1);
+}
+
+}  // namespace
+}  // namespace holdfast

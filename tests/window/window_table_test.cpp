@@ -1,0 +1,126 @@
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <holdfast/io/text/number_text.h>
+#include <holdfast/widgets/files/any_mesh_file.h>
+#include <holdfast/window/table/constraint_table_model.h>
+
+#include "gestures.h"
+#include "support/temporary_folder.h"
+#include "window_user.h"
+
+namespace holdfast {
+namespace {
+
+using Table = ConstraintTableModel;
+
+/// A point as an OBJ file says it, read by C alone.
+std::vector<Vector3> plainVertices(const std::string& obj)
+{
+  std::vector<Vector3> places;
+  std::istringstream lines(obj);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.rfind("v ", 0) != 0) continue;
+    char* rest = line.data() + 2;
+    Vector3 place;
+    for (double& number : place) number = std::strtod(rest, &rest);
+    places.push_back(place);
+  }
+  return places;
+}
+
+/// The bracket with its measured points, and a vertex held besides whose target was typed with all digits.
+class TypedTarget : public test::WindowUser {
+ protected:
+  void SetUp() override
+  {
+    WindowUser::SetUp();
+    open("bracket.obj", "bracket.constraints.json");
+    vertex = freeVertex();
+    holdVertex(vertex);
+    row = static_cast<Index>(list().constraints.size()) - 1;
+    const Vector3 rest = editor().model()->mesh.positions.row(vertex).transpose();
+    for (int axis = 0; axis < 3; ++axis) {
+      // Some way from rest, with digits that only a double holds.
+      std::array<char, 40> digits{};
+      std::snprintf(digits.data(), digits.size(), "%.17g", rest[axis] + 0.7 + 0.1 / 3);
+      typed[axis] = std::strtod(digits.data(), nullptr);
+      typeInto(row, Table::X + axis, digits.data());
+    }
+    ASSERT_TRUE(settle());
+  }
+
+  void expectTyped(const Vector3& place, const char* where)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+      EXPECT_TRUE(hasSameBits(place[axis], typed[axis])) << where << ", axis " << axis << ": " << place[axis];
+  }
+
+  test::TemporaryFolder folder;
+  Index vertex = 0;
+  Index row = 0;
+  Vector3 typed;
+};
+
+TEST_F(TypedTarget, IsWhereTheVertexLiesToTheLastBit)
+{
+  EXPECT_EQ(editor().freshness(), Freshness::Current);
+  expectTyped(editor().positions().row(vertex).transpose(), "on screen");
+  EXPECT_EQ(shown(row, Table::Status), "met");
+}
+
+TEST_F(TypedTarget, IsInTheSavedSessionToTheLastBit)
+{
+  const auto path = folder.path() / "typed.holdfast";
+  chooseFile(path.string());
+  key(Qt::Key_S, Qt::ControlModifier);
+  ASSERT_TRUE(test::waitUntil([this] { return !window.files().isSaving(); }));
+  std::ifstream file(path);
+  ASSERT_TRUE(file) << "nothing was saved";
+  const auto session = nlohmann::json::parse(file);
+  const auto& saved = session.at("constraints").at(static_cast<std::size_t>(row));
+  EXPECT_EQ(saved.at("at").at("vertex").get<Index>(), vertex);
+  const auto numbers = saved.at("target").get<std::vector<double>>();
+  ASSERT_EQ(numbers.size(), 3u);
+  expectTyped(Vector3(numbers[0], numbers[1], numbers[2]), "in the file");
+  EXPECT_FALSE(window.isWindowModified());
+}
+
+TEST_F(TypedTarget, IsInTheDeformedMeshToTheLastBit)
+{
+  const auto path = folder.path() / "deformed.obj";
+  const Serialized written = serializeAnyMesh(editor().mesh().document, editor().positions(), path);
+  const auto plain = plainVertices(written.bytes);
+  ASSERT_EQ(static_cast<Index>(plain.size()), editor().model()->mesh.vertexCount());
+  expectTyped(plain[static_cast<std::size_t>(vertex)], "as C reads it");
+  const Positions again = readAnyMesh(folder.file("deformed.obj", written.bytes)).mesh.positions;
+  expectTyped(again.row(vertex).transpose(), "read again");
+  EXPECT_EQ(again, editor().positions());
+}
+
+TEST_F(TypedTarget, WouldNotSurviveSinglePrecision)
+{
+  for (const double number : typed) EXPECT_FALSE(hasSameBits(static_cast<float>(number), number)) << number;
+}
+
+TEST_F(TypedTarget, IsTakenBackByUndoToTheLastBit)
+{
+  const Positions after = editor().positions();
+  for (int axis = 0; axis < 3; ++axis) key(Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_TRUE(settle());
+  const Vector3 place = editor().positions().row(vertex).transpose();
+  for (int axis = 0; axis < 3; ++axis) EXPECT_FALSE(hasSameBits(place[axis], typed[axis]));
+  for (int axis = 0; axis < 3; ++axis) key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(editor().positions(), after);
+}
+
+}  // namespace
+}  // namespace holdfast

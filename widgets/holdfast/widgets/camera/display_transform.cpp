@@ -1,0 +1,70 @@
+#include "holdfast/widgets/camera/display_transform.h"
+
+#include <Eigen/LU>
+#include <vtkRenderer.h>
+
+#include <holdfast/widgets/camera/projection.h>
+
+namespace holdfast {
+namespace {
+
+Vector3 applied(const Eigen::Matrix4d& matrix, const Vector3& place)
+{
+  return (matrix * place.homogeneous()).hnormalized();
+}
+
+}  // namespace
+
+DisplayTransform::DisplayTransform(vtkRenderer& renderer)
+{
+  int size[2];
+  int origin[2];
+  renderer.GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
+  size_ = {size[0], size[1]};
+  origin_ = {origin[0], origin[1]};
+  toView_ = viewOf(renderer);
+  project_ = projectionOf(renderer);
+  fromView_ = toView_.inverse();
+  unproject_ = project_.inverse();
+}
+
+DisplayTransform::Shown DisplayTransform::show(const Vector3& place) const
+{
+  const Vector3 seen = applied(toView_, place);
+  const Eigen::Vector4d clip = project_ * seen.homogeneous();
+  const DisplayPoint share = (clip.head<2>() / clip[3]).array() / 2 + 0.5;
+  return {origin_ + share.cwiseProduct(size_), -seen[2], clip[3]};
+}
+
+Ray DisplayTransform::rayThrough(const DisplayPoint& point) const
+{
+  const DisplayPoint share = 2 * (point - origin_).cwiseQuotient(size_) - DisplayPoint::Ones();
+  const Vector3 near = applied(unproject_, {share[0], share[1], -1});
+  const Vector3 far = applied(unproject_, {share[0], share[1], 1});
+  // The eye looks along -z. For the perspective the ray's origin is the eye but for rounding, which would be magnified.
+  const Vector3 direction = (far - near) / (near[2] - far[2]);
+  const Vector3 origin = isParallel() ? Vector3(near + near[2] * direction) : Vector3::Zero();
+  return {applied(fromView_, origin), fromView_.topLeftCorner<3, 3>() * direction};
+}
+
+Ray DisplayTransform::rayTo(const Vector3& place) const
+{
+  const Ray ray = rayThrough(show(place).point);
+  return {ray.origin, place - ray.origin};
+}
+
+RayReach DisplayTransform::reachOf(double pixels) const
+{
+  // Seen at depth 1 or, for parallel projection, at any.
+  const DisplayPoint pixelsOfUnit = 0.5 * project_.diagonal().head<2>().cwiseAbs().cwiseProduct(size_);
+  const double length = pixels / pixelsOfUnit.minCoeff();
+  return isParallel() ? RayReach{length, 0} : RayReach{0, length};
+}
+
+bool DisplayTransform::isInside(const DisplayPoint& point) const
+{
+  const DisplayPoint inside = point - origin_;
+  return (inside.array() >= 0).all() && (inside.array() <= size_.array()).all();
+}
+
+}  // namespace holdfast

@@ -1,0 +1,154 @@
+#include "holdfast/widgets/color/color_map.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+#include <vtkLookupTable.h>
+
+namespace holdfast {
+namespace {
+
+// Points of smooth curves through Lab space at equal distances along each, so that equal steps of a value look equal;
+// all of them, and the straight lines between them, can be shown in sRGB.
+constexpr std::array<LabColor, 9> kBlueGreenYellow{{{30, 22, -46},
+                                                    {41, 6, -41},
+                                                    {50, -8, -31},
+                                                    {57, -22, -18},
+                                                    {63, -29, -1},
+                                                    {70, -31, 18},
+                                                    {76, -29, 37},
+                                                    {83, -19, 52},
+                                                    {90, -6, 66}}};
+
+constexpr std::array<LabColor, 9> kBlueGreyYellow{{{22, 6, -33},
+                                                   {35, 4, -26},
+                                                   {46, 3, -15},
+                                                   {55, 1, -3},
+                                                   {63, 0, 10},
+                                                   {70, -2, 23},
+                                                   {77, -3, 37},
+                                                   {84, -4, 50},
+                                                   {90, -5, 64}}};
+
+constexpr std::array<LabColor, 9> kBlueWhiteOrange{{{36, 12, -50},
+                                                    {52, 3, -42},
+                                                    {68, -1, -30},
+                                                    {83, -1, -15},
+                                                    {96, 0, 0},
+                                                    {87, 8, 19},
+                                                    {76, 18, 35},
+                                                    {62, 29, 48},
+                                                    {44, 42, 52}}};
+
+// Ends well below the grey of what has no value.
+constexpr std::array<LabColor, 2> kGrey{{{8, 0, 0}, {64, 0, 0}}};
+
+std::span<const LabColor> pointsOf(ColorMap map)
+{
+  switch (map) {
+    case ColorMap::BlueGreyYellow:
+      return kBlueGreyYellow;
+    case ColorMap::BlueWhiteOrange:
+      return kBlueWhiteOrange;
+    case ColorMap::Grey:
+      return kGrey;
+    case ColorMap::BlueGreenYellow:
+      break;
+  }
+  return kBlueGreenYellow;
+}
+
+// Finer than the 256 levels of a channel anywhere along the map.
+constexpr int kTableColors = 1024;
+
+// White of D65, and the two ends of the linear part of Lab's cube root.
+constexpr double kWhiteX = 0.95047;
+constexpr double kWhiteZ = 1.08883;
+constexpr double kKnee = 6.0 / 29;
+
+double fromGamma(double channel)
+{
+  return channel <= 0.04045 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
+}
+
+double toGamma(double light)
+{
+  const double channel = light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
+  return std::clamp(channel, 0.0, 1.0);
+}
+
+double labRoot(double t)
+{
+  return t > kKnee * kKnee * kKnee ? std::cbrt(t) : t / (3 * kKnee * kKnee) + 4.0 / 29;
+}
+
+double labCube(double t)
+{
+  return t > kKnee ? t * t * t : 3 * kKnee * kKnee * (t - 4.0 / 29);
+}
+
+Color toColor(const LabColor& lab)
+{
+  const double root = (lab.lightness + 16) / 116;
+  const double x = kWhiteX * labCube(root + lab.a / 500);
+  const double y = labCube(root);
+  const double z = kWhiteZ * labCube(root - lab.b / 200);
+  return {toGamma(3.2404542 * x - 1.5371385 * y - 0.4985314 * z),
+          toGamma(-0.9692660 * x + 1.8760108 * y + 0.0415560 * z),
+          toGamma(0.0556434 * x - 0.2040259 * y + 1.0572252 * z)};
+}
+
+}  // namespace
+
+LabColor toLab(const Color& color)
+{
+  const double red = fromGamma(color.red);
+  const double green = fromGamma(color.green);
+  const double blue = fromGamma(color.blue);
+  const double x = labRoot((0.4124564 * red + 0.3575761 * green + 0.1804375 * blue) / kWhiteX);
+  const double y = labRoot(0.2126729 * red + 0.7151522 * green + 0.0721750 * blue);
+  const double z = labRoot((0.0193339 * red + 0.1191920 * green + 0.9503041 * blue) / kWhiteZ);
+  return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
+}
+
+Color mapColor(double share, ColorMap map)
+{
+  if (std::isnan(share)) return kNoValueColor;
+  const std::span<const LabColor> points = pointsOf(map);
+  const double place = std::clamp(share, 0.0, 1.0) * static_cast<double>(points.size() - 1);
+  const auto leg = std::min(static_cast<std::size_t>(place), points.size() - 2);
+  const double t = place - static_cast<double>(leg);
+  const LabColor& p = points[leg];
+  const LabColor& q = points[leg + 1];
+  return toColor({std::lerp(p.lightness, q.lightness, t), std::lerp(p.a, q.a, t), std::lerp(p.b, q.b, t)});
+}
+
+double shareOf(const ColorScale& scale, double value)
+{
+  if (std::isnan(value)) return value;
+  const double inside = std::clamp(value, scale.low, scale.high);
+  if (scale.scaling == Scaling::Linear) return (inside - scale.low) / (scale.high - scale.low);
+  return std::log(inside / scale.low) / std::log(scale.high / scale.low);
+}
+
+Color colorOf(const ColorScale& scale, double value)
+{
+  return mapColor(shareOf(scale, value), scale.map);
+}
+
+vtkSmartPointer<vtkLookupTable> toLookupTable(ColorMap map)
+{
+  auto table = vtkSmartPointer<vtkLookupTable>::New();
+  table->SetNumberOfTableValues(kTableColors);
+  table->SetTableRange(0, 1);
+  for (int k = 0; k < kTableColors; ++k) {
+    const Color color = mapColor(k / (kTableColors - 1.0), map);
+    table->SetTableValue(k, color.red, color.green, color.blue);
+  }
+  table->SetNanColor(kNoValueColor.red, kNoValueColor.green, kNoValueColor.blue, 1);
+  return table;
+}
+
+}  // namespace holdfast

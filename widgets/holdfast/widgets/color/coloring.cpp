@@ -1,0 +1,162 @@
+#include "holdfast/widgets/color/coloring.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <holdfast/deform/fields.h>
+
+namespace holdfast {
+namespace {
+
+// In the order of `ColorBy`.
+constexpr std::array<std::string_view, 7> kNames{
+    "none", "constraint-residual", "rotation", "angle", "displacement", "detail", "force"};
+
+// Decades of the logarithmic scale below the promise and, at least, above it: residuals of a good solution are
+// hundreds of times smaller than promised.
+constexpr double kDecadesBelow = 5;
+constexpr double kDecadesAbove = 1;
+
+// Few vertices next to a pin bend far more than all others, and those of a moved selection may be torn out of their
+// neighbourhood: the scale ends where this share of the vertices without constraints does.
+constexpr double kDetailShare = 0.99;
+
+// Decades of the logarithmic scale of forces below the largest: what is weaker hardly shows in the shape.
+constexpr double kForceDecades = 4;
+
+/// The largest finite value; 0 where there is none.
+double largestOf(const std::vector<double>& values)
+{
+  double largest = -std::numeric_limits<double>::infinity();
+  for (const double value : values)
+    if (std::isfinite(value)) largest = std::max(largest, value);
+  return std::isfinite(largest) ? largest : 0;
+}
+
+/// The value that `share` of the finite values do not exceed; 0 where there are none.
+double quantile(std::vector<double> values, double share)
+{
+  std::erase_if(values, [](double value) { return !std::isfinite(value); });
+  if (values.empty()) return 0;
+  const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
+
+std::string inUnits(const std::string& title, const std::string& units)
+{
+  return units.empty() ? title : title + "\n[" + units + "]";
+}
+
+/// From 0; where all values are 0 as well, to 1.
+ColorScale linearScale(std::string title, double high)
+{
+  return {std::move(title), Scaling::Linear, 0, high > 0 ? high : 1};
+}
+
+Coloring residualColoring(const Model& model, const Deformation& deformation, const std::string& units)
+{
+  Field field = fieldOf(model, deformation, FieldKind::ConstraintResidual);
+  const std::vector<double>& limits = deformation.diagnosis.limits;
+  const double promise =
+      limits.empty() ? kPromisedResidual * model.solverMesh.diagonal : *std::min_element(limits.begin(), limits.end());
+  const double largest = largestOf(field.values);
+  const double lowest = std::floor(std::log10(promise)) - kDecadesBelow;
+  const double highest = std::ceil(std::log10(std::max(largest, promise * std::pow(10, kDecadesAbove))));
+  ColorScale scale{inUnits("constraint residual", units), Scaling::Logarithmic, std::pow(10, lowest),
+                   std::pow(10, highest)};
+  scale.promise = promise;
+  return {std::move(field.values), std::move(scale)};
+}
+
+Coloring rotationColoring(const Model& model, const Deformation& deformation)
+{
+  std::vector<double> lengths;
+  lengths.reserve(model.solverMesh.weld.unknownOf.size());
+  for (const Index unknown : model.solverMesh.weld.unknownOf)
+    lengths.push_back(deformation.rotations.row(unknown).norm());
+  ColorScale scale = linearScale(inUnits("rotation |q|", "rad"), largestOf(lengths));
+  return {std::move(lengths), std::move(scale)};
+}
+
+Coloring angleColoring(const Model& model, const Deformation& deformation)
+{
+  Field field = fieldOf(model, deformation, FieldKind::RotationAngleDegrees);
+  ColorScale scale = linearScale(inUnits("rotation angle", "degrees"), largestOf(field.values));
+  scale.steps = TickSteps::Degrees;
+  return {std::move(field.values), std::move(scale)};
+}
+
+/// Lengths of Lagrange multipliers have no units.
+Coloring forceColoring(const Model& model, const Deformation& deformation)
+{
+  Field field = fieldOf(model, deformation, FieldKind::ConstraintForce);
+  const double largest = largestOf(field.values);
+  const double highest = largest > 0 ? std::ceil(std::log10(largest)) : 0;
+  ColorScale scale{"constraint force", Scaling::Logarithmic, std::pow(10, highest - kForceDecades),
+                   std::pow(10, highest)};
+  return {std::move(field.values), std::move(scale)};
+}
+
+Coloring displacementColoring(const Model& model, const Deformation& deformation, const std::string& units)
+{
+  std::vector<double> lengths;
+  lengths.reserve(static_cast<std::size_t>(deformation.positions.rows()));
+  for (Index v = 0; v < deformation.positions.rows(); ++v)
+    lengths.push_back((deformation.positions.row(v) - model.mesh.positions.row(v)).stableNorm());
+  ColorScale scale = linearScale(inUnits("displacement", units), largestOf(lengths));
+  return {std::move(lengths), std::move(scale)};
+}
+
+Coloring detailColoring(const Model& model, const Deformation& deformation, const std::string& units)
+{
+  Field field = fieldOf(model, deformation, FieldKind::DetailResidual);
+  const bool isLength = deformation.operators->weights == Weights::Uniform;
+  const std::string unit = units.empty() || isLength ? units : "1/" + units;
+  std::vector<double> free = field.values;
+  const std::vector<double> residuals = fieldOf(model, deformation, FieldKind::ConstraintResidual).values;
+  for (std::size_t v = 0; v < free.size(); ++v)
+    if (!std::isnan(residuals[v])) free[v] = std::numeric_limits<double>::quiet_NaN();
+  const double high = quantile(std::move(free), kDetailShare);
+  return {std::move(field.values), linearScale(inUnits("detail residual", unit), high)};
+}
+
+}  // namespace
+
+std::span<const std::string_view> colorByNames()
+{
+  return kNames;
+}
+
+std::optional<ColorBy> colorByNamed(std::string_view name)
+{
+  const auto found = std::find(kNames.begin(), kNames.end(), name);
+  if (found == kNames.end()) return std::nullopt;
+  return static_cast<ColorBy>(found - kNames.begin());
+}
+
+std::optional<Coloring> coloringOf(const Model& model, const Deformation& deformation, ColorBy colorBy,
+                                   const std::string& units)
+{
+  switch (colorBy) {
+    case ColorBy::ConstraintResidual:
+      return residualColoring(model, deformation, units);
+    case ColorBy::Rotation:
+      return rotationColoring(model, deformation);
+    case ColorBy::Angle:
+      return angleColoring(model, deformation);
+    case ColorBy::Force:
+      return forceColoring(model, deformation);
+    case ColorBy::Displacement:
+      return displacementColoring(model, deformation, units);
+    case ColorBy::Detail:
+      return detailColoring(model, deformation, units);
+    case ColorBy::None:
+      break;
+  }
+  return std::nullopt;
+}
+
+}  // namespace holdfast

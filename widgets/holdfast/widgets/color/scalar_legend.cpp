@@ -1,0 +1,225 @@
+#include "holdfast/widgets/color/scalar_legend.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+#include <vtkActor2D.h>
+#include <vtkCellArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper2D.h>
+#include <vtkProperty2D.h>
+#include <vtkRenderer.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
+#include <vtkUnsignedCharArray.h>
+
+namespace holdfast {
+namespace {
+
+constexpr Color kInk{0.13, 0.15, 0.19};
+constexpr int kBarSteps = 256;
+constexpr int kDiscCorners = 48;
+constexpr int kMostTicks = 7;
+
+/// Shapes in pixels of the window, a colour a point.
+class Shape {
+ public:
+  Shape()
+  {
+    colors_->SetNumberOfComponents(3);
+    data_->SetPoints(points_);
+    data_->SetPolys(cells_);
+    data_->GetPointData()->SetScalars(colors_);
+  }
+
+  vtkIdType add(double x, double y, const Color& color)
+  {
+    colors_->InsertNextTuple3(std::round(255 * color.red), std::round(255 * color.green), std::round(255 * color.blue));
+    return points_->InsertNextPoint(x, y, 0);
+  }
+
+  void addPolygon(const std::vector<vtkIdType>& corners)
+  {
+    cells_->InsertNextCell(static_cast<vtkIdType>(corners.size()), corners.data());
+  }
+
+  void addRectangle(double left, double bottom, double right, double top, const Color& color)
+  {
+    addPolygon({add(left, bottom, color), add(right, bottom, color), add(right, top, color), add(left, top, color)});
+  }
+
+  void show(vtkRenderer& renderer) const
+  {
+    vtkNew<vtkPolyDataMapper2D> mapper;
+    mapper->SetInputData(data_);
+    vtkNew<vtkActor2D> actor;
+    actor->SetMapper(mapper);
+    renderer.AddActor2D(actor);
+  }
+
+ private:
+  vtkNew<vtkPolyData> data_;
+  vtkNew<vtkPoints> points_;
+  vtkNew<vtkCellArray> cells_;
+  vtkNew<vtkUnsignedCharArray> colors_;
+};
+
+enum class TextWeight { Normal, Bold };
+enum class TextAnchor { Top, Middle };
+
+struct TextStyle {
+  double size;
+  TextWeight weight = TextWeight::Normal;
+  TextAnchor anchor = TextAnchor::Middle;
+};
+
+void addText(vtkRenderer& renderer, const std::string& text, double x, double y, const TextStyle& style)
+{
+  vtkNew<vtkTextActor> actor;
+  actor->SetInput(text.c_str());
+  actor->SetPosition(x, y);
+  vtkTextProperty& property = *actor->GetTextProperty();
+  property.SetFontFamilyToArial();
+  property.SetFontSize(static_cast<int>(std::lround(style.size)));
+  property.SetBold(style.weight == TextWeight::Bold);
+  property.SetColor(kInk.red, kInk.green, kInk.blue);
+  property.SetLineSpacing(1.2);
+  style.anchor == TextAnchor::Top ? property.SetVerticalJustificationToTop()
+                                  : property.SetVerticalJustificationToCentered();
+  renderer.AddActor2D(actor);
+}
+
+void addDisc(Shape& shape, double x, double y, double radius, const Color& color)
+{
+  std::vector<vtkIdType> corners;
+  for (int k = 0; k < kDiscCorners; ++k) {
+    const double angle = 2 * std::numbers::pi * k / kDiscCorners;
+    corners.push_back(shape.add(x + radius * std::cos(angle), y + radius * std::sin(angle), color));
+  }
+  shape.addPolygon(corners);
+}
+
+/// The smallest of 1, 2 and 5 times a power of ten that is no less than `least`.
+double roundStep(double least)
+{
+  const double power = std::pow(10, std::floor(std::log10(least)));
+  for (const double factor : {1.0, 2.0, 5.0})
+    if (factor * power >= least) return factor * power;
+  return 10 * power;
+}
+
+/// The smallest part of a turn that is round in degrees, or number of turns, and no less than `least`.
+double degreeStep(double least)
+{
+  if (least <= 10) return roundStep(least);
+  for (const double degrees : {15.0, 30.0, 45.0, 90.0, 180.0})
+    if (degrees >= least) return degrees;
+  return 360 * roundStep(std::max(1.0, least / 360));
+}
+
+std::vector<Tick> linearTicks(const ColorScale& scale)
+{
+  const double least = (scale.high - scale.low) / (kMostTicks - 1);
+  const double step = scale.steps == TickSteps::Degrees ? degreeStep(least) : roundStep(least);
+  std::vector<Tick> ticks;
+  for (double k = std::ceil(scale.low / step); k * step <= scale.high * (1 + 1e-9); ++k)
+    ticks.push_back({k * step, fmt::format("{:.6g}", k * step)});
+  return ticks;
+}
+
+std::vector<Tick> decadeTicks(const ColorScale& scale)
+{
+  const double first = std::ceil(std::log10(scale.low) - 1e-9);
+  const double last = std::floor(std::log10(scale.high) + 1e-9);
+  const double step = std::max(1.0, std::ceil((last - first) / (kMostTicks - 1)));
+  std::vector<Tick> ticks;
+  for (double power = first; power <= last; power += step)
+    ticks.push_back({std::pow(10, power), power == 0 ? "1" : fmt::format("1e{:.0f}", power)});
+  return ticks;
+}
+
+struct Bar {
+  double left;
+  double right;
+  double bottom;
+  double top;
+
+  [[nodiscard]] double heightOf(double share) const { return bottom + share * (top - bottom); }
+};
+
+void addColors(Shape& shape, const Bar& bar, ColorMap map)
+{
+  for (int k = 0; k < kBarSteps; ++k) {
+    const double low = bar.heightOf(k / static_cast<double>(kBarSteps));
+    const double high = bar.heightOf((k + 1) / static_cast<double>(kBarSteps));
+    shape.addRectangle(bar.left, low, bar.right, high, mapColor((k + 0.5) / kBarSteps, map));
+  }
+}
+
+void addTicks(vtkRenderer& renderer, Shape& shape, const ColorScale& scale, const Bar& bar, double textSize)
+{
+  const double line = std::max(1.0, std::round(textSize / 12));
+  const auto addTick = [&](double value, const std::string& text, double from, TextWeight weight) {
+    const double y = std::round(bar.heightOf(shareOf(scale, value)));
+    shape.addRectangle(from, y - line / 2, bar.right + 0.45 * textSize, y + line / 2, kInk);
+    addText(renderer, text, bar.right + 0.8 * textSize, y, {textSize, weight});
+  };
+  // Numbers that would run into the mark of the promise give way.
+  const double room = 1.3 * textSize / (bar.top - bar.bottom);
+  for (const Tick& tick : ticksOf(scale))
+    if (!scale.promise || std::abs(shareOf(scale, tick.value) - shareOf(scale, *scale.promise)) > room)
+      addTick(tick.value, tick.text, bar.right, TextWeight::Normal);
+  if (scale.promise)
+    addTick(*scale.promise, fmt::format("{:.1e} promised", *scale.promise), bar.left, TextWeight::Bold);
+}
+
+void addScale(vtkRenderer& renderer, const ColorScale& scale, const Bar& bar, double textSize)
+{
+  Shape shape;
+  addColors(shape, bar, scale.map);
+  addTicks(renderer, shape, scale, bar, textSize);
+  shape.show(renderer);
+}
+
+void addKey(vtkRenderer& renderer, const std::vector<KeyEntry>& key, const LegendPlace& place, double bottom)
+{
+  Shape shape;
+  const double radius = 0.36 * place.textSize;
+  for (std::size_t k = 0; k < key.size(); ++k) {
+    const double y = bottom + (static_cast<double>(key.size() - k) - 0.5) * 1.7 * place.textSize;
+    addDisc(shape, place.left + radius, y, radius * 1.18, kInk);
+    addDisc(shape, place.left + radius, y, radius, key[k].color);
+    addText(renderer, key[k].text, place.left + 1.3 * place.textSize, y, {place.textSize});
+  }
+  shape.show(renderer);
+}
+
+}  // namespace
+
+std::vector<Tick> ticksOf(const ColorScale& scale)
+{
+  return scale.scaling == Scaling::Linear ? linearTicks(scale) : decadeTicks(scale);
+}
+
+void addLegend(vtkRenderer& renderer, const LegendContents& contents, const LegendPlace& place)
+{
+  const double margin = 2.2 * place.textSize;
+  const double keyHeight = static_cast<double>(contents.key.size()) * 1.7 * place.textSize;
+  addKey(renderer, contents.key, place, margin);
+  if (!contents.scale) return;
+  const auto titleLines = 1 + std::count(contents.scale->title.begin(), contents.scale->title.end(), '\n');
+  const double titleBottom = place.height - margin - (1.35 * static_cast<double>(titleLines) + 0.9) * place.textSize;
+  const double barBottom = margin + keyHeight + (contents.key.empty() ? 0 : 1.8 * place.textSize);
+  addText(renderer, contents.scale->title, place.left, place.height - margin,
+          {place.textSize * 1.05, TextWeight::Bold, TextAnchor::Top});
+  const Bar bar{place.left, place.left + 1.3 * place.textSize, std::round(barBottom), std::round(titleBottom)};
+  addScale(renderer, *contents.scale, bar, place.textSize);
+}
+
+}  // namespace holdfast

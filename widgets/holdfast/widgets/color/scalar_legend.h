@@ -1,0 +1,48 @@
+#pragma once
+/// \file
+/// What the colours of a picture mean: a bar with its title and numbers, and a key of the glyphs.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <holdfast/widgets/color/color_map.h>
+
+class vtkRenderer;
+
+namespace holdfast {
+
+/// One line of the key: a ball's colour and what it stands for.
+struct KeyEntry {
+  Color color;
+  std::string text;
+};
+
+struct LegendContents {
+  std::optional<ColorScale> scale;
+  std::vector<KeyEntry> key;
+
+  [[nodiscard]] bool isEmpty() const { return !scale && key.empty(); }
+};
+
+/// Where the legend is, in pixels of the window from its lower left corner.
+struct LegendPlace {
+  double left = 0;
+  double width = 0;
+  double height = 0;  ///< of the window; the legend keeps its own margins
+  double textSize = 0;
+};
+
+/// A number of the bar.
+struct Tick {
+  double value = 0;
+  std::string text;
+};
+
+/// Round numbers on the scale, ascending, about five; powers of ten where it is logarithmic.
+[[nodiscard]] std::vector<Tick> ticksOf(const ColorScale& scale);
+
+/// Adds the legend to a renderer that fills the window.
+void addLegend(vtkRenderer& renderer, const LegendContents& contents, const LegendPlace& place);
+
+}  // namespace holdfast

@@ -1,0 +1,106 @@
+#pragma once
+/// \file
+/// What moving the cursor means while a part of the gizmo is held. Plain mathematics.
+
+#include <optional>
+#include <string>
+
+#include <holdfast/widgets/camera/view_geometry.h>
+#include <holdfast/widgets/gizmo/gizmo_part.h>
+
+namespace holdfast {
+
+/// A rigid motion from where the gizmo stood when the drag began: a turn about the line along `axis` through the
+/// center of the gizmo's frame, or a shift, never both.
+struct GizmoMotion {
+  Vector3 translation = Vector3::Zero();  ///< model units
+  Vector3 axis = Vector3::UnitZ();        ///< of unit length
+  double degrees = 0;                     ///< of any number of turns
+  double distance = 0;                    ///< of the translation: signed along an arrow, else its length
+};
+
+enum class Snap {
+  None,
+  On  ///< to multiples of the drag's steps
+};
+
+/// 1, 2 or 5 times a power of ten. Multiples of it are the doubles nearest to the decimal numbers that they are.
+struct RoundStep {
+  int factor = 1;
+  int exponent = 0;
+
+  [[nodiscard]] double multiple(double count) const;
+  [[nodiscard]] double size() const { return multiple(1); }
+  /// Digits after the point that a multiple needs.
+  [[nodiscard]] int decimals() const { return exponent < 0 ? -exponent : 0; }
+};
+
+/// The smallest round step that is no less than `least`, from 1e-300 to 1e300.
+[[nodiscard]] RoundStep roundStepFrom(double least);
+
+inline constexpr double kSnapDegrees = 15;
+inline constexpr double kSnapPixels = 8;
+
+/// How far a ring is from the center, in pixels, unless something else is said.
+inline constexpr double kRingPixels = 70;
+
+/// One drag of one part, from where the cursor was when it began. Wherever the part was grabbed, the motion begins with
+/// exactly none. Where the cursor says nothing (a ray along the arrow, in the plane of the ring, behind the eye), the
+/// motion stays what it was before: it is always finite.
+class GizmoDrag {
+ public:
+  /// `part` is not `None`. `ringPixels`: how far the rings are from the center on the display.
+  GizmoDrag(GizmoPart part, const GizmoFrame& frame, const ViewGeometry& view, const DisplayPoint& start,
+            double ringPixels = kRingPixels);
+
+  /// The motion with the cursor at `point`; remembers it. Angles follow the cursor over several turns.
+  GizmoMotion to(const DisplayPoint& point, Snap snap);
+
+  /// Exactly so far (model units) or so much (degrees) along the part. A square and the center go in the direction in
+  /// which they have been dragged, or along their first axis. Does not change what the cursor has said.
+  [[nodiscard]] GizmoMotion typed(double amount) const;
+
+  [[nodiscard]] GizmoPart part() const noexcept { return part_; }
+  [[nodiscard]] const GizmoFrame& frame() const noexcept { return frame_; }
+
+  /// What translations snap to: the smallest round length that is `kSnapPixels` or more, as seen, along every direction
+  /// in which the part goes.
+  [[nodiscard]] const RoundStep& step() const noexcept { return step_; }
+
+  /// Of a ring: the unit direction from the center to where it was grabbed. Else zero.
+  [[nodiscard]] const Vector3& grabbed() const noexcept { return grabbed_; }
+
+ private:
+  [[nodiscard]] std::optional<Eigen::Vector2d> shiftAt(const DisplayPoint& point) const;
+  [[nodiscard]] std::optional<double> alongArrow(const ViewRay& ray) const;
+  [[nodiscard]] std::optional<Vector3> onPlane(const ViewRay& ray) const;
+  [[nodiscard]] std::optional<double> degreesAt(const DisplayPoint& point) const;
+  [[nodiscard]] GizmoMotion shifted(const Eigen::Vector2d& amounts) const;
+  [[nodiscard]] GizmoMotion turned(double degrees) const;
+  void follow(const DisplayPoint& point);
+
+  GizmoPart part_;
+  GizmoFrame frame_;
+  ViewGeometry view_;
+  double ringPixels_;
+  Vector3 first_;        // along an arrow; else both span the plane in which the part goes or turns,
+  Vector3 second_;       // for rings counterclockwise from `first_`
+  Vector3 normal_;       // of that plane
+  bool isFlat_ = false;  // the ring is seen so much from the side that the cursor rolls it
+  RoundStep step_;
+  Vector3 grabbed_ = Vector3::Zero();
+
+  std::optional<Eigen::Vector2d> startShift_;  // of the first cursor that said something
+  std::optional<double> startDegrees_;
+  Eigen::Vector2d shift_ = Eigen::Vector2d::Zero();  // so far, without snapping
+  double degrees_ = 0;
+};
+
+/// What stands behind the number of a motion: "°", " mm", or nothing where `units` is empty.
+[[nodiscard]] std::string motionUnit(GizmoPart part, const std::string& units);
+
+/// "12.5 mm" or "30.0°", as a label says it: lengths with the digits that a step of `step` needs; nothing is "-0".
+[[nodiscard]] std::string motionText(GizmoPart part, const GizmoMotion& motion, const RoundStep& step,
+                                     const std::string& units);
+
+}  // namespace holdfast

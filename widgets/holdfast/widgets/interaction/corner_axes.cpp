@@ -1,0 +1,122 @@
+#include "holdfast/widgets/interaction/corner_axes.h"
+
+#include <array>
+#include <cmath>
+
+#include <vtkActor.h>
+#include <vtkCameraInterpolator.h>
+#include <vtkEllipticalButtonSource.h>
+#include <vtkMath.h>
+#include <vtkObjectFactory.h>
+#include <vtkPoints.h>
+#include <vtkTextProperty.h>
+#include <vtkTransform.h>
+#include <vtkTubeFilter.h>
+
+#include <holdfast/base/types.h>
+
+namespace holdfast {
+namespace {
+
+// Of the window at a ratio of 1, as VTK has it.
+constexpr double kSizePixels = 120;
+constexpr double kPaddingPixels = 10;
+
+// Of the cosine: both balls of an axis are then in the same pixels.
+constexpr double kFacing = 1e-4;
+
+// Balls and letters are some twenty pixels wide.
+constexpr int kBallSides = 16;
+constexpr int kShaftSides = 6;
+constexpr int kLetterPoints = 24;
+
+// Of the superclass: the origin, the ends of the shafts, the centers of the balls; along x, -x, y, -y, z, -z.
+constexpr int kFirstEnd = 1;
+constexpr int kFirstBall = 7;
+
+}  // namespace
+
+vtkStandardNewMacro(OrientationRepresentation);
+vtkStandardNewMacro(OrientationWidget);
+
+OrientationRepresentation::OrientationRepresentation()
+{
+  this->ShaftGlyphs->SetNumberOfSides(kShaftSides);
+  this->Shafts->SetUserTransform(this->Transform);
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int direction = 0; direction < 2; ++direction) {
+      this->HandleSources[axis][direction]->SetCenter(0, 0, 0);
+      this->HandleSources[axis][direction]->SetCircumferentialResolution(kBallSides);
+      this->AxisVectorTextProperties[axis][direction]->SetFontSize(kLetterPoints);
+    }
+  }
+  this->PositionHandles();
+}
+
+void OrientationRepresentation::PositionHandles()
+{
+  const auto placeOf = [this](int point) {
+    std::array<double, 3> place{};
+    this->Points->GetPoint(point, place.data());
+    this->Transform->TransformPoint(place.data(), place.data());
+    return place;
+  };
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int direction = 0; direction < 2; ++direction)
+      this->Handles[axis][direction]->SetPosition(placeOf(kFirstBall + 2 * axis + direction).data());
+    const std::array<double, 3> end = placeOf(kFirstEnd + 2 * axis);
+    this->Up[axis] = end[1];
+    this->Back[axis] = -end[2];
+  }
+  vtkMath::Normalize(this->Up);
+  vtkMath::Normalize(this->Back);
+}
+
+void OrientationRepresentation::HighlightHandle()
+{
+  const std::pair picked(this->PickedAxis, this->PickedDir);
+  if (this->Renderer == nullptr || picked == this->LetteredFor) return;
+  this->Superclass::HighlightHandle();
+  this->LetteredFor = picked;
+}
+
+/// Whether the ball under the cursor is the nearest to the viewer, with that of the other direction right behind it.
+bool OrientationRepresentation::IsPickedFacing()
+{
+  if (this->PickedAxis < 0) return false;
+  const Vector3 axis = (this->PickedDir == 0 ? 1 : -1) * Vector3::Unit(this->PickedAxis);
+  const Vector3 seen(this->GetTransform()->TransformVector(axis.data()));
+  return seen.z() > 1 - kFacing;
+}
+
+void OrientationRepresentation::EndWidgetInteraction(double place[2])
+{
+  const bool isFromBehind = this->IsPickedFacing();
+  this->LastPickedAx = isFromBehind ? this->PickedAxis : -1;
+  this->LastPickedDir = isFromBehind ? this->PickedDir : -1;
+  this->Superclass::EndWidgetInteraction(place);
+}
+
+OrientationWidget::OrientationWidget() = default;
+OrientationWidget::~OrientationWidget() = default;
+
+void OrientationWidget::CreateDefaultRepresentation()
+{
+  if (this->WidgetRep == nullptr) this->WidgetRep = OrientationRepresentation::New();
+}
+
+OrientationRepresentation* OrientationWidget::GetOrientationRepresentation()
+{
+  return static_cast<OrientationRepresentation*>(this->GetRepresentation());
+}
+
+void OrientationWidget::SetPixelRatio(double ratio)
+{
+  const int size = static_cast<int>(std::lround(kSizePixels * ratio));
+  const int padding = static_cast<int>(std::lround(kPaddingPixels * ratio));
+  this->GetOrientationRepresentation()->SetSize(size, size);
+  this->GetOrientationRepresentation()->SetPadding(padding, padding);
+  this->SquareResize();
+}
+
+}  // namespace holdfast

@@ -1,0 +1,353 @@
+#include "holdfast/widgets/interaction/gizmo_widget.h"
+
+#include <array>
+#include <cctype>
+
+#include <vtkCommand.h>
+#include <vtkEvent.h>
+#include <vtkObjectFactory.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderWindowInteractor.h>
+#include <vtkWidgetCallbackMapper.h>
+#include <vtkWidgetEvent.h>
+
+#include <holdfast/widgets/interaction/cursor.h>
+#include <holdfast/widgets/interaction/interaction_events.h>
+
+namespace holdfast {
+namespace {
+
+// Before the widgets that pick on the surface.
+constexpr float kGizmoPriority = 0.6F;
+
+constexpr char kEscapeKey = 27;
+
+struct ButtonEvents {
+  unsigned long press;
+  unsigned long doubleClick;
+  unsigned long release;
+};
+
+constexpr std::array kButtons{ButtonEvents{vtkCommand::LeftButtonPressEvent, vtkCommand::LeftButtonDoubleClickEvent,
+                                           vtkCommand::LeftButtonReleaseEvent},
+                              ButtonEvents{vtkCommand::MiddleButtonPressEvent, vtkCommand::MiddleButtonDoubleClickEvent,
+                                           vtkCommand::MiddleButtonReleaseEvent},
+                              ButtonEvents{vtkCommand::RightButtonPressEvent, vtkCommand::RightButtonDoubleClickEvent,
+                                           vtkCommand::RightButtonReleaseEvent}};
+
+/// 0, 1 and 2 for "x", "y" and "z", small or large; others are beyond.
+int axisOfKey(char key)
+{
+  return std::tolower(static_cast<unsigned char>(key)) - 'x';
+}
+
+bool isAxisKey(char key)
+{
+  return axisOfKey(key) >= 0 && axisOfKey(key) < 3;
+}
+
+bool isShortcut(vtkRenderWindowInteractor& interactor)
+{
+  return interactor.GetControlKey() != 0 || interactor.GetAltKey() != 0;
+}
+
+}  // namespace
+
+vtkStandardNewMacro(GizmoWidget);
+
+template <bool (GizmoWidget::*Action)()>
+void GizmoWidget::Run(vtkAbstractWidget* widget)
+{
+  auto* self = static_cast<GizmoWidget*>(widget);
+  if ((self->*Action)()) self->EventCallbackCommand->SetAbortFlag(1);
+}
+
+GizmoWidget::GizmoWidget()
+{
+  this->Priority = kGizmoPriority;
+  const auto bind = [this](unsigned long event, unsigned long widgetEvent, void (*action)(vtkAbstractWidget*)) {
+    this->CallbackMapper->SetCallbackMethod(event, widgetEvent, this, action);
+  };
+  bind(vtkCommand::MouseMoveEvent, vtkWidgetEvent::Move, Run<&GizmoWidget::Hover>);
+  bind(vtkCommand::LeaveEvent, vtkWidgetEvent::HoverLeave, Run<&GizmoWidget::Leave>);
+  bind(vtkCommand::LeftButtonPressEvent, vtkWidgetEvent::Select, Run<&GizmoWidget::Press>);
+  bind(vtkCommand::LeftButtonDoubleClickEvent, vtkWidgetEvent::Select, Run<&GizmoWidget::Press>);
+  bind(vtkCommand::LeftButtonReleaseEvent, vtkWidgetEvent::EndSelect, Run<&GizmoWidget::Release>);
+  const auto bindKey = [this](int modifier, char key, const char* keySym, unsigned long widgetEvent,
+                              void (*action)(vtkAbstractWidget*)) {
+    this->CallbackMapper->SetCallbackMethod(vtkCommand::KeyPressEvent, modifier, key, 0, keySym, widgetEvent, this,
+                                            action);
+  };
+  for (const char key : {'x', 'y', 'z', 'X', 'Y', 'Z'}) {
+    bindKey(vtkEvent::NoModifier, key, nullptr, vtkWidgetEvent::Translate, Run<&GizmoWidget::ChooseArrow>);
+    bindKey(vtkEvent::ShiftModifier, key, nullptr, vtkWidgetEvent::Rotate, Run<&GizmoWidget::ChooseRing>);
+  }
+  for (const char key : NumericInput::kKeys)
+    bindKey(vtkEvent::AnyModifier, key, nullptr, vtkWidgetEvent::ModifyEvent, Run<&GizmoWidget::Type>);
+  bindKey(vtkEvent::AnyModifier, 0, "BackSpace", vtkWidgetEvent::Delete, Run<&GizmoWidget::Correct>);
+  for (const char* keySym : {"Return", "KP_Enter"})
+    bindKey(vtkEvent::AnyModifier, 0, keySym, vtkWidgetEvent::Completed, Run<&GizmoWidget::Complete>);
+  bindKey(vtkEvent::AnyModifier, 0, "Escape", vtkWidgetEvent::Reset, Run<&GizmoWidget::Reset>);
+
+  // Hears of all buttons: also of those that other widgets abort, or have the interactor's focus for.
+  this->ButtonObserver->SetClientData(this);
+  this->ButtonObserver->SetCallback(&GizmoWidget::NoteButton);
+  this->ButtonObserver->PassiveObserverOn();
+}
+
+GizmoWidget::~GizmoWidget()
+{
+  this->GizmoWidget::SetEnabled(0);
+}
+
+void GizmoWidget::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Dragging: " << this->IsDragging() << '\n';
+  os << indent << "Held: " << this->Held << '\n';
+  os << indent << "Chosen: " << this->Chosen << '\n';
+  os << indent << "Typed: " << this->Typed.text() << '\n';
+}
+
+GizmoRepresentation* GizmoWidget::GetGizmoRepresentation()
+{
+  return static_cast<GizmoRepresentation*>(this->GetRepresentation());
+}
+
+void GizmoWidget::CreateDefaultRepresentation()
+{
+  if (this->WidgetRep == nullptr) this->WidgetRep = GizmoRepresentation::New();
+}
+
+void GizmoWidget::SetEnabled(int isEnabled)
+{
+  if (this->Enabled == (isEnabled != 0 ? 1 : 0)) return;
+  if (this->Enabled != 0) {
+    this->Cancel();
+    this->SetPart(GizmoPart::None);
+    this->Interactor->RemoveObserver(this->ButtonObserver);
+    this->WidgetRep->SetRenderer(nullptr);
+  }
+  this->Superclass::SetEnabled(isEnabled);
+  if (this->Enabled == 0) return;
+  this->ButtonsDown = 0;
+  for (const ButtonEvents& button : kButtons)
+    for (const unsigned long event : {button.press, button.doubleClick, button.release})
+      this->Interactor->AddObserver(event, this->ButtonObserver);
+}
+
+void GizmoWidget::NoteButton(vtkObject* /*interactor*/, unsigned long event, void* self, void* /*callData*/)
+{
+  unsigned& down = static_cast<GizmoWidget*>(self)->ButtonsDown;
+  for (std::size_t k = 0; k < kButtons.size(); ++k) {
+    const unsigned bit = 1U << k;
+    if (event == kButtons[k].release)
+      down &= ~bit;
+    else if (event == kButtons[k].press || event == kButtons[k].doubleClick)
+      down |= bit;
+  }
+}
+
+DisplayPoint GizmoWidget::Cursor() const
+{
+  const DisplayPoint pixel = cursorOf(*this->Interactor);
+  return centerOfPixel(pixel.x(), pixel.y());
+}
+
+GizmoPart GizmoWidget::PartUnderCursor()
+{
+  return static_cast<GizmoPart>(stateAtCursor(*this->WidgetRep, *this->Interactor));
+}
+
+void GizmoWidget::Highlight(GizmoPart part)
+{
+  if (part == this->GetPart()) return;
+  this->GetGizmoRepresentation()->SetPart(part);
+  if (this->ManagesCursor) this->RequestCursorShape(part == GizmoPart::None ? VTK_CURSOR_DEFAULT : VTK_CURSOR_HAND);
+  this->InvokeEvent(vtkCommand::HighlightEvent, &part);
+  this->Render();
+}
+
+void GizmoWidget::SetPart(GizmoPart part)
+{
+  if (this->Drag || this->Enabled == 0) return;
+  if (part != GizmoPart::None && !this->GetGizmoRepresentation()->Offers(part)) return;
+  this->Chosen = part != GizmoPart::None;
+  this->Highlight(part);
+}
+
+bool GizmoWidget::WantsKey(char key)
+{
+  if (this->Enabled == 0) return false;
+  if (!this->Typed.isEmpty()) return true;
+  const bool isActive = this->GetPart() != GizmoPart::None;
+  if (key == kEscapeKey) return this->Drag || (this->Chosen && isActive);
+  if (NumericInput::isBegunBy(key)) return isActive;
+  return isAxisKey(key) && !this->Drag && this->WidgetRep->GetVisibility() != 0;
+}
+
+// The mouse
+
+bool GizmoWidget::Hover()
+{
+  if (this->Held) {
+    if (this->Typed.isEmpty()) this->FollowCursor();
+    return true;
+  }
+  if (this->ButtonsDown != 0) return false;
+  if (this->Drag) return true;
+  const GizmoPart part = this->PartUnderCursor();
+  if (part == GizmoPart::None && this->Chosen) return false;
+  this->Chosen = this->Chosen && part == this->GetPart();
+  const bool wasActive = this->GetPart() != GizmoPart::None;
+  this->Highlight(part);
+  return wasActive && part != GizmoPart::None;
+}
+
+bool GizmoWidget::Leave()
+{
+  if (!this->Drag && !this->Chosen) this->Highlight(GizmoPart::None);
+  return false;
+}
+
+bool GizmoWidget::Press()
+{
+  if (this->Drag) {
+    this->Keep();
+    return true;
+  }
+  const GizmoPart part = this->PartUnderCursor();
+  if (part == GizmoPart::None) return false;
+  this->Chosen = false;
+  this->Highlight(part);
+  this->Held = true;
+  this->Grab();
+  return true;
+}
+
+bool GizmoWidget::Release()
+{
+  if (!this->Held) return false;
+  if (this->Typed.isEmpty()) this->FollowCursor();
+  this->Keep();
+  return true;
+}
+
+// Keys
+
+bool GizmoWidget::Choose(GizmoPart ofX)
+{
+  const char key = this->Interactor->GetKeyCode();
+  if (!isAxisKey(key) || !this->WantsKey(key)) return false;
+  this->SetPart(static_cast<GizmoPart>(static_cast<int>(ofX) + axisOfKey(key)));
+  return true;
+}
+
+bool GizmoWidget::Type()
+{
+  const char key = this->Interactor->GetKeyCode();
+  if (isShortcut(*this->Interactor) || !this->WantsKey(key)) return false;
+  if (this->Typed.add(key)) this->FollowTyped();
+  return true;
+}
+
+bool GizmoWidget::Correct()
+{
+  if (this->Typed.isEmpty()) return false;
+  this->Typed.chop();
+  if (!this->Typed.isEmpty())
+    this->FollowTyped();
+  else if (this->Held)
+    this->FollowCursor();
+  else
+    this->Cancel();
+  return true;
+}
+
+bool GizmoWidget::Complete()
+{
+  if (this->Typed.isEmpty()) return false;
+  this->Keep();
+  return true;
+}
+
+bool GizmoWidget::Reset()
+{
+  if (!this->WantsKey(kEscapeKey)) return false;
+  this->Cancel();
+  if (this->Chosen) this->SetPart(GizmoPart::None);
+  return true;
+}
+
+/// What a style or a program does with characters.
+void GizmoWidget::OnChar()
+{
+  const bool isWanted = !isShortcut(*this->Interactor) && this->WantsKey(this->Interactor->GetKeyCode());
+  if (isWanted)
+    this->KeyPressCallbackCommand->SetAbortFlag(1);
+  else
+    this->Superclass::OnChar();
+}
+
+// The drag
+
+void GizmoWidget::Grab()
+{
+  // An observer of what came before may have hidden or disabled the gizmo.
+  if (this->Enabled == 0 || this->GetPart() == GizmoPart::None) return this->EndDrag();
+  this->Drag = this->GetGizmoRepresentation()->NewDrag(this->Cursor());
+  this->InvokeEvent(vtkCommand::StartInteractionEvent);
+}
+
+void GizmoWidget::FollowCursor()
+{
+  if (!this->Drag) return;
+  const GizmoMotion motion =
+      this->Drag->to(this->Cursor(), this->Interactor->GetControlKey() != 0 ? Snap::On : Snap::None);
+  this->MoveTo(motion,
+               motionText(this->Drag->part(), motion, this->Drag->step(), this->GetGizmoRepresentation()->GetUnits()));
+}
+
+void GizmoWidget::FollowTyped()
+{
+  if (!this->Drag) this->Grab();
+  if (!this->Drag) return;
+  this->MoveTo(this->Drag->typed(this->Typed.value()),
+               this->Typed.text() + "_" + motionUnit(this->Drag->part(), this->GetGizmoRepresentation()->GetUnits()));
+}
+
+void GizmoWidget::MoveTo(GizmoMotion motion, const std::string& label)
+{
+  this->GetGizmoRepresentation()->ShowDrag({this->Drag->part(), this->Drag->frame(), this->Drag->grabbed(), motion},
+                                           label, this->Cursor());
+  this->InvokeEvent(vtkCommand::InteractionEvent, &motion);
+  this->Render();
+}
+
+void GizmoWidget::EndDrag()
+{
+  this->Drag.reset();
+  this->Held = false;
+  this->Typed.clear();
+  this->GetGizmoRepresentation()->EndDrag();
+}
+
+void GizmoWidget::Keep()
+{
+  if (!this->Drag) return;
+  this->EndDrag();
+  this->InvokeEvent(vtkCommand::EndInteractionEvent);
+  this->Render();
+}
+
+void GizmoWidget::Cancel()
+{
+  if (!this->Drag) return;
+  const GizmoFrame frame = this->Drag->frame();
+  this->EndDrag();
+  this->GetGizmoRepresentation()->SetFrame(frame.center, frame.axes);
+  this->InvokeEvent(CancelInteractionEvent);
+  this->Render();
+}
+
+}  // namespace holdfast

@@ -1,0 +1,64 @@
+#pragma once
+/// \file
+/// The outline that selects a region of the surface.
+
+#include <vector>
+
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+#include <vtkWidgetRepresentation.h>
+
+#include <holdfast/widgets/camera/display_transform.h>
+
+class vtkActor2D;
+class vtkPolyDataMapper2D;
+
+namespace holdfast {
+
+/// A closed line over the picture, light below dark, so that it is seen on every surface; or nothing (the default).
+class RegionRepresentation : public vtkWidgetRepresentation {
+ public:
+  static RegionRepresentation* New();
+  vtkTypeMacro(RegionRepresentation, vtkWidgetRepresentation)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// A polygon that is filled faintly where `ScreenPolygon` has its inside. Corners are pixels as a cursor names them.
+  void ShowPolygon(std::vector<DisplayPoint> corners);
+  /// A circle, not filled, around the centre of a pixel; radius in pixels of the window.
+  void ShowCircle(const DisplayPoint& center, double radius);
+  void ShowNothing();
+  /// Corners of what is shown.
+  [[nodiscard]] const std::vector<DisplayPoint>& GetOutline() const { return this->Outline; }
+
+  /// Pixels of the window for each of a display of ordinary resolution, for the width of lines; 1 by default.
+  vtkSetClampMacro(PixelRatio, double, 0.1, 100.0);
+  vtkGetMacro(PixelRatio, double);
+
+  void BuildRepresentation() override;
+  /// Null: has no place in the scene.
+  double* GetBounds() override { return nullptr; }
+  void GetActors2D(vtkPropCollection* actors) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+  int RenderOverlay(vtkViewport* viewport) override;
+
+ protected:
+  RegionRepresentation();
+  ~RegionRepresentation() override;
+
+ private:
+  RegionRepresentation(const RegionRepresentation&) = delete;
+  void operator=(const RegionRepresentation&) = delete;
+
+  void Show(std::vector<DisplayPoint> outline, bool isFilled);
+
+  std::vector<DisplayPoint> Outline;
+  bool IsFilled = false;
+  double PixelRatio = 1;
+  vtkNew<vtkPolyDataMapper2D> FillMapper;
+  vtkNew<vtkPolyDataMapper2D> LineMapper;
+  vtkNew<vtkActor2D> Fill;
+  vtkNew<vtkActor2D> LightLine;
+  vtkNew<vtkActor2D> DarkLine;
+};
+
+}  // namespace holdfast

@@ -1,0 +1,128 @@
+#include "holdfast/widgets/interaction/rotation_sphere_style.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include <vtkCommand.h>
+#include <vtkObjectFactory.h>
+#include <vtkRenderWindowInteractor.h>
+#include <vtkRenderer.h>
+
+#include <holdfast/widgets/interaction/cursor.h>
+#include <holdfast/widgets/interaction/interaction_events.h>
+#include <holdfast/widgets/rotation_sphere/rotation_sphere.h>
+#include <holdfast/widgets/rotation_sphere/sphere_camera.h>
+
+namespace holdfast {
+namespace {
+
+// A drag across half the height of the picture turns the sphere by so much: about as if the hand held it.
+constexpr double kRadiansAcrossHalf = 1.6;
+constexpr double kPixelsOfKey = 20;
+constexpr double kZoomOfNotch = 1.2;
+
+}  // namespace
+
+vtkStandardNewMacro(RotationSphereStyle);
+
+void RotationSphereStyle::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Sphere: " << this->Sphere << '\n';
+  os << indent << "PixelRatio: " << this->PixelRatio << '\n';
+}
+
+void RotationSphereStyle::SetSphere(RotationSphere* sphere)
+{
+  this->Sphere = sphere;
+  this->IsPressed = false;
+  this->State = VTKIS_NONE;
+}
+
+void RotationSphereStyle::OnLeftButtonDown()
+{
+  if (!this->Sphere) return;
+  if (isSecondPress(*this->Interactor)) return this->Fit();
+  this->IsPressed = true;
+  this->Last = cursorOf(*this->Interactor);
+}
+
+void RotationSphereStyle::OnLeftButtonDoubleClick()
+{
+  if (this->Sphere) this->Fit();
+}
+
+void RotationSphereStyle::OnMouseMove()
+{
+  if (!this->IsPressed) return;
+  const DisplayPoint to = cursorOf(*this->Interactor);
+  if (this->State == VTKIS_NONE && (to - this->Last).norm() < kClickPixels * this->PixelRatio) return;
+  if (this->State == VTKIS_NONE) this->StartState(VTKIS_ROTATE);
+  this->Turn(to - std::exchange(this->Last, to));
+}
+
+void RotationSphereStyle::OnLeftButtonUp()
+{
+  if (!std::exchange(this->IsPressed, false)) return;
+  if (this->State != VTKIS_NONE) return this->StopState();
+  const DisplayPoint place = cursorOf(*this->Interactor) + DisplayPoint(0.5, 0.5);
+  if (auto vertex = this->Sphere->pick(place.x(), place.y())) this->InvokeEvent(vtkCommand::PickEvent, &*vertex);
+}
+
+void RotationSphereStyle::OnMouseWheelForward()
+{
+  this->Zoom(1);
+}
+
+void RotationSphereStyle::OnMouseWheelBackward()
+{
+  this->Zoom(-1);
+}
+
+void RotationSphereStyle::OnKeyPress()
+{
+  const char* name = this->Interactor->GetKeySym();
+  const std::string_view key = name != nullptr ? name : "";
+  const double step = kPixelsOfKey * this->PixelRatio;
+  if (key == "Left") this->Turn({-step, 0});
+  if (key == "Right") this->Turn({step, 0});
+  if (key == "Up") this->Turn({0, step});
+  if (key == "Down") this->Turn({0, -step});
+  if (key == "plus" || key == "equal") this->Zoom(1);
+  if (key == "minus") this->Zoom(-1);
+  if (key == "Home") this->Fit();
+}
+
+void RotationSphereStyle::Turn(const DisplayPoint& pixels)
+{
+  if (!this->Sphere) return;
+  vtkRenderer& renderer = *this->Sphere->renderer();
+  const double radians = kRadiansAcrossHalf / std::max(1.0, renderer.GetSize()[1] / 2.0);
+  turnSphere(*renderer.GetActiveCamera(), radians * pixels.x(), radians * pixels.y());
+  this->CameraMoved();
+}
+
+void RotationSphereStyle::Zoom(double notches)
+{
+  if (!this->Sphere) return;
+  zoomSphere(*this->Sphere->renderer()->GetActiveCamera(),
+             std::pow(kZoomOfNotch, notches * this->GetMouseWheelMotionFactor()));
+  this->CameraMoved();
+}
+
+void RotationSphereStyle::Fit()
+{
+  if (!this->Sphere) return;
+  this->Sphere->fitCamera();
+  this->CameraMoved();
+}
+
+void RotationSphereStyle::CameraMoved()
+{
+  this->InvokeEvent(vtkCommand::InteractionEvent);
+  this->Interactor->Render();
+}
+
+}  // namespace holdfast

@@ -1,0 +1,65 @@
+#pragma once
+/// \file
+/// Turns and zooms the rotation sphere, and picks its points.
+
+#include <vtkInteractorStyle.h>
+
+#include <holdfast/widgets/camera/display_transform.h>
+
+namespace holdfast {
+
+class RotationSphere;
+
+/// A drag with the left button turns the sphere as if the hand held it, the wheel and "plus" and "minus" zoom, arrow
+/// keys turn, a double click and "Home" show all that is prescribed.
+///
+/// | event                 | when                                            | call data                        |
+/// |-----------------------|-------------------------------------------------|----------------------------------|
+/// | StartInteractionEvent | a drag begins: the cursor is 4 pixels away      | none                             |
+/// | InteractionEvent      | the camera was moved, by keys and wheel as well | none                             |
+/// | EndInteractionEvent   | the drag ends                                   | none                             |
+/// | PickEvent             | a click on a point                              | `Index*`, the vertex of the file |
+class RotationSphereStyle : public vtkInteractorStyle {
+ public:
+  static RotationSphereStyle* New();
+  vtkTypeMacro(RotationSphereStyle, vtkInteractorStyle)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// What is turned: in a renderer of the interactor's window, and alive as long as it is set. Null, the default:
+  /// nothing.
+  void SetSphere(RotationSphere* sphere);
+  [[nodiscard]] RotationSphere* GetSphere() const { return this->Sphere; }
+
+  /// Pixels of the window for each of a display of ordinary resolution; 1 by default.
+  vtkSetClampMacro(PixelRatio, double, 0.1, 100.0);
+  vtkGetMacro(PixelRatio, double);
+
+  void OnLeftButtonDown() override;
+  void OnLeftButtonUp() override;
+  void OnLeftButtonDoubleClick() override;
+  void OnMouseMove() override;
+  void OnMouseWheelForward() override;
+  void OnMouseWheelBackward() override;
+  void OnKeyPress() override;
+  void OnChar() override {}
+
+ protected:
+  RotationSphereStyle() = default;
+  ~RotationSphereStyle() override = default;
+
+ private:
+  RotationSphereStyle(const RotationSphereStyle&) = delete;
+  void operator=(const RotationSphereStyle&) = delete;
+
+  void Turn(const DisplayPoint& pixels);
+  void Zoom(double notches);
+  void Fit();
+  void CameraMoved();
+
+  RotationSphere* Sphere = nullptr;
+  double PixelRatio = 1;
+  bool IsPressed = false;
+  DisplayPoint Last{0, 0};
+};
+
+}  // namespace holdfast

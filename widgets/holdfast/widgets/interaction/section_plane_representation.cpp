@@ -1,0 +1,29 @@
+#include "holdfast/widgets/interaction/section_plane_representation.h"
+
+#include <vtkActor.h>
+#include <vtkObjectFactory.h>
+#include <vtkRenderer.h>
+
+#include <holdfast/widgets/camera/display_transform.h>
+
+namespace holdfast {
+
+vtkStandardNewMacro(SectionPlaneRepresentation);
+
+void SectionPlaneRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Surface: " << (this->Surface ? "set" : "(none)") << '\n';
+}
+
+int SectionPlaneRepresentation::ComputeInteractionState(int x, int y, int modify)
+{
+  const auto isOverSurface = [&] {
+    const Ray sight = DisplayTransform(*this->Renderer).rayThrough(centerOfPixel(x, y));
+    return this->Surface->firstHit(sight).has_value();
+  };
+  this->CutActor->SetPickable(this->Surface && isOverSurface() ? 0 : 1);
+  return this->Superclass::ComputeInteractionState(x, y, modify);
+}
+
+}  // namespace holdfast

@@ -1,0 +1,168 @@
+#include "holdfast/widgets/interaction/surface_camera_style.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <vtkCamera.h>
+#include <vtkEvent.h>
+#include <vtkObjectFactory.h>
+#include <vtkRenderWindowInteractor.h>
+#include <vtkRenderer.h>
+#include <vtkWidgetEvent.h>
+
+#include <holdfast/widgets/camera/camera_motion.h>
+#include <holdfast/widgets/interaction/cursor.h>
+#include <holdfast/widgets/interaction/interaction_events.h>
+#include <holdfast/widgets/picking/surface_picker.h>
+
+namespace holdfast {
+namespace {
+
+// A hand across the height of the picture turns it by this.
+constexpr double kDegreesAcross = 220;
+
+constexpr double kWheelZoom = 1.2;
+
+}  // namespace
+
+vtkStandardNewMacro(SurfaceCameraStyle);
+
+SurfaceCameraStyle::SurfaceCameraStyle()
+{
+  vtkWidgetEventTranslator& translator = *this->EventTranslator;
+  // The first that fits counts: the one with a modifier comes first.
+  translator.SetTranslation(vtkCommand::RightButtonPressEvent, vtkEvent::ShiftModifier, 0, 0, nullptr,
+                            vtkWidgetEvent::Translate);
+  translator.SetTranslation(vtkCommand::RightButtonPressEvent, vtkWidgetEvent::Rotate);
+  translator.SetTranslation(vtkCommand::LeftButtonPressEvent, vtkWidgetEvent::Rotate);
+  translator.SetTranslation(vtkCommand::MiddleButtonPressEvent, vtkWidgetEvent::Translate);
+}
+
+void SurfaceCameraStyle::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Surface: " << this->Surface.get() << '\n';
+  os << indent << "PixelRatio: " << this->PixelRatio << '\n';
+  os << indent << "EventTranslator:\n";
+  this->EventTranslator->PrintSelf(os, indent.GetNextIndent());
+}
+
+void SurfaceCameraStyle::SetSurface(std::shared_ptr<const VisibleSurface> surface)
+{
+  if (this->Surface == surface) return;
+  this->Surface = std::move(surface);
+  this->Modified();
+}
+
+Vector3 SurfaceCameraStyle::PlaceUnder(const DisplayPoint& cursor)
+{
+  vtkRenderer& renderer = *this->CurrentRenderer;
+  if (this->Surface)
+    if (const auto pick = SurfacePicker(this->Surface).pick(renderer, cursor.x(), cursor.y(), PickKind::Face, 0))
+      return pick->place;
+  return atDepthOf(renderer, Vector3(renderer.GetActiveCamera()->GetFocalPoint()), cursor);
+}
+
+void SurfaceCameraStyle::ButtonDown(unsigned long event)
+{
+  if (this->PressEvent != 0) return;
+  this->FindPokedRenderer(this->Interactor->GetEventPosition()[0], this->Interactor->GetEventPosition()[1]);
+  if (this->CurrentRenderer == nullptr) return;
+  this->PressEvent = event;
+  this->Motion = this->EventTranslator->GetTranslation(event, vtkEvent::GetModifier(this->Interactor), 0, 0, nullptr);
+  this->Last = cursorOf(*this->Interactor);
+}
+
+void SurfaceCameraStyle::ButtonUp(unsigned long pressEvent)
+{
+  if (this->PressEvent != pressEvent) return;
+  this->PressEvent = 0;
+  if (this->State != VTKIS_NONE) return this->StopState();
+  if (pressEvent == vtkCommand::RightButtonPressEvent) this->InvokeEvent(ContextMenuRequestEvent);
+}
+
+void SurfaceCameraStyle::Cancel()
+{
+  this->PressEvent = 0;
+  if (this->State != VTKIS_NONE) this->StopState();
+}
+
+void SurfaceCameraStyle::OnMouseMove()
+{
+  if (this->PressEvent == 0) return;
+  const DisplayPoint to = cursorOf(*this->Interactor);
+  if (this->State == VTKIS_NONE) {
+    const bool isMotion = this->Motion == vtkWidgetEvent::Rotate || this->Motion == vtkWidgetEvent::Translate;
+    if (!isMotion || (to - this->Last).norm() < kClickPixels * this->PixelRatio) return;
+    this->Pivot = this->PlaceUnder(this->Last);
+    this->StartState(this->Motion == vtkWidgetEvent::Translate ? VTKIS_PAN : VTKIS_ROTATE);
+  }
+  const DisplayPoint from = std::exchange(this->Last, to);
+  if (this->State == VTKIS_PAN) {
+    pan(*this->CurrentRenderer, this->Pivot, from, to);
+  } else {
+    const DisplayPoint degrees = kDegreesAcross / std::max(1, this->CurrentRenderer->GetSize()[1]) * (to - from);
+    orbit(*this->CurrentRenderer->GetActiveCamera(), this->Pivot, degrees.x(), degrees.y());
+  }
+  this->CameraMoved();
+}
+
+void SurfaceCameraStyle::Zoom(double notches)
+{
+  const DisplayPoint cursor = cursorOf(*this->Interactor);
+  this->FindPokedRenderer(static_cast<int>(cursor.x()), static_cast<int>(cursor.y()));
+  if (this->CurrentRenderer == nullptr) return;
+  zoom(*this->CurrentRenderer, this->PlaceUnder(cursor),
+       std::pow(kWheelZoom, notches * this->GetMouseWheelMotionFactor()));
+  this->CameraMoved();
+}
+
+void SurfaceCameraStyle::CameraMoved()
+{
+  if (this->AutoAdjustCameraClippingRange) this->CurrentRenderer->ResetCameraClippingRange();
+  this->InvokeEvent(vtkCommand::InteractionEvent);
+  this->Interactor->Render();
+}
+
+void SurfaceCameraStyle::OnLeftButtonDown()
+{
+  this->ButtonDown(vtkCommand::LeftButtonPressEvent);
+}
+
+void SurfaceCameraStyle::OnLeftButtonUp()
+{
+  this->ButtonUp(vtkCommand::LeftButtonPressEvent);
+}
+
+void SurfaceCameraStyle::OnMiddleButtonDown()
+{
+  this->ButtonDown(vtkCommand::MiddleButtonPressEvent);
+}
+
+void SurfaceCameraStyle::OnMiddleButtonUp()
+{
+  this->ButtonUp(vtkCommand::MiddleButtonPressEvent);
+}
+
+void SurfaceCameraStyle::OnRightButtonDown()
+{
+  this->ButtonDown(vtkCommand::RightButtonPressEvent);
+}
+
+void SurfaceCameraStyle::OnRightButtonUp()
+{
+  this->ButtonUp(vtkCommand::RightButtonPressEvent);
+}
+
+void SurfaceCameraStyle::OnMouseWheelForward()
+{
+  this->Zoom(1);
+}
+
+void SurfaceCameraStyle::OnMouseWheelBackward()
+{
+  this->Zoom(-1);
+}
+
+}  // namespace holdfast

@@ -1,0 +1,86 @@
+#pragma once
+/// \file
+/// Turns, shifts and zooms the camera about the place of a surface that is under the cursor.
+
+#include <memory>
+
+#include <vtkInteractorStyle.h>
+#include <vtkNew.h>
+#include <vtkWidgetEventTranslator.h>
+
+#include <holdfast/widgets/picking/visible_surface.h>
+
+namespace holdfast {
+
+/// What a drag does is read from the event translator, which a program may change. By default
+///
+/// | VTK event                                   | widget event              |                                        |
+/// |---------------------------------------------|---------------------------|----------------------------------------|
+/// | LeftButtonPressEvent, RightButtonPressEvent | vtkWidgetEvent::Rotate    | turns about the place under the cursor |
+/// | MiddleButtonPressEvent, Shift + Right       | vtkWidgetEvent::Translate | shifts that place with the cursor      |
+///
+/// and the wheel goes nearer to that place, 1.2 times a notch to the power of `GetMouseWheelMotionFactor`. A drag
+/// begins when the cursor has left the place of the press by 4 pixels, so that widgets above can take clicks.
+///
+/// | event                   | when                                               | call data |
+/// |-------------------------|----------------------------------------------------|-----------|
+/// | StartInteractionEvent   | a drag begins                                      | none      |
+/// | InteractionEvent        | the camera was moved, by the wheel as well         | none      |
+/// | EndInteractionEvent     | the button came up                                 | none      |
+/// | ContextMenuRequestEvent | the right button went down and up in one place     | none      |
+///
+/// Keys of `vtkInteractorStyle` ("q" ends the program, "w" draws lines) are not bound.
+class SurfaceCameraStyle : public vtkInteractorStyle {
+ public:
+  static SurfaceCameraStyle* New();
+  vtkTypeMacro(SurfaceCameraStyle, vtkInteractorStyle)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// What the cursor is over; null (the default), and beside the surface: the place at the depth of the focal point.
+  void SetSurface(std::shared_ptr<const VisibleSurface> surface);
+  [[nodiscard]] const std::shared_ptr<const VisibleSurface>& GetSurface() const { return this->Surface; }
+
+  /// Pixels of the window for each of a display of ordinary resolution; 1 by default.
+  vtkSetClampMacro(PixelRatio, double, 0.1, 100.0);
+  vtkGetMacro(PixelRatio, double);
+
+  vtkWidgetEventTranslator* GetEventTranslator() { return this->EventTranslator; }
+
+  /// Ends a drag that is under way; the camera stays as it is.
+  void Cancel();
+
+  void OnLeftButtonDown() override;
+  void OnLeftButtonUp() override;
+  void OnMiddleButtonDown() override;
+  void OnMiddleButtonUp() override;
+  void OnRightButtonDown() override;
+  void OnRightButtonUp() override;
+  void OnMouseMove() override;
+  void OnMouseWheelForward() override;
+  void OnMouseWheelBackward() override;
+  void OnChar() override {}
+
+ protected:
+  SurfaceCameraStyle();
+  ~SurfaceCameraStyle() override = default;
+
+ private:
+  SurfaceCameraStyle(const SurfaceCameraStyle&) = delete;
+  void operator=(const SurfaceCameraStyle&) = delete;
+
+  void ButtonDown(unsigned long event);
+  void ButtonUp(unsigned long pressEvent);
+  void Zoom(double notches);
+  void CameraMoved();
+  [[nodiscard]] Vector3 PlaceUnder(const DisplayPoint& cursor);
+
+  std::shared_ptr<const VisibleSurface> Surface;
+  double PixelRatio = 1;
+  vtkNew<vtkWidgetEventTranslator> EventTranslator;
+  unsigned long PressEvent = 0;  // that a button has gone down with; 0 while none is down
+  unsigned long Motion = 0;      // the widget event that it stands for
+  DisplayPoint Last{0, 0};       // where the cursor was then, or at the last motion of the camera
+  Vector3 Pivot = Vector3::Zero();
+};
+
+}  // namespace holdfast

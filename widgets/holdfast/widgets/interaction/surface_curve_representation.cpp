@@ -1,0 +1,469 @@
+#include "holdfast/widgets/interaction/surface_curve_representation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <vtkActor.h>
+#include <vtkCell.h>
+#include <vtkCellArray.h>
+#include <vtkIdList.h>
+#include <vtkObjectFactory.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkPropCollection.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+
+#include <holdfast/widgets/camera/camera_motion.h>
+#include <holdfast/widgets/color/color_map.h>
+
+namespace holdfast {
+namespace {
+
+constexpr int kReachPixels = 12;
+constexpr int kLeastPlaces = 3;
+
+constexpr Color kCurveColor{0.78, 0.24, 0.00};
+constexpr Color kRimColor{1, 1, 1};
+constexpr double kCurvePixels = 2;
+constexpr double kCurveRimPixels = 4;
+constexpr double kPreviewPixels = 1.5;
+constexpr double kPreviewRimPixels = 3.5;
+constexpr double kPlacePixels = 10;
+constexpr double kActivePixels = 17;
+constexpr double kRimOpacity = 0.82;
+constexpr double kPreviewOpacity = 0.65;
+
+// The curve lies on edges of the surface: it is drawn a little nearer than these.
+constexpr double kCurveFactor = -1.5;
+constexpr double kCurveUnits = -8;
+
+void showCurve(vtkActor& actor, vtkPolyData& line, const Color& color, double opacity)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(&line);
+  mapper->SetResolveCoincidentTopologyToPolygonOffset();
+  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(kCurveFactor, kCurveUnits);
+  actor.SetMapper(mapper);
+  actor.GetProperty()->SetColor(color.red, color.green, color.blue);
+  actor.GetProperty()->SetOpacity(opacity);
+  actor.GetProperty()->LightingOff();
+}
+
+DisplayPoint pointOf(const double pixel[2])
+{
+  return {pixel[0], pixel[1]};
+}
+
+}  // namespace
+
+vtkStandardNewMacro(SurfaceCurveRepresentation);
+
+SurfaceCurveRepresentation::SurfaceCurveRepresentation()
+    : Actors{this->LineBehind.Get(),    &this->DotsBehind.actor(), this->LineRim.Get(), this->LineFront.Get(),
+             this->PreviewRim.Get(),    this->PreviewFront.Get(),  &this->Dots.actor(), &this->PreviewDot.actor(),
+             &this->ActiveRing.actor(), &this->ClosingRing.actor()}
+{
+  this->InteractionState = vtkContourRepresentation::Outside;
+  this->SetPointPlacer(this->Placer);
+  this->SetLineInterpolator(this->Interpolator);
+  this->Placer->SetKind(PickKind::Vertex);
+  this->Placer->SetSnapPixels(kReachPixels);
+  this->PixelTolerance = kReachPixels;
+  const double faint = this->LineBehind->GetProperty()->GetOpacity();
+  showCurve(*this->LineBehind, *this->Line, kCurveColor, faint);
+  showCurve(*this->LineRim, *this->Line, kRimColor, kRimOpacity);
+  showCurve(*this->LineFront, *this->Line, kCurveColor, 1);
+  showCurve(*this->PreviewRim, *this->PreviewLine, kRimColor, kPreviewOpacity * kRimOpacity);
+  showCurve(*this->PreviewFront, *this->PreviewLine, kCurveColor, kPreviewOpacity);
+}
+
+SurfaceCurveRepresentation::~SurfaceCurveRepresentation() = default;
+
+void SurfaceCurveRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Surface: " << this->Surface.get() << '\n';
+  os << indent << "Regions: " << this->Interpolator->GetRegions().get() << '\n';
+  os << indent << "PixelRatio: " << this->PixelRatio << '\n';
+  os << indent << "Places:";
+  for (const Index vertex : this->GetPlaces()) os << ' ' << vertex;
+  os << '\n';
+}
+
+void SurfaceCurveRepresentation::SetSurface(std::shared_ptr<const VisibleSurface> surface)
+{
+  if (this->Surface == surface) return;
+  const bool isSameModel = surface && this->Surface && &surface->model() == &this->Surface->model();
+  this->Surface = std::move(surface);
+  this->Placer->SetSurface(this->Surface);
+  this->Interpolator->SetSurface(this->Surface);
+  if (isSameModel)
+    this->FollowSurface();
+  else
+    this->ClearAllNodes();
+}
+
+void SurfaceCurveRepresentation::SetRegions(std::shared_ptr<const VertexRegions> regions)
+{
+  this->Interpolator->SetRegions(std::move(regions));
+}
+
+void SurfaceCurveRepresentation::SetPixelRatio(double ratio)
+{
+  this->PixelRatio = std::clamp(ratio, 0.1, 100.0);
+  this->Placer->SetPixelRatio(this->PixelRatio);
+  this->SetPixelTolerance(static_cast<int>(std::lround(kReachPixels * this->PixelRatio)));
+  this->Modified();
+}
+
+Vector3 SurfaceCurveRepresentation::PlaceOf(Index vertex) const
+{
+  return this->Surface->positions().row(vertex).transpose();
+}
+
+bool SurfaceCurveRepresentation::IsNode(int n) const
+{
+  return n >= 0 && n < static_cast<int>(this->Internal->Nodes.size());
+}
+
+std::vector<Index> SurfaceCurveRepresentation::GetPlaces() const
+{
+  std::vector<Index> places;
+  for (const vtkContourRepresentationNode* node : this->Internal->Nodes) places.push_back(Index{node->PointId});
+  return places;
+}
+
+std::vector<Index> SurfaceCurveRepresentation::GetPath() const
+{
+  std::vector<Index> path;
+  for (const vtkContourRepresentationNode* node : this->Internal->Nodes) {
+    path.push_back(Index{node->PointId});
+    for (const vtkContourRepresentationPoint* point : node->Points) path.push_back(Index{point->PointId});
+  }
+  return path;
+}
+
+/// Whether the vertex may be a place beside all others than the one that is moved there.
+bool SurfaceCurveRepresentation::IsPossible(Index vertex, int moved) const
+{
+  if (!this->Surface || !this->Interpolator->GetRegions()) return false;
+  if (vertex < 0 || vertex >= this->Surface->positions().rows()) return false;
+  const SolverMesh& mesh = this->Surface->model().solverMesh;
+  const Index unknown = mesh.weld.unknownOf[vertex];
+  if (mesh.componentOf[unknown] < 0) return false;
+  const std::vector<Index> places = this->GetPlaces();
+  for (int n = 0; n < static_cast<int>(places.size()); ++n) {
+    if (n == moved) continue;
+    const Index other = mesh.weld.unknownOf[places[static_cast<std::size_t>(n)]];
+    if (other == unknown || mesh.componentOf[other] != mesh.componentOf[unknown]) return false;
+  }
+  return true;
+}
+
+bool SurfaceCurveRepresentation::InsertPlace(int n, Index vertex)
+{
+  constexpr int kNone = -1;
+  if (n < 0 || n > this->GetNumberOfNodes() || !this->IsPossible(vertex, kNone)) return false;
+  auto* node = new vtkContourRepresentationNode{};
+  for (const int k : {0, 4, 8}) node->WorldOrientation[k] = 1;
+  this->Internal->Nodes.insert(this->Internal->Nodes.begin() + n, node);
+  return this->MovePlace(n, vertex);
+}
+
+bool SurfaceCurveRepresentation::MovePlace(int n, Index vertex)
+{
+  if (!this->IsNode(n) || !this->IsPossible(vertex, n)) return false;
+  vtkContourRepresentationNode& node = *this->Internal->Nodes[static_cast<std::size_t>(n)];
+  node.PointId = vertex;
+  Vector3::Map(node.WorldPosition) = this->PlaceOf(vertex);
+  this->UpdateLines(n);
+  this->NeedToRender = 1;
+  return true;
+}
+
+void SurfaceCurveRepresentation::ClearAllNodes()
+{
+  this->Internal->ClearNodes();
+  this->ClosedLoop = 0;
+  this->ActiveNode = -1;
+  this->CurrentOperation = Inactive;
+  this->Preview.clear();
+  this->NeedToRender = 1;
+  this->BuildLines();
+}
+
+void SurfaceCurveRepresentation::FollowSurface()
+{
+  for (vtkContourRepresentationNode* node : this->Internal->Nodes) {
+    Vector3::Map(node->WorldPosition) = this->PlaceOf(Index{node->PointId});
+    for (vtkContourRepresentationPoint* point : node->Points)
+      Vector3::Map(point->WorldPosition) = this->PlaceOf(Index{point->PointId});
+  }
+  this->NeedToRender = 1;
+  this->BuildLines();
+}
+
+std::optional<Index> SurfaceCurveRepresentation::VertexAt(const DisplayPoint& pixel) const
+{
+  if (this->Renderer == nullptr) return std::nullopt;
+  const auto pick = this->Placer->Pick(*this->Renderer, pixel.data());
+  if (!pick) return std::nullopt;
+  return std::get<AtVertex>(pick->location).vertex;
+}
+
+bool SurfaceCurveRepresentation::IsClosable() const
+{
+  return this->ClosedLoop == 0 && static_cast<int>(this->Internal->Nodes.size()) >= kLeastPlaces;
+}
+
+bool SurfaceCurveRepresentation::IsAtFirst(const DisplayPoint& pixel)
+{
+  if (!this->IsClosable()) return false;
+  const Vector3 first = toDisplay(*this->Renderer, this->PlaceOf(this->GetPlaces().front()));
+  return (first.head<2>() - centerOfPixel(pixel.x(), pixel.y())).norm() < kReachPixels * this->PixelRatio;
+}
+
+void SurfaceCurveRepresentation::SetPreview(std::optional<Index> vertex)
+{
+  std::vector<Index> way;
+  if (vertex && this->Internal->Nodes.empty())
+    way = {*vertex};
+  else if (vertex && this->ClosedLoop == 0)
+    way = this->Interpolator->Way(this->GetPlaces().back(), *vertex);
+  if (way == this->Preview) return;
+  this->Preview = std::move(way);
+  this->NeedToRender = 1;
+  this->Modified();
+}
+
+std::optional<Index> SurfaceCurveRepresentation::NearestVertex(const double place[3]) const
+{
+  if (!this->Surface) return std::nullopt;
+  const Vector3 at(place);
+  std::optional<Index> nearest;
+  double least = 0;
+  for (Index v = 0; v < this->Surface->positions().rows(); ++v) {
+    if (this->Surface->trianglesAt(v).empty()) continue;
+    const double distance = (this->PlaceOf(v) - at).stableNorm();
+    if (nearest && distance >= least) continue;
+    nearest = v;
+    least = distance;
+  }
+  return nearest;
+}
+
+int SurfaceCurveRepresentation::AddNodeAtWorldPosition(double place[3])
+{
+  const auto vertex = this->NearestVertex(place);
+  return vertex && this->InsertPlace(this->GetNumberOfNodes(), *vertex) ? 1 : 0;
+}
+
+int SurfaceCurveRepresentation::AddNodeAtWorldPosition(double place[3], double /*orientation*/[9])
+{
+  return this->AddNodeAtWorldPosition(place);
+}
+
+int SurfaceCurveRepresentation::AddNodeAtDisplayPosition(double pixel[2])
+{
+  const auto vertex = this->VertexAt(pointOf(pixel));
+  return vertex && this->InsertPlace(this->GetNumberOfNodes(), *vertex) ? 1 : 0;
+}
+
+int SurfaceCurveRepresentation::AddNodeOnContour(int x, int y)
+{
+  const auto vertex = this->VertexAt(DisplayPoint(x, y));
+  if (!vertex) return 0;
+  const std::vector<Index>& unknownOf = this->Surface->model().solverMesh.weld.unknownOf;
+  for (int n = 0; n < this->GetNumberOfNodes(); ++n)
+    for (const vtkContourRepresentationPoint* point : this->GetNthNode(n)->Points)
+      if (unknownOf[Index{point->PointId}] == unknownOf[*vertex]) return this->InsertPlace(n + 1, *vertex) ? 1 : 0;
+  return 0;
+}
+
+int SurfaceCurveRepresentation::SetActiveNodeToWorldPosition(double place[3])
+{
+  return this->SetNthNodeWorldPosition(this->ActiveNode, place);
+}
+
+int SurfaceCurveRepresentation::SetActiveNodeToWorldPosition(double place[3], double /*orientation*/[9])
+{
+  return this->SetNthNodeWorldPosition(this->ActiveNode, place);
+}
+
+int SurfaceCurveRepresentation::SetActiveNodeToDisplayPosition(double pixel[2])
+{
+  return this->SetNthNodeDisplayPosition(this->ActiveNode, pixel);
+}
+
+int SurfaceCurveRepresentation::SetNthNodeWorldPosition(int n, double place[3])
+{
+  const auto vertex = this->NearestVertex(place);
+  return vertex && this->MovePlace(n, *vertex) ? 1 : 0;
+}
+
+int SurfaceCurveRepresentation::SetNthNodeWorldPosition(int n, double place[3], double /*orientation*/[9])
+{
+  return this->SetNthNodeWorldPosition(n, place);
+}
+
+int SurfaceCurveRepresentation::SetNthNodeDisplayPosition(int n, double pixel[2])
+{
+  const auto vertex = this->VertexAt(pointOf(pixel));
+  return vertex && this->MovePlace(n, *vertex) ? 1 : 0;
+}
+
+int SurfaceCurveRepresentation::AddIntermediatePointWorldPosition(int n, double place[3], vtkIdType vertex)
+{
+  if (!this->IsNode(n)) return 0;
+  auto* point = new vtkContourRepresentationPoint{};
+  point->PointId = vertex;
+  Vector3::Map(point->WorldPosition) = Vector3(place);
+  this->Internal->Nodes[static_cast<std::size_t>(n)]->Points.push_back(point);
+  return 1;
+}
+
+int SurfaceCurveRepresentation::ActivateNode(double pixel[2])
+{
+  const DisplayTransform display(*this->Renderer);
+  const std::vector<Index> places = this->GetPlaces();
+  double nearest = this->PixelTolerance;
+  int active = -1;
+  for (int n = 0; n < static_cast<int>(places.size()); ++n) {
+    const Index vertex = places[static_cast<std::size_t>(n)];
+    const DisplayTransform::Shown shown = display.show(this->PlaceOf(vertex));
+    const double distance = (shown.point - centerOfPixel(pixel[0], pixel[1])).norm();
+    if (!(shown.depth > 0) || distance >= nearest || !this->Surface->isVertexVisible(vertex, display)) continue;
+    nearest = distance;
+    active = n;
+  }
+  if (std::exchange(this->ActiveNode, active) != active) {
+    this->NeedToRender = 1;
+    this->Modified();
+  }
+  return active >= 0 ? 1 : 0;
+}
+
+int SurfaceCurveRepresentation::ComputeInteractionState(int x, int y, int /*modified*/)
+{
+  this->InteractionState = this->ActivateNode(x, y) != 0 ? Nearby : Outside;
+  return this->InteractionState;
+}
+
+void SurfaceCurveRepresentation::WidgetInteraction(double pixel[2])
+{
+  if (this->CurrentOperation != Translate) return;
+  const auto vertex = this->VertexAt(pointOf(pixel));
+  if (vertex && this->IsNode(this->ActiveNode) && this->GetNthNode(this->ActiveNode)->PointId != *vertex)
+    this->MovePlace(this->ActiveNode, *vertex);
+}
+
+void SurfaceCurveRepresentation::InitializeContour(vtkPolyData* line, vtkIdList* vertices)
+{
+  this->ClearAllNodes();
+  const vtkIdType count = line->GetNumberOfPoints();
+  const bool areNamed = vertices != nullptr && vertices->GetNumberOfIds() == count;
+  for (vtkIdType k = 0; k < count; ++k) {
+    if (areNamed)
+      this->InsertPlace(this->GetNumberOfNodes(), Index{vertices->GetId(k)});
+    else
+      this->AddNodeAtWorldPosition(line->GetPoint(k));
+  }
+  // As VTK tells closed lines: they name the first point once more.
+  if (line->GetNumberOfCells() > 0 && line->GetCell(0)->GetNumberOfPoints() > count) this->ClosedLoopOn();
+}
+
+void SurfaceCurveRepresentation::BuildLines()
+{
+  this->Modified();
+}
+
+void SurfaceCurveRepresentation::SetSprites()
+{
+  std::vector<Sprite> places;
+  if (this->Surface)
+    for (const Index vertex : this->GetPlaces()) places.push_back({this->PlaceOf(vertex), kCurveColor});
+  const auto only = [&](bool isShown, int n) {
+    return isShown ? std::vector<Sprite>{places[static_cast<std::size_t>(n)]} : std::vector<Sprite>{};
+  };
+  this->ActiveRing.set(only(this->IsNode(this->ActiveNode) && this->ClosedLoop != 0, this->ActiveNode));
+  this->ClosingRing.set(only(this->IsClosable(), 0));
+  this->Dots.set(places);
+  this->DotsBehind.set(places);
+  if (this->Preview.empty())
+    this->PreviewDot.set({});
+  else
+    this->PreviewDot.set({{this->PlaceOf(this->Preview.back()), kCurveColor}});
+}
+
+void SurfaceCurveRepresentation::SetWidths()
+{
+  const auto setWidth = [this](vtkActor& actor, double pixels) {
+    actor.GetProperty()->SetLineWidth(static_cast<float>(pixels * this->PixelRatio));
+  };
+  setWidth(*this->LineBehind, kCurvePixels);
+  setWidth(*this->LineRim, kCurveRimPixels);
+  setWidth(*this->LineFront, kCurvePixels);
+  setWidth(*this->PreviewRim, kPreviewRimPixels);
+  setWidth(*this->PreviewFront, kPreviewPixels);
+  for (PointSprites* const dots : {&this->Dots, &this->DotsBehind, &this->PreviewDot})
+    dots->setPixels(kPlacePixels * this->PixelRatio);
+  this->ActiveRing.setPixels(kActivePixels * this->PixelRatio);
+  this->ClosingRing.setPixels(2 * kReachPixels * this->PixelRatio);
+}
+
+void SurfaceCurveRepresentation::BuildRepresentation()
+{
+  if (this->GetMTime() <= this->BuildTime) return;
+  this->BuildTime.Modified();
+  const auto setLine = [this](vtkPolyData& data, std::vector<Index> vertices, bool isClosed) {
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkCellArray> lines;
+    points->SetDataTypeToDouble();
+    if (isClosed) vertices.push_back(vertices.front());
+    lines->InsertNextCell(static_cast<int>(vertices.size()));
+    for (const Index vertex : vertices) lines->InsertCellPoint(points->InsertNextPoint(this->PlaceOf(vertex).data()));
+    data.SetPoints(points);
+    data.SetLines(lines);
+    return vertices.size() > 1;
+  };
+  const std::vector<Index> path = this->GetPath();
+  const bool isLine = setLine(*this->Line, path, this->ClosedLoop != 0 && !path.empty());
+  const bool isPreview = setLine(*this->PreviewLine, this->Preview, false);
+  this->LineBehind->SetVisibility(isLine);
+  this->LineRim->SetVisibility(isLine);
+  this->LineFront->SetVisibility(isLine);
+  this->PreviewRim->SetVisibility(isPreview);
+  this->PreviewFront->SetVisibility(isPreview);
+  this->SetSprites();
+  this->SetWidths();
+}
+
+vtkPolyData* SurfaceCurveRepresentation::GetContourRepresentationAsPolyData()
+{
+  this->BuildRepresentation();
+  return this->Line;
+}
+
+void SurfaceCurveRepresentation::GetActors(vtkPropCollection* actors)
+{
+  for (vtkActor* const actor : this->Actors) actors->AddItem(actor);
+}
+
+void SurfaceCurveRepresentation::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (vtkActor* const actor : this->Actors) actor->ReleaseGraphicsResources(window);
+}
+
+int SurfaceCurveRepresentation::RenderOpaqueGeometry(vtkViewport* viewport)
+{
+  this->BuildRepresentation();
+  int drawn = 0;
+  for (vtkActor* const actor : this->Actors)
+    if (actor->GetVisibility() != 0) drawn += actor->RenderOpaqueGeometry(viewport);
+  return drawn;
+}
+
+}  // namespace holdfast

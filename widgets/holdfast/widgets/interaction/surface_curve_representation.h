@@ -1,0 +1,137 @@
+#pragma once
+/// \file
+/// A curve along the edges of a surface.
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <vtkContourRepresentation.h>
+#include <vtkNew.h>
+
+#include <holdfast/widgets/interaction/surface_curve_interpolator.h>
+#include <holdfast/widgets/interaction/surface_point_placer.h>
+#include <holdfast/widgets/marks/behind_actor.h>
+#include <holdfast/widgets/marks/point_sprites.h>
+
+class vtkPolyDataMapper;
+
+namespace holdfast {
+
+/// A contour whose nodes, the places, are vertices of the surface, all of one connected part and no two of them the
+/// same. What of it lies behind the surface is faint. It goes with its vertices where the surface moves.
+class SurfaceCurveRepresentation : public vtkContourRepresentation {
+ public:
+  static SurfaceCurveRepresentation* New();
+  vtkTypeMacro(SurfaceCurveRepresentation, vtkContourRepresentation)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// What the curve lies on; null (the default): nothing. Another model's takes the curve away.
+  void SetSurface(std::shared_ptr<const VisibleSurface> surface);
+  /// Made of the surface's model, whose edges the curve follows; null (the default): places are refused.
+  void SetRegions(std::shared_ptr<const VertexRegions> regions);
+
+  /// Pixels of the window for each of a display of ordinary resolution; 1 by default.
+  void SetPixelRatio(double ratio);
+  vtkGetMacro(PixelRatio, double);
+
+  /// Vertices of the file: the places in their order; the places and all vertices between, the way back to the first
+  /// included where the curve is closed.
+  [[nodiscard]] std::vector<Index> GetPlaces() const;
+  [[nodiscard]] std::vector<Index> GetPath() const;
+
+  /// Puts a place before the `n`-th one, or moves that to a vertex. False, and nothing is changed, for a vertex that no
+  /// face uses, that is a place already, or to which no edges lead from the others.
+  bool InsertPlace(int n, Index vertex);
+  bool MovePlace(int n, Index vertex);
+
+  /// The vertex that a click on a pixel means, as of `SurfacePicker` within 12 pixels; none beside the surface.
+  [[nodiscard]] std::optional<Index> VertexAt(const DisplayPoint& pixel) const;
+  /// Whether a click there closes the curve: the first of three places or more is within 12 pixels.
+  [[nodiscard]] bool IsAtFirst(const DisplayPoint& pixel);
+  [[nodiscard]] bool IsClosable() const;
+
+  /// Shows the way from the last place to a vertex, the first place included, or that vertex alone.
+  void SetPreview(std::optional<Index> vertex);
+  [[nodiscard]] const std::vector<Index>& GetPreview() const { return this->Preview; }
+
+  // VTK's ways to nodes. What is given as a place in space means the nearest vertex, O(N).
+  using vtkContourRepresentation::ActivateNode;
+  using vtkContourRepresentation::AddIntermediatePointWorldPosition;
+  using vtkContourRepresentation::AddNodeAtDisplayPosition;
+  using vtkContourRepresentation::AddNodeAtWorldPosition;
+  using vtkContourRepresentation::SetActiveNodeToDisplayPosition;
+  using vtkContourRepresentation::SetNthNodeDisplayPosition;
+  int AddNodeAtWorldPosition(double place[3]) override;
+  int AddNodeAtWorldPosition(double place[3], double orientation[9]) override;
+  int AddNodeAtDisplayPosition(double pixel[2]) override;
+  int AddNodeOnContour(int x, int y) override;
+  int SetActiveNodeToWorldPosition(double place[3]) override;
+  int SetActiveNodeToWorldPosition(double place[3], double orientation[9]) override;
+  int SetActiveNodeToDisplayPosition(double pixel[2]) override;
+  int SetNthNodeWorldPosition(int n, double place[3]) override;
+  int SetNthNodeWorldPosition(int n, double place[3], double orientation[9]) override;
+  int SetNthNodeDisplayPosition(int n, double pixel[2]) override;
+  int AddIntermediatePointWorldPosition(int n, double place[3], vtkIdType vertex) override;
+  /// The nearest visible place within 12 pixels.
+  int ActivateNode(double pixel[2]) override;
+  void ClearAllNodes() override;
+
+  void BuildRepresentation() override;
+  int ComputeInteractionState(int x, int y, int modified = 0) override;
+  void StartWidgetInteraction(double /*pixel*/[2]) override {}
+  /// Takes the active place, while it is translated, to the vertex under the cursor.
+  void WidgetInteraction(double pixel[2]) override;
+  vtkPolyData* GetContourRepresentationAsPolyData() override;
+
+  /// Null: what the curve lies on is in the scene already.
+  double* GetBounds() override { return nullptr; }
+  void GetActors(vtkPropCollection* actors) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+  int RenderOverlay(vtkViewport* /*viewport*/) override { return 0; }
+  int RenderOpaqueGeometry(vtkViewport* viewport) override;
+  int RenderTranslucentPolygonalGeometry(vtkViewport* /*viewport*/) override { return 0; }
+  vtkTypeBool HasTranslucentPolygonalGeometry() override { return 0; }
+
+ protected:
+  SurfaceCurveRepresentation();
+  ~SurfaceCurveRepresentation() override;
+
+  void BuildLines() override;
+  void InitializeContour(vtkPolyData* line, vtkIdList* vertices) override;
+
+ private:
+  SurfaceCurveRepresentation(const SurfaceCurveRepresentation&) = delete;
+  void operator=(const SurfaceCurveRepresentation&) = delete;
+
+  [[nodiscard]] bool IsPossible(Index vertex, int moved) const;
+  [[nodiscard]] std::optional<Index> NearestVertex(const double place[3]) const;
+  [[nodiscard]] Vector3 PlaceOf(Index vertex) const;
+  [[nodiscard]] bool IsNode(int n) const;
+  void FollowSurface();
+  void SetSprites();
+  void SetWidths();
+
+  std::shared_ptr<const VisibleSurface> Surface;
+  double PixelRatio = 1;
+  std::vector<Index> Preview;
+  vtkNew<SurfacePointPlacer> Placer;
+  vtkNew<SurfaceCurveInterpolator> Interpolator;
+
+  vtkNew<vtkPolyData> Line;
+  vtkNew<vtkPolyData> PreviewLine;
+  vtkNew<BehindActor> LineBehind;
+  vtkNew<BlendedActor> LineRim;
+  vtkNew<BlendedActor> LineFront;
+  vtkNew<BlendedActor> PreviewRim;
+  vtkNew<BlendedActor> PreviewFront;
+  PointSprites DotsBehind{SpriteShape::Ball, SpriteDepth::Behind};
+  PointSprites Dots{SpriteShape::Ball};
+  PointSprites PreviewDot{SpriteShape::Hollow};
+  PointSprites ActiveRing{SpriteShape::Ring};
+  PointSprites ClosingRing{SpriteShape::Ring};
+  std::array<vtkActor*, 10> Actors;  // in the order in which they are drawn
+};
+
+}  // namespace holdfast

@@ -1,0 +1,133 @@
+#pragma once
+/// \file
+/// Draws closed curves along the edges of a surface.
+
+#include <memory>
+#include <vector>
+
+#include <vtkContourWidget.h>
+
+#include <holdfast/surface/vertex_regions.h>
+#include <holdfast/widgets/interaction/click.h>
+#include <holdfast/widgets/picking/visible_surface.h>
+
+namespace holdfast {
+
+class SurfaceCurveRepresentation;
+
+/// Clicks place vertices that shortest paths of edges join. A click within 12 pixels of the first one closes the curve,
+/// then its places can be dragged, and a drag from elsewhere on it puts one more. Presses that neither close the curve
+/// nor drag a place are left to the camera: a place is put where the button comes up within 4 pixels.
+///
+/// | event                   | when                                                                  | call data  |
+/// |-------------------------|-----------------------------------------------------------------------|------------|
+/// | StartInteractionEvent   | the first place is put; a drag of a place begins                      | all places |
+/// | PlacePointEvent         | a place is put                                                        | `Index*`   |
+/// | InteractionEvent        | a place has been dragged on                                           | all places |
+/// | WidgetValueChangedEvent | each time that hand or keys, but for Escape, have changed the curve   | all places |
+/// | EndInteractionEvent     | the curve is closed; a drag of a place ends                           | all places |
+/// | CancelInteractionEvent  | Escape took all places, or a drag back                                | all places |
+///
+/// All places are a `std::vector<Index>*`: vertices of the file, in the order of the curve. Bindings, which the event
+/// translator can change:
+///
+/// | VTK event                                      | widget event                      |                             |
+/// |------------------------------------------------|-----------------------------------|-----------------------------|
+/// | LeftButtonPressEvent, LeftButtonReleaseEvent   | vtkWidgetEvent::Select, EndSelect | puts or drags a place; a    |
+/// |                                                |                                   | second press closes         |
+/// | MouseMoveEvent                                 | vtkWidgetEvent::Move              | shows the way to the cursor |
+/// | LeaveEvent                                     | vtkWidgetEvent::HoverLeave        | hides it                    |
+/// | LeftButtonDoubleClickEvent                     | vtkWidgetEvent::AddFinalPoint     | closes                      |
+/// | KeyPressEvent "Return", "KP_Enter"             | vtkWidgetEvent::AddFinalPoint     | closes                      |
+/// | KeyPressEvent "BackSpace", "Delete"            | vtkWidgetEvent::Delete            | takes a place back: of a    |
+/// |                                                |                                   | closed curve the one under  |
+/// |                                                |                                   | the cursor, else the last   |
+/// | KeyPressEvent "Escape"                         | vtkWidgetEvent::Reset             | takes all back              |
+///
+/// `FollowCursor`, on by default, shows the way to the vertex under the cursor; `ContinuousDraw` and
+/// `AllowNodePicking` are without effect. `CloseLoop` closes without an event. Disabling keeps the curve.
+class SurfaceCurveWidget : public vtkContourWidget {
+ public:
+  static SurfaceCurveWidget* New();
+  vtkTypeMacro(SurfaceCurveWidget, vtkContourWidget)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  void SetRepresentation(SurfaceCurveRepresentation* representation);
+  [[nodiscard]] SurfaceCurveRepresentation* GetSurfaceCurveRepresentation();
+  void CreateDefaultRepresentation() override;
+  void SetEnabled(int enabling) override;
+
+  /// What curves lie on; null (the default): nothing. Positions may change at any time; another model's surface takes
+  /// the curve away.
+  void SetSurface(std::shared_ptr<const VisibleSurface> surface);
+  /// Of the surface's model; null (the default): clicks are refused.
+  void SetRegions(std::shared_ptr<const VertexRegions> regions);
+  /// Pixels of the window for each of a display of ordinary resolution; 1 by default.
+  void SetPixelRatio(double ratio);
+  [[nodiscard]] double GetPixelRatio();
+
+  /// As of the representation: the vertices that were clicked, and those with all between.
+  [[nodiscard]] std::vector<Index> GetPlaces();
+  [[nodiscard]] std::vector<Index> GetPath();
+  [[nodiscard]] bool IsClosed();
+
+  /// An open curve through these vertices instead, without an event. Surface and regions are set. False, and no curve,
+  /// where one of them is no possible place (`SurfaceCurveRepresentation::InsertPlace`).
+  bool SetPlaces(const std::vector<Index>& vertices);
+  /// No curve, without an event.
+  void Clear();
+
+  // What a hand and keys can do, with the events that these bring.
+
+  /// Puts a place at the end of an open curve. False where that is not possible.
+  bool AddPlace(Index vertex);
+  /// False for a closed curve, and for fewer than three places.
+  bool Close();
+  /// Takes the last place back; the curve is open then. False where there is none.
+  bool RemoveLast();
+  /// Takes a drag back, or else all places. False where there are none.
+  bool Cancel();
+
+  /// As of VTK, from points near vertices or, better, from vertices. An open line is gone on with.
+  void Initialize(vtkPolyData* line, int state = 1, vtkIdList* vertices = nullptr) override;
+  using vtkContourWidget::Initialize;
+
+ protected:
+  SurfaceCurveWidget();
+  ~SurfaceCurveWidget() override;
+
+ private:
+  SurfaceCurveWidget(const SurfaceCurveWidget&) = delete;
+  void operator=(const SurfaceCurveWidget&) = delete;
+
+  template <void (SurfaceCurveWidget::*Action)()>
+  static void Call(vtkAbstractWidget* widget)
+  {
+    (static_cast<SurfaceCurveWidget*>(widget)->*Action)();
+  }
+
+  void Press();
+  void MoveTo();
+  void Release();
+  void Leave();
+  void CloseByHand();
+  void RemoveByHand();
+  void Escape();
+
+  void ClickAt(const DisplayPoint& cursor);
+  void BeginDrag();
+  void DragTo(const DisplayPoint& cursor);
+  void EndDrag();
+  void Hover(const DisplayPoint& cursor);
+  void Changed();
+  void Tell(unsigned long event);
+  void UpdateState();
+  void Use();
+  void ShowChanges();
+  [[nodiscard]] bool IsDragging();
+
+  Click LeftClick;
+  std::vector<Index> PlacesBefore;  // the drag that is under way
+};
+
+}  // namespace holdfast

@@ -1,0 +1,103 @@
+#pragma once
+/// \file
+/// Lets the user choose a point of a surface: on a vertex, on an edge or in a face.
+
+#include <memory>
+#include <optional>
+
+#include <vtkAbstractWidget.h>
+#include <vtkNew.h>
+#include <vtkWidgetEvent.h>
+
+#include <holdfast/widgets/interaction/click.h>
+#include <holdfast/widgets/interaction/surface_point_placer.h>
+#include <holdfast/widgets/interaction/surface_point_representation.h>
+
+namespace holdfast {
+
+/// Shows the point that a click would take, and takes it when there is one. A click is a press and a release within
+/// `kClickPixels`; neither is aborted, so that a drag from the same place turns the picture.
+///
+/// | event                   | when                                                    | call data              |
+/// |-------------------------|---------------------------------------------------------|------------------------|
+/// | InteractionEvent        | at each move over the surface; once when the point goes | `SurfacePick*` or null |
+/// | PlacePointEvent         | a click on a point                                      | `SurfacePick*`         |
+/// | WidgetValueChangedEvent | a key has chosen what points may lie on                 | `PickKind*`            |
+///
+/// | VTK event                                     | widget event                           |                   |
+/// |-----------------------------------------------|----------------------------------------|-------------------|
+/// | MouseMoveEvent                                | vtkWidgetEvent::Move                   | shows the point   |
+/// | LeaveEvent, MouseWheel{Forward,Backward}Event | vtkWidgetEvent::HoverLeave             | hides it          |
+/// | LeftButtonPressEvent                          | vtkWidgetEvent::Select                 | begins a click    |
+/// | LeftButtonReleaseEvent                        | vtkWidgetEvent::AddPoint               | ends it           |
+/// | CharEvent "v", "e", "f", "a"                  | `Choose{Vertices,Edges,Faces,Nearest}` | points may lie on |
+///
+/// The second press of a double click begins none. Keys are those of CharEvent, at which VTK's own styles would quit
+/// and fly: those that are used are aborted.
+class SurfacePointWidget : public vtkAbstractWidget {
+ public:
+  /// Widget events beside those of VTK.
+  enum WidgetEvents : unsigned long {
+    ChooseVertices = vtkWidgetEvent::HoverLeave + 18'500,
+    ChooseEdges,
+    ChooseFaces,
+    ChooseNearest
+  };
+
+  static SurfacePointWidget* New();
+  vtkTypeMacro(SurfacePointWidget, vtkAbstractWidget)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  void SetRepresentation(SurfacePointRepresentation* representation);
+  [[nodiscard]] SurfacePointRepresentation* GetSurfacePointRepresentation();
+  void CreateDefaultRepresentation() override;
+  /// Disabling hides the point.
+  void SetEnabled(int enabling) override;
+
+  /// What points lie on; null (the default): there are none. May change at any time, see
+  /// `SurfacePointRepresentation::SetSurface`.
+  void SetSurface(std::shared_ptr<const VisibleSurface> surface);
+  /// As a key does, without `WidgetValueChangedEvent`.
+  void SetKind(PickKind kind);
+  [[nodiscard]] PickKind GetKind() const { return this->Placer->GetKind(); }
+  /// Of placer and representation.
+  void SetPixelRatio(double ratio);
+  [[nodiscard]] double GetPixelRatio() const { return this->Placer->GetPixelRatio(); }
+  /// Decides which point the cursor means; its `SnapPixels` are set here, all else above.
+  [[nodiscard]] SurfacePointPlacer* GetPlacer() const { return this->Placer; }
+
+  /// Shows a point as the mouse would, or none. Without an event.
+  void SetPreview(std::optional<SurfacePick> pick);
+  void HidePreview() { this->SetPreview(std::nullopt); }
+  [[nodiscard]] const std::optional<SurfacePick>& GetPreview();
+
+  /// Whether a key is bound: for a window to ask before its shortcuts.
+  [[nodiscard]] bool WantsKey(char key) const;
+
+ protected:
+  SurfacePointWidget();
+  ~SurfacePointWidget() override = default;
+
+ private:
+  SurfacePointWidget(const SurfacePointWidget&) = delete;
+  void operator=(const SurfacePointWidget&) = delete;
+
+  template <void (SurfacePointWidget::*Action)()>
+  static void Call(vtkAbstractWidget* widget);
+  void Hover();
+  void Leave();
+  void Press();
+  void Release();
+  template <PickKind Kind>
+  void Choose();
+
+  [[nodiscard]] std::optional<SurfacePick> PickAtCursor() const;
+  void Show(std::optional<SurfacePick> pick);
+  void InformRepresentation();
+
+  vtkNew<SurfacePointPlacer> Placer;
+  Click LeftClick;
+  bool IsHovering = false;  // the cursor is in the renderer, and nothing moves the camera
+};
+
+}  // namespace holdfast

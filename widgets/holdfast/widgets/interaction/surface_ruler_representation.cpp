@@ -1,0 +1,258 @@
+#include "holdfast/widgets/interaction/surface_ruler_representation.h"
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+#include <vtkAxisActor2D.h>
+#include <vtkCellArray.h>
+#include <vtkCoordinate.h>
+#include <vtkObjectFactory.h>
+#include <vtkPoints.h>
+#include <vtkPolyDataMapper2D.h>
+#include <vtkPropCollection.h>
+#include <vtkProperty2D.h>
+#include <vtkRenderer.h>
+#include <vtkTextProperty.h>
+#include <vtkWindow.h>
+
+#include <holdfast/geometry/degree.h>
+#include <holdfast/widgets/camera/display_transform.h>
+#include <holdfast/widgets/marks/constraint_glyphs.h>
+
+namespace holdfast {
+namespace {
+
+// Of a display of ordinary resolution.
+constexpr double kRulerPixels = 1.8;
+constexpr double kRulerHaloPixels = 4.2;
+constexpr double kEndRadiusPixels = 5;
+constexpr double kActiveEndRadiusPixels = 7;
+constexpr double kGrabPixels = 9;
+constexpr double kLetterPixels = 14;
+constexpr double kLabelGapPixels = 12;
+
+constexpr double kBarbPixels = 12;
+constexpr double kBarbDegrees = 25;
+
+constexpr int kRingCorners = 32;
+
+// A font of so many points has as many pixels.
+constexpr double kPointsPerInch = 72;
+
+/// `format` of printf for a text as it is.
+std::string verbatim(const std::string& text)
+{
+  std::string format;
+  for (const char letter : text) format += letter == '%' ? "%%" : std::string(1, letter);
+  return format;
+}
+
+/// With four digits of the longest; what is less than these is 0.
+std::string componentsText(const Vector3& vector)
+{
+  constexpr double kFourDigits = 1e-4;
+  const double least = kFourDigits * vector.cwiseAbs().maxCoeff();
+  const auto shown = [&](double value) { return std::abs(value) < least ? 0 : value; };
+  return fmt::format("{:.4g}, {:.4g}, {:.4g}", shown(vector.x()), shown(vector.y()), shown(vector.z()));
+}
+
+void setLabelLook(vtkAxisActor2D& axis)
+{
+  axis.AxisVisibilityOff();
+  axis.TickVisibilityOff();
+  axis.UseFontSizeFromPropertyOn();
+  vtkTextProperty& text = *axis.GetTitleTextProperty();
+  text.BoldOff();
+  text.ItalicOff();
+  text.ShadowOff();
+  text.SetColor(0.08, 0.10, 0.14);
+  text.SetBackgroundColor(1, 1, 1);
+  text.SetBackgroundOpacity(0.85);
+}
+
+void addRing(const DisplayPoint& center, double radius, vtkPoints& points, vtkCellArray& lines)
+{
+  const vtkIdType first = points.GetNumberOfPoints();
+  for (int k = 0; k < kRingCorners; ++k) {
+    const double angle = 2 * std::numbers::pi * k / kRingCorners;
+    points.InsertNextPoint(center.x() + radius * std::cos(angle), center.y() + radius * std::sin(angle), 0);
+    lines.InsertNextCell({first + k, first + (k + 1) % kRingCorners});
+  }
+}
+
+void addLine(const DisplayPoint& from, const DisplayPoint& to, vtkPoints& points, vtkCellArray& lines)
+{
+  const vtkIdType first = points.InsertNextPoint(from.x(), from.y(), 0);
+  lines.InsertNextCell({first, points.InsertNextPoint(to.x(), to.y(), 0)});
+}
+
+}  // namespace
+
+vtkStandardNewMacro(SurfaceRulerRepresentation);
+
+SurfaceRulerRepresentation::SurfaceRulerRepresentation()
+{
+  const vtkNew<SurfaceHandleRepresentation> handle;
+  // Rings are drawn with the line.
+  handle->GetProperty()->SetOpacity(0);
+  handle->GetSelectedProperty()->SetOpacity(0);
+  this->SetHandleRepresentation(handle);
+  this->InstantiateHandleRepresentation();
+  for (const int end : {0, 1}) this->GetHandle(end).SetPointPlacer(this->Placer);
+  setLabelLook(*this->GetAxis());
+  vtkNew<vtkCoordinate> pixels;
+  pixels->SetCoordinateSystemToDisplay();
+  for (vtkActor2D* const actor : {this->Halo.Get(), this->Line.Get()}) {
+    vtkNew<vtkPolyDataMapper2D> mapper;
+    mapper->SetInputData(this->Lines);
+    mapper->SetTransformCoordinate(pixels);
+    actor->SetMapper(mapper);
+  }
+  this->Halo->GetProperty()->SetColor(1, 1, 1);
+  this->Line->GetProperty()->SetColor(kAccentColor.red, kAccentColor.green, kAccentColor.blue);
+  this->SetPixelRatio(1);
+}
+
+SurfaceRulerRepresentation::~SurfaceRulerRepresentation() = default;
+
+void SurfaceRulerRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Label: " << this->GetLabel() << '\n';
+  os << indent << "RestDistance: " << this->GetRestDistance() << '\n';
+  os << indent << "Placer:\n";
+  this->Placer->PrintSelf(os, indent.GetNextIndent());
+}
+
+SurfaceHandleRepresentation& SurfaceRulerRepresentation::GetHandle(int end) const
+{
+  return *static_cast<SurfaceHandleRepresentation*>(end == 0 ? this->Point1Representation : this->Point2Representation);
+}
+
+bool SurfaceRulerRepresentation::IsPlaced() const
+{
+  return this->GetHandle(0).GetPlacement() && this->GetHandle(1).GetPlacement();
+}
+
+void SurfaceRulerRepresentation::SetSurface(std::shared_ptr<const VisibleSurface> surface)
+{
+  const auto before = this->Placer->GetSurface();
+  if (before == surface) return;
+  const bool isSameMesh = before && surface && surface->isSameMesh(*before);
+  this->Placer->SetSurface(std::move(surface));
+  for (const int end : {0, 1})
+    if (isSameMesh)
+      this->GetHandle(end).FollowSurface();
+    else
+      this->GetHandle(end).SetPlacement(std::nullopt);
+  this->Modified();
+}
+
+Vector3 SurfaceRulerRepresentation::GetVector() const
+{
+  return this->IsPlaced() ? Vector3(this->GetHandle(1).GetPlace() - this->GetHandle(0).GetPlace()) : Vector3::Zero();
+}
+
+double SurfaceRulerRepresentation::GetDistance()
+{
+  return this->GetVector().stableNorm();
+}
+
+double SurfaceRulerRepresentation::GetRestDistance() const
+{
+  return this->IsPlaced() ? (this->GetHandle(0).GetRestPlace() - this->GetHandle(1).GetRestPlace()).stableNorm() : 0;
+}
+
+void SurfaceRulerRepresentation::SetUnits(const std::string& units)
+{
+  this->Units = units;
+  this->Modified();
+}
+
+std::string SurfaceRulerRepresentation::GetLabel()
+{
+  const std::string units = this->Units.empty() ? "" : ' ' + this->Units;
+  const std::string vector = this->ShowVector ? ": " + componentsText(this->GetVector()) : "";
+  return fmt::format("{:.4g}{}{} (rest {:.4g})", this->GetDistance(), units, vector, this->GetRestDistance());
+}
+
+void SurfaceRulerRepresentation::SetPixelRatio(double ratio)
+{
+  this->Placer->SetPixelRatio(ratio);
+  this->Halo->GetProperty()->SetLineWidth(static_cast<float>(kRulerHaloPixels * this->GetPixelRatio()));
+  this->Line->GetProperty()->SetLineWidth(static_cast<float>(kRulerPixels * this->GetPixelRatio()));
+  this->SetTolerance(static_cast<int>(std::lround(kGrabPixels * this->GetPixelRatio())));
+  this->GetAxis()->SetTickLength(static_cast<int>(std::lround(kLabelGapPixels * this->GetPixelRatio())));
+  this->Modified();
+}
+
+void SurfaceRulerRepresentation::BuildRepresentation()
+{
+  this->SetLabelFormat(verbatim(this->GetLabel()).c_str());
+  if (this->Renderer != nullptr && this->Renderer->GetVTKWindow() != nullptr) {
+    const double letter =
+        kLetterPixels * this->GetPixelRatio() * kPointsPerInch / this->Renderer->GetVTKWindow()->GetDPI();
+    this->GetAxis()->GetTitleTextProperty()->SetFontSize(static_cast<int>(std::lround(letter)));
+    this->BuildLines();
+  }
+  this->Superclass::BuildRepresentation();
+}
+
+void SurfaceRulerRepresentation::BuildLines()
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> lines;
+  this->IsInView = false;
+  if (this->IsPlaced()) {
+    const DisplayTransform toDisplay(*this->Renderer);
+    const DisplayTransform::Shown a = toDisplay.show(this->GetHandle(0).GetPlace());
+    const DisplayTransform::Shown b = toDisplay.show(this->GetHandle(1).GetPlace());
+    this->IsInView = a.depth > 0 && b.depth > 0;
+    const auto radius = [&](int end) {
+      const bool isActive = this->GetHandle(end).GetInteractionState() != vtkHandleRepresentation::Outside;
+      return (isActive ? kActiveEndRadiusPixels : kEndRadiusPixels) * this->GetPixelRatio();
+    };
+    addRing(a.point, radius(0), *points, *lines);
+    addRing(b.point, radius(1), *points, *lines);
+    // The line leaves the places in the rings free to be seen.
+    const DisplayPoint along = b.point - a.point;
+    if (along.norm() > radius(0) + radius(1)) {
+      const DisplayPoint from = a.point + radius(0) * along.normalized();
+      const DisplayPoint to = b.point - radius(1) * along.normalized();
+      addLine(from, to, *points, *lines);
+      for (const double degrees : {-kBarbDegrees, kBarbDegrees})
+        if (this->ShowVector) {
+          const DisplayPoint back = Eigen::Rotation2Dd(degrees * kDegree) * -along.normalized();
+          addLine(to, to + kBarbPixels * this->GetPixelRatio() * back, *points, *lines);
+        }
+    }
+  }
+  this->Lines->SetPoints(points);
+  this->Lines->SetLines(lines);
+}
+
+void SurfaceRulerRepresentation::GetActors2D(vtkPropCollection* actors)
+{
+  for (vtkActor2D* const actor : {this->Halo.Get(), this->Line.Get(), static_cast<vtkActor2D*>(this->GetAxis())})
+    actors->AddItem(actor);
+}
+
+void SurfaceRulerRepresentation::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Superclass::ReleaseGraphicsResources(window);
+  this->Halo->ReleaseGraphicsResources(window);
+  this->Line->ReleaseGraphicsResources(window);
+}
+
+int SurfaceRulerRepresentation::RenderOverlay(vtkViewport* viewport)
+{
+  this->BuildRepresentation();
+  if (!this->IsInView) return 0;
+  return this->Halo->RenderOverlay(viewport) + this->Line->RenderOverlay(viewport) +
+         this->Superclass::RenderOverlay(viewport);
+}
+
+}  // namespace holdfast

@@ -1,0 +1,96 @@
+#pragma once
+/// \file
+/// Measures between two points of a surface.
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <vtkDistanceWidget.h>
+
+#include <holdfast/widgets/interaction/click.h>
+#include <holdfast/widgets/interaction/surface_ruler_representation.h>
+
+namespace holdfast {
+
+/// A click on the surface places the first end, another one the second; then both can be dragged. Ends lie on vertices,
+/// on edges or in faces, and follow a surface that moves. Clicks are as in `Click`: they leave the camera to drags,
+/// also between the two. A press on an end is aborted, and all that follows it until the release.
+///
+/// | event                  | when                                                     | call data            |
+/// |------------------------|----------------------------------------------------------|----------------------|
+/// | StartInteractionEvent  | the first end is placed; an end is grabbed               | none                 |
+/// | PlacePointEvent        | an end is placed by a click                              | `int*`, the end: 0, 1 |
+/// | InteractionEvent       | the second end goes with the cursor; an end is dragged   | none                 |
+/// | EndInteractionEvent    | the second end is placed; an end is let go               | none                 |
+/// | CancelInteractionEvent | instead: there is no ruler, or the end is where it was   | none                 |
+///
+/// | VTK event                 | widget event              |                                          |
+/// |---------------------------|---------------------------|------------------------------------------|
+/// | LeftButtonPressEvent      | vtkWidgetEvent::AddPoint  | begins a click, or grabs an end          |
+/// | MouseMoveEvent            | vtkWidgetEvent::Move      | moves the second end, or the grabbed one |
+/// | LeftButtonReleaseEvent    | vtkWidgetEvent::EndSelect | places an end, or lets it go             |
+/// | KeyPressEvent "Escape"    | vtkWidgetEvent::Reset     | takes back a half-drawn ruler, or a drag |
+class SurfaceRulerWidget : public vtkDistanceWidget {
+ public:
+  static SurfaceRulerWidget* New();
+  vtkTypeMacro(SurfaceRulerWidget, vtkDistanceWidget)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  void SetRepresentation(SurfaceRulerRepresentation* representation);
+  [[nodiscard]] SurfaceRulerRepresentation* GetRulerRepresentation();
+  void CreateDefaultRepresentation() override;
+  /// Disabling cancels what is under way, and keeps a ruler that is drawn.
+  void SetEnabled(int enabling) override;
+
+  /// What is measured; null (the default): nothing. May change at any time: the ends follow where it has moved, and the
+  /// ruler goes where it is another mesh (`VisibleSurface::isSameMesh`).
+  void SetSurface(std::shared_ptr<const VisibleSurface> surface);
+  void SetPixelRatio(double ratio) { this->GetRulerRepresentation()->SetPixelRatio(ratio); }
+  void SetUnits(const std::string& units) { this->GetRulerRepresentation()->SetUnits(units); }
+  [[nodiscard]] SurfacePointPlacer* GetPlacer() { return this->GetRulerRepresentation()->GetPlacer(); }
+
+  /// A ruler from `a` to `b`, without events. There is a surface. Throws `InputError`, and changes nothing, where its
+  /// mesh does not have one of the locations. O(T log T).
+  void SetLocations(const SurfaceLocation& a, const SurfaceLocation& b);
+  /// Of the ends 0 and 1; none while they are not placed.
+  [[nodiscard]] std::optional<SurfaceLocation> GetLocation(int end);
+  /// No ruler: the next click places its first end. Without events.
+  void Clear();
+
+  /// Model units; 0 before both ends are placed.
+  [[nodiscard]] double GetDistance() { return this->GetRulerRepresentation()->GetDistance(); }
+  [[nodiscard]] double GetRestDistance() { return this->GetRulerRepresentation()->GetRestDistance(); }
+
+  /// Whether the first end is placed and the second goes with the cursor, or an end is dragged.
+  [[nodiscard]] bool IsUnderWay() const;
+  /// As Escape does.
+  void Cancel();
+
+ protected:
+  SurfaceRulerWidget();
+  ~SurfaceRulerWidget() override = default;
+
+ private:
+  SurfaceRulerWidget(const SurfaceRulerWidget&) = delete;
+  void operator=(const SurfaceRulerWidget&) = delete;
+
+  template <void (SurfaceRulerWidget::*Action)()>
+  static void Call(vtkAbstractWidget* widget);
+  void Press();
+  void Move();
+  void Release();
+  void Escape();
+
+  void Grab();
+  void PlaceEnd();
+  void MoveSecondEnd();
+  void Hover();
+  void StopDrag();
+  void PrepareHandles();
+
+  Click LeftClick;
+  std::optional<SurfacePlacement> GrabbedAt;  // where the end was that is dragged
+};
+
+}  // namespace holdfast

@@ -1,0 +1,143 @@
+#include "holdfast/widgets/marks/point_sprites.h"
+
+#include <cmath>
+#include <string>
+
+#include <vtkActor.h>
+#include <vtkCellArray.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkShaderProperty.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <holdfast/widgets/marks/behind_actor.h>
+
+namespace holdfast {
+namespace {
+
+/// The distance `d` of the pixel at `p`, in radii of the sprite, from the border of the shape, negative inside; and
+/// whether it is light there.
+std::string shapeCode(SpriteShape shape)
+{
+  switch (shape) {
+    case SpriteShape::Bead:
+      return "float d = min(length(p) - 0.50, max(abs(p.y) - 0.13, abs(p.x) - 0.84));"
+             "bool isLight = d > 0.0; d -= 0.14;";
+    case SpriteShape::Wedge:
+      return "float d = max(-p.y, 0.866 * abs(p.x) + 0.5 * p.y) - 0.37;"
+             "bool isLight = d > 0.0 || length(p) < 0.16; d -= 0.11;";
+    case SpriteShape::Hollow:
+      return "float d = length(p) - 0.84; bool isLight = d > 0.0 || d < -0.34; d -= 0.15;";
+    case SpriteShape::Ring:
+      return "float d = abs(length(p) - 0.82) - 0.10; bool isLight = d > 0.0; d -= 0.07;";
+    case SpriteShape::Ball:
+      break;
+  }
+  return {};
+}
+
+/// How far before their place flat shapes float, in radii: a tilted surface does not cut them. What marks something
+/// else is to be seen as a whole; what marks a place is not to be seen through a thin wall.
+const char* liftOf(SpriteShape shape)
+{
+  return shape == SpriteShape::Ring ? "3.0" : "1.6";
+}
+
+std::string fragmentCode(SpriteShape shape)
+{
+  return "//VTK::Light::Impl\n"
+         "  vec2 p = vec2(2.0 * gl_PointCoord.x - 1.0, 1.0 - 2.0 * gl_PointCoord.y);\n  " +
+         shapeCode(shape) +
+         "\n  if (d > 0.0) discard;\n"
+         "  if (isLight) fragOutput0.rgb = vec3(0.98);\n"
+         "  float lift = ZCalcR * " +
+         liftOf(shape) +
+         ";\n"
+         "  gl_FragDepth = cameraParallel == 0 ? (ZCalcS - gl_FragCoord.z) / (lift - 1.0) + ZCalcS\n"
+         "                                     : gl_FragCoord.z + ZCalcS * lift;\n";
+}
+
+void setBallLook(vtkActor& actor)
+{
+  drawPointsAsBalls(actor);
+  vtkProperty& property = *actor.GetProperty();
+  property.SetAmbient(0.25);
+  property.SetDiffuse(0.75);
+  property.SetSpecular(0.35);
+  property.SetSpecularPower(30);
+}
+
+void setLook(vtkActor& actor, SpriteShape shape)
+{
+  setBallLook(actor);
+  if (shape == SpriteShape::Ball) return;
+  actor.GetProperty()->LightingOff();
+  actor.GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", true, fragmentCode(shape), false);
+}
+
+}  // namespace
+
+PointSprites::PointSprites(SpriteShape shape, SpriteDepth depth)
+{
+  points_->SetDataTypeToDouble();
+  colors_->SetNumberOfComponents(3);
+  data_->SetPoints(points_);
+  data_->GetPointData()->SetScalars(colors_);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(data_);
+  if (depth == SpriteDepth::Behind)
+    actor_ = vtkSmartPointer<BehindActor>::New();
+  else
+    actor_ = vtkSmartPointer<vtkActor>::New();
+  actor_->SetMapper(mapper);
+  setLook(*actor_, shape);
+  if (depth == SpriteDepth::Behind) actor_->GetProperty()->LightingOff();
+}
+
+PointSprites::~PointSprites() = default;
+
+void PointSprites::set(const std::vector<Sprite>& sprites)
+{
+  points_->Reset();
+  colors_->Reset();
+  vtkNew<vtkCellArray> cells;
+  for (const auto& [place, color] : sprites) {
+    colors_->InsertNextTuple3(std::round(255 * color.red), std::round(255 * color.green), std::round(255 * color.blue));
+    cells->InsertNextCell({points_->InsertNextPoint(place.data())});
+  }
+  points_->Modified();
+  colors_->Modified();
+  data_->SetVerts(cells);
+  actor_->SetVisibility(!sprites.empty());
+}
+
+void PointSprites::setPixels(double pixels)
+{
+  actor_->GetProperty()->SetPointSize(static_cast<float>(pixels));
+}
+
+vtkActor& PointSprites::actor() const
+{
+  return *actor_;
+}
+
+void drawPointsAsBalls(vtkActor& actor)
+{
+  actor.GetProperty()->RenderPointsAsSpheresOn();
+  // Where lines are shifted towards the eye, VTK shifts points as well. Version 9.3 adds a slope of depths that are not
+  // yet known then, and balls sink into the surface: their shift is none.
+  double units = 0;
+  vtkMapper::GetResolveCoincidentTopologyPointOffsetParameter(units);
+  actor.GetMapper()->SetRelativeCoincidentTopologyPointOffsetParameter(-units);
+}
+
+void showPointsAsBalls(vtkActor& actor, const Color& color)
+{
+  setBallLook(actor);
+  actor.GetProperty()->SetColor(color.red, color.green, color.blue);
+}
+
+}  // namespace holdfast

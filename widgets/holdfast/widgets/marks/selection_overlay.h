@@ -1,0 +1,67 @@
+#pragma once
+/// \file
+/// Vertices that are selected, on the mesh that is drawn.
+
+#include <span>
+#include <vector>
+
+#include <vtkNew.h>
+
+#include <holdfast/widgets/mesh/mesh_actor.h>
+
+class vtkActor;
+class vtkPolyData;
+class vtkPolyDataMapper;
+
+namespace holdfast {
+
+/// No more vertices than this are dotted, evenly spread; the tint shows them all.
+inline constexpr Index kMostSelectionDots = 2000;
+
+/// The actors of a selection: small dots on vertices, and a tint over the triangles between them. They move with the
+/// mesh, whose points they share.
+class SelectionOverlay {
+ public:
+  /// Both stay alive as long as this.
+  SelectionOverlay(const Model& model, const MeshActor& mesh);
+  ~SelectionOverlay();
+  SelectionOverlay(const SelectionOverlay&) = delete;
+  SelectionOverlay& operator=(const SelectionOverlay&) = delete;
+
+  /// File vertices, in any order. Those that no face uses do not show. O(T).
+  void set(const std::vector<Index>& fileVertices);
+  /// Of the tint, where it covers many triangles.
+  void setDetail(Detail detail);
+
+  /// The diameter of dots, in pixels of the window.
+  void setDotPixels(double pixels);
+
+  [[nodiscard]] vtkActor& dots() const { return *dots_; }
+  [[nodiscard]] vtkActor& tint() const { return *tint_; }
+  /// The tint in full detail, a part at a time, until the next `setDetail`.
+  [[nodiscard]] ActorSlices& tintSlices() { return tintSlices_; }
+
+ private:
+  void setDots();
+  [[nodiscard]] bool areSelected(std::span<const Index> points, const std::vector<Index>& vertexOf) const;
+  [[nodiscard]] vtkIdType tintedOf(const Polygons& triangles, const std::vector<Index>& vertexOf) const;
+  void setTint(vtkPolyData& data, const Polygons& triangles, const std::vector<Index>& vertexOf) const;
+  void updateTint();
+
+  const Model& model_;
+  const MeshActor& mesh_;
+  std::vector<Index> pointOf_;    // of each file vertex, -1 where no face uses it
+  std::vector<char> isSelected_;  // of each file vertex
+  Detail detail_ = Detail::Full;
+  vtkIdType tinted_ = 0;  // of the triangles of the mesh
+  vtkNew<vtkPolyData> dotData_;
+  vtkNew<vtkPolyData> tintData_;
+  vtkNew<vtkPolyData> coarseTintData_;
+  vtkNew<vtkPolyDataMapper> tintMapper_;
+  vtkNew<vtkPolyDataMapper> coarseTintMapper_;
+  vtkNew<vtkActor> dots_;
+  vtkNew<vtkActor> tint_;
+  ActorSlices tintSlices_{*tint_, *tintMapper_};
+};
+
+}  // namespace holdfast

@@ -1,0 +1,105 @@
+#include "holdfast/widgets/mesh/actor_slices.h"
+
+#include <algorithm>
+
+#include <vtkActor.h>
+#include <vtkCellArray.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+
+namespace holdfast {
+
+struct ActorSlices::Slice {
+  vtkSmartPointer<vtkPolyData> data;  // null until it is first shown
+  vtkSmartPointer<vtkPolyDataMapper> mapper;
+};
+
+namespace {
+
+vtkSmartPointer<vtkCellArray> someOf(vtkCellArray& cells, Index begin, Index end)
+{
+  auto some = vtkSmartPointer<vtkCellArray>::New();
+  some->AllocateExact(end - begin, (end - begin) * cells.GetMaxCellSize());
+  for (Index k = begin; k < end; ++k) {
+    vtkIdType count = 0;
+    const vtkIdType* corners = nullptr;
+    cells.GetCellAtId(k, count, corners);
+    some->InsertNextCell(count, corners);
+  }
+  return some;
+}
+
+/// All but the cells.
+void share(vtkPolyData& whole, vtkPolyData& slice)
+{
+  slice.SetPoints(whole.GetPoints());
+  slice.GetPointData()->SetNormals(whole.GetPointData()->GetNormals());
+  slice.GetPointData()->SetScalars(whole.GetPointData()->GetScalars());
+}
+
+void share(vtkPolyDataMapper& whole, vtkPolyDataMapper& slice)
+{
+  slice.SetScalarVisibility(whole.GetScalarVisibility());
+  slice.SetInterpolateScalarsBeforeMapping(whole.GetInterpolateScalarsBeforeMapping());
+  slice.SetUseLookupTableScalarRange(whole.GetUseLookupTableScalarRange());
+  if (whole.GetScalarVisibility() != 0) slice.SetLookupTable(whole.GetLookupTable());
+  slice.SetClippingPlanes(whole.GetClippingPlanes());
+  double factor = 0;
+  double units = 0;
+  whole.GetRelativeCoincidentTopologyPolygonOffsetParameters(factor, units);
+  slice.SetRelativeCoincidentTopologyPolygonOffsetParameters(factor, units);
+  whole.GetRelativeCoincidentTopologyLineOffsetParameters(factor, units);
+  slice.SetRelativeCoincidentTopologyLineOffsetParameters(factor, units);
+}
+
+}  // namespace
+
+ActorSlices::ActorSlices(vtkActor& actor, vtkPolyDataMapper& whole) : actor_(actor), whole_(whole) {}
+
+ActorSlices::~ActorSlices() = default;
+
+vtkCellArray& ActorSlices::cells() const
+{
+  vtkPolyData& data = *whole_.GetInput();
+  return data.GetNumberOfPolys() > 0 ? *data.GetPolys() : *data.GetLines();
+}
+
+Index ActorSlices::count() const
+{
+  return (cells().GetNumberOfCells() + kSliceCells - 1) / kSliceCells;
+}
+
+void ActorSlices::make(Index slice)
+{
+  vtkPolyData& whole = *whole_.GetInput();
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  const Index begin = slice * kSliceCells;
+  const auto some = someOf(cells(), begin, std::min<Index>(begin + kSliceCells, cells().GetNumberOfCells()));
+  if (whole.GetNumberOfPolys() > 0)
+    data->SetPolys(some);
+  else
+    data->SetLines(some);
+  auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
+  mapper->SetInputData(data);
+  slices_[slice] = {data, mapper};
+}
+
+void ActorSlices::show(Index slice)
+{
+  if (cells().GetMTime() != cellsTime_) slices_.clear();
+  cellsTime_ = cells().GetMTime();
+  slices_.resize(static_cast<std::size_t>(count()));
+  if (slices_[slice].data == nullptr) make(slice);
+  share(*whole_.GetInput(), *slices_[slice].data);
+  share(whole_, *slices_[slice].mapper);
+  actor_.SetMapper(slices_[slice].mapper);
+}
+
+void ActorSlices::showWhole()
+{
+  actor_.SetMapper(&whole_);
+}
+
+}  // namespace holdfast

@@ -1,0 +1,54 @@
+#pragma once
+/// \file
+/// A large mesh as it is drawn while it moves.
+
+#include <vector>
+
+#include <vtkNew.h>
+
+#include <holdfast/widgets/mesh/coarse_triangles.h>
+
+class vtkDoubleArray;
+class vtkFloatArray;
+class vtkPolyData;
+
+namespace holdfast {
+
+/// About `kCoarseTriangles` of a surface, over copies of the points that they need: what is drawn again and again is
+/// small.
+class CoarseSurface {
+ public:
+  /// O(T log T).
+  CoarseSurface(const Model& model, const ShadedSurface& surface);
+  ~CoarseSurface();
+  CoarseSurface(const CoarseSurface&) = delete;
+  CoarseSurface& operator=(const CoarseSurface&) = delete;
+
+  /// Moves it with the points of the surface, of which all triangles shape its normals.
+  void follow(const Positions& places);
+  /// Copies the shares of the surface's points; null where it has one colour.
+  void color(const vtkDoubleArray* shares);
+
+  [[nodiscard]] const Polygons& triangles() const noexcept { return triangles_; }
+  /// Whether it is the skin of a solid at rest: from outside only fronts of triangles are seen.
+  [[nodiscard]] bool isSolid() const noexcept { return isSolid_; }
+  /// Whether the place is within the box around its points.
+  [[nodiscard]] bool isNear(const Vector3& place) const;
+  /// The file's vertex of each point.
+  [[nodiscard]] const std::vector<Index>& vertexOf() const noexcept { return vertexOf_; }
+  [[nodiscard]] vtkPolyData& data() const { return *data_; }
+
+ private:
+  Polygons triangles_;
+  bool isSolid_;
+  std::vector<Index> pointOf_;  // of the surface, for each point
+  std::vector<Index> vertexOf_;
+  Polygons around_;              // the triangles of the surface at these points
+  std::vector<Index> cornerOf_;  // the point, if any, at each of their corners
+  Positions doubleNormals_;      // at the points: kept for the memory
+  vtkNew<vtkDoubleArray> places_;
+  vtkNew<vtkFloatArray> normals_;
+  vtkNew<vtkPolyData> data_;
+};
+
+}  // namespace holdfast

@@ -1,0 +1,267 @@
+#include "holdfast/widgets/mesh/mesh_actor.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+#include <vtkCellArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
+#include <vtkLookupTable.h>
+#include <vtkPlane.h>
+#include <vtkPlaneCollection.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+
+#include <holdfast/mesh/vertex_normals.h>
+#include <holdfast/widgets/mesh/poly_data.h>
+
+namespace holdfast {
+namespace {
+
+constexpr double kEdgePixels = 1.1;
+
+// No wider than a pixel of the window, OpenGL draws lines itself; wider ones are made of triangles.
+constexpr double kMeshEdgePixels = 1.0;
+
+// Lines lie on the surface: without a shift towards the eye they would come and go.
+constexpr double kEdgeFactor = -1;
+constexpr double kEdgeUnits = -4;
+
+vtkSmartPointer<vtkCellArray> linesOf(const std::vector<std::array<Index, 2>>& edges)
+{
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  for (const auto& [a, b] : edges) cells->InsertNextCell({a, b});
+  return cells;
+}
+
+/// The sides of all polygons of the file, each once, as pairs of points.
+std::vector<std::array<Index, 2>> polygonEdges(const Mesh& mesh, const ShadedSurface& surface)
+{
+  std::vector<Index> pointOf(static_cast<std::size_t>(mesh.vertexCount()), -1);
+  for (std::size_t k = surface.vertexOf.size(); k-- > 0;) pointOf[surface.vertexOf[k]] = static_cast<Index>(k);
+  std::vector<std::array<Index, 2>> edges;
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    const auto corners = mesh.faces[f];
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const Index a = pointOf[corners[k]];
+      const Index b = pointOf[corners[(k + 1) % corners.size()]];
+      if (a >= 0 && b >= 0 && a != b) edges.push_back({std::min(a, b), std::max(a, b)});
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
+/// Lines lie on the surface: they are drawn a little nearer.
+void showLines(vtkActor& actor, vtkPolyDataMapper& mapper, vtkPolyData& data)
+{
+  mapper.SetInputData(&data);
+  mapper.ScalarVisibilityOff();
+  mapper.SetResolveCoincidentTopologyToPolygonOffset();
+  mapper.SetRelativeCoincidentTopologyLineOffsetParameters(kEdgeFactor, kEdgeUnits);
+  actor.SetMapper(&mapper);
+}
+
+void setSurfaceLook(vtkProperty& property)
+{
+  property.SetColor(kPlainColor.red, kPlainColor.green, kPlainColor.blue);
+  property.SetInterpolationToPhong();
+  property.SetAmbient(0.16);
+  property.SetDiffuse(0.84);
+  property.SetSpecular(0.10);
+  property.SetSpecularPower(24);
+}
+
+void setEdgeLook(vtkProperty& property)
+{
+  property.SetColor(0.13, 0.15, 0.19);
+  property.SetOpacity(0.75);
+  property.LightingOff();
+  property.SetLineWidth(static_cast<float>(kEdgePixels));
+}
+
+void setMeshEdgeLook(vtkProperty& property)
+{
+  setEdgeLook(property);
+  property.SetOpacity(0.35);
+  property.SetLineWidth(static_cast<float>(kMeshEdgePixels));
+}
+
+}  // namespace
+
+MeshActor::MeshActor(const Model& model)
+    : MeshActor(model, std::make_shared<const ShadedSurface>(cutAtSharpEdges(model)))
+{
+}
+
+MeshActor::MeshActor(const Model& model, std::shared_ptr<const ShadedSurface> shaded)
+    : model_(model), shaded_(std::move(shaded)), corners_(cornerVertices(shaded_->triangles))
+{
+  places_.resize(static_cast<Index>(shaded_->vertexOf.size()), 3);
+  coordinates_->SetNumberOfComponents(3);
+  constexpr int kKeepOurs = 1;
+  coordinates_->SetArray(places_.data(), places_.size(), kKeepOurs);
+  points_->SetData(coordinates_);
+  normals_->SetName("Normals");
+  normals_->SetNumberOfComponents(3);
+  normals_->SetNumberOfTuples(places_.rows());
+  for (vtkPolyData* const data : {surfaceData_.Get(), edgeData_.Get(), meshEdgeData_.Get()}) data->SetPoints(points_);
+  surfaceData_->GetPointData()->SetNormals(normals_);
+  surfaceData_->SetPolys(toCells(shaded_->triangles));
+  edgeData_->SetLines(linesOf(shaded_->creases));
+  for (vtkPolyDataMapper* const mapper :
+       {surfaceMapper_.Get(), coarseMapper_.Get(), edgeMapper_.Get(), meshEdgeMapper_.Get()})
+    mapper->SetClippingPlanes(sectionPlanes_);
+  surfaceMapper_->SetInputData(surfaceData_);
+  surface_->SetMapper(surfaceMapper_);
+  clearColors();
+  showLines(*edges_, *edgeMapper_, *edgeData_);
+  showLines(*meshEdges_, *meshEdgeMapper_, *meshEdgeData_);
+  setSurfaceLook(*surface_->GetProperty());
+  setEdgeLook(*edges_->GetProperty());
+  setMeshEdgeLook(*meshEdges_->GetProperty());
+  // They hide nothing that the surface below them does not hide, and need no order.
+  meshEdges_->ForceOpaqueOn();
+  setPositions(model.mesh.positions);
+}
+
+MeshActor::~MeshActor()
+{
+  // Whoever still holds an actor draws a copy.
+  vtkNew<vtkDoubleArray> copy;
+  copy->DeepCopy(coordinates_);
+  points_->SetData(copy);
+}
+
+void MeshActor::setPositions(const Positions& positions)
+{
+  for (Index k = 0; k < places_.rows(); ++k) places_.row(k) = positions.row(shaded_->vertexOf[k]);
+  coordinates_->Modified();
+  points_->Modified();
+  areNormalsOld_ = true;
+  isCoarseOld_ = true;
+  update();
+}
+
+void MeshActor::updateNormals()
+{
+  doubleNormals_.resize(places_.rows(), 3);
+  areaWeightedNormals(places_, shaded_->triangles, corners_, doubleNormals_);
+  std::transform(doubleNormals_.data(), doubleNormals_.data() + doubleNormals_.size(), normals_->GetPointer(0),
+                 [](double value) { return static_cast<float>(value); });
+  normals_->Modified();
+  areNormalsOld_ = false;
+}
+
+void MeshActor::clearColors()
+{
+  surfaceMapper_->ScalarVisibilityOff();
+  colorCoarse();
+}
+
+void MeshActor::setMeshEdges(MeshEdges edges)
+{
+  meshEdgesShown_ = edges;
+  if (edges == MeshEdges::All && !hasMeshEdges_) meshEdgeData_->SetLines(linesOf(polygonEdges(model_.mesh, *shaded_)));
+  hasMeshEdges_ = hasMeshEdges_ || edges == MeshEdges::All;
+  update();
+}
+
+void MeshActor::setDetail(Detail detail)
+{
+  detail_ = detail;
+  if (detail == Detail::Coarse && coarseMapper_->GetInput() == nullptr) {
+    coarseMapper_->SetInputData(&coarse().data());
+    colorCoarse();
+  }
+  update();
+}
+
+void MeshActor::lookFrom(const Vector3& eye)
+{
+  eye_ = eye;
+  update();
+}
+
+void MeshActor::setSection(const std::optional<SectionPlane>& section)
+{
+  // Mappers make their shaders anew when planes come or go, and nothing when one moves.
+  if (!section) {
+    sectionPlanes_->RemoveAllItems();
+  } else {
+    sectionPlane_->SetOrigin(section->origin.data());
+    sectionPlane_->SetNormal(section->normal.data());
+    if (sectionPlanes_->GetNumberOfItems() == 0) sectionPlanes_->AddItem(sectionPlane_);
+  }
+  update();
+}
+
+const CoarseSurface& MeshActor::coarse() const
+{
+  if (!coarse_) coarse_ = std::make_unique<CoarseSurface>(model_, *shaded_);
+  if (std::exchange(isCoarseOld_, false)) coarse_->follow(places_);
+  return *coarse_;
+}
+
+void MeshActor::colorCoarse()
+{
+  if (coarseMapper_->GetInput() == nullptr) return;
+  const bool isColored = surfaceMapper_->GetScalarVisibility() != 0;
+  coarse_->color(isColored ? vtkDoubleArray::SafeDownCast(surfaceData_->GetPointData()->GetScalars()) : nullptr);
+  coarseMapper_->SetScalarVisibility(surfaceMapper_->GetScalarVisibility());
+  if (!isColored) return;
+  coarseMapper_->SetLookupTable(surfaceMapper_->GetLookupTable());
+  coarseMapper_->UseLookupTableScalarRangeOn();
+  coarseMapper_->SetInterpolateScalarsBeforeMapping(surfaceMapper_->GetInterpolateScalarsBeforeMapping());
+}
+
+bool MeshActor::isCoarse() const
+{
+  return detail_ == Detail::Coarse && coarse().triangles().size() < shaded_->triangles.size();
+}
+
+void MeshActor::update()
+{
+  const bool isCoarse = this->isCoarse();
+  if (!isCoarse && areNormalsOld_) updateNormals();
+  surface_->SetMapper(isCoarse ? coarseMapper_ : surfaceMapper_);
+  const bool isOpened = sectionPlanes_->GetNumberOfItems() > 0;
+  surface_->GetProperty()->SetBackfaceCulling(isCoarse && coarse().isSolid() && eye_ && !coarse().isNear(*eye_) &&
+                                              !isOpened);
+  meshEdges_->SetVisibility(meshEdgesShown_ == MeshEdges::All && !isCoarse);
+}
+
+void MeshActor::setColors(const std::vector<double>& values, const ColorScale& scale)
+{
+  vtkNew<vtkDoubleArray> shares;
+  shares->SetName("shares of the scale");
+  shares->SetNumberOfValues(static_cast<vtkIdType>(shaded_->vertexOf.size()));
+  bool isComplete = true;
+  for (std::size_t k = 0; k < shaded_->vertexOf.size(); ++k) {
+    assert(shaded_->vertexOf[k] < static_cast<Index>(values.size()));
+    const double share = shareOf(scale, values[shaded_->vertexOf[k]]);
+    isComplete = isComplete && !std::isnan(share);
+    shares->SetValue(static_cast<vtkIdType>(k), share);
+  }
+  surfaceData_->GetPointData()->SetScalars(shares);
+  surfaceMapper_->SetLookupTable(toLookupTable(scale.map));
+  surfaceMapper_->UseLookupTableScalarRangeOn();
+  surfaceMapper_->SetInterpolateScalarsBeforeMapping(isComplete);
+  surfaceMapper_->ScalarVisibilityOn();
+  colorCoarse();
+}
+
+void MeshActor::setPixelRatio(double ratio)
+{
+  edges_->GetProperty()->SetLineWidth(static_cast<float>(kEdgePixels * ratio));
+  meshEdges_->GetProperty()->SetLineWidth(static_cast<float>(kMeshEdgePixels * ratio));
+}
+
+}  // namespace holdfast

@@ -1,0 +1,140 @@
+#pragma once
+/// \file
+/// A mesh as VTK draws it: a smooth surface with crisp edges, in one colour or coloured by values.
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <vtkNew.h>
+
+#include <holdfast/widgets/color/color_map.h>
+#include <holdfast/widgets/mesh/actor_slices.h>
+#include <holdfast/widgets/mesh/blended_actor.h>
+#include <holdfast/widgets/mesh/coarse_surface.h>
+#include <holdfast/widgets/mesh/section_plane.h>
+#include <holdfast/widgets/mesh/shaded_surface.h>
+
+class vtkActor;
+class vtkDoubleArray;
+class vtkFloatArray;
+class vtkPlane;
+class vtkPlaneCollection;
+class vtkPoints;
+class vtkPolyData;
+class vtkPolyDataMapper;
+
+namespace holdfast {
+
+/// The colour of surfaces without values.
+inline constexpr Color kPlainColor{0.70, 0.73, 0.77};
+
+/// Which edges are drawn as lines besides the sharp ones and borders.
+enum class MeshEdges {
+  Sharp,  ///< none
+  All     ///< those of all polygons of the file
+};
+
+/// How much of a large mesh is drawn.
+enum class Detail {
+  Full,
+  Coarse  ///< about `kCoarseTriangles` of its triangles, and of its edges the sharp ones: for what moves
+};
+
+/// The actors of one mesh: its surface and, as thin dark lines, its sharp edges and borders.
+class MeshActor {
+ public:
+  /// At rest, in one colour. `model` stays alive as long as this. O(T log T).
+  explicit MeshActor(const Model& model);
+  /// The same with `shaded`, which was cut from `model`.
+  MeshActor(const Model& model, std::shared_ptr<const ShadedSurface> shaded);
+  ~MeshActor();
+  MeshActor(const MeshActor&) = delete;
+  MeshActor& operator=(const MeshActor&) = delete;
+
+  /// Moves the mesh: one row for each vertex of the file. O(T); in coarse detail most of it waits for the full one.
+  void setPositions(const Positions& positions);
+
+  /// Colours by `values`, one for each vertex of the file. Between vertices the values are interpolated and then
+  /// coloured; where some are NaN, the colours are interpolated.
+  void setColors(const std::vector<double>& values, const ColorScale& scale);
+
+  /// One colour again.
+  void clearColors();
+
+  void setMeshEdges(MeshEdges edges);
+  /// Switching costs next to nothing once there are coarse triangles.
+  void setDetail(Detail detail);
+  /// From where it is looked at next. In coarse detail the backs of a solid are not drawn while this is outside the box
+  /// around it, and no section opens it: without a GPU that takes a third of the time, more or less. Where what is
+  /// solid at rest was turned inside out, full detail shows it.
+  void lookFrom(const Vector3& eye);
+
+  /// What is drawn in full detail of `surface` and `meshEdges`, a part at a time, until the next `setDetail`.
+  [[nodiscard]] ActorSlices& surfaceSlices() { return surfaceSlices_; }
+  [[nodiscard]] ActorSlices& meshEdgeSlices() { return meshEdgeSlices_; }
+
+  /// Draws what a plane keeps alone; none: everything. The mesh is not touched. Moving the plane costs next to nothing.
+  void setSection(const std::optional<SectionPlane>& section);
+  /// What cuts the mesh, for others that are drawn on it: it follows `setSection`.
+  [[nodiscard]] vtkPlaneCollection& sectionPlanes() const { return *sectionPlanes_; }
+
+  /// How many pixels of the window are one of the picture: widths of lines are in pixels of the picture.
+  void setPixelRatio(double ratio);
+
+  [[nodiscard]] vtkActor& surface() const { return *surface_; }
+  [[nodiscard]] vtkActor& edges() const { return *edges_; }
+  /// The lines of `MeshEdges::All`.
+  [[nodiscard]] vtkActor& meshEdges() const { return *meshEdges_; }
+
+  [[nodiscard]] const Model& model() const noexcept { return model_; }
+
+  /// The file vertex of each point that is drawn.
+  [[nodiscard]] const std::vector<Index>& vertexOf() const noexcept { return shaded_->vertexOf; }
+  [[nodiscard]] const std::shared_ptr<const ShadedSurface>& shaded() const noexcept { return shaded_; }
+
+  /// The points and normals that are drawn, for others to draw on them: they move with the mesh.
+  [[nodiscard]] vtkPoints& points() const { return *points_; }
+  /// In coarse detail they may be older than the points.
+  [[nodiscard]] vtkFloatArray& normals() const { return *normals_; }
+  /// What is drawn of a large mesh in coarse detail. Made when it is first asked for, O(T log T); moves with the mesh.
+  [[nodiscard]] const CoarseSurface& coarse() const;
+
+ private:
+  [[nodiscard]] bool isCoarse() const;
+  void update();
+  void updateNormals();
+  void colorCoarse();
+
+  const Model& model_;
+  std::shared_ptr<const ShadedSurface> shaded_;
+  std::vector<Index> corners_;  // the point at each corner of the triangles
+  Positions places_;            // of the points: what VTK draws lies here
+  Positions doubleNormals_;     // at the points: kept for the memory
+  MeshEdges meshEdgesShown_ = MeshEdges::Sharp;
+  Detail detail_ = Detail::Full;
+  std::optional<Vector3> eye_;
+  bool hasMeshEdges_ = false;
+  bool areNormalsOld_ = true;  // older than the places
+  mutable bool isCoarseOld_ = true;
+  mutable std::unique_ptr<CoarseSurface> coarse_;
+  vtkNew<vtkPlane> sectionPlane_;
+  vtkNew<vtkPlaneCollection> sectionPlanes_;  // none, or that one
+  vtkNew<vtkDoubleArray> coordinates_;
+  vtkNew<vtkPoints> points_;
+  vtkNew<vtkFloatArray> normals_;
+  vtkNew<vtkPolyData> surfaceData_;
+  vtkNew<vtkPolyData> edgeData_;
+  vtkNew<vtkPolyData> meshEdgeData_;
+  vtkNew<vtkPolyDataMapper> surfaceMapper_;
+  vtkNew<vtkPolyDataMapper> coarseMapper_;
+  vtkNew<vtkPolyDataMapper> edgeMapper_;
+  vtkNew<vtkPolyDataMapper> meshEdgeMapper_;
+  vtkNew<vtkActor> surface_;
+  vtkNew<BlendedActor> edges_;
+  vtkNew<vtkActor> meshEdges_;
+  ActorSlices surfaceSlices_{*surface_, *surfaceMapper_};
+  ActorSlices meshEdgeSlices_{*meshEdges_, *meshEdgeMapper_};
+};
+
+}  // namespace holdfast

@@ -1,0 +1,127 @@
+#include "holdfast/widgets/mesh/poly_data.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <vtkCellArray.h>
+#include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
+#include <holdfast/base/error.h>
+
+namespace holdfast {
+namespace {
+
+void requireSurface(vtkPolyData& polyData, const std::string& file)
+{
+  if (const auto strips = polyData.GetNumberOfStrips(); strips > 0)
+    throw InputError({file, 0, ""},
+                     "there are triangle strips (" + std::to_string(strips) +
+                         "), whose triangles have no ids of their own; turn them into polygons first (the "
+                         "filter Triangulate of ParaView does)");
+  if (polyData.GetNumberOfPolys() == 0)
+    throw InputError({file, 0, ""},
+                     "there are no polygons, and only surfaces made of polygons can be deformed; give a file "
+                     "with POLYGONS or Polys");
+}
+
+std::string polygon(vtkIdType id)
+{
+  return "polygon " + std::to_string(id);
+}
+
+void requireSoundKind(vtkCellArray& cells, vtkIdType leastCorners, const char* kind, const std::string& file)
+{
+  vtkDataArray& offsets = *cells.GetOffsetsArray();
+  const vtkIdType cornerCount = cells.GetNumberOfConnectivityIds();
+  const auto offset = [&](vtkIdType i) { return static_cast<vtkIdType>(offsets.GetComponent(i, 0)); };
+  if (offsets.GetNumberOfTuples() < 1 || offset(0) != 0)
+    throw InputError({file, 0, kind + std::string("s")},
+                     "their first offset is not 0; the file is damaged, write it anew");
+  for (vtkIdType i = 1; i < offsets.GetNumberOfTuples(); ++i)
+    if (offset(i) < offset(i - 1) + leastCorners || offset(i) > cornerCount)
+      throw InputError({file, 0, kind + (" " + std::to_string(i - 1))},
+                       "it goes from corner " + std::to_string(offset(i - 1)) + " to before corner " +
+                           std::to_string(offset(i)) + " of " + std::to_string(cornerCount) + ", and needs at least " +
+                           std::to_string(leastCorners) + "; leave it out or write the file anew");
+}
+
+void requireFace(const std::vector<Index>& corners, Index pointCount, const InputLocation& here)
+{
+  for (const Index corner : corners)
+    if (corner < 0 || corner >= pointCount)
+      throw InputError(here, "it refers to point " + std::to_string(corner) +
+                                 ", but the points are numbered from 0 to " + std::to_string(pointCount - 1));
+}
+
+}  // namespace
+
+vtkSmartPointer<vtkPoints> toPoints(const Positions& positions)
+{
+  vtkNew<vtkDoubleArray> coordinates;
+  coordinates->SetNumberOfComponents(3);
+  coordinates->SetNumberOfTuples(positions.rows());
+  std::copy_n(positions.data(), positions.size(), coordinates->GetPointer(0));
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetData(coordinates);
+  return points;
+}
+
+vtkSmartPointer<vtkCellArray> toCells(const Polygons& polygons)
+{
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->AllocateExact(polygons.size(), polygons.cornerCount());
+  for (Index f = 0; f < polygons.size(); ++f) {
+    const auto corners = polygons[f];
+    cells->InsertNextCell(static_cast<int>(corners.size()));
+    for (const Index corner : corners) cells->InsertCellPoint(corner);
+  }
+  return cells;
+}
+
+vtkSmartPointer<vtkPolyData> toPolyData(const Mesh& mesh, const Positions& positions)
+{
+  auto polyData = vtkSmartPointer<vtkPolyData>::New();
+  polyData->SetPoints(toPoints(positions));
+  polyData->SetPolys(toCells(mesh.faces));
+  return polyData;
+}
+
+void requireSoundCells(vtkPolyData& polyData, const std::string& file)
+{
+  requireSoundKind(*polyData.GetVerts(), 1, "vertex cell", file);
+  requireSoundKind(*polyData.GetLines(), 2, "line", file);
+  requireSoundKind(*polyData.GetPolys(), 3, "polygon", file);
+  requireSoundKind(*polyData.GetStrips(), 3, "strip", file);
+}
+
+Positions positionsOf(vtkPolyData& polyData)
+{
+  Positions positions(polyData.GetNumberOfPoints(), 3);
+  for (Index v = 0; v < positions.rows(); ++v) polyData.GetPoint(v, positions.row(v).data());
+  return positions;
+}
+
+Polygons polygonsOf(vtkPolyData& polyData, const std::string& file)
+{
+  requireSurface(polyData, file);
+  vtkCellArray& cells = *polyData.GetPolys();
+  Polygons polygons;
+  polygons.reserve(cells.GetNumberOfCells(), cells.GetNumberOfConnectivityIds());
+  std::vector<Index> corners;
+  for (vtkIdType face = 0; face < cells.GetNumberOfCells(); ++face) {
+    vtkIdType count = 0;
+    const vtkIdType* ids = nullptr;
+    cells.GetCellAtId(face, count, ids);
+    corners.assign(ids, ids + count);
+    requireFace(corners, polyData.GetNumberOfPoints(), {file, 0, polygon(face)});
+    polygons.add(corners);
+  }
+  return polygons;
+}
+
+}  // namespace holdfast

@@ -1,0 +1,112 @@
+#include "holdfast/widgets/mesh/shaded_surface.h"
+
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+#include <span>
+
+#include <holdfast/base/disjoint_sets.h>
+#include <holdfast/mesh/edges.h>
+#include <holdfast/mesh/vertex_normals.h>
+
+namespace holdfast {
+namespace {
+
+Vector3 normalOfTriangle(const Model& model, Index triangle)
+{
+  return unitOrZero(areaVector(model.mesh.positions, model.triangulation.triangles[triangle]));
+}
+
+/// Corners are numbered 3 triangle + place.
+Index cornerOf(const HalfEdge& half, const std::vector<Triangle>& triangles, Index vertex)
+{
+  const int side = half.side;
+  return 3 * half.triangle + (triangles[half.triangle][side] == vertex ? side : (side + 1) % 3);
+}
+
+bool isSmooth(std::span<const HalfEdge> halves, const Model& model)
+{
+  if (halves.size() != 2 || halves[0].isForward == halves[1].isForward) return false;
+  const double cosine = normalOfTriangle(model, halves[0].triangle).dot(normalOfTriangle(model, halves[1].triangle));
+  return cosine >= std::cos(kSharpDegrees * std::numbers::pi / 180);
+}
+
+/// Numbers the sets of corners in the order of their first corner.
+ShadedSurface numberPoints(const Model& model, DisjointSets& corners)
+{
+  const std::vector<Triangle>& triangles = model.triangulation.triangles;
+  ShadedSurface surface;
+  std::vector<Index> pointOf(3 * triangles.size(), -1);
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    Triangle points{};
+    for (int k = 0; k < 3; ++k) {
+      Index& point = pointOf[corners.find(3 * static_cast<Index>(t) + k)];
+      if (point < 0) {
+        point = static_cast<Index>(surface.vertexOf.size());
+        surface.vertexOf.push_back(triangles[t][k]);
+      }
+      points[k] = point;
+    }
+    surface.triangles.add(points);
+  }
+  return surface;
+}
+
+/// Sharp edges that hang together.
+struct Chain {
+  Index edges = 0;
+  Index vertices = 0;
+  double length = 0;  // model units
+};
+
+/// The sharp edges without the short ends of lines that bends of a smooth surface leave where they are just sharp:
+/// what is drawn closes a loop, as rims of the smallest holes do, or has some length.
+std::vector<HalfEdge> drawnEdges(const std::vector<HalfEdge>& sharp, const SolverMesh& mesh)
+{
+  DisjointSets sets(mesh.unknownCount());
+  for (const HalfEdge& edge : sharp) sets.unite(edge.a, edge.b);
+  std::map<Index, Chain> chains;
+  std::set<Index> counted;
+  for (const HalfEdge& edge : sharp) {
+    Chain& chain = chains[sets.find(edge.a)];
+    ++chain.edges;
+    chain.length += (mesh.rest.row(edge.a) - mesh.rest.row(edge.b)).stableNorm();
+    for (const Index vertex : {edge.a, edge.b}) chain.vertices += counted.insert(vertex).second ? 1 : 0;
+  }
+  std::vector<HalfEdge> drawn;
+  for (const HalfEdge& edge : sharp) {
+    const Chain& chain = chains[sets.find(edge.a)];
+    if (chain.edges >= chain.vertices || chain.length >= kLeastCreaseLength * mesh.diagonal) drawn.push_back(edge);
+  }
+  return drawn;
+}
+
+}  // namespace
+
+ShadedSurface cutAtSharpEdges(const Model& model)
+{
+  const std::vector<Triangle> triangles = trianglesOverUnknowns(model);
+  DisjointSets corners(3 * static_cast<Index>(triangles.size()));
+  std::vector<HalfEdge> sharp;
+  forEachEdge(sortedHalfEdges(triangles), [&](std::span<const HalfEdge> halves) {
+    if (!isSmooth(halves, model)) return sharp.push_back(halves[0]);
+    for (const Index vertex : {halves[0].a, halves[0].b})
+      corners.unite(cornerOf(halves[0], triangles, vertex), cornerOf(halves[1], triangles, vertex));
+  });
+  ShadedSurface surface = numberPoints(model, corners);
+  for (const HalfEdge& half : drawnEdges(sharp, model.solverMesh)) {
+    const auto points = surface.triangles[half.triangle];
+    surface.creases.push_back({points[half.side], points[(half.side + 1) % 3]});
+  }
+  return surface;
+}
+
+Positions pointsOf(const ShadedSurface& surface, const Positions& positions)
+{
+  Positions points(static_cast<Index>(surface.vertexOf.size()), 3);
+  for (Index k = 0; k < points.rows(); ++k) points.row(k) = positions.row(surface.vertexOf[k]);
+  return points;
+}
+
+}  // namespace holdfast

@@ -1,0 +1,53 @@
+#pragma once
+/// \file
+/// The vertices inside a rectangle or a lasso drawn on the screen.
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <holdfast/widgets/camera/display_transform.h>
+#include <holdfast/widgets/picking/screen_polygon.h>
+#include <holdfast/widgets/picking/visible_surface.h>
+
+namespace holdfast {
+
+enum class ScreenReach {
+  VisibleOnly,  ///< what the user sees: nothing lies before the vertex
+  Through       ///< what is hidden as well, but not what a section cuts away
+};
+
+/// The vertices of the file that are shown inside `polygon` in the renderer's part of the window; ascending. The
+/// corners of the polygon are pixels as a cursor names them, each meaning its centre; it is closed from the last to the
+/// first, and what it encloses is as of `ScreenPolygon`. Vertices that no face uses, those behind the eye and those
+/// that a section cuts away are left out. O(N) and, for `VisibleOnly`, about O(k log T) for k vertices inside.
+[[nodiscard]] std::vector<Index> verticesInScreenPolygon(vtkRenderer& renderer,
+                                                         std::shared_ptr<const VisibleSurface> surface,
+                                                         std::span<const DisplayPoint> polygon, ScreenReach reach);
+
+/// The same a few vertices at a time, for a window that answers in between.
+class ScreenSelection {
+ public:
+  /// Sees what `renderer` shows now of `surface`, which is not null.
+  ScreenSelection(vtkRenderer& renderer, std::shared_ptr<const VisibleSurface> surface,
+                  std::span<const DisplayPoint> polygon, ScreenReach reach);
+
+  /// Looks at `count` vertices more, or as many as are left.
+  void advance(Index count);
+  [[nodiscard]] bool isDone() const { return next_ == surface_->positions().rows(); }
+
+  /// Of the vertices looked at so far those inside, ascending.
+  [[nodiscard]] const std::vector<Index>& inside() const noexcept { return inside_; }
+
+ private:
+  [[nodiscard]] bool isInside(Index vertex) const;
+
+  std::shared_ptr<const VisibleSurface> surface_;
+  DisplayTransform display_;
+  ScreenPolygon outline_;
+  ScreenReach reach_;
+  Index next_ = 0;
+  std::vector<Index> inside_;
+};
+
+}  // namespace holdfast

@@ -1,0 +1,76 @@
+#pragma once
+/// \file
+/// What of a model's surface can be seen from where.
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <holdfast/deform/model.h>
+#include <holdfast/mesh/vertex_triangles.h>
+#include <holdfast/surface/ray_caster.h>
+#include <holdfast/widgets/camera/display_transform.h>
+#include <holdfast/widgets/mesh/section_plane.h>
+
+namespace holdfast {
+
+/// The triangles of one model at some positions, hit by rays. Triangles are numbered as in the model's triangulation.
+/// Never changes, and shares with its copies, and with those that have moved, whatever it can.
+class VisibleSurface {
+ public:
+  /// At rest. `model` stays alive as long as this. O(T log T).
+  explicit VisibleSurface(const Model& model);
+
+  /// The same without what a plane cuts away, which is neither hit nor seen, and hides nothing; none: all of it. O(1).
+  [[nodiscard]] VisibleSurface withSection(const std::optional<SectionPlane>& section) const;
+  [[nodiscard]] const std::optional<SectionPlane>& section() const noexcept { return section_; }
+
+  /// The same at other positions, cut by the same plane: one row for each vertex of the file, all finite. O(T), on any
+  /// thread.
+  [[nodiscard]] VisibleSurface movedTo(std::shared_ptr<const Positions> positions) const;
+
+  /// Whether one was made of the other, or both of a third: places are named alike on both.
+  [[nodiscard]] bool isSameMesh(const VisibleSurface& other) const noexcept
+  {
+    return trianglesOf_ == other.trianglesOf_;
+  }
+
+  [[nodiscard]] const Model& model() const noexcept { return *model_; }
+  [[nodiscard]] const Positions& positions() const noexcept { return rays_.positions(); }
+
+  /// The triangles at a vertex of the file and at all that are the same unknown; ascending, none for a vertex that no
+  /// face uses.
+  [[nodiscard]] std::span<const Index> trianglesAt(Index vertex) const;
+
+  /// Whether a place is not cut away.
+  [[nodiscard]] bool isKept(const Vector3& place) const { return !section_ || holdfast::isKept(*section_, place); }
+  /// The part of a ray within `range` that is not cut away.
+  [[nodiscard]] RayRange keptPart(const Ray& ray, const RayRange& range = {}) const;
+
+  [[nodiscard]] std::optional<RayHit> firstHit(const Ray& ray) const { return rays_.firstHit(ray, keptPart(ray)); }
+
+  /// Those that are cut away as well.
+  [[nodiscard]] std::vector<Index> withinReach(const Ray& ray, const RayReach& reach) const
+  {
+    return rays_.withinReach(ray, reach);
+  }
+
+  /// Whether a vertex that is in front of the eye is kept, and nothing but its own triangles lies before it. Takes
+  /// microseconds.
+  [[nodiscard]] bool isVertexVisible(Index vertex, const DisplayTransform& display) const;
+
+  /// Whether nothing but the triangles of the edge between two vertices lies before a place on it, which is kept and in
+  /// front of the eye.
+  [[nodiscard]] bool isEdgeVisible(Index i, Index j, const Vector3& place, const DisplayTransform& display) const;
+
+ private:
+  [[nodiscard]] bool isBlocked(const Ray& toPlace, std::span<const Index> own) const;
+
+  const Model* model_;
+  RayCaster rays_;
+  std::shared_ptr<const VertexTriangles> trianglesOf_;  // of each unknown
+  std::optional<SectionPlane> section_;
+};
+
+}  // namespace holdfast

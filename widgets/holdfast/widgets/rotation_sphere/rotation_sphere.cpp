@@ -1,0 +1,339 @@
+#include "holdfast/widgets/rotation_sphere/rotation_sphere.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <vtkActor.h>
+#include <vtkCallbackCommand.h>
+#include <vtkCamera.h>
+#include <vtkCoordinate.h>
+#include <vtkDoubleArray.h>
+#include <vtkLookupTable.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
+
+#include <holdfast/widgets/camera/display_transform.h>
+#include <holdfast/widgets/marks/point_sprites.h>
+#include <holdfast/widgets/rotation_sphere/sphere_camera.h>
+#include <holdfast/widgets/rotation_sphere/sphere_shapes.h>
+
+namespace holdfast {
+namespace {
+
+// Sizes in pixels of the picture.
+constexpr double kPointPixels = 4.5;
+constexpr double kBallPixels = 14;
+constexpr double kMarkPixels = 17;
+constexpr double kRingLinePixels = 1;
+constexpr double kArcPixels = 2;
+constexpr double kTextPixels = 14;
+constexpr double kScaleTextPixels = 12;
+
+constexpr double kShellOpacity = 0.8;
+constexpr Color kPlainPoint{0.16, 0.38, 0.66};
+
+// Arcs between all of more rotations than this would cover the sphere.
+constexpr std::size_t kMostJoined = 12;
+// So would their names.
+constexpr std::size_t kMostNamed = 24;
+
+// In radii: where names of axes stand, and how much of an axis must lie in the picture for it to be named.
+constexpr double kAxisNameRadius = 1.1;
+constexpr double kNamedAxis = 0.5;
+constexpr std::array<const char*, 3> kAxisNames{"x", "y", "z"};
+
+// Names of rings and axes are hidden from where the surface has turned away from the eye.
+constexpr double kFarText = -0.1;
+
+void setColor(vtkActor& actor, const Color& color)
+{
+  actor.GetProperty()->SetColor(color.red, color.green, color.blue);
+}
+
+void setData(vtkActor& actor, vtkPolyData& data)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(&data);
+  mapper->ScalarVisibilityOff();
+  actor.SetMapper(mapper);
+}
+
+void makeBalls(vtkActor& actor)
+{
+  drawPointsAsBalls(actor);
+  actor.GetProperty()->SetAmbient(0.35);
+  actor.GetProperty()->SetDiffuse(0.65);
+}
+
+}  // namespace
+
+RotationSphere::RotationSphere()
+{
+  auto nothing = std::make_shared<PlacedRotations>();
+  nothing->vertices = std::make_shared<const SphereVertices>();
+  placed_ = std::move(nothing);
+  setData(*points_, *pointData_);
+  setData(*balls_, *boundaryData_);
+  setData(*arcs_, *arcData_);
+  setData(*mark_, *markData_);
+  setData(*shell_, *sphereShell());
+  setData(*rings_, *sphereRings());
+  for (vtkActor* const actor : {points_.Get(), balls_.Get(), mark_.Get()}) makeBalls(*actor);
+  for (vtkActor* const actor : {rings_.Get(), arcs_.Get()}) actor->GetProperty()->LightingOff();
+  shell_->GetProperty()->SetOpacity(kShellOpacity);
+  // Nearly flat, so that the colours of points are told apart at the rim too.
+  shell_->GetProperty()->SetAmbient(0.6);
+  shell_->GetProperty()->SetDiffuse(0.4);
+  // The far half is what is seen through the near one.
+  shell_->GetProperty()->BackfaceCullingOn();
+  mark_->VisibilityOff();
+  applyLook();
+}
+
+RotationSphere::~RotationSphere()
+{
+  if (renderer_) renderer_->RemoveObserver(observer_);
+}
+
+void RotationSphere::addTo(vtkRenderer& renderer)
+{
+  renderer_ = &renderer;
+  for (vtkActor* const actor : {rings_.Get(), arcs_.Get(), points_.Get(), balls_.Get(), mark_.Get()})
+    renderer.AddActor(actor);
+  // What is behind it is seen through it.
+  renderer.AddActor(shell_);
+  renderer.GetActiveCamera()->ParallelProjectionOn();
+  vtkNew<vtkCallbackCommand> beforeDrawing;
+  beforeDrawing->SetClientData(this);
+  beforeDrawing->SetCallback([](vtkObject* /*caller*/, unsigned long /*event*/, void* sphere, void* /*data*/) {
+    static_cast<const RotationSphere*>(sphere)->hideTexts();
+  });
+  observer_ = renderer.AddObserver(vtkCommand::StartEvent, beforeDrawing);
+  applyLook();
+  showScale();
+  fitCamera();
+}
+
+void RotationSphere::setLook(const SphereLook& look)
+{
+  look_ = look;
+  applyLook();
+  showScale();
+  showNames();
+}
+
+void RotationSphere::applyLook()
+{
+  if (renderer_) renderer_->SetBackground(look_.background.red, look_.background.green, look_.background.blue);
+  setColor(*shell_, look_.shell);
+  setColor(*points_, kPlainPoint);
+  setColor(*balls_, look_.ink);
+  setColor(*arcs_, look_.ink);
+  setColor(*rings_, mixed(look_.ink, look_.shell, 0.7));
+  setColor(*mark_, look_.mark);
+  const auto pixels = [&](double size) { return static_cast<float>(size * look_.pixelRatio); };
+  points_->GetProperty()->SetPointSize(pixels(kPointPixels));
+  balls_->GetProperty()->SetPointSize(pixels(kBallPixels));
+  mark_->GetProperty()->SetPointSize(pixels(kMarkPixels));
+  rings_->GetProperty()->SetLineWidth(pixels(kRingLinePixels));
+  arcs_->GetProperty()->SetLineWidth(pixels(kArcPixels));
+}
+
+void RotationSphere::show(std::shared_ptr<const PlacedRotations> placed)
+{
+  const bool isOtherFrame = placed->frame.axes != placed_->frame.axes;
+  placed_ = std::move(placed);
+  std::vector<Vector3> drawn;
+  for (const Index point : placed_->drawn) drawn.push_back(placed_->places[point]);
+  setPoints(*pointData_, drawn);
+  colorPoints();
+  placeBoundary();
+  placeMark();
+  if (isOtherFrame) showScale();
+  showNames();
+}
+
+void RotationSphere::placeBoundary()
+{
+  const std::vector<BoundaryRotation>& boundary = placed_->boundary;
+  std::vector<Vector3> balls;
+  std::vector<std::vector<Vector3>> arcs;
+  for (std::size_t a = 0; a < boundary.size(); ++a) {
+    balls.push_back(spherePlace(placed_->frame, boundary[a].q));
+    for (std::size_t b = a + 1; b < boundary.size() && boundary.size() <= kMostJoined; ++b)
+      arcs.push_back(sphereArc(placed_->frame, boundary[a].q, boundary[b].q));
+  }
+  setPoints(*boundaryData_, balls);
+  setPolylines(*arcData_, arcs);
+}
+
+void RotationSphere::setColoring(const std::optional<Coloring>& coloring)
+{
+  coloring_ = coloring;
+  colorPoints();
+}
+
+void RotationSphere::colorPoints()
+{
+  vtkMapper& mapper = *points_->GetMapper();
+  mapper.SetScalarVisibility(coloring_.has_value());
+  if (!coloring_) return;
+  vtkNew<vtkDoubleArray> shares;
+  shares->Allocate(static_cast<vtkIdType>(placed_->drawn.size()));
+  for (const Index point : placed_->drawn) {
+    const double value = coloring_->values[placed_->vertices->vertexOf[point]];
+    shares->InsertNextValue(shareOf(coloring_->scale, value));
+  }
+  pointData_->GetPointData()->SetScalars(shares);
+  mapper.SetLookupTable(toLookupTable(coloring_->scale.map));
+  mapper.UseLookupTableScalarRangeOn();
+}
+
+void RotationSphere::mark(std::optional<Index> vertex)
+{
+  marked_ = vertex;
+  placeMark();
+}
+
+void RotationSphere::placeMark()
+{
+  const auto place = placeOf(marked_.value_or(-1));
+  mark_->SetVisibility(place.has_value());
+  if (place) setPoints(*markData_, {*place});
+}
+
+std::optional<Vector3> RotationSphere::placeOf(Index vertex) const
+{
+  const std::vector<Index>& pointOf = placed_->vertices->pointOf;
+  if (vertex < 0 || vertex >= static_cast<Index>(pointOf.size()) || pointOf[vertex] < 0) return std::nullopt;
+  return placed_->places[pointOf[vertex]];
+}
+
+vtkSmartPointer<vtkTextActor> RotationSphere::textAt(const std::string& text, const Vector3& place, double pixels) const
+{
+  auto actor = vtkSmartPointer<vtkTextActor>::New();
+  actor->SetInput(text.c_str());
+  vtkNew<vtkCoordinate> anchor;
+  anchor->SetCoordinateSystemToWorld();
+  anchor->SetValue(place.x(), place.y(), place.z());
+  vtkCoordinate& position = *actor->GetPositionCoordinate();
+  position.SetCoordinateSystemToViewport();
+  position.SetReferenceCoordinate(anchor);
+  position.SetValue(0, 0);
+  vtkTextProperty& property = *actor->GetTextProperty();
+  property.SetFontFamilyToArial();
+  property.SetFontSize(static_cast<int>(std::lround(pixels * look_.pixelRatio)));
+  property.SetColor(look_.ink.red, look_.ink.green, look_.ink.blue);
+  property.SetJustificationToCentered();
+  property.SetVerticalJustificationToCentered();
+  return actor;
+}
+
+void RotationSphere::hideTexts() const
+{
+  const Vector3 forward = sightOf(*renderer_->GetActiveCamera());
+  const double room = kScaleTextPixels * look_.pixelRatio;
+  const auto seenAt = [&](vtkCoordinate& place) {
+    return DisplayPoint(place.GetComputedDoubleDisplayValue(renderer_));
+  };
+  std::vector<DisplayPoint> taken;
+  for (const auto& name : nameTexts_) {
+    taken.push_back(seenAt(*name->GetPositionCoordinate()));
+    taken.push_back(seenAt(*name->GetPositionCoordinate()->GetReferenceCoordinate()));  // of its ball
+  }
+  for (const auto& text : scaleTexts_) {
+    const Vector3 place(text->GetPositionCoordinate()->GetReferenceCoordinate()->GetValue());
+    const bool isBeside = (place - place.dot(forward) * forward).norm() > 1;
+    const DisplayPoint seen = seenAt(*text->GetPositionCoordinate());
+    const bool isNear = isBeside || place.dot(forward) < kFarText;
+    const bool isFree = std::none_of(taken.begin(), taken.end(),
+                                     [&](const DisplayPoint& other) { return (seen - other).norm() < room; });
+    text->SetVisibility(isNear && isFree);
+    if (isNear && isFree) taken.push_back(seen);
+  }
+}
+
+void RotationSphere::replace(Texts& texts, Texts with)
+{
+  if (!renderer_) return;
+  for (const auto& text : texts) renderer_->RemoveActor(text);
+  texts = std::move(with);
+  for (const auto& text : texts) renderer_->AddActor(text);
+}
+
+void RotationSphere::showScale()
+{
+  Texts texts;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vector3 shown(placed_->frame.axes(axis, 0), placed_->frame.axes(axis, 1), 0);
+    if (shown.norm() < kNamedAxis) continue;
+    texts.push_back(textAt(kAxisNames[axis], kAxisNameRadius * shown.normalized(), kTextPixels));
+    texts.push_back(
+        textAt(std::string("\u2212") + kAxisNames[axis], -kAxisNameRadius * shown.normalized(), kTextPixels));
+  }
+  for (const RingName& ring : ringNames()) {
+    texts.push_back(textAt(ring.text, ring.place, kScaleTextPixels));
+    texts.back()->GetTextProperty()->SetOpacity(0.7);
+  }
+  replace(scaleTexts_, std::move(texts));
+}
+
+void RotationSphere::showNames()
+{
+  Texts texts;
+  for (std::size_t k = 0; k < std::min(placed_->boundary.size(), kMostNamed); ++k) {
+    const BoundaryRotation& value = placed_->boundary[k];
+    texts.push_back(textAt(value.label, 1.02 * spherePlace(placed_->frame, value.q), kTextPixels));
+    const double away = 0.85 * kBallPixels * look_.pixelRatio;
+    texts.back()->GetPositionCoordinate()->SetValue(away, away);
+    texts.back()->GetTextProperty()->SetJustificationToLeft();
+    texts.back()->GetTextProperty()->SetBold(1);
+  }
+  replace(nameTexts_, std::move(texts));
+}
+
+void RotationSphere::fitCamera() const
+{
+  if (!renderer_) return;
+  std::vector<Vector3> places{Vector3::UnitZ()};
+  for (const BoundaryRotation& value : placed_->boundary)
+    for (const Vector3& place : sphereArc(placed_->frame, Vector3::Zero(), value.q)) places.push_back(place);
+  lookAtPlaces(*renderer_->GetActiveCamera(), places);
+  renderer_->ResetCameraClippingRange();
+}
+
+std::optional<Index> RotationSphere::pick(double displayX, double displayY) const
+{
+  if (!renderer_) return std::nullopt;
+  const DisplayPlaces toDisplay(*renderer_);
+  const Vector3 forward = sightOf(*renderer_->GetActiveCamera());
+  // Squared distances; of the near side, of the far one.
+  const double reach = std::pow(kSphereReach * look_.pixelRatio, 2);
+  std::array<double, 2> least{reach, reach};
+  std::array<std::optional<Index>, 2> found;
+  for (std::size_t k = 0; k < placed_->places.size(); ++k) {
+    const Vector3& place = placed_->places[k];
+    const Vector3 seen = toDisplay(place);
+    const double distance = std::pow(seen.x() - displayX, 2) + std::pow(seen.y() - displayY, 2);
+    const std::size_t side = place.dot(forward) > 0 ? 1 : 0;
+    if (distance > least[side] || (found[side] && distance == least[side])) continue;
+    least[side] = distance;
+    found[side] = placed_->vertices->vertexOf[k];
+  }
+  return found[0] ? found[0] : found[1];
+}
+
+std::optional<Vector3> RotationSphere::displayPlace(Index vertex) const
+{
+  const auto place = placeOf(vertex);
+  if (!place || !renderer_) return std::nullopt;
+  return DisplayPlaces(*renderer_)(*place);
+}
+
+}  // namespace holdfast

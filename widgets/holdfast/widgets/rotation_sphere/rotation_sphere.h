@@ -1,0 +1,109 @@
+#pragma once
+/// \file
+/// The rotation field on a sphere, Fig. 6 of the paper: a point for each vertex, a ball for each rotation that is
+/// prescribed, great arcs between these. `rotation_projection.h` says where a rotation is.
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+
+#include <holdfast/widgets/color/coloring.h>
+#include <holdfast/widgets/mesh/blended_actor.h>
+#include <holdfast/widgets/rotation_sphere/placed_rotations.h>
+
+class vtkActor;
+class vtkPolyData;
+class vtkRenderer;
+class vtkTextActor;
+
+namespace holdfast {
+
+/// The colours of a picture beside those of the map.
+struct SphereLook {
+  Color background{0.97, 0.975, 0.98};
+  Color shell{0.90, 0.915, 0.935};
+  Color ink{0.13, 0.15, 0.19};
+  Color mark{0.93, 0.38, 0.05};
+  double pixelRatio = 1;  ///< pixels of the window for each of the picture: sizes are in the latter
+};
+
+/// How near to a point a click must be, in pixels of the picture.
+inline constexpr double kSphereReach = 8;
+
+/// The sphere, and the points of one deformation at a time.
+class RotationSphere {
+ public:
+  RotationSphere();
+  ~RotationSphere();
+  RotationSphere(const RotationSphere&) = delete;
+  RotationSphere& operator=(const RotationSphere&) = delete;
+
+  /// Puts everything into `renderer`, sets its background and its camera. Once; the renderer is in a window.
+  void addTo(vtkRenderer& renderer);
+  /// That renderer; null before.
+  [[nodiscard]] vtkRenderer* renderer() const { return renderer_; }
+  void setLook(const SphereLook& look);
+
+  /// Not null. O(number of points that are drawn).
+  void show(std::shared_ptr<const PlacedRotations> placed);
+  /// What is shown; without any point before the first.
+  [[nodiscard]] const PlacedRotations& placed() const noexcept { return *placed_; }
+  /// As the mesh is coloured; in one colour where there is nothing. One value for each vertex of the file: set anew
+  /// with rotations of another.
+  void setColoring(const std::optional<Coloring>& coloring);
+  /// Marks the point of a vertex of the file. None, and vertices that no face uses: no mark.
+  void mark(std::optional<Index> vertex);
+
+  /// Places the camera of the renderer so that what is prescribed is seen from the front and fills the picture.
+  /// Parallel projection: a sphere is a circle.
+  void fitCamera() const;
+
+  /// The vertex of the file whose point is nearest to a place in the window (pixels from its lower left corner), of
+  /// those within `kSphereReach`; points on the far side only where there is none on the near side. O(N).
+  [[nodiscard]] std::optional<Index> pick(double displayX, double displayY) const;
+
+  /// Where the point of a vertex of the file is in the window, pixels from its lower left corner; none without one.
+  [[nodiscard]] std::optional<Vector3> displayPlace(Index vertex) const;
+
+  /// What draws the points that are drawn, in their order: its mapper colours them.
+  [[nodiscard]] vtkActor& points() const { return *points_; }
+
+ private:
+  using Texts = std::vector<vtkSmartPointer<vtkTextActor>>;
+
+  void applyLook();
+  void colorPoints();
+  void placeBoundary();
+  void placeMark();
+  void showScale();
+  void showNames();
+  void replace(Texts& texts, Texts with);
+  void hideTexts() const;  // those far behind, and those that others leave no room
+  [[nodiscard]] vtkSmartPointer<vtkTextActor> textAt(const std::string& text, const Vector3& place,
+                                                     double pixels) const;
+  [[nodiscard]] std::optional<Vector3> placeOf(Index vertex) const;
+
+  std::shared_ptr<const PlacedRotations> placed_;
+  std::optional<Coloring> coloring_;
+  SphereLook look_;
+  std::optional<Index> marked_;
+  vtkSmartPointer<vtkRenderer> renderer_;
+  unsigned long observer_ = 0;
+  vtkNew<vtkPolyData> pointData_;
+  vtkNew<vtkPolyData> boundaryData_;
+  vtkNew<vtkPolyData> arcData_;
+  vtkNew<vtkPolyData> markData_;
+  vtkNew<BlendedActor> shell_;
+  vtkNew<vtkActor> rings_;
+  vtkNew<vtkActor> points_;
+  vtkNew<vtkActor> balls_;
+  vtkNew<vtkActor> arcs_;
+  vtkNew<vtkActor> mark_;
+  Texts scaleTexts_;
+  Texts nameTexts_;
+};
+
+}  // namespace holdfast

@@ -1,0 +1,35 @@
+#pragma once
+/// \file
+/// What a user chooses about how a document is shown. Nothing of it changes the document.
+
+#include <holdfast/widgets/color/coloring_range.h>
+#include <holdfast/widgets/scene/scene_contents.h>
+
+namespace holdfast {
+
+/// What the surface is coloured by, and how.
+struct ColorSettings {
+  ColorBy field = ColorBy::Displacement;
+  ColorRange range = AutomaticRange{};  ///< `whyNoRange` of it is empty
+  ColorMap map = ColorMap::BlueGreenYellow;
+};
+
+/// What is shown beside the deformed surface.
+struct DisplaySettings {
+  RestGhost rest = RestGhost::Edges;
+  MeshEdges edges = MeshEdges::Sharp;
+  RotationDisplay rotations = RotationDisplay::Hidden;
+  bool areConstraintsShown = true;
+
+  friend bool operator==(const DisplaySettings&, const DisplaySettings&) = default;
+};
+
+/// Shows in `contents`, to which a deformation was shown, what `settings` say.
+void arrange(SceneContents& contents, const DisplaySettings& settings);
+
+/// The values of the chosen field on the chosen scale; none for `ColorBy::None`. `units` as in the function of the same
+/// name.
+[[nodiscard]] std::optional<Coloring> coloringOf(const Model& model, const Deformation& deformation,
+                                                 const ColorSettings& settings, const std::string& units);
+
+}  // namespace holdfast

@@ -1,0 +1,54 @@
+#include "holdfast/widgets/scene/example_document.h"
+
+#include <holdfast/base/progress.h>
+
+namespace holdfast {
+namespace {
+
+// Vertices along a side.
+constexpr Index kSide = 4;
+
+Mesh sheet()
+{
+  Mesh mesh;
+  mesh.positions.resize(kSide * kSide, 3);
+  for (Index v = 0; v < kSide * kSide; ++v)
+    mesh.positions.row(v) << static_cast<double>(v % kSide), static_cast<double>(v / kSide), 0;
+  for (Index y = 0; y + 1 < kSide; ++y)
+    for (Index x = 0; x + 1 < kSide; ++x) {
+      const Index corner = x + kSide * y;
+      mesh.faces.add({corner, corner + 1, corner + kSide + 1});
+      mesh.faces.add({corner, corner + kSide + 1, corner + kSide});
+    }
+  return mesh;
+}
+
+Constraint moved(const std::string& name, Index vertex, const Vector3& shift, bool isEnabled = true)
+{
+  return {name, isEnabled, Point{AtVertex{vertex}, Move{shift}}};
+}
+
+ConstraintList everyKind()
+{
+  const Turn turn{Vector3::UnitX(), 60, {}};
+  return {"",
+          {{"held", true, Fixed{{VertexIds{{0, 1}}}}},
+           {"turned", true, Handle{{VertexIds{{14, 15}}}, turn, Vector3::UnitZ(), {}}},
+           {"rigid", true, Rigid{{VertexIds{{5, 6, 9}}}}},
+           {"in a face", true, Point{AtFace{4, {0.2, 0.3, 0.5}}, Move{Vector3::UnitZ()}}},
+           moved("repeated", 0, Vector3::Zero()),
+           moved("in conflict", 1, Vector3::UnitZ()),
+           moved("disabled", 3, Vector3::UnitZ(), false)}};
+}
+
+}  // namespace
+
+ExampleDocument exampleDocument()
+{
+  ExampleDocument example{makeModel(sheet(), "example"), everyKind(), {}};
+  NoProgress quiet;
+  example.deformation = deform(example.model, example.list, "example", {}, quiet);
+  return example;
+}
+
+}  // namespace holdfast

@@ -1,0 +1,107 @@
+#include "holdfast/widgets/scene/kept_scene.h"
+
+#include <array>
+#include <vector>
+
+#include <vtkCamera.h>
+#include <vtkCommand.h>
+#include <vtkOpenGLFramebufferObject.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
+#include <vtkRenderer.h>
+#include <vtkRendererCollection.h>
+#include <vtk_glew.h>
+
+namespace holdfast {
+namespace {
+
+// As VTK makes those that it draws in: depths are copied between equals only.
+constexpr int kDepthBits = 32;
+
+}  // namespace
+
+KeptScene::KeptScene(vtkRenderer& scene, vtkRenderer& last)
+    : scene_(scene), last_(last), window_(*vtkOpenGLRenderWindow::SafeDownCast(scene.GetRenderWindow()))
+{
+  kept_->SetContext(&window_);
+  observer_ = last_.AddObserver(vtkCommand::EndEvent, this, &KeptScene::noteScene);
+}
+
+KeptScene::~KeptScene()
+{
+  last_.RemoveObserver(observer_);
+  kept_->ReleaseGraphicsResources(&window_);
+}
+
+bool KeptScene::isOutdated() const
+{
+  const int* size = window_.GetActualSize();
+  return size_ != std::array{size[0], size[1]} || scene_.GetActiveCamera()->GetMTime() != cameraTime_;
+}
+
+void KeptScene::noteScene()
+{
+  const int* size = window_.GetActualSize();
+  size_ = {size[0], size[1]};
+  cameraTime_ = scene_.GetActiveCamera()->GetMTime();
+  isKept_ = isKeeping_;
+  if (isKeeping_) keep();
+}
+
+void KeptScene::keep()
+{
+  if (kept_->GetFBOIndex() == 0) {
+    window_.GetState()->PushFramebufferBindings();
+    kept_->PopulateFramebuffer(size_[0], size_[1], true, 1, VTK_UNSIGNED_CHAR, true, kDepthBits, 0);
+    window_.GetState()->PopFramebufferBindings();
+  } else {
+    kept_->Resize(size_[0], size_[1]);
+  }
+  copy(*window_.GetRenderFramebuffer(), *kept_);
+}
+
+void KeptScene::copy(vtkOpenGLFramebufferObject& from, vtkOpenGLFramebufferObject& to)
+{
+  const int* size = window_.GetActualSize();
+  const std::array<int, 4> all{0, size[0], 0, size[1]};
+  vtkOpenGLState& state = *window_.GetState();
+  // The renderer that was drawn last leaves its viewport as the only part that may be written to.
+  const vtkOpenGLState::ScopedglEnableDisable scissor(&state, GL_SCISSOR_TEST);
+  state.vtkglDisable(GL_SCISSOR_TEST);
+  state.PushFramebufferBindings();
+  from.Bind(GL_READ_FRAMEBUFFER);
+  from.ActivateReadBuffer(0);
+  to.Bind(GL_DRAW_FRAMEBUFFER);
+  to.ActivateDrawBuffer(0);
+  vtkOpenGLFramebufferObject::Blit(all.data(), all.data(), GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  state.PopFramebufferBindings();
+}
+
+void KeptScene::putBack()
+{
+  copy(*kept_, *window_.GetRenderFramebuffer());
+}
+
+void KeptScene::drawLayersAbove()
+{
+  // The window binds what it draws in before its renderers draw; the first of them puts the scene there.
+  std::vector<vtkRenderer*> hidden;
+  vtkRendererCollection& renderers = *window_.GetRenderers();
+  vtkRenderer* first = nullptr;
+  for (int k = 0; k < renderers.GetNumberOfItems(); ++k) {
+    auto* renderer = static_cast<vtkRenderer*>(renderers.GetItemAsObject(k));
+    if (renderer->GetLayer() <= last_.GetLayer()) {
+      if (renderer->GetDraw() != 0) hidden.push_back(renderer);
+      renderer->DrawOff();
+    } else if (first == nullptr || renderer->GetLayer() < first->GetLayer()) {
+      first = renderer;
+    }
+  }
+  const unsigned long tag =
+      first != nullptr ? first->AddObserver(vtkCommand::StartEvent, this, &KeptScene::putBack) : 0;
+  window_.Render();
+  if (first != nullptr) first->RemoveObserver(tag);
+  for (vtkRenderer* renderer : hidden) renderer->DrawOn();
+}
+
+}  // namespace holdfast

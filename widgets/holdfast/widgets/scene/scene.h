@@ -1,0 +1,84 @@
+#pragma once
+/// \file
+/// A deformed mesh with all that explains it, ready to be drawn without a window.
+
+#include <optional>
+#include <string>
+
+#include <vtkNew.h>
+
+#include <holdfast/widgets/scene/scene_contents.h>
+
+class vtkRenderer;
+class vtkRenderWindow;
+
+namespace holdfast {
+
+struct LegendContents;
+
+struct PictureSize {
+  int width = 1280;
+  int height = 960;
+};
+
+/// Both sides of a picture, in pixels.
+inline constexpr int kLeastPictureSide = 16;
+inline constexpr int kLargestPictureSide = 16384;
+/// 8192 x 8192 or as many otherwise. Drawing so many takes 2.5 GiB of memory.
+inline constexpr int kMostPicturePixels = 8192 * 8192;
+
+/// Whether a picture of sides that are allowed has too many pixels.
+[[nodiscard]] constexpr bool hasTooManyPixels(const PictureSize& size)
+{
+  return size.width > kMostPicturePixels / size.height;
+}
+
+enum class Legend {
+  Shown,  ///< where the picture is at least `kLeastLegendWidth` x `kLeastLegendHeight`
+  Hidden
+};
+
+inline constexpr int kLeastLegendWidth = 240;
+inline constexpr int kLeastLegendHeight = 200;
+
+struct SceneOptions {
+  PictureSize size;
+  ColorBy colorBy = ColorBy::Displacement;
+  Legend legend = Legend::Shown;
+  std::string units;  ///< the user's name of the model's length; may be empty
+  /// In the place of what `colorBy` would make: colours over a range or of a map that a user has chosen.
+  std::optional<Coloring> coloring = std::nullopt;
+};
+
+/// The deformed surface with its sharp edges, those of the rest shape in faint lines, the constraints, the legend; in a
+/// window that is never shown. Needs an X server with OpenGL: ask `whyNoPictures` first. Drawn by `draw`.
+class Scene {
+ public:
+  Scene(const Model& model, const Deformation& deformation, const SceneOptions& options);
+  ~Scene();
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+
+  [[nodiscard]] vtkRenderWindow& window() const { return *window_; }
+  /// What shows the mesh; its camera can be moved.
+  [[nodiscard]] vtkRenderer& meshRenderer() const { return *meshRenderer_; }
+  [[nodiscard]] SceneContents& contents() { return contents_; }
+  [[nodiscard]] MeshActor& mesh() { return contents_.mesh(); }
+
+  [[nodiscard]] PictureSize size() const noexcept { return size_; }
+  /// The window has this many pixels for each of the picture, along both sides; `draw` takes the mean.
+  [[nodiscard]] int pixelRatio() const noexcept { return pixelRatio_; }
+
+ private:
+  void placeCamera(const Model& model, const Deformation& deformation);
+  void layOut(const LegendContents& contents, double textSize);
+
+  PictureSize size_;
+  int pixelRatio_;
+  SceneContents contents_;
+  vtkNew<vtkRenderWindow> window_;
+  vtkNew<vtkRenderer> backdrop_;  // the background and the legend, under the mesh
+  vtkNew<vtkRenderer> meshRenderer_;
+};
+
+}  // namespace holdfast

@@ -1,0 +1,218 @@
+#include "holdfast/widgets/scene/scene_contents.h"
+
+#include <utility>
+
+#include <vtkActor.h>
+#include <vtkMapper.h>
+#include <vtkPlaneCollection.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+
+namespace holdfast {
+namespace {
+
+constexpr double kGhostEdgeOpacity = 0.22;
+constexpr double kGhostSurfaceOpacity = 0.16;
+
+// Of a ball's diameter.
+constexpr double kSelectionDotSize = 0.42;
+
+}  // namespace
+
+SceneContents::SceneContents(const Model& model)
+    : SceneContents(model, std::make_shared<const ShadedSurface>(cutAtSharpEdges(model)))
+{
+}
+
+SceneContents::SceneContents(const Model& model, std::shared_ptr<const ShadedSurface> shaded)
+    : positions_(model.mesh.positions),
+      mesh_(model, std::move(shaded)),
+      rest_(model, mesh_.shaded()),
+      selection_(model, mesh_),
+      arrows_(model)
+{
+  rest_.edges().GetProperty()->SetOpacity(kGhostEdgeOpacity);
+  rest_.surface().GetProperty()->SetOpacity(kGhostSurfaceOpacity);
+  for (vtkActor* const actor : arrows_.actors()) actor->GetMapper()->SetClippingPlanes(&mesh_.sectionPlanes());
+  setRestGhost(RestGhost::Edges);
+  setRotationDisplay(RotationDisplay::Hidden);
+  resize();
+}
+
+SceneContents::~SceneContents()
+{
+  leave();
+}
+
+void SceneContents::addTo(vtkRenderer& renderer)
+{
+  leave();
+  for (vtkActor* const actor : actors()) renderer.AddActor(actor);
+  renderer_ = &renderer;
+}
+
+void SceneContents::leave()
+{
+  if (renderer_ == nullptr) return;
+  for (vtkActor* const actor : actors()) renderer_->RemoveActor(actor);
+}
+
+/// In the order in which they are drawn.
+std::vector<vtkActor*> SceneContents::actors() const
+{
+  std::vector<vtkActor*> all{&mesh_.surface(), &selection_.tint(), &mesh_.meshEdges()};
+  const auto add = [&](const std::vector<vtkActor*>& some) { all.insert(all.end(), some.begin(), some.end()); };
+  add(arrows_.actors());
+  add({&selection_.dots()});
+  add(glyphs_.actors());
+  add(preview_.actors());
+  add({&mesh_.edges(), &rest_.edges(), &rest_.surface()});
+  return all;
+}
+
+void SceneContents::show(const Deformation& deformation, const std::vector<DisabledPlace>& disabled)
+{
+  showShape(deformation);
+  showConstraints(deformation, disabled);
+}
+
+void SceneContents::showShape(const Deformation& deformation)
+{
+  rotations_ = deformation.rotations;
+  setPositions(deformation.positions);
+}
+
+void SceneContents::showConstraints(const Deformation& deformation, const std::vector<DisabledPlace>& disabled)
+{
+  std::vector<ConstraintMark> marks = constraintMarks(mesh_.model(), deformation);
+  for (ConstraintMark& mark : disabledMarks(mesh_.model(), disabled, deformation.positions))
+    marks.push_back(std::move(mark));
+  setMarks(std::move(marks));
+}
+
+void SceneContents::setPositions(const Positions& positions)
+{
+  positions_ = positions;
+  mesh_.setPositions(positions);
+  updateArrows();
+}
+
+std::vector<ActorSlices*> SceneContents::slices()
+{
+  std::vector<ActorSlices*> shown;
+  for (ActorSlices* slices : {&mesh_.surfaceSlices(), &selection_.tintSlices(), &mesh_.meshEdgeSlices()})
+    if (slices->actor().GetVisibility() != 0) shown.push_back(slices);
+  return shown;
+}
+
+void SceneContents::color(const std::optional<Coloring>& coloring)
+{
+  if (coloring)
+    mesh_.setColors(coloring->values, coloring->scale);
+  else
+    mesh_.clearColors();
+}
+
+void SceneContents::setMarks(std::vector<ConstraintMark> marks)
+{
+  glyphs_.setMarks(markSet(std::move(marks), glyphs_.marks()));
+}
+
+void SceneContents::showMarks(std::shared_ptr<const MarkSet> marks)
+{
+  glyphs_.setMarks(std::move(marks));
+}
+
+void SceneContents::highlight(std::vector<Index> constraints)
+{
+  glyphs_.highlight(std::move(constraints));
+}
+
+void SceneContents::setHiddenMarks(HiddenMarks hidden)
+{
+  glyphs_.setHiddenMarks(hidden);
+}
+
+void SceneContents::setSection(const std::optional<SectionPlane>& section)
+{
+  mesh_.setSection(section);
+  rest_.setSection(section);
+  glyphs_.setSection(section);
+}
+
+void SceneContents::setRestGhost(RestGhost ghost)
+{
+  rest_.edges().SetVisibility(ghost != RestGhost::Hidden);
+  rest_.surface().SetVisibility(ghost == RestGhost::Surface);
+  ghost_ = ghost;
+  updateDetail();
+}
+
+void SceneContents::setMeshEdges(MeshEdges edges)
+{
+  mesh_.setMeshEdges(edges);
+}
+
+void SceneContents::setRotationDisplay(RotationDisplay display)
+{
+  rotationDisplay_ = display;
+  for (vtkActor* const actor : arrows_.actors()) actor->SetVisibility(display == RotationDisplay::Arrows);
+  updateArrows();
+}
+
+void SceneContents::updateArrows()
+{
+  if (rotationDisplay_ == RotationDisplay::Arrows) arrows_.set(positions_, rotations_);
+}
+
+void SceneContents::setSelection(const std::vector<Index>& fileVertices)
+{
+  selection_.set(fileVertices);
+}
+
+void SceneContents::setPreview(const std::optional<PreviewedPoint>& point)
+{
+  preview_.set(point);
+}
+
+void SceneContents::setDetail(Detail detail)
+{
+  detail_ = detail;
+  updateDetail();
+}
+
+void SceneContents::lookFrom(const Vector3& eye)
+{
+  mesh_.lookFrom(eye);
+}
+
+void SceneContents::updateDetail()
+{
+  mesh_.setDetail(detail_);
+  selection_.setDetail(detail_);
+  // Faint as it is, nobody sees that it has fewer triangles.
+  if (ghost_ == RestGhost::Surface) rest_.setDetail(Detail::Coarse);
+}
+
+void SceneContents::setPixelRatio(double ratio)
+{
+  pixelRatio_ = ratio;
+  resize();
+}
+
+void SceneContents::setBallSize(double pixels)
+{
+  ballSize_ = pixels;
+  resize();
+}
+
+void SceneContents::resize()
+{
+  mesh_.setPixelRatio(pixelRatio_);
+  rest_.setPixelRatio(pixelRatio_);
+  glyphs_.setBallPixels(pixelRatio_ * ballSize_);
+  preview_.setBallPixels(pixelRatio_ * ballSize_);
+  selection_.setDotPixels(kSelectionDotSize * pixelRatio_ * ballSize_);
+}
+
+}  // namespace holdfast

@@ -1,0 +1,115 @@
+#pragma once
+/// \file
+/// Everything that shows a document in a renderer, and follows it from frame to frame.
+
+#include <optional>
+#include <vector>
+
+#include <vtkWeakPointer.h>
+
+#include <holdfast/widgets/color/coloring.h>
+#include <holdfast/widgets/marks/constraint_glyphs.h>
+#include <holdfast/widgets/marks/point_preview.h>
+#include <holdfast/widgets/marks/rotation_glyphs.h>
+#include <holdfast/widgets/marks/selection_overlay.h>
+#include <holdfast/widgets/mesh/mesh_actor.h>
+
+class vtkRenderer;
+
+namespace holdfast {
+
+/// How the shape at rest is shown beside the deformed one.
+enum class RestGhost {
+  Hidden,
+  Edges,   ///< faint lines along its sharp edges and borders
+  Surface  ///< the same and a translucent surface
+};
+
+enum class RotationDisplay { Hidden, Arrows };
+
+/// The mesh, its shape at rest, constraints, selection, the point under the cursor and rotations: actors that a
+/// renderer shows. Nothing is drawn by itself: change what is to change, then render once.
+class SceneContents {
+ public:
+  /// At rest, in one colour, without constraints. `model` stays alive as long as this. O(T log T).
+  explicit SceneContents(const Model& model);
+  /// The same with `shaded`, which was cut from `model`. O(T).
+  SceneContents(const Model& model, std::shared_ptr<const ShadedSurface> shaded);
+  ~SceneContents();
+  SceneContents(const SceneContents&) = delete;
+  SceneContents& operator=(const SceneContents&) = delete;
+
+  /// Adds all actors, those that are hidden as well, in the place of where they were. They leave `renderer` when this
+  /// ends.
+  void addTo(vtkRenderer& renderer);
+
+  /// A deformation: its positions, rotations and constraints; and those of its list that are disabled. Colours stay
+  /// (see `color`). O(T + marks).
+  void show(const Deformation& deformation, const std::vector<DisabledPlace>& disabled = {});
+
+  /// The shape of it alone.
+  void showShape(const Deformation& deformation);
+  /// Its constraints alone, and those that are disabled. O(marks).
+  void showConstraints(const Deformation& deformation, const std::vector<DisabledPlace>& disabled);
+
+  /// Moves the mesh and the selection on it, nothing else: one row for each vertex of the file. O(T).
+  void setPositions(const Positions& positions);
+
+  /// Colours by values, one for each vertex of the file; none: one colour. O(N).
+  void color(const std::optional<Coloring>& coloring);
+
+  void setMarks(std::vector<ConstraintMark> marks);
+  /// Those that another thread has made ready; not null. O(those that are drawn).
+  void showMarks(std::shared_ptr<const MarkSet> marks);
+  [[nodiscard]] const std::vector<ConstraintMark>& marks() const noexcept { return glyphs_.marks()->marks; }
+  [[nodiscard]] const std::shared_ptr<const MarkSet>& sharedMarks() const noexcept { return glyphs_.marks(); }
+  /// Places in the list of constraints.
+  void highlight(std::vector<Index> constraints);
+  void setHiddenMarks(HiddenMarks hidden);
+
+  /// Draws what a plane keeps of the mesh, its shape at rest, the selection, constraints and rotations; none: all.
+  void setSection(const std::optional<SectionPlane>& section);
+
+  void setRestGhost(RestGhost ghost);
+  void setMeshEdges(MeshEdges edges);
+  void setRotationDisplay(RotationDisplay display);
+  void setSelection(const std::vector<Index>& fileVertices);
+  void setPreview(const std::optional<PreviewedPoint>& point);
+  /// The shape at rest, where it is shown as a surface, is that of coarse detail in both.
+  void setDetail(Detail detail);
+  /// As `MeshActor::lookFrom`.
+  void lookFrom(const Vector3& eye);
+  /// What is large of what is shown in full detail, in the order in which it is drawn, before all else.
+  [[nodiscard]] std::vector<ActorSlices*> slices();
+
+  /// How many pixels of the window are one of the screen as users see it, or of a finished picture.
+  void setPixelRatio(double ratio);
+  /// The diameter of a point's ball, in pixels before that ratio.
+  void setBallSize(double pixels);
+
+  [[nodiscard]] MeshActor& mesh() { return mesh_; }
+
+ private:
+  void leave();
+  [[nodiscard]] std::vector<vtkActor*> actors() const;
+  void resize();
+  void updateArrows();
+  void updateDetail();
+
+  vtkWeakPointer<vtkRenderer> renderer_;
+  double pixelRatio_ = 1;
+  double ballSize_ = 10;
+  RestGhost ghost_ = RestGhost::Edges;
+  Detail detail_ = Detail::Full;
+  RotationDisplay rotationDisplay_ = RotationDisplay::Hidden;
+  Positions positions_;
+  Columns3 rotations_;
+  MeshActor mesh_;
+  MeshActor rest_;
+  SelectionOverlay selection_;
+  RotationGlyphs arrows_;
+  ConstraintGlyphs glyphs_;
+  PointPreview preview_;
+};
+
+}  // namespace holdfast
