@@ -1,4 +1,4 @@
-#include "holdfast/widgets/interaction/numeric_input.h"
+#include "holdfast/widgets/gizmo/numeric_input.h"
 
 #include <cmath>
 #include <string>

@@ -1,4 +1,4 @@
-#include "holdfast/widgets/interaction/seen_turn.h"
+#include "holdfast/widgets/camera/seen_turn.h"
 
 #include <gtest/gtest.h>
 #include <vtkRenderer.h>

@@ -9,8 +9,8 @@
 #include <vtkNew.h>
 
 #include <holdfast/widgets/gizmo/gizmo_drag.h>
+#include <holdfast/widgets/gizmo/numeric_input.h>
 #include <holdfast/widgets/interaction/gizmo_representation.h>
-#include <holdfast/widgets/interaction/numeric_input.h>
 
 namespace holdfast {
 

@@ -5,8 +5,8 @@
 #include <QPainter>
 #include <algorithm>
 
+#include <holdfast/widgets/camera/seen_turn.h>
 #include <holdfast/widgets/interaction/interaction_events.h>
-#include <holdfast/widgets/interaction/seen_turn.h>
 #include <holdfast/window/model/constraint_actions.h>
 #include <holdfast/window/viewport/viewport.h>
 
