@@ -7,7 +7,7 @@
 #include "bench/measure.h"
 #include "bench/samples.h"
 #include "bench/scenes.h"
-#include "bench/stages.h"
+#include "bench/steps.h"
 
 namespace holdfast::bench {
 namespace {

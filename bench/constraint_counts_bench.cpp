@@ -14,7 +14,7 @@
 #include "bench/measure.h"
 #include "bench/samples.h"
 #include "bench/scenes.h"
-#include "bench/stages.h"
+#include "bench/steps.h"
 
 namespace holdfast::bench {
 namespace {
@@ -46,7 +46,7 @@ ConstraintList rigidScene(const Mesh& mesh)
   std::nth_element(ids.begin(), ids.begin() + kIsolated, ids.end(),
                    [&](Index v, Index w) { return distance(v) < distance(w); });
   ids.resize(kIsolated);
-  list.constraints.push_back({"rigid", true, Rigid{{VertexIds{std::move(ids)}}}});
+  list.constraints.push_back({"rigid", true, RigidConstraint{{VertexIds{std::move(ids)}}}});
   return list;
 }
 

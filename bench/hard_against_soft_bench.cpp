@@ -8,7 +8,7 @@
 #include "bench/measure.h"
 #include "bench/samples.h"
 #include "bench/scenes.h"
-#include "bench/stages.h"
+#include "bench/steps.h"
 
 namespace holdfast::bench {
 namespace {
@@ -22,7 +22,7 @@ void addCost(Samples& samples, const std::string& row, const std::string& kind, 
   samples.add(row, "MiB " + kind, cost.peakMiB);
 }
 
-void addDecomposition(Samples& samples, const std::string& kind, const Cost& elimination, const Cost& factorization)
+void addFactorization(Samples& samples, const std::string& kind, const Cost& elimination, const Cost& factorization)
 {
   addCost(samples, "2 decomposition", kind,
           {elimination.seconds + factorization.seconds, std::max(elimination.peakMiB, factorization.peakMiB)});
@@ -40,7 +40,7 @@ void takeTurn(Samples& samples, const Model& model, const ConstraintList& constr
     return factorized(model, made, eliminated, {solverKind, defaultBackend(), 5});
   });
   // Soft constraints need no elimination: it is charged to hard ones alone.
-  addDecomposition(samples, kind, solverKind == SolverKind::Hard ? eliminationCost : Cost{}, factorizationCost);
+  addFactorization(samples, kind, solverKind == SolverKind::Hard ? eliminationCost : Cost{}, factorizationCost);
   samples.add("4 factor", "MiB " + kind, factorMiB(*solver));
 
   for (int k = 0; k < kSolutionsPerTurn; ++k)

@@ -27,15 +27,15 @@ ConstraintList ends(const Mesh& mesh)
   const Eigen::AlignedBox3d box = boundingBox(mesh.positions);
   const double length = box.sizes().x();
   ConstraintList list;
-  list.constraints.push_back({"fixed end", true, Fixed{beyond(box.min().x() + kEnd * length, -1)}});
-  const Handle handle{beyond(box.max().x() - kEnd * length, 1), {}, Vector3(0, 0.2 * length, 0), {}};
+  list.constraints.push_back({"fixed end", true, FixedConstraint{beyond(box.min().x() + kEnd * length, -1)}});
+  const HandleConstraint handle{beyond(box.max().x() - kEnd * length, 1), {}, Vector3(0, 0.2 * length, 0), {}};
   list.constraints.push_back({"handle", true, handle});
   return list;
 }
 
 Constraint point(Index number, SurfaceLocation at, const Vector3& shift)
 {
-  return {"P" + std::to_string(number), true, Point{std::move(at), Move{shift}}};
+  return {"P" + std::to_string(number), true, PointConstraint{std::move(at), Move{shift}}};
 }
 
 /// Whether each vertex lies at an end, or as near to one as no point may.

@@ -39,13 +39,15 @@ struct DragPoint {
   void hold(vtkObject*, unsigned long, void* callData)
   {
     const auto& [location, place, face, triangle] = *static_cast<const SurfacePick*>(callData);
-    list.constraints.push_back({std::to_string(list.constraints.size()), true, Point{location, Target{place}}});
+    list.constraints.push_back(
+        {std::to_string(list.constraints.size()), true, PointConstraint{location, Target{place}}});
     gizmo->GetGizmoRepresentation()->SetFrame(place, Eigen::Matrix3d::Identity());
     gizmo->On();
   }
   void drag(vtkObject*, unsigned long, void*)
   {
-    std::get<Point>(list.constraints.back().what).to = Target{gizmo->GetGizmoRepresentation()->GetFrame().center};
+    std::get<PointConstraint>(list.constraints.back().what).to =
+        Target{gizmo->GetGizmoRepresentation()->GetFrame().center};
     NoProgress progress;
     const auto positions = std::make_shared<Positions>(deformer.deform(list, "clicks", progress).positions);
     scene.setPositions(*positions);

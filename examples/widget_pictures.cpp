@@ -23,14 +23,14 @@
 #include <holdfast/widgets/interaction/surface_ruler_widget.h>
 #include <holdfast/widgets/rotation_sphere/rotation_sphere.h>
 #include <holdfast/widgets/scene/kept_scene.h>
-#include <holdfast/widgets/scene/stage.h>
+#include <holdfast/widgets/scene/lighting.h>
 
-#include "widget_stage.h"
+#include "widget_view.h"
 
 using namespace holdfast;
 
-struct Examples : WidgetStage {
-  using WidgetStage::WidgetStage;
+struct Examples : WidgetView {
+  using WidgetView::WidgetView;
 
   void gizmo();
   void surfacePoint();
@@ -335,9 +335,9 @@ try {
   const bool isOff = argc > 3;
   const auto play = [&](const Example& example) {
     const std::string constraints = example.constraints;
-    Examples stage({data / example.mesh, constraints.empty() ? std::filesystem::path() : data / constraints,
-                    pictures / (std::string("widget_") + example.name + ".png"), isOff});
-    (stage.*example.play)();
+    Examples view({data / example.mesh, constraints.empty() ? std::filesystem::path() : data / constraints,
+                   pictures / (std::string("widget_") + example.name + ".png"), isOff});
+    (view.*example.play)();
   };
   for (const Example& example : kWithPictures) play(example);
   if (isOff) return 0;

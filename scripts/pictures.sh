@@ -19,7 +19,7 @@ draw() {
 draw_window() {
   local folder picture
   folder=$(mktemp -d)
-  tests/support/with_display.sh build/release/tests/holdfast_tour "$folder" postcards
+  tests/support/with_display.sh build/release/tests/holdfast_tour "$folder" documents
   for picture in "$folder"/*.png; do
     mv "$picture" "docs/images/${picture##*/[0-9][0-9]_}"
   done

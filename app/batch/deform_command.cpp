@@ -28,7 +28,7 @@ void probeOutputs(const DeformCommand& command)
 }
 
 /// The residuals of what a reader of the written mesh will find: positions rounded to floats.
-void measureRounded(Deformation& deformation, const Model& model)
+void measureRounded(DeformResult& deformation, const Model& model)
 {
   const Positions stored = deformation.positions.cast<float>().cast<double>();
   const bool isMissed = setResiduals(deformation.report, deformation.system, deformation.diagnosis,
@@ -59,23 +59,23 @@ DeformOptions chosenOptions(const DeformCommand& command, const StatedOptions& o
 
 /// Writes everything aside.
 Outputs writeAll(const DeformCommand& command, const MeshDocument& document, const std::string& units,
-                 const Model& model, Deformation& deformation, Progress& progress)
+                 const Model& model, DeformResult& deformation, Progress& progress)
 {
   Outputs outputs;
   const bool isSolved = deformation.report.solve.status != SolveStatus::Failed;
   if (isSolved && command.out) {
-    progress.stage("writing the mesh");
+    progress.step("writing the mesh");
     const Serialized contents = serializeAnyMesh(document, deformation.positions, *command.out);
     if (contents.isSinglePrecision) measureRounded(deformation, model);
     addNoted(outputs, *command.out, contents);
   }
   if (isSolved && command.fields) {
-    progress.stage("writing fields");
+    progress.step("writing fields");
     addNoted(outputs, *command.fields,
              serializeFields(model.mesh, deformation.positions, fieldsOf(model, deformation)));
   }
   if (isSolved && command.picture) {
-    progress.stage("drawing the picture");
+    progress.step("drawing the picture");
     outputs.add(command.picture->path, snapshot(*command.picture, model, deformation, units));
   }
   if (command.report) outputs.add(*command.report, reportToJson(deformation.report));
@@ -102,11 +102,11 @@ ExitCode deformWith(const DeformCommand& command, Progress& progress)
   const auto [constraints, ofSession] = readStatedConstraints(command.constraints);
   const DeformOptions options = chosenOptions(command, ofSession);
   probeOutputs(command);
-  progress.stage(fmt::format("reading {}", printable(command.mesh.string())));
+  progress.step(fmt::format("reading {}", printable(command.mesh.string())));
   const MeshDocument document = readAnyMesh(command.mesh);
-  progress.stage(fmt::format("checking {} vertices", document.mesh.vertexCount()));
+  progress.step(fmt::format("checking {} vertices", document.mesh.vertexCount()));
   const Model model = makeModel(document.mesh, command.mesh.string());
-  Deformation deformation = deform(model, constraints, command.constraints.string(), options, progress);
+  DeformResult deformation = deform(model, constraints, command.constraints.string(), options, progress);
   Outputs outputs = writeAll(command, document, constraints.units, model, deformation, progress);
 
   const Report& report = deformation.report;

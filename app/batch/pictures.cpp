@@ -72,7 +72,7 @@ void requirePictures(const PictureRequest& request)
   if (const std::string reason = whyNoPictures(); !reason.empty()) throw OutputError(request.path.string(), reason);
 }
 
-std::string snapshot(const PictureRequest& request, const Model& model, const Deformation& deformation,
+std::string snapshot(const PictureRequest& request, const Model& model, const DeformResult& deformation,
                      const std::string& units)
 {
   const Scene scene(model, deformation,
@@ -98,7 +98,7 @@ void requirePictures(const PictureRequest& /*request*/)
   throw std::logic_error("a picture was asked for in a build without VTK");
 }
 
-std::string snapshot(const PictureRequest& /*request*/, const Model& /*model*/, const Deformation& /*deformation*/,
+std::string snapshot(const PictureRequest& /*request*/, const Model& /*model*/, const DeformResult& /*deformation*/,
                      const std::string& /*units*/)
 {
   throw std::logic_error("a picture was asked for in a build without VTK");

@@ -29,7 +29,7 @@ struct PictureRequest {
 void requirePictures(const PictureRequest& request);
 
 /// The bytes of the PNG file. Throws `OutputError`.
-[[nodiscard]] std::string snapshot(const PictureRequest& request, const Model& model, const Deformation& deformation,
+[[nodiscard]] std::string snapshot(const PictureRequest& request, const Model& model, const DeformResult& deformation,
                                    const std::string& units);
 
 }  // namespace holdfast::batch

@@ -18,7 +18,7 @@ ProgressLine::~ProgressLine()
   thread_.join();
 }
 
-void ProgressLine::stage(std::string_view description)
+void ProgressLine::step(std::string_view description)
 {
   const std::lock_guard lock(mutex_);
   description_ = description;

@@ -19,7 +19,7 @@ class ProgressLine final : public Progress {
   ProgressLine();
   ~ProgressLine() override;
 
-  void stage(std::string_view description) override;
+  void step(std::string_view description) override;
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -83,12 +83,13 @@ std::string pullLine(const std::vector<ConstraintOutcome>& constraints)
 {
   std::vector<const ConstraintOutcome*> pulling;
   for (const ConstraintOutcome& outcome : constraints)
-    if (outcome.force.value_or(0) > 0) pulling.push_back(&outcome);
+    if (outcome.multiplier.value_or(0) > 0) pulling.push_back(&outcome);
   if (pulling.empty()) return "";
-  std::stable_sort(pulling.begin(), pulling.end(), [](const auto* a, const auto* b) { return a->force > b->force; });
+  std::stable_sort(pulling.begin(), pulling.end(),
+                   [](const auto* a, const auto* b) { return a->multiplier > b->multiplier; });
   std::string line = "pull         hardest: ";
   for (std::size_t k = 0; k < std::min(pulling.size(), kMostPulling); ++k)
-    line += fmt::format("{}{} {:.3g}", k == 0 ? "" : ", ", inQuotes(pulling[k]->name), *pulling[k]->force);
+    line += fmt::format("{}{} {:.3g}", k == 0 ? "" : ", ", inQuotes(pulling[k]->name), *pulling[k]->multiplier);
   return line + "\n";
 }
 
@@ -102,28 +103,29 @@ std::string solveLines(const SolveReport& solve, const std::string& units)
                        name(solve.options.kind), solve.method, counted(solve.unknowns, "unknown"),
                        counted(solve.factorNonzeros, "non-zero"), counted(solve.refinementSteps, "correction"));
   lines += fmt::format("seconds      set-up {:.3f}, decomposition {:.3f}, solution {:.3f}\n", solve.seconds.setup,
-                       solve.seconds.decomposition, solve.seconds.solution);
+                       solve.seconds.factorization, solve.seconds.solution);
   return lines;
 }
 
-std::string repairText(const ConstraintOutcome& outcome, const Clash& clash)
+std::string repairText(const ConstraintOutcome& outcome, const ConflictSet& conflictSet)
 {
-  std::string text = fmt::format("disable {}", inQuotes(clash.disable));
-  if (clash.consistentTarget) {
-    const std::string it = clash.disable == outcome.name ? "it" : inQuotes(outcome.name);
+  std::string text = fmt::format("disable {}", inQuotes(conflictSet.disable));
+  if (conflictSet.consistentTarget) {
+    const std::string it = conflictSet.disable == outcome.name ? "it" : inQuotes(outcome.name);
     const char* const what = outcome.type == "relative" ? "offset" : "target";
-    text += fmt::format(", or give {} the {} {}", it, what, placeText(*clash.consistentTarget));
+    text += fmt::format(", or give {} the {} {}", it, what, placeText(*conflictSet.consistentTarget));
   }
   return text;
 }
 
-std::string conflictLine(const ConstraintOutcome& outcome, const Clash& clash, const std::string& units)
+std::string conflictLine(const ConstraintOutcome& outcome, const ConflictSet& conflictSet, const std::string& units)
 {
-  const std::string partners = clash.with.empty() ? "on its own" : "with " + quotedNames(clash.with);
-  const std::string where = outcome.rows > 1 ? fmt::format(" in {} of its {} rows", clash.rows, outcome.rows) : "";
+  const std::string partners = conflictSet.with.empty() ? "on its own" : "with " + quotedNames(conflictSet.with);
+  const std::string where =
+      outcome.rows > 1 ? fmt::format(" in {} of its {} rows", conflictSet.rows, outcome.rows) : "";
   return fmt::format("conflict: {} cannot hold {}{}: off by {}{} {}; {}\n", inQuotes(outcome.name), partners, where,
-                     outcome.rows > 1 ? "up to " : "", withUnits(clash.gap.stableNorm(), units), gapText(clash.gap),
-                     repairText(outcome, clash));
+                     outcome.rows > 1 ? "up to " : "", withUnits(conflictSet.gap.stableNorm(), units),
+                     gapText(conflictSet.gap), repairText(outcome, conflictSet));
 }
 
 /// The first few ways in which it conflicts; the largest gaps come first.
@@ -131,8 +133,8 @@ std::string conflictLinesOf(const ConstraintOutcome& outcome, const std::string&
 {
   std::string text;
   std::size_t count = 0;
-  for (const Clash& clash : outcome.clashes)
-    if (clash.isConflict && count++ < kMostConflictLines) text += conflictLine(outcome, clash, units);
+  for (const ConflictSet& conflictSet : outcome.conflictSets)
+    if (conflictSet.isConflict && count++ < kMostConflictLines) text += conflictLine(outcome, conflictSet, units);
   if (count > kMostConflictLines)
     text += fmt::format("conflict: {} cannot hold in {}; the report lists them\n", inQuotes(outcome.name),
                         counted(static_cast<Index>(count - kMostConflictLines), "more way"));

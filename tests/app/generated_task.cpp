@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "app/batch.h"
-#include "app/energy_judge.h"
+#include "app/energy_check.h"
 #include "app/generated_constraints.h"
 #include "app/report_schema.h"
 #include "support/residual_verifier.h"
@@ -83,8 +83,8 @@ void GeneratedTask::expectSolved(Weights weights) const
   SCOPED_TRACE(name(weights));
   expectMet(weights, deform(weights));
   if (testing::Test::HasFatalFailure()) return;
-  const EnergyJudge judge(mesh_, constraints_, weights);
-  const FreeGradient gradient = judge.freeGradient(readPlainMesh(out(weights)));
+  const EnergyCheck check(mesh_, constraints_, weights);
+  const FreeGradient gradient = check.freeGradient(readPlainMesh(out(weights)));
   EXPECT_LE(gradient.largest, gradient.bound);
 }
 
@@ -92,8 +92,8 @@ void GeneratedTask::expectBothLeast(Weights a, Weights b) const
 {
   const PlainMesh byA = readPlainMesh(out(a));
   const PlainMesh byB = readPlainMesh(out(b));
-  const double atA = EnergyJudge(mesh_, constraints_, a).cosineTowards(byA, byB);
-  const double atB = EnergyJudge(mesh_, constraints_, b).cosineTowards(byB, byA);
+  const double atA = EnergyCheck(mesh_, constraints_, a).cosineTowards(byA, byB);
+  const double atB = EnergyCheck(mesh_, constraints_, b).cosineTowards(byB, byA);
   std::cout << mesh_.filename().string() << ": cosines " << atA << ", " << atB << "\n";
   EXPECT_LE(std::abs(atA), kRightAngle) << name(a);
   EXPECT_LE(std::abs(atB), kRightAngle) << name(b);

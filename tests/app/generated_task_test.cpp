@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "app/batch.h"
-#include "app/energy_judge.h"
+#include "app/energy_check.h"
 #include "support/residual_verifier.h"
 #include "support/source_tree.h"
 
@@ -38,25 +38,25 @@ INSTANTIATE_TEST_SUITE_P(Deform, GeneratedTaskOnData,
 
 class EnergyJudgeOnHead : public testing::Test {
  protected:
-  EnergyJudgeOnHead() : judge_(task_.mesh(), task_.constraints(), Weights::Cotangent)
+  EnergyJudgeOnHead() : check_(task_.mesh(), task_.constraints(), Weights::Cotangent)
   {
     EXPECT_EQ(task_.deform(Weights::Cotangent).exitCode, 0);
     best_ = readPlainMesh(task_.out(Weights::Cotangent));
   }
 
   GeneratedTask task_{dataFolder() + "/head.ply"};
-  EnergyJudge judge_;
+  EnergyCheck check_;
   PlainMesh best_;
 };
 
 TEST_F(EnergyJudgeOnHead, SeesAFreeVertexOutOfPlaceByTheTwelfthDigit)
 {
-  const FreeGradient atBest = judge_.freeGradient(best_);
+  const FreeGradient atBest = check_.freeGradient(best_);
   EXPECT_LE(atBest.largest, atBest.bound);
   const double step = 1e-11 * diagonalOf(best_);
   // Every tenth vertex: most of them are free.
   for (std::size_t v = 0; v < best_.positions.size(); v += 10) best_.positions[v][0] += step;
-  const FreeGradient damaged = judge_.freeGradient(best_);
+  const FreeGradient damaged = check_.freeGradient(best_);
   EXPECT_GT(damaged.largest, damaged.bound);
 }
 
@@ -65,9 +65,9 @@ TEST_F(EnergyJudgeOnHead, SeesThatAnotherMinimumIsNotThisOne)
   EXPECT_EQ(task_.deform(Weights::Uniform).exitCode, 0);
   const PlainMesh other = readPlainMesh(task_.out(Weights::Uniform));
   EXPECT_TRUE(meetsConstraints(task_.mesh(), task_.out(Weights::Uniform), task_.constraints()));
-  const FreeGradient gradient = judge_.freeGradient(other);
+  const FreeGradient gradient = check_.freeGradient(other);
   EXPECT_GT(gradient.largest, gradient.bound);
-  EXPECT_LT(judge_.cosineTowards(other, best_), -1e-3);
+  EXPECT_LT(check_.cosineTowards(other, best_), -1e-3);
 }
 
 /// The bar with one handle, that moves in every way that turns the surface: places of the handle alone do not say the
@@ -97,7 +97,7 @@ TEST(EnergyJudge, TellsTheMotionsOfHandlesApart)
   }
   for (std::size_t f = 0; f < files.size(); ++f)
     for (std::size_t s = 0; s < solutions.size(); ++s) {
-      const FreeGradient gradient = EnergyJudge(mesh, files[f], Weights::Cotangent).freeGradient(solutions[s]);
+      const FreeGradient gradient = EnergyCheck(mesh, files[f], Weights::Cotangent).freeGradient(solutions[s]);
       EXPECT_EQ(gradient.largest <= gradient.bound, f == s) << f << ", " << s << ": " << gradient.largest;
     }
 }
@@ -109,8 +109,8 @@ TEST_F(EnergyJudgeOnHead, SeesSmoothErrors)
   PlainMesh mixed = best_;
   for (std::size_t v = 0; v < mixed.positions.size(); ++v)
     for (std::size_t k = 0; k < 3; ++k) mixed.positions[v][k] += 1e-9 * (other.positions[v][k] - best_.positions[v][k]);
-  EXPECT_LE(std::abs(judge_.cosineTowards(best_, other)), kRightAngle);
-  EXPECT_GT(std::abs(judge_.cosineTowards(mixed, other)), kRightAngle);
+  EXPECT_LE(std::abs(check_.cosineTowards(best_, other)), kRightAngle);
+  EXPECT_GT(std::abs(check_.cosineTowards(mixed, other)), kRightAngle);
 }
 
 }  // namespace

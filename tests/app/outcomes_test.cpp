@@ -193,11 +193,11 @@ TEST_F(ConflictingConstraints, AreMetOnceTheRepairIsMade)
   const Json report = this->report();
   Json repaired = Json::parse(bytesOf(conflicts()));
   for (std::size_t k : {3U, 4U}) {
-    const Json& clashes = report["constraints"][k]["clashes"];
-    ASSERT_EQ(clashes.size(), 1U);
+    const Json& conflictSets = report["constraints"][k]["clashes"];
+    ASSERT_EQ(conflictSets.size(), 1U);
     Json& constraint = repaired["constraints"][k];
     constraint.erase("move");
-    constraint["target"] = clashes[0]["repair"]["consistent_target"];
+    constraint["target"] = conflictSets[0]["repair"]["consistent_target"];
   }
   const std::string task = in_.file("repaired.json", repaired.dump()).string();
   EXPECT_EQ(runBatch(deform(mesh(), task)).exitCode, 0);

@@ -120,17 +120,17 @@ bool isBoolean(const Json& value)
   return value.is_boolean();
 }
 
-void checkClash(Complaints& complaints, const Json& clash)
+void checkConflictSet(Complaints& complaints, const Json& conflictSet)
 {
   const std::string path = "constraints[].clashes[]";
   complaints.check(
-      clash, path,
+      conflictSet, path,
       {{"with", isNames}, {"rows", isCount}, {"conflict", isBoolean}, {"gap", isVector}, {"length", isLength}});
-  if (!clash.value("conflict", false)) return;
-  complaints.check(clash, path, {{"repair", isObject}});
-  complaints.check(clash.value("repair", Json::object()), path + ".repair", {{"disable", isText}});
-  if (clash.value("repair", Json::object()).contains("consistent_target"))
-    complaints.check(clash["repair"], path + ".repair", {{"consistent_target", isVector}});
+  if (!conflictSet.value("conflict", false)) return;
+  complaints.check(conflictSet, path, {{"repair", isObject}});
+  complaints.check(conflictSet.value("repair", Json::object()), path + ".repair", {{"disable", isText}});
+  if (conflictSet.value("repair", Json::object()).contains("consistent_target"))
+    complaints.check(conflictSet["repair"], path + ".repair", {{"consistent_target", isVector}});
 }
 
 void checkConstraint(Complaints& complaints, const Json& constraint, SolveState state)
@@ -152,7 +152,7 @@ void checkConstraint(Complaints& complaints, const Json& constraint, SolveState 
                     {"clash_count", isCount},
                     {"amplification", isLengthOrNull},
                     {"force", isSolved ? Predicate(isLengthOrNull) : Predicate(isNull)}});
-  for (const Json& clash : constraint.value("clashes", Json::array())) checkClash(complaints, clash);
+  for (const Json& conflictSet : constraint.value("clashes", Json::array())) checkConflictSet(complaints, conflictSet);
 }
 
 void checkSolve(Complaints& complaints, const Json& solve, SolveState state)

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "interaction/interaction_stage.h"
+#include "interaction/interaction_fixture.h"
 #include "support/meshes.h"
 
 namespace holdfast {
@@ -14,14 +14,14 @@ namespace {
 
 TEST(BrushStroke, ReachesNothingThatASectionCutsAway)
 {
-  test::InteractionStage stage(test::grid(10, 8));
-  const auto regions = std::make_shared<VertexRegions>(stage.model().mesh, stage.model().solverMesh);
-  const DisplayPoint pixel = stage.pixelOf({5, 4, 0});
-  const double radius = 1.2 * (stage.pixelOf({6, 4, 0}) - pixel).norm();
+  test::InteractionFixture fixture(test::grid(10, 8));
+  const auto regions = std::make_shared<VertexRegions>(fixture.model().mesh, fixture.model().solverMesh);
+  const DisplayPoint pixel = fixture.pixelOf({5, 4, 0});
+  const double radius = 1.2 * (fixture.pixelOf({6, 4, 0}) - pixel).norm();
   const auto reached = [&](const std::optional<SectionPlane>& section) {
     BrushStroke stroke(regions);
-    stroke.paintTo(pixel, radius, std::make_shared<const VisibleSurface>(stage.surface()->withSection(section)),
-                   stage.renderer());
+    stroke.paintTo(pixel, radius, std::make_shared<const VisibleSurface>(fixture.surface()->withSection(section)),
+                   fixture.renderer());
     return stroke.reached();
   };
   // Vertex (i, j) of the grid is 11 j + i.

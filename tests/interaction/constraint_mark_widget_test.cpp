@@ -12,7 +12,7 @@
 #include <holdfast/widgets/interaction/surface_camera_style.h>
 
 #include "interaction/call_data_log.h"
-#include "interaction/interaction_stage.h"
+#include "interaction/interaction_fixture.h"
 #include "interaction/recorded_gesture.h"
 #include "support/meshes.h"
 
@@ -20,7 +20,7 @@ namespace holdfast {
 namespace {
 
 using test::CallDataLog;
-using test::InteractionStage;
+using test::InteractionFixture;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -40,8 +40,8 @@ std::vector<ConstraintMark> threeConstraints()
           markAt({2, 1, 0}, MarkKind::Vertex, 1), markAt({3, 2, 0}, MarkKind::Face, 2)};
 }
 
-struct MarkWidgetStage : InteractionStage {
-  MarkWidgetStage() : InteractionStage(test::grid(4, 3))
+struct MarkWidgetFixture : InteractionFixture {
+  MarkWidgetFixture() : InteractionFixture(test::grid(4, 3))
   {
     widget->SetMarks(markSet(threeConstraints(), nullptr));
     enable(*widget);
@@ -52,28 +52,28 @@ struct MarkWidgetStage : InteractionStage {
   CallDataLog<ConstraintPick> picked{*widget, vtkCommand::PickEvent};
 };
 
-struct MarkWidget : MarkWidgetStage, testing::Test {};
+struct MarkWidget : MarkWidgetFixture, testing::Test {};
 
 TEST_F(MarkWidget, TellsWhatTheCursorIsOver)
 {
-  hand().moveTo(pixelOf({1, 1, 0}));
-  hand().moveTo(pixelOf({1, 1, 0}) + DisplayPoint(3, 2));
-  hand().moveTo(pixelOf({2, 1, 0}));
+  mouse().moveTo(pixelOf({1, 1, 0}));
+  mouse().moveTo(pixelOf({1, 1, 0}) + DisplayPoint(3, 2));
+  mouse().moveTo(pixelOf({2, 1, 0}));
   EXPECT_EQ(widget->GetHighlighted(), 1) << "points before regions";
-  hand().moveTo(pixelOf({2.5, 1.5, 0}));
-  hand().moveTo(pixelOf({3, 2, 0}));
-  hand().leave();
+  mouse().moveTo(pixelOf({2.5, 1.5, 0}));
+  mouse().moveTo(pixelOf({3, 2, 0}));
+  mouse().leave();
   EXPECT_THAT(highlighted.data(), ElementsAre(0, 1, std::nullopt, 2, std::nullopt));
   EXPECT_THAT(picked.data(), IsEmpty());
 }
 
 TEST_F(MarkWidget, TellsWhatIsClickedAndWhatIsHeld)
 {
-  hand().click(pixelOf({3, 2, 0}));
-  hand().click(pixelOf({1, 1, 0}), {.shift = true});
-  hand().click(pixelOf({2, 1, 0}), {.ctrl = true});
-  hand().click(pixelOf({2.5, 1.5, 0}));
-  hand().click({1, 1}, {.shift = true});
+  mouse().click(pixelOf({3, 2, 0}));
+  mouse().click(pixelOf({1, 1, 0}), {.shift = true});
+  mouse().click(pixelOf({2, 1, 0}), {.ctrl = true});
+  mouse().click(pixelOf({2.5, 1.5, 0}));
+  mouse().click({1, 1}, {.shift = true});
   ASSERT_EQ(picked.data().size(), 5U);
   const auto is = [](std::optional<Index> constraint, bool isAdded) {
     return testing::Optional(testing::AllOf(testing::Field(&ConstraintPick::constraint, constraint),
@@ -88,27 +88,27 @@ TEST_F(MarkWidget, ADragIsNoClickAndBelongsToTheCamera)
   vtkNew<SurfaceCameraStyle> style;
   interactor().SetInteractorStyle(style);
   const DisplayPoint from = pixelOf({3, 2, 0});
-  hand().moveTo(from);
-  hand().press(from);
-  hand().moveTo(from + DisplayPoint(6, 0));
-  hand().moveTo(from + DisplayPoint(1, 0));
+  mouse().moveTo(from);
+  mouse().press(from);
+  mouse().moveTo(from + DisplayPoint(6, 0));
+  mouse().moveTo(from + DisplayPoint(1, 0));
   EXPECT_FALSE(widget->GetHighlighted()) << "while the camera moves";
-  hand().release(from);
+  mouse().release(from);
   EXPECT_THAT(picked.data(), IsEmpty());
-  hand().doubleClick(pixelOf({3, 2, 0}));
+  mouse().doubleClick(pixelOf({3, 2, 0}));
   EXPECT_EQ(picked.data().size(), 1U);
 }
 
 TEST_F(MarkWidget, ReachesAsFarAsItsPixelsAndTheRatio)
 {
   const DisplayPoint beside = pixelOf({3, 2, 0}) + DisplayPoint(12, 0);
-  hand().moveTo(beside);
+  mouse().moveTo(beside);
   EXPECT_FALSE(widget->GetHighlighted());
   widget->SetPixelRatio(2);
-  hand().moveTo(beside);
+  mouse().moveTo(beside);
   EXPECT_EQ(widget->GetHighlighted(), 2);
   widget->GetConstraintMarkRepresentation()->SetReachPixels(4);
-  hand().moveTo(beside);
+  mouse().moveTo(beside);
   EXPECT_FALSE(widget->GetHighlighted());
 }
 
@@ -116,14 +116,14 @@ TEST_F(MarkWidget, MarksBehindTheEyeAreNotFound)
 {
   renderer().GetActiveCamera()->SetPosition(3, 2, -1);
   renderer().GetActiveCamera()->SetFocalPoint(3, 2, -5);
-  hand().click({200, 150});
+  mouse().click({200, 150});
   ASSERT_EQ(picked.data().size(), 1U);
   EXPECT_FALSE(picked.data()[0]->constraint);
 }
 
 TEST_F(MarkWidget, ForgetsWhatHasNoMarksAnyMore)
 {
-  hand().moveTo(pixelOf({3, 2, 0}));
+  mouse().moveTo(pixelOf({3, 2, 0}));
   auto marks = threeConstraints();
   marks.back().place.x() = 3.2;
   widget->SetMarks(markSet(marks, nullptr));
@@ -136,12 +136,12 @@ TEST_F(MarkWidget, ForgetsWhatHasNoMarksAnyMore)
 
 TEST_F(MarkWidget, DisabledItTellsNothing)
 {
-  hand().moveTo(pixelOf({3, 2, 0}));
-  hand().press(pixelOf({3, 2, 0}));
+  mouse().moveTo(pixelOf({3, 2, 0}));
+  mouse().press(pixelOf({3, 2, 0}));
   widget->SetEnabled(0);
   EXPECT_THAT(highlighted.data(), ElementsAre(2, std::nullopt));
-  hand().release(pixelOf({3, 2, 0}));
-  hand().click(pixelOf({3, 2, 0}));
+  mouse().release(pixelOf({3, 2, 0}));
+  mouse().click(pixelOf({3, 2, 0}));
   EXPECT_THAT(picked.data(), IsEmpty());
 }
 
@@ -153,9 +153,9 @@ TEST_F(MarkWidget, ActsInItsRendererAlone)
   other->SetActiveCamera(renderer().GetActiveCamera());
   window().AddRenderer(other);
   const DisplayPoint inside = pixelOf({2, 1, 0});
-  hand().click(inside + DisplayPoint(200, 0));
+  mouse().click(inside + DisplayPoint(200, 0));
   EXPECT_THAT(picked.data(), IsEmpty()) << "not even beside all marks";
-  hand().click(inside);
+  mouse().click(inside);
   EXPECT_EQ(picked.data().size(), 1U);
 }
 
@@ -165,23 +165,23 @@ TEST_F(MarkWidget, BindingsAndPrioritiesCanBeChanged)
   above->SetPriority(0.6F);
   enable(*above);
   const CallDataLog<ConstraintPick> first(*above, vtkCommand::PickEvent);
-  hand().click(pixelOf({3, 2, 0}));
+  mouse().click(pixelOf({3, 2, 0}));
   EXPECT_EQ(first.data().size() + picked.data().size(), 2U) << "clicks are left to all";
   widget->GetEventTranslator()->SetTranslation(vtkCommand::LeftButtonReleaseEvent, vtkWidgetEvent::NoEvent);
   widget->GetEventTranslator()->SetTranslation(vtkCommand::MiddleButtonReleaseEvent, vtkWidgetEvent::EndSelect);
   widget->SetPriority(0.4F);
-  hand().click(pixelOf({3, 2, 0}));
+  mouse().click(pixelOf({3, 2, 0}));
   EXPECT_EQ(picked.data().size(), 1U);
-  hand().press(pixelOf({3, 2, 0}));
-  hand().middleRelease(pixelOf({3, 2, 0}));
+  mouse().press(pixelOf({3, 2, 0}));
+  mouse().middleRelease(pixelOf({3, 2, 0}));
   EXPECT_EQ(picked.data().size(), 2U);
 }
 
 TEST_F(MarkWidget, FindsNothingThatASectionCutsAway)
 {
   widget->GetConstraintMarkRepresentation()->SetSection(SectionPlane{{2.5, 0, 0}, {1, 0, 0}});
-  hand().click(pixelOf({2, 1, 0}));
-  hand().click(pixelOf({3, 2, 0}));
+  mouse().click(pixelOf({2, 1, 0}));
+  mouse().click(pixelOf({3, 2, 0}));
   ASSERT_EQ(picked.data().size(), 2U);
   EXPECT_EQ(picked.data()[0]->constraint, std::nullopt);
   EXPECT_EQ(picked.data()[1]->constraint, 2);
@@ -190,10 +190,10 @@ TEST_F(MarkWidget, FindsNothingThatASectionCutsAway)
 TEST_F(MarkWidget, AReplayedGestureDoesTheSame)
 {
   const std::string events = test::recorded(interactor(), [&] {
-    hand().click(pixelOf({2, 1, 0}), {.shift = true});
-    hand().moveTo(pixelOf({1, 1, 0}));
+    mouse().click(pixelOf({2, 1, 0}), {.shift = true});
+    mouse().moveTo(pixelOf({1, 1, 0}));
   });
-  MarkWidgetStage again;
+  MarkWidgetFixture again;
   test::replay(events, again.interactor());
   EXPECT_EQ(again.highlighted.data(), highlighted.data());
   ASSERT_EQ(again.picked.data().size(), 1U);
@@ -204,7 +204,7 @@ TEST_F(MarkWidget, AReplayedGestureDoesTheSame)
 TEST_F(MarkWidget, PrintsItsState)
 {
   std::ostringstream text;
-  hand().moveTo(pixelOf({3, 2, 0}));
+  mouse().moveTo(pixelOf({3, 2, 0}));
   widget->Print(text);
   widget->GetRepresentation()->Print(text);
   EXPECT_THAT(text.str(), HasSubstr("Highlighted: 2"));

@@ -16,14 +16,14 @@
 
 #include <holdfast/widgets/camera/camera_motion.h>
 
-#include "interaction/interaction_stage.h"
+#include "interaction/interaction_fixture.h"
 #include "support/meshes.h"
 
 namespace holdfast {
 namespace {
 
-struct OrientationOfGrid : testing::Test, test::InteractionStage {
-  OrientationOfGrid() : InteractionStage(test::grid(4, 3))
+struct OrientationOfGrid : testing::Test, test::InteractionFixture {
+  OrientationOfGrid() : InteractionFixture(test::grid(4, 3))
   {
     window().SetNumberOfLayers(2);
     widget->SetParentRenderer(&renderer());
@@ -50,7 +50,7 @@ struct OrientationOfGrid : testing::Test, test::InteractionStage {
     widget->GetOrientationRepresentation()->GetActors(parts);
     // The container, and for each axis the shafts and two balls.
     auto* ball = vtkActor::SafeDownCast(parts->GetItemAsObject(1 + 3 * axis + (isPositive ? 1 : 2)));
-    hand().click(toDisplay(*widget->GetDefaultRenderer(), Vector3(ball->GetCenter())).head<2>());
+    mouse().click(toDisplay(*widget->GetDefaultRenderer(), Vector3(ball->GetCenter())).head<2>());
     window().Render();
   }
 

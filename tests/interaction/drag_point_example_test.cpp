@@ -17,7 +17,7 @@
 #include <holdfast/widgets/interaction/surface_point_placer.h>
 #include <holdfast/widgets/scene/scene_contents.h>
 
-#include "interaction/gizmo_stage.h"
+#include "interaction/gizmo_fixture.h"
 #include "interaction/recorded_gesture.h"
 #include "support/child_process.h"
 #include "support/source_tree.h"
@@ -47,8 +47,8 @@ RecordedEvent eventOf(const std::string& line)
 }
 
 /// The scene of the example before anything is held.
-struct ExampleScene : test::InteractionStage {
-  ExampleScene() : InteractionStage(readMesh(kMesh).mesh, 800, 600), contents(model())
+struct ExampleScene : test::InteractionFixture {
+  ExampleScene() : InteractionFixture(readMesh(kMesh).mesh, 800, 600), contents(model())
   {
     renderer().RemoveAllViewProps();
     contents.addTo(renderer());

@@ -12,7 +12,7 @@
 #include <holdfast/widgets/interaction/surface_curve_representation.h>
 #include <holdfast/widgets/interaction/surface_curve_widget.h>
 
-#include "interaction/interaction_stage.h"
+#include "interaction/interaction_fixture.h"
 #include "interaction/widget_events.h"
 #include "support/meshes.h"
 
@@ -21,13 +21,13 @@ namespace holdfast::test {
 /// A window with a curve widget.
 class DrawnCurve {
  public:
-  explicit DrawnCurve(Mesh mesh, int width = 400, int height = 300) : stage(std::move(mesh), width, height)
+  explicit DrawnCurve(Mesh mesh, int width = 400, int height = 300) : fixture(std::move(mesh), width, height)
   {
-    widget->SetSurface(stage.surface());
-    widget->SetRegions(std::make_shared<VertexRegions>(stage.model().mesh, stage.model().solverMesh));
+    widget->SetSurface(fixture.surface());
+    widget->SetRegions(std::make_shared<VertexRegions>(fixture.model().mesh, fixture.model().solverMesh));
     for (const unsigned long event : {kBegins, kPlaces, kMoves, kChanges, kEnds, kCancels})
       widget->AddObserver(event, this, &DrawnCurve::hear);
-    stage.enable(*widget);
+    fixture.enable(*widget);
   }
 
   void hear(vtkObject* /*widget*/, unsigned long event, void* callData)
@@ -39,15 +39,15 @@ class DrawnCurve {
       told = *static_cast<std::vector<Index>*>(callData);
   }
 
-  [[nodiscard]] Hand& hand() { return stage.hand(); }
+  [[nodiscard]] Mouse& mouse() { return fixture.mouse(); }
   [[nodiscard]] SurfaceCurveRepresentation& curve() { return *widget->GetSurfaceCurveRepresentation(); }
-  void click(Index vertex) { hand().click(stage.pixelOfVertex(vertex)); }
+  void click(Index vertex) { mouse().click(fixture.pixelOfVertex(vertex)); }
   void click(const std::vector<Index>& vertices)
   {
     for (const Index vertex : vertices) click(vertex);
   }
 
-  InteractionStage stage;
+  InteractionFixture fixture;
   vtkNew<SurfaceCurveWidget> widget;
   std::vector<unsigned long> events;
   std::vector<Index> placed;
@@ -60,7 +60,7 @@ struct CurveOnGrid : testing::Test, DrawnCurve {
 
   [[nodiscard]] std::vector<Index> closedThrough(const std::vector<Index>& places)
   {
-    return closedCurve(EdgeGraph(stage.model().solverMesh), places);
+    return closedCurve(EdgeGraph(fixture.model().solverMesh), places);
   }
 };
 

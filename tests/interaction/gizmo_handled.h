@@ -10,16 +10,16 @@
 #include <holdfast/widgets/interaction/gizmo_widget.h>
 #include <holdfast/widgets/interaction/interaction_events.h>
 
-#include "interaction/gizmo_stage.h"
+#include "interaction/gizmo_fixture.h"
 
 namespace holdfast::test {
 
 /// The gizmo stands at (1.5, 1, 0), its axes are those of the world.
 struct GizmoHandled : testing::Test {
-  GizmoStage stage;
+  GizmoFixture fixture;
   vtkNew<GizmoWidget> widget;
   GizmoRepresentation& gizmo = *widget->GetGizmoRepresentation();
-  Hand& hand = stage.hand();
+  Mouse& mouse = fixture.mouse();
   DisplayPoint beside{5, 5};
   std::vector<GizmoPart> parts;
   std::vector<GizmoMotion> motions;
@@ -32,7 +32,7 @@ struct GizmoHandled : testing::Test {
   {
     gizmo.SetPixelSize(kGizmoRadius);
     gizmo.SetFrame({1.5, 1, 0}, Eigen::Matrix3d::Identity());
-    widget->SetInteractor(&stage.interactor());
+    widget->SetInteractor(&fixture.interactor());
     widget->On();
     widget->AddObserver(vtkCommand::HighlightEvent, this, &GizmoHandled::notePart);
     widget->AddObserver(vtkCommand::InteractionEvent, this, &GizmoHandled::noteMotion);
@@ -56,9 +56,9 @@ struct GizmoHandled : testing::Test {
   {
     const DisplayPoint from = arrow(axis);
     const DisplayPoint along = (from - placeOnGizmo(gizmo, Vector3::Zero())).normalized();
-    hand.moveTo(from);
-    hand.press(from);
-    hand.moveTo(from + pixels * along);
+    mouse.moveTo(from);
+    mouse.press(from);
+    mouse.moveTo(from + pixels * along);
   }
 };
 

@@ -12,12 +12,12 @@
 
 #include <holdfast/widgets/gizmo/gizmo_colors.h>
 
-#include "interaction/gizmo_stage.h"
+#include "interaction/gizmo_fixture.h"
 
 namespace holdfast {
 namespace {
 
-using test::GizmoStage;
+using test::GizmoFixture;
 using test::placeOnArrow;
 using test::placeOnGizmo;
 using testing::HasSubstr;
@@ -29,14 +29,14 @@ std::vector<int> bytesOf(const Color& color)
 
 /// Without a widget: in the window, and nothing but a renderer knows of it.
 struct GizmoDrawn : testing::Test {
-  GizmoStage stage;
+  GizmoFixture fixture;
   vtkNew<GizmoRepresentation> gizmo;
 
   GizmoDrawn()
   {
     gizmo->SetPixelSize(test::kGizmoRadius);
     gizmo->SetFrame({1.5, 1, 0}, Eigen::Matrix3d::Identity());
-    gizmo->SetRenderer(&stage.renderer());
+    gizmo->SetRenderer(&fixture.renderer());
   }
 
   GizmoPart partAt(const DisplayPoint& place)
@@ -45,8 +45,8 @@ struct GizmoDrawn : testing::Test {
         gizmo->ComputeInteractionState(static_cast<int>(place.x()), static_cast<int>(place.y())));
   }
 
-  [[nodiscard]] int pixelsOf(GizmoPart part) const { return stage.countPixels(bytesOf(gizmoColor(part)), 30); }
-  [[nodiscard]] int highlightedPixels() const { return stage.countPixels(bytesOf(kHighlightColor), 30); }
+  [[nodiscard]] int pixelsOf(GizmoPart part) const { return fixture.countPixels(bytesOf(gizmoColor(part)), 30); }
+  [[nodiscard]] int highlightedPixels() const { return fixture.countPixels(bytesOf(kHighlightColor), 30); }
 
   void showDrag(GizmoPart part, const Vector3& translation, const DisplayPoint& cursor)
   {
@@ -60,20 +60,20 @@ TEST_F(GizmoDrawn, FollowsTheCameraWithoutBeingTold)
 {
   ASSERT_GT(pixelsOf(GizmoPart::ArrowX), 50);
   for (const double azimuth : {0.0, 30.0, -20.0}) {
-    stage.renderer().GetActiveCamera()->Azimuth(azimuth);
-    stage.renderer().ResetCameraClippingRange();
-    const std::vector<int> color = stage.colorAt(placeOnArrow(*gizmo, 2));
+    fixture.renderer().GetActiveCamera()->Azimuth(azimuth);
+    fixture.renderer().ResetCameraClippingRange();
+    const std::vector<int> color = fixture.colorAt(placeOnArrow(*gizmo, 2));
     EXPECT_GT(color[2], color[0] + 40) << "the blue arrow, " << azimuth;
   }
 }
 
 TEST_F(GizmoDrawn, LiesInALayerOverAllAsLongAsItHasARenderer)
 {
-  vtkRenderWindow& window = stage.window();
+  vtkRenderWindow& window = fixture.window();
   EXPECT_EQ(window.GetRenderers()->GetNumberOfItems(), 2);
   EXPECT_EQ(gizmo->GetLayer()->GetLayer(), 1);
   EXPECT_EQ(gizmo->GetLayer()->GetInteractive(), 0);
-  EXPECT_EQ(stage.interactor().FindPokedRenderer(200, 150), &stage.renderer());
+  EXPECT_EQ(fixture.interactor().FindPokedRenderer(200, 150), &fixture.renderer());
   gizmo->SetRenderer(nullptr);
   EXPECT_EQ(window.GetRenderers()->GetNumberOfItems(), 1);
   EXPECT_EQ(pixelsOf(GizmoPart::ArrowX), 0);
@@ -86,7 +86,7 @@ TEST_F(GizmoDrawn, LiesInALayerOverAllAsLongAsItHasARenderer)
   for (int k = 0; k < 3; ++k)
     for (GizmoRepresentation* one : {gizmo.Get(), other.Get()}) {
       one->SetRenderer(nullptr);
-      one->SetRenderer(&stage.renderer());
+      one->SetRenderer(&fixture.renderer());
     }
   EXPECT_EQ(gizmo->GetLayer()->GetLayer(), 3);
   EXPECT_EQ(window.GetNumberOfLayers(), 4) << "layers do not pile up";
@@ -97,21 +97,21 @@ TEST_F(GizmoDrawn, TakesItsLayerAlongWhenItIsDeleted)
 {
   {
     vtkNew<GizmoRepresentation> other;
-    other->SetRenderer(&stage.renderer());
-    EXPECT_EQ(stage.window().GetRenderers()->GetNumberOfItems(), 3);
+    other->SetRenderer(&fixture.renderer());
+    EXPECT_EQ(fixture.window().GetRenderers()->GetNumberOfItems(), 3);
   }
-  EXPECT_EQ(stage.window().GetRenderers()->GetNumberOfItems(), 2);
+  EXPECT_EQ(fixture.window().GetRenderers()->GetNumberOfItems(), 2);
 }
 
 TEST_F(GizmoDrawn, IsNoReasonForCamerasToMove)
 {
-  stage.renderer().AddViewProp(gizmo);
-  stage.renderer().ResetCamera();
-  const double distance = stage.renderer().GetActiveCamera()->GetDistance();
+  fixture.renderer().AddViewProp(gizmo);
+  fixture.renderer().ResetCamera();
+  const double distance = fixture.renderer().GetActiveCamera()->GetDistance();
   gizmo->SetFrame({-100, 0, 0}, Eigen::Matrix3d::Identity());
-  stage.window().Render();
-  stage.renderer().ResetCamera();
-  EXPECT_NEAR(stage.renderer().GetActiveCamera()->GetDistance(), distance, 1e-9);
+  fixture.window().Render();
+  fixture.renderer().ResetCamera();
+  EXPECT_NEAR(fixture.renderer().GetActiveCamera()->GetDistance(), distance, 1e-9);
 }
 
 TEST_F(GizmoDrawn, IsNeitherDrawnNorHitWhileHidden)
@@ -129,7 +129,7 @@ TEST_F(GizmoDrawn, IsNeitherDrawnNorHitWhileHidden)
 
 TEST_F(GizmoDrawn, IsNeitherDrawnNorHitBehindTheEye)
 {
-  const Vector3 eye(stage.renderer().GetActiveCamera()->GetPosition());
+  const Vector3 eye(fixture.renderer().GetActiveCamera()->GetPosition());
   gizmo->SetFrame(2 * eye - Vector3(1.5, 1, 0), Eigen::Matrix3d::Identity());
   EXPECT_EQ(partAt({200, 150}), GizmoPart::None);
   for (const GizmoPart part : {GizmoPart::ArrowX, GizmoPart::ArrowY, GizmoPart::ArrowZ}) EXPECT_EQ(pixelsOf(part), 0);
@@ -163,16 +163,16 @@ TEST_F(GizmoDrawn, OffersNoRingsToWhatOnlyMoves)
 TEST_F(GizmoDrawn, AlignsItsAxesWithTheViewUnlessItIsDragged)
 {
   gizmo->AlignToViewOn();
-  stage.window().Render();
-  const Vector3 direction(stage.renderer().GetActiveCamera()->GetDirectionOfProjection());
+  fixture.window().Render();
+  const Vector3 direction(fixture.renderer().GetActiveCamera()->GetDirectionOfProjection());
   EXPECT_LT((gizmo->GetFrame().axes.col(2) + direction).norm(), 1e-12);
   showDrag(GizmoPart::ArrowX, Vector3::Zero(), {0, 0});
   const Eigen::Matrix3d axes = gizmo->GetFrame().axes;
-  stage.renderer().GetActiveCamera()->Azimuth(40);
-  stage.window().Render();
+  fixture.renderer().GetActiveCamera()->Azimuth(40);
+  fixture.window().Render();
   EXPECT_EQ(gizmo->GetFrame().axes, axes);
   gizmo->EndDrag();
-  stage.window().Render();
+  fixture.window().Render();
   EXPECT_GT((gizmo->GetFrame().axes - axes).norm(), 0.1);
 }
 
@@ -184,7 +184,7 @@ TEST_F(GizmoDrawn, ShowsWhatIsDraggedAlone)
   EXPECT_EQ(pixelsOf(GizmoPart::ArrowY), 0);
   EXPECT_EQ(pixelsOf(GizmoPart::ArrowZ), 0);
   EXPECT_GT(highlightedPixels(), 50);
-  const std::vector<int> besideIt = stage.colorAt(placeOnArrow(*gizmo, 2));
+  const std::vector<int> besideIt = fixture.colorAt(placeOnArrow(*gizmo, 2));
   EXPECT_LT(std::abs(besideIt[0] - besideIt[2]), 40) << "grey or black, and not yellow";
   EXPECT_EQ(gizmo->GetFrame().center, Vector3(2, 1, 0));
   gizmo->EndDrag();
@@ -206,9 +206,9 @@ TEST_F(GizmoDrawn, ADragAloneSetsTheFrameWhileItGoesOn)
 
 TEST_F(GizmoDrawn, ShowsAPartThatIsChosenAlsoFromItsEnd)
 {
-  vtkCamera& camera = *stage.renderer().GetActiveCamera();
+  vtkCamera& camera = *fixture.renderer().GetActiveCamera();
   camera.SetPosition(9, 1, 0);
-  stage.renderer().ResetCameraClippingRange();
+  fixture.renderer().ResetCameraClippingRange();
   const int before = highlightedPixels();
   gizmo->SetPart(GizmoPart::ArrowX);
   EXPECT_GT(highlightedPixels(), before + 5);
@@ -225,13 +225,13 @@ std::array<double, 4> labelBox(GizmoRepresentation& gizmo)
 
 TEST_F(GizmoDrawn, SaysHowFarAtTheCursorAndInsideTheViewport)
 {
-  stage.renderer().SetViewport(0.25, 0.2, 0.9, 0.8);
+  fixture.renderer().SetViewport(0.25, 0.2, 0.9, 0.8);
   for (const double ratio : {1.0, 2.0})
     for (const DisplayPoint& cursor : {DisplayPoint(220, 140), DisplayPoint(100, 60), DisplayPoint(359, 239),
                                        DisplayPoint(100, 239), DisplayPoint(399, 0), DisplayPoint(-50, 400)}) {
       gizmo->SetPixelRatio(ratio);
       showDrag(GizmoPart::ArrowX, {0, 0, 0}, cursor);
-      stage.window().Render();
+      fixture.window().Render();
       ASSERT_TRUE(gizmo->GetLabelActor()->GetVisibility());
       const auto [left, right, bottom, top] = labelBox(*gizmo);
       EXPECT_GT(right - left, 40 * ratio);
@@ -241,7 +241,7 @@ TEST_F(GizmoDrawn, SaysHowFarAtTheCursorAndInsideTheViewport)
       EXPECT_LT(top, 240) << cursor.transpose();
     }
   showDrag(GizmoPart::ArrowX, {0, 0, 0}, {220, 140});
-  stage.window().Render();
+  fixture.window().Render();
   const auto [left, right, bottom, top] = labelBox(*gizmo);
   EXPECT_GT(left, 220);
   EXPECT_LT(left, 220 + 2 * 25);
@@ -251,14 +251,14 @@ TEST_F(GizmoDrawn, SaysHowFarAtTheCursorAndInsideTheViewport)
 TEST_F(GizmoDrawn, ItsLabelIsReadOnLightAndDark)
 {
   for (const double shade : {0.0, 1.0}) {
-    stage.renderer().SetBackground(shade, shade, shade);
+    fixture.renderer().SetBackground(shade, shade, shade);
     showDrag(GizmoPart::ArrowX, {0, 0, 0}, {20, 20});
-    stage.window().Render();
+    fixture.window().Render();
     const auto [left, right, bottom, top] = labelBox(*gizmo);
     int least = 255;
     int most = 0;
     for (double x = left + 1; x < right; ++x) {
-      const int value = stage.colorAt({x, (bottom + top) / 2})[1];
+      const int value = fixture.colorAt({x, (bottom + top) / 2})[1];
       least = std::min(least, value);
       most = std::max(most, value);
     }
@@ -271,7 +271,7 @@ TEST_F(GizmoDrawn, LeavesItsLabelToAWindowThatDrawsItsOwn)
 {
   gizmo->LabelVisibilityOff();
   showDrag(GizmoPart::ArrowX, {0, 0, 0}, {220, 140});
-  stage.window().Render();
+  fixture.window().Render();
   EXPECT_FALSE(gizmo->GetLabelActor()->GetVisibility());
   EXPECT_EQ(gizmo->GetLabel(), "12.5 mm");
   EXPECT_EQ(gizmo->GetLabelPosition(), DisplayPoint(220, 140));

@@ -30,7 +30,7 @@ TEST_F(GizmoHandled, ADragStartsMovesAndEnds)
   EXPECT_TRUE(widget->IsHeld());
   EXPECT_GT(motions.back().distance, 0.1);
   EXPECT_EQ(motions.back().translation, Vector3(motions.back().distance, 0, 0));
-  hand.release(beside + DisplayPoint(100, 0));
+  mouse.release(beside + DisplayPoint(100, 0));
   EXPECT_THAT(log.events(), ElementsAre(vtkCommand::StartInteractionEvent, vtkCommand::InteractionEvent,
                                         vtkCommand::InteractionEvent, vtkCommand::EndInteractionEvent));
   EXPECT_FALSE(widget->IsDragging());
@@ -40,18 +40,18 @@ TEST_F(GizmoHandled, ADragStartsMovesAndEnds)
 TEST_F(GizmoHandled, WhatIsHeldStaysUnderTheCursorInBothProjections)
 {
   for (const bool isParallel : {false, true}) {
-    stage.renderer().GetActiveCamera()->SetParallelProjection(isParallel);
+    fixture.renderer().GetActiveCamera()->SetParallelProjection(isParallel);
     for (int axis = 0; axis < 3; ++axis) {
-      const ViewGeometry view = viewGeometryOf(stage.renderer());
+      const ViewGeometry view = viewGeometryOf(fixture.renderer());
       const Vector3 held =
           center() + placementOf(view, gizmo.GetFrame(), test::kGizmoRadius).scale * 0.5 * Vector3::Unit(axis);
       grabArrow(axis);
-      const int* cursor = stage.interactor().GetEventPosition();
+      const int* cursor = fixture.interactor().GetEventPosition();
       const DisplayPoint now = *toDisplay(view, held + motions.back().translation);
       EXPECT_LT((now - DisplayPoint(cursor[0] + 0.5, cursor[1] + 0.5)).norm(), 1.5) << axis << isParallel;
       EXPECT_GT(motions.back().distance, 0.1);
-      hand.key("Escape");
-      hand.release(beside);
+      mouse.key("Escape");
+      mouse.release(beside);
     }
   }
 }
@@ -62,11 +62,11 @@ TEST_F(GizmoHandled, ThreeTurnsOfARingAre1080Degrees)
     const double angle = degrees * std::numbers::pi / 180;
     return placeOnGizmo(gizmo, gizmo_layout::kRingRadius * Vector3(std::cos(angle), std::sin(angle), 0));
   };
-  hand.moveTo(onRing(20));
+  mouse.moveTo(onRing(20));
   ASSERT_EQ(widget->GetPart(), GizmoPart::RingZ);
-  hand.press(onRing(20));
-  for (int step = 1; step <= 3 * 12; ++step) hand.moveTo(onRing(20 + 30 * step));
-  hand.release(onRing(20));
+  mouse.press(onRing(20));
+  for (int step = 1; step <= 3 * 12; ++step) mouse.moveTo(onRing(20 + 30 * step));
+  mouse.release(onRing(20));
   EXPECT_NEAR(motions.back().degrees, 1080, 1e-9);
   EXPECT_EQ(motions.back().translation, Vector3::Zero());
   EXPECT_EQ(gizmo.GetFrame().axes, Eigen::Matrix3d::Identity());
@@ -76,15 +76,15 @@ TEST_F(GizmoHandled, ControlSnapsToExactMultiples)
 {
   for (const bool isSnapped : {false, true}) {
     const DisplayPoint from = arrow(1);
-    hand.moveTo(from);
+    mouse.moveTo(from);
     const RoundStep step = gizmo.NewDrag(from).step();
-    hand.press(from);
-    hand.moveTo(from + DisplayPoint(53, 21), {isSnapped});
+    mouse.press(from);
+    mouse.moveTo(from + DisplayPoint(53, 21), {isSnapped});
     const double count = std::round(motions.back().distance / step.size());
     EXPECT_NE(count, 0);
     EXPECT_EQ(motions.back().distance == step.multiple(count), isSnapped);
-    hand.key("Escape");
-    hand.release(from);
+    mouse.key("Escape");
+    mouse.release(from);
   }
 }
 
@@ -104,16 +104,16 @@ TEST_F(GizmoHandled, EscapeBringsTheFrameBackBitForBit)
 {
   gizmo.SetFrame(awkwardFrame().center, awkwardFrame().axes);
   const DisplayPoint middle = placeOnGizmo(gizmo, Vector3::Zero());
-  hand.moveTo(middle);
-  hand.press(middle);
-  hand.moveTo(middle + DisplayPoint(31, 17));
+  mouse.moveTo(middle);
+  mouse.press(middle);
+  mouse.moveTo(middle + DisplayPoint(31, 17));
   ASSERT_FALSE(hasBitsOf(gizmo.GetFrame(), awkwardFrame()));
-  hand.key("Escape");
+  mouse.key("Escape");
   EXPECT_TRUE(hasBitsOf(gizmo.GetFrame(), awkwardFrame()));
   EXPECT_EQ(lastEvent(), CancelInteractionEvent);
   log.clear();
-  hand.moveTo(middle + DisplayPoint(60, 17));
-  hand.release(middle + DisplayPoint(60, 17));
+  mouse.moveTo(middle + DisplayPoint(60, 17));
+  mouse.release(middle + DisplayPoint(60, 17));
   EXPECT_TRUE(hasBitsOf(gizmo.GetFrame(), awkwardFrame())) << "the rest of the gesture says nothing";
   EXPECT_THAT(log.events(), IsEmpty());
 }
@@ -121,57 +121,57 @@ TEST_F(GizmoHandled, EscapeBringsTheFrameBackBitForBit)
 TEST_F(GizmoHandled, CamerasGetWhatTheGizmoDoesNotUse)
 {
   vtkNew<SurfaceCameraStyle> style;
-  stage.interactor().SetInteractorStyle(style);
-  vtkCamera& camera = *stage.renderer().GetActiveCamera();
+  fixture.interactor().SetInteractorStyle(style);
+  vtkCamera& camera = *fixture.renderer().GetActiveCamera();
   const Vector3 eye(camera.GetPosition());
-  hand.drag({arrow(0), arrow(0) + DisplayPoint(20, 0), arrow(0) + DisplayPoint(40, 10)});
+  mouse.drag({arrow(0), arrow(0) + DisplayPoint(20, 0), arrow(0) + DisplayPoint(40, 10)});
   EXPECT_EQ(Vector3(camera.GetPosition()), eye);
   ASSERT_NE(center(), Vector3(1.5, 1, 0));
-  hand.drag({beside, beside + DisplayPoint(20, 20), beside + DisplayPoint(40, 40)});
+  mouse.drag({beside, beside + DisplayPoint(20, 20), beside + DisplayPoint(40, 40)});
   EXPECT_NE(Vector3(camera.GetPosition()), eye);
-  stage.interactor().SetInteractorStyle(nullptr);
+  fixture.interactor().SetInteractorStyle(nullptr);
 }
 
 TEST_F(GizmoHandled, StaysOutOfGesturesThatBeganBesideIt)
 {
-  EventLog moves(stage.interactor(), {vtkCommand::MouseMoveEvent});
-  hand.moveTo(beside);
-  hand.press(beside);
-  hand.moveTo(arrow(0));
+  EventLog moves(fixture.interactor(), {vtkCommand::MouseMoveEvent});
+  mouse.moveTo(beside);
+  mouse.press(beside);
+  mouse.moveTo(arrow(0));
   EXPECT_EQ(widget->GetPart(), GizmoPart::None);
-  hand.release(arrow(0));
-  hand.rightPress(beside);
-  hand.moveTo(arrow(1));
-  hand.moveTo(arrow(1) + DisplayPoint(1, 0));
+  mouse.release(arrow(0));
+  mouse.rightPress(beside);
+  mouse.moveTo(arrow(1));
+  mouse.moveTo(arrow(1) + DisplayPoint(1, 0));
   EXPECT_EQ(widget->GetPart(), GizmoPart::None);
   EXPECT_EQ(moves.events().size(), 4u) << "all passed on";
-  hand.rightRelease(arrow(1));
+  mouse.rightRelease(arrow(1));
   moves.clear();
-  hand.moveTo(arrow(1));
+  mouse.moveTo(arrow(1));
   EXPECT_EQ(widget->GetPart(), GizmoPart::ArrowY);
   EXPECT_EQ(moves.events().size(), 1u) << "others learn that the cursor has left what is theirs";
-  hand.moveTo(arrow(1) + DisplayPoint(1, 0));
+  mouse.moveTo(arrow(1) + DisplayPoint(1, 0));
   EXPECT_EQ(moves.events().size(), 1u);
 
   vtkNew<vtkCallbackCommand> brush;
   brush->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
   brush->AbortFlagOnExecuteOn();
-  stage.interactor().AddObserver(vtkCommand::LeftButtonPressEvent, brush, 0.5F);
-  hand.moveTo(beside);
-  hand.press(beside);
-  hand.moveTo(arrow(0));
+  fixture.interactor().AddObserver(vtkCommand::LeftButtonPressEvent, brush, 0.5F);
+  mouse.moveTo(beside);
+  mouse.press(beside);
+  mouse.moveTo(arrow(0));
   EXPECT_EQ(widget->GetPart(), GizmoPart::None) << "a press that another widget has used";
 }
 
 TEST_F(GizmoHandled, GrabsWithTheSecondPressOfADoubleClick)
 {
-  hand.doubleClick(arrow(0));
+  mouse.doubleClick(arrow(0));
   const auto started = [this] {
     return std::count(log.events().begin(), log.events().end(), vtkCommand::StartInteractionEvent);
   };
   EXPECT_EQ(started(), 2);
-  hand.moveTo(arrow(0));
-  stage.interactor().InvokeEvent(vtkCommand::LeftButtonDoubleClickEvent);
+  mouse.moveTo(arrow(0));
+  fixture.interactor().InvokeEvent(vtkCommand::LeftButtonDoubleClickEvent);
   EXPECT_EQ(started(), 3);
   EXPECT_TRUE(widget->IsHeld());
 }
@@ -189,7 +189,7 @@ TEST_F(GizmoHandled, ADragAloneMovesTheGizmoWhileItGoesOn)
 TEST_F(GizmoHandled, TheMouseOverHiddenPartsIsNotItsOwn)
 {
   gizmo.VisibilityOff();
-  hand.click(arrow(0));
+  mouse.click(arrow(0));
   EXPECT_THAT(log.events(), IsEmpty());
   EXPECT_THAT(parts, IsEmpty());
 }
@@ -199,15 +199,15 @@ TEST_F(GizmoHandled, ARecordedGestureGivesTheSameMotion)
   const test::TemporaryFolder folder;
   const std::string file = (folder.path() / "gesture.log").string();
   vtkNew<vtkInteractorEventRecorder> recorder;
-  recorder->SetInteractor(&stage.interactor());
+  recorder->SetInteractor(&fixture.interactor());
   recorder->SetFileName(file.c_str());
   recorder->On();
   recorder->Record();
   grabArrow(0, 37);
-  hand.release(arrow(0) + DisplayPoint(11, 3));
-  hand.key("y");
-  hand.type("1.25");
-  hand.key("Return");
+  mouse.release(arrow(0) + DisplayPoint(11, 3));
+  mouse.key("y");
+  mouse.type("1.25");
+  mouse.key("Return");
   recorder->Stop();
   recorder->Off();
   const std::vector<GizmoMotion> byHand = motions;
@@ -215,8 +215,8 @@ TEST_F(GizmoHandled, ARecordedGestureGivesTheSameMotion)
   const Vector3 after = center();
   ASSERT_GT(byHand.size(), 4u);
 
-  hand.key("Escape");
-  hand.moveTo(beside);
+  mouse.key("Escape");
+  mouse.moveTo(beside);
   gizmo.SetFrame({1.5, 1, 0}, Eigen::Matrix3d::Identity());
   motions.clear();
   log.clear();

@@ -18,8 +18,8 @@ namespace holdfast {
 namespace {
 
 using test::EventLog;
+using test::GizmoFixture;
 using test::GizmoHandled;
-using test::GizmoStage;
 using test::placeOnGizmo;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -27,13 +27,13 @@ using testing::IsEmpty;
 
 TEST_F(GizmoHandled, HighlightsThePartUnderTheCursor)
 {
-  hand.moveTo(arrow(0));
-  hand.moveTo(arrow(0) + DisplayPoint(1, 0));
+  mouse.moveTo(arrow(0));
+  mouse.moveTo(arrow(0) + DisplayPoint(1, 0));
   EXPECT_EQ(widget->GetPart(), GizmoPart::ArrowX);
-  hand.moveTo(arrow(2));
-  hand.moveTo(beside);
-  hand.moveTo(arrow(1));
-  hand.leave();
+  mouse.moveTo(arrow(2));
+  mouse.moveTo(beside);
+  mouse.moveTo(arrow(1));
+  mouse.leave();
   EXPECT_THAT(parts,
               ElementsAre(GizmoPart::ArrowX, GizmoPart::ArrowZ, GizmoPart::None, GizmoPart::ArrowY, GizmoPart::None));
   EXPECT_THAT(log.events(), IsEmpty());
@@ -45,7 +45,7 @@ TEST_F(GizmoHandled, TheProgramChooses)
   EXPECT_THAT(parts, ElementsAre(GizmoPart::SquareZ));
   gizmo.SetMotions(GizmoMotions::Moves);
   widget->SetPart(GizmoPart::RingX);
-  hand.key("X", {false, true});
+  mouse.key("X", {false, true});
   EXPECT_EQ(widget->GetPart(), GizmoPart::SquareZ) << "what turns is not offered";
   widget->SetPart(GizmoPart::None);
   EXPECT_EQ(widget->GetPart(), GizmoPart::None);
@@ -62,16 +62,16 @@ TEST_F(GizmoHandled, DisablingCancelsADragAndTakesTheGizmoAway)
   EXPECT_EQ(lastEvent(), CancelInteractionEvent);
   EXPECT_EQ(center(), Vector3(1.5, 1, 0));
   EXPECT_EQ(widget->GetPart(), GizmoPart::None);
-  EXPECT_EQ(stage.window().GetRenderers()->GetNumberOfItems(), 1);
+  EXPECT_EQ(fixture.window().GetRenderers()->GetNumberOfItems(), 1);
   const std::size_t count = log.events().size();
-  hand.click(place);
-  hand.key("x");
+  mouse.click(place);
+  mouse.key("x");
   EXPECT_EQ(log.events().size(), count);
   EXPECT_EQ(widget->GetPart(), GizmoPart::None);
 
-  stage.interactor().SetEventPosition(200, 150);
+  fixture.interactor().SetEventPosition(200, 150);
   widget->On();
-  EXPECT_EQ(stage.window().GetRenderers()->GetNumberOfItems(), 2);
+  EXPECT_EQ(fixture.window().GetRenderers()->GetNumberOfItems(), 2);
   grabArrow(0);
   EXPECT_TRUE(widget->IsDragging());
 }
@@ -82,25 +82,25 @@ TEST_F(GizmoHandled, AProgramMayDisableItFromAnyEvent)
                                     vtkCommand::InteractionEvent, vtkCommand::EndInteractionEvent}) {
     const unsigned long tag = widget->AddObserver(event, widget.Get(), &GizmoWidget::Off);
     const DisplayPoint place = arrow(0);
-    hand.press(place);
-    hand.moveTo(place + DisplayPoint(9, 9));
-    hand.type("1");
-    hand.release(beside);
+    mouse.press(place);
+    mouse.moveTo(place + DisplayPoint(9, 9));
+    mouse.type("1");
+    mouse.release(beside);
     EXPECT_FALSE(widget->IsDragging());
     EXPECT_FALSE(widget->GetEnabled());
     widget->RemoveObserver(tag);
-    stage.interactor().SetEventPosition(200, 150);
+    fixture.interactor().SetEventPosition(200, 150);
     gizmo.SetFrame({1.5, 1, 0}, Eigen::Matrix3d::Identity());
     widget->On();
     gizmo.VisibilityOn();
     const unsigned long hider = widget->AddObserver(event, &gizmo, &GizmoRepresentation::VisibilityOff);
     grabArrow(0);
-    hand.release(beside);
+    mouse.release(beside);
     EXPECT_FALSE(widget->IsDragging());
     gizmo.VisibilityOn();
-    hand.moveTo(beside);
-    hand.press(arrow(2));
-    hand.release(beside);
+    mouse.moveTo(beside);
+    mouse.press(arrow(2));
+    mouse.release(beside);
     EXPECT_FALSE(widget->IsDragging());
     widget->RemoveObserver(hider);
     gizmo.SetFrame({1.5, 1, 0}, Eigen::Matrix3d::Identity());
@@ -112,14 +112,14 @@ TEST_F(GizmoHandled, GoesWithItsWindow)
 {
   vtkNew<GizmoWidget> other;
   {
-    GizmoStage gone;
+    GizmoFixture gone;
     other->SetInteractor(&gone.interactor());
     other->On();
     gone.window().Render();
   }
   EXPECT_FALSE(other->GetEnabled());
   {
-    GizmoStage left;
+    GizmoFixture left;
     {
       vtkNew<GizmoWidget> gone;
       gone->SetInteractor(&left.interactor());
@@ -129,26 +129,26 @@ TEST_F(GizmoHandled, GoesWithItsWindow)
   }
   {
     vtkNew<GizmoWidget> deleted;
-    deleted->SetInteractor(&stage.interactor());
+    deleted->SetInteractor(&fixture.interactor());
     deleted->On();
-    ASSERT_EQ(stage.window().GetRenderers()->GetNumberOfItems(), 3);
+    ASSERT_EQ(fixture.window().GetRenderers()->GetNumberOfItems(), 3);
   }
-  EXPECT_EQ(stage.window().GetRenderers()->GetNumberOfItems(), 2);
-  EXPECT_EQ(stage.renderer().GetViewProps()->GetNumberOfItems(), 2) << "the surface, and the first gizmo";
-  stage.window().Render();
-  hand.moveTo(arrow(0));
+  EXPECT_EQ(fixture.window().GetRenderers()->GetNumberOfItems(), 2);
+  EXPECT_EQ(fixture.renderer().GetViewProps()->GetNumberOfItems(), 2) << "the surface, and the first gizmo";
+  fixture.window().Render();
+  mouse.moveTo(arrow(0));
   EXPECT_EQ(widget->GetPart(), GizmoPart::ArrowX);
 }
 
 TEST_F(GizmoHandled, ActsInItsOwnRendererAlone)
 {
-  stage.renderer().SetViewport(0, 0, 0.5, 1);
+  fixture.renderer().SetViewport(0, 0, 0.5, 1);
   vtkNew<vtkRenderer> right;
   right->SetViewport(0.5, 0, 1, 1);
-  right->SetActiveCamera(stage.renderer().GetActiveCamera());
-  stage.window().AddRenderer(right);
+  right->SetActiveCamera(fixture.renderer().GetActiveCamera());
+  fixture.window().AddRenderer(right);
   vtkNew<GizmoWidget> other;
-  other->SetInteractor(&stage.interactor());
+  other->SetInteractor(&fixture.interactor());
   other->SetCurrentRenderer(right);
   GizmoRepresentation& otherGizmo = *other->GetGizmoRepresentation();
   otherGizmo.SetPixelSize(test::kGizmoRadius);
@@ -157,17 +157,17 @@ TEST_F(GizmoHandled, ActsInItsOwnRendererAlone)
 
   gizmo.SetPixelSize(120);
   const DisplayPoint own = placeOnGizmo(gizmo, Vector3::Zero());
-  hand.moveTo(own + 120 * DisplayPoint(-0.6, 0.8));
+  mouse.moveTo(own + 120 * DisplayPoint(-0.6, 0.8));
   EXPECT_EQ(widget->GetPart(), GizmoPart::ViewRing);
-  hand.moveTo(own + DisplayPoint(120, 0));
+  mouse.moveTo(own + DisplayPoint(120, 0));
   EXPECT_EQ(widget->GetPart(), GizmoPart::None) << "its rings end at the edge of its viewport";
   const DisplayPoint middle = placeOnGizmo(otherGizmo, Vector3::Zero());
-  hand.moveTo(middle);
+  mouse.moveTo(middle);
   EXPECT_EQ(other->GetPart(), GizmoPart::Center);
-  hand.moveTo(arrow(0));
+  mouse.moveTo(arrow(0));
   EXPECT_EQ(widget->GetPart(), GizmoPart::ArrowX);
   EXPECT_EQ(other->GetPart(), GizmoPart::None);
-  hand.drag({middle, middle + DisplayPoint(10, 10), middle + DisplayPoint(30, 20)});
+  mouse.drag({middle, middle + DisplayPoint(10, 10), middle + DisplayPoint(30, 20)});
   EXPECT_NE(otherGizmo.GetFrame().center, Vector3(1.5, 1, 0));
   EXPECT_EQ(center(), Vector3(1.5, 1, 0));
 }
@@ -179,12 +179,12 @@ TEST_F(GizmoHandled, ComesBeforeVtksOwnWidgetsAndLeavesThemTheRest)
   point->SetWorldPosition(place);
   vtkNew<vtkHandleWidget> handle;
   handle->SetRepresentation(point);
-  handle->SetInteractor(&stage.interactor());
+  handle->SetInteractor(&fixture.interactor());
   handle->On();
   EventLog handled(*handle, {vtkCommand::StartInteractionEvent, vtkCommand::EndInteractionEvent});
   const DisplayPoint middle = placeOnGizmo(gizmo, Vector3::Zero());
-  stage.window().Render();
-  const auto dragMiddle = [&] { hand.drag({middle, middle + DisplayPoint(9, 0), middle + DisplayPoint(25, 0)}); };
+  fixture.window().Render();
+  const auto dragMiddle = [&] { mouse.drag({middle, middle + DisplayPoint(9, 0), middle + DisplayPoint(25, 0)}); };
   dragMiddle();
   EXPECT_EQ(lastEvent(), vtkCommand::EndInteractionEvent);
   EXPECT_THAT(handled.events(), IsEmpty());
@@ -195,7 +195,7 @@ TEST_F(GizmoHandled, ComesBeforeVtksOwnWidgetsAndLeavesThemTheRest)
   dragMiddle();
   EXPECT_THAT(handled.events(), ElementsAre(vtkCommand::StartInteractionEvent, vtkCommand::EndInteractionEvent));
   EXPECT_THAT(log.events(), IsEmpty());
-  hand.moveTo(placeOnGizmo(gizmo, Vector3::Zero()));
+  mouse.moveTo(placeOnGizmo(gizmo, Vector3::Zero()));
   EXPECT_EQ(widget->GetPart(), GizmoPart::Center) << "the release went to the handle alone";
 
   gizmo.SetFrame({1.5, 1, 0}, Eigen::Matrix3d::Identity());
@@ -214,27 +214,27 @@ TEST_F(GizmoHandled, ListensToOtherButtonsAndKeysIfToldSo)
   translator.SetTranslation(vtkCommand::MiddleButtonReleaseEvent, vtkWidgetEvent::EndSelect);
   translator.SetTranslation(vtkCommand::KeyPressEvent, 0, 'k', 0, nullptr, vtkWidgetEvent::Completed);
   widget->Off();
-  stage.interactor().SetEventPosition(200, 150);
+  fixture.interactor().SetEventPosition(200, 150);
   widget->On();
-  hand.moveTo(arrow(0));
-  hand.press(arrow(0));
+  mouse.moveTo(arrow(0));
+  mouse.press(arrow(0));
   EXPECT_FALSE(widget->IsDragging());
-  hand.release(arrow(0));
-  hand.middlePress(arrow(0));
+  mouse.release(arrow(0));
+  mouse.middlePress(arrow(0));
   EXPECT_TRUE(widget->IsDragging());
-  hand.middleRelease(arrow(0) + DisplayPoint(20, 0));
+  mouse.middleRelease(arrow(0) + DisplayPoint(20, 0));
   EXPECT_EQ(lastEvent(), vtkCommand::EndInteractionEvent);
-  hand.key("x");
-  hand.type("4");
+  mouse.key("x");
+  mouse.type("4");
   ASSERT_TRUE(widget->IsDragging());
-  hand.key("k");
+  mouse.key("k");
   EXPECT_FALSE(widget->IsDragging());
 }
 
 TEST_F(GizmoHandled, PrintsItsState)
 {
-  hand.key("y");
-  hand.type("1.5");
+  mouse.key("y");
+  mouse.type("1.5");
   std::ostringstream text;
   widget->Print(text);
   EXPECT_THAT(text.str(), HasSubstr("Typed: 1.5"));

@@ -34,7 +34,7 @@ std::vector<Index> gridBall(double x, double y, double radius)
 TEST_F(RegionsOfGrid, ADabReachesTheVerticesUnderTheBrush)
 {
   widget->SetBrushRadius(1.2 * pixelsOfUnit());
-  hand().click(pixelOf(5, 4));
+  mouse().click(pixelOf(5, 4));
   EXPECT_THAT(events, ElementsAre(kBegins, kMoves, kEnds));
   EXPECT_THAT(reached[0], IsEmpty());
   EXPECT_EQ(reached[1], gridBall(5, 4, 1.2));
@@ -44,9 +44,9 @@ TEST_F(RegionsOfGrid, ADabReachesTheVerticesUnderTheBrush)
 TEST_F(RegionsOfGrid, AStrokeOfOneJumpReachesAllOnItsWay)
 {
   widget->SetBrushRadius(0.6 * pixelsOfUnit());
-  hand().press(pixelOf(1, 4));
-  hand().moveTo(pixelOf(9, 4));
-  hand().release(pixelOf(9, 4));
+  mouse().press(pixelOf(1, 4));
+  mouse().moveTo(pixelOf(9, 4));
+  mouse().release(pixelOf(9, 4));
   EXPECT_THAT(events, ElementsAre(kBegins, kMoves, kMoves, kEnds));
   EXPECT_THAT(selected, ElementsAre(45, 46, 47, 48, 49, 50, 51, 52, 53));
 }
@@ -54,7 +54,7 @@ TEST_F(RegionsOfGrid, AStrokeOfOneJumpReachesAllOnItsWay)
 TEST_F(RegionsOfGrid, AStrokeThatLeavesTheSurfaceGoesOnWhereItComesBack)
 {
   widget->SetBrushRadius(0.6 * pixelsOfUnit());
-  hand().drag({pixelOf(1, 7), pixelOf(1, 9.5), pixelOf(9, 9.5), pixelOf(9, 7)});
+  mouse().drag({pixelOf(1, 7), pixelOf(1, 9.5), pixelOf(9, 9.5), pixelOf(9, 7)});
   EXPECT_THAT(selected, ElementsAre(78, 86, 89, 97));
 }
 
@@ -62,7 +62,7 @@ TEST_F(RegionsOfGrid, PixelRatioScalesTheBrush)
 {
   widget->SetBrushRadius(0.6 * pixelsOfUnit());
   widget->SetPixelRatio(2);
-  hand().click(pixelOf(5, 4));
+  mouse().click(pixelOf(5, 4));
   EXPECT_EQ(selected, gridBall(5, 4, 1.2));
   EXPECT_NEAR((outline().front() - pixelOf(5, 4)).norm(), 1.2 * pixelsOfUnit(), 1e-9);
 }
@@ -70,37 +70,37 @@ TEST_F(RegionsOfGrid, PixelRatioScalesTheBrush)
 TEST_F(RegionsOfGrid, ShiftAddsAndCtrlTakesAway)
 {
   widget->SetBrushRadius(0.6 * pixelsOfUnit());
-  hand().click(pixelOf(2, 2));
-  hand().click(pixelOf(5, 4), {.shift = true});
+  mouse().click(pixelOf(2, 2));
+  mouse().click(pixelOf(5, 4), {.shift = true});
   EXPECT_THAT(selected, ElementsAre(24, 49));
-  hand().click(pixelOf(2, 2), {.ctrl = true});
+  mouse().click(pixelOf(2, 2), {.ctrl = true});
   EXPECT_THAT(selected, ElementsAre(49));
-  hand().click(pixelOf(8, 6));
+  mouse().click(pixelOf(8, 6));
   EXPECT_THAT(selected, ElementsAre(74));
 }
 
 TEST_F(RegionsOfGrid, EscapeCancelsAStrokeAndTheRestOfItsDrag)
 {
   selected = {1, 2, 3};
-  hand().press(pixelOf(2, 2));
-  hand().moveTo(pixelOf(5, 4));
+  mouse().press(pixelOf(2, 2));
+  mouse().moveTo(pixelOf(5, 4));
   EXPECT_NE(selected, (std::vector<Index>{1, 2, 3}));
-  hand().key("Escape");
+  mouse().key("Escape");
   EXPECT_EQ(selected, (std::vector<Index>{1, 2, 3}));
-  hand().moveTo(pixelOf(8, 4));
-  hand().release(pixelOf(8, 4));
+  mouse().moveTo(pixelOf(8, 4));
+  mouse().release(pixelOf(8, 4));
   EXPECT_THAT(events, ElementsAre(kBegins, kMoves, kMoves, kCancels));
 }
 
 TEST_F(RegionsOfGrid, AStrokeGoesOnWhereTheSurfaceMovesMeanwhile)
 {
   widget->SetBrushRadius(0.6 * pixelsOfUnit());
-  auto moved = std::make_shared<Positions>(stage.surface()->positions());
+  auto moved = std::make_shared<Positions>(fixture.surface()->positions());
   moved->col(0).array() += 1;
-  hand().press(pixelOf(2, 2));
-  widget->SetSurface(std::make_shared<const VisibleSurface>(stage.surface()->movedTo(moved)));
-  hand().moveTo(pixelOf(4, 2));
-  hand().release(pixelOf(4, 2));
+  mouse().press(pixelOf(2, 2));
+  widget->SetSurface(std::make_shared<const VisibleSurface>(fixture.surface()->movedTo(moved)));
+  mouse().moveTo(pixelOf(4, 2));
+  mouse().release(pixelOf(4, 2));
   EXPECT_THAT(events, ElementsAre(kBegins, kMoves, kMoves, kEnds));
   EXPECT_THAT(selected,
               testing::AllOf(testing::Contains(24), testing::Contains(25), testing::Not(testing::Contains(26))));
@@ -109,13 +109,13 @@ TEST_F(RegionsOfGrid, AStrokeGoesOnWhereTheSurfaceMovesMeanwhile)
 TEST_F(RegionsOfGrid, APressBesideTheSurfaceIsLeftToTheCamera)
 {
   vtkNew<SurfaceCameraStyle> style;
-  stage.interactor().SetInteractorStyle(style);
+  fixture.interactor().SetInteractorStyle(style);
   const auto cameraAfter = [this](const std::vector<DisplayPoint>& way) {
-    hand().drag(way);
-    const double* eye = stage.renderer().GetActiveCamera()->GetPosition();
+    mouse().drag(way);
+    const double* eye = fixture.renderer().GetActiveCamera()->GetPosition();
     return Vector3(eye);
   };
-  const Vector3 rest(stage.renderer().GetActiveCamera()->GetPosition());
+  const Vector3 rest(fixture.renderer().GetActiveCamera()->GetPosition());
   EXPECT_EQ(cameraAfter({pixelOf(2, 2), pixelOf(4, 5)}), rest);
   EXPECT_THAT(events, Not(IsEmpty()));
   events.clear();
@@ -126,45 +126,45 @@ TEST_F(RegionsOfGrid, APressBesideTheSurfaceIsLeftToTheCamera)
 TEST_F(RegionsOfGrid, TheBrushFollowsTheCursorAndVanishesWithIt)
 {
   EXPECT_THAT(outline(), IsEmpty());
-  hand().moveTo(pixelOf(2, 2));
+  mouse().moveTo(pixelOf(2, 2));
   ASSERT_THAT(outline(), Not(IsEmpty()));
   for (const DisplayPoint& corner : outline()) EXPECT_NEAR((corner - pixelOf(2, 2)).norm(), 24, 1e-9);
-  hand().moveTo(pixelOf(5, 2));
+  mouse().moveTo(pixelOf(5, 2));
   EXPECT_NEAR((outline().front() - pixelOf(5, 2)).norm(), 24, 1e-9);
-  EXPECT_EQ(stage.window().GetCurrentCursor(), VTK_CURSOR_CROSSHAIR);
-  hand().leave();
+  EXPECT_EQ(fixture.window().GetCurrentCursor(), VTK_CURSOR_CROSSHAIR);
+  mouse().leave();
   EXPECT_THAT(outline(), IsEmpty());
-  EXPECT_EQ(stage.window().GetCurrentCursor(), VTK_CURSOR_DEFAULT);
-  hand().moveTo(pixelOf(5, 2));
+  EXPECT_EQ(fixture.window().GetCurrentCursor(), VTK_CURSOR_DEFAULT);
+  mouse().moveTo(pixelOf(5, 2));
   widget->Off();
   EXPECT_THAT(outline(), IsEmpty());
-  EXPECT_EQ(stage.window().GetCurrentCursor(), VTK_CURSOR_DEFAULT);
+  EXPECT_EQ(fixture.window().GetCurrentCursor(), VTK_CURSOR_DEFAULT);
 }
 
 TEST_F(RegionsOfGrid, HoveringWaitsWhileTheCameraMoves)
 {
   vtkNew<SurfaceCameraStyle> style;
-  stage.interactor().SetInteractorStyle(style);
-  hand().press({3, 3});
+  fixture.interactor().SetInteractorStyle(style);
+  mouse().press({3, 3});
   // The style begins with this one, which it sees after the widget.
-  hand().moveTo({10, 3});
-  hand().moveTo({60, 80});
+  mouse().moveTo({10, 3});
+  mouse().moveTo({60, 80});
   EXPECT_NEAR((outline().front() - DisplayPoint(10, 3)).norm(), 24, 1e-9);
-  hand().release({60, 80});
+  mouse().release({60, 80});
 }
 
 TEST_F(RegionsOfGrid, BracketsSizeTheBrushWithinItsLimits)
 {
   EventLog changes(*widget, {vtkCommand::WidgetValueChangedEvent});
-  hand().moveTo(pixelOf(5, 2));
-  hand().key("bracketright");
+  mouse().moveTo(pixelOf(5, 2));
+  mouse().key("bracketright");
   EXPECT_DOUBLE_EQ(widget->GetBrushRadius(), 24 * 1.2);
   EXPECT_NEAR((outline().front() - pixelOf(5, 2)).norm(), 24 * 1.2, 1e-9);
-  hand().key("bracketleft");
-  hand().key("bracketleft");
+  mouse().key("bracketleft");
+  mouse().key("bracketleft");
   EXPECT_DOUBLE_EQ(widget->GetBrushRadius(), 20);
   EXPECT_THAT(changes.events(), SizeIs(3));
-  for (int k = 0; k < 20; ++k) hand().key("bracketleft");
+  for (int k = 0; k < 20; ++k) mouse().key("bracketleft");
   EXPECT_EQ(widget->GetBrushRadius(), 4);
   widget->SetBrushRadius(1e9);
   EXPECT_EQ(widget->GetBrushRadius(), 300);

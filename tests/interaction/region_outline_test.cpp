@@ -11,10 +11,10 @@
 namespace holdfast {
 namespace {
 
-using test::Hand;
 using test::kBegins;
 using test::kCancels;
 using test::kEnds;
+using test::Mouse;
 using test::RegionsOfGrid;
 using test::RegionWindow;
 using testing::Each;
@@ -27,14 +27,14 @@ using testing::SizeIs;
 TEST_F(RegionsOfGrid, ARectangleReachesWhatLiesInIt)
 {
   widget->SetShape(RegionShape::Rectangle);
-  hand().press(pixelOf(1.5, 1.5));
+  mouse().press(pixelOf(1.5, 1.5));
   EXPECT_THAT(events, ElementsAre(kBegins));
-  hand().moveTo(pixelOf(3, 2));
-  hand().moveTo(pixelOf(4.5, 3.5));
+  mouse().moveTo(pixelOf(3, 2));
+  mouse().moveTo(pixelOf(4.5, 3.5));
   EXPECT_THAT(outline(), ElementsAre(pixelOf(1.5, 1.5), DisplayPoint(pixelOf(4.5, 0).x(), pixelOf(0, 1.5).y()),
                                      pixelOf(4.5, 3.5), DisplayPoint(pixelOf(1.5, 0).x(), pixelOf(0, 3.5).y())));
   EXPECT_THAT(events, ElementsAre(kBegins));
-  hand().release(pixelOf(4.5, 3.5));
+  mouse().release(pixelOf(4.5, 3.5));
   EXPECT_THAT(events, ElementsAre(kBegins, kEnds));
   EXPECT_THAT(selected, ElementsAre(24, 25, 26, 35, 36, 37));
   EXPECT_THAT(outline(), IsEmpty());
@@ -43,9 +43,9 @@ TEST_F(RegionsOfGrid, ARectangleReachesWhatLiesInIt)
 TEST_F(RegionsOfGrid, ALassoReachesWhatItsLineEncloses)
 {
   widget->SetShape(RegionShape::Lasso);
-  hand().drag({pixelOf(0.5, 0.5), pixelOf(4.5, 0.5), pixelOf(4.5, 4.5), pixelOf(0.5, 4.5)});
+  mouse().drag({pixelOf(0.5, 0.5), pixelOf(4.5, 0.5), pixelOf(4.5, 4.5), pixelOf(0.5, 4.5)});
   EXPECT_THAT(selected, SizeIs(16));
-  hand().drag({pixelOf(0.5, 0.5), pixelOf(4.5, 0.5), pixelOf(4.5, 4.5)});
+  mouse().drag({pixelOf(0.5, 0.5), pixelOf(4.5, 0.5), pixelOf(4.5, 4.5)});
   EXPECT_THAT(selected, SizeIs(testing::AllOf(Gt(5u), Lt(11u))));
 }
 
@@ -53,13 +53,13 @@ TEST_F(RegionsOfGrid, ModifiersOfAnOutlineCountWhereItEnds)
 {
   widget->SetShape(RegionShape::Rectangle);
   selected = {0, 24, 98};
-  hand().press(pixelOf(1.5, 1.5));
-  hand().moveTo(pixelOf(2.5, 2.5));
-  hand().release(pixelOf(2.5, 2.5), {.ctrl = true});
+  mouse().press(pixelOf(1.5, 1.5));
+  mouse().moveTo(pixelOf(2.5, 2.5));
+  mouse().release(pixelOf(2.5, 2.5), {.ctrl = true});
   EXPECT_THAT(selected, ElementsAre(0, 98));
-  hand().press(pixelOf(1.5, 1.5));
-  hand().moveTo(pixelOf(2.5, 2.5));
-  hand().release(pixelOf(2.5, 2.5), {.shift = true});
+  mouse().press(pixelOf(1.5, 1.5));
+  mouse().moveTo(pixelOf(2.5, 2.5));
+  mouse().release(pixelOf(2.5, 2.5), {.shift = true});
   EXPECT_THAT(selected, ElementsAre(0, 24, 98));
 }
 
@@ -69,49 +69,49 @@ TEST_F(RegionsOfGrid, AnOutlineOfHardlyAPixelSelectsNothing)
   for (const RegionShape shape : {RegionShape::Rectangle, RegionShape::Lasso}) {
     widget->SetShape(shape);
     events.clear();
-    hand().drag({{100, 100}, {102, 101}});
+    mouse().drag({{100, 100}, {102, 101}});
     EXPECT_THAT(events, ElementsAre(kBegins, kCancels));
     EXPECT_THAT(selected, ElementsAre(1, 2, 3));
   }
   widget->SetPixelRatio(2);
-  hand().drag({{100, 100}, {105, 100}});
+  mouse().drag({{100, 100}, {105, 100}});
   EXPECT_THAT(selected, ElementsAre(1, 2, 3));
 }
 
 TEST_F(RegionsOfGrid, EscapeTakesAnOutlineBack)
 {
   widget->SetShape(RegionShape::Lasso);
-  hand().press(pixelOf(1.5, 1.5));
-  hand().moveTo(pixelOf(4.5, 3.5));
-  hand().key("Escape");
+  mouse().press(pixelOf(1.5, 1.5));
+  mouse().moveTo(pixelOf(4.5, 3.5));
+  mouse().key("Escape");
   EXPECT_THAT(outline(), IsEmpty());
-  hand().release(pixelOf(4.5, 3.5));
+  mouse().release(pixelOf(4.5, 3.5));
   EXPECT_THAT(events, ElementsAre(kBegins, kCancels));
 }
 
 TEST_F(RegionsOfGrid, OutlinesAreLightBelowDark)
 {
-  hand().moveTo(pixelOf(5, 4));
+  mouse().moveTo(pixelOf(5, 4));
   const DisplayPoint onCircle = pixelOf(5, 4) + DisplayPoint(24, 0);
-  EXPECT_THAT(stage.colorAt(onCircle), Each(Lt(110)));
-  EXPECT_THAT(stage.colorAt(onCircle + DisplayPoint(2, 0)), testing::Not(Each(Lt(110))));
-  const int light = stage.countPixels({240, 240, 240}, 20);
+  EXPECT_THAT(fixture.colorAt(onCircle), Each(Lt(110)));
+  EXPECT_THAT(fixture.colorAt(onCircle + DisplayPoint(2, 0)), testing::Not(Each(Lt(110))));
+  const int light = fixture.countPixels({240, 240, 240}, 20);
   EXPECT_GT(light, 100);
-  hand().leave();
-  EXPECT_LT(stage.countPixels({240, 240, 240}, 20), light / 10);
+  mouse().leave();
+  EXPECT_LT(fixture.countPixels({240, 240, 240}, 20), light / 10);
 }
 
 TEST_F(RegionsOfGrid, ALassoIsFilledWhereItEncloses)
 {
   widget->SetShape(RegionShape::Lasso);
-  const std::vector<int> plain = stage.colorAt(pixelOf(3.3, 3.4));
-  hand().press(pixelOf(1, 1));
+  const std::vector<int> plain = fixture.colorAt(pixelOf(3.3, 3.4));
+  mouse().press(pixelOf(1, 1));
   // A square with a smaller one in it, drawn in one line.
   for (const auto& [x, y] : {std::pair(8, 1), {8, 7}, {1, 7}, {1, 1}, {4, 4}, {6, 4}, {6, 6}, {4, 6}, {4, 4}})
-    hand().moveTo(pixelOf(x, y));
-  EXPECT_EQ(stage.colorAt(pixelOf(5, 5)), plain);
-  EXPECT_EQ(stage.colorAt(pixelOf(0.5, 0.5)), plain);
-  const std::vector<int> inside = stage.colorAt(pixelOf(3.3, 3.4));
+    mouse().moveTo(pixelOf(x, y));
+  EXPECT_EQ(fixture.colorAt(pixelOf(5, 5)), plain);
+  EXPECT_EQ(fixture.colorAt(pixelOf(0.5, 0.5)), plain);
+  const std::vector<int> inside = fixture.colorAt(pixelOf(3.3, 3.4));
   EXPECT_GT(inside[2], plain[2]);
   EXPECT_LT(inside[0], plain[0]);
 }
@@ -144,7 +144,7 @@ struct RegionsInTurns : RegionsOfLargeGrid {
   RegionsInTurns() { listenTo(*timed); }
 
   void fire(int timer) { timed->InvokeEvent(vtkCommand::TimerEvent, &timer); }
-  void draw() { Hand(*timed).drag({pixelOf(20.5, 20.5), pixelOf(120.5, 150.5)}); }
+  void draw() { Mouse(*timed).drag({pixelOf(20.5, 20.5), pixelOf(120.5, 150.5)}); }
 
   vtkNew<TimedInteractor> timed;
 };
@@ -170,13 +170,13 @@ TEST_F(RegionsInTurns, EscapeAndANewGestureStopTheSearch)
 {
   draw();
   const int first = timed->timers.back();
-  Hand(*timed).key("Escape");
+  Mouse(*timed).key("Escape");
   EXPECT_THAT(events, ElementsAre(kBegins, kCancels));
   EXPECT_THAT(timed->timers, IsEmpty());
   fire(first);
   EXPECT_THAT(events, ElementsAre(kBegins, kCancels));
   draw();
-  Hand(*timed).press(pixelOf(20.5, 20.5));
+  Mouse(*timed).press(pixelOf(20.5, 20.5));
   EXPECT_THAT(events, ElementsAre(kBegins, kCancels, kBegins, kCancels, kBegins));
 }
 
@@ -184,7 +184,7 @@ TEST_F(RegionsOfLargeGrid, AreFoundAtOnceWithoutTimers)
 {
   vtkNew<vtkGenericRenderWindowInteractor> withoutTimers;
   listenTo(*withoutTimers);
-  Hand(*withoutTimers).drag({pixelOf(20.5, 20.5), pixelOf(120.5, 150.5)});
+  Mouse(*withoutTimers).drag({pixelOf(20.5, 20.5), pixelOf(120.5, 150.5)});
   EXPECT_THAT(events, ElementsAre(kBegins, kEnds));
   EXPECT_THAT(selected, SizeIs(100 * 130));
 }

@@ -23,70 +23,70 @@ using testing::SizeIs;
 struct RegionsOfBox : testing::Test, RegionWindow {
   RegionsOfBox() : RegionWindow(test::merged(test::box({1, 1, 1}, 4), test::moved(test::box({1, 1, 1}, 4), {3, 0, 0})))
   {
-    stage.renderer().GetActiveCamera()->Azimuth(30);
-    stage.renderer().GetActiveCamera()->Elevation(30);
-    stage.renderer().ResetCamera();
+    fixture.renderer().GetActiveCamera()->Azimuth(30);
+    fixture.renderer().GetActiveCamera()->Elevation(30);
+    fixture.renderer().ResetCamera();
     widget->SetShape(RegionShape::Side);
   }
 
-  DisplayPoint onTop = stage.pixelOf({0.55, 1, 0.45});
+  DisplayPoint onTop = fixture.pixelOf({0.55, 1, 0.45});
 };
 
 TEST_F(RegionsOfBox, AClickSelectsTheSide)
 {
-  const Positions& places = stage.model().mesh.positions;
+  const Positions& places = fixture.model().mesh.positions;
   // Wherever the box stands: its topmost vertices.
   const double top = places.col(1).maxCoeff();
   const Vector3 least = places.colwise().minCoeff();
-  onTop = stage.pixelOf({least.x() + 0.55, top, least.z() + 0.45});
-  hand().click(onTop);
+  onTop = fixture.pixelOf({least.x() + 0.55, top, least.z() + 0.45});
+  mouse().click(onTop);
   EXPECT_THAT(events, ElementsAre(kBegins, kEnds));
   EXPECT_THAT(selected, SizeIs(25));
   for (const Index vertex : selected) EXPECT_EQ(places(vertex, 1), top);
-  hand().click(onTop, {.ctrl = true});
+  mouse().click(onTop, {.ctrl = true});
   EXPECT_THAT(selected, IsEmpty());
 }
 
 TEST_F(RegionsOfBox, ADoubleClickSelectsTheConnectedPart)
 {
-  hand().doubleClick(onTop);
-  EXPECT_THAT(selected, SizeIs(stage.model().mesh.vertexCount() / 2));
+  mouse().doubleClick(onTop);
+  EXPECT_THAT(selected, SizeIs(fixture.model().mesh.vertexCount() / 2));
   EXPECT_THAT(events, ElementsAre(kBegins, kEnds, kBegins, kEnds));
   events.clear();
-  stage.interactor().SetEventInformation(static_cast<int>(onTop.x()), static_cast<int>(onTop.y()));
-  stage.interactor().InvokeEvent(vtkCommand::LeftButtonDoubleClickEvent);
+  fixture.interactor().SetEventInformation(static_cast<int>(onTop.x()), static_cast<int>(onTop.y()));
+  fixture.interactor().InvokeEvent(vtkCommand::LeftButtonDoubleClickEvent);
   EXPECT_THAT(events, ElementsAre(kBegins, kEnds));
 }
 
 TEST_F(RegionsOfBox, ADragFromASideTurnsThePictureAndSelectsNothing)
 {
   vtkNew<SurfaceCameraStyle> style;
-  stage.interactor().SetInteractorStyle(style);
-  const Vector3 eye(stage.renderer().GetActiveCamera()->GetPosition());
-  hand().drag({onTop, onTop + DisplayPoint(6, 0), onTop + DisplayPoint(30, 5)});
+  fixture.interactor().SetInteractorStyle(style);
+  const Vector3 eye(fixture.renderer().GetActiveCamera()->GetPosition());
+  mouse().drag({onTop, onTop + DisplayPoint(6, 0), onTop + DisplayPoint(30, 5)});
   EXPECT_THAT(events, IsEmpty());
-  EXPECT_NE(Vector3(stage.renderer().GetActiveCamera()->GetPosition()), eye);
-  stage.interactor().SetInteractorStyle(nullptr);
-  hand().drag({onTop, onTop + DisplayPoint(6, 0), onTop});
+  EXPECT_NE(Vector3(fixture.renderer().GetActiveCamera()->GetPosition()), eye);
+  fixture.interactor().SetInteractorStyle(nullptr);
+  mouse().drag({onTop, onTop + DisplayPoint(6, 0), onTop});
   EXPECT_THAT(events, IsEmpty()) << "the hand came back";
   // Four pixels of a display of high resolution are eight.
   widget->SetPixelRatio(2);
-  hand().drag({onTop, onTop + DisplayPoint(6, 0)});
+  mouse().drag({onTop, onTop + DisplayPoint(6, 0)});
   EXPECT_THAT(events, ElementsAre(kBegins, kEnds));
 }
 
 TEST_F(RegionsOfBox, BracketsChangeTheAngleOfASide)
 {
   EventLog changes(*widget, {vtkCommand::WidgetValueChangedEvent});
-  for (int k = 0; k < 14; ++k) hand().key("bracketright");
+  for (int k = 0; k < 14; ++k) mouse().key("bracketright");
   EXPECT_EQ(widget->GetSideAngle(), 90);
   EXPECT_THAT(changes.events(), SizeIs(14));
-  hand().key("bracketright");
-  hand().click(onTop);
-  EXPECT_THAT(selected, SizeIs(stage.model().mesh.vertexCount() / 2));
-  for (int k = 0; k < 100; ++k) hand().key("bracketright");
+  mouse().key("bracketright");
+  mouse().click(onTop);
+  EXPECT_THAT(selected, SizeIs(fixture.model().mesh.vertexCount() / 2));
+  for (int k = 0; k < 100; ++k) mouse().key("bracketright");
   EXPECT_EQ(widget->GetSideAngle(), 175);
-  for (int k = 0; k < 100; ++k) hand().key("bracketleft");
+  for (int k = 0; k < 100; ++k) mouse().key("bracketleft");
   EXPECT_EQ(widget->GetSideAngle(), 0);
   EXPECT_EQ(widget->GetBrushRadius(), 24);
 }

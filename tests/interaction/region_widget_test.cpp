@@ -24,11 +24,11 @@ namespace holdfast {
 namespace {
 
 using test::EventLog;
-using test::Hand;
 using test::kBegins;
 using test::kCancels;
 using test::kEnds;
 using test::kMoves;
+using test::Mouse;
 using test::RegionsOfGrid;
 using test::RegionWindow;
 using testing::ElementsAre;
@@ -43,15 +43,15 @@ TEST_F(RegionsOfGrid, WhateverTakesTheGroundAwayCancels)
 {
   const auto expectCancelled = [this](const char* what, auto&& action) {
     events.clear();
-    hand().press(pixelOf(2, 2));
+    mouse().press(pixelOf(2, 2));
     action();
     EXPECT_THAT(events, ElementsAre(kBegins, kMoves, kCancels)) << what;
-    hand().release(pixelOf(2, 2));
+    mouse().release(pixelOf(2, 2));
     EXPECT_THAT(events, SizeIs(3)) << what;
   };
   const auto regions = widget->GetRegions();
   expectCancelled("disabled", [this] { widget->Off(); });
-  stage.enable(*widget);
+  fixture.enable(*widget);
   expectCancelled("shape", [this] { widget->SetShape(RegionShape::Side); });
   widget->SetShape(RegionShape::Brush);
   expectCancelled("regions", [this] { widget->SetRegions(nullptr); });
@@ -65,10 +65,10 @@ TEST_F(RegionsOfGrid, ObserversMayDisableTheWidgetAtAnyEvent)
     for (const unsigned long event : {kBegins, kMoves, kEnds}) {
       widget->SetShape(shape);
       const unsigned long tag = widget->AddObserver(event, widget.Get(), &RegionWidget::Off);
-      hand().drag({pixelOf(2, 2), pixelOf(2.02, 2.02), pixelOf(2.03, 2)});
-      hand().drag({pixelOf(2, 2), pixelOf(5, 5), pixelOf(6, 5)});
+      mouse().drag({pixelOf(2, 2), pixelOf(2.02, 2.02), pixelOf(2.03, 2)});
+      mouse().drag({pixelOf(2, 2), pixelOf(5, 5), pixelOf(6, 5)});
       widget->RemoveObserver(tag);
-      stage.enable(*widget);
+      fixture.enable(*widget);
       EXPECT_FALSE(widget->Cancel());
     }
   }
@@ -76,29 +76,29 @@ TEST_F(RegionsOfGrid, ObserversMayDisableTheWidgetAtAnyEvent)
 
 TEST_F(RegionsOfGrid, KeysThatAreNotUsedGoOn)
 {
-  EventLog keys(stage.interactor(), {vtkCommand::KeyPressEvent});
-  hand().key("bracketleft");
+  EventLog keys(fixture.interactor(), {vtkCommand::KeyPressEvent});
+  mouse().key("bracketleft");
   EXPECT_THAT(keys.events(), IsEmpty());
-  hand().key("Escape");
+  mouse().key("Escape");
   EXPECT_THAT(keys.events(), SizeIs(1));
   widget->SetShape(RegionShape::Rectangle);
-  hand().key("bracketleft");
+  mouse().key("bracketleft");
   EXPECT_THAT(keys.events(), SizeIs(2));
 }
 
 TEST_F(RegionsOfGrid, OtherRenderersKeepTheirEvents)
 {
   vtkNew<vtkRenderer> other;
-  stage.renderer().SetViewport(0, 0, 0.5, 1);
+  fixture.renderer().SetViewport(0, 0, 0.5, 1);
   other->SetViewport(0.5, 0, 1, 1);
-  stage.window().AddRenderer(other);
+  fixture.window().AddRenderer(other);
   for (const RegionShape shape : {RegionShape::Brush, RegionShape::Rectangle, RegionShape::Lasso}) {
     widget->SetShape(shape);
-    hand().drag({{250, 150}, {300, 180}});
+    mouse().drag({{250, 150}, {300, 180}});
     EXPECT_THAT(events, IsEmpty());
     EXPECT_THAT(outline(), IsEmpty());
   }
-  hand().drag({{80, 150}, {120, 180}, {80, 180}});
+  mouse().drag({{80, 150}, {120, 180}, {80, 180}});
   EXPECT_THAT(events, Not(IsEmpty()));
 }
 
@@ -107,14 +107,14 @@ TEST_F(RegionsOfGrid, PriorityTellsWhoIsAskedFirst)
   vtkNew<vtkHandleWidget> handle;
   vtkNew<vtkPointHandleRepresentation3D> ball;
   handle->SetRepresentation(ball);
-  handle->SetInteractor(&stage.interactor());
-  handle->SetCurrentRenderer(&stage.renderer());
+  handle->SetInteractor(&fixture.interactor());
+  handle->SetCurrentRenderer(&fixture.renderer());
   double place[3] = {5, 4, 0};
-  ball->PlaceWidget(stage.renderer().ComputeVisiblePropBounds());
+  ball->PlaceWidget(fixture.renderer().ComputeVisiblePropBounds());
   ball->SetWorldPosition(place);
   handle->On();
   const auto isHandleMoved = [&] {
-    hand().drag({pixelOf(5, 4), pixelOf(6, 4)});
+    mouse().drag({pixelOf(5, 4), pixelOf(6, 4)});
     return Vector3(ball->GetWorldPosition()).x() > 5.5;
   };
   widget->SetPriority(0.6F);
@@ -133,11 +133,11 @@ TEST_F(RegionsOfGrid, BindingsCanBeChanged)
   translator.ClearEvents();
   translator.SetTranslation(vtkCommand::RightButtonPressEvent, vtkWidgetEvent::Select);
   translator.SetTranslation(vtkCommand::RightButtonReleaseEvent, vtkWidgetEvent::EndSelect);
-  stage.enable(*widget);
-  hand().click(pixelOf(5, 4));
+  fixture.enable(*widget);
+  mouse().click(pixelOf(5, 4));
   EXPECT_THAT(events, IsEmpty());
-  hand().rightPress(pixelOf(5, 4));
-  hand().rightRelease(pixelOf(5, 4));
+  mouse().rightPress(pixelOf(5, 4));
+  mouse().rightRelease(pixelOf(5, 4));
   EXPECT_THAT(events, ElementsAre(kBegins, kMoves, kEnds));
 }
 
@@ -146,18 +146,18 @@ TEST_F(RegionsOfGrid, ARecordedGestureReachesTheSameAgain)
   const test::TemporaryFolder folder;
   const std::string path = (folder.path() / "stroke.log").string();
   vtkNew<vtkInteractorEventRecorder> recorder;
-  recorder->SetInteractor(&stage.interactor());
+  recorder->SetInteractor(&fixture.interactor());
   recorder->SetFileName(path.c_str());
   recorder->On();
   recorder->Record();
-  hand().drag({pixelOf(1, 1), pixelOf(4, 4), pixelOf(8, 4)});
+  mouse().drag({pixelOf(1, 1), pixelOf(4, 4), pixelOf(8, 4)});
   recorder->Stop();
   recorder->Off();
   const auto recorded = std::exchange(reached, {});
   ASSERT_THAT(recorded, SizeIs(Gt(3u)));
 
   vtkNew<vtkInteractorEventRecorder> player;
-  player->SetInteractor(&stage.interactor());
+  player->SetInteractor(&fixture.interactor());
   player->SetFileName(path.c_str());
   player->On();
   player->Play();
@@ -178,15 +178,15 @@ TEST_F(RegionsOfGrid, WithoutASurfaceNothingHappens)
   widget->SetSurface(nullptr);
   for (const RegionShape shape : {RegionShape::Brush, RegionShape::Rectangle, RegionShape::Lasso, RegionShape::Side}) {
     widget->SetShape(shape);
-    hand().drag({pixelOf(1, 1), pixelOf(4, 4)});
-    hand().doubleClick(pixelOf(4, 4));
+    mouse().drag({pixelOf(1, 1), pixelOf(4, 4)});
+    mouse().doubleClick(pixelOf(4, 4));
   }
-  widget->SetSurface(stage.surface());
+  widget->SetSurface(fixture.surface());
   widget->SetRegions(nullptr);
   for (const RegionShape shape : {RegionShape::Brush, RegionShape::Side}) {
     widget->SetShape(shape);
-    hand().drag({pixelOf(1, 1), pixelOf(4, 4)});
-    hand().doubleClick(pixelOf(4, 4));
+    mouse().drag({pixelOf(1, 1), pixelOf(4, 4)});
+    mouse().doubleClick(pixelOf(4, 4));
   }
   EXPECT_THAT(events, IsEmpty());
 }
@@ -195,63 +195,63 @@ TEST_F(RegionsOfGrid, WithoutASurfaceNothingHappens)
 struct RegionsOfHead : testing::Test, RegionWindow {
   RegionsOfHead() : RegionWindow(readMesh(test::dataFolder() + "/head.ply").mesh, 640, 480)
   {
-    stage.lookFromFront();
+    fixture.lookFromFront();
     listenTo(*withoutTimers);
   }
 
-  [[nodiscard]] Vector3 placeOf(Index vertex) const { return stage.model().mesh.positions.row(vertex).transpose(); }
+  [[nodiscard]] Vector3 placeOf(Index vertex) const { return fixture.model().mesh.positions.row(vertex).transpose(); }
 
   vtkNew<vtkGenericRenderWindowInteractor> withoutTimers;
-  Hand hand{*withoutTimers};
+  Mouse mouse{*withoutTimers};
 };
 
 TEST_F(RegionsOfHead, ARectangleReachesWhatIsSeenInIt)
 {
   widget->SetShape(RegionShape::Rectangle);
-  const DisplayPoint low = stage.pixelOf({10, -76, 10});
-  const DisplayPoint high = stage.pixelOf({45, -76, 42});
-  hand.drag({low, high});
+  const DisplayPoint low = fixture.pixelOf({10, -76, 10});
+  const DisplayPoint high = fixture.pixelOf({45, -76, 42});
+  mouse.drag({low, high});
   EXPECT_THAT(selected, SizeIs(Gt(20u)));
   for (const Index vertex : selected) {
-    const DisplayPoint pixel = stage.pixelOfVertex(vertex);
+    const DisplayPoint pixel = fixture.pixelOfVertex(vertex);
     EXPECT_TRUE(pixel.x() >= low.x() - 1 && pixel.x() <= high.x() + 1);
     EXPECT_TRUE(pixel.y() >= low.y() - 1 && pixel.y() <= high.y() + 1);
     EXPECT_LT(placeOf(vertex).y(), 0) << "the back of the head is hidden";
   }
   const auto visible = selected;
-  hand.drag({low, high}, {.alt = true});
+  mouse.drag({low, high}, {.alt = true});
   EXPECT_THAT(selected, SizeIs(Gt(visible.size())));
   EXPECT_THAT(selected, IsSupersetOf(visible));
 
   widget->SetShape(RegionShape::Lasso);
-  hand.drag({low, {high.x(), low.y()}, high, {low.x(), high.y()}, low});
+  mouse.drag({low, {high.x(), low.y()}, high, {low.x(), high.y()}, low});
   EXPECT_EQ(selected, visible);
 }
 
 TEST_F(RegionsOfHead, TheBrushPaintsAddsAndTakesAway)
 {
-  const DisplayPoint eye = stage.pixelOf({27, -84, 25});
-  hand.drag({eye, eye + DisplayPoint(20, 0), eye + DisplayPoint(40, 0)});
+  const DisplayPoint eye = fixture.pixelOf({27, -84, 25});
+  mouse.drag({eye, eye + DisplayPoint(20, 0), eye + DisplayPoint(40, 0)});
   const auto painted = selected;
   ASSERT_THAT(painted, SizeIs(Gt(5u)));
-  const DisplayPoint chin = stage.pixelOf({0, -84, -50});
-  hand.drag({chin, chin + DisplayPoint(10, 0)}, {.shift = true});
+  const DisplayPoint chin = fixture.pixelOf({0, -84, -50});
+  mouse.drag({chin, chin + DisplayPoint(10, 0)}, {.shift = true});
   EXPECT_THAT(selected, SizeIs(Gt(painted.size())));
-  hand.drag({chin, chin + DisplayPoint(10, 0)}, {.ctrl = true});
+  mouse.drag({chin, chin + DisplayPoint(10, 0)}, {.ctrl = true});
   EXPECT_EQ(selected, painted);
 }
 
 TEST_F(RegionsOfHead, SidesFollowTheAngleAndDoubleClicksTakeAll)
 {
   widget->SetShape(RegionShape::Side);
-  const DisplayPoint eye = stage.pixelOf({27, -84, 25});
-  hand.click(eye);
+  const DisplayPoint eye = fixture.pixelOf({27, -84, 25});
+  mouse.click(eye);
   const auto usual = selected;
   widget->SetSideAngle(5);
-  hand.click(eye);
+  mouse.click(eye);
   EXPECT_THAT(selected, SizeIs(Lt(usual.size())));
-  hand.doubleClick(eye);
-  EXPECT_THAT(selected, SizeIs(stage.model().mesh.vertexCount()));
+  mouse.doubleClick(eye);
+  EXPECT_THAT(selected, SizeIs(fixture.model().mesh.vertexCount()));
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 #include <holdfast/widgets/interaction/region_representation.h>
 #include <holdfast/widgets/interaction/region_widget.h>
 
-#include "interaction/interaction_stage.h"
+#include "interaction/interaction_fixture.h"
 #include "interaction/widget_events.h"
 #include "support/meshes.h"
 
@@ -19,13 +19,13 @@ namespace holdfast::test {
 /// A window with a region widget, and a selection that follows it as an observer is told to.
 class RegionWindow {
  public:
-  explicit RegionWindow(Mesh mesh, int width = 400, int height = 300) : stage(std::move(mesh), width, height)
+  explicit RegionWindow(Mesh mesh, int width = 400, int height = 300) : fixture(std::move(mesh), width, height)
   {
-    widget->SetSurface(stage.surface());
-    widget->SetRegions(std::make_shared<VertexRegions>(stage.model().mesh, stage.model().solverMesh));
+    widget->SetSurface(fixture.surface());
+    widget->SetRegions(std::make_shared<VertexRegions>(fixture.model().mesh, fixture.model().solverMesh));
     for (const unsigned long event : {kBegins, kMoves, kEnds, kCancels})
       widget->AddObserver(event, this, &RegionWindow::follow);
-    stage.enable(*widget);
+    fixture.enable(*widget);
   }
 
   void follow(vtkObject* /*widget*/, unsigned long event, void* callData)
@@ -43,16 +43,16 @@ class RegionWindow {
   void listenTo(vtkRenderWindowInteractor& interactor)
   {
     widget->Off();
-    interactor.SetRenderWindow(&stage.window());
+    interactor.SetRenderWindow(&fixture.window());
     interactor.SetInteractorStyle(nullptr);
     interactor.Initialize();
     widget->SetInteractor(&interactor);
-    widget->SetCurrentRenderer(&stage.renderer());
+    widget->SetCurrentRenderer(&fixture.renderer());
     widget->On();
   }
 
-  [[nodiscard]] Hand& hand() { return stage.hand(); }
-  [[nodiscard]] DisplayPoint pixelOf(double x, double y) const { return stage.pixelOf({x, y, 0}); }
+  [[nodiscard]] Mouse& mouse() { return fixture.mouse(); }
+  [[nodiscard]] DisplayPoint pixelOf(double x, double y) const { return fixture.pixelOf({x, y, 0}); }
   [[nodiscard]] const std::vector<DisplayPoint>& outline() const
   {
     return widget->GetRegionRepresentation()->GetOutline();
@@ -60,7 +60,7 @@ class RegionWindow {
   /// Pixels between the places of the grid (0, 0) and (1, 0).
   [[nodiscard]] double pixelsOfUnit() const { return (pixelOf(1, 0) - pixelOf(0, 0)).norm(); }
 
-  InteractionStage stage;
+  InteractionFixture fixture;
   vtkNew<RegionWidget> widget;
   std::vector<Index> before;
   std::vector<Index> selected;

@@ -11,14 +11,14 @@
 #include <holdfast/widgets/rotation_sphere/rotation_sphere.h>
 #include <holdfast/widgets/scene/example_document.h>
 
-#include "interaction/interaction_stage.h"
+#include "interaction/interaction_fixture.h"
 #include "support/meshes.h"
 
 namespace holdfast {
 namespace {
 
 using test::EventLog;
-using test::InteractionStage;
+using test::InteractionFixture;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -27,19 +27,19 @@ using testing::IsEmpty;
 struct SphereInWindow : testing::Test {
   SphereInWindow()
   {
-    stage.renderer().RemoveAllViewProps();
-    sphere.addTo(stage.renderer());
+    fixture.renderer().RemoveAllViewProps();
+    sphere.addTo(fixture.renderer());
     sphere.show(placeRotations(example.model, example.deformation, nullptr));
     sphere.fitCamera();
     style->SetSphere(&sphere);
-    stage.interactor().SetInteractorStyle(style);
-    stage.window().SetSize(400, 300);
+    fixture.interactor().SetInteractorStyle(style);
+    fixture.window().SetSize(400, 300);
   }
 
-  [[nodiscard]] vtkCamera& camera() const { return *stage.renderer().GetActiveCamera(); }
+  [[nodiscard]] vtkCamera& camera() const { return *fixture.renderer().GetActiveCamera(); }
   [[nodiscard]] Vector3 eye() const { return Vector3(camera().GetPosition()); }
 
-  InteractionStage stage{test::grid(1, 1)};
+  InteractionFixture fixture{test::grid(1, 1)};
   const ExampleDocument example = exampleDocument();
   RotationSphere sphere;
   vtkNew<RotationSphereStyle> style;
@@ -51,7 +51,7 @@ TEST_F(SphereInWindow, ADragTurnsItAsIfTheHandHeldIt)
                               vtkCommand::EndInteractionEvent, vtkCommand::PickEvent});
   const Vector3 before = eye();
   const double distance = before.norm();
-  stage.hand().drag({{200, 150}, {240, 150}});
+  fixture.mouse().drag({{200, 150}, {240, 150}});
   EXPECT_GT((eye() - before).norm(), 0.5);
   EXPECT_NEAR(eye().norm(), distance, 1e-9);
   EXPECT_THAT(log.events(), ElementsAre(vtkCommand::StartInteractionEvent, vtkCommand::InteractionEvent,
@@ -72,31 +72,31 @@ TEST_F(SphereInWindow, AClickPicksThePointUnderIt)
     *static_cast<Index*>(result) = *static_cast<const Index*>(data);
   });
   style->AddObserver(vtkCommand::PickEvent, command);
-  stage.hand().click({1, 1});
+  fixture.mouse().click({1, 1});
   EXPECT_EQ(picked, -1);
-  stage.hand().click(sphere.displayPlace(*vertex)->head<2>());
+  fixture.mouse().click(sphere.displayPlace(*vertex)->head<2>());
   EXPECT_EQ(picked, *vertex);
 }
 
 TEST_F(SphereInWindow, WheelAndKeysZoomAndTurnAndADoubleClickShowsAll)
 {
   const double scale = camera().GetParallelScale();
-  stage.hand().wheel({200, 150}, 1);
+  fixture.mouse().wheel({200, 150}, 1);
   EXPECT_NEAR(camera().GetParallelScale(), scale / 1.2, 1e-12);
-  stage.hand().key("minus");
+  fixture.mouse().key("minus");
   EXPECT_NEAR(camera().GetParallelScale(), scale, 1e-12);
   const Vector3 before = eye();
-  stage.hand().key("Left");
+  fixture.mouse().key("Left");
   EXPECT_GT((eye() - before).norm(), 0.1);
-  stage.hand().key("Right");
+  fixture.mouse().key("Right");
   EXPECT_LT((eye() - before).norm(), 1e-9);
-  stage.hand().key("Up");
-  stage.hand().key("plus");
-  stage.hand().key("Home");
+  fixture.mouse().key("Up");
+  fixture.mouse().key("plus");
+  fixture.mouse().key("Home");
   EXPECT_EQ(eye(), before);
   EXPECT_EQ(camera().GetParallelScale(), scale);
-  stage.hand().key("Down");
-  stage.hand().doubleClick({200, 150});
+  fixture.mouse().key("Down");
+  fixture.mouse().doubleClick({200, 150});
   EXPECT_EQ(eye(), before);
 }
 
@@ -105,10 +105,10 @@ TEST_F(SphereInWindow, WithoutASphereNothingHappens)
   style->SetSphere(nullptr);
   const EventLog log(*style, {vtkCommand::InteractionEvent, vtkCommand::PickEvent});
   const unsigned long before = camera().GetMTime();
-  stage.hand().drag({{200, 150}, {240, 150}});
-  stage.hand().doubleClick({200, 150});
-  stage.hand().wheel({200, 150}, 1);
-  stage.hand().key("Left");
+  fixture.mouse().drag({{200, 150}, {240, 150}});
+  fixture.mouse().doubleClick({200, 150});
+  fixture.mouse().wheel({200, 150}, 1);
+  fixture.mouse().key("Left");
   EXPECT_EQ(camera().GetMTime(), before);
   EXPECT_THAT(log.events(), IsEmpty());
 }

@@ -8,7 +8,7 @@
 #include <vtkImplicitPlaneWidget2.h>
 #include <vtkRenderWindow.h>
 
-#include "interaction/interaction_stage.h"
+#include "interaction/interaction_fixture.h"
 #include "support/law_meshes.h"
 #include "support/meshes.h"
 
@@ -18,8 +18,8 @@ namespace {
 using testing::HasSubstr;
 
 /// A sphere of radius 1 that a plane cuts in half, seen from obliquely above the cut.
-struct CutSphere : testing::Test, test::InteractionStage {
-  CutSphere() : InteractionStage(test::icosphere(4))
+struct CutSphere : testing::Test, test::InteractionFixture {
+  CutSphere() : InteractionFixture(test::icosphere(4))
   {
     vtkCamera& camera = *renderer().GetActiveCamera();
     camera.SetPosition(1, 3, 6);
@@ -80,10 +80,10 @@ TEST_F(CutSphere, WithoutASurfaceThePlaneTakesItEverywhere)
 TEST_F(CutSphere, ADragBeforeTheSurfaceIsLeftToOthers)
 {
   const test::EventLog moves(*widget, {vtkCommand::InteractionEvent});
-  hand().drag({pixelOf(kBeforeSurface), pixelOf(kBeforeSurface) + DisplayPoint(9, 20)});
+  mouse().drag({pixelOf(kBeforeSurface), pixelOf(kBeforeSurface) + DisplayPoint(9, 20)});
   EXPECT_TRUE(moves.events().empty());
   EXPECT_EQ(Vector3(plane->GetOrigin()), Vector3::Zero());
-  hand().drag({pixelOf(kBeside), pixelOf(kBeside) + DisplayPoint(9, 20)});
+  mouse().drag({pixelOf(kBeside), pixelOf(kBeside) + DisplayPoint(9, 20)});
   EXPECT_FALSE(moves.events().empty());
   EXPECT_NE(Vector3(plane->GetOrigin()).z(), 0);
 }

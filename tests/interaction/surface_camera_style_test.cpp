@@ -15,14 +15,14 @@
 #include <holdfast/widgets/interaction/interaction_events.h>
 #include <holdfast/widgets/picking/surface_picker.h>
 
-#include "interaction/interaction_stage.h"
+#include "interaction/interaction_fixture.h"
 #include "support/meshes.h"
 
 namespace holdfast {
 namespace {
 
 using test::EventLog;
-using test::InteractionStage;
+using test::InteractionFixture;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -31,12 +31,12 @@ using testing::IsEmpty;
 struct CameraOfBox : testing::Test {
   CameraOfBox()
   {
-    style->SetSurface(stage.surface());
-    stage.interactor().SetInteractorStyle(style);
+    style->SetSurface(fixture.surface());
+    fixture.interactor().SetInteractorStyle(style);
     lookFromACorner(camera());
-    stage.renderer().ResetCameraClippingRange();
-    at = stage.pixelOf({1.8, 1.8, 2});
-    under = SurfacePicker(stage.surface()).pick(stage.renderer(), at.x(), at.y(), PickKind::Face, 0).value().place;
+    fixture.renderer().ResetCameraClippingRange();
+    at = fixture.pixelOf({1.8, 1.8, 2});
+    under = SurfacePicker(fixture.surface()).pick(fixture.renderer(), at.x(), at.y(), PickKind::Face, 0).value().place;
   }
 
   static void lookFromACorner(vtkCamera& camera)
@@ -46,12 +46,15 @@ struct CameraOfBox : testing::Test {
     camera.OrthogonalizeViewUp();
   }
 
-  [[nodiscard]] vtkCamera& camera() const { return *stage.renderer().GetActiveCamera(); }
+  [[nodiscard]] vtkCamera& camera() const { return *fixture.renderer().GetActiveCamera(); }
   [[nodiscard]] Vector3 eye() const { return Vector3(camera().GetPosition()); }
   [[nodiscard]] Vector3 focus() const { return Vector3(camera().GetFocalPoint()); }
-  [[nodiscard]] DisplayPoint shown(const Vector3& place) const { return toDisplay(stage.renderer(), place).head<2>(); }
+  [[nodiscard]] DisplayPoint shown(const Vector3& place) const
+  {
+    return toDisplay(fixture.renderer(), place).head<2>();
+  }
 
-  InteractionStage stage{test::box({2, 2, 2}, 4)};
+  InteractionFixture fixture{test::box({2, 2, 2}, 4)};
   vtkNew<SurfaceCameraStyle> style;
   DisplayPoint at;  // a pixel of the box, and what is under it
   Vector3 under;
@@ -62,7 +65,7 @@ TEST_F(CameraOfBox, LeftDragTurnsAboutThePlaceUnderTheCursor)
   const double before = (eye() - under).norm();
   const DisplayPoint seen = shown(under);
   const Vector3 from = eye();
-  stage.hand().drag({at, at + DisplayPoint(30, 0), at + DisplayPoint(60, 20)});
+  fixture.mouse().drag({at, at + DisplayPoint(30, 0), at + DisplayPoint(60, 20)});
   EXPECT_GT((eye() - from).norm(), 0.5);
   EXPECT_NEAR((eye() - under).norm(), before, 1e-9);
   EXPECT_LT((shown(under) - seen).norm(), 1e-6) << "it stays where it is on the screen";
@@ -70,12 +73,12 @@ TEST_F(CameraOfBox, LeftDragTurnsAboutThePlaceUnderTheCursor)
 
 TEST_F(CameraOfBox, ADragBegunAndEndedInSmallStepsTurnsByAllOfIt)
 {
-  stage.hand().drag({at, at + DisplayPoint(50, 0)});
+  fixture.mouse().drag({at, at + DisplayPoint(50, 0)});
   const Vector3 atOnce = eye();
-  InteractionStage other{test::box({2, 2, 2}, 4)};
+  InteractionFixture other{test::box({2, 2, 2}, 4)};
   other.interactor().SetInteractorStyle(style);
   lookFromACorner(*other.renderer().GetActiveCamera());
-  other.hand().drag(
+  other.mouse().drag(
       {at, at + DisplayPoint(2, 0), at + DisplayPoint(3, 0), at + DisplayPoint(20, 0), at + DisplayPoint(50, 0)});
   EXPECT_LT((Vector3(other.renderer().GetActiveCamera()->GetPosition()) - atOnce).norm(), 1e-9);
 }
@@ -83,13 +86,13 @@ TEST_F(CameraOfBox, ADragBegunAndEndedInSmallStepsTurnsByAllOfIt)
 TEST_F(CameraOfBox, MiddleAndShiftRightShiftThePlaceWithTheCursor)
 {
   const DisplayPoint seen = shown(under);
-  stage.hand().middlePress(at);
-  stage.hand().moveTo(at + DisplayPoint(40, 10));
-  stage.hand().middleRelease(at + DisplayPoint(40, 10));
+  fixture.mouse().middlePress(at);
+  fixture.mouse().moveTo(at + DisplayPoint(40, 10));
+  fixture.mouse().middleRelease(at + DisplayPoint(40, 10));
   EXPECT_LT((shown(under) - seen - DisplayPoint(40, 10)).norm(), 1e-6);
-  stage.hand().rightPress(at + DisplayPoint(40, 10), {.shift = true});
-  stage.hand().moveTo(at, {.shift = true});
-  stage.hand().rightRelease(at, {.shift = true});
+  fixture.mouse().rightPress(at + DisplayPoint(40, 10), {.shift = true});
+  fixture.mouse().moveTo(at, {.shift = true});
+  fixture.mouse().rightRelease(at, {.shift = true});
   EXPECT_LT((shown(under) - seen).norm(), 1e-6);
 }
 
@@ -97,22 +100,22 @@ TEST_F(CameraOfBox, TheWheelGoesNearerToThePlaceUnderTheCursorByAFifthANotch)
 {
   const DisplayPoint seen = shown(under);
   const double before = (eye() - under).norm();
-  stage.hand().wheel(at, 1);
+  fixture.mouse().wheel(at, 1);
   EXPECT_NEAR((eye() - under).norm(), before / 1.2, 1e-9);
   EXPECT_LT((shown(under) - seen).norm(), 1e-6);
-  stage.hand().wheel(at, -1);
+  fixture.mouse().wheel(at, -1);
   EXPECT_NEAR((eye() - under).norm(), before, 1e-9);
   style->SetMouseWheelMotionFactor(0.25);
-  stage.hand().wheel(at, 1);
+  fixture.mouse().wheel(at, 1);
   EXPECT_NEAR((eye() - under).norm(), before / std::pow(1.2, 0.25), 1e-9);
 }
 
 TEST_F(CameraOfBox, BesideTheSurfaceItTurnsAboutThePlaceAtTheDepthOfTheFocus)
 {
   const DisplayPoint beside(2, 2);
-  const Vector3 pivot = atDepthOf(stage.renderer(), focus(), beside);
+  const Vector3 pivot = atDepthOf(fixture.renderer(), focus(), beside);
   const double before = (eye() - pivot).norm();
-  stage.hand().drag({beside, beside + DisplayPoint(40, 40)});
+  fixture.mouse().drag({beside, beside + DisplayPoint(40, 40)});
   EXPECT_NEAR((eye() - pivot).norm(), before, 1e-9);
   EXPECT_NE(eye(), Vector3::Zero());
 }
@@ -121,13 +124,13 @@ TEST_F(CameraOfBox, AHandThatShakesLessThanFourPixelsMovesNothing)
 {
   const EventLog log(*style, {vtkCommand::StartInteractionEvent, vtkCommand::InteractionEvent});
   const unsigned long before = camera().GetMTime();
-  stage.hand().drag({at, at + DisplayPoint(3, 2)});
+  fixture.mouse().drag({at, at + DisplayPoint(3, 2)});
   EXPECT_EQ(camera().GetMTime(), before);
   EXPECT_THAT(log.events(), IsEmpty());
   style->SetPixelRatio(2);
-  stage.hand().drag({at, at + DisplayPoint(6, 4)});
+  fixture.mouse().drag({at, at + DisplayPoint(6, 4)});
   EXPECT_EQ(camera().GetMTime(), before);
-  stage.hand().drag({at, at + DisplayPoint(7, 4)});
+  fixture.mouse().drag({at, at + DisplayPoint(7, 4)});
   EXPECT_NE(camera().GetMTime(), before);
 }
 
@@ -135,7 +138,7 @@ TEST_F(CameraOfBox, TellsWhenADragBeginsGoesOnAndEnds)
 {
   const EventLog log(*style, {vtkCommand::StartInteractionEvent, vtkCommand::InteractionEvent,
                               vtkCommand::EndInteractionEvent, ContextMenuRequestEvent});
-  stage.hand().drag({at, at + DisplayPoint(10, 0), at + DisplayPoint(20, 0)});
+  fixture.mouse().drag({at, at + DisplayPoint(10, 0), at + DisplayPoint(20, 0)});
   EXPECT_THAT(log.events(), ElementsAre(vtkCommand::StartInteractionEvent, vtkCommand::InteractionEvent,
                                         vtkCommand::InteractionEvent, vtkCommand::EndInteractionEvent));
 }
@@ -143,39 +146,39 @@ TEST_F(CameraOfBox, TellsWhenADragBeginsGoesOnAndEnds)
 TEST_F(CameraOfBox, ARightClickAsksForAMenuAndARightDragTurns)
 {
   EventLog log(*style, {vtkCommand::StartInteractionEvent, ContextMenuRequestEvent});
-  stage.hand().rightPress(at);
-  stage.hand().rightRelease(at);
+  fixture.mouse().rightPress(at);
+  fixture.mouse().rightRelease(at);
   EXPECT_THAT(log.events(), ElementsAre(ContextMenuRequestEvent));
   log.clear();
-  stage.hand().rightPress(at);
-  stage.hand().moveTo(at + DisplayPoint(30, 0));
-  stage.hand().rightRelease(at + DisplayPoint(30, 0));
+  fixture.mouse().rightPress(at);
+  fixture.mouse().moveTo(at + DisplayPoint(30, 0));
+  fixture.mouse().rightRelease(at + DisplayPoint(30, 0));
   EXPECT_THAT(log.events(), ElementsAre(vtkCommand::StartInteractionEvent));
 }
 
 TEST_F(CameraOfBox, IsBusyAsLongAsItMovesTheCamera)
 {
-  EXPECT_FALSE(isCameraMoving(stage.interactor()));
-  stage.hand().press(at);
-  EXPECT_FALSE(isCameraMoving(stage.interactor()));
-  stage.hand().moveTo(at + DisplayPoint(30, 0));
-  EXPECT_TRUE(isCameraMoving(stage.interactor()));
+  EXPECT_FALSE(isCameraMoving(fixture.interactor()));
+  fixture.mouse().press(at);
+  EXPECT_FALSE(isCameraMoving(fixture.interactor()));
+  fixture.mouse().moveTo(at + DisplayPoint(30, 0));
+  EXPECT_TRUE(isCameraMoving(fixture.interactor()));
   style->Cancel();
-  EXPECT_FALSE(isCameraMoving(stage.interactor()));
+  EXPECT_FALSE(isCameraMoving(fixture.interactor()));
   const unsigned long before = camera().GetMTime();
-  stage.hand().moveTo(at + DisplayPoint(60, 0));
+  fixture.mouse().moveTo(at + DisplayPoint(60, 0));
   EXPECT_EQ(camera().GetMTime(), before);
 }
 
 TEST_F(CameraOfBox, ASecondButtonDoesNotDisturbTheDragOfTheFirst)
 {
-  stage.hand().press(at);
-  stage.hand().moveTo(at + DisplayPoint(30, 0));
-  stage.hand().middlePress(at + DisplayPoint(30, 0));
-  stage.hand().middleRelease(at + DisplayPoint(30, 0));
-  EXPECT_TRUE(isCameraMoving(stage.interactor()));
-  stage.hand().release(at + DisplayPoint(30, 0));
-  EXPECT_FALSE(isCameraMoving(stage.interactor()));
+  fixture.mouse().press(at);
+  fixture.mouse().moveTo(at + DisplayPoint(30, 0));
+  fixture.mouse().middlePress(at + DisplayPoint(30, 0));
+  fixture.mouse().middleRelease(at + DisplayPoint(30, 0));
+  EXPECT_TRUE(isCameraMoving(fixture.interactor()));
+  fixture.mouse().release(at + DisplayPoint(30, 0));
+  EXPECT_FALSE(isCameraMoving(fixture.interactor()));
 }
 
 TEST_F(CameraOfBox, BindingsCanBeChanged)
@@ -185,12 +188,12 @@ TEST_F(CameraOfBox, BindingsCanBeChanged)
   style->GetEventTranslator()->SetTranslation(vtkCommand::MiddleButtonPressEvent, vtkWidgetEvent::NoEvent);
   style->GetEventTranslator()->SetTranslation(vtkCommand::MiddleButtonPressEvent, vtkWidgetEvent::Rotate);
   const unsigned long before = camera().GetMTime();
-  stage.hand().drag({at, at + DisplayPoint(30, 0)});
+  fixture.mouse().drag({at, at + DisplayPoint(30, 0)});
   EXPECT_EQ(camera().GetMTime(), before);
   const Vector3 direction = (focus() - eye()).normalized();
-  stage.hand().middlePress(at);
-  stage.hand().moveTo(at + DisplayPoint(30, 0));
-  stage.hand().middleRelease(at + DisplayPoint(30, 0));
+  fixture.mouse().middlePress(at);
+  fixture.mouse().moveTo(at + DisplayPoint(30, 0));
+  fixture.mouse().middleRelease(at + DisplayPoint(30, 0));
   EXPECT_LT((focus() - eye()).normalized().dot(direction), 0.999) << "turned, not shifted";
 }
 
@@ -201,36 +204,36 @@ TEST_F(CameraOfBox, WidgetsComeFirst)
   cross->SetWorldPosition(place);
   cross->ActiveRepresentationOn();
   vtkNew<vtkHandleWidget> handle;
-  handle->SetInteractor(&stage.interactor());
+  handle->SetInteractor(&fixture.interactor());
   handle->SetRepresentation(cross);
   handle->On();
-  stage.window().Render();
+  fixture.window().Render();
   const unsigned long before = camera().GetMTime();
-  stage.hand().drag({at, at + DisplayPoint(30, 0)});
+  fixture.mouse().drag({at, at + DisplayPoint(30, 0)});
   EXPECT_EQ(camera().GetMTime(), before);
   handle->Off();
-  stage.hand().drag({at, at + DisplayPoint(30, 0)});
+  fixture.mouse().drag({at, at + DisplayPoint(30, 0)});
   EXPECT_NE(camera().GetMTime(), before);
 }
 
 TEST_F(CameraOfBox, MovesTheCameraOfTheRendererUnderTheCursor)
 {
   vtkNew<vtkRenderer> right;
-  stage.renderer().SetViewport(0, 0, 0.5, 1);
+  fixture.renderer().SetViewport(0, 0, 0.5, 1);
   right->SetViewport(0.5, 0, 1, 1);
-  stage.window().AddRenderer(right);
+  fixture.window().AddRenderer(right);
   const unsigned long before = camera().GetMTime();
   const Vector3 eyeOfRight(right->GetActiveCamera()->GetPosition());
-  stage.hand().drag({{300, 150}, {340, 150}});
+  fixture.mouse().drag({{300, 150}, {340, 150}});
   EXPECT_EQ(camera().GetMTime(), before);
   EXPECT_NE(Vector3(right->GetActiveCamera()->GetPosition()), eyeOfRight);
 }
 
 TEST_F(CameraOfBox, KeysOfVtkAreNotBound)
 {
-  const EventLog log(stage.interactor(), {vtkCommand::ExitEvent, vtkCommand::UserEvent});
+  const EventLog log(fixture.interactor(), {vtkCommand::ExitEvent, vtkCommand::UserEvent});
   const unsigned long before = camera().GetMTime();
-  for (const char* key : {"q", "e", "f", "r", "w", "s", "3", "p", "u"}) stage.hand().key(key);
+  for (const char* key : {"q", "e", "f", "r", "w", "s", "3", "p", "u"}) fixture.mouse().key(key);
   EXPECT_THAT(log.events(), IsEmpty());
   EXPECT_EQ(camera().GetMTime(), before);
 }

@@ -37,7 +37,7 @@ TEST_F(CurveOnGrid, AClickOnTheFirstPlaceCloses)
 {
   click({24, 29, 73});
   events.clear();
-  hand().click(stage.pixelOfVertex(24) + DisplayPoint(7, 7));
+  mouse().click(fixture.pixelOfVertex(24) + DisplayPoint(7, 7));
   EXPECT_THAT(events, ElementsAre(kChanges, kEnds));
   EXPECT_THAT(told, ElementsAre(24, 29, 73));
   EXPECT_TRUE(widget->IsClosed());
@@ -51,23 +51,23 @@ TEST_F(CurveOnGrid, EnterAndADoubleClickClose)
     widget->Clear();
     events.clear();
     click({24, 29});
-    hand().key(key);
+    mouse().key(key);
     EXPECT_FALSE(widget->IsClosed()) << "two places enclose nothing";
     click(73);
-    hand().key(key);
+    mouse().key(key);
     EXPECT_TRUE(widget->IsClosed());
     EXPECT_THAT(events, Contains(kEnds).Times(1));
   }
   widget->Clear();
   events.clear();
   click({24, 29});
-  hand().doubleClick(stage.pixelOfVertex(73));
+  mouse().doubleClick(fixture.pixelOfVertex(73));
   EXPECT_TRUE(widget->IsClosed());
   EXPECT_THAT(widget->GetPlaces(), ElementsAre(24, 29, 73));
   EXPECT_THAT(events, Contains(kEnds).Times(1));
   widget->Clear();
   click({24, 29, 73});
-  stage.interactor().InvokeEvent(vtkCommand::LeftButtonDoubleClickEvent);
+  fixture.interactor().InvokeEvent(vtkCommand::LeftButtonDoubleClickEvent);
   EXPECT_TRUE(widget->IsClosed());
 }
 
@@ -75,15 +75,15 @@ TEST_F(CurveOnGrid, BackspaceTakesTheLastPlaceBack)
 {
   click({24, 29, 73});
   events.clear();
-  hand().key("BackSpace");
+  mouse().key("BackSpace");
   EXPECT_THAT(widget->GetPlaces(), ElementsAre(24, 29));
   EXPECT_THAT(widget->GetPath(), ElementsAre(24, 25, 26, 27, 28, 29));
-  hand().key("Delete");
-  hand().key("BackSpace");
+  mouse().key("Delete");
+  mouse().key("BackSpace");
   EXPECT_THAT(widget->GetPlaces(), IsEmpty());
   EXPECT_EQ(widget->GetWidgetState(), vtkContourWidget::Start);
   EXPECT_THAT(events, ElementsAre(kChanges, kChanges, kChanges));
-  hand().key("BackSpace");
+  mouse().key("BackSpace");
   EXPECT_THAT(events, SizeIs(3));
 }
 
@@ -91,21 +91,21 @@ TEST_F(CurveOnGrid, EscapeTakesAllPlacesBack)
 {
   click({24, 29, 73});
   events.clear();
-  hand().key("Escape");
+  mouse().key("Escape");
   EXPECT_THAT(widget->GetPlaces(), IsEmpty());
   EXPECT_THAT(events, ElementsAre(kCancels));
   EXPECT_THAT(told, IsEmpty());
-  hand().key("Escape");
+  mouse().key("Escape");
   EXPECT_THAT(events, SizeIs(1));
 }
 
 TEST_F(CurveOnGrid, KeysThatAreNotUsedGoOn)
 {
-  EventLog keys(stage.interactor(), {vtkCommand::KeyPressEvent});
-  for (const char* const key : {"Escape", "BackSpace", "Return"}) hand().key(key);
+  EventLog keys(fixture.interactor(), {vtkCommand::KeyPressEvent});
+  for (const char* const key : {"Escape", "BackSpace", "Return"}) mouse().key(key);
   EXPECT_THAT(keys.events(), SizeIs(3));
   click({24, 29, 73});
-  for (const char* const key : {"Return", "BackSpace", "Escape"}) hand().key(key);
+  for (const char* const key : {"Return", "BackSpace", "Escape"}) mouse().key(key);
   EXPECT_THAT(keys.events(), SizeIs(3));
 }
 
@@ -121,57 +121,57 @@ TEST_F(CurveOnGrid, APlaceIsNoPlaceAgain)
 TEST_F(CurveOnGrid, ADragFromAnywhereTurnsThePicture)
 {
   vtkNew<SurfaceCameraStyle> style;
-  stage.interactor().SetInteractorStyle(style);
-  const Vector3 eye(stage.renderer().GetActiveCamera()->GetPosition());
-  const DisplayPoint at = stage.pixelOfVertex(24);
-  hand().drag({at, at + DisplayPoint(40, 10), at});
+  fixture.interactor().SetInteractorStyle(style);
+  const Vector3 eye(fixture.renderer().GetActiveCamera()->GetPosition());
+  const DisplayPoint at = fixture.pixelOfVertex(24);
+  mouse().drag({at, at + DisplayPoint(40, 10), at});
   EXPECT_THAT(events, IsEmpty());
   EXPECT_EQ(style->GetState(), VTKIS_NONE) << "the release reached the style";
-  hand().drag({at, at + DisplayPoint(40, 10)});
-  EXPECT_NE(Vector3(stage.renderer().GetActiveCamera()->GetPosition()), eye);
+  mouse().drag({at, at + DisplayPoint(40, 10)});
+  EXPECT_NE(Vector3(fixture.renderer().GetActiveCamera()->GetPosition()), eye);
   EXPECT_THAT(events, IsEmpty());
-  hand().drag({stage.pixelOfVertex(29), stage.pixelOfVertex(29) + DisplayPoint(2, 2)});
+  mouse().drag({fixture.pixelOfVertex(29), fixture.pixelOfVertex(29) + DisplayPoint(2, 2)});
   EXPECT_THAT(widget->GetPlaces(), ElementsAre(29));
   widget->SetPixelRatio(2);
-  hand().drag({stage.pixelOfVertex(73), stage.pixelOfVertex(73) + DisplayPoint(0, 5)});
+  mouse().drag({fixture.pixelOfVertex(73), fixture.pixelOfVertex(73) + DisplayPoint(0, 5)});
   EXPECT_THAT(widget->GetPlaces(), ElementsAre(29, 73));
 }
 
 TEST_F(CurveOnGrid, TheWayToTheCursorIsShown)
 {
-  hand().moveTo(stage.pixelOfVertex(24));
+  mouse().moveTo(fixture.pixelOfVertex(24));
   EXPECT_THAT(curve().GetPreview(), ElementsAre(24));
   click(24);
   EXPECT_THAT(curve().GetPreview(), IsEmpty());
-  hand().moveTo(stage.pixelOfVertex(28));
+  mouse().moveTo(fixture.pixelOfVertex(28));
   EXPECT_THAT(curve().GetPreview(), ElementsAre(24, 25, 26, 27, 28));
   EXPECT_THAT(widget->GetPlaces(), ElementsAre(24));
-  hand().leave();
+  mouse().leave();
   EXPECT_THAT(curve().GetPreview(), IsEmpty());
   click({28, 72});
-  hand().moveTo(stage.pixelOfVertex(24) + DisplayPoint(8, 6));
+  mouse().moveTo(fixture.pixelOfVertex(24) + DisplayPoint(8, 6));
   EXPECT_EQ(curve().GetPreview().back(), 24);
-  EXPECT_EQ(stage.window().GetCurrentCursor(), VTK_CURSOR_HAND);
-  hand().moveTo(stage.pixelOfVertex(40));
-  EXPECT_EQ(stage.window().GetCurrentCursor(), VTK_CURSOR_CROSSHAIR);
-  hand().key("Return");
+  EXPECT_EQ(fixture.window().GetCurrentCursor(), VTK_CURSOR_HAND);
+  mouse().moveTo(fixture.pixelOfVertex(40));
+  EXPECT_EQ(fixture.window().GetCurrentCursor(), VTK_CURSOR_CROSSHAIR);
+  mouse().key("Return");
   EXPECT_THAT(curve().GetPreview(), IsEmpty());
   widget->Clear();
   widget->FollowCursorOff();
-  hand().moveTo(stage.pixelOfVertex(24));
+  mouse().moveTo(fixture.pixelOfVertex(24));
   EXPECT_THAT(curve().GetPreview(), IsEmpty());
 }
 
 TEST_F(CurveOnGrid, HoveringWaitsWhileTheCameraMoves)
 {
   vtkNew<SurfaceCameraStyle> style;
-  stage.interactor().SetInteractorStyle(style);
-  hand().press({3, 3});
+  fixture.interactor().SetInteractorStyle(style);
+  mouse().press({3, 3});
   // The style begins with this one, which it sees after the widget.
-  hand().moveTo({10, 3});
-  hand().moveTo(stage.pixelOfVertex(24));
+  mouse().moveTo({10, 3});
+  mouse().moveTo(fixture.pixelOfVertex(24));
   EXPECT_THAT(curve().GetPreview(), IsEmpty());
-  hand().release(stage.pixelOfVertex(24));
+  mouse().release(fixture.pixelOfVertex(24));
 }
 
 }  // namespace

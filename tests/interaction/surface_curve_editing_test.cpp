@@ -23,9 +23,9 @@ using testing::SizeIs;
 TEST_F(CurveOnGrid, PlacesOfAClosedCurveCanBeDragged)
 {
   click({24, 29, 73});
-  hand().key("Return");
+  mouse().key("Return");
   events.clear();
-  hand().drag({stage.pixelOfVertex(29), stage.pixelOfVertex(30), stage.pixelOfVertex(41)});
+  mouse().drag({fixture.pixelOfVertex(29), fixture.pixelOfVertex(30), fixture.pixelOfVertex(41)});
   EXPECT_THAT(widget->GetPlaces(), ElementsAre(24, 41, 73));
   EXPECT_EQ(widget->GetPath(), closedThrough({24, 41, 73}));
   EXPECT_THAT(events, ElementsAre(kBegins, kMoves, kChanges, kMoves, kChanges, kEnds));
@@ -35,32 +35,32 @@ TEST_F(CurveOnGrid, PlacesOfAClosedCurveCanBeDragged)
 TEST_F(CurveOnGrid, ADragFromTheLineOfAClosedCurvePutsOneMorePlace)
 {
   click({24, 29, 73});
-  hand().key("Return");
+  mouse().key("Return");
   events.clear();
-  hand().drag({stage.pixelOfVertex(27), stage.pixelOfVertex(16)});
+  mouse().drag({fixture.pixelOfVertex(27), fixture.pixelOfVertex(16)});
   EXPECT_THAT(widget->GetPlaces(), ElementsAre(24, 16, 29, 73));
   EXPECT_THAT(events, ElementsAre(kBegins, kChanges, kMoves, kChanges, kEnds));
   // Beside the line nothing happens.
   events.clear();
-  hand().drag({stage.pixelOfVertex(90), stage.pixelOfVertex(92)});
+  mouse().drag({fixture.pixelOfVertex(90), fixture.pixelOfVertex(92)});
   EXPECT_THAT(events, IsEmpty());
 }
 
 TEST_F(CurveOnGrid, ADragIsTakenBackByEscapeAndWhereTheWidgetGoes)
 {
   click({24, 29, 73});
-  hand().key("Return");
+  mouse().key("Return");
   for (const bool byKey : {true, false}) {
     events.clear();
-    hand().press(stage.pixelOfVertex(27));
-    hand().moveTo(stage.pixelOfVertex(16));
-    byKey ? hand().key("Escape") : widget->Off();
+    mouse().press(fixture.pixelOfVertex(27));
+    mouse().moveTo(fixture.pixelOfVertex(16));
+    byKey ? mouse().key("Escape") : widget->Off();
     EXPECT_THAT(widget->GetPlaces(), ElementsAre(24, 29, 73));
     EXPECT_TRUE(widget->IsClosed());
     EXPECT_EQ(events.back(), kCancels);
     const std::size_t count = events.size();
-    hand().moveTo(stage.pixelOfVertex(17));
-    hand().release(stage.pixelOfVertex(17));
+    mouse().moveTo(fixture.pixelOfVertex(17));
+    mouse().release(fixture.pixelOfVertex(17));
     EXPECT_THAT(events, SizeIs(count));
   }
 }
@@ -68,14 +68,14 @@ TEST_F(CurveOnGrid, ADragIsTakenBackByEscapeAndWhereTheWidgetGoes)
 TEST_F(CurveOnGrid, BackspaceTakesThePlaceUnderTheCursorFromAClosedCurve)
 {
   click({24, 29, 62, 57});
-  hand().key("Return");
-  hand().moveTo(stage.pixelOfVertex(29));
-  EXPECT_EQ(stage.window().GetCurrentCursor(), VTK_CURSOR_HAND);
-  hand().key("BackSpace");
+  mouse().key("Return");
+  mouse().moveTo(fixture.pixelOfVertex(29));
+  EXPECT_EQ(fixture.window().GetCurrentCursor(), VTK_CURSOR_HAND);
+  mouse().key("BackSpace");
   EXPECT_THAT(widget->GetPlaces(), ElementsAre(24, 62, 57));
   EXPECT_EQ(widget->GetPath(), closedThrough({24, 62, 57}));
   EXPECT_TRUE(widget->IsClosed());
-  hand().key("BackSpace");
+  mouse().key("BackSpace");
   EXPECT_THAT(widget->GetPlaces(), ElementsAre(24, 62));
   EXPECT_FALSE(widget->IsClosed());
   EXPECT_EQ(widget->GetWidgetState(), vtkContourWidget::Define);
@@ -112,9 +112,9 @@ TEST_F(CurveOnGrid, PlacesNeedNoWindow)
 {
   vtkNew<SurfaceCurveWidget> apart;
   EXPECT_FALSE(apart->SetPlaces({24, 29, 73}));
-  apart->SetSurface(stage.surface());
+  apart->SetSurface(fixture.surface());
   EXPECT_FALSE(apart->SetPlaces({24, 29, 73}));
-  apart->SetRegions(std::make_shared<VertexRegions>(stage.model().mesh, stage.model().solverMesh));
+  apart->SetRegions(std::make_shared<VertexRegions>(fixture.model().mesh, fixture.model().solverMesh));
   EXPECT_TRUE(apart->SetPlaces({24, 29, 73}));
   EXPECT_TRUE(apart->Close());
   EXPECT_EQ(apart->GetPath(), closedThrough({24, 29, 73}));
@@ -124,18 +124,18 @@ TEST_F(CurveOnGrid, PlacesNeedNoWindow)
 TEST_F(CurveOnGrid, VtksWaysToNodesKeepToVertices)
 {
   EXPECT_EQ(curve().AddNodeAtWorldPosition(2.2, 1.9, 0.3), 1);
-  DisplayPoint pixel = stage.pixelOfVertex(29);
+  DisplayPoint pixel = fixture.pixelOfVertex(29);
   EXPECT_EQ(curve().AddNodeAtDisplayPosition(pixel.data()), 1);
   EXPECT_EQ(curve().AddNodeAtDisplayPosition(static_cast<int>(pixel.x()), static_cast<int>(pixel.y())), 0);
   EXPECT_EQ(curve().AddNodeAtWorldPosition(7.1, 6, 0), 1);
   EXPECT_THAT(widget->GetPlaces(), ElementsAre(24, 29, 73));
   double place[3] = {7, 5, 0};
   EXPECT_EQ(curve().SetNthNodeWorldPosition(1, place), 1);
-  pixel = stage.pixelOfVertex(72);
+  pixel = fixture.pixelOfVertex(72);
   EXPECT_EQ(curve().SetNthNodeDisplayPosition(2, pixel.data()), 1);
   EXPECT_EQ(curve().SetNthNodeDisplayPosition(3, pixel.data()), 0);
   EXPECT_THAT(widget->GetPlaces(), ElementsAre(24, 62, 72));
-  pixel = stage.pixelOfVertex(62);
+  pixel = fixture.pixelOfVertex(62);
   ASSERT_EQ(curve().ActivateNode(pixel.data()), 1);
   double other[3] = {6, 4, 0};
   EXPECT_EQ(curve().SetActiveNodeToWorldPosition(other), 1);

@@ -34,19 +34,19 @@ TEST(CurveOnParts, PlacesOfAnotherPartAreRefused)
   curve.click({6, 8});
   curve.click(25 + 12);
   EXPECT_THAT(curve.widget->GetPlaces(), ElementsAre(6, 8));
-  curve.hand().moveTo(curve.stage.pixelOfVertex(25 + 12));
+  curve.mouse().moveTo(curve.fixture.pixelOfVertex(25 + 12));
   EXPECT_THAT(curve.curve().GetPreview(), IsEmpty());
   curve.click({18, 16});
-  curve.hand().key("Return");
+  curve.mouse().key("Return");
   // Nor can one be dragged there.
-  curve.hand().drag({curve.stage.pixelOfVertex(8), curve.stage.pixelOfVertex(25 + 6)});
+  curve.mouse().drag({curve.fixture.pixelOfVertex(8), curve.fixture.pixelOfVertex(25 + 6)});
   EXPECT_THAT(curve.widget->GetPlaces(), ElementsAre(6, 8, 18, 16));
 }
 
 TEST(CurveOnSoup, PathsCrossFacesThatShareNoVertices)
 {
   DrawnCurve curve(test::soup(test::grid(6, 6)));
-  const Model& model = curve.stage.model();
+  const Model& model = curve.fixture.model();
   const auto vertexAt = [&](double x, double y) {
     Index nearest = 0;
     (model.mesh.positions.rowwise() - Vector3(x, y, 0).transpose()).rowwise().squaredNorm().minCoeff(&nearest);
@@ -54,7 +54,7 @@ TEST(CurveOnSoup, PathsCrossFacesThatShareNoVertices)
   };
   const std::vector<Index> corners{vertexAt(1, 1), vertexAt(5, 1), vertexAt(5, 5)};
   curve.click(corners);
-  curve.hand().key("Return");
+  curve.mouse().key("Return");
   ASSERT_TRUE(curve.widget->IsClosed());
   std::vector<Index> unknowns;
   for (const Index vertex : curve.widget->GetPath()) unknowns.push_back(model.solverMesh.weld.unknownOf[vertex]);
@@ -73,8 +73,8 @@ TEST(CurveOnSoup, PathsCrossFacesThatShareNoVertices)
 struct CurveOnHead : testing::Test, DrawnCurve {
   CurveOnHead() : DrawnCurve(readMesh(test::dataFolder() + "/head.ply").mesh, 640, 480)
   {
-    stage.lookFromFront();
-    stage.renderer().GetActiveCamera()->Zoom(1.7);
+    fixture.lookFromFront();
+    fixture.renderer().GetActiveCamera()->Zoom(1.7);
   }
 
   [[nodiscard]] std::vector<Index> aroundAnEye() const
@@ -83,7 +83,7 @@ struct CurveOnHead : testing::Test, DrawnCurve {
     for (const Vector3& place :
          {Vector3(41, -76, 25), Vector3(27, -76, 39), Vector3(13, -76, 25), Vector3(27, -76, 11)}) {
       Index nearest = 0;
-      (stage.model().mesh.positions.rowwise() - place.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
+      (fixture.model().mesh.positions.rowwise() - place.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
       places.push_back(nearest);
     }
     return places;
@@ -94,16 +94,16 @@ TEST_F(CurveOnHead, ACurveAroundAnEyeEnclosesWhatItsConstraintWould)
 {
   const std::vector<Index> places = aroundAnEye();
   click(places);
-  hand().key("Return");
+  mouse().key("Return");
   ASSERT_EQ(told, places);
   nlohmann::json plain;
   InsideCurve inside;
   for (const Index vertex : told) {
-    const Vector3 exact = stage.model().mesh.positions.row(vertex).transpose();
+    const Vector3 exact = fixture.model().mesh.positions.row(vertex).transpose();
     plain["through"].push_back({{"near", {exact.x(), exact.y(), exact.z()}}});
     inside.through.push_back(AtVertex{vertex});
   }
-  const Model& model = stage.model();
+  const Model& model = fixture.model();
   SurfaceLocator locator(model.mesh, model.triangulation);
   const std::vector<Index> selected = CurveSelector(model.mesh, model.solverMesh, locator).select(inside, {});
   EXPECT_THAT(selected, SizeIs(Gt(10u)));
@@ -136,34 +136,34 @@ constexpr int kFaintRed = 12;
 TEST_F(CurveOnHead, NoneOfItSinksIntoTheSurface)
 {
   click(aroundAnEye());
-  hand().key("Return");
+  mouse().key("Return");
   for (const double degrees : {0.0, 20.0, -35.0}) {
-    stage.renderer().GetActiveCamera()->Azimuth(degrees);
+    fixture.renderer().GetActiveCamera()->Azimuth(degrees);
     std::vector<DisplayPoint> visible;
     for (const Index vertex : widget->GetPath())
-      if (stage.surface()->isVertexVisible(vertex, DisplayTransform(stage.renderer())))
-        visible.push_back(stage.pixelOfVertex(vertex));
+      if (fixture.surface()->isVertexVisible(vertex, DisplayTransform(fixture.renderer())))
+        visible.push_back(fixture.pixelOfVertex(vertex));
     EXPECT_THAT(visible, SizeIs(Gt(20u)));
-    EXPECT_EQ(countRed(stage.window(), visible, kSolidRed), static_cast<int>(visible.size())) << degrees;
+    EXPECT_EQ(countRed(fixture.window(), visible, kSolidRed), static_cast<int>(visible.size())) << degrees;
   }
 }
 
 TEST_F(CurveOnHead, WhatLiesBehindIsFaint)
 {
   click(aroundAnEye());
-  hand().key("Return");
+  mouse().key("Return");
   const std::vector<int> orange{199, 61, 0};
-  const int inFront = stage.countPixels(orange, 25);
+  const int inFront = fixture.countPixels(orange, 25);
   EXPECT_GT(inFront, 150);
-  stage.renderer().GetActiveCamera()->Azimuth(180);
-  stage.renderer().ResetCameraClippingRange();
-  EXPECT_LT(stage.countPixels(orange, 25), inFront / 20);
+  fixture.renderer().GetActiveCamera()->Azimuth(180);
+  fixture.renderer().ResetCameraClippingRange();
+  EXPECT_LT(fixture.countPixels(orange, 25), inFront / 20);
   std::vector<DisplayPoint> hidden;
-  for (const Index vertex : widget->GetPath()) hidden.push_back(stage.pixelOfVertex(vertex));
-  EXPECT_EQ(countRed(stage.window(), hidden, kSolidRed), 0);
-  EXPECT_EQ(countRed(stage.window(), hidden, kFaintRed), static_cast<int>(hidden.size()));
+  for (const Index vertex : widget->GetPath()) hidden.push_back(fixture.pixelOfVertex(vertex));
+  EXPECT_EQ(countRed(fixture.window(), hidden, kSolidRed), 0);
+  EXPECT_EQ(countRed(fixture.window(), hidden, kFaintRed), static_cast<int>(hidden.size()));
   widget->Off();
-  EXPECT_EQ(countRed(stage.window(), hidden, kFaintRed), 0);
+  EXPECT_EQ(countRed(fixture.window(), hidden, kFaintRed), 0);
 }
 
 }  // namespace

@@ -34,10 +34,10 @@ using testing::IsEmpty;
 TEST_F(CurveOnGrid, FollowsTheSurface)
 {
   click({24, 29, 73});
-  hand().key("Return");
-  auto moved = std::make_shared<Positions>(stage.surface()->positions());
+  mouse().key("Return");
+  auto moved = std::make_shared<Positions>(fixture.surface()->positions());
   moved->col(2).array() += 0.25;
-  widget->SetSurface(std::make_shared<const VisibleSurface>(stage.surface()->movedTo(moved)));
+  widget->SetSurface(std::make_shared<const VisibleSurface>(fixture.surface()->movedTo(moved)));
   vtkPolyData& line = *curve().GetContourRepresentationAsPolyData();
   ASSERT_EQ(line.GetNumberOfPoints(), static_cast<vtkIdType>(closedThrough({24, 29, 73}).size() + 1));
   EXPECT_EQ(line.GetBounds()[4], 0.25);
@@ -58,13 +58,13 @@ TEST_F(CurveOnGrid, FollowsTheSurface)
 TEST_F(CurveOnGrid, DisablingKeepsTheCurve)
 {
   click({24, 29});
-  hand().press(stage.pixelOfVertex(73));
+  mouse().press(fixture.pixelOfVertex(73));
   widget->Off();
-  hand().release(stage.pixelOfVertex(73));
+  mouse().release(fixture.pixelOfVertex(73));
   EXPECT_THAT(widget->GetPlaces(), ElementsAre(24, 29));
-  EXPECT_EQ(stage.window().GetCurrentCursor(), VTK_CURSOR_DEFAULT);
-  stage.enable(*widget);
-  hand().release(stage.pixelOfVertex(73));
+  EXPECT_EQ(fixture.window().GetCurrentCursor(), VTK_CURSOR_DEFAULT);
+  fixture.enable(*widget);
+  mouse().release(fixture.pixelOfVertex(73));
   EXPECT_THAT(widget->GetPlaces(), ElementsAre(24, 29));
   click(73);
   EXPECT_THAT(widget->GetPlaces(), ElementsAre(24, 29, 73));
@@ -75,8 +75,8 @@ TEST_F(CurveOnGrid, ObserversMayTakeAllAwayAtAnyEvent)
   for (const unsigned long event : {kBegins, kPlaces, kChanges, kMoves, kEnds}) {
     const unsigned long tag = widget->AddObserver(event, widget.Get(), &SurfaceCurveWidget::Clear);
     click({24, 29, 73});
-    hand().key("Return");
-    hand().drag({stage.pixelOfVertex(29), stage.pixelOfVertex(30), stage.pixelOfVertex(41)});
+    mouse().key("Return");
+    mouse().drag({fixture.pixelOfVertex(29), fixture.pixelOfVertex(30), fixture.pixelOfVertex(41)});
     widget->RemoveObserver(tag);
     click({24, 29, 73});
     EXPECT_THAT(widget->GetPlaces(), ElementsAre(24, 29, 73));
@@ -87,10 +87,10 @@ TEST_F(CurveOnGrid, ObserversMayTakeAllAwayAtAnyEvent)
 TEST_F(CurveOnGrid, OtherRenderersKeepTheirEvents)
 {
   vtkNew<vtkRenderer> other;
-  stage.renderer().SetViewport(0, 0, 0.5, 1);
+  fixture.renderer().SetViewport(0, 0, 0.5, 1);
   other->SetViewport(0.5, 0, 1, 1);
-  stage.window().AddRenderer(other);
-  hand().click({300, 150});
+  fixture.window().AddRenderer(other);
+  mouse().click({300, 150});
   EXPECT_THAT(events, IsEmpty());
   EXPECT_THAT(curve().GetPreview(), IsEmpty());
   click(24);
@@ -102,22 +102,22 @@ TEST_F(CurveOnGrid, PriorityTellsWhoIsAskedFirst)
   vtkNew<vtkHandleWidget> handle;
   vtkNew<vtkPointHandleRepresentation3D> ball;
   handle->SetRepresentation(ball);
-  handle->SetInteractor(&stage.interactor());
-  handle->SetCurrentRenderer(&stage.renderer());
-  ball->PlaceWidget(stage.renderer().ComputeVisiblePropBounds());
+  handle->SetInteractor(&fixture.interactor());
+  handle->SetCurrentRenderer(&fixture.renderer());
+  ball->PlaceWidget(fixture.renderer().ComputeVisiblePropBounds());
   double place[3] = {7, 2, 0};
   ball->SetWorldPosition(place);
   handle->On();
   widget->SetPlaces({24, 29, 73});
   widget->CloseLoop();
   widget->SetPriority(0.6F);
-  hand().drag({stage.pixelOfVertex(29), stage.pixelOfVertex(30)});
+  mouse().drag({fixture.pixelOfVertex(29), fixture.pixelOfVertex(30)});
   EXPECT_THAT(widget->GetPlaces(), ElementsAre(24, 30, 73));
   EXPECT_EQ(Vector3(ball->GetWorldPosition()), Vector3(7, 2, 0));
   widget->SetPlaces({24, 29, 73});
   widget->CloseLoop();
   widget->SetPriority(0.4F);
-  hand().drag({stage.pixelOfVertex(29), stage.pixelOfVertex(30)});
+  mouse().drag({fixture.pixelOfVertex(29), fixture.pixelOfVertex(30)});
   EXPECT_THAT(widget->GetPlaces(), ElementsAre(24, 29, 73));
   EXPECT_GT(ball->GetWorldPosition()[0], 7.5);
 }
@@ -130,14 +130,14 @@ TEST_F(CurveOnGrid, BindingsCanBeChanged)
   translator.SetTranslation(vtkCommand::RightButtonPressEvent, vtkWidgetEvent::Select);
   translator.SetTranslation(vtkCommand::RightButtonReleaseEvent, vtkWidgetEvent::EndSelect);
   translator.SetTranslation(vtkCommand::MiddleButtonPressEvent, vtkWidgetEvent::AddFinalPoint);
-  stage.enable(*widget);
+  fixture.enable(*widget);
   click({24, 29, 73});
   EXPECT_THAT(events, IsEmpty());
   for (const Index vertex : {24, 29, 73}) {
-    hand().rightPress(stage.pixelOfVertex(vertex));
-    hand().rightRelease(stage.pixelOfVertex(vertex));
+    mouse().rightPress(fixture.pixelOfVertex(vertex));
+    mouse().rightRelease(fixture.pixelOfVertex(vertex));
   }
-  hand().middlePress({5, 5});
+  mouse().middlePress({5, 5});
   EXPECT_THAT(widget->GetPlaces(), ElementsAre(24, 29, 73));
   EXPECT_TRUE(widget->IsClosed());
 }
@@ -147,12 +147,12 @@ TEST_F(CurveOnGrid, ARecordedGestureDrawsTheSameAgain)
   const test::TemporaryFolder folder;
   const std::string path = (folder.path() / "curve.log").string();
   vtkNew<vtkInteractorEventRecorder> recorder;
-  recorder->SetInteractor(&stage.interactor());
+  recorder->SetInteractor(&fixture.interactor());
   recorder->SetFileName(path.c_str());
   recorder->On();
   recorder->Record();
   click({24, 29, 73});
-  hand().key("Return");
+  mouse().key("Return");
   recorder->Stop();
   recorder->Off();
   const auto recorded = std::exchange(events, {});
@@ -160,7 +160,7 @@ TEST_F(CurveOnGrid, ARecordedGestureDrawsTheSameAgain)
   widget->Clear();
 
   vtkNew<vtkInteractorEventRecorder> player;
-  player->SetInteractor(&stage.interactor());
+  player->SetInteractor(&fixture.interactor());
   player->SetFileName(path.c_str());
   player->On();
   player->Play();

@@ -5,17 +5,17 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "interaction/interaction_stage.h"
+#include "interaction/interaction_fixture.h"
 #include "support/meshes.h"
 
 namespace holdfast {
 namespace {
 
-using test::InteractionStage;
+using test::InteractionFixture;
 using testing::HasSubstr;
 
 struct PlacerOnGrid : testing::Test {
-  InteractionStage stage{test::grid(4, 3)};
+  InteractionFixture fixture{test::grid(4, 3)};
   vtkNew<SurfacePointPlacer> placer;
   double world[3] = {7, 7, 7};
   double orient[9] = {};
@@ -23,15 +23,15 @@ struct PlacerOnGrid : testing::Test {
   int place(const DisplayPoint& pixel)
   {
     double display[2] = {pixel.x(), pixel.y()};
-    return placer->ComputeWorldPosition(&stage.renderer(), display, world, orient);
+    return placer->ComputeWorldPosition(&fixture.renderer(), display, world, orient);
   }
 };
 
 TEST_F(PlacerOnGrid, GivesPlaceAndWeightsOfWhatIsUnderThePixel)
 {
-  placer->SetSurface(stage.surface());
+  placer->SetSurface(fixture.surface());
   placer->SetKind(PickKind::Vertex);
-  ASSERT_EQ(place(stage.pixelOfVertex(6)), 1);
+  ASSERT_EQ(place(fixture.pixelOfVertex(6)), 1);
   EXPECT_EQ(Vector3(world), Vector3(1, 1, 0));
   ASSERT_TRUE(placer->GetLastPick());
   EXPECT_EQ(std::get<AtVertex>(placer->GetLastPick()->location).vertex, 6);
@@ -40,8 +40,8 @@ TEST_F(PlacerOnGrid, GivesPlaceAndWeightsOfWhatIsUnderThePixel)
 
 TEST_F(PlacerOnGrid, PlacesNothingBesideTheSurfaceOrWithoutOne)
 {
-  EXPECT_EQ(place(stage.pixelOfVertex(6)), 0);
-  placer->SetSurface(stage.surface());
+  EXPECT_EQ(place(fixture.pixelOfVertex(6)), 0);
+  placer->SetSurface(fixture.surface());
   EXPECT_EQ(place({1, 1}), 0);
   EXPECT_EQ(Vector3(world), Vector3(7, 7, 7));
   EXPECT_FALSE(placer->GetLastPick());
@@ -49,9 +49,9 @@ TEST_F(PlacerOnGrid, PlacesNothingBesideTheSurfaceOrWithoutOne)
 
 TEST_F(PlacerOnGrid, SnapsAsFarAsItsPixelsAndTheRatioReach)
 {
-  placer->SetSurface(stage.surface());
+  placer->SetSurface(fixture.surface());
   placer->SetSnapPixels(5);
-  const DisplayPoint beside = stage.pixelOfVertex(6) + DisplayPoint(8, 4);
+  const DisplayPoint beside = fixture.pixelOfVertex(6) + DisplayPoint(8, 4);
   ASSERT_EQ(place(beside), 1);
   EXPECT_TRUE(std::holds_alternative<AtFace>(placer->GetLastPick()->location) ||
               std::holds_alternative<AtEdge>(placer->GetLastPick()->location));

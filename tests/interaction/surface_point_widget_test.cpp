@@ -18,7 +18,7 @@
 #include <holdfast/widgets/interaction/surface_camera_style.h>
 
 #include "interaction/call_data_log.h"
-#include "interaction/interaction_stage.h"
+#include "interaction/interaction_fixture.h"
 #include "interaction/recorded_gesture.h"
 #include "support/meshes.h"
 
@@ -26,7 +26,7 @@ namespace holdfast {
 namespace {
 
 using test::CallDataLog;
-using test::InteractionStage;
+using test::InteractionFixture;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -44,8 +44,8 @@ class TurningStyle : public vtkInteractorStyle {
 
 vtkStandardNewMacro(TurningStyle);
 
-struct PointWidgetStage : InteractionStage {
-  explicit PointWidgetStage(Mesh mesh) : InteractionStage(std::move(mesh))
+struct PointWidgetFixture : InteractionFixture {
+  explicit PointWidgetFixture(Mesh mesh) : InteractionFixture(std::move(mesh))
   {
     widget->SetSurface(surface());
     enable(*widget);
@@ -60,8 +60,8 @@ struct PointWidgetStage : InteractionStage {
   CallDataLog<PickKind> kinds{*widget, vtkCommand::WidgetValueChangedEvent};
 };
 
-struct PointWidgetOnGrid : PointWidgetStage, testing::Test {
-  PointWidgetOnGrid() : PointWidgetStage(test::grid(4, 3)) {}
+struct PointWidgetOnGrid : PointWidgetFixture, testing::Test {
+  PointWidgetOnGrid() : PointWidgetFixture(test::grid(4, 3)) {}
 };
 
 Index vertexOf(const std::optional<SurfacePick>& pick)
@@ -79,28 +79,28 @@ std::vector<Index> verticesOf(const std::vector<std::optional<SurfacePick>>& pic
 
 TEST_F(PointWidgetOnGrid, ShowsWhatAClickWouldTakeAndTakesIt)
 {
-  hand().moveTo(pixelOfVertex(6));
+  mouse().moveTo(pixelOfVertex(6));
   ASSERT_TRUE(widget->GetPreview());
   EXPECT_EQ(widget->GetPreview()->place, Vector3(1, 1, 0));
   EXPECT_THAT(placed.data(), IsEmpty());
-  hand().click(pixelOfVertex(7));
+  mouse().click(pixelOfVertex(7));
   EXPECT_THAT(verticesOf(shown.data()), ElementsAre(6, 7));
   EXPECT_THAT(verticesOf(placed.data()), ElementsAre(7));
 }
 
 TEST_F(PointWidgetOnGrid, GoesWithTheCursor)
 {
-  hand().moveTo(pixelOfVertex(6));
-  hand().moveTo({1, 1});
+  mouse().moveTo(pixelOfVertex(6));
+  mouse().moveTo({1, 1});
   EXPECT_FALSE(widget->GetPreview());
-  hand().moveTo({2, 1});
-  hand().moveTo(pixelOfVertex(6));
-  hand().leave();
+  mouse().moveTo({2, 1});
+  mouse().moveTo(pixelOfVertex(6));
+  mouse().leave();
   EXPECT_FALSE(widget->GetPreview());
   ASSERT_EQ(shown.data().size(), 4U) << "nothing is said where nothing changes";
   EXPECT_FALSE(shown.data()[1]);
   EXPECT_FALSE(shown.data()[3]);
-  hand().click({1, 1});
+  mouse().click({1, 1});
   EXPECT_THAT(placed.data(), IsEmpty()) << "beside the surface";
 }
 
@@ -110,16 +110,16 @@ TEST_F(PointWidgetOnGrid, ADragIsNoClickAndBelongsToTheCamera)
   interactor().SetInteractorStyle(style);
   const DisplayPoint from = pixelOfVertex(6);
   const Vector3 before(renderer().GetActiveCamera()->GetPosition());
-  hand().drag({from, from + DisplayPoint(3, 0), from + DisplayPoint(9, 0), from + DisplayPoint(15, 0)});
+  mouse().drag({from, from + DisplayPoint(3, 0), from + DisplayPoint(9, 0), from + DisplayPoint(15, 0)});
   EXPECT_NE(Vector3(renderer().GetActiveCamera()->GetPosition()), before);
   EXPECT_FALSE(widget->GetPreview()) << "nothing is shown while the camera moves";
-  hand().drag({from, from + DisplayPoint(9, 0), from});
+  mouse().drag({from, from + DisplayPoint(9, 0), from});
   EXPECT_THAT(placed.data(), IsEmpty());
   const DisplayPoint at = pixelOfVertex(7);
-  hand().drag({at, at + DisplayPoint(2, 1)});
+  mouse().drag({at, at + DisplayPoint(2, 1)});
   EXPECT_THAT(verticesOf(placed.data()), ElementsAre(7)) << "a hand that trembles clicks";
   const Vector3 after(renderer().GetActiveCamera()->GetPosition());
-  hand().moveTo({20, 20});
+  mouse().moveTo({20, 20});
   EXPECT_EQ(Vector3(renderer().GetActiveCamera()->GetPosition()), after) << "the style has seen the release";
 }
 
@@ -127,41 +127,41 @@ TEST_F(PointWidgetOnGrid, ClicksBesideAStyleThatTurnsAtOnce)
 {
   vtkNew<TurningStyle> style;
   interactor().SetInteractorStyle(style);
-  hand().click(pixelOfVertex(7));
+  mouse().click(pixelOfVertex(7));
   EXPECT_THAT(verticesOf(placed.data()), ElementsAre(7));
-  hand().moveTo(pixelOfVertex(6));
-  hand().wheel(pixelOfVertex(6), 1);
+  mouse().moveTo(pixelOfVertex(6));
+  mouse().wheel(pixelOfVertex(6), 1);
   EXPECT_FALSE(widget->GetPreview()) << "the camera has moved";
-  hand().rightPress(pixelOfVertex(7));
-  hand().moveTo(pixelOfVertex(7));
+  mouse().rightPress(pixelOfVertex(7));
+  mouse().moveTo(pixelOfVertex(7));
   EXPECT_FALSE(widget->GetPreview());
-  hand().rightRelease(pixelOfVertex(7));
-  hand().moveTo(pixelOfVertex(7));
+  mouse().rightRelease(pixelOfVertex(7));
+  mouse().moveTo(pixelOfVertex(7));
   EXPECT_TRUE(widget->GetPreview());
 }
 
 TEST_F(PointWidgetOnGrid, ADoubleClickPlacesOnePoint)
 {
-  hand().doubleClick(pixelOfVertex(6));
+  mouse().doubleClick(pixelOfVertex(6));
   EXPECT_EQ(placed.data().size(), 1U);
 }
 
 TEST_F(PointWidgetOnGrid, KeysChooseWhatPointsLieOn)
 {
   const DisplayPoint cursor = inFace(1, 1);
-  hand().moveTo(cursor);
+  mouse().moveTo(cursor);
   EXPECT_TRUE(std::holds_alternative<AtFace>(widget->GetPreview()->location));
-  hand().type("v");
+  mouse().type("v");
   EXPECT_TRUE(std::holds_alternative<AtVertex>(widget->GetPreview()->location)) << "at once, without a move";
-  hand().type("e");
+  mouse().type("e");
   EXPECT_TRUE(std::holds_alternative<AtEdge>(widget->GetPreview()->location));
-  hand().moveTo(pixelOfVertex(6));
-  hand().type("f");
+  mouse().moveTo(pixelOfVertex(6));
+  mouse().type("f");
   EXPECT_TRUE(std::holds_alternative<AtFace>(widget->GetPreview()->location));
-  hand().type("aa");
+  mouse().type("aa");
   EXPECT_TRUE(std::holds_alternative<AtVertex>(widget->GetPreview()->location));
   EXPECT_THAT(kinds.data(), ElementsAre(PickKind::Vertex, PickKind::Edge, PickKind::Face, PickKind::Nearest));
-  hand().key("v", {.ctrl = true});
+  mouse().key("v", {.ctrl = true});
   EXPECT_EQ(widget->GetKind(), PickKind::Nearest) << "a shortcut of the window";
 }
 
@@ -170,7 +170,7 @@ TEST_F(PointWidgetOnGrid, KeysThatAreUsedStayWithTheWidget)
   vtkNew<TurningStyle> style;
   interactor().SetInteractorStyle(style);
   const test::EventLog exits(interactor(), {vtkCommand::ExitEvent});
-  hand().type("e");
+  mouse().type("e");
   EXPECT_THAT(exits.events(), IsEmpty()) << "VTK's styles quit with this key";
   EXPECT_EQ(widget->GetKind(), PickKind::Edge);
 }
@@ -186,17 +186,17 @@ TEST_F(PointWidgetOnGrid, BindingsCanBeChanged)
   translator.RemoveTranslation(vtkCommand::LeftButtonReleaseEvent);
   EXPECT_FALSE(widget->WantsKey('v'));
   EXPECT_TRUE(widget->WantsKey('k'));
-  hand().type("v");
+  mouse().type("v");
   EXPECT_EQ(widget->GetKind(), PickKind::Nearest);
-  hand().type("k");
+  mouse().type("k");
   EXPECT_EQ(widget->GetKind(), PickKind::Vertex);
-  hand().click(pixelOfVertex(6));
+  mouse().click(pixelOfVertex(6));
   EXPECT_THAT(placed.data(), IsEmpty());
 }
 
 TEST_F(PointWidgetOnGrid, AfterADeformationThePointIsAtTheSameLocation)
 {
-  hand().moveTo(inFace(1, 1));
+  mouse().moveTo(inFace(1, 1));
   const auto before = widget->GetPreview();
   const auto moved = std::make_shared<Positions>(2 * model().mesh.positions);
   widget->SetSurface(std::make_shared<const VisibleSurface>(surface()->movedTo(moved)));
@@ -205,7 +205,7 @@ TEST_F(PointWidgetOnGrid, AfterADeformationThePointIsAtTheSameLocation)
   widget->SetSurface(std::make_shared<const VisibleSurface>(model()));
   EXPECT_FALSE(widget->GetPreview()) << "another mesh, for all that is known";
   widget->SetSurface(nullptr);
-  hand().click(pixelOfVertex(6));
+  mouse().click(pixelOfVertex(6));
   EXPECT_THAT(placed.data(), IsEmpty());
 }
 
@@ -222,18 +222,18 @@ TEST_F(PointWidgetOnGrid, IsSetFromOutsideWithoutEvents)
 
 TEST_F(PointWidgetOnGrid, DisabledItShowsAndTakesNothing)
 {
-  hand().moveTo(pixelOfVertex(6));
-  hand().press(pixelOfVertex(6));
+  mouse().moveTo(pixelOfVertex(6));
+  mouse().press(pixelOfVertex(6));
   widget->SetEnabled(0);
   EXPECT_FALSE(widget->GetPreview());
   EXPECT_FALSE(shown.data().back());
   EXPECT_FALSE(renderer().HasViewProp(widget->GetRepresentation()));
-  hand().release(pixelOfVertex(6));
-  hand().click(pixelOfVertex(6));
+  mouse().release(pixelOfVertex(6));
+  mouse().click(pixelOfVertex(6));
   enable(*widget);
-  hand().release(pixelOfVertex(6));
+  mouse().release(pixelOfVertex(6));
   EXPECT_THAT(placed.data(), IsEmpty()) << "the press came before it was disabled";
-  hand().click(pixelOfVertex(6));
+  mouse().click(pixelOfVertex(6));
   EXPECT_EQ(placed.data().size(), 1U);
 }
 
@@ -248,22 +248,22 @@ TEST_F(PointWidgetOnGrid, ActsInItsRendererAlone)
   renderer().GetActiveCamera()->Zoom(3);
   const DisplayPoint inside = pixelOfVertex(7);
   ASSERT_LT(inside.x(), 200);
-  hand().click(inside + DisplayPoint(200, 0));
+  mouse().click(inside + DisplayPoint(200, 0));
   EXPECT_THAT(shown.data(), IsEmpty());
   EXPECT_THAT(placed.data(), IsEmpty());
-  hand().click(inside);
+  mouse().click(inside);
   EXPECT_THAT(verticesOf(placed.data()), ElementsAre(7));
-  hand().moveTo(inside + DisplayPoint(200, 0));
+  mouse().moveTo(inside + DisplayPoint(200, 0));
   EXPECT_FALSE(widget->GetPreview());
 }
 
 TEST_F(PointWidgetOnGrid, ReachesFartherOnADisplayOfManyPixels)
 {
   const DisplayPoint beside = pixelOfVertex(6) + DisplayPoint(10, 5);
-  hand().moveTo(beside);
+  mouse().moveTo(beside);
   EXPECT_EQ(vertexOf(widget->GetPreview()), -1);
   widget->SetPixelRatio(2);
-  hand().drag({beside, beside + DisplayPoint(6, 0), beside});
+  mouse().drag({beside, beside + DisplayPoint(6, 0), beside});
   EXPECT_THAT(verticesOf(placed.data()), ElementsAre(6)) << "6 of its pixels are 3";
   EXPECT_EQ(widget->GetSurfacePointRepresentation()->GetPixelRatio(), 2);
 }
@@ -281,10 +281,10 @@ TEST_F(PointWidgetOnGrid, LeavesToAWidgetOfVTKAboveItWhatThatUses)
   cross->SetWorldPosition(place);
   window().Render();
   const test::EventLog grabbed(*handle, {vtkCommand::StartInteractionEvent});
-  hand().click(pixelOfVertex(6));
+  mouse().click(pixelOfVertex(6));
   EXPECT_EQ(grabbed.events().size(), 1U);
   EXPECT_THAT(placed.data(), IsEmpty()) << "the press was aborted above";
-  hand().click(pixelOfVertex(7));
+  mouse().click(pixelOfVertex(7));
   EXPECT_EQ(placed.data().size(), 1U);
 }
 
@@ -294,21 +294,21 @@ TEST_F(PointWidgetOnGrid, CanBeEnabledBeforeThereIsASurface)
   early->SetInteractor(&interactor());
   early->SetEnabled(1);
   const CallDataLog<SurfacePick> taken(*early, vtkCommand::PlacePointEvent);
-  hand().click(pixelOfVertex(7));
+  mouse().click(pixelOfVertex(7));
   EXPECT_THAT(taken.data(), IsEmpty());
   early->SetSurface(surface());
-  hand().click(pixelOfVertex(7));
+  mouse().click(pixelOfVertex(7));
   EXPECT_EQ(taken.data().size(), 1U);
 }
 
 TEST_F(PointWidgetOnGrid, AReplayedGestureDoesTheSame)
 {
   const std::string events = test::recorded(interactor(), [&] {
-    hand().moveTo(inFace(1, 1));
-    hand().type("v");
-    hand().click(inFace(1, 1));
+    mouse().moveTo(inFace(1, 1));
+    mouse().type("v");
+    mouse().click(inFace(1, 1));
   });
-  PointWidgetStage again(test::grid(4, 3));
+  PointWidgetFixture again(test::grid(4, 3));
   test::replay(events, again.interactor());
   ASSERT_EQ(placed.data().size(), 1U);
   EXPECT_GE(vertexOf(placed.data()[0]), 0);
@@ -319,7 +319,7 @@ TEST_F(PointWidgetOnGrid, AReplayedGestureDoesTheSame)
 TEST_F(PointWidgetOnGrid, PrintsItsState)
 {
   std::ostringstream text;
-  hand().moveTo(pixelOfVertex(6));
+  mouse().moveTo(pixelOfVertex(6));
   widget->Print(text);
   widget->GetRepresentation()->Print(text);
   EXPECT_THAT(text.str(), HasSubstr("IsHovering: 1"));

@@ -3,19 +3,19 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "interaction/interaction_stage.h"
+#include "interaction/interaction_fixture.h"
 #include "support/meshes.h"
 
 namespace holdfast {
 namespace {
 
-using test::InteractionStage;
+using test::InteractionFixture;
 
 const std::vector<int> kArrowBlue{13, 128, 255};
 
 /// An arrow from vertex 5 to 13, drawn without a widget.
-struct Arrow : InteractionStage, testing::Test {
-  Arrow() : InteractionStage(test::grid(4, 3))
+struct Arrow : InteractionFixture, testing::Test {
+  Arrow() : InteractionFixture(test::grid(4, 3))
   {
     arrow->SetSurface(surface());
     arrow->SetRenderer(&renderer());

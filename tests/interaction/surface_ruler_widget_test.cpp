@@ -16,7 +16,7 @@
 #include <holdfast/widgets/interaction/surface_camera_style.h>
 
 #include "interaction/call_data_log.h"
-#include "interaction/interaction_stage.h"
+#include "interaction/interaction_fixture.h"
 #include "interaction/recorded_gesture.h"
 #include "interaction/widget_events.h"
 #include "support/meshes.h"
@@ -24,7 +24,7 @@
 namespace holdfast {
 namespace {
 
-using test::InteractionStage;
+using test::InteractionFixture;
 using test::kBegins;
 using test::kCancels;
 using test::kEnds;
@@ -34,9 +34,9 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-struct RulerStage : InteractionStage {
-  explicit RulerStage(Mesh mesh = test::grid(4, 3), int width = 400, int height = 300)
-      : InteractionStage(std::move(mesh), width, height)
+struct RulerFixture : InteractionFixture {
+  explicit RulerFixture(Mesh mesh = test::grid(4, 3), int width = 400, int height = 300)
+      : InteractionFixture(std::move(mesh), width, height)
   {
     widget->SetSurface(surface());
     enable(*widget);
@@ -44,8 +44,8 @@ struct RulerStage : InteractionStage {
 
   void draw(Index from, Index to)
   {
-    hand().click(pixelOfVertex(from));
-    hand().click(pixelOfVertex(to));
+    mouse().click(pixelOfVertex(from));
+    mouse().click(pixelOfVertex(to));
   }
 
   /// The mesh twice as large, as a deformation of that at rest.
@@ -68,7 +68,7 @@ struct RulerStage : InteractionStage {
   test::CallDataLog<int> placed{*widget, kPlaces};
 };
 
-struct Ruler : RulerStage, testing::Test {};
+struct Ruler : RulerFixture, testing::Test {};
 
 TEST_F(Ruler, TwoClicksMeasureBetweenPointsOfTheSurface)
 {
@@ -81,33 +81,33 @@ TEST_F(Ruler, TwoClicksMeasureBetweenPointsOfTheSurface)
   EXPECT_EQ(widget->GetDistance(), widget->GetRulerRepresentation()->GetDistance());
   EXPECT_THAT(log.events(), ElementsAre(kBegins, kPlaces, kMoves, kPlaces, kEnds));
   EXPECT_THAT(placed.data(), ElementsAre(0, 1));
-  hand().click(pixelOfVertex(9));
+  mouse().click(pixelOfVertex(9));
   EXPECT_EQ(vertexOfEnd(1), 13) << "a ruler that is drawn stays";
 }
 
 TEST_F(Ruler, TheSecondEndGoesWithTheCursorAndStaysOnTheSurface)
 {
-  hand().click(pixelOfVertex(5));
+  mouse().click(pixelOfVertex(5));
   EXPECT_EQ(widget->GetDistance(), 0);
-  hand().moveTo(pixelOfVertex(7));
+  mouse().moveTo(pixelOfVertex(7));
   EXPECT_EQ(widget->GetDistance(), 2);
-  hand().moveTo({1, 1});
+  mouse().moveTo({1, 1});
   EXPECT_EQ(vertexOfEnd(1), 7) << "beside the surface";
-  hand().click({1, 1});
+  mouse().click({1, 1});
   EXPECT_TRUE(widget->IsUnderWay());
   const auto tool = widget->GetPlacer();
   tool->SetKind(PickKind::Face);
-  hand().click(pixelOf({2.65, 1.35, 0}));
+  mouse().click(pixelOf({2.65, 1.35, 0}));
   EXPECT_TRUE(std::holds_alternative<AtFace>(*widget->GetLocation(1)));
   EXPECT_FALSE(widget->IsUnderWay());
 }
 
 TEST_F(Ruler, NothingBeginsBesideTheSurface)
 {
-  hand().click({1, 1});
+  mouse().click({1, 1});
   EXPECT_FALSE(widget->IsUnderWay());
   EXPECT_THAT(log.events(), IsEmpty());
-  hand().doubleClick(pixelOfVertex(5));
+  mouse().doubleClick(pixelOfVertex(5));
   EXPECT_TRUE(widget->IsUnderWay()) << "a double click places one end";
 }
 
@@ -116,19 +116,19 @@ TEST_F(Ruler, TheCameraTurnsBetweenTheClicks)
   vtkNew<SurfaceCameraStyle> style;
   interactor().SetInteractorStyle(style);
   const auto eye = [&] { return Vector3(renderer().GetActiveCamera()->GetPosition()); };
-  hand().click(pixelOfVertex(5));
+  mouse().click(pixelOfVertex(5));
   const Vector3 before = eye();
   const DisplayPoint from = pixelOfVertex(7);
-  hand().drag({from, from + DisplayPoint(8, 0), from + DisplayPoint(20, 0)});
+  mouse().drag({from, from + DisplayPoint(8, 0), from + DisplayPoint(20, 0)});
   EXPECT_GT((eye() - before).norm(), 0.1);
   EXPECT_TRUE(widget->IsUnderWay());
   const Vector3 after = eye();
-  hand().moveTo({150, 150});
+  mouse().moveTo({150, 150});
   EXPECT_EQ(eye(), after) << "the style has seen the release";
-  hand().click(pixelOfVertex(13));
+  mouse().click(pixelOfVertex(13));
   EXPECT_EQ(widget->GetDistance(), std::hypot(3, 1));
-  hand().moveTo({160, 150});
-  hand().moveTo({190, 150});
+  mouse().moveTo({160, 150});
+  mouse().moveTo({190, 150});
   EXPECT_EQ(eye(), after) << "and that of the second click";
 }
 
@@ -139,43 +139,43 @@ TEST_F(Ruler, EndsCanBeDragged)
   draw(5, 13);
   log.clear();
   const Vector3 eye(renderer().GetActiveCamera()->GetPosition());
-  hand().drag({pixelOfVertex(13), pixelOfVertex(12), {1, 1}, pixelOfVertex(7)});
+  mouse().drag({pixelOfVertex(13), pixelOfVertex(12), {1, 1}, pixelOfVertex(7)});
   EXPECT_EQ(vertexOfEnd(0), 5);
   EXPECT_EQ(vertexOfEnd(1), 7);
   EXPECT_EQ(widget->GetDistance(), 2);
   EXPECT_THAT(log.events(), ElementsAre(kBegins, kMoves, kMoves, kMoves, kEnds));
-  hand().drag({pixelOfVertex(5), pixelOfVertex(0)});
+  mouse().drag({pixelOfVertex(5), pixelOfVertex(0)});
   EXPECT_EQ(vertexOfEnd(0), 0);
   EXPECT_EQ(Vector3(renderer().GetActiveCamera()->GetPosition()), eye) << "drags of ends are not the camera's";
-  hand().press(pixelOfVertex(7));
-  hand().moveTo({1, 1});
-  hand().release({1, 1});
+  mouse().press(pixelOfVertex(7));
+  mouse().moveTo({1, 1});
+  mouse().release({1, 1});
   EXPECT_EQ(vertexOfEnd(1), 7) << "beside the surface it stays";
 }
 
 TEST_F(Ruler, EscapeTakesBackAHalfDrawnRulerOrADrag)
 {
-  hand().key("Escape");
+  mouse().key("Escape");
   EXPECT_THAT(log.events(), IsEmpty()) << "there is nothing to take back";
-  hand().click(pixelOfVertex(5));
-  hand().moveTo(pixelOfVertex(7));
-  hand().key("Escape");
+  mouse().click(pixelOfVertex(5));
+  mouse().moveTo(pixelOfVertex(7));
+  mouse().key("Escape");
   EXPECT_THAT(log.events(), ElementsAre(kBegins, kPlaces, kMoves, kCancels));
   EXPECT_FALSE(widget->GetLocation(0));
   EXPECT_EQ(widget->GetDistance(), 0);
   draw(5, 13);
   log.clear();
-  hand().moveTo(pixelOfVertex(13));
-  hand().press(pixelOfVertex(13));
-  hand().moveTo(pixelOfVertex(7));
-  hand().key("Escape");
+  mouse().moveTo(pixelOfVertex(13));
+  mouse().press(pixelOfVertex(13));
+  mouse().moveTo(pixelOfVertex(7));
+  mouse().key("Escape");
   EXPECT_THAT(log.events(), ElementsAre(kBegins, kMoves, kCancels));
   EXPECT_EQ(vertexOfEnd(1), 13);
-  hand().moveTo(pixelOfVertex(8));
-  hand().release(pixelOfVertex(8));
+  mouse().moveTo(pixelOfVertex(8));
+  mouse().release(pixelOfVertex(8));
   EXPECT_EQ(vertexOfEnd(1), 13) << "the end was let go";
   EXPECT_THAT(log.events(), ElementsAre(kBegins, kMoves, kCancels));
-  hand().drag({pixelOfVertex(13), pixelOfVertex(7)});
+  mouse().drag({pixelOfVertex(13), pixelOfVertex(7)});
   EXPECT_EQ(vertexOfEnd(1), 7) << "and can be grabbed again";
 }
 
@@ -191,7 +191,7 @@ TEST_F(Ruler, FollowsADeformationAndKnowsBothDistances)
   widget->GetDistanceRepresentation()->GetPoint2WorldPosition(place);
   EXPECT_EQ(Vector3(place), Vector3(6, 4, 0)) << "as VTK's own interface says";
   renderer().ResetCamera(0, 8, 0, 6, 0, 0);
-  hand().drag({pixelOf({6, 4, 0}), pixelOf({4, 2, 0})});
+  mouse().drag({pixelOf({6, 4, 0}), pixelOf({4, 2, 0})});
   EXPECT_EQ(widget->GetDistance(), 4) << "dragged on the deformed surface";
   EXPECT_EQ(widget->GetRestDistance(), 2);
   widget->SetUnits("");
@@ -205,7 +205,7 @@ TEST_F(Ruler, GoesWithItsMesh)
   widget->SetSurface(std::make_shared<const VisibleSurface>(other));
   EXPECT_FALSE(widget->GetLocation(0));
   widget->SetSurface(surface());
-  hand().click(pixelOfVertex(5));
+  mouse().click(pixelOfVertex(5));
   log.clear();
   widget->SetSurface(nullptr);
   EXPECT_THAT(log.events(), ElementsAre(kCancels));
@@ -218,18 +218,18 @@ TEST_F(Ruler, IsSetFromOutside)
   widget->SetLocations(AtVertex{0}, AtEdge{6, 7, 0.25});
   EXPECT_EQ(widget->GetDistance(), Vector3(1.75, 1, 0).norm());
   EXPECT_THAT(log.events(), IsEmpty());
-  hand().drag({pixelOfVertex(0), pixelOfVertex(1)});
+  mouse().drag({pixelOfVertex(0), pixelOfVertex(1)});
   EXPECT_EQ(vertexOfEnd(0), 1) << "its ends can be dragged";
   EXPECT_THROW(widget->SetLocations(inFace, AtVertex{99}), InputError);
   EXPECT_EQ(vertexOfEnd(0), 1) << "nothing has changed";
   EXPECT_EQ(widget->GetDistance(), Vector3(0.75, 1, 0).norm());
   widget->SetLocations(AtNear{{1, 1, 5}}, AtVertex{8});
   EXPECT_EQ(widget->GetDistance(), 2);
-  hand().moveTo(pixelOfVertex(6));
-  hand().press(pixelOfVertex(6));
-  hand().moveTo(pixelOfVertex(0));
+  mouse().moveTo(pixelOfVertex(6));
+  mouse().press(pixelOfVertex(6));
+  mouse().moveTo(pixelOfVertex(0));
   widget->Cancel();
-  hand().release(pixelOfVertex(0));
+  mouse().release(pixelOfVertex(0));
   EXPECT_EQ(widget->GetDistance(), 2);
   log.clear();
   widget->Clear();
@@ -237,7 +237,7 @@ TEST_F(Ruler, IsSetFromOutside)
   EXPECT_THAT(log.events(), IsEmpty());
   draw(5, 7);
   EXPECT_EQ(widget->GetDistance(), 2) << "the next clicks draw a new one";
-  hand().drag({pixelOfVertex(7), pixelOfVertex(8)});
+  mouse().drag({pixelOfVertex(7), pixelOfVertex(8)});
   EXPECT_EQ(widget->GetDistance(), 3);
 }
 
@@ -251,28 +251,28 @@ TEST_F(Ruler, CanBeSetBeforeItIsEnabled)
   early->SetEnabled(1);
   EXPECT_EQ(early->GetDistance(), 4);
   widget->SetEnabled(0);
-  hand().drag({pixelOfVertex(4), pixelOfVertex(2)});
+  mouse().drag({pixelOfVertex(4), pixelOfVertex(2)});
   EXPECT_EQ(early->GetDistance(), 2);
 }
 
 TEST_F(Ruler, DisabledItKeepsARulerThatIsDrawnAndCancelsWhatIsUnderWay)
 {
-  hand().click(pixelOfVertex(5));
+  mouse().click(pixelOfVertex(5));
   widget->SetEnabled(0);
   EXPECT_EQ(log.events().back(), kCancels);
   enable(*widget);
   draw(5, 13);
-  hand().moveTo(pixelOfVertex(13));
-  hand().press(pixelOfVertex(13));
-  hand().moveTo(pixelOfVertex(7));
+  mouse().moveTo(pixelOfVertex(13));
+  mouse().press(pixelOfVertex(13));
+  mouse().moveTo(pixelOfVertex(7));
   widget->SetEnabled(0);
   EXPECT_EQ(vertexOfEnd(1), 13);
   const test::EventLog moves(interactor(), {vtkCommand::MouseMoveEvent});
-  hand().moveTo(pixelOfVertex(8));
+  mouse().moveTo(pixelOfVertex(8));
   EXPECT_EQ(moves.events().size(), 1U) << "nobody holds the mouse";
   enable(*widget);
   EXPECT_EQ(widget->GetDistance(), std::hypot(3, 1));
-  hand().drag({pixelOfVertex(13), pixelOfVertex(7)});
+  mouse().drag({pixelOfVertex(13), pixelOfVertex(7)});
   EXPECT_EQ(widget->GetDistance(), 2);
 }
 
@@ -287,11 +287,11 @@ TEST_F(Ruler, ActsInItsRendererAlone)
   other->SetViewport(0.5, 0, 1, 1);
   other->SetActiveCamera(renderer().GetActiveCamera());
   window().AddRenderer(other);
-  hand().click(pixelOfVertex(7) + DisplayPoint(200, 0));
+  mouse().click(pixelOfVertex(7) + DisplayPoint(200, 0));
   EXPECT_FALSE(widget->IsUnderWay());
   draw(6, 8);
   EXPECT_EQ(widget->GetDistance(), 2);
-  hand().drag({pixelOfVertex(8), pixelOfVertex(8) + DisplayPoint(200, 0), pixelOfVertex(7)});
+  mouse().drag({pixelOfVertex(8), pixelOfVertex(8) + DisplayPoint(200, 0), pixelOfVertex(7)});
   EXPECT_EQ(widget->GetDistance(), 1) << "a layer above, with another camera, does not count";
 }
 
@@ -299,11 +299,11 @@ TEST_F(Ruler, GrabsFromFartherOnADisplayOfManyPixels)
 {
   draw(5, 13);
   const DisplayPoint beside = pixelOfVertex(13) + DisplayPoint(10, 8);
-  hand().drag({beside, pixelOfVertex(7)});
+  mouse().drag({beside, pixelOfVertex(7)});
   EXPECT_EQ(vertexOfEnd(1), 13);
   widget->SetPixelRatio(2);
   window().Render();
-  hand().drag({beside, pixelOfVertex(7)});
+  mouse().drag({beside, pixelOfVertex(7)});
   EXPECT_EQ(vertexOfEnd(1), 7);
 }
 
@@ -323,9 +323,9 @@ TEST_F(Ruler, StandsBesideAWidgetOfVTKAndItsBindingsCanBeChanged)
   widget->GetEventTranslator()->RemoveTranslation(vtkCommand::LeftButtonReleaseEvent);
   widget->GetEventTranslator()->SetTranslation(vtkCommand::MiddleButtonReleaseEvent, vtkWidgetEvent::EndSelect);
   enable(*widget);
-  hand().click(pixelOfVertex(5));
+  mouse().click(pixelOfVertex(5));
   EXPECT_FALSE(widget->IsUnderWay());
-  hand().middleRelease(pixelOfVertex(5));
+  mouse().middleRelease(pixelOfVertex(5));
   EXPECT_TRUE(widget->IsUnderWay());
 }
 
@@ -333,10 +333,10 @@ TEST_F(Ruler, AReplayedGestureDoesTheSame)
 {
   const std::string events = test::recorded(interactor(), [&] {
     draw(5, 13);
-    hand().drag({pixelOfVertex(13), pixelOfVertex(12), pixelOfVertex(8)});
+    mouse().drag({pixelOfVertex(13), pixelOfVertex(12), pixelOfVertex(8)});
   });
   EXPECT_EQ(vertexOfEnd(1), 8);
-  RulerStage again;
+  RulerFixture again;
   test::replay(events, again.interactor());
   EXPECT_EQ(again.vertexOfEnd(1), 8);
   EXPECT_EQ(again.log.events(), log.events());
@@ -363,10 +363,10 @@ TEST_F(Ruler, IsDrawnWithAHaloAndALabel)
   const auto accent = [&] { return countPixels(kRulerBlue, 30); };
   const auto light = [&] { return countPixels({255, 255, 255}, 20); };
   EXPECT_EQ(accent(), 0);
-  hand().click(pixelOfVertex(5));
-  hand().moveTo(pixelOfVertex(8));
+  mouse().click(pixelOfVertex(5));
+  mouse().moveTo(pixelOfVertex(8));
   EXPECT_GT(accent(), 200) << "while it is drawn";
-  hand().click(pixelOfVertex(8));
+  mouse().click(pixelOfVertex(8));
   const int once = accent();
   EXPECT_GT(once, 200);
   EXPECT_GT(light(), once) << "halo and the ground of the label";

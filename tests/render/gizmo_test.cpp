@@ -26,17 +26,17 @@
 namespace holdfast {
 namespace {
 
-constexpr PictureSize kStageSize{360, 300};
+constexpr PictureSize kPictureSize{360, 300};
 constexpr double kPixels = 100;  // of the picture
 
 /// A slab at rest with a gizmo at one of its ends.
-struct Stage {
+struct GizmoScene {
   Model model = makeModel(test::box({6, 2, 1}, 8), "slab");
-  Scene scene{model, atRest(model), {kStageSize, ColorBy::None, Legend::Hidden, ""}};
+  Scene scene{model, atRest(model), {kPictureSize, ColorBy::None, Legend::Hidden, ""}};
   Gizmo gizmo;
   vtkNew<vtkRenderer> layer;
 
-  Stage()
+  GizmoScene()
   {
     scene.window().SetNumberOfLayers(3);
     layer->SetLayer(2);
@@ -47,7 +47,7 @@ struct Stage {
     look(-35, 25);
   }
 
-  static Deformation atRest(const Model& model)
+  static DeformResult atRest(const Model& model)
   {
     NoProgress progress;
     return deform(model, test::listOf({test::hold({0})}), "constraints", {}, progress);
@@ -99,46 +99,46 @@ struct Stage {
 
 TEST(GizmoPicture, InPerspective)
 {
-  Stage stage;
-  EXPECT_EQ(stage.differenceFromBaseline(), "");
+  GizmoScene fixture;
+  EXPECT_EQ(fixture.differenceFromBaseline(), "");
 }
 
 TEST(GizmoPicture, InParallelFromAbove)
 {
-  Stage stage;
-  stage.renderer().GetActiveCamera()->ParallelProjectionOn();
-  stage.look(-60, 62);
-  stage.gizmo.highlight(GizmoPart::RingZ);
-  EXPECT_EQ(stage.differenceFromBaseline(), "");
+  GizmoScene fixture;
+  fixture.renderer().GetActiveCamera()->ParallelProjectionOn();
+  fixture.look(-60, 62);
+  fixture.gizmo.highlight(GizmoPart::RingZ);
+  EXPECT_EQ(fixture.differenceFromBaseline(), "");
 }
 
 TEST(GizmoPicture, AlongAnAxis)
 {
-  Stage stage;
-  stage.look(-90, 2);
-  EXPECT_EQ(stage.differenceFromBaseline(), "");
+  GizmoScene fixture;
+  fixture.look(-90, 2);
+  EXPECT_EQ(fixture.differenceFromBaseline(), "");
 }
 
 TEST(GizmoPicture, OfAnArrowThatIsDragged)
 {
-  Stage stage;
-  stage.drag(GizmoPart::ArrowZ, {4, 1, 1.5}, {0, 120}, Snap::On);
-  EXPECT_EQ(stage.differenceFromBaseline(), "");
+  GizmoScene fixture;
+  fixture.drag(GizmoPart::ArrowZ, {4, 1, 1.5}, {0, 120}, Snap::On);
+  EXPECT_EQ(fixture.differenceFromBaseline(), "");
 }
 
 TEST(GizmoPicture, OfARingThatIsDragged)
 {
-  Stage stage;
-  stage.drag(GizmoPart::RingZ, {4.7, 0.4, 0.5}, {70, 30}, Snap::On);
-  EXPECT_EQ(stage.differenceFromBaseline(), "");
+  GizmoScene fixture;
+  fixture.drag(GizmoPart::RingZ, {4.7, 0.4, 0.5}, {70, 30}, Snap::On);
+  EXPECT_EQ(fixture.differenceFromBaseline(), "");
 }
 
 TEST(GizmoPicture, OfTheOuterRingThatIsDragged)
 {
-  Stage stage;
-  stage.renderer().GetActiveCamera()->ParallelProjectionOn();
-  stage.drag(GizmoPart::ViewRing, {4, 1, 1.5}, {150, -90}, Snap::None);
-  EXPECT_EQ(stage.differenceFromBaseline(), "");
+  GizmoScene fixture;
+  fixture.renderer().GetActiveCamera()->ParallelProjectionOn();
+  fixture.drag(GizmoPart::ViewRing, {4, 1, 1.5}, {150, -90}, Snap::None);
+  EXPECT_EQ(fixture.differenceFromBaseline(), "");
 }
 
 /// The mean place of the pixels that differ, in pixels of the window.
@@ -159,19 +159,19 @@ std::optional<DisplayPoint> middleOfDifference(const Picture& a, const Picture& 
 
 TEST(GizmoPicture, ShowsTheCenterWhereItIsAndOverTheSurface)
 {
-  Stage stage;
+  GizmoScene fixture;
   for (const bool isParallel : {false, true})
     for (const Vector3& center : {Vector3(4, 1, 0.5), Vector3(3, 0.2, 0.3), Vector3(4.5, 2.5, -0.4)}) {
       SCOPED_TRACE(center.transpose());
-      stage.renderer().GetActiveCamera()->SetParallelProjection(isParallel);
-      stage.gizmo.setFrame(center, Eigen::Matrix3d::Identity());
-      stage.gizmo.showDrag({GizmoPart::Center, stage.gizmo.frame(), {0, 0, 0}, {}});
-      stage.gizmo.hide();
-      const Picture without = stage.drawn();
-      stage.gizmo.show();
-      const auto middle = middleOfDifference(stage.drawn(), without, stage.scene.pixelRatio());
+      fixture.renderer().GetActiveCamera()->SetParallelProjection(isParallel);
+      fixture.gizmo.setFrame(center, Eigen::Matrix3d::Identity());
+      fixture.gizmo.showDrag({GizmoPart::Center, fixture.gizmo.frame(), {0, 0, 0}, {}});
+      fixture.gizmo.hide();
+      const Picture without = fixture.drawn();
+      fixture.gizmo.show();
+      const auto middle = middleOfDifference(fixture.drawn(), without, fixture.scene.pixelRatio());
       ASSERT_TRUE(middle) << "the slab hides it";
-      const DisplayPoint expected = *toDisplay(viewGeometryOf(stage.renderer()), center);
+      const DisplayPoint expected = *toDisplay(viewGeometryOf(fixture.renderer()), center);
       EXPECT_LT((*middle - expected).norm(), 0.4) << (*middle - expected).transpose();
     }
 }
@@ -187,21 +187,21 @@ std::vector<vtkTextActor*> lettersOf(const Gizmo& gizmo)
 
 TEST(GizmoPicture, HasItsLettersBeyondTheTipsOfTheirArrows)
 {
-  Stage stage;
-  const std::vector<vtkTextActor*> letters = lettersOf(stage.gizmo);
-  EXPECT_EQ(test::textsIn(stage.scene.window()), (std::vector<std::string>{"x", "y", "z"}));
+  GizmoScene fixture;
+  const std::vector<vtkTextActor*> letters = lettersOf(fixture.gizmo);
+  EXPECT_EQ(test::textsIn(fixture.scene.window()), (std::vector<std::string>{"x", "y", "z"}));
   ASSERT_EQ(letters.size(), 3u);
-  const Picture all = stage.drawn();
-  const ViewGeometry view = viewGeometryOf(stage.renderer());
-  const DisplayPoint center = *toDisplay(view, stage.gizmo.frame().center);
+  const Picture all = fixture.drawn();
+  const ViewGeometry view = viewGeometryOf(fixture.renderer());
+  const DisplayPoint center = *toDisplay(view, fixture.gizmo.frame().center);
   for (int axis = 0; axis < 3; ++axis) {
     letters[axis]->GetTextProperty()->SetOpacity(0);
-    const auto middle = middleOfDifference(stage.drawn(), all, stage.scene.pixelRatio());
+    const auto middle = middleOfDifference(fixture.drawn(), all, fixture.scene.pixelRatio());
     letters[axis]->GetTextProperty()->SetOpacity(1);
     ASSERT_TRUE(middle) << axis;
-    const Vector3 along = stage.gizmo.frame().center + Vector3::Unit(axis);
+    const Vector3 along = fixture.gizmo.frame().center + Vector3::Unit(axis);
     const DisplayPoint direction = (*toDisplay(view, along) - center).normalized();
-    const DisplayPoint arm = (*middle - center) / stage.scene.pixelRatio();
+    const DisplayPoint arm = (*middle - center) / fixture.scene.pixelRatio();
     EXPECT_NEAR(arm.normalized().dot(direction), 1, 0.02) << axis;
     EXPECT_GT(arm.norm(), 0.5 * kPixels) << axis;
     EXPECT_LT(arm.norm(), kPixels) << axis;
@@ -210,11 +210,11 @@ TEST(GizmoPicture, HasItsLettersBeyondTheTipsOfTheirArrows)
 
 TEST(GizmoPicture, IsTheSceneAloneWhileHidden)
 {
-  Stage stage;
-  stage.gizmo.hide();
-  const Picture hidden = stage.drawn();
-  stage.scene.window().RemoveRenderer(stage.layer);
-  EXPECT_EQ(test::shareOfOtherPixels(hidden, draw(stage.scene, "picture")), 0);
+  GizmoScene fixture;
+  fixture.gizmo.hide();
+  const Picture hidden = fixture.drawn();
+  fixture.scene.window().RemoveRenderer(fixture.layer);
+  EXPECT_EQ(test::shareOfOtherPixels(hidden, draw(fixture.scene, "picture")), 0);
 }
 
 /// When VTK drew each text of the gizmo as an image, which is loaded onto the graphics card then.
@@ -227,18 +227,18 @@ std::vector<vtkMTimeType> textTimes(const Gizmo& gizmo)
 
 TEST(Gizmo, MovesItsLettersWithoutDrawingThemAnew)
 {
-  Stage stage;
+  GizmoScene fixture;
   // The first picture tells VTK the resolution.
-  static_cast<void>(stage.drawn());
-  const Picture before = stage.drawn();
-  const std::vector<vtkMTimeType> times = textTimes(stage.gizmo);
+  static_cast<void>(fixture.drawn());
+  const Picture before = fixture.drawn();
+  const std::vector<vtkMTimeType> times = textTimes(fixture.gizmo);
   ASSERT_EQ(times.size(), 3u);
-  stage.gizmo.setFrame({3.5, 1, 0.5}, Eigen::Matrix3d::Identity());
-  EXPECT_GT(test::shareOfOtherPixels(before, stage.drawn()), 0.01);
-  EXPECT_EQ(textTimes(stage.gizmo), times);
-  stage.gizmo.setPixelSize(2 * stage.gizmo.pixelSize());
-  static_cast<void>(stage.drawn());
-  EXPECT_NE(textTimes(stage.gizmo), times) << "larger letters";
+  fixture.gizmo.setFrame({3.5, 1, 0.5}, Eigen::Matrix3d::Identity());
+  EXPECT_GT(test::shareOfOtherPixels(before, fixture.drawn()), 0.01);
+  EXPECT_EQ(textTimes(fixture.gizmo), times);
+  fixture.gizmo.setPixelSize(2 * fixture.gizmo.pixelSize());
+  static_cast<void>(fixture.drawn());
+  EXPECT_NE(textTimes(fixture.gizmo), times) << "larger letters";
 }
 
 // What the comparison must not let pass.
@@ -247,27 +247,27 @@ TEST(Gizmo, MovesItsLettersWithoutDrawingThemAnew)
 template <class Change>
 double excessAfter(Change change)
 {
-  Stage stage;
-  const Picture right = stage.drawn();
-  change(stage);
-  return test::shareOfOtherPixels(right, stage.drawn()) / test::kLargestShareOfOtherPixels;
+  GizmoScene fixture;
+  const Picture right = fixture.drawn();
+  change(fixture);
+  return test::shareOfOtherPixels(right, fixture.drawn()) / test::kLargestShareOfOtherPixels;
 }
 
 TEST(GizmoComparisonMustFail, ForAnotherPartThatIsHighlighted)
 {
-  EXPECT_GT(excessAfter([](Stage& stage) { stage.gizmo.highlight(GizmoPart::SquareX); }), 5);
-  EXPECT_GT(excessAfter([](Stage& stage) { stage.gizmo.highlight(GizmoPart::Center); }), 5);
+  EXPECT_GT(excessAfter([](GizmoScene& fixture) { fixture.gizmo.highlight(GizmoPart::SquareX); }), 5);
+  EXPECT_GT(excessAfter([](GizmoScene& fixture) { fixture.gizmo.highlight(GizmoPart::Center); }), 5);
 }
 
 TEST(GizmoComparisonMustFail, ForAxesThatAreTurnedByTwoDegrees)
 {
-  const Eigen::Matrix3d turned = Eigen::AngleAxisd(std::numbers::pi / 90, Vector3::UnitZ()).matrix();
-  EXPECT_GT(excessAfter([&](Stage& stage) { stage.gizmo.setFrame({4, 1, 0.5}, turned); }), 5);
+  const Eigen::Matrix3d rotated = Eigen::AngleAxisd(std::numbers::pi / 90, Vector3::UnitZ()).matrix();
+  EXPECT_GT(excessAfter([&](GizmoScene& fixture) { fixture.gizmo.setFrame({4, 1, 0.5}, rotated); }), 5);
 }
 
 TEST(GizmoComparisonMustFail, ForTwoPercentOfSize)
 {
-  EXPECT_GT(excessAfter([](Stage& stage) { stage.gizmo.setPixelSize(1.02 * stage.gizmo.pixelSize()); }), 5);
+  EXPECT_GT(excessAfter([](GizmoScene& fixture) { fixture.gizmo.setPixelSize(1.02 * fixture.gizmo.pixelSize()); }), 5);
 }
 
 }  // namespace

@@ -15,8 +15,8 @@
 #include <vtkSphereSource.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <holdfast/widgets/scene/lighting.h>
 #include <holdfast/widgets/scene/scene_contents.h>
-#include <holdfast/widgets/scene/stage.h>
 
 #include "support/meshes.h"
 

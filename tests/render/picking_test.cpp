@@ -97,7 +97,7 @@ TEST(Picking, FacesArePickedWhereTheyAreDrawn)
     for (const int parallelProjection : {0, 1}) {
       const Count count = countMistakes(mesh, parallelProjection, 0);
       EXPECT_GT(count.drawn, 2000);
-      // The picture is drawn in single precision: pixels whose centres an edge passes by may go either way.
+      // The picture is drawn in single precision: pixels whose centers an edge passes by may go either way.
       EXPECT_LE(count.mistaken, count.drawn / 500);
     }
 }

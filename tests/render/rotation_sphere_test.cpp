@@ -22,24 +22,24 @@ namespace {
 
 constexpr PictureSize kSphereSize{360, 320};
 
-Deformation deformed(const Model& model, const ConstraintList& list)
+DeformResult deformed(const Model& model, const ConstraintList& list)
 {
   NoProgress progress;
   return deform(model, list, "constraints", {}, progress);
 }
 
-Handle turned(std::vector<Index> vertices, const Vector3& axis, double degrees)
+HandleConstraint rotated(std::vector<Index> vertices, const Vector3& axis, double degrees)
 {
-  return {{VertexIds{std::move(vertices)}}, Turn{axis, degrees, {}}, Vector3::Zero(), {}};
+  return {{VertexIds{std::move(vertices)}}, AxisRotation{axis, degrees, {}}, Vector3::Zero(), {}};
 }
 
 /// A sheet of 13 x 13 vertices: one corner stays, two others turn about different axes.
 struct Sheet {
   Model model = makeModel(test::grid(12, 12), "sheet");
-  Deformation deformation = deformed(model, {"",
-                                             {{"corner", true, Fixed{{VertexIds{{0, 1, 13}}}}},
-                                              {"right", true, turned({11, 12, 25}, {0, 1, 0}, 130)},
-                                              {"far", true, turned({156, 157, 143}, {1, 0, 0}, 90)}}});
+  DeformResult deformation = deformed(model, {"",
+                                              {{"corner", true, FixedConstraint{{VertexIds{{0, 1, 13}}}}},
+                                               {"right", true, rotated({11, 12, 25}, {0, 1, 0}, 130)},
+                                               {"far", true, rotated({156, 157, 143}, {1, 0, 0}, 90)}}});
 };
 
 /// A bar of which one end makes `degrees` about its length.
@@ -52,17 +52,18 @@ struct Bar {
       if (model.mesh.positions(v, 2) == 0) foot.push_back(v);
       if (model.mesh.positions(v, 2) == 6) top.push_back(v);
     }
-    deformation = deformed(
-        model, {"", {{"foot", true, Fixed{{VertexIds{foot}}}}, {"top", true, turned(top, Vector3::UnitZ(), degrees)}}});
+    deformation = deformed(model, {"",
+                                   {{"foot", true, FixedConstraint{{VertexIds{foot}}}},
+                                    {"top", true, rotated(top, Vector3::UnitZ(), degrees)}}});
   }
 
   Model model = makeModel(test::box({1, 1, 6}, 12), "bar");
-  Deformation deformation;
+  DeformResult deformation;
 };
 
 /// A sphere in a window, with a deformation.
 struct Shown {
-  Shown(const Model& model, const Deformation& deformation)
+  Shown(const Model& model, const DeformResult& deformation)
   {
     sphere.addTo(window.renderer());
     sphere.show(placeRotations(model, deformation, nullptr));

@@ -29,28 +29,28 @@ class Slab {
     const auto edge = [&](Index f) { return AtEdge{corner(f, 0), corner(f, 1), 0.5}; };
     const auto vertex = [&](Index f) { return AtVertex{corner(f, 0)}; };
     const auto inside = [&](Index f) { return AtFace{f, {0.25, 0.25, 0.5}}; };
-    add(Fixed{{VertexIds{end(0)}}});
-    Handle turned;
-    turned.select = {VertexIds{end(6)}};
-    turned.motion = Turn{Vector3::UnitX(), 60, {}};
-    turned.translate = Vector3(0, 0, 1);
-    add(turned);
-    add(Rigid{{VertexIds{{corner(face(1, 2), 0), corner(face(1, 4), 0), corner(face(1, 6), 0)}}}});
-    add(Point{inside(face(2, 5)), Move{{0, 0, 0.2}}});
-    add(Point{edge(face(3, 2)), Move{{0, 0, 0.3}}});
-    add(Point{vertex(face(4, 4)), Move{{0, 0, 0.5}}});
-    add(Point{vertex(face(4, 4)), Move{{0, 0, 0.5}}});
-    add(Point{inside(face(6, 4)), Move{{0, 0, 0.9}}});
-    add(Point{inside(face(6, 4)), Move{{0, 0.3, 1.6}}});
-    add(Relative{vertex(face(2, 1)), vertex(face(5, 7)), {}});
-    add(Point{vertex(face(5, 2)), Move{{0, 0, 0.9}}});
+    add(FixedConstraint{{VertexIds{end(0)}}});
+    HandleConstraint rotated;
+    rotated.select = {VertexIds{end(6)}};
+    rotated.motion = AxisRotation{Vector3::UnitX(), 60, {}};
+    rotated.translate = Vector3(0, 0, 1);
+    add(rotated);
+    add(RigidConstraint{{VertexIds{{corner(face(1, 2), 0), corner(face(1, 4), 0), corner(face(1, 6), 0)}}}});
+    add(PointConstraint{inside(face(2, 5)), Move{{0, 0, 0.2}}});
+    add(PointConstraint{edge(face(3, 2)), Move{{0, 0, 0.3}}});
+    add(PointConstraint{vertex(face(4, 4)), Move{{0, 0, 0.5}}});
+    add(PointConstraint{vertex(face(4, 4)), Move{{0, 0, 0.5}}});
+    add(PointConstraint{inside(face(6, 4)), Move{{0, 0, 0.9}}});
+    add(PointConstraint{inside(face(6, 4)), Move{{0, 0.3, 1.6}}});
+    add(RelativeConstraint{vertex(face(2, 1)), vertex(face(5, 7)), {}});
+    add(PointConstraint{vertex(face(5, 2)), Move{{0, 0, 0.9}}});
     list_.constraints.back().isEnabled = false;
     NoProgress progress;
     deformation_ = deform(model_, list_, "constraints", {}, progress);
     disabled_ = disabledPlaces(model_, list_);
   }
 
-  [[nodiscard]] const Deformation& deformation() const { return deformation_; }
+  [[nodiscard]] const DeformResult& deformation() const { return deformation_; }
   [[nodiscard]] const std::vector<DisabledPlace>& disabled() const { return disabled_; }
   [[nodiscard]] const Model& model() const { return model_; }
 
@@ -112,7 +112,7 @@ class Slab {
 
   Model model_ = makeModel(test::box({6, 2, 1}, kDivisions), "slab");
   ConstraintList list_;
-  Deformation deformation_;
+  DeformResult deformation_;
   std::vector<DisabledPlace> disabled_;
 };
 
@@ -267,7 +267,7 @@ TEST(SceneContents, TiltedSurfacesDoNotCutTheRingAroundThePreview)
 {
   const Model model = makeModel(test::grid(40, 40), "grid");
   NoProgress progress;
-  const Deformation deformation = deform(model, test::listOf({test::hold({0})}), "constraints", {}, progress);
+  const DeformResult deformation = deform(model, test::listOf({test::hold({0})}), "constraints", {}, progress);
   Scene scene(model, deformation, {kSize, ColorBy::None, Legend::Hidden, ""});
   scene.contents().setBallSize(10);
   scene.contents().setPreview(PreviewedPoint{{20, 20, 0}, MarkKind::Vertex});
@@ -293,7 +293,7 @@ TEST(SceneContents, LargeMeshesLookMuchTheSameInCoarseDetail)
 {
   const Model model = makeModel(test::icosphere(6), "sphere");
   NoProgress progress;
-  const Deformation deformation = deform(
+  const DeformResult deformation = deform(
       model, test::listOf({test::hold({0}), test::moveBy(AtVertex{40}, {0, 0, 0.5})}), "constraints", {}, progress);
   Scene scene(model, deformation, {kSize, ColorBy::Displacement, Legend::Hidden, ""});
   const Picture full = drawn(scene);
@@ -307,7 +307,7 @@ TEST(SceneContents, BacksOfASolidAreLeftOutWhereTheyAreNotSeen)
 {
   const Model model = makeModel(test::icosphere(6), "sphere");
   NoProgress progress;
-  const Deformation deformation = deform(model, test::listOf({test::hold({0})}), "constraints", {}, progress);
+  const DeformResult deformation = deform(model, test::listOf({test::hold({0})}), "constraints", {}, progress);
   Scene scene(model, deformation, {kSize, ColorBy::Displacement, Legend::Hidden, ""});
   SceneContents& contents = scene.contents();
   vtkProperty& look = *contents.mesh().surface().GetProperty();
@@ -360,7 +360,7 @@ TEST(SceneContentsMustFail, WhereArrowsPointTheOtherWay)
   SlabScene scene(slab, ColorBy::Angle);
   scene.contents().setRotationDisplay(RotationDisplay::Arrows);
   const Picture right = drawn(scene);
-  Deformation turnedBack = slab.deformation();
+  DeformResult turnedBack = slab.deformation();
   turnedBack.rotations *= -1;
   scene.contents().show(turnedBack);
   EXPECT_GT(test::shareOfOtherPixels(right, drawn(scene)), 50 * test::kLargestShareOfOtherPixels);

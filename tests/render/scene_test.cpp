@@ -23,9 +23,9 @@ constexpr PictureSize kSmall{320, 240};
 /// A thick slab held at one end; the other is lifted, one point of it twice and to different places.
 struct Bent {
   Model model = makeModel(test::box({6, 2, 1}, 8), "slab");
-  Deformation deformation = bend();
+  DeformResult deformation = bend();
 
-  [[nodiscard]] Deformation bend() const
+  [[nodiscard]] DeformResult bend() const
   {
     const Eigen::VectorXd x = model.mesh.positions.col(0);
     std::vector<Index> held;
@@ -95,10 +95,11 @@ TEST(Scene, TwistedBarByAngle)
   }
   const ConstraintList list{
       "",
-      {{"foot", true, Fixed{{VertexIds{foot}}}},
-       {"top", true, Handle{{VertexIds{top}}, Turn{Vector3::UnitZ(), 450, {}}, Vector3::Zero(), {}}}}};
+      {{"foot", true, FixedConstraint{{VertexIds{foot}}}},
+       {"top", true,
+        HandleConstraint{{VertexIds{top}}, AxisRotation{Vector3::UnitZ(), 450, {}}, Vector3::Zero(), {}}}}};
   NoProgress progress;
-  const Deformation deformation = deform(model, list, "constraints", {}, progress);
+  const DeformResult deformation = deform(model, list, "constraints", {}, progress);
   const Scene scene(model, deformation, {kSmall, ColorBy::Angle, Legend::Shown, "mm"});
   EXPECT_EQ(test::textsIn(scene.window()),
             (std::vector<std::string>{"338 met", "rotation angle\n[degrees]", "0", "90", "180", "270", "360", "450"}));
@@ -109,16 +110,16 @@ TEST(Scene, TwistedBarByAngle)
 /// A slab that is held in the middle and turned at both ends, each about an axis of its own.
 struct Twisted {
   Model model = makeModel(test::box({6, 2, 1}, 8), "slab");
-  Deformation deformation = twist();
+  DeformResult deformation = twist();
 
-  [[nodiscard]] Deformation twist() const
+  [[nodiscard]] DeformResult twist() const
   {
     NoProgress progress;
     const ConstraintList list{
         "",
-        {{"middle", true, Fixed{{at(3)}}},
-         {"left", true, Handle{{at(0)}, Turn{Vector3::UnitY(), 50, {}}, Vector3::Zero(), {}}},
-         {"right", true, Handle{{at(6)}, Turn{Vector3::UnitX(), -140, {}}, Vector3::Zero(), {}}}}};
+        {{"middle", true, FixedConstraint{{at(3)}}},
+         {"left", true, HandleConstraint{{at(0)}, AxisRotation{Vector3::UnitY(), 50, {}}, Vector3::Zero(), {}}},
+         {"right", true, HandleConstraint{{at(6)}, AxisRotation{Vector3::UnitX(), -140, {}}, Vector3::Zero(), {}}}}};
     return deform(model, list, "constraints", {}, progress);
   }
 
@@ -152,7 +153,7 @@ TEST(Scene, SmoothSurfacesHaveNoEdges)
 {
   const Model model = makeModel(test::icosphere(3), "sphere");
   NoProgress progress;
-  const Deformation deformation = deform(
+  const DeformResult deformation = deform(
       model, test::listOf({test::hold({0}), test::moveBy(AtVertex{40}, {0, 0, 0.5})}), "constraints", {}, progress);
   const Scene scene(model, deformation, {kSmall, ColorBy::Displacement, Legend::Hidden, ""});
   EXPECT_EQ(differenceOfScene(scene), "");

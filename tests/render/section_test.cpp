@@ -10,8 +10,8 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <holdfast/widgets/camera/camera_motion.h>
+#include <holdfast/widgets/scene/lighting.h>
 #include <holdfast/widgets/scene/sliced_drawing.h>
-#include <holdfast/widgets/scene/stage.h>
 
 #include "support/law_meshes.h"
 #include "support/meshes.h"
@@ -52,7 +52,7 @@ class CutScene {
     Positions moved = model_.mesh.positions;
     moved.col(1).array() += 0.1;
     moved.col(2).array() += 0.2;
-    Deformation deformation;
+    DeformResult deformation;
     deformation.positions = moved;
     deformation.rotations = Columns3::Ones(model_.solverMesh.unknownCount(), 3);
     contents.showShape(deformation);

@@ -7,8 +7,8 @@
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <holdfast/widgets/scene/lighting.h>
 #include <holdfast/widgets/scene/sliced_drawing.h>
-#include <holdfast/widgets/scene/stage.h>
 
 #include "support/meshes.h"
 

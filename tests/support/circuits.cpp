@@ -38,17 +38,17 @@ unsigned Circuits::smallestPartners(unsigned accepted, Index row) const
   return accepted;
 }
 
-Dependency Circuits::dependency(Index place, unsigned partners, const std::vector<Index>& order) const
+Dependency Circuits::dependency(Index place, unsigned terms, const std::vector<Index>& order) const
 {
-  Eigen::MatrixXd columns(rows_.cols(), std::popcount(partners));
+  Eigen::MatrixXd columns(rows_.cols(), std::popcount(terms));
   Dependency result{place, {}};
   for (std::size_t p = 0; p < order.size(); ++p)
-    if ((partners & bit(order[p])) != 0) {
-      columns.col(static_cast<Index>(result.partners.size())) = rows_.row(order[p]).transpose();
-      result.partners.push_back({static_cast<Index>(p), 0});
+    if ((terms & bit(order[p])) != 0) {
+      columns.col(static_cast<Index>(result.terms.size())) = rows_.row(order[p]).transpose();
+      result.terms.push_back({static_cast<Index>(p), 0});
     }
   const Eigen::VectorXd coefficients = leastSquares(columns, rows_.row(order[place]).transpose());
-  for (std::size_t k = 0; k < result.partners.size(); ++k) result.partners[k].coefficient = coefficients[k];
+  for (std::size_t k = 0; k < result.terms.size(); ++k) result.terms[k].coefficient = coefficients[k];
   return result;
 }
 

@@ -23,7 +23,7 @@ class Circuits {
  private:
   [[nodiscard]] Index rank(unsigned subset) const { return rank_[subset]; }
   [[nodiscard]] unsigned smallestPartners(unsigned accepted, Index row) const;
-  [[nodiscard]] Dependency dependency(Index place, unsigned partners, const std::vector<Index>& order) const;
+  [[nodiscard]] Dependency dependency(Index place, unsigned terms, const std::vector<Index>& order) const;
 
   Eigen::MatrixXd rows_;
   std::vector<Index> rank_;

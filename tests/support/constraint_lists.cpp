@@ -98,17 +98,17 @@ Frame randomFrame(Random& random)
   return frame;
 }
 
-decltype(Handle::motion) randomMotion(Random& random)
+decltype(HandleConstraint::motion) randomMotion(Random& random)
 {
   switch (random.integer(0, 5)) {
     case 0:
-      return Turn{randomDirection(random), randomNumber(random), std::nullopt};
+      return AxisRotation{randomDirection(random), randomNumber(random), std::nullopt};
     case 1:
-      return Turn{randomDirection(random), randomNumber(random), randomVector(random)};
+      return AxisRotation{randomDirection(random), randomNumber(random), randomVector(random)};
     case 2:
-      return TurnAboutFixed{};
+      return RotationAboutFixed{};
     case 4:
-      return TurnAboutFixed{VertexTurn{randomDirection(random), randomNumber(random)}};
+      return RotationAboutFixed{AxisAngle{randomDirection(random), randomNumber(random)}};
     case 3: {
       Frame to = randomFrame(random);
       to.x.z() += 1;
@@ -129,10 +129,10 @@ VertexIds distinctVertices(Random& random, long count)
   return vertices;
 }
 
-Handle randomHandle(Random& random)
+HandleConstraint randomHandle(Random& random)
 {
   const long count = random.integer(3, 6);
-  Handle handle{{distinctVertices(random, count)}, randomMotion(random), randomVector(random), {}};
+  HandleConstraint handle{{distinctVertices(random, count)}, randomMotion(random), randomVector(random), {}};
   const long choice = random.integer(0, 5);
   if (choice == 0) {
     VertexTargets targets;
@@ -150,19 +150,19 @@ decltype(Constraint::what) randomWhat(Random& random)
 {
   switch (random.integer(0, 5)) {
     case 0:
-      return Fixed{randomSelection(random, 3)};
+      return FixedConstraint{randomSelection(random, 3)};
     case 1:
       return randomHandle(random);
     case 2:
-      return Point{randomLocation(random), Target{randomVector(random)}};
+      return PointConstraint{randomLocation(random), Target{randomVector(random)}};
     case 3:
-      return Point{randomLocation(random), Move{randomVector(random)}};
+      return PointConstraint{randomLocation(random), Move{randomVector(random)}};
     case 4:
-      return Rigid{randomSelection(random, 3)};
+      return RigidConstraint{randomSelection(random, 3)};
     default:
       break;
   }
-  Relative relative{randomLocation(random), randomLocation(random), std::nullopt};
+  RelativeConstraint relative{randomLocation(random), randomLocation(random), std::nullopt};
   if (random.integer(0, 1) == 0) relative.offset = randomVector(random);
   return relative;
 }
@@ -220,14 +220,14 @@ struct Same {
   bool operator()(const AtFace& a, const AtFace& b) const { return a.face == b.face && (*this)(a.weights, b.weights); }
   bool operator()(const AtNear& a, const AtNear& b) const { return (*this)(a.place, b.place); }
 
-  bool operator()(const Fixed& a, const Fixed& b) const { return (*this)(a.select, b.select); }
-  bool operator()(const Rigid& a, const Rigid& b) const { return (*this)(a.select, b.select); }
-  bool operator()(const Turn& a, const Turn& b) const
+  bool operator()(const FixedConstraint& a, const FixedConstraint& b) const { return (*this)(a.select, b.select); }
+  bool operator()(const RigidConstraint& a, const RigidConstraint& b) const { return (*this)(a.select, b.select); }
+  bool operator()(const AxisRotation& a, const AxisRotation& b) const
   {
     return (*this)(a.axis, b.axis) && (*this)(a.degrees, b.degrees) && (*this)(a.center, b.center);
   }
   bool operator()(std::monostate /*a*/, std::monostate /*b*/) const { return true; }
-  bool operator()(const TurnAboutFixed& a, const TurnAboutFixed& b) const { return (*this)(a.near, b.near); }
+  bool operator()(const RotationAboutFixed& a, const RotationAboutFixed& b) const { return (*this)(a.near, b.near); }
   bool operator()(const Frame& a, const Frame& b) const
   {
     return (*this)(a.origin, b.origin) && (*this)(a.x, b.x) && (*this)(a.y, b.y);
@@ -237,19 +237,22 @@ struct Same {
     return (*this)(a.from, b.from) && (*this)(a.to, b.to) && a.turns == b.turns;
   }
   bool operator()(const VertexTargets& a, const VertexTargets& b) const { return (*this)(a.places, b.places); }
-  bool operator()(const VertexTurn& a, const VertexTurn& b) const
+  bool operator()(const AxisAngle& a, const AxisAngle& b) const
   {
     return (*this)(a.axis, b.axis) && (*this)(a.degrees, b.degrees);
   }
-  bool operator()(const Handle& a, const Handle& b) const
+  bool operator()(const HandleConstraint& a, const HandleConstraint& b) const
   {
     return (*this)(a.select, b.select) && (*this)(a.motion, b.motion) && (*this)(a.translate, b.translate) &&
            (*this)(a.rotations, b.rotations);
   }
   bool operator()(const Target& a, const Target& b) const { return (*this)(a.place, b.place); }
   bool operator()(const Move& a, const Move& b) const { return (*this)(a.shift, b.shift); }
-  bool operator()(const Point& a, const Point& b) const { return (*this)(a.at, b.at) && (*this)(a.to, b.to); }
-  bool operator()(const Relative& a, const Relative& b) const
+  bool operator()(const PointConstraint& a, const PointConstraint& b) const
+  {
+    return (*this)(a.at, b.at) && (*this)(a.to, b.to);
+  }
+  bool operator()(const RelativeConstraint& a, const RelativeConstraint& b) const
   {
     return (*this)(a.from, b.from) && (*this)(a.to, b.to) && (*this)(a.offset, b.offset);
   }

@@ -133,7 +133,7 @@ DenseRows denseRows(const ConstraintList& list, const Mesh& mesh)
   const auto count = static_cast<Index>(list.constraints.size());
   DenseRows rows{Eigen::MatrixXd(count, mesh.vertexCount()), Eigen::MatrixX3d(count, 3)};
   for (Index c = 0; c < count; ++c) {
-    const auto& point = std::get<Point>(list.constraints[c].what);
+    const auto& point = std::get<PointConstraint>(list.constraints[c].what);
     rows.B.row(c) = std::visit(RowOf{mesh}, point.at);
     if (const auto* move = std::get_if<Move>(&point.to))
       rows.shifts.row(c) = move->shift;

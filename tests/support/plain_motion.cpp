@@ -40,7 +40,7 @@ PlainPlace unit(const PlainPlace& a)
 }
 
 /// Rodrigues' formula.
-PlainPlace turned(const PlainPlace& v, const PlainPlace& axis, Real degrees)
+PlainPlace rotated(const PlainPlace& v, const PlainPlace& axis, Real degrees)
 {
   const PlainPlace k = unit(axis);
   const Real angle = std::fmod(degrees, Real{360}) * std::numbers::pi_v<Real> / 180;
@@ -71,7 +71,7 @@ std::array<PlainPlace, 3> axesOf(const Json& frame)
 }
 
 /// The coordinates of `v` along `from`, laid off along `to`.
-PlainPlace carried(const PlainPlace& v, const std::array<PlainPlace, 3>& from, const std::array<PlainPlace, 3>& to)
+PlainPlace rotated(const PlainPlace& v, const std::array<PlainPlace, 3>& from, const std::array<PlainPlace, 3>& to)
 {
   PlainPlace result{};
   for (std::size_t k = 0; k < 3; ++k) result = sum(result, innerProduct(v, from[k]), to[k]);
@@ -92,7 +92,7 @@ Motion motionOf(const Json& handle, const PlainPlace& own, const std::vector<lon
     const PlainPlace center = rotate.value("center", own);
     return {center, center,
             [axis = rotate.at("axis").get<PlainPlace>(),
-             degrees = rotate.at("degrees").get<Real>()](const PlainPlace& v) { return turned(v, axis, degrees); }};
+             degrees = rotate.at("degrees").get<Real>()](const PlainPlace& v) { return rotated(v, axis, degrees); }};
   }
   if (handle.contains("turn")) {
     if (handle.at("turn") != "about-fixed")
@@ -106,7 +106,7 @@ Motion motionOf(const Json& handle, const PlainPlace& own, const std::vector<lon
   const Json& to = frame.at("to");
   const PlainPlace origin = from.value("origin", own);
   return {origin, to.value("origin", origin),
-          [a = axesOf(from), b = axesOf(to)](const PlainPlace& v) { return carried(v, a, b); }};
+          [a = axesOf(from), b = axesOf(to)](const PlainPlace& v) { return rotated(v, a, b); }};
 }
 
 void requireKnownKeys(const Json& handle)

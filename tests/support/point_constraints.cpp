@@ -18,27 +18,27 @@ std::vector<double> sixteenths(Random& random, std::size_t count)
 
 Constraint moveBy(SurfaceLocation at, const Vector3& shift)
 {
-  return {"", true, Point{std::move(at), Move{shift}}};
+  return {"", true, PointConstraint{std::move(at), Move{shift}}};
 }
 
 Constraint moveTo(SurfaceLocation at, const Vector3& target)
 {
-  return {"", true, Point{std::move(at), Target{target}}};
+  return {"", true, PointConstraint{std::move(at), Target{target}}};
 }
 
 Constraint hold(std::vector<Index> vertices)
 {
-  return {"", true, Fixed{{VertexIds{std::move(vertices)}}}};
+  return {"", true, FixedConstraint{{VertexIds{std::move(vertices)}}}};
 }
 
 Constraint rigid(std::vector<Index> vertices)
 {
-  return {"", true, Rigid{{VertexIds{std::move(vertices)}}}};
+  return {"", true, RigidConstraint{{VertexIds{std::move(vertices)}}}};
 }
 
-Constraint handle(std::vector<Index> vertices, decltype(Handle::motion) motion, const Vector3& translate)
+Constraint handle(std::vector<Index> vertices, decltype(HandleConstraint::motion) motion, const Vector3& translate)
 {
-  return {"", true, Handle{{VertexIds{std::move(vertices)}}, std::move(motion), translate, {}}};
+  return {"", true, HandleConstraint{{VertexIds{std::move(vertices)}}, std::move(motion), translate, {}}};
 }
 
 ConstraintList listOf(std::vector<Constraint> constraints)

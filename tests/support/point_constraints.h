@@ -15,7 +15,8 @@ namespace holdfast::test {
 [[nodiscard]] Constraint moveTo(SurfaceLocation at, const Vector3& target);
 [[nodiscard]] Constraint hold(std::vector<Index> vertices);
 [[nodiscard]] Constraint rigid(std::vector<Index> vertices);
-[[nodiscard]] Constraint handle(std::vector<Index> vertices, decltype(Handle::motion) motion, const Vector3& translate);
+[[nodiscard]] Constraint handle(std::vector<Index> vertices, decltype(HandleConstraint::motion) motion,
+                                const Vector3& translate);
 
 /// The constraints in order, named "P0", "P1", ...
 [[nodiscard]] ConstraintList listOf(std::vector<Constraint> constraints);

@@ -63,7 +63,7 @@ void forEachProblem(std::uint32_t seeds, SolverKind kind, MakeProblem&& makeProb
   }
 }
 
-[[nodiscard]] inline Deformation deformed(const Mesh& mesh, const ConstraintList& list, const DeformOptions& options)
+[[nodiscard]] inline DeformResult deformed(const Mesh& mesh, const ConstraintList& list, const DeformOptions& options)
 {
   NoProgress progress;
   return deform(makeModel(mesh, "mesh"), list, "constraints", options, progress);

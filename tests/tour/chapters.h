@@ -2,29 +2,29 @@
 /// \file
 /// The story in chapters. Each opens what it needs and leaves the window as it found it, but for the document.
 
-#include "stage.h"
+#include "tour_window.h"
 
 namespace holdfast::tour {
 
 /// The empty window, the bracket opened, points under the cursor.
-void opening(Stage& stage);
+void opening(TourWindow& tour);
 /// A point selected, dragged, undone, typed; what the inspector says.
-void moving(Stage& stage);
+void moving(TourWindow& tour);
 /// Contradictions and what mends them; findings; the report.
-void conflicts(Stage& stage);
+void conflicts(TourWindow& tour);
 /// Colours, ranges, maps, and what is shown beside the surface.
-void colors(Stage& stage);
+void colors(TourWindow& tour);
 /// The bar that is twisted once around: the sphere of rotations, distributions.
-void rotations(Stage& stage);
+void rotations(TourWindow& tour);
 /// The head: a curve around an eye made rigid; brush, rectangle, lasso, side.
-void regions(Stage& stage);
+void regions(TourWindow& tour);
 /// Measured points taken in, after a look at them; what is asked before a picture is written.
-void dialogs(Stage& stage);
+void dialogs(TourWindow& tour);
 /// Help, dark, small and large windows.
-void looks(Stage& stage);
+void looks(TourWindow& tour);
 /// A few pictures of everything, for screens of high resolution.
-void glance(Stage& stage);
+void glance(TourWindow& tour);
 /// Those of the documentation.
-void postcards(Stage& stage);
+void documentPictures(TourWindow& tour);
 
 }  // namespace holdfast::tour

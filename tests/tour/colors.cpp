@@ -11,36 +11,36 @@ enum Rest { kHidden, kEdges, kSurface };
 
 }  // namespace
 
-void colors(Stage& stage)
+void colors(TourWindow& tour)
 {
-  stage.open("head.ply", "head.rigid_eyes.constraints.json");
-  stage.raise("colorsDock");
+  tour.open("head.ply", "head.rigid_eyes.constraints.json");
+  tour.raise("colorsDock");
   for (std::size_t field = 0; field < colorByNames().size(); ++field) {
-    stage.choose("colorField", static_cast<int>(field));
-    stage.picture(fmt::format("coloured_by_{}", colorByNames()[field]));
+    tour.choose("colorField", static_cast<int>(field));
+    tour.picture(fmt::format("coloured_by_{}", colorByNames()[field]));
   }
-  stage.choose("colorField", static_cast<int>(ColorBy::Displacement));
-  stage.choose("colorMap", 2);
-  stage.choose("colorRangeKind", kFixed);
-  stage.enter("colorLow", "10");
-  stage.enter("colorHigh", "60");
-  stage.picture("other_map_and_fixed_range");
-  stage.choose("colorRangeKind", kLogarithmic);
-  stage.choose("colorMap", 0);
-  stage.picture("logarithmic_range");
-  stage.choose("colorRangeKind", kAutomatic);
+  tour.choose("colorField", static_cast<int>(ColorBy::Displacement));
+  tour.choose("colorMap", 2);
+  tour.choose("colorRangeKind", kFixed);
+  tour.enter("colorLow", "10");
+  tour.enter("colorHigh", "60");
+  tour.picture("other_map_and_fixed_range");
+  tour.choose("colorRangeKind", kLogarithmic);
+  tour.choose("colorMap", 0);
+  tour.picture("logarithmic_range");
+  tour.choose("colorRangeKind", kAutomatic);
 
-  stage.choose("colorField", static_cast<int>(ColorBy::None));
-  stage.choose("restGhost", kSurface);
-  stage.check("rotationArrows", Qt::Checked);
-  stage.picture("rotation_arrows_and_shape_at_rest");
-  stage.check("rotationArrows", Qt::Unchecked);
-  stage.choose("restGhost", kEdges);
-  stage.choose("meshEdges", 1);
-  stage.picture("all_edges");
-  stage.choose("meshEdges", 0);
-  stage.choose("colorField", static_cast<int>(ColorBy::Displacement));
-  stage.raise("constraintsDock");
+  tour.choose("colorField", static_cast<int>(ColorBy::None));
+  tour.choose("restGhost", kSurface);
+  tour.check("rotationArrows", Qt::Checked);
+  tour.picture("rotation_arrows_and_shape_at_rest");
+  tour.check("rotationArrows", Qt::Unchecked);
+  tour.choose("restGhost", kEdges);
+  tour.choose("meshEdges", 1);
+  tour.picture("all_edges");
+  tour.choose("meshEdges", 0);
+  tour.choose("colorField", static_cast<int>(ColorBy::Displacement));
+  tour.raise("constraintsDock");
 }
 
 }  // namespace holdfast::tour

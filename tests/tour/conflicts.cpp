@@ -5,29 +5,29 @@
 
 namespace holdfast::tour {
 
-void conflicts(Stage& stage)
+void conflicts(TourWindow& tour)
 {
-  stage.open("bracket.obj", "bracket.conflict.constraints.json");
-  stage.raise("conflictsDock");
-  stage.picture("conflicts");
-  auto& card = stage.find<QWidget>("conflict0");
+  tour.open("bracket.obj", "bracket.conflict.constraints.json");
+  tour.raise("conflictsDock");
+  tour.picture("conflicts");
+  auto& card = tour.find<QWidget>("conflict0");
   card.findChild<QPushButton*>("conflictSelect")->click();
-  stage.settle();
-  stage.picture("set_of_a_conflict_selected");
+  tour.settle();
+  tour.picture("set_of_a_conflict_selected");
   card.findChild<QPushButton*>("conflictRetarget")->click();
-  stage.settle();
-  stage.picture("consistent_target_used");
+  tour.settle();
+  tour.picture("consistent_target_used");
 
-  stage.open("cube_unwelded.stl", "cube_unwelded.constraints.json");
-  stage.raise("findingsDock");
-  stage.picture("findings_of_an_unwelded_mesh");
-  stage.open("two_parts.obj", "two_parts.constraints.json");
-  stage.picture("findings_of_two_parts");
-  stage.open("bracket.obj", "bracket.constraints.json");
-  stage.picture("no_findings");
-  stage.raise("reportDock");
-  stage.picture("report_of_the_solution");
-  stage.raise("inspectorDock");
+  tour.open("cube_unwelded.stl", "cube_unwelded.constraints.json");
+  tour.raise("findingsDock");
+  tour.picture("findings_of_an_unwelded_mesh");
+  tour.open("two_parts.obj", "two_parts.constraints.json");
+  tour.picture("findings_of_two_parts");
+  tour.open("bracket.obj", "bracket.constraints.json");
+  tour.picture("no_findings");
+  tour.raise("reportDock");
+  tour.picture("report_of_the_solution");
+  tour.raise("inspectorDock");
 }
 
 }  // namespace holdfast::tour

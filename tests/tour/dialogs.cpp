@@ -11,16 +11,16 @@
 
 namespace holdfast::tour {
 
-void dialogs(Stage& stage)
+void dialogs(TourWindow& tour)
 {
-  stage.open("bracket.obj");
-  ImportDialog import(stage.editor(), test::dataFolder() + "/bracket.measured.csv", &stage.window());
+  tour.open("bracket.obj");
+  ImportDialog import(tour.editor(), test::dataFolder() + "/bracket.measured.csv", &tour.window());
   require(test::showAndWait(import), "the import dialog comes up");
   const auto* table = import.findChild<QTableView*>("preview");
   require(test::waitUntil([&] { return table->model()->rowCount() > 0; }), "the points are read");
-  stage.pictureOf(import, "import_of_measured_points");
+  tour.pictureOf(import, "import_of_measured_points");
   import.accept();
-  stage.picture("imported_points");
+  tour.picture("imported_points");
 
   using namespace std::chrono_literals;
   const auto now = std::chrono::system_clock::now();
@@ -28,14 +28,14 @@ void dialogs(Stage& stage)
       {{"1.holdfast", "/home/ada/parts/housing.holdfast", "/home/ada/parts/housing.obj", now - 4min, "housing"},
        {"2.holdfast", "", "/home/ada/scans/crown_right.ply", now - 26h, "crown_right"},
        {"3.holdfast", "", "", now - 90h, "3"}},
-      &stage.window());
+      &tour.window());
   require(test::showAndWait(recovery), "the recovery dialog comes up");
-  stage.pictureOf(recovery, "what_a_crash_has_left");
+  tour.pictureOf(recovery, "what_a_crash_has_left");
   recovery.close();
 
-  PictureDialog picture(&stage.window());
+  PictureDialog picture(&tour.window());
   require(test::showAndWait(picture), "the picture dialog comes up");
-  stage.pictureOf(picture, "export_of_a_picture");
+  tour.pictureOf(picture, "export_of_a_picture");
 }
 
 }  // namespace holdfast::tour

@@ -6,95 +6,95 @@
 namespace holdfast::tour {
 namespace {
 
-void dark(Stage& stage)
+void dark(TourWindow& tour)
 {
-  stage.window().setAppearance(Appearance::Dark);
-  stage.open("bracket.obj", "bracket.constraints.json");
-  stage.select("flange east");
-  stage.picture("dark");
-  stage.open("bracket.obj", "bracket.conflict.constraints.json");
-  stage.raise("conflictsDock");
-  stage.raise("colorsDock");
-  stage.picture("dark_conflicts_and_colours");
-  stage.open("bar.obj", "bar.twist_360.constraints.json");
-  stage.raise("sphereDock");
-  stage.raise("reportDock");
-  stage.picture("dark_rotations_and_report");
-  stage.raise("histogramDock");
-  stage.picture("dark_distributions");
-  stage.raise("constraintsDock");
-  stage.raise("inspectorDock");
-  stage.window().setAppearance(Appearance::Light);
+  tour.window().setAppearance(Appearance::Dark);
+  tour.open("bracket.obj", "bracket.constraints.json");
+  tour.select("flange east");
+  tour.picture("dark");
+  tour.open("bracket.obj", "bracket.conflict.constraints.json");
+  tour.raise("conflictsDock");
+  tour.raise("colorsDock");
+  tour.picture("dark_conflicts_and_colours");
+  tour.open("bar.obj", "bar.twist_360.constraints.json");
+  tour.raise("sphereDock");
+  tour.raise("reportDock");
+  tour.picture("dark_rotations_and_report");
+  tour.raise("histogramDock");
+  tour.picture("dark_distributions");
+  tour.raise("constraintsDock");
+  tour.raise("inspectorDock");
+  tour.window().setAppearance(Appearance::Light);
 }
 
 /// A cut through the mesh, and a distance on it.
-void inside(Stage& stage)
+void inside(TourWindow& tour)
 {
-  stage.open("bracket.obj", "bracket.constraints.json");
-  stage.trigger("sectionPlane");
-  test::moveMouse(stage.viewport(), QPointF(115, 90));
-  stage.settle();
-  stage.picture("section_plane");
-  stage.trigger("sectionPlane");
-  stage.trigger("toolRuler");
+  tour.open("bracket.obj", "bracket.constraints.json");
+  tour.trigger("sectionPlane");
+  test::moveMouse(tour.viewport(), QPointF(115, 90));
+  tour.settle();
+  tour.picture("section_plane");
+  tour.trigger("sectionPlane");
+  tour.trigger("toolRuler");
   for (const Vector3& place : {Vector3(-60, -30, 80), Vector3(60, -30, 80)})
-    test::click(stage.viewport(), stage.shownVertex(stage.nearestVertex(place)));
-  stage.settle();
-  stage.picture("ruler");
-  stage.trigger("escape");
-  stage.trigger("toolSelect");
+    test::click(tour.viewport(), tour.shownVertex(tour.nearestVertex(place)));
+  tour.settle();
+  tour.picture("ruler");
+  tour.trigger("escape");
+  tour.trigger("toolSelect");
 }
 
 }  // namespace
 
-void looks(Stage& stage)
+void looks(TourWindow& tour)
 {
-  stage.ask("help", [&](QWidget& dialog) { stage.pictureOf(dialog, "help"); });
-  dark(stage);
-  inside(stage);
-  stage.open("bracket.obj", "bracket.constraints.json");
-  stage.select("flange east");
-  stage.resize(1024, 700);
-  stage.trigger("frameAll");
-  stage.picture("small_window");
-  stage.raise("colorsDock");
-  stage.raise("reportDock");
-  stage.picture("small_window_with_other_panels");
-  stage.raise("constraintsDock");
-  stage.raise("inspectorDock");
-  stage.resize(2560, 1440);
-  stage.trigger("frameAll");
-  stage.picture("large_window");
-  stage.resize(1280, 800);
+  tour.ask("help", [&](QWidget& dialog) { tour.pictureOf(dialog, "help"); });
+  dark(tour);
+  inside(tour);
+  tour.open("bracket.obj", "bracket.constraints.json");
+  tour.select("flange east");
+  tour.resize(1024, 700);
+  tour.trigger("frameAll");
+  tour.picture("small_window");
+  tour.raise("colorsDock");
+  tour.raise("reportDock");
+  tour.picture("small_window_with_other_panels");
+  tour.raise("constraintsDock");
+  tour.raise("inspectorDock");
+  tour.resize(2560, 1440);
+  tour.trigger("frameAll");
+  tour.picture("large_window");
+  tour.resize(1280, 800);
 }
 
-void glance(Stage& stage)
+void glance(TourWindow& tour)
 {
-  stage.picture("empty_at_twice_the_scale");
-  stage.openSession("bracket.holdfast");
-  stage.select("flange east");
-  stage.picture("bracket_at_twice_the_scale");
-  stage.raise("colorsDock");
-  stage.raise("reportDock");
-  stage.picture("panels_at_twice_the_scale");
-  stage.open("bar.obj", "bar.twist_360.constraints.json");
-  stage.raise("sphereDock");
-  stage.picture("rotations_at_twice_the_scale");
+  tour.picture("empty_at_twice_the_scale");
+  tour.openSession("bracket.holdfast");
+  tour.select("flange east");
+  tour.picture("bracket_at_twice_the_scale");
+  tour.raise("colorsDock");
+  tour.raise("reportDock");
+  tour.picture("panels_at_twice_the_scale");
+  tour.open("bar.obj", "bar.twist_360.constraints.json");
+  tour.raise("sphereDock");
+  tour.picture("rotations_at_twice_the_scale");
 }
 
-void postcards(Stage& stage)
+void documentPictures(TourWindow& tour)
 {
-  stage.resize(1200, 760);
-  stage.openSession("bracket.holdfast");
-  stage.trigger("frameAll");
-  stage.select("flange east");
-  stage.picture("window");
-  stage.open("bar.obj", "bar.twist_360.constraints.json");
-  stage.trigger("frameAll");
-  stage.choose("colorField", static_cast<int>(ColorBy::Angle));
-  stage.raise("sphereDock");
-  stage.raise("reportDock");
-  stage.picture("window_rotations");
+  tour.resize(1200, 760);
+  tour.openSession("bracket.holdfast");
+  tour.trigger("frameAll");
+  tour.select("flange east");
+  tour.picture("window");
+  tour.open("bar.obj", "bar.twist_360.constraints.json");
+  tour.trigger("frameAll");
+  tour.choose("colorField", static_cast<int>(ColorBy::Angle));
+  tour.raise("sphereDock");
+  tour.raise("reportDock");
+  tour.picture("window_rotations");
 }
 
 }  // namespace holdfast::tour

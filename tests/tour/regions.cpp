@@ -10,43 +10,43 @@ namespace {
 
 const Vector3 kEye(27, -84, 25);
 
-void drawAroundEye(Stage& stage)
+void drawAroundEye(TourWindow& tour)
 {
-  stage.trigger("toolCurve");
+  tour.trigger("toolCurve");
   for (const Vector3& place : {Vector3(43, -76, 25), Vector3(27, -76, 41), Vector3(11, -76, 25)})
-    test::click(stage.viewport(), stage.shownVertex(stage.nearestVertex(place)));
-  test::moveMouse(stage.viewport(), stage.shownVertex(stage.nearestVertex({27, -76, 9})));
-  stage.picture("curve_around_an_eye");
-  test::click(stage.viewport(), stage.shownVertex(stage.nearestVertex({27, -76, 9})));
-  test::pressKey(stage.viewport(), Qt::Key_Return);
-  stage.picture("curve_closed");
-  stage.trigger("makeRigid");
-  stage.picture("eye_made_rigid");
+    test::click(tour.viewport(), tour.shownVertex(tour.nearestVertex(place)));
+  test::moveMouse(tour.viewport(), tour.shownVertex(tour.nearestVertex({27, -76, 9})));
+  tour.picture("curve_around_an_eye");
+  test::click(tour.viewport(), tour.shownVertex(tour.nearestVertex({27, -76, 9})));
+  test::pressKey(tour.viewport(), Qt::Key_Return);
+  tour.picture("curve_closed");
+  tour.trigger("makeRigid");
+  tour.picture("eye_made_rigid");
 }
 
-void paint(Stage& stage)
+void paint(TourWindow& tour)
 {
-  stage.trigger("toolBrush");
-  const QPointF brow = stage.shown({-33, -76, 60});
-  Viewport& viewport = stage.viewport();
+  tour.trigger("toolBrush");
+  const QPointF brow = tour.shown({-33, -76, 60});
+  Viewport& viewport = tour.viewport();
   test::moveMouse(viewport, brow);
   test::pressMouse(viewport, brow);
   for (int step = 1; step <= 6; ++step) test::moveMouse(viewport, brow + QPointF(12 * step, -2 * step), Qt::LeftButton);
-  stage.picture("brush");
+  tour.picture("brush");
   test::releaseMouse(viewport, brow + QPointF(72, -12));
-  stage.trigger("deselect");
+  tour.trigger("deselect");
 }
 
 /// Shows the outline before the button is let go, and what it selects after.
-void outline(Stage& stage, const char* tool, const std::vector<QPointF>& way, const std::string& name)
+void outline(TourWindow& tour, const char* tool, const std::vector<QPointF>& way, const std::string& name)
 {
-  stage.trigger(tool);
-  test::pressMouse(stage.viewport(), way.front());
-  for (const QPointF& place : way) test::moveMouse(stage.viewport(), place, Qt::LeftButton);
-  stage.picture(name);
-  test::releaseMouse(stage.viewport(), way.back());
-  stage.picture(name + "_released");
-  stage.trigger("deselect");
+  tour.trigger(tool);
+  test::pressMouse(tour.viewport(), way.front());
+  for (const QPointF& place : way) test::moveMouse(tour.viewport(), place, Qt::LeftButton);
+  tour.picture(name);
+  test::releaseMouse(tour.viewport(), way.back());
+  tour.picture(name + "_released");
+  tour.trigger("deselect");
 }
 
 std::vector<QPointF> circle(const QPointF& middle, double radius)
@@ -61,24 +61,24 @@ std::vector<QPointF> circle(const QPointF& middle, double radius)
 
 }  // namespace
 
-void regions(Stage& stage)
+void regions(TourWindow& tour)
 {
-  stage.open("head.ply");
-  stage.trigger("viewFront");
-  drawAroundEye(stage);
-  paint(stage);
-  const QPointF eye = stage.shown(kEye);
-  outline(stage, "toolRectangle", {eye - QPointF(60, 40), eye, eye + QPointF(40, 50)}, "rectangle");
-  outline(stage, "toolLasso", circle(stage.shown({0, -104, 0}), 70), "lasso");
+  tour.open("head.ply");
+  tour.trigger("viewFront");
+  drawAroundEye(tour);
+  paint(tour);
+  const QPointF eye = tour.shown(kEye);
+  outline(tour, "toolRectangle", {eye - QPointF(60, 40), eye, eye + QPointF(40, 50)}, "rectangle");
+  outline(tour, "toolLasso", circle(tour.shown({0, -104, 0}), 70), "lasso");
 
-  stage.open("bracket.obj");
-  stage.trigger("toolFlood");
-  test::click(stage.viewport(), stage.shownVertex(stage.nearestVertex({20, 10, 12})));
-  stage.settle();
-  stage.picture("side");
-  stage.trigger("makeFixed");
-  stage.picture("side_fixed");
-  stage.trigger("toolSelect");
+  tour.open("bracket.obj");
+  tour.trigger("toolFlood");
+  test::click(tour.viewport(), tour.shownVertex(tour.nearestVertex({20, 10, 12})));
+  tour.settle();
+  tour.picture("side");
+  tour.trigger("makeFixed");
+  tour.picture("side_fixed");
+  tour.trigger("toolSelect");
 }
 
 }  // namespace holdfast::tour

@@ -3,22 +3,22 @@
 
 namespace holdfast::tour {
 
-void rotations(Stage& stage)
+void rotations(TourWindow& tour)
 {
-  stage.open("bar.obj", "bar.twist_360.constraints.json");
-  stage.raise("colorsDock");
-  stage.choose("colorField", static_cast<int>(ColorBy::Angle));
-  stage.raise("sphereDock");
-  stage.picture("bar_twisted_once_around");
-  stage.trigger("toolPoint");
-  test::moveMouse(stage.viewport(), stage.shownVertex(stage.nearestVertex({5, 0, 50})));
-  stage.picture("rotation_under_the_cursor");
-  stage.trigger("toolSelect");
-  stage.raise("histogramDock");
-  stage.picture("distributions");
-  stage.raise("colorsDock");
-  stage.choose("colorField", static_cast<int>(ColorBy::Displacement));
-  stage.raise("constraintsDock");
+  tour.open("bar.obj", "bar.twist_360.constraints.json");
+  tour.raise("colorsDock");
+  tour.choose("colorField", static_cast<int>(ColorBy::Angle));
+  tour.raise("sphereDock");
+  tour.picture("bar_twisted_once_around");
+  tour.trigger("toolPoint");
+  test::moveMouse(tour.viewport(), tour.shownVertex(tour.nearestVertex({5, 0, 50})));
+  tour.picture("rotation_under_the_cursor");
+  tour.trigger("toolSelect");
+  tour.raise("histogramDock");
+  tour.picture("distributions");
+  tour.raise("colorsDock");
+  tour.choose("colorField", static_cast<int>(ColorBy::Displacement));
+  tour.raise("constraintsDock");
 }
 
 }  // namespace holdfast::tour

@@ -24,14 +24,14 @@ namespace {
 
 struct Chapter {
   std::string_view name;
-  void (*play)(Stage& stage);
+  void (*play)(TourWindow& tour);
 };
 
 constexpr std::array kChapters{Chapter{"opening", opening},     Chapter{"moving", moving},
                                Chapter{"conflicts", conflicts}, Chapter{"colors", colors},
                                Chapter{"rotations", rotations}, Chapter{"regions", regions},
                                Chapter{"dialogs", dialogs},     Chapter{"looks", looks},
-                               Chapter{"glance", glance},       Chapter{"postcards", postcards}};
+                               Chapter{"glance", glance},       Chapter{"documents", documentPictures}};
 
 // The first ones.
 constexpr std::size_t kStory = 8;
@@ -78,10 +78,10 @@ int run(int argc, char** argv)
   std::setlocale(LC_NUMERIC, "C");
   std::string_view now = "the beginning";
   try {
-    Stage stage(argv[1], argc > 2 ? picturesIn(argv[1]) : 0);
+    TourWindow tour(argv[1], argc > 2 ? picturesIn(argv[1]) : 0);
     for (const Chapter& chapter : chapters) {
       now = chapter.name;
-      chapter.play(stage);
+      chapter.play(tour);
     }
   } catch (const std::exception& error) {
     std::fprintf(stderr, "holdfast_tour: this does not hold in %s: %s\n", now.data(), error.what());

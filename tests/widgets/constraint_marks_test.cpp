@@ -14,23 +14,23 @@ namespace {
 ConstraintList everyKind()
 {
   return {"",
-          {{"hold", true, Fixed{{VertexIds{{0, 1}}}}},
-           {"body", true, Rigid{{VertexIds{{11, 12}}}}},
-           {"vertex", true, Point{AtVertex{24}, Move{{0, 0, 1}}}},
-           {"edge", true, Point{AtEdge{20, 21, 0.5}, Move{{0, 0, 1}}}},
-           {"face", true, Point{AtFace{9, {0.25, 0.25, 0.5}}, Move{{0, 0, 0.5}}}},
-           {"apart", true, Relative{AtVertex{14}, AtVertex{10}, {}}},
-           {"off face", false, Point{AtFace{2, {0.25, 0.25, 0.5}}, Target{{9, 9, 9}}}},
-           {"off hold", false, Fixed{{VertexIds{{3, 4}}}}},
-           {"off apart", false, Relative{AtVertex{4}, AtVertex{0}, {}}}}};
+          {{"hold", true, FixedConstraint{{VertexIds{{0, 1}}}}},
+           {"body", true, RigidConstraint{{VertexIds{{11, 12}}}}},
+           {"vertex", true, PointConstraint{AtVertex{24}, Move{{0, 0, 1}}}},
+           {"edge", true, PointConstraint{AtEdge{20, 21, 0.5}, Move{{0, 0, 1}}}},
+           {"face", true, PointConstraint{AtFace{9, {0.25, 0.25, 0.5}}, Move{{0, 0, 0.5}}}},
+           {"apart", true, RelativeConstraint{AtVertex{14}, AtVertex{10}, {}}},
+           {"off face", false, PointConstraint{AtFace{2, {0.25, 0.25, 0.5}}, Target{{9, 9, 9}}}},
+           {"off hold", false, FixedConstraint{{VertexIds{{3, 4}}}}},
+           {"off apart", false, RelativeConstraint{AtVertex{4}, AtVertex{0}, {}}}}};
 }
 
 struct Solved {
   Model model = makeModel(test::grid(4, 4), "grid");
   ConstraintList list = everyKind();
-  Deformation deformation = solved();
+  DeformResult deformation = solved();
 
-  [[nodiscard]] Deformation solved() const
+  [[nodiscard]] DeformResult solved() const
   {
     NoProgress progress;
     return deform(model, list, "constraints", {}, progress);

@@ -12,8 +12,8 @@ TEST(DisplaySettings, ChangeTheScaleAndNotTheValues)
 {
   const Model model = makeModel(test::grid(4, 4), "grid");
   NoProgress progress;
-  const Deformation deformation = deform(model, test::listOf({test::hold({0}), test::moveBy(AtVertex{24}, {0, 0, 1})}),
-                                         "constraints", {}, progress);
+  const DeformResult deformation = deform(model, test::listOf({test::hold({0}), test::moveBy(AtVertex{24}, {0, 0, 1})}),
+                                          "constraints", {}, progress);
   const auto plain = coloringOf(model, deformation, ColorBy::Displacement, "mm");
   const ColorSettings settings{ColorBy::Displacement, FixedRange{0.25, 3}, ColorMap::Grey};
   const auto chosen = coloringOf(model, deformation, settings, "mm");

@@ -8,7 +8,7 @@
 #include <holdfast/widgets/gizmo/gizmo_drag.h>
 
 #include "support/point_constraints.h"
-#include "widgets/stage_without_window.h"
+#include "widgets/view_without_window.h"
 
 namespace holdfast {
 namespace {
@@ -21,12 +21,12 @@ constexpr double kRoundedOff = 1e-9;
 
 ViewGeometry viewFrom(const Vector3& direction, Projection projection, const Vector3& at = Vector3::Zero())
 {
-  test::StageWithoutWindow stage;
-  stage.lookFrom(direction, at, projection);
-  return stage.view();
+  test::ViewWithoutWindow fixture;
+  fixture.lookFrom(direction, at, projection);
+  return fixture.view();
 }
 
-GizmoFrame turnedFrame()
+GizmoFrame rotatedFrame()
 {
   return {{0.2, -0.1, 0.3}, Eigen::AngleAxisd(0.7, Vector3(1, 2, -1).normalized()).matrix()};
 }
@@ -44,8 +44,8 @@ TEST(GizmoDrag, BeginsWithExactlyNothingWhereverItIsGrabbed)
     const ViewGeometry view = viewFrom({3, -4, 2}, projection);
     for (int k = 1; k < kGizmoPartCount; ++k)
       for (const Snap snap : {Snap::None, Snap::On}) {
-        const DisplayPoint start = seen(view, turnedFrame().center) + DisplayPoint(31.7, -18.3);
-        GizmoDrag drag(static_cast<GizmoPart>(k), turnedFrame(), view, start);
+        const DisplayPoint start = seen(view, rotatedFrame().center) + DisplayPoint(31.7, -18.3);
+        GizmoDrag drag(static_cast<GizmoPart>(k), rotatedFrame(), view, start);
         const GizmoMotion motion = drag.to(start, snap);
         EXPECT_EQ(motion.translation, Vector3(0, 0, 0)) << k;
         EXPECT_EQ(motion.degrees, 0) << k;
@@ -57,7 +57,7 @@ TEST(GizmoDrag, BeginsWithExactlyNothingWhereverItIsGrabbed)
 
 TEST(GizmoDrag, ArrowsFollowThePlaceThatWasGrabbed)
 {
-  const GizmoFrame frame = turnedFrame();
+  const GizmoFrame frame = rotatedFrame();
   for (const Projection projection : kProjections) {
     const ViewGeometry view = viewFrom({3, -4, 2}, projection);
     for (int axis = 0; axis < 3; ++axis) {
@@ -76,7 +76,7 @@ TEST(GizmoDrag, ArrowsFollowThePlaceThatWasGrabbed)
 
 TEST(GizmoDrag, SquaresAndTheCenterFollowThePlaceThatWasGrabbed)
 {
-  const GizmoFrame frame = turnedFrame();
+  const GizmoFrame frame = rotatedFrame();
   for (const Projection projection : kProjections) {
     const ViewGeometry view = viewFrom({3, -4, 2}, projection);
     for (int axis = 0; axis < 4; ++axis) {
@@ -108,7 +108,7 @@ struct Circle {
 
 TEST(GizmoDrag, RingsFollowTheCursorOverSeveralTurns)
 {
-  const GizmoFrame frame = turnedFrame();
+  const GizmoFrame frame = rotatedFrame();
   for (const Projection projection : kProjections)
     for (const Vector3& from : {Vector3(3, -4, 2), Vector3(-3, 4, -2)}) {
       const ViewGeometry view = viewFrom(from, projection);
@@ -133,7 +133,7 @@ TEST(GizmoDrag, RingsFollowTheCursorOverSeveralTurns)
 
 TEST(GizmoDrag, RingsSayWhereTheyWereGrabbed)
 {
-  const GizmoFrame frame = turnedFrame();
+  const GizmoFrame frame = rotatedFrame();
   const ViewGeometry view = viewFrom({3, -4, 2}, Projection::Perspective);
   const Vector3 arm = (frame.axes * Vector3(0.6, 0.8, 0));
   ASSERT_GT(std::abs(frame.axes.col(2).dot(view.direction)), 0.3);

@@ -10,7 +10,7 @@
 #include <holdfast/widgets/gizmo/gizmo_shapes.h>
 
 #include "support/point_constraints.h"
-#include "widgets/stage_without_window.h"
+#include "widgets/view_without_window.h"
 
 namespace holdfast {
 namespace {
@@ -28,9 +28,9 @@ struct Seen {
 
   explicit Seen(const Vector3& from = {1.2, 1.5, 1.1}, Projection projection = Projection::Perspective)
   {
-    test::StageWithoutWindow stage;
-    stage.lookFrom(from, {0.3, 0.2, 0}, projection);
-    view = stage.view();
+    test::ViewWithoutWindow fixture;
+    fixture.lookFrom(from, {0.3, 0.2, 0}, projection);
+    view = fixture.view();
     placement = placementOf(view, {}, kPixels);
   }
 
@@ -47,9 +47,9 @@ TEST(GizmoLayout, HasTheSameSizeInPixelsAtAnyDistance)
 {
   for (const Projection projection : {Projection::Perspective, Projection::Parallel})
     for (const double distance : {0.01, 1.0, 300.0}) {
-      test::StageWithoutWindow stage;
-      stage.lookFrom({1, 2, 3}, (10 - distance) / std::sqrt(14) * Vector3(-1, -2, -3), projection);
-      const ViewGeometry view = stage.view();
+      test::ViewWithoutWindow fixture;
+      fixture.lookFrom({1, 2, 3}, (10 - distance) / std::sqrt(14) * Vector3(-1, -2, -3), projection);
+      const ViewGeometry view = fixture.view();
       const GizmoPlacement placement = placementOf(view, {}, kPixels);
       const DisplayPoint center = *toDisplay(view, {0, 0, 0});
       for (const Vector3& across : {view.up, Vector3(view.right), Vector3((view.up + view.right) / std::sqrt(2))})
@@ -108,9 +108,9 @@ TEST(GizmoLayout, TheFarHalfOfARingIsFadedAndIsNotHit)
 
 TEST(GizmoLayout, WhatIsSeenEndOnIsGoneAndIsNotHit)
 {
-  test::StageWithoutWindow stage;
-  stage.lookFrom({0, -1, 0}, {0, 0, 0}, Projection::Parallel);
-  const ViewGeometry view = stage.view();
+  test::ViewWithoutWindow fixture;
+  fixture.lookFrom({0, -1, 0}, {0, 0, 0}, Projection::Parallel);
+  const ViewGeometry view = fixture.view();
   EXPECT_EQ(visibilityOf(GizmoPart::ArrowY, {}, view), 0);
   EXPECT_EQ(visibilityOf(GizmoPart::ArrowX, {}, view), 1);
   for (const GizmoPart part : {GizmoPart::SquareX, GizmoPart::SquareZ, GizmoPart::RingX, GizmoPart::RingZ})
@@ -125,22 +125,22 @@ TEST(GizmoLayout, WhatIsSeenEndOnIsGoneAndIsNotHit)
 
 TEST(GizmoLayout, IsNowhereBehindTheEye)
 {
-  test::StageWithoutWindow stage;
-  stage.lookFrom({0, -1, 0}, {0, 0, 0}, Projection::Perspective);
-  const GizmoPlacement placement = placementOf(stage.view(), {{0, -30, 0}, Eigen::Matrix3d::Identity()}, kPixels);
+  test::ViewWithoutWindow fixture;
+  fixture.lookFrom({0, -1, 0}, {0, 0, 0}, Projection::Perspective);
+  const GizmoPlacement placement = placementOf(fixture.view(), {{0, -30, 0}, Eigen::Matrix3d::Identity()}, kPixels);
   EXPECT_EQ(placement.scale, 0);
-  EXPECT_EQ(hitGizmo(stage.view(), placement, {320, 240}), GizmoPart::None);
+  EXPECT_EQ(hitGizmo(fixture.view(), placement, {320, 240}), GizmoPart::None);
 }
 
 TEST(GizmoLayout, AHiddenGizmoIsNotHit)
 {
-  test::StageWithoutWindow stage;
-  stage.lookFrom({1, -1, 1}, {0, 0, 0}, Projection::Perspective);
+  test::ViewWithoutWindow fixture;
+  fixture.lookFrom({1, -1, 1}, {0, 0, 0}, Projection::Perspective);
   Gizmo gizmo;
-  const DisplayPoint center = *toDisplay(stage.view(), {0, 0, 0});
-  EXPECT_EQ(gizmo.hitTest(stage.renderer(), center.x(), center.y()), GizmoPart::Center);
+  const DisplayPoint center = *toDisplay(fixture.view(), {0, 0, 0});
+  EXPECT_EQ(gizmo.hitTest(fixture.renderer(), center.x(), center.y()), GizmoPart::Center);
   gizmo.hide();
-  EXPECT_EQ(gizmo.hitTest(stage.renderer(), center.x(), center.y()), GizmoPart::None);
+  EXPECT_EQ(gizmo.hitTest(fixture.renderer(), center.x(), center.y()), GizmoPart::None);
 }
 
 TEST(GizmoShapes, AreLitFromOutsideAndWoundThatWay)

@@ -11,9 +11,9 @@ namespace {
 
 using ::testing::ElementsAre;
 
-Deformation turnedBy(const Model& model, const Vector3& q)
+DeformResult rotatedBy(const Model& model, const Vector3& q)
 {
-  Deformation deformation;
+  DeformResult deformation;
   deformation.rotations = q.transpose().replicate(model.solverMesh.unknownCount(), 1);
   return deformation;
 }
@@ -34,8 +34,8 @@ TEST(SphereVertices, AreThoseOfFacesOnce)
 TEST(PlacedRotations, GoOnFromWhatWasShownBefore)
 {
   const Model model = makeModel(test::grid(3, 3), "grid");
-  const auto first = placeRotations(model, turnedBy(model, {0.3, 0.4, 0}), nullptr);
-  const auto second = placeRotations(model, turnedBy(model, {0, 0.4, 0}), first);
+  const auto first = placeRotations(model, rotatedBy(model, {0.3, 0.4, 0}), nullptr);
+  const auto second = placeRotations(model, rotatedBy(model, {0, 0.4, 0}), first);
   EXPECT_EQ(second->vertices, first->vertices);
   EXPECT_EQ(second->frame.axes, first->frame.axes);
   const Eigen::Quaterniond rotation = rotationExp({0, 0.4, 0});
@@ -47,9 +47,9 @@ TEST(PlacedRotations, GoOnFromWhatWasShownBefore)
 TEST(PlacedRotations, AreDrawnUpToTheLimit)
 {
   const Model few = makeModel(test::grid(3, 3), "grid");
-  EXPECT_EQ(placeRotations(few, turnedBy(few, {0.3, 0.4, 0}), nullptr)->drawn.size(), 16u);
+  EXPECT_EQ(placeRotations(few, rotatedBy(few, {0.3, 0.4, 0}), nullptr)->drawn.size(), 16u);
   const Model many = makeModel(test::grid(150, 150), "grid");
-  Deformation spread = turnedBy(many, Vector3::Zero());
+  DeformResult spread = rotatedBy(many, Vector3::Zero());
   for (Index u = 0; u < many.solverMesh.unknownCount(); ++u)
     spread.rotations.row(u) = 0.01 * many.mesh.positions.row(many.solverMesh.weld.firstVertexOf[u]);
   const auto placed = placeRotations(many, spread, nullptr);

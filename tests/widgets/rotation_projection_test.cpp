@@ -115,12 +115,12 @@ TEST(RotationProjection, TheFrameStaysWhileItShowsAboutAsMuch)
 TEST(RotationProjection, EachPrescribedRotationIsNamedByItsConstraintsOnce)
 {
   const Model model = makeModel(test::grid(4, 4), "grid");
-  const Turn turn{Vector3::UnitX(), 90, {}};
+  const AxisRotation turn{Vector3::UnitX(), 90, {}};
   const ConstraintList list{"",
-                            {{"left", true, Fixed{{VertexIds{{0, 1}}}}},
-                             {"tip", true, Handle{{VertexIds{{23, 24}}}, turn, Vector3::Zero(), {}}},
-                             {"right", true, Fixed{{VertexIds{{4}}}}},
-                             {"off", false, Fixed{{VertexIds{{5}}}}}}};
+                            {{"left", true, FixedConstraint{{VertexIds{{0, 1}}}}},
+                             {"tip", true, HandleConstraint{{VertexIds{{23, 24}}}, turn, Vector3::Zero(), {}}},
+                             {"right", true, FixedConstraint{{VertexIds{{4}}}}},
+                             {"off", false, FixedConstraint{{VertexIds{{5}}}}}}};
   NoProgress progress;
   const auto boundary = boundaryRotations(deform(model, list, "constraints", {}, progress));
   ASSERT_EQ(boundary.size(), 2);

@@ -27,7 +27,7 @@ vtkPolyData& drawnBy(vtkActor& actor)
   return *vtkPolyData::SafeDownCast(actor.GetMapper()->GetInputAsDataSet());
 }
 
-Deformation lifted(const Model& model)
+DeformResult lifted(const Model& model)
 {
   NoProgress progress;
   return deform(model, test::listOf({test::hold({0, 1}), test::moveBy(AtVertex{24}, {0, 0, 1})}), "constraints", {},
@@ -37,7 +37,7 @@ Deformation lifted(const Model& model)
 TEST(SceneContents, ShowsPositionsAndMarksOfADeformation)
 {
   const Model model = makeModel(test::grid(4, 4), "grid");
-  const Deformation deformation = lifted(model);
+  const DeformResult deformation = lifted(model);
   SceneContents contents(model);
   contents.show(deformation);
   const Positions drawn = positionsOf(drawnBy(contents.mesh().surface()));
@@ -50,7 +50,7 @@ TEST(SceneContents, ShowsPositionsAndMarksOfADeformation)
 TEST(SceneContents, OfAFailedDeformationAreTheMeshAtRest)
 {
   const Model model = makeModel(test::grid(4, 4), "grid");
-  Deformation failed = lifted(model);
+  DeformResult failed = lifted(model);
   failed.positions = model.mesh.positions;
   failed.rotations.resize(0, 3);
   SceneContents contents(model);
@@ -62,7 +62,7 @@ TEST(SceneContents, OfAFailedDeformationAreTheMeshAtRest)
 TEST(SceneContents, ColorsStayWhileTheMeshMoves)
 {
   const Model model = makeModel(test::grid(4, 4), "grid");
-  const Deformation deformation = lifted(model);
+  const DeformResult deformation = lifted(model);
   SceneContents contents(model);
   contents.color(coloringOf(model, deformation, ColorBy::Displacement, ""));
   vtkPolyData& surface = drawnBy(contents.mesh().surface());

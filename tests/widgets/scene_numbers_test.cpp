@@ -20,7 +20,7 @@
 namespace holdfast {
 namespace {
 
-Deformation deformed(const Model& model, const ConstraintList& list, SolverKind solver = SolverKind::Hard)
+DeformResult deformed(const Model& model, const ConstraintList& list, SolverKind solver = SolverKind::Hard)
 {
   NoProgress progress;
   DeformOptions options;
@@ -38,7 +38,7 @@ ConstraintList threePoints(double gap)
 TEST(Coloring, DisplacementIsALengthFromZeroToTheLargest)
 {
   const Model model = makeModel(test::grid(4, 4), "grid");
-  const Deformation deformation = deformed(model, threePoints(0));
+  const DeformResult deformation = deformed(model, threePoints(0));
   const auto coloring = coloringOf(model, deformation, ColorBy::Displacement, "mm");
   ASSERT_TRUE(coloring);
   EXPECT_EQ(coloring->values[0], 0);
@@ -73,15 +73,16 @@ TEST(Coloring, GapsOfConflictsAreInsideTheScale)
 /// One end of a sheet stays, the other makes `degrees` about its length.
 ConstraintList twist(double degrees)
 {
-  const Fixed end{{VertexIds{{0, 1, 2}}}};
-  const Handle turned{{VertexIds{{24, 25, 26}}}, Turn{Vector3::UnitY(), degrees, {}}, Vector3::Zero(), {}};
-  return {"", {{"end", true, end}, {"turned", true, turned}}};
+  const FixedConstraint end{{VertexIds{{0, 1, 2}}}};
+  const HandleConstraint rotated{
+      {VertexIds{{24, 25, 26}}}, AxisRotation{Vector3::UnitY(), degrees, {}}, Vector3::Zero(), {}};
+  return {"", {{"end", true, end}, {"turned", true, rotated}}};
 }
 
 TEST(Coloring, AnglesAreTwiceTheLogsInDegreesAndNotWrapped)
 {
   const Model model = makeModel(test::grid(2, 8), "sheet");
-  const Deformation deformation = deformed(model, twist(450));
+  const DeformResult deformation = deformed(model, twist(450));
   const auto rotation = coloringOf(model, deformation, ColorBy::Rotation, "mm");
   const auto angle = coloringOf(model, deformation, ColorBy::Angle, "mm");
   ASSERT_TRUE(rotation && angle);
@@ -153,14 +154,14 @@ TEST(Coloring, EveryNameIsDescribed)
 TEST(ConstraintMarks, OfDifferencesLieWhereTheyAct)
 {
   const Model model = makeModel(test::grid(4, 4), "grid");
-  const Relative apart{AtVertex{24}, AtVertex{0}, Vector3(5, 4, 0)};
-  const Relative further{AtVertex{24}, AtVertex{0}, Vector3(5, 4, 2)};
+  const RelativeConstraint apart{AtVertex{24}, AtVertex{0}, Vector3(5, 4, 0)};
+  const RelativeConstraint further{AtVertex{24}, AtVertex{0}, Vector3(5, 4, 2)};
   const ConstraintList list = {"",
-                               {{"hold", true, Fixed{{VertexIds{{0}}}}},
-                                {"body", true, Rigid{{VertexIds{{11, 12}}}}},
+                               {{"hold", true, FixedConstraint{{VertexIds{{0}}}}},
+                                {"body", true, RigidConstraint{{VertexIds{{11, 12}}}}},
                                 {"apart", true, apart},
                                 {"further", true, further}}};
-  const Deformation deformation = deformed(model, list);
+  const DeformResult deformation = deformed(model, list);
   const auto marks = constraintMarks(model, deformation);
   ASSERT_EQ(marks.size(), 4);
   EXPECT_EQ(marks[1].place, Vector3(deformation.positions.row(12)));

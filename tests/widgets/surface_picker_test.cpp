@@ -41,7 +41,7 @@ struct Shown {
     return view.shown(place).head<2>().array().floor();
   }
 
-  /// On the screen, from the centre of a pixel.
+  /// On the screen, from the center of a pixel.
   [[nodiscard]] double distance(const Vector3& place, const Eigen::Vector2d& pixel) const
   {
     return (view.shown(place).head<2>() - pixel - Eigen::Vector2d(0.5, 0.5)).norm();
@@ -156,7 +156,7 @@ TEST(SurfacePicker, VerticesNearTheCursorComeFirst)
   EXPECT_GT(snapped, 100);
 }
 
-/// How far the nearest point of a visible edge of a face is from the centre of a pixel; nothing where rounding decides.
+/// How far the nearest point of a visible edge of a face is from the center of a pixel; nothing where rounding decides.
 std::optional<double> nearestVisibleEdge(const Shown& shown, const Eigen::Vector2d& pixel)
 {
   const Mesh& mesh = shown.model.mesh;

@@ -101,7 +101,7 @@ TEST_F(AutosaveTest, NothingIsWrittenInTheMiddleOfAGesture)
   test::KeptWindow w(recovery);
   ASSERT_TRUE(w.open(w.sample("bracket.obj")));
   w.editor.beginGesture("drag");
-  w.editor.updateGesture(added(w.editor.list(), {"P1", true, Point{AtVertex{3}, Move{}}}));
+  w.editor.updateGesture(added(w.editor.list(), {"P1", true, PointConstraint{AtVertex{3}, Move{}}}));
   ASSERT_TRUE(w.waitForCurrent());
   EXPECT_EQ(w.kept, 0);
   EXPECT_TRUE(copies().empty());

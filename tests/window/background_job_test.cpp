@@ -21,7 +21,7 @@ namespace {
 /// Work that goes from stage to stage until it is cancelled.
 BackgroundJob::Finish forever(Progress& progress)
 {
-  while (true) progress.stage("turning the wheel");
+  while (true) progress.step("turning the wheel");
 }
 
 TEST(BackgroundJob, FinishesOnTheThreadThatStartedIt)
@@ -75,13 +75,13 @@ TEST(BackgroundJob, EndsWithItsOwnerInTheMiddleOfWork)
   auto job = std::make_unique<BackgroundJob>();
   int heard = 0;
   const auto hear = [&] { ++heard; };
-  QObject::connect(job.get(), &BackgroundJob::stageChanged, hear);
+  QObject::connect(job.get(), &BackgroundJob::stepChanged, hear);
   QObject::connect(job.get(), &BackgroundJob::ended, hear);
   QObject::connect(job.get(), &BackgroundJob::failed, hear);
   std::promise<void> hasBegun;
   std::atomic<bool> hasEnded = false;
   job->start([&](Progress& progress) -> BackgroundJob::Finish {
-    progress.stage("turning the wheel");
+    progress.step("turning the wheel");
     hasBegun.set_value();
     try {
       return forever(progress);
@@ -108,7 +108,7 @@ TEST(ProgressSheet, TellsTheStageAndCancels)
   sheet.setTitle("Opening a mill");
   std::atomic<bool> isSeen = false;
   job.start([&](Progress& progress) -> BackgroundJob::Finish {
-    progress.stage("turning the wheel");
+    progress.step("turning the wheel");
     while (!isSeen) std::this_thread::yield();
     return forever(progress);
   });

@@ -83,7 +83,7 @@ TEST_F(ConflictPanelOfBracket, DisablingTheNamedOneEndsTheConflict)
 TEST_F(ConflictPanelOfBracket, TheConsistentTargetEndsTheConflict)
 {
   const Index k = row(flange);
-  const Vector3 target = editor.deformation()->report.constraints[k].clashes.front().consistentTarget.value();
+  const Vector3 target = editor.deformation()->report.constraints[k].conflictSets.front().consistentTarget.value();
   press(card(flange), "conflictRetarget");
   ASSERT_TRUE(test::waitForCurrent(editor));
   EXPECT_EQ(status(k), ConstraintStatus::Redundant);
@@ -104,12 +104,12 @@ TEST_F(ConflictPanelOfBracket, RepairsWaitForTheListThatTheyAreOf)
 TEST_F(ConflictPanelOfBracket, SaysWhyAListCannotBeSolved)
 {
   ConstraintList list = editor.list();
-  list.constraints.push_back({"beyond", true, Point{AtVertex{1'000'000}, Move{}}});
+  list.constraints.push_back({"beyond", true, PointConstraint{AtVertex{1'000'000}, Move{}}});
   editor.edit("add", list);
-  ASSERT_TRUE(test::waitUntil([&] { return editor.freshness() == Freshness::Unusable; }));
-  Card& trouble = *panel.findChild<Card*>("conflictTrouble");
-  EXPECT_TRUE(trouble.isVisible());
-  EXPECT_TRUE(trouble.findChild<QLabel*>("cardText")->text().contains("1000000"));
+  ASSERT_TRUE(test::waitUntil([&] { return editor.solveState() == SolveState::Unusable; }));
+  Card& error = *panel.findChild<Card*>("conflictError");
+  EXPECT_TRUE(error.isVisible());
+  EXPECT_TRUE(error.findChild<QLabel*>("cardText")->text().contains("1000000"));
 }
 
 TEST(ConflictPanelWithoutConflicts, SaysThatNothingContradicts)
@@ -117,7 +117,7 @@ TEST(ConflictPanelWithoutConflicts, SaysThatNothingContradicts)
   Editor editor;
   ConflictPanel panel(editor);
   ASSERT_TRUE(test::showAndWait(panel));
-  ASSERT_TRUE(test::openMesh(editor, test::grid(3, 3), {"mm", {{"P", true, Point{AtVertex{0}, Move{}}}}}));
+  ASSERT_TRUE(test::openMesh(editor, test::grid(3, 3), {"mm", {{"P", true, PointConstraint{AtVertex{0}, Move{}}}}}));
   EXPECT_TRUE(panel.findChild<QLabel*>("conflictEmpty")->isVisible());
   EXPECT_EQ(panel.findChild<QLabel*>("conflictEmpty")->text(), "Nothing contradicts.");
 }

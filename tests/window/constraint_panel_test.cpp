@@ -30,12 +30,12 @@ ConstraintList sheetList()
   const Vector3 up(0, 0, 0.1);
   ConstraintList list{"mm", {}};
   list.constraints = {
-      {"base", true, Fixed{{InHalfSpace{Vector3(0.5, 0, 0), Vector3(-1, 0, 0)}}}},
-      {"P1", true, Point{AtVertex{36}, Target{Vector3(3, 2, 1)}}},
-      {"P2", true, Point{AtEdge{44, 45, 0.25}, Move{up}}},
-      {"P3", true, Point{AtFace{77, {0.2, 0.3, 0.5}}, Move{up}}},
-      {"P10", true, Point{AtNear{Vector3(8.1, 6.2, 3)}, Target{Vector3(8.1, 6.2, 0.5)}}},
-      {"tip", true, Handle{{VertexIds{{118, 119, 120}}}, {}, Vector3(0, 0, 2), {}}},
+      {"base", true, FixedConstraint{{InHalfSpace{Vector3(0.5, 0, 0), Vector3(-1, 0, 0)}}}},
+      {"P1", true, PointConstraint{AtVertex{36}, Target{Vector3(3, 2, 1)}}},
+      {"P2", true, PointConstraint{AtEdge{44, 45, 0.25}, Move{up}}},
+      {"P3", true, PointConstraint{AtFace{77, {0.2, 0.3, 0.5}}, Move{up}}},
+      {"P10", true, PointConstraint{AtNear{Vector3(8.1, 6.2, 3)}, Target{Vector3(8.1, 6.2, 0.5)}}},
+      {"tip", true, HandleConstraint{{VertexIds{{118, 119, 120}}}, {}, Vector3(0, 0, 2), {}}},
   };
   return list;
 }
@@ -63,9 +63,9 @@ class ConstraintPanelOfSheet : public ::testing::Test {
     for (int row = 0; row < rows().rowCount(); ++row) result << shown(row, Table::Name);
     return result;
   }
-  [[nodiscard]] const Point& point(const char* name) const
+  [[nodiscard]] const PointConstraint& point(const char* name) const
   {
-    return std::get<Point>(editor.list().constraints[indexOf(editor.list(), name).value()].what);
+    return std::get<PointConstraint>(editor.list().constraints[indexOf(editor.list(), name).value()].what);
   }
   [[nodiscard]] QPointF middleOf(int row, int column)
   {
@@ -121,9 +121,9 @@ TEST_F(ConstraintPanelOfSheet, AShiftShowsItsTargetAndLandsWhereTyped)
 {
   // 0.1 above a point whose weights make it no round number.
   typeInto(3, Table::Z, "0.7");
-  const Deformation& before = *editor.deformation();
+  const DeformResult& before = *editor.deformation();
   const double rest = positionOf(before.system.points[3], editor.model()->mesh.positions).z();
-  const Point& after = point("P3");
+  const PointConstraint& after = point("P3");
   const double lands = std::holds_alternative<Move>(after.to) ? rest + std::get<Move>(after.to).shift.z()
                                                               : std::get<Target>(after.to).place.z();
   EXPECT_TRUE(hasSameBits(lands, 0.7));
@@ -292,7 +292,7 @@ TEST_F(ConstraintPanelOfSheet, CopiedPointsComeBackFromTheirTableBitForBit)
   test::pressKey(panel.table(), Qt::Key_V, Qt::ControlModifier);
   ASSERT_EQ(editor.list().constraints.size(), 8U);
   EXPECT_EQ(editor.selectedConstraints(), (Rows{6, 7}));
-  EXPECT_EQ(std::get<Target>(std::get<Point>(editor.list().constraints[6].what).to).place, Vector3(3, 2, 1));
+  EXPECT_EQ(std::get<Target>(std::get<PointConstraint>(editor.list().constraints[6].what).to).place, Vector3(3, 2, 1));
   for (const int column : {Table::X, Table::Y, Table::Z})
     EXPECT_EQ(rows().index(7, column).data(Qt::EditRole), rows().index(3, column).data(Qt::EditRole));
   EXPECT_NE(shown(6, Table::Name), "P1") << "names stay unique";
@@ -306,7 +306,7 @@ TEST_F(ConstraintPanelOfSheet, OtherKindsAreCopiedWhole)
   test::pressKey(panel.table(), Qt::Key_C, Qt::ControlModifier);
   test::pressKey(panel.table(), Qt::Key_V, Qt::ControlModifier);
   ASSERT_EQ(editor.list().constraints.size(), 7U);
-  const Handle& copy = std::get<Handle>(editor.list().constraints[6].what);
+  const HandleConstraint& copy = std::get<HandleConstraint>(editor.list().constraints[6].what);
   EXPECT_EQ(std::get<VertexIds>(copy.select.what).ids, (std::vector<Index>{118, 119, 120}));
   EXPECT_EQ(copy.translate, Vector3(0, 0, 2));
 }
@@ -338,7 +338,7 @@ TEST_F(ConstraintPanelOfSheet, DuplicatesHaveNamesOfTheirOwn)
   test::pressKey(panel.table(), Qt::Key_D, Qt::ControlModifier);
   ASSERT_EQ(names().size(), 7U);
   EXPECT_NE(names()[6], "P2");
-  EXPECT_TRUE(std::holds_alternative<AtEdge>(std::get<Point>(editor.list().constraints[6].what).at));
+  EXPECT_TRUE(std::holds_alternative<AtEdge>(std::get<PointConstraint>(editor.list().constraints[6].what).at));
 }
 
 TEST_F(ConstraintPanelOfSheet, ResultsOfAnOlderListAreGrey)
@@ -358,7 +358,8 @@ TEST_F(ConstraintPanelOfSheet, TenThousandRowsAreShownFilteredAndSortedFluently)
 {
   ConstraintList many = sheetList();
   for (int k = 0; k < 10'000; ++k)
-    many.constraints.push_back({"M" + std::to_string(k), true, Point{AtVertex{36}, Target{Vector3(3, 2, 1)}}});
+    many.constraints.push_back(
+        {"M" + std::to_string(k), true, PointConstraint{AtVertex{36}, Target{Vector3(3, 2, 1)}}});
   editor.edit("add", many);
   QElapsedTimer timer;
   timer.start();

@@ -106,7 +106,7 @@ TEST_F(DocumentExportsTest, FieldsAreThoseOfTheDeformation)
   exports.exportFields();
   ASSERT_TRUE(waitForWritten());
   const Model& model = *w.editor.model();
-  const Deformation& deformation = *w.editor.deformation();
+  const DeformResult& deformation = *w.editor.deformation();
   EXPECT_NE(deformation.positions, model.mesh.positions);
   EXPECT_TRUE(test::bytesOf(w.path("out.vtp")) ==
               fieldsToVtp(model.mesh, deformation.positions, fieldsOf(model, deformation), {}).bytes);

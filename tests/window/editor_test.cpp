@@ -24,7 +24,7 @@ class EditorOfBracket : public ::testing::Test {
 
   [[nodiscard]] bool waitForCurrent()
   {
-    return test::waitUntil([&] { return editor.freshness() == Freshness::Current; });
+    return test::waitUntil([&] { return editor.solveState() == SolveState::Current; });
   }
 
   /// The list with the last constraint left out.
@@ -41,7 +41,7 @@ class EditorOfBracket : public ::testing::Test {
 TEST_F(EditorOfBracket, ShowsWhatItsStateAsksFor)
 {
   NoProgress quiet;
-  const Deformation expected = deform(*editor.model(), editor.list(), "bracket", editor.state().options, quiet);
+  const DeformResult expected = deform(*editor.model(), editor.list(), "bracket", editor.state().options, quiet);
   EXPECT_EQ(editor.positions(), expected.positions);
   EXPECT_EQ(&editor.positions(), &editor.deformation()->positions) << "what is picked is what was solved, not a copy";
 }
@@ -50,7 +50,7 @@ TEST_F(EditorOfBracket, UndoAndRedoBringBackPositionsBitForBit)
 {
   const Positions before = editor.positions();
   editor.edit("delete", shortened());
-  EXPECT_EQ(editor.freshness(), Freshness::Solving);
+  EXPECT_EQ(editor.solveState(), SolveState::Solving);
   ASSERT_TRUE(waitForCurrent());
   const Positions after = editor.positions();
   EXPECT_NE(before, after);
@@ -81,10 +81,10 @@ TEST_F(EditorOfBracket, SaysWhyAStateCannotBeSolvedAndKeepsWhatWasShown)
 {
   const Positions before = editor.positions();
   ConstraintList list = editor.list();
-  list.constraints.push_back({"beyond", true, Point{AtVertex{1'000'000}, Move{}}});
+  list.constraints.push_back({"beyond", true, PointConstraint{AtVertex{1'000'000}, Move{}}});
   editor.edit("add", list);
-  ASSERT_TRUE(test::waitUntil([&] { return editor.freshness() == Freshness::Unusable; }));
-  EXPECT_TRUE(editor.trouble().contains("1000000")) << editor.trouble().toStdString();
+  ASSERT_TRUE(test::waitUntil([&] { return editor.solveState() == SolveState::Unusable; }));
+  EXPECT_TRUE(editor.error().contains("1000000")) << editor.error().toStdString();
   EXPECT_EQ(editor.positions(), before);
 }
 
@@ -103,9 +103,9 @@ TEST_F(EditorOfBracket, MarksAreThoseOfWhatIsShown)
   ConstraintList list = editor.list();
   const Index last = static_cast<Index>(list.constraints.size()) - 1;
   list.constraints.back().isEnabled = false;
-  list.constraints.push_back({"beyond", true, Point{AtVertex{1'000'000}, Move{}}});
+  list.constraints.push_back({"beyond", true, PointConstraint{AtVertex{1'000'000}, Move{}}});
   editor.edit("disable and add", list);
-  ASSERT_TRUE(test::waitUntil([&] { return editor.freshness() == Freshness::Unusable; }));
+  ASSERT_TRUE(test::waitUntil([&] { return editor.solveState() == SolveState::Unusable; }));
   EXPECT_EQ(editor.marks(), before);
   EXPECT_EQ(editor.deformedState(), stateBefore);
 
@@ -119,7 +119,7 @@ TEST_F(EditorOfBracket, CancelledWorkSaysSoAndCanBeTakenUpAgain)
 {
   editor.edit("delete", shortened());
   editor.cancelSolving();
-  EXPECT_EQ(editor.freshness(), Freshness::Cancelled);
+  EXPECT_EQ(editor.solveState(), SolveState::Cancelled);
   editor.solve();
   EXPECT_TRUE(waitForCurrent());
 }

@@ -30,7 +30,7 @@ bool FilesWindow::open(const std::filesystem::path& path)
 
 bool FilesWindow::waitForCurrent()
 {
-  return waitUntil([&] { return editor.freshness() == Freshness::Current; });
+  return waitUntil([&] { return editor.solveState() == SolveState::Current; });
 }
 
 std::filesystem::path FilesWindow::sample(const std::string& name) const
@@ -51,7 +51,8 @@ FileChooser FilesWindow::chooser()
 
 void FilesWindow::holdVertex(Index vertex)
 {
-  editor.edit("hold", added(editor.list(), {freshName(editor.list(), "P"), true, Point{AtVertex{vertex}, Move{}}}));
+  editor.edit("hold",
+              added(editor.list(), {unusedName(editor.list(), "P"), true, PointConstraint{AtVertex{vertex}, Move{}}}));
 }
 
 }  // namespace holdfast::test

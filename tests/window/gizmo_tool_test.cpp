@@ -35,7 +35,10 @@ class GizmoOnPoint : public test::OpenWindow {
     ASSERT_TRUE(settle());
   }
 
-  [[nodiscard]] Vector3 target() { return std::get<Target>(std::get<Point>(list().constraints[point].what).to).place; }
+  [[nodiscard]] Vector3 target()
+  {
+    return std::get<Target>(std::get<PointConstraint>(list().constraints[point].what).to).place;
+  }
 
   void dragArrow(int axis, const QPointF& by, Qt::KeyboardModifiers modifiers = Qt::NoModifier)
   {
@@ -60,7 +63,7 @@ TEST_F(GizmoOnPoint, AnArrowMovesTheTargetAlongItsAxisAlone)
 TEST_F(GizmoOnPoint, TheSurfaceFollowsExactly)
 {
   dragArrow(2, {0, -40});
-  EXPECT_EQ(editor().freshness(), Freshness::Current);
+  EXPECT_EQ(editor().solveState(), SolveState::Current);
   const auto& report = editor().deformation()->report;
   EXPECT_EQ(report.solve.status, SolveStatus::Ok);
   EXPECT_LE(report.solve.maxResidualRelative, 1e-12);
@@ -165,14 +168,14 @@ class GizmoOnHandle : public GizmoOnPoint {
     OpenWindow::SetUp();
     open("bar.obj", "bar.twist_90.constraints.json");
     for (Index k = 0; k < static_cast<Index>(list().constraints.size()); ++k)
-      if (std::holds_alternative<Handle>(list().constraints[k].what)) point = k;
+      if (std::holds_alternative<HandleConstraint>(list().constraints[k].what)) point = k;
     editor().selectConstraints({point});
     ASSERT_TRUE(settle());
   }
 
   [[nodiscard]] double degrees()
   {
-    return std::get<Turn>(std::get<Handle>(list().constraints[point].what).motion).degrees;
+    return std::get<AxisRotation>(std::get<HandleConstraint>(list().constraints[point].what).motion).degrees;
   }
 
   /// Takes the outer ring at its right and around the center by `degrees`, counterclockwise.
@@ -221,7 +224,7 @@ TEST_F(GizmoOnHandle, ARingTurnsItAsOftenAsTheCursorGoesRound)
 TEST_F(GizmoOnHandle, WhatTurnsAboutTheFixedEndIsDraggedRoundItWithoutAJump)
 {
   ConstraintList changed = list();
-  std::get<Handle>(changed.constraints[point].what).motion = TurnAboutFixed{};
+  std::get<HandleConstraint>(changed.constraints[point].what).motion = RotationAboutFixed{};
   editor().edit("turn about the foot", changed);
   trigger("viewFront");
   ASSERT_TRUE(settle());
@@ -246,7 +249,8 @@ TEST_F(GizmoOnHandle, WhatTurnsAboutTheFixedEndIsDraggedRoundItWithoutAJump)
   goRound(0.75);
   test::releaseMouse(viewport(), foot + QPointF(-(foot - from).y(), (foot - from).x()));
   ASSERT_TRUE(settle());
-  const auto& near = std::get<TurnAboutFixed>(std::get<Handle>(list().constraints[point].what).motion).near;
+  const auto& near =
+      std::get<RotationAboutFixed>(std::get<HandleConstraint>(list().constraints[point].what).motion).near;
   ASSERT_TRUE(near.has_value());
   EXPECT_NEAR(near->degrees, 270, 5);
   EXPECT_NEAR(editor().deformation()->system.rotations.back().q.norm() / std::numbers::pi * 360, near->degrees, 1e-9);
@@ -265,13 +269,13 @@ class TurnOfMovesInMenu : public GizmoOnHandle {
   {
     GizmoOnHandle::SetUp();
     ConstraintList changed = list();
-    std::get<Turn>(std::get<Handle>(changed.constraints[point].what).motion).degrees = 0;
+    std::get<AxisRotation>(std::get<HandleConstraint>(changed.constraints[point].what).motion).degrees = 0;
     editor().edit("stand upright", changed);
     trigger("viewFront");
     ASSERT_TRUE(settle());
   }
 
-  [[nodiscard]] const Handle& handle() { return std::get<Handle>(list().constraints[point].what); }
+  [[nodiscard]] const HandleConstraint& handle() { return std::get<HandleConstraint>(list().constraints[point].what); }
 
   /// By the ball in the middle, across the view.
   void dragMiddle(const QPointF& way)
@@ -311,7 +315,7 @@ TEST_F(TurnOfMovesInMenu, AMoveTurnsTheHandleByTheAngleThatIsSeenWhereThatIsChos
   dragMiddle({-200, 30});
   const double seen = degreesOnScreen() - before;
   ASSERT_GT(seen, 10);
-  const Turn& turn = std::get<Turn>(handle().motion);
+  const AxisRotation& turn = std::get<AxisRotation>(handle().motion);
   EXPECT_NEAR(turn.degrees, seen, 1e-6);
   // From the front one looks along y: towards the eye it is counterclockwise.
   EXPECT_LT((turn.axis.normalized() + Vector3::UnitY()).norm(), 1e-9);
@@ -319,7 +323,7 @@ TEST_F(TurnOfMovesInMenu, AMoveTurnsTheHandleByTheAngleThatIsSeenWhereThatIsChos
 
   trigger("turnAsConstraint");
   dragMiddle({60, 0});
-  EXPECT_NEAR(std::get<Turn>(handle().motion).degrees, seen, 1e-6) << "turns no further";
+  EXPECT_NEAR(std::get<AxisRotation>(handle().motion).degrees, seen, 1e-6) << "turns no further";
 }
 
 TEST_F(TurnOfMovesInMenu, ARingTurnsAlikeInBoth)
@@ -345,15 +349,15 @@ TEST_F(GizmoOnHandle, ItsOwnAxesTurnWithIt)
   EXPECT_NEAR(std::abs(before(2, 2)), 1, 1e-9) << "along the bar";
   const double degreesBefore = degrees();
   turnOuterRing(30, Qt::ControlModifier);
-  const double turned = degrees() - degreesBefore;
-  ASSERT_GT(std::abs(turned), 10);
-  const Eigen::Matrix3d turn = Eigen::AngleAxisd(turned * kDegree, Vector3::UnitZ()).toRotationMatrix();
+  const double rotated = degrees() - degreesBefore;
+  ASSERT_GT(std::abs(rotated), 10);
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(rotated * kDegree, Vector3::UnitZ()).toRotationMatrix();
   EXPECT_LT((window.gizmo().gizmo().GetFrame().axes - turn * before).norm(), 1e-9);
 
   // Across both axes of the world.
   const Vector3 along = window.gizmo().gizmo().GetFrame().axes.col(0);
   ASSERT_GT(along.head<2>().cwiseAbs().minCoeff(), 0.2);
-  const auto translate = [&] { return std::get<Handle>(list().constraints[point].what).translate; };
+  const auto translate = [&] { return std::get<HandleConstraint>(list().constraints[point].what).translate; };
   const Vector3 placeBefore = translate();
   const QPointF from = onArrow(0);
   const QPointF way = from - shownAt(window.gizmo().gizmo().GetFrame().center);
@@ -370,7 +374,7 @@ TEST_F(GizmoOnPoint, ItsOwnAxesFollowTheSurface)
   ASSERT_TRUE(settle());
   const Eigen::Matrix3d before = window.gizmo().gizmo().GetFrame().axes;
   dragArrow(2, {0, -60});
-  const auto& surfacePoint = std::get<Point>(list().constraints[point].what);
+  const auto& surfacePoint = std::get<PointConstraint>(list().constraints[point].what);
   const Eigen::Matrix3d expected =
       surfaceAxes(*editor().model(), pointOf(surfacePoint.at, editor().model()->mesh), editor().positions());
   const Eigen::Matrix3d after = window.gizmo().gizmo().GetFrame().axes;

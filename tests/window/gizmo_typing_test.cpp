@@ -25,7 +25,10 @@ class NumberTypedAtAPoint : public test::WindowUser {
     viewport().setFocus();
   }
 
-  [[nodiscard]] Vector3 target() { return std::get<Target>(std::get<Point>(list().constraints[point].what).to).place; }
+  [[nodiscard]] Vector3 target()
+  {
+    return std::get<Target>(std::get<PointConstraint>(list().constraints[point].what).to).place;
+  }
 
   Index point = 0;
 };
@@ -38,13 +41,16 @@ class NumberTypedAtAHandle : public test::WindowUser {
     WindowUser::SetUp();
     open("bar.obj", "bar.twist_90.constraints.json");
     for (Index k = 0; k < static_cast<Index>(list().constraints.size()); ++k)
-      if (std::holds_alternative<Handle>(list().constraints[k].what)) constraint = k;
+      if (std::holds_alternative<HandleConstraint>(list().constraints[k].what)) constraint = k;
     editor().selectConstraints({constraint});
     ASSERT_TRUE(settle());
     viewport().setFocus();
   }
 
-  [[nodiscard]] const Handle& handle() { return std::get<Handle>(list().constraints[constraint].what); }
+  [[nodiscard]] const HandleConstraint& handle()
+  {
+    return std::get<HandleConstraint>(list().constraints[constraint].what);
+  }
 
   Index constraint = 0;
 };
@@ -137,7 +143,7 @@ TEST_F(NumberTypedAtAPoint, WhileALengthIsTypedNoOtherKeyEdits)
 TEST_F(NumberTypedAtAHandle, ATypedAngleTurnsByExactlyThat)
 {
   const auto rotation = [this] {
-    const auto& turn = std::get<Turn>(handle().motion);
+    const auto& turn = std::get<AxisRotation>(handle().motion);
     return Eigen::AngleAxisd(turn.degrees * std::numbers::pi / 180, turn.axis.normalized()).toRotationMatrix();
   };
   const Eigen::Matrix3d before = rotation();
@@ -145,8 +151,8 @@ TEST_F(NumberTypedAtAHandle, ATypedAngleTurnsByExactlyThat)
   ASSERT_EQ(window.gizmo().gizmo().GetPart(), GizmoPart::ViewRing);
   keys("37.5");
   key(Qt::Key_Return);
-  const Eigen::AngleAxisd turned(Eigen::Matrix3d(rotation() * before.transpose()));
-  EXPECT_NEAR(turned.angle() * 180 / std::numbers::pi, 37.5, 1e-9);
+  const Eigen::AngleAxisd rotated(Eigen::Matrix3d(rotation() * before.transpose()));
+  EXPECT_NEAR(rotated.angle() * 180 / std::numbers::pi, 37.5, 1e-9);
   EXPECT_EQ(editor().history().undoName().substr(0, 4), "turn");
 }
 

@@ -24,7 +24,7 @@ class HistogramPanelTest : public ::testing::Test {
     const std::string path = test::dataFolder() + "/" + mesh;
     NoProgress quiet;
     editor.open(loadMesh(path, quiet), {readConstraints(test::dataFolder() + "/" + constraints), {}});
-    ASSERT_TRUE(test::waitUntil([&] { return editor.freshness() == Freshness::Current; }));
+    ASSERT_TRUE(test::waitUntil([&] { return editor.solveState() == SolveState::Current; }));
   }
 
   void show()

@@ -123,7 +123,7 @@ TEST_F(ImportDialogTest, EnterInTheTableImportsWhatIsTicked)
 
 TEST_F(ImportDialogTest, NamesThatAreTakenAreShownAsWhatTheyBecome)
 {
-  w.editor.edit("hold", added(w.editor.list(), {"A", true, Point{AtVertex{3}, Move{}}}));
+  w.editor.edit("hold", added(w.editor.list(), {"A", true, PointConstraint{AtVertex{3}, Move{}}}));
   openDialog(nearAndFar());
   EXPECT_EQ(cell(0, 0).toString(), "A → A 2");
   EXPECT_EQ(cell(1, 0).toString(), "B");

@@ -23,17 +23,17 @@ ConstraintList InspectedSheet::inspectedList()
 {
   ConstraintList list{"mm", {}};
   list.constraints = {
-      {"base", true, Fixed{{InHalfSpace{Vector3(0.5, 0, 0), Vector3(-1, 0, 0)}}}},
-      {"P1", true, Point{AtVertex{36}, Target{Vector3(3, 2, 1)}}},
-      {"P2", true, Point{AtEdge{48, 49, 0.25}, Move{Vector3(0, 0, 0.1)}}},
-      {"P3", true, Point{AtFace{77, {0.25, 0.25, 0.5}}, Move{Vector3(0, 0, 0.1)}}},
+      {"base", true, FixedConstraint{{InHalfSpace{Vector3(0.5, 0, 0), Vector3(-1, 0, 0)}}}},
+      {"P1", true, PointConstraint{AtVertex{36}, Target{Vector3(3, 2, 1)}}},
+      {"P2", true, PointConstraint{AtEdge{48, 49, 0.25}, Move{Vector3(0, 0, 0.1)}}},
+      {"P3", true, PointConstraint{AtFace{77, {0.25, 0.25, 0.5}}, Move{Vector3(0, 0, 0.1)}}},
   };
-  Handle tip;
+  HandleConstraint tip;
   tip.select.what = VertexIds{{118, 119, 120}};
-  tip.motion.emplace<Turn>();
+  tip.motion.emplace<AxisRotation>();
   tip.translate = Vector3(0, 0, 2);
   list.constraints.push_back({"tip", true, tip});
-  list.constraints.push_back({"pair", true, Relative{AtVertex{60}, AtVertex{62}, {}}});
+  list.constraints.push_back({"pair", true, RelativeConstraint{AtVertex{60}, AtVertex{62}, {}}});
   return list;
 }
 

@@ -15,7 +15,7 @@ namespace {
 using enum test::Inspected;
 
 /// Ways to turn, in the order of the box.
-enum Way { NotAtAll, AboutAnAxis, AboutWhatIsFixed, ByFrames, ByTargets };
+enum DependencyGroup { NotAtAll, AboutAnAxis, AboutWhatIsFixed, ByFrames, ByTargets };
 
 class InspectorOfHandles : public test::InspectedSheet {
  protected:
@@ -23,17 +23,17 @@ class InspectorOfHandles : public test::InspectedSheet {
   {
     InspectedSheet::SetUp();
     // Not in the order of their ids, and not on a line.
-    Handle tip = what<Handle>(kTip);
+    HandleConstraint tip = what<HandleConstraint>(kTip);
     tip.select.what = VertexIds{{120, 97, 118, 119}};
-    tip.motion = Turn{{1, 2, 2}, 100, Vector3(1, 2, 3)};
+    tip.motion = AxisRotation{{1, 2, 2}, 100, Vector3(1, 2, 3)};
     setTip(tip);
     panel.resize(400, 1200);
     editor.selectConstraints({kTip});
   }
 
-  [[nodiscard]] const Handle& tip() { return what<Handle>(kTip); }
+  [[nodiscard]] const HandleConstraint& tip() { return what<HandleConstraint>(kTip); }
   [[nodiscard]] const FrameMotion& frames() { return std::get<FrameMotion>(tip().motion); }
-  void setTip(const Handle& tip)
+  void setTip(const HandleConstraint& tip)
   {
     ConstraintList list = editor.list();
     list.constraints[kTip].what = tip;
@@ -70,7 +70,7 @@ class InspectorOfHandles : public test::InspectedSheet {
 
 TEST_F(InspectorOfHandles, FromFrameToFrameBeginsWhereTheHandleIs)
 {
-  for (const Way way : {AboutAnAxis, NotAtAll, AboutWhatIsFixed}) {
+  for (const DependencyGroup way : {AboutAnAxis, NotAtAll, AboutWhatIsFixed}) {
     choose("handleMethod", way);
     const Positions before = solved();
     choose("handleMethod", ByFrames);
@@ -118,7 +118,7 @@ TEST_F(InspectorOfHandles, NumbersOfFramesAreTypedExactly)
 
 TEST_F(InspectorOfHandles, FramesThatAreNoneAreRefusedAndMayBeTypedOn)
 {
-  Handle handle = tip();
+  HandleConstraint handle = tip();
   handle.motion = FrameMotion{};
   setTip(handle);
   const auto before = editor.history().state();
@@ -138,7 +138,7 @@ TEST_F(InspectorOfHandles, FramesThatAreNoneAreRefusedAndMayBeTypedOn)
 
 TEST_F(InspectorOfHandles, WholeTurnsAreWholeAndNeedAnAxis)
 {
-  Handle handle = tip();
+  HandleConstraint handle = tip();
   handle.motion = FrameMotion{};
   setTip(handle);
   const auto before = editor.history().state();
@@ -153,9 +153,9 @@ TEST_F(InspectorOfHandles, WholeTurnsAreWholeAndNeedAnAxis)
 TEST_F(InspectorOfHandles, FramesOfSeveralHandlesKeepWhatDiffers)
 {
   ConstraintList list = editor.list();
-  Handle first = tip();
+  HandleConstraint first = tip();
   first.motion = FrameMotion{{{}, {1, 0, 0}, {0, 1, 0}}, {{}, {0, 0, 1}, {0, 1, 0}}, 0};
-  Handle second = first;
+  HandleConstraint second = first;
   std::get<FrameMotion>(second.motion).from.x = {2, 0, 0.5};
   second.select.what = VertexIds{{30, 31}};
   list.constraints[kTip].what = first;
@@ -164,7 +164,7 @@ TEST_F(InspectorOfHandles, FramesOfSeveralHandlesKeepWhatDiffers)
   editor.selectConstraints({kTip, 6});
   EXPECT_EQ(find("frameFromXX").text(), "") << "several";
   typeInto("frameFromYZ", "0.25");
-  const auto& other = std::get<FrameMotion>(what<Handle>(6).motion);
+  const auto& other = std::get<FrameMotion>(what<HandleConstraint>(6).motion);
   EXPECT_EQ(frames().from.y, Vector3(0, 1, 0.25));
   EXPECT_EQ(other.from.y, Vector3(0, 1, 0.25));
   EXPECT_EQ(other.from.x, Vector3(2, 0, 0.5));
@@ -196,7 +196,7 @@ TEST_F(InspectorOfHandles, EachVertexTakesARotationOfItsOwn)
 
 TEST_F(InspectorOfHandles, CellsRefuseWhatIsNoNumberAndWhatIsNoAxis)
 {
-  Handle handle = tip();
+  HandleConstraint handle = tip();
   handle.rotations.assign(4, {{0, 0, 1}, 30});
   setTip(handle);
   const auto before = editor.history().state();
@@ -230,7 +230,7 @@ TEST_F(InspectorOfHandles, EachVertexTakesATargetOfItsOwn)
 
 TEST_F(InspectorOfHandles, OthersSayWhyTheirVerticesHaveNothingOfTheirOwn)
 {
-  Handle handle = tip();
+  HandleConstraint handle = tip();
   handle.select.what = InHalfSpace{{9.5, 0, 0}, {1, 0, 0}};
   setTip(handle);
   EXPECT_NE(find<QLabel>("singleVerticesReason").text().toStdString().find("half space"), std::string::npos);
@@ -248,7 +248,7 @@ TEST_F(InspectorOfHandles, OthersSayWhyTheirVerticesHaveNothingOfTheirOwn)
 
 TEST_F(InspectorOfHandles, ManyVerticesMakeNoMoreWidgetsThanFew)
 {
-  Handle handle = tip();
+  HandleConstraint handle = tip();
   handle.rotations.assign(4, {});
   setTip(handle);
   QApplication::processEvents();

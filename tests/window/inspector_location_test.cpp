@@ -13,7 +13,7 @@ class InspectorOfLocations : public test::InspectedSheet {
   template <class At>
   [[nodiscard]] const At& at(Index k)
   {
-    return std::get<At>(what<Point>(k).at);
+    return std::get<At>(what<PointConstraint>(k).at);
   }
 };
 
@@ -35,7 +35,7 @@ TEST_F(InspectorOfLocations, AVertexBecomesAPointOfEveryKindInItsPlace)
   expectKeptInSession();
   choose("locationKind", OnVertex);
   EXPECT_EQ(at<AtVertex>(kAtVertex).vertex, 36);
-  EXPECT_EQ(std::get<Target>(what<Point>(kAtVertex).to).place, Vector3(3, 2, 1)) << "the target stays";
+  EXPECT_EQ(std::get<Target>(what<PointConstraint>(kAtVertex).to).place, Vector3(3, 2, 1)) << "the target stays";
 }
 
 TEST_F(InspectorOfLocations, AnEdgeTakesItsNearerEndAndAFaceKeepsItsShares)
@@ -87,7 +87,7 @@ TEST_F(InspectorOfLocations, EndsThatWereNeverTakenAreForgottenWithTheSelection)
 TEST_F(InspectorOfLocations, APlaceThatTheMeshDoesNotHaveCannotChangeItsKind)
 {
   ConstraintList list = editor.list();
-  std::get<Point>(list.constraints[kAtVertex].what).at = AtVertex{1000};
+  std::get<PointConstraint>(list.constraints[kAtVertex].what).at = AtVertex{1000};
   editor.edit("elsewhere", list);
   const auto before = editor.history().state();
   editor.selectConstraints({kAtVertex});

@@ -30,7 +30,7 @@ TEST_F(InspectorPanelOfSheet, ATypedTargetIsTheTargetToTheLastBit)
 {
   editor.selectConstraints({1});
   typeInto("targetPlaceY", "0.30000000000000004");
-  EXPECT_TRUE(hasSameBits(std::get<Target>(what<Point>(1).to).place.y(), 0.1 + 0.2));
+  EXPECT_TRUE(hasSameBits(std::get<Target>(what<PointConstraint>(1).to).place.y(), 0.1 + 0.2));
   EXPECT_EQ(find("targetPlaceY").text(), "0.30000000000000004") << "shown with all digits";
 }
 
@@ -49,21 +49,21 @@ TEST_F(InspectorPanelOfSheet, AShiftIsTypedExactlyAndCanBecomeAPlace)
 {
   editor.selectConstraints({2});
   typeInto("targetShiftZ", "-0.7");
-  EXPECT_EQ(std::get<Move>(what<Point>(2).to).shift, Vector3(0, 0, -0.7));
+  EXPECT_EQ(std::get<Move>(what<PointConstraint>(2).to).shift, Vector3(0, 0, -0.7));
   choose("targetWay", 0);
-  EXPECT_EQ(std::get<Target>(what<Point>(2).to).place.z(), -0.7);
+  EXPECT_EQ(std::get<Target>(what<PointConstraint>(2).to).place.z(), -0.7);
   EXPECT_FALSE(find("targetShiftZ").isVisible());
 }
 
-TEST_F(InspectorPanelOfSheet, WeightsThatDoNotSumToOneAreRefusedUntilNormalised)
+TEST_F(InspectorPanelOfSheet, WeightsThatDoNotSumToOneAreRefusedUntilNormalized)
 {
   editor.selectConstraints({3});
   const auto before = editor.history().state();
   typeInto("locationWeight0", "0.75");
   EXPECT_EQ(editor.history().state(), before);
   EXPECT_NE(refusal().find("1.5"), std::string::npos) << refusal();
-  press("locationNormalise");
-  EXPECT_EQ(std::get<AtFace>(what<Point>(3).at).weights, (std::vector<double>{0.5, 0.25 / 1.5, 0.5 / 1.5}));
+  press("locationNormalize");
+  EXPECT_EQ(std::get<AtFace>(what<PointConstraint>(3).at).weights, (std::vector<double>{0.5, 0.25 / 1.5, 0.5 / 1.5}));
   EXPECT_EQ(refusal(), "");
 }
 
@@ -72,7 +72,7 @@ TEST_F(InspectorPanelOfSheet, WeightsThatSumToOneAreTaken)
   editor.selectConstraints({3});
   typeInto("locationWeight0", "0.5");
   typeInto("locationWeight2", "0.25");
-  EXPECT_EQ(std::get<AtFace>(what<Point>(3).at).weights, (std::vector<double>{0.5, 0.25, 0.25}));
+  EXPECT_EQ(std::get<AtFace>(what<PointConstraint>(3).at).weights, (std::vector<double>{0.5, 0.25, 0.25}));
 }
 
 TEST_F(InspectorPanelOfSheet, PlacesThatTheMeshDoesNotHaveAreRefusedWithTheReason)
@@ -89,20 +89,21 @@ TEST_F(InspectorPanelOfSheet, PlacesThatTheMeshDoesNotHaveAreRefusedWithTheReaso
   EXPECT_EQ(editor.history().state(), before);
   EXPECT_EQ(find("locationT").text(), "0.25");
   typeInto("locationT", "0.5");
-  EXPECT_EQ(std::get<AtEdge>(what<Point>(2).at).t, 0.5);
+  EXPECT_EQ(std::get<AtEdge>(what<PointConstraint>(2).at).t, 0.5);
 }
 
 TEST_F(InspectorPanelOfSheet, AHandleTurnsByAnyNumberOfTurnsAndByBothMethods)
 {
   editor.selectConstraints({4});
   typeInto("handleDegrees", "720");
-  EXPECT_EQ(std::get<Turn>(what<Handle>(4).motion).degrees, 720);
+  EXPECT_EQ(std::get<AxisRotation>(what<HandleConstraint>(4).motion).degrees, 720);
   typeInto("handleAxisX", "1");
-  EXPECT_EQ(std::get<Turn>(what<Handle>(4).motion).axis, Vector3(1, 0, 1));
+  EXPECT_EQ(std::get<AxisRotation>(what<HandleConstraint>(4).motion).axis, Vector3(1, 0, 1));
   choose("handleCenterChoice", 1);
-  EXPECT_EQ(std::get<Turn>(what<Handle>(4).motion).center, Vector3(9, 10, 0)) << "from the centroid on";
+  EXPECT_EQ(std::get<AxisRotation>(what<HandleConstraint>(4).motion).center, Vector3(9, 10, 0))
+      << "from the centroid on";
   choose("handleMethod", 2);
-  EXPECT_TRUE(std::holds_alternative<TurnAboutFixed>(what<Handle>(4).motion));
+  EXPECT_TRUE(std::holds_alternative<RotationAboutFixed>(what<HandleConstraint>(4).motion));
   EXPECT_FALSE(find("handleDegrees").isVisible());
 }
 
@@ -111,7 +112,7 @@ TEST_F(InspectorPanelOfSheet, AnAxisOfZeroIsRefused)
   editor.selectConstraints({4});
   typeInto("handleAxisZ", "0");
   EXPECT_NE(refusal().find("axis"), std::string::npos);
-  EXPECT_EQ(std::get<Turn>(what<Handle>(4).motion).axis, Vector3(0, 0, 1));
+  EXPECT_EQ(std::get<AxisRotation>(what<HandleConstraint>(4).motion).axis, Vector3(0, 0, 1));
 }
 
 TEST_F(InspectorPanelOfSheet, RegionsTellTheirVerticesAndSelectThem)
@@ -127,9 +128,9 @@ TEST_F(InspectorPanelOfSheet, ARelativeConstraintTakesAnOffset)
 {
   editor.selectConstraints({5});
   choose("relativeWay", 1);
-  EXPECT_EQ(what<Relative>(5).offset, Vector3(-2, 0, 0)) << "what it was at rest";
+  EXPECT_EQ(what<RelativeConstraint>(5).offset, Vector3(-2, 0, 0)) << "what it was at rest";
   typeInto("relativeOffsetX", "-2.5");
-  EXPECT_EQ(what<Relative>(5).offset, Vector3(-2.5, 0, 0));
+  EXPECT_EQ(what<RelativeConstraint>(5).offset, Vector3(-2.5, 0, 0));
 }
 
 TEST_F(InspectorPanelOfSheet, ARelativeConstraintTellsBothPlacesAndItsVectorAtRest)
@@ -147,18 +148,18 @@ TEST_F(InspectorPanelOfSheet, ATypedComponentMakesTheVectorAtRestAnOffset)
   editor.selectConstraints({5});
   const auto before = editor.history().state();
   typeInto("relativeOffsetZ", "0.30000000000000004");
-  EXPECT_EQ(what<Relative>(5).offset, Vector3(-2, 0, 0.1 + 0.2));
+  EXPECT_EQ(what<RelativeConstraint>(5).offset, Vector3(-2, 0, 0.1 + 0.2));
   expectOneEntry(before, "set the offset of pair to z = 0.30000000000000004");
   expectKeptInSession();
   choose("relativeWay", 0);
-  EXPECT_FALSE(what<Relative>(5).offset) << "that at rest again";
+  EXPECT_FALSE(what<RelativeConstraint>(5).offset) << "that at rest again";
   EXPECT_EQ(find("relativeOffsetZ").text(), "0");
 }
 
 TEST_F(InspectorPanelOfSheet, AVectorBetweenPlacesThatTheMeshDoesNotHaveIsRefused)
 {
   ConstraintList list = editor.list();
-  std::get<Relative>(list.constraints[5].what).to = AtVertex{1000};
+  std::get<RelativeConstraint>(list.constraints[5].what).to = AtVertex{1000};
   editor.edit("elsewhere", list);
   const auto before = editor.history().state();
   editor.selectConstraints({5});
@@ -208,7 +209,7 @@ TEST_F(InspectorPanelOfSheet, ATakenNameIsRefusedWithTheReason)
 TEST_F(InspectorPanelOfSheet, TabGoesFromTopToBottomAndEachFieldHasAName)
 {
   ConstraintList list = editor.list();
-  Handle tip = what<Handle>(4);
+  HandleConstraint tip = what<HandleConstraint>(4);
   tip.rotations.assign(3, {});
   list.constraints.push_back({"vertex by vertex", true, tip});
   tip.motion = FrameMotion{{Vector3(1, 1, 1)}, {Vector3(2, 2, 2)}, 0};
@@ -241,11 +242,11 @@ TEST_F(InspectorPanelOfSheet, NoTextIsCut)
   Mesh mesh = test::grid(10, 10);
   mesh.positions = (1.2345 * mesh.positions).rowwise() + Eigen::RowVector3d(-111.0625, -111.4723, 112.6439);
   ConstraintList list = inspectedList();
-  list.constraints[0].what = Fixed{{VertexIds{{0, 11, 22}}}};  // not by its place
-  Handle byFrames;
+  list.constraints[0].what = FixedConstraint{{VertexIds{{0, 11, 22}}}};  // not by its place
+  HandleConstraint byFrames;
   byFrames.select.what = InHalfSpace{Vector3(-100, -111, 112), Vector3(1, 1, 0)};
   byFrames.motion = FrameMotion{};
-  Handle vertexByVertex = std::get<Handle>(list.constraints[4].what);
+  HandleConstraint vertexByVertex = std::get<HandleConstraint>(list.constraints[4].what);
   vertexByVertex.motion = VertexTargets{{{1, 2, 3}, {4, 5, 7}, {6, 7, 8}}};
   vertexByVertex.rotations.assign(3, {{0, 0, 1}, 12.3456789});
   list.constraints.push_back({"by frames", true, byFrames});

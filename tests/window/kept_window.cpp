@@ -33,8 +33,8 @@ ConstraintList workOf(const ConstraintList& list)
 {
   ConstraintList work = list;
   work.units = "mm";
-  work.constraints.push_back({"tenth", true, Point{AtVertex{7}, Target{{0.1, 1.0 / 3.0, -2e-17}}}});
-  work.constraints.push_back({"off", false, Point{AtVertex{8}, Move{{1e300, 5e-324, -0.0}}}});
+  work.constraints.push_back({"tenth", true, PointConstraint{AtVertex{7}, Target{{0.1, 1.0 / 3.0, -2e-17}}}});
+  work.constraints.push_back({"off", false, PointConstraint{AtVertex{8}, Move{{1e300, 5e-324, -0.0}}}});
   return work;
 }
 

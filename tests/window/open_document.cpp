@@ -11,7 +11,7 @@ namespace holdfast::test {
 
 bool waitForCurrent(const Editor& editor)
 {
-  return waitUntil([&] { return editor.freshness() == Freshness::Current; });
+  return waitUntil([&] { return editor.solveState() == SolveState::Current; });
 }
 
 bool openData(Editor& editor, const std::string& mesh, const std::string& constraints)

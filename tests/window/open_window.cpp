@@ -31,7 +31,8 @@ void OpenWindow::open(const std::string& mesh, const std::string& constraints)
 
 bool OpenWindow::settle(std::chrono::milliseconds limit)
 {
-  return waitUntil([&] { return editor().freshness() != Freshness::Solving && !viewport().isRenderPending(); }, limit);
+  return waitUntil([&] { return editor().solveState() != SolveState::Solving && !viewport().isRenderPending(); },
+                   limit);
 }
 
 void OpenWindow::trigger(const char* name)

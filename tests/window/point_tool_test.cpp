@@ -85,7 +85,7 @@ class PointToolOnBracket : public test::OpenWindow {
     }
   }
 
-  [[nodiscard]] const Point& lastPoint() { return std::get<Point>(list().constraints.back().what); }
+  [[nodiscard]] const PointConstraint& lastPoint() { return std::get<PointConstraint>(list().constraints.back().what); }
 
   test::PlainView view;
 };

@@ -92,13 +92,16 @@ class PlainProgram {
   [[nodiscard]] vtkAbstractWidget& brush() { return *brush_; }
   [[nodiscard]] std::string document() const { return constraintsToJson(list_); }
 
-  void makeFixed() { list_ = added(list_, {freshName(list_, "fixed "), true, Fixed{Selection{VertexIds{selected_}}}}); }
+  void makeFixed()
+  {
+    list_ = added(list_, {unusedName(list_, "fixed "), true, FixedConstraint{Selection{VertexIds{selected_}}}});
+  }
 
  private:
   void hold(vtkObject* /*caller*/, unsigned long /*event*/, void* callData)
   {
     const auto& pick = *static_cast<const SurfacePick*>(callData);
-    list_ = added(list_, {freshName(list_, "P"), true, Point{pick.location, Target{pick.place}}});
+    list_ = added(list_, {unusedName(list_, "P"), true, PointConstraint{pick.location, Target{pick.place}}});
     stand();
   }
 

@@ -69,7 +69,7 @@ TEST_F(RegionsOfHead, ARigidFeatureOfACurveKeepsTheCurve)
   test::pressKey(viewport(), Qt::Key_Return);
   trigger("makeRigid");
   ASSERT_EQ(list().constraints.size(), 1u);
-  const auto& rigid = std::get<Rigid>(list().constraints.front().what);
+  const auto& rigid = std::get<RigidConstraint>(list().constraints.front().what);
   ASSERT_TRUE(std::holds_alternative<InsideCurve>(rigid.select.what));
   EXPECT_EQ(std::get<InsideCurve>(rigid.select.what).through.size(), 4u);
   EXPECT_TRUE(editor().selectedVertices().empty());

@@ -32,7 +32,7 @@ class RelativeToolOnSheet : public test::WindowUser {
   void SetUp() override
   {
     WindowUser::SetUp();
-    const ConstraintList left{"mm", {{"base", true, Fixed{{InHalfSpace{{0.5, 0, 0}, {-1, 0, 0}}}}}}};
+    const ConstraintList left{"mm", {{"base", true, FixedConstraint{{InHalfSpace{{0.5, 0, 0}, {-1, 0, 0}}}}}}};
     ASSERT_TRUE(test::openMesh(editor(), test::grid(4, 3), left));
     view.target = {2, 1.5, 0};
     view.eye = {2, 1.5, kHeight};
@@ -54,7 +54,10 @@ class RelativeToolOnSheet : public test::WindowUser {
   [[nodiscard]] Vector3 clicked(const Vector3& place) const { return view.placeAt(pixelOf(place), kHeight); }
 
   [[nodiscard]] bool isUnchanged() { return editor().history().state() == before; }
-  [[nodiscard]] const Relative& lastOne() { return std::get<Relative>(list().constraints.back().what); }
+  [[nodiscard]] const RelativeConstraint& lastOne()
+  {
+    return std::get<RelativeConstraint>(list().constraints.back().what);
+  }
   [[nodiscard]] SurfacePoint pointOf(const SurfaceLocation& location)
   {
     return holdfast::pointOf(location, editor().model()->mesh);

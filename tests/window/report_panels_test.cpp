@@ -21,7 +21,9 @@ namespace {
 
 ConstraintList pinned()
 {
-  return {"mm", {{"P1", true, Point{AtVertex{0}, Move{}}}, {"P2", true, Point{AtVertex{3}, Move{Vector3(0, 0, 1)}}}}};
+  return {"mm",
+          {{"P1", true, PointConstraint{AtVertex{0}, Move{}}},
+           {"P2", true, PointConstraint{AtVertex{3}, Move{Vector3(0, 0, 1)}}}}};
 }
 
 void press(QWidget& widget)
@@ -59,7 +61,7 @@ TEST(FindingsPanel, SelectsTheConstraintsThatAFindingNames)
   FindingsPanel panel(editor);
   ASSERT_TRUE(test::showAndWait(panel));
   ConstraintList list = pinned();
-  list.constraints.push_back({"lone", true, Rigid{{VertexIds{{7}}}}});
+  list.constraints.push_back({"lone", true, RigidConstraint{{VertexIds{{7}}}}});
   ASSERT_TRUE(test::openMesh(editor, test::icosphere(1), list));
   for (Card* card : panel.findChildren<Card*>())
     if (card->findChild<QLabel*>("cardText")->text().contains("lone"))
@@ -102,7 +104,7 @@ TEST_F(ReportPanelOfSphere, TellsTheSolutionAndCopiesIt)
 TEST_F(ReportPanelOfSphere, TellsWhatIsPromisedFarAway)
 {
   ConstraintList list = editor.list();
-  list.constraints[1].what = Point{AtVertex{3}, Target{Vector3(1e9, 0, 0)}};
+  list.constraints[1].what = PointConstraint{AtVertex{3}, Target{Vector3(1e9, 0, 0)}};
   editor.edit("move", list);
   ASSERT_TRUE(test::waitForCurrent(editor));
   EXPECT_TRUE(value("RelativeResidual").contains("promised 1e-12, and up to 5.1"));
@@ -111,7 +113,7 @@ TEST_F(ReportPanelOfSphere, TellsWhatIsPromisedFarAway)
 TEST_F(ReportPanelOfSphere, TellsTheAccuracyOfRotations)
 {
   ConstraintList list = editor.list();
-  list.constraints[1] = test::handle({3}, Turn{Vector3::UnitX(), 30, {}}, Vector3::Zero());
+  list.constraints[1] = test::handle({3}, AxisRotation{Vector3::UnitX(), 30, {}}, Vector3::Zero());
   editor.edit("turn", list);
   ASSERT_TRUE(test::waitForCurrent(editor));
   EXPECT_TRUE(value("RotationAccuracy").endsWith("; doubtful above 1e-09, refused above 1e-06"));

@@ -87,7 +87,7 @@ class LargeMeshUser : public test::WindowUser {
   {
     auto prepared = document();
     measure("opening a prepared mesh", [&] { editor().open(std::move(prepared.first), std::move(prepared.second)); });
-    ASSERT_EQ(editor().freshness(), Freshness::Current);
+    ASSERT_EQ(editor().solveState(), SolveState::Current);
     ASSERT_GE(editor().model()->mesh.vertexCount(), 173'000);
   }
 
@@ -228,9 +228,10 @@ class LargeMeshUser : public test::WindowUser {
   {
     // Something for the sphere and the angles to show.
     const Mesh& mesh = editor().model()->mesh;
-    Constraint turned = test::handle(around(mesh, front(mesh), 8), Turn{Vector3::UnitX(), 40, {}}, Vector3::Zero());
-    turned.name = "turned";
-    editor().edit("turn", added(list(), std::move(turned)));
+    Constraint rotated =
+        test::handle(around(mesh, front(mesh), 8), AxisRotation{Vector3::UnitX(), 40, {}}, Vector3::Zero());
+    rotated.name = "turned";
+    editor().edit("turn", added(list(), std::move(rotated)));
     ASSERT_TRUE(settle());
     for (const char* const panel : {"Colours", "Rotations", "Distributions", "Mesh", "Solution", "Constraints"})
       measure((std::string("opening the panel ") + panel).c_str(), [&] {
@@ -245,7 +246,8 @@ class LargeMeshUser : public test::WindowUser {
   {
     measure("factorising", [this] {
       for (const Index vertex : {40'000, 90'000, 140'000}) {
-        editor().edit("hold", added(list(), {"held " + std::to_string(vertex), true, Point{AtVertex{vertex}, Move{}}}));
+        editor().edit(
+            "hold", added(list(), {"held " + std::to_string(vertex), true, PointConstraint{AtVertex{vertex}, Move{}}}));
         ASSERT_TRUE(settle());
       }
     });
@@ -273,7 +275,7 @@ class LargeMeshUser : public test::WindowUser {
   void movePoint()
   {
     ConstraintList after = list();
-    std::get<Move>(std::get<Point>(after.constraints[1].what).to).shift.y() -= 1;
+    std::get<Move>(std::get<PointConstraint>(after.constraints[1].what).to).shift.y() -= 1;
     editor().edit("move", after);
   }
 
@@ -320,13 +322,13 @@ class LargeMeshUser : public test::WindowUser {
   void moveAlong(const std::vector<QPointF>& way, Qt::MouseButtons buttons)
   {
     QEventLoop loop;
-    QTimer hand;
+    QTimer mouse;
     std::size_t next = 0;
-    QObject::connect(&hand, &QTimer::timeout, &loop, [&] {
+    QObject::connect(&mouse, &QTimer::timeout, &loop, [&] {
       if (next == way.size()) return loop.quit();
       test::moveMouse(viewport(), way[next++], buttons);
     });
-    hand.start(kMilliSecondsBetweenMoves);
+    mouse.start(kMilliSecondsBetweenMoves);
     loop.exec();
   }
 

@@ -68,7 +68,7 @@ class RulerInWindow : public test::WindowUser {
     const Index a = freeVertex();
     Index b = a;
     const Positions& positions = editor().positions();
-    const Point& point = std::get<Point>(list().constraints[*indexOf(list(), "flange east")].what);
+    const PointConstraint& point = std::get<PointConstraint>(list().constraints[*indexOf(list(), "flange east")].what);
     const Vector3 dragged = std::get<Target>(point.to).place;
     const auto toDragged = [&](Index v) { return (positions.row(v).transpose() - dragged).norm(); };
     for (Index v = 0; v < positions.rows(); ++v) {

@@ -196,7 +196,7 @@ TEST_F(SectionInWindow, WhatLiesBehindTheCutIsPickedThroughThePlane)
   const auto count = list().constraints.size();
   test::click(viewport(), inWidget(pixelOf(triangle)));
   ASSERT_EQ(list().constraints.size(), count + 1);
-  const auto* at = std::get_if<AtFace>(&std::get<Point>(list().constraints.back().what).at);
+  const auto* at = std::get_if<AtFace>(&std::get<PointConstraint>(list().constraints.back().what).at);
   ASSERT_NE(at, nullptr);
   EXPECT_EQ(at->face, editor().model()->triangulation.faceOf[triangle]);
 }

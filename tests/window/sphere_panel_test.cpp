@@ -34,7 +34,7 @@ class SpherePanelOfPlate : public ::testing::Test {
     const std::string path = test::dataFolder() + "/plate_unsymmetric.off";
     NoProgress quiet;
     editor.open(loadMesh(path, quiet), {readConstraints(test::dataFolder() + "/" + constraints), {}});
-    ASSERT_TRUE(test::waitUntil([&] { return editor.freshness() == Freshness::Current; }));
+    ASSERT_TRUE(test::waitUntil([&] { return editor.solveState() == SolveState::Current; }));
   }
 
   [[nodiscard]] bool isShown() const
@@ -133,7 +133,7 @@ TEST_F(SpherePanelOfPlate, HiddenItIsNotKeptUpToDate)
   ConstraintList fewer = editor.list();
   fewer.constraints.pop_back();
   editor.edit("delete", fewer);
-  ASSERT_TRUE(test::waitUntil([&] { return editor.freshness() == Freshness::Current; }));
+  ASSERT_TRUE(test::waitUntil([&] { return editor.solveState() == SolveState::Current; }));
   EXPECT_EQ(panel.sphere()->placed().boundary.size(), before);
   panel.show();
   ASSERT_TRUE(isShown());
@@ -146,12 +146,12 @@ TEST_F(SpherePanelOfPlate, OfManyChangesTheLastIsShown)
   for (int degrees = 1; degrees <= 12; ++degrees) {
     const auto before = editor.deformation();
     for (Constraint& constraint : turning.constraints)
-      if (auto* const moved = std::get_if<Handle>(&constraint.what))
-        moved->motion = Turn{{0, 0, 1}, 10.0 * degrees, {}};
+      if (auto* const moved = std::get_if<HandleConstraint>(&constraint.what))
+        moved->motion = AxisRotation{{0, 0, 1}, 10.0 * degrees, {}};
     editor.edit("turn", turning);
     ASSERT_TRUE(test::waitUntil([&] { return editor.deformation() != before; }));
   }
-  ASSERT_TRUE(test::waitUntil([&] { return editor.freshness() == Freshness::Current; }));
+  ASSERT_TRUE(test::waitUntil([&] { return editor.solveState() == SolveState::Current; }));
   ASSERT_TRUE(isShown());
   const PlacedRotations& placed = panel.sphere()->placed();
   for (const BoundaryRotation& value : placed.boundary)

@@ -91,7 +91,9 @@ TEST_F(StockWidget, FollowsTheMouseAndToolsPickWhereItIsNot)
 TEST_F(StockWidget, GivesWayToTheGizmoUnlessItsPriorityIsTheHigherOne)
 {
   const Index point = *indexOf(list(), "flange east");
-  const auto target = [&] { return std::get<Target>(std::get<Point>(list().constraints[point].what).to).place; };
+  const auto target = [&] {
+    return std::get<Target>(std::get<PointConstraint>(list().constraints[point].what).to).place;
+  };
   editor().selectConstraints({point});
   ASSERT_TRUE(settle());
   putSphere(target(), 2 * kGizmoPixels);

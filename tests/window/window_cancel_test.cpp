@@ -31,7 +31,7 @@ class LargeDocument : public test::WindowUser {
                                test::moveBy(AtVertex{top(document.mesh)}, {0, 0.2, 0.3})});
     editor().open(prepareMesh(std::move(document), "box", quiet), std::move(state));
     ASSERT_TRUE(settle());
-    ASSERT_EQ(editor().freshness(), Freshness::Current);
+    ASSERT_EQ(editor().solveState(), SolveState::Current);
     ASSERT_GT(editor().model()->mesh.vertexCount(), 20'000);
     before = editor().positions();
   }
@@ -47,15 +47,15 @@ class LargeDocument : public test::WindowUser {
   void holdMore(Index vertex)
   {
     editor().edit("hold more", added(editor().list(), {"held " + std::to_string(vertex), true,
-                                                       Point{AtVertex{vertex}, Move{Vector3(0, 0.01, 0)}}}));
+                                                       PointConstraint{AtVertex{vertex}, Move{Vector3(0, 0.01, 0)}}}));
   }
 
   /// Runs `act` when the worker says that it factorises, while nothing that it says later has been handled.
   [[nodiscard]] bool whileFactorising(const std::function<void()>& act)
   {
     bool hasActed = false;
-    const auto connection = QObject::connect(&editor(), &Editor::stageChanged, &window, [&] {
-      if (hasActed || !editor().stage().startsWith("factorising")) return;
+    const auto connection = QObject::connect(&editor(), &Editor::stepChanged, &window, [&] {
+      if (hasActed || !editor().step().startsWith("factorising")) return;
       hasActed = true;
       act();
     });
@@ -68,7 +68,7 @@ class LargeDocument : public test::WindowUser {
   void hearTheRest()
   {
     holdMore(17);
-    ASSERT_TRUE(test::waitUntil([this] { return editor().freshness() == Freshness::Current; }));
+    ASSERT_TRUE(test::waitUntil([this] { return editor().solveState() == SolveState::Current; }));
     editor().undo();
   }
 
@@ -85,7 +85,7 @@ TEST_F(LargeDocument, EscapeStopsAFactorisation)
 {
   holdMore(3);
   ASSERT_TRUE(whileFactorising([this] { key(Qt::Key_Escape); }));
-  EXPECT_EQ(editor().freshness(), Freshness::Cancelled);
+  EXPECT_EQ(editor().solveState(), SolveState::Cancelled);
   EXPECT_EQ(editor().positions(), before);
   EXPECT_EQ(list().constraints.size(), 3u) << "the edit stays";
 }
@@ -99,7 +99,7 @@ TEST_F(LargeDocument, TheButtonStopsAFactorisation)
     EXPECT_TRUE(stop.isVisible());
     clickOn(stop);
   }));
-  EXPECT_EQ(editor().freshness(), Freshness::Cancelled);
+  EXPECT_EQ(editor().solveState(), SolveState::Cancelled);
   EXPECT_EQ(editor().positions(), before);
   EXPECT_FALSE(stop.isVisible());
 }
@@ -109,12 +109,12 @@ TEST_F(LargeDocument, ThePictureSaysThatItIsOlder)
   const QImage current = note();
   holdMore(3);
   ASSERT_TRUE(whileFactorising([this] { key(Qt::Key_Escape); }));
-  EXPECT_TRUE(freshnessText(editor()).startsWith("Older")) << freshnessText(editor()).toStdString();
-  EXPECT_TRUE(freshnessText(editor()).contains("F5"));
+  EXPECT_TRUE(solveStateText(editor()).startsWith("Older")) << solveStateText(editor()).toStdString();
+  EXPECT_TRUE(solveStateText(editor()).contains("F5"));
   EXPECT_NE(note(), current) << "a note over the picture";
   key(Qt::Key_F5);
   ASSERT_TRUE(settle());
-  EXPECT_TRUE(freshnessText(editor()).isEmpty());
+  EXPECT_TRUE(solveStateText(editor()).isEmpty());
 }
 
 TEST_F(LargeDocument, F5SolvesAgainWhatWasStopped)
@@ -122,9 +122,9 @@ TEST_F(LargeDocument, F5SolvesAgainWhatWasStopped)
   holdMore(3);
   ASSERT_TRUE(whileFactorising([this] { key(Qt::Key_Escape); }));
   key(Qt::Key_F5);
-  EXPECT_EQ(editor().freshness(), Freshness::Solving);
+  EXPECT_EQ(editor().solveState(), SolveState::Solving);
   ASSERT_TRUE(settle());
-  EXPECT_EQ(editor().freshness(), Freshness::Current);
+  EXPECT_EQ(editor().solveState(), SolveState::Current);
   EXPECT_EQ(editor().deformedState(), editor().history().state());
   EXPECT_EQ(editor().deformation()->report.constraints.size(), 3u);
   EXPECT_NE(editor().positions(), before);
@@ -148,7 +148,7 @@ TEST_F(LargeDocument, UndoWhileSolvingShowsAtOnceWhatWas)
   holdMore(3);
   ASSERT_TRUE(whileFactorising([this] {
     key(Qt::Key_Z, Qt::ControlModifier);
-    EXPECT_EQ(editor().freshness(), Freshness::Current);
+    EXPECT_EQ(editor().solveState(), SolveState::Current);
     EXPECT_EQ(editor().positions(), before);
   }));
   EXPECT_EQ(list().constraints.size(), 2u);
@@ -161,8 +161,8 @@ TEST_F(LargeDocument, OfEditsThatFollowOneAnotherTheLastIsShown)
 {
   std::vector<std::shared_ptr<const DocumentState>> shown;
   QObject::connect(&editor(), &Editor::deformed, &window, [&] { shown.push_back(editor().deformedState()); });
-  QObject::connect(&editor(), &Editor::freshnessChanged, &window, [&] {
-    if (editor().freshness() == Freshness::Current) {
+  QObject::connect(&editor(), &Editor::solveStateChanged, &window, [&] {
+    if (editor().solveState() == SolveState::Current) {
       EXPECT_EQ(editor().deformedState(), editor().history().state());
     }
   });
@@ -171,7 +171,7 @@ TEST_F(LargeDocument, OfEditsThatFollowOneAnotherTheLastIsShown)
     holdMore(5);
     holdMore(7);
   }));
-  EXPECT_EQ(editor().freshness(), Freshness::Solving);
+  EXPECT_EQ(editor().solveState(), SolveState::Solving);
   ASSERT_TRUE(settle());
   ASSERT_FALSE(shown.empty());
   EXPECT_EQ(shown.back(), editor().history().state());

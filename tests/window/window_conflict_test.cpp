@@ -92,7 +92,7 @@ class HeldTwice : public test::WindowUser {
     return nullptr;
   }
 
-  [[nodiscard]] QString wordsOf(const Card& card, const char* label) { return card.findChild<QLabel*>(label)->text(); }
+  [[nodiscard]] QString textOf(const Card& card, const char* label) { return card.findChild<QLabel*>(label)->text(); }
 
   void expectNoConflict()
   {
@@ -115,14 +115,15 @@ class HeldTwice : public test::WindowUser {
     const auto marks = marksOf(second);
     ASSERT_EQ(marks.size(), 1u);
     EXPECT_EQ(marks.front().status, ConstraintStatus::Conflicting);
-    EXPECT_EQ(marks.front().target, std::get<Target>(std::get<Point>(list().constraints[second].what).to).place);
+    EXPECT_EQ(marks.front().target,
+              std::get<Target>(std::get<PointConstraint>(list().constraints[second].what).to).place);
     ASSERT_NE(conflictCard(), nullptr);
     EXPECT_TRUE(conflictCard()->isEnabled());
   }
 
   void typeConflict()
   {
-    const double z = std::get<Target>(std::get<Point>(list().constraints[first].what).to).place.z();
+    const double z = std::get<Target>(std::get<PointConstraint>(list().constraints[first].what).to).place.z();
     typeInto(second, Table::Z, std::to_string(z + 2.5).c_str());
     ASSERT_TRUE(settle());
   }
@@ -151,7 +152,7 @@ TEST_F(HeldTwice, ConflictsWhereAnotherTargetIsTyped)
 {
   typeConflict();
   expectConflict();
-  const double gap = (editor().deformation()->report.constraints[second].clashes.front().gap).norm();
+  const double gap = (editor().deformation()->report.constraints[second].conflictSets.front().gap).norm();
   EXPECT_NEAR(gap, 2.5, 1e-5);
 }
 
@@ -174,11 +175,11 @@ TEST_F(HeldTwice, TheCardSaysWithWhatAndByHowMuch)
 {
   typeConflict();
   ASSERT_NE(conflictCard(), nullptr);
-  const QString title = wordsOf(*conflictCard(), "cardTitle");
+  const QString title = textOf(*conflictCard(), "cardTitle");
   const QString expected = QString("“%1” asks for a place 2.5\u00a0mm away from where “%2” puts it.")
                                .arg(nameOf(second).c_str(), nameOf(first).c_str());
   EXPECT_EQ(title, expected) << title.toStdString();
-  const QString text = wordsOf(*conflictCard(), "cardText");
+  const QString text = textOf(*conflictCard(), "cardText");
   EXPECT_TRUE(text.startsWith("Off by (")) << text.toStdString();
   EXPECT_TRUE(text.contains("2.5) mm")) << text.toStdString();
 }

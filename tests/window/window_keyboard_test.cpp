@@ -90,7 +90,9 @@ TEST_F(KeyboardInWindow, HoldsMovesUndoesAndSaves)
   EXPECT_EQ(editor().selectedConstraints(), (std::vector<Index>{1}));
   goToColumn(Table::Z);
   typeIntoCell("72.125");
-  const auto target = [this] { return std::get<Target>(std::get<Point>(list().constraints[1].what).to).place; };
+  const auto target = [this] {
+    return std::get<Target>(std::get<PointConstraint>(list().constraints[1].what).to).place;
+  };
   EXPECT_EQ(target(), Vector3(0, 23, 72.125));
   EXPECT_EQ(shown(1, Table::Status), "met");
 
@@ -121,7 +123,7 @@ TEST_F(KeyboardInWindow, MakesAHandleOfWhatIsSelectedAndShiftsIt)
   key(Qt::Key_Home, Qt::ControlModifier);
   goToColumn(Table::X);
   typeIntoCell("3.5");
-  EXPECT_EQ(std::get<Handle>(list().constraints[0].what).translate, Vector3(3.5, 0, 0));
+  EXPECT_EQ(std::get<HandleConstraint>(list().constraints[0].what).translate, Vector3(3.5, 0, 0));
   EXPECT_EQ(editor().positions().col(0), (editor().model()->mesh.positions.col(0).array() + 3.5).matrix());
 }
 

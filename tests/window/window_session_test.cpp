@@ -102,7 +102,7 @@ class SessionInWindow : public test::WindowUser {
     again->resize(window.size());
     ASSERT_TRUE(test::showAndWait(*again));
     again->files().open(QString::fromStdString(session().string()));
-    ASSERT_TRUE(test::waitUntil([this] { return again->editor().freshness() == Freshness::Current; }));
+    ASSERT_TRUE(test::waitUntil([this] { return again->editor().solveState() == SolveState::Current; }));
   }
 
   void expectSameDocument()

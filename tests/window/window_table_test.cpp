@@ -71,7 +71,7 @@ class TypedTarget : public test::WindowUser {
 
 TEST_F(TypedTarget, IsWhereTheVertexLiesToTheLastBit)
 {
-  EXPECT_EQ(editor().freshness(), Freshness::Current);
+  EXPECT_EQ(editor().solveState(), SolveState::Current);
   expectTyped(editor().positions().row(vertex).transpose(), "on screen");
   EXPECT_EQ(shown(row, Table::Status), "met");
 }

@@ -116,7 +116,7 @@ void WindowUser::holdVertex(Index vertex)
   pressKey(viewport(), Qt::Key_V);
   click(viewport(), seenAt(vertex));
   ASSERT_EQ(list().constraints.size(), before + 1);
-  const auto* point = std::get_if<Point>(&list().constraints.back().what);
+  const auto* point = std::get_if<PointConstraint>(&list().constraints.back().what);
   ASSERT_NE(point, nullptr);
   const auto* at = std::get_if<AtVertex>(&point->at);
   ASSERT_NE(at, nullptr);

@@ -19,7 +19,7 @@ class Progress {
   virtual ~Progress() = default;
 
   /// May throw `Cancelled`.
-  virtual void stage(std::string_view description) = 0;
+  virtual void step(std::string_view description) = 0;
 
   /// Called again and again while a step that nothing can stop goes on elsewhere (`LongStep`). May throw `Cancelled`.
   virtual void proceed() {}
@@ -33,7 +33,7 @@ class Progress {
 /// Tells nobody.
 class NoProgress final : public Progress {
  public:
-  void stage(std::string_view /*description*/) override {}
+  void step(std::string_view /*description*/) override {}
 };
 
 }  // namespace holdfast

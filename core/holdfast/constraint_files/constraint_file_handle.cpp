@@ -6,17 +6,17 @@
 #include <holdfast/base/error.h>
 #include <holdfast/constraint_files/constraint_file_terms_internal.h>
 #include <holdfast/constraint_files/constraint_file_text_internal.h>
-#include <holdfast/constraints/handle_mistake.h>
+#include <holdfast/constraints/handle_validation.h>
 
 namespace holdfast {
 namespace {
 
-using Motion = decltype(Handle::motion);
+using Motion = decltype(HandleConstraint::motion);
 
 constexpr std::array<std::string_view, 4> kMotions{"rotate", "turn", "frame", "targets"};
 constexpr std::array<std::string_view, 6> kNeeded{"rotate", "turn", "frame", "targets", "translate", "rotations"};
-constexpr std::array<std::string_view, 3> kTurnKeys{"axis", "degrees", "center"};
-constexpr std::array<std::string_view, 2> kVertexTurnKeys{"axis", "degrees"};
+constexpr std::array<std::string_view, 3> kRotationKeys{"axis", "degrees", "center"};
+constexpr std::array<std::string_view, 2> kAxisAngleKeys{"axis", "degrees"};
 constexpr std::array<std::string_view, 3> kFrameMotionKeys{"from", "to", "turns"};
 constexpr std::array<std::string_view, 3> kFrameKeys{"origin", "x", "y"};
 constexpr std::array<std::string_view, 1> kTurns{"about-fixed"};
@@ -26,21 +26,21 @@ bool hasAnyOf(const JsonReader& json, std::span<const std::string_view> keys)
   return std::any_of(keys.begin(), keys.end(), [&](std::string_view key) { return json.has(key); });
 }
 
-Turn readTurn(const JsonReader& json)
+AxisRotation readAxisRotation(const JsonReader& json)
 {
-  json.requireKeys(kTurnKeys);
-  Turn turn{json["axis"].direction(), json["degrees"].number(), std::nullopt};
+  json.requireKeys(kRotationKeys);
+  AxisRotation turn{json["axis"].direction(), json["degrees"].number(), std::nullopt};
   if (json.has("center")) turn.center = json["center"].vector();
   return turn;
 }
 
-VertexTurn readVertexTurn(const JsonReader& json)
+AxisAngle readAxisAngle(const JsonReader& json)
 {
-  json.requireKeys(kVertexTurnKeys);
+  json.requireKeys(kAxisAngleKeys);
   return {json["axis"].direction(), json["degrees"].number()};
 }
 
-TurnAboutFixed readTurnAboutFixed(const JsonReader& handle)
+RotationAboutFixed readRotationAboutFixed(const JsonReader& handle)
 {
   const JsonReader json = handle["turn"];
   if (json.text() != kTurns[0])
@@ -48,7 +48,7 @@ TurnAboutFixed readTurnAboutFixed(const JsonReader& handle)
   if (!handle.has("translate"))
     json.fail(R"(the handle turns as "translate" moves it about the fixed vertices; add "translate")");
   if (!handle.has("turn_near")) return {};
-  return {readVertexTurn(handle["turn_near"])};
+  return {readAxisAngle(handle["turn_near"])};
 }
 
 Frame readFrame(const JsonReader& json)
@@ -78,10 +78,10 @@ VertexTargets readTargets(const JsonReader& json)
   return targets;
 }
 
-std::vector<VertexTurn> readRotations(const JsonReader& json)
+std::vector<AxisAngle> readRotations(const JsonReader& json)
 {
-  std::vector<VertexTurn> rotations;
-  for (std::size_t k = 0; k < json.sizeAboveZero(); ++k) rotations.push_back(readVertexTurn(json.element(k)));
+  std::vector<AxisAngle> rotations;
+  for (std::size_t k = 0; k < json.sizeAboveZero(); ++k) rotations.push_back(readAxisAngle(json.element(k)));
   return rotations;
 }
 
@@ -91,24 +91,24 @@ Motion readMotion(const JsonReader& json)
     json.failBelow(".turn_near", R"(says which "turn" is meant, and there is none; add "turn": "about-fixed")");
   if (!hasAnyOf(json, kMotions)) return std::monostate{};
   const std::string_view kind = json.oneKeyOf(kMotions);
-  if (kind == "rotate") return readTurn(json[kind]);
-  if (kind == "turn") return readTurnAboutFixed(json);
+  if (kind == "rotate") return readAxisRotation(json[kind]);
+  if (kind == "turn") return readRotationAboutFixed(json);
   if (kind == "frame") return readFrameMotion(json[kind]);
   return readTargets(json[kind]);
 }
 
 }  // namespace
 
-Handle readHandle(const JsonReader& json)
+HandleConstraint readHandle(const JsonReader& json)
 {
-  Handle handle{readSelection(json["select"]), {}, Vector3::Zero(), {}};
+  HandleConstraint handle{readSelection(json["select"]), {}, Vector3::Zero(), {}};
   if (!hasAnyOf(json, kNeeded))
     json.fail(R"(a handle needs "rotate", "translate" or both, or another way to go: "turn", "frame", "targets", )"
               R"("rotations"; "fixed" is the type of what stays where it is)");
   handle.motion = readMotion(json);
   if (json.has("translate")) handle.translate = json["translate"].vector();
   if (json.has("rotations")) handle.rotations = readRotations(json["rotations"]);
-  if (const std::optional<HandleMistake> mistake = findMistake(handle)) json.failBelow(mistake->key, mistake->reason);
+  if (const std::optional<HandleError> error = validateHandle(handle)) json.failBelow(error->key, error->reason);
   return handle;
 }
 

@@ -37,12 +37,12 @@ constexpr std::array<std::string_view, 2> kDestinations{"target", "move"};
 
 What readFixed(const JsonReader& json)
 {
-  return Fixed{readSelection(json["select"])};
+  return FixedConstraint{readSelection(json["select"])};
 }
 
 What readRigid(const JsonReader& json)
 {
-  return Rigid{readSelection(json["select"])};
+  return RigidConstraint{readSelection(json["select"])};
 }
 
 What readHandleConstraint(const JsonReader& json)
@@ -52,7 +52,7 @@ What readHandleConstraint(const JsonReader& json)
 
 What readPoint(const JsonReader& json)
 {
-  Point point{readLocation(json["at"]), {}};
+  PointConstraint point{readLocation(json["at"]), {}};
   if (json.oneKeyOf(kDestinations) == "target")
     point.to = Target{json["target"].vector()};
   else
@@ -62,7 +62,7 @@ What readPoint(const JsonReader& json)
 
 What readRelative(const JsonReader& json)
 {
-  Relative relative{readLocation(json["from"]), readLocation(json["to"]), std::nullopt};
+  RelativeConstraint relative{readLocation(json["from"]), readLocation(json["to"]), std::nullopt};
   if (json.has("offset")) relative.offset = json["offset"].vector();
   return relative;
 }

@@ -66,7 +66,7 @@ std::string frameJson(const Frame& frame)
   return fmt::format(R"({{{}"x": {}, "y": {}}})", origin, vectorJson(frame.x), vectorJson(frame.y));
 }
 
-std::string turnJson(const VertexTurn& turn)
+std::string axisAngleJson(const AxisAngle& turn)
 {
   return fmt::format(R"({{"axis": {}, "degrees": {}}})", vectorJson(turn.axis), numberJson(turn.degrees));
 }
@@ -74,15 +74,15 @@ std::string turnJson(const VertexTurn& turn)
 /// What moves a handle besides `translate`, after a comma.
 struct MotionJson {
   std::string operator()(std::monostate) const { return ""; }
-  std::string operator()(const Turn& turn) const
+  std::string operator()(const AxisRotation& turn) const
   {
     const std::string center = turn.center ? fmt::format(R"(, "center": {})", vectorJson(*turn.center)) : "";
     return fmt::format(R"(, "rotate": {{"axis": {}, "degrees": {}{}}})", vectorJson(turn.axis),
                        numberJson(turn.degrees), center);
   }
-  std::string operator()(const TurnAboutFixed& turn) const
+  std::string operator()(const RotationAboutFixed& turn) const
   {
-    return R"(, "turn": "about-fixed")" + (turn.near ? R"(, "turn_near": )" + turnJson(*turn.near) : "");
+    return R"(, "turn": "about-fixed")" + (turn.near ? R"(, "turn_near": )" + axisAngleJson(*turn.near) : "");
   }
   std::string operator()(const FrameMotion& motion) const
   {
@@ -95,21 +95,21 @@ struct MotionJson {
   }
 };
 
-std::string rotationsJson(const std::vector<VertexTurn>& rotations)
+std::string rotationsJson(const std::vector<AxisAngle>& rotations)
 {
-  return rotations.empty() ? "" : fmt::format(R"(, "rotations": {})", listJson(rotations, turnJson));
+  return rotations.empty() ? "" : fmt::format(R"(, "rotations": {})", listJson(rotations, axisAngleJson));
 }
 
 /// The keys that only this type of constraint has, each after a comma.
 struct OwnKeysJson {
-  std::string operator()(const Fixed& fixed) const { return selectJson(fixed.select); }
-  std::string operator()(const Rigid& rigid) const { return selectJson(rigid.select); }
-  std::string operator()(const Handle& handle) const
+  std::string operator()(const FixedConstraint& fixed) const { return selectJson(fixed.select); }
+  std::string operator()(const RigidConstraint& rigid) const { return selectJson(rigid.select); }
+  std::string operator()(const HandleConstraint& handle) const
   {
     return fmt::format(R"({}{}, "translate": {}{})", selectJson(handle.select), std::visit(MotionJson{}, handle.motion),
                        vectorJson(handle.translate), rotationsJson(handle.rotations));
   }
-  std::string operator()(const Point& point) const
+  std::string operator()(const PointConstraint& point) const
   {
     return fmt::format(R"(, "at": {}{})", LocationJson::json(point.at), std::visit(*this, point.to));
   }
@@ -118,7 +118,7 @@ struct OwnKeysJson {
     return fmt::format(R"(, "target": {})", vectorJson(target.place));
   }
   std::string operator()(const Move& move) const { return fmt::format(R"(, "move": {})", vectorJson(move.shift)); }
-  std::string operator()(const Relative& relative) const
+  std::string operator()(const RelativeConstraint& relative) const
   {
     const std::string offset = relative.offset ? fmt::format(R"(, "offset": {})", vectorJson(*relative.offset)) : "";
     return fmt::format(R"(, "from": {}, "to": {}{})", LocationJson::json(relative.from),

@@ -96,16 +96,16 @@ Selection readNested(const JsonReader& json, int depth)
     json.fail(fmt::format("selections are nested deeper than {}; take levels out", kMaximumSelectionDepth));
   json.requireKeys(kSelections);
   const std::string_view kind = json.oneKeyOf(kSelections);
-  const JsonReader body = json[kind];
-  if (kind == "vertices") return {readVertices(body)};
-  if (kind == "box") return {readBox(body)};
-  if (kind == "sphere") return {readSphere(body)};
-  if (kind == "halfspace") return {readHalfSpace(body)};
-  if (kind == "component") return {InComponent{body.id()}};
-  if (kind == "curve") return {readCurve(body)};
-  if (kind == "all") return {AllOf{readParts(body, depth + 1)}};
-  if (kind == "any") return {AnyOf{readParts(body, depth + 1)}};
-  return {NotIn{std::make_shared<const Selection>(readNested(body, depth + 1))}};
+  const JsonReader group = json[kind];
+  if (kind == "vertices") return {readVertices(group)};
+  if (kind == "box") return {readBox(group)};
+  if (kind == "sphere") return {readSphere(group)};
+  if (kind == "halfspace") return {readHalfSpace(group)};
+  if (kind == "component") return {InComponent{group.id()}};
+  if (kind == "curve") return {readCurve(group)};
+  if (kind == "all") return {AllOf{readParts(group, depth + 1)}};
+  if (kind == "any") return {AnyOf{readParts(group, depth + 1)}};
+  return {NotIn{std::make_shared<const Selection>(readNested(group, depth + 1))}};
 }
 
 AtEdge readEdge(const JsonReader& json)

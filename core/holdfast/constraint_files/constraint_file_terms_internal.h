@@ -16,6 +16,6 @@ namespace holdfast {
 [[nodiscard]] SurfaceLocation readLocation(const JsonReader& json);
 
 /// The handle that the constraint states. Throws `InputError`.
-[[nodiscard]] Handle readHandle(const JsonReader& json);
+[[nodiscard]] HandleConstraint readHandle(const JsonReader& json);
 
 }  // namespace holdfast

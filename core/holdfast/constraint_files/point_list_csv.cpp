@@ -127,7 +127,7 @@ class PointListReader {
     const std::string& name = record.fields[places[kName]];
     const Vector3 place(number(kX), number(kY), number(kZ));
     const Vector3 target(number(kTargetX), number(kTargetY), number(kTargetZ));
-    return {name.empty() ? fmt::format("point {}", row) : name, true, Point{AtNear{place}, Target{target}}};
+    return {name.empty() ? fmt::format("point {}", row) : name, true, PointConstraint{AtNear{place}, Target{target}}};
   }
 
   [[nodiscard]] double readNumber(std::string_view field, Index line, Column column) const

@@ -4,11 +4,11 @@ namespace holdfast {
 namespace {
 
 struct TypeName {
-  const char* operator()(const Fixed&) const { return "fixed"; }
-  const char* operator()(const Handle&) const { return "handle"; }
-  const char* operator()(const Point&) const { return "point"; }
-  const char* operator()(const Rigid&) const { return "rigid"; }
-  const char* operator()(const Relative&) const { return "relative"; }
+  const char* operator()(const FixedConstraint&) const { return "fixed"; }
+  const char* operator()(const HandleConstraint&) const { return "handle"; }
+  const char* operator()(const PointConstraint&) const { return "point"; }
+  const char* operator()(const RigidConstraint&) const { return "rigid"; }
+  const char* operator()(const RelativeConstraint&) const { return "relative"; }
 };
 
 }  // namespace

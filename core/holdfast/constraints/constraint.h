@@ -14,29 +14,29 @@
 namespace holdfast {
 
 /// Every selected vertex stays where it is: p at rest, q = 0.
-struct Fixed {
+struct FixedConstraint {
   Selection select;
 };
 
 /// A turn by `degrees` (any number of turns) about the line through `center` along `axis` (not zero, any length).
-struct Turn {
+struct AxisRotation {
   Vector3 axis = Vector3::UnitZ();
   double degrees = 0;
   std::optional<Vector3> center;  ///< the centroid of the selected vertices at rest where absent
 };
 
 /// How much something turns: `degrees` (any number of turns) about `axis` (not zero, any length).
-struct VertexTurn {
+struct AxisAngle {
   Vector3 axis = Vector3::UnitZ();
   double degrees = 0;
 };
 
 /// The shortest rotation that takes the handle from where the fixed vertices see it to where they see it after
-/// `Handle::translate`, centroid from centroid, at rest; about the handle's own centroid.
-struct TurnAboutFixed {
+/// `HandleConstraint::translate`, centroid from centroid, at rest; about the handle's own centroid.
+struct RotationAboutFixed {
   /// Of the turns that make this rotation, which differ by whole turns, the nearest to this one is meant; the shortest
   /// where absent. Where both directions are opposite it says the axis as well: the nearest across them.
-  std::optional<VertexTurn> near;
+  std::optional<AxisAngle> near;
 };
 
 /// A right-handed frame in space: z is across x and y, and y is made perpendicular to x. Neither is zero, nor are they
@@ -62,13 +62,13 @@ struct VertexTargets {
 
 /// Every selected vertex goes where `motion` takes it, or stays where there is none, and then by `translate`. The
 /// rotation of the motion, none where there is none, is handed on to the surface.
-struct Handle {
+struct HandleConstraint {
   Selection select;
-  std::variant<std::monostate, Turn, TurnAboutFixed, FrameMotion, VertexTargets> motion;
+  std::variant<std::monostate, AxisRotation, RotationAboutFixed, FrameMotion, VertexTargets> motion;
   Vector3 translate = Vector3::Zero();
   /// What each vertex hands on to the surface in the place of the rotation of the motion: one for each of `VertexIds`,
   /// distinct, in their order; or none at all.
-  std::vector<VertexTurn> rotations;
+  std::vector<AxisAngle> rotations;
 };
 
 /// Where a point goes: to a place, or by a shift from where it is at rest; model units.
@@ -80,19 +80,19 @@ struct Move {
 };
 
 /// One point of the surface goes to one place.
-struct Point {
+struct PointConstraint {
   SurfaceLocation at;
   std::variant<Target, Move> to;
 };
 
 /// The selected vertices move as one body, wherever the rest takes it: the vectors between them are kept and their
 /// rotations are equal, equations (28) and (29).
-struct Rigid {
+struct RigidConstraint {
   Selection select;
 };
 
 /// p_from - p_to keeps its rest vector, or takes `offset`, Fig. 8.
-struct Relative {
+struct RelativeConstraint {
   SurfaceLocation from;
   SurfaceLocation to;
   std::optional<Vector3> offset;
@@ -102,7 +102,7 @@ struct Relative {
 struct Constraint {
   std::string name;  ///< unique in its list
   bool isEnabled = true;
-  std::variant<Fixed, Handle, Point, Rigid, Relative> what;
+  std::variant<FixedConstraint, HandleConstraint, PointConstraint, RigidConstraint, RelativeConstraint> what;
 };
 
 /// The name of the constraint's type in files and reports: "fixed", "handle", "point", "rigid", "relative".

@@ -8,8 +8,8 @@
 #include <holdfast/base/disjoint_sets.h>
 #include <holdfast/base/error.h>
 #include <holdfast/base/printable.h>
-#include <holdfast/constraints/handle_mistake.h>
 #include <holdfast/constraints/handle_motion.h>
+#include <holdfast/constraints/handle_validation.h>
 #include <holdfast/constraints/selector.h>
 #include <holdfast/geometry/centroid.h>
 #include <holdfast/surface/surface_locator.h>
@@ -26,12 +26,12 @@ std::vector<Index> ascending(std::vector<Index> ids)
 }
 
 /// The vertices have entries of their own, in the order in which they are listed.
-bool isListed(const Handle& handle)
+bool isListed(const HandleConstraint& handle)
 {
   return !handle.rotations.empty() || std::holds_alternative<VertexTargets>(handle.motion);
 }
 
-bool saysNothingOfTurning(const Handle& handle)
+bool statesNoRotation(const HandleConstraint& handle)
 {
   return handle.rotations.empty() && std::holds_alternative<std::monostate>(handle.motion);
 }
@@ -49,7 +49,7 @@ class SystemBuilder {
         selector_(mesh, solverMesh, locator_),
         selected_(list.constraints.size()),
         pinOf_(static_cast<std::size_t>(solverMesh.unknownCount()), -1),
-        isTurned_(static_cast<std::size_t>(solverMesh.unknownCount()), false)
+        hasRotation_(static_cast<std::size_t>(solverMesh.unknownCount()), false)
   {
     system_.points.resize(list.constraints.size());
     system_.surfaceDistances.resize(list.constraints.size(), 0);
@@ -60,7 +60,7 @@ class SystemBuilder {
     forEach([this](const auto& what) { selectFor(what); });
     surroundings_ = surroundings();
     forEach([this](const auto& what) { add(what); });
-    turnBodiesByTheirLeaders();
+    rotateRegionsAsTheirFirst();
     return std::move(system_);
   }
 
@@ -95,13 +95,13 @@ class SystemBuilder {
   {
     std::vector<Index> fixed;
     for (std::size_t c = 0; c < selected_.size(); ++c)
-      if (list_.constraints[c].isEnabled && std::holds_alternative<Fixed>(list_.constraints[c].what))
+      if (list_.constraints[c].isEnabled && std::holds_alternative<FixedConstraint>(list_.constraints[c].what))
         fixed.insert(fixed.end(), selected_[c].begin(), selected_[c].end());
     if (fixed.empty()) return {std::nullopt, solverMesh_.diagonal};
     return {centroid(restOf(ascending(std::move(fixed)))), solverMesh_.diagonal};
   }
 
-  void add(const Fixed& /*fixed*/)
+  void add(const FixedConstraint& /*fixed*/)
   {
     if (!isEnabled()) return;
     for (const Index v : selected_[current_]) {
@@ -110,10 +110,10 @@ class SystemBuilder {
     }
   }
 
-  void add(const Handle& handle)
+  void add(const HandleConstraint& handle)
   {
-    if (const std::optional<HandleMistake> mistake = findMistake(handle))
-      throw InputError(key(mistake->key), mistake->reason);
+    if (const std::optional<HandleError> error = validateHandle(handle))
+      throw InputError(key(error->key), error->reason);
     if (!isEnabled()) return;
     const std::vector<Index>& vertices =
         isListed(handle) ? std::get<VertexIds>(handle.select.what).ids : selected_[current_];
@@ -123,10 +123,10 @@ class SystemBuilder {
       addPin(vertices[k], placement.places.row(k));
       giveRotation(vertices[k], placement.q.row(k));
     }
-    noteTurning(handle, placement, shareMoved(handle, rest, surroundings_));
+    noteRotation(handle, placement, shareMoved(handle, rest, surroundings_));
   }
 
-  void add(const Point& point)
+  void add(const PointConstraint& point)
   {
     const SurfacePoint at = located(point.at, ".at");
     system_.points[current_] = at;
@@ -137,26 +137,26 @@ class SystemBuilder {
       addRow(at, rest + std::get<Move>(point.to).shift, std::get<Move>(point.to).shift);
   }
 
-  void add(const Rigid& /*rigid*/)
+  void add(const RigidConstraint& /*rigid*/)
   {
     if (!isEnabled()) return;
-    std::vector<Index> body = selected_[current_];
-    for (Index& v : body) v = solverMesh_.weld.unknownOf[v];
-    body = ascending(std::move(body));
-    const SurfacePoint reference{{{body.front(), 1.0}}};
-    for (const Index u : body)
-      if (u != body.front()) addCarried(RowKind::Body, {{{u, 1.0}}}, reference, reference.terms);
-    if (body.size() == 1)
+    std::vector<Index> group = selected_[current_];
+    for (Index& v : group) v = solverMesh_.weld.unknownOf[v];
+    group = ascending(std::move(group));
+    const SurfacePoint reference{{{group.front(), 1.0}}};
+    for (const Index u : group)
+      if (u != group.front()) addRotatedVector(RowKind::Region, {{{u, 1.0}}}, reference, reference.terms);
+    if (group.size() == 1)
       note("rigid_region_of_one_vertex", "a region of one vertex is rigid in any case; select more, or remove it");
-    system_.bodies.push_back(std::move(body));
+    system_.rigidRegions.push_back(std::move(group));
   }
 
-  void add(const Relative& relative)
+  void add(const RelativeConstraint& relative)
   {
     const SurfacePoint from = overUnknowns(located(relative.from, ".from"));
     const SurfacePoint to = overUnknowns(located(relative.to, ".to"));
     if (!isEnabled()) return;
-    if (!relative.offset) return addCarried(RowKind::Relative, from, to, midpoint(from, to).terms);
+    if (!relative.offset) return addRotatedVector(RowKind::Relative, from, to, midpoint(from, to).terms);
     const Vector3 rest = restVector(from, to);
     system_.rows.push_back(
         {difference(from, to), *relative.offset, *relative.offset - rest, current_, RowKind::Relative});
@@ -181,49 +181,49 @@ class SystemBuilder {
     if (!isEnabled()) return;
     ConstraintRow row{overUnknowns(at).terms, target, shift, current_};
     if (isRepeatOfOwnPin(row)) return;
-    if (row.isPin()) pinOf_[row.terms.front().vertex] = static_cast<Index>(system_.rows.size());
+    if (row.isPin()) pinOf_[row.terms.front().index] = static_cast<Index>(system_.rows.size());
     system_.rows.push_back(std::move(row));
   }
 
   /// The row from - to whose d is what it is at rest, turned by the rotation of `rotation`.
-  void addCarried(RowKind kind, const SurfacePoint& from, const SurfacePoint& to, std::vector<PointTerm> rotation)
+  void addRotatedVector(RowKind kind, const SurfacePoint& from, const SurfacePoint& to, std::vector<Term> rotation)
   {
     const Vector3 rest = restVector(from, to);
-    system_.carried.push_back({static_cast<Index>(system_.rows.size()), rest, std::move(rotation)});
+    system_.rotated.push_back({static_cast<Index>(system_.rows.size()), rest, std::move(rotation)});
     system_.rows.push_back({difference(from, to), rest, Vector3::Zero(), current_, kind});
   }
 
   void giveRotation(Index vertex, const Vector3& q)
   {
     const Index unknown = solverMesh_.weld.unknownOf[vertex];
-    if (!isTurned_[unknown]) system_.rotations.push_back({unknown, q, current_});
-    isTurned_[unknown] = true;
+    if (!hasRotation_[unknown]) system_.rotations.push_back({unknown, q, current_});
+    hasRotation_[unknown] = true;
   }
 
   /// The rows of a body turn by the rotation that the field has where none is given: the first that is given in the
   /// body or in one that overlaps it.
-  void turnBodiesByTheirLeaders()
+  void rotateRegionsAsTheirFirst()
   {
-    DisjointSets bodies(solverMesh_.unknownCount());
-    bodies.uniteEach(system_.bodies);
+    DisjointSets rigidRegions(solverMesh_.unknownCount());
+    rigidRegions.uniteEach(system_.rigidRegions);
     // Of each representative.
     std::vector<Index> leader(static_cast<std::size_t>(solverMesh_.unknownCount()), -1);
     for (auto given = system_.rotations.rbegin(); given != system_.rotations.rend(); ++given)
-      leader[bodies.find(given->unknown)] = given->unknown;
-    for (CarriedVector& carried : system_.carried) {
-      if (system_.rows[carried.row].kind != RowKind::Body) continue;
-      Index& unknown = carried.rotation.front().vertex;
-      if (const Index given = leader[bodies.find(unknown)]; given >= 0) unknown = given;
+      leader[rigidRegions.find(given->unknown)] = given->unknown;
+    for (RotatedVector& rotated : system_.rotated) {
+      if (system_.rows[rotated.row].kind != RowKind::Region) continue;
+      Index& unknown = rotated.rotation.front().index;
+      if (const Index given = leader[rigidRegions.find(unknown)]; given >= 0) unknown = given;
     }
   }
 
-  void noteTurning(const Handle& handle, const HandlePlacement& placement, double share)
+  void noteRotation(const HandleConstraint& handle, const HandlePlacement& placement, double share)
   {
     if (!placement.isDetermined)
       note("undetermined_rotation",
            "its targets do not say how it turns: they or its vertices lie on a line, or the targets mirror it; the "
            "rotation that fits is taken, give \"rotations\" if it should be another");
-    if (saysNothingOfTurning(handle) && share > kUnsaidRotation)
+    if (statesNoRotation(handle) && share > kUnsaidRotation)
       note("unsaid_rotation",
            fmt::format("moved {:.0f} % of its distance to the fixed region without turning; give it a rotation "
                        "(\"rotate\", or \"turn\": \"about-fixed\") if it should turn",
@@ -244,7 +244,7 @@ class SystemBuilder {
 
   [[nodiscard]] SurfacePoint overUnknowns(SurfacePoint point) const
   {
-    for (PointTerm& term : point.terms) term.vertex = solverMesh_.weld.unknownOf[term.vertex];
+    for (Term& term : point.terms) term.index = solverMesh_.weld.unknownOf[term.index];
     return canonical(std::move(point.terms));
   }
 
@@ -257,7 +257,7 @@ class SystemBuilder {
   /// Vertices of one selection that are one unknown ask for the same thing once.
   [[nodiscard]] bool isRepeatOfOwnPin(const ConstraintRow& row) const
   {
-    const Index before = row.isPin() ? pinOf_[row.terms.front().vertex] : -1;
+    const Index before = row.isPin() ? pinOf_[row.terms.front().index] : -1;
     return before >= 0 && system_.rows[before].constraint == current_ && system_.rows[before].target == row.target;
   }
 
@@ -269,8 +269,8 @@ class SystemBuilder {
   Selector selector_;
   std::vector<std::vector<Index>> selected_;  // vertices of each constraint
   HandleSurroundings surroundings_;
-  std::vector<Index> pinOf_;    // of each unknown: the row that pinned it last
-  std::vector<bool> isTurned_;  // of each unknown: its rotation is given
+  std::vector<Index> pinOf_;       // of each unknown: the row that pinned it last
+  std::vector<bool> hasRotation_;  // of each unknown: its rotation is given
   Index current_ = 0;
   ConstraintSystem system_;
 };

@@ -14,7 +14,7 @@ namespace holdfast {
 /// What a row prescribes.
 enum class RowKind {
   Position,  ///< where a point of the surface is
-  Body,      ///< how an unknown of a rigid region lies to the first one of it: the vector x_i - x_ref of (28)
+  Region,    ///< how an unknown of a rigid region lies to the first one of it: the vector x_i - x_ref of (28)
   Relative   ///< how one point of the surface lies to another: p_from - p_to, Fig. 8
 };
 
@@ -22,7 +22,7 @@ enum class RowKind {
 struct ConstraintRow {
   /// Unknowns, ascending, with their coefficients. A pin is one term of weight 1. The coefficients of a difference sum
   /// to 0, and there are none at all where it is that of a point and itself.
-  std::vector<PointTerm> terms;
+  std::vector<Term> terms;
   Vector3 target;        ///< d, model units
   Vector3 shift;         ///< d - B p at rest: what the row asks of the displacement
   Index constraint = 0;  ///< place in the list of the constraint that it came from
@@ -34,10 +34,10 @@ struct ConstraintRow {
 /// A row whose d turns with the surface: exp(q) rest, with q the sum of weight * q_unknown. In a rigid region that is
 /// the q of its first unknown, or, where rotations are given in it, of the unknown whose rotation is given first: that
 /// is the one which the rotation field has in the region.
-struct CarriedVector {
-  Index row = 0;                    ///< place in `ConstraintSystem::rows`
-  Vector3 rest = Vector3::Zero();   ///< B p at rest, model units
-  std::vector<PointTerm> rotation;  ///< unknowns, ascending, with weights of sum 1
+struct RotatedVector {
+  Index row = 0;                   ///< place in `ConstraintSystem::rows`
+  Vector3 rest = Vector3::Zero();  ///< B p at rest, model units
+  std::vector<Term> rotation;      ///< unknowns, ascending, with weights of sum 1
 };
 
 /// A rotation that a constraint prescribes, q = r.
@@ -64,15 +64,17 @@ struct ConstraintSystem {
   std::vector<ConstraintRow> rows;
   std::vector<SurfacePoint> points;      ///< of each constraint of type point: where it lies, in file vertices
   std::vector<double> surfaceDistances;  ///< of each constraint: how far its `near` places lay from the surface; else 0
-  std::vector<CarriedVector> carried;    ///< ascending by row; the rows are as at q = 0, see `turned`
+  std::vector<RotatedVector> rotated;    ///< ascending by row; the rows are as at q = 0, see `rotated`
   std::vector<GivenRotation> rotations;  ///< in the user's order; each unknown once, because the first stands
-  std::vector<std::vector<Index>> bodies;  ///< unknowns of each rigid region, ascending; the rows refer to the first
-  std::vector<ConstraintNote> notes;       ///< in the user's order
+  std::vector<std::vector<Index>>
+      rigidRegions;                   ///< unknowns of each rigid region, ascending; the rows refer to the first
+  std::vector<ConstraintNote> notes;  ///< in the user's order
 };
 
 /// Makes rows of a list of constraints on a mesh whose positions are finite. `source` names the list in messages.
 /// Throws `InputError` with the place in the list: ids out of range, edges that are not in the mesh, as many weights as
-/// a face has no corners, selections without a vertex, handles with a mistake (`findMistake`) or without a place to go
+/// a face has no corners, selections without a vertex, handles with a mistake (`validateHandle`) or without a place to
+/// go
 /// (`placeHandle`). O(N) per selection, O(log T) per `near` point after O(T log T).
 [[nodiscard]] ConstraintSystem makeConstraintSystem(const ConstraintList& list, const Mesh& mesh,
                                                     const Triangulation& triangulation, const SolverMesh& solverMesh,

@@ -37,10 +37,10 @@ Index CurveSelector::nearestVertex(const SurfaceLocation& location, const InputL
   const Vector3 place = positionOf(point, mesh_.positions);
   Index nearest = -1;
   double least = std::numeric_limits<double>::infinity();
-  for (const PointTerm& term : point.terms) {
-    const double distance = (mesh_.positions.row(term.vertex).transpose() - place).stableNorm();
+  for (const Term& term : point.terms) {
+    const double distance = (mesh_.positions.row(term.index).transpose() - place).stableNorm();
     if (distance >= least) continue;
-    nearest = term.vertex;
+    nearest = term.index;
     least = distance;
   }
   return nearest;

@@ -30,23 +30,23 @@ constexpr double kLeastAxis = 1e-3;
 // Just short of half a turn, from where on rounding would choose between its two logs.
 constexpr double kHalfTurn = pi / 2 * (1 - 1e-9);
 
-bool isNone(const VertexTurn& turn)
+bool isNone(const AxisAngle& turn)
 {
   return turn.degrees == 0 || turn.axis.isZero(0);
 }
 
-VertexTurn turnOf(const Vector3& q)
+AxisAngle turnOf(const Vector3& q)
 {
-  return q.isZero(0) ? VertexTurn{} : VertexTurn{q.stableNormalized(), angleDegrees(q)};
+  return q.isZero(0) ? AxisAngle{} : AxisAngle{q.stableNormalized(), angleDegrees(q)};
 }
 
-Vector3 logOf(const VertexTurn& turn)
+Vector3 logOf(const AxisAngle& turn)
 {
   return rotationLog(turn.axis, turn.degrees);
 }
 
 /// The log of `next` after `start`, followed from `start`.
-Vector3 followedLog(const VertexTurn& start, const VertexTurn& next)
+Vector3 followedLog(const AxisAngle& start, const AxisAngle& next)
 {
   const Vector3 first = logOf(start);
   const Eigen::Quaterniond rotation = rotationExp(first);
@@ -68,20 +68,20 @@ Vector3 swing(const RigidIncrement& increment, const Vector3& from)
 }
 
 /// One overload for each motion: turns the handle, whose `translate` is still the one before.
-struct Turner {
-  Handle& handle;
+struct Rotator {
+  HandleConstraint& handle;
   const RigidIncrement& increment;
   const Positions& rest;
-  const VertexTurn& before;
+  const AxisAngle& before;
 
   void operator()(std::monostate) const
   {
-    handle.motion = Turn{increment.axis, increment.degrees, increment.pivot - handle.translate};
+    handle.motion = AxisRotation{increment.axis, increment.degrees, increment.pivot - handle.translate};
   }
 
-  void operator()(const Turn& turn) const { turnAbout(turn.center); }
+  void operator()(const AxisRotation& turn) const { rotateAbout(turn.center); }
 
-  void operator()(const TurnAboutFixed& /*turn*/) const { turnAbout(std::nullopt); }
+  void operator()(const RotationAboutFixed& /*turn*/) const { rotateAbout(std::nullopt); }
 
   void operator()(const FrameMotion& motion) const
   {
@@ -94,7 +94,7 @@ struct Turner {
     const Vector3 q = logOf(after());
     const Vector3 shortest = rotationLog(Eigen::Matrix3d(axesOf(moved.to) * axesOf(moved.from).transpose()));
     if (q.norm() > kHalfTurn && shortest.norm() < kLeastAxis) {
-      handle.motion = Turn{after().axis, after().degrees, from};
+      handle.motion = AxisRotation{after().axis, after().degrees, from};
       handle.translate += *moved.to.origin - from;
       return;
     }
@@ -107,44 +107,44 @@ struct Turner {
     VertexTargets moved = targets;
     for (Vector3& place : moved.places) place += swing(increment, place + handle.translate);
     handle.motion = std::move(moved);
-    const VertexTurn turn = after();
+    const AxisAngle turn = after();
     if (handle.rotations.empty() && logOf(turn).norm() > kHalfTurn)
       handle.rotations.assign(targets.places.size(), turn);
   }
 
  private:
-  [[nodiscard]] VertexTurn after() const { return composed(before, {increment.axis, increment.degrees}); }
+  [[nodiscard]] AxisAngle after() const { return composed(before, {increment.axis, increment.degrees}); }
 
-  void turnAbout(const std::optional<Vector3>& center) const
+  void rotateAbout(const std::optional<Vector3>& center) const
   {
-    const VertexTurn turn = after();
+    const AxisAngle turn = after();
     handle.translate += swing(increment, center.value_or(centroid(rest)) + handle.translate);
-    handle.motion = Turn{turn.axis, turn.degrees, center};
+    handle.motion = AxisRotation{turn.axis, turn.degrees, center};
   }
 };
 
 }  // namespace
 
-VertexTurn turnOfMotion(Handle handle, const Positions& rest, const HandleSurroundings& surroundings,
-                        const InputLocation& where)
+AxisAngle rotationOfMotion(HandleConstraint handle, const Positions& rest, const HandleSurroundings& surroundings,
+                           const InputLocation& where)
 {
-  if (const Turn* turn = std::get_if<Turn>(&handle.motion)) return {turn->axis, turn->degrees};
+  if (const AxisRotation* turn = std::get_if<AxisRotation>(&handle.motion)) return {turn->axis, turn->degrees};
   handle.rotations.clear();
   return turnOf(placeHandle(handle, rest, surroundings, where).q.row(0).transpose());
 }
 
-Handle followed(Handle handle, const VertexTurn& last, const Positions& rest, const HandleSurroundings& surroundings,
-                const InputLocation& where)
+HandleConstraint followed(HandleConstraint handle, const AxisAngle& last, const Positions& rest,
+                          const HandleSurroundings& surroundings, const InputLocation& where)
 {
-  auto* const about = std::get_if<TurnAboutFixed>(&handle.motion);
+  auto* const about = std::get_if<RotationAboutFixed>(&handle.motion);
   if (about == nullptr) return handle;
   about->near = last;
-  const VertexTurn turn = turnOfMotion(handle, rest, surroundings, where);
+  const AxisAngle turn = rotationOfMotion(handle, rest, surroundings, where);
   about->near = logOf(turn).norm() > kHalfTurn ? std::optional(turn) : std::nullopt;
   return handle;
 }
 
-VertexTurn composed(const VertexTurn& turn, const VertexTurn& next)
+AxisAngle composed(const AxisAngle& turn, const AxisAngle& next)
 {
   if (isNone(next)) return turn;
   if (isNone(turn)) return next;
@@ -155,16 +155,16 @@ VertexTurn composed(const VertexTurn& turn, const VertexTurn& next)
   return turnOf(followedLog(turn, next));
 }
 
-Handle composed(const Handle& handle, const RigidIncrement& increment, const Positions& rest,
-                const HandleSurroundings& surroundings, const InputLocation& where)
+HandleConstraint composed(const HandleConstraint& handle, const RigidIncrement& increment, const Positions& rest,
+                          const HandleSurroundings& surroundings, const InputLocation& where)
 {
-  const VertexTurn next{increment.axis, increment.degrees};
+  const AxisAngle next{increment.axis, increment.degrees};
   const bool isMoved = !increment.translation.isZero(0);
-  Handle result = handle;
+  HandleConstraint result = handle;
   if (!isNone(next)) {
-    const VertexTurn before = turnOfMotion(handle, rest, surroundings, where);
-    for (VertexTurn& turn : result.rotations) turn = composed(turn, next);
-    std::visit(Turner{result, increment, rest, before}, handle.motion);
+    const AxisAngle before = rotationOfMotion(handle, rest, surroundings, where);
+    for (AxisAngle& turn : result.rotations) turn = composed(turn, next);
+    std::visit(Rotator{result, increment, rest, before}, handle.motion);
   }
   if (isMoved) result.translate += increment.translation;
   return result;

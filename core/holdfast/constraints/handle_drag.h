@@ -20,32 +20,35 @@ struct RigidIncrement {
 /// `turn` and then `next`, as one turn. About the same line, or against it, degrees are added; about another one the
 /// rotations are composed, and of the logs of the result that one is taken which follows from that of `turn` while
 /// `next` grows from nothing: turns are kept, and nothing jumps during a drag. O(degrees of `next`), bounded.
-[[nodiscard]] VertexTurn composed(const VertexTurn& turn, const VertexTurn& next);
+[[nodiscard]] AxisAngle composed(const AxisAngle& turn, const AxisAngle& next);
 
 /// The handle that goes where `handle` goes and then by `increment`. `rest` and `surroundings` are those of
 /// `placeHandle`, and the handle has no mistake.
 ///
-/// A mere translation is added to `Handle::translate` and changes nothing else; a handle that turns about what is fixed
-/// then goes on doing so (`followed`), and only its centroid moves as the increment says. No increment at all gives
-/// `handle` back, bit for bit. With a turn
-/// - no motion, a `Turn` and a `TurnAboutFixed` become a `Turn`, with the center that they had, or the pivot;
+/// A mere translation is added to `HandleConstraint::translate` and changes nothing else; a handle that turns about
+/// what is fixed then goes on doing so (`followed`), and only its centroid moves as the increment says. No increment at
+/// all gives `handle` back, bit for bit. With a turn
+/// - no motion, a `AxisRotation` and a `RotationAboutFixed` become a `AxisRotation`, with the center that they had, or
+/// the pivot;
 /// - the `to` of a `FrameMotion` moves; where its frames are too nearly alike to name the axis of whole turns it
 /// becomes
-///   a `Turn`;
+///   a `AxisRotation`;
 /// - each place of `VertexTargets` moves; beyond half a turn, which places cannot say, `rotations` say it.
-/// Entries of `Handle::rotations` are turned as well. Throws `InputError` at `where` for a handle that turns about what
-/// is fixed and cannot (`placeHandle`). O(vertices).
-[[nodiscard]] Handle composed(const Handle& handle, const RigidIncrement& increment, const Positions& rest,
-                              const HandleSurroundings& surroundings, const InputLocation& where);
+/// Entries of `HandleConstraint::rotations` are turned as well. Throws `InputError` at `where` for a handle that turns
+/// about what is fixed and cannot (`placeHandle`). O(vertices).
+[[nodiscard]] HandleConstraint composed(const HandleConstraint& handle, const RigidIncrement& increment,
+                                        const Positions& rest, const HandleSurroundings& surroundings,
+                                        const InputLocation& where);
 
 /// How the motion of `handle` turns it, with `rest`, `surroundings`, errors and cost of `placeHandle`.
-[[nodiscard]] VertexTurn turnOfMotion(Handle handle, const Positions& rest, const HandleSurroundings& surroundings,
-                                      const InputLocation& where);
+[[nodiscard]] AxisAngle rotationOfMotion(HandleConstraint handle, const Positions& rest,
+                                         const HandleSurroundings& surroundings, const InputLocation& where);
 
 /// `handle`, one step of a drag after it turned by `last`: where it turns about what is fixed, it turns by what is
-/// nearest to that, and says so from half a turn on (`TurnAboutFixed::near`). So it can be dragged round what is fixed,
-/// and nothing jumps where it passes the far side. Other handles stay as they are. Throws and costs as `placeHandle`.
-[[nodiscard]] Handle followed(Handle handle, const VertexTurn& last, const Positions& rest,
-                              const HandleSurroundings& surroundings, const InputLocation& where);
+/// nearest to that, and says so from half a turn on (`RotationAboutFixed::near`). So it can be dragged round what is
+/// fixed, and nothing jumps where it passes the far side. Other handles stay as they are. Throws and costs as
+/// `placeHandle`.
+[[nodiscard]] HandleConstraint followed(HandleConstraint handle, const AxisAngle& last, const Positions& rest,
+                                        const HandleSurroundings& surroundings, const InputLocation& where);
 
 }  // namespace holdfast

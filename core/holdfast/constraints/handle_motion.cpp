@@ -55,7 +55,7 @@ struct Placer {
     return {rest.rowwise() + translate.transpose(), Positions::Zero(rest.rows(), 3)};
   }
 
-  HandlePlacement operator()(const Turn& turn) const
+  HandlePlacement operator()(const AxisRotation& turn) const
   {
     const Vector3 center = turn.center.value_or(centroid(rest));
     const RigidMotion motion{rotationMatrix(turn.axis, turn.degrees), rotationLog(turn.axis, turn.degrees), center,
@@ -63,7 +63,7 @@ struct Placer {
     return motion.place(rest, translate);
   }
 
-  HandlePlacement operator()(const TurnAboutFixed& turn) const
+  HandlePlacement operator()(const RotationAboutFixed& turn) const
   {
     const Vector3 own = centroid(rest);
     const Vector3 before = own - fixedCenter();
@@ -115,7 +115,7 @@ struct Placer {
   }
 
   [[nodiscard]] Eigen::Quaterniond rotationFromTo(const Vector3& before, const Vector3& after,
-                                                  const std::optional<VertexTurn>& near) const
+                                                  const std::optional<AxisAngle>& near) const
   {
     const DirectionTurn shortest = shortestRotation(before, after);
     if (shortest.isDetermined) return shortest.rotation;
@@ -148,8 +148,8 @@ Eigen::Matrix3d axesOf(const Frame& frame)
   return axes;
 }
 
-HandlePlacement placeHandle(const Handle& handle, const Positions& rest, const HandleSurroundings& surroundings,
-                            const InputLocation& where)
+HandlePlacement placeHandle(const HandleConstraint& handle, const Positions& rest,
+                            const HandleSurroundings& surroundings, const InputLocation& where)
 {
   const Placer placer{rest, handle.translate, surroundings, where};
   HandlePlacement result = std::visit(placer, handle.motion);
@@ -161,7 +161,7 @@ HandlePlacement placeHandle(const Handle& handle, const Positions& rest, const H
   return result;
 }
 
-double shareMoved(const Handle& handle, const Positions& rest, const HandleSurroundings& surroundings)
+double shareMoved(const HandleConstraint& handle, const Positions& rest, const HandleSurroundings& surroundings)
 {
   if (!surroundings.fixedCenter) return 0;
   const double distance = (centroid(rest) - *surroundings.fixedCenter).stableNorm();

@@ -30,10 +30,10 @@ struct HandlePlacement {
 inline constexpr double kNoDirection = 1e-9;
 
 /// `rest` holds the vertices of the handle, at least one: as listed, where it has targets or rotations of their own.
-/// The handle has no mistake (`findMistake`). Throws `InputError` at `where`, its element followed by the key at fault:
-/// a turn about fixed vertices that do not exist, or that say no direction, or the opposite one; places beyond the
-/// range of doubles. O(vertices).
-[[nodiscard]] HandlePlacement placeHandle(const Handle& handle, const Positions& rest,
+/// The handle has no mistake (`validateHandle`). Throws `InputError` at `where`, its element followed by the key at
+/// fault: a turn about fixed vertices that do not exist, or that say no direction, or the opposite one; places beyond
+/// the range of doubles. O(vertices).
+[[nodiscard]] HandlePlacement placeHandle(const HandleConstraint& handle, const Positions& rest,
                                           const HandleSurroundings& surroundings, const InputLocation& where);
 
 /// The axes of a frame as columns, orthonormal, right-handed.
@@ -41,6 +41,7 @@ inline constexpr double kNoDirection = 1e-9;
 
 /// How far the handle's centroid moves, as a share of its distance from the fixed one; 0 where that is none, or where
 /// nothing is fixed.
-[[nodiscard]] double shareMoved(const Handle& handle, const Positions& rest, const HandleSurroundings& surroundings);
+[[nodiscard]] double shareMoved(const HandleConstraint& handle, const Positions& rest,
+                                const HandleSurroundings& surroundings);
 
 }  // namespace holdfast

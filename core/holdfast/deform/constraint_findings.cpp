@@ -22,11 +22,11 @@ std::vector<Index> partsAtRest(const Model& model, const EliminatedConstraints& 
   return atRest;
 }
 
-Finding nearlyDependent(std::vector<Index> amplified, double largest)
+Finding nearlyDependent(std::vector<Index> spread, double largest)
 {
   const std::string amount = fmt::format("a unit of inconsistency moves vertices by up to {:.2g} units; ", largest);
   return makeFinding(
-      "nearly_dependent_constraints", "constraint", std::move(amplified),
+      "nearly_dependent_constraints", "constraint", std::move(spread),
       {"constraint nearly follows from others: " + amount + "move its points apart, or leave it out",
        "constraints nearly follow from others: " + amount + "move their points apart, or leave some out"});
 }
@@ -42,14 +42,14 @@ std::vector<Finding> constraintFindings(const Model& model, const EliminatedCons
         makeFinding("parts_at_rest", "vertex", std::move(atRest),
                     {"connected part has no constraint and stays at rest (a vertex of it is named)",
                      "connected parts have no constraint and stay at rest (a vertex of each is named)"}));
-  std::vector<Index> amplified;
+  std::vector<Index> spread;
   double largest = 0;
   for (std::size_t c = 0; c < outcomes.size(); ++c)
-    if (const double amplification = outcomes[c].amplification.value_or(0); amplification > kLargeAmplification) {
-      amplified.push_back(static_cast<Index>(c));
-      largest = std::max(largest, amplification);
+    if (const double sensitivity = outcomes[c].sensitivity.value_or(0); sensitivity > kLargeSensitivity) {
+      spread.push_back(static_cast<Index>(c));
+      largest = std::max(largest, sensitivity);
     }
-  if (!amplified.empty()) findings.push_back(nearlyDependent(std::move(amplified), largest));
+  if (!spread.empty()) findings.push_back(nearlyDependent(std::move(spread), largest));
   for (const ConstraintNote& note : system.notes)
     findings.push_back({note.kind,
                         1,

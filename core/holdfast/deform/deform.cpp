@@ -2,17 +2,17 @@
 
 #include <utility>
 
-#include <holdfast/constraints/carried_vectors.h>
+#include <holdfast/constraints/rotated_vectors.h>
 #include <holdfast/deform/constraint_findings.h>
 #include <holdfast/deform/deformer.h>
 #include <holdfast/deform/messages.h>
 #include <holdfast/deform/outcomes.h>
-#include <holdfast/deform/rotation_stage.h>
+#include <holdfast/deform/rotation_factorization.h>
 
 namespace holdfast {
 
-Deformation deform(const Model& model, const ConstraintList& constraints, const std::string& source,
-                   const DeformOptions& options, Progress& progress)
+DeformResult deform(const Model& model, const ConstraintList& constraints, const std::string& source,
+                    const DeformOptions& options, Progress& progress)
 {
   return Deformer(model, options).deform(constraints, source, progress);
 }
@@ -29,17 +29,17 @@ Report diagnoseConstraints(const Model& model, const ConstraintList& constraints
   const EliminatedConstraints eliminated = eliminate(system, model.solverMesh);
   NoProgress progress;
   const Rotations rotations =
-      RotationStage(model.solverMesh, options.weights, options.solver.backend).solve(system, progress);
+      RotationFactorization(model.solverMesh, options.weights, options.solver.backend).solve(system, progress);
   takeOver(rotations, report);
   if (rotations.failure.empty()) {
-    system = turned(std::move(system), rotations.q);
+    system = rotated(std::move(system), rotations.q);
   } else {
     report.solve.status = SolveStatus::Failed;
     report.solve.message = failureMessage(options, rotations.failure);
   }
   const Diagnosis diagnosis = diagnose(eliminated, system, model.solverMesh);
   report.constraints = outcomes(constraints, system, diagnosis);
-  setAmplifications(report.constraints, system, diagnosis, eliminated.elimination.amplifications());
+  setSensitivities(report.constraints, system, diagnosis, eliminated.elimination.sensitivities());
   for (Finding& finding : constraintFindings(model, eliminated, system, report.constraints))
     report.mesh.findings.push_back(std::move(finding));
   return report;

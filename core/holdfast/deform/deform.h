@@ -19,10 +19,11 @@ struct DeformOptions {
 };
 
 /// A deformed mesh, or (status `Failed`) the mesh at rest with the reason in the report.
-struct Deformation {
+struct DeformResult {
   Positions positions;  ///< of the file's vertices
   Columns3 rotations;   ///< q of every unknown, n x 3, logs
-  Columns3 forces;      ///< of the constraints on every unknown, n x 3, see `Forces`; empty but for hard constraints
+  Columns3
+      multipliers;  ///< of the constraints on every unknown, n x 3, see `Multipliers`; empty but for hard constraints
   ConstraintSystem system;  ///< the rows that were asked for, turned by the rotations
   Diagnosis diagnosis;
   std::shared_ptr<const Operators> operators;
@@ -31,8 +32,8 @@ struct Deformation {
 
 /// Deforms `model` under `constraints`; `source` names the list in messages. Throws `InputError` for constraints that
 /// do not fit the mesh, and what `progress` throws. Everything else is in the report. The model is not changed.
-[[nodiscard]] Deformation deform(const Model& model, const ConstraintList& constraints, const std::string& source,
-                                 const DeformOptions& options, Progress& progress);
+[[nodiscard]] DeformResult deform(const Model& model, const ConstraintList& constraints, const std::string& source,
+                                  const DeformOptions& options, Progress& progress);
 
 /// The report without positions: what repeats, what conflicts, which parts would stay at rest. Residuals are not set.
 /// Rotations are solved for, with the weights and the backend of `options`, where any are asked for: what rigid regions

@@ -5,11 +5,11 @@
 #include <fmt/format.h>
 
 #include <holdfast/base/stopwatch.h>
-#include <holdfast/constraints/carried_vectors.h>
+#include <holdfast/constraints/rotated_vectors.h>
 #include <holdfast/deform/accuracy.h>
 #include <holdfast/deform/constraint_findings.h>
-#include <holdfast/deform/forces.h>
 #include <holdfast/deform/messages.h>
+#include <holdfast/deform/multipliers.h>
 #include <holdfast/deform/outcomes.h>
 
 namespace holdfast {
@@ -23,7 +23,7 @@ Positions deformedPositions(const Model& model, const ConstraintSystem& system, 
   std::vector<Index> pinOf(static_cast<std::size_t>(model.solverMesh.unknownCount()), -1);
   for (Index r = static_cast<Index>(system.rows.size()) - 1; r >= 0; --r)
     if (system.rows[r].isPin() && diagnosis.status[r] != RowStatus::Conflicting)
-      pinOf[system.rows[r].terms.front().vertex] = r;
+      pinOf[system.rows[r].terms.front().index] = r;
   Positions positions = model.mesh.positions;
   for (Index v = 0; v < positions.rows(); ++v) {
     const Index unknown = unknownOf[v];
@@ -52,15 +52,15 @@ class Solution {
   }
 
   /// Everything but the seconds that went before.
-  Deformation by(Decomposition& decomposition, Progress& progress)
+  DeformResult by(ConstraintFactorization& factorization, Progress& progress)
   {
-    diagnoseRows(decomposition);
+    diagnoseRows(factorization);
     if (result_.operators->undefinedRows.empty())
-      rotate(decomposition, progress);
+      rotate(factorization, progress);
     else
       refuse(undefinedRowsMessage(model_, *result_.operators));
-    addFindings(decomposition.eliminated());
-    if (report().status != SolveStatus::Failed) solve(decomposition, progress);
+    addFindings(factorization.eliminated());
+    if (report().status != SolveStatus::Failed) solve(factorization, progress);
     return std::move(result_);
   }
 
@@ -83,27 +83,27 @@ class Solution {
     }
   }
 
-  void diagnoseRows(const Decomposition& decomposition)
+  void diagnoseRows(const ConstraintFactorization& factorization)
   {
-    result_.diagnosis = diagnose(decomposition.eliminated(), result_.system, model_.solverMesh);
+    result_.diagnosis = diagnose(factorization.eliminated(), result_.system, model_.solverMesh);
     result_.report.constraints = outcomes(constraints_, result_.system, result_.diagnosis);
-    setAmplifications(result_.report.constraints, result_.system, result_.diagnosis, decomposition.amplifications());
+    setSensitivities(result_.report.constraints, result_.system, result_.diagnosis, factorization.sensitivities());
   }
 
   /// Finds the rotations and what they make of the rows.
-  void rotate(Decomposition& decomposition, Progress& progress)
+  void rotate(ConstraintFactorization& factorization, Progress& progress)
   {
-    const bool isFactorised = decomposition.hasRotationFactor();
+    const bool isFactorised = factorization.hasRotationFactor();
     const Stopwatch stopwatch;
-    Rotations rotations = decomposition.rotations(result_.system, progress);
+    Rotations rotations = factorization.rotations(result_.system, progress);
     Seconds& seconds = report().seconds;
-    (isFactorised ? seconds.solution : seconds.decomposition) += stopwatch.seconds();
+    (isFactorised ? seconds.solution : seconds.factorization) += stopwatch.seconds();
     takeOver(rotations, result_.report);
     if (!rotations.failure.empty()) return fail(rotations.failure);
     if (rotations.q.isZero(0)) return;
-    result_.system = turned(std::move(result_.system), rotations.q);
+    result_.system = rotated(std::move(result_.system), rotations.q);
     result_.rotations = std::move(rotations.q);
-    diagnoseRows(decomposition);
+    diagnoseRows(factorization);
   }
 
   void addFindings(const EliminatedConstraints& eliminated)
@@ -115,34 +115,34 @@ class Solution {
       findings.push_back(std::move(finding));
   }
 
-  void solve(Decomposition& decomposition, Progress& progress)
+  void solve(ConstraintFactorization& factorization, Progress& progress)
   {
-    const Stopwatch factorization;
-    const DecompositionAttempt& attempt = decomposition.positions(progress);
-    report().seconds.decomposition += factorization.seconds();
-    if (attempt.solver == nullptr) return fail(attempt.failure);
-    report().unknowns = attempt.solver->unknowns();
-    report().factorNonzeros = attempt.solver->factorNonzeros();
-    report().method = attempt.solver->method();
+    const Stopwatch watch;
+    const SolverResult& result = factorization.positions(progress);
+    report().seconds.factorization += watch.seconds();
+    if (!result) return fail(result.failure);
+    report().unknowns = result.value->unknowns();
+    report().factorNonzeros = result.value->factorNonzeros();
+    report().method = result.value->method();
 
-    progress.stage("solving");
+    progress.step("solving");
     const Stopwatch solution;
-    const Columns3 f = turnedDetail(*result_.operators, result_.rotations, model_.solverMesh.diagonal);
-    const Displacement displacement =
-        attempt.solver->solve({shiftsOf(result_.system), result_.diagnosis.reconciled}, f);
+    const Columns3 f = rotatedDetail(*result_.operators, result_.rotations, model_.solverMesh.diagonal);
+    const Displacement displacement = result.value->solve({shiftsOf(result_.system), result_.diagnosis.reconciled}, f);
     accept(displacement);
     if (options_.solver.kind == SolverKind::Hard && report().status != SolveStatus::Failed)
-      weigh(forcesOf(*result_.operators, decomposition.eliminated(), displacement.u, f, model_.solverMesh.diagonal));
+      setMultipliers(
+          multipliersOf(*result_.operators, factorization.eliminated(), displacement.u, f, model_.solverMesh.diagonal));
     report().seconds.solution += solution.seconds();
   }
 
-  void weigh(Forces forces)
+  void setMultipliers(Multipliers multipliers)
   {
     const std::vector<double> ofConstraints =
-        forcesOfConstraints(forces, result_.system, result_.report.constraints.size());
+        multipliersOfConstraints(multipliers, result_.system, result_.report.constraints.size());
     for (std::size_t c = 0; c < ofConstraints.size(); ++c)
-      if (result_.report.constraints[c].rows > 0) result_.report.constraints[c].force = ofConstraints[c];
-    result_.forces = std::move(forces.ofUnknowns);
+      if (result_.report.constraints[c].rows > 0) result_.report.constraints[c].multiplier = ofConstraints[c];
+    result_.multipliers = std::move(multipliers.ofUnknowns);
   }
 
   /// Takes the solution over when it is one.
@@ -159,10 +159,10 @@ class Solution {
     const bool isEliminated = options_.solver.kind == SolverKind::Hard;
     result_.positions = isEliminated ? deformedPositions(model_, result_.system, result_.diagnosis, displacement.u)
                                      : deformedPositions(model_, {}, {}, displacement.u);
-    judge();
+    setVerdicts();
   }
 
-  void judge()
+  void setVerdicts()
   {
     const SolverMesh& mesh = model_.solverMesh;
     result_.diagnosis.limits = residualLimits(mesh, result_.system, result_.diagnosis.dependent,
@@ -177,36 +177,36 @@ class Solution {
   const Model& model_;
   const ConstraintList& constraints_;
   const DeformOptions& options_;
-  Deformation result_;
+  DeformResult result_;
 };
 
 }  // namespace
 
 Deformer::Deformer(const Model& model, const DeformOptions& options) : model_(model), options_(options) {}
 
-Deformation Deformer::deform(const ConstraintList& constraints, const std::string& source, Progress& progress)
+DeformResult Deformer::deform(const ConstraintList& constraints, const std::string& source, Progress& progress)
 {
   Seconds seconds;
   const Stopwatch setup;
   ConstraintSystem system =
       makeConstraintSystem(constraints, model_.mesh, model_.triangulation, model_.solverMesh, source);
   if (operators_ == nullptr) {
-    progress.stage(fmt::format("building operators of {} vertices", model_.mesh.vertexCount()));
+    progress.step(fmt::format("building operators of {} vertices", model_.mesh.vertexCount()));
     operators_ = std::make_shared<const Operators>(makeOperators(model_.solverMesh, options_.weights));
   }
   seconds.setup = setup.seconds();
 
   const Stopwatch elimination;
-  if (decomposition_ == nullptr || !decomposition_->serves(system)) {
-    progress.stage(fmt::format("eliminating {} rows of constraints", system.rows.size()));
-    decomposition_ = std::make_unique<Decomposition>(model_, operators_, system, options_);
+  if (factorization_ == nullptr || !factorization_->serves(system)) {
+    progress.step(fmt::format("eliminating {} rows of constraints", system.rows.size()));
+    factorization_ = std::make_unique<ConstraintFactorization>(model_, operators_, system, options_);
   }
-  seconds.decomposition = elimination.seconds();
+  seconds.factorization = elimination.seconds();
 
-  Deformation result =
-      Solution(model_, constraints, options_, operators_, std::move(system)).by(*decomposition_, progress);
+  DeformResult result =
+      Solution(model_, constraints, options_, operators_, std::move(system)).by(*factorization_, progress);
   result.report.solve.seconds.setup = seconds.setup;
-  result.report.solve.seconds.decomposition += seconds.decomposition;
+  result.report.solve.seconds.factorization += seconds.factorization;
   return result;
 }
 

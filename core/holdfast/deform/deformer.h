@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include <holdfast/deform/decomposition.h>
+#include <holdfast/deform/constraint_factorization.h>
 #include <holdfast/deform/deform.h>
 
 namespace holdfast {
@@ -18,13 +18,13 @@ class Deformer {
   Deformer(const Model& model, const DeformOptions& options);
 
   /// As the function `deform`. When `progress` or an unusable list throws, this is as if it had not been called.
-  [[nodiscard]] Deformation deform(const ConstraintList& constraints, const std::string& source, Progress& progress);
+  [[nodiscard]] DeformResult deform(const ConstraintList& constraints, const std::string& source, Progress& progress);
 
  private:
   const Model& model_;
   DeformOptions options_;
   std::shared_ptr<const Operators> operators_;
-  std::unique_ptr<Decomposition> decomposition_;
+  std::unique_ptr<ConstraintFactorization> factorization_;
 };
 
 }  // namespace holdfast

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include <holdfast/deform/outcomes.h>
-#include <holdfast/deform/rotation_stage.h>
+#include <holdfast/deform/rotation_factorization.h>
 #include <holdfast/geometry/rotation_log.h>
 
 namespace holdfast {
@@ -20,14 +20,14 @@ std::vector<double> spread(const std::vector<double>& ofUnknowns, const Weld& we
   return values;
 }
 
-Field residualField(const Model& model, const Deformation& deformation)
+Field residualField(const Model& model, const DeformResult& deformation)
 {
   std::vector<double> largest(static_cast<std::size_t>(model.solverMesh.unknownCount()),
                               std::numeric_limits<double>::quiet_NaN());
   const std::vector<double> residuals = rowResiduals(deformation.system, model.solverMesh.weld, deformation.positions);
   for (std::size_t r = 0; r < residuals.size(); ++r)
-    for (const PointTerm& term : deformation.system.rows[r].terms)
-      largest[term.vertex] = std::fmax(largest[term.vertex], residuals[r]);
+    for (const Term& term : deformation.system.rows[r].terms)
+      largest[term.index] = std::fmax(largest[term.index], residuals[r]);
   return {"constraint_residual", 1, spread(largest, model.solverMesh.weld)};
 }
 
@@ -49,23 +49,23 @@ double statusCode(ConstraintStatus status)
   return 0;
 }
 
-Field statusField(const Model& model, const Deformation& deformation)
+Field statusField(const Model& model, const DeformResult& deformation)
 {
   std::vector<double> gravest(static_cast<std::size_t>(model.solverMesh.unknownCount()), 0);
   for (const ConstraintRow& row : deformation.system.rows)
-    for (const PointTerm& term : row.terms)
-      gravest[term.vertex] =
-          std::max(gravest[term.vertex], statusCode(deformation.report.constraints[row.constraint].status));
+    for (const Term& term : row.terms)
+      gravest[term.index] =
+          std::max(gravest[term.index], statusCode(deformation.report.constraints[row.constraint].status));
   return {"constraint_status", 1, spread(gravest, model.solverMesh.weld)};
 }
 
-Field displacementField(const Model& model, const Deformation& deformation)
+Field displacementField(const Model& model, const DeformResult& deformation)
 {
   const Positions displacement = deformation.positions - model.mesh.positions;
   return {"displacement", 3, {displacement.data(), displacement.data() + displacement.size()}};
 }
 
-Field rotationField(const Model& model, const Deformation& deformation)
+Field rotationField(const Model& model, const DeformResult& deformation)
 {
   Field field{"rotation_log", 3, {}};
   field.values.reserve(3 * model.solverMesh.weld.unknownOf.size());
@@ -74,7 +74,7 @@ Field rotationField(const Model& model, const Deformation& deformation)
   return field;
 }
 
-Field angleField(const Model& model, const Deformation& deformation)
+Field angleField(const Model& model, const DeformResult& deformation)
 {
   std::vector<double> degrees;
   degrees.reserve(static_cast<std::size_t>(deformation.rotations.rows()));
@@ -83,26 +83,26 @@ Field angleField(const Model& model, const Deformation& deformation)
   return {"rotation_angle_degrees", 1, spread(degrees, model.solverMesh.weld)};
 }
 
-Field forceField(const Model& model, const Deformation& deformation)
+Field multiplierField(const Model& model, const DeformResult& deformation)
 {
   std::vector<double> lengths(static_cast<std::size_t>(model.solverMesh.unknownCount()),
                               std::numeric_limits<double>::quiet_NaN());
-  if (deformation.forces.rows() > 0)
+  if (deformation.multipliers.rows() > 0)
     for (const ConstraintRow& row : deformation.system.rows)
-      for (const PointTerm& term : row.terms) lengths[term.vertex] = deformation.forces.row(term.vertex).stableNorm();
+      for (const Term& term : row.terms) lengths[term.index] = deformation.multipliers.row(term.index).stableNorm();
   return {"constraint_force", 1, spread(lengths, model.solverMesh.weld)};
 }
 
 /// What the rotations make of delta, less delta, in diagonals.
-Columns3 turnedDelta(const Deformation& deformation)
+Columns3 rotatedDelta(const DeformResult& deformation)
 {
   Operators unweighted;
   unweighted.delta = deformation.operators->delta;
   unweighted.rowWeights = Eigen::VectorXd::Ones(unweighted.delta.rows());
-  return turnedDetail(unweighted, deformation.rotations, 1);
+  return rotatedDetail(unweighted, deformation.rotations, 1);
 }
 
-Field detailField(const Model& model, const Deformation& deformation)
+Field detailField(const Model& model, const DeformResult& deformation)
 {
   const SolverMesh& mesh = model.solverMesh;
   Columns3 u(mesh.unknownCount(), 3);  // in diagonals, as L and delta are
@@ -110,7 +110,7 @@ Field detailField(const Model& model, const Deformation& deformation)
     const Index v = mesh.weld.firstVertexOf[k];
     u.row(k) = (deformation.positions.row(v) - model.mesh.positions.row(v)) / mesh.diagonal;
   }
-  const Columns3 missed = deformation.operators->L * u - turnedDelta(deformation);
+  const Columns3 missed = deformation.operators->L * u - rotatedDelta(deformation);
   // L of cotangents is one over a squared length.
   const bool isUniform = deformation.operators->weights == Weights::Uniform;
   const double unit = isUniform ? mesh.diagonal : 1 / mesh.diagonal;
@@ -122,7 +122,7 @@ Field detailField(const Model& model, const Deformation& deformation)
 
 }  // namespace
 
-Field fieldOf(const Model& model, const Deformation& deformation, FieldKind kind)
+Field fieldOf(const Model& model, const DeformResult& deformation, FieldKind kind)
 {
   switch (kind) {
     case FieldKind::ConstraintResidual:
@@ -136,14 +136,14 @@ Field fieldOf(const Model& model, const Deformation& deformation, FieldKind kind
     case FieldKind::RotationAngleDegrees:
       return angleField(model, deformation);
     case FieldKind::ConstraintForce:
-      return forceField(model, deformation);
+      return multiplierField(model, deformation);
     case FieldKind::DetailResidual:
       return detailField(model, deformation);
   }
   return {};
 }
 
-std::vector<Field> fieldsOf(const Model& model, const Deformation& deformation)
+std::vector<Field> fieldsOf(const Model& model, const DeformResult& deformation)
 {
   std::vector<Field> fields;
   for (const FieldKind kind :

@@ -16,14 +16,14 @@ enum class FieldKind {
   Displacement,        ///< three components, model units
   RotationLog,         ///< three components: half angle times axis, radians
   RotationAngleDegrees,  ///< not wrapped
-  ConstraintForce,       ///< see `Forces`; NaN where there is no constraint, and but for hard constraints
+  ConstraintForce,       ///< see `Multipliers`; NaN where there is no constraint, and but for hard constraints
   DetailResidual  ///< |L p - R delta|, for `uniform` weights in model units, for the others in one over model units
 };
 
 /// The field, called as its kind in small letters: `constraint_residual`. O(N + rows).
-[[nodiscard]] Field fieldOf(const Model& model, const Deformation& deformation, FieldKind kind);
+[[nodiscard]] Field fieldOf(const Model& model, const DeformResult& deformation, FieldKind kind);
 
 /// All of them. O(N + rows).
-[[nodiscard]] std::vector<Field> fieldsOf(const Model& model, const Deformation& deformation);
+[[nodiscard]] std::vector<Field> fieldsOf(const Model& model, const DeformResult& deformation);
 
 }  // namespace holdfast

@@ -73,16 +73,16 @@ std::string solvedMessage(const Report& report, const std::optional<MissedRow>& 
 
 std::string missedMessage(const Report& report, const MissedRow& row)
 {
-  const double amplification = report.constraints[row.constraint].amplification.value_or(0);
-  if (amplification > kLargeAmplification)
+  const double sensitivity = report.constraints[row.constraint].sensitivity.value_or(0);
+  if (sensitivity > kLargeSensitivity)
     return fmt::format(
         "{}: constraints beside it nearly repeat it, so that small differences of what they ask for move the mesh far "
         "(amplification {:.2g}); leave one of them out, or move them apart",
-        missText(report, row), amplification);
+        missText(report, row), sensitivity);
   return fmt::format(
       "{}; the cause is not known (amplification of the constraint {:.2g}, {} of the solution); it may help to leave "
       "it out, or those that hold its vertices, or to ask for less far a move",
-      missText(report, row), amplification, accuracyText(report.solve.accuracy));
+      missText(report, row), sensitivity, accuracyText(report.solve.accuracy));
 }
 
 }  // namespace holdfast

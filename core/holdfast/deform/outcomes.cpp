@@ -13,7 +13,7 @@ struct RowTally {
   Index redundant = 0;
   Index conflicting = 0;
   double gap = 0;
-  std::set<Index> partners;  // constraints
+  std::set<Index> terms;  // constraints
 };
 
 std::vector<RowTally> tally(const ConstraintSystem& system, const Diagnosis& diagnosis, std::size_t constraintCount)
@@ -25,7 +25,7 @@ std::vector<RowTally> tally(const ConstraintSystem& system, const Diagnosis& dia
     const bool isConflicting = diagnosis.status[dependency.row] == RowStatus::Conflicting;
     ++(isConflicting ? own.conflicting : own.redundant);
     own.gap = std::max(own.gap, gap.stableNorm());
-    for (const Partner& partner : dependency.partners) own.partners.insert(system.rows[partner.row].constraint);
+    for (const Term& term : dependency.terms) own.terms.insert(system.rows[term.index].constraint);
   }
   return tallies;
 }
@@ -91,8 +91,8 @@ std::vector<double> rowResiduals(const ConstraintSystem& system, const Weld& wel
   residuals.reserve(system.rows.size());
   for (const ConstraintRow& row : system.rows) {
     Vector3 at = Vector3::Zero();
-    for (const PointTerm& term : row.terms)
-      at += term.weight * positions.row(weld.firstVertexOf[term.vertex]).transpose();
+    for (const Term& term : row.terms)
+      at += term.coefficient * positions.row(weld.firstVertexOf[term.index]).transpose();
     residuals.push_back((at - row.target).stableNorm());
   }
   return residuals;
@@ -102,7 +102,7 @@ std::vector<ConstraintOutcome> outcomes(const ConstraintList& list, const Constr
                                         const Diagnosis& diagnosis)
 {
   const std::vector<RowTally> tallies = tally(system, diagnosis, list.constraints.size());
-  std::vector<std::vector<Clash>> clashes = clashesOf(list, system, diagnosis);
+  std::vector<std::vector<ConflictSet>> conflictSets = conflictSetsOf(list, system, diagnosis);
   std::vector<ConstraintOutcome> result;
   for (std::size_t c = 0; c < list.constraints.size(); ++c) {
     ConstraintOutcome outcome;
@@ -110,10 +110,10 @@ std::vector<ConstraintOutcome> outcomes(const ConstraintList& list, const Constr
     outcome.type = typeName(list.constraints[c]);
     outcome.rows = tallies[c].rows;
     outcome.status = statusOf(tallies[c], list.constraints[c].isEnabled);
-    outcome.clashes = std::move(clashes[c]);
+    outcome.conflictSets = std::move(conflictSets[c]);
     if (outcome.status == ConstraintStatus::Redundant || outcome.status == ConstraintStatus::Conflicting) {
       outcome.gap = tallies[c].gap;
-      for (const Index partner : tallies[c].partners) outcome.dependsOn.push_back(list.constraints[partner].name);
+      for (const Index term : tallies[c].terms) outcome.dependsOn.push_back(list.constraints[term].name);
     }
     result.push_back(std::move(outcome));
   }
@@ -121,18 +121,18 @@ std::vector<ConstraintOutcome> outcomes(const ConstraintList& list, const Constr
   return result;
 }
 
-void setAmplifications(std::vector<ConstraintOutcome>& outcomes, const ConstraintSystem& system,
-                       const Diagnosis& diagnosis, const std::vector<double>& ofRows)
+void setSensitivities(std::vector<ConstraintOutcome>& outcomes, const ConstraintSystem& system,
+                      const Diagnosis& diagnosis, const std::vector<double>& ofRows)
 {
-  const auto raise = [&](Index row, double amplification) {
-    std::optional<double>& largest = outcomes[system.rows[row].constraint].amplification;
-    largest = std::max(largest.value_or(0), amplification);
+  const auto raise = [&](Index row, double sensitivity) {
+    std::optional<double>& largest = outcomes[system.rows[row].constraint].sensitivity;
+    largest = std::max(largest.value_or(0), sensitivity);
   };
   for (std::size_t r = 0; r < ofRows.size(); ++r)
     if (diagnosis.status[r] == RowStatus::Independent) raise(static_cast<Index>(r), ofRows[r]);
   for (const auto& [dependency, gap] : diagnosis.dependent) {
     raise(dependency.row, 0);
-    for (const Partner& partner : dependency.partners) raise(dependency.row, ofRows[partner.row]);
+    for (const Term& term : dependency.terms) raise(dependency.row, ofRows[term.index]);
   }
 }
 

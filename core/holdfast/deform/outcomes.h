@@ -20,12 +20,12 @@ namespace holdfast {
                                                       const Diagnosis& diagnosis);
 
 /// Sets the amplification of each constraint: the largest of its independent rows and of the partners of its dependent
-/// ones. `ofRows` are those of `Elimination::amplifications`.
-void setAmplifications(std::vector<ConstraintOutcome>& outcomes, const ConstraintSystem& system,
-                       const Diagnosis& diagnosis, const std::vector<double>& ofRows);
+/// ones. `ofRows` are those of `Elimination::sensitivities`.
+void setSensitivities(std::vector<ConstraintOutcome>& outcomes, const ConstraintSystem& system,
+                      const Diagnosis& diagnosis, const std::vector<double>& ofRows);
 
 /// Amplifications above this are warned of: a millionth of the model's size in what is asked for moves it by its size.
-inline constexpr double kLargeAmplification = 1e6;
+inline constexpr double kLargeSensitivity = 1e6;
 
 /// A row that was solved and is not met.
 struct MissedRow {

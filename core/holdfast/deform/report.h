@@ -7,9 +7,9 @@
 #include <vector>
 
 #include <holdfast/check/finding.h>
-#include <holdfast/deform/clashes.h>
+#include <holdfast/deform/conflict_sets.h>
 #include <holdfast/operators/operators.h>
-#include <holdfast/solve/deformation_solver.h>
+#include <holdfast/solve/constrained_solver.h>
 
 namespace holdfast {
 
@@ -44,10 +44,10 @@ struct ConstraintOutcome {
   std::optional<double> limit;
   std::vector<std::string> dependsOn;  ///< names of the constraints that a redundant or conflicting one follows from
   std::optional<double> gap;           ///< how far it contradicts them, model units; of redundant and conflicting ones
-  std::vector<Clash> clashes;          ///< the smallest sets that it conflicts with or repeats, and repairs
+  std::vector<ConflictSet> conflictSets;  ///< the smallest sets that it conflicts with or repeats, and repairs
   /// How far vertices move, all together, for a unit of change in what one of its rows asks for; none when disabled.
-  std::optional<double> amplification;
-  std::optional<double> force;  ///< how hard it pulls, see `Forces`; of hard constraints that were solved
+  std::optional<double> sensitivity;
+  std::optional<double> multiplier;  ///< how hard it pulls, see `Multipliers`; of hard constraints that were solved
 };
 
 enum class SolveStatus {
@@ -61,7 +61,7 @@ enum class SolveStatus {
 
 struct Seconds {
   double setup = 0;          ///< triangulation, operators, rows of constraints
-  double decomposition = 0;  ///< elimination and factorisation
+  double factorization = 0;  ///< elimination and factorisation
   double solution = 0;       ///< per set of targets
 };
 

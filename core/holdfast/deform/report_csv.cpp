@@ -22,8 +22,8 @@ std::string row(const ConstraintOutcome& outcome)
 {
   return fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", csvField(outcome.name), csvField(outcome.type), outcome.rows,
                      name(outcome.status), orEmpty(outcome.residual), orEmpty(outcome.limit), orEmpty(outcome.gap),
-                     csvField(fmt::format("{}", fmt::join(outcome.dependsOn, "; "))), outcome.clashes.size(),
-                     orEmpty(outcome.amplification), orEmpty(outcome.force));
+                     csvField(fmt::format("{}", fmt::join(outcome.dependsOn, "; "))), outcome.conflictSets.size(),
+                     orEmpty(outcome.sensitivity), orEmpty(outcome.multiplier));
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // A region that overlaps hundreds of points need not list them all with numbers.
-constexpr std::size_t kMaxReportedClashes = 20;
+constexpr std::size_t kMaxReportedConflictSets = 20;
 
 Json orNull(const std::optional<double>& value)
 {
@@ -42,23 +42,24 @@ Json toJson(const Vector3& vector)
   return {vector.x(), vector.y(), vector.z()};
 }
 
-Json toJson(const Clash& clash)
+Json toJson(const ConflictSet& conflictSet)
 {
-  Json json{{"with", clash.with},
-            {"rows", clash.rows},
-            {"conflict", clash.isConflict},
-            {"gap", toJson(clash.gap)},
-            {"length", clash.gap.stableNorm()}};
-  if (clash.isConflict) json["repair"] = {{"disable", clash.disable}};
-  if (clash.consistentTarget) json["repair"]["consistent_target"] = toJson(*clash.consistentTarget);
+  Json json{{"with", conflictSet.with},
+            {"rows", conflictSet.rows},
+            {"conflict", conflictSet.isConflict},
+            {"gap", toJson(conflictSet.gap)},
+            {"length", conflictSet.gap.stableNorm()}};
+  if (conflictSet.isConflict) json["repair"] = {{"disable", conflictSet.disable}};
+  if (conflictSet.consistentTarget) json["repair"]["consistent_target"] = toJson(*conflictSet.consistentTarget);
   return json;
 }
 
 /// The largest.
-Json toJson(const std::vector<Clash>& clashes)
+Json toJson(const std::vector<ConflictSet>& conflictSets)
 {
   Json json = Json::array();
-  for (std::size_t k = 0; k < std::min(clashes.size(), kMaxReportedClashes); ++k) json.push_back(toJson(clashes[k]));
+  for (std::size_t k = 0; k < std::min(conflictSets.size(), kMaxReportedConflictSets); ++k)
+    json.push_back(toJson(conflictSets[k]));
   return json;
 }
 
@@ -72,10 +73,10 @@ Json toJson(const ConstraintOutcome& outcome)
           {"limit", orNull(outcome.limit)},
           {"depends_on", outcome.dependsOn},
           {"gap", orNull(outcome.gap)},
-          {"clashes", toJson(outcome.clashes)},
-          {"clash_count", outcome.clashes.size()},
-          {"amplification", orNull(outcome.amplification)},
-          {"force", orNull(outcome.force)}};
+          {"clashes", toJson(outcome.conflictSets)},
+          {"clash_count", outcome.conflictSets.size()},
+          {"amplification", orNull(outcome.sensitivity)},
+          {"force", orNull(outcome.multiplier)}};
 }
 
 Json toJson(const SolveReport& solve)
@@ -97,7 +98,7 @@ Json toJson(const SolveReport& solve)
             {"rotation_disagreement_degrees", orNull(solve.disagreementDegrees)},
             {"seconds",
              {{"setup", solve.seconds.setup},
-              {"decomposition", solve.seconds.decomposition},
+              {"decomposition", solve.seconds.factorization},
               {"solution", solve.seconds.solution}}}};
   if (solve.options.kind == SolverKind::Soft) json["soft_weight"] = solve.options.softWeight;
   return json;

@@ -17,7 +17,7 @@ namespace holdfast {
 namespace {
 
 /// The vertices of a handle in the order in which `placeHandle` wants them.
-std::vector<Index> verticesOf(const Handle& handle, Selector& selector, const InputLocation& where)
+std::vector<Index> verticesOf(const HandleConstraint& handle, Selector& selector, const InputLocation& where)
 {
   auto selected = selector.select(handle.select, below(where, ".select"));
   const auto* ids = std::get_if<VertexIds>(&handle.select.what);
@@ -44,22 +44,22 @@ ConstraintDrag::ConstraintDrag(const Model& model, const ConstraintList& list, s
     const Constraint& constraint = list.constraints[c];
     if (!constraint.isEnabled) continue;
     const InputLocation where = placeInList(source, c);
-    if (const auto* point = std::get_if<Point>(&constraint.what)) {
+    if (const auto* point = std::get_if<PointConstraint>(&constraint.what)) {
       const SurfacePoint at = locator.locate(point->at, below(where, ".at")).point;
       const Vector3 rest = positionOf(at, model.mesh.positions);
       const auto* target = std::get_if<Target>(&point->to);
       points_.push_back({c, at, rest, target ? target->place : Vector3(rest + std::get<Move>(point->to).shift)});
-    } else if (const auto* handle = std::get_if<Handle>(&constraint.what)) {
+    } else if (const auto* handle = std::get_if<HandleConstraint>(&constraint.what)) {
       handles_.push_back({c, rowsOf(model.mesh.positions, verticesOf(*handle, selector, where)), Vector3::Zero(), {}});
     }
   }
   surroundings_.diagonal = model.solverMesh.diagonal;
   if (!handles_.empty()) surroundings_.fixedCenter = centerOfFixed(model, list, selector, source);
   for (DraggedHandle& handle : handles_) {
-    const auto& what = std::get<Handle>(list.constraints[handle.constraint].what);
+    const auto& what = std::get<HandleConstraint>(list.constraints[handle.constraint].what);
     const InputLocation where = placeInList(source, handle.constraint);
     handle.center = centroid(placeHandle(what, handle.rest, surroundings_, where).places);
-    handle.turn = turnOfMotion(what, handle.rest, surroundings_, where);
+    handle.turn = rotationOfMotion(what, handle.rest, surroundings_, where);
   }
 }
 
@@ -79,19 +79,19 @@ Eigen::Matrix3d ConstraintDrag::axes(const Positions& positions) const
       handles_.empty() || (!points_.empty() && points_.front().constraint < handles_.front().constraint);
   if (isPoint) return surfaceAxes(*model_, points_.front().point, positions);
   const DraggedHandle& dragged = handles_.front();
-  const auto& handle = std::get<Handle>(list_.constraints[dragged.constraint].what);
+  const auto& handle = std::get<HandleConstraint>(list_.constraints[dragged.constraint].what);
   if (const auto* motion = std::get_if<FrameMotion>(&handle.motion)) return axesOf(motion->to);
   return rotationMatrix(dragged.turn.axis, dragged.turn.degrees) * principalAxes(dragged.rest);
 }
 
-Handle ConstraintDrag::nextFrame(DraggedHandle& dragged, const RigidIncrement& increment) const
+HandleConstraint ConstraintDrag::nextFrame(DraggedHandle& dragged, const RigidIncrement& increment) const
 {
   const InputLocation where = placeInList(source_, dragged.constraint);
-  const auto& start = std::get<Handle>(list_.constraints[dragged.constraint].what);
-  Handle moved = composed(start, increment, dragged.rest, surroundings_, where);
+  const auto& start = std::get<HandleConstraint>(list_.constraints[dragged.constraint].what);
+  HandleConstraint moved = composed(start, increment, dragged.rest, surroundings_, where);
   try {
     moved = followed(moved, dragged.turn, dragged.rest, surroundings_, where);
-    dragged.turn = turnOfMotion(moved, dragged.rest, surroundings_, where);
+    dragged.turn = rotationOfMotion(moved, dragged.rest, surroundings_, where);
   } catch (const InputError&) {
     // It cannot turn about what is fixed there; the list is refused with the reason, and the next frame goes on.
   }
@@ -102,7 +102,7 @@ ConstraintList ConstraintDrag::movedBy(const RigidIncrement& increment)
 {
   ConstraintList moved = list_;
   for (const DraggedPoint& dragged : points_) {
-    auto& point = std::get<Point>(moved.constraints[dragged.constraint].what);
+    auto& point = std::get<PointConstraint>(moved.constraints[dragged.constraint].what);
     const bool isShift = increment.degrees == 0;
     if (auto* move = std::get_if<Move>(&point.to))
       move->shift = isShift ? Vector3(move->shift + increment.translation)

@@ -49,11 +49,11 @@ class ConstraintDrag {
   struct DraggedHandle {
     Index constraint = 0;
     Positions rest;
-    Vector3 center;   // of where it is to be
-    VertexTurn turn;  // of the last frame
+    Vector3 center;  // of where it is to be
+    AxisAngle turn;  // of the last frame
   };
 
-  [[nodiscard]] Handle nextFrame(DraggedHandle& dragged, const RigidIncrement& increment) const;
+  [[nodiscard]] HandleConstraint nextFrame(DraggedHandle& dragged, const RigidIncrement& increment) const;
 
   const Model* model_;
   ConstraintList list_;

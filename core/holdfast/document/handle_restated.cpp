@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include <holdfast/constraints/handle_drag.h>
-#include <holdfast/constraints/handle_mistake.h>
+#include <holdfast/constraints/handle_validation.h>
 #include <holdfast/document/own_axes.h>
 #include <holdfast/geometry/centroid.h>
 #include <holdfast/geometry/rotation_log.h>
@@ -23,31 +23,31 @@ constexpr double kMostTurns = 9e15;
 // Logs of one rotation, computed in two ways; radians.
 constexpr double kSameRotation = 1e-9;
 
-VertexTurn turnOf(const Handle& handle, const HandleSetting& setting)
+AxisAngle turnOf(const HandleConstraint& handle, const HandleSetting& setting)
 {
-  return turnOfMotion(handle, setting.rest, setting.surroundings, setting.where);
+  return rotationOfMotion(handle, setting.rest, setting.surroundings, setting.where);
 }
 
-HandlePlacement placed(const Handle& handle, const HandleSetting& setting)
+HandlePlacement placed(const HandleConstraint& handle, const HandleSetting& setting)
 {
   return placeHandle(handle, setting.rest, setting.surroundings, setting.where);
 }
 
-Handle withoutMistake(Handle handle, const HandleSetting& setting)
+HandleConstraint validated(HandleConstraint handle, const HandleSetting& setting)
 {
-  if (const auto mistake = findMistake(handle)) throw InputError(below(setting.where, mistake->key), mistake->reason);
+  if (const auto error = validateHandle(handle)) throw InputError(below(setting.where, error->key), error->reason);
   return handle;
 }
 
 /// Where the motion takes the centroid, before the translation; none where it stays.
-std::optional<Vector3> centroidAfter(const Handle& handle, const Eigen::Matrix3d& R, const Positions& rest)
+std::optional<Vector3> centroidAfter(const HandleConstraint& handle, const Eigen::Matrix3d& R, const Positions& rest)
 {
   if (const auto* targets = std::get_if<VertexTargets>(&handle.motion)) {
     Positions places(static_cast<Index>(targets->places.size()), 3);
     for (Index k = 0; k < places.rows(); ++k) places.row(k) = targets->places[k].transpose();
     return centroid(places);
   }
-  const auto* turn = std::get_if<Turn>(&handle.motion);
+  const auto* turn = std::get_if<AxisRotation>(&handle.motion);
   if (turn == nullptr || !turn->center) return std::nullopt;
   return Vector3(*turn->center + R * (centroid(rest) - *turn->center));
 }
@@ -66,42 +66,42 @@ Index wholeTurns(const FrameMotion& frames, const Vector3& q, const InputLocatio
 
 }  // namespace
 
-Handle byFrames(const Handle& handle, const HandleSetting& setting)
+HandleConstraint byFrames(const HandleConstraint& handle, const HandleSetting& setting)
 {
   if (std::holds_alternative<FrameMotion>(handle.motion)) return handle;
-  const VertexTurn turn = turnOf(handle, setting);
+  const AxisAngle turn = turnOf(handle, setting);
   const Eigen::Matrix3d R = rotationMatrix(turn.axis, turn.degrees);
   const Eigen::Matrix3d from = principalAxes(setting.rest);
   const Eigen::Matrix3d to = R * from;
   FrameMotion frames{
       {std::nullopt, from.col(0), from.col(1)}, {centroidAfter(handle, R, setting.rest), to.col(0), to.col(1)}, 0};
   frames.turns = wholeTurns(frames, rotationLog(turn.axis, turn.degrees), setting.where);
-  Handle result = handle;
+  HandleConstraint result = handle;
   result.motion = frames;
   return result;
 }
 
-Handle byTargets(const Handle& handle, const HandleSetting& setting)
+HandleConstraint byTargets(const HandleConstraint& handle, const HandleSetting& setting)
 {
   if (std::holds_alternative<VertexTargets>(handle.motion)) return handle;
   const HandlePlacement before = placed(handle, setting);
   VertexTargets targets;
   for (const auto& place : before.places.rowwise()) targets.places.emplace_back(place.transpose());
-  Handle result = handle;
+  HandleConstraint result = handle;
   result.motion = std::move(targets);
   result.translate.setZero();
-  result = withoutMistake(std::move(result), setting);
+  result = validated(std::move(result), setting);
   if ((placed(result, setting).q - before.q).cwiseAbs().maxCoeff() > kSameRotation)
     result.rotations = withRotations(handle, setting).rotations;
   return result;
 }
 
-Handle withRotations(const Handle& handle, const HandleSetting& setting)
+HandleConstraint withRotations(const HandleConstraint& handle, const HandleSetting& setting)
 {
   if (!handle.rotations.empty()) return handle;
-  Handle result = handle;
+  HandleConstraint result = handle;
   result.rotations.assign(static_cast<std::size_t>(setting.rest.rows()), turnOf(handle, setting));
-  return withoutMistake(std::move(result), setting);
+  return validated(std::move(result), setting);
 }
 
 }  // namespace holdfast

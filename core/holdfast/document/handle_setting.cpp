@@ -12,7 +12,7 @@ HandleSetting settingOf(const Model& model, const ConstraintList& list, Index in
 {
   SurfaceLocator locator(model.mesh, model.triangulation);
   Selector selector(model.mesh, model.solverMesh, locator);
-  const auto& handle = std::get<Handle>(list.constraints[index].what);
+  const auto& handle = std::get<HandleConstraint>(list.constraints[index].what);
   const InputLocation where = placeInList(source, index);
   const std::vector<Index> selected = selector.select(handle.select, below(where, ".select"));
   const auto* listed = std::get_if<VertexIds>(&handle.select.what);
@@ -37,7 +37,7 @@ std::optional<Vector3> centerOfFixed(const Model& model, const ConstraintList& l
 {
   std::vector<Index> fixed;
   for (std::size_t c = 0; c < list.constraints.size(); ++c) {
-    const auto* what = std::get_if<Fixed>(&list.constraints[c].what);
+    const auto* what = std::get_if<FixedConstraint>(&list.constraints[c].what);
     if (!what || !list.constraints[c].isEnabled) continue;
     const auto selected = selector.select(what->select, below(placeInList(source, static_cast<Index>(c)), ".select"));
     fixed.insert(fixed.end(), selected.begin(), selected.end());

@@ -85,7 +85,7 @@ std::optional<Index> indexOf(const ConstraintList& list, std::string_view name)
   return found - list.constraints.begin();
 }
 
-std::string freshName(const ConstraintList& list, std::string_view stem)
+std::string unusedName(const ConstraintList& list, std::string_view stem)
 {
   const Names taken = namesOf(list);
   Index number = 1;

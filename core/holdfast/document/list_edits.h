@@ -16,7 +16,7 @@ namespace holdfast {
 [[nodiscard]] std::optional<Index> indexOf(const ConstraintList& list, std::string_view name);
 
 /// The first of `stem` 1, `stem` 2, ... that no constraint is called: "P1", "P2" for "P". O(n log n).
-[[nodiscard]] std::string freshName(const ConstraintList& list, std::string_view stem);
+[[nodiscard]] std::string unusedName(const ConstraintList& list, std::string_view stem);
 
 /// With `constraint` at the end, where it gives way to all others. Throws `InputError` for a name that is empty or
 /// taken.

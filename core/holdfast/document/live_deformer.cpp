@@ -23,7 +23,7 @@ class StoppableProgress final : public Progress {
   {
   }
 
-  void stage(std::string_view description) override
+  void step(std::string_view description) override
   {
     proceed();
     tell_(description);
@@ -50,7 +50,7 @@ struct LiveDeformer::Shared {
   };
 
   /// What is to become of the work under way.
-  enum class Fate { GoOn, GiveUp, GiveUpAndTell };
+  enum class StopRequest { GoOn, GiveUp, GiveUpAndTell };
 
   explicit Shared(std::shared_ptr<const Model> itsModel, Listener itsListener)
       : model(std::move(itsModel)), listener(std::move(itsListener))
@@ -60,10 +60,10 @@ struct LiveDeformer::Shared {
   void run();
   std::optional<Job> nextJob();
   void work(const Job& job);
-  Deformation deformed(const Job& job);
+  DeformResult deformed(const Job& job);
   LiveEvent endOf(const Job& job);
   void tell(const LiveEvent& event);
-  Fate currentFate();
+  StopRequest stopRequest();
 
   const std::shared_ptr<const Model> model;
   const std::shared_ptr<std::atomic<bool>> hasEnded = std::make_shared<std::atomic<bool>>(false);
@@ -72,8 +72,8 @@ struct LiveDeformer::Shared {
   std::mutex mutex;  // guards what follows
   std::condition_variable changed;
   std::optional<Job> waiting;
-  bool isStopping = false;         // the owner is gone
-  Fate fate = Shared::Fate::GoOn;  // of the work under way
+  bool isStopping = false;                          // the owner is gone
+  StopRequest request = Shared::StopRequest::GoOn;  // of the work under way
 
   std::mutex telling;  // held while the listener is called: its owner waits for that alone
   Listener listener;
@@ -89,10 +89,10 @@ void LiveDeformer::Shared::tell(const LiveEvent& event)
   if (listener) listener(event);
 }
 
-LiveDeformer::Shared::Fate LiveDeformer::Shared::currentFate()
+LiveDeformer::Shared::StopRequest LiveDeformer::Shared::stopRequest()
 {
   const std::scoped_lock lock(mutex);
-  return isStopping ? Shared::Fate::GiveUp : fate;
+  return isStopping ? Shared::StopRequest::GiveUp : request;
 }
 
 std::optional<LiveDeformer::Shared::Job> LiveDeformer::Shared::nextJob()
@@ -100,7 +100,7 @@ std::optional<LiveDeformer::Shared::Job> LiveDeformer::Shared::nextJob()
   std::unique_lock lock(mutex);
   changed.wait(lock, [this] { return isStopping || waiting; });
   if (isStopping) return std::nullopt;
-  fate = Shared::Fate::GoOn;
+  request = Shared::StopRequest::GoOn;
   return std::exchange(waiting, std::nullopt);
 }
 
@@ -111,15 +111,15 @@ void LiveDeformer::Shared::run()
   *hasEnded = true;
 }
 
-Deformation LiveDeformer::Shared::deformed(const Job& job)
+DeformResult LiveDeformer::Shared::deformed(const Job& job)
 {
   if (deformer == nullptr || deformerOptions != job.state->options) {
     deformer = std::make_unique<Deformer>(*model, job.state->options);
     deformerOptions = job.state->options;
   }
-  StoppableProgress progress([this] { return currentFate() != Shared::Fate::GoOn; },
-                             [&](std::string_view stage) {
-                               tell({LiveEvent::Kind::Stage, job.revision, std::string(stage), nullptr});
+  StoppableProgress progress([this] { return stopRequest() != Shared::StopRequest::GoOn; },
+                             [&](std::string_view step) {
+                               tell({LiveEvent::Kind::Step, job.revision, std::string(step), nullptr});
                              });
   return deformer->deform(job.state->list, job.source, progress);
 }
@@ -128,7 +128,7 @@ LiveEvent LiveDeformer::Shared::endOf(const Job& job)
 {
   using Kind = LiveEvent::Kind;
   try {
-    return {Kind::Done, job.revision, "", std::make_shared<const Deformation>(deformed(job)), job.state};
+    return {Kind::Done, job.revision, "", std::make_shared<const DeformResult>(deformed(job)), job.state};
   } catch (const Cancelled&) {
     return {Kind::Cancelled, job.revision, "", nullptr};
   } catch (const InputError& error) {
@@ -146,9 +146,9 @@ void LiveDeformer::Shared::work(const Job& job)
   tell({Kind::Started, job.revision, "", nullptr});
   const LiveEvent end = endOf(job);
   // A result that nobody wants any more should not flash up, even where no stage was left to give it up at.
-  const Fate last = currentFate();
-  if (last == Shared::Fate::GoOn) tell(end);
-  if (last == Shared::Fate::GiveUpAndTell) tell({Kind::Cancelled, job.revision, "", nullptr});
+  const StopRequest last = stopRequest();
+  if (last == Shared::StopRequest::GoOn) tell(end);
+  if (last == Shared::StopRequest::GiveUpAndTell) tell({Kind::Cancelled, job.revision, "", nullptr});
 }
 
 LiveDeformer::LiveDeformer(std::shared_ptr<const Model> model, Listener listener)
@@ -182,8 +182,8 @@ void LiveDeformer::submit(std::uint64_t revision, std::shared_ptr<const Document
   {
     const std::scoped_lock lock(shared_->mutex);
     shared_->waiting = Shared::Job{revision, std::move(state), std::move(source), false};
-    if (supersede == Supersede::AtNextStage && shared_->fate == Shared::Fate::GoOn)
-      shared_->fate = Shared::Fate::GiveUp;
+    if (supersede == Supersede::AtNextStep && shared_->request == Shared::StopRequest::GoOn)
+      shared_->request = Shared::StopRequest::GiveUp;
   }
   shared_->changed.notify_all();
 }
@@ -192,7 +192,7 @@ void LiveDeformer::cancel()
 {
   const std::scoped_lock lock(shared_->mutex);
   if (shared_->waiting) shared_->waiting->isCancelled = true;
-  if (shared_->fate == Shared::Fate::GoOn) shared_->fate = Shared::Fate::GiveUpAndTell;
+  if (shared_->request == Shared::StopRequest::GoOn) shared_->request = Shared::StopRequest::GiveUpAndTell;
 }
 
 }  // namespace holdfast

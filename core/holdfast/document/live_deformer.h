@@ -12,12 +12,12 @@
 
 namespace holdfast {
 
-/// What the worker tells. All but `Started` and `Stage` end the work on their revision: each revision ends once, but
+/// What the worker tells. All but `Started` and `Step` end the work on their revision: each revision ends once, but
 /// for those that a newer one replaced, of whose end nothing is told.
 struct LiveEvent {
   enum class Kind {
     Started,    ///< work on a revision begins
-    Stage,      ///< `message` says what is being done now
+    Step,       ///< `message` says what is being done now
     Done,       ///< `deformation` is what the state asks for, or the rest shape with the reason in its report
     Unusable,   ///< the constraints do not fit the mesh; `message` says why and where
     Cancelled,  ///< by `cancel`, whether or not the work had started
@@ -26,14 +26,14 @@ struct LiveEvent {
   Kind kind = Kind::Started;
   std::uint64_t revision = 0;
   std::string message;
-  std::shared_ptr<const Deformation> deformation;
+  std::shared_ptr<const DeformResult> deformation;
   std::shared_ptr<const DocumentState> state = nullptr;  ///< with `Done`: what `deformation` is of
 };
 
 /// What a newer state does to the work that is under way.
 enum class Supersede {
-  AtNextStage,  ///< it is given up as soon as it can be, as by `cancel`: an edit
-  WhenDone      ///< it is finished and shown first: a drag, whose frames would starve otherwise
+  AtNextStep,  ///< it is given up as soon as it can be, as by `cancel`: an edit
+  WhenDone     ///< it is finished and shown first: a drag, whose frames would starve otherwise
 };
 
 /// Deforms one model on a thread of its own. Calls may come from one thread, the owner's.

@@ -17,9 +17,9 @@ constexpr double kAlike = 0.05;
 /// Whether the face has every vertex that the point hangs on, or one in the same place.
 bool holds(const std::vector<Index>& unknownOf, std::span<const Index> face, const SurfacePoint& point)
 {
-  return std::all_of(point.terms.begin(), point.terms.end(), [&](const PointTerm& term) {
+  return std::all_of(point.terms.begin(), point.terms.end(), [&](const Term& term) {
     return std::any_of(face.begin(), face.end(),
-                       [&](Index corner) { return unknownOf[corner] == unknownOf[term.vertex]; });
+                       [&](Index corner) { return unknownOf[corner] == unknownOf[term.index]; });
   });
 }
 

@@ -14,20 +14,20 @@ using Names = std::set<std::string, std::less<>>;
 
 const AtNear* nearPlaceOf(const Constraint& constraint)
 {
-  const Point* point = std::get_if<Point>(&constraint.what);
+  const PointConstraint* point = std::get_if<PointConstraint>(&constraint.what);
   return point == nullptr ? nullptr : std::get_if<AtNear>(&point->at);
 }
 
 SurfaceLocation locationOf(const ClosestPointSearch::Result& found, const Model& model)
 {
-  const std::vector<PointTerm>& terms = found.point.terms;
-  if (terms.size() == 1) return AtVertex{terms[0].vertex};
-  if (terms.size() == 2) return AtEdge{terms[0].vertex, terms[1].vertex, terms[0].weight};
+  const std::vector<Term>& terms = found.point.terms;
+  if (terms.size() == 1) return AtVertex{terms[0].index};
+  if (terms.size() == 2) return AtEdge{terms[0].index, terms[1].index, terms[0].coefficient};
   const Index face = model.triangulation.faceOf[found.triangle];
   AtFace at{face, std::vector<double>(model.mesh.faces[face].size(), 0.0)};
   for (const Index corner : model.triangulation.corners[found.triangle])
-    for (const PointTerm& term : terms)
-      if (model.mesh.faces[face][corner] == term.vertex) at.weights[corner] = term.weight;
+    for (const Term& term : terms)
+      if (model.mesh.faces[face][corner] == term.index) at.weights[corner] = term.coefficient;
   return at;
 }
 

@@ -23,7 +23,7 @@ std::string coordinates(const Vector3& place)
                      NumberText(place.z()).view());
 }
 
-std::string row(const std::string& name, const Point& point, SurfaceLocator& locator, const Model& model)
+std::string row(const std::string& name, const PointConstraint& point, SurfaceLocator& locator, const Model& model)
 {
   const Vector3 rest = positionOf(locator.locate(point.at, {name, 0, "at"}).point, model.mesh.positions);
   const AtNear* near = std::get_if<AtNear>(&point.at);
@@ -68,7 +68,7 @@ std::string toPointListCsv(const ConstraintList& list, const std::vector<Index>&
   SurfaceLocator locator(model.mesh, model.triangulation);
   std::string csv = kPointListHeader;
   for (const Constraint& constraint : extracted(list, indices).constraints)
-    csv += row(constraint.name, std::get<Point>(constraint.what), locator, model);
+    csv += row(constraint.name, std::get<PointConstraint>(constraint.what), locator, model);
   return csv;
 }
 
@@ -76,7 +76,7 @@ std::string toClipboardText(const ConstraintList& list, const std::vector<Index>
 {
   const ConstraintList part = extracted(list, indices);
   const bool isPoints = std::all_of(part.constraints.begin(), part.constraints.end(), [](const Constraint& constraint) {
-    return std::holds_alternative<Point>(constraint.what);
+    return std::holds_alternative<PointConstraint>(constraint.what);
   });
   return isPoints ? toPointListCsv(list, indices, model) : constraintsToJson(part);
 }

@@ -45,13 +45,13 @@ BlockElimination::BlockElimination(const std::vector<RowTerms>& rows, const std:
   std::vector<bool> isPinned(static_cast<std::size_t>(unknownCount), false);
   for (const Index row : independent)
     if (rows[row].size() == 1) {
-      pins_.push_back({rows[row].front().vertex, row, rows[row].front().weight});
-      isPinned[rows[row].front().vertex] = true;
+      pins_.push_back({rows[row].front().index, row, rows[row].front().coefficient});
+      isPinned[rows[row].front().index] = true;
     }
   std::vector<RowTerms> left(rows.size());
   for (const Index row : independent)
     if (rows[row].size() > 1)
-      for (const PointTerm& term : rows[row]) (isPinned[term.vertex] ? pinnedTerms_ : left)[row].push_back(term);
+      for (const Term& term : rows[row]) (isPinned[term.index] ? pinnedTerms_ : left)[row].push_back(term);
   for (const RowComponent& component : connectedRows(left, unknownCount))
     blocks_.push_back(isDense(component) ? denseBlock(left, component) : sparseBlock(left, component));
   Q2_ = assembleQ2(unknownCount, isHeld);
@@ -120,7 +120,7 @@ Columns3 BlockElimination::particular(const Columns3& d) const
     Columns3 y(static_cast<Index>(block.rows.size()), 3);
     for (std::size_t k = 0; k < block.rows.size(); ++k) {
       y.row(k) = d.row(block.rows[k]);
-      for (const PointTerm& term : pinnedTerms_[block.rows[k]]) y.row(k) -= term.weight * u.row(term.vertex);
+      for (const Term& term : pinnedTerms_[block.rows[k]]) y.row(k) -= term.coefficient * u.row(term.index);
     }
     block.R1.transpose().triangularView<Eigen::Lower>().solveInPlace(y);  // R1^T y = d, (18)
     const Columns3 part = block.Q1 * y;
@@ -140,14 +140,14 @@ Columns3 BlockElimination::multipliers(const Columns3& gradient, Index rowCount)
     block.R1.triangularView<Eigen::Upper>().solveInPlace(y);
     for (std::size_t k = 0; k < block.rows.size(); ++k) {
       result.row(block.rows[k]) = y.row(k);
-      for (const PointTerm& term : pinnedTerms_[block.rows[k]]) left.row(term.vertex) -= term.weight * y.row(k);
+      for (const Term& term : pinnedTerms_[block.rows[k]]) left.row(term.index) -= term.coefficient * y.row(k);
     }
   }
   for (const Pin& pin : pins_) result.row(pin.row) = left.row(pin.unknown) / pin.weight;
   return result;
 }
 
-std::vector<double> BlockElimination::amplifications(std::size_t rowCount) const
+std::vector<double> BlockElimination::sensitivities(std::size_t rowCount) const
 {
   // The transpose of the pseudo-inverse, row by row: R1^-1 Q1^T at the rows of blocks, and at a pin 1, and what the
   // blocks do when it moves.
@@ -159,8 +159,9 @@ std::vector<double> BlockElimination::amplifications(std::size_t rowCount) const
     for (std::size_t k = 0; k < block.rows.size(); ++k) {
       const auto row = inverse.row(static_cast<Index>(k));
       result[block.rows[k]] = row.norm();
-      for (const PointTerm& term : pinnedTerms_[block.rows[k]])
-        ofPinned.try_emplace(term.vertex, Eigen::RowVectorXd::Zero(inverse.cols())).first->second += term.weight * row;
+      for (const Term& term : pinnedTerms_[block.rows[k]])
+        ofPinned.try_emplace(term.index, Eigen::RowVectorXd::Zero(inverse.cols())).first->second +=
+            term.coefficient * row;
     }
     for (const auto& [unknown, moved] : ofPinned) squaresOfPinned[unknown] += moved.squaredNorm();
   }

@@ -26,7 +26,7 @@ class Parts {
       : mesh_(mesh), sets_(mesh.componentCount + mesh.unknownCount())
   {
     for (const RowTerms& row : rows)
-      for (const PointTerm& term : row) sets_.unite(partOf(row.front().vertex), partOf(term.vertex));
+      for (const Term& term : row) sets_.unite(partOf(row.front().index), partOf(term.index));
   }
 
   [[nodiscard]] Index setOf(Index unknown) { return sets_.find(partOf(unknown)); }
@@ -47,8 +47,8 @@ class Parts {
 bool isPositional(const RowTerms& row)
 {
   double sum = 0;
-  for (const PointTerm& term : row) sum += term.weight;
-  return std::abs(sum) > kPartnerThreshold;
+  for (const Term& term : row) sum += term.coefficient;
+  return std::abs(sum) > kCoefficientThreshold;
 }
 
 /// Unknowns of parts that no row places, not even by way of other parts.
@@ -57,7 +57,7 @@ std::vector<bool> unplacedUnknowns(const std::vector<RowTerms>& rows, const Solv
   Parts parts(mesh, rows);
   std::vector<bool> isPlaced(static_cast<std::size_t>(parts.count()), false);
   for (const RowTerms& row : rows)
-    if (isPositional(row)) isPlaced[parts.setOf(row.front().vertex)] = true;
+    if (isPositional(row)) isPlaced[parts.setOf(row.front().index)] = true;
   std::vector<bool> isHeld(static_cast<std::size_t>(mesh.unknownCount()), false);
   for (Index u = 0; u < mesh.unknownCount(); ++u) isHeld[u] = !isPlaced[parts.setOf(u)];
   return isHeld;
@@ -67,7 +67,7 @@ std::vector<bool> unplacedUnknowns(const std::vector<RowTerms>& rows, const Solv
 void clearHeldRows(std::vector<RowTerms>& rows, const std::vector<bool>& isHeld)
 {
   for (RowTerms& row : rows)
-    if (!row.empty() && isHeld[row.front().vertex]) row.clear();
+    if (!row.empty() && isHeld[row.front().index]) row.clear();
 }
 
 double largestCoordinate(const Vector3& place)
@@ -79,7 +79,7 @@ double largestCoordinate(const Vector3& place)
 double largestSum(const RowTerms& row, const Positions& x)
 {
   Vector3 sum = Vector3::Zero();
-  for (const PointTerm& term : row) sum += std::abs(term.weight) * x.row(term.vertex).transpose().cwiseAbs();
+  for (const Term& term : row) sum += std::abs(term.coefficient) * x.row(term.index).transpose().cwiseAbs();
   return largestCoordinate(sum);
 }
 
@@ -101,8 +101,8 @@ std::vector<double> magnitudes(const SolverMesh& mesh, const ConstraintSystem& s
 double gapPerChange(const EliminatedConstraints& eliminated, const Dependency& dependency)
 {
   double squares = 1;
-  for (const Partner& partner : dependency.partners)
-    if (eliminated.rows[partner.row].size() > 1) squares += partner.coefficient * partner.coefficient;
+  for (const Term& term : dependency.terms)
+    if (eliminated.rows[term.index].size() > 1) squares += term.coefficient * term.coefficient;
   return std::sqrt(squares);
 }
 
@@ -115,7 +115,7 @@ std::vector<DependentRow> gapsOf(const EliminatedConstraints& eliminated, const 
   result.reserve(eliminated.dependencies.size());
   for (const Dependency& dependency : eliminated.dependencies) {
     Vector3 gap = system.rows[dependency.row].shift;
-    for (const PointTerm& term : system.rows[dependency.row].terms) gap -= term.weight * u.row(term.vertex).transpose();
+    for (const Term& term : system.rows[dependency.row].terms) gap -= term.coefficient * u.row(term.index).transpose();
     result.push_back({dependency, gap});
   }
   return result;
@@ -134,8 +134,8 @@ std::vector<double> residualLimits(const SolverMesh& mesh, const ConstraintSyste
   const std::vector<double> own = magnitudes(mesh, system, x);
   std::vector<double> limits = own;
   for (const auto& [dependency, gap] : dependent)
-    for (const Partner& partner : dependency.partners)
-      limits[dependency.row] = std::max(limits[dependency.row], own[partner.row]);
+    for (const Term& term : dependency.terms)
+      limits[dependency.row] = std::max(limits[dependency.row], own[term.index]);
   for (double& limit : limits)
     limit =
         std::max(kPromisedResidual * mesh.diagonal, kPromisedSpacings * std::numeric_limits<double>::epsilon() * limit);

@@ -9,15 +9,15 @@
 namespace holdfast {
 namespace {
 
-using Combination = std::vector<Partner>;  // ascending by row
+using Combination = std::vector<Term>;  // ascending by row
 
-bool comesBefore(const Partner& partner, Index row)
+bool comesBefore(const Term& term, Index row)
 {
-  return partner.row < row;
+  return term.index < row;
 }
 
 /// The partner `row` of a combination that has it.
-const Partner& partnerIn(const Combination& combination, Index row)
+const Term& partnerIn(const Combination& combination, Index row)
 {
   return *std::lower_bound(combination.begin(), combination.end(), row, comesBefore);
 }
@@ -25,7 +25,7 @@ const Partner& partnerIn(const Combination& combination, Index row)
 double largestOf(const Combination& combination)
 {
   double largest = 0;
-  for (const Partner& partner : combination) largest = std::max(largest, std::abs(partner.coefficient));
+  for (const Term& term : combination) largest = std::max(largest, std::abs(term.coefficient));
   return largest;
 }
 
@@ -35,8 +35,8 @@ Combination solvedFor(Index leaving, Index row, const Combination& combination)
   const double pivot = partnerIn(combination, leaving).coefficient;
   Combination result;
   result.reserve(combination.size());
-  for (const Partner& partner : combination)
-    if (partner.row != leaving) result.push_back({partner.row, -partner.coefficient / pivot});
+  for (const Term& term : combination)
+    if (term.index != leaving) result.push_back({term.index, -term.coefficient / pivot});
   result.insert(std::lower_bound(result.begin(), result.end(), row, comesBefore), {row, 1 / pivot});
   return result;
 }
@@ -50,16 +50,16 @@ Combination sum(const Combination& x, double share, const Combination& y, Index 
   auto a = x.begin();
   auto b = y.begin();
   while (a != x.end() || b != y.end()) {
-    const bool takesA = b == y.end() || (a != x.end() && a->row <= b->row);
-    const bool takesB = a == x.end() || (b != y.end() && b->row <= a->row);
-    const Index row = takesA ? a->row : b->row;
+    const bool takesA = b == y.end() || (a != x.end() && a->index <= b->index);
+    const bool takesB = a == x.end() || (b != y.end() && b->index <= a->index);
+    const Index row = takesA ? a->index : b->index;
     const double old = takesA ? (a++)->coefficient : 0;
     const double added = takesB ? share * (b++)->coefficient : 0;
     largest = std::max({largest, std::abs(old), std::abs(added)});
     if (row != leaving) result.push_back({row, old + added});
   }
-  const double vanishing = kPartnerThreshold * largest;
-  std::erase_if(result, [&](const Partner& partner) { return std::abs(partner.coefficient) <= vanishing; });
+  const double vanishing = kCoefficientThreshold * largest;
+  std::erase_if(result, [&](const Term& term) { return std::abs(term.coefficient) <= vanishing; });
   return result;
 }
 
@@ -68,7 +68,7 @@ class Tableau {
  public:
   explicit Tableau(const std::vector<Dependency>& dependencies)
   {
-    for (const Dependency& dependency : dependencies) dependent_[dependency.row] = dependency.partners;
+    for (const Dependency& dependency : dependencies) dependent_[dependency.row] = dependency.terms;
   }
 
   /// Takes the rows in their order: a dependent one with a partner that comes after it goes into the basis, and nothing
@@ -104,11 +104,11 @@ class Tableau {
   {
     const Combination& combination = dependent_.at(row);
     const auto later = std::lower_bound(combination.begin(), combination.end(), row, comesBefore);
-    const auto largest = std::max_element(later, combination.end(), [](const Partner& x, const Partner& y) {
+    const auto largest = std::max_element(later, combination.end(), [](const Term& x, const Term& y) {
       return std::abs(x.coefficient) < std::abs(y.coefficient);
     });
     if (largest == combination.end()) return std::nullopt;
-    return Exchange{row, largest->row};
+    return Exchange{row, largest->index};
   }
 
   /// What an exchange would make of the rows that it changes.
@@ -117,9 +117,9 @@ class Tableau {
     Changes changes;
     const Combination replacement = solvedFor(pair.leaving, pair.entering, dependent_.at(pair.entering));
     for (const auto& [row, combination] : dependent_) {
-      const auto partner = std::lower_bound(combination.begin(), combination.end(), pair.leaving, comesBefore);
-      if (partner == combination.end() || partner->row != pair.leaving || row == pair.entering) continue;
-      changes.emplace_back(row, sum(combination, partner->coefficient, replacement, pair.leaving));
+      const auto term = std::lower_bound(combination.begin(), combination.end(), pair.leaving, comesBefore);
+      if (term == combination.end() || term->index != pair.leaving || row == pair.entering) continue;
+      changes.emplace_back(row, sum(combination, term->coefficient, replacement, pair.leaving));
     }
     changes.emplace_back(pair.leaving, replacement);
     return changes;
@@ -148,10 +148,10 @@ std::optional<Exchange> largestCoefficient(const std::vector<Dependency>& depend
   std::optional<Exchange> result;
   double largest = kLargestCoefficient;
   for (const Dependency& dependency : dependencies)
-    for (const Partner& partner : dependency.partners)
-      if (std::abs(partner.coefficient) > largest) {
-        largest = std::abs(partner.coefficient);
-        result = Exchange{dependency.row, partner.row};
+    for (const Term& term : dependency.terms)
+      if (std::abs(term.coefficient) > largest) {
+        largest = std::abs(term.coefficient);
+        result = Exchange{dependency.row, term.index};
       }
   return result;
 }

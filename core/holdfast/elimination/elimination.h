@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <holdfast/elimination/block_elimination.h>
-#include <holdfast/elimination/bodies.h>
+#include <holdfast/elimination/merged_unknowns.h>
 
 namespace holdfast {
 
@@ -40,15 +40,15 @@ class Elimination {
   /// How far unknowns move, all together, for a unit of change in what one row asks for while all others hold: the
   /// length of that row's column of the pseudo-inverse of B. For each row; 0 for those that are not independent.
   /// Estimated to some twenty per cent in blocks of more than 512 rows.
-  [[nodiscard]] std::vector<double> amplifications() const;
+  [[nodiscard]] std::vector<double> sensitivities() const;
 
  private:
   /// `d` less what the offsets of bodies give of it.
-  [[nodiscard]] Columns3 askedOfBodies(const Columns3& d, const Columns3& offsets) const;
+  [[nodiscard]] Columns3 askedOfGroups(const Columns3& d, const Columns3& offsets) const;
 
   std::vector<RowTerms> rows_;
   std::vector<Index> others_;  // the independent rows that are no differences
-  Bodies bodies_;
+  MergedUnknowns merged_;
   SparseMatrix membership_;
   std::vector<RowTerms> contracted_;  // every row, over bodies
   BlockElimination blocks_;

@@ -6,8 +6,8 @@
 #include <Eigen/OrderingMethods>
 
 #include <holdfast/base/disjoint_sets.h>
-#include <holdfast/elimination/bodies.h>
 #include <holdfast/elimination/earliest_basis.h>
+#include <holdfast/elimination/merged_unknowns.h>
 #include <holdfast/elimination/sequential_qr.h>
 #include <holdfast/elimination/sparse_qr.h>
 
@@ -23,11 +23,10 @@ constexpr int kMaxReductions = 64;
 Dependency dependency(Index row, const std::vector<Index>& basis, const Eigen::VectorXd& coefficients)
 {
   Dependency result{row, {}};
-  const double vanishing = kPartnerThreshold * std::max(1.0, coefficients.cwiseAbs().maxCoeff());
+  const double vanishing = kCoefficientThreshold * std::max(1.0, coefficients.cwiseAbs().maxCoeff());
   for (Index k = 0; k < coefficients.size(); ++k)
-    if (std::abs(coefficients[k]) > vanishing) result.partners.push_back({basis[k], coefficients[k]});
-  std::sort(result.partners.begin(), result.partners.end(),
-            [](const Partner& x, const Partner& y) { return x.row < y.row; });
+    if (std::abs(coefficients[k]) > vanishing) result.terms.push_back({basis[k], coefficients[k]});
+  std::sort(result.terms.begin(), result.terms.end(), [](const Term& x, const Term& y) { return x.index < y.index; });
   return result;
 }
 
@@ -140,19 +139,19 @@ Forest forestOf(const std::vector<RowTerms>& rows, Index unknownCount)
   return forest;
 }
 
-/// What is left of a dependency over bodies when it is read over unknowns is a combination of difference rows.
-void addPartnersInside(const Bodies& bodies, const std::vector<RowTerms>& rows, Dependency& dependency)
+/// What is left of a dependency over merged unknowns when it is read over unknowns is a combination of difference rows.
+void addTermsInside(const MergedUnknowns& groups, const std::vector<RowTerms>& rows, Dependency& dependency)
 {
   RowTerms left = rows[dependency.row];
   double largest = 1;
-  for (const Partner& partner : dependency.partners) {
-    largest = std::max(largest, std::abs(partner.coefficient));
-    for (const PointTerm& term : rows[partner.row]) left.push_back({term.vertex, -partner.coefficient * term.weight});
+  for (const auto& [row, coefficient] : dependency.terms) {
+    largest = std::max(largest, std::abs(coefficient));
+    for (const Term& term : rows[row]) left.push_back({term.index, -coefficient * term.coefficient});
   }
-  for (const Partner& partner : bodies.combinationOf(left))
-    if (std::abs(partner.coefficient) > kPartnerThreshold * largest) dependency.partners.push_back(partner);
-  std::sort(dependency.partners.begin(), dependency.partners.end(),
-            [](const Partner& x, const Partner& y) { return x.row < y.row; });
+  for (const Term& term : groups.combinationOf(left))
+    if (std::abs(term.coefficient) > kCoefficientThreshold * largest) dependency.terms.push_back(term);
+  std::sort(dependency.terms.begin(), dependency.terms.end(),
+            [](const Term& x, const Term& y) { return x.index < y.index; });
 }
 
 }  // namespace
@@ -188,20 +187,20 @@ std::vector<Dependency> sparseDependencies(const std::vector<RowTerms>& rows, co
 std::vector<Dependency> findDependencies(const std::vector<RowTerms>& rows, Index unknownCount)
 {
   const Forest forest = forestOf(rows, unknownCount);
-  const Bodies bodies(rows, forest.differences, unknownCount);
+  const MergedUnknowns groups(rows, forest.differences, unknownCount);
   std::vector<RowTerms> contracted(rows.size());
-  for (const Index row : forest.others) contracted[row] = bodies.contracted(rows[row]);
+  for (const Index row : forest.others) contracted[row] = groups.contracted(rows[row]);
 
   std::vector<Dependency> all;
   for (const Index row : forest.others)
     if (contracted[row].empty()) all.push_back({row, {}});
-  for (const RowComponent& component : connectedRows(contracted, bodies.count())) {
+  for (const RowComponent& component : connectedRows(contracted, groups.count())) {
     if (component.rows.size() == 1) continue;
     std::vector<Dependency> found =
         isDense(component) ? sequentialDependencies(contracted, component) : sparseDependencies(contracted, component);
     std::move(found.begin(), found.end(), std::back_inserter(all));
   }
-  for (Dependency& dependency : all) addPartnersInside(bodies, rows, dependency);
+  for (Dependency& dependency : all) addTermsInside(groups, rows, dependency);
   std::sort(all.begin(), all.end(), [](const Dependency& x, const Dependency& y) { return x.row < y.row; });
   return forest.differences.empty() ? all : byEarliestBasis(all);
 }

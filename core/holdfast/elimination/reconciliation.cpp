@@ -28,8 +28,8 @@ std::vector<Index> blockOfUnknowns(const BlockElimination& elimination)
 /// A row without an unknown in a block hangs on pins alone.
 Index firstBlock(const RowTerms& row, const std::vector<Index>& blockOf)
 {
-  for (const PointTerm& term : row)
-    if (blockOf[term.vertex] != kNoBlock) return blockOf[term.vertex];
+  for (const Term& term : row)
+    if (blockOf[term.index] != kNoBlock) return blockOf[term.index];
   return kNoBlock;
 }
 
@@ -38,9 +38,8 @@ std::vector<Group> groupsOf(const std::vector<BlockElimination::Block>& blocks, 
 {
   DisjointSets sets(static_cast<Index>(blocks.size()));
   for (const Index row : redundant)
-    for (const PointTerm& term : rows[row])
-      if (const Index block = blockOf[term.vertex]; block != kNoBlock)
-        sets.unite(block, firstBlock(rows[row], blockOf));
+    for (const Term& term : rows[row])
+      if (const Index block = blockOf[term.index]; block != kNoBlock) sets.unite(block, firstBlock(rows[row], blockOf));
 
   std::vector<std::vector<Index>> redundantOf(blocks.size());  // by representative
   for (const Index row : redundant)
@@ -79,8 +78,8 @@ SparseMatrix rowsOf(const std::vector<RowTerms>& rows, const std::vector<Index>&
 {
   std::vector<Eigen::Triplet<double, int>> entries;
   for (std::size_t k = 0; k < some.size(); ++k)
-    for (const PointTerm& term : rows[some[k]])
-      entries.emplace_back(static_cast<int>(k), static_cast<int>(term.vertex), term.weight);
+    for (const Term& term : rows[some[k]])
+      entries.emplace_back(static_cast<int>(k), static_cast<int>(term.index), term.coefficient);
   SparseMatrix result(static_cast<Index>(some.size()), unknownCount);
   result.setFromTriplets(entries.begin(), entries.end());
   return result;

@@ -15,7 +15,7 @@ std::vector<Index> unknownsOf(const std::vector<RowTerms>& rows, const std::vect
 {
   std::vector<Index> unknowns;
   for (const Index row : some)
-    for (const PointTerm& term : rows[row]) unknowns.push_back(term.vertex);
+    for (const Term& term : rows[row]) unknowns.push_back(term.index);
   std::sort(unknowns.begin(), unknowns.end());
   unknowns.erase(std::unique(unknowns.begin(), unknowns.end()), unknowns.end());
   return unknowns;
@@ -27,13 +27,13 @@ std::vector<RowComponent> connectedRows(const std::vector<RowTerms>& rows, Index
 {
   DisjointSets sets(unknownCount);
   for (const RowTerms& row : rows)
-    for (const PointTerm& term : row) sets.unite(row.front().vertex, term.vertex);
+    for (const Term& term : row) sets.unite(row.front().index, term.index);
 
   std::vector<RowComponent> components;
   std::vector<Index> componentOf(static_cast<std::size_t>(unknownCount), -1);  // by representative
   for (std::size_t r = 0; r < rows.size(); ++r) {
     if (rows[r].empty()) continue;
-    Index& component = componentOf[sets.find(rows[r].front().vertex)];
+    Index& component = componentOf[sets.find(rows[r].front().index)];
     if (component < 0) {
       component = static_cast<Index>(components.size());
       components.emplace_back();
@@ -48,9 +48,9 @@ SparseMatrix transposedBlock(const std::vector<RowTerms>& rows, const RowCompone
 {
   std::vector<Eigen::Triplet<double, int>> entries;
   for (std::size_t k = 0; k < component.rows.size(); ++k)
-    for (const PointTerm& term : rows[component.rows[k]]) {
-      const auto place = std::lower_bound(component.unknowns.begin(), component.unknowns.end(), term.vertex);
-      entries.emplace_back(static_cast<int>(place - component.unknowns.begin()), static_cast<int>(k), term.weight);
+    for (const Term& term : rows[component.rows[k]]) {
+      const auto place = std::lower_bound(component.unknowns.begin(), component.unknowns.end(), term.index);
+      entries.emplace_back(static_cast<int>(place - component.unknowns.begin()), static_cast<int>(k), term.coefficient);
     }
   SparseMatrix block(static_cast<Index>(component.unknowns.size()), static_cast<Index>(component.rows.size()));
   block.setFromTriplets(entries.begin(), entries.end());

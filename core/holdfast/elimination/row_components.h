@@ -10,7 +10,7 @@
 namespace holdfast {
 
 /// The terms of one row of B: ascending unknowns with coefficients.
-using RowTerms = std::vector<PointTerm>;
+using RowTerms = std::vector<Term>;
 
 /// One component: rows ascending, the unknowns that they name ascending.
 struct RowComponent {

@@ -13,7 +13,7 @@ namespace {
 constexpr double kOpposite = 8 * std::numeric_limits<double>::epsilon();
 
 /// Points about their mean. The first is taken off before: a mean of large numbers would cost digits.
-Positions centred(const Positions& points)
+Positions centerd(const Positions& points)
 {
   Positions result = points.rowwise() - points.row(0);
   result.rowwise() -= Eigen::RowVector3d(result.colwise().mean());
@@ -64,8 +64,8 @@ RotationFit rotationOfCovariance(const Eigen::Matrix3d& H)
 RotationFit fitRotation(const Positions& points, const Positions& targets)
 {
   assert(points.rows() > 0 && points.rows() == targets.rows());
-  const Positions p = centred(points);
-  const Positions t = centred(targets);
+  const Positions p = centerd(points);
+  const Positions t = centerd(targets);
   RotationFit result = rotationOfCovariance(inOwnUnits(p).transpose() * inOwnUnits(t));
   result.residual = rootMeanSquare(p * result.R.transpose() - t);
   return result;

@@ -49,7 +49,7 @@ std::vector<Place> projected(const std::vector<Vector3>& polygon, const Vector3&
 class CornerBoxes {
  public:
   explicit CornerBoxes(const std::vector<Place>& places)
-      : boxes_(2 * std::bit_ceil(places.size())), cornerOf_(boxes_.size(), kNone), nodeOf_(places.size())
+      : boxes_(2 * std::bit_ceil(places.size())), cornerOf_(boxes_.size(), kNoCorner), nodeOf_(places.size())
   {
     std::vector<Index> corners(places.size());
     std::iota(corners.begin(), corners.end(), Index{0});
@@ -68,12 +68,12 @@ class CornerBoxes {
   bool find(Search& search, std::size_t node = 1) const
   {
     if (boxes_[node].isEmpty() || !search.mayMatter(boxes_[node])) return false;
-    if (cornerOf_[node] != kNone) return search.take(cornerOf_[node]);
+    if (cornerOf_[node] != kNoCorner) return search.take(cornerOf_[node]);
     return find(search, 2 * node) || find(search, 2 * node + 1);
   }
 
  private:
-  static constexpr Index kNone = -1;
+  static constexpr Index kNoCorner = -1;
 
   void build(std::size_t node, std::span<Index> corners, const std::vector<Place>& places)
   {
@@ -158,7 +158,7 @@ class EarClipper {
 
   std::vector<std::array<Index, 3>> run()
   {
-    for (Index k = 0; k < static_cast<Index>(polygon_.size()); ++k) judge(k);
+    for (Index k = 0; k < static_cast<Index>(polygon_.size()); ++k) classify(k);
     std::vector<std::array<Index, 3>> ears;
     ears.reserve(polygon_.size() - 2);
     while (count_ > 3) {
@@ -259,7 +259,7 @@ class EarClipper {
     return ab.cross(polygon_[c] - polygon_[a]).dot(normal_) / (ab.squaredNorm() * normal_.norm());
   }
 
-  void judge(Index k)
+  void classify(Index k)
   {
     quality_[k] = quality(k);
     ears_.emplace(quality_[k], -k);
@@ -285,11 +285,11 @@ class EarClipper {
     if (b == first_) first_ = c;
     if (boxes_) boxes_->remove(b);
     --count_;
-    judge(a);
-    judge(c);
+    classify(a);
+    classify(c);
     if (count_ != 4) return;
-    judge(behind_[c]);
-    judge(behind_[behind_[c]]);
+    classify(behind_[c]);
+    classify(behind_[behind_[c]]);
   }
 
   std::vector<Vector3> polygon_;

@@ -65,21 +65,21 @@ RotationField RotationFieldSolver::solve(const Columns3& values) const
   return field;
 }
 
-RotationFieldAttempt decomposeRotations(const RotationProblem& problem, Backend backend)
+RotationFieldResult makeRotationFieldSolver(const RotationProblem& problem, Backend backend)
 {
   for (const EdgeWeight& edge : problem.weights)
     if (!std::isfinite(edge.weight)) return {nullptr, notFiniteMessage(edge)};
   RotationUnknowns unknowns = rotationUnknowns(problem);
   RotationSystem system = systemOf(problem.weights, unknowns);
-  ScaledColumns scaled = scaleColumns(system.C);
-  if (!scaled.failure.empty()) return {nullptr, "the rotation field: " + scaled.failure};
+  Result<ScaledColumns> columns = scaleColumns(system.C);
+  if (!columns) return {nullptr, "the rotation field: " + columns.failure};
+  ScaledColumns& scaled = columns.value;
   // A common rotation: what edges resist least, and so the hardest to find.
   const Columns3 probe = scaled.scale.cwiseInverse().replicate(1, 3);
-  FactorAttempt attempt = factorize(scaled.C, backend, probe);
-  if (attempt.factor == nullptr) return {nullptr, "the rotation field: " + attempt.failure};
+  FactorResult result = factorize(scaled.C, backend, probe);
+  if (!result) return {nullptr, "the rotation field: " + result.failure};
   return {std::make_unique<RotationFieldSolver>(std::move(unknowns), std::move(system.pulls), std::move(scaled),
-                                                std::move(attempt.factor)),
-          {}};
+                                                std::move(result.value))};
 }
 
 }  // namespace holdfast

@@ -31,7 +31,7 @@ struct RotationField {
 /// One decomposition, for any number of values at the same unknowns. Other unknowns, regions or weights make another.
 class RotationFieldSolver {
  public:
-  /// The parts that `decomposeRotations` makes; `factor` is one of `scaled.C`.
+  /// The parts that `makeRotationFieldSolver` makes; `factor` is one of `scaled.C`.
   RotationFieldSolver(RotationUnknowns unknowns, std::vector<RotationPull> pulls, ScaledColumns scaled,
                       std::unique_ptr<const LeastSquaresFactor> factor);
 
@@ -54,15 +54,11 @@ class RotationFieldSolver {
   std::unique_ptr<const LeastSquaresFactor> factor_;
 };
 
-/// A solver, or the reason why there is none.
-struct RotationFieldAttempt {
-  std::unique_ptr<const RotationFieldSolver> solver;
-  std::string failure;
-};
+using RotationFieldResult = Result<std::unique_ptr<const RotationFieldSolver>>;
 
 /// Minimises the Dirichlet energy by least squares over the edges; where a weight is negative there may be no minimum,
 /// and L q = 0, (25), is solved at every free unknown, summed over each rigid region. Fails for weights that are not
 /// finite, and for negative ones that leave the equations singular.
-[[nodiscard]] RotationFieldAttempt decomposeRotations(const RotationProblem& problem, Backend backend);
+[[nodiscard]] RotationFieldResult makeRotationFieldSolver(const RotationProblem& problem, Backend backend);
 
 }  // namespace holdfast

@@ -8,7 +8,7 @@ namespace {
 DisjointSets regionsOf(const RotationProblem& problem)
 {
   DisjointSets regions(problem.unknownCount);
-  regions.uniteEach(problem.groups);
+  regions.uniteEach(problem.rigidRegions);
   return regions;
 }
 

@@ -12,9 +12,9 @@ namespace holdfast {
 /// regions.
 struct RotationProblem {
   Index unknownCount = 0;
-  std::vector<EdgeWeight> weights;         ///< each edge once
-  std::vector<Index> prescribed;           ///< unknowns whose q is given, in the order of precedence
-  std::vector<std::vector<Index>> groups;  ///< unknowns of each rigid region; regions that overlap are one
+  std::vector<EdgeWeight> weights;               ///< each edge once
+  std::vector<Index> prescribed;                 ///< unknowns whose q is given, in the order of precedence
+  std::vector<std::vector<Index>> rigidRegions;  ///< unknowns of each rigid region; regions that overlap are one
 };
 
 /// Each unknown is one of three: given (`givenOf`), free (`columnOf`), or out of reach of everything given (neither).

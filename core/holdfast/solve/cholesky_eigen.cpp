@@ -34,7 +34,7 @@ class CholeskyByEigen final : public LeastSquaresFactor {
 
 }  // namespace
 
-FactorAttempt choleskyByEigen(std::shared_ptr<const SparseMatrix> C)
+FactorResult choleskyByEigen(std::shared_ptr<const SparseMatrix> C)
 {
   auto cholesky = std::make_unique<Cholesky>(gramLower(*C));
   if (cholesky->info() != Eigen::Success)

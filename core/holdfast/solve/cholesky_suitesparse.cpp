@@ -111,7 +111,7 @@ class CholeskyBySuiteSparse final : public LeastSquaresFactor {
 
 }  // namespace
 
-FactorAttempt choleskyBySuiteSparse(std::shared_ptr<const SparseMatrix> C)
+FactorResult choleskyBySuiteSparse(std::shared_ptr<const SparseMatrix> C)
 {
   auto cholmod = std::make_unique<Cholmod>();
   SparseMatrix lower = gramLower(*C);

@@ -7,21 +7,19 @@
 
 namespace holdfast {
 
-ScaledColumns scaleColumns(SparseMatrix M)
+Result<ScaledColumns> scaleColumns(SparseMatrix M)
 {
   ScaledColumns result;
   result.scale.resize(M.cols());
   for (Index k = 0; k < M.cols(); ++k) {
     const double length = M.col(k).norm();
-    if (!(length > 0) || !std::isfinite(length)) {
-      result.failure = fmt::format("unknown {} of {} is in no equation, or in one that is not finite", k, M.cols());
-      return result;
-    }
+    if (!(length > 0) || !std::isfinite(length))
+      return {{}, fmt::format("unknown {} of {} is in no equation, or in one that is not finite", k, M.cols())};
     result.scale[k] = 1 / length;
     M.col(k) *= result.scale[k];
   }
   result.C = std::make_shared<const SparseMatrix>(std::move(M));
-  return result;
+  return {std::move(result)};
 }
 
 }  // namespace holdfast

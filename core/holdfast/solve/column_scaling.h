@@ -3,8 +3,8 @@
 /// Columns of unit length: the normal equations get a unit diagonal.
 
 #include <memory>
-#include <string>
 
+#include <holdfast/base/result.h>
 #include <holdfast/base/types.h>
 
 namespace holdfast {
@@ -13,9 +13,9 @@ namespace holdfast {
 struct ScaledColumns {
   std::shared_ptr<const SparseMatrix> C;
   Eigen::VectorXd scale;
-  std::string failure;  ///< why that is not possible: an empty or non-finite column
 };
 
-[[nodiscard]] ScaledColumns scaleColumns(SparseMatrix M);
+/// Fails for an empty or non-finite column.
+[[nodiscard]] Result<ScaledColumns> scaleColumns(SparseMatrix M);
 
 }  // namespace holdfast

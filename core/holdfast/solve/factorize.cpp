@@ -19,7 +19,7 @@ class NothingToSolve final : public LeastSquaresFactor {
   [[nodiscard]] std::string_view method() const override { return "nothing left to solve"; }
 };
 
-FactorAttempt cholesky(std::shared_ptr<const SparseMatrix> C, Backend backend)
+FactorResult cholesky(std::shared_ptr<const SparseMatrix> C, Backend backend)
 {
 #ifdef HOLDFAST_WITH_CHOLMOD
   if (backend == Backend::Cholmod) return choleskyBySuiteSparse(std::move(C));
@@ -44,23 +44,23 @@ Backend defaultBackend()
 #endif
 }
 
-FactorAttempt factorize(std::shared_ptr<const SparseMatrix> C, Backend backend, const Columns3& probe)
+FactorResult factorize(std::shared_ptr<const SparseMatrix> C, Backend backend, const Columns3& probe)
 {
-  if (C->cols() == 0) return {std::make_unique<NothingToSolve>(), {}};
-  FactorAttempt first = cholesky(C, backend);
+  if (C->cols() == 0) return {std::make_unique<NothingToSolve>()};
+  FactorResult first = cholesky(C, backend);
   double left = 0;
-  if (first.factor != nullptr) {
-    left = contraction(*first.factor, *C, probe);
+  if (first.value != nullptr) {
+    left = contraction(*first.value, *C, probe);
     if (left <= kGoodContraction) return first;
     first.failure = fmt::format("the normal equations keep no digits (a correction leaves {:.1g} of an error)", left);
   }
-  FactorAttempt second = seminormalQr(C, backend);
-  if (second.factor != nullptr) {
-    const double leftByQr = contraction(*second.factor, *C, probe);
+  FactorResult second = seminormalQr(C, backend);
+  if (second.value != nullptr) {
+    const double leftByQr = contraction(*second.value, *C, probe);
     if (leftByQr <= kUsableContraction) return second;
     second.failure = fmt::format("sparse QR keeps no digits (a correction leaves {:.1g} of an error)", leftByQr);
   }
-  if (first.factor != nullptr && left <= kUsableContraction) return first;
+  if (first.value != nullptr && left <= kUsableContraction) return {std::move(first.value)};
   return {nullptr, first.failure + "; " + second.failure};
 }
 

@@ -3,16 +3,16 @@
 #include <utility>
 
 #include <holdfast/solve/column_scaling.h>
+#include <holdfast/solve/constrained_solver.h>
 #include <holdfast/solve/constraint_matrix.h>
 #include <holdfast/solve/corrected_solve.h>
-#include <holdfast/solve/deformation_solver.h>
 
 namespace holdfast {
 namespace {
 
-class HardSolver final : public DeformationSolver {
+class HardSolver final : public ConstrainedSolver {
  public:
-  HardSolver(DeformationProblem problem, ScaledColumns reduced, std::unique_ptr<const LeastSquaresFactor> factor)
+  HardSolver(ConstrainedProblem problem, ScaledColumns reduced, std::unique_ptr<const LeastSquaresFactor> factor)
       : problem_(std::move(problem)),
         B_(constraintMatrix(problem_.eliminated.rows, problem_.A.cols())),
         reduced_(std::move(reduced)),
@@ -44,7 +44,7 @@ class HardSolver final : public DeformationSolver {
                : problem_.eliminated.elimination.reconciledParticular(targets.reconciled, targets.shifts);
   }
 
-  DeformationProblem problem_;
+  ConstrainedProblem problem_;
   SparseMatrix B_;
   ScaledColumns reduced_;
   std::unique_ptr<const LeastSquaresFactor> factor_;
@@ -52,15 +52,16 @@ class HardSolver final : public DeformationSolver {
 
 }  // namespace
 
-DecompositionAttempt makeHardSolver(DeformationProblem problem, Backend backend)
+SolverResult makeHardSolver(ConstrainedProblem problem, Backend backend)
 {
   const SparseMatrix& Q2 = problem.eliminated.elimination.Q2();
-  ScaledColumns reduced = scaleColumns(problem.A * Q2);
-  if (!reduced.failure.empty()) return {nullptr, std::move(reduced.failure)};
+  Result<ScaledColumns> columns = scaleColumns(problem.A * Q2);
+  if (!columns) return {nullptr, std::move(columns.failure)};
+  ScaledColumns& reduced = columns.value;
   const Columns3 probe = reduced.scale.cwiseInverse().asDiagonal() * Columns3(Q2.transpose() * problem.rest);
-  FactorAttempt attempt = factorize(reduced.C, backend, probe);
-  if (attempt.factor == nullptr) return {nullptr, std::move(attempt.failure)};
-  return {std::make_unique<HardSolver>(std::move(problem), std::move(reduced), std::move(attempt.factor)), {}};
+  FactorResult result = factorize(reduced.C, backend, probe);
+  if (!result) return {nullptr, std::move(result.failure)};
+  return {std::make_unique<HardSolver>(std::move(problem), std::move(reduced), std::move(result.value))};
 }
 
 }  // namespace holdfast

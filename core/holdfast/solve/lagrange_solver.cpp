@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 
 #include <holdfast/elimination/find_dependencies.h>
+#include <holdfast/solve/constrained_solver.h>
 #include <holdfast/solve/constraint_matrix.h>
 #include <holdfast/solve/corrected_solve.h>
-#include <holdfast/solve/deformation_solver.h>
 #include <holdfast/solve/sparse_lu.h>
 
 namespace holdfast {
@@ -33,7 +33,7 @@ SparseMatrix saddleMatrix(const SparseMatrix& A, const SparseMatrix& B)
   return K;
 }
 
-class LagrangeSolver final : public DeformationSolver {
+class LagrangeSolver final : public ConstrainedSolver {
  public:
   LagrangeSolver(SparseMatrix spread, SparseMatrix A, SparseMatrix B, std::vector<Index> rows,
                  std::unique_ptr<const SparseLu> lu)
@@ -95,7 +95,7 @@ std::unique_ptr<const SparseLu> factorLu(const SparseMatrix& K, Backend backend)
 
 }  // namespace
 
-DecompositionAttempt makeLagrangeSolver(DeformationProblem problem, Backend backend)
+SolverResult makeLagrangeSolver(ConstrainedProblem problem, Backend backend)
 {
   const EliminatedConstraints& eliminated = problem.eliminated;
   const Index n = problem.A.cols();

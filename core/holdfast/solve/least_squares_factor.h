@@ -4,9 +4,9 @@
 /// Eigen, or the R of a sparse QR.
 
 #include <memory>
-#include <string>
 #include <string_view>
 
+#include <holdfast/base/result.h>
 #include <holdfast/base/types.h>
 
 namespace holdfast {
@@ -43,22 +43,18 @@ class LeastSquaresFactor {
   LeastSquaresFactor& operator=(const LeastSquaresFactor&) = default;
 };
 
-/// A factor, or the reason why there is none.
-struct FactorAttempt {
-  std::unique_ptr<const LeastSquaresFactor> factor;
-  std::string failure;
-};
+using FactorResult = Result<std::unique_ptr<const LeastSquaresFactor>>;
 
 /// Each takes C (m x k) with columns of unit length, and keeps it. Those of SuiteSparse are defined where that is
 /// built.
-[[nodiscard]] FactorAttempt choleskyBySuiteSparse(std::shared_ptr<const SparseMatrix> C);
-[[nodiscard]] FactorAttempt choleskyByEigen(std::shared_ptr<const SparseMatrix> C);
+[[nodiscard]] FactorResult choleskyBySuiteSparse(std::shared_ptr<const SparseMatrix> C);
+[[nodiscard]] FactorResult choleskyByEigen(std::shared_ptr<const SparseMatrix> C);
 /// R of a sparse QR of C, Q not kept: R^T R z = C^T f (semi-normal equations; Björck, 1987).
-[[nodiscard]] FactorAttempt seminormalQr(std::shared_ptr<const SparseMatrix> C, Backend backend);
+[[nodiscard]] FactorResult seminormalQr(std::shared_ptr<const SparseMatrix> C, Backend backend);
 
 /// A factor that solves with the digits of a double after corrections: Cholesky of the normal equations, and where that
 /// meets a bad pivot or contracts too slowly, sparse QR of C. `probe` (k x 3) is any typical solution; the factor is
 /// judged by how well it finds it. A failure names both reasons.
-[[nodiscard]] FactorAttempt factorize(std::shared_ptr<const SparseMatrix> C, Backend backend, const Columns3& probe);
+[[nodiscard]] FactorResult factorize(std::shared_ptr<const SparseMatrix> C, Backend backend, const Columns3& probe);
 
 }  // namespace holdfast

@@ -81,12 +81,12 @@ bool hasRegularDiagonal(const SparseMatrix& R)
 
 }  // namespace
 
-FactorAttempt seminormalQr(std::shared_ptr<const SparseMatrix> C, Backend backend)
+FactorResult seminormalQr(std::shared_ptr<const SparseMatrix> C, Backend backend)
 {
   SparseQrResult qr = qrBy(backend, withoutEmptyRows(*C));
   if (qr.rank < C->cols() || qr.R.rows() < C->cols() || !hasRegularDiagonal(qr.R))
     return {nullptr, fmt::format("sparse QR finds rank {} for {} unknowns", qr.rank, C->cols())};
-  return {std::make_unique<SeminormalQr>(std::move(C), std::move(qr), backend), {}};
+  return {std::make_unique<SeminormalQr>(std::move(C), std::move(qr), backend)};
 }
 
 }  // namespace holdfast

@@ -3,9 +3,9 @@
 #include <utility>
 
 #include <holdfast/solve/column_scaling.h>
+#include <holdfast/solve/constrained_solver.h>
 #include <holdfast/solve/constraint_matrix.h>
 #include <holdfast/solve/corrected_solve.h>
-#include <holdfast/solve/deformation_solver.h>
 
 namespace holdfast {
 namespace {
@@ -18,7 +18,7 @@ SparseMatrix stacked(const SparseMatrix& top, const SparseMatrix& bottom)
   return result;
 }
 
-class SoftSolver final : public DeformationSolver {
+class SoftSolver final : public ConstrainedSolver {
  public:
   SoftSolver(double weight, SparseMatrix spread, ScaledColumns stacked,
              std::unique_ptr<const LeastSquaresFactor> factor)
@@ -47,18 +47,19 @@ class SoftSolver final : public DeformationSolver {
 
 }  // namespace
 
-DecompositionAttempt makeSoftSolver(DeformationProblem problem, Backend backend, double weight)
+SolverResult makeSoftSolver(ConstrainedProblem problem, Backend backend, double weight)
 {
   const EliminatedConstraints& eliminated = problem.eliminated;
   const Index n = problem.A.cols();
   SparseMatrix spread = Elimination({}, {}, n, eliminated.isHeld).Q2();
   const SparseMatrix all = stacked(problem.A, weight * constraintMatrix(eliminated.rows, n));
-  ScaledColumns scaled = scaleColumns(all * spread);
-  if (!scaled.failure.empty()) return {nullptr, std::move(scaled.failure)};
+  Result<ScaledColumns> columns = scaleColumns(all * spread);
+  if (!columns) return {nullptr, std::move(columns.failure)};
+  ScaledColumns& scaled = columns.value;
   const Columns3 probe = scaled.scale.cwiseInverse().asDiagonal() * Columns3(spread.transpose() * problem.rest);
-  FactorAttempt attempt = factorize(scaled.C, backend, probe);
-  if (attempt.factor == nullptr) return {nullptr, std::move(attempt.failure)};
-  return {std::make_unique<SoftSolver>(weight, std::move(spread), std::move(scaled), std::move(attempt.factor)), {}};
+  FactorResult result = factorize(scaled.C, backend, probe);
+  if (!result) return {nullptr, std::move(result.failure)};
+  return {std::make_unique<SoftSolver>(weight, std::move(spread), std::move(scaled), std::move(result.value))};
 }
 
 }  // namespace holdfast

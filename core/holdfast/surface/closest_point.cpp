@@ -144,7 +144,7 @@ ClosestPointSearch::Result ClosestPointSearch::find(const Vector3& place) const
   Nearest nearest{tree_->corners, scaled(place, -exponent)};
   Eigen::BVMinimize(tree_->volumes, nearest);
   const Triangle& triangle = tree_->triangles[static_cast<std::size_t>(nearest.bestTriangle)];
-  std::vector<PointTerm> terms;
+  std::vector<Term> terms;
   for (int k = 0; k < 3; ++k) terms.push_back({triangle[k], nearest.best.weights[k]});
   return {canonical(std::move(terms)), nearest.bestTriangle,
           std::ldexp(std::sqrt(nearest.best.squaredDistance), exponent)};

@@ -17,27 +17,27 @@ std::size_t cornerOf(Corners face, Index vertex)
   return static_cast<std::size_t>(std::find(face.begin(), face.end(), vertex) - face.begin());
 }
 
-bool hasAll(Corners face, const std::vector<PointTerm>& terms)
+bool hasAll(Corners face, const std::vector<Term>& terms)
 {
   return std::all_of(terms.begin(), terms.end(),
-                     [&](const PointTerm& term) { return cornerOf(face, term.vertex) < face.size(); });
+                     [&](const Term& term) { return cornerOf(face, term.index) < face.size(); });
 }
 
 /// What `location` lies on, before weights of zero are left out: an edge stays an edge at its ends.
-std::vector<PointTerm> supportOf(const SurfaceLocation& location, const SurfacePoint& point)
+std::vector<Term> supportOf(const SurfaceLocation& location, const SurfacePoint& point)
 {
   if (const auto* edge = std::get_if<AtEdge>(&location)) return {{edge->i, edge->t}, {edge->j, 1 - edge->t}};
   return point.terms;
 }
 
-Index hostFaceOf(const SurfaceLocation& location, const std::vector<PointTerm>& terms, const Polygons& faces)
+Index hostFaceOf(const SurfaceLocation& location, const std::vector<Term>& terms, const Polygons& faces)
 {
   if (const auto* face = std::get_if<AtFace>(&location)) return face->face;
   for (Index f = 0; f < faces.size(); ++f)
     if (hasAll(faces[f], terms)) return f;
   throw InputError({}, fmt::format("no face uses vertex {}, so a point there can only be that vertex; choose another "
                                    "vertex first",
-                                   terms.front().vertex));
+                                   terms.front().index));
 }
 
 AtVertex nearestCorner(Corners face, const Vector3& place, const Positions& rest)
@@ -86,10 +86,10 @@ AtEdge firstEdgeAt(Index vertex, const Polygons& faces)
                                    vertex));
 }
 
-AtFace inFace(Index face, Corners corners, const std::vector<PointTerm>& terms)
+AtFace inFace(Index face, Corners corners, const std::vector<Term>& terms)
 {
   AtFace at{face, std::vector<double>(corners.size(), 0)};
-  for (const PointTerm& term : terms) at.weights[cornerOf(corners, term.vertex)] = term.weight;
+  for (const Term& term : terms) at.weights[cornerOf(corners, term.index)] = term.coefficient;
   return at;
 }
 
@@ -104,21 +104,21 @@ SurfaceLocation converted(const SurfaceLocation& location, LocationKind kind, co
 {
   if (kindOf(location) == kind) return location;
   const SurfacePoint point = locator.locate(location, {}).point;
-  const std::vector<PointTerm> terms = supportOf(location, point);
+  const std::vector<Term> terms = supportOf(location, point);
   const Vector3 place = positionOf(point, mesh.positions);
   const bool isVertex = point.terms.size() == 1;
-  if (kind == LocationKind::Vertex && isVertex) return AtVertex{point.terms.front().vertex};
+  if (kind == LocationKind::Vertex && isVertex) return AtVertex{point.terms.front().index};
   const Index f = hostFaceOf(location, terms, mesh.faces);
   const Corners face = mesh.faces[f];
   switch (kind) {
     case LocationKind::Vertex:
       if (terms.size() > 2 || std::holds_alternative<AtFace>(location))
         return nearestCorner(face, place, mesh.positions);
-      return AtVertex{terms[0].weight >= terms[1].weight ? terms[0].vertex : terms[1].vertex};
+      return AtVertex{terms[0].coefficient >= terms[1].coefficient ? terms[0].index : terms[1].index};
     case LocationKind::Edge:
-      if (isVertex) return firstEdgeAt(point.terms.front().vertex, mesh.faces);
-      if (terms.size() == 2 && locator.isEdge(terms[0].vertex, terms[1].vertex))
-        return AtEdge{terms[0].vertex, terms[1].vertex, terms[0].weight};
+      if (isVertex) return firstEdgeAt(point.terms.front().index, mesh.faces);
+      if (terms.size() == 2 && locator.isEdge(terms[0].index, terms[1].index))
+        return AtEdge{terms[0].index, terms[1].index, terms[0].coefficient};
       return nearestSide(face, place, mesh.positions);
     case LocationKind::Face:
       return inFace(f, face, terms);

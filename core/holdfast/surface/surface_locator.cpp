@@ -41,7 +41,7 @@ SurfaceLocator::Located SurfaceLocator::at(const AtFace& face, const InputLocati
                      fmt::format("face {} has {} corners but {} weights are given; give one for each corner in the "
                                  "order of the file",
                                  face.face, corners.size(), face.weights.size()));
-  std::vector<PointTerm> terms;
+  std::vector<Term> terms;
   for (std::size_t k = 0; k < corners.size(); ++k) terms.push_back({corners[k], face.weights[k]});
   return {canonical(std::move(terms)), 0};
 }

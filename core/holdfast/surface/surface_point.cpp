@@ -9,41 +9,41 @@ namespace holdfast {
 namespace {
 
 /// Sorted by vertex, the weights of each vertex added up.
-std::vector<PointTerm> merged(std::vector<PointTerm> terms)
+std::vector<Term> merged(std::vector<Term> terms)
 {
-  std::sort(terms.begin(), terms.end(), [](const PointTerm& x, const PointTerm& y) { return x.vertex < y.vertex; });
-  std::vector<PointTerm> sums;
-  for (const PointTerm& term : terms)
-    if (!sums.empty() && sums.back().vertex == term.vertex)
-      sums.back().weight += term.weight;
+  std::sort(terms.begin(), terms.end(), [](const Term& x, const Term& y) { return x.index < y.index; });
+  std::vector<Term> sums;
+  for (const Term& term : terms)
+    if (!sums.empty() && sums.back().index == term.index)
+      sums.back().coefficient += term.coefficient;
     else
       sums.push_back(term);
   return sums;
 }
 
 /// The terms of both, weighted.
-std::vector<PointTerm> combined(const SurfacePoint& x, double ofX, const SurfacePoint& y, double ofY)
+std::vector<Term> combined(const SurfacePoint& x, double ofX, const SurfacePoint& y, double ofY)
 {
-  std::vector<PointTerm> terms;
-  for (const PointTerm& term : x.terms) terms.push_back({term.vertex, ofX * term.weight});
-  for (const PointTerm& term : y.terms) terms.push_back({term.vertex, ofY * term.weight});
+  std::vector<Term> terms;
+  for (const Term& term : x.terms) terms.push_back({term.index, ofX * term.coefficient});
+  for (const Term& term : y.terms) terms.push_back({term.index, ofY * term.coefficient});
   return terms;
 }
 
 }  // namespace
 
-SurfacePoint canonical(std::vector<PointTerm> terms)
+SurfacePoint canonical(std::vector<Term> terms)
 {
   SurfacePoint point{merged(std::move(terms))};
-  std::erase_if(point.terms, [](const PointTerm& term) { return term.weight <= kVanishingWeight; });
-  if (point.terms.size() == 1) point.terms.front().weight = 1;
+  std::erase_if(point.terms, [](const Term& term) { return term.coefficient <= kVanishingWeight; });
+  if (point.terms.size() == 1) point.terms.front().coefficient = 1;
   return point;
 }
 
-std::vector<PointTerm> difference(const SurfacePoint& x, const SurfacePoint& y)
+std::vector<Term> difference(const SurfacePoint& x, const SurfacePoint& y)
 {
-  std::vector<PointTerm> terms = merged(combined(x, 1, y, -1));
-  std::erase_if(terms, [](const PointTerm& term) { return std::abs(term.weight) <= kVanishingWeight; });
+  std::vector<Term> terms = merged(combined(x, 1, y, -1));
+  std::erase_if(terms, [](const Term& term) { return std::abs(term.coefficient) <= kVanishingWeight; });
   if (terms.size() == 1) terms.clear();
   return terms;
 }
@@ -56,7 +56,7 @@ SurfacePoint midpoint(const SurfacePoint& x, const SurfacePoint& y)
 Vector3 positionOf(const SurfacePoint& point, const Positions& positions)
 {
   Vector3 sum = Vector3::Zero();
-  for (const PointTerm& term : point.terms) sum += term.weight * positions.row(term.vertex).transpose();
+  for (const Term& term : point.terms) sum += term.coefficient * positions.row(term.index).transpose();
   return sum;
 }
 

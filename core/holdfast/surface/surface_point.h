@@ -4,23 +4,16 @@
 
 #include <vector>
 
-#include <holdfast/base/types.h>
+#include <holdfast/base/term.h>
 
 namespace holdfast {
 
-/// One vertex of a surface point, with its share.
-struct PointTerm {
-  Index vertex = 0;  ///< file vertex
-  double weight = 0;
-
-  friend bool operator==(const PointTerm&, const PointTerm&) = default;
-};
-
-/// The point sum of weight * p_vertex. Canonical: vertices ascend and differ, every weight is larger than
+/// The point sum of coefficient * p_index over vertices of the file. Canonical: vertices ascend and differ, every
+/// coefficient (weight) is larger than
 /// `kVanishingWeight`, and a single term has the weight 1 exactly. One term is a vertex, two an edge, three a point in
 /// a triangle, more a point in a polygon.
 struct SurfacePoint {
-  std::vector<PointTerm> terms;
+  std::vector<Term> terms;
 
   friend bool operator==(const SurfacePoint&, const SurfacePoint&) = default;
 };
@@ -31,11 +24,11 @@ inline constexpr double kVanishingWeight = 1e-14;
 
 /// The canonical form of any list of terms whose weights sum to 1: sorted, repeated vertices added up, vanishing
 /// weights left out.
-[[nodiscard]] SurfacePoint canonical(std::vector<PointTerm> terms);
+[[nodiscard]] SurfacePoint canonical(std::vector<Term> terms);
 
 /// The terms of x - y, sorted, repeated vertices merged, vanishing weights left out. Empty where both are one point:
 /// a single weight that is left is rounding, because all of them sum to 0.
-[[nodiscard]] std::vector<PointTerm> difference(const SurfacePoint& x, const SurfacePoint& y);
+[[nodiscard]] std::vector<Term> difference(const SurfacePoint& x, const SurfacePoint& y);
 
 /// The terms of the point midway between two.
 [[nodiscard]] SurfacePoint midpoint(const SurfacePoint& x, const SurfacePoint& y);

@@ -32,7 +32,7 @@ class UntilBegun final : public Progress {
  public:
   explicit UntilBegun(const HeldBack& work) : begun_(work.begun) {}
 
-  void stage(std::string_view /*description*/) override {}
+  void step(std::string_view /*description*/) override {}
   void proceed() override
   {
     if (*begun_ > 0) throw Cancelled();
@@ -45,7 +45,7 @@ class UntilBegun final : public Progress {
 /// Cancels as soon as it is asked.
 class Impatient final : public Progress {
  public:
-  void stage(std::string_view /*description*/) override {}
+  void step(std::string_view /*description*/) override {}
   void proceed() override { throw Cancelled(); }
 };
 
@@ -54,7 +54,7 @@ class Opening final : public Progress {
  public:
   explicit Opening(const HeldBack& work) : mayEnd_(work.mayEnd) {}
 
-  void stage(std::string_view /*description*/) override {}
+  void step(std::string_view /*description*/) override {}
   void proceed() override { mayEnd_->open(); }
 
  private:

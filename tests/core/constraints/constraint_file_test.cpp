@@ -33,13 +33,13 @@ T only(const std::string& constraint)
 template <class T>
 T selected(const std::string& selection)
 {
-  return std::get<T>(only<Fixed>(R"({"type": "fixed", "select": )" + selection + "}").select.what);
+  return std::get<T>(only<FixedConstraint>(R"({"type": "fixed", "select": )" + selection + "}").select.what);
 }
 
 template <class T>
 T located(const std::string& location)
 {
-  return std::get<T>(only<Point>(R"({"type": "point", "at": )" + location + R"(, "target": [0,0,0]})").at);
+  return std::get<T>(only<PointConstraint>(R"({"type": "point", "at": )" + location + R"(, "target": [0,0,0]})").at);
 }
 
 TEST(ConstraintFile, ReadsEverySelection)
@@ -84,28 +84,29 @@ TEST(ConstraintFile, ReadsEveryLocation)
 TEST(ConstraintFile, ReadsHandlesWithATurnAShiftOrBoth)
 {
   const std::string head = R"({"type": "handle", "select": {"component": 0}, )";
-  const Handle both =
-      only<Handle>(head + R"("rotate": {"axis": [0,0,2], "degrees": 450, "center": [1,2,3]}, "translate": [0,0,2]})");
-  const Turn turn = std::get<Turn>(both.motion);
+  const HandleConstraint both = only<HandleConstraint>(
+      head + R"("rotate": {"axis": [0,0,2], "degrees": 450, "center": [1,2,3]}, "translate": [0,0,2]})");
+  const AxisRotation turn = std::get<AxisRotation>(both.motion);
   EXPECT_EQ(turn.axis, Vector3(0, 0, 2));
   EXPECT_EQ(turn.degrees, 450);
   EXPECT_EQ(turn.center, Vector3(1, 2, 3));
   EXPECT_EQ(both.translate, Vector3(0, 0, 2));
-  const Handle turned = only<Handle>(head + R"("rotate": {"axis": [0,0,1], "degrees": -90}})");
-  EXPECT_FALSE(std::get<Turn>(turned.motion).center.has_value());
-  EXPECT_EQ(turned.translate, Vector3(0, 0, 0));
-  EXPECT_TRUE(std::holds_alternative<std::monostate>(only<Handle>(head + R"("translate": [0,0,2]})").motion));
+  const HandleConstraint rotated = only<HandleConstraint>(head + R"("rotate": {"axis": [0,0,1], "degrees": -90}})");
+  EXPECT_FALSE(std::get<AxisRotation>(rotated.motion).center.has_value());
+  EXPECT_EQ(rotated.translate, Vector3(0, 0, 0));
+  EXPECT_TRUE(std::holds_alternative<std::monostate>(only<HandleConstraint>(head + R"("translate": [0,0,2]})").motion));
 }
 
 TEST(ConstraintFile, ReadsHandlesThatTurnAboutTheFixedVertices)
 {
-  const Handle handle =
-      only<Handle>(R"({"type": "handle", "select": {"component": 0}, "turn": "about-fixed", "translate": [0,0,2]})");
-  EXPECT_FALSE(std::get<TurnAboutFixed>(handle.motion).near.has_value());
+  const HandleConstraint handle = only<HandleConstraint>(
+      R"({"type": "handle", "select": {"component": 0}, "turn": "about-fixed", "translate": [0,0,2]})");
+  EXPECT_FALSE(std::get<RotationAboutFixed>(handle.motion).near.has_value());
   EXPECT_EQ(handle.translate, Vector3(0, 0, 2));
-  const Handle round = only<Handle>(R"({"type": "handle", "select": {"component": 0}, "turn": "about-fixed",
+  const HandleConstraint round =
+      only<HandleConstraint>(R"({"type": "handle", "select": {"component": 0}, "turn": "about-fixed",
                                         "translate": [0,0,2], "turn_near": {"axis": [0,3,0], "degrees": 190}})");
-  const std::optional<VertexTurn>& near = std::get<TurnAboutFixed>(round.motion).near;
+  const std::optional<AxisAngle>& near = std::get<RotationAboutFixed>(round.motion).near;
   ASSERT_TRUE(near.has_value());
   EXPECT_EQ(near->axis, Vector3(0, 3, 0));
   EXPECT_EQ(near->degrees, 190);
@@ -115,7 +116,7 @@ TEST(ConstraintFile, ReadsHandlesThatGoFromFrameToFrame)
 {
   const std::string head = R"({"type": "handle", "select": {"component": 0}, "frame": )";
   const auto full =
-      std::get<FrameMotion>(only<Handle>(head + R"({"from": {"origin": [1,2,3], "x": [0,2,0], "y": [0,1,1]},
+      std::get<FrameMotion>(only<HandleConstraint>(head + R"({"from": {"origin": [1,2,3], "x": [0,2,0], "y": [0,1,1]},
                               "to": {"origin": [4,5,6], "x": [0,0,1], "y": [3,0,0]}, "turns": -2}})")
                                 .motion);
   EXPECT_EQ(full.from.origin, Vector3(1, 2, 3));
@@ -125,7 +126,8 @@ TEST(ConstraintFile, ReadsHandlesThatGoFromFrameToFrame)
   EXPECT_EQ(full.to.x, Vector3(0, 0, 1));
   EXPECT_EQ(full.to.y, Vector3(3, 0, 0));
   EXPECT_EQ(full.turns, -2);
-  const auto brief = std::get<FrameMotion>(only<Handle>(head + R"({"to": {"x": [0,1,0], "y": [-1,0,0]}}})").motion);
+  const auto brief =
+      std::get<FrameMotion>(only<HandleConstraint>(head + R"({"to": {"x": [0,1,0], "y": [-1,0,0]}}})").motion);
   EXPECT_FALSE(brief.from.origin.has_value());
   EXPECT_EQ(brief.from.x, Vector3(1, 0, 0));
   EXPECT_EQ(brief.from.y, Vector3(0, 1, 0));
@@ -135,7 +137,7 @@ TEST(ConstraintFile, ReadsHandlesThatGoFromFrameToFrame)
 
 TEST(ConstraintFile, ReadsTargetsAndRotationsOfSingleVertices)
 {
-  const Handle handle = only<Handle>(R"({"type": "handle", "select": {"vertices": [7, 3, 5]},
+  const HandleConstraint handle = only<HandleConstraint>(R"({"type": "handle", "select": {"vertices": [7, 3, 5]},
     "targets": [[1,2,3], [4,5,6], [7,8,9]],
     "rotations": [{"axis": [0,0,2], "degrees": 720}, {"axis": [1,0,0], "degrees": 0}, {"axis": [0,1,0], "degrees": -9}]})");
   EXPECT_THAT(std::get<VertexTargets>(handle.motion).places,
@@ -144,7 +146,7 @@ TEST(ConstraintFile, ReadsTargetsAndRotationsOfSingleVertices)
   EXPECT_EQ(handle.rotations[0].axis, Vector3(0, 0, 2));
   EXPECT_EQ(handle.rotations[0].degrees, 720);
   EXPECT_EQ(handle.rotations[2].degrees, -9);
-  EXPECT_EQ(only<Handle>(R"({"type": "handle", "select": {"vertices": [7]}, "translate": [1,2,3],
+  EXPECT_EQ(only<HandleConstraint>(R"({"type": "handle", "select": {"vertices": [7]}, "translate": [1,2,3],
     "rotations": [{"axis": [0,0,2], "degrees": 720}]})")
                 .rotations.size(),
             1U);
@@ -153,15 +155,15 @@ TEST(ConstraintFile, ReadsTargetsAndRotationsOfSingleVertices)
 TEST(ConstraintFile, ReadsPointsThatGoToAPlaceOrByAShift)
 {
   const std::string head = R"({"type": "point", "at": {"vertex": 1}, )";
-  EXPECT_EQ(std::get<Target>(only<Point>(head + R"("target": [1,2,3]})").to).place, Vector3(1, 2, 3));
-  EXPECT_EQ(std::get<Move>(only<Point>(head + R"("move": [1,2,3]})").to).shift, Vector3(1, 2, 3));
+  EXPECT_EQ(std::get<Target>(only<PointConstraint>(head + R"("target": [1,2,3]})").to).place, Vector3(1, 2, 3));
+  EXPECT_EQ(std::get<Move>(only<PointConstraint>(head + R"("move": [1,2,3]})").to).shift, Vector3(1, 2, 3));
 }
 
 TEST(ConstraintFile, ReadsRelativesWithAndWithoutAnOffset)
 {
   const std::string head = R"({"type": "relative", "from": {"vertex": 3}, "to": {"near": [0,1,0]})";
-  EXPECT_FALSE(only<Relative>(head + "}").offset.has_value());
-  EXPECT_EQ(only<Relative>(head + R"(, "offset": [1,2,3]})").offset, Vector3(1, 2, 3));
+  EXPECT_FALSE(only<RelativeConstraint>(head + "}").offset.has_value());
+  EXPECT_EQ(only<RelativeConstraint>(head + R"(, "offset": [1,2,3]})").offset, Vector3(1, 2, 3));
 }
 
 TEST(ConstraintFile, KeepsTheOrderAndNamesTheNamelessByTypeAndPlace)
@@ -234,16 +236,16 @@ TEST(ConstraintFile, ComparisonOfListsSeesOneBit)
 {
   test::Random random(202);
   ConstraintList list = test::randomConstraintList(random, 3);
-  list.constraints.push_back({"last", true, Point{AtVertex{1}, Target{Vector3(1, 2, 0.0)}}});
+  list.constraints.push_back({"last", true, PointConstraint{AtVertex{1}, Target{Vector3(1, 2, 0.0)}}});
   ConstraintList other = list;
-  std::get<Target>(std::get<Point>(other.constraints.back().what).to).place.z() = -0.0;
+  std::get<Target>(std::get<PointConstraint>(other.constraints.back().what).to).place.z() = -0.0;
   EXPECT_FALSE(test::areSame(list, other));
   EXPECT_TRUE(test::areSame(list, list));
 }
 
 TEST(ConstraintFile, WritesNumbersInTheirShortestForm)
 {
-  const ConstraintList list{"", {{"P", true, Point{AtVertex{1}, Target{Vector3(0.1, -2, 1e100)}}}}};
+  const ConstraintList list{"", {{"P", true, PointConstraint{AtVertex{1}, Target{Vector3(0.1, -2, 1e100)}}}}};
   EXPECT_THAT(constraintsToJson(list), HasSubstr(R"("target": [0.1, -2, 1e+100])"));
 }
 
@@ -259,14 +261,14 @@ void expectNotWritable(const ConstraintList& list, const std::string& reason)
 
 TEST(ConstraintFile, RefusesToWriteWhatItCouldNotRead)
 {
-  const Constraint point{"P", true, Point{AtVertex{1}, Target{Vector3(0, 0, 0)}}};
+  const Constraint point{"P", true, PointConstraint{AtVertex{1}, Target{Vector3(0, 0, 0)}}};
   expectNotWritable({"", {point, point}}, "names are unique");
   const double infinite = std::numeric_limits<double>::infinity();
-  expectNotWritable({"", {{"P", true, Point{AtVertex{1}, Target{Vector3(0, infinite, 0)}}}}},
+  expectNotWritable({"", {{"P", true, PointConstraint{AtVertex{1}, Target{Vector3(0, infinite, 0)}}}}},
                     "constraints[0].target[1]");
-  expectNotWritable({"", {{"", true, Fixed{{InComponent{0}}}}}}, "empty");
-  expectNotWritable({"", {{"\xFF", true, Fixed{{InComponent{0}}}}}}, "UTF-8");
-  expectNotWritable({"", {{"A", true, Fixed{{VertexIds{{}}}}}}}, "constraints[0].select.vertices");
+  expectNotWritable({"", {{"", true, FixedConstraint{{InComponent{0}}}}}}, "empty");
+  expectNotWritable({"", {{"\xFF", true, FixedConstraint{{InComponent{0}}}}}}, "UTF-8");
+  expectNotWritable({"", {{"A", true, FixedConstraint{{VertexIds{{}}}}}}}, "constraints[0].select.vertices");
 }
 
 /// A folder of this test's own, gone when the test ends.

@@ -19,7 +19,7 @@ using testing::HasSubstr;
 
 Constraint held(Selection selection)
 {
-  return {"", true, Fixed{std::move(selection)}};
+  return {"", true, FixedConstraint{std::move(selection)}};
 }
 
 Selection ids(std::vector<Index> vertices)
@@ -60,7 +60,7 @@ std::vector<BadConstraint> badConstraints()
       {"EmptyBox", held({InBox{{5, 5, 5}, {6, 6, 6}}}), ".select", {"selects no vertex"}},
       {"NoSuchPart", held({InComponent{1}}), ".select.component", {"no part 1", "1 connected parts"}},
       {"NegativePart", held({InComponent{-1}}), ".select.component", {"no part -1"}},
-      {"EmptyHandle", {"", true, Handle{{AnyOf{}}, {}, up, {}}}, ".select", {"selects no vertex"}},
+      {"EmptyHandle", {"", true, HandleConstraint{{AnyOf{}}, {}, up, {}}}, ".select", {"selects no vertex"}},
   };
 }
 

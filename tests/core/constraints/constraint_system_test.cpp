@@ -21,7 +21,7 @@ using test::moveTo;
 using test::systemOf;
 
 /// Where a handle takes the vertices of a mesh that consists of `points` and one face among them.
-std::vector<Vector3> turned(const std::vector<Vector3>& points, const Turn& turn)
+std::vector<Vector3> rotated(const std::vector<Vector3>& points, const AxisRotation& turn)
 {
   Mesh mesh{Positions(static_cast<Index>(points.size()), 3), {}};
   std::vector<Index> all;
@@ -43,12 +43,12 @@ TEST(ConstraintSystem, FixedVerticesArePinnedWhereTheyAre)
   ASSERT_EQ(system.rows.size(), 2U);
   for (const ConstraintRow& row : system.rows) {
     EXPECT_TRUE(row.isPin());
-    EXPECT_EQ(row.terms[0].weight, 1);
-    EXPECT_EQ(row.target, Vector3(mesh.positions.row(row.terms[0].vertex)));
+    EXPECT_EQ(row.terms[0].coefficient, 1);
+    EXPECT_EQ(row.target, Vector3(mesh.positions.row(row.terms[0].index)));
     EXPECT_EQ(row.shift, Vector3::Zero());
     EXPECT_EQ(row.constraint, 0);
   }
-  EXPECT_EQ(system.rows[0].terms[0].vertex, 3) << "the vertices of a selection ascend";
+  EXPECT_EQ(system.rows[0].terms[0].index, 3) << "the vertices of a selection ascend";
 }
 
 TEST(ConstraintSystem, RowsComeInTheOrderOfTheList)
@@ -65,10 +65,10 @@ TEST(ConstraintSystem, PointsHangOnTheVerticesThatTheFileNames)
   const Mesh mesh = test::grid(2, 2);
   const ConstraintSystem system = systemOf(
       mesh, listOf({moveTo(AtEdge{4, 1, 0.25}, {5, 6, 7}), moveBy(AtFace{0, {0.5, 0.125, 0.375}}, {1, 2, 3})}));
-  EXPECT_EQ(system.rows[0].terms, (std::vector<PointTerm>{{1, 0.75}, {4, 0.25}}));
+  EXPECT_EQ(system.rows[0].terms, (std::vector<Term>{{1, 0.75}, {4, 0.25}}));
   EXPECT_EQ(system.rows[0].target, Vector3(5, 6, 7));
   EXPECT_EQ(system.rows[0].shift, Vector3(5 - 1, 6 - 0.25, 7));
-  EXPECT_EQ(system.rows[1].terms, (std::vector<PointTerm>{{0, 0.5}, {1, 0.125}, {4, 0.375}}));
+  EXPECT_EQ(system.rows[1].terms, (std::vector<Term>{{0, 0.5}, {1, 0.125}, {4, 0.375}}));
   EXPECT_EQ(system.rows[1].shift, Vector3(1, 2, 3));
   EXPECT_EQ(system.rows[1].target, Vector3(1 + 0.5, 2 + 0.375, 3));
   EXPECT_EQ(system.points[0].terms, system.rows[0].terms);
@@ -78,8 +78,8 @@ TEST(ConstraintSystem, PointsWithVanishingWeightsBecomePins)
 {
   const ConstraintSystem system =
       systemOf(test::grid(2, 2), listOf({moveBy(AtEdge{4, 1, 1}, {0, 0, 1}), moveBy(AtFace{0, {0, 1, 0}}, {0, 0, 2})}));
-  EXPECT_EQ(system.rows[0].terms, (std::vector<PointTerm>{{4, 1}}));
-  EXPECT_EQ(system.rows[1].terms, (std::vector<PointTerm>{{1, 1}}));
+  EXPECT_EQ(system.rows[0].terms, (std::vector<Term>{{4, 1}}));
+  EXPECT_EQ(system.rows[1].terms, (std::vector<Term>{{1, 1}}));
 }
 
 TEST(ConstraintSystem, PolygonsTakeAWeightForEachCorner)
@@ -95,19 +95,19 @@ TEST(ConstraintSystem, NearPlacesBecomeTheClosestPointAndTellTheirDistance)
   const ConstraintSystem system =
       systemOf(test::grid(2, 2),
                listOf({moveTo(AtNear{{0.5, 1, 3}}, {9, 9, 9}), hold({0}), moveTo(AtNear{{2, 2, 0}}, {1, 1, 1})}));
-  EXPECT_EQ(system.rows[0].terms, (std::vector<PointTerm>{{3, 0.5}, {4, 0.5}}));
+  EXPECT_EQ(system.rows[0].terms, (std::vector<Term>{{3, 0.5}, {4, 0.5}}));
   EXPECT_EQ(system.rows[0].target, Vector3(9, 9, 9));
   EXPECT_EQ(system.rows[0].shift, Vector3(8.5, 8, 9)) << "from the surface, not from the place";
   EXPECT_EQ(system.surfaceDistances, (std::vector<double>{3, 0, 0}));
-  EXPECT_EQ(system.rows[2].terms, (std::vector<PointTerm>{{8, 1}}));
+  EXPECT_EQ(system.rows[2].terms, (std::vector<Term>{{8, 1}}));
 }
 
 TEST(ConstraintSystem, QuarterTurnsAreExact)
 {
   const Vector3 x(1, 0, 0);
   const Vector3 p(0.1, -0.7, 1e-3);
-  const auto turn = [](double degrees, const Vector3& axis) { return Turn{axis, degrees, Vector3(0, 0, 0)}; };
-  const auto about = [&](double degrees, const Vector3& axis) { return turned({x, p, 3 * p}, turn(degrees, axis)); };
+  const auto turn = [](double degrees, const Vector3& axis) { return AxisRotation{axis, degrees, Vector3(0, 0, 0)}; };
+  const auto about = [&](double degrees, const Vector3& axis) { return rotated({x, p, 3 * p}, turn(degrees, axis)); };
   for (const double whole : {0.0, 360.0, -360.0, 3600.0}) {
     EXPECT_EQ(about(whole + 90, {0, 0, 1})[0], Vector3(0, 1, 0)) << whole;
     EXPECT_EQ(about(whole + 90, {0, 0, 1})[1], Vector3(0.7, 0.1, 1e-3)) << whole;
@@ -123,10 +123,10 @@ TEST(ConstraintSystem, TurnsAreRotationsAboutTheirCenter)
 {
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
     test::Random random(seed);
-    const Turn turn{test::randomVector(random, 3), random.uniform(-720, 720), test::randomVector(random, 2)};
+    const AxisRotation turn{test::randomVector(random, 3), random.uniform(-720, 720), test::randomVector(random, 2)};
     std::vector<Vector3> points;
     for (int k = 0; k < 5; ++k) points.push_back(test::randomVector(random, 1));
-    const std::vector<Vector3> moved = turned(points, turn);
+    const std::vector<Vector3> moved = rotated(points, turn);
     const Eigen::AngleAxisd rotation(turn.degrees * std::numbers::pi / 180, turn.axis.normalized());
     for (std::size_t k = 0; k < points.size(); ++k)
       EXPECT_LT((moved[k] - (rotation * (points[k] - *turn.center) + *turn.center)).norm(), 1e-14);
@@ -135,7 +135,8 @@ TEST(ConstraintSystem, TurnsAreRotationsAboutTheirCenter)
 
 TEST(ConstraintSystem, HandlesTurnAboutTheirCentroidWhereNoCenterIsGiven)
 {
-  const std::vector<Vector3> moved = turned({{0, 0, 0}, {3, 0, 0}, {0, 3, 0}}, Turn{{0, 0, 1}, 180, std::nullopt});
+  const std::vector<Vector3> moved =
+      rotated({{0, 0, 0}, {3, 0, 0}, {0, 3, 0}}, AxisRotation{{0, 0, 1}, 180, std::nullopt});
   EXPECT_EQ(moved[0], Vector3(2, 2, 0));
   EXPECT_EQ(moved[1], Vector3(-1, 2, 0));
 }
@@ -143,7 +144,7 @@ TEST(ConstraintSystem, HandlesTurnAboutTheirCentroidWhereNoCenterIsGiven)
 TEST(ConstraintSystem, HandlesTranslateAfterTheirTurn)
 {
   const Mesh mesh = test::grid(1, 1);
-  const Turn turn{{0, 0, 1}, 90, Vector3(0, 0, 0)};
+  const AxisRotation turn{{0, 0, 1}, 90, Vector3(0, 0, 0)};
   const ConstraintSystem system =
       systemOf(mesh, listOf({handle({1}, turn, {0, 0, 5}), handle({2}, {}, {0.1, 0.2, 0.3})}));
   EXPECT_EQ(system.rows[0].target, Vector3(0, 1, 5));
@@ -164,7 +165,7 @@ TEST(ConstraintSystem, DisabledConstraintsMakeNoRowsYetTellWhereTheyLie)
 TEST(ConstraintSystem, WeldedVerticesOfOneSelectionAskOnce)
 {
   const Mesh mesh = test::soup(test::grid(2, 2));
-  ConstraintList list = listOf({{"", true, Fixed{{InBox{{1, 1, 0}, {1, 1, 0}}}}}});
+  ConstraintList list = listOf({{"", true, FixedConstraint{{InBox{{1, 1, 0}, {1, 1, 0}}}}}});
   EXPECT_EQ(systemOf(mesh, list).rows.size(), 1U) << "six corners of the middle are one unknown";
   list.constraints.push_back(list.constraints[0]);
   EXPECT_EQ(systemOf(mesh, list).rows.size(), 2U) << "another constraint asks for itself";
@@ -176,7 +177,7 @@ TEST(ConstraintSystem, PointsOfASoupHangOnItsUnknowns)
   const ConstraintSystem system =
       systemOf(mesh, listOf({moveBy(AtEdge{0, 2, 0.25}, {0, 0, 1}), moveBy(AtEdge{3, 4, 0.25}, {0, 0, 1})}));
   EXPECT_EQ(system.rows[0].terms, system.rows[1].terms) << "the diagonal, seen from both faces";
-  EXPECT_EQ(system.points[1].terms, (std::vector<PointTerm>{{3, 0.25}, {4, 0.75}})) << "file vertices";
+  EXPECT_EQ(system.points[1].terms, (std::vector<Term>{{3, 0.25}, {4, 0.75}})) << "file vertices";
 }
 
 }  // namespace

@@ -17,16 +17,16 @@ using test::listOf;
 using test::moveBy;
 using test::rigid;
 using test::systemOf;
-using Terms = std::vector<PointTerm>;
+using Terms = std::vector<Term>;
 
 Constraint relative(SurfaceLocation from, SurfaceLocation to, std::optional<Vector3> offset = {})
 {
-  return {"", true, Relative{std::move(from), std::move(to), std::move(offset)}};
+  return {"", true, RelativeConstraint{std::move(from), std::move(to), std::move(offset)}};
 }
 
-Constraint turning(std::vector<Index> vertices, decltype(Handle::motion) motion)
+Constraint turning(std::vector<Index> vertices, decltype(HandleConstraint::motion) motion)
 {
-  Handle handle{{VertexIds{std::move(vertices)}}, {}, Vector3(0, 0, 1), {}};
+  HandleConstraint handle{{VertexIds{std::move(vertices)}}, {}, Vector3(0, 0, 1), {}};
   handle.motion = std::move(motion);
   return {"", true, handle};
 }
@@ -44,49 +44,49 @@ TEST(RigidRows, TieEveryUnknownOfTheRegionToItsFirst)
   const Mesh mesh = test::grid(2, 2);
   const ConstraintSystem system = systemOf(mesh, listOf({hold({0}), rigid({7, 3, 4})}));
   ASSERT_EQ(system.rows.size(), 3U);
-  ASSERT_EQ(system.carried.size(), 2U);
-  EXPECT_EQ(system.bodies, (std::vector<std::vector<Index>>{{3, 4, 7}}));
+  ASSERT_EQ(system.rotated.size(), 2U);
+  EXPECT_EQ(system.rigidRegions, (std::vector<std::vector<Index>>{{3, 4, 7}}));
   for (std::size_t k = 0; k < 2; ++k) {
-    const Index vertex = system.bodies[0][k + 1];
+    const Index vertex = system.rigidRegions[0][k + 1];
     const ConstraintRow& row = system.rows[k + 1];
     const Vector3 rest = (mesh.positions.row(vertex) - mesh.positions.row(3)).transpose();
     EXPECT_EQ(row.terms, (Terms{{3, -1}, {vertex, 1}}));
-    EXPECT_EQ(row.kind, RowKind::Body);
+    EXPECT_EQ(row.kind, RowKind::Region);
     EXPECT_EQ(row.target, rest);
     EXPECT_EQ(row.shift, Vector3::Zero());
     EXPECT_EQ(row.constraint, 1);
-    EXPECT_EQ(system.carried[k].row, static_cast<Index>(k) + 1);
-    EXPECT_EQ(system.carried[k].rest, rest);
-    EXPECT_EQ(system.carried[k].rotation, (Terms{{3, 1}})) << "all turn as the first does";
+    EXPECT_EQ(system.rotated[k].row, static_cast<Index>(k) + 1);
+    EXPECT_EQ(system.rotated[k].rest, rest);
+    EXPECT_EQ(system.rotated[k].rotation, (Terms{{3, 1}})) << "all turn as the first does";
   }
 }
 
 TEST(RigidRows, TurnAsTheMemberWhoseRotationIsGivenFirst)
 {
-  const Turn quarter{Vector3(0, 0, 1), 90, Vector3::Zero()};
+  const AxisRotation quarter{Vector3(0, 0, 1), 90, Vector3::Zero()};
   const ConstraintSystem system =
       systemOf(test::grid(2, 2), listOf({hold({0}), turning({7}, quarter), hold({3}), rigid({3, 4, 7})}));
-  ASSERT_EQ(system.carried.size(), 2U);
-  for (const CarriedVector& carried : system.carried) EXPECT_EQ(carried.rotation, (Terms{{7, 1}}));
+  ASSERT_EQ(system.rotated.size(), 2U);
+  for (const RotatedVector& rotated : system.rotated) EXPECT_EQ(rotated.rotation, (Terms{{7, 1}}));
 }
 
 TEST(RigidRows, OfRegionsThatOverlapTurnAsOne)
 {
-  const Turn quarter{Vector3(0, 0, 1), 90, Vector3::Zero()};
+  const AxisRotation quarter{Vector3(0, 0, 1), 90, Vector3::Zero()};
   const ConstraintSystem system = systemOf(
       test::grid(2, 2), listOf({turning({8}, quarter), hold({0}), rigid({0, 1}), rigid({1, 8}), rigid({3, 6})}));
-  ASSERT_EQ(system.carried.size(), 3U);
-  EXPECT_EQ(system.carried[0].rotation, (Terms{{8, 1}}));
-  EXPECT_EQ(system.carried[1].rotation, (Terms{{8, 1}}));
-  EXPECT_EQ(system.carried[2].rotation, (Terms{{3, 1}})) << "no rotation of this region is given";
+  ASSERT_EQ(system.rotated.size(), 3U);
+  EXPECT_EQ(system.rotated[0].rotation, (Terms{{8, 1}}));
+  EXPECT_EQ(system.rotated[1].rotation, (Terms{{8, 1}}));
+  EXPECT_EQ(system.rotated[2].rotation, (Terms{{3, 1}})) << "no rotation of this region is given";
 }
 
 TEST(RigidRows, OfWeldedVerticesAskOnce)
 {
   const ConstraintSystem system =
-      systemOf(test::soup(test::grid(2, 2)), listOf({{"", true, Rigid{{InBox{{1, 1, 0}, {2, 1, 0}}}}}}));
-  ASSERT_EQ(system.bodies.size(), 1U);
-  EXPECT_EQ(system.bodies[0].size(), 2U);
+      systemOf(test::soup(test::grid(2, 2)), listOf({{"", true, RigidConstraint{{InBox{{1, 1, 0}, {2, 1, 0}}}}}}));
+  ASSERT_EQ(system.rigidRegions.size(), 1U);
+  EXPECT_EQ(system.rigidRegions[0].size(), 2U);
   EXPECT_EQ(system.rows.size(), 1U);
 }
 
@@ -94,7 +94,7 @@ TEST(RigidRows, OfOneVertexAreNone)
 {
   const ConstraintSystem system = systemOf(test::grid(2, 2), listOf({rigid({4})}));
   EXPECT_TRUE(system.rows.empty());
-  EXPECT_EQ(system.bodies, (std::vector<std::vector<Index>>{{4}}));
+  EXPECT_EQ(system.rigidRegions, (std::vector<std::vector<Index>>{{4}}));
 }
 
 TEST(RelativeRows, TakeOnePointFromTheOther)
@@ -107,9 +107,9 @@ TEST(RelativeRows, TakeOnePointFromTheOther)
   EXPECT_EQ(system.rows[0].target, Vector3(0, -0.75, 0));
   EXPECT_EQ(system.rows[1].terms, (Terms{{0, -1}, {8, 1}}));
   EXPECT_EQ(system.rows[1].target, Vector3(2, 2, 0));
-  ASSERT_EQ(system.carried.size(), 2U);
-  EXPECT_EQ(system.carried[0].rotation, (Terms{{1, 0.375}, {4, 0.625}})) << "half of what each end turns by";
-  EXPECT_EQ(system.carried[1].rotation, (Terms{{0, 0.5}, {8, 0.5}}));
+  ASSERT_EQ(system.rotated.size(), 2U);
+  EXPECT_EQ(system.rotated[0].rotation, (Terms{{1, 0.375}, {4, 0.625}})) << "half of what each end turns by";
+  EXPECT_EQ(system.rotated[1].rotation, (Terms{{0, 0.5}, {8, 0.5}}));
   for (const ConstraintRow& row : system.rows) {
     EXPECT_EQ(row.kind, RowKind::Relative);
     EXPECT_EQ(row.shift, Vector3::Zero());
@@ -124,7 +124,7 @@ TEST(RelativeRows, WithAnOffsetTakeItAndDoNotTurn)
   ASSERT_EQ(system.rows.size(), 1U);
   EXPECT_EQ(system.rows[0].target, Vector3(0, 0, 25.5));
   EXPECT_EQ(system.rows[0].shift, Vector3(-2, -2, 25.5));
-  EXPECT_TRUE(system.carried.empty());
+  EXPECT_TRUE(system.rotated.empty());
 }
 
 TEST(RelativeRows, OfAPointAndItselfAreEmpty)
@@ -149,7 +149,7 @@ TEST(RelativeRows, TellTheFartherOfTheirNearPlaces)
 
 TEST(GivenRotations, AreThoseOfFixedVerticesAndHandles)
 {
-  const Turn twice{{0, 0, 2}, 720, std::nullopt};
+  const AxisRotation twice{{0, 0, 2}, 720, std::nullopt};
   const ConstraintSystem system = systemOf(
       test::grid(2, 2),
       listOf({hold({0, 1}), turning({6, 7}, twice), turning({8}, {}), moveBy(AtVertex{4}, {0, 0, 1}), rigid({2, 5})}));
@@ -162,7 +162,7 @@ TEST(GivenRotations, AreThoseOfFixedVerticesAndHandles)
 
 TEST(GivenRotations, OfTheEarlierConstraintStand)
 {
-  const Turn quarter{{0, 0, 1}, 90, std::nullopt};
+  const AxisRotation quarter{{0, 0, 1}, 90, std::nullopt};
   const ConstraintSystem first = systemOf(test::grid(2, 2), listOf({hold({4, 5}), turning({4, 6}, quarter)}));
   ASSERT_EQ(first.rotations.size(), 3U);
   EXPECT_EQ(rotationOf(first, 4), Vector3::Zero());
@@ -178,9 +178,9 @@ TEST(DisabledConstraints, GiveNoRotationNoBodyAndNoDifference)
   for (Constraint& constraint : list.constraints) constraint.isEnabled = false;
   const ConstraintSystem system = systemOf(test::grid(2, 2), list);
   EXPECT_TRUE(system.rows.empty());
-  EXPECT_TRUE(system.carried.empty());
+  EXPECT_TRUE(system.rotated.empty());
   EXPECT_TRUE(system.rotations.empty());
-  EXPECT_TRUE(system.bodies.empty());
+  EXPECT_TRUE(system.rigidRegions.empty());
 }
 
 }  // namespace

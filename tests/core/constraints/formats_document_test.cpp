@@ -105,12 +105,12 @@ TEST(FormatsDocument, ExamplesOfHandlesShowEveryMotionAndRotationsOfSingleVertic
   bool hasRotations = false;
   for (const std::string& text : blocksOf("json constraint")) {
     const ConstraintList list = parsedAlone(text);
-    const Handle* handle = std::get_if<Handle>(&list.constraints.at(0).what);
+    const HandleConstraint* handle = std::get_if<HandleConstraint>(&list.constraints.at(0).what);
     if (handle == nullptr) continue;
     motions.insert(handle->motion.index());
     hasRotations = hasRotations || !handle->rotations.empty();
   }
-  EXPECT_EQ(motions.size(), std::variant_size_v<decltype(Handle::motion)>);
+  EXPECT_EQ(motions.size(), std::variant_size_v<decltype(HandleConstraint::motion)>);
   EXPECT_TRUE(hasRotations);
 }
 

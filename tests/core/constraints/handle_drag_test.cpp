@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <holdfast/constraints/handle_drag.h>
-#include <holdfast/constraints/handle_mistake.h>
+#include <holdfast/constraints/handle_validation.h>
 #include <holdfast/geometry/rotation_log.h>
 
 #include "support/constraint_systems.h"
@@ -26,7 +26,8 @@ struct Dragged {
   Mesh mesh = test::grid(4, 4);
   std::vector<Index> vertices{24, 13, 18, 19, 23};
 
-  [[nodiscard]] Handle handle(decltype(Handle::motion) motion, const Vector3& translate = Vector3::Zero()) const
+  [[nodiscard]] HandleConstraint handle(decltype(HandleConstraint::motion) motion,
+                                        const Vector3& translate = Vector3::Zero()) const
   {
     return {{VertexIds{vertices}}, std::move(motion), translate, {}};
   }
@@ -38,30 +39,33 @@ struct Dragged {
     return result;
   }
 
-  [[nodiscard]] Handle after(const Handle& handle, const RigidIncrement& increment) const
+  [[nodiscard]] HandleConstraint after(const HandleConstraint& handle, const RigidIncrement& increment) const
   {
     const Vector3 fixed = mesh.positions.row(0).transpose();
     return composed(handle, increment, rest(), {fixed, std::sqrt(32)}, kWhere);
   }
 
   /// What the core makes of the handle. Of each file vertex of the handle: its target, and its rotation.
-  [[nodiscard]] ConstraintSystem system(const Handle& handle) const
+  [[nodiscard]] ConstraintSystem system(const HandleConstraint& handle) const
   {
     return test::systemOf(mesh, test::listOf({test::hold({0}), {"", true, handle}}));
   }
 
   /// Degrees of the first vertex, as the surface is given them.
-  [[nodiscard]] double degreesOf(const Handle& handle) const { return angleDegrees(system(handle).rotations.back().q); }
+  [[nodiscard]] double degreesOf(const HandleConstraint& handle) const
+  {
+    return angleDegrees(system(handle).rotations.back().q);
+  }
 };
 
-std::vector<decltype(Handle::motion)> motions(test::Random& random)
+std::vector<decltype(HandleConstraint::motion)> motions(test::Random& random)
 {
   const auto some = [&](double size) { return test::randomVector(random, size); };
   VertexTargets targets;
   for (int k = 0; k < 5; ++k) targets.places.push_back(some(4));
   return {std::monostate{},
-          Turn{some(2), 400, some(3)},
-          Turn{some(2), -70, std::nullopt},
+          AxisRotation{some(2), 400, some(3)},
+          AxisRotation{some(2), -70, std::nullopt},
           FrameMotion{{some(2), {1, 0.2, 0}, {0, 1, 0.1}}, {some(2), {0, 2, 1}, {1, 0, 0}}, 0},
           FrameMotion{{std::nullopt, {1, 0.2, 0}, {0, 1, 0.1}}, {std::nullopt, {0, 2, 1}, {1, 0, 0}}, 2},
           FrameMotion{},
@@ -100,11 +104,11 @@ TEST(HandleDrag, MovesWhatCoreMakesOfTheHandleByTheIncrement)
     test::Random random(seed);
     for (const auto& motion : motions(random)) {
       SCOPED_TRACE(motion.index());
-      Handle handle = dragged.handle(motion, test::randomVector(random, 2));
+      HandleConstraint handle = dragged.handle(motion, test::randomVector(random, 2));
       for (int drag = 0; drag < 3; ++drag) {
         const RigidIncrement increment = randomIncrement(random);
-        const Handle after = dragged.after(handle, increment);
-        EXPECT_FALSE(findMistake(after));
+        const HandleConstraint after = dragged.after(handle, increment);
+        EXPECT_FALSE(validateHandle(after));
         // Places that fit no rotation well turn by the best one, which the law of rotations does not know of.
         if (std::holds_alternative<VertexTargets>(motion))
           for (std::size_t k = 0; k < 5; ++k)
@@ -128,7 +132,7 @@ TEST(HandleDrag, TurnsPlacesThatARotationFits)
     VertexTargets targets;
     for (Index k = 0; k < rest.rows(); ++k)
       targets.places.emplace_back(rotationMatrix(Vector3(1, 2, 3), degrees) * rest.row(k).transpose());
-    const Handle handle = dragged.handle(targets, {1, 0, 0});
+    const HandleConstraint handle = dragged.handle(targets, {1, 0, 0});
     for (const double more : {20.0, 170.0, 300.0, -500.0}) {
       const RigidIncrement increment{{-1, 4, 0}, more, {1, 1, 1}, {0, 2, 0}};
       expectMovedBy(increment, dragged.system(handle), dragged.system(dragged.after(handle, increment)));
@@ -141,7 +145,7 @@ TEST(HandleDrag, TurnsRotationsOfSingleVertices)
   const Dragged dragged;
   test::Random random(5);
   for (const auto& motion : motions(random)) {
-    Handle handle = dragged.handle(motion, {0, 0, 1});
+    HandleConstraint handle = dragged.handle(motion, {0, 0, 1});
     for (double degrees = 0; degrees < 500; degrees += 100) handle.rotations.push_back({{1, 0, 2}, degrees});
     const RigidIncrement increment = randomIncrement(random);
     expectMovedBy(increment, dragged.system(handle), dragged.system(dragged.after(handle, increment)));
@@ -153,12 +157,12 @@ TEST(HandleDrag, WithoutIncrementIsIdentityBitForBit)
   const Dragged dragged;
   test::Random random(6);
   for (const auto& motion : motions(random)) {
-    const Handle handle = dragged.handle(motion, test::randomVector(random, 2));
+    const HandleConstraint handle = dragged.handle(motion, test::randomVector(random, 2));
     const ConstraintSystem before = dragged.system(handle);
     for (const RigidIncrement& none :
          {RigidIncrement{}, RigidIncrement{{1, 2, 3}, 0, {4, 5, 6}, {0, 0, 0}},
           RigidIncrement{{0, 0, 0}, 90, {4, 5, 6}, {0, 0, 0}}, RigidIncrement{{1, 0, 0}, 0, {0, 0, 0}, {-0.0, 0, 0}}}) {
-      const Handle after = dragged.after(handle, none);
+      const HandleConstraint after = dragged.after(handle, none);
       EXPECT_EQ(after.motion.index(), handle.motion.index());
       EXPECT_EQ(after.translate, handle.translate);
       const ConstraintSystem same = dragged.system(after);
@@ -175,8 +179,8 @@ TEST(HandleDrag, ATranslationIsAddedToTranslateOnly)
   const Dragged dragged;
   test::Random random(7);
   for (const auto& motion : motions(random)) {
-    const Handle handle = dragged.handle(motion, {0.1, 0.2, 0.3});
-    const Handle after = dragged.after(handle, {{0, 1, 0}, 0, {9, 9, 9}, {0.7, 0, -4}});
+    const HandleConstraint handle = dragged.handle(motion, {0.1, 0.2, 0.3});
+    const HandleConstraint after = dragged.after(handle, {{0, 1, 0}, 0, {9, 9, 9}, {0.7, 0, -4}});
     EXPECT_EQ(after.motion.index(), handle.motion.index());
     EXPECT_EQ(after.translate, Vector3(0.1, 0.2, 0.3) + Vector3(0.7, 0, -4));
     if (std::holds_alternative<VertexTargets>(motion)) continue;
@@ -190,29 +194,29 @@ TEST(HandleDrag, ThreeTurnsAboutTheSameAxisAre1080Degrees)
 {
   const Dragged dragged;
   const RigidIncrement increment{{0, 1, 0}, 1080, {3, 3, 0}, {0, 0, 0}};
-  const Handle fresh = dragged.after(dragged.handle({}), increment);
-  EXPECT_EQ(std::get<Turn>(fresh.motion).degrees, 1080);
-  EXPECT_EQ(std::get<Turn>(fresh.motion).axis, Vector3(0, 1, 0));
-  EXPECT_EQ(*std::get<Turn>(fresh.motion).center, Vector3(3, 3, 0));
+  const HandleConstraint fresh = dragged.after(dragged.handle({}), increment);
+  EXPECT_EQ(std::get<AxisRotation>(fresh.motion).degrees, 1080);
+  EXPECT_EQ(std::get<AxisRotation>(fresh.motion).axis, Vector3(0, 1, 0));
+  EXPECT_EQ(*std::get<AxisRotation>(fresh.motion).center, Vector3(3, 3, 0));
   EXPECT_EQ(fresh.translate, Vector3(0, 0, 0));
-  EXPECT_EQ(std::get<Turn>(dragged.after(fresh, increment).motion).degrees, 2160);
-  const Handle back = dragged.after(dragged.handle(Turn{{0, -5, 0}, 90, {}}), increment);
-  EXPECT_EQ(std::get<Turn>(back.motion).degrees, 90 - 1080);
-  EXPECT_EQ(std::get<Turn>(back.motion).axis, Vector3(0, -5, 0));
+  EXPECT_EQ(std::get<AxisRotation>(dragged.after(fresh, increment).motion).degrees, 2160);
+  const HandleConstraint back = dragged.after(dragged.handle(AxisRotation{{0, -5, 0}, 90, {}}), increment);
+  EXPECT_EQ(std::get<AxisRotation>(back.motion).degrees, 90 - 1080);
+  EXPECT_EQ(std::get<AxisRotation>(back.motion).axis, Vector3(0, -5, 0));
 }
 
 TEST(HandleDrag, KeepsTurnsAboutAnAxisThatIsNearlyTheSame)
 {
-  const VertexTurn turn = composed(VertexTurn{{0, 0, 1}, 30}, VertexTurn{{1e-9, 0, 1}, 1082});
+  const AxisAngle turn = composed(AxisAngle{{0, 0, 1}, 30}, AxisAngle{{1e-9, 0, 1}, 1082});
   EXPECT_NEAR(turn.degrees, 1112, 1e-6);
 }
 
 TEST(HandleDrag, KeepsTurnsAboutTheFramesAxis)
 {
   const Dragged dragged;
-  const Handle handle = dragged.handle(FrameMotion{});
+  const HandleConstraint handle = dragged.handle(FrameMotion{});
   for (const double degrees : {90.0, 179.0, 181.0, 300.0, 360.0, 450.0, 1080.0, 1100.0, -540.5}) {
-    const Handle after = dragged.after(handle, {{1, 1, 0}, degrees, {2, 2, 0}, {0, 0, 0}});
+    const HandleConstraint after = dragged.after(handle, {{1, 1, 0}, degrees, {2, 2, 0}, {0, 0, 0}});
     EXPECT_NEAR(dragged.degreesOf(after), std::abs(degrees), kRoundingOfDrags) << degrees;
     EXPECT_EQ(std::holds_alternative<FrameMotion>(after.motion), std::fmod(degrees, 360) != 0) << degrees;
   }
@@ -225,7 +229,7 @@ TEST(HandleDrag, KeepsTurnsOfPlaces)
   const Positions rest = dragged.rest();
   for (Index k = 0; k < rest.rows(); ++k) targets.places.emplace_back(rest.row(k).transpose());
   for (const double degrees : {90.0, 179.0, 180.0, 181.0, 720.0}) {
-    const Handle after = dragged.after(dragged.handle(targets), {{0, 1, 0}, degrees, {2, 2, 0}, {0, 0, 0}});
+    const HandleConstraint after = dragged.after(dragged.handle(targets), {{0, 1, 0}, degrees, {2, 2, 0}, {0, 0, 0}});
     EXPECT_NEAR(dragged.degreesOf(after), degrees, kRoundingOfDrags);
     EXPECT_TRUE(std::holds_alternative<VertexTargets>(after.motion));
     EXPECT_EQ(after.rotations.empty(), degrees < 180);
@@ -234,11 +238,11 @@ TEST(HandleDrag, KeepsTurnsOfPlaces)
 
 TEST(HandleDrag, NeverJumpsOnItsWayThroughSeveralTurns)
 {
-  for (const VertexTurn& start : {VertexTurn{{1, 0, 0}, 10}, VertexTurn{{1, 0, 0}, 90}, VertexTurn{{0, 1, 1}, 500},
-                                  VertexTurn{{1, 2, 2}, -170}}) {
+  for (const AxisAngle& start :
+       {AxisAngle{{1, 0, 0}, 10}, AxisAngle{{1, 0, 0}, 90}, AxisAngle{{0, 1, 1}, 500}, AxisAngle{{1, 2, 2}, -170}}) {
     Vector3 before = rotationLog(start.axis, start.degrees);
     for (double degrees = 0; degrees <= 1500; degrees += 0.5) {
-      const VertexTurn turn = composed(start, VertexTurn{{1, 3, 1}, degrees});
+      const AxisAngle turn = composed(start, AxisAngle{{1, 3, 1}, degrees});
       const Vector3 q = rotationLog(turn.axis, turn.degrees);
       ASSERT_LT((q - before).norm(), 0.2) << degrees;
       before = q;
@@ -249,35 +253,35 @@ TEST(HandleDrag, NeverJumpsOnItsWayThroughSeveralTurns)
 TEST(HandleDrag, AboutTheHandlesPlaceMovesNothingElse)
 {
   const Dragged dragged;
-  const Handle turned = dragged.handle(Turn{{0, 0, 1}, 20, Vector3(3, 3, 0)}, {0, 0, 2});
-  const Handle after = dragged.after(turned, {{1, 0, 0}, 40, {3, 3, 2}, {0, 0, 0}});
+  const HandleConstraint rotated = dragged.handle(AxisRotation{{0, 0, 1}, 20, Vector3(3, 3, 0)}, {0, 0, 2});
+  const HandleConstraint after = dragged.after(rotated, {{1, 0, 0}, 40, {3, 3, 2}, {0, 0, 0}});
   EXPECT_EQ(after.translate, Vector3(0, 0, 2));
-  EXPECT_EQ(*std::get<Turn>(after.motion).center, Vector3(3, 3, 0));
+  EXPECT_EQ(*std::get<AxisRotation>(after.motion).center, Vector3(3, 3, 0));
 }
 
 TEST(HandleDrag, WhatTurnsAboutTheFixedVerticesGoesOnDoingSoWhenMoved)
 {
   const Dragged dragged;
-  const Handle handle = dragged.handle(TurnAboutFixed{}, {-1, 0, 0.5});
-  const Handle after = dragged.after(handle, {{0, 0, 1}, 0, {0, 0, 0}, {0, 0, 2}});
-  EXPECT_TRUE(std::holds_alternative<TurnAboutFixed>(after.motion));
+  const HandleConstraint handle = dragged.handle(RotationAboutFixed{}, {-1, 0, 0.5});
+  const HandleConstraint after = dragged.after(handle, {{0, 0, 1}, 0, {0, 0, 0}, {0, 0, 2}});
+  EXPECT_TRUE(std::holds_alternative<RotationAboutFixed>(after.motion));
   EXPECT_EQ(after.translate, Vector3(-1, 0, 2.5));
 }
 
 TEST(HandleDrag, WhatTurnsAboutTheFixedVerticesSaysItsTurnOnceItIsTurned)
 {
   const Dragged dragged;
-  const Handle handle = dragged.handle(TurnAboutFixed{}, {-1, 0, 0.5});
+  const HandleConstraint handle = dragged.handle(RotationAboutFixed{}, {-1, 0, 0.5});
   const RigidIncrement increment{{1, 2, 0}, 400, {1, 2, 3}, {0, 1, 0}};
-  const Handle after = dragged.after(handle, increment);
-  EXPECT_TRUE(std::holds_alternative<Turn>(after.motion));
+  const HandleConstraint after = dragged.after(handle, increment);
+  EXPECT_TRUE(std::holds_alternative<AxisRotation>(after.motion));
   expectMovedBy(increment, dragged.system(handle), dragged.system(after));
 }
 
 TEST(HandleDrag, WhatCannotTurnAboutTheFixedVerticesIsRefusedAtItsPlace)
 {
   const Dragged dragged;
-  const Handle handle = dragged.handle(TurnAboutFixed{});
+  const HandleConstraint handle = dragged.handle(RotationAboutFixed{});
   const RigidIncrement increment{{1, 0, 0}, 10, {0, 0, 0}, {0, 0, 0}};
   try {
     (void)composed(handle, increment, dragged.rest(), {std::nullopt, 1}, kWhere);

@@ -123,14 +123,14 @@ void expectListUnusable(const ConstraintList& list, const std::string& element, 
 }
 
 /// On a grid of 2 x 2 squares whose corner (0, 0) is fixed.
-void expectUnusable(const Handle& handle, const std::string& key, const std::string& words)
+void expectUnusable(const HandleConstraint& handle, const std::string& key, const std::string& words)
 {
   expectListUnusable(test::listOf({hold({0}), {"", true, handle}}), "constraints[1]" + key, words);
 }
 
-Handle aboutFixed(Index vertex, const Vector3& translate)
+HandleConstraint aboutFixed(Index vertex, const Vector3& translate)
 {
-  return {{VertexIds{{vertex}}}, TurnAboutFixed{}, translate, {}};
+  return {{VertexIds{{vertex}}}, RotationAboutFixed{}, translate, {}};
 }
 
 TEST(HandleErrors, AboutFixedNeedsADirectionBeforeAndAfter)
@@ -140,8 +140,8 @@ TEST(HandleErrors, AboutFixedNeedsADirectionBeforeAndAfter)
   expectUnusable(aboutFixed(0, {0, 0, 1}), ".turn", "lies at that of the fixed vertices at rest");
   expectUnusable(aboutFixed(8, {-2, -2, 0}), ".turn", R"(lies at that of the fixed vertices after "translate")");
   expectUnusable(aboutFixed(8, {-4, -4, 0}), ".turn", R"(say which by "turn_near")");
-  Handle along = aboutFixed(8, {-4, -4, 0});
-  along.motion = TurnAboutFixed{VertexTurn{{1, 1, 0}, 180}};
+  HandleConstraint along = aboutFixed(8, {-4, -4, 0});
+  along.motion = RotationAboutFixed{AxisAngle{{1, 1, 0}, 180}};
   expectUnusable(along, ".turn", R"(say which by "turn_near")");
 }
 
@@ -154,7 +154,7 @@ TEST(HandleErrors, DisabledHandlesNeedNothingFixed)
 
 TEST(HandleErrors, PlacesStayWithinTheRangeOfDoubles)
 {
-  Handle far{{VertexIds{{1, 4, 8}}}, {}, Vector3(1e308, 0, 0), {}};
+  HandleConstraint far{{VertexIds{{1, 4, 8}}}, {}, Vector3(1e308, 0, 0), {}};
   expectUnusable(far, "", "too large for doubles");
   far.motion = VertexTargets{{{1.5e308, 0, 0}, {0, 1.5e308, 0}, {0, 0, 0}}};
   expectUnusable(far, "", "too large for doubles");
@@ -162,7 +162,7 @@ TEST(HandleErrors, PlacesStayWithinTheRangeOfDoubles)
 
 TEST(HandleErrors, OfListsThatWereNotReadAreFoundToo)
 {
-  Handle handle{{VertexIds{{1, 4, 8}}}, {}, Vector3(0, 0, 1), {}};
+  HandleConstraint handle{{VertexIds{{1, 4, 8}}}, {}, Vector3(0, 0, 1), {}};
   handle.motion = VertexTargets{{{0, 0, 0}, {1, 1, 1}}};
   expectUnusable(handle, ".targets", "2 given for the 3 vertices");
   handle.motion = FrameMotion{{}, {std::nullopt, {0, 0, 0}, {0, 1, 0}}, 0};

@@ -25,12 +25,12 @@ using testing::HasSubstr;
 // A few roundings of numbers up to 10.
 constexpr double kRoundingOfMotions = 1e-14;
 
-Handle translatedHandle(std::vector<Index> vertices, const Vector3& translate)
+HandleConstraint translatedHandle(std::vector<Index> vertices, const Vector3& translate)
 {
   return {{VertexIds{std::move(vertices)}}, {}, translate, {}};
 }
 
-Constraint named(const Handle& handle)
+Constraint named(const HandleConstraint& handle)
 {
   return {"", true, handle};
 }
@@ -48,9 +48,10 @@ Positions randomPoints(test::Random& random, Index count, const Vector3& middle)
 }
 
 /// Where a motion takes points, far from anything fixed.
-HandlePlacement placed(decltype(Handle::motion) motion, const Positions& rest, const Vector3& translate = {0, 0, 0})
+HandlePlacement placed(decltype(HandleConstraint::motion) motion, const Positions& rest,
+                       const Vector3& translate = {0, 0, 0})
 {
-  Handle handle{{AllOf{}}, {}, translate, {}};
+  HandleConstraint handle{{AllOf{}}, {}, translate, {}};
   handle.motion = std::move(motion);
   return placeHandle(handle, rest, {std::nullopt, 10}, {"list", 0, "handle"});
 }
@@ -63,7 +64,8 @@ double largestDifference(const Positions& a, const Positions& b)
 TEST(HandleTurn, KeepsTurnsBeyondTheFirst)
 {
   test::Random random(1);
-  const HandlePlacement placement = placed(Turn{{0, 0, 3}, 450, std::nullopt}, randomPoints(random, 4, {1, 2, 3}));
+  const HandlePlacement placement =
+      placed(AxisRotation{{0, 0, 3}, 450, std::nullopt}, randomPoints(random, 4, {1, 2, 3}));
   for (Index k = 0; k < 4; ++k) EXPECT_EQ(Vector3(placement.q.row(k)), Vector3(0, 0, 1.25 * pi));
 }
 
@@ -71,7 +73,7 @@ TEST(HandleAboutFixed, TurnsAsItsCentroidDoesAboutTheFixedOne)
 {
   Positions rest(2, 3);
   rest << 3, 1, 0, 5, -1, 0;  // centroid (4, 0, 0)
-  Handle handle{{AllOf{}}, TurnAboutFixed{}, Vector3(-4, 4, 0), {}};
+  HandleConstraint handle{{AllOf{}}, RotationAboutFixed{}, Vector3(-4, 4, 0), {}};
   const HandlePlacement placement = placeHandle(handle, rest, {Vector3(0, 0, 0), 10}, {"list", 0, "handle"});
   Positions expected(2, 3);
   expected << -1, 3, 0, 1, 5, 0;  // a quarter turn about z, then the centroid at (0, 4, 0)
@@ -85,12 +87,12 @@ TEST(HandleAboutFixed, TurnsByWhatIsNearestToTheTurnThatIsSaid)
   Positions rest(2, 3);
   rest << 3, 1, 0, 5, -1, 0;
   const HandleSurroundings surroundings{Vector3(0, 0, 0), 10};
-  const Handle shortest{{AllOf{}}, TurnAboutFixed{}, Vector3(-4, 4, 0), {}};
+  const HandleConstraint shortest{{AllOf{}}, RotationAboutFixed{}, Vector3(-4, 4, 0), {}};
   const Positions places = placeHandle(shortest, rest, surroundings, {}).places;
   for (const double turns : {-2, -1, 0, 1, 3}) {
     const double degrees = 90 + 360 * turns;
-    Handle said = shortest;
-    said.motion = TurnAboutFixed{VertexTurn{{0.2, 0, 1}, degrees + 100}};
+    HandleConstraint said = shortest;
+    said.motion = RotationAboutFixed{AxisAngle{{0.2, 0, 1}, degrees + 100}};
     const HandlePlacement placement = placeHandle(said, rest, surroundings, {});
     EXPECT_EQ(placement.places, places) << "where it goes is the same";
     EXPECT_LT((Vector3(placement.q.row(0)) - Vector3(0, 0, degrees / 360 * pi)).norm(), kRoundingOfMotions) << degrees;
@@ -102,7 +104,7 @@ TEST(HandleAboutFixed, IsToldTheAxisOfTheOppositeSide)
   Positions rest(2, 3);
   rest << 3, 1, 0, 5, -1, 0;
   for (const double degrees : {180.0, -180.0, 540.0}) {
-    const Handle said{{AllOf{}}, TurnAboutFixed{VertexTurn{{0.5, 0, 2}, degrees}}, Vector3(-8, 0, 0), {}};
+    const HandleConstraint said{{AllOf{}}, RotationAboutFixed{AxisAngle{{0.5, 0, 2}, degrees}}, Vector3(-8, 0, 0), {}};
     const HandlePlacement placement = placeHandle(said, rest, {Vector3(0, 0, 0), 10}, {});
     Positions expected(2, 3);
     expected << -3, -1, 0, -5, 1, 0;
@@ -116,7 +118,7 @@ TEST(HandleAboutFixed, SeesTheCentroidOfAllVerticesThatAreFixed)
   const Mesh mesh = test::grid(4, 4);
   ConstraintList list = listOf({hold({0, 1}), hold({1, 2}), hold({24}), named(translatedHandle({14}, {-3, 1, 0}))});
   list.constraints[2].isEnabled = false;
-  std::get<Handle>(list.constraints[3].what).motion = TurnAboutFixed{};
+  std::get<HandleConstraint>(list.constraints[3].what).motion = RotationAboutFixed{};
   const ConstraintSystem system = systemOf(mesh, list);
   // The fixed vertices are (0, 0), (1, 0) and (2, 0), each once. From their middle the handle goes from (3, 2) to
   // (0, 3).
@@ -132,7 +134,7 @@ TEST(HandleAboutFixed, DoesNotTurnOnItsWayOutOrAtRest)
   const Positions rest = randomPoints(random, 5, {1, 2, 3});
   const Vector3 centroid = rest.colwise().mean().transpose();
   for (const double share : {0.0, 0.5, 3.0}) {
-    const Handle handle{{AllOf{}}, TurnAboutFixed{}, share * centroid, {}};
+    const HandleConstraint handle{{AllOf{}}, RotationAboutFixed{}, share * centroid, {}};
     const HandlePlacement placement = placeHandle(handle, rest, {Vector3(0, 0, 0), 10}, {"list", 0, "handle"});
     EXPECT_LT(placement.q.cwiseAbs().maxCoeff(), kRoundingOfMotions) << share;
     EXPECT_LT(largestDifference(placement.places, rest.rowwise() + share * centroid.transpose()), kRoundingOfMotions)
@@ -175,11 +177,11 @@ TEST(HandleFrame, StandsAtTheCentroidAlongTheAxesWhereNothingElseIsSaid)
   rest << 3, 1, 0, 5, -1, 0;
   FrameMotion motion;
   motion.to = Frame{std::nullopt, {0, 1, 0}, {-1, 0, 0}};
-  Positions turned(2, 3);
-  turned << 3, -1, 0, 5, 1, 0;
-  EXPECT_EQ(placed(motion, rest).places, turned) << "a quarter turn about (4, 0, 0), without rounding";
+  Positions rotated(2, 3);
+  rotated << 3, -1, 0, 5, 1, 0;
+  EXPECT_EQ(placed(motion, rest).places, rotated) << "a quarter turn about (4, 0, 0), without rounding";
   motion.to.origin = Vector3(0, 0, 7);
-  EXPECT_EQ(placed(motion, rest, {1, 0, 0}).places, turned.rowwise() + Eigen::RowVector3d(-3, 0, 7))
+  EXPECT_EQ(placed(motion, rest, {1, 0, 0}).places, rotated.rowwise() + Eigen::RowVector3d(-3, 0, 7))
       << "the centroid goes to the origin, and then by translate";
 }
 
@@ -221,14 +223,14 @@ TEST(HandleTargets, FindTheRotationThatWasPlanted)
 
 TEST(HandleTargets, GoToTheVerticesInTheOrderOfTheirList)
 {
-  Handle moved = translatedHandle({8, 0, 2}, {0, 0, 0.5});
+  HandleConstraint moved = translatedHandle({8, 0, 2}, {0, 0, 0.5});
   moved.motion = VertexTargets{{{1, 0, 0}, {2, 0, 0}, {3, 1, 0}}};
   const ConstraintSystem system = systemOf(test::grid(2, 2), listOf({named(moved)}));
   ASSERT_EQ(system.rows.size(), 3U);
-  EXPECT_EQ(system.rows[0].terms, (std::vector<PointTerm>{{8, 1}}));
+  EXPECT_EQ(system.rows[0].terms, (std::vector<Term>{{8, 1}}));
   EXPECT_EQ(system.rows[0].target, Vector3(1, 0, 0.5));
   EXPECT_EQ(system.rows[0].shift, Vector3(-1, -2, 0.5));
-  EXPECT_EQ(system.rows[1].terms, (std::vector<PointTerm>{{0, 1}}));
+  EXPECT_EQ(system.rows[1].terms, (std::vector<Term>{{0, 1}}));
   EXPECT_EQ(system.rows[1].target, Vector3(2, 0, 0.5));
   EXPECT_EQ(system.rows[2].target, Vector3(3, 1, 0.5));
 }
@@ -240,19 +242,20 @@ TEST(HandleTargets, OfWeldedVerticesThatDifferAreAskedForBoth)
   std::vector<Index> middle;
   for (Index v = 0; v < mesh.vertexCount(); ++v)
     if (Vector3(mesh.positions.row(v)) == Vector3(1, 1, 0)) middle.push_back(v);
-  Handle moved = translatedHandle({middle[0], middle[1], middle[2], middle[3]}, {0, 0, 0});
+  HandleConstraint moved = translatedHandle({middle[0], middle[1], middle[2], middle[3]}, {0, 0, 0});
   moved.motion = VertexTargets{{{1, 1, 1}, {1, 1, 1}, {1, 1, 2}, {1, 1, 2}}};
   EXPECT_EQ(systemOf(mesh, listOf({named(moved)})).rows.size(), 2U);
 }
 
 TEST(HandleRotations, ReplaceTheRotationOfTheMotion)
 {
-  const std::vector<VertexTurn> turns{{{0, 0, 2}, 720}, {{1, 0, 0}, 0}, {{0, -1, 0}, 90}};
+  const std::vector<AxisAngle> turns{{{0, 0, 2}, 720}, {{1, 0, 0}, 0}, {{0, -1, 0}, 90}};
   const std::vector<Vector3> expected{{0, 0, 2 * pi}, {0, 0, 0}, {0, -pi / 4, 0}};
-  for (const decltype(Handle::motion)& motion :
-       {decltype(Handle::motion){}, decltype(Handle::motion){Turn{{1, 1, 1}, 30, std::nullopt}},
-        decltype(Handle::motion){VertexTargets{{{1, 0, 0}, {2, 0, 0}, {3, 0, 0}}}}}) {
-    Handle moved = translatedHandle({8, 0, 2}, {0, 0, 9});
+  for (const decltype(HandleConstraint::motion)& motion :
+       {decltype(HandleConstraint::motion){},
+        decltype(HandleConstraint::motion){AxisRotation{{1, 1, 1}, 30, std::nullopt}},
+        decltype(HandleConstraint::motion){VertexTargets{{{1, 0, 0}, {2, 0, 0}, {3, 0, 0}}}}}) {
+    HandleConstraint moved = translatedHandle({8, 0, 2}, {0, 0, 9});
     moved.motion = motion;
     const ConstraintSystem plain = systemOf(test::grid(2, 2), listOf({named(moved)}));
     moved.rotations = turns;
@@ -283,23 +286,23 @@ std::string onlyNote(const ConstraintSystem& system, Index constraint, const std
 TEST(ConstraintNotes, NameHandlesThatMoveFarWithoutTurning)
 {
   const Mesh mesh = test::grid(4, 4);
-  const auto system = [&](const Handle& moved) { return systemOf(mesh, listOf({hold({0}), named(moved)})); };
-  const Handle far = translatedHandle({4}, {0, 0, 1.6});
+  const auto system = [&](const HandleConstraint& moved) { return systemOf(mesh, listOf({hold({0}), named(moved)})); };
+  const HandleConstraint far = translatedHandle({4}, {0, 0, 1.6});
   EXPECT_THAT(onlyNote(system(far), 1, "unsaid_rotation"),
               HasSubstr("moved 40 % of its distance to the fixed region without turning"));
   EXPECT_TRUE(system(translatedHandle({4}, {0, 0, 1})).notes.empty()) << "25 % is not much";
   EXPECT_FALSE(system(translatedHandle({4}, {0, 0, 1.01})).notes.empty()) << "but no more than that";
-  Handle said = far;
-  said.motion = Turn{{0, 0, 1}, 0, std::nullopt};
+  HandleConstraint said = far;
+  said.motion = AxisRotation{{0, 0, 1}, 0, std::nullopt};
   EXPECT_TRUE(system(said).notes.empty()) << "that it does not turn is said";
-  said.motion = TurnAboutFixed{};
+  said.motion = RotationAboutFixed{};
   EXPECT_TRUE(system(said).notes.empty());
   EXPECT_TRUE(systemOf(mesh, listOf({named(far)})).notes.empty()) << "there is nothing to turn about";
 }
 
 TEST(ConstraintNotes, NameTargetsThatDoNotSayHowTheHandleTurns)
 {
-  Handle moved = translatedHandle({0, 1, 2}, {0, 0, 0});
+  HandleConstraint moved = translatedHandle({0, 1, 2}, {0, 0, 0});
   moved.motion = VertexTargets{{{0, 0, 0}, {0, 1, 0}, {0, 2, 0}}};
   const ConstraintSystem system = systemOf(test::grid(2, 2), listOf({named(moved)}));
   EXPECT_THAT(onlyNote(system, 0, "undetermined_rotation"), HasSubstr("on a line"));
@@ -308,14 +311,15 @@ TEST(ConstraintNotes, NameTargetsThatDoNotSayHowTheHandleTurns)
 
 TEST(ConstraintNotes, NameRigidRegionsOfOneVertex)
 {
-  const ConstraintSystem system = systemOf(test::grid(2, 2), listOf({hold({0}), {"", true, Rigid{{VertexIds{{4}}}}}}));
+  const ConstraintSystem system =
+      systemOf(test::grid(2, 2), listOf({hold({0}), {"", true, RigidConstraint{{VertexIds{{4}}}}}}));
   EXPECT_THAT(onlyNote(system, 1, "rigid_region_of_one_vertex"), HasSubstr("one vertex"));
 }
 
 TEST(ConstraintNotes, SayNothingOfDisabledConstraints)
 {
   ConstraintList list =
-      listOf({hold({0}), {"", true, Rigid{{VertexIds{{4}}}}}, named(translatedHandle({8}, {0, 0, 9}))});
+      listOf({hold({0}), {"", true, RigidConstraint{{VertexIds{{4}}}}}, named(translatedHandle({8}, {0, 0, 9}))});
   EXPECT_EQ(systemOf(test::grid(2, 2), list).notes.size(), 2U);
   list.constraints[1].isEnabled = false;
   list.constraints[2].isEnabled = false;

@@ -21,12 +21,12 @@ ConstraintList parsedPointList(const std::string& text)
 
 Vector3 placeOf(const Constraint& constraint)
 {
-  return std::get<AtNear>(std::get<Point>(constraint.what).at).place;
+  return std::get<AtNear>(std::get<PointConstraint>(constraint.what).at).place;
 }
 
 Vector3 targetOf(const Constraint& constraint)
 {
-  return std::get<Target>(std::get<Point>(constraint.what).to).place;
+  return std::get<Target>(std::get<PointConstraint>(constraint.what).to).place;
 }
 
 void expectPointListRefused(const std::string& text, Index line, const std::string& element, const std::string& words)

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <holdfast/deform/accuracy.h>
-#include <holdfast/deform/rotation_stage.h>
+#include <holdfast/deform/rotation_factorization.h>
 
 #include "support/meshes.h"
 #include "support/point_constraints.h"
@@ -30,7 +30,7 @@ TEST(Accuracy, IsGoodThenDoubtfulThenRefused)
 
 /// A strip of `length` squares that is held at one end and moved at the other: what lies between is the harder to find,
 /// the longer it is.
-Deformation deformedStrip(Index length)
+DeformResult deformedStrip(Index length)
 {
   const Mesh strip = test::grid(length, 1);
   return test::deformed(
@@ -68,7 +68,7 @@ Rotations rotationsOf(const SolverMesh& mesh)
   for (Index u = 0; u < mesh.unknownCount(); ++u)
     if (u != 5 && u != 6) system.rotations.push_back({u, {0, 0, 0.1 * static_cast<double>(u)}, 0});
   NoProgress progress;
-  return RotationStage(mesh, Weights::CotangentPaper, defaultBackend()).solve(system, progress);
+  return RotationFactorization(mesh, Weights::CotangentPaper, defaultBackend()).solve(system, progress);
 }
 
 TEST(Accuracy, OfARotationFieldThatIsHardlyDeterminedIsWarnedOfOrRefused)

@@ -19,8 +19,8 @@ ConstraintList someMoves(const Mesh& mesh)
 {
   test::Random random(31);
   ConstraintList list = test::randomMoves(random, mesh, 9, 0.3);
-  list.constraints.push_back({"first", true, Point{AtVertex{0}, Move{{0.1, 0, 0}}}});
-  list.constraints.push_back({"last", true, Point{AtVertex{mesh.vertexCount() - 1}, Move{{0, 0.1, 0}}}});
+  list.constraints.push_back({"first", true, PointConstraint{AtVertex{0}, Move{{0.1, 0, 0}}}});
+  list.constraints.push_back({"last", true, PointConstraint{AtVertex{mesh.vertexCount() - 1}, Move{{0, 0.1, 0}}}});
   return list;
 }
 
@@ -29,13 +29,13 @@ ConstraintList taken(const ConstraintList& list, const Eigen::Affine3d& motion)
 {
   ConstraintList result = list;
   for (Constraint& constraint : result.constraints) {
-    auto& move = std::get<Move>(std::get<Point>(constraint.what).to);
+    auto& move = std::get<Move>(std::get<PointConstraint>(constraint.what).to);
     move.shift = motion.linear() * move.shift;
   }
   return result;
 }
 
-void expectOk(const Deformation& result)
+void expectOk(const DeformResult& result)
 {
   ASSERT_TRUE(result.report.solve.status == SolveStatus::Ok || result.report.solve.status == SolveStatus::Conflicts)
       << result.report.solve.message;
@@ -46,8 +46,8 @@ void expectOk(const Deformation& result)
 void expectCommutes(const Mesh& mesh, const DeformOptions& options, const Eigen::Affine3d& motion, double tolerance)
 {
   const ConstraintList list = someMoves(mesh);
-  const Deformation first = deformed(mesh, list, options);
-  const Deformation second = deformed(test::transformed(mesh, motion), taken(list, motion), options);
+  const DeformResult first = deformed(mesh, list, options);
+  const DeformResult second = deformed(test::transformed(mesh, motion), taken(list, motion), options);
   expectOk(first);
   expectOk(second);
   const Mesh expected = test::transformed({first.positions, mesh.faces}, motion);
@@ -58,8 +58,9 @@ TEST(DeformLaws, ConstraintsThatAskForRestMoveNothing)
 {
   test::forEachSolveCase([](const Mesh& mesh, const DeformOptions& options) {
     ConstraintList list = someMoves(mesh);
-    for (Constraint& constraint : list.constraints) std::get<Move>(std::get<Point>(constraint.what).to).shift.setZero();
-    const Deformation result = deformed(mesh, list, options);
+    for (Constraint& constraint : list.constraints)
+      std::get<Move>(std::get<PointConstraint>(constraint.what).to).shift.setZero();
+    const DeformResult result = deformed(mesh, list, options);
     expectOk(result);
     EXPECT_EQ(result.positions, mesh.positions);
   });
@@ -70,7 +71,7 @@ TEST(DeformLaws, TargetsWrittenOutAtRestMoveNothing)
   test::forEachSolveCase([](const Mesh& mesh, const DeformOptions& options) {
     ConstraintList list = someMoves(mesh);
     for (Constraint& constraint : list.constraints) {
-      auto& point = std::get<Point>(constraint.what);
+      auto& point = std::get<PointConstraint>(constraint.what);
       Vector3 rest = Vector3::Zero();
       if (const auto* at = std::get_if<AtVertex>(&point.at)) rest = mesh.positions.row(at->vertex);
       if (const auto* at = std::get_if<AtEdge>(&point.at))
@@ -80,7 +81,7 @@ TEST(DeformLaws, TargetsWrittenOutAtRestMoveNothing)
           rest += at->weights[k] * mesh.positions.row(mesh.faces[at->face][k]).transpose();
       point.to = Target{rest};
     }
-    const Deformation result = deformed(mesh, list, options);
+    const DeformResult result = deformed(mesh, list, options);
     EXPECT_EQ(result.report.solve.status, SolveStatus::Ok) << result.report.solve.message;
     EXPECT_LE(distance(result.positions, mesh.positions), 1e-12);
   });
@@ -91,8 +92,9 @@ TEST(DeformLaws, EqualMovesOfAllConstraintsMoveTheMeshEqually)
   test::forEachSolveCase([](const Mesh& mesh, const DeformOptions& options) {
     const Vector3 shift(0.1, -0.7, 0.3);
     ConstraintList list = someMoves(mesh);
-    for (Constraint& constraint : list.constraints) std::get<Move>(std::get<Point>(constraint.what).to).shift = shift;
-    const Deformation result = deformed(mesh, list, options);
+    for (Constraint& constraint : list.constraints)
+      std::get<Move>(std::get<PointConstraint>(constraint.what).to).shift = shift;
+    const DeformResult result = deformed(mesh, list, options);
     EXPECT_EQ(result.report.solve.status, SolveStatus::Ok) << result.report.solve.message;
     EXPECT_LT(distance(result.positions, test::moved(mesh, shift).positions), 1e-11);
   });
@@ -132,12 +134,12 @@ TEST(DeformLaws, ConstraintsAreMetFarFromTheOrigin)
     const double far = 1e6 * boundingBoxDiagonal(mesh.positions);
     const Mesh away = test::moved(mesh, {far, -far, far});
     const ConstraintList list = someMoves(away);
-    const Deformation result = deformed(away, list, options);
+    const DeformResult result = deformed(away, list, options);
     ASSERT_NE(result.report.solve.status, SolveStatus::Failed) << result.report.solve.message;
     for (const ConstraintOutcome& outcome : result.report.constraints) EXPECT_LE(outcome.residual, outcome.limit);
     EXPECT_LE(result.report.solve.maxResidual, 64 * test::kEpsilon * far);
     // The shape as it was rounded there, deformed here.
-    const Deformation here = deformed(test::moved(away, {-far, far, -far}), list, options);
+    const DeformResult here = deformed(test::moved(away, {-far, far, -far}), list, options);
     EXPECT_LT(distance(test::moved({result.positions, mesh.faces}, {-far, far, -far}).positions, here.positions), 1e-8);
   });
 }
@@ -151,12 +153,12 @@ TEST(DeformLaws, TheNumberingOfVerticesDoesNotMatter)
     const ConstraintList list = someMoves(mesh);
     ConstraintList renamed = list;
     for (Constraint& constraint : renamed.constraints) {
-      SurfaceLocation& at = std::get<Point>(constraint.what).at;
+      SurfaceLocation& at = std::get<PointConstraint>(constraint.what).at;
       if (auto* vertex = std::get_if<AtVertex>(&at)) *vertex = {newIdOf[vertex->vertex]};
       if (auto* edge = std::get_if<AtEdge>(&at)) *edge = {newIdOf[edge->i], newIdOf[edge->j], edge->t};
     }
-    const Deformation first = deformed(mesh, list, options);
-    const Deformation second = deformed(test::renumbered(mesh, newIdOf), renamed, options);
+    const DeformResult first = deformed(mesh, list, options);
+    const DeformResult second = deformed(test::renumbered(mesh, newIdOf), renamed, options);
     Positions back(mesh.vertexCount(), 3);
     for (Index v = 0; v < mesh.vertexCount(); ++v) back.row(v) = second.positions.row(newIdOf[v]);
     EXPECT_LT(distance(back, first.positions), kCommutes);
@@ -186,12 +188,12 @@ TEST(DeformLaws, ASolverServesOtherTargetsAsAFreshOneWould)
     const Columns3 f = Columns3::Zero(rest.rows(), 3);
     for (const SolverKind kind : {SolverKind::Hard, SolverKind::Soft, SolverKind::Lagrange}) {
       options.solver.kind = kind;
-      const DecompositionAttempt used = decompose({A, eliminated, rest}, options.solver);
-      const DecompositionAttempt fresh = decompose({A, eliminated, rest}, options.solver);
-      ASSERT_NE(used.solver, nullptr) << used.failure;
-      static_cast<void>(used.solver->solve({-3 * shiftsOf(system), {}}, f));
+      const SolverResult used = makeSolver({A, eliminated, rest}, options.solver);
+      const SolverResult fresh = makeSolver({A, eliminated, rest}, options.solver);
+      ASSERT_NE(used.value, nullptr) << used.failure;
+      static_cast<void>(used.value->solve({-3 * shiftsOf(system), {}}, f));
       const RowTargets other{shiftsOf(system).reverse(), {}};
-      EXPECT_EQ(used.solver->solve(other, f).u, fresh.solver->solve(other, f).u) << name(kind);
+      EXPECT_EQ(used.value->solve(other, f).u, fresh.value->solve(other, f).u) << name(kind);
     }
   });
 }

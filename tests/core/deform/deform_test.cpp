@@ -20,7 +20,7 @@ using testing::HasSubstr;
 /// engine, as a share of the diagonal.
 double missedBy(const ConstraintList& list, std::size_t c, const Mesh& mesh, const Positions& positions)
 {
-  const auto& point = std::get<Point>(list.constraints[c].what);
+  const auto& point = std::get<PointConstraint>(list.constraints[c].what);
   const auto at = [&](const Positions& p) -> Vector3 {
     if (const auto* vertex = std::get_if<AtVertex>(&point.at)) return p.row(vertex->vertex);
     if (const auto* edge = std::get_if<AtEdge>(&point.at))
@@ -42,7 +42,7 @@ TEST(Deform, MeetsPointsOfEdgesAndFacesThatOverlap)
     for (std::uint32_t seed = 0; seed < 5; ++seed) {
       test::Random random(seed);
       const ConstraintList list = test::randomMoves(random, mesh, static_cast<int>(2 + 4 * seed), 0.5);
-      const Deformation result = deformed(mesh, list, options);
+      const DeformResult result = deformed(mesh, list, options);
       ASSERT_NE(result.report.solve.status, SolveStatus::Failed) << result.report.solve.message;
       for (std::size_t c = 0; c < list.constraints.size(); ++c) {
         const ConstraintOutcome& outcome = result.report.constraints[c];
@@ -65,7 +65,7 @@ TEST(Deform, PinnedVerticesAreBitExact)
       list.constraints.push_back(test::randomMoves(random, mesh, 1, 0.3).constraints[0]);
     }
     list = test::listOf(list.constraints);
-    const Deformation result = deformed(mesh, list, options);
+    const DeformResult result = deformed(mesh, list, options);
     ASSERT_NE(result.report.solve.status, SolveStatus::Failed) << result.report.solve.message;
     for (std::size_t k = 0; k < targets.size(); ++k)
       if (result.report.constraints[2 * k].status == ConstraintStatus::Met) {
@@ -85,10 +85,10 @@ TEST(Deform, PinsAreBitExactWhereFacePointsShareTheirVertices)
     std::vector<double> weights(mesh.faces[0].size(), 0);
     weights[0] = weights[1] = 0.3;
     weights.back() += 0.4;
-    const Deformation result = deformed(mesh,
-                                        test::listOf({moveBy(AtFace{0, weights}, {0, 0, 0.2}),
-                                                      moveTo(AtVertex{first}, a), moveTo(AtVertex{second}, b)}),
-                                        options);
+    const DeformResult result = deformed(mesh,
+                                         test::listOf({moveBy(AtFace{0, weights}, {0, 0, 0.2}),
+                                                       moveTo(AtVertex{first}, a), moveTo(AtVertex{second}, b)}),
+                                         options);
     ASSERT_EQ(result.report.solve.status, SolveStatus::Ok) << result.report.solve.message;
     EXPECT_EQ(Vector3(result.positions.row(first)), a);
     EXPECT_EQ(Vector3(result.positions.row(second)), b);
@@ -103,7 +103,7 @@ TEST(Deform, APinThatFollowsFromOthersIsBitExactToo)
     const Index j = mesh.faces[0][1];
     const Vector3 a(0.1, 0.7, -0.3);
     const Vector3 b(1.1, 1.0 / 3, 0.2);
-    const Deformation result =
+    const DeformResult result =
         deformed(mesh,
                  test::listOf({moveTo(AtVertex{i}, a), moveTo(AtEdge{i, j, 0.3}, 0.3 * a + 0.7 * b),
                                moveTo(AtVertex{j}, b), moveTo(AtVertex{i}, a)}),
@@ -119,7 +119,7 @@ TEST(Deform, APinThatFollowsFromOthersIsBitExactToo)
 TEST(Deform, OfPinsThatContradictTheFirstStands)
 {
   const Mesh mesh = test::icosphere(2);
-  const Deformation result = deformed(
+  const DeformResult result = deformed(
       mesh, test::listOf({test::hold({40, 41}), moveTo(AtVertex{7}, {3, 0, 0}), moveTo(AtVertex{7}, {0, 4, 0})}), {});
   EXPECT_EQ(result.report.solve.status, SolveStatus::Conflicts);
   EXPECT_EQ(Vector3(result.positions.row(7)), Vector3(3, 0, 0));
@@ -137,7 +137,7 @@ TEST(Deform, WithEverythingPinnedHasNothingToSolve)
     std::vector<Constraint> constraints;
     const Mesh target = test::transformed(mesh, Eigen::Affine3d(Eigen::AngleAxisd(0.3, Vector3::UnitX())));
     for (Index v = 0; v < mesh.vertexCount(); ++v) constraints.push_back(moveTo(AtVertex{v}, target.positions.row(v)));
-    const Deformation result = deformed(mesh, test::listOf(constraints), options);
+    const DeformResult result = deformed(mesh, test::listOf(constraints), options);
     EXPECT_EQ(result.report.solve.status, SolveStatus::Ok) << result.report.solve.message;
     EXPECT_EQ(result.positions, target.positions);
   });
@@ -146,7 +146,7 @@ TEST(Deform, WithEverythingPinnedHasNothingToSolve)
 TEST(Deform, WithoutAConstraintLeavesTheMeshAtRest)
 {
   test::forEachSolveCase([](const Mesh& mesh, const DeformOptions& options) {
-    const Deformation result = deformed(mesh, {}, options);
+    const DeformResult result = deformed(mesh, {}, options);
     EXPECT_EQ(result.report.solve.status, SolveStatus::Ok) << result.report.solve.message;
     EXPECT_EQ(result.positions, mesh.positions);
   });
@@ -157,8 +157,8 @@ TEST(Deform, FailsByNameWhereTheLiteralWeightsAreUndefined)
   Mesh mesh = test::grid(4, 4);
   mesh.positions.row(12) << 1.5, 1, 0;  // between its neighbours 6 and 7
   for (const Backend backend : test::backends()) {
-    const Deformation result = deformed(mesh, test::listOf({test::hold({0, 4}), moveBy(AtVertex{24}, {0, 0, 1})}),
-                                        {Weights::CotangentPaper, {SolverKind::Hard, backend, 5}});
+    const DeformResult result = deformed(mesh, test::listOf({test::hold({0, 4}), moveBy(AtVertex{24}, {0, 0, 1})}),
+                                         {Weights::CotangentPaper, {SolverKind::Hard, backend, 5}});
     EXPECT_EQ(result.report.solve.status, SolveStatus::Failed);
     EXPECT_THAT(result.report.solve.message, HasSubstr("the first of them vertex "));
     EXPECT_THAT(result.report.solve.message, HasSubstr("use the weights \"cotangent\""));
@@ -171,8 +171,8 @@ TEST(Deform, CarriesSliversWithTheDefaultWeights)
   Mesh mesh = test::grid(4, 4);
   mesh.positions.row(12) << 2, 1 + 1e-9, 0;  // next to vertex 7
   for (const Backend backend : test::backends()) {
-    const Deformation result = deformed(mesh, test::listOf({test::hold({0, 4}), moveBy(AtVertex{24}, {0, 0, 1})}),
-                                        {Weights::Cotangent, {SolverKind::Hard, backend, 5}});
+    const DeformResult result = deformed(mesh, test::listOf({test::hold({0, 4}), moveBy(AtVertex{24}, {0, 0, 1})}),
+                                         {Weights::Cotangent, {SolverKind::Hard, backend, 5}});
     EXPECT_EQ(result.report.solve.status, SolveStatus::Ok) << result.report.solve.message;
     EXPECT_LT((result.positions.row(12) - result.positions.row(7)).norm(), 0.2);
     EXPECT_TRUE(std::any_of(result.report.mesh.findings.begin(), result.report.mesh.findings.end(),

@@ -16,7 +16,7 @@ namespace {
 /// Remembers the stages, and cancels at the one that begins with `cancelAt`.
 class Recorder final : public Progress {
  public:
-  void stage(std::string_view description) override
+  void step(std::string_view description) override
   {
     if (!cancelAt.empty() && description.starts_with(cancelAt)) throw Cancelled();
     stages.emplace_back(description);
@@ -26,17 +26,17 @@ class Recorder final : public Progress {
   std::string cancelAt;
 };
 
-bool hasStage(const Recorder& recorder, std::string_view start)
+bool hasStep(const Recorder& recorder, std::string_view start)
 {
   return std::any_of(recorder.stages.begin(), recorder.stages.end(),
-                     [&](const std::string& stage) { return stage.starts_with(start); });
+                     [&](const std::string& step) { return step.starts_with(start); });
 }
 
 ConstraintList dragged(double degrees, const Vector3& shift)
 {
-  Handle handle;
+  HandleConstraint handle;
   handle.select = {VertexIds{{30, 31, 32}}};
-  handle.motion = Turn{Vector3(1, 1, 0), degrees, Vector3(0, 0, 0)};
+  handle.motion = AxisRotation{Vector3(1, 1, 0), degrees, Vector3(0, 0, 0)};
   handle.translate = shift;
   ConstraintList list = test::listOf({test::hold({0, 1, 2}), test::moveBy(AtFace{9, {0.2, 0.3, 0.5}}, shift / 2)});
   list.constraints.push_back({"handle", true, handle});
@@ -51,13 +51,13 @@ TEST(Deformer, FactorisesNothingWhenOnlyTargetsAndRotationsChange)
     Deformer deformer(model, options);
     Recorder first;
     static_cast<void>(deformer.deform(dragged(20, Vector3::UnitZ()), "list", first));
-    EXPECT_TRUE(hasStage(first, "factorising"));
-    EXPECT_TRUE(hasStage(first, "solving the rotation field"));
+    EXPECT_TRUE(hasStep(first, "factorising"));
+    EXPECT_TRUE(hasStep(first, "solving the rotation field"));
     Recorder second;
-    const Deformation again = deformer.deform(dragged(200, Vector3::UnitX()), "list", second);
+    const DeformResult again = deformer.deform(dragged(200, Vector3::UnitX()), "list", second);
     EXPECT_EQ(second.stages, (std::vector<std::string>{"solving"}));
     NoProgress progress;
-    const Deformation fresh = deform(model, dragged(200, Vector3::UnitX()), "list", options, progress);
+    const DeformResult fresh = deform(model, dragged(200, Vector3::UnitX()), "list", options, progress);
     EXPECT_EQ(again.positions, fresh.positions) << "bit for bit";
     EXPECT_EQ(again.rotations, fresh.rotations);
   }
@@ -70,26 +70,26 @@ TEST(Deformer, StartsAnewWhenTheStructureChanges)
   NoProgress progress;
   static_cast<void>(deformer.deform(dragged(20, Vector3::UnitZ()), "list", progress));
   ConstraintList other = dragged(20, Vector3::UnitZ());
-  std::get<Point>(other.constraints[1].what).at = AtFace{9, {0.2, 0.4, 0.4}};
+  std::get<PointConstraint>(other.constraints[1].what).at = AtFace{9, {0.2, 0.4, 0.4}};
   Recorder recorder;
-  const Deformation result = deformer.deform(other, "list", recorder);
-  EXPECT_TRUE(hasStage(recorder, "factorising"));
-  EXPECT_FALSE(hasStage(recorder, "building operators"));
+  const DeformResult result = deformer.deform(other, "list", recorder);
+  EXPECT_TRUE(hasStep(recorder, "factorising"));
+  EXPECT_FALSE(hasStep(recorder, "building operators"));
   EXPECT_EQ(result.positions, deform(model, other, "list", {}, progress).positions);
 }
 
 TEST(Deformer, IsUsableAfterItWasCancelled)
 {
   const Model model = makeModel(test::plate(6, 5), "mesh");
-  for (const std::string stage : {"building", "eliminating", "solving the", "factorising", "solving"}) {
+  for (const std::string step : {"building", "eliminating", "solving the", "factorising", "solving"}) {
     Deformer deformer(model, {});
     Recorder cancelling;
-    cancelling.cancelAt = stage;
+    cancelling.cancelAt = step;
     EXPECT_THROW(static_cast<void>(deformer.deform(dragged(20, Vector3::UnitZ()), "list", cancelling)), Cancelled);
     NoProgress progress;
     EXPECT_EQ(deformer.deform(dragged(20, Vector3::UnitZ()), "list", progress).positions,
               deform(model, dragged(20, Vector3::UnitZ()), "list", {}, progress).positions)
-        << stage;
+        << step;
   }
 }
 

@@ -25,10 +25,10 @@ using testing::ElementsAre;
 struct Example {
   Model model;
   ConstraintList list;
-  Deformation result;
+  DeformResult result;
 };
 
-Deformation solved(const Model& model, const ConstraintList& list)
+DeformResult solved(const Model& model, const ConstraintList& list)
 {
   NoProgress progress;
   return deform(model, list, "constraints", {}, progress);
@@ -38,7 +38,7 @@ Example example(const std::string& mesh, const std::string& constraints)
 {
   Model model = makeModel(readMesh(test::dataFolder() + "/" + mesh).mesh, mesh);
   ConstraintList list = readConstraints(test::dataFolder() + "/" + constraints + ".constraints.json");
-  Deformation result = solved(model, list);
+  DeformResult result = solved(model, list);
   return {std::move(model), std::move(list), std::move(result)};
 }
 
@@ -116,7 +116,7 @@ TEST_P(TwistedBar, SectionsTurnMonotonicallyByTheirShares)
 }
 
 /// The different logs that handles prescribe, in their order.
-std::vector<Vector3> givenRotations(const Deformation& result)
+std::vector<Vector3> givenRotations(const DeformResult& result)
 {
   std::map<Index, Vector3> ofConstraint;
   for (const GivenRotation& given : result.system.rotations) ofConstraint[given.constraint] = given.q;
@@ -173,9 +173,9 @@ class LeaningHead : public testing::Test {
   {
     const Positions& rest = head_.model.mesh.positions;
     double largest = 0;
-    for (const auto& body : head_.result.system.bodies)
-      for (const Index i : body)
-        for (const Index j : body)
+    for (const auto& group : head_.result.system.rigidRegions)
+      for (const Index i : group)
+        for (const Index j : group)
           largest = std::max(
               largest, std::abs((positions.row(i) - positions.row(j)).norm() - (rest.row(i) - rest.row(j)).norm()));
     return largest / head_.model.solverMesh.diagonal;
@@ -191,9 +191,9 @@ TEST_F(LeaningHead, IsMet)
 
 TEST_F(LeaningHead, KeepsEveryDistanceWithinItsEyes)
 {
-  ASSERT_EQ(head_.result.system.bodies.size(), 2U);
+  ASSERT_EQ(head_.result.system.rigidRegions.size(), 2U);
   ASSERT_EQ(head_.model.solverMesh.unknownCount(), head_.model.mesh.vertexCount());
-  for (const auto& body : head_.result.system.bodies) EXPECT_GT(body.size(), 50U);
+  for (const auto& group : head_.result.system.rigidRegions) EXPECT_GT(group.size(), 50U);
   EXPECT_LE(stretch(head_.result.positions), 1e-12);
 }
 
@@ -201,22 +201,22 @@ TEST_F(LeaningHead, WouldDeformItsEyesIfTheyWereNotRigid)
 {
   ConstraintList soft = head_.list;
   for (Constraint& constraint : soft.constraints)
-    if (std::holds_alternative<Rigid>(constraint.what)) constraint.isEnabled = false;
+    if (std::holds_alternative<RigidConstraint>(constraint.what)) constraint.isEnabled = false;
   EXPECT_GT(stretch(solved(head_.model, soft).positions), 1e-3);
 }
 
 TEST_F(LeaningHead, TurnsTheVectorFromMouthToNoseAndKeepsItsLength)
 {
-  ASSERT_GE(head_.result.system.carried.size(), 1U);
-  const CarriedVector& carried = head_.result.system.carried.back();
+  ASSERT_GE(head_.result.system.rotated.size(), 1U);
+  const RotatedVector& rotated = head_.result.system.rotated.back();
   Vector3 vector = Vector3::Zero();
   Vector3 rest = Vector3::Zero();
-  for (const PointTerm& term : head_.result.system.rows[carried.row].terms) {
-    vector += term.weight * head_.result.positions.row(term.vertex).transpose();
-    rest += term.weight * head_.model.mesh.positions.row(term.vertex).transpose();
+  for (const Term& term : head_.result.system.rows[rotated.row].terms) {
+    vector += term.coefficient * head_.result.positions.row(term.index).transpose();
+    rest += term.coefficient * head_.model.mesh.positions.row(term.index).transpose();
   }
   Vector3 q = Vector3::Zero();
-  for (const PointTerm& term : carried.rotation) q += term.weight * rowOf(head_.result.rotations, term.vertex);
+  for (const Term& term : rotated.rotation) q += term.coefficient * rowOf(head_.result.rotations, term.index);
   const double diagonal = head_.model.solverMesh.diagonal;
   EXPECT_GT(rest.norm(), 20);
   EXPECT_GT(angleDegrees(q), 5);
@@ -233,16 +233,16 @@ class PlantedConflicts : public testing::Test {
   }
 
   /// The only way in which a constraint clashes.
-  [[nodiscard]] Clash clash(const std::string& beginning) const
+  [[nodiscard]] ConflictSet conflictSet(const std::string& beginning) const
   {
-    EXPECT_EQ(outcome(beginning).clashes.size(), 1U) << beginning;
-    return outcome(beginning).clashes.front();
+    EXPECT_EQ(outcome(beginning).conflictSets.size(), 1U) << beginning;
+    return outcome(beginning).conflictSets.front();
   }
 
   void expectConflict(const std::string& beginning, const std::vector<std::string>& with, const Vector3& gap) const
   {
     SCOPED_TRACE(beginning);
-    const Clash found = clash(beginning);
+    const ConflictSet found = conflictSet(beginning);
     EXPECT_TRUE(found.isConflict);
     EXPECT_EQ(found.with, with);
     EXPECT_LE((found.gap - gap).norm(), 1e-12 * plate_.model.solverMesh.diagonal) << found.gap.transpose();
@@ -251,7 +251,7 @@ class PlantedConflicts : public testing::Test {
   void expectRepetition(const std::string& beginning, const std::vector<std::string>& with) const
   {
     SCOPED_TRACE(beginning);
-    const Clash found = clash(beginning);
+    const ConflictSet found = conflictSet(beginning);
     EXPECT_FALSE(found.isConflict);
     EXPECT_EQ(found.with, with);
   }
@@ -270,7 +270,7 @@ TEST_F(PlantedConflicts, AreExactlyThoseNamed)
                           : isRepetition ? ConstraintStatus::Redundant
                                          : ConstraintStatus::Met;
     EXPECT_EQ(one.status, expected) << one.name;
-    EXPECT_EQ(one.clashes.empty(), !isConflict && !isRepetition) << one.name;
+    EXPECT_EQ(one.conflictSets.empty(), !isConflict && !isRepetition) << one.name;
   }
 }
 
@@ -299,10 +299,10 @@ TEST_F(PlantedConflicts, AreGoneOnceWhatTheyNameIsDisabled)
 {
   ConstraintList repaired = plate_.list;
   for (const ConstraintOutcome& one : plate_.result.report.constraints)
-    for (const Clash& found : one.clashes)
+    for (const ConflictSet& found : one.conflictSets)
       for (Constraint& constraint : repaired.constraints)
         if (found.isConflict && constraint.name == found.disable) constraint.isEnabled = false;
-  const Deformation result = solved(plate_.model, repaired);
+  const DeformResult result = solved(plate_.model, repaired);
   EXPECT_EQ(result.report.solve.status, SolveStatus::Ok) << result.report.solve.message;
   EXPECT_LE(result.report.solve.maxResidualRelative, 1e-12);
 }

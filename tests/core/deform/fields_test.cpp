@@ -17,15 +17,15 @@ struct BentPlate {
       : model(makeModel(test::transformed(test::plate(6, 5), Eigen::Affine3d(Eigen::Scaling(scale))), "mesh"))
   {
     const Vector3 center(5 * scale, 2 * scale, 0);
-    const ConstraintList list =
-        test::listOf({test::hold({0, 7, 14}), test::handle({6, 13, 20}, Turn{{0, 1, 0}, 50, center}, {0, 0, scale}),
-                      test::moveBy(AtFace{30, {0.25, 0.25, 0.5}}, {0, 0, scale / 4})});
+    const ConstraintList list = test::listOf(
+        {test::hold({0, 7, 14}), test::handle({6, 13, 20}, AxisRotation{{0, 1, 0}, 50, center}, {0, 0, scale}),
+         test::moveBy(AtFace{30, {0.25, 0.25, 0.5}}, {0, 0, scale / 4})});
     NoProgress progress;
     deformation = deform(model, list, "list", options, progress);
   }
 
   Model model;
-  Deformation deformation;
+  DeformResult deformation;
 };
 
 /// What the values of a field are multiplied by where lengths are multiplied by `scale`.
@@ -72,8 +72,9 @@ TEST(Fields, AreThoseOfAnyScale)
                      fieldOf(unit.model, unit.deformation, kind).values, factorOf(kind, weights, scale));
       }
       for (std::size_t c = 0; c < 3; ++c)
-        EXPECT_NEAR(*scaled.deformation.report.constraints[c].force, *unit.deformation.report.constraints[c].force,
-                    1e-9 * *unit.deformation.report.constraints[c].force)
+        EXPECT_NEAR(*scaled.deformation.report.constraints[c].multiplier,
+                    *unit.deformation.report.constraints[c].multiplier,
+                    1e-9 * *unit.deformation.report.constraints[c].multiplier)
             << "2^" << exponent;
     }
 }
@@ -87,14 +88,14 @@ TEST(Fields, GrowWithMovesOfAnyLength)
                   progress);
   };
   const double length = std::ldexp(1.0, 700);
-  const Deformation unit = bent(1);
-  const Deformation large = bent(length);
+  const DeformResult unit = bent(1);
+  const DeformResult large = bent(length);
   for (const FieldKind kind : {FieldKind::Displacement, FieldKind::ConstraintForce, FieldKind::DetailResidual}) {
     SCOPED_TRACE(fieldOf(model, unit, kind).name);
     expectScaled(fieldOf(model, large, kind).values, fieldOf(model, unit, kind).values, length);
   }
-  EXPECT_NEAR(*large.report.constraints[1].force / length, *unit.report.constraints[1].force,
-              1e-9 * *unit.report.constraints[1].force);
+  EXPECT_NEAR(*large.report.constraints[1].multiplier / length, *unit.report.constraints[1].multiplier,
+              1e-9 * *unit.report.constraints[1].multiplier);
 }
 
 }  // namespace

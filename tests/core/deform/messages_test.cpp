@@ -11,21 +11,21 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-Report reportOf(double amplification)
+Report reportOf(double sensitivity)
 {
   Report report;
   report.constraints.resize(2);
   report.constraints[1].name = "P1";
   report.constraints[1].status = ConstraintStatus::Missed;
-  report.constraints[1].amplification = amplification;
+  report.constraints[1].sensitivity = sensitivity;
   report.solve.accuracy = 3e-14;
   return report;
 }
 
 TEST(MissedMessage, NamesTheConstraintItsResidualAndItsLimit)
 {
-  for (const double amplification : {1.0, 1e8})
-    EXPECT_THAT(missedMessage(reportOf(amplification), {1, 2e-9, 5e-12}),
+  for (const double sensitivity : {1.0, 1e8})
+    EXPECT_THAT(missedMessage(reportOf(sensitivity), {1, 2e-9, 5e-12}),
                 HasSubstr("\"P1\" is missed by 2e-09, more than the promised 5e-12"));
 }
 

@@ -28,13 +28,13 @@ TEST(NearlyDependent, ConstraintsAmplifyByTheInverseOfTheirDistance)
 {
   for (const double apart : {1e-3, 1e-5, 1e-7, 1e-9, 1e-11}) {
     SCOPED_TRACE(apart);
-    const Deformation result = test::deformed(test::grid(4, 4), fourPoints(apart, 0), {});
+    const DeformResult result = test::deformed(test::grid(4, 4), fourPoints(apart, 0), {});
     for (std::size_t c = 1; c < 5; ++c) {
-      ASSERT_TRUE(result.report.constraints[c].amplification);
-      EXPECT_GT(*result.report.constraints[c].amplification * apart, 0.3);
-      EXPECT_LT(*result.report.constraints[c].amplification * apart, 3);
+      ASSERT_TRUE(result.report.constraints[c].sensitivity);
+      EXPECT_GT(*result.report.constraints[c].sensitivity * apart, 0.3);
+      EXPECT_LT(*result.report.constraints[c].sensitivity * apart, 3);
     }
-    EXPECT_EQ(result.report.constraints[0].amplification, 1);
+    EXPECT_EQ(result.report.constraints[0].sensitivity, 1);
     EXPECT_EQ(isWarnedOf(result.report), apart < 1e-6);
     EXPECT_EQ(result.report.solve.status, SolveStatus::Ok) << result.report.solve.message;
     EXPECT_LE(result.report.solve.maxResidualRelative, 1e-12);
@@ -48,7 +48,7 @@ TEST(NearlyDependent, ConstraintsAreWarnedOfFromAMillionOn)
     const Report report = test::deformed(test::grid(4, 4), fourPoints(apart, 0), {}).report;
     double largest = 0;
     for (const ConstraintOutcome& outcome : report.constraints)
-      largest = std::max(largest, outcome.amplification.value_or(0));
+      largest = std::max(largest, outcome.sensitivity.value_or(0));
     EXPECT_EQ(isWarnedOf(report), largest > 1e6) << largest;
     warnings += isWarnedOf(report) ? 1 : 0;
   }
@@ -63,10 +63,10 @@ TEST(NearlyDependent, AnInconsistencyMovesVerticesByWhatTheReportSays)
     ConstraintList wrong = fourPoints(apart, 1e-6);
     rest.constraints.erase(rest.constraints.begin() + 3);
     wrong.constraints.erase(wrong.constraints.begin() + 3);
-    const Deformation before = test::deformed(test::grid(4, 4), rest, {});
-    const Deformation after = test::deformed(test::grid(4, 4), wrong, {});
+    const DeformResult before = test::deformed(test::grid(4, 4), rest, {});
+    const DeformResult after = test::deformed(test::grid(4, 4), wrong, {});
     const double moved = (after.positions - before.positions).rowwise().norm().maxCoeff();
-    const double told = 1e-6 * *after.report.constraints.back().amplification;
+    const double told = 1e-6 * *after.report.constraints.back().sensitivity;
     EXPECT_LT(moved, 20 * told);
     EXPECT_GT(moved, 0.5 * told);
   }
@@ -75,11 +75,11 @@ TEST(NearlyDependent, AnInconsistencyMovesVerticesByWhatTheReportSays)
 TEST(NearlyDependent, PointsCloserThanDoublesTellApartAreRepetitions)
 {
   for (const double apart : {1e-13, 1e-15}) {
-    const Deformation agreeing = test::deformed(test::grid(4, 4), fourPoints(apart, 0), {});
+    const DeformResult agreeing = test::deformed(test::grid(4, 4), fourPoints(apart, 0), {});
     EXPECT_EQ(agreeing.report.constraints[2].status, ConstraintStatus::Redundant);
     EXPECT_EQ(agreeing.report.constraints[4].status, ConstraintStatus::Redundant);
     EXPECT_FALSE(isWarnedOf(agreeing.report));
-    const Deformation arguing = test::deformed(test::grid(4, 4), fourPoints(apart, 1e-6), {});
+    const DeformResult arguing = test::deformed(test::grid(4, 4), fourPoints(apart, 1e-6), {});
     EXPECT_EQ(arguing.report.constraints[4].status, ConstraintStatus::Conflicting);
     EXPECT_EQ(arguing.report.constraints[4].dependsOn, std::vector<std::string>{"P1"});
     EXPECT_NEAR(*arguing.report.constraints[4].gap, 1e-6, 1e-12);
@@ -91,7 +91,7 @@ TEST(NearlyDependent, SoftSolutionsOfConflictsCallThemselvesACompromise)
   const ConstraintList list =
       test::listOf({test::hold({24}), test::moveBy(AtVertex{0}, {0, 0, 0}), test::moveBy(AtVertex{0}, {0, 0, 0.2})});
   const DeformOptions soft{Weights::Cotangent, {SolverKind::Soft, defaultBackend(), 100}};
-  const Deformation result = test::deformed(test::grid(4, 4), list, soft);
+  const DeformResult result = test::deformed(test::grid(4, 4), list, soft);
   EXPECT_NEAR(result.positions(0, 2), 0.1, 0.02) << "halfway, as in Fig. 11";
   EXPECT_NE(result.report.solve.message.find("compromise"), std::string::npos) << result.report.solve.message;
   EXPECT_EQ(test::deformed(test::grid(4, 4), list, {}).positions(0, 2), 0) << "the earlier one stands";

@@ -36,7 +36,7 @@ TEST(Parts, WithoutAConstraintStayAtRestBitForBitAndAreReported)
   const Index n = sphere.vertexCount();
   const Mesh mesh = test::merged(sphere, test::moved(test::plate(4, 4), {3, 1.0 / 3, 0}));
   forEachOption([&](const DeformOptions& options) {
-    const Deformation result =
+    const DeformResult result =
         deformed(mesh, test::listOf({test::hold({5}), moveBy(AtVertex{90}, {0, 0.2, 0.4})}), options);
     ASSERT_EQ(result.report.solve.status, SolveStatus::Ok) << result.report.solve.message;
     EXPECT_EQ(result.positions.bottomRows(25), mesh.positions.bottomRows(25));
@@ -53,7 +53,7 @@ TEST(Parts, DeformAsEachWouldAlone)
   const Mesh plate = test::moved(test::plate(4, 4), {3, 0, 0});
   const ConstraintList ofSphere = test::listOf({test::hold({5}), moveBy(AtVertex{30}, {0, 0.2, 0.4})});
   ConstraintList ofBoth = ofSphere;
-  ofBoth.constraints.push_back({"plate", true, Point{AtVertex{sphere.vertexCount() + 3}, Move{{1, 2, 3}}}});
+  ofBoth.constraints.push_back({"plate", true, PointConstraint{AtVertex{sphere.vertexCount() + 3}, Move{{1, 2, 3}}}});
   forEachOption([&](const DeformOptions& options) {
     if (options.solver.kind == SolverKind::Soft) return;  // its weight is in units of the whole mesh
     const Positions together = deformed(test::merged(sphere, plate), ofBoth, options).positions;
@@ -67,7 +67,7 @@ TEST(Parts, OfVerticesThatNoFaceUsesStayUnlessPinned)
 {
   Mesh mesh = test::withVertex(test::withVertex(test::plate(4, 4), {9, 1.0 / 3, 9}), {8, 8, 8});
   forEachOption([&](const DeformOptions& options) {
-    const Deformation result = deformed(
+    const DeformResult result = deformed(
         mesh, test::listOf({test::hold({0, 4}), moveBy(AtVertex{24}, {0, 0, 1}), moveBy(AtVertex{26}, {1, 0, 0})}),
         options);
     ASSERT_EQ(result.report.solve.status, SolveStatus::Ok) << result.report.solve.message;
@@ -81,7 +81,7 @@ TEST(Parts, OfClosedBoxesThatTouchDoNotMoveTogether)
   const Mesh box = test::box(Vector3(1, 1, 1), 2);
   const Mesh mesh = test::merged(box, test::moved(box, {1, 0, 0}));
   forEachOption([&](const DeformOptions& options) {
-    const Deformation result = deformed(mesh, test::listOf({moveBy(AtVertex{0}, {-1, 0, 0})}), options);
+    const DeformResult result = deformed(mesh, test::listOf({moveBy(AtVertex{0}, {-1, 0, 0})}), options);
     EXPECT_LT(test::distance(result.positions.topRows(26), test::moved(box, {-1, 0, 0}).positions), 1e-11);
     EXPECT_EQ(result.positions.bottomRows(26), mesh.positions.bottomRows(26));
   });
@@ -104,8 +104,8 @@ TEST(Parts, OfASoupDeformLikeTheWeldedMeshAndStayTogetherBitForBit)
       return test::listOf({test::hold({first}), moveBy(AtVertex{second}, shift), moveBy(AtFace{3, halves}, -shift)});
     };
     forEachOption([&](const DeformOptions& options) {
-      const Deformation welded = deformed(named.mesh, list(vertexOf[0], vertexOf[last]), options);
-      const Deformation apart = deformed(soup, list(0, last), options);
+      const DeformResult welded = deformed(named.mesh, list(vertexOf[0], vertexOf[last]), options);
+      const DeformResult apart = deformed(soup, list(0, last), options);
       ASSERT_EQ(apart.report.solve.status, SolveStatus::Ok) << apart.report.solve.message;
       Positions gathered(soup.vertexCount(), 3);
       std::vector<Index> firstOf(static_cast<std::size_t>(named.mesh.vertexCount()), -1);

@@ -40,9 +40,10 @@ struct Planted {
   void lie(Constraint& member) const
   {
     const Vector3 error = 1e-3 * scale * Vector3(1, 1, 1);
-    if (Point* point = std::get_if<Point>(&member.what)) std::get<Move>(point->to).shift += error;
-    if (Handle* handle = std::get_if<Handle>(&member.what)) handle->translate += error;
-    if (Relative* relative = std::get_if<Relative>(&member.what)) relative->offset = *relative->offset + error;
+    if (PointConstraint* point = std::get_if<PointConstraint>(&member.what)) std::get<Move>(point->to).shift += error;
+    if (HandleConstraint* handle = std::get_if<HandleConstraint>(&member.what)) handle->translate += error;
+    if (RelativeConstraint* relative = std::get_if<RelativeConstraint>(&member.what))
+      relative->offset = *relative->offset + error;
   }
 };
 
@@ -70,7 +71,8 @@ std::vector<Constraint> loop(int size, Index j, const Mesh& mesh)
     const Index from = vertexAt(i, j);
     const Index to = vertexAt((i + 1) % size, j);
     members.push_back(
-        {"", true, Relative{AtVertex{from}, AtVertex{to}, Vector3(mesh.positions.row(from) - mesh.positions.row(to))}});
+        {"", true,
+         RelativeConstraint{AtVertex{from}, AtVertex{to}, Vector3(mesh.positions.row(from) - mesh.positions.row(to))}});
   }
   return members;
 }
@@ -139,11 +141,11 @@ void expectExactlyThePlanted(const Planted& planted, const Report& report)
       EXPECT_EQ(outcome.status, ConstraintStatus::Independent) << outcome.name;
       continue;
     }
-    ASSERT_EQ(outcome.clashes.size(), 1U) << outcome.name;
-    const Clash& clash = outcome.clashes.front();
-    clashing[outcome.name] = {clash.with.begin(), clash.with.end()};
-    EXPECT_EQ(clash.with, outcome.dependsOn);
-    EXPECT_GT(clash.gap.norm(), 0);
+    ASSERT_EQ(outcome.conflictSets.size(), 1U) << outcome.name;
+    const ConflictSet& conflictSet = outcome.conflictSets.front();
+    clashing[outcome.name] = {conflictSet.with.begin(), conflictSet.with.end()};
+    EXPECT_EQ(conflictSet.with, outcome.dependsOn);
+    EXPECT_GT(conflictSet.gap.norm(), 0);
   }
   EXPECT_EQ(clashing.size(), planted.circuits.size());
   for (const std::set<std::string>& circuit : planted.circuits) {
@@ -178,15 +180,15 @@ TEST(PlantedCircuits, EndWhereTheProposedRepairIsFollowed)
   const Report report = diagnoseConstraints(model, disabled, "list");
   std::set<std::string> toDisable;
   for (std::size_t c = 0; c < report.constraints.size(); ++c)
-    for (const Clash& clash : report.constraints[c].clashes) {
-      toDisable.insert(clash.disable);
+    for (const ConflictSet& conflictSet : report.constraints[c].conflictSets) {
+      toDisable.insert(conflictSet.disable);
       Constraint& constraint = retargeted.constraints[c];
-      if (!clash.consistentTarget)
+      if (!conflictSet.consistentTarget)
         constraint.isEnabled = false;
-      else if (Point* point = std::get_if<Point>(&constraint.what))
-        point->to = Target{*clash.consistentTarget};
+      else if (PointConstraint* point = std::get_if<PointConstraint>(&constraint.what))
+        point->to = Target{*conflictSet.consistentTarget};
       else
-        std::get<Relative>(constraint.what).offset = clash.consistentTarget;
+        std::get<RelativeConstraint>(constraint.what).offset = conflictSet.consistentTarget;
     }
   for (Constraint& constraint : disabled.constraints)
     if (toDisable.contains(constraint.name)) constraint.isEnabled = false;

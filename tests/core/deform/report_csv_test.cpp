@@ -41,9 +41,9 @@ TEST(ReportCsv, QuotesNamesAndLeavesOutWhatWasNotComputed)
       "bolt \"A\", left\nrim", "point", 1, ConstraintStatus::Conflicting, 0.1, 0.01, {}, {}, {}, {}, {}};
   outcome.dependsOn = {"base", "P1, lower"};
   outcome.gap = 1.0 / 3;
-  outcome.clashes.resize(2);
-  outcome.amplification = std::numeric_limits<double>::infinity();
-  outcome.force = 0.0;
+  outcome.conflictSets.resize(2);
+  outcome.sensitivity = std::numeric_limits<double>::infinity();
+  outcome.multiplier = 0.0;
   report.constraints = {outcome, {" blank", "fixed", 0, ConstraintStatus::Disabled, {}, {}, {}, {}, {}, {}, {}}};
   const std::vector<CsvRecord> table = tableOf(report);
   ASSERT_EQ(table.size(), 3U);
@@ -69,8 +69,8 @@ TEST(ReportCsv, SaysWhatTheReportSays)
     EXPECT_EQ(numberIn(fields[4]), outcome.residual);
     EXPECT_EQ(numberIn(fields[5]), outcome.limit);
     EXPECT_EQ(numberIn(fields[6]), outcome.gap);
-    EXPECT_EQ(numberIn(fields[9]), outcome.amplification);
-    EXPECT_EQ(numberIn(fields[10]), outcome.force);
+    EXPECT_EQ(numberIn(fields[9]), outcome.sensitivity);
+    EXPECT_EQ(numberIn(fields[10]), outcome.multiplier);
   }
   EXPECT_EQ(table[3].fields[3], "conflicting");
   EXPECT_EQ(table[3].fields[7], "P1");

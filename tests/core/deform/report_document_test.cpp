@@ -32,7 +32,7 @@ Json reportOf(SolverKind kind)
 {
   ConstraintList list = test::listOf(
       {test::hold({0, 1, 2}), test::moveBy(AtVertex{24}, {0, 0, 1}), test::moveBy(AtVertex{24}, {0, 0, 2})});
-  const Deformation result = test::deformed(test::grid(4, 4), list, {Weights::Cotangent, {kind, defaultBackend(), 5}});
+  const DeformResult result = test::deformed(test::grid(4, 4), list, {Weights::Cotangent, {kind, defaultBackend(), 5}});
   return Json::parse(reportToJson(result.report));
 }
 
@@ -74,7 +74,7 @@ TEST(ReportDocument, DescribesEveryField)
 {
   const Model model = makeModel(test::grid(4, 4), "grid");
   NoProgress progress;
-  const Deformation result = deform(model, test::listOf({test::hold({0})}), "constraints", {}, progress);
+  const DeformResult result = deform(model, test::listOf({test::hold({0})}), "constraints", {}, progress);
   const std::string text = document();
   for (const Field& field : fieldsOf(model, result))
     EXPECT_THAT(text, HasSubstr("| `" + field.name + "` | " + std::to_string(field.components) + " |"));

@@ -36,7 +36,7 @@ ConstraintList withAbsurdTarget(ConstraintList list)
 TEST(ResidualLimit, OfAConstraintIsNotLoosenedByTheTargetOfAnother)
 {
   const ConstraintList list = test::listOf({test::hold({0, 1}), test::moveBy(AtFace{9, {0.2, 0.3, 0.5}}, {0, 0, 1})});
-  const Deformation result = test::deformed(twoPlates(), withAbsurdTarget(list), {});
+  const DeformResult result = test::deformed(twoPlates(), withAbsurdTarget(list), {});
   ASSERT_EQ(result.report.solve.status, SolveStatus::Ok) << result.report.solve.message;
   EXPECT_DOUBLE_EQ(*result.report.constraints[0].limit, 1e-12 * diagonal());
   EXPECT_DOUBLE_EQ(*result.report.constraints[1].limit, 1e-12 * diagonal());
@@ -87,9 +87,9 @@ TEST(ResidualLimit, OfAKeptVectorGrowsWithThePlacesThatItIsTakenTo)
   const Vector3 far(kFar * diagonal(), 0, 0);
   const ConstraintList list =
       test::listOf({test::handle({0, 4, 20, 24}, std::monostate(), far),
-                    {"", true, Relative{AtFace{9, {0.2, 0.3, 0.5}}, AtFace{16, {0.3, 0.3, 0.4}}, {}}},
+                    {"", true, RelativeConstraint{AtFace{9, {0.2, 0.3, 0.5}}, AtFace{16, {0.3, 0.3, 0.4}}, {}}},
                     test::rigid({11, 12, 13})});
-  const Deformation result = test::deformed(twoPlates(), list, {});
+  const DeformResult result = test::deformed(twoPlates(), list, {});
   ASSERT_EQ(result.report.solve.status, SolveStatus::Ok) << result.report.solve.message;
   for (const ConstraintOutcome& outcome : result.report.constraints) EXPECT_LE(outcome.residual, outcome.limit);
   EXPECT_LE(*result.report.constraints[1].limit, 32 * kEpsilon * far.x());
@@ -99,7 +99,7 @@ TEST(ResidualLimit, OfARigidRegionAtRestFarFromTheOriginIsEightSpacingsOfTheCoor
 {
   const double far = 1e6 * diagonal();
   const Mesh away = test::moved(twoPlates(), {far, 0, 0});
-  const Deformation result = test::deformed(away, test::listOf({test::hold({0}), test::rigid({11, 12, 13})}), {});
+  const DeformResult result = test::deformed(away, test::listOf({test::hold({0}), test::rigid({11, 12, 13})}), {});
   EXPECT_NEAR(*result.report.constraints[0].limit, 8 * kEpsilon * far, 1e-3 * 8 * kEpsilon * far);
   EXPECT_NEAR(*result.report.constraints[1].limit, 16 * kEpsilon * far, 1e-3 * 16 * kEpsilon * far);
 }

@@ -15,9 +15,9 @@ using testing::HasSubstr;
 
 const Vector3 kUp = Vector3::UnitZ();
 
-Constraint turnedInPlace(Index vertex, double degrees)
+Constraint rotatedInPlace(Index vertex, double degrees)
 {
-  return test::handle({vertex}, Turn{kUp, degrees, {}}, Vector3::Zero());
+  return test::handle({vertex}, AxisRotation{kUp, degrees, {}}, Vector3::Zero());
 }
 
 /// The report of the solution and that of the diagnosis alone.
@@ -30,7 +30,7 @@ std::vector<Report> reportsOf(const Mesh& mesh, const ConstraintList& list, cons
 TEST(RotationFindings, NameTheConstraintsWhoseRotationsDisagreeInARigidRegion)
 {
   const ConstraintList list =
-      test::listOf({test::hold({0, 6}), test::rigid({6, 7, 8}), turnedInPlace(24, 20), turnedInPlace(8, 40)});
+      test::listOf({test::hold({0, 6}), test::rigid({6, 7, 8}), rotatedInPlace(24, 20), rotatedInPlace(8, 40)});
   for (const Report& report : reportsOf(test::grid(4, 4), list)) {
     EXPECT_NE(report.solve.status, SolveStatus::Conflicts);
     const Finding* const finding = test::findingOf(report, "rotations_disagree");
@@ -46,7 +46,7 @@ TEST(RotationFindings, NameTheConstraintsWhoseRotationsDisagreeInARigidRegion)
 TEST(RotationFindings, SayNothingWhereRotationsAgreeOrNoneIsAskedFor)
 {
   const ConstraintList agreeing =
-      test::listOf({test::hold({0}), test::rigid({6, 7, 8}), turnedInPlace(6, 20), turnedInPlace(8, 20)});
+      test::listOf({test::hold({0}), test::rigid({6, 7, 8}), rotatedInPlace(6, 20), rotatedInPlace(8, 20)});
   for (const Report& report : reportsOf(test::grid(4, 4), agreeing)) {
     EXPECT_EQ(test::findingOf(report, "rotations_disagree"), nullptr);
     EXPECT_EQ(report.solve.disagreementDegrees, 0);
@@ -63,7 +63,7 @@ TEST(RotationFindings, TellWhereWeightsWereFlooredAndCapped)
   // A square of no width has a needle, and obtuse angles beside it.
   Mesh mesh = test::grid(2, 2);
   mesh.positions.row(4) << 1, 1e-4, 0;
-  const ConstraintList list = test::listOf({test::hold({0}), turnedInPlace(8, 30)});
+  const ConstraintList list = test::listOf({test::hold({0}), rotatedInPlace(8, 30)});
   for (const Report& report : reportsOf(mesh, list)) {
     const Finding* const floored = test::findingOf(report, "floored_rotation_weights");
     ASSERT_NE(floored, nullptr);
@@ -74,7 +74,7 @@ TEST(RotationFindings, TellWhereWeightsWereFlooredAndCapped)
   }
   // The diagonals of a grid lie across two right angles.
   for (const Mesh& good : {test::icosphere(2), test::grid(2, 2)})
-    for (const Report& report : reportsOf(good, test::listOf({test::hold({0}), turnedInPlace(8, 30)}))) {
+    for (const Report& report : reportsOf(good, test::listOf({test::hold({0}), rotatedInPlace(8, 30)}))) {
       EXPECT_EQ(test::findingOf(report, "floored_rotation_weights"), nullptr);
       EXPECT_EQ(test::findingOf(report, "capped_rotation_weights"), nullptr);
     }
@@ -84,7 +84,7 @@ TEST(RotationFindings, AFieldThatCannotBeFoundFailsTheDiagnosisToo)
 {
   Mesh mesh = test::grid(4, 4);
   mesh.faces.add({0, 2, 1});
-  const ConstraintList list = test::listOf({test::hold({20}), turnedInPlace(24, 30)});
+  const ConstraintList list = test::listOf({test::hold({20}), rotatedInPlace(24, 30)});
   const DeformOptions literal{Weights::CotangentPaper, {}};
   const Report report = diagnoseConstraints(makeModel(mesh, "mesh"), list, "list", literal);
   EXPECT_EQ(report.solve.status, SolveStatus::Failed);

@@ -19,9 +19,9 @@ constexpr double kExact = 1e-12;
 
 Constraint turn(std::string name, std::vector<Index> vertices, double degrees, const Vector3& translate)
 {
-  Handle handle;
+  HandleConstraint handle;
   handle.select = {VertexIds{std::move(vertices)}};
-  handle.motion = Turn{kAxis, degrees, Vector3(0.1, 0.2, 0.3)};
+  handle.motion = AxisRotation{kAxis, degrees, Vector3(0.1, 0.2, 0.3)};
   handle.translate = translate;
   return {std::move(name), true, handle};
 }
@@ -49,7 +49,7 @@ TEST(RotationLaws, ACommonRotationOfAllHandlesTurnsTheMeshRigidly)
       const ConstraintList list{"",
                                 {turn("a", {some.begin(), some.begin() + 3}, degrees, shift),
                                  turn("b", {some.begin() + 3, some.end()}, degrees, shift)}};
-      const Deformation result = test::deformed(mesh, list, options);
+      const DeformResult result = test::deformed(mesh, list, options);
       ASSERT_EQ(result.report.solve.status, SolveStatus::Ok) << result.report.solve.message;
       const Eigen::Matrix3d R = rotationMatrix(kAxis, degrees);
       const Vector3 center(0.1, 0.2, 0.3);
@@ -64,11 +64,11 @@ TEST(RotationLaws, NothingTurnsWhereNoRotationIsGiven)
 {
   const Mesh mesh = test::plate(6, 5);
   ConstraintList list = test::listOf({test::hold({0, 1, 2}), test::moveBy(AtVertex{20}, {0, 0, 1})});
-  const Deformation result = test::deformed(mesh, list, {});
+  const DeformResult result = test::deformed(mesh, list, {});
   EXPECT_TRUE(result.rotations.isZero(0));
-  ConstraintList turned = list;
-  turned.constraints.push_back(turn("turned", {30, 31}, 40, Vector3::Zero()));
-  EXPECT_FALSE(test::deformed(mesh, turned, {}).rotations.isZero(1e-3)) << "a turned handle turns others";
+  ConstraintList rotated = list;
+  rotated.constraints.push_back(turn("turned", {30, 31}, 40, Vector3::Zero()));
+  EXPECT_FALSE(test::deformed(mesh, rotated, {}).rotations.isZero(1e-3)) << "a turned handle turns others";
 }
 
 TEST(RotationLaws, RotationsOfOneHandleLieOnTheShortestArc)
@@ -77,7 +77,7 @@ TEST(RotationLaws, RotationsOfOneHandleLieOnTheShortestArc)
   const ConstraintList list{
       "", {test::hold(between(mesh, 0, 0.1)), turn("end", between(mesh, 0.9, 1), 170, Vector3(0, 0, 1))}};
   for (const Weights weights : {Weights::Cotangent, Weights::Uniform}) {
-    const Deformation result = test::deformed(mesh, list, {weights, {}});
+    const DeformResult result = test::deformed(mesh, list, {weights, {}});
     const Vector3 r = rotationLog(kAxis, 170);
     for (Index u = 0; u < result.rotations.rows(); ++u) {
       const Vector3 q = result.rotations.row(u).transpose();
@@ -93,8 +93,8 @@ TEST(RotationLaws, ATwistedBarTurnsSectionBySection)
   const Mesh bar = test::transformed(test::box(Vector3(1, 1, 1), 10), Eigen::Affine3d(Eigen::Scaling(10.0, 1.0, 1.0)));
   for (const double degrees : {90.0, 360.0, 720.0}) {
     Constraint end = turn("end", between(bar, 0.999, 1), degrees, Vector3::Zero());
-    std::get<Handle>(end.what).motion = Turn{Vector3::UnitX(), degrees, Vector3(5, 0.5, 0.5)};
-    const Deformation result = test::deformed(bar, {"", {test::hold(between(bar, 0, 0.001)), end}}, {});
+    std::get<HandleConstraint>(end.what).motion = AxisRotation{Vector3::UnitX(), degrees, Vector3(5, 0.5, 0.5)};
+    const DeformResult result = test::deformed(bar, {"", {test::hold(between(bar, 0, 0.001)), end}}, {});
     ASSERT_EQ(result.report.solve.status, SolveStatus::Ok) << result.report.solve.message;
     double last = -1;
     for (int section = 0; section <= 10; ++section) {
@@ -130,7 +130,7 @@ TEST(RotationLaws, RigidRegionsKeepTheirDistances)
     ASSERT_GT(region.size(), 9U);
     const ConstraintList list =
         test::listOf({test::hold(bottom), turn("top", top, 150, Vector3(2, 0, 0.5)), test::rigid(region)});
-    const Deformation result = test::deformed(sphere, list, {});
+    const DeformResult result = test::deformed(sphere, list, {});
     ASSERT_EQ(result.report.solve.status, SolveStatus::Ok) << result.report.solve.message;
     EXPECT_LT(largestChangeOfDistance(sphere.positions, result.positions, region) / 2, kExact) << region.size();
     for (const Index v : region) EXPECT_EQ(result.rotations.row(v), result.rotations.row(region.front()));
@@ -143,7 +143,7 @@ TEST(RotationLaws, ARegionTurnsAsItsFirstGivenRotationAndNotAsItsLowestId)
   const Mesh mesh = test::plate(6, 5);
   const ConstraintList list{
       "", {turn("handle", {20}, 90, Vector3(0.1, 0.2, 0.3)), test::rigid({10, 13, 20, 21}), test::hold({0, 1, 2, 10})}};
-  const Deformation result = test::deformed(mesh, list, {});
+  const DeformResult result = test::deformed(mesh, list, {});
   ASSERT_EQ(result.report.solve.status, SolveStatus::Conflicts) << "vertex 10 cannot stay";
   EXPECT_EQ(result.report.constraints[1].status, ConstraintStatus::Met);
   const Eigen::Matrix3d R = rotationMatrix(kAxis, 90);
@@ -164,20 +164,20 @@ TEST(RotationLaws, KeptDistancesTurnWithTheSurface)
   const Positions without = test::deformed(mesh, list, {}).positions;
   EXPECT_GT(std::abs((without.row(30) - without.row(35)).norm() - rest), 1e-3 * rest) << "not kept by itself";
 
-  list.constraints.push_back({"kept", true, Relative{a, b, {}}});
-  const Deformation result = test::deformed(mesh, list, {});
+  list.constraints.push_back({"kept", true, RelativeConstraint{a, b, {}}});
+  const DeformResult result = test::deformed(mesh, list, {});
   EXPECT_NEAR((result.positions.row(30) - result.positions.row(35)).norm(), rest, kExact);
   const Vector3 mean = (result.rotations.row(30) + result.rotations.row(35)).transpose() / 2;
   const Vector3 expected = rotationMatrix(mean) * (mesh.positions.row(30) - mesh.positions.row(35)).transpose();
   EXPECT_LT((result.positions.row(30).transpose() - result.positions.row(35).transpose() - expected).norm(), kExact);
 
-  list.constraints.back().what = Relative{a, b, Vector3(1, 2, 3)};
-  const Deformation given = test::deformed(mesh, list, {});
+  list.constraints.back().what = RelativeConstraint{a, b, Vector3(1, 2, 3)};
+  const DeformResult given = test::deformed(mesh, list, {});
   EXPECT_LT((given.positions.row(30) - given.positions.row(35) - Eigen::RowVector3d(1, 2, 3)).norm(), kExact);
 }
 
 /// min |A u - f| under B u = d by the dense system of Lagrange multipliers, with the engine's rows and rotations.
-Columns3 denseSolution(const Mesh& mesh, const Deformation& result, Weights weights)
+Columns3 denseSolution(const Mesh& mesh, const DeformResult& result, Weights weights)
 {
   const double unit = boundingBoxDiagonal(mesh.positions);
   const std::vector<Triangle> triangles = triangulate(mesh).triangles;
@@ -185,9 +185,9 @@ Columns3 denseSolution(const Mesh& mesh, const Deformation& result, Weights weig
   const Eigen::VectorXd w = test::denseRowWeights(mesh, triangles, weights, unit);
   const Index n = mesh.vertexCount();
   const Eigen::MatrixX3d delta = L * mesh.positions;
-  Eigen::MatrixX3d turned = delta;
+  Eigen::MatrixX3d rotated = delta;
   for (Index i = 0; i < n; ++i)
-    turned.row(i) =
+    rotated.row(i) =
         (Eigen::AngleAxisd(2 * result.rotations.row(i).norm(), result.rotations.row(i).normalized().transpose()) *
          Vector3(delta.row(i).transpose()))
             .transpose();
@@ -195,7 +195,7 @@ Columns3 denseSolution(const Mesh& mesh, const Deformation& result, Weights weig
   Eigen::MatrixXd B = Eigen::MatrixXd::Zero(m, n);
   Eigen::MatrixX3d d(m, 3);
   for (Index r = 0; r < m; ++r) {
-    for (const PointTerm& term : result.system.rows[r].terms) B(r, term.vertex) = term.weight;
+    for (const Term& term : result.system.rows[r].terms) B(r, term.index) = term.coefficient;
     d.row(r) = result.system.rows[r].target;
   }
   const Eigen::MatrixXd A = w.asDiagonal() * L;
@@ -204,7 +204,7 @@ Columns3 denseSolution(const Mesh& mesh, const Deformation& result, Weights weig
   K.topRightCorner(n, m) = B.transpose();
   K.bottomLeftCorner(m, n) = B;
   Eigen::MatrixX3d right(n + m, 3);
-  right << A.transpose() * (w.asDiagonal() * turned), d;
+  right << A.transpose() * (w.asDiagonal() * rotated), d;
   return K.fullPivLu().solve(right).topRows(n);
 }
 
@@ -219,8 +219,8 @@ ConstraintList someOfEverything(const Mesh& mesh, Index split, test::Random& ran
       test::hold({ids[0], ids[1], ids[2]}),
       turn("handle", {ids[3], ids[4], ids[5]}, random.uniform(-300, 300), test::randomVector(random, 1)),
       test::rigid({ids[6], ids[7], ids[8]}),
-      {"kept", true, Relative{AtVertex{ids[9]}, AtVertex{ids[10]}, {}}},
-      {"tied", true, Relative{AtVertex{ids[11]}, AtVertex{other}, {}}},
+      {"kept", true, RelativeConstraint{AtVertex{ids[9]}, AtVertex{ids[10]}, {}}},
+      {"tied", true, RelativeConstraint{AtVertex{ids[11]}, AtVertex{other}, {}}},
       test::rigid({ids[12], other}),
       test::moveBy(AtVertex{ids[13]}, test::randomVector(random, 0.5))};
   for (std::size_t k = 0; k < constraints.size(); ++k) constraints[k].name = std::to_string(k);
@@ -235,7 +235,7 @@ TEST(RotationLaws, PositionsAreThoseOfTheDenseSystem)
     for (const Weights weights : {Weights::Cotangent, Weights::Uniform}) {
       SCOPED_TRACE(testing::Message() << "seed " << seed << ", " << name(weights));
       test::Random random(seed);
-      const Deformation result =
+      const DeformResult result =
           test::deformed(mesh, someOfEverything(mesh, plate.vertexCount(), random), {weights, {}});
       ASSERT_NE(result.report.solve.status, SolveStatus::Failed) << result.report.solve.message;
       ASSERT_TRUE(result.diagnosis.dependent.empty());
@@ -248,7 +248,7 @@ TEST(RotationLaws, AForceIsHowFastTheEnergyGrowsWithItsTarget)
   const Mesh mesh = test::plate(6, 5);
   const Vector3 shift(0.3, -0.7, 1);
   for (const Weights weights : {Weights::Cotangent, Weights::Uniform}) {
-    const Deformation result =
+    const DeformResult result =
         test::deformed(mesh, test::listOf({test::hold({0, 1, 2}), test::moveBy(AtVertex{20}, shift)}), {weights, {}});
     // Lengths in diagonals of the bounding box.
     const double unit = boundingBoxDiagonal(mesh.positions);
@@ -258,7 +258,7 @@ TEST(RotationLaws, AForceIsHowFastTheEnergyGrowsWithItsTarget)
                                 ((result.positions - mesh.positions) / unit);
     // |A u|^2 / 2 is a square of the length of the shift, and the force has its direction.
     const double expected = Au.squaredNorm() / (shift.norm() / unit);
-    EXPECT_NEAR(*result.report.constraints[1].force, expected, 1e-9 * expected) << name(weights);
+    EXPECT_NEAR(*result.report.constraints[1].multiplier, expected, 1e-9 * expected) << name(weights);
   }
 }
 
@@ -267,19 +267,20 @@ TEST(RotationLaws, ForcesBalanceTheElasticForcesAndVanishAtRest)
   const Mesh mesh = test::plate(6, 5);
   const ConstraintList rest = test::listOf({test::hold({0, 1, 2}), test::moveBy(AtVertex{20}, Vector3::Zero())});
   for (const ConstraintOutcome& outcome : test::deformed(mesh, rest, {}).report.constraints)
-    EXPECT_EQ(outcome.force, 0);
+    EXPECT_EQ(outcome.multiplier, 0);
 
   ConstraintList pulled = rest;
-  std::get<Point>(pulled.constraints[1].what).to = Move{Vector3(0, 0, 1)};
-  const Deformation one = test::deformed(mesh, pulled, {});
-  std::get<Point>(pulled.constraints[1].what).to = Move{Vector3(0, 0, 2)};
-  const Deformation two = test::deformed(mesh, pulled, {});
-  EXPECT_GT(*one.report.constraints[1].force, 0);
-  EXPECT_NEAR(*two.report.constraints[1].force, 2 * *one.report.constraints[1].force,
-              1e-9 * *two.report.constraints[1].force);
-  EXPECT_LT(one.forces.colwise().sum().norm(), 1e-9 * *one.report.constraints[1].force) << "action is reaction";
-  EXPECT_GT(one.forces.row(20).norm(), 0);
-  EXPECT_LT(one.forces.row(40).norm(), 1e-9 * one.forces.row(20).norm()) << "no constraint, no force";
+  std::get<PointConstraint>(pulled.constraints[1].what).to = Move{Vector3(0, 0, 1)};
+  const DeformResult one = test::deformed(mesh, pulled, {});
+  std::get<PointConstraint>(pulled.constraints[1].what).to = Move{Vector3(0, 0, 2)};
+  const DeformResult two = test::deformed(mesh, pulled, {});
+  EXPECT_GT(*one.report.constraints[1].multiplier, 0);
+  EXPECT_NEAR(*two.report.constraints[1].multiplier, 2 * *one.report.constraints[1].multiplier,
+              1e-9 * *two.report.constraints[1].multiplier);
+  EXPECT_LT(one.multipliers.colwise().sum().norm(), 1e-9 * *one.report.constraints[1].multiplier)
+      << "action is reaction";
+  EXPECT_GT(one.multipliers.row(20).norm(), 0);
+  EXPECT_LT(one.multipliers.row(40).norm(), 1e-9 * one.multipliers.row(20).norm()) << "no constraint, no force";
 }
 
 }  // namespace

@@ -30,8 +30,9 @@ class DragAboutFixed : public testing::Test {
       return Selection{InHalfSpace{point, normal}};
     };
     return {"",
-            {{"base", true, Fixed{below({0, 0, 0.1}, {0, 0, -1})}},
-             {"top", true, Handle{below({0, 0, kLength - 0.1}, {0, 0, 1}), TurnAboutFixed{}, {0, 0, 0}, {}}}}};
+            {{"base", true, FixedConstraint{below({0, 0, 0.1}, {0, 0, -1})}},
+             {"top", true,
+              HandleConstraint{below({0, 0, kLength - 0.1}, {0, 0, 1}), RotationAboutFixed{}, {0, 0, 0}, {}}}}};
   }
 
   [[nodiscard]] ConstraintDrag dragOf(const ConstraintList& start) const
@@ -50,18 +51,21 @@ class DragAboutFixed : public testing::Test {
 
   [[nodiscard]] ConstraintList frame(const Vector3& translation) { return drag.movedBy({{}, 0, {}, translation}); }
 
-  [[nodiscard]] Deformation deformed(const ConstraintList& of)
+  [[nodiscard]] DeformResult deformed(const ConstraintList& of)
   {
     NoProgress progress;
     return deformer_.deform(of, "list", progress);
   }
 
-  [[nodiscard]] Vector3 turnOfTop(const Deformation& deformation) const
+  [[nodiscard]] Vector3 turnOfTop(const DeformResult& deformation) const
   {
     return deformation.system.rotations.back().q;
   }
 
-  [[nodiscard]] static const Handle& top(const ConstraintList& of) { return std::get<Handle>(of.constraints[1].what); }
+  [[nodiscard]] static const HandleConstraint& top(const ConstraintList& of)
+  {
+    return std::get<HandleConstraint>(of.constraints[1].what);
+  }
 
  private:
   Deformer deformer_{model, {}};
@@ -72,7 +76,7 @@ TEST_F(DragAboutFixed, GoesRoundAndRoundWithoutAJump)
   constexpr double kStep = 2;
   Positions before = deformed(list).positions;
   for (double degrees = kStep; degrees <= 800; degrees += kStep) {
-    const Deformation now = deformed(frame(onCircle(degrees)));
+    const DeformResult now = deformed(frame(onCircle(degrees)));
     EXPECT_LT((turnOfTop(now) - Vector3(0, degrees / 360 * std::numbers::pi, 0)).norm(), 1e-9) << degrees;
     // The end moves by 0.21 each time, what lies between by no more than a few times that.
     EXPECT_LT((now.positions - before).rowwise().norm().maxCoeff(), 0.5) << degrees;
@@ -92,13 +96,13 @@ TEST_F(DragAboutFixed, GoesBackTheSameWay)
 
 TEST_F(DragAboutFixed, SaysTheTurnFromHalfATurnOnOnly)
 {
-  EXPECT_FALSE(std::get<TurnAboutFixed>(top(frame(onCircle(100))).motion).near.has_value());
-  EXPECT_FALSE(std::get<TurnAboutFixed>(top(frame(onCircle(179))).motion).near.has_value());
-  EXPECT_TRUE(std::get<TurnAboutFixed>(top(frame(onCircle(180))).motion).near.has_value());
-  const auto near = std::get<TurnAboutFixed>(top(frame(onCircle(181))).motion).near;
+  EXPECT_FALSE(std::get<RotationAboutFixed>(top(frame(onCircle(100))).motion).near.has_value());
+  EXPECT_FALSE(std::get<RotationAboutFixed>(top(frame(onCircle(179))).motion).near.has_value());
+  EXPECT_TRUE(std::get<RotationAboutFixed>(top(frame(onCircle(180))).motion).near.has_value());
+  const auto near = std::get<RotationAboutFixed>(top(frame(onCircle(181))).motion).near;
   ASSERT_TRUE(near.has_value());
   EXPECT_NEAR(near->degrees, 181, 1e-9);
-  EXPECT_FALSE(std::get<TurnAboutFixed>(top(frame(onCircle(100))).motion).near.has_value());
+  EXPECT_FALSE(std::get<RotationAboutFixed>(top(frame(onCircle(100))).motion).near.has_value());
 }
 
 TEST_F(DragAboutFixed, IsTheSameBitForBitWhenItHasBeenWrittenAndRead)
@@ -106,8 +110,8 @@ TEST_F(DragAboutFixed, IsTheSameBitForBitWhenItHasBeenWrittenAndRead)
   for (double degrees = 0; degrees <= 760; degrees += 20) {
     const ConstraintList now = frame(onCircle(degrees));
     const ConstraintList read = parseConstraintsJson(constraintsToJson(now), "list");
-    const Deformation shown = deformed(now);
-    const Deformation again = deformed(read);
+    const DeformResult shown = deformed(now);
+    const DeformResult again = deformed(read);
     EXPECT_EQ(again.positions, shown.positions) << degrees;
     EXPECT_EQ(again.rotations, shown.rotations) << degrees;
   }
@@ -119,7 +123,7 @@ TEST_F(DragAboutFixed, GoesOnWhereTheLastDragEnded)
   const ConstraintList kept = frame(onCircle(350));
   ConstraintDrag next = dragOf(kept);
   EXPECT_EQ(constraintsToJson(next.movedBy({})), constraintsToJson(kept)) << "no motion is the list that there was";
-  const Deformation on = deformed(next.movedBy({{}, 0, {}, onCircle(370) - onCircle(350)}));
+  const DeformResult on = deformed(next.movedBy({{}, 0, {}, onCircle(370) - onCircle(350)}));
   EXPECT_LT((turnOfTop(on) - Vector3(0, 370.0 / 360 * std::numbers::pi, 0)).norm(), 1e-9);
 }
 
@@ -158,8 +162,8 @@ TEST_F(DragAboutFixed, TurnedByARingItKeepsWhatItHasTurned)
 {
   for (const double degrees : {100, 190, 280}) static_cast<void>(frame(onCircle(degrees)));
   ConstraintDrag ring = dragOf(frame(onCircle(280)));
-  const ConstraintList turned = ring.movedBy({{0, 1, 0}, 30, ring.center(), {0, 0, 0}});
-  EXPECT_NEAR(std::get<Turn>(top(turned).motion).degrees, 310, 1e-9);
+  const ConstraintList rotated = ring.movedBy({{0, 1, 0}, 30, ring.center(), {0, 0, 0}});
+  EXPECT_NEAR(std::get<AxisRotation>(top(rotated).motion).degrees, 310, 1e-9);
 }
 
 }  // namespace

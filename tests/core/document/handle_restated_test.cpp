@@ -14,7 +14,7 @@ namespace {
 
 using testing::HasSubstr;
 
-using Motion = decltype(Handle::motion);
+using Motion = decltype(HandleConstraint::motion);
 
 /// A slender bar away from the origin, held at one end, with a handle at the other.
 class RestatedHandle : public testing::Test {
@@ -23,15 +23,18 @@ class RestatedHandle : public testing::Test {
   // Not ascending: entries are in the order of this list.
   const VertexIds top{{model.mesh.vertexCount() - 1, 40, 41, 36, 50}};
 
-  [[nodiscard]] ConstraintList listWith(const Handle& handle) const
+  [[nodiscard]] ConstraintList listWith(const HandleConstraint& handle) const
   {
-    return {"", {{"base", true, Fixed{{VertexIds{{0, 1, 2, 3}}}}}, {"top", false, handle}}};
+    return {"", {{"base", true, FixedConstraint{{VertexIds{{0, 1, 2, 3}}}}}, {"top", false, handle}}};
   }
-  [[nodiscard]] HandleSetting settingOf(const Handle& handle) const
+  [[nodiscard]] HandleSetting settingOf(const HandleConstraint& handle) const
   {
     return holdfast::settingOf(model, listWith(handle), 1, "list");
   }
-  [[nodiscard]] Handle handleThat(Motion motion) const { return {{top}, std::move(motion), {0.5, -0.25, 1}, {}}; }
+  [[nodiscard]] HandleConstraint handleThat(Motion motion) const
+  {
+    return {{top}, std::move(motion), {0.5, -0.25, 1}, {}};
+  }
 
   /// A motion of every kind, the last of them of vertices that all go their own way.
   [[nodiscard]] std::vector<Motion> motions() const
@@ -39,17 +42,17 @@ class RestatedHandle : public testing::Test {
     VertexTargets targets;
     for (const Index v : top.ids) targets.places.emplace_back(2 * model.mesh.positions.row(v).transpose());
     return {std::monostate{},
-            Turn{{0, 0, 1}, 90, {}},
-            Turn{{1, 2, 3}, 77, Vector3(1, 2, 3)},
-            Turn{{-1, 0, 0}, 180, {}},
-            Turn{{3, -1, 1}, 270, {}},
-            Turn{{3, -1, 1}, -1000, Vector3(30, -20, 12)},
-            TurnAboutFixed{},
+            AxisRotation{{0, 0, 1}, 90, {}},
+            AxisRotation{{1, 2, 3}, 77, Vector3(1, 2, 3)},
+            AxisRotation{{-1, 0, 0}, 180, {}},
+            AxisRotation{{3, -1, 1}, 270, {}},
+            AxisRotation{{3, -1, 1}, -1000, Vector3(30, -20, 12)},
+            RotationAboutFixed{},
             FrameMotion{{{}, {1, 1, 0}, {0, 1, 1}}, {Vector3(30, -20, 9), {0, 2, 0}, {0, 0, 1}}, 1},
             targets};
   }
 
-  void expectSamePicture(const Handle& before, const Handle& after) const
+  void expectSamePicture(const HandleConstraint& before, const HandleConstraint& after) const
   {
     const HandleSetting setting = settingOf(before);
     const HandlePlacement a = placeHandle(before, setting.rest, setting.surroundings, setting.where);
@@ -64,8 +67,8 @@ TEST_F(RestatedHandle, ByFramesGoesAndTurnsAsBefore)
   const auto all = motions();
   for (std::size_t k = 0; k + 1 < all.size(); ++k) {
     SCOPED_TRACE(k);
-    const Handle before = handleThat(all[k]);
-    const Handle after = byFrames(before, settingOf(before));
+    const HandleConstraint before = handleThat(all[k]);
+    const HandleConstraint after = byFrames(before, settingOf(before));
     EXPECT_TRUE(std::holds_alternative<FrameMotion>(after.motion));
     EXPECT_EQ(after.translate, before.translate);
     expectSamePicture(before, after);
@@ -74,7 +77,7 @@ TEST_F(RestatedHandle, ByFramesGoesAndTurnsAsBefore)
 
 TEST_F(RestatedHandle, ByFramesBeginsWithItsOwnAxesAtRest)
 {
-  const Handle before = handleThat(Turn{{0, 1, 0}, 30, {}});
+  const HandleConstraint before = handleThat(AxisRotation{{0, 1, 0}, 30, {}});
   const HandleSetting setting = settingOf(before);
   const auto frames = std::get<FrameMotion>(byFrames(before, setting).motion);
   EXPECT_LT((axesOf(frames.from) - principalAxes(setting.rest)).norm(), 1e-15);
@@ -85,7 +88,7 @@ TEST_F(RestatedHandle, ByFramesBeginsWithItsOwnAxesAtRest)
 TEST_F(RestatedHandle, ByFramesOfWholeTurnsIsRefused)
 {
   for (const double degrees : {360.0, -720.0, 360.01, 1e300}) {
-    const Handle handle = handleThat(Turn{{0, 0, 1}, degrees, {}});
+    const HandleConstraint handle = handleThat(AxisRotation{{0, 0, 1}, degrees, {}});
     try {
       (void)byFrames(handle, settingOf(handle));
       ADD_FAILURE() << degrees;
@@ -97,12 +100,12 @@ TEST_F(RestatedHandle, ByFramesOfWholeTurnsIsRefused)
 
 TEST_F(RestatedHandle, ByFramesOfTargetsIsTheRigidMotionThatFitsBest)
 {
-  const Handle before = handleThat(motions().back());
+  const HandleConstraint before = handleThat(motions().back());
   const HandleSetting setting = settingOf(before);
-  const auto place = [&](const Handle& handle) {
+  const auto place = [&](const HandleConstraint& handle) {
     return placeHandle(handle, setting.rest, setting.surroundings, setting.where);
   };
-  const Handle after = byFrames(before, setting);
+  const HandleConstraint after = byFrames(before, setting);
   EXPECT_LT((place(before).places.colwise().mean() - place(after).places.colwise().mean()).norm(), 1e-12);
   EXPECT_LT((place(before).q - place(after).q).norm(), 1e-12);
 }
@@ -111,22 +114,22 @@ TEST_F(RestatedHandle, ByTargetsGoesAndTurnsAsBefore)
 {
   for (const Motion& motion : motions()) {
     SCOPED_TRACE(motion.index());
-    const Handle before = handleThat(motion);
-    const Handle after = byTargets(before, settingOf(before));
+    const HandleConstraint before = handleThat(motion);
+    const HandleConstraint after = byTargets(before, settingOf(before));
     const auto& targets = std::get<VertexTargets>(after.motion);
     EXPECT_EQ(targets.places.size(), top.ids.size());
     expectSamePicture(before, after);
   }
-  const Handle turned = handleThat(Turn{{0, 0, 1}, 270, {}});
-  EXPECT_EQ(byTargets(turned, settingOf(turned)).rotations.size(), top.ids.size()) << "places alone say a quarter";
+  const HandleConstraint rotated = handleThat(AxisRotation{{0, 0, 1}, 270, {}});
+  EXPECT_EQ(byTargets(rotated, settingOf(rotated)).rotations.size(), top.ids.size()) << "places alone say a quarter";
 }
 
 TEST_F(RestatedHandle, WithRotationsGivesEachThatOfTheMotion)
 {
   for (const Motion& motion : motions()) {
     SCOPED_TRACE(motion.index());
-    const Handle before = handleThat(motion);
-    const Handle after = withRotations(before, settingOf(before));
+    const HandleConstraint before = handleThat(motion);
+    const HandleConstraint after = withRotations(before, settingOf(before));
     EXPECT_EQ(after.rotations.size(), top.ids.size());
     EXPECT_EQ(after.motion.index(), before.motion.index());
     expectSamePicture(before, after);
@@ -135,7 +138,7 @@ TEST_F(RestatedHandle, WithRotationsGivesEachThatOfTheMotion)
 
 TEST_F(RestatedHandle, EntriesForEachVertexNeedAListOfThem)
 {
-  Handle handle = handleThat(Turn{});
+  HandleConstraint handle = handleThat(AxisRotation{});
   handle.select.what = InHalfSpace{{30, -20, 12}, {0, 0, 1}};
   for (const auto restate : {&byTargets, &withRotations}) try {
       (void)restate(handle, settingOf(handle));
@@ -148,14 +151,14 @@ TEST_F(RestatedHandle, EntriesForEachVertexNeedAListOfThem)
 
 TEST_F(RestatedHandle, TooFewVerticesSayNoTargets)
 {
-  Handle handle = handleThat(Turn{});
+  HandleConstraint handle = handleThat(AxisRotation{});
   handle.select.what = VertexIds{{7, 3}};
   EXPECT_THROW((void)byTargets(handle, settingOf(handle)), InputError);
 }
 
 TEST_F(RestatedHandle, TurnsAboutWhatIsFixedOnlyWhereSomethingIs)
 {
-  const Handle handle = handleThat(TurnAboutFixed{});
+  const HandleConstraint handle = handleThat(RotationAboutFixed{});
   ConstraintList list = listWith(handle);
   EXPECT_TRUE(holdfast::settingOf(model, list, 1, "list").surroundings.fixedCenter);
   list.constraints[0].isEnabled = false;

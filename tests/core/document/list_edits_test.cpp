@@ -18,7 +18,7 @@ using Names = std::vector<std::string>;
 
 Constraint point(const std::string& name, Index vertex = 0)
 {
-  return {name, true, Point{AtVertex{vertex}, Move{}}};
+  return {name, true, PointConstraint{AtVertex{vertex}, Move{}}};
 }
 
 ConstraintList pointsNamed(const Names& names)
@@ -40,7 +40,7 @@ std::vector<Index> verticesOf(const ConstraintList& list)
 {
   std::vector<Index> vertices;
   for (const Constraint& constraint : list.constraints)
-    vertices.push_back(std::get<AtVertex>(std::get<Point>(constraint.what).at).vertex);
+    vertices.push_back(std::get<AtVertex>(std::get<PointConstraint>(constraint.what).at).vertex);
   return vertices;
 }
 
@@ -64,9 +64,9 @@ TEST(ListEdits, FindByName)
 
 TEST(ListEdits, FreshNamesFillTheFirstGap)
 {
-  EXPECT_EQ(freshName({}, "P"), "P1");
-  EXPECT_EQ(freshName(pointsNamed({"P1", "P3", "P", "Q2"}), "P"), "P2");
-  EXPECT_EQ(freshName(pointsNamed({"P2", "P1"}), "P"), "P3");
+  EXPECT_EQ(unusedName({}, "P"), "P1");
+  EXPECT_EQ(unusedName(pointsNamed({"P1", "P3", "P", "Q2"}), "P"), "P2");
+  EXPECT_EQ(unusedName(pointsNamed({"P2", "P1"}), "P"), "P3");
 }
 
 TEST(ListEdits, AddAtTheEnd)

@@ -20,7 +20,7 @@ namespace {
 using Kind = LiveEvent::Kind;
 using test::End;
 using test::Gate;
-using test::kLastStage;
+using test::kLastStep;
 using test::Latch;
 using test::Witness;
 using testing::ElementsAre;
@@ -58,10 +58,10 @@ TEST(LiveDeformer, GivesTheDeformationThatIsAskedFor)
   const auto model = plateModel();
   Witness witness;
   LiveDeformer live(model, witness.listener());
-  live.submit(1, dragged(0.5), "list", Supersede::AtNextStage);
+  live.submit(1, dragged(0.5), "list", Supersede::AtNextStep);
   const std::vector<LiveEvent> events = witness.eventsTo(1);
   EXPECT_EQ(events.front().kind, Kind::Started);
-  EXPECT_EQ(events[1].kind, Kind::Stage);
+  EXPECT_EQ(events[1].kind, Kind::Step);
   EXPECT_THAT(events[1].message, HasSubstr("operators"));
   ASSERT_EQ(events.back().kind, Kind::Done);
   EXPECT_EQ(events.back().deformation->positions, freshly(*model, *dragged(0.5)));
@@ -69,31 +69,31 @@ TEST(LiveDeformer, GivesTheDeformationThatIsAskedFor)
 
 TEST(LiveDeformer, AnEditGivesUpTheWorkUnderWayAndTellsNothingOfItsEnd)
 {
-  Witness witness(Gate{1, Kind::Stage, ""});
+  Witness witness(Gate{1, Kind::Step, ""});
   LiveDeformer live(plateModel(), witness.listener());
-  live.submit(1, dragged(1), "list", Supersede::AtNextStage);
+  live.submit(1, dragged(1), "list", Supersede::AtNextStep);
   ASSERT_TRUE(witness.isAtGate());
-  live.submit(2, dragged(2), "list", Supersede::AtNextStage);
+  live.submit(2, dragged(2), "list", Supersede::AtNextStep);
   witness.openGate();
   EXPECT_THAT(witness.endsTo(2), ElementsAre(End(2, Kind::Done)));
 }
 
 TEST(LiveDeformer, AnEditDuringTheLastStageKeepsTheOlderResultToItself)
 {
-  Witness witness(Gate{2, Kind::Stage, kLastStage});
+  Witness witness(Gate{2, Kind::Step, kLastStep});
   LiveDeformer live(plateModel(), witness.listener());
-  live.submit(1, dragged(1), "list", Supersede::AtNextStage);
+  live.submit(1, dragged(1), "list", Supersede::AtNextStep);
   ASSERT_THAT(witness.endsTo(1), ElementsAre(End(1, Kind::Done)));
-  live.submit(2, dragged(2), "list", Supersede::AtNextStage);
+  live.submit(2, dragged(2), "list", Supersede::AtNextStep);
   ASSERT_TRUE(witness.isAtGate());
-  live.submit(3, dragged(3), "list", Supersede::AtNextStage);
+  live.submit(3, dragged(3), "list", Supersede::AtNextStep);
   witness.openGate();
   EXPECT_THAT(witness.endsTo(3), ElementsAre(End(1, Kind::Done), End(3, Kind::Done)));
 }
 
 TEST(LiveDeformer, AFrameOfADragIsFinishedBeforeTheNext)
 {
-  Witness witness(Gate{1, Kind::Stage, ""});
+  Witness witness(Gate{1, Kind::Step, ""});
   LiveDeformer live(plateModel(), witness.listener());
   live.submit(1, dragged(1), "list", Supersede::WhenDone);
   ASSERT_TRUE(witness.isAtGate());
@@ -104,7 +104,7 @@ TEST(LiveDeformer, AFrameOfADragIsFinishedBeforeTheNext)
 
 TEST(LiveDeformer, OfStatesThatWaitOnlyTheNewestIsDeformed)
 {
-  Witness witness(Gate{1, Kind::Stage, ""});
+  Witness witness(Gate{1, Kind::Step, ""});
   LiveDeformer live(plateModel(), witness.listener());
   live.submit(1, dragged(1), "list", Supersede::WhenDone);
   ASSERT_TRUE(witness.isAtGate());
@@ -117,11 +117,11 @@ TEST(LiveDeformer, OfStatesThatWaitOnlyTheNewestIsDeformed)
 
 TEST(LiveDeformer, AnEditStandsWhereADragGoesOn)
 {
-  Witness witness(Gate{1, Kind::Stage, ""});
+  Witness witness(Gate{1, Kind::Step, ""});
   LiveDeformer live(plateModel(), witness.listener());
   live.submit(1, dragged(1), "list", Supersede::WhenDone);
   ASSERT_TRUE(witness.isAtGate());
-  live.submit(2, dragged(2), "list", Supersede::AtNextStage);
+  live.submit(2, dragged(2), "list", Supersede::AtNextStep);
   live.submit(3, dragged(3), "list", Supersede::WhenDone);
   witness.openGate();
   EXPECT_THAT(witness.endsTo(3), ElementsAre(End(3, Kind::Done)));
@@ -129,7 +129,7 @@ TEST(LiveDeformer, AnEditStandsWhereADragGoesOn)
 
 TEST(LiveDeformer, CancelEndsWhatIsUnderWayAndWhatWaits)
 {
-  Witness witness(Gate{1, Kind::Stage, ""});
+  Witness witness(Gate{1, Kind::Step, ""});
   LiveDeformer live(plateModel(), witness.listener());
   live.submit(1, dragged(1), "list", Supersede::WhenDone);
   ASSERT_TRUE(witness.isAtGate());
@@ -141,7 +141,7 @@ TEST(LiveDeformer, CancelEndsWhatIsUnderWayAndWhatWaits)
 
 TEST(LiveDeformer, CancelDuringTheLastStageKeepsTheResultToItself)
 {
-  Witness witness(Gate{2, Kind::Stage, kLastStage});
+  Witness witness(Gate{2, Kind::Step, kLastStep});
   LiveDeformer live(plateModel(), witness.listener());
   live.submit(1, dragged(1), "list", Supersede::WhenDone);
   ASSERT_THAT(witness.endsTo(1), ElementsAre(End(1, Kind::Done)));
@@ -154,12 +154,12 @@ TEST(LiveDeformer, CancelDuringTheLastStageKeepsTheResultToItself)
 
 TEST(LiveDeformer, CancelDoesNotReachWhatIsSubmittedAfterIt)
 {
-  Witness witness(Gate{1, Kind::Stage, ""});
+  Witness witness(Gate{1, Kind::Step, ""});
   LiveDeformer live(plateModel(), witness.listener());
   live.submit(1, dragged(1), "list", Supersede::WhenDone);
   ASSERT_TRUE(witness.isAtGate());
   live.cancel();
-  live.submit(2, dragged(2), "list", Supersede::AtNextStage);
+  live.submit(2, dragged(2), "list", Supersede::AtNextStep);
   witness.openGate();
   EXPECT_THAT(witness.endsTo(2), ElementsAre(End(1, Kind::Cancelled), End(2, Kind::Done)));
 }
@@ -212,7 +212,7 @@ TEST(LiveDeformer, FactorisesBesideWhatIsLeftBehind)
   LeftBehind factorisation(1);
   Witness witness;
   LiveDeformer live(plateModel(), witness.listener());
-  live.submit(1, dragged(1), "list", Supersede::AtNextStage);
+  live.submit(1, dragged(1), "list", Supersede::AtNextStep);
   EXPECT_THAT(witness.endsTo(1), ElementsAre(End(1, Kind::Done)));
 }
 
@@ -223,13 +223,13 @@ TEST(LiveDeformer, CancelWaitsForNoFactorisation)
   Witness witness;
   LiveDeformer live(model, witness.listener());
   live.submit(1, dragged(1), "list", Supersede::WhenDone);
-  ASSERT_TRUE(witness.hasStage(1, "factorising"));
+  ASSERT_TRUE(witness.hasStep(1, "factorising"));
   live.cancel();
   EXPECT_THAT(witness.endsTo(1), ElementsAre(End(1, Kind::Cancelled)));
   live.submit(2, dragged(2), "list", Supersede::WhenDone);
-  ASSERT_TRUE(witness.hasStage(2, "factorising"));
-  live.submit(3, dragged(3), "list", Supersede::AtNextStage);
-  ASSERT_TRUE(witness.hasStage(3, "factorising"));
+  ASSERT_TRUE(witness.hasStep(2, "factorising"));
+  live.submit(3, dragged(3), "list", Supersede::AtNextStep);
+  ASSERT_TRUE(witness.hasStep(3, "factorising"));
   factorisations.end();
   EXPECT_THAT(witness.endsTo(3), ElementsAre(End(1, Kind::Cancelled), End(3, Kind::Done)));
   EXPECT_EQ(witness.eventsTo(3).back().deformation->positions, freshly(*model, *dragged(3)));
@@ -255,13 +255,13 @@ TEST(LiveDeformer, SaysWhyAListIsUnusableAndGoesOn)
   const auto model = plateModel();
   Witness witness;
   LiveDeformer live(model, witness.listener());
-  live.submit(1, unusable(), "part.json", Supersede::AtNextStage);
+  live.submit(1, unusable(), "part.json", Supersede::AtNextStep);
   const LiveEvent refused = witness.eventsTo(1).back();
   EXPECT_EQ(refused.kind, Kind::Unusable);
   EXPECT_THAT(refused.message, HasSubstr("part.json"));
   EXPECT_THAT(refused.message, HasSubstr("there is no vertex 100000"));
   EXPECT_EQ(refused.deformation, nullptr);
-  live.submit(2, dragged(1), "part.json", Supersede::AtNextStage);
+  live.submit(2, dragged(1), "part.json", Supersede::AtNextStep);
   EXPECT_EQ(witness.eventsTo(2).back().deformation->positions, freshly(*model, *dragged(1)));
 }
 
@@ -271,7 +271,7 @@ TEST(LiveDeformer, AnUnusableListThatANewerOneReplacedIsNotToldOf)
   LiveDeformer live(plateModel(), witness.listener());
   live.submit(1, unusable(), "list", Supersede::WhenDone);
   ASSERT_TRUE(witness.isAtGate());
-  live.submit(2, dragged(1), "list", Supersede::AtNextStage);
+  live.submit(2, dragged(1), "list", Supersede::AtNextStep);
   witness.openGate();
   EXPECT_THAT(witness.endsTo(2), ElementsAre(End(2, Kind::Done)));
 }
@@ -298,7 +298,7 @@ TEST(LiveDeformer, AFrameAfterTheFirstFactorisesNothing)
   static_cast<void>(witness.eventsTo(1));
   live.submit(2, dragged(2), "list", Supersede::WhenDone);
   for (const LiveEvent& event : witness.eventsTo(2)) {
-    if (event.revision == 1 || event.kind != Kind::Stage) continue;
+    if (event.revision == 1 || event.kind != Kind::Step) continue;
     EXPECT_THAT(event.message, StartsWith("solving"));
   }
 }
@@ -313,7 +313,7 @@ TEST(LiveDeformer, OtherOptionsMakeAnotherDeformation)
   for (const Weights weights : {Weights::Cotangent, Weights::Uniform, Weights::Cotangent}) {
     options.weights = weights;
     const auto state = stateOf(dragged(1)->list, options);
-    live.submit(++revision, state, "list", Supersede::AtNextStage);
+    live.submit(++revision, state, "list", Supersede::AtNextStep);
     EXPECT_EQ(witness.eventsTo(revision).back().deformation->positions, freshly(*model, *state));
   }
 }

@@ -36,7 +36,7 @@ struct Gate {
 };
 
 /// What the worker says last before it solves.
-inline const std::string kLastStage = "solving";
+inline const std::string kLastStep = "solving";
 
 /// Takes down what the worker tells; stops it at a gate until it is opened.
 class Witness {
@@ -65,11 +65,11 @@ class Witness {
   }
 
   /// Whether the work on `revision` has come, in time, to a stage that begins so.
-  [[nodiscard]] bool hasStage(std::uint64_t revision, std::string_view start)
+  [[nodiscard]] bool hasStep(std::uint64_t revision, std::string_view start)
   {
     return waitUntil([&] {
       return std::any_of(events_.begin(), events_.end(), [&](const LiveEvent& event) {
-        return event.revision == revision && event.kind == LiveEvent::Kind::Stage && event.message.starts_with(start);
+        return event.revision == revision && event.kind == LiveEvent::Kind::Step && event.message.starts_with(start);
       });
     });
   }
@@ -90,7 +90,7 @@ class Witness {
 
   static bool isEnd(const LiveEvent& event)
   {
-    return event.kind != LiveEvent::Kind::Started && event.kind != LiveEvent::Kind::Stage;
+    return event.kind != LiveEvent::Kind::Started && event.kind != LiveEvent::Kind::Step;
   }
 
  private:

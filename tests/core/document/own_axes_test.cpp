@@ -57,9 +57,9 @@ TEST(OwnAxes, OfAPointFollowTheSurfaceThatIsShown)
 {
   const Model model = makeModel(test::grid(2, 2), "grid");
   const Eigen::Matrix3d R = rotationMatrix({1, 2, 3}, 50);
-  const Positions turned = model.mesh.positions * R.transpose();
+  const Positions rotated = model.mesh.positions * R.transpose();
   const SurfacePoint middle = canonical({{4, 1.0}});
-  EXPECT_LT((surfaceAxes(model, middle, turned).col(2) - R.col(2)).norm(), kRounding);
+  EXPECT_LT((surfaceAxes(model, middle, rotated).col(2) - R.col(2)).norm(), kRounding);
 }
 
 TEST(OwnAxes, OfAPointOnASeamSeeTheFacesOfBothSides)
@@ -78,10 +78,10 @@ TEST(OwnAxes, OfAPointOnASeamSeeTheFacesOfBothSides)
 TEST(OwnAxes, ArePrincipalOfAShaftAndOfAPlateAndOfNoBall)
 {
   const Eigen::Matrix3d R = rotationMatrix({3, -1, 2}, 77);
-  const auto turned = [&](const Mesh& mesh) { return Positions(mesh.positions * R.transpose()); };
-  EXPECT_NEAR(std::abs(principalAxes(turned(test::box({1, 1, 9}, 3))).col(2).dot(R.col(2))), 1, kRounding);
-  EXPECT_NEAR(std::abs(principalAxes(turned(test::box({6, 6, 1}, 3))).col(2).dot(R.col(2))), 1, kRounding);
-  EXPECT_EQ(principalAxes(turned(test::icosphere(2))), Eigen::Matrix3d::Identity());
+  const auto rotated = [&](const Mesh& mesh) { return Positions(mesh.positions * R.transpose()); };
+  EXPECT_NEAR(std::abs(principalAxes(rotated(test::box({1, 1, 9}, 3))).col(2).dot(R.col(2))), 1, kRounding);
+  EXPECT_NEAR(std::abs(principalAxes(rotated(test::box({6, 6, 1}, 3))).col(2).dot(R.col(2))), 1, kRounding);
+  EXPECT_EQ(principalAxes(rotated(test::icosphere(2))), Eigen::Matrix3d::Identity());
   Positions one(1, 3);
   one << 4, 5, 6;
   EXPECT_EQ(principalAxes(one), Eigen::Matrix3d::Identity());
@@ -92,23 +92,23 @@ TEST(OwnAxes, OfHandlesOfEveryKindTurnWithThem)
   const Model model = makeModel(test::quadBox({1, 1, 6}, 4), "bar");
   const Selection top{InHalfSpace{{0, 0, 3}, {0, 0, 1}}};
   const Selection base{InHalfSpace{{0, 0, 0.1}, {0, 0, -1}}};
-  const auto axesOfHandle = [&](const Handle& handle) {
-    const ConstraintList list{"", {{"base", true, Fixed{base}}, {"top", true, handle}}};
+  const auto axesOfHandle = [&](const HandleConstraint& handle) {
+    const ConstraintList list{"", {{"base", true, FixedConstraint{base}}, {"top", true, handle}}};
     const Index place = 1;
     return ConstraintDrag(model, list, {&place, 1}, "list").axes(model.mesh.positions);
   };
   const Eigen::Matrix3d still = axesOfHandle({top, {}, {0, 0, 0}, {}});
   EXPECT_LT((still.col(2) - Vector3::UnitZ()).norm(), kRounding) << "the axis of the bar";
   const Eigen::Matrix3d R = rotationMatrix({1, 0, 0}, 40);
-  EXPECT_LT((axesOfHandle({top, Turn{{1, 0, 0}, 40, {}}, {0, 0, 0}, {}}) - R * still).norm(), kRounding);
+  EXPECT_LT((axesOfHandle({top, AxisRotation{{1, 0, 0}, 40, {}}, {0, 0, 0}, {}}) - R * still).norm(), kRounding);
   const Frame from{{}, {1, 0, 0}, {0, 1, 0}};
   const Frame to{{}, R.col(0), R.col(1)};
   EXPECT_LT((axesOfHandle({top, FrameMotion{from, to, 0}, {0, 0, 0}, {}}) - R).norm(), kRounding);
   // Seen from the middle of the fixed end the handle goes from z by its shift.
-  const Handle about{top, TurnAboutFixed{}, {0, 2, -1}, {}};
-  const Eigen::Matrix3d turned = axesOfHandle(about);
-  expectAxes(turned);
-  EXPECT_GT(turned(1, 2), 0.2) << "z leans the way the handle went";
+  const HandleConstraint about{top, RotationAboutFixed{}, {0, 2, -1}, {}};
+  const Eigen::Matrix3d rotated = axesOfHandle(about);
+  expectAxes(rotated);
+  EXPECT_GT(rotated(1, 2), 0.2) << "z leans the way the handle went";
 }
 
 }  // namespace

@@ -83,7 +83,7 @@ TEST(PointListText, TakesTheCellsOfASpreadsheet)
   EXPECT_EQ(list.constraints[1].name, "3\" pipe");
   EXPECT_EQ(list.constraints[2].name, "a\ttab, \"quoted\"");
   EXPECT_EQ(list.constraints[3].name, "point 4");
-  EXPECT_EQ(std::get<AtNear>(std::get<Point>(list.constraints[1].what).at).place, Vector3(1, 2, 3));
+  EXPECT_EQ(std::get<AtNear>(std::get<PointConstraint>(list.constraints[1].what).at).place, Vector3(1, 2, 3));
   expectPasteRefused(header + "A\t1,5\t2\t3\t4\t5\t6\r\n", "the decimal sign is a point");
 }
 

@@ -21,7 +21,7 @@ namespace {
 double sizeOf(const Dependency& dependency)
 {
   double size = 1;
-  for (const Partner& partner : dependency.partners) size += std::abs(partner.coefficient);
+  for (const Term& term : dependency.terms) size += std::abs(term.coefficient);
   return size;
 }
 
@@ -97,10 +97,10 @@ void expectSame(const std::vector<Dependency>& found, const std::vector<Dependen
   for (std::size_t k = 0; k < found.size(); ++k) {
     EXPECT_EQ(found[k].row, expected[k].row);
     const double size = sizeOf(expected[k]);
-    ASSERT_EQ(found[k].partners.size(), expected[k].partners.size()) << "of row " << found[k].row;
-    for (std::size_t p = 0; p < found[k].partners.size(); ++p) {
-      EXPECT_EQ(found[k].partners[p].row, expected[k].partners[p].row);
-      EXPECT_NEAR(found[k].partners[p].coefficient, expected[k].partners[p].coefficient, 1e-12 * size);
+    ASSERT_EQ(found[k].terms.size(), expected[k].terms.size()) << "of row " << found[k].row;
+    for (std::size_t p = 0; p < found[k].terms.size(); ++p) {
+      EXPECT_EQ(found[k].terms[p].index, expected[k].terms[p].index);
+      EXPECT_NEAR(found[k].terms[p].coefficient, expected[k].terms[p].coefficient, 1e-12 * size);
     }
   }
 }
@@ -195,8 +195,7 @@ TEST_P(Dependencies, AreJudgedByTheirGapsInEveryOrder)
     std::vector<RowStatus> status(order.size(), RowStatus::Independent);
     for (std::size_t k = 0; k < expected.size(); ++k) {
       Vector3 gap = shifts.row(order[expected[k].row]);
-      for (const Partner& partner : expected[k].partners)
-        gap -= partner.coefficient * shifts.row(order[partner.row]).transpose();
+      for (const Term& term : expected[k].terms) gap -= term.coefficient * shifts.row(order[term.index]).transpose();
       status[expected[k].row] = gap.norm() > 1e-6 ? RowStatus::Conflicting : RowStatus::Redundant;
       EXPECT_LT((diagnosis.dependent[k].gap - gap).norm(), 1e-14 * sizeOf(expected[k]));
     }
@@ -212,8 +211,8 @@ TEST_P(Dependencies, LeaveIndependentRowsThatSpanTheSame)
   const std::vector<Index> independent = independentRows(dependencies, rows.size());
   EXPECT_EQ(independent.size() + dependencies.size(), rows.size());
   for (const Dependency& dependency : dependencies)
-    for (const Partner& partner : dependency.partners)
-      EXPECT_TRUE(std::binary_search(independent.begin(), independent.end(), partner.row));
+    for (const Term& term : dependency.terms)
+      EXPECT_TRUE(std::binary_search(independent.begin(), independent.end(), term.index));
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, Dependencies, testing::ValuesIn(dependentPoints()),

@@ -67,9 +67,9 @@ TEST(Elimination, FreeUnknownsHaveIdentityColumnsAndPinnedOnesNone)
     std::vector<bool> isPinned(static_cast<std::size_t>(Q2.rows()), false);
     std::vector<bool> isNamed = isPinned;
     for (const RowTerms& row : problem.eliminated.rows)
-      for (const PointTerm& term : row) isNamed[term.vertex] = true;
+      for (const Term& term : row) isNamed[term.index] = true;
     for (const Index row : independentRows(problem.eliminated.dependencies, problem.eliminated.rows.size()))
-      if (problem.system.rows[row].isPin()) isPinned[problem.system.rows[row].terms[0].vertex] = true;
+      if (problem.system.rows[row].isPin()) isPinned[problem.system.rows[row].terms[0].index] = true;
     for (Index u = 0; u < Q2.rows(); ++u) {
       if (isPinned[u] || problem.eliminated.isHeld[u]) {
         EXPECT_EQ(Q2.row(u).squaredNorm(), 0) << u;
@@ -90,7 +90,7 @@ TEST(Elimination, TheParticularDisplacementMeetsIndependentRowsAndCopiesPins)
     for (const Index row : independentRows(problem.eliminated.dependencies, problem.system.rows.size())) {
       EXPECT_LT(missed.row(row).norm(), 1e-13) << row;
       if (problem.system.rows[row].isPin()) {
-        EXPECT_EQ(u.row(problem.system.rows[row].terms[0].vertex), d.row(row)) << row;
+        EXPECT_EQ(u.row(problem.system.rows[row].terms[0].index), d.row(row)) << row;
       }
     }
   });

@@ -32,7 +32,8 @@ ConstraintList overlappingPoints(std::uint32_t seed)
       constraints.push_back(constraints[random.integer(0, k - 1)]);
       continue;
     }
-    const Index face = k % 7 == 6 ? std::get<AtFace>(std::get<Point>(constraints[k / 2].what).at).face : 5 * k / 2;
+    const Index face =
+        k % 7 == 6 ? std::get<AtFace>(std::get<PointConstraint>(constraints[k / 2].what).at).face : 5 * k / 2;
     constraints.push_back(test::moveBy(randomFacePoint(random, face), shift));
   }
   return test::listOf(std::move(constraints));
@@ -60,12 +61,12 @@ void expectAlike(const std::vector<Dependency>& sparse, const std::vector<Depend
   ASSERT_EQ(sparse.size(), sequential.size());
   for (std::size_t k = 0; k < sparse.size(); ++k) {
     EXPECT_EQ(sparse[k].row, sequential[k].row);
-    ASSERT_EQ(sparse[k].partners.size(), sequential[k].partners.size()) << "row " << sparse[k].row;
+    ASSERT_EQ(sparse[k].terms.size(), sequential[k].terms.size()) << "row " << sparse[k].row;
     double largest = 1;
-    for (const Partner& partner : sequential[k].partners) largest = std::max(largest, std::abs(partner.coefficient));
-    for (std::size_t p = 0; p < sparse[k].partners.size(); ++p) {
-      EXPECT_EQ(sparse[k].partners[p].row, sequential[k].partners[p].row);
-      EXPECT_NEAR(sparse[k].partners[p].coefficient, sequential[k].partners[p].coefficient, 1e-8 * largest);
+    for (const Term& term : sequential[k].terms) largest = std::max(largest, std::abs(term.coefficient));
+    for (std::size_t p = 0; p < sparse[k].terms.size(); ++p) {
+      EXPECT_EQ(sparse[k].terms[p].index, sequential[k].terms[p].index);
+      EXPECT_NEAR(sparse[k].terms[p].coefficient, sequential[k].terms[p].coefficient, 1e-8 * largest);
     }
   }
 }
@@ -109,9 +110,9 @@ TEST(LargeComponents, AreMetToThePromise)
   ConstraintList list = overlappingPoints(17);
   for (const Index face : {3, 700, 1100})
     list.constraints.push_back({"far " + std::to_string(face), true,
-                                Point{randomFacePoint(random, face), Move{test::randomVector(random, 0.3)}}});
+                                PointConstraint{randomFacePoint(random, face), Move{test::randomVector(random, 0.3)}}});
   for (const Backend backend : test::backends()) {
-    const Deformation result = test::deformed(mesh, list, {Weights::Cotangent, {SolverKind::Hard, backend, 5}});
+    const DeformResult result = test::deformed(mesh, list, {Weights::Cotangent, {SolverKind::Hard, backend, 5}});
     EXPECT_NE(result.report.solve.status, SolveStatus::Failed) << result.report.solve.message;
     EXPECT_LE(result.report.solve.maxResidualRelative, 1e-12);
   }
@@ -146,12 +147,12 @@ struct AnywhereInside {
   }
 };
 
-Mesh turned(const Mesh& mesh)
+Mesh rotated(const Mesh& mesh)
 {
   return test::transformed(mesh, Eigen::Affine3d(Eigen::AngleAxisd(0.7, Vector3(1, 2, 3).normalized())));
 }
 
-std::size_t countOf(const Deformation& result, ConstraintStatus status)
+std::size_t countOf(const DeformResult& result, ConstraintStatus status)
 {
   return std::count_if(result.report.constraints.begin(), result.report.constraints.end(),
                        [&](const ConstraintOutcome& outcome) { return outcome.status == status; });
@@ -161,10 +162,10 @@ TEST(LargeComponents, PointsThatTellEveryVertexSeveralTimesOverAreMet)
 {
   // Rounding of the targets grows along the circuits of the earliest basis; nothing may come of it.
   const Mesh mesh = test::plate(9, 8);
-  const Mesh target = turned(mesh);
+  const Mesh target = rotated(mesh);
   for (const Backend backend : test::backends()) {
-    const Deformation result = test::deformed(mesh, pointsOfEveryFace(target, nearEachCorner),
-                                              {Weights::Cotangent, {SolverKind::Hard, backend, 5}});
+    const DeformResult result = test::deformed(mesh, pointsOfEveryFace(target, nearEachCorner),
+                                               {Weights::Cotangent, {SolverKind::Hard, backend, 5}});
     EXPECT_EQ(result.report.solve.status, SolveStatus::Ok) << result.report.solve.message;
     EXPECT_EQ(countOf(result, ConstraintStatus::Redundant), result.report.constraints.size() - mesh.vertexCount());
     EXPECT_LE(result.report.solve.maxResidualRelative, 1e-14);
@@ -177,13 +178,13 @@ TEST(LargeComponents, AgreeingPointsAreMetHoweverFarTheirCircuitsLead)
 {
   // By the earliest basis, coefficients would grow to 1e16 here: no order of the digits of a double holds that.
   const Mesh mesh = test::plate(20, 20);
-  const Mesh target = turned(mesh);
+  const Mesh target = rotated(mesh);
   for (const Backend backend : test::backends())
     for (std::uint32_t seed = 1; seed < 4; ++seed) {
       SCOPED_TRACE(seed);
       test::Random random(seed);
-      const Deformation result = test::deformed(mesh, pointsOfEveryFace(target, AnywhereInside{random}),
-                                                {Weights::Cotangent, {SolverKind::Hard, backend, 5}});
+      const DeformResult result = test::deformed(mesh, pointsOfEveryFace(target, AnywhereInside{random}),
+                                                 {Weights::Cotangent, {SolverKind::Hard, backend, 5}});
       EXPECT_EQ(result.report.solve.status, SolveStatus::Ok) << result.report.solve.message;
       EXPECT_EQ(countOf(result, ConstraintStatus::Conflicting), 0U);
       EXPECT_LE(result.report.solve.maxResidualRelative, 1e-14);
@@ -194,11 +195,11 @@ TEST(LargeComponents, PointsThatDisagreeAreLeftOutAndTheOthersMet)
 {
   const Mesh mesh = test::plate(12, 12);
   test::Random random(5);
-  ConstraintList list = pointsOfEveryFace(turned(mesh), AnywhereInside{random});
+  ConstraintList list = pointsOfEveryFace(rotated(mesh), AnywhereInside{random});
   for (Constraint& constraint : list.constraints)
-    std::get<Target>(std::get<Point>(constraint.what).to).place += test::randomVector(random, 1e-3);
+    std::get<Target>(std::get<PointConstraint>(constraint.what).to).place += test::randomVector(random, 1e-3);
   for (const Backend backend : test::backends()) {
-    const Deformation result = test::deformed(mesh, list, {Weights::Cotangent, {SolverKind::Hard, backend, 5}});
+    const DeformResult result = test::deformed(mesh, list, {Weights::Cotangent, {SolverKind::Hard, backend, 5}});
     EXPECT_EQ(result.report.solve.status, SolveStatus::Conflicts) << result.report.solve.message;
     EXPECT_EQ(countOf(result, ConstraintStatus::Met), static_cast<std::size_t>(mesh.vertexCount()));
     EXPECT_LE(result.report.solve.maxResidualRelative, 1e-12);

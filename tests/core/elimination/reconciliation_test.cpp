@@ -38,7 +38,7 @@ double largestMiss(const EliminatedList& problem, const Columns3& u, const Colum
   double largest = 0;
   for (std::size_t r = 0; r < problem.eliminated.rows.size(); ++r) {
     Vector3 missed = d.row(r);
-    for (const PointTerm& term : problem.eliminated.rows[r]) missed -= term.weight * u.row(term.vertex).transpose();
+    for (const Term& term : problem.eliminated.rows[r]) missed -= term.coefficient * u.row(term.index).transpose();
     largest = std::max(largest, missed.norm());
   }
   return largest;
@@ -54,12 +54,12 @@ TEST(Reconciliation, MissesNoRowByMoreThanTheSmallestChangeThatMakesAllAgree)
   d(dependency.row, 0) = gap;
 
   double squares = 1;
-  for (const Partner& partner : dependency.partners) squares += partner.coefficient * partner.coefficient;
+  for (const Term& term : dependency.terms) squares += term.coefficient * term.coefficient;
   const Columns3 u = problem.eliminated.elimination.reconciledParticular({dependency.row}, d);
   double squaresOfMisses = 0;
   for (std::size_t r = 0; r < problem.eliminated.rows.size(); ++r) {
     Vector3 missed = d.row(r);
-    for (const PointTerm& term : problem.eliminated.rows[r]) missed -= term.weight * u.row(term.vertex).transpose();
+    for (const Term& term : problem.eliminated.rows[r]) missed -= term.coefficient * u.row(term.index).transpose();
     squaresOfMisses += missed.squaredNorm();
   }
   EXPECT_NEAR(std::sqrt(squaresOfMisses), gap / std::sqrt(squares), 1e-9 * gap);

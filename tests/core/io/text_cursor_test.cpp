@@ -71,12 +71,12 @@ TEST(NumberText, ExtremesReadBackTheSame)
 TEST(NumberText, WhatIsNoNumberIsSaidToBeNone)
 {
   for (const char* token : {"", "+", "-", ".", "e5", "1e", "1,5", "0x1", "--1", "+-1", "++1", "1 ", "infinit"})
-    EXPECT_EQ(parseDouble(token).fault, NumberFault::kNotANumber) << token;
+    EXPECT_EQ(parseDouble(token).fault, NumberFault::NotANumber) << token;
   for (const char* token : {"", "+", "1.0", "1e3", "+-1", "0x1", "one"})
-    EXPECT_EQ(parseInteger(token).fault, NumberFault::kNotANumber) << token;
+    EXPECT_EQ(parseInteger(token).fault, NumberFault::NotANumber) << token;
   for (const char* token : {"1e309", "-1e309", "1e-400"})
-    EXPECT_EQ(parseDouble(token).fault, NumberFault::kOutOfRange) << token;
-  EXPECT_EQ(parseInteger("9223372036854775808").fault, NumberFault::kOutOfRange);
+    EXPECT_EQ(parseDouble(token).fault, NumberFault::OutOfRange) << token;
+  EXPECT_EQ(parseInteger("9223372036854775808").fault, NumberFault::OutOfRange);
 }
 
 }  // namespace

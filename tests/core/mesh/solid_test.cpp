@@ -24,12 +24,12 @@ std::vector<Index> turnedRound(std::span<const Index> face)
 /// The same with every face turned round.
 Mesh insideOut(const Mesh& mesh)
 {
-  Mesh turned;
-  turned.positions = mesh.positions;
+  Mesh rotated;
+  rotated.positions = mesh.positions;
   for (Index f = 0; f < mesh.faces.size(); ++f) {
-    turned.faces.add(turnedRound(mesh.faces[f]));
+    rotated.faces.add(turnedRound(mesh.faces[f]));
   }
-  return turned;
+  return rotated;
 }
 
 Mesh withoutFace(const Mesh& mesh, Index face)

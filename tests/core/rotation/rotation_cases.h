@@ -74,9 +74,10 @@ void forEachGuardedCase(Check&& check)
 }
 
 [[nodiscard]] inline RotationProblem problemOf(const SolverMesh& mesh, Weights weights, std::vector<Index> prescribed,
-                                               std::vector<std::vector<Index>> groups = {})
+                                               std::vector<std::vector<Index>> rigidRegions = {})
 {
-  return {mesh.unknownCount(), rotationEdgeWeights(mesh, weights).edges, std::move(prescribed), std::move(groups)};
+  return {mesh.unknownCount(), rotationEdgeWeights(mesh, weights).edges, std::move(prescribed),
+          std::move(rigidRegions)};
 }
 
 /// `count` different unknowns in random order.
@@ -101,9 +102,9 @@ void forEachGuardedCase(Check&& check)
 /// The field, or one of no rows after a failure of the running test.
 [[nodiscard]] inline RotationField solved(const RotationProblem& problem, Backend backend, const Columns3& values)
 {
-  const RotationFieldAttempt attempt = decomposeRotations(problem, backend);
-  EXPECT_NE(attempt.solver, nullptr) << attempt.failure;
-  return attempt.solver == nullptr ? RotationField{} : attempt.solver->solve(values);
+  const RotationFieldResult result = makeRotationFieldSolver(problem, backend);
+  EXPECT_NE(result.value, nullptr) << result.failure;
+  return result.value == nullptr ? RotationField{} : result.value->solve(values);
 }
 
 }  // namespace holdfast::test

@@ -160,12 +160,12 @@ TEST(RotationField, IsOneRotationInsideEachRegion)
     const std::vector<Index> unknowns = someUnknowns(random, mesh, 12);
     const std::vector<Index> given{unknowns[0], unknowns[1], unknowns[2]};
     // Two that overlap in unknown 5, one with a given unknown, one that is empty.
-    const std::vector<std::vector<Index>> groups{{unknowns[3], unknowns[4], unknowns[5]},
-                                                 {unknowns[5], unknowns[6], unknowns[7]},
-                                                 {unknowns[8], unknowns[1], unknowns[9]},
-                                                 {}};
+    const std::vector<std::vector<Index>> rigidRegions{{unknowns[3], unknowns[4], unknowns[5]},
+                                                       {unknowns[5], unknowns[6], unknowns[7]},
+                                                       {unknowns[8], unknowns[1], unknowns[9]},
+                                                       {}};
     const RotationField field =
-        solved(problemOf(mesh, weights, given, groups), backend, rows({{0, 0, 0}, {1, 2, 3}, {-1, 0, 2}}));
+        solved(problemOf(mesh, weights, given, rigidRegions), backend, rows({{0, 0, 0}, {1, 2, 3}, {-1, 0, 2}}));
     for (const int k : {4, 5, 6, 7}) EXPECT_EQ(field.q.row(unknowns[k]), field.q.row(unknowns[3]));
     for (const int k : {8, 9}) EXPECT_EQ(Vector3(field.q.row(unknowns[k])), Vector3(1, 2, 3));
     EXPECT_TRUE(field.gaps.empty());
@@ -292,24 +292,24 @@ TEST(RotationFieldSolver, ServesOtherValuesAsAFreshOneWould)
       const SolverMesh mesh = solverMeshOf(test::plate(7, 5));
       const Boundary boundary = boundaryOf(mesh, {{1, 2, 3}, {0, 0, 0}, {-2, 1, 0}}, 6);
       const RotationProblem problem = problemOf(mesh, weights, boundary.unknowns);
-      const RotationFieldAttempt used = decomposeRotations(problem, backend);
-      ASSERT_NE(used.solver, nullptr) << used.failure;
-      const RotationField first = used.solver->solve(-7 * boundary.values);
-      EXPECT_EQ(used.solver->solve(boundary.values).q, solved(problem, backend, boundary.values).q);
-      EXPECT_EQ(used.solver->solve(-7 * boundary.values).q, first.q);
+      const RotationFieldResult used = makeRotationFieldSolver(problem, backend);
+      ASSERT_NE(used.value, nullptr) << used.failure;
+      const RotationField first = used.value->solve(-7 * boundary.values);
+      EXPECT_EQ(used.value->solve(boundary.values).q, solved(problem, backend, boundary.values).q);
+      EXPECT_EQ(used.value->solve(-7 * boundary.values).q, first.q);
     }
 }
 
 TEST(RotationFieldSolver, TellsWhatItSolvedAndHowWell)
 {
   const SolverMesh mesh = solverMeshOf(test::plate(7, 5));
-  const RotationFieldAttempt attempt =
-      decomposeRotations(problemOf(mesh, Weights::Cotangent, {0, 47}, {{1, 2, 3}}), defaultBackend());
-  ASSERT_NE(attempt.solver, nullptr) << attempt.failure;
-  EXPECT_EQ(attempt.solver->unknowns(), 48 - 2 - 2);
-  EXPECT_GT(attempt.solver->factorNonzeros(), 44);
-  EXPECT_THAT(attempt.solver->method(), testing::HasSubstr("Cholesky"));
-  const RotationField field = attempt.solver->solve(rows({{0, 0, 0}, {1, 1, 1}}));
+  const RotationFieldResult result =
+      makeRotationFieldSolver(problemOf(mesh, Weights::Cotangent, {0, 47}, {{1, 2, 3}}), defaultBackend());
+  ASSERT_NE(result.value, nullptr) << result.failure;
+  EXPECT_EQ(result.value->unknowns(), 48 - 2 - 2);
+  EXPECT_GT(result.value->factorNonzeros(), 44);
+  EXPECT_THAT(result.value->method(), testing::HasSubstr("Cholesky"));
+  const RotationField field = result.value->solve(rows({{0, 0, 0}, {1, 1, 1}}));
   EXPECT_GE(field.corrections, 1);
   EXPECT_LE(field.accuracy, 1e-13);
 }
@@ -317,24 +317,24 @@ TEST(RotationFieldSolver, TellsWhatItSolvedAndHowWell)
 TEST(RotationFieldSolver, NamesAnEdgeWhoseWeightIsNotFinite)
 {
   const SolverMesh mesh = solverMeshOf(test::triangle({0, 0, 0}, {1, 0, 0}, {3, 0, 0}));
-  const RotationFieldAttempt attempt =
-      decomposeRotations(problemOf(mesh, Weights::CotangentPaper, {0}), defaultBackend());
-  EXPECT_EQ(attempt.solver, nullptr);
-  EXPECT_THAT(attempt.failure, testing::HasSubstr("the edge between unknowns 0 and 1 is not finite"));
-  EXPECT_THAT(attempt.failure, testing::HasSubstr("use the weights \"cotangent\""));
+  const RotationFieldResult result =
+      makeRotationFieldSolver(problemOf(mesh, Weights::CotangentPaper, {0}), defaultBackend());
+  EXPECT_EQ(result.value, nullptr);
+  EXPECT_THAT(result.failure, testing::HasSubstr("the edge between unknowns 0 and 1 is not finite"));
+  EXPECT_THAT(result.failure, testing::HasSubstr("use the weights \"cotangent\""));
 }
 
 TEST(RotationFieldSolver, GivesTheReasonWhereNegativeWeightsLeaveNoAnswer)
 {
   for (const Backend backend : test::backends()) {
     // Unknown 1 is pulled and pushed alike.
-    const RotationFieldAttempt loose = decomposeRotations({3, {{0, 1, 1}, {1, 2, -1}}, {0, 2}, {}}, backend);
-    EXPECT_EQ(loose.solver, nullptr);
+    const RotationFieldResult loose = makeRotationFieldSolver({3, {{0, 1, 1}, {1, 2, -1}}, {0, 2}, {}}, backend);
+    EXPECT_EQ(loose.value, nullptr);
     EXPECT_THAT(loose.failure, testing::HasSubstr("the rotation field: unknown 0 of 1 is in no equation"));
     // 4 q_1 - 3 q_2 = q_0 and -3 q_1 + 2.25 q_2 = -0.75 q_0: the left sides are multiples of one another.
-    const RotationFieldAttempt together =
-        decomposeRotations({3, {{0, 1, 1}, {0, 2, -0.75}, {1, 2, 3}}, {0}, {}}, backend);
-    EXPECT_EQ(together.solver, nullptr);
+    const RotationFieldResult together =
+        makeRotationFieldSolver({3, {{0, 1, 1}, {0, 2, -0.75}, {1, 2, 3}}, {0}, {}}, backend);
+    EXPECT_EQ(together.value, nullptr);
     EXPECT_THAT(together.failure, testing::HasSubstr("the normal equations"));
   }
 }

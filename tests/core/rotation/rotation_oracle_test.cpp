@@ -57,10 +57,10 @@ std::vector<Index> smallestTied(const Eigen::MatrixXd& isTied)
   return smallest;
 }
 
-Eigen::MatrixXd tiesOf(const std::vector<std::vector<Index>>& groups, Index n)
+Eigen::MatrixXd tiesOf(const std::vector<std::vector<Index>>& rigidRegions, Index n)
 {
   Eigen::MatrixXd ties = Eigen::MatrixXd::Zero(n, n);
-  for (const std::vector<Index>& group : groups)
+  for (const std::vector<Index>& group : rigidRegions)
     for (const Index i : group)
       for (const Index j : group) ties(i, j) = 1;
   return ties;
@@ -75,10 +75,10 @@ struct DenseSolution {
 /// first of its region, the sum of L q over a region at its first, and q = 0 where no edge or region leads to anything
 /// given.
 DenseSolution denseField(const Eigen::MatrixXd& W, const std::vector<Index>& given,
-                         const std::vector<std::vector<Index>>& groups, const Columns3& values)
+                         const std::vector<std::vector<Index>>& rigidRegions, const Columns3& values)
 {
   const Index n = W.rows();
-  const Eigen::MatrixXd ties = tiesOf(groups, n);
+  const Eigen::MatrixXd ties = tiesOf(rigidRegions, n);
   const std::vector<Index> regionOf = smallestTied(ties);
   const std::vector<Index> partOf = smallestTied(ties + W.cwiseAbs());
   std::vector<Index> anchorOf(static_cast<std::size_t>(n), -1);
@@ -129,16 +129,16 @@ void expectDenseSolution(std::uint32_t seed, Weights weights, bool withRegions)
   Random random(seed);
   const SolverMesh mesh = test::solverMeshOf(randomMesh(random, weights));
   const std::vector<Index> given = test::someUnknowns(random, mesh, 5);
-  std::vector<std::vector<Index>> groups;
-  for (int k = 0; withRegions && k < 4; ++k) groups.push_back(test::someUnknowns(random, mesh, 3));
+  std::vector<std::vector<Index>> rigidRegions;
+  for (int k = 0; withRegions && k < 4; ++k) rigidRegions.push_back(test::someUnknowns(random, mesh, 3));
   Columns3 values(5, 3);
   for (Index k = 0; k < 5; ++k) values.row(k) = test::randomVector(random, 3);
 
-  const DenseSolution expected = denseField(denseWeights(mesh, weights), given, groups, values);
+  const DenseSolution expected = denseField(denseWeights(mesh, weights), given, rigidRegions, values);
   const double tolerance = 100 * std::numeric_limits<double>::epsilon() * expected.condition;
   ASSERT_LT(tolerance, 1e-6) << "this random mesh is no oracle";
   for (const Backend backend : test::backends()) {
-    const RotationField found = test::solved(test::problemOf(mesh, weights, given, groups), backend, values);
+    const RotationField found = test::solved(test::problemOf(mesh, weights, given, rigidRegions), backend, values);
     ASSERT_EQ(found.q.rows(), mesh.unknownCount());
     EXPECT_LE((found.q - expected.q).cwiseAbs().maxCoeff(), tolerance * expected.q.cwiseAbs().maxCoeff())
         << name(backend) << ", condition " << expected.condition;

@@ -65,7 +65,7 @@ SparseMatrix cubeOfSprings(Index n)
   return M;
 }
 
-FactorAttempt cholesky(std::shared_ptr<const SparseMatrix> C, Backend backend)
+FactorResult cholesky(std::shared_ptr<const SparseMatrix> C, Backend backend)
 {
 #ifdef HOLDFAST_WITH_CHOLMOD
   if (backend == Backend::Cholmod) return choleskyBySuiteSparse(std::move(C));
@@ -78,13 +78,13 @@ class Factorize : public testing::TestWithParam<Backend> {};
 
 TEST_P(Factorize, UsesTheNormalEquationsWhereTheyWillDo)
 {
-  const ScaledColumns scaled = scaleColumns(chain(20, 3));
+  const ScaledColumns scaled = scaleColumns(chain(20, 3)).value;
   const Columns3 probe = Columns3::Random(20, 3);
-  const FactorAttempt attempt = factorize(scaled.C, GetParam(), probe);
-  ASSERT_NE(attempt.factor, nullptr) << attempt.failure;
-  EXPECT_THAT(std::string(attempt.factor->method()), HasSubstr("normal equations"));
-  EXPECT_GE(attempt.factor->nonzeros(), 20);
-  EXPECT_LT((attempt.factor->solve(*scaled.C * probe) - probe).norm(), 1e-10);
+  const FactorResult result = factorize(scaled.C, GetParam(), probe);
+  ASSERT_NE(result.value, nullptr) << result.failure;
+  EXPECT_THAT(std::string(result.value->method()), HasSubstr("normal equations"));
+  EXPECT_GE(result.value->nonzeros(), 20);
+  EXPECT_LT((result.value->solve(*scaled.C * probe) - probe).norm(), 1e-10);
 }
 
 TEST_P(Factorize, TurnsToSparseQrWhereNormalEquationsAreNotPositiveDefinite)
@@ -92,18 +92,18 @@ TEST_P(Factorize, TurnsToSparseQrWhereNormalEquationsAreNotPositiveDefinite)
   // With bars 1e9 times as stiff as the ground, 1 + 1e-18 rounds to 1 and pivots vanish; a common move of all joints
   // strains the ground alone, and is found to full accuracy through R.
   const Index n = 6;
-  const ScaledColumns scaled = scaleColumns(chain(n, 1e9));
+  const ScaledColumns scaled = scaleColumns(chain(n, 1e9)).value;
   const Columns3 probe = scaled.scale.cwiseInverse().asDiagonal() * Columns3::Ones(n, 3);
-  const FactorAttempt byCholesky = cholesky(scaled.C, GetParam());
-  EXPECT_EQ(byCholesky.factor, nullptr);
+  const FactorResult byCholesky = cholesky(scaled.C, GetParam());
+  EXPECT_EQ(byCholesky.value, nullptr);
   EXPECT_THAT(byCholesky.failure, HasSubstr("not positive definite"));
 
-  const FactorAttempt attempt = factorize(scaled.C, GetParam(), probe);
-  ASSERT_NE(attempt.factor, nullptr) << attempt.failure;
-  EXPECT_THAT(std::string(attempt.factor->method()), HasSubstr("sparse QR"));
+  const FactorResult result = factorize(scaled.C, GetParam(), probe);
+  ASSERT_NE(result.value, nullptr) << result.failure;
+  EXPECT_THAT(std::string(result.value->method()), HasSubstr("sparse QR"));
   Columns3 f = Columns3::Zero(2 * n - 1, 3);
   f.bottomRows(n) << 1, 2, 3, 4, 5, 6, 7, 8, 9, 1, 0, 2, 3, 1, 4, 1, 5, 9;
-  const CorrectedSolution solution = correctedSolve(*attempt.factor, *scaled.C, scaled.scale, f);
+  const CorrectedSolution solution = correctedSolve(*result.value, *scaled.C, scaled.scale, f);
   const Columns3 x = scaled.scale.asDiagonal() * solution.z;
   const Eigen::MatrixXd expected = test::leastSquaresInLongDouble(chain(n, 1e9), f);
   EXPECT_LT((x - expected).norm(), 1e-12 * expected.norm());
@@ -113,29 +113,29 @@ TEST_P(Factorize, GivesBothReasonsWhereNothingWorks)
 {
   Eigen::MatrixXd M = Eigen::MatrixXd::Identity(4, 3);
   M.col(2) = M.col(1);
-  const FactorAttempt attempt = factorize(scaleColumns(M.sparseView()).C, GetParam(), Columns3::Ones(3, 3));
-  EXPECT_EQ(attempt.factor, nullptr);
-  EXPECT_THAT(attempt.failure, HasSubstr("the normal equations"));
-  EXPECT_THAT(attempt.failure, HasSubstr("not positive definite"));
-  EXPECT_THAT(attempt.failure, HasSubstr("sparse QR finds rank 2 for 3 unknowns"));
+  const FactorResult result = factorize(scaleColumns(M.sparseView()).value.C, GetParam(), Columns3::Ones(3, 3));
+  EXPECT_EQ(result.value, nullptr);
+  EXPECT_THAT(result.failure, HasSubstr("the normal equations"));
+  EXPECT_THAT(result.failure, HasSubstr("not positive definite"));
+  EXPECT_THAT(result.failure, HasSubstr("sparse QR finds rank 2 for 3 unknowns"));
 }
 
 TEST_P(Factorize, OfNoUnknownsHasNothingToDo)
 {
-  const FactorAttempt attempt = factorize(std::make_shared<const SparseMatrix>(5, 0), GetParam(), Columns3(0, 3));
-  ASSERT_NE(attempt.factor, nullptr);
-  EXPECT_EQ(attempt.factor->solve(Columns3::Ones(5, 3)).rows(), 0);
+  const FactorResult result = factorize(std::make_shared<const SparseMatrix>(5, 0), GetParam(), Columns3(0, 3));
+  ASSERT_NE(result.value, nullptr);
+  EXPECT_EQ(result.value->solve(Columns3::Ones(5, 3)).rows(), 0);
 }
 
 TEST_P(Factorize, CorrectionsBringBackTheDigitsThatNormalEquationsLose)
 {
-  const ScaledColumns scaled = scaleColumns(heldBeam(20));
+  const ScaledColumns scaled = scaleColumns(heldBeam(20)).value;
   const Eigen::MatrixXd C = *scaled.C;
   const Columns3 known = scaled.scale.cwiseInverse().asDiagonal() * Columns3::Ones(C.cols(), 3);
   const Columns3 f = C * known;
-  const FactorAttempt attempt = factorize(scaled.C, GetParam(), known);
-  ASSERT_NE(attempt.factor, nullptr) << attempt.failure;
-  ASSERT_THAT(std::string(attempt.factor->method()), HasSubstr("normal equations"));
+  const FactorResult result = factorize(scaled.C, GetParam(), known);
+  ASSERT_NE(result.value, nullptr) << result.failure;
+  ASSERT_THAT(std::string(result.value->method()), HasSubstr("normal equations"));
   const Columns3 expected = scaled.scale.asDiagonal() * test::leastSquaresInLongDouble(C, f);
   const auto error = [&](const Columns3& z) {
     return (scaled.scale.asDiagonal() * z - expected).cwiseAbs().maxCoeff() / expected.cwiseAbs().maxCoeff();
@@ -143,8 +143,8 @@ TEST_P(Factorize, CorrectionsBringBackTheDigitsThatNormalEquationsLose)
   // Rounding of C alone changes the solution by up to the condition number times epsilon, 1e-10.
   const Eigen::VectorXd values = test::singularValues(C).values;
   const double unavoidable = values[0] / values[values.size() - 1] * std::numeric_limits<double>::epsilon();
-  EXPECT_GT(error(attempt.factor->solve(f)), 10 * unavoidable);
-  const CorrectedSolution corrected = correctedSolve(*attempt.factor, *scaled.C, scaled.scale, f);
+  EXPECT_GT(error(result.value->solve(f)), 10 * unavoidable);
+  const CorrectedSolution corrected = correctedSolve(*result.value, *scaled.C, scaled.scale, f);
   EXPECT_LT(error(corrected.z), 0.1 * unavoidable);
   EXPECT_GE(corrected.accuracy, error(corrected.z)) << "the estimate is no less than the error";
   EXPECT_LT(corrected.accuracy, unavoidable) << "and no more than what rounding of C alone can do";
@@ -153,29 +153,29 @@ TEST_P(Factorize, CorrectionsBringBackTheDigitsThatNormalEquationsLose)
 
 TEST_P(Factorize, ContractionTellsHowMuchOfAnErrorIsLeft)
 {
-  const ScaledColumns scaled = scaleColumns(heldBeam(20));
+  const ScaledColumns scaled = scaleColumns(heldBeam(20)).value;
   const Columns3 probe = Columns3::Random(scaled.C->cols(), 3);
-  const FactorAttempt good = factorize(scaled.C, GetParam(), probe);
-  ASSERT_NE(good.factor, nullptr);
-  EXPECT_LT(contraction(*good.factor, *scaled.C, probe), 1e-3);
-  EXPECT_GT(contraction(*good.factor, 3 * *scaled.C, probe), 1);
+  const FactorResult good = factorize(scaled.C, GetParam(), probe);
+  ASSERT_NE(good.value, nullptr);
+  EXPECT_LT(contraction(*good.value, *scaled.C, probe), 1e-3);
+  EXPECT_GT(contraction(*good.value, 3 * *scaled.C, probe), 1);
 }
 
 TEST_P(Factorize, OfSparseQrAloneSolvesToo)
 {
-  const ScaledColumns scaled = scaleColumns(chain(15, 10));
-  const FactorAttempt attempt = seminormalQr(scaled.C, GetParam());
-  ASSERT_NE(attempt.factor, nullptr) << attempt.failure;
+  const ScaledColumns scaled = scaleColumns(chain(15, 10)).value;
+  const FactorResult result = seminormalQr(scaled.C, GetParam());
+  ASSERT_NE(result.value, nullptr) << result.failure;
   const Columns3 f = Columns3::Random(29, 3);
   const Columns3 expected = test::leastSquares(*scaled.C, f);
-  EXPECT_LT((correctedSolve(*attempt.factor, *scaled.C, scaled.scale, f).z - expected).norm(), 1e-12);
+  EXPECT_LT((correctedSolve(*result.value, *scaled.C, scaled.scale, f).z - expected).norm(), 1e-12);
 }
 
 TEST(FactorizeBesideAnother, IsTheSameBitForBit)
 {
-  const ScaledColumns scaled = scaleColumns(cubeOfSprings(20));
+  const ScaledColumns scaled = scaleColumns(cubeOfSprings(20)).value;
   const Columns3 f = Columns3::Ones(scaled.C->rows(), 3);
-  const auto solved = [&] { return cholesky(scaled.C, defaultBackend()).factor->solve(f); };
+  const auto solved = [&] { return cholesky(scaled.C, defaultBackend()).value->solve(f); };
   const Columns3 alone = solved();
   std::future<Columns3> other = std::async(std::launch::async, solved);
   EXPECT_EQ(solved(), alone);

@@ -50,8 +50,8 @@ TEST(ColumnScaling, MakesUnitColumns)
   test::Random random(8);
   const SparseMatrix M =
       Eigen::MatrixXd(Eigen::MatrixXd::NullaryExpr(7, 5, [&] { return random.uniform(-1e5, 1e5); })).sparseView();
-  const ScaledColumns scaled = scaleColumns(M);
-  ASSERT_TRUE(scaled.failure.empty());
+  const auto [scaled, failure] = scaleColumns(M);
+  ASSERT_EQ(failure, "");
   for (Index k = 0; k < 5; ++k) EXPECT_NEAR(scaled.C->col(k).norm(), 1, 1e-15);
   EXPECT_LT((Eigen::MatrixXd(*scaled.C) - Eigen::MatrixXd(M) * scaled.scale.asDiagonal()).norm(), 1e-15);
 }

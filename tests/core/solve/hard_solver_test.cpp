@@ -48,7 +48,7 @@ void forEachHardProblem(std::uint32_t seeds, Check&& check)
 
 Eigen::MatrixX3d displacement(const test::Problem& problem, const DeformOptions& options)
 {
-  const Deformation result = test::deformed(problem.mesh, problem.list, options);
+  const DeformResult result = test::deformed(problem.mesh, problem.list, options);
   EXPECT_EQ(result.report.solve.status, SolveStatus::Ok) << result.report.solve.message;
   return result.positions - problem.mesh.positions;
 }
@@ -145,8 +145,8 @@ TEST(HardSolver, BackendsAgreeOnLargerMeshes)
   test::Random random(12);
   const ConstraintList list = test::randomMoves(random, mesh, 200, 0.2);
   for (const Weights weights : test::allWeights()) {
-    const Deformation first = test::deformed(mesh, list, {weights, {SolverKind::Hard, Backend::Cholmod, 5}});
-    const Deformation second = test::deformed(mesh, list, {weights, {SolverKind::Hard, Backend::Eigen, 5}});
+    const DeformResult first = test::deformed(mesh, list, {weights, {SolverKind::Hard, Backend::Cholmod, 5}});
+    const DeformResult second = test::deformed(mesh, list, {weights, {SolverKind::Hard, Backend::Eigen, 5}});
     EXPECT_NE(first.report.solve.status, SolveStatus::Failed) << first.report.solve.message;
     EXPECT_LT(test::distance(first.positions, second.positions), 1e-11);
   }

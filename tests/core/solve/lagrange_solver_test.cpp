@@ -14,9 +14,9 @@ TEST(LagrangeSolver, AgreesWithTheHardOne)
       test::Random random(seed);
       const ConstraintList list = test::randomMoves(random, mesh, static_cast<int>(3 + 5 * seed), 0.3);
       options.solver.kind = SolverKind::Hard;
-      const Deformation hard = test::deformed(mesh, list, options);
+      const DeformResult hard = test::deformed(mesh, list, options);
       options.solver.kind = SolverKind::Lagrange;
-      const Deformation lagrange = test::deformed(mesh, list, options);
+      const DeformResult lagrange = test::deformed(mesh, list, options);
       ASSERT_NE(hard.report.solve.status, SolveStatus::Failed) << hard.report.solve.message;
       EXPECT_EQ(lagrange.report.solve.status, hard.report.solve.status) << lagrange.report.solve.message;
       EXPECT_LT(test::distance(lagrange.positions, hard.positions), 1e-9);
@@ -29,7 +29,7 @@ TEST(LagrangeSolver, HasAnUnknownForEachIndependentRow)
   const Mesh mesh = test::icosphere(1);
   const ConstraintList list =
       test::listOf({test::hold({0, 1}), test::moveBy(AtFace{20, {0.5, 0.25, 0.25}}, {0, 0, 1}), test::hold({1})});
-  const Deformation result =
+  const DeformResult result =
       test::deformed(mesh, list, {Weights::Cotangent, {SolverKind::Lagrange, test::backends().front(), 5}});
   EXPECT_EQ(result.report.solve.unknowns, mesh.vertexCount() + 3);
   EXPECT_GT(result.report.solve.factorNonzeros, 0);
@@ -44,7 +44,7 @@ Mesh pressedGrid(double height)
 }
 
 /// The grid with vertices held at a corner, the one in the middle moved, and a point of a face elsewhere.
-Deformation solved(SolverKind kind, Weights weights, Backend backend, double height)
+DeformResult solved(SolverKind kind, Weights weights, Backend backend, double height)
 {
   const ConstraintList list = test::listOf({test::hold({0, 1, 2}), test::moveTo(AtVertex{220}, {10.5, 0, 1}),
                                             test::moveBy(AtFace{301, {0.25, 0.25, 0.5}}, {0, 0, 1})});
@@ -54,7 +54,7 @@ Deformation solved(SolverKind kind, Weights weights, Backend backend, double hei
 TEST(LagrangeSolver, PinsThatItMissesAreCalledMissed)
 {
   // Eigen's LU does not refine what it solves.
-  const Deformation lagrange = solved(SolverKind::Lagrange, Weights::Cotangent, Backend::Eigen, 0.03);
+  const DeformResult lagrange = solved(SolverKind::Lagrange, Weights::Cotangent, Backend::Eigen, 0.03);
   const Report& report = lagrange.report;
   ASSERT_EQ(report.solve.status, SolveStatus::Ok) << report.solve.message;
   EXPECT_EQ(report.constraints[1].status, ConstraintStatus::Missed);
@@ -64,7 +64,7 @@ TEST(LagrangeSolver, PinsThatItMissesAreCalledMissed)
   EXPECT_GE(report.solve.maxResidual, *report.constraints[1].residual);
   EXPECT_NE(report.solve.message.find("met only approximately"), std::string::npos) << report.solve.message;
 
-  const Deformation hard = solved(SolverKind::Hard, Weights::Cotangent, Backend::Eigen, 0.03);
+  const DeformResult hard = solved(SolverKind::Hard, Weights::Cotangent, Backend::Eigen, 0.03);
   EXPECT_EQ(hard.report.constraints[1].status, ConstraintStatus::Met);
   EXPECT_EQ(hard.positions.row(220), target);
 }
@@ -74,8 +74,8 @@ TEST(LagrangeSolver, TellsHowFarItIsFromTheSolution)
   for (const Weights weights : {Weights::Cotangent, Weights::CotangentPaper})
     for (const Backend backend : test::backends())
       for (const double height : {1.0, 0.3, 0.1}) {
-        const Deformation lagrange = solved(SolverKind::Lagrange, weights, backend, height);
-        const Deformation hard = solved(SolverKind::Hard, weights, backend, height);
+        const DeformResult lagrange = solved(SolverKind::Lagrange, weights, backend, height);
+        const DeformResult hard = solved(SolverKind::Hard, weights, backend, height);
         SCOPED_TRACE(testing::Message() << name(weights) << ", " << name(backend) << ", " << height);
         ASSERT_EQ(lagrange.report.solve.status, SolveStatus::Ok) << lagrange.report.solve.message;
         const double largest = (hard.positions - pressedGrid(height).positions).cwiseAbs().maxCoeff();
@@ -90,7 +90,7 @@ TEST(LagrangeSolver, FailsWhereItHasTooFewDigits)
 {
   for (const Backend backend : test::backends())
     for (const double height : {1e-4, 1e-6}) {
-      const Deformation lagrange = solved(SolverKind::Lagrange, Weights::Cotangent, backend, height);
+      const DeformResult lagrange = solved(SolverKind::Lagrange, Weights::Cotangent, backend, height);
       EXPECT_EQ(lagrange.report.solve.status, SolveStatus::Failed) << name(backend) << ", " << height;
       EXPECT_EQ(solved(SolverKind::Hard, Weights::Cotangent, backend, height).report.solve.status, SolveStatus::Ok);
     }

@@ -33,7 +33,7 @@ Eigen::MatrixXd displacement(const test::Problem& problem, DeformOptions options
 {
   options.solver.kind = kind;
   options.solver.softWeight = weight;
-  const Deformation result = test::deformed(problem.mesh, problem.list, options);
+  const DeformResult result = test::deformed(problem.mesh, problem.list, options);
   EXPECT_NE(result.report.solve.status, SolveStatus::Failed) << result.report.solve.message;
   return result.positions - problem.mesh.positions;
 }
@@ -95,7 +95,7 @@ TEST(SoftSolver, SlidesTheMeshByTheMeanOfTheMovesAsTheWeightVanishes)
 TEST(SoftSolver, CountsWhatItMissesAndCopiesNoPin)
 {
   const Mesh mesh = test::plate(4, 4);
-  const Deformation result =
+  const DeformResult result =
       test::deformed(mesh, test::listOf({test::hold({0}), test::moveBy(AtVertex{24}, {0, 0, 1})}),
                      {Weights::Cotangent, {SolverKind::Soft, test::backends().front(), 5}});
   EXPECT_EQ(result.report.solve.status, SolveStatus::Ok);

@@ -60,11 +60,11 @@ struct Surface {
     EXPECT_NEAR(found.distance, distanceByTryingAll(place), 1e-14 * (1 + found.distance)) << place.transpose();
     EXPECT_NEAR((positionOf(found.point, mesh.positions) - place).norm(), found.distance, 1e-13 * (1 + found.distance));
     double sum = 0;
-    for (const PointTerm& term : found.point.terms) {
+    for (const Term& term : found.point.terms) {
       const Triangle& triangle = triangles[found.triangle];
-      EXPECT_NE(std::find(triangle.begin(), triangle.end(), term.vertex), triangle.end());
-      EXPECT_GT(term.weight, 0);
-      sum += term.weight;
+      EXPECT_NE(std::find(triangle.begin(), triangle.end(), term.index), triangle.end());
+      EXPECT_GT(term.coefficient, 0);
+      sum += term.coefficient;
     }
     EXPECT_NEAR(sum, 1, 1e-14);
   }
@@ -102,8 +102,8 @@ TEST(ClosestPoint, OfAPointOfAnEdgeHangsOnItsTwoVertices)
   const Surface surface{test::grid(6, 5)};
   const ClosestPointSearch::Result onEdge = surface.search.find({2.25, 3, 0});
   ASSERT_EQ(onEdge.point.terms.size(), 2U);
-  EXPECT_EQ(onEdge.point.terms[0], (PointTerm{23, 0.75}));
-  EXPECT_EQ(onEdge.point.terms[1], (PointTerm{24, 0.25}));
+  EXPECT_EQ(onEdge.point.terms[0], (Term{23, 0.75}));
+  EXPECT_EQ(onEdge.point.terms[1], (Term{24, 0.25}));
   const ClosestPointSearch::Result beside = surface.search.find({2.5, -3, 4});
   EXPECT_EQ(beside.distance, 5);
   EXPECT_EQ(beside.point, (SurfacePoint{{{2, 0.5}, {3, 0.5}}}));

@@ -33,8 +33,8 @@ TEST(SurfacePoint, LiesAtTheWeightedMeanOfItsVertices)
 TEST(SurfacePoint, DifferenceNamesEachVertexOnce)
 {
   EXPECT_EQ(difference({{{1, 0.25}, {4, 0.75}}}, {{{2, 0.5}, {4, 0.5}}}),
-            (std::vector<PointTerm>{{1, 0.25}, {2, -0.5}, {4, 0.25}}));
-  EXPECT_EQ(difference({{{1, 0.5}, {3, 0.5}}}, {{{2, 0.5}, {3, 0.5}}}), (std::vector<PointTerm>{{1, 0.5}, {2, -0.5}}));
+            (std::vector<Term>{{1, 0.25}, {2, -0.5}, {4, 0.25}}));
+  EXPECT_EQ(difference({{{1, 0.5}, {3, 0.5}}}, {{{2, 0.5}, {3, 0.5}}}), (std::vector<Term>{{1, 0.5}, {2, -0.5}}));
 }
 
 TEST(SurfacePoint, DifferenceFromItselfIsEmpty)

@@ -12,7 +12,7 @@ int main()
   const holdfast::Model model = holdfast::makeModel(holdfast::readAnyMesh("bracket.obj").mesh, "bracket.obj");
   const holdfast::ConstraintList constraints = holdfast::readConstraints("bracket.constraints.json");
   holdfast::NoProgress progress;
-  const holdfast::Deformation result = holdfast::deform(model, constraints, "bracket.constraints.json", {}, progress);
+  const holdfast::DeformResult result = holdfast::deform(model, constraints, "bracket.constraints.json", {}, progress);
   const std::vector<holdfast::Field> fields = holdfast::fieldsOf(model, result);
   holdfast::OutputFile("fields.vtp", holdfast::fieldsToVtp(model.mesh, result.positions, fields, {}).bytes).commit();
   const holdfast::Positions written = holdfast::readAnyMesh("fields.vtp").mesh.positions;

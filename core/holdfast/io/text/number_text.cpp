@@ -15,9 +15,9 @@ ParsedNumber<Number> parse(std::string_view token)
   const char* const end = token.data() + token.size();
   const auto [stop, error] = std::from_chars(token.data(), end, parsed.value);
   if (stop != end || token.empty() || error == std::errc::invalid_argument)
-    parsed.fault = NumberFault::kNotANumber;
+    parsed.fault = NumberFault::NotANumber;
   else if (error != std::errc{})
-    parsed.fault = NumberFault::kOutOfRange;
+    parsed.fault = NumberFault::OutOfRange;
   return parsed;
 }
 

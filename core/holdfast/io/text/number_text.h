@@ -15,17 +15,17 @@ namespace holdfast {
 inline constexpr std::array<std::string_view, 3> kCoordinateNames{"coordinate x", "coordinate y", "coordinate z"};
 
 /// Why a token is not a number that can be held.
-enum class NumberFault { kNone, kNotANumber, kOutOfRange };
+enum class NumberFault { None, NotANumber, OutOfRange };
 
-/// `value` means something only where `fault` is `kNone`.
+/// `value` means something only where `fault` is `None`.
 template <class Number>
 struct ParsedNumber {
   Number value{};
-  NumberFault fault = NumberFault::kNone;
+  NumberFault fault = NumberFault::None;
 };
 
 /// The whole `token` as a decimal number, to the nearest double; a leading '+' is accepted, and so are "nan" and "inf"
-/// in any case. A magnitude above the largest double or below half the smallest is `kOutOfRange`.
+/// in any case. A magnitude above the largest double or below half the smallest is `OutOfRange`.
 [[nodiscard]] ParsedNumber<double> parseDouble(std::string_view token);
 
 /// The whole `token` as a decimal integer; a leading '+' is accepted.

@@ -134,9 +134,9 @@ std::string quotedToken(std::string_view token)
 double numberOf(std::string_view token, std::string_view what, const TextCursor& cursor)
 {
   const auto [value, fault] = parseDouble(token);
-  if (fault == NumberFault::kNone) return value;
+  if (fault == NumberFault::None) return value;
   if (token.empty()) cursor.fail(fmt::format("{} is missing: complete the line", what));
-  if (fault == NumberFault::kOutOfRange)
+  if (fault == NumberFault::OutOfRange)
     cursor.fail(
         fmt::format("{} is {}, which no double can hold (4.9e-324 to 1.8e308 in magnitude): "
                     "scale the model, or write 0 where that is meant",
@@ -147,9 +147,9 @@ double numberOf(std::string_view token, std::string_view what, const TextCursor&
 Index integerOf(std::string_view token, std::string_view what, const TextCursor& cursor)
 {
   const auto [value, fault] = parseInteger(token);
-  if (fault == NumberFault::kNone) return value;
+  if (fault == NumberFault::None) return value;
   if (token.empty()) cursor.fail(fmt::format("{} is missing: complete the line", what));
-  if (fault == NumberFault::kOutOfRange)
+  if (fault == NumberFault::OutOfRange)
     cursor.fail(fmt::format("{} is {}, far beyond any count or index: correct it", what, quotedToken(token)));
   cursor.fail(fmt::format("{} is {}, which is not a whole number: write digits only", what, quotedToken(token)));
 }

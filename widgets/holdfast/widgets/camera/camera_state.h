@@ -10,8 +10,8 @@ namespace holdfast {
 
 [[nodiscard]] Camera cameraOf(vtkCamera& camera);
 
-/// Sets the view up to the unit vector along `up` that VTK keeps: given it again, it stays bit for bit. VTK normalises
-/// every view up that it is given, and rounding may change the last bit of one that is normalised already.
+/// Sets the view up to the unit vector along `up` that VTK keeps: given it again, it stays bit for bit. VTK normalizes
+/// every view up that it is given, and rounding may change the last bit of one that is normalized already.
 void setViewUp(vtkCamera& camera, const Vector3& up);
 
 /// Places `camera` so that `cameraOf` gives `state` back, if the view up is one that `setViewUp` has set. The angle of

@@ -11,10 +11,10 @@ class vtkRenderer;
 namespace holdfast {
 
 /// A place on the screen in pixels, from the lower left corner of the window. The pixel (x, y) covers the square from
-/// there to (x + 1, y + 1): its centre is (x + 0.5, y + 0.5).
+/// there to (x + 1, y + 1): its center is (x + 0.5, y + 0.5).
 using DisplayPoint = Eigen::Vector2d;
 
-/// The centre of the pixel that a cursor's coordinates name.
+/// The center of the pixel that a cursor's coordinates name.
 [[nodiscard]] inline DisplayPoint centerOfPixel(double x, double y)
 {
   return {x + 0.5, y + 0.5};

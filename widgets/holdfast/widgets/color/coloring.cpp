@@ -56,7 +56,7 @@ ColorScale linearScale(std::string title, double high)
   return {std::move(title), Scaling::Linear, 0, high > 0 ? high : 1};
 }
 
-Coloring residualColoring(const Model& model, const Deformation& deformation, const std::string& units)
+Coloring residualColoring(const Model& model, const DeformResult& deformation, const std::string& units)
 {
   Field field = fieldOf(model, deformation, FieldKind::ConstraintResidual);
   const std::vector<double>& limits = deformation.diagnosis.limits;
@@ -71,7 +71,7 @@ Coloring residualColoring(const Model& model, const Deformation& deformation, co
   return {std::move(field.values), std::move(scale)};
 }
 
-Coloring rotationColoring(const Model& model, const Deformation& deformation)
+Coloring rotationColoring(const Model& model, const DeformResult& deformation)
 {
   std::vector<double> lengths;
   lengths.reserve(model.solverMesh.weld.unknownOf.size());
@@ -81,7 +81,7 @@ Coloring rotationColoring(const Model& model, const Deformation& deformation)
   return {std::move(lengths), std::move(scale)};
 }
 
-Coloring angleColoring(const Model& model, const Deformation& deformation)
+Coloring angleColoring(const Model& model, const DeformResult& deformation)
 {
   Field field = fieldOf(model, deformation, FieldKind::RotationAngleDegrees);
   ColorScale scale = linearScale(inUnits("rotation angle", "degrees"), largestOf(field.values));
@@ -90,7 +90,7 @@ Coloring angleColoring(const Model& model, const Deformation& deformation)
 }
 
 /// Lengths of Lagrange multipliers have no units.
-Coloring forceColoring(const Model& model, const Deformation& deformation)
+Coloring forceColoring(const Model& model, const DeformResult& deformation)
 {
   Field field = fieldOf(model, deformation, FieldKind::ConstraintForce);
   const double largest = largestOf(field.values);
@@ -100,7 +100,7 @@ Coloring forceColoring(const Model& model, const Deformation& deformation)
   return {std::move(field.values), std::move(scale)};
 }
 
-Coloring displacementColoring(const Model& model, const Deformation& deformation, const std::string& units)
+Coloring displacementColoring(const Model& model, const DeformResult& deformation, const std::string& units)
 {
   std::vector<double> lengths;
   lengths.reserve(static_cast<std::size_t>(deformation.positions.rows()));
@@ -110,7 +110,7 @@ Coloring displacementColoring(const Model& model, const Deformation& deformation
   return {std::move(lengths), std::move(scale)};
 }
 
-Coloring detailColoring(const Model& model, const Deformation& deformation, const std::string& units)
+Coloring detailColoring(const Model& model, const DeformResult& deformation, const std::string& units)
 {
   Field field = fieldOf(model, deformation, FieldKind::DetailResidual);
   const bool isLength = deformation.operators->weights == Weights::Uniform;
@@ -137,7 +137,7 @@ std::optional<ColorBy> colorByNamed(std::string_view name)
   return static_cast<ColorBy>(found - kNames.begin());
 }
 
-std::optional<Coloring> coloringOf(const Model& model, const Deformation& deformation, ColorBy colorBy,
+std::optional<Coloring> coloringOf(const Model& model, const DeformResult& deformation, ColorBy colorBy,
                                    const std::string& units)
 {
   switch (colorBy) {

@@ -35,7 +35,7 @@ struct Coloring {
 };
 
 /// None for `ColorBy::None`. `units` is the user's name of the model's length; it may be empty.
-[[nodiscard]] std::optional<Coloring> coloringOf(const Model& model, const Deformation& deformation, ColorBy colorBy,
+[[nodiscard]] std::optional<Coloring> coloringOf(const Model& model, const DeformResult& deformation, ColorBy colorBy,
                                                  const std::string& units);
 
 }  // namespace holdfast

@@ -161,7 +161,7 @@ Number numberOf(std::string_view word)
   Number value{};
   if constexpr (std::is_floating_point_v<Number>) {
     const ParsedNumber<double> parsed = parseDouble(word);
-    isNumber = parsed.fault == NumberFault::kNone;
+    isNumber = parsed.fault == NumberFault::None;
     value = static_cast<Number>(parsed.value);
   } else {
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
@@ -263,7 +263,7 @@ Index wholeAttribute(const XmlElement& element, std::string_view name, Index abs
   const auto text = element.attribute(name);
   if (!text) return absent;
   const ParsedNumber<Index> number = parseInteger(*text);
-  if (number.fault != NumberFault::kNone || number.value < 0)
+  if (number.fault != NumberFault::None || number.value < 0)
     throw VtpFault(fmt::format("{} is '{}' and must be a whole number from 0", name, *text));
   return number.value;
 }

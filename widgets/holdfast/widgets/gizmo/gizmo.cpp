@@ -125,7 +125,7 @@ void Gizmo::endDrag()
 
 bool Gizmo::isOffered(GizmoPart part) const
 {
-  return isShown_ && (motions_ == GizmoMotions::MovesAndTurns || !isTurn(part));
+  return isShown_ && (motions_ == GizmoMotions::MovesAndTurns || !isRotation(part));
 }
 
 bool Gizmo::isDrawn(GizmoPart part) const

@@ -95,7 +95,7 @@ GizmoDrag::GizmoDrag(GizmoPart part, const GizmoFrame& frame, const ViewGeometry
   step_ = stepFor(view, frame.center, {first_, second_});
   const Vector3 sight = sightOf(view, frame.center);
   isFlat_ = kindOf(part) == GizmoPartKind::Ring && std::abs(normal_.dot(sight)) < kFlatRing;
-  if (isTurn(part_)) {
+  if (isRotation(part_)) {
     const std::optional<double> degrees = isFlat_ ? std::nullopt : degreesAt(start);
     // What is rolled is held where it is nearest to the eye.
     grabbed_ = degrees ? Vector3(std::cos(*degrees * kDegree) * first_ + std::sin(*degrees * kDegree) * second_)
@@ -159,12 +159,12 @@ std::optional<double> GizmoDrag::degreesAt(const DisplayPoint& point) const
 
 void GizmoDrag::follow(const DisplayPoint& point)
 {
-  if (isTurn(part_)) {
+  if (isRotation(part_)) {
     const std::optional<double> degrees = degreesAt(point);
     if (!degrees) return;
     if (!startDegrees_) startDegrees_ = degrees;
-    const double turned = *degrees - *startDegrees_;
-    degrees_ = isFlat_ ? turned : turned + wholeTurns(degrees_ - turned);
+    const double rotated = *degrees - *startDegrees_;
+    degrees_ = isFlat_ ? rotated : rotated + wholeTurns(degrees_ - rotated);
   } else {
     const std::optional<Eigen::Vector2d> shift = shiftAt(point);
     if (!shift) return;
@@ -183,7 +183,7 @@ GizmoMotion GizmoDrag::shifted(const Eigen::Vector2d& amounts) const
   return motion;
 }
 
-GizmoMotion GizmoDrag::turned(double degrees) const
+GizmoMotion GizmoDrag::rotated(double degrees) const
 {
   GizmoMotion motion;
   motion.axis = normal_;
@@ -194,8 +194,8 @@ GizmoMotion GizmoDrag::turned(double degrees) const
 GizmoMotion GizmoDrag::to(const DisplayPoint& point, Snap snap)
 {
   follow(point);
-  if (isTurn(part_))
-    return turned(snap == Snap::On ? plain(kSnapDegrees * std::round(degrees_ / kSnapDegrees)) : degrees_);
+  if (isRotation(part_))
+    return rotated(snap == Snap::On ? plain(kSnapDegrees * std::round(degrees_ / kSnapDegrees)) : degrees_);
   if (snap == Snap::None) return shifted(shift_);
   const auto snapped = [this](double amount) { return plain(step_.multiple(std::round(amount / step_.size()))); };
   return shifted({snapped(shift_.x()), snapped(shift_.y())});
@@ -203,7 +203,7 @@ GizmoMotion GizmoDrag::to(const DisplayPoint& point, Snap snap)
 
 GizmoMotion GizmoDrag::typed(double amount) const
 {
-  if (isTurn(part_)) return turned(amount);
+  if (isRotation(part_)) return rotated(amount);
   if (kindOf(part_) == GizmoPartKind::Arrow || shift_.isZero(0)) return shifted({amount, 0});
   GizmoMotion motion = shifted(amount * shift_.normalized());
   motion.distance = std::abs(amount);
@@ -212,7 +212,7 @@ GizmoMotion GizmoDrag::typed(double amount) const
 
 std::string motionUnit(GizmoPart part, const std::string& units)
 {
-  if (isTurn(part)) return "°";
+  if (isRotation(part)) return "°";
   return units.empty() ? "" : " " + units;
 }
 
@@ -221,7 +221,7 @@ std::string motionText(GizmoPart part, const GizmoMotion& motion, const RoundSte
   const auto withoutSignOfNothing = [](const std::string& text) {
     return text.find_first_of("123456789") == std::string::npos && text.starts_with('-') ? text.substr(1) : text;
   };
-  if (isTurn(part)) return withoutSignOfNothing(fmt::format("{:.1f}", motion.degrees)) + motionUnit(part, units);
+  if (isRotation(part)) return withoutSignOfNothing(fmt::format("{:.1f}", motion.degrees)) + motionUnit(part, units);
   const bool isPlain = step.decimals() <= kMostDecimals && std::abs(motion.distance) < kLongest;
   const std::string number =
       isPlain ? fmt::format("{:.{}f}", motion.distance, step.decimals()) : fmt::format("{:.4g}", motion.distance);

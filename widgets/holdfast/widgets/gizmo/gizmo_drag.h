@@ -76,7 +76,7 @@ class GizmoDrag {
   [[nodiscard]] std::optional<Vector3> onPlane(const ViewRay& ray) const;
   [[nodiscard]] std::optional<double> degreesAt(const DisplayPoint& point) const;
   [[nodiscard]] GizmoMotion shifted(const Eigen::Vector2d& amounts) const;
-  [[nodiscard]] GizmoMotion turned(double degrees) const;
+  [[nodiscard]] GizmoMotion rotated(double degrees) const;
   void follow(const DisplayPoint& point);
 
   GizmoPart part_;

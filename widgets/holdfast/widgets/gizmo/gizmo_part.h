@@ -23,7 +23,7 @@ enum class GizmoPartKind { None, Center, Arrow, Square, Ring, ViewRing };
 }
 
 /// Whether the part turns; all others but `None` move.
-[[nodiscard]] constexpr bool isTurn(GizmoPart part)
+[[nodiscard]] constexpr bool isRotation(GizmoPart part)
 {
   return kindOf(part) == GizmoPartKind::Ring || kindOf(part) == GizmoPartKind::ViewRing;
 }

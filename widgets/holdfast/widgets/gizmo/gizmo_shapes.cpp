@@ -59,7 +59,7 @@ struct ProfilePoint {
 using Profile = std::vector<ProfilePoint>;
 
 /// The surface of `profile`, which goes from the axis' beginning to its end, turned about z.
-void addTurned(GizmoShape& shape, const Profile& profile)
+void addRevolved(GizmoShape& shape, const Profile& profile)
 {
   const auto first = static_cast<Index>(shape.points.size());
   for (const ProfilePoint& point : profile)
@@ -93,11 +93,11 @@ void addHead(GizmoShape& shape)
   const Eigen::Vector2d normal = std::sqrt(1 - sine * sine) * Eigen::Vector2d(along.y(), -along.x()) + sine * along;
   const double angle = std::atan2(normal.y(), normal.x());
   const Eigen::Vector2d down(0, -1);
-  addTurned(shape, {{{0, kHeadStart}, down}, {{edge.x(), kHeadStart}, down}});
+  addRevolved(shape, {{{0, kHeadStart}, down}, {{edge.x(), kHeadStart}, down}});
   Profile profile = arc(edge, kHeadRounding, -pi / 2, angle);
   const Profile end = arc(tip, kTipRounding, angle, pi / 2);
   profile.insert(profile.end(), end.begin(), end.end());
-  addTurned(shape, profile);
+  addRevolved(shape, profile);
 }
 
 GizmoShape arrow()
@@ -105,7 +105,7 @@ GizmoShape arrow()
   GizmoShape shape;
   Profile shaft = arc({0, kShaftStart + kShaftRadius}, kShaftRadius, -pi / 2, 0);
   shaft.push_back({{kShaftRadius, kHeadStart}, {1, 0}});
-  addTurned(shape, shaft);
+  addRevolved(shape, shaft);
   addHead(shape);
   return shape;
 }
@@ -116,7 +116,7 @@ GizmoShape ball()
   Profile profile = arc({0, 0}, kBallRadius, -pi / 2, 0);
   const Profile upper = arc({0, 0}, kBallRadius, 0, pi / 2);
   profile.insert(profile.end(), upper.begin() + 1, upper.end());
-  addTurned(shape, profile);
+  addRevolved(shape, profile);
   return shape;
 }
 
@@ -211,13 +211,13 @@ GizmoShape gizmoShape(GizmoPart part)
   const int axis = axisIndexOf(part);
   if (axis < 0 || axis == 2) return shape;
   // z becomes the part's axis, and x and y the two that follow it: squares stay between the positive axes.
-  const auto turned = [axis](const Vector3& v) {
+  const auto rotated = [axis](const Vector3& v) {
     Vector3 result;
     for (int k = 0; k < 3; ++k) result[(axis + 1 + k) % 3] = v[k];
     return result;
   };
   for (std::vector<Vector3>* const vectors : {&shape.points, &shape.normals, &shape.arms})
-    std::transform(vectors->begin(), vectors->end(), vectors->begin(), turned);
+    std::transform(vectors->begin(), vectors->end(), vectors->begin(), rotated);
   return shape;
 }
 

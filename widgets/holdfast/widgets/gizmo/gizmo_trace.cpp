@@ -108,7 +108,7 @@ void GizmoTraceActors::show(const GizmoTrace& trace, double radius, double pixel
   Sketch lines;
   Sketch sector;
   Sketch ends;
-  if (isTurn(trace.part)) {
+  if (isRotation(trace.part)) {
     sketchTurn(trace, radius, lines, sector);
   } else {
     const Vector3 now = trace.from.center + trace.motion.translation;
@@ -122,8 +122,8 @@ void GizmoTraceActors::show(const GizmoTrace& trace, double radius, double pixel
   lines_->GetProperty()->SetLineWidth(static_cast<float>(kLineWidth * pixels));
   ends_->GetProperty()->SetPointSize(static_cast<float>(kEndSize * pixels));
   lines_->VisibilityOn();
-  sector_->SetVisibility(isTurn(trace.part));
-  ends_->SetVisibility(!isTurn(trace.part));
+  sector_->SetVisibility(isRotation(trace.part));
+  ends_->SetVisibility(!isRotation(trace.part));
 }
 
 void GizmoTraceActors::hide()

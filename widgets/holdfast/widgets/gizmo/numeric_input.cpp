@@ -36,7 +36,7 @@ void NumericInput::chop()
 double NumericInput::value() const
 {
   const ParsedNumber<double> number = parseDouble(text_);
-  return number.fault == NumberFault::kNone ? number.value : 0;
+  return number.fault == NumberFault::None ? number.value : 0;
 }
 
 }  // namespace holdfast

@@ -90,7 +90,7 @@ void GizmoRepresentation::SetMotions(GizmoMotions motions)
 
 bool GizmoRepresentation::Offers(GizmoPart part) const
 {
-  return part != GizmoPart::None && (this->Motions == GizmoMotions::MovesAndTurns || !isTurn(part));
+  return part != GizmoPart::None && (this->Motions == GizmoMotions::MovesAndTurns || !isRotation(part));
 }
 
 void GizmoRepresentation::SetUnits(const std::string& units)

@@ -24,7 +24,7 @@ class RegionRepresentation : public vtkWidgetRepresentation {
 
   /// A polygon that is filled faintly where `ScreenPolygon` has its inside. Corners are pixels as a cursor names them.
   void ShowPolygon(std::vector<DisplayPoint> corners);
-  /// A circle, not filled, around the centre of a pixel; radius in pixels of the window.
+  /// A circle, not filled, around the center of a pixel; radius in pixels of the window.
   void ShowCircle(const DisplayPoint& center, double radius);
   void ShowNothing();
   /// Corners of what is shown.

@@ -184,7 +184,7 @@ void RegionWidget::Press()
   if (this->Shape == RegionShape::Side && isSecondPress(*this->Interactor)) return this->SelectPart();
   this->Cancel();
   if (!this->Surface || !isCursorIn(*this->CurrentRenderer, *this->Interactor)) return;
-  this->Way = {cursorOf(*this->Interactor)};
+  this->DependencyGroup = {cursorOf(*this->Interactor)};
   this->Mode = selectionModeOf(*this->Interactor);
   switch (this->Shape) {
     case RegionShape::Brush:
@@ -211,7 +211,7 @@ void RegionWidget::MoveTo()
       return this->PaintTo(cursorOf(*this->Interactor));
     case Gesture::Outline:
       this->Use();
-      this->Way.push_back(cursorOf(*this->Interactor));
+      this->DependencyGroup.push_back(cursorOf(*this->Interactor));
       return this->ShowOutline();
     case Gesture::None:
     case Gesture::Search:
@@ -229,7 +229,7 @@ void RegionWidget::Release()
       return this->Tell(vtkCommand::EndInteractionEvent, std::exchange(this->Stroke, std::nullopt)->reached());
     case Gesture::Outline:
       this->Use();
-      this->Way.push_back(cursorOf(*this->Interactor));
+      this->DependencyGroup.push_back(cursorOf(*this->Interactor));
       return this->EndOutline();
     case Gesture::None:
     case Gesture::Search:
@@ -265,9 +265,9 @@ void RegionWidget::BeginOutline()
 
 std::vector<DisplayPoint> RegionWidget::Polygon() const
 {
-  if (this->Shape == RegionShape::Lasso) return this->Way;
-  const DisplayPoint& a = this->Way.front();
-  const DisplayPoint& b = this->Way.back();
+  if (this->Shape == RegionShape::Lasso) return this->DependencyGroup;
+  const DisplayPoint& a = this->DependencyGroup.front();
+  const DisplayPoint& b = this->DependencyGroup.back();
   return {a, {b.x(), a.y()}, b, {a.x(), b.y()}};
 }
 

@@ -161,7 +161,7 @@ class RegionWidget : public vtkAbstractWidget {
   Gesture Current = Gesture::None;
   Click LeftClick;  // on a side
   SelectionMode Mode = SelectionMode::Replace;
-  std::vector<DisplayPoint> Way;  // of the cursor since the press
+  std::vector<DisplayPoint> DependencyGroup;  // of the cursor since the press
   std::optional<BrushStroke> Stroke;
   std::unique_ptr<ScreenSelection> Found;
   int TimerId = 0;

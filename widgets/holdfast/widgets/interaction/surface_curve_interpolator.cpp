@@ -32,28 +32,28 @@ void SurfaceCurveInterpolator::SetRegions(std::shared_ptr<const VertexRegions> r
   this->Modified();
 }
 
-std::vector<Index> SurfaceCurveInterpolator::Way(Index from, Index to)
+std::vector<Index> SurfaceCurveInterpolator::DependencyGroup(Index from, Index to)
 {
   if (!this->Surface || !this->Paths) return {};
   const Weld& weld = this->Surface->model().solverMesh.weld;
-  std::vector<Index> way = this->Paths->path(weld.unknownOf[from], weld.unknownOf[to]);
-  if (way.empty()) return way;
-  for (Index& unknown : way) unknown = weld.firstVertexOf[unknown];
-  way.front() = from;
-  way.back() = to;
-  return way;
+  std::vector<Index> path = this->Paths->path(weld.unknownOf[from], weld.unknownOf[to]);
+  if (path.empty()) return path;
+  for (Index& unknown : path) unknown = weld.firstVertexOf[unknown];
+  path.front() = from;
+  path.back() = to;
+  return path;
 }
 
 int SurfaceCurveInterpolator::InterpolateLine(vtkRenderer* /*renderer*/, vtkContourRepresentation* contour, int from,
                                               int to)
 {
-  const std::vector<Index> way =
-      this->Way(Index{contour->GetNthNode(from)->PointId}, Index{contour->GetNthNode(to)->PointId});
-  for (std::size_t k = 1; k + 1 < way.size(); ++k) {
-    Vector3 place = this->Surface->positions().row(way[k]).transpose();
-    contour->AddIntermediatePointWorldPosition(from, place.data(), way[k]);
+  const std::vector<Index> path =
+      this->DependencyGroup(Index{contour->GetNthNode(from)->PointId}, Index{contour->GetNthNode(to)->PointId});
+  for (std::size_t k = 1; k + 1 < path.size(); ++k) {
+    Vector3 place = this->Surface->positions().row(path[k]).transpose();
+    contour->AddIntermediatePointWorldPosition(from, place.data(), path[k]);
   }
-  return way.empty() ? 0 : 1;
+  return path.empty() ? 0 : 1;
 }
 
 }  // namespace holdfast

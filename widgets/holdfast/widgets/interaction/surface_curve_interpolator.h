@@ -29,7 +29,7 @@ class SurfaceCurveInterpolator : public vtkContourLineInterpolator {
 
   /// The vertices of a shortest path, both ends included; none where no edges join them. Of vertices that are one
   /// unknown (unwelded files) the first stands for all on the way. Costs what `ShortestPaths::path` does.
-  [[nodiscard]] std::vector<Index> Way(Index from, Index to);
+  [[nodiscard]] std::vector<Index> DependencyGroup(Index from, Index to);
 
   /// 1, or 0 where nothing joins the nodes.
   int InterpolateLine(vtkRenderer* renderer, vtkContourRepresentation* contour, int from, int to) override;

@@ -165,8 +165,8 @@ bool SurfaceCurveRepresentation::IsPossible(Index vertex, int moved) const
 
 bool SurfaceCurveRepresentation::InsertPlace(int n, Index vertex)
 {
-  constexpr int kNone = -1;
-  if (n < 0 || n > this->GetNumberOfNodes() || !this->IsPossible(vertex, kNone)) return false;
+  constexpr int kNoNode = -1;
+  if (n < 0 || n > this->GetNumberOfNodes() || !this->IsPossible(vertex, kNoNode)) return false;
   auto* node = new vtkContourRepresentationNode{};
   for (const int k : {0, 4, 8}) node->WorldOrientation[k] = 1;
   this->Internal->Nodes.insert(this->Internal->Nodes.begin() + n, node);
@@ -232,7 +232,7 @@ void SurfaceCurveRepresentation::SetPreview(std::optional<Index> vertex)
   if (vertex && this->Internal->Nodes.empty())
     way = {*vertex};
   else if (vertex && this->ClosedLoop == 0)
-    way = this->Interpolator->Way(this->GetPlaces().back(), *vertex);
+    way = this->Interpolator->DependencyGroup(this->GetPlaces().back(), *vertex);
   if (way == this->Preview) return;
   this->Preview = std::move(way);
   this->NeedToRender = 1;

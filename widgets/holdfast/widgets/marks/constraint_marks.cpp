@@ -26,7 +26,7 @@ MarkKind kindOf(const SurfacePoint& point)
 
 MarkKind kindOf(const ConstraintRow& row, const SurfacePoint& point)
 {
-  if (row.kind == RowKind::Body) return MarkKind::Rigid;
+  if (row.kind == RowKind::Region) return MarkKind::Rigid;
   return row.kind == RowKind::Relative ? MarkKind::Relative : kindOf(point);
 }
 
@@ -44,10 +44,10 @@ struct RowPlaces {
 RowPlaces placesOf(const ConstraintRow& row, const Weld& weld, const Positions& positions)
 {
   RowPlaces places;
-  for (const PointTerm& term : row.terms) {
-    Side& side = term.weight < 0 ? places.refers : places.acts;
-    side.sum += term.weight * positions.row(weld.firstVertexOf[term.vertex]).transpose();
-    side.weight += term.weight;
+  for (const Term& term : row.terms) {
+    Side& side = term.coefficient < 0 ? places.refers : places.acts;
+    side.sum += term.coefficient * positions.row(weld.firstVertexOf[term.index]).transpose();
+    side.weight += term.coefficient;
   }
   return places;
 }
@@ -76,11 +76,20 @@ class DisabledConstraint {
   {
   }
 
-  std::vector<DisabledPlace> operator()(const Fixed& fixed) const { return of(fixed.select, MarkKind::Selection); }
-  std::vector<DisabledPlace> operator()(const Handle& handle) const { return of(handle.select, MarkKind::Selection); }
-  std::vector<DisabledPlace> operator()(const Rigid& rigid) const { return of(rigid.select, MarkKind::Rigid); }
+  std::vector<DisabledPlace> operator()(const FixedConstraint& fixed) const
+  {
+    return of(fixed.select, MarkKind::Selection);
+  }
+  std::vector<DisabledPlace> operator()(const HandleConstraint& handle) const
+  {
+    return of(handle.select, MarkKind::Selection);
+  }
+  std::vector<DisabledPlace> operator()(const RigidConstraint& rigid) const
+  {
+    return of(rigid.select, MarkKind::Rigid);
+  }
 
-  std::vector<DisabledPlace> operator()(const Point& point) const
+  std::vector<DisabledPlace> operator()(const PointConstraint& point) const
   {
     const SurfacePoint at = locator_.locate(point.at, {}).point;
     const Target* const place = std::get_if<Target>(&point.to);
@@ -89,7 +98,7 @@ class DisabledConstraint {
     return {{at, kindOf(at), constraint_, target, {}}};
   }
 
-  std::vector<DisabledPlace> operator()(const Relative& relative) const
+  std::vector<DisabledPlace> operator()(const RelativeConstraint& relative) const
   {
     return {{locator_.locate(relative.from, {}).point,
              MarkKind::Relative,
@@ -115,7 +124,7 @@ class DisabledConstraint {
 
 }  // namespace
 
-std::vector<ConstraintMark> constraintMarks(const Model& model, const Deformation& deformation)
+std::vector<ConstraintMark> constraintMarks(const Model& model, const DeformResult& deformation)
 {
   const ConstraintSystem& system = deformation.system;
   const std::vector<double> residuals = rowResiduals(system, model.solverMesh.weld, deformation.positions);
@@ -168,7 +177,7 @@ std::vector<ConstraintMark> disabledMarks(const Model& model, const std::vector<
 }
 
 std::vector<ConstraintMark> constraintMarks(const Model& model, const ConstraintList& list,
-                                            const Deformation& deformation)
+                                            const DeformResult& deformation)
 {
   std::vector<ConstraintMark> marks = constraintMarks(model, deformation);
   for (ConstraintMark& mark : disabledMarks(model, disabledPlaces(model, list), deformation.positions))

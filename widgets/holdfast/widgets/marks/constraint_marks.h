@@ -38,7 +38,7 @@ struct ConstraintMark {
 
 /// A mark for each row that has terms, in the order of rows. One of a rigid region lies at its vertex, one of a
 /// relative constraint at the place that `from` names; both want to lie as they should to the other place. O(rows).
-[[nodiscard]] std::vector<ConstraintMark> constraintMarks(const Model& model, const Deformation& deformation);
+[[nodiscard]] std::vector<ConstraintMark> constraintMarks(const Model& model, const DeformResult& deformation);
 
 /// A place at which a disabled constraint would act.
 struct DisabledPlace {
@@ -59,6 +59,6 @@ struct DisabledPlace {
 
 /// Marks of all constraints of `list`, which `deformation` was made of: those of disabled ones come last.
 [[nodiscard]] std::vector<ConstraintMark> constraintMarks(const Model& model, const ConstraintList& list,
-                                                          const Deformation& deformation);
+                                                          const DeformResult& deformation);
 
 }  // namespace holdfast

@@ -18,7 +18,7 @@ enum class ScreenReach {
 };
 
 /// The vertices of the file that are shown inside `polygon` in the renderer's part of the window; ascending. The
-/// corners of the polygon are pixels as a cursor names them, each meaning its centre; it is closed from the last to the
+/// corners of the polygon are pixels as a cursor names them, each meaning its center; it is closed from the last to the
 /// first, and what it encloses is as of `ScreenPolygon`. Vertices that no face uses, those behind the eye and those
 /// that a section cuts away are left out. O(N) and, for `VisibleOnly`, about O(k log T) for k vertices inside.
 [[nodiscard]] std::vector<Index> verticesInScreenPolygon(vtkRenderer& renderer,

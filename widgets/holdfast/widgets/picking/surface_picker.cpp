@@ -211,7 +211,7 @@ SurfacePoint pointOf(const SurfaceLocation& location, const Mesh& mesh)
   if (const auto* vertex = std::get_if<AtVertex>(&location)) return canonical({{vertex->vertex, 1}});
   if (const auto* edge = std::get_if<AtEdge>(&location)) return canonical({{edge->i, edge->t}, {edge->j, 1 - edge->t}});
   const auto& [face, weights] = std::get<AtFace>(location);
-  std::vector<PointTerm> terms;
+  std::vector<Term> terms;
   for (std::size_t k = 0; k < weights.size(); ++k) terms.push_back({mesh.faces[face][k], weights[k]});
   return canonical(std::move(terms));
 }

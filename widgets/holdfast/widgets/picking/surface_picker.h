@@ -42,7 +42,7 @@ class SurfacePicker {
   explicit SurfacePicker(std::shared_ptr<const VisibleSurface> surface) : surface_(std::move(surface)) {}
 
   /// What is under the cursor, which is at the pixel (`displayX`, `displayY`) of the renderer's window, counted from
-  /// the lower left; the point meant is the pixel's centre. Distances are those on the screen.
+  /// the lower left; the point meant is the pixel's center. Distances are those on the screen.
   /// - `Face`: the point of the front-most face there.
   /// - `Vertex`, `Edge`: the nearest visible vertex, or the nearest point of an edge where that is visible, within
   ///   `snapPixels`; else of the front-most face there and of the faces that touch it, at any distance.

@@ -27,7 +27,7 @@ SphereVertices sphereVertices(const Model& model)
   return vertices;
 }
 
-std::shared_ptr<const PlacedRotations> placeRotations(const Model& model, const Deformation& deformation,
+std::shared_ptr<const PlacedRotations> placeRotations(const Model& model, const DeformResult& deformation,
                                                       const std::shared_ptr<const PlacedRotations>& before)
 {
   auto placed = std::make_shared<PlacedRotations>();

@@ -34,6 +34,6 @@ struct PlacedRotations {
 /// Places the rotations of `deformation`, which is one of `model`. `before` is what was shown of the same model before,
 /// which keeps the picture from turning over; null at first. O(N).
 [[nodiscard]] std::shared_ptr<const PlacedRotations> placeRotations(
-    const Model& model, const Deformation& deformation, const std::shared_ptr<const PlacedRotations>& before);
+    const Model& model, const DeformResult& deformation, const std::shared_ptr<const PlacedRotations>& before);
 
 }  // namespace holdfast

@@ -70,7 +70,7 @@ SphereFrame frameWithout(const Vector3& hidden)
 
 }  // namespace
 
-std::vector<BoundaryRotation> boundaryRotations(const Deformation& deformation)
+std::vector<BoundaryRotation> boundaryRotations(const DeformResult& deformation)
 {
   std::vector<BoundaryRotation> boundary;
   std::vector<std::vector<std::string>> names;

@@ -35,7 +35,7 @@ struct BoundaryRotation {
 inline constexpr double kTurnRise = 0.12;
 
 /// The different rotations that the constraints of `deformation` prescribe, in the user's order. O(n log n).
-[[nodiscard]] std::vector<BoundaryRotation> boundaryRotations(const Deformation& deformation);
+[[nodiscard]] std::vector<BoundaryRotation> boundaryRotations(const DeformResult& deformation);
 
 /// Whether anything is asked to turn.
 [[nodiscard]] bool hasRotation(const std::vector<BoundaryRotation>& boundary);

@@ -63,10 +63,10 @@ void turnSphere(vtkCamera& camera, double right, double up)
       (Eigen::AngleAxisd(-right, viewUp.normalized()) * Eigen::AngleAxisd(up, across.normalized())).toRotationMatrix();
   const Vector3 eye = turn * Vector3(camera.GetPosition());
   const Vector3 focus = turn * Vector3(camera.GetFocalPoint());
-  const Vector3 turnedUp = turn * viewUp;
+  const Vector3 rotatedUp = turn * viewUp;
   camera.SetPosition(eye.data());
   camera.SetFocalPoint(focus.data());
-  camera.SetViewUp(turnedUp.data());
+  camera.SetViewUp(rotatedUp.data());
 }
 
 void zoomSphere(vtkCamera& camera, double factor)

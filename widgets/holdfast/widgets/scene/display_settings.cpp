@@ -10,7 +10,7 @@ void arrange(SceneContents& contents, const DisplaySettings& settings)
   if (!settings.areConstraintsShown) contents.setMarks({});
 }
 
-std::optional<Coloring> coloringOf(const Model& model, const Deformation& deformation, const ColorSettings& settings,
+std::optional<Coloring> coloringOf(const Model& model, const DeformResult& deformation, const ColorSettings& settings,
                                    const std::string& units)
 {
   std::optional<Coloring> coloring = coloringOf(model, deformation, settings.field, units);

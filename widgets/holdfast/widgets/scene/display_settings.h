@@ -29,7 +29,7 @@ void arrange(SceneContents& contents, const DisplaySettings& settings);
 
 /// The values of the chosen field on the chosen scale; none for `ColorBy::None`. `units` as in the function of the same
 /// name.
-[[nodiscard]] std::optional<Coloring> coloringOf(const Model& model, const Deformation& deformation,
+[[nodiscard]] std::optional<Coloring> coloringOf(const Model& model, const DeformResult& deformation,
                                                  const ColorSettings& settings, const std::string& units);
 
 }  // namespace holdfast

@@ -25,17 +25,17 @@ Mesh sheet()
 
 Constraint moved(const std::string& name, Index vertex, const Vector3& shift, bool isEnabled = true)
 {
-  return {name, isEnabled, Point{AtVertex{vertex}, Move{shift}}};
+  return {name, isEnabled, PointConstraint{AtVertex{vertex}, Move{shift}}};
 }
 
 ConstraintList everyKind()
 {
-  const Turn turn{Vector3::UnitX(), 60, {}};
+  const AxisRotation turn{Vector3::UnitX(), 60, {}};
   return {"",
-          {{"held", true, Fixed{{VertexIds{{0, 1}}}}},
-           {"turned", true, Handle{{VertexIds{{14, 15}}}, turn, Vector3::UnitZ(), {}}},
-           {"rigid", true, Rigid{{VertexIds{{5, 6, 9}}}}},
-           {"in a face", true, Point{AtFace{4, {0.2, 0.3, 0.5}}, Move{Vector3::UnitZ()}}},
+          {{"held", true, FixedConstraint{{VertexIds{{0, 1}}}}},
+           {"turned", true, HandleConstraint{{VertexIds{{14, 15}}}, turn, Vector3::UnitZ(), {}}},
+           {"rigid", true, RigidConstraint{{VertexIds{{5, 6, 9}}}}},
+           {"in a face", true, PointConstraint{AtFace{4, {0.2, 0.3, 0.5}}, Move{Vector3::UnitZ()}}},
            moved("repeated", 0, Vector3::Zero()),
            moved("in conflict", 1, Vector3::UnitZ()),
            moved("disabled", 3, Vector3::UnitZ(), false)}};

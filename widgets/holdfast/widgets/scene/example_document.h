@@ -10,7 +10,7 @@ namespace holdfast {
 struct ExampleDocument {
   Model model;
   ConstraintList list;
-  Deformation deformation;
+  DeformResult deformation;
 };
 
 /// A few milliseconds.

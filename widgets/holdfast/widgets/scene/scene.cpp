@@ -10,7 +10,7 @@
 
 #include <holdfast/widgets/camera/default_camera.h>
 #include <holdfast/widgets/color/scalar_legend.h>
-#include <holdfast/widgets/scene/stage.h>
+#include <holdfast/widgets/scene/lighting.h>
 
 namespace holdfast {
 namespace {
@@ -59,7 +59,7 @@ Positions stacked(const Positions& a, const Positions& b)
 
 }  // namespace
 
-Scene::Scene(const Model& model, const Deformation& deformation, const SceneOptions& options)
+Scene::Scene(const Model& model, const DeformResult& deformation, const SceneOptions& options)
     : size_(options.size), pixelRatio_(pixelRatioOf(size_)), contents_(model)
 {
   window_->SetOffScreenRendering(1);
@@ -102,7 +102,7 @@ void Scene::layOut(const LegendContents& contents, double textSize)
             {width - legendWidth, legendWidth, static_cast<double>(pixelRatio_) * size_.height, textSize});
 }
 
-void Scene::placeCamera(const Model& model, const Deformation& deformation)
+void Scene::placeCamera(const Model& model, const DeformResult& deformation)
 {
   std::array<double, 4> viewport{};
   meshRenderer_->GetViewport(viewport.data());

@@ -54,7 +54,7 @@ struct SceneOptions {
 /// window that is never shown. Needs an X server with OpenGL: ask `whyNoPictures` first. Drawn by `draw`.
 class Scene {
  public:
-  Scene(const Model& model, const Deformation& deformation, const SceneOptions& options);
+  Scene(const Model& model, const DeformResult& deformation, const SceneOptions& options);
   ~Scene();
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
@@ -70,7 +70,7 @@ class Scene {
   [[nodiscard]] int pixelRatio() const noexcept { return pixelRatio_; }
 
  private:
-  void placeCamera(const Model& model, const Deformation& deformation);
+  void placeCamera(const Model& model, const DeformResult& deformation);
   void layOut(const LegendContents& contents, double textSize);
 
   PictureSize size_;

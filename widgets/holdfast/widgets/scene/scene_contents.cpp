@@ -70,19 +70,19 @@ std::vector<vtkActor*> SceneContents::actors() const
   return all;
 }
 
-void SceneContents::show(const Deformation& deformation, const std::vector<DisabledPlace>& disabled)
+void SceneContents::show(const DeformResult& deformation, const std::vector<DisabledPlace>& disabled)
 {
   showShape(deformation);
   showConstraints(deformation, disabled);
 }
 
-void SceneContents::showShape(const Deformation& deformation)
+void SceneContents::showShape(const DeformResult& deformation)
 {
   rotations_ = deformation.rotations;
   setPositions(deformation.positions);
 }
 
-void SceneContents::showConstraints(const Deformation& deformation, const std::vector<DisabledPlace>& disabled)
+void SceneContents::showConstraints(const DeformResult& deformation, const std::vector<DisabledPlace>& disabled)
 {
   std::vector<ConstraintMark> marks = constraintMarks(mesh_.model(), deformation);
   for (ConstraintMark& mark : disabledMarks(mesh_.model(), disabled, deformation.positions))

@@ -45,12 +45,12 @@ class SceneContents {
 
   /// A deformation: its positions, rotations and constraints; and those of its list that are disabled. Colours stay
   /// (see `color`). O(T + marks).
-  void show(const Deformation& deformation, const std::vector<DisabledPlace>& disabled = {});
+  void show(const DeformResult& deformation, const std::vector<DisabledPlace>& disabled = {});
 
   /// The shape of it alone.
-  void showShape(const Deformation& deformation);
+  void showShape(const DeformResult& deformation);
   /// Its constraints alone, and those that are disabled. O(marks).
-  void showConstraints(const Deformation& deformation, const std::vector<DisabledPlace>& disabled);
+  void showConstraints(const DeformResult& deformation, const std::vector<DisabledPlace>& disabled);
 
   /// Moves the mesh and the selection on it, nothing else: one row for each vertex of the file. O(T).
   void setPositions(const Positions& positions);

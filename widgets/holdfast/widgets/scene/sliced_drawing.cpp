@@ -7,7 +7,7 @@
 #include <vtkRenderer.h>
 #include <vtkRendererCollection.h>
 
-#include <holdfast/widgets/scene/stage.h>
+#include <holdfast/widgets/scene/lighting.h>
 
 namespace holdfast {
 namespace {

@@ -5,7 +5,7 @@
 namespace holdfast {
 namespace {
 
-QLabel* newWords(const QString& objectName)
+QLabel* newWrapped(const QString& objectName)
 {
   auto* label = new QLabel;
   label->setObjectName(objectName);
@@ -17,7 +17,7 @@ QLabel* newWords(const QString& objectName)
 
 QLabel* newHint(const QString& objectName)
 {
-  QLabel* label = newWords(objectName);
+  QLabel* label = newWrapped(objectName);
   label->setAlignment(Qt::AlignCenter);
   label->setMargin(12);
   return label;
@@ -25,7 +25,7 @@ QLabel* newHint(const QString& objectName)
 
 QLabel* newText(const QString& objectName)
 {
-  QLabel* label = newWords(objectName);
+  QLabel* label = newWrapped(objectName);
   label->setTextFormat(Qt::PlainText);
   label->setTextInteractionFlags(Qt::TextSelectableByMouse);
   return label;

@@ -5,7 +5,7 @@
 #include <QLabel>
 
 #include <holdfast/io/text/number_text.h>
-#include <holdfast/window/text/number_words.h>
+#include <holdfast/window/text/number_text.h>
 
 namespace holdfast {
 namespace {

@@ -21,13 +21,13 @@
 #include <holdfast/widgets/scene/snapshot.h>
 #include <holdfast/window/files/file_messages.h>
 #include <holdfast/window/files/picture_dialog.h>
-#include <holdfast/window/text/number_words.h>
+#include <holdfast/window/text/number_text.h>
 
 namespace holdfast {
 namespace {
 
 /// How far a reader of coordinates in single precision misses constraints that are met here; 0 within the promise.
-double missedInSinglePrecision(const Model& model, const Deformation& deformation)
+double missedInSinglePrecision(const Model& model, const DeformResult& deformation)
 {
   const Positions stored = deformation.positions.cast<float>().cast<double>();
   Report report = deformation.report;
@@ -37,7 +37,7 @@ double missedInSinglePrecision(const Model& model, const Deformation& deformatio
   return isMissed ? report.solve.maxResidual : 0;
 }
 
-std::string pictureOf(const Model& model, const Deformation& deformation, const SceneOptions& options,
+std::string pictureOf(const Model& model, const DeformResult& deformation, const SceneOptions& options,
                       const PictureView& view, const std::string& name)
 {
   Scene scene(model, deformation, options);
@@ -74,7 +74,7 @@ void DocumentExports::exportMesh()
   if (path.isEmpty()) return;
   make(path, [path, document = editor_.mesh().document, model = editor_.model(),
               deformation = editor_.deformation()](Progress& progress) {
-    progress.stage("writing the mesh");
+    progress.step("writing the mesh");
     Made file{serializeAnyMesh(document, deformation->positions, path.toStdString())};
     if (file.contents.isSinglePrecision) file.missedBy = missedInSinglePrecision(*model, *deformation);
     return file;
@@ -87,9 +87,9 @@ void DocumentExports::exportFields()
   const QString path = ask(tr("Export fields"), ".fields.vtp", {tr("Fields over the mesh (*.vtp)")});
   if (path.isEmpty()) return;
   make(path, [model = editor_.model(), deformation = editor_.deformation()](Progress& progress) {
-    progress.stage("computing fields");
+    progress.step("computing fields");
     const std::vector<Field> fields = fieldsOf(*model, *deformation);
-    progress.stage("writing fields");
+    progress.step("writing fields");
     return Made{fieldsToVtp(model->mesh, deformation->positions, fields, {})};
   });
 }
@@ -132,18 +132,18 @@ bool DocumentExports::mayExportShown()
 {
   const auto& deformation = editor_.deformation();
   const bool isSolved = deformation != nullptr && deformation->report.solve.status != SolveStatus::Failed;
-  if (editor_.freshness() == Freshness::Current && isSolved) return true;
+  if (editor_.solveState() == SolveState::Current && isSolved) return true;
   if (!isSolved) {
     const QString reason = deformation != nullptr ? QString::fromStdString(deformation->report.solve.message)
-                           : editor_.freshness() == Freshness::Solving
+                           : editor_.solveState() == SolveState::Solving
                                ? tr("The constraints are being solved for the first time; wait until that is done.")
-                               : editor_.trouble();
+                               : editor_.error();
     showProblem(window_, tr("There is no result to export."),
                 reason.isEmpty() ? tr("Solve the constraints first.") : reason);
     return false;
   }
   return askToGoOn(window_, tr("What is shown is older than the constraints."),
-                   editor_.freshness() == Freshness::Solving
+                   editor_.solveState() == SolveState::Solving
                        ? tr("They have changed since and are being solved. The file would hold what you see now.")
                        : tr("They have changed since and are not solved. The file would hold what you see now."),
                    tr("&Export what is shown"));
@@ -198,7 +198,7 @@ void DocumentExports::write(const QString& path, std::shared_ptr<const Serialize
 {
   writing_ = path;
   job_.start([this, path, contents = std::move(contents)](Progress& progress) {
-    progress.stage("writing to the disk");
+    progress.step("writing to the disk");
     OutputFile(path.toStdString(), contents->bytes).commit();
     return [this, path, notes = contents->notes] { written(path, notes); };
   });

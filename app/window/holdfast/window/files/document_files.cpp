@@ -23,7 +23,7 @@ fs::path pathOf(const QString& text)
 
 }  // namespace
 
-struct DocumentFiles::Wish {
+struct DocumentFiles::OpenRequest {
   fs::path path;                       // what is read
   fs::path sessionPath;                // what it is saved to; empty for a mesh
   std::optional<SessionFile> session;  // read already, with what the user has said of its mesh
@@ -56,10 +56,10 @@ void DocumentFiles::open(const QString& path)
   job_.cancel();
   givenUp_.reset();
   if (!mayReplaceDocument()) return;
-  Wish wish;
-  wish.path = pathOf(absolute);
-  if (isSessionFile(wish.path)) wish.sessionPath = wish.path;
-  find(std::move(wish));
+  OpenRequest request;
+  request.path = pathOf(absolute);
+  if (isSessionFile(request.path)) request.sessionPath = request.path;
+  find(std::move(request));
 }
 
 void DocumentFiles::openDialog()
@@ -80,34 +80,34 @@ void DocumentFiles::recover(const Recoverable& copy, std::function<void()> whenO
   job_.cancel();
   givenUp_.reset();
   if (!mayReplaceDocument()) return;
-  Wish wish;
-  wish.path = copy.path;
-  wish.sessionPath = copy.original;
-  wish.isUnsaved = true;
-  wish.whenOpen = std::move(whenOpen);
-  find(std::move(wish));
+  OpenRequest request;
+  request.path = copy.path;
+  request.sessionPath = copy.original;
+  request.isUnsaved = true;
+  request.whenOpen = std::move(whenOpen);
+  find(std::move(request));
 }
 
-void DocumentFiles::find(Wish wish)
+void DocumentFiles::find(OpenRequest request)
 {
-  opening_ = QFileInfo(textOf(wish.path)).fileName();
+  opening_ = QFileInfo(textOf(request.path)).fileName();
   sheet_.setTitle(tr("Opening %1").arg(opening_));
-  job_.start([this, wish](Progress& progress) {
-    auto document = std::make_shared<FoundDocument>(wish.session ? findMesh(*wish.session, wish.path, progress)
-                                                                 : findDocument(wish.path, progress));
-    return [this, wish, document] { found(wish, document); };
+  job_.start([this, request](Progress& progress) {
+    auto document = std::make_shared<FoundDocument>(request.session ? findMesh(*request.session, request.path, progress)
+                                                                    : findDocument(request.path, progress));
+    return [this, request, document] { found(request, document); };
   });
 }
 
-void DocumentFiles::found(Wish wish, std::shared_ptr<FoundDocument> document)
+void DocumentFiles::found(OpenRequest request, std::shared_ptr<FoundDocument> document)
 {
-  if (document->mesh) return adopt(wish, *document);
-  askAboutMesh(std::move(wish), *document);
+  if (document->mesh) return adopt(request, *document);
+  askAboutMesh(std::move(request), *document);
 }
 
-void DocumentFiles::askAboutMesh(Wish wish, const FoundDocument& document)
+void DocumentFiles::askAboutMesh(OpenRequest request, const FoundDocument& document)
 {
-  wish.session = document.session;
+  request.session = document.session;
   const QString explanation = QString::fromStdString(document.resolved.message);
   const bool isMissing = document.resolved.state == MeshState::Missing;
   switch (isMissing ? askAboutMissingMesh(window_, opening_, explanation)
@@ -115,34 +115,35 @@ void DocumentFiles::askAboutMesh(Wish wish, const FoundDocument& document)
     case MeshAnswer::Cancel:
       return;
     case MeshAnswer::UseAllTheSame:
-      wish.session->mesh = {document.resolved.path.string(), "", ""};
+      request.session->mesh = {document.resolved.path.string(), "", ""};
       break;
     case MeshAnswer::Locate: {
       const QString folder = QFileInfo(textOf(document.resolved.path)).path();
       const QString path =
           chooser_(window_, {FileQuestion::Purpose::Read, tr("Where is the mesh?"), folder, meshFilters()});
       if (path.isEmpty()) return;
-      wish.session->mesh.path = wish.session->mesh.absolutePath = QFileInfo(path).absoluteFilePath().toStdString();
+      request.session->mesh.path = request.session->mesh.absolutePath =
+          QFileInfo(path).absoluteFilePath().toStdString();
       break;
     }
   }
-  wish.isUnsaved = true;
-  find(std::move(wish));
+  request.isUnsaved = true;
+  find(std::move(request));
 }
 
-void DocumentFiles::adopt(const Wish& wish, FoundDocument& document)
+void DocumentFiles::adopt(const OpenRequest& request, FoundDocument& document)
 {
   // The document that is open may have been edited while this one was read.
   if (!mayReplaceDocument()) return;
   givenUp_.reset();
   meshChecksum_ = document.meshChecksum;
-  sessionPath_ = wish.sessionPath;
+  sessionPath_ = request.sessionPath;
   editor_.open(std::move(*document.mesh), std::move(document.session.document));
-  if (wish.isUnsaved) editor_.markUnsaved();
-  setPath(wish.sessionPath);
-  recent_.add(textOf(wish.sessionPath.empty() ? editor_.mesh().path : wish.sessionPath));
+  if (request.isUnsaved) editor_.markUnsaved();
+  setPath(request.sessionPath);
+  recent_.add(textOf(request.sessionPath.empty() ? editor_.mesh().path : request.sessionPath));
   Q_EMIT viewOpened(document.session.view);
-  wish.whenOpen();
+  request.whenOpen();
 }
 
 void DocumentFiles::setPath(const fs::path& path)
@@ -230,7 +231,7 @@ void DocumentFiles::beginSaving(const fs::path& path)
                    } catch (...) {
                      failure = std::current_exception();
                    }
-                   told_.post([this, weak] {
+                   calls_.post([this, weak] {
                      if (saving_ && saving_ == weak.lock()) finishSaving();
                    });
                    return failure;

@@ -81,15 +81,15 @@ class DocumentFiles : public QObject {
   void done(const QString& what);
 
  private:
-  struct Wish;    // what is to be opened
-  struct Saving;  // what is being written
+  struct OpenRequest;  // what is to be opened
+  struct Saving;       // what is being written
 
-  void openSession(Wish wish);
-  void find(Wish wish);
-  void found(Wish wish, std::shared_ptr<FoundDocument> document);
-  void askAboutMesh(Wish wish, const FoundDocument& document);
-  void locateMesh(Wish wish);
-  void adopt(const Wish& wish, FoundDocument& document);
+  void openSession(OpenRequest request);
+  void find(OpenRequest request);
+  void found(OpenRequest request, std::shared_ptr<FoundDocument> document);
+  void askAboutMesh(OpenRequest request, const FoundDocument& document);
+  void locateMesh(OpenRequest request);
+  void adopt(const OpenRequest& request, FoundDocument& document);
   void setPath(const std::filesystem::path& path);
   void showFailure(const std::exception_ptr& error);
   [[nodiscard]] bool mayReplaceDocument();
@@ -110,7 +110,7 @@ class DocumentFiles : public QObject {
   QString opening_;                                // the file, for messages
   std::shared_ptr<const DocumentState> givenUp_;   // the unsaved state that the user has agreed to lose
   std::optional<std::filesystem::path> saveNext_;  // asked for while something was being saved
-  PostedCalls told_;                               // by the thread that writes; outlives it
+  PostedCalls calls_;                              // by the thread that writes; outlives it
   std::shared_ptr<Saving> saving_;                 // null when nothing is written
 };
 

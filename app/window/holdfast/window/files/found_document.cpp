@@ -18,12 +18,12 @@ bool isSessionFile(const std::filesystem::path& path)
 
 FoundDocument findDocument(const std::filesystem::path& path, Progress& progress)
 {
-  progress.stage(fmt::format("reading {}", path.filename().string()));
+  progress.step(fmt::format("reading {}", path.filename().string()));
   if (isSessionFile(path)) return findMesh(readSession(path), path, progress);
   FoundDocument found;
   found.mesh = loadMesh(path, progress);
   found.resolved = {path, MeshState::Same, ""};
-  progress.stage("remembering which mesh it is");
+  progress.step("remembering which mesh it is");
   found.meshChecksum = checksumOfFile(path);
   return found;
 }
@@ -32,11 +32,11 @@ FoundDocument findMesh(SessionFile session, const std::filesystem::path& session
 {
   FoundDocument found;
   found.session = std::move(session);
-  progress.stage("looking for the mesh");
+  progress.step("looking for the mesh");
   found.resolved = resolveMesh(found.session, sessionPath);
   if (found.resolved.state != MeshState::Same) return found;
   found.mesh = loadMesh(found.resolved.path, progress);
-  progress.stage("remembering which mesh it is");
+  progress.step("remembering which mesh it is");
   found.meshChecksum = checksumOfFile(found.resolved.path);
   return found;
 }

@@ -17,7 +17,7 @@
 #include <holdfast/base/error.h>
 #include <holdfast/window/controls/number_edit.h>
 #include <holdfast/window/files/file_messages.h>
-#include <holdfast/window/text/number_words.h>
+#include <holdfast/window/text/number_text.h>
 
 namespace holdfast {
 namespace {
@@ -60,7 +60,7 @@ ImportDialog::ImportDialog(Editor& editor, std::filesystem::path path, QWidget* 
   connect(&job_, &BackgroundJob::failed, this, &ImportDialog::showFailure);
   connect(this, &QDialog::finished, &job_, &BackgroundJob::cancel);
   job_.start([this, path = path_, model = editor_.model(), state = editor_.history().state()](Progress& progress) {
-    progress.stage("reading");
+    progress.step("reading");
     auto contents = std::make_shared<ImportContents>(readImport(path, state->list, *model));
     return [this, contents] { show(std::move(*contents)); };
   });

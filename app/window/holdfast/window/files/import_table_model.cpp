@@ -7,9 +7,9 @@
 #include <utility>
 #include <variant>
 
-#include <holdfast/window/controls/status_look.h>
-#include <holdfast/window/text/constraint_words.h>
-#include <holdfast/window/text/number_words.h>
+#include <holdfast/window/controls/status_style.h>
+#include <holdfast/window/text/constraint_text.h>
+#include <holdfast/window/text/number_text.h>
 
 namespace holdfast {
 namespace {
@@ -19,7 +19,7 @@ constexpr Index kNoPoint = -1;
 /// Where a point that lies at `place` is to go.
 std::optional<Vector3> targetOf(const Constraint& constraint, const Vector3& place)
 {
-  const auto* point = std::get_if<Point>(&constraint.what);
+  const auto* point = std::get_if<PointConstraint>(&constraint.what);
   if (point == nullptr) return std::nullopt;
   if (const auto* target = std::get_if<Target>(&point->to)) return target->place;
   return Vector3(place + std::get<Move>(point->to).shift);

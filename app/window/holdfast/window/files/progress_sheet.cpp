@@ -18,12 +18,12 @@ ProgressSheet::ProgressSheet(BackgroundJob& job, QWidget* window) : job_(job), w
   delay_.setInterval(kMomentMilliseconds);
   connect(&delay_, &QTimer::timeout, this, &ProgressSheet::show);
   connect(&job, &BackgroundJob::started, this, [this] {
-    stage_.clear();
+    step_.clear();
     delay_.start();
   });
-  connect(&job, &BackgroundJob::stageChanged, this, [this](const QString& stage) {
-    stage_ = stage;
-    if (dialog_) dialog_->setLabelText(stage);
+  connect(&job, &BackgroundJob::stepChanged, this, [this](const QString& step) {
+    step_ = step;
+    if (dialog_) dialog_->setLabelText(step);
   });
   connect(&job, &BackgroundJob::ended, this, [this] {
     delay_.stop();
@@ -40,7 +40,7 @@ ProgressSheet::~ProgressSheet()
 
 void ProgressSheet::show()
 {
-  dialog_ = new QProgressDialog(stage_, tr("Cancel"), 0, 0, window_);
+  dialog_ = new QProgressDialog(step_, tr("Cancel"), 0, 0, window_);
   dialog_->setObjectName("progress");
   dialog_->setWindowTitle(title_);
   dialog_->setWindowModality(Qt::NonModal);

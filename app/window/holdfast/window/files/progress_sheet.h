@@ -31,7 +31,7 @@ class ProgressSheet : public QObject {
   BackgroundJob& job_;
   QWidget* window_;
   QString title_;
-  QString stage_;
+  QString step_;
   QTimer delay_;
   QPointer<QProgressDialog> dialog_;  // a child of the window
 };

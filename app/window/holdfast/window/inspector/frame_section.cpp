@@ -6,7 +6,7 @@
 #include <holdfast/base/error.h>
 #include <holdfast/geometry/centroid.h>
 #include <holdfast/window/model/handle_actions.h>
-#include <holdfast/window/text/number_words.h>
+#include <holdfast/window/text/number_text.h>
 
 namespace holdfast {
 namespace {
@@ -16,7 +16,7 @@ constexpr double kMostWholeTurns = 9e15;
 
 const FrameMotion& framesOf(const Constraint& constraint)
 {
-  return std::get<FrameMotion>(std::get<Handle>(constraint.what).motion);
+  return std::get<FrameMotion>(std::get<HandleConstraint>(constraint.what).motion);
 }
 
 /// What the lines say, in the place of what `vector` has; of several that differ each keeps its own.
@@ -58,7 +58,7 @@ FrameSection::Lines FrameSection::addFrame(Frame FrameMotion::*frame, const QStr
 
 bool FrameSection::fits(const Constraint& constraint) const
 {
-  const auto* handle = std::get_if<Handle>(&constraint.what);
+  const auto* handle = std::get_if<HandleConstraint>(&constraint.what);
   return handle != nullptr && std::holds_alternative<FrameMotion>(handle->motion);
 }
 
@@ -130,9 +130,9 @@ void FrameSection::changeFrames(const QString& name, const MotionChange& change)
   InspectorSection::change(name, [&](Constraint constraint) -> std::optional<Constraint> {
     const std::optional<FrameMotion> motion = change(framesOf(constraint), constraint);
     if (!motion) return std::nullopt;
-    Handle& handle = std::get<Handle>(constraint.what);
+    HandleConstraint& handle = std::get<HandleConstraint>(constraint.what);
     handle.motion = *motion;
-    requireNoMistake(handle);
+    requireValid(handle);
     return constraint;
   });
 }

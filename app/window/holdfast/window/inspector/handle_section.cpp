@@ -2,22 +2,22 @@
 
 #include <holdfast/window/inspector/region_sections.h>
 #include <holdfast/window/model/handle_actions.h>
-#include <holdfast/window/text/number_words.h>
+#include <holdfast/window/text/number_text.h>
 
 namespace holdfast {
 namespace {
 
-/// In the order of `Handle::motion`.
+/// In the order of `HandleConstraint::motion`.
 enum Method { NoTurn, AboutAxis, AboutFixed, FromFrameToFrame, VertexByVertex };
 
 int methodOf(const Constraint& constraint)
 {
-  return static_cast<int>(std::get<Handle>(constraint.what).motion.index());
+  return static_cast<int>(std::get<HandleConstraint>(constraint.what).motion.index());
 }
 
-const Turn* turnOf(const Constraint& constraint)
+const AxisRotation* turnOf(const Constraint& constraint)
 {
-  return std::get_if<Turn>(&std::get<Handle>(constraint.what).motion);
+  return std::get_if<AxisRotation>(&std::get<HandleConstraint>(constraint.what).motion);
 }
 
 }  // namespace
@@ -40,24 +40,24 @@ HandleSection::HandleSection(Editor& editor, QWidget* parent) : InspectorSection
   connect(centerChoice_, qOverload<int>(&QComboBox::activated), this, &HandleSection::chooseCenter);
   connect(translation_, &VectorEdit::entered, this, &HandleSection::setTranslation);
   connect(degrees_, &NumberEdit::entered, this, [this](double value) {
-    changeTurn(tr("turn %1 by %2 degrees").arg(subject(), exactText(value)),
-               [=](Turn& turn, const Handle&) { turn.degrees = value; });
+    changeRotation(tr("turn %1 by %2 degrees").arg(subject(), exactText(value)),
+                   [=](AxisRotation& turn, const HandleConstraint&) { turn.degrees = value; });
   });
   connect(axis_, &VectorEdit::entered, this, [this](int axis, double value) {
-    changeTurn(tr("turn %1 about another axis").arg(subject()), [=](Turn& turn, const Handle&) {
+    changeRotation(tr("turn %1 about another axis").arg(subject()), [=](AxisRotation& turn, const HandleConstraint&) {
       turn.axis[axis] = value;
       requireAxis(turn.axis);
     });
   });
   connect(center_, &VectorEdit::entered, this, [this](int axis, double value) {
-    changeTurn(tr("turn %1 about another place").arg(subject()),
-               [=](Turn& turn, const Handle&) { (*turn.center)[axis] = value; });
+    changeRotation(tr("turn %1 about another place").arg(subject()),
+                   [=](AxisRotation& turn, const HandleConstraint&) { (*turn.center)[axis] = value; });
   });
 }
 
 bool HandleSection::fits(const Constraint& constraint) const
 {
-  return std::holds_alternative<Handle>(constraint.what);
+  return std::holds_alternative<HandleConstraint>(constraint.what);
 }
 
 void HandleSection::refresh()
@@ -66,14 +66,14 @@ void HandleSection::refresh()
   const bool isCommon = common([](const Constraint& c) { return std::optional<double>(methodOf(c)); }).has_value();
   method_->setCurrentIndex(isCommon ? method : -1);
 
-  const bool areTurns = isCommon && method == AboutAxis;
-  setFieldVisible(axis_, areTurns);
-  setFieldVisible(degrees_, areTurns);
-  setFieldVisible(centerChoice_, areTurns);
-  setFieldVisible(center_, areTurns && turnOf(constraint(rows().front()))->center.has_value());
-  translation_->setNumbers(
-      commonVector([](const Constraint& c) { return std::optional<Vector3>(std::get<Handle>(c.what).translate); }));
-  if (!areTurns) return;
+  const bool areRotations = isCommon && method == AboutAxis;
+  setFieldVisible(axis_, areRotations);
+  setFieldVisible(degrees_, areRotations);
+  setFieldVisible(centerChoice_, areRotations);
+  setFieldVisible(center_, areRotations && turnOf(constraint(rows().front()))->center.has_value());
+  translation_->setNumbers(commonVector(
+      [](const Constraint& c) { return std::optional<Vector3>(std::get<HandleConstraint>(c.what).translate); }));
+  if (!areRotations) return;
   axis_->setNumbers(commonVector([](const Constraint& c) { return std::optional<Vector3>(turnOf(c)->axis); }));
   degrees_->setNumber(common([](const Constraint& c) { return std::optional<double>(turnOf(c)->degrees); }));
   const auto centered = common([](const Constraint& c) { return std::optional<double>(turnOf(c)->center ? 1 : 0); });
@@ -88,16 +88,16 @@ void HandleSection::chooseMethod(int method)
            if (methodOf(constraint) == method) return std::nullopt;
            if (method == FromFrameToFrame) return restated(editor(), constraint, byFrames);
            if (method == VertexByVertex) return restated(editor(), constraint, byTargets);
-           Handle& handle = std::get<Handle>(constraint.what);
+           HandleConstraint& handle = std::get<HandleConstraint>(constraint.what);
            if (method == NoTurn) handle.motion = std::monostate{};
-           if (method == AboutAxis) handle.motion = Turn{};
-           if (method == AboutFixed) handle.motion = TurnAboutFixed{};
+           if (method == AboutAxis) handle.motion = AxisRotation{};
+           if (method == AboutFixed) handle.motion = RotationAboutFixed{};
            return constraint;
          });
   refresh();
 }
 
-Vector3 HandleSection::centroidOf(const Handle& handle)
+Vector3 HandleSection::centroidOf(const HandleConstraint& handle)
 {
   const std::vector<Index> vertices = vertices_.of(handle.select).vertices;
   Vector3 sum = Vector3::Zero();
@@ -108,7 +108,7 @@ Vector3 HandleSection::centroidOf(const Handle& handle)
 void HandleSection::chooseCenter(int choice)
 {
   const QString name = choice == 0 ? tr("turn %1 about its centroid") : tr("turn %1 about a place");
-  changeTurn(name.arg(subject()), [&](Turn& turn, const Handle& handle) {
+  changeRotation(name.arg(subject()), [&](AxisRotation& turn, const HandleConstraint& handle) {
     if (turn.center.has_value() == (choice == 1)) return;
     turn.center = choice == 1 ? std::optional(centroidOf(handle)) : std::nullopt;
   });
@@ -118,16 +118,17 @@ void HandleSection::chooseCenter(int choice)
 void HandleSection::setTranslation(int axis, double value)
 {
   change(tr("move %1 to %2 = %3").arg(subject(), axisText(axis), exactText(value)), [&](Constraint constraint) {
-    std::get<Handle>(constraint.what).translate[axis] = value;
+    std::get<HandleConstraint>(constraint.what).translate[axis] = value;
     return constraint;
   });
 }
 
-void HandleSection::changeTurn(const QString& name, const std::function<void(Turn&, const Handle&)>& change)
+void HandleSection::changeRotation(const QString& name,
+                                   const std::function<void(AxisRotation&, const HandleConstraint&)>& change)
 {
   InspectorSection::change(name, [&](Constraint constraint) {
-    Handle& handle = std::get<Handle>(constraint.what);
-    Turn turn = std::get<Turn>(handle.motion);
+    HandleConstraint& handle = std::get<HandleConstraint>(constraint.what);
+    AxisRotation turn = std::get<AxisRotation>(handle.motion);
     change(turn, handle);
     handle.motion = turn;
     return constraint;

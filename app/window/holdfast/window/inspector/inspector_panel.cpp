@@ -11,13 +11,13 @@
 
 #include <holdfast/base/error.h>
 #include <holdfast/window/controls/labels.h>
-#include <holdfast/window/controls/status_look.h>
+#include <holdfast/window/controls/status_style.h>
 #include <holdfast/window/inspector/frame_section.h>
 #include <holdfast/window/inspector/outcome_section.h>
 #include <holdfast/window/inspector/point_section.h>
 #include <holdfast/window/inspector/region_sections.h>
 #include <holdfast/window/inspector/single_vertices_section.h>
-#include <holdfast/window/text/constraint_words.h>
+#include <holdfast/window/text/constraint_text.h>
 
 namespace holdfast {
 
@@ -56,7 +56,7 @@ InspectorPanel::InspectorPanel(Editor& editor, QWidget* parent) : QWidget(parent
   outer->setContentsMargins(0, 0, 0, 0);
   outer->addWidget(pages_);
 
-  for (const auto signal : {&Editor::opened, &Editor::deformed, &Editor::freshnessChanged})
+  for (const auto signal : {&Editor::opened, &Editor::deformed, &Editor::solveStateChanged})
     connect(&editor, signal, this, &InspectorPanel::refresh);
   for (const auto signal : {&Editor::stateChanged, &Editor::constraintSelectionChanged})
     connect(&editor, signal, this, [this] {

@@ -29,14 +29,14 @@ void InspectorSection::inspect(const Rows& rows)
 
 bool InspectorSection::isNews()
 {
-  const auto before = std::exchange(told_, editor_.history().state());
-  const Rows rowsBefore = std::exchange(toldRows_, rows_);
-  return before != told_ || rowsBefore != toldRows_;
+  const auto before = std::exchange(reported_, editor_.history().state());
+  const Rows rowsBefore = std::exchange(reportedRows_, rows_);
+  return before != reported_ || rowsBefore != reportedRows_;
 }
 
 void InspectorSection::hideEvent(QHideEvent* event)
 {
-  told_.reset();
+  reported_.reset();
   QWidget::hideEvent(event);
 }
 

@@ -105,8 +105,8 @@ class InspectorSection : public QWidget {
 
   Editor& editor_;
   Rows rows_;
-  std::shared_ptr<const DocumentState> told_;  // of the latest news
-  Rows toldRows_;
+  std::shared_ptr<const DocumentState> reported_;  // of the latest news
+  Rows reportedRows_;
   QFormLayout* form_;
   std::vector<Field> fields_;  // all of them, in order; those in the form are visible
 };

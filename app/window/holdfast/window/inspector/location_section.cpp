@@ -10,7 +10,7 @@
 #include <holdfast/base/error.h>
 #include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/window/inspector/point_section.h>
-#include <holdfast/window/text/number_words.h>
+#include <holdfast/window/text/number_text.h>
 
 namespace holdfast {
 namespace {
@@ -33,7 +33,7 @@ void requireWeights(const std::vector<double>& weights)
   const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
   if (!(std::abs(sum - 1) <= kWeightSumTolerance))
     throw InputError({}, "the weights sum to " + exactText(sum).toStdString() +
-                             ", not to 1; change the others too, or press Normalise");
+                             ", not to 1; change the others too, or press Normalize");
 }
 
 std::optional<double> numberOf(Index id)
@@ -61,9 +61,9 @@ LocationSection::LocationSection(Editor& editor, QWidget* parent) : InspectorSec
   weightLines_->setSpacing(4);
   sum_ = new QLabel(weights_);
   sum_->setObjectName("locationSum");
-  normalise_ = new QPushButton(tr("N&ormalise"), weights_);
-  normalise_->setObjectName("locationNormalise");
-  normalise_->setToolTip(tr("Divides all weights by their sum"));
+  normalize_ = new QPushButton(tr("N&ormalise"), weights_);
+  normalize_->setObjectName("locationNormalize");
+  normalize_->setToolTip(tr("Divides all weights by their sum"));
   form().addRow(tr("Weights"), weights_);
   rest_ = addText(tr("At rest"), "locationRest");
 
@@ -72,17 +72,17 @@ LocationSection::LocationSection(Editor& editor, QWidget* parent) : InspectorSec
   connect(second_, &NumberEdit::entered, this, &LocationSection::takeEnds);
   connect(t_, &NumberEdit::entered, this, &LocationSection::setT);
   connect(near_, &VectorEdit::entered, this, &LocationSection::setPlace);
-  connect(normalise_, &QPushButton::clicked, this, &LocationSection::normalise);
+  connect(normalize_, &QPushButton::clicked, this, &LocationSection::normalize);
 }
 
 bool LocationSection::fits(const Constraint& constraint) const
 {
-  return std::holds_alternative<Point>(constraint.what);
+  return std::holds_alternative<PointConstraint>(constraint.what);
 }
 
 const SurfaceLocation& LocationSection::location() const
 {
-  return std::get<Point>(constraint(rows().front()).what).at;
+  return std::get<PointConstraint>(constraint(rows().front()).what).at;
 }
 
 void LocationSection::refresh()
@@ -140,13 +140,13 @@ void LocationSection::showWeights(const AtFace* at)
     }
     const int below = (static_cast<int>(at->weights.size()) + kWeightsInLine - 1) / kWeightsInLine;
     weightLines_->addWidget(sum_, below, 0, 1, kWeightsInLine - 1);
-    weightLines_->addWidget(normalise_, below, kWeightsInLine - 1);
+    weightLines_->addWidget(normalize_, below, kWeightsInLine - 1);
     QWidget* before = &near_->line(2);
     for (NumberEdit* edit : weightEdits_) {
       QWidget::setTabOrder(before, edit);
       before = edit;
     }
-    QWidget::setTabOrder(before, normalise_);
+    QWidget::setTabOrder(before, normalize_);
   }
   for (std::size_t k = 0; k < weightEdits_.size(); ++k) weightEdits_[k]->replaceTyped(at->weights[k]);
   sum_->setText(tr("sum 1"));
@@ -167,13 +167,13 @@ void LocationSection::takeWeights()
   relocate(at);
 }
 
-void LocationSection::normalise()
+void LocationSection::normalize()
 {
   double sum = 0;
   for (const NumberEdit* edit : weightEdits_) sum += edit->typed().value_or(0);
   if (!(sum > 0) || !std::isfinite(sum)) {
     Q_EMIT refused(
-        tr("The weights sum to %1; they can only be normalised where the sum is positive.").arg(exactText(sum)));
+        tr("The weights sum to %1; they can only be normalized where the sum is positive.").arg(exactText(sum)));
     return;
   }
   for (NumberEdit* edit : weightEdits_) edit->replaceTyped(edit->typed().value_or(0) / sum);
@@ -188,7 +188,7 @@ void LocationSection::chooseKind(int kind)
                        : chosen == LocationKind::Face ? tr("put %1 in a face")
                                                       : tr("put %1 closest to a place");
   change(name.arg(subject()), [&](Constraint constraint) -> std::optional<Constraint> {
-    SurfaceLocation& at = std::get<Point>(constraint.what).at;
+    SurfaceLocation& at = std::get<PointConstraint>(constraint.what).at;
     if (kindOf(at) == chosen) return std::nullopt;
     at = places_.converted(at, chosen);
     return constraint;
@@ -250,7 +250,7 @@ void LocationSection::setPlace(int axis, double typed)
 void LocationSection::relocate(const SurfaceLocation& location)
 {
   change(tr("relocate %1").arg(subject()), [&](Constraint constraint) {
-    std::get<Point>(constraint.what).at = location;
+    std::get<PointConstraint>(constraint.what).at = location;
     return constraint;
   });
 }

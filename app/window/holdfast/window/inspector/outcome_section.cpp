@@ -6,9 +6,9 @@
 #include <QStyle>
 #include <map>
 
-#include <holdfast/window/controls/status_look.h>
-#include <holdfast/window/text/constraint_words.h>
-#include <holdfast/window/text/number_words.h>
+#include <holdfast/window/controls/status_style.h>
+#include <holdfast/window/text/constraint_text.h>
+#include <holdfast/window/text/number_text.h>
 
 namespace holdfast {
 
@@ -26,8 +26,8 @@ OutcomeSection::OutcomeSection(Editor& editor, QWidget* parent) : InspectorSecti
   form().addRow(tr("Status"), line);
   residual_ = addText(tr("Residual"), "outcomeResidual");
   gap_ = addText(tr("Gap"), "outcomeGap");
-  force_ = addText(tr("Force"), "outcomeForce");
-  amplification_ = addText(tr("Amplification"), "outcomeAmplification");
+  multiplier_ = addText(tr("Force"), "outcomeForce");
+  sensitivity_ = addText(tr("Amplification"), "outcomeAmplification");
   age_ = new QLabel(tr("Of the list before the latest changes."), this);
   age_->setObjectName("outcomeAge");
   age_->setWordWrap(true);
@@ -45,13 +45,13 @@ void OutcomeSection::refresh()
   showStatus();
   showLargest(residual_, &ConstraintOutcome::residual, units);
   showLargest(gap_, &ConstraintOutcome::gap, units);
-  showLargest(force_, &ConstraintOutcome::force, {});
-  showLargest(amplification_, &ConstraintOutcome::amplification, {});
+  showLargest(multiplier_, &ConstraintOutcome::multiplier, {});
+  showLargest(sensitivity_, &ConstraintOutcome::sensitivity, {});
   const bool isCurrent = areResultsCurrent(editor());
   setFieldVisible(age_, !isCurrent);
   QPalette own = palette();
   if (!isCurrent) own.setColor(QPalette::WindowText, quietColor(own));
-  for (QLabel* label : {status_, residual_, gap_, force_, amplification_, age_}) label->setPalette(own);
+  for (QLabel* label : {status_, residual_, gap_, multiplier_, sensitivity_, age_}) label->setPalette(own);
 }
 
 void OutcomeSection::showStatus()

@@ -27,8 +27,8 @@ class OutcomeSection : public InspectorSection {
   QLabel* status_ = nullptr;
   QLabel* residual_ = nullptr;
   QLabel* gap_ = nullptr;
-  QLabel* force_ = nullptr;
-  QLabel* amplification_ = nullptr;
+  QLabel* multiplier_ = nullptr;
+  QLabel* sensitivity_ = nullptr;
   QLabel* age_ = nullptr;
 };
 

@@ -34,7 +34,7 @@ class LocationSection : public InspectorSection {
   void setT(double typed);
   void setPlace(int axis, double typed);
   void takeWeights();
-  void normalise();
+  void normalize();
   void relocate(const SurfaceLocation& location);
 
   RestPlaces places_;
@@ -47,7 +47,7 @@ class LocationSection : public InspectorSection {
   QGridLayout* weightLines_ = nullptr;
   std::vector<NumberEdit*> weightEdits_;
   QLabel* sum_ = nullptr;
-  QPushButton* normalise_ = nullptr;
+  QPushButton* normalize_ = nullptr;
   QLabel* rest_ = nullptr;
 };
 
@@ -63,7 +63,7 @@ class TargetSection : public InspectorSection {
   void refresh() override;
 
  private:
-  enum Way { ToPlace, ByShift };
+  enum DependencyGroup { ToPlace, ByShift };
   void chooseWay(int way);
   void setPlace(int axis, double value);
   void setShift(int axis, double value);

@@ -6,8 +6,8 @@
 #include <QPushButton>
 #include <algorithm>
 
-#include <holdfast/window/text/constraint_words.h>
-#include <holdfast/window/text/number_words.h>
+#include <holdfast/window/text/constraint_text.h>
+#include <holdfast/window/text/number_text.h>
 
 namespace holdfast {
 namespace {
@@ -84,12 +84,14 @@ RelativeSection::RelativeSection(Editor& editor, QWidget* parent) : InspectorSec
 
 bool RelativeSection::fits(const Constraint& constraint) const
 {
-  return std::holds_alternative<Relative>(constraint.what);
+  return std::holds_alternative<RelativeConstraint>(constraint.what);
 }
 
 void RelativeSection::refresh()
 {
-  const auto relative = [this](Index row) -> const Relative& { return std::get<Relative>(constraint(row).what); };
+  const auto relative = [this](Index row) -> const RelativeConstraint& {
+    return std::get<RelativeConstraint>(constraint(row).what);
+  };
   const bool isOne = rows().size() == 1;
   setFieldVisible(from_, isOne);
   setFieldVisible(to_, isOne);
@@ -100,7 +102,7 @@ void RelativeSection::refresh()
   const bool areKept = std::none_of(rows().begin(), rows().end(), hasOffset);
   way_->setCurrentIndex(areOffsets ? 1 : areKept ? 0 : -1);
   offset_->setNumbers(commonVector([this](const Constraint& constraint) -> std::optional<Vector3> {
-    const Relative& what = std::get<Relative>(constraint.what);
+    const RelativeConstraint& what = std::get<RelativeConstraint>(constraint.what);
     if (what.offset) return what.offset;
     const std::optional<Vector3> from = places_.of(what.from);
     const std::optional<Vector3> to = places_.of(what.to);
@@ -116,7 +118,7 @@ void RelativeSection::showPlace(QLabel& label, const SurfaceLocation& location)
   label.setToolTip(rest ? exactText(*rest) : QString());
 }
 
-Vector3 RelativeSection::offsetOf(const Relative& relative)
+Vector3 RelativeSection::offsetOf(const RelativeConstraint& relative)
 {
   return relative.offset ? *relative.offset : Vector3(places_.require(relative.from) - places_.require(relative.to));
 }
@@ -125,7 +127,7 @@ void RelativeSection::chooseWay(int way)
 {
   const QString name = way == 0 ? tr("keep the vector of %1") : tr("give %1 an offset");
   change(name.arg(subject()), [&](Constraint constraint) -> std::optional<Constraint> {
-    Relative& relative = std::get<Relative>(constraint.what);
+    RelativeConstraint& relative = std::get<RelativeConstraint>(constraint.what);
     if (relative.offset.has_value() == (way == 1)) return std::nullopt;
     relative.offset = way == 1 ? std::optional(offsetOf(relative)) : std::nullopt;
     return constraint;
@@ -137,7 +139,7 @@ void RelativeSection::setOffset(int axis, double value)
 {
   change(tr("set the offset of %1 to %2 = %3").arg(subject(), axisText(axis), exactText(value)),
          [&](Constraint constraint) {
-           Relative& relative = std::get<Relative>(constraint.what);
+           RelativeConstraint& relative = std::get<RelativeConstraint>(constraint.what);
            Vector3 offset = offsetOf(relative);
            offset[axis] = value;
            relative.offset = offset;

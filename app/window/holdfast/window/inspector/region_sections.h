@@ -50,8 +50,8 @@ class HandleSection : public InspectorSection {
   void chooseCenter(int choice);
   void setTranslation(int axis, double value);
   /// Changes the turn of all handles that have one.
-  void changeTurn(const QString& name, const std::function<void(Turn&, const Handle&)>& change);
-  [[nodiscard]] Vector3 centroidOf(const Handle& handle);
+  void changeRotation(const QString& name, const std::function<void(AxisRotation&, const HandleConstraint&)>& change);
+  [[nodiscard]] Vector3 centroidOf(const HandleConstraint& handle);
 
   SelectedVertices vertices_;
   QComboBox* method_ = nullptr;
@@ -78,7 +78,7 @@ class RelativeSection : public InspectorSection {
   void chooseWay(int way);
   void setOffset(int axis, double value);
   /// The vector that is kept, in numbers.
-  [[nodiscard]] Vector3 offsetOf(const Relative& relative);
+  [[nodiscard]] Vector3 offsetOf(const RelativeConstraint& relative);
 
   RestPlaces places_;
   QLabel* from_ = nullptr;

@@ -7,10 +7,10 @@
 #include <QTableView>
 #include <algorithm>
 
-#include <holdfast/constraints/handle_mistake.h>
+#include <holdfast/constraints/handle_validation.h>
 #include <holdfast/window/model/handle_actions.h>
-#include <holdfast/window/text/constraint_words.h>
-#include <holdfast/window/text/number_words.h>
+#include <holdfast/window/text/constraint_text.h>
+#include <holdfast/window/text/number_text.h>
 
 namespace holdfast {
 namespace {
@@ -18,7 +18,7 @@ namespace {
 constexpr int kMostRowsInSight = 6;
 
 /// Why the vertices cannot have entries of their own; empty where they can.
-QString whyNotSingle(Handle handle)
+QString whyNotSingle(HandleConstraint handle)
 {
   const auto* listed = std::get_if<VertexIds>(&handle.select.what);
   if (listed == nullptr)
@@ -28,8 +28,8 @@ QString whyNotSingle(Handle handle)
         .arg(selectionText(handle.select));
   handle.motion = std::monostate{};
   handle.rotations.assign(listed->ids.size(), {});
-  const auto mistake = findMistake(handle);
-  return mistake ? QString::fromStdString(mistake->reason) : QString();
+  const auto error = validateHandle(handle);
+  return error ? QString::fromStdString(error->reason) : QString();
 }
 
 QTableView* newVertexTable(VertexTableModel& model, const QString& name, const QString& spoken)
@@ -92,7 +92,7 @@ SingleVerticesSection::Part SingleVerticesSection::addPart(VertexTableModel::Wha
 
 bool SingleVerticesSection::fits(const Constraint& constraint) const
 {
-  return std::holds_alternative<Handle>(constraint.what);
+  return std::holds_alternative<HandleConstraint>(constraint.what);
 }
 
 void SingleVerticesSection::refresh()
@@ -124,7 +124,7 @@ void SingleVerticesSection::switchRotations()
       isOwn ? tr("take one rotation for all vertices of %1") : tr("give each vertex of %1 its own rotation");
   change(name.arg(subject()), [&](Constraint constraint) {
     if (!isOwn) return restated(editor(), constraint, withRotations);
-    std::get<Handle>(constraint.what).rotations.clear();
+    std::get<HandleConstraint>(constraint.what).rotations.clear();
     return constraint;
   });
 }
@@ -142,7 +142,7 @@ void SingleVerticesSection::setRotation(int row, int column, double number)
 {
   const QString vertex = QString::number(rotations_.model->vertex(row));
   change(tr("turn vertex %1 of %2 otherwise").arg(vertex, subject()), [&](Constraint constraint) {
-    VertexTurn& turn = std::get<Handle>(constraint.what).rotations[row];
+    AxisAngle& turn = std::get<HandleConstraint>(constraint.what).rotations[row];
     (column == VertexTableModel::Degrees ? turn.degrees : turn.axis[column - VertexTableModel::X]) = number;
     requireAxis(turn.axis);
     return constraint;
@@ -155,7 +155,7 @@ void SingleVerticesSection::setTarget(int row, int column, double number)
   const int axis = column - VertexTableModel::X;
   change(tr("move vertex %1 of %2 to %3 = %4").arg(vertex, subject(), axisText(axis), exactText(number)),
          [&](Constraint constraint) {
-           std::get<VertexTargets>(std::get<Handle>(constraint.what).motion).places[row][axis] = number;
+           std::get<VertexTargets>(std::get<HandleConstraint>(constraint.what).motion).places[row][axis] = number;
            return constraint;
          });
 }

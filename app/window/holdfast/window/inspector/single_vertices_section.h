@@ -35,7 +35,10 @@ class SingleVerticesSection : public InspectorSection {
   void setTarget(int row, int column, double number);
   void switchRotations();
   void switchTargets();
-  [[nodiscard]] const Handle& handle() const { return std::get<Handle>(constraint(rows().front()).what); }
+  [[nodiscard]] const HandleConstraint& handle() const
+  {
+    return std::get<HandleConstraint>(constraint(rows().front()).what);
+  }
 
   QLabel* reason_ = nullptr;
   Part rotations_;

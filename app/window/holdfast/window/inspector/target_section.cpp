@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include <holdfast/window/inspector/point_section.h>
-#include <holdfast/window/text/number_words.h>
+#include <holdfast/window/text/number_text.h>
 
 namespace holdfast {
 
@@ -19,19 +19,19 @@ TargetSection::TargetSection(Editor& editor, QWidget* parent) : InspectorSection
 
 bool TargetSection::fits(const Constraint& constraint) const
 {
-  return std::holds_alternative<Point>(constraint.what);
+  return std::holds_alternative<PointConstraint>(constraint.what);
 }
 
 void TargetSection::refresh()
 {
   const auto isShift = [this](Index row) {
-    return std::holds_alternative<Move>(std::get<Point>(constraint(row).what).to);
+    return std::holds_alternative<Move>(std::get<PointConstraint>(constraint(row).what).to);
   };
   const bool areShifts = std::all_of(rows().begin(), rows().end(), isShift);
   const bool arePlaces = std::none_of(rows().begin(), rows().end(), isShift);
   way_->setCurrentIndex(areShifts ? ByShift : arePlaces ? ToPlace : -1);
   place_->setNumbers(commonVector([this](const Constraint& constraint) -> std::optional<Vector3> {
-    const Point& point = std::get<Point>(constraint.what);
+    const PointConstraint& point = std::get<PointConstraint>(constraint.what);
     if (const Target* target = std::get_if<Target>(&point.to)) return target->place;
     const std::optional<Vector3> rest = places_.of(point.at);
     return rest ? std::optional(placeOf(point, *rest)) : std::nullopt;
@@ -39,7 +39,7 @@ void TargetSection::refresh()
   setFieldVisible(shift_, areShifts);
   if (areShifts)
     shift_->setNumbers(commonVector([](const Constraint& constraint) -> std::optional<Vector3> {
-      return std::get<Move>(std::get<Point>(constraint.what).to).shift;
+      return std::get<Move>(std::get<PointConstraint>(constraint.what).to).shift;
     }));
 }
 
@@ -47,7 +47,7 @@ void TargetSection::chooseWay(int way)
 {
   const QString name = way == ToPlace ? tr("send %1 to a place") : tr("shift %1");
   change(name.arg(subject()), [&](Constraint constraint) -> std::optional<Constraint> {
-    Point& point = std::get<Point>(constraint.what);
+    PointConstraint& point = std::get<PointConstraint>(constraint.what);
     const std::optional<Vector3> rest = places_.of(point.at);
     const bool isThere = std::holds_alternative<Target>(point.to) == (way == ToPlace);
     if (!rest || isThere) return std::nullopt;
@@ -65,7 +65,7 @@ void TargetSection::setPlace(int axis, double value)
 {
   change(tr("move %1 to %2 = %3").arg(subject(), axisText(axis), exactText(value)),
          [&](Constraint constraint) -> std::optional<Constraint> {
-           Point& point = std::get<Point>(constraint.what);
+           PointConstraint& point = std::get<PointConstraint>(constraint.what);
            const std::optional<Vector3> rest = places_.of(point.at);
            if (!rest) return std::nullopt;
            Vector3 place = placeOf(point, *rest);
@@ -78,7 +78,7 @@ void TargetSection::setPlace(int axis, double value)
 void TargetSection::setShift(int axis, double value)
 {
   change(tr("shift %1 by %2 = %3").arg(subject(), axisText(axis), exactText(value)), [&](Constraint constraint) {
-    std::get<Move>(std::get<Point>(constraint.what).to).shift[axis] = value;
+    std::get<Move>(std::get<PointConstraint>(constraint.what).to).shift[axis] = value;
     return constraint;
   });
 }

@@ -19,14 +19,14 @@ struct BackgroundJob::Run {
 namespace {
 
 /// Tells the window the stages of one run, and ends the work when nobody wants it.
-class StageTeller final : public Progress {
+class ProgressReporter final : public Progress {
  public:
-  StageTeller(const std::atomic<bool>& isUnwanted, std::function<void(const QString&)> tell)
+  ProgressReporter(const std::atomic<bool>& isUnwanted, std::function<void(const QString&)> tell)
       : isUnwanted_(isUnwanted), tell_(std::move(tell))
   {
   }
 
-  void stage(std::string_view description) override
+  void step(std::string_view description) override
   {
     if (isUnwanted_) throw Cancelled();
     tell_(QString::fromUtf8(description.data(), static_cast<int>(description.size())));
@@ -57,21 +57,21 @@ void BackgroundJob::start(Work work)
   runs_.push_back(run);
   run->thread = std::thread([this, run = run.get(), weak = std::weak_ptr(run), work = std::move(work)] {
     computeInBackground();
-    StageTeller progress(run->isUnwanted, [&](const QString& stage) {
-      told_.post([this, weak, stage] {
-        if (current_ != nullptr && current_ == weak.lock()) Q_EMIT stageChanged(stage);
+    ProgressReporter progress(run->isUnwanted, [&](const QString& step) {
+      calls_.post([this, weak, step] {
+        if (current_ != nullptr && current_ == weak.lock()) Q_EMIT stepChanged(step);
       });
     });
     std::exception_ptr error;
     try {
-      told_.post([this, weak, result = work(progress)] { finish(weak.lock(), result); });
+      calls_.post([this, weak, result = work(progress)] { finish(weak.lock(), result); });
     } catch (const Cancelled&) {
-      told_.post([this, weak] { end(weak.lock()); });
+      calls_.post([this, weak] { end(weak.lock()); });
     } catch (...) {
       error = std::current_exception();
     }
     // Handed over whole: who reads it is who lets it go.
-    if (error) told_.post([this, weak, error = std::move(error)] { fail(weak.lock(), error); });
+    if (error) calls_.post([this, weak, error = std::move(error)] { fail(weak.lock(), error); });
     run->hasEnded = true;
   });
   Q_EMIT started();

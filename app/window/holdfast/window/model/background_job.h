@@ -36,7 +36,7 @@ class BackgroundJob : public QObject {
 
  Q_SIGNALS:
   void started();
-  void stageChanged(const QString& stage);
+  void stepChanged(const QString& step);
   void ended();                                  ///< in whichever way, before `Finish` is called
   void failed(const std::exception_ptr& error);  ///< after `ended`
 
@@ -48,7 +48,7 @@ class BackgroundJob : public QObject {
   bool end(const std::shared_ptr<Run>& run);
   void joinEnded();
 
-  PostedCalls told_;                        // by the threads; outlives them
+  PostedCalls calls_;                       // by the threads; outlives them
   std::shared_ptr<Run> current_;            // the one that counts; null where none does
   std::vector<std::shared_ptr<Run>> runs_;  // all whose threads are not joined yet
 };

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include <holdfast/document/list_edits.h>
-#include <holdfast/window/text/constraint_words.h>
+#include <holdfast/window/text/constraint_text.h>
 
 namespace holdfast {
 namespace {
@@ -43,28 +43,28 @@ QString namesOf(const Editor& editor)
 
 void holdPoint(Editor& editor, const SurfacePick& pick)
 {
-  add(editor, {freshName(editor.list(), "P"), true, Point{pick.location, Target{pick.place}}});
+  add(editor, {unusedName(editor.list(), "P"), true, PointConstraint{pick.location, Target{pick.place}}});
 }
 
 void keepVector(Editor& editor, const SurfaceLocation& from, const SurfaceLocation& to)
 {
-  add(editor, {freshName(editor.list(), "vector "), true, Relative{from, to, {}}});
+  add(editor, {unusedName(editor.list(), "vector "), true, RelativeConstraint{from, to, {}}});
 }
 
 void constrainSelection(Editor& editor, RegionKind kind)
 {
   Constraint constraint;
-  constraint.name = freshName(editor.list(), stemOf(kind));
+  constraint.name = unusedName(editor.list(), stemOf(kind));
   const Selection select = editor.selection();
   switch (kind) {
     case RegionKind::Fixed:
-      constraint.what = Fixed{select};
+      constraint.what = FixedConstraint{select};
       break;
     case RegionKind::Handle:
-      constraint.what = Handle{select, {}, Vector3::Zero(), {}};
+      constraint.what = HandleConstraint{select, {}, Vector3::Zero(), {}};
       break;
     case RegionKind::Rigid:
-      constraint.what = Rigid{select};
+      constraint.what = RigidConstraint{select};
       break;
   }
   editor.selectVertices({});

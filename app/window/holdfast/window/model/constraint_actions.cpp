@@ -9,7 +9,7 @@
 
 #include <holdfast/document/list_edits.h>
 #include <holdfast/document/point_list_text.h>
-#include <holdfast/window/text/constraint_words.h>
+#include <holdfast/window/text/constraint_text.h>
 
 namespace holdfast {
 namespace {

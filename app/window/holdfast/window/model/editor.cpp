@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kRemembered = 6;
 
 std::shared_ptr<const VisibleSurface> moved(const VisibleSurface& atRest,
-                                            const std::shared_ptr<const Deformation>& deformation)
+                                            const std::shared_ptr<const DeformResult>& deformation)
 {
   return std::make_shared<const VisibleSurface>(atRest.movedTo({deformation, &deformation->positions}));
 }
@@ -37,10 +37,10 @@ void Editor::open(LoadedMesh mesh, DocumentState state)
     return {event.state, event.deformation, moved(*atRest, event.deformation), marks};
   };
   worker_ = std::make_unique<LiveDeformer>(mesh_.model, [this, prepared](const LiveEvent& event) mutable {
-    told_.post([this, event, solved = prepared(event)] { handle(event, solved); });
+    calls_.post([this, event, solved = prepared(event)] { handle(event, solved); });
   });
   Q_EMIT opened();
-  stateBecame(Supersede::AtNextStage);
+  stateBecame(Supersede::AtNextStep);
 }
 
 void Editor::close()
@@ -58,8 +58,8 @@ void Editor::close()
   selectedVertices_.clear();
   selectedShape_.reset();
   selectedConstraints_.clear();
-  setStage({});
-  setFreshness(Freshness::Nothing, {});
+  setStep({});
+  setSolveState(SolveState::Nothing, {});
   Q_EMIT opened();
 }
 
@@ -71,13 +71,13 @@ const std::shared_ptr<const VisibleSurface>& Editor::surface() const
 void Editor::edit(const QString& name, ConstraintList after)
 {
   history_->edit(name.toStdString(), {std::move(after), state().options});
-  stateBecame(Supersede::AtNextStage);
+  stateBecame(Supersede::AtNextStep);
 }
 
 void Editor::setOptions(const QString& name, const DeformOptions& options)
 {
   history_->edit(name.toStdString(), {list(), options});
-  stateBecame(Supersede::AtNextStage);
+  stateBecame(Supersede::AtNextStep);
 }
 
 void Editor::beginGesture(const QString& name)
@@ -102,17 +102,17 @@ void Editor::cancelGesture()
 {
   if (!history_->isInGesture()) return;
   history_->cancelGesture();
-  stateBecame(Supersede::AtNextStage);
+  stateBecame(Supersede::AtNextStep);
 }
 
 void Editor::undo()
 {
-  if (isOpen() && history_->undo()) stateBecame(Supersede::AtNextStage);
+  if (isOpen() && history_->undo()) stateBecame(Supersede::AtNextStep);
 }
 
 void Editor::redo()
 {
-  if (isOpen() && history_->redo()) stateBecame(Supersede::AtNextStage);
+  if (isOpen() && history_->redo()) stateBecame(Supersede::AtNextStep);
 }
 
 void Editor::markSaved(std::shared_ptr<const DocumentState> state)
@@ -129,11 +129,11 @@ void Editor::markUnsaved()
 
 void Editor::cancelSolving()
 {
-  if (freshness_ != Freshness::Solving) return;
+  if (solveState_ != SolveState::Solving) return;
   worker_->cancel();
   submitted_.clear();
-  setStage({});
-  setFreshness(Freshness::Cancelled, {});
+  setStep({});
+  setSolveState(SolveState::Cancelled, {});
 }
 
 void Editor::solve()
@@ -142,8 +142,8 @@ void Editor::solve()
   const auto state = history_->state();
   ++revision_;
   submitted_.emplace_back(revision_, state);
-  setFreshness(Freshness::Solving, {});
-  worker_->submit(revision_, state, mesh_.path.filename().string(), Supersede::AtNextStage);
+  setSolveState(SolveState::Solving, {});
+  worker_->submit(revision_, state, mesh_.path.filename().string(), Supersede::AtNextStep);
 }
 
 void Editor::stateBecame(Supersede supersede)
@@ -153,15 +153,15 @@ void Editor::stateBecame(Supersede supersede)
   if (const auto known = remembered(state)) {
     worker_->cancel();
     submitted_.clear();
-    setStage({});
+    setStep({});
     show(*known);
-    setFreshness(Freshness::Current, {});
+    setSolveState(SolveState::Current, {});
     Q_EMIT stateChanged();
     return;
   }
   ++revision_;
   submitted_.emplace_back(revision_, state);
-  setFreshness(Freshness::Solving, {});
+  setSolveState(SolveState::Solving, {});
   worker_->submit(revision_, state, mesh_.path.filename().string(), supersede);
   Q_EMIT stateChanged();
 }
@@ -197,32 +197,32 @@ void Editor::handle(const LiveEvent& event, Solved solved)
   while (!submitted_.empty() && submitted_.front().first < event.revision) submitted_.pop_front();
   if (submitted_.empty() || submitted_.front().first != event.revision) return;
   if (event.kind == Kind::Started) return;
-  if (event.kind == Kind::Stage) return setStage(QString::fromStdString(event.message));
+  if (event.kind == Kind::Step) return setStep(QString::fromStdString(event.message));
 
   submitted_.pop_front();
   const bool isNewest = submitted_.empty();
-  if (isNewest) setStage({});
+  if (isNewest) setStep({});
   if (event.kind == Kind::Done) show(std::move(solved));
   if (!isNewest) return;
-  if (event.kind == Kind::Done) setFreshness(Freshness::Current, {});
-  if (event.kind == Kind::Cancelled) setFreshness(Freshness::Cancelled, {});
+  if (event.kind == Kind::Done) setSolveState(SolveState::Current, {});
+  if (event.kind == Kind::Cancelled) setSolveState(SolveState::Cancelled, {});
   if (event.kind == Kind::Unusable || event.kind == Kind::Broken)
-    setFreshness(Freshness::Unusable, QString::fromStdString(event.message));
+    setSolveState(SolveState::Unusable, QString::fromStdString(event.message));
 }
 
-void Editor::setFreshness(Freshness freshness, const QString& trouble)
+void Editor::setSolveState(SolveState solveState, const QString& error)
 {
-  if (freshness_ == freshness && trouble_ == trouble) return;
-  freshness_ = freshness;
-  trouble_ = trouble;
-  Q_EMIT freshnessChanged();
+  if (solveState_ == solveState && error_ == error) return;
+  solveState_ = solveState;
+  error_ = error;
+  Q_EMIT solveStateChanged();
 }
 
-void Editor::setStage(const QString& stage)
+void Editor::setStep(const QString& step)
 {
-  if (stage_ == stage) return;
-  stage_ = stage;
-  Q_EMIT stageChanged();
+  if (step_ == step) return;
+  step_ = step;
+  Q_EMIT stepChanged();
 }
 
 void Editor::selectVertices(std::vector<Index> vertices, std::optional<Selection> shape)

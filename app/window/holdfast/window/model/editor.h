@@ -19,12 +19,12 @@
 namespace holdfast {
 
 /// Whether what is on screen is what was asked for.
-enum class Freshness {
+enum class SolveState {
   Nothing,    ///< no mesh is open
   Current,    ///< the deformation is that of the state
   Solving,    ///< a newer state is being worked on: the deformation is older
   Cancelled,  ///< the user stopped the work: the deformation is older
-  Unusable    ///< the state cannot be solved, `Editor::trouble` says why: the deformation is older
+  Unusable    ///< the state cannot be solved, `Editor::error` says why: the deformation is older
 };
 
 /// One mesh, its constraints with their history, the selection, and the worker that deforms. Widgets show what is here
@@ -49,7 +49,7 @@ class Editor : public QObject {
   [[nodiscard]] const History& history() const { return *history_; }
 
   /// The newest deformation that is finished; null before the first, and where there is no document.
-  [[nodiscard]] const std::shared_ptr<const Deformation>& deformation() const noexcept { return deformation_; }
+  [[nodiscard]] const std::shared_ptr<const DeformResult>& deformation() const noexcept { return deformation_; }
   /// The state that `deformation` is of; null with it. Names and places in the report are those of this list.
   [[nodiscard]] const std::shared_ptr<const DocumentState>& deformedState() const noexcept { return deformedState_; }
   /// What is to be shown: deformed, or at rest before the first deformation.
@@ -57,11 +57,11 @@ class Editor : public QObject {
   [[nodiscard]] const std::shared_ptr<const VisibleSurface>& surface() const;
   /// Where the constraints of `deformedState` act in `deformation`, those that are disabled last; null with it.
   [[nodiscard]] const std::shared_ptr<const MarkSet>& marks() const noexcept { return deformedMarks_; }
-  [[nodiscard]] Freshness freshness() const noexcept { return freshness_; }
+  [[nodiscard]] SolveState solveState() const noexcept { return solveState_; }
   /// Why the newest state cannot be solved; empty otherwise.
-  [[nodiscard]] const QString& trouble() const noexcept { return trouble_; }
+  [[nodiscard]] const QString& error() const noexcept { return error_; }
   /// What the worker is doing; empty when it rests.
-  [[nodiscard]] const QString& stage() const noexcept { return stage_; }
+  [[nodiscard]] const QString& step() const noexcept { return step_; }
 
   /// One entry of the history each. `name` is what the edit does, for the menu: "move P1".
   void edit(const QString& name, ConstraintList after);
@@ -92,11 +92,11 @@ class Editor : public QObject {
   void selectConstraints(std::vector<Index> constraints);
 
  Q_SIGNALS:
-  void opened();            ///< another document, or none
-  void stateChanged();      ///< the list or the options; the history with them
-  void deformed();          ///< another deformation
-  void freshnessChanged();  ///< or the trouble
-  void stageChanged();      ///< of the worker
+  void opened();             ///< another document, or none
+  void stateChanged();       ///< the list or the options; the history with them
+  void deformed();           ///< another deformation
+  void solveStateChanged();  ///< or the trouble
+  void stepChanged();        ///< of the worker
   void vertexSelectionChanged();
   void constraintSelectionChanged();
   void saved();  ///< the history is where the file is, or `markUnsaved` was called
@@ -104,7 +104,7 @@ class Editor : public QObject {
  private:
   struct Solved {
     std::shared_ptr<const DocumentState> state;
-    std::shared_ptr<const Deformation> deformation;
+    std::shared_ptr<const DeformResult> deformation;
     std::shared_ptr<const VisibleSurface> surface;  // where the deformation has moved it
     std::shared_ptr<const MarkSet> marks;
   };
@@ -114,25 +114,25 @@ class Editor : public QObject {
   void remember(const Solved& solved);
   [[nodiscard]] std::optional<Solved> remembered(const std::shared_ptr<const DocumentState>& state) const;
   void handle(const LiveEvent& event, Solved solved);
-  void setFreshness(Freshness freshness, const QString& trouble);
-  void setStage(const QString& stage);
+  void setSolveState(SolveState solveState, const QString& error);
+  void setStep(const QString& step);
   void dropVanishedSelection();
 
   LoadedMesh mesh_;
   std::unique_ptr<History> history_;
-  PostedCalls told_;  // by the worker; outlives it
+  PostedCalls calls_;  // by the worker; outlives it
   std::unique_ptr<LiveDeformer> worker_;
 
   std::uint64_t revision_ = 0;  // of the newest state that was submitted, of any document
   std::deque<std::pair<std::uint64_t, std::shared_ptr<const DocumentState>>> submitted_;
   std::deque<Solved> solved_;  // the latest few, so that undo shows at once what was there
-  std::shared_ptr<const Deformation> deformation_;
+  std::shared_ptr<const DeformResult> deformation_;
   std::shared_ptr<const DocumentState> deformedState_;
   std::shared_ptr<const VisibleSurface> deformedSurface_;
   std::shared_ptr<const MarkSet> deformedMarks_;
-  Freshness freshness_ = Freshness::Nothing;
-  QString trouble_;
-  QString stage_;
+  SolveState solveState_ = SolveState::Nothing;
+  QString error_;
+  QString step_;
 
   std::vector<Index> selectedVertices_;
   std::optional<Selection> selectedShape_;

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <string_view>
 
-#include <holdfast/constraints/handle_mistake.h>
+#include <holdfast/constraints/handle_validation.h>
 #include <holdfast/document/list_edits.h>
 
 namespace holdfast {
 namespace {
 
 /// "to y" of ".frame.to.y".
-std::string wordsOf(const std::string& key)
+std::string textOf(const std::string& key)
 {
   constexpr std::string_view kFrame = ".frame.";
   std::string words = key.substr(key.starts_with(kFrame) ? kFrame.size() : 1);
@@ -27,13 +27,13 @@ HandleSetting settingOf(const Editor& editor, const Constraint& handle)
 
 Constraint restated(const Editor& editor, Constraint handle, Restatement restate)
 {
-  handle.what = restate(std::get<Handle>(handle.what), settingOf(editor, handle));
+  handle.what = restate(std::get<HandleConstraint>(handle.what), settingOf(editor, handle));
   return handle;
 }
 
-void requireNoMistake(const Handle& handle)
+void requireValid(const HandleConstraint& handle)
 {
-  if (const auto mistake = findMistake(handle)) throw InputError({}, wordsOf(mistake->key) + ": " + mistake->reason);
+  if (const auto error = validateHandle(handle)) throw InputError({}, textOf(error->key) + ": " + error->reason);
 }
 
 void requireAxis(const Vector3& axis)

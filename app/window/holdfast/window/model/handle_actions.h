@@ -8,7 +8,7 @@
 namespace holdfast {
 
 /// One of those that say the motion of a handle in another way: `byFrames`, ...
-using Restatement = Handle (*)(const Handle& handle, const HandleSetting& setting);
+using Restatement = HandleConstraint (*)(const HandleConstraint& handle, const HandleSetting& setting);
 
 /// What the motion of a handle of the editor's list depends on. Throws as that of the list.
 [[nodiscard]] HandleSetting settingOf(const Editor& editor, const Constraint& handle);
@@ -16,8 +16,9 @@ using Restatement = Handle (*)(const Handle& handle, const HandleSetting& settin
 /// The handle of the editor's list restated where it stands; throws as `restate` and `settingOf`.
 [[nodiscard]] Constraint restated(const Editor& editor, Constraint handle, Restatement restate);
 
-/// Throws `InputError` with the key at fault and the reason where the handle says what it may not say (`findMistake`).
-void requireNoMistake(const Handle& handle);
+/// Throws `InputError` with the key at fault and the reason where the handle says what it may not say
+/// (`validateHandle`).
+void requireValid(const HandleConstraint& handle);
 
 /// Throws `InputError` where the axis is zero.
 void requireAxis(const Vector3& axis);

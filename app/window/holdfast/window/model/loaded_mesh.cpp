@@ -11,13 +11,13 @@ namespace holdfast {
 
 LoadedMesh loadMesh(const std::filesystem::path& path, Progress& progress)
 {
-  progress.stage(fmt::format("reading {}", path.filename().string()));
+  progress.step(fmt::format("reading {}", path.filename().string()));
   return prepareMesh(readAnyMesh(path), path, progress);
 }
 
 LoadedMesh prepareMesh(MeshDocument document, const std::filesystem::path& path, Progress& progress)
 {
-  progress.stage(fmt::format("preparing {} vertices", document.mesh.vertexCount()));
+  progress.step(fmt::format("preparing {} vertices", document.mesh.vertexCount()));
   LoadedMesh loaded;
   loaded.path = path;
   loaded.document = std::move(document);

@@ -4,7 +4,7 @@ namespace holdfast {
 
 const ConstraintOutcome* OutcomeLookup::find(const std::string& name, Index place)
 {
-  const std::shared_ptr<const Deformation>& deformation = editor_.deformation();
+  const std::shared_ptr<const DeformResult>& deformation = editor_.deformation();
   if (deformation == nullptr) return nullptr;
   const std::vector<ConstraintOutcome>& outcomes = deformation->report.constraints;
   if (place < static_cast<Index>(outcomes.size()) && outcomes[place].name == name) return &outcomes[place];

@@ -25,7 +25,7 @@ class OutcomeLookup {
 
  private:
   const Editor& editor_;
-  std::shared_ptr<const Deformation> indexed_;
+  std::shared_ptr<const DeformResult> indexed_;
   std::unordered_map<std::string_view, Index> placeOf_;
 };
 
@@ -37,7 +37,7 @@ class OutcomeLookup {
 /// Whether results are those of the list on screen.
 [[nodiscard]] inline bool areResultsCurrent(const Editor& editor)
 {
-  return editor.freshness() == Freshness::Current;
+  return editor.solveState() == SolveState::Current;
 }
 
 }  // namespace holdfast

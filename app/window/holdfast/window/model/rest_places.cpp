@@ -34,13 +34,13 @@ SurfaceLocation RestPlaces::converted(const SurfaceLocation& location, LocationK
   return holdfast::converted(location, kind, editor_.model()->mesh, locator());
 }
 
-Vector3 placeOf(const Point& point, const Vector3& rest)
+Vector3 placeOf(const PointConstraint& point, const Vector3& rest)
 {
   if (const Target* target = std::get_if<Target>(&point.to)) return target->place;
   return rest + std::get<Move>(point.to).shift;
 }
 
-Point goingTo(Point point, const Vector3& rest, const Vector3& place)
+PointConstraint goingTo(PointConstraint point, const Vector3& rest, const Vector3& place)
 {
   const Move* move = std::get_if<Move>(&point.to);
   if (move == nullptr) {

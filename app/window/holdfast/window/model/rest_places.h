@@ -36,10 +36,10 @@ class RestPlaces {
 };
 
 /// Where the point goes, as the solver computes it from the place at rest.
-[[nodiscard]] Vector3 placeOf(const Point& point, const Vector3& rest);
+[[nodiscard]] Vector3 placeOf(const PointConstraint& point, const Vector3& rest);
 
 /// The point that goes to `place` to the last bit: a shift stays a shift where rest + shift is that place, and becomes
 /// a target where no shift is.
-[[nodiscard]] Point goingTo(Point point, const Vector3& rest, const Vector3& place);
+[[nodiscard]] PointConstraint goingTo(PointConstraint point, const Vector3& rest, const Vector3& place);
 
 }  // namespace holdfast

@@ -17,7 +17,7 @@
 
 #include <holdfast/io/text/number_text.h>
 #include <holdfast/window/controls/labels.h>
-#include <holdfast/window/text/color_words.h>
+#include <holdfast/window/text/color_text.h>
 
 namespace holdfast {
 namespace {
@@ -39,7 +39,7 @@ QString exact(double value)
 std::optional<double> typed(const QLineEdit& edit)
 {
   const auto number = parseDouble(edit.text().trimmed().toStdString());
-  if (number.fault != NumberFault::kNone) return std::nullopt;
+  if (number.fault != NumberFault::None) return std::nullopt;
   return number.value;
 }
 
@@ -105,7 +105,7 @@ void ColorPanel::makeColorRows(QFormLayout& form)
   field_ = new QComboBox;
   field_->setObjectName("colorField");
   for (std::size_t k = 0; k < colorByNames().size(); ++k)
-    field_->addItem(fieldWords(static_cast<ColorBy>(k)).name, static_cast<int>(k));
+    field_->addItem(fieldText(static_cast<ColorBy>(k)).name, static_cast<int>(k));
   explanation_ = newText("colorExplanation");
   rangeKind_ = new QComboBox;
   rangeKind_->setObjectName("colorRangeKind");
@@ -254,7 +254,7 @@ void ColorPanel::showSettings()
 
 void ColorPanel::explain()
 {
-  const FieldWords words = fieldWords(settings_.field);
+  const FieldText words = fieldText(settings_.field);
   const QString units = editor_.isOpen() ? QString::fromStdString(editor_.list().units) : QString();
   const Weights weights = editor_.isOpen() ? editor_.state().options.weights : Weights::Cotangent;
   explanation_->setText(words.meaning + ' ' + unitSentence(settings_.field, units, weights));

@@ -8,12 +8,12 @@
 
 #include <holdfast/document/list_edits.h>
 #include <holdfast/window/controls/labels.h>
-#include <holdfast/window/controls/status_look.h>
+#include <holdfast/window/controls/status_style.h>
 #include <holdfast/window/model/outcome_lookup.h>
 #include <holdfast/window/model/rest_places.h>
-#include <holdfast/window/text/conflict_words.h>
-#include <holdfast/window/text/constraint_words.h>
-#include <holdfast/window/text/number_words.h>
+#include <holdfast/window/text/conflict_text.h>
+#include <holdfast/window/text/constraint_text.h>
+#include <holdfast/window/text/number_text.h>
 
 namespace holdfast {
 namespace {
@@ -33,13 +33,13 @@ QString inFewLetters(const std::string& name)
 /// The constraint with the target or offset that agrees with the others.
 std::optional<Constraint> agreeing(Constraint constraint, const Vector3& target, const Editor& editor)
 {
-  if (Point* point = std::get_if<Point>(&constraint.what)) {
+  if (PointConstraint* point = std::get_if<PointConstraint>(&constraint.what)) {
     const std::optional<Vector3> rest = RestPlaces(editor).of(point->at);
     if (!rest) return std::nullopt;
     *point = goingTo(*point, *rest, target);
     return constraint;
   }
-  Relative* relative = std::get_if<Relative>(&constraint.what);
+  RelativeConstraint* relative = std::get_if<RelativeConstraint>(&constraint.what);
   if (relative == nullptr) return std::nullopt;
   relative->offset = target;
   return constraint;
@@ -52,7 +52,7 @@ ConflictPanel::ConflictPanel(Editor& editor, QWidget* parent) : QWidget(parent),
   setObjectName("conflictPanel");
   list_ = new CardList;
   list_->setAccessibleName(tr("Conflicts"));
-  makeTrouble();
+  makeErrorCard();
   conflicts_ = new QWidget;
   conflictLayout_ = new QVBoxLayout(conflicts_);
   conflictLayout_->setContentsMargins(0, 0, 0, 0);
@@ -73,17 +73,17 @@ ConflictPanel::ConflictPanel(Editor& editor, QWidget* parent) : QWidget(parent),
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(pages_);
 
-  for (const auto signal : {&Editor::opened, &Editor::stateChanged, &Editor::deformed, &Editor::freshnessChanged})
+  for (const auto signal : {&Editor::opened, &Editor::stateChanged, &Editor::deformed, &Editor::solveStateChanged})
     connect(&editor, signal, this, &ConflictPanel::refresh);
   refresh();
 }
 
-void ConflictPanel::makeTrouble()
+void ConflictPanel::makeErrorCard()
 {
-  trouble_ = new Card;
-  trouble_->setObjectName("conflictTrouble");
-  trouble_->setTitle(tr("The constraints cannot be solved as they are."));
-  list_->add(trouble_);
+  error_ = new Card;
+  error_->setObjectName("conflictError");
+  error_->setTitle(tr("The constraints cannot be solved as they are."));
+  list_->add(error_);
 }
 
 void ConflictPanel::showEvent(QShowEvent* event)
@@ -100,26 +100,26 @@ void ConflictPanel::refresh()
   std::vector<Conflict> repetitions;
   if (shown_ != nullptr)
     for (const ConstraintOutcome& outcome : shown_->report.constraints)
-      for (const Clash& clash : outcome.clashes)
-        (clash.isConflict ? conflicts : repetitions).push_back({&outcome, &clash});
-  refreshTrouble();
+      for (const ConflictSet& conflictSet : outcome.conflictSets)
+        (conflictSet.isConflict ? conflicts : repetitions).push_back({&outcome, &conflictSet});
+  refreshError();
   refreshConflicts(conflicts);
   refreshRepetitions(repetitions);
-  const bool isAny = !conflicts.empty() || !repetitions.empty() || !trouble_->isHidden();
+  const bool isAny = !conflicts.empty() || !repetitions.empty() || !error_->isHidden();
   pages_->setCurrentIndex(isAny ? 1 : 0);
-  empty_->setText(!editor_.isOpen()                           ? tr("No mesh is open.")
-                  : shown_ == nullptr                         ? tr("Nothing is solved yet.")
-                  : editor_.freshness() == Freshness::Solving ? tr("Nothing contradicted before the latest changes.")
-                                                              : tr("Nothing contradicts."));
+  empty_->setText(!editor_.isOpen()                             ? tr("No mesh is open.")
+                  : shown_ == nullptr                           ? tr("Nothing is solved yet.")
+                  : editor_.solveState() == SolveState::Solving ? tr("Nothing contradicted before the latest changes.")
+                                                                : tr("Nothing contradicts."));
 }
 
-void ConflictPanel::refreshTrouble()
+void ConflictPanel::refreshError()
 {
-  const bool isUnusable = editor_.freshness() == Freshness::Unusable;
-  trouble_->setVisible(isUnusable);
+  const bool isUnusable = editor_.solveState() == SolveState::Unusable;
+  error_->setVisible(isUnusable);
   if (!isUnusable) return;
-  trouble_->setIcon(statusIcon(ConstraintStatus::Conflicting, lightnessOf(palette())));
-  trouble_->setText(editor_.trouble());
+  error_->setIcon(statusIcon(ConstraintStatus::Conflicting, lightnessOf(palette())));
+  error_->setText(editor_.error());
 }
 
 void ConflictPanel::refreshConflicts(const std::vector<Conflict>& conflicts)
@@ -155,22 +155,22 @@ void ConflictPanel::fill(ConflictCard& card, const Conflict& conflict)
   card.conflict = conflict;
   const std::string& units = editor_.list().units;
   card.card->setIcon(statusIcon(ConstraintStatus::Conflicting, lightnessOf(palette())));
-  card.card->setTitle(conflictText(*conflict.outcome, *conflict.clash, units));
-  card.card->setText(gapText(*conflict.outcome, *conflict.clash, units));
-  card.card->setToolTip(exactText(conflict.clash->gap));
+  card.card->setTitle(conflictText(*conflict.outcome, *conflict.conflictSet, units));
+  card.card->setText(gapText(*conflict.outcome, *conflict.conflictSet, units));
+  card.card->setToolTip(exactText(conflict.conflictSet->gap));
   fillRepairs(card);
 }
 
 void ConflictPanel::fillRepairs(ConflictCard& card)
 {
-  const auto& [outcome, clash] = card.conflict;
+  const auto& [outcome, conflictSet] = card.conflict;
   // Repairs are of the list that was solved: while another one is on screen they wait.
   const bool isCurrent = areResultsCurrent(editor_);
   card.card->setEnabled(isCurrent);
-  card.disable->setText(tr("Disable %1").arg(inFewLetters(clash->disable)));
+  card.disable->setText(tr("Disable %1").arg(inFewLetters(conflictSet->disable)));
   card.disable->setToolTip(
-      tr("Disabling %1 ends most conflicts at the price of the fewest rows").arg(quoted(clash->disable)));
-  const std::optional<Vector3>& target = clash->consistentTarget;
+      tr("Disabling %1 ends most conflicts at the price of the fewest rows").arg(quoted(conflictSet->disable)));
+  const std::optional<Vector3>& target = conflictSet->consistentTarget;
   card.retarget->setVisible(target.has_value());
   if (!target) return;
   card.retarget->setText(tr("Use the Target %1").arg(roundedText(*target)));
@@ -185,7 +185,7 @@ void ConflictPanel::refreshRepetitions(const std::vector<Conflict>& repetitions)
   repetitionTitle_->setText(tr("Repeated, in agreement"));
   QStringList lines;
   for (std::size_t k = 0; k < std::min(repetitions.size(), kMostRepetitions); ++k)
-    lines << repetitionText(*repetitions[k].outcome, *repetitions[k].clash);
+    lines << repetitionText(*repetitions[k].outcome, *repetitions[k].conflictSet);
   if (repetitions.size() > kMostRepetitions)
     lines << tr("%n more are in the table.", nullptr, static_cast<int>(repetitions.size() - kMostRepetitions));
   repetitions_->setText(lines.join('\n'));
@@ -200,7 +200,7 @@ Rows ConflictPanel::rowsOf(const Conflict& conflict) const
   const auto add = [&](const std::string& name) {
     if (const std::optional<Index> row = indexOf(editor_.list(), name)) rows.push_back(*row);
   };
-  for (const std::string& name : conflict.clash->with) add(name);
+  for (const std::string& name : conflict.conflictSet->with) add(name);
   add(conflict.outcome->name);
   std::sort(rows.begin(), rows.end());
   return rows;
@@ -213,16 +213,16 @@ void ConflictPanel::selectSet(std::size_t card)
 
 void ConflictPanel::disable(std::size_t card)
 {
-  if (const std::optional<Index> row = indexOf(editor_.list(), cards_[card].conflict.clash->disable))
+  if (const std::optional<Index> row = indexOf(editor_.list(), cards_[card].conflict.conflictSet->disable))
     disableConstraints(editor_, {*row});
 }
 
 void ConflictPanel::retarget(std::size_t card)
 {
-  const auto& [outcome, clash] = cards_[card].conflict;
+  const auto& [outcome, conflictSet] = cards_[card].conflict;
   const std::optional<Index> row = indexOf(editor_.list(), outcome->name);
-  if (!row || !clash->consistentTarget) return;
-  const Vector3 target = *clash->consistentTarget;
+  if (!row || !conflictSet->consistentTarget) return;
+  const Vector3 target = *conflictSet->consistentTarget;
   changeConstraints(editor_, tr("give %1 the consistent target").arg(subjectOf(editor_, {*row})), {*row},
                     [&](const Constraint& constraint) { return agreeing(constraint, target, editor_); });
 }

@@ -29,7 +29,7 @@ class ConflictPanel : public QWidget {
   /// A conflict of the newest deformation.
   struct Conflict {
     const ConstraintOutcome* outcome = nullptr;
-    const Clash* clash = nullptr;
+    const ConflictSet* conflictSet = nullptr;
   };
   struct ConflictCard {
     Card* card = nullptr;
@@ -39,9 +39,9 @@ class ConflictPanel : public QWidget {
     Conflict conflict;
   };
 
-  void makeTrouble();
+  void makeErrorCard();
   void refresh();
-  void refreshTrouble();
+  void refreshError();
   void refreshConflicts(const std::vector<Conflict>& conflicts);
   void refreshRepetitions(const std::vector<Conflict>& repetitions);
   void addCard();
@@ -56,14 +56,14 @@ class ConflictPanel : public QWidget {
   QStackedWidget* pages_ = nullptr;
   QLabel* empty_ = nullptr;
   CardList* list_ = nullptr;
-  Card* trouble_ = nullptr;
+  Card* error_ = nullptr;
   QWidget* conflicts_ = nullptr;
   QVBoxLayout* conflictLayout_ = nullptr;
   std::vector<ConflictCard> cards_;
   QLabel* more_ = nullptr;
   QLabel* repetitionTitle_ = nullptr;
   QLabel* repetitions_ = nullptr;
-  std::shared_ptr<const Deformation> shown_;  // keeps alive what the cards refer to
+  std::shared_ptr<const DeformResult> shown_;  // keeps alive what the cards refer to
 };
 
 }  // namespace holdfast

@@ -9,7 +9,7 @@
 
 #include <holdfast/document/list_edits.h>
 #include <holdfast/window/controls/labels.h>
-#include <holdfast/window/controls/status_look.h>
+#include <holdfast/window/controls/status_style.h>
 #include <holdfast/window/model/constraint_actions.h>
 
 namespace holdfast {

@@ -13,7 +13,7 @@
 #include <holdfast/widgets/rotation_sphere/rotation_projection.h>
 #include <holdfast/window/controls/labels.h>
 #include <holdfast/window/panels/histogram_view.h>
-#include <holdfast/window/text/number_words.h>
+#include <holdfast/window/text/number_text.h>
 
 namespace holdfast {
 namespace {
@@ -25,7 +25,7 @@ constexpr int kFirstPower = -17;
 constexpr int kLastPower = -11;
 
 constexpr Index kMostAngleBins = 25;
-std::vector<double> residualShares(const Deformation& deformation, double diagonal)
+std::vector<double> residualShares(const DeformResult& deformation, double diagonal)
 {
   std::vector<double> shares;
   for (const ConstraintOutcome& outcome : deformation.report.constraints)
@@ -34,7 +34,7 @@ std::vector<double> residualShares(const Deformation& deformation, double diagon
 }
 
 /// The smallest limit of a constraint as a share of the diagonal: what is marked.
-double leastLimit(const Deformation& deformation, double diagonal)
+double leastLimit(const DeformResult& deformation, double diagonal)
 {
   double least = std::numeric_limits<double>::infinity();
   for (const double limit : deformation.diagnosis.limits) least = std::min(least, limit / diagonal);
@@ -48,7 +48,7 @@ Index countWithinLimits(const std::vector<ConstraintOutcome>& outcomes)
   });
 }
 
-std::vector<double> anglesOf(const Model& model, const Deformation& deformation)
+std::vector<double> anglesOf(const Model& model, const DeformResult& deformation)
 {
   const SolverMesh& mesh = model.solverMesh;
   std::vector<double> ofUnknowns;
@@ -120,7 +120,7 @@ void HistogramPanel::refresh()
 
 void HistogramPanel::refreshResiduals()
 {
-  const Deformation& deformation = *editor_.deformation();
+  const DeformResult& deformation = *editor_.deformation();
   const double diagonal = editor_.model()->solverMesh.diagonal;
   std::vector<double> shares = residualShares(deformation, diagonal);
   const Histogram histogram = logarithmicHistogram(shares, kFirstPower, kLastPower);
@@ -147,7 +147,7 @@ void HistogramPanel::refreshResiduals()
 
 void HistogramPanel::refreshAngles()
 {
-  const Deformation& deformation = *editor_.deformation();
+  const DeformResult& deformation = *editor_.deformation();
   if (!hasRotation(boundaryRotations(deformation))) return;
   angles_.values = anglesOf(*editor_.model(), deformation);
   const Histogram histogram = linearHistogram(angles_.values, TickSteps::Degrees, kMostAngleBins);

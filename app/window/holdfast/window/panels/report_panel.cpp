@@ -10,9 +10,9 @@
 #include <QVBoxLayout>
 
 #include <holdfast/window/controls/number_edit.h>
-#include <holdfast/window/controls/status_look.h>
+#include <holdfast/window/controls/status_style.h>
 #include <holdfast/window/model/outcome_lookup.h>
-#include <holdfast/window/text/number_words.h>
+#include <holdfast/window/text/number_text.h>
 
 namespace holdfast {
 
@@ -48,7 +48,7 @@ ReportPanel::ReportPanel(Editor& editor, QWidget* parent) : QWidget(parent), edi
   QVBoxLayout* outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);
   outer->addWidget(area);
-  for (const auto signal : {&Editor::opened, &Editor::stateChanged, &Editor::deformed, &Editor::freshnessChanged})
+  for (const auto signal : {&Editor::opened, &Editor::stateChanged, &Editor::deformed, &Editor::solveStateChanged})
     connect(&editor, signal, this, &ReportPanel::refresh);
   refresh();
 }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <holdfast/window/model/editor.h>
-#include <holdfast/window/text/report_words.h>
+#include <holdfast/window/text/report_text.h>
 
 class QComboBox;
 class QFormLayout;

@@ -21,7 +21,7 @@
 #include <holdfast/window/controls/vtk_palette.h>
 #include <holdfast/window/controls/vtk_view.h>
 #include <holdfast/window/model/background_job.h>
-#include <holdfast/window/text/number_words.h>
+#include <holdfast/window/text/number_text.h>
 
 namespace holdfast {
 namespace {
@@ -214,7 +214,7 @@ void SpherePanel::pickVertex(vtkObject* /*caller*/, unsigned long /*event*/, voi
 
 std::optional<Index> SpherePanel::vertexAt(const QPointF& place) const
 {
-  // Through the pixel's centre; VTK counts from below.
+  // Through the pixel's center; VTK counts from below.
   const double ratio = view_->devicePixelRatioF();
   return sphere_->pick((place.x() + 0.5) * ratio, (view_->height() - place.y() - 0.5) * ratio);
 }

@@ -85,7 +85,7 @@ class SpherePanel : public QWidget {
   vtkNew<RotationSphereStyle> style_;
   std::unique_ptr<RotationSphere> sphere_;  // from the first rotation that is to be shown
   BackgroundJob* placing_ = nullptr;
-  std::shared_ptr<const Deformation> shown_;
+  std::shared_ptr<const DeformResult> shown_;
   std::shared_ptr<const PlacedRotations> placed_;  // the latest of this mesh
   std::optional<Index> marked_;
   std::optional<Coloring> coloring_;

@@ -14,8 +14,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include <holdfast/window/text/constraint_words.h>
-#include <holdfast/window/text/number_words.h>
+#include <holdfast/window/text/constraint_text.h>
+#include <holdfast/window/text/number_text.h>
 
 namespace holdfast {
 namespace {

@@ -5,7 +5,7 @@
 #include <QKeyEvent>
 #include <QPainter>
 
-#include <holdfast/window/controls/status_look.h>
+#include <holdfast/window/controls/status_style.h>
 #include <holdfast/window/table/constraint_table_model.h>
 
 namespace holdfast {

@@ -10,8 +10,8 @@
 #include <holdfast/base/error.h>
 #include <holdfast/base/printable.h>
 #include <holdfast/io/text/number_text.h>
-#include <holdfast/window/text/constraint_words.h>
-#include <holdfast/window/text/number_words.h>
+#include <holdfast/window/text/constraint_text.h>
+#include <holdfast/window/text/number_text.h>
 
 namespace holdfast {
 namespace {
@@ -89,7 +89,7 @@ ConstraintTableModel::ConstraintTableModel(Editor& editor, QObject* parent)
   });
   connect(&editor, &Editor::stateChanged, this, &ConstraintTableModel::follow);
   connect(&editor, &Editor::deformed, this, &ConstraintTableModel::resultsChanged);
-  connect(&editor, &Editor::freshnessChanged, this, &ConstraintTableModel::resultsChanged);
+  connect(&editor, &Editor::solveStateChanged, this, &ConstraintTableModel::resultsChanged);
   if (editor.isOpen()) shown_ = editor.history().state();
 }
 
@@ -120,8 +120,9 @@ std::optional<ConstraintStatus> ConstraintTableModel::status(int row) const
 
 std::optional<double> ConstraintTableModel::coordinate(int row, int column) const
 {
-  if (const Handle* handle = std::get_if<Handle>(&constraint(row).what)) return handle->translate[column - X];
-  const Point* point = std::get_if<Point>(&constraint(row).what);
+  if (const HandleConstraint* handle = std::get_if<HandleConstraint>(&constraint(row).what))
+    return handle->translate[column - X];
+  const PointConstraint* point = std::get_if<PointConstraint>(&constraint(row).what);
   if (point == nullptr) return std::nullopt;
   if (const Target* target = std::get_if<Target>(&point->to)) return target->place[column - X];
   const std::optional<Vector3> rest = places_.of(point->at);
@@ -135,7 +136,7 @@ std::optional<double> ConstraintTableModel::exactNumber(int row, int column) con
   const ConstraintOutcome* found = outcome(row);
   if (found == nullptr || !constraint(row).isEnabled) return std::nullopt;
   if (column == Residual) return found->residual;
-  return column == Force ? found->force : std::nullopt;
+  return column == Force ? found->multiplier : std::nullopt;
 }
 
 std::optional<double> ConstraintTableModel::number(int row, int column) const
@@ -204,7 +205,7 @@ QString ConstraintTableModel::toolTip(int row, int column) const
   if (column == Status) return statusMeaning(status(row)) + age;
   if (!number) return text(row, column);
   if (!isCoordinate(column)) return exact + age;
-  const bool isHandle = std::holds_alternative<Handle>(constraint(row).what);
+  const bool isHandle = std::holds_alternative<HandleConstraint>(constraint(row).what);
   return isHandle ? tr("%1, the handle's shift along %2").arg(exact, axisName(column))
                   : tr("%1, the target's %2").arg(exact, axisName(column));
 }
@@ -304,12 +305,12 @@ bool ConstraintTableModel::setCoordinate(const Rows& rows, int column, const QSt
   const Index axis = column - X;
   const QString name = tr("move %1 to %2 = %3").arg(subjectOf(editor_, rows), axisName(column), exactText(*value));
   changeConstraints(editor_, name, rows, [&](Constraint constraint) -> std::optional<Constraint> {
-    if (Handle* handle = std::get_if<Handle>(&constraint.what)) {
+    if (HandleConstraint* handle = std::get_if<HandleConstraint>(&constraint.what)) {
       if (hasSameBits(handle->translate[axis], *value)) return std::nullopt;
       handle->translate[axis] = *value;
       return constraint;
     }
-    Point* point = std::get_if<Point>(&constraint.what);
+    PointConstraint* point = std::get_if<PointConstraint>(&constraint.what);
     const std::optional<Vector3> rest = point == nullptr ? std::nullopt : places_.of(point->at);
     if (!rest) return std::nullopt;
     Vector3 place = placeOf(*point, *rest);

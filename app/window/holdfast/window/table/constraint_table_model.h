@@ -8,7 +8,7 @@
 #include <memory>
 #include <optional>
 
-#include <holdfast/window/controls/status_look.h>
+#include <holdfast/window/controls/status_style.h>
 #include <holdfast/window/model/constraint_actions.h>
 #include <holdfast/window/model/editor.h>
 #include <holdfast/window/model/outcome_lookup.h>

@@ -4,13 +4,13 @@
 #include <utility>
 
 #include <holdfast/io/text/number_text.h>
-#include <holdfast/window/text/number_words.h>
+#include <holdfast/window/text/number_text.h>
 
 namespace holdfast {
 
 void VertexTableModel::show(std::shared_ptr<const DocumentState> state, Index constraint)
 {
-  const auto& handle = std::get<Handle>(state->list.constraints[constraint].what);
+  const auto& handle = std::get<HandleConstraint>(state->list.constraints[constraint].what);
   const bool isLonger = static_cast<int>(std::get<VertexIds>(handle.select.what).ids.size()) != rowCount();
   if (isLonger) beginResetModel();
   state_ = std::move(state);
@@ -21,9 +21,9 @@ void VertexTableModel::show(std::shared_ptr<const DocumentState> state, Index co
     Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
 }
 
-const Handle& VertexTableModel::handle() const
+const HandleConstraint& VertexTableModel::handle() const
 {
-  return std::get<Handle>(state_->list.constraints[constraint_].what);
+  return std::get<HandleConstraint>(state_->list.constraints[constraint_].what);
 }
 
 Index VertexTableModel::vertex(int row) const
@@ -34,7 +34,7 @@ Index VertexTableModel::vertex(int row) const
 double VertexTableModel::number(int row, int column) const
 {
   if (what_ == What::Targets) return std::get<VertexTargets>(handle().motion).places[row][column - X];
-  const VertexTurn& turn = handle().rotations[row];
+  const AxisAngle& turn = handle().rotations[row];
   return column == Degrees ? turn.degrees : turn.axis[column - X];
 }
 

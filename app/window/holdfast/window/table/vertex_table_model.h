@@ -40,7 +40,7 @@ class VertexTableModel : public QAbstractTableModel {
   void refused(const QString& reason);
 
  private:
-  [[nodiscard]] const Handle& handle() const;
+  [[nodiscard]] const HandleConstraint& handle() const;
 
   What what_;
   std::shared_ptr<const DocumentState> state_;

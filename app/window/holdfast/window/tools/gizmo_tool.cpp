@@ -5,7 +5,7 @@
 #include <QPainter>
 #include <algorithm>
 
-#include <holdfast/widgets/camera/seen_turn.h>
+#include <holdfast/widgets/camera/seen_rotation.h>
 #include <holdfast/widgets/interaction/interaction_events.h>
 #include <holdfast/window/model/constraint_actions.h>
 #include <holdfast/window/viewport/viewport.h>
@@ -39,7 +39,7 @@ GizmoTool::GizmoTool(Editor& editor, Viewport& viewport, QObject* parent)
   widget_->AddObserver(vtkCommand::EndInteractionEvent, this, &GizmoTool::keep);
   widget_->AddObserver(CancelInteractionEvent, this, &GizmoTool::restore);
   for (const auto& signal : {&Editor::opened, &Editor::stateChanged, &Editor::constraintSelectionChanged})
-    connect(&editor, signal, this, &GizmoTool::stand);
+    connect(&editor, signal, this, &GizmoTool::placeGizmo);
 }
 
 GizmoTool::~GizmoTool() = default;
@@ -48,11 +48,11 @@ QString GizmoTool::hint() const
 {
   if (widget_->IsDragging() && !widget_->IsHeld())
     return tr("Enter keeps it, Backspace corrects it, Escape takes it back");
-  return isTurn() ? tr("Drag to turn, or type degrees; Ctrl snaps, Escape takes it back")
-                  : tr("Drag to move, or type a length; Ctrl snaps, Escape takes it back");
+  return isRotation() ? tr("Drag to turn, or type degrees; Ctrl snaps, Escape takes it back")
+                      : tr("Drag to move, or type a length; Ctrl snaps, Escape takes it back");
 }
 
-bool GizmoTool::isTurn() const
+bool GizmoTool::isRotation() const
 {
   const GizmoPartKind kind = kindOf(widget_->GetPart());
   return kind == GizmoPartKind::Ring || kind == GizmoPartKind::ViewRing;
@@ -64,20 +64,20 @@ void GizmoTool::highlight()
   Q_EMIT changed();
 }
 
-void GizmoTool::stand()
+void GizmoTool::placeGizmo()
 {
   if (widget_->IsDragging()) return;
-  standing_.reset();
+  placing_.reset();
   if (editor().isOpen() && !editor().selectedConstraints().empty()) try {
-      standing_ = std::make_unique<ConstraintDrag>(*editor().model(), editor().list(), editor().selectedConstraints(),
-                                                   editor().mesh().path.filename().string());
+      placing_ = std::make_unique<ConstraintDrag>(*editor().model(), editor().list(), editor().selectedConstraints(),
+                                                  editor().mesh().path.filename().string());
     } catch (const InputError&) {
       // A constraint that does not fit the mesh: the editor's trouble says so, and there is nothing to move.
-      standing_.reset();
+      placing_.reset();
     }
-  if (standing_ && standing_->isEmpty()) standing_.reset();
-  if (!standing_) return widget_->Off();
-  gizmo_.SetMotions(standing_->hasHandles() ? GizmoMotions::MovesAndTurns : GizmoMotions::Moves);
+  if (placing_ && placing_->isEmpty()) placing_.reset();
+  if (!placing_) return widget_->Off();
+  gizmo_.SetMotions(placing_->hasHandles() ? GizmoMotions::MovesAndTurns : GizmoMotions::Moves);
   gizmo_.SetUnits(editor().list().units);
   placeFrame();
   widget_->On();
@@ -87,20 +87,20 @@ void GizmoTool::stand()
 void GizmoTool::placeFrame()
 {
   gizmo_.SetAlignToView(axes_ == GizmoAxes::View);
-  gizmo_.SetFrame(standing_->center(),
-                  axes_ == GizmoAxes::Own ? standing_->axes(editor().positions()) : Eigen::Matrix3d::Identity());
+  gizmo_.SetFrame(placing_->center(),
+                  axes_ == GizmoAxes::Own ? placing_->axes(editor().positions()) : Eigen::Matrix3d::Identity());
 }
 
 void GizmoTool::setAxes(GizmoAxes axes)
 {
   axes_ = axes;
-  stand();
+  placeGizmo();
 }
 
 void GizmoTool::followSurface()
 {
   // The axes of a point are those of the surface.
-  if (standing_ && axes_ == GizmoAxes::Own && !widget_->IsDragging()) placeFrame();
+  if (placing_ && axes_ == GizmoAxes::Own && !widget_->IsDragging()) placeFrame();
 }
 
 void GizmoTool::followDisplay()
@@ -114,13 +114,13 @@ void GizmoTool::start()
   pivot_ = gizmo_.GetFrame().center;
   degreesSeen_ = 0;
   editor().beginGesture(
-      (isTurn() ? tr("turn %1") : tr("move %1")).arg(subjectOf(editor(), editor().selectedConstraints())));
+      (isRotation() ? tr("turn %1") : tr("move %1")).arg(subjectOf(editor(), editor().selectedConstraints())));
 }
 
 RigidIncrement GizmoTool::incrementOf(const GizmoMotion& motion)
 {
-  const auto& fixed = standing_->fixedCenter();
-  if (turnOfMoves_ == TurnOfMoves::AsConstraint || isTurn() || !fixed)
+  const auto& fixed = placing_->fixedCenter();
+  if (rotationOfMoves_ == RotationOfMoves::AsConstraint || isRotation() || !fixed)
     return {motion.axis, motion.degrees, pivot_, motion.translation};
   degreesSeen_ = degreesSeen(view_, *fixed, pivot_, pivot_ + motion.translation, degreesSeen_);
   return {-view_.direction, degreesSeen_, pivot_, motion.translation};
@@ -128,20 +128,20 @@ RigidIncrement GizmoTool::incrementOf(const GizmoMotion& motion)
 
 void GizmoTool::move(vtkObject* /*caller*/, unsigned long /*event*/, void* motion)
 {
-  editor().updateGesture(standing_->movedBy(incrementOf(*static_cast<const GizmoMotion*>(motion))));
+  editor().updateGesture(placing_->movedBy(incrementOf(*static_cast<const GizmoMotion*>(motion))));
 }
 
 void GizmoTool::keep()
 {
   editor().endGesture();
-  stand();
+  placeGizmo();
   Q_EMIT changed();
 }
 
 void GizmoTool::restore()
 {
   editor().cancelGesture();
-  stand();
+  placeGizmo();
   Q_EMIT changed();
 }
 

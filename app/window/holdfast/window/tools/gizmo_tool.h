@@ -22,8 +22,8 @@ enum class GizmoAxes {
 };
 
 /// How a handle turns while it is moved about what is fixed, section 3.3 of the paper.
-enum class TurnOfMoves {
-  AsConstraint,  ///< as the handle says, which may be by the shortest turn (`TurnAboutFixed`)
+enum class RotationOfMoves {
+  AsConstraint,  ///< as the handle says, which may be by the shortest turn (`RotationAboutFixed`)
   AsSeen         ///< by the angle that is seen on the screen, about the viewing axis
 };
 
@@ -36,7 +36,7 @@ class GizmoTool : public WidgetTool {
   ~GizmoTool() override;
 
   [[nodiscard]] QString hint() const override;
-  void begin() override { stand(); }
+  void begin() override { placeGizmo(); }
   [[nodiscard]] bool wants(const QKeyEvent& event) const override;
   void loseFocus() override;
   bool cancel() override;
@@ -48,8 +48,8 @@ class GizmoTool : public WidgetTool {
 
   void setAxes(GizmoAxes axes);
   [[nodiscard]] GizmoAxes axes() const noexcept { return axes_; }
-  void setTurnOfMoves(TurnOfMoves turn) { turnOfMoves_ = turn; }
-  [[nodiscard]] TurnOfMoves turnOfMoves() const noexcept { return turnOfMoves_; }
+  void setRotationOfMoves(RotationOfMoves turn) { rotationOfMoves_ = turn; }
+  [[nodiscard]] RotationOfMoves rotationOfMoves() const noexcept { return rotationOfMoves_; }
 
   [[nodiscard]] GizmoWidget& widget() const { return *widget_; }
   [[nodiscard]] const GizmoRepresentation& gizmo() const noexcept { return gizmo_; }
@@ -61,23 +61,23 @@ class GizmoTool : public WidgetTool {
   void followDisplay() override;
 
  private:
-  void stand();
+  void placeGizmo();
   void placeFrame();
   void highlight();
   void start();
   void move(vtkObject* caller, unsigned long event, void* motion);
   void keep();
   void restore();
-  [[nodiscard]] bool isTurn() const;
+  [[nodiscard]] bool isRotation() const;
   [[nodiscard]] RigidIncrement incrementOf(const GizmoMotion& motion);
   [[nodiscard]] QFont labelFont() const;
 
   vtkNew<GizmoWidget> widget_;
   GizmoRepresentation& gizmo_;
   GizmoAxes axes_ = GizmoAxes::World;
-  TurnOfMoves turnOfMoves_ = TurnOfMoves::AsConstraint;
-  std::unique_ptr<ConstraintDrag> standing_;  // what the gizmo stands for; null where it is hidden
-  ViewGeometry view_;                         // when the drag began
+  RotationOfMoves rotationOfMoves_ = RotationOfMoves::AsConstraint;
+  std::unique_ptr<ConstraintDrag> placing_;  // what the gizmo stands for; null where it is hidden
+  ViewGeometry view_;                        // when the drag began
   Vector3 pivot_ = Vector3::Zero();
   double degreesSeen_ = 0;  // so far
 };

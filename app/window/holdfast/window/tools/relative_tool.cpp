@@ -76,7 +76,7 @@ void RelativeTool::showSelected()
   for (const int end : {0, 1}) selected_->GetHandle(end).SetPlacement(std::nullopt);
   if (!editor().isOpen() || editor().selectedConstraints().size() != 1) return;
   const Constraint& constraint = editor().list().constraints[editor().selectedConstraints().front()];
-  const auto* relative = std::get_if<Relative>(&constraint.what);
+  const auto* relative = std::get_if<RelativeConstraint>(&constraint.what);
   if (relative == nullptr) return;
   try {
     selected_->GetHandle(0).SetLocation(relative->to);

@@ -20,7 +20,7 @@
 #include <holdfast/widgets/camera/default_camera.h>
 #include <holdfast/widgets/interaction/interaction_events.h>
 #include <holdfast/widgets/scene/example_document.h>
-#include <holdfast/widgets/scene/stage.h>
+#include <holdfast/widgets/scene/lighting.h>
 #include <holdfast/window/viewport/viewport_overlay.h>
 
 namespace holdfast {
@@ -37,7 +37,7 @@ constexpr int kRestMilliseconds = 250;
 constexpr int kMillisecondsBetweenLooks = 1;
 
 // Longer than any picture takes.
-constexpr std::chrono::seconds kMostPatience(10);
+constexpr std::chrono::seconds kLongestWait(10);
 
 double millisecondsOf(const QElapsedTimer& timer)
 {
@@ -98,7 +98,7 @@ Viewport::Viewport(Editor& editor, QWidget* parent) : VtkView(parent), editor_(e
 
   connect(this, &VtkView::renderWanted, this, &Viewport::scheduleWidgets);
   connect(&editor_, &Editor::opened, this, &Viewport::openDocument);
-  connect(&editor_, &Editor::deformed, this, &Viewport::showDeformation);
+  connect(&editor_, &Editor::deformed, this, &Viewport::showResult);
   connect(&editor_, &Editor::vertexSelectionChanged, this, &Viewport::showSelection);
   connect(&editor_, &Editor::constraintSelectionChanged, this, &Viewport::showSelection);
 }
@@ -184,7 +184,7 @@ void Viewport::setSection(const std::optional<SectionPlane>& section)
   Q_EMIT marksChanged();
 }
 
-void Viewport::showDeformation()
+void Viewport::showResult()
 {
   prepareToMove();
   showSurface();
@@ -357,7 +357,7 @@ void Viewport::initializeGL()
 void Viewport::paintGL()
 {
   // Draws, or puts what was drawn into the window: that would wait as well.
-  static_cast<void>(fence_->pass(kMostPatience));
+  static_cast<void>(fence_->pass(kLongestWait));
   VtkView::paintGL();
   fence_->set();
 }

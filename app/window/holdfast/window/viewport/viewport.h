@@ -136,7 +136,7 @@ class Viewport : public VtkView {
 
   void openDocument();
   void showSurface();
-  void showDeformation();
+  void showResult();
   void showColors();
   void showConstraints();
   void showSelection();

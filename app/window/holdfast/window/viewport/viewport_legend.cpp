@@ -43,7 +43,7 @@ ViewportLegend::ViewportLegend(const QRectF& area, const QFontMetricsF& metrics)
 {
 }
 
-void ViewportLegend::addWords(double right, double middle, const QString& text)
+void ViewportLegend::addText(double right, double middle, const QString& text)
 {
   const double width = metrics_.horizontalAdvance(text);
   words_.push_back({{right - width, middle - metrics_.height() / 2, width, metrics_.height()}, text});
@@ -53,7 +53,7 @@ void ViewportLegend::addTick(const ColorScale& scale, double value, const QStrin
 {
   const double y = bar_.bottom() - shareOf(scale, value) * bar_.height();
   ticks_.push_back({y, length});
-  addWords(bar_.left() - length - 4, y, text);
+  addText(bar_.left() - length - 4, y, text);
 }
 
 void ViewportLegend::addScale(const ColorScale& scale)
@@ -70,7 +70,7 @@ void ViewportLegend::addScale(const ColorScale& scale)
   const QStringList title = QString::fromStdString(scale.title).split('\n');
   for (auto line = title.rbegin(); line != title.rend(); ++line) {
     top_ -= metrics_.height();
-    addWords(area_.right(), top_ + metrics_.height() / 2, *line);
+    addText(area_.right(), top_ + metrics_.height() / 2, *line);
   }
   top_ -= kLegendMargin;
 }
@@ -78,7 +78,7 @@ void ViewportLegend::addScale(const ColorScale& scale)
 void ViewportLegend::addLine(const QString& text)
 {
   top_ -= metrics_.height();
-  addWords(area_.right(), top_ + metrics_.height() / 2, text);
+  addText(area_.right(), top_ + metrics_.height() / 2, text);
   top_ -= kLegendMargin / 2;
 }
 
@@ -87,15 +87,15 @@ void ViewportLegend::addCount(ConstraintStatus status, Index count)
   top_ -= 1.25 * metrics_.height();
   const double middle = top_ + metrics_.height() / 2;
   const std::string_view word = name(status);
-  addWords(area_.right() - kBall - 6, middle,
-           QString("%1 %2").arg(count).arg(QString::fromUtf8(word.data(), static_cast<int>(word.size()))));
+  addText(area_.right() - kBall - 6, middle,
+          QString("%1 %2").arg(count).arg(QString::fromUtf8(word.data(), static_cast<int>(word.size()))));
   balls_.push_back({{area_.right() - kBall / 2, middle}, status});
 }
 
 void ViewportLegend::paintHalo(QPainter& painter, const QColor& color) const
 {
   QPainterPath words;
-  for (const Words& each : words_)
+  for (const Text& each : words_)
     words.addText(each.box.left(), each.box.top() + metrics_.ascent(), painter.font(), each.text);
   painter.strokePath(words, QPen(color, kHalo, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   painter.setPen(QPen(color, kHalo));
@@ -111,7 +111,7 @@ void ViewportLegend::paint(QPainter& painter, const QPalette& palette) const
   painter.setPen(palette.color(QPalette::WindowText));
   painter.setBrush(Qt::NoBrush);
   if (!bar_.isEmpty()) paintScale(painter);
-  for (const Words& words : words_)
+  for (const Text& words : words_)
     painter.drawText(QPointF(words.box.left(), words.box.top() + metrics_.ascent()), words.text);
   for (const Ball& ball : balls_) {
     painter.setBrush(ball.status == ConstraintStatus::Disabled ? QBrush(Qt::NoBrush)

@@ -34,11 +34,11 @@ class ViewportLegend {
   friend bool operator==(const ViewportLegend&, const ViewportLegend&) = default;
 
  private:
-  struct Words {
+  struct Text {
     QRectF box;
     QString text;
 
-    friend bool operator==(const Words&, const Words&) = default;
+    friend bool operator==(const Text&, const Text&) = default;
   };
   struct Tick {
     double y = 0;
@@ -53,7 +53,7 @@ class ViewportLegend {
     friend bool operator==(const Ball&, const Ball&) = default;
   };
 
-  void addWords(double right, double middle, const QString& text);
+  void addText(double right, double middle, const QString& text);
   void addTick(const ColorScale& scale, double value, const QString& text, double length);
   void paintHalo(QPainter& painter, const QColor& color) const;
   void paintScale(QPainter& painter) const;
@@ -64,7 +64,7 @@ class ViewportLegend {
   QRectF bar_;  // empty without a scale
   ColorScale scale_;
   std::vector<Tick> ticks_;
-  std::vector<Words> words_;
+  std::vector<Text> words_;
   std::vector<Ball> balls_;
 };
 

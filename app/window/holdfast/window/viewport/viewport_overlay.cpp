@@ -7,7 +7,7 @@
 #include <utility>
 
 #include <holdfast/window/controls/vtk_palette.h>
-#include <holdfast/window/text/color_words.h>
+#include <holdfast/window/text/color_text.h>
 #include <holdfast/window/viewport/tool.h>
 #include <holdfast/window/viewport/viewport.h>
 #include <holdfast/window/viewport/viewport_legend.h>
@@ -19,20 +19,20 @@ constexpr double kNoteMargin = 14;
 
 }  // namespace
 
-QString freshnessText(const Editor& editor)
+QString solveStateText(const Editor& editor)
 {
-  switch (editor.freshness()) {
-    case Freshness::Nothing:
-    case Freshness::Current:
+  switch (editor.solveState()) {
+    case SolveState::Nothing:
+    case SolveState::Current:
       break;
-    case Freshness::Solving:
+    case SolveState::Solving:
       if (!editor.deformation()) return ViewportOverlay::tr("At rest: solving");
       // A drag's frames follow one another faster than a word can be read.
       return editor.history().isInGesture() ? QString() : ViewportOverlay::tr("Older than the constraints: solving");
-    case Freshness::Cancelled:
+    case SolveState::Cancelled:
       return ViewportOverlay::tr("Older than the constraints: solving was stopped. F5 solves again.");
-    case Freshness::Unusable:
-      return ViewportOverlay::tr("Older than the constraints: they cannot be solved.") + '\n' + editor.trouble();
+    case SolveState::Unusable:
+      return ViewportOverlay::tr("Older than the constraints: they cannot be solved.") + '\n' + editor.error();
   }
   return {};
 }
@@ -43,7 +43,7 @@ ViewportOverlay::ViewportOverlay(Editor& editor, Viewport& viewport)
   setObjectName("overlay");
   setAttribute(Qt::WA_TransparentForMouseEvents);
   setAttribute(Qt::WA_NoSystemBackground);
-  for (const auto& signal : {&Editor::opened, &Editor::freshnessChanged, &Editor::stageChanged})
+  for (const auto& signal : {&Editor::opened, &Editor::solveStateChanged, &Editor::stepChanged})
     connect(&editor_, signal, this, qOverload<>(&QWidget::update));
 }
 
@@ -59,7 +59,7 @@ void ViewportOverlay::paintEvent(QPaintEvent* /*event*/)
   painter.setRenderHint(QPainter::Antialiasing);
   if (!editor_.isOpen()) return paintWelcome(painter);
   paintLegend(painter);
-  paintFreshness(painter);
+  paintSolveState(painter);
   for (const Tool* tool : tools_) {
     painter.save();
     tool->paint(painter);
@@ -74,7 +74,7 @@ ViewportLegend ViewportOverlay::legend() const
   if (const auto& coloring = viewport_.coloring())
     legend.addScale(coloring->scale);
   else if (editor_.deformation() && field != ColorBy::None)
-    legend.addLine(tr("%1: nothing to show").arg(fieldWords(field).name));
+    legend.addLine(tr("%1: nothing to show").arg(fieldText(field).name));
   addCounts(legend);
   return legend;
 }
@@ -111,9 +111,9 @@ void ViewportOverlay::addCounts(ViewportLegend& legend) const
   }
 }
 
-void ViewportOverlay::paintFreshness(QPainter& painter) const
+void ViewportOverlay::paintSolveState(QPainter& painter) const
 {
-  const QString text = freshnessText(editor_);
+  const QString text = solveStateText(editor_);
   if (text.isEmpty()) return;
   const QRectF available(0, 0, width() - 4 * kNoteMargin, height());
   QRectF box = painter.fontMetrics().boundingRect(available.toRect(), Qt::AlignLeft | Qt::TextWordWrap, text);

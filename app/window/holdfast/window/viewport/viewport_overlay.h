@@ -34,7 +34,7 @@ class ViewportOverlay : public QWidget {
   void paintLegend(QPainter& painter);
   [[nodiscard]] ViewportLegend legend() const;
   void addCounts(ViewportLegend& legend) const;
-  void paintFreshness(QPainter& painter) const;
+  void paintSolveState(QPainter& painter) const;
   void paintWelcome(QPainter& painter) const;
 
   Editor& editor_;
@@ -47,6 +47,6 @@ class ViewportOverlay : public QWidget {
 };
 
 /// What the picture says of its age, in a sentence; empty where it shows what was asked for.
-[[nodiscard]] QString freshnessText(const Editor& editor);
+[[nodiscard]] QString solveStateText(const Editor& editor);
 
 }  // namespace holdfast

@@ -322,18 +322,19 @@ void MainWindow::makeViewMenu()
 
   QMenu& turns = *menu.addMenu(tr("&Turn of a handle that is moved"));
   auto* turnGroup = new QActionGroup(this);
-  const auto addTurn = [&](const char* objectName, const QString& text, const QString& tip, TurnOfMoves value) {
-    QAction* action = addAction(turns, objectName, text, {}, tip, [this, value] { gizmo_->setTurnOfMoves(value); });
+  const auto addRotationChoice = [&](const char* objectName, const QString& text, const QString& tip,
+                                     RotationOfMoves value) {
+    QAction* action = addAction(turns, objectName, text, {}, tip, [this, value] { gizmo_->setRotationOfMoves(value); });
     action->setCheckable(true);
-    action->setChecked(value == gizmo_->turnOfMoves());
+    action->setChecked(value == gizmo_->rotationOfMoves());
     turnGroup->addAction(action);
   };
-  addTurn("turnAsConstraint", tr("As the &constraint says"),
-          tr("A handle that is moved turns as its constraint says: not at all, or about what is fixed"),
-          TurnOfMoves::AsConstraint);
-  addTurn("turnAsSeen", tr("As &seen about what is fixed"),
-          tr("A handle that is moved turns about the viewing axis, by the angle that it makes on the screen"),
-          TurnOfMoves::AsSeen);
+  addRotationChoice("turnAsConstraint", tr("As the &constraint says"),
+                    tr("A handle that is moved turns as its constraint says: not at all, or about what is fixed"),
+                    RotationOfMoves::AsConstraint);
+  addRotationChoice("turnAsSeen", tr("As &seen about what is fixed"),
+                    tr("A handle that is moved turns about the viewing axis, by the angle that it makes on the screen"),
+                    RotationOfMoves::AsSeen);
   menu.addSeparator();
   QAction* section = addAction(menu, "sectionPlane", tr("&Section plane"), QKeySequence("Shift+S"),
                                tr("Cut the picture open; the mesh stays whole"), [] {});
@@ -438,7 +439,7 @@ void MainWindow::escape()
 {
   if (viewport_->cancelGesture()) return;
   if (!editor_.isOpen()) return;
-  if (editor_.freshness() == Freshness::Solving) return editor_.cancelSolving();
+  if (editor_.solveState() == SolveState::Solving) return editor_.cancelSolving();
   if (!editor_.selectedVertices().empty()) return editor_.selectVertices({});
   if (!editor_.selectedConstraints().empty()) return editor_.selectConstraints({});
   tools_->chooseSelect();

@@ -5,7 +5,7 @@
 #include <QResizeEvent>
 #include <cmath>
 
-#include <holdfast/window/text/number_words.h>
+#include <holdfast/window/text/number_text.h>
 
 namespace holdfast {
 namespace {
@@ -67,7 +67,7 @@ StatusLine::StatusLine(Editor& editor, QWidget* parent)
     : QStatusBar(parent),
       editor_(editor),
       left_(new QLabel(this)),
-      stage_(new QLabel(this)),
+      step_(new QLabel(this)),
       cancel_(new QPushButton(tr("Stop"), this)),
       numbers_(new QLabel(this))
 {
@@ -76,22 +76,22 @@ StatusLine::StatusLine(Editor& editor, QWidget* parent)
   left_->setMinimumWidth(1);
   left_->setIndent(kIndent);
   left_->installEventFilter(this);
-  stage_->setObjectName("statusStage");
+  step_->setObjectName("statusStage");
   cancel_->setObjectName("statusStop");
   cancel_->setToolTip(tr("Stop solving; what is shown stays as it is (Esc)"));
   cancel_->setFlat(true);
   numbers_->setObjectName("statusNumbers");
   addWidget(left_, 1);
-  addPermanentWidget(stage_);
+  addPermanentWidget(step_);
   addPermanentWidget(cancel_);
   addPermanentWidget(numbers_);
   connect(cancel_, &QPushButton::clicked, &editor_, &Editor::cancelSolving);
   connect(&editor_, &Editor::opened, this, &StatusLine::showNumbers);
   connect(&editor_, &Editor::deformed, this, &StatusLine::showNumbers);
-  connect(&editor_, &Editor::freshnessChanged, this, &StatusLine::showStage);
-  connect(&editor_, &Editor::stageChanged, this, &StatusLine::showStage);
+  connect(&editor_, &Editor::solveStateChanged, this, &StatusLine::showStep);
+  connect(&editor_, &Editor::stepChanged, this, &StatusLine::showStep);
   showNumbers();
-  showStage();
+  showStep();
 }
 
 void StatusLine::setHint(const QString& hint)
@@ -119,11 +119,11 @@ bool StatusLine::eventFilter(QObject* watched, QEvent* event)
   return QStatusBar::eventFilter(watched, event);
 }
 
-void StatusLine::showStage()
+void StatusLine::showStep()
 {
-  const bool isSolving = editor_.freshness() == Freshness::Solving && !editor_.history().isInGesture();
-  stage_->setText(isSolving && !editor_.stage().isEmpty() ? editor_.stage() + "…" : QString());
-  stage_->setVisible(isSolving);
+  const bool isSolving = editor_.solveState() == SolveState::Solving && !editor_.history().isInGesture();
+  step_->setText(isSolving && !editor_.step().isEmpty() ? editor_.step() + "…" : QString());
+  step_->setVisible(isSolving);
   cancel_->setVisible(isSolving);
 }
 
@@ -136,7 +136,7 @@ void StatusLine::showNumbers()
     const SolveReport& solve = deformation->report.solve;
     parts << tr("%1 unknowns").arg(countText(solve.unknowns))
           << tr("%1 + %2 + %3 ms")
-                 .arg(milliseconds(solve.seconds.setup), milliseconds(solve.seconds.decomposition),
+                 .arg(milliseconds(solve.seconds.setup), milliseconds(solve.seconds.factorization),
                       milliseconds(solve.seconds.solution))
           << (solve.status == SolveStatus::Failed ? tr("not solved")
                                                   : tr("residual %1").arg(shareText(solve.maxResidualRelative)));

@@ -29,13 +29,13 @@ class StatusLine : public QStatusBar {
  private:
   void showHint();
   void showNumbers();
-  void showStage();
+  void showStep();
 
   Editor& editor_;
   QString hint_;
   QString pick_;
   QLabel* left_;
-  QLabel* stage_;
+  QLabel* step_;
   QPushButton* cancel_;
   QLabel* numbers_;
 };

@@ -1,0 +1,194 @@
+#include "holdfast/window/text/constraint_text.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+#include <algorithm>
+
+#include <holdfast/base/printable.h>
+#include <holdfast/window/text/number_text.h>
+
+namespace holdfast {
+namespace {
+
+struct ConstraintText {
+  Q_DECLARE_TR_FUNCTIONS(ConstraintText)
+};
+
+constexpr std::size_t kPartsInWords = 3;
+constexpr std::size_t kWeightsInWords = 6;
+constexpr std::size_t kNamesInWords = 5;
+
+QString counted(std::size_t n, const char* one, const char* many)
+{
+  return n == 1 ? ConstraintText::tr(one) : ConstraintText::tr(many).arg(countText(static_cast<Index>(n)));
+}
+
+struct KindText {
+  QString operator()(const FixedConstraint& /*fixed*/) const { return ConstraintText::tr("fixed"); }
+  QString operator()(const HandleConstraint& /*handle*/) const { return ConstraintText::tr("handle"); }
+  QString operator()(const PointConstraint& /*point*/) const { return ConstraintText::tr("point"); }
+  QString operator()(const RigidConstraint& /*rigid*/) const { return ConstraintText::tr("rigid"); }
+  QString operator()(const RelativeConstraint& /*relative*/) const { return ConstraintText::tr("relative"); }
+};
+
+struct LocationText {
+  QString operator()(const AtVertex& at) const { return ConstraintText::tr("vertex %1").arg(at.vertex); }
+  QString operator()(const AtEdge& at) const
+  {
+    return ConstraintText::tr("edge %1–%2, t %3").arg(QString::number(at.i), QString::number(at.j), roundedText(at.t));
+  }
+  QString operator()(const AtFace& at) const
+  {
+    QStringList weights;
+    for (std::size_t k = 0; k < std::min(at.weights.size(), kWeightsInWords); ++k)
+      weights << roundedText(at.weights[k]);
+    if (at.weights.size() > kWeightsInWords) weights << QStringLiteral("…");
+    return ConstraintText::tr("face %1: %2").arg(QString::number(at.face), weights.join(", "));
+  }
+  QString operator()(const AtNear& at) const { return ConstraintText::tr("near %1").arg(roundedText(at.place)); }
+};
+
+struct SelectionText {
+  QString operator()(const VertexIds& vertices) const
+  {
+    return counted(vertices.ids.size(), "1 vertex", "%1 vertices");
+  }
+  QString operator()(const InBox& /*box*/) const { return ConstraintText::tr("box"); }
+  QString operator()(const InSphere& sphere) const
+  {
+    return ConstraintText::tr("sphere of radius %1").arg(roundedText(sphere.radius));
+  }
+  QString operator()(const InHalfSpace& /*half*/) const { return ConstraintText::tr("half space"); }
+  QString operator()(const InComponent& part) const { return ConstraintText::tr("part %1").arg(part.component); }
+  QString operator()(const InsideCurve& curve) const
+  {
+    return curve.side == CurveSide::Smaller
+               ? counted(curve.through.size(), "curve", "curve through %1 places")
+               : counted(curve.through.size(), "outside a curve", "outside a curve through %1 places");
+  }
+  QString operator()(const AllOf& all) const
+  {
+    return joined(all.parts, ConstraintText::tr(" and "), ConstraintText::tr("everything"));
+  }
+  QString operator()(const AnyOf& any) const
+  {
+    return joined(any.parts, ConstraintText::tr(" or "), ConstraintText::tr("nothing"));
+  }
+  QString operator()(const NotIn& no) const { return ConstraintText::tr("not %1").arg(inner(*no.part)); }
+
+ private:
+  // One level is told in words; what is deeper is told by its kind alone.
+  static QString inner(const Selection& selection)
+  {
+    if (std::holds_alternative<AllOf>(selection.what)) return ConstraintText::tr("(several at once)");
+    if (std::holds_alternative<AnyOf>(selection.what)) return ConstraintText::tr("(any of several)");
+    if (std::holds_alternative<NotIn>(selection.what)) return ConstraintText::tr("(all but some)");
+    return selectionText(selection);
+  }
+
+  static QString joined(const std::vector<Selection>& parts, const QString& glue, const QString& ofNone)
+  {
+    if (parts.empty()) return ofNone;
+    QStringList words;
+    for (std::size_t k = 0; k < std::min(parts.size(), kPartsInWords); ++k) words << inner(parts[k]);
+    if (parts.size() > kPartsInWords) words << counted(parts.size() - kPartsInWords, "1 more", "%1 more");
+    return words.join(glue);
+  }
+};
+
+struct WhereText {
+  QString operator()(const PointConstraint& point) const { return locationText(point.at); }
+  QString operator()(const RelativeConstraint& relative) const
+  {
+    return ConstraintText::tr("%1 to %2").arg(locationText(relative.from), locationText(relative.to));
+  }
+  template <class Selecting>
+  QString operator()(const Selecting& selecting) const
+  {
+    return selectionText(selecting.select);
+  }
+};
+
+}  // namespace
+
+QString kindText(const Constraint& constraint)
+{
+  return std::visit(KindText{}, constraint.what);
+}
+
+QString locationText(const SurfaceLocation& location)
+{
+  return std::visit(LocationText{}, location);
+}
+
+QString selectionText(const Selection& selection)
+{
+  return std::visit(SelectionText{}, selection.what);
+}
+
+QString whereText(const Constraint& constraint)
+{
+  return std::visit(WhereText{}, constraint.what);
+}
+
+QString statusText(std::optional<ConstraintStatus> status)
+{
+  if (!status) return ConstraintText::tr("not solved");
+  switch (*status) {
+    case ConstraintStatus::Independent:
+      return ConstraintText::tr("independent");
+    case ConstraintStatus::Met:
+      return ConstraintText::tr("met");
+    case ConstraintStatus::Redundant:
+      return ConstraintText::tr("redundant");
+    case ConstraintStatus::Conflicting:
+      return ConstraintText::tr("conflicting");
+    case ConstraintStatus::Missed:
+      return ConstraintText::tr("missed");
+    case ConstraintStatus::Disabled:
+      return ConstraintText::tr("disabled");
+  }
+  return {};
+}
+
+QString statusMeaning(std::optional<ConstraintStatus> status)
+{
+  if (!status) return ConstraintText::tr("Nothing was solved with this constraint yet.");
+  switch (*status) {
+    case ConstraintStatus::Independent:
+      return ConstraintText::tr("Earlier constraints neither imply nor contradict it; nothing was solved.");
+    case ConstraintStatus::Met:
+      return ConstraintText::tr("It holds.");
+    case ConstraintStatus::Redundant:
+      return ConstraintText::tr("Earlier constraints imply it, and it holds.");
+    case ConstraintStatus::Conflicting:
+      return ConstraintText::tr("Earlier constraints contradict it; it is left out where they do.");
+    case ConstraintStatus::Missed:
+      return ConstraintText::tr("It is part of the solution, but holds only approximately.");
+    case ConstraintStatus::Disabled:
+      return ConstraintText::tr("It is switched off.");
+  }
+  return {};
+}
+
+QString quoted(const std::string& name)
+{
+  return QStringLiteral("“%1”").arg(nameText(name));
+}
+
+QString nameText(const std::string& name)
+{
+  return QString::fromStdString(shortened(name));
+}
+
+QString quotedList(const std::vector<std::string>& names)
+{
+  QStringList words;
+  for (std::size_t k = 0; k < std::min(names.size(), kNamesInWords); ++k) words << quoted(names[k]);
+  if (names.size() > kNamesInWords) words << counted(names.size() - kNamesInWords, "1 other", "%1 others");
+  if (words.size() < 2) return words.join(QString());
+  const QString last = words.takeLast();
+  return ConstraintText::tr("%1 and %2").arg(words.join(", "), last);
+}
+
+}  // namespace holdfast

@@ -1,0 +1,58 @@
+#pragma once
+/// \file
+/// The rotation field of a set of constraints, and what it does to the problem of positions: sections 3.3 and 4.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <holdfast/base/long_step.h>
+#include <holdfast/check/finding.h>
+#include <holdfast/constraints/constraint_system.h>
+#include <holdfast/deform/report.h>
+#include <holdfast/operators/operators.h>
+#include <holdfast/rotation/rotation_field.h>
+
+namespace holdfast {
+
+/// The rotations of all unknowns, or the reason why there are none.
+struct Rotations {
+  Columns3 q;                                 ///< n x 3, logs; zero everywhere where none is asked for
+  std::optional<double> accuracy;             ///< of the field, see `accuracy.h`; none where none is asked for
+  std::optional<double> disagreementDegrees;  ///< largest difference of those given in one rigid region; likewise
+  std::vector<Finding> findings;              ///< what is doubtful about the field, ids in the file and in the list
+  std::string failure;
+};
+
+/// Given rotations of a rigid region that differ by more are a finding: as half angles, in radians, what the promised
+/// residual is of a length.
+inline constexpr double kAgreeingRotations = 1e-12;
+
+/// Finds rotations for constraints of one structure. Nothing is factorised before a rotation is asked for.
+class RotationFactorization {
+ public:
+  /// `mesh` stays alive as long as this.
+  RotationFactorization(const SolverMesh& mesh, Weights weights, Backend backend);
+
+  /// The field for the rotations of `system`, which has the same prescribed unknowns and bodies at every call.
+  /// Factorises when the first are asked for; `progress` may throw then, and the next call goes on.
+  [[nodiscard]] Rotations solve(const ConstraintSystem& system, Progress& progress);
+
+  /// Whether nothing is left to factorise.
+  [[nodiscard]] bool isReady() const { return field_ && field_->isDone(); }
+
+ private:
+  const SolverMesh& mesh_;
+  Weights weights_;
+  Backend backend_;
+  std::optional<LongStep<RotationFieldResult>> field_;
+  std::vector<Finding> guards_;
+};
+
+/// Enters in `report` what is to be said of the rotations: figures and findings.
+void takeOver(const Rotations& rotations, Report& report);
+
+/// f of A u = f: the weighted difference of delta turned by exp(q_i) and delta at rest, n x 3, model units.
+[[nodiscard]] Columns3 rotatedDetail(const Operators& operators, const Columns3& q, double diagonal);
+
+}  // namespace holdfast

@@ -1,0 +1,142 @@
+#include "holdfast/elimination/merged_sensitivities.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <span>
+
+#include <holdfast/elimination/block_elimination.h>
+
+namespace holdfast {
+namespace {
+
+double rootOfSize(const MergedUnknowns& groups, Index group)
+{
+  return std::sqrt(static_cast<double>(groups.sizeOf(group)));
+}
+
+/// The rows of a component of contracted rows, over the coordinates w_b = sqrt(n_b) v_b of its bodies: |w| is the
+/// length over all unknowns.
+class ScaledComponent {
+ public:
+  ScaledComponent(const RowComponent& component, const std::vector<RowTerms>& contracted, const MergedUnknowns& groups)
+      : rows_(scaledRows(component, contracted, groups)),
+        elimination_(rows_, allRows(), static_cast<Index>(component.unknowns.size()),
+                     std::vector<bool>(component.unknowns.size(), false))
+  {
+  }
+
+  [[nodiscard]] std::vector<double> sensitivities() const { return elimination_.sensitivities(rows_.size()); }
+
+  /// What the rows have at the body of this place in the component, by their places.
+  [[nodiscard]] RowTerms column(Index place) const
+  {
+    RowTerms result;
+    for (std::size_t k = 0; k < rows_.size(); ++k)
+      for (const Term& term : rows_[k])
+        if (term.index == place) result.push_back({static_cast<Index>(k), term.coefficient});
+    return result;
+  }
+
+  /// The shortest w for which the rows of these places have these values, and all others 0.
+  [[nodiscard]] Eigen::VectorXd shortest(const RowTerms& values) const
+  {
+    Columns3 d = Columns3::Zero(static_cast<Index>(rows_.size()), 3);
+    for (const Term& value : values) d(value.index, 0) = value.coefficient;
+    return elimination_.particular(d).col(0);
+  }
+
+ private:
+  static std::vector<RowTerms> scaledRows(const RowComponent& component, const std::vector<RowTerms>& contracted,
+                                          const MergedUnknowns& groups)
+  {
+    std::vector<RowTerms> result;
+    for (const Index row : component.rows) {
+      RowTerms terms = contracted[row];
+      for (auto& [group, weight] : terms) {
+        weight /= rootOfSize(groups, group);
+        group =
+            std::lower_bound(component.unknowns.begin(), component.unknowns.end(), group) - component.unknowns.begin();
+      }
+      result.push_back(std::move(terms));
+    }
+    return result;
+  }
+
+  [[nodiscard]] std::vector<Index> allRows() const
+  {
+    std::vector<Index> result(rows_.size());
+    std::iota(result.begin(), result.end(), Index{0});
+    return result;
+  }
+
+  std::vector<RowTerms> rows_;
+  BlockElimination elimination_;
+};
+
+/// By difference row: what a unit of it is in the rows of a component, by their places, where only the unknowns that
+/// hang on it move.
+std::map<Index, RowTerms> valuesByDifference(const RowComponent& component, const std::vector<RowTerms>& rows,
+                                             const MergedUnknowns& groups)
+{
+  std::map<Index, RowTerms> result;
+  for (std::size_t k = 0; k < component.rows.size(); ++k)
+    for (const Term& difference : groups.combinationOf(rows[component.rows[k]]))
+      result[difference.index].push_back({static_cast<Index>(k), difference.coefficient});
+  return result;
+}
+
+/// A difference row moves the s of n unknowns that hang on it against the others, about the centroid of their body.
+double spread(const MergedUnknowns::Link& link, const MergedUnknowns& groups)
+{
+  const auto n = static_cast<double>(groups.sizeOf(groups.groupOf(link.unknown)));
+  const auto s = static_cast<double>(link.hanging);
+  return std::sqrt(s * (n - s) / n);
+}
+
+/// The rows of one component, and the difference rows of its bodies.
+void spreadOverComponent(std::vector<double>& sensitivities, const RowComponent& component,
+                         const std::vector<RowTerms>& rows, const std::vector<RowTerms>& contracted,
+                         const MergedUnknowns& groups)
+{
+  const ScaledComponent scaled(component, contracted, groups);
+  const std::vector<double> ofRows = scaled.sensitivities();
+  for (std::size_t k = 0; k < ofRows.size(); ++k)
+    sensitivities[component.rows[k]] = std::max(sensitivities[component.rows[k]], ofRows[k]);
+
+  // Where a difference row changes, bodies have to move as well, so that the other rows stay met.
+  const std::map<Index, RowTerms> values = valuesByDifference(component, rows, groups);
+  for (std::size_t b = 0; b < component.unknowns.size(); ++b) {
+    const std::span<const MergedUnknowns::Link> links = groups.linksOf(component.unknowns[b]);
+    if (links.empty()) continue;
+    const Eigen::VectorXd centroid =
+        scaled.shortest(scaled.column(static_cast<Index>(b))) / rootOfSize(groups, component.unknowns[b]);
+    const double length = centroid.norm();
+    for (const MergedUnknowns::Link& link : links) {
+      const auto s = static_cast<double>(link.hanging);
+      const auto own = values.find(link.row);
+      const double moved =
+          own == values.end() ? s * length : (scaled.shortest(own->second) - link.sign * s * centroid).norm();
+      sensitivities[link.row] = std::hypot(spread(link, groups), moved);
+    }
+  }
+}
+
+}  // namespace
+
+void spreadOverMerged(std::vector<double>& sensitivities, const std::vector<RowTerms>& rows,
+                      const std::vector<RowTerms>& contracted, const std::vector<Index>& others,
+                      const MergedUnknowns& groups)
+{
+  for (Index group = 0; group < groups.count(); ++group)
+    for (const MergedUnknowns::Link& link : groups.linksOf(group)) sensitivities[link.row] = spread(link, groups);
+  std::vector<RowTerms> left(rows.size());
+  for (const Index row : others) left[row] = contracted[row];
+  for (const RowComponent& component : connectedRows(left, groups.count()))
+    if (std::any_of(component.unknowns.begin(), component.unknowns.end(),
+                    [&](Index group) { return groups.sizeOf(group) > 1; }))
+      spreadOverComponent(sensitivities, component, rows, contracted, groups);
+}
+
+}  // namespace holdfast

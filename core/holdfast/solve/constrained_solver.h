@@ -1,0 +1,83 @@
+#pragma once
+/// \file
+/// The three ways to solve min |A u - f| under B u = d, behind one interface: hard, soft, Lagrange.
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include <holdfast/elimination/diagnosis.h>
+#include <holdfast/solve/least_squares_factor.h>
+
+namespace holdfast {
+
+enum class SolverKind {
+  Hard,     ///< constraints eliminated, (11) to (21): exact
+  Soft,     ///< soft constraints as weighted rows, (7) and (8): for comparison
+  Lagrange  ///< constraints by Lagrange multipliers, end of section 3.2: for comparison
+};
+
+/// The name in files and options: "hard", "soft", "lagrange".
+[[nodiscard]] std::string_view name(SolverKind kind);
+
+struct SolverOptions {
+  SolverKind kind = SolverKind::Hard;
+  Backend backend = defaultBackend();
+  double softWeight =
+      5;  ///< w of soft constraints, (7) and (8), for models measured in diagonals of their bounding box
+
+  friend bool operator==(const SolverOptions&, const SolverOptions&) = default;
+};
+
+/// What the rows ask of the displacement.
+struct RowTargets {
+  Columns3 shifts;                ///< d of B u = d, for every row of the system
+  std::vector<Index> reconciled;  ///< redundant rows that hard constraints meet by least squares: see `Diagnosis`
+};
+
+/// A displacement of the unknowns from rest. The paper solves for positions; the displacement is the same problem with
+/// the rest shape taken off both sides, and keeps the digits that positions would spend on it.
+struct Displacement {
+  Columns3 u;           ///< n x 3, model units
+  int corrections = 0;  ///< refinement steps
+  double accuracy = 0;  ///< estimated relative error, from residuals through A itself: see `correctedSolve`
+};
+
+/// One decomposition, for any number of solutions with the same rows. Another set of constraints makes another object.
+class ConstrainedSolver {
+ public:
+  virtual ~ConstrainedSolver() = default;
+
+  /// `f` (n x 3) is what A u should be near: 0 when no detail is turned. O(factor). Not for concurrent calls.
+  [[nodiscard]] virtual Displacement solve(const RowTargets& targets, const Columns3& f) const = 0;
+
+  /// Unknowns of the system that is solved, for each coordinate.
+  [[nodiscard]] virtual Index unknowns() const = 0;
+  [[nodiscard]] virtual Index factorNonzeros() const = 0;
+  /// How it is solved, in a user's words.
+  [[nodiscard]] virtual std::string method() const = 0;
+
+ protected:
+  ConstrainedSolver() = default;
+  ConstrainedSolver(const ConstrainedSolver&) = default;
+  ConstrainedSolver& operator=(const ConstrainedSolver&) = default;
+};
+
+/// What the solvers are made of. `eliminated` stays alive as long as the solver.
+struct ConstrainedProblem {
+  SparseMatrix A;  ///< weighted rows, n x n
+  const EliminatedConstraints& eliminated;
+  Columns3 rest;  ///< n x 3, a typical solution to measure factors on
+};
+
+using SolverResult = Result<std::unique_ptr<const ConstrainedSolver>>;
+
+[[nodiscard]] SolverResult makeSolver(ConstrainedProblem problem, const SolverOptions& options);
+
+/// The three behind it.
+[[nodiscard]] SolverResult makeHardSolver(ConstrainedProblem problem, Backend backend);
+[[nodiscard]] SolverResult makeSoftSolver(ConstrainedProblem problem, Backend backend, double weight);
+[[nodiscard]] SolverResult makeLagrangeSolver(ConstrainedProblem problem, Backend backend);
+
+}  // namespace holdfast

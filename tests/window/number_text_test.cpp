@@ -1,0 +1,49 @@
+#include <QString>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include <holdfast/window/text/number_text.h>
+
+namespace holdfast {
+namespace {
+
+/// As it is seen: narrow spaces as "_".
+std::string seen(QString text)
+{
+  return text.replace(QChar(0x202f), '_').toStdString();
+}
+
+TEST(NumberWords, CountsAreInGroupsOfThree)
+{
+  EXPECT_EQ(seen(countText(0)), "0");
+  EXPECT_EQ(seen(countText(999)), "999");
+  EXPECT_EQ(seen(countText(1000)), "1_000");
+  EXPECT_EQ(seen(countText(173402)), "173_402");
+  EXPECT_EQ(seen(countText(12345678)), "12_345_678");
+}
+
+TEST(NumberWords, ExactTextsReadBackBitForBit)
+{
+  for (const double value : {0.1, 1.0 / 3, -2e-17, 1e300, 5e-324, std::nextafter(1.0, 2.0), 12.3456789012345678})
+    EXPECT_EQ(typedNumber(' ' + exactText(value) + ' '), value) << exactText(value).toStdString();
+  EXPECT_TRUE(std::signbit(typedNumber(exactText(-0.0)).value()));
+}
+
+TEST(NumberWords, WhatIsNoFiniteNumberIsNothing)
+{
+  for (const char* const typed : {"", "1,5", "1 000", "nan", "inf", "1e999", "2 mm"})
+    EXPECT_EQ(typedNumber(typed), std::nullopt) << typed;
+}
+
+TEST(NumberWords, CoordinatesAreExactAsLongAsTheyAreShort)
+{
+  EXPECT_EQ(coordinateText(0.1).toStdString(), "0.1");
+  EXPECT_EQ(coordinateText(-41.5).toStdString(), "-41.5");
+  EXPECT_EQ(coordinateText(1.0 / 3).toStdString(), "0.3333333");
+}
+
+}  // namespace
+}  // namespace holdfast
