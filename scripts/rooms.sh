@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The rooms of the sources, from their includes. docs/design.md shows the picture; tests compare the two.
+# The rooms of the sources, from their includes. docs/rooms.md shows the picture; tests compare the two.
 #   scripts/rooms.sh [ROOT]            the picture: from each room to those that it includes, without arrows that follow
 #                                      from others
 #   scripts/rooms.sh ROOT arrows       every include across rooms: FROM TO FILE:LINE

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Fails where the rooms are not those of docs/design.md: with file:line where a room includes one that does not stand
+# Fails where the rooms are not those of docs/rooms.md: with file:line where a room includes one that does not stand
 # below it in the table, with the name of a room that is missing there or here, and where the picture is another one.
 #   check_rooms.sh ROOT        ROOT is the folder that holds core, widgets, app and docs
 set -u
 rooms=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../scripts" && pwd)/rooms.sh
 cd "$1" || exit 2
-page=docs/design.md
+page=docs/rooms.md
 
 folders() {
   find core/holdfast widgets/holdfast/widgets app/window/holdfast/window app -mindepth 1 -maxdepth 1 -type d |

@@ -25,7 +25,7 @@ plant_clean_tree() {
   {
     printf '| `%s` | what is in it |\n' app/batch window/panels widgets/scene core/mesh core/base
     printf '```mermaid\n%s\n```\n' "$("$here/../../scripts/rooms.sh" "$tree")"
-  } >"$tree/docs/design.md"
+  } >"$tree/docs/rooms.md"
 }
 
 # expect_found CHECK FILE LINE-OF-CODE: the check passes without the line, and with it names the file and the line.
@@ -82,9 +82,9 @@ rm "$tree/$leak"
 mkdir "$tree/core/holdfast/attic"
 expect_room_error "no row for the room core/attic"
 rmdir "$tree/core/holdfast/attic"
-sed -i.whole '/core_mesh --> core_base/d; s/`core.base`/`core\/cellar`/' "$tree/docs/design.md"
+sed -i.whole '/core_mesh --> core_base/d; s/`core.base`/`core\/cellar`/' "$tree/docs/rooms.md"
 expect_room_error "no folder for the room core/cellar"
-mv "$tree/docs/design.md.whole" "$tree/docs/design.md"
+mv "$tree/docs/rooms.md.whole" "$tree/docs/rooms.md"
 echo '#include <holdfast/base/types.h>' >"$tree/core/holdfast/mesh/new.h"
 expect_room_error "the picture is not that of scripts/rooms.sh"
 rm "$tree/core/holdfast/mesh/new.h"
