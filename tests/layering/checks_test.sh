@@ -26,6 +26,7 @@ plant_clean_tree() {
     printf '| `%s` | what is in it |\n' app/batch window/panels widgets/scene core/mesh core/base
     printf '```mermaid\n%s\n```\n' "$("$here/../../scripts/rooms.sh" "$tree")"
   } >"$tree/docs/rooms.md"
+  printf '| not used | instead |\n|---|---|\n| `Oldie`, `struct Thing` | `Newcomer` |\n' >"$tree/docs/glossary.md"
 }
 
 # expect_found CHECK FILE LINE-OF-CODE: the check passes without the line, and with it names the file and the line.
@@ -55,6 +56,8 @@ expect_clean check_layers.sh
 expect_clean check_rooms.sh
 expect_clean check_words.sh
 expect_clean check_own_headers.sh
+printf '%s\n' 'enum class Kind { Thing };  // an Oldie' 'const Newcomer text("Oldie");' >"$tree/core/holdfast/mesh/terms.cpp"
+expect_clean check_terms.sh
 
 for leak in '#include <vtkPolyData.h>' '#  include "vtkNew.h"' '#include <QVTKOpenGLNativeWidget.h>' '#include <QWidget>' \
   '#include <QtCore/QObject>' '#include <qobject.h>' '#include "QtWidgets/qwidget.h"' '#include "QWidget"'; do
@@ -88,6 +91,15 @@ mv "$tree/docs/rooms.md.whole" "$tree/docs/rooms.md"
 echo '#include <holdfast/base/types.h>' >"$tree/core/holdfast/mesh/new.h"
 expect_room_error "the picture is not that of scripts/rooms.sh"
 rm "$tree/core/holdfast/mesh/new.h"
+for leak in 'Oldie a;' 'f(Oldie{});' 'struct Thing {'; do
+  expect_found check_terms.sh core/holdfast/mesh/leak.h "$leak"
+done
+touch "$tree/core/holdfast/mesh/Oldie.h"
+if "$here/check_terms.sh" "$tree" >/dev/null; then
+  echo "check_terms.sh passes a file of a name that is not used"
+  failures=1
+fi
+rm "$tree/core/holdfast/mesh/Oldie.h"
 for word in TO''DO FIX''ME; do
   expect_found check_words.sh core/leak.txt "later: $word, and so on"
 done

@@ -102,11 +102,11 @@ class PlainProgram {
   {
     const auto& pick = *static_cast<const SurfacePick*>(callData);
     list_ = added(list_, {unusedName(list_, "P"), true, PointConstraint{pick.location, Target{pick.place}}});
-    stand();
+    placeGizmo();
   }
 
   /// The gizmo, for the last constraint.
-  void stand()
+  void placeGizmo()
   {
     const std::vector<Index> last{static_cast<Index>(list_.constraints.size()) - 1};
     drag_ = std::make_unique<ConstraintDrag>(*model_, list_, last, "list");
