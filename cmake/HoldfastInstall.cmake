@@ -10,7 +10,11 @@ if(TARGET holdfast_widgets)
 endif()
 
 foreach(layer IN LISTS holdfast_layers)
-  install(TARGETS holdfast_${layer} EXPORT holdfast-${layer} ARCHIVE FILE_SET HEADERS FILE_SET headers_alone)
+  set(further_headers FILE_SET core)
+  if(layer STREQUAL core)
+    set(further_headers FILE_SET generated)
+  endif()
+  install(TARGETS holdfast_${layer} EXPORT holdfast-${layer} ARCHIVE LIBRARY FILE_SET HEADERS ${further_headers})
   install(EXPORT holdfast-${layer} NAMESPACE holdfast:: DESTINATION "${holdfast_package_dir}")
 endforeach()
 

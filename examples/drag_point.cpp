@@ -1,16 +1,15 @@
 // Hold points of a mesh in a plain window of VTK, and drag the last one: the surface follows at every frame.
 //   drag_point MESH.obj RESULT.obj [RECORDING]      RECORDING: of vtkInteractorEventRecorder, played instead of a hand
+#include <fstream>
 #include <iostream>
+#include <sstream>
 
 #include <vtkInteractorEventRecorder.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 
-#include <holdfast/deform/deformer.h>
-#include <holdfast/io/files/file_bytes.h>
-#include <holdfast/io/files/output_file.h>
-#include <holdfast/io/mesh_file.h>
+#include <holdfast/holdfast.h>
 #include <holdfast/widgets/interaction/gizmo_widget.h>
 #include <holdfast/widgets/interaction/surface_camera_style.h>
 #include <holdfast/widgets/interaction/surface_point_widget.h>
@@ -19,7 +18,7 @@
 using namespace holdfast;
 
 struct DragPoint {
-  explicit DragPoint(const Model& m) : deformer(m, {}), scene(m)
+  explicit DragPoint(const Model& m) : deformer(m), scene(m)
   {
     scene.addTo(*renderer);
     renderer->SetBackground(1, 1, 1);
@@ -48,8 +47,7 @@ struct DragPoint {
   {
     std::get<PointConstraint>(list.constraints.back().what).to =
         Target{gizmo->GetGizmoRepresentation()->GetFrame().center};
-    NoProgress progress;
-    const auto positions = std::make_shared<Positions>(deformer.deform(list, "clicks", progress).positions);
+    const auto positions = std::make_shared<Positions>(deformer.deform(list, "clicks").positions);
     scene.setPositions(*positions);
     point->SetSurface(std::make_shared<VisibleSurface>(point->GetPlacer()->GetSurface()->movedTo(positions)));
   }
@@ -73,9 +71,14 @@ try {
   vtkNew<vtkInteractorEventRecorder> player;
   player->SetInteractor(tool.interactor);
   player->ReadFromInputStringOn();
-  if (argc > 3) player->SetInputString(readFileBytes(argv[3]).c_str());
+  if (argc > 3) {
+    std::stringstream recording;
+    recording.exceptions(std::ios::failbit);
+    recording << std::ifstream(argv[3]).rdbuf();
+    player->SetInputString(recording.str().c_str());
+  }
   argc > 3 ? player->Play() : tool.interactor->Start();
-  OutputFile(argv[2], serializeMesh(file, tool.point->GetPlacer()->GetSurface()->positions(), ".obj").bytes).commit();
+  writeMesh(argv[2], file, tool.point->GetPlacer()->GetSurface()->positions());
 } catch (const std::exception& error) {
   std::cerr << error.what() << '\n';
   return 1;

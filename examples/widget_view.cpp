@@ -12,7 +12,6 @@
 #include <vtkWindowToImageFilter.h>
 
 #include <holdfast/constraint_files/constraint_file.h>
-#include <holdfast/geometry/degree.h>
 #include <holdfast/io/mesh_file.h>
 #include <holdfast/widgets/camera/camera_motion.h>
 #include <holdfast/widgets/camera/default_camera.h>
@@ -59,7 +58,8 @@ WidgetView::WidgetView(WidgetPicture picture)
 void WidgetView::lookAt(const Vector3& place, double radius, const Vector3& from) const
 {
   vtkCamera& camera = *renderer->GetActiveCamera();
-  const Vector3 eye = place + radius / std::tan(camera.GetViewAngle() / 2 * kDegree) * from.normalized();
+  const Vector3 eye =
+      place + radius / std::tan(vtkMath::RadiansFromDegrees(camera.GetViewAngle() / 2)) * from.normalized();
   camera.SetFocalPoint(place.data());
   camera.SetPosition(eye.data());
   camera.SetViewUp(0, 0, 1);

@@ -6,9 +6,10 @@
 set -euo pipefail
 cd "${1:-$(dirname "${BASH_SOURCE[0]}")/..}"
 
-# A room is a folder in core/holdfast, widgets/holdfast/widgets, app/window/holdfast/window, or app.
+# A room is a folder in core/holdfast, widgets/holdfast/widgets, app/window/holdfast/window, or app. The front door,
+# holdfast.h, is none.
 arrows() {
-  grep -rnoE --include='*.h' --include='*.cpp' '^[[:space:]]*#[[:space:]]*include[[:space:]]*[<"]holdfast/[^>"]+' core widgets app |
+  grep -rnoE --include='*.h' --include='*.cpp' --exclude=holdfast.h '^[[:space:]]*#[[:space:]]*include[[:space:]]*[<"]holdfast/[^>"]+/[^>"]+' core widgets app |
     awk -F: '
       function first_two(path, parts) { split(path, parts, "/"); return parts[1] "/" parts[2] }
       function room_of_file(path) {

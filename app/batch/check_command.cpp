@@ -4,6 +4,7 @@
 
 #include <holdfast/base/error.h>
 #include <holdfast/base/printable.h>
+#include <holdfast/check/mesh_check.h>
 #include <holdfast/deform/report_json.h>
 
 #include "batch/commands.h"

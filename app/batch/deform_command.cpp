@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <holdfast/base/printable.h>
+#include <holdfast/deform/deform_details.h>
 #include <holdfast/deform/fields.h>
 #include <holdfast/deform/outcomes.h>
 #include <holdfast/deform/report_json.h>
@@ -31,8 +32,8 @@ void probeOutputs(const DeformCommand& command)
 void measureRounded(DeformResult& deformation, const Model& model)
 {
   const Positions stored = deformation.positions.cast<float>().cast<double>();
-  const bool isMissed = setResiduals(deformation.report, deformation.system, deformation.diagnosis,
-                                     rowResiduals(deformation.system, model.solverMesh.weld, stored))
+  const bool isMissed = setResiduals(deformation.report, deformation.details->system, deformation.details->diagnosis,
+                                     rowResiduals(deformation.details->system, model.solverMesh.weld, stored))
                             .has_value();
   SolveReport& solve = deformation.report.solve;
   if (isMissed)

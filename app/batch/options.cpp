@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <holdfast/base/printable.h>
+#include <holdfast/version.h>
 
 #include "batch/mesh_formats.h"
 

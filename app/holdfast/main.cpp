@@ -15,6 +15,7 @@
 #include <QVTKOpenGLNativeWidget.h>
 
 #include <holdfast/base/thread_priority.h>
+#include <holdfast/version.h>
 #include <holdfast/widgets/scene/display_check.h>
 #include <holdfast/window/window/main_window.h>
 

@@ -8,6 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <holdfast/check/mesh_check.h>
+
 namespace holdfast::test {
 namespace {
 

@@ -63,6 +63,7 @@ bracket_in "$work/rest" "$work/nothing.json"
 mkdir "$work/mine"
 readme_block cmake >"$work/mine/CMakeLists.txt"
 readme_block cpp >"$work/mine/mine.cpp"
+cmp "$work/mine/mine.cpp" "$source/examples/deform_files.cpp" || fail "the README prints another program than examples/deform_files.cpp"
 # Nothing of VTK may be asked for.
 build_project "$work/mine" -DCMAKE_DISABLE_FIND_PACKAGE_VTK=ON
 (cd "$work/bracket" && "$work/mine/build/mine")
@@ -71,6 +72,40 @@ is_deformed "$work/bracket/deformed.obj" || fail "the README's program does not 
 (cd "$work/rest" && "$work/mine/build/mine")
 if is_deformed "$work/rest/deformed.obj"; then fail "the bracket at rest passes for the deformed one"; fi
 expect_refused "bracket.obj" "$work/mine/build/mine"
+
+# Every installed header needs nothing but what is installed.
+headers_alone() {
+  local component=$1
+  mkdir -p "$work/headers_$component"
+  {
+    printf 'cmake_minimum_required(VERSION 3.25)\nproject(headers LANGUAGES C CXX)\n'
+    printf 'find_package(holdfast REQUIRED COMPONENTS %s)\nadd_library(headers OBJECT all.cpp)\n' "$component"
+    printf 'target_link_libraries(headers PRIVATE holdfast::%s)\n' "$component"
+  } >"$work/headers_$component/CMakeLists.txt"
+  (cd "$prefix/include" && find holdfast -name '*.h' | sort) | grep "$2" "^holdfast/widgets/" |
+    sed 's/.*/#include <&>/' >"$work/headers_$component/all.cpp"
+  build_project "$work/headers_$component"
+}
+headers_alone core -v
+
+# The examples, as a project of its own.
+cp -r "$source/examples" "$work/examples"
+build_project "$work/examples"
+examples=$work/examples/build
+"$examples/deform_matrices" >"$work/matrices.txt" || fail "deform_matrices does not meet its constraints"
+# The tip is the midpoint of the first two of the three vertices at the end.
+awk 'NR > 1 { for (k = 1; k <= 3; ++k) at[NR, k] = $k }
+  END { exit !((at[2, 1] + at[3, 1]) / 2 == 9 && (at[2, 3] + at[3, 3]) / 2 == 3) }' "$work/matrices.txt" ||
+  fail "deform_matrices misses its target: $(cat "$work/matrices.txt")"
+"$examples/drag_in_a_loop" "$work/bracket/bracket.obj" "$work/bracket/bracket.constraints.json" "bore rim east" >"$work/frames.txt" ||
+  fail "drag_in_a_loop fails"
+[ "$(grep -c '^frame' "$work/frames.txt")" -eq 5 ] || fail "drag_in_a_loop shows other frames than five"
+expect_refused "nonesuch" "$examples/drag_in_a_loop" "$work/bracket/bracket.obj" "$work/bracket/bracket.constraints.json" nonesuch
+status=0
+"$examples/read_conflicts" "$source/data/plate_unsymmetric.off" "$source/data/plate_unsymmetric.conflict.constraints.json" \
+  >"$work/conflicts.txt" || status=$?
+{ [ "$status" -eq 4 ] && grep -q "; disable " "$work/conflicts.txt"; } || fail "read_conflicts finds no conflict"
+"$examples/read_conflicts" "$source/data/bracket.obj" "$source/data/bracket.constraints.json" || fail "read_conflicts finds one too many"
 
 # refuse_components WORDS LANGUAGES COMPONENTS
 refuse_components() {
@@ -83,6 +118,13 @@ refuse_components() {
 refuse_components "This holdfast has no nonesuch" CXX "core nonesuch"
 case $layers in *" widgets "*)
   refuse_components "project(... LANGUAGES C CXX)" CXX widgets
+  headers_alone widgets -e
+  "$examples/vtk_pipeline" "$source/data/bracket.obj" "$source/data/bracket.constraints.json" "$work/pipeline.vtp" ||
+    fail "vtk_pipeline does not deform the bracket"
+  grep -q 'Name="constraint_residual"' "$work/pipeline.vtp" || fail "vtk_pipeline writes no fields"
+  expect_refused "" "$examples/vtk_pipeline" "$source/data/bracket.obj" "$work/missing.json" "$work/none.vtp"
+  "$source/tests/support/with_display.sh" "$examples/drag_point" "$source/data/bracket.obj" "$work/dragged.obj" \
+    "$source/examples/drag_point.recording" || fail "drag_point does not play its recording"
   cp -r "$source/tests/package/widgets_consumer" "$work/widgets"
   build_project "$work/widgets"
   (cd "$work/bracket" && "$work/widgets/build/use_widgets") || fail "the project with widgets does not write the deformed bracket"

@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include <holdfast/elimination/diagnosis.h>
+
 #include "support/plain_mesh.h"
 
 namespace holdfast::test {

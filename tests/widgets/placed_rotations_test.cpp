@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <holdfast/deform/deform_details.h>
 #include <holdfast/geometry/rotation_log.h>
 #include <holdfast/widgets/rotation_sphere/placed_rotations.h>
 
@@ -14,6 +15,7 @@ using ::testing::ElementsAre;
 DeformResult rotatedBy(const Model& model, const Vector3& q)
 {
   DeformResult deformation;
+  deformation.details = std::make_shared<const DeformDetails>();
   deformation.rotations = q.transpose().replicate(model.solverMesh.unknownCount(), 1);
   return deformation;
 }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <holdfast/deform/deform_details.h>
 #include <holdfast/document/list_edits.h>
 #include <holdfast/window/panels/conflict_panel.h>
 
@@ -87,7 +88,7 @@ TEST_F(ConflictPanelOfBracket, TheConsistentTargetEndsTheConflict)
   press(card(flange), "conflictRetarget");
   ASSERT_TRUE(test::waitForCurrent(editor));
   EXPECT_EQ(status(k), ConstraintStatus::Redundant);
-  for (const ConstraintRow& asked : editor.deformation()->system.rows) {
+  for (const ConstraintRow& asked : editor.deformation()->details->system.rows) {
     if (asked.constraint == k) {
       EXPECT_EQ(asked.target, target) << "to the last bit";
     }

@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <holdfast/deform/deform_details.h>
 #include <holdfast/document/list_edits.h>
 #include <holdfast/io/text/number_text.h>
 #include <holdfast/window/table/constraint_panel.h>
@@ -122,7 +123,7 @@ TEST_F(ConstraintPanelOfSheet, AShiftShowsItsTargetAndLandsWhereTyped)
   // 0.1 above a point whose weights make it no round number.
   typeInto(3, Table::Z, "0.7");
   const DeformResult& before = *editor.deformation();
-  const double rest = positionOf(before.system.points[3], editor.model()->mesh.positions).z();
+  const double rest = positionOf(before.details->system.points[3], editor.model()->mesh.positions).z();
   const PointConstraint& after = point("P3");
   const double lands = std::holds_alternative<Move>(after.to) ? rest + std::get<Move>(after.to).shift.z()
                                                               : std::get<Target>(after.to).place.z();

@@ -10,6 +10,7 @@
 #include <gmock/gmock.h>
 #include <vtkRenderWindow.h>
 
+#include <holdfast/deform/deform_details.h>
 #include <holdfast/document/list_edits.h>
 #include <holdfast/document/own_axes.h>
 #include <holdfast/geometry/degree.h>
@@ -253,7 +254,8 @@ TEST_F(GizmoOnHandle, WhatTurnsAboutTheFixedEndIsDraggedRoundItWithoutAJump)
       std::get<RotationAboutFixed>(std::get<HandleConstraint>(list().constraints[point].what).motion).near;
   ASSERT_TRUE(near.has_value());
   EXPECT_NEAR(near->degrees, 270, 5);
-  EXPECT_NEAR(editor().deformation()->system.rotations.back().q.norm() / std::numbers::pi * 360, near->degrees, 1e-9);
+  EXPECT_NEAR(editor().deformation()->details->system.rotations.back().q.norm() / std::numbers::pi * 360, near->degrees,
+              1e-9);
   EXPECT_LE(editor().deformation()->report.solve.maxResidualRelative, 1e-12);
   EXPECT_EQ(editor().history().undoName().substr(0, 4), "move");
   trigger("undo");

@@ -79,7 +79,7 @@ class PlainProgram {
     points_->SetSurface(surface_);
     points_->AddObserver(vtkCommand::PlacePointEvent, this, &PlainProgram::hold);
     gizmo_->AddObserver(vtkCommand::InteractionEvent, this, &PlainProgram::move);
-    gizmo_->AddObserver(vtkCommand::EndInteractionEvent, this, &PlainProgram::stand);
+    gizmo_->AddObserver(vtkCommand::EndInteractionEvent, this, &PlainProgram::placeGizmo);
     brush_->SetShape(RegionShape::Brush);
     brush_->SetSurface(surface_);
     brush_->SetRegions(std::make_shared<VertexRegions>(model_->mesh, model_->solverMesh));

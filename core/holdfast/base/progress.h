@@ -30,10 +30,17 @@ class Progress {
   Progress& operator=(const Progress&) = default;
 };
 
-/// Tells nobody.
+/// Reports nothing.
 class NoProgress final : public Progress {
  public:
   void step(std::string_view /*description*/) override {}
 };
+
+/// The default of functions that report their progress.
+[[nodiscard]] inline Progress& noProgress()
+{
+  static NoProgress none;
+  return none;
+}
 
 }  // namespace holdfast

@@ -8,6 +8,8 @@
 #include <holdfast/base/long_step.h>
 #include <holdfast/deform/deform.h>
 #include <holdfast/deform/rotation_factorization.h>
+#include <holdfast/elimination/diagnosis.h>
+#include <holdfast/solve/constrained_solver.h>
 
 namespace holdfast {
 

@@ -4,8 +4,10 @@
 
 #include <vector>
 
+#include <holdfast/constraints/constraint_system.h>
 #include <holdfast/deform/model.h>
 #include <holdfast/deform/report.h>
+#include <holdfast/elimination/diagnosis.h>
 
 namespace holdfast {
 

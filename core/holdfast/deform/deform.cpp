@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include <holdfast/constraints/constraint_system.h>
 #include <holdfast/constraints/rotated_vectors.h>
 #include <holdfast/deform/constraint_findings.h>
 #include <holdfast/deform/deformer.h>
@@ -14,7 +15,9 @@ namespace holdfast {
 DeformResult deform(const Model& model, const ConstraintList& constraints, const std::string& source,
                     const DeformOptions& options, Progress& progress)
 {
-  return Deformer(model, options).deform(constraints, source, progress);
+  // A pointer that owns nothing: the deformer is gone before the caller's model.
+  return Deformer(std::shared_ptr<const Model>(std::shared_ptr<const Model>(), &model), options)
+      .deform(constraints, source, progress);
 }
 
 Report diagnoseConstraints(const Model& model, const ConstraintList& constraints, const std::string& source,

@@ -6,10 +6,13 @@
 #include <string>
 
 #include <holdfast/base/progress.h>
+#include <holdfast/constraints/constraint.h>
 #include <holdfast/deform/model.h>
 #include <holdfast/deform/report.h>
 
 namespace holdfast {
+
+struct DeformDetails;
 
 struct DeformOptions {
   Weights weights = Weights::Cotangent;
@@ -24,23 +27,22 @@ struct DeformResult {
   Columns3 rotations;   ///< q of every unknown, n x 3, logs
   Columns3
       multipliers;  ///< of the constraints on every unknown, n x 3, see `Multipliers`; empty but for hard constraints
-  ConstraintSystem system;  ///< the rows that were asked for, turned by the rotations
-  Diagnosis diagnosis;
-  std::shared_ptr<const Operators> operators;
   Report report;
+  std::shared_ptr<const DeformDetails> details;  ///< what `fieldsOf` and marks of constraints are made of
 };
 
 /// Deforms `model` under `constraints`; `source` names the list in messages. Throws `InputError` for constraints that
 /// do not fit the mesh, and what `progress` throws. Everything else is in the report. The model is not changed.
-[[nodiscard]] DeformResult deform(const Model& model, const ConstraintList& constraints, const std::string& source,
-                                  const DeformOptions& options, Progress& progress);
+[[nodiscard]] DeformResult deform(const Model& model, const ConstraintList& constraints,
+                                  const std::string& source = "constraints", const DeformOptions& options = {},
+                                  Progress& progress = noProgress());
 
 /// The report without positions: what repeats, what conflicts, which parts would stay at rest. Residuals are not set.
 /// Rotations are solved for, with the weights and the backend of `options`, where any are asked for: what rigid regions
 /// and kept distances ask for turns with them. The status is `Failed` where the rotations cannot be found; what is said
 /// of constraints then holds without them.
 [[nodiscard]] Report diagnoseConstraints(const Model& model, const ConstraintList& constraints,
-                                         const std::string& source, const DeformOptions& options = {});
+                                         const std::string& source = "constraints", const DeformOptions& options = {});
 
 /// The part of the report that speaks of the mesh alone.
 [[nodiscard]] MeshReport describeMesh(const Model& model);

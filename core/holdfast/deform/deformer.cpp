@@ -1,13 +1,19 @@
 #include "holdfast/deform/deformer.h"
 
+#include <algorithm>
 #include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 
+#include <holdfast/base/error.h>
 #include <holdfast/base/stopwatch.h>
+#include <holdfast/check/mesh_check.h>
 #include <holdfast/constraints/rotated_vectors.h>
 #include <holdfast/deform/accuracy.h>
+#include <holdfast/deform/constraint_factorization.h>
 #include <holdfast/deform/constraint_findings.h>
+#include <holdfast/deform/deform_details.h>
 #include <holdfast/deform/messages.h>
 #include <holdfast/deform/multipliers.h>
 #include <holdfast/deform/outcomes.h>
@@ -35,15 +41,15 @@ Positions deformedPositions(const Model& model, const ConstraintSystem& system, 
   return positions;
 }
 
-/// One solution by a decomposition, and what is to be said of it.
+/// One solution, and what is to be said of it.
 class Solution {
  public:
   Solution(const Model& model, const ConstraintList& constraints, const DeformOptions& options,
            std::shared_ptr<const Operators> operators, ConstraintSystem system)
       : model_(model), constraints_(constraints), options_(options)
   {
-    result_.operators = std::move(operators);
-    result_.system = std::move(system);
+    details_.operators = std::move(operators);
+    details_.system = std::move(system);
     result_.positions = model.mesh.positions;
     result_.rotations = Columns3::Zero(model.solverMesh.unknownCount(), 3);
     result_.report.mesh = describeMesh(model);
@@ -55,12 +61,13 @@ class Solution {
   DeformResult by(ConstraintFactorization& factorization, Progress& progress)
   {
     diagnoseRows(factorization);
-    if (result_.operators->undefinedRows.empty())
+    if (details_.operators->undefinedRows.empty())
       rotate(factorization, progress);
     else
-      refuse(undefinedRowsMessage(model_, *result_.operators));
+      refuse(undefinedRowsMessage(model_, *details_.operators));
     addFindings(factorization.eliminated());
     if (report().status != SolveStatus::Failed) solve(factorization, progress);
+    result_.details = std::make_shared<const DeformDetails>(std::move(details_));
     return std::move(result_);
   }
 
@@ -85,9 +92,9 @@ class Solution {
 
   void diagnoseRows(const ConstraintFactorization& factorization)
   {
-    result_.diagnosis = diagnose(factorization.eliminated(), result_.system, model_.solverMesh);
-    result_.report.constraints = outcomes(constraints_, result_.system, result_.diagnosis);
-    setSensitivities(result_.report.constraints, result_.system, result_.diagnosis, factorization.sensitivities());
+    details_.diagnosis = diagnose(factorization.eliminated(), details_.system, model_.solverMesh);
+    result_.report.constraints = outcomes(constraints_, details_.system, details_.diagnosis);
+    setSensitivities(result_.report.constraints, details_.system, details_.diagnosis, factorization.sensitivities());
   }
 
   /// Finds the rotations and what they make of the rows.
@@ -95,13 +102,13 @@ class Solution {
   {
     const bool isFactorised = factorization.hasRotationFactor();
     const Stopwatch stopwatch;
-    Rotations rotations = factorization.rotations(result_.system, progress);
+    Rotations rotations = factorization.rotations(details_.system, progress);
     Seconds& seconds = report().seconds;
     (isFactorised ? seconds.solution : seconds.factorization) += stopwatch.seconds();
     takeOver(rotations, result_.report);
     if (!rotations.failure.empty()) return fail(rotations.failure);
     if (rotations.q.isZero(0)) return;
-    result_.system = rotated(std::move(result_.system), rotations.q);
+    details_.system = rotated(std::move(details_.system), rotations.q);
     result_.rotations = std::move(rotations.q);
     diagnoseRows(factorization);
   }
@@ -109,9 +116,9 @@ class Solution {
   void addFindings(const EliminatedConstraints& eliminated)
   {
     std::vector<Finding>& findings = result_.report.mesh.findings;
-    for (Finding& finding : guardFindings(*result_.operators, model_.solverMesh))
+    for (Finding& finding : guardFindings(*details_.operators, model_.solverMesh))
       findings.push_back(std::move(finding));
-    for (Finding& finding : constraintFindings(model_, eliminated, result_.system, result_.report.constraints))
+    for (Finding& finding : constraintFindings(model_, eliminated, details_.system, result_.report.constraints))
       findings.push_back(std::move(finding));
   }
 
@@ -127,19 +134,20 @@ class Solution {
 
     progress.step("solving");
     const Stopwatch solution;
-    const Columns3 f = rotatedDetail(*result_.operators, result_.rotations, model_.solverMesh.diagonal);
-    const Displacement displacement = result.value->solve({shiftsOf(result_.system), result_.diagnosis.reconciled}, f);
+    const Columns3 f = rotatedDetail(*details_.operators, result_.rotations, model_.solverMesh.diagonal);
+    const Displacement displacement =
+        result.value->solve({shiftsOf(details_.system), details_.diagnosis.reconciled}, f);
     accept(displacement);
     if (options_.solver.kind == SolverKind::Hard && report().status != SolveStatus::Failed)
-      setMultipliers(
-          multipliersOf(*result_.operators, factorization.eliminated(), displacement.u, f, model_.solverMesh.diagonal));
+      setMultipliers(multipliersOf(*details_.operators, factorization.eliminated(), displacement.u, f,
+                                   model_.solverMesh.diagonal));
     report().seconds.solution += solution.seconds();
   }
 
   void setMultipliers(Multipliers multipliers)
   {
     const std::vector<double> ofConstraints =
-        multipliersOfConstraints(multipliers, result_.system, result_.report.constraints.size());
+        multipliersOfConstraints(multipliers, details_.system, result_.report.constraints.size());
     for (std::size_t c = 0; c < ofConstraints.size(); ++c)
       if (result_.report.constraints[c].rows > 0) result_.report.constraints[c].multiplier = ofConstraints[c];
     result_.multipliers = std::move(multipliers.ofUnknowns);
@@ -157,7 +165,7 @@ class Solution {
       result_.report.mesh.findings.push_back(*warning);
     // The elimination copies pins. What the other solvers find is measured as they find it.
     const bool isEliminated = options_.solver.kind == SolverKind::Hard;
-    result_.positions = isEliminated ? deformedPositions(model_, result_.system, result_.diagnosis, displacement.u)
+    result_.positions = isEliminated ? deformedPositions(model_, details_.system, details_.diagnosis, displacement.u)
                                      : deformedPositions(model_, {}, {}, displacement.u);
     setVerdicts();
   }
@@ -165,11 +173,11 @@ class Solution {
   void setVerdicts()
   {
     const SolverMesh& mesh = model_.solverMesh;
-    result_.diagnosis.limits = residualLimits(mesh, result_.system, result_.diagnosis.dependent,
-                                              result_.positions(mesh.weld.firstVertexOf, Eigen::all));
-    const std::optional<MissedRow> worst = setResiduals(result_.report, result_.system, result_.diagnosis,
-                                                        rowResiduals(result_.system, mesh.weld, result_.positions));
-    report().status = result_.diagnosis.hasConflicts() ? SolveStatus::Conflicts : SolveStatus::Ok;
+    details_.diagnosis.limits = residualLimits(mesh, details_.system, details_.diagnosis.dependent,
+                                               result_.positions(mesh.weld.firstVertexOf, Eigen::all));
+    const std::optional<MissedRow> worst = setResiduals(result_.report, details_.system, details_.diagnosis,
+                                                        rowResiduals(details_.system, mesh.weld, result_.positions));
+    report().status = details_.diagnosis.hasConflicts() ? SolveStatus::Conflicts : SolveStatus::Ok;
     report().message = solvedMessage(result_.report, worst);
     if (options_.solver.kind == SolverKind::Hard && worst) fail(missedMessage(result_.report, *worst));
   }
@@ -178,33 +186,64 @@ class Solution {
   const ConstraintList& constraints_;
   const DeformOptions& options_;
   DeformResult result_;
+  DeformDetails details_;
 };
 
 }  // namespace
 
-Deformer::Deformer(const Model& model, const DeformOptions& options) : model_(model), options_(options) {}
+Deformer::Deformer(Model model, const DeformOptions& options)
+    : Deformer(std::make_shared<const Model>(std::move(model)), options)
+{
+}
+
+Deformer::Deformer(std::shared_ptr<const Model> model, const DeformOptions& options)
+    : model_(std::move(model)), options_(options)
+{
+}
+
+Deformer::Deformer(Deformer&&) noexcept = default;
+Deformer& Deformer::operator=(Deformer&&) noexcept = default;
+Deformer::~Deformer() = default;
+
+Constraint& Deformer::constraint(std::string_view name)
+{
+  const auto found = std::find_if(constraints_.constraints.begin(), constraints_.constraints.end(),
+                                  [&](const Constraint& each) { return each.name == name; });
+  if (found == constraints_.constraints.end())
+    throw InputError({"constraints", 0, {}}, fmt::format("there is none called \"{}\"", name));
+  return *found;
+}
+
+void Deformer::setTarget(std::string_view name, const Vector3& place)
+{
+  auto* point = std::get_if<PointConstraint>(&constraint(name).what);
+  if (point == nullptr)
+    throw InputError({"constraints", 0, std::string(name)},
+                     "it is no point, so it has no target; give the name of a point");
+  point->to = Target{place};
+}
 
 DeformResult Deformer::deform(const ConstraintList& constraints, const std::string& source, Progress& progress)
 {
   Seconds seconds;
   const Stopwatch setup;
   ConstraintSystem system =
-      makeConstraintSystem(constraints, model_.mesh, model_.triangulation, model_.solverMesh, source);
+      makeConstraintSystem(constraints, model_->mesh, model_->triangulation, model_->solverMesh, source);
   if (operators_ == nullptr) {
-    progress.step(fmt::format("building operators of {} vertices", model_.mesh.vertexCount()));
-    operators_ = std::make_shared<const Operators>(makeOperators(model_.solverMesh, options_.weights));
+    progress.step(fmt::format("building operators of {} vertices", model_->mesh.vertexCount()));
+    operators_ = std::make_shared<const Operators>(makeOperators(model_->solverMesh, options_.weights));
   }
   seconds.setup = setup.seconds();
 
   const Stopwatch elimination;
   if (factorization_ == nullptr || !factorization_->serves(system)) {
     progress.step(fmt::format("eliminating {} rows of constraints", system.rows.size()));
-    factorization_ = std::make_unique<ConstraintFactorization>(model_, operators_, system, options_);
+    factorization_ = std::make_unique<ConstraintFactorization>(*model_, operators_, system, options_);
   }
   seconds.factorization = elimination.seconds();
 
   DeformResult result =
-      Solution(model_, constraints, options_, operators_, std::move(system)).by(*factorization_, progress);
+      Solution(*model_, constraints, options_, operators_, std::move(system)).by(*factorization_, progress);
   result.report.solve.seconds.setup = seconds.setup;
   result.report.solve.seconds.factorization += seconds.factorization;
   return result;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include <holdfast/deform/deform_details.h>
 #include <holdfast/deform/outcomes.h>
 #include <holdfast/deform/rotation_factorization.h>
 #include <holdfast/geometry/rotation_log.h>
@@ -24,9 +25,10 @@ Field residualField(const Model& model, const DeformResult& deformation)
 {
   std::vector<double> largest(static_cast<std::size_t>(model.solverMesh.unknownCount()),
                               std::numeric_limits<double>::quiet_NaN());
-  const std::vector<double> residuals = rowResiduals(deformation.system, model.solverMesh.weld, deformation.positions);
+  const std::vector<double> residuals =
+      rowResiduals(deformation.details->system, model.solverMesh.weld, deformation.positions);
   for (std::size_t r = 0; r < residuals.size(); ++r)
-    for (const Term& term : deformation.system.rows[r].terms)
+    for (const Term& term : deformation.details->system.rows[r].terms)
       largest[term.index] = std::fmax(largest[term.index], residuals[r]);
   return {"constraint_residual", 1, spread(largest, model.solverMesh.weld)};
 }
@@ -52,7 +54,7 @@ double statusCode(ConstraintStatus status)
 Field statusField(const Model& model, const DeformResult& deformation)
 {
   std::vector<double> gravest(static_cast<std::size_t>(model.solverMesh.unknownCount()), 0);
-  for (const ConstraintRow& row : deformation.system.rows)
+  for (const ConstraintRow& row : deformation.details->system.rows)
     for (const Term& term : row.terms)
       gravest[term.index] =
           std::max(gravest[term.index], statusCode(deformation.report.constraints[row.constraint].status));
@@ -88,7 +90,7 @@ Field multiplierField(const Model& model, const DeformResult& deformation)
   std::vector<double> lengths(static_cast<std::size_t>(model.solverMesh.unknownCount()),
                               std::numeric_limits<double>::quiet_NaN());
   if (deformation.multipliers.rows() > 0)
-    for (const ConstraintRow& row : deformation.system.rows)
+    for (const ConstraintRow& row : deformation.details->system.rows)
       for (const Term& term : row.terms) lengths[term.index] = deformation.multipliers.row(term.index).stableNorm();
   return {"constraint_force", 1, spread(lengths, model.solverMesh.weld)};
 }
@@ -97,7 +99,7 @@ Field multiplierField(const Model& model, const DeformResult& deformation)
 Columns3 rotatedDelta(const DeformResult& deformation)
 {
   Operators unweighted;
-  unweighted.delta = deformation.operators->delta;
+  unweighted.delta = deformation.details->operators->delta;
   unweighted.rowWeights = Eigen::VectorXd::Ones(unweighted.delta.rows());
   return rotatedDetail(unweighted, deformation.rotations, 1);
 }
@@ -110,9 +112,9 @@ Field detailField(const Model& model, const DeformResult& deformation)
     const Index v = mesh.weld.firstVertexOf[k];
     u.row(k) = (deformation.positions.row(v) - model.mesh.positions.row(v)) / mesh.diagonal;
   }
-  const Columns3 missed = deformation.operators->L * u - rotatedDelta(deformation);
+  const Columns3 missed = deformation.details->operators->L * u - rotatedDelta(deformation);
   // L of cotangents is one over a squared length.
-  const bool isUniform = deformation.operators->weights == Weights::Uniform;
+  const bool isUniform = deformation.details->operators->weights == Weights::Uniform;
   const double unit = isUniform ? mesh.diagonal : 1 / mesh.diagonal;
   std::vector<double> lengths;
   lengths.reserve(static_cast<std::size_t>(missed.rows()));

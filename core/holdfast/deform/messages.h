@@ -7,6 +7,7 @@
 
 #include <holdfast/deform/deform.h>
 #include <holdfast/deform/outcomes.h>
+#include <holdfast/operators/operators.h>
 
 namespace holdfast {
 

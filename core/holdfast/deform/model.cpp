@@ -7,9 +7,23 @@
 #include <fmt/format.h>
 
 #include <holdfast/base/error.h>
+#include <holdfast/check/mesh_check.h>
 
 namespace holdfast {
 namespace {
+
+void requireUsableFaces(const Mesh& mesh, const std::string& source)
+{
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    const auto fail = [&](const std::string& reason) {
+      throw InputError({source, 0, fmt::format("face {}", f)}, reason);
+    };
+    if (mesh.faces[f].size() < 3) fail(fmt::format("it has {} corners; give three or more", mesh.faces[f].size()));
+    for (const Index vertex : mesh.faces[f])
+      if (vertex < 0 || vertex >= mesh.vertexCount())
+        fail(fmt::format("vertex {} does not exist: the mesh has {}, numbered from 0", vertex, mesh.vertexCount()));
+  }
+}
 
 void requireSparseRows(const SolverMesh& mesh, const std::string& source)
 {
@@ -35,6 +49,7 @@ void requireSparseRows(const SolverMesh& mesh, const std::string& source)
 Model makeModel(Mesh mesh, const std::string& source)
 {
   if (mesh.faces.isEmpty()) throw InputError({source, 0, ""}, "the mesh has no faces; give a surface mesh");
+  requireUsableFaces(mesh, source);
   if (const std::vector<Finding> broken = findNonFinite(mesh); !broken.empty())
     throw InputError({source, 0, fmt::format("vertex {}", broken.front().ids.front())}, broken.front().message);
   Model model;

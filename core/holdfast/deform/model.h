@@ -2,7 +2,10 @@
 /// \file
 /// A mesh made ready for deformation: what depends on neither constraints nor weights.
 
-#include <holdfast/check/mesh_check.h>
+#include <string>
+#include <vector>
+
+#include <holdfast/check/finding.h>
 #include <holdfast/mesh/solver_mesh.h>
 
 namespace holdfast {
@@ -11,17 +14,18 @@ struct Model {
   Mesh mesh;
   Triangulation triangulation;
   SolverMesh solverMesh;
-  std::vector<Finding> findings;
+  std::vector<Finding> findings;  ///< what is doubtful about the mesh
 };
 
 /// Triangles at one vertex at most. The row of its Laplacian makes the normal equations dense over all its neighbours:
 /// 8,000 take up to 2 GB and 13 s of a core, and both grow at least with the square.
 inline constexpr Index kMostTrianglesAtAVertex = 8000;
 
-/// Checks, triangulates and welds. Throws `InputError` for coordinates that are not finite, for a mesh without a
-/// face or without a size that a double can say, and where vertices of more than 1,000 triangles come, by the sum of
-/// squares, to more than one of `kMostTrianglesAtAVertex`; `source` names the mesh in messages. O(T log T).
-[[nodiscard]] Model makeModel(Mesh mesh, const std::string& source);
+/// Checks, triangulates and welds. `source` names the mesh in messages. Throws `InputError` for a face of fewer than
+/// three corners or with a corner that is no vertex, for coordinates that are not finite, for a mesh without a face or
+/// without a size that a double can hold, and for vertices of more than 1,000 triangles that come, by the sum of
+/// squares, to more than one of `kMostTrianglesAtAVertex`. O(T log T).
+[[nodiscard]] Model makeModel(Mesh mesh, const std::string& source = "mesh");
 
 /// Those of the triangulation, in its order and over unknowns; where vertices were welded, one may name an unknown
 /// twice.

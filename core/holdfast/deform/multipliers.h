@@ -4,7 +4,10 @@
 
 #include <vector>
 
+#include <holdfast/constraints/constraint_system.h>
 #include <holdfast/deform/deform.h>
+#include <holdfast/elimination/diagnosis.h>
+#include <holdfast/operators/operators.h>
 
 namespace holdfast {
 

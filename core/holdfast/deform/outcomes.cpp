@@ -4,6 +4,8 @@
 #include <set>
 #include <utility>
 
+#include <holdfast/deform/conflict_sets.h>
+
 namespace holdfast {
 namespace {
 

@@ -5,8 +5,10 @@
 #include <optional>
 #include <vector>
 
+#include <holdfast/constraints/constraint_system.h>
 #include <holdfast/deform/model.h>
 #include <holdfast/deform/report.h>
+#include <holdfast/elimination/diagnosis.h>
 
 namespace holdfast {
 

@@ -4,12 +4,12 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <holdfast/check/finding.h>
-#include <holdfast/deform/conflict_sets.h>
-#include <holdfast/operators/operators.h>
-#include <holdfast/solve/constrained_solver.h>
+#include <holdfast/operators/weights.h>
+#include <holdfast/solve/solver_options.h>
 
 namespace holdfast {
 
@@ -32,6 +32,18 @@ enum class ConstraintStatus {
 
 /// The name in reports: "independent", "met", "redundant", ...
 [[nodiscard]] std::string_view name(ConstraintStatus status);
+
+/// One way in which a constraint follows from others: none of them can be left out.
+struct ConflictSet {
+  std::vector<std::string> with;  ///< names of constraints before it, in their order; none: its part stays at rest
+  Index rows = 0;                 ///< how many of its rows depend on just these
+  Vector3 gap = Vector3::Zero();  ///< what it asks for less what they imply, model units: the largest of those rows
+  bool isConflict = false;        ///< beyond the promise; else it only repeats them
+  /// Repairs of a conflict. The constraint to disable that ends most conflicts at the price of the fewest rows, the
+  /// later one of equals; and, for a point or an offset, the target that agrees with all of `with`.
+  std::string disable;
+  std::optional<Vector3> consistentTarget;
+};
 
 struct ConstraintOutcome {
   std::string name;

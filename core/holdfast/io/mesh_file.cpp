@@ -10,6 +10,7 @@
 
 #include <holdfast/base/error.h>
 #include <holdfast/io/files/file_bytes.h>
+#include <holdfast/io/files/output_file.h>
 #include <holdfast/io/formats/mesh_writer.h>
 #include <holdfast/io/formats/obj_reader.h>
 #include <holdfast/io/formats/off_reader.h>
@@ -81,6 +82,14 @@ Serialized serializeMesh(const MeshDocument& document, const Positions& position
     result.notes.push_back(fmt::format("left behind, because the format changes from {} to {}: {}",
                                        document.source->extension(), format->extension, fmt::join(lost, ", ")));
   return result;
+}
+
+std::vector<std::string> writeMesh(const std::filesystem::path& path, const MeshDocument& document,
+                                   const Positions& positions)
+{
+  Serialized file = serializeMesh(document, positions, path.extension().string());
+  OutputFile(path, file.bytes).commit();
+  return std::move(file.notes);
 }
 
 }  // namespace holdfast

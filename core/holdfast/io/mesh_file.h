@@ -28,4 +28,9 @@ namespace holdfast {
 [[nodiscard]] Serialized serializeMesh(const MeshDocument& document, const Positions& positions,
                                        std::string_view extension);
 
+/// Writes that to `path`, whose extension names the format; the file is whole or not there. Returns the notes on what
+/// could not be kept. Throws `OutputError`.
+std::vector<std::string> writeMesh(const std::filesystem::path& path, const MeshDocument& document,
+                                   const Positions& positions);
+
 }  // namespace holdfast

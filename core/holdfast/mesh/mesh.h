@@ -11,9 +11,20 @@
 
 namespace holdfast {
 
+/// F x 3, the vertices of each triangle.
+using Triangles = Eigen::Matrix<Index, Eigen::Dynamic, 3, Eigen::RowMajor>;
+
 /// Faces of any number of corners, in file order. Face f has the vertices `polygons[f]`, in the file's order.
 class Polygons {
  public:
+  Polygons() = default;
+  /// A triangle for each row of `triangles`, F x 3.
+  explicit Polygons(const Eigen::Ref<const Triangles>& triangles)
+  {
+    reserve(triangles.rows(), triangles.size());
+    for (Index f = 0; f < triangles.rows(); ++f) add({triangles(f, 0), triangles(f, 1), triangles(f, 2)});
+  }
+
   [[nodiscard]] Index size() const noexcept { return static_cast<Index>(starts_.size()) - 1; }
   [[nodiscard]] bool isEmpty() const noexcept { return size() == 0; }
   /// Corners of all faces together.
@@ -48,7 +59,8 @@ class Polygons {
 };
 
 /// Positions and faces as in the file. Every corner is a valid vertex id and every face has at least three corners
-/// (readers guarantee both); nothing else is promised: see `checkMesh` for what else may be wrong.
+/// (readers guarantee both, `makeModel` refuses others); nothing else is promised: see `checkMesh` for what else may be
+/// wrong.
 struct Mesh {
   Positions positions;
   Polygons faces;

@@ -3,24 +3,12 @@
 /// What the solver minimises: L, the weights of its rows, and delta, equations (1) to (3), with uniform weights (9) or
 /// cotangent weights (10).
 
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include <holdfast/mesh/solver_mesh.h>
+#include <holdfast/operators/weights.h>
 
 namespace holdfast {
-
-/// The weights w_ij of the Laplacian, equations (1) to (3). With both kinds of cotangents L p is that of (10), on a
-/// smooth surface twice the mean curvature along the normal.
-enum class Weights {
-  Cotangent,       ///< (10) with guarded cotangents and mixed Voronoi areas, rows scaled to the integrated energy
-  CotangentPaper,  ///< cotangents as printed in (10)
-  Uniform          ///< (9), uniform weights 1 / n_i
-};
-
-/// The name in files and options: "cotangent", "cotangent-paper", "uniform".
-[[nodiscard]] std::string_view name(Weights weights);
 
 /// L and delta in units of the bounding box's diagonal (lengths divided by it), so that nothing here depends on the
 /// scale of the model.

@@ -12,24 +12,6 @@
 
 namespace holdfast {
 
-enum class SolverKind {
-  Hard,     ///< constraints eliminated, (11) to (21): exact
-  Soft,     ///< soft constraints as weighted rows, (7) and (8): for comparison
-  Lagrange  ///< constraints by Lagrange multipliers, end of section 3.2: for comparison
-};
-
-/// The name in files and options: "hard", "soft", "lagrange".
-[[nodiscard]] std::string_view name(SolverKind kind);
-
-struct SolverOptions {
-  SolverKind kind = SolverKind::Hard;
-  Backend backend = defaultBackend();
-  double softWeight =
-      5;  ///< w of soft constraints, (7) and (8), for models measured in diagonals of their bounding box
-
-  friend bool operator==(const SolverOptions&, const SolverOptions&) = default;
-};
-
 /// What the rows ask of the displacement.
 struct RowTargets {
   Columns3 shifts;                ///< d of B u = d, for every row of the system

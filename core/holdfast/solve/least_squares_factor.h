@@ -8,20 +8,9 @@
 
 #include <holdfast/base/result.h>
 #include <holdfast/base/types.h>
+#include <holdfast/solve/solver_options.h>
 
 namespace holdfast {
-
-/// Who does the numerical work.
-enum class Backend {
-  Cholmod,  ///< SuiteSparse: CHOLMOD, SPQR, UMFPACK
-  Eigen
-};
-
-/// The name in files and options: "cholmod", "eigen".
-[[nodiscard]] std::string_view name(Backend backend);
-
-/// CHOLMOD where it is built, Eigen otherwise.
-[[nodiscard]] Backend defaultBackend();
 
 /// A factorised problem: minimise |C z - f| for any f. Not for concurrent calls.
 class LeastSquaresFactor {

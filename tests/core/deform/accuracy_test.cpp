@@ -42,7 +42,8 @@ DeformResult deformedStrip(Index length)
 TEST(Accuracy, OfALongStripIsWarnedOfWhereItIsDoubtful)
 {
   int doubtful = 0;
-  for (double length = 500; length < 25000; length *= 1.5) {
+  // Longer strips than the first doubtful one go to sparse QR, which takes Eigen minutes.
+  for (double length = 500; doubtful == 0 && length < 25000; length *= 1.5) {
     const Report report = deformedStrip(static_cast<Index>(length)).report;
     if (report.solve.status == SolveStatus::Failed) continue;
     const bool isDoubtful = report.solve.accuracy > 1e-9;

@@ -3,6 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <holdfast/constraints/constraint_system.h>
+#include <holdfast/elimination/diagnosis.h>
+#include <holdfast/operators/operators.h>
+#include <holdfast/solve/constrained_solver.h>
+
 #include "support/meshes.h"
 #include "support/point_constraints.h"
 #include "support/rounding.h"

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <holdfast/base/error.h>
 #include <holdfast/deform/deformer.h>
 
 #include "support/law_meshes.h"
@@ -91,6 +92,30 @@ TEST(Deformer, IsUsableAfterItWasCancelled)
               deform(model, dragged(20, Vector3::UnitZ()), "list", {}, progress).positions)
         << step;
   }
+}
+
+TEST(Deformer, TakesNewTargetsWithoutANewList)
+{
+  const ConstraintList list = test::listOf({test::hold({0, 1, 2}), test::moveTo(AtVertex{30}, {5, 5, 5})});
+  ConstraintList moved = list;
+  std::get<PointConstraint>(moved.constraints[1].what).to = Target{{6, 5, 4}};
+  Deformer deformer(makeModel(test::plate(6, 5)));
+  deformer.setConstraints(list);
+  const DeformResult first = deformer.deform();
+  EXPECT_EQ(first.positions.row(30), Eigen::RowVector3d(5, 5, 5));
+  deformer.setTarget("P1", {6, 5, 4});
+  Recorder recorder;
+  EXPECT_EQ(deformer.deform(recorder).positions, deform(deformer.model(), moved).positions);
+  EXPECT_FALSE(hasStep(recorder, "eliminating") || hasStep(recorder, "factorising"));
+}
+
+TEST(Deformer, RefusesTargetsOfWhatHasNone)
+{
+  Deformer deformer(makeModel(test::plate(6, 5)));
+  deformer.setConstraints(test::listOf({test::hold({0, 1, 2})}));
+  EXPECT_THROW(deformer.setTarget("nonesuch", {0, 0, 0}), InputError);
+  EXPECT_EQ(deformer.constraint("P0").name, "P0");
+  EXPECT_THROW(deformer.setTarget("P0", {0, 0, 0}), InputError) << "it is fixed";
 }
 
 }  // namespace

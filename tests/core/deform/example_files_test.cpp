@@ -10,7 +10,9 @@
 #include <gtest/gtest.h>
 
 #include <holdfast/constraint_files/constraint_file.h>
+#include <holdfast/constraints/constraint_system.h>
 #include <holdfast/deform/deform.h>
+#include <holdfast/deform/deform_details.h>
 #include <holdfast/geometry/rotation_log.h>
 #include <holdfast/io/mesh_file.h>
 
@@ -119,7 +121,7 @@ TEST_P(TwistedBar, SectionsTurnMonotonicallyByTheirShares)
 std::vector<Vector3> givenRotations(const DeformResult& result)
 {
   std::map<Index, Vector3> ofConstraint;
-  for (const GivenRotation& given : result.system.rotations) ofConstraint[given.constraint] = given.q;
+  for (const GivenRotation& given : result.details->system.rotations) ofConstraint[given.constraint] = given.q;
   std::vector<Vector3> logs;
   logs.reserve(ofConstraint.size());
   for (const auto& [constraint, q] : ofConstraint) logs.push_back(q);
@@ -173,7 +175,7 @@ class LeaningHead : public testing::Test {
   {
     const Positions& rest = head_.model.mesh.positions;
     double largest = 0;
-    for (const auto& group : head_.result.system.rigidRegions)
+    for (const auto& group : head_.result.details->system.rigidRegions)
       for (const Index i : group)
         for (const Index j : group)
           largest = std::max(
@@ -191,9 +193,9 @@ TEST_F(LeaningHead, IsMet)
 
 TEST_F(LeaningHead, KeepsEveryDistanceWithinItsEyes)
 {
-  ASSERT_EQ(head_.result.system.rigidRegions.size(), 2U);
+  ASSERT_EQ(head_.result.details->system.rigidRegions.size(), 2U);
   ASSERT_EQ(head_.model.solverMesh.unknownCount(), head_.model.mesh.vertexCount());
-  for (const auto& group : head_.result.system.rigidRegions) EXPECT_GT(group.size(), 50U);
+  for (const auto& group : head_.result.details->system.rigidRegions) EXPECT_GT(group.size(), 50U);
   EXPECT_LE(stretch(head_.result.positions), 1e-12);
 }
 
@@ -207,11 +209,11 @@ TEST_F(LeaningHead, WouldDeformItsEyesIfTheyWereNotRigid)
 
 TEST_F(LeaningHead, TurnsTheVectorFromMouthToNoseAndKeepsItsLength)
 {
-  ASSERT_GE(head_.result.system.rotated.size(), 1U);
-  const RotatedVector& rotated = head_.result.system.rotated.back();
+  ASSERT_GE(head_.result.details->system.rotated.size(), 1U);
+  const RotatedVector& rotated = head_.result.details->system.rotated.back();
   Vector3 vector = Vector3::Zero();
   Vector3 rest = Vector3::Zero();
-  for (const Term& term : head_.result.system.rows[rotated.row].terms) {
+  for (const Term& term : head_.result.details->system.rows[rotated.row].terms) {
     vector += term.coefficient * head_.result.positions.row(term.index).transpose();
     rest += term.coefficient * head_.model.mesh.positions.row(term.index).transpose();
   }

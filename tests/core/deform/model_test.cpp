@@ -50,5 +50,23 @@ TEST(Model, CountsSuchVerticesTogether)
   EXPECT_EQ(refusal(cones(100, 1000)), "taken");
 }
 
+TEST(Model, RefusesFacesThatAreNone)
+{
+  Mesh mesh = cones(1, 5);
+  mesh.faces.add({0, 1, 6});
+  EXPECT_THAT(refusal(mesh), testing::HasSubstr("face 5: vertex 6 does not exist: the mesh has 6, numbered from 0"));
+  mesh = cones(1, 5);
+  mesh.faces.add({0, 1});
+  EXPECT_THAT(refusal(mesh), testing::HasSubstr("face 5: it has 2 corners; give three or more"));
+}
+
+TEST(Model, IsMadeOfMatrices)
+{
+  const Mesh mesh = cones(2, 5);
+  Triangles triangles(10, 3);
+  for (Index f = 0; f < 10; ++f) triangles.row(f) << mesh.faces[f][0], mesh.faces[f][1], mesh.faces[f][2];
+  EXPECT_EQ(makeModel({mesh.positions, Polygons(triangles)}).mesh.faces, mesh.faces);
+}
+
 }  // namespace
 }  // namespace holdfast

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
+#include <holdfast/deform/deform_details.h>
 #include <holdfast/geometry/rotation_log.h>
 
 #include "support/dense_operators.h"
@@ -191,12 +192,12 @@ Columns3 denseSolution(const Mesh& mesh, const DeformResult& result, Weights wei
         (Eigen::AngleAxisd(2 * result.rotations.row(i).norm(), result.rotations.row(i).normalized().transpose()) *
          Vector3(delta.row(i).transpose()))
             .transpose();
-  const Index m = static_cast<Index>(result.system.rows.size());
+  const Index m = static_cast<Index>(result.details->system.rows.size());
   Eigen::MatrixXd B = Eigen::MatrixXd::Zero(m, n);
   Eigen::MatrixX3d d(m, 3);
   for (Index r = 0; r < m; ++r) {
-    for (const Term& term : result.system.rows[r].terms) B(r, term.index) = term.coefficient;
-    d.row(r) = result.system.rows[r].target;
+    for (const Term& term : result.details->system.rows[r].terms) B(r, term.index) = term.coefficient;
+    d.row(r) = result.details->system.rows[r].target;
   }
   const Eigen::MatrixXd A = w.asDiagonal() * L;
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n + m, n + m);
@@ -238,7 +239,7 @@ TEST(RotationLaws, PositionsAreThoseOfTheDenseSystem)
       const DeformResult result =
           test::deformed(mesh, someOfEverything(mesh, plate.vertexCount(), random), {weights, {}});
       ASSERT_NE(result.report.solve.status, SolveStatus::Failed) << result.report.solve.message;
-      ASSERT_TRUE(result.diagnosis.dependent.empty());
+      ASSERT_TRUE(result.details->diagnosis.dependent.empty());
       EXPECT_LT(test::distance(result.positions, denseSolution(mesh, result, weights)), 1e-9);
     }
 }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <holdfast/constraint_files/constraint_file.h>
+#include <holdfast/deform/deform_details.h>
 #include <holdfast/deform/deformer.h>
 #include <holdfast/document/constraint_drag.h>
 #include <holdfast/document/history.h>
@@ -59,7 +60,7 @@ class DragAboutFixed : public testing::Test {
 
   [[nodiscard]] Vector3 turnOfTop(const DeformResult& deformation) const
   {
-    return deformation.system.rotations.back().q;
+    return deformation.details->system.rotations.back().q;
   }
 
   [[nodiscard]] static const HandleConstraint& top(const ConstraintList& of)

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <holdfast/constraints/constraint_system.h>
 #include <holdfast/elimination/find_dependencies.h>
 
 #include "support/meshes.h"

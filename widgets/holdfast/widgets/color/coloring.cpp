@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include <holdfast/deform/deform_details.h>
 #include <holdfast/deform/fields.h>
 
 namespace holdfast {
@@ -59,7 +60,7 @@ ColorScale linearScale(std::string title, double high)
 Coloring residualColoring(const Model& model, const DeformResult& deformation, const std::string& units)
 {
   Field field = fieldOf(model, deformation, FieldKind::ConstraintResidual);
-  const std::vector<double>& limits = deformation.diagnosis.limits;
+  const std::vector<double>& limits = deformation.details->diagnosis.limits;
   const double promise =
       limits.empty() ? kPromisedResidual * model.solverMesh.diagonal : *std::min_element(limits.begin(), limits.end());
   const double largest = largestOf(field.values);
@@ -113,7 +114,7 @@ Coloring displacementColoring(const Model& model, const DeformResult& deformatio
 Coloring detailColoring(const Model& model, const DeformResult& deformation, const std::string& units)
 {
   Field field = fieldOf(model, deformation, FieldKind::DetailResidual);
-  const bool isLength = deformation.operators->weights == Weights::Uniform;
+  const bool isLength = deformation.details->operators->weights == Weights::Uniform;
   const std::string unit = units.empty() || isLength ? units : "1/" + units;
   std::vector<double> free = field.values;
   const std::vector<double> residuals = fieldOf(model, deformation, FieldKind::ConstraintResidual).values;

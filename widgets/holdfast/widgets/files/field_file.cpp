@@ -1,11 +1,9 @@
 #include "holdfast/widgets/files/field_file.h"
 
-#include <algorithm>
 #include <cassert>
 
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
-#include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
@@ -19,12 +17,7 @@ void addFields(vtkDataSetAttributes& attributes, std::span<const Field> fields, 
 {
   for (const Field& field : fields) {
     assert(static_cast<Index>(field.values.size()) == field.components * count);
-    vtkNew<vtkDoubleArray> array;
-    array->SetName(field.name.c_str());
-    array->SetNumberOfComponents(static_cast<int>(field.components));
-    array->SetNumberOfValues(static_cast<vtkIdType>(field.values.size()));
-    std::copy(field.values.begin(), field.values.end(), array->GetPointer(0));
-    attributes.AddArray(array);
+    attributes.AddArray(toArray(field));
   }
 }
 

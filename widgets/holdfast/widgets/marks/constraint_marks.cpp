@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <holdfast/constraints/selector.h>
+#include <holdfast/deform/deform_details.h>
 #include <holdfast/deform/outcomes.h>
 #include <holdfast/surface/surface_locator.h>
 
@@ -126,7 +127,7 @@ class DisabledConstraint {
 
 std::vector<ConstraintMark> constraintMarks(const Model& model, const DeformResult& deformation)
 {
-  const ConstraintSystem& system = deformation.system;
+  const ConstraintSystem& system = deformation.details->system;
   const std::vector<double> residuals = rowResiduals(system, model.solverMesh.weld, deformation.positions);
   std::vector<ConstraintMark> marks;
   marks.reserve(residuals.size());
@@ -134,7 +135,8 @@ std::vector<ConstraintMark> constraintMarks(const Model& model, const DeformResu
     const ConstraintRow& row = system.rows[r];
     if (row.terms.empty()) continue;
     ConstraintMark mark = markOf(row, model, deformation.positions);
-    mark.status = statusOf(deformation.diagnosis.status[r], residuals[r], deformation.diagnosis.limits[r]);
+    mark.status =
+        statusOf(deformation.details->diagnosis.status[r], residuals[r], deformation.details->diagnosis.limits[r]);
     mark.kind = kindOf(row, system.points[row.constraint]);
     mark.constraint = row.constraint;
     marks.push_back(std::move(mark));

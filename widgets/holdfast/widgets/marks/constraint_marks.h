@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <holdfast/deform/deform.h>
+#include <holdfast/surface/surface_point.h>
 
 namespace holdfast {
 

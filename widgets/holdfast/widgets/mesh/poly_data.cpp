@@ -91,6 +91,16 @@ vtkSmartPointer<vtkPolyData> toPolyData(const Mesh& mesh, const Positions& posit
   return polyData;
 }
 
+vtkSmartPointer<vtkDoubleArray> toArray(const Field& field)
+{
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName(field.name.c_str());
+  array->SetNumberOfComponents(static_cast<int>(field.components));
+  array->SetNumberOfValues(static_cast<vtkIdType>(field.values.size()));
+  std::copy(field.values.begin(), field.values.end(), array->GetPointer(0));
+  return array;
+}
+
 void requireSoundCells(vtkPolyData& polyData, const std::string& file)
 {
   requireSoundKind(*polyData.GetVerts(), 1, "vertex cell", file);

@@ -6,9 +6,11 @@
 
 #include <vtkSmartPointer.h>
 
+#include <holdfast/mesh/field.h>
 #include <holdfast/mesh/mesh.h>
 
 class vtkCellArray;
+class vtkDoubleArray;
 class vtkPoints;
 class vtkPolyData;
 
@@ -22,6 +24,9 @@ namespace holdfast {
 
 /// The faces of `mesh` at `positions` (vertexCount x 3): polygons only, no attributes.
 [[nodiscard]] vtkSmartPointer<vtkPolyData> toPolyData(const Mesh& mesh, const Positions& positions);
+
+/// A copy, called as the field.
+[[nodiscard]] vtkSmartPointer<vtkDoubleArray> toArray(const Field& field);
 
 /// The points of `polyData`, as doubles.
 [[nodiscard]] Positions positionsOf(vtkPolyData& polyData);

@@ -9,6 +9,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <holdfast/constraints/constraint_system.h>
+#include <holdfast/deform/deform_details.h>
 #include <holdfast/geometry/rotation_log.h>
 
 namespace holdfast {
@@ -76,7 +78,7 @@ std::vector<BoundaryRotation> boundaryRotations(const DeformResult& deformation)
   std::vector<std::vector<std::string>> names;
   std::map<std::array<double, 3>, std::size_t> placeOf;
   std::set<Index> named;
-  for (const GivenRotation& given : deformation.system.rotations) {
+  for (const GivenRotation& given : deformation.details->system.rotations) {
     const auto [found, isNew] = placeOf.try_emplace({given.q.x(), given.q.y(), given.q.z()}, boundary.size());
     if (isNew) {
       boundary.push_back({given.q, ""});

@@ -10,6 +10,7 @@
 
 #include <holdfast/base/error.h>
 #include <holdfast/constraint_files/constraint_file.h>
+#include <holdfast/deform/deform_details.h>
 #include <holdfast/deform/fields.h>
 #include <holdfast/deform/outcomes.h>
 #include <holdfast/deform/report_csv.h>
@@ -31,8 +32,8 @@ double missedInSinglePrecision(const Model& model, const DeformResult& deformati
 {
   const Positions stored = deformation.positions.cast<float>().cast<double>();
   Report report = deformation.report;
-  const bool isMissed = setResiduals(report, deformation.system, deformation.diagnosis,
-                                     rowResiduals(deformation.system, model.solverMesh.weld, stored))
+  const bool isMissed = setResiduals(report, deformation.details->system, deformation.details->diagnosis,
+                                     rowResiduals(deformation.details->system, model.solverMesh.weld, stored))
                             .has_value();
   return isMissed ? report.solve.maxResidual : 0;
 }

@@ -9,6 +9,7 @@
 #include <limits>
 #include <unordered_set>
 
+#include <holdfast/deform/deform_details.h>
 #include <holdfast/geometry/rotation_log.h>
 #include <holdfast/widgets/rotation_sphere/rotation_projection.h>
 #include <holdfast/window/controls/labels.h>
@@ -37,7 +38,7 @@ std::vector<double> residualShares(const DeformResult& deformation, double diago
 double leastLimit(const DeformResult& deformation, double diagonal)
 {
   double least = std::numeric_limits<double>::infinity();
-  for (const double limit : deformation.diagnosis.limits) least = std::min(least, limit / diagonal);
+  for (const double limit : deformation.details->diagnosis.limits) least = std::min(least, limit / diagonal);
   return least;
 }
 

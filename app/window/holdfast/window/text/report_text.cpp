@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include <holdfast/deform/accuracy.h>
+#include <holdfast/elimination/diagnosis.h>
 #include <holdfast/window/text/constraint_text.h>
 #include <holdfast/window/text/number_text.h>
 

@@ -63,7 +63,12 @@ MainWindow::MainWindow()
   updateActions();
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow()
+{
+  // The base class deletes the tools, which end their work then and say that they have changed.
+  tools_->disconnect(this);
+  gizmo_->disconnect(this);
+}
 
 QAction* MainWindow::addAction(QMenu& menu, const QString& objectName, const QString& text, const QKeySequence& key,
                                const QString& tip, std::function<void()> run)

@@ -1,0 +1,25 @@
+#pragma once
+/// \file
+/// All that a program needs that deforms meshes: one include for the public headers of `holdfast::core`.
+///
+///     const holdfast::Model model = holdfast::makeModel({positions, holdfast::Polygons(triangles)});
+///     const holdfast::DeformResult result = holdfast::deform(model, constraints);
+///
+/// A model is made of a mesh (`mesh.h`) from memory or from a file (`mesh_file.h`), constraints are values
+/// (`constraint.h`) or come from a file (`constraint_file.h`). `deform.h` deforms once; a `Deformer` (`deformer.h`)
+/// deforms again and again. The report (`report.h`) names what repeats and what conflicts; `fields.h` has residuals,
+/// rotations and displacements as numbers over the vertices.
+
+#include <holdfast/base/error.h>
+#include <holdfast/base/progress.h>
+#include <holdfast/constraint_files/constraint_file.h>
+#include <holdfast/constraints/constraint.h>
+#include <holdfast/deform/deform.h>
+#include <holdfast/deform/deformer.h>
+#include <holdfast/deform/fields.h>
+#include <holdfast/deform/model.h>
+#include <holdfast/deform/report.h>
+#include <holdfast/deform/report_json.h>
+#include <holdfast/io/mesh_file.h>
+#include <holdfast/mesh/mesh.h>
+#include <holdfast/version.h>

@@ -1,0 +1,100 @@
+#include "holdfast/widgets/mesh/deform_filter.h"
+
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+#include <holdfast/base/error.h>
+#include <holdfast/deform/fields.h>
+#include <holdfast/widgets/mesh/poly_data.h>
+
+namespace holdfast {
+namespace {
+
+constexpr const char* kInput = "the input of the filter";
+
+/// Steps as progress of VTK.
+class FilterProgress final : public Progress {
+ public:
+  explicit FilterProgress(vtkAlgorithm& filter) : filter_(filter) {}
+
+  void step(std::string_view description) override
+  {
+    filter_.SetProgressText(std::string(description).c_str());
+    filter_.UpdateProgress(filter_.GetProgress());
+    proceed();
+  }
+
+  void proceed() override
+  {
+    if (filter_.GetAbortExecute() != 0) throw Cancelled();
+  }
+
+ private:
+  vtkAlgorithm& filter_;
+};
+
+}  // namespace
+
+vtkStandardNewMacro(DeformFilter);
+
+void DeformFilter::SetConstraints(const ConstraintList& constraints)
+{
+  this->Constraints = constraints;
+  this->Modified();
+}
+
+void DeformFilter::SetOptions(const DeformOptions& options)
+{
+  if (this->Options == options) return;
+  this->Options = options;
+  this->Current.reset();
+  this->Modified();
+}
+
+DeformResult DeformFilter::Deform(vtkPolyData& input)
+{
+  if (this->Current == nullptr || this->CurrentInput != &input || this->CurrentTime != input.GetMTime()) {
+    requireSoundCells(input, kInput);
+    this->Current.reset();
+    this->Current =
+        std::make_unique<Deformer>(makeModel({positionsOf(input), polygonsOf(input, kInput)}, kInput), this->Options);
+    this->CurrentInput = &input;
+    this->CurrentTime = input.GetMTime();
+  }
+  FilterProgress progress(*this);
+  return this->Current->deform(this->Constraints, "the constraints of the filter", progress);
+}
+
+int DeformFilter::RequestData(vtkInformation* /*request*/, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  if (input == nullptr || output == nullptr) return 0;
+  try {
+    const DeformResult result = this->Deform(*input);
+    this->LastReport = result.report;
+    output->ShallowCopy(input);
+    output->SetPoints(toPoints(result.positions));
+    for (const Field& field : fieldsOf(this->Current->model(), result))
+      output->GetPointData()->AddArray(toArray(field));
+  } catch (const Cancelled&) {
+    output->Initialize();
+  } catch (const InputError& error) {
+    output->Initialize();
+    vtkErrorMacro(<< error.what());
+    return 0;
+  }
+  return 1;
+}
+
+void DeformFilter::PrintSelf(std::ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Constraints: " << this->Constraints.constraints.size() << '\n';
+  os << indent << "Message: " << this->LastReport.solve.message << '\n';
+}
+
+}  // namespace holdfast
