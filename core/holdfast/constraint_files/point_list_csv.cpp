@@ -1,9 +1,7 @@
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <map>
-#include <system_error>
 
 #include <fmt/format.h>
 
@@ -11,6 +9,7 @@
 #include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/constraint_files/constraint_file_text_internal.h>
 #include <holdfast/constraint_files/point_list_csv_records_internal.h>
+#include <holdfast/io/text/number_text.h>
 
 namespace holdfast {
 namespace {
@@ -132,15 +131,12 @@ class PointListReader {
 
   [[nodiscard]] double readNumber(std::string_view field, Index line, Column column) const
   {
-    std::string_view digits = trimmed(field);
+    const std::string_view digits = trimmed(field);
     if (digits.empty()) fail(line, kColumnNames[column], "a number is missing; every coordinate is needed");
-    // from_chars knows no plus sign, which some measuring programs write.
-    if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.remove_prefix(1);
-    double value = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (error == std::errc::result_out_of_range)
+    const auto [value, fault] = parseDouble(digits);
+    if (fault == NumberFault::OutOfRange)
       fail(line, kColumnNames[column], fmt::format("{} does not fit a number in double precision", shortened(digits)));
-    if (error == std::errc() && end == digits.data() + digits.size() && std::isfinite(value)) return value;
+    if (fault == NumberFault::None && std::isfinite(value)) return value;
     const bool hasComma = digits.find(',') != std::string_view::npos;
     fail(line, kColumnNames[column],
          fmt::format("{} is not a number{}", inQuotes(digits),

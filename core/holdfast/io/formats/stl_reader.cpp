@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <holdfast/base/error.h>
+#include <holdfast/base/lower_case.h>
 #include <holdfast/io/formats/stl_format.h>
 #include <holdfast/io/formats/stl_source.h>
 #include <holdfast/io/text/byte_order.h>
@@ -27,11 +28,10 @@ Polygons facets(Index count)
   return faces;
 }
 
-bool isWord(std::string_view token, std::string_view lowerCase)
+bool isWord(std::string_view token, std::string_view lower)
 {
-  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
-  return std::equal(token.begin(), token.end(), lowerCase.begin(), lowerCase.end(),
-                    [&](char a, char b) { return lower(a) == b; });
+  return std::equal(token.begin(), token.end(), lower.begin(), lower.end(),
+                    [](char a, char b) { return lowerCase(a) == b; });
 }
 
 class TextStlReader {
@@ -51,7 +51,7 @@ class TextStlReader {
   void readFacet();
   void readVertex();
   std::string_view word();
-  void expect(std::string_view lowerCase);
+  void expect(std::string_view lower);
   double number(std::string_view what);
 
   TextCursor cursor_;
@@ -106,12 +106,12 @@ std::string_view TextStlReader::word()
   return cursor_.token();
 }
 
-void TextStlReader::expect(std::string_view lowerCase)
+void TextStlReader::expect(std::string_view lower)
 {
   const std::string_view token = word();
-  if (!isWord(token, lowerCase))
+  if (!isWord(token, lower))
     cursor_.fail(fmt::format("{} stands where '{}' must: correct it (a facet has a normal and exactly three vertices)",
-                             quotedToken(token), lowerCase));
+                             quotedToken(token), lower));
 }
 
 double TextStlReader::number(std::string_view what)
