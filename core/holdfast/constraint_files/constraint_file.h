@@ -27,8 +27,9 @@ namespace holdfast {
 /// A CSV point list: header `name,x,y,z,target_x,target_y,target_z` (columns in any order, names may be empty), each
 /// row a `near` point with a target. Quoted fields, CRLF and a byte order mark are understood, blank lines skipped.
 /// Throws `InputError` with the line: columns that are missing, unknown or repeated, rows of another length, what is
-/// not a finite number, names that repeat, other separators than commas, no row at all.
-[[nodiscard]] ConstraintList parsePointListCsv(std::string_view text, const std::string& name);
+/// not a finite number, names that repeat, other separators than commas, no row at all. `separator` is a tab for the
+/// cells of a spreadsheet.
+[[nodiscard]] ConstraintList parsePointListCsv(std::string_view text, const std::string& name, char separator = ',');
 
 /// The JSON text of a constraint file that reads back as `list`, every double in its shortest exact form. Throws
 /// `OutputError` where `list` is not one that a file can say (names that repeat or are empty, numbers that are not

@@ -8,7 +8,7 @@
 #include <holdfast/base/error.h>
 #include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/constraint_files/constraint_file_text_internal.h>
-#include <holdfast/constraint_files/point_list_csv_records_internal.h>
+#include <holdfast/io/text/csv_text.h>
 #include <holdfast/io/text/number_text.h>
 
 namespace holdfast {
@@ -32,12 +32,12 @@ std::string_view trimmed(std::string_view field)
 /// One CSV text on its way to a list.
 class PointListReader {
  public:
-  explicit PointListReader(std::string_view file) : file_(file) {}
+  PointListReader(std::string_view file, char separator) : file_(file), separator_(separator) {}
 
   [[nodiscard]] ConstraintList read(std::string_view text) const
   {
-    requireCommas(text);
-    const std::vector<CsvRecord> records = splitCsv(text, file_);
+    if (separator_ == ',') requireCommas(text);
+    const std::vector<CsvRecord> records = splitCsv(text, file_, separator_);
     if (records.empty()) fail(1, "", fmt::format("there is no header; the first line must be {}", header()));
     const Places places = readHeader(records.front());
     if (records.size() == 1) fail(records.front().line, "", "there is no row after the header; add a line a point");
@@ -144,13 +144,14 @@ class PointListReader {
   }
 
   std::string_view file_;
+  char separator_;
 };
 
 }  // namespace
 
-ConstraintList parsePointListCsv(std::string_view text, const std::string& name)
+ConstraintList parsePointListCsv(std::string_view text, const std::string& name, char separator)
 {
-  return PointListReader(name).read(requireUtf8(text, name));
+  return PointListReader(name, separator).read(requireUtf8(text, name));
 }
 
 }  // namespace holdfast

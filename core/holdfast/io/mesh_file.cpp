@@ -11,11 +11,7 @@
 #include <holdfast/base/error.h>
 #include <holdfast/base/lower_case.h>
 #include <holdfast/io/files/file_bytes.h>
-#include <holdfast/io/formats/mesh_writer.h>
-#include <holdfast/io/formats/obj_reader.h>
-#include <holdfast/io/formats/off_reader.h>
-#include <holdfast/io/formats/ply_reader.h>
-#include <holdfast/io/formats/stl_reader.h>
+#include <holdfast/io/formats/formats.h>
 #include <holdfast/io/text/text_cursor.h>
 
 namespace holdfast {

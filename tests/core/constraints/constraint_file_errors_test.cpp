@@ -117,8 +117,8 @@ TEST(ConstraintFileErrors, UnknownKeysNameTheKnownOnesAndTheClosest)
   expectConstraintRefused(R"({"type": "fixed", "select": {"component": 0}, "Name": "A"})", ".Name",
                           R"(did you mean "name"?)");
   expectConstraintRefused(
-      R"({"type": "handle", "select": {"component": 0}, "rotate": {"axis": [0,0,1], "degrees": 1, "center": [0,0,0]}})",
-      ".rotate.center", R"(did you mean "center"? Known here: "axis", "degrees", "center")");
+      R"({"type": "handle", "select": {"component": 0}, "rotate": {"axis": [0,0,1], "degrees": 1, "centre": [0,0,0]}})",
+      ".rotate.centre", R"(did you mean "center"? Known here: "axis", "degrees", "center")");
   expectConstraintRefused(R"({"type": "fixed", "target": [0,0,0]})", ".target", R"("target"; Known here: "type")");
   expectSelectionRefused(R"({"box": {"min": [0,0,0], "max": [1,1,1], "a \"key\"\n": 1}})", R"(.box["a "key"\x0a"])",
                          "unknown key");
