@@ -27,4 +27,7 @@ struct RowComponent {
 /// Whether the component is eliminated as a dense block; larger ones by sparse QR.
 [[nodiscard]] bool isDense(const RowComponent& component);
 
+/// B, rows.size() x unknownCount.
+[[nodiscard]] SparseMatrix constraintMatrix(const std::vector<RowTerms>& rows, Index unknownCount);
+
 }  // namespace holdfast
