@@ -15,9 +15,9 @@ namespace holdfast {
 /// Selects by curves on one mesh. What curves share (edges and their lengths) is made when the first one asks for it.
 class CurveSelector {
  public:
-  /// All stay alive as long as the selector.
-  CurveSelector(const Mesh& mesh, const SolverMesh& solverMesh, SurfaceLocator& locator)
-      : mesh_(mesh), solverMesh_(solverMesh), locator_(locator)
+  /// Both meshes stay alive as long as the selector.
+  CurveSelector(const Mesh& mesh, const SolverMesh& solverMesh, SurfaceLocator locator)
+      : mesh_(mesh), solverMesh_(solverMesh), locator_(std::move(locator))
   {
   }
 
@@ -34,7 +34,7 @@ class CurveSelector {
 
   const Mesh& mesh_;
   const SolverMesh& solverMesh_;
-  SurfaceLocator& locator_;
+  SurfaceLocator locator_;
   std::optional<EdgeGraph> graph_;
 };
 

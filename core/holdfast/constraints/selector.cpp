@@ -60,11 +60,11 @@ struct Resolver {
 
 }  // namespace
 
-Selector::Selector(const Mesh& mesh, const SolverMesh& solverMesh, SurfaceLocator& locator)
+Selector::Selector(const Mesh& mesh, const SolverMesh& solverMesh, SurfaceLocator locator)
     : mesh_(mesh),
       componentOf_(componentOfVertices(solverMesh)),
       componentCount_(solverMesh.componentCount),
-      curves_(mesh, solverMesh, locator)
+      curves_(mesh, solverMesh, std::move(locator))
 {
 }
 

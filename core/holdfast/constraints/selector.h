@@ -13,8 +13,8 @@ namespace holdfast {
 /// Selects vertices of one mesh.
 class Selector {
  public:
-  /// All stay alive as long as the selector.
-  Selector(const Mesh& mesh, const SolverMesh& solverMesh, SurfaceLocator& locator);
+  /// Both meshes stay alive as long as the selector.
+  Selector(const Mesh& mesh, const SolverMesh& solverMesh, SurfaceLocator locator);
 
   /// The vertices that `selection` names, ascending, each once. Throws `InputError` at `where`, its element followed by
   /// the key at fault (".any[1].vertices"): ids of vertices or parts that the mesh does not have; curves that

@@ -2,8 +2,11 @@
 /// \file
 /// A mesh made ready for deformation: what depends on neither constraints nor weights.
 
+#include <memory>
+
 #include <holdfast/check/mesh_check.h>
 #include <holdfast/mesh/solver_mesh.h>
+#include <holdfast/surface/surface_locator.h>
 
 namespace holdfast {
 
@@ -12,6 +15,10 @@ struct Model {
   Triangulation triangulation;
   SolverMesh solverMesh;
   std::vector<Finding> findings;
+  std::shared_ptr<SurfaceIndex> surface = std::make_shared<SurfaceIndex>();  ///< of the mesh at rest
+
+  /// The one for all points of this model, from any thread. The model stays alive and in place as long as it.
+  [[nodiscard]] SurfaceLocator locator() const { return {mesh, triangulation, surface}; }
 };
 
 /// Triangles at one vertex at most. The row of its Laplacian makes the normal equations dense over all its neighbours:

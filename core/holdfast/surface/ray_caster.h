@@ -9,9 +9,7 @@
 #include <span>
 #include <vector>
 
-#include <Eigen/Geometry>
-
-#include <holdfast/mesh/triangulation.h>
+#include <holdfast/surface/triangle_tree.h>
 
 namespace holdfast {
 
@@ -68,18 +66,13 @@ class RayCaster {
   [[nodiscard]] std::vector<Index> withinReach(const Ray& ray, const RayReach& reach) const;
 
  private:
-  struct Tree;
   class Caster;
 
-  RayCaster(std::shared_ptr<const Tree> tree, std::shared_ptr<const Positions> positions);
+  RayCaster(std::shared_ptr<const TriangleTree> tree, std::shared_ptr<const Positions> positions);
 
-  [[nodiscard]] Eigen::AlignedBox3d boxOf(Index triangle) const;
-  template <class Entry, class Visitor>
-  void visitLeaves(const Entry& entryOf, const double& limit, Visitor&& visit) const;
-
-  std::shared_ptr<const Tree> tree_;
+  std::shared_ptr<const TriangleTree> tree_;
   std::shared_ptr<const Positions> positions_;
-  std::shared_ptr<const std::vector<Eigen::AlignedBox3d>> boxes_;  // of the tree's nodes, at the positions
+  std::shared_ptr<const TriangleTree::Boxes> boxes_;  // at the positions
 };
 
 }  // namespace holdfast
