@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Threads whose owners may be gone before them.
 
 #include <functional>

@@ -7,7 +7,7 @@
 namespace holdfast {
 namespace {
 
-/// Threads that go on although nobody waits for what they do.
+/// Threads that still run although their results are no longer needed.
 std::atomic<int> leftBehind = 0;
 
 constexpr std::chrono::milliseconds kLook{10};

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Letters of ASCII in lower case, whatever the locale. Other bytes stay as they are.
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// How long work reports how far it is, and how it is stopped.
 
 #include <functional>

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Something about a mesh that its user should know before it is deformed.
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Text as constraint files and point lists need it: UTF-8, and words for messages.
 
 #include <filesystem>

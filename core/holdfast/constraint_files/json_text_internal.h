@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// JSON as text that reads back as the same values.
 
 #include <string>

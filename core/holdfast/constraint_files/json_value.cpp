@@ -8,7 +8,7 @@
 
 #include <holdfast/base/error.h>
 #include <holdfast/constraint_files/constraint_file_text_internal.h>
-#include <holdfast/constraint_files/json_value_internal.h>
+#include <holdfast/constraint_files/json_reader_internal.h>
 #include <holdfast/io/text/number_text.h>
 
 namespace holdfast {

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Constraints as a user states them: one entry of a constraint file each, in the file's own terms.
 /// `constraint_system.h` makes rows of B and d of them.
 
@@ -86,7 +85,7 @@ struct PointConstraint {
   std::variant<Target, Move> to;
 };
 
-/// The selected vertices move as one body, wherever the rest takes it: the vectors between them are kept and their
+/// The selected vertices move as one rigid region: the vectors between them are kept and their
 /// rotations are equal, equations (28) and (29).
 struct RigidConstraint {
   Selection select;

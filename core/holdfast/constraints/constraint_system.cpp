@@ -201,8 +201,7 @@ class SystemBuilder {
     hasRotation_[unknown] = true;
   }
 
-  /// The rows of a body turn by the rotation that the field has where none is given: the first that is given in the
-  /// body or in one that overlaps it.
+  /// The rows of a rigid region rotate by the first rotation that is given in it or in one that overlaps it.
   void rotateRegionsAsTheirFirst()
   {
     DisjointSets rigidRegions(solverMesh_.unknownCount());

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Constraints as the solver sees them: the rows of B and d, in the user's order, over unknowns.
 
 #include <string>
@@ -88,8 +87,8 @@ struct ConstraintSystem {
   return makeConstraintSystem(list, mesh, solverMesh, SurfaceLocator(mesh, triangulation), source);
 }
 
-/// `system` with the targets and shifts of its carried rows at the rotations `q` of all unknowns (n x 3, logs). Counts
-/// from rest, whatever rotations the rows had before. Where q is 0 every row is as it was made, bit for bit. O(carried
+/// `system` with the targets and shifts of its rotated rows at the rotations `q` of all unknowns (n x 3, logs). Counts
+/// from rest, whatever rotations the rows had before. Where q is 0 every row is as it was made, bit for bit. O(rotated
 /// rows), and a copy of the rest unless it is moved here.
 [[nodiscard]] ConstraintSystem rotated(ConstraintSystem system, const Columns3& q);
 

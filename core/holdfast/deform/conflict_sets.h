@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Conflicts in words: the smallest sets of constraints that cannot hold together, by how much, and what would mend it.
 
 #include <optional>
@@ -11,7 +10,7 @@
 
 namespace holdfast {
 
-/// One way in which a constraint follows from others: none of them can be left out.
+/// A constraint follows from others, none of which can be left out.
 struct ConflictSet {
   std::vector<std::string> with;  ///< names of constraints before it, in their order; none: its part stays at rest
   Index rows = 0;                 ///< how many of its rows depend on just these
@@ -23,8 +22,8 @@ struct ConflictSet {
   std::optional<Vector3> consistentTarget;
 };
 
-/// For each constraint of the list the ways in which it clashes with earlier ones or repeats them, the largest gap
-/// first. A way that needs all constraints of another one and more is left out. O(dependent rows times partners).
+/// For each constraint of the list, the sets with which it conflicts or which it repeats, the largest gap first. A set
+/// that holds all constraints of another one and more is left out. O(dependent rows times terms).
 [[nodiscard]] std::vector<std::vector<ConflictSet>> conflictSetsOf(const ConstraintList& list,
                                                                    const ConstraintSystem& system,
                                                                    const Diagnosis& diagnosis);

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The whole way from a mesh and its constraints to deformed positions: set-up, decomposition, solution (section 6).
 
 #include <memory>
@@ -24,7 +23,7 @@ struct DeformResult {
   Columns3 rotations;   ///< q of every unknown, n x 3, logs
   Columns3
       multipliers;  ///< of the constraints on every unknown, n x 3, see `Multipliers`; empty but for hard constraints
-  ConstraintSystem system;  ///< the rows that were asked for, turned by the rotations
+  ConstraintSystem system;  ///< the rows that were asked for, rotated
   Diagnosis diagnosis;
   std::shared_ptr<const Operators> operators;
   Report report;

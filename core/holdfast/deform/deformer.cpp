@@ -114,7 +114,7 @@ class Solution {
     report().status = SolveStatus::Failed;
     report().message = message;
     result_.positions = model_.mesh.positions;
-    // Residuals of positions that nobody gets would be misleading.
+    // Residuals of positions that are discarded would mislead.
     for (ConstraintOutcome& outcome : result_.report.constraints) {
       outcome.residual.reset();
       if (outcome.status == ConstraintStatus::Met || outcome.status == ConstraintStatus::Missed)

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// What a solve has to say, in sentences: what was wrong, where, and what to do.
 
 #include <optional>

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// A mesh made ready for deformation: what depends on neither constraints nor weights.
 
 #include <memory>

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The motion of a handle said in another way, from where it is edited on: the picture stays as it is.
 
 #include <optional>

@@ -113,7 +113,7 @@ void LiveDeformer::Shared::work(const Job& job)
   if (job.isCancelled) return tell({Kind::Cancelled, job.revision, "", nullptr});
   tell({Kind::Started, job.revision, "", nullptr});
   const LiveEvent end = endOf(job);
-  // A result that nobody wants any more should not flash up, even where no stage was left to give it up at.
+  // A superseded result must not appear, even where no step was left to stop it at.
   const StopRequest last = stopRequest();
   if (last == Shared::StopRequest::GoOn) tell(end);
   if (last == Shared::StopRequest::GiveUpAndTell) tell({Kind::Cancelled, job.revision, "", nullptr});

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// How a session finds its mesh again, and knows whether it is still the same.
 
 #include <filesystem>

@@ -132,7 +132,7 @@ double rootOfSize(const MergedUnknowns& groups, Index group)
   return std::sqrt(static_cast<double>(groups.sizeOf(group)));
 }
 
-/// The rows of a component of contracted rows, over the coordinates w_b = sqrt(n_b) v_b of its bodies: |w| is the
+/// The rows of a component of contracted rows, over the coordinates w_b = sqrt(n_b) v_b of its groups: |w| is the
 /// length over all unknowns.
 class ScaledComponent {
  public:
@@ -145,7 +145,7 @@ class ScaledComponent {
 
   [[nodiscard]] std::vector<double> sensitivities() const { return elimination_.sensitivities(rows_.size()); }
 
-  /// What the rows have at the body of this place in the component, by their places.
+  /// What the rows have at the group of this place in the component, by their places.
   [[nodiscard]] RowTerms column(Index place) const
   {
     RowTerms result;
@@ -203,7 +203,7 @@ std::map<Index, RowTerms> valuesByDifference(const RowComponent& component, cons
   return result;
 }
 
-/// A difference row moves the s of n unknowns that hang on it against the others, about the centroid of their body.
+/// A difference row moves the s of n unknowns that hang on it against the others, about the centroid of their group.
 double spread(const MergedUnknowns::Link& link, const MergedUnknowns& groups)
 {
   const auto n = static_cast<double>(groups.sizeOf(groups.groupOf(link.unknown)));
@@ -211,7 +211,7 @@ double spread(const MergedUnknowns::Link& link, const MergedUnknowns& groups)
   return std::sqrt(s * (n - s) / n);
 }
 
-/// The rows of one component, and the difference rows of its bodies.
+/// The rows of one component, and the difference rows of its groups.
 void spreadOverComponent(std::vector<double>& sensitivities, const RowComponent& component,
                          const std::vector<RowTerms>& rows, const std::vector<RowTerms>& contracted,
                          const MergedUnknowns& groups)
@@ -221,7 +221,7 @@ void spreadOverComponent(std::vector<double>& sensitivities, const RowComponent&
   for (std::size_t k = 0; k < ofRows.size(); ++k)
     sensitivities[component.rows[k]] = std::max(sensitivities[component.rows[k]], ofRows[k]);
 
-  // Where a difference row changes, bodies have to move as well, so that the other rows stay met.
+  // Where a difference row changes, groups have to move as well, so that the other rows stay met.
   const std::map<Index, RowTerms> values = valuesByDifference(component, rows, groups);
   for (std::size_t b = 0; b < component.unknowns.size(); ++b) {
     const std::span<const MergedUnknowns::Link> links = groups.linksOf(component.unknowns[b]);
@@ -239,9 +239,9 @@ void spreadOverComponent(std::vector<double>& sensitivities, const RowComponent&
   }
 }
 
-/// Raises `sensitivities`, one for each row and measured over bodies, to what they are over unknowns: the lengths of
+/// Raises `sensitivities`, one for each row and measured over groups, to what they are over unknowns: the lengths of
 /// the columns of the pseudo-inverse of B. `contracted` are the rows over `groups`, those in `others` independent of
-/// one another; the difference rows that tie the bodies have no amplification before. Bodies that no other row names
+/// one another; the difference rows that tie the groups have no sensitivity before. Groups that no other row names
 /// take O(1) a row; a component of other rows takes an elimination, and one solution of it for each difference row
 /// that separates its points.
 void spreadOverMerged(std::vector<double>& sensitivities, const std::vector<RowTerms>& rows,
@@ -282,7 +282,7 @@ std::vector<RowTerms> contractedRows(const std::vector<RowTerms>& rows, const Me
   return result;
 }
 
-/// No row leads out of what is held: a body is held as a whole.
+/// No row leads out of what is held: a group is held as a whole.
 std::vector<bool> heldGroups(const std::vector<bool>& isHeld, const MergedUnknowns& groups)
 {
   std::vector<bool> result(static_cast<std::size_t>(groups.count()), false);

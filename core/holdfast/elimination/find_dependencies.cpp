@@ -35,7 +35,7 @@ bool comesBefore(const Term& term, Index row)
   return term.index < row;
 }
 
-/// The partner `row` of a combination that has it.
+/// The term `row` of a combination that has it.
 const Term& partnerIn(const Combination& combination, Index row)
 {
   return *std::lower_bound(combination.begin(), combination.end(), row, comesBefore);
@@ -48,7 +48,7 @@ double largestOf(const Combination& combination)
   return largest;
 }
 
-/// Solves row = sum c_k k for its partner `leaving`.
+/// Solves row = sum c_k k for its term `leaving`.
 Combination solvedFor(Index leaving, Index row, const Combination& combination)
 {
   const double pivot = partnerIn(combination, leaving).coefficient;
@@ -60,7 +60,7 @@ Combination solvedFor(Index leaving, Index row, const Combination& combination)
   return result;
 }
 
-/// x + share y without its partner `leaving`, and without what is rounding of zero.
+/// x + share y without its term `leaving`, and without what is rounding of zero.
 Combination sum(const Combination& x, double share, const Combination& y, Index leaving)
 {
   Combination result;
@@ -90,8 +90,8 @@ class Tableau {
     for (const Dependency& dependency : dependencies) dependent_[dependency.row] = dependency.terms;
   }
 
-  /// Takes the rows in their order: a dependent one with a partner that comes after it goes into the basis, and nothing
-  /// that comes later drives it out again. The partner that leaves may be any that comes later; the one of the largest
+  /// Takes the rows in their order: a dependent one with a term that comes after it goes into the basis, and nothing
+  /// that comes later drives it out again. The term that leaves may be any that comes later; the one of the largest
   /// coefficient keeps the others small.
   void takeInOrder()
   {
@@ -156,7 +156,7 @@ class Tableau {
 /// `dependencies` states every dependent row by some basis of the rows. Returns the dependencies by the basis that the
 /// sequential method of section 5 finds: of every circuit the last row is the dependent one. The independent sets of
 /// rows are those of a matroid, in which the basis of least weight is reached by exchanges that each lower the weight:
-/// a dependent row takes the place of one of its partners that comes after it. Where that would make a coefficient
+/// a dependent row takes the place of one of its terms that comes after it. Where that would make a coefficient
 /// larger than `kLargestCoefficient` it is left undone. Each exchange costs one pass over the dependencies. They come
 /// back ascending by row.
 std::vector<Dependency> byEarliestBasis(const std::vector<Dependency>& dependencies)

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Rows of B that share unknowns, however indirectly. Rows of different components are orthogonal: each component is
 /// eliminated on its own, and no matrix larger than its block is ever formed.
 

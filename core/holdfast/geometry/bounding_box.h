@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The axis-aligned box around a mesh. Its diagonal is the length against which exactness is promised.
 
 #include <Eigen/Geometry>

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The mean of points: handles rotate about it by default.
 
 #include <cassert>

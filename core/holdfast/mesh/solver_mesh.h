@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The mesh as the solver sees it: triangles over unknowns, in place of polygons over file vertices.
 
 #include <vector>

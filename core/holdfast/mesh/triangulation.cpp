@@ -275,7 +275,7 @@ class EarClipper {
     for (;;) {
       const auto [quality, minusCorner] = ears_.top();
       ears_.pop();
-      // Of an ear that was judged again the last word counts.
+      // The last quality of an ear counts.
       if (quality_[-minusCorner] == quality) return -minusCorner;
     }
   }

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The rotation of every unknown from those that are given: a harmonic field of logarithms, section 3.3 of the paper.
 
 #include <memory>

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The point of a surface that is closest to a place in space.
 
 #include <holdfast/surface/surface_point.h>

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// One point of the surface, named as a point of another kind.
 
 #include <holdfast/mesh/mesh.h>

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Where rays meet a surface, and meet it again where it has moved to.
 
 #include <array>
@@ -39,10 +38,8 @@ struct RayHit {
 };
 
 /// Intersects rays with triangles, seen from either side, through a tree of boxes. Never changes: any number of
-/// threads may use one, copies cost nothing. The tree divides the triangles as they lie when it is made and the boxes
-/// follow them, so that a caster for the surface where it has moved to costs a fraction of the first. Rays do not slip
-/// through between triangles that share an edge. Triangles without an area are not hit. Products of two lengths are
-/// taken: they should lie between 1e-140 and 1e140.
+/// threads may use one, copies cost nothing. Rays do not slip through between triangles that share an edge. Triangles
+/// without an area are not hit. Products of two lengths should lie between 1e-140 and 1e140.
 class RayCaster {
  public:
   /// Finite positions. O(T log T).

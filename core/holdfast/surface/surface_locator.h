@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// From the user's names of surface points to canonical ones.
 
 #include <memory>

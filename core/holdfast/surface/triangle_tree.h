@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// A tree of boxes around triangles.
 
 #include <array>

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Whole files in memory.
 
 #include <filesystem>

@@ -232,7 +232,7 @@ int OutputFile::openTemporary(bool isReplacing)
     discard();
     temporary_ = temporaryName(target_.parent_path(), target_.extension()).string();
     slot_ = trackUnfinishedFile(temporary_);
-    // Nobody else may read the new contents of a file that was not open to all, not even for a moment.
+    // Others must not read the new contents of a protected file, not even for a moment.
     const mode_t permissions = isReplacing ? 0600 : 0666;
     file_ = FileDescriptor(::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, permissions));
     if (!file_.isOpen()) return errno;

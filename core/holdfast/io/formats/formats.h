@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The mesh formats, in and out. `file` names the file in errors; every reader throws `InputError` with the line (text)
 /// or the byte (binary), and keeps all that the file says besides the mesh.
 

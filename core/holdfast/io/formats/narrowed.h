@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Counts in files with 32-bit numbers.
 
 #include <limits>

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The values in the body of a PLY file, one after the other.
 
 #include <string>

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Text meshes out again: the file's own text with other positions.
 
 #include <string>

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Fields and records of CSV texts as RFC 4180 has them.
 
 #include <string>

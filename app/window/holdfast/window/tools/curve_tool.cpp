@@ -3,7 +3,7 @@
 #include <QScopedValueRollback>
 #include <vector>
 
-#include <holdfast/constraints/curve_selector.h>
+#include <holdfast/constraints/selector.h>
 #include <holdfast/surface/surface_locator.h>
 #include <holdfast/window/viewport/viewport.h>
 
