@@ -4,6 +4,7 @@
 
 #include <holdfast/mesh/triangulation.h>
 #include <holdfast/surface/closest_point.h>
+#include <holdfast/surface/surface_locator.h>
 
 #include "bench/benchmarks.h"
 #include "bench/bumpy_mesh.h"

@@ -8,7 +8,7 @@
 #include <vtkRenderWindow.h>
 #include <vtkUnsignedCharArray.h>
 
-#include <holdfast/constraints/curve_selector.h>
+#include <holdfast/constraints/selector.h>
 #include <holdfast/io/mesh_file.h>
 #include <holdfast/surface/curve_region.h>
 

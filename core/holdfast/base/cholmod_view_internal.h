@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Sparse matrices of Eigen as CHOLMOD sees them.
 
 #include <type_traits>

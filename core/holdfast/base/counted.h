@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Numbers of things in sentences.
 
 #include <string>

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Sets that only ever grow together (union-find).
 
 #include <numeric>

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The exceptions of Holdfast. A file, an option or an output that cannot be used throws one of these; it carries what
 /// a program needs to say where, and `what()` is the whole sentence for the user, on one printable line (see
 /// `printable`). Constraints that cannot be met and numerical outcomes are values, never exceptions.

@@ -2,12 +2,12 @@
 
 #include <thread>
 
-#include <holdfast/base/retired_threads.h>
+#include <holdfast/base/background_thread.h>
 
 namespace holdfast {
 namespace {
 
-/// Threads that go on although nobody waits for what they do.
+/// Threads that still run although their results are no longer needed.
 std::atomic<int> leftBehind = 0;
 
 constexpr std::chrono::milliseconds kLook{10};
@@ -24,16 +24,12 @@ StepThread::~StepThread()
 void StepThread::start(std::function<void()> work, Progress& progress)
 {
   for (; leftBehind > 1; std::this_thread::sleep_for(kLook)) progress.proceed();
-  const auto state = std::make_shared<std::atomic<State>>(State::Running);
-  const auto hasEnded = std::make_shared<std::atomic<bool>>(false);
-  std::thread thread([state, hasEnded, work = std::move(work)]() mutable {
+  state_ = std::make_shared<std::atomic<State>>(State::Running);
+  startBackgroundThread([state = state_, work = std::move(work)]() mutable {
     work();
     work = nullptr;
     if (state->exchange(State::Ended) == State::LeftBehind) --leftBehind;
-    *hasEnded = true;
   });
-  state_ = state;
-  retiredThreads().add(std::move(thread), hasEnded);
 }
 
 }  // namespace holdfast

@@ -1,6 +1,5 @@
 #pragma once
-/// \file
-/// Work that nothing can stop, such as a factorisation by a library: who waits for it can stop waiting.
+/// Work that nothing can stop, such as a factorisation by a library: the caller can stop waiting for it.
 
 #include <atomic>
 #include <chrono>
@@ -13,8 +12,8 @@
 
 namespace holdfast {
 
-/// Runs one thing, at most, on a thread of its own and to its end. It is left behind by whoever destroys this earlier:
-/// the thread goes on, with what it holds, and nothing waits for it but the end of the program.
+/// Runs one thing at most, on a thread of its own and to its end. Where this is destroyed earlier, the thread is left
+/// behind: only the end of the program waits for it.
 class StepThread {
  public:
   StepThread() = default;
@@ -22,9 +21,8 @@ class StepThread {
   StepThread(const StepThread&) = delete;
   StepThread& operator=(const StepThread&) = delete;
 
-  /// Starts `work`, which does not throw. One thing that was left behind may still go on then, so that what comes after
-  /// it need not wait; of more of them, all but one end first, so that memory and cores are not used up. `progress` may
-  /// throw meanwhile; nothing has been started then.
+  /// Starts `work`, which does not throw. Waits until at most one thread that was left behind still runs, so that
+  /// memory and cores are not used up. `progress` may throw meanwhile; nothing has been started then.
   void start(std::function<void()> work, Progress& progress);
 
  private:
@@ -33,8 +31,8 @@ class StepThread {
   std::shared_ptr<std::atomic<State>> state_;
 };
 
-/// One result that takes long. The work begins when it is asked for, on a thread of its own; it holds all that it
-/// needs, for it may outlive this.
+/// One result that takes long. The work begins when it is asked for, on a thread of its own, and holds all that it
+/// needs: it may outlive this.
 template <class Result>
 class LongStep {
  public:
@@ -46,8 +44,8 @@ class LongStep {
 
   [[nodiscard]] bool isDone() const { return result_.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }
 
-  /// Waits for the result; throws what the work throws. `progress` may throw as long as it is not there, within
-  /// hundredths of a second: the work goes on then, and who asks again waits for what is left of it.
+  /// Waits for the result; throws what the work throws. `progress` may throw meanwhile, within hundredths of a second:
+  /// the work goes on then, and the next call waits for the rest of it.
   const Result& result(Progress& progress)
   {
     if (task_ != nullptr) thread_.start([task = task_] { (*task)(); }, progress);

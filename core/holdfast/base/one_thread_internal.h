@@ -1,17 +1,14 @@
 #pragma once
-/// \file
 /// Keeps the libraries below the sparse solvers from starting threads of their own, and from waiting for memory.
 
 namespace holdfast {
 
-/// While this lives, OpenMP regions that the calling thread enters run on it alone; and from the first one on, for
-/// good, OpenBLAS computes on the thread that calls it. CHOLMOD starts four threads whatever the machine has, those of
-/// OpenBLAS wait by spinning, and where they share cores with one another or with other programs a factorisation takes
-/// several times as long; alone on a machine they win nothing for the sizes that are solved here (docs/benchmarks.md).
-/// Libraries that are not there are passed over.
+/// While this lives, OpenMP regions that the calling thread enters run on it alone; from the first one on, OpenBLAS
+/// computes on the thread that calls it. Threads of these libraries wait by spinning: beside others a factorisation
+/// takes several times as long, and alone they win nothing at the sizes that are solved here (docs/benchmarks.md).
 ///
-/// The first one also has OpenBLAS take the memory that it computes in, which it keeps: where there is none, OpenBLAS
-/// asks the system for ever. Throws `std::bad_alloc` instead.
+/// The first one also makes OpenBLAS take the memory that it computes in and keeps. Without memory OpenBLAS asks the
+/// system forever; this throws `std::bad_alloc` instead.
 class OneThread {
  public:
   OneThread();

@@ -1,9 +1,10 @@
 #pragma once
-/// \file
-/// How long work tells how far it is, and how it is stopped.
+/// How long work reports how far it is, and how it is stopped.
 
+#include <functional>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 namespace holdfast {
 
@@ -13,7 +14,7 @@ class Cancelled : public std::runtime_error {
   Cancelled() : std::runtime_error("cancelled") {}
 };
 
-/// Told at the start of each stage of long work ("factorising 172,666 unknowns"). Called on the thread that works.
+/// Receives the steps of long work ("factorising 172,666 unknowns"). Called on the thread that works.
 class Progress {
  public:
   virtual ~Progress() = default;
@@ -28,6 +29,30 @@ class Progress {
   Progress() = default;
   Progress(const Progress&) = default;
   Progress& operator=(const Progress&) = default;
+};
+
+/// Reports every step to `report`, and stops the work once `isUnwanted` returns true. Both are called on the thread
+/// that works.
+class StoppableProgress final : public Progress {
+ public:
+  StoppableProgress(std::function<bool()> isUnwanted, std::function<void(std::string_view)> report)
+      : isUnwanted_(std::move(isUnwanted)), report_(std::move(report))
+  {
+  }
+
+  void step(std::string_view description) override
+  {
+    proceed();
+    report_(description);
+  }
+  void proceed() override
+  {
+    if (isUnwanted_()) throw Cancelled();
+  }
+
+ private:
+  std::function<bool()> isUnwanted_;
+  std::function<void(std::string_view)> report_;
 };
 
 /// Reports nothing.

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// What a step that can fail gives back.
 
 #include <string>

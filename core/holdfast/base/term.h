@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// One term of a linear combination.
 
 #include <holdfast/base/types.h>

@@ -1,23 +1,20 @@
 #pragma once
-/// \file
-/// Who goes first where threads that compute for long and a thread that answers a user share few cores.
+/// Priorities of threads that share few cores with the thread that answers the user.
 
 #include <string_view>
 
 namespace holdfast {
 
-/// Lets other threads go before the calling one, and before those that it starts from now on: for work that takes
-/// long. Alone on a core it is as quick as before. Where the system has no priorities of threads nothing happens; not
-/// taken back, for a program without privileges may not.
+/// Lowers the priority of the calling thread, and of those that it starts from now on, for good. Does nothing where the
+/// system has no priorities of threads.
 void computeInBackground() noexcept;
 
 /// The same for every thread of this program but the calling one: pools that libraries have started before `main`.
 void letOthersComputeInBackground() noexcept;
 
-/// Puts each thread of this program whose name begins with `name` on a core of its own, in turn, as far as the program
-/// may use cores. For pools that wait together for short work, such as drawing without a GPU: while something computes
-/// in the background the system finds no core idle, and may wake all of them on one. Elsewhere than on Linux nothing
-/// happens.
+/// Puts the threads of this program whose names begin with `name` on the usable cores in turn. For pools that wait
+/// together for short work, such as drawing without a GPU: while something computes in the background, the system may
+/// wake all of them on one core. Linux only.
 void spreadOverCores(std::string_view name) noexcept;
 
 }  // namespace holdfast

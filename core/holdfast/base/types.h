@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The numbers and matrices that every part of Holdfast speaks in.
 
 #include <Eigen/Core>

@@ -1,8 +1,9 @@
 #pragma once
-/// \file
 /// Something about a mesh that its user should know before it is deformed.
 
+#include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <holdfast/base/types.h>
@@ -27,7 +28,15 @@ struct CountedWords {
 };
 
 /// A finding about all of `ids`, which it sorts and cuts to the first few.
-[[nodiscard]] Finding makeFinding(std::string kind, std::string idsOf, std::vector<Index> ids,
-                                  const CountedWords& words);
+[[nodiscard]] inline Finding makeFinding(std::string kind, std::string idsOf, std::vector<Index> ids,
+                                         const CountedWords& words)
+{
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  const auto count = static_cast<Index>(ids.size());
+  if (ids.size() > kMaxFindingIds) ids.resize(kMaxFindingIds);
+  return {std::move(kind), count, std::move(idsOf), std::move(ids),
+          std::to_string(count) + " " + (count == 1 ? words.one : words.many)};
+}
 
 }  // namespace holdfast

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// What may be wrong with a mesh, found before anything is factorised, each finding with ids and with what the solver
 /// will do about it. docs/errors.md lists the kinds.
 

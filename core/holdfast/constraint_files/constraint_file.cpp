@@ -1,17 +1,14 @@
 #include "holdfast/constraint_files/constraint_file.h"
 
-#include <algorithm>
-
+#include <holdfast/base/lower_case.h>
 #include <holdfast/constraint_files/constraint_file_text_internal.h>
+#include <holdfast/io/files/file_bytes.h>
 
 namespace holdfast {
 
 bool isPointList(const std::filesystem::path& path)
 {
-  const std::string extension = path.extension().string();
-  constexpr std::string_view kCsv = ".csv";
-  return std::equal(extension.begin(), extension.end(), kCsv.begin(), kCsv.end(),
-                    [](char a, char b) { return a == b || (b >= 'a' && b <= 'z' && a == b - 'a' + 'A'); });
+  return lowerCase(path.extension().string()) == ".csv";
 }
 
 ConstraintList readConstraints(const std::filesystem::path& path)

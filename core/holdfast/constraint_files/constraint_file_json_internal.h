@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The part of a JSON document that states constraints: all of a constraint file, or some of a session.
 
 #include <array>
@@ -11,7 +10,7 @@
 
 namespace holdfast {
 
-/// Keys that only sessions have. A session is a constraint file as well: whoever reads it as one passes them over.
+/// Keys that only sessions have. A session is a constraint file as well, whose readers skip them.
 inline constexpr std::array<std::string_view, 4> kSessionKeys{"mesh", "options", "view", "original"};
 
 /// The constraints of a document whose format, version and keys are those of a constraint file or a session. Throws

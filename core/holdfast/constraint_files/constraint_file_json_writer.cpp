@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <holdfast/base/error.h>
 #include <holdfast/constraint_files/constraint_file.h>
@@ -8,133 +9,132 @@
 namespace holdfast {
 namespace {
 
-struct LocationJson {
-  std::string operator()(const AtVertex& at) const { return fmt::format(R"({{"vertex": {}}})", numberJson(at.vertex)); }
-  std::string operator()(const AtEdge& at) const
-  {
-    return fmt::format(R"({{"edge": [{}, {}], "t": {}}})", numberJson(at.i), numberJson(at.j), numberJson(at.t));
-  }
-  std::string operator()(const AtFace& at) const
-  {
-    return fmt::format(R"({{"face": {}, "weights": {}}})", numberJson(at.face),
-                       listJson(at.weights, [](double weight) { return numberJson(weight); }));
-  }
-  std::string operator()(const AtNear& at) const { return fmt::format(R"({{"near": {}}})", vectorJson(at.place)); }
+using Json = nlohmann::ordered_json;
 
-  static std::string json(const SurfaceLocation& location) { return std::visit(LocationJson{}, location); }
+Json toJson(const Vector3& v)
+{
+  return {v.x(), v.y(), v.z()};
+}
+
+Json toJson(const SurfaceLocation& location);
+Json toJson(const Selection& selection);
+Json toJson(const AxisAngle& turn);
+
+template <class Range>
+Json listOf(const Range& range)
+{
+  Json list = Json::array();
+  for (const auto& element : range) list.push_back(toJson(element));
+  return list;
+}
+
+struct LocationJson {
+  Json operator()(const AtVertex& at) const { return {{"vertex", at.vertex}}; }
+  Json operator()(const AtEdge& at) const { return {{"edge", {at.i, at.j}}, {"t", at.t}}; }
+  Json operator()(const AtFace& at) const { return {{"face", at.face}, {"weights", at.weights}}; }
+  Json operator()(const AtNear& at) const { return {{"near", toJson(at.place)}}; }
 };
+
+Json toJson(const SurfaceLocation& location)
+{
+  return std::visit(LocationJson{}, location);
+}
 
 struct SelectionJson {
-  std::string operator()(const VertexIds& vertices) const
+  Json operator()(const VertexIds& vertices) const { return {{"vertices", vertices.ids}}; }
+  Json operator()(const InBox& box) const { return {{"box", {{"min", toJson(box.min)}, {"max", toJson(box.max)}}}}; }
+  Json operator()(const InSphere& sphere) const
   {
-    return fmt::format(R"({{"vertices": {}}})", listJson(vertices.ids, [](Index id) { return numberJson(id); }));
+    return {{"sphere", {{"center", toJson(sphere.center)}, {"radius", sphere.radius}}}};
   }
-  std::string operator()(const InBox& box) const
+  Json operator()(const InHalfSpace& half) const
   {
-    return fmt::format(R"({{"box": {{"min": {}, "max": {}}}}})", vectorJson(box.min), vectorJson(box.max));
+    return {{"halfspace", {{"point", toJson(half.point)}, {"normal", toJson(half.normal)}}}};
   }
-  std::string operator()(const InSphere& sphere) const
+  Json operator()(const InComponent& part) const { return {{"component", part.component}}; }
+  Json operator()(const InsideCurve& curve) const
   {
-    return fmt::format(R"({{"sphere": {{"center": {}, "radius": {}}}}})", vectorJson(sphere.center),
-                       numberJson(sphere.radius));
+    return {{"curve",
+             {{"through", listOf(curve.through)}, {"side", curve.side == CurveSide::Smaller ? "smaller" : "larger"}}}};
   }
-  std::string operator()(const InHalfSpace& half) const
-  {
-    return fmt::format(R"({{"halfspace": {{"point": {}, "normal": {}}}}})", vectorJson(half.point),
-                       vectorJson(half.normal));
-  }
-  std::string operator()(const InComponent& part) const
-  {
-    return fmt::format(R"({{"component": {}}})", numberJson(part.component));
-  }
-  std::string operator()(const InsideCurve& curve) const
-  {
-    return fmt::format(R"({{"curve": {{"through": {}, "side": "{}"}}}})", listJson(curve.through, LocationJson::json),
-                       curve.side == CurveSide::Smaller ? "smaller" : "larger");
-  }
-  std::string operator()(const AllOf& all) const { return fmt::format(R"({{"all": {}}})", partsJson(all.parts)); }
-  std::string operator()(const AnyOf& any) const { return fmt::format(R"({{"any": {}}})", partsJson(any.parts)); }
-  std::string operator()(const NotIn& none) const { return fmt::format(R"({{"not": {}}})", json(*none.part)); }
-
-  static std::string json(const Selection& selection) { return std::visit(SelectionJson{}, selection.what); }
-  static std::string partsJson(const std::vector<Selection>& parts) { return listJson(parts, json); }
+  Json operator()(const AllOf& all) const { return {{"all", listOf(all.parts)}}; }
+  Json operator()(const AnyOf& any) const { return {{"any", listOf(any.parts)}}; }
+  Json operator()(const NotIn& none) const { return {{"not", toJson(*none.part)}}; }
 };
 
-std::string frameJson(const Frame& frame)
+Json toJson(const Selection& selection)
 {
-  const std::string origin = frame.origin ? fmt::format(R"("origin": {}, )", vectorJson(*frame.origin)) : "";
-  return fmt::format(R"({{{}"x": {}, "y": {}}})", origin, vectorJson(frame.x), vectorJson(frame.y));
+  return std::visit(SelectionJson{}, selection.what);
 }
 
-std::string axisAngleJson(const AxisAngle& turn)
+Json toJson(const Frame& frame)
 {
-  return fmt::format(R"({{"axis": {}, "degrees": {}}})", vectorJson(turn.axis), numberJson(turn.degrees));
+  Json json = Json::object();
+  if (frame.origin) json["origin"] = toJson(*frame.origin);
+  json["x"] = toJson(frame.x);
+  json["y"] = toJson(frame.y);
+  return json;
 }
 
-/// What moves a handle besides `translate`, after a comma.
-struct MotionJson {
-  std::string operator()(std::monostate) const { return ""; }
-  std::string operator()(const AxisRotation& turn) const
-  {
-    const std::string center = turn.center ? fmt::format(R"(, "center": {})", vectorJson(*turn.center)) : "";
-    return fmt::format(R"(, "rotate": {{"axis": {}, "degrees": {}{}}})", vectorJson(turn.axis),
-                       numberJson(turn.degrees), center);
-  }
-  std::string operator()(const RotationAboutFixed& turn) const
-  {
-    return R"(, "turn": "about-fixed")" + (turn.near ? R"(, "turn_near": )" + axisAngleJson(*turn.near) : "");
-  }
-  std::string operator()(const FrameMotion& motion) const
-  {
-    const std::string turns = motion.turns == 0 ? "" : fmt::format(R"(, "turns": {})", numberJson(motion.turns));
-    return fmt::format(R"(, "frame": {{"from": {}, "to": {}{}}})", frameJson(motion.from), frameJson(motion.to), turns);
-  }
-  std::string operator()(const VertexTargets& targets) const
-  {
-    return fmt::format(R"(, "targets": {})", listJson(targets.places, vectorJson));
-  }
-};
-
-std::string rotationsJson(const std::vector<AxisAngle>& rotations)
+Json toJson(const AxisAngle& turn)
 {
-  return rotations.empty() ? "" : fmt::format(R"(, "rotations": {})", listJson(rotations, axisAngleJson));
+  return {{"axis", toJson(turn.axis)}, {"degrees", turn.degrees}};
 }
 
-/// The keys that only this type of constraint has, each after a comma.
-struct OwnKeysJson {
-  std::string operator()(const FixedConstraint& fixed) const { return selectJson(fixed.select); }
-  std::string operator()(const RigidConstraint& rigid) const { return selectJson(rigid.select); }
-  std::string operator()(const HandleConstraint& handle) const
+/// Adds the keys that only this type of constraint has.
+struct OwnKeys {
+  Json& json;
+
+  void operator()(const FixedConstraint& fixed) const { json["select"] = toJson(fixed.select); }
+  void operator()(const RigidConstraint& rigid) const { json["select"] = toJson(rigid.select); }
+  void operator()(const HandleConstraint& handle) const
   {
-    return fmt::format(R"({}{}, "translate": {}{})", selectJson(handle.select), std::visit(MotionJson{}, handle.motion),
-                       vectorJson(handle.translate), rotationsJson(handle.rotations));
+    json["select"] = toJson(handle.select);
+    std::visit(*this, handle.motion);
+    json["translate"] = toJson(handle.translate);
+    if (!handle.rotations.empty()) json["rotations"] = listOf(handle.rotations);
   }
-  std::string operator()(const PointConstraint& point) const
+  void operator()(const PointConstraint& point) const
   {
-    return fmt::format(R"(, "at": {}{})", LocationJson::json(point.at), std::visit(*this, point.to));
+    json["at"] = toJson(point.at);
+    std::visit(*this, point.to);
   }
-  std::string operator()(const Target& target) const
+  void operator()(const RelativeConstraint& relative) const
   {
-    return fmt::format(R"(, "target": {})", vectorJson(target.place));
-  }
-  std::string operator()(const Move& move) const { return fmt::format(R"(, "move": {})", vectorJson(move.shift)); }
-  std::string operator()(const RelativeConstraint& relative) const
-  {
-    const std::string offset = relative.offset ? fmt::format(R"(, "offset": {})", vectorJson(*relative.offset)) : "";
-    return fmt::format(R"(, "from": {}, "to": {}{})", LocationJson::json(relative.from),
-                       LocationJson::json(relative.to), offset);
+    json["from"] = toJson(relative.from);
+    json["to"] = toJson(relative.to);
+    if (relative.offset) json["offset"] = toJson(*relative.offset);
   }
 
-  static std::string selectJson(const Selection& selection)
+  void operator()(const Target& target) const { json["target"] = toJson(target.place); }
+  void operator()(const Move& move) const { json["move"] = toJson(move.shift); }
+
+  void operator()(std::monostate) const {}
+  void operator()(const AxisRotation& turn) const
   {
-    return fmt::format(R"(, "select": {})", SelectionJson::json(selection));
+    json["rotate"] = toJson(AxisAngle{turn.axis, turn.degrees});
+    if (turn.center) json["rotate"]["center"] = toJson(*turn.center);
   }
+  void operator()(const RotationAboutFixed& turn) const
+  {
+    json["turn"] = "about-fixed";
+    if (turn.near) json["turn_near"] = toJson(*turn.near);
+  }
+  void operator()(const FrameMotion& motion) const
+  {
+    json["frame"] = {{"from", toJson(motion.from)}, {"to", toJson(motion.to)}};
+    if (motion.turns != 0) json["frame"]["turns"] = motion.turns;
+  }
+  void operator()(const VertexTargets& targets) const { json["targets"] = listOf(targets.places); }
 };
 
 std::string constraintJson(const Constraint& constraint)
 {
-  return fmt::format(R"({{ "type": "{}", "name": {}{}{} }})", typeName(constraint), textJson(constraint.name),
-                     constraint.isEnabled ? "" : R"(, "enabled": false)", std::visit(OwnKeysJson{}, constraint.what));
+  Json json{{"type", typeName(constraint)}, {"name", constraint.name}};
+  if (!constraint.isEnabled) json["enabled"] = false;
+  std::visit(OwnKeys{json}, constraint.what);
+  const std::string text = jsonText(json);
+  return "{ " + text.substr(1, text.size() - 2) + " }";
 }
 
 std::string constraintArrayJson(const std::vector<Constraint>& constraints)
@@ -159,7 +159,7 @@ void requireReadableConstraints(const std::string& json)
 
 std::string constraintMembersJson(const ConstraintList& list)
 {
-  const std::string units = list.units.empty() ? "" : fmt::format("\n  \"units\": {},", textJson(list.units));
+  const std::string units = list.units.empty() ? "" : fmt::format("\n  \"units\": {},", jsonText(list.units));
   return fmt::format(
       "\n  \"format\": \"holdfast-constraints\",\n  \"version\": 1,{}\n"
       "  \"constraints\": {}\n",

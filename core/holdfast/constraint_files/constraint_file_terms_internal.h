@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// What constraints of a constraint file are made of: selections of vertices, points of the surface, handles.
 
 #include <holdfast/constraint_files/json_reader_internal.h>

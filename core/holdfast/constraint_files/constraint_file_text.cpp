@@ -1,25 +1,14 @@
 #include <algorithm>
-#include <array>
-#include <cerrno>
-#include <fstream>
-#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include <holdfast/base/error.h>
+#include <holdfast/base/lower_case.h>
 #include <holdfast/constraint_files/constraint_file_text_internal.h>
 
 namespace holdfast {
 namespace {
-
-/// A device that never ends must not fill the memory. A point takes about 100 bytes: room for two million.
-constexpr std::size_t kMaximumBytes = std::size_t{1} << 28;
-
-char lowerCase(char c)
-{
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
 
 /// Levenshtein's distance, letter case aside.
 std::size_t editDistance(std::string_view a, std::string_view b)
@@ -38,22 +27,6 @@ std::size_t editDistance(std::string_view a, std::string_view b)
   return row.back();
 }
 
-void requireFile(const std::filesystem::path& path)
-{
-  std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(path, error);
-  if (status.type() == std::filesystem::file_type::not_found)
-    throw InputError({path.string(), 0, ""}, "there is no such file; check the path");
-  if (status.type() == std::filesystem::file_type::directory)
-    throw InputError({path.string(), 0, ""}, "this is a directory; name a file in it");
-}
-
-[[noreturn]] void failToRead(const std::filesystem::path& path)
-{
-  const std::string cause = std::error_code(errno, std::generic_category()).message();
-  throw InputError({path.string(), 0, ""}, fmt::format("cannot be read ({}); check its permissions", cause));
-}
-
 }  // namespace
 
 TextPlace placeInText(std::string_view text, std::size_t offset)
@@ -63,22 +36,6 @@ TextPlace placeInText(std::string_view text, std::size_t offset)
   const std::size_t lineStart = lineBreak == std::string_view::npos ? 0 : lineBreak + 1;
   return {static_cast<Index>(std::count(before.begin(), before.end(), '\n')) + 1,
           static_cast<Index>(before.size() - lineStart) + 1};
-}
-
-std::string readTextFile(const std::filesystem::path& path)
-{
-  requireFile(path);
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) failToRead(path);
-  std::string text;
-  std::array<char, 65536> chunk{};
-  while (stream.read(chunk.data(), chunk.size()) || stream.gcount() > 0) {
-    text.append(chunk.data(), static_cast<std::size_t>(stream.gcount()));
-    if (text.size() > kMaximumBytes)
-      throw InputError({path.string(), 0, ""}, "larger than 256 MiB; split it, or check that this is the right file");
-  }
-  if (stream.bad()) failToRead(path);
-  return text;
 }
 
 std::string_view requireUtf8(std::string_view text, std::string_view file)

@@ -1,6 +1,5 @@
 #pragma once
-/// \file
-/// Text as constraint files and point lists need it: reading a file, UTF-8, and words for messages.
+/// Text as constraint files and point lists need it: UTF-8, and words for messages.
 
 #include <filesystem>
 #include <optional>
@@ -21,9 +20,6 @@ struct TextPlace {
 
 /// The place of byte `offset`; of the end where `offset` is past it. O(offset).
 [[nodiscard]] TextPlace placeInText(std::string_view text, std::size_t offset);
-
-/// All bytes of a file. Throws `InputError` where it is missing, a directory, unreadable, or larger than 256 MiB.
-[[nodiscard]] std::string readTextFile(const std::filesystem::path& path);
 
 /// Whether the name says that the file is a point list: it ends in .csv, in any case of letters.
 [[nodiscard]] bool isPointList(const std::filesystem::path& path);

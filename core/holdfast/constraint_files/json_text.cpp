@@ -1,14 +1,15 @@
-#include <array>
-#include <charconv>
 #include <cmath>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <holdfast/constraint_files/json_text_internal.h>
+#include <holdfast/io/text/number_text.h>
 
 namespace holdfast {
+namespace {
 
-std::string textJson(std::string_view text)
+std::string quoted(const std::string& text)
 {
   std::string json = "\"";
   for (const char c : text) {
@@ -24,23 +25,26 @@ std::string textJson(std::string_view text)
 
 std::string numberJson(double value)
 {
-  // JSON cannot say "not finite"; null is refused when the text is read again, with its path.
   if (!std::isfinite(value)) return "null";
   // An integer zero has no sign.
   if (value == 0 && std::signbit(value)) return "-0.0";
-  std::array<char, 32> digits{};
-  const std::to_chars_result end = std::to_chars(digits.data(), digits.data() + digits.size(), value);
-  return {digits.data(), end.ptr};
+  return std::string(NumberText(value).view());
 }
 
-std::string numberJson(Index value)
-{
-  return std::to_string(value);
-}
+}  // namespace
 
-std::string vectorJson(const Vector3& v)
+std::string jsonText(const nlohmann::ordered_json& json)
 {
-  return fmt::format("[{}, {}, {}]", numberJson(v.x()), numberJson(v.y()), numberJson(v.z()));
+  if (json.is_string()) return quoted(json.get_ref<const std::string&>());
+  if (json.is_number_float()) return numberJson(json.get<double>());
+  if (!json.is_structured()) return json.dump();
+  std::string members;
+  for (auto member = json.begin(); member != json.end(); ++member) {
+    if (!members.empty()) members += ", ";
+    if (json.is_object()) members += quoted(member.key()) + ": ";
+    members += jsonText(*member);
+  }
+  return json.is_object() ? '{' + members + '}' : '[' + members + ']';
 }
 
 }  // namespace holdfast

@@ -1,35 +1,14 @@
 #pragma once
-/// \file
-/// Values as JSON text that reads back as the same values.
+/// JSON as text that reads back as the same values.
 
 #include <string>
-#include <string_view>
 
-#include <holdfast/base/types.h>
+#include <nlohmann/json_fwd.hpp>
 
 namespace holdfast {
 
-/// In double quotes, with quotes, backslashes and control characters escaped. `text` is UTF-8.
-[[nodiscard]] std::string textJson(std::string_view text);
-
-/// The shortest text of the double, -0.0 included. What is not finite becomes null: JSON cannot say it.
-[[nodiscard]] std::string numberJson(double value);
-
-[[nodiscard]] std::string numberJson(Index value);
-
-/// [x, y, z].
-[[nodiscard]] std::string vectorJson(const Vector3& v);
-
-/// A list of `elementJson` of every element, in one line.
-template <class Range, class Function>
-[[nodiscard]] std::string listJson(const Range& range, Function elementJson)
-{
-  std::string json;
-  for (const auto& element : range) {
-    json += json.empty() ? "[" : ", ";
-    json += elementJson(element);
-  }
-  return json.empty() ? "[]" : json + "]";
-}
+/// The text of `json` in one line: [1, 2], {"key": "text"}. Doubles have their shortest exact form, -0.0 included; what
+/// is not finite becomes null, which JSON readers refuse with its path. Strings are UTF-8.
+[[nodiscard]] std::string jsonText(const nlohmann::ordered_json& json);
 
 }  // namespace holdfast

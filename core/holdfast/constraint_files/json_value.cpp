@@ -1,10 +1,6 @@
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <limits>
-#include <optional>
-#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -12,7 +8,8 @@
 
 #include <holdfast/base/error.h>
 #include <holdfast/constraint_files/constraint_file_text_internal.h>
-#include <holdfast/constraint_files/json_value_internal.h>
+#include <holdfast/constraint_files/json_reader_internal.h>
+#include <holdfast/io/text/number_text.h>
 
 namespace holdfast {
 namespace {
@@ -25,17 +22,14 @@ std::string causeOf(const nlohmann::json::exception& error)
   return std::string(colon == std::string_view::npos ? message : message.substr(colon + 2));
 }
 
-/// The number that `digits` say; nothing where a double cannot hold it. The parser's own conversion depends on the
-/// locale, and cuts numbers short where the decimal sign takes several bytes; it has also put that sign into `digits`.
-std::optional<double> doubleFrom(std::string digits)
+/// The number that `digits` say. The parser's own conversion depends on the locale, and cuts numbers short where the
+/// decimal sign takes several bytes; it has also put that sign into `digits`.
+ParsedNumber<double> doubleFrom(std::string digits)
 {
   constexpr std::string_view kPlain = "0123456789+-eE";
   std::replace_if(
       digits.begin(), digits.end(), [&](char c) { return kPlain.find(c) == std::string_view::npos; }, '.');
-  double value = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (error != std::errc() || !std::isfinite(value)) return std::nullopt;
-  return value;
+  return parseDouble(digits);
 }
 
 /// Receives the parser's events and grows the tree. The parser itself does not recurse.
@@ -56,10 +50,9 @@ class TreeBuilder {
 
   bool number_float(double /*value*/, const std::string& digits)
   {
-    JsonValue* number = place({0.0});
-    if (const std::optional<double> value = doubleFrom(digits))
-      number->what = *value;
-    else
+    const auto [value, fault] = doubleFrom(digits);
+    place({value});
+    if (fault != NumberFault::None)
       throw InputError({std::string(file_), 0, namedPath(openPath())},
                        fmt::format("{} does not fit a number in double precision", shortened(digits)));
     return true;

@@ -1,16 +1,15 @@
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <map>
-#include <system_error>
 
 #include <fmt/format.h>
 
 #include <holdfast/base/error.h>
 #include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/constraint_files/constraint_file_text_internal.h>
-#include <holdfast/constraint_files/point_list_csv_records_internal.h>
+#include <holdfast/io/text/csv_text.h>
+#include <holdfast/io/text/number_text.h>
 
 namespace holdfast {
 namespace {
@@ -33,12 +32,12 @@ std::string_view trimmed(std::string_view field)
 /// One CSV text on its way to a list.
 class PointListReader {
  public:
-  explicit PointListReader(std::string_view file) : file_(file) {}
+  PointListReader(std::string_view file, char separator) : file_(file), separator_(separator) {}
 
   [[nodiscard]] ConstraintList read(std::string_view text) const
   {
-    requireCommas(text);
-    const std::vector<CsvRecord> records = splitCsv(text, file_);
+    if (separator_ == ',') requireCommas(text);
+    const std::vector<CsvRecord> records = splitCsv(text, file_, separator_);
     if (records.empty()) fail(1, "", fmt::format("there is no header; the first line must be {}", header()));
     const Places places = readHeader(records.front());
     if (records.size() == 1) fail(records.front().line, "", "there is no row after the header; add a line a point");
@@ -132,15 +131,12 @@ class PointListReader {
 
   [[nodiscard]] double readNumber(std::string_view field, Index line, Column column) const
   {
-    std::string_view digits = trimmed(field);
+    const std::string_view digits = trimmed(field);
     if (digits.empty()) fail(line, kColumnNames[column], "a number is missing; every coordinate is needed");
-    // from_chars knows no plus sign, which some measuring programs write.
-    if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.remove_prefix(1);
-    double value = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (error == std::errc::result_out_of_range)
+    const auto [value, fault] = parseDouble(digits);
+    if (fault == NumberFault::OutOfRange)
       fail(line, kColumnNames[column], fmt::format("{} does not fit a number in double precision", shortened(digits)));
-    if (error == std::errc() && end == digits.data() + digits.size() && std::isfinite(value)) return value;
+    if (fault == NumberFault::None && std::isfinite(value)) return value;
     const bool hasComma = digits.find(',') != std::string_view::npos;
     fail(line, kColumnNames[column],
          fmt::format("{} is not a number{}", inQuotes(digits),
@@ -148,13 +144,14 @@ class PointListReader {
   }
 
   std::string_view file_;
+  char separator_;
 };
 
 }  // namespace
 
-ConstraintList parsePointListCsv(std::string_view text, const std::string& name)
+ConstraintList parsePointListCsv(std::string_view text, const std::string& name, char separator)
 {
-  return PointListReader(name).read(requireUtf8(text, name));
+  return PointListReader(name, separator).read(requireUtf8(text, name));
 }
 
 }  // namespace holdfast

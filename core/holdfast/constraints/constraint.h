@@ -1,8 +1,8 @@
 #pragma once
-/// \file
 /// Constraints as a user states them: one entry of a constraint file each, in the file's own terms.
 /// `constraint_system.h` makes rows of B and d of them.
 
+#include <array>
 #include <optional>
 #include <string>
 #include <variant>
@@ -85,7 +85,7 @@ struct PointConstraint {
   std::variant<Target, Move> to;
 };
 
-/// The selected vertices move as one body, wherever the rest takes it: the vectors between them are kept and their
+/// The selected vertices move as one rigid region: the vectors between them are kept and their
 /// rotations are equal, equations (28) and (29).
 struct RigidConstraint {
   Selection select;
@@ -106,7 +106,11 @@ struct Constraint {
 };
 
 /// The name of the constraint's type in files and reports: "fixed", "handle", "point", "rigid", "relative".
-[[nodiscard]] const char* typeName(const Constraint& constraint);
+[[nodiscard]] inline const char* typeName(const Constraint& constraint)
+{
+  constexpr std::array kNames{"fixed", "handle", "point", "rigid", "relative"};
+  return kNames[constraint.what.index()];
+}
 
 /// A whole constraint file. The order is that of precedence: of several that cannot all hold, the earlier stand.
 struct ConstraintList {

@@ -12,6 +12,7 @@
 #include <holdfast/constraints/handle_validation.h>
 #include <holdfast/constraints/selector.h>
 #include <holdfast/geometry/centroid.h>
+#include <holdfast/geometry/rotation_log.h>
 #include <holdfast/surface/surface_locator.h>
 
 namespace holdfast {
@@ -39,13 +40,13 @@ bool statesNoRotation(const HandleConstraint& handle)
 /// Makes the rows of one list; remembers what several constraints share.
 class SystemBuilder {
  public:
-  SystemBuilder(const ConstraintList& list, const Mesh& mesh, const Triangulation& triangulation,
-                const SolverMesh& solverMesh, const std::string& source)
+  SystemBuilder(const ConstraintList& list, const Mesh& mesh, const SolverMesh& solverMesh,
+                const SurfaceLocator& locator, const std::string& source)
       : list_(list),
         mesh_(mesh),
         solverMesh_(solverMesh),
         source_(source),
-        locator_(mesh, triangulation),
+        locator_(locator),
         selector_(mesh, solverMesh, locator_),
         selected_(list.constraints.size()),
         pinOf_(static_cast<std::size_t>(solverMesh.unknownCount()), -1),
@@ -200,8 +201,7 @@ class SystemBuilder {
     hasRotation_[unknown] = true;
   }
 
-  /// The rows of a body turn by the rotation that the field has where none is given: the first that is given in the
-  /// body or in one that overlaps it.
+  /// The rows of a rigid region rotate by the first rotation that is given in it or in one that overlaps it.
   void rotateRegionsAsTheirFirst()
   {
     DisjointSets rigidRegions(solverMesh_.unknownCount());
@@ -265,7 +265,7 @@ class SystemBuilder {
   const Mesh& mesh_;
   const SolverMesh& solverMesh_;
   const std::string& source_;
-  SurfaceLocator locator_;
+  const SurfaceLocator& locator_;
   Selector selector_;
   std::vector<std::vector<Index>> selected_;  // vertices of each constraint
   HandleSurroundings surroundings_;
@@ -277,10 +277,22 @@ class SystemBuilder {
 
 }  // namespace
 
-ConstraintSystem makeConstraintSystem(const ConstraintList& list, const Mesh& mesh, const Triangulation& triangulation,
-                                      const SolverMesh& solverMesh, const std::string& source)
+ConstraintSystem makeConstraintSystem(const ConstraintList& list, const Mesh& mesh, const SolverMesh& solverMesh,
+                                      const SurfaceLocator& locator, const std::string& source)
 {
-  return SystemBuilder(list, mesh, triangulation, solverMesh, source).build();
+  return SystemBuilder(list, mesh, solverMesh, locator, source).build();
+}
+
+ConstraintSystem rotated(ConstraintSystem system, const Columns3& q)
+{
+  for (const RotatedVector& rotated : system.rotated) {
+    Vector3 mean = Vector3::Zero();
+    for (const Term& term : rotated.rotation) mean += term.coefficient * q.row(term.index).transpose();
+    ConstraintRow& row = system.rows[rotated.row];
+    row.target = rotationMatrix(mean) * rotated.rest;
+    row.shift = row.target - rotated.rest;
+  }
+  return system;
 }
 
 }  // namespace holdfast

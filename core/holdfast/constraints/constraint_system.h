@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Constraints as the solver sees them: the rows of B and d, in the user's order, over unknowns.
 
 #include <string>
@@ -7,7 +6,7 @@
 
 #include <holdfast/constraints/constraint.h>
 #include <holdfast/mesh/solver_mesh.h>
-#include <holdfast/surface/surface_point.h>
+#include <holdfast/surface/surface_locator.h>
 
 namespace holdfast {
 
@@ -77,7 +76,20 @@ struct ConstraintSystem {
 /// go
 /// (`placeHandle`). O(N) per selection, O(log T) per `near` point after O(T log T).
 [[nodiscard]] ConstraintSystem makeConstraintSystem(const ConstraintList& list, const Mesh& mesh,
-                                                    const Triangulation& triangulation, const SolverMesh& solverMesh,
+                                                    const SolverMesh& solverMesh, const SurfaceLocator& locator,
                                                     const std::string& source);
+
+/// The same with a locator for this list alone.
+[[nodiscard]] inline ConstraintSystem makeConstraintSystem(const ConstraintList& list, const Mesh& mesh,
+                                                           const Triangulation& triangulation,
+                                                           const SolverMesh& solverMesh, const std::string& source)
+{
+  return makeConstraintSystem(list, mesh, solverMesh, SurfaceLocator(mesh, triangulation), source);
+}
+
+/// `system` with the targets and shifts of its rotated rows at the rotations `q` of all unknowns (n x 3, logs). Counts
+/// from rest, whatever rotations the rows had before. Where q is 0 every row is as it was made, bit for bit. O(rotated
+/// rows), and a copy of the rest unless it is moved here.
+[[nodiscard]] ConstraintSystem rotated(ConstraintSystem system, const Columns3& q);
 
 }  // namespace holdfast

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// What a drag with the mouse makes of a handle: its motion, and one rigid motion more.
 
 #include <holdfast/base/error.h>
@@ -25,16 +24,15 @@ struct RigidIncrement {
 /// The handle that goes where `handle` goes and then by `increment`. `rest` and `surroundings` are those of
 /// `placeHandle`, and the handle has no mistake.
 ///
-/// A mere translation is added to `HandleConstraint::translate` and changes nothing else; a handle that turns about
-/// what is fixed then goes on doing so (`followed`), and only its centroid moves as the increment says. No increment at
-/// all gives `handle` back, bit for bit. With a turn
-/// - no motion, a `AxisRotation` and a `RotationAboutFixed` become a `AxisRotation`, with the center that they had, or
-/// the pivot;
-/// - the `to` of a `FrameMotion` moves; where its frames are too nearly alike to name the axis of whole turns it
-/// becomes
-///   a `AxisRotation`;
-/// - each place of `VertexTargets` moves; beyond half a turn, which places cannot say, `rotations` say it.
-/// Entries of `HandleConstraint::rotations` are turned as well. Throws `InputError` at `where` for a handle that turns
+/// A mere translation is added to `HandleConstraint::translate` and changes nothing else. No increment at all gives
+/// `handle` back, bit for bit. With a rotation
+/// - no motion, an `AxisRotation` and a `RotationAboutFixed` become an `AxisRotation`, with the center that they had,
+/// or
+///   the pivot;
+/// - the `to` of a `FrameMotion` moves; where its frames are too nearly alike for whole turns, it becomes an
+///   `AxisRotation`;
+/// - each place of `VertexTargets` moves; beyond half a turn `rotations` say how.
+/// Entries of `HandleConstraint::rotations` are rotated as well. Throws `InputError` at `where` for a handle that turns
 /// about what is fixed and cannot (`placeHandle`). O(vertices).
 [[nodiscard]] HandleConstraint composed(const HandleConstraint& handle, const RigidIncrement& increment,
                                         const Positions& rest, const HandleSurroundings& surroundings,

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Where a handle goes and how it turns: both ways of section 3.3 of the paper to give it its rotation, and more.
 
 #include <optional>

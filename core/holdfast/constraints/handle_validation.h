@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// What a handle may not say, whatever the mesh is.
 
 #include <optional>

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Sets of vertices named by ids, by shapes in space, by connected part, by closed curves on the surface, and by
 /// combinations of those.
 

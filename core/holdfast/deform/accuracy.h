@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// How accurate a solution has to be. An accuracy is the estimated relative error of what constraints leave free.
 
 #include <optional>

@@ -21,7 +21,7 @@ struct DependencyGroup {
 
 using DependencyGroups = std::map<ConstraintSet, DependencyGroup>;
 
-/// The ways of every constraint, by the other constraints that they need.
+/// The groups of every constraint, by the other constraints that they need.
 std::vector<DependencyGroups> dependencyGroupsOf(const ConstraintSystem& system, const Diagnosis& diagnosis,
                                                  std::size_t constraintCount)
 {
@@ -41,7 +41,7 @@ std::vector<DependencyGroups> dependencyGroupsOf(const ConstraintSystem& system,
   return result;
 }
 
-/// Of ways that conflict, and of ways that repeat, leaves out those that need all that another one needs and more.
+/// Leaves out groups that need all constraints of another group of their kind and more.
 void keepSmallest(DependencyGroups& groups)
 {
   const auto needsMore = [&](const auto& group) {
@@ -83,7 +83,7 @@ bool hasTarget(const Constraint& constraint)
   return std::holds_alternative<PointConstraint>(constraint.what) || (relative != nullptr && relative->offset);
 }
 
-/// Makes clashes of ways.
+/// Makes conflict sets of dependency groups.
 class ConflictBuilder {
  public:
   ConflictBuilder(const ConstraintList& list, const ConstraintSystem& system,

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Conflicts in words: the smallest sets of constraints that cannot hold together, by how much, and what would mend it.
 
 #include <vector>
@@ -10,8 +9,8 @@
 
 namespace holdfast {
 
-/// For each constraint of the list the ways in which it clashes with earlier ones or repeats them, the largest gap
-/// first. A way that needs all constraints of another one and more is left out. O(dependent rows times partners).
+/// For each constraint of the list, the sets with which it conflicts or which it repeats, the largest gap first. A set
+/// that holds all constraints of another one and more is left out. O(dependent rows times terms).
 [[nodiscard]] std::vector<std::vector<ConflictSet>> conflictSetsOf(const ConstraintList& list,
                                                                    const ConstraintSystem& system,
                                                                    const Diagnosis& diagnosis);

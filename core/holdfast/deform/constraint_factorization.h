@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The second of the three calls of section 6: all that the structure of a set of constraints costs, for any targets.
 
 #include <memory>
@@ -24,7 +23,7 @@ class ConstraintFactorization {
   ConstraintFactorization(const ConstraintFactorization&) = delete;
   ConstraintFactorization& operator=(const ConstraintFactorization&) = delete;
 
-  /// Whether `system` has the rows, given rotations and bodies that this was made of. O(terms).
+  /// Whether `system` has the rows, given rotations and rigid regions that this was made of. O(terms).
   [[nodiscard]] bool serves(const ConstraintSystem& system) const;
 
   [[nodiscard]] const EliminatedConstraints& eliminated() const noexcept { return *eliminated_; }

@@ -3,12 +3,11 @@
 #include <utility>
 
 #include <holdfast/constraints/constraint_system.h>
-#include <holdfast/constraints/rotated_vectors.h>
-#include <holdfast/deform/constraint_findings.h>
 #include <holdfast/deform/deformer.h>
 #include <holdfast/deform/messages.h>
 #include <holdfast/deform/outcomes.h>
 #include <holdfast/deform/rotation_factorization.h>
+#include <holdfast/surface/surface_locator.h>
 
 namespace holdfast {
 
@@ -27,8 +26,7 @@ Report diagnoseConstraints(const Model& model, const ConstraintList& constraints
   report.mesh = describeMesh(model);
   report.solve.weights = options.weights;
   report.solve.options = options.solver;
-  ConstraintSystem system =
-      makeConstraintSystem(constraints, model.mesh, model.triangulation, model.solverMesh, source);
+  ConstraintSystem system = makeConstraintSystem(constraints, model.mesh, model.solverMesh, model.locator(), source);
   const EliminatedConstraints eliminated = eliminate(system, model.solverMesh);
   NoProgress progress;
   const Rotations rotations =

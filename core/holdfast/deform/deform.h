@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The whole way from a mesh and its constraints to deformed positions: set-up, decomposition, solution (section 6).
 
 #include <memory>

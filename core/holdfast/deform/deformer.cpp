@@ -1,25 +1,65 @@
 #include "holdfast/deform/deformer.h"
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include <holdfast/base/error.h>
-#include <holdfast/base/stopwatch.h>
 #include <holdfast/check/mesh_check.h>
-#include <holdfast/constraints/rotated_vectors.h>
+#include <holdfast/constraints/constraint_system.h>
 #include <holdfast/deform/accuracy.h>
 #include <holdfast/deform/constraint_factorization.h>
-#include <holdfast/deform/constraint_findings.h>
+#include <holdfast/deform/deform.h>
 #include <holdfast/deform/deform_details.h>
 #include <holdfast/deform/messages.h>
-#include <holdfast/deform/multipliers.h>
 #include <holdfast/deform/outcomes.h>
+#include <holdfast/surface/surface_locator.h>
 
 namespace holdfast {
 namespace {
+
+class Stopwatch {
+ public:
+  [[nodiscard]] double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now();
+};
+
+/// What the constraints do to the surface, with the energy |A u - f|^2 / 2 of lengths in diagonals: no units.
+struct Multipliers {
+  Columns3 ofRows;      ///< rows x 3: the pull along what the row holds; zero for rows that were left out
+  Columns3 ofUnknowns;  ///< n x 3: their sum where they act
+};
+
+/// The forces that hold the displacement `u` (n x 3) against A u = f. O(entries of L).
+Multipliers multipliersOf(const Operators& operators, const EliminatedConstraints& eliminated, const Columns3& u,
+                          const Columns3& f, double diagonal)
+{
+  // At the minimum the gradient of the energy is what the constraints hold: A^T (A u - f) = B^T l.
+  const auto W = operators.rowWeights.asDiagonal();
+  const Columns3 missed = W * (operators.L * (u / diagonal)) - f / diagonal;
+  Columns3 gradient = operators.L.transpose() * (W * missed);
+  for (Index i = 0; i < gradient.rows(); ++i)
+    if (eliminated.isHeld[i]) gradient.row(i).setZero();
+  Columns3 ofRows = eliminated.elimination.multipliers(gradient);
+  return {std::move(ofRows), std::move(gradient)};
+}
+
+/// The sum of the lengths of its rows' forces, for every constraint of a list.
+std::vector<double> multipliersOfConstraints(const Multipliers& multipliers, const ConstraintSystem& system,
+                                             std::size_t constraintCount)
+{
+  std::vector<double> result(constraintCount, 0);
+  for (std::size_t r = 0; r < system.rows.size(); ++r)
+    result[system.rows[r].constraint] += multipliers.ofRows.row(static_cast<Index>(r)).stableNorm();
+  return result;
+}
 
 /// The file's positions: pins as they were asked for, bit for bit, everything else displaced from rest.
 Positions deformedPositions(const Model& model, const ConstraintSystem& system, const Diagnosis& diagnosis,
@@ -82,7 +122,7 @@ class Solution {
     report().status = SolveStatus::Failed;
     report().message = message;
     result_.positions = model_.mesh.positions;
-    // Residuals of positions that nobody gets would be misleading.
+    // Residuals of positions that are discarded would mislead.
     for (ConstraintOutcome& outcome : result_.report.constraints) {
       outcome.residual.reset();
       if (outcome.status == ConstraintStatus::Met || outcome.status == ConstraintStatus::Missed)
@@ -228,7 +268,7 @@ DeformResult Deformer::deform(const ConstraintList& constraints, const std::stri
   Seconds seconds;
   const Stopwatch setup;
   ConstraintSystem system =
-      makeConstraintSystem(constraints, model_->mesh, model_->triangulation, model_->solverMesh, source);
+      makeConstraintSystem(constraints, model_->mesh, model_->solverMesh, model_->locator(), source);
   if (operators_ == nullptr) {
     progress.step(fmt::format("building operators of {} vertices", model_->mesh.vertexCount()));
     operators_ = std::make_shared<const Operators>(makeOperators(model_->solverMesh, options_.weights));

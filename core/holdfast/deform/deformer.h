@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// A mesh that is deformed again and again, as under a drag: what did not change is not computed again.
 
 #include <memory>

@@ -1,6 +1,7 @@
 #include "holdfast/deform/fields.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -35,20 +36,8 @@ Field residualField(const Model& model, const DeformResult& deformation)
 
 double statusCode(ConstraintStatus status)
 {
-  switch (status) {
-    case ConstraintStatus::Met:
-      return 1;
-    case ConstraintStatus::Redundant:
-      return 2;
-    case ConstraintStatus::Conflicting:
-      return 3;
-    case ConstraintStatus::Missed:
-      return 4;
-    case ConstraintStatus::Independent:
-    case ConstraintStatus::Disabled:
-      return 0;
-  }
-  return 0;
+  constexpr std::array<double, 6> kCodes{0, 1, 2, 3, 4, 0};  // in the order of `ConstraintStatus`
+  return kCodes[static_cast<std::size_t>(status)];
 }
 
 Field statusField(const Model& model, const DeformResult& deformation)
@@ -122,36 +111,21 @@ Field detailField(const Model& model, const DeformResult& deformation)
   return {"detail_residual", 1, spread(lengths, mesh.weld)};
 }
 
+// In the order of `FieldKind`.
+constexpr std::array kFields{residualField, statusField,     displacementField, rotationField,
+                             angleField,    multiplierField, detailField};
+
 }  // namespace
 
 Field fieldOf(const Model& model, const DeformResult& deformation, FieldKind kind)
 {
-  switch (kind) {
-    case FieldKind::ConstraintResidual:
-      return residualField(model, deformation);
-    case FieldKind::ConstraintStatus:
-      return statusField(model, deformation);
-    case FieldKind::Displacement:
-      return displacementField(model, deformation);
-    case FieldKind::RotationLog:
-      return rotationField(model, deformation);
-    case FieldKind::RotationAngleDegrees:
-      return angleField(model, deformation);
-    case FieldKind::ConstraintForce:
-      return multiplierField(model, deformation);
-    case FieldKind::DetailResidual:
-      return detailField(model, deformation);
-  }
-  return {};
+  return kFields[static_cast<std::size_t>(kind)](model, deformation);
 }
 
 std::vector<Field> fieldsOf(const Model& model, const DeformResult& deformation)
 {
   std::vector<Field> fields;
-  for (const FieldKind kind :
-       {FieldKind::ConstraintResidual, FieldKind::ConstraintStatus, FieldKind::Displacement, FieldKind::RotationLog,
-        FieldKind::RotationAngleDegrees, FieldKind::ConstraintForce, FieldKind::DetailResidual})
-    fields.push_back(fieldOf(model, deformation, kind));
+  for (const auto field : kFields) fields.push_back(field(model, deformation));
   return fields;
 }
 

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// What a deformation looks like as numbers over the vertices of the file.
 
 #include <vector>

@@ -1,12 +1,14 @@
 #pragma once
-/// \file
 /// What a solve has to say, in sentences: what was wrong, where, and what to do.
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <holdfast/deform/deform.h>
+#include <holdfast/deform/model.h>
 #include <holdfast/deform/outcomes.h>
+#include <holdfast/deform/report.h>
 #include <holdfast/operators/operators.h>
 
 namespace holdfast {
@@ -22,5 +24,11 @@ namespace holdfast {
 
 /// Of hard constraints of which `row` is not met: by how much, why as far as that is known, and what to do.
 [[nodiscard]] std::string missedMessage(const Report& report, const MissedRow& row);
+
+/// Parts that stay at rest, constraints that nearly repeat others (`outcomes` have their amplifications), and the notes
+/// of `system`.
+[[nodiscard]] std::vector<Finding> constraintFindings(const Model& model, const EliminatedConstraints& eliminated,
+                                                      const ConstraintSystem& system,
+                                                      const std::vector<ConstraintOutcome>& outcomes);
 
 }  // namespace holdfast

@@ -8,6 +8,7 @@
 
 #include <holdfast/base/error.h>
 #include <holdfast/check/mesh_check.h>
+#include <holdfast/surface/surface_locator.h>
 
 namespace holdfast {
 namespace {
@@ -46,6 +47,11 @@ void requireSparseRows(const SolverMesh& mesh, const std::string& source)
 
 }  // namespace
 
+SurfaceLocator Model::locator() const
+{
+  return {mesh, triangulation, surface};
+}
+
 Model makeModel(Mesh mesh, const std::string& source)
 {
   if (mesh.faces.isEmpty()) throw InputError({source, 0, ""}, "the mesh has no faces; give a surface mesh");
@@ -53,6 +59,7 @@ Model makeModel(Mesh mesh, const std::string& source)
   if (const std::vector<Finding> broken = findNonFinite(mesh); !broken.empty())
     throw InputError({source, 0, fmt::format("vertex {}", broken.front().ids.front())}, broken.front().message);
   Model model;
+  model.surface = std::make_shared<SurfaceIndex>();
   model.mesh = std::move(mesh);
   model.triangulation = triangulate(model.mesh);
   model.solverMesh = makeSolverMesh(model.mesh, model.triangulation);

@@ -1,7 +1,7 @@
 #pragma once
-/// \file
 /// A mesh made ready for deformation: what depends on neither constraints nor weights.
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -10,11 +10,18 @@
 
 namespace holdfast {
 
+class SurfaceIndex;
+class SurfaceLocator;
+
 struct Model {
   Mesh mesh;
   Triangulation triangulation;
   SolverMesh solverMesh;
-  std::vector<Finding> findings;  ///< what is doubtful about the mesh
+  std::vector<Finding> findings;          ///< what is doubtful about the mesh
+  std::shared_ptr<SurfaceIndex> surface;  ///< of the mesh at rest
+
+  /// The one for all points of this model, from any thread. The model stays alive and in place as long as it.
+  [[nodiscard]] SurfaceLocator locator() const;
 };
 
 /// Triangles at one vertex at most. The row of its Laplacian makes the normal equations dense over all its neighbours:

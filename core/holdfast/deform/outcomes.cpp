@@ -1,6 +1,7 @@
 #include "holdfast/deform/outcomes.h"
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <utility>
 
@@ -55,36 +56,14 @@ void setLimits(std::vector<ConstraintOutcome>& outcomes, const ConstraintSystem&
 
 std::string_view name(ConstraintStatus status)
 {
-  switch (status) {
-    case ConstraintStatus::Independent:
-      return "independent";
-    case ConstraintStatus::Met:
-      return "met";
-    case ConstraintStatus::Redundant:
-      return "redundant";
-    case ConstraintStatus::Conflicting:
-      return "conflicting";
-    case ConstraintStatus::Missed:
-      return "missed";
-    case ConstraintStatus::Disabled:
-      return "disabled";
-  }
-  return "";
+  constexpr std::array kNames{"independent", "met", "redundant", "conflicting", "missed", "disabled"};
+  return kNames[static_cast<std::size_t>(status)];
 }
 
 std::string_view name(SolveStatus status)
 {
-  switch (status) {
-    case SolveStatus::NotRun:
-      return "not run";
-    case SolveStatus::Ok:
-      return "ok";
-    case SolveStatus::Conflicts:
-      return "conflicts";
-    case SolveStatus::Failed:
-      return "failed";
-  }
-  return "";
+  constexpr std::array kNames{"not run", "ok", "conflicts", "failed"};
+  return kNames[static_cast<std::size_t>(status)];
 }
 
 std::vector<double> rowResiduals(const ConstraintSystem& system, const Weld& weld, const Positions& positions)

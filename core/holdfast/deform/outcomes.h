@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// How each constraint fared, read off positions.
 
 #include <optional>
@@ -21,12 +20,12 @@ namespace holdfast {
 [[nodiscard]] std::vector<ConstraintOutcome> outcomes(const ConstraintList& list, const ConstraintSystem& system,
                                                       const Diagnosis& diagnosis);
 
-/// Sets the amplification of each constraint: the largest of its independent rows and of the partners of its dependent
+/// Sets the sensitivity of each constraint: the largest of its independent rows and of the terms of its dependent
 /// ones. `ofRows` are those of `Elimination::sensitivities`.
 void setSensitivities(std::vector<ConstraintOutcome>& outcomes, const ConstraintSystem& system,
                       const Diagnosis& diagnosis, const std::vector<double>& ofRows);
 
-/// Amplifications above this are warned of: a millionth of the model's size in what is asked for moves it by its size.
+/// Sensitivities above this are warned of: a millionth of the model's size in what is asked for moves it by its size.
 inline constexpr double kLargeSensitivity = 1e6;
 
 /// A row that was solved and is not met.

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// What a deformation tells about itself. docs/formats.md describes the report file, `report_json.h` writes it.
 
 #include <optional>

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// What a report says of each constraint, as a table (CSV). docs/formats.md describes every column.
 
 #include <string>

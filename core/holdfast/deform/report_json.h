@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The report file (JSON, version 1). docs/formats.md describes every key.
 
 #include <string>

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The rotation field of a set of constraints, and what it does to the problem of positions: sections 3.3 and 4.
 
 #include <optional>
@@ -34,7 +33,7 @@ class RotationFactorization {
   /// `mesh` stays alive as long as this.
   RotationFactorization(const SolverMesh& mesh, Weights weights, Backend backend);
 
-  /// The field for the rotations of `system`, which has the same prescribed unknowns and bodies at every call.
+  /// The field for the rotations of `system`, which has the same prescribed unknowns and rigid regions at every call.
   /// Factorises when the first are asked for; `progress` may throw then, and the next call goes on.
   [[nodiscard]] Rotations solve(const ConstraintSystem& system, Progress& progress);
 

@@ -7,11 +7,12 @@
 
 #include <holdfast/base/error.h>
 #include <holdfast/constraints/selector.h>
-#include <holdfast/document/handle_setting.h>
+#include <holdfast/document/handle_restated.h>
 #include <holdfast/document/own_axes.h>
 #include <holdfast/geometry/centroid.h>
 #include <holdfast/geometry/degree.h>
 #include <holdfast/geometry/rotation_log.h>
+#include <holdfast/surface/surface_locator.h>
 
 namespace holdfast {
 namespace {
@@ -38,7 +39,7 @@ ConstraintDrag::ConstraintDrag(const Model& model, const ConstraintList& list, s
                                const std::string& source)
     : model_(&model), list_(list), source_(source)
 {
-  SurfaceLocator locator(model.mesh, model.triangulation);
+  const SurfaceLocator locator = model.locator();
   Selector selector(model.mesh, model.solverMesh, locator);
   for (const Index c : constraints) {
     const Constraint& constraint = list.constraints[c];

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Constraints that a hand moves together: points to be held and handles, from where they are to where they go.
 
 #include <span>
@@ -11,9 +10,9 @@
 
 namespace holdfast {
 
-/// One gesture on some constraints of a list. Each motion is told from where the gesture began, so that nothing adds
-/// up. Handles that turn about what is fixed follow it from frame to frame (`followed`), so that they can go round;
-/// but for these no motion is exactly the list that there was.
+/// One gesture on some constraints of a list. Each motion is measured from where the gesture began, so that nothing
+/// adds up. Handles that turn about what is fixed follow it from frame to frame (`followed`), so that they can go
+/// round; but for these no motion is exactly the list that there was.
 class ConstraintDrag {
  public:
   /// Of `constraints`, places in the list, points and handles that are enabled move; others stay. Throws `InputError`

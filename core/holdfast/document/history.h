@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// What a user edits, and the way back: values of the document before and after each edit, with a name.
 
 #include <cstddef>
@@ -19,9 +18,8 @@ struct DocumentState {
   DeformOptions options;
 };
 
-/// The states of one document, oldest first, and which of them is shown. States are values: undo brings back the very
-/// object that was there before, so that nothing is recomputed or rounded on the way. A gesture (a drag) is one edit
-/// however many states it goes through. Not for concurrent calls.
+/// The states of one document, oldest first, and which of them is shown. Undo brings back the very object that was
+/// there before. A gesture (a drag) is one edit however many states it goes through. Not for concurrent calls.
 class History {
  public:
   explicit History(DocumentState state);

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Edits of lists of constraints, as a table offers them. Each makes a new list and leaves the old one as it is; places
 /// in a list count from 0 and are within it. Names stay unique.
 

@@ -1,46 +1,17 @@
 #include "holdfast/document/live_deformer.h"
 
-#include <atomic>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
 #include <optional>
-#include <thread>
 #include <utility>
 
+#include <holdfast/base/background_thread.h>
 #include <holdfast/base/error.h>
-#include <holdfast/base/retired_threads.h>
 #include <holdfast/base/thread_priority.h>
 #include <holdfast/deform/deformer.h>
 
 namespace holdfast {
-namespace {
-
-class StoppableProgress final : public Progress {
- public:
-  StoppableProgress(std::function<bool()> isUnwanted, std::function<void(std::string_view)> tell)
-      : isUnwanted_(std::move(isUnwanted)), tell_(std::move(tell))
-  {
-  }
-
-  void step(std::string_view description) override
-  {
-    proceed();
-    tell_(description);
-  }
-
-  void proceed() override
-  {
-    if (isUnwanted_()) throw Cancelled();
-  }
-
- private:
-  std::function<bool()> isUnwanted_;
-  std::function<void(std::string_view)> tell_;
-};
-
-}  // namespace
-
 struct LiveDeformer::Shared {
   struct Job {
     std::uint64_t revision = 0;
@@ -66,8 +37,6 @@ struct LiveDeformer::Shared {
   StopRequest stopRequest();
 
   const std::shared_ptr<const Model> model;
-  const std::shared_ptr<std::atomic<bool>> hasEnded = std::make_shared<std::atomic<bool>>(false);
-  std::thread thread;
 
   std::mutex mutex;  // guards what follows
   std::condition_variable changed;
@@ -108,7 +77,6 @@ void LiveDeformer::Shared::run()
 {
   while (const auto job = nextJob()) work(*job);
   deformer.reset();
-  *hasEnded = true;
 }
 
 DeformResult LiveDeformer::Shared::deformed(const Job& job)
@@ -145,7 +113,7 @@ void LiveDeformer::Shared::work(const Job& job)
   if (job.isCancelled) return tell({Kind::Cancelled, job.revision, "", nullptr});
   tell({Kind::Started, job.revision, "", nullptr});
   const LiveEvent end = endOf(job);
-  // A result that nobody wants any more should not flash up, even where no stage was left to give it up at.
+  // A superseded result must not appear, even where no step was left to stop it at.
   const StopRequest last = stopRequest();
   if (last == Shared::StopRequest::GoOn) tell(end);
   if (last == Shared::StopRequest::GiveUpAndTell) tell({Kind::Cancelled, job.revision, "", nullptr});
@@ -154,9 +122,7 @@ void LiveDeformer::Shared::work(const Job& job)
 LiveDeformer::LiveDeformer(std::shared_ptr<const Model> model, Listener listener)
     : shared_(std::make_shared<Shared>(std::move(model), std::move(listener)))
 {
-  // The list of retired threads is made before the first of them, so that it outlives all.
-  static_cast<void>(retiredThreads());
-  shared_->thread = std::thread([shared = shared_] {
+  startBackgroundThread([shared = shared_] {
     computeInBackground();
     shared->run();
   });
@@ -173,7 +139,6 @@ LiveDeformer::~LiveDeformer()
     const std::scoped_lock lock(shared_->telling);
     shared_->listener = nullptr;
   }
-  retiredThreads().add(std::move(shared_->thread), shared_->hasEnded);
 }
 
 void LiveDeformer::submit(std::uint64_t revision, std::shared_ptr<const DocumentState> state, std::string source,

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Deforms on a thread of its own, so that a window never waits: the newest state wins, and none is shown half-done.
 
 #include <cstdint>
@@ -12,8 +11,8 @@
 
 namespace holdfast {
 
-/// What the worker tells. All but `Started` and `Step` end the work on their revision: each revision ends once, but
-/// for those that a newer one replaced, of whose end nothing is told.
+/// What the worker reports. All but `Started` and `Step` end the work on their revision: each revision ends once,
+/// unless a newer one replaced it.
 struct LiveEvent {
   enum class Kind {
     Started,    ///< work on a revision begins
@@ -54,9 +53,8 @@ class LiveDeformer {
   void submit(std::uint64_t revision, std::shared_ptr<const DocumentState> state, std::string source,
               Supersede supersede);
 
-  /// Gives up what is waiting and, at its next stage or its end, what is under way. No factorisation is waited for: it
-  /// goes on by itself, serves the next state that needs it, and is left behind where that needs another one
-  /// (`LongStep`). What was factorised before stays usable. An end that the listener was being told of already stands.
+  /// Gives up what is waiting and, at its next step or its end, what is under way. No factorisation is waited for: it
+  /// goes on by itself and serves the next state that needs it, see `LongStep`.
   void cancel();
 
  private:

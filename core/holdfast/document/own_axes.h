@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Axes that belong to what a hand moves, and not to the world.
 
 #include <holdfast/deform/model.h>

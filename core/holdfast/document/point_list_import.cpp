@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-#include <holdfast/surface/closest_point.h>
+#include <holdfast/surface/surface_locator.h>
 
 namespace holdfast {
 namespace {
@@ -31,9 +31,9 @@ SurfaceLocation locationOf(const ClosestPointSearch::Result& found, const Model&
   return at;
 }
 
-ImportedPoint examined(const Vector3& place, const ClosestPointSearch& search, const Model& model)
+ImportedPoint examined(const Vector3& place, const Model& model)
 {
-  const ClosestPointSearch::Result found = search.find(place);
+  const ClosestPointSearch::Result found = model.locator().closestTo(place);
   ImportedPoint point;
   point.place = place;
   point.onSurface = positionOf(found.point, model.mesh.positions);
@@ -72,7 +72,6 @@ ImportPreview previewImport(const ConstraintList& imported, const ConstraintList
 {
   Names taken;
   for (const Constraint& constraint : present.constraints) taken.insert(constraint.name);
-  const ClosestPointSearch search(model.mesh.positions, model.triangulation.triangles);
   ImportPreview preview;
   for (std::size_t k = 0; k < imported.constraints.size(); ++k) {
     const Constraint& constraint = imported.constraints[k];
@@ -83,7 +82,7 @@ ImportPreview previewImport(const ConstraintList& imported, const ConstraintList
       ++preview.others;
       continue;
     }
-    ImportedPoint& point = preview.points.emplace_back(examined(near->place, search, model));
+    ImportedPoint& point = preview.points.emplace_back(examined(near->place, model));
     point.index = static_cast<Index>(k);
     point.name = constraint.name;
     point.isNameTaken = isTaken;

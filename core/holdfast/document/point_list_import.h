@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// What a list of points would do to a document, before it is taken in.
 
 #include <string>

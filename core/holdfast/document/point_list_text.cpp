@@ -23,36 +23,14 @@ std::string coordinates(const Vector3& place)
                      NumberText(place.z()).view());
 }
 
-std::string row(const std::string& name, const PointConstraint& point, SurfaceLocator& locator, const Model& model)
+std::string row(const std::string& name, const PointConstraint& point, const SurfaceLocator& locator,
+                const Model& model)
 {
   const Vector3 rest = positionOf(locator.locate(point.at, {name, 0, "at"}).point, model.mesh.positions);
   const AtNear* near = std::get_if<AtNear>(&point.at);
   const Target* target = std::get_if<Target>(&point.to);
   return fmt::format("{},{},{}\n", csvField(name), coordinates(near == nullptr ? rest : near->place),
                      coordinates(target == nullptr ? rest + std::get<Move>(point.to).shift : target->place));
-}
-
-/// Cells between tabs as a CSV text. A cell in quotes may hold tabs and line ends, as in CSV.
-std::string withCommas(std::string_view cells)
-{
-  std::string csv;
-  std::string cell;
-  bool isInQuotes = false;
-  const auto finish = [&] {
-    csv += cell.starts_with('"') ? cell : csvField(cell);
-    cell.clear();
-  };
-  for (const char c : cells) {
-    if (c == '"' && (cell.empty() || cell.starts_with('"'))) isInQuotes = !isInQuotes;
-    if (isInQuotes || (c != '\t' && c != '\n' && c != '\r')) {
-      cell += c;
-      continue;
-    }
-    finish();
-    csv += c == '\t' ? ',' : c;
-  }
-  finish();
-  return csv;
 }
 
 bool hasTabs(std::string_view text)
@@ -65,7 +43,7 @@ bool hasTabs(std::string_view text)
 
 std::string toPointListCsv(const ConstraintList& list, const std::vector<Index>& indices, const Model& model)
 {
-  SurfaceLocator locator(model.mesh, model.triangulation);
+  const SurfaceLocator locator = model.locator();
   std::string csv = kPointListHeader;
   for (const Constraint& constraint : extracted(list, indices).constraints)
     csv += row(constraint.name, std::get<PointConstraint>(constraint.what), locator, model);
@@ -87,7 +65,7 @@ ConstraintList fromClipboardText(std::string_view text)
   if (text.empty())
     throw InputError({kClipboard, 0, ""}, "there is no text to paste; copy constraints or a table of points first");
   if (text.starts_with('{')) return parseConstraintsJson(text, kClipboard);
-  return parsePointListCsv(hasTabs(text) ? withCommas(text) : std::string(text), kClipboard);
+  return parsePointListCsv(text, kClipboard, hasTabs(text) ? '\t' : ',');
 }
 
 }  // namespace holdfast

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Constraints as text for the clipboard, and back: points as a table that spreadsheets know, all else as JSON.
 
 #include <string>

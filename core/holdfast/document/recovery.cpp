@@ -32,7 +32,7 @@ constexpr const char* kCopyName = "copy.holdfast";
                                                std::error_code(code, std::generic_category()).message()));
 }
 
-/// Makes `folder` and what is above it, for this user alone where it is new: copies are nobody else's business.
+/// Makes `folder` and what is above it, for this user alone where it is new.
 void makeFolder(const fs::path& folder)
 {
   std::error_code error;
@@ -97,7 +97,7 @@ Recoverable described(const fs::path& path)
     copy.original = session.original;
     copy.mesh = session.mesh.path;
   } catch (const InputError&) {
-    copy.name = path.filename().string();  // whoever opens it is told what is wrong with it
+    copy.name = path.filename().string();  // opening it says what is wrong with it
     return copy;
   }
   copy.name = (copy.original.empty() ? copy.mesh : copy.original).filename().string();
@@ -142,7 +142,7 @@ void RecoveryFile::write(SessionFile session, const fs::path& originalPath)
   session.mesh.absolutePath.clear();
   const std::string text = sessionToJson(session);
   std::error_code ignored;
-  const bool hasPlace = place_ != nullptr && fs::exists(place_->path, ignored);  // somebody may have tidied up
+  const bool hasPlace = place_ != nullptr && fs::exists(place_->path, ignored);  // the folder may have been removed
   if (!hasPlace) place_ = std::make_unique<Place>(folder_);
   OutputFile(place_->path / kCopyName, text).commit();
 }

@@ -1,7 +1,6 @@
 #pragma once
-/// \file
-/// Copies of unsaved work that outlive a crash: one for each document that is open, told from those of living programs
-/// by a lock that the operating system lets go of when a program ends, however it ends.
+/// Copies of unsaved work that outlive a crash, one for each open document. A lock, which the operating system releases
+/// however a program ends, tells them from copies of running programs.
 
 #include <chrono>
 #include <filesystem>

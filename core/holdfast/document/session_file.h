@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Sessions (`.holdfast`): a mesh, its constraints and how they are looked at, as one file. docs/formats.md describes
 /// every key.
 
@@ -17,7 +16,7 @@ namespace holdfast {
 struct MeshReference {
   std::string path;          ///< from the session's folder, or absolute; '/' between names
   std::string absolutePath;  ///< where the mesh was when the session was written; may be empty
-  std::string checksum;      ///< of the file's bytes, "fnv1a64:" and 16 digits; empty where nobody knows it
+  std::string checksum;      ///< of the file's bytes, "fnv1a64:" and 16 digits; empty where it is not known
 
   friend bool operator==(const MeshReference&, const MeshReference&) = default;
 };
@@ -33,8 +32,7 @@ struct Camera {
   friend bool operator==(const Camera&, const Camera&) = default;
 };
 
-/// How the model is shown. What is absent is left to whoever shows it. Names are those of the view, which knows what to
-/// do about one that it does not know.
+/// How the model is shown; the view chooses what is absent. Names are those of the view.
 struct ViewState {
   std::optional<Camera> camera;
   std::optional<std::string> colorBy;

@@ -10,6 +10,7 @@
 #include <holdfast/document/session_file.h>
 #include <holdfast/document/session_mesh.h>
 #include <holdfast/document/stated_options.h>
+#include <holdfast/io/files/file_bytes.h>
 
 namespace holdfast {
 namespace {

@@ -1,6 +1,5 @@
-#include <vector>
-
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <holdfast/base/error.h>
 #include <holdfast/constraint_files/constraint_file_json_internal.h>
@@ -11,78 +10,68 @@
 namespace holdfast {
 namespace {
 
-/// An object made member by member. What is empty or absent is left out.
-class ObjectJson {
- public:
-  ObjectJson& add(std::string_view key, const std::string& valueJson)
-  {
-    members_ += fmt::format(R"({}"{}": {})", members_.empty() ? "" : ", ", key, valueJson);
-    return *this;
-  }
-  ObjectJson& addText(std::string_view key, std::string_view text)
-  {
-    return text.empty() ? *this : add(key, textJson(text));
-  }
-  ObjectJson& addOptional(std::string_view key, const std::optional<std::string>& text)
-  {
-    return text ? add(key, textJson(*text)) : *this;
-  }
-  ObjectJson& addOptional(std::string_view key, const std::optional<bool>& value)
-  {
-    return value ? add(key, *value ? "true" : "false") : *this;
-  }
-  ObjectJson& addObject(std::string_view key, const ObjectJson& object)
-  {
-    return object.members_.empty() ? *this : add(key, object.json());
-  }
+using Json = nlohmann::ordered_json;
 
-  [[nodiscard]] std::string json() const { return '{' + members_ + '}'; }
-
- private:
-  std::string members_;
-};
-
-ObjectJson meshJson(const MeshReference& mesh)
+/// Adds a member that is there.
+template <class Value>
+void add(Json& json, const char* key, const std::optional<Value>& value)
 {
-  ObjectJson json;
-  json.add("path", textJson(mesh.path));
-  json.addText("absolute_path", mesh.absolutePath).addText("checksum", mesh.checksum);
+  if (value) json[key] = *value;
+}
+
+void addText(Json& json, const char* key, const std::string& text)
+{
+  if (!text.empty()) json[key] = text;
+}
+
+Json meshJson(const MeshReference& mesh)
+{
+  Json json{{"path", mesh.path}};
+  addText(json, "absolute_path", mesh.absolutePath);
+  addText(json, "checksum", mesh.checksum);
   return json;
 }
 
 /// The backend is written only where it is not the default: a session is then good for a build with another default.
-ObjectJson optionsJson(const DeformOptions& options)
+Json optionsJson(const DeformOptions& options)
 {
-  ObjectJson json;
-  json.addText("weights", name(options.weights)).addText("solver", name(options.solver.kind));
+  Json json{{"weights", name(options.weights)}, {"solver", name(options.solver.kind)}};
   if (options.solver.softWeight != SolverOptions().softWeight || options.solver.kind == SolverKind::Soft)
-    json.add("soft_weight", numberJson(options.solver.softWeight));
-  if (options.solver.backend != defaultBackend()) json.addText("backend", name(options.solver.backend));
+    json["soft_weight"] = options.solver.softWeight;
+  if (options.solver.backend != defaultBackend()) json["backend"] = name(options.solver.backend);
   return json;
 }
 
-ObjectJson cameraJson(const Camera& camera)
+Json vectorJson(const Vector3& v)
 {
-  ObjectJson json;
-  json.add("position", vectorJson(camera.position)).add("focal_point", vectorJson(camera.focalPoint));
-  json.add("view_up", vectorJson(camera.viewUp)).add("parallel_scale", numberJson(camera.parallelScale));
-  json.addText("projection", camera.isParallel ? "parallel" : "perspective");
-  return json;
+  return {v.x(), v.y(), v.z()};
 }
 
-ObjectJson viewJson(const ViewState& view)
+Json cameraJson(const Camera& camera)
 {
-  ObjectJson json;
-  if (view.camera) json.addObject("camera", cameraJson(*view.camera));
-  json.addOptional("color_by", view.colorBy);
-  if (view.range) json.add("range", listJson(*view.range, [](double value) { return numberJson(value); }));
-  json.addOptional("scale", view.scale);
-  if (view.decades) json.add("decades", std::to_string(*view.decades));
-  json.addOptional("color_map", view.colorMap);
-  json.addOptional("rest_shape", view.restShape).addOptional("mesh_edges", view.meshEdges);
-  ObjectJson glyphs;
-  glyphs.addOptional("constraints", view.showsConstraints).addOptional("rotations", view.showsRotations);
-  return json.addObject("glyphs", glyphs);
+  return {{"position", vectorJson(camera.position)},
+          {"focal_point", vectorJson(camera.focalPoint)},
+          {"view_up", vectorJson(camera.viewUp)},
+          {"parallel_scale", camera.parallelScale},
+          {"projection", camera.isParallel ? "parallel" : "perspective"}};
+}
+
+Json viewJson(const ViewState& view)
+{
+  Json json = Json::object();
+  if (view.camera) json["camera"] = cameraJson(*view.camera);
+  add(json, "color_by", view.colorBy);
+  add(json, "range", view.range);
+  add(json, "scale", view.scale);
+  add(json, "decades", view.decades);
+  add(json, "color_map", view.colorMap);
+  add(json, "rest_shape", view.restShape);
+  add(json, "mesh_edges", view.meshEdges);
+  Json glyphs = Json::object();
+  add(glyphs, "constraints", view.showsConstraints);
+  add(glyphs, "rotations", view.showsRotations);
+  if (!glyphs.empty()) json["glyphs"] = std::move(glyphs);
+  return json;
 }
 
 void requireReadableSession(const std::string& json)
@@ -101,9 +90,9 @@ std::string sessionToJson(const SessionFile& session)
   std::string constraints = constraintMembersJson(session.document.list);
   constraints.pop_back();  // the end of its last line, where members follow
   std::string json = fmt::format("{{{},\n  \"mesh\": {},\n  \"options\": {},\n  \"view\": {}", constraints,
-                                 meshJson(session.mesh).json(), optionsJson(session.document.options).json(),
-                                 viewJson(session.view).json());
-  if (!session.original.empty()) json += fmt::format(",\n  \"original\": {}", textJson(session.original));
+                                 jsonText(meshJson(session.mesh)), jsonText(optionsJson(session.document.options)),
+                                 jsonText(viewJson(session.view)));
+  if (!session.original.empty()) json += fmt::format(",\n  \"original\": {}", jsonText(session.original));
   json += "\n}\n";
   requireReadableSession(json);
   return json;

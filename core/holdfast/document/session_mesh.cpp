@@ -1,10 +1,7 @@
 #include "holdfast/document/session_mesh.h"
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
 #include <cstdint>
-#include <fstream>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -12,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <holdfast/base/error.h>
+#include <holdfast/io/files/file_bytes.h>
 
 namespace holdfast {
 namespace {
@@ -20,24 +18,6 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kAlgorithm = "fnv1a64:";
 constexpr std::size_t kDigits = 16;
-
-/// The Fowler-Noll-Vo hash, variant 1a, with the published constants.
-class Fnv1a {
- public:
-  void add(std::string_view bytes)
-  {
-    for (const char byte : bytes) hash_ = (hash_ ^ static_cast<unsigned char>(byte)) * 0x100000001B3U;
-  }
-  [[nodiscard]] std::uint64_t value() const { return hash_; }
-
- private:
-  std::uint64_t hash_ = 0xCBF29CE484222325U;
-};
-
-std::string textOf(const Fnv1a& hash)
-{
-  return fmt::format("{}{:016x}", kAlgorithm, hash.value());
-}
 
 /// `path` with the symbolic links of its folders followed, but not that of the file itself: a link to a mesh moves with
 /// the folder that it is in.
@@ -76,27 +56,15 @@ ResolvedMesh examined(const fs::path& path, const std::string& checksum)
 
 std::string checksumOfFile(const fs::path& path)
 {
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (status.type() == fs::file_type::not_found)
-    throw InputError({path.string(), 0, ""}, "there is no such file; check the path");
-  if (!fs::is_regular_file(status)) throw InputError({path.string(), 0, ""}, "not a regular file; name a mesh file");
-  std::ifstream stream(path, std::ios::binary);
-  Fnv1a hash;
-  std::vector<char> block(std::size_t{1} << 16);
-  while (stream.read(block.data(), static_cast<std::streamsize>(block.size())) || stream.gcount() > 0)
-    hash.add({block.data(), static_cast<std::size_t>(stream.gcount())});
-  if (!stream.eof())
-    throw InputError({path.string(), 0, ""}, fmt::format("cannot be read ({}); check its permissions",
-                                                         std::error_code(errno, std::generic_category()).message()));
-  return textOf(hash);
+  return checksumOfBytes(readFileBytes(path));
 }
 
 std::string checksumOfBytes(std::string_view bytes)
 {
-  Fnv1a hash;
-  hash.add(bytes);
-  return textOf(hash);
+  // The Fowler-Noll-Vo hash, variant 1a, with the published constants.
+  std::uint64_t hash = 0xCBF29CE484222325U;
+  for (const char byte : bytes) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001B3U;
+  return fmt::format("{}{:016x}", kAlgorithm, hash);
 }
 
 bool isChecksum(std::string_view text)

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// How a session finds its mesh again, and knows whether it is still the same.
 
 #include <filesystem>
@@ -11,7 +10,7 @@
 namespace holdfast {
 
 /// "fnv1a64:" and 16 digits: the 64-bit FNV-1a hash of the file's bytes. It tells a mesh that was exported anew, not
-/// one that was forged. Throws `InputError` where the file cannot be read. O(size of the file), a block at a time.
+/// one that was forged. Throws `InputError` where the file cannot be read. O(size of the file).
 [[nodiscard]] std::string checksumOfFile(const std::filesystem::path& path);
 
 /// The same of a file with these bytes.

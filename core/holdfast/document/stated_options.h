@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Options of a deformation as a session or a command line states them: any of them may be left out.
 
 #include <filesystem>

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The elimination of hard constraints: B^T = Q R for independent rows, (14), never as one matrix.
 
 #include <vector>
@@ -8,7 +7,7 @@
 
 namespace holdfast {
 
-/// The elimination of rows of which none is the difference of two unknowns: `Elimination` has made bodies of those.
+/// The elimination of rows of which none is the difference of two unknowns: `Elimination` has made groups of those.
 /// Splits displacements u of the unknowns into a part that the constraints give and a part that they leave free: u =
 /// particular(d) + Q2 z has B u = d for every z. A pin is an identity column, its value copied; what pins leave of the
 /// other rows falls into components, each with a Householder QR of its own, dense when small and sparse when large.
@@ -38,7 +37,7 @@ class BlockElimination {
   /// The l of pins and blocks with B^T l = `gradient` (n x 3) over the independent rows: `rowCount` x 3.
   [[nodiscard]] Columns3 multipliers(const Columns3& gradient, Index rowCount) const;
 
-  /// See `Elimination::sensitivities`: over these unknowns, whatever bodies they stand for.
+  /// See `Elimination::sensitivities`: over these unknowns, whatever groups they stand for.
   [[nodiscard]] std::vector<double> sensitivities(std::size_t rowCount) const;
 
   [[nodiscard]] const std::vector<Block>& blocks() const noexcept { return blocks_; }
@@ -47,7 +46,7 @@ class BlockElimination {
   struct Pin {
     Index unknown;
     Index row;
-    double weight;  // 1, but for what is left of relative rows and face points between bodies
+    double weight;  // 1, but for what is left of relative rows and face points between groups
   };
 
   [[nodiscard]] static Block denseBlock(const std::vector<RowTerms>& rows, const RowComponent& component);

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// A row of B that is a combination of others.
 
 #include <vector>

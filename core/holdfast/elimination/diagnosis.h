@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Which rows hold, which repeat others and which contradict them, and by how much.
 
 #include <vector>
@@ -41,15 +40,14 @@ inline constexpr double kPromisedResidual = 1e-12;
 /// rounding of three stored places, of their weighted sum and of its target can come to.
 inline constexpr double kPromisedSpacings = 8;
 
-/// A dependent row agrees with its partners when changing what each of them asks for by no more than this share of its
+/// A dependent row agrees with its terms when changing what each of them asks for by no more than this share of its
 /// limit closes the gap; the rest is left to rounding. Pins are not changed: they are copied.
 inline constexpr double kConsistentShare = 0.5;
 
 /// The largest residual with which each row is met, in model units: `kPromisedResidual` of the diagonal or, if that is
 /// more, `kPromisedSpacings` epsilon of the largest of the row's own numbers. These are the coordinates of its target
-/// and the sums of its unknowns' coordinates times the size of their weights, at rest and at `x` (n x 3). Sums at `x`
-/// count up to the largest coordinate that is asked for: what merely gets out of hand excuses nothing. For a dependent
-/// row the numbers of its partners count as well. O(terms).
+/// and the sums of its unknowns' coordinates times the size of their weights, at rest and at `x` (n x 3), the latter up
+/// to the largest coordinate that is asked for. For a dependent row the numbers of its terms count as well. O(terms).
 [[nodiscard]] std::vector<double> residualLimits(const SolverMesh& mesh, const ConstraintSystem& system,
                                                  const std::vector<DependentRow>& dependent, const Positions& x);
 
@@ -64,7 +62,7 @@ struct EliminatedConstraints {
 
 [[nodiscard]] EliminatedConstraints eliminate(const ConstraintSystem& system, const SolverMesh& mesh);
 
-/// Judges the dependent rows by their gaps at the targets of `system`, which has the rows that were eliminated.
+/// Classifies the dependent rows by their gaps at the targets of `system`, which has the rows that were eliminated.
 /// O(rows).
 [[nodiscard]] Diagnosis diagnose(const EliminatedConstraints& eliminated, const ConstraintSystem& system,
                                  const SolverMesh& mesh);

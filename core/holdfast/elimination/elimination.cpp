@@ -1,12 +1,262 @@
 #include "holdfast/elimination/elimination.h"
 
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <span>
 #include <utility>
+#include <vector>
 
-#include <holdfast/elimination/merged_sensitivities.h>
-#include <holdfast/elimination/reconciliation.h>
+#include <holdfast/base/disjoint_sets.h>
+#include <holdfast/elimination/block_elimination.h>
+#include <holdfast/elimination/merged_unknowns.h>
+#include <holdfast/elimination/sparse_qr.h>
 
 namespace holdfast {
 namespace {
+
+constexpr Index kNoBlock = -1;
+constexpr int kCorrections = 2;
+
+/// Blocks that redundant rows join, and all rows that hang on them.
+struct Group {
+  std::vector<const BlockElimination::Block*> blocks;
+  std::vector<Index> rows;  // independent ones, then redundant ones
+};
+
+std::vector<Index> blockOfUnknowns(const BlockElimination& elimination)
+{
+  std::vector<Index> blockOf(static_cast<std::size_t>(elimination.Q2().rows()), kNoBlock);
+  for (std::size_t b = 0; b < elimination.blocks().size(); ++b)
+    for (const Index u : elimination.blocks()[b].unknowns) blockOf[u] = static_cast<Index>(b);
+  return blockOf;
+}
+
+/// A row without an unknown in a block hangs on pins alone.
+Index firstBlock(const RowTerms& row, const std::vector<Index>& blockOf)
+{
+  for (const Term& term : row)
+    if (blockOf[term.index] != kNoBlock) return blockOf[term.index];
+  return kNoBlock;
+}
+
+std::vector<Group> groupsOf(const std::vector<BlockElimination::Block>& blocks, const std::vector<RowTerms>& rows,
+                            const std::vector<Index>& redundant, const std::vector<Index>& blockOf)
+{
+  DisjointSets sets(static_cast<Index>(blocks.size()));
+  for (const Index row : redundant)
+    for (const Term& term : rows[row])
+      if (const Index block = blockOf[term.index]; block != kNoBlock) sets.unite(block, firstBlock(rows[row], blockOf));
+
+  std::vector<std::vector<Index>> redundantOf(blocks.size());  // by representative
+  for (const Index row : redundant)
+    if (const Index block = firstBlock(rows[row], blockOf); block != kNoBlock)
+      redundantOf[sets.find(block)].push_back(row);
+
+  std::vector<Group> groups(blocks.size());
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    Group& group = groups[sets.find(static_cast<Index>(b))];
+    group.blocks.push_back(&blocks[b]);
+    group.rows.insert(group.rows.end(), blocks[b].rows.begin(), blocks[b].rows.end());
+  }
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+    groups[b].rows.insert(groups[b].rows.end(), redundantOf[b].begin(), redundantOf[b].end());
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+    if (redundantOf[b].empty()) groups[b].rows.clear();
+  std::erase_if(groups, [](const Group& group) { return group.rows.empty(); });
+  return groups;
+}
+
+/// The unit vectors of the blocks' Q1, n x (rows of the blocks).
+SparseMatrix spanOf(const Group& group, Index unknownCount)
+{
+  std::vector<Eigen::Triplet<double, int>> entries;
+  int column = 0;
+  for (const BlockElimination::Block* block : group.blocks)
+    for (int k = 0; k < block->Q1.outerSize(); ++k, ++column)
+      for (SparseMatrix::InnerIterator entry(block->Q1, k); entry; ++entry)
+        entries.emplace_back(static_cast<int>(block->unknowns[entry.row()]), column, entry.value());
+  SparseMatrix span(unknownCount, column);
+  span.setFromTriplets(entries.begin(), entries.end());
+  return span;
+}
+
+/// y of least |M y - d|, M of full column rank, by corrected semi-normal equations (Björck, 1987): Q would be as large
+/// as the rows are many, squared.
+Columns3 leastSquares(SparseMatrix M, const Columns3& d)
+{
+  const SparseMatrix original = M;
+  const Eigen::VectorXd lengths = normalizeColumns(M);
+  const SparseQrResult qr = sparseQr(M, -1, WantQ::No);
+  const SparseMatrix R = qr.R.leftCols(qr.rank);
+  const auto solve = [&](const Columns3& residual) {
+    const Columns3 right = M.transpose() * residual;
+    Columns3 x(qr.rank, 3);
+    for (Index k = 0; k < qr.rank; ++k) x.row(k) = right.row(qr.columns[k]);
+    R.transpose().triangularView<Eigen::Lower>().solveInPlace(x);
+    R.triangularView<Eigen::Upper>().solveInPlace(x);
+    Columns3 y = Columns3::Zero(M.cols(), 3);
+    for (Index k = 0; k < qr.rank; ++k) y.row(qr.columns[k]) = x.row(k) / lengths[qr.columns[k]];
+    return y;
+  };
+  Columns3 y = solve(d);
+  for (int correction = 0; correction < kCorrections; ++correction) y += solve(d - original * y);
+  return y;
+}
+
+/// As `BlockElimination::particular`, with `redundant` rows of `rows` met as well: see
+/// `Elimination::reconciledParticular`.
+Columns3 reconciled(const BlockElimination& elimination, const std::vector<RowTerms>& rows,
+                    const std::vector<Index>& redundant, const Columns3& d)
+{
+  Columns3 u = elimination.particular(d);
+  const std::vector<Index> blockOf = blockOfUnknowns(elimination);
+  for (const Group& group : groupsOf(elimination.blocks(), rows, redundant, blockOf)) {
+    // What the group's blocks hold is found anew; what pins hold is known.
+    for (const BlockElimination::Block* block : group.blocks)
+      for (const Index unknown : block->unknowns) u.row(unknown).setZero();
+    std::vector<RowTerms> terms;
+    for (const Index row : group.rows) terms.push_back(rows[row]);
+    const SparseMatrix B = constraintMatrix(terms, u.rows());
+    const SparseMatrix span = spanOf(group, u.rows());
+    Columns3 asked(B.rows(), 3);
+    for (std::size_t k = 0; k < group.rows.size(); ++k) asked.row(k) = d.row(group.rows[k]);
+    u += span * leastSquares(B * span, asked - B * u);
+  }
+  return u;
+}
+
+double rootOfSize(const MergedUnknowns& groups, Index group)
+{
+  return std::sqrt(static_cast<double>(groups.sizeOf(group)));
+}
+
+/// The rows of a component of contracted rows, over the coordinates w_b = sqrt(n_b) v_b of its groups: |w| is the
+/// length over all unknowns.
+class ScaledComponent {
+ public:
+  ScaledComponent(const RowComponent& component, const std::vector<RowTerms>& contracted, const MergedUnknowns& groups)
+      : rows_(scaledRows(component, contracted, groups)),
+        elimination_(rows_, allRows(), static_cast<Index>(component.unknowns.size()),
+                     std::vector<bool>(component.unknowns.size(), false))
+  {
+  }
+
+  [[nodiscard]] std::vector<double> sensitivities() const { return elimination_.sensitivities(rows_.size()); }
+
+  /// What the rows have at the group of this place in the component, by their places.
+  [[nodiscard]] RowTerms column(Index place) const
+  {
+    RowTerms result;
+    for (std::size_t k = 0; k < rows_.size(); ++k)
+      for (const Term& term : rows_[k])
+        if (term.index == place) result.push_back({static_cast<Index>(k), term.coefficient});
+    return result;
+  }
+
+  /// The shortest w for which the rows of these places have these values, and all others 0.
+  [[nodiscard]] Eigen::VectorXd shortest(const RowTerms& values) const
+  {
+    Columns3 d = Columns3::Zero(static_cast<Index>(rows_.size()), 3);
+    for (const Term& value : values) d(value.index, 0) = value.coefficient;
+    return elimination_.particular(d).col(0);
+  }
+
+ private:
+  static std::vector<RowTerms> scaledRows(const RowComponent& component, const std::vector<RowTerms>& contracted,
+                                          const MergedUnknowns& groups)
+  {
+    std::vector<RowTerms> result;
+    for (const Index row : component.rows) {
+      RowTerms terms = contracted[row];
+      for (auto& [group, weight] : terms) {
+        weight /= rootOfSize(groups, group);
+        group =
+            std::lower_bound(component.unknowns.begin(), component.unknowns.end(), group) - component.unknowns.begin();
+      }
+      result.push_back(std::move(terms));
+    }
+    return result;
+  }
+
+  [[nodiscard]] std::vector<Index> allRows() const
+  {
+    std::vector<Index> result(rows_.size());
+    std::iota(result.begin(), result.end(), Index{0});
+    return result;
+  }
+
+  std::vector<RowTerms> rows_;
+  BlockElimination elimination_;
+};
+
+/// By difference row: what a unit of it is in the rows of a component, by their places, where only the unknowns that
+/// hang on it move.
+std::map<Index, RowTerms> valuesByDifference(const RowComponent& component, const std::vector<RowTerms>& rows,
+                                             const MergedUnknowns& groups)
+{
+  std::map<Index, RowTerms> result;
+  for (std::size_t k = 0; k < component.rows.size(); ++k)
+    for (const Term& difference : groups.combinationOf(rows[component.rows[k]]))
+      result[difference.index].push_back({static_cast<Index>(k), difference.coefficient});
+  return result;
+}
+
+/// A difference row moves the s of n unknowns that hang on it against the others, about the centroid of their group.
+double spread(const MergedUnknowns::Link& link, const MergedUnknowns& groups)
+{
+  const auto n = static_cast<double>(groups.sizeOf(groups.groupOf(link.unknown)));
+  const auto s = static_cast<double>(link.hanging);
+  return std::sqrt(s * (n - s) / n);
+}
+
+/// The rows of one component, and the difference rows of its groups.
+void spreadOverComponent(std::vector<double>& sensitivities, const RowComponent& component,
+                         const std::vector<RowTerms>& rows, const std::vector<RowTerms>& contracted,
+                         const MergedUnknowns& groups)
+{
+  const ScaledComponent scaled(component, contracted, groups);
+  const std::vector<double> ofRows = scaled.sensitivities();
+  for (std::size_t k = 0; k < ofRows.size(); ++k)
+    sensitivities[component.rows[k]] = std::max(sensitivities[component.rows[k]], ofRows[k]);
+
+  // Where a difference row changes, groups have to move as well, so that the other rows stay met.
+  const std::map<Index, RowTerms> values = valuesByDifference(component, rows, groups);
+  for (std::size_t b = 0; b < component.unknowns.size(); ++b) {
+    const std::span<const MergedUnknowns::Link> links = groups.linksOf(component.unknowns[b]);
+    if (links.empty()) continue;
+    const Eigen::VectorXd centroid =
+        scaled.shortest(scaled.column(static_cast<Index>(b))) / rootOfSize(groups, component.unknowns[b]);
+    const double length = centroid.norm();
+    for (const MergedUnknowns::Link& link : links) {
+      const auto s = static_cast<double>(link.hanging);
+      const auto own = values.find(link.row);
+      const double moved =
+          own == values.end() ? s * length : (scaled.shortest(own->second) - link.sign * s * centroid).norm();
+      sensitivities[link.row] = std::hypot(spread(link, groups), moved);
+    }
+  }
+}
+
+/// Raises `sensitivities`, one for each row and measured over groups, to what they are over unknowns: the lengths of
+/// the columns of the pseudo-inverse of B. `contracted` are the rows over `groups`, those in `others` independent of
+/// one another; the difference rows that tie the groups have no sensitivity before. Groups that no other row names
+/// take O(1) a row; a component of other rows takes an elimination, and one solution of it for each difference row
+/// that separates its points.
+void spreadOverMerged(std::vector<double>& sensitivities, const std::vector<RowTerms>& rows,
+                      const std::vector<RowTerms>& contracted, const std::vector<Index>& others,
+                      const MergedUnknowns& groups)
+{
+  for (Index group = 0; group < groups.count(); ++group)
+    for (const MergedUnknowns::Link& link : groups.linksOf(group)) sensitivities[link.row] = spread(link, groups);
+  std::vector<RowTerms> left(rows.size());
+  for (const Index row : others) left[row] = contracted[row];
+  for (const RowComponent& component : connectedRows(left, groups.count()))
+    if (std::any_of(component.unknowns.begin(), component.unknowns.end(),
+                    [&](Index group) { return groups.sizeOf(group) > 1; }))
+      spreadOverComponent(sensitivities, component, rows, contracted, groups);
+}
 
 std::vector<Index> differencesAmong(const std::vector<RowTerms>& rows, const std::vector<Index>& some)
 {
@@ -32,7 +282,7 @@ std::vector<RowTerms> contractedRows(const std::vector<RowTerms>& rows, const Me
   return result;
 }
 
-/// No row leads out of what is held: a body is held as a whole.
+/// No row leads out of what is held: a group is held as a whole.
 std::vector<bool> heldGroups(const std::vector<bool>& isHeld, const MergedUnknowns& groups)
 {
   std::vector<bool> result(static_cast<std::size_t>(groups.count()), false);

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The elimination of the hard constraints B u = d, (12): what they give, and what they leave free.
 
 #include <vector>
@@ -10,8 +9,8 @@
 namespace holdfast {
 
 /// Splits displacements u of the unknowns into a part that the constraints give and a part that they leave free:
-/// u = particular(d) + Q2 z has B u = d for every z. Unknowns that difference rows tie together are one body, with one
-/// column however many they are; everything else is eliminated over bodies, block by block.
+/// u = particular(d) + Q2 z has B u = d for every z. Unknowns that difference rows tie together are one group, with one
+/// column however many they are; everything else is eliminated over groups, block by block.
 class Elimination {
  public:
   /// `independent` names independent rows, ascending. Unknowns with `isHeld` have the displacement 0; no row names one.
@@ -19,18 +18,16 @@ class Elimination {
               const std::vector<bool>& isHeld);
 
   /// n x k, orthogonal columns that span the displacements with B u = 0 and 0 where held. A free unknown has an
-  /// identity column, a free body one of ones.
+  /// identity column, a free group one of ones.
   [[nodiscard]] const SparseMatrix& Q2() const noexcept { return Q2_; }
 
   /// The displacement in the span of the rows with B u = d, n x 3. `d` has a row for each row that the constructor was
   /// given; those that are not independent are not looked at. Pins are copied bit for bit.
   [[nodiscard]] Columns3 particular(const Columns3& d) const;
 
-  /// The same, with `redundant` rows met as well as the independent ones: by least squares over both. Where
-  /// coefficients of circuits are large, the displacement that meets the independent rows to the last digit misses rows
-  /// that follow from them by as much as rounding of d grows along the circuit; that of least squares misses none by
-  /// more than the smallest change of d that makes all agree. One sparse QR for each set of blocks that redundant rows
-  /// join.
+  /// The same by least squares over the independent and the `redundant` rows. Where coefficients of circuits are large,
+  /// `particular` misses redundant rows by as much as rounding of d grows along the circuit; this misses none by more
+  /// than the smallest change of d that makes all agree. One sparse QR for each set of blocks that redundant rows join.
   [[nodiscard]] Columns3 reconciledParticular(const std::vector<Index>& redundant, const Columns3& d) const;
 
   /// The Lagrange multipliers l of the rows with B^T l = `gradient` (n x 3), which Q2 maps to zero: rows x 3, zero for
@@ -43,14 +40,14 @@ class Elimination {
   [[nodiscard]] std::vector<double> sensitivities() const;
 
  private:
-  /// `d` less what the offsets of bodies give of it.
+  /// `d` less what the offsets of groups give of it.
   [[nodiscard]] Columns3 askedOfGroups(const Columns3& d, const Columns3& offsets) const;
 
   std::vector<RowTerms> rows_;
   std::vector<Index> others_;  // the independent rows that are no differences
   MergedUnknowns merged_;
   SparseMatrix membership_;
-  std::vector<RowTerms> contracted_;  // every row, over bodies
+  std::vector<RowTerms> contracted_;  // every row, over groups
   BlockElimination blocks_;
   SparseMatrix Q2_;
 };

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Which rows of B depend on others, found during the decomposition as in section 5 of the paper.
 
 #include <vector>

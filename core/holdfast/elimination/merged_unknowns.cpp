@@ -85,7 +85,7 @@ RowTerms MergedUnknowns::contracted(const RowTerms& row) const
   RowTerms result;
   for (const auto& [group, weight] : weights)
     if (std::abs(weight) > kVanishingWeight) result.push_back({group, weight});
-  // Shares of a point that lies in one body sum to 1 up to rounding.
+  // Shares of a point that lies in one group sum to 1 up to rounding.
   if (result.size() == 1 && std::abs(result.front().coefficient - 1) <= kVanishingWeight)
     result.front().coefficient = 1;
   return result;

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Rows of B that share unknowns, however indirectly. Rows of different components are orthogonal: each component is
 /// eliminated on its own, and no matrix larger than its block is ever formed.
 
@@ -26,5 +25,8 @@ struct RowComponent {
 
 /// Whether the component is eliminated as a dense block; larger ones by sparse QR.
 [[nodiscard]] bool isDense(const RowComponent& component);
+
+/// B, rows.size() x unknownCount.
+[[nodiscard]] SparseMatrix constraintMatrix(const std::vector<RowTerms>& rows, Index unknownCount);
 
 }  // namespace holdfast

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Householder QR of a dense matrix whose columns arrive one by one, in the user's order: section 5 of the paper.
 
 #include <optional>

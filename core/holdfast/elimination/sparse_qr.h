@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Sparse QR with a fill-reducing order, for components of constraints too large for a dense block, and for the
 /// least-squares factor of last resort. SPQR where it is built, Eigen's otherwise; both give the same things.
 

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The axis-aligned box around a mesh. Its diagonal is the length against which exactness is promised.
 
 #include <Eigen/Geometry>
@@ -9,9 +8,16 @@
 namespace holdfast {
 
 /// Box around all rows of `positions`; empty (`isEmpty()`) where there are none. O(N).
-[[nodiscard]] Eigen::AlignedBox3d boundingBox(const Positions& positions);
+[[nodiscard]] inline Eigen::AlignedBox3d boundingBox(const Positions& positions)
+{
+  if (positions.rows() == 0) return {};
+  return {Vector3(positions.colwise().minCoeff()), Vector3(positions.colwise().maxCoeff())};
+}
 
 /// Length of the diagonal of `boundingBox(positions)`, in model units; 0 where there are no positions.
-[[nodiscard]] double boundingBoxDiagonal(const Positions& positions);
+[[nodiscard]] inline double boundingBoxDiagonal(const Positions& positions)
+{
+  return positions.rows() == 0 ? 0.0 : boundingBox(positions).diagonal().stableNorm();
+}
 
 }  // namespace holdfast

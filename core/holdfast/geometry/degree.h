@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Degrees, for what people read and write; all else counts in radians.
 
 #include <numbers>

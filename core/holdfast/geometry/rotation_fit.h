@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The rotation that fits two sets of points, or two directions: how a handle gets a rotation from its own frame.
 
 #include <Eigen/Geometry>
@@ -15,15 +14,14 @@ struct RotationFit {
   double residual = 0;                              ///< root mean square of the distances that are left, model units
 };
 
-/// Squares of extents below this share of the largest count as none: points within a millionth of their length from a
-/// line do not say how to turn about it. Rounding of points far from the origin stays below that.
+/// Squares of extents below this share of the largest count as zero: points within a millionth of their length from a
+/// line do not determine the rotation about it. Rounding of points far from the origin stays below that.
 inline constexpr double kRankOfFit = 1e-12;
 
 /// The rotation R that minimises the sum of |R (p_i - mean of p) - (t_i - mean of t)|^2 over the rows of `points` and
-/// `targets`, as many of each, finite, at least one (Kabsch, 1976; by singular values). Where points or targets lie on
-/// a line, R takes the line of the points to that of the targets by the shortest rotation; where either all coincide,
-/// it is the identity; both are not determined. Nor is the best rotation to the mirror image of points that are as
-/// thick as they are wide. O(N).
+/// `targets`: as many of each, finite, at least one (Kabsch, 1976; by singular values). R is not determined where
+/// points or targets lie on a line (it takes one line to the other by the shortest rotation), where all coincide
+/// (identity), and for the mirror image of points that are as thick as they are wide. O(N).
 [[nodiscard]] RotationFit fitRotation(const Positions& points, const Positions& targets);
 
 /// What `shortestRotation` found.

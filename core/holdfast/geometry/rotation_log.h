@@ -1,11 +1,9 @@
 #pragma once
-/// \file
 /// Rotations and their logarithms, equations (22) to (24).
 ///
-/// The logarithm of a rotation is that of a unit quaternion: q = (angle / 2) times the unit axis, in radians. Its
-/// length is not wrapped: 270 and 720 degrees stay what they are. Logarithms can be averaged and interpolated,
-/// rotations cannot. All numbers are finite. Errors are a few units in the last place of the angle, however small or
-/// large it is.
+/// The logarithm of a rotation is that of a unit quaternion: q = (angle / 2) times the unit axis, in radians, not
+/// wrapped: 270 and 720 degrees stay what they are. All numbers are finite. Errors are a few units in the last place of
+/// the angle.
 
 #include <Eigen/Geometry>
 

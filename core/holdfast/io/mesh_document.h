@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// A mesh together with all that its file said besides, so that it can be written back as the same file with other
 /// positions.
 
@@ -28,15 +27,12 @@ class MeshSource {
   /// File name extension of the format, lower case with the dot: ".obj".
   [[nodiscard]] virtual std::string extension() const = 0;
 
-  /// The file as it was read with `positions` (as many rows as were read) in place of its own: same order, polygons,
-  /// texture coordinates, groups, materials, properties and comments. Normals are kept where none of the vertices
-  /// that they depend on moved; elsewhere they are recomputed or dropped, and a note says which. Doubles are written
-  /// so that they read back bit for bit, in formats that can hold them.
-  /// Throws `OutputError` where a coordinate is too large for the format.
+  /// The file as it was read, with `positions` (as many rows) in place of its own. Normals are kept where none of their
+  /// vertices moved; elsewhere they are recomputed or dropped, and a note says which. Doubles read back bit for bit in
+  /// formats that can hold them. Throws `OutputError` where a coordinate is too large for the format.
   [[nodiscard]] virtual Serialized withPositions(const Positions& positions) const = 0;
 
-  /// What the file says besides positions and faces, in the words of a message ("texture coordinates", "groups"):
-  /// what is left behind when the mesh is written in another format.
+  /// What another format would lose, in the words of a message: "texture coordinates", "groups".
   [[nodiscard]] virtual std::vector<std::string> extras() const = 0;
 
  protected:

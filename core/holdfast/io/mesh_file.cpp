@@ -9,13 +9,10 @@
 #include <fmt/ranges.h>
 
 #include <holdfast/base/error.h>
+#include <holdfast/base/lower_case.h>
 #include <holdfast/io/files/file_bytes.h>
 #include <holdfast/io/files/output_file.h>
-#include <holdfast/io/formats/mesh_writer.h>
-#include <holdfast/io/formats/obj_reader.h>
-#include <holdfast/io/formats/off_reader.h>
-#include <holdfast/io/formats/ply_reader.h>
-#include <holdfast/io/formats/stl_reader.h>
+#include <holdfast/io/formats/formats.h>
 #include <holdfast/io/text/text_cursor.h>
 
 namespace holdfast {
@@ -35,9 +32,7 @@ constexpr std::array<std::string_view, kFormats.size()> kExtensions{".obj", ".pl
 /// The format of `extension` in any case, or null.
 const Format* findFormat(std::string_view extension)
 {
-  std::string lower(extension);
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  const std::string lower = lowerCase(std::string(extension));
   const auto format =
       std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& known) { return known.extension == lower; });
   return format == kFormats.end() ? nullptr : &*format;

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Mesh files in and out: OBJ, PLY, OFF, STL by the extension of the name.
 
 #include <filesystem>
@@ -14,10 +13,9 @@ namespace holdfast {
 [[nodiscard]] std::span<const std::string_view> meshExtensions();
 
 /// Reads a mesh file; the extension (any case) names the format. `known` are the extensions that the message about
-/// another one lists: a caller may read more formats by other means. Throws `InputError` with file, line (text) or byte
-/// offset (binary) and reason where the file is missing, truncated, malformed, or refers to vertices that it does not
-/// have. Non-finite coordinates are read as they stand: `checkMesh` names them. Memory is bounded by the size of the
-/// file, whatever counts its header claims.
+/// another one lists. Throws `InputError` with file, line (text) or byte offset (binary) and reason where the file is
+/// missing, truncated, malformed, or refers to vertices that it does not have. Non-finite coordinates are read as they
+/// are. Memory is bounded by the size of the file, whatever counts its header claims.
 [[nodiscard]] MeshDocument readMesh(const std::filesystem::path& path,
                                     std::span<const std::string_view> known = meshExtensions());
 

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The edges of the solver's mesh as a graph, and the shortest ways along them.
 
 #include <span>

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The edges of a set of triangles, each once, with the triangles on it.
 
 #include <span>

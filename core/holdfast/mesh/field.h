@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Numbers over the points or the faces of a mesh.
 
 #include <string>

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// A polygon mesh as a file holds it: positions and faces, nothing derived.
 
 #include <cassert>

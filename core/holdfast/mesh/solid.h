@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Meshes that are the skin of something: seen from outside only the fronts of their triangles are seen.
 
 #include <holdfast/mesh/solver_mesh.h>

@@ -1,10 +1,68 @@
 #include "holdfast/mesh/solver_mesh.h"
 
+#include <algorithm>
+#include <array>
+#include <tuple>
+#include <utility>
+
 #include <holdfast/base/disjoint_sets.h>
 #include <holdfast/geometry/bounding_box.h>
+#include <holdfast/mesh/edges.h>
 
 namespace holdfast {
 namespace {
+
+using Place = std::array<double, 3>;
+
+Place placeOf(const Positions& positions, Index v)
+{
+  return {positions(v, 0), positions(v, 1), positions(v, 2)};
+}
+
+/// An edge of one triangle only, its ends ordered by place.
+struct OpenEdge {
+  Place low;
+  Place high;
+  Index lowVertex;
+  Index highVertex;
+};
+
+OpenEdge openEdge(const Positions& positions, Index a, Index b)
+{
+  Place low = placeOf(positions, a);
+  Place high = placeOf(positions, b);
+  if (high < low) {
+    std::swap(low, high);
+    std::swap(a, b);
+  }
+  return {low, high, a, b};
+}
+
+std::vector<OpenEdge> openEdges(const Positions& positions, const std::vector<Triangle>& triangles)
+{
+  std::vector<OpenEdge> open;
+  forEachEdge(sortedHalfEdges(triangles), [&](std::span<const HalfEdge> edge) {
+    if (edge.size() == 1) open.push_back(openEdge(positions, edge[0].a, edge[0].b));
+  });
+  // An edge without length says nothing about which of the vertices at its place belong together.
+  std::erase_if(open, [](const OpenEdge& edge) { return edge.low == edge.high; });
+  std::sort(open.begin(), open.end(), [](const OpenEdge& x, const OpenEdge& y) {
+    return std::tie(x.low, x.high, x.lowVertex, x.highVertex) < std::tie(y.low, y.high, y.lowVertex, y.highVertex);
+  });
+  return open;
+}
+
+Weld numbered(DisjointSets& sets, Index vertexCount)
+{
+  Weld weld;
+  weld.unknownOf.resize(static_cast<std::size_t>(vertexCount));
+  for (Index v = 0; v < vertexCount; ++v) {
+    const Index first = sets.find(v);  // the smallest of its set, so it has its number already unless it is v
+    if (first == v) weld.firstVertexOf.push_back(v);
+    weld.unknownOf[v] = first == v ? weld.unknownCount++ : weld.unknownOf[first];
+  }
+  return weld;
+}
 
 void findComponents(SolverMesh& mesh)
 {
@@ -63,6 +121,18 @@ std::vector<Index> componentOfVertices(const SolverMesh& solverMesh)
   result.reserve(solverMesh.weld.unknownOf.size());
   for (const Index unknown : solverMesh.weld.unknownOf) result.push_back(solverMesh.componentOf[unknown]);
   return result;
+}
+
+Weld weldOpenEdges(const Positions& positions, const std::vector<Triangle>& triangles)
+{
+  DisjointSets sets(positions.rows());
+  const std::vector<OpenEdge> open = openEdges(positions, triangles);
+  for (std::size_t k = 1; k < open.size(); ++k)
+    if (open[k].low == open[k - 1].low && open[k].high == open[k - 1].high) {
+      sets.unite(open[k].lowVertex, open[k - 1].lowVertex);
+      sets.unite(open[k].highVertex, open[k - 1].highVertex);
+    }
+  return numbered(sets, positions.rows());
 }
 
 }  // namespace holdfast

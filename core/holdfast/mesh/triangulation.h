@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The triangles that the solver and the closest-point search see in place of polygons. Files keep their polygons.
 
 #include <array>

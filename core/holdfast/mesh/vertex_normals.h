@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Normals of polygons, of vertices, and of groups of corners that share one.
 
 #include <span>

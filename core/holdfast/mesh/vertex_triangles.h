@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Which triangles meet at each vertex.
 
 #include <span>

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Cotangents of the corners of triangles, plain and guarded, and the areas that go with vertices.
 
 #include <array>

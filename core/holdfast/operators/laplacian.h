@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Laplacians of a mesh from weights on its edges, equations (1) to (3).
 
 #include <vector>

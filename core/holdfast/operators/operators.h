@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// What the solver minimises: L, the weights of its rows, and delta, equations (1) to (3), with uniform weights (9) or
 /// cotangent weights (10).
 

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// How strongly the edges of a mesh tie the rotations of their ends together.
 
 #include <vector>

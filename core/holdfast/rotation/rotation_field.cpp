@@ -4,13 +4,158 @@
 #include <cassert>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include <holdfast/base/disjoint_sets.h>
 #include <holdfast/solve/corrected_solve.h>
 
 namespace holdfast {
 namespace {
+
+DisjointSets regionsOf(const RotationProblem& problem)
+{
+  DisjointSets regions(problem.unknownCount);
+  regions.uniteEach(problem.rigidRegions);
+  return regions;
+}
+
+DisjointSets tiedByEdges(DisjointSets sets, const std::vector<EdgeWeight>& weights)
+{
+  for (const EdgeWeight& edge : weights)
+    if (edge.weight != 0) sets.unite(edge.i, edge.j);
+  return sets;
+}
+
+/// Of each representative: the first place in `prescribed` of an unknown of its set; -1 elsewhere.
+std::vector<Index> firstGiven(DisjointSets& sets, const RotationProblem& problem)
+{
+  std::vector<Index> first(static_cast<std::size_t>(problem.unknownCount), -1);
+  for (Index k = static_cast<Index>(problem.prescribed.size()) - 1; k >= 0; --k)
+    first[sets.find(problem.prescribed[k])] = k;
+  return first;
+}
+
+/// Of each unknown: its own place in `prescribed`, else that of its region; -1 elsewhere.
+std::vector<Index> givenOfUnknowns(DisjointSets& regions, const std::vector<Index>& ofRegion,
+                                   const RotationProblem& problem)
+{
+  std::vector<Index> given(static_cast<std::size_t>(problem.unknownCount));
+  for (Index i = 0; i < problem.unknownCount; ++i) given[i] = ofRegion[regions.find(i)];
+  for (Index k = static_cast<Index>(problem.prescribed.size()) - 1; k >= 0; --k) given[problem.prescribed[k]] = k;
+  return given;
+}
+
+/// In a region where several unknowns are given, each keeps its own value, and all others have that of the first. Of an
+/// unknown that is given twice the first stands. Edges of weight 0 tie nothing. Ids are in range. Nearly O(n + edges).
+RotationUnknowns rotationUnknowns(const RotationProblem& problem)
+{
+  DisjointSets regions = regionsOf(problem);
+  DisjointSets parts = tiedByEdges(regions, problem.weights);
+  const std::vector<Index> ofRegion = firstGiven(regions, problem);
+  const std::vector<Index> ofPart = firstGiven(parts, problem);
+
+  RotationUnknowns result;
+  result.givenOf = givenOfUnknowns(regions, ofRegion, problem);
+  for (const Index unknown : problem.prescribed) result.leaderOf.push_back(ofRegion[regions.find(unknown)]);
+  result.columnOf.assign(result.givenOf.size(), -1);
+  for (Index i = 0; i < problem.unknownCount; ++i) {
+    const Index reference = ofPart[parts.find(i)];
+    if (result.givenOf[i] >= 0 || reference < 0) continue;
+    const Index first = regions.find(i);
+    if (first == i) result.referenceOf.push_back(reference);
+    result.columnOf[i] = first == i ? result.columnCount() - 1 : result.columnOf[first];
+  }
+  return result;
+}
+
+/// C z is to be near the sum of the pulls, z being how far the free rotations are from those that `referenceOf` names:
+/// where all that are given agree, z is 0 without rounding.
+struct RotationSystem {
+  SparseMatrix C;  ///< rows x columnCount
+  std::vector<RotationPull> pulls;
+};
+
+using Entries = std::vector<Eigen::Triplet<double, int>>;
+
+void addEntry(Entries& entries, Index row, Index column, double value)
+{
+  entries.emplace_back(static_cast<int>(row), static_cast<int>(column), value);
+}
+
+SparseMatrix matrixOf(const Entries& entries, Index rows, Index columns)
+{
+  SparseMatrix result(rows, columns);
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
+/// Adds `weight` times the end `j` of an edge, seen from the column `from`, to equation `row`: as an entry where it is
+/// free, as a pull where it is given.
+void addNeighbour(RotationSystem& system, Entries& entries, const RotationUnknowns& unknowns, Index row, Index from,
+                  Index j, double weight)
+{
+  if (unknowns.columnOf[j] >= 0)
+    addEntry(entries, row, unknowns.columnOf[j], -weight);
+  else
+    system.pulls.push_back({row, weight, unknowns.givenOf[j], unknowns.referenceOf[from]});
+}
+
+/// Rows by their largest coefficient: beside slivers they differ by many powers of ten.
+void scaleRows(RotationSystem& system)
+{
+  Eigen::VectorXd size = Eigen::VectorXd::Zero(system.C.rows());
+  for (Index k = 0; k < system.C.cols(); ++k)
+    for (SparseMatrix::InnerIterator entry(system.C, k); entry; ++entry)
+      size[entry.row()] = std::max(size[entry.row()], std::abs(entry.value()));
+  const Eigen::VectorXd scale = size.unaryExpr([](double x) { return x > 0 ? 1 / x : 1.0; });
+  system.C = scale.asDiagonal() * system.C;
+  for (RotationPull& pull : system.pulls) pull.weight *= scale[pull.row];
+}
+
+/// A row for each edge with a free end, sqrt(w_ij) (q_i - q_j): least squares of them minimise the Dirichlet energy. No
+/// weight is negative.
+RotationSystem energyRows(const std::vector<EdgeWeight>& weights, const RotationUnknowns& unknowns)
+{
+  RotationSystem system;
+  Entries entries;
+  entries.reserve(2 * weights.size());
+  Index row = 0;
+  for (auto [i, j, weight] : weights) {
+    if (unknowns.columnOf[i] < 0) std::swap(i, j);
+    const Index column = unknowns.columnOf[i];
+    if (column < 0 || column == unknowns.columnOf[j] || weight == 0) continue;
+    addEntry(entries, row, column, std::sqrt(weight));
+    addNeighbour(system, entries, unknowns, row, column, j, std::sqrt(weight));
+    ++row;
+  }
+  system.C = matrixOf(entries, row, unknowns.columnCount());
+  return system;
+}
+
+/// A row for each column, the sum of w_ij (q_i - q_j) over its unknowns and their neighbours, of L q = 0, (25), by the
+/// size of its largest coefficient. Square, for weights of any sign.
+RotationSystem balanceRows(const std::vector<EdgeWeight>& weights, const RotationUnknowns& unknowns)
+{
+  RotationSystem system;
+  Entries entries;
+  entries.reserve(4 * weights.size());
+  const auto addEnd = [&](Index i, Index j, double weight) {
+    const Index column = unknowns.columnOf[i];
+    if (column < 0) return;
+    addEntry(entries, column, column, weight);
+    addNeighbour(system, entries, unknowns, column, column, j, weight);
+  };
+  for (const auto& [i, j, weight] : weights) {
+    if (unknowns.columnOf[i] == unknowns.columnOf[j] || weight == 0) continue;
+    addEnd(i, j, weight);
+    addEnd(j, i, weight);
+  }
+  system.C = matrixOf(entries, unknowns.columnCount(), unknowns.columnCount());
+  scaleRows(system);
+  return system;
+}
 
 std::vector<RotationGap> rotationGaps(const RotationUnknowns& unknowns, const Columns3& values)
 {

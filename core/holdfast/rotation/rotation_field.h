@@ -1,16 +1,42 @@
 #pragma once
-/// \file
 /// The rotation of every unknown from those that are given: a harmonic field of logarithms, section 3.3 of the paper.
 
 #include <memory>
 #include <string>
 #include <vector>
 
-#include <holdfast/rotation/rotation_system.h>
+#include <holdfast/operators/laplacian.h>
 #include <holdfast/solve/column_scaling.h>
 #include <holdfast/solve/least_squares_factor.h>
 
 namespace holdfast {
+
+/// The rotation field that minimises the sum of w_ij |q_i - q_j|^2 with q given at some unknowns and equal inside rigid
+/// regions.
+struct RotationProblem {
+  Index unknownCount = 0;
+  std::vector<EdgeWeight> weights;               ///< each edge once
+  std::vector<Index> prescribed;                 ///< unknowns whose q is given, in the order of precedence
+  std::vector<std::vector<Index>> rigidRegions;  ///< unknowns of each rigid region; regions that overlap are one
+};
+
+/// Each unknown is one of three: given (`givenOf`), free (`columnOf`), or out of reach of everything given (neither).
+struct RotationUnknowns {
+  std::vector<Index> givenOf;      ///< of each unknown: place in `prescribed` of the value that it has; -1
+  std::vector<Index> columnOf;     ///< of each unknown: its column, that of all free unknowns of one region; -1
+  std::vector<Index> leaderOf;     ///< of each place in `prescribed`: the first place of the same region
+  std::vector<Index> referenceOf;  ///< of each column: the first place in `prescribed` that edges and regions tie it to
+
+  [[nodiscard]] Index columnCount() const noexcept { return static_cast<Index>(referenceOf.size()); }
+};
+
+/// What a given rotation asks of an equation: `weight` times its difference from another given one.
+struct RotationPull {
+  Index row = 0;
+  double weight = 0;
+  Index given = 0;      ///< place in `prescribed`
+  Index reference = 0;  ///< place in `prescribed`
+};
 
 /// Two given rotations of one rigid region that differ.
 struct RotationGap {

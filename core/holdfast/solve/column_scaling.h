@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Columns of unit length: the normal equations get a unit diagonal.
 
 #include <memory>

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The three ways to solve min |A u - f| under B u = d, behind one interface: hard, soft, Lagrange.
 
 #include <memory>

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Least-squares solutions with all the digits of a double out of a factor that has half of them.
 
 #include <holdfast/solve/least_squares_factor.h>

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The matrix of the normal equations.
 
 #include <holdfast/base/types.h>

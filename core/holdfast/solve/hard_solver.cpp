@@ -2,9 +2,9 @@
 
 #include <utility>
 
+#include <holdfast/elimination/row_components.h>
 #include <holdfast/solve/column_scaling.h>
 #include <holdfast/solve/constrained_solver.h>
-#include <holdfast/solve/constraint_matrix.h>
 #include <holdfast/solve/corrected_solve.h>
 
 namespace holdfast {

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include <holdfast/elimination/find_dependencies.h>
+#include <holdfast/elimination/row_components.h>
 #include <holdfast/solve/constrained_solver.h>
-#include <holdfast/solve/constraint_matrix.h>
 #include <holdfast/solve/corrected_solve.h>
 #include <holdfast/solve/sparse_lu.h>
 

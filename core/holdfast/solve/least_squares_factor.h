@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// A factorisation of a sparse least-squares problem, whatever stands behind it: the normal equations by CHOLMOD or
 /// Eigen, or the R of a sparse QR.
 
@@ -42,8 +41,8 @@ using FactorResult = Result<std::unique_ptr<const LeastSquaresFactor>>;
 [[nodiscard]] FactorResult seminormalQr(std::shared_ptr<const SparseMatrix> C, Backend backend);
 
 /// A factor that solves with the digits of a double after corrections: Cholesky of the normal equations, and where that
-/// meets a bad pivot or contracts too slowly, sparse QR of C. `probe` (k x 3) is any typical solution; the factor is
-/// judged by how well it finds it. A failure names both reasons.
+/// meets a bad pivot or contracts too slowly, sparse QR of C. `probe` (k x 3) is any typical solution, by which
+/// factors are measured. A failure names both reasons.
 [[nodiscard]] FactorResult factorize(std::shared_ptr<const SparseMatrix> C, Backend backend, const Columns3& probe);
 
 }  // namespace holdfast

@@ -1,3 +1,4 @@
+#include <array>
 #include <utility>
 
 #include <holdfast/solve/constrained_solver.h>
@@ -6,28 +7,15 @@ namespace holdfast {
 
 std::string_view name(SolverKind kind)
 {
-  switch (kind) {
-    case SolverKind::Hard:
-      return "hard";
-    case SolverKind::Soft:
-      return "soft";
-    case SolverKind::Lagrange:
-      return "lagrange";
-  }
-  return "";
+  constexpr std::array kNames{"hard", "soft", "lagrange"};
+  return kNames[static_cast<std::size_t>(kind)];
 }
 
 SolverResult makeSolver(ConstrainedProblem problem, const SolverOptions& options)
 {
-  switch (options.kind) {
-    case SolverKind::Hard:
-      return makeHardSolver(std::move(problem), options.backend);
-    case SolverKind::Soft:
-      return makeSoftSolver(std::move(problem), options.backend, options.softWeight);
-    case SolverKind::Lagrange:
-      return makeLagrangeSolver(std::move(problem), options.backend);
-  }
-  return {nullptr, "there is no such solver"};
+  if (options.kind == SolverKind::Soft) return makeSoftSolver(std::move(problem), options.backend, options.softWeight);
+  if (options.kind == SolverKind::Lagrange) return makeLagrangeSolver(std::move(problem), options.backend);
+  return makeHardSolver(std::move(problem), options.backend);
 }
 
 }  // namespace holdfast

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// LU factorisation of a square sparse matrix, for the system of Lagrange multipliers.
 
 #include <memory>

@@ -3,10 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
-
-#include <Eigen/Geometry>
-#include <unsupported/Eigen/BVH>
+#include <utility>
 
 namespace holdfast {
 namespace {
@@ -30,6 +27,31 @@ TrianglePoint closestOfSide(const std::array<Vector3, 3>& corners, int k, const 
   return at(corners, weights, place);
 }
 
+// Places farther away than 2^this times the size of the surface are moved nearer: their squares would overflow, and the
+// closest point is the same long before.
+constexpr int kFarthestExponent = 200;
+
+double largestCoordinate(const Positions& positions, const std::vector<Triangle>& triangles)
+{
+  double largest = 0;
+  for (const Triangle& triangle : triangles)
+    for (const Index v : triangle) largest = std::max(largest, positions.row(v).cwiseAbs().maxCoeff());
+  return largest;
+}
+
+/// The exponent of the power of two just below a length; that of 1 for no length.
+int exponentOf(double length)
+{
+  return length > 0 ? std::ilogb(length) : 0;
+}
+
+/// `lengths` times 2^exponent; powers of two round nothing.
+template <class Lengths>
+Lengths scaled(const Lengths& lengths, int exponent)
+{
+  return lengths.unaryExpr([exponent](double x) { return std::ldexp(x, exponent); });
+}
+
 }  // namespace
 
 TrianglePoint closestPointOfTriangle(const std::array<Vector3, 3>& corners, const Vector3& place)
@@ -49,105 +71,40 @@ TrianglePoint closestPointOfTriangle(const std::array<Vector3, 3>& corners, cons
   return inside.squaredDistance < best.squaredDistance ? inside : best;
 }
 
-struct ClosestPointSearch::Tree {
-  std::vector<Triangle> triangles;
-  int exponent = 0;  // a unit of what follows is 2^exponent model units
-  std::vector<std::array<Vector3, 3>> corners;
-  Eigen::KdBVH<double, 3, int> volumes;
-};
-
-namespace {
-
-// Places farther away than 2^this times the size of the surface are moved nearer: their squares would overflow, and the
-// closest point is the same long before.
-constexpr int kFarthestExponent = 200;
-
-double largestCoordinate(const Positions& positions, const std::vector<Triangle>& triangles)
-{
-  double largest = 0;
-  for (const Triangle& triangle : triangles)
-    for (const Index v : triangle) largest = std::max(largest, positions.row(v).cwiseAbs().maxCoeff());
-  return largest;
-}
-
-/// The exponent of the power of two just below a length; that of 1 for no length.
-int exponentOf(double length)
-{
-  return length > 0 ? std::ilogb(length) : 0;
-}
-
-/// `vector` times 2^exponent; powers of two round nothing.
-Vector3 scaled(const Vector3& vector, int exponent)
-{
-  return vector.unaryExpr([exponent](double x) { return std::ldexp(x, exponent); });
-}
-
-/// What Eigen's minimiser asks for: lower bounds on boxes, values on triangles. Remembers the best triangle.
-struct Nearest {
-  using Scalar = double;
-
-  double minimumOnVolume(const Eigen::AlignedBox3d& box) const
-  {
-    // A little less than it is: boxes no nearer than the best triangle are passed over, and one of them may hold an
-    // equally near triangle that comes first in file order.
-    return std::nextafter(box.squaredExteriorDistance(place), -1.0);
-  }
-
-  double minimumOnObject(int triangle)
-  {
-    const TrianglePoint candidate = closestPointOfTriangle(corners[static_cast<std::size_t>(triangle)], place);
-    // Of triangles that share the closest point the first in file order is taken, whatever the order of the tree.
-    if (candidate.squaredDistance < best.squaredDistance ||
-        (candidate.squaredDistance == best.squaredDistance && triangle < bestTriangle)) {
-      best = candidate;
-      bestTriangle = triangle;
-    }
-    return candidate.squaredDistance;
-  }
-
-  const std::vector<std::array<Vector3, 3>>& corners;
-  Vector3 place;
-  TrianglePoint best{{}, Vector3::Zero(), std::numeric_limits<double>::infinity()};
-  int bestTriangle = std::numeric_limits<int>::max();
-};
-
-}  // namespace
-
 ClosestPointSearch::ClosestPointSearch(const Positions& positions, const std::vector<Triangle>& triangles)
+    : exponent_(exponentOf(largestCoordinate(positions, triangles))),
+      positions_(scaled(positions, -exponent_)),
+      tree_(positions_, triangles),
+      boxes_(tree_.boxesAt(positions_))
 {
-  auto tree = std::make_unique<Tree>();
-  tree->triangles = triangles;
-  tree->exponent = exponentOf(largestCoordinate(positions, triangles));
-  const auto corner = [&](Index v) { return scaled(positions.row(v), -tree->exponent); };
-  tree->corners.reserve(triangles.size());
-  std::vector<Eigen::AlignedBox3d> boxes;
-  boxes.reserve(triangles.size());
-  for (const Triangle& triangle : triangles) {
-    tree->corners.push_back({corner(triangle[0]), corner(triangle[1]), corner(triangle[2])});
-    Eigen::AlignedBox3d box;
-    for (const Vector3& end : tree->corners.back()) box.extend(end);
-    boxes.push_back(box);
-  }
-  std::vector<int> ids(triangles.size());
-  std::iota(ids.begin(), ids.end(), 0);
-  tree->volumes.init(ids.begin(), ids.end(), boxes.begin(), boxes.end());
-  tree_ = std::move(tree);
 }
-
-ClosestPointSearch::~ClosestPointSearch() = default;
-ClosestPointSearch::ClosestPointSearch(ClosestPointSearch&&) noexcept = default;
-ClosestPointSearch& ClosestPointSearch::operator=(ClosestPointSearch&&) noexcept = default;
 
 ClosestPointSearch::Result ClosestPointSearch::find(const Vector3& place) const
 {
-  const int exponent = std::max(tree_->exponent, exponentOf(place.cwiseAbs().maxCoeff()) - kFarthestExponent);
-  Nearest nearest{tree_->corners, scaled(place, -exponent)};
-  Eigen::BVMinimize(tree_->volumes, nearest);
-  const Triangle& triangle = tree_->triangles[static_cast<std::size_t>(nearest.bestTriangle)];
+  const int exponent = std::max(exponent_, exponentOf(place.cwiseAbs().maxCoeff()) - kFarthestExponent);
+  const Vector3 from = scaled(place, -exponent);
+  const auto bound = [&](const Eigen::AlignedBox3d& box, double /*limit*/) {
+    // A little less than it is: boxes no nearer than the best triangle are passed over, and one of them may hold an
+    // equally near triangle that comes first in file order.
+    return std::nextafter(box.squaredExteriorDistance(from), -1.0);
+  };
+  TrianglePoint best{{}, Vector3::Zero(), std::numeric_limits<double>::infinity()};
+  Index nearest = std::numeric_limits<Index>::max();
+  tree_.visit(boxes_, bound, best.squaredDistance, [&](Index triangle) {
+    const auto& [a, b, c] = tree_.triangles()[triangle];
+    const TrianglePoint candidate =
+        closestPointOfTriangle({positions_.row(a), positions_.row(b), positions_.row(c)}, from);
+    // Of triangles that share the closest point the first in file order is taken, whatever the order of the tree.
+    if (candidate.squaredDistance < best.squaredDistance ||
+        (candidate.squaredDistance == best.squaredDistance && triangle < nearest)) {
+      best = candidate;
+      nearest = triangle;
+    }
+    return false;
+  });
   std::vector<Term> terms;
-  for (int k = 0; k < 3; ++k) terms.push_back({triangle[k], nearest.best.weights[k]});
-  return {canonical(std::move(terms)), nearest.bestTriangle,
-          std::ldexp(std::sqrt(nearest.best.squaredDistance), exponent)};
+  for (int k = 0; k < 3; ++k) terms.push_back({tree_.triangles()[nearest][k], best.weights[k]});
+  return {canonical(std::move(terms)), nearest, std::ldexp(std::sqrt(best.squaredDistance), exponent)};
 }
 
 }  // namespace holdfast

@@ -1,11 +1,8 @@
 #pragma once
-/// \file
 /// The point of a surface that is closest to a place in space.
 
-#include <memory>
-
-#include <holdfast/mesh/triangulation.h>
 #include <holdfast/surface/surface_point.h>
+#include <holdfast/surface/triangle_tree.h>
 
 namespace holdfast {
 
@@ -20,14 +17,11 @@ struct TrianglePoint {
 /// lengths are taken: they should lie between 1e-70 and 1e70.
 [[nodiscard]] TrianglePoint closestPointOfTriangle(const std::array<Vector3, 3>& corners, const Vector3& place);
 
-/// Finds closest points through a bounding volume tree, at any size of the surface. Holds copies of what it needs.
+/// Finds closest points through a tree of boxes, at any size of the surface. Holds copies of what it needs.
 class ClosestPointSearch {
  public:
   /// Finite positions, at least one triangle. O(T log T).
   ClosestPointSearch(const Positions& positions, const std::vector<Triangle>& triangles);
-  ~ClosestPointSearch();
-  ClosestPointSearch(ClosestPointSearch&&) noexcept;
-  ClosestPointSearch& operator=(ClosestPointSearch&&) noexcept;
 
   struct Result {
     SurfacePoint point;
@@ -40,8 +34,10 @@ class ClosestPointSearch {
   [[nodiscard]] Result find(const Vector3& place) const;
 
  private:
-  struct Tree;
-  std::unique_ptr<const Tree> tree_;
+  int exponent_;         // the unit of what follows is 2^exponent model units
+  Positions positions_;  // in that unit: squares stay within the range of doubles
+  TriangleTree tree_;
+  TriangleTree::Boxes boxes_;
 };
 
 }  // namespace holdfast

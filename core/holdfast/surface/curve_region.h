@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Closed curves along the edges of a surface, and the regions that they enclose.
 
 #include <span>

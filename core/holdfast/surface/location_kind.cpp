@@ -100,7 +100,8 @@ LocationKind kindOf(const SurfaceLocation& location)
   return static_cast<LocationKind>(location.index());
 }
 
-SurfaceLocation converted(const SurfaceLocation& location, LocationKind kind, const Mesh& mesh, SurfaceLocator& locator)
+SurfaceLocation converted(const SurfaceLocation& location, LocationKind kind, const Mesh& mesh,
+                          const SurfaceLocator& locator)
 {
   if (kindOf(location) == kind) return location;
   const SurfacePoint point = locator.locate(location, {}).point;

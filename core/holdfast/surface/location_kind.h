@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// One point of the surface, named as a point of another kind.
 
 #include <holdfast/mesh/mesh.h>
@@ -24,6 +23,6 @@ enum class LocationKind { Vertex, Edge, Face, Near };
 /// without a place for a vertex that no face uses, or no edge joins to another: it can only be a vertex. O(corners of
 /// the mesh).
 [[nodiscard]] SurfaceLocation converted(const SurfaceLocation& location, LocationKind kind, const Mesh& mesh,
-                                        SurfaceLocator& locator);
+                                        const SurfaceLocator& locator);
 
 }  // namespace holdfast

@@ -3,39 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 namespace holdfast {
 namespace {
 
-constexpr Index kLeafTriangles = 4;
-
-// Halves of halves of all triangles that an index can count.
-constexpr std::size_t kDeepest = 64;
-
 // Rounding of the three operations that give the distance of a side of a box, twice over.
 constexpr double kBoxSlack = 1 + 8 * std::numeric_limits<double>::epsilon();
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kNever = TriangleTree::kNever;
 
 }  // namespace
-
-/// Which triangles the boxes hold, whatever their places.
-struct RayCaster::Tree {
-  struct Node {
-    Index first = 0;   // of its triangles in `order`
-    Index last = 0;    // past the last of them
-    Index second = 0;  // node of its second half; that of the first half is the next one; 0 for a leaf
-  };
-
-  Tree(const Positions& positions, std::vector<Triangle> itsTriangles);
-  Index addNode(Index first, Index last, const Positions& centers);
-
-  std::vector<Triangle> triangles;
-  std::vector<Index> order;  // triangles as the leaves hold them
-  std::vector<Node> nodes;   // each before those below it
-};
 
 /// A ray made ready to meet many boxes and triangles. Triangles are met as by S. Woop, C. Benthin and I. Wald,
 /// Watertight Ray/Triangle Intersection (JCGT 2, 2013): in coordinates in which the ray is the third axis, so that both
@@ -120,59 +98,17 @@ class RayCaster::Caster {
   int z_ = 0;
 };
 
-RayCaster::Tree::Tree(const Positions& positions, std::vector<Triangle> itsTriangles)
-    : triangles(std::move(itsTriangles)), order(triangles.size())
-{
-  std::iota(order.begin(), order.end(), Index{0});
-  Positions centers(static_cast<Index>(triangles.size()), 3);
-  for (Index t = 0; t < centers.rows(); ++t) {
-    const auto& [a, b, c] = triangles[t];
-    centers.row(t) = positions.row(a) / 3 + positions.row(b) / 3 + positions.row(c) / 3;
-  }
-  if (!triangles.empty()) addNode(0, centers.rows(), centers);
-}
-
-/// Adds the node of these triangles and all below it; returns its number.
-Index RayCaster::Tree::addNode(Index first, Index last, const Positions& centers)
-{
-  const Index node = static_cast<Index>(nodes.size());
-  nodes.push_back({first, last, 0});
-  if (last - first <= kLeafTriangles) return node;
-  Eigen::AlignedBox3d box;
-  for (Index k = first; k < last; ++k) box.extend(centers.row(order[k]).transpose());
-  int axis = 0;
-  box.sizes().maxCoeff(&axis);
-  const Index middle = first + (last - first) / 2;
-  const auto isBefore = [&](Index s, Index t) {
-    return std::pair(centers(s, axis), s) < std::pair(centers(t, axis), t);
-  };
-  std::nth_element(order.begin() + first, order.begin() + middle, order.begin() + last, isBefore);
-  addNode(first, middle, centers);
-  const Index second = addNode(middle, last, centers);
-  nodes[node].second = second;
-  return node;
-}
-
 RayCaster::RayCaster(const Positions& positions, std::vector<Triangle> triangles)
-    : RayCaster(std::make_shared<const Tree>(positions, std::move(triangles)),
+    : RayCaster(std::make_shared<const TriangleTree>(positions, std::move(triangles)),
                 std::make_shared<const Positions>(positions))
 {
 }
 
-RayCaster::RayCaster(std::shared_ptr<const Tree> tree, std::shared_ptr<const Positions> positions)
-    : tree_(std::move(tree)), positions_(std::move(positions))
+RayCaster::RayCaster(std::shared_ptr<const TriangleTree> tree, std::shared_ptr<const Positions> positions)
+    : tree_(std::move(tree)),
+      positions_(std::move(positions)),
+      boxes_(std::make_shared<const TriangleTree::Boxes>(tree_->boxesAt(*positions_)))
 {
-  auto boxes = std::make_shared<std::vector<Eigen::AlignedBox3d>>(tree_->nodes.size());
-  for (Index n = static_cast<Index>(boxes->size()) - 1; n >= 0; --n) {
-    const Tree::Node& node = tree_->nodes[n];
-    Eigen::AlignedBox3d& box = (*boxes)[n];
-    if (node.second != 0) {
-      box = (*boxes)[n + 1].merged((*boxes)[node.second]);
-    } else {
-      for (Index k = node.first; k < node.last; ++k) box.extend(boxOf(tree_->order[k]));
-    }
-  }
-  boxes_ = std::move(boxes);
 }
 
 RayCaster RayCaster::movedTo(std::shared_ptr<const Positions> positions) const
@@ -180,63 +116,18 @@ RayCaster RayCaster::movedTo(std::shared_ptr<const Positions> positions) const
   return {tree_, std::move(positions)};
 }
 
-Eigen::AlignedBox3d RayCaster::boxOf(Index triangle) const
-{
-  Eigen::AlignedBox3d box;
-  for (const Index vertex : tree_->triangles[triangle]) box.extend(positions_->row(vertex).transpose());
-  return box;
-}
-
-/// Calls `visit(leaf)` for the leaves whose boxes the ray enters up to `limit`, at `entryOf(box, limit)`, about from
-/// near to far, until it returns true. The limit may shrink on the way.
-template <class Entry, class Visitor>
-void RayCaster::visitLeaves(const Entry& entryOf, const double& limit, Visitor&& visit) const
-{
-  const std::vector<Tree::Node>& nodes = tree_->nodes;
-  const std::vector<Eigen::AlignedBox3d>& boxes = *boxes_;
-  if (nodes.empty()) return;
-  std::array<std::pair<double, Index>, kDeepest> waiting;
-  std::size_t count = 0;
-  const auto push = [&](double entry, Index node) {
-    if (entry < kNever) waiting[count++] = {entry, node};
-  };
-  push(entryOf(boxes[0], limit), 0);
-  while (count > 0) {
-    const auto [entry, n] = waiting[--count];
-    if (entry > limit) continue;
-    const Tree::Node& node = nodes[n];
-    if (node.second == 0) {
-      if (visit(node)) return;
-      continue;
-    }
-    const double first = entryOf(boxes[n + 1], limit);
-    const double second = entryOf(boxes[node.second], limit);
-    // What lies nearer is looked at first: it may spare the other.
-    if (first <= second) {
-      push(second, node.second);
-      push(first, n + 1);
-    } else {
-      push(first, n + 1);
-      push(second, node.second);
-    }
-  }
-}
-
 std::optional<RayHit> RayCaster::firstHit(const Ray& ray, const RayRange& range) const
 {
   const Caster caster(ray);
-  const std::vector<Index>& order = tree_->order;
   RayHit best{-1, std::numeric_limits<double>::max(), {}};
   // Boxes hold what is hit only to rounding: an equally near triangle of smaller id must not be passed over.
   double limit = best.t;
-  visitLeaves(caster.entries(), limit, [&](const Tree::Node& leaf) {
-    for (Index k = leaf.first; k < leaf.last; ++k) {
-      const std::optional<RayHit> hit = caster.meet(order[k], tree_->triangles[order[k]], *positions_);
-      if (!hit || hit->t < range.begin || hit->t > range.end) continue;
-      if (std::pair(hit->t, hit->triangle) >= std::pair(best.t, best.triangle)) continue;
-      best = *hit;
-      limit = best.t * kBoxSlack;
-    }
+  tree_->visit(*boxes_, caster.entries(), limit, [&](Index triangle) {
+    const std::optional<RayHit> hit = caster.meet(triangle, tree_->triangles()[triangle], *positions_);
+    if (!hit || hit->t < range.begin || hit->t > range.end) return false;
+    if (std::pair(hit->t, hit->triangle) >= std::pair(best.t, best.triangle)) return false;
+    best = *hit;
+    limit = best.t * kBoxSlack;
     return false;
   });
   return best.triangle < 0 ? std::nullopt : std::optional(best);
@@ -245,14 +136,11 @@ std::optional<RayHit> RayCaster::firstHit(const Ray& ray, const RayRange& range)
 bool RayCaster::isBlocked(const Ray& ray, double before, std::span<const Index> ignored, double from) const
 {
   const Caster caster(ray);
-  const std::vector<Index>& order = tree_->order;
   bool isBlocked = false;
-  visitLeaves(caster.entries(), before, [&](const Tree::Node& leaf) {
-    for (Index k = leaf.first; k < leaf.last && !isBlocked; ++k) {
-      const std::optional<RayHit> hit = caster.meet(order[k], tree_->triangles[order[k]], *positions_);
-      isBlocked =
-          hit && hit->t >= from && hit->t < before && !std::binary_search(ignored.begin(), ignored.end(), order[k]);
-    }
+  tree_->visit(*boxes_, caster.entries(), before, [&](Index triangle) {
+    const std::optional<RayHit> hit = caster.meet(triangle, tree_->triangles()[triangle], *positions_);
+    isBlocked =
+        hit && hit->t >= from && hit->t < before && !std::binary_search(ignored.begin(), ignored.end(), triangle);
     return isBlocked;
   });
   return isBlocked;
@@ -261,15 +149,13 @@ bool RayCaster::isBlocked(const Ray& ray, double before, std::span<const Index> 
 std::vector<Index> RayCaster::withinReach(const Ray& ray, const RayReach& reach) const
 {
   const Caster caster(ray);
-  const std::vector<Index>& order = tree_->order;
   const double limit = std::numeric_limits<double>::max();
   const auto entryOf = [&](const Eigen::AlignedBox3d& box, double before) {
     return caster.entry(caster.widened(box, reach), before);
   };
   std::vector<Index> found;
-  visitLeaves(entryOf, limit, [&](const Tree::Node& leaf) {
-    for (Index k = leaf.first; k < leaf.last; ++k)
-      if (entryOf(boxOf(order[k]), limit) < kNever) found.push_back(order[k]);
+  tree_->visit(*boxes_, entryOf, limit, [&](Index triangle) {
+    if (entryOf(tree_->boxOf(triangle, *positions_), limit) < kNever) found.push_back(triangle);
     return false;
   });
   std::sort(found.begin(), found.end());

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Where rays meet a surface, and meet it again where it has moved to.
 
 #include <array>
@@ -9,9 +8,7 @@
 #include <span>
 #include <vector>
 
-#include <Eigen/Geometry>
-
-#include <holdfast/mesh/triangulation.h>
+#include <holdfast/surface/triangle_tree.h>
 
 namespace holdfast {
 
@@ -41,10 +38,8 @@ struct RayHit {
 };
 
 /// Intersects rays with triangles, seen from either side, through a tree of boxes. Never changes: any number of
-/// threads may use one, copies cost nothing. The tree divides the triangles as they lie when it is made and the boxes
-/// follow them, so that a caster for the surface where it has moved to costs a fraction of the first. Rays do not slip
-/// through between triangles that share an edge. Triangles without an area are not hit. Products of two lengths are
-/// taken: they should lie between 1e-140 and 1e140.
+/// threads may use one, copies cost nothing. Rays do not slip through between triangles that share an edge. Triangles
+/// without an area are not hit. Products of two lengths should lie between 1e-140 and 1e140.
 class RayCaster {
  public:
   /// Finite positions. O(T log T).
@@ -68,18 +63,13 @@ class RayCaster {
   [[nodiscard]] std::vector<Index> withinReach(const Ray& ray, const RayReach& reach) const;
 
  private:
-  struct Tree;
   class Caster;
 
-  RayCaster(std::shared_ptr<const Tree> tree, std::shared_ptr<const Positions> positions);
+  RayCaster(std::shared_ptr<const TriangleTree> tree, std::shared_ptr<const Positions> positions);
 
-  [[nodiscard]] Eigen::AlignedBox3d boxOf(Index triangle) const;
-  template <class Entry, class Visitor>
-  void visitLeaves(const Entry& entryOf, const double& limit, Visitor&& visit) const;
-
-  std::shared_ptr<const Tree> tree_;
+  std::shared_ptr<const TriangleTree> tree_;
   std::shared_ptr<const Positions> positions_;
-  std::shared_ptr<const std::vector<Eigen::AlignedBox3d>> boxes_;  // of the tree's nodes, at the positions
+  std::shared_ptr<const TriangleTree::Boxes> boxes_;  // at the positions
 };
 
 }  // namespace holdfast

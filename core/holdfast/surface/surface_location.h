@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// How a user names a point of the surface, in the terms of the mesh file. `surface_point.h` holds the canonical form
 /// that the solver uses.
 

@@ -7,7 +7,19 @@
 
 namespace holdfast {
 
-SurfaceLocator::Located SurfaceLocator::locate(const SurfaceLocation& location, const InputLocation& where)
+const ClosestPointSearch& SurfaceIndex::closest(const Mesh& mesh, const Triangulation& triangulation)
+{
+  std::call_once(hasClosest_, [&] { closest_.emplace(mesh.positions, triangulation.triangles); });
+  return *closest_;
+}
+
+const std::vector<HalfEdge>& SurfaceIndex::halfEdges(const Triangulation& triangulation)
+{
+  std::call_once(hasHalfEdges_, [&] { halfEdges_ = sortedHalfEdges(triangulation.triangles); });
+  return halfEdges_;
+}
+
+SurfaceLocator::Located SurfaceLocator::locate(const SurfaceLocation& location, const InputLocation& where) const
 {
   return std::visit([&](const auto& named) { return at(named, where); }, location);
 }
@@ -18,7 +30,7 @@ SurfaceLocator::Located SurfaceLocator::at(const AtVertex& vertex, const InputLo
   return {{{{vertex.vertex, 1.0}}}, 0};
 }
 
-SurfaceLocator::Located SurfaceLocator::at(const AtEdge& edge, const InputLocation& where)
+SurfaceLocator::Located SurfaceLocator::at(const AtEdge& edge, const InputLocation& where) const
 {
   requireVertex(mesh_, edge.i, where, ".edge[0]");
   requireVertex(mesh_, edge.j, where, ".edge[1]");
@@ -46,22 +58,21 @@ SurfaceLocator::Located SurfaceLocator::at(const AtFace& face, const InputLocati
   return {canonical(std::move(terms)), 0};
 }
 
-SurfaceLocator::Located SurfaceLocator::at(const AtNear& near, const InputLocation& /*where*/)
+SurfaceLocator::Located SurfaceLocator::at(const AtNear& near, const InputLocation& /*where*/) const
 {
-  if (!search_) search_.emplace(mesh_.positions, triangulation_.triangles);
-  ClosestPointSearch::Result found = search_->find(near.place);
+  ClosestPointSearch::Result found = closestTo(near.place);
   return {std::move(found.point), found.distance};
 }
 
-bool SurfaceLocator::isEdge(Index i, Index j)
+bool SurfaceLocator::isEdge(Index i, Index j) const
 {
-  if (halfEdges_.empty()) halfEdges_ = sortedHalfEdges(triangulation_.triangles);
+  const std::vector<HalfEdge>& halfEdges = index_->halfEdges(triangulation_);
   const std::pair<Index, Index> key = std::minmax(i, j);
   const auto ends = [](const HalfEdge& edge) { return std::pair(edge.a, edge.b); };
   const auto found = std::lower_bound(
-      halfEdges_.begin(), halfEdges_.end(), key,
+      halfEdges.begin(), halfEdges.end(), key,
       [&](const HalfEdge& edge, const std::pair<Index, Index>& wanted) { return ends(edge) < wanted; });
-  return found != halfEdges_.end() && ends(*found) == key;
+  return found != halfEdges.end() && ends(*found) == key;
 }
 
 void requireVertex(const Mesh& mesh, Index vertex, const InputLocation& where, const std::string& key)

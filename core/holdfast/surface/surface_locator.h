@@ -1,9 +1,11 @@
 #pragma once
-/// \file
 /// From the user's names of surface points to canonical ones.
 
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <holdfast/base/error.h>
@@ -13,12 +15,28 @@
 
 namespace holdfast {
 
-/// Locates points on one mesh. What several points share (edges, the tree of closest points) is made when the first one
-/// asks for it.
+/// What the points of one mesh share: made when it is first asked for, once, whatever threads ask.
+class SurfaceIndex {
+ public:
+  [[nodiscard]] const ClosestPointSearch& closest(const Mesh& mesh, const Triangulation& triangulation);
+  [[nodiscard]] const std::vector<HalfEdge>& halfEdges(const Triangulation& triangulation);
+
+ private:
+  std::once_flag hasClosest_;
+  std::once_flag hasHalfEdges_;
+  std::optional<ClosestPointSearch> closest_;
+  std::vector<HalfEdge> halfEdges_;
+};
+
+/// Locates points on one mesh. Copies are cheap and share the index. `Model::locator` has the one of a model.
 class SurfaceLocator {
  public:
-  /// Both stay alive as long as the locator. Positions are finite.
-  SurfaceLocator(const Mesh& mesh, const Triangulation& triangulation) : mesh_(mesh), triangulation_(triangulation) {}
+  /// Mesh and triangulation stay alive as long as the locator. Positions are finite.
+  SurfaceLocator(const Mesh& mesh, const Triangulation& triangulation,
+                 std::shared_ptr<SurfaceIndex> index = std::make_shared<SurfaceIndex>())
+      : mesh_(mesh), triangulation_(triangulation), index_(std::move(index))
+  {
+  }
 
   struct Located {
     SurfacePoint point;
@@ -27,21 +45,26 @@ class SurfaceLocator {
 
   /// Throws `InputError` at `where`, its element followed by the key at fault (".vertex", ".edge[0]", ".weights"): ids
   /// out of range, an edge that no face has, as many weights as the face has no corners. O(log T) after O(T log T).
-  [[nodiscard]] Located locate(const SurfaceLocation& location, const InputLocation& where);
+  [[nodiscard]] Located locate(const SurfaceLocation& location, const InputLocation& where) const;
 
   /// Whether a face has an edge between the vertices, or is cut in triangles along it. O(log T) after O(T log T).
-  [[nodiscard]] bool isEdge(Index i, Index j);
+  [[nodiscard]] bool isEdge(Index i, Index j) const;
+
+  /// O(log T) after O(T log T).
+  [[nodiscard]] ClosestPointSearch::Result closestTo(const Vector3& place) const
+  {
+    return index_->closest(mesh_, triangulation_).find(place);
+  }
 
  private:
   [[nodiscard]] Located at(const AtVertex& vertex, const InputLocation& where) const;
-  [[nodiscard]] Located at(const AtEdge& edge, const InputLocation& where);
+  [[nodiscard]] Located at(const AtEdge& edge, const InputLocation& where) const;
   [[nodiscard]] Located at(const AtFace& face, const InputLocation& where) const;
-  [[nodiscard]] Located at(const AtNear& near, const InputLocation& where);
+  [[nodiscard]] Located at(const AtNear& near, const InputLocation& where) const;
 
   const Mesh& mesh_;
   const Triangulation& triangulation_;
-  std::optional<ClosestPointSearch> search_;
-  std::vector<HalfEdge> halfEdges_;
+  std::shared_ptr<SurfaceIndex> index_;
 };
 
 /// Throws `InputError` at `where`, its element followed by `key`, unless the mesh has the vertex.

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// A point of the surface in canonical form: the vertices that it hangs on, with weights, equations (4) to (6).
 
 #include <vector>

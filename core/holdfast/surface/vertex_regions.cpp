@@ -1,8 +1,28 @@
 #include "holdfast/surface/vertex_regions.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <span>
+
+#include <Eigen/Geometry>
+
+#include <holdfast/mesh/edges.h>
+#include <holdfast/mesh/vertex_normals.h>
 
 namespace holdfast {
+namespace {
+
+// Normals of needles in one plane differ by rounding.
+constexpr double kAngleSlack = 1e-6;
+
+double angleDegrees(const Vector3& a, const Vector3& b)
+{
+  return std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / std::numbers::pi;
+}
+
+}  // namespace
 
 VertexRegions::VertexRegions(const Mesh& mesh, const SolverMesh& solverMesh)
     : mesh_(mesh),
@@ -112,6 +132,54 @@ std::span<const Index> VertexRegions::verticesOf(Index unknown) const
 {
   return std::span(vertices_).subspan(static_cast<std::size_t>(starts_[unknown]),
                                       static_cast<std::size_t>(starts_[unknown + 1] - starts_[unknown]));
+}
+
+SmoothFaces::SmoothFaces(const Mesh& mesh, const SolverMesh& solverMesh)
+    : mesh_(solverMesh), beyond_(solverMesh.triangles.size()), normals_(mesh.faces.size(), 3)
+{
+  forEachEdge(sortedHalfEdges(solverMesh.triangles), [&](std::span<const HalfEdge> halves) {
+    if (halves.size() != 2) return;
+    const bool isFlipped = halves[0].isForward == halves[1].isForward;
+    beyond_[halves[0].triangle][halves[0].side] = {halves[1].triangle, isFlipped};
+    beyond_[halves[1].triangle][halves[1].side] = {halves[0].triangle, isFlipped};
+  });
+  for (Index f = 0; f < mesh.faces.size(); ++f) normals_.row(f) = unitOrZero(areaVector(mesh.positions, mesh.faces[f]));
+}
+
+std::vector<Index> SmoothFaces::around(Index face, double degrees) const
+{
+  std::vector<Index> queue = trianglesOf(face);
+  std::vector<bool> isReached(beyond_.size(), false);
+  for (const Index triangle : queue) isReached[triangle] = true;
+  // One normal for each triangle in the queue: a face without an area has that of its predecessor.
+  std::vector<Vector3> normals(queue.size(), normals_.row(face));
+  std::vector<Index> faces{face};
+  for (std::size_t next = 0; next < queue.size(); ++next)
+    for (const Beyond& beyond : beyond_[queue[next]]) {
+      if (beyond.triangle < 0 || isReached[beyond.triangle]) continue;
+      const Index other = mesh_.faceOf[beyond.triangle];
+      const Vector3 here = beyond.isFlipped ? Vector3(-normals[next]) : normals[next];
+      const Vector3 own = normals_.row(other);
+      const Vector3 there = own.isZero(0) ? here : own;
+      if (angleDegrees(here, there) > degrees + kAngleSlack) continue;
+      faces.push_back(other);
+      for (const Index triangle : trianglesOf(other)) {
+        isReached[triangle] = true;
+        queue.push_back(triangle);
+        normals.push_back(there);
+      }
+    }
+  std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
+/// Those of one face stand side by side.
+std::vector<Index> SmoothFaces::trianglesOf(Index face) const
+{
+  const auto [first, last] = std::equal_range(mesh_.faceOf.begin(), mesh_.faceOf.end(), face);
+  std::vector<Index> triangles(static_cast<std::size_t>(last - first));
+  std::iota(triangles.begin(), triangles.end(), first - mesh_.faceOf.begin());
+  return triangles;
 }
 
 }  // namespace holdfast

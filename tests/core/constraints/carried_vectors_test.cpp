@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <holdfast/constraints/rotated_vectors.h>
+#include <holdfast/constraints/constraint_system.h>
 #include <holdfast/geometry/rotation_log.h>
 
 #include "support/constraint_systems.h"

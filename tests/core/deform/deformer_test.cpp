@@ -44,6 +44,23 @@ ConstraintList dragged(double degrees, const Vector3& shift)
   return list;
 }
 
+/// Where the surface has been moved away since, a second tree of closest points would find another point.
+TEST(Deformer, MakesOneTreeOfClosestPointsForAllFrames)
+{
+  Model model = makeModel(test::plate(6, 5), "mesh");
+  const auto frame = [](double height) {
+    return test::listOf({test::hold({0, 1, 2}), test::moveTo(AtNear{Vector3(3.3, 2.6, 1)}, Vector3(3, 3, height))});
+  };
+  Deformer deformer(model, {});
+  NoProgress progress;
+  const SurfacePoint first = deformer.deform(frame(1), "list", progress).system.points[1];
+  model.mesh.positions.rowwise() += Eigen::RowVector3d(50, 20, 0);
+  for (const double height : {2.0, 3.0, 4.0})
+    EXPECT_EQ(deformer.deform(frame(height), "list", progress).system.points[1], first);
+  const SurfaceLocator another(model.mesh, model.triangulation);
+  EXPECT_NE(another.locate(AtNear{Vector3(3.3, 2.6, 1)}, {}).point, first) << "a tree made now finds another point";
+}
+
 TEST(Deformer, FactorisesNothingWhenOnlyTargetsAndRotationsChange)
 {
   const Model model = makeModel(test::plate(6, 5), "mesh");

@@ -5,9 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <holdfast/constraint_files/point_list_csv_records_internal.h>
 #include <holdfast/deform/deform.h>
 #include <holdfast/deform/report_csv.h>
+#include <holdfast/io/text/csv_text.h>
 #include <holdfast/io/text/number_text.h>
 
 #include "support/law_meshes.h"

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <holdfast/constraint_files/point_list_csv_records_internal.h>
 #include <holdfast/io/text/csv_text.h>
 
 namespace holdfast {

@@ -3,10 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <holdfast/base/error.h>
-#include <holdfast/io/formats/obj_reader.h>
-#include <holdfast/io/formats/off_reader.h>
-#include <holdfast/io/formats/ply_reader.h>
-#include <holdfast/io/formats/stl_reader.h>
+#include <holdfast/io/formats/formats.h>
 
 #include "support/mesh_examples.h"
 #include "support/random.h"

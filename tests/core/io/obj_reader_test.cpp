@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <holdfast/io/formats/obj_reader.h>
+#include <holdfast/io/formats/formats.h>
 
 #include "core/io/bad_file.h"
 

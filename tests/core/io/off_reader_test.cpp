@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <holdfast/io/formats/off_reader.h>
+#include <holdfast/io/formats/formats.h>
 
 #include "core/io/bad_file.h"
 

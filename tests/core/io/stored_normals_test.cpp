@@ -1,9 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <holdfast/io/formats/obj_reader.h>
-#include <holdfast/io/formats/off_reader.h>
-#include <holdfast/io/formats/ply_reader.h>
+#include <holdfast/io/formats/formats.h>
 #include <holdfast/io/formats/stored_normals.h>
 
 namespace holdfast {

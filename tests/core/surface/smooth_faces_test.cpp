@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <holdfast/surface/smooth_faces.h>
+#include <holdfast/surface/vertex_regions.h>
 
 #include "support/law_meshes.h"
 #include "support/meshes.h"

@@ -1,9 +1,9 @@
 #include "holdfast/io/files/file_bytes.h"
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <memory>
+#include <fstream>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -20,36 +20,54 @@ namespace fs = std::filesystem;
   throw InputError({path.string(), 0, {}}, reason);
 }
 
-// Pipes and devices are refused: they may never end, and the name would have to be opened twice.
-std::uintmax_t checkedSize(const fs::path& path)
+fs::file_status checkedStatus(const fs::path& path)
 {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (status.type() == fs::file_type::not_found) fail(path, "there is no such file: check the name and the folder");
   if (error) fail(path, fmt::format("cannot be looked up ({}): check the name and the folder", error.message()));
   if (fs::is_directory(status)) fail(path, "is a directory: name a file in it");
-  if (!fs::is_regular_file(status)) fail(path, "is not a regular file: copy its contents to one");
-  const std::uintmax_t size = fs::file_size(path, error);
-  if (error) fail(path, fmt::format("its size cannot be found out ({})", error.message()));
-  return size;
+  return status;
 }
 
-struct Close {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
+std::string contents(const fs::path& path, std::size_t most)
+{
+  const auto failToRead = [&] {
+    fail(path, fmt::format("cannot be read ({}): check its permissions",
+                           std::error_code(errno, std::generic_category()).message()));
+  };
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) failToRead();
+  std::string bytes;
+  std::error_code unknown;  // a pipe has no size
+  if (const std::uintmax_t size = fs::file_size(path, unknown); !unknown) bytes.reserve(std::min(size, most));
+  std::array<char, 65536> block{};
+  while (stream.read(block.data(), block.size()) || stream.gcount() > 0) {
+    bytes.append(block.data(), static_cast<std::size_t>(stream.gcount()));
+    if (bytes.size() > most)
+      fail(path, fmt::format("larger than {} MiB; split it, or check that this is the right file", most >> 20U));
+  }
+  if (stream.bad()) failToRead();
+  return bytes;
+}
 
 }  // namespace
 
 std::string readFileBytes(const fs::path& path)
 {
-  const std::uintmax_t size = checkedSize(path);
-  const std::unique_ptr<std::FILE, Close> file(std::fopen(path.c_str(), "rb"));
-  if (!file) fail(path, fmt::format("cannot be opened ({}): check its permissions", std::strerror(errno)));
-  std::string bytes(size, '\0');
-  bytes.resize(std::fread(bytes.data(), 1, bytes.size(), file.get()));
-  if (std::ferror(file.get()) != 0) fail(path, fmt::format("cannot be read ({})", std::strerror(errno)));
+  // Pipes and devices may never end.
+  if (!fs::is_regular_file(checkedStatus(path))) fail(path, "is not a regular file: copy its contents to one");
+  std::string bytes = contents(path, std::string::npos);
   if (bytes.empty()) fail(path, "the file is empty: export the mesh again");
   return bytes;
+}
+
+std::string readTextFile(const fs::path& path)
+{
+  // A device that never ends must not fill the memory. A point takes about 100 bytes: room for two million.
+  constexpr std::size_t kMaximumBytes = std::size_t{1} << 28U;
+  static_cast<void>(checkedStatus(path));
+  return contents(path, kMaximumBytes);
 }
 
 }  // namespace holdfast

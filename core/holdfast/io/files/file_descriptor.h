@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// An open file of the operating system that closes itself, and all of a text written to it.
 
 #include <string_view>

@@ -1,9 +1,13 @@
 #include "holdfast/io/files/output_file.h"
 
+#include <array>
+#include <atomic>
 #include <cerrno>
+#include <climits>
 #include <cstring>
 #include <optional>
 #include <random>
+#include <string>
 #include <system_error>
 #include <utility>
 
@@ -14,10 +18,44 @@
 #include <unistd.h>
 
 #include <holdfast/base/error.h>
-#include <holdfast/io/files/unfinished_files.h>
 
 namespace holdfast {
 namespace {
+
+/// Puts `path` on the list and returns its slot; -1 where the list is full or the path too long for it. Thread-safe.
+[[nodiscard]] int trackUnfinishedFile(const std::string& path) noexcept;
+
+/// Takes a slot off the list; -1 does nothing.
+void forgetUnfinishedFile(int slot) noexcept;
+
+enum class SlotState { kFree, kClaimed, kTracked };
+
+struct Slot {
+  std::atomic<SlotState> state{SlotState::kFree};
+  std::array<char, PATH_MAX> path{};
+};
+
+// A signal handler may neither lock nor allocate: fixed storage, and states that change in one step.
+static_assert(std::atomic<SlotState>::is_always_lock_free);
+std::array<Slot, kTrackedOutputs> slots;
+
+int trackUnfinishedFile(const std::string& path) noexcept
+{
+  if (path.size() >= PATH_MAX) return -1;
+  for (int i = 0; i < kTrackedOutputs; ++i) {
+    SlotState expected = SlotState::kFree;
+    if (!slots[i].state.compare_exchange_strong(expected, SlotState::kClaimed)) continue;
+    std::memcpy(slots[i].path.data(), path.c_str(), path.size() + 1);
+    slots[i].state = SlotState::kTracked;
+    return i;
+  }
+  return -1;
+}
+
+void forgetUnfinishedFile(int slot) noexcept
+{
+  if (slot >= 0) slots[slot].state = SlotState::kFree;
+}
 
 namespace fs = std::filesystem;
 
@@ -194,7 +232,7 @@ int OutputFile::openTemporary(bool isReplacing)
     discard();
     temporary_ = temporaryName(target_.parent_path(), target_.extension()).string();
     slot_ = trackUnfinishedFile(temporary_);
-    // Nobody else may read the new contents of a file that was not open to all, not even for a moment.
+    // Others must not read the new contents of a protected file, not even for a moment.
     const mode_t permissions = isReplacing ? 0600 : 0666;
     file_ = FileDescriptor(::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, permissions));
     if (!file_.isOpen()) return errno;
@@ -244,6 +282,12 @@ void OutputFile::discard() noexcept
   temporary_.clear();
   static_cast<void>(file_.close());
   forgetUnfinishedFile(std::exchange(slot_, -1));
+}
+
+void removeUnfinishedOutputs() noexcept
+{
+  for (const Slot& slot : slots)
+    if (slot.state == SlotState::kTracked) ::unlink(slot.path.data());
 }
 
 }  // namespace holdfast

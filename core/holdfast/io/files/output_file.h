@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Output files that are either whole or not there: written aside, then renamed.
 
 #include <filesystem>
@@ -11,13 +10,10 @@
 namespace holdfast {
 
 /// One output of a program. The bytes go to a temporary file beside `path`; `commit` puts it in place with one rename,
-/// so that a reader, a full disk or a crash never meets half a file, and what stood at `path` stays until then. A
-/// symbolic link is followed, the permissions of a file that is replaced are kept. A path that exists and is not a
-/// regular file (a device, a pipe), and the file that standard output or standard error already goes to, are written
-/// directly at `commit`.
-///
-/// The temporary file is locked as long as the output is unfinished. The system unlocks it however the program ends,
-/// so that the next output in the folder can tell which temporary files a killed program has left, and removes those.
+/// so that there is never half a file. Symbolic links are followed; a file that is replaced keeps its permissions.
+/// Devices, pipes, and the file that standard output or standard error already goes to, are written directly at
+/// `commit`. The temporary file is locked while the output is unfinished: the next output in the folder removes those
+/// that a killed program has left.
 class OutputFile {
  public:
   /// Writes `bytes` aside and flushes them to disk. Throws `OutputError` (folder missing, not writable, disk full)
@@ -31,8 +27,8 @@ class OutputFile {
   OutputFile& operator=(const OutputFile&) = delete;
 
   /// Puts the file in place. Throws `OutputError`. Call at most once. To write several files together, make all of
-  /// them first, then commit each, those that are written directly before the others: a device may turn out to be full,
-  /// while a rename hardly fails.
+  /// them first, then commit each, those that `isDirect` before the others: a device may be full, a rename hardly
+  /// fails.
   void commit();
 
   /// Whether the bytes go to a device, a pipe or a standard stream at `commit`, and not aside before.

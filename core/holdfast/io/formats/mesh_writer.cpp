@@ -1,18 +1,13 @@
-#include "holdfast/io/formats/mesh_writer.h"
-
 #include <algorithm>
 #include <cstdint>
 #include <limits>
 
 #include <fmt/format.h>
 
-#include <holdfast/base/counted.h>
-#include <holdfast/base/error.h>
-#include <holdfast/io/formats/stl_format.h>
-#include <holdfast/io/formats/stored_normals.h>
+#include <holdfast/io/formats/formats.h>
+#include <holdfast/io/formats/narrowed.h>
 #include <holdfast/io/text/byte_order.h>
 #include <holdfast/io/text/number_text.h>
-#include <holdfast/mesh/vertex_normals.h>
 
 namespace holdfast {
 namespace {
@@ -39,34 +34,11 @@ std::string cornersText(std::span<const Index> polygon, Index firstId)
   return text;
 }
 
-/// Throws where `count` is more than a file with 32-bit numbers can say.
-template <class Number>
-Number narrowed(Index count, const std::string& extension)
-{
-  if (count > static_cast<Index>(std::numeric_limits<Number>::max()))
-    throw OutputError(extension, fmt::format("{} is more than the 32-bit numbers of this format can count: write OBJ "
-                                             "or OFF",
-                                             count));
-  return static_cast<Number>(count);
-}
-
 Index largestFace(const Polygons& faces)
 {
   std::size_t largest = 0;
   for (Index f = 0; f < faces.size(); ++f) largest = std::max(largest, faces[f].size());
   return static_cast<Index>(largest);
-}
-
-Index triangleCount(const Polygons& faces)
-{
-  return faces.cornerCount() - 2 * faces.size();
-}
-
-std::string stlFacet(const Positions& positions, const std::array<Index, 3>& corners)
-{
-  std::string bytes = stlBytes(unitOrZero(areaVector(positions, corners)));
-  for (const Index corner : corners) bytes += stlBytes(positions.row(corner));
-  return bytes + std::string(kStlFacetBytes - kStlAttributesOffset, '\0');
 }
 
 }  // namespace
@@ -108,26 +80,6 @@ Serialized writePly(const Positions& positions, const Polygons& faces)
     for (const Index corner : faces[f]) bytes += toBytes(static_cast<std::int32_t>(corner), ByteOrder::kLittle).view();
   }
   return {std::move(bytes), {}};
-}
-
-Serialized writeStl(const Positions& positions, const Polygons& faces)
-{
-  const std::string rounding = stlRounding(positions).note();
-  Serialized result;
-  if (!rounding.empty()) result.notes.push_back(rounding);
-  result.isSinglePrecision = true;
-  result.bytes = "Holdfast";
-  result.bytes.resize(kStlHeaderBytes, ' ');
-  result.bytes += toBytes(narrowed<std::uint32_t>(triangleCount(faces), ".stl"), ByteOrder::kLittle).view();
-  Index split = 0;
-  for (Index f = 0; f < faces.size(); ++f) {
-    const auto polygon = faces[f];
-    if (polygon.size() > 3) ++split;
-    for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
-      result.bytes += stlFacet(positions, {polygon[0], polygon[k], polygon[k + 1]});
-  }
-  if (split > 0) result.notes.push_back(counted(split, "polygon") + " split into triangles");
-  return result;
 }
 
 }  // namespace holdfast

@@ -1,5 +1,3 @@
-#include "holdfast/io/formats/obj_reader.h"
-
 #include <algorithm>
 #include <array>
 #include <set>
@@ -8,56 +6,33 @@
 #include <fmt/format.h>
 
 #include <holdfast/base/error.h>
-#include <holdfast/io/formats/obj_source.h>
+#include <holdfast/io/formats/formats.h>
+#include <holdfast/io/formats/text_source.h>
 #include <holdfast/io/text/number_text.h>
 
 namespace holdfast {
 namespace {
 
 /// Statements that are kept as text, by what they are for.
-struct KeptStatement {
-  std::string_view keyword;
+struct KeptStatements {
   std::string_view purpose;  // for `MeshSource::extras`
+  std::string_view keywords;
 };
-
-constexpr std::string_view kFreeForm = "free-form curves and surfaces";
-constexpr std::string_view kRendering = "rendering attributes";
 
 constexpr std::array kKeptStatements{
-    KeptStatement{"g", "groups"},
-    KeptStatement{"o", "objects"},
-    KeptStatement{"s", "smoothing groups"},
-    KeptStatement{"mg", "smoothing groups"},
-    KeptStatement{"usemtl", "materials"},
-    KeptStatement{"mtllib", "materials"},
-    KeptStatement{"usemap", "materials"},
-    KeptStatement{"maplib", "materials"},
-    KeptStatement{"l", "lines"},
-    KeptStatement{"p", "points"},
-    KeptStatement{"vp", kFreeForm},
-    KeptStatement{"cstype", kFreeForm},
-    KeptStatement{"deg", kFreeForm},
-    KeptStatement{"bmat", kFreeForm},
-    KeptStatement{"step", kFreeForm},
-    KeptStatement{"curv", kFreeForm},
-    KeptStatement{"curv2", kFreeForm},
-    KeptStatement{"surf", kFreeForm},
-    KeptStatement{"parm", kFreeForm},
-    KeptStatement{"trim", kFreeForm},
-    KeptStatement{"hole", kFreeForm},
-    KeptStatement{"scrv", kFreeForm},
-    KeptStatement{"sp", kFreeForm},
-    KeptStatement{"end", kFreeForm},
-    KeptStatement{"con", kFreeForm},
-    KeptStatement{"bevel", kRendering},
-    KeptStatement{"c_interp", kRendering},
-    KeptStatement{"d_interp", kRendering},
-    KeptStatement{"lod", kRendering},
-    KeptStatement{"shadow_obj", kRendering},
-    KeptStatement{"trace_obj", kRendering},
-    KeptStatement{"ctech", kRendering},
-    KeptStatement{"stech", kRendering},
+    KeptStatements{"groups", " g "},
+    KeptStatements{"objects", " o "},
+    KeptStatements{"smoothing groups", " s mg "},
+    KeptStatements{"materials", " usemtl mtllib usemap maplib "},
+    KeptStatements{"lines", " l "},
+    KeptStatements{"points", " p "},
+    KeptStatements{"free-form curves and surfaces",
+                   " vp cstype deg bmat step curv curv2 surf parm trim hole scrv sp end con "},
+    KeptStatements{"rendering attributes", " bevel c_interp d_interp lod shadow_obj trace_obj ctech stech "},
 };
+
+// '#' begins a comment, '\\' at the end of a line continues it.
+constexpr TextDialect kObjDialect{'#', '\\'};
 
 /// The three lists that a corner of a face refers to.
 enum class ObjList { kVertex, kTexture, kNormal };
@@ -78,7 +53,7 @@ class ObjReader {
 
   void read();
   [[nodiscard]] Mesh mesh() &&;
-  [[nodiscard]] ObjLayout layout() &&;
+  [[nodiscard]] TextLayout layout() &&;
 
  private:
   void readStatement();
@@ -96,7 +71,7 @@ class ObjReader {
   TextCursor cursor_;
   std::vector<double> coordinates_;
   Polygons faces_;
-  ObjLayout layout_;
+  TextLayout layout_{".obj", kObjDialect, {}, {}, {}, {}};
   Index textureCount_ = 0;
   bool hasColors_ = false;
   std::set<std::string_view> keptPurposes_;
@@ -219,8 +194,9 @@ Index ObjReader::count(ObjList list) const
 
 void ObjReader::keepStatement(std::string_view keyword)
 {
-  const auto kept = std::find_if(kKeptStatements.begin(), kKeptStatements.end(),
-                                 [&](const KeptStatement& s) { return s.keyword == keyword; });
+  const auto kept = std::find_if(kKeptStatements.begin(), kKeptStatements.end(), [&](const KeptStatements& statements) {
+    return statements.keywords.find(fmt::format(" {} ", keyword)) != std::string::npos;
+  });
   if (kept == kKeptStatements.end())
     cursor_.fail(
         fmt::format("{} is not an OBJ statement: correct it, or make the line a comment with #", quotedToken(keyword)));
@@ -234,7 +210,7 @@ Mesh ObjReader::mesh() &&
   return {Eigen::Map<const Positions>(coordinates_.data(), vertices, 3), std::move(faces_)};
 }
 
-ObjLayout ObjReader::layout() &&
+TextLayout ObjReader::layout() &&
 {
   if (textureCount_ > 0) layout_.extras.emplace_back("texture coordinates");
   if (!layout_.normalOffsets.empty()) layout_.extras.emplace_back("normals");
@@ -250,8 +226,8 @@ MeshDocument readObj(std::string bytes, const std::string& file)
   ObjReader reader(bytes, file);
   reader.read();
   Mesh mesh = std::move(reader).mesh();
-  ObjLayout layout = std::move(reader).layout();
-  return {mesh, makeObjSource(std::move(bytes), std::move(layout), mesh)};
+  TextLayout layout = std::move(reader).layout();
+  return {mesh, makeTextSource(std::move(bytes), std::move(layout), mesh)};
 }
 
 }  // namespace holdfast

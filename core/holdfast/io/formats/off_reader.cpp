@@ -1,13 +1,13 @@
-#include "holdfast/io/formats/off_reader.h"
-
 #include <array>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include <holdfast/base/error.h>
-#include <holdfast/io/formats/off_source.h>
+#include <holdfast/io/formats/formats.h>
+#include <holdfast/io/formats/text_source.h>
 #include <holdfast/io/text/number_text.h>
+#include <holdfast/mesh/vertex_normals.h>
 
 namespace holdfast {
 namespace {
@@ -16,13 +16,30 @@ namespace {
 constexpr std::size_t kLeastVertexBytes = 6;
 constexpr std::size_t kLeastFaceBytes = 8;
 
+// '#' begins a comment.
+constexpr TextDialect kOffDialect{'#', std::nullopt};
+
+/// What stands on the line of a vertex behind its position.
+struct OffVertexForm {
+  bool hasNormals = false;
+  bool hasColors = false;   ///< three or four numbers
+  bool hasTexture = false;  ///< two numbers
+  bool isColorBeforeNormal = false;
+
+  /// The fewest numbers on the line of a vertex; with colours there may be one more.
+  [[nodiscard]] Index leastColumns() const noexcept
+  {
+    return 3 + (hasNormals ? 3 : 0) + (hasColors ? 3 : 0) + (hasTexture ? 2 : 0);
+  }
+};
+
 class OffReader {
  public:
   OffReader(std::string_view text, std::string file) : cursor_(text, std::move(file), kOffDialect) {}
 
   void read();
   [[nodiscard]] Mesh takeMesh() && { return std::move(mesh_); }
-  [[nodiscard]] OffLayout takeLayout() && { return std::move(layout_); }
+  [[nodiscard]] TextLayout takeLayout() && { return std::move(layout_); }
 
  private:
   void readKeyword();
@@ -36,10 +53,12 @@ class OffReader {
 
   TextCursor cursor_;
   Mesh mesh_;
-  OffLayout layout_;
+  TextLayout layout_{".off", kOffDialect, {}, {}, {}, {}};
+  OffVertexForm form_;
   Index faceCount_ = 0;
   bool hasFaceColors_ = false;
   std::vector<Index> polygon_;
+  std::vector<std::size_t> offsets_;  // on the line of a vertex: behind z, and behind each number after it
 };
 
 /// The form that the keyword's letters before "OFF" call for; nothing where it is no such keyword.
@@ -70,7 +89,6 @@ void OffReader::read()
 {
   readKeyword();
   readCounts();
-  layout_.vertexOffset = cursor_.offset();
   for (Index v = 0; v < mesh_.vertexCount(); ++v) readVertex(v);
   for (Index f = 0; f < faceCount_; ++f) readFace(f);
   if (cursor_.findToken())
@@ -78,6 +96,9 @@ void OffReader::read()
         fmt::format("there is more text behind the last of the {} faces: correct the counts in the header, "
                     "or remove what follows",
                     faceCount_));
+  layout_.normalOfCorner = form_.hasNormals
+                               ? cornerVertices(mesh_.faces)
+                               : std::vector<Index>(static_cast<std::size_t>(mesh_.faces.cornerCount()), -1);
   layout_.extras = extras();
 }
 
@@ -93,7 +114,7 @@ void OffReader::readKeyword()
         fmt::format("the file begins with {}: an OFF file begins with OFF (or COFF, NOFF, CNOFF, STOFF, ...) "
                     "and a blank or line end; is it another format?",
                     quotedToken(keyword)));
-  layout_.form = *form;
+  form_ = *form;
 }
 
 void OffReader::readCounts()
@@ -134,17 +155,22 @@ void OffReader::expectLine(std::string_view what, Index id, Index count)
 void OffReader::readVertex(Index v)
 {
   expectLine("vertices", v, mesh_.vertexCount());
+  layout_.vertexOffsets.push_back(cursor_.offset());
   for (Index k = 0; k < 3; ++k) mesh_.positions(v, k) = cursor_.number(kCoordinateNames[k]);
-  Index columns = 3;
-  for (std::string_view token = cursor_.token(); !token.empty(); token = cursor_.token(), ++columns)
+  offsets_.assign(1, cursor_.offset());
+  for (std::string_view token = cursor_.token(); !token.empty(); token = cursor_.token()) {
     static_cast<void>(numberOf(token, "a value behind the coordinates", cursor_));
-  const Index least = layout_.form.leastColumns();
-  const Index most = least + (layout_.form.hasColors ? 1 : 0);
+    offsets_.push_back(cursor_.offset());
+  }
+  const Index columns = 2 + static_cast<Index>(offsets_.size());
+  const Index least = form_.leastColumns();
+  const Index most = least + (form_.hasColors ? 1 : 0);
   if (columns < least || columns > most)
     cursor_.fail(
         fmt::format("vertex {} has {} numbers, and by the header's first word it needs {}{}: correct the "
                     "line or the word (C: colour, N: normal, ST: texture coordinates before OFF)",
                     v, columns, least, most > least ? fmt::format(" or {}", most) : ""));
+  if (form_.hasNormals) layout_.normalOffsets.push_back(offsets_[form_.isColorBeforeNormal ? 3 + columns - least : 0]);
 }
 
 void OffReader::readFace(Index f)
@@ -181,9 +207,9 @@ void OffReader::readFaceColor()
 std::vector<std::string> OffReader::extras() const
 {
   std::vector<std::string> names;
-  if (layout_.form.hasNormals) names.emplace_back("normals");
-  if (layout_.form.hasColors) names.emplace_back("vertex colours");
-  if (layout_.form.hasTexture) names.emplace_back("texture coordinates");
+  if (form_.hasNormals) names.emplace_back("normals");
+  if (form_.hasColors) names.emplace_back("vertex colours");
+  if (form_.hasTexture) names.emplace_back("texture coordinates");
   if (hasFaceColors_) names.emplace_back("face colours");
   return names;
 }
@@ -195,8 +221,8 @@ MeshDocument readOff(std::string bytes, const std::string& file)
   OffReader reader(bytes, file);
   reader.read();
   Mesh mesh = std::move(reader).takeMesh();
-  OffLayout layout = std::move(reader).takeLayout();
-  return {mesh, makeOffSource(std::move(bytes), std::move(layout), mesh)};
+  TextLayout layout = std::move(reader).takeLayout();
+  return {mesh, makeTextSource(std::move(bytes), std::move(layout), mesh)};
 }
 
 }  // namespace holdfast

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The header of a PLY file: what elements follow, and what each of them is made of.
 
 #include <optional>

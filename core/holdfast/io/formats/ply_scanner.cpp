@@ -38,78 +38,57 @@ double numberFromBytes(std::string_view bytes, PlyType type, ByteOrder order)
   return static_cast<double>(integerFromBytes(bytes, type, order));
 }
 
+/// Of a binary encoding.
+ByteOrder byteOrder(PlyEncoding encoding)
+{
+  return encoding == PlyEncoding::kBigEndian ? ByteOrder::kBig : ByteOrder::kLittle;
+}
+
 }  // namespace
 
-PlyTextScanner::PlyTextScanner(std::string_view bytes, const std::string& file, PlyPlace place) : cursor_(bytes, file)
+PlyScanner::PlyScanner(std::string_view bytes, const std::string& file, PlyEncoding encoding, PlyPlace place)
+    : cursor_(bytes, file),
+      bytes_(bytes),
+      file_(file),
+      isText_(encoding == PlyEncoding::kText),
+      order_(byteOrder(encoding)),
+      valueAt_(place.offset)
 {
   cursor_.seek(place.offset, place.line);
 }
 
-void PlyTextScanner::beginRow(const PlyElement& element, Index row)
+void PlyScanner::beginRow(const PlyElement& element, Index row)
 {
-  if (!cursor_.findToken())
-    cursor_.fail(
-        fmt::format("the file ends after {} of {} rows of element {}: it is truncated, or the count in the "
-                    "header is wrong",
-                    row, element.count, quotedToken(element.name)));
+  valueAt_ = cursor_.offset();
+  if (isText_ ? cursor_.findToken() : remaining() > 0) return;
+  fail(
+      fmt::format("the file ends after {} of {} rows of element {}: it is truncated, or the count in the header is "
+                  "wrong",
+                  row, element.count, quotedToken(element.name)));
 }
 
-void PlyTextScanner::endRow()
+void PlyScanner::endRow()
 {
-  cursor_.expectLineEnd("the properties in the header call for fewer values a line");
+  if (isText_) cursor_.expectLineEnd("the properties in the header call for fewer values a line");
 }
 
-PlyValue PlyTextScanner::value(const PlyProperty& property)
+PlyValue PlyScanner::value(const PlyProperty& property)
 {
-  const std::string_view token = cursor_.token();
-  return {numberOf(token, property.name, cursor_), token};
+  const std::string_view place = isText_ ? cursor_.token() : take(sizeOf(property.type));
+  return {isText_ ? numberOf(place, property.name, cursor_) : numberFromBytes(place, property.type, order_), place};
 }
 
-Index PlyTextScanner::integer(PlyType /*type*/, std::string_view what)
+Index PlyScanner::integer(PlyType type, std::string_view what)
 {
-  return cursor_.integer(what);
+  return isText_ ? cursor_.integer(what) : integerFromBytes(take(sizeOf(type)), type, order_);
 }
 
-void PlyTextScanner::skip(PlyType /*type*/, Index count)
+void PlyScanner::skip(PlyType type, Index count)
 {
-  for (Index i = 0; i < count; ++i) static_cast<void>(cursor_.number("a value of the line"));
-}
-
-void PlyTextScanner::expectEnd()
-{
-  if (cursor_.findToken())
-    cursor_.fail(
-        "there is more text behind the last element: correct the counts in the header, or remove what follows");
-}
-
-PlyBinaryScanner::PlyBinaryScanner(std::string_view bytes, const std::string& file, PlyPlace place, ByteOrder order)
-    : bytes_(bytes), file_(file), at_(place.offset), valueAt_(place.offset), order_(order)
-{
-}
-
-void PlyBinaryScanner::beginRow(const PlyElement& element, Index row)
-{
-  valueAt_ = at_;
-  if (remaining() == 0)
-    fail(
-        fmt::format("the file ends after {} of {} rows of element {}: it is truncated, or the count in the header is "
-                    "wrong",
-                    row, element.count, quotedToken(element.name)));
-}
-
-PlyValue PlyBinaryScanner::value(const PlyProperty& property)
-{
-  const std::string_view bytes = take(sizeOf(property.type));
-  return {numberFromBytes(bytes, property.type, order_), bytes};
-}
-
-Index PlyBinaryScanner::integer(PlyType type, std::string_view /*what*/)
-{
-  return integerFromBytes(take(sizeOf(type)), type, order_);
-}
-
-void PlyBinaryScanner::skip(PlyType type, Index count)
-{
+  if (isText_) {
+    for (Index i = 0; i < count; ++i) static_cast<void>(cursor_.number("a value of the line"));
+    return;
+  }
   // Compared by division: the product may overflow.
   if (static_cast<std::size_t>(count) > remaining() / sizeOf(type))
     fail(fmt::format("{} values are to follow, but only {} bytes do: the file is truncated, or a count is wrong", count,
@@ -117,24 +96,26 @@ void PlyBinaryScanner::skip(PlyType type, Index count)
   take(sizeOf(type) * count);
 }
 
-void PlyBinaryScanner::expectEnd() const
+void PlyScanner::expectEnd()
 {
-  if (remaining() == 0) return;
-  throw InputError(
-      {file_, 0, fmt::format("byte {}", at_)},
-      fmt::format("{} bytes follow the last element: correct the counts in the header, or remove them", remaining()));
+  valueAt_ = cursor_.offset();
+  if (isText_ ? !cursor_.findToken() : remaining() == 0) return;
+  fail((isText_ ? "there is more text behind the last element"
+                : fmt::format("{} bytes follow the last element", remaining())) +
+       ": correct the counts in the header, or remove what follows");
 }
 
-void PlyBinaryScanner::fail(const std::string& reason) const
+void PlyScanner::fail(const std::string& reason) const
 {
+  if (isText_) cursor_.fail(reason);
   throw InputError({file_, 0, fmt::format("byte {}", valueAt_)}, reason);
 }
 
-std::string_view PlyBinaryScanner::take(std::size_t size)
+std::string_view PlyScanner::take(std::size_t size)
 {
-  valueAt_ = at_;
+  valueAt_ = cursor_.offset();
   if (size > remaining()) fail("the file ends inside this value: it is truncated; export it again");
-  at_ += size;
+  cursor_.seek(valueAt_ + size, 1);
   return bytes_.substr(valueAt_, size);
 }
 
@@ -146,11 +127,6 @@ std::string plyBytes(double value, PlyType type, PlyEncoding encoding)
   }
   if (type == PlyType::kFloat) return std::string(toBytes(static_cast<float>(value), byteOrder(encoding)).view());
   return std::string(toBytes(value, byteOrder(encoding)).view());
-}
-
-ByteOrder byteOrder(PlyEncoding encoding)
-{
-  return encoding == PlyEncoding::kBigEndian ? ByteOrder::kBig : ByteOrder::kLittle;
 }
 
 }  // namespace holdfast

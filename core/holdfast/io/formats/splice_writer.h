@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// A copy of some bytes with parts of it replaced.
 
 #include <cassert>

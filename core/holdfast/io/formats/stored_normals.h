@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// What becomes of the normals that a file stores when some of its vertices move.
 
 #include <span>

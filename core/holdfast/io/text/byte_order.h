@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Numbers as bytes of either order.
 
 #include <algorithm>

@@ -1,5 +1,9 @@
 #include "holdfast/io/text/csv_text.h"
 
+#include <algorithm>
+
+#include <holdfast/base/error.h>
+
 namespace holdfast {
 namespace {
 
@@ -7,6 +11,115 @@ bool isSpaceOrTab(char c)
 {
   return c == ' ' || c == '\t';
 }
+
+class Splitter {
+ public:
+  Splitter(std::string_view text, std::string_view file, char separator)
+      : rest_(text), file_(file), ends_{separator, '\r', '\n'}
+  {
+  }
+
+  std::vector<CsvRecord> records()
+  {
+    std::vector<CsvRecord> all;
+    while (!rest_.empty()) {
+      if (skipBlankLine()) continue;
+      all.push_back(record());
+    }
+    return all;
+  }
+
+ private:
+  bool skipBlankLine()
+  {
+    const std::size_t content = rest_.find_first_not_of(ends_[0] == '\t' ? " " : " \t");
+    if (content != std::string_view::npos && rest_[content] != '\n' && rest_[content] != '\r') return false;
+    rest_.remove_prefix(std::min(content, rest_.size()));
+    skipLineEnd();
+    return true;
+  }
+
+  CsvRecord record()
+  {
+    CsvRecord record{line_, {}};
+    record.fields.push_back(field());
+    while (rest_.starts_with(ends_[0])) {
+      rest_.remove_prefix(1);
+      record.fields.push_back(field());
+    }
+    skipLineEnd();
+    return record;
+  }
+
+  std::string field() { return rest_.starts_with('"') ? quotedField() : plainField(); }
+
+  std::string plainField()
+  {
+    const std::size_t length = std::min(rest_.find_first_of(ends_), rest_.size());
+    std::string field(rest_.substr(0, length));
+    if (ends_[0] == ',' && field.find('"') != std::string::npos)
+      fail(line_, "a double quote inside a field; put the whole field in quotes and write quotes inside it twice");
+    rest_.remove_prefix(length);
+    return field;
+  }
+
+  std::string quotedField()
+  {
+    const Index start = line_;
+    std::string field;
+    rest_.remove_prefix(1);
+    while (true) {
+      const std::size_t quote = rest_.find('"');
+      if (quote == std::string_view::npos) fail(start, "the quoted field that starts here does not end; close it");
+      take(quote, field);
+      rest_.remove_prefix(1);
+      if (!rest_.starts_with('"')) break;
+      take(1, field);
+    }
+    if (!rest_.empty() && rest_.find_first_of(ends_) != 0)
+      fail(line_, "text after the closing quote of a field; write quotes inside a field twice");
+    return field;
+  }
+
+  /// Moves characters of a quoted field, line ends among them.
+  void take(std::size_t length, std::string& field)
+  {
+    for (std::size_t end = length; end > 0;) {
+      const std::size_t plain = std::min(rest_.substr(0, end).find_first_of("\r\n"), end);
+      field += rest_.substr(0, plain);
+      rest_.remove_prefix(plain);
+      end -= plain;
+      if (end == 0) break;
+      const std::size_t lineEnd = lineEndLength();
+      field += rest_.substr(0, lineEnd);
+      skipLineEnd();
+      end -= lineEnd;
+    }
+  }
+
+  [[nodiscard]] std::size_t lineEndLength() const
+  {
+    if (rest_.starts_with("\r\n")) return 2;
+    return rest_.starts_with('\n') || rest_.starts_with('\r') ? 1 : 0;
+  }
+
+  void skipLineEnd()
+  {
+    const std::size_t length = lineEndLength();
+    rest_.remove_prefix(length);
+    if (length > 0) ++line_;
+  }
+
+  [[noreturn]] void fail(Index line, const char* reason) const
+  {
+    throw InputError({std::string(file_), line, ""}, reason);
+  }
+
+  std::string_view rest_;
+  std::string_view file_;
+  std::string ends_;  // of a field: the separator and line ends
+  Index line_ = 1;
+};
 
 }  // namespace
 
@@ -17,6 +130,11 @@ std::string csvField(std::string_view text)
   std::string field = "\"";
   for (const char c : text) field.append(c == '"' ? 2 : 1, c);
   return field + '"';
+}
+
+std::vector<CsvRecord> splitCsv(std::string_view text, std::string_view file, char separator)
+{
+  return Splitter(text, file, separator).records();
 }
 
 }  // namespace holdfast

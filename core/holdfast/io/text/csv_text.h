@@ -1,13 +1,27 @@
 #pragma once
-/// \file
-/// Fields of CSV texts as RFC 4180 has them.
+/// Fields and records of CSV texts as RFC 4180 has them.
 
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include <holdfast/base/types.h>
 
 namespace holdfast {
 
 /// `text` as one field: in double quotes where it holds a comma, a quote, a line end, or blanks at an end.
 [[nodiscard]] std::string csvField(std::string_view text);
+
+/// The fields of one record, quotes taken off.
+struct CsvRecord {
+  Index line = 0;  ///< where it starts, from 1
+  std::vector<std::string> fields;
+};
+
+/// The records of `text`, split at `separator` (a comma or a tab) and at line ends (LF, CRLF or CR); blank lines are
+/// skipped. A field in double quotes may hold separators, line ends, and quotes written twice. Between tabs quotes
+/// inside a field stand for themselves. Throws `InputError` with the line where quotes are used otherwise. O(size of
+/// the text).
+[[nodiscard]] std::vector<CsvRecord> splitCsv(std::string_view text, std::string_view file, char separator = ',');
 
 }  // namespace holdfast

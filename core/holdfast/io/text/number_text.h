@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Numbers as text: read and written independently of the locale, so that a double survives to its last bit.
 
 #include <array>

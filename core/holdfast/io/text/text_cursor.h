@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// A place in a text that is read token by token and always knows its line.
 
 #include <optional>

@@ -72,7 +72,7 @@ ConstraintMark markOf(const ConstraintRow& row, const Model& model, const Positi
 /// The places of one disabled constraint. Throws `InputError` where it does not fit the mesh.
 class DisabledConstraint {
  public:
-  DisabledConstraint(const Model& model, SurfaceLocator& locator, Selector& selector, Index constraint)
+  DisabledConstraint(const Model& model, const SurfaceLocator& locator, Selector& selector, Index constraint)
       : model_(model), locator_(locator), selector_(selector), constraint_(constraint)
   {
   }
@@ -118,7 +118,7 @@ class DisabledConstraint {
   }
 
   const Model& model_;
-  SurfaceLocator& locator_;
+  const SurfaceLocator& locator_;
   Selector& selector_;
   Index constraint_;
 };
@@ -146,7 +146,7 @@ std::vector<ConstraintMark> constraintMarks(const Model& model, const DeformResu
 
 std::vector<DisabledPlace> disabledPlaces(const Model& model, const ConstraintList& list)
 {
-  SurfaceLocator locator(model.mesh, model.triangulation);
+  const SurfaceLocator locator = model.locator();
   std::optional<Selector> selector;
   std::vector<DisabledPlace> places;
   for (std::size_t k = 0; k < list.constraints.size(); ++k) {

@@ -1,20 +1,12 @@
 #include "holdfast/window/model/rest_places.h"
 
 #include <holdfast/io/text/number_text.h>
+#include <holdfast/surface/surface_locator.h>
 #include <holdfast/surface/surface_point.h>
 
 namespace holdfast {
 
-SurfaceLocator& RestPlaces::locator()
-{
-  if (model_ != editor_.model()) {
-    model_ = editor_.model();
-    locator_.emplace(model_->mesh, model_->triangulation);
-  }
-  return *locator_;
-}
-
-std::optional<Vector3> RestPlaces::of(const SurfaceLocation& location)
+std::optional<Vector3> RestPlaces::of(const SurfaceLocation& location) const
 {
   if (!editor_.isOpen()) return std::nullopt;
   try {
@@ -24,14 +16,14 @@ std::optional<Vector3> RestPlaces::of(const SurfaceLocation& location)
   }
 }
 
-Vector3 RestPlaces::require(const SurfaceLocation& location)
+Vector3 RestPlaces::require(const SurfaceLocation& location) const
 {
-  return positionOf(locator().locate(location, {}).point, editor_.model()->mesh.positions);
+  return positionOf(editor_.model()->locator().locate(location, {}).point, editor_.model()->mesh.positions);
 }
 
-SurfaceLocation RestPlaces::converted(const SurfaceLocation& location, LocationKind kind)
+SurfaceLocation RestPlaces::converted(const SurfaceLocation& location, LocationKind kind) const
 {
-  return holdfast::converted(location, kind, editor_.model()->mesh, locator());
+  return holdfast::converted(location, kind, editor_.model()->mesh, editor_.model()->locator());
 }
 
 Vector3 placeOf(const PointConstraint& point, const Vector3& rest)

@@ -2,7 +2,6 @@
 /// \file
 /// Where points of the surface lie at rest, for panels that show and edit targets.
 
-#include <memory>
 #include <optional>
 
 #include <holdfast/surface/location_kind.h>
@@ -11,7 +10,7 @@
 
 namespace holdfast {
 
-/// Places on the mesh that an editor holds. What places share is made when the first one asks for it.
+/// Places on the mesh that an editor holds.
 class RestPlaces {
  public:
   /// `editor` stays alive as long as this.
@@ -19,20 +18,16 @@ class RestPlaces {
 
   /// The place that the solver starts from, bit for bit; nothing where the mesh has no such location. O(log T), the
   /// first of type `near` O(T log T).
-  [[nodiscard]] std::optional<Vector3> of(const SurfaceLocation& location);
+  [[nodiscard]] std::optional<Vector3> of(const SurfaceLocation& location) const;
 
   /// The same where a mesh is open; throws `InputError` with the reason where that has no such location.
-  [[nodiscard]] Vector3 require(const SurfaceLocation& location);
+  [[nodiscard]] Vector3 require(const SurfaceLocation& location) const;
 
   /// The location as one of another kind, with the errors of `holdfast::converted`. A mesh is open.
-  [[nodiscard]] SurfaceLocation converted(const SurfaceLocation& location, LocationKind kind);
+  [[nodiscard]] SurfaceLocation converted(const SurfaceLocation& location, LocationKind kind) const;
 
  private:
-  [[nodiscard]] SurfaceLocator& locator();
-
   const Editor& editor_;
-  std::shared_ptr<const Model> model_;
-  std::optional<SurfaceLocator> locator_;
 };
 
 /// Where the point goes, as the solver computes it from the place at rest.

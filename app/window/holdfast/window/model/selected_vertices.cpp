@@ -7,8 +7,7 @@ SelectedVertices::Found SelectedVertices::of(const Selection& selection)
   if (model_ != editor_.model()) {
     selector_.reset();
     model_ = editor_.model();
-    locator_.emplace(model_->mesh, model_->triangulation);
-    selector_.emplace(model_->mesh, model_->solverMesh, *locator_);
+    selector_.emplace(model_->mesh, model_->solverMesh, model_->locator());
   }
   try {
     return {selector_->select(selection, {}), {}};

@@ -29,7 +29,6 @@ class SelectedVertices {
  private:
   const Editor& editor_;
   std::shared_ptr<const Model> model_;
-  std::optional<SurfaceLocator> locator_;
   std::optional<Selector> selector_;
 };
 

@@ -3,7 +3,7 @@
 #include <QScopedValueRollback>
 #include <vector>
 
-#include <holdfast/constraints/curve_selector.h>
+#include <holdfast/constraints/selector.h>
 #include <holdfast/surface/surface_locator.h>
 #include <holdfast/window/viewport/viewport.h>
 
@@ -61,7 +61,7 @@ void CurveTool::selectInside()
   InsideCurve curve;
   for (const Index vertex : widget_->GetPlaces()) curve.through.push_back(AtVertex{vertex});
   const Model& model = *editor().model();
-  SurfaceLocator locator(model.mesh, model.triangulation);
+  const SurfaceLocator locator = model.locator();
   CurveSelector selector(model.mesh, model.solverMesh, locator);
   const QScopedValueRollback<bool> selecting(isSelecting_, true);
   try {

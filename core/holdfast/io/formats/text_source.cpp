@@ -1,4 +1,4 @@
-#include "holdfast/io/formats/obj_source.h"
+#include "holdfast/io/formats/text_source.h"
 
 #include <cassert>
 #include <utility>
@@ -10,20 +10,20 @@
 namespace holdfast {
 namespace {
 
-class ObjSource final : public MeshSource {
+class TextSource final : public MeshSource {
  public:
-  ObjSource(std::string bytes, ObjLayout layout, Mesh rest)
+  TextSource(std::string bytes, TextLayout layout, Mesh rest)
       : bytes_(std::move(bytes)), layout_(std::move(layout)), rest_(std::move(rest))
   {
   }
 
-  [[nodiscard]] std::string extension() const override { return ".obj"; }
+  [[nodiscard]] std::string extension() const override { return layout_.extension; }
   [[nodiscard]] std::vector<std::string> extras() const override { return layout_.extras; }
   [[nodiscard]] Serialized withPositions(const Positions& positions) const override;
 
  private:
   std::string bytes_;
-  ObjLayout layout_;
+  TextLayout layout_;
   Mesh rest_;
 };
 
@@ -32,18 +32,19 @@ void replaceRow(SpliceWriter& writer, TextCursor& cursor, std::size_t offset, co
 {
   cursor.seek(offset, 1);
   for (int k = 0; k < 3; ++k) {
+    static_cast<void>(cursor.findToken());
     const std::string_view token = cursor.token();
     if (before == nullptr || !hasSameBits(before[k], after[k])) writer.replace(token, NumberText(after[k]).view());
   }
 }
 
-Serialized ObjSource::withPositions(const Positions& positions) const
+Serialized TextSource::withPositions(const Positions& positions) const
 {
   assert(positions.rows() == rest_.vertexCount());
   const auto normalCount = static_cast<Index>(layout_.normalOffsets.size());
   const NormalUpdate update =
       updateNormals(rest_.faces, layout_.normalOfCorner, normalCount, rest_.positions, positions);
-  TextCursor cursor(bytes_, {}, kObjDialect);
+  TextCursor cursor(bytes_, {}, layout_.dialect);
   SpliceWriter writer(bytes_);
   // Vertices and normals may alternate in the file; the writer goes from front to back.
   Index v = 0;
@@ -64,9 +65,9 @@ Serialized ObjSource::withPositions(const Positions& positions) const
 
 }  // namespace
 
-std::shared_ptr<const MeshSource> makeObjSource(std::string bytes, ObjLayout layout, Mesh rest)
+std::shared_ptr<const MeshSource> makeTextSource(std::string bytes, TextLayout layout, Mesh rest)
 {
-  return std::make_shared<const ObjSource>(std::move(bytes), std::move(layout), std::move(rest));
+  return std::make_shared<const TextSource>(std::move(bytes), std::move(layout), std::move(rest));
 }
 
 }  // namespace holdfast

@@ -1,0 +1,66 @@
+#include "holdfast/surface/triangle_tree.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace holdfast {
+namespace {
+
+constexpr Index kLeafTriangles = 4;
+
+}  // namespace
+
+TriangleTree::TriangleTree(const Positions& positions, std::vector<Triangle> triangles)
+    : triangles_(std::move(triangles)), order_(triangles_.size())
+{
+  std::iota(order_.begin(), order_.end(), Index{0});
+  Positions centers(static_cast<Index>(triangles_.size()), 3);
+  for (Index t = 0; t < centers.rows(); ++t) {
+    const auto& [a, b, c] = triangles_[t];
+    centers.row(t) = positions.row(a) / 3 + positions.row(b) / 3 + positions.row(c) / 3;
+  }
+  if (!triangles_.empty()) addNode(0, centers.rows(), centers);
+}
+
+/// Adds the node of these triangles and all below it; returns its number.
+Index TriangleTree::addNode(Index first, Index last, const Positions& centers)
+{
+  const Index node = static_cast<Index>(nodes_.size());
+  nodes_.push_back({first, last, 0});
+  if (last - first <= kLeafTriangles) return node;
+  Eigen::AlignedBox3d box;
+  for (Index k = first; k < last; ++k) box.extend(centers.row(order_[k]).transpose());
+  int axis = 0;
+  box.sizes().maxCoeff(&axis);
+  const Index middle = first + (last - first) / 2;
+  const auto isBefore = [&](Index s, Index t) {
+    return std::pair(centers(s, axis), s) < std::pair(centers(t, axis), t);
+  };
+  std::nth_element(order_.begin() + first, order_.begin() + middle, order_.begin() + last, isBefore);
+  addNode(first, middle, centers);
+  const Index second = addNode(middle, last, centers);
+  nodes_[node].second = second;
+  return node;
+}
+
+TriangleTree::Boxes TriangleTree::boxesAt(const Positions& positions) const
+{
+  Boxes boxes(nodes_.size());
+  for (Index n = static_cast<Index>(boxes.size()) - 1; n >= 0; --n) {
+    const Node& node = nodes_[n];
+    if (node.second != 0)
+      boxes[n] = boxes[n + 1].merged(boxes[node.second]);
+    else
+      for (Index k = node.first; k < node.last; ++k) boxes[n].extend(boxOf(order_[k], positions));
+  }
+  return boxes;
+}
+
+Eigen::AlignedBox3d TriangleTree::boxOf(Index triangle, const Positions& positions) const
+{
+  Eigen::AlignedBox3d box;
+  for (const Index vertex : triangles_[triangle]) box.extend(positions.row(vertex).transpose());
+  return box;
+}
+
+}  // namespace holdfast

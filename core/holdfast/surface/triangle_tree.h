@@ -1,0 +1,82 @@
+#pragma once
+/// A tree of boxes around triangles.
+
+#include <array>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include <holdfast/mesh/triangulation.h>
+
+namespace holdfast {
+
+/// Which triangles lie together: halved by their centers along the longer side, again and again. The boxes of the nodes
+/// are apart from it, so that one tree serves the same triangles wherever they move.
+class TriangleTree {
+ public:
+  struct Node {
+    Index first = 0;   // of its triangles in `order`
+    Index last = 0;    // past the last of them
+    Index second = 0;  // node of its second half; that of the first half is the next one; 0 for a leaf
+  };
+  using Boxes = std::vector<Eigen::AlignedBox3d>;
+
+  static constexpr double kNever = std::numeric_limits<double>::infinity();
+
+  /// Finite positions. O(T log T).
+  TriangleTree(const Positions& positions, std::vector<Triangle> triangles);
+
+  [[nodiscard]] const std::vector<Triangle>& triangles() const noexcept { return triangles_; }
+
+  /// The box of each node with the triangles at `positions`. O(T).
+  [[nodiscard]] Boxes boxesAt(const Positions& positions) const;
+  [[nodiscard]] Eigen::AlignedBox3d boxOf(Index triangle, const Positions& positions) const;
+
+  /// Calls `visit(triangle)` for the triangles of leaves that are met up to `limit`, at `entryOf(box, limit)`, about
+  /// from near to far, until it returns true. The limit may shrink on the way; `kNever` is not met.
+  template <class Entry, class Visitor>
+  void visit(const Boxes& boxes, const Entry& entryOf, const double& limit, Visitor&& visit) const
+  {
+    if (nodes_.empty()) return;
+    std::array<std::pair<double, Index>, kDeepest> waiting;
+    std::size_t count = 0;
+    const auto push = [&](double entry, Index node) {
+      if (entry < kNever) waiting[count++] = {entry, node};
+    };
+    push(entryOf(boxes[0], limit), 0);
+    while (count > 0) {
+      const auto [entry, n] = waiting[--count];
+      if (entry > limit) continue;
+      const Node& node = nodes_[n];
+      if (node.second == 0) {
+        for (Index k = node.first; k < node.last; ++k)
+          if (visit(order_[k])) return;
+        continue;
+      }
+      const double first = entryOf(boxes[n + 1], limit);
+      const double second = entryOf(boxes[node.second], limit);
+      // What lies nearer is looked at first: it may spare the other.
+      if (first <= second) {
+        push(second, node.second);
+        push(first, n + 1);
+      } else {
+        push(first, n + 1);
+        push(second, node.second);
+      }
+    }
+  }
+
+ private:
+  // Halves of halves of all triangles that an index can count.
+  static constexpr std::size_t kDeepest = 64;
+
+  Index addNode(Index first, Index last, const Positions& centers);
+
+  std::vector<Triangle> triangles_;
+  std::vector<Index> order_;  // triangles as the leaves hold them
+  std::vector<Node> nodes_;   // each before those below it
+};
+
+}  // namespace holdfast
