@@ -9,7 +9,7 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
-#include <holdfast/widgets/files/poly_data_bytes.h>
+#include <holdfast/widgets/files/poly_data_file.h>
 #include <holdfast/widgets/mesh/poly_data.h>
 
 namespace holdfast {

@@ -70,7 +70,7 @@ void DocumentExports::exportMesh()
 {
   if (!mayExportShown()) return;
   const QString ending = QString::fromStdString(editor_.mesh().path.extension().string());
-  const QString path = ask(tr("Export the mesh"), ".deformed" + ending, meshFilters());
+  const QString path = ask(tr("Export the mesh"), ".deformed" + ending, meshFilters() << "VTK (*.vtk)");
   if (path.isEmpty()) return;
   make(path, [path, document = editor_.mesh().document, model = editor_.model(),
               deformation = editor_.deformation()](Progress& progress) {
