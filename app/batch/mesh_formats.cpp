@@ -12,7 +12,7 @@
 #include <holdfast/io/mesh_file.h>
 #ifdef HOLDFAST_WITH_VTK
 #include <holdfast/widgets/files/any_mesh_file.h>
-#include <holdfast/widgets/files/field_file.h>
+#include <holdfast/widgets/files/poly_data_file.h>
 #endif
 
 #include "batch/options.h"

@@ -3,10 +3,14 @@
 /// Surfaces of VTK as files: XML PolyData (.vtp) in and out, legacy PolyData (.vtk) out. Doubles keep every bit.
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <holdfast/io/mesh_document.h>
+#include <holdfast/mesh/field.h>
+#include <holdfast/mesh/mesh.h>
 
 class vtkPolyData;
 
@@ -25,5 +29,17 @@ namespace holdfast {
 
 /// An XML file, arrays as raw binary after the XML. The same bytes for the same data. Throws `OutputError`.
 [[nodiscard]] std::string vtpBytes(vtkPolyData& polyData);
+
+/// The faces of `mesh` at `positions` (vertexCount x 3) with arrays of doubles, all in binary: every bit is kept, NaN
+/// included. The same bytes on every run. Throws `OutputError` where VTK fails.
+[[nodiscard]] Serialized fieldsToVtp(const Mesh& mesh, const Positions& positions, std::span<const Field> pointFields,
+                                     std::span<const Field> faceFields);
+
+/// Makes the stored normals of `polyData`, whose polygons and points are `rest`, right for other positions; its points
+/// stay. A normal is left alone where no vertex that it depends on moved, else it becomes the area-weighted normal of
+/// the faces around a point, or of the face, on the side on which the stored one was. Returns a note for each array
+/// that changed. O(corners).
+[[nodiscard]] std::vector<std::string> refreshNormals(vtkPolyData& polyData, const Mesh& rest,
+                                                      const Positions& positions);
 
 }  // namespace holdfast

@@ -17,8 +17,8 @@
 #include <holdfast/io/files/output_file.h>
 #include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/widgets/files/any_mesh_file.h>
-#include <holdfast/widgets/files/field_file.h>
-#include <holdfast/widgets/scene/snapshot.h>
+#include <holdfast/widgets/files/poly_data_file.h>
+#include <holdfast/widgets/scene/scene.h>
 #include <holdfast/window/files/file_messages.h>
 #include <holdfast/window/files/picture_dialog.h>
 #include <holdfast/window/text/number_text.h>
