@@ -12,7 +12,7 @@
 #include <vtkWidgetEvent.h>
 #include <vtkWidgetEventTranslator.h>
 
-#include <holdfast/widgets/camera/default_camera.h>
+#include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/widgets/interaction/constraint_mark_widget.h>
 #include <holdfast/widgets/interaction/gizmo_widget.h>
 #include <holdfast/widgets/interaction/region_widget.h>

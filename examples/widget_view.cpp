@@ -13,8 +13,7 @@
 
 #include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/io/mesh_file.h>
-#include <holdfast/widgets/camera/camera_motion.h>
-#include <holdfast/widgets/camera/default_camera.h>
+#include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/widgets/scene/lighting.h>
 
 namespace holdfast {

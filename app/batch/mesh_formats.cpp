@@ -5,14 +5,14 @@
 #include <stdexcept>
 #include <vector>
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <holdfast/base/error.h>
 #include <holdfast/base/printable.h>
 #include <holdfast/io/mesh_file.h>
 #ifdef HOLDFAST_WITH_VTK
 #include <holdfast/widgets/files/any_mesh_file.h>
-#include <holdfast/widgets/files/field_file.h>
+#include <holdfast/widgets/files/poly_data_file.h>
 #endif
 
 #include "batch/options.h"
@@ -20,15 +20,18 @@
 namespace holdfast::batch {
 namespace {
 
-std::vector<std::string_view> knownExtensions()
+#ifndef HOLDFAST_WITH_VTK
+std::vector<std::string_view> anyMeshExtensions()
 {
-#ifdef HOLDFAST_WITH_VTK
-  return anyMeshExtensions();
-#else
   const auto core = meshExtensions();
   return {core.begin(), core.end()};
-#endif
 }
+
+std::vector<std::string_view> anyOutputExtensions()
+{
+  return anyMeshExtensions();
+}
+#endif
 
 }  // namespace
 
@@ -42,18 +45,15 @@ std::string extensionOf(const std::filesystem::path& path)
 
 std::string knownFormats()
 {
-  std::string text;
-  for (const std::string_view extension : knownExtensions())
-    text += fmt::format("{}{}", text.empty() ? "" : ", ", extension);
-  return text;
+  return fmt::format("{}", fmt::join(anyMeshExtensions(), ", "));
 }
 
 void requireMeshExtension(const std::filesystem::path& path)
 {
-  const auto known = knownExtensions();
+  const auto known = anyOutputExtensions();
   if (std::find(known.begin(), known.end(), extensionOf(path)) == known.end())
     throw UsageError(
-        fmt::format("--out: \"{}\" has none of the extensions {}", printable(path.string()), knownFormats()));
+        fmt::format("--out: \"{}\" has none of the extensions {}", printable(path.string()), fmt::join(known, ", ")));
 }
 
 void requireFieldsExtension(const std::filesystem::path& path)

@@ -11,7 +11,7 @@
 
 namespace holdfast::batch {
 
-/// The known extensions as one text for people: ".obj, .ply, ...".
+/// The extensions that are read as one text for people: ".obj, .ply, ...".
 [[nodiscard]] std::string knownFormats();
 
 /// The extension of a file name, lower case with the dot: ".obj".

@@ -11,7 +11,7 @@
 #include <holdfast/base/error.h>
 #include <holdfast/base/printable.h>
 #include <holdfast/widgets/scene/display_check.h>
-#include <holdfast/widgets/scene/snapshot.h>
+#include <holdfast/widgets/scene/scene.h>
 #endif
 
 #include "batch/mesh_formats.h"

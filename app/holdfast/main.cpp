@@ -58,7 +58,7 @@ CommandLine parse(int argc, char** argv)
   CommandLine line;
   CLI::App app("Deforms triangle meshes under exact positional constraints.", "holdfast");
   app.set_version_flag("--version", "holdfast " HOLDFAST_VERSION);
-  app.add_option("FILE", line.file, "a mesh (.obj, .ply, .off, .stl, .vtp, .vtk) or a session (.holdfast)");
+  app.add_option("FILE", line.file, "a mesh (.obj, .ply, .off, .stl, .vtp) or a session (.holdfast)");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,7 +1,5 @@
 #include "holdfast/widgets/interaction/constraint_mark_widget.h"
 
-#include <sstream>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <vtkCamera.h>
@@ -22,7 +20,6 @@ namespace {
 using test::CallDataLog;
 using test::InteractionFixture;
 using testing::ElementsAre;
-using testing::HasSubstr;
 using testing::IsEmpty;
 
 ConstraintMark markAt(const Vector3& place, MarkKind kind, Index constraint)
@@ -199,16 +196,6 @@ TEST_F(MarkWidget, AReplayedGestureDoesTheSame)
   ASSERT_EQ(again.picked.data().size(), 1U);
   EXPECT_EQ(again.picked.data()[0]->constraint, 1);
   EXPECT_TRUE(again.picked.data()[0]->isAdded);
-}
-
-TEST_F(MarkWidget, PrintsItsState)
-{
-  std::ostringstream text;
-  mouse().moveTo(pixelOf({3, 2, 0}));
-  widget->Print(text);
-  widget->GetRepresentation()->Print(text);
-  EXPECT_THAT(text.str(), HasSubstr("Highlighted: 2"));
-  EXPECT_THAT(text.str(), HasSubstr("Marks: 4"));
 }
 
 }  // namespace

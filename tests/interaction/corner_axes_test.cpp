@@ -14,7 +14,7 @@
 #include <vtkTexture.h>
 #include <vtkUnsignedCharArray.h>
 
-#include <holdfast/widgets/camera/camera_motion.h>
+#include <holdfast/widgets/camera/camera_state.h>
 
 #include "interaction/interaction_fixture.h"
 #include "support/meshes.h"

@@ -18,7 +18,7 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkWindowToImageFilter.h>
 
-#include <holdfast/widgets/camera/camera_motion.h>
+#include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/widgets/mesh/poly_data.h>
 
 namespace holdfast::test {

@@ -1,7 +1,5 @@
 #include "holdfast/widgets/interaction/rotation_sphere_style.h"
 
-#include <sstream>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <vtkCallbackCommand.h>
@@ -20,7 +18,6 @@ namespace {
 using test::EventLog;
 using test::InteractionFixture;
 using testing::ElementsAre;
-using testing::HasSubstr;
 using testing::IsEmpty;
 
 /// The rotations of a small document on their sphere.
@@ -74,7 +71,7 @@ TEST_F(SphereInWindow, AClickPicksThePointUnderIt)
   style->AddObserver(vtkCommand::PickEvent, command);
   fixture.mouse().click({1, 1});
   EXPECT_EQ(picked, -1);
-  fixture.mouse().click(sphere.displayPlace(*vertex)->head<2>());
+  fixture.mouse().click(sphere.displayPlace(*vertex).value());
   EXPECT_EQ(picked, *vertex);
 }
 
@@ -111,13 +108,6 @@ TEST_F(SphereInWindow, WithoutASphereNothingHappens)
   fixture.mouse().key("Left");
   EXPECT_EQ(camera().GetMTime(), before);
   EXPECT_THAT(log.events(), IsEmpty());
-}
-
-TEST_F(SphereInWindow, PrintsItsState)
-{
-  std::ostringstream text;
-  style->Print(text);
-  EXPECT_THAT(text.str(), HasSubstr("PixelRatio: 1"));
 }
 
 }  // namespace

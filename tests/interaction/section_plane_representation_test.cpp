@@ -1,9 +1,7 @@
 #include "holdfast/widgets/interaction/section_plane_representation.h"
 
 #include <array>
-#include <sstream>
 
-#include <gmock/gmock.h>
 #include <vtkCamera.h>
 #include <vtkImplicitPlaneWidget2.h>
 #include <vtkRenderWindow.h>
@@ -14,8 +12,6 @@
 
 namespace holdfast {
 namespace {
-
-using testing::HasSubstr;
 
 /// A sphere of radius 1 that a plane cuts in half, seen from obliquely above the cut.
 struct CutSphere : testing::Test, test::InteractionFixture {
@@ -86,13 +82,6 @@ TEST_F(CutSphere, ADragBeforeTheSurfaceIsLeftToOthers)
   mouse().drag({pixelOf(kBeside), pixelOf(kBeside) + DisplayPoint(9, 20)});
   EXPECT_FALSE(moves.events().empty());
   EXPECT_NE(Vector3(plane->GetOrigin()).z(), 0);
-}
-
-TEST_F(CutSphere, PrintsWhetherThereIsASurface)
-{
-  std::ostringstream text;
-  plane->Print(text);
-  EXPECT_THAT(text.str(), HasSubstr("Surface: set"));
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "holdfast/widgets/interaction/surface_camera_style.h"
 
 #include <cmath>
-#include <sstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,7 +10,7 @@
 #include <vtkRenderWindow.h>
 #include <vtkWidgetEvent.h>
 
-#include <holdfast/widgets/camera/camera_motion.h>
+#include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/widgets/interaction/interaction_events.h>
 #include <holdfast/widgets/picking/surface_picker.h>
 
@@ -24,7 +23,6 @@ namespace {
 using test::EventLog;
 using test::InteractionFixture;
 using testing::ElementsAre;
-using testing::HasSubstr;
 using testing::IsEmpty;
 
 /// A box before the style's camera, which is seen from a corner.
@@ -236,13 +234,6 @@ TEST_F(CameraOfBox, KeysOfVtkAreNotBound)
   for (const char* key : {"q", "e", "f", "r", "w", "s", "3", "p", "u"}) fixture.mouse().key(key);
   EXPECT_THAT(log.events(), IsEmpty());
   EXPECT_EQ(camera().GetMTime(), before);
-}
-
-TEST_F(CameraOfBox, PrintsItsState)
-{
-  std::ostringstream text;
-  style->Print(text);
-  EXPECT_THAT(text.str(), HasSubstr("PixelRatio: 1"));
 }
 
 }  // namespace

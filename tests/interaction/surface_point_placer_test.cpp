@@ -1,8 +1,5 @@
 #include "holdfast/widgets/interaction/surface_point_placer.h"
 
-#include <sstream>
-
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "interaction/interaction_fixture.h"
@@ -12,7 +9,6 @@ namespace holdfast {
 namespace {
 
 using test::InteractionFixture;
-using testing::HasSubstr;
 
 struct PlacerOnGrid : testing::Test {
   InteractionFixture fixture{test::grid(4, 3)};
@@ -58,13 +54,6 @@ TEST_F(PlacerOnGrid, SnapsAsFarAsItsPixelsAndTheRatioReach)
   placer->SetPixelRatio(2);
   ASSERT_EQ(place(beside), 1);
   EXPECT_TRUE(std::holds_alternative<AtVertex>(placer->GetLastPick()->location));
-}
-
-TEST_F(PlacerOnGrid, PrintsItsState)
-{
-  std::ostringstream text;
-  placer->Print(text);
-  EXPECT_THAT(text.str(), HasSubstr("SnapPixels: 7"));
 }
 
 }  // namespace

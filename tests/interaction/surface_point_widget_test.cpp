@@ -1,7 +1,5 @@
 #include "holdfast/widgets/interaction/surface_point_widget.h"
 
-#include <sstream>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <vtkCamera.h>
@@ -28,7 +26,6 @@ namespace {
 using test::CallDataLog;
 using test::InteractionFixture;
 using testing::ElementsAre;
-using testing::HasSubstr;
 using testing::IsEmpty;
 
 /// Turns from the press on, as styles of VTK do.
@@ -316,14 +313,8 @@ TEST_F(PointWidgetOnGrid, AReplayedGestureDoesTheSame)
   EXPECT_EQ(verticesOf(again.shown.data()), verticesOf(shown.data()));
 }
 
-TEST_F(PointWidgetOnGrid, PrintsItsState)
+TEST_F(PointWidgetOnGrid, GivesItsActors)
 {
-  std::ostringstream text;
-  mouse().moveTo(pixelOfVertex(6));
-  widget->Print(text);
-  widget->GetRepresentation()->Print(text);
-  EXPECT_THAT(text.str(), HasSubstr("IsHovering: 1"));
-  EXPECT_THAT(text.str(), HasSubstr("Preview: 1 1 0"));
   vtkNew<vtkPropCollection> actors;
   widget->GetRepresentation()->GetActors(actors);
   EXPECT_GT(actors->GetNumberOfItems(), 3);

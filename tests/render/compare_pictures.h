@@ -6,7 +6,7 @@
 #include <functional>
 #include <string>
 
-#include <holdfast/widgets/scene/snapshot.h>
+#include <holdfast/widgets/scene/scene.h>
 
 class vtkCamera;
 

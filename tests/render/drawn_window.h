@@ -9,7 +9,7 @@
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
-#include <holdfast/widgets/scene/snapshot.h>
+#include <holdfast/widgets/scene/scene.h>
 
 namespace holdfast::test {
 

@@ -8,15 +8,15 @@
 #include <vtkCamera.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
+#include <vtkPropCollection.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 #include <vtkTexture.h>
 
-#include <holdfast/widgets/gizmo/gizmo.h>
-#include <holdfast/widgets/gizmo/gizmo_drag.h>
-#include <holdfast/widgets/scene/snapshot.h>
+#include <holdfast/widgets/interaction/gizmo_representation.h>
+#include <holdfast/widgets/scene/scene.h>
 
 #include "render/compare_pictures.h"
 #include "render/drawn_window.h"
@@ -33,17 +33,14 @@ constexpr double kPixels = 100;  // of the picture
 struct GizmoScene {
   Model model = makeModel(test::box({6, 2, 1}, 8), "slab");
   Scene scene{model, atRest(model), {kPictureSize, ColorBy::None, Legend::Hidden, ""}};
-  Gizmo gizmo;
-  vtkNew<vtkRenderer> layer;
+  vtkNew<GizmoRepresentation> gizmo;
 
   GizmoScene()
   {
-    scene.window().SetNumberOfLayers(3);
-    layer->SetLayer(2);
-    scene.window().AddRenderer(layer);
-    gizmo.addTo(*layer);
-    gizmo.setPixelSize(kPixels * scene.pixelRatio());
-    gizmo.setFrame({4, 1, 0.5}, Eigen::Matrix3d::Identity());
+    gizmo->SetRenderer(&renderer());
+    gizmo->SetPixelSize(kPixels);
+    gizmo->SetPixelRatio(scene.pixelRatio());
+    gizmo->SetFrame({4, 1, 0.5}, Eigen::Matrix3d::Identity());
     look(-35, 25);
   }
 
@@ -72,11 +69,7 @@ struct GizmoScene {
     renderer().ResetCameraClippingRange();
   }
 
-  Picture drawn()
-  {
-    gizmo.update(renderer());
-    return draw(scene, "picture");
-  }
+  Picture drawn() { return draw(scene, "picture"); }
 
   [[nodiscard]] std::string differenceFromBaseline()
   {
@@ -87,13 +80,11 @@ struct GizmoScene {
   /// Drags a part from a place of the world to where it appears `moved` pixels further.
   void drag(GizmoPart part, const Vector3& from, const DisplayPoint& moved, Snap snap)
   {
-    const ViewGeometry view = viewGeometryOf(renderer());
-    const DisplayPoint start = *toDisplay(view, from);
-    GizmoDrag drag(part, gizmo.frame(), view, start, gizmo.ringPixels());
-    const DisplayPoint cursor = start + moved;
-    const GizmoMotion motion = drag.to(cursor, snap);
-    gizmo.showDrag({part, gizmo.frame(), drag.grabbed(), motion});
-    gizmo.setFrame(gizmo.frame().center + motion.translation, gizmo.frame().axes);
+    const DisplayPoint start = *toDisplay(viewGeometryOf(renderer()), from);
+    gizmo->SetPart(part);
+    GizmoDrag drag = gizmo->NewDrag(start);
+    const GizmoMotion motion = drag.to(start + moved, snap);
+    gizmo->ShowDrag({part, gizmo->GetFrame(), drag.grabbed(), motion}, "", start);
   }
 };
 
@@ -108,7 +99,7 @@ TEST(GizmoPicture, InParallelFromAbove)
   GizmoScene fixture;
   fixture.renderer().GetActiveCamera()->ParallelProjectionOn();
   fixture.look(-60, 62);
-  fixture.gizmo.highlight(GizmoPart::RingZ);
+  fixture.gizmo->SetPart(GizmoPart::RingZ);
   EXPECT_EQ(fixture.differenceFromBaseline(), "");
 }
 
@@ -164,11 +155,10 @@ TEST(GizmoPicture, ShowsTheCenterWhereItIsAndOverTheSurface)
     for (const Vector3& center : {Vector3(4, 1, 0.5), Vector3(3, 0.2, 0.3), Vector3(4.5, 2.5, -0.4)}) {
       SCOPED_TRACE(center.transpose());
       fixture.renderer().GetActiveCamera()->SetParallelProjection(isParallel);
-      fixture.gizmo.setFrame(center, Eigen::Matrix3d::Identity());
-      fixture.gizmo.showDrag({GizmoPart::Center, fixture.gizmo.frame(), {0, 0, 0}, {}});
-      fixture.gizmo.hide();
+      fixture.gizmo->ShowDrag({GizmoPart::Center, {center, Eigen::Matrix3d::Identity()}, {0, 0, 0}, {}}, "", {0, 0});
+      fixture.gizmo->VisibilityOff();
       const Picture without = fixture.drawn();
-      fixture.gizmo.show();
+      fixture.gizmo->VisibilityOn();
       const auto middle = middleOfDifference(fixture.drawn(), without, fixture.scene.pixelRatio());
       ASSERT_TRUE(middle) << "the slab hides it";
       const DisplayPoint expected = *toDisplay(viewGeometryOf(fixture.renderer()), center);
@@ -177,29 +167,32 @@ TEST(GizmoPicture, ShowsTheCenterWhereItIsAndOverTheSurface)
 }
 
 /// The letters of the gizmo, x first.
-std::vector<vtkTextActor*> lettersOf(const Gizmo& gizmo)
+std::vector<vtkTextActor*> lettersOf(const GizmoRepresentation& gizmo)
 {
   std::vector<vtkTextActor*> letters;
-  for (vtkProp* const prop : gizmo.props())
-    if (auto* const letter = vtkTextActor::SafeDownCast(prop)) letters.push_back(letter);
+  vtkPropCollection& props = *gizmo.GetLayer()->GetViewProps();
+  for (int k = 0; k < props.GetNumberOfItems(); ++k)
+    if (auto* const letter = vtkTextActor::SafeDownCast(props.GetItemAsObject(k));
+        letter != nullptr && letter != gizmo.GetLabelActor())
+      letters.push_back(letter);
   return letters;
 }
 
 TEST(GizmoPicture, HasItsLettersBeyondTheTipsOfTheirArrows)
 {
   GizmoScene fixture;
-  const std::vector<vtkTextActor*> letters = lettersOf(fixture.gizmo);
-  EXPECT_EQ(test::textsIn(fixture.scene.window()), (std::vector<std::string>{"x", "y", "z"}));
+  const std::vector<vtkTextActor*> letters = lettersOf(*fixture.gizmo);
   ASSERT_EQ(letters.size(), 3u);
   const Picture all = fixture.drawn();
   const ViewGeometry view = viewGeometryOf(fixture.renderer());
-  const DisplayPoint center = *toDisplay(view, fixture.gizmo.frame().center);
+  const DisplayPoint center = *toDisplay(view, fixture.gizmo->GetFrame().center);
   for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_EQ(letters[axis]->GetInput(), std::string(1, "xyz"[axis]));
     letters[axis]->GetTextProperty()->SetOpacity(0);
     const auto middle = middleOfDifference(fixture.drawn(), all, fixture.scene.pixelRatio());
     letters[axis]->GetTextProperty()->SetOpacity(1);
     ASSERT_TRUE(middle) << axis;
-    const Vector3 along = fixture.gizmo.frame().center + Vector3::Unit(axis);
+    const Vector3 along = fixture.gizmo->GetFrame().center + Vector3::Unit(axis);
     const DisplayPoint direction = (*toDisplay(view, along) - center).normalized();
     const DisplayPoint arm = (*middle - center) / fixture.scene.pixelRatio();
     EXPECT_NEAR(arm.normalized().dot(direction), 1, 0.02) << axis;
@@ -211,14 +204,14 @@ TEST(GizmoPicture, HasItsLettersBeyondTheTipsOfTheirArrows)
 TEST(GizmoPicture, IsTheSceneAloneWhileHidden)
 {
   GizmoScene fixture;
-  fixture.gizmo.hide();
+  fixture.gizmo->VisibilityOff();
   const Picture hidden = fixture.drawn();
-  fixture.scene.window().RemoveRenderer(fixture.layer);
+  fixture.gizmo->SetRenderer(nullptr);
   EXPECT_EQ(test::shareOfOtherPixels(hidden, draw(fixture.scene, "picture")), 0);
 }
 
 /// When VTK drew each text of the gizmo as an image, which is loaded onto the graphics card then.
-std::vector<vtkMTimeType> textTimes(const Gizmo& gizmo)
+std::vector<vtkMTimeType> textTimes(const GizmoRepresentation& gizmo)
 {
   std::vector<vtkMTimeType> times;
   for (vtkTextActor* const letter : lettersOf(gizmo)) times.push_back(letter->GetTexture()->GetInput()->GetMTime());
@@ -231,14 +224,14 @@ TEST(Gizmo, MovesItsLettersWithoutDrawingThemAnew)
   // The first picture tells VTK the resolution.
   static_cast<void>(fixture.drawn());
   const Picture before = fixture.drawn();
-  const std::vector<vtkMTimeType> times = textTimes(fixture.gizmo);
+  const std::vector<vtkMTimeType> times = textTimes(*fixture.gizmo);
   ASSERT_EQ(times.size(), 3u);
-  fixture.gizmo.setFrame({3.5, 1, 0.5}, Eigen::Matrix3d::Identity());
+  fixture.gizmo->SetFrame({3.5, 1, 0.5}, Eigen::Matrix3d::Identity());
   EXPECT_GT(test::shareOfOtherPixels(before, fixture.drawn()), 0.01);
-  EXPECT_EQ(textTimes(fixture.gizmo), times);
-  fixture.gizmo.setPixelSize(2 * fixture.gizmo.pixelSize());
+  EXPECT_EQ(textTimes(*fixture.gizmo), times);
+  fixture.gizmo->SetPixelSize(2 * fixture.gizmo->GetPixelSize());
   static_cast<void>(fixture.drawn());
-  EXPECT_NE(textTimes(fixture.gizmo), times) << "larger letters";
+  EXPECT_NE(textTimes(*fixture.gizmo), times) << "larger letters";
 }
 
 // What the comparison must not let pass.
@@ -255,19 +248,20 @@ double excessAfter(Change change)
 
 TEST(GizmoComparisonMustFail, ForAnotherPartThatIsHighlighted)
 {
-  EXPECT_GT(excessAfter([](GizmoScene& fixture) { fixture.gizmo.highlight(GizmoPart::SquareX); }), 5);
-  EXPECT_GT(excessAfter([](GizmoScene& fixture) { fixture.gizmo.highlight(GizmoPart::Center); }), 5);
+  EXPECT_GT(excessAfter([](GizmoScene& fixture) { fixture.gizmo->SetPart(GizmoPart::SquareX); }), 5);
+  EXPECT_GT(excessAfter([](GizmoScene& fixture) { fixture.gizmo->SetPart(GizmoPart::Center); }), 5);
 }
 
 TEST(GizmoComparisonMustFail, ForAxesThatAreTurnedByTwoDegrees)
 {
   const Eigen::Matrix3d rotated = Eigen::AngleAxisd(std::numbers::pi / 90, Vector3::UnitZ()).matrix();
-  EXPECT_GT(excessAfter([&](GizmoScene& fixture) { fixture.gizmo.setFrame({4, 1, 0.5}, rotated); }), 5);
+  EXPECT_GT(excessAfter([&](GizmoScene& fixture) { fixture.gizmo->SetFrame({4, 1, 0.5}, rotated); }), 5);
 }
 
 TEST(GizmoComparisonMustFail, ForTwoPercentOfSize)
 {
-  EXPECT_GT(excessAfter([](GizmoScene& fixture) { fixture.gizmo.setPixelSize(1.02 * fixture.gizmo.pixelSize()); }), 5);
+  EXPECT_GT(excessAfter([](GizmoScene& fixture) { fixture.gizmo->SetPixelSize(1.02 * fixture.gizmo->GetPixelSize()); }),
+            5);
 }
 
 }  // namespace

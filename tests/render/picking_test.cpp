@@ -12,7 +12,7 @@
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
-#include <holdfast/widgets/camera/default_camera.h>
+#include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/widgets/mesh/poly_data.h>
 #include <holdfast/widgets/picking/surface_picker.h>
 

@@ -7,8 +7,8 @@
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 
-#include <holdfast/widgets/camera/camera_motion.h>
-#include <holdfast/widgets/scene/snapshot.h>
+#include <holdfast/widgets/camera/camera_state.h>
+#include <holdfast/widgets/scene/scene.h>
 
 #include "render/compare_pictures.h"
 #include "support/meshes.h"

@@ -8,7 +8,7 @@
 #include <vtkCamera.h>
 #include <vtkRenderer.h>
 
-#include <holdfast/widgets/scene/snapshot.h>
+#include <holdfast/widgets/scene/scene.h>
 
 #include "render/compare_pictures.h"
 #include "render/drawn_window.h"

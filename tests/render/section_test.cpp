@@ -9,7 +9,7 @@
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
-#include <holdfast/widgets/camera/camera_motion.h>
+#include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/widgets/scene/lighting.h>
 #include <holdfast/widgets/scene/sliced_drawing.h>
 

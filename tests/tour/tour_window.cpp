@@ -17,7 +17,7 @@
 
 #include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/document/list_edits.h>
-#include <holdfast/widgets/camera/camera_motion.h>
+#include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/window/tools/gizmo_tool.h>
 
 #include "support/source_tree.h"

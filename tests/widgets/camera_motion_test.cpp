@@ -5,7 +5,7 @@
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
-#include <holdfast/widgets/camera/camera_motion.h>
+#include <holdfast/widgets/camera/camera_state.h>
 
 namespace holdfast {
 namespace {

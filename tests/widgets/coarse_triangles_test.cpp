@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <holdfast/mesh/vertex_normals.h>
-#include <holdfast/widgets/mesh/coarse_triangles.h>
+#include <holdfast/widgets/mesh/coarse_surface.h>
 
 #include "support/law_meshes.h"
 #include "support/meshes.h"

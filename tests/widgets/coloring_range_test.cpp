@@ -1,7 +1,7 @@
 
 #include <gtest/gtest.h>
 
-#include <holdfast/widgets/color/coloring_range.h>
+#include <holdfast/widgets/color/coloring.h>
 
 #include "support/special_values.h"
 

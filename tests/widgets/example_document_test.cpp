@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <holdfast/widgets/marks/constraint_marks.h>
+#include <holdfast/widgets/marks/mark_set.h>
 #include <holdfast/widgets/rotation_sphere/rotation_projection.h>
 #include <holdfast/widgets/scene/example_document.h>
 

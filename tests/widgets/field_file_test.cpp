@@ -9,7 +9,7 @@
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataReader.h>
 
-#include <holdfast/widgets/files/field_file.h>
+#include <holdfast/widgets/files/poly_data_file.h>
 #include <holdfast/widgets/mesh/poly_data.h>
 
 #include "support/meshes.h"

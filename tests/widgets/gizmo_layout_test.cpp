@@ -4,8 +4,6 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include <holdfast/widgets/gizmo/gizmo.h>
-#include <holdfast/widgets/gizmo/gizmo_colors.h>
 #include <holdfast/widgets/gizmo/gizmo_layout.h>
 #include <holdfast/widgets/gizmo/gizmo_shapes.h>
 
@@ -130,17 +128,6 @@ TEST(GizmoLayout, IsNowhereBehindTheEye)
   const GizmoPlacement placement = placementOf(fixture.view(), {{0, -30, 0}, Eigen::Matrix3d::Identity()}, kPixels);
   EXPECT_EQ(placement.scale, 0);
   EXPECT_EQ(hitGizmo(fixture.view(), placement, {320, 240}), GizmoPart::None);
-}
-
-TEST(GizmoLayout, AHiddenGizmoIsNotHit)
-{
-  test::ViewWithoutWindow fixture;
-  fixture.lookFrom({1, -1, 1}, {0, 0, 0}, Projection::Perspective);
-  Gizmo gizmo;
-  const DisplayPoint center = *toDisplay(fixture.view(), {0, 0, 0});
-  EXPECT_EQ(gizmo.hitTest(fixture.renderer(), center.x(), center.y()), GizmoPart::Center);
-  gizmo.hide();
-  EXPECT_EQ(gizmo.hitTest(fixture.renderer(), center.x(), center.y()), GizmoPart::None);
 }
 
 TEST(GizmoShapes, AreLitFromOutsideAndWoundThatWay)

@@ -1,9 +1,9 @@
-#include "holdfast/widgets/gizmo/numeric_input.h"
-
 #include <cmath>
 #include <string>
 
 #include <gtest/gtest.h>
+
+#include "holdfast/widgets/gizmo/gizmo_drag.h"
 
 namespace holdfast {
 namespace {

@@ -4,11 +4,13 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 
 #include <holdfast/base/error.h>
-#include <holdfast/widgets/files/poly_data_bytes.h>
+#include <holdfast/widgets/files/any_mesh_file.h>
 #include <holdfast/widgets/files/poly_data_file.h>
 
 #include "support/random.h"
@@ -51,7 +53,7 @@ class PolyDataErrors : public testing::Test {
       Console(const Console&) = delete;
       Console& operator=(const Console&) = delete;
     } const console;
-    return readPolyData(path);
+    return readAnyMesh(path);
   }
 };
 
@@ -68,7 +70,6 @@ std::string vtpText(const std::string& connectivity, const std::string& offsets)
 TEST_F(PolyDataErrors, NameAFileThatIsNotThere)
 {
   EXPECT_THAT(errorOf(folder_.path() / "absent.vtp"), HasSubstr("no such file"));
-  EXPECT_THAT(errorOf(folder_.path() / "absent.vtk"), HasSubstr("no such file"));
 }
 
 TEST_F(PolyDataErrors, NameAFolder)
@@ -78,9 +79,11 @@ TEST_F(PolyDataErrors, NameAFolder)
   EXPECT_THAT(errorOf(folder), HasSubstr("is a directory: name a file"));
 }
 
-TEST_F(PolyDataErrors, NameAnExtensionThatIsNotVtks)
+TEST_F(PolyDataErrors, SayThatLegacyFilesAreNotRead)
 {
-  EXPECT_THAT(errorOf("mesh.obj", "v 0 0 0\n"), HasSubstr("use .vtp or .vtk"));
+  for (const std::string name : {"mesh.vtk", "mesh.VTK"})
+    EXPECT_THAT(errorOf(name, "# vtk DataFile Version 3.0\n"),
+                testing::AllOf(HasSubstr(name), HasSubstr("not read"), HasSubstr("save it as .vtp")));
 }
 
 TEST_F(PolyDataErrors, CarryTheReasonOfTheParser)
@@ -92,36 +95,30 @@ TEST_F(PolyDataErrors, CarryTheReasonOfTheParser)
 TEST_F(PolyDataErrors, NameAnEmptyFile)
 {
   EXPECT_THAT(errorOf("empty.vtp", ""), HasSubstr("the file is empty"));
-  EXPECT_THAT(errorOf("empty.vtk", ""), HasSubstr("the file is empty"));
-}
-
-TEST_F(PolyDataErrors, NameTheLineOfALegacyFile)
-{
-  EXPECT_THAT(errorOf("text.vtk", "no VTK at all\nnor this\n"), HasSubstr("text.vtk:1: "));
-  EXPECT_THAT(errorOf("word.vtk", test::squareAsLegacyText("POLYGON 1 3\n")),
-              testing::AllOf(HasSubstr("word.vtk:13: "), HasSubstr("'polygon'")));
-  EXPECT_THAT(errorOf("number.vtk", test::squareAsLegacyText("POINT_DATA 4\nVECTORS v double\n1 2 x")),
-              testing::AllOf(HasSubstr("number.vtk:15: "), HasSubstr("'x'")));
 }
 
 TEST_F(PolyDataErrors, NameOtherKindsOfData)
 {
   EXPECT_THAT(errorOf("image.vtp", R"(<VTKFile type="ImageData" version="1.0"><ImageData/></VTKFile>)"),
               HasSubstr("no PolyData file"));
-  EXPECT_THAT(errorOf("grid.vtk", "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 0 double\n"),
-              HasSubstr("'unstructured_grid'"));
 }
 
 TEST_F(PolyDataErrors, NameASurfaceWithoutPolygons)
 {
-  EXPECT_THAT(errorOf("points.vtk", "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 1 double\n0 0 0\n"),
-              HasSubstr("no polygons"));
+  vtkNew<vtkPolyData> points;
+  points->SetPoints(test::richPolyData()->GetPoints());
+  EXPECT_THAT(errorOf("points.vtp", vtpBytes(*points)), HasSubstr("no polygons"));
   EXPECT_NE(errorOf("nothing.vtp", vtpBytes(*vtkNew<vtkPolyData>())), "no error");
 }
 
 TEST_F(PolyDataErrors, NameTriangleStrips)
 {
-  EXPECT_THAT(errorOf("strips.vtk", test::squareAsLegacyText("TRIANGLE_STRIPS 1 5\n4 0 1 2 3\n")),
+  const auto strips = test::richPolyData();
+  vtkNew<vtkCellArray> strip;
+  strip->InsertNextCell({0, 1, 2, 3});
+  strips->SetStrips(strip);
+  strips->GetCellData()->Initialize();
+  EXPECT_THAT(errorOf("strips.vtp", vtpBytes(*strips)),
               testing::AllOf(HasSubstr("triangle strips (1)"), HasSubstr("Triangulate")));
 }
 
@@ -143,43 +140,31 @@ TEST_F(PolyDataErrors, NameOffsetsThatLeadNowhere)
 
 TEST_F(PolyDataErrors, NameCountsThatTheFileDoesNotHold)
 {
-  const std::string start = "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\n";
-  EXPECT_THAT(errorOf("huge.vtk", start + "POINTS 4000000000000 double\n0 0 0\n"), HasSubstr("huge.vtk:5: "));
-  EXPECT_THAT(errorOf("negative.vtk", start + "POINTS -1 double\n0 0 0\n"), HasSubstr("'-1' is no count"));
-  EXPECT_THAT(errorOf("cells.vtk", test::squareAsLegacyText("LINES 2 4\n4000000000 0 1\n")),
-              HasSubstr("cells.vtk:14: "));
   std::string vtp = vtpText("0 1 2", "3");
   vtp.replace(vtp.find("NumberOfPoints=\"3\""), 18, "NumberOfPoints=\"-3\"");
   EXPECT_THAT(errorOf("negative.vtp", vtp), testing::AllOf(HasSubstr("negative.vtp:2: "), HasSubstr("NumberOfPoints")));
 }
 
 /// Reading `bytes` gives the mesh that they hold or an `InputError`; the count says how often it was refused.
-class DamagedFiles : public testing::TestWithParam<std::string> {
+class DamagedFiles : public testing::Test {
  protected:
   [[nodiscard]] std::optional<Mesh> meshOf(const std::string& bytes) const
   {
     try {
-      return readPolyData(folder_.file("damaged" + GetParam(), bytes)).mesh;
+      return readPolyData(folder_.file("damaged.vtp", bytes)).mesh;
     } catch (const InputError&) {
       return std::nullopt;
     }
   }
 
-  [[nodiscard]] std::string whole() const
-  {
-    const auto polyData = test::richPolyData();
-    return GetParam() == ".vtp" ? vtpBytes(*polyData) : legacyBytes(*polyData, {"x", 4});
-  }
+  [[nodiscard]] static std::string whole() { return vtpBytes(*test::richPolyData()); }
 
  private:
   TemporaryFolder folder_;
 };
 
-INSTANTIATE_TEST_SUITE_P(Both, DamagedFiles, testing::Values(".vtp", ".vtk"),
-                         [](const auto& format) { return format.param.substr(1); });
-
 /// Only the end of the XML may be missing without loss.
-TEST_P(DamagedFiles, CutShortNeverGiveAnotherMesh)
+TEST_F(DamagedFiles, CutShortNeverGiveAnotherMesh)
 {
   const std::string bytes = whole();
   const std::optional<Mesh> mesh = meshOf(bytes);
@@ -197,8 +182,8 @@ TEST_P(DamagedFiles, CutShortNeverGiveAnotherMesh)
   EXPECT_GT(refused, bytes.size() / 2);
 }
 
-/// VTK's own readers crash on some of these.
-TEST_P(DamagedFiles, WithOtherNumbersAreReadOrRefused)
+/// VTK's own reader crashes on some of these.
+TEST_F(DamagedFiles, WithOtherNumbersAreReadOrRefused)
 {
   const std::string bytes = whole();
   test::Random random(11);

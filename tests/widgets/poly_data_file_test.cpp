@@ -13,7 +13,6 @@
 #include <vtkXMLPolyDataWriter.h>
 
 #include <holdfast/base/error.h>
-#include <holdfast/widgets/files/poly_data_bytes.h>
 #include <holdfast/widgets/files/poly_data_file.h>
 #include <holdfast/widgets/mesh/poly_data.h>
 
@@ -29,46 +28,30 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// Each promise holds in both formats of VTK.
-class PolyDataFormat : public testing::TestWithParam<std::string> {
+class PolyDataFormat : public testing::Test {
  protected:
   [[nodiscard]] MeshDocument readBack(const std::string& bytes) const
   {
-    return readPolyData(folder_.file("mesh" + GetParam(), bytes));
+    return readPolyData(folder_.file("mesh.vtp", bytes));
   }
 
+  template <class Reader = vtkXMLPolyDataReader>
   [[nodiscard]] vtkSmartPointer<vtkPolyData> readByVtk(const std::string& bytes) const
   {
-    const std::string path = folder_.file("again" + GetParam(), bytes).string();
-    if (GetParam() == ".vtp") return readBy<vtkXMLPolyDataReader>(path);
-    return readBy<vtkPolyDataReader>(path);
-  }
-
-  [[nodiscard]] std::string bytesOf(vtkPolyData& polyData) const
-  {
-    return GetParam() == ".vtp" ? vtpBytes(polyData) : legacyBytes(polyData, {"a title", 4});
-  }
-
- private:
-  template <class Reader>
-  static vtkSmartPointer<vtkPolyData> readBy(const std::string& path)
-  {
     vtkNew<Reader> reader;
-    reader->SetFileName(path.c_str());
+    reader->SetFileName(folder_.file("again", bytes).c_str());
     reader->Update();
     return reader->GetOutput();
   }
 
+ private:
   TemporaryFolder folder_;
 };
 
-INSTANTIATE_TEST_SUITE_P(Both, PolyDataFormat, testing::Values(".vtp", ".vtk"),
-                         [](const auto& format) { return format.param.substr(1); });
-
-TEST_P(PolyDataFormat, DoublesSurviveBitForBit)
+TEST_F(PolyDataFormat, DoublesSurviveBitForBit)
 {
   const Mesh mesh = test::withAwkwardCoordinates(test::icosphere(1));
-  const MeshDocument first = readBack(serializePolyData({mesh, nullptr}, mesh.positions, GetParam()).bytes);
+  const MeshDocument first = readBack(serializePolyData({mesh, nullptr}, mesh.positions, ".vtp").bytes);
   EXPECT_TRUE(isSameBits(first.mesh.positions, mesh.positions));
   EXPECT_EQ(first.mesh.faces, mesh.faces);
 
@@ -78,13 +61,13 @@ TEST_P(PolyDataFormat, DoublesSurviveBitForBit)
   EXPECT_EQ(second.mesh.faces, mesh.faces);
 }
 
-TEST_P(PolyDataFormat, PolygonsAreTheFacesAndAllElseIsKept)
+TEST_F(PolyDataFormat, PolygonsAreTheFacesAndAllElseIsKept)
 {
   const auto original = test::richPolyData();
-  const MeshDocument document = readBack(bytesOf(*original));
+  const MeshDocument document = readBack(vtpBytes(*original));
   ASSERT_EQ(document.mesh.faces.size(), 3);
   EXPECT_THAT(document.mesh.faces[2], ElementsAre(0, 1, 3, 4, 5));
-  EXPECT_EQ(document.source->extension(), GetParam());
+  EXPECT_EQ(document.source->extension(), ".vtp");
 
   const auto result = readByVtk(document.source->withPositions(document.mesh.positions * 2).bytes);
   EXPECT_EQ(result->GetNumberOfVerts(), 1);
@@ -106,15 +89,15 @@ TEST_P(PolyDataFormat, PolygonsAreTheFacesAndAllElseIsKept)
   EXPECT_EQ(author->GetValue(0), "somebody");
 }
 
-TEST_P(PolyDataFormat, TheSameMeshGivesTheSameBytes)
+TEST_F(PolyDataFormat, TheSameMeshGivesTheSameBytes)
 {
-  const MeshDocument document = readBack(bytesOf(*test::richPolyData()));
+  const MeshDocument document = readBack(vtpBytes(*test::richPolyData()));
   EXPECT_EQ(document.source->withPositions(document.mesh.positions).bytes,
             document.source->withPositions(document.mesh.positions).bytes);
   EXPECT_THAT(document.source->withPositions(document.mesh.positions).notes, IsEmpty());
 }
 
-TEST_P(PolyDataFormat, SinglePrecisionIsWrittenAsDoubles)
+TEST_F(PolyDataFormat, SinglePrecisionIsWrittenAsDoubles)
 {
   auto polyData = test::richPolyData();
   vtkNew<vtkPoints> single;
@@ -123,29 +106,22 @@ TEST_P(PolyDataFormat, SinglePrecisionIsWrittenAsDoubles)
   polyData->SetPoints(single);
   ASSERT_EQ(polyData->GetPoints()->GetDataType(), VTK_FLOAT);
 
-  const MeshDocument document = readBack(bytesOf(*polyData));
+  const MeshDocument document = readBack(vtpBytes(*polyData));
   const Positions moved = document.mesh.positions.array() + 1.0 / 3;
   const Serialized result = document.source->withPositions(moved);
   EXPECT_TRUE(isSameBits(readBack(result.bytes).mesh.positions, moved));
   EXPECT_THAT(result.notes, ElementsAre(HasSubstr("single precision")));
 }
 
-TEST(PolyDataFile, ChangesFormatWithAllItsArrays)
+TEST_F(PolyDataFormat, LegacyFilesHaveAllArraysAndEveryBit)
 {
-  const TemporaryFolder folder;
-  const MeshDocument xml = readPolyData(folder.file("rich.VTP", vtpBytes(*test::richPolyData())));
-  const std::string legacy = serializePolyData(xml, xml.mesh.positions, ".vtk").bytes;
-  EXPECT_THAT(legacy, HasSubstr("temperature"));
-  EXPECT_EQ(readPolyData(folder.file("rich.vtk", legacy)).mesh.faces, xml.mesh.faces);
-}
-
-TEST(PolyDataFile, LegacyKeepsItsTitleAndItsAge)
-{
-  const TemporaryFolder folder;
-  const MeshDocument document = readPolyData(folder.file("square.vtk", test::squareAsLegacyText()));
-  const Serialized result = document.source->withPositions(document.mesh.positions);
-  EXPECT_THAT(result.bytes, HasSubstr("Version 4.2\na square\nBINARY"));
-  EXPECT_THAT(result.notes, ElementsAre(HasSubstr("binary")));
+  const MeshDocument document = readBack(vtpBytes(*test::richPolyData()));
+  const Positions moved = document.mesh.positions * (1.0 / 3);
+  const auto legacy = readByVtk<vtkPolyDataReader>(serializePolyData(document, moved, ".vtk").bytes);
+  EXPECT_TRUE(isSameBits(positionsOf(*legacy), moved));
+  EXPECT_EQ(polygonsOf(*legacy, ""), document.mesh.faces);
+  EXPECT_STREQ(legacy->GetPointData()->GetScalars()->GetName(), "temperature");
+  EXPECT_EQ(legacy->GetCellData()->GetNumberOfArrays(), 1);
 }
 
 TEST(PolyDataFile, OtherFormatsLeaveANote)

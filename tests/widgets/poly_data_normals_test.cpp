@@ -9,7 +9,7 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
-#include <holdfast/widgets/files/poly_data_normals.h>
+#include <holdfast/widgets/files/poly_data_file.h>
 #include <holdfast/widgets/mesh/poly_data.h>
 
 #include "support/meshes.h"

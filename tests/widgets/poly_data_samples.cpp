@@ -82,12 +82,4 @@ vtkSmartPointer<vtkPolyData> richPolyData()
   return polyData;
 }
 
-std::string squareAsLegacyText(const std::string& rest)
-{
-  return "# vtk DataFile Version 3.0\na square\nASCII\nDATASET POLYDATA\n"
-         "POINTS 4 double\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n"
-         "POLYGONS 2 8\n3 0 1 2\n3 0 2 3\n" +
-         rest;
-}
-
 }  // namespace holdfast::test

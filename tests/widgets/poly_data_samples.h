@@ -2,8 +2,6 @@
 /// \file
 /// Files of VTK's formats for tests.
 
-#include <string>
-
 #include <vtkSmartPointer.h>
 
 #include <holdfast/mesh/mesh.h>
@@ -23,8 +21,5 @@ namespace holdfast::test {
 /// A surface with everything that a file of VTK's may hold besides: a vertex and a line cell, polygons of 3, 4 and 5
 /// corners, two scalar arrays and a vector array of the points, ids of the cells, a string of the whole.
 [[nodiscard]] vtkSmartPointer<vtkPolyData> richPolyData();
-
-/// The unit square as two triangles, in VTK's text format with `rest` after the polygons.
-[[nodiscard]] std::string squareAsLegacyText(const std::string& rest = "");
 
 }  // namespace holdfast::test

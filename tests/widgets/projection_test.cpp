@@ -1,13 +1,11 @@
-#include "holdfast/widgets/camera/projection.h"
-
 #include <gtest/gtest.h>
 #include <vtkCamera.h>
 #include <vtkMatrix4x4.h>
 #include <vtkRenderer.h>
 
-#include <holdfast/widgets/camera/display_transform.h>
 #include <holdfast/widgets/camera/view_geometry.h>
 
+#include "holdfast/widgets/camera/display_transform.h"
 #include "widgets/plain_view.h"
 
 namespace holdfast {

@@ -8,7 +8,7 @@
 #include <vtkNew.h>
 
 #include <holdfast/deform/deform.h>
-#include <holdfast/widgets/camera/default_camera.h>
+#include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/widgets/color/coloring.h>
 #include <holdfast/widgets/marks/constraint_glyphs.h>
 

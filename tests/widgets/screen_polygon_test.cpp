@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <holdfast/widgets/picking/screen_polygon.h>
+#include <holdfast/widgets/picking/screen_selection.h>
 
 #include "support/random.h"
 

@@ -1,10 +1,9 @@
-#include "holdfast/widgets/camera/seen_rotation.h"
-
 #include <gtest/gtest.h>
 #include <vtkRenderer.h>
 
 #include <holdfast/geometry/degree.h>
 
+#include "holdfast/widgets/camera/view_geometry.h"
 #include "widgets/plain_view.h"
 
 namespace holdfast {

@@ -75,7 +75,8 @@ std::vector<WidgetHeader> widgetHeaders()
     if (!std::regex_match(entry.path().filename().string(), std::regex(R"(.*_(widget|style)\.h)"))) continue;
     const std::string text = test::bytesOf(entry.path());
     std::smatch found;
-    if (std::regex_search(text, found, std::regex(R"(\nclass (\w+) : public)"))) headers.push_back({found[1], text});
+    if (std::regex_search(text, found, std::regex(R"(\nclass (\w+(?:Widget|Style)) : public)")))
+      headers.push_back({found[1], text});
   }
   return headers;
 }

@@ -15,7 +15,6 @@
 #include <vtkRenderer.h>
 #include <vtkRendererCollection.h>
 
-#include <holdfast/widgets/camera/camera_motion.h>
 #include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/window/tools/ruler_tool.h>
 

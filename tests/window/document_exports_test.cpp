@@ -10,7 +10,7 @@
 #include <holdfast/deform/report_csv.h>
 #include <holdfast/deform/report_json.h>
 #include <holdfast/widgets/files/any_mesh_file.h>
-#include <holdfast/widgets/files/field_file.h>
+#include <holdfast/widgets/files/poly_data_file.h>
 #include <holdfast/window/files/document_exports.h>
 
 #include "dialogs.h"

@@ -6,7 +6,7 @@
 #include <vtkRenderer.h>
 
 #include <holdfast/constraint_files/constraint_file.h>
-#include <holdfast/widgets/camera/camera_motion.h>
+#include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/window/tools/gizmo_tool.h>
 
 #include "gestures.h"

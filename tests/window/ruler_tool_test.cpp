@@ -7,7 +7,7 @@
 #include <vtkAxisActor2D.h>
 
 #include <holdfast/document/list_edits.h>
-#include <holdfast/widgets/camera/camera_motion.h>
+#include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/window/tools/ruler_tool.h>
 
 #include "gestures.h"

@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 #include <vtkCamera.h>
 
-#include <holdfast/widgets/camera/camera_motion.h>
+#include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/window/tools/section_tool.h>
 
 #include "dialogs.h"

@@ -52,7 +52,7 @@ class SpherePanelOfPlate : public ::testing::Test {
   [[nodiscard]] QPointF placeOf(Index vertex) const
   {
     const double ratio = view().devicePixelRatioF();
-    const Vector3 place = panel.sphere()->displayPlace(vertex).value();
+    const DisplayPoint place = panel.sphere()->displayPlace(vertex).value();
     return {place.x() / ratio - 0.5, view().height() - place.y() / ratio - 0.5};
   }
 

@@ -11,7 +11,7 @@
 
 #include <QtTest/QTest>
 
-#include <holdfast/widgets/camera/camera_motion.h>
+#include <holdfast/widgets/camera/camera_state.h>
 
 #include "gestures.h"
 

@@ -3,7 +3,7 @@
 
 #include <holdfast/holdfast.h>
 #include <holdfast/widgets/files/any_mesh_file.h>
-#include <holdfast/widgets/files/field_file.h>
+#include <holdfast/widgets/files/poly_data_file.h>
 
 /// Deforms the bracket, writes fields over it, and expects to read the deformed positions from that file.
 int main()

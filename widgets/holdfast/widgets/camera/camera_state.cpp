@@ -1,14 +1,66 @@
 #include "holdfast/widgets/camera/camera_state.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include <Eigen/Geometry>
 #include <vtkCamera.h>
+#include <vtkRenderer.h>
+
+#include <holdfast/geometry/bounding_box.h>
+#include <holdfast/geometry/degree.h>
 
 namespace holdfast {
 namespace {
 
 // Four are the most that any of ten million random vectors took.
 constexpr int kMostSteps = 10;
+
+Vector3 vectorOf(const double* values)
+{
+  return {values[0], values[1], values[2]};
+}
+
+constexpr double kTurnDegrees = 32;
+constexpr double kRiseDegrees = 24;
+
+// What is flatter than this share of its length is looked at from higher up: its face is what there is to see.
+constexpr double kFlat = 0.3;
+constexpr double kRiseOverFlatDegrees = 36;
+
+// A long lens: parallel edges stay nearly parallel.
+constexpr double kViewAngleDegrees = 18;
+
+// Of the picture's height and width.
+constexpr double kMargin = 0.06;
+
+/// How far the points reach along each of the directions, in lengths of it.
+template <int Count>
+Eigen::Vector<double, Count> reachAlong(const Eigen::Matrix<double, 3, Count>& directions, const Positions& points)
+{
+  // A few at a time: products of all points would be a large matrix for a moment.
+  constexpr Index kAtOnce = 512;
+  Eigen::RowVector<double, Count> farthest = points.row(0) * directions;
+  for (Index first = 0; first < points.rows(); first += kAtOnce) {
+    const Index count = std::min(kAtOnce, points.rows() - first);
+    const auto reached = (points.middleRows(first, count) * directions).colwise().maxCoeff();
+    farthest = farthest.cwiseMax(reached);
+  }
+  return farthest.transpose();
+}
+
+/// Where the eye must be along one direction across the view, and how far back, to see all points between two planes
+/// of slope `slope` through it.
+struct Wedge {
+  double across;
+  double back;
+};
+
+/// From how far points reach along `slope` back + across and along `slope` back - across.
+Wedge wedgeAround(double above, double below, double slope)
+{
+  return {(above - below) / 2, (above + below) / (2 * slope)};
+}
 
 }  // namespace
 
@@ -42,6 +94,102 @@ void place(vtkCamera& camera, const Camera& state)
   setViewUp(camera, state.viewUp);
   camera.SetParallelScale(state.parallelScale);
   camera.SetParallelProjection(state.isParallel ? 1 : 0);
+}
+
+void orbit(vtkCamera& camera, const Vector3& pivot, double degreesRight, double degreesUp)
+{
+  const Vector3 up = vectorOf(camera.GetViewUp()).normalized();
+  const Vector3 forward = vectorOf(camera.GetDirectionOfProjection()).normalized();
+  const Vector3 right = forward.cross(up).normalized();
+  // The camera turns against the model.
+  const Eigen::Matrix3d turn =
+      (Eigen::AngleAxisd(-degreesRight * kDegree, up) * Eigen::AngleAxisd(degreesUp * kDegree, right))
+          .toRotationMatrix();
+  const Vector3 eye = pivot + turn * (vectorOf(camera.GetPosition()) - pivot);
+  const Vector3 focus = pivot + turn * (vectorOf(camera.GetFocalPoint()) - pivot);
+  const Vector3 newUp = turn * right.cross(forward);
+  camera.SetPosition(eye.data());
+  camera.SetFocalPoint(focus.data());
+  setViewUp(camera, newUp);
+}
+
+void pan(vtkRenderer& renderer, const Vector3& anchor, const DisplayPoint& from, const DisplayPoint& to)
+{
+  vtkCamera& camera = *renderer.GetActiveCamera();
+  const Vector3 shift = atDepthOf(renderer, anchor, from) - atDepthOf(renderer, anchor, to);
+  const Vector3 eye = vectorOf(camera.GetPosition()) + shift;
+  const Vector3 focus = vectorOf(camera.GetFocalPoint()) + shift;
+  camera.SetPosition(eye.data());
+  camera.SetFocalPoint(focus.data());
+}
+
+void zoom(vtkRenderer& renderer, const Vector3& anchor, double factor)
+{
+  vtkCamera& camera = *renderer.GetActiveCamera();
+  const Vector3 eye = vectorOf(camera.GetPosition());
+  const Vector3 focus = vectorOf(camera.GetFocalPoint());
+  Vector3 shift = (1 - 1 / factor) * (anchor - eye);
+  if (camera.GetParallelProjection()) {
+    camera.SetParallelScale(camera.GetParallelScale() / factor);
+    const Vector3 forward = vectorOf(camera.GetDirectionOfProjection()).normalized();
+    shift -= shift.dot(forward) * forward;
+  }
+  const Vector3 newEye = eye + shift;
+  const Vector3 newFocus = anchor + (focus - anchor) / factor;
+  const Vector3 shiftedFocus = focus + shift;
+  camera.SetPosition(newEye.data());
+  camera.SetFocalPoint(camera.GetParallelProjection() ? shiftedFocus.data() : newFocus.data());
+}
+
+Vector3 toDisplay(vtkRenderer& renderer, const Vector3& place)
+{
+  renderer.SetWorldPoint(place.x(), place.y(), place.z(), 1);
+  renderer.WorldToDisplay();
+  return vectorOf(renderer.GetDisplayPoint());
+}
+
+Vector3 atDepthOf(vtkRenderer& renderer, const Vector3& reference, const DisplayPoint& display)
+{
+  renderer.SetDisplayPoint(display.x(), display.y(), toDisplay(renderer, reference).z());
+  renderer.DisplayToWorld();
+  const double* world = renderer.GetWorldPoint();
+  return vectorOf(world) / world[3];
+}
+
+ViewFrame defaultFrame(const Positions& positions)
+{
+  const Vector3 sides = boundingBox(positions).sizes();
+  const bool isLongAlongY = sides.y() > sides.x();
+  const double longest = std::max(sides.x(), sides.y());
+  const double rise = (sides.z() < kFlat * longest ? kRiseOverFlatDegrees : kRiseDegrees) * kDegree;
+  const double turn = (isLongAlongY ? -kTurnDegrees : kTurnDegrees - 90) * kDegree;
+  const Vector3 back(std::cos(rise) * std::cos(turn), std::cos(rise) * std::sin(turn), std::sin(rise));
+  const Vector3 right = Vector3::UnitZ().cross(back).normalized();
+  return {right, back.cross(right), back};
+}
+
+void fit(vtkCamera& camera, const ViewFrame& frame, const Positions& points, double aspect)
+{
+  const double slope = std::tan(kViewAngleDegrees / 2 * kDegree) * (1 - 2 * kMargin);
+  const double slopeAcross = slope * aspect;
+  Eigen::Matrix<double, 3, 6> directions;
+  directions << slopeAcross * frame.back + frame.right, slopeAcross * frame.back - frame.right,
+      slope * frame.back + frame.up, slope * frame.back - frame.up, frame.back, -frame.back;
+  const Eigen::Vector<double, 6> reach = reachAlong(directions, points);
+  const Wedge horizontal = wedgeAround(reach[0], reach[1], slopeAcross);
+  const Wedge vertical = wedgeAround(reach[2], reach[3], slope);
+  const double nearest = reach[4];
+  const double farthest = -reach[5];
+  // A single point has no size to fit: any distance from it will do.
+  const double distance = std::max(horizontal.back, vertical.back) - nearest;
+  const double eyeBack = nearest + (distance > 0 ? distance : 1);
+  const Vector3 across = horizontal.across * frame.right + vertical.across * frame.up;
+  const Vector3 eye = across + eyeBack * frame.back;
+  const Vector3 focus = across + (farthest + nearest) / 2 * frame.back;
+  camera.SetViewAngle(kViewAngleDegrees);
+  camera.SetPosition(eye.data());
+  camera.SetFocalPoint(focus.data());
+  setViewUp(camera, frame.up);
 }
 
 }  // namespace holdfast

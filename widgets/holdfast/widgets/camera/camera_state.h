@@ -1,10 +1,13 @@
 #pragma once
 /// \file
-/// The camera of a renderer as sessions keep it, and back.
+/// The camera of a renderer: where it begins, as sessions keep it, and moved by a hand on the mouse.
 
+#include <holdfast/base/types.h>
 #include <holdfast/document/session_file.h>
+#include <holdfast/widgets/camera/display_transform.h>
 
 class vtkCamera;
+class vtkRenderer;
 
 namespace holdfast {
 
@@ -17,5 +20,38 @@ void setViewUp(vtkCamera& camera, const Vector3& up);
 /// Places `camera` so that `cameraOf` gives `state` back, if the view up is one that `setViewUp` has set. The angle of
 /// view and the clipping planes stay: set those anew.
 void place(vtkCamera& camera, const Camera& state);
+
+/// Turns eye and focal point about `pivot` (model units), which stays where it is on the screen: `degreesRight` about
+/// the camera's up, `degreesUp` about its right, as if the hand turned the model. No pole where it stops or flips.
+void orbit(vtkCamera& camera, const Vector3& pivot, double degreesRight, double degreesUp);
+
+/// Shifts the camera across the view so that `anchor`, which was under `from`, comes to lie under `to`.
+void pan(vtkRenderer& renderer, const Vector3& anchor, const DisplayPoint& from, const DisplayPoint& to);
+
+/// Goes nearer by `factor` > 1, away by less than 1: the distance of `anchor` to the eye is divided by it, and `anchor`
+/// stays where it is on the screen. With a parallel projection the picture grows about the anchor instead.
+void zoom(vtkRenderer& renderer, const Vector3& anchor, double factor);
+
+/// Where `display` is at the depth of `reference`: a place in model units.
+[[nodiscard]] Vector3 atDepthOf(vtkRenderer& renderer, const Vector3& reference, const DisplayPoint& display);
+
+/// Where a place is in the window; the third number is its depth in [0, 1] as far as it is between the clipping planes.
+[[nodiscard]] Vector3 toDisplay(vtkRenderer& renderer, const Vector3& place);
+
+/// A camera's frame: right-handed unit vectors.
+struct ViewFrame {
+  Vector3 right;
+  Vector3 up;
+  Vector3 back;  ///< from the mesh to the eye
+};
+
+/// z is up and -y the front. The eye is in front of the longer of the sides that stand (at -y, or at +x for what is
+/// longer along y), turned by a third of a right angle towards the other of these two, and raised; higher above what
+/// lies flat.
+[[nodiscard]] ViewFrame defaultFrame(const Positions& positions);
+
+/// Places `camera` along `frame`, as near as all `points` (at least one) are in a picture of `aspect` = width / height
+/// with a margin around them. Exact for the perspective, not for a bounding sphere. O(N).
+void fit(vtkCamera& camera, const ViewFrame& frame, const Positions& points, double aspect);
 
 }  // namespace holdfast

@@ -1,12 +1,18 @@
 #include "holdfast/widgets/camera/display_transform.h"
 
 #include <Eigen/LU>
+#include <vtkCamera.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
 #include <vtkRenderer.h>
-
-#include <holdfast/widgets/camera/projection.h>
 
 namespace holdfast {
 namespace {
+
+Eigen::Matrix4d toEigen(vtkMatrix4x4& matrix)
+{
+  return Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(matrix.GetData());
+}
 
 Vector3 applied(const Eigen::Matrix4d& matrix, const Vector3& place)
 {
@@ -14,6 +20,20 @@ Vector3 applied(const Eigen::Matrix4d& matrix, const Vector3& place)
 }
 
 }  // namespace
+
+Eigen::Matrix4d viewOf(vtkRenderer& renderer)
+{
+  return toEigen(*renderer.GetActiveCamera()->GetModelViewTransformMatrix());
+}
+
+Eigen::Matrix4d projectionOf(vtkRenderer& renderer)
+{
+  // VTK divides what it has multiplied by the nearer end of the range.
+  const vtkNew<vtkCamera> camera;
+  camera->DeepCopy(renderer.GetActiveCamera());
+  camera->SetClippingRange(1, 2);
+  return toEigen(*camera->GetProjectionTransformMatrix(renderer.GetTiledAspectRatio(), -1, 1));
+}
 
 DisplayTransform::DisplayTransform(vtkRenderer& renderer)
 {

@@ -1,11 +1,14 @@
 #include "holdfast/widgets/camera/view_geometry.h"
 
+#include <cmath>
+
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <vtkCamera.h>
 #include <vtkRenderer.h>
 
-#include <holdfast/widgets/camera/projection.h>
+#include <holdfast/geometry/degree.h>
+#include <holdfast/widgets/camera/display_transform.h>
 
 namespace holdfast {
 namespace {
@@ -45,6 +48,9 @@ double weightOf(const ViewGeometry& view, const Vector3& place)
 {
   return view.displayFromWorld.row(2).dot(place.homogeneous());
 }
+
+// Nearer to the center on the display a place has no direction from it, pixels.
+constexpr double kNoDirection = 1;
 
 }  // namespace
 
@@ -87,6 +93,19 @@ double worldPerPixel(const ViewGeometry& view, const Vector3& place)
 Vector3 sightOf(const ViewGeometry& view, const Vector3& place)
 {
   return view.isParallel ? view.direction : Vector3((place - view.eye).normalized());
+}
+
+double degreesSeen(const ViewGeometry& view, const Vector3& center, const Vector3& from, const Vector3& to, double near)
+{
+  const auto middle = toDisplay(view, center);
+  const auto first = toDisplay(view, from);
+  const auto last = toDisplay(view, to);
+  if (!middle || !first || !last) return near;
+  const DisplayPoint a = *first - *middle;
+  const DisplayPoint b = *last - *middle;
+  if (!(a.norm() > kNoDirection && b.norm() > kNoDirection)) return near;
+  const double degrees = std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)) / kDegree;
+  return degrees + 360 * std::round((near - degrees) / 360);
 }
 
 }  // namespace holdfast

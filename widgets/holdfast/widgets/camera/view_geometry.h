@@ -4,15 +4,11 @@
 
 #include <optional>
 
-#include <holdfast/base/types.h>
+#include <holdfast/widgets/camera/display_transform.h>
 
 class vtkRenderer;
 
 namespace holdfast {
-
-/// A place in the window, in pixels from its lower left corner. The middle of the pixel in column i and row j is
-/// (i + 0.5, j + 0.5).
-using DisplayPoint = Eigen::Vector2d;
 
 /// A view of the world.
 struct ViewGeometry {
@@ -45,5 +41,11 @@ struct ViewRay {
 
 /// The unit direction in which `place` is seen.
 [[nodiscard]] Vector3 sightOf(const ViewGeometry& view, const Vector3& place);
+
+/// By how many degrees the way from `center` to `from` turns on the display into the way to `to`, counterclockwise:
+/// about the viewing axis towards the eye. Of all angles that differ by whole turns the nearest to `near`; `near` where
+/// one of the three is not in front of the eye, or appears where the center does. Places in model units.
+[[nodiscard]] double degreesSeen(const ViewGeometry& view, const Vector3& center, const Vector3& from,
+                                 const Vector3& to, double near);
 
 }  // namespace holdfast

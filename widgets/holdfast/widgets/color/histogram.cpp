@@ -14,21 +14,12 @@ constexpr double kMostCountTicks = 5;
 // Of the largest value: multiples of finer widths could not be told apart.
 constexpr double kLeastRange = 1e-12;
 
-/// The smallest of 1, 2 and 5 times a power of ten that is no less than `least`.
-double roundWidth(double least)
-{
-  const double power = std::pow(10, std::floor(std::log10(least)));
-  for (const double factor : {1.0, 2.0, 5.0})
-    if (factor * power >= least) return factor * power;
-  return 10 * power;
-}
-
 double roundDegrees(double least)
 {
-  if (least <= 5) return roundWidth(least);
+  if (least <= 5) return roundStep(least);
   for (const double degrees : {15.0, 45.0, 90.0, 180.0})
     if (degrees >= least) return degrees;
-  return 360 * roundWidth(std::max(1.0, least / 360));
+  return 360 * roundStep(std::max(1.0, least / 360));
 }
 
 std::vector<double> finiteOf(std::span<const double> values)
@@ -67,7 +58,7 @@ Histogram linearHistogram(std::span<const double> values, TickSteps steps, Index
     const double size = std::max(std::abs(*low), std::abs(*high));
     const double range = *high > *low ? std::max(*high - *low, kLeastRange * size) : std::max(1.0, size);
     const double least = range / static_cast<double>(mostBins - 1);
-    const double width = steps == TickSteps::Degrees ? roundDegrees(least) : roundWidth(least);
+    const double width = steps == TickSteps::Degrees ? roundDegrees(least) : roundStep(least);
     double first = std::floor(*low / width);
     // The quotient may have been rounded up to a whole number.
     if (first * width > *low) --first;
@@ -138,7 +129,7 @@ std::vector<Tick> edgeTicks(const Histogram& histogram, Index most)
 
 std::vector<Tick> countTicks(Index largest)
 {
-  const double step = std::max(1.0, roundWidth(std::max(1.0, static_cast<double>(largest)) / kMostCountTicks));
+  const double step = std::max(1.0, roundStep(std::max(1.0, static_cast<double>(largest)) / kMostCountTicks));
   std::vector<Tick> ticks;
   for (double k = 0; k * step <= static_cast<double>(std::max<Index>(largest, 1)); ++k)
     ticks.push_back({k * step, fmt::format("{:.0f}", k * step)});

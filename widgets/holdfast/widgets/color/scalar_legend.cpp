@@ -105,15 +105,6 @@ void addDisc(Shape& shape, double x, double y, double radius, const Color& color
   shape.addPolygon(corners);
 }
 
-/// The smallest of 1, 2 and 5 times a power of ten that is no less than `least`.
-double roundStep(double least)
-{
-  const double power = std::pow(10, std::floor(std::log10(least)));
-  for (const double factor : {1.0, 2.0, 5.0})
-    if (factor * power >= least) return factor * power;
-  return 10 * power;
-}
-
 /// The smallest part of a turn that is round in degrees, or number of turns, and no less than `least`.
 double degreeStep(double least)
 {
@@ -201,6 +192,14 @@ void addKey(vtkRenderer& renderer, const std::vector<KeyEntry>& key, const Legen
 }
 
 }  // namespace
+
+double roundStep(double least)
+{
+  const double power = std::pow(10, std::floor(std::log10(least)));
+  for (const double factor : {1.0, 2.0, 5.0})
+    if (factor * power >= least) return factor * power;
+  return 10 * power;
+}
 
 std::vector<Tick> ticksOf(const ColorScale& scale)
 {

@@ -39,6 +39,9 @@ struct Tick {
   std::string text;
 };
 
+/// The smallest of 1, 2 and 5 times a power of ten that is no less than `least`.
+[[nodiscard]] double roundStep(double least);
+
 /// Round numbers on the scale, ascending, about five; powers of ten where it is logarithmic.
 [[nodiscard]] std::vector<Tick> ticksOf(const ColorScale& scale);
 

@@ -18,33 +18,38 @@ std::string extensionOf(const std::filesystem::path& path)
   return extension;
 }
 
-bool isVtkFormat(const std::filesystem::path& path)
-{
-  const auto vtk = polyDataExtensions();
-  return std::find(vtk.begin(), vtk.end(), extensionOf(path)) != vtk.end();
-}
-
 }  // namespace
 
 std::vector<std::string_view> anyMeshExtensions()
 {
   const auto core = meshExtensions();
-  const auto vtk = polyDataExtensions();
   std::vector<std::string_view> all(core.begin(), core.end());
-  all.insert(all.end(), vtk.begin(), vtk.end());
+  all.emplace_back(".vtp");
+  return all;
+}
+
+std::vector<std::string_view> anyOutputExtensions()
+{
+  std::vector<std::string_view> all = anyMeshExtensions();
+  all.emplace_back(".vtk");
   return all;
 }
 
 MeshDocument readAnyMesh(const std::filesystem::path& path)
 {
-  return isVtkFormat(path) ? readPolyData(path) : readMesh(path, anyMeshExtensions());
+  const std::string extension = extensionOf(path);
+  if (extension == ".vtk")
+    throw InputError({path.string(), 0, ""},
+                     "legacy VTK files (.vtk) are not read: save it as .vtp, for example in ParaView (Save Data)");
+  return extension == ".vtp" ? readPolyData(path) : readMesh(path, anyMeshExtensions());
 }
 
 Serialized serializeAnyMesh(const MeshDocument& document, const Positions& positions, const std::filesystem::path& path)
 {
+  const std::string extension = extensionOf(path);
+  const bool isVtks = extension == ".vtp" || extension == ".vtk";
   try {
-    return isVtkFormat(path) ? serializePolyData(document, positions, extensionOf(path))
-                             : serializeMesh(document, positions, extensionOf(path));
+    return isVtks ? serializePolyData(document, positions, extension) : serializeMesh(document, positions, extension);
   } catch (const OutputError& error) {
     throw OutputError(path.string(), error.reason());
   }

@@ -3,7 +3,6 @@
 /// Mesh files of every format that is known where VTK is: the core's and VTK's.
 
 #include <filesystem>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -11,8 +10,10 @@
 
 namespace holdfast {
 
-/// Lower case with the dot, the core's formats first.
+/// The formats that are read and written, lower case with the dot, the core's first.
 [[nodiscard]] std::vector<std::string_view> anyMeshExtensions();
+/// The same and legacy VTK (.vtk), which is written only.
+[[nodiscard]] std::vector<std::string_view> anyOutputExtensions();
 
 /// As `readMesh` or `readPolyData`, by the extension (any case).
 [[nodiscard]] MeshDocument readAnyMesh(const std::filesystem::path& path);

@@ -1,29 +1,27 @@
 #include "holdfast/widgets/files/poly_data_file.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
-#include <cctype>
-#include <set>
-#include <string>
 #include <utility>
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 #include <vtkCellData.h>
-#include <vtkCharArray.h>
+#include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
 #include <vtkExecutive.h>
 #include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkPolyDataReader.h>
+#include <vtkPolyDataWriter.h>
+#include <vtkSmartPointer.h>
+#include <vtkXMLPolyDataWriter.h>
 
 #include <holdfast/base/error.h>
 #include <holdfast/io/files/file_bytes.h>
-#include <holdfast/widgets/files/legacy_check.h>
-#include <holdfast/widgets/files/poly_data_bytes.h>
-#include <holdfast/widgets/files/poly_data_normals.h>
+#include <holdfast/mesh/vertex_normals.h>
 #include <holdfast/widgets/files/vtk_error_log.h>
 #include <holdfast/widgets/files/vtp_reader.h>
 #include <holdfast/widgets/mesh/poly_data.h>
@@ -31,29 +29,42 @@
 namespace holdfast {
 namespace {
 
-constexpr std::array<std::string_view, 2> kExtensions{".vtp", ".vtk"};
+/// Runs a writer of VTK, which writes into a string of its own.
+template <class Writer>
+void write(Writer& writer, vtkPolyData& polyData, const char* extension)
+{
+  VtkErrorLog log;
+  log.watch(writer);
+  log.watch(*writer.GetExecutive());
+  writer.SetInputData(&polyData);
+  writer.WriteToOutputStringOn();
+  const bool isWritten = writer.Write() != 0;
+  if (!log.isEmpty()) throw OutputError(extension, "VTK cannot write this mesh: " + log.first());
+  if (!isWritten) throw OutputError(extension, "VTK cannot write this mesh and gives no reason");
+}
 
-/// A file as VTK read it.
-struct PolyDataFile {
-  std::string extension;
-  vtkSmartPointer<vtkPolyData> polyData;
-  LegacyHeader header;  ///< of legacy files
-  bool isText = false;
-  std::set<std::string> lostKeys;
-};
+/// In binary form: VTK writes text with 11 digits, and a double needs 17.
+std::string legacyBytes(vtkPolyData& polyData)
+{
+  vtkNew<vtkPolyDataWriter> writer;
+  writer->SetFileTypeToBinary();
+  writer->SetHeader("");
+  write(*writer, polyData, ".vtk");
+  return writer->GetOutputStdString();
+}
 
-std::string bytesOf(vtkPolyData& polyData, const LegacyHeader& header, std::string_view extension)
+std::string bytesOf(vtkPolyData& polyData, std::string_view extension)
 {
   if (extension == ".vtp") return vtpBytes(polyData);
-  if (extension == ".vtk") return legacyBytes(polyData, header);
+  if (extension == ".vtk") return legacyBytes(polyData);
   throw OutputError(std::string(extension), "this is no format of VTK's for surfaces; use .vtp or .vtk");
 }
 
 class PolyDataSource final : public MeshSource {
  public:
-  PolyDataSource(PolyDataFile file, std::string path) : file_(std::move(file)), path_(std::move(path)) {}
+  PolyDataSource(VtpContents file, std::string path) : file_(std::move(file)), path_(std::move(path)) {}
 
-  [[nodiscard]] std::string extension() const override { return file_.extension; }
+  [[nodiscard]] std::string extension() const override { return ".vtp"; }
 
   [[nodiscard]] std::vector<std::string> extras() const override
   {
@@ -68,7 +79,7 @@ class PolyDataSource final : public MeshSource {
 
   [[nodiscard]] Serialized withPositions(const Positions& positions) const override
   {
-    return withPositions(positions, file_.extension);
+    return withPositions(positions, ".vtp");
   }
 
   [[nodiscard]] Serialized withPositions(const Positions& positions, std::string_view extension) const
@@ -80,81 +91,106 @@ class PolyDataSource final : public MeshSource {
     moved->DeepCopy(file_.polyData);
     Serialized result{"", refreshNormals(*moved, rest, positions), false};
     moved->SetPoints(toPoints(positions));
-    result.bytes = bytesOf(*moved, file_.header, extension);
+    result.bytes = bytesOf(*moved, extension);
     if (file_.polyData->GetPoints()->GetDataType() != VTK_DOUBLE)
       result.notes.emplace_back("coordinates that were in single precision are written as doubles");
-    if (file_.isText && extension == ".vtk")
-      result.notes.emplace_back("text became VTK's binary form, since its text does not hold doubles");
     for (const std::string& key : file_.lostKeys)
       result.notes.push_back(fmt::format("the information key \"{}\" of an array is left out", key));
     return result;
   }
 
  private:
-  PolyDataFile file_;
+  VtpContents file_;
   std::string path_;
 };
 
-PolyDataFile readXml(const std::string& bytes, const std::string& path)
+void addFields(vtkDataSetAttributes& attributes, std::span<const Field> fields, [[maybe_unused]] Index count)
 {
-  VtpContents contents = readVtp(bytes, path);
-  return {".vtp", contents.polyData, {}, false, contents.lostKeys};
+  for (const Field& field : fields) {
+    assert(static_cast<Index>(field.values.size()) == field.components * count);
+    attributes.AddArray(toArray(field));
+  }
 }
 
-PolyDataFile readLegacy(std::string bytes, const std::string& path)
+/// A stored normal that is out of date, by its tuple, with the vectors that it is normal to before and after.
+struct Outdated {
+  vtkIdType tuple = 0;
+  Vector3 rest;
+  Vector3 moved;
+};
+
+std::vector<Index> movedFaces(const Mesh& rest, const Positions& positions)
 {
-  requireSoundLegacyFile(bytes, path);
-  VtkErrorLog log;
-  vtkNew<vtkPolyDataReader> reader;
-  // Without these only the first array of each kind would be read.
-  reader->ReadAllScalarsOn();
-  reader->ReadAllVectorsOn();
-  reader->ReadAllNormalsOn();
-  reader->ReadAllTensorsOn();
-  reader->ReadAllColorScalarsOn();
-  reader->ReadAllTCoordsOn();
-  reader->ReadAllFieldsOn();
-  // As an array, because VTK takes the length of a string as a 32-bit number.
-  vtkNew<vtkCharArray> input;
-  input->SetArray(bytes.data(), static_cast<vtkIdType>(bytes.size()), 1);
-  reader->SetInputArray(input);
-  reader->ReadFromInputStringOn();
-  log.watch(*reader);
-  log.watch(*reader->GetExecutive());
-  reader->Update();
-  if (!log.isEmpty()) throw InputError({path, 0, ""}, "VTK cannot read it: " + log.first());
-  requireSoundCells(*reader->GetOutput(), path);
-  PolyDataFile file{".vtk", reader->GetOutput(), {}, reader->GetFileType() == VTK_ASCII, {}};
-  file.header = {reader->GetHeader(), reader->GetFileVersion() / 10};
-  return file;
+  std::vector<Index> faces;
+  for (Index f = 0; f < rest.faces.size(); ++f)
+    for (const Index v : rest.faces[f])
+      if (positions.row(v) != rest.positions.row(v)) {
+        faces.push_back(f);
+        break;
+      }
+  return faces;
 }
 
-std::string lowerExtension(const std::filesystem::path& path)
+/// In VTK the cells of a surface are numbered through: vertices, lines, polygons.
+std::vector<Outdated> outdatedFaces(const vtkIdType firstPolygon, const Mesh& rest, const Positions& positions)
 {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return extension;
+  std::vector<Outdated> outdated;
+  for (const Index f : movedFaces(rest, positions))
+    outdated.push_back(
+        {firstPolygon + f, areaVector(rest.positions, rest.faces[f]), areaVector(positions, rest.faces[f])});
+  return outdated;
 }
 
-PolyDataFile readFile(const std::filesystem::path& path)
+std::vector<Outdated> outdatedPoints(const Mesh& rest, const Positions& positions)
 {
-  const std::string extension = lowerExtension(path);
-  if (extension == ".vtp") return readXml(readFileBytes(path), path.string());
-  if (extension == ".vtk") return readLegacy(readFileBytes(path), path.string());
-  throw InputError({path.string(), 0, ""}, "this is no format of VTK's for surfaces; use .vtp or .vtk");
+  std::vector<char> isOutdated(rest.vertexCount(), 0);
+  for (const Index f : movedFaces(rest, positions))
+    for (const Index v : rest.faces[f]) isOutdated[v] = 1;
+
+  Positions before = Positions::Zero(rest.vertexCount(), 3);
+  Positions after = Positions::Zero(rest.vertexCount(), 3);
+  for (Index f = 0; f < rest.faces.size(); ++f)
+    for (const Index v : rest.faces[f])
+      if (isOutdated[v]) {
+        before.row(v) += areaVector(rest.positions, rest.faces[f]);
+        after.row(v) += areaVector(positions, rest.faces[f]);
+      }
+
+  std::vector<Outdated> outdated;
+  for (Index v = 0; v < rest.vertexCount(); ++v)
+    if (isOutdated[v]) outdated.push_back({v, before.row(v), after.row(v)});
+  return outdated;
+}
+
+/// The array that holds normals: the one that the file declares as such, or the one that is called so.
+vtkDataArray* storedNormals(vtkDataSetAttributes& attributes)
+{
+  vtkDataArray* normals = attributes.GetNormals();
+  if (normals == nullptr) normals = attributes.GetArray("Normals");
+  return normals != nullptr && normals->GetNumberOfComponents() == 3 ? normals : nullptr;
+}
+
+/// A copy of `normals` with those that are outdated made anew; the original belongs to the file as it was read.
+vtkSmartPointer<vtkDataArray> refreshed(vtkDataArray& normals, const std::vector<Outdated>& outdated)
+{
+  auto result = vtkSmartPointer<vtkDataArray>::Take(normals.NewInstance());
+  result->DeepCopy(&normals);
+  for (const Outdated& entry : outdated) {
+    Vector3 stored;
+    result->GetTuple(entry.tuple, stored.data());
+    const double side = stored.dot(entry.rest) < 0 ? -1 : 1;
+    const Vector3 normal = side * entry.moved.normalized();
+    result->SetTuple(entry.tuple, normal.data());
+  }
+  result->Modified();
+  return result;
 }
 
 }  // namespace
 
-std::span<const std::string_view> polyDataExtensions()
-{
-  return kExtensions;
-}
-
 MeshDocument readPolyData(const std::filesystem::path& path)
 {
-  PolyDataFile file = readFile(path);
+  VtpContents file = readVtp(readFileBytes(path), path.string());
   Mesh mesh{positionsOf(*file.polyData), polygonsOf(*file.polyData, path.string())};
   return {std::move(mesh), std::make_shared<PolyDataSource>(std::move(file), path.string())};
 }
@@ -163,11 +199,48 @@ Serialized serializePolyData(const MeshDocument& document, const Positions& posi
 {
   if (const auto* source = dynamic_cast<const PolyDataSource*>(document.source.get()))
     return source->withPositions(positions, extension);
-  Serialized result{bytesOf(*toPolyData(document.mesh, positions), {}, extension), {}, false};
+  Serialized result{bytesOf(*toPolyData(document.mesh, positions), extension), {}, false};
   if (document.source != nullptr)
-    result.notes.push_back("only positions and faces of the " + document.source->extension() + " file are kept in " +
-                           std::string(extension));
+    result.notes.push_back(
+        fmt::format("only positions and faces of the {} file are kept in {}", document.source->extension(), extension));
   return result;
+}
+
+std::string vtpBytes(vtkPolyData& polyData)
+{
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetDataModeToAppended();
+  writer->EncodeAppendedDataOff();
+  writer->SetCompressorTypeToNone();
+  writer->SetHeaderTypeToUInt64();
+  write(*writer, polyData, ".vtp");
+  return writer->GetOutputString();
+}
+
+Serialized fieldsToVtp(const Mesh& mesh, const Positions& positions, std::span<const Field> pointFields,
+                       std::span<const Field> faceFields)
+{
+  const auto polyData = toPolyData(mesh, positions);
+  addFields(*polyData->GetPointData(), pointFields, mesh.vertexCount());
+  addFields(*polyData->GetCellData(), faceFields, mesh.faces.size());
+  return {vtpBytes(*polyData), {}};
+}
+
+std::vector<std::string> refreshNormals(vtkPolyData& polyData, const Mesh& rest, const Positions& positions)
+{
+  std::vector<std::string> notes;
+  const auto refresh = [&](vtkDataSetAttributes& attributes, const std::vector<Outdated>& outdated, const char* where) {
+    vtkDataArray* normals = storedNormals(attributes);
+    if (normals == nullptr || outdated.empty()) return;
+    attributes.AddArray(refreshed(*normals, outdated));
+    notes.push_back(std::to_string(outdated.size()) + " normals of " + where + " recomputed");
+  };
+  if (storedNormals(*polyData.GetPointData()) != nullptr)
+    refresh(*polyData.GetPointData(), outdatedPoints(rest, positions), "points");
+  const vtkIdType firstPolygon = polyData.GetNumberOfVerts() + polyData.GetNumberOfLines();
+  if (storedNormals(*polyData.GetCellData()) != nullptr)
+    refresh(*polyData.GetCellData(), outdatedFaces(firstPolygon, rest, positions), "faces");
+  return notes;
 }
 
 }  // namespace holdfast

@@ -1,29 +1,45 @@
 #pragma once
 /// \file
-/// The mesh formats of VTK in and out: XML PolyData (.vtp) and legacy PolyData (.vtk).
+/// Surfaces of VTK as files: XML PolyData (.vtp) in and out, legacy PolyData (.vtk) out. Doubles keep every bit.
 
 #include <filesystem>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include <holdfast/io/mesh_document.h>
+#include <holdfast/mesh/field.h>
+#include <holdfast/mesh/mesh.h>
+
+class vtkPolyData;
 
 namespace holdfast {
 
-/// The extensions that `readPolyData` and `serializePolyData` know, lower case with the dot.
-[[nodiscard]] std::span<const std::string_view> polyDataExtensions();
-
-/// Reads a surface; the extension (any case) names the format. The polygons are the faces of the mesh; vertices, lines
-/// and every array of points, cells and the whole file are kept for writing. Throws `InputError` with the file and
-/// VTK's reason where it is missing, truncated or malformed; where it has no polygons; where it has triangle strips.
-/// Coordinates of single precision are read as they stand and written as doubles.
+/// Reads a .vtp file. Its polygons are the faces of the mesh; vertices, lines and all arrays of points, cells and the
+/// whole file are kept for writing. Throws `InputError` with the file and the reason where it is missing, truncated or
+/// malformed, and where it has no polygons or has triangle strips.
 [[nodiscard]] MeshDocument readPolyData(const std::filesystem::path& path);
 
-/// The contents of a file of the format named by `extension`, with `positions` (vertexCount x 3) in place of the
-/// document's own. A document read from either format of VTK keeps all its arrays in both; of others positions and
-/// faces are written, and a note says what was left behind. Always in VTK's binary form: its text does not hold
-/// doubles. Throws `OutputError` for an extension that is not known.
+/// The contents of a file of the format that `extension` names, .vtp or .vtk, with `positions` (vertexCount x 3) in the
+/// place of the document's own. A document from `readPolyData` keeps its arrays in both formats; of others positions
+/// and faces are written, and a note says what was left behind. Throws `OutputError` for other extensions.
 [[nodiscard]] Serialized serializePolyData(const MeshDocument& document, const Positions& positions,
                                            std::string_view extension);
+
+/// An XML file, arrays as raw binary after the XML. The same bytes for the same data. Throws `OutputError`.
+[[nodiscard]] std::string vtpBytes(vtkPolyData& polyData);
+
+/// The faces of `mesh` at `positions` (vertexCount x 3) with arrays of doubles, all in binary: every bit is kept, NaN
+/// included. The same bytes on every run. Throws `OutputError` where VTK fails.
+[[nodiscard]] Serialized fieldsToVtp(const Mesh& mesh, const Positions& positions, std::span<const Field> pointFields,
+                                     std::span<const Field> faceFields);
+
+/// Makes the stored normals of `polyData`, whose polygons and points are `rest`, right for other positions; its points
+/// stay. A normal is left alone where no vertex that it depends on moved, else it becomes the area-weighted normal of
+/// the faces around a point, or of the face, on the side on which the stored one was. Returns a note for each array
+/// that changed. O(corners).
+[[nodiscard]] std::vector<std::string> refreshNormals(vtkPolyData& polyData, const Mesh& rest,
+                                                      const Positions& positions);
 
 }  // namespace holdfast

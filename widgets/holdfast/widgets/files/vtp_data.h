@@ -1,21 +1,41 @@
 #pragma once
 /// \file
-/// The numbers of an array in an XML file of VTK: as text, in base64 or as raw bytes, compressed or not.
+/// XML files of VTK: their elements, and the numbers of an array as text, in base64 or as raw bytes, compressed or not.
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include <vtkSmartPointer.h>
 
 #include <holdfast/base/types.h>
 #include <holdfast/io/text/byte_order.h>
-#include <holdfast/widgets/files/xml_element.h>
 
 class vtkAbstractArray;
 class vtkDataCompressor;
 
 namespace holdfast {
+
+/// An element with all that is in it. References to entities are resolved.
+struct XmlElement {
+  std::string name;
+  std::size_t place = 0;  ///< byte of the text where it begins
+  std::vector<std::pair<std::string, std::string>> attributes;
+  std::string text;  ///< between its tags, without that of its children
+  std::vector<XmlElement> children;
+
+  /// The value of an attribute, or nothing where there is none of that name.
+  [[nodiscard]] std::optional<std::string_view> attribute(std::string_view wanted) const;
+  /// The first child of that name, or null.
+  [[nodiscard]] const XmlElement* child(std::string_view wanted) const;
+};
+
+/// The root of `text`. Throws `InputError` about `file` where it is no XML, and where elements are nested more than 32
+/// deep. O(text).
+[[nodiscard]] XmlElement parseXml(const std::string& text, const std::string& file);
 
 /// How a file stores the numbers of its arrays (VTK File Formats, "XML File Formats").
 struct VtpEncoding {

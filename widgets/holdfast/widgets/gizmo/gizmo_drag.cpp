@@ -8,9 +8,13 @@
 #include <fmt/format.h>
 
 #include <holdfast/geometry/degree.h>
+#include <holdfast/io/text/number_text.h>
 
 namespace holdfast {
 namespace {
+
+// What a double can tell apart, and room for zeros around it.
+constexpr std::size_t kMostCharacters = 24;
 
 // The sine of the angle to an axis or a plane below which a ray does not say where it meets it: about one degree, and
 // motions stay within fifty times the distance of the eye.
@@ -57,6 +61,25 @@ RoundStep stepFor(const ViewGeometry& view, const Vector3& place, std::initializ
 }
 
 }  // namespace
+
+bool NumericInput::add(char key)
+{
+  if (!isBegunBy(key)) return false;
+  if (key == '-') {
+    text_ = text_.starts_with('-') ? text_.substr(1) : '-' + text_;
+    return true;
+  }
+  const char character = key == ',' ? '.' : key;
+  if (text_.size() >= kMostCharacters || (character == '.' && text_.find('.') != std::string::npos)) return false;
+  text_ += character;
+  return true;
+}
+
+double NumericInput::value() const
+{
+  const ParsedNumber<double> number = parseDouble(text_);
+  return number.fault == NumberFault::None ? number.value : 0;
+}
 
 double RoundStep::multiple(double count) const
 {

@@ -1,14 +1,41 @@
 #pragma once
 /// \file
-/// What moving the cursor means while a part of the gizmo is held. Plain mathematics.
+/// What the cursor, or a typed number, means while a part of the gizmo is held. Plain mathematics.
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include <holdfast/widgets/camera/view_geometry.h>
-#include <holdfast/widgets/gizmo/gizmo_part.h>
+#include <holdfast/widgets/gizmo/gizmo_layout.h>
 
 namespace holdfast {
+
+/// Digits and one point or comma, in the order of the keys. Minus turns the sign at any time. No locale has a say.
+class NumericInput {
+ public:
+  static constexpr std::string_view kKeys = "0123456789.,-";
+
+  /// Whether a number can begin with the key.
+  [[nodiscard]] static bool isBegunBy(char key) { return kKeys.find(key) != std::string_view::npos; }
+
+  /// False, and nothing changes, where the number cannot go on with the key.
+  bool add(char key);
+  /// Takes back the last key's digit, point or sign.
+  void chop()
+  {
+    if (!text_.empty()) text_.pop_back();
+  }
+  void clear() { text_.clear(); }
+
+  [[nodiscard]] bool isEmpty() const noexcept { return text_.empty(); }
+  [[nodiscard]] const std::string& text() const noexcept { return text_; }
+  /// The nearest double; 0 before the first digit.
+  [[nodiscard]] double value() const;
+
+ private:
+  std::string text_;
+};
 
 /// A rigid motion from where the gizmo stood when the drag began: a turn about the line along `axis` through the
 /// center of the gizmo's frame, or a shift, never both.

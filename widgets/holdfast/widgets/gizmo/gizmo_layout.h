@@ -1,11 +1,66 @@
 #pragma once
 /// \file
-/// How the gizmo is laid out on the display, how visible each part is, and which one the cursor meets.
+/// The parts of the gizmo: their colours, their layout on the display, how visible each is, and which one the cursor
+/// meets.
 
+#include <holdfast/base/types.h>
 #include <holdfast/widgets/camera/view_geometry.h>
-#include <holdfast/widgets/gizmo/gizmo_part.h>
+#include <holdfast/widgets/color/color_map.h>
 
 namespace holdfast {
+
+/// What can be grabbed. The square of an axis lies across it.
+enum class GizmoPart { None, Center, ArrowX, ArrowY, ArrowZ, SquareX, SquareY, SquareZ, RingX, RingY, RingZ, ViewRing };
+
+inline constexpr int kGizmoPartCount = 12;  ///< `None` included
+
+enum class GizmoPartKind { None, Center, Arrow, Square, Ring, ViewRing };
+
+[[nodiscard]] constexpr GizmoPartKind kindOf(GizmoPart part)
+{
+  if (part == GizmoPart::None) return GizmoPartKind::None;
+  if (part == GizmoPart::Center) return GizmoPartKind::Center;
+  if (part <= GizmoPart::ArrowZ) return GizmoPartKind::Arrow;
+  if (part <= GizmoPart::SquareZ) return GizmoPartKind::Square;
+  return part <= GizmoPart::RingZ ? GizmoPartKind::Ring : GizmoPartKind::ViewRing;
+}
+
+/// Whether the part turns; all others but `None` move.
+[[nodiscard]] constexpr bool isRotation(GizmoPart part)
+{
+  return kindOf(part) == GizmoPartKind::Ring || kindOf(part) == GizmoPartKind::ViewRing;
+}
+
+/// 0, 1 and 2 for what belongs to x, y and z; -1 for what belongs to no axis.
+[[nodiscard]] constexpr int axisIndexOf(GizmoPart part)
+{
+  const GizmoPartKind kind = kindOf(part);
+  const bool hasAxis = kind == GizmoPartKind::Arrow || kind == GizmoPartKind::Square || kind == GizmoPartKind::Ring;
+  return hasAxis ? (static_cast<int>(part) - static_cast<int>(GizmoPart::ArrowX)) % 3 : -1;
+}
+
+/// Where a gizmo stands: the columns of `axes` are orthonormal and right-handed.
+struct GizmoFrame {
+  Vector3 center = Vector3::Zero();
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+};
+
+inline constexpr Color kHighlightColor{0.98, 0.76, 0.18};
+
+/// Of a part that is not highlighted.
+[[nodiscard]] constexpr Color gizmoColor(GizmoPart part)
+{
+  switch (axisIndexOf(part)) {
+    case 0:
+      return {0.84, 0.27, 0.24};
+    case 1:
+      return {0.33, 0.74, 0.52};
+    case 2:
+      return {0.15, 0.36, 0.74};
+    default:
+      return part == GizmoPart::ViewRing ? Color{0.50, 0.53, 0.58} : Color{0.93, 0.94, 0.96};
+  }
+}
 
 /// Lengths in radii of the outer ring.
 namespace gizmo_layout {

@@ -1,18 +1,21 @@
 #pragma once
 /// \file
-/// One part of the gizmo as VTK draws it.
+/// The gizmo as VTK draws it: the actors of a part, and of the trace of a drag.
 
+#include <vector>
+
+#include <vtkActor.h>
 #include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <holdfast/widgets/color/color_map.h>
+#include <holdfast/widgets/gizmo/gizmo_drag.h>
 #include <holdfast/widgets/gizmo/gizmo_layout.h>
 #include <holdfast/widgets/gizmo/gizmo_shapes.h>
 
-class vtkActor;
-class vtkPoints;
-class vtkPolyData;
 class vtkProp;
-class vtkUnsignedCharArray;
 
 namespace holdfast {
 
@@ -21,17 +24,14 @@ namespace holdfast {
 class GizmoPartActors {
  public:
   explicit GizmoPartActors(GizmoPart part);
-  ~GizmoPartActors();
-  GizmoPartActors(const GizmoPartActors&) = delete;
-  GizmoPartActors& operator=(const GizmoPartActors&) = delete;
 
   /// `visibility` 0 hides it. `sight`: the unit direction in which the gizmo is seen. O(points).
   void show(const GizmoPlacement& placement, const Color& color, double visibility, const Vector3& sight);
   void hide();
 
   [[nodiscard]] GizmoPart part() const noexcept { return part_; }
-  [[nodiscard]] vtkProp& solid() const;
-  [[nodiscard]] vtkProp& faded() const;
+  [[nodiscard]] vtkProp& solid() const { return *solid_; }
+  [[nodiscard]] vtkProp& faded() const { return *faded_; }
 
  private:
   GizmoPart part_;
@@ -46,5 +46,33 @@ class GizmoPartActors {
 
 /// The matrix of actors that stand at `placement`, row by row.
 [[nodiscard]] Eigen::Matrix<double, 4, 4, Eigen::RowMajor> matrixOf(const GizmoPlacement& placement);
+
+/// The state of a drag.
+struct GizmoTrace {
+  GizmoPart part = GizmoPart::None;
+  GizmoFrame from;                    ///< where the gizmo stood when the drag began
+  Vector3 grabbed = Vector3::Zero();  ///< `GizmoDrag::grabbed`
+  GizmoMotion motion;
+};
+
+/// The actors of a trace.
+class GizmoTraceActors {
+ public:
+  GizmoTraceActors();
+
+  /// `radius`: of the part that is dragged, model units; `pixels`: of the gizmo's outer ring.
+  void show(const GizmoTrace& trace, double radius, double pixels);
+  void hide();
+
+  [[nodiscard]] std::vector<vtkProp*> props() const { return {lines_, ends_, sector_}; }
+
+ private:
+  vtkNew<vtkPolyData> lineData_;
+  vtkNew<vtkPolyData> sectorData_;
+  vtkNew<vtkPolyData> endData_;
+  vtkNew<vtkActor> lines_;
+  vtkNew<vtkActor> sector_;
+  vtkNew<vtkActor> ends_;
+};
 
 }  // namespace holdfast

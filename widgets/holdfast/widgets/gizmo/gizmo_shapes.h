@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include <holdfast/widgets/gizmo/gizmo_part.h>
+#include <holdfast/widgets/gizmo/gizmo_layout.h>
 
 namespace holdfast {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <holdfast/widgets/camera/camera_motion.h>
-#include <holdfast/widgets/interaction/selection_mode.h>
+#include <holdfast/widgets/camera/camera_state.h>
+#include <holdfast/widgets/interaction/interaction_events.h>
 
 namespace holdfast {
 namespace {

@@ -10,38 +10,61 @@
 #include <vtkWidgetCallbackMapper.h>
 #include <vtkWidgetEvent.h>
 
-#include <holdfast/widgets/interaction/cursor.h>
-#include <holdfast/widgets/interaction/interaction_events.h>
+#include <holdfast/widgets/camera/display_transform.h>
 
 namespace holdfast {
+namespace {
+
+// A hand aims at single points, not at one vertex of a region that lies there as well.
+constexpr double kRegionHandicapPixels = 2;
+
+}  // namespace
+
+vtkStandardNewMacro(ConstraintMarkRepresentation);
+
+void ConstraintMarkRepresentation::SetMarks(std::shared_ptr<const MarkSet> marks)
+{
+  this->Marks = std::move(marks);
+  this->Modified();
+}
+
+bool ConstraintMarkRepresentation::HasMarksOf(Index constraint) const
+{
+  return this->Marks && std::any_of(this->Marks->marks.begin(), this->Marks->marks.end(),
+                                    [&](const ConstraintMark& mark) { return mark.constraint == constraint; });
+}
+
+std::optional<Index> ConstraintMarkRepresentation::FindConstraint(double displayX, double displayY) const
+{
+  if (this->Renderer == nullptr || !this->Marks) return std::nullopt;
+  const DisplayTransform toDisplay(*this->Renderer);
+  const DisplayPoint cursor = centerOfPixel(displayX, displayY);
+  double nearest = this->ReachPixels * this->PixelRatio;
+  std::optional<Index> found;
+  for (const ConstraintMark& mark : this->Marks->marks) {
+    if (this->Section && !isKept(*this->Section, mark.place)) continue;
+    const DisplayTransform::Shown shown = toDisplay.show(mark.place);
+    if (shown.depth <= 0) continue;
+    const double handicap = isSinglePoint(mark.kind) ? 0 : kRegionHandicapPixels * this->PixelRatio;
+    const double distance = (shown.point - cursor).norm() + handicap;
+    if (distance >= nearest) continue;
+    nearest = distance;
+    found = mark.constraint;
+  }
+  return found;
+}
 
 vtkStandardNewMacro(ConstraintMarkWidget);
-
-template <void (ConstraintMarkWidget::*Action)()>
-void ConstraintMarkWidget::Call(vtkAbstractWidget* widget)
-{
-  (static_cast<ConstraintMarkWidget*>(widget)->*Action)();
-}
 
 ConstraintMarkWidget::ConstraintMarkWidget()
 {
   using Widget = ConstraintMarkWidget;
   vtkWidgetCallbackMapper& mapper = *this->CallbackMapper;
-  mapper.SetCallbackMethod(vtkCommand::MouseMoveEvent, vtkWidgetEvent::Move, this, &Call<&Widget::Hover>);
-  mapper.SetCallbackMethod(vtkCommand::LeaveEvent, vtkWidgetEvent::HoverLeave, this, &Call<&Widget::Leave>);
-  mapper.SetCallbackMethod(vtkCommand::LeftButtonPressEvent, vtkWidgetEvent::Select, this, &Call<&Widget::Press>);
+  mapper.SetCallbackMethod(vtkCommand::MouseMoveEvent, vtkWidgetEvent::Move, this, &call<&Widget::Hover>);
+  mapper.SetCallbackMethod(vtkCommand::LeaveEvent, vtkWidgetEvent::HoverLeave, this, &call<&Widget::Leave>);
+  mapper.SetCallbackMethod(vtkCommand::LeftButtonPressEvent, vtkWidgetEvent::Select, this, &call<&Widget::Press>);
   mapper.SetCallbackMethod(vtkCommand::LeftButtonReleaseEvent, vtkWidgetEvent::EndSelect, this,
-                           &Call<&Widget::Release>);
-}
-
-void ConstraintMarkWidget::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Highlighted: ";
-  if (this->Highlighted)
-    os << *this->Highlighted << '\n';
-  else
-    os << "(none)\n";
+                           &call<&Widget::Release>);
 }
 
 void ConstraintMarkWidget::SetRepresentation(ConstraintMarkRepresentation* representation)
@@ -91,11 +114,6 @@ void ConstraintMarkWidget::Hover()
 {
   this->LeftClick.LeaveAt(cursorOf(*this->Interactor), this->PixelRatio());
   this->Highlight(isCameraMoving(*this->Interactor) ? std::nullopt : this->ConstraintAtCursor());
-}
-
-void ConstraintMarkWidget::Leave()
-{
-  this->Highlight(std::nullopt);
 }
 
 void ConstraintMarkWidget::Press()

@@ -98,8 +98,6 @@ void OrientationRepresentation::EndWidgetInteraction(double place[2])
 }
 
 OrientationWidget::OrientationWidget() = default;
-OrientationWidget::~OrientationWidget() = default;
-
 void OrientationWidget::CreateDefaultRepresentation()
 {
   if (this->WidgetRep == nullptr) this->WidgetRep = OrientationRepresentation::New();

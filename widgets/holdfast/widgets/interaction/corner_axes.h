@@ -29,9 +29,6 @@ class OrientationRepresentation : public vtkCameraOrientationRepresentation {
   void HighlightHandle() override;
 
  private:
-  OrientationRepresentation(const OrientationRepresentation&) = delete;
-  void operator=(const OrientationRepresentation&) = delete;
-
   [[nodiscard]] bool IsPickedFacing();
 
   std::pair<int, int> LetteredFor{-2, -2};  // axis and direction of the ball that was picked
@@ -50,11 +47,7 @@ class OrientationWidget : public vtkCameraOrientationWidget {
 
  protected:
   OrientationWidget();
-  ~OrientationWidget() override;
-
- private:
-  OrientationWidget(const OrientationWidget&) = delete;
-  void operator=(const OrientationWidget&) = delete;
+  ~OrientationWidget() override = default;
 };
 
 }  // namespace holdfast

@@ -3,22 +3,32 @@
 #include <algorithm>
 #include <cmath>
 
+#include <vtkCamera.h>
 #include <vtkCommand.h>
+#include <vtkLight.h>
 #include <vtkObjectFactory.h>
 #include <vtkRenderWindow.h>
 #include <vtkRendererCollection.h>
-#include <vtkTextActor.h>
 #include <vtkTextProperty.h>
-
-#include <holdfast/widgets/camera/view_geometry.h>
 
 namespace holdfast {
 namespace {
+
+using namespace gizmo_layout;
+
+constexpr std::array<const char*, 3> kLetters{"x", "y", "z"};
+constexpr double kLetterSize = 0.145;
+constexpr double kLetterShade = 0.72;
 
 // Pixels of a display of ordinary resolution.
 constexpr int kLabelFontSize = 14;
 // Up and to the right of the cursor, clear of what is dragged.
 constexpr double kLabelOffset[] = {18, 16};
+
+GizmoPart arrowOf(int axis)
+{
+  return static_cast<GizmoPart>(static_cast<int>(GizmoPart::ArrowX) + axis);
+}
 
 /// Above `renderer`, and not below any other: of two in one layer the one that was added last is drawn last.
 int topLayer(vtkRenderer& renderer)
@@ -28,6 +38,34 @@ int topLayer(vtkRenderer& renderer)
   for (int k = 0; k < others.GetNumberOfItems(); ++k)
     layer = std::max(layer, static_cast<vtkRenderer*>(others.GetItemAsObject(k))->GetLayer());
   return layer;
+}
+
+/// Light from above the left shoulder, so that tubes look round.
+void addLight(vtkRenderer& layer)
+{
+  layer.RemoveAllLights();
+  layer.AutomaticLightCreationOff();
+  vtkNew<vtkLight> light;
+  light->SetLightTypeToCameraLight();
+  light->SetPosition(-0.35, 0.55, 1);
+  layer.AddLight(light);
+}
+
+/// `place` is that of the letter, in the display. A position of its own would have VTK draw the letter and load it onto
+/// the graphics card anew each time that it changes, for which all that is being drawn there is waited for.
+void setUpLetter(vtkTextActor& letter, vtkCoordinate& place, int axis)
+{
+  letter.SetInput(kLetters.at(axis));
+  vtkTextProperty& property = *letter.GetTextProperty();
+  const Color color = gizmoColor(arrowOf(axis));
+  property.SetFontFamilyToArial();
+  property.BoldOn();
+  property.SetColor(kLetterShade * color.red, kLetterShade * color.green, kLetterShade * color.blue);
+  property.SetJustificationToCentered();
+  property.SetVerticalJustificationToCentered();
+  place.SetCoordinateSystemToDisplay();
+  letter.GetPositionCoordinate()->SetCoordinateSystemToViewport();
+  letter.GetPositionCoordinate()->SetReferenceCoordinate(&place);
 }
 
 /// Dark on a white plate, so that it is read on any scene.
@@ -42,14 +80,31 @@ void setUpLabel(vtkTextActor& label)
   property.SetBackgroundOpacity(0.82);
 }
 
+Eigen::Matrix3d axesOf(const ViewGeometry& view)
+{
+  Eigen::Matrix3d axes;
+  axes << view.right, view.up, -view.direction;
+  return axes;
+}
+
 }  // namespace
 
 vtkStandardNewMacro(GizmoRepresentation);
 
 GizmoRepresentation::GizmoRepresentation()
 {
+  for (int k = 1; k < kGizmoPartCount; ++k)
+    this->Parts.push_back(std::make_unique<GizmoPartActors>(static_cast<GizmoPart>(k)));
+  for (int axis = 0; axis < 3; ++axis) setUpLetter(*this->Letters.at(axis), *this->LetterPlaces.at(axis), axis);
   setUpLabel(*this->LabelActor);
-  this->Drawing.addTo(*this->Layer);
+  this->Layer->SetActiveCamera(vtkNew<vtkCamera>());
+  this->Layer->InteractiveOff();
+  addLight(*this->Layer);
+  // In this order they are drawn.
+  for (const auto& part : this->Parts) this->Layer->AddViewProp(&part->solid());
+  for (vtkProp* const prop : this->Trace.props()) this->Layer->AddViewProp(prop);
+  for (const auto& part : this->Parts) this->Layer->AddViewProp(&part->faded());
+  for (const auto& letter : this->Letters) this->Layer->AddViewProp(letter);
   this->Layer->AddViewProp(this->LabelActor);
   this->Layer->AddObserver(vtkCommand::StartEvent, this, &GizmoRepresentation::BuildRepresentation);
 }
@@ -62,21 +117,17 @@ GizmoRepresentation::~GizmoRepresentation()
 void GizmoRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Center: " << this->GetFrame().center.transpose() << '\n';
-  os << indent << "Turns: " << (this->Motions == GizmoMotions::MovesAndTurns) << '\n';
-  os << indent << "AlignToView: " << this->AlignToView << '\n';
+  os << indent << "Center: " << this->Frame.center.transpose() << '\n';
   os << indent << "PixelSize: " << this->PixelSize << '\n';
   os << indent << "PixelRatio: " << this->PixelRatio << '\n';
-  os << indent << "Units: " << this->Units << '\n';
-  os << indent << "Part: " << static_cast<int>(this->GetPart()) << '\n';
-  os << indent << "LabelVisibility: " << this->LabelVisibility << '\n';
+  os << indent << "Part: " << static_cast<int>(this->Part) << '\n';
   os << indent << "Label: " << this->Label << '\n';
 }
 
 void GizmoRepresentation::SetFrame(const Vector3& center, const Eigen::Matrix3d& axes)
 {
   if (this->IsDragging()) return;
-  this->Drawing.setFrame(center, axes);
+  this->Frame = {center, axes};
   this->Modified();
 }
 
@@ -84,13 +135,18 @@ void GizmoRepresentation::SetMotions(GizmoMotions motions)
 {
   if (this->IsDragging() || this->Motions == motions) return;
   this->Motions = motions;
-  if (!this->Offers(this->GetPart())) this->SetPart(GizmoPart::None);
+  if (!this->Offers(this->Part)) this->SetPart(GizmoPart::None);
   this->Modified();
 }
 
 bool GizmoRepresentation::Offers(GizmoPart part) const
 {
   return part != GizmoPart::None && (this->Motions == GizmoMotions::MovesAndTurns || !isRotation(part));
+}
+
+bool GizmoRepresentation::IsDrawn(GizmoPart part) const
+{
+  return this->Visibility && this->Offers(part) && (!this->Drag || this->Drag->part == part);
 }
 
 void GizmoRepresentation::SetUnits(const std::string& units)
@@ -102,21 +158,22 @@ void GizmoRepresentation::SetUnits(const std::string& units)
 
 void GizmoRepresentation::SetPart(GizmoPart part)
 {
-  if (this->GetPart() == part) return;
-  this->Drawing.highlight(part);
+  if (this->Part == part) return;
+  this->Part = part;
   this->Modified();
 }
 
 GizmoDrag GizmoRepresentation::NewDrag(const DisplayPoint& cursor)
 {
-  this->ApplySettings();
-  return {this->GetPart(), this->GetFrame(), viewGeometryOf(*this->Renderer), cursor, this->Drawing.ringPixels()};
+  const ViewGeometry view = viewGeometryOf(*this->Renderer);
+  this->AlignAxes(view);
+  return {this->Part, this->Frame, view, cursor, kRingRadius * this->Radius()};
 }
 
 void GizmoRepresentation::ShowDrag(const GizmoTrace& trace, const std::string& label, const DisplayPoint& cursor)
 {
-  this->Drawing.setFrame(trace.from.center + trace.motion.translation, trace.from.axes);
-  this->Drawing.showDrag(trace);
+  this->Frame = {trace.from.center + trace.motion.translation, trace.from.axes};
+  this->Drag = trace;
   this->Label = label;
   this->LabelPosition = cursor;
   this->Modified();
@@ -124,7 +181,7 @@ void GizmoRepresentation::ShowDrag(const GizmoTrace& trace, const std::string& l
 
 void GizmoRepresentation::EndDrag()
 {
-  this->Drawing.endDrag();
+  this->Drag.reset();
   this->Label.clear();
   this->Modified();
 }
@@ -146,38 +203,60 @@ void GizmoRepresentation::SetRenderer(vtkRenderer* renderer)
   window->AddRenderer(this->Layer);
 }
 
-/// Hands what the setters say to the gizmo; the axes of the view are those of the camera as it stands now.
-void GizmoRepresentation::ApplySettings()
+void GizmoRepresentation::AlignAxes(const ViewGeometry& view)
 {
-  this->Drawing.setPixelSize(this->PixelSize * this->PixelRatio);
-  if (this->Visibility)
-    this->Drawing.show(this->Motions);
-  else
-    this->Drawing.hide();
-  if (!this->AlignToView || this->IsDragging()) return;
-  const ViewGeometry view = viewGeometryOf(*this->Renderer);
-  Eigen::Matrix3d axes;
-  axes << view.right, view.up, -view.direction;
-  this->Drawing.setFrame(this->GetFrame().center, axes);
+  if (this->AlignToView && !this->IsDragging()) this->Frame.axes = axesOf(view);
 }
 
 void GizmoRepresentation::BuildRepresentation()
 {
   if (!this->Renderer) return;
-  this->ApplySettings();
-  this->Drawing.update(*this->Renderer);
+  const ViewGeometry view = viewGeometryOf(*this->Renderer);
+  this->AlignAxes(view);
+  const GizmoPlacement placement = placementOf(view, this->Frame, this->Radius());
+  this->PlaceParts(view, placement);
+  this->PlaceLetters(view, placement);
+  this->PlaceTrace(placement);
+  this->Layer->SetViewport(this->Renderer->GetViewport());
+  this->Layer->GetActiveCamera()->DeepCopy(this->Renderer->GetActiveCamera());
+  this->Layer->ResetCameraClippingRange();
   this->PlaceLabel();
 }
 
-int GizmoRepresentation::ComputeInteractionState(int x, int y, int /*modify*/)
+void GizmoRepresentation::PlaceParts(const ViewGeometry& view, const GizmoPlacement& placement)
 {
-  GizmoPart part = GizmoPart::None;
-  if (this->Renderer && this->Renderer->IsInViewport(x, y)) {
-    this->ApplySettings();
-    part = this->Drawing.hitTest(*this->Renderer, x + 0.5, y + 0.5);
+  // What belongs to no axis faces the view.
+  GizmoPlacement facing = placement;
+  facing.frame.axes = axesOf(view);
+  const Vector3 sight = sightOf(view, this->Frame.center);
+  for (const auto& actors : this->Parts) {
+    const GizmoPart part = actors->part();
+    const bool isHighlighted = this->Drag || part == this->Part;
+    const double visibility = isHighlighted ? 1 : visibilityOf(part, this->Frame, view);
+    actors->show(axisIndexOf(part) >= 0 ? placement : facing, isHighlighted ? kHighlightColor : gizmoColor(part),
+                 this->IsDrawn(part) ? visibility : 0, sight);
   }
-  this->InteractionState = static_cast<int>(part);
-  return this->InteractionState;
+}
+
+void GizmoRepresentation::PlaceLetters(const ViewGeometry& view, const GizmoPlacement& placement)
+{
+  for (int axis = 0; axis < 3; ++axis) {
+    vtkTextActor& letter = *this->Letters.at(axis);
+    const GizmoPart arrow = arrowOf(axis);
+    const Vector3 end = this->Frame.center + kLabelAt * placement.scale * this->Frame.axes.col(axis);
+    const std::optional<DisplayPoint> place = toDisplay(view, end);
+    const bool isSeen = visibilityOf(arrow, this->Frame, view) >= kLeastVisible;
+    letter.SetVisibility(this->IsDrawn(arrow) && place && placement.scale > 0 && isSeen);
+    if (place) this->LetterPlaces.at(axis)->SetValue(place->x(), place->y());
+    letter.GetTextProperty()->SetFontSize(std::max(8, static_cast<int>(std::lround(kLetterSize * this->Radius()))));
+  }
+}
+
+void GizmoRepresentation::PlaceTrace(const GizmoPlacement& placement)
+{
+  if (!this->Visibility || !this->Drag || !(placement.scale > 0)) return this->Trace.hide();
+  const double radius = kindOf(this->Drag->part) == GizmoPartKind::ViewRing ? 1 : kRingRadius;
+  this->Trace.show(*this->Drag, radius * placement.scale, this->Radius());
 }
 
 /// At the cursor, and wholly inside the viewport.
@@ -187,8 +266,7 @@ void GizmoRepresentation::PlaceLabel()
   actor.SetVisibility(this->Visibility && this->LabelVisibility && !this->Label.empty());
   if (!actor.GetVisibility()) return;
   actor.SetInput(this->Label.c_str());
-  vtkTextProperty& property = *actor.GetTextProperty();
-  property.SetFontSize(static_cast<int>(std::lround(kLabelFontSize * this->PixelRatio)));
+  actor.GetTextProperty()->SetFontSize(static_cast<int>(std::lround(kLabelFontSize * this->PixelRatio)));
   Eigen::Matrix2d box;  // of x and of y, from the actor's position: least above most
   actor.GetBoundingBox(this->Layer, box.data());
   int place[2];
@@ -199,6 +277,20 @@ void GizmoRepresentation::PlaceLabel()
     place[axis] = static_cast<int>(std::max(least, std::min(wanted, most)));
   }
   actor.SetDisplayPosition(place[0], place[1]);
+}
+
+int GizmoRepresentation::ComputeInteractionState(int x, int y, int /*modify*/)
+{
+  GizmoPart part = GizmoPart::None;
+  if (this->Visibility && this->Renderer && this->Renderer->IsInViewport(x, y)) {
+    const ViewGeometry view = viewGeometryOf(*this->Renderer);
+    this->AlignAxes(view);
+    part = hitGizmo(view, placementOf(view, this->Frame, this->Radius()), centerOfPixel(x, y));
+    // Rings come last of all that can be hit: nothing lies behind them.
+    if (!this->Offers(part)) part = GizmoPart::None;
+  }
+  this->InteractionState = static_cast<int>(part);
+  return this->InteractionState;
 }
 
 }  // namespace holdfast

@@ -1,34 +1,44 @@
 #pragma once
 /// \file
-/// Draws the gizmo over the scene of a renderer.
+/// The handle that a user drags: three arrows, three squares, three rings, a ring about them and a ball in the middle.
 
+#include <array>
+#include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
+#include <vtkCoordinate.h>
 #include <vtkNew.h>
 #include <vtkRenderer.h>
+#include <vtkTextActor.h>
 #include <vtkWidgetRepresentation.h>
 
-#include <holdfast/widgets/gizmo/gizmo.h>
-#include <holdfast/widgets/gizmo/gizmo_drag.h>
-
-class vtkTextActor;
+#include <holdfast/widgets/gizmo/gizmo_part_actors.h>
 
 namespace holdfast {
 
-/// The gizmo, and a label that says how far a drag is. Both are drawn in a layer of their own over all that is in the
+/// The radius of the outer ring by default, pixels of a display of ordinary resolution.
+inline constexpr double kGizmoPixels = 115;
+
+/// What the gizmo offers: points move, and have nothing to rotate.
+enum class GizmoMotions { Moves, MovesAndTurns };
+
+/// Arrows move along an axis, squares across one, the ball across the view; rings rotate about an axis, the outer one
+/// about the view direction. A label says how far a drag is. All is drawn in a layer of its own over everything in the
 /// window: `SetRenderer` adds that layer, and with null removes it. Each time that the layer is drawn, the gizmo
-/// follows the camera of the renderer, and has the same size on the display. Has no bounds: cameras are not reset to
-/// it.
+/// follows the camera of the renderer, and has the same size on the display. What is seen from the end or the edge
+/// fades out and cannot be grabbed. Has no bounds: cameras are not reset to it.
 class GizmoRepresentation : public vtkWidgetRepresentation {
  public:
   static GizmoRepresentation* New();
   vtkTypeMacro(GizmoRepresentation, vtkWidgetRepresentation)
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Where the gizmo stands; at the origin along the axes of the world by default. The columns of `axes` are
-  /// orthonormal and right-handed. Without effect during a drag, which alone moves the gizmo then.
+  /// Where the gizmo is; at the origin along the axes of the world by default. The columns of `axes` are orthonormal
+  /// and right-handed. Without effect during a drag, which alone moves the gizmo then.
   void SetFrame(const Vector3& center, const Eigen::Matrix3d& axes);
-  [[nodiscard]] const GizmoFrame& GetFrame() const { return this->Drawing.frame(); }
+  [[nodiscard]] const GizmoFrame& GetFrame() const { return this->Frame; }
 
   /// `MovesAndTurns` by default. Without effect during a drag.
   void SetMotions(GizmoMotions motions);
@@ -39,10 +49,9 @@ class GizmoRepresentation : public vtkWidgetRepresentation {
   /// Whether the axes are those of the view: right, up and towards the eye. They stay as they are during a drag. Off by
   /// default.
   vtkSetMacro(AlignToView, bool);
-  vtkGetMacro(AlignToView, bool);
   vtkBooleanMacro(AlignToView, bool);
 
-  /// Radius of the outer ring in pixels of a display of ordinary resolution; 115 by default.
+  /// Radius of the outer ring, `kGizmoPixels` by default; widths, tolerances and texts follow.
   vtkSetClampMacro(PixelSize, double, 1.0, 10000.0);
   vtkGetMacro(PixelSize, double);
   /// Pixels of the window for each of such a display; 1 by default.
@@ -53,9 +62,9 @@ class GizmoRepresentation : public vtkWidgetRepresentation {
   void SetUnits(const std::string& units);
   [[nodiscard]] const std::string& GetUnits() const { return this->Units; }
 
-  /// The part that is drawn in yellow; `None` by default.
+  /// The part that is drawn in yellow, also where it is seen from the end; `None` by default.
   void SetPart(GizmoPart part);
-  [[nodiscard]] GizmoPart GetPart() const { return this->Drawing.highlighted(); }
+  [[nodiscard]] GizmoPart GetPart() const { return this->Part; }
 
   /// A drag of the part that is highlighted, which is not `None`, as the renderer sees it now.
   [[nodiscard]] GizmoDrag NewDrag(const DisplayPoint& cursor);
@@ -64,11 +73,10 @@ class GizmoRepresentation : public vtkWidgetRepresentation {
   void ShowDrag(const GizmoTrace& trace, const std::string& label, const DisplayPoint& cursor);
   /// The gizmo stays where the last `ShowDrag` has brought it.
   void EndDrag();
-  [[nodiscard]] bool IsDragging() const { return this->Drawing.isDragging(); }
+  [[nodiscard]] bool IsDragging() const { return this->Drag.has_value(); }
 
   /// Whether the label is drawn; on by default. A window that draws its own takes the two below.
   vtkSetMacro(LabelVisibility, bool);
-  vtkGetMacro(LabelVisibility, bool);
   vtkBooleanMacro(LabelVisibility, bool);
   /// How far the drag is, in UTF-8; empty without a drag.
   [[nodiscard]] const std::string& GetLabel() const { return this->Label; }
@@ -82,8 +90,9 @@ class GizmoRepresentation : public vtkWidgetRepresentation {
   /// Hiding highlights no part any more. It does not end a drag.
   void SetVisibility(vtkTypeBool isVisible) override;
   void SetRenderer(vtkRenderer* renderer) override;
+  /// About a millisecond.
   void BuildRepresentation() override;
-  /// The part under the pixel as an int: `GizmoPart::None` beside all, outside of the renderer's viewport and while
+  /// The part under the pixel as an int, see `hitGizmo`: `GizmoPart::None` outside of the renderer's viewport and while
   /// hidden.
   int ComputeInteractionState(int x, int y, int modify = 0) override;
 
@@ -92,23 +101,32 @@ class GizmoRepresentation : public vtkWidgetRepresentation {
   ~GizmoRepresentation() override;
 
  private:
-  GizmoRepresentation(const GizmoRepresentation&) = delete;
-  void operator=(const GizmoRepresentation&) = delete;
-
-  void ApplySettings();
+  void AlignAxes(const ViewGeometry& view);
+  void PlaceParts(const ViewGeometry& view, const GizmoPlacement& placement);
+  void PlaceLetters(const ViewGeometry& view, const GizmoPlacement& placement);
+  void PlaceTrace(const GizmoPlacement& placement);
   void PlaceLabel();
+  [[nodiscard]] bool IsDrawn(GizmoPart part) const;
+  [[nodiscard]] double Radius() const { return this->PixelSize * this->PixelRatio; }
 
-  Gizmo Drawing;
-  vtkNew<vtkRenderer> Layer;
-  vtkNew<vtkTextActor> LabelActor;
+  GizmoFrame Frame;
   GizmoMotions Motions = GizmoMotions::MovesAndTurns;
   bool AlignToView = false;
   double PixelSize = kGizmoPixels;
   double PixelRatio = 1;
   std::string Units;
+  GizmoPart Part = GizmoPart::None;
+  std::optional<GizmoTrace> Drag;
   bool LabelVisibility = true;
   std::string Label;
   DisplayPoint LabelPosition{0, 0};
+
+  std::vector<std::unique_ptr<GizmoPartActors>> Parts;  // one for each but `None`, in their order
+  GizmoTraceActors Trace;
+  std::array<vtkNew<vtkTextActor>, 3> Letters;
+  std::array<vtkNew<vtkCoordinate>, 3> LetterPlaces;
+  vtkNew<vtkTextActor> LabelActor;
+  vtkNew<vtkRenderer> Layer;
 };
 
 }  // namespace holdfast

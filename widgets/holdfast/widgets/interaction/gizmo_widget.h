@@ -9,7 +9,6 @@
 #include <vtkNew.h>
 
 #include <holdfast/widgets/gizmo/gizmo_drag.h>
-#include <holdfast/widgets/gizmo/numeric_input.h>
 #include <holdfast/widgets/interaction/gizmo_representation.h>
 
 namespace holdfast {
@@ -20,18 +19,7 @@ namespace holdfast {
 /// exactly so much, and the mouse says no more. So "x 2.5 Return" moves by 2.5 along x. With Ctrl the mouse snaps
 /// (gizmo_drag.h); angles count several turns.
 ///
-/// | VTK event                                        | widget event | by default                           |
-/// |--------------------------------------------------|--------------|--------------------------------------|
-/// | MouseMoveEvent                                   | Move         | highlights; drags what is held       |
-/// | LeaveEvent                                       | HoverLeave   | highlights nothing                   |
-/// | LeftButtonPressEvent, LeftButtonDoubleClickEvent | Select       | grabs a part; keeps what is typed    |
-/// | LeftButtonReleaseEvent                           | EndSelect    | keeps what is dragged                |
-/// | KeyPressEvent "x", "y", "z"                      | Translate    | chooses the arrow of that axis       |
-/// | KeyPressEvent Shift + "x", "y", "z"              | Rotate       | chooses the ring of that axis        |
-/// | KeyPressEvent of a digit, '.', ',', '-'          | ModifyEvent  | types how far                        |
-/// | KeyPressEvent "BackSpace"                        | Delete       | takes back what was typed last       |
-/// | KeyPressEvent "Return", "KP_Enter"               | Completed    | keeps what is typed                  |
-/// | KeyPressEvent "Escape"                           | Reset        | takes back the drag; chooses nothing |
+/// Bindings, which the event translator can change: docs/widgets.md.
 ///
 /// It aborts the events that it uses, those of the mouse over a part among them; all others pass, and so do characters
 /// with Ctrl or Alt. The first move onto the gizmo passes too: other widgets learn by it that the cursor has left what
@@ -85,9 +73,6 @@ class GizmoWidget : public vtkAbstractWidget {
   void OnChar() override;
 
  private:
-  GizmoWidget(const GizmoWidget&) = delete;
-  void operator=(const GizmoWidget&) = delete;
-
   // One for each widget event: whether the VTK event has been used.
   bool Hover();
   bool Leave();

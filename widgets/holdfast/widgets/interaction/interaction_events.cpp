@@ -1,7 +1,13 @@
 #include "holdfast/widgets/interaction/interaction_events.h"
 
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
 #include <vtkInteractorStyle.h>
 #include <vtkRenderWindowInteractor.h>
+#include <vtkRenderer.h>
+#include <vtkWidgetRepresentation.h>
 
 namespace holdfast {
 
@@ -14,6 +20,59 @@ bool isCameraMoving(vtkRenderWindowInteractor& interactor)
 bool isSecondPress(vtkRenderWindowInteractor& interactor)
 {
   return interactor.GetRepeatCount() > 0;
+}
+
+DisplayPoint cursorOf(vtkRenderWindowInteractor& interactor)
+{
+  const int* position = interactor.GetEventPosition();
+  return {position[0], position[1]};
+}
+
+bool isCursorIn(vtkRenderer& renderer, vtkRenderWindowInteractor& interactor)
+{
+  const int* position = interactor.GetEventPosition();
+  return renderer.IsInViewport(position[0], position[1]) != 0;
+}
+
+int stateAtCursor(vtkWidgetRepresentation& representation, vtkRenderWindowInteractor& interactor)
+{
+  const int* position = interactor.GetEventPosition();
+  return representation.ComputeInteractionState(position[0], position[1]);
+}
+
+bool Click::LeaveAt(const DisplayPoint& place, double pixelRatio)
+{
+  if (!this->PressedAt || (place - *this->PressedAt).norm() < kClickPixels * pixelRatio) return false;
+  this->PressedAt.reset();
+  return true;
+}
+
+bool Click::Release(const DisplayPoint& place, double pixelRatio)
+{
+  this->LeaveAt(place, pixelRatio);
+  return std::exchange(this->PressedAt, std::nullopt).has_value();
+}
+
+SelectionMode selectionModeOf(vtkRenderWindowInteractor& interactor)
+{
+  if (interactor.GetControlKey() != 0) return SelectionMode::Remove;
+  return interactor.GetShiftKey() != 0 ? SelectionMode::Add : SelectionMode::Replace;
+}
+
+std::vector<Index> joined(const std::vector<Index>& selected, const std::vector<Index>& reached, SelectionMode mode)
+{
+  std::vector<Index> result;
+  switch (mode) {
+    case SelectionMode::Replace:
+      return reached;
+    case SelectionMode::Add:
+      std::set_union(selected.begin(), selected.end(), reached.begin(), reached.end(), std::back_inserter(result));
+      break;
+    case SelectionMode::Remove:
+      std::set_difference(selected.begin(), selected.end(), reached.begin(), reached.end(), std::back_inserter(result));
+      break;
+  }
+  return result;
 }
 
 }  // namespace holdfast

@@ -5,13 +5,11 @@
 #include <numbers>
 #include <utility>
 
-#include <vtkActor2D.h>
 #include <vtkCellArray.h>
 #include <vtkCoordinate.h>
 #include <vtkObjectFactory.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkPolyDataMapper2D.h>
 #include <vtkPropCollection.h>
 #include <vtkProperty2D.h>
 
@@ -115,25 +113,11 @@ RegionRepresentation::RegionRepresentation()
   this->ShowNothing();
 }
 
-RegionRepresentation::~RegionRepresentation() = default;
-
-void RegionRepresentation::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Outline: " << this->Outline.size() << " corners" << (this->IsFilled ? ", filled\n" : "\n");
-  os << indent << "PixelRatio: " << this->PixelRatio << '\n';
-}
-
 void RegionRepresentation::Show(std::vector<DisplayPoint> outline, bool isFilled)
 {
   this->Outline = std::move(outline);
   this->IsFilled = isFilled;
   this->Modified();
-}
-
-void RegionRepresentation::ShowPolygon(std::vector<DisplayPoint> corners)
-{
-  this->Show(std::move(corners), true);
 }
 
 void RegionRepresentation::ShowCircle(const DisplayPoint& center, double radius)
@@ -144,11 +128,6 @@ void RegionRepresentation::ShowCircle(const DisplayPoint& center, double radius)
     corners.push_back(center + radius * DisplayPoint(std::cos(angle), std::sin(angle)));
   }
   this->Show(std::move(corners), false);
-}
-
-void RegionRepresentation::ShowNothing()
-{
-  this->Show({}, false);
 }
 
 void RegionRepresentation::BuildRepresentation()

@@ -4,14 +4,13 @@
 
 #include <vector>
 
+#include <vtkActor2D.h>
 #include <vtkNew.h>
+#include <vtkPolyDataMapper2D.h>
 #include <vtkSmartPointer.h>
 #include <vtkWidgetRepresentation.h>
 
 #include <holdfast/widgets/camera/display_transform.h>
-
-class vtkActor2D;
-class vtkPolyDataMapper2D;
 
 namespace holdfast {
 
@@ -20,13 +19,12 @@ class RegionRepresentation : public vtkWidgetRepresentation {
  public:
   static RegionRepresentation* New();
   vtkTypeMacro(RegionRepresentation, vtkWidgetRepresentation)
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// A polygon that is filled faintly where `ScreenPolygon` has its inside. Corners are pixels as a cursor names them.
-  void ShowPolygon(std::vector<DisplayPoint> corners);
+  void ShowPolygon(std::vector<DisplayPoint> corners) { this->Show(std::move(corners), true); }
   /// A circle, not filled, around the center of a pixel; radius in pixels of the window.
   void ShowCircle(const DisplayPoint& center, double radius);
-  void ShowNothing();
+  void ShowNothing() { this->Show({}, false); }
   /// Corners of what is shown.
   [[nodiscard]] const std::vector<DisplayPoint>& GetOutline() const { return this->Outline; }
 
@@ -43,12 +41,9 @@ class RegionRepresentation : public vtkWidgetRepresentation {
 
  protected:
   RegionRepresentation();
-  ~RegionRepresentation() override;
+  ~RegionRepresentation() override = default;
 
  private:
-  RegionRepresentation(const RegionRepresentation&) = delete;
-  void operator=(const RegionRepresentation&) = delete;
-
   void Show(std::vector<DisplayPoint> outline, bool isFilled);
 
   std::vector<DisplayPoint> Outline;

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
 #include <vtkEvent.h>
 #include <vtkObjectFactory.h>
@@ -14,7 +13,6 @@
 #include <vtkWidgetCallbackMapper.h>
 #include <vtkWidgetEvent.h>
 
-#include <holdfast/widgets/interaction/cursor.h>
 #include <holdfast/widgets/interaction/interaction_events.h>
 #include <holdfast/widgets/interaction/region_representation.h>
 
@@ -54,22 +52,20 @@ RegionWidget::RegionWidget()
 {
   vtkWidgetCallbackMapper& mapper = *this->CallbackMapper;
   mapper.SetCallbackMethod(vtkCommand::LeftButtonDoubleClickEvent, vtkWidgetEvent::Completed, this,
-                           &Call<&RegionWidget::PressAgain>);
-  mapper.SetCallbackMethod(vtkCommand::LeftButtonPressEvent, vtkWidgetEvent::Select, this, &Call<&RegionWidget::Press>);
-  mapper.SetCallbackMethod(vtkCommand::MouseMoveEvent, vtkWidgetEvent::Move, this, &Call<&RegionWidget::MoveTo>);
+                           &call<&RegionWidget::PressAgain>);
+  mapper.SetCallbackMethod(vtkCommand::LeftButtonPressEvent, vtkWidgetEvent::Select, this, &call<&RegionWidget::Press>);
+  mapper.SetCallbackMethod(vtkCommand::MouseMoveEvent, vtkWidgetEvent::Move, this, &call<&RegionWidget::MoveTo>);
   mapper.SetCallbackMethod(vtkCommand::LeftButtonReleaseEvent, vtkWidgetEvent::EndSelect, this,
-                           &Call<&RegionWidget::Release>);
-  mapper.SetCallbackMethod(vtkCommand::LeaveEvent, vtkWidgetEvent::HoverLeave, this, &Call<&RegionWidget::Leave>);
-  mapper.SetCallbackMethod(vtkCommand::TimerEvent, vtkWidgetEvent::TimedOut, this, &Call<&RegionWidget::TimeOut>);
+                           &call<&RegionWidget::Release>);
+  mapper.SetCallbackMethod(vtkCommand::LeaveEvent, vtkWidgetEvent::HoverLeave, this, &call<&RegionWidget::Leave>);
+  mapper.SetCallbackMethod(vtkCommand::TimerEvent, vtkWidgetEvent::TimedOut, this, &call<&RegionWidget::TimeOut>);
   const auto bindKey = [&](const char* key, unsigned long widgetEvent, void (*action)(vtkAbstractWidget*)) {
     mapper.SetCallbackMethod(vtkCommand::KeyPressEvent, vtkEvent::AnyModifier, 0, 0, key, widgetEvent, this, action);
   };
-  bindKey("bracketleft", vtkWidgetEvent::Down, &Call<&RegionWidget::Smaller>);
-  bindKey("bracketright", vtkWidgetEvent::Up, &Call<&RegionWidget::Larger>);
-  bindKey("Escape", vtkWidgetEvent::Reset, &Call<&RegionWidget::Escape>);
+  bindKey("bracketleft", vtkWidgetEvent::Down, &call<&RegionWidget::Step<-1>>);
+  bindKey("bracketright", vtkWidgetEvent::Up, &call<&RegionWidget::Step<1>>);
+  bindKey("Escape", vtkWidgetEvent::Reset, &call<&RegionWidget::Escape>);
 }
-
-RegionWidget::~RegionWidget() = default;
 
 void RegionWidget::PrintSelf(ostream& os, vtkIndent indent)
 {
@@ -168,11 +164,6 @@ std::optional<SurfacePick> RegionWidget::FaceUnderCursor() const
   return SurfacePicker(this->Surface).pick(*this->CurrentRenderer, cursor.x(), cursor.y(), PickKind::Face, 0);
 }
 
-void RegionWidget::Use()
-{
-  this->EventCallbackCommand->SetAbortFlag(1);
-}
-
 void RegionWidget::Tell(unsigned long event, std::vector<Index> reached)
 {
   RegionCallData data{std::move(reached), this->Mode};
@@ -184,7 +175,7 @@ void RegionWidget::Press()
   if (this->Shape == RegionShape::Side && isSecondPress(*this->Interactor)) return this->SelectPart();
   this->Cancel();
   if (!this->Surface || !isCursorIn(*this->CurrentRenderer, *this->Interactor)) return;
-  this->DependencyGroup = {cursorOf(*this->Interactor)};
+  this->Trail = {cursorOf(*this->Interactor)};
   this->Mode = selectionModeOf(*this->Interactor);
   switch (this->Shape) {
     case RegionShape::Brush:
@@ -211,7 +202,7 @@ void RegionWidget::MoveTo()
       return this->PaintTo(cursorOf(*this->Interactor));
     case Gesture::Outline:
       this->Use();
-      this->DependencyGroup.push_back(cursorOf(*this->Interactor));
+      this->Trail.push_back(cursorOf(*this->Interactor));
       return this->ShowOutline();
     case Gesture::None:
     case Gesture::Search:
@@ -229,7 +220,7 @@ void RegionWidget::Release()
       return this->Tell(vtkCommand::EndInteractionEvent, std::exchange(this->Stroke, std::nullopt)->reached());
     case Gesture::Outline:
       this->Use();
-      this->DependencyGroup.push_back(cursorOf(*this->Interactor));
+      this->Trail.push_back(cursorOf(*this->Interactor));
       return this->EndOutline();
     case Gesture::None:
     case Gesture::Search:
@@ -265,9 +256,9 @@ void RegionWidget::BeginOutline()
 
 std::vector<DisplayPoint> RegionWidget::Polygon() const
 {
-  if (this->Shape == RegionShape::Lasso) return this->DependencyGroup;
-  const DisplayPoint& a = this->DependencyGroup.front();
-  const DisplayPoint& b = this->DependencyGroup.back();
+  if (this->Shape == RegionShape::Lasso) return this->Trail;
+  const DisplayPoint& a = this->Trail.front();
+  const DisplayPoint& b = this->Trail.back();
   return {a, {b.x(), a.y()}, b, {a.x(), b.y()}};
 }
 
@@ -342,27 +333,13 @@ bool RegionWidget::Cancel()
   return true;
 }
 
-void RegionWidget::Escape()
-{
-  if (this->Cancel()) this->Use();
-}
-
-void RegionWidget::Smaller()
-{
-  this->Step(-1);
-}
-
-void RegionWidget::Larger()
-{
-  this->Step(1);
-}
-
-void RegionWidget::Step(int direction)
+template <int Direction>
+void RegionWidget::Step()
 {
   if (this->Shape == RegionShape::Brush)
-    this->SetBrushRadius(this->BrushRadius * std::pow(kBrushStep, direction));
+    this->SetBrushRadius(this->BrushRadius * std::pow(kBrushStep, Direction));
   else if (this->Shape == RegionShape::Side)
-    this->SetSideAngle(this->SideAngle + direction * kSideStepDegrees);
+    this->SetSideAngle(this->SideAngle + Direction * kSideStepDegrees);
   else
     return;
   this->Use();

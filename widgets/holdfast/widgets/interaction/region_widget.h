@@ -7,11 +7,11 @@
 #include <vector>
 
 #include <vtkAbstractWidget.h>
+#include <vtkCallbackCommand.h>
 
 #include <holdfast/surface/vertex_regions.h>
 #include <holdfast/widgets/interaction/brush_stroke.h>
-#include <holdfast/widgets/interaction/click.h>
-#include <holdfast/widgets/interaction/selection_mode.h>
+#include <holdfast/widgets/interaction/interaction_events.h>
 #include <holdfast/widgets/picking/screen_selection.h>
 #include <holdfast/widgets/picking/visible_surface.h>
 
@@ -44,20 +44,7 @@ struct RegionCallData {
 /// |                         | shape, regions or model, disabled                              |                   |
 /// | WidgetValueChangedEvent | a key asks for another radius of the brush or angle of sides   | none              |
 ///
-/// Bindings, which the event translator can change:
-///
-/// | VTK event                                         | widget event               |                      |
-/// |---------------------------------------------------|----------------------------|----------------------|
-/// | LeftButtonPressEvent                              | vtkWidgetEvent::Select     | begins; of a side, a |
-/// |                                                   |                            | second one: the part |
-/// | MouseMoveEvent                                    | vtkWidgetEvent::Move       | goes on, or hovers   |
-/// | LeftButtonReleaseEvent                            | vtkWidgetEvent::EndSelect  | ends                 |
-/// | LeftButtonDoubleClickEvent                        | vtkWidgetEvent::Completed  | as a second press    |
-/// | LeaveEvent                                        | vtkWidgetEvent::HoverLeave | hides the brush      |
-/// | KeyPressEvent "bracketleft"                       | vtkWidgetEvent::Down       | smaller              |
-/// | KeyPressEvent "bracketright"                      | vtkWidgetEvent::Up         | larger               |
-/// | KeyPressEvent "Escape"                            | vtkWidgetEvent::Reset      | cancels              |
-/// | TimerEvent                                        | vtkWidgetEvent::TimedOut   | goes on looking      |
+/// Bindings, which the event translator can change: docs/widgets.md.
 ///
 /// Shift adds to what is selected, Ctrl takes away: of a brush as it comes down, else at the end of the gesture. With
 /// Alt, rectangle and lasso reach what is hidden as well. What they reach is looked for 12,000 vertices at a time, in
@@ -104,7 +91,7 @@ class RegionWidget : public vtkAbstractWidget {
 
  protected:
   RegionWidget();
-  ~RegionWidget() override;
+  ~RegionWidget() override = default;
 
  private:
   enum class Gesture {
@@ -114,23 +101,15 @@ class RegionWidget : public vtkAbstractWidget {
     Search    // for what is in the outline
   };
 
-  RegionWidget(const RegionWidget&) = delete;
-  void operator=(const RegionWidget&) = delete;
-
-  template <void (RegionWidget::*Action)()>
-  static void Call(vtkAbstractWidget* widget)
-  {
-    (static_cast<RegionWidget*>(widget)->*Action)();
-  }
-
   void Press();
   void PressAgain();
   void MoveTo();
   void Release();
   void Leave();
-  void Smaller();
-  void Larger();
-  void Escape();
+  void Escape()
+  {
+    if (this->Cancel()) this->Use();
+  }
   void TimeOut();
 
   void BeginStroke();
@@ -142,8 +121,9 @@ class RegionWidget : public vtkAbstractWidget {
   void SelectPart();
   void SelectAtOnce(std::vector<Index> reached);
 
-  void Step(int direction);
-  void Use();
+  template <int Direction>
+  void Step();
+  void Use() { this->EventCallbackCommand->SetAbortFlag(1); }
   void Hover();
   void ShowBrush();
   void ShowOutline();
@@ -161,7 +141,7 @@ class RegionWidget : public vtkAbstractWidget {
   Gesture Current = Gesture::None;
   Click LeftClick;  // on a side
   SelectionMode Mode = SelectionMode::Replace;
-  std::vector<DisplayPoint> DependencyGroup;  // of the cursor since the press
+  std::vector<DisplayPoint> Trail;  // of the cursor since the press
   std::optional<BrushStroke> Stroke;
   std::unique_ptr<ScreenSelection> Found;
   int TimerId = 0;

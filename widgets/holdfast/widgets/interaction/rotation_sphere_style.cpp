@@ -10,7 +10,6 @@
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 
-#include <holdfast/widgets/interaction/cursor.h>
 #include <holdfast/widgets/interaction/interaction_events.h>
 #include <holdfast/widgets/rotation_sphere/rotation_sphere.h>
 #include <holdfast/widgets/rotation_sphere/sphere_camera.h>
@@ -27,13 +26,6 @@ constexpr double kZoomOfNotch = 1.2;
 
 vtkStandardNewMacro(RotationSphereStyle);
 
-void RotationSphereStyle::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Sphere: " << this->Sphere << '\n';
-  os << indent << "PixelRatio: " << this->PixelRatio << '\n';
-}
-
 void RotationSphereStyle::SetSphere(RotationSphere* sphere)
 {
   this->Sphere = sphere;
@@ -47,11 +39,6 @@ void RotationSphereStyle::OnLeftButtonDown()
   if (isSecondPress(*this->Interactor)) return this->Fit();
   this->IsPressed = true;
   this->Last = cursorOf(*this->Interactor);
-}
-
-void RotationSphereStyle::OnLeftButtonDoubleClick()
-{
-  if (this->Sphere) this->Fit();
 }
 
 void RotationSphereStyle::OnMouseMove()
@@ -69,16 +56,6 @@ void RotationSphereStyle::OnLeftButtonUp()
   if (this->State != VTKIS_NONE) return this->StopState();
   const DisplayPoint place = cursorOf(*this->Interactor) + DisplayPoint(0.5, 0.5);
   if (auto vertex = this->Sphere->pick(place.x(), place.y())) this->InvokeEvent(vtkCommand::PickEvent, &*vertex);
-}
-
-void RotationSphereStyle::OnMouseWheelForward()
-{
-  this->Zoom(1);
-}
-
-void RotationSphereStyle::OnMouseWheelBackward()
-{
-  this->Zoom(-1);
 }
 
 void RotationSphereStyle::OnKeyPress()

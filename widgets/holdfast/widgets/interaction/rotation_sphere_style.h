@@ -23,7 +23,6 @@ class RotationSphereStyle : public vtkInteractorStyle {
  public:
   static RotationSphereStyle* New();
   vtkTypeMacro(RotationSphereStyle, vtkInteractorStyle)
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// What is turned: in a renderer of the interactor's window, and alive as long as it is set. Null, the default:
   /// nothing.
@@ -36,10 +35,13 @@ class RotationSphereStyle : public vtkInteractorStyle {
 
   void OnLeftButtonDown() override;
   void OnLeftButtonUp() override;
-  void OnLeftButtonDoubleClick() override;
+  void OnLeftButtonDoubleClick() override
+  {
+    if (this->Sphere) this->Fit();
+  }
   void OnMouseMove() override;
-  void OnMouseWheelForward() override;
-  void OnMouseWheelBackward() override;
+  void OnMouseWheelForward() override { this->Zoom(1); }
+  void OnMouseWheelBackward() override { this->Zoom(-1); }
   void OnKeyPress() override;
   void OnChar() override {}
 
@@ -48,9 +50,6 @@ class RotationSphereStyle : public vtkInteractorStyle {
   ~RotationSphereStyle() override = default;
 
  private:
-  RotationSphereStyle(const RotationSphereStyle&) = delete;
-  void operator=(const RotationSphereStyle&) = delete;
-
   void Turn(const DisplayPoint& pixels);
   void Zoom(double notches);
   void Fit();

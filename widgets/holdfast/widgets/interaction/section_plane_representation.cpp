@@ -10,12 +10,6 @@ namespace holdfast {
 
 vtkStandardNewMacro(SectionPlaneRepresentation);
 
-void SectionPlaneRepresentation::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Surface: " << (this->Surface ? "set" : "(none)") << '\n';
-}
-
 int SectionPlaneRepresentation::ComputeInteractionState(int x, int y, int modify)
 {
   const auto isOverSurface = [&] {

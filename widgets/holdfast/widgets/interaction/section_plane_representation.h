@@ -17,7 +17,6 @@ class SectionPlaneRepresentation : public vtkImplicitPlaneRepresentation {
  public:
   static SectionPlaneRepresentation* New();
   vtkTypeMacro(SectionPlaneRepresentation, vtkImplicitPlaneRepresentation)
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// What is cut, without what is cut away; null (the default): nothing.
   void SetSurface(std::shared_ptr<const VisibleSurface> surface) { this->Surface = std::move(surface); }
@@ -29,9 +28,6 @@ class SectionPlaneRepresentation : public vtkImplicitPlaneRepresentation {
   ~SectionPlaneRepresentation() override = default;
 
  private:
-  SectionPlaneRepresentation(const SectionPlaneRepresentation&) = delete;
-  void operator=(const SectionPlaneRepresentation&) = delete;
-
   std::shared_ptr<const VisibleSurface> Surface;
 };
 

@@ -11,8 +11,7 @@
 #include <vtkRenderer.h>
 #include <vtkWidgetEvent.h>
 
-#include <holdfast/widgets/camera/camera_motion.h>
-#include <holdfast/widgets/interaction/cursor.h>
+#include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/widgets/interaction/interaction_events.h>
 #include <holdfast/widgets/picking/surface_picker.h>
 
@@ -37,15 +36,6 @@ SurfaceCameraStyle::SurfaceCameraStyle()
   translator.SetTranslation(vtkCommand::RightButtonPressEvent, vtkWidgetEvent::Rotate);
   translator.SetTranslation(vtkCommand::LeftButtonPressEvent, vtkWidgetEvent::Rotate);
   translator.SetTranslation(vtkCommand::MiddleButtonPressEvent, vtkWidgetEvent::Translate);
-}
-
-void SurfaceCameraStyle::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Surface: " << this->Surface.get() << '\n';
-  os << indent << "PixelRatio: " << this->PixelRatio << '\n';
-  os << indent << "EventTranslator:\n";
-  this->EventTranslator->PrintSelf(os, indent.GetNextIndent());
 }
 
 void SurfaceCameraStyle::SetSurface(std::shared_ptr<const VisibleSurface> surface)
@@ -123,46 +113,6 @@ void SurfaceCameraStyle::CameraMoved()
   if (this->AutoAdjustCameraClippingRange) this->CurrentRenderer->ResetCameraClippingRange();
   this->InvokeEvent(vtkCommand::InteractionEvent);
   this->Interactor->Render();
-}
-
-void SurfaceCameraStyle::OnLeftButtonDown()
-{
-  this->ButtonDown(vtkCommand::LeftButtonPressEvent);
-}
-
-void SurfaceCameraStyle::OnLeftButtonUp()
-{
-  this->ButtonUp(vtkCommand::LeftButtonPressEvent);
-}
-
-void SurfaceCameraStyle::OnMiddleButtonDown()
-{
-  this->ButtonDown(vtkCommand::MiddleButtonPressEvent);
-}
-
-void SurfaceCameraStyle::OnMiddleButtonUp()
-{
-  this->ButtonUp(vtkCommand::MiddleButtonPressEvent);
-}
-
-void SurfaceCameraStyle::OnRightButtonDown()
-{
-  this->ButtonDown(vtkCommand::RightButtonPressEvent);
-}
-
-void SurfaceCameraStyle::OnRightButtonUp()
-{
-  this->ButtonUp(vtkCommand::RightButtonPressEvent);
-}
-
-void SurfaceCameraStyle::OnMouseWheelForward()
-{
-  this->Zoom(1);
-}
-
-void SurfaceCameraStyle::OnMouseWheelBackward()
-{
-  this->Zoom(-1);
 }
 
 }  // namespace holdfast

@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include <vtkCommand.h>
 #include <vtkInteractorStyle.h>
 #include <vtkNew.h>
 #include <vtkWidgetEventTranslator.h>
@@ -34,7 +35,6 @@ class SurfaceCameraStyle : public vtkInteractorStyle {
  public:
   static SurfaceCameraStyle* New();
   vtkTypeMacro(SurfaceCameraStyle, vtkInteractorStyle)
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// What the cursor is over; null (the default), and beside the surface: the place at the depth of the focal point.
   void SetSurface(std::shared_ptr<const VisibleSurface> surface);
@@ -49,15 +49,15 @@ class SurfaceCameraStyle : public vtkInteractorStyle {
   /// Ends a drag that is under way; the camera stays as it is.
   void Cancel();
 
-  void OnLeftButtonDown() override;
-  void OnLeftButtonUp() override;
-  void OnMiddleButtonDown() override;
-  void OnMiddleButtonUp() override;
-  void OnRightButtonDown() override;
-  void OnRightButtonUp() override;
+  void OnLeftButtonDown() override { this->ButtonDown(vtkCommand::LeftButtonPressEvent); }
+  void OnLeftButtonUp() override { this->ButtonUp(vtkCommand::LeftButtonPressEvent); }
+  void OnMiddleButtonDown() override { this->ButtonDown(vtkCommand::MiddleButtonPressEvent); }
+  void OnMiddleButtonUp() override { this->ButtonUp(vtkCommand::MiddleButtonPressEvent); }
+  void OnRightButtonDown() override { this->ButtonDown(vtkCommand::RightButtonPressEvent); }
+  void OnRightButtonUp() override { this->ButtonUp(vtkCommand::RightButtonPressEvent); }
   void OnMouseMove() override;
-  void OnMouseWheelForward() override;
-  void OnMouseWheelBackward() override;
+  void OnMouseWheelForward() override { this->Zoom(1); }
+  void OnMouseWheelBackward() override { this->Zoom(-1); }
   void OnChar() override {}
 
  protected:
@@ -65,9 +65,6 @@ class SurfaceCameraStyle : public vtkInteractorStyle {
   ~SurfaceCameraStyle() override = default;
 
  private:
-  SurfaceCameraStyle(const SurfaceCameraStyle&) = delete;
-  void operator=(const SurfaceCameraStyle&) = delete;
-
   void ButtonDown(unsigned long event);
   void ButtonUp(unsigned long pressEvent);
   void Zoom(double notches);

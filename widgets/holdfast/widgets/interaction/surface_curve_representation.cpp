@@ -4,20 +4,17 @@
 #include <cmath>
 #include <utility>
 
-#include <vtkActor.h>
 #include <vtkCell.h>
 #include <vtkCellArray.h>
 #include <vtkIdList.h>
 #include <vtkObjectFactory.h>
 #include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
 #include <vtkPropCollection.h>
-#include <vtkProperty.h>
 #include <vtkRenderer.h>
 
-#include <holdfast/widgets/camera/camera_motion.h>
+#include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/widgets/color/color_map.h>
+#include <holdfast/widgets/mesh/actor_setup.h>
 
 namespace holdfast {
 namespace {
@@ -42,12 +39,8 @@ constexpr double kCurveUnits = -8;
 
 void showCurve(vtkActor& actor, vtkPolyData& line, const Color& color, double opacity)
 {
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(&line);
-  mapper->SetResolveCoincidentTopologyToPolygonOffset();
-  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(kCurveFactor, kCurveUnits);
-  actor.SetMapper(mapper);
-  actor.GetProperty()->SetColor(color.red, color.green, color.blue);
+  drawLinesNearer(showData(actor, line), kCurveFactor, kCurveUnits);
+  setColor(actor, color);
   actor.GetProperty()->SetOpacity(opacity);
   actor.GetProperty()->LightingOff();
 }
@@ -80,8 +73,6 @@ SurfaceCurveRepresentation::SurfaceCurveRepresentation()
   showCurve(*this->PreviewFront, *this->PreviewLine, kCurveColor, kPreviewOpacity);
 }
 
-SurfaceCurveRepresentation::~SurfaceCurveRepresentation() = default;
-
 void SurfaceCurveRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -106,27 +97,12 @@ void SurfaceCurveRepresentation::SetSurface(std::shared_ptr<const VisibleSurface
     this->ClearAllNodes();
 }
 
-void SurfaceCurveRepresentation::SetRegions(std::shared_ptr<const VertexRegions> regions)
-{
-  this->Interpolator->SetRegions(std::move(regions));
-}
-
 void SurfaceCurveRepresentation::SetPixelRatio(double ratio)
 {
   this->PixelRatio = std::clamp(ratio, 0.1, 100.0);
   this->Placer->SetPixelRatio(this->PixelRatio);
   this->SetPixelTolerance(static_cast<int>(std::lround(kReachPixels * this->PixelRatio)));
   this->Modified();
-}
-
-Vector3 SurfaceCurveRepresentation::PlaceOf(Index vertex) const
-{
-  return this->Surface->positions().row(vertex).transpose();
-}
-
-bool SurfaceCurveRepresentation::IsNode(int n) const
-{
-  return n >= 0 && n < static_cast<int>(this->Internal->Nodes.size());
 }
 
 std::vector<Index> SurfaceCurveRepresentation::GetPlaces() const
@@ -232,7 +208,7 @@ void SurfaceCurveRepresentation::SetPreview(std::optional<Index> vertex)
   if (vertex && this->Internal->Nodes.empty())
     way = {*vertex};
   else if (vertex && this->ClosedLoop == 0)
-    way = this->Interpolator->DependencyGroup(this->GetPlaces().back(), *vertex);
+    way = this->Interpolator->Path(this->GetPlaces().back(), *vertex);
   if (way == this->Preview) return;
   this->Preview = std::move(way);
   this->NeedToRender = 1;
@@ -375,11 +351,6 @@ void SurfaceCurveRepresentation::InitializeContour(vtkPolyData* line, vtkIdList*
   if (line->GetNumberOfCells() > 0 && line->GetCell(0)->GetNumberOfPoints() > count) this->ClosedLoopOn();
 }
 
-void SurfaceCurveRepresentation::BuildLines()
-{
-  this->Modified();
-}
-
 void SurfaceCurveRepresentation::SetSprites()
 {
   std::vector<Sprite> places;
@@ -400,9 +371,7 @@ void SurfaceCurveRepresentation::SetSprites()
 
 void SurfaceCurveRepresentation::SetWidths()
 {
-  const auto setWidth = [this](vtkActor& actor, double pixels) {
-    actor.GetProperty()->SetLineWidth(static_cast<float>(pixels * this->PixelRatio));
-  };
+  const auto setWidth = [this](vtkActor& actor, double pixels) { setLineWidth(actor, pixels * this->PixelRatio); };
   setWidth(*this->LineBehind, kCurvePixels);
   setWidth(*this->LineRim, kCurveRimPixels);
   setWidth(*this->LineFront, kCurvePixels);

@@ -10,10 +10,9 @@
 #include <vtkContourRepresentation.h>
 #include <vtkNew.h>
 
-#include <holdfast/widgets/interaction/surface_curve_interpolator.h>
 #include <holdfast/widgets/interaction/surface_point_placer.h>
-#include <holdfast/widgets/marks/behind_actor.h>
 #include <holdfast/widgets/marks/point_sprites.h>
+#include <holdfast/widgets/mesh/blended_actor.h>
 
 class vtkPolyDataMapper;
 
@@ -30,7 +29,7 @@ class SurfaceCurveRepresentation : public vtkContourRepresentation {
   /// What the curve lies on; null (the default): nothing. Another model's takes the curve away.
   void SetSurface(std::shared_ptr<const VisibleSurface> surface);
   /// Made of the surface's model, whose edges the curve follows; null (the default): places are refused.
-  void SetRegions(std::shared_ptr<const VertexRegions> regions);
+  void SetRegions(std::shared_ptr<const VertexRegions> regions) { this->Interpolator->SetRegions(std::move(regions)); }
 
   /// Pixels of the window for each of a display of ordinary resolution; 1 by default.
   void SetPixelRatio(double ratio);
@@ -96,19 +95,16 @@ class SurfaceCurveRepresentation : public vtkContourRepresentation {
 
  protected:
   SurfaceCurveRepresentation();
-  ~SurfaceCurveRepresentation() override;
+  ~SurfaceCurveRepresentation() override = default;
 
-  void BuildLines() override;
+  void BuildLines() override { this->Modified(); }
   void InitializeContour(vtkPolyData* line, vtkIdList* vertices) override;
 
  private:
-  SurfaceCurveRepresentation(const SurfaceCurveRepresentation&) = delete;
-  void operator=(const SurfaceCurveRepresentation&) = delete;
-
   [[nodiscard]] bool IsPossible(Index vertex, int moved) const;
   [[nodiscard]] std::optional<Index> NearestVertex(const double place[3]) const;
-  [[nodiscard]] Vector3 PlaceOf(Index vertex) const;
-  [[nodiscard]] bool IsNode(int n) const;
+  [[nodiscard]] Vector3 PlaceOf(Index vertex) const { return this->Surface->positions().row(vertex).transpose(); }
+  [[nodiscard]] bool IsNode(int n) const { return n >= 0 && n < static_cast<int>(this->Internal->Nodes.size()); }
   void FollowSurface();
   void SetSprites();
   void SetWidths();

@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
 #include <vtkEvent.h>
 #include <vtkObjectFactory.h>
@@ -13,9 +12,7 @@
 #include <vtkWidgetEvent.h>
 #include <vtkWidgetEventTranslator.h>
 
-#include <holdfast/widgets/interaction/cursor.h>
 #include <holdfast/widgets/interaction/interaction_events.h>
-#include <holdfast/widgets/interaction/surface_curve_representation.h>
 
 namespace holdfast {
 
@@ -30,39 +27,21 @@ SurfaceCurveWidget::SurfaceCurveWidget()
   this->EventTranslator->ClearEvents();
   vtkWidgetCallbackMapper& mapper = *this->CallbackMapper;
   mapper.SetCallbackMethod(vtkCommand::LeftButtonPressEvent, vtkWidgetEvent::Select, this,
-                           &Call<&SurfaceCurveWidget::Press>);
-  mapper.SetCallbackMethod(vtkCommand::MouseMoveEvent, vtkWidgetEvent::Move, this, &Call<&SurfaceCurveWidget::MoveTo>);
+                           &call<&SurfaceCurveWidget::Press>);
+  mapper.SetCallbackMethod(vtkCommand::MouseMoveEvent, vtkWidgetEvent::Move, this, &call<&SurfaceCurveWidget::MoveTo>);
   mapper.SetCallbackMethod(vtkCommand::LeftButtonReleaseEvent, vtkWidgetEvent::EndSelect, this,
-                           &Call<&SurfaceCurveWidget::Release>);
-  mapper.SetCallbackMethod(vtkCommand::LeaveEvent, vtkWidgetEvent::HoverLeave, this, &Call<&SurfaceCurveWidget::Leave>);
+                           &call<&SurfaceCurveWidget::Release>);
+  mapper.SetCallbackMethod(vtkCommand::LeaveEvent, vtkWidgetEvent::HoverLeave, this, &call<&SurfaceCurveWidget::Leave>);
   mapper.SetCallbackMethod(vtkCommand::LeftButtonDoubleClickEvent, vtkWidgetEvent::AddFinalPoint, this,
-                           &Call<&SurfaceCurveWidget::CloseByHand>);
+                           &call<&SurfaceCurveWidget::CloseByHand>);
   const auto bindKey = [&](const char* key, unsigned long widgetEvent, void (*action)(vtkAbstractWidget*)) {
     mapper.SetCallbackMethod(vtkCommand::KeyPressEvent, vtkEvent::AnyModifier, 0, 0, key, widgetEvent, this, action);
   };
   for (const char* const key : {"Return", "KP_Enter"})
-    bindKey(key, vtkWidgetEvent::AddFinalPoint, &Call<&SurfaceCurveWidget::CloseByHand>);
+    bindKey(key, vtkWidgetEvent::AddFinalPoint, &call<&SurfaceCurveWidget::CloseByHand>);
   for (const char* const key : {"BackSpace", "Delete"})
-    bindKey(key, vtkWidgetEvent::Delete, &Call<&SurfaceCurveWidget::RemoveByHand>);
-  bindKey("Escape", vtkWidgetEvent::Reset, &Call<&SurfaceCurveWidget::Escape>);
-}
-
-SurfaceCurveWidget::~SurfaceCurveWidget() = default;
-
-void SurfaceCurveWidget::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "IsDragging: " << (this->IsDragging() ? "Yes\n" : "No\n");
-}
-
-void SurfaceCurveWidget::SetRepresentation(SurfaceCurveRepresentation* representation)
-{
-  this->SetWidgetRepresentation(representation);
-}
-
-SurfaceCurveRepresentation* SurfaceCurveWidget::GetSurfaceCurveRepresentation()
-{
-  return static_cast<SurfaceCurveRepresentation*>(this->GetRepresentation());
+    bindKey(key, vtkWidgetEvent::Delete, &call<&SurfaceCurveWidget::RemoveByHand>);
+  bindKey("Escape", vtkWidgetEvent::Reset, &call<&SurfaceCurveWidget::Escape>);
 }
 
 void SurfaceCurveWidget::CreateDefaultRepresentation()
@@ -93,31 +72,6 @@ void SurfaceCurveWidget::SetSurface(std::shared_ptr<const VisibleSurface> surfac
 void SurfaceCurveWidget::SetRegions(std::shared_ptr<const VertexRegions> regions)
 {
   this->GetSurfaceCurveRepresentation()->SetRegions(std::move(regions));
-}
-
-void SurfaceCurveWidget::SetPixelRatio(double ratio)
-{
-  this->GetSurfaceCurveRepresentation()->SetPixelRatio(ratio);
-}
-
-double SurfaceCurveWidget::GetPixelRatio()
-{
-  return this->GetSurfaceCurveRepresentation()->GetPixelRatio();
-}
-
-std::vector<Index> SurfaceCurveWidget::GetPlaces()
-{
-  return this->GetSurfaceCurveRepresentation()->GetPlaces();
-}
-
-std::vector<Index> SurfaceCurveWidget::GetPath()
-{
-  return this->GetSurfaceCurveRepresentation()->GetPath();
-}
-
-bool SurfaceCurveWidget::IsClosed()
-{
-  return this->GetSurfaceCurveRepresentation()->GetClosedLoop() != 0;
 }
 
 bool SurfaceCurveWidget::IsDragging()
@@ -193,11 +147,6 @@ void SurfaceCurveWidget::Initialize(vtkPolyData* line, int state, vtkIdList* ver
   if (line == nullptr) return this->Clear();
   this->Superclass::Initialize(line, state, vertices);
   this->ShowChanges();
-}
-
-void SurfaceCurveWidget::Use()
-{
-  this->EventCallbackCommand->SetAbortFlag(1);
 }
 
 void SurfaceCurveWidget::Tell(unsigned long event)
@@ -324,11 +273,6 @@ void SurfaceCurveWidget::ClickAt(const DisplayPoint& cursor)
     this->AddPlace(*vertex);
 }
 
-void SurfaceCurveWidget::CloseByHand()
-{
-  if (this->Close()) this->Use();
-}
-
 void SurfaceCurveWidget::RemoveByHand()
 {
   SurfaceCurveRepresentation& curve = *this->GetSurfaceCurveRepresentation();
@@ -341,11 +285,6 @@ void SurfaceCurveWidget::RemoveByHand()
   curve.DeleteActiveNode();
   if (curve.GetNumberOfNodes() < 3) curve.ClosedLoopOff();
   this->Changed();
-}
-
-void SurfaceCurveWidget::Escape()
-{
-  if (this->Cancel()) this->Use();
 }
 
 }  // namespace holdfast

@@ -5,15 +5,13 @@
 #include <memory>
 #include <vector>
 
+#include <vtkCallbackCommand.h>
 #include <vtkContourWidget.h>
 
-#include <holdfast/surface/vertex_regions.h>
-#include <holdfast/widgets/interaction/click.h>
-#include <holdfast/widgets/picking/visible_surface.h>
+#include <holdfast/widgets/interaction/interaction_events.h>
+#include <holdfast/widgets/interaction/surface_curve_representation.h>
 
 namespace holdfast {
-
-class SurfaceCurveRepresentation;
 
 /// Clicks place vertices that shortest paths of edges join. A click within 12 pixels of the first one closes the curve,
 /// then its places can be dragged, and a drag from elsewhere on it puts one more. Presses that neither close the curve
@@ -28,21 +26,9 @@ class SurfaceCurveRepresentation;
 /// | EndInteractionEvent     | the curve is closed; a drag of a place ends                           | all places |
 /// | CancelInteractionEvent  | Escape took all places, or a drag back                                | all places |
 ///
-/// All places are a `std::vector<Index>*`: vertices of the file, in the order of the curve. Bindings, which the event
-/// translator can change:
+/// All places are a `std::vector<Index>*`: vertices of the file, in the order of the curve.
 ///
-/// | VTK event                                      | widget event                      |                             |
-/// |------------------------------------------------|-----------------------------------|-----------------------------|
-/// | LeftButtonPressEvent, LeftButtonReleaseEvent   | vtkWidgetEvent::Select, EndSelect | puts or drags a place; a    |
-/// |                                                |                                   | second press closes         |
-/// | MouseMoveEvent                                 | vtkWidgetEvent::Move              | shows the way to the cursor |
-/// | LeaveEvent                                     | vtkWidgetEvent::HoverLeave        | hides it                    |
-/// | LeftButtonDoubleClickEvent                     | vtkWidgetEvent::AddFinalPoint     | closes                      |
-/// | KeyPressEvent "Return", "KP_Enter"             | vtkWidgetEvent::AddFinalPoint     | closes                      |
-/// | KeyPressEvent "BackSpace", "Delete"            | vtkWidgetEvent::Delete            | takes a place back: of a    |
-/// |                                                |                                   | closed curve the one under  |
-/// |                                                |                                   | the cursor, else the last   |
-/// | KeyPressEvent "Escape"                         | vtkWidgetEvent::Reset             | takes all back              |
+/// Bindings, which the event translator can change: docs/widgets.md.
 ///
 /// `FollowCursor`, on by default, shows the way to the vertex under the cursor; `ContinuousDraw` and
 /// `AllowNodePicking` are without effect. `CloseLoop` closes without an event. Disabling keeps the curve.
@@ -50,10 +36,12 @@ class SurfaceCurveWidget : public vtkContourWidget {
  public:
   static SurfaceCurveWidget* New();
   vtkTypeMacro(SurfaceCurveWidget, vtkContourWidget)
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  void SetRepresentation(SurfaceCurveRepresentation* representation);
-  [[nodiscard]] SurfaceCurveRepresentation* GetSurfaceCurveRepresentation();
+  void SetRepresentation(SurfaceCurveRepresentation* representation) { this->SetWidgetRepresentation(representation); }
+  [[nodiscard]] SurfaceCurveRepresentation* GetSurfaceCurveRepresentation()
+  {
+    return static_cast<SurfaceCurveRepresentation*>(this->GetRepresentation());
+  }
   void CreateDefaultRepresentation() override;
   void SetEnabled(int enabling) override;
 
@@ -63,13 +51,13 @@ class SurfaceCurveWidget : public vtkContourWidget {
   /// Of the surface's model; null (the default): clicks are refused.
   void SetRegions(std::shared_ptr<const VertexRegions> regions);
   /// Pixels of the window for each of a display of ordinary resolution; 1 by default.
-  void SetPixelRatio(double ratio);
-  [[nodiscard]] double GetPixelRatio();
+  void SetPixelRatio(double ratio) { this->GetSurfaceCurveRepresentation()->SetPixelRatio(ratio); }
+  [[nodiscard]] double GetPixelRatio() { return this->GetSurfaceCurveRepresentation()->GetPixelRatio(); }
 
   /// As of the representation: the vertices that were clicked, and those with all between.
-  [[nodiscard]] std::vector<Index> GetPlaces();
-  [[nodiscard]] std::vector<Index> GetPath();
-  [[nodiscard]] bool IsClosed();
+  [[nodiscard]] std::vector<Index> GetPlaces() { return this->GetSurfaceCurveRepresentation()->GetPlaces(); }
+  [[nodiscard]] std::vector<Index> GetPath() { return this->GetSurfaceCurveRepresentation()->GetPath(); }
+  [[nodiscard]] bool IsClosed() { return this->GetSurfaceCurveRepresentation()->GetClosedLoop() != 0; }
 
   /// An open curve through these vertices instead, without an event. Surface and regions are set. False, and no curve,
   /// where one of them is no possible place (`SurfaceCurveRepresentation::InsertPlace`).
@@ -94,25 +82,22 @@ class SurfaceCurveWidget : public vtkContourWidget {
 
  protected:
   SurfaceCurveWidget();
-  ~SurfaceCurveWidget() override;
+  ~SurfaceCurveWidget() override = default;
 
  private:
-  SurfaceCurveWidget(const SurfaceCurveWidget&) = delete;
-  void operator=(const SurfaceCurveWidget&) = delete;
-
-  template <void (SurfaceCurveWidget::*Action)()>
-  static void Call(vtkAbstractWidget* widget)
-  {
-    (static_cast<SurfaceCurveWidget*>(widget)->*Action)();
-  }
-
   void Press();
   void MoveTo();
   void Release();
   void Leave();
-  void CloseByHand();
+  void CloseByHand()
+  {
+    if (this->Close()) this->Use();
+  }
   void RemoveByHand();
-  void Escape();
+  void Escape()
+  {
+    if (this->Cancel()) this->Use();
+  }
 
   void ClickAt(const DisplayPoint& cursor);
   void BeginDrag();
@@ -122,7 +107,7 @@ class SurfaceCurveWidget : public vtkContourWidget {
   void Changed();
   void Tell(unsigned long event);
   void UpdateState();
-  void Use();
+  void Use() { this->EventCallbackCommand->SetAbortFlag(1); }
   void ShowChanges();
   [[nodiscard]] bool IsDragging();
 

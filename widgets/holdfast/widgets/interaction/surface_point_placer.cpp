@@ -3,21 +3,13 @@
 #include <algorithm>
 #include <utility>
 
+#include <vtkContourRepresentation.h>
 #include <vtkObjectFactory.h>
 #include <vtkRenderer.h>
 
 namespace holdfast {
 
 vtkStandardNewMacro(SurfacePointPlacer);
-
-void SurfacePointPlacer::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Surface: " << this->Surface.get() << '\n';
-  os << indent << "Kind: " << static_cast<int>(this->Kind) << '\n';
-  os << indent << "SnapPixels: " << this->SnapPixels << '\n';
-  os << indent << "PixelRatio: " << this->PixelRatio << '\n';
-}
 
 void SurfacePointPlacer::SetSurface(std::shared_ptr<const VisibleSurface> surface)
 {
@@ -65,6 +57,48 @@ int SurfacePointPlacer::ValidateWorldPosition(double /*worldPos*/[3])
 int SurfacePointPlacer::ValidateWorldPosition(double /*worldPos*/[3], double /*worldOrient*/[9])
 {
   return 1;
+}
+
+vtkStandardNewMacro(SurfaceCurveInterpolator);
+
+void SurfaceCurveInterpolator::SetSurface(std::shared_ptr<const VisibleSurface> surface)
+{
+  if (this->Surface == surface) return;
+  this->Surface = std::move(surface);
+  this->Modified();
+}
+
+void SurfaceCurveInterpolator::SetRegions(std::shared_ptr<const VertexRegions> regions)
+{
+  if (this->Regions == regions) return;
+  this->Regions = std::move(regions);
+  this->Paths.reset();
+  if (this->Regions) this->Paths.emplace(this->Regions->graph());
+  this->Modified();
+}
+
+std::vector<Index> SurfaceCurveInterpolator::Path(Index from, Index to)
+{
+  if (!this->Surface || !this->Paths) return {};
+  const Weld& weld = this->Surface->model().solverMesh.weld;
+  std::vector<Index> path = this->Paths->path(weld.unknownOf[from], weld.unknownOf[to]);
+  if (path.empty()) return path;
+  for (Index& unknown : path) unknown = weld.firstVertexOf[unknown];
+  path.front() = from;
+  path.back() = to;
+  return path;
+}
+
+int SurfaceCurveInterpolator::InterpolateLine(vtkRenderer* /*renderer*/, vtkContourRepresentation* contour, int from,
+                                              int to)
+{
+  const std::vector<Index> path =
+      this->Path(Index{contour->GetNthNode(from)->PointId}, Index{contour->GetNthNode(to)->PointId});
+  for (std::size_t k = 1; k + 1 < path.size(); ++k) {
+    Vector3 place = this->Surface->positions().row(path[k]).transpose();
+    contour->AddIntermediatePointWorldPosition(from, place.data(), path[k]);
+  }
+  return path.empty() ? 0 : 1;
 }
 
 }  // namespace holdfast

@@ -1,13 +1,17 @@
 #pragma once
 /// \file
-/// Places points on a surface: on its vertices, its edges or in its faces.
+/// What VTK's handles and contours ask of a surface: where a point is placed, and which line joins two of them.
 
 #include <memory>
 #include <optional>
+#include <vector>
 
+#include <vtkContourLineInterpolator.h>
 #include <vtkPointPlacer.h>
 
+#include <holdfast/surface/vertex_regions.h>
 #include <holdfast/widgets/picking/surface_picker.h>
+#include <holdfast/widgets/picking/visible_surface.h>
 
 namespace holdfast {
 
@@ -17,7 +21,6 @@ class SurfacePointPlacer : public vtkPointPlacer {
  public:
   static SurfacePointPlacer* New();
   vtkTypeMacro(SurfacePointPlacer, vtkPointPlacer)
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// What points are placed on; null (the default): nothing. May change at any time.
   void SetSurface(std::shared_ptr<const VisibleSurface> surface);
@@ -55,14 +58,41 @@ class SurfacePointPlacer : public vtkPointPlacer {
   ~SurfacePointPlacer() override = default;
 
  private:
-  SurfacePointPlacer(const SurfacePointPlacer&) = delete;
-  void operator=(const SurfacePointPlacer&) = delete;
-
   std::shared_ptr<const VisibleSurface> Surface;
   PickKind Kind = PickKind::Nearest;
   double SnapPixels = 7;
   double PixelRatio = 1;
   std::optional<SurfacePick> LastPick;
+};
+
+/// Joins nodes of a contour by shortest paths of edges: as long as these are at rest, drawn where the surface is. Nodes
+/// are vertices of the file: the `PointId` of each, and of each point between.
+class SurfaceCurveInterpolator : public vtkContourLineInterpolator {
+ public:
+  static SurfaceCurveInterpolator* New();
+  vtkTypeMacro(SurfaceCurveInterpolator, vtkContourLineInterpolator)
+
+  /// Until both are there, and made of one model, nothing is joined; null by default.
+  void SetSurface(std::shared_ptr<const VisibleSurface> surface);
+  [[nodiscard]] const std::shared_ptr<const VisibleSurface>& GetSurface() const { return this->Surface; }
+  void SetRegions(std::shared_ptr<const VertexRegions> regions);
+  [[nodiscard]] const std::shared_ptr<const VertexRegions>& GetRegions() const { return this->Regions; }
+
+  /// The vertices of a shortest path, both ends included; none where no edges join them. Of vertices that are one
+  /// unknown (unwelded files) the first stands for all on the way. Costs what `ShortestPaths::path` does.
+  [[nodiscard]] std::vector<Index> Path(Index from, Index to);
+
+  /// 1, or 0 where nothing joins the nodes.
+  int InterpolateLine(vtkRenderer* renderer, vtkContourRepresentation* contour, int from, int to) override;
+
+ protected:
+  SurfaceCurveInterpolator() = default;
+  ~SurfaceCurveInterpolator() override = default;
+
+ private:
+  std::shared_ptr<const VisibleSurface> Surface;
+  std::shared_ptr<const VertexRegions> Regions;
+  std::optional<ShortestPaths> Paths;  // in the graph of the regions
 };
 
 }  // namespace holdfast

@@ -2,17 +2,14 @@
 
 #include <utility>
 
-#include <vtkActor.h>
 #include <vtkCellArray.h>
 #include <vtkObjectFactory.h>
 #include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
 #include <vtkPropCollection.h>
-#include <vtkProperty.h>
 
-#include <holdfast/widgets/marks/behind_actor.h>
 #include <holdfast/widgets/marks/constraint_glyphs.h>
+#include <holdfast/widgets/mesh/actor_setup.h>
+#include <holdfast/widgets/mesh/blended_actor.h>
 
 namespace holdfast {
 namespace {
@@ -34,48 +31,24 @@ MarkKind markKindOf(const SurfaceLocation& location)
   return std::holds_alternative<AtEdge>(location) ? MarkKind::Edge : MarkKind::Face;
 }
 
-/// The actor, made of a BlendedActor or a BehindActor, with a flat colour.
-vtkSmartPointer<vtkActor> colored(vtkSmartPointer<vtkActor> actor, const Color& color)
-{
-  actor->GetProperty()->SetColor(color.red, color.green, color.blue);
-  actor->GetProperty()->LightingOff();
-  return actor;
-}
-
 }  // namespace
 
 vtkStandardNewMacro(SurfacePointRepresentation);
 
 SurfacePointRepresentation::SurfacePointRepresentation()
 {
-  this->AddLines(colored(vtkSmartPointer<BehindActor>::New(), kAccentColor));
-  this->AddLines(colored(vtkSmartPointer<BlendedActor>::New(), kHaloColor));
-  this->AddLines(colored(vtkSmartPointer<BlendedActor>::New(), kAccentColor));
+  this->AddLines(vtkSmartPointer<BehindActor>::New(), kAccentColor);
+  this->AddLines(vtkSmartPointer<BlendedActor>::New(), kHaloColor);
+  this->AddLines(vtkSmartPointer<BlendedActor>::New(), kAccentColor);
   this->SetPixelRatio(1);
 }
 
-SurfacePointRepresentation::~SurfacePointRepresentation() = default;
-
-void SurfacePointRepresentation::AddLines(vtkSmartPointer<vtkActor> actor)
+void SurfacePointRepresentation::AddLines(vtkSmartPointer<vtkActor> actor, const Color& color)
 {
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(this->Outline);
-  mapper->SetResolveCoincidentTopologyToPolygonOffset();
-  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(kOutlineFactor, kOutlineUnits);
-  actor->SetMapper(mapper);
+  drawLinesNearer(showData(*actor, *this->Outline), kOutlineFactor, kOutlineUnits);
+  setColor(*actor, color);
+  actor->GetProperty()->LightingOff();
   this->Lines.push_back(std::move(actor));
-}
-
-void SurfacePointRepresentation::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Surface: " << this->Surface.get() << '\n';
-  os << indent << "PixelRatio: " << this->PixelRatio << '\n';
-  os << indent << "Preview: ";
-  if (this->Preview)
-    os << this->Preview->place.transpose() << '\n';
-  else
-    os << "(none)\n";
 }
 
 void SurfacePointRepresentation::SetSurface(std::shared_ptr<const VisibleSurface> surface)
@@ -101,7 +74,7 @@ void SurfacePointRepresentation::SetPixelRatio(double ratio)
   this->Point.setBallPixels(kPreviewBallPixels * ratio);
   for (std::size_t k = 0; k < this->Lines.size(); ++k) {
     const bool isHalo = k == 1;
-    this->Lines[k]->GetProperty()->SetLineWidth(static_cast<float>((isHalo ? kHaloPixels : kOutlinePixels) * ratio));
+    setLineWidth(*this->Lines[k], (isHalo ? kHaloPixels : kOutlinePixels) * ratio);
   }
   this->Modified();
 }

@@ -6,15 +6,14 @@
 #include <optional>
 #include <vector>
 
+#include <vtkActor.h>
 #include <vtkNew.h>
+#include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkWidgetRepresentation.h>
 
 #include <holdfast/widgets/marks/point_preview.h>
 #include <holdfast/widgets/picking/surface_picker.h>
-
-class vtkActor;
-class vtkPolyData;
 
 namespace holdfast {
 
@@ -25,7 +24,6 @@ class SurfacePointRepresentation : public vtkWidgetRepresentation {
  public:
   static SurfacePointRepresentation* New();
   vtkTypeMacro(SurfacePointRepresentation, vtkWidgetRepresentation)
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// What the point lies on. A point that is shown stays at its location where the surface has moved, and goes where
   /// it is another one (`VisibleSurface::isSameMesh`). Null, the default: nothing is shown.
@@ -47,13 +45,10 @@ class SurfacePointRepresentation : public vtkWidgetRepresentation {
 
  protected:
   SurfacePointRepresentation();
-  ~SurfacePointRepresentation() override;
+  ~SurfacePointRepresentation() override = default;
 
  private:
-  SurfacePointRepresentation(const SurfacePointRepresentation&) = delete;
-  void operator=(const SurfacePointRepresentation&) = delete;
-
-  void AddLines(vtkSmartPointer<vtkActor> actor);
+  void AddLines(vtkSmartPointer<vtkActor> actor, const Color& color);
   [[nodiscard]] std::vector<Index> OutlineVertices() const;
 
   std::shared_ptr<const VisibleSurface> Surface;

@@ -11,44 +11,29 @@
 #include <vtkWidgetCallbackMapper.h>
 #include <vtkWidgetEventTranslator.h>
 
-#include <holdfast/widgets/interaction/cursor.h>
 #include <holdfast/widgets/interaction/interaction_events.h>
 
 namespace holdfast {
 
 vtkStandardNewMacro(SurfacePointWidget);
 
-template <void (SurfacePointWidget::*Action)()>
-void SurfacePointWidget::Call(vtkAbstractWidget* widget)
-{
-  (static_cast<SurfacePointWidget*>(widget)->*Action)();
-}
-
 SurfacePointWidget::SurfacePointWidget()
 {
   using Widget = SurfacePointWidget;
   vtkWidgetCallbackMapper& mapper = *this->CallbackMapper;
-  mapper.SetCallbackMethod(vtkCommand::MouseMoveEvent, vtkWidgetEvent::Move, this, &Call<&Widget::Hover>);
+  mapper.SetCallbackMethod(vtkCommand::MouseMoveEvent, vtkWidgetEvent::Move, this, &call<&Widget::Hover>);
   for (const unsigned long event :
        {vtkCommand::LeaveEvent, vtkCommand::MouseWheelForwardEvent, vtkCommand::MouseWheelBackwardEvent})
-    mapper.SetCallbackMethod(event, vtkWidgetEvent::HoverLeave, this, &Call<&Widget::Leave>);
-  mapper.SetCallbackMethod(vtkCommand::LeftButtonPressEvent, vtkWidgetEvent::Select, this, &Call<&Widget::Press>);
-  mapper.SetCallbackMethod(vtkCommand::LeftButtonReleaseEvent, vtkWidgetEvent::AddPoint, this, &Call<&Widget::Release>);
+    mapper.SetCallbackMethod(event, vtkWidgetEvent::HoverLeave, this, &call<&Widget::Leave>);
+  mapper.SetCallbackMethod(vtkCommand::LeftButtonPressEvent, vtkWidgetEvent::Select, this, &call<&Widget::Press>);
+  mapper.SetCallbackMethod(vtkCommand::LeftButtonReleaseEvent, vtkWidgetEvent::AddPoint, this, &call<&Widget::Release>);
   const auto bindKey = [&](char key, unsigned long widgetEvent, void (*action)(vtkAbstractWidget*)) {
     mapper.SetCallbackMethod(vtkCommand::CharEvent, vtkEvent::NoModifier, key, 0, nullptr, widgetEvent, this, action);
   };
-  bindKey('v', ChooseVertices, &Call<&Widget::Choose<PickKind::Vertex>>);
-  bindKey('e', ChooseEdges, &Call<&Widget::Choose<PickKind::Edge>>);
-  bindKey('f', ChooseFaces, &Call<&Widget::Choose<PickKind::Face>>);
-  bindKey('a', ChooseNearest, &Call<&Widget::Choose<PickKind::Nearest>>);
-}
-
-void SurfacePointWidget::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "IsHovering: " << this->IsHovering << '\n';
-  os << indent << "Placer:\n";
-  this->Placer->PrintSelf(os, indent.GetNextIndent());
+  bindKey('v', ChooseVertices, &call<&Widget::Choose<PickKind::Vertex>>);
+  bindKey('e', ChooseEdges, &call<&Widget::Choose<PickKind::Edge>>);
+  bindKey('f', ChooseFaces, &call<&Widget::Choose<PickKind::Face>>);
+  bindKey('a', ChooseNearest, &call<&Widget::Choose<PickKind::Nearest>>);
 }
 
 void SurfacePointWidget::SetRepresentation(SurfacePointRepresentation* representation)

@@ -9,7 +9,7 @@
 #include <vtkNew.h>
 #include <vtkWidgetEvent.h>
 
-#include <holdfast/widgets/interaction/click.h>
+#include <holdfast/widgets/interaction/interaction_events.h>
 #include <holdfast/widgets/interaction/surface_point_placer.h>
 #include <holdfast/widgets/interaction/surface_point_representation.h>
 
@@ -24,13 +24,7 @@ namespace holdfast {
 /// | PlacePointEvent         | a click on a point                                      | `SurfacePick*`         |
 /// | WidgetValueChangedEvent | a key has chosen what points may lie on                 | `PickKind*`            |
 ///
-/// | VTK event                                     | widget event                           |                   |
-/// |-----------------------------------------------|----------------------------------------|-------------------|
-/// | MouseMoveEvent                                | vtkWidgetEvent::Move                   | shows the point   |
-/// | LeaveEvent, MouseWheel{Forward,Backward}Event | vtkWidgetEvent::HoverLeave             | hides it          |
-/// | LeftButtonPressEvent                          | vtkWidgetEvent::Select                 | begins a click    |
-/// | LeftButtonReleaseEvent                        | vtkWidgetEvent::AddPoint               | ends it           |
-/// | CharEvent "v", "e", "f", "a"                  | `Choose{Vertices,Edges,Faces,Nearest}` | points may lie on |
+/// Bindings, which the event translator can change: docs/widgets.md.
 ///
 /// The second press of a double click begins none. Keys are those of CharEvent, at which VTK's own styles would quit
 /// and fly: those that are used are aborted.
@@ -46,7 +40,6 @@ class SurfacePointWidget : public vtkAbstractWidget {
 
   static SurfacePointWidget* New();
   vtkTypeMacro(SurfacePointWidget, vtkAbstractWidget)
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   void SetRepresentation(SurfacePointRepresentation* representation);
   [[nodiscard]] SurfacePointRepresentation* GetSurfacePointRepresentation();
@@ -79,11 +72,6 @@ class SurfacePointWidget : public vtkAbstractWidget {
   ~SurfacePointWidget() override = default;
 
  private:
-  SurfacePointWidget(const SurfacePointWidget&) = delete;
-  void operator=(const SurfacePointWidget&) = delete;
-
-  template <void (SurfacePointWidget::*Action)()>
-  static void Call(vtkAbstractWidget* widget);
   void Hover();
   void Leave();
   void Press();

@@ -19,6 +19,7 @@
 #include <vtkWindow.h>
 
 #include <holdfast/geometry/degree.h>
+#include <holdfast/surface/surface_locator.h>
 #include <holdfast/widgets/camera/display_transform.h>
 #include <holdfast/widgets/marks/constraint_glyphs.h>
 
@@ -91,6 +92,53 @@ void addLine(const DisplayPoint& from, const DisplayPoint& to, vtkPoints& points
 
 }  // namespace
 
+vtkStandardNewMacro(SurfaceHandleRepresentation);
+
+const VisibleSurface* SurfaceHandleRepresentation::GetSurface() const
+{
+  const auto* placer = SurfacePointPlacer::SafeDownCast(this->PointPlacer);
+  return placer != nullptr ? placer->GetSurface().get() : nullptr;
+}
+
+void SurfaceHandleRepresentation::SetLocation(const SurfaceLocation& location)
+{
+  if (this->GetSurface() == nullptr) {
+    vtkErrorMacro("The placer must have a surface before the handle has a location");
+    return;
+  }
+  const Model& model = this->GetSurface()->model();
+  SurfaceLocator locator(model.mesh, model.triangulation);
+  this->SetPlacement(SurfacePlacement{location, locator.locate(location, {}).point});
+}
+
+void SurfaceHandleRepresentation::SetPlacement(std::optional<SurfacePlacement> placement)
+{
+  this->Placement = std::move(placement);
+  this->FollowSurface();
+  this->Modified();
+}
+
+void SurfaceHandleRepresentation::FollowSurface()
+{
+  if (!this->Placement) return;
+  Vector3 place = this->GetPlace();
+  this->SetWorldPosition(place.data());
+}
+
+Vector3 SurfaceHandleRepresentation::GetRestPlace() const
+{
+  return positionOf(this->Placement->point, this->GetSurface()->model().mesh.positions);
+}
+
+void SurfaceHandleRepresentation::SetDisplayPosition(double display[3])
+{
+  auto* placer = SurfacePointPlacer::SafeDownCast(this->PointPlacer);
+  if (placer == nullptr || this->Renderer == nullptr) return this->Superclass::SetDisplayPosition(display);
+  const auto pick = placer->Pick(*this->Renderer, display);
+  if (pick)
+    this->SetPlacement(SurfacePlacement{pick->location, pointOf(pick->location, this->GetSurface()->model().mesh)});
+}
+
 vtkStandardNewMacro(SurfaceRulerRepresentation);
 
 SurfaceRulerRepresentation::SurfaceRulerRepresentation()
@@ -116,25 +164,9 @@ SurfaceRulerRepresentation::SurfaceRulerRepresentation()
   this->SetPixelRatio(1);
 }
 
-SurfaceRulerRepresentation::~SurfaceRulerRepresentation() = default;
-
-void SurfaceRulerRepresentation::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Label: " << this->GetLabel() << '\n';
-  os << indent << "RestDistance: " << this->GetRestDistance() << '\n';
-  os << indent << "Placer:\n";
-  this->Placer->PrintSelf(os, indent.GetNextIndent());
-}
-
 SurfaceHandleRepresentation& SurfaceRulerRepresentation::GetHandle(int end) const
 {
   return *static_cast<SurfaceHandleRepresentation*>(end == 0 ? this->Point1Representation : this->Point2Representation);
-}
-
-bool SurfaceRulerRepresentation::IsPlaced() const
-{
-  return this->GetHandle(0).GetPlacement() && this->GetHandle(1).GetPlacement();
 }
 
 void SurfaceRulerRepresentation::SetSurface(std::shared_ptr<const VisibleSurface> surface)
@@ -154,11 +186,6 @@ void SurfaceRulerRepresentation::SetSurface(std::shared_ptr<const VisibleSurface
 Vector3 SurfaceRulerRepresentation::GetVector() const
 {
   return this->IsPlaced() ? Vector3(this->GetHandle(1).GetPlace() - this->GetHandle(0).GetPlace()) : Vector3::Zero();
-}
-
-double SurfaceRulerRepresentation::GetDistance()
-{
-  return this->GetVector().stableNorm();
 }
 
 double SurfaceRulerRepresentation::GetRestDistance() const

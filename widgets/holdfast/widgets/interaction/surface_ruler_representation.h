@@ -9,12 +9,53 @@
 #include <vtkActor2D.h>
 #include <vtkDistanceRepresentation2D.h>
 #include <vtkNew.h>
+#include <vtkPointHandleRepresentation2D.h>
 #include <vtkPolyData.h>
 
-#include <holdfast/widgets/interaction/surface_handle_representation.h>
 #include <holdfast/widgets/interaction/surface_point_placer.h>
+#include <holdfast/widgets/picking/surface_picker.h>
 
 namespace holdfast {
+
+/// A place on a surface, as it was named and as it is computed with.
+struct SurfacePlacement {
+  SurfaceLocation location;
+  SurfacePoint point;
+};
+
+/// Placed by a `SurfacePointPlacer`, it remembers where on the surface it is: `FollowSurface` takes it there again when
+/// the surface has moved. Beside the surface it stays where it was.
+class SurfaceHandleRepresentation : public vtkPointHandleRepresentation2D {
+ public:
+  static SurfaceHandleRepresentation* New();
+  vtkTypeMacro(SurfaceHandleRepresentation, vtkPointHandleRepresentation2D)
+
+  /// None before it is placed. What it has been given can be set again.
+  [[nodiscard]] const std::optional<SurfacePlacement>& GetPlacement() const { return this->Placement; }
+  void SetPlacement(std::optional<SurfacePlacement> placement);
+
+  /// Places it on the placer's surface. Throws `InputError` for a location that the mesh does not have. O(T log T).
+  void SetLocation(const SurfaceLocation& location);
+
+  /// To be called when the placer has another surface of the same mesh.
+  void FollowSurface();
+
+  /// Where it is at rest, model units. It is placed.
+  [[nodiscard]] Vector3 GetRestPlace() const;
+  /// Where it is now.
+  [[nodiscard]] Vector3 GetPlace() const { return positionOf(this->Placement->point, this->GetSurface()->positions()); }
+
+  void SetDisplayPosition(double display[3]) override;
+
+ protected:
+  SurfaceHandleRepresentation() = default;
+  ~SurfaceHandleRepresentation() override = default;
+
+ private:
+  [[nodiscard]] const VisibleSurface* GetSurface() const;
+
+  std::optional<SurfacePlacement> Placement;
+};
 
 /// A line with a ring at each end, on top of the picture, and a label with the distance now and at rest, as
 /// "12.34 mm (rest 11.98)". A light halo, and a light ground under the label, tell both from dark and light surfaces.
@@ -23,7 +64,6 @@ class SurfaceRulerRepresentation : public vtkDistanceRepresentation2D {
  public:
   static SurfaceRulerRepresentation* New();
   vtkTypeMacro(SurfaceRulerRepresentation, vtkDistanceRepresentation2D)
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// Places both ends. Its surface, and the ratio of pixels, are set below.
   [[nodiscard]] SurfacePointPlacer* GetPlacer() const { return this->Placer; }
@@ -34,10 +74,10 @@ class SurfaceRulerRepresentation : public vtkDistanceRepresentation2D {
   /// The ends, 0 and 1.
   [[nodiscard]] SurfaceHandleRepresentation& GetHandle(int end) const;
   /// Whether both are placed.
-  [[nodiscard]] bool IsPlaced() const;
+  [[nodiscard]] bool IsPlaced() const { return this->GetHandle(0).GetPlacement() && this->GetHandle(1).GetPlacement(); }
 
   /// Model units; 0 before both ends are placed.
-  double GetDistance() override;
+  double GetDistance() override { return this->GetVector().stableNorm(); }
   [[nodiscard]] double GetRestDistance() const;
   /// From end 0 to end 1; zero before both are placed.
   [[nodiscard]] Vector3 GetVector() const;
@@ -64,12 +104,9 @@ class SurfaceRulerRepresentation : public vtkDistanceRepresentation2D {
 
  protected:
   SurfaceRulerRepresentation();
-  ~SurfaceRulerRepresentation() override;
+  ~SurfaceRulerRepresentation() override = default;
 
  private:
-  SurfaceRulerRepresentation(const SurfaceRulerRepresentation&) = delete;
-  void operator=(const SurfaceRulerRepresentation&) = delete;
-
   void BuildLines();
 
   vtkNew<SurfacePointPlacer> Placer;

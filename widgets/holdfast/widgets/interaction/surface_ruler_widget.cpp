@@ -12,42 +12,23 @@
 #include <vtkWidgetCallbackMapper.h>
 #include <vtkWidgetEvent.h>
 
-#include <holdfast/widgets/interaction/cursor.h>
 #include <holdfast/widgets/interaction/interaction_events.h>
 
 namespace holdfast {
 
 vtkStandardNewMacro(SurfaceRulerWidget);
 
-template <void (SurfaceRulerWidget::*Action)()>
-void SurfaceRulerWidget::Call(vtkAbstractWidget* widget)
-{
-  (static_cast<SurfaceRulerWidget*>(widget)->*Action)();
-}
-
 SurfaceRulerWidget::SurfaceRulerWidget()
 {
   using Widget = SurfaceRulerWidget;
   this->CurrentHandle = -1;
   vtkWidgetCallbackMapper& mapper = *this->CallbackMapper;
-  mapper.SetCallbackMethod(vtkCommand::LeftButtonPressEvent, vtkWidgetEvent::AddPoint, this, &Call<&Widget::Press>);
-  mapper.SetCallbackMethod(vtkCommand::MouseMoveEvent, vtkWidgetEvent::Move, this, &Call<&Widget::Move>);
+  mapper.SetCallbackMethod(vtkCommand::LeftButtonPressEvent, vtkWidgetEvent::AddPoint, this, &call<&Widget::Press>);
+  mapper.SetCallbackMethod(vtkCommand::MouseMoveEvent, vtkWidgetEvent::Move, this, &call<&Widget::Move>);
   mapper.SetCallbackMethod(vtkCommand::LeftButtonReleaseEvent, vtkWidgetEvent::EndSelect, this,
-                           &Call<&Widget::Release>);
+                           &call<&Widget::Release>);
   mapper.SetCallbackMethod(vtkCommand::KeyPressEvent, vtkEvent::AnyModifier, 0, 0, "Escape", vtkWidgetEvent::Reset,
-                           this, &Call<&Widget::Escape>);
-}
-
-void SurfaceRulerWidget::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Distance: " << this->GetDistance() << '\n';
-  os << indent << "RestDistance: " << this->GetRestDistance() << '\n';
-}
-
-void SurfaceRulerWidget::SetRepresentation(SurfaceRulerRepresentation* representation)
-{
-  this->SetWidgetRepresentation(representation);
+                           this, &call<&Widget::Escape>);
 }
 
 void SurfaceRulerWidget::CreateDefaultRepresentation()
@@ -129,11 +110,6 @@ void SurfaceRulerWidget::Clear()
   this->GetRulerRepresentation()->VisibilityOff();
   this->WidgetState = vtkDistanceWidget::Start;
   this->Render();
-}
-
-bool SurfaceRulerWidget::IsUnderWay() const
-{
-  return this->WidgetState == vtkDistanceWidget::Define || this->GrabbedAt;
 }
 
 void SurfaceRulerWidget::Cancel()

@@ -8,7 +8,7 @@
 
 #include <vtkDistanceWidget.h>
 
-#include <holdfast/widgets/interaction/click.h>
+#include <holdfast/widgets/interaction/interaction_events.h>
 #include <holdfast/widgets/interaction/surface_ruler_representation.h>
 
 namespace holdfast {
@@ -25,19 +25,13 @@ namespace holdfast {
 /// | EndInteractionEvent    | the second end is placed; an end is let go               | none                 |
 /// | CancelInteractionEvent | instead: there is no ruler, or the end is where it was   | none                 |
 ///
-/// | VTK event                 | widget event              |                                          |
-/// |---------------------------|---------------------------|------------------------------------------|
-/// | LeftButtonPressEvent      | vtkWidgetEvent::AddPoint  | begins a click, or grabs an end          |
-/// | MouseMoveEvent            | vtkWidgetEvent::Move      | moves the second end, or the grabbed one |
-/// | LeftButtonReleaseEvent    | vtkWidgetEvent::EndSelect | places an end, or lets it go             |
-/// | KeyPressEvent "Escape"    | vtkWidgetEvent::Reset     | takes back a half-drawn ruler, or a drag |
+/// Bindings, which the event translator can change: docs/widgets.md.
 class SurfaceRulerWidget : public vtkDistanceWidget {
  public:
   static SurfaceRulerWidget* New();
   vtkTypeMacro(SurfaceRulerWidget, vtkDistanceWidget)
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  void SetRepresentation(SurfaceRulerRepresentation* representation);
+  void SetRepresentation(SurfaceRulerRepresentation* representation) { this->SetWidgetRepresentation(representation); }
   [[nodiscard]] SurfaceRulerRepresentation* GetRulerRepresentation();
   void CreateDefaultRepresentation() override;
   /// Disabling cancels what is under way, and keeps a ruler that is drawn.
@@ -63,7 +57,7 @@ class SurfaceRulerWidget : public vtkDistanceWidget {
   [[nodiscard]] double GetRestDistance() { return this->GetRulerRepresentation()->GetRestDistance(); }
 
   /// Whether the first end is placed and the second goes with the cursor, or an end is dragged.
-  [[nodiscard]] bool IsUnderWay() const;
+  [[nodiscard]] bool IsUnderWay() const { return this->WidgetState == vtkDistanceWidget::Define || this->GrabbedAt; }
   /// As Escape does.
   void Cancel();
 
@@ -72,11 +66,6 @@ class SurfaceRulerWidget : public vtkDistanceWidget {
   ~SurfaceRulerWidget() override = default;
 
  private:
-  SurfaceRulerWidget(const SurfaceRulerWidget&) = delete;
-  void operator=(const SurfaceRulerWidget&) = delete;
-
-  template <void (SurfaceRulerWidget::*Action)()>
-  static void Call(vtkAbstractWidget* widget);
   void Press();
   void Move();
   void Release();

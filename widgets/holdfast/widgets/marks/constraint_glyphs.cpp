@@ -2,13 +2,20 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
-#include <vtkActor.h>
+#include <vtkCellArray.h>
+#include <vtkPointData.h>
+
+#include <holdfast/widgets/mesh/actor_setup.h>
 
 namespace holdfast {
 namespace {
+
+// A dash is as long as a gap, and a line begins and ends with one.
+constexpr int kDashes = 11;
 
 /// Sprites of one shape and size, in the order in which they are drawn.
 enum Layer { Dots, HollowDots, Balls, Beads, Wedges, HollowPoints, HighlightedDots, Rings, HiddenPoints, LayerCount };
@@ -87,6 +94,39 @@ struct GlyphSet {
 
 }  // namespace
 
+GlyphLines::GlyphLines()
+{
+  points_->SetDataTypeToDouble();
+  colors_->SetNumberOfComponents(3);
+  data_->SetPoints(points_);
+  data_->GetPointData()->SetScalars(colors_);
+  showData(*actor_, *data_);
+  actor_->GetProperty()->LightingOff();
+}
+
+void GlyphLines::set(const std::vector<GlyphLine>& lines)
+{
+  points_->Reset();
+  colors_->Reset();
+  vtkNew<vtkCellArray> cells;
+  const auto addPoint = [&](const Vector3& place, const Color& color) {
+    colors_->InsertNextTuple3(std::round(255 * color.red), std::round(255 * color.green), std::round(255 * color.blue));
+    return points_->InsertNextPoint(place.data());
+  };
+  for (const GlyphLine& line : lines) {
+    const int dashes = line.style == LineStyle::Dashed ? kDashes : 1;
+    const Vector3 step = (line.to - line.from) / (2 * dashes - 1);
+    for (int k = 0; k < dashes; ++k) {
+      const Vector3 end = k == dashes - 1 ? line.to : Vector3(line.from + (2 * k + 1) * step);
+      cells->InsertNextCell({addPoint(line.from + 2 * k * step, line.color), addPoint(end, line.color)});
+    }
+  }
+  points_->Modified();
+  colors_->Modified();
+  data_->SetLines(cells);
+  actor_->SetVisibility(!lines.empty());
+}
+
 Color glyphColor(ConstraintStatus status)
 {
   switch (status) {
@@ -116,8 +156,6 @@ ConstraintGlyphs::ConstraintGlyphs() : marks_(std::make_shared<const MarkSet>())
   for (const LayerLook& look : kLooks) layers_.push_back(std::make_unique<PointSprites>(look.shape, look.depth));
   update();
 }
-
-ConstraintGlyphs::~ConstraintGlyphs() = default;
 
 void ConstraintGlyphs::setMarks(std::shared_ptr<const MarkSet> marks)
 {

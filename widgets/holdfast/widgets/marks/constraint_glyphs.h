@@ -1,21 +1,55 @@
 #pragma once
 /// \file
-/// Constraints in a picture: a glyph where each acts, its shape after what it holds and its colour after how it fared,
-/// and a line to where it wanted to go.
+/// Constraints in a picture: a glyph where each acts, its shape after what it holds and its colour after its status,
+/// and a line to where it wants to be.
 
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include <vtkActor.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkProperty.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <holdfast/base/types.h>
 #include <holdfast/widgets/color/color_map.h>
-#include <holdfast/widgets/marks/glyph_lines.h>
 #include <holdfast/widgets/marks/mark_set.h>
 #include <holdfast/widgets/marks/point_sprites.h>
 #include <holdfast/widgets/mesh/section_plane.h>
 
-class vtkActor;
-
 namespace holdfast {
+
+enum class LineStyle { Solid, Dashed };
+
+struct GlyphLine {
+  Vector3 from;  ///< model units
+  Vector3 to;
+  Color color;
+  LineStyle style = LineStyle::Solid;
+};
+
+/// Lines of one width, without shading.
+class GlyphLines {
+ public:
+  GlyphLines();
+
+  /// In the place of all that there were. O(lines).
+  void set(const std::vector<GlyphLine>& lines);
+
+  /// In pixels of the window.
+  void setWidth(double pixels) { actor_->GetProperty()->SetLineWidth(static_cast<float>(pixels)); }
+
+  [[nodiscard]] vtkActor& actor() const { return *actor_; }
+
+ private:
+  vtkNew<vtkPoints> points_;
+  vtkNew<vtkUnsignedCharArray> colors_;
+  vtkNew<vtkPolyData> data_;
+  vtkNew<vtkActor> actor_;
+};
 
 /// Dark for what is met, slate where nothing was solved, white for redundant, orange-red for conflicting, purple for
 /// missed, grey for disabled: told apart by lightness or by hue, on every colour of the map.
@@ -37,9 +71,6 @@ enum class HiddenMarks { Invisible, Faint };
 class ConstraintGlyphs {
  public:
   ConstraintGlyphs();
-  ~ConstraintGlyphs();
-  ConstraintGlyphs(const ConstraintGlyphs&) = delete;
-  ConstraintGlyphs& operator=(const ConstraintGlyphs&) = delete;
 
   /// In the place of all that there were; not null. O(those that are drawn).
   void setMarks(std::shared_ptr<const MarkSet> marks);

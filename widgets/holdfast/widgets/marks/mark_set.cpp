@@ -1,13 +1,129 @@
 #include "holdfast/widgets/marks/mark_set.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <utility>
 
+#include <holdfast/constraints/selector.h>
+#include <holdfast/deform/deform_details.h>
+#include <holdfast/deform/outcomes.h>
+#include <holdfast/surface/surface_locator.h>
 #include <holdfast/widgets/marks/evenly_spread.h>
 
 namespace holdfast {
 namespace {
+
+ConstraintStatus statusOf(RowStatus row, double residual, double limit)
+{
+  if (row == RowStatus::Conflicting) return ConstraintStatus::Conflicting;
+  if (residual > limit) return ConstraintStatus::Missed;
+  return row == RowStatus::Redundant ? ConstraintStatus::Redundant : ConstraintStatus::Met;
+}
+
+MarkKind kindOf(const SurfacePoint& point)
+{
+  constexpr std::array kKinds{MarkKind::Selection, MarkKind::Vertex, MarkKind::Edge, MarkKind::Face};
+  return kKinds[std::min(point.terms.size(), kKinds.size() - 1)];
+}
+
+MarkKind kindOf(const ConstraintRow& row, const SurfacePoint& point)
+{
+  if (row.kind == RowKind::Region) return MarkKind::Rigid;
+  return row.kind == RowKind::Relative ? MarkKind::Relative : kindOf(point);
+}
+
+/// Sums of weighted positions over the terms of one sign: where a row acts, and what it refers to.
+struct Side {
+  Vector3 sum = Vector3::Zero();
+  double weight = 0;
+};
+
+struct RowPlaces {
+  Side acts;
+  Side refers;
+};
+
+RowPlaces placesOf(const ConstraintRow& row, const Weld& weld, const Positions& positions)
+{
+  RowPlaces places;
+  for (const Term& term : row.terms) {
+    Side& side = term.coefficient < 0 ? places.refers : places.acts;
+    side.sum += term.coefficient * positions.row(weld.firstVertexOf[term.index]).transpose();
+    side.weight += term.coefficient;
+  }
+  return places;
+}
+
+/// A row that says how one place lies to another acts on the one.
+ConstraintMark markOf(const ConstraintRow& row, const Model& model, const Positions& positions)
+{
+  const Weld& weld = model.solverMesh.weld;
+  const auto [acts, refers] = placesOf(row, weld, positions);
+  const Side rest = placesOf(row, weld, model.mesh.positions).acts;
+  ConstraintMark mark{acts.sum, row.target};
+  mark.rest = rest.sum;
+  if (row.kind == RowKind::Position) return mark;
+  mark.place = acts.sum / acts.weight;
+  mark.target = mark.place + (row.target - (acts.sum + refers.sum)) / acts.weight;
+  mark.rest = rest.sum / rest.weight;
+  if (row.kind == RowKind::Relative) mark.other = refers.sum / refers.weight;
+  return mark;
+}
+
+/// The places of one disabled constraint. Throws `InputError` where it does not fit the mesh.
+class DisabledConstraint {
+ public:
+  DisabledConstraint(const Model& model, const SurfaceLocator& locator, Selector& selector, Index constraint)
+      : model_(model), locator_(locator), selector_(selector), constraint_(constraint)
+  {
+  }
+
+  std::vector<DisabledPlace> operator()(const FixedConstraint& fixed) const
+  {
+    return of(fixed.select, MarkKind::Selection);
+  }
+  std::vector<DisabledPlace> operator()(const HandleConstraint& handle) const
+  {
+    return of(handle.select, MarkKind::Selection);
+  }
+  std::vector<DisabledPlace> operator()(const RigidConstraint& rigid) const
+  {
+    return of(rigid.select, MarkKind::Rigid);
+  }
+
+  std::vector<DisabledPlace> operator()(const PointConstraint& point) const
+  {
+    const SurfacePoint at = locator_.locate(point.at, {}).point;
+    const Target* const place = std::get_if<Target>(&point.to);
+    const Vector3 target =
+        place != nullptr ? place->place : positionOf(at, model_.mesh.positions) + std::get<Move>(point.to).shift;
+    return {{at, kindOf(at), constraint_, target, {}}};
+  }
+
+  std::vector<DisabledPlace> operator()(const RelativeConstraint& relative) const
+  {
+    return {{locator_.locate(relative.from, {}).point,
+             MarkKind::Relative,
+             constraint_,
+             {},
+             locator_.locate(relative.to, {}).point}};
+  }
+
+ private:
+  [[nodiscard]] std::vector<DisabledPlace> of(const Selection& selection, MarkKind kind) const
+  {
+    std::vector<DisabledPlace> places;
+    for (const Index vertex : selector_.select(selection, {}))
+      places.push_back({SurfacePoint{{{vertex, 1}}}, kind, constraint_, {}, {}});
+    return places;
+  }
+
+  const Model& model_;
+  const SurfaceLocator& locator_;
+  Selector& selector_;
+  Index constraint_;
+};
 
 /// Those of `group` that are drawn where there are too many.
 std::vector<Index> thinned(const std::vector<ConstraintMark>& marks, const std::vector<Index>& group)
@@ -28,6 +144,68 @@ bool areDrawnAlike(const std::vector<ConstraintMark>& a, const std::vector<Const
 }
 
 }  // namespace
+
+std::vector<ConstraintMark> constraintMarks(const Model& model, const DeformResult& deformation)
+{
+  const ConstraintSystem& system = deformation.details->system;
+  const std::vector<double> residuals = rowResiduals(system, model.solverMesh.weld, deformation.positions);
+  std::vector<ConstraintMark> marks;
+  marks.reserve(residuals.size());
+  for (std::size_t r = 0; r < residuals.size(); ++r) {
+    const ConstraintRow& row = system.rows[r];
+    if (row.terms.empty()) continue;
+    ConstraintMark mark = markOf(row, model, deformation.positions);
+    mark.status =
+        statusOf(deformation.details->diagnosis.status[r], residuals[r], deformation.details->diagnosis.limits[r]);
+    mark.kind = kindOf(row, system.points[row.constraint]);
+    mark.constraint = row.constraint;
+    marks.push_back(std::move(mark));
+  }
+  return marks;
+}
+
+std::vector<DisabledPlace> disabledPlaces(const Model& model, const ConstraintList& list)
+{
+  const SurfaceLocator locator = model.locator();
+  std::optional<Selector> selector;
+  std::vector<DisabledPlace> places;
+  for (std::size_t k = 0; k < list.constraints.size(); ++k) {
+    if (list.constraints[k].isEnabled) continue;
+    if (!selector) selector.emplace(model.mesh, model.solverMesh, locator);
+    try {
+      const DisabledConstraint placer(model, locator, *selector, static_cast<Index>(k));
+      for (DisabledPlace& place : std::visit(placer, list.constraints[k].what)) places.push_back(std::move(place));
+    } catch (const InputError&) {
+      // What is disabled may be unusable: it says why when it is enabled.
+      continue;
+    }
+  }
+  return places;
+}
+
+std::vector<ConstraintMark> disabledMarks(const Model& model, const std::vector<DisabledPlace>& places,
+                                          const Positions& positions)
+{
+  std::vector<ConstraintMark> marks;
+  for (const DisabledPlace& disabled : places) {
+    const Vector3 place = positionOf(disabled.at, positions);
+    ConstraintMark mark{place, disabled.target.value_or(place), ConstraintStatus::Disabled, disabled.kind,
+                        disabled.constraint};
+    mark.rest = positionOf(disabled.at, model.mesh.positions);
+    if (!disabled.to.terms.empty()) mark.other = positionOf(disabled.to, positions);
+    marks.push_back(std::move(mark));
+  }
+  return marks;
+}
+
+std::vector<ConstraintMark> constraintMarks(const Model& model, const ConstraintList& list,
+                                            const DeformResult& deformation)
+{
+  std::vector<ConstraintMark> marks = constraintMarks(model, deformation);
+  for (ConstraintMark& mark : disabledMarks(model, disabledPlaces(model, list), deformation.positions))
+    marks.push_back(std::move(mark));
+  return marks;
+}
 
 bool isOff(ConstraintStatus status)
 {

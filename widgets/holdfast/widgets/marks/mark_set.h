@@ -1,13 +1,67 @@
 #pragma once
 /// \file
-/// Marks of constraints, and which of them are drawn. Nothing of VTK: any thread may choose them.
+/// Marks of constraints: where each acts and where it wants that to be, its status, and which marks are drawn. Nothing
+/// of VTK: any thread may make them.
 
 #include <memory>
+#include <optional>
 #include <vector>
 
-#include <holdfast/widgets/marks/constraint_marks.h>
+#include <holdfast/deform/deform.h>
 
 namespace holdfast {
+
+/// What a constraint holds at a mark: each has a shape of its own in pictures.
+enum class MarkKind {
+  Selection,  ///< a vertex of a fixed region or of a handle
+  Rigid,      ///< a vertex of a rigid region
+  Vertex,     ///< a single point on a vertex
+  Edge,       ///< a single point on an edge
+  Face,       ///< a single point in a face
+  Relative    ///< the place that `from` of a relative constraint names
+};
+
+/// A constraint of type point or relative, which users find one by one; else one vertex of many.
+[[nodiscard]] constexpr bool isSinglePoint(MarkKind kind)
+{
+  return kind != MarkKind::Selection && kind != MarkKind::Rigid;
+}
+
+/// One row of B in a picture, or one that there would be if its constraint were enabled.
+struct ConstraintMark {
+  Vector3 place;   ///< where the point is, model units
+  Vector3 target;  ///< where it was to be
+  ConstraintStatus status = ConstraintStatus::Met;
+  MarkKind kind = MarkKind::Selection;
+  Index constraint = 0;      ///< place in the list
+  Vector3 rest = {0, 0, 0};  ///< where the point is at rest: marks are thinned by this, so that none flickers
+  std::optional<Vector3> other = std::nullopt;  ///< of relative constraints: where the place is that `to` names
+};
+
+/// A mark for each row that has terms, in the order of rows. One of a rigid region lies at its vertex, one of a
+/// relative constraint at the place that `from` names; both want to lie as they should to the other place. O(rows).
+[[nodiscard]] std::vector<ConstraintMark> constraintMarks(const Model& model, const DeformResult& deformation);
+
+/// A place at which a disabled constraint would act.
+struct DisabledPlace {
+  SurfacePoint at;
+  MarkKind kind = MarkKind::Selection;
+  Index constraint = 0;           ///< place in the list
+  std::optional<Vector3> target;  ///< of points: where it would take the place, model units
+  SurfacePoint to;                ///< of relative constraints: the other place; else without terms
+};
+
+/// The places of the disabled constraints of `list`, in its order; none for those that do not fit the mesh. They hold
+/// as long as the list and the mesh do. As costly as making rows of these constraints.
+[[nodiscard]] std::vector<DisabledPlace> disabledPlaces(const Model& model, const ConstraintList& list);
+
+/// Marks of status `Disabled` for file vertices at `positions`. O(places).
+[[nodiscard]] std::vector<ConstraintMark> disabledMarks(const Model& model, const std::vector<DisabledPlace>& places,
+                                                        const Positions& positions);
+
+/// Marks of all constraints of `list`, which `deformation` was made of: those of disabled ones come last.
+[[nodiscard]] std::vector<ConstraintMark> constraintMarks(const Model& model, const ConstraintList& list,
+                                                          const DeformResult& deformation);
 
 /// Whether a constraint of this status is not where it should be.
 [[nodiscard]] bool isOff(ConstraintStatus status);

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include <holdfast/widgets/marks/constraint_marks.h>
+#include <holdfast/widgets/marks/mark_set.h>
 #include <holdfast/widgets/marks/point_sprites.h>
 
 class vtkActor;

@@ -3,17 +3,12 @@
 #include <cmath>
 #include <string>
 
-#include <vtkActor.h>
 #include <vtkCellArray.h>
 #include <vtkPointData.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkProperty.h>
 #include <vtkShaderProperty.h>
-#include <vtkUnsignedCharArray.h>
 
-#include <holdfast/widgets/marks/behind_actor.h>
+#include <holdfast/widgets/mesh/actor_setup.h>
+#include <holdfast/widgets/mesh/blended_actor.h>
 
 namespace holdfast {
 namespace {
@@ -86,18 +81,14 @@ PointSprites::PointSprites(SpriteShape shape, SpriteDepth depth)
   colors_->SetNumberOfComponents(3);
   data_->SetPoints(points_);
   data_->GetPointData()->SetScalars(colors_);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(data_);
   if (depth == SpriteDepth::Behind)
     actor_ = vtkSmartPointer<BehindActor>::New();
   else
     actor_ = vtkSmartPointer<vtkActor>::New();
-  actor_->SetMapper(mapper);
+  showData(*actor_, *data_);
   setLook(*actor_, shape);
   if (depth == SpriteDepth::Behind) actor_->GetProperty()->LightingOff();
 }
-
-PointSprites::~PointSprites() = default;
 
 void PointSprites::set(const std::vector<Sprite>& sprites)
 {
@@ -114,16 +105,6 @@ void PointSprites::set(const std::vector<Sprite>& sprites)
   actor_->SetVisibility(!sprites.empty());
 }
 
-void PointSprites::setPixels(double pixels)
-{
-  actor_->GetProperty()->SetPointSize(static_cast<float>(pixels));
-}
-
-vtkActor& PointSprites::actor() const
-{
-  return *actor_;
-}
-
 void drawPointsAsBalls(vtkActor& actor)
 {
   actor.GetProperty()->RenderPointsAsSpheresOn();
@@ -137,7 +118,7 @@ void drawPointsAsBalls(vtkActor& actor)
 void showPointsAsBalls(vtkActor& actor, const Color& color)
 {
   setBallLook(actor);
-  actor.GetProperty()->SetColor(color.red, color.green, color.blue);
+  setColor(actor, color);
 }
 
 }  // namespace holdfast

@@ -4,16 +4,16 @@
 
 #include <vector>
 
+#include <vtkActor.h>
 #include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkProperty.h>
 #include <vtkSmartPointer.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <holdfast/base/types.h>
 #include <holdfast/widgets/color/color_map.h>
-
-class vtkActor;
-class vtkPoints;
-class vtkPolyData;
-class vtkUnsignedCharArray;
 
 namespace holdfast {
 
@@ -40,17 +40,14 @@ struct Sprite {
 class PointSprites {
  public:
   explicit PointSprites(SpriteShape shape, SpriteDepth depth = SpriteDepth::InFront);
-  ~PointSprites();
-  PointSprites(const PointSprites&) = delete;
-  PointSprites& operator=(const PointSprites&) = delete;
 
   /// In the place of all that there were; of several in one place the last is seen. O(sprites).
   void set(const std::vector<Sprite>& sprites);
 
   /// The diameter, in pixels of the window.
-  void setPixels(double pixels);
+  void setPixels(double pixels) { actor_->GetProperty()->SetPointSize(static_cast<float>(pixels)); }
 
-  [[nodiscard]] vtkActor& actor() const;
+  [[nodiscard]] vtkActor& actor() const { return *actor_; }
 
  private:
   vtkNew<vtkPoints> points_;

@@ -6,15 +6,12 @@
 #include <numbers>
 
 #include <Eigen/Geometry>
-#include <vtkActor.h>
 #include <vtkCellArray.h>
 #include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkProperty.h>
 
 #include <holdfast/geometry/rotation_log.h>
 #include <holdfast/widgets/marks/evenly_spread.h>
+#include <holdfast/widgets/mesh/actor_setup.h>
 
 namespace holdfast {
 namespace {
@@ -88,13 +85,6 @@ class ArrowMesh {
   vtkNew<vtkCellArray> cells_;
 };
 
-void showData(vtkActor& actor, vtkPolyData& data)
-{
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(&data);
-  actor.SetMapper(mapper);
-}
-
 /// Faces use what belongs to a part.
 std::vector<Index> spreadVertices(const Model& model)
 {
@@ -135,8 +125,6 @@ RotationGlyphs::RotationGlyphs(const Model& model) : model_(model)
   outlines_->GetProperty()->FrontfaceCullingOn();
 }
 
-RotationGlyphs::~RotationGlyphs() = default;
-
 void RotationGlyphs::set(const Positions& positions, const Columns3& q)
 {
   if (vertices_.empty()) vertices_ = spreadVertices(model_);
@@ -152,11 +140,6 @@ void RotationGlyphs::set(const Positions& positions, const Columns3& q)
     }
   arrows.show(*arrowData_);
   outlines.show(*outlineData_);
-}
-
-std::vector<vtkActor*> RotationGlyphs::actors() const
-{
-  return {outlines_, arrows_};
 }
 
 }  // namespace holdfast

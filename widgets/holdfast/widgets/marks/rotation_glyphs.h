@@ -4,12 +4,11 @@
 
 #include <vector>
 
+#include <vtkActor.h>
 #include <vtkNew.h>
+#include <vtkPolyData.h>
 
 #include <holdfast/deform/model.h>
-
-class vtkActor;
-class vtkPolyData;
 
 namespace holdfast {
 
@@ -35,16 +34,13 @@ class RotationGlyphs {
  public:
   /// `model` stays alive as long as this.
   explicit RotationGlyphs(const Model& model);
-  ~RotationGlyphs();
-  RotationGlyphs(const RotationGlyphs&) = delete;
-  RotationGlyphs& operator=(const RotationGlyphs&) = delete;
 
   /// Shows the field `q`, one row for each unknown, on the mesh at `positions`; no rows: no arrows. O(arrows), and O(N)
   /// at the first call.
   void set(const Positions& positions, const Columns3& q);
 
   /// In the order in which they are drawn.
-  [[nodiscard]] std::vector<vtkActor*> actors() const;
+  [[nodiscard]] std::vector<vtkActor*> actors() const { return {outlines_, arrows_}; }
 
  private:
   const Model& model_;

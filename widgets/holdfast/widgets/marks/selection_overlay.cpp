@@ -2,18 +2,15 @@
 
 #include <algorithm>
 
-#include <vtkActor.h>
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
 #include <vtkPlaneCollection.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkProperty.h>
 
 #include <holdfast/widgets/marks/constraint_glyphs.h>
 #include <holdfast/widgets/marks/evenly_spread.h>
+#include <holdfast/widgets/mesh/actor_setup.h>
 
 namespace holdfast {
 namespace {
@@ -46,10 +43,7 @@ SelectionOverlay::SelectionOverlay(const Model& model, const MeshActor& mesh)
     : model_(model), mesh_(mesh), pointOf_(pointsOfVertices(mesh, model.mesh.vertexCount()))
 {
   dotData_->SetPoints(&mesh.points());
-  vtkNew<vtkPolyDataMapper> dotMapper;
-  dotMapper->SetInputData(dotData_);
-  dotMapper->SetClippingPlanes(&mesh.sectionPlanes());
-  dots_->SetMapper(dotMapper);
+  showData(*dots_, *dotData_).SetClippingPlanes(&mesh.sectionPlanes());
   showPointsAsBalls(*dots_, kAccentColor);
   tintData_->SetPoints(&mesh.points());
   tintData_->GetPointData()->SetNormals(&mesh.normals());
@@ -65,8 +59,6 @@ SelectionOverlay::SelectionOverlay(const Model& model, const MeshActor& mesh)
   tint_->ForceOpaqueOn();
   set({});
 }
-
-SelectionOverlay::~SelectionOverlay() = default;
 
 void SelectionOverlay::set(const std::vector<Index>& fileVertices)
 {
@@ -138,11 +130,6 @@ void SelectionOverlay::updateTint()
     setTint(*coarseTintData_, coarse.triangles(), coarse.vertexOf());
   }
   tint_->SetMapper(isCoarse ? coarseTintMapper_ : tintMapper_);
-}
-
-void SelectionOverlay::setDotPixels(double pixels)
-{
-  dots_->GetProperty()->SetPointSize(static_cast<float>(pixels));
 }
 
 }  // namespace holdfast

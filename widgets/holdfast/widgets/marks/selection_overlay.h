@@ -5,13 +5,13 @@
 #include <span>
 #include <vector>
 
+#include <vtkActor.h>
 #include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
 
 #include <holdfast/widgets/mesh/mesh_actor.h>
-
-class vtkActor;
-class vtkPolyData;
-class vtkPolyDataMapper;
 
 namespace holdfast {
 
@@ -24,9 +24,6 @@ class SelectionOverlay {
  public:
   /// Both stay alive as long as this.
   SelectionOverlay(const Model& model, const MeshActor& mesh);
-  ~SelectionOverlay();
-  SelectionOverlay(const SelectionOverlay&) = delete;
-  SelectionOverlay& operator=(const SelectionOverlay&) = delete;
 
   /// File vertices, in any order. Those that no face uses do not show. O(T).
   void set(const std::vector<Index>& fileVertices);
@@ -34,7 +31,7 @@ class SelectionOverlay {
   void setDetail(Detail detail);
 
   /// The diameter of dots, in pixels of the window.
-  void setDotPixels(double pixels);
+  void setDotPixels(double pixels) { dots_->GetProperty()->SetPointSize(static_cast<float>(pixels)); }
 
   [[nodiscard]] vtkActor& dots() const { return *dots_; }
   [[nodiscard]] vtkActor& tint() const { return *tint_; }

@@ -10,12 +10,6 @@
 #include <vtkPolyDataMapper.h>
 
 namespace holdfast {
-
-struct ActorSlices::Slice {
-  vtkSmartPointer<vtkPolyData> data;  // null until it is first shown
-  vtkSmartPointer<vtkPolyDataMapper> mapper;
-};
-
 namespace {
 
 vtkSmartPointer<vtkCellArray> someOf(vtkCellArray& cells, Index begin, Index end)
@@ -57,8 +51,6 @@ void share(vtkPolyDataMapper& whole, vtkPolyDataMapper& slice)
 }  // namespace
 
 ActorSlices::ActorSlices(vtkActor& actor, vtkPolyDataMapper& whole) : actor_(actor), whole_(whole) {}
-
-ActorSlices::~ActorSlices() = default;
 
 vtkCellArray& ActorSlices::cells() const
 {

@@ -26,7 +26,6 @@ class ActorSlices {
   /// Of what `whole`, one of the mappers of `actor`, draws: its polygons, or its lines where it has none. Both stay
   /// alive as long as this.
   ActorSlices(vtkActor& actor, vtkPolyDataMapper& whole);
-  ~ActorSlices();
   ActorSlices(const ActorSlices&) = delete;
   ActorSlices& operator=(const ActorSlices&) = delete;
 
@@ -37,7 +36,10 @@ class ActorSlices {
   void showWhole();
 
  private:
-  struct Slice;
+  struct Slice {
+    vtkSmartPointer<vtkPolyData> data;  // null until it is first shown
+    vtkSmartPointer<vtkPolyDataMapper> mapper;
+  };
 
   [[nodiscard]] vtkCellArray& cells() const;
   void make(Index slice);

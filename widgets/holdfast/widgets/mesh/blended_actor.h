@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Translucent things that need no order.
+/// Actors that are blended with what is there, without an order of their own.
 
 #include <vtkOpenGLActor.h>
 
@@ -19,6 +19,18 @@ class BlendedActor : public vtkOpenGLActor {
 
  protected:
   BlendedActor();
+};
+
+/// Draws only what lies behind what has been drawn before.
+class BehindActor : public BlendedActor {
+ public:
+  static BehindActor* New();
+  vtkTypeMacro(BehindActor, BlendedActor)
+
+  void Render(vtkRenderer* renderer, vtkMapper* mapper) override;
+
+ protected:
+  BehindActor();
 };
 
 }  // namespace holdfast

@@ -1,20 +1,136 @@
 #include "holdfast/widgets/mesh/coarse_surface.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <utility>
 
 #include <vtkBoundingBox.h>
 #include <vtkCellArray.h>
-#include <vtkDoubleArray.h>
-#include <vtkFloatArray.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
-#include <vtkPolyData.h>
 
 #include <holdfast/mesh/solid.h>
 #include <holdfast/mesh/vertex_normals.h>
 #include <holdfast/widgets/mesh/poly_data.h>
 
 namespace holdfast {
+namespace {
+
+constexpr double kTooFew = 0.75;
+constexpr double kTooMany = 1.25;
+constexpr int kMostAttempts = 5;
+
+// Cells along the diagonal: their numbers fit into a third of a key.
+constexpr double kMostCellsAcross = 1e5;
+
+/// The unknowns as places in units of the mesh's diagonal, and the octant into which each faces.
+struct Cloud {
+  Positions places;
+  std::vector<int> octant;
+};
+
+Cloud cloudOf(const SolverMesh& mesh)
+{
+  Cloud cloud{restInDiagonals(mesh), {}};
+  Positions normals = Positions::Zero(mesh.unknownCount(), 3);
+  for (const Triangle& triangle : mesh.triangles) {
+    const Vector3 area = areaVector(cloud.places, triangle);
+    for (const Index vertex : triangle) normals.row(vertex) += area;
+  }
+  for (Index v = 0; v < normals.rows(); ++v)
+    cloud.octant.push_back((normals(v, 0) < 0 ? 1 : 0) + (normals(v, 1) < 0 ? 2 : 0) + (normals(v, 2) < 0 ? 4 : 0));
+  return cloud;
+}
+
+/// The unknowns sorted by the cells of a grid and by octant, each with the key of its cell.
+std::vector<std::pair<std::int64_t, Index>> byCell(const Cloud& cloud, double cellSize)
+{
+  constexpr int kBits = 20;
+  const Eigen::RowVector3d origin = cloud.places.colwise().minCoeff();
+  std::vector<std::pair<std::int64_t, Index>> cells;
+  cells.reserve(cloud.octant.size());
+  for (Index v = 0; v < cloud.places.rows(); ++v) {
+    const Eigen::RowVector3d cell = (cloud.places.row(v) - origin) / cellSize;
+    std::int64_t key = cloud.octant[v];
+    for (const double number : cell) key = (key << kBits) + static_cast<std::int64_t>(number);
+    cells.emplace_back(key, v);
+  }
+  std::sort(cells.begin(), cells.end());
+  return cells;
+}
+
+/// The one of some unknowns that is nearest to their mean.
+Index middleOf(const Positions& places, std::span<const std::pair<std::int64_t, Index>> cell)
+{
+  Eigen::RowVector3d mean = Eigen::RowVector3d::Zero();
+  for (const auto& [key, v] : cell) mean += places.row(v);
+  mean /= static_cast<double>(cell.size());
+  const auto nearest = std::min_element(cell.begin(), cell.end(), [&](const auto& a, const auto& b) {
+    return (places.row(a.second) - mean).squaredNorm() < (places.row(b.second) - mean).squaredNorm();
+  });
+  return nearest->second;
+}
+
+std::vector<Index> representatives(const Cloud& cloud, double cellSize)
+{
+  const auto cells = byCell(cloud, cellSize);
+  std::vector<Index> representativeOf(cells.size());
+  for (std::size_t first = 0; first < cells.size();) {
+    std::size_t last = first + 1;
+    while (last < cells.size() && cells[last].first == cells[first].first) ++last;
+    const Index middle = middleOf(cloud.places, std::span(cells).subspan(first, last - first));
+    for (std::size_t k = first; k < last; ++k) representativeOf[cells[k].second] = middle;
+    first = last;
+  }
+  return representativeOf;
+}
+
+/// The triangles between different representatives, each once, its smallest corner first.
+std::vector<Triangle> between(const SolverMesh& mesh, const std::vector<Index>& representativeOf)
+{
+  std::vector<Triangle> triangles;
+  for (const Triangle& fine : mesh.triangles) {
+    Triangle coarse{representativeOf[fine[0]], representativeOf[fine[1]], representativeOf[fine[2]]};
+    if (coarse[0] == coarse[1] || coarse[1] == coarse[2] || coarse[2] == coarse[0]) continue;
+    std::rotate(coarse.begin(), std::min_element(coarse.begin(), coarse.end()), coarse.end());
+    triangles.push_back(coarse);
+  }
+  std::sort(triangles.begin(), triangles.end());
+  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+  return triangles;
+}
+
+std::vector<Triangle> aboutAsMany(const SolverMesh& mesh, Index target)
+{
+  const Cloud cloud = cloudOf(mesh);
+  const auto wanted = static_cast<double>(target);
+  double cellSize = 1 / std::sqrt(wanted);
+  std::vector<Triangle> triangles;
+  for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
+    triangles = between(mesh, representatives(cloud, cellSize));
+    const double share = static_cast<double>(triangles.size()) / wanted;
+    if (share >= kTooFew && share <= kTooMany) break;
+    cellSize = std::clamp(cellSize * std::sqrt(std::max(share, 0.01)), 1 / kMostCellsAcross, 1.0);
+  }
+  return triangles;
+}
+
+}  // namespace
+
+Polygons coarseTriangles(const Model& model, const ShadedSurface& surface, Index target)
+{
+  if (2 * surface.triangles.size() <= 3 * target) return surface.triangles;
+  const Weld& weld = model.solverMesh.weld;
+  std::vector<Index> pointOf(static_cast<std::size_t>(weld.unknownCount), -1);
+  for (std::size_t k = surface.vertexOf.size(); k-- > 0;)
+    pointOf[weld.unknownOf[surface.vertexOf[k]]] = static_cast<Index>(k);
+  Polygons coarse;
+  for (const Triangle& triangle : aboutAsMany(model.solverMesh, target))
+    coarse.add({pointOf[triangle[0]], pointOf[triangle[1]], pointOf[triangle[2]]});
+  return coarse;
+}
 
 CoarseSurface::CoarseSurface(const Model& model, const ShadedSurface& surface)
     : isSolid_(holdfast::isSolid(model.solverMesh))
@@ -50,8 +166,6 @@ CoarseSurface::CoarseSurface(const Model& model, const ShadedSurface& surface)
   data_->GetPointData()->SetNormals(normals_);
   data_->SetPolys(toCells(triangles_));
 }
-
-CoarseSurface::~CoarseSurface() = default;
 
 void CoarseSurface::follow(const Positions& places)
 {

@@ -1,18 +1,26 @@
 #pragma once
 /// \file
-/// A large mesh as it is drawn while it moves.
+/// A large mesh as it is drawn while it moves: fewer triangles.
 
 #include <vector>
 
+#include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
 #include <vtkNew.h>
+#include <vtkPolyData.h>
 
-#include <holdfast/widgets/mesh/coarse_triangles.h>
-
-class vtkDoubleArray;
-class vtkFloatArray;
-class vtkPolyData;
+#include <holdfast/widgets/mesh/shaded_surface.h>
 
 namespace holdfast {
+
+/// About how many triangles are drawn of what moves: as many as are drawn in a few milliseconds without a GPU.
+inline constexpr Index kCoarseTriangles = 20'000;
+
+/// Triangles over points of `surface`, which was cut from `model`, about `target` (larger than 0) of them; its own
+/// where it has no more than one and a half times as many. Vertices near one another at rest that face the same way are
+/// drawn as one of them, so that whatever moves the points moves these triangles as well. Without gaps where the model
+/// has none. O(T log T).
+[[nodiscard]] Polygons coarseTriangles(const Model& model, const ShadedSurface& surface, Index target);
 
 /// About `kCoarseTriangles` of a surface, over copies of the points that they need: what is drawn again and again is
 /// small.
@@ -20,9 +28,6 @@ class CoarseSurface {
  public:
   /// O(T log T).
   CoarseSurface(const Model& model, const ShadedSurface& surface);
-  ~CoarseSurface();
-  CoarseSurface(const CoarseSurface&) = delete;
-  CoarseSurface& operator=(const CoarseSurface&) = delete;
 
   /// Moves it with the points of the surface, of which all triangles shape its normals.
   void follow(const Positions& places);

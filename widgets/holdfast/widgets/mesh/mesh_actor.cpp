@@ -14,11 +14,9 @@
 #include <vtkPlaneCollection.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkProperty.h>
 
 #include <holdfast/mesh/vertex_normals.h>
+#include <holdfast/widgets/mesh/actor_setup.h>
 #include <holdfast/widgets/mesh/poly_data.h>
 
 namespace holdfast {
@@ -59,13 +57,11 @@ std::vector<std::array<Index, 2>> polygonEdges(const Mesh& mesh, const ShadedSur
   return edges;
 }
 
-/// Lines lie on the surface: they are drawn a little nearer.
 void showLines(vtkActor& actor, vtkPolyDataMapper& mapper, vtkPolyData& data)
 {
   mapper.SetInputData(&data);
   mapper.ScalarVisibilityOff();
-  mapper.SetResolveCoincidentTopologyToPolygonOffset();
-  mapper.SetRelativeCoincidentTopologyLineOffsetParameters(kEdgeFactor, kEdgeUnits);
+  drawLinesNearer(mapper, kEdgeFactor, kEdgeUnits);
   actor.SetMapper(&mapper);
 }
 
@@ -260,8 +256,8 @@ void MeshActor::setColors(const std::vector<double>& values, const ColorScale& s
 
 void MeshActor::setPixelRatio(double ratio)
 {
-  edges_->GetProperty()->SetLineWidth(static_cast<float>(kEdgePixels * ratio));
-  meshEdges_->GetProperty()->SetLineWidth(static_cast<float>(kMeshEdgePixels * ratio));
+  setLineWidth(*edges_, kEdgePixels * ratio);
+  setLineWidth(*meshEdges_, kMeshEdgePixels * ratio);
 }
 
 }  // namespace holdfast

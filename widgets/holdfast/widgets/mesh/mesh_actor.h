@@ -49,8 +49,6 @@ class MeshActor {
   /// The same with `shaded`, which was cut from `model`.
   MeshActor(const Model& model, std::shared_ptr<const ShadedSurface> shaded);
   ~MeshActor();
-  MeshActor(const MeshActor&) = delete;
-  MeshActor& operator=(const MeshActor&) = delete;
 
   /// Moves the mesh: one row for each vertex of the file. O(T); in coarse detail most of it waits for the full one.
   void setPositions(const Positions& positions);

@@ -2,7 +2,7 @@
 /// \file
 /// A plane that cuts away what lies on one side of it, so that the inside can be seen.
 
-#include <holdfast/surface/ray_caster.h>
+#include <holdfast/base/types.h>
 
 namespace holdfast {
 
@@ -14,9 +14,9 @@ struct SectionPlane {
   friend bool operator==(const SectionPlane&, const SectionPlane&) = default;
 };
 
-[[nodiscard]] bool isKept(const SectionPlane& section, const Vector3& place);
-
-/// The part of a ray within `range` that is kept.
-[[nodiscard]] RayRange keptPart(const SectionPlane& section, const Ray& ray, const RayRange& range);
+[[nodiscard]] inline bool isKept(const SectionPlane& section, const Vector3& place)
+{
+  return (place - section.origin).dot(section.normal) >= 0;
+}
 
 }  // namespace holdfast

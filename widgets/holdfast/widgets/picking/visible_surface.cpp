@@ -41,7 +41,14 @@ std::span<const Index> VisibleSurface::trianglesAt(Index vertex) const
 
 RayRange VisibleSurface::keptPart(const Ray& ray, const RayRange& range) const
 {
-  return section_ ? holdfast::keptPart(*section_, ray, range) : range;
+  if (!section_) return range;
+  constexpr RayRange kNothing{1, 0};
+  const double height = (ray.origin - section_->origin).dot(section_->normal);
+  const double slope = ray.direction.dot(section_->normal);
+  if (slope == 0) return height >= 0 ? range : kNothing;
+  const double crossing = -height / slope;
+  if (slope > 0) return {std::max(range.begin, crossing), range.end};
+  return {range.begin, std::min(range.end, crossing)};
 }
 
 /// Whether triangles other than `own` lie between the ray's origin and its place at t = 1.

@@ -4,22 +4,18 @@
 #include <array>
 #include <cmath>
 
-#include <vtkActor.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
 #include <vtkCoordinate.h>
 #include <vtkDoubleArray.h>
 #include <vtkLookupTable.h>
 #include <vtkPointData.h>
-#include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 
-#include <holdfast/widgets/camera/display_transform.h>
 #include <holdfast/widgets/marks/point_sprites.h>
+#include <holdfast/widgets/mesh/actor_setup.h>
 #include <holdfast/widgets/rotation_sphere/sphere_camera.h>
 #include <holdfast/widgets/rotation_sphere/sphere_shapes.h>
 
@@ -51,19 +47,6 @@ constexpr std::array<const char*, 3> kAxisNames{"x", "y", "z"};
 // Names of rings and axes are hidden from where the surface has turned away from the eye.
 constexpr double kFarText = -0.1;
 
-void setColor(vtkActor& actor, const Color& color)
-{
-  actor.GetProperty()->SetColor(color.red, color.green, color.blue);
-}
-
-void setData(vtkActor& actor, vtkPolyData& data)
-{
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(&data);
-  mapper->ScalarVisibilityOff();
-  actor.SetMapper(mapper);
-}
-
 void makeBalls(vtkActor& actor)
 {
   drawPointsAsBalls(actor);
@@ -78,12 +61,12 @@ RotationSphere::RotationSphere()
   auto nothing = std::make_shared<PlacedRotations>();
   nothing->vertices = std::make_shared<const SphereVertices>();
   placed_ = std::move(nothing);
-  setData(*points_, *pointData_);
-  setData(*balls_, *boundaryData_);
-  setData(*arcs_, *arcData_);
-  setData(*mark_, *markData_);
-  setData(*shell_, *sphereShell());
-  setData(*rings_, *sphereRings());
+  showData(*points_, *pointData_).ScalarVisibilityOff();
+  showData(*balls_, *boundaryData_);
+  showData(*arcs_, *arcData_);
+  showData(*mark_, *markData_);
+  showData(*shell_, *sphereShell());
+  showData(*rings_, *sphereRings());
   for (vtkActor* const actor : {points_.Get(), balls_.Get(), mark_.Get()}) makeBalls(*actor);
   for (vtkActor* const actor : {rings_.Get(), arcs_.Get()}) actor->GetProperty()->LightingOff();
   shell_->GetProperty()->SetOpacity(kShellOpacity);
@@ -137,12 +120,11 @@ void RotationSphere::applyLook()
   setColor(*arcs_, look_.ink);
   setColor(*rings_, mixed(look_.ink, look_.shell, 0.7));
   setColor(*mark_, look_.mark);
-  const auto pixels = [&](double size) { return static_cast<float>(size * look_.pixelRatio); };
-  points_->GetProperty()->SetPointSize(pixels(kPointPixels));
-  balls_->GetProperty()->SetPointSize(pixels(kBallPixels));
-  mark_->GetProperty()->SetPointSize(pixels(kMarkPixels));
-  rings_->GetProperty()->SetLineWidth(pixels(kRingLinePixels));
-  arcs_->GetProperty()->SetLineWidth(pixels(kArcPixels));
+  setPointSize(*points_, kPointPixels * look_.pixelRatio);
+  setPointSize(*balls_, kBallPixels * look_.pixelRatio);
+  setPointSize(*mark_, kMarkPixels * look_.pixelRatio);
+  setLineWidth(*rings_, kRingLinePixels * look_.pixelRatio);
+  setLineWidth(*arcs_, kArcPixels * look_.pixelRatio);
 }
 
 void RotationSphere::show(std::shared_ptr<const PlacedRotations> placed)
@@ -311,7 +293,7 @@ void RotationSphere::fitCamera() const
 std::optional<Index> RotationSphere::pick(double displayX, double displayY) const
 {
   if (!renderer_) return std::nullopt;
-  const DisplayPlaces toDisplay(*renderer_);
+  const DisplayTransform toDisplay(*renderer_);
   const Vector3 forward = sightOf(*renderer_->GetActiveCamera());
   // Squared distances; of the near side, of the far one.
   const double reach = std::pow(kSphereReach * look_.pixelRatio, 2);
@@ -319,8 +301,7 @@ std::optional<Index> RotationSphere::pick(double displayX, double displayY) cons
   std::array<std::optional<Index>, 2> found;
   for (std::size_t k = 0; k < placed_->places.size(); ++k) {
     const Vector3& place = placed_->places[k];
-    const Vector3 seen = toDisplay(place);
-    const double distance = std::pow(seen.x() - displayX, 2) + std::pow(seen.y() - displayY, 2);
+    const double distance = (toDisplay.show(place).point - DisplayPoint(displayX, displayY)).squaredNorm();
     const std::size_t side = place.dot(forward) > 0 ? 1 : 0;
     if (distance > least[side] || (found[side] && distance == least[side])) continue;
     least[side] = distance;
@@ -329,11 +310,11 @@ std::optional<Index> RotationSphere::pick(double displayX, double displayY) cons
   return found[0] ? found[0] : found[1];
 }
 
-std::optional<Vector3> RotationSphere::displayPlace(Index vertex) const
+std::optional<DisplayPoint> RotationSphere::displayPlace(Index vertex) const
 {
   const auto place = placeOf(vertex);
   if (!place || !renderer_) return std::nullopt;
-  return DisplayPlaces(*renderer_)(*place);
+  return DisplayTransform(*renderer_).show(*place).point;
 }
 
 }  // namespace holdfast

@@ -10,6 +10,7 @@
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
+#include <holdfast/widgets/camera/display_transform.h>
 #include <holdfast/widgets/color/coloring.h>
 #include <holdfast/widgets/mesh/blended_actor.h>
 #include <holdfast/widgets/rotation_sphere/placed_rotations.h>
@@ -38,8 +39,6 @@ class RotationSphere {
  public:
   RotationSphere();
   ~RotationSphere();
-  RotationSphere(const RotationSphere&) = delete;
-  RotationSphere& operator=(const RotationSphere&) = delete;
 
   /// Puts everything into `renderer`, sets its background and its camera. Once; the renderer is in a window.
   void addTo(vtkRenderer& renderer);
@@ -66,7 +65,7 @@ class RotationSphere {
   [[nodiscard]] std::optional<Index> pick(double displayX, double displayY) const;
 
   /// Where the point of a vertex of the file is in the window, pixels from its lower left corner; none without one.
-  [[nodiscard]] std::optional<Vector3> displayPlace(Index vertex) const;
+  [[nodiscard]] std::optional<DisplayPoint> displayPlace(Index vertex) const;
 
   /// What draws the points that are drawn, in their order: its mapper colours them.
   [[nodiscard]] vtkActor& points() const { return *points_; }

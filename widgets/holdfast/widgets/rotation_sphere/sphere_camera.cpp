@@ -5,8 +5,6 @@
 
 #include <Eigen/Geometry>
 #include <vtkCamera.h>
-#include <vtkMatrix4x4.h>
-#include <vtkRenderer.h>
 
 namespace holdfast {
 namespace {
@@ -72,18 +70,6 @@ void turnSphere(vtkCamera& camera, double right, double up)
 void zoomSphere(vtkCamera& camera, double factor)
 {
   camera.SetParallelScale(std::clamp(camera.GetParallelScale() / factor, kNearestView, kFarthestView));
-}
-
-DisplayPlaces::DisplayPlaces(vtkRenderer& renderer)
-{
-  vtkMatrix4x4* const matrix =
-      renderer.GetActiveCamera()->GetCompositeProjectionTransformMatrix(renderer.GetTiledAspectRatio(), -1, 1);
-  for (int r = 0; r < 4; ++r)
-    for (int c = 0; c < 4; ++c) toClip_(r, c) = matrix->GetElement(r, c);
-  const int* const size = renderer.GetSize();
-  const int* const origin = renderer.GetOrigin();
-  half_ = {size[0] / 2.0, size[1] / 2.0};
-  center_ = half_ + Eigen::Vector2d(origin[0], origin[1]);
 }
 
 }  // namespace holdfast

@@ -7,7 +7,6 @@
 #include <holdfast/base/types.h>
 
 class vtkCamera;
-class vtkRenderer;
 
 namespace holdfast {
 
@@ -22,23 +21,5 @@ void turnSphere(vtkCamera& camera, double right, double up);
 
 /// Shows what is in the picture `factor` times as large, within bounds.
 void zoomSphere(vtkCamera& camera, double factor);
-
-/// From places in the world of a renderer to the window: pixels from its lower left corner, and depth in [-1, 1].
-class DisplayPlaces {
- public:
-  explicit DisplayPlaces(vtkRenderer& renderer);
-
-  [[nodiscard]] Vector3 operator()(const Vector3& place) const
-  {
-    const Eigen::Vector4d clip = toClip_ * Eigen::Vector4d(place.x(), place.y(), place.z(), 1);
-    const Vector3 device = clip.head<3>() / clip.w();
-    return {center_.x() + half_.x() * device.x(), center_.y() + half_.y() * device.y(), device.z()};
-  }
-
- private:
-  Eigen::Matrix4d toClip_;
-  Eigen::Vector2d half_;
-  Eigen::Vector2d center_;
-};
 
 }  // namespace holdfast

@@ -2,7 +2,7 @@
 /// \file
 /// What a user chooses about how a document is shown. Nothing of it changes the document.
 
-#include <holdfast/widgets/color/coloring_range.h>
+#include <holdfast/widgets/color/coloring.h>
 #include <holdfast/widgets/scene/scene_contents.h>
 
 namespace holdfast {

@@ -21,8 +21,6 @@ class KeptScene {
   /// `last`. Both are in a window without multisampling, which stays alive as long as this.
   KeptScene(vtkRenderer& scene, vtkRenderer& last);
   ~KeptScene();
-  KeptScene(const KeptScene&) = delete;
-  KeptScene& operator=(const KeptScene&) = delete;
 
   /// Whether scenes that are drawn from now on are kept; they are by default. A copy waits for what is being drawn,
   /// which is lost time where one scene follows another.

@@ -1,16 +1,16 @@
 #pragma once
 /// \file
-/// A deformed mesh with all that explains it, ready to be drawn without a window.
+/// A deformed mesh with all that explains it, drawn without a window; its picture as pixels and as a PNG file.
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <vtkNew.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
 
 #include <holdfast/widgets/scene/scene_contents.h>
-
-class vtkRenderer;
-class vtkRenderWindow;
 
 namespace holdfast {
 
@@ -55,9 +55,6 @@ struct SceneOptions {
 class Scene {
  public:
   Scene(const Model& model, const DeformResult& deformation, const SceneOptions& options);
-  ~Scene();
-  Scene(const Scene&) = delete;
-  Scene& operator=(const Scene&) = delete;
 
   [[nodiscard]] vtkRenderWindow& window() const { return *window_; }
   /// What shows the mesh; its camera can be moved.
@@ -80,5 +77,18 @@ class Scene {
   vtkNew<vtkRenderer> backdrop_;  // the background and the legend, under the mesh
   vtkNew<vtkRenderer> meshRenderer_;
 };
+
+/// RGB, a byte a channel, rows from the bottom.
+struct Picture {
+  PictureSize size;
+  std::vector<unsigned char> pixels;  ///< 3 width height
+};
+
+/// Draws `scene`; `name` names the picture in messages. The same pixels on every run. Throws `OutputError` where the
+/// picture has more than `kMostPicturePixels`, and where OpenGL cannot hold one of this size, or fails.
+[[nodiscard]] Picture draw(const Scene& scene, const std::string& name);
+
+/// The picture as the contents of a PNG file. The same bytes on every run. Throws `OutputError` where VTK fails.
+[[nodiscard]] std::string toPng(const Picture& picture, const std::string& name);
 
 }  // namespace holdfast

@@ -113,26 +113,6 @@ void SceneContents::color(const std::optional<Coloring>& coloring)
     mesh_.clearColors();
 }
 
-void SceneContents::setMarks(std::vector<ConstraintMark> marks)
-{
-  glyphs_.setMarks(markSet(std::move(marks), glyphs_.marks()));
-}
-
-void SceneContents::showMarks(std::shared_ptr<const MarkSet> marks)
-{
-  glyphs_.setMarks(std::move(marks));
-}
-
-void SceneContents::highlight(std::vector<Index> constraints)
-{
-  glyphs_.highlight(std::move(constraints));
-}
-
-void SceneContents::setHiddenMarks(HiddenMarks hidden)
-{
-  glyphs_.setHiddenMarks(hidden);
-}
-
 void SceneContents::setSection(const std::optional<SectionPlane>& section)
 {
   mesh_.setSection(section);
@@ -148,26 +128,11 @@ void SceneContents::setRestGhost(RestGhost ghost)
   updateDetail();
 }
 
-void SceneContents::setMeshEdges(MeshEdges edges)
-{
-  mesh_.setMeshEdges(edges);
-}
-
 void SceneContents::setRotationDisplay(RotationDisplay display)
 {
   rotationDisplay_ = display;
   for (vtkActor* const actor : arrows_.actors()) actor->SetVisibility(display == RotationDisplay::Arrows);
   updateArrows();
-}
-
-void SceneContents::updateArrows()
-{
-  if (rotationDisplay_ == RotationDisplay::Arrows) arrows_.set(positions_, rotations_);
-}
-
-void SceneContents::setSelection(const std::vector<Index>& fileVertices)
-{
-  selection_.set(fileVertices);
 }
 
 void SceneContents::setPreview(const std::optional<PreviewedPoint>& point)
@@ -179,11 +144,6 @@ void SceneContents::setDetail(Detail detail)
 {
   detail_ = detail;
   updateDetail();
-}
-
-void SceneContents::lookFrom(const Vector3& eye)
-{
-  mesh_.lookFrom(eye);
 }
 
 void SceneContents::updateDetail()

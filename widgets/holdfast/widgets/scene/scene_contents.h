@@ -58,27 +58,27 @@ class SceneContents {
   /// Colours by values, one for each vertex of the file; none: one colour. O(N).
   void color(const std::optional<Coloring>& coloring);
 
-  void setMarks(std::vector<ConstraintMark> marks);
+  void setMarks(std::vector<ConstraintMark> marks) { glyphs_.setMarks(markSet(std::move(marks), glyphs_.marks())); }
   /// Those that another thread has made ready; not null. O(those that are drawn).
-  void showMarks(std::shared_ptr<const MarkSet> marks);
+  void showMarks(std::shared_ptr<const MarkSet> marks) { glyphs_.setMarks(std::move(marks)); }
   [[nodiscard]] const std::vector<ConstraintMark>& marks() const noexcept { return glyphs_.marks()->marks; }
   [[nodiscard]] const std::shared_ptr<const MarkSet>& sharedMarks() const noexcept { return glyphs_.marks(); }
   /// Places in the list of constraints.
-  void highlight(std::vector<Index> constraints);
-  void setHiddenMarks(HiddenMarks hidden);
+  void highlight(std::vector<Index> constraints) { glyphs_.highlight(std::move(constraints)); }
+  void setHiddenMarks(HiddenMarks hidden) { glyphs_.setHiddenMarks(hidden); }
 
   /// Draws what a plane keeps of the mesh, its shape at rest, the selection, constraints and rotations; none: all.
   void setSection(const std::optional<SectionPlane>& section);
 
   void setRestGhost(RestGhost ghost);
-  void setMeshEdges(MeshEdges edges);
+  void setMeshEdges(MeshEdges edges) { mesh_.setMeshEdges(edges); }
   void setRotationDisplay(RotationDisplay display);
-  void setSelection(const std::vector<Index>& fileVertices);
+  void setSelection(const std::vector<Index>& fileVertices) { selection_.set(fileVertices); }
   void setPreview(const std::optional<PreviewedPoint>& point);
   /// The shape at rest, where it is shown as a surface, is that of coarse detail in both.
   void setDetail(Detail detail);
   /// As `MeshActor::lookFrom`.
-  void lookFrom(const Vector3& eye);
+  void lookFrom(const Vector3& eye) { mesh_.lookFrom(eye); }
   /// What is large of what is shown in full detail, in the order in which it is drawn, before all else.
   [[nodiscard]] std::vector<ActorSlices*> slices();
 
@@ -93,7 +93,10 @@ class SceneContents {
   void leave();
   [[nodiscard]] std::vector<vtkActor*> actors() const;
   void resize();
-  void updateArrows();
+  void updateArrows()
+  {
+    if (rotationDisplay_ == RotationDisplay::Arrows) arrows_.set(positions_, rotations_);
+  }
   void updateDetail();
 
   vtkWeakPointer<vtkRenderer> renderer_;

@@ -121,9 +121,4 @@ void SlicedDrawing::restore()
   contents_ = nullptr;
 }
 
-void SlicedDrawing::abandon()
-{
-  if (isUnderWay()) restore();
-}
-
 }  // namespace holdfast

@@ -19,8 +19,6 @@ class SlicedDrawing {
   /// `scene` is in a window, which stays alive as long as this, and shows contents as `SceneContents::addTo` adds them.
   explicit SlicedDrawing(vtkRenderer& scene);
   ~SlicedDrawing();
-  SlicedDrawing(const SlicedDrawing&) = delete;
-  SlicedDrawing& operator=(const SlicedDrawing&) = delete;
 
   /// Begins a picture of `contents`, which stays as it is until the picture is done or abandoned. One under way is
   /// abandoned.
@@ -30,7 +28,10 @@ class SlicedDrawing {
   void advance();
   [[nodiscard]] bool isUnderWay() const noexcept { return contents_ != nullptr; }
   /// As if it had not begun: what was shown before is still shown.
-  void abandon();
+  void abandon()
+  {
+    if (isUnderWay()) restore();
+  }
 
  private:
   void drawSlice();

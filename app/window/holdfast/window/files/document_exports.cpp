@@ -18,8 +18,8 @@
 #include <holdfast/io/files/output_file.h>
 #include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/widgets/files/any_mesh_file.h>
-#include <holdfast/widgets/files/field_file.h>
-#include <holdfast/widgets/scene/snapshot.h>
+#include <holdfast/widgets/files/poly_data_file.h>
+#include <holdfast/widgets/scene/scene.h>
 #include <holdfast/window/files/file_messages.h>
 #include <holdfast/window/files/picture_dialog.h>
 #include <holdfast/window/text/number_text.h>
@@ -71,7 +71,7 @@ void DocumentExports::exportMesh()
 {
   if (!mayExportShown()) return;
   const QString ending = QString::fromStdString(editor_.mesh().path.extension().string());
-  const QString path = ask(tr("Export the mesh"), ".deformed" + ending, meshFilters());
+  const QString path = ask(tr("Export the mesh"), ".deformed" + ending, meshFilters() << "VTK (*.vtk)");
   if (path.isEmpty()) return;
   make(path, [path, document = editor_.mesh().document, model = editor_.model(),
               deformation = editor_.deformation()](Progress& progress) {

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include <holdfast/widgets/files/any_mesh_file.h>
-#include <holdfast/widgets/mesh/coarse_triangles.h>
+#include <holdfast/widgets/mesh/coarse_surface.h>
 
 namespace holdfast {
 

@@ -5,7 +5,7 @@
 #include <QPainter>
 #include <algorithm>
 
-#include <holdfast/widgets/camera/seen_rotation.h>
+#include <holdfast/widgets/camera/view_geometry.h>
 #include <holdfast/widgets/interaction/interaction_events.h>
 #include <holdfast/window/model/constraint_actions.h>
 #include <holdfast/window/viewport/viewport.h>

@@ -9,7 +9,7 @@
 #include <vtkRenderer.h>
 #include <vtkWidgetEventTranslator.h>
 
-#include <holdfast/widgets/gizmo/gizmo_colors.h>
+#include <holdfast/widgets/gizmo/gizmo_layout.h>
 #include <holdfast/widgets/marks/constraint_glyphs.h>
 #include <holdfast/window/viewport/viewport.h>
 

@@ -17,7 +17,6 @@
 #include <holdfast/base/thread_priority.h>
 #include <holdfast/geometry/degree.h>
 #include <holdfast/widgets/camera/camera_state.h>
-#include <holdfast/widgets/camera/default_camera.h>
 #include <holdfast/widgets/interaction/interaction_events.h>
 #include <holdfast/widgets/scene/example_document.h>
 #include <holdfast/widgets/scene/lighting.h>
