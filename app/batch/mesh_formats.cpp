@@ -11,7 +11,6 @@
 #include <holdfast/base/printable.h>
 #include <holdfast/io/mesh_file.h>
 #ifdef HOLDFAST_WITH_VTK
-#include <holdfast/widgets/files/any_mesh_file.h>
 #include <holdfast/widgets/files/field_file.h>
 #endif
 
@@ -66,16 +65,6 @@ void requireFieldsExtension(const std::filesystem::path& path)
 }
 
 #ifdef HOLDFAST_WITH_VTK
-
-MeshDocument readAnyMesh(const std::filesystem::path& path)
-{
-  return holdfast::readAnyMesh(path);
-}
-
-Serialized serializeAnyMesh(const MeshDocument& document, const Positions& positions, const std::filesystem::path& path)
-{
-  return holdfast::serializeAnyMesh(document, positions, path);
-}
 
 Serialized serializeFields(const Mesh& mesh, const Positions& positions, std::span<const Field> fields)
 {
