@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <holdfast/base/error.h>
-#include <holdfast/base/printable.h>
 #include <holdfast/check/mesh_check.h>
 #include <holdfast/deform/report_json.h>
 
@@ -24,7 +23,7 @@ Outputs writeReport(const CheckCommand& command, const Report& report)
   return outputs;
 }
 
-/// A mesh of which no more can be said than that: the report is written, then the error goes its way.
+/// Nothing more can be said about such a mesh: writes the report, then throws.
 void refuseNonFinite(const CheckCommand& command, const Mesh& mesh)
 {
   Report report;
@@ -57,10 +56,7 @@ ExitCode runCheck(const CheckCommand& command)
 
   Outputs outputs = writeReport(command, report);
   outputs.commitDirect();
-  printMessage(warningLines(report));
-  printMessage(conflictLines(report, constraints.units));
-  if (report.solve.status == SolveStatus::Failed)
-    printMessage(fmt::format("error: {}\n", printable(report.solve.message)));
+  printMessage(messageLines(report, constraints.units));
   if (!command.isQuiet) printResult(summary(report, command.mesh.string(), constraints.units));
   outputs.commitAside();
   if (report.solve.status == SolveStatus::Failed) return kNumerical;

@@ -1,6 +1,12 @@
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
 #include <fmt/format.h>
 
 #include <holdfast/base/printable.h>
+#include <holdfast/base/progress.h>
 #include <holdfast/deform/deform_details.h>
 #include <holdfast/deform/fields.h>
 #include <holdfast/deform/outcomes.h>
@@ -11,14 +17,61 @@
 #include "batch/mesh_formats.h"
 #include "batch/outputs.h"
 #include "batch/pictures.h"
-#include "batch/progress_line.h"
 #include "batch/standard_streams.h"
 #include "batch/summary.h"
 
 namespace holdfast::batch {
 namespace {
 
-/// Fails before the long work where an output could not be put in its folder.
+/// Prints nothing in the first second; then the current step and each one that follows, with the seconds since the
+/// start.
+class ProgressLine final : public Progress {
+ public:
+  ProgressLine() : thread_([this] { waitAndPrint(); }) {}
+  ~ProgressLine() override
+  {
+    {
+      const std::lock_guard lock(mutex_);
+      isDone_ = true;
+    }
+    changed_.notify_all();
+    thread_.join();
+  }
+
+  void step(std::string_view description) override
+  {
+    const std::lock_guard lock(mutex_);
+    description_ = description;
+    if (isLong_) print();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void waitAndPrint()
+  {
+    std::unique_lock lock(mutex_);
+    if (changed_.wait_until(lock, start_ + std::chrono::seconds(1), [this] { return isDone_; })) return;
+    isLong_ = true;
+    if (!description_.empty()) print();
+  }
+
+  void print() const
+  {
+    const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+    printMessage(fmt::format("[{:6.1f} s] {}\n", seconds, description_));
+  }
+
+  Clock::time_point start_ = Clock::now();
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::string description_;
+  bool isLong_ = false;
+  bool isDone_ = false;
+  std::thread thread_;
+};
+
+/// Fails before the long work if an output could not be put in its folder.
 void probeOutputs(const DeformCommand& command)
 {
   for (const auto& path : {command.out, command.report, command.fields})
@@ -41,7 +94,7 @@ void measureRounded(DeformResult& deformation, const Model& model)
         fmt::format("; the file holds single precision and misses them by up to {:.3g}", solve.maxResidual);
 }
 
-/// Adds a file, and tells what it could not hold.
+/// Adds a file, and prints what it could not hold.
 void addNoted(Outputs& outputs, const std::filesystem::path& path, const Serialized& contents)
 {
   for (const std::string& note : contents.notes)
@@ -49,7 +102,7 @@ void addNoted(Outputs& outputs, const std::filesystem::path& path, const Seriali
   outputs.add(path, contents.bytes);
 }
 
-/// The options of the command line, those of the session where it says nothing, then the defaults.
+/// The options of the command line; what it leaves out comes from the session, else from the defaults.
 DeformOptions chosenOptions(const DeformCommand& command, const StatedOptions& ofSession)
 {
   const DeformOptions options = withStated(withStated({}, ofSession), command.options);
@@ -112,15 +165,14 @@ ExitCode deformWith(const DeformCommand& command, Progress& progress)
 
   const Report& report = deformation.report;
   outputs.commitDirect();
-  printMessage(warningLines(report));
-  printMessage(conflictLines(report, constraints.units));
-  if (report.solve.status == SolveStatus::Failed)
-    printMessage(fmt::format("error: {}\n", printable(report.solve.message)));
+  printMessage(messageLines(report, constraints.units));
   if (!command.isQuiet)
     printResult(summary(report, command.mesh.string(), constraints.units) +
                 optionsLine(beside(command.options, ofSession), command.constraints.string()));
   outputs.commitAside();
-  if (!command.isQuiet) printResult(outputs.names());
+  if (!command.isQuiet)
+    for (const OutputFile& file : outputs.files())
+      printResult(fmt::format("wrote        {}\n", printable(file.path().string())));
   return exitCodeOf(report.solve.status);
 }
 

@@ -23,7 +23,7 @@ constexpr rlim_t kRoom = 288 * kMebibyte;
 // Exit code: numerical failures, and too little memory for them.
 constexpr int kOutOfMemory = 5;
 
-/// Of the address space; `RLIM_INFINITY` for none.
+/// `RLIM_INFINITY` for none.
 rlim_t limitOfAddressSpace()
 {
   rlimit limit{};

@@ -1,5 +1,6 @@
 // holdfast-batch: deforms and checks meshes without a window. The only place that turns exceptions into exit codes.
 
+#include <csignal>
 #include <exception>
 #include <new>
 #include <system_error>
@@ -8,13 +9,28 @@
 
 #include <holdfast/base/error.h>
 #include <holdfast/base/printable.h>
+#include <holdfast/io/files/output_file.h>
 
 #include "batch/commands.h"
-#include "batch/interrupt.h"
 #include "batch/standard_streams.h"
 
 namespace holdfast::batch {
 namespace {
+
+extern "C" void removeOutputsAndDie(int signal)
+{
+  removeUnfinishedOutputs();
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
+/// From now on SIGINT, SIGTERM and SIGHUP remove unfinished outputs before they end the program. A file that grows
+/// beyond its limit, and a pipe that nothing reads any more, become errors of writing instead of signals.
+void installSignalHandlers()
+{
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, removeOutputsAndDie);
+  for (const int signal : {SIGXFSZ, SIGPIPE}) std::signal(signal, SIG_IGN);
+}
 
 struct Run {
   ExitCode operator()(const DeformCommand& command) const { return runDeform(command); }
@@ -32,7 +48,7 @@ ExitCode complain(ExitCode code, const std::string& message)
   return code;
 }
 
-/// Also where a thread cannot be given its stack.
+/// Including a thread that gets no stack.
 bool isLackOfMemory(const std::exception& error)
 {
   if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return true;

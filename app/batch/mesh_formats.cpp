@@ -67,16 +67,6 @@ void requireFieldsExtension(const std::filesystem::path& path)
 
 #ifdef HOLDFAST_WITH_VTK
 
-MeshDocument readAnyMesh(const std::filesystem::path& path)
-{
-  return holdfast::readAnyMesh(path);
-}
-
-Serialized serializeAnyMesh(const MeshDocument& document, const Positions& positions, const std::filesystem::path& path)
-{
-  return holdfast::serializeAnyMesh(document, positions, path);
-}
-
 Serialized serializeFields(const Mesh& mesh, const Positions& positions, std::span<const Field> fields)
 {
   return fieldsToVtp(mesh, positions, fields, {});

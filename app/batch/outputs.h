@@ -3,7 +3,6 @@
 /// The output files of one command, written together or not at all.
 
 #include <filesystem>
-#include <string>
 #include <vector>
 
 #include <holdfast/io/files/output_file.h>
@@ -11,21 +10,26 @@
 namespace holdfast::batch {
 
 /// All outputs are written aside before any is put in its place. What cannot be written aside (devices, pipes, standard
-/// output) goes first, because it may turn out to be full, while a rename hardly fails.
+/// output) goes first, because it may be full, while a rename hardly ever fails.
 class Outputs {
  public:
   /// Writes aside. Throws `OutputError`.
   void add(const std::filesystem::path& path, std::string_view bytes) { files_.emplace_back(path, bytes); }
 
   /// Writes what cannot be written aside. Throws `OutputError`.
-  void commitDirect();
+  void commitDirect() { commit(true); }
   /// Puts the others in their places; call it last. Throws `OutputError`.
-  void commitAside();
+  void commitAside() { commit(false); }
 
-  /// A line for each, for people.
-  [[nodiscard]] std::string names() const;
+  [[nodiscard]] const std::vector<OutputFile>& files() const noexcept { return files_; }
 
  private:
+  void commit(bool areDirect)
+  {
+    for (OutputFile& file : files_)
+      if (file.isDirect() == areDirect) file.commit();
+  }
+
   std::vector<OutputFile> files_;
 };
 

@@ -16,7 +16,7 @@ void printResult(std::string_view text)
   if (text.empty()) return;
   FileDescriptor output(::dup(STDOUT_FILENO));
   const int writing = output.isOpen() ? writeAll(output, text) : errno;
-  // Some file systems tell only now that there was no room.
+  // Some file systems report only now that there was no room.
   const int closing = output.close();
   if (writing == 0 && closing == 0) return;
   throw OutputError("standard output", fmt::format("cannot be written ({}): send it where there is room for it",

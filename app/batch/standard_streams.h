@@ -9,7 +9,7 @@ namespace holdfast::batch {
 /// Writes `text` to standard output at once. Throws `OutputError` where it does not arrive there (disk full, closed).
 void printResult(std::string_view text);
 
-/// Writes `text` to standard error. One that takes nothing is no reason to give up the work: nobody is left to be told.
+/// Writes `text` to standard error. Failures are ignored: there is no other place to report them.
 void printMessage(std::string_view text) noexcept;
 
 }  // namespace holdfast::batch

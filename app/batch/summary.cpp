@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kMostPulling = 5;
 constexpr std::size_t kMostConflictLines = 5;
 
-// Of the length of a vector, in the terminal: components below are rounding.
+// As a share of the length of a vector: smaller components are rounding errors.
 constexpr double kLeastComponent = 1e-6;
 
 std::string withUnits(double length, const std::string& units)
@@ -23,14 +23,14 @@ std::string withUnits(double length, const std::string& units)
   return fmt::format("{:.4g}{}{}", length, units.empty() ? "" : " ", shortened(units));
 }
 
-/// For people to look at.
+/// Rounded, to look at.
 std::string gapText(const Vector3& gap)
 {
   const auto shown = [&](double x) { return std::abs(x) < kLeastComponent * gap.stableNorm() ? 0 : x; };
   return fmt::format("({:.4g}, {:.4g}, {:.4g})", shown(gap.x()), shown(gap.y()), shown(gap.z()));
 }
 
-/// For people to copy: every digit.
+/// With every digit, to copy.
 std::string placeText(const Vector3& place)
 {
   return fmt::format("({}, {}, {})", place.x(), place.y(), place.z());
@@ -49,7 +49,7 @@ std::string quotedNames(const std::vector<std::string>& names)
   return text;
 }
 
-/// The message, and the names of constraints where it is about some.
+/// The message, with the names of the constraints that it is about.
 std::string findingLine(const Finding& finding, const std::vector<ConstraintOutcome>& constraints)
 {
   std::vector<std::string> names;
@@ -78,7 +78,7 @@ std::string constraintLine(const Report& report)
   return line + "\n";
 }
 
-/// The constraints that do most to the surface.
+/// The constraints that pull hardest at the surface.
 std::string pullLine(const std::vector<ConstraintOutcome>& constraints)
 {
   std::vector<const ConstraintOutcome*> pulling;
@@ -128,7 +128,7 @@ std::string conflictLine(const ConstraintOutcome& outcome, const ConflictSet& co
                      gapText(conflictSet.gap), repairText(outcome, conflictSet));
 }
 
-/// The first few ways in which it conflicts; the largest gaps come first.
+/// The first few sets with which it conflicts; the largest gaps come first.
 std::string conflictLinesOf(const ConstraintOutcome& outcome, const std::string& units)
 {
   std::string text;
@@ -155,14 +155,6 @@ std::string summary(const Report& report, const std::string& meshName, const std
   return text + pullLine(report.constraints);
 }
 
-std::string warningLines(const Report& report)
-{
-  std::string text;
-  for (const Finding& finding : report.mesh.findings)
-    if (finding.idsOf == "solution") text += fmt::format("warning: {}\n", printable(finding.message));
-  return text;
-}
-
 std::string optionsLine(const StatedOptions& taken, const std::string& source)
 {
   std::vector<std::string> options;
@@ -174,10 +166,13 @@ std::string optionsLine(const StatedOptions& taken, const std::string& source)
   return fmt::format("options      {}: taken from {}\n", fmt::join(options, ", "), printable(source));
 }
 
-std::string conflictLines(const Report& report, const std::string& units)
+std::string messageLines(const Report& report, const std::string& units)
 {
   std::string text;
+  for (const Finding& finding : report.mesh.findings)
+    if (finding.idsOf == "solution") text += fmt::format("warning: {}\n", printable(finding.message));
   for (const ConstraintOutcome& outcome : report.constraints) text += conflictLinesOf(outcome, units);
+  if (report.solve.status == SolveStatus::Failed) text += fmt::format("error: {}\n", printable(report.solve.message));
   return text;
 }
 

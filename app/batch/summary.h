@@ -13,14 +13,12 @@ namespace holdfast::batch {
 /// `units` may be empty.
 [[nodiscard]] std::string summary(const Report& report, const std::string& meshName, const std::string& units);
 
-/// A line for each finding that warns of the solution. Empty where there is none.
-[[nodiscard]] std::string warningLines(const Report& report);
+/// For standard error: a line for each finding that warns of the solution; for each constraint in conflict a line for
+/// each set of earlier ones with which it cannot hold, the largest gaps first and only a few, with the gap and repairs;
+/// why solving failed.
+[[nodiscard]] std::string messageLines(const Report& report, const std::string& units);
 
-/// For each constraint that conflicts a line for each set of earlier ones with which it cannot hold, the largest gaps
-/// first and no more than a few: by how much it is off, and what would mend it. Empty where there is none.
-[[nodiscard]] std::string conflictLines(const Report& report, const std::string& units);
-
-/// What was taken from the session `source` because the command line does not say it. Empty where there is none.
+/// The options that come from the session `source` because the command line leaves them out. Empty if there are none.
 [[nodiscard]] std::string optionsLine(const StatedOptions& taken, const std::string& source);
 
 }  // namespace holdfast::batch

@@ -1,5 +1,7 @@
 #include <QDialog>
 
+#include <holdfast/window/controls/theme.h>
+
 #include "chapters.h"
 #include "window/gestures.h"
 
@@ -8,7 +10,7 @@ namespace {
 
 void dark(TourWindow& tour)
 {
-  tour.window().setAppearance(Appearance::Dark);
+  apply(Appearance::Dark);
   tour.open("bracket.obj", "bracket.constraints.json");
   tour.select("flange east");
   tour.picture("dark");
@@ -24,7 +26,7 @@ void dark(TourWindow& tour)
   tour.picture("dark_distributions");
   tour.raise("constraintsDock");
   tour.raise("inspectorDock");
-  tour.window().setAppearance(Appearance::Light);
+  apply(Appearance::Light);
 }
 
 /// A cut through the mesh, and a distance on it.

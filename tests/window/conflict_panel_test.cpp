@@ -5,7 +5,9 @@
 
 #include <holdfast/deform/deform_details.h>
 #include <holdfast/document/list_edits.h>
-#include <holdfast/window/panels/conflict_panel.h>
+#include <holdfast/window/controls/card.h>
+#include <holdfast/window/model/constraint_actions.h>
+#include <holdfast/window/panels/panels.h>
 
 #include "gestures.h"
 #include "open_document.h"
@@ -47,7 +49,8 @@ class ConflictPanelOfBracket : public ::testing::Test {
   const char* crown = "crown forward by 3.5 instead (conflicting)";
   const char* flange = "flange 4, 0.75 off the plane of 1 to 3 (conflicting)";
   Editor editor;
-  ConflictPanel panel{editor};
+  std::unique_ptr<QWidget> conflicts{newConflictPanel(editor)};
+  QWidget& panel = *conflicts;
 };
 
 TEST_F(ConflictPanelOfBracket, SaysByHowMuchAndWithWhatEachConflicts)
@@ -116,11 +119,11 @@ TEST_F(ConflictPanelOfBracket, SaysWhyAListCannotBeSolved)
 TEST(ConflictPanelWithoutConflicts, SaysThatNothingContradicts)
 {
   Editor editor;
-  ConflictPanel panel(editor);
-  ASSERT_TRUE(test::showAndWait(panel));
+  const std::unique_ptr<QWidget> panel(newConflictPanel(editor));
+  ASSERT_TRUE(test::showAndWait(*panel));
   ASSERT_TRUE(test::openMesh(editor, test::grid(3, 3), {"mm", {{"P", true, PointConstraint{AtVertex{0}, Move{}}}}}));
-  EXPECT_TRUE(panel.findChild<QLabel*>("conflictEmpty")->isVisible());
-  EXPECT_EQ(panel.findChild<QLabel*>("conflictEmpty")->text(), "Nothing contradicts.");
+  EXPECT_TRUE(panel->findChild<QLabel*>("conflictEmpty")->isVisible());
+  EXPECT_EQ(panel->findChild<QLabel*>("conflictEmpty")->text(), "Nothing contradicts.");
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMimeData>
+#include <QTableView>
 #include <memory>
 
 #include <gtest/gtest.h>
@@ -14,7 +15,9 @@
 #include <holdfast/deform/deform_details.h>
 #include <holdfast/document/list_edits.h>
 #include <holdfast/io/text/number_text.h>
+#include <holdfast/window/model/constraint_actions.h>
 #include <holdfast/window/table/constraint_panel.h>
+#include <holdfast/window/table/constraint_table_model.h>
 
 #include "gestures.h"
 #include "open_document.h"
@@ -50,7 +53,8 @@ class ConstraintPanelOfSheet : public ::testing::Test {
     ASSERT_TRUE(test::showAndWait(panel));
   }
 
-  [[nodiscard]] QAbstractItemModel& rows() { return *panel.table().model(); }
+  [[nodiscard]] QTableView& table() { return *panel.findChild<QTableView*>("constraintTable"); }
+  [[nodiscard]] QAbstractItemModel& rows() { return *table().model(); }
   [[nodiscard]] QString shown(int row, int column) { return rows().index(row, column).data().toString(); }
   [[nodiscard]] std::vector<std::string> names() const
   {
@@ -70,29 +74,30 @@ class ConstraintPanelOfSheet : public ::testing::Test {
   }
   [[nodiscard]] QPointF middleOf(int row, int column)
   {
-    panel.table().scrollTo(rows().index(row, column));
-    return panel.table().visualRect(rows().index(row, column)).center();
+    table().scrollTo(rows().index(row, column));
+    return table().visualRect(rows().index(row, column)).center();
   }
   void clickCell(int row, int column, Qt::KeyboardModifiers modifiers = Qt::NoModifier)
   {
-    test::click(*panel.table().viewport(), middleOf(row, column), Qt::LeftButton, modifiers);
+    test::click(*table().viewport(), middleOf(row, column), Qt::LeftButton, modifiers);
   }
   /// Types into a cell of the current row as a user does: F2, the text, Enter.
   void typeInto(int row, int column, const char* text)
   {
-    panel.table().selectionModel()->setCurrentIndex(rows().index(row, column), QItemSelectionModel::NoUpdate);
-    test::pressKey(panel.table(), Qt::Key_F2);
-    QLineEdit* line = panel.table().viewport()->findChild<QLineEdit*>();
+    table().selectionModel()->setCurrentIndex(rows().index(row, column), QItemSelectionModel::NoUpdate);
+    test::pressKey(table(), Qt::Key_F2);
+    QLineEdit* line = table().viewport()->findChild<QLineEdit*>();
     ASSERT_NE(line, nullptr) << "the cell cannot be edited";
     line->selectAll();
     test::type(*line, text);
     test::pressKey(*line, Qt::Key_Return);
-    ASSERT_TRUE(test::waitUntil([&] { return panel.table().viewport()->findChild<QLineEdit*>() == nullptr; }));
+    ASSERT_TRUE(test::waitUntil([&] { return table().viewport()->findChild<QLineEdit*>() == nullptr; }));
   }
   [[nodiscard]] QLabel& refusal() { return *panel.findChild<QLabel*>("constraintRefusal"); }
 
   Editor editor;
-  ConstraintPanel panel{editor};
+  std::unique_ptr<QWidget> constraints{newConstraintPanel(editor, [](Index) {})};
+  QWidget& panel = *constraints;
 };
 
 TEST_F(ConstraintPanelOfSheet, TellsWhatEachConstraintIs)
@@ -166,8 +171,8 @@ TEST_F(ConstraintPanelOfSheet, ACheckBoxSwitchesAllSelectedRowsAndKeepsThemSelec
 {
   clickCell(1, Table::Name);
   clickCell(3, Table::Name, Qt::ShiftModifier);
-  const QRect cell = panel.table().visualRect(rows().index(2, Table::On));
-  test::click(*panel.table().viewport(), QPointF(cell.left() + cell.height() / 2.0, cell.center().y()));
+  const QRect cell = table().visualRect(rows().index(2, Table::On));
+  test::click(*table().viewport(), QPointF(cell.left() + cell.height() / 2.0, cell.center().y()));
   for (Index k = 0; k < 6; ++k) EXPECT_EQ(editor.list().constraints[k].isEnabled, k < 1 || k > 3) << "constraint " << k;
   EXPECT_EQ(editor.selectedConstraints(), (Rows{1, 2, 3}));
   EXPECT_EQ(shown(2, Table::Status), "disabled") << "at once, before anything is solved";
@@ -182,7 +187,7 @@ TEST_F(ConstraintPanelOfSheet, SelectionIsThatOfTheEditorBothWays)
   EXPECT_EQ(told, 1) << "no echo";
   editor.selectConstraints({0, 1, 5});
   EXPECT_EQ(told, 2);
-  const QModelIndexList selected = panel.table().selectionModel()->selectedRows();
+  const QModelIndexList selected = table().selectionModel()->selectedRows();
   ASSERT_EQ(selected.size(), 3);
   EXPECT_EQ(selected.back().row(), 5);
 }
@@ -190,11 +195,11 @@ TEST_F(ConstraintPanelOfSheet, SelectionIsThatOfTheEditorBothWays)
 TEST_F(ConstraintPanelOfSheet, RowsMoveByKeysAndKeepTheirSelection)
 {
   clickCell(2, Table::Name);
-  test::pressKey(panel.table(), Qt::Key_Up, Qt::AltModifier);
+  test::pressKey(table(), Qt::Key_Up, Qt::AltModifier);
   EXPECT_EQ(names(), (std::vector<std::string>{"base", "P2", "P1", "P3", "P10", "tip"}));
   EXPECT_EQ(editor.selectedConstraints(), (Rows{1}));
-  test::pressKey(panel.table(), Qt::Key_Down, Qt::AltModifier);
-  test::pressKey(panel.table(), Qt::Key_Down, Qt::AltModifier);
+  test::pressKey(table(), Qt::Key_Down, Qt::AltModifier);
+  test::pressKey(table(), Qt::Key_Down, Qt::AltModifier);
   EXPECT_EQ(names(), (std::vector<std::string>{"base", "P1", "P3", "P2", "P10", "tip"}));
 }
 
@@ -202,23 +207,23 @@ TEST_F(ConstraintPanelOfSheet, DroppedRowsChangeThePrecedence)
 {
   clickCell(1, Table::Name);
   clickCell(3, Table::Name, Qt::ControlModifier);
-  const std::unique_ptr<QMimeData> dragged(rows().mimeData(panel.table().selectionModel()->selectedIndexes()));
-  const QRect last = panel.table().visualRect(rows().index(5, Table::Name));
+  const std::unique_ptr<QMimeData> dragged(rows().mimeData(table().selectionModel()->selectedIndexes()));
+  const QRect last = table().visualRect(rows().index(5, Table::Name));
   const QPoint below(last.center().x(), last.bottom());
   QDragEnterEvent enter(below, Qt::MoveAction, dragged.get(), Qt::LeftButton, Qt::NoModifier);
-  QApplication::sendEvent(panel.table().viewport(), &enter);
+  QApplication::sendEvent(table().viewport(), &enter);
   QDragMoveEvent over(below, Qt::MoveAction, dragged.get(), Qt::LeftButton, Qt::NoModifier);
-  QApplication::sendEvent(panel.table().viewport(), &over);
+  QApplication::sendEvent(table().viewport(), &over);
   EXPECT_TRUE(over.isAccepted());
   QDropEvent drop(below, Qt::MoveAction, dragged.get(), Qt::LeftButton, Qt::NoModifier);
-  QApplication::sendEvent(panel.table().viewport(), &drop);
+  QApplication::sendEvent(table().viewport(), &drop);
   EXPECT_EQ(names(), (std::vector<std::string>{"base", "P2", "P10", "tip", "P1", "P3"}));
   EXPECT_EQ(editor.selectedConstraints(), (Rows{4, 5}));
 }
 
 TEST_F(ConstraintPanelOfSheet, TheThirdClickOnATitleReturnsToThePrecedence)
 {
-  QHeaderView& header = *panel.table().horizontalHeader();
+  QHeaderView& header = *table().horizontalHeader();
   const QPointF title(header.sectionViewportPosition(Table::Name) + 20, header.height() / 2.0);
   test::click(*header.viewport(), title);
   EXPECT_EQ(shownNames(), (QStringList{"base", "P1", "P2", "P3", "P10", "tip"})) << "numbers in names count as numbers";
@@ -233,7 +238,7 @@ TEST_F(ConstraintPanelOfSheet, TheThirdClickOnATitleReturnsToThePrecedence)
 
 TEST_F(ConstraintPanelOfSheet, MissingNumbersComeLastInBothDirections)
 {
-  QHeaderView& header = *panel.table().horizontalHeader();
+  QHeaderView& header = *table().horizontalHeader();
   const QPointF title(header.sectionViewportPosition(Table::Z) + 20, header.height() / 2.0);
   test::click(*header.viewport(), title);
   EXPECT_EQ(shownNames().front(), "P2");
@@ -254,7 +259,7 @@ TEST_F(ConstraintPanelOfSheet, FiltersByTextAndStatus)
   EXPECT_EQ(shownNames(), (QStringList{"P2"}));
   EXPECT_TRUE(editor.selectedConstraints().empty()) << "what is hidden is not edited unseen";
   text.clear();
-  disableConstraints(editor, {3});
+  switchConstraints(editor, {3}, Enabling::Disabled);
   QComboBox& status = *panel.findChild<QComboBox*>("constraintStatusFilter");
   status.setCurrentIndex(status.findText("Disabled"));
   EXPECT_EQ(shownNames(), (QStringList{"P3"}));
@@ -266,7 +271,7 @@ TEST_F(ConstraintPanelOfSheet, ANameIsShownOnOneLineAndEditedAsItIs)
   renameConstraint(editor, 1, QString::fromStdString(name));
   EXPECT_TRUE(shown(1, Table::Name).startsWith(R"(P\x0a\x1b\xe2\x80\xaexxx)"));
   EXPECT_EQ(rows().index(1, Table::Name).data(Qt::EditRole).toString().toStdString(), name);
-  disableConstraints(editor, {1});
+  switchConstraints(editor, {1}, Enabling::Disabled);
   const std::string undo(editor.history().undoName());
   EXPECT_LT(undo.size(), 100U) << "menus stay narrow";
   EXPECT_TRUE(undo.starts_with(R"(disable P\x0a)")) << undo;
@@ -288,9 +293,9 @@ TEST_F(ConstraintPanelOfSheet, CopiedPointsComeBackFromTheirTableBitForBit)
 {
   clickCell(1, Table::Name);
   clickCell(3, Table::Name, Qt::ControlModifier);
-  test::pressKey(panel.table(), Qt::Key_C, Qt::ControlModifier);
+  test::pressKey(table(), Qt::Key_C, Qt::ControlModifier);
   EXPECT_TRUE(QApplication::clipboard()->text().startsWith("name,x,y,z,target_x,target_y,target_z\n"));
-  test::pressKey(panel.table(), Qt::Key_V, Qt::ControlModifier);
+  test::pressKey(table(), Qt::Key_V, Qt::ControlModifier);
   ASSERT_EQ(editor.list().constraints.size(), 8U);
   EXPECT_EQ(editor.selectedConstraints(), (Rows{6, 7}));
   EXPECT_EQ(std::get<Target>(std::get<PointConstraint>(editor.list().constraints[6].what).to).place, Vector3(3, 2, 1));
@@ -304,8 +309,8 @@ TEST_F(ConstraintPanelOfSheet, CopiedPointsComeBackFromTheirTableBitForBit)
 TEST_F(ConstraintPanelOfSheet, OtherKindsAreCopiedWhole)
 {
   clickCell(5, Table::Name);
-  test::pressKey(panel.table(), Qt::Key_C, Qt::ControlModifier);
-  test::pressKey(panel.table(), Qt::Key_V, Qt::ControlModifier);
+  test::pressKey(table(), Qt::Key_C, Qt::ControlModifier);
+  test::pressKey(table(), Qt::Key_V, Qt::ControlModifier);
   ASSERT_EQ(editor.list().constraints.size(), 7U);
   const HandleConstraint& copy = std::get<HandleConstraint>(editor.list().constraints[6].what);
   EXPECT_EQ(std::get<VertexIds>(copy.select.what).ids, (std::vector<Index>{118, 119, 120}));
@@ -316,7 +321,7 @@ TEST_F(ConstraintPanelOfSheet, PastingWhatIsNoListIsRefusedWithTheReason)
 {
   const auto before = editor.history().state();
   QApplication::clipboard()->setText("no list at all");
-  test::pressKey(panel.table(), Qt::Key_V, Qt::ControlModifier);
+  test::pressKey(table(), Qt::Key_V, Qt::ControlModifier);
   EXPECT_EQ(editor.history().state(), before);
   EXPECT_TRUE(refusal().isVisible());
 }
@@ -325,7 +330,7 @@ TEST_F(ConstraintPanelOfSheet, DeletedRowsGoAndTheNextOneIsSelected)
 {
   clickCell(1, Table::Name);
   clickCell(2, Table::Name, Qt::ControlModifier);
-  test::pressKey(panel.table(), Qt::Key_Delete);
+  test::pressKey(table(), Qt::Key_Delete);
   EXPECT_EQ(names(), (std::vector<std::string>{"base", "P3", "P10", "tip"}));
   EXPECT_EQ(shownNames(), (QStringList{"base", "P3", "P10", "tip"}));
   EXPECT_EQ(editor.selectedConstraints(), (Rows{1}));
@@ -336,7 +341,7 @@ TEST_F(ConstraintPanelOfSheet, DeletedRowsGoAndTheNextOneIsSelected)
 TEST_F(ConstraintPanelOfSheet, DuplicatesHaveNamesOfTheirOwn)
 {
   clickCell(2, Table::Name);
-  test::pressKey(panel.table(), Qt::Key_D, Qt::ControlModifier);
+  test::pressKey(table(), Qt::Key_D, Qt::ControlModifier);
   ASSERT_EQ(names().size(), 7U);
   EXPECT_NE(names()[6], "P2");
   EXPECT_TRUE(std::holds_alternative<AtEdge>(std::get<PointConstraint>(editor.list().constraints[6].what).at));
@@ -367,9 +372,9 @@ TEST_F(ConstraintPanelOfSheet, TenThousandRowsAreShownFilteredAndSortedFluently)
   test::type(*panel.findChild<QLineEdit*>("constraintFilter"), "M77");
   EXPECT_EQ(rows().rowCount(), 111);
   panel.findChild<QLineEdit*>("constraintFilter")->clear();
-  test::pressKey(panel.table(), Qt::Key_A, Qt::ControlModifier);
+  test::pressKey(table(), Qt::Key_A, Qt::ControlModifier);
   EXPECT_EQ(editor.selectedConstraints().size(), 10'006U);
-  QHeaderView& header = *panel.table().horizontalHeader();
+  QHeaderView& header = *table().horizontalHeader();
   test::click(*header.viewport(), QPointF(header.sectionViewportPosition(Table::Where) + 20, header.height() / 2.0));
   EXPECT_EQ(shown(0, Table::Where), "3 vertices");
   // A tenth of a second; many where each row has a widget, or is told of on its own.

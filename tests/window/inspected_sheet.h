@@ -48,7 +48,8 @@ class InspectedSheet : public ::testing::Test {
   void expectKeptInSession();
 
   Editor editor;
-  InspectorPanel panel{editor};
+  std::unique_ptr<QWidget> inspector{newInspectorPanel(editor)};
+  QWidget& panel = *inspector;
 };
 
 }  // namespace holdfast::test

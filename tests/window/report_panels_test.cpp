@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include <holdfast/window/panels/findings_panel.h>
-#include <holdfast/window/panels/report_panel.h>
+#include <holdfast/window/controls/card.h>
+#include <holdfast/window/panels/panels.h>
 
 #include "gestures.h"
 #include "open_document.h"
@@ -34,14 +34,14 @@ void press(QWidget& widget)
 TEST(FindingsPanel, ShowsWhereAFindingOfTheMeshIs)
 {
   Editor editor;
-  FindingsPanel panel(editor);
-  ASSERT_TRUE(test::showAndWait(panel));
-  EXPECT_TRUE(panel.findChild<QLabel*>("findingsEmpty")->isVisible());
+  std::vector<Index> shown;
+  const std::unique_ptr<QWidget> panel(
+      newFindingsPanel(editor, [&](const std::vector<Index>& vertices) { shown = vertices; }));
+  ASSERT_TRUE(test::showAndWait(*panel));
+  EXPECT_TRUE(panel->findChild<QLabel*>("findingsEmpty")->isVisible());
   const Mesh mesh = test::withVertex(test::icosphere(1), Vector3(5, 5, 5));
   ASSERT_TRUE(test::openMesh(editor, mesh, pinned()));
-  std::vector<Index> shown;
-  QObject::connect(&panel, &FindingsPanel::showVertices, &panel, [&](const std::vector<Index>& v) { shown = v; });
-  for (Card* card : panel.findChildren<Card*>())
+  for (Card* card : panel->findChildren<Card*>())
     if (card->findChild<QLabel*>("cardTitle")->text() == "Unreferenced vertices")
       press(*card->findChild<QPushButton*>("findingShow"));
   EXPECT_EQ(shown, (std::vector<Index>{mesh.vertexCount() - 1}));
@@ -58,12 +58,12 @@ TEST(FindingsPanel, FacesAreShownByTheirVertices)
 TEST(FindingsPanel, SelectsTheConstraintsThatAFindingNames)
 {
   Editor editor;
-  FindingsPanel panel(editor);
-  ASSERT_TRUE(test::showAndWait(panel));
+  const std::unique_ptr<QWidget> panel(newFindingsPanel(editor, {}));
+  ASSERT_TRUE(test::showAndWait(*panel));
   ConstraintList list = pinned();
   list.constraints.push_back({"lone", true, RigidConstraint{{VertexIds{{7}}}}});
   ASSERT_TRUE(test::openMesh(editor, test::icosphere(1), list));
-  for (Card* card : panel.findChildren<Card*>())
+  for (Card* card : panel->findChildren<Card*>())
     if (card->findChild<QLabel*>("cardText")->text().contains("lone"))
       press(*card->findChild<QPushButton*>("findingShow"));
   EXPECT_EQ(editor.selectedConstraints(), (std::vector<Index>{2}));
@@ -86,7 +86,8 @@ class ReportPanelOfSphere : public ::testing::Test {
   }
 
   Editor editor;
-  ReportPanel panel{editor};
+  std::unique_ptr<QWidget> report{newReportPanel(editor)};
+  QWidget& panel = *report;
 };
 
 TEST_F(ReportPanelOfSphere, TellsTheSolutionAndCopiesIt)

@@ -26,5 +26,18 @@ TEST_F(MarksOfViewport, AreToldOnceForADocumentAndOnceForItsDeformation)
   EXPECT_TRUE(viewport().marks().empty());
 }
 
+using PicturesOfViewport = test::OpenWindow;
+
+TEST_F(PicturesOfViewport, ComeOnceForAllRequestsOfOneTurn)
+{
+  open("bracket.obj", "bracket.constraints.json");
+  int pictures = 0;
+  QObject::connect(&viewport(), &Viewport::rendered, &viewport(), [&] { ++pictures; });
+  for (int k = 0; k < 3; ++k) viewport().scheduleRender();
+  EXPECT_EQ(pictures, 0);
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(pictures, 1);
+}
+
 }  // namespace
 }  // namespace holdfast

@@ -107,7 +107,7 @@ void SurfaceHandleRepresentation::SetLocation(const SurfaceLocation& location)
     return;
   }
   const Model& model = this->GetSurface()->model();
-  SurfaceLocator locator(model.mesh, model.triangulation);
+  const SurfaceLocator locator = model.locator();
   this->SetPlacement(SurfacePlacement{location, locator.locate(location, {}).point});
 }
 

@@ -8,7 +8,7 @@
 #include <QStyle>
 #include <QVBoxLayout>
 
-#include <holdfast/window/controls/labels.h>
+#include <holdfast/window/controls/panel_parts.h>
 
 namespace holdfast {
 
@@ -58,8 +58,7 @@ void Card::setText(const QString& text)
 
 QPushButton* Card::addButton(const QString& text, const QString& name)
 {
-  QPushButton* button = new QPushButton(text);
-  button->setObjectName(name);
+  auto* button = named(new QPushButton(text), name);
   button->setAutoDefault(false);
   const int place = buttons_->count() % 3;
   const int line = buttons_->count() / 3 * 2 + place / 2;

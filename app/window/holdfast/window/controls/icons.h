@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The signs on the window's buttons: drawn, so that they are sharp on every screen and follow the palette.
+/// The signs on the buttons of the window. They are drawn, so they are sharp on every screen and follow the palette.
 
 #include <QIcon>
 #include <QPalette>
@@ -22,9 +22,6 @@ enum class Sign {
   Rigid,
   Undo,
   Redo,
-  Open,
-  Save,
-  Import,
   Frame
 };
 

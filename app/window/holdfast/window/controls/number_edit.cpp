@@ -5,6 +5,7 @@
 #include <QLabel>
 
 #include <holdfast/io/text/number_text.h>
+#include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/text/number_text.h>
 
 namespace holdfast {
@@ -84,9 +85,7 @@ VectorEdit::VectorEdit(const QString& name, const QString& title, QWidget* paren
   layout->setSpacing(4);
   const QString axes = QStringLiteral("xyz");
   for (int axis = 0; axis < 3; ++axis) {
-    NumberEdit* line = new NumberEdit(this);
-    line->setObjectName(name + axes[axis].toUpper());
-    line->setAccessibleName(title + ' ' + axes[axis]);
+    NumberEdit* line = named(new NumberEdit(this), name + axes[axis].toUpper(), title + ' ' + axes[axis]);
     connect(line, &NumberEdit::entered, this, [this, axis](double number) { Q_EMIT entered(axis, number); });
     connect(line, &NumberEdit::refused, this, &VectorEdit::refused);
     layout->addWidget(line, 1);

@@ -8,26 +8,26 @@
 
 namespace holdfast {
 
-/// A number with its shortest exact text. What the user typed is told of when he leaves the line or presses Enter,
-/// once, and only where it is another number; Escape brings back the number that was there.
+/// A number with its shortest exact text. When the user leaves the line or presses Enter, another number is `entered`
+/// once; Escape restores the number before.
 class NumberEdit : public QLineEdit {
   Q_OBJECT
 
  public:
   explicit NumberEdit(QWidget* parent = nullptr);
 
-  /// Shows a number, or that there are several. Does not disturb the user while he types.
+  /// Shows a number, or that there are several. Does not disturb a user who is typing.
   void setNumber(std::optional<double> number);
-  /// The number that is typed at the moment; nothing where that is none.
+  /// The number that is typed at the moment; nothing if it is invalid.
   [[nodiscard]] std::optional<double> typed() const;
-  /// The same, and gives up what the user typed.
+  /// Shows a number, and drops what the user typed.
   void replaceTyped(std::optional<double> number);
 
   [[nodiscard]] QSize sizeHint() const override;
 
  Q_SIGNALS:
   void entered(double number);
-  /// What was typed is no number; the line shows it as long as it has the focus.
+  /// The text is no number; the line shows it as long as it has the focus.
   void refused(const QString& reason);
 
  protected:
@@ -46,11 +46,11 @@ class VectorEdit : public QWidget {
  public:
   using Numbers = std::array<std::optional<double>, 3>;
 
-  /// Lines are called `name` + "X", ... for scripts, and `title` + " x", ... for people who hear what they cannot see.
+  /// Lines are called `name` + "X", ... for scripts, and `title` + " x", ... for screen readers.
   VectorEdit(const QString& name, const QString& title, QWidget* parent = nullptr);
 
   void setNumbers(const Numbers& numbers);
-  /// What the lines say at the moment; nothing where that is no number.
+  /// The numbers in the lines at the moment; nothing for an invalid one.
   [[nodiscard]] Numbers typed() const;
   [[nodiscard]] NumberEdit& line(int axis) { return *lines_[static_cast<std::size_t>(axis)]; }
 

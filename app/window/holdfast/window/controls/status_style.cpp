@@ -1,133 +1,53 @@
 #include "holdfast/window/controls/status_style.h"
 
 #include <QPainter>
-#include <QPainterPath>
 #include <QPixmap>
+#include <algorithm>
 #include <array>
+
+#include <holdfast/window/controls/drawn_path.h>
 
 namespace holdfast {
 namespace {
 
-// Drawn in a square of this side, at the sizes that displays of one, two and three times the usual density ask for.
+// Forms are drawn in a square of this side, in the pixels of displays of one to three times the usual density.
 constexpr double kFormSide = 16;
 constexpr std::array kPixels = {16, 24, 32, 48};
 
 constexpr double kQuiet = 0.55;  // the share of the text's colour in a quiet one
 
-struct Shades {
+/// Lines are in the colour; those within a filled form are in the colour of the paper.
+struct Look {
+  std::optional<ConstraintStatus> status;
   const char* onLight;
   const char* onDark;
+  const char* filled;
+  const char* lines;
+  const char* inPaper = "";
+  Qt::PenStyle style = Qt::SolidLine;
 };
 
-Shades shadesOf(std::optional<ConstraintStatus> status)
+constexpr std::array kLooks{
+    Look{std::nullopt, "#6b6b6b", "#a8a8a8", "O3.2 8 1.5 O8 8 1.5 O12.8 8 1.5", ""},
+    Look{ConstraintStatus::Met, "#00704f", "#45c79a", "O8 8 6.5", "", "M4.9 8.3 L7.2 10.6 L11.2 5.8"},
+    Look{ConstraintStatus::Redundant, "#3a66a8", "#8fb7ee", "", "O8 8 6.2 M5.4 6.6 L10.6 6.6 M5.4 9.4 L10.6 9.4"},
+    Look{ConstraintStatus::Conflicting, "#c23b00", "#ff8f5e", "M8 1.2 L15.2 14.2 L0.8 14.2 Z", "",
+         "M8 5.8 L8 9.4 M8 12 L8 12.1"},
+    Look{ConstraintStatus::Missed, "#8b3a8f", "#e09be3", "M8 0.8 L15.2 8 L8 15.2 L0.8 8 Z", "", "M5.2 8 L10.8 8"},
+    Look{ConstraintStatus::Independent, "#6b6b6b", "#a8a8a8", "O8 8 2.2", "O8 8 6.2"},
+    Look{ConstraintStatus::Disabled, "#6b6b6b", "#a8a8a8", "", "O8 8 6.2", "", Qt::DashLine}};
+
+const Look& lookOf(std::optional<ConstraintStatus> status)
 {
-  if (!status) return {"#6b6b6b", "#a8a8a8"};
-  switch (*status) {
-    case ConstraintStatus::Met:
-      return {"#00704f", "#45c79a"};
-    case ConstraintStatus::Redundant:
-      return {"#3a66a8", "#8fb7ee"};
-    case ConstraintStatus::Conflicting:
-      return {"#c23b00", "#ff8f5e"};
-    case ConstraintStatus::Missed:
-      return {"#8b3a8f", "#e09be3"};
-    case ConstraintStatus::Independent:
-    case ConstraintStatus::Disabled:
-      break;
-  }
-  return {"#6b6b6b", "#a8a8a8"};
+  return *std::find_if(kLooks.begin(), kLooks.end(), [&](const Look& look) { return look.status == status; });
 }
 
-void drawLines(QPainter& painter, const QPen& pen, std::initializer_list<QPointF> points)
+void draw(QPainter& painter, const Look& look, const QColor& color, const QColor& paper)
 {
-  painter.setPen(pen);
-  painter.setBrush(Qt::NoBrush);
-  painter.drawPolyline(points.begin(), static_cast<int>(points.size()));
-}
-
-/// Draws one form in a square of `kFormSide`.
-class Form {
- public:
-  Form(QPainter& painter, const QColor& color, const QColor& paper) : painter_(painter), color_(color), paper_(paper) {}
-
-  void met() const
-  {
-    fill([](QPainterPath& path) { path.addEllipse(QPointF(8, 8), 6.5, 6.5); });
-    drawLines(painter_, pen(paper_, 1.8), {{4.9, 8.3}, {7.2, 10.6}, {11.2, 5.8}});
-  }
-  void redundant() const
-  {
-    ring(Qt::SolidLine);
-    drawLines(painter_, pen(color_, 1.5), {{5.4, 6.6}, {10.6, 6.6}});
-    drawLines(painter_, pen(color_, 1.5), {{5.4, 9.4}, {10.6, 9.4}});
-  }
-  void conflicting() const
-  {
-    fill([](QPainterPath& path) { path.addPolygon(QPolygonF({{8, 1.2}, {15.2, 14.2}, {0.8, 14.2}, {8, 1.2}})); });
-    drawLines(painter_, pen(paper_, 1.8), {{8, 5.8}, {8, 9.4}});
-    drawLines(painter_, pen(paper_, 1.9), {{8, 12.0}, {8, 12.1}});
-  }
-  void missed() const
-  {
-    fill([](QPainterPath& path) { path.addPolygon(QPolygonF({{8, 0.8}, {15.2, 8}, {8, 15.2}, {0.8, 8}, {8, 0.8}})); });
-    drawLines(painter_, pen(paper_, 1.7), {{5.2, 8}, {10.8, 8}});
-  }
-  void independent() const
-  {
-    ring(Qt::SolidLine);
-    fill([](QPainterPath& path) { path.addEllipse(QPointF(8, 8), 2.2, 2.2); });
-  }
-  void disabled() const { ring(Qt::DashLine); }
-  void unsolved() const
-  {
-    fill([](QPainterPath& path) {
-      for (const double x : {3.2, 8.0, 12.8}) path.addEllipse(QPointF(x, 8), 1.5, 1.5);
-    });
-  }
-
- private:
-  template <class Make>
-  void fill(Make make) const
-  {
-    QPainterPath path;
-    make(path);
-    painter_.fillPath(path, color_);
-  }
-  void ring(Qt::PenStyle style) const
-  {
-    QPen line = pen(color_, 1.5);
-    line.setStyle(style);
-    painter_.setPen(line);
-    painter_.setBrush(Qt::NoBrush);
-    painter_.drawEllipse(QPointF(8, 8), 6.2, 6.2);
-  }
-  static QPen pen(const QColor& color, double width)
-  {
-    return {color, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin};
-  }
-
-  QPainter& painter_;
-  QColor color_;
-  QColor paper_;
-};
-
-void draw(std::optional<ConstraintStatus> status, const Form& form)
-{
-  if (!status) return form.unsolved();
-  switch (*status) {
-    case ConstraintStatus::Independent:
-      return form.independent();
-    case ConstraintStatus::Met:
-      return form.met();
-    case ConstraintStatus::Redundant:
-      return form.redundant();
-    case ConstraintStatus::Conflicting:
-      return form.conflicting();
-    case ConstraintStatus::Missed:
-      return form.missed();
-    case ConstraintStatus::Disabled:
-      return form.disabled();
-  }
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.fillPath(drawnPath(look.filled), color);
+  painter.strokePath(drawnPath(look.lines), QPen(color, 1.5, look.style, Qt::RoundCap, Qt::RoundJoin));
+  painter.strokePath(drawnPath(look.inPaper), QPen(paper, 1.8, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
 }
 
 }  // namespace
@@ -149,8 +69,7 @@ QColor quietColor(const QPalette& palette)
 
 QColor statusColor(std::optional<ConstraintStatus> status, Lightness background)
 {
-  const Shades shades = shadesOf(status);
-  return {background == Lightness::Dark ? shades.onDark : shades.onLight};
+  return {background == Lightness::Dark ? lookOf(status).onDark : lookOf(status).onLight};
 }
 
 QIcon statusIcon(std::optional<ConstraintStatus> status, Lightness background)
@@ -161,15 +80,14 @@ QIcon statusIcon(std::optional<ConstraintStatus> status, Lightness background)
     QPixmap pixmap(pixels, pixels);
     pixmap.fill(Qt::transparent);
     QPainter painter(&pixmap);
-    painter.setRenderHint(QPainter::Antialiasing);
     painter.scale(pixels / kFormSide, pixels / kFormSide);
-    draw(status, Form(painter, color, within));
+    draw(painter, lookOf(status), color, within);
     painter.end();
     icon.addPixmap(pixmap, mode);
   };
   for (const int pixels : kPixels) {
     add(pixels, QIcon::Normal, statusColor(status, background), paper);
-    // On the colour of selected rows, which is one of the forms' own.
+    // Selected rows have a colour that is also one of the forms'.
     add(pixels, QIcon::Selected, Qt::white, QColor("#202020"));
   }
   return icon;

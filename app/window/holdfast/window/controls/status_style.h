@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// How the status of a constraint looks: a form and a colour each, so that neither is needed to tell it.
+/// How the status of a constraint looks: each one has a form and a colour of its own.
 
 #include <QColor>
 #include <QIcon>
@@ -11,14 +11,14 @@
 
 namespace holdfast {
 
-/// Of the background that texts of a palette stand on.
+/// Of the background of texts.
 enum class Lightness { Light, Dark };
 [[nodiscard]] Lightness lightnessOf(const QPalette& palette);
 
-/// Of texts that step back: between text and background, still readable.
+/// For less important texts: between text and background, still readable.
 [[nodiscard]] QColor quietColor(const QPalette& palette);
 
-/// Readable on the background; nothing stands for a constraint that was not solved yet.
+/// Readable on the background. No status means that the constraint was not solved yet.
 [[nodiscard]] QColor statusColor(std::optional<ConstraintStatus> status, Lightness background);
 
 /// A disc with a tick: met; a ring with =: redundant; a triangle with !: conflicting; a diamond: missed; a broken ring:

@@ -33,7 +33,7 @@ struct PictureColors {
   Color grid;    ///< quiet lines
   Color ink;     ///< texts and strong lines
   Color bar;     ///< areas that are data
-  Color accent;  ///< what is marked: told apart from `bar` and `ink` by hue and by lightness
+  Color accent;  ///< marks; differs from `bar` and `ink` in hue and lightness
 };
 
 [[nodiscard]] inline PictureColors pictureColors(const QPalette& palette)

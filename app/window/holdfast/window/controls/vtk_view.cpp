@@ -13,7 +13,7 @@
 namespace holdfast {
 namespace {
 
-// Of Qt's units.
+// In Qt's units.
 constexpr double kNotch = 120;
 
 unsigned long vtkEventOf(const QMouseEvent& event)
@@ -36,7 +36,7 @@ unsigned long vtkEventOf(const QMouseEvent& event)
 
 VtkView::VtkView(QWidget* parent) : QVTKOpenGLNativeWidget(parent)
 {
-  // Sizes are given in pixels of the window: scaled by the resolution as well texts would be too large.
+  // Sizes are in pixels of the window; scaled by the resolution as well, texts would be too large.
   setEnableHiDPI(false);
   renderWindow()->SetMultiSamples(0);
   interactor()->EnableRenderOff();
@@ -50,7 +50,7 @@ void VtkView::tellRender()
 
 void VtkView::paintGL()
 {
-  // What Qt wants to have painted is drawn now, where it is not drawn yet.
+  // Draws now what Qt wants painted and is not drawn yet.
   const QScopedValueRollback<bool> painting(isPainting_, true);
   interactor()->EnableRenderOn();
   QVTKOpenGLNativeWidget::paintGL();

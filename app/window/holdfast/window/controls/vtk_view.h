@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A picture of VTK in a window of Qt, whose interactor asks for pictures and does not draw them itself.
+/// A picture of VTK in a window of Qt. Its interactor asks for pictures and draws none itself.
 
 #include <QVTKOpenGLNativeWidget.h>
 
@@ -9,10 +9,9 @@ class QWheelEvent;
 
 namespace holdfast {
 
-/// Events of Qt go to VTK's interactor. Where VTK's own adapter loses something of them they are sent from here: the
-/// pixel that the cursor is in, on displays with several for each of the widget's, and shares of a notch of the wheel,
-/// which the interactor's style is told (`vtkInteractorStyle::SetMouseWheelMotionFactor`). The second press of a double
-/// click is a press with a repeat count of 1.
+/// Sends Qt's events to VTK's interactor. It replaces VTK's adapter for mouse and wheel, which loses the pixel under
+/// the cursor on displays with a pixel ratio above 1, and shares of a notch of the wheel
+/// (`vtkInteractorStyle::SetMouseWheelMotionFactor`). The second press of a double click has a repeat count of 1.
 class VtkView : public QVTKOpenGLNativeWidget {
   Q_OBJECT
 

@@ -35,7 +35,7 @@ void Autosave::changed()
     discardRecovered();
     return removeCopy();
   }
-  // Not started anew by each change: somebody who never rests is kept, too.
+  // A further change does not start it anew: work without a rest is kept, too.
   if (!delay_.isActive()) delay_.start();
 }
 

@@ -23,7 +23,7 @@ namespace holdfast {
 inline constexpr std::chrono::milliseconds kAutosaveDelay = std::chrono::seconds(2);
 
 /// Writes a copy of the editor's document on a thread of its own, a moment after a change and never in the middle of a
-/// gesture. The copy goes when the document is saved, replaced, or closed as it should be: when this is destroyed.
+/// gesture. Removes the copy when the document is saved or replaced, and when this is destroyed.
 class Autosave : public QObject {
   Q_OBJECT
 
@@ -35,8 +35,8 @@ class Autosave : public QObject {
 
   void setDelay(std::chrono::milliseconds delay) { delay_.setInterval(delay); }
 
-  /// Shows what crashed programs have left, if anything, without blocking: one can be recovered in this window, each be
-  /// discarded, all be left for later.
+  /// Shows what crashed programs have left, if anything, without blocking. The user can recover one in this window,
+  /// discard some, or leave all for later.
   void offerRecovery();
   /// Opens the copy, and removes it as soon as this document has a copy of its own.
   void recover(const Recoverable& copy);
@@ -44,7 +44,7 @@ class Autosave : public QObject {
  Q_SIGNALS:
   /// A copy of the state that is shown is on the disk.
   void kept();
-  /// No copy can be kept; told once until one can. `reason` says why and what to do.
+  /// No copy can be kept; emitted once until one can. `reason` says why and what to do.
   void failed(const QString& reason);
 
  private:

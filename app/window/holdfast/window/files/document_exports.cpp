@@ -50,19 +50,13 @@ std::string pictureOf(const Model& model, const DeformResult& deformation, const
   return toPng(draw(scene, name), name);
 }
 
-/// Four significant digits: for reading, not for computing.
 }  // namespace
 
 DocumentExports::DocumentExports(Editor& editor, QWidget* window)
     : QObject(window), editor_(editor), window_(window), sheet_(job_, window)
 {
-  connect(&job_, &BackgroundJob::failed, this, [this](const std::exception_ptr& error) {
-    try {
-      std::rethrow_exception(error);
-    } catch (const std::exception& problem) {
-      showFailure(writing_, problem);
-    }
-  });
+  connect(&job_, &BackgroundJob::failed, this,
+          [this](const std::exception_ptr& error) { showFailure(writing_, error); });
 }
 
 DocumentExports::~DocumentExports() = default;
@@ -176,9 +170,8 @@ void DocumentExports::made(const QString& path, const std::shared_ptr<Made>& fil
 {
   const QString name = QFileInfo(path).fileName();
   if (file->missedBy > 0 && !askToGoOn(window_, tr("“%1” would not be exact.").arg(name),
-                                       tr("This format stores coordinates in single precision: whoever reads the file "
-                                          "finds constraints missed by up "
-                                          "to %1 %2. PLY, OBJ and OFF keep every digit.")
+                                       tr("This format stores coordinates in single precision: readers of the file "
+                                          "find constraints missed by up to %1 %2. PLY, OBJ and OFF keep every digit.")
                                            .arg(roundedText(file->missedBy),
                                                 QString::fromStdString(editor_.isOpen() ? editor_.list().units : "")),
                                        tr("&Export all the same")))
@@ -190,8 +183,8 @@ void DocumentExports::write(const QString& path, const std::function<std::string
 {
   try {
     write(path, std::make_shared<const Serialized>(Serialized{text(), {}}));
-  } catch (const std::exception& error) {
-    showFailure(path, error);
+  } catch (const std::exception&) {
+    showFailure(path, std::current_exception());
   }
 }
 
@@ -215,7 +208,7 @@ void DocumentExports::written(const QString& path, const std::vector<std::string
   showNotes(window_, tr("“%1” is written.").arg(name), texts);
 }
 
-void DocumentExports::showFailure(const QString& path, const std::exception& error)
+void DocumentExports::showFailure(const QString& path, const std::exception_ptr& error)
 {
   showProblem(window_, tr("“%1” cannot be written.").arg(QFileInfo(path).fileName()), error);
 }

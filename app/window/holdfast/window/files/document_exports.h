@@ -24,16 +24,16 @@ namespace holdfast {
 
 class SceneContents;
 
-/// How a picture shows the document. What is absent is as `Scene` has it.
+/// How a picture shows the document; by default as `Scene` does.
 struct PictureView {
   std::optional<Camera> camera;
   std::optional<Coloring> coloring;                  ///< none: one colour
-  std::function<void(SceneContents&)> arrange = {};  ///< switches what is shown besides; may be empty
+  std::function<void(SceneContents&)> arrange = {};  ///< switches other parts on or off; may be empty
 };
 
-/// Writes what is shown, after questions where that is not what a user would expect: results that are older than the
-/// constraints, coordinates in single precision. Files are whole or not there. All that fails is told in a box over
-/// `window`. Each needs an open document.
+/// Writes what is shown. Asks before if that is not what a user would expect: results that are older than the
+/// constraints, coordinates in single precision. Files are complete or absent. A box over `window` reports failures.
+/// Each function needs an open document.
 class DocumentExports : public QObject {
   Q_OBJECT
 
@@ -41,12 +41,12 @@ class DocumentExports : public QObject {
   DocumentExports(Editor& editor, QWidget* window);
   ~DocumentExports() override;
 
-  /// In the place of `chooseFile`, for a program that drives the window.
+  /// Replaces `chooseFile`, for a program that drives the window.
   void setChooser(FileChooser chooser) { chooser_ = std::move(chooser); }
   /// How pictures show the document: from where, and in which colours.
   void setPictureView(std::function<PictureView()> view) { pictureView_ = std::move(view); }
 
-  /// In any format that is known, by the extension. What the format cannot hold is told.
+  /// In any known format, by the extension. A box says what the format cannot hold.
   void exportMesh();
   /// What `fieldsOf` computes, as .vtp.
   void exportFields();
@@ -54,7 +54,7 @@ class DocumentExports : public QObject {
   void exportReport();
   /// As a constraint file.
   void exportConstraints();
-  /// As .png, of a size that is asked for.
+  /// As .png, in a size that a dialog asks for.
   void exportPicture();
   [[nodiscard]] bool isWriting() const noexcept { return job_.isRunning(); }
 
@@ -63,10 +63,10 @@ class DocumentExports : public QObject {
   void done(const QString& what);
 
  private:
-  /// A file ready to be written, made on any thread.
+  /// The contents of a file, made on any thread.
   struct Made {
     Serialized contents;
-    double missedBy = 0;  // model units: how far a reader finds constraints that are met here; 0 within the promise
+    double missedBy = 0;  // model units: by how much a reader misses constraints; 0 within the promise
   };
 
   [[nodiscard]] bool mayExportShown();
@@ -76,7 +76,7 @@ class DocumentExports : public QObject {
   void write(const QString& path, const std::function<std::string()>& text);
   void write(const QString& path, std::shared_ptr<const Serialized> contents);
   void written(const QString& path, const std::vector<std::string>& notes);
-  void showFailure(const QString& path, const std::exception& error);
+  void showFailure(const QString& path, const std::exception_ptr& error);
 
   Editor& editor_;
   QWidget* window_;

@@ -1,15 +1,14 @@
 #include "holdfast/window/files/document_files.h"
 
-#include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <QWidget>
-#include <future>
 #include <utility>
 
-#include <holdfast/base/error.h>
+#include <fmt/format.h>
+
+#include <holdfast/document/session_mesh.h>
 #include <holdfast/window/files/file_messages.h>
-#include <holdfast/window/files/found_document.h>
 
 namespace holdfast {
 namespace {
@@ -19,6 +18,51 @@ namespace fs = std::filesystem;
 fs::path pathOf(const QString& text)
 {
   return text.toStdString();
+}
+
+}  // namespace
+
+/// A mesh or a session as the files say it.
+struct FoundDocument {
+  SessionFile session;
+  ResolvedMesh resolved;           ///< where the mesh is, and whether it is the session's
+  std::optional<LoadedMesh> mesh;  ///< read if it is the session's
+  std::string meshChecksum;        ///< of what was read
+};
+
+namespace {
+
+bool isSessionFile(const fs::path& path)
+{
+  return textOf(path.extension()).compare(".holdfast", Qt::CaseInsensitive) == 0;
+}
+
+/// Reads the mesh of a session whose reference to it may have been corrected. Throws what `loadMesh` and `progress`
+/// throw.
+FoundDocument findMesh(SessionFile session, const fs::path& sessionPath, Progress& progress)
+{
+  FoundDocument found;
+  found.session = std::move(session);
+  progress.step("looking for the mesh");
+  found.resolved = resolveMesh(found.session, sessionPath);
+  if (found.resolved.state != MeshState::Same) return found;
+  found.mesh = loadMesh(found.resolved.path, progress);
+  progress.step("remembering which mesh it is");
+  found.meshChecksum = checksumOfFile(found.resolved.path);
+  return found;
+}
+
+/// Reads a session and its mesh, or a mesh as a document without constraints.
+FoundDocument findDocument(const fs::path& path, Progress& progress)
+{
+  progress.step(fmt::format("reading {}", path.filename().string()));
+  if (isSessionFile(path)) return findMesh(readSession(path), path, progress);
+  FoundDocument found;
+  found.mesh = loadMesh(path, progress);
+  found.resolved = {path, MeshState::Same, ""};
+  progress.step("remembering which mesh it is");
+  found.meshChecksum = checksumOfFile(path);
+  return found;
 }
 
 }  // namespace
@@ -34,7 +78,13 @@ struct DocumentFiles::OpenRequest {
 DocumentFiles::DocumentFiles(Editor& editor, QWidget* window)
     : QObject(window), editor_(editor), window_(window), sheet_(job_, window)
 {
-  connect(&job_, &BackgroundJob::failed, this, &DocumentFiles::showFailure);
+  connect(&job_, &BackgroundJob::failed, this, [this](const std::exception_ptr& error) {
+    showProblem(window_, tr("“%1” cannot be opened.").arg(opening_), error);
+  });
+  connect(&saving_, &BackgroundJob::failed, this, [this](const std::exception_ptr& error) {
+    saveNext_.reset();
+    showProblem(window_, tr("“%1” cannot be saved.").arg(textOf(savingPath_.filename())), error);
+  });
   connect(&recent_, &RecentFiles::chosen, this, &DocumentFiles::open);
   connect(&editor_, &Editor::opened, this, [this] {
     if (!editor_.isOpen()) setPath({});
@@ -155,18 +205,6 @@ void DocumentFiles::setPath(const fs::path& path)
   Q_EMIT pathChanged();
 }
 
-void DocumentFiles::showFailure(const std::exception_ptr& error)
-{
-  const QString headline = tr("“%1” cannot be opened.").arg(opening_);
-  try {
-    std::rethrow_exception(error);
-  } catch (const std::bad_alloc&) {
-    showProblem(window_, headline, tr("There is not enough memory for it; close other documents and programs."));
-  } catch (const std::exception& problem) {
-    showProblem(window_, headline, problem);
-  }
-}
-
 bool DocumentFiles::mayReplaceDocument()
 {
   if (editor_.isOpen() && editor_.history().state() == givenUp_) return true;
@@ -177,21 +215,14 @@ bool DocumentFiles::mayReplaceDocument()
 
 // Saving
 
-/// Waits for the disk when it is destroyed: what was begun is on it then.
-struct DocumentFiles::Saving {
-  fs::path path;
-  std::shared_ptr<const Model> model;
-  std::shared_ptr<const DocumentState> state;
-  std::future<std::exception_ptr> failure;
-};
-
 bool DocumentFiles::save()
 {
-  while (saving_) finishSaving();
+  while (isSaving()) saving_.wait();
   const fs::path path = sessionPath_.empty() ? askWhereToSave() : sessionPath_;
   if (path.empty()) return false;
   beginSaving(path);
-  return finishSaving();
+  saving_.wait();
+  return wasSaved_;
 }
 
 void DocumentFiles::saveInBackground()
@@ -216,57 +247,38 @@ fs::path DocumentFiles::askWhereToSave()
 
 void DocumentFiles::beginSaving(const fs::path& path)
 {
-  // One after the other: the newest is to stay.
-  if (saving_) {
+  // One after the other, so that the newest stays.
+  if (isSaving()) {
     saveNext_ = path;
     return;
   }
-  saving_ = std::make_shared<Saving>(Saving{path, editor_.model(), editor_.history().state(), {}});
-  saving_->failure =
-      std::async(std::launch::async,
-                 [this, path, session = sessionAt(path), weak = std::weak_ptr(saving_)]() -> std::exception_ptr {
-                   std::exception_ptr failure;
-                   try {
-                     writeSession(path, session);
-                   } catch (...) {
-                     failure = std::current_exception();
-                   }
-                   calls_.post([this, weak] {
-                     if (saving_ && saving_ == weak.lock()) finishSaving();
-                   });
-                   return failure;
-                 });
+  savingPath_ = path;
+  wasSaved_ = false;
+  saving_.start(
+      [this, path, session = sessionAt(path), model = editor_.model(), state = editor_.history().state()](Progress&) {
+        writeSession(path, session);
+        return [this, model, state] { saved(model, state); };
+      });
 }
 
-/// Waits for what is being saved, and tells how it went: true as well where nothing is.
-bool DocumentFiles::finishSaving()
+void DocumentFiles::saved(const std::shared_ptr<const Model>& model, const std::shared_ptr<const DocumentState>& state)
 {
-  const std::shared_ptr<Saving> ended = std::exchange(saving_, nullptr);
-  if (!ended) return true;
-  const QString file = textOf(ended->path.filename());
-  if (const std::exception_ptr failure = ended->failure.get()) {
-    saveNext_.reset();
-    try {
-      std::rethrow_exception(failure);
-    } catch (const std::exception& error) {
-      showProblem(window_, tr("“%1” cannot be saved.").arg(file), error);
-    }
-    return false;
+  wasSaved_ = true;
+  recent_.add(textOf(savingPath_));
+  if (editor_.isOpen() && editor_.model() == model) {
+    setPath(savingPath_);
+    editor_.markSaved(state);
   }
-  recent_.add(textOf(ended->path));
-  if (editor_.isOpen() && editor_.model() == ended->model) {
-    setPath(ended->path);
-    editor_.markSaved(ended->state);
-  }
-  Q_EMIT done(tr("saved %1").arg(file));
+  Q_EMIT done(tr("saved %1").arg(textOf(savingPath_.filename())));
   if (const auto next = std::exchange(saveNext_, std::nullopt); next && editor_.isOpen()) beginSaving(*next);
-  return true;
 }
 
 bool DocumentFiles::maySaveBefore(const QString& action)
 {
-  while (saving_)
-    if (!finishSaving()) return false;
+  while (isSaving()) {
+    saving_.wait();
+    if (!isSaving() && !wasSaved_) return false;
+  }
   if (!editor_.isOpen() || editor_.history().isSaved()) return true;
   switch (askToSave(window_, name(), action)) {
     case SaveAnswer::Save:

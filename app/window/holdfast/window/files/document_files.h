@@ -16,7 +16,6 @@
 #include <holdfast/window/files/recent_files.h>
 #include <holdfast/window/model/background_job.h>
 #include <holdfast/window/model/editor.h>
-#include <holdfast/window/model/posted_calls.h>
 
 class QMenu;
 class QWidget;
@@ -25,8 +24,7 @@ namespace holdfast {
 
 struct FoundDocument;
 
-/// The files of the editor's document. Everything that fails is told in a box over `window`, and leaves the document as
-/// it was.
+/// The files of the editor's document. A box over `window` reports each failure, which leaves the document as it was.
 class DocumentFiles : public QObject {
   Q_OBJECT
 
@@ -34,39 +32,39 @@ class DocumentFiles : public QObject {
   DocumentFiles(Editor& editor, QWidget* window);
   ~DocumentFiles() override;
 
-  /// In the place of `chooseFile`, for a program that drives the window.
+  /// Replaces `chooseFile`, for a program that drives the window.
   void setChooser(FileChooser chooser) { chooser_ = std::move(chooser); }
-  /// What sessions keep of the view. Without it they say nothing of it.
+  /// What sessions keep of the view; by default nothing.
   void setView(std::function<ViewState()> view) { view_ = std::move(view); }
 
-  /// Reads a mesh or a session (`.holdfast`) on a thread of its own. The document that is open stays, and can be worked
-  /// on, until the new one is ready; unsaved changes are asked about before. A session whose mesh is missing or has
-  /// changed is asked about. Gives up what is being opened.
+  /// Reads a mesh or a session (`.holdfast`) on a thread of its own. The open document stays usable until the new one
+  /// is ready. Asks before about unsaved changes, and about the mesh of a session if it is missing or has changed.
+  /// Gives up what is being opened.
   void open(const QString& path);
   void openDialog();
   /// Opens a copy that a crash has left, as unsaved work on what it is a copy of. `whenOpen` is called when it is.
   void recover(const Recoverable& copy, std::function<void()> whenOpen);
   [[nodiscard]] bool isOpening() const noexcept { return job_.isRunning(); }
 
-  /// False where nothing was saved: it failed, or the user thought better of it. There is an open document.
+  /// False if nothing was saved, by an error or by the user. There is an open document.
   bool save();
-  /// As `save` and to another session, on a thread of its own: nobody waits for the disk. What is edited meanwhile is
-  /// not in the file, and unsaved. Asked for once more meanwhile, it is done once more. `done` tells when it is.
+  /// As `save` and to another session, on a thread of its own. Edits made meanwhile are not in the file, and unsaved. A
+  /// request during a save is done after it. `done` follows each save.
   void saveInBackground();
   void saveAsInBackground();
-  [[nodiscard]] bool isSaving() const noexcept { return saving_ != nullptr; }
+  [[nodiscard]] bool isSaving() const noexcept { return saving_.isRunning(); }
 
-  /// Asks about unsaved changes where there are any, and saves them if told to. `action` is what comes next: "closing
-  /// the window". False where it must not.
+  /// Asks about unsaved changes, if there are any, and saves them if the user wants. `action` is what comes next:
+  /// "closing the window". False if it must not.
   [[nodiscard]] bool maySaveBefore(const QString& action);
 
-  /// Of the session that is open; empty where the document was never saved.
+  /// The file of the session; empty if the document was never saved.
   [[nodiscard]] const std::filesystem::path& sessionPath() const noexcept { return sessionPath_; }
-  /// Of the session, or of the mesh where there is none; empty without a document.
+  /// The file name of the session, or of the mesh if there is none; empty without a document.
   [[nodiscard]] QString name() const;
-  /// The document as a session at `path` says it. There is an open document.
+  /// The open document as a session at `path`.
   [[nodiscard]] SessionFile sessionAt(const std::filesystem::path& path) const;
-  /// The same without constraints and options, which take time to copy where they are many.
+  /// The same without constraints and options: copying many of them takes time.
   [[nodiscard]] SessionFile emptySessionAt(const std::filesystem::path& path) const;
 
   [[nodiscard]] RecentFiles& recentFiles() noexcept { return recent_; }
@@ -82,7 +80,6 @@ class DocumentFiles : public QObject {
 
  private:
   struct OpenRequest;  // what is to be opened
-  struct Saving;       // what is being written
 
   void openSession(OpenRequest request);
   void find(OpenRequest request);
@@ -91,11 +88,10 @@ class DocumentFiles : public QObject {
   void locateMesh(OpenRequest request);
   void adopt(const OpenRequest& request, FoundDocument& document);
   void setPath(const std::filesystem::path& path);
-  void showFailure(const std::exception_ptr& error);
   [[nodiscard]] bool mayReplaceDocument();
   [[nodiscard]] std::filesystem::path askWhereToSave();
   void beginSaving(const std::filesystem::path& path);
-  bool finishSaving();
+  void saved(const std::shared_ptr<const Model>& model, const std::shared_ptr<const DocumentState>& state);
   [[nodiscard]] QString suggestedPath() const;
 
   Editor& editor_;
@@ -109,9 +105,10 @@ class DocumentFiles : public QObject {
   std::string meshChecksum_;                       // of the mesh as it was read
   QString opening_;                                // the file, for messages
   std::shared_ptr<const DocumentState> givenUp_;   // the unsaved state that the user has agreed to lose
-  std::optional<std::filesystem::path> saveNext_;  // asked for while something was being saved
-  PostedCalls calls_;                              // by the thread that writes; outlives it
-  std::shared_ptr<Saving> saving_;                 // null when nothing is written
+  std::filesystem::path savingPath_;               // of the latest save
+  bool wasSaved_ = false;                          // by it
+  std::optional<std::filesystem::path> saveNext_;  // requested during a save
+  BackgroundJob saving_;                           // last: waits for the disk when it is destroyed
 };
 
 }  // namespace holdfast

@@ -5,6 +5,7 @@
 #include <QPushButton>
 
 #include <holdfast/base/error.h>
+#include <holdfast/window/controls/panel_parts.h>
 
 namespace holdfast {
 namespace {
@@ -13,7 +14,7 @@ struct FileMessages {
   Q_DECLARE_TR_FUNCTIONS(FileMessages)
 };
 
-/// A sentence as it stands by itself. Reasons of the core follow a colon elsewhere.
+/// A whole sentence. Elsewhere reasons of the core follow a colon.
 QString asSentence(const QString& reason)
 {
   if (reason.isEmpty()) return {};
@@ -31,11 +32,17 @@ QString placeOf(const InputLocation& location)
 }
 
 /// What is wrong, what to do, and where.
-QString explained(const std::exception& error)
+QString explained(const std::exception_ptr& error)
 {
-  if (const auto* input = dynamic_cast<const InputError*>(&error))
-    return asSentence(QString::fromStdString(input->reason())) + "\n\n" + placeOf(input->location());
-  return asSentence(QString::fromUtf8(error.what()));
+  try {
+    std::rethrow_exception(error);
+  } catch (const InputError& input) {
+    return asSentence(QString::fromStdString(input.reason())) + "\n\n" + placeOf(input.location());
+  } catch (const std::bad_alloc&) {
+    return FileMessages::tr("There is not enough memory for it; close other documents and programs.");
+  } catch (const std::exception& other) {
+    return asSentence(QString::fromUtf8(other.what()));
+  }
 }
 
 /// A box over `window` whose text can be copied.
@@ -62,8 +69,8 @@ class Box : public QMessageBox {
 
 MeshAnswer askAboutMesh(Box& box, QAbstractButton* use)
 {
-  QPushButton* const locate = box.addButton(FileMessages::tr("&Locate the mesh…"), QMessageBox::ActionRole);
-  locate->setObjectName("locate");
+  QPushButton* const locate =
+      named(box.addButton(FileMessages::tr("&Locate the mesh…"), QMessageBox::ActionRole), "locate");
   box.addButton(QMessageBox::Cancel);
   box.setDefaultButton(locate);
   const QAbstractButton* const clicked = box.ask();
@@ -78,7 +85,7 @@ QString textOf(const std::filesystem::path& path)
   return QString::fromStdString(path.string());
 }
 
-void showProblem(QWidget* window, const QString& headline, const std::exception& error)
+void showProblem(QWidget* window, const QString& headline, const std::exception_ptr& error)
 {
   Box(window, QMessageBox::Critical, headline, explained(error)).exec();
 }
@@ -110,8 +117,7 @@ SaveAnswer askToSave(QWidget* window, const QString& name, const QString& action
 bool askToGoOn(QWidget* window, const QString& headline, const QString& explanation, const QString& goOn)
 {
   Box box(window, QMessageBox::Warning, headline, explanation);
-  QPushButton* const yes = box.addButton(goOn, QMessageBox::AcceptRole);
-  yes->setObjectName("goOn");
+  QPushButton* const yes = named(box.addButton(goOn, QMessageBox::AcceptRole), "goOn");
   box.addButton(QMessageBox::Cancel);
   box.setDefaultButton(QMessageBox::Cancel);
   return box.ask() == yes;
@@ -128,8 +134,8 @@ MeshAnswer askAboutChangedMesh(QWidget* window, const QString& session, const QS
 {
   Box box(window, QMessageBox::Warning, FileMessages::tr("The mesh of “%1” has changed.").arg(session),
           asSentence(explanation));
-  QPushButton* const use = box.addButton(FileMessages::tr("&Use it all the same"), QMessageBox::AcceptRole);
-  use->setObjectName("useAllTheSame");
+  QPushButton* const use =
+      named(box.addButton(FileMessages::tr("&Use it all the same"), QMessageBox::AcceptRole), "useAllTheSame");
   return askAboutMesh(box, use);
 }
 

@@ -16,6 +16,7 @@
 
 #include <holdfast/base/error.h>
 #include <holdfast/window/controls/number_edit.h>
+#include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/files/file_messages.h>
 #include <holdfast/window/text/number_text.h>
 
@@ -57,7 +58,10 @@ ImportDialog::ImportDialog(Editor& editor, std::filesystem::path path, QWidget* 
   table_->setFocus();
   resize(fontMetrics().averageCharWidth() * 120, fontMetrics().height() * 30);
   connect(&model_, &ImportTableModel::ticksChanged, this, &ImportDialog::updateTexts);
-  connect(&job_, &BackgroundJob::failed, this, &ImportDialog::showFailure);
+  connect(&job_, &BackgroundJob::failed, this, [this](const std::exception_ptr& error) {
+    showProblem(this, tr("“%1” cannot be imported.").arg(textOf(path_.filename())), error);
+    reject();
+  });
   connect(this, &QDialog::finished, &job_, &BackgroundJob::cancel);
   job_.start([this, path = path_, model = editor_.model(), state = editor_.history().state()](Progress& progress) {
     progress.step("reading");
@@ -98,16 +102,11 @@ void ImportDialog::makeTable()
   table_->setAccessibleName(tr("Constraints of the file"));
   table_->setModel(sorted);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table_->setAlternatingRowColors(true);
-  table_->setShowGrid(false);
-  table_->setWordWrap(false);
-  table_->setTabKeyNavigation(false);
+  setTableLook(*table_);
   table_->verticalHeader()->hide();
-  table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() * 3 / 2);
   table_->horizontalHeader()->setStretchLastSection(true);
-  table_->horizontalHeader()->setHighlightSections(false);
   table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-  // Of those that are in sight: there may be a hundred thousand.
+  // For visible rows only: there may be a hundred thousand.
   table_->horizontalHeader()->setResizeContentsPrecision(100);
   table_->setSortingEnabled(true);
   table_->sortByColumn(-1, Qt::AscendingOrder);
@@ -116,14 +115,12 @@ void ImportDialog::makeTable()
 QWidget* ImportDialog::makeButtons()
 {
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
-  import_ = buttons->addButton(tr("&Import"), QDialogButtonBox::AcceptRole);
-  import_->setObjectName("import");
+  import_ = named(buttons->addButton(tr("&Import"), QDialogButtonBox::AcceptRole), "import");
   import_->setDefault(true);
   import_->setEnabled(false);
   buttons->button(QDialogButtonBox::Cancel)->setAutoDefault(false);
   const auto add = [&](const QString& text, const char* name, const auto& run) {
-    QPushButton* button = buttons->addButton(text, QDialogButtonBox::ResetRole);
-    button->setObjectName(name);
+    QPushButton* button = named(buttons->addButton(text, QDialogButtonBox::ResetRole), name);
     button->setAutoDefault(false);
     connect(button, &QPushButton::clicked, this, run);
   };
@@ -139,16 +136,6 @@ void ImportDialog::show(ImportContents contents)
   busy_->hide();
   model_.setContents(std::move(contents), tolerance_->typed().value_or(usualImportTolerance(*editor_.model())));
   table_->resizeColumnsToContents();
-}
-
-void ImportDialog::showFailure(const std::exception_ptr& error)
-{
-  try {
-    std::rethrow_exception(error);
-  } catch (const std::exception& problem) {
-    showProblem(this, tr("“%1” cannot be imported.").arg(textOf(path_.filename())), problem);
-  }
-  reject();
 }
 
 QString ImportDialog::summary() const
@@ -199,7 +186,7 @@ void ImportDialog::accept()
 void ImportDialog::keyPressEvent(QKeyEvent* event)
 {
   const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-  // It ends the tolerance, not the dialog.
+  // Enter ends the tolerance, not the dialog.
   if (isEnter && focusWidget() == tolerance_) return event->accept();
   QDialog::keyPressEvent(event);
 }

@@ -39,7 +39,6 @@ class ImportDialog : public QDialog {
   void makeTable();
   QWidget* makeButtons();
   void show(ImportContents contents);
-  void showFailure(const std::exception_ptr& error);
   void updateTexts();
   [[nodiscard]] QString summary() const;
   [[nodiscard]] QString editName(std::size_t count) const;

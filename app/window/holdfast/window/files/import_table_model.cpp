@@ -7,6 +7,8 @@
 #include <utility>
 #include <variant>
 
+#include <holdfast/constraint_files/constraint_file.h>
+#include <holdfast/document/list_edits.h>
 #include <holdfast/window/controls/status_style.h>
 #include <holdfast/window/text/constraint_text.h>
 #include <holdfast/window/text/number_text.h>
@@ -26,6 +28,26 @@ std::optional<Vector3> targetOf(const Constraint& constraint, const Vector3& pla
 }
 
 }  // namespace
+
+ImportContents readImport(const std::filesystem::path& path, const ConstraintList& present, const Model& model)
+{
+  ImportContents contents;
+  contents.list = readConstraints(path);
+  // The user has not chosen a tolerance yet.
+  contents.preview = previewImport(contents.list, present, model, 0);
+  const ConstraintList all = pasted(present, contents.list);
+  for (std::size_t k = present.constraints.size(); k < all.constraints.size(); ++k)
+    contents.newNames.push_back(all.constraints[k].name);
+  return contents;
+}
+
+ConstraintList withImported(const ConstraintList& present, const ImportContents& contents,
+                            const std::vector<Index>& rows)
+{
+  ConstraintList imported = extracted(contents.list, rows);
+  for (std::size_t k = 0; k < rows.size(); ++k) imported.constraints[k].name = contents.newNames[rows[k]];
+  return pasted(present, std::move(imported));
+}
 
 void ImportTableModel::setContents(ImportContents contents, double tolerance)
 {

@@ -3,14 +3,31 @@
 /// The constraints of a file, and which of them are to be taken in, as a table.
 
 #include <QAbstractTableModel>
+#include <filesystem>
 #include <vector>
 
-#include <holdfast/window/files/import_contents.h>
+#include <holdfast/document/point_list_import.h>
 
 namespace holdfast {
 
-/// One row for each constraint of the file, in its order. Points farther from the surface than the tolerance stand out,
-/// and are left out unless the user ticks them.
+/// The constraints of a file, and what they would be in a document.
+struct ImportContents {
+  ConstraintList list;
+  ImportPreview preview;
+  std::vector<std::string> newNames;  ///< one for each constraint of the list: what the document will call it
+};
+
+/// Reads a constraint file or a point list, and finds its places in the document with the list `present`, on any
+/// thread. Throws as `readConstraints` does. O(n (log n + log T)).
+[[nodiscard]] ImportContents readImport(const std::filesystem::path& path, const ConstraintList& present,
+                                        const Model& model);
+
+/// `present`, followed by the constraints at `rows` of the contents with their new names.
+[[nodiscard]] ConstraintList withImported(const ConstraintList& present, const ImportContents& contents,
+                                          const std::vector<Index>& rows);
+
+/// One row for each constraint of the file, in its order. Points farther from the surface than the tolerance are
+/// highlighted, and left out unless the user ticks them.
 class ImportTableModel : public QAbstractTableModel {
   Q_OBJECT
 

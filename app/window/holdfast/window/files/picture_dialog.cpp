@@ -10,6 +10,8 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 
+#include <holdfast/window/controls/panel_parts.h>
+
 namespace holdfast {
 namespace {
 
@@ -50,8 +52,7 @@ PictureDialog::PictureDialog(QWidget* parent)
   form->addRow(tr("&Height"), height_);
   form->addRow(QString(), legend_);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
-  QPushButton* go = buttons->addButton(tr("&Export…"), QDialogButtonBox::AcceptRole);
-  go->setObjectName("export");
+  QPushButton* go = named(buttons->addButton(tr("&Export…"), QDialogButtonBox::AcceptRole), "export");
   go->setDefault(true);
   buttons->button(QDialogButtonBox::Cancel)->setAutoDefault(false);
   connect(buttons, &QDialogButtonBox::accepted, this, &PictureDialog::accept);

@@ -2,6 +2,7 @@
 
 #include <QProgressDialog>
 
+#include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/model/background_job.h>
 
 namespace holdfast {
@@ -40,8 +41,7 @@ ProgressSheet::~ProgressSheet()
 
 void ProgressSheet::show()
 {
-  dialog_ = new QProgressDialog(step_, tr("Cancel"), 0, 0, window_);
-  dialog_->setObjectName("progress");
+  dialog_ = named(new QProgressDialog(step_, tr("Cancel"), 0, 0, window_), "progress");
   dialog_->setWindowTitle(title_);
   dialog_->setWindowModality(Qt::NonModal);
   dialog_->setMinimumWidth(dialog_->fontMetrics().averageCharWidth() * 50);

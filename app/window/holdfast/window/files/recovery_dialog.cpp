@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 #include <utility>
 
+#include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/files/file_messages.h>
 
 namespace holdfast {
@@ -57,13 +58,10 @@ RecoveryDialog::RecoveryDialog(std::vector<Recoverable> copies, QWidget* parent)
   list_->setCurrentRow(0);
 
   auto* buttons = new QDialogButtonBox;
-  recover_ = buttons->addButton(tr("&Recover"), QDialogButtonBox::AcceptRole);
-  recover_->setObjectName("recover");
+  recover_ = named(buttons->addButton(tr("&Recover"), QDialogButtonBox::AcceptRole), "recover");
   recover_->setDefault(true);
-  discard_ = buttons->addButton(tr("&Discard…"), QDialogButtonBox::DestructiveRole);
-  discard_->setObjectName("discard");
-  QPushButton* later = buttons->addButton(tr("&Later"), QDialogButtonBox::RejectRole);
-  later->setObjectName("later");
+  discard_ = named(buttons->addButton(tr("&Discard…"), QDialogButtonBox::DestructiveRole), "discard");
+  QPushButton* later = named(buttons->addButton(tr("&Later"), QDialogButtonBox::RejectRole), "later");
   connect(recover_, &QPushButton::clicked, this, &RecoveryDialog::recover);
   connect(discard_, &QPushButton::clicked, this, &RecoveryDialog::discardChosen);
   connect(later, &QPushButton::clicked, this, &QDialog::reject);

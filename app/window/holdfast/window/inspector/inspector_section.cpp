@@ -1,24 +1,20 @@
 #include "holdfast/window/inspector/inspector_section.h"
 
 #include <QComboBox>
-#include <QFormLayout>
 #include <QLabel>
+#include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
 
 #include <holdfast/base/error.h>
-#include <holdfast/window/controls/labels.h>
+#include <holdfast/window/controls/panel_parts.h>
 
 namespace holdfast {
 
-InspectorSection::InspectorSection(Editor& editor, QWidget* parent)
-    : QWidget(parent), editor_(editor), form_(new QFormLayout(this))
+InspectorSection::InspectorSection(Editor& editor) : editor_(editor), lines_(new QVBoxLayout(this))
 {
-  form_->setContentsMargins(0, 0, 0, 0);
-  form_->setHorizontalSpacing(10);
-  form_->setVerticalSpacing(6);
-  form_->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
-  form_->setLabelAlignment(Qt::AlignLeft);
+  lines_->setContentsMargins(0, 0, 0, 0);
+  lines_->setSpacing(6);
 }
 
 void InspectorSection::inspect(const Rows& rows)
@@ -50,100 +46,79 @@ void InspectorSection::change(const QString& name, const Change& change)
   }
 }
 
+void InspectorSection::addRow(const QString& title, QWidget* field)
+{
+  auto* line = new QWidget(this);
+  auto* layout = new QHBoxLayout(line);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(10);
+  auto* label = new QLabel(title, line);
+  label->setBuddy(field);
+  layout->addWidget(label);
+  layout->addWidget(field, 1);
+  lines_->addWidget(line);
+  if (title.isNull())
+    label->hide();
+  else
+    titles_.push_back(label);
+}
+
 QLabel* InspectorSection::addText(const QString& title, const QString& name)
 {
   QLabel* label = newText(name);
   label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-  // All the room there is: by itself it would take a few words' width, and break lines that need not be broken.
-  QSizePolicy policy = label->sizePolicy();
-  policy.setHorizontalPolicy(QSizePolicy::Expanding);
-  label->setSizePolicy(policy);
-  form_->addRow(title, label);
+  addRow(title, label);
   return label;
 }
 
 VectorEdit* InspectorSection::addVector(const QString& title, const QString& name, const QString& spoken)
 {
-  VectorEdit* edit = new VectorEdit(name, spoken.isEmpty() ? QString(title).remove('&') : spoken, this);
-  edit->setObjectName(name);
+  auto* edit = named(new VectorEdit(name, spoken.isEmpty() ? QString(title).remove('&') : spoken, this), name);
   connect(edit, &VectorEdit::refused, this, &InspectorSection::refused);
-  form_->addRow(title, edit);
+  addRow(title, edit);
   return edit;
 }
 
 NumberEdit* InspectorSection::addNumber(const QString& title, const QString& name)
 {
-  NumberEdit* edit = new NumberEdit(this);
-  edit->setObjectName(name);
-  edit->setAccessibleName(QString(title).remove('&'));
+  auto* edit = named(new NumberEdit(this), name, QString(title).remove('&'));
   connect(edit, &NumberEdit::refused, this, &InspectorSection::refused);
-  form_->addRow(title, edit);
+  addRow(title, edit);
   return edit;
 }
 
 QComboBox* InspectorSection::addChoice(const QString& title, const QString& name, const QString& spoken,
-                                       const QStringList& choices)
+                                       const QStringList& choices, const std::function<void(int)>& choose)
 {
-  QComboBox* box = new QComboBox(this);
-  box->setObjectName(name);
-  box->setAccessibleName(spoken);
+  auto* box = named(new QComboBox(this), name, spoken);
   box->addItems(choices);
-  form_->addRow(title, box);
+  connect(box, qOverload<int>(&QComboBox::activated), this, choose);
+  addRow(title, box);
   return box;
+}
+
+QLabel& InspectorSection::titleOf(QWidget* field)
+{
+  return *static_cast<QLabel*>(field->parentWidget()->layout()->itemAt(0)->widget());
 }
 
 void InspectorSection::explain(QWidget* field, const QString& text)
 {
-  form_->labelForField(field)->setToolTip(text);
+  titleOf(field).setToolTip(text);
   field->setToolTip(text);
   field->setAccessibleDescription(text);
 }
 
-void InspectorSection::collectRows()
+int InspectorSection::titleWidth() const
 {
-  for (int row = static_cast<int>(fields_.size()); row < form_->rowCount(); ++row) {
-    QLayoutItem* title = form_->itemAt(row, QFormLayout::LabelRole);
-    QLayoutItem* field = form_->itemAt(row, QFormLayout::FieldRole);
-    if (field == nullptr) field = form_->itemAt(row, QFormLayout::SpanningRole);
-    fields_.push_back({title == nullptr ? nullptr : title->widget(), field->widget()});
-  }
-}
-
-// A form keeps the spacing of hidden rows, so what is hidden is taken out of it.
-void InspectorSection::setFieldVisible(QWidget* field, bool isVisible)
-{
-  if (form_->rowCount() > static_cast<int>(fields_.size())) collectRows();
-  const bool isShown = form_->indexOf(field) >= 0 && !field->isHidden();
-  if (isShown == isVisible) return;
-  for (Field& other : fields_) {
-    if (other.field != field) continue;
-    field->setVisible(isVisible);
-    if (other.title != nullptr) other.title->setVisible(isVisible);
-  }
-  while (form_->rowCount() > 0) form_->takeRow(0);
-  for (const Field& other : fields_) {
-    if (other.field->isHidden()) continue;
-    if (other.title != nullptr)
-      form_->addRow(other.title, other.field);
-    else
-      form_->addRow(other.field);
-  }
-}
-
-int InspectorSection::titleWidth()
-{
-  collectRows();
   int widest = 0;
-  for (const Field& field : fields_)
-    if (field.title != nullptr) widest = std::max(widest, field.title->sizeHint().width());
+  for (const QLabel* title : titles_) widest = std::max(widest, title->sizeHint().width());
   return widest;
 }
 
 void InspectorSection::setTitleWidth(int width)
 {
-  collectRows();
-  for (const Field& field : fields_)
-    if (field.title != nullptr) field.title->setMinimumWidth(width);
+  for (QLabel* title : titles_) title->setMinimumWidth(width);
 }
 
 QString axisText(int axis)

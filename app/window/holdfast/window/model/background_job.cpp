@@ -1,40 +1,37 @@
 #include "holdfast/window/model/background_job.h"
 
-#include <algorithm>
+#include <QCoreApplication>
+#include <QEvent>
 #include <atomic>
-#include <exception>
 #include <thread>
-#include <utility>
 
 #include <holdfast/base/thread_priority.h>
 
 namespace holdfast {
 
 struct BackgroundJob::Run {
-  std::atomic<bool> isUnwanted = false;
   std::atomic<bool> hasEnded = false;
-  std::thread thread;
+  std::jthread thread;  // its destructor asks for the end and waits
 };
 
 namespace {
 
-/// Tells the window the stages of one run, and ends the work when nobody wants it.
 class ProgressReporter final : public Progress {
  public:
-  ProgressReporter(const std::atomic<bool>& isUnwanted, std::function<void(const QString&)> tell)
-      : isUnwanted_(isUnwanted), tell_(std::move(tell))
+  ProgressReporter(std::stop_token stop, std::function<void(const QString&)> report)
+      : stop_(std::move(stop)), report_(std::move(report))
   {
   }
 
   void step(std::string_view description) override
   {
-    if (isUnwanted_) throw Cancelled();
-    tell_(QString::fromUtf8(description.data(), static_cast<int>(description.size())));
+    if (stop_.stop_requested()) throw Cancelled();
+    report_(QString::fromUtf8(description.data(), static_cast<int>(description.size())));
   }
 
  private:
-  const std::atomic<bool>& isUnwanted_;
-  std::function<void(const QString&)> tell_;
+  std::stop_token stop_;
+  std::function<void(const QString&)> report_;
 };
 
 }  // namespace
@@ -43,72 +40,64 @@ BackgroundJob::BackgroundJob(QObject* parent) : QObject(parent) {}
 
 BackgroundJob::~BackgroundJob()
 {
-  // What the threads have posted meanwhile goes with this object.
-  for (const auto& run : runs_) run->isUnwanted = true;
-  for (const auto& run : runs_) run->thread.join();
+  // Calls that the threads have posted meanwhile are dropped with this object.
+  for (const auto& run : runs_) run->thread.request_stop();
+  runs_.clear();
 }
 
 void BackgroundJob::start(Work work)
 {
   cancel();
-  joinEnded();
-  const auto run = std::make_shared<Run>();
-  current_ = run;
-  runs_.push_back(run);
-  run->thread = std::thread([this, run = run.get(), weak = std::weak_ptr(run), work = std::move(work)] {
+  std::erase_if(runs_, [](const auto& run) { return run->hasEnded.load(); });
+  const std::uint64_t id = current_ = ++latest_;
+  Run& run = *runs_.emplace_back(std::make_unique<Run>());
+  run.thread = std::jthread([this, id, &run, work = std::move(work)](std::stop_token stop) {
     computeInBackground();
-    ProgressReporter progress(run->isUnwanted, [&](const QString& step) {
-      calls_.post([this, weak, step] {
-        if (current_ != nullptr && current_ == weak.lock()) Q_EMIT stepChanged(step);
+    ProgressReporter progress(std::move(stop), [&](const QString& step) {
+      calls_.post([this, id, step] {
+        if (id == current_) Q_EMIT stepChanged(step);
       });
     });
     std::exception_ptr error;
     try {
-      calls_.post([this, weak, result = work(progress)] { finish(weak.lock(), result); });
+      calls_.post([this, id, finish = work(progress)] {
+        if (end(id) && finish) finish();
+      });
     } catch (const Cancelled&) {
-      calls_.post([this, weak] { end(weak.lock()); });
+      calls_.post([this, id] { end(id); });
     } catch (...) {
       error = std::current_exception();
     }
-    // Handed over whole: who reads it is who lets it go.
-    if (error) calls_.post([this, weak, error = std::move(error)] { fail(weak.lock(), error); });
-    run->hasEnded = true;
+    // Moved, so that the window's thread alone reads and releases it.
+    if (error)
+      calls_.post([this, id, error = std::move(error)] {
+        if (end(id)) Q_EMIT failed(error);
+      });
+    run.hasEnded = true;
   });
   Q_EMIT started();
 }
 
 void BackgroundJob::cancel()
 {
-  if (current_ == nullptr) return;
-  current_->isUnwanted = true;
-  current_.reset();
-  Q_EMIT ended();
+  if (!isRunning()) return;
+  runs_.back()->thread.request_stop();
+  end(current_);
 }
 
-bool BackgroundJob::end(const std::shared_ptr<Run>& run)
+void BackgroundJob::wait()
 {
-  joinEnded();
-  if (run == nullptr || run != current_) return false;
-  current_.reset();
+  if (!isRunning()) return;
+  runs_.back()->thread.join();
+  QCoreApplication::sendPostedEvents(&calls_, QEvent::User);
+}
+
+bool BackgroundJob::end(std::uint64_t run)
+{
+  if (run != current_) return false;
+  current_ = 0;
   Q_EMIT ended();
   return true;
-}
-
-void BackgroundJob::finish(const std::shared_ptr<Run>& run, const Finish& finish)
-{
-  if (end(run) && finish) finish();
-}
-
-void BackgroundJob::fail(const std::shared_ptr<Run>& run, const std::exception_ptr& error)
-{
-  if (end(run)) Q_EMIT failed(error);
-}
-
-void BackgroundJob::joinEnded()
-{
-  const auto ended = std::stable_partition(runs_.begin(), runs_.end(), [](const auto& run) { return !run->hasEnded; });
-  std::for_each(ended, runs_.end(), [](const auto& run) { run->thread.join(); });
-  runs_.erase(ended, runs_.end());
 }
 
 }  // namespace holdfast

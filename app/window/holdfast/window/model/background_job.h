@@ -4,6 +4,7 @@
 
 #include <QObject>
 #include <QString>
+#include <cstdint>
 #include <exception>
 #include <functional>
 #include <memory>
@@ -14,25 +15,28 @@
 
 namespace holdfast {
 
-/// One piece of work at a time, of which the newest counts. Lives on the thread of the window, where all signals come.
+/// One piece of work at a time; the newest one counts. Lives on the thread of the window, where all signals come.
 class BackgroundJob : public QObject {
   Q_OBJECT
 
  public:
-  /// What is left to be done on the thread of the window once the work has succeeded.
+  /// What the thread of the window does once the work has succeeded.
   using Finish = std::function<void()>;
-  /// Runs on the job's thread, and touches nothing of the window's. May throw; `Cancelled` ends it without a word.
+  /// Runs on a thread of its own and touches nothing of the window. It may throw; `Cancelled` ends it without a signal
+  /// but `ended`.
   using Work = std::function<Finish(Progress&)>;
 
   explicit BackgroundJob(QObject* parent = nullptr);
-  /// Gives up the work under way, and waits for the stage that it is in.
+  /// Gives up the work under way, and waits for its current step.
   ~BackgroundJob() override;
 
   /// Gives up the work under way in favour of `work`.
   void start(Work work);
-  /// Gives up the work under way at its next stage; nothing is heard of it any more. Harmless without any.
+  /// Gives up the work under way at its next step; no signal or call follows but `ended`. Harmless without any work.
   void cancel();
-  [[nodiscard]] bool isRunning() const noexcept { return current_ != nullptr; }
+  /// Waits until the work under way has ended and was reported.
+  void wait();
+  [[nodiscard]] bool isRunning() const noexcept { return current_ != 0; }
 
  Q_SIGNALS:
   void started();
@@ -42,15 +46,13 @@ class BackgroundJob : public QObject {
 
  private:
   struct Run;
+  /// Whether that run is the one that counts, which then does not count any more.
+  bool end(std::uint64_t run);
 
-  void finish(const std::shared_ptr<Run>& run, const Finish& finish);
-  void fail(const std::shared_ptr<Run>& run, const std::exception_ptr& error);
-  bool end(const std::shared_ptr<Run>& run);
-  void joinEnded();
-
-  PostedCalls calls_;                       // by the threads; outlives them
-  std::shared_ptr<Run> current_;            // the one that counts; null where none does
-  std::vector<std::shared_ptr<Run>> runs_;  // all whose threads are not joined yet
+  PostedCalls calls_;          // by the threads; outlives them
+  std::uint64_t current_ = 0;  // the run that counts; 0 for none
+  std::uint64_t latest_ = 0;
+  std::vector<std::unique_ptr<Run>> runs_;  // those that may still have a thread
 };
 
 }  // namespace holdfast

@@ -7,7 +7,6 @@
 #include <numeric>
 #include <utility>
 
-#include <holdfast/document/list_edits.h>
 #include <holdfast/document/point_list_text.h>
 #include <holdfast/window/text/constraint_text.h>
 
@@ -28,6 +27,13 @@ Rows rowsFrom(Index first, Index count)
   Rows rows(static_cast<std::size_t>(count));
   std::iota(rows.begin(), rows.end(), first);
   return rows;
+}
+
+void add(Editor& editor, Constraint constraint)
+{
+  const QString name = ConstraintActions::tr("add %1").arg(nameText(constraint.name));
+  editor.edit(name, added(editor.list(), std::move(constraint)));
+  editor.selectConstraints({sizeOf(editor.list()) - 1});
 }
 
 void append(Editor& editor, const QString& name, const ConstraintList& more)
@@ -57,18 +63,46 @@ void changeConstraints(Editor& editor, const QString& name, const Rows& rows, co
   if (isChanged) editor.edit(name, std::move(list));
 }
 
-void enableConstraints(Editor& editor, const Rows& rows)
+void holdPoint(Editor& editor, const SurfacePick& pick)
 {
-  if (!rows.empty())
-    editor.edit(ConstraintActions::tr("enable %1").arg(subjectOf(editor, rows)),
-                withEnabled(editor.list(), rows, Enabling::Enabled));
+  add(editor, {unusedName(editor.list(), "P"), true, PointConstraint{pick.location, Target{pick.place}}});
 }
 
-void disableConstraints(Editor& editor, const Rows& rows)
+void keepVector(Editor& editor, const SurfaceLocation& from, const SurfaceLocation& to)
 {
-  if (!rows.empty())
-    editor.edit(ConstraintActions::tr("disable %1").arg(subjectOf(editor, rows)),
-                withEnabled(editor.list(), rows, Enabling::Disabled));
+  add(editor, {unusedName(editor.list(), "vector "), true, RelativeConstraint{from, to, {}}});
+}
+
+void constrainSelection(Editor& editor, RegionKind kind)
+{
+  const Selection select = editor.selection();
+  editor.selectVertices({});
+  const auto addNamed = [&](const char* stem, auto what) {
+    add(editor, {unusedName(editor.list(), stem), true, std::move(what)});
+  };
+  switch (kind) {
+    case RegionKind::Fixed:
+      return addNamed("fixed ", FixedConstraint{select});
+    case RegionKind::Handle:
+      return addNamed("handle ", HandleConstraint{select, {}, Vector3::Zero(), {}});
+    case RegionKind::Rigid:
+      return addNamed("rigid ", RigidConstraint{select});
+  }
+}
+
+void switchConstraints(Editor& editor, const Rows& rows, Enabling enabling)
+{
+  if (rows.empty()) return;
+  const bool isOn = enabling == Enabling::Enabled;
+  const QString name = isOn ? ConstraintActions::tr("enable %1") : ConstraintActions::tr("disable %1");
+  editor.edit(name.arg(subjectOf(editor, rows)), withEnabled(editor.list(), rows, enabling));
+}
+
+void toggleConstraints(Editor& editor, const Rows& rows)
+{
+  const auto& constraints = editor.list().constraints;
+  const bool areOn = std::all_of(rows.begin(), rows.end(), [&](Index row) { return constraints[row].isEnabled; });
+  switchConstraints(editor, rows, areOn ? Enabling::Disabled : Enabling::Enabled);
 }
 
 void renameConstraint(Editor& editor, Index row, const QString& name)

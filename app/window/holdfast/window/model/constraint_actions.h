@@ -1,12 +1,14 @@
 #pragma once
 /// \file
-/// What a user does to constraints of the list, one named entry of the history each, whichever panel asks for it.
+/// What a user does to constraints: each is one named entry of the history, whichever menu, tool or panel asks for it.
 
 #include <QString>
 #include <functional>
 #include <optional>
 #include <vector>
 
+#include <holdfast/document/list_edits.h>
+#include <holdfast/widgets/picking/surface_picker.h>
 #include <holdfast/window/model/editor.h>
 
 namespace holdfast {
@@ -17,20 +19,28 @@ using Rows = std::vector<Index>;
 /// "P1", or "3 constraints": what an entry of the history is about.
 [[nodiscard]] QString subjectOf(const Editor& editor, const Rows& rows);
 
-/// What a constraint becomes; nothing where it stays as it is.
+/// What a constraint becomes; nothing if it stays as it is.
 using Change = std::function<std::optional<Constraint>(const Constraint&)>;
 
-/// Every one of `rows` as `change` makes it. No entry where all stay as they are. Throws what `change` throws, and
-/// nothing is changed then.
+/// Changes `rows` by `change`. Makes no entry if all stay as they are. Passes on what `change` throws, and changes
+/// nothing then.
 void changeConstraints(Editor& editor, const QString& name, const Rows& rows, const Change& change);
 
-void enableConstraints(Editor& editor, const Rows& rows);
-void disableConstraints(Editor& editor, const Rows& rows);
+/// These three select what they make. `holdPoint` holds the point of the surface where it is now.
+void holdPoint(Editor& editor, const SurfacePick& pick);
+/// Keeps the vector from the place `to` to the place `from` as it is at rest, rotated as the surface rotates.
+void keepVector(Editor& editor, const SurfaceLocation& from, const SurfaceLocation& to);
+enum class RegionKind { Fixed, Handle, Rigid };
+/// Makes one constraint of the selected vertices, one at least, and deselects them.
+void constrainSelection(Editor& editor, RegionKind kind);
 
-/// Throws `InputError` with the reason where the name is empty or that of another one.
+void switchConstraints(Editor& editor, const Rows& rows, Enabling enabling);
+/// Disables them if all are enabled, else enables all.
+void toggleConstraints(Editor& editor, const Rows& rows);
+/// Throws `InputError` with the reason if the name is empty or that of another constraint.
 void renameConstraint(Editor& editor, Index row, const QString& name);
 
-/// The constraint that is in the place of the first removed one is selected then.
+/// Selects the constraint that is now in the place of the first removed one.
 void removeConstraints(Editor& editor, const Rows& rows);
 
 /// Moves `rows` together, in their order, before what is at `to` (the end: the size of the list), and selects them.

@@ -8,7 +8,7 @@
 namespace holdfast {
 namespace {
 
-// Of solved states: enough to go back and forth between neighbours at once, little beside the factor.
+// Solved states: enough to go back and forth between neighbours at once, and small beside the factor.
 constexpr std::size_t kRemembered = 6;
 
 std::shared_ptr<const VisibleSurface> moved(const VisibleSurface& atRest,
@@ -29,7 +29,7 @@ void Editor::open(LoadedMesh mesh, DocumentState state)
   close();
   mesh_ = std::move(mesh);
   history_ = std::make_unique<History>(std::move(state));
-  // Made ready for the picture and the cursor by the worker: the window would have to wait for it.
+  // The worker prepares the picture and picks, so that the window does not wait for them.
   auto prepared = [atRest = mesh_.surface, model = mesh_.model,
                    marks = std::shared_ptr<const MarkSet>()](const LiveEvent& event) mutable -> Solved {
     if (event.deformation == nullptr) return {};
@@ -193,7 +193,7 @@ std::optional<Editor::Solved> Editor::remembered(const std::shared_ptr<const Doc
 void Editor::handle(const LiveEvent& event, Solved solved)
 {
   using Kind = LiveEvent::Kind;
-  // What was cancelled, shown from memory or belongs to another document is not waited for any more.
+  // Ignores events of states that were cancelled, shown from memory or belong to another document.
   while (!submitted_.empty() && submitted_.front().first < event.revision) submitted_.pop_front();
   if (submitted_.empty() || submitted_.front().first != event.revision) return;
   if (event.kind == Kind::Started) return;

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The open document as the window's one truth: what is edited, what is selected, and the newest deformation of it.
+/// The open document, the one truth of the window: constraints, selection and the newest deformation.
 
 #include <QObject>
 #include <QString>
@@ -18,7 +18,7 @@
 
 namespace holdfast {
 
-/// Whether what is on screen is what was asked for.
+/// Whether the picture shows the newest state.
 enum class SolveState {
   Nothing,    ///< no mesh is open
   Current,    ///< the deformation is that of the state
@@ -27,8 +27,8 @@ enum class SolveState {
   Unusable    ///< the state cannot be solved, `Editor::error` says why: the deformation is older
 };
 
-/// One mesh, its constraints with their history, the selection, and the worker that deforms. Widgets show what is here
-/// and change it through the functions below; none keeps a copy. Lives on the thread of the window.
+/// One mesh, its constraints with their history, the selection, and the worker that deforms. Widgets show this data,
+/// change it through the functions below, and keep no copy. Lives on the thread of the window.
 class Editor : public QObject {
   Q_OBJECT
 
@@ -36,56 +36,56 @@ class Editor : public QObject {
   explicit Editor(QObject* parent = nullptr);
   ~Editor() override;
 
-  /// Puts another document in the place of this one: history, selection and deformation begin anew.
+  /// Replaces the document: history, selection and deformation begin anew.
   void open(LoadedMesh mesh, DocumentState state);
   void close();
   [[nodiscard]] bool isOpen() const noexcept { return mesh_.model != nullptr; }
 
-  /// These need an open document.
+  /// The following need an open document.
   [[nodiscard]] const LoadedMesh& mesh() const noexcept { return mesh_; }
   [[nodiscard]] const std::shared_ptr<const Model>& model() const noexcept { return mesh_.model; }
   [[nodiscard]] const DocumentState& state() const { return *history_->state(); }
   [[nodiscard]] const ConstraintList& list() const { return state().list; }
   [[nodiscard]] const History& history() const { return *history_; }
 
-  /// The newest deformation that is finished; null before the first, and where there is no document.
+  /// The newest finished deformation; null before the first, and without a document.
   [[nodiscard]] const std::shared_ptr<const DeformResult>& deformation() const noexcept { return deformation_; }
-  /// The state that `deformation` is of; null with it. Names and places in the report are those of this list.
+  /// The state of `deformation`; null with it. Names and places in the report belong to its list.
   [[nodiscard]] const std::shared_ptr<const DocumentState>& deformedState() const noexcept { return deformedState_; }
-  /// What is to be shown: deformed, or at rest before the first deformation.
+  /// Deformed, or at rest before the first deformation.
   [[nodiscard]] const Positions& positions() const { return surface()->positions(); }
   [[nodiscard]] const std::shared_ptr<const VisibleSurface>& surface() const;
-  /// Where the constraints of `deformedState` act in `deformation`, those that are disabled last; null with it.
+  /// Where the constraints of `deformedState` act in `deformation`, disabled ones last; null with it.
   [[nodiscard]] const std::shared_ptr<const MarkSet>& marks() const noexcept { return deformedMarks_; }
   [[nodiscard]] SolveState solveState() const noexcept { return solveState_; }
   /// Why the newest state cannot be solved; empty otherwise.
   [[nodiscard]] const QString& error() const noexcept { return error_; }
-  /// What the worker is doing; empty when it rests.
+  /// The current step of the worker; empty while it is idle.
   [[nodiscard]] const QString& step() const noexcept { return step_; }
 
-  /// One entry of the history each. `name` is what the edit does, for the menu: "move P1".
+  /// Each is one entry of the history. `name` says what the edit does, for the menu: "move P1".
   void edit(const QString& name, ConstraintList after);
   void setOptions(const QString& name, const DeformOptions& options);
-  /// A drag: any number of states, one entry. `cancelGesture` brings back the state and the picture before it.
+  /// A drag: any number of states, one entry. `cancelGesture` restores the state and the picture before it.
   void beginGesture(const QString& name);
   void updateGesture(ConstraintList after);
   void endGesture();
   void cancelGesture();
   void undo();
   void redo();
-  /// `state`, one that was shown, is what the user's file holds.
+  /// The user's file holds `state`, which was shown before.
   void markSaved(std::shared_ptr<const DocumentState> state);
-  /// The document is in no file, though nothing was edited: a copy that a crash has left.
+  /// The document is in no file although nothing was edited: a copy that a crash has left.
   void markUnsaved();
 
-  /// Stops the work under way; the state stays as it is. `solve` takes it up again.
+  /// Stops the work under way; the state stays as it is. `solve` starts it again.
   void cancelSolving();
   void solve();
 
   /// Selected vertices of the file, ascending; and selected constraints by their place in the list, ascending.
   [[nodiscard]] const std::vector<Index>& selectedVertices() const noexcept { return selectedVertices_; }
   [[nodiscard]] const std::vector<Index>& selectedConstraints() const noexcept { return selectedConstraints_; }
-  /// `shape` is what a constraint on these vertices says instead of their ids, as long as they stay selected: a curve.
+  /// `shape` replaces the ids in constraints on these vertices, as long as they stay selected: a curve.
   void selectVertices(std::vector<Index> vertices, std::optional<Selection> shape = std::nullopt);
   /// The selected vertices as a constraint names them.
   [[nodiscard]] Selection selection() const;
@@ -95,7 +95,7 @@ class Editor : public QObject {
   void opened();             ///< another document, or none
   void stateChanged();       ///< the list or the options; the history with them
   void deformed();           ///< another deformation
-  void solveStateChanged();  ///< or the trouble
+  void solveStateChanged();  ///< or the error
   void stepChanged();        ///< of the worker
   void vertexSelectionChanged();
   void constraintSelectionChanged();

@@ -13,7 +13,7 @@ using Restatement = HandleConstraint (*)(const HandleConstraint& handle, const H
 /// What the motion of a handle of the editor's list depends on. Throws as that of the list.
 [[nodiscard]] HandleSetting settingOf(const Editor& editor, const Constraint& handle);
 
-/// The handle of the editor's list restated where it stands; throws as `restate` and `settingOf`.
+/// A handle of the editor's list, restated; throws as `restate` and `settingOf`.
 [[nodiscard]] Constraint restated(const Editor& editor, Constraint handle, Restatement restate);
 
 /// Throws `InputError` with the key at fault and the reason where the handle says what it may not say

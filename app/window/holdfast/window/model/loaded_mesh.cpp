@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <holdfast/surface/surface_locator.h>
 #include <holdfast/widgets/files/any_mesh_file.h>
 #include <holdfast/widgets/mesh/coarse_surface.h>
 
@@ -22,10 +23,12 @@ LoadedMesh prepareMesh(MeshDocument document, const std::filesystem::path& path,
   loaded.path = path;
   loaded.document = std::move(document);
   loaded.model = std::make_shared<const Model>(makeModel(loaded.document.mesh, path.string()));
-  loaded.regions = std::make_shared<VertexRegions>(loaded.model->mesh, loaded.model->solverMesh);
-  loaded.contents = std::make_shared<SceneContents>(*loaded.model);
-  if (isLarge(*loaded.model)) loaded.contents->setDetail(Detail::Coarse);
-  loaded.surface = std::make_shared<const VisibleSurface>(*loaded.model);
+  const Model& model = *loaded.model;
+  loaded.selector = std::make_shared<Selector>(model.mesh, model.solverMesh, model.locator());
+  loaded.regions = std::make_shared<VertexRegions>(model.mesh, model.solverMesh);
+  loaded.contents = std::make_shared<SceneContents>(model);
+  if (isLarge(model)) loaded.contents->setDetail(Detail::Coarse);
+  loaded.surface = std::make_shared<const VisibleSurface>(model);
   return loaded;
 }
 

@@ -1,11 +1,12 @@
 #pragma once
 /// \file
-/// A mesh file and all that the window needs of it, made on any thread before the window is touched.
+/// A mesh file and all that the window needs of it, made on any thread.
 
 #include <filesystem>
 #include <memory>
 
 #include <holdfast/base/progress.h>
+#include <holdfast/constraints/selector.h>
 #include <holdfast/deform/model.h>
 #include <holdfast/io/mesh_document.h>
 #include <holdfast/surface/vertex_regions.h>
@@ -19,6 +20,7 @@ struct LoadedMesh {
   std::filesystem::path path;
   MeshDocument document;
   std::shared_ptr<const Model> model;
+  std::shared_ptr<Selector> selector;
   std::shared_ptr<VertexRegions> regions;
   std::shared_ptr<SceneContents> contents;        ///< at rest, with the coarse triangles of large meshes
   std::shared_ptr<const VisibleSurface> surface;  ///< at rest, ready for rays
@@ -28,10 +30,10 @@ struct LoadedMesh {
 /// do, and what `progress` throws.
 [[nodiscard]] LoadedMesh loadMesh(const std::filesystem::path& path, Progress& progress);
 
-/// The same for a mesh that is at hand; `path` names it.
+/// The same for a mesh in memory; `path` names it.
 [[nodiscard]] LoadedMesh prepareMesh(MeshDocument document, const std::filesystem::path& path, Progress& progress);
 
-/// Whether drawing all of it may take longer than a picture that moves has time for.
+/// Whether a full picture of it may take too long for a movement.
 [[nodiscard]] bool isLarge(const Model& model);
 
 }  // namespace holdfast

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// How the threads of workers speak to the thread of the window.
+/// How worker threads call functions on the thread of the window.
 
 #include <QObject>
 #include <deque>
@@ -11,11 +11,11 @@ class QEvent;
 
 namespace holdfast {
 
-/// Calls that other threads leave, made one by one, in their order, on the thread that this object lives on. Those that
-/// are left when it goes are dropped.
+/// Calls posted by other threads run one by one, in their order, on the thread that this object lives on. Its
+/// destructor drops those that are left.
 ///
-/// What a call carries is handed over under a mutex of the standard library and not in an event of Qt: the thread
-/// sanitizer knows the one and is blind for the other, whose library is not built for it.
+/// A mutex of the standard library guards them, not Qt's queue of events: the thread sanitizer does not see the locks
+/// of Qt, which is not built for it.
 class PostedCalls final : public QObject {
  public:
   using Call = std::function<void()>;
@@ -26,7 +26,7 @@ class PostedCalls final : public QObject {
   void post(Call call);
 
  protected:
-  /// An event is only the sign that a call is there: it was made by another thread, and is not looked at.
+  /// An event only signals that there is a call.
   void customEvent(QEvent* event) override;
 
  private:

@@ -12,14 +12,14 @@ class QCheckBox;
 class QComboBox;
 class QFormLayout;
 class QLabel;
-class QLineEdit;
 class QSpinBox;
 class QStackedWidget;
 
 namespace holdfast {
 
-/// What its controls say is the settings. A range that cannot be is refused with the reason: the settings stay what
-/// they were.
+class NumberEdit;
+
+/// Its controls show the settings. An invalid range is refused with the reason, and the settings stay as they were.
 class ColorPanel : public QWidget {
   Q_OBJECT
 
@@ -33,7 +33,7 @@ class ColorPanel : public QWidget {
   /// Without signals.
   void setSettings(const ColorSettings& settings);
   void setDisplaySettings(const DisplaySettings& settings);
-  /// The scale of what is on screen, none in one colour: told beside an automatic range, and where a fixed one begins.
+  /// The scale of what is on screen, none in one colour. An automatic range shows it, and a fixed range begins with it.
   void setShownScale(const std::optional<ColorScale>& scale);
 
  Q_SIGNALS:
@@ -43,7 +43,6 @@ class ColorPanel : public QWidget {
  private:
   void makeColorRows(QFormLayout& form);
   void makeDisplayRows(QFormLayout& form);
-  void addMaps();
   [[nodiscard]] QWidget* makeFixedRange();
   [[nodiscard]] QWidget* makeLogarithmicRange();
   void showSettings();
@@ -63,8 +62,8 @@ class ColorPanel : public QWidget {
   QComboBox* rangeKind_ = nullptr;
   QStackedWidget* rangeRows_ = nullptr;
   QLabel* automatic_ = nullptr;
-  QLineEdit* low_ = nullptr;
-  QLineEdit* high_ = nullptr;
+  NumberEdit* low_ = nullptr;
+  NumberEdit* high_ = nullptr;
   QSpinBox* decades_ = nullptr;
   QLabel* refusal_ = nullptr;
   QComboBox* map_ = nullptr;

@@ -1,29 +1,77 @@
-#include "holdfast/window/panels/conflict_panel.h"
-
 #include <QLabel>
 #include <QPushButton>
-#include <QStackedWidget>
+#include <QString>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <string>
+#include <vector>
 
+#include <holdfast/deform/report.h>
 #include <holdfast/document/list_edits.h>
-#include <holdfast/window/controls/labels.h>
+#include <holdfast/window/controls/card.h>
+#include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/controls/status_style.h>
+#include <holdfast/window/model/at_rest.h>
+#include <holdfast/window/model/constraint_actions.h>
 #include <holdfast/window/model/outcome_lookup.h>
-#include <holdfast/window/model/rest_places.h>
-#include <holdfast/window/text/conflict_text.h>
+#include <holdfast/window/panels/panels.h>
 #include <holdfast/window/text/constraint_text.h>
 #include <holdfast/window/text/number_text.h>
 
 namespace holdfast {
 namespace {
 
-// Nobody reads more; the table has them all.
+/// “P3” asks for a place 0.42 mm away from where “P1” and “P2” put it.
+QString conflictText(const ConstraintOutcome& outcome, const ConflictSet& conflictSet, const std::string& units)
+{
+  // The unit stays on the line of its number.
+  const QString length = lengthText(conflictSet.gap.stableNorm(), units).replace(' ', QChar::Nbsp);
+  const auto said = [&](const QString& byOne, const QString& bySeveral) {
+    return (conflictSet.with.size() == 1 ? byOne : bySeveral)
+        .arg(quoted(outcome.name), length, quotedList(conflictSet.with));
+  };
+  if (conflictSet.with.empty())
+    return QObject::tr("%1 contradicts itself by %2, or asks a part to move that nothing places.")
+        .arg(quoted(outcome.name), length);
+  if (outcome.type == "relative")
+    return said(QObject::tr("%1 asks for an offset that differs by %2 from what %3 says."),
+                QObject::tr("%1 asks for an offset that differs by %2 from what %3 say."));
+  if (outcome.type == "rigid")
+    return said(QObject::tr("%1 cannot stay rigid: %3 bends it by %2."),
+                QObject::tr("%1 cannot stay rigid: %3 bend it by %2."));
+  if (outcome.type == "point")
+    return said(QObject::tr("%1 asks for a place %2 away from where %3 puts it."),
+                QObject::tr("%1 asks for a place %2 away from where %3 put it."));
+  return said(QObject::tr("%1 asks for places up to %2 away from where %3 puts them."),
+              QObject::tr("%1 asks for places up to %2 away from where %3 put them."));
+}
+
+/// How many of the rows, and which way they are off.
+QString gapText(const ConstraintOutcome& outcome, const ConflictSet& conflictSet, const std::string& units)
+{
+  QString text = QObject::tr("Off by %1").arg(roundedText(conflictSet.gap));
+  if (!units.empty()) text += ' ' + QString::fromStdString(units);
+  if (outcome.rows > 1)
+    text += QObject::tr(", in %1 of its %2 rows").arg(QString::number(conflictSet.rows), QString::number(outcome.rows));
+  return text + '.';
+}
+
+/// “P4” repeats “P1”.
+QString repetitionText(const ConstraintOutcome& outcome, const ConflictSet& conflictSet)
+{
+  const QString own = quoted(outcome.name);
+  if (conflictSet.with.empty()) return QObject::tr("%1 repeats itself").arg(own);
+  const QString others = quotedList(conflictSet.with);
+  return conflictSet.rows == outcome.rows ? QObject::tr("%1 repeats %2").arg(own, others)
+                                          : QObject::tr("%1 repeats %2 in part").arg(own, others);
+}
+
+// The table has all of them.
 constexpr std::size_t kMostConflicts = 100;
 constexpr std::size_t kMostRepetitions = 200;
 constexpr int kLettersOnButtons = 16;
 
-/// A name in few letters, for buttons.
+/// A short form of a name for buttons.
 QString inFewLetters(const std::string& name)
 {
   const QString all = QString::fromStdString(name);
@@ -34,7 +82,7 @@ QString inFewLetters(const std::string& name)
 std::optional<Constraint> agreeing(Constraint constraint, const Vector3& target, const Editor& editor)
 {
   if (PointConstraint* point = std::get_if<PointConstraint>(&constraint.what)) {
-    const std::optional<Vector3> rest = RestPlaces(editor).of(point->at);
+    const std::optional<Vector3> rest = restPlace(editor, point->at);
     if (!rest) return std::nullopt;
     *point = goingTo(*point, *rest, target);
     return constraint;
@@ -45,186 +93,200 @@ std::optional<Constraint> agreeing(Constraint constraint, const Vector3& target,
   return constraint;
 }
 
+class ConflictPanel : public QWidget {
+ public:
+  explicit ConflictPanel(Editor& editor) : editor_(editor)
+  {
+    setObjectName("conflictPanel");
+    CardList* list = named(new CardList, "conflictList", tr("Conflicts"));
+    error_ = named(new Card, "conflictError");
+    error_->setTitle(tr("The constraints cannot be solved as they are."));
+    conflicts_ = new QWidget;
+    conflictLayout_ = new QVBoxLayout(conflicts_);
+    conflictLayout_->setContentsMargins(0, 0, 0, 0);
+    conflictLayout_->setSpacing(8);
+    more_ = newText("conflictMore");
+    repetitionTitle_ = newText("repetitionTitle");
+    repetitionTitle_->setText(tr("Repeated, in agreement"));
+    repetitions_ = newText("repetitions");
+    for (QWidget* widget : std::initializer_list<QWidget*>{error_, conflicts_, more_, repetitionTitle_, repetitions_})
+      list->add(widget);
+    pages_ = new HintedContent(list, "conflictEmpty");
+    holdfast::fill(*this, pages_);
+
+    for (const auto signal : {&Editor::opened, &Editor::stateChanged, &Editor::deformed, &Editor::solveStateChanged})
+      connect(&editor, signal, this, &ConflictPanel::refresh);
+    refresh();
+  }
+
+ protected:
+  void showEvent(QShowEvent* event) override
+  {
+    refresh();
+    QWidget::showEvent(event);
+  }
+
+ private:
+  /// A conflict of the newest deformation.
+  struct Conflict {
+    const ConstraintOutcome* outcome = nullptr;
+    const ConflictSet* conflictSet = nullptr;
+  };
+  struct ConflictCard {
+    Card* card = nullptr;
+    QPushButton* select = nullptr;
+    QPushButton* disable = nullptr;
+    QPushButton* retarget = nullptr;
+    Conflict conflict;
+  };
+
+  void refresh()
+  {
+    if (!isVisible()) return;
+    shown_ = editor_.deformation();
+    std::vector<Conflict> conflicts;
+    std::vector<Conflict> repetitions;
+    if (shown_ != nullptr)
+      for (const ConstraintOutcome& outcome : shown_->report.constraints)
+        for (const ConflictSet& conflictSet : outcome.conflictSets)
+          (conflictSet.isConflict ? conflicts : repetitions).push_back({&outcome, &conflictSet});
+    refreshError();
+    refreshConflicts(conflicts);
+    refreshRepetitions(repetitions);
+    if (!conflicts.empty() || !repetitions.empty() || !error_->isHidden()) return pages_->showContent();
+    pages_->showHint(!editor_.isOpen()   ? tr("No mesh is open.")
+                     : shown_ == nullptr ? tr("Nothing is solved yet.")
+                     : editor_.solveState() == SolveState::Solving
+                         ? tr("Nothing contradicted before the latest changes.")
+                         : tr("Nothing contradicts."));
+  }
+
+  void refreshError()
+  {
+    const bool isUnusable = editor_.solveState() == SolveState::Unusable;
+    error_->setVisible(isUnusable);
+    if (!isUnusable) return;
+    error_->setIcon(statusIcon(ConstraintStatus::Conflicting, lightnessOf(palette())));
+    error_->setText(editor_.error());
+  }
+
+  void refreshConflicts(const std::vector<Conflict>& conflicts)
+  {
+    const std::size_t count = std::min(conflicts.size(), kMostConflicts);
+    while (cards_.size() < count) addCard();
+    for (std::size_t k = 0; k < cards_.size(); ++k) {
+      cards_[k].card->setVisible(k < count);
+      if (k < count) fill(cards_[k], conflicts[k]);
+    }
+    more_->setVisible(conflicts.size() > count);
+    more_->setText(tr("%n more conflicts are in the table.", nullptr, static_cast<int>(conflicts.size() - count)));
+  }
+
+  void refreshRepetitions(const std::vector<Conflict>& repetitions)
+  {
+    repetitionTitle_->setVisible(!repetitions.empty());
+    repetitions_->setVisible(!repetitions.empty());
+    QStringList lines;
+    for (std::size_t k = 0; k < std::min(repetitions.size(), kMostRepetitions); ++k)
+      lines << repetitionText(*repetitions[k].outcome, *repetitions[k].conflictSet);
+    if (repetitions.size() > kMostRepetitions)
+      lines << tr("%n more are in the table.", nullptr, static_cast<int>(repetitions.size() - kMostRepetitions));
+    repetitions_->setText(lines.join('\n'));
+    QPalette own = palette();
+    own.setColor(QPalette::WindowText, quietColor(own));
+    repetitions_->setPalette(own);
+  }
+
+  void addCard()
+  {
+    const std::size_t k = cards_.size();
+    ConflictCard card;
+    card.card = named(new Card, QString("conflict%1").arg(k));
+    card.select = card.card->addButton(tr("Select the Set"), "conflictSelect");
+    card.disable = card.card->addButton({}, "conflictDisable");
+    card.retarget = card.card->addButton({}, "conflictRetarget");
+    connect(card.select, &QPushButton::clicked, this, [this, k] { selectSet(k); });
+    connect(card.disable, &QPushButton::clicked, this, [this, k] { disable(k); });
+    connect(card.retarget, &QPushButton::clicked, this, [this, k] { retarget(k); });
+    conflictLayout_->addWidget(card.card);
+    cards_.push_back(card);
+  }
+
+  void fill(ConflictCard& card, const Conflict& conflict)
+  {
+    card.conflict = conflict;
+    const std::string& units = editor_.list().units;
+    card.card->setIcon(statusIcon(ConstraintStatus::Conflicting, lightnessOf(palette())));
+    card.card->setTitle(conflictText(*conflict.outcome, *conflict.conflictSet, units));
+    card.card->setText(gapText(*conflict.outcome, *conflict.conflictSet, units));
+    card.card->setToolTip(exactText(conflict.conflictSet->gap));
+    fillRepairs(card);
+  }
+
+  void fillRepairs(ConflictCard& card)
+  {
+    const auto& [outcome, conflictSet] = card.conflict;
+    // Repairs belong to the list that was solved, and wait while another one is on screen.
+    const bool isCurrent = areResultsCurrent(editor_);
+    card.card->setEnabled(isCurrent);
+    card.disable->setText(tr("Disable %1").arg(inFewLetters(conflictSet->disable)));
+    card.disable->setToolTip(
+        tr("Disabling %1 ends most conflicts at the price of the fewest rows").arg(quoted(conflictSet->disable)));
+    const std::optional<Vector3>& target = conflictSet->consistentTarget;
+    card.retarget->setVisible(target.has_value());
+    if (!target) return;
+    card.retarget->setText(tr("Use the Target %1").arg(roundedText(*target)));
+    card.retarget->setToolTip(
+        tr("Gives %1 the target %2, which agrees with the others").arg(quoted(outcome->name), exactText(*target)));
+  }
+
+  Rows rowsOf(const Conflict& conflict) const
+  {
+    Rows rows;
+    const auto add = [&](const std::string& name) {
+      if (const std::optional<Index> row = indexOf(editor_.list(), name)) rows.push_back(*row);
+    };
+    for (const std::string& name : conflict.conflictSet->with) add(name);
+    add(conflict.outcome->name);
+    std::sort(rows.begin(), rows.end());
+    return rows;
+  }
+
+  void selectSet(std::size_t card) { editor_.selectConstraints(rowsOf(cards_[card].conflict)); }
+
+  void disable(std::size_t card)
+  {
+    if (const std::optional<Index> row = indexOf(editor_.list(), cards_[card].conflict.conflictSet->disable))
+      switchConstraints(editor_, {*row}, Enabling::Disabled);
+  }
+
+  void retarget(std::size_t card)
+  {
+    const auto& [outcome, conflictSet] = cards_[card].conflict;
+    const std::optional<Index> row = indexOf(editor_.list(), outcome->name);
+    if (!row || !conflictSet->consistentTarget) return;
+    const Vector3 target = *conflictSet->consistentTarget;
+    changeConstraints(editor_, tr("give %1 the consistent target").arg(subjectOf(editor_, {*row})), {*row},
+                      [&](const Constraint& constraint) { return agreeing(constraint, target, editor_); });
+  }
+
+  Editor& editor_;
+  HintedContent* pages_ = nullptr;
+  Card* error_ = nullptr;
+  QWidget* conflicts_ = nullptr;
+  QVBoxLayout* conflictLayout_ = nullptr;
+  std::vector<ConflictCard> cards_;
+  QLabel* more_ = nullptr;
+  QLabel* repetitionTitle_ = nullptr;
+  QLabel* repetitions_ = nullptr;
+  std::shared_ptr<const DeformResult> shown_;  // keeps alive what the cards refer to
+};
+
 }  // namespace
 
-ConflictPanel::ConflictPanel(Editor& editor, QWidget* parent) : QWidget(parent), editor_(editor)
+QWidget* newConflictPanel(Editor& editor)
 {
-  setObjectName("conflictPanel");
-  list_ = new CardList;
-  list_->setAccessibleName(tr("Conflicts"));
-  makeErrorCard();
-  conflicts_ = new QWidget;
-  conflictLayout_ = new QVBoxLayout(conflicts_);
-  conflictLayout_->setContentsMargins(0, 0, 0, 0);
-  conflictLayout_->setSpacing(8);
-  list_->add(conflicts_);
-  more_ = newText("conflictMore");
-  list_->add(more_);
-  repetitionTitle_ = newText("repetitionTitle");
-  list_->add(repetitionTitle_);
-  repetitions_ = newText("repetitions");
-  list_->add(repetitions_);
-
-  empty_ = newHint("conflictEmpty");
-  pages_ = new QStackedWidget;
-  pages_->addWidget(empty_);
-  pages_->addWidget(list_);
-  QVBoxLayout* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(pages_);
-
-  for (const auto signal : {&Editor::opened, &Editor::stateChanged, &Editor::deformed, &Editor::solveStateChanged})
-    connect(&editor, signal, this, &ConflictPanel::refresh);
-  refresh();
-}
-
-void ConflictPanel::makeErrorCard()
-{
-  error_ = new Card;
-  error_->setObjectName("conflictError");
-  error_->setTitle(tr("The constraints cannot be solved as they are."));
-  list_->add(error_);
-}
-
-void ConflictPanel::showEvent(QShowEvent* event)
-{
-  refresh();
-  QWidget::showEvent(event);
-}
-
-void ConflictPanel::refresh()
-{
-  if (!isVisible()) return;
-  shown_ = editor_.deformation();
-  std::vector<Conflict> conflicts;
-  std::vector<Conflict> repetitions;
-  if (shown_ != nullptr)
-    for (const ConstraintOutcome& outcome : shown_->report.constraints)
-      for (const ConflictSet& conflictSet : outcome.conflictSets)
-        (conflictSet.isConflict ? conflicts : repetitions).push_back({&outcome, &conflictSet});
-  refreshError();
-  refreshConflicts(conflicts);
-  refreshRepetitions(repetitions);
-  const bool isAny = !conflicts.empty() || !repetitions.empty() || !error_->isHidden();
-  pages_->setCurrentIndex(isAny ? 1 : 0);
-  empty_->setText(!editor_.isOpen()                             ? tr("No mesh is open.")
-                  : shown_ == nullptr                           ? tr("Nothing is solved yet.")
-                  : editor_.solveState() == SolveState::Solving ? tr("Nothing contradicted before the latest changes.")
-                                                                : tr("Nothing contradicts."));
-}
-
-void ConflictPanel::refreshError()
-{
-  const bool isUnusable = editor_.solveState() == SolveState::Unusable;
-  error_->setVisible(isUnusable);
-  if (!isUnusable) return;
-  error_->setIcon(statusIcon(ConstraintStatus::Conflicting, lightnessOf(palette())));
-  error_->setText(editor_.error());
-}
-
-void ConflictPanel::refreshConflicts(const std::vector<Conflict>& conflicts)
-{
-  const std::size_t count = std::min(conflicts.size(), kMostConflicts);
-  while (cards_.size() < count) addCard();
-  for (std::size_t k = 0; k < cards_.size(); ++k) {
-    cards_[k].card->setVisible(k < count);
-    if (k < count) fill(cards_[k], conflicts[k]);
-  }
-  more_->setVisible(conflicts.size() > count);
-  more_->setText(tr("%n more conflicts are in the table.", nullptr, static_cast<int>(conflicts.size() - count)));
-}
-
-void ConflictPanel::addCard()
-{
-  const std::size_t k = cards_.size();
-  ConflictCard card;
-  card.card = new Card;
-  card.card->setObjectName(QStringLiteral("conflict%1").arg(k));
-  card.select = card.card->addButton(tr("Select the Set"), "conflictSelect");
-  card.disable = card.card->addButton({}, "conflictDisable");
-  card.retarget = card.card->addButton({}, "conflictRetarget");
-  connect(card.select, &QPushButton::clicked, this, [this, k] { selectSet(k); });
-  connect(card.disable, &QPushButton::clicked, this, [this, k] { disable(k); });
-  connect(card.retarget, &QPushButton::clicked, this, [this, k] { retarget(k); });
-  conflictLayout_->addWidget(card.card);
-  cards_.push_back(card);
-}
-
-void ConflictPanel::fill(ConflictCard& card, const Conflict& conflict)
-{
-  card.conflict = conflict;
-  const std::string& units = editor_.list().units;
-  card.card->setIcon(statusIcon(ConstraintStatus::Conflicting, lightnessOf(palette())));
-  card.card->setTitle(conflictText(*conflict.outcome, *conflict.conflictSet, units));
-  card.card->setText(gapText(*conflict.outcome, *conflict.conflictSet, units));
-  card.card->setToolTip(exactText(conflict.conflictSet->gap));
-  fillRepairs(card);
-}
-
-void ConflictPanel::fillRepairs(ConflictCard& card)
-{
-  const auto& [outcome, conflictSet] = card.conflict;
-  // Repairs are of the list that was solved: while another one is on screen they wait.
-  const bool isCurrent = areResultsCurrent(editor_);
-  card.card->setEnabled(isCurrent);
-  card.disable->setText(tr("Disable %1").arg(inFewLetters(conflictSet->disable)));
-  card.disable->setToolTip(
-      tr("Disabling %1 ends most conflicts at the price of the fewest rows").arg(quoted(conflictSet->disable)));
-  const std::optional<Vector3>& target = conflictSet->consistentTarget;
-  card.retarget->setVisible(target.has_value());
-  if (!target) return;
-  card.retarget->setText(tr("Use the Target %1").arg(roundedText(*target)));
-  card.retarget->setToolTip(
-      tr("Gives %1 the target %2, which agrees with the others").arg(quoted(outcome->name), exactText(*target)));
-}
-
-void ConflictPanel::refreshRepetitions(const std::vector<Conflict>& repetitions)
-{
-  repetitionTitle_->setVisible(!repetitions.empty());
-  repetitions_->setVisible(!repetitions.empty());
-  repetitionTitle_->setText(tr("Repeated, in agreement"));
-  QStringList lines;
-  for (std::size_t k = 0; k < std::min(repetitions.size(), kMostRepetitions); ++k)
-    lines << repetitionText(*repetitions[k].outcome, *repetitions[k].conflictSet);
-  if (repetitions.size() > kMostRepetitions)
-    lines << tr("%n more are in the table.", nullptr, static_cast<int>(repetitions.size() - kMostRepetitions));
-  repetitions_->setText(lines.join('\n'));
-  QPalette own = palette();
-  own.setColor(QPalette::WindowText, quietColor(own));
-  repetitions_->setPalette(own);
-}
-
-Rows ConflictPanel::rowsOf(const Conflict& conflict) const
-{
-  Rows rows;
-  const auto add = [&](const std::string& name) {
-    if (const std::optional<Index> row = indexOf(editor_.list(), name)) rows.push_back(*row);
-  };
-  for (const std::string& name : conflict.conflictSet->with) add(name);
-  add(conflict.outcome->name);
-  std::sort(rows.begin(), rows.end());
-  return rows;
-}
-
-void ConflictPanel::selectSet(std::size_t card)
-{
-  editor_.selectConstraints(rowsOf(cards_[card].conflict));
-}
-
-void ConflictPanel::disable(std::size_t card)
-{
-  if (const std::optional<Index> row = indexOf(editor_.list(), cards_[card].conflict.conflictSet->disable))
-    disableConstraints(editor_, {*row});
-}
-
-void ConflictPanel::retarget(std::size_t card)
-{
-  const auto& [outcome, conflictSet] = cards_[card].conflict;
-  const std::optional<Index> row = indexOf(editor_.list(), outcome->name);
-  if (!row || !conflictSet->consistentTarget) return;
-  const Vector3 target = *conflictSet->consistentTarget;
-  changeConstraints(editor_, tr("give %1 the consistent target").arg(subjectOf(editor_, {*row})), {*row},
-                    [&](const Constraint& constraint) { return agreeing(constraint, target, editor_); });
+  return new ConflictPanel(editor);
 }
 
 }  // namespace holdfast

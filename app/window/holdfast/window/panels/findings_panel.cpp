@@ -1,24 +1,20 @@
-#include "holdfast/window/panels/findings_panel.h"
-
 #include <QLabel>
 #include <QPushButton>
-#include <QStackedWidget>
-#include <QVBoxLayout>
 #include <algorithm>
-#include <utility>
 
 #include <holdfast/document/list_edits.h>
-#include <holdfast/window/controls/labels.h>
-#include <holdfast/window/controls/status_style.h>
+#include <holdfast/window/controls/card.h>
+#include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/model/constraint_actions.h>
+#include <holdfast/window/panels/panels.h>
 
 namespace holdfast {
 namespace {
 
-// More are read by nobody; the report has them all.
+// The report has all of them.
 constexpr std::size_t kMostFindings = 200;
 
-/// The constraints that a finding names by their places in the list that was solved, by those in the list on screen.
+/// The places in the list on screen of the constraints that a finding names by places in the list that was solved.
 Rows constraintsOf(const Finding& finding, const Editor& editor)
 {
   Rows rows;
@@ -29,6 +25,83 @@ Rows constraintsOf(const Finding& finding, const Editor& editor)
       if (const std::optional<Index> row = indexOf(editor.list(), solved[id].name)) rows.push_back(*row);
   return rows;
 }
+
+class FindingsPanel : public QWidget {
+ public:
+  FindingsPanel(Editor& editor, const std::function<void(const std::vector<Index>&)>& showVertices)
+      : editor_(editor), showVertices_(showVertices)
+  {
+    setObjectName("findingsPanel");
+    list_ = named(new CardList, "findingsList", tr("Findings about the mesh"));
+    pages_ = new HintedContent(list_, "findingsEmpty");
+    holdfast::fill(*this, pages_);
+    connect(&editor, &Editor::opened, this, &FindingsPanel::refresh);
+    connect(&editor, &Editor::deformed, this, &FindingsPanel::refresh);
+    refresh();
+  }
+
+ protected:
+  void showEvent(QShowEvent* event) override
+  {
+    refresh();
+    QWidget::showEvent(event);
+  }
+
+ private:
+  void refresh()
+  {
+    if (!isVisible()) return;
+    // The report begins with those of the mesh.
+    findings_ = !editor_.isOpen()                  ? std::vector<Finding>()
+                : editor_.deformation() == nullptr ? editor_.model()->findings
+                                                   : editor_.deformation()->report.mesh.findings;
+    if (findings_.size() > kMostFindings) findings_.resize(kMostFindings);
+    while (cards_.size() < findings_.size()) addCard();
+    for (std::size_t k = 0; k < cards_.size(); ++k) {
+      cards_[k]->setVisible(k < findings_.size());
+      if (k < findings_.size()) fill(k);
+    }
+    if (!findings_.empty()) return pages_->showContent();
+    pages_->showHint(editor_.isOpen() ? tr("Nothing is doubtful about the mesh or the constraints.")
+                                      : tr("No mesh is open."));
+  }
+
+  void addCard()
+  {
+    const std::size_t k = cards_.size();
+    Card* card = named(new Card, QString("finding%1").arg(k));
+    connect(card->addButton(tr("Show Me"), "findingShow"), &QPushButton::clicked, this, [this, k] { showWhere(k); });
+    list_->add(card);
+    cards_.push_back(card);
+  }
+
+  void fill(std::size_t card)
+  {
+    const Finding& finding = findings_[card];
+    QString kind = QString::fromStdString(finding.kind).replace('_', ' ');
+    kind[0] = kind[0].toUpper();
+    const bool isAboutConstraints = finding.idsOf == "constraint";
+    cards_[card]->setTitle(isAboutConstraints ? tr("Constraints: %1").arg(kind.toLower()) : kind);
+    cards_[card]->setText(QString::fromStdString(finding.message));
+    cards_[card]->findChild<QPushButton*>("findingShow")->setVisible(!finding.ids.empty());
+  }
+
+  void showWhere(std::size_t card)
+  {
+    const Finding& finding = findings_[card];
+    if (finding.idsOf == "constraint")
+      editor_.selectConstraints(constraintsOf(finding, editor_));
+    else
+      showVertices_(verticesOf(finding, editor_.model()->mesh));
+  }
+
+  Editor& editor_;
+  std::function<void(const std::vector<Index>&)> showVertices_;
+  HintedContent* pages_ = nullptr;
+  CardList* list_ = nullptr;
+  std::vector<Card*> cards_;
+  std::vector<Finding> findings_;  // those on the cards
+};
 
 }  // namespace
 
@@ -44,75 +117,9 @@ std::vector<Index> verticesOf(const Finding& finding, const Mesh& mesh)
   return vertices;
 }
 
-FindingsPanel::FindingsPanel(Editor& editor, QWidget* parent) : QWidget(parent), editor_(editor)
+QWidget* newFindingsPanel(Editor& editor, const std::function<void(const std::vector<Index>&)>& showVertices)
 {
-  setObjectName("findingsPanel");
-  empty_ = newHint("findingsEmpty");
-  list_ = new CardList;
-  list_->setAccessibleName(tr("Findings about the mesh"));
-  pages_ = new QStackedWidget;
-  pages_->addWidget(empty_);
-  pages_->addWidget(list_);
-  QVBoxLayout* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(pages_);
-  connect(&editor, &Editor::opened, this, &FindingsPanel::refresh);
-  connect(&editor, &Editor::deformed, this, &FindingsPanel::refresh);
-  refresh();
-}
-
-void FindingsPanel::showEvent(QShowEvent* event)
-{
-  refresh();
-  QWidget::showEvent(event);
-}
-
-void FindingsPanel::refresh()
-{
-  if (!isVisible()) return;
-  // The report begins with those of the mesh.
-  findings_ = !editor_.isOpen()                  ? std::vector<Finding>()
-              : editor_.deformation() == nullptr ? editor_.model()->findings
-                                                 : editor_.deformation()->report.mesh.findings;
-  if (findings_.size() > kMostFindings) findings_.resize(kMostFindings);
-  while (cards_.size() < findings_.size()) addCard();
-  for (std::size_t k = 0; k < cards_.size(); ++k) {
-    cards_[k]->setVisible(k < findings_.size());
-    if (k < findings_.size()) fill(k);
-  }
-  pages_->setCurrentIndex(findings_.empty() ? 0 : 1);
-  empty_->setText(editor_.isOpen() ? tr("Nothing is doubtful about the mesh or the constraints.")
-                                   : tr("No mesh is open."));
-}
-
-void FindingsPanel::addCard()
-{
-  const std::size_t k = cards_.size();
-  Card* card = new Card;
-  card->setObjectName(QStringLiteral("finding%1").arg(k));
-  connect(card->addButton(tr("Show Me"), "findingShow"), &QPushButton::clicked, this, [this, k] { showWhere(k); });
-  list_->add(card);
-  cards_.push_back(card);
-}
-
-void FindingsPanel::fill(std::size_t card)
-{
-  const Finding& finding = findings_[card];
-  QString kind = QString::fromStdString(finding.kind).replace('_', ' ');
-  kind[0] = kind[0].toUpper();
-  const bool isAboutConstraints = finding.idsOf == "constraint";
-  cards_[card]->setTitle(isAboutConstraints ? tr("Constraints: %1").arg(kind.toLower()) : kind);
-  cards_[card]->setText(QString::fromStdString(finding.message));
-  cards_[card]->findChild<QPushButton*>("findingShow")->setVisible(!finding.ids.empty());
-}
-
-void FindingsPanel::showWhere(std::size_t card)
-{
-  const Finding& finding = findings_[card];
-  if (finding.idsOf == "constraint")
-    editor_.selectConstraints(constraintsOf(finding, editor_));
-  else
-    Q_EMIT showVertices(verticesOf(finding, editor_.model()->mesh));
+  return new FindingsPanel(editor, showVertices);
 }
 
 }  // namespace holdfast

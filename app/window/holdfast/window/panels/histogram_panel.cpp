@@ -2,7 +2,6 @@
 
 #include <QLabel>
 #include <QSplitter>
-#include <QStackedLayout>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -12,7 +11,7 @@
 #include <holdfast/deform/deform_details.h>
 #include <holdfast/geometry/rotation_log.h>
 #include <holdfast/widgets/rotation_sphere/rotation_projection.h>
-#include <holdfast/window/controls/labels.h>
+#include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/panels/histogram_view.h>
 #include <holdfast/window/text/number_text.h>
 
@@ -69,11 +68,9 @@ HistogramPanel::HistogramPanel(Editor& editor, QWidget* parent) : QWidget(parent
   splitter->setChildrenCollapsible(false);
   residuals_ = makePage("residuals");
   angles_ = makePage("angles");
-  splitter->addWidget(residuals_.pages->parentWidget());
-  splitter->addWidget(angles_.pages->parentWidget());
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->addWidget(splitter);
+  splitter->addWidget(residuals_.content);
+  splitter->addWidget(angles_.content);
+  fill(*this, splitter);
   connect(residuals_.view, &HistogramView::barClicked, this, &HistogramPanel::pickConstraints);
   connect(angles_.view, &HistogramView::barClicked, this, &HistogramPanel::pickVertices);
   connect(&editor_, &Editor::opened, this, &HistogramPanel::becomeStale);
@@ -83,19 +80,17 @@ HistogramPanel::HistogramPanel(Editor& editor, QWidget* parent) : QWidget(parent
 HistogramPanel::Page HistogramPanel::makePage(const QString& name)
 {
   Page page;
-  auto* frame = new QWidget;
-  page.pages = new QStackedLayout(frame);
-  page.hint = newHint(name + "Hint");
-  page.view = new HistogramView;
-  page.view->setObjectName(name + "View");
-  page.pages->addWidget(page.hint);
-  page.pages->addWidget(page.view);
+  page.title = newText(name + "Title");
+  page.title->setContentsMargins(6, 2, 6, 2);
+  page.view = named(new HistogramView, name + "View");
+  auto* chart = new QWidget;
+  auto* column = new QVBoxLayout(chart);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(2);
+  column->addWidget(page.title);
+  column->addWidget(page.view, 1);
+  page.content = new HintedContent(chart, name + "Hint");
   return page;
-}
-
-void HistogramPanel::warmUp()
-{
-  for (const Page* const page : {&residuals_, &angles_}) page->view->warmUp();
 }
 
 void HistogramPanel::becomeStale()
@@ -113,10 +108,12 @@ void HistogramPanel::refresh()
     refreshResiduals();
     refreshAngles();
   }
-  const QString nothing = tr("No mesh is open.");
-  residuals_.hint->setText(editor_.isOpen() ? tr("No residuals yet: add a constraint.") : nothing);
-  angles_.hint->setText(editor_.isOpen() ? tr("No rotation yet: give a handle a turn.") : nothing);
-  for (Page* const page : {&residuals_, &angles_}) page->pages->setCurrentIndex(page->values.empty() ? 0 : 1);
+  const auto showPage = [&](const Page& page, const QString& hint) {
+    if (!page.values.empty()) return page.content->showContent();
+    page.content->showHint(editor_.isOpen() ? hint : tr("No mesh is open."));
+  };
+  showPage(residuals_, tr("No residuals yet: add a constraint."));
+  showPage(angles_, tr("No rotation yet: give a handle a turn."));
 }
 
 void HistogramPanel::refreshResiduals()
@@ -143,6 +140,7 @@ void HistogramPanel::refreshResiduals()
         .arg(histogram.counts[bar]);
   };
   residuals_.values = std::move(shares);
+  residuals_.title->setText(texts.title);
   residuals_.view->setHistogram(histogram, texts, promise);
 }
 
@@ -161,6 +159,7 @@ void HistogramPanel::refreshAngles()
         .arg(roundedText(histogram.edges[bar]), roundedText(histogram.edges[bar + 1]))
         .arg(histogram.counts[bar]);
   };
+  angles_.title->setText(texts.title);
   angles_.view->setHistogram(histogram, texts, std::nullopt);
 }
 

@@ -8,10 +8,10 @@
 #include <holdfast/window/model/editor.h>
 
 class QLabel;
-class QStackedLayout;
 
 namespace holdfast {
 
+class HintedContent;
 class HistogramView;
 
 /// Two charts of the editor's deformation: residuals of constraints as shares of the bounding box's diagonal, on a
@@ -22,9 +22,6 @@ class HistogramPanel : public QWidget {
 
  public:
   explicit HistogramPanel(Editor& editor, QWidget* parent = nullptr);
-
-  /// Draws examples that nobody sees: `MainWindow::warmUp`.
-  void warmUp();
 
   [[nodiscard]] HistogramView& residualView() const { return *residuals_.view; }
   [[nodiscard]] HistogramView& angleView() const { return *angles_.view; }
@@ -39,8 +36,8 @@ class HistogramPanel : public QWidget {
  private:
   /// A chart, or what to do to get one.
   struct Page {
-    QStackedLayout* pages = nullptr;
-    QLabel* hint = nullptr;
+    HintedContent* content = nullptr;
+    QLabel* title = nullptr;
     HistogramView* view = nullptr;
     std::vector<double> values;
   };

@@ -1,5 +1,3 @@
-#include "holdfast/window/panels/report_panel.h"
-
 #include <QClipboard>
 #include <QComboBox>
 #include <QFormLayout>
@@ -7,174 +5,299 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QString>
+#include <QStringList>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <string>
+#include <vector>
 
+#include <holdfast/deform/accuracy.h>
+#include <holdfast/deform/report.h>
 #include <holdfast/window/controls/number_edit.h>
+#include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/controls/status_style.h>
 #include <holdfast/window/model/outcome_lookup.h>
+#include <holdfast/window/panels/panels.h>
+#include <holdfast/window/text/constraint_text.h>
 #include <holdfast/window/text/number_text.h>
 
 namespace holdfast {
+namespace {
 
-ReportPanel::ReportPanel(Editor& editor, QWidget* parent) : QWidget(parent), editor_(editor)
+/// A value with its title.
+struct ReportLine {
+  QString key;  ///< its name for scripts
+  QString title;
+  QString value;
+  QString exact;  ///< with all digits, where `value` is rounded
+};
+
+/// In the order in which they are read.
+using ReportLines = std::vector<ReportLine>;
+
+// Limits within this factor of the usual one count as usual.
+constexpr double kRounding = 1.000001;
+
+QString text(std::string_view view)
 {
-  setObjectName("reportPanel");
-  QWidget* content = new QWidget;
-  QVBoxLayout* layout = new QVBoxLayout(content);
-  layout->setContentsMargins(10, 10, 10, 10);
-  layout->setSpacing(8);
-  makeOptions();
-  layout->addLayout(options_);
-  age_ = new QLabel;
-  age_->setObjectName("reportAge");
-  age_->setWordWrap(true);
-  layout->addWidget(age_);
-  report_ = new QFormLayout;
-  report_->setLabelAlignment(Qt::AlignLeft | Qt::AlignTop);
-  report_->setHorizontalSpacing(10);
-  report_->setVerticalSpacing(4);
-  layout->addLayout(report_);
-  copy_ = new QPushButton(tr("&Copy as Text"));
-  copy_->setObjectName("reportCopy");
-  connect(copy_, &QPushButton::clicked, this, &ReportPanel::copy);
-  layout->addWidget(copy_, 0, Qt::AlignLeft);
-  layout->addStretch(1);
-
-  QScrollArea* area = new QScrollArea;
-  area->setAccessibleName(tr("Solution"));
-  area->setWidget(content);
-  area->setWidgetResizable(true);
-  area->setFrameShape(QFrame::NoFrame);
-  QVBoxLayout* outer = new QVBoxLayout(this);
-  outer->setContentsMargins(0, 0, 0, 0);
-  outer->addWidget(area);
-  for (const auto signal : {&Editor::opened, &Editor::stateChanged, &Editor::deformed, &Editor::solveStateChanged})
-    connect(&editor, signal, this, &ReportPanel::refresh);
-  refresh();
+  return QString::fromUtf8(view.data(), static_cast<int>(view.size()));
 }
 
-void ReportPanel::makeOptions()
+QString secondsText(double seconds)
 {
-  weights_ = new QComboBox;
-  weights_->setObjectName("reportWeights");
-  weights_->addItem(tr("Cotangent, guarded"), static_cast<int>(Weights::Cotangent));
-  weights_->addItem(tr("Cotangent, as published"), static_cast<int>(Weights::CotangentPaper));
-  weights_->addItem(tr("Uniform"), static_cast<int>(Weights::Uniform));
-  solver_ = new QComboBox;
-  solver_->setObjectName("reportSolver");
-  solver_->addItem(tr("Hard: constraints hold exactly"), static_cast<int>(SolverKind::Hard));
-  solver_->addItem(tr("Soft: weighted least squares"), static_cast<int>(SolverKind::Soft));
-  solver_->addItem(tr("Lagrange multipliers"), static_cast<int>(SolverKind::Lagrange));
-  softWeight_ = new NumberEdit;
-  softWeight_->setObjectName("reportSoftWeight");
-  options_ = new QFormLayout;
-  options_->setHorizontalSpacing(10);
-  options_->setVerticalSpacing(6);
-  options_->addRow(tr("&Weights"), weights_);
-  options_->addRow(tr("&Solver"), solver_);
-  options_->addRow(tr("Soft w&eight"), softWeight_);
-  connect(weights_, qOverload<int>(&QComboBox::activated), this, &ReportPanel::choose);
-  connect(solver_, qOverload<int>(&QComboBox::activated), this, &ReportPanel::choose);
-  connect(softWeight_, &NumberEdit::entered, this, &ReportPanel::setSoftWeight);
-  connect(softWeight_, &NumberEdit::refused, this, &ReportPanel::refuse);
+  return QObject::tr("%1 s").arg(roundedText(seconds));
 }
 
-void ReportPanel::showEvent(QShowEvent* event)
+QString meshText(const MeshReport& mesh)
 {
-  refresh();
-  QWidget::showEvent(event);
+  const QString parts =
+      mesh.components == 1 ? QObject::tr("1 part") : QObject::tr("%1 parts").arg(countText(mesh.components));
+  return QObject::tr("%1 vertices, %2 faces, %3").arg(countText(mesh.vertices), countText(mesh.faces), parts);
 }
 
-void ReportPanel::refresh()
+/// "12 met, 2 conflicting"
+QString countsText(const std::vector<ConstraintOutcome>& outcomes)
 {
-  refreshOptions();
-  if (isVisible()) refreshReport();
-}
-
-void ReportPanel::refreshOptions()
-{
-  const bool isOpen = editor_.isOpen();
-  weights_->setEnabled(isOpen);
-  solver_->setEnabled(isOpen);
-  const DeformOptions options = isOpen ? editor_.state().options : DeformOptions();
-  weights_->setCurrentIndex(weights_->findData(static_cast<int>(options.weights)));
-  solver_->setCurrentIndex(solver_->findData(static_cast<int>(options.solver.kind)));
-  const bool isSoft = isOpen && options.solver.kind == SolverKind::Soft;
-  softWeight_->setVisible(isSoft);
-  options_->labelForField(softWeight_)->setVisible(isSoft);
-  softWeight_->setNumber(options.solver.softWeight);
-}
-
-void ReportPanel::refreshReport()
-{
-  const bool isSolved = editor_.deformation() != nullptr;
-  copy_->setVisible(isSolved);
-  show(isSolved ? reportLines(editor_.deformation()->report, editor_.deformedState()->list.units) : ReportLines());
-  const bool isCurrent = areResultsCurrent(editor_);
-  age_->setVisible(!isSolved || !isCurrent);
-  age_->setText(!editor_.isOpen() ? tr("No mesh is open.")
-                : !isSolved       ? tr("Nothing is solved yet.")
-                                  : tr("This is the report of the list before the latest changes."));
-  QPalette own = palette();
-  if (!isCurrent) own.setColor(QPalette::WindowText, quietColor(own));
-  for (QLabel* value : values_) value->setPalette(own);
-}
-
-void ReportPanel::show(const ReportLines& lines)
-{
-  while (report_->rowCount() > static_cast<int>(lines.size())) {
-    report_->removeRow(report_->rowCount() - 1);
-    values_.pop_back();
+  QStringList words;
+  for (const ConstraintStatus status :
+       {ConstraintStatus::Met, ConstraintStatus::Redundant, ConstraintStatus::Conflicting, ConstraintStatus::Missed,
+        ConstraintStatus::Independent, ConstraintStatus::Disabled}) {
+    const auto count = std::count_if(outcomes.begin(), outcomes.end(),
+                                     [&](const ConstraintOutcome& outcome) { return outcome.status == status; });
+    if (count > 0) words << countText(count) + ' ' + statusText(status);
   }
-  while (values_.size() < lines.size()) {
-    QLabel* value = new QLabel;
-    value->setWordWrap(true);
-    value->setTextFormat(Qt::PlainText);
-    value->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-    report_->addRow(new QLabel, value);
-    values_.push_back(value);
+  return words.isEmpty() ? QObject::tr("none") : words.join(", ");
+}
+
+/// The promised residuals as shares of the diagonal. Constraints far from the origin have limits of their own.
+QString promiseText(const Report& report)
+{
+  double largest = kPromisedResidual;
+  for (const ConstraintOutcome& outcome : report.constraints)
+    largest = std::max(largest, outcome.limit.value_or(0) / report.mesh.bboxDiagonal);
+  const QString usual = roundedText(kPromisedResidual);
+  return largest <= kPromisedResidual * kRounding
+             ? usual
+             : QObject::tr("%1, and up to %2 where doubles lie farther apart").arg(usual, roundedText(largest));
+}
+
+QString accuracyText(double accuracy)
+{
+  return QObject::tr("%1; doubtful above %2, refused above %3")
+      .arg(roundedText(accuracy), roundedText(kDoubtfulAccuracy), roundedText(kUsableAccuracy));
+}
+
+ReportLines reportLines(const Report& report, const std::string& units)
+{
+  const SolveReport& solve = report.solve;
+  ReportLines lines;
+  const auto say = [&](const QString& key, const QString& title, const QString& value) {
+    lines.push_back({key, title, value, {}});
+  };
+  const auto round = [&](const QString& key, const QString& title, const QString& value, double exact) {
+    lines.push_back({key, title, value, exactText(exact)});
+  };
+  say("Status", QObject::tr("Status"), text(name(solve.status)));
+  say("Meaning", QObject::tr("Meaning"), QString::fromStdString(solve.message));
+  say("Constraints", QObject::tr("Constraints"), countsText(report.constraints));
+  say("Mesh", QObject::tr("Mesh"), meshText(report.mesh));
+  say("Weights", QObject::tr("Weights"), text(name(solve.weights)));
+  say("Solver", QObject::tr("Solver"), text(name(solve.options.kind)));
+  if (solve.status == SolveStatus::Failed || solve.status == SolveStatus::NotRun) return lines;
+  round("Residual", QObject::tr("Largest residual"), lengthText(solve.maxResidual, units), solve.maxResidual);
+  round("RelativeResidual", QObject::tr("Relative residual"),
+        QObject::tr("%1 of the diagonal, promised %2").arg(roundedText(solve.maxResidualRelative), promiseText(report)),
+        solve.maxResidualRelative);
+  say("Method", QObject::tr("Method"), QString::fromStdString(solve.method));
+  say("Unknowns", QObject::tr("Unknowns"), countText(solve.unknowns));
+  say("Factor", QObject::tr("Factor"), QObject::tr("%1 non-zeros").arg(countText(solve.factorNonzeros)));
+  say("Refinement", QObject::tr("Refinement"),
+      solve.refinementSteps == 1 ? QObject::tr("1 step") : QObject::tr("%1 steps").arg(solve.refinementSteps));
+  round("Accuracy", QObject::tr("Accuracy"), accuracyText(solve.accuracy), solve.accuracy);
+  if (solve.rotationAccuracy)
+    round("RotationAccuracy", QObject::tr("Rotations"), accuracyText(*solve.rotationAccuracy), *solve.rotationAccuracy);
+  round("Setup", QObject::tr("Set-up"), secondsText(solve.seconds.setup), solve.seconds.setup);
+  round("Decomposition", QObject::tr("Decomposition"), secondsText(solve.seconds.factorization),
+        solve.seconds.factorization);
+  round("Solution", QObject::tr("Solution"), secondsText(solve.seconds.solution), solve.seconds.solution);
+  return lines;
+}
+
+/// The lines as text, aligned.
+QString reportText(const ReportLines& lines)
+{
+  int widest = 0;
+  for (const ReportLine& line : lines) widest = std::max(widest, static_cast<int>(line.title.size()));
+  QString text;
+  for (const ReportLine& line : lines) text += line.title.leftJustified(widest + 2) + line.value + '\n';
+  return text;
+}
+
+class ReportPanel : public QWidget {
+ public:
+  explicit ReportPanel(Editor& editor) : editor_(editor)
+  {
+    setObjectName("reportPanel");
+    QWidget* content = new QWidget;
+    QVBoxLayout* layout = new QVBoxLayout(content);
+    layout->setContentsMargins(10, 10, 10, 10);
+    layout->setSpacing(8);
+    makeOptions();
+    layout->addLayout(options_);
+    age_ = newText("reportAge");
+    layout->addWidget(age_);
+    report_ = new QFormLayout;
+    report_->setLabelAlignment(Qt::AlignLeft | Qt::AlignTop);
+    report_->setHorizontalSpacing(10);
+    report_->setVerticalSpacing(4);
+    layout->addLayout(report_);
+    copy_ = named(new QPushButton(tr("&Copy as Text")), "reportCopy");
+    connect(copy_, &QPushButton::clicked, this, &ReportPanel::copy);
+    layout->addWidget(copy_, 0, Qt::AlignLeft);
+    layout->addStretch(1);
+    fill(*this, newScrollArea(content, tr("Solution")));
+    for (const auto signal : {&Editor::opened, &Editor::stateChanged, &Editor::deformed, &Editor::solveStateChanged})
+      connect(&editor, signal, this, &ReportPanel::refresh);
+    refresh();
   }
-  for (std::size_t k = 0; k < lines.size(); ++k) {
-    static_cast<QLabel*>(report_->labelForField(values_[k]))->setText(lines[k].title);
-    values_[k]->setText(lines[k].value);
-    values_[k]->setToolTip(lines[k].exact);
-    values_[k]->setObjectName("report" + lines[k].key);
+
+ protected:
+  void showEvent(QShowEvent* event) override
+  {
+    refresh();
+    QWidget::showEvent(event);
   }
-}
 
-void ReportPanel::choose()
-{
-  DeformOptions options = editor_.state().options;
-  options.weights = static_cast<Weights>(weights_->currentData().toInt());
-  options.solver.kind = static_cast<SolverKind>(solver_->currentData().toInt());
-  if (options == editor_.state().options) return;
-  const bool isOtherWeights = options.weights != editor_.state().options.weights;
-  editor_.setOptions(isOtherWeights ? tr("choose weights") : tr("choose the solver"), options);
-}
-
-void ReportPanel::setSoftWeight(double weight)
-{
-  DeformOptions options = editor_.state().options;
-  if (weight > 0) {
-    options.solver.softWeight = weight;
-    editor_.setOptions(tr("set the soft weight to %1").arg(exactText(weight)), options);
-    return;
+ private:
+  void makeOptions()
+  {
+    weights_ = named(new QComboBox, "reportWeights");
+    weights_->addItem(tr("Cotangent, guarded"), static_cast<int>(Weights::Cotangent));
+    weights_->addItem(tr("Cotangent, as published"), static_cast<int>(Weights::CotangentPaper));
+    weights_->addItem(tr("Uniform"), static_cast<int>(Weights::Uniform));
+    solver_ = named(new QComboBox, "reportSolver");
+    solver_->addItem(tr("Hard: constraints hold exactly"), static_cast<int>(SolverKind::Hard));
+    solver_->addItem(tr("Soft: weighted least squares"), static_cast<int>(SolverKind::Soft));
+    solver_->addItem(tr("Lagrange multipliers"), static_cast<int>(SolverKind::Lagrange));
+    softWeight_ = named(new NumberEdit, "reportSoftWeight");
+    options_ = new QFormLayout;
+    options_->setHorizontalSpacing(10);
+    options_->setVerticalSpacing(6);
+    options_->addRow(tr("&Weights"), weights_);
+    options_->addRow(tr("&Solver"), solver_);
+    options_->addRow(tr("Soft w&eight"), softWeight_);
+    connect(weights_, qOverload<int>(&QComboBox::activated), this, &ReportPanel::choose);
+    connect(solver_, qOverload<int>(&QComboBox::activated), this, &ReportPanel::choose);
+    connect(softWeight_, &NumberEdit::entered, this, &ReportPanel::setSoftWeight);
+    connect(softWeight_, &NumberEdit::refused, this, &ReportPanel::refuse);
   }
-  softWeight_->replaceTyped(options.solver.softWeight);
-  refuse(tr("A soft weight has to be positive."));
-}
 
-void ReportPanel::refuse(const QString& reason)
-{
-  age_->setText(reason);
-  age_->setVisible(true);
-}
+  void refresh()
+  {
+    refreshOptions();
+    if (isVisible()) refreshReport();
+  }
 
-void ReportPanel::copy()
+  void refreshOptions()
+  {
+    const bool isOpen = editor_.isOpen();
+    weights_->setEnabled(isOpen);
+    solver_->setEnabled(isOpen);
+    const DeformOptions options = isOpen ? editor_.state().options : DeformOptions();
+    weights_->setCurrentIndex(weights_->findData(static_cast<int>(options.weights)));
+    solver_->setCurrentIndex(solver_->findData(static_cast<int>(options.solver.kind)));
+    const bool isSoft = isOpen && options.solver.kind == SolverKind::Soft;
+    softWeight_->setVisible(isSoft);
+    options_->labelForField(softWeight_)->setVisible(isSoft);
+    softWeight_->setNumber(options.solver.softWeight);
+  }
+
+  void refreshReport()
+  {
+    const bool isSolved = editor_.deformation() != nullptr;
+    copy_->setVisible(isSolved);
+    show(isSolved ? reportLines(editor_.deformation()->report, editor_.deformedState()->list.units) : ReportLines());
+    const bool isCurrent = areResultsCurrent(editor_);
+    age_->setVisible(!isSolved || !isCurrent);
+    age_->setText(!editor_.isOpen() ? tr("No mesh is open.")
+                  : !isSolved       ? tr("Nothing is solved yet.")
+                                    : tr("This is the report of the list before the latest changes."));
+    QPalette own = palette();
+    if (!isCurrent) own.setColor(QPalette::WindowText, quietColor(own));
+    for (QLabel* value : values_) value->setPalette(own);
+  }
+
+  void show(const ReportLines& lines)
+  {
+    while (report_->rowCount() > static_cast<int>(lines.size())) {
+      report_->removeRow(report_->rowCount() - 1);
+      values_.pop_back();
+    }
+    while (values_.size() < lines.size()) {
+      values_.push_back(newText({}));
+      values_.back()->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+      report_->addRow(new QLabel, values_.back());
+    }
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+      static_cast<QLabel*>(report_->labelForField(values_[k]))->setText(lines[k].title);
+      values_[k]->setText(lines[k].value);
+      values_[k]->setToolTip(lines[k].exact);
+      values_[k]->setObjectName("report" + lines[k].key);
+    }
+  }
+
+  void choose()
+  {
+    DeformOptions options = editor_.state().options;
+    options.weights = static_cast<Weights>(weights_->currentData().toInt());
+    options.solver.kind = static_cast<SolverKind>(solver_->currentData().toInt());
+    if (options == editor_.state().options) return;
+    const bool isOtherWeights = options.weights != editor_.state().options.weights;
+    editor_.setOptions(isOtherWeights ? tr("choose weights") : tr("choose the solver"), options);
+  }
+
+  void setSoftWeight(double weight)
+  {
+    DeformOptions options = editor_.state().options;
+    if (weight > 0) {
+      options.solver.softWeight = weight;
+      editor_.setOptions(tr("set the soft weight to %1").arg(exactText(weight)), options);
+      return;
+    }
+    softWeight_->replaceTyped(options.solver.softWeight);
+    refuse(tr("A soft weight must be positive."));
+  }
+
+  void refuse(const QString& reason)
+  {
+    age_->setText(reason);
+    age_->setVisible(true);
+  }
+
+  void copy()
+  {
+    if (editor_.deformation() == nullptr) return;
+    const ReportLines lines = reportLines(editor_.deformation()->report, editor_.deformedState()->list.units);
+    QGuiApplication::clipboard()->setText(reportText(lines));
+  }
+
+  Editor& editor_;
+  QFormLayout* options_ = nullptr;
+  QComboBox* weights_ = nullptr;
+  QComboBox* solver_ = nullptr;
+  NumberEdit* softWeight_ = nullptr;
+  QLabel* age_ = nullptr;
+  QFormLayout* report_ = nullptr;
+  std::vector<QLabel*> values_;
+  QPushButton* copy_ = nullptr;
+};
+
+}  // namespace
+
+QWidget* newReportPanel(Editor& editor)
 {
-  if (editor_.deformation() == nullptr) return;
-  const ReportLines lines = reportLines(editor_.deformation()->report, editor_.deformedState()->list.units);
-  QGuiApplication::clipboard()->setText(reportText(lines));
+  return new ReportPanel(editor);
 }
 
 }  // namespace holdfast

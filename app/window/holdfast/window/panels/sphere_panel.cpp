@@ -3,7 +3,6 @@
 #include <QHBoxLayout>
 #include <QHelpEvent>
 #include <QLabel>
-#include <QStackedLayout>
 #include <QToolButton>
 #include <QToolTip>
 #include <QVBoxLayout>
@@ -16,8 +15,7 @@
 #include <holdfast/geometry/rotation_log.h>
 #include <holdfast/widgets/rotation_sphere/rotation_sphere.h>
 #include <holdfast/widgets/scene/example_document.h>
-#include <holdfast/window/controls/labels.h>
-#include <holdfast/window/controls/render_request.h>
+#include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/controls/vtk_palette.h>
 #include <holdfast/window/controls/vtk_view.h>
 #include <holdfast/window/model/background_job.h>
@@ -38,10 +36,8 @@ double largestDegrees(const std::vector<BoundaryRotation>& boundary)
 SpherePanel::SpherePanel(Editor& editor, QWidget* parent) : QWidget(parent), editor_(editor)
 {
   setObjectName("spherePanel");
-  summary_ = new QLabel(this);
-  summary_->setObjectName("sphereSummary");
-  auto* fitButton = new QToolButton(this);
-  fitButton->setObjectName("sphereFit");
+  summary_ = named(new QLabel, "sphereSummary");
+  auto* fitButton = named(new QToolButton, "sphereFit");
   fitButton->setText(tr("&Fit"));
   fitButton->setToolTip(tr("Show everything that is prescribed (double click, Home)"));
   fitButton->setAutoRaise(true);
@@ -50,13 +46,15 @@ SpherePanel::SpherePanel(Editor& editor, QWidget* parent) : QWidget(parent), edi
   header->addWidget(summary_, 1);
   header->addWidget(fitButton);
 
-  view_ = new VtkView;
-  view_->setObjectName("sphereView");
-  view_->setAccessibleName(tr("Rotation sphere"));
+  view_ = named(new VtkView, "sphereView", tr("Rotation sphere"));
   view_->setFocusPolicy(Qt::StrongFocus);
   view_->setMinimumSize(120, 120);
   view_->installEventFilter(this);
-  drawing_ = new RenderRequest(*view_);
+  drawing_.setSingleShot(true);
+  connect(&drawing_, &QTimer::timeout, this, [this] {
+    // Before its first frame the view has no OpenGL, and draws by itself.
+    if (view_->isVisible() && view_->isValid()) view_->renderWindow()->Render();
+  });
   connect(view_, &VtkView::renderWanted, this, &SpherePanel::redraw);
   view_->interactor()->SetInteractorStyle(style_);
   style_->AddObserver(vtkCommand::PickEvent, this, &SpherePanel::pickVertex);
@@ -66,10 +64,8 @@ SpherePanel::SpherePanel(Editor& editor, QWidget* parent) : QWidget(parent), edi
   column->addLayout(header);
   column->addWidget(view_, 1);
 
-  hint_ = newHint("sphereHint");
-  pages_ = new QStackedLayout(this);
-  pages_->addWidget(hint_);
-  pages_->addWidget(page);
+  pages_ = new HintedContent(page, "sphereHint");
+  fill(*this, pages_);
 
   connect(fitButton, &QToolButton::clicked, this, &SpherePanel::fit);
   connect(&editor_, &Editor::opened, this, &SpherePanel::begin);
@@ -130,7 +126,7 @@ void SpherePanel::follow()
 void SpherePanel::place()
 {
   // Whether anything turns is not known yet.
-  if (!placed_) hint_->clear();
+  if (!placed_) pages_->showHint({});
   placing_->start([this, model = editor_.model(), deformation = editor_.deformation(), before = placed_,
                    coloring = coloring_](Progress&) -> BackgroundJob::Finish {
     return [this, deformation, coloring, placed = placeRotations(*model, *deformation, before)] {
@@ -148,8 +144,7 @@ void SpherePanel::place()
 
 void SpherePanel::showHint()
 {
-  hint_->setText(editor_.isOpen() ? tr("No rotation yet: give a handle a turn.") : tr("No mesh is open."));
-  pages_->setCurrentIndex(0);
+  pages_->showHint(editor_.isOpen() ? tr("No rotation yet: give a handle a turn.") : tr("No mesh is open."));
 }
 
 void SpherePanel::showPoints(const std::optional<Coloring>& coloring)
@@ -163,13 +158,13 @@ void SpherePanel::showPoints(const std::optional<Coloring>& coloring)
                         .arg(placed_->boundary.size())
                         .arg(roundedText(largestDegrees(placed_->boundary))));
   summary_->setToolTip(tr("A point for each vertex: half its angle from the pole, towards its axis"));
-  pages_->setCurrentIndex(1);
+  pages_->showContent();
   redraw();
 }
 
 void SpherePanel::redraw()
 {
-  drawing_->post();
+  drawing_.start(0);
 }
 
 void SpherePanel::showVertex(std::optional<Index> vertex)

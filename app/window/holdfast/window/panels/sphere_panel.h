@@ -2,6 +2,7 @@
 /// \file
 /// The panel with the rotation sphere: which rotations there are, and which vertex has which.
 
+#include <QTimer>
 #include <QWidget>
 #include <memory>
 #include <optional>
@@ -14,14 +15,13 @@
 #include <holdfast/window/model/editor.h>
 
 class QLabel;
-class QStackedLayout;
 class vtkObject;
 class vtkRenderer;
 
 namespace holdfast {
 
 class BackgroundJob;
-class RenderRequest;
+class HintedContent;
 class RotationSphere;
 class VtkView;
 struct ExampleDocument;
@@ -37,7 +37,7 @@ class SpherePanel : public QWidget {
   explicit SpherePanel(Editor& editor, QWidget* parent = nullptr);
   ~SpherePanel() override;
 
-  /// Draws an example that nobody sees: `MainWindow::warmUp`. Before a document is opened.
+  /// Draws an example for `MainWindow::warmUp`. Before a document is opened.
   void warmUp(const ExampleDocument& example);
 
   /// What is shown; null before there is a rotation to show.
@@ -76,11 +76,10 @@ class SpherePanel : public QWidget {
   [[nodiscard]] std::optional<Index> vertexAt(const QPointF& place) const;
 
   Editor& editor_;
-  QStackedLayout* pages_ = nullptr;
-  QLabel* hint_ = nullptr;
+  HintedContent* pages_ = nullptr;
   QLabel* summary_ = nullptr;
   VtkView* view_ = nullptr;
-  RenderRequest* drawing_ = nullptr;
+  QTimer drawing_;  // once for all requests of one turn of the event loop
   vtkSmartPointer<vtkRenderer> renderer_;
   vtkNew<RotationSphereStyle> style_;
   std::unique_ptr<RotationSphere> sphere_;  // from the first rotation that is to be shown

@@ -5,7 +5,7 @@
 namespace holdfast {
 namespace {
 
-/// How many digits stand from `place` on.
+/// The number of digits from `place` on.
 int digitsAt(const QString& text, int place)
 {
   int end = place;
@@ -13,7 +13,7 @@ int digitsAt(const QString& text, int place)
   return end - place;
 }
 
-/// As people read: letter case aside, and numbers by their value, "P2" before "P10".
+/// Ignores letter case, and compares numbers by their value: "P2" before "P10".
 bool comesBefore(const QString& a, const QString& b)
 {
   int i = 0;
@@ -45,7 +45,7 @@ void ConstraintFilter::setText(const QString& text)
   invalidateFilter();
 }
 
-void ConstraintFilter::setStatus(StatusFilter status)
+void ConstraintFilter::setStatus(const std::optional<ConstraintStatus>* status)
 {
   if (status == status_) return;
   status_ = status;
@@ -83,31 +83,9 @@ int ConstraintFilter::visibleRow(Index constraint) const
   return mapFromSource(model_.index(static_cast<int>(constraint), 0)).row();
 }
 
-bool ConstraintFilter::hasStatus(int row) const
-{
-  if (status_ == StatusFilter::All) return true;
-  const std::optional<ConstraintStatus> status = model_.status(row);
-  if (!status) return status_ == StatusFilter::Unsolved;
-  switch (*status) {
-    case ConstraintStatus::Conflicting:
-      return status_ == StatusFilter::Conflicting;
-    case ConstraintStatus::Missed:
-      return status_ == StatusFilter::Missed;
-    case ConstraintStatus::Redundant:
-      return status_ == StatusFilter::Redundant;
-    case ConstraintStatus::Met:
-      return status_ == StatusFilter::Met;
-    case ConstraintStatus::Disabled:
-      return status_ == StatusFilter::Disabled;
-    case ConstraintStatus::Independent:
-      return status_ == StatusFilter::Unsolved;
-  }
-  return false;
-}
-
 bool ConstraintFilter::filterAcceptsRow(int row, const QModelIndex& /*parent*/) const
 {
-  if (!hasStatus(row)) return false;
+  if (status_ != nullptr && model_.status(row) != *status_) return false;
   if (words_.isEmpty()) return true;
   using Table = ConstraintTableModel;
   const QString text =

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The rows of the table of constraints that a user looks for, in the order that he wants to see them.
+/// The rows of the table of constraints that a user looks for, in the order that the user wants.
 
 #include <QSortFilterProxyModel>
 #include <QStringList>
@@ -9,11 +9,8 @@
 
 namespace holdfast {
 
-/// Which statuses are shown.
-enum class StatusFilter { All, Conflicting, Missed, Redundant, Met, Disabled, Unsolved };
-
-/// Filters and sorts a `ConstraintTableModel`. Values that are missing come last in both directions; of equals the
-/// order is that of precedence. What is typed into a cell of a selected row goes to all selected rows that are visible.
+/// Filters and sorts a `ConstraintTableModel`. Missing values come last in both directions; equal ones stay in the
+/// order of precedence. What is typed into a cell of a selected row goes to all selected rows that are visible.
 class ConstraintFilter : public QSortFilterProxyModel {
   Q_OBJECT
 
@@ -23,16 +20,16 @@ class ConstraintFilter : public QSortFilterProxyModel {
 
   /// Rows whose name, kind or place has every word of `text` in it.
   void setText(const QString& text);
-  void setStatus(StatusFilter status);
-  [[nodiscard]] bool isFiltering() const { return !words_.isEmpty() || status_ != StatusFilter::All; }
+  /// Shows rows with `*status` only, which stays alive as long as this; null: all.
+  void setStatus(const std::optional<ConstraintStatus>* status);
   [[nodiscard]] bool isSorted() const { return sortColumn() >= 0; }
 
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
   [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
-  /// The place in the order of precedence, wherever the row stands.
+  /// The place in the order of precedence, whatever the order of rows.
   [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
-  /// Of the constraint of the list; -1 where it is not shown.
+  /// The row of a constraint of the list; -1 if it is not shown.
   [[nodiscard]] int visibleRow(Index constraint) const;
 
  protected:
@@ -40,12 +37,10 @@ class ConstraintFilter : public QSortFilterProxyModel {
   [[nodiscard]] bool lessThan(const QModelIndex& left, const QModelIndex& right) const override;
 
  private:
-  [[nodiscard]] bool hasStatus(int row) const;
-
   Editor& editor_;
   ConstraintTableModel& model_;
   QStringList words_;
-  StatusFilter status_ = StatusFilter::All;
+  const std::optional<ConstraintStatus>* status_ = nullptr;
 };
 
 }  // namespace holdfast

@@ -9,11 +9,16 @@
 #include <QMenu>
 #include <QScopedValueRollback>
 #include <QScrollBar>
+#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <stdexcept>
 
+#include <holdfast/window/controls/panel_parts.h>
+#include <holdfast/window/controls/status_style.h>
+#include <holdfast/window/table/constraint_filter.h>
+#include <holdfast/window/table/constraint_table.h>
 #include <holdfast/window/text/constraint_text.h>
 #include <holdfast/window/text/number_text.h>
 
@@ -22,18 +27,22 @@ namespace {
 
 using Table = ConstraintTableModel;
 
+// The entries of the filter after "Any status".
+constexpr std::array<std::optional<ConstraintStatus>, 6> kStatuses{
+    ConstraintStatus::Conflicting, ConstraintStatus::Missed,   ConstraintStatus::Redundant,
+    ConstraintStatus::Met,         ConstraintStatus::Disabled, std::nullopt};
+
 QToolButton* toolButton(QAction* action, Qt::ArrowType arrow, const char* name)
 {
-  QToolButton* button = new QToolButton;
+  auto* button = new QToolButton;
   button->setDefaultAction(action);
   button->setArrowType(arrow);
   button->setAutoRaise(true);
-  button->setAccessibleName(action->text().remove('&'));
-  button->setObjectName(name);
+  named(button, name, action->text().remove('&'));
   return button;
 }
 
-/// The rows of a selection, which ranges of whole rows make up.
+/// The rows of a selection of whole rows.
 Rows rowsIn(const QItemSelection& selection)
 {
   Rows rows;
@@ -44,324 +53,285 @@ Rows rowsIn(const QItemSelection& selection)
   return rows;
 }
 
+class ConstraintPanel : public QWidget {
+ public:
+  ConstraintPanel(Editor& editor, const std::function<void(Index)>& activated)
+      : editor_(editor), activated_(activated), model_(editor), filter_(editor, model_)
+  {
+    setObjectName("constraintPanel");
+    QVBoxLayout* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(6, 6, 6, 6);
+    layout->setSpacing(6);
+    makeTable();
+    makeActions();
+    makeTopLine();
+    reason_ = newText("constraintRefusal");
+    reason_->setVisible(false);
+    layout->addWidget(reason_);
+    layout->addWidget(table_);
+    count_ = named(new QLabel, "constraintCount");
+    layout->addWidget(count_);
+
+    connect(&model_, &Table::refused, this, [this](const QString& reason) { showRefusal(*reason_, reason); });
+    connect(&editor_, &Editor::opened, this, [this] {
+      table_->horizontalScrollBar()->setValue(0);
+      showSelection();
+    });
+    connect(&editor_, &Editor::stateChanged, this, [this] {
+      reason_->setVisible(false);
+      showSelection();
+    });
+    connect(&editor_, &Editor::constraintSelectionChanged, this, &ConstraintPanel::showSelection);
+    showSelection();
+  }
+
+ private:
+  void makeTopLine()
+  {
+    text_ = named(new QLineEdit, "constraintFilter", tr("Find constraints"));
+    text_->setPlaceholderText(tr("Find by name, kind or place"));
+    text_->setClearButtonEnabled(true);
+    status_ = named(new QComboBox, "constraintStatusFilter", tr("Status of the constraints shown"));
+    status_->addItem(tr("Any status"));
+    for (const auto& status : kStatuses) {
+      const QString text = statusText(status);
+      status_->addItem(text.left(1).toUpper() + text.mid(1));
+    }
+    connect(text_, &QLineEdit::textChanged, this, &ConstraintPanel::filtersChanged);
+    connect(status_, qOverload<int>(&QComboBox::currentIndexChanged), this, &ConstraintPanel::filtersChanged);
+
+    QMenu* menu = new QMenu(this);
+    menu->addActions(table_->actions());
+    auto* more = named(new QToolButton, "constraintMenu", tr("Edit the selected constraints"));
+    // The style cuts its own sign of a menu off beside a text.
+    more->setText(tr("Edit") + QStringLiteral(" \u25be"));
+    more->setStyleSheet("QToolButton::menu-indicator { image: none; }");
+    more->setAutoRaise(true);
+    more->setPopupMode(QToolButton::InstantPopup);
+    more->setMenu(menu);
+
+    QHBoxLayout* line = new QHBoxLayout;
+    line->setSpacing(6);
+    line->addWidget(text_, 1);
+    line->addWidget(status_);
+    line->addWidget(toolButton(up_, Qt::UpArrow, "constraintUp"));
+    line->addWidget(toolButton(down_, Qt::DownArrow, "constraintDown"));
+    line->addWidget(more);
+    static_cast<QVBoxLayout*>(layout())->insertLayout(0, line);
+  }
+
+  void makeTable()
+  {
+    table_ = named(new ConstraintTable, "constraintTable", tr("Constraints, in the order of precedence"));
+    // Connected before the view is, which changes the selection when rows leave or join the table.
+    const auto comeAndGo = [this](const QModelIndex&, int, int) { isShowing_ = true; };
+    connect(&filter_, &QAbstractItemModel::rowsAboutToBeRemoved, this, comeAndGo);
+    connect(&filter_, &QAbstractItemModel::rowsAboutToBeInserted, this, comeAndGo);
+    table_->setModel(&filter_);
+    const auto stay = [this](const QModelIndex&, int, int) {
+      isShowing_ = false;
+      settled_.start();
+    };
+    connect(&filter_, &QAbstractItemModel::rowsRemoved, this, stay);
+    connect(&filter_, &QAbstractItemModel::rowsInserted, this, stay);
+    // Rows come and go in many pieces; the selection is shown once they are done.
+    settled_.setSingleShot(true);
+    settled_.setInterval(0);
+    connect(&settled_, &QTimer::timeout, this, &ConstraintPanel::showSelection);
+
+    const int wide = table_->fontMetrics().horizontalAdvance('0');
+    int sized = 0;
+    for (const int characters : {4, 17, 8, 20, 11, 11, 11, 9, 8, 13})
+      table_->setColumnWidth(sized++, characters * wide);
+    QHeaderView& titles = *table_->horizontalHeader();
+    // A narrow panel shows first what is read and typed most.
+    int place = 0;
+    for (const int first : {Table::On, Table::Name, Table::Status, Table::X, Table::Y, Table::Z})
+      titles.moveSection(titles.visualIndex(first), place++);
+    titles.setStretchLastSection(true);
+    connect(table_, &ConstraintTable::sortAsked, this, [this](int column, Qt::SortOrder order) {
+      filter_.sort(column, order);
+      updateActions();
+    });
+    connect(table_, &ConstraintTable::precedenceAsked, this, [this] {
+      filter_.sort(-1);
+      updateActions();
+    });
+    connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &ConstraintPanel::takeSelection);
+    connect(table_, &QAbstractItemView::doubleClicked, this, [this](const QModelIndex& index) {
+      if (!(index.flags() & Qt::ItemIsEditable) && index.column() != Table::On)
+        activated_(filter_.mapToSource(index).row());
+    });
+  }
+
+  void makeActions()
+  {
+    const auto onSelected = [this](void (*edit)(Editor&, const Rows&)) {
+      return [this, edit] { edit(editor_, Rows(editor_.selectedConstraints())); };
+    };
+    const auto separate = [this] {
+      QAction* separator = new QAction(this);
+      separator->setSeparator(true);
+      table_->addAction(separator);
+    };
+    addCommand({tr("&Switch On or Off"), "constraintSwitch", tr("Switches the selected constraints off, or on again"),
+                Qt::Key_Space, onSelected(toggleConstraints)});
+    addCommand(
+        {tr("Re&name"), "constraintRename", tr("Gives the current constraint another name"), {}, [this] { rename(); }});
+    separate();
+    up_ = addCommand({tr("Move &Up"), "constraintMoveUp",
+                      tr("Gives the selected constraints precedence over the one above"), QKeySequence("Alt+Up"),
+                      onSelected(moveConstraintsUp)});
+    down_ = addCommand({tr("Move Do&wn"), "constraintMoveDown",
+                        tr("Gives the one below precedence over the selected constraints"), QKeySequence("Alt+Down"),
+                        onSelected(moveConstraintsDown)});
+    separate();
+    addCommand({tr("&Copy"), "constraintCopy", tr("Copies the selected constraints: points as a table"),
+                QKeySequence::Copy,
+                [this] { attempt([this] { copyConstraints(editor_, editor_.selectedConstraints()); }); }});
+    addCommand({tr("&Paste"), "constraintPaste", tr("Adds the constraints or the table of points that were copied"),
+                QKeySequence::Paste, [this] { attempt([this] { pasteConstraints(editor_); }); }, false});
+    addCommand({tr("&Duplicate"), "constraintDuplicate", tr("Adds copies of the selected constraints"),
+                QKeySequence("Ctrl+D"), onSelected(duplicateConstraints)});
+    addCommand({tr("De&lete"), "constraintDelete", tr("Deletes the selected constraints"), QKeySequence::Delete,
+                onSelected(removeConstraints)});
+    separate();
+    addCommand({tr("Select &All"), "constraintSelectAll", tr("Selects all constraints that are shown"),
+                QKeySequence::SelectAll, [this] { table_->selectAll(); }, false});
+    table_->setContextMenuPolicy(Qt::ActionsContextMenu);
+  }
+
+  struct Command {
+    QString text;
+    const char* name;
+    QString tip;
+    QKeySequence keys;
+    std::function<void()> run;
+    bool needsSelection = true;
+  };
+
+  QAction* addCommand(const Command& command)
+  {
+    QAction* action = named(new QAction(command.text, this), command.name);
+    action->setShortcut(command.keys);
+    action->setToolTip(command.tip);
+    // The table finds pressed keys: menus of a window may use the same ones.
+    action->setShortcutContext(Qt::WidgetShortcut);
+    action->setShortcutVisibleInContextMenu(true);
+    connect(action, &QAction::triggered, this, command.run);
+    table_->addAction(action);
+    if (command.needsSelection) needSelection_.push_back(action);
+    return action;
+  }
+
+  void attempt(const std::function<void()>& run)
+  {
+    if (!editor_.isOpen()) return;
+    try {
+      run();
+    } catch (const std::runtime_error& error) {
+      showRefusal(*reason_, QString::fromStdString(error.what()));
+    }
+  }
+
+  /// Begins to type a new name for the current row.
+  void rename()
+  {
+    const QModelIndex current = table_->currentIndex();
+    if (current.isValid()) table_->edit(current.siblingAtColumn(Table::Name));
+  }
+
+  void takeSelection()
+  {
+    if (isShowing_ || !model_.isInStep()) return;
+    editor_.selectConstraints(rowsIn(filter_.mapSelectionToSource(table_->selectionModel()->selection())));
+    updateActions();
+  }
+
+  void showSelection()
+  {
+    if (isShowing_ || !model_.isInStep()) return;
+    const QScopedValueRollback<bool> showing(isShowing_, true);
+    Rows rows;
+    for (const Index constraint : editor_.selectedConstraints())
+      if (const int row = filter_.visibleRow(constraint); row >= 0) rows.push_back(row);
+    std::sort(rows.begin(), rows.end());
+    QItemSelectionModel& shown = *table_->selectionModel();
+    if (rows != rowsIn(shown.selection())) {
+      QItemSelection selection;
+      for (std::size_t first = 0, last = 0; first < rows.size(); first = ++last) {
+        while (last + 1 < rows.size() && rows[last + 1] == rows[last] + 1) ++last;
+        selection.append({filter_.index(static_cast<int>(rows[first]), 0),
+                          filter_.index(static_cast<int>(rows[last]), Table::Status)});
+      }
+      shown.select(selection, QItemSelectionModel::ClearAndSelect);
+      if (!rows.empty() && !std::binary_search(rows.begin(), rows.end(), table_->currentIndex().row())) {
+        const QModelIndex first = filter_.index(static_cast<int>(rows.front()), Table::Name);
+        shown.setCurrentIndex(first, QItemSelectionModel::NoUpdate);
+        table_->scrollTo(first);
+      }
+    }
+    updateActions();
+    updateTexts();
+  }
+
+  void filtersChanged()
+  {
+    filter_.setText(text_->text());
+    const int status = status_->currentIndex();
+    filter_.setStatus(status == 0 ? nullptr : &kStatuses[static_cast<std::size_t>(status - 1)]);
+    // Users do not mean to change rows that they cannot see.
+    Rows visible;
+    for (const Index constraint : editor_.selectedConstraints())
+      if (filter_.visibleRow(constraint) >= 0) visible.push_back(constraint);
+    editor_.selectConstraints(std::move(visible));
+    updateTexts();
+  }
+
+  void updateActions()
+  {
+    const bool isAny = editor_.isOpen() && !editor_.selectedConstraints().empty();
+    for (QAction* action : needSelection_) action->setEnabled(isAny);
+    up_->setEnabled(isAny && !filter_.isSorted());
+    down_->setEnabled(isAny && !filter_.isSorted());
+  }
+
+  void updateTexts()
+  {
+    const int all = model_.rowCount();
+    const int shown = filter_.rowCount();
+    const auto selected = editor_.selectedConstraints().size();
+    table_->setEmptyText(!editor_.isOpen() ? tr("No mesh is open.")
+                         : all == 0 ? tr("No constraints yet.\n\nPick a point on the surface, paste a point list, or "
+                                         "open a constraint file.")
+                                    : tr("Nothing matches.\n\nClear the filter to see all constraints."));
+    QString text = all == 1 ? tr("1 constraint") : tr("%1 constraints").arg(countText(all));
+    if (shown != all) text += tr(", %1 shown").arg(countText(shown));
+    if (selected > 1) text += tr(", %1 selected").arg(countText(static_cast<Index>(selected)));
+    count_->setText(text);
+  }
+
+  Editor& editor_;
+  std::function<void(Index)> activated_;
+  ConstraintTableModel model_;
+  ConstraintFilter filter_;
+  ConstraintTable* table_ = nullptr;
+  QLineEdit* text_ = nullptr;
+  QComboBox* status_ = nullptr;
+  QLabel* reason_ = nullptr;
+  QLabel* count_ = nullptr;
+  QAction* up_ = nullptr;
+  QAction* down_ = nullptr;
+  std::vector<QAction*> needSelection_;
+  QTimer settled_;
+  bool isShowing_ = false;  // the editor's selection or a change of rows: the user has not selected anything
+};
+
 }  // namespace
 
-ConstraintPanel::ConstraintPanel(Editor& editor, QWidget* parent)
-    : QWidget(parent), editor_(editor), model_(editor), filter_(editor, model_)
+QWidget* newConstraintPanel(Editor& editor, const std::function<void(Index)>& activated)
 {
-  setObjectName("constraintPanel");
-  QVBoxLayout* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(6, 6, 6, 6);
-  layout->setSpacing(6);
-  makeTable();
-  makeActions();
-  makeTopLine();
-  reason_ = new QLabel;
-  reason_->setObjectName("constraintRefusal");
-  reason_->setWordWrap(true);
-  reason_->setVisible(false);
-  layout->addWidget(reason_);
-  layout->addWidget(table_);
-  count_ = new QLabel;
-  count_->setObjectName("constraintCount");
-  layout->addWidget(count_);
-
-  connect(&model_, &Table::refused, this, &ConstraintPanel::refuse);
-  connect(&editor_, &Editor::opened, this, [this] {
-    table_->horizontalScrollBar()->setValue(0);
-    showSelection();
-  });
-  connect(&editor_, &Editor::stateChanged, this, [this] {
-    reason_->setVisible(false);
-    showSelection();
-  });
-  connect(&editor_, &Editor::constraintSelectionChanged, this, &ConstraintPanel::showSelection);
-  showSelection();
-}
-
-void ConstraintPanel::makeTable()
-{
-  table_ = new ConstraintTable;
-  table_->setObjectName("constraintTable");
-  table_->setAccessibleName(tr("Constraints, in the order of precedence"));
-  // Rows that leave or join the table are told of here before the view hears of them.
-  const auto comeAndGo = [this](const QModelIndex&, int, int) { isShowing_ = true; };
-  connect(&filter_, &QAbstractItemModel::rowsAboutToBeRemoved, this, comeAndGo);
-  connect(&filter_, &QAbstractItemModel::rowsAboutToBeInserted, this, comeAndGo);
-  table_->setModel(&filter_);
-  const auto stay = [this](const QModelIndex&, int, int) {
-    isShowing_ = false;
-    settled_.start();
-  };
-  connect(&filter_, &QAbstractItemModel::rowsRemoved, this, stay);
-  connect(&filter_, &QAbstractItemModel::rowsInserted, this, stay);
-  // Rows come and go in many pieces; the selection is shown once they are done.
-  settled_.setSingleShot(true);
-  settled_.setInterval(0);
-  connect(&settled_, &QTimer::timeout, this, &ConstraintPanel::showSelection);
-
-  const int wide = table_->fontMetrics().horizontalAdvance('0');
-  const std::vector<std::pair<int, int>> widths = {
-      {Table::On, 4}, {Table::Name, 17}, {Table::Kind, 8},     {Table::Where, 20}, {Table::X, 11},
-      {Table::Y, 11}, {Table::Z, 11},    {Table::Residual, 9}, {Table::Force, 8},  {Table::Status, 13}};
-  for (const auto& [column, characters] : widths) table_->setColumnWidth(column, characters * wide);
-  QHeaderView& titles = *table_->horizontalHeader();
-  // A narrow panel shows first what is read and typed most.
-  int place = 0;
-  for (const int column : {Table::On, Table::Name, Table::Status, Table::X, Table::Y, Table::Z})
-    titles.moveSection(titles.visualIndex(column), place++);
-  titles.setStretchLastSection(true);
-  connect(table_, &ConstraintTable::sortAsked, this, [this](int column, Qt::SortOrder order) {
-    filter_.sort(column, order);
-    updateActions();
-  });
-  connect(table_, &ConstraintTable::precedenceAsked, this, [this] {
-    filter_.sort(-1);
-    updateActions();
-  });
-  connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &ConstraintPanel::takeSelection);
-  connect(table_, &QAbstractItemView::doubleClicked, this, [this](const QModelIndex& index) {
-    if (!(index.flags() & Qt::ItemIsEditable) && index.column() != Table::On)
-      Q_EMIT activated(filter_.mapToSource(index).row());
-  });
-}
-
-void ConstraintPanel::makeTopLine()
-{
-  text_ = new QLineEdit;
-  text_->setObjectName("constraintFilter");
-  text_->setPlaceholderText(tr("Find by name, kind or place"));
-  text_->setAccessibleName(tr("Find constraints"));
-  text_->setClearButtonEnabled(true);
-  status_ = new QComboBox;
-  status_->setObjectName("constraintStatusFilter");
-  status_->setAccessibleName(tr("Status of the constraints shown"));
-  for (const auto& [title, status] :
-       std::initializer_list<std::pair<QString, StatusFilter>>{{tr("Any status"), StatusFilter::All},
-                                                               {tr("Conflicting"), StatusFilter::Conflicting},
-                                                               {tr("Missed"), StatusFilter::Missed},
-                                                               {tr("Redundant"), StatusFilter::Redundant},
-                                                               {tr("Met"), StatusFilter::Met},
-                                                               {tr("Disabled"), StatusFilter::Disabled},
-                                                               {tr("Not solved"), StatusFilter::Unsolved}})
-    status_->addItem(title, static_cast<int>(status));
-  connect(text_, &QLineEdit::textChanged, this, &ConstraintPanel::filtersChanged);
-  connect(status_, qOverload<int>(&QComboBox::currentIndexChanged), this, &ConstraintPanel::filtersChanged);
-
-  QMenu* menu = new QMenu(this);
-  menu->addActions(table_->actions());
-  QToolButton* more = new QToolButton;
-  more->setObjectName("constraintMenu");
-  // The style's own sign of a menu is cut off beside a text.
-  more->setText(tr("Edit") + QStringLiteral(" \u25be"));
-  more->setStyleSheet("QToolButton::menu-indicator { image: none; }");
-  more->setAccessibleName(tr("Edit the selected constraints"));
-  more->setAutoRaise(true);
-  more->setPopupMode(QToolButton::InstantPopup);
-  more->setMenu(menu);
-
-  QHBoxLayout* line = new QHBoxLayout;
-  line->setSpacing(6);
-  line->addWidget(text_, 1);
-  line->addWidget(status_);
-  line->addWidget(toolButton(up_, Qt::UpArrow, "constraintUp"));
-  line->addWidget(toolButton(down_, Qt::DownArrow, "constraintDown"));
-  line->addWidget(more);
-  static_cast<QVBoxLayout*>(layout())->insertLayout(0, line);
-}
-
-QAction* ConstraintPanel::makeAction(const QString& text, const QKeySequence& keys, const char* name,
-                                     const QString& tip, void (ConstraintPanel::*run)())
-{
-  QAction* action = new QAction(text, this);
-  action->setObjectName(name);
-  action->setShortcut(keys);
-  action->setToolTip(tip);
-  // Pressed keys are found by the table: menus of a window may use the same ones.
-  action->setShortcutContext(Qt::WidgetShortcut);
-  action->setShortcutVisibleInContextMenu(true);
-  connect(action, &QAction::triggered, this, run);
-  table_->addAction(action);
-  return action;
-}
-
-void ConstraintPanel::separate()
-{
-  QAction* separator = new QAction(this);
-  separator->setSeparator(true);
-  table_->addAction(separator);
-}
-
-void ConstraintPanel::makeActions()
-{
-  using Panel = ConstraintPanel;
-  needSelection_.push_back(makeAction(tr("&Switch On or Off"), Qt::Key_Space, "constraintSwitch",
-                                      tr("Switches the selected constraints off, or on again"),
-                                      &Panel::switchSelected));
-  needSelection_.push_back(makeAction(tr("Re&name"), {}, "constraintRename",
-                                      tr("Gives the current constraint another name"), &Panel::rename));
-  separate();
-  up_ = makeAction(tr("Move &Up"), QKeySequence(QStringLiteral("Alt+Up")), "constraintMoveUp",
-                   tr("Gives the selected constraints precedence over the one above"), &Panel::moveSelectedUp);
-  down_ = makeAction(tr("Move Do&wn"), QKeySequence(QStringLiteral("Alt+Down")), "constraintMoveDown",
-                     tr("Gives the one below precedence over the selected constraints"), &Panel::moveSelectedDown);
-  separate();
-  needSelection_.push_back(makeAction(tr("&Copy"), QKeySequence::Copy, "constraintCopy",
-                                      tr("Copies the selected constraints: points as a table"), &Panel::copySelected));
-  makeAction(tr("&Paste"), QKeySequence::Paste, "constraintPaste",
-             tr("Adds the constraints or the table of points that were copied"), &Panel::paste);
-  needSelection_.push_back(makeAction(tr("&Duplicate"), QKeySequence(QStringLiteral("Ctrl+D")), "constraintDuplicate",
-                                      tr("Adds the selected constraints once more"), &Panel::duplicateSelected));
-  needSelection_.push_back(makeAction(tr("De&lete"), QKeySequence::Delete, "constraintDelete",
-                                      tr("Deletes the selected constraints"), &Panel::removeSelected));
-  separate();
-  makeAction(tr("Select &All"), QKeySequence::SelectAll, "constraintSelectAll",
-             tr("Selects all constraints that are shown"), &Panel::selectAll);
-  table_->setContextMenuPolicy(Qt::ActionsContextMenu);
-}
-
-void ConstraintPanel::find()
-{
-  text_->setFocus();
-  text_->selectAll();
-}
-
-void ConstraintPanel::rename()
-{
-  const QModelIndex current = table_->currentIndex();
-  if (current.isValid()) table_->edit(current.siblingAtColumn(Table::Name));
-}
-
-void ConstraintPanel::attempt(const std::function<void()>& run)
-{
-  if (!editor_.isOpen()) return;
-  try {
-    run();
-  } catch (const std::runtime_error& error) {
-    refuse(QString::fromStdString(error.what()));
-  }
-}
-
-void ConstraintPanel::switchSelected()
-{
-  const Rows& rows = editor_.selectedConstraints();
-  const auto& constraints = editor_.list().constraints;
-  const bool areOn = std::all_of(rows.begin(), rows.end(), [&](Index row) { return constraints[row].isEnabled; });
-  areOn ? disableConstraints(editor_, rows) : enableConstraints(editor_, rows);
-}
-
-void ConstraintPanel::removeSelected()
-{
-  removeConstraints(editor_, Rows(editor_.selectedConstraints()));
-}
-
-void ConstraintPanel::duplicateSelected()
-{
-  duplicateConstraints(editor_, Rows(editor_.selectedConstraints()));
-}
-
-void ConstraintPanel::moveSelectedUp()
-{
-  moveConstraintsUp(editor_, Rows(editor_.selectedConstraints()));
-}
-
-void ConstraintPanel::moveSelectedDown()
-{
-  moveConstraintsDown(editor_, Rows(editor_.selectedConstraints()));
-}
-
-void ConstraintPanel::copySelected()
-{
-  attempt([this] { copyConstraints(editor_, editor_.selectedConstraints()); });
-}
-
-void ConstraintPanel::paste()
-{
-  attempt([this] { pasteConstraints(editor_); });
-}
-
-void ConstraintPanel::selectAll()
-{
-  table_->selectAll();
-}
-
-void ConstraintPanel::takeSelection()
-{
-  if (isShowing_ || !model_.isInStep()) return;
-  editor_.selectConstraints(rowsIn(filter_.mapSelectionToSource(table_->selectionModel()->selection())));
-  updateActions();
-}
-
-void ConstraintPanel::showSelection()
-{
-  if (isShowing_ || !model_.isInStep()) return;
-  const QScopedValueRollback<bool> showing(isShowing_, true);
-  Rows rows;
-  for (const Index constraint : editor_.selectedConstraints())
-    if (const int row = filter_.visibleRow(constraint); row >= 0) rows.push_back(row);
-  std::sort(rows.begin(), rows.end());
-  QItemSelectionModel& shown = *table_->selectionModel();
-  if (rows != rowsIn(shown.selection())) {
-    QItemSelection selection;
-    for (std::size_t first = 0, last = 0; first < rows.size(); first = ++last) {
-      while (last + 1 < rows.size() && rows[last + 1] == rows[last] + 1) ++last;
-      selection.append({filter_.index(static_cast<int>(rows[first]), 0),
-                        filter_.index(static_cast<int>(rows[last]), Table::Status)});
-    }
-    shown.select(selection, QItemSelectionModel::ClearAndSelect);
-    if (!rows.empty() && !std::binary_search(rows.begin(), rows.end(), table_->currentIndex().row())) {
-      const QModelIndex first = filter_.index(static_cast<int>(rows.front()), Table::Name);
-      shown.setCurrentIndex(first, QItemSelectionModel::NoUpdate);
-      table_->scrollTo(first);
-    }
-  }
-  updateActions();
-  updateTexts();
-}
-
-void ConstraintPanel::filtersChanged()
-{
-  filter_.setText(text_->text());
-  filter_.setStatus(static_cast<StatusFilter>(status_->currentData().toInt()));
-  // What the user cannot see is not what he means to change.
-  Rows visible;
-  for (const Index constraint : editor_.selectedConstraints())
-    if (filter_.visibleRow(constraint) >= 0) visible.push_back(constraint);
-  editor_.selectConstraints(std::move(visible));
-  updateTexts();
-}
-
-void ConstraintPanel::updateActions()
-{
-  const bool isAny = editor_.isOpen() && !editor_.selectedConstraints().empty();
-  for (QAction* action : needSelection_) action->setEnabled(isAny);
-  up_->setEnabled(isAny && !filter_.isSorted());
-  down_->setEnabled(isAny && !filter_.isSorted());
-}
-
-void ConstraintPanel::updateTexts()
-{
-  const int all = model_.rowCount();
-  const int shown = filter_.rowCount();
-  const auto selected = editor_.selectedConstraints().size();
-  table_->setEmptyText(!editor_.isOpen() ? tr("No mesh is open.")
-                       : all == 0 ? tr("No constraints yet.\n\nPick a point on the surface, paste a point list, or "
-                                       "open a constraint file.")
-                                  : tr("Nothing matches.\n\nClear the filter to see all constraints."));
-  QString text = all == 1 ? tr("1 constraint") : tr("%1 constraints").arg(countText(all));
-  if (shown != all) text += tr(", %1 shown").arg(countText(shown));
-  if (selected > 1) text += tr(", %1 selected").arg(countText(static_cast<Index>(selected)));
-  count_->setText(text);
-}
-
-void ConstraintPanel::refuse(const QString& reason)
-{
-  const QColor color = statusColor(ConstraintStatus::Conflicting, lightnessOf(palette()));
-  QPalette own = palette();
-  own.setColor(QPalette::WindowText, color);
-  reason_->setPalette(own);
-  reason_->setText(reason);
-  reason_->setVisible(true);
+  return new ConstraintPanel(editor, activated);
 }
 
 }  // namespace holdfast

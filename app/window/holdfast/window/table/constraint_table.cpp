@@ -5,6 +5,7 @@
 #include <QKeyEvent>
 #include <QPainter>
 
+#include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/controls/status_style.h>
 #include <holdfast/window/table/constraint_table_model.h>
 
@@ -30,10 +31,7 @@ ConstraintTable::ConstraintTable(QWidget* parent) : QTableView(parent)
   setSelectionBehavior(SelectRows);
   setSelectionMode(ExtendedSelection);
   setEditTriggers(DoubleClicked | EditKeyPressed);
-  setAlternatingRowColors(true);
-  setShowGrid(false);
-  setWordWrap(false);
-  setTabKeyNavigation(false);
+  setTableLook(*this);
   setDragEnabled(true);
   setDragDropMode(DragDrop);
   setDefaultDropAction(Qt::MoveAction);
@@ -42,10 +40,6 @@ ConstraintTable::ConstraintTable(QWidget* parent) : QTableView(parent)
   setDropIndicatorShown(true);
   horizontalHeader()->setSectionsClickable(true);
   horizontalHeader()->setSortIndicatorShown(false);
-  horizontalHeader()->setHighlightSections(false);
-  verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-  verticalHeader()->setDefaultSectionSize(fontMetrics().height() * 3 / 2);
-  verticalHeader()->setHighlightSections(false);
   connect(horizontalHeader(), &QHeaderView::sectionClicked, this, &ConstraintTable::cycleSorting);
 }
 

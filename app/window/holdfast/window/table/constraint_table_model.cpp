@@ -10,6 +10,7 @@
 #include <holdfast/base/error.h>
 #include <holdfast/base/printable.h>
 #include <holdfast/io/text/number_text.h>
+#include <holdfast/window/model/at_rest.h>
 #include <holdfast/window/text/constraint_text.h>
 #include <holdfast/window/text/number_text.h>
 
@@ -24,25 +25,16 @@ const std::vector<Constraint>& constraintsOf(const std::shared_ptr<const Documen
   return state == nullptr ? none : state->list.constraints;
 }
 
-/// The gravest first, as a user looks for them.
-double rankOf(std::optional<ConstraintStatus> status)
+using ShownStatus = std::optional<ConstraintStatus>;
+// The gravest first, as a user looks for them.
+constexpr std::array<ShownStatus, 7> kRanks{
+    ConstraintStatus::Conflicting, ConstraintStatus::Missed,      std::nullopt,
+    ConstraintStatus::Redundant,   ConstraintStatus::Independent, ConstraintStatus::Met,
+    ConstraintStatus::Disabled};
+
+double rankOf(ShownStatus status)
 {
-  if (!status) return 2;
-  switch (*status) {
-    case ConstraintStatus::Conflicting:
-      return 0;
-    case ConstraintStatus::Missed:
-      return 1;
-    case ConstraintStatus::Redundant:
-      return 3;
-    case ConstraintStatus::Independent:
-      return 4;
-    case ConstraintStatus::Met:
-      return 5;
-    case ConstraintStatus::Disabled:
-      return 6;
-  }
-  return 7;
+  return static_cast<double>(std::find(kRanks.begin(), kRanks.end(), status) - kRanks.begin());
 }
 
 QString axisName(int column)
@@ -55,7 +47,7 @@ bool isCoordinate(int column)
   return column >= ConstraintTableModel::X && column <= ConstraintTableModel::Z;
 }
 
-/// How many constraints two lists have in common at their beginnings and, of the rest, at their ends.
+/// The numbers of constraints that two lists have in common at their beginnings and, in the rest, at their ends.
 std::pair<std::size_t, std::size_t> commonEnds(const std::vector<Constraint>& a, const std::vector<Constraint>& b)
 {
   const std::size_t shorter = std::min(a.size(), b.size());
@@ -66,7 +58,7 @@ std::pair<std::size_t, std::size_t> commonEnds(const std::vector<Constraint>& a,
   return {front, back};
 }
 
-/// The rows of a drag that began in this program, over this list.
+/// The rows of a drag that began in this program on this list.
 Rows rowsOf(const QMimeData& data, const void* list)
 {
   QDataStream stream(data.data(kRowsFormat));
@@ -80,7 +72,7 @@ Rows rowsOf(const QMimeData& data, const void* list)
 }  // namespace
 
 ConstraintTableModel::ConstraintTableModel(Editor& editor, QObject* parent)
-    : QAbstractTableModel(parent), editor_(editor), outcomes_(editor), places_(editor)
+    : QAbstractTableModel(parent), editor_(editor), outcomes_(editor)
 {
   connect(&editor, &Editor::opened, this, [this] {
     beginResetModel();
@@ -125,11 +117,11 @@ std::optional<double> ConstraintTableModel::coordinate(int row, int column) cons
   const PointConstraint* point = std::get_if<PointConstraint>(&constraint(row).what);
   if (point == nullptr) return std::nullopt;
   if (const Target* target = std::get_if<Target>(&point->to)) return target->place[column - X];
-  const std::optional<Vector3> rest = places_.of(point->at);
+  const std::optional<Vector3> rest = restPlace(editor_, point->at);
   return rest ? std::optional(placeOf(*point, *rest)[column - X]) : std::nullopt;
 }
 
-/// Of the columns that show numbers.
+/// For the columns that show numbers.
 std::optional<double> ConstraintTableModel::exactNumber(int row, int column) const
 {
   if (isCoordinate(column)) return coordinate(row, column);
@@ -200,7 +192,7 @@ QString ConstraintTableModel::toolTip(int row, int column) const
   const std::optional<double> number = exactNumber(row, column);
   const QString exact = number ? exactText(*number) : QString();
   const bool isOld = column >= Residual && !areResultsCurrent(editor_);
-  const QString age = isOld ? tr("\nOf the list before the latest changes.") : QString();
+  const QString age = isOld ? tr("\nThis is of the list before the latest changes.") : QString();
   if (column == On) return tr("Whether the constraint takes part");
   if (column == Status) return statusMeaning(status(row)) + age;
   if (!number) return text(row, column);
@@ -221,35 +213,27 @@ const QIcon& ConstraintTableModel::icon(std::optional<ConstraintStatus> status) 
 QVariant ConstraintTableModel::headerData(int section, Qt::Orientation orientation, int role) const
 {
   if (orientation == Qt::Vertical)
-    return role == Qt::DisplayRole ? QVariant(section + 1)
-           : role == Qt::ToolTipRole
-               ? QVariant(tr("Precedence: of constraints that cannot all hold, the earlier stand"))
-               : QVariant();
+    return role == Qt::DisplayRole   ? QVariant(section + 1)
+           : role == Qt::ToolTipRole ? QVariant(tr("Precedence: if constraints cannot all hold, the earlier ones do"))
+                                     : QVariant();
   const QString units = shown_ == nullptr || shown_->list.units.empty()
                             ? QString()
-                            : QStringLiteral(" (%1)").arg(QString::fromStdString(shown_->list.units));
-  const QStringList titles = {tr("On"),
-                              tr("Name"),
-                              tr("Kind"),
-                              tr("Where"),
-                              QStringLiteral("x"),
-                              QStringLiteral("y"),
-                              QStringLiteral("z"),
-                              tr("Residual"),
-                              tr("Force"),
-                              tr("Status")};
-  const QStringList meanings = {tr("Whether the constraint takes part"),
-                                tr("The name in reports and messages"),
-                                tr("What kind of constraint"),
-                                tr("The point or the vertices that it holds"),
-                                tr("Where a point goes%1; how far a handle is shifted").arg(units),
-                                tr("Where a point goes%1; how far a handle is shifted").arg(units),
-                                tr("Where a point goes%1; how far a handle is shifted").arg(units),
-                                tr("Largest distance from where it should be%1").arg(units),
-                                tr("How hard it pulls; to be compared within one solution"),
-                                tr("Whether it holds")};
-  if (role == Qt::DisplayRole) return titles.value(section);
-  return role == Qt::ToolTipRole ? QVariant(meanings.value(section)) : QVariant();
+                            : QString(" (%1)").arg(QString::fromStdString(shown_->list.units));
+  const QString target = tr("Where a point goes%1; how far a handle is shifted").arg(units);
+  const std::array<std::pair<QString, QString>, ColumnCount> titles{{
+      {tr("On"), tr("Whether the constraint takes part")},
+      {tr("Name"), tr("The name in reports and messages")},
+      {tr("Kind"), tr("What kind of constraint")},
+      {tr("Where"), tr("The point or the vertices that it holds")},
+      {"x", target},
+      {"y", target},
+      {"z", target},
+      {tr("Residual"), tr("Largest distance from where it should be%1").arg(units)},
+      {tr("Force"), tr("How hard it pulls; only comparable within one solution")},
+      {tr("Status"), tr("Whether it holds")},
+  }};
+  const auto& [title, meaning] = titles[static_cast<std::size_t>(section)];
+  return role == Qt::DisplayRole ? QVariant(title) : role == Qt::ToolTipRole ? QVariant(meaning) : QVariant();
 }
 
 bool ConstraintTableModel::isEditable(int row, int column) const
@@ -276,7 +260,7 @@ bool ConstraintTableModel::setCells(const Rows& rows, int column, const QVariant
 {
   if (rows.empty() || !isInStep()) return false;
   if (column == On && role == Qt::CheckStateRole) {
-    value.toInt() == Qt::Checked ? enableConstraints(editor_, rows) : disableConstraints(editor_, rows);
+    switchConstraints(editor_, rows, value.toInt() == Qt::Checked ? Enabling::Enabled : Enabling::Disabled);
     return true;
   }
   if (role != Qt::EditRole) return false;
@@ -311,7 +295,7 @@ bool ConstraintTableModel::setCoordinate(const Rows& rows, int column, const QSt
       return constraint;
     }
     PointConstraint* point = std::get_if<PointConstraint>(&constraint.what);
-    const std::optional<Vector3> rest = point == nullptr ? std::nullopt : places_.of(point->at);
+    const std::optional<Vector3> rest = point == nullptr ? std::nullopt : restPlace(editor_, point->at);
     if (!rest) return std::nullopt;
     Vector3 place = placeOf(*point, *rest);
     if (hasSameBits(place[axis], *value)) return std::nullopt;
@@ -356,7 +340,7 @@ bool ConstraintTableModel::dropMimeData(const QMimeData* data, Qt::DropAction ac
   return true;
 }
 
-/// Rows in front and at the end stay those that they were, so that views keep their place.
+/// Leaves rows in front and at the end as they are, so that views keep their place.
 void ConstraintTableModel::follow()
 {
   const std::shared_ptr<const DocumentState> next = editor_.history().state();

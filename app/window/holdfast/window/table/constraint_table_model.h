@@ -12,12 +12,11 @@
 #include <holdfast/window/model/constraint_actions.h>
 #include <holdfast/window/model/editor.h>
 #include <holdfast/window/model/outcome_lookup.h>
-#include <holdfast/window/model/rest_places.h>
 
 namespace holdfast {
 
-/// Reads all that it shows from the editor when it is asked, and edits through it. Results that are older than the list
-/// are grey. 10,000 rows cost no more than the few that are visible.
+/// Reads all that it shows from the editor on demand, and edits through it. Results that are older than the list are
+/// grey. 10,000 rows cost no more than the few that are visible.
 class ConstraintTableModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -35,7 +34,7 @@ class ConstraintTableModel : public QAbstractTableModel {
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
 
   /// One edit of the same cell of several rows: the switch (`Qt::CheckStateRole`), a coordinate of the target (text),
-  /// the name (of the first row). False, with `refused`, where the value makes no sense.
+  /// the name (of the first row). False, with `refused`, if the value is invalid.
   bool setCells(const Rows& rows, int column, const QVariant& value, int role);
 
   [[nodiscard]] Qt::DropActions supportedDropActions() const override { return Qt::MoveAction; }
@@ -46,7 +45,7 @@ class ConstraintTableModel : public QAbstractTableModel {
   bool dropMimeData(const QMimeData* data, Qt::DropAction action, int row, int column,
                     const QModelIndex& parent) override;
 
-  /// Whether the rows are those of `Editor::list`. They are not for a moment while the editor tells of a change.
+  /// Whether the rows are those of `Editor::list`. They differ for a moment while the editor reports a change.
   [[nodiscard]] bool isInStep() const;
 
   /// What rows are sorted and filtered by: numbers of numeric columns and ranks of the status, the gravest first; texts
@@ -75,9 +74,8 @@ class ConstraintTableModel : public QAbstractTableModel {
   void resultsChanged();
 
   Editor& editor_;
-  std::shared_ptr<const DocumentState> shown_;  // the rows that views were told of
+  std::shared_ptr<const DocumentState> shown_;  // the rows that views know
   mutable OutcomeLookup outcomes_;
-  mutable RestPlaces places_;
   mutable std::map<std::pair<std::optional<ConstraintStatus>, Lightness>, QIcon> icons_;
 };
 

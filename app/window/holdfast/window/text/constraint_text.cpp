@@ -23,14 +23,6 @@ QString counted(std::size_t n, const char* one, const char* many)
   return n == 1 ? ConstraintText::tr(one) : ConstraintText::tr(many).arg(countText(static_cast<Index>(n)));
 }
 
-struct KindText {
-  QString operator()(const FixedConstraint& /*fixed*/) const { return ConstraintText::tr("fixed"); }
-  QString operator()(const HandleConstraint& /*handle*/) const { return ConstraintText::tr("handle"); }
-  QString operator()(const PointConstraint& /*point*/) const { return ConstraintText::tr("point"); }
-  QString operator()(const RigidConstraint& /*rigid*/) const { return ConstraintText::tr("rigid"); }
-  QString operator()(const RelativeConstraint& /*relative*/) const { return ConstraintText::tr("relative"); }
-};
-
 struct LocationText {
   QString operator()(const AtVertex& at) const { return ConstraintText::tr("vertex %1").arg(at.vertex); }
   QString operator()(const AtEdge& at) const
@@ -77,7 +69,7 @@ struct SelectionText {
   QString operator()(const NotIn& no) const { return ConstraintText::tr("not %1").arg(inner(*no.part)); }
 
  private:
-  // One level is told in words; what is deeper is told by its kind alone.
+  // Describes one level in words, and deeper levels by their kind only.
   static QString inner(const Selection& selection)
   {
     if (std::holds_alternative<AllOf>(selection.what)) return ConstraintText::tr("(several at once)");
@@ -113,7 +105,7 @@ struct WhereText {
 
 QString kindText(const Constraint& constraint)
 {
-  return std::visit(KindText{}, constraint.what);
+  return typeName(constraint);
 }
 
 QString locationText(const SurfaceLocation& location)
@@ -134,21 +126,8 @@ QString whereText(const Constraint& constraint)
 QString statusText(std::optional<ConstraintStatus> status)
 {
   if (!status) return ConstraintText::tr("not solved");
-  switch (*status) {
-    case ConstraintStatus::Independent:
-      return ConstraintText::tr("independent");
-    case ConstraintStatus::Met:
-      return ConstraintText::tr("met");
-    case ConstraintStatus::Redundant:
-      return ConstraintText::tr("redundant");
-    case ConstraintStatus::Conflicting:
-      return ConstraintText::tr("conflicting");
-    case ConstraintStatus::Missed:
-      return ConstraintText::tr("missed");
-    case ConstraintStatus::Disabled:
-      return ConstraintText::tr("disabled");
-  }
-  return {};
+  const std::string_view text = name(*status);
+  return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
 }
 
 QString statusMeaning(std::optional<ConstraintStatus> status)

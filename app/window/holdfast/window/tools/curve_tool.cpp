@@ -1,10 +1,12 @@
-#include "holdfast/window/tools/curve_tool.h"
-
 #include <QScopedValueRollback>
+#include <QString>
 #include <vector>
 
-#include <holdfast/constraints/selector.h>
-#include <holdfast/surface/surface_locator.h>
+#include <vtkNew.h>
+
+#include <holdfast/base/error.h>
+#include <holdfast/widgets/interaction/surface_curve_widget.h>
+#include <holdfast/window/tools/tools.h>
 #include <holdfast/window/viewport/viewport.h>
 
 namespace holdfast {
@@ -12,73 +14,84 @@ namespace {
 
 constexpr std::size_t kLeastPlaces = 3;
 
+class CurveTool : public WidgetTool {
+ public:
+  CurveTool(Editor& editor, Viewport& viewport) : WidgetTool(editor, viewport)
+  {
+    attach(*widget_);
+    widget_->AddObserver(vtkCommand::WidgetValueChangedEvent, this, &CurveTool::followCurve);
+    widget_->AddObserver(vtkCommand::EndInteractionEvent, this, &CurveTool::selectInside);
+    connect(&editor, &Editor::vertexSelectionChanged, this, &CurveTool::followSelection);
+  }
+
+  QString hint() const override
+  {
+    if (!error_.isEmpty()) return error_;
+    if (widget_->IsClosed())
+      return tr("Drag its places, or F: fixed, H: handle, R: rigid. Escape takes the curve away");
+    const std::size_t places = widget_->GetPlaces().size();
+    if (places == 0) return tr("Click places around a feature to draw a closed curve along the edges");
+    if (places < kLeastPlaces) return tr("Click on; Backspace takes the last place back, Escape all");
+    return tr("Click the first place, or press Enter, to close the curve; Backspace takes the last place back");
+  }
+
+  void end() override
+  {
+    WidgetTool::end();
+    widget_->Clear();
+  }
+
+  bool cancel() override { return widget_->Cancel(); }
+
+ private:
+  void followSurface() override
+  {
+    widget_->SetSurface(viewport().surface());
+    widget_->SetRegions(editor().isOpen() ? editor().mesh().regions : nullptr);
+  }
+
+  void followDisplay() override { widget_->SetPixelRatio(viewport().pixelRatio()); }
+
+  void followCurve()
+  {
+    error_.clear();
+    Q_EMIT changed();
+  }
+
+  void selectInside()
+  {
+    if (!widget_->IsClosed()) return;
+    InsideCurve curve;
+    for (const Index vertex : widget_->GetPlaces()) curve.through.push_back(AtVertex{vertex});
+    const Selection selection{curve};
+    const QScopedValueRollback<bool> selecting(isSelecting_, true);
+    try {
+      editor().selectVertices(editor().mesh().selector->select(selection, {}), selection);
+      error_.clear();
+    } catch (const InputError& error) {
+      error_ = tr("This curve encloses nothing: %1").arg(QString::fromStdString(error.reason()));
+    }
+    Q_EMIT changed();
+  }
+
+  void followSelection()
+  {
+    if (isSelecting_ || !widget_->IsClosed()) return;
+    widget_->Clear();
+    widget_->Render();
+    Q_EMIT changed();
+  }
+
+  vtkNew<SurfaceCurveWidget> widget_;
+  QString error_;  // why the closed curve selects nothing
+  bool isSelecting_ = false;
+};
+
 }  // namespace
 
-CurveTool::CurveTool(Editor& editor, Viewport& viewport, QObject* parent) : WidgetTool(editor, viewport, parent)
+Tool* newCurveTool(Editor& editor, Viewport& viewport)
 {
-  attach(*widget_);
-  widget_->AddObserver(vtkCommand::WidgetValueChangedEvent, this, &CurveTool::followCurve);
-  widget_->AddObserver(vtkCommand::EndInteractionEvent, this, &CurveTool::selectInside);
-  connect(&editor, &Editor::vertexSelectionChanged, this, &CurveTool::followSelection);
-}
-
-QString CurveTool::hint() const
-{
-  if (!error_.isEmpty()) return error_;
-  if (widget_->IsClosed()) return tr("Drag its places, or F: fixed, H: handle, R: rigid. Escape takes the curve away");
-  const std::size_t places = widget_->GetPlaces().size();
-  if (places == 0) return tr("Click places around a feature to draw a closed curve along the edges");
-  if (places < kLeastPlaces) return tr("Click on; Backspace takes the last place back, Escape all");
-  return tr("Click the first place, or press Enter, to close the curve; Backspace takes the last place back");
-}
-
-void CurveTool::followSurface()
-{
-  widget_->SetSurface(viewport().surface());
-  widget_->SetRegions(editor().isOpen() ? editor().mesh().regions : nullptr);
-}
-
-void CurveTool::followDisplay()
-{
-  widget_->SetPixelRatio(viewport().pixelRatio());
-}
-
-void CurveTool::end()
-{
-  WidgetTool::end();
-  widget_->Clear();
-}
-
-void CurveTool::followCurve()
-{
-  error_.clear();
-  Q_EMIT changed();
-}
-
-void CurveTool::selectInside()
-{
-  if (!widget_->IsClosed()) return;
-  InsideCurve curve;
-  for (const Index vertex : widget_->GetPlaces()) curve.through.push_back(AtVertex{vertex});
-  const Model& model = *editor().model();
-  const SurfaceLocator locator = model.locator();
-  CurveSelector selector(model.mesh, model.solverMesh, locator);
-  const QScopedValueRollback<bool> selecting(isSelecting_, true);
-  try {
-    editor().selectVertices(selector.select(curve, {}), Selection{curve});
-    error_.clear();
-  } catch (const InputError& error) {
-    error_ = tr("This curve encloses nothing: %1").arg(QString::fromStdString(error.reason()));
-  }
-  Q_EMIT changed();
-}
-
-void CurveTool::followSelection()
-{
-  if (isSelecting_ || !widget_->IsClosed()) return;
-  widget_->Clear();
-  widget_->Render();
-  Q_EMIT changed();
+  return new CurveTool(editor, viewport);
 }
 
 }  // namespace holdfast

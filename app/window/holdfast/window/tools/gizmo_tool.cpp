@@ -31,7 +31,7 @@ GizmoTool::GizmoTool(Editor& editor, Viewport& viewport, QObject* parent)
     : WidgetTool(editor, viewport, parent), gizmo_(*widget_->GetGizmoRepresentation())
 {
   attach(*widget_);
-  // Painted here, in the window's own font and not by what draws the mesh.
+  // `paint` draws it in the window's font.
   gizmo_.LabelVisibilityOff();
   widget_->AddObserver(vtkCommand::HighlightEvent, this, &GizmoTool::highlight);
   widget_->AddObserver(vtkCommand::StartInteractionEvent, this, &GizmoTool::start);
@@ -72,7 +72,7 @@ void GizmoTool::placeGizmo()
       placing_ = std::make_unique<ConstraintDrag>(*editor().model(), editor().list(), editor().selectedConstraints(),
                                                   editor().mesh().path.filename().string());
     } catch (const InputError&) {
-      // A constraint that does not fit the mesh: the editor's trouble says so, and there is nothing to move.
+      // A constraint does not fit the mesh: the editor reports it, and there is nothing to move.
       placing_.reset();
     }
   if (placing_ && placing_->isEmpty()) placing_.reset();

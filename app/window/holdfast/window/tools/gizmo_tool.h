@@ -23,11 +23,11 @@ enum class GizmoAxes {
 
 /// How a handle turns while it is moved about what is fixed, section 3.3 of the paper.
 enum class RotationOfMoves {
-  AsConstraint,  ///< as the handle says, which may be by the shortest turn (`RotationAboutFixed`)
-  AsSeen         ///< by the angle that is seen on the screen, about the viewing axis
+  AsConstraint,  ///< as the handle says, for example by the shortest rotation (`RotationAboutFixed`)
+  AsSeen         ///< by the angle on the screen, about the viewing axis
 };
 
-/// The gizmo stands where the selected points and handles are to be, whatever tool is chosen. A drag is one edit.
+/// The gizmo is where the selected points and handles go, whichever tool is chosen. A drag is one edit.
 class GizmoTool : public WidgetTool {
   Q_OBJECT
 
@@ -43,7 +43,7 @@ class GizmoTool : public WidgetTool {
   /// How far the drag is, at the cursor.
   void paint(QPainter& painter) const override;
 
-  /// What lies under that label, in the viewport's own coordinates and wholly inside it; empty without a drag.
+  /// The box of that label, in the viewport's coordinates and inside it; empty without a drag.
   [[nodiscard]] QRectF labelPlate() const;
 
   void setAxes(GizmoAxes axes);
@@ -53,7 +53,7 @@ class GizmoTool : public WidgetTool {
 
   [[nodiscard]] GizmoWidget& widget() const { return *widget_; }
   [[nodiscard]] const GizmoRepresentation& gizmo() const noexcept { return gizmo_; }
-  /// Whether the cursor is over one of its parts, or drags it: `hint` is what counts then.
+  /// Whether the cursor is over one of its parts, or drags it: `hint` applies then.
   [[nodiscard]] bool isTouched() const { return widget_->GetPart() != GizmoPart::None; }
 
  protected:
@@ -76,7 +76,7 @@ class GizmoTool : public WidgetTool {
   GizmoRepresentation& gizmo_;
   GizmoAxes axes_ = GizmoAxes::World;
   RotationOfMoves rotationOfMoves_ = RotationOfMoves::AsConstraint;
-  std::unique_ptr<ConstraintDrag> placing_;  // what the gizmo stands for; null where it is hidden
+  std::unique_ptr<ConstraintDrag> placing_;  // what the gizmo moves; null while it is hidden
   ViewGeometry view_;                        // when the drag began
   Vector3 pivot_ = Vector3::Zero();
   double degreesSeen_ = 0;  // so far

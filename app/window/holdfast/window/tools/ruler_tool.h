@@ -18,7 +18,6 @@ class RulerTool : public WidgetTool {
   RulerTool(Editor& editor, Viewport& viewport, QObject* parent);
 
   [[nodiscard]] QString hint() const override;
-  [[nodiscard]] Qt::CursorShape cursor() const override { return Qt::CrossCursor; }
   bool cancel() override;
 
   [[nodiscard]] SurfaceRulerWidget& widget() const { return *widget_; }

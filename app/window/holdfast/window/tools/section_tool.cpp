@@ -16,10 +16,10 @@
 namespace holdfast {
 namespace {
 
-// What can be grabbed of the plane is small and comes before the tools; before it comes the gizmo.
+// The plane comes after the gizmo and before the tools, because its handles are small.
 constexpr float kPriority = 0.55F;
 
-/// Of one colour wherever the light comes from.
+/// In one colour, without shading.
 void setColor(vtkProperty& property, const Color& color)
 {
   property.SetColor(color.red, color.green, color.blue);

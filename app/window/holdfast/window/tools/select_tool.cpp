@@ -1,42 +1,54 @@
-#include "holdfast/window/tools/select_tool.h"
-
 #include <vector>
 
+#include <vtkNew.h>
+
+#include <holdfast/widgets/interaction/constraint_mark_widget.h>
+#include <holdfast/window/tools/tools.h>
 #include <holdfast/window/viewport/viewport.h>
 
 namespace holdfast {
+namespace {
 
-SelectTool::SelectTool(Editor& editor, Viewport& viewport, QObject* parent) : WidgetTool(editor, viewport, parent)
-{
-  attach(*widget_);
-  widget_->AddObserver(vtkCommand::PickEvent, this, &SelectTool::pick);
-  connect(&viewport, &Viewport::marksChanged, this, &SelectTool::followMarks);
-}
+class SelectTool : public WidgetTool {
+ public:
+  SelectTool(Editor& editor, Viewport& viewport) : WidgetTool(editor, viewport)
+  {
+    attach(*widget_);
+    widget_->AddObserver(vtkCommand::PickEvent, this, &SelectTool::pick);
+    connect(&viewport, &Viewport::marksChanged, this, &SelectTool::followMarks);
+  }
 
-QString SelectTool::hint() const
-{
-  return tr("Click a constraint to select it, drag to turn the picture");
-}
+  Qt::CursorShape cursor() const override { return Qt::ArrowCursor; }
 
-void SelectTool::followMarks()
-{
-  widget_->GetConstraintMarkRepresentation()->SetSection(viewport().section());
-  widget_->SetMarks(viewport().contents() ? viewport().contents()->sharedMarks() : nullptr);
-}
+  QString hint() const override { return tr("Click a constraint to select it, drag to turn the picture"); }
 
-void SelectTool::followDisplay()
-{
-  widget_->SetPixelRatio(viewport().pixelRatio());
-}
+ private:
+  void followDisplay() override { widget_->SetPixelRatio(viewport().pixelRatio()); }
 
-void SelectTool::pick(vtkObject* /*caller*/, unsigned long /*event*/, void* picked)
+  void followMarks()
+  {
+    widget_->GetConstraintMarkRepresentation()->SetSection(viewport().section());
+    widget_->SetMarks(viewport().contents() ? viewport().contents()->sharedMarks() : nullptr);
+  }
+
+  void pick(vtkObject* /*caller*/, unsigned long /*event*/, void* picked)
+  {
+    const auto& [constraint, isAdded] = *static_cast<const ConstraintPick*>(picked);
+    if (!isAdded) return editor().selectConstraints(constraint ? std::vector{*constraint} : std::vector<Index>{});
+    if (!constraint) return;
+    auto selected = editor().selectedConstraints();
+    if (std::erase(selected, *constraint) == 0) selected.push_back(*constraint);
+    editor().selectConstraints(std::move(selected));
+  }
+
+  vtkNew<ConstraintMarkWidget> widget_;
+};
+
+}  // namespace
+
+Tool* newSelectTool(Editor& editor, Viewport& viewport)
 {
-  const auto& [constraint, isAdded] = *static_cast<const ConstraintPick*>(picked);
-  if (!isAdded) return editor().selectConstraints(constraint ? std::vector{*constraint} : std::vector<Index>{});
-  if (!constraint) return;
-  auto selected = editor().selectedConstraints();
-  if (std::erase(selected, *constraint) == 0) selected.push_back(*constraint);
-  editor().selectConstraints(std::move(selected));
+  return new SelectTool(editor, viewport);
 }
 
 }  // namespace holdfast

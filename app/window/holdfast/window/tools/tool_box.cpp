@@ -5,12 +5,9 @@
 #include <array>
 
 #include <holdfast/window/controls/icons.h>
-#include <holdfast/window/tools/curve_tool.h>
-#include <holdfast/window/tools/point_tool.h>
-#include <holdfast/window/tools/region_tool.h>
-#include <holdfast/window/tools/relative_tool.h>
+#include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/tools/ruler_tool.h>
-#include <holdfast/window/tools/select_tool.h>
+#include <holdfast/window/tools/tools.h>
 #include <holdfast/window/viewport/viewport.h>
 
 namespace holdfast {
@@ -25,21 +22,21 @@ constexpr std::array kSigns{Sign::Select, Sign::Point, Sign::Relative, Sign::Bru
 ToolBox::ToolBox(Editor& editor, Viewport& viewport, QObject* parent)
     : QObject(parent), viewport_(viewport), group_(new QActionGroup(this))
 {
-  add(new SelectTool(editor, viewport, this), "toolSelect", tr("&Select"), "S",
+  add(newSelectTool(editor, viewport), "toolSelect", tr("&Select"), "S",
       tr("Select constraints, and move them by the arrows and rings"));
-  add(new PointTool(editor, viewport, this), "toolPoint", tr("Hold &point"), "P",
+  add(newPointTool(editor, viewport), "toolPoint", tr("Hold &point"), "P",
       tr("Hold a point on a vertex, on an edge or inside a face"));
-  add(new RelativeTool(editor, viewport, this), "toolRelative", tr("&Keep vector"), "K",
+  add(newRelativeTool(editor, viewport), "toolRelative", tr("&Keep vector"), "K",
       tr("Keep the vector between two points of the surface, or give it"));
-  add(new RegionTool(RegionShape::Brush, editor, viewport, this), "toolBrush", tr("&Brush"), "B",
+  add(newRegionTool(RegionShape::Brush, editor, viewport), "toolBrush", tr("&Brush"), "B",
       tr("Paint a region along the surface"));
-  add(new RegionTool(RegionShape::Rectangle, editor, viewport, this), "toolRectangle", tr("Rec&tangle"), "M",
+  add(newRegionTool(RegionShape::Rectangle, editor, viewport), "toolRectangle", tr("Rec&tangle"), "M",
       tr("Select vertices in a rectangle"));
-  add(new RegionTool(RegionShape::Lasso, editor, viewport, this), "toolLasso", tr("&Lasso"), "L",
+  add(newRegionTool(RegionShape::Lasso, editor, viewport), "toolLasso", tr("&Lasso"), "L",
       tr("Select vertices by drawing around them"));
-  add(new RegionTool(RegionShape::Side, editor, viewport, this), "toolFlood", tr("Si&de"), "W",
+  add(newRegionTool(RegionShape::Side, editor, viewport), "toolFlood", tr("Si&de"), "W",
       tr("Select a smooth side, or a whole part by a double click"));
-  add(new CurveTool(editor, viewport, this), "toolCurve", tr("&Curve"), "C",
+  add(newCurveTool(editor, viewport), "toolCurve", tr("&Curve"), "C",
       tr("Draw a closed curve around a feature on the surface"));
   add(new RulerTool(editor, viewport, this), "toolRuler", tr("R&uler"), "D",
       tr("Measure between two points of the surface, now and at rest"));
@@ -49,8 +46,8 @@ ToolBox::ToolBox(Editor& editor, Viewport& viewport, QObject* parent)
 
 void ToolBox::add(Tool* tool, const QString& objectName, const QString& name, const QString& key, const QString& tip)
 {
-  auto* action = new QAction(name, group_);
-  action->setObjectName(objectName);
+  tool->setParent(this);
+  auto* action = named(new QAction(name, group_), objectName);
   action->setCheckable(true);
   action->setShortcut(QKeySequence(key));
   action->setToolTip(QString("%1 (%2)").arg(tip, key));

@@ -18,12 +18,11 @@ class ToolBox : public QObject {
  public:
   ToolBox(Editor& editor, Viewport& viewport, QObject* parent);
 
-  /// In the order of the tool bar. Chosen by key, too.
+  /// In the order of the tool bar. Keys choose them, too.
   [[nodiscard]] QList<QAction*> actions() const { return group_->actions(); }
   [[nodiscard]] const Tool& current() const { return *current_; }
-  /// The one that is chosen when nothing else is.
   void chooseSelect();
-  /// Signs follow the palette.
+  /// Draws the icons in the colours of the palette.
   void drawIcons();
 
  Q_SIGNALS:

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What all tools have in common that listen to a widget of VTK.
+/// The base of tools that listen to a widget of VTK.
 
 #include <holdfast/window/model/editor.h>
 #include <holdfast/window/viewport/tool.h>
@@ -16,21 +16,23 @@ class WidgetTool : public Tool {
   Q_OBJECT
 
  public:
+  [[nodiscard]] Qt::CursorShape cursor() const override { return Qt::CrossCursor; }
   void begin() override;
   void end() override;
 
  protected:
   /// `widget` stays alive as long as this.
-  WidgetTool(Editor& editor, Viewport& viewport, QObject* parent) : Tool(parent), editor_(editor), viewport_(viewport)
+  WidgetTool(Editor& editor, Viewport& viewport, QObject* parent = nullptr)
+      : Tool(parent), editor_(editor), viewport_(viewport)
   {
   }
 
   /// To be called once, by the constructor.
   void attach(vtkAbstractWidget& widget);
 
-  /// The surface that is shown is another one, or none.
+  /// The viewport shows another surface, or none.
   virtual void followSurface() {}
-  /// Before each picture: the pixels of the display may be others.
+  /// Before each picture: the pixel ratio of the display may have changed.
   virtual void followDisplay() {}
 
   [[nodiscard]] Editor& editor() const noexcept { return editor_; }
@@ -43,7 +45,7 @@ class WidgetTool : public Tool {
 };
 
 /// The character that a key stands for, as widgets of VTK ask for it: '\r' for Return, '\b' for Backspace, 27 for
-/// Escape; 0 for others, and where Ctrl, Alt or Meta are held.
+/// Escape; 0 for others, and with Ctrl, Alt or Meta.
 [[nodiscard]] char characterOf(const QKeyEvent& event);
 
 }  // namespace holdfast

@@ -9,7 +9,7 @@
 namespace holdfast {
 namespace {
 
-/// Null where the window has nothing to draw in yet, or no longer.
+/// Null while the window has no OpenGL context.
 QOpenGLExtraFunctions* functionsOf(vtkRenderWindow& window)
 {
   window.MakeCurrent();

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// When what was drawn is done, without waiting for it.
+/// Whether OpenGL has finished drawing, without waiting for it.
 
 #include <chrono>
 #include <initializer_list>
@@ -10,12 +10,12 @@ class vtkRenderWindow;
 namespace holdfast {
 
 /// OpenGL takes orders at once and draws later, on a GPU or on threads of its own. One fence is set at a time, behind
-/// all that has been ordered so far.
+/// all orders so far.
 ///
-/// Mesa's renderer for machines without a GPU says that a fence is passed a moment before its threads have let go of
-/// it. Freed by the next order within that moment, they would write into memory that is no longer theirs
-/// (`lp_fence_signal`, Mesa 22.3); who asks again and again meets it sooner or later. So a second hold on each fence is
-/// kept until the one after it is passed, which no thread comes to before it has left the one before.
+/// Mesa's renderer for machines without a GPU reports a fence as passed a moment before its threads release it. If the
+/// next order frees the fence in that moment, the threads write into freed memory (`lp_fence_signal`, Mesa 22.3). This
+/// class therefore keeps a second hold on each fence until the next one is passed; no thread reaches the next one
+/// before it has released the first.
 class DrawFence {
  public:
   /// `window` stays alive as long as this, and draws in a context of Qt.
@@ -24,11 +24,11 @@ class DrawFence {
   DrawFence(const DrawFence&) = delete;
   DrawFence& operator=(const DrawFence&) = delete;
 
-  /// In the place of one that was set before.
+  /// Replaces a fence that was set before.
   void set();
 
-  /// False while what is before the fence is being drawn, and still is after `patience`; else true, and it is no longer
-  /// set. True where none is set.
+  /// False if the orders before the fence are still being drawn after `patience`; else true, and the fence is no longer
+  /// set. True if none is set.
   [[nodiscard]] bool pass(std::chrono::nanoseconds patience = {});
 
  private:

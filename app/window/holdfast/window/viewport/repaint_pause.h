@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A window that is not repainted while something is drawn in it.
+/// A window that is not repainted while OpenGL draws in it.
 
 #include <QObject>
 #include <QPointer>
@@ -8,15 +8,15 @@
 
 namespace holdfast {
 
-/// Putting the widgets of a window together waits for all that OpenGL was ordered to draw: done meanwhile, it would
-/// hold up whatever comes next. Nothing is lost: what is to be repainted is repainted after the pause.
+/// Composing the widgets of a window waits for all that OpenGL was ordered to draw, and the window cannot answer
+/// meanwhile. Repaints requested during the pause follow after it.
 class RepaintPause : public QObject {
  public:
-  /// `inside`: a widget of that window; this is a part of it.
+  /// `inside`: a widget of that window; it stays alive as long as this.
   explicit RepaintPause(QWidget& inside) : inside_(inside) {}
 
   void begin();
-  /// Whether something waits to be repainted, which comes with the events that follow.
+  /// Whether a repaint was requested; it follows with the next events.
   bool end();
 
  protected:

@@ -11,8 +11,8 @@ class QPainter;
 
 namespace holdfast {
 
-/// One of several, of which the viewport holds one at a time. Tools listen to widgets of VTK and edit the document;
-/// what the widgets leave moves the camera.
+/// The viewport has one tool at a time. Tools listen to widgets of VTK and edit the document; events that the widgets
+/// leave move the camera.
 class Tool : public QObject {
   Q_OBJECT
 
@@ -23,27 +23,27 @@ class Tool : public QObject {
   [[nodiscard]] virtual QString hint() const = 0;
   [[nodiscard]] virtual Qt::CursorShape cursor() const { return Qt::ArrowCursor; }
 
-  /// The tool is chosen; another one is.
+  /// The user has chosen this tool; another one.
   virtual void begin() = 0;
   virtual void end() = 0;
 
-  /// Something in front of what the tool works on has the mouse.
+  /// The mouse is over something in front of what the tool works on.
   virtual void leave() {}
 
-  /// Whether the key is the tool's: it comes before what menus have it for.
+  /// Whether the tool takes the key, before any menu does.
   [[nodiscard]] virtual bool wants(const QKeyEvent& /*event*/) const { return false; }
 
-  /// The keyboard goes elsewhere.
+  /// The viewport loses the keyboard focus.
   virtual void loseFocus() {}
 
-  /// Takes back what is under way, exactly; false where nothing is.
+  /// Takes back what is under way, exactly; false if nothing is.
   virtual bool cancel() { return false; }
 
   /// Draws over the picture, in the viewport's own coordinates.
   virtual void paint(QPainter& /*painter*/) const {}
 
  Q_SIGNALS:
-  /// What `paint` draws, or `hint` says, has changed.
+  /// `paint` or `hint` gives another result now.
   void changed();
 };
 

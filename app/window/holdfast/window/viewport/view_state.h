@@ -10,7 +10,7 @@ class Viewport;
 
 [[nodiscard]] ViewState viewStateOf(Viewport& viewport);
 
-/// What `state` does not say, and names that are not known (of a newer version), stay as they are.
+/// Settings that `state` leaves out, and unknown names (of a newer version), change nothing.
 void apply(const ViewState& state, Viewport& viewport);
 
 }  // namespace holdfast

@@ -25,14 +25,14 @@
 namespace holdfast {
 namespace {
 
-// Of Mesa's renderer for machines without a GPU.
+// Threads of Mesa's renderer for machines without a GPU.
 constexpr const char* kDrawingThreads = "llvmpipe-";
 
 // Beyond this a moving picture is drawn of fewer triangles.
 constexpr double kFluentMilliseconds = 30;
 constexpr int kRestMilliseconds = 250;
 
-// Whether something is drawn by now is asked for this often.
+// Between two looks at the fence.
 constexpr int kMillisecondsBetweenLooks = 1;
 
 // Longer than any picture takes.
@@ -43,15 +43,14 @@ double millisecondsOf(const QElapsedTimer& timer)
   return static_cast<double>(timer.nsecsElapsed()) / 1e6;
 }
 
-/// A mesh at rest would be of one dark colour, and look like a result. A range that the user has fixed is what he
-/// wants.
+/// A mesh at rest would have one dark colour, and look like a result. The user wants a range that he has fixed.
 bool saysAnything(const Coloring& coloring, const ColorSettings& settings)
 {
   if (std::holds_alternative<FixedRange>(settings.range)) return true;
-  // No residual is good news, and told where it is.
-  const bool isZeroTold = settings.field == ColorBy::ConstraintResidual;
+  // Residuals of zero are a result.
+  const bool isZeroShown = settings.field == ColorBy::ConstraintResidual;
   return std::any_of(coloring.values.begin(), coloring.values.end(),
-                     [&](double value) { return isZeroTold ? value >= 0 : value > 0; });
+                     [&](double value) { return isZeroShown ? value >= 0 : value > 0; });
 }
 
 }  // namespace
@@ -104,7 +103,7 @@ Viewport::Viewport(Editor& editor, QWidget* parent) : VtkView(parent), editor_(e
 
 Viewport::~Viewport()
 {
-  // Widgets are not to outlive the interactor, nor to speak to it while it goes.
+  // Widgets must not call the interactor while it is destroyed.
   Q_EMIT closing();
 }
 
@@ -150,7 +149,7 @@ void Viewport::openDocument()
     contents_->setPixelRatio(pixelRatio());
     contents_->addTo(*renderer_);
     contents_->setSection(section_);
-    // Until the first picture in full tells how long it takes.
+    // A guess until the first full picture was measured.
     fullMilliseconds_ = isLarge(*editor_.model()) ? 2 * kFluentMilliseconds : 0;
     setDisplay(display_);
     showColors();
@@ -187,7 +186,7 @@ void Viewport::showResult()
 {
   prepareToMove();
   showSurface();
-  // The mesh was shown at rest so far; who has looked elsewhere since goes on looking there.
+  // So far the picture showed the mesh at rest. A camera that has moved since stays where it is.
   if (const auto eye = std::exchange(openedFrom_, std::nullopt);
       eye && *eye == Vector3(renderer_->GetActiveCamera()->GetPosition()))
     frameAll();
@@ -355,7 +354,7 @@ void Viewport::initializeGL()
 
 void Viewport::paintGL()
 {
-  // Draws, or puts what was drawn into the window: that would wait as well.
+  // Drawing, and putting the drawing into the window, would both wait.
   static_cast<void>(fence_->pass(kLongestWait));
   VtkView::paintGL();
   fence_->set();
@@ -370,21 +369,21 @@ void Viewport::scheduleRender()
 
 void Viewport::scheduleWidgets()
 {
-  // A widget that has moved the camera does not say so, and the balls in the corner are kept with the document.
+  // A widget that has moved the camera does not report it, and the kept scene includes the balls in the corner.
   if (orientation_->GetProcessEvents() != 0 || kept_->isOutdated()) return scheduleRender();
   if (!renderTimer_.isActive()) renderTimer_.start(0);
 }
 
 void Viewport::render()
 {
-  // Coarse pictures follow one another: one that is being drawn will be seen. Slices have the widgets on top, too.
+  // A coarse picture under way is finished and shown first. Slices show the widgets, too.
   const bool isOneComing = (drawnTimer_.isActive() && (!slices_->isUnderWay() || !isSceneDue_)) || isUnseen();
   if (!isOneComing) abandonDrawing();
-  // What was abandoned is drawn all the same, and would be waited for.
+  // The driver still draws what was abandoned, and the next picture would wait for it.
   if (isOneComing || !fence_->pass()) return renderTimer_.start(kMillisecondsBetweenLooks);
   if (!isVisible()) return;
   if (!std::exchange(isSceneDue_, false) && kept_->isCurrent()) return renderWidgets();
-  // Until the hand rests a large mesh is drawn of fewer triangles.
+  // A large mesh is drawn with fewer triangles until the mouse rests.
   isCoarse_ = contents_ && fullMilliseconds_ > kFluentMilliseconds;
   kept_->setKeeping(!isCoarse_);
   if (contents_) {
@@ -422,7 +421,7 @@ void Viewport::renderAtOnce()
 
 void Viewport::renderCoarse()
 {
-  // What is shown would be waited for.
+  // Showing the picture would wait for the drawing.
   window_->SwapBuffersOff();
   window_->Render();
   window_->SwapBuffersOn();
@@ -441,11 +440,11 @@ void Viewport::goOnWhenDrawn()
   if (!fence_->pass()) return drawnTimer_.start(kMillisecondsBetweenLooks);
   const bool isRepaintDue = pause_.end();
   if (slices_->isUnderWay()) {
-    // Between two slices the window may show what has changed in it.
+    // Between two slices the window may repaint.
     if (isRepaintDue) return drawnTimer_.start(kMillisecondsBetweenLooks);
     return renderSlice();
   }
-  // Before its first painting there is no context, and nothing was drawn.
+  // Before its first painting there is no OpenGL context, and nothing was drawn.
   if (isValid()) window_->Frame();
   waiting_.start();
   renderMilliseconds_ = millisecondsOf(drawing_);
@@ -468,7 +467,7 @@ void Viewport::abandonDrawing()
 void Viewport::prepareToMove()
 {
   if (fullMilliseconds_ <= kFluentMilliseconds) return;
-  // What is drawn in slices is not shown by halves.
+  // A picture in slices is not shown before it is complete.
   if (slices_->isUnderWay()) abandonDrawing();
   contents_->setDetail(Detail::Coarse);
 }

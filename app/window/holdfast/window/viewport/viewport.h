@@ -32,8 +32,8 @@ namespace holdfast {
 class ViewportOverlay;
 struct ExampleDocument;
 
-/// Shows the editor's document. Qt's events go to VTK's interactor, whose widgets and camera style interpret them; what
-/// these ask to be drawn is drawn once in a turn of the event loop, however many events it had.
+/// Shows the editor's document. Qt's events go to VTK's interactor, whose widgets and camera style interpret them. All
+/// their requests of one turn of the event loop give one picture.
 class Viewport : public VtkView {
   Q_OBJECT
 
@@ -41,30 +41,29 @@ class Viewport : public VtkView {
   explicit Viewport(Editor& editor, QWidget* parent = nullptr);
   ~Viewport() override;
 
-  /// Draws an example that nobody sees: `MainWindow::warmUp`. Before a document is opened.
+  /// Draws an example for `MainWindow::warmUp`. Before a document is opened.
   void warmUp(const ExampleDocument& example);
 
-  /// The tool that is chosen; null for none. Stays its owner's.
+  /// The chosen tool; null for none. The caller keeps it.
   void setTool(Tool* tool);
-  /// A tool that is there whatever tool is chosen: the gizmo.
+  /// A tool beside every chosen tool: the gizmo.
   void setFirstTool(Tool* tool);
   /// The mouse is over something in front of what the chosen tool works on.
   void leaveTool();
-  /// Takes back what is under way with the mouse; false where nothing is.
+  /// Takes back what is under way with the mouse; false if nothing is.
   bool cancelGesture();
 
   void setColors(const ColorSettings& settings);
   [[nodiscard]] const ColorSettings& colors() const noexcept { return colors_; }
   void setDisplay(const DisplaySettings& settings);
   [[nodiscard]] const DisplaySettings& display() const noexcept { return display_; }
-  /// What the surface is coloured by now; none for one colour, for an empty viewport, and where the chosen field is
-  /// zero everywhere.
+  /// The present colouring; none for one colour, for an empty viewport, and for a field that is zero everywhere.
   [[nodiscard]] const std::optional<Coloring>& coloring() const noexcept { return coloring_; }
   void setDarkBackdrop(bool isDark);
 
   /// The camera.
   void frameAll();
-  /// Stays as it is from then on, where it was not moved since the document was opened, too.
+  /// The first deformation no longer frames the mesh then.
   void setCamera(const Camera& camera);
   void frameVertices(const std::vector<Index>& vertices);
   /// Ascending places in the list.
@@ -73,53 +72,52 @@ class Viewport : public VtkView {
   void setParallelProjection(bool isParallel);
   [[nodiscard]] bool isParallelProjection() const;
 
-  /// What is seen and picked, without what the section plane cuts away; null without a document.
+  /// The surface that is visible and can be picked, without what the section plane cuts away; null without a document.
   [[nodiscard]] const std::shared_ptr<const VisibleSurface>& surface() const noexcept { return surface_; }
-  /// Cuts the picture, not the mesh; none: shows all of it. Stays for the next document.
+  /// Cuts the picture, not the mesh; none shows all of it. Applies to the next document, too.
   void setSection(const std::optional<SectionPlane>& section);
   [[nodiscard]] const std::optional<SectionPlane>& section() const noexcept { return section_; }
   [[nodiscard]] SceneContents* contents() noexcept { return contents_.get(); }
-  /// The constraints that are drawn, those that the section plane cuts away as well; none without a document.
+  /// The constraints that are drawn, including those that the section plane cuts away; none without a document.
   [[nodiscard]] const std::vector<ConstraintMark>& marks() const noexcept;
   [[nodiscard]] vtkRenderer& renderer() { return *renderer_; }
-  /// A layer over the picture of the document, with its camera and its depths: what widgets draw is drawn here, without
-  /// drawing the document again.
+  /// A layer for widgets over the picture of the document, with its camera and its depths. Drawing it does not draw the
+  /// document again.
   [[nodiscard]] vtkRenderer& widgetRenderer() { return *widgetRenderer_; }
 
-  /// To the widget's own coordinates: from the upper left corner.
+  /// In the widget's coordinates, from the upper left corner.
   [[nodiscard]] QPointF toPlace(const DisplayPoint& display) const;
 
-  /// How long a picture may wait to be put into the window before the next one is drawn all the same: nothing is put
-  /// into a window that is minimised.
+  /// The next picture waits this long for the window to show the last one. A minimised window shows none.
   static constexpr int kMostMillisecondsUnseen = 100;
 
   /// Draws at the next turn of the event loop.
   void scheduleRender();
-  /// The same of the layers above the document alone, where it has not changed: what VTK's interactor asks for.
+  /// The same for VTK's interactor: draws only the layers above the document if that has not changed.
   void scheduleWidgets();
-  /// Whether only some triangles of a large mesh are drawn: it moves, and moved a moment ago.
+  /// Whether the picture of a large mesh that moves has only some triangles.
   [[nodiscard]] bool isCoarse() const noexcept { return isCoarse_; }
   /// Whether a picture, or one of more detail, is still to come.
   [[nodiscard]] bool isRenderPending() const
   {
     return renderTimer_.isActive() || restTimer_.isActive() || drawnTimer_.isActive();
   }
-  /// Milliseconds that the last picture took to draw, what was done meanwhile included.
+  /// Milliseconds from the beginning to the end of the last picture.
   [[nodiscard]] double lastRenderMilliseconds() const noexcept { return renderMilliseconds_; }
 
  Q_SIGNALS:
-  /// What a click of the chosen tool would take, or nothing; tools say it.
+  /// What a click of the chosen tool would take, or nothing; tools emit it.
   void previewChanged(const std::optional<SurfacePick>& pick);
   /// Another field, another scale, or other values of it.
   void coloringChanged(const std::optional<Coloring>& coloring);
   /// `surface` is another one.
   void surfaceChanged();
-  /// Other constraints are drawn, or elsewhere: `marks` and `section`.
+  /// `marks` or `section` has changed.
   void marksChanged();
   void contextMenuWanted(const QPoint& place);
   /// Before each picture.
   void aboutToRender();
-  /// The last time to take a widget away from the interactor.
+  /// The last moment to take a widget away from the interactor.
   void closing();
   void rendered();
 
@@ -142,7 +140,7 @@ class Viewport : public VtkView {
   void showSelection();
   void cameraMoved();
   void framePlaces(const Positions& places);
-  /// Nothing is worked out for the full picture of what comes next, where it will not be drawn.
+  /// Avoids work for a full picture that will not be drawn.
   void prepareToMove();
   void render();
   void renderWidgets();
@@ -178,14 +176,14 @@ class Viewport : public VtkView {
   bool isOverOrientation_ = false;
 
   QTimer renderTimer_;  // draws once a turn of the event loop
-  QTimer restTimer_;    // draws the full detail when the hand rests
-  QTimer drawnTimer_;   // goes on when what was ordered is drawn
+  QTimer restTimer_;    // draws the full detail when the mouse rests
+  QTimer drawnTimer_;   // looks whether the drawing is done
   std::unique_ptr<DrawFence> fence_;
   RepaintPause pause_{*this};  // while something is drawn
   std::unique_ptr<SlicedDrawing> slices_;
   std::unique_ptr<KeptScene> kept_;
   QElapsedTimer drawing_;  // since the picture was begun
-  QElapsedTimer waiting_;  // since it was to be put into the window; invalid when it is there
+  QElapsedTimer waiting_;  // for the window to show it; invalid once it does
   double renderMilliseconds_ = 0;
   double fullMilliseconds_ = 0;  // of the last picture in full detail
   bool isCoarse_ = false;

@@ -1,4 +1,4 @@
-// How Qt's events reach VTK's interactor, and what of the keys is Qt's.
+// How Qt's events reach VTK's interactor, and which keys Qt handles.
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -25,7 +25,7 @@ void Viewport::setTool(Tool* tool)
     tool_->begin();
     connect(tool_, &Tool::changed, overlay_, qOverload<>(&QWidget::update));
   }
-  // Widgets that show another one come back to this.
+  // Widgets that show another cursor return to this one.
   setDefaultCursor(tool_ ? tool_->cursor() : Qt::ArrowCursor);
   setCursor(defaultCursor());
   paintTools();
@@ -53,7 +53,7 @@ void Viewport::paintTools()
 
 bool Viewport::cancelGesture()
 {
-  // The camera's gestures have nothing to take back, and stop where they are.
+  // Gestures of the camera stop where they are.
   style_->Cancel();
   isHeld_ = false;
   return (firstTool_ && firstTool_->cancel()) || (tool_ && tool_->cancel());
@@ -73,7 +73,7 @@ bool Viewport::event(QEvent* event)
     case QEvent::MouseButtonDblClick:
       if (!isHeld_) wakeOrientation(static_cast<const QMouseEvent&>(*event).localPos());
       isHeld_ = static_cast<const QMouseEvent&>(*event).buttons() != Qt::NoButton;
-      // What was coarse while the hand moved is drawn in full when it rests.
+      // A coarse picture is drawn in full when the mouse rests.
       if (!isHeld_ && isCoarse_) restTimer_.start();
       break;
     case QEvent::ShortcutOverride:
@@ -88,7 +88,7 @@ bool Viewport::event(QEvent* event)
         if (tool) tool->loseFocus();
       break;
     case QEvent::ContextMenu:
-      // Comes with the press; the camera's style asks for the menu when the button comes up.
+      // It comes with the press; the camera's style asks for the menu at the release.
       return true;
     default:
       break;
@@ -101,7 +101,7 @@ void Viewport::wakeOrientation(const QPointF& place)
   const QPointF pixel = pixelRatio() * QPointF(place.x(), height() - place.y());
   const bool isOver =
       orientation_->GetDefaultRenderer()->IsInViewport(static_cast<int>(pixel.x()), static_cast<int>(pixel.y())) != 0;
-  // It asks for a picture at every move, wherever the cursor is; the last one that it gets is that beside it.
+  // It asks for a picture at every move that it gets. Moves elsewhere are kept from it, but for the first one.
   const bool wasOver = std::exchange(isOverOrientation_, isOver);
   orientation_->SetProcessEvents(isOver || wasOver ? 1 : 0);
 }

@@ -11,6 +11,7 @@
 #include <holdfast/widgets/color/scalar_legend.h>
 #include <holdfast/widgets/marks/constraint_glyphs.h>
 #include <holdfast/window/controls/vtk_palette.h>
+#include <holdfast/window/text/constraint_text.h>
 
 namespace holdfast {
 namespace {
@@ -86,9 +87,7 @@ void ViewportLegend::addCount(ConstraintStatus status, Index count)
 {
   top_ -= 1.25 * metrics_.height();
   const double middle = top_ + metrics_.height() / 2;
-  const std::string_view word = name(status);
-  addText(area_.right() - kBall - 6, middle,
-          QString("%1 %2").arg(count).arg(QString::fromUtf8(word.data(), static_cast<int>(word.size()))));
+  addText(area_.right() - kBall - 6, middle, QString("%1 %2").arg(count).arg(statusText(status)));
   balls_.push_back({{area_.right() - kBall / 2, middle}, status});
 }
 

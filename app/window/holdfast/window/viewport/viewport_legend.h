@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The legend over the picture: what colours mean, and how many constraints fared how.
+/// The legend over the picture: what colours mean, and how many constraints have which status.
 
 #include <QFontMetricsF>
 #include <QPointF>
@@ -17,7 +17,7 @@ class QPalette;
 
 namespace holdfast {
 
-/// Stands at the lower right of an area. What is added later stands above what was added before.
+/// In the lower right corner of an area. Each entry is above the one added before.
 class ViewportLegend {
  public:
   ViewportLegend(const QRectF& area, const QFontMetricsF& metrics);
@@ -60,7 +60,7 @@ class ViewportLegend {
 
   QRectF area_;
   QFontMetricsF metrics_;
-  double top_;  // of what was added
+  double top_;  // of the entries so far
   QRectF bar_;  // empty without a scale
   ColorScale scale_;
   std::vector<Tick> ticks_;

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// What is written and drawn over the picture: the legend, what the tool draws, whether the picture is older than the
-/// document, and what to do where nothing is open.
+/// Texts and drawings over the picture: the legend, those of the tool, whether the picture is older than the document,
+/// and what to do if nothing is open.
 
 #include <QPalette>
 #include <QPixmap>
@@ -17,14 +17,14 @@ namespace holdfast {
 class Tool;
 class Viewport;
 
-/// Covers a viewport, and leaves the mouse to it.
+/// Covers a viewport and ignores the mouse.
 class ViewportOverlay : public QWidget {
   Q_OBJECT
 
  public:
   ViewportOverlay(Editor& editor, Viewport& viewport);
 
-  /// Those that paint over the picture.
+  /// The tools that paint over the picture.
   void setTools(std::vector<const Tool*> tools);
 
  protected:
@@ -40,13 +40,13 @@ class ViewportOverlay : public QWidget {
   Editor& editor_;
   Viewport& viewport_;
   std::vector<const Tool*> tools_;
-  // The legend as it was painted last: halos take longer than most pictures.
+  // The legend as painted last: halos take longer than most pictures.
   std::optional<ViewportLegend> paintedLegend_;
   QPalette paintedPalette_;
   QPixmap legendPicture_;
 };
 
-/// What the picture says of its age, in a sentence; empty where it shows what was asked for.
+/// Why the picture is older than the document; empty if it is current.
 [[nodiscard]] QString solveStateText(const Editor& editor);
 
 }  // namespace holdfast

@@ -1,16 +1,12 @@
 #pragma once
 /// \file
-/// The gestures that are worth knowing, on one page.
+/// The most useful gestures, on one page.
 
-#include <QDialog>
+class QWidget;
 
 namespace holdfast {
 
-class HelpDialog : public QDialog {
-  Q_OBJECT
-
- public:
-  explicit HelpDialog(QWidget* parent = nullptr);
-};
+/// Shows the page over `window` until the user closes it.
+void showHelp(QWidget* window);
 
 }  // namespace holdfast

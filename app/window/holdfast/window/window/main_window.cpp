@@ -21,10 +21,12 @@
 #include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/widgets/scene/example_document.h>
 #include <holdfast/window/controls/icons.h>
+#include <holdfast/window/controls/panel_parts.h>
+#include <holdfast/window/controls/theme.h>
 #include <holdfast/window/files/dropped_files.h>
 #include <holdfast/window/files/file_messages.h>
 #include <holdfast/window/files/import_dialog.h>
-#include <holdfast/window/model/commands.h>
+#include <holdfast/window/model/constraint_actions.h>
 #include <holdfast/window/tools/gizmo_tool.h>
 #include <holdfast/window/tools/section_tool.h>
 #include <holdfast/window/tools/tool_box.h>
@@ -70,16 +72,16 @@ MainWindow::~MainWindow()
   gizmo_->disconnect(this);
 }
 
-QAction* MainWindow::addAction(QMenu& menu, const QString& objectName, const QString& text, const QKeySequence& key,
-                               const QString& tip, std::function<void()> run)
+QAction* MainWindow::addAction(QMenu& menu, const QString& name, const QString& text, const QKeySequence& key,
+                               const QString& tip, std::function<void()> run, Needs needs)
 {
-  QAction* action = menu.addAction(text);
-  action->setObjectName(objectName);
+  QAction* action = named(menu.addAction(text), name);
   action->setShortcut(key);
   const QString plain = QString(tip).remove('&');
   action->setToolTip(key.isEmpty() ? plain : QString("%1 (%2)").arg(plain, key.toString(QKeySequence::NativeText)));
   action->setStatusTip(plain);
   connect(action, &QAction::triggered, this, std::move(run));
+  if (needs != Needs::Nothing) needs_.emplace_back(action, needs);
   return action;
 }
 
@@ -91,29 +93,30 @@ void MainWindow::makeFileMenu()
   QMenu* recent = menu.addMenu(tr("Open &recent"));
   connect(recent, &QMenu::aboutToShow, this, [this, recent] { files_.fillRecentMenu(*recent); });
   menu.addSeparator();
-  withDocument_.push_back(addAction(menu, "save", tr("&Save"), QKeySequence::Save,
-                                    tr("Save the mesh's constraints and the view as a session"),
-                                    [this] { files_.saveInBackground(); }));
-  withDocument_.push_back(addAction(menu, "saveAs", tr("Save &as…"), QKeySequence("Ctrl+Shift+S"),
-                                    tr("Save as another session"), [this] { files_.saveAsInBackground(); }));
+  addAction(
+      menu, "save", tr("&Save"), QKeySequence::Save, tr("Save the mesh's constraints and the view as a session"),
+      [this] { files_.saveInBackground(); }, Needs::Document);
+  addAction(
+      menu, "saveAs", tr("Save &as…"), QKeySequence("Ctrl+Shift+S"), tr("Save as another session"),
+      [this] { files_.saveAsInBackground(); }, Needs::Document);
   menu.addSeparator();
-  withDocument_.push_back(
-      addAction(menu, "import", tr("&Import constraints…"), QKeySequence("Ctrl+I"),
-                tr("Add measured points (CSV) or constraints (JSON), after a look at where they lie"),
-                [this] { importConstraints(editor_, this); }));
+  addAction(
+      menu, "import", tr("&Import constraints…"), QKeySequence("Ctrl+I"),
+      tr("Add measured points (CSV) or constraints (JSON), after a look at where they lie"),
+      [this] { importConstraints(editor_, this); }, Needs::Document);
   QMenu& out = *menu.addMenu(tr("&Export"));
-  const auto add = [&](const char* objectName, const QString& text, const QString& tip,
-                       void (DocumentExports::*run)()) {
-    withDocument_.push_back(addAction(out, objectName, text, {}, tip, [this, run] { (exports_.*run)(); }));
+  const auto add = [&](const char* name, const QString& text, const QString& tip, void (DocumentExports::*run)()) {
+    addAction(
+        out, name, text, {}, tip, [this, run] { (exports_.*run)(); }, Needs::Document);
   };
   add("exportMesh", tr("&Mesh…"), tr("The deformed mesh, in any format"), &DocumentExports::exportMesh);
   add("exportFields", tr("&Fields…"), tr("Residuals, rotations and displacements at all vertices, as VTP"),
       &DocumentExports::exportFields);
-  add("exportReport", tr("&Report…"), tr("What became of each constraint, as JSON or CSV"),
+  add("exportReport", tr("&Report…"), tr("The outcome of each constraint, as JSON or CSV"),
       &DocumentExports::exportReport);
   add("exportConstraints", tr("&Constraints…"), tr("A constraint file for holdfast-batch"),
       &DocumentExports::exportConstraints);
-  add("exportPicture", tr("&Picture…"), tr("The picture as it is seen, at any size"), &DocumentExports::exportPicture);
+  add("exportPicture", tr("&Picture…"), tr("The picture as you see it, at any size"), &DocumentExports::exportPicture);
   menu.addSeparator();
   addAction(menu, "quit", tr("&Quit"), QKeySequence("Ctrl+Q"), tr("Close the window"), [this] { close(); });
 }
@@ -121,9 +124,9 @@ void MainWindow::makeFileMenu()
 void MainWindow::makeHelpMenu()
 {
   QMenu& menu = *menuBar()->addMenu(tr("&Help"));
-  addAction(menu, "help", tr("&Ten gestures"), QKeySequence(Qt::Key_F1), tr("What is worth knowing, on one page"),
-            [this] { HelpDialog(this).exec(); });
-  addAction(menu, "about", tr("&About Holdfast"), {}, tr("Which version this is"), [this] {
+  addAction(menu, "help", tr("&Ten gestures"), QKeySequence(Qt::Key_F1), tr("The most useful gestures, on one page"),
+            [this] { showHelp(this); });
+  addAction(menu, "about", tr("&About Holdfast"), {}, tr("The version of the program"), [this] {
     QMessageBox::about(
         this, tr("About Holdfast"),
         tr("<b>Holdfast %1</b><p>Deforms triangle meshes under exact positional constraints, after H. Masuda, "
@@ -163,7 +166,7 @@ void MainWindow::connectFiles()
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 {
   if (localFiles(*event->mimeData()).isEmpty()) return;
-  // Whatever else is proposed: a file that was moved is deleted where it came from.
+  // Never a move, which would delete the file at its source.
   event->setDropAction(Qt::CopyAction);
   event->accept();
 }
@@ -172,7 +175,7 @@ void MainWindow::dropEvent(QDropEvent* event)
 {
   event->setDropAction(Qt::CopyAction);
   event->accept();
-  // Who dragged the files waits until this returns; questions may take longer.
+  // The program that the files come from waits until this returns; questions may take longer.
   QTimer::singleShot(0, this, [this, files = sorted(localFiles(*event->mimeData()))] { take(files); });
 }
 
@@ -203,7 +206,7 @@ void MainWindow::showContextMenu(const QPoint& place)
 
 void MainWindow::warmUp()
 {
-  // What the panels draw in shares its memory with the window's.
+  // The OpenGL contexts of the panels share memory with that of the window.
   static_cast<void>(winId());
   const ExampleDocument example = exampleDocument();
   viewport_->warmUp(example);
@@ -228,13 +231,14 @@ void MainWindow::makeEditMenu()
   QMenu& menu = *menuBar()->addMenu(tr("&Edit"));
   undo_ = addAction(menu, "undo", tr("&Undo"), QKeySequence::Undo, tr("Take the last edit back"),
                     [this] { editor_.undo(); });
-  redo_ = addAction(menu, "redo", tr("&Redo"), QKeySequence("Ctrl+Shift+Z"), tr("Do what was undone again"),
-                    [this] { editor_.redo(); });
+  redo_ = addAction(menu, "redo", tr("&Redo"), QKeySequence("Ctrl+Shift+Z"),
+                    tr("Do the edit again that was undone last"), [this] { editor_.redo(); });
   menu.addSeparator();
   addAction(menu, "escape", tr("&Cancel"), QKeySequence(Qt::Key_Escape),
             tr("Take back what is under way: a drag, a curve, solving; or select nothing"), [this] { escape(); });
-  withDocument_.push_back(addAction(menu, "solveAgain", tr("&Solve again"), QKeySequence(Qt::Key_F5),
-                                    tr("Solve again after it was stopped"), [this] { editor_.solve(); }));
+  addAction(
+      menu, "solveAgain", tr("&Solve again"), QKeySequence(Qt::Key_F5), tr("Solve again after it was stopped"),
+      [this] { editor_.solve(); }, Needs::Document);
 }
 
 void MainWindow::makeSelectionMenu()
@@ -242,22 +246,23 @@ void MainWindow::makeSelectionMenu()
   QMenu& menu = *menuBar()->addMenu(tr("&Select"));
   for (QAction* tool : tools_->actions()) {
     menu.addAction(tool);
-    withDocument_.push_back(tool);
+    needs_.emplace_back(tool, Needs::Document);
   }
   menu.addSeparator();
   const auto vertices = [this] { return editor_.selectedVertices(); };
   const auto regions = [this]() -> VertexRegions& { return *editor_.mesh().regions; };
-  withVertices_.push_back(
-      addAction(menu, "grow", tr("&Grow"), QKeySequence("+"), tr("Select the next ring of vertices, too"),
-                [this, vertices, regions] { editor_.selectVertices(regions().grown(vertices())); }));
-  withVertices_.push_back(addAction(
+  addAction(
+      menu, "grow", tr("&Grow"), QKeySequence("+"), tr("Select the next ring of vertices, too"),
+      [this, vertices, regions] { editor_.selectVertices(regions().grown(vertices())); }, Needs::Vertices);
+  addAction(
       menu, "shrink", tr("S&hrink"), QKeySequence("-"), tr("Take the outermost vertices out of the selection"),
-      [this, vertices, regions] { editor_.selectVertices(regions().shrunk(vertices())); }));
-  withDocument_.push_back(
-      addAction(menu, "invert", tr("&Invert"), QKeySequence("I"), tr("Select all other vertices"),
-                [this, vertices, regions] { editor_.selectVertices(regions().inverted(vertices())); }));
-  withVertices_.push_back(addAction(menu, "deselect", tr("&Nothing"), QKeySequence("Ctrl+Shift+A"),
-                                    tr("Deselect all vertices"), [this] { editor_.selectVertices({}); }));
+      [this, vertices, regions] { editor_.selectVertices(regions().shrunk(vertices())); }, Needs::Vertices);
+  addAction(
+      menu, "invert", tr("&Invert"), QKeySequence("I"), tr("Select all other vertices"),
+      [this, vertices, regions] { editor_.selectVertices(regions().inverted(vertices())); }, Needs::Document);
+  addAction(
+      menu, "deselect", tr("&Nothing"), QKeySequence("Ctrl+Shift+A"), tr("Deselect all vertices"),
+      [this] { editor_.selectVertices({}); }, Needs::Vertices);
 }
 
 void MainWindow::makeConstraintMenu()
@@ -265,8 +270,9 @@ void MainWindow::makeConstraintMenu()
   QMenu& menu = *menuBar()->addMenu(tr("&Constrain"));
   const auto add = [&](const char* objectName, const QString& text, const char* key, const QString& tip,
                        RegionKind kind) {
-    withVertices_.push_back(
-        addAction(menu, objectName, text, QKeySequence(key), tip, [this, kind] { constrainSelection(editor_, kind); }));
+    addAction(
+        menu, objectName, text, QKeySequence(key), tip, [this, kind] { constrainSelection(editor_, kind); },
+        Needs::Vertices);
   };
   add("makeFixed", tr("&Fix the selection"), "F", tr("The selected vertices stay where they are"), RegionKind::Fixed);
   add("makeHandle", tr("Make a &handle of it"), "H", tr("The selected vertices move as you drag them"),
@@ -274,21 +280,28 @@ void MainWindow::makeConstraintMenu()
   add("makeRigid", tr("Make a &rigid feature of it"), "R",
       tr("The selected vertices keep their shape wherever the surface takes them"), RegionKind::Rigid);
   menu.addSeparator();
-  withConstraints_.push_back(addAction(menu, "toggleEnabled", tr("&Enable or disable"), QKeySequence("E"),
-                                       tr("Switch the selected constraints off, or on again"),
-                                       [this] { toggleSelectedConstraints(editor_); }));
-  withConstraints_.push_back(addAction(menu, "deleteConstraints", tr("&Delete"), QKeySequence(Qt::Key_Delete),
-                                       tr("Delete the selected constraints"),
-                                       [this] { removeSelectedConstraints(editor_); }));
+  addAction(
+      menu, "toggleEnabled", tr("&Enable or disable"), QKeySequence("E"),
+      tr("Switch the selected constraints off, or on again"),
+      [this] { toggleConstraints(editor_, Rows(editor_.selectedConstraints())); }, Needs::Constraints);
+  addAction(
+      menu, "deleteConstraints", tr("&Delete"), QKeySequence(Qt::Key_Delete), tr("Delete the selected constraints"),
+      [this] {
+        removeConstraints(editor_, Rows(editor_.selectedConstraints()));
+        editor_.selectConstraints({});
+      },
+      Needs::Constraints);
 }
 
 void MainWindow::makeViewMenu()
 {
   QMenu& menu = *menuBar()->addMenu(tr("&View"));
-  withDocument_.push_back(addAction(menu, "frameAll", tr("Show &all"), QKeySequence(Qt::Key_Home),
-                                    tr("Show the whole mesh"), [this] { viewport_->frameAll(); }));
-  withDocument_.push_back(addAction(menu, "frameSelection", tr("Show the &selection"), QKeySequence("."),
-                                    tr("Show what is selected from near"), [this] { frameSelection(); }));
+  addAction(
+      menu, "frameAll", tr("Show &all"), QKeySequence(Qt::Key_Home), tr("Show the whole mesh"),
+      [this] { viewport_->frameAll(); }, Needs::Document);
+  addAction(
+      menu, "frameSelection", tr("Show the &selection"), QKeySequence("."), tr("Show the selection from near"),
+      [this] { frameSelection(); }, Needs::Document);
   menu.addSeparator();
   struct Side {
     const char* objectName;
@@ -304,86 +317,67 @@ void MainWindow::makeViewMenu()
                          Side{"viewTop", tr("From a&bove"), "7", -Vector3::UnitZ(), Vector3::UnitY()},
                          Side{"viewBottom", tr("From bel&ow"), "Ctrl+7", Vector3::UnitZ(), -Vector3::UnitY()}};
   for (const Side& side : sides)
-    withDocument_.push_back(addAction(menu, side.objectName, side.text, QKeySequence(side.key), side.text,
-                                      [this, side] { viewport_->lookAlong(side.direction, side.up); }));
+    addAction(
+        menu, side.objectName, side.text, QKeySequence(side.key), side.text,
+        [this, side] { viewport_->lookAlong(side.direction, side.up); }, Needs::Document);
   menu.addSeparator();
   QAction* parallel = addAction(menu, "parallelProjection", tr("&Parallel projection"), QKeySequence("5"),
                                 tr("Without perspective"), [] {});
   parallel->setCheckable(true);
   connect(parallel, &QAction::toggled, viewport_, &Viewport::setParallelProjection);
 
-  QMenu& axes = *menu.addMenu(tr("A&xes of the arrows"));
-  auto* axesGroup = new QActionGroup(this);
-  const auto addAxes = [&](const char* objectName, const QString& text, const char* key, GizmoAxes value) {
-    QAction* action =
-        addAction(axes, objectName, text, QKeySequence(key), text, [this, value] { gizmo_->setAxes(value); });
-    action->setCheckable(true);
-    action->setChecked(value == gizmo_->axes());
-    axesGroup->addAction(action);
+  const auto choices = [&](const QString& title) {
+    return [this, &choiceMenu = *menu.addMenu(title), group = new QActionGroup(this)](
+               const char* name, const QString& text, const char* key, const QString& tip, std::function<void()> run) {
+      QAction* action = addAction(choiceMenu, name, text, QKeySequence(key), tip, std::move(run));
+      action->setCheckable(true);
+      action->setChecked(group->actions().isEmpty());
+      group->addAction(action);
+    };
   };
-  addAxes("axesWorld", tr("Of the &world"), "Shift+W", GizmoAxes::World);
-  addAxes("axesOwn", tr("Its &own: a handle's, or across the surface"), "Shift+H", GizmoAxes::Own);
-  addAxes("axesView", tr("Of the &view"), "Shift+V", GizmoAxes::View);
-
-  QMenu& turns = *menu.addMenu(tr("&Turn of a handle that is moved"));
-  auto* turnGroup = new QActionGroup(this);
-  const auto addRotationChoice = [&](const char* objectName, const QString& text, const QString& tip,
-                                     RotationOfMoves value) {
-    QAction* action = addAction(turns, objectName, text, {}, tip, [this, value] { gizmo_->setRotationOfMoves(value); });
-    action->setCheckable(true);
-    action->setChecked(value == gizmo_->rotationOfMoves());
-    turnGroup->addAction(action);
-  };
-  addRotationChoice("turnAsConstraint", tr("As the &constraint says"),
-                    tr("A handle that is moved turns as its constraint says: not at all, or about what is fixed"),
-                    RotationOfMoves::AsConstraint);
-  addRotationChoice("turnAsSeen", tr("As &seen about what is fixed"),
-                    tr("A handle that is moved turns about the viewing axis, by the angle that it makes on the screen"),
-                    RotationOfMoves::AsSeen);
+  const auto addAxes = choices(tr("A&xes of the arrows"));
+  const QString own = tr("Its &own: a handle's, or across the surface");
+  addAxes("axesWorld", tr("Of the &world"), "Shift+W", tr("Of the world"),
+          [this] { gizmo_->setAxes(GizmoAxes::World); });
+  addAxes("axesOwn", own, "Shift+H", own, [this] { gizmo_->setAxes(GizmoAxes::Own); });
+  addAxes("axesView", tr("Of the &view"), "Shift+V", tr("Of the view"), [this] { gizmo_->setAxes(GizmoAxes::View); });
+  const auto addRotation = choices(tr("&Turn of a handle that is moved"));
+  addRotation("turnAsConstraint", tr("As the &constraint says"), "",
+              tr("A handle that is moved turns as its constraint says: not at all, or about what is fixed"),
+              [this] { gizmo_->setRotationOfMoves(RotationOfMoves::AsConstraint); });
+  addRotation("turnAsSeen", tr("As &seen about what is fixed"), "",
+              tr("A handle that is moved turns about the viewing axis, by the angle that it makes on the screen"),
+              [this] { gizmo_->setRotationOfMoves(RotationOfMoves::AsSeen); });
   menu.addSeparator();
-  QAction* section = addAction(menu, "sectionPlane", tr("&Section plane"), QKeySequence("Shift+S"),
-                               tr("Cut the picture open; the mesh stays whole"), [] {});
+  QAction* section = addAction(
+      menu, "sectionPlane", tr("&Section plane"), QKeySequence("Shift+S"),
+      tr("Cut the picture open; the mesh stays whole"), [] {}, Needs::Document);
   section->setCheckable(true);
-  withDocument_.push_back(section);
-  auto* plane = new SectionTool(editor_, *viewport_, this);
-  connect(section, &QAction::toggled, plane, &SectionTool::setOn);
+  connect(section, &QAction::toggled, new SectionTool(editor_, *viewport_, this), &SectionTool::setOn);
 
   panels_->fillMenu(*menu.addMenu(tr("&Panels")));
-  QMenu& appearance = *menu.addMenu(tr("&Colours of the window"));
-  auto* group = new QActionGroup(this);
-  const auto add = [&](const QString& text, Appearance value) {
-    QAction* action = appearance.addAction(text);
-    action->setCheckable(true);
-    action->setChecked(value == Appearance::System);
-    action->setToolTip(tr("Colours of the window: %1").arg(QString(text).remove('&').toLower()));
-    group->addAction(action);
-    connect(action, &QAction::triggered, this, [this, value] { setAppearance(value); });
-  };
-  add(tr("As the &desktop"), Appearance::System);
-  add(tr("&Light"), Appearance::Light);
-  add(tr("D&ark"), Appearance::Dark);
+  const auto addColors = choices(tr("&Colours of the window"));
+  const QString tip = tr("Colours of the window: %1");
+  addColors("colorsOfDesktop", tr("As the &desktop"), "", tip.arg(tr("as the desktop")),
+            [] { apply(Appearance::System); });
+  addColors("colorsLight", tr("&Light"), "", tip.arg(tr("light")), [] { apply(Appearance::Light); });
+  addColors("colorsDark", tr("D&ark"), "", tip.arg(tr("dark")), [] { apply(Appearance::Dark); });
 }
 
 void MainWindow::makeToolBars()
 {
-  toolBar_ = addToolBar(tr("Tools"));
-  toolBar_->setObjectName("toolBar");
-  toolBar_->setMovable(false);
-  toolBar_->toggleViewAction()->setToolTip(tr("Show or hide the tools"));
-  toolBar_->setToolButtonStyle(Qt::ToolButtonIconOnly);
-  for (QAction* tool : tools_->actions()) toolBar_->addAction(tool);
-  toolBar_->addSeparator();
-  for (const char* name : {"makeFixed", "makeHandle", "makeRigid"}) toolBar_->addAction(findChild<QAction*>(name));
-  toolBar_->addSeparator();
-  toolBar_->addAction(undo_);
-  toolBar_->addAction(redo_);
-  toolBar_->addAction(findChild<QAction*>("frameAll"));
-  setAppearance(Appearance::System);
-}
-
-void MainWindow::setAppearance(Appearance appearance)
-{
-  apply(appearance);
+  QToolBar* bar = named(addToolBar(tr("Tools")), "toolBar");
+  bar->setMovable(false);
+  bar->toggleViewAction()->setToolTip(tr("Show or hide the tools"));
+  bar->setToolButtonStyle(Qt::ToolButtonIconOnly);
+  for (QAction* tool : tools_->actions()) bar->addAction(tool);
+  bar->addSeparator();
+  for (const char* name : {"makeFixed", "makeHandle", "makeRigid"}) bar->addAction(findChild<QAction*>(name));
+  bar->addSeparator();
+  bar->addAction(undo_);
+  bar->addAction(redo_);
+  bar->addAction(findChild<QAction*>("frameAll"));
+  apply(Appearance::System);
 }
 
 void MainWindow::changeEvent(QEvent* event)
@@ -392,15 +386,13 @@ void MainWindow::changeEvent(QEvent* event)
   if (event->type() != QEvent::PaletteChange) return;
   viewport_->setDarkBackdrop(isDark(palette()));
   tools_->drawIcons();
-  const auto setSign = [this](const char* name, Sign sign) {
+  for (const auto& [name, sign] : {std::pair("makeFixed", Sign::Fix),
+                                   {"makeHandle", Sign::Handle},
+                                   {"makeRigid", Sign::Rigid},
+                                   {"undo", Sign::Undo},
+                                   {"redo", Sign::Redo},
+                                   {"frameAll", Sign::Frame}})
     if (auto* action = findChild<QAction*>(name)) action->setIcon(iconOf(sign, palette()));
-  };
-  setSign("makeFixed", Sign::Fix);
-  setSign("makeHandle", Sign::Handle);
-  setSign("makeRigid", Sign::Rigid);
-  setSign("undo", Sign::Undo);
-  setSign("redo", Sign::Redo);
-  setSign("frameAll", Sign::Frame);
 }
 
 void MainWindow::connectStatus()
@@ -428,9 +420,9 @@ void MainWindow::updateTitle()
 void MainWindow::updateActions()
 {
   const bool isOpen = editor_.isOpen();
-  for (QAction* action : withDocument_) action->setEnabled(isOpen);
-  for (QAction* action : withVertices_) action->setEnabled(isOpen && !editor_.selectedVertices().empty());
-  for (QAction* action : withConstraints_) action->setEnabled(isOpen && !editor_.selectedConstraints().empty());
+  for (const auto& [action, needs] : needs_)
+    action->setEnabled(isOpen && (needs != Needs::Vertices || !editor_.selectedVertices().empty()) &&
+                       (needs != Needs::Constraints || !editor_.selectedConstraints().empty()));
   const auto textOf = [](const QString& verb, std::string_view name) {
     return name.empty() ? verb : verb + ' ' + QString::fromUtf8(name.data(), static_cast<int>(name.size()));
   };

@@ -8,14 +8,12 @@
 #include <memory>
 #include <vector>
 
-#include <holdfast/window/controls/theme.h>
 #include <holdfast/window/files/autosave.h>
 #include <holdfast/window/files/document_exports.h>
 #include <holdfast/window/files/document_files.h>
 #include <holdfast/window/model/editor.h>
 
 class QMenu;
-class QToolBar;
 
 namespace holdfast {
 
@@ -33,9 +31,8 @@ class MainWindow : public QMainWindow {
   MainWindow();
   ~MainWindow() override;
 
-  /// Draws an example that nobody sees, everything of it in every view: this compiles shaders. Without a GPU it takes
-  /// some tenths of a second, in which nobody waits as long as the window is not on the screen; first pictures of
-  /// meshes and of panels take as much longer without it. Before the window is shown.
+  /// Draws an example in every view before the window is shown, which compiles shaders. Without a GPU this takes some
+  /// tenths of a second, and first pictures of meshes and panels would take as much longer without it.
   void warmUp();
 
   [[nodiscard]] Editor& editor() { return editor_; }
@@ -44,8 +41,6 @@ class MainWindow : public QMainWindow {
 
   [[nodiscard]] DocumentFiles& files() { return files_; }
   [[nodiscard]] DocumentExports& exports() { return exports_; }
-
-  void setAppearance(Appearance appearance);
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -70,8 +65,10 @@ class MainWindow : public QMainWindow {
   void updateActions();
   void escape();
   void frameSelection();
-  QAction* addAction(QMenu& menu, const QString& objectName, const QString& text, const QKeySequence& key,
-                     const QString& tip, std::function<void()> run);
+  /// What an action cannot do without.
+  enum class Needs { Nothing, Document, Vertices, Constraints };
+  QAction* addAction(QMenu& menu, const QString& name, const QString& text, const QKeySequence& key, const QString& tip,
+                     std::function<void()> run, Needs needs = Needs::Nothing);
 
   Editor editor_;
   DocumentFiles files_;
@@ -82,12 +79,9 @@ class MainWindow : public QMainWindow {
   ToolBox* tools_;
   StatusLine* status_;
   PanelDocks* panels_;
-  QToolBar* toolBar_ = nullptr;
   QAction* undo_ = nullptr;
   QAction* redo_ = nullptr;
-  std::vector<QAction*> withDocument_;     // need an open document
-  std::vector<QAction*> withVertices_;     // need selected vertices
-  std::vector<QAction*> withConstraints_;  // need selected constraints
+  std::vector<std::pair<QAction*, Needs>> needs_;
 };
 
 }  // namespace holdfast

@@ -7,12 +7,11 @@
 #include <QScrollArea>
 #include <algorithm>
 
+#include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/inspector/inspector_panel.h>
 #include <holdfast/window/panels/color_panel.h>
-#include <holdfast/window/panels/conflict_panel.h>
-#include <holdfast/window/panels/findings_panel.h>
 #include <holdfast/window/panels/histogram_panel.h>
-#include <holdfast/window/panels/report_panel.h>
+#include <holdfast/window/panels/panels.h>
 #include <holdfast/window/panels/sphere_panel.h>
 #include <holdfast/window/table/constraint_panel.h>
 #include <holdfast/window/viewport/viewport.h>
@@ -20,7 +19,7 @@
 namespace holdfast {
 namespace {
 
-// Of the window: the picture keeps the rest.
+// The share of the window; the picture has the rest.
 constexpr double kPanelShare = 0.34;
 constexpr int kLeastPanelWidth = 340;
 constexpr int kMostPanelWidth = 680;
@@ -35,8 +34,8 @@ Index nearestVertex(const SurfacePick& pick, const Model& model)
   return model.mesh.faces[pick.face][static_cast<std::size_t>(largest)];
 }
 
-/// Qt moves a dock behind others out of the window and calls it visible: its panel would go on following every change,
-/// and draw what nobody sees.
+/// Qt moves a dock behind others out of the window and calls it visible: its panel would follow every change, and draw
+/// pictures that are not visible.
 void showWhileInFront(QWidget& panel, const QDockWidget& dock)
 {
   // The dock asks for the same room, so that nothing moves from tab to tab.
@@ -52,20 +51,22 @@ void showWhileInFront(QWidget& panel, const QDockWidget& dock)
 PanelDocks::PanelDocks(Editor& editor, Viewport& viewport, QMainWindow& window)
     : QObject(&window), editor_(editor), viewport_(viewport), window_(window)
 {
-  auto* constraints = new ConstraintPanel(editor, &window);
+  auto* constraints = newConstraintPanel(editor, [this](Index k) { viewport_.frameConstraints({k}); });
   sphere_ = new SpherePanel(editor, &window);
   histograms_ = new HistogramPanel(editor, &window);
-  auto* findings = new FindingsPanel(editor, &window);
   colors_ = new ColorPanel(editor, &window);
   upper_ = {add(tr("Constraints"), "constraintsDock", constraints), add(tr("Colours"), "colorsDock", colors_),
             add(tr("Rotations"), "sphereDock", sphere_), add(tr("Distributions"), "histogramDock", histograms_)};
-  conflicts_ = add(tr("Conflicts"), "conflictsDock", new ConflictPanel(editor, &window));
-  lower_ = {add(tr("Selected"), "inspectorDock", new InspectorPanel(editor, &window)), conflicts_,
-            add(tr("Mesh"), "findingsDock", findings),
-            add(tr("Solution"), "reportDock", new ReportPanel(editor, &window))};
+  const auto showVertices = [this](const std::vector<Index>& vertices) {
+    editor_.selectVertices(vertices);
+    viewport_.frameVertices(vertices);
+  };
+  conflicts_ = add(tr("Conflicts"), "conflictsDock", newConflictPanel(editor));
+  lower_ = {add(tr("Selected"), "inspectorDock", newInspectorPanel(editor)), conflicts_,
+            add(tr("Mesh"), "findingsDock", newFindingsPanel(editor, showVertices)),
+            add(tr("Solution"), "reportDock", newReportPanel(editor))};
   arrange();
 
-  connect(constraints, &ConstraintPanel::activated, &viewport_, [this](Index k) { viewport_.frameConstraints({k}); });
   connect(colors_, &ColorPanel::settingsChanged, &viewport_, &Viewport::setColors);
   connect(colors_, &ColorPanel::displaySettingsChanged, &viewport_, &Viewport::setDisplay);
   connect(&viewport_, &Viewport::coloringChanged, sphere_, &SpherePanel::setColoring);
@@ -81,21 +82,15 @@ PanelDocks::PanelDocks(Editor& editor, Viewport& viewport, QMainWindow& window)
     sphere_->showVertex(selected.size() == 1 ? std::optional(selected.front()) : std::nullopt);
   });
   connect(histograms_, &HistogramPanel::constraintsPicked, &editor_, &Editor::selectConstraints);
-  const auto showVertices = [this](const std::vector<Index>& vertices) {
-    editor_.selectVertices(vertices);
-    viewport_.frameVertices(vertices);
-  };
   connect(histograms_, &HistogramPanel::verticesPicked, &editor_,
           [this](const std::vector<Index>& vertices) { editor_.selectVertices(vertices); });
-  connect(findings, &FindingsPanel::showVertices, &viewport_, showVertices);
   for (const auto& signal : {&Editor::opened, &Editor::deformed})
     connect(&editor_, signal, this, &PanelDocks::countConflicts);
 }
 
 QDockWidget* PanelDocks::add(const QString& title, const QString& objectName, QWidget* panel)
 {
-  auto* dock = new QDockWidget(title, &window_);
-  dock->setObjectName(objectName);
+  auto* dock = named(new QDockWidget(title, &window_), objectName);
   dock->toggleViewAction()->setToolTip(tr("Show or hide the panel “%1”").arg(title));
   dock->setWidget(panel);
   // Its tab names it already; the menu shows and hides it.
@@ -118,7 +113,6 @@ void PanelDocks::arrange()
 void PanelDocks::warmUp(const ExampleDocument& example)
 {
   sphere_->warmUp(example);
-  histograms_->warmUp();
 }
 
 void PanelDocks::share(const QSize& size)

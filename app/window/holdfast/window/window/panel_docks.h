@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The panels around the picture, and how they and the picture tell one another.
+/// The panels around the picture, and the connections between them and the picture.
 
 #include <QObject>
 
@@ -18,7 +18,7 @@ class SpherePanel;
 class Viewport;
 struct ExampleDocument;
 
-/// Two stacks of tabs at the right: what there is and how it is shown, and what became of it.
+/// Two stacks of tabs at the right: constraints, colours and rotations above; the selection and results below.
 class PanelDocks : public QObject {
   Q_OBJECT
 
@@ -28,13 +28,13 @@ class PanelDocks : public QObject {
   /// An entry for each panel, to show and to hide it.
   void fillMenu(QMenu& menu) const;
 
-  /// The part of panels that draw: `MainWindow::warmUp`.
+  /// The panels' part of `MainWindow::warmUp`.
   void warmUp(const ExampleDocument& example);
 
   /// Gives the panels their parts of a window of this size, which is shown.
   void share(const QSize& size);
 
-  /// What the controls of the display show, after someone else changed it.
+  /// Updates the controls of the display after the viewport has changed it.
   void followViewport();
 
  private:

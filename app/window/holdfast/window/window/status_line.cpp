@@ -5,6 +5,8 @@
 #include <QResizeEvent>
 #include <cmath>
 
+#include <holdfast/window/controls/panel_parts.h>
+#include <holdfast/window/text/constraint_text.h>
 #include <holdfast/window/text/number_text.h>
 
 namespace holdfast {
@@ -12,7 +14,7 @@ namespace {
 
 constexpr int kIndent = 6;
 
-/// Coordinates that are rounding beside the others are zero.
+/// Coordinates that are only rounding errors beside the others become zero.
 QString placeText(const Vector3& place)
 {
   constexpr double kNoise = 1e-12;
@@ -33,54 +35,22 @@ QString milliseconds(double seconds)
   return value < 10 ? QString::number(value, 'f', 1) : QString::number(value, 'f', 0);
 }
 
-QString describe(const AtVertex& at)
-{
-  return QObject::tr("vertex %1").arg(at.vertex);
-}
-
-QString describe(const AtEdge& at)
-{
-  return QObject::tr("edge %1–%2, t %3").arg(at.i).arg(at.j).arg(roundedText(at.t));
-}
-
-QString describe(const AtFace& at)
-{
-  QStringList weights;
-  for (const double weight : at.weights) weights << roundedText(weight);
-  return QObject::tr("face %1, weights %2").arg(at.face).arg(weights.join(", "));
-}
-
-QString describe(const AtNear& at)
-{
-  return QObject::tr("near %1").arg(placeText(at.place));
-}
-
 }  // namespace
-
-QString describe(const SurfacePick& pick)
-{
-  const QString location = std::visit([](const auto& at) { return describe(at); }, pick.location);
-  return QObject::tr("%1  at %2").arg(location, placeText(pick.place));
-}
 
 StatusLine::StatusLine(Editor& editor, QWidget* parent)
     : QStatusBar(parent),
       editor_(editor),
-      left_(new QLabel(this)),
-      step_(new QLabel(this)),
-      cancel_(new QPushButton(tr("Stop"), this)),
-      numbers_(new QLabel(this))
+      left_(named(new QLabel(this), "statusHint")),
+      step_(named(new QLabel(this), "statusStage")),
+      cancel_(named(new QPushButton(tr("Stop"), this), "statusStop")),
+      numbers_(named(new QLabel(this), "statusNumbers"))
 {
   setObjectName("statusLine");
-  left_->setObjectName("statusHint");
   left_->setMinimumWidth(1);
   left_->setIndent(kIndent);
   left_->installEventFilter(this);
-  step_->setObjectName("statusStage");
-  cancel_->setObjectName("statusStop");
-  cancel_->setToolTip(tr("Stop solving; what is shown stays as it is (Esc)"));
+  cancel_->setToolTip(tr("Stop solving; the picture stays as it is (Esc)"));
   cancel_->setFlat(true);
-  numbers_->setObjectName("statusNumbers");
   addWidget(left_, 1);
   addPermanentWidget(step_);
   addPermanentWidget(cancel_);
@@ -102,7 +72,7 @@ void StatusLine::setHint(const QString& hint)
 
 void StatusLine::setPick(const std::optional<SurfacePick>& pick)
 {
-  pick_ = pick ? describe(*pick) : QString();
+  pick_ = pick ? tr("%1  at %2").arg(locationText(pick->location), placeText(pick->place)) : QString();
   showHint();
 }
 
@@ -144,10 +114,10 @@ void StatusLine::showNumbers()
   }
   numbers_->setText(parts.join("  ·  "));
   numbers_->setToolTip(tr(
-      "Milliseconds: set-up + decomposition + solution. Residual: the largest of all constraints but those that "
-      "conflict, as a share of the bounding box's diagonal. With the solver “hard” at most 1e-12 is promised or, for "
-      "a constraint whose coordinates are so large that doubles lie farther apart, 8 epsilon of the largest of them. "
-      "Accuracy: the estimated relative error of what constraints leave free; above 1e-9 it is a finding, above 1e-6 "
+      "Milliseconds: set-up + decomposition + solution. Residual: the largest of all constraints except those in "
+      "conflict, as a share of the bounding box's diagonal. The solver “hard” promises at most 1e-12 or, for a "
+      "constraint whose coordinates are so large that doubles lie farther apart, 8 epsilon of the largest coordinate. "
+      "Accuracy: the estimated relative error of what constraints leave free. Above 1e-9 it is a finding; above 1e-6 "
       "the solution is refused."));
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The line below the picture: what the mouse does, what is under it, and how the solution went.
+/// The line below the picture: what the mouse does, what is under it, and how accurate the solution is.
 
 #include <QStatusBar>
 #include <optional>
@@ -23,7 +23,7 @@ class StatusLine : public QStatusBar {
   void setPick(const std::optional<SurfacePick>& pick);
 
  protected:
-  /// Hints that are too long for their place end in dots.
+  /// Hints that are too long end in dots.
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
@@ -39,8 +39,5 @@ class StatusLine : public QStatusBar {
   QPushButton* cancel_;
   QLabel* numbers_;
 };
-
-/// "vertex 12", "edge 12–13, t = 0.25", "face 77: 0.2, 0.3, 0.5": weights in full where `precision` is 17.
-[[nodiscard]] QString describe(const SurfacePick& pick);
 
 }  // namespace holdfast

@@ -1,29 +1,25 @@
-#include "holdfast/window/model/rest_places.h"
+#include "holdfast/window/model/at_rest.h"
 
+#include <holdfast/base/error.h>
 #include <holdfast/io/text/number_text.h>
 #include <holdfast/surface/surface_locator.h>
 #include <holdfast/surface/surface_point.h>
 
 namespace holdfast {
 
-std::optional<Vector3> RestPlaces::of(const SurfaceLocation& location) const
+Vector3 requireRestPlace(const Editor& editor, const SurfaceLocation& location)
 {
-  if (!editor_.isOpen()) return std::nullopt;
+  return positionOf(editor.model()->locator().locate(location, {}).point, editor.model()->mesh.positions);
+}
+
+std::optional<Vector3> restPlace(const Editor& editor, const SurfaceLocation& location)
+{
+  if (!editor.isOpen()) return std::nullopt;
   try {
-    return require(location);
+    return requireRestPlace(editor, location);
   } catch (const InputError&) {
     return std::nullopt;
   }
-}
-
-Vector3 RestPlaces::require(const SurfaceLocation& location) const
-{
-  return positionOf(editor_.model()->locator().locate(location, {}).point, editor_.model()->mesh.positions);
-}
-
-SurfaceLocation RestPlaces::converted(const SurfaceLocation& location, LocationKind kind) const
-{
-  return holdfast::converted(location, kind, editor_.model()->mesh, editor_.model()->locator());
 }
 
 Vector3 placeOf(const PointConstraint& point, const Vector3& rest)
@@ -50,6 +46,27 @@ PointConstraint goingTo(PointConstraint point, const Vector3& rest, const Vector
   }
   point.to = Move{shift};
   return point;
+}
+
+FoundVertices findVertices(const Editor& editor, const Selection& selection)
+{
+  try {
+    return {editor.mesh().selector->select(selection, {}), {}};
+  } catch (const InputError& error) {
+    return {{}, error.reason()};
+  }
+}
+
+const Selection* selectionOf(const Constraint& constraint)
+{
+  return std::visit(
+      [](const auto& what) -> const Selection* {
+        if constexpr (requires { what.select; })
+          return &what.select;
+        else
+          return nullptr;
+      },
+      constraint.what);
 }
 
 }  // namespace holdfast

@@ -1,0 +1,89 @@
+#include "holdfast/window/controls/panel_parts.h"
+
+#include <QHeaderView>
+#include <QLabel>
+#include <QScrollArea>
+#include <QTableView>
+#include <QVBoxLayout>
+
+#include <holdfast/window/controls/status_style.h>
+
+namespace holdfast {
+namespace {
+
+QLabel* newWrapped(const QString& name)
+{
+  auto* label = named(new QLabel, name);
+  label->setWordWrap(true);
+  return label;
+}
+
+}  // namespace
+
+QLabel* newHint(const QString& name)
+{
+  QLabel* label = newWrapped(name);
+  label->setAlignment(Qt::AlignCenter);
+  label->setMargin(12);
+  return label;
+}
+
+QLabel* newText(const QString& name)
+{
+  QLabel* label = newWrapped(name);
+  label->setTextFormat(Qt::PlainText);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  return label;
+}
+
+QScrollArea* newScrollArea(QWidget* content, const QString& spoken)
+{
+  auto* area = new QScrollArea;
+  area->setAccessibleName(spoken);
+  area->setWidget(content);
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  return area;
+}
+
+void fill(QWidget& panel, QWidget* content)
+{
+  auto* layout = new QVBoxLayout(&panel);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(content);
+}
+
+void setTableLook(QTableView& table)
+{
+  table.setAlternatingRowColors(true);
+  table.setShowGrid(false);
+  table.setWordWrap(false);
+  table.setTabKeyNavigation(false);
+  table.verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+  table.verticalHeader()->setDefaultSectionSize(table.fontMetrics().height() * 3 / 2);
+  table.verticalHeader()->setHighlightSections(false);
+  table.horizontalHeader()->setHighlightSections(false);
+}
+
+void showRefusal(QLabel& label, const QString& reason)
+{
+  QPalette own = label.parentWidget()->palette();
+  own.setColor(QPalette::WindowText, statusColor(ConstraintStatus::Conflicting, lightnessOf(own)));
+  label.setPalette(own);
+  label.setText(reason);
+  label.setVisible(true);
+}
+
+HintedContent::HintedContent(QWidget* content, const QString& hintName) : hint_(newHint(hintName))
+{
+  addWidget(hint_);
+  addWidget(content);
+}
+
+void HintedContent::showHint(const QString& hint)
+{
+  hint_->setText(hint);
+  setCurrentIndex(0);
+}
+
+}  // namespace holdfast

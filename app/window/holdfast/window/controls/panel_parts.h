@@ -1,0 +1,59 @@
+#pragma once
+/// \file
+/// What panels and dialogs are put together from. Widgets are returned without a parent: a layout takes them.
+
+#include <QStackedWidget>
+
+class QLabel;
+class QScrollArea;
+class QTableView;
+
+namespace holdfast {
+
+/// Gives an object its name for scripts.
+template <class Object>
+Object* named(Object* object, const QString& name)
+{
+  object->setObjectName(name);
+  return object;
+}
+
+/// The same, with a name for screen readers.
+template <class Widget>
+Widget* named(Widget* widget, const QString& name, const QString& spoken)
+{
+  widget->setAccessibleName(spoken);
+  return named(widget, name);
+}
+
+/// In the middle of a panel that has nothing else to show.
+[[nodiscard]] QLabel* newHint(const QString& name);
+
+/// Lines of plain text that can be selected with the mouse.
+[[nodiscard]] QLabel* newText(const QString& name);
+
+/// `content` without a frame, scrolled if it needs more room.
+[[nodiscard]] QScrollArea* newScrollArea(QWidget* content, const QString& spoken);
+
+/// `content` fills `panel`.
+void fill(QWidget& panel, QWidget* content);
+
+/// Rows without lines between them, in two alternating colours.
+void setTableLook(QTableView& table);
+
+/// The reason why an edit was refused, in the colour of conflicts.
+void showRefusal(QLabel& label, const QString& reason);
+
+/// The content of a panel, or a hint in its place.
+class HintedContent : public QStackedWidget {
+ public:
+  HintedContent(QWidget* content, const QString& hintName);
+
+  void showHint(const QString& hint);
+  void showContent() { setCurrentIndex(1); }
+
+ private:
+  QLabel* hint_;
+};
+
+}  // namespace holdfast

@@ -1,0 +1,82 @@
+#include <QLabel>
+#include <QPushButton>
+
+#include <holdfast/window/controls/panel_parts.h>
+#include <holdfast/window/inspector/sections.h>
+#include <holdfast/window/model/at_rest.h>
+#include <holdfast/window/text/constraint_text.h>
+#include <holdfast/window/text/number_text.h>
+
+namespace holdfast {
+namespace {
+
+// Each one takes a pass over all vertices at every change of the selection.
+constexpr std::size_t kMostCounted = 50;
+
+class VerticesSection : public InspectorSection {
+ public:
+  explicit VerticesSection(Editor& editor) : InspectorSection(editor)
+  {
+    how_ = addText(tr("Selects"), "verticesHow");
+    count_ = addText(tr("Holds"), "verticesCount");
+    select_ = named(new QPushButton(tr("Select Its &Vertices"), this), "verticesSelect");
+    addRow(QStringLiteral(""), select_);
+    connect(select_, &QPushButton::clicked, this, &VerticesSection::selectThem);
+  }
+
+  bool fits(const Constraint& constraint) const override { return selectionOf(constraint) != nullptr; }
+
+ private:
+  void refresh() override
+  {
+    setFieldVisible(how_, rows().size() == 1);
+    if (rows().size() == 1) how_->setText(selectionText(*selectionOf(constraint(rows().front()))));
+    // A drag moves what is selected and selects nothing else.
+    const bool isSame =
+        counted_ == editor().history().state() || (counted_ != nullptr && editor().history().isInGesture());
+    if (!isSame || countedRows_ != rows()) count();
+  }
+
+  void count()
+  {
+    counted_ = editor().history().state();
+    countedRows_ = rows();
+    select_->setEnabled(true);
+    if (rows().size() > kMostCounted) return count_->setText(tr("not counted for so many constraints"));
+    Index count = 0;
+    QString reason;
+    for (const Index row : rows()) {
+      const FoundVertices found = findVertices(editor(), *selectionOf(constraint(row)));
+      count += static_cast<Index>(found.vertices.size());
+      if (!found.reason.empty()) reason = quoted(constraint(row).name) + ": " + QString::fromStdString(found.reason);
+    }
+    const QString number = count == 1 ? tr("1 vertex") : tr("%1 vertices").arg(countText(count));
+    count_->setText(reason.isEmpty() ? number : reason);
+    select_->setEnabled(reason.isEmpty());
+  }
+
+  void selectThem()
+  {
+    std::vector<Index> all;
+    for (const Index row : rows()) {
+      const FoundVertices found = findVertices(editor(), *selectionOf(constraint(row)));
+      all.insert(all.end(), found.vertices.begin(), found.vertices.end());
+    }
+    editor().selectVertices(std::move(all));
+  }
+
+  std::shared_ptr<const DocumentState> counted_;
+  Rows countedRows_;
+  QLabel* count_ = nullptr;
+  QLabel* how_ = nullptr;
+  QPushButton* select_ = nullptr;
+};
+
+}  // namespace
+
+InspectorSection* newVerticesSection(Editor& editor)
+{
+  return new VerticesSection(editor);
+}
+
+}  // namespace holdfast

@@ -1,0 +1,40 @@
+#pragma once
+/// \file
+/// The places and vertices that constraints name, on the mesh of an editor at rest.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <holdfast/surface/location_kind.h>
+#include <holdfast/window/model/editor.h>
+
+namespace holdfast {
+
+/// The place that the solver starts from, bit for bit. Throws `InputError` with the reason if the mesh has no such
+/// location. A mesh is open. O(log T), the first of type `near` O(T log T).
+[[nodiscard]] Vector3 requireRestPlace(const Editor& editor, const SurfaceLocation& location);
+
+/// The same; nothing if there is no such location or no mesh is open.
+[[nodiscard]] std::optional<Vector3> restPlace(const Editor& editor, const SurfaceLocation& location);
+
+/// Where the point goes, as the solver computes it from the place at rest.
+[[nodiscard]] Vector3 placeOf(const PointConstraint& point, const Vector3& rest);
+
+/// The point that goes to `place` to the last bit. A shift stays a shift if rest + shift is that place, and becomes a
+/// target if no shift is.
+[[nodiscard]] PointConstraint goingTo(PointConstraint point, const Vector3& rest, const Vector3& place);
+
+/// The vertices, ascending; or none and the reason.
+struct FoundVertices {
+  std::vector<Index> vertices;
+  std::string reason;  ///< why the selection is invalid; empty if it is valid
+};
+
+/// A mesh is open. O(N) per node of the expression.
+[[nodiscard]] FoundVertices findVertices(const Editor& editor, const Selection& selection);
+
+/// The selection of a fixed, rigid or handle constraint; null for others.
+[[nodiscard]] const Selection* selectionOf(const Constraint& constraint);
+
+}  // namespace holdfast

@@ -1,0 +1,28 @@
+#pragma once
+/// \file
+/// Panels that only show an editor and edit it. The editor outlives them.
+
+#include <functional>
+#include <vector>
+
+#include <holdfast/window/model/editor.h>
+
+class QWidget;
+
+namespace holdfast {
+
+/// What cannot hold together, by how much, and repairs: a card for each conflict. Below them what only repeats.
+[[nodiscard]] QWidget* newConflictPanel(Editor& editor);
+
+/// What is wrong or doubtful about the mesh and the constraints although they can be solved: a card for each finding.
+/// Its button selects constraints, or calls `showVertices` with vertices of the file, ascending.
+[[nodiscard]] QWidget* newFindingsPanel(Editor& editor,
+                                        const std::function<void(const std::vector<Index>&)>& showVertices);
+
+/// The vertices that a finding names, those of its faces if it names faces, ascending; none for constraints.
+[[nodiscard]] std::vector<Index> verticesOf(const Finding& finding, const Mesh& mesh);
+
+/// How the mesh was solved, and the choice of weights and solver.
+[[nodiscard]] QWidget* newReportPanel(Editor& editor);
+
+}  // namespace holdfast
