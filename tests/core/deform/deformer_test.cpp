@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <holdfast/base/error.h>
+#include <holdfast/deform/deform_details.h>
 #include <holdfast/deform/deformer.h>
+#include <holdfast/surface/surface_locator.h>
 
 #include "support/law_meshes.h"
 #include "support/point_constraints.h"
@@ -47,17 +49,16 @@ ConstraintList dragged(double degrees, const Vector3& shift)
 /// Where the surface has been moved away since, a second tree of closest points would find another point.
 TEST(Deformer, MakesOneTreeOfClosestPointsForAllFrames)
 {
-  Model model = makeModel(test::plate(6, 5), "mesh");
+  const auto model = std::make_shared<Model>(makeModel(test::plate(6, 5)));
   const auto frame = [](double height) {
     return test::listOf({test::hold({0, 1, 2}), test::moveTo(AtNear{Vector3(3.3, 2.6, 1)}, Vector3(3, 3, height))});
   };
-  Deformer deformer(model, {});
-  NoProgress progress;
-  const SurfacePoint first = deformer.deform(frame(1), "list", progress).system.points[1];
-  model.mesh.positions.rowwise() += Eigen::RowVector3d(50, 20, 0);
+  Deformer deformer(model);
+  const SurfacePoint first = deformer.deform(frame(1)).details->system.points[1];
+  model->mesh.positions.rowwise() += Eigen::RowVector3d(50, 20, 0);
   for (const double height : {2.0, 3.0, 4.0})
-    EXPECT_EQ(deformer.deform(frame(height), "list", progress).system.points[1], first);
-  const SurfaceLocator another(model.mesh, model.triangulation);
+    EXPECT_EQ(deformer.deform(frame(height)).details->system.points[1], first);
+  const SurfaceLocator another(model->mesh, model->triangulation);
   EXPECT_NE(another.locate(AtNear{Vector3(3.3, 2.6, 1)}, {}).point, first) << "a tree made now finds another point";
 }
 

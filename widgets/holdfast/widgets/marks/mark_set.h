@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <holdfast/deform/deform.h>
+#include <holdfast/surface/surface_point.h>
 
 namespace holdfast {
 
