@@ -24,12 +24,13 @@ StepThread::~StepThread()
 void StepThread::start(std::function<void()> work, Progress& progress)
 {
   for (; leftBehind > 1; std::this_thread::sleep_for(kLook)) progress.proceed();
-  state_ = std::make_shared<std::atomic<State>>(State::Running);
-  startBackgroundThread([state = state_, work = std::move(work)]() mutable {
+  auto state = std::make_shared<std::atomic<State>>(State::Running);
+  startBackgroundThread([state, work = std::move(work)]() mutable {
     work();
     work = nullptr;
     if (state->exchange(State::Ended) == State::LeftBehind) --leftBehind;
   });
+  state_ = std::move(state);
 }
 
 }  // namespace holdfast

@@ -36,7 +36,7 @@ void requireRoom(std::size_t bytes)
   ::munmap(room, bytes);
 }
 
-/// By the functions of OpenBLAS's own: it gives memory back to itself, never to the system.
+/// OpenBLAS gives memory back to itself, never to the system.
 void takeBlasMemory()
 {
   auto* const allocate = loaded<void*(int)>("blas_memory_alloc");

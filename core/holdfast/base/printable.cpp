@@ -36,7 +36,7 @@ bool isSecondByteAllowed(unsigned char lead, unsigned char second)
   }
 }
 
-/// Of one valid character.
+/// `character` is valid.
 char32_t codePointOf(std::string_view character)
 {
   if (character.size() == 1) return byteAt(character, 0);

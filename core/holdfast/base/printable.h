@@ -14,7 +14,7 @@ namespace holdfast {
 /// between characters, and "..." follows.
 [[nodiscard]] std::string printable(std::string_view text, std::size_t most = std::string_view::npos);
 
-/// Of a whole message: a path of the longest kind (4096 on Linux) and what is wrong with it.
+/// The longest message: a path of the longest kind (4096 on Linux) and a reason.
 inline constexpr std::size_t kLongestPrintedMessage = 6000;
 
 /// `printable`, cut as names are: at 60 bytes.

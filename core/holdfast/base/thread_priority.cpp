@@ -21,7 +21,7 @@ namespace holdfast {
 
 namespace {
 
-// Of what `nice` counts: a tenth of the time of a core where a thread of the window wants it, too.
+// As `nice` counts: a tenth of the time of a core that a thread of the window needs as well.
 constexpr int kNiceness = 10;
 
 pid_t thisThread() noexcept

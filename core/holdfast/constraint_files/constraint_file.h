@@ -15,7 +15,7 @@ namespace holdfast {
 /// their place in the list from 1. Time and memory are O(size of the file), at most 256 MiB.
 [[nodiscard]] ConstraintList readConstraints(const std::filesystem::path& path);
 
-/// The same from text that is at hand; `name` stands for the file in messages.
+/// The same from text; `name` is that of the file in messages.
 [[nodiscard]] ConstraintList parseConstraintsJson(std::string_view text, const std::string& name);
 
 /// A CSV point list: header `name,x,y,z,target_x,target_y,target_z` (columns in any order, names may be empty), each

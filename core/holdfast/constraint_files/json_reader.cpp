@@ -17,7 +17,7 @@ const JsonMember* findMember(const JsonObject& object, std::string_view key)
   return found == object.end() ? nullptr : &*found;
 }
 
-/// A key that stands in the object twice; null where there is none.
+/// A key that the object has twice; null where there is none.
 const std::string* repeatedKey(const JsonObject& object)
 {
   std::vector<const std::string*> keys;

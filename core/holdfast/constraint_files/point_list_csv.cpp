@@ -19,7 +19,7 @@ enum Column : std::size_t { kName, kX, kY, kZ, kTargetX, kTargetY, kTargetZ, kCo
 constexpr std::array<std::string_view, kColumnCount> kColumnNames{"name",     "x",        "y",       "z",
                                                                   "target_x", "target_y", "target_z"};
 
-/// Where in a record each column stands.
+/// Where in a record each column is.
 using Places = std::array<std::size_t, kColumnCount>;
 
 std::string_view trimmed(std::string_view field)

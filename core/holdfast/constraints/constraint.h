@@ -34,8 +34,8 @@ struct AxisAngle {
 /// The shortest rotation that takes the handle from where the fixed vertices see it to where they see it after
 /// `HandleConstraint::translate`, centroid from centroid, at rest; about the handle's own centroid.
 struct RotationAboutFixed {
-  /// Of the turns that make this rotation, which differ by whole turns, the nearest to this one is meant; the shortest
-  /// where absent. Where both directions are opposite it says the axis as well: the nearest across them.
+  /// Several turns, apart by whole turns, make this rotation: the one nearest to this is meant, the shortest where it
+  /// is absent. Where both directions are opposite, the axis across them that is nearest to this one is taken.
   std::optional<AxisAngle> near;
 };
 
@@ -112,7 +112,7 @@ struct Constraint {
   return kNames[constraint.what.index()];
 }
 
-/// A whole constraint file. The order is that of precedence: of several that cannot all hold, the earlier stand.
+/// A whole constraint file. The order is that of precedence: where not all can hold, earlier ones do.
 struct ConstraintList {
   std::string units;  ///< as the user calls them ("mm"); may be empty
   std::vector<Constraint> constraints;

@@ -206,7 +206,7 @@ class SystemBuilder {
   {
     DisjointSets rigidRegions(solverMesh_.unknownCount());
     rigidRegions.uniteEach(system_.rigidRegions);
-    // Of each representative.
+    // By representative.
     std::vector<Index> leader(static_cast<std::size_t>(solverMesh_.unknownCount()), -1);
     for (auto given = system_.rotations.rbegin(); given != system_.rotations.rend(); ++given)
       leader[rigidRegions.find(given->unknown)] = given->unknown;

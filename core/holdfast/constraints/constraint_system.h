@@ -53,8 +53,8 @@ struct ConstraintNote {
   std::string message;   ///< one sentence for people, without the constraint's name
 };
 
-/// A handle that moves by more than this share of its distance from the fixed vertices, and says nothing of turning, is
-/// noted: on the way there the surface between usually has to turn with it.
+/// A handle that moves by more than this share of its distance from the fixed vertices, and states no rotation, is
+/// noted: the surface between usually has to rotate with it.
 inline constexpr double kUnsaidRotation = 0.25;
 
 /// All rows of the enabled constraints, in the user's order; what is behind this door may rely on unknowns in range,
@@ -71,10 +71,9 @@ struct ConstraintSystem {
 };
 
 /// Makes rows of a list of constraints on a mesh whose positions are finite. `source` names the list in messages.
-/// Throws `InputError` with the place in the list: ids out of range, edges that are not in the mesh, as many weights as
-/// a face has no corners, selections without a vertex, handles with a mistake (`validateHandle`) or without a place to
-/// go
-/// (`placeHandle`). O(N) per selection, O(log T) per `near` point after O(T log T).
+/// Throws `InputError` with the place in the list: ids out of range, edges that are not in the mesh, weights that do
+/// not fit a face, selections without a vertex, handles that `validateHandle` or `placeHandle` refuses. O(N) per
+/// selection, O(log T) per `near` point after O(T log T) for the first of the mesh.
 [[nodiscard]] ConstraintSystem makeConstraintSystem(const ConstraintList& list, const Mesh& mesh,
                                                     const SolverMesh& solverMesh, const SurfaceLocator& locator,
                                                     const std::string& source);

@@ -17,11 +17,11 @@ using std::numbers::pi;
 constexpr double kSameAxis = 1e-12;
 
 // Logs are followed in steps of this size, counted from the beginning of the turn: so a drag that goes on finds the
-// same steps behind it. The number of steps is bounded for turns that nobody drags.
+// same steps behind it. The number of steps is bounded for turns that no drag makes.
 constexpr double kStepDegrees = 1;
 constexpr double kMostSteps = 20000;
 
-// Closer to whole turns than a third of a step the axis says nothing of where the log came from.
+// Closer to whole turns than a third of a step, the axis does not show where the log came from.
 constexpr double kNoStep = kStepDegrees / 360 * pi / 3;
 
 // A log shorter than this has lost three digits of its axis.

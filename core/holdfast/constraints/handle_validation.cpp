@@ -20,7 +20,7 @@ constexpr double kParallel = 1e-8;
 // The axis of a rotation within rounding of none is noise.
 constexpr double kNoRotation = 8 * std::numeric_limits<double>::epsilon();
 
-/// The place of the first id that stands in the list before; as many as there are where all differ.
+/// The place of the first id that repeats one before it; their number where all differ.
 std::size_t firstRepeated(const std::vector<Index>& ids)
 {
   std::vector<std::pair<Index, std::size_t>> places;

@@ -41,7 +41,7 @@ struct InComponent {
   Index component = 0;
 };
 
-/// Of the sides of a closed curve the one with fewer vertices, or that with more.
+/// The side of a closed curve with fewer vertices, or that with more.
 enum class CurveSide { Smaller, Larger };
 
 /// Vertices on a closed curve, and on one side of it within the connected part that it lies on. The curve joins places

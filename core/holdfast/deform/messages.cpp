@@ -37,7 +37,7 @@ std::size_t countOf(const Report& report, ConstraintStatus status)
                                                 [&](const auto& c) { return c.status == status; }));
 }
 
-/// By how much it is missed, and what is promised.
+/// The residual of a row and its limit.
 std::string missText(const Report& report, const MissedRow& row)
 {
   return fmt::format("{} is missed by {:.3g}, more than the promised {:.3g}",

@@ -13,16 +13,16 @@
 
 namespace holdfast {
 
-/// Of weights that are not finite at some vertices.
+/// Weights are not finite at some vertices.
 [[nodiscard]] std::string undefinedRowsMessage(const Model& model, const Operators& operators);
 
-/// Of numbers that went wrong: `reason`, and the options that may help.
+/// The solve failed: `reason`, and the options that may help.
 [[nodiscard]] std::string failureMessage(const DeformOptions& options, const std::string& reason);
 
-/// Of a solution: what is met, and what is not, `worst` being missed most, and how accurate the rest is.
+/// What a solution meets, what it misses (`worst` most), and its accuracy.
 [[nodiscard]] std::string solvedMessage(const Report& report, const std::optional<MissedRow>& worst);
 
-/// Of hard constraints of which `row` is not met: by how much, why as far as that is known, and what to do.
+/// Hard constraints miss `row`: by how much, why as far as that is known, and what to do.
 [[nodiscard]] std::string missedMessage(const Report& report, const MissedRow& row);
 
 /// Parts that stay at rest, constraints that nearly repeat others (`outcomes` have their amplifications), and the notes

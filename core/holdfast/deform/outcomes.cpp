@@ -41,7 +41,7 @@ ConstraintStatus statusOf(const RowTally& rows, bool isEnabled)
   return rows.redundant == rows.rows ? ConstraintStatus::Redundant : ConstraintStatus::Independent;
 }
 
-/// Of each constraint the largest of its rows.
+/// The limit of a constraint is the largest of its rows.
 void setLimits(std::vector<ConstraintOutcome>& outcomes, const ConstraintSystem& system,
                const std::vector<double>& limits)
 {

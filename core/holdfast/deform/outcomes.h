@@ -15,7 +15,7 @@ namespace holdfast {
 [[nodiscard]] std::vector<double> rowResiduals(const ConstraintSystem& system, const Weld& weld,
                                                const Positions& positions);
 
-/// One outcome for each constraint of the list, in order, as it stands before anything is solved:
+/// One outcome for each constraint of the list, in order, before anything is solved:
 /// without residuals, and none of them met.
 [[nodiscard]] std::vector<ConstraintOutcome> outcomes(const ConstraintList& list, const ConstraintSystem& system,
                                                       const Diagnosis& diagnosis);

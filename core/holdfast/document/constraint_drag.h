@@ -1,5 +1,5 @@
 #pragma once
-/// Constraints that a hand moves together: points to be held and handles, from where they are to where they go.
+/// Points and handles that the user drags together.
 
 #include <span>
 #include <vector>

@@ -37,16 +37,16 @@ struct HandleSetting {
 /// `settingOf`. They throw `InputError` for a motion that the mesh does not allow (`placeHandle`), with the reason of
 /// `validateHandle` for what the handle may not say, and for what is said below. O(vertices).
 
-/// By a `FrameMotion`: from the `principalAxes` of the handle at rest, in its centroid, to where its motion takes them.
-/// Targets of vertices are lost: the frames say the rigid motion that fits them best. Throws where the handle turns by
-/// whole turns, or as good as: frames that lie alike say no axis.
+/// A handle with a `FrameMotion`: from the `principalAxes` of the handle at rest, in its centroid, to where its motion
+/// takes them. Targets of vertices are lost: the frames say the rigid motion that fits them best. Throws where the
+/// handle turns by whole turns, or nearly so: frames that coincide have no axis.
 [[nodiscard]] HandleConstraint byFrames(const HandleConstraint& handle, const HandleSetting& setting);
 
 /// By `VertexTargets`, where each vertex goes now, and no translation. Where these places do not say how the handle
 /// turns (beyond half a turn, or on a line), each vertex gets a rotation of its own that does.
 [[nodiscard]] HandleConstraint byTargets(const HandleConstraint& handle, const HandleSetting& setting);
 
-/// With a rotation for each vertex, all that of the motion.
+/// A handle with a rotation for each vertex: that of the motion.
 [[nodiscard]] HandleConstraint withRotations(const HandleConstraint& handle, const HandleSetting& setting);
 
 }  // namespace holdfast

@@ -48,7 +48,7 @@ class History {
   bool redo();
   [[nodiscard]] bool canUndo() const noexcept { return position_ > 0; }
   [[nodiscard]] bool canRedo() const noexcept { return position_ + 1 < states_.size(); }
-  /// Of the edit that undo would take back; empty where there is none. So for redo.
+  /// Names of the edits that undo and redo would affect; empty where there is none.
   [[nodiscard]] std::string_view undoName() const;
   [[nodiscard]] std::string_view redoName() const;
 

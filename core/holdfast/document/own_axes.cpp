@@ -11,7 +11,7 @@
 namespace holdfast {
 namespace {
 
-// Variances that differ by less than this share of the largest have no axis that a hand would expect.
+// Variances that differ by less than this share of the largest have no axis that a user would expect.
 constexpr double kAlike = 0.05;
 
 /// Whether the face has every vertex that the point hangs on, or one in the same place.

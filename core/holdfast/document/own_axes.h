@@ -1,5 +1,5 @@
 #pragma once
-/// Axes that belong to what a hand moves, and not to the world.
+/// Axes of what a user moves, instead of those of the world.
 
 #include <holdfast/deform/model.h>
 #include <holdfast/surface/surface_point.h>

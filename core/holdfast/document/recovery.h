@@ -29,7 +29,7 @@ class RecoveryFile {
 
   /// Puts a copy of `session` in the place of the last one: there is never half a one. `originalPath` is where the
   /// session is saved, empty where it is not yet; the mesh is named from there, or absolutely. Throws `OutputError`;
-  /// the last copy stands then.
+  /// the last copy stays then.
   void write(SessionFile session, const std::filesystem::path& originalPath);
 
   /// Removes the copy, as after the document was saved. The next `write` makes another.

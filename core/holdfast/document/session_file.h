@@ -60,7 +60,7 @@ struct SessionFile {
 /// do not exist or that this build does not have.
 [[nodiscard]] SessionFile readSession(const std::filesystem::path& path);
 
-/// The same from text that is at hand; `name` stands for the file in messages.
+/// The same from text; `name` is that of the file in messages.
 [[nodiscard]] SessionFile parseSession(std::string_view text, const std::string& name);
 
 /// The JSON text that reads back as `session`, every double in its shortest exact form. Throws `OutputError` where

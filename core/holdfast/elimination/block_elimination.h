@@ -37,7 +37,7 @@ class BlockElimination {
   /// The l of pins and blocks with B^T l = `gradient` (n x 3) over the independent rows: `rowCount` x 3.
   [[nodiscard]] Columns3 multipliers(const Columns3& gradient, Index rowCount) const;
 
-  /// See `Elimination::sensitivities`: over these unknowns, whatever groups they stand for.
+  /// See `Elimination::sensitivities`: over these unknowns, which may be groups.
   [[nodiscard]] std::vector<double> sensitivities(std::size_t rowCount) const;
 
   [[nodiscard]] const std::vector<Block>& blocks() const noexcept { return blocks_; }

@@ -10,8 +10,8 @@ namespace holdfast {
 
 /// Every row that is a combination of rows before it, with the circuit that it closes; ascending. All other rows are
 /// independent. Depends on the rows and their order only, not on targets. Small components go through the sequential
-/// Householder QR of the paper; large ones through sparse QR in a fill-reducing order, whose verdict is then exchanged
-/// to the user's order; both find the same rows. A row whose sine to the span of the others is below
+/// Householder QR of the paper; large ones through sparse QR in a fill-reducing order, and then exchanges to the user's
+/// order; both find the same rows. A row whose sine to the span of the others is below
 /// `kRankTolerance` counts as dependent.
 [[nodiscard]] std::vector<Dependency> findDependencies(const std::vector<RowTerms>& rows, Index unknownCount);
 

@@ -18,7 +18,7 @@ struct SparseQrResult {
 
 enum class WantQ { No, Yes };
 
-/// In what order columns are eliminated: so that little fills in, or as they come.
+/// The order in which columns are eliminated.
 enum class ColumnOrder { FillReducing, AsGiven };
 
 /// Scales every column of `M` (none is zero) to unit length, so that one tolerance fits all; returns the lengths.

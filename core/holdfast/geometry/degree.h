@@ -5,7 +5,7 @@
 
 namespace holdfast {
 
-/// In radians.
+/// A degree in radians.
 inline constexpr double kDegree = std::numbers::pi / 180;
 
 }  // namespace holdfast

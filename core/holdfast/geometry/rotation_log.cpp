@@ -42,7 +42,7 @@ CosineAndSine cosineAndSine(double degrees)
   }
 }
 
-/// Whether q rather than -q stands for the half turn that both are logs of.
+/// Whether q, not -q, is taken as the log of the half turn that has both.
 bool isFirstOfHalfTurn(const Vector3& q)
 {
   for (const double component : q)

@@ -18,7 +18,7 @@ class EdgeGraph {
 
   /// Ascending, each once.
   [[nodiscard]] std::span<const Index> neighbours(Index vertex) const { return of(neighbours_, vertex); }
-  /// Of the edges to those neighbours, in the same order; as shares of the mesh's diagonal.
+  /// Lengths of the edges to those neighbours, in the same order, as shares of the mesh's diagonal.
   [[nodiscard]] std::span<const double> lengths(Index vertex) const { return of(lengths_, vertex); }
 
  private:

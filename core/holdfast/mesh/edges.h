@@ -17,7 +17,7 @@ struct HalfEdge {
   bool isForward = false;  ///< the triangle runs through it from a to b
 };
 
-/// All half edges sorted by (a, b, triangle), so that those of one edge stand side by side. Sides that join a vertex to
+/// All half edges sorted by (a, b, triangle), so that those of one edge are side by side. Sides that join a vertex to
 /// itself are left out. O(T log T).
 [[nodiscard]] std::vector<HalfEdge> sortedHalfEdges(const std::vector<Triangle>& triangles);
 

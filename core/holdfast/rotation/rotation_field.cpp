@@ -28,7 +28,7 @@ DisjointSets tiedByEdges(DisjointSets sets, const std::vector<EdgeWeight>& weigh
   return sets;
 }
 
-/// Of each representative: the first place in `prescribed` of an unknown of its set; -1 elsewhere.
+/// By representative: the first place in `prescribed` of an unknown of its set; -1 elsewhere.
 std::vector<Index> firstGiven(DisjointSets& sets, const RotationProblem& problem)
 {
   std::vector<Index> first(static_cast<std::size_t>(problem.unknownCount), -1);
@@ -37,7 +37,7 @@ std::vector<Index> firstGiven(DisjointSets& sets, const RotationProblem& problem
   return first;
 }
 
-/// Of each unknown: its own place in `prescribed`, else that of its region; -1 elsewhere.
+/// By unknown: its own place in `prescribed`, else that of its region; -1 elsewhere.
 std::vector<Index> givenOfUnknowns(DisjointSets& regions, const std::vector<Index>& ofRegion,
                                    const RotationProblem& problem)
 {
@@ -47,8 +47,9 @@ std::vector<Index> givenOfUnknowns(DisjointSets& regions, const std::vector<Inde
   return given;
 }
 
-/// In a region where several unknowns are given, each keeps its own value, and all others have that of the first. Of an
-/// unknown that is given twice the first stands. Edges of weight 0 tie nothing. Ids are in range. Nearly O(n + edges).
+/// In a region where several unknowns are given, each keeps its own value, and all others have that of the first. For
+/// an unknown that is given twice, the first value counts. Edges of weight 0 tie nothing. Ids are in range. Nearly O(n
+/// + edges).
 RotationUnknowns rotationUnknowns(const RotationProblem& problem)
 {
   DisjointSets regions = regionsOf(problem);

@@ -1,6 +1,6 @@
 #pragma once
-/// A factorisation of a sparse least-squares problem, whatever stands behind it: the normal equations by CHOLMOD or
-/// Eigen, or the R of a sparse QR.
+/// A factorisation of a sparse least-squares problem: of the normal equations, by CHOLMOD or Eigen, or the R of a
+/// sparse QR.
 
 #include <memory>
 #include <string_view>
@@ -22,7 +22,7 @@ class LeastSquaresFactor {
   /// Stored entries of the factor.
   [[nodiscard]] virtual Index nonzeros() const = 0;
 
-  /// What stands behind it, in a user's words: "Cholesky factor of the normal equations (CHOLMOD)".
+  /// How it was made, in a user's words: "Cholesky factor of the normal equations (CHOLMOD)".
   [[nodiscard]] virtual std::string_view method() const = 0;
 
  protected:

@@ -94,7 +94,7 @@ ClosestPointSearch::Result ClosestPointSearch::find(const Vector3& place) const
     const auto& [a, b, c] = tree_.triangles()[triangle];
     const TrianglePoint candidate =
         closestPointOfTriangle({positions_.row(a), positions_.row(b), positions_.row(c)}, from);
-    // Of triangles that share the closest point the first in file order is taken, whatever the order of the tree.
+    // Where triangles share the closest point, the first in file order is taken, whatever the order of the tree.
     if (candidate.squaredDistance < best.squaredDistance ||
         (candidate.squaredDistance == best.squaredDistance && triangle < nearest)) {
       best = candidate;

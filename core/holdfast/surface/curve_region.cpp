@@ -22,7 +22,7 @@ std::vector<Index> flooded(const EdgeGraph& graph, Index start, std::vector<bool
   return piece;
 }
 
-/// Whether of two pieces `a` is rather the inside: the smaller one; of equally large ones that with the smallest id.
+/// Whether `a` is the inside rather than `b`: the smaller one, or that with the smallest id where both are as large.
 bool isNearerInside(const std::vector<Index>& a, const std::vector<Index>& b)
 {
   return a.size() != b.size() ? a.size() < b.size() : a.front() < b.front();

@@ -1,5 +1,5 @@
 #pragma once
-/// From the user's names of surface points to canonical ones.
+/// Makes canonical surface points of the user's names for them.
 
 #include <memory>
 #include <mutex>

@@ -19,7 +19,7 @@ constexpr std::size_t kLeastFaceBytes = 8;
 // '#' begins a comment.
 constexpr TextDialect kOffDialect{'#', std::nullopt};
 
-/// What stands on the line of a vertex behind its position.
+/// What the line of a vertex has behind its position.
 struct OffVertexForm {
   bool hasNormals = false;
   bool hasColors = false;   ///< three or four numbers

@@ -38,7 +38,7 @@ double numberFromBytes(std::string_view bytes, PlyType type, ByteOrder order)
   return static_cast<double>(integerFromBytes(bytes, type, order));
 }
 
-/// Of a binary encoding.
+/// The byte order of a binary encoding.
 ByteOrder byteOrder(PlyEncoding encoding)
 {
   return encoding == PlyEncoding::kBigEndian ? ByteOrder::kBig : ByteOrder::kLittle;

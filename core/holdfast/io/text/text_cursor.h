@@ -19,7 +19,7 @@ struct TextDialect {
 /// separate. Views returned point into the text, which must outlive the cursor. A byte order mark is passed over.
 class TextCursor {
  public:
-  /// `file` stands for the text in errors.
+  /// `file` names the text in errors.
   TextCursor(std::string_view text, std::string file, TextDialect dialect = {});
 
   /// The next token of this line; empty where the line has no more.
