@@ -1,10 +1,12 @@
 // The examples of docs/widgets.md, each with a gesture that is played to it, and their pictures. What stands between
 // two marks is printed on that page.
 //   widget_pictures DATA PICTURES [off]      DATA: the folder data/. off: widgets are switched off before the gesture
+#include <array>
 #include <cmath>
 #include <iostream>
 #include <numbers>
 
+#include <vtkActor.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
 #include <vtkEvent.h>
@@ -21,6 +23,7 @@
 #include <holdfast/widgets/interaction/surface_curve_widget.h>
 #include <holdfast/widgets/interaction/surface_point_widget.h>
 #include <holdfast/widgets/interaction/surface_ruler_widget.h>
+#include <holdfast/widgets/marks/point_preview.h>
 #include <holdfast/widgets/rotation_sphere/rotation_sphere.h>
 #include <holdfast/widgets/scene/kept_scene.h>
 #include <holdfast/widgets/scene/lighting.h>
@@ -208,8 +211,12 @@ void Examples::surfaceCamera()
   renderer->SetViewport(0.5, 0, 1, 1);
   window->AddRenderer(left);
   const PreviewedPoint place{nearestVertex({75, -5, 10}), MarkKind::Face};
-  before.setPreview(place);
-  scene.setPreview(place);
+  std::array<PointPreview, 2> previews;
+  for (std::size_t k = 0; k < previews.size(); ++k) {
+    previews[k].setBallPixels(10 * kPixelRatio);
+    previews[k].set(place);
+    for (vtkActor* const actor : previews[k].actors()) (k == 0 ? left.Get() : renderer.Get())->AddActor(actor);
+  }
   fit(*renderer->GetActiveCamera(), defaultFrame(surface->positions()), surface->positions(), 2.0 / 3);
   left->GetActiveCamera()->DeepCopy(renderer->GetActiveCamera());
   renderer->ResetCameraClippingRange();

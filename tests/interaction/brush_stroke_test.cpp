@@ -1,10 +1,10 @@
-#include "holdfast/widgets/interaction/brush_stroke.h"
-
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include <holdfast/widgets/interaction/region_widget.h>
 
 #include "interaction/interaction_fixture.h"
 #include "support/meshes.h"

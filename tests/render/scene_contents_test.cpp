@@ -8,6 +8,7 @@
 #include <vtkRenderer.h>
 
 #include <holdfast/widgets/camera/camera_state.h>
+#include <holdfast/widgets/marks/point_preview.h>
 #include <holdfast/widgets/scene/scene.h>
 
 #include "render/compare_pictures.h"
@@ -19,6 +20,21 @@ namespace {
 
 constexpr PictureSize kSize{480, 360};
 constexpr Index kDivisions = 8;
+constexpr double kBallSize = 10;  // pixels of the picture
+
+/// A point under the cursor, drawn with a scene.
+class ScenePreview {
+ public:
+  ScenePreview(const Scene& scene, const PreviewedPoint& point)
+  {
+    preview_.setBallPixels(kBallSize * scene.pixelRatio());
+    preview_.set(point);
+    for (vtkActor* const actor : preview_.actors()) scene.meshRenderer().AddActor(actor);
+  }
+
+ private:
+  PointPreview preview_;
+};
 
 /// A slab held at one end and turned at the other, with a constraint of every kind and every fate on its top.
 class Slab {
@@ -122,7 +138,7 @@ class SlabScene : public Scene {
   SlabScene(const Slab& slab, ColorBy colorBy)
       : Scene(slab.model(), slab.deformation(), {kSize, colorBy, Legend::Hidden, ""})
   {
-    contents().setBallSize(10);
+    contents().setBallSize(kBallSize);
   }
 };
 
@@ -181,7 +197,7 @@ TEST(SceneContents, HighlightSelectionPreviewAndMeshEdges)
   SceneContents& contents = scene.contents();
   contents.highlight({0, 4, 7});
   contents.setSelection(slab.middle());
-  contents.setPreview(PreviewedPoint{slab.onTop(2, 3), MarkKind::Edge});
+  const ScenePreview preview(scene, {slab.onTop(2, 3), MarkKind::Edge});
   contents.setMeshEdges(MeshEdges::All);
   EXPECT_EQ(differenceFromBaseline(scene), "");
 }
@@ -227,7 +243,6 @@ TEST(SceneContents, GoingBackLeavesNoTrace)
   contents.highlight({0, 4, 7});
   contents.setHiddenMarks(HiddenMarks::Faint);
   contents.setSelection(slab.middle());
-  contents.setPreview(PreviewedPoint{slab.onTop(2, 3), MarkKind::Face});
   contents.setMeshEdges(MeshEdges::All);
   contents.setRestGhost(RestGhost::Hidden);
   contents.setRotationDisplay(RotationDisplay::Arrows);
@@ -239,7 +254,6 @@ TEST(SceneContents, GoingBackLeavesNoTrace)
   contents.highlight({});
   contents.setHiddenMarks(HiddenMarks::Invisible);
   contents.setSelection({});
-  contents.setPreview({});
   contents.setMeshEdges(MeshEdges::Sharp);
   contents.setRestGhost(RestGhost::Edges);
   contents.setRotationDisplay(RotationDisplay::Hidden);
@@ -251,7 +265,7 @@ TEST(SceneContents, GlyphsKeepTheirSizeWhateverTheCameraDoes)
 {
   const Slab slab;
   SlabScene scene(slab, ColorBy::None);
-  scene.contents().setPreview(PreviewedPoint{slab.onTop(4, 3), MarkKind::Vertex});
+  const ScenePreview preview(scene, {slab.onTop(4, 3), MarkKind::Vertex});
   vtkCamera& camera = *scene.meshRenderer().GetActiveCamera();
   const Vector3 place = slab.onTop(4, 3);
   camera.SetFocalPoint(place.x(), place.y(), place.z());
@@ -269,8 +283,7 @@ TEST(SceneContents, TiltedSurfacesDoNotCutTheRingAroundThePreview)
   NoProgress progress;
   const DeformResult deformation = deform(model, test::listOf({test::hold({0})}), "constraints", {}, progress);
   Scene scene(model, deformation, {kSize, ColorBy::None, Legend::Hidden, ""});
-  scene.contents().setBallSize(10);
-  scene.contents().setPreview(PreviewedPoint{{20, 20, 0}, MarkKind::Vertex});
+  const ScenePreview preview(scene, {{20, 20, 0}, MarkKind::Vertex});
   vtkCamera& camera = *scene.meshRenderer().GetActiveCamera();
   const auto seenAt = [&](double degrees) {
     const double tilt = degrees * std::numbers::pi / 180;

@@ -12,9 +12,13 @@
 #include <holdfast/widgets/color/scalar_legend.h>
 
 #include "support/special_values.h"
+#include "widgets/lab_color.h"
 
 namespace holdfast {
 namespace {
+
+using test::LabColor;
+using test::toLab;
 
 constexpr int kSteps = 500;
 

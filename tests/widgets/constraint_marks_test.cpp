@@ -6,9 +6,13 @@
 
 #include "support/meshes.h"
 #include "support/point_constraints.h"
+#include "widgets/lab_color.h"
 
 namespace holdfast {
 namespace {
+
+using test::LabColor;
+using test::toLab;
 
 /// One constraint of every kind on a grid of 4 x 4 squares, the last ones disabled.
 ConstraintList everyKind()

@@ -8,10 +8,14 @@
 #include <holdfast/widgets/gizmo/gizmo_shapes.h>
 
 #include "support/point_constraints.h"
+#include "widgets/lab_color.h"
 #include "widgets/view_without_window.h"
 
 namespace holdfast {
 namespace {
+
+using test::LabColor;
+using test::toLab;
 
 using namespace gizmo_layout;
 using std::numbers::pi;

@@ -6,12 +6,11 @@
 #include <gtest/gtest.h>
 #include <vtkRenderer.h>
 
-#include <holdfast/widgets/picking/screen_selection.h>
-
 #include "support/law_meshes.h"
 #include "support/meshes.h"
 #include "support/random.h"
 #include "widgets/plain_view.h"
+#include "widgets/screen_vertices.h"
 
 namespace holdfast {
 namespace {
@@ -31,7 +30,8 @@ std::vector<Index> select(const Model& model, const test::PlainView& view, const
                           ScreenReach reach)
 {
   const test::PlainScreen screen(view);
-  return verticesInScreenPolygon(screen.renderer(), std::make_shared<const VisibleSurface>(model), polygon, reach);
+  return test::verticesInScreenPolygon(screen.renderer(), std::make_shared<const VisibleSurface>(model), polygon,
+                                       reach);
 }
 
 TEST(ScreenSelection, OfASphereTheVisibleVerticesAreThoseOfFacesTurnedToTheEye)
@@ -104,8 +104,8 @@ TEST(ScreenSelection, FollowsTheSurface)
   const Model model = makeModel(test::merged(test::grid(1, 1), test::moved(test::grid(1, 1), {0, 0, -1})), "plates");
   const test::PlainScreen screen({{0.5, 0.5, 10}, {0.5, 0.5, 0}});
   const auto visible = [&](const VisibleSurface& surface) {
-    return verticesInScreenPolygon(screen.renderer(), std::make_shared<const VisibleSurface>(surface), kEverything,
-                                   ScreenReach::VisibleOnly);
+    return test::verticesInScreenPolygon(screen.renderer(), std::make_shared<const VisibleSurface>(surface),
+                                         kEverything, ScreenReach::VisibleOnly);
   };
   const VisibleSurface atRest(model);
   EXPECT_THAT(visible(atRest), ElementsAre(0, 1, 2, 3));

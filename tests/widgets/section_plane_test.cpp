@@ -8,13 +8,13 @@
 #include <vtkRenderer.h>
 
 #include <holdfast/geometry/bounding_box.h>
-#include <holdfast/widgets/picking/screen_selection.h>
 #include <holdfast/widgets/picking/surface_picker.h>
 
 #include "support/law_meshes.h"
 #include "support/meshes.h"
 #include "support/random.h"
 #include "widgets/plain_view.h"
+#include "widgets/screen_vertices.h"
 
 namespace holdfast {
 namespace {
@@ -139,7 +139,7 @@ TEST(SectionPlane, SelectedVerticesAreKeptAndHiddenByKeptTrianglesAlone)
   int uncovered = 0;
   forEachCut(72, [&](Cut& cut, test::Random&) {
     const auto select = [&](const std::shared_ptr<const VisibleSurface>& surface, ScreenReach reach) {
-      return verticesInScreenPolygon(cut.screen.renderer(), surface, everything, reach);
+      return test::verticesInScreenPolygon(cut.screen.renderer(), surface, everything, reach);
     };
     const auto visible = select(cut.kept, ScreenReach::VisibleOnly);
     const auto through = select(cut.kept, ScreenReach::Through);

@@ -16,15 +16,10 @@ namespace {
 // Four are the most that any of ten million random vectors took.
 constexpr int kMostSteps = 10;
 
-Vector3 vectorOf(const double* values)
-{
-  return {values[0], values[1], values[2]};
-}
-
 constexpr double kTurnDegrees = 32;
 constexpr double kRiseDegrees = 24;
 
-// What is flatter than this share of its length is looked at from higher up: its face is what there is to see.
+// A mesh that is flatter than this share of its length is looked at from higher up.
 constexpr double kFlat = 0.3;
 constexpr double kRiseOverFlatDegrees = 36;
 
@@ -66,10 +61,8 @@ Wedge wedgeAround(double above, double below, double slope)
 
 Camera cameraOf(vtkCamera& camera)
 {
-  return {Vector3(camera.GetPosition()[0], camera.GetPosition()[1], camera.GetPosition()[2]),
-          Vector3(camera.GetFocalPoint()[0], camera.GetFocalPoint()[1], camera.GetFocalPoint()[2]),
-          Vector3(camera.GetViewUp()[0], camera.GetViewUp()[1], camera.GetViewUp()[2]), camera.GetParallelScale(),
-          camera.GetParallelProjection() != 0};
+  return {Vector3(camera.GetPosition()), Vector3(camera.GetFocalPoint()), Vector3(camera.GetViewUp()),
+          camera.GetParallelScale(), camera.GetParallelProjection() != 0};
 }
 
 void setViewUp(vtkCamera& camera, const Vector3& up)
@@ -89,8 +82,8 @@ void setViewUp(vtkCamera& camera, const Vector3& up)
 
 void place(vtkCamera& camera, const Camera& state)
 {
-  camera.SetPosition(state.position.x(), state.position.y(), state.position.z());
-  camera.SetFocalPoint(state.focalPoint.x(), state.focalPoint.y(), state.focalPoint.z());
+  camera.SetPosition(state.position.data());
+  camera.SetFocalPoint(state.focalPoint.data());
   setViewUp(camera, state.viewUp);
   camera.SetParallelScale(state.parallelScale);
   camera.SetParallelProjection(state.isParallel ? 1 : 0);
@@ -98,15 +91,15 @@ void place(vtkCamera& camera, const Camera& state)
 
 void orbit(vtkCamera& camera, const Vector3& pivot, double degreesRight, double degreesUp)
 {
-  const Vector3 up = vectorOf(camera.GetViewUp()).normalized();
-  const Vector3 forward = vectorOf(camera.GetDirectionOfProjection()).normalized();
+  const Vector3 up = Vector3(camera.GetViewUp()).normalized();
+  const Vector3 forward = Vector3(camera.GetDirectionOfProjection()).normalized();
   const Vector3 right = forward.cross(up).normalized();
-  // The camera turns against the model.
+  // The camera rotates against the model.
   const Eigen::Matrix3d turn =
       (Eigen::AngleAxisd(-degreesRight * kDegree, up) * Eigen::AngleAxisd(degreesUp * kDegree, right))
           .toRotationMatrix();
-  const Vector3 eye = pivot + turn * (vectorOf(camera.GetPosition()) - pivot);
-  const Vector3 focus = pivot + turn * (vectorOf(camera.GetFocalPoint()) - pivot);
+  const Vector3 eye = pivot + turn * (Vector3(camera.GetPosition()) - pivot);
+  const Vector3 focus = pivot + turn * (Vector3(camera.GetFocalPoint()) - pivot);
   const Vector3 newUp = turn * right.cross(forward);
   camera.SetPosition(eye.data());
   camera.SetFocalPoint(focus.data());
@@ -117,8 +110,8 @@ void pan(vtkRenderer& renderer, const Vector3& anchor, const DisplayPoint& from,
 {
   vtkCamera& camera = *renderer.GetActiveCamera();
   const Vector3 shift = atDepthOf(renderer, anchor, from) - atDepthOf(renderer, anchor, to);
-  const Vector3 eye = vectorOf(camera.GetPosition()) + shift;
-  const Vector3 focus = vectorOf(camera.GetFocalPoint()) + shift;
+  const Vector3 eye = Vector3(camera.GetPosition()) + shift;
+  const Vector3 focus = Vector3(camera.GetFocalPoint()) + shift;
   camera.SetPosition(eye.data());
   camera.SetFocalPoint(focus.data());
 }
@@ -126,12 +119,12 @@ void pan(vtkRenderer& renderer, const Vector3& anchor, const DisplayPoint& from,
 void zoom(vtkRenderer& renderer, const Vector3& anchor, double factor)
 {
   vtkCamera& camera = *renderer.GetActiveCamera();
-  const Vector3 eye = vectorOf(camera.GetPosition());
-  const Vector3 focus = vectorOf(camera.GetFocalPoint());
+  const Vector3 eye = Vector3(camera.GetPosition());
+  const Vector3 focus = Vector3(camera.GetFocalPoint());
   Vector3 shift = (1 - 1 / factor) * (anchor - eye);
   if (camera.GetParallelProjection()) {
     camera.SetParallelScale(camera.GetParallelScale() / factor);
-    const Vector3 forward = vectorOf(camera.GetDirectionOfProjection()).normalized();
+    const Vector3 forward = Vector3(camera.GetDirectionOfProjection()).normalized();
     shift -= shift.dot(forward) * forward;
   }
   const Vector3 newEye = eye + shift;
@@ -145,7 +138,7 @@ Vector3 toDisplay(vtkRenderer& renderer, const Vector3& place)
 {
   renderer.SetWorldPoint(place.x(), place.y(), place.z(), 1);
   renderer.WorldToDisplay();
-  return vectorOf(renderer.GetDisplayPoint());
+  return Vector3(renderer.GetDisplayPoint());
 }
 
 Vector3 atDepthOf(vtkRenderer& renderer, const Vector3& reference, const DisplayPoint& display)
@@ -153,7 +146,7 @@ Vector3 atDepthOf(vtkRenderer& renderer, const Vector3& reference, const Display
   renderer.SetDisplayPoint(display.x(), display.y(), toDisplay(renderer, reference).z());
   renderer.DisplayToWorld();
   const double* world = renderer.GetWorldPoint();
-  return vectorOf(world) / world[3];
+  return Vector3(world) / world[3];
 }
 
 ViewFrame defaultFrame(const Positions& positions)

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The camera of a renderer: where it begins, as sessions keep it, and moved by a hand on the mouse.
+/// The camera of a renderer: its first place, its state in sessions, and its motion by the mouse.
 
 #include <holdfast/base/types.h>
 #include <holdfast/document/session_file.h>
@@ -18,11 +18,11 @@ namespace holdfast {
 void setViewUp(vtkCamera& camera, const Vector3& up);
 
 /// Places `camera` so that `cameraOf` gives `state` back, if the view up is one that `setViewUp` has set. The angle of
-/// view and the clipping planes stay: set those anew.
+/// view and the clipping planes stay: set those too.
 void place(vtkCamera& camera, const Camera& state);
 
-/// Turns eye and focal point about `pivot` (model units), which stays where it is on the screen: `degreesRight` about
-/// the camera's up, `degreesUp` about its right, as if the hand turned the model. No pole where it stops or flips.
+/// Rotates eye and focal point about `pivot` (model units), which stays where it is on the screen: `degreesRight` about
+/// the camera's up, `degreesUp` about its right. There is no pole at which it stops or flips.
 void orbit(vtkCamera& camera, const Vector3& pivot, double degreesRight, double degreesUp);
 
 /// Shifts the camera across the view so that `anchor`, which was under `from`, comes to lie under `to`.
@@ -45,9 +45,8 @@ struct ViewFrame {
   Vector3 back;  ///< from the mesh to the eye
 };
 
-/// z is up and -y the front. The eye is in front of the longer of the sides that stand (at -y, or at +x for what is
-/// longer along y), turned by a third of a right angle towards the other of these two, and raised; higher above what
-/// lies flat.
+/// z is up and -y the front. The eye is in front of the longer side (at -y, or at +x for a mesh that is longer along
+/// y), rotated by a third of a right angle towards the other of these two, and raised, higher above flat meshes.
 [[nodiscard]] ViewFrame defaultFrame(const Positions& positions);
 
 /// Places `camera` along `frame`, as near as all `points` (at least one) are in a picture of `aspect` = width / height

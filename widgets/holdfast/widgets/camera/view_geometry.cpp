@@ -8,7 +8,6 @@
 #include <vtkRenderer.h>
 
 #include <holdfast/geometry/degree.h>
-#include <holdfast/widgets/camera/display_transform.h>
 
 namespace holdfast {
 namespace {

@@ -42,9 +42,9 @@ struct ViewRay {
 /// The unit direction in which `place` is seen.
 [[nodiscard]] Vector3 sightOf(const ViewGeometry& view, const Vector3& place);
 
-/// By how many degrees the way from `center` to `from` turns on the display into the way to `to`, counterclockwise:
-/// about the viewing axis towards the eye. Of all angles that differ by whole turns the nearest to `near`; `near` where
-/// one of the three is not in front of the eye, or appears where the center does. Places in model units.
+/// The angle on the display between the directions from `center` to `from` and to `to`, degrees counterclockwise, about
+/// the viewing axis towards the eye. It is the angle nearest to `near` among those that differ by whole turns; `near`
+/// where one of the three is not in front of the eye, or appears where the center does. Places in model units.
 [[nodiscard]] double degreesSeen(const ViewGeometry& view, const Vector3& center, const Vector3& from,
                                  const Vector3& to, double near);
 

@@ -10,6 +10,13 @@
 namespace holdfast {
 namespace {
 
+/// CIE L*a*b* under D65: equal distances look about equally large.
+struct LabColor {
+  double lightness = 0;  ///< 0 black, 100 white
+  double a = 0;
+  double b = 0;
+};
+
 // Points of smooth curves through Lab space at equal distances along each, so that equal steps of a value look equal;
 // all of them, and the straight lines between them, can be shown in sRGB.
 constexpr std::array<LabColor, 9> kBlueGreenYellow{{{30, 22, -46},
@@ -68,20 +75,10 @@ constexpr double kWhiteX = 0.95047;
 constexpr double kWhiteZ = 1.08883;
 constexpr double kKnee = 6.0 / 29;
 
-double fromGamma(double channel)
-{
-  return channel <= 0.04045 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
-}
-
 double toGamma(double light)
 {
   const double channel = light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
   return std::clamp(channel, 0.0, 1.0);
-}
-
-double labRoot(double t)
-{
-  return t > kKnee * kKnee * kKnee ? std::cbrt(t) : t / (3 * kKnee * kKnee) + 4.0 / 29;
 }
 
 double labCube(double t)
@@ -102,17 +99,6 @@ Color toColor(const LabColor& lab)
 
 }  // namespace
 
-LabColor toLab(const Color& color)
-{
-  const double red = fromGamma(color.red);
-  const double green = fromGamma(color.green);
-  const double blue = fromGamma(color.blue);
-  const double x = labRoot((0.4124564 * red + 0.3575761 * green + 0.1804375 * blue) / kWhiteX);
-  const double y = labRoot(0.2126729 * red + 0.7151522 * green + 0.0721750 * blue);
-  const double z = labRoot((0.0193339 * red + 0.1191920 * green + 0.9503041 * blue) / kWhiteZ);
-  return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
-}
-
 Color mapColor(double share, ColorMap map)
 {
   if (std::isnan(share)) return kNoValueColor;
@@ -131,11 +117,6 @@ double shareOf(const ColorScale& scale, double value)
   const double inside = std::clamp(value, scale.low, scale.high);
   if (scale.scaling == Scaling::Linear) return (inside - scale.low) / (scale.high - scale.low);
   return std::log(inside / scale.low) / std::log(scale.high / scale.low);
-}
-
-Color colorOf(const ColorScale& scale, double value)
-{
-  return mapColor(shareOf(scale, value), scale.map);
 }
 
 vtkSmartPointer<vtkLookupTable> toLookupTable(ColorMap map)

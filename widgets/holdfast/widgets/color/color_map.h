@@ -20,15 +20,6 @@ struct Color {
   friend bool operator==(const Color&, const Color&) = default;
 };
 
-/// CIE L*a*b* under D65: equal distances look about equally large.
-struct LabColor {
-  double lightness = 0;  ///< 0 black, 100 white
-  double a = 0;
-  double b = 0;
-};
-
-[[nodiscard]] LabColor toLab(const Color& color);
-
 /// Equal steps of each map look about equal, and no two colours of one look the same with any common colour blindness.
 enum class ColorMap {
   BlueGreenYellow,  ///< from dark blue over green to yellow
@@ -41,7 +32,7 @@ enum class ColorMap {
 /// without colours too; that of `BlueWhiteOrange` rises to the middle and falls from there.
 [[nodiscard]] Color mapColor(double share, ColorMap map = ColorMap::BlueGreenYellow);
 
-/// A quiet grey that the maps do not have: there is no value here.
+/// A light grey that the maps do not have, for places without a value.
 inline constexpr Color kNoValueColor{0.80, 0.80, 0.80};
 
 enum class Scaling { Linear, Logarithmic };
@@ -52,7 +43,7 @@ enum class TickSteps {
   Degrees   ///< 15, 30, 45 and 90 degrees and whole turns; decimal below
 };
 
-/// What values mean on the map.
+/// The meaning of values on the map.
 struct ColorScale {
   std::string title;  ///< may hold line breaks
   Scaling scaling = Scaling::Linear;
@@ -68,7 +59,10 @@ struct ColorScale {
 /// Where `value` lies between the ends of the scale, from 0 to 1 and no farther; NaN for NaN.
 [[nodiscard]] double shareOf(const ColorScale& scale, double value);
 
-[[nodiscard]] Color colorOf(const ColorScale& scale, double value);
+[[nodiscard]] inline Color colorOf(const ColorScale& scale, double value)
+{
+  return mapColor(shareOf(scale, value), scale.map);
+}
 
 /// The map for VTK, over shares from 0 to 1.
 [[nodiscard]] vtkSmartPointer<vtkLookupTable> toLookupTable(ColorMap map = ColorMap::BlueGreenYellow);

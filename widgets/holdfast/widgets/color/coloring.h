@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What a surface can be coloured by: the values, their scale and its range.
+/// The fields that colour a surface: values, scale and range.
 
 #include <optional>
 #include <span>
@@ -17,10 +17,10 @@ namespace holdfast {
 enum class ColorBy {
   None,                ///< one colour
   ConstraintResidual,  ///< how far constraints are from being met; logarithmic, the promise marked
-  Rotation,            ///< |q|, half the angle by which the detail is turned, radians
+  Rotation,            ///< |q|, half the angle by which the detail is rotated, radians
   Angle,               ///< the whole of it, degrees, not wrapped
   Displacement,        ///< the length of the way from rest
-  Detail,              ///< how far the detail is from that at rest, turned
+  Detail,              ///< how far the detail is from the rotated one at rest
   Force                ///< how hard constraints pull; logarithmic. Of hard constraints only, else nowhere a value
 };
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kMostCountTicks = 5;
 
-// Of the largest value: multiples of finer widths could not be told apart.
+// A share of the largest value: multiples of finer widths would be the same numbers.
 constexpr double kLeastRange = 1e-12;
 
 double roundDegrees(double least)

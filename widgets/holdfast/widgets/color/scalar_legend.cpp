@@ -1,7 +1,6 @@
 #include "holdfast/widgets/color/scalar_legend.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -105,7 +104,7 @@ void addDisc(Shape& shape, double x, double y, double radius, const Color& color
   shape.addPolygon(corners);
 }
 
-/// The smallest part of a turn that is round in degrees, or number of turns, and no less than `least`.
+/// The smallest round number of degrees, or of whole turns, that is no less than `least`.
 double degreeStep(double least)
 {
   if (least <= 10) return roundStep(least);

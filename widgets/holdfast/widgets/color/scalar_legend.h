@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What the colours of a picture mean: a bar with its title and numbers, and a key of the glyphs.
+/// The legend of a picture: a bar of colours with its title and numbers, and a key of the glyphs.
 
 #include <optional>
 #include <string>
@@ -12,7 +12,7 @@ class vtkRenderer;
 
 namespace holdfast {
 
-/// One line of the key: a ball's colour and what it stands for.
+/// One line of the key: the colour of a ball and its meaning.
 struct KeyEntry {
   Color color;
   std::string text;

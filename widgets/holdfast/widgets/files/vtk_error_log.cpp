@@ -56,11 +56,6 @@ SharedConsole& console()
 
 }  // namespace
 
-VtkErrorLog::Observer* VtkErrorLog::Observer::New()
-{
-  return new Observer;
-}
-
 void VtkErrorLog::Observer::Execute(vtkObject* /*caller*/, unsigned long event, void* text)
 {
   if (event == vtkCommand::ErrorEvent && first.empty()) first = reasonOf(static_cast<const char*>(text));

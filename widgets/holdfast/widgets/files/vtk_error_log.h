@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What VTK has to say about an operation, kept instead of printed on the console.
+/// Errors of VTK, kept instead of printed on the console.
 
 #include <string>
 
@@ -20,19 +20,16 @@ class VtkErrorLog {
   VtkErrorLog(const VtkErrorLog&) = delete;
   VtkErrorLog& operator=(const VtkErrorLog&) = delete;
 
-  /// Hears `object` from now on, as long as either of them lives.
+  /// Gets the errors of `object` from now on.
   void watch(vtkObject& object);
 
   [[nodiscard]] bool isEmpty() const { return observer_->first.empty(); }
   /// The first error, without VTK's source line and object address: what came first caused the others.
   [[nodiscard]] const std::string& first() const { return observer_->first; }
 
-  /// For VTK's calls that take an observer and pass it on to objects of their own.
-  [[nodiscard]] vtkCommand* observer() { return observer_; }
-
  private:
   struct Observer final : vtkCommand {
-    static Observer* New();
+    static Observer* New() { return new Observer; }
     void Execute(vtkObject* caller, unsigned long event, void* text) override;
     std::string first;
   };

@@ -82,7 +82,7 @@ constexpr std::uint64_t kBestCompression = 8192;
   throw VtpFault("its data are cut short");
 }
 
-/// Bytes of a file, or base64 text that stands for them.
+/// Bytes of a file, plain or as base64 text.
 class EncodedBytes {
  public:
   EncodedBytes(std::string_view text, bool isBase64) : text_(text), isBase64_(isBase64) {}
@@ -101,7 +101,7 @@ class EncodedBytes {
     return decoded;
   }
 
-  /// What follows the first `count` bytes, where those were encoded apart from it.
+  /// All after the first `count` bytes, which were encoded on their own.
   [[nodiscard]] EncodedBytes after(std::uint64_t count) const { return {text_.substr(encodedSize(count)), isBase64_}; }
 
   /// Throws where `count` things of a byte or more cannot be here. Sums of what passes do not overflow.
@@ -235,7 +235,7 @@ std::string dataOfText(std::string_view text)
   return data;
 }
 
-/// What may stand in an array.
+/// A type of the values of an array.
 struct NumberType {
   std::string_view name;
   int vtkType;

@@ -46,7 +46,7 @@ struct VtpEncoding {
   bool isAppendedBase64 = false;
 };
 
-/// What is wrong with an element; the caller knows its place.
+/// A fault of an element; the caller knows its place.
 class VtpFault : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

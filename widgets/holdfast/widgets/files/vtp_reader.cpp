@@ -36,8 +36,8 @@ struct Parts {
   std::string_view appended;
 };
 
-/// Appended data need not be XML: expat never sees them. The tag cannot stand elsewhere in a whole XML text but in
-/// comments, and those of files with appended data have been made by programs.
+/// Appended data need not be XML: expat does not get them. In whole XML the tag occurs elsewhere only in comments,
+/// which files with appended data do not have: programs write them.
 Parts partsOf(const std::string& bytes)
 {
   const std::size_t tag = bytes.find(kAppendedTag);
@@ -204,7 +204,7 @@ vtkSmartPointer<vtkTypeInt64Array> VtpReader::readIds(const XmlElement& cells, s
   return ids;
 }
 
-/// A file has the offset at which each cell ends; VTK wants 0 before them.
+/// A file has the offset at which each cell ends; VTK also needs 0 before them.
 vtkSmartPointer<vtkCellArray> VtpReader::readCells(const XmlElement& piece, const char* kind) const
 {
   auto cells = vtkSmartPointer<vtkCellArray>::New();

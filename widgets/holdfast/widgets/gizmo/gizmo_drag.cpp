@@ -13,7 +13,7 @@
 namespace holdfast {
 namespace {
 
-// What a double can tell apart, and room for zeros around it.
+// The digits of a double, and room for zeros around them.
 constexpr std::size_t kMostCharacters = 24;
 
 // The sine of the angle to an axis or a plane below which a ray does not say where it meets it: about one degree, and
@@ -35,7 +35,7 @@ constexpr RoundStep kAnyStep{1, 0};
 constexpr double kSmallestPixel = 1e-280;
 constexpr double kLargestPixel = 1e280;
 
-// Lengths of very many or very few digits are told in powers of ten.
+// Lengths of very many or very few digits are printed in powers of ten.
 constexpr int kMostDecimals = 6;
 constexpr double kLongest = 1e9;
 
@@ -120,7 +120,7 @@ GizmoDrag::GizmoDrag(GizmoPart part, const GizmoFrame& frame, const ViewGeometry
   isFlat_ = kindOf(part) == GizmoPartKind::Ring && std::abs(normal_.dot(sight)) < kFlatRing;
   if (isRotation(part_)) {
     const std::optional<double> degrees = isFlat_ ? std::nullopt : degreesAt(start);
-    // What is rolled is held where it is nearest to the eye.
+    // A flat ring is held at its place nearest to the eye.
     grabbed_ = degrees ? Vector3(std::cos(*degrees * kDegree) * first_ + std::sin(*degrees * kDegree) * second_)
                        : Vector3((sight.dot(normal_) * normal_ - sight).normalized());
   }

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What the cursor, or a typed number, means while a part of the gizmo is held. Plain mathematics.
+/// The meaning of the cursor, or of a typed number, while a part of the gizmo is held. Plain mathematics.
 
 #include <optional>
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace holdfast {
 
-/// Digits and one point or comma, in the order of the keys. Minus turns the sign at any time. No locale has a say.
+/// Digits and one point or comma, in the order of the keys. Minus changes the sign at any time. No locale applies.
 class NumericInput {
  public:
   static constexpr std::string_view kKeys = "0123456789.,-";
@@ -37,8 +37,8 @@ class NumericInput {
   std::string text_;
 };
 
-/// A rigid motion from where the gizmo stood when the drag began: a turn about the line along `axis` through the
-/// center of the gizmo's frame, or a shift, never both.
+/// A rigid motion since the drag began: a rotation about the line along `axis` through the center of the gizmo's frame,
+/// or a translation, never both.
 struct GizmoMotion {
   Vector3 translation = Vector3::Zero();  ///< model units
   Vector3 axis = Vector3::UnitZ();        ///< of unit length
@@ -71,9 +71,9 @@ inline constexpr double kSnapPixels = 8;
 /// How far a ring is from the center, in pixels, unless something else is said.
 inline constexpr double kRingPixels = 70;
 
-/// One drag of one part, from where the cursor was when it began. Wherever the part was grabbed, the motion begins with
-/// exactly none. Where the cursor says nothing (a ray along the arrow, in the plane of the ring, behind the eye), the
-/// motion stays what it was before: it is always finite.
+/// One drag of one part. The motion begins with exactly none, wherever the part was grabbed. Where the cursor
+/// determines no motion (a ray along the arrow, in the plane of the ring, behind the eye), the motion stays: it is
+/// always finite.
 class GizmoDrag {
  public:
   /// `part` is not `None`. `ringPixels`: how far the rings are from the center on the display.
@@ -90,11 +90,11 @@ class GizmoDrag {
   [[nodiscard]] GizmoPart part() const noexcept { return part_; }
   [[nodiscard]] const GizmoFrame& frame() const noexcept { return frame_; }
 
-  /// What translations snap to: the smallest round length that is `kSnapPixels` or more, as seen, along every direction
-  /// in which the part goes.
+  /// The step to which translations snap: the smallest round length that is seen as `kSnapPixels` or more in every
+  /// direction of the part.
   [[nodiscard]] const RoundStep& step() const noexcept { return step_; }
 
-  /// Of a ring: the unit direction from the center to where it was grabbed. Else zero.
+  /// For a ring the unit direction from the center to where it was grabbed, else zero.
   [[nodiscard]] const Vector3& grabbed() const noexcept { return grabbed_; }
 
  private:
@@ -110,7 +110,7 @@ class GizmoDrag {
   GizmoFrame frame_;
   ViewGeometry view_;
   double ringPixels_;
-  Vector3 first_;        // along an arrow; else both span the plane in which the part goes or turns,
+  Vector3 first_;        // along an arrow; else both span the plane in which the part moves or rotates,
   Vector3 second_;       // for rings counterclockwise from `first_`
   Vector3 normal_;       // of that plane
   bool isFlat_ = false;  // the ring is seen so much from the side that the cursor rolls it
@@ -123,7 +123,7 @@ class GizmoDrag {
   double degrees_ = 0;
 };
 
-/// What stands behind the number of a motion: "°", " mm", or nothing where `units` is empty.
+/// The text behind the number of a motion: "°", " mm", or nothing where `units` is empty.
 [[nodiscard]] std::string motionUnit(GizmoPart part, const std::string& units);
 
 /// "12.5 mm" or "30.0°", as a label says it: lengths with the digits that a step of `step` needs; nothing is "-0".

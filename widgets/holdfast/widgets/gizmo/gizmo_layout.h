@@ -9,7 +9,7 @@
 
 namespace holdfast {
 
-/// What can be grabbed. The square of an axis lies across it.
+/// A part that can be grabbed. The square of an axis is across it.
 enum class GizmoPart { None, Center, ArrowX, ArrowY, ArrowZ, SquareX, SquareY, SquareZ, RingX, RingY, RingZ, ViewRing };
 
 inline constexpr int kGizmoPartCount = 12;  ///< `None` included
@@ -25,7 +25,7 @@ enum class GizmoPartKind { None, Center, Arrow, Square, Ring, ViewRing };
   return part <= GizmoPart::RingZ ? GizmoPartKind::Ring : GizmoPartKind::ViewRing;
 }
 
-/// Whether the part turns; all others but `None` move.
+/// Whether the part rotates; all others but `None` move.
 [[nodiscard]] constexpr bool isRotation(GizmoPart part)
 {
   return kindOf(part) == GizmoPartKind::Ring || kindOf(part) == GizmoPartKind::ViewRing;
@@ -39,7 +39,7 @@ enum class GizmoPartKind { None, Center, Arrow, Square, Ring, ViewRing };
   return hasAxis ? (static_cast<int>(part) - static_cast<int>(GizmoPart::ArrowX)) % 3 : -1;
 }
 
-/// Where a gizmo stands: the columns of `axes` are orthonormal and right-handed.
+/// The place of a gizmo: the columns of `axes` are orthonormal and right-handed.
 struct GizmoFrame {
   Vector3 center = Vector3::Zero();
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
@@ -47,7 +47,7 @@ struct GizmoFrame {
 
 inline constexpr Color kHighlightColor{0.98, 0.76, 0.18};
 
-/// Of a part that is not highlighted.
+/// The colour of a part that is not highlighted.
 [[nodiscard]] constexpr Color gizmoColor(GizmoPart part)
 {
   switch (axisIndexOf(part)) {
@@ -75,7 +75,7 @@ inline constexpr double kRingRadius = 0.57;
 inline constexpr double kTolerance = 0.06;
 }  // namespace gizmo_layout
 
-/// Where the gizmo stands, and how large it is for one view.
+/// The place of the gizmo, and its size for one view.
 struct GizmoPlacement {
   GizmoFrame frame;
   double scale = 1;  ///< radius of the outer ring, model units
@@ -85,14 +85,14 @@ struct GizmoPlacement {
 /// the eye.
 [[nodiscard]] GizmoPlacement placementOf(const ViewGeometry& view, const GizmoFrame& frame, double pixels);
 
-/// From 0 (gone) to 1: arrows fade as they turn towards the eye, rings and squares as they turn edge-on.
+/// From 0 (gone) to 1: arrows that point to the eye, and rings and squares that are seen edge-on, fade.
 [[nodiscard]] double visibilityOf(GizmoPart part, const GizmoFrame& frame, const ViewGeometry& view);
 
-/// From nearly 0 on the half of a ring that is turned away from the eye to 1. `arm`: from the center to a place of the
+/// From nearly 0 on the half of a ring that faces away from the eye to 1. `arm`: from the center to a place of the
 /// ring, of unit length.
 [[nodiscard]] double ringVisibility(const Vector3& arm, const Vector3& sight);
 
-/// What is less visible cannot be hit.
+/// Less visible parts cannot be hit.
 inline constexpr double kLeastVisible = 0.5;
 
 /// The part that the cursor meets: within 6 of 100 pixels of radius; of several the center first, then arrows, squares,

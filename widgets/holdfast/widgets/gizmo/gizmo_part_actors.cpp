@@ -10,7 +10,6 @@
 #include <vtkMatrix4x4.h>
 #include <vtkPointData.h>
 
-#include <holdfast/widgets/gizmo/gizmo_layout.h>
 #include <holdfast/widgets/marks/point_sprites.h>
 #include <holdfast/widgets/mesh/actor_setup.h>
 
@@ -45,7 +44,7 @@ constexpr double kSectorOpacity = 0.20;
 constexpr double kLineWidth = 0.018;
 constexpr double kEndSize = 0.075;
 
-/// Points of a picture that is made anew for each step of a drag.
+/// Points of a picture that is made for each step of a drag.
 struct Sketch {
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> cells;
@@ -65,7 +64,7 @@ void showAs(const Sketch& sketch, vtkPolyData& data, void (vtkPolyData::*setCell
   (data.*setCells)(sketch.cells);
 }
 
-/// Directions from the center, from where the ring was grabbed to where that is now; one turn at most.
+/// Directions from the center, from the grabbed place of the ring to its place now; one turn at most.
 std::vector<Vector3> armsOf(const GizmoTrace& trace)
 {
   const double degrees = std::clamp(trace.motion.degrees, -360.0, 360.0);
@@ -77,7 +76,7 @@ std::vector<Vector3> armsOf(const GizmoTrace& trace)
   return arms;
 }
 
-/// Both ends of the way: where it began, and where it is now, also after more than a turn.
+/// Both ends of the arc: the grabbed place, and its place now, also after more than a turn.
 void sketchTurn(const GizmoTrace& trace, double radius, Sketch& lines, Sketch& sector)
 {
   const Vector3& center = trace.from.center;
@@ -125,8 +124,8 @@ GizmoPartActors::GizmoPartActors(GizmoPart part) : part_(part), shape_(gizmoShap
   }
   setUp(*solid_, *solidData_, part);
   setUp(*faded_, *fadedData_, part);
-  // What is drawn last may be blended as it comes. VTK's own way with translucent surfaces takes three times as long
-  // as all the rest of the gizmo on a machine without a GPU.
+  // Actors that are drawn last may be blended directly. VTK's own translucent pass takes three times as long as the
+  // rest of the gizmo on a machine without a GPU.
   solid_->ForceOpaqueOn();
   faded_->ForceOpaqueOn();
 }

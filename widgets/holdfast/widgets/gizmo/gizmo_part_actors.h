@@ -19,8 +19,7 @@ class vtkProp;
 
 namespace holdfast {
 
-/// What is drawn solid and what shines through are two actors, because the second have to be drawn after the first ones
-/// of all parts.
+/// Solid and translucent triangles are two actors: the translucent ones are drawn after the solid ones of all parts.
 class GizmoPartActors {
  public:
   explicit GizmoPartActors(GizmoPart part);
@@ -44,13 +43,13 @@ class GizmoPartActors {
   vtkNew<vtkActor> faded_;
 };
 
-/// The matrix of actors that stand at `placement`, row by row.
+/// The matrix of actors at `placement`, row by row.
 [[nodiscard]] Eigen::Matrix<double, 4, 4, Eigen::RowMajor> matrixOf(const GizmoPlacement& placement);
 
 /// The state of a drag.
 struct GizmoTrace {
   GizmoPart part = GizmoPart::None;
-  GizmoFrame from;                    ///< where the gizmo stood when the drag began
+  GizmoFrame from;                    ///< where the drag began
   Vector3 grabbed = Vector3::Zero();  ///< `GizmoDrag::grabbed`
   GizmoMotion motion;
 };

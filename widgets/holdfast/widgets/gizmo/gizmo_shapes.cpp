@@ -6,8 +6,6 @@
 
 #include <Eigen/Geometry>
 
-#include <holdfast/widgets/gizmo/gizmo_layout.h>
-
 namespace holdfast {
 namespace {
 
@@ -50,7 +48,7 @@ Index addPoint(GizmoShape& shape, const Vector3& point, const Vector3& normal, d
   return static_cast<Index>(shape.points.size()) - 1;
 }
 
-/// A place beside the axis of a turned body: how far from it, and how far along; and the surface's normal there.
+/// A place of a solid of revolution: its distance from the axis, how far along the axis, and the normal there.
 struct ProfilePoint {
   Eigen::Vector2d place;
   Eigen::Vector2d normal;
@@ -58,7 +56,7 @@ struct ProfilePoint {
 
 using Profile = std::vector<ProfilePoint>;
 
-/// The surface of `profile`, which goes from the axis' beginning to its end, turned about z.
+/// The surface of `profile`, which goes from the beginning of the axis to its end, rotated about z.
 void addRevolved(GizmoShape& shape, const Profile& profile)
 {
   const auto first = static_cast<Index>(shape.points.size());

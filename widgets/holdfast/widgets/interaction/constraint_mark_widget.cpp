@@ -3,19 +3,12 @@
 #include <algorithm>
 #include <utility>
 
-#include <vtkObjectFactory.h>
-#include <vtkRenderWindow.h>
-#include <vtkRenderWindowInteractor.h>
-#include <vtkRenderer.h>
-#include <vtkWidgetCallbackMapper.h>
-#include <vtkWidgetEvent.h>
-
 #include <holdfast/widgets/camera/display_transform.h>
 
 namespace holdfast {
 namespace {
 
-// A hand aims at single points, not at one vertex of a region that lies there as well.
+// Users aim at single points, not at one vertex of a region in the same place.
 constexpr double kRegionHandicapPixels = 2;
 
 }  // namespace
@@ -65,21 +58,6 @@ ConstraintMarkWidget::ConstraintMarkWidget()
   mapper.SetCallbackMethod(vtkCommand::LeftButtonPressEvent, vtkWidgetEvent::Select, this, &call<&Widget::Press>);
   mapper.SetCallbackMethod(vtkCommand::LeftButtonReleaseEvent, vtkWidgetEvent::EndSelect, this,
                            &call<&Widget::Release>);
-}
-
-void ConstraintMarkWidget::SetRepresentation(ConstraintMarkRepresentation* representation)
-{
-  this->SetWidgetRepresentation(representation);
-}
-
-void ConstraintMarkWidget::CreateDefaultRepresentation()
-{
-  if (this->WidgetRep == nullptr) this->WidgetRep = ConstraintMarkRepresentation::New();
-}
-
-ConstraintMarkRepresentation* ConstraintMarkWidget::GetConstraintMarkRepresentation()
-{
-  return static_cast<ConstraintMarkRepresentation*>(this->GetRepresentation());
 }
 
 void ConstraintMarkWidget::SetEnabled(int enabling)

@@ -5,7 +5,6 @@
 #include <memory>
 #include <optional>
 
-#include <vtkAbstractWidget.h>
 #include <vtkWidgetRepresentation.h>
 
 #include <holdfast/widgets/interaction/interaction_events.h>
@@ -19,18 +18,14 @@ class ConstraintMarkRepresentation : public vtkWidgetRepresentation {
   static ConstraintMarkRepresentation* New();
   vtkTypeMacro(ConstraintMarkRepresentation, vtkWidgetRepresentation)
 
-  /// What can be found; null, the default: nothing.
+  /// Marks that can be found; null, the default: none.
   void SetMarks(std::shared_ptr<const MarkSet> marks);
-  [[nodiscard]] const std::shared_ptr<const MarkSet>& GetMarks() const { return this->Marks; }
 
   /// Marks whose places it cuts away are not found; none by default.
   void SetSection(const std::optional<SectionPlane>& section) { this->Section = section; }
-  [[nodiscard]] const std::optional<SectionPlane>& GetSection() const { return this->Section; }
 
   /// How near the cursor a mark is found, pixels of a display of ordinary resolution; 9 by default.
   vtkSetClampMacro(ReachPixels, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(ReachPixels, double);
-  /// Pixels of the window for each of such a display; 1 by default.
   vtkSetClampMacro(PixelRatio, double, 0.1, 100.0);
   vtkGetMacro(PixelRatio, double);
 
@@ -54,36 +49,40 @@ class ConstraintMarkRepresentation : public vtkWidgetRepresentation {
   double PixelRatio = 1;
 };
 
-/// What a click has picked.
+/// The result of a click.
 struct ConstraintPick {
   std::optional<Index> constraint;  ///< place in the list; none beside all marks
-  bool isAdded = false;             ///< Shift or Ctrl was held: it joins, or leaves, what is selected
+  bool isAdded = false;             ///< Shift or Ctrl was held: it joins or leaves the selection
 };
 
-/// Watches the marks of constraints, and selects nothing by itself. A click is a press and a release within
-/// `kClickPixels`; neither is aborted, so that a drag from the same place turns the picture.
+/// Watches the marks of constraints, and selects nothing by itself. Clicks are as in `Click`; the second press of a
+/// double click begins none.
 ///
 /// | event          | when                                             | call data          |
 /// |----------------|--------------------------------------------------|--------------------|
 /// | HighlightEvent | the cursor is over another constraint, or none   | `Index*` or null   |
 /// | PickEvent      | a click                                          | `ConstraintPick*`  |
-///
-/// Bindings, which the event translator can change: docs/widgets.md.
-///
-/// The second press of a double click begins none.
 class ConstraintMarkWidget : public vtkAbstractWidget {
  public:
   static ConstraintMarkWidget* New();
   vtkTypeMacro(ConstraintMarkWidget, vtkAbstractWidget)
 
-  void SetRepresentation(ConstraintMarkRepresentation* representation);
-  [[nodiscard]] ConstraintMarkRepresentation* GetConstraintMarkRepresentation();
-  void CreateDefaultRepresentation() override;
+  void SetRepresentation(ConstraintMarkRepresentation* representation)
+  {
+    this->SetWidgetRepresentation(representation);
+  }
+  [[nodiscard]] ConstraintMarkRepresentation* GetConstraintMarkRepresentation()
+  {
+    return static_cast<ConstraintMarkRepresentation*>(this->GetRepresentation());
+  }
+  void CreateDefaultRepresentation() override
+  {
+    if (this->WidgetRep == nullptr) this->WidgetRep = ConstraintMarkRepresentation::New();
+  }
   /// Disabling ends what is highlighted.
   void SetEnabled(int enabling) override;
 
-  /// What is watched; null: nothing. What is highlighted stays until the cursor moves, unless its constraint has no
-  /// marks any more.
+  /// Null: none. A highlighted constraint stays so until the cursor moves, or until it has no marks any more.
   void SetMarks(std::shared_ptr<const MarkSet> marks);
   void SetPixelRatio(double ratio) { this->GetConstraintMarkRepresentation()->SetPixelRatio(ratio); }
 

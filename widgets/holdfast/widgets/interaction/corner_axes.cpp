@@ -97,15 +97,9 @@ void OrientationRepresentation::EndWidgetInteraction(double place[2])
   this->Superclass::EndWidgetInteraction(place);
 }
 
-OrientationWidget::OrientationWidget() = default;
 void OrientationWidget::CreateDefaultRepresentation()
 {
   if (this->WidgetRep == nullptr) this->WidgetRep = OrientationRepresentation::New();
-}
-
-OrientationRepresentation* OrientationWidget::GetOrientationRepresentation()
-{
-  return static_cast<OrientationRepresentation*>(this->GetRepresentation());
 }
 
 void OrientationWidget::SetPixelRatio(double ratio)

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// VTK's axes in a corner of the window, which show how the camera stands and turn it.
+/// VTK's axes in a corner of the window, which show the camera's orientation and change it.
 
 #include <utility>
 
@@ -9,10 +9,8 @@
 
 namespace holdfast {
 
-/// As VTK's, but a click on a ball looks from behind only where that ball faces the viewer. VTK looks from behind at
-/// every second click on the same ball, wherever one has looked in between. Nor are balls and letters made anew for
-/// each picture, which waits for what is being drawn where the processor draws: they are moved, and letters are made
-/// where another ball is picked.
+/// As VTK's, but a click on a ball looks from behind only where that ball faces the viewer (VTK: at every second click
+/// on the same ball), and balls and letters are moved, not made for each picture, which would wait for the drawing.
 class OrientationRepresentation : public vtkCameraOrientationRepresentation {
  public:
   static OrientationRepresentation* New();
@@ -40,13 +38,15 @@ class OrientationWidget : public vtkCameraOrientationWidget {
   vtkTypeMacro(OrientationWidget, vtkCameraOrientationWidget)
 
   void CreateDefaultRepresentation() override;
-  [[nodiscard]] OrientationRepresentation* GetOrientationRepresentation();
+  [[nodiscard]] OrientationRepresentation* GetOrientationRepresentation()
+  {
+    return static_cast<OrientationRepresentation*>(this->GetRepresentation());
+  }
 
-  /// Pixels of the window for each of a display of ordinary resolution; 1 by default.
   void SetPixelRatio(double ratio);
 
  protected:
-  OrientationWidget();
+  OrientationWidget() = default;
   ~OrientationWidget() override = default;
 };
 

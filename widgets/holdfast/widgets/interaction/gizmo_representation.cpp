@@ -51,8 +51,8 @@ void addLight(vtkRenderer& layer)
   layer.AddLight(light);
 }
 
-/// `place` is that of the letter, in the display. A position of its own would have VTK draw the letter and load it onto
-/// the graphics card anew each time that it changes, for which all that is being drawn there is waited for.
+/// `place` is that of the letter, in the display. VTK would draw the letter and load it onto the graphics card again
+/// each time that a position of its own changes, and wait for all drawing there.
 void setUpLetter(vtkTextActor& letter, vtkCoordinate& place, int axis)
 {
   letter.SetInput(kLetters.at(axis));
@@ -139,11 +139,6 @@ void GizmoRepresentation::SetMotions(GizmoMotions motions)
   this->Modified();
 }
 
-bool GizmoRepresentation::Offers(GizmoPart part) const
-{
-  return part != GizmoPart::None && (this->Motions == GizmoMotions::MovesAndTurns || !isRotation(part));
-}
-
 bool GizmoRepresentation::IsDrawn(GizmoPart part) const
 {
   return this->Visibility && this->Offers(part) && (!this->Drag || this->Drag->part == part);
@@ -225,7 +220,7 @@ void GizmoRepresentation::BuildRepresentation()
 
 void GizmoRepresentation::PlaceParts(const ViewGeometry& view, const GizmoPlacement& placement)
 {
-  // What belongs to no axis faces the view.
+  // Parts without an axis face the view.
   GizmoPlacement facing = placement;
   facing.frame.axes = axesOf(view);
   const Vector3 sight = sightOf(view, this->Frame.center);

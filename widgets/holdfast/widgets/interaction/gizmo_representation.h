@@ -21,7 +21,7 @@ namespace holdfast {
 /// The radius of the outer ring by default, pixels of a display of ordinary resolution.
 inline constexpr double kGizmoPixels = 115;
 
-/// What the gizmo offers: points move, and have nothing to rotate.
+/// The motions that the gizmo offers: points have nothing to rotate.
 enum class GizmoMotions { Moves, MovesAndTurns };
 
 /// Arrows move along an axis, squares across one, the ball across the view; rings rotate about an axis, the outer one
@@ -44,7 +44,10 @@ class GizmoRepresentation : public vtkWidgetRepresentation {
   void SetMotions(GizmoMotions motions);
   [[nodiscard]] GizmoMotions GetMotions() const { return this->Motions; }
   /// Whether a part other than `None` belongs to these motions.
-  [[nodiscard]] bool Offers(GizmoPart part) const;
+  [[nodiscard]] bool Offers(GizmoPart part) const
+  {
+    return part != GizmoPart::None && (this->Motions == GizmoMotions::MovesAndTurns || !isRotation(part));
+  }
 
   /// Whether the axes are those of the view: right, up and towards the eye. They stay as they are during a drag. Off by
   /// default.
@@ -54,7 +57,6 @@ class GizmoRepresentation : public vtkWidgetRepresentation {
   /// Radius of the outer ring, `kGizmoPixels` by default; widths, tolerances and texts follow.
   vtkSetClampMacro(PixelSize, double, 1.0, 10000.0);
   vtkGetMacro(PixelSize, double);
-  /// Pixels of the window for each of such a display; 1 by default.
   vtkSetClampMacro(PixelRatio, double, 0.1, 100.0);
   vtkGetMacro(PixelRatio, double);
 

@@ -3,13 +3,7 @@
 #include <array>
 #include <cctype>
 
-#include <vtkCommand.h>
 #include <vtkEvent.h>
-#include <vtkObjectFactory.h>
-#include <vtkRenderWindow.h>
-#include <vtkRenderWindowInteractor.h>
-#include <vtkWidgetCallbackMapper.h>
-#include <vtkWidgetEvent.h>
 
 #include <holdfast/widgets/interaction/interaction_events.h>
 
@@ -88,7 +82,7 @@ GizmoWidget::GizmoWidget()
     bindKey(vtkEvent::AnyModifier, 0, keySym, vtkWidgetEvent::Completed, Run<&GizmoWidget::Complete>);
   bindKey(vtkEvent::AnyModifier, 0, "Escape", vtkWidgetEvent::Reset, Run<&GizmoWidget::Reset>);
 
-  // Hears of all buttons: also of those that other widgets abort, or have the interactor's focus for.
+  // Gets the events of all buttons, also those that other widgets abort.
   this->ButtonObserver->SetClientData(this);
   this->ButtonObserver->SetCallback(&GizmoWidget::NoteButton);
   this->ButtonObserver->PassiveObserverOn();
@@ -106,16 +100,6 @@ void GizmoWidget::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Held: " << this->Held << '\n';
   os << indent << "Chosen: " << this->Chosen << '\n';
   os << indent << "Typed: " << this->Typed.text() << '\n';
-}
-
-GizmoRepresentation* GizmoWidget::GetGizmoRepresentation()
-{
-  return static_cast<GizmoRepresentation*>(this->GetRepresentation());
-}
-
-void GizmoWidget::CreateDefaultRepresentation()
-{
-  if (this->WidgetRep == nullptr) this->WidgetRep = GizmoRepresentation::New();
 }
 
 void GizmoWidget::SetEnabled(int isEnabled)
@@ -278,7 +262,7 @@ bool GizmoWidget::Reset()
   return true;
 }
 
-/// What a style or a program does with characters.
+/// The characters of the keys that are used; styles and programs act on them.
 void GizmoWidget::OnChar()
 {
   const bool isWanted = !isShortcut(*this->Interactor) && this->WantsKey(this->Interactor->GetKeyCode());
@@ -292,7 +276,7 @@ void GizmoWidget::OnChar()
 
 void GizmoWidget::Grab()
 {
-  // An observer of what came before may have hidden or disabled the gizmo.
+  // An observer may have hidden or disabled the gizmo.
   if (this->Enabled == 0 || this->GetPart() == GizmoPart::None) return this->EndDrag();
   this->Drag = this->GetGizmoRepresentation()->NewDrag(this->Cursor());
   this->InvokeEvent(vtkCommand::StartInteractionEvent);

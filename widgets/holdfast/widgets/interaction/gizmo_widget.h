@@ -13,27 +13,24 @@
 
 namespace holdfast {
 
-/// A part of the gizmo is active that is under the cursor or held, or has been chosen by a key or by `SetPart`. What is
-/// chosen stays active until Escape, another choice, or the cursor on another part. A drag moves or turns along the
-/// active part. It begins with a press on the part, or with a number that is typed: the gizmo then moves or turns by
-/// exactly so much, and the mouse says no more. So "x 2.5 Return" moves by 2.5 along x. With Ctrl the mouse snaps
-/// (gizmo_drag.h); angles count several turns.
+/// The active part is the one under the cursor, or the one that a key or `SetPart` has chosen, until Escape, another
+/// choice, or the cursor on another part. A drag along it begins with a press, or with a typed number: then the gizmo
+/// moves or rotates by exactly that amount, and the mouse has no effect. "x 2.5 Return" moves by 2.5 along x. With Ctrl
+/// the mouse snaps (gizmo_drag.h); angles count several turns.
 ///
-/// Bindings, which the event translator can change: docs/widgets.md.
-///
-/// It aborts the events that it uses, those of the mouse over a part among them; all others pass, and so do characters
-/// with Ctrl or Alt. The first move onto the gizmo passes too: other widgets learn by it that the cursor has left what
-/// is theirs. It does not highlight while a button is down that was pressed beside it: that gesture belongs to others.
+/// It aborts the events that it uses, with those of the mouse over a part; characters with Ctrl or Alt pass, and so
+/// does the first move onto the gizmo, by which other widgets learn that the cursor has left them. It does not
+/// highlight while a button is down that was pressed beside it.
 ///
 /// | event                  | when                                                            | call data      |
 /// |------------------------|-----------------------------------------------------------------|----------------|
 /// | HighlightEvent         | another part is active, or none                                 | `GizmoPart*`   |
 /// | StartInteractionEvent  | a drag begins                                                   | none           |
-/// | InteractionEvent       | the gizmo moved or turned, from where it stood before the drag  | `GizmoMotion*` |
+/// | InteractionEvent       | the gizmo has moved or rotated; the motion since the drag began | `GizmoMotion*` |
 /// | EndInteractionEvent    | the drag is over, and counts                                    | none           |
-/// | CancelInteractionEvent | the gizmo stands where it stood before the drag, bit for bit    | none           |
+/// | CancelInteractionEvent | the gizmo is where it was before the drag, bit for bit          | none           |
 ///
-/// After a drag the gizmo stands where the drag has moved it to; a turn leaves its axes as they were.
+/// After a drag the gizmo stays at its new place; a rotation does not change its axes.
 class GizmoWidget : public vtkAbstractWidget {
  public:
   static GizmoWidget* New();
@@ -41,8 +38,14 @@ class GizmoWidget : public vtkAbstractWidget {
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   void SetRepresentation(GizmoRepresentation* representation) { this->SetWidgetRepresentation(representation); }
-  [[nodiscard]] GizmoRepresentation* GetGizmoRepresentation();
-  void CreateDefaultRepresentation() override;
+  [[nodiscard]] GizmoRepresentation* GetGizmoRepresentation()
+  {
+    return static_cast<GizmoRepresentation*>(this->GetRepresentation());
+  }
+  void CreateDefaultRepresentation() override
+  {
+    if (this->WidgetRep == nullptr) this->WidgetRep = GizmoRepresentation::New();
+  }
 
   /// Disabling cancels a drag, and removes the gizmo from the window.
   void SetEnabled(int isEnabled) override;
@@ -53,17 +56,16 @@ class GizmoWidget : public vtkAbstractWidget {
   void SetPart(GizmoPart part);
 
   [[nodiscard]] bool IsDragging() const { return this->Drag.has_value(); }
-  /// Whether the mouse holds the part: else the drag is one of a number that is typed.
+  /// Whether the mouse holds the part; else the drag is that of a typed number.
   [[nodiscard]] bool IsHeld() const { return this->Held; }
 
   /// Whether the widget would use a key without Ctrl and Alt: a character, or '\r' for Return, '\b' for Backspace, 27
-  /// for Escape. For a window to ask before its shortcuts. While a number is typed the widget wants all keys, so that
-  /// nothing else is edited before that is over.
+  /// for Escape. A window asks this before its shortcuts. While a number is typed the widget uses all keys.
   [[nodiscard]] bool WantsKey(char key);
 
-  /// Ends a drag as a release does. To be called when the keyboard goes elsewhere while a number is typed.
+  /// Ends a drag as a release does. Call it when the widget loses the keyboard while a number is typed.
   void Keep();
-  /// Ends a drag as Escape does. What is chosen stays so.
+  /// Ends a drag as Escape does. A chosen part stays chosen.
   void Cancel();
 
  protected:

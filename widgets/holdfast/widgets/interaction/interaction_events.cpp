@@ -5,8 +5,6 @@
 #include <utility>
 
 #include <vtkInteractorStyle.h>
-#include <vtkRenderWindowInteractor.h>
-#include <vtkRenderer.h>
 #include <vtkWidgetRepresentation.h>
 
 namespace holdfast {

@@ -1,35 +1,40 @@
 #pragma once
 /// \file
-/// What the widgets of this room share: events that VTK has no name for, cursor, clicks, modes of selection.
+/// What the widgets of this room share: events beside VTK's, cursor, clicks, modes of selection. docs/widgets.md lists
+/// the bindings of each widget, which its event translator can change. Sizes are pixels of a display of ordinary
+/// resolution; `PixelRatio`, 1 by default, is the number of pixels of the window for each of them.
 
 #include <optional>
 #include <vector>
 
 #include <vtkAbstractWidget.h>
-#include <vtkCommand.h>
+#include <vtkCallbackCommand.h>
+#include <vtkObjectFactory.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderWindowInteractor.h>
+#include <vtkRenderer.h>
+#include <vtkWidgetCallbackMapper.h>
 #include <vtkWidgetEvent.h>
 
 #include <holdfast/base/types.h>
 #include <holdfast/widgets/camera/display_transform.h>
 
-class vtkRenderWindowInteractor;
-class vtkRenderer;
 class vtkWidgetRepresentation;
 
 namespace holdfast {
 
 /// Events beside those of `vtkCommand`.
 enum InteractionEvents : unsigned long {
-  /// Instead of EndInteractionEvent: the gesture was taken back, and what it changed is to be as before it.
+  /// Instead of EndInteractionEvent: the gesture was taken back; restore the state before it.
   CancelInteractionEvent = vtkCommand::UserEvent + 18'500,
   /// The right button went down and up in one place. Call data: none; the interactor has the place.
   ContextMenuRequestEvent
 };
 
-/// A hand that moves less than this between press and release clicks; pixels of a display of ordinary resolution.
+/// A press and a release nearer than this are a click.
 inline constexpr double kClickPixels = 4;
 
-/// Whether the interactor's style turns, shifts or zooms at the moment: nothing is to follow the cursor then.
+/// Whether the interactor's style moves the camera at the moment: nothing follows the cursor then.
 [[nodiscard]] bool isCameraMoving(vtkRenderWindowInteractor& interactor);
 
 /// Whether the press that is being handled is the second one of a double click.
@@ -51,16 +56,16 @@ void call(vtkAbstractWidget* widget)
 /// Whether that pixel is in the renderer's part of the window.
 [[nodiscard]] bool isCursorIn(vtkRenderer& renderer, vtkRenderWindowInteractor& interactor);
 
-/// What the representation says of that pixel, and is in from then on: its `ComputeInteractionState`.
+/// `ComputeInteractionState` of that pixel.
 int stateAtCursor(vtkWidgetRepresentation& representation, vtkRenderWindowInteractor& interactor);
 
-/// A button that goes down and comes up in one place, within `kClickPixels`, clicks. What listens to clicks aborts
-/// neither, so that a drag from the same place is the camera's.
+/// A click is a press and a release within `kClickPixels`. Widgets abort neither event, so that a drag from the same
+/// place moves the camera.
 class Click {
  public:
   void Press(const DisplayPoint& place) { this->PressedAt = place; }
 
-  /// The cursor is at `place`. Whether that ends what could have become a click.
+  /// The cursor is at `place`: whether that ends a possible click.
   bool LeaveAt(const DisplayPoint& place, double pixelRatio);
 
   /// Whether the button that comes up at `place` clicks.
@@ -74,10 +79,10 @@ class Click {
 
 enum class SelectionMode { Replace, Add, Remove };
 
-/// Of the event that is being handled: Shift adds, Ctrl takes away.
+/// By the keys of the event that is handled: Shift adds, Ctrl removes.
 [[nodiscard]] SelectionMode selectionModeOf(vtkRenderWindowInteractor& interactor);
 
-/// Both ascending, each id once; so the result. O(sum of both).
+/// Arguments and result are ascending, each id once. O(sum of both).
 [[nodiscard]] std::vector<Index> joined(const std::vector<Index>& selected, const std::vector<Index>& reached,
                                         SelectionMode mode);
 

@@ -28,7 +28,6 @@ class RegionRepresentation : public vtkWidgetRepresentation {
   /// Corners of what is shown.
   [[nodiscard]] const std::vector<DisplayPoint>& GetOutline() const { return this->Outline; }
 
-  /// Pixels of the window for each of a display of ordinary resolution, for the width of lines; 1 by default.
   vtkSetClampMacro(PixelRatio, double, 0.1, 100.0);
   vtkGetMacro(PixelRatio, double);
 

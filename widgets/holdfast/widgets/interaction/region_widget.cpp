@@ -4,20 +4,16 @@
 #include <cmath>
 #include <utility>
 
-#include <vtkCommand.h>
 #include <vtkEvent.h>
-#include <vtkObjectFactory.h>
-#include <vtkRenderWindow.h>
-#include <vtkRenderWindowInteractor.h>
-#include <vtkRenderer.h>
-#include <vtkWidgetCallbackMapper.h>
-#include <vtkWidgetEvent.h>
 
-#include <holdfast/widgets/interaction/interaction_events.h>
+#include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/widgets/interaction/region_representation.h>
 
 namespace holdfast {
 namespace {
+
+// Of the radius.
+constexpr double kDabSpacing = 0.4;
 
 constexpr double kLeastBrushPixels = 4;
 constexpr double kMostBrushPixels = 300;
@@ -26,7 +22,7 @@ constexpr double kBrushStep = 1.2;
 constexpr double kMostSideDegrees = 175;
 constexpr double kSideStepDegrees = 5;
 
-// What is drawn with less is a click, and selects nothing.
+// A smaller outline is a click, and selects nothing.
 constexpr double kLeastOutlinePixels = 3;
 
 // Vertices in one turn of the event loop: some 15 milliseconds at the most.
@@ -45,6 +41,33 @@ double extentOf(const std::vector<DisplayPoint>& points)
 }
 
 }  // namespace
+
+bool BrushStroke::dab(const DisplayPoint& pixel, double radiusPixels, const SurfacePicker& picker,
+                      vtkRenderer& renderer)
+{
+  const auto pick = picker.pick(renderer, pixel.x(), pixel.y(), PickKind::Face, 0);
+  if (!pick) return false;
+  const Vector3 center = atDepthOf(renderer, pick->place, pixel);
+  const Vector3 border = atDepthOf(renderer, pick->place, pixel + DisplayPoint(radiusPixels, 0));
+  const VisibleSurface& surface = *picker.surface();
+  auto touched = regions_->within((border - center).norm(), pick->place, pick->face, surface.positions());
+  std::erase_if(touched, [&](Index v) { return !surface.isKept(surface.positions().row(v)); });
+  reached_ = joined(reached_, touched, SelectionMode::Add);
+  return true;
+}
+
+bool BrushStroke::paintTo(const DisplayPoint& pixel, double radiusPixels,
+                          const std::shared_ptr<const VisibleSurface>& surface, vtkRenderer& renderer)
+{
+  const SurfacePicker picker(surface);
+  const DisplayPoint from = at_.value_or(pixel);
+  const double dabs = std::ceil((pixel - from).norm() / (kDabSpacing * radiusPixels));
+  const int count = std::max(1, static_cast<int>(dabs));
+  bool isOnSurface = false;
+  for (int k = 1; k <= count; ++k) isOnSurface = dab(from + (pixel - from) * k / count, radiusPixels, picker, renderer);
+  at_ = pixel;
+  return isOnSurface;
+}
 
 vtkStandardNewMacro(RegionWidget);
 
@@ -240,7 +263,7 @@ void RegionWidget::BeginStroke()
 
 void RegionWidget::PaintTo(const DisplayPoint& cursor)
 {
-  // An observer may have taken away what is painted on.
+  // An observer may have removed the surface.
   if (!this->Stroke) return;
   this->Stroke->paintTo(cursor, this->BrushRadius * this->PixelRatio, this->Surface, *this->CurrentRenderer);
   this->ShowBrush();

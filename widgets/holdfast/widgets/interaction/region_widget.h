@@ -6,16 +6,36 @@
 #include <optional>
 #include <vector>
 
-#include <vtkAbstractWidget.h>
-#include <vtkCallbackCommand.h>
-
 #include <holdfast/surface/vertex_regions.h>
-#include <holdfast/widgets/interaction/brush_stroke.h>
 #include <holdfast/widgets/interaction/interaction_events.h>
 #include <holdfast/widgets/picking/screen_selection.h>
+#include <holdfast/widgets/picking/surface_picker.h>
 #include <holdfast/widgets/picking/visible_surface.h>
 
 namespace holdfast {
+
+/// A stroke consists of dabs: balls around places of the surface, with a radius in pixels there. They reach along edges
+/// only (`VertexRegions::within`), and nothing that a section cuts away.
+class BrushStroke {
+ public:
+  /// `regions` is not null, and made of the mesh whose surfaces `paintTo` gets.
+  explicit BrushStroke(std::shared_ptr<VertexRegions> regions) : regions_(std::move(regions)) {}
+
+  /// Paints from the last pixel to `pixel` in dabs 0.4 radii apart; the first time at `pixel` alone. Returns whether
+  /// the last dab was on the surface.
+  bool paintTo(const DisplayPoint& pixel, double radiusPixels, const std::shared_ptr<const VisibleSurface>& surface,
+               vtkRenderer& renderer);
+
+  /// Vertices of the file, ascending.
+  [[nodiscard]] const std::vector<Index>& reached() const noexcept { return reached_; }
+
+ private:
+  bool dab(const DisplayPoint& pixel, double radiusPixels, const SurfacePicker& picker, vtkRenderer& renderer);
+
+  std::shared_ptr<VertexRegions> regions_;
+  std::optional<DisplayPoint> at_;  // none before the first dab
+  std::vector<Index> reached_;
+};
 
 class RegionRepresentation;
 
@@ -26,30 +46,28 @@ enum class RegionShape {
   Side  ///< a click: as far as the surface bends by no more than an angle from face to face; double: the whole part
 };
 
-/// What a gesture of a `RegionWidget` has reached.
+/// Call data of a `RegionWidget`.
 struct RegionCallData {
   std::vector<Index> reached;  ///< vertices of the file, ascending
   SelectionMode mode;          ///< how they are to be joined with what was selected before the gesture
 };
 
-/// Holds no selection: an observer keeps what was selected when a gesture begins, shows what `joined` makes of it and
-/// of the call data, and shows it alone again when the gesture is cancelled.
+/// Holds no selection: an observer keeps the one before a gesture, shows what `joined` makes of it and the call data,
+/// and restores it when the gesture is cancelled.
 ///
 /// | event                   | when                                                           | call data         |
 /// |-------------------------|----------------------------------------------------------------|-------------------|
 /// | StartInteractionEvent   | a gesture begins; nothing is reached yet                       | `RegionCallData*` |
 /// | InteractionEvent        | the brush has been led on, the first time where it came down   | `RegionCallData*` |
-/// | EndInteractionEvent     | all that the gesture reaches is known                          | `RegionCallData*` |
+/// | EndInteractionEvent     | the gesture is complete                                        | `RegionCallData*` |
 /// | CancelInteractionEvent  | instead: Escape, an outline too small, another press, another  | `RegionCallData*` |
 /// |                         | shape, regions or model, disabled                              |                   |
 /// | WidgetValueChangedEvent | a key asks for another radius of the brush or angle of sides   | none              |
 ///
-/// Bindings, which the event translator can change: docs/widgets.md.
-///
-/// Shift adds to what is selected, Ctrl takes away: of a brush as it comes down, else at the end of the gesture. With
-/// Alt, rectangle and lasso reach what is hidden as well. What they reach is looked for 12,000 vertices at a time, in
-/// turns of the event loop where the interactor has timers. The press is aborted, and all that follows it, where a
-/// gesture begins there: that of a brush beside the surface, and a click on a side, are left to the camera.
+/// Shift adds to the selection, Ctrl removes: read at the press of a brush, else at the end of the gesture. With Alt,
+/// rectangle and lasso reach hidden vertices as well. Their search takes 12,000 vertices at a time, in turns of the
+/// event loop where the interactor has timers. The events of a gesture are aborted; a brush beside the surface and a
+/// click on a side leave them to the camera.
 class RegionWidget : public vtkAbstractWidget {
  public:
   static RegionWidget* New();
@@ -59,18 +77,18 @@ class RegionWidget : public vtkAbstractWidget {
   void SetRepresentation(RegionRepresentation* representation);
   [[nodiscard]] RegionRepresentation* GetRegionRepresentation();
   void CreateDefaultRepresentation() override;
-  /// Disabling cancels what is under way.
+  /// Disabling cancels the gesture under way.
   void SetEnabled(int enabling) override;
 
-  /// `Brush` by default. Another one cancels what is under way.
+  /// `Brush` by default. Another one cancels the gesture under way.
   void SetShape(RegionShape shape);
   [[nodiscard]] RegionShape GetShape() const { return this->Shape; }
 
-  /// Where regions lie; null (the default): nowhere. May change at any time; that of another model cancels.
+  /// The regions are on it; null (the default): nothing. May change at any time; one of another model cancels.
   void SetSurface(std::shared_ptr<const VisibleSurface> surface);
   [[nodiscard]] const std::shared_ptr<const VisibleSurface>& GetSurface() const { return this->Surface; }
 
-  /// Of the surface's model; null (the default): no brush and no sides. Others cancel what is under way.
+  /// Of the surface's model; null (the default): no brush and no sides. Another one cancels the gesture under way.
   void SetRegions(std::shared_ptr<VertexRegions> regions);
   [[nodiscard]] const std::shared_ptr<VertexRegions>& GetRegions() const { return this->Regions; }
 
@@ -82,11 +100,10 @@ class RegionWidget : public vtkAbstractWidget {
   void SetSideAngle(double degrees);
   vtkGetMacro(SideAngle, double);
 
-  /// Pixels of the window for each of a display of ordinary resolution; 1 by default.
   void SetPixelRatio(double ratio);
   vtkGetMacro(PixelRatio, double);
 
-  /// Takes back the gesture that is under way, as Escape does. False where there is none.
+  /// Takes back the gesture under way, as Escape does. False where there is none.
   bool Cancel();
 
  protected:

@@ -5,11 +5,6 @@
 #include <string_view>
 #include <utility>
 
-#include <vtkCommand.h>
-#include <vtkObjectFactory.h>
-#include <vtkRenderWindowInteractor.h>
-#include <vtkRenderer.h>
-
 #include <holdfast/widgets/interaction/interaction_events.h>
 #include <holdfast/widgets/rotation_sphere/rotation_sphere.h>
 #include <holdfast/widgets/rotation_sphere/sphere_camera.h>
@@ -17,7 +12,7 @@
 namespace holdfast {
 namespace {
 
-// A drag across half the height of the picture turns the sphere by so much: about as if the hand held it.
+// A drag across half the height of the picture rotates the sphere by this: it about follows the cursor.
 constexpr double kRadiansAcrossHalf = 1.6;
 constexpr double kPixelsOfKey = 20;
 constexpr double kZoomOfNotch = 1.2;

@@ -10,8 +10,8 @@ namespace holdfast {
 
 class RotationSphere;
 
-/// A drag with the left button turns the sphere as if the hand held it, the wheel and "plus" and "minus" zoom, arrow
-/// keys turn, a double click and "Home" show all that is prescribed.
+/// A drag with the left button rotates the sphere with the cursor, the wheel and "plus" and "minus" zoom, arrow keys
+/// rotate, a double click and "Home" show all that is prescribed.
 ///
 /// | event                 | when                                            | call data                        |
 /// |-----------------------|-------------------------------------------------|----------------------------------|
@@ -24,12 +24,9 @@ class RotationSphereStyle : public vtkInteractorStyle {
   static RotationSphereStyle* New();
   vtkTypeMacro(RotationSphereStyle, vtkInteractorStyle)
 
-  /// What is turned: in a renderer of the interactor's window, and alive as long as it is set. Null, the default:
-  /// nothing.
+  /// In a renderer of the interactor's window, and alive as long as it is set. Null, the default: none.
   void SetSphere(RotationSphere* sphere);
-  [[nodiscard]] RotationSphere* GetSphere() const { return this->Sphere; }
 
-  /// Pixels of the window for each of a display of ordinary resolution; 1 by default.
   vtkSetClampMacro(PixelRatio, double, 0.1, 100.0);
   vtkGetMacro(PixelRatio, double);
 

@@ -11,14 +11,14 @@
 
 namespace holdfast {
 
-/// As VTK's, but the plane itself takes the mouse only beside the surface: it lies before all that can be picked behind
-/// a cut, which is why the user cuts. Its arrow and the ball in its middle take the mouse everywhere.
+/// As VTK's, but the plane itself takes the mouse only beside the surface, so that the user can pick behind a cut. Its
+/// arrow and the ball in its middle take the mouse everywhere.
 class SectionPlaneRepresentation : public vtkImplicitPlaneRepresentation {
  public:
   static SectionPlaneRepresentation* New();
   vtkTypeMacro(SectionPlaneRepresentation, vtkImplicitPlaneRepresentation)
 
-  /// What is cut, without what is cut away; null (the default): nothing.
+  /// The part that is kept; null (the default): none.
   void SetSurface(std::shared_ptr<const VisibleSurface> surface) { this->Surface = std::move(surface); }
 
   int ComputeInteractionState(int x, int y, int modify = 0) override;

@@ -6,10 +6,6 @@
 
 #include <vtkCamera.h>
 #include <vtkEvent.h>
-#include <vtkObjectFactory.h>
-#include <vtkRenderWindowInteractor.h>
-#include <vtkRenderer.h>
-#include <vtkWidgetEvent.h>
 
 #include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/widgets/interaction/interaction_events.h>
@@ -18,7 +14,7 @@
 namespace holdfast {
 namespace {
 
-// A hand across the height of the picture turns it by this.
+// A drag across the height of the picture rotates by this.
 constexpr double kDegreesAcross = 220;
 
 constexpr double kWheelZoom = 1.2;

@@ -13,11 +13,11 @@
 
 namespace holdfast {
 
-/// What a drag does is read from the event translator, which a program may change. By default
+/// The event translator says what a drag does; a program may change it. By default
 ///
 /// | VTK event                                   | widget event              |                                        |
 /// |---------------------------------------------|---------------------------|----------------------------------------|
-/// | LeftButtonPressEvent, RightButtonPressEvent | vtkWidgetEvent::Rotate    | turns about the place under the cursor |
+/// | LeftButtonPressEvent, RightButtonPressEvent | vtkWidgetEvent::Rotate    | orbits the place under the cursor      |
 /// | MiddleButtonPressEvent, Shift + Right       | vtkWidgetEvent::Translate | shifts that place with the cursor      |
 ///
 /// and the wheel goes nearer to that place, 1.2 times a notch to the power of `GetMouseWheelMotionFactor`. A drag
@@ -36,11 +36,10 @@ class SurfaceCameraStyle : public vtkInteractorStyle {
   static SurfaceCameraStyle* New();
   vtkTypeMacro(SurfaceCameraStyle, vtkInteractorStyle)
 
-  /// What the cursor is over; null (the default), and beside the surface: the place at the depth of the focal point.
+  /// The motion is about its place under the cursor; null (the default) and beside it: about the depth of the focus.
   void SetSurface(std::shared_ptr<const VisibleSurface> surface);
   [[nodiscard]] const std::shared_ptr<const VisibleSurface>& GetSurface() const { return this->Surface; }
 
-  /// Pixels of the window for each of a display of ordinary resolution; 1 by default.
   vtkSetClampMacro(PixelRatio, double, 0.1, 100.0);
   vtkGetMacro(PixelRatio, double);
 
@@ -75,7 +74,7 @@ class SurfaceCameraStyle : public vtkInteractorStyle {
   double PixelRatio = 1;
   vtkNew<vtkWidgetEventTranslator> EventTranslator;
   unsigned long PressEvent = 0;  // that a button has gone down with; 0 while none is down
-  unsigned long Motion = 0;      // the widget event that it stands for
+  unsigned long Motion = 0;      // the widget event that it means
   DisplayPoint Last{0, 0};       // where the cursor was then, or at the last motion of the camera
   Vector3 Pivot = Vector3::Zero();
 };

@@ -122,7 +122,7 @@ std::vector<Index> SurfaceCurveRepresentation::GetPath() const
   return path;
 }
 
-/// Whether the vertex may be a place beside all others than the one that is moved there.
+/// Whether the vertex may be a place beside all others but `moved`.
 bool SurfaceCurveRepresentation::IsPossible(Index vertex, int moved) const
 {
   if (!this->Surface || !this->Interpolator->GetRegions()) return false;
@@ -269,11 +269,6 @@ int SurfaceCurveRepresentation::SetActiveNodeToWorldPosition(double place[3], do
   return this->SetNthNodeWorldPosition(this->ActiveNode, place);
 }
 
-int SurfaceCurveRepresentation::SetActiveNodeToDisplayPosition(double pixel[2])
-{
-  return this->SetNthNodeDisplayPosition(this->ActiveNode, pixel);
-}
-
 int SurfaceCurveRepresentation::SetNthNodeWorldPosition(int n, double place[3])
 {
   const auto vertex = this->NearestVertex(place);
@@ -347,7 +342,7 @@ void SurfaceCurveRepresentation::InitializeContour(vtkPolyData* line, vtkIdList*
     else
       this->AddNodeAtWorldPosition(line->GetPoint(k));
   }
-  // As VTK tells closed lines: they name the first point once more.
+  // A closed line names its first point once more.
   if (line->GetNumberOfCells() > 0 && line->GetCell(0)->GetNumberOfPoints() > count) this->ClosedLoopOn();
 }
 

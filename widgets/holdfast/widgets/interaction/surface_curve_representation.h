@@ -14,48 +14,45 @@
 #include <holdfast/widgets/marks/point_sprites.h>
 #include <holdfast/widgets/mesh/blended_actor.h>
 
-class vtkPolyDataMapper;
-
 namespace holdfast {
 
-/// A contour whose nodes, the places, are vertices of the surface, all of one connected part and no two of them the
-/// same. What of it lies behind the surface is faint. It goes with its vertices where the surface moves.
+/// A contour whose nodes, the places, are different vertices of one connected part of the surface. It moves with them.
+/// Its parts behind the surface are faint.
 class SurfaceCurveRepresentation : public vtkContourRepresentation {
  public:
   static SurfaceCurveRepresentation* New();
   vtkTypeMacro(SurfaceCurveRepresentation, vtkContourRepresentation)
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// What the curve lies on; null (the default): nothing. Another model's takes the curve away.
+  /// Null (the default): no curve. A surface of another model removes the curve.
   void SetSurface(std::shared_ptr<const VisibleSurface> surface);
   /// Made of the surface's model, whose edges the curve follows; null (the default): places are refused.
   void SetRegions(std::shared_ptr<const VertexRegions> regions) { this->Interpolator->SetRegions(std::move(regions)); }
 
-  /// Pixels of the window for each of a display of ordinary resolution; 1 by default.
   void SetPixelRatio(double ratio);
   vtkGetMacro(PixelRatio, double);
 
-  /// Vertices of the file: the places in their order; the places and all vertices between, the way back to the first
-  /// included where the curve is closed.
+  /// Vertices of the file, in order: the places; the places with all vertices between, for a closed curve also those
+  /// from the last place to the first.
   [[nodiscard]] std::vector<Index> GetPlaces() const;
   [[nodiscard]] std::vector<Index> GetPath() const;
 
-  /// Puts a place before the `n`-th one, or moves that to a vertex. False, and nothing is changed, for a vertex that no
-  /// face uses, that is a place already, or to which no edges lead from the others.
+  /// Inserts a place before the `n`-th one, or moves that one. False, and no change, for a vertex that no face uses,
+  /// that is a place already, or to which no edges lead from the others.
   bool InsertPlace(int n, Index vertex);
   bool MovePlace(int n, Index vertex);
 
-  /// The vertex that a click on a pixel means, as of `SurfacePicker` within 12 pixels; none beside the surface.
+  /// The vertex for a click on a pixel, found by `SurfacePicker` within 12 pixels; none beside the surface.
   [[nodiscard]] std::optional<Index> VertexAt(const DisplayPoint& pixel) const;
   /// Whether a click there closes the curve: the first of three places or more is within 12 pixels.
   [[nodiscard]] bool IsAtFirst(const DisplayPoint& pixel);
   [[nodiscard]] bool IsClosable() const;
 
-  /// Shows the way from the last place to a vertex, the first place included, or that vertex alone.
+  /// Shows the path from the last place to a vertex, or that vertex alone.
   void SetPreview(std::optional<Index> vertex);
   [[nodiscard]] const std::vector<Index>& GetPreview() const { return this->Preview; }
 
-  // VTK's ways to nodes. What is given as a place in space means the nearest vertex, O(N).
+  // VTK's functions for nodes. A place in space means the nearest vertex, O(N).
   using vtkContourRepresentation::ActivateNode;
   using vtkContourRepresentation::AddIntermediatePointWorldPosition;
   using vtkContourRepresentation::AddNodeAtDisplayPosition;
@@ -68,7 +65,10 @@ class SurfaceCurveRepresentation : public vtkContourRepresentation {
   int AddNodeOnContour(int x, int y) override;
   int SetActiveNodeToWorldPosition(double place[3]) override;
   int SetActiveNodeToWorldPosition(double place[3], double orientation[9]) override;
-  int SetActiveNodeToDisplayPosition(double pixel[2]) override;
+  int SetActiveNodeToDisplayPosition(double pixel[2]) override
+  {
+    return this->SetNthNodeDisplayPosition(this->ActiveNode, pixel);
+  }
   int SetNthNodeWorldPosition(int n, double place[3]) override;
   int SetNthNodeWorldPosition(int n, double place[3], double orientation[9]) override;
   int SetNthNodeDisplayPosition(int n, double pixel[2]) override;

@@ -2,17 +2,8 @@
 
 #include <utility>
 
-#include <vtkCommand.h>
 #include <vtkEvent.h>
-#include <vtkObjectFactory.h>
-#include <vtkRenderWindow.h>
-#include <vtkRenderWindowInteractor.h>
-#include <vtkRenderer.h>
-#include <vtkWidgetCallbackMapper.h>
-#include <vtkWidgetEvent.h>
 #include <vtkWidgetEventTranslator.h>
-
-#include <holdfast/widgets/interaction/interaction_events.h>
 
 namespace holdfast {
 
@@ -67,16 +58,6 @@ void SurfaceCurveWidget::SetSurface(std::shared_ptr<const VisibleSurface> surfac
 {
   this->GetSurfaceCurveRepresentation()->SetSurface(std::move(surface));
   this->ShowChanges();
-}
-
-void SurfaceCurveWidget::SetRegions(std::shared_ptr<const VertexRegions> regions)
-{
-  this->GetSurfaceCurveRepresentation()->SetRegions(std::move(regions));
-}
-
-bool SurfaceCurveWidget::IsDragging()
-{
-  return this->GetSurfaceCurveRepresentation()->GetCurrentOperation() != vtkContourRepresentation::Inactive;
 }
 
 bool SurfaceCurveWidget::SetPlaces(const std::vector<Index>& vertices)

@@ -5,7 +5,6 @@
 #include <memory>
 #include <vector>
 
-#include <vtkCallbackCommand.h>
 #include <vtkContourWidget.h>
 
 #include <holdfast/widgets/interaction/interaction_events.h>
@@ -13,22 +12,19 @@
 
 namespace holdfast {
 
-/// Clicks place vertices that shortest paths of edges join. A click within 12 pixels of the first one closes the curve,
-/// then its places can be dragged, and a drag from elsewhere on it puts one more. Presses that neither close the curve
-/// nor drag a place are left to the camera: a place is put where the button comes up within 4 pixels.
+/// Clicks place vertices that shortest paths of edges join. A click within 12 pixels of the first one closes the curve;
+/// then its places can be dragged, and a drag from elsewhere on it adds one. Clicks are as in `Click`.
 ///
 /// | event                   | when                                                                  | call data  |
 /// |-------------------------|-----------------------------------------------------------------------|------------|
 /// | StartInteractionEvent   | the first place is put; a drag of a place begins                      | all places |
 /// | PlacePointEvent         | a place is put                                                        | `Index*`   |
 /// | InteractionEvent        | a place has been dragged on                                           | all places |
-/// | WidgetValueChangedEvent | each time that hand or keys, but for Escape, have changed the curve   | all places |
+/// | WidgetValueChangedEvent | mouse or keys, but not Escape, have changed the curve                 | all places |
 /// | EndInteractionEvent     | the curve is closed; a drag of a place ends                           | all places |
 /// | CancelInteractionEvent  | Escape took all places, or a drag back                                | all places |
 ///
 /// All places are a `std::vector<Index>*`: vertices of the file, in the order of the curve.
-///
-/// Bindings, which the event translator can change: docs/widgets.md.
 ///
 /// `FollowCursor`, on by default, shows the way to the vertex under the cursor; `ContinuousDraw` and
 /// `AllowNodePicking` are without effect. `CloseLoop` closes without an event. Disabling keeps the curve.
@@ -45,12 +41,13 @@ class SurfaceCurveWidget : public vtkContourWidget {
   void CreateDefaultRepresentation() override;
   void SetEnabled(int enabling) override;
 
-  /// What curves lie on; null (the default): nothing. Positions may change at any time; another model's surface takes
-  /// the curve away.
+  /// Null (the default): no curve. Positions may change at any time; a surface of another model removes the curve.
   void SetSurface(std::shared_ptr<const VisibleSurface> surface);
   /// Of the surface's model; null (the default): clicks are refused.
-  void SetRegions(std::shared_ptr<const VertexRegions> regions);
-  /// Pixels of the window for each of a display of ordinary resolution; 1 by default.
+  void SetRegions(std::shared_ptr<const VertexRegions> regions)
+  {
+    this->GetSurfaceCurveRepresentation()->SetRegions(std::move(regions));
+  }
   void SetPixelRatio(double ratio) { this->GetSurfaceCurveRepresentation()->SetPixelRatio(ratio); }
   [[nodiscard]] double GetPixelRatio() { return this->GetSurfaceCurveRepresentation()->GetPixelRatio(); }
 
@@ -60,12 +57,12 @@ class SurfaceCurveWidget : public vtkContourWidget {
   [[nodiscard]] bool IsClosed() { return this->GetSurfaceCurveRepresentation()->GetClosedLoop() != 0; }
 
   /// An open curve through these vertices instead, without an event. Surface and regions are set. False, and no curve,
-  /// where one of them is no possible place (`SurfaceCurveRepresentation::InsertPlace`).
+  /// where one cannot be a place (`SurfaceCurveRepresentation::InsertPlace`).
   bool SetPlaces(const std::vector<Index>& vertices);
   /// No curve, without an event.
   void Clear();
 
-  // What a hand and keys can do, with the events that these bring.
+  // As mouse and keys, with the same events.
 
   /// Puts a place at the end of an open curve. False where that is not possible.
   bool AddPlace(Index vertex);
@@ -76,7 +73,7 @@ class SurfaceCurveWidget : public vtkContourWidget {
   /// Takes a drag back, or else all places. False where there are none.
   bool Cancel();
 
-  /// As of VTK, from points near vertices or, better, from vertices. An open line is gone on with.
+  /// As VTK's, from points near vertices or, better, from vertices. An open line can be continued.
   void Initialize(vtkPolyData* line, int state = 1, vtkIdList* vertices = nullptr) override;
   using vtkContourWidget::Initialize;
 
@@ -109,7 +106,10 @@ class SurfaceCurveWidget : public vtkContourWidget {
   void UpdateState();
   void Use() { this->EventCallbackCommand->SetAbortFlag(1); }
   void ShowChanges();
-  [[nodiscard]] bool IsDragging();
+  [[nodiscard]] bool IsDragging()
+  {
+    return this->GetSurfaceCurveRepresentation()->GetCurrentOperation() != vtkContourRepresentation::Inactive;
+  }
 
   Click LeftClick;
   std::vector<Index> PlacesBefore;  // the drag that is under way

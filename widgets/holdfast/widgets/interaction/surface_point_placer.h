@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What VTK's handles and contours ask of a surface: where a point is placed, and which line joins two of them.
+/// A surface for VTK's handles and contours: where a point is placed, and which line joins two of them.
 
 #include <memory>
 #include <optional>
@@ -15,25 +15,23 @@
 
 namespace holdfast {
 
-/// A placer for VTK's handles and contours, and for the widgets of this room. Points that it gives are visible, in
-/// double precision, and have the weights that a constraint there would have.
+/// Its points are visible, in double precision, and have the weights that a constraint there would have.
 class SurfacePointPlacer : public vtkPointPlacer {
  public:
   static SurfacePointPlacer* New();
   vtkTypeMacro(SurfacePointPlacer, vtkPointPlacer)
 
-  /// What points are placed on; null (the default): nothing. May change at any time.
+  /// Null (the default): no points. May change at any time.
   void SetSurface(std::shared_ptr<const VisibleSurface> surface);
   [[nodiscard]] const std::shared_ptr<const VisibleSurface>& GetSurface() const { return this->Surface; }
 
-  /// What a point may lie on; `Nearest` by default.
+  /// `Nearest` by default.
   void SetKind(PickKind kind);
   [[nodiscard]] PickKind GetKind() const { return this->Kind; }
 
   /// How near the cursor a vertex or an edge is taken, pixels of a display of ordinary resolution; 7 by default.
   vtkSetClampMacro(SnapPixels, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SnapPixels, double);
-  /// Pixels of the window for each of such a display; 1 by default.
   vtkSetClampMacro(PixelRatio, double, 0.1, 100.0);
   vtkGetMacro(PixelRatio, double);
 
@@ -78,8 +76,8 @@ class SurfaceCurveInterpolator : public vtkContourLineInterpolator {
   void SetRegions(std::shared_ptr<const VertexRegions> regions);
   [[nodiscard]] const std::shared_ptr<const VertexRegions>& GetRegions() const { return this->Regions; }
 
-  /// The vertices of a shortest path, both ends included; none where no edges join them. Of vertices that are one
-  /// unknown (unwelded files) the first stands for all on the way. Costs what `ShortestPaths::path` does.
+  /// The vertices of a shortest path with both ends; none where no edges join them. Between the ends the first vertex
+  /// of each unknown is named (unwelded files have several). As costly as `ShortestPaths::path`.
   [[nodiscard]] std::vector<Index> Path(Index from, Index to);
 
   /// 1, or 0 where nothing joins the nodes.

@@ -14,7 +14,7 @@
 namespace holdfast {
 namespace {
 
-// Of a display of ordinary resolution.
+// Pixels of a display of ordinary resolution.
 constexpr double kPreviewBallPixels = 9;
 constexpr double kHaloPixels = 3.5;
 constexpr double kOutlinePixels = 1.6;
@@ -79,7 +79,7 @@ void SurfacePointRepresentation::SetPixelRatio(double ratio)
   this->Modified();
 }
 
-/// What the point hangs on: the ends of the edge, the corners of the face.
+/// The ends of the edge, the corners of the face; none for a vertex.
 std::vector<Index> SurfacePointRepresentation::OutlineVertices() const
 {
   if (const auto* edge = std::get_if<AtEdge>(&this->Preview->location)) return {edge->i, edge->j};

@@ -17,24 +17,22 @@
 
 namespace holdfast {
 
-/// A ring around a mark that tells a vertex, an edge and a face apart, and the outline of the edge or the face. The
-/// point is drawn as a whole in front of the surface around it and hidden by what lies before that; hidden parts of
-/// the outline are faint.
+/// A ring around a mark that differs for vertex, edge and face, and the outline of the edge or the face; hidden parts
+/// of the outline are faint. The surface around the point does not cut the ring, a surface before it hides it.
 class SurfacePointRepresentation : public vtkWidgetRepresentation {
  public:
   static SurfacePointRepresentation* New();
   vtkTypeMacro(SurfacePointRepresentation, vtkWidgetRepresentation)
 
-  /// What the point lies on. A point that is shown stays at its location where the surface has moved, and goes where
-  /// it is another one (`VisibleSurface::isSameMesh`). Null, the default: nothing is shown.
+  /// A point that is shown moves with the surface, and is removed where that is another mesh's
+  /// (`VisibleSurface::isSameMesh`). Null, the default: nothing is shown.
   void SetSurface(std::shared_ptr<const VisibleSurface> surface);
   [[nodiscard]] const std::shared_ptr<const VisibleSurface>& GetSurface() const { return this->Surface; }
 
-  /// The point, of which the location counts; none, the default, and without a surface: nothing is shown.
+  /// Shows the location of `pick`; none, the default, and without a surface: nothing.
   void SetPreview(std::optional<SurfacePick> pick);
   [[nodiscard]] const std::optional<SurfacePick>& GetPreview() const { return this->Preview; }
 
-  /// Pixels of the window for each of a display of ordinary resolution; 1 by default.
   void SetPixelRatio(double ratio);
   vtkGetMacro(PixelRatio, double);
 

@@ -2,16 +2,8 @@
 
 #include <utility>
 
-#include <vtkCallbackCommand.h>
 #include <vtkEvent.h>
-#include <vtkObjectFactory.h>
-#include <vtkRenderWindow.h>
-#include <vtkRenderWindowInteractor.h>
-#include <vtkRenderer.h>
-#include <vtkWidgetCallbackMapper.h>
 #include <vtkWidgetEventTranslator.h>
-
-#include <holdfast/widgets/interaction/interaction_events.h>
 
 namespace holdfast {
 
@@ -55,11 +47,6 @@ void SurfacePointWidget::InformRepresentation()
   this->GetSurfacePointRepresentation()->SetPixelRatio(this->GetPixelRatio());
 }
 
-SurfacePointRepresentation* SurfacePointWidget::GetSurfacePointRepresentation()
-{
-  return static_cast<SurfacePointRepresentation*>(this->GetRepresentation());
-}
-
 void SurfacePointWidget::SetEnabled(int enabling)
 {
   if (enabling == 0 && this->Enabled != 0) this->Leave();
@@ -90,11 +77,6 @@ void SurfacePointWidget::SetPreview(std::optional<SurfacePick> pick)
 {
   this->GetSurfacePointRepresentation()->SetPreview(std::move(pick));
   if (this->Enabled != 0) this->Render();
-}
-
-const std::optional<SurfacePick>& SurfacePointWidget::GetPreview()
-{
-  return this->GetSurfacePointRepresentation()->GetPreview();
 }
 
 bool SurfacePointWidget::WantsKey(char key) const

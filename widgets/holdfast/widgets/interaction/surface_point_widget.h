@@ -5,9 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include <vtkAbstractWidget.h>
 #include <vtkNew.h>
-#include <vtkWidgetEvent.h>
 
 #include <holdfast/widgets/interaction/interaction_events.h>
 #include <holdfast/widgets/interaction/surface_point_placer.h>
@@ -15,8 +13,7 @@
 
 namespace holdfast {
 
-/// Shows the point that a click would take, and takes it when there is one. A click is a press and a release within
-/// `kClickPixels`; neither is aborted, so that a drag from the same place turns the picture.
+/// Shows the point that a click would take. Clicks are as in `Click`; the second press of a double click begins none.
 ///
 /// | event                   | when                                                    | call data              |
 /// |-------------------------|---------------------------------------------------------|------------------------|
@@ -24,10 +21,7 @@ namespace holdfast {
 /// | PlacePointEvent         | a click on a point                                      | `SurfacePick*`         |
 /// | WidgetValueChangedEvent | a key has chosen what points may lie on                 | `PickKind*`            |
 ///
-/// Bindings, which the event translator can change: docs/widgets.md.
-///
-/// The second press of a double click begins none. Keys are those of CharEvent, at which VTK's own styles would quit
-/// and fly: those that are used are aborted.
+/// Keys are those of CharEvent, by which VTK's own styles would quit or fly: those that are used are aborted.
 class SurfacePointWidget : public vtkAbstractWidget {
  public:
   /// Widget events beside those of VTK.
@@ -42,13 +36,15 @@ class SurfacePointWidget : public vtkAbstractWidget {
   vtkTypeMacro(SurfacePointWidget, vtkAbstractWidget)
 
   void SetRepresentation(SurfacePointRepresentation* representation);
-  [[nodiscard]] SurfacePointRepresentation* GetSurfacePointRepresentation();
+  [[nodiscard]] SurfacePointRepresentation* GetSurfacePointRepresentation()
+  {
+    return static_cast<SurfacePointRepresentation*>(this->GetRepresentation());
+  }
   void CreateDefaultRepresentation() override;
   /// Disabling hides the point.
   void SetEnabled(int enabling) override;
 
-  /// What points lie on; null (the default): there are none. May change at any time, see
-  /// `SurfacePointRepresentation::SetSurface`.
+  /// Null (the default): no points. May change at any time, see `SurfacePointRepresentation::SetSurface`.
   void SetSurface(std::shared_ptr<const VisibleSurface> surface);
   /// As a key does, without `WidgetValueChangedEvent`.
   void SetKind(PickKind kind);
@@ -56,15 +52,18 @@ class SurfacePointWidget : public vtkAbstractWidget {
   /// Of placer and representation.
   void SetPixelRatio(double ratio);
   [[nodiscard]] double GetPixelRatio() const { return this->Placer->GetPixelRatio(); }
-  /// Decides which point the cursor means; its `SnapPixels` are set here, all else above.
+  /// It finds the point at the cursor. Set its `SnapPixels` here, all else above.
   [[nodiscard]] SurfacePointPlacer* GetPlacer() const { return this->Placer; }
 
-  /// Shows a point as the mouse would, or none. Without an event.
+  /// Shows a point as the mouse does, or none, without an event.
   void SetPreview(std::optional<SurfacePick> pick);
   void HidePreview() { this->SetPreview(std::nullopt); }
-  [[nodiscard]] const std::optional<SurfacePick>& GetPreview();
+  [[nodiscard]] const std::optional<SurfacePick>& GetPreview()
+  {
+    return this->GetSurfacePointRepresentation()->GetPreview();
+  }
 
-  /// Whether a key is bound: for a window to ask before its shortcuts.
+  /// Whether a key is bound. A window asks this before its shortcuts.
   [[nodiscard]] bool WantsKey(char key) const;
 
  protected:

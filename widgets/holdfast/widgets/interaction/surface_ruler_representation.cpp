@@ -26,7 +26,7 @@
 namespace holdfast {
 namespace {
 
-// Of a display of ordinary resolution.
+// Pixels of a display of ordinary resolution.
 constexpr double kRulerPixels = 1.8;
 constexpr double kRulerHaloPixels = 4.2;
 constexpr double kEndRadiusPixels = 5;
@@ -181,16 +181,6 @@ void SurfaceRulerRepresentation::SetSurface(std::shared_ptr<const VisibleSurface
     else
       this->GetHandle(end).SetPlacement(std::nullopt);
   this->Modified();
-}
-
-Vector3 SurfaceRulerRepresentation::GetVector() const
-{
-  return this->IsPlaced() ? Vector3(this->GetHandle(1).GetPlace() - this->GetHandle(0).GetPlace()) : Vector3::Zero();
-}
-
-double SurfaceRulerRepresentation::GetRestDistance() const
-{
-  return this->IsPlaced() ? (this->GetHandle(0).GetRestPlace() - this->GetHandle(1).GetRestPlace()).stableNorm() : 0;
 }
 
 void SurfaceRulerRepresentation::SetUnits(const std::string& units)

@@ -23,26 +23,24 @@ struct SurfacePlacement {
   SurfacePoint point;
 };
 
-/// Placed by a `SurfacePointPlacer`, it remembers where on the surface it is: `FollowSurface` takes it there again when
-/// the surface has moved. Beside the surface it stays where it was.
+/// Placed by a `SurfacePointPlacer`, it keeps its location on the surface. Beside the surface it stays where it was.
 class SurfaceHandleRepresentation : public vtkPointHandleRepresentation2D {
  public:
   static SurfaceHandleRepresentation* New();
   vtkTypeMacro(SurfaceHandleRepresentation, vtkPointHandleRepresentation2D)
 
-  /// None before it is placed. What it has been given can be set again.
+  /// None before it is placed.
   [[nodiscard]] const std::optional<SurfacePlacement>& GetPlacement() const { return this->Placement; }
   void SetPlacement(std::optional<SurfacePlacement> placement);
 
   /// Places it on the placer's surface. Throws `InputError` for a location that the mesh does not have. O(T log T).
   void SetLocation(const SurfaceLocation& location);
 
-  /// To be called when the placer has another surface of the same mesh.
+  /// Call it when the placer has another surface of the same mesh.
   void FollowSurface();
 
-  /// Where it is at rest, model units. It is placed.
+  /// Its place at rest and now, model units. It is placed.
   [[nodiscard]] Vector3 GetRestPlace() const;
-  /// Where it is now.
   [[nodiscard]] Vector3 GetPlace() const { return positionOf(this->Placement->point, this->GetSurface()->positions()); }
 
   void SetDisplayPosition(double display[3]) override;
@@ -58,17 +56,17 @@ class SurfaceHandleRepresentation : public vtkPointHandleRepresentation2D {
 };
 
 /// A line with a ring at each end, on top of the picture, and a label with the distance now and at rest, as
-/// "12.34 mm (rest 11.98)". A light halo, and a light ground under the label, tell both from dark and light surfaces.
-/// With `ShowVector` the line is an arrow to end 1, and the label has its components: "5 mm: 3, 0, 4 (rest 4.9)".
+/// "12.34 mm (rest 11.98)". With `ShowVector` the line is an arrow to end 1, and the label has its components:
+/// "5 mm: 3, 0, 4 (rest 4.9)".
 class SurfaceRulerRepresentation : public vtkDistanceRepresentation2D {
  public:
   static SurfaceRulerRepresentation* New();
   vtkTypeMacro(SurfaceRulerRepresentation, vtkDistanceRepresentation2D)
 
-  /// Places both ends. Its surface, and the ratio of pixels, are set below.
+  /// Places both ends. Set its surface and its ratio of pixels below.
   [[nodiscard]] SurfacePointPlacer* GetPlacer() const { return this->Placer; }
 
-  /// What the ends lie on. They follow it where it has moved, and are forgotten where it is that of another mesh.
+  /// The ends move with it, and are removed where it is another mesh's.
   void SetSurface(std::shared_ptr<const VisibleSurface> surface);
 
   /// The ends, 0 and 1.
@@ -78,9 +76,15 @@ class SurfaceRulerRepresentation : public vtkDistanceRepresentation2D {
 
   /// Model units; 0 before both ends are placed.
   double GetDistance() override { return this->GetVector().stableNorm(); }
-  [[nodiscard]] double GetRestDistance() const;
+  [[nodiscard]] double GetRestDistance() const
+  {
+    return this->IsPlaced() ? (this->GetHandle(0).GetRestPlace() - this->GetHandle(1).GetRestPlace()).stableNorm() : 0;
+  }
   /// From end 0 to end 1; zero before both are placed.
-  [[nodiscard]] Vector3 GetVector() const;
+  [[nodiscard]] Vector3 GetVector() const
+  {
+    return this->IsPlaced() ? Vector3(this->GetHandle(1).GetPlace() - this->GetHandle(0).GetPlace()) : Vector3::Zero();
+  }
 
   /// Off by default.
   vtkSetMacro(ShowVector, bool);
@@ -92,7 +96,6 @@ class SurfaceRulerRepresentation : public vtkDistanceRepresentation2D {
   [[nodiscard]] const std::string& GetUnits() const { return this->Units; }
   [[nodiscard]] std::string GetLabel();
 
-  /// Pixels of the window for each of a display of ordinary resolution; 1 by default. Letters as well: the window's
   /// dots per inch do not count.
   void SetPixelRatio(double ratio);
   [[nodiscard]] double GetPixelRatio() const { return this->Placer->GetPixelRatio(); }

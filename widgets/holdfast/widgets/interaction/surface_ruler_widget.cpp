@@ -3,16 +3,8 @@
 #include <array>
 #include <utility>
 
-#include <vtkCallbackCommand.h>
 #include <vtkEvent.h>
 #include <vtkHandleWidget.h>
-#include <vtkObjectFactory.h>
-#include <vtkRenderWindowInteractor.h>
-#include <vtkRenderer.h>
-#include <vtkWidgetCallbackMapper.h>
-#include <vtkWidgetEvent.h>
-
-#include <holdfast/widgets/interaction/interaction_events.h>
 
 namespace holdfast {
 
@@ -29,16 +21,6 @@ SurfaceRulerWidget::SurfaceRulerWidget()
                            &call<&Widget::Release>);
   mapper.SetCallbackMethod(vtkCommand::KeyPressEvent, vtkEvent::AnyModifier, 0, 0, "Escape", vtkWidgetEvent::Reset,
                            this, &call<&Widget::Escape>);
-}
-
-void SurfaceRulerWidget::CreateDefaultRepresentation()
-{
-  if (this->WidgetRep == nullptr) this->WidgetRep = SurfaceRulerRepresentation::New();
-}
-
-SurfaceRulerRepresentation* SurfaceRulerWidget::GetRulerRepresentation()
-{
-  return static_cast<SurfaceRulerRepresentation*>(this->GetRepresentation());
 }
 
 void SurfaceRulerWidget::SetEnabled(int enabling)
@@ -125,7 +107,7 @@ void SurfaceRulerWidget::Cancel()
   this->InvokeEvent(CancelInteractionEvent);
 }
 
-/// Lets the grabbed end go where it is, without events.
+/// Leaves the grabbed end where it is, without events.
 void SurfaceRulerWidget::StopDrag()
 {
   this->GrabbedAt.reset();
@@ -133,7 +115,7 @@ void SurfaceRulerWidget::StopDrag()
   this->EndInteraction();
   vtkHandleWidget& handle = this->CurrentHandle == 0 ? *this->Point1Widget : *this->Point2Widget;
   this->CurrentHandle = -1;
-  // Otherwise VTK would tell that the interaction has ended.
+  // Otherwise VTK would invoke EndInteractionEvent.
   handle.SetEnabled(0);
   handle.SetCurrentRenderer(this->CurrentRenderer);
   handle.SetEnabled(1);
@@ -203,7 +185,7 @@ void SurfaceRulerWidget::PlaceEnd()
   if (this->WidgetState == vtkDistanceWidget::Define) this->GetRulerRepresentation()->WidgetInteraction(cursor.data());
   this->PrepareHandles();
   AddPointAction(this);
-  // VTK keeps all events until the second end is placed. The camera is to be turned before, and needs this one.
+  // VTK keeps all events until the second end is placed; the camera needs them.
   this->ReleaseFocus();
   this->EventCallbackCommand->SetAbortFlag(0);
 }

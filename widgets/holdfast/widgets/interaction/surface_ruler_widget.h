@@ -13,9 +13,8 @@
 
 namespace holdfast {
 
-/// A click on the surface places the first end, another one the second; then both can be dragged. Ends lie on vertices,
-/// on edges or in faces, and follow a surface that moves. Clicks are as in `Click`: they leave the camera to drags,
-/// also between the two. A press on an end is aborted, and all that follows it until the release.
+/// A click on the surface places the first end, another one the second; then both can be dragged. Ends are on vertices,
+/// on edges or in faces, and move with the surface. Clicks are as in `Click`. A drag of an end aborts its events.
 ///
 /// | event                  | when                                                     | call data            |
 /// |------------------------|----------------------------------------------------------|----------------------|
@@ -24,28 +23,32 @@ namespace holdfast {
 /// | InteractionEvent       | the second end goes with the cursor; an end is dragged   | none                 |
 /// | EndInteractionEvent    | the second end is placed; an end is let go               | none                 |
 /// | CancelInteractionEvent | instead: there is no ruler, or the end is where it was   | none                 |
-///
-/// Bindings, which the event translator can change: docs/widgets.md.
 class SurfaceRulerWidget : public vtkDistanceWidget {
  public:
   static SurfaceRulerWidget* New();
   vtkTypeMacro(SurfaceRulerWidget, vtkDistanceWidget)
 
   void SetRepresentation(SurfaceRulerRepresentation* representation) { this->SetWidgetRepresentation(representation); }
-  [[nodiscard]] SurfaceRulerRepresentation* GetRulerRepresentation();
-  void CreateDefaultRepresentation() override;
-  /// Disabling cancels what is under way, and keeps a ruler that is drawn.
+  [[nodiscard]] SurfaceRulerRepresentation* GetRulerRepresentation()
+  {
+    return static_cast<SurfaceRulerRepresentation*>(this->GetRepresentation());
+  }
+  void CreateDefaultRepresentation() override
+  {
+    if (this->WidgetRep == nullptr) this->WidgetRep = SurfaceRulerRepresentation::New();
+  }
+  /// Disabling cancels a drag or a half-drawn ruler, and keeps a complete one.
   void SetEnabled(int enabling) override;
 
-  /// What is measured; null (the default): nothing. May change at any time: the ends follow where it has moved, and the
-  /// ruler goes where it is another mesh (`VisibleSurface::isSameMesh`).
+  /// Null (the default): nothing is measured. May change at any time: the ends move with it, and the ruler is removed
+  /// where it is another mesh's (`VisibleSurface::isSameMesh`).
   void SetSurface(std::shared_ptr<const VisibleSurface> surface);
   void SetPixelRatio(double ratio) { this->GetRulerRepresentation()->SetPixelRatio(ratio); }
   void SetUnits(const std::string& units) { this->GetRulerRepresentation()->SetUnits(units); }
   [[nodiscard]] SurfacePointPlacer* GetPlacer() { return this->GetRulerRepresentation()->GetPlacer(); }
 
-  /// A ruler from `a` to `b`, without events. There is a surface. Throws `InputError`, and changes nothing, where its
-  /// mesh does not have one of the locations. O(T log T).
+  /// A ruler from `a` to `b`, without events. There is a surface. Throws `InputError`, and changes nothing, where the
+  /// mesh does not have a location. O(T log T).
   void SetLocations(const SurfaceLocation& a, const SurfaceLocation& b);
   /// Of the ends 0 and 1; none while they are not placed.
   [[nodiscard]] std::optional<SurfaceLocation> GetLocation(int end);

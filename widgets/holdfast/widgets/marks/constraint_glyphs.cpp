@@ -60,7 +60,7 @@ Layer layerOf(const ConstraintMark& mark)
   return mark.kind == MarkKind::Face ? Wedges : Balls;
 }
 
-/// What is drawn of some marks.
+/// The sprites and lines of some marks.
 struct GlyphSet {
   std::optional<SectionPlane> section;
   std::array<std::vector<Sprite>, LayerCount> layers;
@@ -182,7 +182,7 @@ void ConstraintGlyphs::update()
   if (hidden_ == HiddenMarks::Invisible) glyphs.layers[HiddenPoints].clear();
   for (std::size_t layer = 0; layer < LayerCount; ++layer) layers_[layer]->set(glyphs.layers[layer]);
   lines_.set(glyphs.lines);
-  // Those that are cut away as well: sizes do not change while a plane moves.
+  // Marks that are cut away count too: sizes do not change while a plane moves.
   isCrowded_ = std::count_if(marks_->drawn.begin(), marks_->drawn.end(),
                              [&](Index k) { return layerOf(marks_->marks[k]) == Dots; }) > kCrowd;
   resize();

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
 /// Constraints in a picture: a glyph where each acts, its shape after what it holds and its colour after its status,
-/// and a line to where it wants to be.
+/// and a line to its target.
 
 #include <memory>
 #include <optional>
@@ -51,14 +51,14 @@ class GlyphLines {
   vtkNew<vtkActor> actor_;
 };
 
-/// Dark for what is met, slate where nothing was solved, white for redundant, orange-red for conflicting, purple for
-/// missed, grey for disabled: told apart by lightness or by hue, on every colour of the map.
+/// Dark for met, slate where nothing was solved, white for redundant, orange-red for conflicting, purple for missed,
+/// grey for disabled: they differ in lightness or hue on every colour of the map.
 [[nodiscard]] Color glyphColor(ConstraintStatus status);
 
 /// As that of its status; marks of rigid regions that are met are brown.
 [[nodiscard]] Color glyphColor(const ConstraintMark& mark);
 
-/// The colour of what is selected, highlighted or under the cursor.
+/// The colour of things that are selected, highlighted or under the cursor.
 inline constexpr Color kAccentColor{0.05, 0.50, 1.00};
 
 /// Whether single points that lie behind a surface show through it.

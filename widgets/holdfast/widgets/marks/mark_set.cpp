@@ -72,58 +72,30 @@ ConstraintMark markOf(const ConstraintRow& row, const Model& model, const Positi
 }
 
 /// The places of one disabled constraint. Throws `InputError` where it does not fit the mesh.
-class DisabledConstraint {
- public:
-  DisabledConstraint(const Model& model, const SurfaceLocator& locator, Selector& selector, Index constraint)
-      : model_(model), locator_(locator), selector_(selector), constraint_(constraint)
-  {
+std::vector<DisabledPlace> placesOf(const Constraint& constraint, Index place, const Model& model,
+                                    const SurfaceLocator& locator, Selector& selector)
+{
+  const auto located = [&](const SurfaceLocation& location) { return locator.locate(location, {}).point; };
+  if (const auto* point = std::get_if<PointConstraint>(&constraint.what)) {
+    const SurfacePoint at = located(point->at);
+    const Target* const target = std::get_if<Target>(&point->to);
+    const Vector3 to =
+        target != nullptr ? target->place : positionOf(at, model.mesh.positions) + std::get<Move>(point->to).shift;
+    return {{at, kindOf(at), place, to, {}}};
   }
-
-  std::vector<DisabledPlace> operator()(const FixedConstraint& fixed) const
-  {
-    return of(fixed.select, MarkKind::Selection);
-  }
-  std::vector<DisabledPlace> operator()(const HandleConstraint& handle) const
-  {
-    return of(handle.select, MarkKind::Selection);
-  }
-  std::vector<DisabledPlace> operator()(const RigidConstraint& rigid) const
-  {
-    return of(rigid.select, MarkKind::Rigid);
-  }
-
-  std::vector<DisabledPlace> operator()(const PointConstraint& point) const
-  {
-    const SurfacePoint at = locator_.locate(point.at, {}).point;
-    const Target* const place = std::get_if<Target>(&point.to);
-    const Vector3 target =
-        place != nullptr ? place->place : positionOf(at, model_.mesh.positions) + std::get<Move>(point.to).shift;
-    return {{at, kindOf(at), constraint_, target, {}}};
-  }
-
-  std::vector<DisabledPlace> operator()(const RelativeConstraint& relative) const
-  {
-    return {{locator_.locate(relative.from, {}).point,
-             MarkKind::Relative,
-             constraint_,
-             {},
-             locator_.locate(relative.to, {}).point}};
-  }
-
- private:
-  [[nodiscard]] std::vector<DisabledPlace> of(const Selection& selection, MarkKind kind) const
-  {
-    std::vector<DisabledPlace> places;
-    for (const Index vertex : selector_.select(selection, {}))
-      places.push_back({SurfacePoint{{{vertex, 1}}}, kind, constraint_, {}, {}});
-    return places;
-  }
-
-  const Model& model_;
-  const SurfaceLocator& locator_;
-  Selector& selector_;
-  Index constraint_;
-};
+  if (const auto* relative = std::get_if<RelativeConstraint>(&constraint.what))
+    return {{located(relative->from), MarkKind::Relative, place, {}, located(relative->to)}};
+  const auto* const rigid = std::get_if<RigidConstraint>(&constraint.what);
+  const auto* const handle = std::get_if<HandleConstraint>(&constraint.what);
+  const Selection& selection = rigid != nullptr    ? rigid->select
+                               : handle != nullptr ? handle->select
+                                                   : std::get<FixedConstraint>(constraint.what).select;
+  const MarkKind kind = rigid != nullptr ? MarkKind::Rigid : MarkKind::Selection;
+  std::vector<DisabledPlace> places;
+  for (const Index vertex : selector.select(selection, {}))
+    places.push_back({SurfacePoint{{{vertex, 1}}}, kind, place, {}, {}});
+  return places;
+}
 
 /// Those of `group` that are drawn where there are too many.
 std::vector<Index> thinned(const std::vector<ConstraintMark>& marks, const std::vector<Index>& group)
@@ -135,7 +107,7 @@ std::vector<Index> thinned(const std::vector<ConstraintMark>& marks, const std::
   return kept;
 }
 
-/// Whether both lists hold the same places of the mesh and fared alike: then the same marks are drawn.
+/// Whether both lists hold the same places with the same statuses: then the same marks are drawn.
 bool areDrawnAlike(const std::vector<ConstraintMark>& a, const std::vector<ConstraintMark>& b)
 {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const ConstraintMark& p, const ConstraintMark& q) {
@@ -173,10 +145,10 @@ std::vector<DisabledPlace> disabledPlaces(const Model& model, const ConstraintLi
     if (list.constraints[k].isEnabled) continue;
     if (!selector) selector.emplace(model.mesh, model.solverMesh, locator);
     try {
-      const DisabledConstraint placer(model, locator, *selector, static_cast<Index>(k));
-      for (DisabledPlace& place : std::visit(placer, list.constraints[k].what)) places.push_back(std::move(place));
+      for (DisabledPlace& place : placesOf(list.constraints[k], static_cast<Index>(k), model, locator, *selector))
+        places.push_back(std::move(place));
     } catch (const InputError&) {
-      // What is disabled may be unusable: it says why when it is enabled.
+      // A disabled constraint may be unusable; the error comes when it is enabled.
       continue;
     }
   }
@@ -222,7 +194,7 @@ std::vector<Index> drawnMarks(const std::vector<ConstraintMark>& marks)
   }
   for (const auto& [status, group] : dots)
     for (const Index k : thinned(marks, group)) drawn.push_back(k);
-  // What is disabled hides nothing.
+  // Disabled marks hide no others.
   const auto gravity = [&](Index k) {
     return marks[k].status == ConstraintStatus::Disabled ? -1 : static_cast<int>(marks[k].status);
   };

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Marks of constraints: where each acts and where it wants that to be, its status, and which marks are drawn. Nothing
+/// Marks of constraints: the place and target of each, its status, and which marks are drawn. Nothing
 /// of VTK: any thread may make them.
 
 #include <memory>
@@ -12,7 +12,7 @@
 
 namespace holdfast {
 
-/// What a constraint holds at a mark: each has a shape of its own in pictures.
+/// What a constraint holds at a mark. Each kind has its own shape in pictures.
 enum class MarkKind {
   Selection,  ///< a vertex of a fixed region or of a handle
   Rigid,      ///< a vertex of a rigid region
@@ -67,12 +67,11 @@ struct DisabledPlace {
 /// Whether a constraint of this status is not where it should be.
 [[nodiscard]] bool isOff(ConstraintStatus status);
 
-/// No more dots of one status are drawn for regions than this, evenly spread over what they hold: ten thousand of them
-/// would be a stain. What conflicts or is missed is always drawn.
+/// The most dots of one status that are drawn for regions, evenly spread. Marks that conflict or are missed are always
+/// drawn.
 inline constexpr Index kMostDots = 800;
 
-/// The places in `marks` of those that are drawn, in the order in which they are drawn: of several in one place the
-/// last is seen, the gravest.
+/// The places in `marks` of those that are drawn, in the order of drawing: the most serious status is drawn last.
 [[nodiscard]] std::vector<Index> drawnMarks(const std::vector<ConstraintMark>& marks);
 
 /// Never changes once it is shared.
@@ -81,8 +80,8 @@ struct MarkSet {
   std::vector<Index> drawn;  ///< `drawnMarks` of them
 };
 
-/// `before` is what was shown before, null at first: which dots of regions are drawn is decided anew only where other
-/// places are held, or fared otherwise. O(marks log marks).
+/// `before` is the set that was shown before, null at first: the choice of dots stays where places and statuses are the
+/// same. O(marks log marks).
 [[nodiscard]] std::shared_ptr<const MarkSet> markSet(std::vector<ConstraintMark> marks,
                                                      const std::shared_ptr<const MarkSet>& before);
 

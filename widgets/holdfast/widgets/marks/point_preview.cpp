@@ -43,9 +43,4 @@ void PointPreview::setBallPixels(double pixels)
   ring_.setPixels(kRingSize * pixels);
 }
 
-std::vector<vtkActor*> PointPreview::actors() const
-{
-  return {&ball_.actor(), &bead_.actor(), &triangle_.actor(), &ring_.actor()};
-}
-
 }  // namespace holdfast

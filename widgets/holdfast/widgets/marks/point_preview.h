@@ -2,7 +2,6 @@
 /// \file
 /// The point of the surface that a click would take.
 
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -29,7 +28,10 @@ class PointPreview {
   /// The diameter of the ball of a constraint's point, in pixels of the window.
   void setBallPixels(double pixels);
 
-  [[nodiscard]] std::vector<vtkActor*> actors() const;
+  [[nodiscard]] std::vector<vtkActor*> actors() const
+  {
+    return {&ball_.actor(), &bead_.actor(), &triangle_.actor(), &ring_.actor()};
+  }
 
  private:
   PointSprites ball_{SpriteShape::Ball};

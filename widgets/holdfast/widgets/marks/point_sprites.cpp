@@ -34,8 +34,8 @@ std::string shapeCode(SpriteShape shape)
   return {};
 }
 
-/// How far before their place flat shapes float, in radii: a tilted surface does not cut them. What marks something
-/// else is to be seen as a whole; what marks a place is not to be seen through a thin wall.
+/// How far before their place flat shapes are drawn, in radii, so that a tilted surface does not cut them. A ring is
+/// seen as a whole; other shapes are not seen through a thin wall.
 const char* liftOf(SpriteShape shape)
 {
   return shape == SpriteShape::Ring ? "3.0" : "1.6";

@@ -25,7 +25,7 @@ constexpr double kArrowShaft = 0.035;
 constexpr double kArrowHead = 0.11;
 constexpr double kHeadLength = 0.30;
 
-// An angle that the longest arrow stands for at least; and that below which there is none.
+// The least angle of the longest arrow, and the angle below which there is none.
 constexpr double kFullDegrees = 90;
 constexpr double kLeastDegrees = 0.5;
 

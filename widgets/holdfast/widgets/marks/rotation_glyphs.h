@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The rotation field as arrows: each along the axis about which the surface turns there.
+/// The rotation field as arrows: each along the axis about which the surface rotates there.
 
 #include <vector>
 
@@ -15,7 +15,7 @@ namespace holdfast {
 /// About how many arrows there are at the most.
 inline constexpr Index kRotationArrows = 400;
 
-/// One arrow. The surface turns counterclockwise seen against it.
+/// The surface rotates counterclockwise, seen against the arrow.
 struct RotationArrow {
   Index vertex = 0;  ///< of the file
   Vector3 tail;      ///< where that is, model units
@@ -23,13 +23,12 @@ struct RotationArrow {
 };
 
 /// Arrows at `vertices` of the file, at `positions`, along the axes of the logs `q`, one for each unknown. An angle of
-/// 90 degrees, or the largest of all where that is more, has the length `longest`; where hardly anything turns there is
-/// none.
+/// 90 degrees, or the largest of all where that is more, has the length `longest`; angles of less than half a degree
+/// have no arrow.
 [[nodiscard]] std::vector<RotationArrow> rotationArrows(const Model& model, const std::vector<Index>& vertices,
                                                         const Positions& positions, const Columns3& q, double longest);
 
-/// The actors of such arrows, dark with a light outline, so that they read on every colour. What lies behind a surface
-/// is not drawn.
+/// The actors of such arrows, dark with a light outline, readable on every colour; a surface hides them.
 class RotationGlyphs {
  public:
   /// `model` stays alive as long as this.

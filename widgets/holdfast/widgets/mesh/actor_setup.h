@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What most actors are set up with.
+/// Repeated steps of setting up an actor.
 
 #include <vtkActor.h>
 #include <vtkNew.h>

@@ -6,10 +6,9 @@
 
 namespace holdfast {
 
-/// Drawn together with what is opaque, in the order of the renderer's actors, blended with what is there and without
-/// hiding what comes later: for thin lines and faint marks, in the renderer behind all that is opaque. VTK's own way
-/// with translucent things gets their order right, and waits for the whole picture before it on a machine without a
-/// GPU: it copies the depths.
+/// Drawn with the opaque actors, in their order, blended with the picture so far, without writing depths: for thin
+/// lines and faint marks, which come after all opaque actors. VTK's own translucent pass sorts by depth, but copies the
+/// depths and so waits for the whole picture on a machine without a GPU.
 class BlendedActor : public vtkOpenGLActor {
  public:
   static BlendedActor* New();
@@ -21,7 +20,7 @@ class BlendedActor : public vtkOpenGLActor {
   BlendedActor();
 };
 
-/// Draws only what lies behind what has been drawn before.
+/// Draws only what is behind the picture so far.
 class BehindActor : public BlendedActor {
  public:
   static BehindActor* New();

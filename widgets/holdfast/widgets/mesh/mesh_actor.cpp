@@ -130,7 +130,7 @@ MeshActor::MeshActor(const Model& model, std::shared_ptr<const ShadedSurface> sh
 
 MeshActor::~MeshActor()
 {
-  // Whoever still holds an actor draws a copy.
+  // An actor that is still in use draws a copy.
   vtkNew<vtkDoubleArray> copy;
   copy->DeepCopy(coordinates_);
   points_->SetData(copy);
@@ -188,7 +188,7 @@ void MeshActor::lookFrom(const Vector3& eye)
 
 void MeshActor::setSection(const std::optional<SectionPlane>& section)
 {
-  // Mappers make their shaders anew when planes come or go, and nothing when one moves.
+  // Mappers compile their shaders again when planes are added or removed, not when one moves.
   if (!section) {
     sectionPlanes_->RemoveAllItems();
   } else {
@@ -216,11 +216,6 @@ void MeshActor::colorCoarse()
   coarseMapper_->SetLookupTable(surfaceMapper_->GetLookupTable());
   coarseMapper_->UseLookupTableScalarRangeOn();
   coarseMapper_->SetInterpolateScalarsBeforeMapping(surfaceMapper_->GetInterpolateScalarsBeforeMapping());
-}
-
-bool MeshActor::isCoarse() const
-{
-  return detail_ == Detail::Coarse && coarse().triangles().size() < shaded_->triangles.size();
 }
 
 void MeshActor::update()

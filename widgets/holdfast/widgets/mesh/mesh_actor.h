@@ -63,18 +63,17 @@ class MeshActor {
   void setMeshEdges(MeshEdges edges);
   /// Switching costs next to nothing once there are coarse triangles.
   void setDetail(Detail detail);
-  /// From where it is looked at next. In coarse detail the backs of a solid are not drawn while this is outside the box
-  /// around it, and no section opens it: without a GPU that takes a third of the time, more or less. Where what is
-  /// solid at rest was turned inside out, full detail shows it.
+  /// The place of the eye. In coarse detail the backs of a solid are not drawn while the eye is outside the box around
+  /// it and no section opens it, which saves a third of the time without a GPU.
   void lookFrom(const Vector3& eye);
 
-  /// What is drawn in full detail of `surface` and `meshEdges`, a part at a time, until the next `setDetail`.
+  /// `surface` and `meshEdges` in full detail, a part at a time, until the next `setDetail`.
   [[nodiscard]] ActorSlices& surfaceSlices() { return surfaceSlices_; }
   [[nodiscard]] ActorSlices& meshEdgeSlices() { return meshEdgeSlices_; }
 
-  /// Draws what a plane keeps alone; none: everything. The mesh is not touched. Moving the plane costs next to nothing.
+  /// Draws only what a plane keeps; none: everything. Moving the plane costs next to nothing.
   void setSection(const std::optional<SectionPlane>& section);
-  /// What cuts the mesh, for others that are drawn on it: it follows `setSection`.
+  /// The planes of `setSection`, for other actors on the mesh.
   [[nodiscard]] vtkPlaneCollection& sectionPlanes() const { return *sectionPlanes_; }
 
   /// How many pixels of the window are one of the picture: widths of lines are in pixels of the picture.
@@ -91,15 +90,18 @@ class MeshActor {
   [[nodiscard]] const std::vector<Index>& vertexOf() const noexcept { return shaded_->vertexOf; }
   [[nodiscard]] const std::shared_ptr<const ShadedSurface>& shaded() const noexcept { return shaded_; }
 
-  /// The points and normals that are drawn, for others to draw on them: they move with the mesh.
+  /// The points and normals that are drawn, for other actors on the mesh.
   [[nodiscard]] vtkPoints& points() const { return *points_; }
   /// In coarse detail they may be older than the points.
   [[nodiscard]] vtkFloatArray& normals() const { return *normals_; }
-  /// What is drawn of a large mesh in coarse detail. Made when it is first asked for, O(T log T); moves with the mesh.
+  /// The mesh in coarse detail. Made by the first call, O(T log T); moves with the mesh.
   [[nodiscard]] const CoarseSurface& coarse() const;
 
  private:
-  [[nodiscard]] bool isCoarse() const;
+  [[nodiscard]] bool isCoarse() const
+  {
+    return detail_ == Detail::Coarse && coarse().triangles().size() < shaded_->triangles.size();
+  }
   void update();
   void updateNormals();
   void colorCoarse();

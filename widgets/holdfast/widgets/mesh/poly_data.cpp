@@ -1,7 +1,6 @@
 #include "holdfast/widgets/mesh/poly_data.h"
 
 #include <algorithm>
-#include <string>
 #include <vector>
 
 #include <vtkCellArray.h>

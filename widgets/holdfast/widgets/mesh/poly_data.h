@@ -32,7 +32,7 @@ namespace holdfast {
 [[nodiscard]] Positions positionsOf(vtkPolyData& polyData);
 
 /// Throws `InputError` about `file` where a cell begins or ends outside the list of corners, or has fewer corners than
-/// its kind needs. VTK's readers take cells as they stand in the file, and the rest of VTK then reads past its buffers.
+/// its kind needs: VTK would read past its buffers.
 void requireSoundCells(vtkPolyData& polyData, const std::string& file);
 
 /// The polygons of `polyData`, whose cells are sound: face f is its f-th polygon. Throws `InputError` about `file`

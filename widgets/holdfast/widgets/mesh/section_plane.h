@@ -1,12 +1,12 @@
 #pragma once
 /// \file
-/// A plane that cuts away what lies on one side of it, so that the inside can be seen.
+/// A plane that cuts away one side, so that the inside can be seen.
 
 #include <holdfast/base/types.h>
 
 namespace holdfast {
 
-/// What lies on the plane, or on the side that `normal` points to, is kept: as VTK's clipping planes do.
+/// Keeps what is on the plane or on the side that `normal` points to, as VTK's clipping planes do.
 struct SectionPlane {
   Vector3 origin = Vector3::Zero();   ///< model units
   Vector3 normal = Vector3::UnitZ();  ///< not zero, of any length

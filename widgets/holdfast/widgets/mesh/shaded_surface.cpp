@@ -53,7 +53,7 @@ ShadedSurface numberPoints(const Model& model, DisjointSets& corners)
   return surface;
 }
 
-/// Sharp edges that hang together.
+/// Connected sharp edges.
 struct Chain {
   Index edges = 0;
   Index vertices = 0;

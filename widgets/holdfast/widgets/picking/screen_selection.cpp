@@ -7,7 +7,7 @@
 namespace holdfast {
 namespace {
 
-// Of a few pixels' height for what fits a screen.
+// A few pixels high for polygons that fit a screen.
 constexpr std::size_t kBands = 256;
 
 ScreenPolygon throughCenters(std::span<const DisplayPoint> pixels)
@@ -78,15 +78,6 @@ void ScreenSelection::advance(Index count)
   const Index end = std::min(next_ + count, surface_->positions().rows());
   for (; next_ < end; ++next_)
     if (isInside(next_)) inside_.push_back(next_);
-}
-
-std::vector<Index> verticesInScreenPolygon(vtkRenderer& renderer, std::shared_ptr<const VisibleSurface> surface,
-                                           std::span<const DisplayPoint> polygon, ScreenReach reach)
-{
-  const Index count = surface->positions().rows();
-  ScreenSelection selection(renderer, std::move(surface), polygon, reach);
-  selection.advance(count);
-  return selection.inside();
 }
 
 }  // namespace holdfast

@@ -37,15 +37,10 @@ enum class ScreenReach {
   Through       ///< what is hidden as well, but not what a section cuts away
 };
 
-/// The vertices of the file that are shown inside `polygon` in the renderer's part of the window; ascending. The
-/// corners of the polygon are pixels as a cursor names them, each meaning its center; it is closed from the last to the
-/// first, and what it encloses is as of `ScreenPolygon`. Vertices that no face uses, those behind the eye and those
-/// that a section cuts away are left out. O(N) and, for `VisibleOnly`, about O(k log T) for k vertices inside.
-[[nodiscard]] std::vector<Index> verticesInScreenPolygon(vtkRenderer& renderer,
-                                                         std::shared_ptr<const VisibleSurface> surface,
-                                                         std::span<const DisplayPoint> polygon, ScreenReach reach);
-
-/// The same a few vertices at a time, for a window that answers in between.
+/// The vertices of the file that are shown inside `polygon` in the renderer's part of the window, found a few at a
+/// time, so that a window can answer in between. Corners are pixels as a cursor names them, each meaning its center.
+/// Vertices that no face uses, that are behind the eye or that a section cuts away are left out. O(N) and, for
+/// `VisibleOnly`, about O(k log T) for k vertices inside.
 class ScreenSelection {
  public:
   /// Sees what `renderer` shows now of `surface`, which is not null.

@@ -1,7 +1,6 @@
 #include "holdfast/widgets/picking/surface_picker.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include <holdfast/widgets/camera/display_transform.h>

@@ -14,7 +14,7 @@ class vtkRenderer;
 
 namespace holdfast {
 
-/// What a click may name.
+/// What a click may pick.
 enum class PickKind {
   Nearest,  ///< a vertex near the cursor, or else an edge, or else the point of the face
   Vertex,

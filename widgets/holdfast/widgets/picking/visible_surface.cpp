@@ -34,11 +34,6 @@ VisibleSurface VisibleSurface::movedTo(std::shared_ptr<const Positions> position
   return moved;
 }
 
-std::span<const Index> VisibleSurface::trianglesAt(Index vertex) const
-{
-  return trianglesOf_->of(model_->solverMesh.weld.unknownOf[vertex]);
-}
-
 RayRange VisibleSurface::keptPart(const Ray& ray, const RayRange& range) const
 {
   if (!section_) return range;

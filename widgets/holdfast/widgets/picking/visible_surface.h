@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What of a model's surface can be seen from where.
+/// Which parts of a model's surface are visible.
 
 #include <memory>
 #include <optional>
@@ -15,8 +15,8 @@
 
 namespace holdfast {
 
-/// The triangles of one model at some positions, hit by rays. Triangles are numbered as in the model's triangulation.
-/// Never changes, and shares with its copies, and with those that have moved, whatever it can.
+/// The triangles of one model at some positions, hit by rays, numbered as in the model's triangulation. Never changes;
+/// copies share its data.
 class VisibleSurface {
  public:
   /// At rest. `model` stays alive as long as this. O(T log T).
@@ -41,7 +41,10 @@ class VisibleSurface {
 
   /// The triangles at a vertex of the file and at all that are the same unknown; ascending, none for a vertex that no
   /// face uses.
-  [[nodiscard]] std::span<const Index> trianglesAt(Index vertex) const;
+  [[nodiscard]] std::span<const Index> trianglesAt(Index vertex) const
+  {
+    return trianglesOf_->of(model_->solverMesh.weld.unknownOf[vertex]);
+  }
 
   /// Whether a place is not cut away.
   [[nodiscard]] bool isKept(const Vector3& place) const { return !section_ || holdfast::isKept(*section_, place); }

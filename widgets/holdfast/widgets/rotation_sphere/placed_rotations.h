@@ -15,7 +15,7 @@ namespace holdfast {
 /// places stay. Ascending; all where there are no more than `most`. O(N).
 [[nodiscard]] std::vector<Index> thinnedPlaces(const std::vector<Vector3>& places, Index most, double finest);
 
-/// Of more points, as many are drawn, spread evenly: they would hide one another. Each one is found by a click.
+/// The most points that are drawn, spread evenly. A click finds the others too.
 inline constexpr Index kMostSpherePoints = 20'000;
 
 /// Which point is whose: one for each unknown of a mesh that a face uses.
@@ -28,7 +28,7 @@ struct SphereVertices {
 /// O(N).
 [[nodiscard]] SphereVertices sphereVertices(const Model& model);
 
-/// What the sphere shows of one deformation.
+/// The points of one deformation on the sphere.
 struct PlacedRotations {
   std::shared_ptr<const SphereVertices> vertices;
   std::vector<BoundaryRotation> boundary;  ///< what is prescribed

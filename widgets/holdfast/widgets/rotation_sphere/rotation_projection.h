@@ -2,15 +2,12 @@
 /// \file
 /// Rotations as places on a sphere that can be looked at: where the unit quaternion exp(q) of a logarithm is drawn.
 ///
-/// Unit quaternions fill a sphere in four dimensions. What is prescribed (fixed vertices, q = 0, and a handle or two)
-/// spans a flat of three of them, and so does every blend of its logarithms: the picture is the unit sphere in that
-/// flat, and nothing is lost. The identity is its north pole; a turn by an angle lies half that angle from the pole, in
-/// the direction of its axis: half turns on the equator, one whole turn at the south pole. Arcs from the pole, and all
-/// other great arcs, are what they are. A turn by 270 degrees is not one by -90, so nothing is folded at a half turn,
-/// as it would be in a ball of vector parts; on a sphere an angle can be read against rings, in a ball it cannot.
-/// Beyond a whole turn the place rises above the sphere, a shell for each turn, so that a second turn does not hide the
-/// first. Where more is prescribed than one flat holds, the picture is the shadow on the flat that holds most: what
-/// leaves it lies below the surface.
+/// Unit quaternions are a sphere in four dimensions. The prescribed rotations (fixed vertices, q = 0, and a handle or
+/// two) and all blends of their logarithms are in a subspace of three dimensions: the picture is the unit sphere in it.
+/// The identity is the north pole; a rotation is half its angle away from the pole, in the direction of its axis: half
+/// turns are on the equator, one whole turn is the south pole. A rotation by 270 degrees is not one by -90. Beyond a
+/// whole turn places are above the sphere, one shell for each turn. Where the prescribed rotations need more
+/// dimensions, the picture is the projection onto the subspace that holds most: other places are below the surface.
 
 #include <string>
 #include <vector>
@@ -37,11 +34,11 @@ inline constexpr double kTurnRise = 0.12;
 /// The different rotations that the constraints of `deformation` prescribe, in the user's order. O(n log n).
 [[nodiscard]] std::vector<BoundaryRotation> boundaryRotations(const DeformResult& deformation);
 
-/// Whether anything is asked to turn.
+/// Whether any prescribed rotation is not zero.
 [[nodiscard]] bool hasRotation(const std::vector<BoundaryRotation>& boundary);
 
-/// The frame that shows most of `boundary`; `before` where that shows about as much, so that a drag does not turn the
-/// picture over.
+/// The frame that shows most of `boundary`; `before` where that shows about as much, so that a drag does not flip the
+/// picture.
 [[nodiscard]] SphereFrame sphereFrame(const std::vector<BoundaryRotation>& boundary, const SphereFrame& before);
 
 /// Where exp(q) is in the picture: z is the pole.

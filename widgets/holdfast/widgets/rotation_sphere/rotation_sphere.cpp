@@ -39,12 +39,12 @@ constexpr std::size_t kMostJoined = 12;
 // So would their names.
 constexpr std::size_t kMostNamed = 24;
 
-// In radii: where names of axes stand, and how much of an axis must lie in the picture for it to be named.
+// In radii: the place of the names of axes, and how much of an axis must be in the picture for it to be named.
 constexpr double kAxisNameRadius = 1.1;
 constexpr double kNamedAxis = 0.5;
 constexpr std::array<const char*, 3> kAxisNames{"x", "y", "z"};
 
-// Names of rings and axes are hidden from where the surface has turned away from the eye.
+// Names of rings and axes are hidden where the surface faces away from the eye.
 constexpr double kFarText = -0.1;
 
 void makeBalls(vtkActor& actor)
@@ -70,7 +70,7 @@ RotationSphere::RotationSphere()
   for (vtkActor* const actor : {points_.Get(), balls_.Get(), mark_.Get()}) makeBalls(*actor);
   for (vtkActor* const actor : {rings_.Get(), arcs_.Get()}) actor->GetProperty()->LightingOff();
   shell_->GetProperty()->SetOpacity(kShellOpacity);
-  // Nearly flat, so that the colours of points are told apart at the rim too.
+  // Nearly flat, so that the colours of points differ at the rim too.
   shell_->GetProperty()->SetAmbient(0.6);
   shell_->GetProperty()->SetDiffuse(0.4);
   // The far half is what is seen through the near one.

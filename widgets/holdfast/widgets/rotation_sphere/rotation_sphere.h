@@ -48,10 +48,9 @@ class RotationSphere {
 
   /// Not null. O(number of points that are drawn).
   void show(std::shared_ptr<const PlacedRotations> placed);
-  /// What is shown; without any point before the first.
+  /// The last one; without any point before the first.
   [[nodiscard]] const PlacedRotations& placed() const noexcept { return *placed_; }
-  /// As the mesh is coloured; in one colour where there is nothing. One value for each vertex of the file: set anew
-  /// with rotations of another.
+  /// As the mesh is coloured, one value for each vertex of the file; none: one colour.
   void setColoring(const std::optional<Coloring>& coloring);
   /// Marks the point of a vertex of the file. None, and vertices that no face uses: no mark.
   void mark(std::optional<Index> vertex);
@@ -67,7 +66,7 @@ class RotationSphere {
   /// Where the point of a vertex of the file is in the window, pixels from its lower left corner; none without one.
   [[nodiscard]] std::optional<DisplayPoint> displayPlace(Index vertex) const;
 
-  /// What draws the points that are drawn, in their order: its mapper colours them.
+  /// The actor of the points; its mapper colours them.
   [[nodiscard]] vtkActor& points() const { return *points_; }
 
  private:

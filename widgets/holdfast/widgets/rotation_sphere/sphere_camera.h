@@ -16,7 +16,7 @@ namespace holdfast {
 /// Shows all `places`, at least one, from a little beside their middle; the whole sphere where they reach around it.
 void lookAtPlaces(vtkCamera& camera, const std::vector<Vector3>& places);
 
-/// Turns the sphere before the camera, as a hand on its near side that moves to the right and up; radians.
+/// Rotates the sphere: its near side moves to the right and up by so many radians.
 void turnSphere(vtkCamera& camera, double right, double up);
 
 /// Shows what is in the picture `factor` times as large, within bounds.

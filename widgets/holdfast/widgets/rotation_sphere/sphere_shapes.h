@@ -14,7 +14,7 @@ class vtkPolyData;
 
 namespace holdfast {
 
-/// What a ring stands for, and where that is written.
+/// The name of a ring and its place.
 struct RingName {
   std::string text;
   Vector3 place;

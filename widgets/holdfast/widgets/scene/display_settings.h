@@ -1,20 +1,20 @@
 #pragma once
 /// \file
-/// What a user chooses about how a document is shown. Nothing of it changes the document.
+/// A user's choices about the display of a document. They do not change the document.
 
 #include <holdfast/widgets/color/coloring.h>
 #include <holdfast/widgets/scene/scene_contents.h>
 
 namespace holdfast {
 
-/// What the surface is coloured by, and how.
+/// The field that colours the surface, and its scale.
 struct ColorSettings {
   ColorBy field = ColorBy::Displacement;
   ColorRange range = AutomaticRange{};  ///< `whyNoRange` of it is empty
   ColorMap map = ColorMap::BlueGreenYellow;
 };
 
-/// What is shown beside the deformed surface.
+/// The things beside the deformed surface.
 struct DisplaySettings {
   RestGhost rest = RestGhost::Edges;
   MeshEdges edges = MeshEdges::Sharp;

@@ -6,7 +6,7 @@
 
 namespace holdfast {
 
-/// A sheet that is pinned, pulled and turned, with constraints that repeat, that conflict, and one that is disabled.
+/// A sheet that is pinned, pulled and rotated, with constraints that repeat, that conflict, and one that is disabled.
 struct ExampleDocument {
   Model model;
   ConstraintList list;

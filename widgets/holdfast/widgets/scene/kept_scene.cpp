@@ -1,6 +1,5 @@
 #include "holdfast/widgets/scene/kept_scene.h"
 
-#include <array>
 #include <vector>
 
 #include <vtkCamera.h>

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Drawing what follows the cursor again without the scene under it.
+/// Drawing layers above a scene again without the scene.
 
 #include <array>
 
@@ -12,9 +12,8 @@ class vtkRenderer;
 
 namespace holdfast {
 
-/// Keeps colours and depths of a scene each time that it is drawn, so that layers above it can be drawn anew onto the
-/// same scene. A picture from `drawLayersAbove` is the one that drawing everything would give, pixel for
-/// pixel.
+/// Keeps colours and depths of a scene each time that it is drawn, so that layers above it can be drawn again onto it.
+/// `drawLayersAbove` gives the picture that drawing everything would give, pixel for pixel.
 class KeptScene {
  public:
   /// The layers from that of `scene` to that of `last`, which may be the same one; no other renderer is in the layer of

@@ -9,7 +9,7 @@ namespace holdfast {
 /// A key light from above, a fill light and a head light; they move with the camera.
 void addLights(vtkRenderer& renderer);
 
-/// Nearly white below, a breath of grey above: paper stays paper.
+/// White below, light grey above.
 void addBackground(vtkRenderer& renderer);
 
 }  // namespace holdfast

@@ -57,7 +57,7 @@ class Scene {
   Scene(const Model& model, const DeformResult& deformation, const SceneOptions& options);
 
   [[nodiscard]] vtkRenderWindow& window() const { return *window_; }
-  /// What shows the mesh; its camera can be moved.
+  /// Its camera can be moved.
   [[nodiscard]] vtkRenderer& meshRenderer() const { return *meshRenderer_; }
   [[nodiscard]] SceneContents& contents() { return contents_; }
   [[nodiscard]] MeshActor& mesh() { return contents_.mesh(); }

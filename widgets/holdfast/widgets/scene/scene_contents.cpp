@@ -65,7 +65,6 @@ std::vector<vtkActor*> SceneContents::actors() const
   add(arrows_.actors());
   add({&selection_.dots()});
   add(glyphs_.actors());
-  add(preview_.actors());
   add({&mesh_.edges(), &rest_.edges(), &rest_.surface()});
   return all;
 }
@@ -73,21 +72,16 @@ std::vector<vtkActor*> SceneContents::actors() const
 void SceneContents::show(const DeformResult& deformation, const std::vector<DisabledPlace>& disabled)
 {
   showShape(deformation);
-  showConstraints(deformation, disabled);
+  std::vector<ConstraintMark> marks = constraintMarks(mesh_.model(), deformation);
+  for (ConstraintMark& mark : disabledMarks(mesh_.model(), disabled, deformation.positions))
+    marks.push_back(std::move(mark));
+  setMarks(std::move(marks));
 }
 
 void SceneContents::showShape(const DeformResult& deformation)
 {
   rotations_ = deformation.rotations;
   setPositions(deformation.positions);
-}
-
-void SceneContents::showConstraints(const DeformResult& deformation, const std::vector<DisabledPlace>& disabled)
-{
-  std::vector<ConstraintMark> marks = constraintMarks(mesh_.model(), deformation);
-  for (ConstraintMark& mark : disabledMarks(mesh_.model(), disabled, deformation.positions))
-    marks.push_back(std::move(mark));
-  setMarks(std::move(marks));
 }
 
 void SceneContents::setPositions(const Positions& positions)
@@ -135,11 +129,6 @@ void SceneContents::setRotationDisplay(RotationDisplay display)
   updateArrows();
 }
 
-void SceneContents::setPreview(const std::optional<PreviewedPoint>& point)
-{
-  preview_.set(point);
-}
-
 void SceneContents::setDetail(Detail detail)
 {
   detail_ = detail;
@@ -150,7 +139,7 @@ void SceneContents::updateDetail()
 {
   mesh_.setDetail(detail_);
   selection_.setDetail(detail_);
-  // Faint as it is, nobody sees that it has fewer triangles.
+  // The surface is too faint for its fewer triangles to be seen.
   if (ghost_ == RestGhost::Surface) rest_.setDetail(Detail::Coarse);
 }
 
@@ -171,7 +160,6 @@ void SceneContents::resize()
   mesh_.setPixelRatio(pixelRatio_);
   rest_.setPixelRatio(pixelRatio_);
   glyphs_.setBallPixels(pixelRatio_ * ballSize_);
-  preview_.setBallPixels(pixelRatio_ * ballSize_);
   selection_.setDotPixels(kSelectionDotSize * pixelRatio_ * ballSize_);
 }
 

@@ -9,7 +9,6 @@
 
 #include <holdfast/widgets/color/coloring.h>
 #include <holdfast/widgets/marks/constraint_glyphs.h>
-#include <holdfast/widgets/marks/point_preview.h>
 #include <holdfast/widgets/marks/rotation_glyphs.h>
 #include <holdfast/widgets/marks/selection_overlay.h>
 #include <holdfast/widgets/mesh/mesh_actor.h>
@@ -27,8 +26,8 @@ enum class RestGhost {
 
 enum class RotationDisplay { Hidden, Arrows };
 
-/// The mesh, its shape at rest, constraints, selection, the point under the cursor and rotations: actors that a
-/// renderer shows. Nothing is drawn by itself: change what is to change, then render once.
+/// The actors of the mesh, its shape at rest, constraints, selection and rotations. Nothing is drawn by itself: make
+/// all changes, then render once.
 class SceneContents {
  public:
   /// At rest, in one colour, without constraints. `model` stays alive as long as this. O(T log T).
@@ -49,8 +48,6 @@ class SceneContents {
 
   /// The shape of it alone.
   void showShape(const DeformResult& deformation);
-  /// Its constraints alone, and those that are disabled. O(marks).
-  void showConstraints(const DeformResult& deformation, const std::vector<DisabledPlace>& disabled);
 
   /// Moves the mesh and the selection on it, nothing else: one row for each vertex of the file. O(T).
   void setPositions(const Positions& positions);
@@ -74,12 +71,11 @@ class SceneContents {
   void setMeshEdges(MeshEdges edges) { mesh_.setMeshEdges(edges); }
   void setRotationDisplay(RotationDisplay display);
   void setSelection(const std::vector<Index>& fileVertices) { selection_.set(fileVertices); }
-  void setPreview(const std::optional<PreviewedPoint>& point);
   /// The shape at rest, where it is shown as a surface, is that of coarse detail in both.
   void setDetail(Detail detail);
   /// As `MeshActor::lookFrom`.
   void lookFrom(const Vector3& eye) { mesh_.lookFrom(eye); }
-  /// What is large of what is shown in full detail, in the order in which it is drawn, before all else.
+  /// The large actors that are shown, in full detail, in the order of drawing: they are drawn first.
   [[nodiscard]] std::vector<ActorSlices*> slices();
 
   /// How many pixels of the window are one of the screen as users see it, or of a finished picture.
@@ -112,7 +108,6 @@ class SceneContents {
   SelectionOverlay selection_;
   RotationGlyphs arrows_;
   ConstraintGlyphs glyphs_;
-  PointPreview preview_;
 };
 
 }  // namespace holdfast

@@ -12,8 +12,8 @@
 namespace holdfast {
 namespace {
 
-/// Whether the renderer draws onto the picture that is there, or begins anew. Without `SetErase`, by which VTK leaves
-/// OpenGL in the state that a widget of Qt has left it in: without a test of depths.
+/// Whether the renderer draws onto the picture that is there. Not by `SetErase`, with which VTK keeps Qt's state of
+/// OpenGL: without a test of depths.
 void setOnTop(vtkRenderer& renderer, bool isOnTop)
 {
   renderer.SetPreserveColorBuffer(isOnTop ? 1 : 0);

@@ -23,8 +23,8 @@ class SlicedDrawing {
   /// Begins a picture of `contents`, which stays as it is until the picture is done or abandoned. One under way is
   /// abandoned.
   void begin(SceneContents& contents);
-  /// Orders the next part, and at last shows the picture. One is under way. Drivers draw later than they are told, and
-  /// what is shown is waited for: who wants to answer in between lets each part be drawn before the next.
+  /// Orders the next part, and at last shows the picture. One is under way. Drivers draw later, and showing waits for
+  /// them: a window that answers in between lets each part be drawn before the next.
   void advance();
   [[nodiscard]] bool isUnderWay() const noexcept { return contents_ != nullptr; }
   /// As if it had not begun: what was shown before is still shown.

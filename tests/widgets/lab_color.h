@@ -1,0 +1,18 @@
+#pragma once
+/// \file
+/// Colours as people see them.
+
+#include <holdfast/widgets/color/color_map.h>
+
+namespace holdfast::test {
+
+/// CIE L*a*b* under D65: equal distances look about equally large.
+struct LabColor {
+  double lightness = 0;  ///< 0 black, 100 white
+  double a = 0;
+  double b = 0;
+};
+
+[[nodiscard]] LabColor toLab(const Color& color);
+
+}  // namespace holdfast::test
