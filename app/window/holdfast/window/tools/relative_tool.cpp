@@ -1,4 +1,5 @@
 #include <vtkNew.h>
+#include <vtkRenderer.h>
 
 #include <holdfast/base/error.h>
 #include <holdfast/widgets/interaction/interaction_events.h>
