@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "gestures.h"
 #include "open_window.h"
 
 namespace holdfast {
@@ -35,7 +36,7 @@ TEST_F(PicturesOfViewport, ComeOnceForAllRequestsOfOneTurn)
   QObject::connect(&viewport(), &Viewport::rendered, &viewport(), [&] { ++pictures; });
   for (int k = 0; k < 3; ++k) viewport().scheduleRender();
   EXPECT_EQ(pictures, 0);
-  ASSERT_TRUE(settle());
+  ASSERT_TRUE(test::waitUntil([&] { return pictures > 0; }));
   EXPECT_EQ(pictures, 1);
 }
 

@@ -50,7 +50,7 @@ QRectF HistogramView::plot() const
   for (const Tick& tick : countTicks(largestCount()))
     widest = std::max(widest, metrics.horizontalAdvance(QString::fromStdString(tick.text)));
   const double line = metrics.height();
-  return QRectF(rect()).adjusted(line + widest + 3 * kGap, kGap, -line, -2 * (line + kGap));
+  return QRectF(rect()).adjusted(line + widest + 3 * kGap, kGap, -1.5 * line, -2 * (line + kGap));
 }
 
 void HistogramView::paintEvent(QPaintEvent* /*event*/)

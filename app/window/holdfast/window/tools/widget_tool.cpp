@@ -2,7 +2,9 @@
 
 #include <QKeyEvent>
 
+#include <QVTKInteractor.h>
 #include <vtkAbstractWidget.h>
+#include <vtkRenderer.h>
 
 #include <holdfast/window/viewport/viewport.h>
 
