@@ -2,7 +2,6 @@
 //   drag_point MESH.obj RESULT.obj [RECORDING]      RECORDING: of vtkInteractorEventRecorder, played instead of a hand
 #include <fstream>
 #include <iostream>
-#include <sstream>
 
 #include <vtkInteractorEventRecorder.h>
 #include <vtkRenderWindow.h>
@@ -70,13 +69,8 @@ try {
   DragPoint tool(model);
   vtkNew<vtkInteractorEventRecorder> player;
   player->SetInteractor(tool.interactor);
-  player->ReadFromInputStringOn();
-  if (argc > 3) {
-    std::stringstream recording;
-    recording.exceptions(std::ios::failbit);
-    recording << std::ifstream(argv[3]).rdbuf();
-    player->SetInputString(recording.str().c_str());
-  }
+  if (argc > 3 && !std::ifstream(argv[3])) throw std::runtime_error(argv[3] + std::string(" cannot be read"));
+  if (argc > 3) player->SetFileName(argv[3]);
   argc > 3 ? player->Play() : tool.interactor->Start();
   writeMesh(argv[2], file, tool.point->GetPlacer()->GetSurface()->positions());
 } catch (const std::exception& error) {

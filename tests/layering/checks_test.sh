@@ -19,7 +19,7 @@ plant_clean_tree() {
   sed -i '/mesh.h/d' "$tree/core/holdfast/base/clean.cpp"
   echo '#include <vtkPolyData.h>' >"$tree/widgets/holdfast/widgets/scene/actor.cpp"
   touch "$tree/core/holdfast/mesh/weld.h"
-  printf '%s\n' '// Of vertices.' '#include "holdfast/mesh/solver_mesh.h"' '#include <vector>' >"$tree/core/holdfast/mesh/weld.cpp"
+  printf '%s\n' '// Of vertices.' '#include "holdfast/mesh/weld.h"' '#include <vector>' >"$tree/core/holdfast/mesh/weld.cpp"
   echo '#include <holdfast/widgets/scene/actor.h>' >"$tree/app/batch/picture.cpp"
   mkdir "$tree/docs"
   {
@@ -105,7 +105,7 @@ for word in TO''DO FIX''ME; do
 done
 for folder in core/holdfast/mesh app/window/holdfast/window/panels; do
   touch "$tree/$folder/leak.h"
-  for leak in '#include <vector>' "#include <holdfast/${folder#*/holdfast/}/leak.h>" '#include "holdfast/mesh/solver_mesh.h"'; do
+  for leak in '#include <vector>' "#include <holdfast/${folder#*/holdfast/}/leak.h>" '#include "holdfast/mesh/weld.h"'; do
     expect_found check_own_headers.sh "$folder/leak.cpp" "$leak"
   done
   rm "$tree/$folder/leak.h"

@@ -12,6 +12,7 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkRenderer.h>
 
+#include <holdfast/widgets/marks/point_preview.h>
 #include <holdfast/widgets/mesh/poly_data.h>
 #include <holdfast/widgets/scene/scene_contents.h>
 
