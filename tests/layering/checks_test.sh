@@ -58,6 +58,16 @@ expect_clean check_words.sh
 expect_clean check_own_headers.sh
 printf '%s\n' 'enum class Kind { Thing };  // an Oldie' 'const Newcomer text("Oldie");' >"$tree/core/holdfast/mesh/terms.cpp"
 expect_clean check_terms.sh
+recipe=$'## A mesh\n\nFollow `weld.h`. Then go on.\n\n- `core/holdfast/mesh/weld.cpp`: welds\n'
+echo "$recipe" >"$tree/docs/recipes.md"
+expect_clean check_recipes.sh
+for wrong in "${recipe/weld.cpp/solid.cpp}" "${recipe/weld.h/mesh.h}" "$recipe- \`core/holdfast/mesh/weld.h\`: too many" ""; do
+  echo "$wrong" >"$tree/docs/recipes.md"
+  if "$here/check_recipes.sh" "$tree" >/dev/null; then
+    echo "check_recipes.sh passes this page: $wrong"
+    failures=1
+  fi
+done
 
 for leak in '#include <vtkPolyData.h>' '#  include "vtkNew.h"' '#include <QVTKOpenGLNativeWidget.h>' '#include <QWidget>' \
   '#include <QtCore/QObject>' '#include <qobject.h>' '#include "QtWidgets/qwidget.h"' '#include "QWidget"'; do
