@@ -15,7 +15,7 @@ namespace holdfast {
 /// round; but for these no motion is exactly the list that there was.
 class ConstraintDrag {
  public:
-  /// Of `constraints`, places in the list, points and handles that are enabled move; others stay. Throws `InputError`
+  /// Enabled points and handles among `constraints`, places in the list, move; others stay. Throws `InputError`
   /// where one of these does not fit the mesh; `source` names the list. `model` stays alive as long as this. O(N) per
   /// handle and fixed region.
   ConstraintDrag(const Model& model, const ConstraintList& list, std::span<const Index> constraints,

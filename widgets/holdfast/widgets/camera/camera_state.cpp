@@ -26,7 +26,7 @@ constexpr double kRiseOverFlatDegrees = 36;
 // A long lens: parallel edges stay nearly parallel.
 constexpr double kViewAngleDegrees = 18;
 
-// Of the picture's height and width.
+// A share of the picture's height and width.
 constexpr double kMargin = 0.06;
 
 /// How far the points reach along each of the directions, in lengths of it.

@@ -161,7 +161,7 @@ GizmoPart hitGizmo(const ViewGeometry& view, const GizmoPlacement& placement, co
     if (hit != GizmoPart::None && kindOf(part) != kindOf(hit)) break;
     if (visibilityOf(part, placement.frame, view) < kLeastVisible) continue;
     const double distance = distances.to(part);
-    // Of equals the first: what is inside a square is at no distance from it.
+    // The first of equals: what is inside a square is at no distance from it.
     if (distance < nearest || (hit == GizmoPart::None && distance == nearest)) {
       hit = part;
       nearest = distance;

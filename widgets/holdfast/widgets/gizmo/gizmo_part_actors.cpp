@@ -40,7 +40,7 @@ unsigned char byteOf(double share)
 constexpr double kStepDegrees = 3;
 constexpr double kSectorOpacity = 0.20;
 
-// Of the radius of the outer ring.
+// A share of the radius of the outer ring.
 constexpr double kLineWidth = 0.018;
 constexpr double kEndSize = 0.075;
 

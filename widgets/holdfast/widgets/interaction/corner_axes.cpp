@@ -18,11 +18,11 @@
 namespace holdfast {
 namespace {
 
-// Of the window at a ratio of 1, as VTK has it.
+// Pixels of the window at a ratio of 1, as VTK has it.
 constexpr double kSizePixels = 120;
 constexpr double kPaddingPixels = 10;
 
-// Of the cosine: both balls of an axis are then in the same pixels.
+// The cosine: both balls of an axis are then in the same pixels.
 constexpr double kFacing = 1e-4;
 
 // Balls and letters are some twenty pixels wide.
@@ -30,7 +30,7 @@ constexpr int kBallSides = 16;
 constexpr int kShaftSides = 6;
 constexpr int kLetterPoints = 24;
 
-// Of the superclass: the origin, the ends of the shafts, the centers of the balls; along x, -x, y, -y, z, -z.
+// Points of the superclass: the origin, the ends of the shafts, the centers of the balls; along x, -x, y, -y, z, -z.
 constexpr int kFirstEnd = 1;
 constexpr int kFirstBall = 7;
 

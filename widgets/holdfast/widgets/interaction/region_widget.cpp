@@ -12,7 +12,7 @@
 namespace holdfast {
 namespace {
 
-// Of the radius.
+// A share of the radius.
 constexpr double kDabSpacing = 0.4;
 
 constexpr double kLeastBrushPixels = 4;

@@ -88,11 +88,12 @@ class RegionWidget : public vtkAbstractWidget {
   void SetSurface(std::shared_ptr<const VisibleSurface> surface);
   [[nodiscard]] const std::shared_ptr<const VisibleSurface>& GetSurface() const { return this->Surface; }
 
-  /// Of the surface's model; null (the default): no brush and no sides. Another one cancels the gesture under way.
+  /// Those of the surface's model; null (the default): no brush and no sides. Another one cancels the gesture under
+  /// way.
   void SetRegions(std::shared_ptr<VertexRegions> regions);
   [[nodiscard]] const std::shared_ptr<VertexRegions>& GetRegions() const { return this->Regions; }
 
-  /// Of the brush, pixels of a display of ordinary resolution; from 4 to 300, by default 24.
+  /// The radius of the brush, pixels of a display of ordinary resolution; from 4 to 300, by default 24.
   void SetBrushRadius(double pixels);
   vtkGetMacro(BrushRadius, double);
 

@@ -43,7 +43,7 @@ class SurfaceCurveWidget : public vtkContourWidget {
 
   /// Null (the default): no curve. Positions may change at any time; a surface of another model removes the curve.
   void SetSurface(std::shared_ptr<const VisibleSurface> surface);
-  /// Of the surface's model; null (the default): clicks are refused.
+  /// Those of the surface's model; null (the default): clicks are refused.
   void SetRegions(std::shared_ptr<const VertexRegions> regions)
   {
     this->GetSurfaceCurveRepresentation()->SetRegions(std::move(regions));

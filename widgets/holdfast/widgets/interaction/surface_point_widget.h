@@ -49,7 +49,7 @@ class SurfacePointWidget : public vtkAbstractWidget {
   /// As a key does, without `WidgetValueChangedEvent`.
   void SetKind(PickKind kind);
   [[nodiscard]] PickKind GetKind() const { return this->Placer->GetKind(); }
-  /// Of placer and representation.
+  /// The ratio of placer and representation.
   void SetPixelRatio(double ratio);
   [[nodiscard]] double GetPixelRatio() const { return this->Placer->GetPixelRatio(); }
   /// It finds the point at the cursor. Set its `SnapPixels` here, all else above.

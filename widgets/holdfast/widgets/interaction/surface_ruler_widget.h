@@ -50,7 +50,7 @@ class SurfaceRulerWidget : public vtkDistanceWidget {
   /// A ruler from `a` to `b`, without events. There is a surface. Throws `InputError`, and changes nothing, where the
   /// mesh does not have a location. O(T log T).
   void SetLocations(const SurfaceLocation& a, const SurfaceLocation& b);
-  /// Of the ends 0 and 1; none while they are not placed.
+  /// The picks of the ends 0 and 1; none while they are not placed.
   [[nodiscard]] std::optional<SurfaceLocation> GetLocation(int end);
   /// No ruler: the next click places its first end. Without events.
   void Clear();

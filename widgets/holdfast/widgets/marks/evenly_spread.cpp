@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kMostTries = 6;
 
-// Of the target.
+// A share of the target.
 constexpr double kFew = 0.85;
 constexpr double kMany = 1.15;
 

@@ -7,7 +7,7 @@
 namespace holdfast {
 namespace {
 
-// Of a ball's diameter.
+// A share of a ball's diameter.
 constexpr double kPreviewBallSize = 0.8;
 constexpr double kShapeSize = 1.4;
 constexpr double kRingSize = 2.4;

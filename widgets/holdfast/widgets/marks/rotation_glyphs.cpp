@@ -20,7 +20,7 @@ namespace {
 constexpr double kLongestArrow = 0.075;
 constexpr double kOutline = 0.0011;
 
-// Of the longest arrow.
+// A share of the longest arrow.
 constexpr double kArrowShaft = 0.035;
 constexpr double kArrowHead = 0.11;
 constexpr double kHeadLength = 0.30;

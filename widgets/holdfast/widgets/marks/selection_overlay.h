@@ -27,7 +27,7 @@ class SelectionOverlay {
 
   /// File vertices, in any order. Those that no face uses do not show. O(T).
   void set(const std::vector<Index>& fileVertices);
-  /// Of the tint, where it covers many triangles.
+  /// That of the tint, where it covers many triangles.
   void setDetail(Detail detail);
 
   /// The diameter of dots, in pixels of the window.

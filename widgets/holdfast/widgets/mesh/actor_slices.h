@@ -23,7 +23,7 @@ inline constexpr Index kSliceCells = 20'000;
 /// when they are first shown, and anew when the cells were replaced.
 class ActorSlices {
  public:
-  /// Of what `whole`, one of the mappers of `actor`, draws: its polygons, or its lines where it has none. Both stay
+  /// Slices what `whole`, one of the mappers of `actor`, draws: its polygons, or its lines where it has none. Both stay
   /// alive as long as this.
   ActorSlices(vtkActor& actor, vtkPolyDataMapper& whole);
   ActorSlices(const ActorSlices&) = delete;

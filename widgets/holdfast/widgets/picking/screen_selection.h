@@ -51,7 +51,7 @@ class ScreenSelection {
   void advance(Index count);
   [[nodiscard]] bool isDone() const { return next_ == surface_->positions().rows(); }
 
-  /// Of the vertices looked at so far those inside, ascending.
+  /// The vertices looked at so far that are inside, ascending.
   [[nodiscard]] const std::vector<Index>& inside() const noexcept { return inside_; }
 
  private:

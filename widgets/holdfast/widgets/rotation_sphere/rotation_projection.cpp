@@ -25,7 +25,7 @@ constexpr double kPreference = 1e-9;
 // The frame stays as long as it hides no more than this share beyond what the best one hides.
 constexpr double kHiddenShare = 0.02;
 
-// Of the sine of the angle between two axes: about rounding.
+// The sine of the angle between two axes: about rounding.
 constexpr double kSameAxis = 1e-9;
 
 constexpr double kArcStep = 2 * std::numbers::pi / 180;

@@ -14,7 +14,7 @@ namespace {
 constexpr double kGhostEdgeOpacity = 0.22;
 constexpr double kGhostSurfaceOpacity = 0.16;
 
-// Of a ball's diameter.
+// A share of a ball's diameter.
 constexpr double kSelectionDotSize = 0.42;
 
 }  // namespace

@@ -11,7 +11,7 @@
 
 namespace holdfast {
 
-/// Of the background of texts.
+/// The lightness of the background of texts.
 enum class Lightness { Light, Dark };
 [[nodiscard]] Lightness lightnessOf(const QPalette& palette);
 
