@@ -1,13 +1,13 @@
 #include "batch/mesh_formats.h"
 
 #include <algorithm>
-#include <cctype>
 #include <stdexcept>
 #include <vector>
 
 #include <fmt/ranges.h>
 
 #include <holdfast/base/error.h>
+#include <holdfast/base/lower_case.h>
 #include <holdfast/base/printable.h>
 #include <holdfast/io/mesh_file.h>
 #ifdef HOLDFAST_WITH_VTK
@@ -37,10 +37,7 @@ std::vector<std::string_view> anyOutputExtensions()
 
 std::string extensionOf(const std::filesystem::path& path)
 {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
+  return lowerCase(path.extension().string());
 }
 
 std::string knownFormats()

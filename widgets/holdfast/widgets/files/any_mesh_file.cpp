@@ -1,9 +1,7 @@
 #include "holdfast/widgets/files/any_mesh_file.h"
 
-#include <algorithm>
-#include <cctype>
-
 #include <holdfast/base/error.h>
+#include <holdfast/base/lower_case.h>
 #include <holdfast/io/mesh_file.h>
 #include <holdfast/widgets/files/poly_data_file.h>
 
@@ -12,10 +10,7 @@ namespace {
 
 std::string extensionOf(const std::filesystem::path& path)
 {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
+  return lowerCase(path.extension().string());
 }
 
 }  // namespace

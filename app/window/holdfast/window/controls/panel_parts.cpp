@@ -86,4 +86,10 @@ void HintedContent::showHint(const QString& hint)
   setCurrentIndex(0);
 }
 
+void RefreshedPanel::showEvent(QShowEvent* event)
+{
+  refresh();
+  QWidget::showEvent(event);
+}
+
 }  // namespace holdfast

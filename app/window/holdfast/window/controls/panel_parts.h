@@ -44,6 +44,16 @@ void setTableLook(QTableView& table);
 /// The reason why an edit was refused, in the colour of conflicts.
 void showRefusal(QLabel& label, const QString& reason);
 
+/// A panel that follows what it shows while it is seen, and catches up when it comes into view.
+class RefreshedPanel : public QWidget {
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  /// Does nothing that takes long while the panel is hidden.
+  virtual void refresh() = 0;
+};
+
 /// The content of a panel, or a hint in its place.
 class HintedContent : public QStackedWidget {
  public:

@@ -16,7 +16,7 @@
 namespace holdfast {
 namespace {
 
-class InspectorPanel : public QWidget {
+class InspectorPanel final : public RefreshedPanel {
  public:
   explicit InspectorPanel(Editor& editor) : editor_(editor)
   {
@@ -52,13 +52,6 @@ class InspectorPanel : public QWidget {
     refresh();
   }
 
- protected:
-  void showEvent(QShowEvent* event) override
-  {
-    refresh();
-    QWidget::showEvent(event);
-  }
-
  private:
   struct Part {
     QLabel* title = nullptr;
@@ -90,7 +83,7 @@ class InspectorPanel : public QWidget {
     parts_.push_back({label, section});
   }
 
-  void refresh()
+  void refresh() override
   {
     if (!isVisible()) return;
     const Rows& rows = editor_.selectedConstraints();

@@ -14,28 +14,6 @@ struct BackgroundJob::Run {
   std::jthread thread;  // its destructor asks for the end and waits
 };
 
-namespace {
-
-class ProgressReporter final : public Progress {
- public:
-  ProgressReporter(std::stop_token stop, std::function<void(const QString&)> report)
-      : stop_(std::move(stop)), report_(std::move(report))
-  {
-  }
-
-  void step(std::string_view description) override
-  {
-    if (stop_.stop_requested()) throw Cancelled();
-    report_(QString::fromUtf8(description.data(), static_cast<int>(description.size())));
-  }
-
- private:
-  std::stop_token stop_;
-  std::function<void(const QString&)> report_;
-};
-
-}  // namespace
-
 BackgroundJob::BackgroundJob(QObject* parent) : QObject(parent) {}
 
 BackgroundJob::~BackgroundJob()
@@ -51,13 +29,15 @@ void BackgroundJob::start(Work work)
   std::erase_if(runs_, [](const auto& run) { return run->hasEnded.load(); });
   const std::uint64_t id = current_ = ++latest_;
   Run& run = *runs_.emplace_back(std::make_unique<Run>());
-  run.thread = std::jthread([this, id, &run, work = std::move(work)](std::stop_token stop) {
+  run.thread = std::jthread([this, id, &run, work = std::move(work)](const std::stop_token& stop) {
     computeInBackground();
-    ProgressReporter progress(std::move(stop), [&](const QString& step) {
-      calls_.post([this, id, step] {
-        if (id == current_) Q_EMIT stepChanged(step);
-      });
-    });
+    StoppableProgress progress(
+        [&] { return stop.stop_requested(); },
+        [&](std::string_view step) {
+          calls_.post([this, id, step = QString::fromUtf8(step.data(), static_cast<int>(step.size()))] {
+            if (id == current_) Q_EMIT stepChanged(step);
+          });
+        });
     std::exception_ptr error;
     try {
       calls_.post([this, id, finish = work(progress)] {

@@ -93,7 +93,7 @@ std::optional<Constraint> agreeing(Constraint constraint, const Vector3& target,
   return constraint;
 }
 
-class ConflictPanel : public QWidget {
+class ConflictPanel final : public RefreshedPanel {
  public:
   explicit ConflictPanel(Editor& editor) : editor_(editor)
   {
@@ -119,13 +119,6 @@ class ConflictPanel : public QWidget {
     refresh();
   }
 
- protected:
-  void showEvent(QShowEvent* event) override
-  {
-    refresh();
-    QWidget::showEvent(event);
-  }
-
  private:
   /// A conflict of the newest deformation.
   struct Conflict {
@@ -140,7 +133,7 @@ class ConflictPanel : public QWidget {
     Conflict conflict;
   };
 
-  void refresh()
+  void refresh() override
   {
     if (!isVisible()) return;
     shown_ = editor_.deformation();

@@ -26,7 +26,7 @@ Rows constraintsOf(const Finding& finding, const Editor& editor)
   return rows;
 }
 
-class FindingsPanel : public QWidget {
+class FindingsPanel final : public RefreshedPanel {
  public:
   FindingsPanel(Editor& editor, const std::function<void(const std::vector<Index>&)>& showVertices)
       : editor_(editor), showVertices_(showVertices)
@@ -40,15 +40,8 @@ class FindingsPanel : public QWidget {
     refresh();
   }
 
- protected:
-  void showEvent(QShowEvent* event) override
-  {
-    refresh();
-    QWidget::showEvent(event);
-  }
-
  private:
-  void refresh()
+  void refresh() override
   {
     if (!isVisible()) return;
     // The report begins with those of the mesh.

@@ -134,7 +134,7 @@ QString reportText(const ReportLines& lines)
   return text;
 }
 
-class ReportPanel : public QWidget {
+class ReportPanel final : public RefreshedPanel {
  public:
   explicit ReportPanel(Editor& editor) : editor_(editor)
   {
@@ -162,13 +162,6 @@ class ReportPanel : public QWidget {
     refresh();
   }
 
- protected:
-  void showEvent(QShowEvent* event) override
-  {
-    refresh();
-    QWidget::showEvent(event);
-  }
-
  private:
   void makeOptions()
   {
@@ -193,7 +186,7 @@ class ReportPanel : public QWidget {
     connect(softWeight_, &NumberEdit::refused, this, &ReportPanel::refuse);
   }
 
-  void refresh()
+  void refresh() override
   {
     refreshOptions();
     if (isVisible()) refreshReport();
