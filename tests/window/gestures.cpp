@@ -13,6 +13,13 @@ namespace {
 
 constexpr int kMillisecondsBetweenLooks = 10;
 
+// Everything takes so many times as long under the thread sanitizer.
+#ifdef __SANITIZE_THREAD__
+constexpr int kSlower = 10;
+#else
+constexpr int kSlower = 1;
+#endif
+
 void send(QWidget& widget, QEvent::Type type, const QPointF& place, Qt::MouseButton button, Qt::MouseButtons buttons,
           Qt::KeyboardModifiers modifiers)
 {
@@ -32,7 +39,7 @@ bool waitUntil(const std::function<bool()>& condition, std::chrono::milliseconds
   QTimer lookAgain;
   lookAgain.start(kMillisecondsBetweenLooks);
   while (!condition()) {
-    if (timer.elapsed() > limit.count()) return false;
+    if (timer.elapsed() > kSlower * limit.count()) return false;
     // Without a time of its own: with one Qt does not wait, and takes a whole core from what is waited for.
     QApplication::processEvents(QEventLoop::WaitForMoreEvents);
   }
