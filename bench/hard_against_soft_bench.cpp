@@ -37,7 +37,7 @@ void takeTurn(Samples& samples, const Model& model, const ConstraintList& constr
 
   const auto [eliminated, eliminationCost] = measure([&] { return eliminate(made.system, model.solverMesh); });
   const auto [solver, factorizationCost] = measure([&] {
-    return factorized(model, made, eliminated, {solverKind, defaultBackend(), 5});
+    return factorized(model, made, eliminated, {solverKind, Backend::Holdfast, 5});
   });
   // Soft constraints need no elimination: it is charged to hard ones alone.
   addFactorization(samples, kind, solverKind == SolverKind::Hard ? eliminationCost : Cost{}, factorizationCost);

@@ -3,7 +3,7 @@
 
 find_path(SuiteSparse_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse)
 set(_suitesparse_libraries)
-foreach(component IN ITEMS spqr umfpack cholmod amd suitesparseconfig)
+foreach(component IN ITEMS spqr umfpack cholmod amd suitesparseconfig lapack blas)
   find_library(SuiteSparse_${component}_LIBRARY ${component})
   mark_as_advanced(SuiteSparse_${component}_LIBRARY)
   list(APPEND _suitesparse_libraries SuiteSparse_${component}_LIBRARY)

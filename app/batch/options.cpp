@@ -23,8 +23,8 @@ const std::map<std::string, SolverKind> kSolvers{
 
 std::map<std::string, Backend> backends()
 {
-  std::map<std::string, Backend> result{{"eigen", Backend::Eigen}};
-  if (defaultBackend() == Backend::Cholmod) result.emplace("cholmod", Backend::Cholmod);
+  std::map<std::string, Backend> result{{"holdfast", Backend::Holdfast}, {"eigen", Backend::Eigen}};
+  if (isBuilt(Backend::Cholmod)) result.emplace("cholmod", Backend::Cholmod);
   return result;
 }
 
@@ -92,7 +92,7 @@ void describe(CLI::App& app, CLI::App& deformApp, CLI::App& checkApp, RawOptions
     command->add_option("mesh", raw.mesh, "Mesh file: " + knownFormats())->required()->type_name("MESH");
     command->add_option("--report", raw.report, "Write the report (JSON) here")->type_name("R.json");
     addOption("--weights", raw.weights, "cotangent, cotangent-paper or uniform", name(defaults.weights), *command);
-    addOption("--backend", raw.backend, "cholmod or eigen", name(defaults.solver.backend), *command);
+    addOption("--backend", raw.backend, "holdfast, cholmod or eigen", name(defaults.solver.backend), *command);
   }
   checkApp
       .add_option("--constraints", raw.constraints, "Constraint file (JSON), session (.holdfast) or point list (CSV)")

@@ -38,7 +38,7 @@ Columns3 rotationsOf(const Model& model, const std::filesystem::path& constraint
   const ConstraintSystem system = makeConstraintSystem(readConstraints(constraints), model.mesh, model.triangulation,
                                                        model.solverMesh, constraints.string());
   NoProgress progress;
-  return RotationFactorization(model.solverMesh, weights, defaultBackend()).solve(system, progress).q;
+  return RotationFactorization(model.solverMesh, weights, Backend::Holdfast).solve(system, progress).q;
 }
 
 /// The weighted difference of the turned detail and the detail, with lengths in diagonals.

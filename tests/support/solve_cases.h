@@ -20,9 +20,9 @@ namespace holdfast::test {
 [[nodiscard]] inline std::vector<Backend> backends()
 {
 #ifdef HOLDFAST_WITH_CHOLMOD
-  return {Backend::Cholmod, Backend::Eigen};
+  return {Backend::Holdfast, Backend::Cholmod, Backend::Eigen};
 #else
-  return {Backend::Eigen};
+  return {Backend::Holdfast, Backend::Eigen};
 #endif
 }
 

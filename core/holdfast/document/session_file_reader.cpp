@@ -61,9 +61,9 @@ Choice chosen(const JsonReader& json, std::span<const Choice> choices)
 
 Backend readBackend(const JsonReader& json)
 {
-  constexpr std::array kBackends{Backend::Eigen, Backend::Cholmod};
+  constexpr std::array kBackends{Backend::Holdfast, Backend::Cholmod, Backend::Eigen};
   const auto backend = chosen<Backend>(json, kBackends);
-  if (backend == Backend::Cholmod && defaultBackend() != Backend::Cholmod)
+  if (!isBuilt(backend))
     json.fail("this program was built without CHOLMOD; leave the key out for the best backend that there is");
   return backend;
 }

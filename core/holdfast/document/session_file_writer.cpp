@@ -38,7 +38,7 @@ Json optionsJson(const DeformOptions& options)
   Json json{{"weights", name(options.weights)}, {"solver", name(options.solver.kind)}};
   if (options.solver.softWeight != SolverOptions().softWeight || options.solver.kind == SolverKind::Soft)
     json["soft_weight"] = options.solver.softWeight;
-  if (options.solver.backend != defaultBackend()) json["backend"] = name(options.solver.backend);
+  if (options.solver.backend != Backend::Holdfast) json["backend"] = name(options.solver.backend);
   return json;
 }
 

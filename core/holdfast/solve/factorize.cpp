@@ -1,3 +1,4 @@
+#include <array>
 #include <utility>
 
 #include <fmt/format.h>
@@ -21,10 +22,10 @@ class NothingToSolve final : public LeastSquaresFactor {
 
 FactorResult cholesky(std::shared_ptr<const SparseMatrix> C, Backend backend)
 {
+  if (backend == Backend::Holdfast) return choleskyMultifrontal(std::move(C));
 #ifdef HOLDFAST_WITH_CHOLMOD
   if (backend == Backend::Cholmod) return choleskyBySuiteSparse(std::move(C));
 #endif
-  static_cast<void>(backend);
   return choleskyByEigen(std::move(C));
 }
 
@@ -32,15 +33,17 @@ FactorResult cholesky(std::shared_ptr<const SparseMatrix> C, Backend backend)
 
 std::string_view name(Backend backend)
 {
-  return backend == Backend::Cholmod ? "cholmod" : "eigen";
+  constexpr std::array kNames{"holdfast", "cholmod", "eigen"};
+  return kNames[static_cast<std::size_t>(backend)];
 }
 
-Backend defaultBackend()
+bool isBuilt(Backend backend)
 {
 #ifdef HOLDFAST_WITH_CHOLMOD
-  return Backend::Cholmod;
+  static_cast<void>(backend);
+  return true;
 #else
-  return Backend::Eigen;
+  return backend != Backend::Cholmod;
 #endif
 }
 

@@ -87,7 +87,7 @@ double contractionOf(const SparseLu& lu, const SparseMatrix& A, const SparseMatr
 std::unique_ptr<const SparseLu> factorLu(const SparseMatrix& K, Backend backend)
 {
 #ifdef HOLDFAST_WITH_CHOLMOD
-  if (backend == Backend::Cholmod) return luBySuiteSparse(K);
+  if (backend != Backend::Eigen) return luBySuiteSparse(K);
 #endif
   static_cast<void>(backend);
   return luByEigen(K);

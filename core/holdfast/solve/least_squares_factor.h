@@ -1,6 +1,6 @@
 #pragma once
-/// A factorisation of a sparse least-squares problem: of the normal equations, by CHOLMOD or Eigen, or the R of a
-/// sparse QR.
+/// A factorisation of a sparse least-squares problem: of the normal equations, by our own method, CHOLMOD or Eigen, or
+/// the R of a sparse QR.
 
 #include <memory>
 #include <string_view>
@@ -35,6 +35,7 @@ using FactorResult = Result<std::unique_ptr<const LeastSquaresFactor>>;
 
 /// Each takes C (m x k) with columns of unit length, and keeps it. Those of SuiteSparse are defined where that is
 /// built.
+[[nodiscard]] FactorResult choleskyMultifrontal(std::shared_ptr<const SparseMatrix> C);
 [[nodiscard]] FactorResult choleskyBySuiteSparse(std::shared_ptr<const SparseMatrix> C);
 [[nodiscard]] FactorResult choleskyByEigen(std::shared_ptr<const SparseMatrix> C);
 /// R of a sparse QR of C, Q not kept: R^T R z = C^T f (semi-normal equations; Björck, 1987).

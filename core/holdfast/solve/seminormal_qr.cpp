@@ -52,7 +52,8 @@ class SeminormalQr final : public LeastSquaresFactor {
 
   [[nodiscard]] std::string_view method() const override
   {
-    return backend_ == Backend::Cholmod ? "R of a sparse QR (SPQR)" : "R of a sparse QR (Eigen)";
+    return backend_ != Backend::Eigen && isBuilt(Backend::Cholmod) ? "R of a sparse QR (SPQR)"
+                                                                   : "R of a sparse QR (Eigen)";
   }
 
  private:
@@ -66,7 +67,7 @@ SparseQrResult qrBy(Backend backend, const SparseMatrix& M)
 {
   constexpr double kAcceptAll = -1;
 #ifdef HOLDFAST_WITH_CHOLMOD
-  if (backend == Backend::Cholmod) return sparseQrSuiteSparse(M, kAcceptAll, WantQ::No);
+  if (backend != Backend::Eigen) return sparseQrSuiteSparse(M, kAcceptAll, WantQ::No);
 #endif
   static_cast<void>(backend);
   return sparseQrEigen(M, kAcceptAll, WantQ::No);

@@ -6,17 +6,18 @@
 
 namespace holdfast {
 
-/// The library that does the numerical work.
+/// Who does the numerical work.
 enum class Backend {
-  Cholmod,  ///< SuiteSparse: CHOLMOD, SPQR, UMFPACK
+  Holdfast,  ///< our own Cholesky factorisation; what it does not do is done by SuiteSparse or, without that, by Eigen
+  Cholmod,   ///< SuiteSparse: CHOLMOD, SPQR, UMFPACK
   Eigen
 };
 
-/// The name in files and options: "cholmod", "eigen".
+/// The name in files and options: "holdfast", "cholmod", "eigen".
 [[nodiscard]] std::string_view name(Backend backend);
 
-/// CHOLMOD where it is built, Eigen otherwise.
-[[nodiscard]] Backend defaultBackend();
+/// Whether it is part of this program: SuiteSparse may be left out.
+[[nodiscard]] bool isBuilt(Backend backend);
 
 enum class SolverKind {
   Hard,     ///< constraints eliminated, (11) to (21): exact
@@ -29,7 +30,7 @@ enum class SolverKind {
 
 struct SolverOptions {
   SolverKind kind = SolverKind::Hard;
-  Backend backend = defaultBackend();
+  Backend backend = Backend::Holdfast;
   /// w of soft constraints, (7) and (8), for models measured in diagonals of their bounding box
   double softWeight = 5;
 

@@ -146,7 +146,7 @@ TEST(RotationField, OfATwistedBarGrowsAlongEachOfItsLinesWithEveryWeighting)
     return mesh.rest.row(i).head<2>() == mesh.rest.row(j).head<2>() && mesh.rest(i, 2) < mesh.rest(j, 2);
   };
   for (const Weights weights : test::allWeights()) {
-    const RotationField field = solved(problemOf(mesh, weights, ends), defaultBackend(), rows(values));
+    const RotationField field = solved(problemOf(mesh, weights, ends), Backend::Holdfast, rows(values));
     for (Index i = 0; i < mesh.unknownCount(); ++i)
       for (Index j = 0; j < mesh.unknownCount(); ++j)
         EXPECT_TRUE(!isBelow(i, j) || field.q(i, 2) < field.q(j, 2)) << name(weights) << " " << i << " " << j;
@@ -176,7 +176,7 @@ TEST(RotationField, OfARegionWithTwoRotationsFollowsTheFirstAndTellsTheGap)
 {
   const SolverMesh mesh = solverMeshOf(test::grid(4, 4));
   const RotationProblem problem = problemOf(mesh, Weights::Cotangent, {12, 7, 0}, {{6, 7, 12, 11}});
-  const RotationField field = solved(problem, defaultBackend(), rows({{0, 0, 1}, {0, 3, 5}, {0, 0, 0}}));
+  const RotationField field = solved(problem, Backend::Holdfast, rows({{0, 0, 1}, {0, 3, 5}, {0, 0, 0}}));
   EXPECT_EQ(Vector3(field.q.row(12)), Vector3(0, 0, 1));
   EXPECT_EQ(Vector3(field.q.row(7)), Vector3(0, 3, 5));
   for (const Index i : {6, 11}) EXPECT_EQ(Vector3(field.q.row(i)), Vector3(0, 0, 1));
@@ -208,7 +208,7 @@ TEST(RotationField, IsZeroWhereNothingIsGiven)
 TEST(RotationField, IsNotCarriedByEdgesOfNoWeight)
 {
   const RotationField field =
-      solved({4, {{0, 1, 1}, {1, 2, 0}, {2, 3, 1}}, {0}, {}}, defaultBackend(), rows({{1, 2, 3}}));
+      solved({4, {{0, 1, 1}, {1, 2, 0}, {2, 3, 1}}, {0}, {}}, Backend::Holdfast, rows({{1, 2, 3}}));
   EXPECT_EQ(Vector3(field.q.row(1)), Vector3(1, 2, 3));
   EXPECT_TRUE(field.q.bottomRows(2).isZero(0));
 }
@@ -216,7 +216,7 @@ TEST(RotationField, IsNotCarriedByEdgesOfNoWeight)
 TEST(RotationField, OfAnUnknownThatIsGivenTwiceTakesTheFirst)
 {
   const RotationProblem problem = problemOf(solverMeshOf(test::grid(2, 2)), Weights::Uniform, {4, 4, 0});
-  const RotationField field = solved(problem, defaultBackend(), rows({{1, 0, 0}, {2, 0, 0}, {1, 0, 0}}));
+  const RotationField field = solved(problem, Backend::Holdfast, rows({{1, 0, 0}, {2, 0, 0}, {1, 0, 0}}));
   EXPECT_EQ(field.q.col(0), Eigen::VectorXd::Ones(9));
   ASSERT_EQ(field.gaps.size(), 1U);
   EXPECT_EQ(field.gaps[0].difference, Vector3(1, 0, 0));
@@ -225,7 +225,7 @@ TEST(RotationField, OfAnUnknownThatIsGivenTwiceTakesTheFirst)
 TEST(RotationField, IsCarriedFromPartToPartByARegionOfBoth)
 {
   const SolverMesh mesh = solverMeshOf(test::merged(test::icosphere(1), test::moved(test::icosphere(1), {5, 0, 0})));
-  const RotationField field = solved(problemOf(mesh, Weights::Cotangent, {0, 11}, {{20, 42 + 20}}), defaultBackend(),
+  const RotationField field = solved(problemOf(mesh, Weights::Cotangent, {0, 11}, {{20, 42 + 20}}), Backend::Holdfast,
                                      rows({{0, 0, 0}, {0, 0, 2}}));
   for (Index i = 42; i < 84; ++i) EXPECT_NEAR(field.q(i, 2), field.q(20, 2), kRoundingOfFields);
   EXPECT_GT(field.q(20, 2), 0.1);
@@ -248,9 +248,9 @@ TEST(RotationField, DoesNotDependOnTheNumberingOfVertices)
     for (const Weights weights : test::guardedWeights()) {
       SCOPED_TRACE(named.name + ", " + std::string(name(weights)));
       const RotationField first =
-          solved(problemOf(mesh, weights, boundary.unknowns, {region}), defaultBackend(), boundary.values);
+          solved(problemOf(mesh, weights, boundary.unknowns, {region}), Backend::Holdfast, boundary.values);
       const RotationField second = solved(problemOf(renumbered, weights, renamed(boundary.unknowns), {renamed(region)}),
-                                          defaultBackend(), boundary.values);
+                                          Backend::Holdfast, boundary.values);
       for (Index i = 0; i < mesh.unknownCount(); ++i)
         EXPECT_LE((first.q.row(i) - second.q.row(newIdOf[i])).norm(), kRoundingOfFields) << i;
     }
@@ -266,9 +266,9 @@ TEST(RotationField, DoesNotDependOnTheScaleOfTheModel)
       const SolverMesh scaled = solverMeshOf(test::transformed(plate, Eigen::Affine3d(Eigen::Scaling(scale))));
       const Boundary boundary = boundaryOf(mesh, {{1, 2, 3}, {0, 0, 0}, {-2, 1, 0}}, 6);
       const RotationField first =
-          solved(problemOf(mesh, weights, boundary.unknowns), defaultBackend(), boundary.values);
+          solved(problemOf(mesh, weights, boundary.unknowns), Backend::Holdfast, boundary.values);
       const RotationField second =
-          solved(problemOf(scaled, weights, boundary.unknowns), defaultBackend(), boundary.values);
+          solved(problemOf(scaled, weights, boundary.unknowns), Backend::Holdfast, boundary.values);
       EXPECT_LE((first.q - second.q).cwiseAbs().maxCoeff(), 10 * kRoundingOfFields) << name(weights) << " " << scale;
     }
 }
@@ -304,7 +304,7 @@ TEST(RotationFieldSolver, TellsWhatItSolvedAndHowWell)
 {
   const SolverMesh mesh = solverMeshOf(test::plate(7, 5));
   const RotationFieldResult result =
-      makeRotationFieldSolver(problemOf(mesh, Weights::Cotangent, {0, 47}, {{1, 2, 3}}), defaultBackend());
+      makeRotationFieldSolver(problemOf(mesh, Weights::Cotangent, {0, 47}, {{1, 2, 3}}), Backend::Holdfast);
   ASSERT_NE(result.value, nullptr) << result.failure;
   EXPECT_EQ(result.value->unknowns(), 48 - 2 - 2);
   EXPECT_GT(result.value->factorNonzeros(), 44);
@@ -318,7 +318,7 @@ TEST(RotationFieldSolver, NamesAnEdgeWhoseWeightIsNotFinite)
 {
   const SolverMesh mesh = solverMeshOf(test::triangle({0, 0, 0}, {1, 0, 0}, {3, 0, 0}));
   const RotationFieldResult result =
-      makeRotationFieldSolver(problemOf(mesh, Weights::CotangentPaper, {0}), defaultBackend());
+      makeRotationFieldSolver(problemOf(mesh, Weights::CotangentPaper, {0}), Backend::Holdfast);
   EXPECT_EQ(result.value, nullptr);
   EXPECT_THAT(result.failure, testing::HasSubstr("the edge between unknowns 0 and 1 is not finite"));
   EXPECT_THAT(result.failure, testing::HasSubstr("use the weights \"cotangent\""));

@@ -1,0 +1,51 @@
+#pragma once
+/// Loops whose turns do not depend on one another, over all cores.
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <thread>
+#include <vector>
+
+#include <holdfast/base/types.h>
+
+namespace holdfast {
+
+/// Calls `work(k)` once for each k of 0 .. count - 1, on as many threads as there are cores, the calling one among
+/// them. Which thread takes which k is left open: results must not depend on it. Throws one of the exceptions of
+/// `work`, after all threads have ended.
+template <class Work>
+void parallelFor(Index count, const Work& work)
+{
+  const Index cores = std::max<Index>(1, static_cast<Index>(std::thread::hardware_concurrency()));
+  const Index threadCount = std::min(cores, count);
+  std::atomic<Index> next{0};
+  std::vector<std::exception_ptr> errors(static_cast<std::size_t>(std::max<Index>(1, threadCount)));
+  const auto run = [&](Index thread) {
+    try {
+      for (Index k = next++; k < count; k = next++) work(k);
+    } catch (...) {
+      errors[thread] = std::current_exception();
+      next = count;
+    }
+  };
+  {
+    std::vector<std::jthread> threads;
+    for (Index thread = 1; thread < threadCount; ++thread) threads.emplace_back(run, thread);
+    run(0);
+  }
+  for (const std::exception_ptr& error : errors)
+    if (error) std::rethrow_exception(error);
+}
+
+/// The same for turns that take less time than it takes to hand them out.
+template <class Work>
+void parallelBlocks(Index count, const Work& work)
+{
+  constexpr Index kBlock = 4096;
+  parallelFor((count + kBlock - 1) / kBlock, [&](Index block) {
+    for (Index k = block * kBlock; k < std::min(count, (block + 1) * kBlock); ++k) work(k);
+  });
+}
+
+}  // namespace holdfast

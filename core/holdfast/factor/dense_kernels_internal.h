@@ -1,0 +1,20 @@
+#pragma once
+/// Dense matrices by LAPACK and BLAS, or by Eigen where those are not built in. All are stored column by column, `ld`
+/// numbers apart; of symmetric ones only the lower triangle is looked at. Each call computes on the thread that makes
+/// it, see `OneThread`.
+
+namespace holdfast {
+
+/// A = L L^T in place, n x n. Returns the place of the first pivot that is not positive, from 1; 0 where there is none.
+[[nodiscard]] int denseCholesky(int n, double* A, int ld);
+
+/// B <- B L^-T, B m x n.
+void denseSolveRight(int m, int n, const double* L, int ldL, double* B, int ldB);
+
+/// C <- scale C - A A^T, C n x n, A n x k; `scale` is 0 or 1.
+void denseSymmetricUpdate(int n, int k, const double* A, int ldA, double scale, double* C, int ldC);
+
+/// C <- scale C - A B^T, C m x n, A m x k, B n x k; `scale` is 0 or 1.
+void denseUpdate(int m, int n, int k, const double* A, const double* B, int ldAB, double scale, double* C, int ldC);
+
+}  // namespace holdfast

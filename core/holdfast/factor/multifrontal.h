@@ -1,0 +1,16 @@
+#pragma once
+/// Multifrontal Cholesky factorisation (Duff and Reid, 1983; Liu, 1992).
+
+#include <memory>
+
+#include <holdfast/base/result.h>
+#include <holdfast/factor/packed_factor.h>
+
+namespace holdfast {
+
+/// L of the matrix whose lower triangle is `lower`, which has the pattern that `symbolic` was made of. Fails where a
+/// pivot is not positive. The same bits for any number of threads. O(`symbolic.flops()`).
+[[nodiscard]] Result<std::unique_ptr<const PackedFactor>> factorizeMultifrontal(
+    const std::shared_ptr<const SymbolicFactor>& symbolic, const SparseMatrix& lower);
+
+}  // namespace holdfast

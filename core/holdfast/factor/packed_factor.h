@@ -1,0 +1,58 @@
+#pragma once
+/// The numbers of a supernodal factor, laid out for solving, and the triangular solves.
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include <holdfast/factor/symbolic_factor.h>
+
+namespace holdfast {
+
+/// So many columns at most are one chunk: what they need of the solution stays in registers.
+inline constexpr int kChunkWidth = 8;
+
+/// Neighbouring columns of one supernode. In memory: the triangle, by rows, `width` x `width`, with reciprocals on its
+/// diagonal; then the rows below, `width` numbers each.
+struct FactorChunk {
+  std::size_t offset = 0;
+  int firstColumn = 0;
+  int width = 0;
+  std::int64_t firstRow = 0;  ///< in `PackedFactor::rows`: places in the order of elimination
+  int lowRows = 0;            ///< rows before the top of the tree
+  int rowCount = 0;           ///< all rows
+};
+
+/// L, by chunks. Memory is read once from front to back for the solve with L, and back for that with its transpose:
+/// both are bound by it.
+class PackedFactor {
+ public:
+  explicit PackedFactor(std::shared_ptr<const SymbolicFactor> symbolic);
+
+  /// Stores the columns of a supernode: `panel` is its height x width, column by column, `height` apart.
+  void store(int supernode, const double* panel);
+
+  /// Solves L L^T z = b for three right-hand sides. `x` is n x 4, row by row in the order of elimination, b before and
+  /// z afterwards; the fourth number of each row is not used. The same bits for any number of threads. O(nonzeros).
+  void solve(std::vector<double>& x) const;
+
+  [[nodiscard]] const SymbolicFactor& symbolic() const noexcept { return *symbolic_; }
+  [[nodiscard]] std::size_t bytes() const noexcept { return size_ * sizeof(double); }
+
+ private:
+  struct Free {
+    void operator()(double* numbers) const;
+  };
+
+  /// The chunks of supernodes [begin, end).
+  [[nodiscard]] std::span<const FactorChunk> chunksOf(const SupernodeRange& range) const;
+
+  std::shared_ptr<const SymbolicFactor> symbolic_;
+  std::vector<FactorChunk> chunks_;
+  std::vector<int> firstChunk_;  // of each supernode, and the end
+  std::vector<int> rows_;        // of chunks: the columns of the supernode behind them, then its rows
+  std::size_t size_ = 0;
+  std::unique_ptr<double[], Free> numbers_;
+};
+
+}  // namespace holdfast

@@ -1,0 +1,252 @@
+#include "holdfast/factor/symbolic_factor.h"
+
+#include <algorithm>
+#include <numeric>
+#include <queue>
+#include <utility>
+
+namespace holdfast {
+namespace {
+
+// So many ranges keep so many threads busy. It is fixed: the order of sums must not depend on the machine.
+constexpr int kRanges = 8;
+
+/// A supernode while supernodes are still merged.
+struct Draft {
+  std::vector<int> columns;  // in the order that the tree was made in
+  std::int64_t rowCount = 0;
+  std::int64_t zeros = 0;  // stored entries that are none of L
+  std::vector<int> children;
+};
+
+/// Columns that have the same rows below them, one after the other on a path of the tree. Children come before parents.
+std::vector<Draft> fundamentalSupernodes(const std::vector<int>& parent, const std::vector<int>& post,
+                                         const std::vector<int>& count)
+{
+  std::vector<Draft> drafts;
+  std::vector<int> draftOf(parent.size());
+  for (std::size_t k = 0; k < post.size(); ++k) {
+    const int column = post[k];
+    const bool continues = k > 0 && parent[post[k - 1]] == column && count[post[k - 1]] == count[column] + 1;
+    if (!continues) drafts.emplace_back();
+    drafts.back().columns.push_back(column);
+    drafts.back().rowCount = count[column] - 1;
+    draftOf[column] = static_cast<int>(drafts.size()) - 1;
+  }
+  for (std::size_t s = 0; s < drafts.size(); ++s)
+    if (const int up = parent[drafts[s].columns.back()]; up != kNoParent)
+      drafts[draftOf[up]].children.push_back(static_cast<int>(s));
+  return drafts;
+}
+
+/// Narrow supernodes cost more to call than to compute: they may store many zeros, wide ones few.
+bool mayStore(std::int64_t zeros, std::int64_t width, std::int64_t rowCount)
+{
+  if (width <= 4) return true;
+  const std::int64_t entries = width * (width + 1) / 2 + width * rowCount;
+  const double share = static_cast<double>(zeros) / static_cast<double>(entries);
+  return share < (width <= 16 ? 0.5 : width <= 48 ? 0.1 : 0.05);
+}
+
+/// Merges children into their parents where that stores few zeros. Those that went have no columns left.
+void mergeSupernodes(std::vector<Draft>& drafts)
+{
+  for (Draft& node : drafts) {
+    std::vector<int> children = std::exchange(node.children, {});
+    std::stable_sort(children.begin(), children.end(),
+                     [&](int a, int b) { return drafts[a].rowCount > drafts[b].rowCount; });
+    for (const int c : children) {
+      Draft& child = drafts[c];
+      const auto width = static_cast<std::int64_t>(node.columns.size());
+      const auto childWidth = static_cast<std::int64_t>(child.columns.size());
+      const std::int64_t zeros = node.zeros + child.zeros + childWidth * (width + node.rowCount - child.rowCount);
+      if (!mayStore(zeros, width + childWidth, node.rowCount)) {
+        node.children.push_back(c);
+        continue;
+      }
+      node.zeros = zeros;
+      node.columns.insert(node.columns.begin(), child.columns.begin(), child.columns.end());
+      node.children.insert(node.children.end(), child.children.begin(), child.children.end());
+      child = {};
+    }
+  }
+}
+
+/// Supernodes in the order of elimination, by ranges.
+struct Layout {
+  std::vector<int> drafts;
+  std::vector<SupernodeRange> subtrees;
+  SupernodeRange top;
+};
+
+double flopsOf(double width, double rowCount)
+{
+  return width * width * width / 3 + width * rowCount * (width + rowCount);
+}
+
+/// The work of the subtree of each.
+std::vector<double> subtreeWork(const std::vector<Draft>& drafts)
+{
+  constexpr double kCall = 2000;  // flops that a supernode costs beside its own
+  std::vector<double> work(drafts.size(), 0);
+  for (std::size_t s = 0; s < drafts.size(); ++s) {
+    const Draft& draft = drafts[s];
+    if (draft.columns.empty()) continue;
+    work[s] = kCall + flopsOf(static_cast<double>(draft.columns.size()), static_cast<double>(draft.rowCount));
+    for (const int child : draft.children) work[s] += work[child];
+  }
+  return work;
+}
+
+std::vector<int> rootsOf(const std::vector<Draft>& drafts)
+{
+  std::vector<bool> isChild(drafts.size(), false);
+  for (const Draft& draft : drafts)
+    for (const int child : draft.children) isChild[child] = true;
+  std::vector<int> roots;
+  for (std::size_t s = 0; s < drafts.size(); ++s)
+    if (!isChild[s] && !drafts[s].columns.empty()) roots.push_back(static_cast<int>(s));
+  return roots;
+}
+
+/// The subtree of `root`, children before parents.
+void appendSubtree(const std::vector<Draft>& drafts, int root, std::vector<int>& result)
+{
+  const auto begin = static_cast<std::ptrdiff_t>(result.size());
+  std::vector<int> open{root};
+  while (!open.empty()) {
+    const int node = open.back();
+    open.pop_back();
+    result.push_back(node);
+    open.insert(open.end(), drafts[node].children.begin(), drafts[node].children.end());
+  }
+  std::reverse(result.begin() + begin, result.end());
+}
+
+/// Takes the heaviest subtrees apart until none is heavier than a small share of all, and deals them out to ranges, the
+/// heaviest first, each to the lightest range.
+Layout layOut(const std::vector<Draft>& drafts)
+{
+  const std::vector<double> work = subtreeWork(drafts);
+  std::priority_queue<std::pair<double, int>> subtrees;
+  double total = 0;
+  for (const int root : rootsOf(drafts)) {
+    subtrees.emplace(work[root], root);
+    total += work[root];
+  }
+  std::vector<int> top;
+  while (!subtrees.empty() && subtrees.top().first > total / (2 * kRanges)) {
+    const int node = subtrees.top().second;
+    subtrees.pop();
+    top.push_back(node);
+    for (const int child : drafts[node].children) subtrees.emplace(work[child], child);
+  }
+
+  std::vector<std::vector<int>> ranges(kRanges);
+  std::vector<double> load(kRanges, 0);
+  for (; !subtrees.empty(); subtrees.pop()) {
+    const auto lightest = std::min_element(load.begin(), load.end()) - load.begin();
+    appendSubtree(drafts, subtrees.top().second, ranges[lightest]);
+    load[lightest] += subtrees.top().first;
+  }
+  Layout layout;
+  const auto append = [&](const std::vector<int>& nodes) {
+    const int begin = static_cast<int>(layout.drafts.size());
+    layout.drafts.insert(layout.drafts.end(), nodes.begin(), nodes.end());
+    return SupernodeRange{begin, static_cast<int>(layout.drafts.size())};
+  };
+  for (const std::vector<int>& range : ranges)
+    if (!range.empty()) layout.subtrees.push_back(append(range));
+  std::sort(top.begin(), top.end());  // drafts number children before parents
+  layout.top = append(top);
+  return layout;
+}
+
+void linkChildren(SymbolicFactor& factor)
+{
+  factor.firstChild.assign(factor.supernodes.size(), kNoParent);
+  factor.nextSibling.assign(factor.supernodes.size(), kNoParent);
+  for (int s = static_cast<int>(factor.supernodes.size()) - 1; s >= 0; --s)
+    if (const int parent = factor.supernodes[s].parent; parent != kNoParent) {
+      factor.nextSibling[s] = factor.firstChild[parent];
+      factor.firstChild[parent] = s;
+    }
+}
+
+/// The rows below each supernode: those of its columns in M, and those of its children.
+void findRows(SymbolicFactor& factor)
+{
+  std::vector<int> supernodeOf(static_cast<std::size_t>(factor.size()));
+  for (std::size_t s = 0; s < factor.supernodes.size(); ++s)
+    std::fill_n(supernodeOf.begin() + factor.supernodes[s].firstColumn, factor.supernodes[s].width,
+                static_cast<int>(s));
+  std::vector<std::vector<int>> children(factor.supernodes.size());
+  std::vector<int> seenBy(supernodeOf.size(), kNoParent);
+  for (std::size_t s = 0; s < factor.supernodes.size(); ++s) {
+    Supernode& node = factor.supernodes[s];
+    node.firstRow = static_cast<std::int64_t>(factor.rows.size());
+    const int end = node.firstColumn + node.width;
+    const auto add = [&](int row) {
+      if (row < end || seenBy[row] == static_cast<int>(s)) return;
+      seenBy[row] = static_cast<int>(s);
+      factor.rows.push_back(row);
+    };
+    for (int k = factor.pattern.start[node.firstColumn]; k < factor.pattern.start[end]; ++k) add(factor.pattern.row[k]);
+    for (const int child : children[s]) {
+      const Supernode& below = factor.supernodes[child];
+      for (int k = 0; k < below.rowCount; ++k) add(factor.rows[below.firstRow + k]);
+    }
+    std::sort(factor.rows.begin() + node.firstRow, factor.rows.end());
+    node.rowCount = static_cast<int>(static_cast<std::int64_t>(factor.rows.size()) - node.firstRow);
+    if (node.rowCount == 0) continue;
+    node.parent = supernodeOf[factor.rows[node.firstRow]];
+    children[node.parent].push_back(static_cast<int>(s));
+  }
+}
+
+}  // namespace
+
+int SymbolicFactor::topColumn() const
+{
+  return top.begin < top.end ? supernodes[top.begin].firstColumn : size();
+}
+
+std::int64_t SymbolicFactor::nonzeros() const
+{
+  std::int64_t sum = 0;
+  for (const Supernode& node : supernodes)
+    sum += std::int64_t{node.width} * (node.width + 1) / 2 + std::int64_t{node.width} * node.rowCount;
+  return sum;
+}
+
+double SymbolicFactor::flops() const
+{
+  double sum = 0;
+  for (const Supernode& node : supernodes) sum += flopsOf(node.width, node.rowCount);
+  return sum;
+}
+
+SymbolicFactor analyze(const SparseMatrix& lower, const std::vector<int>& order)
+{
+  const OrderedPattern given = orderedPattern(lower, order);
+  const std::vector<int> parent = eliminationTree(given);
+  const std::vector<int> post = postorder(parent);
+  std::vector<Draft> drafts = fundamentalSupernodes(parent, post, columnCounts(given, parent, post));
+  mergeSupernodes(drafts);
+  const Layout layout = layOut(drafts);
+
+  SymbolicFactor factor;
+  for (const int draft : layout.drafts) {
+    factor.supernodes.push_back(
+        {static_cast<int>(factor.order.size()), static_cast<int>(drafts[draft].columns.size())});
+    for (const int column : drafts[draft].columns) factor.order.push_back(order[column]);
+  }
+  factor.subtrees = layout.subtrees;
+  factor.top = layout.top;
+  factor.pattern = orderedPattern(lower, factor.order);
+  findRows(factor);
+  linkChildren(factor);
+  return factor;
+}
+
+}  // namespace holdfast

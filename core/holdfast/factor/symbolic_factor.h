@@ -1,0 +1,59 @@
+#pragma once
+/// The structure of a supernodal Cholesky factor L L^T = P M P^T, found from the pattern of M alone.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <holdfast/factor/elimination_tree.h>
+
+namespace holdfast {
+
+/// Neighbouring columns of L that are stored as one dense block: `width` columns, a triangle on top and below it the
+/// same rows for all of them.
+struct Supernode {
+  int firstColumn = 0;
+  int width = 0;
+  std::int64_t firstRow = 0;  ///< in `SymbolicFactor::rows`
+  int rowCount = 0;           ///< rows below the triangle
+  int parent = kNoParent;     ///< the supernode of the first of these rows
+
+  [[nodiscard]] int height() const noexcept { return width + rowCount; }
+};
+
+/// Supernodes that can be computed one after the other while others compute other ranges.
+struct SupernodeRange {
+  int begin = 0;
+  int end = 0;
+};
+
+struct SymbolicFactor {
+  std::vector<int> order;  ///< the column of M that is eliminated k-th
+  OrderedPattern pattern;  ///< of M in this order
+  std::vector<Supernode> supernodes;
+  std::vector<int> rows;                     ///< of all supernodes, ascending in each
+  std::vector<int> firstChild, nextSibling;  ///< of each supernode; `kNoParent` ends a list
+
+  /// The supernodes in ranges that do not depend on one another, each a set of whole subtrees, and behind them the
+  /// rest, which needs all of them. The same for any number of threads.
+  std::vector<SupernodeRange> subtrees;
+  SupernodeRange top;
+
+  [[nodiscard]] int size() const noexcept { return pattern.size(); }
+  [[nodiscard]] std::span<const int> rowsOf(const Supernode& supernode) const
+  {
+    return {rows.data() + supernode.firstRow, static_cast<std::size_t>(supernode.rowCount)};
+  }
+  /// The first column of `top`.
+  [[nodiscard]] int topColumn() const;
+  /// Stored entries of L, those that supernodes add among them.
+  [[nodiscard]] std::int64_t nonzeros() const;
+  /// Multiplications and additions of one factorisation.
+  [[nodiscard]] double flops() const;
+};
+
+/// Analyses the lower triangle `lower` for an order of elimination that keeps fill low: `order[k]` is the column that
+/// comes k-th. Columns are reordered among those that are equally good. O(entries + rows of supernodes).
+[[nodiscard]] SymbolicFactor analyze(const SparseMatrix& lower, const std::vector<int>& order);
+
+}  // namespace holdfast

@@ -1,0 +1,25 @@
+#pragma once
+/// The inner loops of triangular solves.
+
+#include <span>
+
+#include <holdfast/factor/packed_factor.h>
+
+namespace holdfast {
+
+/// What chunks are solved on. Rows are four numbers each.
+struct SolveView {
+  const double* numbers = nullptr;  ///< of the factor
+  const int* rows = nullptr;        ///< of its chunks
+  double* x = nullptr;              ///< all rows
+  /// Where the forward solve reduces rows of the top of the tree, at the place of row 0: `x`, or the range's own.
+  double* top = nullptr;
+};
+
+/// L y = b over these chunks, one after the other: their columns are solved, rows below are reduced.
+void solveForward(std::span<const FactorChunk> chunks, const SolveView& view);
+
+/// L^T z = y over these chunks, the last one first.
+void solveBackward(std::span<const FactorChunk> chunks, const SolveView& view);
+
+}  // namespace holdfast

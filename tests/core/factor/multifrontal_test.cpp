@@ -1,0 +1,104 @@
+#include <algorithm>
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+#include <sched.h>
+
+#include <holdfast/factor/multifrontal.h>
+
+#include "core/factor/spd_matrices.h"
+
+namespace holdfast {
+namespace {
+
+std::shared_ptr<const SymbolicFactor> analyzed(const SparseMatrix& lower)
+{
+  return std::make_shared<const SymbolicFactor>(analyze(lower, test::minimumDegree(lower)));
+}
+
+Columns3 solved(const PackedFactor& factor, const Columns3& b)
+{
+  const std::vector<int>& order = factor.symbolic().order;
+  std::vector<double> x(4 * order.size());
+  for (std::size_t k = 0; k < order.size(); ++k)
+    for (int c = 0; c < 3; ++c) x[4 * k + static_cast<std::size_t>(c)] = b(order[k], c);
+  factor.solve(x);
+  Columns3 z(b.rows(), 3);
+  for (std::size_t k = 0; k < order.size(); ++k)
+    for (int c = 0; c < 3; ++c) z(order[k], c) = x[4 * k + static_cast<std::size_t>(c)];
+  return z;
+}
+
+/// Only one core is seen while this lives.
+class OneCore {
+ public:
+  OneCore()
+  {
+    sched_getaffinity(0, sizeof(before_), &before_);
+    int core = 0;
+    while (!CPU_ISSET(core, &before_)) ++core;
+    cpu_set_t one;
+    CPU_ZERO(&one);
+    CPU_SET(core, &one);
+    sched_setaffinity(0, sizeof(one), &one);
+  }
+  ~OneCore() { sched_setaffinity(0, sizeof(before_), &before_); }
+  OneCore(const OneCore&) = delete;
+  OneCore& operator=(const OneCore&) = delete;
+
+ private:
+  cpu_set_t before_{};
+};
+
+TEST(Multifrontal, SolvesAsDenseEliminationDoes)
+{
+  test::Random random(7);
+  for (int turn = 0; turn < 40; ++turn) {
+    const SparseMatrix M = test::randomSpd(random, random.integer(1, 300), random.integer(0, 6), random.integer(1, 4));
+    const SparseMatrix lower = test::lowerOf(M);
+    const auto result = factorizeMultifrontal(analyzed(lower), lower);
+    ASSERT_TRUE(result) << result.failure;
+    const Columns3 expected = Columns3::Random(M.cols(), 3);
+    const Columns3 found = solved(*result.value, M * expected);
+    EXPECT_LT((found - expected).cwiseAbs().maxCoeff(), 1e-13);
+  }
+}
+
+TEST(Multifrontal, SolvesWithFrontsOfManyBlocks)
+{
+  const SparseMatrix M = test::gridMatrix(22);
+  const SparseMatrix lower = test::lowerOf(M);
+  const auto symbolic = analyzed(lower);
+  EXPECT_TRUE(std::any_of(symbolic->supernodes.begin(), symbolic->supernodes.end(),
+                          [](const Supernode& node) { return node.width > 400; }));
+  const auto result = factorizeMultifrontal(symbolic, lower);
+  ASSERT_TRUE(result) << result.failure;
+  const Columns3 expected = Columns3::Random(M.cols(), 3);
+  EXPECT_LT((solved(*result.value, M * expected) - expected).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(Multifrontal, HasTheSameBitsOnOneCore)
+{
+  const SparseMatrix M = test::gridMatrix(16);
+  const SparseMatrix lower = test::lowerOf(M);
+  const auto symbolic = analyzed(lower);
+  ASSERT_GT(symbolic->subtrees.size(), 1);
+  const Columns3 b = Columns3::Random(M.cols(), 3);
+  const Columns3 onAll = solved(*factorizeMultifrontal(symbolic, lower).value, b);
+  const OneCore one;
+  EXPECT_EQ(solved(*factorizeMultifrontal(symbolic, lower).value, b), onAll);
+}
+
+TEST(Multifrontal, NamesThePivotThatIsNotPositive)
+{
+  SparseMatrix lower = test::lowerOf(test::gridMatrix(8));
+  const auto symbolic = analyzed(lower);
+  const int bad = symbolic->order[300];
+  lower.coeffRef(bad, bad) = -1;
+  const auto result = factorizeMultifrontal(symbolic, lower);
+  EXPECT_EQ(result.value, nullptr);
+  EXPECT_EQ(result.failure, "the normal equations are not positive definite in doubles (pivot 301 of 512)");
+}
+
+}  // namespace
+}  // namespace holdfast
