@@ -1,4 +1,4 @@
-// Factorisation and solution by CHOLMOD and by Eigen.
+// Factorisation and solution by each backend.
 
 #include <string>
 
@@ -32,12 +32,13 @@ void backends(benchmark::State& state, const BenchMesh& mesh)
   const EliminatedConstraints eliminated = eliminate(made.system, model.solverMesh);
   Samples samples;
   for ([[maybe_unused]] auto turn : state) {
-    takeTurn(samples, model, made, eliminated, Backend::Eigen);
-    takeTurn(samples, model, made, eliminated, Backend::Holdfast);
+    for (const Backend backend : {Backend::Holdfast, Backend::Cholmod, Backend::Eigen})
+      if (isBuilt(backend)) takeTurn(samples, model, made, eliminated, backend);
   }
-  const std::string standard(name(Backend::Holdfast));
-  for (const char* row : {"factorisation", "solution"})
-    samples.addRatios(row, "= eigen/" + standard, "s eigen", "s " + standard);
+  for (const Backend other : {Backend::Cholmod, Backend::Eigen})
+    if (isBuilt(other))
+      for (const char* row : {"factorisation", "solution"})
+        samples.addRatios(row, "= holdfast/" + std::string(name(other)), "s holdfast", "s " + std::string(name(other)));
   samples.report(state);
 }
 

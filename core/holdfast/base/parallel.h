@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -31,7 +32,10 @@ void parallelFor(Index count, const Work& work)
   };
   {
     std::vector<std::jthread> threads;
-    for (Index thread = 1; thread < threadCount; ++thread) threads.emplace_back(run, thread);
+    try {
+      for (Index thread = 1; thread < threadCount; ++thread) threads.emplace_back(run, thread);
+    } catch (const std::system_error&) {  // no more threads are to be had: those that run do all
+    }
     run(0);
   }
   for (const std::exception_ptr& error : errors)
