@@ -42,11 +42,11 @@ ResolvedMesh examined(const fs::path& path, const std::string& checksum)
   try {
     const std::string found = checksumOfFile(path);
     if (checksum.empty() || found == checksum) return {path, MeshState::Same, ""};
-    return {path, MeshState::Changed,
-            fmt::format("{}: the mesh is not the one that the session was saved with (checksum {} instead of {}). "
-                        "Vertex and face ids may mean other places now: check the constraints, or bring the old file "
-                        "back",
-                        path.string(), found, checksum)};
+    return {
+        path, MeshState::Changed,
+        fmt::format("{}: the mesh is not the one that the session was saved with (checksum {} instead of {}). Vertex "
+                    "and face ids may mean other places now: check the constraints, or bring the old file back",
+                    path.string(), found, checksum)};
   } catch (const InputError& error) {
     return {path, MeshState::Missing, fmt::format("{}. Choose where the mesh of the session is", error.what())};
   }
@@ -73,11 +73,6 @@ bool isChecksum(std::string_view text)
   return text.find_first_not_of("0123456789abcdef", kAlgorithm.size()) == std::string_view::npos;
 }
 
-MeshReference referenceTo(const fs::path& mesh, const fs::path& session)
-{
-  return referenceTo(mesh, session, checksumOfFile(mesh));
-}
-
 MeshReference referenceTo(const fs::path& mesh, const fs::path& session, std::string checksum)
 {
   const fs::path target = inRealFolder(mesh);
@@ -91,8 +86,7 @@ ResolvedMesh resolveMesh(const SessionFile& session, const fs::path& sessionPath
   for (const fs::path& path : candidates(session.mesh, sessionPath))
     found.push_back(examined(path, session.mesh.checksum));
   // Same before Changed before Missing; of equals the likelier.
-  return *std::min_element(found.begin(), found.end(),
-                           [](const ResolvedMesh& a, const ResolvedMesh& b) { return a.state < b.state; });
+  return *std::ranges::min_element(found, {}, &ResolvedMesh::state);
 }
 
 }  // namespace holdfast
