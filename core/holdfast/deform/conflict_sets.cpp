@@ -1,10 +1,9 @@
-#include "holdfast/deform/conflict_sets.h"
-
 #include <algorithm>
 #include <map>
 #include <set>
 #include <tuple>
-#include <utility>
+
+#include <holdfast/deform/outcomes.h>
 
 namespace holdfast {
 namespace {
