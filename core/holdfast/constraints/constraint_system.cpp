@@ -26,12 +26,6 @@ std::vector<Index> ascending(std::vector<Index> ids)
   return ids;
 }
 
-/// The vertices have entries of their own, in the order in which they are listed.
-bool isListed(const HandleConstraint& handle)
-{
-  return !handle.rotations.empty() || std::holds_alternative<VertexTargets>(handle.motion);
-}
-
 /// Makes the rows of one list; remembers what several constraints share.
 class SystemBuilder {
  public:
@@ -110,8 +104,9 @@ class SystemBuilder {
     if (const std::optional<HandleError> error = validateHandle(handle))
       throw InputError(key(error->key), error->reason);
     if (!isEnabled()) return;
-    const std::vector<Index>& vertices =
-        isListed(handle) ? std::get<VertexIds>(handle.select.what).ids : selected_[current_];
+    // Vertices with entries of their own are taken in the order in which they are listed.
+    const bool isListed = !handle.rotations.empty() || std::holds_alternative<VertexTargets>(handle.motion);
+    const std::vector<Index>& vertices = isListed ? std::get<VertexIds>(handle.select.what).ids : selected_[current_];
     const HandleSetting setting{restOf(vertices), surroundings_, key("")};
     const HandlePlacement placement = placeHandle(handle, setting);
     for (std::size_t k = 0; k < vertices.size(); ++k) {

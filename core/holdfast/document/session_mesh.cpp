@@ -29,14 +29,6 @@ fs::path inRealFolder(const fs::path& path)
   return (folder.empty() ? absolute.parent_path() : folder) / absolute.filename();
 }
 
-/// Where the mesh may be, the likelier first.
-std::vector<fs::path> candidates(const MeshReference& mesh, const fs::path& sessionPath)
-{
-  std::vector<fs::path> paths{sessionPath.parent_path() / mesh.path};
-  if (!mesh.absolutePath.empty() && paths.front() != mesh.absolutePath) paths.emplace_back(mesh.absolutePath);
-  return paths;
-}
-
 ResolvedMesh examined(const fs::path& path, const std::string& checksum)
 {
   try {
@@ -82,9 +74,10 @@ MeshReference referenceTo(const fs::path& mesh, const fs::path& session, std::st
 
 ResolvedMesh resolveMesh(const SessionFile& session, const fs::path& sessionPath)
 {
-  std::vector<ResolvedMesh> found;
-  for (const fs::path& path : candidates(session.mesh, sessionPath))
-    found.push_back(examined(path, session.mesh.checksum));
+  const MeshReference& mesh = session.mesh;
+  std::vector<ResolvedMesh> found{examined(sessionPath.parent_path() / mesh.path, mesh.checksum)};
+  if (!mesh.absolutePath.empty() && found.front().path != mesh.absolutePath)
+    found.push_back(examined(mesh.absolutePath, mesh.checksum));
   // Same before Changed before Missing; of equals the likelier.
   return *std::ranges::min_element(found, {}, &ResolvedMesh::state);
 }

@@ -17,11 +17,6 @@ std::size_t cornerOf(Corners face, Index vertex)
   return static_cast<std::size_t>(std::find(face.begin(), face.end(), vertex) - face.begin());
 }
 
-bool hasAll(Corners face, const std::vector<Term>& terms)
-{
-  return std::ranges::all_of(terms, [&](const Term& term) { return cornerOf(face, term.index) < face.size(); });
-}
-
 /// What `location` lies on, before weights of zero are left out: an edge stays an edge at its ends.
 std::vector<Term> supportOf(const SurfaceLocation& location, const SurfacePoint& point)
 {
@@ -33,7 +28,8 @@ Index hostFaceOf(const SurfaceLocation& location, const std::vector<Term>& terms
 {
   if (const auto* face = std::get_if<AtFace>(&location)) return face->face;
   for (Index f = 0; f < faces.size(); ++f)
-    if (hasAll(faces[f], terms)) return f;
+    if (std::ranges::all_of(terms, [&](const Term& t) { return cornerOf(faces[f], t.index) < faces[f].size(); }))
+      return f;
   throw InputError(
       {}, fmt::format("no face uses vertex {}, so a point there can only be that vertex; choose another vertex first",
                       terms.front().index));
