@@ -7,7 +7,7 @@ namespace holdfast::bench {
 SetUp setUp(const Model& model, const ConstraintList& constraints)
 {
   return {makeOperators(model.solverMesh, Weights::Cotangent),
-          makeConstraintSystem(constraints, model.mesh, model.triangulation, model.solverMesh, "benchmark")};
+          makeConstraintSystem(constraints, model.mesh, model.solverMesh, model.locator(), "benchmark")};
 }
 
 std::unique_ptr<const ConstrainedSolver> factorized(const Model& model, const SetUp& setUp,

@@ -35,8 +35,8 @@ void projectRow(Columns3& gradient, const Row& row)
 /// The rotations of all unknowns.
 Columns3 rotationsOf(const Model& model, const std::filesystem::path& constraints, Weights weights)
 {
-  const ConstraintSystem system = makeConstraintSystem(readConstraints(constraints), model.mesh, model.triangulation,
-                                                       model.solverMesh, constraints.string());
+  const ConstraintSystem system = makeConstraintSystem(readConstraints(constraints), model.mesh, model.solverMesh,
+                                                       model.locator(), constraints.string());
   NoProgress progress;
   return RotationFactorization(model.solverMesh, weights, Backend::Holdfast).solve(system, progress).q;
 }

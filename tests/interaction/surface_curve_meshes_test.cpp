@@ -105,7 +105,7 @@ TEST_F(CurveOnHead, ACurveAroundAnEyeEnclosesWhatItsConstraintWould)
   }
   const Model& model = fixture.model();
   SurfaceLocator locator(model.mesh, model.triangulation);
-  const std::vector<Index> selected = CurveSelector(model.mesh, model.solverMesh, locator).select(inside, {});
+  const std::vector<Index> selected = Selector(model.mesh, model.solverMesh, locator).select({inside}, {});
   EXPECT_THAT(selected, SizeIs(Gt(10u)));
   EXPECT_EQ(std::set<long>(selected.begin(), selected.end()),
             test::insidePlain(plain, test::readPlainMesh(test::dataFolder() + "/head.ply")));

@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include <holdfast/elimination/dependency.h>
+#include <holdfast/elimination/find_dependencies.h>
 
 namespace holdfast::test {
 

@@ -5,7 +5,8 @@ namespace holdfast::test {
 ConstraintSystem systemOf(const Mesh& mesh, const ConstraintList& list)
 {
   const Triangulation triangulation = triangulate(mesh);
-  return makeConstraintSystem(list, mesh, triangulation, makeSolverMesh(mesh, triangulation), "list");
+  return makeConstraintSystem(list, mesh, makeSolverMesh(mesh, triangulation), SurfaceLocator(mesh, triangulation),
+                              "list");
 }
 
 }  // namespace holdfast::test

@@ -87,7 +87,7 @@ Vector3 placeOf(const SurfaceLocation& location, const Shown& shown)
 {
   const Triangulation& triangulation = shown.model.triangulation;
   SurfaceLocator locator(shown.model.mesh, triangulation);
-  return positionOf(locator.locate(location, {}).point, shown.positions);
+  return positionOf(locator.locate(location, {}), shown.positions);
 }
 
 TEST(SurfacePicker, FacePicksAreThoseOfASearchThroughAllTriangles)

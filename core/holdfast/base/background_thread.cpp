@@ -1,6 +1,5 @@
 #include "holdfast/base/background_thread.h"
 
-#include <algorithm>
 #include <atomic>
 #include <list>
 #include <memory>

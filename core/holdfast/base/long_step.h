@@ -31,8 +31,7 @@ class StepThread {
   std::shared_ptr<std::atomic<State>> state_;
 };
 
-/// One result that takes long. The work begins when it is asked for, on a thread of its own, and holds all that it
-/// needs: it may outlive this.
+/// One result that takes long. The work begins when it is asked for, and holds all that it needs: it may outlive this.
 template <class Result>
 class LongStep {
  public:

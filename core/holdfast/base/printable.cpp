@@ -22,18 +22,10 @@ std::size_t lengthFromLead(unsigned char lead)
 /// Overlong forms, surrogates and code points past U+10FFFF show in the second byte (Unicode, table 3-7).
 bool isSecondByteAllowed(unsigned char lead, unsigned char second)
 {
-  switch (lead) {
-    case 0xE0:
-      return second >= 0xA0;
-    case 0xED:
-      return second <= 0x9F;
-    case 0xF0:
-      return second >= 0x90;
-    case 0xF4:
-      return second <= 0x8F;
-    default:
-      return true;
-  }
+  if (lead == 0xE0) return second >= 0xA0;
+  if (lead == 0xED) return second <= 0x9F;
+  if (lead == 0xF0) return second >= 0x90;
+  return lead != 0xF4 || second <= 0x8F;
 }
 
 /// `character` is valid.
@@ -79,17 +71,6 @@ std::string printable(std::string_view text, std::size_t most)
       for (const char byte : character) result += fmt::format("\\x{:02x}", static_cast<unsigned char>(byte));
   }
   return result;
-}
-
-std::string shortened(std::string_view text)
-{
-  constexpr std::size_t kLongestName = 60;
-  return printable(text, kLongestName);
-}
-
-std::string inQuotes(std::string_view text)
-{
-  return '"' + shortened(text) + '"';
 }
 
 }  // namespace holdfast

@@ -18,9 +18,15 @@ namespace holdfast {
 inline constexpr std::size_t kLongestPrintedMessage = 6000;
 
 /// `printable`, cut as names are: at 60 bytes.
-[[nodiscard]] std::string shortened(std::string_view text);
+[[nodiscard]] inline std::string shortened(std::string_view text)
+{
+  return printable(text, 60);
+}
 
 /// The same in double quotes.
-[[nodiscard]] std::string inQuotes(std::string_view text);
+[[nodiscard]] inline std::string inQuotes(std::string_view text)
+{
+  return '"' + shortened(text) + '"';
+}
 
 }  // namespace holdfast

@@ -16,19 +16,13 @@
 namespace holdfast {
 namespace {
 
-/// Collects findings; those about nothing are left out.
-class Findings {
- public:
-  void add(const char* kind, const char* idsOf, std::vector<Index> ids, const CountedWords& words)
-  {
-    if (!ids.empty()) list_.push_back(makeFinding(kind, idsOf, std::move(ids), words));
-  }
+using Findings = std::vector<Finding>;
 
-  [[nodiscard]] std::vector<Finding> take() { return std::move(list_); }
-
- private:
-  std::vector<Finding> list_;
-};
+/// Adds a finding, unless it is about nothing.
+void add(Findings& findings, const char* kind, const char* idsOf, std::vector<Index> ids, const CountedWords& words)
+{
+  if (!ids.empty()) findings.push_back(makeFinding(kind, idsOf, std::move(ids), words));
+}
 
 std::vector<Index> fileVertices(const SolverMesh& mesh, const std::vector<Index>& unknowns)
 {
@@ -44,8 +38,8 @@ void addComponents(Findings& findings, const SolverMesh& mesh)
   std::vector<Index> first(static_cast<std::size_t>(mesh.componentCount), -1);
   for (Index u = 0; u < mesh.unknownCount(); ++u)
     if (const Index c = mesh.componentOf[u]; c >= 0 && first[c] < 0) first[c] = u;
-  findings.add("components", "vertex", fileVertices(mesh, first),
-               {{}, "connected parts (a vertex of each is named); a part without a constraint stays at rest"});
+  add(findings, "components", "vertex", fileVertices(mesh, first),
+      {{}, "connected parts (a vertex of each is named); a part without a constraint stays at rest"});
 }
 
 void addUnreferenced(Findings& findings, const SolverMesh& mesh)
@@ -53,9 +47,9 @@ void addUnreferenced(Findings& findings, const SolverMesh& mesh)
   std::vector<Index> vertices;
   for (std::size_t v = 0; v < mesh.weld.unknownOf.size(); ++v)
     if (mesh.componentOf[mesh.weld.unknownOf[v]] < 0) vertices.push_back(static_cast<Index>(v));
-  findings.add("unreferenced_vertices", "vertex", std::move(vertices),
-               {"vertex that no face uses; it stays where it is unless pinned",
-                "vertices that no face uses; they stay where they are unless pinned"});
+  add(findings, "unreferenced_vertices", "vertex", std::move(vertices),
+      {"vertex that no face uses; it stays where it is unless pinned",
+       "vertices that no face uses; they stay where they are unless pinned"});
 }
 
 /// Vertices that lie on others, apart by whether the solver ties them.
@@ -73,12 +67,12 @@ void addCoincident(Findings& findings, const Mesh& mesh, const SolverMesh& solve
   for (std::size_t k = 1; k < order.size(); ++k)
     if (mesh.positions.row(order[k]) == mesh.positions.row(order[k - 1]))
       (unknownOf(order[k]) == unknownOf(order[k - 1]) ? tied : apart).push_back(order[k]);
-  findings.add("welded_vertices", "vertex", std::move(tied),
-               {"vertex repeats another one exactly along an open edge; they are deformed as one and written apart",
-                "vertices repeat another one exactly along open edges; they are deformed as one and written apart"});
-  findings.add("coincident_vertices", "vertex", std::move(apart),
-               {"vertex lies exactly on another one without an open edge in common; they may move apart",
-                "vertices lie exactly on another one without an open edge in common; they may move apart"});
+  add(findings, "welded_vertices", "vertex", std::move(tied),
+      {"vertex repeats another one exactly along an open edge; they are deformed as one and written apart",
+       "vertices repeat another one exactly along open edges; they are deformed as one and written apart"});
+  add(findings, "coincident_vertices", "vertex", std::move(apart),
+      {"vertex lies exactly on another one without an open edge in common; they may move apart",
+       "vertices lie exactly on another one without an open edge in common; they may move apart"});
 }
 
 double smallestAngleDegrees(const Positions& positions, const Triangle& triangle)
@@ -112,15 +106,15 @@ void addBadTriangles(Findings& findings, const Mesh& mesh, const Triangulation& 
     else if (angle < kNeedleDegrees)
       needles.push_back(triangulation.faceOf[t]);
   }
-  findings.add("repeated_corner_faces", "face", std::move(repeated),
-               {"face names a vertex twice; the solver leaves the part without area out",
-                "faces name a vertex twice; the solver leaves the part without area out"});
-  findings.add("zero_area_faces", "face", std::move(flat),
-               {"face has no area; its cotangents are capped so that it holds together",
-                "faces have no area; their cotangents are capped so that they hold together"});
-  findings.add("needle_faces", "face", std::move(needles),
-               {"face has an angle below 1 degree; its cotangents are capped",
-                "faces have an angle below 1 degree; their cotangents are capped"});
+  add(findings, "repeated_corner_faces", "face", std::move(repeated),
+      {"face names a vertex twice; the solver leaves the part without area out",
+       "faces name a vertex twice; the solver leaves the part without area out"});
+  add(findings, "zero_area_faces", "face", std::move(flat),
+      {"face has no area; its cotangents are capped so that it holds together",
+       "faces have no area; their cotangents are capped so that they hold together"});
+  add(findings, "needle_faces", "face", std::move(needles),
+      {"face has an angle below 1 degree; its cotangents are capped",
+       "faces have an angle below 1 degree; their cotangents are capped"});
 }
 
 /// What the edges of the welded mesh say; ids are faces and vertices of the file.
@@ -171,19 +165,18 @@ EdgeCheck checkEdges(const SolverMesh& mesh)
 void addEdges(Findings& findings, const SolverMesh& mesh)
 {
   EdgeCheck edges = checkEdges(mesh);
-  findings.add("non_manifold_edges", "face", std::move(edges.nonManifoldFaces),
-               {"face meets itself and others at an edge of more than two faces; all of them pull on it",
-                "faces meet at edges of more than two faces; all of them pull on such an edge"});
-  findings.add("non_manifold_vertices", "vertex", fileVertices(mesh, edges.nonManifoldVertices),
-               {"vertex joins fans of faces that share no edge; the fans stay joined there",
-                "vertices join fans of faces that share no edge; the fans stay joined there"});
-  findings.add(
-      "flipped_neighbours", "face", std::move(edges.flippedFaces),
+  add(findings, "non_manifold_edges", "face", std::move(edges.nonManifoldFaces),
+      {"face meets itself and others at an edge of more than two faces; all of them pull on it",
+       "faces meet at edges of more than two faces; all of them pull on such an edge"});
+  add(findings, "non_manifold_vertices", "vertex", fileVertices(mesh, edges.nonManifoldVertices),
+      {"vertex joins fans of faces that share no edge; the fans stay joined there",
+       "vertices join fans of faces that share no edge; the fans stay joined there"});
+  add(findings, "flipped_neighbours", "face", std::move(edges.flippedFaces),
       {"face disagrees with itself on which side is out; the shape is kept all the same, normals are not",
        "faces disagree with a neighbour on which side is out; the shape is kept all the same, normals are not"});
-  findings.add("boundary_loops", "vertex", fileVertices(mesh, edges.boundaryVertices),
-               {"boundary (a vertex of it is named); the surface is open there",
-                "boundaries (a vertex of each is named); the surface is open there"});
+  add(findings, "boundary_loops", "vertex", fileVertices(mesh, edges.boundaryVertices),
+      {"boundary (a vertex of it is named); the surface is open there",
+       "boundaries (a vertex of each is named); the surface is open there"});
 }
 
 }  // namespace
@@ -194,10 +187,10 @@ std::vector<Finding> findNonFinite(const Mesh& mesh)
   for (Index v = 0; v < mesh.vertexCount(); ++v)
     if (!mesh.positions.row(v).allFinite()) vertices.push_back(v);
   Findings findings;
-  findings.add("non_finite_coordinates", "vertex", std::move(vertices),
-               {"vertex has a coordinate that is not a finite number; repair it, nothing can be solved",
-                "vertices have a coordinate that is not a finite number; repair them, nothing can be solved"});
-  return findings.take();
+  add(findings, "non_finite_coordinates", "vertex", std::move(vertices),
+      {"vertex has a coordinate that is not a finite number; repair it, nothing can be solved",
+       "vertices have a coordinate that is not a finite number; repair them, nothing can be solved"});
+  return findings;
 }
 
 std::vector<Finding> checkMesh(const Mesh& mesh, const Triangulation& triangulation, const SolverMesh& solverMesh)
@@ -208,33 +201,31 @@ std::vector<Finding> checkMesh(const Mesh& mesh, const Triangulation& triangulat
   addCoincident(findings, mesh, solverMesh);
   addBadTriangles(findings, mesh, triangulation);
   addEdges(findings, solverMesh);
-  return findings.take();
+  return findings;
 }
 
 std::vector<Finding> guardFindings(const Operators& operators, const SolverMesh& solverMesh)
 {
   Findings findings;
-  findings.add("capped_cotangents", "vertex", fileVertices(solverMesh, operators.clampedCotangents),
-               {"vertex of triangles whose cotangents were capped: very small or very large angles",
-                "vertices of triangles whose cotangents were capped: very small or very large angles"});
-  findings.add("floored_areas", "vertex", fileVertices(solverMesh, operators.flooredAreas),
-               {"vertex whose area was raised to a thousandth of the mean",
-                "vertices whose area was raised to a thousandth of the mean"});
-  return findings.take();
+  add(findings, "capped_cotangents", "vertex", fileVertices(solverMesh, operators.clampedCotangents),
+      {"vertex of triangles whose cotangents were capped: very small or very large angles",
+       "vertices of triangles whose cotangents were capped: very small or very large angles"});
+  add(findings, "floored_areas", "vertex", fileVertices(solverMesh, operators.flooredAreas),
+      {"vertex whose area was raised to a thousandth of the mean",
+       "vertices whose area was raised to a thousandth of the mean"});
+  return findings;
 }
 
 std::vector<Finding> guardFindings(const RotationWeights& weights, const SolverMesh& solverMesh)
 {
   Findings findings;
-  findings.add(
-      "capped_rotation_weights", "vertex", fileVertices(solverMesh, weights.capped),
+  add(findings, "capped_rotation_weights", "vertex", fileVertices(solverMesh, weights.capped),
       {"vertex of triangles whose cotangents were capped for the rotations: very small or very large angles",
        "vertices of triangles whose cotangents were capped for the rotations: very small or very large angles"});
-  findings.add(
-      "floored_rotation_weights", "vertex", fileVertices(solverMesh, weights.floored),
+  add(findings, "floored_rotation_weights", "vertex", fileVertices(solverMesh, weights.floored),
       {"vertex of edges that hardly pass rotations on: negative sums of cotangents were raised to a millionth",
        "vertices of edges that hardly pass rotations on: negative sums of cotangents were raised to a millionth"});
-  return findings.take();
+  return findings;
 }
 
 }  // namespace holdfast

@@ -19,8 +19,7 @@ inline constexpr double kNeedleDegrees = 1;
 [[nodiscard]] std::vector<Finding> findNonFinite(const Mesh& mesh);
 
 /// Everything else, in a fixed order: parts, vertices without faces, vertices that coincide, faces without area,
-/// needles, edges and vertices that are not manifold, neighbours that disagree on the orientation, boundaries. O(T log
-/// T).
+/// needles, edges and vertices that are not manifold, neighbours that disagree on the orientation, boundaries.
 [[nodiscard]] std::vector<Finding> checkMesh(const Mesh& mesh, const Triangulation& triangulation,
                                              const SolverMesh& solverMesh);
 

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <holdfast/base/error.h>
-#include <holdfast/constraint_files/constraint_file_terms_internal.h>
+#include <holdfast/constraint_files/constraint_file_json_internal.h>
 #include <holdfast/constraint_files/constraint_file_text_internal.h>
 #include <holdfast/constraints/handle_validation.h>
 
@@ -15,10 +15,6 @@ using Motion = decltype(HandleConstraint::motion);
 
 constexpr std::array<std::string_view, 4> kMotions{"rotate", "turn", "frame", "targets"};
 constexpr std::array<std::string_view, 6> kNeeded{"rotate", "turn", "frame", "targets", "translate", "rotations"};
-constexpr std::array<std::string_view, 3> kRotationKeys{"axis", "degrees", "center"};
-constexpr std::array<std::string_view, 2> kAxisAngleKeys{"axis", "degrees"};
-constexpr std::array<std::string_view, 3> kFrameMotionKeys{"from", "to", "turns"};
-constexpr std::array<std::string_view, 3> kFrameKeys{"origin", "x", "y"};
 constexpr std::array<std::string_view, 1> kTurns{"about-fixed"};
 
 bool hasAnyOf(const JsonReader& json, std::span<const std::string_view> keys)
@@ -28,7 +24,7 @@ bool hasAnyOf(const JsonReader& json, std::span<const std::string_view> keys)
 
 AxisRotation readAxisRotation(const JsonReader& json)
 {
-  json.requireKeys(kRotationKeys);
+  json.requireKeys({"axis", "degrees", "center"});
   AxisRotation turn{json["axis"].direction(), json["degrees"].number(), std::nullopt};
   if (json.has("center")) turn.center = json["center"].vector();
   return turn;
@@ -36,7 +32,7 @@ AxisRotation readAxisRotation(const JsonReader& json)
 
 AxisAngle readAxisAngle(const JsonReader& json)
 {
-  json.requireKeys(kAxisAngleKeys);
+  json.requireKeys({"axis", "degrees"});
   return {json["axis"].direction(), json["degrees"].number()};
 }
 
@@ -44,7 +40,7 @@ RotationAboutFixed readRotationAboutFixed(const JsonReader& handle)
 {
   const JsonReader json = handle["turn"];
   if (json.text() != kTurns[0])
-    json.fail(fmt::format("unknown way to turn {}{}", inQuotes(json.text()), spellingHint(json.text(), kTurns)));
+    json.fail("unknown way to turn {}{}", inQuotes(json.text()), spellingHint(json.text(), kTurns));
   if (!handle.has("translate"))
     json.fail(R"(the handle turns as "translate" moves it about the fixed vertices; add "translate")");
   if (!handle.has("turn_near")) return {};
@@ -53,7 +49,7 @@ RotationAboutFixed readRotationAboutFixed(const JsonReader& handle)
 
 Frame readFrame(const JsonReader& json)
 {
-  json.requireKeys(kFrameKeys);
+  json.requireKeys({"origin", "x", "y"});
   Frame frame;
   if (json.has("origin")) frame.origin = json["origin"].vector();
   if (json.has("x")) frame.x = json["x"].direction();
@@ -63,7 +59,7 @@ Frame readFrame(const JsonReader& json)
 
 FrameMotion readFrameMotion(const JsonReader& json)
 {
-  json.requireKeys(kFrameMotionKeys);
+  json.requireKeys({"from", "to", "turns"});
   FrameMotion motion;
   if (json.has("from")) motion.from = readFrame(json["from"]);
   motion.to = readFrame(json["to"]);

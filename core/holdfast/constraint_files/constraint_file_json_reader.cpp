@@ -1,14 +1,13 @@
 #include <array>
 #include <map>
-#include <utility>
 
 #include <fmt/format.h>
 
+#include <holdfast/base/lower_case.h>
 #include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/constraint_files/constraint_file_json_internal.h>
-#include <holdfast/constraint_files/constraint_file_terms_internal.h>
 #include <holdfast/constraint_files/constraint_file_text_internal.h>
-#include <holdfast/constraint_files/json_reader_internal.h>
+#include <holdfast/io/files/file_bytes.h>
 
 namespace holdfast {
 namespace {
@@ -35,19 +34,11 @@ constexpr std::array<std::string_view, 6> kPointKeys{"type", "name", "enabled", 
 constexpr std::array<std::string_view, 6> kRelativeKeys{"type", "name", "enabled", "from", "to", "offset"};
 constexpr std::array<std::string_view, 2> kDestinations{"target", "move"};
 
-What readFixed(const JsonReader& json)
+/// A constraint that is its selection alone.
+template <class Region>
+What readRegion(const JsonReader& json)
 {
-  return FixedConstraint{readSelection(json["select"])};
-}
-
-What readRigid(const JsonReader& json)
-{
-  return RigidConstraint{readSelection(json["select"])};
-}
-
-What readHandleConstraint(const JsonReader& json)
-{
-  return readHandle(json);
+  return Region{readSelection(json["select"])};
 }
 
 What readPoint(const JsonReader& json)
@@ -67,11 +58,12 @@ What readRelative(const JsonReader& json)
   return relative;
 }
 
-constexpr std::array<Type, 5> kTypes{{{"fixed", kRegionKeys, readFixed},
-                                      {"handle", kHandleKeys, readHandleConstraint},
-                                      {"point", kPointKeys, readPoint},
-                                      {"rigid", kRegionKeys, readRigid},
-                                      {"relative", kRelativeKeys, readRelative}}};
+constexpr std::array<Type, 5> kTypes{
+    {{"fixed", kRegionKeys, readRegion<FixedConstraint>},
+     {"handle", kHandleKeys, [](const JsonReader& json) { return What(readHandle(json)); }},
+     {"point", kPointKeys, readPoint},
+     {"rigid", kRegionKeys, readRegion<RigidConstraint>},
+     {"relative", kRelativeKeys, readRelative}}};
 
 Type readType(const JsonReader& json)
 {
@@ -80,7 +72,7 @@ Type readType(const JsonReader& json)
     if (type.name == name) return type;
   std::array<std::string_view, kTypes.size()> names;
   for (std::size_t i = 0; i < names.size(); ++i) names[i] = kTypes[i].name;
-  json.fail(fmt::format("unknown type {}{}", inQuotes(name), spellingHint(name, names)));
+  json.fail("unknown type {}{}", inQuotes(name), spellingHint(name, names));
 }
 
 /// The name, or the default for the constraint at `place`, counted from 1.
@@ -103,16 +95,15 @@ Constraint readConstraint(const JsonReader& json, std::size_t place)
 void requireFormat(const JsonReader& document)
 {
   if (document["format"].text() != kFormat)
-    document["format"].fail(fmt::format("{} is expected here, this file says {}; is it a constraint file?",
-                                        inQuotes(kFormat), inQuotes(document["format"].text())));
+    document["format"].fail("{} is expected here, this file says {}; is it a constraint file?", inQuotes(kFormat),
+                            inQuotes(document["format"].text()));
   const Index version = document["version"].integer();
   if (version > kVersion)
     document["version"].fail(
-        fmt::format("version {} is newer than this program, which reads version {}; "
-                    "write the file as version {} or use a newer program",
-                    version, kVersion, kVersion));
-  if (version < kVersion)
-    document["version"].fail(fmt::format("there is no version {}; the version is {}", version, kVersion));
+        "version {} is newer than this program, which reads version {}; write the file as version {} or use a newer "
+        "program",
+        version, kVersion, kVersion);
+  if (version < kVersion) document["version"].fail("there is no version {}; the version is {}", version, kVersion);
 }
 
 std::vector<Constraint> readConstraintArray(const JsonReader& json)
@@ -126,8 +117,8 @@ std::vector<Constraint> readConstraintArray(const JsonReader& json)
     const auto [first, isNew] = pathOf.try_emplace(name, element.path());
     if (isNew) continue;
     if (!element.has("name"))
-      element.fail(fmt::format("its default name {} is that of {}; give it a name", inQuotes(name), first->second));
-    element["name"].fail(fmt::format("{} is the name of {} already; names are unique", inQuotes(name), first->second));
+      element.fail("its default name {} is that of {}; give it a name", inQuotes(name), first->second);
+    element["name"].fail("{} is the name of {} already; names are unique", inQuotes(name), first->second);
   }
   return constraints;
 }
@@ -148,6 +139,17 @@ ConstraintList parseConstraintsJson(std::string_view text, const std::string& na
 {
   const JsonValue root = parseJson(text, name);
   return readConstraintDocument(JsonReader(root, name));
+}
+
+bool isPointList(const std::filesystem::path& path)
+{
+  return lowerCase(path.extension().string()) == ".csv";
+}
+
+ConstraintList readConstraints(const std::filesystem::path& path)
+{
+  const std::string text = readTextFile(path);
+  return isPointList(path) ? parsePointListCsv(text, path.string()) : parseConstraintsJson(text, path.string());
 }
 
 }  // namespace holdfast

@@ -1,12 +1,11 @@
 #include <array>
 #include <cmath>
 #include <memory>
-#include <utility>
 
 #include <fmt/format.h>
 
 #include <holdfast/constraint_files/constraint_file.h>
-#include <holdfast/constraint_files/constraint_file_terms_internal.h>
+#include <holdfast/constraint_files/constraint_file_json_internal.h>
 #include <holdfast/constraint_files/constraint_file_text_internal.h>
 
 namespace holdfast {
@@ -17,14 +16,7 @@ constexpr std::array<std::string_view, 9> kSelections{"vertices", "box", "sphere
 // Fewer would lead there and back.
 constexpr std::size_t kLeastPlacesOfCurve = 3;
 constexpr std::array<std::string_view, 4> kLocations{"vertex", "edge", "face", "near"};
-constexpr std::array<std::string_view, 6> kLocationKeys{"vertex", "edge", "t", "face", "weights", "near"};
-constexpr std::array<std::string_view, 2> kBoxKeys{"min", "max"};
-constexpr std::array<std::string_view, 2> kSphereKeys{"center", "radius"};
-constexpr std::array<std::string_view, 2> kHalfSpaceKeys{"point", "normal"};
-constexpr std::array<std::string_view, 2> kCurveKeys{"through", "side"};
 constexpr std::array<std::string_view, 2> kSides{"smaller", "larger"};
-constexpr std::array<std::string_view, 2> kEdgeKeys{"edge", "t"};
-constexpr std::array<std::string_view, 2> kFaceKeys{"face", "weights"};
 
 VertexIds readVertices(const JsonReader& json)
 {
@@ -36,26 +28,26 @@ VertexIds readVertices(const JsonReader& json)
 
 InBox readBox(const JsonReader& json)
 {
-  json.requireKeys(kBoxKeys);
+  json.requireKeys({"min", "max"});
   const InBox box{json["min"].vector(), json["max"].vector()};
   for (int axis = 0; axis < 3; ++axis)
     if (box.min[axis] > box.max[axis])
-      json.fail(fmt::format("the box is turned inside out: min {} is larger than max {} in {}; exchange them",
-                            box.min[axis], box.max[axis], "xyz"[axis]));
+      json.fail("the box is turned inside out: min {} is larger than max {} in {}; exchange them", box.min[axis],
+                box.max[axis], "xyz"[axis]);
   return box;
 }
 
 InSphere readSphere(const JsonReader& json)
 {
-  json.requireKeys(kSphereKeys);
+  json.requireKeys({"center", "radius"});
   const InSphere sphere{json["center"].vector(), json["radius"].number()};
-  if (sphere.radius <= 0) json["radius"].fail(fmt::format("the radius must be above 0, this is {}", sphere.radius));
+  if (sphere.radius <= 0) json["radius"].fail("the radius must be above 0, this is {}", sphere.radius);
   return sphere;
 }
 
 InHalfSpace readHalfSpace(const JsonReader& json)
 {
-  json.requireKeys(kHalfSpaceKeys);
+  json.requireKeys({"point", "normal"});
   return {json["point"].vector(), json["normal"].direction()};
 }
 
@@ -64,16 +56,16 @@ CurveSide readSide(const JsonReader& json)
   const std::string& side = json.text();
   if (side == kSides[0]) return CurveSide::Smaller;
   if (side == kSides[1]) return CurveSide::Larger;
-  json.fail(fmt::format("unknown side {}{}", inQuotes(side), spellingHint(side, kSides)));
+  json.fail("unknown side {}{}", inQuotes(side), spellingHint(side, kSides));
 }
 
 InsideCurve readCurve(const JsonReader& json)
 {
-  json.requireKeys(kCurveKeys);
+  json.requireKeys({"through", "side"});
   const JsonReader through = json["through"];
   if (through.size() < kLeastPlacesOfCurve)
-    through.fail(fmt::format("a closed curve goes through at least {} places, this list has {}; add places along it",
-                             kLeastPlacesOfCurve, through.size()));
+    through.fail("a closed curve goes through at least {} places, this list has {}; add places along it",
+                 kLeastPlacesOfCurve, through.size());
   InsideCurve curve;
   for (std::size_t i = 0; i < through.size(); ++i) curve.through.push_back(readLocation(through.element(i)));
   if (json.has("side")) curve.side = readSide(json["side"]);
@@ -93,7 +85,7 @@ std::vector<Selection> readParts(const JsonReader& json, int depth)
 Selection readNested(const JsonReader& json, int depth)
 {
   if (depth > kMaximumSelectionDepth)
-    json.fail(fmt::format("selections are nested deeper than {}; take levels out", kMaximumSelectionDepth));
+    json.fail("selections are nested deeper than {}; take levels out", kMaximumSelectionDepth);
   json.requireKeys(kSelections);
   const std::string_view kind = json.oneKeyOf(kSelections);
   const JsonReader group = json[kind];
@@ -110,37 +102,37 @@ Selection readNested(const JsonReader& json, int depth)
 
 AtEdge readEdge(const JsonReader& json)
 {
-  json.requireKeys(kEdgeKeys);
+  json.requireKeys({"edge", "t"});
   const JsonReader ends = json["edge"];
   ends.requireSize(2, "the two vertices [i, j]");
   const AtEdge edge{ends.element(0).id(), ends.element(1).id(), json["t"].number()};
-  if (edge.i == edge.j) ends.fail(fmt::format("both ends are vertex {}; name two vertices", edge.i));
+  if (edge.i == edge.j) ends.fail("both ends are vertex {}; name two vertices", edge.i);
   if (edge.t < 0 || edge.t > 1)
-    json["t"].fail(fmt::format("{} is outside [0, 1]; 1 is the first vertex of the edge, 0 the second", edge.t));
+    json["t"].fail("{} is outside [0, 1]; 1 is the first vertex of the edge, 0 the second", edge.t);
   return edge;
 }
 
 void requireWeights(const JsonReader& json, const std::vector<double>& weights)
 {
   if (weights.size() < 3)
-    json.fail(fmt::format("a face has at least 3 corners and a weight for each; this list has {}", weights.size()));
+    json.fail("a face has at least 3 corners and a weight for each; this list has {}", weights.size());
   double sum = 0;
   for (const double weight : weights) sum += weight;
   if (std::abs(sum - 1) <= kWeightSumTolerance) return;
   const char* remedy = sum > 0 ? "divide each by that sum, with all digits" : "give weights above 0";
-  json.fail(fmt::format("the weights sum to {}, not to 1; {}", sum, remedy));
+  json.fail("the weights sum to {}, not to 1; {}", sum, remedy);
 }
 
 AtFace readFace(const JsonReader& json)
 {
-  json.requireKeys(kFaceKeys);
+  json.requireKeys({"face", "weights"});
   const JsonReader weights = json["weights"];
   AtFace face{json["face"].id(), std::vector<double>(weights.size())};
   for (std::size_t corner = 0; corner < face.weights.size(); ++corner) {
     const JsonReader weight = weights.element(corner);
     face.weights[corner] = weight.number();
     if (face.weights[corner] < 0)
-      weight.fail(fmt::format("the weight {} is negative; the point would lie outside the face", face.weights[corner]));
+      weight.fail("the weight {} is negative; the point would lie outside the face", face.weights[corner]);
   }
   requireWeights(weights, face.weights);
   return face;
@@ -155,11 +147,11 @@ Selection readSelection(const JsonReader& json)
 
 SurfaceLocation readLocation(const JsonReader& json)
 {
-  json.requireKeys(kLocationKeys);
+  json.requireKeys({"vertex", "edge", "t", "face", "weights", "near"});
   const std::string_view kind = json.oneKeyOf(kLocations);
   if (kind == "edge") return readEdge(json);
   if (kind == "face") return readFace(json);
-  json.requireKeys({&kind, 1});
+  json.requireKeys({kind});
   if (kind == "vertex") return AtVertex{json[kind].id()};
   return AtNear{json[kind].vector()};
 }

@@ -17,26 +17,16 @@ const JsonMember* findMember(const JsonObject& object, std::string_view key)
   return found == object.end() ? nullptr : &*found;
 }
 
-/// A key that the object has twice; null where there is none.
-const std::string* repeatedKey(const JsonObject& object)
-{
-  std::vector<const std::string*> keys;
-  for (const JsonMember& member : object) keys.push_back(&member.key);
-  std::sort(keys.begin(), keys.end(), [](const auto* a, const auto* b) { return *a < *b; });
-  const auto twin = std::adjacent_find(keys.begin(), keys.end(), [](const auto* a, const auto* b) { return *a == *b; });
-  return twin == keys.end() ? nullptr : *twin;
-}
-
 }  // namespace
 
 void JsonReader::requireKeys(std::span<const std::string_view> known) const
 {
-  for (const JsonMember& member : object())
+  for (const JsonMember& member : object()) {
+    const auto at = [&](const JsonValue& value) { return JsonReader(value, file_, memberPath(path_, member.key)); };
     if (std::find(known.begin(), known.end(), member.key) == known.end())
-      JsonReader(member.value, file_, memberPath(path_, member.key))
-          .fail(fmt::format("unknown key {}{}", inQuotes(member.key), spellingHint(member.key, known)));
-  if (const std::string* key = repeatedKey(object()))
-    JsonReader(*value_, file_, memberPath(path_, *key)).fail("this key stands here more than once; keep one");
+      at(member.value).fail("unknown key {}{}", inQuotes(member.key), spellingHint(member.key, known));
+    if (findMember(object(), member.key) != &member) at(*value_).fail("this key stands here more than once; keep one");
+  }
 }
 
 bool JsonReader::has(std::string_view key) const
@@ -49,21 +39,16 @@ std::string_view JsonReader::oneKeyOf(std::span<const std::string_view> choices)
   std::vector<std::string_view> found;
   for (const std::string_view choice : choices)
     if (has(choice)) found.push_back(choice);
-  if (found.empty()) fail(fmt::format("one of these keys is missing: {}", listInQuotes(choices)));
-  if (found.size() > 1) fail(fmt::format("{} exclude one another; keep one", listInQuotes(found)));
+  if (found.empty()) fail("one of these keys is missing: {}", listInQuotes(choices));
+  if (found.size() > 1) fail("{} exclude one another; keep one", listInQuotes(found));
   return found.front();
 }
 
 JsonReader JsonReader::operator[](std::string_view key) const
 {
   const JsonMember* member = findMember(object(), key);
-  if (member == nullptr) fail(fmt::format("the key {} is missing; add it", inQuotes(key)));
+  if (member == nullptr) fail("the key {} is missing; add it", inQuotes(key));
   return {member->value, file_, memberPath(path_, key)};
-}
-
-std::size_t JsonReader::size() const
-{
-  return array().size();
 }
 
 std::size_t JsonReader::sizeAboveZero() const
@@ -74,20 +59,13 @@ std::size_t JsonReader::sizeAboveZero() const
 
 void JsonReader::requireSize(std::size_t count, std::string_view meaning) const
 {
-  if (size() != count) fail(fmt::format("a list of {} is expected, {}; this one has {}", count, meaning, size()));
+  if (size() != count) fail("a list of {} is expected, {}; this one has {}", count, meaning, size());
 }
 
 JsonReader JsonReader::element(std::size_t place) const
 {
   assert(place < size());
   return {array()[place], file_, elementPath(path_, place)};
-}
-
-bool JsonReader::boolean() const
-{
-  const bool* value = std::get_if<bool>(&value_->what);
-  if (value == nullptr) failKind("true or false");
-  return *value;
 }
 
 double JsonReader::number() const
@@ -102,27 +80,19 @@ Index JsonReader::integer() const
 {
   if (const auto* value = std::get_if<std::int64_t>(&value_->what)) return *value;
   if (const auto* value = std::get_if<double>(&value_->what))
-    fail(fmt::format("{} is not an integer of at most 64 bits, written without point and exponent", *value));
+    fail("{} is not an integer of at most 64 bits, written without point and exponent", *value);
   const auto* value = std::get_if<std::uint64_t>(&value_->what);
   if (value == nullptr) failKind("an integer");
   if (*value > static_cast<std::uint64_t>(std::numeric_limits<Index>::max()))
-    fail(fmt::format("{} is too large for an integer here; the largest is {}", *value,
-                     std::numeric_limits<Index>::max()));
+    fail("{} is too large for an integer here; the largest is {}", *value, std::numeric_limits<Index>::max());
   return static_cast<Index>(*value);
 }
 
 Index JsonReader::id() const
 {
   const Index value = integer();
-  if (value < 0) fail(fmt::format("{} is negative; ids count from 0 in the order of the mesh file", value));
+  if (value < 0) fail("{} is negative; ids count from 0 in the order of the mesh file", value);
   return value;
-}
-
-const std::string& JsonReader::text() const
-{
-  const auto* value = std::get_if<std::string>(&value_->what);
-  if (value == nullptr) failKind("text in double quotes");
-  return *value;
 }
 
 Vector3 JsonReader::vector() const
@@ -148,23 +118,9 @@ void JsonReader::failBelow(const std::string& key, const std::string& reason) co
   throw InputError({std::string(file_), 0, path_ + key}, reason);
 }
 
-const JsonObject& JsonReader::object() const
-{
-  const auto* value = std::get_if<JsonObject>(&value_->what);
-  if (value == nullptr) failKind("an object in braces");
-  return *value;
-}
-
-const JsonArray& JsonReader::array() const
-{
-  const auto* value = std::get_if<JsonArray>(&value_->what);
-  if (value == nullptr) failKind("a list");
-  return *value;
-}
-
 void JsonReader::failKind(std::string_view expected) const
 {
-  fail(fmt::format("{} is expected here, this is {}", expected, kindOf(*value_)));
+  fail("{} is expected here, this is {}", expected, kindOf(*value_));
 }
 
 }  // namespace holdfast

@@ -3,11 +3,15 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include <holdfast/base/types.h>
 
@@ -32,10 +36,8 @@ struct JsonMember {
 /// Lists and objects inside one another at most: more than a constraint file can need, and little enough to recurse.
 inline constexpr std::size_t kMaximumJsonDepth = 300;
 
-/// The tree of a JSON text. Throws `InputError` in `file`: with line and column where the text is not JSON, not UTF-8,
-/// or holds a number too large for a double; with the path of a number too small for one and of what is nested deeper
-/// than `kMaximumJsonDepth`.
-/// O(size of the text) in time and memory.
+/// The tree of a JSON text. Throws `InputError` for what is not JSON, not UTF-8, nested deeper than
+/// `kMaximumJsonDepth`, or holds a number that is no double. O(size of the text) in time and memory.
 [[nodiscard]] JsonValue parseJson(std::string_view text, std::string_view file);
 
 /// "a number", "a list", ...: what a message calls the value.
@@ -56,10 +58,10 @@ class JsonReader {
  public:
   JsonReader(const JsonValue& root, std::string_view file) : JsonReader(root, file, std::string()) {}
 
-  /// This is an object whose keys are all among `known` and do not repeat. O(k log k) for k keys.
+  /// This is an object whose keys are all among `known` and do not repeat.
   void requireKeys(std::span<const std::string_view> known) const;
+  void requireKeys(std::initializer_list<std::string_view> known) const { requireKeys(std::span(known)); }
 
-  /// This object has the key.
   [[nodiscard]] bool has(std::string_view key) const;
 
   /// The one of `choices` that this object has; both none and several are refused.
@@ -68,31 +70,33 @@ class JsonReader {
   /// The value of a key, which must be there.
   [[nodiscard]] JsonReader operator[](std::string_view key) const;
 
-  /// The length of a list.
-  [[nodiscard]] std::size_t size() const;
+  [[nodiscard]] std::size_t size() const { return array().size(); }
   /// The length of a list that is not empty.
   [[nodiscard]] std::size_t sizeAboveZero() const;
   /// This is a list of `count`, which `meaning` names: "[x, y, z]".
   void requireSize(std::size_t count, std::string_view meaning) const;
-  /// The element at `place` of a list, from 0, below its length.
   [[nodiscard]] JsonReader element(std::size_t place) const;
 
-  [[nodiscard]] bool boolean() const;
+  [[nodiscard]] bool boolean() const { return as<bool>("true or false"); }
   [[nodiscard]] double number() const;
   /// An integer, written without point and exponent, that fits into 64 bits.
   [[nodiscard]] Index integer() const;
   /// An integer from 0.
   [[nodiscard]] Index id() const;
-  [[nodiscard]] const std::string& text() const;
-  /// [x, y, z].
+  [[nodiscard]] const std::string& text() const { return as<std::string>("text in double quotes"); }
   [[nodiscard]] Vector3 vector() const;
-  /// [x, y, z], not all zero: a direction.
+  /// [x, y, z], not all zero.
   [[nodiscard]] Vector3 direction() const;
 
   [[nodiscard]] const std::string& path() const noexcept { return path_; }
 
   /// Throws `InputError` with this value's file and path.
   [[noreturn]] void fail(const std::string& reason) const;
+  template <class Arg, class... Args>
+  [[noreturn]] void fail(fmt::format_string<Arg, Args...> reason, Arg&& arg, Args&&... args) const
+  {
+    fail(fmt::format(reason, std::forward<Arg>(arg), std::forward<Args>(args)...));
+  }
   /// The same with this value's path followed by `key`: ".vertices[3]".
   [[noreturn]] void failBelow(const std::string& key, const std::string& reason) const;
 
@@ -102,8 +106,14 @@ class JsonReader {
   {
   }
 
-  [[nodiscard]] const JsonObject& object() const;
-  [[nodiscard]] const JsonArray& array() const;
+  template <class Kind>
+  [[nodiscard]] const Kind& as(std::string_view expected) const
+  {
+    if (const auto* value = std::get_if<Kind>(&value_->what)) return *value;
+    failKind(expected);
+  }
+  [[nodiscard]] const JsonObject& object() const { return as<JsonObject>("an object in braces"); }
+  [[nodiscard]] const JsonArray& array() const { return as<JsonArray>("a list"); }
   [[noreturn]] void failKind(std::string_view expected) const;
 
   const JsonValue* value_;

@@ -26,17 +26,6 @@ std::vector<Index> ascending(std::vector<Index> ids)
   return ids;
 }
 
-/// The vertices have entries of their own, in the order in which they are listed.
-bool isListed(const HandleConstraint& handle)
-{
-  return !handle.rotations.empty() || std::holds_alternative<VertexTargets>(handle.motion);
-}
-
-bool statesNoRotation(const HandleConstraint& handle)
-{
-  return handle.rotations.empty() && std::holds_alternative<std::monostate>(handle.motion);
-}
-
 /// Makes the rows of one list; remembers what several constraints share.
 class SystemBuilder {
  public:
@@ -53,7 +42,6 @@ class SystemBuilder {
         hasRotation_(static_cast<std::size_t>(solverMesh.unknownCount()), false)
   {
     system_.points.resize(list.constraints.size());
-    system_.surfaceDistances.resize(list.constraints.size(), 0);
   }
 
   ConstraintSystem build()
@@ -116,20 +104,21 @@ class SystemBuilder {
     if (const std::optional<HandleError> error = validateHandle(handle))
       throw InputError(key(error->key), error->reason);
     if (!isEnabled()) return;
-    const std::vector<Index>& vertices =
-        isListed(handle) ? std::get<VertexIds>(handle.select.what).ids : selected_[current_];
-    const Positions rest = restOf(vertices);
-    const HandlePlacement placement = placeHandle(handle, rest, surroundings_, key(""));
+    // Vertices with entries of their own are taken in the order in which they are listed.
+    const bool isListed = !handle.rotations.empty() || std::holds_alternative<VertexTargets>(handle.motion);
+    const std::vector<Index>& vertices = isListed ? std::get<VertexIds>(handle.select.what).ids : selected_[current_];
+    const HandleSetting setting{restOf(vertices), surroundings_, key("")};
+    const HandlePlacement placement = placeHandle(handle, setting);
     for (std::size_t k = 0; k < vertices.size(); ++k) {
       addPin(vertices[k], placement.places.row(k));
       giveRotation(vertices[k], placement.q.row(k));
     }
-    noteRotation(handle, placement, shareMoved(handle, rest, surroundings_));
+    noteRotation(handle, placement, shareMoved(handle, setting));
   }
 
   void add(const PointConstraint& point)
   {
-    const SurfacePoint at = located(point.at, ".at");
+    const SurfacePoint at = locator_.locate(point.at, key(".at"));
     system_.points[current_] = at;
     const Vector3 rest = positionOf(at, mesh_.positions);
     if (const Target* target = std::get_if<Target>(&point.to))
@@ -154,8 +143,8 @@ class SystemBuilder {
 
   void add(const RelativeConstraint& relative)
   {
-    const SurfacePoint from = overUnknowns(located(relative.from, ".from"));
-    const SurfacePoint to = overUnknowns(located(relative.to, ".to"));
+    const SurfacePoint from = overUnknowns(locator_.locate(relative.from, key(".from")));
+    const SurfacePoint to = overUnknowns(locator_.locate(relative.to, key(".to")));
     if (!isEnabled()) return;
     if (!relative.offset) return addRotatedVector(RowKind::Relative, from, to, midpoint(from, to).terms);
     const Vector3 rest = restVector(from, to);
@@ -166,9 +155,7 @@ class SystemBuilder {
   /// In the order of `vertices`.
   [[nodiscard]] Positions restOf(const std::vector<Index>& vertices) const
   {
-    Positions rest(static_cast<Index>(vertices.size()), 3);
-    for (std::size_t k = 0; k < vertices.size(); ++k) rest.row(k) = mesh_.positions.row(vertices[k]);
-    return rest;
+    return mesh_.positions(vertices, Eigen::all);
   }
 
   // A target of a vertex is taken as it is: it is what the written file must hold.
@@ -223,23 +210,16 @@ class SystemBuilder {
       note("undetermined_rotation",
            "its targets do not say how it turns: they or its vertices lie on a line, or the targets mirror it; the "
            "rotation that fits is taken, give \"rotations\" if it should be another");
-    if (statesNoRotation(handle) && share > kUnsaidRotation)
-      note("unsaid_rotation",
-           fmt::format("moved {:.0f} % of its distance to the fixed region without turning; give it a rotation "
-                       "(\"rotate\", or \"turn\": \"about-fixed\") if it should turn",
-                       100 * share));
+    const bool statesNone = handle.rotations.empty() && std::holds_alternative<std::monostate>(handle.motion);
+    if (statesNone && share > kUnsaidRotation)
+      note("unsaid_rotation", fmt::format("moved {:.0f} % of its distance to the fixed region without turning; give it "
+                                          "a rotation (\"rotate\", or \"turn\": \"about-fixed\") if it should turn",
+                                          100 * share));
   }
 
   void note(std::string kind, std::string message)
   {
     system_.notes.push_back({current_, std::move(kind), std::move(message)});
-  }
-
-  [[nodiscard]] SurfacePoint located(const SurfaceLocation& location, const char* where)
-  {
-    auto [point, distance] = locator_.locate(location, key(where));
-    system_.surfaceDistances[current_] = std::max(system_.surfaceDistances[current_], distance);
-    return std::move(point);
   }
 
   [[nodiscard]] SurfacePoint overUnknowns(SurfacePoint point) const

@@ -62,7 +62,6 @@ inline constexpr double kUnsaidRotation = 0.25;
 struct ConstraintSystem {
   std::vector<ConstraintRow> rows;
   std::vector<SurfacePoint> points;      ///< of each constraint of type point: where it lies, in file vertices
-  std::vector<double> surfaceDistances;  ///< of each constraint: how far its `near` places lay from the surface; else 0
   std::vector<RotatedVector> rotated;    ///< ascending by row; the rows are as at q = 0, see `rotated`
   std::vector<GivenRotation> rotations;  ///< in the user's order; each unknown once, because the first stands
   std::vector<std::vector<Index>>
@@ -72,23 +71,13 @@ struct ConstraintSystem {
 
 /// Makes rows of a list of constraints on a mesh whose positions are finite. `source` names the list in messages.
 /// Throws `InputError` with the place in the list: ids out of range, edges that are not in the mesh, weights that do
-/// not fit a face, selections without a vertex, handles that `validateHandle` or `placeHandle` refuses. O(N) per
-/// selection, O(log T) per `near` point after O(T log T) for the first of the mesh.
+/// not fit a face, selections without a vertex, handles that `validateHandle` or `placeHandle` refuses.
 [[nodiscard]] ConstraintSystem makeConstraintSystem(const ConstraintList& list, const Mesh& mesh,
                                                     const SolverMesh& solverMesh, const SurfaceLocator& locator,
                                                     const std::string& source);
 
-/// The same with a locator for this list alone.
-[[nodiscard]] inline ConstraintSystem makeConstraintSystem(const ConstraintList& list, const Mesh& mesh,
-                                                           const Triangulation& triangulation,
-                                                           const SolverMesh& solverMesh, const std::string& source)
-{
-  return makeConstraintSystem(list, mesh, solverMesh, SurfaceLocator(mesh, triangulation), source);
-}
-
 /// `system` with the targets and shifts of its rotated rows at the rotations `q` of all unknowns (n x 3, logs). Counts
-/// from rest, whatever rotations the rows had before. Where q is 0 every row is as it was made, bit for bit. O(rotated
-/// rows), and a copy of the rest unless it is moved here.
+/// from rest, whatever rotations the rows had before. Where q is 0 every row is as it was made, bit for bit.
 [[nodiscard]] ConstraintSystem rotated(ConstraintSystem system, const Columns3& q);
 
 }  // namespace holdfast

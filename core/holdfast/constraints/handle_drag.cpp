@@ -24,8 +24,11 @@ constexpr double kMostSteps = 20000;
 // Closer to whole turns than a third of a step, the axis does not show where the log came from.
 constexpr double kNoStep = kStepDegrees / 360 * pi / 3;
 
-// A log shorter than this has lost three digits of its axis.
+// A log shorter than this has lost three digits of its axis, and whole turns about it would show that.
 constexpr double kLeastAxis = 1e-3;
+
+// Doubles count up to here one by one.
+constexpr double kMostTurns = 9e15;
 
 // Just short of half a turn, from where on rounding would choose between its two logs.
 constexpr double kHalfTurn = pi / 2 * (1 - 1e-9);
@@ -91,15 +94,14 @@ struct Rotator {
     FrameMotion moved = motion;
     moved.to = {origin + swing(increment, origin + handle.translate), R * motion.to.x.stableNormalized(),
                 R * motion.to.y.stableNormalized()};
-    const Vector3 q = logOf(after());
-    const Vector3 shortest = rotationLog(Eigen::Matrix3d(axesOf(moved.to) * axesOf(moved.from).transpose()));
-    if (q.norm() > kHalfTurn && shortest.norm() < kLeastAxis) {
-      handle.motion = AxisRotation{after().axis, after().degrees, from};
+    const AxisAngle turn = after();
+    if (const std::optional<Index> turns = wholeTurns(moved, logOf(turn))) {
+      moved.turns = *turns;
+      handle.motion = std::move(moved);
+    } else {
+      handle.motion = AxisRotation{turn.axis, turn.degrees, from};
       handle.translate += *moved.to.origin - from;
-      return;
     }
-    moved.turns = std::llround((q - shortest).dot(shortest.normalized()) / pi);
-    handle.motion = std::move(moved);
   }
 
   void operator()(const VertexTargets& targets) const
@@ -125,21 +127,27 @@ struct Rotator {
 
 }  // namespace
 
-AxisAngle rotationOfMotion(HandleConstraint handle, const Positions& rest, const HandleSurroundings& surroundings,
-                           const InputLocation& where)
+std::optional<Index> wholeTurns(const FrameMotion& frames, const Vector3& q)
+{
+  const Vector3 shortest = rotationLog(Eigen::Matrix3d(axesOf(frames.to) * axesOf(frames.from).transpose()));
+  const double turns = (q - shortest).dot(shortest.normalized()) / pi;
+  const bool hasAxis = shortest.norm() >= kLeastAxis && std::abs(turns) <= kMostTurns;
+  return hasAxis || q.norm() <= kHalfTurn ? std::optional(static_cast<Index>(std::llround(turns))) : std::nullopt;
+}
+
+AxisAngle rotationOfMotion(HandleConstraint handle, const HandleSetting& setting)
 {
   if (const AxisRotation* turn = std::get_if<AxisRotation>(&handle.motion)) return {turn->axis, turn->degrees};
   handle.rotations.clear();
-  return turnOf(placeHandle(handle, rest, surroundings, where).q.row(0).transpose());
+  return turnOf(placeHandle(handle, setting).q.row(0).transpose());
 }
 
-HandleConstraint followed(HandleConstraint handle, const AxisAngle& last, const Positions& rest,
-                          const HandleSurroundings& surroundings, const InputLocation& where)
+HandleConstraint followed(HandleConstraint handle, const AxisAngle& last, const HandleSetting& setting)
 {
   auto* const about = std::get_if<RotationAboutFixed>(&handle.motion);
   if (about == nullptr) return handle;
   about->near = last;
-  const AxisAngle turn = rotationOfMotion(handle, rest, surroundings, where);
+  const AxisAngle turn = rotationOfMotion(handle, setting);
   about->near = logOf(turn).norm() > kHalfTurn ? std::optional(turn) : std::nullopt;
   return handle;
 }
@@ -155,18 +163,16 @@ AxisAngle composed(const AxisAngle& turn, const AxisAngle& next)
   return turnOf(followedLog(turn, next));
 }
 
-HandleConstraint composed(const HandleConstraint& handle, const RigidIncrement& increment, const Positions& rest,
-                          const HandleSurroundings& surroundings, const InputLocation& where)
+HandleConstraint composed(const HandleConstraint& handle, const RigidIncrement& increment, const HandleSetting& setting)
 {
   const AxisAngle next{increment.axis, increment.degrees};
-  const bool isMoved = !increment.translation.isZero(0);
   HandleConstraint result = handle;
   if (!isNone(next)) {
-    const AxisAngle before = rotationOfMotion(handle, rest, surroundings, where);
+    const AxisAngle before = rotationOfMotion(handle, setting);
     for (AxisAngle& turn : result.rotations) turn = composed(turn, next);
-    std::visit(Rotator{result, increment, rest, before}, handle.motion);
+    std::visit(Rotator{result, increment, setting.rest, before}, handle.motion);
   }
-  if (isMoved) result.translate += increment.translation;
+  if (!increment.translation.isZero(0)) result.translate += increment.translation;
   return result;
 }
 

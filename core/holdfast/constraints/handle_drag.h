@@ -1,8 +1,6 @@
 #pragma once
 /// What a drag with the mouse makes of a handle: its motion, and one rigid motion more.
 
-#include <holdfast/base/error.h>
-#include <holdfast/constraints/constraint.h>
 #include <holdfast/constraints/handle_motion.h>
 
 namespace holdfast {
@@ -21,8 +19,7 @@ struct RigidIncrement {
 /// `next` grows from nothing: turns are kept, and nothing jumps during a drag. O(degrees of `next`), bounded.
 [[nodiscard]] AxisAngle composed(const AxisAngle& turn, const AxisAngle& next);
 
-/// The handle that goes where `handle` goes and then by `increment`. `rest` and `surroundings` are those of
-/// `placeHandle`, and the handle has no mistake.
+/// The handle that goes where `handle` goes and then by `increment`. The handle has no mistake.
 ///
 /// A mere translation is added to `HandleConstraint::translate` and changes nothing else. No increment at all gives
 /// `handle` back, bit for bit. With a rotation
@@ -32,21 +29,20 @@ struct RigidIncrement {
 /// - the `to` of a `FrameMotion` moves; where its frames are too nearly alike for whole turns, it becomes an
 ///   `AxisRotation`;
 /// - each place of `VertexTargets` moves; beyond half a turn `rotations` say how.
-/// Entries of `HandleConstraint::rotations` are rotated as well. Throws `InputError` at `where` for a handle that turns
-/// about what is fixed and cannot (`placeHandle`). O(vertices).
+/// Entries of `HandleConstraint::rotations` are rotated as well. Throws and costs as `placeHandle`.
 [[nodiscard]] HandleConstraint composed(const HandleConstraint& handle, const RigidIncrement& increment,
-                                        const Positions& rest, const HandleSurroundings& surroundings,
-                                        const InputLocation& where);
+                                        const HandleSetting& setting);
 
-/// How the motion of `handle` turns it, with `rest`, `surroundings`, errors and cost of `placeHandle`.
-[[nodiscard]] AxisAngle rotationOfMotion(HandleConstraint handle, const Positions& rest,
-                                         const HandleSurroundings& surroundings, const InputLocation& where);
+/// The whole turns about the axis of the frames that make the log of their rotation `q`; none where they are too nearly
+/// alike to say an axis.
+[[nodiscard]] std::optional<Index> wholeTurns(const FrameMotion& frames, const Vector3& q);
+
+/// How the motion of `handle` turns it. Throws and costs as `placeHandle`.
+[[nodiscard]] AxisAngle rotationOfMotion(HandleConstraint handle, const HandleSetting& setting);
 
 /// `handle`, one step of a drag after it turned by `last`: where it turns about what is fixed, it turns by what is
 /// nearest to that, and says so from half a turn on (`RotationAboutFixed::near`). So it can be dragged round what is
-/// fixed, and nothing jumps where it passes the far side. Other handles stay as they are. Throws and costs as
-/// `placeHandle`.
-[[nodiscard]] HandleConstraint followed(HandleConstraint handle, const AxisAngle& last, const Positions& rest,
-                                        const HandleSurroundings& surroundings, const InputLocation& where);
+/// fixed, and nothing jumps where it passes the far side. Throws and costs as `placeHandle`.
+[[nodiscard]] HandleConstraint followed(HandleConstraint handle, const AxisAngle& last, const HandleSetting& setting);
 
 }  // namespace holdfast

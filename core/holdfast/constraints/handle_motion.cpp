@@ -47,8 +47,7 @@ std::optional<Eigen::Quaterniond> halfTurnAcross(const Vector3& direction, const
 struct Placer {
   const Positions& rest;
   const Vector3& translate;
-  const HandleSurroundings& surroundings;
-  const InputLocation& where;
+  const HandleSetting& setting;
 
   HandlePlacement operator()(std::monostate) const
   {
@@ -102,16 +101,16 @@ struct Placer {
   {
     const double largest = std::max(places.cwiseAbs().maxCoeff(), rest.cwiseAbs().maxCoeff());
     if (!places.allFinite() || !std::isfinite(2 * largest * static_cast<double>(places.rows())))
-      throw InputError(where, "the handle goes to coordinates that are too large for doubles; bring it closer");
+      throw InputError(setting.where, "the handle goes to coordinates that are too large for doubles; bring it closer");
   }
 
  private:
   [[nodiscard]] Vector3 fixedCenter() const
   {
-    if (!surroundings.fixedCenter)
+    if (!setting.surroundings.fixedCenter)
       fail(R"(nothing is fixed that the handle could turn about; add a constraint of type "fixed", enable one, or say )"
            R"(how the handle turns by "rotate")");
-    return *surroundings.fixedCenter;
+    return *setting.surroundings.fixedCenter;
   }
 
   [[nodiscard]] Eigen::Quaterniond rotationFromTo(const Vector3& before, const Vector3& after,
@@ -128,12 +127,12 @@ struct Placer {
 
   void requireDirection(const Vector3& fromFixed, const std::string& when) const
   {
-    if (fromFixed.stableNorm() <= kNoDirection * surroundings.diagonal)
+    if (fromFixed.stableNorm() <= kNoDirection * setting.surroundings.diagonal)
       fail("the centroid of the handle lies at that of the fixed vertices " + when +
            R"(, so it lies in no direction from them; say how it turns by "rotate")");
   }
 
-  [[noreturn]] void fail(const std::string& reason) const { throw InputError(below(where, ".turn"), reason); }
+  [[noreturn]] void fail(const std::string& reason) const { throw InputError(below(setting.where, ".turn"), reason); }
 };
 
 }  // namespace
@@ -148,24 +147,24 @@ Eigen::Matrix3d axesOf(const Frame& frame)
   return axes;
 }
 
-HandlePlacement placeHandle(const HandleConstraint& handle, const Positions& rest,
-                            const HandleSurroundings& surroundings, const InputLocation& where)
+HandlePlacement placeHandle(const HandleConstraint& handle, const HandleSetting& setting)
 {
-  const Placer placer{rest, handle.translate, surroundings, where};
+  const Placer placer{setting.rest, handle.translate, setting};
   HandlePlacement result = std::visit(placer, handle.motion);
   placer.requireRange(result.places);
   if (handle.rotations.empty()) return result;
-  for (Index k = 0; k < rest.rows(); ++k)
+  for (Index k = 0; k < setting.rest.rows(); ++k)
     result.q.row(k) = rotationLog(handle.rotations[k].axis, handle.rotations[k].degrees).transpose();
   result.isDetermined = true;
   return result;
 }
 
-double shareMoved(const HandleConstraint& handle, const Positions& rest, const HandleSurroundings& surroundings)
+double shareMoved(const HandleConstraint& handle, const HandleSetting& setting)
 {
-  if (!surroundings.fixedCenter) return 0;
-  const double distance = (centroid(rest) - *surroundings.fixedCenter).stableNorm();
-  return distance <= kNoDirection * surroundings.diagonal ? 0 : handle.translate.stableNorm() / distance;
+  const auto& [fixedCenter, diagonal] = setting.surroundings;
+  if (!fixedCenter) return 0;
+  const double distance = (centroid(setting.rest) - *fixedCenter).stableNorm();
+  return distance <= kNoDirection * diagonal ? 0 : handle.translate.stableNorm() / distance;
 }
 
 }  // namespace holdfast

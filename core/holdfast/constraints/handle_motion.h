@@ -10,11 +10,17 @@
 
 namespace holdfast {
 
-/// What the motion of a handle depends on besides the handle.
+/// What is around a handle.
 struct HandleSurroundings {
-  std::optional<Vector3>
-      fixedCenter;      ///< centroid of all vertices that are fixed, at rest; absent where there are none
-  double diagonal = 0;  ///< of the bounding box of the mesh, model units
+  std::optional<Vector3> fixedCenter;  ///< centroid of all vertices that are fixed, at rest; none where there are none
+  double diagonal = 0;                 ///< of the bounding box of the mesh, model units
+};
+
+/// What the motion of a handle depends on besides the handle.
+struct HandleSetting {
+  Positions rest;  ///< of its vertices, at least one: in the order of its targets and rotations, where it has any
+  HandleSurroundings surroundings;
+  InputLocation where;  ///< the handle's, for errors
 };
 
 /// One row for each vertex of a handle.
@@ -28,19 +34,15 @@ struct HandlePlacement {
 /// from there: rounding of both would turn it by more than a millionth of a radian.
 inline constexpr double kNoDirection = 1e-9;
 
-/// `rest` holds the vertices of the handle, at least one: as listed, where it has targets or rotations of their own.
-/// The handle has no mistake (`validateHandle`). Throws `InputError` at `where`, its element followed by the key at
-/// fault: a turn about fixed vertices that do not exist, or that say no direction, or the opposite one; places beyond
-/// the range of doubles. O(vertices).
-[[nodiscard]] HandlePlacement placeHandle(const HandleConstraint& handle, const Positions& rest,
-                                          const HandleSurroundings& surroundings, const InputLocation& where);
+/// The handle has no mistake (`validateHandle`). Throws `InputError` with the key at fault: a turn about fixed vertices
+/// that do not exist, or that say no direction, or the opposite one; places beyond the range of doubles. O(vertices).
+[[nodiscard]] HandlePlacement placeHandle(const HandleConstraint& handle, const HandleSetting& setting);
 
 /// The axes of a frame as columns, orthonormal, right-handed.
 [[nodiscard]] Eigen::Matrix3d axesOf(const Frame& frame);
 
 /// How far the handle's centroid moves, as a share of its distance from the fixed one; 0 where that is none, or where
 /// nothing is fixed.
-[[nodiscard]] double shareMoved(const HandleConstraint& handle, const Positions& rest,
-                                const HandleSurroundings& surroundings);
+[[nodiscard]] double shareMoved(const HandleConstraint& handle, const HandleSetting& setting);
 
 }  // namespace holdfast

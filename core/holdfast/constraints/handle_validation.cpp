@@ -1,7 +1,7 @@
 #include "holdfast/constraints/handle_validation.h"
 
-#include <algorithm>
 #include <limits>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -23,13 +23,10 @@ constexpr double kNoRotation = 8 * std::numeric_limits<double>::epsilon();
 /// The place of the first id that repeats one before it; their number where all differ.
 std::size_t firstRepeated(const std::vector<Index>& ids)
 {
-  std::vector<std::pair<Index, std::size_t>> places;
-  for (std::size_t k = 0; k < ids.size(); ++k) places.emplace_back(ids[k], k);
-  std::sort(places.begin(), places.end());
-  std::size_t first = ids.size();
-  for (std::size_t k = 1; k < places.size(); ++k)
-    if (places[k].first == places[k - 1].first) first = std::min(first, places[k].second);
-  return first;
+  std::set<Index> known;
+  std::size_t k = 0;
+  while (k < ids.size() && known.insert(ids[k]).second) ++k;
+  return k;
 }
 
 /// `key` gives something for each vertex, `count` in all.

@@ -15,8 +15,7 @@ struct HandleError {
 };
 
 /// The first thing in the handle that contradicts what its type demands: entries for each vertex of what is no list of
-/// distinct vertices, or not as many; too few targets; frames of zero or parallel axes; whole turns about no axis. O(n
-/// log n) for n ids.
+/// distinct vertices, or not as many; too few targets; frames of zero or parallel axes; whole turns about no axis.
 [[nodiscard]] std::optional<HandleError> validateHandle(const HandleConstraint& handle);
 
 }  // namespace holdfast

@@ -1,8 +1,11 @@
 #include "holdfast/constraints/selector.h"
 
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
-#include <memory>
 #include <utility>
 
 #include <fmt/format.h>
@@ -12,81 +15,152 @@
 namespace holdfast {
 namespace {
 
-std::string keyOfPlace(std::size_t place)
+/// One byte a vertex: 1 where it is selected.
+using Mask = std::vector<unsigned char>;
+
+std::vector<Index> idsOf(const Mask& selected)
 {
-  return fmt::format(".through[{}]", place);
+  std::vector<Index> ids;
+  for (std::size_t v = 0; v < selected.size(); ++v)
+    if (selected[v] != 0) ids.push_back(static_cast<Index>(v));
+  return ids;
 }
 
-/// Walks the expression: checks its ids, and puts the vertices that curves select in their place.
-struct Resolver {
-  const Mesh& mesh;
-  Index componentCount;
-  CurveSelector& curves;
-  InputLocation where;
+/// The normal of about unit length, scaled by a power of two: exact, so that points on the plane stay on it, and the
+/// products with it neither overflow nor vanish.
+Vector3 moderate(const Vector3& normal)
+{
+  const int exponent = std::ilogb(normal.cwiseAbs().maxCoeff());
+  return normal.unaryExpr([&](double x) { return std::scalbn(x, -exponent); });
+}
 
-  [[nodiscard]] Selection resolved(const Selection& selection) const
+using VerticesWithin = std::function<std::vector<Index>(const InsideCurve&, const InputLocation&)>;
+
+/// Walks an expression: checks its ids, and makes a mask of each kind of selection.
+class MaskMaker {
+ public:
+  MaskMaker(const Positions& positions, const std::vector<Index>& componentOf, Index componentCount,
+            VerticesWithin within)
+      : positions_(positions), componentOf_(componentOf), componentCount_(componentCount), within_(std::move(within))
   {
-    return std::visit([this](const auto& what) { return Selection{(*this)(what)}; }, selection.what);
   }
 
-  VertexIds operator()(const VertexIds& vertices) const
+  [[nodiscard]] Mask mask(const Selection& selection, const InputLocation& where) const
   {
-    for (const Index v : vertices.ids) requireVertex(mesh, v, where, ".vertices");
-    return vertices;
-  }
-  InComponent operator()(const InComponent& component) const
-  {
-    if (component.component < 0 || component.component >= componentCount)
-      throw InputError(below(where, ".component"),
-                       fmt::format("there is no part {}; the mesh has {} connected parts, numbered from 0",
-                                   component.component, componentCount));
-    return component;
-  }
-  VertexIds operator()(const InsideCurve& curve) const { return {curves.select(curve, below(where, ".curve"))}; }
-  AllOf operator()(const AllOf& all) const { return {parts(all.parts, ".all")}; }
-  AnyOf operator()(const AnyOf& any) const { return {parts(any.parts, ".any")}; }
-  NotIn operator()(const NotIn& none) const
-  {
-    return {std::make_shared<const Selection>(at(".not").resolved(*none.part))};
-  }
-  template <class Shape>
-  Shape operator()(const Shape& shape) const
-  {
-    return shape;
+    return std::visit([&](const auto& what) { return maskOf(what, where); }, selection.what);
   }
 
  private:
-  [[nodiscard]] Resolver at(const std::string& key) const { return {mesh, componentCount, curves, below(where, key)}; }
-
-  [[nodiscard]] std::vector<Selection> parts(const std::vector<Selection>& parts, const char* key) const
+  [[nodiscard]] Mask maskOf(const VertexIds& vertices, const InputLocation& where) const
   {
-    std::vector<Selection> result;
-    for (std::size_t k = 0; k < parts.size(); ++k)
-      result.push_back(at(fmt::format("{}[{}]", key, k)).resolved(parts[k]));
-    return result;
+    Mask selected(positions_.rows(), 0);
+    for (const Index id : vertices.ids) {
+      requireVertex(positions_.rows(), id, where, ".vertices");
+      selected[id] = 1;
+    }
+    return selected;
   }
+
+  [[nodiscard]] Mask maskOf(const InBox& box, const InputLocation& /*where*/) const
+  {
+    return inside(
+        [&](const Vector3& p) { return (p.array() >= box.min.array()).all() && (p.array() <= box.max.array()).all(); });
+  }
+
+  [[nodiscard]] Mask maskOf(const InSphere& sphere, const InputLocation& /*where*/) const
+  {
+    // The root takes back half of what rounding the squares did, so that points meant to lie on the sphere do.
+    return inside([&](const Vector3& p) { return (p - sphere.center).norm() <= sphere.radius; });
+  }
+
+  [[nodiscard]] Mask maskOf(const InHalfSpace& half, const InputLocation& /*where*/) const
+  {
+    const Vector3 normal = moderate(half.normal);
+    return inside([&](const Vector3& p) { return (p - half.point).dot(normal) >= 0; });
+  }
+
+  [[nodiscard]] Mask maskOf(const InComponent& part, const InputLocation& where) const
+  {
+    if (part.component < 0 || part.component >= componentCount_)
+      throw InputError(below(where, ".component"),
+                       fmt::format("there is no part {}; the mesh has {} connected parts, numbered from 0",
+                                   part.component, componentCount_));
+    assert(static_cast<Index>(componentOf_.size()) == positions_.rows());
+    Mask selected(componentOf_.size());
+    std::transform(componentOf_.begin(), componentOf_.end(), selected.begin(),
+                   [&](Index component) { return component == part.component; });
+    return selected;
+  }
+
+  [[nodiscard]] Mask maskOf(const InsideCurve& curve, const InputLocation& where) const
+  {
+    assert(within_);
+    return maskOf(VertexIds{within_(curve, below(where, ".curve"))}, where);
+  }
+
+  [[nodiscard]] Mask maskOf(const AllOf& all, const InputLocation& where) const
+  {
+    return combined(all.parts, below(where, ".all"), 1, std::bit_and<>());
+  }
+
+  [[nodiscard]] Mask maskOf(const AnyOf& any, const InputLocation& where) const
+  {
+    return combined(any.parts, below(where, ".any"), 0, std::bit_or<>());
+  }
+
+  [[nodiscard]] Mask maskOf(const NotIn& none, const InputLocation& where) const
+  {
+    assert(none.part != nullptr);
+    Mask selected = mask(*none.part, below(where, ".not"));
+    for (unsigned char& isSelected : selected) isSelected ^= 1;
+    return selected;
+  }
+
+  template <class Predicate>
+  [[nodiscard]] Mask inside(Predicate isInside) const
+  {
+    Mask selected(positions_.rows());
+    for (Index v = 0; v < positions_.rows(); ++v) selected[v] = isInside(Vector3(positions_.row(v)));
+    return selected;
+  }
+
+  template <class Operation>
+  [[nodiscard]] Mask combined(const std::vector<Selection>& parts, const InputLocation& where, unsigned char ofNothing,
+                              Operation operation) const
+  {
+    Mask selected(positions_.rows(), ofNothing);
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      const Mask other = mask(parts[k], below(where, fmt::format("[{}]", k)));
+      std::transform(selected.begin(), selected.end(), other.begin(), selected.begin(), operation);
+    }
+    return selected;
+  }
+
+  const Positions& positions_;
+  const std::vector<Index>& componentOf_;
+  Index componentCount_;
+  VerticesWithin within_;  // of a curve
 };
 
 }  // namespace
 
-Selector::Selector(const Mesh& mesh, const SolverMesh& solverMesh, SurfaceLocator locator)
-    : mesh_(mesh),
-      componentOf_(componentOfVertices(solverMesh)),
-      componentCount_(solverMesh.componentCount),
-      curves_(mesh, solverMesh, std::move(locator))
+std::vector<Index> select(const Selection& selection, const Positions& positions, const std::vector<Index>& componentOf)
 {
+  return idsOf(MaskMaker(positions, componentOf, std::numeric_limits<Index>::max(), {}).mask(selection, {}));
 }
 
 std::vector<Index> Selector::select(const Selection& selection, const InputLocation& where)
 {
-  const Selection resolved = Resolver{mesh_, componentCount_, curves_, where}.resolved(selection);
-  std::vector<Index> vertices = holdfast::select(resolved, mesh_.positions, componentOf_);
+  const MaskMaker maker(mesh_.positions, componentOf_, solverMesh_.componentCount,
+                        [this](const InsideCurve& curve, const InputLocation& place) { return within(curve, place); });
+  std::vector<Index> vertices = idsOf(maker.mask(selection, where));
   if (vertices.empty())
     throw InputError(where, "selects no vertex of the mesh; check its place and size, or remove the constraint");
   return vertices;
 }
 
-std::vector<Index> CurveSelector::select(const InsideCurve& curve, const InputLocation& where)
+/// The vertices on the curve and on the side that it names.
+std::vector<Index> Selector::within(const InsideCurve& curve, const InputLocation& where)
 {
   const std::vector<Index> places = placesOf(curve, where);
   if (!graph_) graph_.emplace(solverMesh_);
@@ -99,10 +173,10 @@ std::vector<Index> CurveSelector::select(const InsideCurve& curve, const InputLo
   return verticesOf({region.curve, curve.side == CurveSide::Smaller ? region.inside : region.outside});
 }
 
-/// The vertex of the file at which the curve takes a place.
-Index CurveSelector::nearestVertex(const SurfaceLocation& location, const InputLocation& where)
+/// The vertex of the file at which a curve takes a place: the nearest, at rest, of those that the place hangs on.
+Index Selector::nearestVertex(const SurfaceLocation& location, const InputLocation& where)
 {
-  const SurfacePoint point = locator_.locate(location, where).point;
+  const SurfacePoint point = locator_.locate(location, where);
   const Vector3 place = positionOf(point, mesh_.positions);
   Index nearest = -1;
   double least = std::numeric_limits<double>::infinity();
@@ -116,32 +190,31 @@ Index CurveSelector::nearestVertex(const SurfaceLocation& location, const InputL
 }
 
 /// The unknowns that the curve is led through, all apart from one another and in one part.
-std::vector<Index> CurveSelector::placesOf(const InsideCurve& curve, const InputLocation& where)
+std::vector<Index> Selector::placesOf(const InsideCurve& curve, const InputLocation& where)
 {
   std::vector<Index> places;
   std::map<Index, std::size_t> placeAt;
   for (std::size_t k = 0; k < curve.through.size(); ++k) {
-    const InputLocation here = below(where, keyOfPlace(k));
+    const InputLocation here = below(where, fmt::format(".through[{}]", k));
     const Index vertex = nearestVertex(curve.through[k], here);
     const Index unknown = solverMesh_.weld.unknownOf[vertex];
     if (solverMesh_.componentOf[unknown] < 0)
       throw InputError(here, fmt::format("no face uses vertex {}; name a place of the surface", vertex));
     if (const auto [other, isNew] = placeAt.emplace(unknown, k); !isNew)
-      throw InputError(here, fmt::format("goes to vertex {}, as through[{}] does; leave one of them out, or move them "
-                                         "apart",
-                                         vertex, other->second));
+      throw InputError(
+          here, fmt::format("goes to vertex {}, as through[{}] does; leave one of them out, or move them apart", vertex,
+                            other->second));
     places.push_back(unknown);
     if (solverMesh_.componentOf[unknown] != solverMesh_.componentOf[places.front()])
-      throw InputError(here,
-                       fmt::format("lies on part {} of the mesh, through[0] on part {}, and no edges join the two; "
-                                   "keep a curve to one connected part",
-                                   solverMesh_.componentOf[unknown], solverMesh_.componentOf[places.front()]));
+      throw InputError(here, fmt::format("lies on part {} of the mesh, through[0] on part {}, and no edges join the "
+                                         "two; keep a curve to one connected part",
+                                         solverMesh_.componentOf[unknown], solverMesh_.componentOf[places.front()]));
   }
   return places;
 }
 
 /// All vertices of the file that are one of these unknowns.
-std::vector<Index> CurveSelector::verticesOf(const std::vector<std::vector<Index>>& unknowns) const
+std::vector<Index> Selector::verticesOf(const std::vector<std::vector<Index>>& unknowns) const
 {
   std::vector<bool> isSelected(static_cast<std::size_t>(solverMesh_.unknownCount()), false);
   for (const std::vector<Index>& list : unknowns)

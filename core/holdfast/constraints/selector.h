@@ -2,6 +2,7 @@
 /// Selections on one mesh: what they select, or why they make no sense there.
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <holdfast/base/error.h>
@@ -11,48 +12,34 @@
 
 namespace holdfast {
 
-/// Selects by curves on one mesh. What curves share (edges and their lengths) is made when the first one asks for it.
-class CurveSelector {
+/// Selects vertices of one mesh. Both meshes stay alive as long as the selector.
+class Selector {
  public:
-  /// Both meshes stay alive as long as the selector.
-  CurveSelector(const Mesh& mesh, const SolverMesh& solverMesh, SurfaceLocator locator)
-      : mesh_(mesh), solverMesh_(solverMesh), locator_(std::move(locator))
+  Selector(const Mesh& mesh, const SolverMesh& solverMesh, SurfaceLocator locator)
+      : mesh_(mesh),
+        solverMesh_(solverMesh),
+        componentOf_(componentOfVertices(solverMesh)),
+        locator_(std::move(locator))
   {
   }
 
-  /// The vertices on the curve and on the side that it names, ascending. Each place goes to the nearest, at rest, of
-  /// the vertices that it hangs on; then `closedCurve` and `regionOfCurve` do the work. Throws `InputError` at `where`,
-  /// its element followed by the key at fault (".through[1].vertex"): places that are not on the mesh, that go to the
-  /// same vertex, or that lie on different connected parts; a curve that leaves its part in one piece.
-  [[nodiscard]] std::vector<Index> select(const InsideCurve& curve, const InputLocation& where);
+  /// The vertices that `selection` names, ascending, each once. Throws `InputError` at `where` and the key at fault
+  /// (".any[1].vertices"): ids of vertices or parts that the mesh does not have; curves through places that are not on
+  /// the mesh, that go to the same vertex, or that lie on different connected parts, and curves that leave their part
+  /// in one piece; a selection of no vertex at all. O(N) per node of the expression, and what curves cost.
+  [[nodiscard]] std::vector<Index> select(const Selection& selection, const InputLocation& where);
 
  private:
+  [[nodiscard]] std::vector<Index> within(const InsideCurve& curve, const InputLocation& where);
   [[nodiscard]] Index nearestVertex(const SurfaceLocation& location, const InputLocation& where);
   [[nodiscard]] std::vector<Index> placesOf(const InsideCurve& curve, const InputLocation& where);
   [[nodiscard]] std::vector<Index> verticesOf(const std::vector<std::vector<Index>>& unknowns) const;
 
   const Mesh& mesh_;
   const SolverMesh& solverMesh_;
+  std::vector<Index> componentOf_;  // of vertices
   SurfaceLocator locator_;
-  std::optional<EdgeGraph> graph_;
-};
-
-/// Selects vertices of one mesh.
-class Selector {
- public:
-  /// Both meshes stay alive as long as the selector.
-  Selector(const Mesh& mesh, const SolverMesh& solverMesh, SurfaceLocator locator);
-
-  /// The vertices that `selection` names, ascending, each once. Throws `InputError` at `where`, its element followed by
-  /// the key at fault (".any[1].vertices"): ids of vertices or parts that the mesh does not have; curves that
-  /// `CurveSelector` refuses; a selection of no vertex at all. O(N) per node of the expression, and what curves cost.
-  [[nodiscard]] std::vector<Index> select(const Selection& selection, const InputLocation& where);
-
- private:
-  const Mesh& mesh_;
-  std::vector<Index> componentOf_;
-  Index componentCount_;
-  CurveSelector curves_;
+  std::optional<EdgeGraph> graph_;  // made for the first curve
 };
 
 }  // namespace holdfast

@@ -1,10 +1,9 @@
-#include "holdfast/deform/conflict_sets.h"
-
 #include <algorithm>
 #include <map>
 #include <set>
 #include <tuple>
-#include <utility>
+
+#include <holdfast/deform/outcomes.h>
 
 namespace holdfast {
 namespace {
@@ -69,13 +68,6 @@ std::vector<Index> conflictCounts(const std::vector<DependencyGroups>& groups)
   return counts;
 }
 
-std::vector<Index> rowCounts(const ConstraintSystem& system, std::size_t constraintCount)
-{
-  std::vector<Index> counts(constraintCount, 0);
-  for (const ConstraintRow& row : system.rows) ++counts[row.constraint];
-  return counts;
-}
-
 /// Points and offsets have a target of their own that can be another one.
 bool hasTarget(const Constraint& constraint)
 {
@@ -83,41 +75,16 @@ bool hasTarget(const Constraint& constraint)
   return std::holds_alternative<PointConstraint>(constraint.what) || (relative != nullptr && relative->offset);
 }
 
-/// Makes conflict sets of dependency groups.
-class ConflictBuilder {
- public:
-  ConflictBuilder(const ConstraintList& list, const ConstraintSystem& system,
-                  const std::vector<DependencyGroups>& groups)
-      : list_(list), system_(system), conflicts_(conflictCounts(groups)), rows_(rowCounts(system, groups.size()))
-  {
-  }
-
-  [[nodiscard]] ConflictSet build(Index own, const ConstraintSet& others, const DependencyGroup& group) const
-  {
-    ConflictSet conflictSet{{}, group.rows, group.gap, group.isConflict, {}, {}};
-    for (const Index other : others) conflictSet.with.push_back(list_.constraints[other].name);
-    if (!group.isConflict) return conflictSet;
-    conflictSet.disable = list_.constraints[cheapest(own, others)].name;
-    if (hasTarget(list_.constraints[own]))
-      conflictSet.consistentTarget = system_.rows[group.worstRow].target - group.gap;
-    return conflictSet;
-  }
-
- private:
-  [[nodiscard]] Index cheapest(Index own, const ConstraintSet& others) const
-  {
-    const auto cost = [&](Index c) { return std::tuple(-conflicts_[c], rows_[c], -c); };
-    Index best = own;
-    for (const Index other : others)
-      if (cost(other) < cost(best)) best = other;
-    return best;
-  }
-
-  const ConstraintList& list_;
-  const ConstraintSystem& system_;
-  std::vector<Index> conflicts_;
-  std::vector<Index> rows_;
-};
+/// The constraint whose end would end most conflicts, at the price of the fewest rows, the later one of equals.
+Index cheapest(Index own, const ConstraintSet& others, const std::vector<Index>& conflicts,
+               const std::vector<Index>& rows)
+{
+  const auto cost = [&](Index c) { return std::tuple(-conflicts[c], rows[c], -c); };
+  Index best = own;
+  for (const Index other : others)
+    if (cost(other) < cost(best)) best = other;
+  return best;
+}
 
 }  // namespace
 
@@ -126,11 +93,18 @@ std::vector<std::vector<ConflictSet>> conflictSetsOf(const ConstraintList& list,
 {
   std::vector<DependencyGroups> groups = dependencyGroupsOf(system, diagnosis, list.constraints.size());
   for (DependencyGroups& own : groups) keepSmallest(own);
-  const ConflictBuilder builder(list, system, groups);
+  const std::vector<Index> conflicts = conflictCounts(groups);
+  std::vector<Index> rows(groups.size(), 0);
+  for (const ConstraintRow& row : system.rows) ++rows[row.constraint];
   std::vector<std::vector<ConflictSet>> result(groups.size());
   for (std::size_t own = 0; own < groups.size(); ++own) {
-    for (const auto& [others, group] : groups[own])
-      result[own].push_back(builder.build(static_cast<Index>(own), others, group));
+    for (const auto& [others, group] : groups[own]) {
+      ConflictSet& set = result[own].emplace_back(ConflictSet{{}, group.rows, group.gap, group.isConflict, {}, {}});
+      for (const Index other : others) set.with.push_back(list.constraints[other].name);
+      if (!group.isConflict) continue;
+      set.disable = list.constraints[cheapest(static_cast<Index>(own), others, conflicts, rows)].name;
+      if (hasTarget(list.constraints[own])) set.consistentTarget = system.rows[group.worstRow].target - group.gap;
+    }
     std::stable_sort(result[own].begin(), result[own].end(), [](const ConflictSet& x, const ConflictSet& y) {
       return x.gap.stableNorm() > y.gap.stableNorm();
     });

@@ -11,15 +11,49 @@
 #include <holdfast/base/error.h>
 #include <holdfast/check/mesh_check.h>
 #include <holdfast/constraints/constraint_system.h>
-#include <holdfast/deform/accuracy.h>
-#include <holdfast/deform/constraint_factorization.h>
 #include <holdfast/deform/deform.h>
 #include <holdfast/deform/deform_details.h>
 #include <holdfast/deform/messages.h>
 #include <holdfast/deform/outcomes.h>
+#include <holdfast/deform/rotation_factorization.h>
+#include <holdfast/solve/constrained_solver.h>
 #include <holdfast/surface/surface_locator.h>
 
 namespace holdfast {
+/// All that the structure of a set of constraints costs, for any targets: the second of the three calls of section 6.
+/// The elimination and, once they are asked for, the factors of positions and rotations. A factorisation that is left
+/// behind (`LongStep`) does not need the model.
+struct ConstraintFactorization {
+  ConstraintFactorization(const Model& model, std::shared_ptr<const Operators> operators,
+                          const ConstraintSystem& itsSystem, const DeformOptions& options)
+      : system(itsSystem),
+        eliminated(std::make_shared<const EliminatedConstraints>(eliminate(system, model.solverMesh))),
+        sensitivities(eliminated->elimination.sensitivities()),
+        rotations(model.solverMesh, options.weights, options.solver.backend),
+        positions([operators = std::move(operators), eliminated = eliminated,
+                   rest = Columns3(model.solverMesh.rest.rowwise() - model.solverMesh.rest.colwise().mean()),
+                   options = options.solver]() mutable {
+          return makeSolver({weightedRows(*operators), *eliminated, std::move(rest)}, options);
+        })
+  {
+  }
+
+  /// Whether `other` has the rows, given rotations and rigid regions that this was made of. O(terms).
+  [[nodiscard]] bool serves(const ConstraintSystem& other) const
+  {
+    return std::ranges::equal(other.rows, system.rows, {}, &ConstraintRow::terms, &ConstraintRow::terms) &&
+           std::ranges::equal(other.rotations, system.rotations, {}, &GivenRotation::unknown,
+                              &GivenRotation::unknown) &&
+           other.rigidRegions == system.rigidRegions;
+  }
+
+  ConstraintSystem system;
+  std::shared_ptr<const EliminatedConstraints> eliminated;
+  std::vector<double> sensitivities;
+  RotationFactorization rotations;
+  LongStep<SolverResult> positions;
+};
+
 namespace {
 
 class Stopwatch {
@@ -105,7 +139,7 @@ class Solution {
       rotate(factorization, progress);
     else
       refuse(undefinedRowsMessage(model_, *details_.operators));
-    addFindings(factorization.eliminated());
+    addFindings(*factorization.eliminated);
     if (report().status != SolveStatus::Failed) solve(factorization, progress);
     result_.details = std::make_shared<const DeformDetails>(std::move(details_));
     return std::move(result_);
@@ -132,17 +166,18 @@ class Solution {
 
   void diagnoseRows(const ConstraintFactorization& factorization)
   {
-    details_.diagnosis = diagnose(factorization.eliminated(), details_.system, model_.solverMesh);
+    details_.diagnosis = diagnose(*factorization.eliminated, details_.system, model_.solverMesh);
     result_.report.constraints = outcomes(constraints_, details_.system, details_.diagnosis);
-    setSensitivities(result_.report.constraints, details_.system, details_.diagnosis, factorization.sensitivities());
+    setSensitivities(result_.report.constraints, details_.system, details_.diagnosis, factorization.sensitivities);
   }
 
   /// Finds the rotations and what they make of the rows.
   void rotate(ConstraintFactorization& factorization, Progress& progress)
   {
-    const bool isFactorised = factorization.hasRotationFactor();
+    const bool isFactorised = factorization.rotations.isReady();
     const Stopwatch stopwatch;
-    Rotations rotations = factorization.rotations(details_.system, progress);
+    if (!isFactorised) progress.step("solving the rotation field");
+    Rotations rotations = factorization.rotations.solve(details_.system, progress);
     Seconds& seconds = report().seconds;
     (isFactorised ? seconds.solution : seconds.factorization) += stopwatch.seconds();
     takeOver(rotations, result_.report);
@@ -165,7 +200,9 @@ class Solution {
   void solve(ConstraintFactorization& factorization, Progress& progress)
   {
     const Stopwatch watch;
-    const SolverResult& result = factorization.positions(progress);
+    if (!factorization.positions.isDone())
+      progress.step(fmt::format("factorising {} unknowns", factorization.eliminated->elimination.Q2().cols()));
+    const SolverResult& result = factorization.positions.result(progress);
     report().seconds.factorization += watch.seconds();
     if (!result) return fail(result.failure);
     report().unknowns = result.value->unknowns();
@@ -174,13 +211,14 @@ class Solution {
 
     progress.step("solving");
     const Stopwatch solution;
-    const Columns3 f = rotatedDetail(*details_.operators, result_.rotations, model_.solverMesh.diagonal);
+    const Columns3 f = (model_.solverMesh.diagonal * details_.operators->rowWeights).asDiagonal() *
+                       rotationOfDelta(details_.operators->delta, result_.rotations);
     const Displacement displacement =
         result.value->solve({shiftsOf(details_.system), details_.diagnosis.reconciled}, f);
     accept(displacement);
     if (options_.solver.kind == SolverKind::Hard && report().status != SolveStatus::Failed)
-      setMultipliers(multipliersOf(*details_.operators, factorization.eliminated(), displacement.u, f,
-                                   model_.solverMesh.diagonal));
+      setMultipliers(
+          multipliersOf(*details_.operators, *factorization.eliminated, displacement.u, f, model_.solverMesh.diagonal));
     report().seconds.solution += solution.seconds();
   }
 
@@ -247,8 +285,7 @@ Deformer::~Deformer() = default;
 
 Constraint& Deformer::constraint(std::string_view name)
 {
-  const auto found = std::find_if(constraints_.constraints.begin(), constraints_.constraints.end(),
-                                  [&](const Constraint& each) { return each.name == name; });
+  const auto found = std::ranges::find(constraints_.constraints, name, &Constraint::name);
   if (found == constraints_.constraints.end())
     throw InputError({"constraints", 0, {}}, fmt::format("there is none called \"{}\"", name));
   return *found;

@@ -9,7 +9,7 @@
 
 namespace holdfast {
 
-class ConstraintFactorization;
+struct ConstraintFactorization;
 struct Operators;
 
 /// Deforms one model under one list of constraints after another. Operators are made once. As long as only targets and

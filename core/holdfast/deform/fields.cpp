@@ -34,19 +34,15 @@ Field residualField(const Model& model, const DeformResult& deformation)
   return {"constraint_residual", 1, spread(largest, model.solverMesh.weld)};
 }
 
-double statusCode(ConstraintStatus status)
-{
-  constexpr std::array<double, 6> kCodes{0, 1, 2, 3, 4, 0};  // in the order of `ConstraintStatus`
-  return kCodes[static_cast<std::size_t>(status)];
-}
-
 Field statusField(const Model& model, const DeformResult& deformation)
 {
+  constexpr std::array<double, 6> kCodes{0, 1, 2, 3, 4, 0};  // in the order of `ConstraintStatus`
   std::vector<double> gravest(static_cast<std::size_t>(model.solverMesh.unknownCount()), 0);
-  for (const ConstraintRow& row : deformation.details->system.rows)
+  for (const ConstraintRow& row : deformation.details->system.rows) {
+    const ConstraintStatus status = deformation.report.constraints[row.constraint].status;
     for (const Term& term : row.terms)
-      gravest[term.index] =
-          std::max(gravest[term.index], statusCode(deformation.report.constraints[row.constraint].status));
+      gravest[term.index] = std::max(gravest[term.index], kCodes[static_cast<std::size_t>(status)]);
+  }
   return {"constraint_status", 1, spread(gravest, model.solverMesh.weld)};
 }
 
@@ -84,27 +80,15 @@ Field multiplierField(const Model& model, const DeformResult& deformation)
   return {"constraint_force", 1, spread(lengths, model.solverMesh.weld)};
 }
 
-/// What the rotations make of delta, less delta, in diagonals.
-Columns3 rotatedDelta(const DeformResult& deformation)
-{
-  Operators unweighted;
-  unweighted.delta = deformation.details->operators->delta;
-  unweighted.rowWeights = Eigen::VectorXd::Ones(unweighted.delta.rows());
-  return rotatedDetail(unweighted, deformation.rotations, 1);
-}
-
 Field detailField(const Model& model, const DeformResult& deformation)
 {
   const SolverMesh& mesh = model.solverMesh;
-  Columns3 u(mesh.unknownCount(), 3);  // in diagonals, as L and delta are
-  for (Index k = 0; k < u.rows(); ++k) {
-    const Index v = mesh.weld.firstVertexOf[k];
-    u.row(k) = (deformation.positions.row(v) - model.mesh.positions.row(v)) / mesh.diagonal;
-  }
-  const Columns3 missed = deformation.details->operators->L * u - rotatedDelta(deformation);
+  const Operators& operators = *deformation.details->operators;
+  const Positions moved = deformation.positions - model.mesh.positions;
+  const Columns3 u = moved(mesh.weld.firstVertexOf, Eigen::all) / mesh.diagonal;  // as L and delta are
+  const Columns3 missed = operators.L * u - rotationOfDelta(operators.delta, deformation.rotations);
   // L of cotangents is one over a squared length.
-  const bool isUniform = deformation.details->operators->weights == Weights::Uniform;
-  const double unit = isUniform ? mesh.diagonal : 1 / mesh.diagonal;
+  const double unit = operators.weights == Weights::Uniform ? mesh.diagonal : 1 / mesh.diagonal;
   std::vector<double> lengths;
   lengths.reserve(static_cast<std::size_t>(missed.rows()));
   for (Index k = 0; k < missed.rows(); ++k) lengths.push_back(unit * missed.row(k).stableNorm());

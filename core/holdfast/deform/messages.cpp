@@ -33,8 +33,7 @@ Finding nearlyDependent(std::vector<Index> spread, double largest)
 
 std::size_t countOf(const Report& report, ConstraintStatus status)
 {
-  return static_cast<std::size_t>(std::count_if(report.constraints.begin(), report.constraints.end(),
-                                                [&](const auto& c) { return c.status == status; }));
+  return static_cast<std::size_t>(std::ranges::count(report.constraints, status, &ConstraintOutcome::status));
 }
 
 /// The residual of a row and its limit.
@@ -51,12 +50,30 @@ std::string accuracyText(double accuracy)
 
 }  // namespace
 
+std::string accuracyFailure(double accuracy)
+{
+  if (accuracy <= kUsableAccuracy) return "";
+  return fmt::format("it is accurate to {:.1g} only, and {:g} is needed: the problem is nearly singular", accuracy,
+                     kUsableAccuracy);
+}
+
+std::optional<Finding> accuracyWarning(const std::string& kind, const std::string& what, double accuracy)
+{
+  if (accuracy <= kDoubtfulAccuracy || accuracy > kUsableAccuracy) return std::nullopt;
+  return Finding{kind,
+                 1,
+                 "solution",
+                 {},
+                 fmt::format("{} is accurate to {:.2g} only where constraints leave it free: the problem is nearly "
+                             "singular; hold more places, or repair thin triangles",
+                             what, accuracy)};
+}
+
 std::string undefinedRowsMessage(const Model& model, const Operators& operators)
 {
   return fmt::format(
       "the weights \"{}\" are not finite at {} vertices, the first of them vertex {}, because a face there has no "
-      "area; "
-      "use the weights \"cotangent\", which are guarded against that, or repair those faces",
+      "area; use the weights \"cotangent\", which are guarded against that, or repair those faces",
       name(operators.weights), operators.undefinedRows.size(),
       model.solverMesh.weld.firstVertexOf[operators.undefinedRows.front()]);
 }

@@ -1,5 +1,6 @@
 #pragma once
-/// What a solve has to say, in sentences: what was wrong, where, and what to do.
+/// What a solve has to say, in sentences: what was wrong, where, and what to do. An accuracy is the estimated relative
+/// error of what constraints leave free.
 
 #include <optional>
 #include <string>
@@ -12,6 +13,18 @@
 #include <holdfast/operators/operators.h>
 
 namespace holdfast {
+
+/// Solutions less accurate than this are no answer: in a picture the error would show.
+inline constexpr double kUsableAccuracy = 1e-6;
+
+/// Solutions less accurate than this are warned of: a thousand times what doubles lose on a well-shaped mesh.
+inline constexpr double kDoubtfulAccuracy = 1e-9;
+
+/// Why a solution of this accuracy is refused; empty where it is usable.
+[[nodiscard]] std::string accuracyFailure(double accuracy);
+
+/// The warning of `what` ("the solution"), of the kind `kind`, where it is usable and doubtful.
+[[nodiscard]] std::optional<Finding> accuracyWarning(const std::string& kind, const std::string& what, double accuracy);
 
 /// Weights are not finite at some vertices.
 [[nodiscard]] std::string undefinedRowsMessage(const Model& model, const Operators& operators);

@@ -38,11 +38,10 @@ void requireSparseRows(const SolverMesh& mesh, const std::string& source)
   constexpr double kMost = kMostTrianglesAtAVertex;
   if (squares <= kMost * kMost) return;
   const auto largest = std::max_element(count.begin(), count.end());
-  throw InputError(
-      {source, 0, fmt::format("vertex {}", mesh.weld.firstVertexOf[largest - count.begin()])},
-      fmt::format("{} triangles meet here; more than {} at one vertex, or as much by the sum of squares at "
-                  "several of more than {}, would fill the memory: divide the faces so that fewer meet",
-                  *largest, kMostTrianglesAtAVertex, kMany));
+  throw InputError({source, 0, fmt::format("vertex {}", mesh.weld.firstVertexOf[largest - count.begin()])},
+                   fmt::format("{} triangles meet here; more than {} at one vertex, or as much by the sum of squares "
+                               "at several of more than {}, would fill the memory: divide the faces so that fewer meet",
+                               *largest, kMostTrianglesAtAVertex, kMany));
 }
 
 }  // namespace

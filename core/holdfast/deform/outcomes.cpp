@@ -5,8 +5,6 @@
 #include <set>
 #include <utility>
 
-#include <holdfast/deform/conflict_sets.h>
-
 namespace holdfast {
 namespace {
 

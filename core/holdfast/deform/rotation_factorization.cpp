@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include <holdfast/check/mesh_check.h>
-#include <holdfast/deform/accuracy.h>
+#include <holdfast/deform/messages.h>
 #include <holdfast/geometry/rotation_log.h>
 #include <holdfast/rotation/edge_weights.h>
 
@@ -17,8 +17,7 @@ const std::string kRefused = "the rotation field cannot be solved: ";
 
 bool asksForRotation(const ConstraintSystem& system)
 {
-  return std::any_of(system.rotations.begin(), system.rotations.end(),
-                     [](const GivenRotation& given) { return !given.q.isZero(0); });
+  return std::ranges::any_of(system.rotations, [](const GivenRotation& given) { return !given.q.isZero(0); });
 }
 
 RotationProblem problemOf(const ConstraintSystem& system, const SolverMesh& mesh, std::vector<EdgeWeight> weights)
@@ -61,11 +60,6 @@ Columns3 valuesOf(const ConstraintSystem& system)
 
 }  // namespace
 
-RotationFactorization::RotationFactorization(const SolverMesh& mesh, Weights weights, Backend backend)
-    : mesh_(mesh), weights_(weights), backend_(backend)
-{
-}
-
 Rotations RotationFactorization::solve(const ConstraintSystem& system, Progress& progress)
 {
   if (!asksForRotation(system)) return {Columns3::Zero(mesh_.unknownCount(), 3), {}, {}, {}, {}};
@@ -97,15 +91,15 @@ void takeOver(const Rotations& rotations, Report& report)
   findings.insert(findings.end(), rotations.findings.begin(), rotations.findings.end());
 }
 
-Columns3 rotatedDetail(const Operators& operators, const Columns3& q, double diagonal)
+Columns3 rotationOfDelta(const Columns3& delta, const Columns3& q)
 {
-  Columns3 f = Columns3::Zero(q.rows(), 3);
+  Columns3 result = Columns3::Zero(q.rows(), 3);
   for (Index i = 0; i < q.rows(); ++i) {
     if (q.row(i).isZero(0)) continue;
-    const Vector3 delta = operators.delta.row(i);
-    f.row(i) = diagonal * operators.rowWeights[i] * (rotationMatrix(Vector3(q.row(i))) * delta - delta);
+    const Vector3 atRest = delta.row(i);
+    result.row(i) = rotationMatrix(Vector3(q.row(i))) * atRest - atRest;
   }
-  return f;
+  return result;
 }
 
 }  // namespace holdfast

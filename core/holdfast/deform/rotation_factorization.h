@@ -31,7 +31,10 @@ inline constexpr double kAgreeingRotations = 1e-12;
 class RotationFactorization {
  public:
   /// `mesh` stays alive as long as this.
-  RotationFactorization(const SolverMesh& mesh, Weights weights, Backend backend);
+  RotationFactorization(const SolverMesh& mesh, Weights weights, Backend backend)
+      : mesh_(mesh), weights_(weights), backend_(backend)
+  {
+  }
 
   /// The field for the rotations of `system`, which has the same prescribed unknowns and rigid regions at every call.
   /// Factorises when the first are asked for; `progress` may throw then, and the next call goes on.
@@ -51,7 +54,7 @@ class RotationFactorization {
 /// Enters in `report` what is to be said of the rotations: figures and findings.
 void takeOver(const Rotations& rotations, Report& report);
 
-/// f of A u = f: the weighted difference of delta turned by exp(q_i) and delta at rest, n x 3, model units.
-[[nodiscard]] Columns3 rotatedDetail(const Operators& operators, const Columns3& q, double diagonal);
+/// `delta` turned by exp(q_i), less `delta`: n x 3.
+[[nodiscard]] Columns3 rotationOfDelta(const Columns3& delta, const Columns3& q);
 
 }  // namespace holdfast

@@ -6,7 +6,6 @@
 #include <Eigen/Geometry>
 
 #include <holdfast/base/error.h>
-#include <holdfast/constraints/selector.h>
 #include <holdfast/document/handle_restated.h>
 #include <holdfast/document/own_axes.h>
 #include <holdfast/geometry/centroid.h>
@@ -16,15 +15,6 @@
 
 namespace holdfast {
 namespace {
-
-/// The vertices of a handle in the order in which `placeHandle` wants them.
-std::vector<Index> verticesOf(const HandleConstraint& handle, Selector& selector, const InputLocation& where)
-{
-  auto selected = selector.select(handle.select, below(where, ".select"));
-  const auto* ids = std::get_if<VertexIds>(&handle.select.what);
-  const bool isListed = std::holds_alternative<VertexTargets>(handle.motion) || !handle.rotations.empty();
-  return ids && isListed ? ids->ids : selected;
-}
 
 Vector3 movedPlace(const Vector3& place, const RigidIncrement& increment)
 {
@@ -37,30 +27,27 @@ Vector3 movedPlace(const Vector3& place, const RigidIncrement& increment)
 
 ConstraintDrag::ConstraintDrag(const Model& model, const ConstraintList& list, std::span<const Index> constraints,
                                const std::string& source)
-    : model_(&model), list_(list), source_(source)
+    : model_(&model), list_(list)
 {
-  const SurfaceLocator locator = model.locator();
-  Selector selector(model.mesh, model.solverMesh, locator);
+  std::vector<Index> handles;
   for (const Index c : constraints) {
     const Constraint& constraint = list.constraints[c];
     if (!constraint.isEnabled) continue;
-    const InputLocation where = placeInList(source, c);
-    if (const auto* point = std::get_if<PointConstraint>(&constraint.what)) {
-      const SurfacePoint at = locator.locate(point->at, below(where, ".at")).point;
-      const Vector3 rest = positionOf(at, model.mesh.positions);
-      const auto* target = std::get_if<Target>(&point->to);
-      points_.push_back({c, at, rest, target ? target->place : Vector3(rest + std::get<Move>(point->to).shift)});
-    } else if (const auto* handle = std::get_if<HandleConstraint>(&constraint.what)) {
-      handles_.push_back({c, rowsOf(model.mesh.positions, verticesOf(*handle, selector, where)), Vector3::Zero(), {}});
-    }
+    if (std::holds_alternative<HandleConstraint>(constraint.what)) handles.push_back(c);
+    const auto* point = std::get_if<PointConstraint>(&constraint.what);
+    if (point == nullptr) continue;
+    const SurfacePoint at = model.locator().locate(point->at, below(placeInList(source, c), ".at"));
+    const Vector3 rest = positionOf(at, model.mesh.positions);
+    const auto* target = std::get_if<Target>(&point->to);
+    points_.push_back({c, at, rest, target ? target->place : Vector3(rest + std::get<Move>(point->to).shift)});
   }
-  surroundings_.diagonal = model.solverMesh.diagonal;
-  if (!handles_.empty()) surroundings_.fixedCenter = centerOfFixed(model, list, selector, source);
-  for (DraggedHandle& handle : handles_) {
-    const auto& what = std::get<HandleConstraint>(list.constraints[handle.constraint].what);
-    const InputLocation where = placeInList(source, handle.constraint);
-    handle.center = centroid(placeHandle(what, handle.rest, surroundings_, where).places);
-    handle.turn = rotationOfMotion(what, handle.rest, surroundings_, where);
+  if (handles.empty()) return;
+  std::vector<HandleSetting> settings = settingsOf(model, list, handles, source);
+  for (std::size_t k = 0; k < handles.size(); ++k) {
+    DraggedHandle handle{handles[k], std::move(settings[k]), Vector3::Zero(), {}};
+    handle.center = centroid(placeHandle(startOf(handle), handle.setting).places);
+    handle.turn = rotationOfMotion(startOf(handle), handle.setting);
+    handles_.push_back(std::move(handle));
   }
 }
 
@@ -80,19 +67,21 @@ Eigen::Matrix3d ConstraintDrag::axes(const Positions& positions) const
       handles_.empty() || (!points_.empty() && points_.front().constraint < handles_.front().constraint);
   if (isPoint) return surfaceAxes(*model_, points_.front().point, positions);
   const DraggedHandle& dragged = handles_.front();
-  const auto& handle = std::get<HandleConstraint>(list_.constraints[dragged.constraint].what);
-  if (const auto* motion = std::get_if<FrameMotion>(&handle.motion)) return axesOf(motion->to);
-  return rotationMatrix(dragged.turn.axis, dragged.turn.degrees) * principalAxes(dragged.rest);
+  if (const auto* motion = std::get_if<FrameMotion>(&startOf(dragged).motion)) return axesOf(motion->to);
+  return rotationMatrix(dragged.turn.axis, dragged.turn.degrees) * principalAxes(dragged.setting.rest);
+}
+
+const HandleConstraint& ConstraintDrag::startOf(const DraggedHandle& dragged) const
+{
+  return std::get<HandleConstraint>(list_.constraints[dragged.constraint].what);
 }
 
 HandleConstraint ConstraintDrag::nextFrame(DraggedHandle& dragged, const RigidIncrement& increment) const
 {
-  const InputLocation where = placeInList(source_, dragged.constraint);
-  const auto& start = std::get<HandleConstraint>(list_.constraints[dragged.constraint].what);
-  HandleConstraint moved = composed(start, increment, dragged.rest, surroundings_, where);
+  HandleConstraint moved = composed(startOf(dragged), increment, dragged.setting);
   try {
-    moved = followed(moved, dragged.turn, dragged.rest, surroundings_, where);
-    dragged.turn = rotationOfMotion(moved, dragged.rest, surroundings_, where);
+    moved = followed(moved, dragged.turn, dragged.setting);
+    dragged.turn = rotationOfMotion(moved, dragged.setting);
   } catch (const InputError&) {
     // It cannot turn about what is fixed there; the list is refused with the reason, and the next frame goes on.
   }

@@ -15,9 +15,8 @@ namespace holdfast {
 /// round; but for these no motion is exactly the list that there was.
 class ConstraintDrag {
  public:
-  /// Enabled points and handles among `constraints`, places in the list, move; others stay. Throws `InputError`
-  /// where one of these does not fit the mesh; `source` names the list. `model` stays alive as long as this. O(N) per
-  /// handle and fixed region.
+  /// Enabled points and handles among `constraints`, places in the list, move. Throws `InputError` where one of these
+  /// does not fit the mesh; `source` names the list. `model` stays alive as long as this.
   ConstraintDrag(const Model& model, const ConstraintList& list, std::span<const Index> constraints,
                  const std::string& source);
 
@@ -33,9 +32,12 @@ class ConstraintDrag {
   [[nodiscard]] Eigen::Matrix3d axes(const Positions& positions) const;
 
   /// The centroid of all that is fixed; none where nothing is, and where no handle moves.
-  [[nodiscard]] const std::optional<Vector3>& fixedCenter() const noexcept { return surroundings_.fixedCenter; }
+  [[nodiscard]] std::optional<Vector3> fixedCenter() const
+  {
+    return handles_.empty() ? std::nullopt : handles_.front().setting.surroundings.fixedCenter;
+  }
 
-  /// The list after the motion, the next frame of the gesture. O(list + vertices of handles).
+  /// The list after the motion, the next frame of the gesture.
   [[nodiscard]] ConstraintList movedBy(const RigidIncrement& increment);
 
  private:
@@ -47,17 +49,16 @@ class ConstraintDrag {
   };
   struct DraggedHandle {
     Index constraint = 0;
-    Positions rest;
+    HandleSetting setting;
     Vector3 center;  // of where it is to be
     AxisAngle turn;  // of the last frame
   };
 
+  [[nodiscard]] const HandleConstraint& startOf(const DraggedHandle& dragged) const;
   [[nodiscard]] HandleConstraint nextFrame(DraggedHandle& dragged, const RigidIncrement& increment) const;
 
   const Model* model_;
   ConstraintList list_;
-  std::string source_;
-  HandleSurroundings surroundings_;
   std::vector<DraggedPoint> points_;
   std::vector<DraggedHandle> handles_;
 };

@@ -1,13 +1,12 @@
 #include "holdfast/document/handle_restated.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 
 #include <holdfast/constraints/handle_drag.h>
 #include <holdfast/constraints/handle_validation.h>
+#include <holdfast/constraints/selector.h>
 #include <holdfast/document/own_axes.h>
 #include <holdfast/geometry/centroid.h>
 #include <holdfast/geometry/rotation_log.h>
@@ -16,24 +15,8 @@
 namespace holdfast {
 namespace {
 
-using std::numbers::pi;
-
-// A log shorter than this has lost three digits of its axis, and whole turns about it would show that.
-constexpr double kLeastAxisOfFrames = 1e-3;
-// Doubles count up to here one by one.
-constexpr double kMostTurns = 9e15;
 // Logs of one rotation, computed in two ways; radians.
 constexpr double kSameRotation = 1e-9;
-
-AxisAngle turnOf(const HandleConstraint& handle, const HandleSetting& setting)
-{
-  return rotationOfMotion(handle, setting.rest, setting.surroundings, setting.where);
-}
-
-HandlePlacement placed(const HandleConstraint& handle, const HandleSetting& setting)
-{
-  return placeHandle(handle, setting.rest, setting.surroundings, setting.where);
-}
 
 HandleConstraint validated(HandleConstraint handle, const HandleSetting& setting)
 {
@@ -54,82 +37,7 @@ std::optional<Vector3> centroidAfter(const HandleConstraint& handle, const Eigen
   return Vector3(*turn->center + R * (centroid(rest) - *turn->center));
 }
 
-/// The whole turns about the axis of the frames that make the log of their rotation `q`.
-Index wholeTurns(const FrameMotion& frames, const Vector3& q, const InputLocation& where)
-{
-  const Vector3 shortest = rotationLog(Eigen::Matrix3d(axesOf(frames.to) * axesOf(frames.from).transpose()));
-  const double turns = (q - shortest).dot(shortest.normalized()) / pi;
-  if (q.norm() > pi / 2 && (shortest.norm() < kLeastAxisOfFrames || std::abs(turns) > kMostTurns))
-    throw InputError(where, fmt::format("the handle turns by {} degrees, as good as whole turns, and frames that lie "
-                                        "alike say no axis; let it turn about an axis",
-                                        angleDegrees(q)));
-  return std::llround(turns);
-}
-
-}  // namespace
-
-HandleConstraint byFrames(const HandleConstraint& handle, const HandleSetting& setting)
-{
-  if (std::holds_alternative<FrameMotion>(handle.motion)) return handle;
-  const AxisAngle turn = turnOf(handle, setting);
-  const Eigen::Matrix3d R = rotationMatrix(turn.axis, turn.degrees);
-  const Eigen::Matrix3d from = principalAxes(setting.rest);
-  const Eigen::Matrix3d to = R * from;
-  FrameMotion frames{
-      {std::nullopt, from.col(0), from.col(1)}, {centroidAfter(handle, R, setting.rest), to.col(0), to.col(1)}, 0};
-  frames.turns = wholeTurns(frames, rotationLog(turn.axis, turn.degrees), setting.where);
-  HandleConstraint result = handle;
-  result.motion = frames;
-  return result;
-}
-
-HandleConstraint byTargets(const HandleConstraint& handle, const HandleSetting& setting)
-{
-  if (std::holds_alternative<VertexTargets>(handle.motion)) return handle;
-  const HandlePlacement before = placed(handle, setting);
-  VertexTargets targets;
-  for (const auto& place : before.places.rowwise()) targets.places.emplace_back(place.transpose());
-  HandleConstraint result = handle;
-  result.motion = std::move(targets);
-  result.translate.setZero();
-  result = validated(std::move(result), setting);
-  if ((placed(result, setting).q - before.q).cwiseAbs().maxCoeff() > kSameRotation)
-    result.rotations = withRotations(handle, setting).rotations;
-  return result;
-}
-
-HandleConstraint withRotations(const HandleConstraint& handle, const HandleSetting& setting)
-{
-  if (!handle.rotations.empty()) return handle;
-  HandleConstraint result = handle;
-  result.rotations.assign(static_cast<std::size_t>(setting.rest.rows()), turnOf(handle, setting));
-  return validated(std::move(result), setting);
-}
-
-HandleSetting settingOf(const Model& model, const ConstraintList& list, Index index, const std::string& source)
-{
-  const SurfaceLocator locator = model.locator();
-  Selector selector(model.mesh, model.solverMesh, locator);
-  const auto& handle = std::get<HandleConstraint>(list.constraints[index].what);
-  const InputLocation where = placeInList(source, index);
-  const std::vector<Index> selected = selector.select(handle.select, below(where, ".select"));
-  const auto* listed = std::get_if<VertexIds>(&handle.select.what);
-  const bool isInOrder = listed != nullptr && listed->ids.size() == selected.size();
-  return {rowsOf(model.mesh.positions, isInOrder ? listed->ids : selected),
-          {centerOfFixed(model, list, selector, source), model.solverMesh.diagonal},
-          where};
-}
-
-InputLocation placeInList(const std::string& source, Index constraint)
-{
-  return {source, 0, fmt::format("constraints[{}]", constraint)};
-}
-
-Positions rowsOf(const Positions& positions, const std::vector<Index>& vertices)
-{
-  return positions(vertices, Eigen::all);
-}
-
+/// The centroid of all that the enabled fixed constraints hold, at rest; none where nothing is fixed.
 std::optional<Vector3> centerOfFixed(const Model& model, const ConstraintList& list, Selector& selector,
                                      const std::string& source)
 {
@@ -143,7 +51,81 @@ std::optional<Vector3> centerOfFixed(const Model& model, const ConstraintList& l
   std::sort(fixed.begin(), fixed.end());
   fixed.erase(std::unique(fixed.begin(), fixed.end()), fixed.end());
   if (fixed.empty()) return std::nullopt;
-  return centroid(rowsOf(model.mesh.positions, fixed));
+  return centroid(model.mesh.positions(fixed, Eigen::all));
+}
+
+}  // namespace
+
+HandleConstraint byFrames(const HandleConstraint& handle, const HandleSetting& setting)
+{
+  if (std::holds_alternative<FrameMotion>(handle.motion)) return handle;
+  const AxisAngle turn = rotationOfMotion(handle, setting);
+  const Eigen::Matrix3d R = rotationMatrix(turn.axis, turn.degrees);
+  const Eigen::Matrix3d from = principalAxes(setting.rest);
+  const Eigen::Matrix3d to = R * from;
+  FrameMotion frames{
+      {std::nullopt, from.col(0), from.col(1)}, {centroidAfter(handle, R, setting.rest), to.col(0), to.col(1)}, 0};
+  const std::optional<Index> turns = wholeTurns(frames, rotationLog(turn.axis, turn.degrees));
+  if (!turns)
+    throw InputError(
+        setting.where,
+        fmt::format("the handle turns by {} degrees, as good as whole turns, and frames that lie alike say "
+                    "no axis; let it turn about an axis",
+                    angleDegrees(rotationLog(turn.axis, turn.degrees))));
+  frames.turns = *turns;
+  HandleConstraint result = handle;
+  result.motion = frames;
+  return result;
+}
+
+HandleConstraint byTargets(const HandleConstraint& handle, const HandleSetting& setting)
+{
+  if (std::holds_alternative<VertexTargets>(handle.motion)) return handle;
+  const HandlePlacement before = placeHandle(handle, setting);
+  VertexTargets targets;
+  for (const auto& place : before.places.rowwise()) targets.places.emplace_back(place.transpose());
+  HandleConstraint result = handle;
+  result.motion = std::move(targets);
+  result.translate.setZero();
+  result = validated(std::move(result), setting);
+  if ((placeHandle(result, setting).q - before.q).cwiseAbs().maxCoeff() > kSameRotation)
+    result.rotations = withRotations(handle, setting).rotations;
+  return result;
+}
+
+HandleConstraint withRotations(const HandleConstraint& handle, const HandleSetting& setting)
+{
+  if (!handle.rotations.empty()) return handle;
+  HandleConstraint result = handle;
+  result.rotations.assign(static_cast<std::size_t>(setting.rest.rows()), rotationOfMotion(handle, setting));
+  return validated(std::move(result), setting);
+}
+
+std::vector<HandleSetting> settingsOf(const Model& model, const ConstraintList& list, std::span<const Index> handles,
+                                      const std::string& source)
+{
+  Selector selector(model.mesh, model.solverMesh, model.locator());
+  const HandleSurroundings surroundings{centerOfFixed(model, list, selector, source), model.solverMesh.diagonal};
+  std::vector<HandleSetting> settings;
+  for (const Index index : handles) {
+    const Selection& select = std::get<HandleConstraint>(list.constraints[index].what).select;
+    const InputLocation where = placeInList(source, index);
+    std::vector<Index> vertices = selector.select(select, below(where, ".select"));
+    const auto* listed = std::get_if<VertexIds>(&select.what);
+    if (listed != nullptr && listed->ids.size() == vertices.size()) vertices = listed->ids;
+    settings.push_back({model.mesh.positions(vertices, Eigen::all), surroundings, where});
+  }
+  return settings;
+}
+
+HandleSetting settingOf(const Model& model, const ConstraintList& list, Index handle, const std::string& source)
+{
+  return settingsOf(model, list, {&handle, 1}, source).front();
+}
+
+InputLocation placeInList(const std::string& source, Index constraint)
+{
+  return {source, 0, fmt::format("constraints[{}]", constraint)};
 }
 
 }  // namespace holdfast

@@ -43,11 +43,6 @@ void History::endGesture()
   if (gesture && gesture->after != states_[position_].state) push(std::move(gesture->name), gesture->after);
 }
 
-void History::cancelGesture()
-{
-  gesture_.reset();
-}
-
 bool History::undo()
 {
   endGesture();
@@ -62,21 +57,6 @@ bool History::redo()
   if (!canRedo()) return false;
   ++position_;
   return true;
-}
-
-std::string_view History::undoName() const
-{
-  return canUndo() ? std::string_view(states_[position_].name) : std::string_view();
-}
-
-std::string_view History::redoName() const
-{
-  return canRedo() ? std::string_view(states_[position_ + 1].name) : std::string_view();
-}
-
-bool History::isSaved() const noexcept
-{
-  return saved_ == (gesture_ ? gesture_->after : states_[position_].state);
 }
 
 }  // namespace holdfast

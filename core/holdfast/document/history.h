@@ -40,7 +40,7 @@ class History {
   /// Makes one edit of the gesture, or nothing where it was never updated. Harmless without a gesture.
   void endGesture();
   /// As if the gesture had not begun: the state is the object that it was. Harmless without a gesture.
-  void cancelGesture();
+  void cancelGesture() { gesture_.reset(); }
   [[nodiscard]] bool isInGesture() const noexcept { return gesture_ != nullptr; }
 
   /// Undo and redo end a gesture before they do their work; false where there is nothing to do.
@@ -49,14 +49,14 @@ class History {
   [[nodiscard]] bool canUndo() const noexcept { return position_ > 0; }
   [[nodiscard]] bool canRedo() const noexcept { return position_ + 1 < states_.size(); }
   /// Names of the edits that undo and redo would affect; empty where there is none.
-  [[nodiscard]] std::string_view undoName() const;
-  [[nodiscard]] std::string_view redoName() const;
+  [[nodiscard]] std::string_view undoName() const { return canUndo() ? nameAt(position_) : ""; }
+  [[nodiscard]] std::string_view redoName() const { return canRedo() ? nameAt(position_ + 1) : ""; }
 
   /// `state`, one that was shown, is what the user's file holds.
   void markSaved(std::shared_ptr<const DocumentState> state) noexcept { saved_ = std::move(state); }
   /// No state is the one in the user's file: there is none, or it says something else.
   void markUnsaved() noexcept { saved_.reset(); }
-  [[nodiscard]] bool isSaved() const noexcept;
+  [[nodiscard]] bool isSaved() const noexcept { return saved_ == state(); }
 
  private:
   struct Entry {
@@ -68,6 +68,7 @@ class History {
     std::shared_ptr<const DocumentState> after;
   };
 
+  [[nodiscard]] std::string_view nameAt(std::size_t position) const { return states_[position].name; }
   void push(std::string name, std::shared_ptr<const DocumentState> state);
 
   std::vector<Entry> states_;

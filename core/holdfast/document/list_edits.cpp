@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
@@ -79,8 +78,7 @@ class NameMaker {
 
 std::optional<Index> indexOf(const ConstraintList& list, std::string_view name)
 {
-  const auto found = std::find_if(list.constraints.begin(), list.constraints.end(),
-                                  [&](const Constraint& constraint) { return constraint.name == name; });
+  const auto found = std::ranges::find(list.constraints, name, &Constraint::name);
   if (found == list.constraints.end()) return std::nullopt;
   return found - list.constraints.begin();
 }

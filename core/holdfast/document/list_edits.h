@@ -11,20 +11,15 @@
 
 namespace holdfast {
 
-/// The place of the constraint of this name. O(n).
 [[nodiscard]] std::optional<Index> indexOf(const ConstraintList& list, std::string_view name);
 
-/// The first of `stem` 1, `stem` 2, ... that no constraint is called: "P1", "P2" for "P". O(n log n).
+/// The first of `stem` 1, `stem` 2, ... that no constraint is called: "P1", "P2" for "P".
 [[nodiscard]] std::string unusedName(const ConstraintList& list, std::string_view stem);
 
-/// With `constraint` at the end, where it gives way to all others. Throws `InputError` for a name that is empty or
-/// taken.
+/// With `constraint` at the end, in the place of another one, or by another name. They throw `InputError` for a name
+/// that is empty or taken.
 [[nodiscard]] ConstraintList added(ConstraintList list, Constraint constraint);
-
-/// With `constraint` in the place of the one at `index`. Throws `InputError` for a name that is empty or another's.
 [[nodiscard]] ConstraintList replaced(ConstraintList list, Index index, Constraint constraint);
-
-/// With another name at `index`. Throws `InputError` for a name that is empty or another's.
 [[nodiscard]] ConstraintList renamed(ConstraintList list, Index index, std::string name);
 
 /// Without the constraints at `indices`, in any order.
@@ -42,8 +37,7 @@ enum class Enabling { Enabled, Disabled };
 [[nodiscard]] ConstraintList withEnabled(ConstraintList list, const std::vector<Index>& indices, Enabling enabling);
 
 /// With all of `other` at the end. Where a name is taken, the first number that makes it unique is put in the place of
-/// the one at its end, or behind it: "P1" becomes "P2", "base" becomes "base 2". Units are those of `list` if it has
-/// any. O(n log n).
+/// the one at its end, or behind it: "P1" becomes "P2", "base" becomes "base 2". Units are those of `list` if any.
 [[nodiscard]] ConstraintList pasted(ConstraintList list, ConstraintList other);
 
 }  // namespace holdfast

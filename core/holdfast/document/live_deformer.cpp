@@ -12,7 +12,10 @@
 #include <holdfast/deform/deformer.h>
 
 namespace holdfast {
+
 struct LiveDeformer::Shared {
+  using Kind = LiveEvent::Kind;
+
   struct Job {
     std::uint64_t revision = 0;
     std::shared_ptr<const DocumentState> state;
@@ -23,26 +26,83 @@ struct LiveDeformer::Shared {
   /// What is to become of the work under way.
   enum class StopRequest { GoOn, GiveUp, GiveUpAndTell };
 
-  explicit Shared(std::shared_ptr<const Model> itsModel, Listener itsListener)
+  Shared(std::shared_ptr<const Model> itsModel, Listener itsListener)
       : model(std::move(itsModel)), listener(std::move(itsListener))
   {
   }
 
-  void run();
-  std::optional<Job> nextJob();
-  void work(const Job& job);
-  DeformResult deformed(const Job& job);
-  LiveEvent endOf(const Job& job);
-  void tell(const LiveEvent& event);
-  StopRequest stopRequest();
+  void run()
+  {
+    while (const auto job = nextJob()) work(*job);
+    deformer.reset();
+  }
+
+  std::optional<Job> nextJob()
+  {
+    std::unique_lock lock(mutex);
+    changed.wait(lock, [this] { return isStopping || waiting; });
+    if (isStopping) return std::nullopt;
+    request = StopRequest::GoOn;
+    return std::exchange(waiting, std::nullopt);
+  }
+
+  void work(const Job& job)
+  {
+    if (job.isCancelled) return tell({Kind::Cancelled, job.revision, "", nullptr});
+    tell({Kind::Started, job.revision, "", nullptr});
+    const LiveEvent end = endOf(job);
+    // A superseded result must not appear, even where no step was left to stop it at.
+    const StopRequest last = stopRequest();
+    if (last == StopRequest::GoOn) tell(end);
+    if (last == StopRequest::GiveUpAndTell) tell({Kind::Cancelled, job.revision, "", nullptr});
+  }
+
+  LiveEvent endOf(const Job& job)
+  {
+    try {
+      return {Kind::Done, job.revision, "", std::make_shared<const DeformResult>(deformed(job)), job.state};
+    } catch (const Cancelled&) {
+      return {Kind::Cancelled, job.revision, "", nullptr};
+    } catch (const InputError& error) {
+      return {Kind::Unusable, job.revision, error.what(), nullptr};
+    } catch (const std::exception& error) {
+      deformer.reset();  // in whatever state it was left
+      return {Kind::Broken, job.revision, error.what(), nullptr};
+    }
+  }
+
+  DeformResult deformed(const Job& job)
+  {
+    if (deformer == nullptr || deformerOptions != job.state->options) {
+      deformer = std::make_unique<Deformer>(*model, job.state->options);
+      deformerOptions = job.state->options;
+    }
+    StoppableProgress progress([this] { return stopRequest() != StopRequest::GoOn; },
+                               [&](std::string_view step) {
+                                 tell({Kind::Step, job.revision, std::string(step), nullptr});
+                               });
+    return deformer->deform(job.state->list, job.source, progress);
+  }
+
+  void tell(const LiveEvent& event)
+  {
+    const std::scoped_lock lock(telling);
+    if (listener) listener(event);
+  }
+
+  StopRequest stopRequest()
+  {
+    const std::scoped_lock lock(mutex);
+    return isStopping ? StopRequest::GiveUp : request;
+  }
 
   const std::shared_ptr<const Model> model;
 
   std::mutex mutex;  // guards what follows
   std::condition_variable changed;
   std::optional<Job> waiting;
-  bool isStopping = false;                          // the owner is gone
-  StopRequest request = Shared::StopRequest::GoOn;  // of the work under way
+  bool isStopping = false;                  // the owner is gone
+  StopRequest request = StopRequest::GoOn;  // of the work under way
 
   std::mutex telling;  // held while the listener is called: its owner waits for that alone
   Listener listener;
@@ -51,73 +111,6 @@ struct LiveDeformer::Shared {
   std::unique_ptr<Deformer> deformer;
   DeformOptions deformerOptions;
 };
-
-void LiveDeformer::Shared::tell(const LiveEvent& event)
-{
-  const std::scoped_lock lock(telling);
-  if (listener) listener(event);
-}
-
-LiveDeformer::Shared::StopRequest LiveDeformer::Shared::stopRequest()
-{
-  const std::scoped_lock lock(mutex);
-  return isStopping ? Shared::StopRequest::GiveUp : request;
-}
-
-std::optional<LiveDeformer::Shared::Job> LiveDeformer::Shared::nextJob()
-{
-  std::unique_lock lock(mutex);
-  changed.wait(lock, [this] { return isStopping || waiting; });
-  if (isStopping) return std::nullopt;
-  request = Shared::StopRequest::GoOn;
-  return std::exchange(waiting, std::nullopt);
-}
-
-void LiveDeformer::Shared::run()
-{
-  while (const auto job = nextJob()) work(*job);
-  deformer.reset();
-}
-
-DeformResult LiveDeformer::Shared::deformed(const Job& job)
-{
-  if (deformer == nullptr || deformerOptions != job.state->options) {
-    deformer = std::make_unique<Deformer>(*model, job.state->options);
-    deformerOptions = job.state->options;
-  }
-  StoppableProgress progress([this] { return stopRequest() != Shared::StopRequest::GoOn; },
-                             [&](std::string_view step) {
-                               tell({LiveEvent::Kind::Step, job.revision, std::string(step), nullptr});
-                             });
-  return deformer->deform(job.state->list, job.source, progress);
-}
-
-LiveEvent LiveDeformer::Shared::endOf(const Job& job)
-{
-  using Kind = LiveEvent::Kind;
-  try {
-    return {Kind::Done, job.revision, "", std::make_shared<const DeformResult>(deformed(job)), job.state};
-  } catch (const Cancelled&) {
-    return {Kind::Cancelled, job.revision, "", nullptr};
-  } catch (const InputError& error) {
-    return {Kind::Unusable, job.revision, error.what(), nullptr};
-  } catch (const std::exception& error) {
-    deformer.reset();  // in whatever state it was left
-    return {Kind::Broken, job.revision, error.what(), nullptr};
-  }
-}
-
-void LiveDeformer::Shared::work(const Job& job)
-{
-  using Kind = LiveEvent::Kind;
-  if (job.isCancelled) return tell({Kind::Cancelled, job.revision, "", nullptr});
-  tell({Kind::Started, job.revision, "", nullptr});
-  const LiveEvent end = endOf(job);
-  // A superseded result must not appear, even where no step was left to stop it at.
-  const StopRequest last = stopRequest();
-  if (last == Shared::StopRequest::GoOn) tell(end);
-  if (last == Shared::StopRequest::GiveUpAndTell) tell({Kind::Cancelled, job.revision, "", nullptr});
-}
 
 LiveDeformer::LiveDeformer(std::shared_ptr<const Model> model, Listener listener)
     : shared_(std::make_shared<Shared>(std::move(model), std::move(listener)))

@@ -43,8 +43,7 @@ class LiveDeformer {
   using Listener = std::function<void(const LiveEvent&)>;
 
   LiveDeformer(std::shared_ptr<const Model> model, Listener listener);
-  /// Returns at once, or after the call of the listener that is under way. Work under way is given up as `cancel` does
-  /// it; until then it keeps what it needs alive.
+  /// Returns at once, or after the call of the listener that is under way. Work under way is given up as by `cancel`.
   ~LiveDeformer();
   LiveDeformer(const LiveDeformer&) = delete;
   LiveDeformer& operator=(const LiveDeformer&) = delete;
@@ -53,8 +52,8 @@ class LiveDeformer {
   void submit(std::uint64_t revision, std::shared_ptr<const DocumentState> state, std::string source,
               Supersede supersede);
 
-  /// Gives up what is waiting and, at its next step or its end, what is under way. No factorisation is waited for: it
-  /// goes on by itself and serves the next state that needs it, see `LongStep`.
+  /// Gives up what is waiting and, at its next step or its end, what is under way. A factorisation goes on by itself
+  /// and serves the next state that needs it, see `LongStep`.
   void cancel();
 
  private:

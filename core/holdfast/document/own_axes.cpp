@@ -18,8 +18,7 @@ constexpr double kAlike = 0.05;
 bool holds(const std::vector<Index>& unknownOf, std::span<const Index> face, const SurfacePoint& point)
 {
   return std::all_of(point.terms.begin(), point.terms.end(), [&](const Term& term) {
-    return std::any_of(face.begin(), face.end(),
-                       [&](Index corner) { return unknownOf[corner] == unknownOf[term.index]; });
+    return std::ranges::any_of(face, [&](Index corner) { return unknownOf[corner] == unknownOf[term.index]; });
   });
 }
 

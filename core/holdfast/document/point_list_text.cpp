@@ -26,7 +26,7 @@ std::string coordinates(const Vector3& place)
 std::string row(const std::string& name, const PointConstraint& point, const SurfaceLocator& locator,
                 const Model& model)
 {
-  const Vector3 rest = positionOf(locator.locate(point.at, {name, 0, "at"}).point, model.mesh.positions);
+  const Vector3 rest = positionOf(locator.locate(point.at, {name, 0, "at"}), model.mesh.positions);
   const AtNear* near = std::get_if<AtNear>(&point.at);
   const Target* target = std::get_if<Target>(&point.to);
   return fmt::format("{},{},{}\n", csvField(name), coordinates(near == nullptr ? rest : near->place),

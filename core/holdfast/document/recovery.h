@@ -14,7 +14,6 @@
 namespace holdfast {
 
 /// Where programs of this user keep their copies: `holdfast/recovery` below $XDG_STATE_HOME, or below ~/.local/state.
-/// Nothing where the environment names neither as an absolute path.
 [[nodiscard]] std::optional<std::filesystem::path> recoveryFolder();
 
 /// The copy of one open document.
@@ -22,14 +21,13 @@ class RecoveryFile {
  public:
   /// `folder` is made when the first copy is written.
   explicit RecoveryFile(std::filesystem::path folder);
-  /// The document was closed as it should be: its copy is removed.
+  /// Removes the copy.
   ~RecoveryFile();
   RecoveryFile(const RecoveryFile&) = delete;
   RecoveryFile& operator=(const RecoveryFile&) = delete;
 
-  /// Puts a copy of `session` in the place of the last one: there is never half a one. `originalPath` is where the
-  /// session is saved, empty where it is not yet; the mesh is named from there, or absolutely. Throws `OutputError`;
-  /// the last copy stays then.
+  /// Puts a copy of `session` in the place of the last one. `originalPath` is where the session is saved, empty where
+  /// it is not yet; the mesh is named from there, or absolutely. Throws `OutputError`; the last copy stays then.
   void write(SessionFile session, const std::filesystem::path& originalPath);
 
   /// Removes the copy, as after the document was saved. The next `write` makes another.
@@ -51,8 +49,7 @@ struct Recoverable {
   std::string name;                            ///< for the user: of the session's file, or of the mesh's
 };
 
-/// The copies in `folder` whose programs are no more, the newest first. One that cannot be read is among them:
-/// `readSession` says why. Empty where there is no such folder.
+/// The copies in `folder` whose programs are no more, the newest first; those that cannot be read are among them.
 [[nodiscard]] std::vector<Recoverable> recoverable(const std::filesystem::path& folder);
 
 /// Removes the copy for good. Harmless where another program has done so.

@@ -29,24 +29,16 @@ fs::path inRealFolder(const fs::path& path)
   return (folder.empty() ? absolute.parent_path() : folder) / absolute.filename();
 }
 
-/// Where the mesh may be, the likelier first.
-std::vector<fs::path> candidates(const MeshReference& mesh, const fs::path& sessionPath)
-{
-  std::vector<fs::path> paths{sessionPath.parent_path() / mesh.path};
-  if (!mesh.absolutePath.empty() && paths.front() != mesh.absolutePath) paths.emplace_back(mesh.absolutePath);
-  return paths;
-}
-
 ResolvedMesh examined(const fs::path& path, const std::string& checksum)
 {
   try {
     const std::string found = checksumOfFile(path);
     if (checksum.empty() || found == checksum) return {path, MeshState::Same, ""};
-    return {path, MeshState::Changed,
-            fmt::format("{}: the mesh is not the one that the session was saved with (checksum {} instead of {}). "
-                        "Vertex and face ids may mean other places now: check the constraints, or bring the old file "
-                        "back",
-                        path.string(), found, checksum)};
+    return {
+        path, MeshState::Changed,
+        fmt::format("{}: the mesh is not the one that the session was saved with (checksum {} instead of {}). Vertex "
+                    "and face ids may mean other places now: check the constraints, or bring the old file back",
+                    path.string(), found, checksum)};
   } catch (const InputError& error) {
     return {path, MeshState::Missing, fmt::format("{}. Choose where the mesh of the session is", error.what())};
   }
@@ -73,11 +65,6 @@ bool isChecksum(std::string_view text)
   return text.find_first_not_of("0123456789abcdef", kAlgorithm.size()) == std::string_view::npos;
 }
 
-MeshReference referenceTo(const fs::path& mesh, const fs::path& session)
-{
-  return referenceTo(mesh, session, checksumOfFile(mesh));
-}
-
 MeshReference referenceTo(const fs::path& mesh, const fs::path& session, std::string checksum)
 {
   const fs::path target = inRealFolder(mesh);
@@ -87,12 +74,12 @@ MeshReference referenceTo(const fs::path& mesh, const fs::path& session, std::st
 
 ResolvedMesh resolveMesh(const SessionFile& session, const fs::path& sessionPath)
 {
-  std::vector<ResolvedMesh> found;
-  for (const fs::path& path : candidates(session.mesh, sessionPath))
-    found.push_back(examined(path, session.mesh.checksum));
+  const MeshReference& mesh = session.mesh;
+  std::vector<ResolvedMesh> found{examined(sessionPath.parent_path() / mesh.path, mesh.checksum)};
+  if (!mesh.absolutePath.empty() && found.front().path != mesh.absolutePath)
+    found.push_back(examined(mesh.absolutePath, mesh.checksum));
   // Same before Changed before Missing; of equals the likelier.
-  return *std::min_element(found.begin(), found.end(),
-                           [](const ResolvedMesh& a, const ResolvedMesh& b) { return a.state < b.state; });
+  return *std::ranges::min_element(found, {}, &ResolvedMesh::state);
 }
 
 }  // namespace holdfast

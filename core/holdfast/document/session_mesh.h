@@ -19,11 +19,8 @@ namespace holdfast {
 /// Whether `text` is what `checksumOfFile` could return.
 [[nodiscard]] bool isChecksum(std::string_view text);
 
-/// The reference of a session at `session`, which need not exist, to the mesh at `mesh`. The path is relative: both may
-/// move together. Throws `InputError` where the mesh cannot be read.
-[[nodiscard]] MeshReference referenceTo(const std::filesystem::path& mesh, const std::filesystem::path& session);
-
-/// The same where the checksum of the mesh is known: nothing is read, and nothing needs to be there any more.
+/// The reference of a session at `session` to the mesh at `mesh`, neither of which need exist. The path is relative:
+/// both may move together.
 [[nodiscard]] MeshReference referenceTo(const std::filesystem::path& mesh, const std::filesystem::path& session,
                                         std::string checksum);
 

@@ -18,10 +18,24 @@ struct StatedOptions {
 };
 
 /// `options` with what is stated in place of their own.
-[[nodiscard]] DeformOptions withStated(DeformOptions options, const StatedOptions& stated);
+[[nodiscard]] inline DeformOptions withStated(DeformOptions options, const StatedOptions& stated)
+{
+  options.weights = stated.weights.value_or(options.weights);
+  options.solver.kind = stated.solver.value_or(options.solver.kind);
+  options.solver.softWeight = stated.softWeight.value_or(options.solver.softWeight);
+  options.solver.backend = stated.backend.value_or(options.solver.backend);
+  return options;
+}
 
 /// What `stated` says and `stronger` does not.
-[[nodiscard]] StatedOptions beside(const StatedOptions& stronger, StatedOptions stated);
+[[nodiscard]] inline StatedOptions beside(const StatedOptions& stronger, StatedOptions stated)
+{
+  if (stronger.weights) stated.weights.reset();
+  if (stronger.solver) stated.solver.reset();
+  if (stronger.softWeight) stated.softWeight.reset();
+  if (stronger.backend) stated.backend.reset();
+  return stated;
+}
 
 /// Constraints, and the options that their file states.
 struct StatedConstraints {

@@ -124,7 +124,7 @@ Columns3 BlockElimination::particular(const Columns3& d) const
     }
     block.R1.transpose().triangularView<Eigen::Lower>().solveInPlace(y);  // R1^T y = d, (18)
     const Columns3 part = block.Q1 * y;
-    for (std::size_t k = 0; k < block.unknowns.size(); ++k) u.row(block.unknowns[k]) = part.row(k);
+    u(block.unknowns, Eigen::all) = part;
   }
   return u;
 }
@@ -134,8 +134,7 @@ Columns3 BlockElimination::multipliers(const Columns3& gradient, Index rowCount)
   Columns3 result = Columns3::Zero(rowCount, 3);
   Columns3 left = gradient;
   for (const Block& block : blocks_) {
-    Columns3 part(static_cast<Index>(block.unknowns.size()), 3);
-    for (std::size_t k = 0; k < block.unknowns.size(); ++k) part.row(k) = gradient.row(block.unknowns[k]);
+    const Columns3 part = gradient(block.unknowns, Eigen::all);
     Columns3 y = block.Q1.transpose() * part;
     block.R1.triangularView<Eigen::Upper>().solveInPlace(y);
     for (std::size_t k = 0; k < block.rows.size(); ++k) {

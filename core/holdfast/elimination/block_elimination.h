@@ -7,10 +7,9 @@
 
 namespace holdfast {
 
-/// The elimination of rows of which none is the difference of two unknowns: `Elimination` has made groups of those.
-/// Splits displacements u of the unknowns into a part that the constraints give and a part that they leave free: u =
-/// particular(d) + Q2 z has B u = d for every z. A pin is an identity column, its value copied; what pins leave of the
-/// other rows falls into components, each with a Householder QR of its own, dense when small and sparse when large.
+/// `Elimination` over rows of which none is the difference of two unknowns. A pin is an identity column, its value
+/// copied; what pins leave of the other rows falls into components, each with a Householder QR of its own, dense when
+/// small and sparse when large.
 class BlockElimination {
  public:
   /// One component of what pins leave of the rows.
@@ -22,22 +21,18 @@ class BlockElimination {
     SparseMatrix Q2;  ///< unknowns x (unknowns - rows)
   };
 
-  /// `independent` names independent rows, ascending. Unknowns with `isHeld` have the displacement 0; no row names one.
   BlockElimination(const std::vector<RowTerms>& rows, const std::vector<Index>& independent, Index unknownCount,
                    const std::vector<bool>& isHeld);
 
-  /// n x k, orthonormal columns that span the displacements with B u = 0 and 0 where held. A free unknown has an
-  /// identity column.
+  /// Orthonormal; a free unknown has an identity column.
   [[nodiscard]] const SparseMatrix& Q2() const noexcept { return Q2_; }
 
-  /// Q1 y with R1^T y = d, (18): the displacement in the span of the rows with B u = d, n x 3. `d` has a row for each
-  /// row that the constructor was given; those that are not independent are not looked at. Pins are copied bit for bit.
+  /// Q1 y with R1^T y = d, (18). Pins are copied bit for bit.
   [[nodiscard]] Columns3 particular(const Columns3& d) const;
 
-  /// The l of pins and blocks with B^T l = `gradient` (n x 3) over the independent rows: `rowCount` x 3.
   [[nodiscard]] Columns3 multipliers(const Columns3& gradient, Index rowCount) const;
 
-  /// See `Elimination::sensitivities`: over these unknowns, which may be groups.
+  /// Over these unknowns, which may be groups.
   [[nodiscard]] std::vector<double> sensitivities(std::size_t rowCount) const;
 
   [[nodiscard]] const std::vector<Block>& blocks() const noexcept { return blocks_; }

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include <holdfast/base/disjoint_sets.h>
-#include <holdfast/elimination/find_dependencies.h>
 
 namespace holdfast {
 namespace {
@@ -19,30 +18,6 @@ std::vector<RowTerms> termsOf(const ConstraintSystem& system)
   return rows;
 }
 
-/// Connected parts of the mesh, loose unknowns among them, and which of them rows tie together.
-class Parts {
- public:
-  Parts(const SolverMesh& mesh, const std::vector<RowTerms>& rows)
-      : mesh_(mesh), sets_(mesh.componentCount + mesh.unknownCount())
-  {
-    for (const RowTerms& row : rows)
-      for (const Term& term : row) sets_.unite(partOf(row.front().index), partOf(term.index));
-  }
-
-  [[nodiscard]] Index setOf(Index unknown) { return sets_.find(partOf(unknown)); }
-  [[nodiscard]] Index count() const { return mesh_.componentCount + mesh_.unknownCount(); }
-
- private:
-  [[nodiscard]] Index partOf(Index unknown) const
-  {
-    const Index component = mesh_.componentOf[unknown];
-    return component >= 0 ? component : mesh_.componentCount + unknown;
-  }
-
-  const SolverMesh& mesh_;
-  DisjointSets sets_;
-};
-
 /// Whether the row says where something is, not only how far two things are apart.
 bool isPositional(const RowTerms& row)
 {
@@ -51,23 +26,22 @@ bool isPositional(const RowTerms& row)
   return std::abs(sum) > kCoefficientThreshold;
 }
 
-/// Unknowns of parts that no row places, not even by way of other parts.
+/// Unknowns of connected parts, loose unknowns among them, that no row places, not even by way of other parts.
 std::vector<bool> unplacedUnknowns(const std::vector<RowTerms>& rows, const SolverMesh& mesh)
 {
-  Parts parts(mesh, rows);
-  std::vector<bool> isPlaced(static_cast<std::size_t>(parts.count()), false);
+  const auto partOf = [&](Index unknown) {
+    const Index component = mesh.componentOf[unknown];
+    return component >= 0 ? component : mesh.componentCount + unknown;
+  };
+  DisjointSets parts(mesh.componentCount + mesh.unknownCount());
   for (const RowTerms& row : rows)
-    if (isPositional(row)) isPlaced[parts.setOf(row.front().index)] = true;
+    for (const Term& term : row) parts.unite(partOf(row.front().index), partOf(term.index));
+  std::vector<bool> isPlaced(static_cast<std::size_t>(mesh.componentCount + mesh.unknownCount()), false);
+  for (const RowTerms& row : rows)
+    if (isPositional(row)) isPlaced[parts.find(partOf(row.front().index))] = true;
   std::vector<bool> isHeld(static_cast<std::size_t>(mesh.unknownCount()), false);
-  for (Index u = 0; u < mesh.unknownCount(); ++u) isHeld[u] = !isPlaced[parts.setOf(u)];
+  for (Index u = 0; u < mesh.unknownCount(); ++u) isHeld[u] = !isPlaced[parts.find(partOf(u))];
   return isHeld;
-}
-
-/// Rows of what stays at rest ask for a displacement of nothing: they hold if that is 0.
-void clearHeldRows(std::vector<RowTerms>& rows, const std::vector<bool>& isHeld)
-{
-  for (RowTerms& row : rows)
-    if (!row.empty() && isHeld[row.front().index]) row.clear();
 }
 
 double largestCoordinate(const Vector3& place)
@@ -146,7 +120,9 @@ EliminatedConstraints eliminate(const ConstraintSystem& system, const SolverMesh
 {
   std::vector<RowTerms> rows = termsOf(system);
   std::vector<bool> isHeld = unplacedUnknowns(rows, mesh);
-  clearHeldRows(rows, isHeld);
+  // Rows of what stays at rest ask for a displacement of nothing: they hold if that is 0.
+  for (RowTerms& row : rows)
+    if (!row.empty() && isHeld[row.front().index]) row.clear();
   std::vector<Dependency> dependencies = findDependencies(rows, mesh.unknownCount());
   Elimination elimination(rows, independentRows(dependencies, rows.size()), mesh.unknownCount(), isHeld);
   return {std::move(rows), std::move(dependencies), std::move(isHeld), std::move(elimination)};

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include <holdfast/constraints/constraint_system.h>
-#include <holdfast/elimination/dependency.h>
 #include <holdfast/elimination/elimination.h>
+#include <holdfast/elimination/find_dependencies.h>
 
 namespace holdfast {
 
@@ -63,7 +63,6 @@ struct EliminatedConstraints {
 [[nodiscard]] EliminatedConstraints eliminate(const ConstraintSystem& system, const SolverMesh& mesh);
 
 /// Classifies the dependent rows by their gaps at the targets of `system`, which has the rows that were eliminated.
-/// O(rows).
 [[nodiscard]] Diagnosis diagnose(const EliminatedConstraints& eliminated, const ConstraintSystem& system,
                                  const SolverMesh& mesh);
 

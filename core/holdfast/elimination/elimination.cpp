@@ -23,6 +23,7 @@ constexpr int kCorrections = 2;
 struct Group {
   std::vector<const BlockElimination::Block*> blocks;
   std::vector<Index> rows;  // independent ones, then redundant ones
+  bool isJoined = false;    // by a redundant row
 };
 
 std::vector<Index> blockOfUnknowns(const BlockElimination& elimination)
@@ -49,22 +50,18 @@ std::vector<Group> groupsOf(const std::vector<BlockElimination::Block>& blocks, 
     for (const Term& term : rows[row])
       if (const Index block = blockOf[term.index]; block != kNoBlock) sets.unite(block, firstBlock(rows[row], blockOf));
 
-  std::vector<std::vector<Index>> redundantOf(blocks.size());  // by representative
-  for (const Index row : redundant)
-    if (const Index block = firstBlock(rows[row], blockOf); block != kNoBlock)
-      redundantOf[sets.find(block)].push_back(row);
-
-  std::vector<Group> groups(blocks.size());
+  std::vector<Group> groups(blocks.size());  // by representative
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     Group& group = groups[sets.find(static_cast<Index>(b))];
     group.blocks.push_back(&blocks[b]);
     group.rows.insert(group.rows.end(), blocks[b].rows.begin(), blocks[b].rows.end());
   }
-  for (std::size_t b = 0; b < blocks.size(); ++b)
-    groups[b].rows.insert(groups[b].rows.end(), redundantOf[b].begin(), redundantOf[b].end());
-  for (std::size_t b = 0; b < blocks.size(); ++b)
-    if (redundantOf[b].empty()) groups[b].rows.clear();
-  std::erase_if(groups, [](const Group& group) { return group.rows.empty(); });
+  for (const Index row : redundant)
+    if (const Index block = firstBlock(rows[row], blockOf); block != kNoBlock) {
+      groups[sets.find(block)].rows.push_back(row);
+      groups[sets.find(block)].isJoined = true;
+    }
+  std::erase_if(groups, [](const Group& group) { return !group.isJoined; });
   return groups;
 }
 
@@ -114,14 +111,12 @@ Columns3 reconciled(const BlockElimination& elimination, const std::vector<RowTe
   const std::vector<Index> blockOf = blockOfUnknowns(elimination);
   for (const Group& group : groupsOf(elimination.blocks(), rows, redundant, blockOf)) {
     // What the group's blocks hold is found anew; what pins hold is known.
-    for (const BlockElimination::Block* block : group.blocks)
-      for (const Index unknown : block->unknowns) u.row(unknown).setZero();
+    for (const BlockElimination::Block* block : group.blocks) u(block->unknowns, Eigen::all).setZero();
     std::vector<RowTerms> terms;
     for (const Index row : group.rows) terms.push_back(rows[row]);
     const SparseMatrix B = constraintMatrix(terms, u.rows());
     const SparseMatrix span = spanOf(group, u.rows());
-    Columns3 asked(B.rows(), 3);
-    for (std::size_t k = 0; k < group.rows.size(); ++k) asked.row(k) = d.row(group.rows[k]);
+    const Columns3 asked = d(group.rows, Eigen::all);
     u += span * leastSquares(B * span, asked - B * u);
   }
   return u;
@@ -258,19 +253,11 @@ void spreadOverMerged(std::vector<double>& sensitivities, const std::vector<RowT
       spreadOverComponent(sensitivities, component, rows, contracted, groups);
 }
 
-std::vector<Index> differencesAmong(const std::vector<RowTerms>& rows, const std::vector<Index>& some)
+template <class Predicate>
+std::vector<Index> filtered(const std::vector<Index>& rows, Predicate isWanted)
 {
   std::vector<Index> result;
-  for (const Index row : some)
-    if (differenceOf(rows[row])) result.push_back(row);
-  return result;
-}
-
-std::vector<Index> othersAmong(const std::vector<RowTerms>& rows, const std::vector<Index>& some)
-{
-  std::vector<Index> result;
-  for (const Index row : some)
-    if (!differenceOf(rows[row])) result.push_back(row);
+  std::ranges::copy_if(rows, std::back_inserter(result), isWanted);
   return result;
 }
 
@@ -296,8 +283,9 @@ std::vector<bool> heldGroups(const std::vector<bool>& isHeld, const MergedUnknow
 Elimination::Elimination(const std::vector<RowTerms>& rows, const std::vector<Index>& independent, Index unknownCount,
                          const std::vector<bool>& isHeld)
     : rows_(rows),
-      others_(othersAmong(rows, independent)),
-      merged_(rows, differencesAmong(rows, independent), unknownCount),
+      others_(filtered(independent, [&](Index row) { return !differenceOf(rows[row]); })),
+      merged_(rows, filtered(independent, [&](Index row) { return differenceOf(rows[row]).has_value(); }),
+              unknownCount),
       membership_(merged_.membership()),
       contracted_(contractedRows(rows, merged_)),
       blocks_(contracted_, others_, merged_.count(), heldGroups(isHeld, merged_)),

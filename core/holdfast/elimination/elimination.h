@@ -8,9 +8,8 @@
 
 namespace holdfast {
 
-/// Splits displacements u of the unknowns into a part that the constraints give and a part that they leave free:
-/// u = particular(d) + Q2 z has B u = d for every z. Unknowns that difference rows tie together are one group, with one
-/// column however many they are; everything else is eliminated over groups, block by block.
+/// Splits displacements: u = particular(d) + Q2 z has B u = d for every z. Unknowns that difference rows tie together
+/// are one group, with one column however many they are; everything else is eliminated over groups, block by block.
 class Elimination {
  public:
   /// `independent` names independent rows, ascending. Unknowns with `isHeld` have the displacement 0; no row names one.

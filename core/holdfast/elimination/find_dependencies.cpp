@@ -10,7 +10,6 @@
 #include <Eigen/OrderingMethods>
 
 #include <holdfast/base/disjoint_sets.h>
-#include <holdfast/elimination/dependency.h>
 #include <holdfast/elimination/merged_unknowns.h>
 #include <holdfast/elimination/sequential_qr.h>
 #include <holdfast/elimination/sparse_qr.h>
@@ -35,12 +34,6 @@ bool comesBefore(const Term& term, Index row)
   return term.index < row;
 }
 
-/// The term `row` of a combination that has it.
-const Term& partnerIn(const Combination& combination, Index row)
-{
-  return *std::lower_bound(combination.begin(), combination.end(), row, comesBefore);
-}
-
 double largestOf(const Combination& combination)
 {
   double largest = 0;
@@ -51,7 +44,7 @@ double largestOf(const Combination& combination)
 /// Solves row = sum c_k k for its term `leaving`.
 Combination solvedFor(Index leaving, Index row, const Combination& combination)
 {
-  const double pivot = partnerIn(combination, leaving).coefficient;
+  const double pivot = std::lower_bound(combination.begin(), combination.end(), leaving, comesBefore)->coefficient;
   Combination result;
   result.reserve(combination.size());
   for (const Term& term : combination)
@@ -82,7 +75,12 @@ Combination sum(const Combination& x, double share, const Combination& y, Index 
   return result;
 }
 
-/// The dependencies as rows of a tableau, changed by exchanges.
+/// The dependencies as rows of a tableau: each states a dependent row by some basis of the rows. Exchanges lead to the
+/// basis that the sequential method of section 5 finds: of every circuit the last row is the dependent one. The
+/// independent sets of rows are those of a matroid, in which the basis of least weight is reached by exchanges that
+/// each lower the weight: a dependent row takes the place of one of its terms that comes after it. Where that would
+/// make a coefficient larger than `kLargestCoefficient` it is left undone. Each exchange costs one pass over the
+/// dependencies.
 class Tableau {
  public:
   explicit Tableau(const std::vector<Dependency>& dependencies)
@@ -92,8 +90,8 @@ class Tableau {
 
   /// Takes the rows in their order: a dependent one with a term that comes after it goes into the basis, and nothing
   /// that comes later drives it out again. The term that leaves may be any that comes later; the one of the largest
-  /// coefficient keeps the others small.
-  void takeInOrder()
+  /// coefficient keeps the others small. Returns the dependencies ascending by row.
+  std::vector<Dependency> byEarliestBasis() &&
   {
     for (auto place = dependent_.begin(); place != dependent_.end();) {
       const Index row = place->first;
@@ -101,12 +99,8 @@ class Tableau {
         if (Changes changes = exchanged(*pair); areBounded(changes)) commit(*pair, std::move(changes));
       place = dependent_.upper_bound(row);
     }
-  }
-
-  [[nodiscard]] std::vector<Dependency> dependencies() const
-  {
     std::vector<Dependency> result;
-    for (const auto& [row, combination] : dependent_) result.push_back({row, combination});
+    for (auto& [row, combination] : dependent_) result.push_back({row, std::move(combination)});
     return result;
   }
 
@@ -115,8 +109,7 @@ class Tableau {
 
   static bool areBounded(const Changes& changes)
   {
-    return std::all_of(changes.begin(), changes.end(),
-                       [](const auto& change) { return largestOf(change.second) <= kLargestCoefficient; });
+    return std::ranges::all_of(changes, [](const auto& c) { return largestOf(c.second) <= kLargestCoefficient; });
   }
 
   [[nodiscard]] std::optional<Exchange> pairOf(Index row) const
@@ -153,19 +146,6 @@ class Tableau {
   std::map<Index, Combination> dependent_;
 };
 
-/// `dependencies` states every dependent row by some basis of the rows. Returns the dependencies by the basis that the
-/// sequential method of section 5 finds: of every circuit the last row is the dependent one. The independent sets of
-/// rows are those of a matroid, in which the basis of least weight is reached by exchanges that each lower the weight:
-/// a dependent row takes the place of one of its terms that comes after it. Where that would make a coefficient
-/// larger than `kLargestCoefficient` it is left undone. Each exchange costs one pass over the dependencies. They come
-/// back ascending by row.
-std::vector<Dependency> byEarliestBasis(const std::vector<Dependency>& dependencies)
-{
-  Tableau tableau(dependencies);
-  tableau.takeInOrder();
-  return tableau.dependencies();
-}
-
 /// Where the largest coefficient is, if it exceeds `kLargestCoefficient`.
 std::optional<Exchange> largestCoefficient(const std::vector<Dependency>& dependencies)
 {
@@ -192,7 +172,28 @@ Dependency dependency(Index row, const std::vector<Index>& basis, const Eigen::V
   const double vanishing = kCoefficientThreshold * std::max(1.0, coefficients.cwiseAbs().maxCoeff());
   for (Index k = 0; k < coefficients.size(); ++k)
     if (std::abs(coefficients[k]) > vanishing) result.terms.push_back({basis[k], coefficients[k]});
-  std::sort(result.terms.begin(), result.terms.end(), [](const Term& x, const Term& y) { return x.index < y.index; });
+  std::ranges::sort(result.terms, {}, &Term::index);
+  return result;
+}
+
+/// The dependencies that a QR of the block of `rows` shows: of its R = [R11, R12] the coefficients are R11^-1 R12. Q is
+/// not needed. `lengths` are those of the block's columns.
+std::vector<Dependency> dependenciesOf(const SparseQrResult& qr, Index rank, const std::vector<Index>& rows,
+                                       const Eigen::VectorXd& lengths)
+{
+  const SparseMatrix top = SparseRows(SparseRows(qr.R).topRows(rank));
+  const SparseMatrix R11 = top.leftCols(rank);
+  std::vector<Index> basis;
+  for (Index k = 0; k < rank; ++k) basis.push_back(rows[qr.columns[k]]);
+  std::vector<Dependency> result;
+  for (Index k = rank; k < top.cols(); ++k) {
+    Eigen::VectorXd coefficients = top.col(k);
+    R11.triangularView<Eigen::Upper>().solveInPlace(coefficients);
+    const Index column = qr.columns[k];
+    for (Index j = 0; j < rank; ++j) coefficients[j] *= lengths[column] / lengths[qr.columns[j]];
+    result.push_back(dependency(rows[column], basis, coefficients));
+  }
+  std::ranges::sort(result, {}, &Dependency::row);
   return result;
 }
 
@@ -202,20 +203,7 @@ std::vector<Dependency> byBasisOfSparseQr(const std::vector<RowTerms>& rows, con
   SparseMatrix block = transposedBlock(rows, component);
   const Eigen::VectorXd lengths = normalizeColumns(block);
   const SparseQrResult qr = sparseQr(block, kRankTolerance, WantQ::No);
-  std::vector<Index> basis;
-  for (Index k = 0; k < qr.rank; ++k) basis.push_back(component.rows[qr.columns[k]]);
-
-  std::vector<Dependency> result;
-  const SparseMatrix R1 = qr.R.leftCols(qr.rank);
-  for (Index k = qr.rank; k < block.cols(); ++k) {
-    Eigen::VectorXd coefficients = qr.R.col(k);
-    R1.triangularView<Eigen::Upper>().solveInPlace(coefficients);
-    const Index column = qr.columns[k];
-    for (Index j = 0; j < qr.rank; ++j) coefficients[j] *= lengths[column] / lengths[qr.columns[j]];
-    result.push_back(dependency(component.rows[column], basis, coefficients));
-  }
-  std::sort(result.begin(), result.end(), [](const Dependency& x, const Dependency& y) { return x.row < y.row; });
-  return result;
+  return dependenciesOf(qr, qr.rank, component.rows, lengths);
 }
 
 /// The rows of the component that depend on none, ascending.
@@ -224,8 +212,7 @@ std::vector<Index> independentOf(const RowComponent& component, const std::vecto
   std::vector<Index> dependent;
   for (const Dependency& dependency : dependencies) dependent.push_back(dependency.row);
   std::vector<Index> result;
-  std::set_difference(component.rows.begin(), component.rows.end(), dependent.begin(), dependent.end(),
-                      std::back_inserter(result));
+  std::ranges::set_difference(component.rows, dependent, std::back_inserter(result));
   return result;
 }
 
@@ -242,32 +229,16 @@ std::vector<Index> inFillReducingOrder(const std::vector<RowTerms>& rows, const 
   return result;
 }
 
-/// The dependencies by a given basis of the component's rows, ascending. Of a QR of the basis with the others behind
-/// it, [R11, R12], the coefficients are R11^-1 R12: Q is not needed.
+/// The dependencies by a given basis of the component's rows, ascending: a QR of the basis with the others behind it.
 std::vector<Dependency> byBasis(const std::vector<RowTerms>& rows, const RowComponent& component,
                                 const std::vector<Index>& basis)
 {
-  const std::vector<Index> ordered = inFillReducingOrder(rows, component, basis);
-  const Index rank = static_cast<Index>(ordered.size());
-  std::vector<Index> order = ordered;
-  std::set_difference(component.rows.begin(), component.rows.end(), basis.begin(), basis.end(),
-                      std::back_inserter(order));
+  std::vector<Index> order = inFillReducingOrder(rows, component, basis);
+  std::ranges::set_difference(component.rows, basis, std::back_inserter(order));
   SparseMatrix block = transposedBlock(rows, {order, component.unknowns});
   const Eigen::VectorXd lengths = normalizeColumns(block);
   const SparseQrResult qr = sparseQr(block, -1, WantQ::No, ColumnOrder::AsGiven);
-  const SparseMatrix top = SparseRows(SparseRows(qr.R).topRows(rank));
-  const SparseMatrix R11 = top.leftCols(rank);
-
-  std::vector<Dependency> result;
-  for (Index k = rank; k < block.cols(); ++k) {
-    Eigen::VectorXd coefficients = top.col(k);
-    R11.triangularView<Eigen::Upper>().solveInPlace(coefficients);
-    const Index column = qr.columns[k];
-    coefficients = lengths[column] * coefficients.cwiseQuotient(lengths.head(rank));
-    result.push_back(dependency(order[column], ordered, coefficients));
-  }
-  std::sort(result.begin(), result.end(), [](const Dependency& x, const Dependency& y) { return x.row < y.row; });
-  return result;
+  return dependenciesOf(qr, static_cast<Index>(basis.size()), order, lengths);
 }
 
 /// `found`, by a basis in which no coefficient exceeds `kLargestCoefficient`. A factorisation for each exchange: where
@@ -316,8 +287,7 @@ void addTermsInside(const MergedUnknowns& groups, const std::vector<RowTerms>& r
   }
   for (const Term& term : groups.combinationOf(left))
     if (std::abs(term.coefficient) > kCoefficientThreshold * largest) dependency.terms.push_back(term);
-  std::sort(dependency.terms.begin(), dependency.terms.end(),
-            [](const Term& x, const Term& y) { return x.index < y.index; });
+  std::ranges::sort(dependency.terms, {}, &Term::index);
 }
 
 }  // namespace
@@ -343,7 +313,7 @@ std::vector<Dependency> sparseDependencies(const std::vector<RowTerms>& rows, co
   std::vector<Dependency> found = bounded(byBasisOfSparseQr(rows, component), rows, component);
   // Each exchange adds rounding: what they lead to is factorised anew, and exchanged again where that tells more.
   for (int round = 0; round < kMaxRounds; ++round) {
-    const std::vector<Index> basis = independentOf(component, byEarliestBasis(found));
+    const std::vector<Index> basis = independentOf(component, Tableau(found).byEarliestBasis());
     if (basis == independentOf(component, found)) break;
     found = bounded(byBasis(rows, component, basis), rows, component);
   }
@@ -367,8 +337,8 @@ std::vector<Dependency> findDependencies(const std::vector<RowTerms>& rows, Inde
     std::move(found.begin(), found.end(), std::back_inserter(all));
   }
   for (Dependency& dependency : all) addTermsInside(groups, rows, dependency);
-  std::sort(all.begin(), all.end(), [](const Dependency& x, const Dependency& y) { return x.row < y.row; });
-  return forest.differences.empty() ? all : byEarliestBasis(all);
+  std::ranges::sort(all, {}, &Dependency::row);
+  return forest.differences.empty() ? all : Tableau(all).byEarliestBasis();
 }
 
 std::vector<Index> independentRows(const std::vector<Dependency>& dependencies, std::size_t rowCount)

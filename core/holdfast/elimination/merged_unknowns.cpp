@@ -1,10 +1,8 @@
 #include "holdfast/elimination/merged_unknowns.h"
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>
-#include <numeric>
 
 namespace holdfast {
 namespace {
@@ -44,12 +42,6 @@ MergedUnknowns::MergedUnknowns(const std::vector<RowTerms>& rows, const std::vec
     : groupOf_(static_cast<std::size_t>(unknownCount), kNoGroup),
       linkOf_(static_cast<std::size_t>(unknownCount), kNoLink)
 {
-  if (differences.empty()) {
-    count_ = unknownCount;
-    std::iota(groupOf_.begin(), groupOf_.end(), Index{0});
-    firstLinkOf_.assign(groupOf_.size() + 1, 0);
-    return;
-  }
   const std::vector<std::vector<Neighbour>> adjacent = neighbours(rows, differences, unknownCount);
   for (Index first = 0; first < unknownCount; ++first) {
     if (groupOf_[first] != kNoGroup) continue;

@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include <holdfast/elimination/dependency.h>
 #include <holdfast/elimination/row_components.h>
 
 namespace holdfast {
@@ -54,8 +53,7 @@ class MergedUnknowns {
   [[nodiscard]] Columns3 offsets(const Columns3& d) const;
 
   /// For each difference row that terms hang on, the sum of their coefficients times its sign. Where coefficients sum
-  /// to zero over each group this is the combination of difference rows that is `terms`. O(terms times the depth of the
-  /// trees).
+  /// to zero over each group this is the combination of difference rows that is `terms`.
   [[nodiscard]] std::vector<Term> combinationOf(const RowTerms& terms) const;
 
   /// The same for many at a time: `totals` (n x 3, each column summing to zero over each group) is the sum of

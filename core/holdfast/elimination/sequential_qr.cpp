@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace holdfast {
 
@@ -33,11 +32,6 @@ std::optional<Eigen::VectorXd> SequentialQr::add(const Eigen::VectorXd& column)
   R_(rank_, rank_) = diagonal;
   ++rank_;
   return std::nullopt;
-}
-
-Eigen::MatrixXd SequentialQr::R() const
-{
-  return R_.topLeftCorner(rank_, rank_);
 }
 
 Eigen::MatrixXd SequentialQr::applyQ(Eigen::MatrixXd block) const

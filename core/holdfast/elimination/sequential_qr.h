@@ -2,7 +2,6 @@
 /// Householder QR of a dense matrix whose columns arrive one by one, in the user's order: section 5 of the paper.
 
 #include <optional>
-#include <vector>
 
 #include <Eigen/Core>
 
@@ -29,7 +28,7 @@ class SequentialQr {
   [[nodiscard]] Index rank() const noexcept { return rank_; }
 
   /// rank x rank, upper triangular with B^T = Q [R; 0].
-  [[nodiscard]] Eigen::MatrixXd R() const;
+  [[nodiscard]] Eigen::MatrixXd R() const { return R_.topLeftCorner(rank_, rank_); }
 
   /// Q times `block` (v x any).
   [[nodiscard]] Eigen::MatrixXd applyQ(Eigen::MatrixXd block) const;

@@ -1,7 +1,6 @@
 #include "holdfast/geometry/rotation_fit.h"
 
 #include <cassert>
-#include <cmath>
 #include <limits>
 
 #include <Eigen/SVD>
@@ -13,28 +12,18 @@ namespace {
 constexpr double kOpposite = 8 * std::numeric_limits<double>::epsilon();
 
 /// Points about their mean. The first is taken off before: a mean of large numbers would cost digits.
-Positions centerd(const Positions& points)
+Positions centered(const Positions& points)
 {
   Positions result = points.rowwise() - points.row(0);
   result.rowwise() -= Eigen::RowVector3d(result.colwise().mean());
   return result;
 }
 
-double longest(const Positions& points)
-{
-  return points.cwiseAbs().maxCoeff();
-}
-
 /// The points in units of their largest coordinate, so that no square leaves the range of doubles.
 Positions inOwnUnits(const Positions& points)
 {
-  const double size = longest(points);
+  const double size = points.cwiseAbs().maxCoeff();
   return size > 0 ? Positions(points / size) : points;
-}
-
-double rootMeanSquare(const Positions& differences)
-{
-  return longest(differences) * inOwnUnits(differences).norm() / std::sqrt(static_cast<double>(differences.rows()));
 }
 
 /// The unit vector across `direction` and across the coordinate axis that is farthest from it.
@@ -53,10 +42,10 @@ RotationFit rotationOfCovariance(const Eigen::Matrix3d& H)
   const Eigen::Matrix3d& V = svd.matrixV();
   const Vector3& s = svd.singularValues();
   if (s[0] == 0) return {};
-  if (s[1] <= kRankOfFit * s[0]) return {shortestRotation(U.col(0), V.col(0)).rotation.toRotationMatrix(), false, 0};
+  if (s[1] <= kRankOfFit * s[0]) return {shortestRotation(U.col(0), V.col(0)).rotation.toRotationMatrix(), false};
   const double handedness = (V * U.transpose()).determinant() > 0 ? 1 : -1;
   const Eigen::Matrix3d R = V * Vector3(1, 1, handedness).asDiagonal() * U.transpose();
-  return {R, s[1] + handedness * s[2] > kRankOfFit * s[0], 0};
+  return {R, s[1] + handedness * s[2] > kRankOfFit * s[0]};
 }
 
 }  // namespace
@@ -64,11 +53,7 @@ RotationFit rotationOfCovariance(const Eigen::Matrix3d& H)
 RotationFit fitRotation(const Positions& points, const Positions& targets)
 {
   assert(points.rows() > 0 && points.rows() == targets.rows());
-  const Positions p = centerd(points);
-  const Positions t = centerd(targets);
-  RotationFit result = rotationOfCovariance(inOwnUnits(p).transpose() * inOwnUnits(t));
-  result.residual = rootMeanSquare(p * result.R.transpose() - t);
-  return result;
+  return rotationOfCovariance(inOwnUnits(centered(points)).transpose() * inOwnUnits(centered(targets)));
 }
 
 DirectionTurn shortestRotation(const Vector3& from, const Vector3& to)

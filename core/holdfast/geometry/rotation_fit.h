@@ -11,7 +11,6 @@ namespace holdfast {
 struct RotationFit {
   Eigen::Matrix3d R = Eigen::Matrix3d::Identity();  ///< proper: determinant +1
   bool isDetermined = false;                        ///< no other rotation fits as well
-  double residual = 0;                              ///< root mean square of the distances that are left, model units
 };
 
 /// Squares of extents below this share of the largest count as zero: points within a millionth of their length from a

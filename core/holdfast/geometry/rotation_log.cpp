@@ -1,5 +1,6 @@
 #include "holdfast/geometry/rotation_log.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -30,16 +31,7 @@ CosineAndSine cosineAndSine(double degrees)
   const double radians = std::remquo(degrees, 90.0, &quarters) * (pi / 180);
   const double c = std::cos(radians);
   const double s = std::sin(radians);
-  switch (quarters & 3) {
-    case 0:
-      return {c, s};
-    case 1:
-      return {-s, c};
-    case 2:
-      return {-c, -s};
-    default:
-      return {s, -c};
-  }
+  return std::array<CosineAndSine, 4>{{{c, s}, {-s, c}, {-c, -s}, {s, -c}}}[quarters & 3];
 }
 
 /// Whether q, not -q, is taken as the log of the half turn that has both.

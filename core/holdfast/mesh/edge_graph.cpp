@@ -44,11 +44,6 @@ EdgeGraph::EdgeGraph(const SolverMesh& mesh)
   });
 }
 
-ShortestPaths::ShortestPaths(const EdgeGraph& graph)
-    : graph_(graph), reached_(static_cast<std::size_t>(graph.vertexCount()))
-{
-}
-
 std::vector<Index> ShortestPaths::path(Index from, Index to)
 {
   search(from, to);

@@ -38,7 +38,10 @@ class EdgeGraph {
 class ShortestPaths {
  public:
   /// `graph` stays alive as long as this.
-  explicit ShortestPaths(const EdgeGraph& graph);
+  explicit ShortestPaths(const EdgeGraph& graph)
+      : graph_(graph), reached_(static_cast<std::size_t>(graph.vertexCount()))
+  {
+  }
 
   /// The vertices of a shortest path, both ends included; none where no path joins them. Of paths of the same length
   /// the one whose vertices before the end have the smaller ids, seen from the end. O(k log k) for k vertices that are

@@ -98,9 +98,7 @@ SolverMesh makeSolverMesh(const Mesh& mesh, const Triangulation& triangulation)
 {
   SolverMesh result;
   result.weld = weldOpenEdges(mesh.positions, triangulation.triangles);
-  result.rest.resize(result.weld.unknownCount, 3);
-  for (Index u = 0; u < result.weld.unknownCount; ++u)
-    result.rest.row(u) = mesh.positions.row(result.weld.firstVertexOf[u]);
+  result.rest = mesh.positions(result.weld.firstVertexOf, Eigen::all);
   result.diagonal = boundingBoxDiagonal(mesh.positions);
   addTriangles(result, triangulation);
   findComponents(result);

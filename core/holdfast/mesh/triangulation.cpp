@@ -91,8 +91,7 @@ class CornerBoxes {
     const int longer = size.x() < size.y() ? 1 : 0;
     const std::size_t half = corners.size() / 2;
     const auto key = [&](Index corner) { return std::pair(places[corner][longer], corner); };
-    std::nth_element(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(half), corners.end(),
-                     [&](Index p, Index q) { return key(p) < key(q); });
+    std::ranges::nth_element(corners, corners.begin() + static_cast<std::ptrdiff_t>(half), {}, key);
     build(2 * node, corners.first(half), places);
     build(2 * node + 1, corners.subspan(half), places);
   }
@@ -139,7 +138,8 @@ class EarRegion {
            Place2::Constant(std::numeric_limits<double>::infinity())};
 };
 
-/// Cuts ears off one polygon, the best shaped first.
+/// Cuts ears off one polygon without a coordinate beyond 1: the best shaped first, of equals the one at the first
+/// corner. O(n log n) where ears hold few corners of others, as in polygons that do not wind about themselves.
 class EarClipper {
  public:
   explicit EarClipper(std::vector<Vector3> polygon)
@@ -309,14 +309,6 @@ class EarClipper {
   std::priority_queue<std::pair<double, Index>> ears_;  // qualities and corners times -1
 };
 
-/// The n - 2 triangles of a polygon, as numbers of its corners. No coordinate is beyond 1. Of the ears that can be cut
-/// off, the best shaped goes first, of equals the one at the first corner. O(n log n) where ears hold few corners of
-/// others, as in polygons that do not wind about themselves.
-std::vector<std::array<Index, 3>> clipEars(std::vector<Vector3> polygon)
-{
-  return EarClipper(std::move(polygon)).run();
-}
-
 /// The corners seen from the first one, no coordinate beyond 1: products of areas stay within the range of doubles.
 std::vector<Vector3> inUnitsOfItsSize(const Positions& positions, std::span<const Index> face)
 {
@@ -332,10 +324,11 @@ std::vector<Vector3> inUnitsOfItsSize(const Positions& positions, std::span<cons
   return polygon;
 }
 
+/// The n - 2 triangles of a face, as numbers of its corners.
 std::vector<std::array<Index, 3>> cornersOfTriangles(const Positions& positions, std::span<const Index> face)
 {
   if (face.size() == 3) return {{0, 1, 2}};
-  return clipEars(inUnitsOfItsSize(positions, face));
+  return EarClipper(inUnitsOfItsSize(positions, face)).run();
 }
 
 }  // namespace

@@ -13,35 +13,46 @@ Vector3 corner(const Positions& positions, const Triangle& triangle, int k)
   return positions.row(triangle[k % 3]);
 }
 
-double area(const Positions& positions, const Triangle& triangle)
+using Parts = std::array<double, 3>;
+
+/// The parts of the Voronoi cells of the corners that lie in the triangle: an eighth of each of the two sides at a
+/// corner, squared, times the cotangent of the angle across.
+Parts voronoiParts(const Positions& positions, const Triangle& triangle)
+{
+  const CornerCotangents cotangents = cornerCotangents(positions, triangle);
+  Parts parts{};
+  for (int k = 0; k < 3; ++k) {
+    const Vector3 p = corner(positions, triangle, k);
+    const double toNext = (corner(positions, triangle, k + 1) - p).squaredNorm();
+    const double toPrevious = (corner(positions, triangle, k + 2) - p).squaredNorm();
+    parts[k] = 0.125 * (toNext * cotangents[(k + 2) % 3] + toPrevious * cotangents[(k + 1) % 3]);
+  }
+  return parts;
+}
+
+Parts mixedParts(const Positions& positions, const Triangle& triangle)
 {
   const Vector3 a = corner(positions, triangle, 0);
-  return 0.5 * (corner(positions, triangle, 1) - a).cross(corner(positions, triangle, 2) - a).norm();
-}
-
-/// The part of the Voronoi cell of corner k that lies in the triangle: an eighth of each of the two sides at k,
-/// squared, times the cotangent of the angle across.
-double voronoiPart(const Positions& positions, const Triangle& triangle, const CornerCotangents& cotangents, int k)
-{
-  const Vector3 p = corner(positions, triangle, k);
-  const double toNext = (corner(positions, triangle, k + 1) - p).squaredNorm();
-  const double toPrevious = (corner(positions, triangle, k + 2) - p).squaredNorm();
-  return 0.125 * (toNext * cotangents[(k + 2) % 3] + toPrevious * cotangents[(k + 1) % 3]);
-}
-
-std::array<double, 3> mixedParts(const Positions& positions, const Triangle& triangle)
-{
-  const double whole = area(positions, triangle);
+  const double whole = 0.5 * (corner(positions, triangle, 1) - a).cross(corner(positions, triangle, 2) - a).norm();
   if (whole == 0) return {0, 0, 0};
   const CornerCotangents cotangents = cornerCotangents(positions, triangle);
   const auto obtuse = std::find_if(cotangents.begin(), cotangents.end(), [](double c) { return c < 0; });
-  std::array<double, 3> parts{};
-  for (int k = 0; k < 3; ++k)
-    if (obtuse == cotangents.end())
-      parts[k] = voronoiPart(positions, triangle, cotangents, k);
-    else
-      parts[k] = whole * (cotangents.begin() + k == obtuse ? 0.5 : 0.25);
+  if (obtuse == cotangents.end()) return voronoiParts(positions, triangle);
+  Parts parts{whole / 4, whole / 4, whole / 4};
+  parts[obtuse - cotangents.begin()] = whole / 2;
   return parts;
+}
+
+/// For each unknown the sum of its parts.
+Eigen::VectorXd summedParts(const Positions& positions, const std::vector<Triangle>& triangles,
+                            Parts (*partsOf)(const Positions&, const Triangle&))
+{
+  Eigen::VectorXd areas = Eigen::VectorXd::Zero(positions.rows());
+  for (const Triangle& triangle : triangles) {
+    const Parts parts = partsOf(positions, triangle);
+    for (int k = 0; k < 3; ++k) areas[triangle[k]] += parts[k];
+  }
+  return areas;
 }
 
 }  // namespace
@@ -90,22 +101,12 @@ std::vector<Index> guardAll(std::vector<CornerCotangents>& cotangents, const std
 
 Eigen::VectorXd mixedVoronoiAreas(const Positions& positions, const std::vector<Triangle>& triangles)
 {
-  Eigen::VectorXd areas = Eigen::VectorXd::Zero(positions.rows());
-  for (const Triangle& triangle : triangles) {
-    const auto parts = mixedParts(positions, triangle);
-    for (int k = 0; k < 3; ++k) areas[triangle[k]] += parts[k];
-  }
-  return areas;
+  return summedParts(positions, triangles, mixedParts);
 }
 
 Eigen::VectorXd literalVoronoiAreas(const Positions& positions, const std::vector<Triangle>& triangles)
 {
-  Eigen::VectorXd areas = Eigen::VectorXd::Zero(positions.rows());
-  for (const Triangle& triangle : triangles) {
-    const CornerCotangents cotangents = cornerCotangents(positions, triangle);
-    for (int k = 0; k < 3; ++k) areas[triangle[k]] += voronoiPart(positions, triangle, cotangents, k);
-  }
-  return areas;
+  return summedParts(positions, triangles, voronoiParts);
 }
 
 }  // namespace holdfast

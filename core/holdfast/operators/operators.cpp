@@ -1,6 +1,7 @@
 #include "holdfast/operators/operators.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <holdfast/operators/cotangents.h>
@@ -75,15 +76,8 @@ Columns3 deltaOf(const SparseMatrix& L, const Positions& p)
 
 std::string_view name(Weights weights)
 {
-  switch (weights) {
-    case Weights::Cotangent:
-      return "cotangent";
-    case Weights::CotangentPaper:
-      return "cotangent-paper";
-    case Weights::Uniform:
-      return "uniform";
-  }
-  return "";
+  constexpr std::array kNames{"cotangent", "cotangent-paper", "uniform"};
+  return kNames[static_cast<std::size_t>(weights)];
 }
 
 Operators makeOperators(const SolverMesh& mesh, Weights weights)
@@ -92,17 +86,9 @@ Operators makeOperators(const SolverMesh& mesh, Weights weights)
   const Positions rest = restInDiagonals(mesh);
   Operators operators;
   operators.weights = weights;
-  switch (weights) {
-    case Weights::Cotangent:
-      makeCotangent(operators, mesh, rest);
-      break;
-    case Weights::CotangentPaper:
-      makeCotangentPaper(operators, mesh, rest);
-      break;
-    case Weights::Uniform:
-      makeUniform(operators, mesh);
-      break;
-  }
+  if (weights == Weights::Cotangent) makeCotangent(operators, mesh, rest);
+  if (weights == Weights::CotangentPaper) makeCotangentPaper(operators, mesh, rest);
+  if (weights == Weights::Uniform) makeUniform(operators, mesh);
   operators.delta = deltaOf(operators.L, rest);
   return operators;
 }

@@ -1,6 +1,5 @@
 #include "holdfast/rotation/edge_weights.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace holdfast {

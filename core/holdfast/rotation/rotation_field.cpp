@@ -14,20 +14,6 @@
 namespace holdfast {
 namespace {
 
-DisjointSets regionsOf(const RotationProblem& problem)
-{
-  DisjointSets regions(problem.unknownCount);
-  regions.uniteEach(problem.rigidRegions);
-  return regions;
-}
-
-DisjointSets tiedByEdges(DisjointSets sets, const std::vector<EdgeWeight>& weights)
-{
-  for (const EdgeWeight& edge : weights)
-    if (edge.weight != 0) sets.unite(edge.i, edge.j);
-  return sets;
-}
-
 /// By representative: the first place in `prescribed` of an unknown of its set; -1 elsewhere.
 std::vector<Index> firstGiven(DisjointSets& sets, const RotationProblem& problem)
 {
@@ -48,12 +34,14 @@ std::vector<Index> givenOfUnknowns(DisjointSets& regions, const std::vector<Inde
 }
 
 /// In a region where several unknowns are given, each keeps its own value, and all others have that of the first. For
-/// an unknown that is given twice, the first value counts. Edges of weight 0 tie nothing. Ids are in range. Nearly O(n
-/// + edges).
+/// an unknown that is given twice, the first value counts. Edges of weight 0 tie nothing. Ids are in range.
 RotationUnknowns rotationUnknowns(const RotationProblem& problem)
 {
-  DisjointSets regions = regionsOf(problem);
-  DisjointSets parts = tiedByEdges(regions, problem.weights);
+  DisjointSets regions(problem.unknownCount);
+  regions.uniteEach(problem.rigidRegions);
+  DisjointSets parts = regions;
+  for (const EdgeWeight& edge : problem.weights)
+    if (edge.weight != 0) parts.unite(edge.i, edge.j);
   const std::vector<Index> ofRegion = firstGiven(regions, problem);
   const std::vector<Index> ofPart = firstGiven(parts, problem);
 
@@ -176,13 +164,6 @@ std::string notFiniteMessage(const EdgeWeight& edge)
       edge.i, edge.j);
 }
 
-RotationSystem systemOf(const std::vector<EdgeWeight>& weights, const RotationUnknowns& unknowns)
-{
-  const bool hasNegative =
-      std::any_of(weights.begin(), weights.end(), [](const auto& edge) { return edge.weight < 0; });
-  return hasNegative ? balanceRows(weights, unknowns) : energyRows(weights, unknowns);
-}
-
 }  // namespace
 
 RotationFieldSolver::RotationFieldSolver(RotationUnknowns unknowns, std::vector<RotationPull> pulls,
@@ -200,7 +181,7 @@ RotationField RotationFieldSolver::solve(const Columns3& values) const
   const CorrectedSolution z = correctedSolve(*factor_, *scaled_.C, scaled_.scale, f);
 
   const auto n = static_cast<Index>(unknowns_.givenOf.size());
-  RotationField field{Columns3::Zero(n, 3), z.corrections, z.accuracy, rotationGaps(unknowns_, values)};
+  RotationField field{Columns3::Zero(n, 3), z.accuracy, rotationGaps(unknowns_, values)};
   for (Index i = 0; i < n; ++i) {
     const Index column = unknowns_.columnOf[i];
     if (unknowns_.givenOf[i] >= 0)
@@ -216,7 +197,9 @@ RotationFieldResult makeRotationFieldSolver(const RotationProblem& problem, Back
   for (const EdgeWeight& edge : problem.weights)
     if (!std::isfinite(edge.weight)) return {nullptr, notFiniteMessage(edge)};
   RotationUnknowns unknowns = rotationUnknowns(problem);
-  RotationSystem system = systemOf(problem.weights, unknowns);
+  const bool hasNegative =
+      std::any_of(problem.weights.begin(), problem.weights.end(), [](const auto& edge) { return edge.weight < 0; });
+  RotationSystem system = hasNegative ? balanceRows(problem.weights, unknowns) : energyRows(problem.weights, unknowns);
   Result<ScaledColumns> columns = scaleColumns(system.C);
   if (!columns) return {nullptr, "the rotation field: " + columns.failure};
   ScaledColumns& scaled = columns.value;

@@ -2,7 +2,6 @@
 /// The rotation of every unknown from those that are given: a harmonic field of logarithms, section 3.3 of the paper.
 
 #include <memory>
-#include <string>
 #include <vector>
 
 #include <holdfast/operators/laplacian.h>
@@ -47,17 +46,15 @@ struct RotationGap {
 
 /// A log for every unknown.
 struct RotationField {
-  Columns3 q;           ///< n x 3, half angle times axis, radians
-  int corrections = 0;  ///< refinement steps
-  double accuracy =
-      0;  ///< size of the last of them relative to the free part of the field: its estimated relative error
+  Columns3 q;                     ///< n x 3, half angle times axis, radians
+  double accuracy = 0;            ///< estimated relative error of its free part
   std::vector<RotationGap> gaps;  ///< ascending by `given`; none where the given rotations of each region agree
 };
 
 /// One decomposition, for any number of values at the same unknowns. Other unknowns, regions or weights make another.
 class RotationFieldSolver {
  public:
-  /// The parts that `makeRotationFieldSolver` makes; `factor` is one of `scaled.C`.
+  /// `factor` is one of `scaled.C`.
   RotationFieldSolver(RotationUnknowns unknowns, std::vector<RotationPull> pulls, ScaledColumns scaled,
                       std::unique_ptr<const LeastSquaresFactor> factor);
 
@@ -66,12 +63,6 @@ class RotationFieldSolver {
   /// rounding. Where all values that a part of the mesh is tied to are the same, so is q there, exactly; unknowns that
   /// are tied to none have q = 0. O(factor). Not for concurrent calls.
   [[nodiscard]] RotationField solve(const Columns3& values) const;
-
-  /// Unknowns of the system that is solved, for each component.
-  [[nodiscard]] Index unknowns() const { return unknowns_.columnCount(); }
-  [[nodiscard]] Index factorNonzeros() const { return factor_->nonzeros(); }
-  /// How it is solved, in a user's words.
-  [[nodiscard]] std::string method() const { return std::string(factor_->method()); }
 
  private:
   RotationUnknowns unknowns_;

@@ -29,8 +29,7 @@ class ClosestPointSearch {
     double distance = 0;  ///< model units
   };
 
-  /// The exact closest point of a finite place; of triangles at the same distance the one that comes first. About O(log
-  /// T).
+  /// The exact closest point of a finite place; of triangles at the same distance the one that comes first.
   [[nodiscard]] Result find(const Vector3& place) const;
 
  private:

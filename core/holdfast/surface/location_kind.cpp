@@ -17,12 +17,6 @@ std::size_t cornerOf(Corners face, Index vertex)
   return static_cast<std::size_t>(std::find(face.begin(), face.end(), vertex) - face.begin());
 }
 
-bool hasAll(Corners face, const std::vector<Term>& terms)
-{
-  return std::all_of(terms.begin(), terms.end(),
-                     [&](const Term& term) { return cornerOf(face, term.index) < face.size(); });
-}
-
 /// What `location` lies on, before weights of zero are left out: an edge stays an edge at its ends.
 std::vector<Term> supportOf(const SurfaceLocation& location, const SurfacePoint& point)
 {
@@ -34,10 +28,11 @@ Index hostFaceOf(const SurfaceLocation& location, const std::vector<Term>& terms
 {
   if (const auto* face = std::get_if<AtFace>(&location)) return face->face;
   for (Index f = 0; f < faces.size(); ++f)
-    if (hasAll(faces[f], terms)) return f;
-  throw InputError({}, fmt::format("no face uses vertex {}, so a point there can only be that vertex; choose another "
-                                   "vertex first",
-                                   terms.front().index));
+    if (std::ranges::all_of(terms, [&](const Term& t) { return cornerOf(faces[f], t.index) < faces[f].size(); }))
+      return f;
+  throw InputError(
+      {}, fmt::format("no face uses vertex {}, so a point there can only be that vertex; choose another vertex first",
+                      terms.front().index));
 }
 
 AtVertex nearestCorner(Corners face, const Vector3& place, const Positions& rest)
@@ -81,9 +76,10 @@ AtEdge firstEdgeAt(Index vertex, const Polygons& faces)
       const Index j = faces[f][(k + 1) % faces[f].size()];
       if (i != j && (i == vertex || j == vertex)) return {vertex, i == vertex ? j : i, 1};
     }
-  throw InputError({}, fmt::format("no edge joins vertex {} to another, so a point there cannot lie on one; choose "
-                                   "another vertex first",
-                                   vertex));
+  throw InputError(
+      {},
+      fmt::format("no edge joins vertex {} to another, so a point there cannot lie on one; choose another vertex first",
+                  vertex));
 }
 
 AtFace inFace(Index face, Corners corners, const std::vector<Term>& terms)
@@ -95,16 +91,11 @@ AtFace inFace(Index face, Corners corners, const std::vector<Term>& terms)
 
 }  // namespace
 
-LocationKind kindOf(const SurfaceLocation& location)
-{
-  return static_cast<LocationKind>(location.index());
-}
-
 SurfaceLocation converted(const SurfaceLocation& location, LocationKind kind, const Mesh& mesh,
                           const SurfaceLocator& locator)
 {
   if (kindOf(location) == kind) return location;
-  const SurfacePoint point = locator.locate(location, {}).point;
+  const SurfacePoint point = locator.locate(location, {});
   const std::vector<Term> terms = supportOf(location, point);
   const Vector3 place = positionOf(point, mesh.positions);
   const bool isVertex = point.terms.size() == 1;

@@ -9,7 +9,10 @@ namespace holdfast {
 /// In the order of `SurfaceLocation`.
 enum class LocationKind { Vertex, Edge, Face, Near };
 
-[[nodiscard]] LocationKind kindOf(const SurfaceLocation& location);
+[[nodiscard]] inline LocationKind kindOf(const SurfaceLocation& location)
+{
+  return static_cast<LocationKind>(location.index());
+}
 
 /// The point of this kind that is nearest to `location`, by positions at rest; `location` itself where it is of the
 /// kind. What lies on a vertex or an edge stays there as long as the kind allows it.

@@ -111,11 +111,6 @@ RayCaster::RayCaster(std::shared_ptr<const TriangleTree> tree, std::shared_ptr<c
 {
 }
 
-RayCaster RayCaster::movedTo(std::shared_ptr<const Positions> positions) const
-{
-  return {tree_, std::move(positions)};
-}
-
 std::optional<RayHit> RayCaster::firstHit(const Ray& ray, const RayRange& range) const
 {
   const Caster caster(ray);

@@ -46,7 +46,10 @@ class RayCaster {
   RayCaster(const Positions& positions, std::vector<Triangle> triangles);
 
   /// For the same triangles at other positions, finite as well. O(T), and shares all but the boxes.
-  [[nodiscard]] RayCaster movedTo(std::shared_ptr<const Positions> positions) const;
+  [[nodiscard]] RayCaster movedTo(std::shared_ptr<const Positions> positions) const
+  {
+    return {tree_, std::move(positions)};
+  }
 
   [[nodiscard]] const Positions& positions() const noexcept { return *positions_; }
 

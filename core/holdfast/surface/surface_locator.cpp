@@ -19,49 +19,48 @@ const std::vector<HalfEdge>& SurfaceIndex::halfEdges(const Triangulation& triang
   return halfEdges_;
 }
 
-SurfaceLocator::Located SurfaceLocator::locate(const SurfaceLocation& location, const InputLocation& where) const
+SurfacePoint SurfaceLocator::locate(const SurfaceLocation& location, const InputLocation& where) const
 {
   return std::visit([&](const auto& named) { return at(named, where); }, location);
 }
 
-SurfaceLocator::Located SurfaceLocator::at(const AtVertex& vertex, const InputLocation& where) const
+SurfacePoint SurfaceLocator::at(const AtVertex& vertex, const InputLocation& where) const
 {
-  requireVertex(mesh_, vertex.vertex, where, ".vertex");
-  return {{{{vertex.vertex, 1.0}}}, 0};
+  requireVertex(mesh_.vertexCount(), vertex.vertex, where, ".vertex");
+  return {{{vertex.vertex, 1.0}}};
 }
 
-SurfaceLocator::Located SurfaceLocator::at(const AtEdge& edge, const InputLocation& where) const
+SurfacePoint SurfaceLocator::at(const AtEdge& edge, const InputLocation& where) const
 {
-  requireVertex(mesh_, edge.i, where, ".edge[0]");
-  requireVertex(mesh_, edge.j, where, ".edge[1]");
+  requireVertex(mesh_.vertexCount(), edge.i, where, ".edge[0]");
+  requireVertex(mesh_.vertexCount(), edge.j, where, ".edge[1]");
   if (!isEdge(edge.i, edge.j))
-    throw InputError(below(where, ".edge"),
-                     fmt::format("no face has an edge between the vertices {} and {}; name the ends of one edge, or "
-                                 "give the place as \"near\"",
-                                 edge.i, edge.j));
-  return {canonical({{edge.i, edge.t}, {edge.j, 1 - edge.t}}), 0};
+    throw InputError(below(where, ".edge"), fmt::format("no face has an edge between the vertices {} and {}; name the "
+                                                        "ends of one edge, or give the place as \"near\"",
+                                                        edge.i, edge.j));
+  return canonical({{edge.i, edge.t}, {edge.j, 1 - edge.t}});
 }
 
-SurfaceLocator::Located SurfaceLocator::at(const AtFace& face, const InputLocation& where) const
+SurfacePoint SurfaceLocator::at(const AtFace& face, const InputLocation& where) const
 {
   if (face.face < 0 || face.face >= mesh_.faces.size())
     throw InputError(below(where, ".face"), fmt::format("there is no face {}; the mesh has {} faces, numbered from 0",
                                                         face.face, mesh_.faces.size()));
   const auto corners = mesh_.faces[face.face];
   if (corners.size() != face.weights.size())
-    throw InputError(below(where, ".weights"),
-                     fmt::format("face {} has {} corners but {} weights are given; give one for each corner in the "
-                                 "order of the file",
-                                 face.face, corners.size(), face.weights.size()));
+    throw InputError(
+        below(where, ".weights"),
+        fmt::format(
+            "face {} has {} corners but {} weights are given; give one for each corner in the order of the file",
+            face.face, corners.size(), face.weights.size()));
   std::vector<Term> terms;
   for (std::size_t k = 0; k < corners.size(); ++k) terms.push_back({corners[k], face.weights[k]});
-  return {canonical(std::move(terms)), 0};
+  return canonical(std::move(terms));
 }
 
-SurfaceLocator::Located SurfaceLocator::at(const AtNear& near, const InputLocation& /*where*/) const
+SurfacePoint SurfaceLocator::at(const AtNear& near, const InputLocation& /*where*/) const
 {
-  ClosestPointSearch::Result found = closestTo(near.place);
-  return {std::move(found.point), found.distance};
+  return closestTo(near.place).point;
 }
 
 bool SurfaceLocator::isEdge(Index i, Index j) const
@@ -75,11 +74,11 @@ bool SurfaceLocator::isEdge(Index i, Index j) const
   return found != halfEdges.end() && ends(*found) == key;
 }
 
-void requireVertex(const Mesh& mesh, Index vertex, const InputLocation& where, const std::string& key)
+void requireVertex(Index vertexCount, Index vertex, const InputLocation& where, const std::string& key)
 {
-  if (vertex < 0 || vertex >= mesh.vertexCount())
+  if (vertex < 0 || vertex >= vertexCount)
     throw InputError(below(where, key), fmt::format("there is no vertex {}; the mesh has {} vertices, numbered from 0",
-                                                    vertex, mesh.vertexCount()));
+                                                    vertex, vertexCount));
 }
 
 InputLocation below(const InputLocation& where, const std::string& key)

@@ -38,14 +38,9 @@ class SurfaceLocator {
   {
   }
 
-  struct Located {
-    SurfacePoint point;
-    double distance = 0;  ///< of a `near` place from the surface, model units; else 0
-  };
-
   /// Throws `InputError` at `where`, its element followed by the key at fault (".vertex", ".edge[0]", ".weights"): ids
   /// out of range, an edge that no face has, as many weights as the face has no corners. O(log T) after O(T log T).
-  [[nodiscard]] Located locate(const SurfaceLocation& location, const InputLocation& where) const;
+  [[nodiscard]] SurfacePoint locate(const SurfaceLocation& location, const InputLocation& where) const;
 
   /// Whether a face has an edge between the vertices, or is cut in triangles along it. O(log T) after O(T log T).
   [[nodiscard]] bool isEdge(Index i, Index j) const;
@@ -57,18 +52,18 @@ class SurfaceLocator {
   }
 
  private:
-  [[nodiscard]] Located at(const AtVertex& vertex, const InputLocation& where) const;
-  [[nodiscard]] Located at(const AtEdge& edge, const InputLocation& where) const;
-  [[nodiscard]] Located at(const AtFace& face, const InputLocation& where) const;
-  [[nodiscard]] Located at(const AtNear& near, const InputLocation& where) const;
+  [[nodiscard]] SurfacePoint at(const AtVertex& vertex, const InputLocation& where) const;
+  [[nodiscard]] SurfacePoint at(const AtEdge& edge, const InputLocation& where) const;
+  [[nodiscard]] SurfacePoint at(const AtFace& face, const InputLocation& where) const;
+  [[nodiscard]] SurfacePoint at(const AtNear& near, const InputLocation& where) const;
 
   const Mesh& mesh_;
   const Triangulation& triangulation_;
   std::shared_ptr<SurfaceIndex> index_;
 };
 
-/// Throws `InputError` at `where`, its element followed by `key`, unless the mesh has the vertex.
-void requireVertex(const Mesh& mesh, Index vertex, const InputLocation& where, const std::string& key);
+/// Throws `InputError` at `where`, its element followed by `key`, unless a mesh of so many vertices has the vertex.
+void requireVertex(Index vertexCount, Index vertex, const InputLocation& where, const std::string& key);
 
 /// `where` with `key` after its element.
 [[nodiscard]] InputLocation below(const InputLocation& where, const std::string& key);

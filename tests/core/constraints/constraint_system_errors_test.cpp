@@ -74,8 +74,8 @@ TEST_P(ConstraintSystemError, NamesThePlaceInTheListAndWhatIsWrong)
   for (const bool isEnabled : {true, false}) {
     list.constraints[1].isEnabled = isEnabled;
     try {
-      static_cast<void>(
-          makeConstraintSystem(list, mesh, triangulation, makeSolverMesh(mesh, triangulation), "list.json"));
+      static_cast<void>(makeConstraintSystem(list, mesh, makeSolverMesh(mesh, triangulation),
+                                             SurfaceLocator(mesh, triangulation), "list.json"));
       ADD_FAILURE() << "taken for good";
     } catch (const InputError& error) {
       EXPECT_EQ(error.location().file, "list.json");

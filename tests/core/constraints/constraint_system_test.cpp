@@ -90,7 +90,7 @@ TEST(ConstraintSystem, PolygonsTakeAWeightForEachCorner)
   EXPECT_EQ(system.rows[0].terms.size(), 8U);
 }
 
-TEST(ConstraintSystem, NearPlacesBecomeTheClosestPointAndTellTheirDistance)
+TEST(ConstraintSystem, NearPlacesBecomeTheClosestPoint)
 {
   const ConstraintSystem system =
       systemOf(test::grid(2, 2),
@@ -98,7 +98,6 @@ TEST(ConstraintSystem, NearPlacesBecomeTheClosestPointAndTellTheirDistance)
   EXPECT_EQ(system.rows[0].terms, (std::vector<Term>{{3, 0.5}, {4, 0.5}}));
   EXPECT_EQ(system.rows[0].target, Vector3(9, 9, 9));
   EXPECT_EQ(system.rows[0].shift, Vector3(8.5, 8, 9)) << "from the surface, not from the place";
-  EXPECT_EQ(system.surfaceDistances, (std::vector<double>{3, 0, 0}));
   EXPECT_EQ(system.rows[2].terms, (std::vector<Term>{{8, 1}}));
 }
 
@@ -159,7 +158,6 @@ TEST(ConstraintSystem, DisabledConstraintsMakeNoRowsYetTellWhereTheyLie)
   const ConstraintSystem system = systemOf(test::grid(2, 2), list);
   EXPECT_TRUE(system.rows.empty());
   EXPECT_EQ(system.points[0].terms.size(), 2U);
-  EXPECT_EQ(system.surfaceDistances[0], 3);
 }
 
 TEST(ConstraintSystem, WeldedVerticesOfOneSelectionAskOnce)

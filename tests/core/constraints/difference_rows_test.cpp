@@ -137,14 +137,6 @@ TEST(RelativeRows, OfAPointAndItselfAreEmpty)
   EXPECT_EQ(system.rows[0].target, Vector3::Zero());
   EXPECT_TRUE(system.rows[1].terms.empty());
   EXPECT_EQ(system.rows[1].shift, Vector3(1, 0, 0));
-  EXPECT_EQ(system.surfaceDistances[1], 5);
-}
-
-TEST(RelativeRows, TellTheFartherOfTheirNearPlaces)
-{
-  const Mesh mesh = test::grid(2, 2);
-  EXPECT_EQ(systemOf(mesh, listOf({relative(AtNear{{0, 0, 3}}, AtNear{{2, 2, 1}})})).surfaceDistances[0], 3);
-  EXPECT_EQ(systemOf(mesh, listOf({relative(AtNear{{0, 0, 1}}, AtNear{{2, 2, 3}})})).surfaceDistances[0], 3);
 }
 
 TEST(GivenRotations, AreThoseOfFixedVerticesAndHandles)

@@ -42,7 +42,7 @@ struct Dragged {
   [[nodiscard]] HandleConstraint after(const HandleConstraint& handle, const RigidIncrement& increment) const
   {
     const Vector3 fixed = mesh.positions.row(0).transpose();
-    return composed(handle, increment, rest(), {fixed, std::sqrt(32)}, kWhere);
+    return composed(handle, increment, {rest(), {fixed, std::sqrt(32)}, kWhere});
   }
 
   /// What the core makes of the handle. Of each file vertex of the handle: its target, and its rotation.
@@ -284,7 +284,7 @@ TEST(HandleDrag, WhatCannotTurnAboutTheFixedVerticesIsRefusedAtItsPlace)
   const HandleConstraint handle = dragged.handle(RotationAboutFixed{});
   const RigidIncrement increment{{1, 0, 0}, 10, {0, 0, 0}, {0, 0, 0}};
   try {
-    (void)composed(handle, increment, dragged.rest(), {std::nullopt, 1}, kWhere);
+    (void)composed(handle, increment, {dragged.rest(), {std::nullopt, 1}, kWhere});
     FAIL() << "there is nothing to turn about";
   } catch (const InputError& error) {
     EXPECT_EQ(error.location().element, "handle.turn");

@@ -53,7 +53,7 @@ HandlePlacement placed(decltype(HandleConstraint::motion) motion, const Position
 {
   HandleConstraint handle{{AllOf{}}, {}, translate, {}};
   handle.motion = std::move(motion);
-  return placeHandle(handle, rest, {std::nullopt, 10}, {"list", 0, "handle"});
+  return placeHandle(handle, {rest, {std::nullopt, 10}, {"list", 0, "handle"}});
 }
 
 double largestDifference(const Positions& a, const Positions& b)
@@ -74,7 +74,7 @@ TEST(HandleAboutFixed, TurnsAsItsCentroidDoesAboutTheFixedOne)
   Positions rest(2, 3);
   rest << 3, 1, 0, 5, -1, 0;  // centroid (4, 0, 0)
   HandleConstraint handle{{AllOf{}}, RotationAboutFixed{}, Vector3(-4, 4, 0), {}};
-  const HandlePlacement placement = placeHandle(handle, rest, {Vector3(0, 0, 0), 10}, {"list", 0, "handle"});
+  const HandlePlacement placement = placeHandle(handle, {rest, {Vector3(0, 0, 0), 10}, {"list", 0, "handle"}});
   Positions expected(2, 3);
   expected << -1, 3, 0, 1, 5, 0;  // a quarter turn about z, then the centroid at (0, 4, 0)
   EXPECT_LT(largestDifference(placement.places, expected), kRoundingOfMotions);
@@ -88,12 +88,12 @@ TEST(HandleAboutFixed, TurnsByWhatIsNearestToTheTurnThatIsSaid)
   rest << 3, 1, 0, 5, -1, 0;
   const HandleSurroundings surroundings{Vector3(0, 0, 0), 10};
   const HandleConstraint shortest{{AllOf{}}, RotationAboutFixed{}, Vector3(-4, 4, 0), {}};
-  const Positions places = placeHandle(shortest, rest, surroundings, {}).places;
+  const Positions places = placeHandle(shortest, {rest, surroundings, {}}).places;
   for (const double turns : {-2, -1, 0, 1, 3}) {
     const double degrees = 90 + 360 * turns;
     HandleConstraint said = shortest;
     said.motion = RotationAboutFixed{AxisAngle{{0.2, 0, 1}, degrees + 100}};
-    const HandlePlacement placement = placeHandle(said, rest, surroundings, {});
+    const HandlePlacement placement = placeHandle(said, {rest, surroundings, {}});
     EXPECT_EQ(placement.places, places) << "where it goes is the same";
     EXPECT_LT((Vector3(placement.q.row(0)) - Vector3(0, 0, degrees / 360 * pi)).norm(), kRoundingOfMotions) << degrees;
   }
@@ -105,7 +105,7 @@ TEST(HandleAboutFixed, IsToldTheAxisOfTheOppositeSide)
   rest << 3, 1, 0, 5, -1, 0;
   for (const double degrees : {180.0, -180.0, 540.0}) {
     const HandleConstraint said{{AllOf{}}, RotationAboutFixed{AxisAngle{{0.5, 0, 2}, degrees}}, Vector3(-8, 0, 0), {}};
-    const HandlePlacement placement = placeHandle(said, rest, {Vector3(0, 0, 0), 10}, {});
+    const HandlePlacement placement = placeHandle(said, {rest, {Vector3(0, 0, 0), 10}, {}});
     Positions expected(2, 3);
     expected << -3, -1, 0, -5, 1, 0;
     EXPECT_LT(largestDifference(placement.places, expected), kRoundingOfMotions);
@@ -135,7 +135,7 @@ TEST(HandleAboutFixed, DoesNotTurnOnItsWayOutOrAtRest)
   const Vector3 centroid = rest.colwise().mean().transpose();
   for (const double share : {0.0, 0.5, 3.0}) {
     const HandleConstraint handle{{AllOf{}}, RotationAboutFixed{}, share * centroid, {}};
-    const HandlePlacement placement = placeHandle(handle, rest, {Vector3(0, 0, 0), 10}, {"list", 0, "handle"});
+    const HandlePlacement placement = placeHandle(handle, {rest, {Vector3(0, 0, 0), 10}, {"list", 0, "handle"}});
     EXPECT_LT(placement.q.cwiseAbs().maxCoeff(), kRoundingOfMotions) << share;
     EXPECT_LT(largestDifference(placement.places, rest.rowwise() + share * centroid.transpose()), kRoundingOfMotions)
         << share;

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <holdfast/deform/accuracy.h>
+#include <holdfast/deform/messages.h>
 #include <holdfast/deform/rotation_factorization.h>
 
 #include "support/meshes.h"

@@ -187,7 +187,8 @@ TEST(DeformLaws, ASolverServesOtherTargetsAsAFreshOneWould)
     const Triangulation triangulation = triangulate(mesh);
     const SolverMesh solverMesh = makeSolverMesh(mesh, triangulation);
     const SparseMatrix A = weightedRows(makeOperators(solverMesh, options.weights));
-    const ConstraintSystem system = makeConstraintSystem(someMoves(mesh), mesh, triangulation, solverMesh, "list");
+    const ConstraintSystem system =
+        makeConstraintSystem(someMoves(mesh), mesh, solverMesh, SurfaceLocator(mesh, triangulation), "list");
     const EliminatedConstraints eliminated = eliminate(system, solverMesh);
     const Columns3 rest = solverMesh.rest.rowwise() - solverMesh.rest.colwise().mean();
     const Columns3 f = Columns3::Zero(rest.rows(), 3);

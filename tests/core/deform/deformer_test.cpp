@@ -59,7 +59,7 @@ TEST(Deformer, MakesOneTreeOfClosestPointsForAllFrames)
   for (const double height : {2.0, 3.0, 4.0})
     EXPECT_EQ(deformer.deform(frame(height)).details->system.points[1], first);
   const SurfaceLocator another(model->mesh, model->triangulation);
-  EXPECT_NE(another.locate(AtNear{Vector3(3.3, 2.6, 1)}, {}).point, first) << "a tree made now finds another point";
+  EXPECT_NE(another.locate(AtNear{Vector3(3.3, 2.6, 1)}, {}), first) << "a tree made now finds another point";
 }
 
 TEST(Deformer, FactorisesNothingWhenOnlyTargetsAndRotationsChange)

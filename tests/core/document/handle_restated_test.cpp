@@ -55,8 +55,8 @@ class RestatedHandle : public testing::Test {
   void expectSamePicture(const HandleConstraint& before, const HandleConstraint& after) const
   {
     const HandleSetting setting = settingOf(before);
-    const HandlePlacement a = placeHandle(before, setting.rest, setting.surroundings, setting.where);
-    const HandlePlacement b = placeHandle(after, setting.rest, setting.surroundings, setting.where);
+    const HandlePlacement a = placeHandle(before, setting);
+    const HandlePlacement b = placeHandle(after, setting);
     EXPECT_LT((a.places - b.places).cwiseAbs().maxCoeff(), 1e-12);
     EXPECT_LT((a.q - b.q).cwiseAbs().maxCoeff(), 1e-11);
   }
@@ -102,9 +102,7 @@ TEST_F(RestatedHandle, ByFramesOfTargetsIsTheRigidMotionThatFitsBest)
 {
   const HandleConstraint before = handleThat(motions().back());
   const HandleSetting setting = settingOf(before);
-  const auto place = [&](const HandleConstraint& handle) {
-    return placeHandle(handle, setting.rest, setting.surroundings, setting.where);
-  };
+  const auto place = [&](const HandleConstraint& handle) { return placeHandle(handle, setting); };
   const HandleConstraint after = byFrames(before, setting);
   EXPECT_LT((place(before).places.colwise().mean() - place(after).places.colwise().mean()).norm(), 1e-12);
   EXPECT_LT((place(before).q - place(after).q).norm(), 1e-12);

@@ -27,27 +27,16 @@ TEST(PointListImport, TellsHowFarEachPointIsFromTheSurface)
 {
   const Model model = makeModel(test::grid(4, 4), "mesh");
   const ImportPreview preview =
-      previewImport(nearPoints({{1, 1, 0}, {0.25, 0.5, 3}, {-3, 2, 4}, {2.5, 2, -1}}), {}, model, 2);
+      previewImport(nearPoints({{1, 1, 0}, {0.25, 0.5, 3}, {-3, 2, 4}, {2.5, 2, -1}}), {}, model);
   ASSERT_EQ(preview.points.size(), 4U);
   EXPECT_EQ(preview.points[1].place, Vector3(0.25, 0.5, 3));
-  EXPECT_EQ(preview.points[1].onSurface, Vector3(0.25, 0.5, 0));
   EXPECT_EQ(preview.points[0].distance, 0);
   EXPECT_EQ(preview.points[1].distance, 3);
   EXPECT_EQ(preview.points[2].distance, 5);
   EXPECT_EQ(preview.points[3].distance, 1);
   EXPECT_EQ(preview.maxDistance, 5);
   EXPECT_EQ(preview.meanDistance, 2.25);
-  EXPECT_EQ(preview.medianDistance, 2);
-  EXPECT_EQ(preview.fartherThanTolerance, 2);
   EXPECT_EQ(preview.others, 0);
-}
-
-TEST(PointListImport, TheMedianOfAnOddCountIsTheMiddle)
-{
-  const Model model = makeModel(test::grid(4, 4), "mesh");
-  const ImportPreview preview = previewImport(nearPoints({{1, 1, 7}, {1, 1, 1}, {1, 1, 2}}), {}, model, 7);
-  EXPECT_EQ(preview.medianDistance, 2);
-  EXPECT_EQ(preview.fartherThanTolerance, 0) << "at the tolerance is not beyond it";
 }
 
 TEST(PointListImport, NamesTheClosestPointInTheTermsOfTheFile)
@@ -58,14 +47,13 @@ TEST(PointListImport, NamesTheClosestPointInTheTermsOfTheFile)
   std::vector<Vector3> places;
   for (int k = 0; k < 300; ++k) places.push_back(test::randomVector(random, 8));
   for (Index v = 0; v < model.mesh.vertexCount(); ++v) places.emplace_back(model.mesh.positions.row(v));
-  const ImportPreview preview = previewImport(nearPoints(places), {}, model, 1);
+  const ImportPreview preview = previewImport(nearPoints(places), {}, model);
   ASSERT_EQ(preview.points.size(), places.size());
   std::set<std::size_t> kinds;
   for (const ImportedPoint& point : preview.points) {
     kinds.insert(point.at.index());
-    const SurfacePoint named = locator.locate(point.at, {"list", 0, ""}).point;
-    EXPECT_LE((positionOf(named, model.mesh.positions) - point.onSurface).norm(), 1e-13);
-    EXPECT_NEAR((point.onSurface - point.place).norm(), point.distance, 1e-13);
+    const Vector3 named = positionOf(locator.locate(point.at, {"list", 0, ""}), model.mesh.positions);
+    EXPECT_NEAR((named - point.place).norm(), point.distance, 1e-13);
   }
   EXPECT_EQ(kinds, (std::set<std::size_t>{0, 1, 2})) << "vertices, edges and faces";
 }
@@ -79,22 +67,18 @@ TEST(PointListImport, TellsNamesThatAreTakenAndWhatIsNoPoint)
   ConstraintList present = test::listOf({test::hold({1}), test::hold({2})});
   present.constraints[0].name = "base";
   present.constraints[1].name = imported.constraints[2].name;
-  const ImportPreview preview = previewImport(imported, present, model, 1);
+  const ImportPreview preview = previewImport(imported, present, model);
   ASSERT_EQ(preview.points.size(), 2U);
   EXPECT_EQ(preview.others, 1);
   EXPECT_EQ(preview.takenNames, 2);
   EXPECT_EQ(preview.points[1].index, 2);
-  EXPECT_EQ(preview.points[1].name, imported.constraints[2].name);
-  EXPECT_FALSE(preview.points[0].isNameTaken);
-  EXPECT_TRUE(preview.points[1].isNameTaken);
 }
 
 TEST(PointListImport, OfNothingIsEmpty)
 {
-  const ImportPreview preview = previewImport({}, {}, makeModel(test::grid(4, 4), "mesh"), 1);
+  const ImportPreview preview = previewImport({}, {}, makeModel(test::grid(4, 4), "mesh"));
   EXPECT_TRUE(preview.points.empty());
   EXPECT_EQ(preview.maxDistance, 0);
-  EXPECT_EQ(preview.medianDistance, 0);
 }
 
 }  // namespace

@@ -136,8 +136,8 @@ class Dependencies : public testing::TestWithParam<DependentPoints> {
 
   [[nodiscard]] ConstraintSystem system(const std::vector<Index>& order) const
   {
-    return makeConstraintSystem(listInOrder(GetParam().places, order), GetParam().mesh, triangulation_, solverMesh_,
-                                "list");
+    return makeConstraintSystem(listInOrder(GetParam().places, order), GetParam().mesh, solverMesh_,
+                                SurfaceLocator(GetParam().mesh, triangulation_), "list");
   }
 
   /// Calls `check(order)` for the list in every order.

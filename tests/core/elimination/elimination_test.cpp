@@ -19,7 +19,7 @@ struct EliminatedPoints {
   ConstraintList list;
   Triangulation triangulation = triangulate(mesh);
   SolverMesh solverMesh = makeSolverMesh(mesh, triangulation);
-  ConstraintSystem system = makeConstraintSystem(list, mesh, triangulation, solverMesh, "list");
+  ConstraintSystem system = makeConstraintSystem(list, mesh, solverMesh, SurfaceLocator(mesh, triangulation), "list");
   EliminatedConstraints eliminated = eliminate(system, solverMesh);
   Eigen::MatrixXd B = test::denseRows(list, mesh).B;
 

@@ -49,8 +49,9 @@ Rows rowsOf(const Mesh& mesh, const ConstraintList& list)
 {
   const Triangulation triangulation = triangulate(mesh);
   Rows result;
-  for (const ConstraintRow& row :
-       makeConstraintSystem(list, mesh, triangulation, makeSolverMesh(mesh, triangulation), "list").rows)
+  for (const ConstraintRow& row : makeConstraintSystem(list, mesh, makeSolverMesh(mesh, triangulation),
+                                                       SurfaceLocator(mesh, triangulation), "list")
+                                      .rows)
     result.rows.push_back(row.terms);
   for (RowComponent& component : connectedRows(result.rows, mesh.vertexCount()))
     if (component.rows.size() > result.largest.rows.size()) result.largest = std::move(component);

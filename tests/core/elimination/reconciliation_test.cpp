@@ -18,7 +18,7 @@ EliminatedList eliminatedList(const Mesh& mesh, const ConstraintList& list)
 {
   const Triangulation triangulation = triangulate(mesh);
   const SolverMesh solverMesh = makeSolverMesh(mesh, triangulation);
-  ConstraintSystem system = makeConstraintSystem(list, mesh, triangulation, solverMesh, "list");
+  ConstraintSystem system = makeConstraintSystem(list, mesh, solverMesh, SurfaceLocator(mesh, triangulation), "list");
   EliminatedConstraints eliminated = eliminate(system, solverMesh);
   return {std::move(system), std::move(eliminated)};
 }

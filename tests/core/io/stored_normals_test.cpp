@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <holdfast/io/formats/formats.h>
-#include <holdfast/io/formats/stored_normals.h>
+#include <holdfast/io/formats/splice_source.h>
 
 namespace holdfast {
 namespace {

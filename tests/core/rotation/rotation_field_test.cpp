@@ -300,17 +300,13 @@ TEST(RotationFieldSolver, ServesOtherValuesAsAFreshOneWould)
     }
 }
 
-TEST(RotationFieldSolver, TellsWhatItSolvedAndHowWell)
+TEST(RotationFieldSolver, TellsHowWellItSolved)
 {
   const SolverMesh mesh = solverMeshOf(test::plate(7, 5));
   const RotationFieldResult result =
       makeRotationFieldSolver(problemOf(mesh, Weights::Cotangent, {0, 47}, {{1, 2, 3}}), Backend::Holdfast);
   ASSERT_NE(result.value, nullptr) << result.failure;
-  EXPECT_EQ(result.value->unknowns(), 48 - 2 - 2);
-  EXPECT_GT(result.value->factorNonzeros(), 44);
-  EXPECT_THAT(result.value->method(), testing::HasSubstr("Cholesky"));
   const RotationField field = result.value->solve(rows({{0, 0, 0}, {1, 1, 1}}));
-  EXPECT_GE(field.corrections, 1);
   EXPECT_LE(field.accuracy, 1e-13);
 }
 

@@ -61,10 +61,11 @@ TEST(FitRotation, FindsTheRotationOfARigidMotion)
     Random random(seed);
     const Positions points = randomPoints(random, random.integer(3, 20));
     const Eigen::Matrix3d R = randomRotation(random);
-    const RotationFit fit = fitRotation(points, moved(points, R, randomVector(random, 10)));
+    const Positions targets = moved(points, R, randomVector(random, 10));
+    const RotationFit fit = fitRotation(points, targets);
     EXPECT_LE(maxNormDistance(fit.R, R), 1e-12);
     EXPECT_TRUE(fit.isDetermined);
-    EXPECT_LE(fit.residual, 1e-14 * 10);
+    EXPECT_LE(residualOf(fit.R, points, targets), 1e-13);
   }
 }
 
@@ -78,8 +79,6 @@ TEST(FitRotation, DoesNotDependOnTheScaleOfEitherSet)
     EXPECT_LE(maxNormDistance(fit.R, R), 1e-14);
     EXPECT_TRUE(fit.isDetermined);
   }
-  EXPECT_NEAR(fitRotation(1e200 * points, 2e200 * points).residual / 1e200, fitRotation(points, 2 * points).residual,
-              1e-14);
 }
 
 TEST(FitRotation, LeavesLessThanEveryOtherRotation)
@@ -90,11 +89,11 @@ TEST(FitRotation, LeavesLessThanEveryOtherRotation)
     const Positions targets = randomPoints(random, 5);
     const RotationFit fit = fitRotation(points, targets);
     expectRotation(fit.R);
-    EXPECT_NEAR(fit.residual, residualOf(fit.R, points, targets), 1e-14);
+    const double least = residualOf(fit.R, points, targets);
     for (int k = 0; k < 200; ++k) {
       const Eigen::Matrix3d nearby = rotationMatrix(randomVector(random, 1e-3)) * fit.R;
-      EXPECT_GE(residualOf(nearby, points, targets), fit.residual - 1e-14);
-      EXPECT_GE(residualOf(randomRotation(random), points, targets), fit.residual);
+      EXPECT_GE(residualOf(nearby, points, targets), least - 1e-14);
+      EXPECT_GE(residualOf(randomRotation(random), points, targets), least);
     }
   }
 }
@@ -107,7 +106,7 @@ TEST(FitRotation, OfAMirrorImageIsStillARotation)
     const RotationFit fit = fitRotation(points, -points);
     expectRotation(fit.R);
     EXPECT_TRUE(fit.isDetermined);
-    EXPECT_GT(fit.residual, 0.01);
+    EXPECT_GT(residualOf(fit.R, points, -points), 0.01);
   }
 }
 
@@ -149,7 +148,7 @@ TEST(FitRotation, OfPointsOnALineIsTheShortestThatFitsAndNotDetermined)
     const RotationFit fit = fitRotation(points, targets);
     EXPECT_FALSE(fit.isDetermined);
     expectRotation(fit.R);
-    EXPECT_LE(fit.residual, 1e-14);
+    EXPECT_LE(residualOf(fit.R, points, targets), 1e-14);
     EXPECT_NEAR(angleDegrees(rotationLog(fit.R)),
                 std::acos(from.normalized().dot(to.normalized())) * 180 / std::numbers::pi, 1e-6);
   }
@@ -165,7 +164,8 @@ TEST(FitRotation, OfPointsOnALineToABodyFollowsTheMainDirection)
   EXPECT_FALSE(fit.isDetermined);
   EXPECT_NEAR(fit.R.col(0).y(), 1, 0.01);
   for (const double degrees : {-1.0, 1.0})
-    EXPECT_GT(residualOf(rotationMatrix(Vector3(1, 0, 0), degrees) * fit.R, points, targets), fit.residual);
+    EXPECT_GT(residualOf(rotationMatrix(Vector3(1, 0, 0), degrees) * fit.R, points, targets),
+              residualOf(fit.R, points, targets));
 }
 
 TEST(FitRotation, OfCoincidingPointsIsNone)
@@ -176,7 +176,6 @@ TEST(FitRotation, OfCoincidingPointsIsNone)
     const RotationFit fit = fitRotation(one, targets);
     EXPECT_EQ(fit.R, Eigen::Matrix3d::Identity());
     EXPECT_FALSE(fit.isDetermined);
-    EXPECT_NEAR(fit.residual, residualOf(fit.R, one, targets), 1e-15);
   }
   EXPECT_FALSE(fitRotation(one.topRows(1), one.topRows(1)).isDetermined);
 }

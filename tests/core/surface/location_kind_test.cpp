@@ -39,7 +39,7 @@ class PointOf {
   }
   [[nodiscard]] Vector3 placeOf(const SurfaceLocation& location)
   {
-    return positionOf(locator_.locate(location, {}).point, mesh_.positions);
+    return positionOf(locator_.locate(location, {}), mesh_.positions);
   }
   [[nodiscard]] std::string refusal(LocationKind kind, const SurfaceLocation& location)
   {

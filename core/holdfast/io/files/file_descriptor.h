@@ -1,8 +1,11 @@
 #pragma once
 /// An open file of the operating system that closes itself, and all of a text written to it.
 
+#include <cerrno>
 #include <string_view>
 #include <utility>
+
+#include <unistd.h>
 
 namespace holdfast {
 
@@ -24,13 +27,28 @@ class FileDescriptor {
   [[nodiscard]] bool isOpen() const noexcept { return descriptor_ >= 0; }
 
   /// Closes it now. Returns 0, or the errno of a write that failed only then.
-  [[nodiscard]] int close() noexcept;
+  [[nodiscard]] int close() noexcept
+  {
+    if (descriptor_ < 0) return 0;
+    // Not tried again after EINTR: Linux has closed the descriptor by then.
+    return ::close(std::exchange(descriptor_, -1)) == 0 || errno == EINTR ? 0 : errno;
+  }
 
  private:
   int descriptor_;
 };
 
 /// Writes all of `bytes`. Returns 0, or an errno; part of the bytes may be written then.
-[[nodiscard]] int writeAll(const FileDescriptor& file, std::string_view bytes) noexcept;
+[[nodiscard]] inline int writeAll(const FileDescriptor& file, std::string_view bytes) noexcept
+{
+  while (!bytes.empty()) {
+    const auto written = ::write(file.get(), bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return errno;
+    if (written == 0) return EIO;  // a device that takes nothing would be asked for ever
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return 0;
+}
 
 }  // namespace holdfast

@@ -18,15 +18,10 @@
 #include <unistd.h>
 
 #include <holdfast/base/error.h>
+#include <holdfast/io/files/file_descriptor.h>
 
 namespace holdfast {
 namespace {
-
-/// Puts `path` on the list and returns its slot; -1 where the list is full or the path too long for it. Thread-safe.
-[[nodiscard]] int trackUnfinishedFile(const std::string& path) noexcept;
-
-/// Takes a slot off the list; -1 does nothing.
-void forgetUnfinishedFile(int slot) noexcept;
 
 enum class SlotState { kFree, kClaimed, kTracked };
 
@@ -39,6 +34,7 @@ struct Slot {
 static_assert(std::atomic<SlotState>::is_always_lock_free);
 std::array<Slot, kTrackedOutputs> slots;
 
+/// Puts `path` on the list and returns its slot; -1 where the list is full or the path too long for it. Thread-safe.
 int trackUnfinishedFile(const std::string& path) noexcept
 {
   if (path.size() >= PATH_MAX) return -1;
@@ -52,41 +48,32 @@ int trackUnfinishedFile(const std::string& path) noexcept
   return -1;
 }
 
-void forgetUnfinishedFile(int slot) noexcept
-{
-  if (slot >= 0) slots[slot].state = SlotState::kFree;
-}
-
 namespace fs = std::filesystem;
 
 using FileInfo = struct stat;
 
 constexpr mode_t kPermissionBits = 07777;
 
-std::string remedy(int code)
+const char* remedy(int code)
 {
-  switch (code) {
-    case ENOENT:
-    case ENOTDIR:
-      return "make the folder first, or name another";
-    case EACCES:
-    case EPERM:
-    case EROFS:
-      return "change the permissions, or write to another folder";
-    case ENOSPC:
-    case EDQUOT:
-      return "free some space, or write to another disk";
-    case EFBIG:
-      return "raise the limit on the size of files (ulimit -f)";
-    case ENAMETOOLONG:
-      return "choose a shorter name";
-    case ELOOP:
-      return "the symbolic links lead in a circle; remove one";
-    case EPIPE:
-      return "who reads the pipe has closed it; let it read to the end";
-    default:
-      return "nothing was changed; try another place";
-  }
+  constexpr const char* kFolder = "make the folder first, or name another";
+  constexpr const char* kPermissions = "change the permissions, or write to another folder";
+  constexpr const char* kSpace = "free some space, or write to another disk";
+  constexpr std::array<std::pair<int, const char*>, 11> kRemedies{
+      {{ENOENT, kFolder},
+       {ENOTDIR, kFolder},
+       {EACCES, kPermissions},
+       {EPERM, kPermissions},
+       {EROFS, kPermissions},
+       {ENOSPC, kSpace},
+       {EDQUOT, kSpace},
+       {EFBIG, "raise the limit on the size of files (ulimit -f)"},
+       {ENAMETOOLONG, "choose a shorter name"},
+       {ELOOP, "the symbolic links lead in a circle; remove one"},
+       {EPIPE, "who reads the pipe has closed it; let it read to the end"}}};
+  for (const auto& [known, text] : kRemedies)
+    if (known == code) return text;
+  return "nothing was changed; try another place";
 }
 
 [[noreturn]] void fail(const fs::path& path, const std::string& what, int code)
@@ -205,6 +192,22 @@ void flushFolder(const fs::path& folder)
 
 }  // namespace
 
+/// A file beside the target; gone with this, unless it was renamed.
+struct OutputFile::Temporary {
+  explicit Temporary(const fs::path& itsPath) : path(itsPath.string()), slot(trackUnfinishedFile(path)) {}
+  ~Temporary()
+  {
+    ::unlink(path.c_str());
+    if (slot >= 0) slots[slot].state = SlotState::kFree;
+  }
+  Temporary(const Temporary&) = delete;
+  Temporary& operator=(const Temporary&) = delete;
+
+  std::string path;     // absolute
+  int slot;             // in the list of unfinished files
+  FileDescriptor file;  // locked
+};
+
 OutputFile::OutputFile(fs::path path, std::string_view bytes) : path_(std::move(path))
 {
   const std::optional<FileInfo> existing = infoOf(path_);
@@ -219,41 +222,26 @@ OutputFile::OutputFile(fs::path path, std::string_view bytes) : path_(std::move(
   if (error) fail(path_, "cannot be written", error.value());
   removeAbandoned(target_.parent_path());
   int code = openTemporary(existing.has_value());
-  if (code == 0) code = writeAndFlush(file_, bytes, existing);
-  if (code == 0) return;
-  discard();
-  fail(path_, "cannot be written", code);
+  if (code == 0) code = writeAndFlush(temporary_->file, bytes, existing);
+  if (code != 0) fail(path_, "cannot be written", code);
 }
 
 /// Makes the temporary file and locks it. Returns 0 or an errno.
 int OutputFile::openTemporary(bool isReplacing)
 {
+  // Others must not read the new contents of a protected file, not even for a moment.
+  const mode_t permissions = isReplacing ? 0600 : 0666;
   do {
-    discard();
-    temporary_ = temporaryName(target_.parent_path(), target_.extension()).string();
-    slot_ = trackUnfinishedFile(temporary_);
-    // Others must not read the new contents of a protected file, not even for a moment.
-    const mode_t permissions = isReplacing ? 0600 : 0666;
-    file_ = FileDescriptor(::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, permissions));
-    if (!file_.isOpen()) return errno;
-  } while (!isKept(file_));
+    temporary_ = std::make_unique<Temporary>(temporaryName(target_.parent_path(), target_.extension()));
+    const int flags = O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC;
+    temporary_->file = FileDescriptor(::open(temporary_->path.c_str(), flags, permissions));
+    if (!temporary_->file.isOpen()) return errno;
+  } while (!isKept(temporary_->file));
   return 0;
 }
 
-OutputFile::~OutputFile()
-{
-  discard();
-}
-
-OutputFile::OutputFile(OutputFile&& other) noexcept
-    : path_(std::move(other.path_)),
-      target_(std::move(other.target_)),
-      temporary_(std::exchange(other.temporary_, {})),
-      file_(std::move(other.file_)),
-      slot_(std::exchange(other.slot_, -1)),
-      direct_(std::move(other.direct_))
-{
-}
+OutputFile::~OutputFile() = default;
+OutputFile::OutputFile(OutputFile&&) noexcept = default;
 
 void OutputFile::commit()
 {
@@ -265,23 +253,10 @@ void OutputFile::commit()
     if (writing != 0 || closing != 0) fail(path_, "cannot be written", writing != 0 ? writing : closing);
     return;
   }
-  if (::rename(temporary_.c_str(), target_.c_str()) != 0) {
-    const int code = errno;
-    discard();
-    fail(path_, "cannot be put in place", code);
-  }
-  temporary_.clear();
-  static_cast<void>(file_.close());
-  forgetUnfinishedFile(std::exchange(slot_, -1));
+  const int code = ::rename(temporary_->path.c_str(), target_.c_str()) == 0 ? 0 : errno;
+  temporary_.reset();
+  if (code != 0) fail(path_, "cannot be put in place", code);
   flushFolder(target_.parent_path());
-}
-
-void OutputFile::discard() noexcept
-{
-  if (!temporary_.empty()) ::unlink(temporary_.c_str());
-  temporary_.clear();
-  static_cast<void>(file_.close());
-  forgetUnfinishedFile(std::exchange(slot_, -1));
 }
 
 void removeUnfinishedOutputs() noexcept

@@ -2,33 +2,29 @@
 /// Output files that are either whole or not there: written aside, then renamed.
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 
-#include <holdfast/io/files/file_descriptor.h>
-
 namespace holdfast {
 
-/// One output of a program. The bytes go to a temporary file beside `path`; `commit` puts it in place with one rename,
-/// so that there is never half a file. Symbolic links are followed; a file that is replaced keeps its permissions.
-/// Devices, pipes, and the file that standard output or standard error already goes to, are written directly at
-/// `commit`. The temporary file is locked while the output is unfinished: the next output in the folder removes those
-/// that a killed program has left.
+/// The bytes go to a temporary file beside `path`; `commit` puts it in place with one rename. Symbolic links are
+/// followed; a file that is replaced keeps its permissions. Devices, pipes, and the file that standard output or
+/// standard error already goes to, are written directly at `commit`. The temporary file is locked while the output is
+/// unfinished: the next output in the folder removes those that a killed program has left.
 class OutputFile {
  public:
   /// Writes `bytes` aside and flushes them to disk. Throws `OutputError` (folder missing, not writable, disk full)
   /// and leaves nothing behind then. O(bytes + files in the folder).
   OutputFile(std::filesystem::path path, std::string_view bytes);
-  /// Removes the temporary file if `commit` was not called.
   ~OutputFile();
-  OutputFile(OutputFile&& other) noexcept;
+  OutputFile(OutputFile&&) noexcept;
   OutputFile& operator=(OutputFile&&) = delete;
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
-  /// Puts the file in place. Throws `OutputError`. Call at most once. To write several files together, make all of
-  /// them first, then commit each, those that `isDirect` before the others: a device may be full, a rename hardly
-  /// fails.
+  /// Puts the file in place, once. Throws `OutputError`. To write several files together, make all of them first, then
+  /// commit each, those that `isDirect` before the others: a device may be full, a rename hardly fails.
   void commit();
 
   /// Whether the bytes go to a device, a pipe or a standard stream at `commit`, and not aside before.
@@ -37,15 +33,14 @@ class OutputFile {
   [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
 
  private:
-  [[nodiscard]] int openTemporary(bool isReplacing);
-  void discard() noexcept;
+  struct Temporary;
 
-  std::filesystem::path path_;    // as the user wrote it
-  std::filesystem::path target_;  // with symbolic links followed; empty for what is written directly
-  std::string temporary_;         // absolute; empty once committed, and for what is written directly
-  FileDescriptor file_;           // of `temporary_`, locked
-  int slot_ = -1;                 // of `temporary_` in the list of unfinished files
-  std::string direct_;            // bytes for what is written directly
+  [[nodiscard]] int openTemporary(bool isReplacing);
+
+  std::filesystem::path path_;            // as the user wrote it
+  std::filesystem::path target_;          // with symbolic links followed; empty for what is written directly
+  std::unique_ptr<Temporary> temporary_;  // null once committed, and for what is written directly
+  std::string direct_;                    // bytes for what is written directly
 };
 
 /// Removes the temporary file of every `OutputFile` that is not yet committed. Safe to call from a signal handler.

@@ -31,8 +31,10 @@ namespace holdfast {
 /// Binary little-endian, coordinates as doubles.
 [[nodiscard]] Serialized writePly(const Positions& positions, const Polygons& faces);
 
-/// Binary. Polygons are split into triangles that share their first corner. Throws `OutputError` where a coordinate is
-/// too large for a float; notes say what was rounded and split.
+/// Binary. Polygons are split into triangles that share their first corner; notes say what was rounded and split.
 [[nodiscard]] Serialized writeStl(const Positions& positions, const Polygons& faces);
+
+/// Adds a note on what floats lose of `positions`. Throws `OutputError` where a coordinate is too large for one.
+void noteStlRounding(const Positions& positions, std::vector<std::string>& notes);
 
 }  // namespace holdfast

@@ -1,13 +1,17 @@
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
 #include <fmt/format.h>
 
+#include <holdfast/base/counted.h>
+#include <holdfast/base/error.h>
 #include <holdfast/io/formats/formats.h>
-#include <holdfast/io/formats/narrowed.h>
 #include <holdfast/io/text/byte_order.h>
 #include <holdfast/io/text/number_text.h>
+#include <holdfast/mesh/vertex_normals.h>
 
 namespace holdfast {
 namespace {
@@ -41,6 +45,30 @@ Index largestFace(const Polygons& faces)
   return static_cast<Index>(largest);
 }
 
+/// Throws `OutputError` where `count` is more than a file with 32-bit numbers can say.
+template <class Number>
+Number narrowed(Index count, const std::string& extension)
+{
+  if (count > static_cast<Index>(std::numeric_limits<Number>::max()))
+    throw OutputError(
+        extension, fmt::format("{} is more than the 32-bit numbers of this format can count: write OBJ or OFF", count));
+  return static_cast<Number>(count);
+}
+
+std::string stlBytes(const Vector3& vector)
+{
+  std::string bytes;
+  for (const double value : vector) bytes += toBytes(static_cast<float>(value), ByteOrder::kLittle);
+  return bytes;
+}
+
+std::string stlFacet(const Positions& positions, const std::array<Index, 3>& corners)
+{
+  std::string bytes = stlBytes(unitOrZero(areaVector(positions, corners)));
+  for (const Index corner : corners) bytes += stlBytes(positions.row(corner));
+  return bytes + std::string(2, '\0');  // no attributes
+}
+
 }  // namespace
 
 Serialized writeObj(const Positions& positions, const Polygons& faces)
@@ -71,15 +99,56 @@ Serialized writePly(const Positions& positions, const Polygons& faces)
       "property double z\nelement face {}\nproperty list {} int vertex_indices\nend_header\n",
       positions.rows(), faces.size(), isCountInt ? "int" : "uchar");
   for (Index v = 0; v < positions.rows(); ++v)
-    for (Index k = 0; k < 3; ++k) bytes += toBytes(positions(v, k), ByteOrder::kLittle).view();
+    for (Index k = 0; k < 3; ++k) bytes += toBytes(positions(v, k), ByteOrder::kLittle);
   for (Index f = 0; f < faces.size(); ++f) {
     if (isCountInt)
-      bytes += toBytes(static_cast<std::int32_t>(faces[f].size()), ByteOrder::kLittle).view();
+      bytes += toBytes(static_cast<std::int32_t>(faces[f].size()), ByteOrder::kLittle);
     else
       bytes += static_cast<char>(faces[f].size());
-    for (const Index corner : faces[f]) bytes += toBytes(static_cast<std::int32_t>(corner), ByteOrder::kLittle).view();
+    for (const Index corner : faces[f]) bytes += toBytes(static_cast<std::int32_t>(corner), ByteOrder::kLittle);
   }
   return {std::move(bytes), {}};
+}
+
+Serialized writeStl(const Positions& positions, const Polygons& faces)
+{
+  constexpr std::size_t kStlHeaderBytes = 80;
+  Serialized result;
+  noteStlRounding(positions, result.notes);
+  result.isSinglePrecision = true;
+  result.bytes = "Holdfast";
+  result.bytes.resize(kStlHeaderBytes, ' ');
+  result.bytes += toBytes(narrowed<std::uint32_t>(faces.cornerCount() - 2 * faces.size(), ".stl"), ByteOrder::kLittle);
+  Index split = 0;
+  for (Index f = 0; f < faces.size(); ++f) {
+    const auto polygon = faces[f];
+    if (polygon.size() > 3) ++split;
+    for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
+      result.bytes += stlFacet(positions, {polygon[0], polygon[k], polygon[k + 1]});
+  }
+  if (split > 0) result.notes.push_back(counted(split, "polygon") + " split into triangles");
+  return result;
+}
+
+void noteStlRounding(const Positions& positions, std::vector<std::string>& notes)
+{
+  constexpr double kLargestFloat = std::numeric_limits<float>::max();
+  Index count = 0;     // coordinates that a float cannot hold
+  double largest = 0;  // largest |x - float(x)|, in model units
+  for (const double x : positions.reshaped()) {
+    if (!std::isfinite(x)) continue;
+    if (std::abs(x) > kLargestFloat)
+      throw OutputError(".stl", fmt::format("the coordinate {} is too large for single precision, which is all that "
+                                            "binary STL holds: write PLY, OBJ or OFF instead",
+                                            x));
+    const double error = std::abs(x - static_cast<double>(static_cast<float>(x)));
+    if (error > 0) ++count;
+    largest = std::max(largest, error);
+  }
+  if (count > 0)
+    notes.push_back(fmt::format(
+        "STL stores single precision: {} rounded, off by at most {:.3g}; write PLY, OBJ or OFF to keep every digit",
+        counted(count, "coordinate"), largest));
 }
 
 }  // namespace holdfast

@@ -6,23 +6,15 @@
 #include <string_view>
 #include <vector>
 
-#include <holdfast/base/types.h>
+#include <holdfast/io/formats/splice_source.h>
 
 namespace holdfast {
 
-enum class PlyEncoding { kText, kLittleEndian, kBigEndian };
-
-enum class PlyType { kInt8, kUint8, kInt16, kUint16, kInt32, kUint32, kFloat, kDouble };
-
-/// Bytes that a value takes in a binary file.
-[[nodiscard]] std::size_t sizeOf(PlyType type);
-[[nodiscard]] bool isInteger(PlyType type);
-
 struct PlyProperty {
   std::string name;
-  PlyType type = PlyType::kFloat;    ///< of a list: of its items
-  std::optional<PlyType> countType;  ///< set for a list
-  std::string_view typeWord;         ///< the word in the header that names `type`
+  NumberType type = NumberType::kFloat;  ///< of a list: of its items
+  std::optional<NumberType> countType;   ///< set for a list
+  std::size_t typeOffset = 0;            ///< where the header names `type`
 
   [[nodiscard]] bool isList() const noexcept { return countType.has_value(); }
 };
@@ -40,7 +32,7 @@ struct PlyElement {
 };
 
 struct PlyHeader {
-  PlyEncoding encoding = PlyEncoding::kText;
+  Encoding encoding = Encoding::kText;
   std::vector<PlyElement> elements;
   std::size_t bodyOffset = 0;
   Index bodyLine = 1;
@@ -52,8 +44,8 @@ struct PlyHeader {
   [[nodiscard]] const PlyElement* surface() const;
 };
 
-/// Reads the header at the beginning of `bytes`, which must outlive the result; `file` names it in errors. Throws
-/// `InputError` with the line. Counts are not negative, and otherwise as the file claims.
+/// Reads the header at the beginning of `bytes`; `file` names it in errors. Throws `InputError` with the line. Counts
+/// are not negative, and otherwise as the file claims.
 [[nodiscard]] PlyHeader parsePlyHeader(std::string_view bytes, const std::string& file);
 
 }  // namespace holdfast

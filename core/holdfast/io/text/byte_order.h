@@ -5,29 +5,26 @@
 #include <array>
 #include <bit>
 #include <cassert>
+#include <string>
 #include <string_view>
 
 namespace holdfast {
 
 enum class ByteOrder { kLittle, kBig };
 
-/// The bytes of one number.
-template <class Number>
-struct NumberBytes {
-  std::array<char, sizeof(Number)> bytes{};
-
-  [[nodiscard]] std::string_view view() const noexcept { return {bytes.data(), bytes.size()}; }
-};
+/// Whether numbers in memory have their bytes in the given order.
+[[nodiscard]] constexpr bool isNative(ByteOrder order) noexcept
+{
+  static_assert(std::endian::native == std::endian::little || std::endian::native == std::endian::big);
+  return (order == ByteOrder::kLittle) == (std::endian::native == std::endian::little);
+}
 
 /// `value` as bytes of the given order.
 template <class Number>
-[[nodiscard]] NumberBytes<Number> toBytes(Number value, ByteOrder order)
+[[nodiscard]] std::string toBytes(Number value, ByteOrder order)
 {
-  static_assert(std::endian::native == std::endian::little || std::endian::native == std::endian::big);
-  NumberBytes<Number> result{std::bit_cast<std::array<char, sizeof(Number)>>(value)};
-  const bool isNative = (order == ByteOrder::kLittle) == (std::endian::native == std::endian::little);
-  if (!isNative) std::reverse(result.bytes.begin(), result.bytes.end());
-  return result;
+  const auto bytes = std::bit_cast<std::array<char, sizeof(Number)>>(value);
+  return isNative(order) ? std::string(bytes.begin(), bytes.end()) : std::string(bytes.rbegin(), bytes.rend());
 }
 
 /// The number whose bytes of the given order are `bytes`, exactly as many as it has.
@@ -37,8 +34,7 @@ template <class Number>
   assert(bytes.size() == sizeof(Number));
   std::array<char, sizeof(Number)> native{};
   std::copy_n(bytes.begin(), native.size(), native.begin());
-  const bool isNative = (order == ByteOrder::kLittle) == (std::endian::native == std::endian::little);
-  if (!isNative) std::reverse(native.begin(), native.end());
+  if (!isNative(order)) std::reverse(native.begin(), native.end());
   return std::bit_cast<Number>(native);
 }
 

@@ -84,30 +84,17 @@ class Splitter {
   /// Moves characters of a quoted field, line ends among them.
   void take(std::size_t length, std::string& field)
   {
-    for (std::size_t end = length; end > 0;) {
-      const std::size_t plain = std::min(rest_.substr(0, end).find_first_of("\r\n"), end);
-      field += rest_.substr(0, plain);
-      rest_.remove_prefix(plain);
-      end -= plain;
-      if (end == 0) break;
-      const std::size_t lineEnd = lineEndLength();
-      field += rest_.substr(0, lineEnd);
-      skipLineEnd();
-      end -= lineEnd;
-    }
-  }
-
-  [[nodiscard]] std::size_t lineEndLength() const
-  {
-    if (rest_.starts_with("\r\n")) return 2;
-    return rest_.starts_with('\n') || rest_.starts_with('\r') ? 1 : 0;
+    for (std::size_t k = 0; k < length; ++k)
+      if (rest_[k] == '\n' || (rest_[k] == '\r' && !rest_.substr(k).starts_with("\r\n"))) ++line_;
+    field += rest_.substr(0, length);
+    rest_.remove_prefix(length);
   }
 
   void skipLineEnd()
   {
-    const std::size_t length = lineEndLength();
-    rest_.remove_prefix(length);
-    if (length > 0) ++line_;
+    if (rest_.empty()) return;
+    rest_.remove_prefix(rest_.starts_with("\r\n") ? 2 : 1);
+    ++line_;
   }
 
   [[noreturn]] void fail(Index line, const char* reason) const

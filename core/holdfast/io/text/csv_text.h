@@ -20,8 +20,7 @@ struct CsvRecord {
 
 /// The records of `text`, split at `separator` (a comma or a tab) and at line ends (LF, CRLF or CR); blank lines are
 /// skipped. A field in double quotes may hold separators, line ends, and quotes written twice. Between tabs quotes
-/// inside a field are plain characters. Throws `InputError` with the line where quotes are used otherwise. O(size of
-/// the text).
+/// inside a field are plain characters. Throws `InputError` with the line where quotes are used otherwise.
 [[nodiscard]] std::vector<CsvRecord> splitCsv(std::string_view text, std::string_view file, char separator = ',');
 
 }  // namespace holdfast

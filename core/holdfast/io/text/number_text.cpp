@@ -1,6 +1,5 @@
 #include "holdfast/io/text/number_text.h"
 
-#include <charconv>
 #include <system_error>
 
 namespace holdfast {
@@ -31,21 +30,6 @@ ParsedNumber<double> parseDouble(std::string_view token)
 ParsedNumber<Index> parseInteger(std::string_view token)
 {
   return parse<Index>(token);
-}
-
-NumberText::NumberText(double value)
-    : size_(std::to_chars(characters_.data(), characters_.data() + characters_.size(), value).ptr - characters_.data())
-{
-}
-
-NumberText::NumberText(float value)
-    : size_(std::to_chars(characters_.data(), characters_.data() + characters_.size(), value).ptr - characters_.data())
-{
-}
-
-NumberText::NumberText(Index value)
-    : size_(std::to_chars(characters_.data(), characters_.data() + characters_.size(), value).ptr - characters_.data())
-{
 }
 
 }  // namespace holdfast

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <bit>
+#include <charconv>
 #include <cstdint>
 #include <string_view>
 
@@ -33,9 +34,12 @@ struct ParsedNumber {
 /// The shortest text that reads back as the same number.
 class NumberText {
  public:
-  explicit NumberText(double value);
-  explicit NumberText(float value);
-  explicit NumberText(Index value);
+  template <class Number>
+  explicit NumberText(Number value)
+      : size_(std::to_chars(characters_.data(), characters_.data() + characters_.size(), value).ptr -
+              characters_.data())
+  {
+  }
 
   [[nodiscard]] std::string_view view() const noexcept { return {characters_.data(), size_}; }
 

@@ -62,20 +62,40 @@ void TextCursor::skipLine()
   }
 }
 
-double TextCursor::number(std::string_view what)
+double TextCursor::numberOf(std::string_view token, std::string_view what) const
 {
-  return numberOf(token(), what, *this);
+  const auto [value, fault] = parseDouble(token);
+  if (fault == NumberFault::None) return value;
+  if (token.empty()) fail("{} is missing: complete the line", what);
+  if (fault == NumberFault::OutOfRange)
+    fail(
+        "{} is {}, which no double can hold (4.9e-324 to 1.8e308 in magnitude): scale the model, or write 0 where that "
+        "is meant",
+        what, quotedToken(token));
+  fail("{} is {}, which is not a number: write digits, as in -1.5e3", what, quotedToken(token));
 }
 
-Index TextCursor::integer(std::string_view what)
+Index TextCursor::integerOf(std::string_view token, std::string_view what) const
 {
-  return integerOf(token(), what, *this);
+  const auto [value, fault] = parseInteger(token);
+  if (fault == NumberFault::None) return value;
+  if (token.empty()) fail("{} is missing: complete the line", what);
+  if (fault == NumberFault::OutOfRange)
+    fail("{} is {}, far beyond any count or index: correct it", what, quotedToken(token));
+  fail("{} is {}, which is not a whole number: write digits only", what, quotedToken(token));
+}
+
+Index TextCursor::skipNumbers(std::string_view what)
+{
+  Index count = 0;
+  for (std::string_view next = token(); !next.empty(); next = token(), ++count) static_cast<void>(numberOf(next, what));
+  return count;
 }
 
 void TextCursor::expectLineEnd(std::string_view remedy)
 {
   const std::string_view extra = token();
-  if (!extra.empty()) fail(fmt::format("{} is too much here: {}", quotedToken(extra), remedy));
+  if (!extra.empty()) fail("{} is too much here: {}", quotedToken(extra), remedy);
 }
 
 void TextCursor::fail(const std::string& reason) const
@@ -87,12 +107,6 @@ Index TextCursor::line() const
 {
   const bool isPastLastLine = at_ == text_.size() && at_ > 0 && text_[at_ - 1] == '\n';
   return isPastLastLine ? std::max<Index>(line_ - 1, 1) : line_;
-}
-
-void TextCursor::seek(std::size_t offset, Index line) noexcept
-{
-  at_ = offset;
-  line_ = line;
 }
 
 void TextCursor::skipBlanks()
@@ -129,29 +143,6 @@ std::string quotedToken(std::string_view token)
 {
   constexpr std::size_t kLongest = 40;
   return '\'' + printable(token, kLongest) + '\'';
-}
-
-double numberOf(std::string_view token, std::string_view what, const TextCursor& cursor)
-{
-  const auto [value, fault] = parseDouble(token);
-  if (fault == NumberFault::None) return value;
-  if (token.empty()) cursor.fail(fmt::format("{} is missing: complete the line", what));
-  if (fault == NumberFault::OutOfRange)
-    cursor.fail(
-        fmt::format("{} is {}, which no double can hold (4.9e-324 to 1.8e308 in magnitude): "
-                    "scale the model, or write 0 where that is meant",
-                    what, quotedToken(token)));
-  cursor.fail(fmt::format("{} is {}, which is not a number: write digits, as in -1.5e3", what, quotedToken(token)));
-}
-
-Index integerOf(std::string_view token, std::string_view what, const TextCursor& cursor)
-{
-  const auto [value, fault] = parseInteger(token);
-  if (fault == NumberFault::None) return value;
-  if (token.empty()) cursor.fail(fmt::format("{} is missing: complete the line", what));
-  if (fault == NumberFault::OutOfRange)
-    cursor.fail(fmt::format("{} is {}, far beyond any count or index: correct it", what, quotedToken(token)));
-  cursor.fail(fmt::format("{} is {}, which is not a whole number: write digits only", what, quotedToken(token)));
 }
 
 }  // namespace holdfast

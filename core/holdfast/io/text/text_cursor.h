@@ -4,6 +4,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
 
 #include <holdfast/base/types.h>
 
@@ -15,8 +18,8 @@ struct TextDialect {
   std::optional<char> continuation;  ///< at the end of a line joins the next one to it
 };
 
-/// Walks over a text. Tokens are what blanks (space, tab, carriage return, ...), line ends, comments and continuations
-/// separate. Views returned point into the text, which must outlive the cursor. A byte order mark is passed over.
+/// Walks over a text, which must outlive it. Tokens are what blanks (space, tab, carriage return, ...), line ends,
+/// comments and continuations separate. A byte order mark is passed over.
 class TextCursor {
  public:
   /// `file` names the text in errors.
@@ -33,14 +36,26 @@ class TextCursor {
 
   /// The next token of this line as a number. Throws `InputError` where there is none ("`what` is missing") and where
   /// it is no number.
-  [[nodiscard]] double number(std::string_view what);
-  [[nodiscard]] Index integer(std::string_view what);
+  [[nodiscard]] double number(std::string_view what) { return numberOf(token(), what); }
+  [[nodiscard]] Index integer(std::string_view what) { return integerOf(token(), what); }
+
+  /// The same of a token that was read last.
+  [[nodiscard]] double numberOf(std::string_view token, std::string_view what) const;
+  [[nodiscard]] Index integerOf(std::string_view token, std::string_view what) const;
+
+  /// Passes over the other tokens of this line, which are numbers, and returns how many they are. Throws as `number`.
+  Index skipNumbers(std::string_view what);
 
   /// Throws `InputError` where the line has another token; `remedy` completes "'...' is too much here: ".
   void expectLineEnd(std::string_view remedy);
 
-  /// Throws an `InputError` with the file, the current line and `reason`.
+  /// Throws an `InputError` with the file and the current line.
   [[noreturn]] void fail(const std::string& reason) const;
+  template <class Arg, class... Args>
+  [[noreturn]] void fail(fmt::format_string<Arg, Args...> reason, Arg&& arg, Args&&... args) const
+  {
+    fail(fmt::format(reason, std::forward<Arg>(arg), std::forward<Args>(args)...));
+  }
 
   /// Line of the token read last, from 1.
   [[nodiscard]] Index line() const;
@@ -48,7 +63,11 @@ class TextCursor {
   [[nodiscard]] std::size_t remaining() const noexcept { return text_.size() - at_; }
 
   /// Goes to a place that `offset()` and `line()` gave.
-  void seek(std::size_t offset, Index line) noexcept;
+  void seek(std::size_t offset, Index line) noexcept
+  {
+    at_ = offset;
+    line_ = line;
+  }
 
  private:
   void skipBlanks();
@@ -65,9 +84,5 @@ class TextCursor {
 
 /// `token` in quotes for a message: cut where long, see `printable`.
 [[nodiscard]] std::string quotedToken(std::string_view token);
-
-/// `token` as a number. Throws an `InputError` at the place of `cursor`, naming `what`, where it is none.
-[[nodiscard]] double numberOf(std::string_view token, std::string_view what, const TextCursor& cursor);
-[[nodiscard]] Index integerOf(std::string_view token, std::string_view what, const TextCursor& cursor);
 
 }  // namespace holdfast

@@ -108,7 +108,7 @@ void SurfaceHandleRepresentation::SetLocation(const SurfaceLocation& location)
   }
   const Model& model = this->GetSurface()->model();
   const SurfaceLocator locator = model.locator();
-  this->SetPlacement(SurfacePlacement{location, locator.locate(location, {}).point});
+  this->SetPlacement(SurfacePlacement{location, locator.locate(location, {})});
 }
 
 void SurfaceHandleRepresentation::SetPlacement(std::optional<SurfacePlacement> placement)

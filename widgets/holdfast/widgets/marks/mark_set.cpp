@@ -75,7 +75,7 @@ ConstraintMark markOf(const ConstraintRow& row, const Model& model, const Positi
 std::vector<DisabledPlace> placesOf(const Constraint& constraint, Index place, const Model& model,
                                     const SurfaceLocator& locator, Selector& selector)
 {
-  const auto located = [&](const SurfaceLocation& location) { return locator.locate(location, {}).point; };
+  const auto located = [&](const SurfaceLocation& location) { return locator.locate(location, {}); };
   if (const auto* point = std::get_if<PointConstraint>(&constraint.what)) {
     const SurfacePoint at = located(point->at);
     const Target* const target = std::get_if<Target>(&point->to);

@@ -33,8 +33,7 @@ ImportContents readImport(const std::filesystem::path& path, const ConstraintLis
 {
   ImportContents contents;
   contents.list = readConstraints(path);
-  // The user has not chosen a tolerance yet.
-  contents.preview = previewImport(contents.list, present, model, 0);
+  contents.preview = previewImport(contents.list, present, model);
   const ConstraintList all = pasted(present, contents.list);
   for (std::size_t k = present.constraints.size(); k < all.constraints.size(); ++k)
     contents.newNames.push_back(all.constraints[k].name);

@@ -9,7 +9,7 @@ namespace holdfast {
 
 Vector3 requireRestPlace(const Editor& editor, const SurfaceLocation& location)
 {
-  return positionOf(editor.model()->locator().locate(location, {}).point, editor.model()->mesh.positions);
+  return positionOf(editor.model()->locator().locate(location, {}), editor.model()->mesh.positions);
 }
 
 std::optional<Vector3> restPlace(const Editor& editor, const SurfaceLocation& location)

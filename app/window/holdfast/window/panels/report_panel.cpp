@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include <holdfast/deform/accuracy.h>
+#include <holdfast/deform/messages.h>
 #include <holdfast/deform/report.h>
 #include <holdfast/window/controls/number_edit.h>
 #include <holdfast/window/controls/panel_parts.h>
