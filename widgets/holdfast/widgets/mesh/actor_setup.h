@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Repeated steps of setting up an actor.
 
 #include <vtkActor.h>

@@ -92,13 +92,10 @@ void setMeshEdgeLook(vtkProperty& property)
 
 }  // namespace
 
-MeshActor::MeshActor(const Model& model)
-    : MeshActor(model, std::make_shared<const ShadedSurface>(cutAtSharpEdges(model)))
-{
-}
-
 MeshActor::MeshActor(const Model& model, std::shared_ptr<const ShadedSurface> shaded)
-    : model_(model), shaded_(std::move(shaded)), corners_(cornerVertices(shaded_->triangles))
+    : model_(model),
+      shaded_(shaded ? std::move(shaded) : std::make_shared<const ShadedSurface>(cutAtSharpEdges(model))),
+      corners_(cornerVertices(shaded_->triangles))
 {
   places_.resize(static_cast<Index>(shaded_->vertexOf.size()), 3);
   coordinates_->SetNumberOfComponents(3);
