@@ -16,6 +16,7 @@
 #include <vtkDataCompressor.h>
 #include <vtkIdTypeArray.h>
 #include <vtkNew.h>
+#include <vtkObjectFactory.h>
 #include <vtkStringArray.h>
 #include <vtkXMLParser.h>
 
@@ -29,12 +30,7 @@ namespace {
 /// VTK's parser, by expat. It throws nothing, for what it would throw would pass through functions of C.
 class XmlTreeBuilder final : public vtkXMLParser {
  public:
-  static XmlTreeBuilder* New()
-  {
-    auto* const builder = new XmlTreeBuilder;
-    builder->InitializeObjectBase();
-    return builder;
-  }
+  static XmlTreeBuilder* New();
 
   [[nodiscard]] bool isTooDeep() const { return isTooDeep_; }
   [[nodiscard]] XmlElement takeRoot() { return std::move(top_.children.at(0)); }
@@ -71,6 +67,8 @@ class XmlTreeBuilder final : public vtkXMLParser {
   std::vector<XmlElement*> open_;
   bool isTooDeep_ = false;
 };
+
+vtkStandardNewMacro(XmlTreeBuilder);
 
 constexpr std::string_view kXmlBlanks = " \t\r\n";
 
