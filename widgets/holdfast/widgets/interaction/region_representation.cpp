@@ -10,6 +10,7 @@
 #include <vtkProperty2D.h>
 
 #include <holdfast/widgets/color/color_map.h>
+#include <holdfast/widgets/mesh/actor_setup.h>
 #include <holdfast/widgets/mesh/poly_data.h>
 
 namespace holdfast {
@@ -59,11 +60,6 @@ std::vector<std::vector<Vector3>> stripsOf(const std::vector<DisplayPoint>& corn
     ++y;
   }
   return strips;
-}
-
-void setColor(vtkActor2D& actor, const Color& color)
-{
-  actor.GetProperty()->SetColor(color.red, color.green, color.blue);
 }
 
 }  // namespace

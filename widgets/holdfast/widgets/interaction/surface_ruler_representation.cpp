@@ -19,6 +19,7 @@
 #include <holdfast/widgets/camera/display_transform.h>
 #include <holdfast/widgets/interaction/interaction_events.h>
 #include <holdfast/widgets/marks/constraint_glyphs.h>
+#include <holdfast/widgets/mesh/actor_setup.h>
 #include <holdfast/widgets/mesh/poly_data.h>
 
 namespace holdfast {
@@ -151,7 +152,7 @@ SurfaceRulerRepresentation::SurfaceRulerRepresentation()
     actor->SetMapper(mapper);
   }
   this->Halo->GetProperty()->SetColor(1, 1, 1);
-  this->Line->GetProperty()->SetColor(kAccentColor.red, kAccentColor.green, kAccentColor.blue);
+  setColor(*this->Line, kAccentColor);
   this->SetPixelRatio(1);
 }
 

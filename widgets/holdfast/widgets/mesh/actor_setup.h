@@ -11,7 +11,9 @@
 
 namespace holdfast {
 
-inline void setColor(vtkActor& actor, const Color& color)
+/// `Actor`: of three dimensions or of two.
+template <class Actor>
+void setColor(Actor& actor, const Color& color)
 {
   actor.GetProperty()->SetColor(color.red, color.green, color.blue);
 }

@@ -75,19 +75,12 @@ void setSurfaceLook(vtkProperty& property)
   property.SetSpecularPower(24);
 }
 
-void setEdgeLook(vtkProperty& property)
+void setEdgeLook(vtkActor& actor, double opacity, double pixels)
 {
-  property.SetColor(0.13, 0.15, 0.19);
-  property.SetOpacity(0.75);
-  property.LightingOff();
-  property.SetLineWidth(static_cast<float>(kEdgePixels));
-}
-
-void setMeshEdgeLook(vtkProperty& property)
-{
-  setEdgeLook(property);
-  property.SetOpacity(0.35);
-  property.SetLineWidth(static_cast<float>(kMeshEdgePixels));
+  actor.GetProperty()->SetColor(0.13, 0.15, 0.19);
+  actor.GetProperty()->SetOpacity(opacity);
+  actor.GetProperty()->LightingOff();
+  setLineWidth(actor, pixels);
 }
 
 }  // namespace
@@ -118,8 +111,8 @@ MeshActor::MeshActor(const Model& model, std::shared_ptr<const ShadedSurface> sh
   showLines(*edges_, *edgeMapper_, *edgeData_);
   showLines(*meshEdges_, *meshEdgeMapper_, *meshEdgeData_);
   setSurfaceLook(*surface_->GetProperty());
-  setEdgeLook(*edges_->GetProperty());
-  setMeshEdgeLook(*meshEdges_->GetProperty());
+  setEdgeLook(*edges_, 0.75, kEdgePixels);
+  setEdgeLook(*meshEdges_, 0.35, kMeshEdgePixels);
   // They hide nothing that the surface below them does not hide, and need no order.
   meshEdges_->ForceOpaqueOn();
   setPositions(model.mesh.positions);
