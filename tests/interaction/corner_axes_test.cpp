@@ -1,5 +1,3 @@
-#include "holdfast/widgets/interaction/corner_axes.h"
-
 #include <cstdlib>
 #include <vector>
 
@@ -16,6 +14,7 @@
 
 #include <holdfast/widgets/camera/camera_state.h>
 
+#include "holdfast/widgets/interaction/stock_widgets.h"
 #include "interaction/interaction_fixture.h"
 #include "support/meshes.h"
 

@@ -4,7 +4,7 @@
 
 #include <vtkCamera.h>
 
-#include <holdfast/widgets/camera/view_geometry.h>
+#include <holdfast/widgets/camera/display_transform.h>
 #include <holdfast/widgets/gizmo/gizmo_layout.h>
 #include <holdfast/widgets/interaction/gizmo_representation.h>
 
@@ -31,7 +31,7 @@ struct GizmoFixture : InteractionFixture {
 /// Where a place, given along the gizmo's axes in radii of its outer ring, is on the display.
 [[nodiscard]] inline DisplayPoint placeOnGizmo(GizmoRepresentation& gizmo, const Vector3& place)
 {
-  const ViewGeometry view = viewGeometryOf(*gizmo.GetRenderer());
+  const DisplayTransform view(*gizmo.GetRenderer());
   const GizmoFrame& frame = gizmo.GetFrame();
   const double scale = placementOf(view, frame, gizmo.GetPixelSize() * gizmo.GetPixelRatio()).scale;
   return *toDisplay(view, frame.center + scale * frame.axes * place);

@@ -42,7 +42,7 @@ TEST_F(GizmoHandled, WhatIsHeldStaysUnderTheCursorInBothProjections)
   for (const bool isParallel : {false, true}) {
     fixture.renderer().GetActiveCamera()->SetParallelProjection(isParallel);
     for (int axis = 0; axis < 3; ++axis) {
-      const ViewGeometry view = viewGeometryOf(fixture.renderer());
+      const DisplayTransform view(fixture.renderer());
       const Vector3 held =
           center() + placementOf(view, gizmo.GetFrame(), test::kGizmoRadius).scale * 0.5 * Vector3::Unit(axis);
       grabArrow(axis);

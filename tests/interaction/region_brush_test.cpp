@@ -41,6 +41,15 @@ TEST_F(RegionsOfGrid, ADabReachesTheVerticesUnderTheBrush)
   EXPECT_EQ(reached[2], gridBall(5, 4, 1.2));
 }
 
+TEST_F(RegionsOfGrid, ADabReachesNothingThatASectionCutsAway)
+{
+  widget->SetBrushRadius(1.2 * pixelsOfUnit());
+  const SectionPlane section{{4.5, 0, 0}, {1, 0, 0}};
+  widget->SetSurface(std::make_shared<const VisibleSurface>(fixture.surface()->withSection(section)));
+  mouse().click(pixelOf(5, 4));
+  EXPECT_THAT(selected, ElementsAre(38, 49, 50, 60));
+}
+
 TEST_F(RegionsOfGrid, AStrokeOfOneJumpReachesAllOnItsWay)
 {
   widget->SetBrushRadius(0.6 * pixelsOfUnit());

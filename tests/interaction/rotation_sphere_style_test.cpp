@@ -11,6 +11,7 @@
 
 #include "interaction/interaction_fixture.h"
 #include "support/meshes.h"
+#include "widgets/sphere_place.h"
 
 namespace holdfast {
 namespace {
@@ -59,7 +60,7 @@ TEST_F(SphereInWindow, AClickPicksThePointUnderIt)
 {
   std::optional<Index> vertex;
   for (Index v = 0; v < example.model.mesh.vertexCount() && !vertex; ++v)
-    if (const auto place = sphere.displayPlace(v))
+    if (const auto place = test::displayPlace(sphere, v))
       if (sphere.pick(place->x(), place->y()) == v) vertex = v;
   ASSERT_TRUE(vertex);
   Index picked = -1;
@@ -71,7 +72,7 @@ TEST_F(SphereInWindow, AClickPicksThePointUnderIt)
   style->AddObserver(vtkCommand::PickEvent, command);
   fixture.mouse().click({1, 1});
   EXPECT_EQ(picked, -1);
-  fixture.mouse().click(sphere.displayPlace(*vertex).value());
+  fixture.mouse().click(test::displayPlace(sphere, *vertex).value());
   EXPECT_EQ(picked, *vertex);
 }
 

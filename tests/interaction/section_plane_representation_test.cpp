@@ -1,11 +1,10 @@
-#include "holdfast/widgets/interaction/section_plane_representation.h"
-
 #include <array>
 
 #include <vtkCamera.h>
 #include <vtkImplicitPlaneWidget2.h>
 #include <vtkRenderWindow.h>
 
+#include "holdfast/widgets/interaction/stock_widgets.h"
 #include "interaction/interaction_fixture.h"
 #include "support/law_meshes.h"
 #include "support/meshes.h"

@@ -80,7 +80,7 @@ struct GizmoScene {
   /// Drags a part from a place of the world to where it appears `moved` pixels further.
   void drag(GizmoPart part, const Vector3& from, const DisplayPoint& moved, Snap snap)
   {
-    const DisplayPoint start = *toDisplay(viewGeometryOf(renderer()), from);
+    const DisplayPoint start = *toDisplay(DisplayTransform(renderer()), from);
     gizmo->SetPart(part);
     GizmoDrag drag = gizmo->NewDrag(start);
     const GizmoMotion motion = drag.to(start + moved, snap);
@@ -161,7 +161,7 @@ TEST(GizmoPicture, ShowsTheCenterWhereItIsAndOverTheSurface)
       fixture.gizmo->VisibilityOn();
       const auto middle = middleOfDifference(fixture.drawn(), without, fixture.scene.pixelRatio());
       ASSERT_TRUE(middle) << "the slab hides it";
-      const DisplayPoint expected = *toDisplay(viewGeometryOf(fixture.renderer()), center);
+      const DisplayPoint expected = *toDisplay(DisplayTransform(fixture.renderer()), center);
       EXPECT_LT((*middle - expected).norm(), 0.4) << (*middle - expected).transpose();
     }
 }
@@ -184,7 +184,7 @@ TEST(GizmoPicture, HasItsLettersBeyondTheTipsOfTheirArrows)
   const std::vector<vtkTextActor*> letters = lettersOf(*fixture.gizmo);
   ASSERT_EQ(letters.size(), 3u);
   const Picture all = fixture.drawn();
-  const ViewGeometry view = viewGeometryOf(fixture.renderer());
+  const DisplayTransform view(fixture.renderer());
   const DisplayPoint center = *toDisplay(view, fixture.gizmo->GetFrame().center);
   for (int axis = 0; axis < 3; ++axis) {
     EXPECT_EQ(letters[axis]->GetInput(), std::string(1, "xyz"[axis]));

@@ -16,6 +16,7 @@
 #include "render/compare_pictures.h"
 #include "render/drawn_window.h"
 #include "support/meshes.h"
+#include "widgets/sphere_place.h"
 
 namespace holdfast {
 namespace {
@@ -148,7 +149,7 @@ TEST(RotationSphere, TheShownPointIsPicked)
   (void)shown.window.drawn();
   const Weld& weld = bar.model.solverMesh.weld;
   for (Index v = 0; v < bar.model.mesh.vertexCount(); v += 7) {
-    const auto place = shown.sphere.displayPlace(v);
+    const auto place = test::displayPlace(shown.sphere, v);
     ASSERT_TRUE(place);
     const auto picked = shown.sphere.pick(place->x(), place->y());
     ASSERT_TRUE(picked);
@@ -174,7 +175,7 @@ TEST(RotationSphere, NothingIsThereBeforeTheFirstRotations)
   sphere.addTo(window.renderer());
   sphere.mark(0);
   (void)window.drawn();
-  EXPECT_FALSE(sphere.displayPlace(0));
+  EXPECT_FALSE(test::displayPlace(sphere, 0));
   EXPECT_FALSE(sphere.pick(kSphereSize.width / 2.0, kSphereSize.height / 2.0));
   EXPECT_TRUE(sphere.placed().places.empty());
 }

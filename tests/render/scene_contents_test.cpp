@@ -63,11 +63,10 @@ class Slab {
     list_.constraints.back().isEnabled = false;
     NoProgress progress;
     deformation_ = deform(model_, list_, "constraints", {}, progress);
-    disabled_ = disabledPlaces(model_, list_);
   }
 
   [[nodiscard]] const DeformResult& deformation() const { return deformation_; }
-  [[nodiscard]] const std::vector<DisabledPlace>& disabled() const { return disabled_; }
+  [[nodiscard]] const ConstraintList& list() const { return list_; }
   [[nodiscard]] const Model& model() const { return model_; }
 
   [[nodiscard]] std::vector<Index> middle() const
@@ -129,7 +128,6 @@ class Slab {
   Model model_ = makeModel(test::box({6, 2, 1}, kDivisions), "slab");
   ConstraintList list_;
   DeformResult deformation_;
-  std::vector<DisabledPlace> disabled_;
 };
 
 /// With glyphs as large as in a window.
@@ -170,7 +168,7 @@ TEST(SceneContents, GlyphsTellKindsAndStatusesApart)
 {
   const Slab slab;
   SlabScene scene(slab, ColorBy::None);
-  scene.contents().show(slab.deformation(), slab.disabled());
+  scene.contents().setMarks(constraintMarks(slab.model(), slab.list(), slab.deformation()));
   EXPECT_EQ(differenceFromBaseline(scene), "");
 }
 

@@ -99,20 +99,16 @@ TEST(DisabledMarks, LieOnTheMeshAsItIs)
   EXPECT_EQ(apart[0].other, Vector3(solved.deformation.positions.row(0)));
 }
 
-TEST(DisabledMarks, OfWhatDoesNotFitTheMeshAreNone)
+TEST(DisabledMarks, ComeAfterAllOthers)
 {
   const Model model = makeModel(test::grid(4, 4), "grid");
-  ConstraintList list = test::listOf({test::moveBy(AtVertex{777}, {0, 0, 1}), test::hold({3})});
-  for (Constraint& constraint : list.constraints) constraint.isEnabled = false;
-  const auto places = disabledPlaces(model, list);
-  ASSERT_EQ(places.size(), 1);
-  EXPECT_EQ(places[0].constraint, 1);
-}
-
-TEST(DisabledMarks, OfEnabledConstraintsAreNone)
-{
-  const Model model = makeModel(test::grid(4, 4), "grid");
-  EXPECT_TRUE(disabledPlaces(model, test::listOf({test::hold({0})})).empty());
+  ConstraintList list = test::listOf({test::moveBy(AtVertex{7}, {0, 0, 1}), test::hold({0})});
+  list.constraints[0].isEnabled = false;
+  const auto marks = constraintMarks(model, list, deform(model, list));
+  ASSERT_EQ(marks.size(), 2);
+  EXPECT_EQ(marks[0].status, ConstraintStatus::Met);
+  EXPECT_EQ(marks[1].status, ConstraintStatus::Disabled);
+  EXPECT_EQ(marks[1].constraint, 0);
 }
 
 ConstraintMark dot(double x, ConstraintStatus status)

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <holdfast/widgets/scene/display_settings.h>
+#include <holdfast/widgets/scene/scene_contents.h>
 
 #include "support/meshes.h"
 #include "support/point_constraints.h"

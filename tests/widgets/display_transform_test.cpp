@@ -1,15 +1,20 @@
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
+#include <vtkCamera.h>
 #include <vtkRenderer.h>
 
 #include <holdfast/widgets/camera/display_transform.h>
 
+#include "support/point_constraints.h"
 #include "support/random.h"
 #include "widgets/plain_view.h"
+#include "widgets/view_without_window.h"
 
 namespace holdfast {
 namespace {
 
 using test::Projection;
+using test::ViewWithoutWindow;
 
 Vector3 randomPlace(test::Random& random, double size)
 {
@@ -81,6 +86,79 @@ TEST(DisplayTransform, PartsOfAWindowShowTheSameElsewhere)
   EXPECT_TRUE(display.isInside({201, 10}));
   EXPECT_FALSE(display.isInside({199, 10}));
   EXPECT_FALSE(display.isInside({300, 301}));
+}
+
+TEST(DisplayTransform, PutsPlacesWhereVtkDoes)
+{
+  test::Random random(1);
+  for (int k = 0; k < 40; ++k) {
+    ViewWithoutWindow fixture;
+    fixture.lookFrom(test::randomVector(random, 20), test::randomVector(random, 2),
+                     k % 2 == 0 ? Projection::Parallel : Projection::Perspective);
+    const DisplayTransform view = fixture.view();
+    const Vector3 place = test::randomVector(random, 1);
+    vtkRenderer& renderer = fixture.renderer();
+    renderer.SetWorldPoint(place.x(), place.y(), place.z(), 1);
+    renderer.WorldToView();
+    const double* const cube = renderer.GetViewPoint();
+    const DisplayPoint expected((cube[0] + 1) / 2 * ViewWithoutWindow::kWidth,
+                                (cube[1] + 1) / 2 * ViewWithoutWindow::kHeight);
+    ASSERT_TRUE(toDisplay(view, place));
+    EXPECT_LT((*toDisplay(view, place) - expected).norm(), 1e-6);
+  }
+}
+
+TEST(DisplayTransform, RaysGoThroughThePlacesThatAreSeenThere)
+{
+  test::Random random(2);
+  for (int k = 0; k < 40; ++k) {
+    ViewWithoutWindow fixture;
+    fixture.lookFrom(test::randomVector(random, 20), test::randomVector(random, 2),
+                     k % 2 == 0 ? Projection::Parallel : Projection::Perspective);
+    const DisplayTransform view = fixture.view();
+    const Vector3 place = test::randomVector(random, 1);
+    const Ray ray = view.rayThrough(*toDisplay(view, place));
+    EXPECT_LT((place - ray.origin).cross(ray.direction).norm(), 1e-10);
+    EXPECT_GT((place - ray.origin).dot(ray.direction), 0);
+    EXPECT_LT(view.sightOf(place).cross(ray.direction).norm(), 1e-10);
+    EXPECT_NEAR(view.sightOf(place).norm(), 1, 1e-12);
+  }
+}
+
+TEST(DisplayTransform, APixelIsAsLongAsTheStepToTheNextOne)
+{
+  test::Random random(3);
+  for (int k = 0; k < 40; ++k) {
+    ViewWithoutWindow fixture;
+    fixture.lookFrom(test::randomVector(random, 20), test::randomVector(random, 2),
+                     k % 2 == 0 ? Projection::Parallel : Projection::Perspective);
+    const DisplayTransform view = fixture.view();
+    const Vector3 place = test::randomVector(random, 1);
+    const double pixel = view.worldPerPixel(place);
+    for (const Vector3& across : {view.right(), view.up()})
+      EXPECT_NEAR((*toDisplay(view, place + pixel * across) - *toDisplay(view, place)).norm(), 1, 1e-9);
+    EXPECT_NEAR((*toDisplay(view, place + pixel * view.up()) - *toDisplay(view, place)).y(), 1, 1e-9);
+    EXPECT_NEAR((*toDisplay(view, place + pixel * view.right()) - *toDisplay(view, place)).x(), 1, 1e-9);
+  }
+}
+
+TEST(DisplayTransform, KnowsNothingOfClippingPlanes)
+{
+  ViewWithoutWindow fixture;
+  fixture.lookFrom({3, 4, 5}, {0, 0, 0}, Projection::Perspective);
+  const DisplayPoint before = *toDisplay(fixture.view(), {1, 0, 0.5});
+  fixture.renderer().GetActiveCamera()->SetClippingRange(1e-6, 1e12);
+  EXPECT_LT((*toDisplay(fixture.view(), {1, 0, 0.5}) - before).norm(), 1e-9);
+}
+
+TEST(DisplayTransform, WhatIsNotInFrontOfTheEyeIsNowhere)
+{
+  ViewWithoutWindow fixture;
+  fixture.lookFrom({0, -10, 0}, {0, 0, 0}, Projection::Perspective);
+  const DisplayTransform view = fixture.view();
+  EXPECT_FALSE(toDisplay(view, {0, -11, 0}));
+  EXPECT_FALSE(toDisplay(view, view.eye()));
+  EXPECT_EQ(view.worldPerPixel({0, -11, 0}), 0);
 }
 
 }  // namespace

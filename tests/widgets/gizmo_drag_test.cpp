@@ -19,7 +19,7 @@ using test::Projection;
 // Roundings of a ray, magnified by the distance of the eye.
 constexpr double kRoundedOff = 1e-9;
 
-ViewGeometry viewFrom(const Vector3& direction, Projection projection, const Vector3& at = Vector3::Zero())
+DisplayTransform viewFrom(const Vector3& direction, Projection projection, const Vector3& at = Vector3::Zero())
 {
   test::ViewWithoutWindow fixture;
   fixture.lookFrom(direction, at, projection);
@@ -31,7 +31,7 @@ GizmoFrame rotatedFrame()
   return {{0.2, -0.1, 0.3}, Eigen::AngleAxisd(0.7, Vector3(1, 2, -1).normalized()).matrix()};
 }
 
-DisplayPoint seen(const ViewGeometry& view, const Vector3& place)
+DisplayPoint seen(const DisplayTransform& view, const Vector3& place)
 {
   return *toDisplay(view, place);
 }
@@ -41,7 +41,7 @@ constexpr std::array kProjections{Projection::Perspective, Projection::Parallel}
 TEST(GizmoDrag, BeginsWithExactlyNothingWhereverItIsGrabbed)
 {
   for (const Projection projection : kProjections) {
-    const ViewGeometry view = viewFrom({3, -4, 2}, projection);
+    const DisplayTransform view = viewFrom({3, -4, 2}, projection);
     for (int k = 1; k < kGizmoPartCount; ++k)
       for (const Snap snap : {Snap::None, Snap::On}) {
         const DisplayPoint start = seen(view, rotatedFrame().center) + DisplayPoint(31.7, -18.3);
@@ -59,7 +59,7 @@ TEST(GizmoDrag, ArrowsFollowThePlaceThatWasGrabbed)
 {
   const GizmoFrame frame = rotatedFrame();
   for (const Projection projection : kProjections) {
-    const ViewGeometry view = viewFrom({3, -4, 2}, projection);
+    const DisplayTransform view = viewFrom({3, -4, 2}, projection);
     for (int axis = 0; axis < 3; ++axis) {
       const Vector3 along = frame.axes.col(axis);
       const auto part = static_cast<GizmoPart>(static_cast<int>(GizmoPart::ArrowX) + axis);
@@ -78,10 +78,10 @@ TEST(GizmoDrag, SquaresAndTheCenterFollowThePlaceThatWasGrabbed)
 {
   const GizmoFrame frame = rotatedFrame();
   for (const Projection projection : kProjections) {
-    const ViewGeometry view = viewFrom({3, -4, 2}, projection);
+    const DisplayTransform view = viewFrom({3, -4, 2}, projection);
     for (int axis = 0; axis < 4; ++axis) {
-      const Vector3 u = axis < 3 ? Vector3(frame.axes.col((axis + 1) % 3)) : view.right;
-      const Vector3 v = axis < 3 ? Vector3(frame.axes.col((axis + 2) % 3)) : view.up;
+      const Vector3 u = axis < 3 ? Vector3(frame.axes.col((axis + 1) % 3)) : view.right();
+      const Vector3 v = axis < 3 ? Vector3(frame.axes.col((axis + 2) % 3)) : view.up();
       const auto part =
           axis < 3 ? static_cast<GizmoPart>(static_cast<int>(GizmoPart::SquareX) + axis) : GizmoPart::Center;
       const Vector3 grabbed = frame.center + 0.1 * u + 0.15 * v;
@@ -111,10 +111,10 @@ TEST(GizmoDrag, RingsFollowTheCursorOverSeveralTurns)
   const GizmoFrame frame = rotatedFrame();
   for (const Projection projection : kProjections)
     for (const Vector3& from : {Vector3(3, -4, 2), Vector3(-3, 4, -2)}) {
-      const ViewGeometry view = viewFrom(from, projection);
+      const DisplayTransform view = viewFrom(from, projection);
       for (int axis = 0; axis < 4; ++axis) {
-        const Circle circle{frame.center, axis < 3 ? Vector3(frame.axes.col(axis)) : Vector3(-view.direction), 0.8};
-        if (std::abs(circle.axis.dot(view.direction)) < 0.4) continue;
+        const Circle circle{frame.center, axis < 3 ? Vector3(frame.axes.col(axis)) : Vector3(-view.direction()), 0.8};
+        if (std::abs(circle.axis.dot(view.direction())) < 0.4) continue;
         const auto part =
             axis < 3 ? static_cast<GizmoPart>(static_cast<int>(GizmoPart::RingX) + axis) : GizmoPart::ViewRing;
         GizmoDrag drag(part, frame, view, seen(view, circle.at(40)));
@@ -134,9 +134,9 @@ TEST(GizmoDrag, RingsFollowTheCursorOverSeveralTurns)
 TEST(GizmoDrag, RingsSayWhereTheyWereGrabbed)
 {
   const GizmoFrame frame = rotatedFrame();
-  const ViewGeometry view = viewFrom({3, -4, 2}, Projection::Perspective);
+  const DisplayTransform view = viewFrom({3, -4, 2}, Projection::Perspective);
   const Vector3 arm = (frame.axes * Vector3(0.6, 0.8, 0));
-  ASSERT_GT(std::abs(frame.axes.col(2).dot(view.direction)), 0.3);
+  ASSERT_GT(std::abs(frame.axes.col(2).dot(view.direction())), 0.3);
   EXPECT_LT((GizmoDrag(GizmoPart::RingZ, frame, view, seen(view, frame.center + 0.5 * arm)).grabbed() - arm).norm(),
             kRoundedOff);
 }
@@ -144,7 +144,7 @@ TEST(GizmoDrag, RingsSayWhereTheyWereGrabbed)
 TEST(GizmoDrag, RingsSeenFromTheSideRollWithTheCursor)
 {
   for (const Projection projection : kProjections) {
-    const ViewGeometry view = viewFrom({0.05, -1, 0.1}, projection);
+    const DisplayTransform view = viewFrom({0.05, -1, 0.1}, projection);
     const DisplayPoint start = seen(view, {0, 0, 0}) + DisplayPoint(20, 0);
     GizmoDrag drag(GizmoPart::RingZ, {}, view, start, 100);
     // The front goes to the right: counterclockwise seen from above.
@@ -153,13 +153,13 @@ TEST(GizmoDrag, RingsSeenFromTheSideRollWithTheCursor)
     EXPECT_NEAR(drag.to(start + DisplayPoint(4 * length, 0), Snap::None).degrees, 720, 0.5) << "no cursor is too far";
     EXPECT_NEAR(drag.to(start + DisplayPoint(-length / 2, 300), Snap::None).degrees, -90, 0.1);
     EXPECT_EQ(drag.to(start, Snap::None).degrees, 0);
-    EXPECT_GT(drag.grabbed().dot(-view.direction), 0.99) << "held in front";
+    EXPECT_GT(drag.grabbed().dot(-view.direction()), 0.99) << "held in front";
   }
 }
 
 TEST(GizmoDrag, SnapsToExactMultiples)
 {
-  const ViewGeometry view = viewFrom({3, -4, 2}, Projection::Perspective);
+  const DisplayTransform view = viewFrom({3, -4, 2}, Projection::Perspective);
   const Circle circle{{0, 0, 0}, Vector3::UnitZ(), 0.8};
   GizmoDrag ring(GizmoPart::RingZ, {}, view, seen(view, circle.at(3)));
   EXPECT_EQ(ring.to(seen(view, circle.at(3 + 14)), Snap::On).degrees, 15);
@@ -169,7 +169,7 @@ TEST(GizmoDrag, SnapsToExactMultiples)
   const GizmoMotion back = ring.to(seen(view, circle.at(3 - 4)), Snap::On);
   EXPECT_EQ(back.degrees, 360);
 
-  const ViewGeometry across = viewFrom({1, -4, 2}, Projection::Perspective);
+  const DisplayTransform across = viewFrom({1, -4, 2}, Projection::Perspective);
   GizmoDrag arrow(GizmoPart::ArrowX, {}, across, seen(across, {0.1, 0, 0}));
   ASSERT_EQ(arrow.step().size(), 0.1) << "a pixel is 1/90 of a unit";
   EXPECT_EQ(arrow.to(seen(across, {0.41, 0, 0}), Snap::On).translation, Vector3(0.3, 0, 0));
@@ -196,7 +196,7 @@ TEST(GizmoDrag, StepsAreRoundAndAtLeastEightPixels)
   EXPECT_EQ(roundStepFrom(3).multiple(-3), -15);
   EXPECT_EQ(roundStepFrom(60).size(), 100);
   EXPECT_GT(roundStepFrom(1e-300).size(), 0);
-  const ViewGeometry view = viewFrom({3, -4, 2}, Projection::Parallel);
+  const DisplayTransform view = viewFrom({3, -4, 2}, Projection::Parallel);
   for (int k = 1; k <= static_cast<int>(GizmoPart::SquareZ); ++k) {
     const GizmoDrag drag(static_cast<GizmoPart>(k), {}, view, seen(view, {0, 0, 0}));
     EXPECT_GE(drag.step().size() * 120, 8) << "120 pixels a unit";
@@ -206,7 +206,7 @@ TEST(GizmoDrag, StepsAreRoundAndAtLeastEightPixels)
 TEST(GizmoDrag, StaysWhatItWasWhereTheCursorSaysNothing)
 {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  const ViewGeometry view = viewFrom({0.2, -1, 0.3}, Projection::Perspective);
+  const DisplayTransform view = viewFrom({0.2, -1, 0.3}, Projection::Perspective);
   // Where lines along y meet, and beyond: places behind the eye.
   const DisplayPoint vanishing = seen(view, 1e12 * Vector3::UnitY());
   for (const GizmoPart part : {GizmoPart::ArrowY, GizmoPart::SquareX, GizmoPart::SquareZ, GizmoPart::RingZ}) {
@@ -226,7 +226,7 @@ TEST(GizmoDrag, StaysWhatItWasWhereTheCursorSaysNothing)
 TEST(GizmoDrag, AlongTheViewMovesNothing)
 {
   for (const Projection projection : kProjections) {
-    const ViewGeometry view = viewFrom({0, -1, 0}, projection);
+    const DisplayTransform view = viewFrom({0, -1, 0}, projection);
     for (const GizmoPart part : {GizmoPart::ArrowY, GizmoPart::SquareX, GizmoPart::SquareZ}) {
       GizmoDrag drag(part, {}, view, seen(view, {0, 0, 0}));
       EXPECT_EQ(drag.to(seen(view, {0, 0, 0}), Snap::On).translation, Vector3(0, 0, 0));
@@ -237,7 +237,7 @@ TEST(GizmoDrag, AlongTheViewMovesNothing)
 
 TEST(GizmoDrag, BehindTheEyeMovesNothing)
 {
-  const ViewGeometry view = viewFrom({0, -1, 0}, Projection::Perspective);
+  const DisplayTransform view = viewFrom({0, -1, 0}, Projection::Perspective);
   for (int k = 1; k < kGizmoPartCount; ++k) {
     GizmoDrag drag(static_cast<GizmoPart>(k), {{0, -20, 0}, Eigen::Matrix3d::Identity()}, view, {300, 200});
     const GizmoMotion motion = drag.to({310, 260}, Snap::On);
@@ -247,7 +247,7 @@ TEST(GizmoDrag, BehindTheEyeMovesNothing)
 
 TEST(GizmoDrag, TakesTypedValuesExactly)
 {
-  const ViewGeometry view = viewFrom({3, -4, 2}, Projection::Perspective);
+  const DisplayTransform view = viewFrom({3, -4, 2}, Projection::Perspective);
   GizmoDrag arrow(GizmoPart::ArrowY, {}, view, seen(view, {0, 0.3, 0}));
   const GizmoMotion dragged = arrow.to(seen(view, {0, 0.9, 0}), Snap::None);
   EXPECT_EQ(arrow.typed(-12.7).translation, Vector3(0, -12.7, 0));

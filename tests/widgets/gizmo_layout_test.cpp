@@ -25,7 +25,7 @@ constexpr double kPixels = 100;
 
 /// A gizmo at the origin, seen so that no part is faded.
 struct Seen {
-  ViewGeometry view;
+  DisplayTransform view;
   GizmoPlacement placement;
 
   explicit Seen(const Vector3& from = {1.2, 1.5, 1.1}, Projection projection = Projection::Perspective)
@@ -51,10 +51,10 @@ TEST(GizmoLayout, HasTheSameSizeInPixelsAtAnyDistance)
     for (const double distance : {0.01, 1.0, 300.0}) {
       test::ViewWithoutWindow fixture;
       fixture.lookFrom({1, 2, 3}, (10 - distance) / std::sqrt(14) * Vector3(-1, -2, -3), projection);
-      const ViewGeometry view = fixture.view();
+      const DisplayTransform view = fixture.view();
       const GizmoPlacement placement = placementOf(view, {}, kPixels);
       const DisplayPoint center = *toDisplay(view, {0, 0, 0});
-      for (const Vector3& across : {view.up, Vector3(view.right), Vector3((view.up + view.right) / std::sqrt(2))})
+      for (const Vector3& across : {view.up(), view.right(), Vector3((view.up() + view.right()) / std::sqrt(2))})
         EXPECT_NEAR((*toDisplay(view, placement.scale * across) - center).norm(), kPixels, 1e-6);
     }
 }
@@ -103,8 +103,8 @@ TEST(GizmoLayout, TheFarHalfOfARingIsFadedAndIsNotHit)
   const double r = kRingRadius;
   EXPECT_EQ(seen.hit(seen.at(r * std::cos(-1.0), r * std::sin(-1.0), 0)), GizmoPart::RingZ);
   EXPECT_NE(seen.hit(seen.at(r * std::cos(2.1), r * std::sin(2.1), 0)), GizmoPart::RingZ);
-  EXPECT_LT(ringVisibility({0, 1, 0}, seen.view.direction), 0.3);
-  EXPECT_EQ(ringVisibility({0, -1, 0}, seen.view.direction), 1);
+  EXPECT_LT(ringVisibility({0, 1, 0}, seen.view.direction()), 0.3);
+  EXPECT_EQ(ringVisibility({0, -1, 0}, seen.view.direction()), 1);
   EXPECT_EQ(ringVisibility({1, 0, 0}, {0, 1, 0}), 1) << "all of a ring that faces the eye";
 }
 
@@ -112,7 +112,7 @@ TEST(GizmoLayout, WhatIsSeenEndOnIsGoneAndIsNotHit)
 {
   test::ViewWithoutWindow fixture;
   fixture.lookFrom({0, -1, 0}, {0, 0, 0}, Projection::Parallel);
-  const ViewGeometry view = fixture.view();
+  const DisplayTransform view = fixture.view();
   EXPECT_EQ(visibilityOf(GizmoPart::ArrowY, {}, view), 0);
   EXPECT_EQ(visibilityOf(GizmoPart::ArrowX, {}, view), 1);
   for (const GizmoPart part : {GizmoPart::SquareX, GizmoPart::SquareZ, GizmoPart::RingX, GizmoPart::RingZ})

@@ -3,7 +3,7 @@
 
 #include <holdfast/geometry/degree.h>
 
-#include "holdfast/widgets/camera/view_geometry.h"
+#include "holdfast/widgets/camera/display_transform.h"
 #include "widgets/plain_view.h"
 
 namespace holdfast {
@@ -26,7 +26,7 @@ class DegreesSeen : public testing::TestWithParam<Projection> {
   }
 
   PlainScreen screen{viewFrom()};
-  const ViewGeometry view = viewGeometryOf(screen.renderer());
+  const DisplayTransform view{screen.renderer()};
 };
 
 TEST_P(DegreesSeen, InAPlaneAcrossTheViewAreTheAngleAboutItsAxis)

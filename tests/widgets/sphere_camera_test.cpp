@@ -38,22 +38,6 @@ TEST(SphereCamera, WhatReachesAroundTheSphereShowsAllOfIt)
   EXPECT_EQ(Vector3(camera->GetFocalPoint()), Vector3(0, 0, 0));
 }
 
-TEST(SphereCamera, TheNearSideFollowsTheHand)
-{
-  vtkNew<vtkCamera> camera;
-  lookAtPlaces(*camera, {{0, 0, 1}, {1, 0, 0}, {0, 0, -1}});
-  const Vector3 up(camera->GetViewUp());
-  const Vector3 right = sightOf(*camera).cross(up);
-  const Vector3 near = -sightOf(*camera);
-  turnSphere(*camera, 0.2, 0);
-  EXPECT_NEAR(near.dot(sightOf(*camera).cross(Vector3(camera->GetViewUp()))), std::sin(0.2), 1e-12);
-  turnSphere(*camera, -0.2, 0);
-  EXPECT_NEAR(near.dot(right), 0, 1e-12);
-  turnSphere(*camera, 0, 0.3);
-  EXPECT_NEAR(near.dot(Vector3(camera->GetViewUp())), std::sin(0.3), 1e-12);
-  EXPECT_NEAR(Vector3(camera->GetPosition()).norm(), 10, 1e-9);
-}
-
 TEST(SphereCamera, ZoomHasBounds)
 {
   vtkNew<vtkCamera> camera;

@@ -10,7 +10,7 @@
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
-#include <holdfast/widgets/camera/view_geometry.h>
+#include <holdfast/widgets/camera/display_transform.h>
 
 #include "plain_view.h"
 
@@ -43,7 +43,7 @@ class ViewWithoutWindow {
   }
 
   [[nodiscard]] vtkRenderer& renderer() { return *renderer_; }
-  [[nodiscard]] ViewGeometry view() { return viewGeometryOf(*renderer_); }
+  [[nodiscard]] DisplayTransform view() { return DisplayTransform(*renderer_); }
 
  private:
   vtkNew<vtkRenderWindow> window_;

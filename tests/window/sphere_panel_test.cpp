@@ -14,6 +14,7 @@
 
 #include "gestures.h"
 #include "support/source_tree.h"
+#include "widgets/sphere_place.h"
 
 namespace holdfast {
 namespace {
@@ -52,7 +53,7 @@ class SpherePanelOfPlate : public ::testing::Test {
   [[nodiscard]] QPointF placeOf(Index vertex) const
   {
     const double ratio = view().devicePixelRatioF();
-    const DisplayPoint place = panel.sphere()->displayPlace(vertex).value();
+    const DisplayPoint place = test::displayPlace(*panel.sphere(), vertex).value();
     return {place.x() / ratio - 0.5, view().height() - place.y() / ratio - 0.5};
   }
 

@@ -11,7 +11,7 @@
 #include <vtkSphereWidget2.h>
 
 #include <holdfast/document/list_edits.h>
-#include <holdfast/widgets/camera/view_geometry.h>
+#include <holdfast/widgets/camera/display_transform.h>
 #include <holdfast/window/tools/gizmo_tool.h>
 
 #include "gestures.h"
@@ -39,7 +39,7 @@ class StockWidget : public test::WindowUser {
 
   void putSphere(Vector3 center, double pixels)
   {
-    const double radius = pixels * worldPerPixel(viewGeometryOf(viewport().renderer()), center);
+    const double radius = pixels * DisplayTransform(viewport().renderer()).worldPerPixel(center);
     std::array<double, 6> bounds{center.x() - radius, center.x() + radius, center.y() - radius,
                                  center.y() + radius, center.z() - radius, center.z() + radius};
     shape->PlaceWidget(bounds.data());

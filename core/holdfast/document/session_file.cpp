@@ -76,9 +76,9 @@ Choice chosen(const JsonReader& json, std::span<const Choice> choices)
 
 Backend readBackend(const JsonReader& json)
 {
-  constexpr std::array kBackends{Backend::Eigen, Backend::Cholmod};
+  constexpr std::array kBackends{Backend::Holdfast, Backend::Cholmod, Backend::Eigen};
   const auto backend = chosen<Backend>(json, kBackends);
-  if (backend == Backend::Cholmod && defaultBackend() != Backend::Cholmod)
+  if (!isBuilt(backend))
     json.fail("this program was built without CHOLMOD; leave the key out for the best backend that there is");
   return backend;
 }
@@ -187,7 +187,7 @@ Json optionsJson(const DeformOptions& options)
   Json json{{"weights", name(options.weights)}, {"solver", name(options.solver.kind)}};
   if (options.solver.softWeight != SolverOptions().softWeight || options.solver.kind == SolverKind::Soft)
     json["soft_weight"] = options.solver.softWeight;
-  if (options.solver.backend != defaultBackend()) json["backend"] = name(options.solver.backend);
+  if (options.solver.backend != Backend::Holdfast) json["backend"] = name(options.solver.backend);
   return json;
 }
 

@@ -29,34 +29,6 @@ constexpr double kViewAngleDegrees = 18;
 // A share of the picture's height and width.
 constexpr double kMargin = 0.06;
 
-/// How far the points reach along each of the directions, in lengths of it.
-template <int Count>
-Eigen::Vector<double, Count> reachAlong(const Eigen::Matrix<double, 3, Count>& directions, const Positions& points)
-{
-  // A few at a time: products of all points would be a large matrix for a moment.
-  constexpr Index kAtOnce = 512;
-  Eigen::RowVector<double, Count> farthest = points.row(0) * directions;
-  for (Index first = 0; first < points.rows(); first += kAtOnce) {
-    const Index count = std::min(kAtOnce, points.rows() - first);
-    const auto reached = (points.middleRows(first, count) * directions).colwise().maxCoeff();
-    farthest = farthest.cwiseMax(reached);
-  }
-  return farthest.transpose();
-}
-
-/// Where the eye must be along one direction across the view, and how far back, to see all points between two planes
-/// of slope `slope` through it.
-struct Wedge {
-  double across;
-  double back;
-};
-
-/// From how far points reach along `slope` back + across and along `slope` back - across.
-Wedge wedgeAround(double above, double below, double slope)
-{
-  return {(above - below) / 2, (above + below) / (2 * slope)};
-}
-
 }  // namespace
 
 Camera cameraOf(vtkCamera& camera)
@@ -168,15 +140,16 @@ void fit(vtkCamera& camera, const ViewFrame& frame, const Positions& points, dou
   Eigen::Matrix<double, 3, 6> directions;
   directions << slopeAcross * frame.back + frame.right, slopeAcross * frame.back - frame.right,
       slope * frame.back + frame.up, slope * frame.back - frame.up, frame.back, -frame.back;
-  const Eigen::Vector<double, 6> reach = reachAlong(directions, points);
-  const Wedge horizontal = wedgeAround(reach[0], reach[1], slopeAcross);
-  const Wedge vertical = wedgeAround(reach[2], reach[3], slope);
+  // Not as a product of matrices, which would hold all points six times.
+  const Eigen::RowVector<double, 6> reach = points.lazyProduct(directions).colwise().maxCoeff();
   const double nearest = reach[4];
   const double farthest = -reach[5];
-  // A single point has no size to fit: any distance from it will do.
-  const double distance = std::max(horizontal.back, vertical.back) - nearest;
+  // Planes of these slopes through the eye have all points between them. A single point has no size to fit: any
+  // distance from it will do.
+  const double back = std::max((reach[0] + reach[1]) / (2 * slopeAcross), (reach[2] + reach[3]) / (2 * slope));
+  const double distance = back - nearest;
   const double eyeBack = nearest + (distance > 0 ? distance : 1);
-  const Vector3 across = horizontal.across * frame.right + vertical.across * frame.up;
+  const Vector3 across = (reach[0] - reach[1]) / 2 * frame.right + (reach[2] - reach[3]) / 2 * frame.up;
   const Vector3 eye = across + eyeBack * frame.back;
   const Vector3 focus = across + (farthest + nearest) / 2 * frame.back;
   camera.SetViewAngle(kViewAngleDegrees);

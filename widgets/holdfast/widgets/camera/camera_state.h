@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The camera of a renderer: its first place, its state in sessions, and its motion by the mouse.
 
 #include <holdfast/base/types.h>

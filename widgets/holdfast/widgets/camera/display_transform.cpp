@@ -1,10 +1,16 @@
 #include "holdfast/widgets/camera/display_transform.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <vtkCamera.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkRenderer.h>
+
+#include <holdfast/geometry/degree.h>
 
 namespace holdfast {
 namespace {
@@ -75,9 +81,7 @@ Ray DisplayTransform::rayTo(const Vector3& place) const
 
 RayReach DisplayTransform::reachOf(double pixels) const
 {
-  // Seen at depth 1 or, for parallel projection, at any.
-  const DisplayPoint pixelsOfUnit = 0.5 * project_.diagonal().head<2>().cwiseAbs().cwiseProduct(size_);
-  const double length = pixels / pixelsOfUnit.minCoeff();
+  const double length = pixels / pixelsOfUnit().minCoeff();
   return isParallel() ? RayReach{length, 0} : RayReach{0, length};
 }
 
@@ -85,6 +89,38 @@ bool DisplayTransform::isInside(const DisplayPoint& point) const
 {
   const DisplayPoint inside = point - origin_;
   return (inside.array() >= 0).all() && (inside.array() <= size_.array()).all();
+}
+
+double DisplayTransform::worldPerPixel(const Vector3& place) const
+{
+  return std::max(0.0, show(place).size) / pixelsOfUnit().y();
+}
+
+Vector3 DisplayTransform::sightOf(const Vector3& place) const
+{
+  return isParallel() ? direction() : Vector3((place - eye()).normalized());
+}
+
+std::optional<DisplayPoint> toDisplay(const DisplayTransform& view, const Vector3& place)
+{
+  const DisplayTransform::Shown shown = view.show(place);
+  return shown.size > 0 ? std::optional(shown.point) : std::nullopt;
+}
+
+double degreesSeen(const DisplayTransform& view, const Vector3& center, const Vector3& from, const Vector3& to,
+                   double near)
+{
+  // Pixels: nearer to the center a place has no direction from it.
+  constexpr double kNoDirection = 1;
+  const auto middle = toDisplay(view, center);
+  const auto first = toDisplay(view, from);
+  const auto last = toDisplay(view, to);
+  if (!middle || !first || !last) return near;
+  const DisplayPoint a = *first - *middle;
+  const DisplayPoint b = *last - *middle;
+  if (!(a.norm() > kNoDirection && b.norm() > kNoDirection)) return near;
+  const double degrees = std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)) / kDegree;
+  return degrees + 360 * std::round((near - degrees) / 360);
 }
 
 }  // namespace holdfast

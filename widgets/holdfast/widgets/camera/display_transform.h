@@ -1,6 +1,7 @@
 #pragma once
-/// \file
 /// Between places of the model and places on the screen.
+
+#include <optional>
 
 #include <Eigen/Core>
 
@@ -32,8 +33,17 @@ using DisplayPoint = Eigen::Vector2d;
 /// clip is shown too: clipping follows the model only when a picture is drawn.
 class DisplayTransform {
  public:
+  DisplayTransform() = default;
   /// The renderer belongs to a window of known size.
   explicit DisplayTransform(vtkRenderer& renderer);
+
+  [[nodiscard]] bool isParallel() const { return project_.row(3).head<3>().isZero(0); }
+  [[nodiscard]] Vector3 eye() const { return fromView_.topRightCorner<3, 1>(); }
+  // Directions of unit length.
+  [[nodiscard]] Vector3 right() const { return toView_.row(0).head<3>(); }
+  [[nodiscard]] Vector3 up() const { return toView_.row(1).head<3>(); }
+  /// Into the picture.
+  [[nodiscard]] Vector3 direction() const { return -toView_.row(2).head<3>(); }
 
   /// A place as it is shown.
   struct Shown {
@@ -55,15 +65,34 @@ class DisplayTransform {
   /// Whether the point lies in the part of the window that the renderer draws to.
   [[nodiscard]] bool isInside(const DisplayPoint& point) const;
 
- private:
-  [[nodiscard]] bool isParallel() const { return project_.row(3).head<3>().isZero(0); }
+  /// How long a pixel is at `place`, across the view, in model units; 0 for places that are not in front of the eye.
+  [[nodiscard]] double worldPerPixel(const Vector3& place) const;
 
-  DisplayPoint origin_;  // lower left corner of the renderer's part of the window
-  DisplayPoint size_;    // of that part
-  Eigen::Matrix4d toView_;
-  Eigen::Matrix4d fromView_;
-  Eigen::Matrix4d project_;
-  Eigen::Matrix4d unproject_;
+  /// The unit direction in which `place` is seen.
+  [[nodiscard]] Vector3 sightOf(const Vector3& place) const;
+
+ private:
+  /// Seen at depth 1 or, for parallel projection, at any.
+  [[nodiscard]] DisplayPoint pixelsOfUnit() const
+  {
+    return 0.5 * project_.diagonal().head<2>().cwiseAbs().cwiseProduct(size_);
+  }
+
+  DisplayPoint origin_{0, 0};  // lower left corner of the renderer's part of the window
+  DisplayPoint size_{1, 1};    // of that part
+  Eigen::Matrix4d toView_ = Eigen::Matrix4d::Identity();
+  Eigen::Matrix4d fromView_ = Eigen::Matrix4d::Identity();
+  Eigen::Matrix4d project_ = Eigen::Matrix4d::Identity();
+  Eigen::Matrix4d unproject_ = Eigen::Matrix4d::Identity();
 };
+
+/// Where a place appears; none for places that are not in front of the eye.
+[[nodiscard]] std::optional<DisplayPoint> toDisplay(const DisplayTransform& view, const Vector3& place);
+
+/// The angle on the display between the directions from `center` to `from` and to `to`, degrees counterclockwise, about
+/// the viewing axis towards the eye. It is the angle nearest to `near` among those that differ by whole turns; `near`
+/// where one of the three is not in front of the eye, or appears where the center does. Places in model units.
+[[nodiscard]] double degreesSeen(const DisplayTransform& view, const Vector3& center, const Vector3& from,
+                                 const Vector3& to, double near);
 
 }  // namespace holdfast

@@ -6,6 +6,7 @@
 #include <span>
 
 #include <vtkLookupTable.h>
+#include <vtkMath.h>
 
 namespace holdfast {
 namespace {
@@ -70,33 +71,6 @@ std::span<const LabColor> pointsOf(ColorMap map)
 // Finer than the 256 levels of a channel anywhere along the map.
 constexpr int kTableColors = 1024;
 
-// White of D65, and the two ends of the linear part of Lab's cube root.
-constexpr double kWhiteX = 0.95047;
-constexpr double kWhiteZ = 1.08883;
-constexpr double kKnee = 6.0 / 29;
-
-double toGamma(double light)
-{
-  const double channel = light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
-  return std::clamp(channel, 0.0, 1.0);
-}
-
-double labCube(double t)
-{
-  return t > kKnee ? t * t * t : 3 * kKnee * kKnee * (t - 4.0 / 29);
-}
-
-Color toColor(const LabColor& lab)
-{
-  const double root = (lab.lightness + 16) / 116;
-  const double x = kWhiteX * labCube(root + lab.a / 500);
-  const double y = labCube(root);
-  const double z = kWhiteZ * labCube(root - lab.b / 200);
-  return {toGamma(3.2404542 * x - 1.5371385 * y - 0.4985314 * z),
-          toGamma(-0.9692660 * x + 1.8760108 * y + 0.0415560 * z),
-          toGamma(0.0556434 * x - 0.2040259 * y + 1.0572252 * z)};
-}
-
 }  // namespace
 
 Color mapColor(double share, ColorMap map)
@@ -108,7 +82,10 @@ Color mapColor(double share, ColorMap map)
   const double t = place - static_cast<double>(leg);
   const LabColor& p = points[leg];
   const LabColor& q = points[leg + 1];
-  return toColor({std::lerp(p.lightness, q.lightness, t), std::lerp(p.a, q.a, t), std::lerp(p.b, q.b, t)});
+  Color color;
+  vtkMath::LabToRGB(std::lerp(p.lightness, q.lightness, t), std::lerp(p.a, q.a, t), std::lerp(p.b, q.b, t), &color.red,
+                    &color.green, &color.blue);
+  return color;
 }
 
 double shareOf(const ColorScale& scale, double value)

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The colours of numbers: maps along which equal steps look equal, and scales that place values on them.
 
 #include <optional>

@@ -74,22 +74,27 @@ Coloring residualColoring(const Model& model, const DeformResult& deformation, c
   return {std::move(field.values), std::move(scale)};
 }
 
+/// From 0 to the largest value.
+Coloring linearColoring(const std::string& title, std::vector<double> values)
+{
+  ColorScale scale = linearScale(title, largestOf(values));
+  return {std::move(values), std::move(scale)};
+}
+
 Coloring rotationColoring(const Model& model, const DeformResult& deformation)
 {
   std::vector<double> lengths;
-  lengths.reserve(model.solverMesh.weld.unknownOf.size());
   for (const Index unknown : model.solverMesh.weld.unknownOf)
     lengths.push_back(deformation.rotations.row(unknown).norm());
-  ColorScale scale = linearScale(inUnits("rotation |q|", "rad"), largestOf(lengths));
-  return {std::move(lengths), std::move(scale)};
+  return linearColoring(inUnits("rotation |q|", "rad"), std::move(lengths));
 }
 
 Coloring angleColoring(const Model& model, const DeformResult& deformation)
 {
-  Field field = fieldOf(model, deformation, FieldKind::RotationAngleDegrees);
-  ColorScale scale = linearScale(inUnits("rotation angle", "degrees"), largestOf(field.values));
-  scale.steps = TickSteps::Degrees;
-  return {std::move(field.values), std::move(scale)};
+  Coloring coloring = linearColoring(inUnits("rotation angle", "degrees"),
+                                     fieldOf(model, deformation, FieldKind::RotationAngleDegrees).values);
+  coloring.scale.steps = TickSteps::Degrees;
+  return coloring;
 }
 
 /// Lengths of Lagrange multipliers have no units.
@@ -106,11 +111,9 @@ Coloring forceColoring(const Model& model, const DeformResult& deformation)
 Coloring displacementColoring(const Model& model, const DeformResult& deformation, const std::string& units)
 {
   std::vector<double> lengths;
-  lengths.reserve(static_cast<std::size_t>(deformation.positions.rows()));
   for (Index v = 0; v < deformation.positions.rows(); ++v)
     lengths.push_back((deformation.positions.row(v) - model.mesh.positions.row(v)).stableNorm());
-  ColorScale scale = linearScale(inUnits("displacement", units), largestOf(lengths));
-  return {std::move(lengths), std::move(scale)};
+  return linearColoring(inUnits("displacement", units), std::move(lengths));
 }
 
 Coloring detailColoring(const Model& model, const DeformResult& deformation, const std::string& units)
@@ -125,50 +128,6 @@ Coloring detailColoring(const Model& model, const DeformResult& deformation, con
   const double high = quantile(std::move(free), kDetailShare);
   return {std::move(field.values), linearScale(inUnits("detail residual", unit), high)};
 }
-
-struct RangeFault {
-  std::string operator()(AutomaticRange) const { return {}; }
-
-  std::string operator()(const FixedRange& range) const
-  {
-    if (!std::isfinite(range.low) || !std::isfinite(range.high) || !std::isfinite(range.high - range.low))
-      return "the ends of the range are not finite numbers; give two that are";
-    return range.low < range.high ? "" : "the range does not end above where it begins; give a larger end";
-  }
-
-  std::string operator()(const LogarithmicRange& range) const
-  {
-    return range.decades >= 1 ? "" : "the range has no decade; give one or more";
-  }
-};
-
-struct RangeSetter {
-  const std::vector<double>& values;
-  ColorScale& scale;
-
-  void operator()(AutomaticRange) const {}
-
-  void operator()(const FixedRange& range) const
-  {
-    scale.low = range.low;
-    scale.high = range.high;
-    if (range.low <= 0) scale.scaling = Scaling::Linear;
-  }
-
-  void operator()(const LogarithmicRange& range) const
-  {
-    double largest = 0;
-    for (const double value : values)
-      if (std::isfinite(value)) largest = std::max(largest, value);
-    if (largest == 0) return;
-    const double end = std::ceil(std::log10(largest));
-    const double low = std::pow(10, end - range.decades);
-    if (low == 0 || !std::isfinite(std::pow(10, end))) return;
-    scale.scaling = Scaling::Logarithmic;
-    scale.low = low;
-    scale.high = std::pow(10, end);
-  }
-};
 
 }  // namespace
 
@@ -208,13 +167,32 @@ std::optional<Coloring> coloringOf(const Model& model, const DeformResult& defor
 
 std::string whyNoRange(const ColorRange& range)
 {
-  return std::visit(RangeFault{}, range);
+  if (const auto* const decades = std::get_if<LogarithmicRange>(&range))
+    return decades->decades >= 1 ? "" : "the range has no decade; give one or more";
+  const auto* const fixed = std::get_if<FixedRange>(&range);
+  if (fixed == nullptr) return {};
+  if (!std::isfinite(fixed->low) || !std::isfinite(fixed->high) || !std::isfinite(fixed->high - fixed->low))
+    return "the ends of the range are not finite numbers; give two that are";
+  return fixed->low < fixed->high ? "" : "the range does not end above where it begins; give a larger end";
 }
 
 Coloring withRange(Coloring coloring, const ColorRange& range)
 {
   assert(whyNoRange(range).empty());
-  std::visit(RangeSetter{coloring.values, coloring.scale}, range);
+  ColorScale& scale = coloring.scale;
+  if (const auto* const fixed = std::get_if<FixedRange>(&range)) {
+    scale.low = fixed->low;
+    scale.high = fixed->high;
+    if (fixed->low <= 0) scale.scaling = Scaling::Linear;
+  } else if (const auto* const decades = std::get_if<LogarithmicRange>(&range)) {
+    const double end = std::ceil(std::log10(largestOf(coloring.values)));
+    const double low = std::pow(10, end - decades->decades);
+    const double high = std::pow(10, end);
+    if (!(low > 0) || !std::isfinite(high)) return coloring;
+    scale.scaling = Scaling::Logarithmic;
+    scale.low = low;
+    scale.high = high;
+  }
   return coloring;
 }
 

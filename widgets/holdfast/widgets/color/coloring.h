@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The fields that colour a surface: values, scale and range.
 
 #include <optional>

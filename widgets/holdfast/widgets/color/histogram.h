@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// How many values lie where: counts in bins whose ends are round numbers.
 
 #include <optional>

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The legend of a picture: a bar of colours with its title and numbers, and a key of the glyphs.
 
 #include <optional>

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Mesh files of every format that is known where VTK is: the core's and VTK's.
 
 #include <filesystem>

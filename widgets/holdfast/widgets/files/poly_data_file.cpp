@@ -112,54 +112,38 @@ void addFields(vtkDataSetAttributes& attributes, std::span<const Field> fields, 
   }
 }
 
-/// A stored normal that is out of date, by its tuple, with the vectors that it is normal to before and after.
-struct Outdated {
-  vtkIdType tuple = 0;
-  Vector3 rest;
-  Vector3 moved;
+/// What normals, of faces or of points, are normal to before and after a deformation, and whether they are out of date.
+struct NormalSides {
+  NormalSides(Index count) : rest(Positions::Zero(count, 3)), moved(rest), isOutdated(count, 0) {}
+
+  Positions rest;
+  Positions moved;
+  std::vector<char> isOutdated;
 };
 
-std::vector<Index> movedFaces(const Mesh& rest, const Positions& positions)
+NormalSides sidesOfFaces(const Mesh& rest, const Positions& positions)
 {
-  std::vector<Index> faces;
-  for (Index f = 0; f < rest.faces.size(); ++f)
-    for (const Index v : rest.faces[f])
-      if (positions.row(v) != rest.positions.row(v)) {
-        faces.push_back(f);
-        break;
-      }
-  return faces;
+  NormalSides sides(rest.faces.size());
+  for (Index f = 0; f < rest.faces.size(); ++f) {
+    const auto corners = rest.faces[f];
+    sides.rest.row(f) = areaVector(rest.positions, corners);
+    sides.moved.row(f) = areaVector(positions, corners);
+    sides.isOutdated[f] =
+        std::ranges::any_of(corners, [&](Index v) { return positions.row(v) != rest.positions.row(v); });
+  }
+  return sides;
 }
 
-/// In VTK the cells of a surface are numbered through: vertices, lines, polygons.
-std::vector<Outdated> outdatedFaces(const vtkIdType firstPolygon, const Mesh& rest, const Positions& positions)
+NormalSides sidesOfPoints(const Mesh& rest, const NormalSides& faces)
 {
-  std::vector<Outdated> outdated;
-  for (const Index f : movedFaces(rest, positions))
-    outdated.push_back(
-        {firstPolygon + f, areaVector(rest.positions, rest.faces[f]), areaVector(positions, rest.faces[f])});
-  return outdated;
-}
-
-std::vector<Outdated> outdatedPoints(const Mesh& rest, const Positions& positions)
-{
-  std::vector<char> isOutdated(rest.vertexCount(), 0);
-  for (const Index f : movedFaces(rest, positions))
-    for (const Index v : rest.faces[f]) isOutdated[v] = 1;
-
-  Positions before = Positions::Zero(rest.vertexCount(), 3);
-  Positions after = Positions::Zero(rest.vertexCount(), 3);
+  NormalSides sides(rest.vertexCount());
   for (Index f = 0; f < rest.faces.size(); ++f)
-    for (const Index v : rest.faces[f])
-      if (isOutdated[v]) {
-        before.row(v) += areaVector(rest.positions, rest.faces[f]);
-        after.row(v) += areaVector(positions, rest.faces[f]);
-      }
-
-  std::vector<Outdated> outdated;
-  for (Index v = 0; v < rest.vertexCount(); ++v)
-    if (isOutdated[v]) outdated.push_back({v, before.row(v), after.row(v)});
-  return outdated;
+    for (const Index v : rest.faces[f]) {
+      sides.rest.row(v) += faces.rest.row(f);
+      sides.moved.row(v) += faces.moved.row(f);
+      if (faces.isOutdated[f] != 0) sides.isOutdated[v] = 1;
+    }
+  return sides;
 }
 
 /// The array that holds normals: the one that the file declares as such, or the one that is called so.
@@ -170,20 +154,26 @@ vtkDataArray* storedNormals(vtkDataSetAttributes& attributes)
   return normals != nullptr && normals->GetNumberOfComponents() == 3 ? normals : nullptr;
 }
 
-/// A copy of `normals` with those that are outdated made anew; the original belongs to the file as it was read.
-vtkSmartPointer<vtkDataArray> refreshed(vtkDataArray& normals, const std::vector<Outdated>& outdated)
+/// Makes those anew that are out of date, in a copy: the original belongs to the file as it was read. The first one is
+/// tuple `first`. Returns how many.
+std::ptrdiff_t refresh(vtkDataSetAttributes& attributes, const NormalSides& sides, vtkIdType first)
 {
-  auto result = vtkSmartPointer<vtkDataArray>::Take(normals.NewInstance());
+  const std::ptrdiff_t count = std::ranges::count(sides.isOutdated, 1);
+  if (count == 0) return 0;
+  vtkDataArray& normals = *storedNormals(attributes);
+  const auto result = vtkSmartPointer<vtkDataArray>::Take(normals.NewInstance());
   result->DeepCopy(&normals);
-  for (const Outdated& entry : outdated) {
+  for (Index k = 0; k < sides.rest.rows(); ++k) {
+    if (sides.isOutdated[k] == 0) continue;
     Vector3 stored;
-    result->GetTuple(entry.tuple, stored.data());
-    const double side = stored.dot(entry.rest) < 0 ? -1 : 1;
-    const Vector3 normal = side * entry.moved.normalized();
-    result->SetTuple(entry.tuple, normal.data());
+    result->GetTuple(first + k, stored.data());
+    const double side = stored.dot(sides.rest.row(k)) < 0 ? -1 : 1;
+    const Vector3 normal = side * sides.moved.row(k).normalized().transpose();
+    result->SetTuple(first + k, normal.data());
   }
   result->Modified();
-  return result;
+  attributes.AddArray(result);
+  return count;
 }
 
 }  // namespace
@@ -228,18 +218,18 @@ Serialized fieldsToVtp(const Mesh& mesh, const Positions& positions, std::span<c
 
 std::vector<std::string> refreshNormals(vtkPolyData& polyData, const Mesh& rest, const Positions& positions)
 {
+  vtkDataSetAttributes* const ofPoints = polyData.GetPointData();
+  vtkDataSetAttributes* const ofCells = polyData.GetCellData();
+  if (storedNormals(*ofPoints) == nullptr && storedNormals(*ofCells) == nullptr) return {};
   std::vector<std::string> notes;
-  const auto refresh = [&](vtkDataSetAttributes& attributes, const std::vector<Outdated>& outdated, const char* where) {
-    vtkDataArray* normals = storedNormals(attributes);
-    if (normals == nullptr || outdated.empty()) return;
-    attributes.AddArray(refreshed(*normals, outdated));
-    notes.push_back(std::to_string(outdated.size()) + " normals of " + where + " recomputed");
+  const auto note = [&](std::ptrdiff_t count, const char* where) {
+    if (count > 0) notes.push_back(fmt::format("{} normals of {} recomputed", count, where));
   };
-  if (storedNormals(*polyData.GetPointData()) != nullptr)
-    refresh(*polyData.GetPointData(), outdatedPoints(rest, positions), "points");
+  const NormalSides faces = sidesOfFaces(rest, positions);
+  if (storedNormals(*ofPoints) != nullptr) note(refresh(*ofPoints, sidesOfPoints(rest, faces), 0), "points");
+  // In VTK the cells of a surface are numbered through: vertices, lines, polygons.
   const vtkIdType firstPolygon = polyData.GetNumberOfVerts() + polyData.GetNumberOfLines();
-  if (storedNormals(*polyData.GetCellData()) != nullptr)
-    refresh(*polyData.GetCellData(), outdatedFaces(firstPolygon, rest, positions), "faces");
+  if (storedNormals(*ofCells) != nullptr) note(refresh(*ofCells, faces, firstPolygon), "faces");
   return notes;
 }
 

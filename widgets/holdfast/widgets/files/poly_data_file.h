@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Surfaces of VTK as files: XML PolyData (.vtp) in and out, legacy PolyData (.vtk) out. Doubles keep every bit.
 
 #include <filesystem>

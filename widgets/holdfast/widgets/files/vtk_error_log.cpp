@@ -21,60 +21,43 @@ std::string reasonOf(std::string_view text)
 }
 
 /// VTK's console is one for the whole process: the first log silences it, the last one gives it back as it was.
-class SharedConsole {
- public:
-  void silence()
-  {
-    const std::lock_guard lock(mutex_);
-    if (silencers_++ > 0) return;
-    verbosity_ = vtkLogger::GetCurrentVerbosityCutoff();
-    displayMode_ = vtkOutputWindow::GetInstance()->GetDisplayMode();
-    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
-    vtkOutputWindow::GetInstance()->SetDisplayModeToNever();
-  }
-
-  void giveBack()
-  {
-    const std::lock_guard lock(mutex_);
-    if (--silencers_ > 0) return;
-    vtkLogger::SetStderrVerbosity(verbosity_);
-    vtkOutputWindow::GetInstance()->SetDisplayMode(displayMode_);
-  }
-
- private:
-  std::mutex mutex_;
-  int silencers_ = 0;
-  vtkLogger::Verbosity verbosity_ = vtkLogger::VERBOSITY_INFO;
-  int displayMode_ = vtkOutputWindow::DEFAULT;
+struct SharedConsole {
+  std::mutex mutex;
+  int silencers = 0;
+  vtkLogger::Verbosity verbosity = vtkLogger::VERBOSITY_INFO;
+  int displayMode = vtkOutputWindow::DEFAULT;
 };
 
-SharedConsole& console()
-{
-  static SharedConsole shared;
-  return shared;
-}
+constinit SharedConsole console;
 
 }  // namespace
 
-void VtkErrorLog::Observer::Execute(vtkObject* /*caller*/, unsigned long event, void* text)
+void VtkErrorLog::Observer::Execute(vtkObject* /*caller*/, unsigned long /*event*/, void* text)
 {
-  if (event == vtkCommand::ErrorEvent && first.empty()) first = reasonOf(static_cast<const char*>(text));
+  if (first.empty()) first = reasonOf(static_cast<const char*>(text));
 }
 
 VtkErrorLog::VtkErrorLog() : observer_(vtkSmartPointer<Observer>::New())
 {
-  console().silence();
+  const std::lock_guard lock(console.mutex);
+  if (console.silencers++ > 0) return;
+  console.verbosity = vtkLogger::GetCurrentVerbosityCutoff();
+  console.displayMode = vtkOutputWindow::GetInstance()->GetDisplayMode();
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+  vtkOutputWindow::GetInstance()->SetDisplayModeToNever();
 }
 
 VtkErrorLog::~VtkErrorLog()
 {
-  console().giveBack();
+  const std::lock_guard lock(console.mutex);
+  if (--console.silencers > 0) return;
+  vtkLogger::SetStderrVerbosity(console.verbosity);
+  vtkOutputWindow::GetInstance()->SetDisplayMode(console.displayMode);
 }
 
 void VtkErrorLog::watch(vtkObject& object)
 {
   object.AddObserver(vtkCommand::ErrorEvent, observer_);
-  object.AddObserver(vtkCommand::WarningEvent, observer_);
 }
 
 }  // namespace holdfast

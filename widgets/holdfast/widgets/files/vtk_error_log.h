@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Errors of VTK, kept instead of printed on the console.
 
 #include <string>

@@ -16,6 +16,7 @@
 #include <vtkDataCompressor.h>
 #include <vtkIdTypeArray.h>
 #include <vtkNew.h>
+#include <vtkObjectFactory.h>
 #include <vtkStringArray.h>
 #include <vtkXMLParser.h>
 
@@ -29,12 +30,7 @@ namespace {
 /// VTK's parser, by expat. It throws nothing, for what it would throw would pass through functions of C.
 class XmlTreeBuilder final : public vtkXMLParser {
  public:
-  static XmlTreeBuilder* New()
-  {
-    auto* const builder = new XmlTreeBuilder;
-    builder->InitializeObjectBase();
-    return builder;
-  }
+  static XmlTreeBuilder* New();
 
   [[nodiscard]] bool isTooDeep() const { return isTooDeep_; }
   [[nodiscard]] XmlElement takeRoot() { return std::move(top_.children.at(0)); }
@@ -50,7 +46,7 @@ class XmlTreeBuilder final : public vtkXMLParser {
     XmlElement& element = open_.back()->children.emplace_back();
     element.name = name;
     element.place = static_cast<std::size_t>(GetXMLByteIndex());
-    for (; *attributes != nullptr; attributes += 2) element.attributes.emplace_back(attributes[0], attributes[1]);
+    for (; *attributes != nullptr; attributes += 2) element.attributes.emplace(attributes[0], attributes[1]);
     // An element has no new siblings while it is open, so that it stays where it is.
     open_.push_back(&element);
   }
@@ -71,6 +67,8 @@ class XmlTreeBuilder final : public vtkXMLParser {
   std::vector<XmlElement*> open_;
   bool isTooDeep_ = false;
 };
+
+vtkStandardNewMacro(XmlTreeBuilder);
 
 constexpr std::string_view kXmlBlanks = " \t\r\n";
 
@@ -260,8 +258,7 @@ constexpr std::array<NumberType, 11> kNumberTypes{
 const NumberType& typeOf(const XmlElement& element)
 {
   const std::string_view name = element.attribute("type").value_or("");
-  const auto found =
-      std::find_if(kNumberTypes.begin(), kNumberTypes.end(), [&](const NumberType& type) { return type.name == name; });
+  const auto* const found = std::ranges::find(kNumberTypes, name, &NumberType::name);
   if (found == kNumberTypes.end())
     throw VtpFault(fmt::format("its type is '{}' and must be Float64, Float32, Int64, String or the like", name));
   return *found;
@@ -310,16 +307,13 @@ vtkSmartPointer<vtkAbstractArray> numbersOf(std::string_view data, const NumberT
 
 std::optional<std::string_view> XmlElement::attribute(std::string_view wanted) const
 {
-  const auto found =
-      std::find_if(attributes.begin(), attributes.end(), [&](const auto& entry) { return entry.first == wanted; });
-  if (found == attributes.end()) return std::nullopt;
-  return found->second;
+  const auto found = attributes.find(wanted);
+  return found == attributes.end() ? std::nullopt : std::optional<std::string_view>(found->second);
 }
 
 const XmlElement* XmlElement::child(std::string_view wanted) const
 {
-  const auto found =
-      std::find_if(children.begin(), children.end(), [&](const XmlElement& child) { return child.name == wanted; });
+  const auto found = std::ranges::find(children, wanted, &XmlElement::name);
   return found == children.end() ? nullptr : &*found;
 }
 

@@ -1,12 +1,12 @@
 #pragma once
-/// \file
 /// XML files of VTK: their elements, and the numbers of an array as text, in base64 or as raw bytes, compressed or not.
 
+#include <functional>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include <vtkSmartPointer.h>
@@ -23,7 +23,7 @@ namespace holdfast {
 struct XmlElement {
   std::string name;
   std::size_t place = 0;  ///< byte of the text where it begins
-  std::vector<std::pair<std::string, std::string>> attributes;
+  std::map<std::string, std::string, std::less<>> attributes;
   std::string text;  ///< between its tags, without that of its children
   std::vector<XmlElement> children;
 

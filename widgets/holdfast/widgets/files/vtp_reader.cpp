@@ -68,196 +68,182 @@ class VtpReader {
  public:
   VtpReader(const std::string& bytes, const std::string& file) : bytes_(bytes), file_(file), parts_(partsOf(bytes)) {}
 
-  [[nodiscard]] VtpContents read();
+  [[nodiscard]] VtpContents read()
+  {
+    const XmlElement root = parseXml(parts_.markup, file_);
+    readEncoding(root);
+    const XmlElement* const surface = root.child("PolyData");
+    if (surface == nullptr) fail(root, "there is no PolyData in it");
+    if (surface->attribute("TimeValues"))
+      throw InputError({file_, 0, ""}, "it holds several steps of time; write one of them to a file of its own");
+    std::vector<vtkSmartPointer<vtkPolyData>> pieces;
+    for (const XmlElement& child : surface->children)
+      if (child.name == "Piece") pieces.push_back(readPiece(child));
+    auto polyData = joined(pieces);
+    readFields(*surface, "FieldData", std::nullopt, *polyData->GetFieldData());
+    VtpContents contents{polyData, {}};
+    addLostKeys(*surface, contents.lostKeys);
+    return contents;
+  }
 
  private:
-  void readEncoding(const XmlElement& root);
-  [[nodiscard]] vtkSmartPointer<vtkPolyData> readPiece(const XmlElement& piece) const;
-  [[nodiscard]] vtkSmartPointer<vtkPoints> readPoints(const XmlElement& piece) const;
-  [[nodiscard]] vtkSmartPointer<vtkCellArray> readCells(const XmlElement& piece, const char* kind) const;
-  [[nodiscard]] vtkSmartPointer<vtkTypeInt64Array> readIds(const XmlElement& cells, std::string_view name) const;
-  void readFields(const XmlElement& parent, const char* name, std::optional<Index> tuples, vtkFieldData& fields) const;
+  void readEncoding(const XmlElement& root)
+  {
+    if (root.name != "VTKFile" || root.attribute("type") != "PolyData")
+      throw InputError({file_, 0, ""}, "this is no PolyData file of VTK's; extract the surface of its data first");
+    const auto order = root.attribute("byte_order").value_or("LittleEndian");
+    const auto header = root.attribute("header_type").value_or("UInt32");
+    const auto compressor = root.attribute("compressor").value_or("");
+    if (order != "LittleEndian" && order != "BigEndian") fail(root, fmt::format("byte_order '{}' is not known", order));
+    if (header != "UInt32" && header != "UInt64") fail(root, fmt::format("header_type '{}' is not known", header));
+    encoding_.order = order == "BigEndian" ? ByteOrder::kBig : ByteOrder::kLittle;
+    encoding_.hasLongHeaders = header == "UInt64";
+    if (compressor == "vtkZLibDataCompressor")
+      encoding_.compressor = vtkSmartPointer<vtkZLibDataCompressor>::New();
+    else if (compressor == "vtkLZ4DataCompressor")
+      encoding_.compressor = vtkSmartPointer<vtkLZ4DataCompressor>::New();
+    else if (compressor == "vtkLZMADataCompressor")
+      encoding_.compressor = vtkSmartPointer<vtkLZMADataCompressor>::New();
+    else if (!compressor.empty())
+      fail(root, fmt::format("compressor '{}' is not known", compressor));
+    encoding_.appended = parts_.appended;
+    if (const XmlElement* const appended = root.child("AppendedData"))
+      encoding_.isAppendedBase64 = appended->attribute("encoding") == "base64";
+  }
+
+  [[nodiscard]] vtkSmartPointer<vtkPolyData> readPiece(const XmlElement& piece) const
+  {
+    auto polyData = vtkSmartPointer<vtkPolyData>::New();
+    polyData->SetPoints(readPoints(piece));
+    polyData->SetVerts(readCells(piece, "Verts"));
+    polyData->SetLines(readCells(piece, "Lines"));
+    polyData->SetStrips(readCells(piece, "Strips"));
+    polyData->SetPolys(readCells(piece, "Polys"));
+    requireSoundCells(*polyData, file_);
+    readFields(piece, "PointData", polyData->GetNumberOfPoints(), *polyData->GetPointData());
+    readFields(piece, "CellData", polyData->GetNumberOfCells(), *polyData->GetCellData());
+    return polyData;
+  }
+
+  [[nodiscard]] vtkSmartPointer<vtkPoints> readPoints(const XmlElement& piece) const
+  {
+    auto points = vtkSmartPointer<vtkPoints>::New();
+    const Index number = count(piece, "Points");
+    if (number == 0) return points;
+    const XmlElement* const element = piece.child("Points");
+    if (element == nullptr || element->children.size() != 1) fail(piece, "its Points must hold one array");
+    const auto array = readArray(element->children[0], number);
+    auto* const coordinates = vtkDataArray::SafeDownCast(array);
+    if (coordinates == nullptr || coordinates->GetNumberOfComponents() != 3)
+      fail(element->children[0], "points must have three coordinates each");
+    points->SetData(coordinates);
+    return points;
+  }
+
+  /// A file has the offset at which each cell ends; VTK also needs 0 before them.
+  [[nodiscard]] vtkSmartPointer<vtkCellArray> readCells(const XmlElement& piece, const char* kind) const
+  {
+    auto cells = vtkSmartPointer<vtkCellArray>::New();
+    const Index number = count(piece, kind);
+    if (number == 0) return cells;
+    const XmlElement* const element = piece.child(kind);
+    if (element == nullptr) fail(piece, fmt::format("there are no {}", kind));
+    const auto ends = readIds(*element, "offsets");
+    const auto corners = readIds(*element, "connectivity");
+    if (ends->GetNumberOfValues() != number)
+      fail(*element, fmt::format("{} offsets for {} cells", ends->GetNumberOfValues(), number));
+    if (ends->GetValue(number - 1) != corners->GetNumberOfValues())
+      fail(*element, fmt::format("the last offset is {}, and there are {} corners", ends->GetValue(number - 1),
+                                 corners->GetNumberOfValues()));
+    vtkNew<vtkTypeInt64Array> offsets;
+    offsets->SetNumberOfValues(number + 1);
+    offsets->SetValue(0, 0);
+    for (Index k = 0; k < number; ++k) offsets->SetValue(k + 1, ends->GetValue(k));
+    cells->SetData(offsets, corners);
+    return cells;
+  }
+
+  [[nodiscard]] vtkSmartPointer<vtkTypeInt64Array> readIds(const XmlElement& cells, std::string_view name) const
+  {
+    const auto found =
+        std::ranges::find_if(cells.children, [&](const XmlElement& child) { return child.attribute("Name") == name; });
+    if (found == cells.children.end()) fail(cells, fmt::format("there is no array \"{}\"", name));
+    const auto array = readArray(*found, std::nullopt);
+    auto* const numbers = vtkDataArray::SafeDownCast(array);
+    if (numbers == nullptr || numbers->GetNumberOfComponents() != 1)
+      fail(*found, fmt::format("\"{}\" must be whole numbers", name));
+    auto ids = vtkSmartPointer<vtkTypeInt64Array>::New();
+    ids->DeepCopy(numbers);
+    return ids;
+  }
+
+  /// `tuples`: of each array; what the file says where that is not given.
+  void readFields(const XmlElement& parent, const char* name, std::optional<Index> tuples, vtkFieldData& fields) const
+  {
+    const XmlElement* const element = parent.child(name);
+    if (element == nullptr) return;
+    for (const XmlElement& child : element->children) {
+      if (child.name != "DataArray" && child.name != "Array") fail(child, "this is no array");
+      const auto array = readArray(child, tuples);
+      if (array->GetName() == nullptr) fail(child, "this array has no Name");
+      if (fields.GetAbstractArray(array->GetName()) != nullptr)
+        fail(child, fmt::format("two arrays have the name \"{}\"", array->GetName()));
+      fields.AddArray(array);
+    }
+    if (auto* const attributes = vtkDataSetAttributes::SafeDownCast(&fields)) setActive(*element, *attributes);
+  }
+
   [[nodiscard]] vtkSmartPointer<vtkAbstractArray> readArray(const XmlElement& element,
-                                                            std::optional<Index> tuples) const;
-  [[nodiscard]] Index count(const XmlElement& piece, const std::string& kind) const;
-  [[nodiscard]] vtkSmartPointer<vtkPolyData> joined(const std::vector<vtkSmartPointer<vtkPolyData>>& pieces) const;
-  [[noreturn]] void fail(const XmlElement& element, const std::string& reason) const;
+                                                            std::optional<Index> tuples) const
+  {
+    try {
+      auto array = readVtpArray(element, encoding_);
+      const Index held = array->GetNumberOfTuples();
+      const Index needed = tuples ? *tuples : wholeAttribute(element, "NumberOfTuples", held);
+      if (held != needed) throw VtpFault(fmt::format("it has {} tuples where {} must be", held, needed));
+      return array;
+    } catch (const VtpFault& fault) {
+      const auto name = element.attribute("Name");
+      fail(element, name ? fmt::format("\"{}\": {}", *name, fault.what()) : fault.what());
+    }
+  }
+
+  [[nodiscard]] Index count(const XmlElement& piece, const std::string& kind) const
+  {
+    try {
+      return wholeAttribute(piece, "NumberOf" + kind, 0);
+    } catch (const VtpFault& fault) {
+      fail(piece, fault.what());
+    }
+  }
+
+  [[nodiscard]] vtkSmartPointer<vtkPolyData> joined(const std::vector<vtkSmartPointer<vtkPolyData>>& pieces) const
+  {
+    if (pieces.empty()) return vtkSmartPointer<vtkPolyData>::New();
+    if (pieces.size() == 1) return pieces.front();
+    vtkNew<vtkAppendPolyData> append;
+    for (const auto& piece : pieces) append->AddInputData(piece);
+    append->Update();
+    vtkPolyData* const whole = append->GetOutput();
+    for (const auto& piece : pieces)
+      if (piece->GetPointData()->GetNumberOfArrays() != whole->GetPointData()->GetNumberOfArrays() ||
+          piece->GetCellData()->GetNumberOfArrays() != whole->GetCellData()->GetNumberOfArrays())
+        throw InputError({file_, 0, ""}, "its pieces have different arrays; join them into one piece first");
+    return whole;
+  }
+
+  [[noreturn]] void fail(const XmlElement& element, const std::string& reason) const
+  {
+    const std::string_view before = std::string_view(bytes_).substr(0, element.place);
+    throw InputError({file_, std::count(before.begin(), before.end(), '\n') + 1, element.name},
+                     reason + "; the file is damaged, write it anew");
+  }
 
   const std::string& bytes_;
   const std::string& file_;
   Parts parts_;
   VtpEncoding encoding_;
 };
-
-void VtpReader::fail(const XmlElement& element, const std::string& reason) const
-{
-  const std::string_view before = std::string_view(bytes_).substr(0, element.place);
-  throw InputError({file_, std::count(before.begin(), before.end(), '\n') + 1, element.name},
-                   reason + "; the file is damaged, write it anew");
-}
-
-VtpContents VtpReader::read()
-{
-  const XmlElement root = parseXml(parts_.markup, file_);
-  readEncoding(root);
-  const XmlElement* const surface = root.child("PolyData");
-  if (surface == nullptr) fail(root, "there is no PolyData in it");
-  if (surface->attribute("TimeValues"))
-    throw InputError({file_, 0, ""}, "it holds several steps of time; write one of them to a file of its own");
-  std::vector<vtkSmartPointer<vtkPolyData>> pieces;
-  for (const XmlElement& child : surface->children)
-    if (child.name == "Piece") pieces.push_back(readPiece(child));
-  auto polyData = joined(pieces);
-  readFields(*surface, "FieldData", std::nullopt, *polyData->GetFieldData());
-  VtpContents contents{polyData, {}};
-  addLostKeys(*surface, contents.lostKeys);
-  return contents;
-}
-
-void VtpReader::readEncoding(const XmlElement& root)
-{
-  if (root.name != "VTKFile" || root.attribute("type") != "PolyData")
-    throw InputError({file_, 0, ""}, "this is no PolyData file of VTK's; extract the surface of its data first");
-  const auto order = root.attribute("byte_order").value_or("LittleEndian");
-  const auto header = root.attribute("header_type").value_or("UInt32");
-  const auto compressor = root.attribute("compressor").value_or("");
-  if (order != "LittleEndian" && order != "BigEndian") fail(root, fmt::format("byte_order '{}' is not known", order));
-  if (header != "UInt32" && header != "UInt64") fail(root, fmt::format("header_type '{}' is not known", header));
-  encoding_.order = order == "BigEndian" ? ByteOrder::kBig : ByteOrder::kLittle;
-  encoding_.hasLongHeaders = header == "UInt64";
-  if (compressor == "vtkZLibDataCompressor")
-    encoding_.compressor = vtkSmartPointer<vtkZLibDataCompressor>::New();
-  else if (compressor == "vtkLZ4DataCompressor")
-    encoding_.compressor = vtkSmartPointer<vtkLZ4DataCompressor>::New();
-  else if (compressor == "vtkLZMADataCompressor")
-    encoding_.compressor = vtkSmartPointer<vtkLZMADataCompressor>::New();
-  else if (!compressor.empty())
-    fail(root, fmt::format("compressor '{}' is not known", compressor));
-  encoding_.appended = parts_.appended;
-  if (const XmlElement* const appended = root.child("AppendedData"))
-    encoding_.isAppendedBase64 = appended->attribute("encoding") == "base64";
-}
-
-Index VtpReader::count(const XmlElement& piece, const std::string& kind) const
-{
-  try {
-    return wholeAttribute(piece, "NumberOf" + kind, 0);
-  } catch (const VtpFault& fault) {
-    fail(piece, fault.what());
-  }
-}
-
-vtkSmartPointer<vtkAbstractArray> VtpReader::readArray(const XmlElement& element, std::optional<Index> tuples) const
-{
-  try {
-    auto array = readVtpArray(element, encoding_);
-    const Index held = array->GetNumberOfTuples();
-    const Index needed = tuples ? *tuples : wholeAttribute(element, "NumberOfTuples", held);
-    if (held != needed) throw VtpFault(fmt::format("it has {} tuples where {} must be", held, needed));
-    return array;
-  } catch (const VtpFault& fault) {
-    const auto name = element.attribute("Name");
-    fail(element, name ? fmt::format("\"{}\": {}", *name, fault.what()) : fault.what());
-  }
-}
-
-vtkSmartPointer<vtkPolyData> VtpReader::readPiece(const XmlElement& piece) const
-{
-  auto polyData = vtkSmartPointer<vtkPolyData>::New();
-  polyData->SetPoints(readPoints(piece));
-  polyData->SetVerts(readCells(piece, "Verts"));
-  polyData->SetLines(readCells(piece, "Lines"));
-  polyData->SetStrips(readCells(piece, "Strips"));
-  polyData->SetPolys(readCells(piece, "Polys"));
-  requireSoundCells(*polyData, file_);
-  readFields(piece, "PointData", polyData->GetNumberOfPoints(), *polyData->GetPointData());
-  readFields(piece, "CellData", polyData->GetNumberOfCells(), *polyData->GetCellData());
-  return polyData;
-}
-
-vtkSmartPointer<vtkPoints> VtpReader::readPoints(const XmlElement& piece) const
-{
-  auto points = vtkSmartPointer<vtkPoints>::New();
-  const Index number = count(piece, "Points");
-  if (number == 0) return points;
-  const XmlElement* const element = piece.child("Points");
-  if (element == nullptr || element->children.size() != 1) fail(piece, "its Points must hold one array");
-  const auto array = readArray(element->children[0], number);
-  auto* const coordinates = vtkDataArray::SafeDownCast(array);
-  if (coordinates == nullptr || coordinates->GetNumberOfComponents() != 3)
-    fail(element->children[0], "points must have three coordinates each");
-  points->SetData(coordinates);
-  return points;
-}
-
-vtkSmartPointer<vtkTypeInt64Array> VtpReader::readIds(const XmlElement& cells, std::string_view name) const
-{
-  const auto found = std::find_if(cells.children.begin(), cells.children.end(),
-                                  [&](const XmlElement& child) { return child.attribute("Name") == name; });
-  if (found == cells.children.end()) fail(cells, fmt::format("there is no array \"{}\"", name));
-  const auto array = readArray(*found, std::nullopt);
-  auto* const numbers = vtkDataArray::SafeDownCast(array);
-  if (numbers == nullptr || numbers->GetNumberOfComponents() != 1)
-    fail(*found, fmt::format("\"{}\" must be whole numbers", name));
-  auto ids = vtkSmartPointer<vtkTypeInt64Array>::New();
-  ids->DeepCopy(numbers);
-  return ids;
-}
-
-/// A file has the offset at which each cell ends; VTK also needs 0 before them.
-vtkSmartPointer<vtkCellArray> VtpReader::readCells(const XmlElement& piece, const char* kind) const
-{
-  auto cells = vtkSmartPointer<vtkCellArray>::New();
-  const Index number = count(piece, kind);
-  if (number == 0) return cells;
-  const XmlElement* const element = piece.child(kind);
-  if (element == nullptr) fail(piece, fmt::format("there are no {}", kind));
-  const auto ends = readIds(*element, "offsets");
-  const auto corners = readIds(*element, "connectivity");
-  if (ends->GetNumberOfValues() != number)
-    fail(*element, fmt::format("{} offsets for {} cells", ends->GetNumberOfValues(), number));
-  if (ends->GetValue(number - 1) != corners->GetNumberOfValues())
-    fail(*element, fmt::format("the last offset is {}, and there are {} corners", ends->GetValue(number - 1),
-                               corners->GetNumberOfValues()));
-  vtkNew<vtkTypeInt64Array> offsets;
-  offsets->SetNumberOfValues(number + 1);
-  offsets->SetValue(0, 0);
-  for (Index k = 0; k < number; ++k) offsets->SetValue(k + 1, ends->GetValue(k));
-  cells->SetData(offsets, corners);
-  return cells;
-}
-
-/// `tuples`: of each array; what the file says where that is not given.
-void VtpReader::readFields(const XmlElement& parent, const char* name, std::optional<Index> tuples,
-                           vtkFieldData& fields) const
-{
-  const XmlElement* const element = parent.child(name);
-  if (element == nullptr) return;
-  for (const XmlElement& child : element->children) {
-    if (child.name != "DataArray" && child.name != "Array") fail(child, "this is no array");
-    const auto array = readArray(child, tuples);
-    if (array->GetName() == nullptr) fail(child, "this array has no Name");
-    if (fields.GetAbstractArray(array->GetName()) != nullptr)
-      fail(child, fmt::format("two arrays have the name \"{}\"", array->GetName()));
-    fields.AddArray(array);
-  }
-  if (auto* const attributes = vtkDataSetAttributes::SafeDownCast(&fields)) setActive(*element, *attributes);
-}
-
-vtkSmartPointer<vtkPolyData> VtpReader::joined(const std::vector<vtkSmartPointer<vtkPolyData>>& pieces) const
-{
-  if (pieces.empty()) return vtkSmartPointer<vtkPolyData>::New();
-  if (pieces.size() == 1) return pieces.front();
-  vtkNew<vtkAppendPolyData> append;
-  for (const auto& piece : pieces) append->AddInputData(piece);
-  append->Update();
-  vtkPolyData* const whole = append->GetOutput();
-  for (const auto& piece : pieces)
-    if (piece->GetPointData()->GetNumberOfArrays() != whole->GetPointData()->GetNumberOfArrays() ||
-        piece->GetCellData()->GetNumberOfArrays() != whole->GetCellData()->GetNumberOfArrays())
-      throw InputError({file_, 0, ""}, "its pieces have different arrays; join them into one piece first");
-  return whole;
-}
 
 }  // namespace
 

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// XML PolyData (.vtp). A reader of our own over VTK's XML parser, because VTK's reader believes types, counts, offsets
 /// and sizes that a file states, and ends the program where they are wrong.
 

@@ -50,14 +50,22 @@ double plain(double value)
   return value == 0 ? 0 : value;
 }
 
-RoundStep stepFor(const ViewGeometry& view, const Vector3& place, std::initializer_list<Vector3> directions)
+RoundStep stepFor(const DisplayTransform& view, const Vector3& place, std::initializer_list<Vector3> directions)
 {
-  const double pixel = worldPerPixel(view, place);
+  const double pixel = view.worldPerPixel(place);
   if (!(pixel > kSmallestPixel && pixel < kLargestPixel)) return kAnyStep;
   double foreshortening = 1;
   for (const Vector3& direction : directions)
-    foreshortening = std::min(foreshortening, direction.cross(sightOf(view, place)).norm());
+    foreshortening = std::min(foreshortening, direction.cross(view.sightOf(place)).norm());
   return roundStepFrom(kSnapPixels * pixel / std::max(foreshortening, kLeastForeshortening));
+}
+
+/// With a direction of unit length.
+Ray sightThrough(const DisplayTransform& view, const DisplayPoint& point)
+{
+  Ray ray = view.rayThrough(point);
+  ray.direction.normalize();
+  return ray;
 }
 
 }  // namespace
@@ -98,16 +106,16 @@ RoundStep roundStepFrom(double least)
   return step;
 }
 
-GizmoDrag::GizmoDrag(GizmoPart part, const GizmoFrame& frame, const ViewGeometry& view, const DisplayPoint& start,
+GizmoDrag::GizmoDrag(GizmoPart part, const GizmoFrame& frame, const DisplayTransform& view, const DisplayPoint& start,
                      double ringPixels)
     : part_(part), frame_(frame), view_(view), ringPixels_(ringPixels)
 {
   assert(part != GizmoPart::None && ringPixels > 0);
   const int axis = axisIndexOf(part);
   if (axis < 0) {
-    first_ = view.right;
-    second_ = view.up;
-    normal_ = -view.direction;
+    first_ = view.right();
+    second_ = view.up();
+    normal_ = -view.direction();
   } else if (kindOf(part) == GizmoPartKind::Arrow) {
     first_ = second_ = normal_ = frame.axes.col(axis);
   } else {
@@ -116,7 +124,7 @@ GizmoDrag::GizmoDrag(GizmoPart part, const GizmoFrame& frame, const ViewGeometry
     normal_ = frame.axes.col(axis);
   }
   step_ = stepFor(view, frame.center, {first_, second_});
-  const Vector3 sight = sightOf(view, frame.center);
+  const Vector3 sight = view.sightOf(frame.center);
   isFlat_ = kindOf(part) == GizmoPartKind::Ring && std::abs(normal_.dot(sight)) < kFlatRing;
   if (isRotation(part_)) {
     const std::optional<double> degrees = isFlat_ ? std::nullopt : degreesAt(start);
@@ -128,7 +136,7 @@ GizmoDrag::GizmoDrag(GizmoPart part, const GizmoFrame& frame, const ViewGeometry
 }
 
 /// The parameter of the point on the arrow's line that is closest to the ray.
-std::optional<double> GizmoDrag::alongArrow(const ViewRay& ray) const
+std::optional<double> GizmoDrag::alongArrow(const Ray& ray) const
 {
   const Vector3 away = frame_.center - ray.origin;
   const double cosine = first_.dot(ray.direction);
@@ -136,31 +144,19 @@ std::optional<double> GizmoDrag::alongArrow(const ViewRay& ray) const
   if (!(sineSquared > kLeastSine * kLeastSine)) return std::nullopt;
   const double along = (cosine * ray.direction.dot(away) - first_.dot(away)) / sineSquared;
   const double onRay = ray.direction.dot(away) + along * cosine;
-  if (!view_.isParallel && !(onRay > 0)) return std::nullopt;
+  if (!view_.isParallel() && !(onRay > 0)) return std::nullopt;
   return along;
 }
 
 /// From the center to where the ray meets the plane.
-std::optional<Vector3> GizmoDrag::onPlane(const ViewRay& ray) const
+std::optional<Vector3> GizmoDrag::onPlane(const Ray& ray) const
 {
   const Vector3 away = frame_.center - ray.origin;
   const double sine = normal_.dot(ray.direction);
   if (!(std::abs(sine) > kLeastSine)) return std::nullopt;
   const double onRay = normal_.dot(away) / sine;
-  if (!view_.isParallel && !(onRay > 0)) return std::nullopt;
+  if (!view_.isParallel() && !(onRay > 0)) return std::nullopt;
   return Vector3(onRay * ray.direction - away);
-}
-
-std::optional<Eigen::Vector2d> GizmoDrag::shiftAt(const DisplayPoint& point) const
-{
-  const ViewRay ray = rayThrough(view_, point);
-  if (kindOf(part_) == GizmoPartKind::Arrow) {
-    const std::optional<double> along = alongArrow(ray);
-    return along && std::isfinite(*along) ? std::optional(Eigen::Vector2d(*along, 0)) : std::nullopt;
-  }
-  const std::optional<Vector3> place = onPlane(ray);
-  return place && place->allFinite() ? std::optional(Eigen::Vector2d(place->dot(first_), place->dot(second_)))
-                                     : std::nullopt;
 }
 
 std::optional<double> GizmoDrag::degreesAt(const DisplayPoint& point) const
@@ -171,29 +167,38 @@ std::optional<double> GizmoDrag::degreesAt(const DisplayPoint& point) const
   if (isFlat_) {
     // The side that faces the eye goes with the cursor, like a wheel.
     const Vector3 tangent = normal_.cross(grabbed_);
-    return arm.dot(DisplayPoint(tangent.dot(view_.right), tangent.dot(view_.up)).normalized()) / ringPixels_ / kDegree;
+    return arm.dot(DisplayPoint(tangent.dot(view_.right()), tangent.dot(view_.up())).normalized()) / ringPixels_ /
+           kDegree;
   }
   if (!(arm.norm() > kNoDirectionPixels)) return std::nullopt;
   if (part_ == GizmoPart::ViewRing) return std::atan2(arm.y(), arm.x()) / kDegree;
-  const std::optional<Vector3> place = onPlane(rayThrough(view_, point));
+  const std::optional<Vector3> place = onPlane(sightThrough(view_, point));
   if (!place || !place->allFinite()) return std::nullopt;
   return std::atan2(place->dot(second_), place->dot(first_)) / kDegree;
 }
 
+/// Along both directions; of a rotation the degrees, and 0.
+std::optional<Eigen::Vector2d> GizmoDrag::amountAt(const DisplayPoint& point) const
+{
+  std::optional<Eigen::Vector2d> amount;
+  if (isRotation(part_)) {
+    if (const auto degrees = degreesAt(point)) amount.emplace(*degrees, 0);
+  } else if (kindOf(part_) == GizmoPartKind::Arrow) {
+    if (const auto along = alongArrow(sightThrough(view_, point))) amount.emplace(*along, 0);
+  } else if (const auto place = onPlane(sightThrough(view_, point))) {
+    amount.emplace(place->dot(first_), place->dot(second_));
+  }
+  return amount && amount->allFinite() ? amount : std::nullopt;
+}
+
 void GizmoDrag::follow(const DisplayPoint& point)
 {
-  if (isRotation(part_)) {
-    const std::optional<double> degrees = degreesAt(point);
-    if (!degrees) return;
-    if (!startDegrees_) startDegrees_ = degrees;
-    const double rotated = *degrees - *startDegrees_;
-    degrees_ = isFlat_ ? rotated : rotated + wholeTurns(degrees_ - rotated);
-  } else {
-    const std::optional<Eigen::Vector2d> shift = shiftAt(point);
-    if (!shift) return;
-    if (!startShift_) startShift_ = shift;
-    shift_ = *shift - *startShift_;
-  }
+  const std::optional<Eigen::Vector2d> amount = amountAt(point);
+  if (!amount) return;
+  if (!start_) start_ = amount;
+  const double before = amount_.x();
+  amount_ = *amount - *start_;
+  if (isRotation(part_) && !isFlat_) amount_.x() += wholeTurns(before - amount_.x());
 }
 
 GizmoMotion GizmoDrag::shifted(const Eigen::Vector2d& amounts) const
@@ -218,17 +223,17 @@ GizmoMotion GizmoDrag::to(const DisplayPoint& point, Snap snap)
 {
   follow(point);
   if (isRotation(part_))
-    return rotated(snap == Snap::On ? plain(kSnapDegrees * std::round(degrees_ / kSnapDegrees)) : degrees_);
-  if (snap == Snap::None) return shifted(shift_);
+    return rotated(snap == Snap::On ? plain(kSnapDegrees * std::round(amount_.x() / kSnapDegrees)) : amount_.x());
+  if (snap == Snap::None) return shifted(amount_);
   const auto snapped = [this](double amount) { return plain(step_.multiple(std::round(amount / step_.size()))); };
-  return shifted({snapped(shift_.x()), snapped(shift_.y())});
+  return shifted({snapped(amount_.x()), snapped(amount_.y())});
 }
 
 GizmoMotion GizmoDrag::typed(double amount) const
 {
   if (isRotation(part_)) return rotated(amount);
-  if (kindOf(part_) == GizmoPartKind::Arrow || shift_.isZero(0)) return shifted({amount, 0});
-  GizmoMotion motion = shifted(amount * shift_.normalized());
+  if (kindOf(part_) == GizmoPartKind::Arrow || amount_.isZero(0)) return shifted({amount, 0});
+  GizmoMotion motion = shifted(amount * amount_.normalized());
   motion.distance = std::abs(amount);
   return motion;
 }

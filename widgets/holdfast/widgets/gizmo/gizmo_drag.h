@@ -1,12 +1,11 @@
 #pragma once
-/// \file
 /// The meaning of the cursor, or of a typed number, while a part of the gizmo is held. Plain mathematics.
 
 #include <optional>
 #include <string>
 #include <string_view>
 
-#include <holdfast/widgets/camera/view_geometry.h>
+#include <holdfast/widgets/camera/display_transform.h>
 #include <holdfast/widgets/gizmo/gizmo_layout.h>
 
 namespace holdfast {
@@ -77,7 +76,7 @@ inline constexpr double kRingPixels = 70;
 class GizmoDrag {
  public:
   /// `part` is not `None`. `ringPixels`: how far the rings are from the center on the display.
-  GizmoDrag(GizmoPart part, const GizmoFrame& frame, const ViewGeometry& view, const DisplayPoint& start,
+  GizmoDrag(GizmoPart part, const GizmoFrame& frame, const DisplayTransform& view, const DisplayPoint& start,
             double ringPixels = kRingPixels);
 
   /// The motion with the cursor at `point`; remembers it. Angles follow the cursor over several turns.
@@ -98,17 +97,17 @@ class GizmoDrag {
   [[nodiscard]] const Vector3& grabbed() const noexcept { return grabbed_; }
 
  private:
-  [[nodiscard]] std::optional<Eigen::Vector2d> shiftAt(const DisplayPoint& point) const;
-  [[nodiscard]] std::optional<double> alongArrow(const ViewRay& ray) const;
-  [[nodiscard]] std::optional<Vector3> onPlane(const ViewRay& ray) const;
+  [[nodiscard]] std::optional<double> alongArrow(const Ray& ray) const;
+  [[nodiscard]] std::optional<Vector3> onPlane(const Ray& ray) const;
   [[nodiscard]] std::optional<double> degreesAt(const DisplayPoint& point) const;
+  [[nodiscard]] std::optional<Eigen::Vector2d> amountAt(const DisplayPoint& point) const;
   [[nodiscard]] GizmoMotion shifted(const Eigen::Vector2d& amounts) const;
   [[nodiscard]] GizmoMotion rotated(double degrees) const;
   void follow(const DisplayPoint& point);
 
   GizmoPart part_;
   GizmoFrame frame_;
-  ViewGeometry view_;
+  DisplayTransform view_;
   double ringPixels_;
   Vector3 first_;        // along an arrow; else both span the plane in which the part moves or rotates,
   Vector3 second_;       // for rings counterclockwise from `first_`
@@ -117,10 +116,8 @@ class GizmoDrag {
   RoundStep step_;
   Vector3 grabbed_ = Vector3::Zero();
 
-  std::optional<Eigen::Vector2d> startShift_;  // of the first cursor that said something
-  std::optional<double> startDegrees_;
-  Eigen::Vector2d shift_ = Eigen::Vector2d::Zero();  // so far, without snapping
-  double degrees_ = 0;
+  std::optional<Eigen::Vector2d> start_;              // of the first cursor that said something
+  Eigen::Vector2d amount_ = Eigen::Vector2d::Zero();  // so far, without snapping
 };
 
 /// The text behind the number of a motion: "°", " mm", or nothing where `units` is empty.

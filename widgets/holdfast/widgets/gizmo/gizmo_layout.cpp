@@ -45,7 +45,7 @@ double distanceToSegment(const DisplayPoint& point, const DisplayPoint& a, const
 
 /// Distances in pixels from one cursor.
 struct Distances {
-  const ViewGeometry& view;
+  const DisplayTransform& view;
   const GizmoPlacement& placement;
   const DisplayPoint& cursor;
   DisplayPoint center;
@@ -112,7 +112,7 @@ struct Distances {
   {
     const Vector3 u = Vector3::Unit((axis + 1) % 3);
     const Vector3 v = Vector3::Unit((axis + 2) % 3);
-    const Vector3 sight = sightOf(view, placement.frame.center);
+    const Vector3 sight = view.sightOf(placement.frame.center);
     const auto arm = [&](int k) {
       const double angle = 2 * std::numbers::pi * k / kSegments;
       return Vector3(std::cos(angle) * u + std::sin(angle) * v);
@@ -127,16 +127,16 @@ struct Distances {
 
 }  // namespace
 
-GizmoPlacement placementOf(const ViewGeometry& view, const GizmoFrame& frame, double pixels)
+GizmoPlacement placementOf(const DisplayTransform& view, const GizmoFrame& frame, double pixels)
 {
-  return {frame, pixels * worldPerPixel(view, frame.center)};
+  return {frame, pixels * view.worldPerPixel(frame.center)};
 }
 
-double visibilityOf(GizmoPart part, const GizmoFrame& frame, const ViewGeometry& view)
+double visibilityOf(GizmoPart part, const GizmoFrame& frame, const DisplayTransform& view)
 {
   const int axis = axisIndexOf(part);
   if (axis < 0) return part == GizmoPart::None ? 0 : 1;
-  const double cosine = std::abs(frame.axes.col(axis).dot(sightOf(view, frame.center)));
+  const double cosine = std::abs(frame.axes.col(axis).dot(view.sightOf(frame.center)));
   if (kindOf(part) == GizmoPartKind::Arrow)
     return smoothStep(kArrowGone, kArrowFull, std::sqrt(std::max(0.0, 1 - cosine * cosine)));
   if (kindOf(part) == GizmoPartKind::Square) return smoothStep(kPlaneGone, kPlaneFull, cosine);
@@ -148,11 +148,11 @@ double ringVisibility(const Vector3& arm, const Vector3& sight)
   return kFadedRing + (1 - kFadedRing) * smoothStep(kBehind, kInSight, -arm.dot(sight));
 }
 
-GizmoPart hitGizmo(const ViewGeometry& view, const GizmoPlacement& placement, const DisplayPoint& cursor)
+GizmoPart hitGizmo(const DisplayTransform& view, const GizmoPlacement& placement, const DisplayPoint& cursor)
 {
   const std::optional<DisplayPoint> center = toDisplay(view, placement.frame.center);
   if (!center || !(placement.scale > 0)) return GizmoPart::None;
-  const double radius = placement.scale / worldPerPixel(view, placement.frame.center);
+  const double radius = placement.scale / view.worldPerPixel(placement.frame.center);
   const Distances distances{view, placement, cursor, *center, radius};
   GizmoPart hit = GizmoPart::None;
   double nearest = kTolerance * radius;

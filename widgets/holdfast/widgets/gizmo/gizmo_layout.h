@@ -1,10 +1,9 @@
 #pragma once
-/// \file
 /// The parts of the gizmo: their colours, their layout on the display, how visible each is, and which one the cursor
 /// meets.
 
 #include <holdfast/base/types.h>
-#include <holdfast/widgets/camera/view_geometry.h>
+#include <holdfast/widgets/camera/display_transform.h>
 #include <holdfast/widgets/color/color_map.h>
 
 namespace holdfast {
@@ -83,10 +82,10 @@ struct GizmoPlacement {
 
 /// As large as it takes for the outer ring to have a radius of `pixels`. Of no size (0) where it is not in front of
 /// the eye.
-[[nodiscard]] GizmoPlacement placementOf(const ViewGeometry& view, const GizmoFrame& frame, double pixels);
+[[nodiscard]] GizmoPlacement placementOf(const DisplayTransform& view, const GizmoFrame& frame, double pixels);
 
 /// From 0 (gone) to 1: arrows that point to the eye, and rings and squares that are seen edge-on, fade.
-[[nodiscard]] double visibilityOf(GizmoPart part, const GizmoFrame& frame, const ViewGeometry& view);
+[[nodiscard]] double visibilityOf(GizmoPart part, const GizmoFrame& frame, const DisplayTransform& view);
 
 /// From nearly 0 on the half of a ring that faces away from the eye to 1. `arm`: from the center to a place of the
 /// ring, of unit length.
@@ -97,6 +96,7 @@ inline constexpr double kLeastVisible = 0.5;
 
 /// The part that the cursor meets: within 6 of 100 pixels of radius; of several the center first, then arrows, squares,
 /// rings, the outer ring; of several of a kind the nearest.
-[[nodiscard]] GizmoPart hitGizmo(const ViewGeometry& view, const GizmoPlacement& placement, const DisplayPoint& cursor);
+[[nodiscard]] GizmoPart hitGizmo(const DisplayTransform& view, const GizmoPlacement& placement,
+                                 const DisplayPoint& cursor);
 
 }  // namespace holdfast

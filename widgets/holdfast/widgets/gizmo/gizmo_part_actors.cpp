@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <Eigen/Geometry>
 #include <vtkCellArray.h>
@@ -10,8 +9,10 @@
 #include <vtkMatrix4x4.h>
 #include <vtkPointData.h>
 
+#include <holdfast/geometry/degree.h>
 #include <holdfast/widgets/marks/point_sprites.h>
 #include <holdfast/widgets/mesh/actor_setup.h>
+#include <holdfast/widgets/mesh/poly_data.h>
 
 namespace holdfast {
 namespace {
@@ -44,56 +45,23 @@ constexpr double kSectorOpacity = 0.20;
 constexpr double kLineWidth = 0.018;
 constexpr double kEndSize = 0.075;
 
-/// Points of a picture that is made for each step of a drag.
-struct Sketch {
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkCellArray> cells;
-
-  Sketch() { points->SetDataTypeToDouble(); }
-  vtkIdType add(const Vector3& place) { return points->InsertNextPoint(place.data()); }
-  void addCell(const std::vector<vtkIdType>& corners)
-  {
-    cells->InsertNextCell(static_cast<vtkIdType>(corners.size()), corners.data());
-  }
-};
-
-void showAs(const Sketch& sketch, vtkPolyData& data, void (vtkPolyData::*setCells)(vtkCellArray*))
-{
-  data.Initialize();
-  data.SetPoints(sketch.points);
-  (data.*setCells)(sketch.cells);
-}
-
-/// Directions from the center, from the grabbed place of the ring to its place now; one turn at most.
-std::vector<Vector3> armsOf(const GizmoTrace& trace)
-{
-  const double degrees = std::clamp(trace.motion.degrees, -360.0, 360.0);
-  const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(degrees) / kStepDegrees)));
-  std::vector<Vector3> arms;
-  for (int k = 0; k <= steps; ++k)
-    arms.emplace_back(Eigen::AngleAxisd(degrees / 180 * std::numbers::pi * k / steps, trace.motion.axis) *
-                      trace.grabbed);
-  return arms;
-}
-
-/// Both ends of the arc: the grabbed place, and its place now, also after more than a turn.
-void sketchTurn(const GizmoTrace& trace, double radius, Sketch& lines, Sketch& sector)
+/// From the grabbed place of the ring, one turn at most, to its place now.
+void showTurn(const GizmoTrace& trace, double radius, vtkPolyData& lines, vtkPolyData& sector)
 {
   const Vector3& center = trace.from.center;
-  const std::vector<Vector3> arms = armsOf(trace);
-  std::vector<vtkIdType> fan{sector.add(center)};
-  std::vector<vtkIdType> arc;
-  for (const Vector3& arm : arms) {
-    fan.push_back(sector.add(center + radius * arm));
-    arc.push_back(lines.add(center + radius * arm));
+  const auto placeAt = [&](double degrees) -> Vector3 {
+    return center + radius * (Eigen::AngleAxisd(degrees * kDegree, trace.motion.axis) * trace.grabbed);
+  };
+  const double degrees = std::clamp(trace.motion.degrees, -360.0, 360.0);
+  const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(degrees) / kStepDegrees)));
+  std::vector<Vector3> arc{placeAt(0)};
+  std::vector<std::vector<Vector3>> fan;
+  for (int k = 1; k <= steps; ++k) {
+    arc.push_back(placeAt(degrees * k / steps));
+    fan.push_back({center, arc[arc.size() - 2], arc.back()});
   }
-  for (std::size_t k = 1; k + 1 < fan.size(); ++k) sector.addCell({fan[0], fan[k], fan[k + 1]});
-  lines.addCell(arc);
-  const vtkIdType middle = lines.add(center);
-  const Vector3 now =
-      Eigen::AngleAxisd(trace.motion.degrees / 180 * std::numbers::pi, trace.motion.axis) * trace.grabbed;
-  lines.addCell({middle, arc.front()});
-  lines.addCell({middle, lines.add(center + radius * now)});
+  setLines(lines, {arc, {center, arc.front()}, {center, placeAt(trace.motion.degrees)}});
+  setPolygons(sector, fan);
 }
 
 void setUp(vtkActor& actor, vtkPolyData& data)
@@ -132,7 +100,9 @@ GizmoPartActors::GizmoPartActors(GizmoPart part) : part_(part), shape_(gizmoShap
 
 void GizmoPartActors::show(const GizmoPlacement& placement, const Color& color, double visibility, const Vector3& sight)
 {
-  if (!(visibility > 0) || !(placement.scale > 0)) return hide();
+  solid_->VisibilityOff();
+  faded_->VisibilityOff();
+  if (!(visibility > 0) || !(placement.scale > 0)) return;
   const Vector3 localSight = placement.frame.axes.transpose() * sight;
   for (std::size_t k = 0; k < shape_.points.size(); ++k) {
     const double ofRing = kindOf(part_) == GizmoPartKind::Ring ? ringVisibility(shape_.arms[k], localSight) : 1;
@@ -150,25 +120,14 @@ void GizmoPartActors::show(const GizmoPlacement& placement, const Color& color, 
   colors_->Modified();
   solidData_->SetPolys(solid);
   fadedData_->SetPolys(faded);
+  Eigen::Matrix<double, 4, 4, Eigen::RowMajor> place = Eigen::Matrix4d::Identity();
+  place.topLeftCorner<3, 3>() = placement.scale * placement.frame.axes;
+  place.topRightCorner<3, 1>() = placement.frame.center;
   vtkNew<vtkMatrix4x4> matrix;
-  matrix->DeepCopy(matrixOf(placement).data());
+  matrix->DeepCopy(place.data());
   for (vtkActor* actor : {solid_.Get(), faded_.Get()}) actor->SetUserMatrix(matrix);
   solid_->SetVisibility(solid->GetNumberOfCells() > 0);
   faded_->SetVisibility(faded->GetNumberOfCells() > 0);
-}
-
-void GizmoPartActors::hide()
-{
-  solid_->VisibilityOff();
-  faded_->VisibilityOff();
-}
-
-Eigen::Matrix<double, 4, 4, Eigen::RowMajor> matrixOf(const GizmoPlacement& placement)
-{
-  Eigen::Matrix<double, 4, 4, Eigen::RowMajor> matrix = Eigen::Matrix4d::Identity();
-  matrix.topLeftCorner<3, 3>() = placement.scale * placement.frame.axes;
-  matrix.topRightCorner<3, 1>() = placement.frame.center;
-  return matrix;
 }
 
 GizmoTraceActors::GizmoTraceActors()
@@ -183,25 +142,19 @@ GizmoTraceActors::GizmoTraceActors()
 
 void GizmoTraceActors::show(const GizmoTrace& trace, double radius, double pixels)
 {
-  Sketch lines;
-  Sketch sector;
-  Sketch ends;
-  if (isRotation(trace.part)) {
-    sketchTurn(trace, radius, lines, sector);
+  const bool isTurn = isRotation(trace.part);
+  if (isTurn) {
+    showTurn(trace, radius, *lineData_, *sectorData_);
   } else {
-    const Vector3 now = trace.from.center + trace.motion.translation;
-    ends.addCell({ends.add(trace.from.center)});
-    ends.addCell({ends.add(now)});
-    lines.addCell({lines.add(trace.from.center), lines.add(now)});
+    const std::vector<Vector3> ends{trace.from.center, trace.from.center + trace.motion.translation};
+    setLines(*lineData_, {ends});
+    setPoints(*endData_, ends);
   }
-  showAs(lines, *lineData_, &vtkPolyData::SetLines);
-  showAs(sector, *sectorData_, &vtkPolyData::SetPolys);
-  showAs(ends, *endData_, &vtkPolyData::SetVerts);
   setLineWidth(*lines_, kLineWidth * pixels);
   setPointSize(*ends_, kEndSize * pixels);
   lines_->VisibilityOn();
-  sector_->SetVisibility(isRotation(trace.part));
-  ends_->SetVisibility(!isRotation(trace.part));
+  sector_->SetVisibility(isTurn);
+  ends_->SetVisibility(!isTurn);
 }
 
 void GizmoTraceActors::hide()

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The gizmo as VTK draws it: the actors of a part, and of the trace of a drag.
 
 #include <vector>
@@ -15,8 +14,6 @@
 #include <holdfast/widgets/gizmo/gizmo_layout.h>
 #include <holdfast/widgets/gizmo/gizmo_shapes.h>
 
-class vtkProp;
-
 namespace holdfast {
 
 /// Solid and translucent triangles are two actors: the translucent ones are drawn after the solid ones of all parts.
@@ -26,7 +23,6 @@ class GizmoPartActors {
 
   /// `visibility` 0 hides it. `sight`: the unit direction in which the gizmo is seen. O(points).
   void show(const GizmoPlacement& placement, const Color& color, double visibility, const Vector3& sight);
-  void hide();
 
   [[nodiscard]] GizmoPart part() const noexcept { return part_; }
   [[nodiscard]] vtkProp& solid() const { return *solid_; }
@@ -42,9 +38,6 @@ class GizmoPartActors {
   vtkNew<vtkActor> solid_;
   vtkNew<vtkActor> faded_;
 };
-
-/// The matrix of actors at `placement`, row by row.
-[[nodiscard]] Eigen::Matrix<double, 4, 4, Eigen::RowMajor> matrixOf(const GizmoPlacement& placement);
 
 /// The state of a drag.
 struct GizmoTrace {

@@ -70,11 +70,11 @@ void addRevolved(GizmoShape& shape, const Profile& profile)
   addSquares(shape, first, static_cast<Index>(profile.size()), kSides);
 }
 
-Profile arc(const Eigen::Vector2d& center, double radius, double from, double to)
+Profile arc(const Eigen::Vector2d& center, double radius, double from, double to, int steps = kArcSteps)
 {
   Profile profile;
-  for (int k = 0; k <= kArcSteps; ++k) {
-    const double angle = from + (to - from) * k / kArcSteps;
+  for (int k = 0; k <= steps; ++k) {
+    const double angle = from + (to - from) * k / steps;
     const Eigen::Vector2d out(std::cos(angle), std::sin(angle));
     profile.push_back({center + radius * out, out});
   }
@@ -111,10 +111,7 @@ GizmoShape arrow()
 GizmoShape ball()
 {
   GizmoShape shape;
-  Profile profile = arc({0, 0}, kBallRadius, -pi / 2, 0);
-  const Profile upper = arc({0, 0}, kBallRadius, 0, pi / 2);
-  profile.insert(profile.end(), upper.begin() + 1, upper.end());
-  addRevolved(shape, profile);
+  addRevolved(shape, arc({0, 0}, kBallRadius, -pi / 2, pi / 2, 2 * kArcSteps));
   return shape;
 }
 

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The surfaces of the gizmo's parts, in radii of its outer ring, about the origin along the coordinate axes.
 
 #include <array>

@@ -15,12 +15,6 @@ constexpr double kRegionHandicapPixels = 2;
 
 vtkStandardNewMacro(ConstraintMarkRepresentation);
 
-void ConstraintMarkRepresentation::SetMarks(std::shared_ptr<const MarkSet> marks)
-{
-  this->Marks = std::move(marks);
-  this->Modified();
-}
-
 bool ConstraintMarkRepresentation::HasMarksOf(Index constraint) const
 {
   return this->Marks && std::any_of(this->Marks->marks.begin(), this->Marks->marks.end(),
@@ -51,13 +45,10 @@ vtkStandardNewMacro(ConstraintMarkWidget);
 
 ConstraintMarkWidget::ConstraintMarkWidget()
 {
-  using Widget = ConstraintMarkWidget;
-  vtkWidgetCallbackMapper& mapper = *this->CallbackMapper;
-  mapper.SetCallbackMethod(vtkCommand::MouseMoveEvent, vtkWidgetEvent::Move, this, &call<&Widget::Hover>);
-  mapper.SetCallbackMethod(vtkCommand::LeaveEvent, vtkWidgetEvent::HoverLeave, this, &call<&Widget::Leave>);
-  mapper.SetCallbackMethod(vtkCommand::LeftButtonPressEvent, vtkWidgetEvent::Select, this, &call<&Widget::Press>);
-  mapper.SetCallbackMethod(vtkCommand::LeftButtonReleaseEvent, vtkWidgetEvent::EndSelect, this,
-                           &call<&Widget::Release>);
+  this->Bind<&ConstraintMarkWidget::Hover>(vtkCommand::MouseMoveEvent, vtkWidgetEvent::Move);
+  this->Bind<&ConstraintMarkWidget::Leave>(vtkCommand::LeaveEvent, vtkWidgetEvent::HoverLeave);
+  this->Bind<&ConstraintMarkWidget::PressClick>(vtkCommand::LeftButtonPressEvent, vtkWidgetEvent::Select);
+  this->Bind<&ConstraintMarkWidget::Release>(vtkCommand::LeftButtonReleaseEvent, vtkWidgetEvent::EndSelect);
 }
 
 void ConstraintMarkWidget::SetEnabled(int enabling)
@@ -69,41 +60,33 @@ void ConstraintMarkWidget::SetEnabled(int enabling)
 
 void ConstraintMarkWidget::SetMarks(std::shared_ptr<const MarkSet> marks)
 {
-  this->GetConstraintMarkRepresentation()->SetMarks(std::move(marks));
-  if (this->Highlighted && !this->GetConstraintMarkRepresentation()->HasMarksOf(*this->Highlighted)) this->Leave();
+  this->Drawn().SetMarks(std::move(marks));
+  if (this->Highlighted && !this->Drawn().HasMarksOf(*this->Highlighted)) this->Leave();
 }
 
 std::optional<Index> ConstraintMarkWidget::ConstraintAtCursor()
 {
-  if (!isCursorIn(*this->CurrentRenderer, *this->Interactor)) return std::nullopt;
-  const DisplayPoint cursor = cursorOf(*this->Interactor);
-  return this->GetConstraintMarkRepresentation()->FindConstraint(cursor.x(), cursor.y());
+  if (!this->IsCursorInside()) return std::nullopt;
+  return this->Drawn().FindConstraint(this->Cursor().x(), this->Cursor().y());
 }
 
 void ConstraintMarkWidget::Highlight(std::optional<Index> constraint)
 {
   if (this->Highlighted == constraint) return;
   this->Highlighted = constraint;
-  if (this->ManagesCursor != 0) this->RequestCursorShape(constraint ? VTK_CURSOR_HAND : VTK_CURSOR_DEFAULT);
+  this->ShowCursor(constraint ? VTK_CURSOR_HAND : VTK_CURSOR_DEFAULT);
   this->InvokeEvent(vtkCommand::HighlightEvent, constraint ? &*constraint : nullptr);
 }
 
 void ConstraintMarkWidget::Hover()
 {
-  this->LeftClick.LeaveAt(cursorOf(*this->Interactor), this->PixelRatio());
+  this->LeftClick.LeaveAt(this->Cursor(), this->Drawn().GetPixelRatio());
   this->Highlight(isCameraMoving(*this->Interactor) ? std::nullopt : this->ConstraintAtCursor());
-}
-
-void ConstraintMarkWidget::Press()
-{
-  this->LeftClick.Forget();
-  if (isSecondPress(*this->Interactor) || !isCursorIn(*this->CurrentRenderer, *this->Interactor)) return;
-  this->LeftClick.Press(cursorOf(*this->Interactor));
 }
 
 void ConstraintMarkWidget::Release()
 {
-  if (!this->LeftClick.Release(cursorOf(*this->Interactor), this->PixelRatio())) return;
+  if (!this->LeftClick.Release(this->Cursor(), this->Drawn().GetPixelRatio())) return;
   ConstraintPick pick{this->ConstraintAtCursor(),
                       this->Interactor->GetShiftKey() != 0 || this->Interactor->GetControlKey() != 0};
   this->InvokeEvent(vtkCommand::PickEvent, &pick);

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Finds constraints by their marks: the one under the cursor, and the one that was clicked.
 
 #include <memory>
@@ -19,7 +18,7 @@ class ConstraintMarkRepresentation : public vtkWidgetRepresentation {
   vtkTypeMacro(ConstraintMarkRepresentation, vtkWidgetRepresentation)
 
   /// Marks that can be found; null, the default: none.
-  void SetMarks(std::shared_ptr<const MarkSet> marks);
+  vtkSetMacro(Marks, std::shared_ptr<const MarkSet>);
 
   /// Marks whose places it cuts away are not found; none by default.
   void SetSection(const std::optional<SectionPlane>& section) { this->Section = section; }
@@ -57,34 +56,18 @@ struct ConstraintPick {
 
 /// Watches the marks of constraints, and selects nothing by itself. Clicks are as in `Click`; the second press of a
 /// double click begins none.
-///
-/// | event          | when                                             | call data          |
-/// |----------------|--------------------------------------------------|--------------------|
-/// | HighlightEvent | the cursor is over another constraint, or none   | `Index*` or null   |
-/// | PickEvent      | a click                                          | `ConstraintPick*`  |
-class ConstraintMarkWidget : public vtkAbstractWidget {
+class ConstraintMarkWidget : public WidgetOf<ConstraintMarkRepresentation> {
  public:
   static ConstraintMarkWidget* New();
   vtkTypeMacro(ConstraintMarkWidget, vtkAbstractWidget)
 
-  void SetRepresentation(ConstraintMarkRepresentation* representation)
-  {
-    this->SetWidgetRepresentation(representation);
-  }
-  [[nodiscard]] ConstraintMarkRepresentation* GetConstraintMarkRepresentation()
-  {
-    return static_cast<ConstraintMarkRepresentation*>(this->GetRepresentation());
-  }
-  void CreateDefaultRepresentation() override
-  {
-    if (this->WidgetRep == nullptr) this->WidgetRep = ConstraintMarkRepresentation::New();
-  }
+  [[nodiscard]] ConstraintMarkRepresentation* GetConstraintMarkRepresentation() { return &this->Drawn(); }
   /// Disabling ends what is highlighted.
   void SetEnabled(int enabling) override;
 
   /// Null: none. A highlighted constraint stays so until the cursor moves, or until it has no marks any more.
   void SetMarks(std::shared_ptr<const MarkSet> marks);
-  void SetPixelRatio(double ratio) { this->GetConstraintMarkRepresentation()->SetPixelRatio(ratio); }
+  void SetPixelRatio(double ratio) { this->Drawn().SetPixelRatio(ratio); }
 
   /// The constraint under the cursor.
   [[nodiscard]] std::optional<Index> GetHighlighted() const { return this->Highlighted; }
@@ -96,14 +79,11 @@ class ConstraintMarkWidget : public vtkAbstractWidget {
  private:
   void Hover();
   void Leave() { this->Highlight(std::nullopt); }
-  void Press();
   void Release();
 
-  [[nodiscard]] double PixelRatio() { return this->GetConstraintMarkRepresentation()->GetPixelRatio(); }
   [[nodiscard]] std::optional<Index> ConstraintAtCursor();
   void Highlight(std::optional<Index> constraint);
 
-  Click LeftClick;
   std::optional<Index> Highlighted;
 };
 

@@ -80,10 +80,10 @@ void setUpLabel(vtkTextActor& label)
   property.SetBackgroundOpacity(0.82);
 }
 
-Eigen::Matrix3d axesOf(const ViewGeometry& view)
+Eigen::Matrix3d axesOf(const DisplayTransform& view)
 {
   Eigen::Matrix3d axes;
-  axes << view.right, view.up, -view.direction;
+  axes << view.right(), view.up(), -view.direction();
   return axes;
 }
 
@@ -107,11 +107,6 @@ GizmoRepresentation::GizmoRepresentation()
   for (const auto& letter : this->Letters) this->Layer->AddViewProp(letter);
   this->Layer->AddViewProp(this->LabelActor);
   this->Layer->AddObserver(vtkCommand::StartEvent, this, &GizmoRepresentation::BuildRepresentation);
-}
-
-GizmoRepresentation::~GizmoRepresentation()
-{
-  this->GizmoRepresentation::SetRenderer(nullptr);
 }
 
 void GizmoRepresentation::PrintSelf(ostream& os, vtkIndent indent)
@@ -144,23 +139,9 @@ bool GizmoRepresentation::IsDrawn(GizmoPart part) const
   return this->Visibility && this->Offers(part) && (!this->Drag || this->Drag->part == part);
 }
 
-void GizmoRepresentation::SetUnits(const std::string& units)
-{
-  if (this->Units == units) return;
-  this->Units = units;
-  this->Modified();
-}
-
-void GizmoRepresentation::SetPart(GizmoPart part)
-{
-  if (this->Part == part) return;
-  this->Part = part;
-  this->Modified();
-}
-
 GizmoDrag GizmoRepresentation::NewDrag(const DisplayPoint& cursor)
 {
-  const ViewGeometry view = viewGeometryOf(*this->Renderer);
+  const DisplayTransform view(*this->Renderer);
   this->AlignAxes(view);
   return {this->Part, this->Frame, view, cursor, kRingRadius * this->Radius()};
 }
@@ -198,7 +179,7 @@ void GizmoRepresentation::SetRenderer(vtkRenderer* renderer)
   window->AddRenderer(this->Layer);
 }
 
-void GizmoRepresentation::AlignAxes(const ViewGeometry& view)
+void GizmoRepresentation::AlignAxes(const DisplayTransform& view)
 {
   if (this->AlignToView && !this->IsDragging()) this->Frame.axes = axesOf(view);
 }
@@ -206,24 +187,29 @@ void GizmoRepresentation::AlignAxes(const ViewGeometry& view)
 void GizmoRepresentation::BuildRepresentation()
 {
   if (!this->Renderer) return;
-  const ViewGeometry view = viewGeometryOf(*this->Renderer);
+  const DisplayTransform view(*this->Renderer);
   this->AlignAxes(view);
   const GizmoPlacement placement = placementOf(view, this->Frame, this->Radius());
   this->PlaceParts(view, placement);
   this->PlaceLetters(view, placement);
-  this->PlaceTrace(placement);
+  if (this->Visibility && this->Drag && placement.scale > 0) {
+    const double radius = kindOf(this->Drag->part) == GizmoPartKind::ViewRing ? 1 : kRingRadius;
+    this->Trace.show(*this->Drag, radius * placement.scale, this->Radius());
+  } else {
+    this->Trace.hide();
+  }
   this->Layer->SetViewport(this->Renderer->GetViewport());
   this->Layer->GetActiveCamera()->DeepCopy(this->Renderer->GetActiveCamera());
   this->Layer->ResetCameraClippingRange();
   this->PlaceLabel();
 }
 
-void GizmoRepresentation::PlaceParts(const ViewGeometry& view, const GizmoPlacement& placement)
+void GizmoRepresentation::PlaceParts(const DisplayTransform& view, const GizmoPlacement& placement)
 {
   // Parts without an axis face the view.
   GizmoPlacement facing = placement;
   facing.frame.axes = axesOf(view);
-  const Vector3 sight = sightOf(view, this->Frame.center);
+  const Vector3 sight = view.sightOf(this->Frame.center);
   for (const auto& actors : this->Parts) {
     const GizmoPart part = actors->part();
     const bool isHighlighted = this->Drag || part == this->Part;
@@ -233,7 +219,7 @@ void GizmoRepresentation::PlaceParts(const ViewGeometry& view, const GizmoPlacem
   }
 }
 
-void GizmoRepresentation::PlaceLetters(const ViewGeometry& view, const GizmoPlacement& placement)
+void GizmoRepresentation::PlaceLetters(const DisplayTransform& view, const GizmoPlacement& placement)
 {
   for (int axis = 0; axis < 3; ++axis) {
     vtkTextActor& letter = *this->Letters.at(axis);
@@ -245,13 +231,6 @@ void GizmoRepresentation::PlaceLetters(const ViewGeometry& view, const GizmoPlac
     if (place) this->LetterPlaces.at(axis)->SetValue(place->x(), place->y());
     letter.GetTextProperty()->SetFontSize(std::max(8, static_cast<int>(std::lround(kLetterSize * this->Radius()))));
   }
-}
-
-void GizmoRepresentation::PlaceTrace(const GizmoPlacement& placement)
-{
-  if (!this->Visibility || !this->Drag || !(placement.scale > 0)) return this->Trace.hide();
-  const double radius = kindOf(this->Drag->part) == GizmoPartKind::ViewRing ? 1 : kRingRadius;
-  this->Trace.show(*this->Drag, radius * placement.scale, this->Radius());
 }
 
 /// At the cursor, and wholly inside the viewport.
@@ -278,7 +257,7 @@ int GizmoRepresentation::ComputeInteractionState(int x, int y, int /*modify*/)
 {
   GizmoPart part = GizmoPart::None;
   if (this->Visibility && this->Renderer && this->Renderer->IsInViewport(x, y)) {
-    const ViewGeometry view = viewGeometryOf(*this->Renderer);
+    const DisplayTransform view(*this->Renderer);
     this->AlignAxes(view);
     part = hitGizmo(view, placementOf(view, this->Frame, this->Radius()), centerOfPixel(x, y));
     // Rings come last of all that can be hit: nothing lies behind them.

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The handle that a user drags: three arrows, three squares, three rings, a ring about them and a ball in the middle.
 
 #include <array>
@@ -61,11 +60,11 @@ class GizmoRepresentation : public vtkWidgetRepresentation {
   vtkGetMacro(PixelRatio, double);
 
   /// The text behind lengths; none by default.
-  void SetUnits(const std::string& units);
+  vtkSetMacro(Units, std::string);
   [[nodiscard]] const std::string& GetUnits() const { return this->Units; }
 
   /// The part that is drawn in yellow, also where it is seen from the end; `None` by default.
-  void SetPart(GizmoPart part);
+  vtkSetEnumMacro(Part, GizmoPart);
   [[nodiscard]] GizmoPart GetPart() const { return this->Part; }
 
   /// A drag of the part that is highlighted, which is not `None`, as the renderer sees it now.
@@ -100,13 +99,12 @@ class GizmoRepresentation : public vtkWidgetRepresentation {
 
  protected:
   GizmoRepresentation();
-  ~GizmoRepresentation() override;
+  ~GizmoRepresentation() override { this->GizmoRepresentation::SetRenderer(nullptr); }
 
  private:
-  void AlignAxes(const ViewGeometry& view);
-  void PlaceParts(const ViewGeometry& view, const GizmoPlacement& placement);
-  void PlaceLetters(const ViewGeometry& view, const GizmoPlacement& placement);
-  void PlaceTrace(const GizmoPlacement& placement);
+  void AlignAxes(const DisplayTransform& view);
+  void PlaceParts(const DisplayTransform& view, const GizmoPlacement& placement);
+  void PlaceLetters(const DisplayTransform& view, const GizmoPlacement& placement);
   void PlaceLabel();
   [[nodiscard]] bool IsDrawn(GizmoPart part) const;
   [[nodiscard]] double Radius() const { return this->PixelSize * this->PixelRatio; }

@@ -1,11 +1,8 @@
 #include "holdfast/widgets/interaction/gizmo_widget.h"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
-
-#include <vtkEvent.h>
-
-#include <holdfast/widgets/interaction/interaction_events.h>
 
 namespace holdfast {
 namespace {
@@ -15,18 +12,13 @@ constexpr float kGizmoPriority = 0.6F;
 
 constexpr char kEscapeKey = 27;
 
-struct ButtonEvents {
-  unsigned long press;
-  unsigned long doubleClick;
-  unsigned long release;
-};
-
-constexpr std::array kButtons{ButtonEvents{vtkCommand::LeftButtonPressEvent, vtkCommand::LeftButtonDoubleClickEvent,
-                                           vtkCommand::LeftButtonReleaseEvent},
-                              ButtonEvents{vtkCommand::MiddleButtonPressEvent, vtkCommand::MiddleButtonDoubleClickEvent,
-                                           vtkCommand::MiddleButtonReleaseEvent},
-                              ButtonEvents{vtkCommand::RightButtonPressEvent, vtkCommand::RightButtonDoubleClickEvent,
-                                           vtkCommand::RightButtonReleaseEvent}};
+// Of each button, those by which it goes down first.
+constexpr std::array<std::array<unsigned long, 3>, 3> kButtonEvents{
+    {{vtkCommand::LeftButtonPressEvent, vtkCommand::LeftButtonDoubleClickEvent, vtkCommand::LeftButtonReleaseEvent},
+     {vtkCommand::MiddleButtonPressEvent, vtkCommand::MiddleButtonDoubleClickEvent,
+      vtkCommand::MiddleButtonReleaseEvent},
+     {vtkCommand::RightButtonPressEvent, vtkCommand::RightButtonDoubleClickEvent,
+      vtkCommand::RightButtonReleaseEvent}}};
 
 /// 0, 1 and 2 for "x", "y" and "z", small or large; others are beyond.
 int axisOfKey(char key)
@@ -48,49 +40,33 @@ bool isShortcut(vtkRenderWindowInteractor& interactor)
 
 vtkStandardNewMacro(GizmoWidget);
 
-template <bool (GizmoWidget::*Action)()>
-void GizmoWidget::Run(vtkAbstractWidget* widget)
-{
-  auto* self = static_cast<GizmoWidget*>(widget);
-  if ((self->*Action)()) self->EventCallbackCommand->SetAbortFlag(1);
-}
-
 GizmoWidget::GizmoWidget()
 {
   this->Priority = kGizmoPriority;
-  const auto bind = [this](unsigned long event, unsigned long widgetEvent, void (*action)(vtkAbstractWidget*)) {
-    this->CallbackMapper->SetCallbackMethod(event, widgetEvent, this, action);
-  };
-  bind(vtkCommand::MouseMoveEvent, vtkWidgetEvent::Move, Run<&GizmoWidget::Hover>);
-  bind(vtkCommand::LeaveEvent, vtkWidgetEvent::HoverLeave, Run<&GizmoWidget::Leave>);
-  bind(vtkCommand::LeftButtonPressEvent, vtkWidgetEvent::Select, Run<&GizmoWidget::Press>);
-  bind(vtkCommand::LeftButtonDoubleClickEvent, vtkWidgetEvent::Select, Run<&GizmoWidget::Press>);
-  bind(vtkCommand::LeftButtonReleaseEvent, vtkWidgetEvent::EndSelect, Run<&GizmoWidget::Release>);
-  const auto bindKey = [this](int modifier, char key, const char* keySym, unsigned long widgetEvent,
-                              void (*action)(vtkAbstractWidget*)) {
-    this->CallbackMapper->SetCallbackMethod(vtkCommand::KeyPressEvent, modifier, key, 0, keySym, widgetEvent, this,
+  this->Bind<&GizmoWidget::Hover>(vtkCommand::MouseMoveEvent, vtkWidgetEvent::Move);
+  this->Bind<&GizmoWidget::Leave>(vtkCommand::LeaveEvent, vtkWidgetEvent::HoverLeave);
+  this->Bind<&GizmoWidget::Press>(vtkCommand::LeftButtonPressEvent, vtkWidgetEvent::Select);
+  this->Bind<&GizmoWidget::Press>(vtkCommand::LeftButtonDoubleClickEvent, vtkWidgetEvent::Select);
+  this->Bind<&GizmoWidget::Release>(vtkCommand::LeftButtonReleaseEvent, vtkWidgetEvent::EndSelect);
+  const auto bindKey = [this](int modifier, char key, unsigned long widgetEvent, void (*action)(vtkAbstractWidget*)) {
+    this->CallbackMapper->SetCallbackMethod(vtkCommand::KeyPressEvent, modifier, key, 0, nullptr, widgetEvent, this,
                                             action);
   };
   for (const char key : {'x', 'y', 'z', 'X', 'Y', 'Z'}) {
-    bindKey(vtkEvent::NoModifier, key, nullptr, vtkWidgetEvent::Translate, Run<&GizmoWidget::ChooseArrow>);
-    bindKey(vtkEvent::ShiftModifier, key, nullptr, vtkWidgetEvent::Rotate, Run<&GizmoWidget::ChooseRing>);
+    bindKey(vtkEvent::NoModifier, key, vtkWidgetEvent::Translate, Call<&GizmoWidget::ChooseArrow>);
+    bindKey(vtkEvent::ShiftModifier, key, vtkWidgetEvent::Rotate, Call<&GizmoWidget::ChooseRing>);
   }
   for (const char key : NumericInput::kKeys)
-    bindKey(vtkEvent::AnyModifier, key, nullptr, vtkWidgetEvent::ModifyEvent, Run<&GizmoWidget::Type>);
-  bindKey(vtkEvent::AnyModifier, 0, "BackSpace", vtkWidgetEvent::Delete, Run<&GizmoWidget::Correct>);
-  for (const char* keySym : {"Return", "KP_Enter"})
-    bindKey(vtkEvent::AnyModifier, 0, keySym, vtkWidgetEvent::Completed, Run<&GizmoWidget::Complete>);
-  bindKey(vtkEvent::AnyModifier, 0, "Escape", vtkWidgetEvent::Reset, Run<&GizmoWidget::Reset>);
+    bindKey(vtkEvent::AnyModifier, key, vtkWidgetEvent::ModifyEvent, Call<&GizmoWidget::Type>);
+  this->BindKey<&GizmoWidget::Correct>("BackSpace", vtkWidgetEvent::Delete);
+  for (const char* const keySym : {"Return", "KP_Enter"})
+    this->BindKey<&GizmoWidget::Complete>(keySym, vtkWidgetEvent::Completed);
+  this->BindKey<&GizmoWidget::Reset>("Escape", vtkWidgetEvent::Reset);
 
   // Gets the events of all buttons, also those that other widgets abort.
   this->ButtonObserver->SetClientData(this);
   this->ButtonObserver->SetCallback(&GizmoWidget::NoteButton);
   this->ButtonObserver->PassiveObserverOn();
-}
-
-GizmoWidget::~GizmoWidget()
-{
-  this->GizmoWidget::SetEnabled(0);
 }
 
 void GizmoWidget::PrintSelf(ostream& os, vtkIndent indent)
@@ -114,39 +90,25 @@ void GizmoWidget::SetEnabled(int isEnabled)
   this->Superclass::SetEnabled(isEnabled);
   if (this->Enabled == 0) return;
   this->ButtonsDown = 0;
-  for (const ButtonEvents& button : kButtons)
-    for (const unsigned long event : {button.press, button.doubleClick, button.release})
-      this->Interactor->AddObserver(event, this->ButtonObserver);
+  for (const auto& events : kButtonEvents)
+    for (const unsigned long event : events) this->Interactor->AddObserver(event, this->ButtonObserver);
 }
 
 void GizmoWidget::NoteButton(vtkObject* /*interactor*/, unsigned long event, void* self, void* /*callData*/)
 {
   unsigned& down = static_cast<GizmoWidget*>(self)->ButtonsDown;
-  for (std::size_t k = 0; k < kButtons.size(); ++k) {
-    const unsigned bit = 1U << k;
-    if (event == kButtons[k].release)
-      down &= ~bit;
-    else if (event == kButtons[k].press || event == kButtons[k].doubleClick)
-      down |= bit;
-  }
-}
-
-DisplayPoint GizmoWidget::Cursor() const
-{
-  const DisplayPoint pixel = cursorOf(*this->Interactor);
-  return centerOfPixel(pixel.x(), pixel.y());
-}
-
-GizmoPart GizmoWidget::PartUnderCursor()
-{
-  return static_cast<GizmoPart>(stateAtCursor(*this->WidgetRep, *this->Interactor));
+  for (std::size_t k = 0; k < kButtonEvents.size(); ++k)
+    if (event == kButtonEvents[k].back())
+      down &= ~(1U << k);
+    else if (std::ranges::count(kButtonEvents[k], event) > 0)
+      down |= 1U << k;
 }
 
 void GizmoWidget::Highlight(GizmoPart part)
 {
   if (part == this->GetPart()) return;
-  this->GetGizmoRepresentation()->SetPart(part);
-  if (this->ManagesCursor) this->RequestCursorShape(part == GizmoPart::None ? VTK_CURSOR_DEFAULT : VTK_CURSOR_HAND);
+  this->Drawn().SetPart(part);
+  this->ShowCursor(part == GizmoPart::None ? VTK_CURSOR_DEFAULT : VTK_CURSOR_HAND);
   this->InvokeEvent(vtkCommand::HighlightEvent, &part);
   this->Render();
 }
@@ -154,7 +116,7 @@ void GizmoWidget::Highlight(GizmoPart part)
 void GizmoWidget::SetPart(GizmoPart part)
 {
   if (this->Drag || this->Enabled == 0) return;
-  if (part != GizmoPart::None && !this->GetGizmoRepresentation()->Offers(part)) return;
+  if (part != GizmoPart::None && !this->Drawn().Offers(part)) return;
   this->Chosen = part != GizmoPart::None;
   this->Highlight(part);
 }
@@ -187,10 +149,9 @@ bool GizmoWidget::Hover()
   return wasActive && part != GizmoPart::None;
 }
 
-bool GizmoWidget::Leave()
+void GizmoWidget::Leave()
 {
   if (!this->Drag && !this->Chosen) this->Highlight(GizmoPart::None);
-  return false;
 }
 
 bool GizmoWidget::Press()
@@ -278,7 +239,7 @@ void GizmoWidget::Grab()
 {
   // An observer may have hidden or disabled the gizmo.
   if (this->Enabled == 0 || this->GetPart() == GizmoPart::None) return this->EndDrag();
-  this->Drag = this->GetGizmoRepresentation()->NewDrag(this->Cursor());
+  this->Drag = this->Drawn().NewDrag(this->PixelCenter());
   this->InvokeEvent(vtkCommand::StartInteractionEvent);
 }
 
@@ -286,9 +247,8 @@ void GizmoWidget::FollowCursor()
 {
   if (!this->Drag) return;
   const GizmoMotion motion =
-      this->Drag->to(this->Cursor(), this->Interactor->GetControlKey() != 0 ? Snap::On : Snap::None);
-  this->MoveTo(motion,
-               motionText(this->Drag->part(), motion, this->Drag->step(), this->GetGizmoRepresentation()->GetUnits()));
+      this->Drag->to(this->PixelCenter(), this->Interactor->GetControlKey() != 0 ? Snap::On : Snap::None);
+  this->MoveTo(motion, motionText(this->Drag->part(), motion, this->Drag->step(), this->Drawn().GetUnits()));
 }
 
 void GizmoWidget::FollowTyped()
@@ -296,13 +256,13 @@ void GizmoWidget::FollowTyped()
   if (!this->Drag) this->Grab();
   if (!this->Drag) return;
   this->MoveTo(this->Drag->typed(this->Typed.value()),
-               this->Typed.text() + "_" + motionUnit(this->Drag->part(), this->GetGizmoRepresentation()->GetUnits()));
+               this->Typed.text() + "_" + motionUnit(this->Drag->part(), this->Drawn().GetUnits()));
 }
 
 void GizmoWidget::MoveTo(GizmoMotion motion, const std::string& label)
 {
-  this->GetGizmoRepresentation()->ShowDrag({this->Drag->part(), this->Drag->frame(), this->Drag->grabbed(), motion},
-                                           label, this->Cursor());
+  this->Drawn().ShowDrag({this->Drag->part(), this->Drag->frame(), this->Drag->grabbed(), motion}, label,
+                         this->PixelCenter());
   this->InvokeEvent(vtkCommand::InteractionEvent, &motion);
   this->Render();
 }
@@ -312,7 +272,7 @@ void GizmoWidget::EndDrag()
   this->Drag.reset();
   this->Held = false;
   this->Typed.clear();
-  this->GetGizmoRepresentation()->EndDrag();
+  this->Drawn().EndDrag();
 }
 
 void GizmoWidget::Keep()
@@ -328,7 +288,7 @@ void GizmoWidget::Cancel()
   if (!this->Drag) return;
   const GizmoFrame frame = this->Drag->frame();
   this->EndDrag();
-  this->GetGizmoRepresentation()->SetFrame(frame.center, frame.axes);
+  this->Drawn().SetFrame(frame.center, frame.axes);
   this->InvokeEvent(CancelInteractionEvent);
   this->Render();
 }

@@ -1,15 +1,13 @@
 #pragma once
-/// \file
 /// Lets the user drag the gizmo, or type how far.
 
 #include <optional>
 
-#include <vtkAbstractWidget.h>
-#include <vtkCallbackCommand.h>
 #include <vtkNew.h>
 
 #include <holdfast/widgets/gizmo/gizmo_drag.h>
 #include <holdfast/widgets/interaction/gizmo_representation.h>
+#include <holdfast/widgets/interaction/interaction_events.h>
 
 namespace holdfast {
 
@@ -22,36 +20,19 @@ namespace holdfast {
 /// does the first move onto the gizmo, by which other widgets learn that the cursor has left them. It does not
 /// highlight while a button is down that was pressed beside it.
 ///
-/// | event                  | when                                                            | call data      |
-/// |------------------------|-----------------------------------------------------------------|----------------|
-/// | HighlightEvent         | another part is active, or none                                 | `GizmoPart*`   |
-/// | StartInteractionEvent  | a drag begins                                                   | none           |
-/// | InteractionEvent       | the gizmo has moved or rotated; the motion since the drag began | `GizmoMotion*` |
-/// | EndInteractionEvent    | the drag is over, and counts                                    | none           |
-/// | CancelInteractionEvent | the gizmo is where it was before the drag, bit for bit          | none           |
-///
 /// After a drag the gizmo stays at its new place; a rotation does not change its axes.
-class GizmoWidget : public vtkAbstractWidget {
+class GizmoWidget : public WidgetOf<GizmoRepresentation> {
  public:
   static GizmoWidget* New();
   vtkTypeMacro(GizmoWidget, vtkAbstractWidget)
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  void SetRepresentation(GizmoRepresentation* representation) { this->SetWidgetRepresentation(representation); }
-  [[nodiscard]] GizmoRepresentation* GetGizmoRepresentation()
-  {
-    return static_cast<GizmoRepresentation*>(this->GetRepresentation());
-  }
-  void CreateDefaultRepresentation() override
-  {
-    if (this->WidgetRep == nullptr) this->WidgetRep = GizmoRepresentation::New();
-  }
-
+  [[nodiscard]] GizmoRepresentation* GetGizmoRepresentation() { return &this->Drawn(); }
   /// Disabling cancels a drag, and removes the gizmo from the window.
   void SetEnabled(int isEnabled) override;
 
   /// The active part, or `None`.
-  [[nodiscard]] GizmoPart GetPart() { return this->GetGizmoRepresentation()->GetPart(); }
+  [[nodiscard]] GizmoPart GetPart() { return this->Drawn().GetPart(); }
   /// Chooses a part, or none. Without effect during a drag, while disabled, and for a part that is not offered.
   void SetPart(GizmoPart part);
 
@@ -70,14 +51,14 @@ class GizmoWidget : public vtkAbstractWidget {
 
  protected:
   GizmoWidget();
-  ~GizmoWidget() override;
+  ~GizmoWidget() override { this->GizmoWidget::SetEnabled(0); }
 
   void OnChar() override;
 
  private:
   // One for each widget event: whether the VTK event has been used.
   bool Hover();
-  bool Leave();
+  void Leave();
   bool Press();
   bool Release();
   bool ChooseArrow() { return this->Choose(GizmoPart::ArrowX); }
@@ -87,12 +68,13 @@ class GizmoWidget : public vtkAbstractWidget {
   bool Complete();
   bool Reset();
 
-  template <bool (GizmoWidget::*Action)()>
-  static void Run(vtkAbstractWidget* widget);
   static void NoteButton(vtkObject* interactor, unsigned long event, void* self, void* callData);
 
-  [[nodiscard]] DisplayPoint Cursor() const;
-  [[nodiscard]] GizmoPart PartUnderCursor();
+  [[nodiscard]] DisplayPoint PixelCenter() const { return centerOfPixel(this->Cursor().x(), this->Cursor().y()); }
+  [[nodiscard]] GizmoPart PartUnderCursor()
+  {
+    return static_cast<GizmoPart>(stateAtCursor(*this->WidgetRep, *this->Interactor));
+  }
   bool Choose(GizmoPart ofX);
   void Highlight(GizmoPart part);
   void Grab();

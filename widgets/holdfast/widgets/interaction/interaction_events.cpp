@@ -1,7 +1,9 @@
 #include "holdfast/widgets/interaction/interaction_events.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <numbers>
 #include <utility>
 
 #include <vtkInteractorStyle.h>
@@ -15,27 +17,26 @@ bool isCameraMoving(vtkRenderWindowInteractor& interactor)
   return style != nullptr && style->GetState() != VTKIS_NONE;
 }
 
-bool isSecondPress(vtkRenderWindowInteractor& interactor)
-{
-  return interactor.GetRepeatCount() > 0;
-}
-
 DisplayPoint cursorOf(vtkRenderWindowInteractor& interactor)
 {
   const int* position = interactor.GetEventPosition();
   return {position[0], position[1]};
 }
 
-bool isCursorIn(vtkRenderer& renderer, vtkRenderWindowInteractor& interactor)
-{
-  const int* position = interactor.GetEventPosition();
-  return renderer.IsInViewport(position[0], position[1]) != 0;
-}
-
 int stateAtCursor(vtkWidgetRepresentation& representation, vtkRenderWindowInteractor& interactor)
 {
   const int* position = interactor.GetEventPosition();
   return representation.ComputeInteractionState(position[0], position[1]);
+}
+
+std::vector<DisplayPoint> circle(const DisplayPoint& center, double radius, int corners)
+{
+  std::vector<DisplayPoint> points;
+  for (int k = 0; k < corners; ++k) {
+    const double angle = 2 * std::numbers::pi * k / corners;
+    points.push_back(center + radius * DisplayPoint(std::cos(angle), std::sin(angle)));
+  }
+  return points;
 }
 
 bool Click::LeaveAt(const DisplayPoint& place, double pixelRatio)

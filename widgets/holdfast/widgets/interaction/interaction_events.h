@@ -1,25 +1,27 @@
 #pragma once
-/// \file
-/// What the widgets of this room share: events beside VTK's, cursor, clicks, modes of selection. docs/widgets.md lists
-/// the bindings of each widget, which its event translator can change. Sizes are pixels of a display of ordinary
-/// resolution; `PixelRatio`, 1 by default, is the number of pixels of the window for each of them.
+/// What the widgets of this room share: events beside VTK's, bindings, cursor, clicks, modes of selection.
+/// docs/widgets.md lists the events of each widget with their call data, and its bindings, which its event translator
+/// can change. Sizes are pixels of a display of ordinary resolution; `PixelRatio`, 1 by default, is the number of
+/// pixels of the window for each of them.
 
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 #include <vtkAbstractWidget.h>
 #include <vtkCallbackCommand.h>
+#include <vtkEvent.h>
 #include <vtkObjectFactory.h>
+#include <vtkPropCollection.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 #include <vtkWidgetCallbackMapper.h>
 #include <vtkWidgetEvent.h>
+#include <vtkWidgetRepresentation.h>
 
 #include <holdfast/base/types.h>
 #include <holdfast/widgets/camera/display_transform.h>
-
-class vtkWidgetRepresentation;
 
 namespace holdfast {
 
@@ -38,26 +40,19 @@ inline constexpr double kClickPixels = 4;
 [[nodiscard]] bool isCameraMoving(vtkRenderWindowInteractor& interactor);
 
 /// Whether the press that is being handled is the second one of a double click.
-[[nodiscard]] bool isSecondPress(vtkRenderWindowInteractor& interactor);
-
-template <class Widget>
-Widget classOf(void (Widget::*action)());
-
-/// A callback of VTK's that calls a member function of the widget.
-template <auto Action>
-void call(vtkAbstractWidget* widget)
+[[nodiscard]] inline bool isSecondPress(vtkRenderWindowInteractor& interactor)
 {
-  (static_cast<decltype(classOf(Action))*>(widget)->*Action)();
+  return interactor.GetRepeatCount() > 0;
 }
 
 /// The pixel of the event that is being handled.
 [[nodiscard]] DisplayPoint cursorOf(vtkRenderWindowInteractor& interactor);
 
-/// Whether that pixel is in the renderer's part of the window.
-[[nodiscard]] bool isCursorIn(vtkRenderer& renderer, vtkRenderWindowInteractor& interactor);
-
 /// `ComputeInteractionState` of that pixel.
 int stateAtCursor(vtkWidgetRepresentation& representation, vtkRenderWindowInteractor& interactor);
+
+/// Points of a circle at equal distances, counterclockwise.
+[[nodiscard]] std::vector<DisplayPoint> circle(const DisplayPoint& center, double radius, int corners);
 
 /// A click is a press and a release within `kClickPixels`. Widgets abort neither event, so that a drag from the same
 /// place moves the camera.
@@ -75,6 +70,115 @@ class Click {
 
  private:
   std::optional<DisplayPoint> PressedAt;  // while the button is down and the cursor near
+};
+
+template <class Result, class Widget>
+Widget classOf(Result (Widget::*action)());
+
+/// A widget whose representation is of one class.
+template <class Representation, class Base = vtkAbstractWidget>
+class WidgetOf : public Base {
+ public:
+  void SetRepresentation(Representation* representation)
+  {
+    this->SetWidgetRepresentation(representation);
+    if (representation != nullptr) this->Inform(*representation);
+  }
+  /// Not by SetRepresentation, which would disable the widget and enable it again: that asks for a representation.
+  void CreateDefaultRepresentation() override
+  {
+    if (this->WidgetRep != nullptr) return;
+    Representation* const representation = Representation::New();
+    this->WidgetRep = representation;
+    this->Inform(*representation);
+  }
+
+ protected:
+  /// Tells a new representation what the widget knows.
+  virtual void Inform(Representation& /*representation*/) {}
+  [[nodiscard]] Representation& Drawn() { return *static_cast<Representation*>(this->GetRepresentation()); }
+
+  /// The widget event calls a member function without arguments. One that returns true has used the VTK event.
+  template <auto Action>
+  void Bind(unsigned long event, unsigned long widgetEvent)
+  {
+    this->CallbackMapper->SetCallbackMethod(event, widgetEvent, this, &Call<Action>);
+  }
+  template <auto Action>
+  void BindKey(const char* keySym, unsigned long widgetEvent)
+  {
+    this->CallbackMapper->SetCallbackMethod(vtkCommand::KeyPressEvent, vtkEvent::AnyModifier, 0, 0, keySym, widgetEvent,
+                                            this, &Call<Action>);
+  }
+  template <auto Action>
+  static void Call(vtkAbstractWidget* widget)
+  {
+    auto* const self = static_cast<decltype(classOf(Action))*>(widget);
+    if constexpr (std::is_void_v<decltype((self->*Action)())>)
+      (self->*Action)();
+    else if ((self->*Action)())
+      self->Use();
+  }
+
+  [[nodiscard]] DisplayPoint Cursor() const { return cursorOf(*this->Interactor); }
+  /// Whether it is in the renderer's part of the window.
+  [[nodiscard]] bool IsCursorInside() const
+  {
+    const int* cursor = this->Interactor->GetEventPosition();
+    return this->CurrentRenderer->IsInViewport(cursor[0], cursor[1]) != 0;
+  }
+  void ShowCursor(int shape)
+  {
+    if (this->ManagesCursor != 0) this->RequestCursorShape(shape);
+  }
+
+  /// Nothing of lower priority gets the event that is handled.
+  void Use() { this->EventCallbackCommand->SetAbortFlag(1); }
+
+  /// Begins a click, but not by the second press of a double click.
+  void PressClick()
+  {
+    this->LeftClick.Forget();
+    if (!isSecondPress(*this->Interactor) && this->IsCursorInside()) this->LeftClick.Press(this->Cursor());
+  }
+
+  Click LeftClick;
+};
+
+/// A representation that consists of props. They are drawn in their order, where they are visible.
+template <class Base>
+class DrawnByProps : public Base {
+ public:
+  void GetActors(vtkPropCollection* actors) override
+  {
+    for (vtkProp* const prop : this->Props) prop->GetActors(actors);
+  }
+  void GetActors2D(vtkPropCollection* actors) override
+  {
+    for (vtkProp* const prop : this->Props) prop->GetActors2D(actors);
+  }
+  void ReleaseGraphicsResources(vtkWindow* window) override
+  {
+    for (vtkProp* const prop : this->Props) prop->ReleaseGraphicsResources(window);
+  }
+  int RenderOpaqueGeometry(vtkViewport* viewport) override
+  {
+    return this->Draw(viewport, &vtkProp::RenderOpaqueGeometry);
+  }
+  int RenderOverlay(vtkViewport* viewport) override { return this->Draw(viewport, &vtkProp::RenderOverlay); }
+
+ protected:
+  std::vector<vtkProp*> Props;
+
+ private:
+  int Draw(vtkViewport* viewport, int (vtkProp::*render)(vtkViewport*))
+  {
+    this->BuildRepresentation();
+    int drawn = 0;
+    for (vtkProp* const prop : this->Props)
+      if (prop->GetVisibility() != 0) drawn += (prop->*render)(viewport);
+    return drawn;
+  }
 };
 
 enum class SelectionMode { Replace, Add, Remove };

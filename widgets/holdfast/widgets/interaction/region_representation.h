@@ -1,21 +1,18 @@
 #pragma once
-/// \file
 /// The outline that selects a region of the surface.
 
 #include <vector>
 
 #include <vtkActor2D.h>
 #include <vtkNew.h>
-#include <vtkPolyDataMapper2D.h>
-#include <vtkSmartPointer.h>
-#include <vtkWidgetRepresentation.h>
+#include <vtkPolyData.h>
 
-#include <holdfast/widgets/camera/display_transform.h>
+#include <holdfast/widgets/interaction/interaction_events.h>
 
 namespace holdfast {
 
 /// A closed line over the picture, light below dark, so that it is seen on every surface; or nothing (the default).
-class RegionRepresentation : public vtkWidgetRepresentation {
+class RegionRepresentation : public DrawnByProps<vtkWidgetRepresentation> {
  public:
   static RegionRepresentation* New();
   vtkTypeMacro(RegionRepresentation, vtkWidgetRepresentation)
@@ -32,11 +29,6 @@ class RegionRepresentation : public vtkWidgetRepresentation {
   vtkGetMacro(PixelRatio, double);
 
   void BuildRepresentation() override;
-  /// Null: has no place in the scene.
-  double* GetBounds() override { return nullptr; }
-  void GetActors2D(vtkPropCollection* actors) override;
-  void ReleaseGraphicsResources(vtkWindow* window) override;
-  int RenderOverlay(vtkViewport* viewport) override;
 
  protected:
   RegionRepresentation();
@@ -48,8 +40,8 @@ class RegionRepresentation : public vtkWidgetRepresentation {
   std::vector<DisplayPoint> Outline;
   bool IsFilled = false;
   double PixelRatio = 1;
-  vtkNew<vtkPolyDataMapper2D> FillMapper;
-  vtkNew<vtkPolyDataMapper2D> LineMapper;
+  vtkNew<vtkPolyData> FillData;  // in pixels of the window
+  vtkNew<vtkPolyData> LineData;
   vtkNew<vtkActor2D> Fill;
   vtkNew<vtkActor2D> LightLine;
   vtkNew<vtkActor2D> DarkLine;

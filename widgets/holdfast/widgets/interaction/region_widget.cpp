@@ -4,10 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include <vtkEvent.h>
+#include <Eigen/Geometry>
 
 #include <holdfast/widgets/camera/camera_state.h>
-#include <holdfast/widgets/interaction/region_representation.h>
 
 namespace holdfast {
 namespace {
@@ -19,7 +18,6 @@ constexpr double kLeastBrushPixels = 4;
 constexpr double kMostBrushPixels = 300;
 constexpr double kBrushStep = 1.2;
 
-constexpr double kMostSideDegrees = 175;
 constexpr double kSideStepDegrees = 5;
 
 // A smaller outline is a click, and selects nothing.
@@ -31,63 +29,26 @@ constexpr unsigned long kTurnMilliseconds = 1;
 
 double extentOf(const std::vector<DisplayPoint>& points)
 {
-  DisplayPoint least = points.front();
-  DisplayPoint most = points.front();
-  for (const DisplayPoint& point : points) {
-    least = least.cwiseMin(point);
-    most = most.cwiseMax(point);
-  }
-  return (most - least).maxCoeff();
+  Eigen::AlignedBox2d box;
+  for (const DisplayPoint& point : points) box.extend(point);
+  return box.sizes().maxCoeff();
 }
 
 }  // namespace
-
-bool BrushStroke::dab(const DisplayPoint& pixel, double radiusPixels, const SurfacePicker& picker,
-                      vtkRenderer& renderer)
-{
-  const auto pick = picker.pick(renderer, pixel.x(), pixel.y(), PickKind::Face, 0);
-  if (!pick) return false;
-  const Vector3 center = atDepthOf(renderer, pick->place, pixel);
-  const Vector3 border = atDepthOf(renderer, pick->place, pixel + DisplayPoint(radiusPixels, 0));
-  const VisibleSurface& surface = *picker.surface();
-  auto touched = regions_->within((border - center).norm(), pick->place, pick->face, surface.positions());
-  std::erase_if(touched, [&](Index v) { return !surface.isKept(surface.positions().row(v)); });
-  reached_ = joined(reached_, touched, SelectionMode::Add);
-  return true;
-}
-
-bool BrushStroke::paintTo(const DisplayPoint& pixel, double radiusPixels,
-                          const std::shared_ptr<const VisibleSurface>& surface, vtkRenderer& renderer)
-{
-  const SurfacePicker picker(surface);
-  const DisplayPoint from = at_.value_or(pixel);
-  const double dabs = std::ceil((pixel - from).norm() / (kDabSpacing * radiusPixels));
-  const int count = std::max(1, static_cast<int>(dabs));
-  bool isOnSurface = false;
-  for (int k = 1; k <= count; ++k) isOnSurface = dab(from + (pixel - from) * k / count, radiusPixels, picker, renderer);
-  at_ = pixel;
-  return isOnSurface;
-}
 
 vtkStandardNewMacro(RegionWidget);
 
 RegionWidget::RegionWidget()
 {
-  vtkWidgetCallbackMapper& mapper = *this->CallbackMapper;
-  mapper.SetCallbackMethod(vtkCommand::LeftButtonDoubleClickEvent, vtkWidgetEvent::Completed, this,
-                           &call<&RegionWidget::PressAgain>);
-  mapper.SetCallbackMethod(vtkCommand::LeftButtonPressEvent, vtkWidgetEvent::Select, this, &call<&RegionWidget::Press>);
-  mapper.SetCallbackMethod(vtkCommand::MouseMoveEvent, vtkWidgetEvent::Move, this, &call<&RegionWidget::MoveTo>);
-  mapper.SetCallbackMethod(vtkCommand::LeftButtonReleaseEvent, vtkWidgetEvent::EndSelect, this,
-                           &call<&RegionWidget::Release>);
-  mapper.SetCallbackMethod(vtkCommand::LeaveEvent, vtkWidgetEvent::HoverLeave, this, &call<&RegionWidget::Leave>);
-  mapper.SetCallbackMethod(vtkCommand::TimerEvent, vtkWidgetEvent::TimedOut, this, &call<&RegionWidget::TimeOut>);
-  const auto bindKey = [&](const char* key, unsigned long widgetEvent, void (*action)(vtkAbstractWidget*)) {
-    mapper.SetCallbackMethod(vtkCommand::KeyPressEvent, vtkEvent::AnyModifier, 0, 0, key, widgetEvent, this, action);
-  };
-  bindKey("bracketleft", vtkWidgetEvent::Down, &call<&RegionWidget::Step<-1>>);
-  bindKey("bracketright", vtkWidgetEvent::Up, &call<&RegionWidget::Step<1>>);
-  bindKey("Escape", vtkWidgetEvent::Reset, &call<&RegionWidget::Escape>);
+  this->Bind<&RegionWidget::PressAgain>(vtkCommand::LeftButtonDoubleClickEvent, vtkWidgetEvent::Completed);
+  this->Bind<&RegionWidget::Press>(vtkCommand::LeftButtonPressEvent, vtkWidgetEvent::Select);
+  this->Bind<&RegionWidget::MoveTo>(vtkCommand::MouseMoveEvent, vtkWidgetEvent::Move);
+  this->Bind<&RegionWidget::Release>(vtkCommand::LeftButtonReleaseEvent, vtkWidgetEvent::EndSelect);
+  this->Bind<&RegionWidget::Leave>(vtkCommand::LeaveEvent, vtkWidgetEvent::HoverLeave);
+  this->Bind<&RegionWidget::TimeOut>(vtkCommand::TimerEvent, vtkWidgetEvent::TimedOut);
+  this->BindKey<&RegionWidget::Step<-1>>("bracketleft", vtkWidgetEvent::Down);
+  this->BindKey<&RegionWidget::Step<1>>("bracketright", vtkWidgetEvent::Up);
+  this->BindKey<&RegionWidget::Cancel>("Escape", vtkWidgetEvent::Reset);
 }
 
 void RegionWidget::PrintSelf(ostream& os, vtkIndent indent)
@@ -101,32 +62,12 @@ void RegionWidget::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PixelRatio: " << this->PixelRatio << '\n';
 }
 
-void RegionWidget::SetRepresentation(RegionRepresentation* representation)
-{
-  this->SetWidgetRepresentation(representation);
-  if (representation != nullptr) representation->SetPixelRatio(this->PixelRatio);
-}
-
-RegionRepresentation* RegionWidget::GetRegionRepresentation()
-{
-  return static_cast<RegionRepresentation*>(this->GetRepresentation());
-}
-
-void RegionWidget::CreateDefaultRepresentation()
-{
-  if (this->WidgetRep != nullptr) return;
-  // Not by SetRepresentation, which would disable the widget and enable it again: that asks for a representation.
-  auto* representation = RegionRepresentation::New();
-  representation->SetPixelRatio(this->PixelRatio);
-  this->WidgetRep = representation;
-}
-
 void RegionWidget::SetEnabled(int enabling)
 {
   if (enabling == 0 && this->Enabled != 0) {
     this->Cancel();
-    this->GetRegionRepresentation()->ShowNothing();
-    if (this->ManagesCursor != 0) this->RequestCursorShape(VTK_CURSOR_DEFAULT);
+    this->Drawn().ShowNothing();
+    this->ShowCursor(VTK_CURSOR_DEFAULT);
   }
   this->Superclass::SetEnabled(enabling);
 }
@@ -136,7 +77,7 @@ void RegionWidget::SetShape(RegionShape shape)
   if (this->Shape == shape) return;
   this->Cancel();
   this->Shape = shape;
-  this->GetRegionRepresentation()->ShowNothing();
+  this->Drawn().ShowNothing();
   this->Modified();
 }
 
@@ -161,15 +102,7 @@ void RegionWidget::SetBrushRadius(double pixels)
   const double radius = std::clamp(pixels, kLeastBrushPixels, kMostBrushPixels);
   if (radius == this->BrushRadius) return;
   this->BrushRadius = radius;
-  if (!this->GetRegionRepresentation()->GetOutline().empty() && this->Shape == RegionShape::Brush) this->ShowBrush();
-  this->Modified();
-}
-
-void RegionWidget::SetSideAngle(double degrees)
-{
-  const double angle = std::clamp(degrees, 0.0, kMostSideDegrees);
-  if (angle == this->SideAngle) return;
-  this->SideAngle = angle;
+  if (!this->Drawn().GetOutline().empty() && this->Shape == RegionShape::Brush) this->ShowBrush();
   this->Modified();
 }
 
@@ -177,14 +110,13 @@ void RegionWidget::SetPixelRatio(double ratio)
 {
   if (ratio == this->PixelRatio) return;
   this->PixelRatio = std::clamp(ratio, 0.1, 100.0);
-  this->GetRegionRepresentation()->SetPixelRatio(this->PixelRatio);
+  this->Drawn().SetPixelRatio(this->PixelRatio);
   this->Modified();
 }
 
-std::optional<SurfacePick> RegionWidget::FaceUnderCursor() const
+std::optional<SurfacePick> RegionWidget::FaceAt(const DisplayPoint& pixel) const
 {
-  const DisplayPoint cursor = cursorOf(*this->Interactor);
-  return SurfacePicker(this->Surface).pick(*this->CurrentRenderer, cursor.x(), cursor.y(), PickKind::Face, 0);
+  return SurfacePicker(this->Surface).pick(*this->CurrentRenderer, pixel.x(), pixel.y(), PickKind::Face, 0);
 }
 
 void RegionWidget::Tell(unsigned long event, std::vector<Index> reached)
@@ -193,88 +125,104 @@ void RegionWidget::Tell(unsigned long event, std::vector<Index> reached)
   this->InvokeEvent(event, &data);
 }
 
-void RegionWidget::Press()
+bool RegionWidget::Press()
 {
   if (this->Shape == RegionShape::Side && isSecondPress(*this->Interactor)) return this->SelectPart();
   this->Cancel();
-  if (!this->Surface || !isCursorIn(*this->CurrentRenderer, *this->Interactor)) return;
-  this->Trail = {cursorOf(*this->Interactor)};
+  if (!this->Surface || !this->IsCursorInside()) return false;
+  this->Trail = {this->Cursor()};
   this->Mode = selectionModeOf(*this->Interactor);
-  switch (this->Shape) {
-    case RegionShape::Brush:
-      return this->BeginStroke();
-    case RegionShape::Rectangle:
-    case RegionShape::Lasso:
-      return this->BeginOutline();
-    case RegionShape::Side:
-      this->LeftClick.Press(cursorOf(*this->Interactor));
+  if (this->Shape == RegionShape::Brush) return this->BeginStroke();
+  if (this->Shape == RegionShape::Side) {
+    this->LeftClick.Press(this->Cursor());
+    return false;
   }
+  this->Current = Gesture::Outline;
+  this->Tell(vtkCommand::StartInteractionEvent);
+  return true;
 }
 
-void RegionWidget::PressAgain()
+bool RegionWidget::MoveTo()
 {
-  if (this->Shape == RegionShape::Side) return this->SelectPart();
-  this->Press();
+  const DisplayPoint cursor = this->Cursor();
+  if (this->Current == Gesture::Stroke) {
+    this->PaintTo(cursor);
+    return true;
+  }
+  if (this->Current == Gesture::Outline) {
+    this->Trail.push_back(cursor);
+    this->Drawn().ShowPolygon(this->Polygon());
+    this->Render();
+    return true;
+  }
+  this->LeftClick.LeaveAt(cursor, this->PixelRatio);
+  if (isCameraMoving(*this->Interactor)) return false;
+  if (!this->Surface || !this->IsCursorInside()) {
+    this->Leave();
+    return false;
+  }
+  this->ShowCursor(VTK_CURSOR_CROSSHAIR);
+  if (this->Shape == RegionShape::Brush) this->ShowBrush();
+  return false;
 }
 
-void RegionWidget::MoveTo()
+bool RegionWidget::Release()
 {
+  const DisplayPoint cursor = this->Cursor();
   switch (this->Current) {
     case Gesture::Stroke:
-      this->Use();
-      return this->PaintTo(cursorOf(*this->Interactor));
-    case Gesture::Outline:
-      this->Use();
-      this->Trail.push_back(cursorOf(*this->Interactor));
-      return this->ShowOutline();
-    case Gesture::None:
-    case Gesture::Search:
-      this->LeftClick.LeaveAt(cursorOf(*this->Interactor), this->PixelRatio);
-      if (!isCameraMoving(*this->Interactor)) this->Hover();
-  }
-}
-
-void RegionWidget::Release()
-{
-  switch (this->Current) {
-    case Gesture::Stroke:
-      this->Use();
       this->Current = Gesture::None;
-      return this->Tell(vtkCommand::EndInteractionEvent, std::exchange(this->Stroke, std::nullopt)->reached());
+      this->Tell(vtkCommand::EndInteractionEvent, std::exchange(this->Reached, {}));
+      return true;
     case Gesture::Outline:
-      this->Use();
-      this->Trail.push_back(cursorOf(*this->Interactor));
-      return this->EndOutline();
+      this->Trail.push_back(cursor);
+      this->EndOutline();
+      return true;
     case Gesture::None:
     case Gesture::Search:
-      if (this->LeftClick.Release(cursorOf(*this->Interactor), this->PixelRatio)) this->SelectSide();
+      if (!this->LeftClick.Release(cursor, this->PixelRatio) || !this->Regions) return false;
+      if (const auto pick = this->FaceAt(this->Cursor()))
+        this->SelectAtOnce(this->Regions->smooth(pick->face, this->SideAngle));
   }
+  return false;
 }
 
-void RegionWidget::BeginStroke()
+bool RegionWidget::BeginStroke()
 {
-  if (!this->Regions || !this->FaceUnderCursor()) return;
-  this->Use();
+  if (!this->Regions || !this->FaceAt(this->Cursor())) return false;
   this->Current = Gesture::Stroke;
-  this->Stroke.emplace(this->Regions);
-  this->Tell(vtkCommand::StartInteractionEvent, {});
-  this->PaintTo(cursorOf(*this->Interactor));
+  this->Reached.clear();
+  this->Tell(vtkCommand::StartInteractionEvent);
+  this->PaintTo(this->Cursor());
+  return true;
 }
 
 void RegionWidget::PaintTo(const DisplayPoint& cursor)
 {
   // An observer may have removed the surface.
-  if (!this->Stroke) return;
-  this->Stroke->paintTo(cursor, this->BrushRadius * this->PixelRatio, this->Surface, *this->CurrentRenderer);
+  if (this->Current != Gesture::Stroke) return;
+  const DisplayPoint from = this->Trail.back();
+  const double dabs = std::ceil((cursor - from).norm() / (kDabSpacing * this->BrushRadius * this->PixelRatio));
+  const int count = std::max(1, static_cast<int>(dabs));
+  for (int k = 1; k <= count; ++k) this->Dab(from + (cursor - from) * k / count);
+  this->Trail.push_back(cursor);
   this->ShowBrush();
-  this->Tell(vtkCommand::InteractionEvent, this->Stroke->reached());
+  this->Tell(vtkCommand::InteractionEvent, this->Reached);
 }
 
-void RegionWidget::BeginOutline()
+/// A ball around a place of the surface, with the radius of the brush there. It reaches along edges only, and nothing
+/// that a section cuts away.
+void RegionWidget::Dab(const DisplayPoint& pixel)
 {
-  this->Use();
-  this->Current = Gesture::Outline;
-  this->Tell(vtkCommand::StartInteractionEvent, {});
+  const auto pick = this->FaceAt(pixel);
+  if (!pick) return;
+  const DisplayPoint radius(this->BrushRadius * this->PixelRatio, 0);
+  const Vector3 center = atDepthOf(*this->CurrentRenderer, pick->place, pixel);
+  const Vector3 border = atDepthOf(*this->CurrentRenderer, pick->place, pixel + radius);
+  const Positions& positions = this->Surface->positions();
+  auto touched = this->Regions->within((border - center).norm(), pick->place, pick->face, positions);
+  std::erase_if(touched, [&](Index v) { return !this->Surface->isKept(positions.row(v)); });
+  this->Reached = joined(this->Reached, touched, SelectionMode::Add);
 }
 
 std::vector<DisplayPoint> RegionWidget::Polygon() const
@@ -292,7 +240,7 @@ void RegionWidget::EndOutline()
     this->Cancel();
     return;
   }
-  this->GetRegionRepresentation()->ShowNothing();
+  this->Drawn().ShowNothing();
   this->Render();
   this->Mode = selectionModeOf(*this->Interactor);
   const ScreenReach reach = this->Interactor->GetAltKey() != 0 ? ScreenReach::Through : ScreenReach::VisibleOnly;
@@ -319,26 +267,19 @@ void RegionWidget::TimeOut()
   if (*static_cast<int*>(this->CallData) == this->TimerId) this->Search();
 }
 
-void RegionWidget::SelectSide()
-{
-  if (!this->Regions) return;
-  if (const auto pick = this->FaceUnderCursor()) this->SelectAtOnce(this->Regions->smooth(pick->face, this->SideAngle));
-}
-
-void RegionWidget::SelectPart()
+bool RegionWidget::SelectPart()
 {
   this->Cancel();
-  if (!this->Surface || !this->Regions || !isCursorIn(*this->CurrentRenderer, *this->Interactor)) return;
-  const auto pick = this->FaceUnderCursor();
-  if (!pick) return;
-  this->Use();
-  this->SelectAtOnce(this->Regions->connected(this->Surface->model().mesh.faces[pick->face].front()));
+  if (!this->Surface || !this->Regions || !this->IsCursorInside()) return false;
+  const auto pick = this->FaceAt(this->Cursor());
+  if (pick) this->SelectAtOnce(this->Regions->connected(this->Surface->model().mesh.faces[pick->face].front()));
+  return pick.has_value();
 }
 
 void RegionWidget::SelectAtOnce(std::vector<Index> reached)
 {
   this->Mode = selectionModeOf(*this->Interactor);
-  this->Tell(vtkCommand::StartInteractionEvent, {});
+  this->Tell(vtkCommand::StartInteractionEvent);
   this->Tell(vtkCommand::EndInteractionEvent, std::move(reached));
 }
 
@@ -347,53 +288,40 @@ bool RegionWidget::Cancel()
   this->LeftClick.Forget();
   const Gesture gesture = std::exchange(this->Current, Gesture::None);
   if (gesture == Gesture::None) return false;
-  this->Stroke.reset();
+  this->Reached.clear();
   this->Found.reset();
   if (gesture == Gesture::Search) this->Interactor->DestroyTimer(this->TimerId);
-  if (gesture == Gesture::Outline) this->GetRegionRepresentation()->ShowNothing();
+  if (gesture == Gesture::Outline) this->Drawn().ShowNothing();
   this->Render();
-  this->Tell(CancelInteractionEvent, {});
+  this->Tell(CancelInteractionEvent);
   return true;
 }
 
 template <int Direction>
-void RegionWidget::Step()
+bool RegionWidget::Step()
 {
   if (this->Shape == RegionShape::Brush)
     this->SetBrushRadius(this->BrushRadius * std::pow(kBrushStep, Direction));
   else if (this->Shape == RegionShape::Side)
     this->SetSideAngle(this->SideAngle + Direction * kSideStepDegrees);
   else
-    return;
-  this->Use();
+    return false;
   this->InvokeEvent(vtkCommand::WidgetValueChangedEvent);
+  return true;
 }
 
 void RegionWidget::Leave()
 {
-  if (this->ManagesCursor != 0) this->RequestCursorShape(VTK_CURSOR_DEFAULT);
+  this->ShowCursor(VTK_CURSOR_DEFAULT);
   if (this->Current == Gesture::Stroke || this->Current == Gesture::Outline) return;
-  if (this->GetRegionRepresentation()->GetOutline().empty()) return;
-  this->GetRegionRepresentation()->ShowNothing();
+  if (this->Drawn().GetOutline().empty()) return;
+  this->Drawn().ShowNothing();
   this->Render();
-}
-
-void RegionWidget::Hover()
-{
-  if (!this->Surface || !isCursorIn(*this->CurrentRenderer, *this->Interactor)) return this->Leave();
-  if (this->ManagesCursor != 0) this->RequestCursorShape(VTK_CURSOR_CROSSHAIR);
-  if (this->Shape == RegionShape::Brush) this->ShowBrush();
 }
 
 void RegionWidget::ShowBrush()
 {
-  this->GetRegionRepresentation()->ShowCircle(cursorOf(*this->Interactor), this->BrushRadius * this->PixelRatio);
-  this->Render();
-}
-
-void RegionWidget::ShowOutline()
-{
-  this->GetRegionRepresentation()->ShowPolygon(this->Polygon());
+  this->Drawn().ShowCircle(this->Cursor(), this->BrushRadius * this->PixelRatio);
   this->Render();
 }
 

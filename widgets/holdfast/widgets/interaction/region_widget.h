@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Selects regions of a surface: by a brush, a rectangle, a lasso, or a click on a side.
 
 #include <memory>
@@ -7,37 +6,12 @@
 #include <vector>
 
 #include <holdfast/surface/vertex_regions.h>
-#include <holdfast/widgets/interaction/interaction_events.h>
+#include <holdfast/widgets/interaction/region_representation.h>
 #include <holdfast/widgets/picking/screen_selection.h>
 #include <holdfast/widgets/picking/surface_picker.h>
 #include <holdfast/widgets/picking/visible_surface.h>
 
 namespace holdfast {
-
-/// A stroke consists of dabs: balls around places of the surface, with a radius in pixels there. They reach along edges
-/// only (`VertexRegions::within`), and nothing that a section cuts away.
-class BrushStroke {
- public:
-  /// `regions` is not null, and made of the mesh whose surfaces `paintTo` gets.
-  explicit BrushStroke(std::shared_ptr<VertexRegions> regions) : regions_(std::move(regions)) {}
-
-  /// Paints from the last pixel to `pixel` in dabs 0.4 radii apart; the first time at `pixel` alone. Returns whether
-  /// the last dab was on the surface.
-  bool paintTo(const DisplayPoint& pixel, double radiusPixels, const std::shared_ptr<const VisibleSurface>& surface,
-               vtkRenderer& renderer);
-
-  /// Vertices of the file, ascending.
-  [[nodiscard]] const std::vector<Index>& reached() const noexcept { return reached_; }
-
- private:
-  bool dab(const DisplayPoint& pixel, double radiusPixels, const SurfacePicker& picker, vtkRenderer& renderer);
-
-  std::shared_ptr<VertexRegions> regions_;
-  std::optional<DisplayPoint> at_;  // none before the first dab
-  std::vector<Index> reached_;
-};
-
-class RegionRepresentation;
 
 enum class RegionShape {
   Brush,      ///< a stroke reaches the vertices that the brush touches along the surface
@@ -55,28 +29,17 @@ struct RegionCallData {
 /// Holds no selection: an observer keeps the one before a gesture, shows what `joined` makes of it and the call data,
 /// and restores it when the gesture is cancelled.
 ///
-/// | event                   | when                                                           | call data         |
-/// |-------------------------|----------------------------------------------------------------|-------------------|
-/// | StartInteractionEvent   | a gesture begins; nothing is reached yet                       | `RegionCallData*` |
-/// | InteractionEvent        | the brush has been led on, the first time where it came down   | `RegionCallData*` |
-/// | EndInteractionEvent     | the gesture is complete                                        | `RegionCallData*` |
-/// | CancelInteractionEvent  | instead: Escape, an outline too small, another press, another  | `RegionCallData*` |
-/// |                         | shape, regions or model, disabled                              |                   |
-/// | WidgetValueChangedEvent | a key asks for another radius of the brush or angle of sides   | none              |
-///
 /// Shift adds to the selection, Ctrl removes: read at the press of a brush, else at the end of the gesture. With Alt,
 /// rectangle and lasso reach hidden vertices as well. Their search takes 12,000 vertices at a time, in turns of the
 /// event loop where the interactor has timers. The events of a gesture are aborted; a brush beside the surface and a
 /// click on a side leave them to the camera.
-class RegionWidget : public vtkAbstractWidget {
+class RegionWidget : public WidgetOf<RegionRepresentation> {
  public:
   static RegionWidget* New();
   vtkTypeMacro(RegionWidget, vtkAbstractWidget)
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  void SetRepresentation(RegionRepresentation* representation);
-  [[nodiscard]] RegionRepresentation* GetRegionRepresentation();
-  void CreateDefaultRepresentation() override;
+  [[nodiscard]] RegionRepresentation* GetRegionRepresentation() { return &this->Drawn(); }
   /// Disabling cancels the gesture under way.
   void SetEnabled(int enabling) override;
 
@@ -98,7 +61,7 @@ class RegionWidget : public vtkAbstractWidget {
   vtkGetMacro(BrushRadius, double);
 
   /// By how much a side may bend from face to face, degrees; from 0 to 175, by default 20.
-  void SetSideAngle(double degrees);
+  vtkSetClampMacro(SideAngle, double, 0.0, 175.0);
   vtkGetMacro(SideAngle, double);
 
   void SetPixelRatio(double ratio);
@@ -111,6 +74,8 @@ class RegionWidget : public vtkAbstractWidget {
   RegionWidget();
   ~RegionWidget() override = default;
 
+  void Inform(RegionRepresentation& representation) override { representation.SetPixelRatio(this->PixelRatio); }
+
  private:
   enum class Gesture {
     None,
@@ -119,35 +84,27 @@ class RegionWidget : public vtkAbstractWidget {
     Search    // for what is in the outline
   };
 
-  void Press();
-  void PressAgain();
-  void MoveTo();
-  void Release();
+  // One for each widget event: whether the VTK event has been used.
+  bool Press();
+  bool PressAgain() { return this->Shape == RegionShape::Side ? this->SelectPart() : this->Press(); }
+  bool MoveTo();
+  bool Release();
   void Leave();
-  void Escape()
-  {
-    if (this->Cancel()) this->Use();
-  }
   void TimeOut();
+  template <int Direction>
+  bool Step();
 
-  void BeginStroke();
+  bool BeginStroke();
   void PaintTo(const DisplayPoint& cursor);
-  void BeginOutline();
+  void Dab(const DisplayPoint& pixel);
   void EndOutline();
   void Search();
-  void SelectSide();
-  void SelectPart();
+  bool SelectPart();
   void SelectAtOnce(std::vector<Index> reached);
-
-  template <int Direction>
-  void Step();
-  void Use() { this->EventCallbackCommand->SetAbortFlag(1); }
-  void Hover();
   void ShowBrush();
-  void ShowOutline();
   [[nodiscard]] std::vector<DisplayPoint> Polygon() const;
-  [[nodiscard]] std::optional<SurfacePick> FaceUnderCursor() const;
-  void Tell(unsigned long event, std::vector<Index> reached);
+  [[nodiscard]] std::optional<SurfacePick> FaceAt(const DisplayPoint& pixel) const;
+  void Tell(unsigned long event, std::vector<Index> reached = {});
 
   RegionShape Shape = RegionShape::Brush;
   std::shared_ptr<const VisibleSurface> Surface;
@@ -157,10 +114,9 @@ class RegionWidget : public vtkAbstractWidget {
   double PixelRatio = 1;
 
   Gesture Current = Gesture::None;
-  Click LeftClick;  // on a side
   SelectionMode Mode = SelectionMode::Replace;
   std::vector<DisplayPoint> Trail;  // of the cursor since the press
-  std::optional<BrushStroke> Stroke;
+  std::vector<Index> Reached;       // by the stroke
   std::unique_ptr<ScreenSelection> Found;
   int TimerId = 0;
 };

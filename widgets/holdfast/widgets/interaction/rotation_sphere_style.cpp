@@ -5,6 +5,8 @@
 #include <string_view>
 #include <utility>
 
+#include <holdfast/geometry/degree.h>
+#include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/widgets/interaction/interaction_events.h>
 #include <holdfast/widgets/rotation_sphere/rotation_sphere.h>
 #include <holdfast/widgets/rotation_sphere/sphere_camera.h>
@@ -12,8 +14,8 @@
 namespace holdfast {
 namespace {
 
-// A drag across half the height of the picture rotates the sphere by this: it about follows the cursor.
-constexpr double kRadiansAcrossHalf = 1.6;
+// A drag across the height of the picture rotates the sphere by this: it about follows the cursor.
+constexpr double kSphereDegreesAcross = 3.2 / kDegree;
 constexpr double kPixelsOfKey = 20;
 constexpr double kZoomOfNotch = 1.2;
 
@@ -71,8 +73,8 @@ void RotationSphereStyle::Turn(const DisplayPoint& pixels)
 {
   if (!this->Sphere) return;
   vtkRenderer& renderer = *this->Sphere->renderer();
-  const double radians = kRadiansAcrossHalf / std::max(1.0, renderer.GetSize()[1] / 2.0);
-  turnSphere(*renderer.GetActiveCamera(), radians * pixels.x(), radians * pixels.y());
+  const DisplayPoint degrees = kSphereDegreesAcross / std::max(1, renderer.GetSize()[1]) * pixels;
+  orbit(*renderer.GetActiveCamera(), Vector3::Zero(), degrees.x(), degrees.y());
   this->CameraMoved();
 }
 

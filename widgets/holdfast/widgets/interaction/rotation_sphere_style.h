@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Turns and zooms the rotation sphere, and picks its points.
 
 #include <vtkInteractorStyle.h>
@@ -12,13 +11,6 @@ class RotationSphere;
 
 /// A drag with the left button rotates the sphere with the cursor, the wheel and "plus" and "minus" zoom, arrow keys
 /// rotate, a double click and "Home" show all that is prescribed.
-///
-/// | event                 | when                                            | call data                        |
-/// |-----------------------|-------------------------------------------------|----------------------------------|
-/// | StartInteractionEvent | a drag begins: the cursor is 4 pixels away      | none                             |
-/// | InteractionEvent      | the camera was moved, by keys and wheel as well | none                             |
-/// | EndInteractionEvent   | the drag ends                                   | none                             |
-/// | PickEvent             | a click on a point                              | `Index*`, the vertex of the file |
 class RotationSphereStyle : public vtkInteractorStyle {
  public:
   static RotationSphereStyle* New();

@@ -34,13 +34,6 @@ SurfaceCameraStyle::SurfaceCameraStyle()
   translator.SetTranslation(vtkCommand::MiddleButtonPressEvent, vtkWidgetEvent::Translate);
 }
 
-void SurfaceCameraStyle::SetSurface(std::shared_ptr<const VisibleSurface> surface)
-{
-  if (this->Surface == surface) return;
-  this->Surface = std::move(surface);
-  this->Modified();
-}
-
 Vector3 SurfaceCameraStyle::PlaceUnder(const DisplayPoint& cursor)
 {
   vtkRenderer& renderer = *this->CurrentRenderer;

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Turns, shifts and zooms the camera about the place of a surface that is under the cursor.
 
 #include <memory>
@@ -13,22 +12,10 @@
 
 namespace holdfast {
 
-/// The event translator says what a drag does; a program may change it. By default
-///
-/// | VTK event                                   | widget event              |                                        |
-/// |---------------------------------------------|---------------------------|----------------------------------------|
-/// | LeftButtonPressEvent, RightButtonPressEvent | vtkWidgetEvent::Rotate    | orbits the place under the cursor      |
-/// | MiddleButtonPressEvent, Shift + Right       | vtkWidgetEvent::Translate | shifts that place with the cursor      |
-///
-/// and the wheel goes nearer to that place, 1.2 times a notch to the power of `GetMouseWheelMotionFactor`. A drag
-/// begins when the cursor has left the place of the press by 4 pixels, so that widgets above can take clicks.
-///
-/// | event                   | when                                               | call data |
-/// |-------------------------|----------------------------------------------------|-----------|
-/// | StartInteractionEvent   | a drag begins                                      | none      |
-/// | InteractionEvent        | the camera was moved, by the wheel as well         | none      |
-/// | EndInteractionEvent     | the button came up                                 | none      |
-/// | ContextMenuRequestEvent | the right button went down and up in one place     | none      |
+/// The event translator says what a drag does; a program may change it. `vtkWidgetEvent::Rotate` orbits the place under
+/// the cursor, `Translate` shifts that place with the cursor. The wheel goes nearer to it, 1.2 times a notch to the
+/// power of `GetMouseWheelMotionFactor`. A drag begins when the cursor has left the place of the press by 4 pixels, so
+/// that widgets above can take clicks.
 ///
 /// Keys of `vtkInteractorStyle` ("q" ends the program, "w" draws lines) are not bound.
 class SurfaceCameraStyle : public vtkInteractorStyle {
@@ -37,7 +24,7 @@ class SurfaceCameraStyle : public vtkInteractorStyle {
   vtkTypeMacro(SurfaceCameraStyle, vtkInteractorStyle)
 
   /// The motion is about its place under the cursor; null (the default) and beside it: about the depth of the focus.
-  void SetSurface(std::shared_ptr<const VisibleSurface> surface);
+  vtkSetMacro(Surface, std::shared_ptr<const VisibleSurface>);
   [[nodiscard]] const std::shared_ptr<const VisibleSurface>& GetSurface() const { return this->Surface; }
 
   vtkSetClampMacro(PixelRatio, double, 0.1, 100.0);

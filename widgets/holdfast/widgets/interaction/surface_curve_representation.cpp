@@ -5,16 +5,12 @@
 #include <utility>
 
 #include <vtkCell.h>
-#include <vtkCellArray.h>
 #include <vtkIdList.h>
-#include <vtkObjectFactory.h>
-#include <vtkPoints.h>
-#include <vtkPropCollection.h>
-#include <vtkRenderer.h>
 
 #include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/widgets/color/color_map.h>
 #include <holdfast/widgets/mesh/actor_setup.h>
+#include <holdfast/widgets/mesh/poly_data.h>
 
 namespace holdfast {
 namespace {
@@ -37,27 +33,11 @@ constexpr double kPreviewOpacity = 0.65;
 constexpr double kCurveFactor = -1.5;
 constexpr double kCurveUnits = -8;
 
-void showCurve(vtkActor& actor, vtkPolyData& line, const Color& color, double opacity)
-{
-  drawLinesNearer(showData(actor, line), kCurveFactor, kCurveUnits);
-  setColor(actor, color);
-  actor.GetProperty()->SetOpacity(opacity);
-  actor.GetProperty()->LightingOff();
-}
-
-DisplayPoint pointOf(const double pixel[2])
-{
-  return {pixel[0], pixel[1]};
-}
-
 }  // namespace
 
 vtkStandardNewMacro(SurfaceCurveRepresentation);
 
 SurfaceCurveRepresentation::SurfaceCurveRepresentation()
-    : Actors{this->LineBehind.Get(),    &this->DotsBehind.actor(), this->LineRim.Get(), this->LineFront.Get(),
-             this->PreviewRim.Get(),    this->PreviewFront.Get(),  &this->Dots.actor(), &this->PreviewDot.actor(),
-             &this->ActiveRing.actor(), &this->ClosingRing.actor()}
 {
   this->InteractionState = vtkContourRepresentation::Outside;
   this->SetPointPlacer(this->Placer);
@@ -65,12 +45,21 @@ SurfaceCurveRepresentation::SurfaceCurveRepresentation()
   this->Placer->SetKind(PickKind::Vertex);
   this->Placer->SetSnapPixels(kReachPixels);
   this->PixelTolerance = kReachPixels;
+  const auto show = [](vtkActor& actor, vtkPolyData& line, const Color& color, double opacity) {
+    drawLinesNearer(showData(actor, line), kCurveFactor, kCurveUnits);
+    setColor(actor, color);
+    actor.GetProperty()->SetOpacity(opacity);
+    actor.GetProperty()->LightingOff();
+  };
   const double faint = this->LineBehind->GetProperty()->GetOpacity();
-  showCurve(*this->LineBehind, *this->Line, kCurveColor, faint);
-  showCurve(*this->LineRim, *this->Line, kRimColor, kRimOpacity);
-  showCurve(*this->LineFront, *this->Line, kCurveColor, 1);
-  showCurve(*this->PreviewRim, *this->PreviewLine, kRimColor, kPreviewOpacity * kRimOpacity);
-  showCurve(*this->PreviewFront, *this->PreviewLine, kCurveColor, kPreviewOpacity);
+  show(*this->LineBehind, *this->Line, kCurveColor, faint);
+  show(*this->LineRim, *this->Line, kRimColor, kRimOpacity);
+  show(*this->LineFront, *this->Line, kCurveColor, 1);
+  show(*this->PreviewRim, *this->PreviewLine, kRimColor, kPreviewOpacity * kRimOpacity);
+  show(*this->PreviewFront, *this->PreviewLine, kCurveColor, kPreviewOpacity);
+  this->Props = {this->LineBehind,          &this->DotsBehind.actor(), this->LineRim,       this->LineFront,
+                 this->PreviewRim,          this->PreviewFront,        &this->Dots.actor(), &this->PreviewDot.actor(),
+                 &this->ActiveRing.actor(), &this->ClosingRing.actor()};
 }
 
 void SurfaceCurveRepresentation::PrintSelf(ostream& os, vtkIndent indent)
@@ -91,10 +80,14 @@ void SurfaceCurveRepresentation::SetSurface(std::shared_ptr<const VisibleSurface
   this->Surface = std::move(surface);
   this->Placer->SetSurface(this->Surface);
   this->Interpolator->SetSurface(this->Surface);
-  if (isSameModel)
-    this->FollowSurface();
-  else
-    this->ClearAllNodes();
+  if (!isSameModel) return this->ClearAllNodes();
+  for (vtkContourRepresentationNode* node : this->Internal->Nodes) {
+    Vector3::Map(node->WorldPosition) = this->PlaceOf(Index{node->PointId});
+    for (vtkContourRepresentationPoint* point : node->Points)
+      Vector3::Map(point->WorldPosition) = this->PlaceOf(Index{point->PointId});
+  }
+  this->NeedToRender = 1;
+  this->BuildLines();
 }
 
 void SurfaceCurveRepresentation::SetPixelRatio(double ratio)
@@ -139,22 +132,22 @@ bool SurfaceCurveRepresentation::IsPossible(Index vertex, int moved) const
   return true;
 }
 
-bool SurfaceCurveRepresentation::InsertPlace(int n, Index vertex)
+bool SurfaceCurveRepresentation::InsertPlace(int n, std::optional<Index> vertex)
 {
   constexpr int kNoNode = -1;
-  if (n < 0 || n > this->GetNumberOfNodes() || !this->IsPossible(vertex, kNoNode)) return false;
+  if (n < 0 || n > this->GetNumberOfNodes() || !vertex || !this->IsPossible(*vertex, kNoNode)) return false;
   auto* node = new vtkContourRepresentationNode{};
   for (const int k : {0, 4, 8}) node->WorldOrientation[k] = 1;
   this->Internal->Nodes.insert(this->Internal->Nodes.begin() + n, node);
   return this->MovePlace(n, vertex);
 }
 
-bool SurfaceCurveRepresentation::MovePlace(int n, Index vertex)
+bool SurfaceCurveRepresentation::MovePlace(int n, std::optional<Index> vertex)
 {
-  if (!this->IsNode(n) || !this->IsPossible(vertex, n)) return false;
+  if (!this->IsNode(n) || !vertex || !this->IsPossible(*vertex, n)) return false;
   vtkContourRepresentationNode& node = *this->Internal->Nodes[static_cast<std::size_t>(n)];
-  node.PointId = vertex;
-  Vector3::Map(node.WorldPosition) = this->PlaceOf(vertex);
+  node.PointId = *vertex;
+  Vector3::Map(node.WorldPosition) = this->PlaceOf(*vertex);
   this->UpdateLines(n);
   this->NeedToRender = 1;
   return true;
@@ -167,17 +160,6 @@ void SurfaceCurveRepresentation::ClearAllNodes()
   this->ActiveNode = -1;
   this->CurrentOperation = Inactive;
   this->Preview.clear();
-  this->NeedToRender = 1;
-  this->BuildLines();
-}
-
-void SurfaceCurveRepresentation::FollowSurface()
-{
-  for (vtkContourRepresentationNode* node : this->Internal->Nodes) {
-    Vector3::Map(node->WorldPosition) = this->PlaceOf(Index{node->PointId});
-    for (vtkContourRepresentationPoint* point : node->Points)
-      Vector3::Map(point->WorldPosition) = this->PlaceOf(Index{point->PointId});
-  }
   this->NeedToRender = 1;
   this->BuildLines();
 }
@@ -231,23 +213,6 @@ std::optional<Index> SurfaceCurveRepresentation::NearestVertex(const double plac
   return nearest;
 }
 
-int SurfaceCurveRepresentation::AddNodeAtWorldPosition(double place[3])
-{
-  const auto vertex = this->NearestVertex(place);
-  return vertex && this->InsertPlace(this->GetNumberOfNodes(), *vertex) ? 1 : 0;
-}
-
-int SurfaceCurveRepresentation::AddNodeAtWorldPosition(double place[3], double /*orientation*/[9])
-{
-  return this->AddNodeAtWorldPosition(place);
-}
-
-int SurfaceCurveRepresentation::AddNodeAtDisplayPosition(double pixel[2])
-{
-  const auto vertex = this->VertexAt(pointOf(pixel));
-  return vertex && this->InsertPlace(this->GetNumberOfNodes(), *vertex) ? 1 : 0;
-}
-
 int SurfaceCurveRepresentation::AddNodeOnContour(int x, int y)
 {
   const auto vertex = this->VertexAt(DisplayPoint(x, y));
@@ -255,35 +220,8 @@ int SurfaceCurveRepresentation::AddNodeOnContour(int x, int y)
   const std::vector<Index>& unknownOf = this->Surface->model().solverMesh.weld.unknownOf;
   for (int n = 0; n < this->GetNumberOfNodes(); ++n)
     for (const vtkContourRepresentationPoint* point : this->GetNthNode(n)->Points)
-      if (unknownOf[Index{point->PointId}] == unknownOf[*vertex]) return this->InsertPlace(n + 1, *vertex) ? 1 : 0;
+      if (unknownOf[Index{point->PointId}] == unknownOf[*vertex]) return this->InsertPlace(n + 1, vertex);
   return 0;
-}
-
-int SurfaceCurveRepresentation::SetActiveNodeToWorldPosition(double place[3])
-{
-  return this->SetNthNodeWorldPosition(this->ActiveNode, place);
-}
-
-int SurfaceCurveRepresentation::SetActiveNodeToWorldPosition(double place[3], double /*orientation*/[9])
-{
-  return this->SetNthNodeWorldPosition(this->ActiveNode, place);
-}
-
-int SurfaceCurveRepresentation::SetNthNodeWorldPosition(int n, double place[3])
-{
-  const auto vertex = this->NearestVertex(place);
-  return vertex && this->MovePlace(n, *vertex) ? 1 : 0;
-}
-
-int SurfaceCurveRepresentation::SetNthNodeWorldPosition(int n, double place[3], double /*orientation*/[9])
-{
-  return this->SetNthNodeWorldPosition(n, place);
-}
-
-int SurfaceCurveRepresentation::SetNthNodeDisplayPosition(int n, double pixel[2])
-{
-  const auto vertex = this->VertexAt(pointOf(pixel));
-  return vertex && this->MovePlace(n, *vertex) ? 1 : 0;
 }
 
 int SurfaceCurveRepresentation::AddIntermediatePointWorldPosition(int n, double place[3], vtkIdType vertex)
@@ -326,7 +264,7 @@ int SurfaceCurveRepresentation::ComputeInteractionState(int x, int y, int /*modi
 void SurfaceCurveRepresentation::WidgetInteraction(double pixel[2])
 {
   if (this->CurrentOperation != Translate) return;
-  const auto vertex = this->VertexAt(pointOf(pixel));
+  const auto vertex = this->VertexAt(DisplayPoint(pixel));
   if (vertex && this->IsNode(this->ActiveNode) && this->GetNthNode(this->ActiveNode)->PointId != *vertex)
     this->MovePlace(this->ActiveNode, *vertex);
 }
@@ -346,7 +284,7 @@ void SurfaceCurveRepresentation::InitializeContour(vtkPolyData* line, vtkIdList*
   if (line->GetNumberOfCells() > 0 && line->GetCell(0)->GetNumberOfPoints() > count) this->ClosedLoopOn();
 }
 
-void SurfaceCurveRepresentation::SetSprites()
+void SurfaceCurveRepresentation::ShowSprites()
 {
   std::vector<Sprite> places;
   if (this->Surface)
@@ -358,20 +296,9 @@ void SurfaceCurveRepresentation::SetSprites()
   this->ClosingRing.set(only(this->IsClosable(), 0));
   this->Dots.set(places);
   this->DotsBehind.set(places);
-  if (this->Preview.empty())
-    this->PreviewDot.set({});
-  else
-    this->PreviewDot.set({{this->PlaceOf(this->Preview.back()), kCurveColor}});
-}
-
-void SurfaceCurveRepresentation::SetWidths()
-{
-  const auto setWidth = [this](vtkActor& actor, double pixels) { setLineWidth(actor, pixels * this->PixelRatio); };
-  setWidth(*this->LineBehind, kCurvePixels);
-  setWidth(*this->LineRim, kCurveRimPixels);
-  setWidth(*this->LineFront, kCurvePixels);
-  setWidth(*this->PreviewRim, kPreviewRimPixels);
-  setWidth(*this->PreviewFront, kPreviewPixels);
+  std::vector<Sprite> preview;
+  if (!this->Preview.empty()) preview.push_back({this->PlaceOf(this->Preview.back()), kCurveColor});
+  this->PreviewDot.set(preview);
   for (PointSprites* const dots : {&this->Dots, &this->DotsBehind, &this->PreviewDot})
     dots->setPixels(kPlacePixels * this->PixelRatio);
   this->ActiveRing.setPixels(kActivePixels * this->PixelRatio);
@@ -382,52 +309,27 @@ void SurfaceCurveRepresentation::BuildRepresentation()
 {
   if (this->GetMTime() <= this->BuildTime) return;
   this->BuildTime.Modified();
-  const auto setLine = [this](vtkPolyData& data, std::vector<Index> vertices, bool isClosed) {
-    vtkNew<vtkPoints> points;
-    vtkNew<vtkCellArray> lines;
-    points->SetDataTypeToDouble();
-    if (isClosed) vertices.push_back(vertices.front());
-    lines->InsertNextCell(static_cast<int>(vertices.size()));
-    for (const Index vertex : vertices) lines->InsertCellPoint(points->InsertNextPoint(this->PlaceOf(vertex).data()));
-    data.SetPoints(points);
-    data.SetLines(lines);
-    return vertices.size() > 1;
+  std::vector<Index> path = this->GetPath();
+  if (this->ClosedLoop != 0 && !path.empty()) path.push_back(path.front());
+  const auto show = [this](vtkPolyData& line, const std::vector<Index>& vertices) {
+    std::vector<Vector3> places;
+    for (const Index vertex : vertices) places.push_back(this->PlaceOf(vertex));
+    setLines(line, {places});
   };
-  const std::vector<Index> path = this->GetPath();
-  const bool isLine = setLine(*this->Line, path, this->ClosedLoop != 0 && !path.empty());
-  const bool isPreview = setLine(*this->PreviewLine, this->Preview, false);
-  this->LineBehind->SetVisibility(isLine);
-  this->LineRim->SetVisibility(isLine);
-  this->LineFront->SetVisibility(isLine);
-  this->PreviewRim->SetVisibility(isPreview);
-  this->PreviewFront->SetVisibility(isPreview);
-  this->SetSprites();
-  this->SetWidths();
+  show(*this->Line, path);
+  show(*this->PreviewLine, this->Preview);
+  setLineWidth(*this->LineBehind, kCurvePixels * this->PixelRatio);
+  setLineWidth(*this->LineRim, kCurveRimPixels * this->PixelRatio);
+  setLineWidth(*this->LineFront, kCurvePixels * this->PixelRatio);
+  setLineWidth(*this->PreviewRim, kPreviewRimPixels * this->PixelRatio);
+  setLineWidth(*this->PreviewFront, kPreviewPixels * this->PixelRatio);
+  this->ShowSprites();
 }
 
 vtkPolyData* SurfaceCurveRepresentation::GetContourRepresentationAsPolyData()
 {
   this->BuildRepresentation();
   return this->Line;
-}
-
-void SurfaceCurveRepresentation::GetActors(vtkPropCollection* actors)
-{
-  for (vtkActor* const actor : this->Actors) actors->AddItem(actor);
-}
-
-void SurfaceCurveRepresentation::ReleaseGraphicsResources(vtkWindow* window)
-{
-  for (vtkActor* const actor : this->Actors) actor->ReleaseGraphicsResources(window);
-}
-
-int SurfaceCurveRepresentation::RenderOpaqueGeometry(vtkViewport* viewport)
-{
-  this->BuildRepresentation();
-  int drawn = 0;
-  for (vtkActor* const actor : this->Actors)
-    if (actor->GetVisibility() != 0) drawn += actor->RenderOpaqueGeometry(viewport);
-  return drawn;
 }
 
 }  // namespace holdfast

@@ -1,8 +1,6 @@
 #pragma once
-/// \file
 /// A curve along the edges of a surface.
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -10,6 +8,7 @@
 #include <vtkContourRepresentation.h>
 #include <vtkNew.h>
 
+#include <holdfast/widgets/interaction/interaction_events.h>
 #include <holdfast/widgets/interaction/surface_point_placer.h>
 #include <holdfast/widgets/marks/point_sprites.h>
 #include <holdfast/widgets/mesh/blended_actor.h>
@@ -18,7 +17,7 @@ namespace holdfast {
 
 /// A contour whose nodes, the places, are different vertices of one connected part of the surface. It moves with them.
 /// Its parts behind the surface are faint.
-class SurfaceCurveRepresentation : public vtkContourRepresentation {
+class SurfaceCurveRepresentation : public DrawnByProps<vtkContourRepresentation> {
  public:
   static SurfaceCurveRepresentation* New();
   vtkTypeMacro(SurfaceCurveRepresentation, vtkContourRepresentation)
@@ -39,8 +38,8 @@ class SurfaceCurveRepresentation : public vtkContourRepresentation {
 
   /// Inserts a place before the `n`-th one, or moves that one. False, and no change, for a vertex that no face uses,
   /// that is a place already, or to which no edges lead from the others.
-  bool InsertPlace(int n, Index vertex);
-  bool MovePlace(int n, Index vertex);
+  bool InsertPlace(int n, std::optional<Index> vertex);
+  bool MovePlace(int n, std::optional<Index> vertex);
 
   /// The vertex for a click on a pixel, found by `SurfacePicker` within 12 pixels; none beside the surface.
   [[nodiscard]] std::optional<Index> VertexAt(const DisplayPoint& pixel) const;
@@ -59,19 +58,43 @@ class SurfaceCurveRepresentation : public vtkContourRepresentation {
   using vtkContourRepresentation::AddNodeAtWorldPosition;
   using vtkContourRepresentation::SetActiveNodeToDisplayPosition;
   using vtkContourRepresentation::SetNthNodeDisplayPosition;
-  int AddNodeAtWorldPosition(double place[3]) override;
-  int AddNodeAtWorldPosition(double place[3], double orientation[9]) override;
-  int AddNodeAtDisplayPosition(double pixel[2]) override;
+  int AddNodeAtWorldPosition(double place[3]) override
+  {
+    return this->InsertPlace(this->GetNumberOfNodes(), this->NearestVertex(place));
+  }
+  int AddNodeAtWorldPosition(double place[3], double* /*orientation*/) override
+  {
+    return this->AddNodeAtWorldPosition(place);
+  }
+  int AddNodeAtDisplayPosition(double pixel[2]) override
+  {
+    return this->InsertPlace(this->GetNumberOfNodes(), this->VertexAt(DisplayPoint(pixel)));
+  }
   int AddNodeOnContour(int x, int y) override;
-  int SetActiveNodeToWorldPosition(double place[3]) override;
-  int SetActiveNodeToWorldPosition(double place[3], double orientation[9]) override;
+  int SetNthNodeWorldPosition(int n, double place[3]) override
+  {
+    return this->MovePlace(n, this->NearestVertex(place));
+  }
+  int SetNthNodeWorldPosition(int n, double place[3], double* /*orientation*/) override
+  {
+    return this->SetNthNodeWorldPosition(n, place);
+  }
+  int SetNthNodeDisplayPosition(int n, double pixel[2]) override
+  {
+    return this->MovePlace(n, this->VertexAt(DisplayPoint(pixel)));
+  }
+  int SetActiveNodeToWorldPosition(double place[3]) override
+  {
+    return this->SetNthNodeWorldPosition(this->ActiveNode, place);
+  }
+  int SetActiveNodeToWorldPosition(double place[3], double* /*orientation*/) override
+  {
+    return this->SetActiveNodeToWorldPosition(place);
+  }
   int SetActiveNodeToDisplayPosition(double pixel[2]) override
   {
     return this->SetNthNodeDisplayPosition(this->ActiveNode, pixel);
   }
-  int SetNthNodeWorldPosition(int n, double place[3]) override;
-  int SetNthNodeWorldPosition(int n, double place[3], double orientation[9]) override;
-  int SetNthNodeDisplayPosition(int n, double pixel[2]) override;
   int AddIntermediatePointWorldPosition(int n, double place[3], vtkIdType vertex) override;
   /// The nearest visible place within 12 pixels.
   int ActivateNode(double pixel[2]) override;
@@ -84,12 +107,6 @@ class SurfaceCurveRepresentation : public vtkContourRepresentation {
   void WidgetInteraction(double pixel[2]) override;
   vtkPolyData* GetContourRepresentationAsPolyData() override;
 
-  /// Null: what the curve lies on is in the scene already.
-  double* GetBounds() override { return nullptr; }
-  void GetActors(vtkPropCollection* actors) override;
-  void ReleaseGraphicsResources(vtkWindow* window) override;
-  int RenderOverlay(vtkViewport* /*viewport*/) override { return 0; }
-  int RenderOpaqueGeometry(vtkViewport* viewport) override;
   int RenderTranslucentPolygonalGeometry(vtkViewport* /*viewport*/) override { return 0; }
   vtkTypeBool HasTranslucentPolygonalGeometry() override { return 0; }
 
@@ -105,9 +122,7 @@ class SurfaceCurveRepresentation : public vtkContourRepresentation {
   [[nodiscard]] std::optional<Index> NearestVertex(const double place[3]) const;
   [[nodiscard]] Vector3 PlaceOf(Index vertex) const { return this->Surface->positions().row(vertex).transpose(); }
   [[nodiscard]] bool IsNode(int n) const { return n >= 0 && n < static_cast<int>(this->Internal->Nodes.size()); }
-  void FollowSurface();
-  void SetSprites();
-  void SetWidths();
+  void ShowSprites();
 
   std::shared_ptr<const VisibleSurface> Surface;
   double PixelRatio = 1;
@@ -127,7 +142,6 @@ class SurfaceCurveRepresentation : public vtkContourRepresentation {
   PointSprites PreviewDot{SpriteShape::Hollow};
   PointSprites ActiveRing{SpriteShape::Ring};
   PointSprites ClosingRing{SpriteShape::Ring};
-  std::array<vtkActor*, 10> Actors;  // in the order in which they are drawn
 };
 
 }  // namespace holdfast

@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include <vtkEvent.h>
 #include <vtkWidgetEventTranslator.h>
 
 namespace holdfast {
@@ -16,29 +15,17 @@ SurfaceCurveWidget::SurfaceCurveWidget()
   // That of VTK is there already.
   this->SetRepresentation(vtkNew<SurfaceCurveRepresentation>());
   this->EventTranslator->ClearEvents();
-  vtkWidgetCallbackMapper& mapper = *this->CallbackMapper;
-  mapper.SetCallbackMethod(vtkCommand::LeftButtonPressEvent, vtkWidgetEvent::Select, this,
-                           &call<&SurfaceCurveWidget::Press>);
-  mapper.SetCallbackMethod(vtkCommand::MouseMoveEvent, vtkWidgetEvent::Move, this, &call<&SurfaceCurveWidget::MoveTo>);
-  mapper.SetCallbackMethod(vtkCommand::LeftButtonReleaseEvent, vtkWidgetEvent::EndSelect, this,
-                           &call<&SurfaceCurveWidget::Release>);
-  mapper.SetCallbackMethod(vtkCommand::LeaveEvent, vtkWidgetEvent::HoverLeave, this, &call<&SurfaceCurveWidget::Leave>);
-  mapper.SetCallbackMethod(vtkCommand::LeftButtonDoubleClickEvent, vtkWidgetEvent::AddFinalPoint, this,
-                           &call<&SurfaceCurveWidget::CloseByHand>);
-  const auto bindKey = [&](const char* key, unsigned long widgetEvent, void (*action)(vtkAbstractWidget*)) {
-    mapper.SetCallbackMethod(vtkCommand::KeyPressEvent, vtkEvent::AnyModifier, 0, 0, key, widgetEvent, this, action);
-  };
+  using Widget = SurfaceCurveWidget;
+  this->Bind<&Widget::Press>(vtkCommand::LeftButtonPressEvent, vtkWidgetEvent::Select);
+  this->Bind<&Widget::MoveTo>(vtkCommand::MouseMoveEvent, vtkWidgetEvent::Move);
+  this->Bind<&Widget::Release>(vtkCommand::LeftButtonReleaseEvent, vtkWidgetEvent::EndSelect);
+  this->Bind<&Widget::Leave>(vtkCommand::LeaveEvent, vtkWidgetEvent::HoverLeave);
+  this->Bind<&Widget::Close>(vtkCommand::LeftButtonDoubleClickEvent, vtkWidgetEvent::AddFinalPoint);
   for (const char* const key : {"Return", "KP_Enter"})
-    bindKey(key, vtkWidgetEvent::AddFinalPoint, &call<&SurfaceCurveWidget::CloseByHand>);
+    this->BindKey<&Widget::Close>(key, vtkWidgetEvent::AddFinalPoint);
   for (const char* const key : {"BackSpace", "Delete"})
-    bindKey(key, vtkWidgetEvent::Delete, &call<&SurfaceCurveWidget::RemoveByHand>);
-  bindKey("Escape", vtkWidgetEvent::Reset, &call<&SurfaceCurveWidget::Escape>);
-}
-
-void SurfaceCurveWidget::CreateDefaultRepresentation()
-{
-  // Not by SetRepresentation, which would disable the widget and enable it again: that asks for a representation.
-  if (this->WidgetRep == nullptr) this->WidgetRep = SurfaceCurveRepresentation::New();
+    this->BindKey<&Widget::RemoveByHand>(key, vtkWidgetEvent::Delete);
+  this->BindKey<&Widget::Cancel>("Escape", vtkWidgetEvent::Reset);
 }
 
 void SurfaceCurveWidget::SetEnabled(int enabling)
@@ -46,23 +33,23 @@ void SurfaceCurveWidget::SetEnabled(int enabling)
   if (enabling == 0 && this->Enabled != 0) {
     if (this->IsDragging()) this->Cancel();
     this->LeftClick.Forget();
-    this->GetSurfaceCurveRepresentation()->SetPreview(std::nullopt);
+    this->Drawn().SetPreview(std::nullopt);
     this->RequestCursorShape(VTK_CURSOR_DEFAULT);
   }
   this->Superclass::SetEnabled(enabling);
   // VTK hides what has no point yet: here the vertex under the cursor is shown.
-  this->GetSurfaceCurveRepresentation()->VisibilityOn();
+  this->Drawn().VisibilityOn();
 }
 
 void SurfaceCurveWidget::SetSurface(std::shared_ptr<const VisibleSurface> surface)
 {
-  this->GetSurfaceCurveRepresentation()->SetSurface(std::move(surface));
+  this->Drawn().SetSurface(std::move(surface));
   this->ShowChanges();
 }
 
 bool SurfaceCurveWidget::SetPlaces(const std::vector<Index>& vertices)
 {
-  SurfaceCurveRepresentation& curve = *this->GetSurfaceCurveRepresentation();
+  SurfaceCurveRepresentation& curve = this->Drawn();
   curve.ClearAllNodes();
   bool isPossible = true;
   for (const Index vertex : vertices) isPossible = isPossible && curve.InsertPlace(curve.GetNumberOfNodes(), vertex);
@@ -73,13 +60,13 @@ bool SurfaceCurveWidget::SetPlaces(const std::vector<Index>& vertices)
 
 void SurfaceCurveWidget::Clear()
 {
-  this->GetSurfaceCurveRepresentation()->ClearAllNodes();
+  this->Drawn().ClearAllNodes();
   this->ShowChanges();
 }
 
 bool SurfaceCurveWidget::AddPlace(Index vertex)
 {
-  SurfaceCurveRepresentation& curve = *this->GetSurfaceCurveRepresentation();
+  SurfaceCurveRepresentation& curve = this->Drawn();
   const int count = curve.GetNumberOfNodes();
   if (this->IsClosed() || !curve.InsertPlace(count, vertex)) return false;
   curve.SetPreview(std::nullopt);
@@ -91,7 +78,7 @@ bool SurfaceCurveWidget::AddPlace(Index vertex)
 
 bool SurfaceCurveWidget::Close()
 {
-  SurfaceCurveRepresentation& curve = *this->GetSurfaceCurveRepresentation();
+  SurfaceCurveRepresentation& curve = this->Drawn();
   if (!curve.IsClosable()) return false;
   curve.SetPreview(std::nullopt);
   curve.ClosedLoopOn();
@@ -102,7 +89,7 @@ bool SurfaceCurveWidget::Close()
 
 bool SurfaceCurveWidget::RemoveLast()
 {
-  SurfaceCurveRepresentation& curve = *this->GetSurfaceCurveRepresentation();
+  SurfaceCurveRepresentation& curve = this->Drawn();
   curve.ClosedLoopOff();
   if (curve.DeleteLastNode() == 0) return false;
   curve.SetPreview(std::nullopt);
@@ -136,18 +123,13 @@ void SurfaceCurveWidget::Tell(unsigned long event)
   this->InvokeEvent(event, &places);
 }
 
-void SurfaceCurveWidget::UpdateState()
+void SurfaceCurveWidget::ShowChanges()
 {
   if (this->IsClosed())
     this->WidgetState = Manipulate;
   else
     this->WidgetState = this->GetPlaces().empty() ? Start : Define;
-}
-
-void SurfaceCurveWidget::ShowChanges()
-{
-  this->UpdateState();
-  SurfaceCurveRepresentation& curve = *this->GetSurfaceCurveRepresentation();
+  SurfaceCurveRepresentation& curve = this->Drawn();
   if (curve.GetNeedToRender() == 0) return;
   curve.NeedToRenderOff();
   this->Render();
@@ -159,113 +141,99 @@ void SurfaceCurveWidget::Changed()
   this->Tell(vtkCommand::WidgetValueChangedEvent);
 }
 
-void SurfaceCurveWidget::Press()
+bool SurfaceCurveWidget::Press()
 {
-  if (!isCursorIn(*this->CurrentRenderer, *this->Interactor)) return;
-  if (isSecondPress(*this->Interactor)) return this->CloseByHand();
-  this->LeftClick.Press(cursorOf(*this->Interactor));
-  if (this->IsClosed()) this->BeginDrag();
+  if (!this->IsCursorInside()) return false;
+  if (isSecondPress(*this->Interactor)) return this->Close();
+  this->LeftClick.Press(this->Cursor());
+  return this->IsClosed() && this->BeginDrag();
 }
 
-void SurfaceCurveWidget::BeginDrag()
+bool SurfaceCurveWidget::BeginDrag()
 {
-  SurfaceCurveRepresentation& curve = *this->GetSurfaceCurveRepresentation();
-  DisplayPoint cursor = cursorOf(*this->Interactor);
+  SurfaceCurveRepresentation& curve = this->Drawn();
+  DisplayPoint cursor = this->Cursor();
   const std::vector<Index> before = this->GetPlaces();
   const auto activate = [&] { return curve.ActivateNode(cursor.data()) != 0; };
   const auto add = [&] {
     return curve.AddNodeOnContour(static_cast<int>(cursor.x()), static_cast<int>(cursor.y())) != 0;
   };
-  if (!activate() && !(add() && activate())) return this->ShowChanges();
-  this->Use();
-  this->LeftClick.Forget();
-  this->PlacesBefore = before;
-  curve.SetCurrentOperationToTranslate();
-  this->Tell(vtkCommand::StartInteractionEvent);
-  if (this->GetPlaces() != before) this->Changed();
+  const bool isDrag = activate() || (add() && activate());
+  if (isDrag) {
+    this->LeftClick.Forget();
+    this->PlacesBefore = before;
+    curve.SetCurrentOperationToTranslate();
+    this->Tell(vtkCommand::StartInteractionEvent);
+    if (this->GetPlaces() != before) this->Changed();
+  }
   this->ShowChanges();
+  return isDrag;
 }
 
-void SurfaceCurveWidget::DragTo(const DisplayPoint& cursor)
+bool SurfaceCurveWidget::MoveTo()
 {
-  const std::vector<Index> before = this->GetPlaces();
-  DisplayPoint pixel = cursor;
-  this->GetSurfaceCurveRepresentation()->WidgetInteraction(pixel.data());
-  if (this->GetPlaces() == before) return;
-  this->ShowChanges();
-  this->Tell(vtkCommand::InteractionEvent);
-  this->Tell(vtkCommand::WidgetValueChangedEvent);
-}
-
-void SurfaceCurveWidget::EndDrag()
-{
-  this->GetSurfaceCurveRepresentation()->SetCurrentOperationToInactive();
-  this->ShowChanges();
-  this->Tell(vtkCommand::EndInteractionEvent);
-}
-
-void SurfaceCurveWidget::MoveTo()
-{
-  const DisplayPoint cursor = cursorOf(*this->Interactor);
+  DisplayPoint cursor = this->Cursor();
   if (this->IsDragging()) {
-    this->Use();
-    return this->DragTo(cursor);
+    const std::vector<Index> before = this->GetPlaces();
+    this->Drawn().WidgetInteraction(cursor.data());
+    if (this->GetPlaces() == before) return true;
+    this->ShowChanges();
+    this->Tell(vtkCommand::InteractionEvent);
+    this->Tell(vtkCommand::WidgetValueChangedEvent);
+    return true;
   }
   this->LeftClick.LeaveAt(cursor, this->GetPixelRatio());
   if (!isCameraMoving(*this->Interactor)) this->Hover(cursor);
+  return false;
 }
 
 void SurfaceCurveWidget::Hover(const DisplayPoint& cursor)
 {
-  if (!isCursorIn(*this->CurrentRenderer, *this->Interactor)) return this->Leave();
-  SurfaceCurveRepresentation& curve = *this->GetSurfaceCurveRepresentation();
+  if (!this->IsCursorInside()) return this->Leave();
+  SurfaceCurveRepresentation& curve = this->Drawn();
   bool isOverPlace = curve.IsAtFirst(cursor);
   if (this->IsClosed())
     isOverPlace = curve.ActivateNode(static_cast<int>(cursor.x()), static_cast<int>(cursor.y())) != 0;
   else if (this->FollowCursor != 0)
     curve.SetPreview(isOverPlace ? curve.GetPlaces().front() : curve.VertexAt(cursor));
-  if (this->ManagesCursor != 0) this->RequestCursorShape(isOverPlace ? VTK_CURSOR_HAND : VTK_CURSOR_CROSSHAIR);
+  this->ShowCursor(isOverPlace ? VTK_CURSOR_HAND : VTK_CURSOR_CROSSHAIR);
   this->ShowChanges();
 }
 
 void SurfaceCurveWidget::Leave()
 {
-  if (this->ManagesCursor != 0) this->RequestCursorShape(VTK_CURSOR_DEFAULT);
-  this->GetSurfaceCurveRepresentation()->SetPreview(std::nullopt);
+  this->ShowCursor(VTK_CURSOR_DEFAULT);
+  this->Drawn().SetPreview(std::nullopt);
   this->ShowChanges();
 }
 
-void SurfaceCurveWidget::Release()
+bool SurfaceCurveWidget::Release()
 {
+  SurfaceCurveRepresentation& curve = this->Drawn();
   if (this->IsDragging()) {
-    this->Use();
-    return this->EndDrag();
+    curve.SetCurrentOperationToInactive();
+    this->ShowChanges();
+    this->Tell(vtkCommand::EndInteractionEvent);
+    return true;
   }
-  const DisplayPoint cursor = cursorOf(*this->Interactor);
-  if (this->LeftClick.Release(cursor, this->GetPixelRatio())) this->ClickAt(cursor);
-}
-
-void SurfaceCurveWidget::ClickAt(const DisplayPoint& cursor)
-{
-  const SurfaceCurveRepresentation& curve = *this->GetSurfaceCurveRepresentation();
-  if (this->GetSurfaceCurveRepresentation()->IsAtFirst(cursor))
+  const DisplayPoint cursor = this->Cursor();
+  if (!this->LeftClick.Release(cursor, this->GetPixelRatio())) return false;
+  if (curve.IsAtFirst(cursor))
     this->Close();
   else if (const auto vertex = curve.VertexAt(cursor))
     this->AddPlace(*vertex);
+  return false;
 }
 
-void SurfaceCurveWidget::RemoveByHand()
+bool SurfaceCurveWidget::RemoveByHand()
 {
-  SurfaceCurveRepresentation& curve = *this->GetSurfaceCurveRepresentation();
-  if (this->GetPlaces().empty() || this->IsDragging()) return;
-  this->Use();
-  if (!this->IsClosed() || curve.ActivateNode(cursorOf(*this->Interactor).data()) == 0) {
-    this->RemoveLast();
-    return;
-  }
+  if (this->GetPlaces().empty() || this->IsDragging()) return false;
+  SurfaceCurveRepresentation& curve = this->Drawn();
+  if (!this->IsClosed() || curve.ActivateNode(this->Cursor().data()) == 0) return this->RemoveLast();
   curve.DeleteActiveNode();
   if (curve.GetNumberOfNodes() < 3) curve.ClosedLoopOff();
   this->Changed();
+  return true;
 }
 
 }  // namespace holdfast

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Draws closed curves along the edges of a surface.
 
 #include <memory>
@@ -15,46 +14,27 @@ namespace holdfast {
 /// Clicks place vertices that shortest paths of edges join. A click within 12 pixels of the first one closes the curve;
 /// then its places can be dragged, and a drag from elsewhere on it adds one. Clicks are as in `Click`.
 ///
-/// | event                   | when                                                                  | call data  |
-/// |-------------------------|-----------------------------------------------------------------------|------------|
-/// | StartInteractionEvent   | the first place is put; a drag of a place begins                      | all places |
-/// | PlacePointEvent         | a place is put                                                        | `Index*`   |
-/// | InteractionEvent        | a place has been dragged on                                           | all places |
-/// | WidgetValueChangedEvent | mouse or keys, but not Escape, have changed the curve                 | all places |
-/// | EndInteractionEvent     | the curve is closed; a drag of a place ends                           | all places |
-/// | CancelInteractionEvent  | Escape took all places, or a drag back                                | all places |
-///
-/// All places are a `std::vector<Index>*`: vertices of the file, in the order of the curve.
-///
 /// `FollowCursor`, on by default, shows the way to the vertex under the cursor; `ContinuousDraw` and
 /// `AllowNodePicking` are without effect. `CloseLoop` closes without an event. Disabling keeps the curve.
-class SurfaceCurveWidget : public vtkContourWidget {
+class SurfaceCurveWidget : public WidgetOf<SurfaceCurveRepresentation, vtkContourWidget> {
  public:
   static SurfaceCurveWidget* New();
   vtkTypeMacro(SurfaceCurveWidget, vtkContourWidget)
 
-  void SetRepresentation(SurfaceCurveRepresentation* representation) { this->SetWidgetRepresentation(representation); }
-  [[nodiscard]] SurfaceCurveRepresentation* GetSurfaceCurveRepresentation()
-  {
-    return static_cast<SurfaceCurveRepresentation*>(this->GetRepresentation());
-  }
-  void CreateDefaultRepresentation() override;
+  [[nodiscard]] SurfaceCurveRepresentation* GetSurfaceCurveRepresentation() { return &this->Drawn(); }
   void SetEnabled(int enabling) override;
 
   /// Null (the default): no curve. Positions may change at any time; a surface of another model removes the curve.
   void SetSurface(std::shared_ptr<const VisibleSurface> surface);
   /// Those of the surface's model; null (the default): clicks are refused.
-  void SetRegions(std::shared_ptr<const VertexRegions> regions)
-  {
-    this->GetSurfaceCurveRepresentation()->SetRegions(std::move(regions));
-  }
-  void SetPixelRatio(double ratio) { this->GetSurfaceCurveRepresentation()->SetPixelRatio(ratio); }
-  [[nodiscard]] double GetPixelRatio() { return this->GetSurfaceCurveRepresentation()->GetPixelRatio(); }
+  void SetRegions(std::shared_ptr<const VertexRegions> regions) { this->Drawn().SetRegions(std::move(regions)); }
+  void SetPixelRatio(double ratio) { this->Drawn().SetPixelRatio(ratio); }
+  [[nodiscard]] double GetPixelRatio() { return this->Drawn().GetPixelRatio(); }
 
   /// As of the representation: the vertices that were clicked, and those with all between.
-  [[nodiscard]] std::vector<Index> GetPlaces() { return this->GetSurfaceCurveRepresentation()->GetPlaces(); }
-  [[nodiscard]] std::vector<Index> GetPath() { return this->GetSurfaceCurveRepresentation()->GetPath(); }
-  [[nodiscard]] bool IsClosed() { return this->GetSurfaceCurveRepresentation()->GetClosedLoop() != 0; }
+  [[nodiscard]] std::vector<Index> GetPlaces() { return this->Drawn().GetPlaces(); }
+  [[nodiscard]] std::vector<Index> GetPath() { return this->Drawn().GetPath(); }
+  [[nodiscard]] bool IsClosed() { return this->Drawn().GetClosedLoop() != 0; }
 
   /// An open curve through these vertices instead, without an event. Surface and regions are set. False, and no curve,
   /// where one cannot be a place (`SurfaceCurveRepresentation::InsertPlace`).
@@ -82,36 +62,20 @@ class SurfaceCurveWidget : public vtkContourWidget {
   ~SurfaceCurveWidget() override = default;
 
  private:
-  void Press();
-  void MoveTo();
-  void Release();
+  // One for each widget event: whether the VTK event has been used.
+  bool Press();
+  bool MoveTo();
+  bool Release();
   void Leave();
-  void CloseByHand()
-  {
-    if (this->Close()) this->Use();
-  }
-  void RemoveByHand();
-  void Escape()
-  {
-    if (this->Cancel()) this->Use();
-  }
+  bool RemoveByHand();
 
-  void ClickAt(const DisplayPoint& cursor);
-  void BeginDrag();
-  void DragTo(const DisplayPoint& cursor);
-  void EndDrag();
+  bool BeginDrag();
   void Hover(const DisplayPoint& cursor);
   void Changed();
   void Tell(unsigned long event);
-  void UpdateState();
-  void Use() { this->EventCallbackCommand->SetAbortFlag(1); }
   void ShowChanges();
-  [[nodiscard]] bool IsDragging()
-  {
-    return this->GetSurfaceCurveRepresentation()->GetCurrentOperation() != vtkContourRepresentation::Inactive;
-  }
+  [[nodiscard]] bool IsDragging() { return this->Drawn().GetCurrentOperation() != vtkContourRepresentation::Inactive; }
 
-  Click LeftClick;
   std::vector<Index> PlacesBefore;  // the drag that is under way
 };
 

@@ -11,20 +11,6 @@ namespace holdfast {
 
 vtkStandardNewMacro(SurfacePointPlacer);
 
-void SurfacePointPlacer::SetSurface(std::shared_ptr<const VisibleSurface> surface)
-{
-  if (this->Surface == surface) return;
-  this->Surface = std::move(surface);
-  this->Modified();
-}
-
-void SurfacePointPlacer::SetKind(PickKind kind)
-{
-  if (this->Kind == kind) return;
-  this->Kind = kind;
-  this->Modified();
-}
-
 std::optional<SurfacePick> SurfacePointPlacer::Pick(vtkRenderer& renderer, const double displayPos[2]) const
 {
   if (!this->Surface) return std::nullopt;
@@ -43,30 +29,7 @@ int SurfacePointPlacer::ComputeWorldPosition(vtkRenderer* renderer, double displ
   return 1;
 }
 
-int SurfacePointPlacer::ComputeWorldPosition(vtkRenderer* renderer, double displayPos[2], double /*refWorldPos*/[3],
-                                             double worldPos[3], double worldOrient[9])
-{
-  return this->ComputeWorldPosition(renderer, displayPos, worldPos, worldOrient);
-}
-
-int SurfacePointPlacer::ValidateWorldPosition(double /*worldPos*/[3])
-{
-  return 1;
-}
-
-int SurfacePointPlacer::ValidateWorldPosition(double /*worldPos*/[3], double /*worldOrient*/[9])
-{
-  return 1;
-}
-
 vtkStandardNewMacro(SurfaceCurveInterpolator);
-
-void SurfaceCurveInterpolator::SetSurface(std::shared_ptr<const VisibleSurface> surface)
-{
-  if (this->Surface == surface) return;
-  this->Surface = std::move(surface);
-  this->Modified();
-}
 
 void SurfaceCurveInterpolator::SetRegions(std::shared_ptr<const VertexRegions> regions)
 {

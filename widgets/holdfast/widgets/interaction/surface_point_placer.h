@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// A surface for VTK's handles and contours: where a point is placed, and which line joins two of them.
 
 #include <memory>
@@ -22,11 +21,11 @@ class SurfacePointPlacer : public vtkPointPlacer {
   vtkTypeMacro(SurfacePointPlacer, vtkPointPlacer)
 
   /// Null (the default): no points. May change at any time.
-  void SetSurface(std::shared_ptr<const VisibleSurface> surface);
+  vtkSetMacro(Surface, std::shared_ptr<const VisibleSurface>);
   [[nodiscard]] const std::shared_ptr<const VisibleSurface>& GetSurface() const { return this->Surface; }
 
   /// `Nearest` by default.
-  void SetKind(PickKind kind);
+  vtkSetEnumMacro(Kind, PickKind);
   [[nodiscard]] PickKind GetKind() const { return this->Kind; }
 
   /// How near the cursor a vertex or an edge is taken, pixels of a display of ordinary resolution; 7 by default.
@@ -45,11 +44,14 @@ class SurfacePointPlacer : public vtkPointPlacer {
   /// 1 and the place of the point on the surface, or 0. The orientation is the identity.
   int ComputeWorldPosition(vtkRenderer* renderer, double displayPos[2], double worldPos[3],
                            double worldOrient[9]) override;
-  int ComputeWorldPosition(vtkRenderer* renderer, double displayPos[2], double refWorldPos[3], double worldPos[3],
-                           double worldOrient[9]) override;
+  int ComputeWorldPosition(vtkRenderer* renderer, double displayPos[2], double* /*refWorldPos*/, double worldPos[3],
+                           double worldOrient[9]) override
+  {
+    return this->ComputeWorldPosition(renderer, displayPos, worldPos, worldOrient);
+  }
   /// 1: what was placed once stays valid when the surface has moved on.
-  int ValidateWorldPosition(double worldPos[3]) override;
-  int ValidateWorldPosition(double worldPos[3], double worldOrient[9]) override;
+  int ValidateWorldPosition(double* /*worldPos*/) override { return 1; }
+  int ValidateWorldPosition(double* /*worldPos*/, double* /*worldOrient*/) override { return 1; }
 
  protected:
   SurfacePointPlacer() = default;
@@ -71,7 +73,7 @@ class SurfaceCurveInterpolator : public vtkContourLineInterpolator {
   vtkTypeMacro(SurfaceCurveInterpolator, vtkContourLineInterpolator)
 
   /// Until both are there, and made of one model, nothing is joined; null by default.
-  void SetSurface(std::shared_ptr<const VisibleSurface> surface);
+  vtkSetMacro(Surface, std::shared_ptr<const VisibleSurface>);
   [[nodiscard]] const std::shared_ptr<const VisibleSurface>& GetSurface() const { return this->Surface; }
   void SetRegions(std::shared_ptr<const VertexRegions> regions);
   [[nodiscard]] const std::shared_ptr<const VertexRegions>& GetRegions() const { return this->Regions; }

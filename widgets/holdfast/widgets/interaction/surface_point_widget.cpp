@@ -2,49 +2,126 @@
 
 #include <utility>
 
-#include <vtkEvent.h>
 #include <vtkWidgetEventTranslator.h>
 
+#include <holdfast/widgets/marks/constraint_glyphs.h>
+#include <holdfast/widgets/mesh/actor_setup.h>
+#include <holdfast/widgets/mesh/poly_data.h>
+
 namespace holdfast {
+namespace {
+
+// Pixels of a display of ordinary resolution.
+constexpr double kPreviewBallPixels = 9;
+constexpr double kHaloPixels = 3.5;
+constexpr double kOutlinePixels = 1.6;
+
+// Nearer to the eye than the lines of the mesh, which lie in the same place.
+constexpr double kOutlineFactor = -2;
+constexpr double kOutlineUnits = -8;
+
+constexpr Color kHaloColor{1, 1, 1};
+
+MarkKind markKindOf(const SurfaceLocation& location)
+{
+  if (std::holds_alternative<AtVertex>(location)) return MarkKind::Vertex;
+  return std::holds_alternative<AtEdge>(location) ? MarkKind::Edge : MarkKind::Face;
+}
+
+}  // namespace
+
+vtkStandardNewMacro(SurfacePointRepresentation);
+
+SurfacePointRepresentation::SurfacePointRepresentation()
+{
+  const auto addLine = [this](vtkActor& actor, const Color& color) {
+    drawLinesNearer(showData(actor, *this->Outline), kOutlineFactor, kOutlineUnits);
+    setColor(actor, color);
+    actor.GetProperty()->LightingOff();
+    this->Props.push_back(&actor);
+  };
+  addLine(*this->LineBehind, kAccentColor);
+  addLine(*this->LineHalo, kHaloColor);
+  addLine(*this->Line, kAccentColor);
+  for (vtkActor* const actor : this->Point.actors()) this->Props.push_back(actor);
+  this->SetPixelRatio(1);
+}
+
+void SurfacePointRepresentation::SetSurface(std::shared_ptr<const VisibleSurface> surface)
+{
+  if (this->Surface == surface) return;
+  if (!surface || !this->Surface || !surface->isSameMesh(*this->Surface)) this->Preview.reset();
+  this->Surface = std::move(surface);
+  this->SetPreview(std::exchange(this->Preview, std::nullopt));
+}
+
+void SurfacePointRepresentation::SetPreview(std::optional<SurfacePick> pick)
+{
+  this->Preview = this->Surface ? std::move(pick) : std::nullopt;
+  if (this->Preview)
+    this->Preview->place =
+        positionOf(pointOf(this->Preview->location, this->Surface->model().mesh), this->Surface->positions());
+  this->Modified();
+}
+
+void SurfacePointRepresentation::SetPixelRatio(double ratio)
+{
+  this->PixelRatio = ratio;
+  this->Point.setBallPixels(kPreviewBallPixels * ratio);
+  setLineWidth(*this->LineBehind, kOutlinePixels * ratio);
+  setLineWidth(*this->LineHalo, kHaloPixels * ratio);
+  setLineWidth(*this->Line, kOutlinePixels * ratio);
+  this->Modified();
+}
+
+/// The ends of the edge, the corners of the face; none for a vertex.
+std::vector<Index> SurfacePointRepresentation::OutlineVertices() const
+{
+  if (!this->Preview) return {};
+  if (const auto* edge = std::get_if<AtEdge>(&this->Preview->location)) return {edge->i, edge->j};
+  const auto* at = std::get_if<AtFace>(&this->Preview->location);
+  if (at == nullptr) return {};
+  const auto corners = this->Surface->model().mesh.faces[at->face];
+  return {corners.begin(), corners.end()};
+}
+
+void SurfacePointRepresentation::BuildRepresentation()
+{
+  if (this->BuildTime > this->GetMTime()) return;
+  std::vector<Vector3> outline;
+  for (const Index vertex : this->OutlineVertices()) outline.emplace_back(this->Surface->positions().row(vertex));
+  if (!outline.empty()) outline.push_back(outline.front());
+  setLines(*this->Outline, {outline});
+  std::optional<PreviewedPoint> point;
+  if (this->Preview) point.emplace(PreviewedPoint{this->Preview->place, markKindOf(this->Preview->location)});
+  this->Point.set(point);
+  this->BuildTime.Modified();
+}
 
 vtkStandardNewMacro(SurfacePointWidget);
 
 SurfacePointWidget::SurfacePointWidget()
 {
-  using Widget = SurfacePointWidget;
-  vtkWidgetCallbackMapper& mapper = *this->CallbackMapper;
-  mapper.SetCallbackMethod(vtkCommand::MouseMoveEvent, vtkWidgetEvent::Move, this, &call<&Widget::Hover>);
+  this->Bind<&SurfacePointWidget::Hover>(vtkCommand::MouseMoveEvent, vtkWidgetEvent::Move);
   for (const unsigned long event :
        {vtkCommand::LeaveEvent, vtkCommand::MouseWheelForwardEvent, vtkCommand::MouseWheelBackwardEvent})
-    mapper.SetCallbackMethod(event, vtkWidgetEvent::HoverLeave, this, &call<&Widget::Leave>);
-  mapper.SetCallbackMethod(vtkCommand::LeftButtonPressEvent, vtkWidgetEvent::Select, this, &call<&Widget::Press>);
-  mapper.SetCallbackMethod(vtkCommand::LeftButtonReleaseEvent, vtkWidgetEvent::AddPoint, this, &call<&Widget::Release>);
+    this->Bind<&SurfacePointWidget::Leave>(event, vtkWidgetEvent::HoverLeave);
+  this->Bind<&SurfacePointWidget::PressClick>(vtkCommand::LeftButtonPressEvent, vtkWidgetEvent::Select);
+  this->Bind<&SurfacePointWidget::Release>(vtkCommand::LeftButtonReleaseEvent, vtkWidgetEvent::AddPoint);
   const auto bindKey = [&](char key, unsigned long widgetEvent, void (*action)(vtkAbstractWidget*)) {
-    mapper.SetCallbackMethod(vtkCommand::CharEvent, vtkEvent::NoModifier, key, 0, nullptr, widgetEvent, this, action);
+    this->CallbackMapper->SetCallbackMethod(vtkCommand::CharEvent, vtkEvent::NoModifier, key, 0, nullptr, widgetEvent,
+                                            this, action);
   };
-  bindKey('v', ChooseVertices, &call<&Widget::Choose<PickKind::Vertex>>);
-  bindKey('e', ChooseEdges, &call<&Widget::Choose<PickKind::Edge>>);
-  bindKey('f', ChooseFaces, &call<&Widget::Choose<PickKind::Face>>);
-  bindKey('a', ChooseNearest, &call<&Widget::Choose<PickKind::Nearest>>);
+  bindKey('v', ChooseVertices, &Call<&SurfacePointWidget::Choose<PickKind::Vertex>>);
+  bindKey('e', ChooseEdges, &Call<&SurfacePointWidget::Choose<PickKind::Edge>>);
+  bindKey('f', ChooseFaces, &Call<&SurfacePointWidget::Choose<PickKind::Face>>);
+  bindKey('a', ChooseNearest, &Call<&SurfacePointWidget::Choose<PickKind::Nearest>>);
 }
 
-void SurfacePointWidget::SetRepresentation(SurfacePointRepresentation* representation)
+void SurfacePointWidget::Inform(SurfacePointRepresentation& representation)
 {
-  this->SetWidgetRepresentation(representation);
-  this->InformRepresentation();
-}
-
-void SurfacePointWidget::CreateDefaultRepresentation()
-{
-  if (this->WidgetRep != nullptr) return;
-  this->WidgetRep = SurfacePointRepresentation::New();
-  this->InformRepresentation();
-}
-
-void SurfacePointWidget::InformRepresentation()
-{
-  this->GetSurfacePointRepresentation()->SetSurface(this->Placer->GetSurface());
-  this->GetSurfacePointRepresentation()->SetPixelRatio(this->GetPixelRatio());
+  representation.SetSurface(this->Placer->GetSurface());
+  representation.SetPixelRatio(this->GetPixelRatio());
 }
 
 void SurfacePointWidget::SetEnabled(int enabling)
@@ -57,7 +134,7 @@ void SurfacePointWidget::SetEnabled(int enabling)
 void SurfacePointWidget::SetSurface(std::shared_ptr<const VisibleSurface> surface)
 {
   this->Placer->SetSurface(std::move(surface));
-  this->InformRepresentation();
+  this->Inform(this->Drawn());
 }
 
 void SurfacePointWidget::SetKind(PickKind kind)
@@ -70,12 +147,12 @@ void SurfacePointWidget::SetKind(PickKind kind)
 void SurfacePointWidget::SetPixelRatio(double ratio)
 {
   this->Placer->SetPixelRatio(ratio);
-  this->InformRepresentation();
+  this->Inform(this->Drawn());
 }
 
 void SurfacePointWidget::SetPreview(std::optional<SurfacePick> pick)
 {
-  this->GetSurfacePointRepresentation()->SetPreview(std::move(pick));
+  this->Drawn().SetPreview(std::move(pick));
   if (this->Enabled != 0) this->Render();
 }
 
@@ -87,22 +164,21 @@ bool SurfacePointWidget::WantsKey(char key) const
 
 std::optional<SurfacePick> SurfacePointWidget::PickAtCursor() const
 {
-  return this->Placer->Pick(*this->CurrentRenderer, cursorOf(*this->Interactor).data());
+  return this->Placer->Pick(*this->CurrentRenderer, this->Cursor().data());
 }
 
 void SurfacePointWidget::Show(std::optional<SurfacePick> pick)
 {
   if (!pick && !this->GetPreview()) return;
-  if (this->ManagesCursor != 0) this->RequestCursorShape(pick ? VTK_CURSOR_CROSSHAIR : VTK_CURSOR_DEFAULT);
+  this->ShowCursor(pick ? VTK_CURSOR_CROSSHAIR : VTK_CURSOR_DEFAULT);
   this->SetPreview(pick);
   this->InvokeEvent(vtkCommand::InteractionEvent, pick ? &*pick : nullptr);
 }
 
 void SurfacePointWidget::Hover()
 {
-  const bool isDrag = this->LeftClick.LeaveAt(cursorOf(*this->Interactor), this->GetPixelRatio());
-  const bool isInside = isCursorIn(*this->CurrentRenderer, *this->Interactor);
-  if (isDrag || !isInside || isCameraMoving(*this->Interactor)) return this->Leave();
+  const bool isDrag = this->LeftClick.LeaveAt(this->Cursor(), this->GetPixelRatio());
+  if (isDrag || !this->IsCursorInside() || isCameraMoving(*this->Interactor)) return this->Leave();
   this->IsHovering = true;
   this->Show(this->PickAtCursor());
 }
@@ -113,27 +189,20 @@ void SurfacePointWidget::Leave()
   this->Show(std::nullopt);
 }
 
-void SurfacePointWidget::Press()
-{
-  this->LeftClick.Forget();
-  if (isSecondPress(*this->Interactor) || !isCursorIn(*this->CurrentRenderer, *this->Interactor)) return;
-  this->LeftClick.Press(cursorOf(*this->Interactor));
-}
-
 void SurfacePointWidget::Release()
 {
-  if (!this->LeftClick.Release(cursorOf(*this->Interactor), this->GetPixelRatio())) return;
+  if (!this->LeftClick.Release(this->Cursor(), this->GetPixelRatio())) return;
   if (auto pick = this->PickAtCursor()) this->InvokeEvent(vtkCommand::PlacePointEvent, &*pick);
 }
 
 template <PickKind Kind>
-void SurfacePointWidget::Choose()
+bool SurfacePointWidget::Choose()
 {
-  this->EventCallbackCommand->SetAbortFlag(1);
-  if (this->GetKind() == Kind) return;
+  if (this->GetKind() == Kind) return true;
   this->SetKind(Kind);
   PickKind kind = Kind;
   this->InvokeEvent(vtkCommand::WidgetValueChangedEvent, &kind);
+  return true;
 }
 
 }  // namespace holdfast

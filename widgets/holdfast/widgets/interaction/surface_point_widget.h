@@ -1,28 +1,62 @@
 #pragma once
-/// \file
 /// Lets the user choose a point of a surface: on a vertex, on an edge or in a face.
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include <vtkNew.h>
+#include <vtkPolyData.h>
 
 #include <holdfast/widgets/interaction/interaction_events.h>
 #include <holdfast/widgets/interaction/surface_point_placer.h>
-#include <holdfast/widgets/interaction/surface_point_representation.h>
+#include <holdfast/widgets/marks/point_preview.h>
+#include <holdfast/widgets/mesh/blended_actor.h>
 
 namespace holdfast {
 
+/// A ring around a mark that differs for vertex, edge and face, and the outline of the edge or the face; hidden parts
+/// of the outline are faint. The surface around the point does not cut the ring, a surface before it hides it.
+class SurfacePointRepresentation : public DrawnByProps<vtkWidgetRepresentation> {
+ public:
+  static SurfacePointRepresentation* New();
+  vtkTypeMacro(SurfacePointRepresentation, vtkWidgetRepresentation)
+
+  /// A point that is shown moves with the surface, and is removed where that is another mesh's
+  /// (`VisibleSurface::isSameMesh`). Null, the default: nothing is shown.
+  void SetSurface(std::shared_ptr<const VisibleSurface> surface);
+  [[nodiscard]] const std::shared_ptr<const VisibleSurface>& GetSurface() const { return this->Surface; }
+
+  /// Shows the location of `pick`; none, the default, and without a surface: nothing.
+  void SetPreview(std::optional<SurfacePick> pick);
+  [[nodiscard]] const std::optional<SurfacePick>& GetPreview() const { return this->Preview; }
+
+  void SetPixelRatio(double ratio);
+  vtkGetMacro(PixelRatio, double);
+
+  void BuildRepresentation() override;
+
+ protected:
+  SurfacePointRepresentation();
+  ~SurfacePointRepresentation() override = default;
+
+ private:
+  [[nodiscard]] std::vector<Index> OutlineVertices() const;
+
+  std::shared_ptr<const VisibleSurface> Surface;
+  std::optional<SurfacePick> Preview;
+  double PixelRatio = 1;
+  PointPreview Point;
+  vtkNew<vtkPolyData> Outline;
+  vtkNew<BehindActor> LineBehind;
+  vtkNew<BlendedActor> LineHalo;
+  vtkNew<BlendedActor> Line;
+};
+
 /// Shows the point that a click would take. Clicks are as in `Click`; the second press of a double click begins none.
 ///
-/// | event                   | when                                                    | call data              |
-/// |-------------------------|---------------------------------------------------------|------------------------|
-/// | InteractionEvent        | at each move over the surface; once when the point goes | `SurfacePick*` or null |
-/// | PlacePointEvent         | a click on a point                                      | `SurfacePick*`         |
-/// | WidgetValueChangedEvent | a key has chosen what points may lie on                 | `PickKind*`            |
-///
 /// Keys are those of CharEvent, by which VTK's own styles would quit or fly: those that are used are aborted.
-class SurfacePointWidget : public vtkAbstractWidget {
+class SurfacePointWidget : public WidgetOf<SurfacePointRepresentation> {
  public:
   /// Widget events beside those of VTK.
   enum WidgetEvents : unsigned long {
@@ -35,12 +69,7 @@ class SurfacePointWidget : public vtkAbstractWidget {
   static SurfacePointWidget* New();
   vtkTypeMacro(SurfacePointWidget, vtkAbstractWidget)
 
-  void SetRepresentation(SurfacePointRepresentation* representation);
-  [[nodiscard]] SurfacePointRepresentation* GetSurfacePointRepresentation()
-  {
-    return static_cast<SurfacePointRepresentation*>(this->GetRepresentation());
-  }
-  void CreateDefaultRepresentation() override;
+  [[nodiscard]] SurfacePointRepresentation* GetSurfacePointRepresentation() { return &this->Drawn(); }
   /// Disabling hides the point.
   void SetEnabled(int enabling) override;
 
@@ -58,10 +87,7 @@ class SurfacePointWidget : public vtkAbstractWidget {
   /// Shows a point as the mouse does, or none, without an event.
   void SetPreview(std::optional<SurfacePick> pick);
   void HidePreview() { this->SetPreview(std::nullopt); }
-  [[nodiscard]] const std::optional<SurfacePick>& GetPreview()
-  {
-    return this->GetSurfacePointRepresentation()->GetPreview();
-  }
+  [[nodiscard]] const std::optional<SurfacePick>& GetPreview() { return this->Drawn().GetPreview(); }
 
   /// Whether a key is bound. A window asks this before its shortcuts.
   [[nodiscard]] bool WantsKey(char key) const;
@@ -70,20 +96,19 @@ class SurfacePointWidget : public vtkAbstractWidget {
   SurfacePointWidget();
   ~SurfacePointWidget() override = default;
 
+  void Inform(SurfacePointRepresentation& representation) override;
+
  private:
   void Hover();
   void Leave();
-  void Press();
   void Release();
   template <PickKind Kind>
-  void Choose();
+  bool Choose();
 
   [[nodiscard]] std::optional<SurfacePick> PickAtCursor() const;
   void Show(std::optional<SurfacePick> pick);
-  void InformRepresentation();
 
   vtkNew<SurfacePointPlacer> Placer;
-  Click LeftClick;
   bool IsHovering = false;  // the cursor is in the renderer, and nothing moves the camera
 };
 

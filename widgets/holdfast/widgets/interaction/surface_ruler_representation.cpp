@@ -1,16 +1,12 @@
 #include "holdfast/widgets/interaction/surface_ruler_representation.h"
 
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 #include <vtkAxisActor2D.h>
-#include <vtkCellArray.h>
 #include <vtkCoordinate.h>
-#include <vtkObjectFactory.h>
-#include <vtkPoints.h>
 #include <vtkPolyDataMapper2D.h>
 #include <vtkPropCollection.h>
 #include <vtkProperty2D.h>
@@ -21,7 +17,10 @@
 #include <holdfast/geometry/degree.h>
 #include <holdfast/surface/surface_locator.h>
 #include <holdfast/widgets/camera/display_transform.h>
+#include <holdfast/widgets/interaction/interaction_events.h>
 #include <holdfast/widgets/marks/constraint_glyphs.h>
+#include <holdfast/widgets/mesh/actor_setup.h>
+#include <holdfast/widgets/mesh/poly_data.h>
 
 namespace holdfast {
 namespace {
@@ -74,20 +73,10 @@ void setLabelLook(vtkAxisActor2D& axis)
   text.SetBackgroundOpacity(0.85);
 }
 
-void addRing(const DisplayPoint& center, double radius, vtkPoints& points, vtkCellArray& lines)
+void addLine(std::vector<std::vector<Vector3>>& lines, const std::vector<DisplayPoint>& points)
 {
-  const vtkIdType first = points.GetNumberOfPoints();
-  for (int k = 0; k < kRingCorners; ++k) {
-    const double angle = 2 * std::numbers::pi * k / kRingCorners;
-    points.InsertNextPoint(center.x() + radius * std::cos(angle), center.y() + radius * std::sin(angle), 0);
-    lines.InsertNextCell({first + k, first + (k + 1) % kRingCorners});
-  }
-}
-
-void addLine(const DisplayPoint& from, const DisplayPoint& to, vtkPoints& points, vtkCellArray& lines)
-{
-  const vtkIdType first = points.InsertNextPoint(from.x(), from.y(), 0);
-  lines.InsertNextCell({first, points.InsertNextPoint(to.x(), to.y(), 0)});
+  std::vector<Vector3>& line = lines.emplace_back();
+  for (const DisplayPoint& point : points) line.emplace_back(point.x(), point.y(), 0);
 }
 
 }  // namespace
@@ -100,15 +89,18 @@ const VisibleSurface* SurfaceHandleRepresentation::GetSurface() const
   return placer != nullptr ? placer->GetSurface().get() : nullptr;
 }
 
+SurfacePlacement SurfaceHandleRepresentation::PlacementAt(const SurfaceLocation& location) const
+{
+  const SurfaceLocator locator = this->GetSurface()->model().locator();
+  return {location, locator.locate(location, {})};
+}
+
 void SurfaceHandleRepresentation::SetLocation(const SurfaceLocation& location)
 {
-  if (this->GetSurface() == nullptr) {
+  if (this->GetSurface() != nullptr)
+    this->SetPlacement(this->PlacementAt(location));
+  else
     vtkErrorMacro("The placer must have a surface before the handle has a location");
-    return;
-  }
-  const Model& model = this->GetSurface()->model();
-  const SurfaceLocator locator = model.locator();
-  this->SetPlacement(SurfacePlacement{location, locator.locate(location, {})});
 }
 
 void SurfaceHandleRepresentation::SetPlacement(std::optional<SurfacePlacement> placement)
@@ -160,7 +152,7 @@ SurfaceRulerRepresentation::SurfaceRulerRepresentation()
     actor->SetMapper(mapper);
   }
   this->Halo->GetProperty()->SetColor(1, 1, 1);
-  this->Line->GetProperty()->SetColor(kAccentColor.red, kAccentColor.green, kAccentColor.blue);
+  setColor(*this->Line, kAccentColor);
   this->SetPixelRatio(1);
 }
 
@@ -180,12 +172,6 @@ void SurfaceRulerRepresentation::SetSurface(std::shared_ptr<const VisibleSurface
       this->GetHandle(end).FollowSurface();
     else
       this->GetHandle(end).SetPlacement(std::nullopt);
-  this->Modified();
-}
-
-void SurfaceRulerRepresentation::SetUnits(const std::string& units)
-{
-  this->Units = units;
   this->Modified();
 }
 
@@ -220,8 +206,7 @@ void SurfaceRulerRepresentation::BuildRepresentation()
 
 void SurfaceRulerRepresentation::BuildLines()
 {
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkCellArray> lines;
+  std::vector<std::vector<Vector3>> lines;
   this->IsInView = false;
   if (this->IsPlaced()) {
     const DisplayTransform toDisplay(*this->Renderer);
@@ -232,23 +217,26 @@ void SurfaceRulerRepresentation::BuildLines()
       const bool isActive = this->GetHandle(end).GetInteractionState() != vtkHandleRepresentation::Outside;
       return (isActive ? kActiveEndRadiusPixels : kEndRadiusPixels) * this->GetPixelRatio();
     };
-    addRing(a.point, radius(0), *points, *lines);
-    addRing(b.point, radius(1), *points, *lines);
+    const auto addRing = [&](const DisplayPoint& center, double ringRadius) {
+      addLine(lines, circle(center, ringRadius, kRingCorners));
+      lines.back().push_back(lines.back().front());
+    };
+    addRing(a.point, radius(0));
+    addRing(b.point, radius(1));
     // The line leaves the places in the rings free to be seen.
     const DisplayPoint along = b.point - a.point;
     if (along.norm() > radius(0) + radius(1)) {
       const DisplayPoint from = a.point + radius(0) * along.normalized();
       const DisplayPoint to = b.point - radius(1) * along.normalized();
-      addLine(from, to, *points, *lines);
+      addLine(lines, {from, to});
       for (const double degrees : {-kBarbDegrees, kBarbDegrees})
         if (this->ShowVector) {
           const DisplayPoint back = Eigen::Rotation2Dd(degrees * kDegree) * -along.normalized();
-          addLine(to, to + kBarbPixels * this->GetPixelRatio() * back, *points, *lines);
+          addLine(lines, {to, to + kBarbPixels * this->GetPixelRatio() * back});
         }
     }
   }
-  this->Lines->SetPoints(points);
-  this->Lines->SetLines(lines);
+  setLines(*this->Lines, lines);
 }
 
 void SurfaceRulerRepresentation::GetActors2D(vtkPropCollection* actors)

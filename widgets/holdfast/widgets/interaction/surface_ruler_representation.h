@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Shows the distance between two points of a surface.
 
 #include <memory>
@@ -33,7 +32,8 @@ class SurfaceHandleRepresentation : public vtkPointHandleRepresentation2D {
   [[nodiscard]] const std::optional<SurfacePlacement>& GetPlacement() const { return this->Placement; }
   void SetPlacement(std::optional<SurfacePlacement> placement);
 
-  /// Places it on the placer's surface. Throws `InputError` for a location that the mesh does not have. O(T log T).
+  /// On the placer's surface. Throws `InputError` for a location that the mesh does not have. O(T log T).
+  [[nodiscard]] SurfacePlacement PlacementAt(const SurfaceLocation& location) const;
   void SetLocation(const SurfaceLocation& location);
 
   /// Call it when the placer has another surface of the same mesh.
@@ -92,7 +92,7 @@ class SurfaceRulerRepresentation : public vtkDistanceRepresentation2D {
   vtkBooleanMacro(ShowVector, bool);
 
   /// The user's name of the model's length, in UTF-8; empty by default.
-  void SetUnits(const std::string& units);
+  vtkSetMacro(Units, std::string);
   [[nodiscard]] const std::string& GetUnits() const { return this->Units; }
   [[nodiscard]] std::string GetLabel();
 

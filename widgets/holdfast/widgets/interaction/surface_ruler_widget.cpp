@@ -3,7 +3,6 @@
 #include <array>
 #include <utility>
 
-#include <vtkEvent.h>
 #include <vtkHandleWidget.h>
 
 namespace holdfast {
@@ -12,15 +11,11 @@ vtkStandardNewMacro(SurfaceRulerWidget);
 
 SurfaceRulerWidget::SurfaceRulerWidget()
 {
-  using Widget = SurfaceRulerWidget;
   this->CurrentHandle = -1;
-  vtkWidgetCallbackMapper& mapper = *this->CallbackMapper;
-  mapper.SetCallbackMethod(vtkCommand::LeftButtonPressEvent, vtkWidgetEvent::AddPoint, this, &call<&Widget::Press>);
-  mapper.SetCallbackMethod(vtkCommand::MouseMoveEvent, vtkWidgetEvent::Move, this, &call<&Widget::Move>);
-  mapper.SetCallbackMethod(vtkCommand::LeftButtonReleaseEvent, vtkWidgetEvent::EndSelect, this,
-                           &call<&Widget::Release>);
-  mapper.SetCallbackMethod(vtkCommand::KeyPressEvent, vtkEvent::AnyModifier, 0, 0, "Escape", vtkWidgetEvent::Reset,
-                           this, &call<&Widget::Escape>);
+  this->Bind<&SurfaceRulerWidget::Press>(vtkCommand::LeftButtonPressEvent, vtkWidgetEvent::AddPoint);
+  this->Bind<&SurfaceRulerWidget::Move>(vtkCommand::MouseMoveEvent, vtkWidgetEvent::Move);
+  this->Bind<&SurfaceRulerWidget::Release>(vtkCommand::LeftButtonReleaseEvent, vtkWidgetEvent::EndSelect);
+  this->BindKey<&SurfaceRulerWidget::Cancel>("Escape", vtkWidgetEvent::Reset);
 }
 
 void SurfaceRulerWidget::SetEnabled(int enabling)
@@ -41,7 +36,7 @@ void SurfaceRulerWidget::PrepareHandles()
     this->SetCurrentRenderer(this->Interactor->FindPokedRenderer(cursor[0], cursor[1]));
   const std::array widgets{this->Point1Widget, this->Point2Widget};
   for (const int end : {0, 1}) {
-    widgets[end]->SetRepresentation(&this->GetRulerRepresentation()->GetHandle(end));
+    widgets[end]->SetRepresentation(&this->Drawn().GetHandle(end));
     widgets[end]->SetInteractor(this->Interactor);
     widgets[end]->SetCurrentRenderer(this->CurrentRenderer);
   }
@@ -49,7 +44,7 @@ void SurfaceRulerWidget::PrepareHandles()
 
 void SurfaceRulerWidget::SetSurface(std::shared_ptr<const VisibleSurface> surface)
 {
-  SurfaceRulerRepresentation& ruler = *this->GetRulerRepresentation();
+  SurfaceRulerRepresentation& ruler = this->Drawn();
   const bool isHalfDrawn = this->WidgetState == vtkDistanceWidget::Define;
   ruler.SetSurface(std::move(surface));
   if (this->WidgetState != vtkDistanceWidget::Start && !ruler.IsPlaced()) this->Clear();
@@ -58,20 +53,15 @@ void SurfaceRulerWidget::SetSurface(std::shared_ptr<const VisibleSurface> surfac
 
 void SurfaceRulerWidget::SetLocations(const SurfaceLocation& a, const SurfaceLocation& b)
 {
-  SurfaceRulerRepresentation& ruler = *this->GetRulerRepresentation();
+  SurfaceRulerRepresentation& ruler = this->Drawn();
   if (!ruler.GetPlacer()->GetSurface()) {
     vtkErrorMacro("The ruler must have a surface before it has locations");
     return;
   }
   this->Cancel();
-  const std::optional<SurfacePlacement> before = ruler.GetHandle(0).GetPlacement();
-  ruler.GetHandle(0).SetLocation(a);
-  try {
-    ruler.GetHandle(1).SetLocation(b);
-  } catch (...) {
-    ruler.GetHandle(0).SetPlacement(before);
-    throw;
-  }
+  const SurfacePlacement first = ruler.GetHandle(0).PlacementAt(a);
+  ruler.GetHandle(1).SetLocation(b);
+  ruler.GetHandle(0).SetPlacement(first);
   ruler.VisibilityOn();
   this->SetWidgetStateToManipulate();
   this->Render();
@@ -79,32 +69,33 @@ void SurfaceRulerWidget::SetLocations(const SurfaceLocation& a, const SurfaceLoc
 
 std::optional<SurfaceLocation> SurfaceRulerWidget::GetLocation(int end)
 {
-  const auto& placement = this->GetRulerRepresentation()->GetHandle(end).GetPlacement();
+  const auto& placement = this->Drawn().GetHandle(end).GetPlacement();
   return placement ? std::optional(placement->location) : std::nullopt;
 }
 
 void SurfaceRulerWidget::Clear()
 {
   if (this->GrabbedAt) this->StopDrag();
-  for (const int end : {0, 1}) this->GetRulerRepresentation()->GetHandle(end).SetPlacement(std::nullopt);
+  for (const int end : {0, 1}) this->Drawn().GetHandle(end).SetPlacement(std::nullopt);
   this->Point1Widget->SetEnabled(0);
   this->Point2Widget->SetEnabled(0);
-  this->GetRulerRepresentation()->VisibilityOff();
+  this->Drawn().VisibilityOff();
   this->WidgetState = vtkDistanceWidget::Start;
   this->Render();
 }
 
-void SurfaceRulerWidget::Cancel()
+bool SurfaceRulerWidget::Cancel()
 {
-  if (!this->IsUnderWay()) return;
+  if (!this->IsUnderWay()) return false;
   if (this->WidgetState == vtkDistanceWidget::Define) {
     this->Clear();
   } else {
-    this->GetRulerRepresentation()->GetHandle(this->CurrentHandle).SetPlacement(this->GrabbedAt);
+    this->Drawn().GetHandle(this->CurrentHandle).SetPlacement(this->GrabbedAt);
     this->StopDrag();
     this->Render();
   }
   this->InvokeEvent(CancelInteractionEvent);
+  return true;
 }
 
 /// Leaves the grabbed end where it is, without events.
@@ -123,34 +114,24 @@ void SurfaceRulerWidget::StopDrag()
 
 void SurfaceRulerWidget::Press()
 {
+  if (this->WidgetState != vtkDistanceWidget::Manipulate) return this->PressClick();
   this->LeftClick.Forget();
-  if (!isCursorIn(*this->CurrentRenderer, *this->Interactor)) return;
-  if (this->WidgetState == vtkDistanceWidget::Manipulate) return this->Grab();
-  if (!isSecondPress(*this->Interactor)) this->LeftClick.Press(cursorOf(*this->Interactor));
-}
-
-void SurfaceRulerWidget::Grab()
-{
+  if (!this->IsCursorInside()) return;
   this->Hover();
   this->CurrentHandle = -1;
   AddPointAction(this);
-  if (this->CurrentHandle >= 0)
-    this->GrabbedAt = this->GetRulerRepresentation()->GetHandle(this->CurrentHandle).GetPlacement();
+  if (this->CurrentHandle >= 0) this->GrabbedAt = this->Drawn().GetHandle(this->CurrentHandle).GetPlacement();
 }
 
 void SurfaceRulerWidget::Move()
 {
-  this->LeftClick.LeaveAt(cursorOf(*this->Interactor), this->GetRulerRepresentation()->GetPixelRatio());
-  if (this->WidgetState == vtkDistanceWidget::Define) return this->MoveSecondEnd();
+  DisplayPoint cursor = this->Cursor();
+  this->LeftClick.LeaveAt(cursor, this->Drawn().GetPixelRatio());
   if (this->GrabbedAt) return MoveAction(this);
-  if (this->WidgetState == vtkDistanceWidget::Manipulate) this->Hover();
-}
-
-void SurfaceRulerWidget::MoveSecondEnd()
-{
-  if (isCameraMoving(*this->Interactor) || !isCursorIn(*this->CurrentRenderer, *this->Interactor)) return;
-  DisplayPoint cursor = cursorOf(*this->Interactor);
-  this->GetRulerRepresentation()->WidgetInteraction(cursor.data());
+  if (this->WidgetState == vtkDistanceWidget::Manipulate) return this->Hover();
+  if (this->WidgetState != vtkDistanceWidget::Define) return;
+  if (isCameraMoving(*this->Interactor) || !this->IsCursorInside()) return;
+  this->Drawn().WidgetInteraction(cursor.data());
   this->InvokeEvent(vtkCommand::InteractionEvent);
   this->Render();
 }
@@ -160,7 +141,7 @@ void SurfaceRulerWidget::Hover()
 {
   bool isChanged = false;
   for (const int end : {0, 1}) {
-    SurfaceHandleRepresentation& handle = this->GetRulerRepresentation()->GetHandle(end);
+    SurfaceHandleRepresentation& handle = this->Drawn().GetHandle(end);
     const int before = handle.GetInteractionState();
     handle.BuildRepresentation();
     isChanged = stateAtCursor(handle, *this->Interactor) != before || isChanged;
@@ -174,27 +155,15 @@ void SurfaceRulerWidget::Release()
     this->GrabbedAt.reset();
     return EndSelectAction(this);
   }
-  const DisplayPoint cursor = cursorOf(*this->Interactor);
-  if (this->LeftClick.Release(cursor, this->GetRulerRepresentation()->GetPixelRatio())) this->PlaceEnd();
-}
-
-void SurfaceRulerWidget::PlaceEnd()
-{
-  DisplayPoint cursor = cursorOf(*this->Interactor);
+  DisplayPoint cursor = this->Cursor();
+  if (!this->LeftClick.Release(cursor, this->Drawn().GetPixelRatio())) return;
   if (!this->GetPlacer()->Pick(*this->CurrentRenderer, cursor.data())) return;
-  if (this->WidgetState == vtkDistanceWidget::Define) this->GetRulerRepresentation()->WidgetInteraction(cursor.data());
+  if (this->WidgetState == vtkDistanceWidget::Define) this->Drawn().WidgetInteraction(cursor.data());
   this->PrepareHandles();
   AddPointAction(this);
   // VTK keeps all events until the second end is placed; the camera needs them.
   this->ReleaseFocus();
   this->EventCallbackCommand->SetAbortFlag(0);
-}
-
-void SurfaceRulerWidget::Escape()
-{
-  if (!this->IsUnderWay()) return;
-  this->Cancel();
-  this->EventCallbackCommand->SetAbortFlag(1);
 }
 
 }  // namespace holdfast

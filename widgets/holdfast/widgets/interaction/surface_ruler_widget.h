@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Measures between two points of a surface.
 
 #include <memory>
@@ -15,37 +14,21 @@ namespace holdfast {
 
 /// A click on the surface places the first end, another one the second; then both can be dragged. Ends are on vertices,
 /// on edges or in faces, and move with the surface. Clicks are as in `Click`. A drag of an end aborts its events.
-///
-/// | event                  | when                                                     | call data            |
-/// |------------------------|----------------------------------------------------------|----------------------|
-/// | StartInteractionEvent  | the first end is placed; an end is grabbed               | none                 |
-/// | PlacePointEvent        | an end is placed by a click                              | `int*`, the end: 0, 1 |
-/// | InteractionEvent       | the second end goes with the cursor; an end is dragged   | none                 |
-/// | EndInteractionEvent    | the second end is placed; an end is let go               | none                 |
-/// | CancelInteractionEvent | instead: there is no ruler, or the end is where it was   | none                 |
-class SurfaceRulerWidget : public vtkDistanceWidget {
+class SurfaceRulerWidget : public WidgetOf<SurfaceRulerRepresentation, vtkDistanceWidget> {
  public:
   static SurfaceRulerWidget* New();
   vtkTypeMacro(SurfaceRulerWidget, vtkDistanceWidget)
 
-  void SetRepresentation(SurfaceRulerRepresentation* representation) { this->SetWidgetRepresentation(representation); }
-  [[nodiscard]] SurfaceRulerRepresentation* GetRulerRepresentation()
-  {
-    return static_cast<SurfaceRulerRepresentation*>(this->GetRepresentation());
-  }
-  void CreateDefaultRepresentation() override
-  {
-    if (this->WidgetRep == nullptr) this->WidgetRep = SurfaceRulerRepresentation::New();
-  }
+  [[nodiscard]] SurfaceRulerRepresentation* GetRulerRepresentation() { return &this->Drawn(); }
   /// Disabling cancels a drag or a half-drawn ruler, and keeps a complete one.
   void SetEnabled(int enabling) override;
 
   /// Null (the default): nothing is measured. May change at any time: the ends move with it, and the ruler is removed
   /// where it is another mesh's (`VisibleSurface::isSameMesh`).
   void SetSurface(std::shared_ptr<const VisibleSurface> surface);
-  void SetPixelRatio(double ratio) { this->GetRulerRepresentation()->SetPixelRatio(ratio); }
-  void SetUnits(const std::string& units) { this->GetRulerRepresentation()->SetUnits(units); }
-  [[nodiscard]] SurfacePointPlacer* GetPlacer() { return this->GetRulerRepresentation()->GetPlacer(); }
+  void SetPixelRatio(double ratio) { this->Drawn().SetPixelRatio(ratio); }
+  void SetUnits(const std::string& units) { this->Drawn().SetUnits(units); }
+  [[nodiscard]] SurfacePointPlacer* GetPlacer() { return this->Drawn().GetPlacer(); }
 
   /// A ruler from `a` to `b`, without events. There is a surface. Throws `InputError`, and changes nothing, where the
   /// mesh does not have a location. O(T log T).
@@ -56,13 +39,13 @@ class SurfaceRulerWidget : public vtkDistanceWidget {
   void Clear();
 
   /// Model units; 0 before both ends are placed.
-  [[nodiscard]] double GetDistance() { return this->GetRulerRepresentation()->GetDistance(); }
-  [[nodiscard]] double GetRestDistance() { return this->GetRulerRepresentation()->GetRestDistance(); }
+  [[nodiscard]] double GetDistance() { return this->Drawn().GetDistance(); }
+  [[nodiscard]] double GetRestDistance() { return this->Drawn().GetRestDistance(); }
 
   /// Whether the first end is placed and the second goes with the cursor, or an end is dragged.
   [[nodiscard]] bool IsUnderWay() const { return this->WidgetState == vtkDistanceWidget::Define || this->GrabbedAt; }
-  /// As Escape does.
-  void Cancel();
+  /// As Escape does. False where nothing is under way.
+  bool Cancel();
 
  protected:
   SurfaceRulerWidget();
@@ -72,16 +55,11 @@ class SurfaceRulerWidget : public vtkDistanceWidget {
   void Press();
   void Move();
   void Release();
-  void Escape();
 
-  void Grab();
-  void PlaceEnd();
-  void MoveSecondEnd();
   void Hover();
   void StopDrag();
   void PrepareHandles();
 
-  Click LeftClick;
   std::optional<SurfacePlacement> GrabbedAt;  // where the end was that is dragged
 };
 

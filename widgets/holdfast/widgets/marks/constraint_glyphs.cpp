@@ -8,6 +8,8 @@
 
 #include <vtkCellArray.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <holdfast/widgets/mesh/actor_setup.h>
 
@@ -60,6 +62,39 @@ Layer layerOf(const ConstraintMark& mark)
   return mark.kind == MarkKind::Face ? Wedges : Balls;
 }
 
+enum class LineStyle { Solid, Dashed };
+
+struct GlyphLine {
+  Vector3 from;
+  Vector3 to;
+  Color color;
+  LineStyle style = LineStyle::Solid;
+};
+
+void drawLines(vtkPolyData& data, const std::vector<GlyphLine>& lines)
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkUnsignedCharArray> colors;
+  vtkNew<vtkCellArray> cells;
+  points->SetDataTypeToDouble();
+  colors->SetNumberOfComponents(3);
+  const auto addPoint = [&](const Vector3& place, const Color& color) {
+    colors->InsertNextTuple3(std::round(255 * color.red), std::round(255 * color.green), std::round(255 * color.blue));
+    return points->InsertNextPoint(place.data());
+  };
+  for (const GlyphLine& line : lines) {
+    const int dashes = line.style == LineStyle::Dashed ? kDashes : 1;
+    const Vector3 step = (line.to - line.from) / (2 * dashes - 1);
+    for (int k = 0; k < dashes; ++k) {
+      const Vector3 end = k == dashes - 1 ? line.to : Vector3(line.from + (2 * k + 1) * step);
+      cells->InsertNextCell({addPoint(line.from + 2 * k * step, line.color), addPoint(end, line.color)});
+    }
+  }
+  data.SetPoints(points);
+  data.SetLines(cells);
+  data.GetPointData()->SetScalars(colors);
+}
+
 /// The sprites and lines of some marks.
 struct GlyphSet {
   std::optional<SectionPlane> section;
@@ -94,39 +129,6 @@ struct GlyphSet {
 
 }  // namespace
 
-GlyphLines::GlyphLines()
-{
-  points_->SetDataTypeToDouble();
-  colors_->SetNumberOfComponents(3);
-  data_->SetPoints(points_);
-  data_->GetPointData()->SetScalars(colors_);
-  showData(*actor_, *data_);
-  actor_->GetProperty()->LightingOff();
-}
-
-void GlyphLines::set(const std::vector<GlyphLine>& lines)
-{
-  points_->Reset();
-  colors_->Reset();
-  vtkNew<vtkCellArray> cells;
-  const auto addPoint = [&](const Vector3& place, const Color& color) {
-    colors_->InsertNextTuple3(std::round(255 * color.red), std::round(255 * color.green), std::round(255 * color.blue));
-    return points_->InsertNextPoint(place.data());
-  };
-  for (const GlyphLine& line : lines) {
-    const int dashes = line.style == LineStyle::Dashed ? kDashes : 1;
-    const Vector3 step = (line.to - line.from) / (2 * dashes - 1);
-    for (int k = 0; k < dashes; ++k) {
-      const Vector3 end = k == dashes - 1 ? line.to : Vector3(line.from + (2 * k + 1) * step);
-      cells->InsertNextCell({addPoint(line.from + 2 * k * step, line.color), addPoint(end, line.color)});
-    }
-  }
-  points_->Modified();
-  colors_->Modified();
-  data_->SetLines(cells);
-  actor_->SetVisibility(!lines.empty());
-}
-
 Color glyphColor(ConstraintStatus status)
 {
   switch (status) {
@@ -154,6 +156,8 @@ Color glyphColor(const ConstraintMark& mark)
 ConstraintGlyphs::ConstraintGlyphs() : marks_(std::make_shared<const MarkSet>())
 {
   for (const LayerLook& look : kLooks) layers_.push_back(std::make_unique<PointSprites>(look.shape, look.depth));
+  showData(*lines_, *lineData_);
+  lines_->GetProperty()->LightingOff();
   update();
 }
 
@@ -181,7 +185,8 @@ void ConstraintGlyphs::update()
   }
   if (hidden_ == HiddenMarks::Invisible) glyphs.layers[HiddenPoints].clear();
   for (std::size_t layer = 0; layer < LayerCount; ++layer) layers_[layer]->set(glyphs.layers[layer]);
-  lines_.set(glyphs.lines);
+  drawLines(*lineData_, glyphs.lines);
+  lines_->SetVisibility(!glyphs.lines.empty());
   // Marks that are cut away count too: sizes do not change while a plane moves.
   isCrowded_ = std::count_if(marks_->drawn.begin(), marks_->drawn.end(),
                              [&](Index k) { return layerOf(marks_->marks[k]) == Dots; }) > kCrowd;
@@ -198,7 +203,7 @@ void ConstraintGlyphs::resize()
 {
   for (std::size_t layer = 0; layer < LayerCount; ++layer) layers_[layer]->setPixels(kLooks[layer].size * ballPixels_);
   if (isCrowded_) layers_[Dots]->setPixels(kCrowdedDotSize * ballPixels_);
-  lines_.setWidth(kLineSize * ballPixels_);
+  setLineWidth(*lines_, kLineSize * ballPixels_);
 }
 
 void ConstraintGlyphs::setHiddenMarks(HiddenMarks hidden)
@@ -217,7 +222,7 @@ std::vector<vtkActor*> ConstraintGlyphs::actors() const
 {
   std::vector<vtkActor*> actors;
   for (const auto& layer : layers_) actors.push_back(&layer->actor());
-  actors.push_back(&lines_.actor());
+  actors.push_back(lines_);
   return actors;
 }
 

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Constraints in a picture: a glyph where each acts, its shape after what it holds and its colour after its status,
 /// and a line to its target.
 
@@ -9,10 +8,7 @@
 
 #include <vtkActor.h>
 #include <vtkNew.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkProperty.h>
-#include <vtkUnsignedCharArray.h>
 
 #include <holdfast/base/types.h>
 #include <holdfast/widgets/color/color_map.h>
@@ -21,35 +17,6 @@
 #include <holdfast/widgets/mesh/section_plane.h>
 
 namespace holdfast {
-
-enum class LineStyle { Solid, Dashed };
-
-struct GlyphLine {
-  Vector3 from;  ///< model units
-  Vector3 to;
-  Color color;
-  LineStyle style = LineStyle::Solid;
-};
-
-/// Lines of one width, without shading.
-class GlyphLines {
- public:
-  GlyphLines();
-
-  /// In the place of all that there were. O(lines).
-  void set(const std::vector<GlyphLine>& lines);
-
-  /// In pixels of the window.
-  void setWidth(double pixels) { actor_->GetProperty()->SetLineWidth(static_cast<float>(pixels)); }
-
-  [[nodiscard]] vtkActor& actor() const { return *actor_; }
-
- private:
-  vtkNew<vtkPoints> points_;
-  vtkNew<vtkUnsignedCharArray> colors_;
-  vtkNew<vtkPolyData> data_;
-  vtkNew<vtkActor> actor_;
-};
 
 /// Dark for met, slate where nothing was solved, white for redundant, orange-red for conflicting, purple for missed,
 /// grey for disabled: they differ in lightness or hue on every colour of the map.
@@ -101,7 +68,8 @@ class ConstraintGlyphs {
   double ballPixels_ = 10;
   bool isCrowded_ = false;
   std::vector<std::unique_ptr<PointSprites>> layers_;
-  GlyphLines lines_;
+  vtkNew<vtkPolyData> lineData_;
+  vtkNew<vtkActor> lines_;
 };
 
 }  // namespace holdfast

@@ -36,30 +36,24 @@ class Grid {
     for (std::int64_t dx = -1; dx <= 1; ++dx)
       for (std::int64_t dy = -1; dy <= 1; ++dy)
         for (std::int64_t dz = -1; dz <= 1; ++dz)
-          if (hasNearIn({own.x + dx, own.y + dy, own.z + dz}, point)) return true;
+          if (hasNearIn(own + Cell(dx, dy, dz), point)) return true;
     return false;
   }
 
   void add(Index point) { inCell_[keyOf(cellOf(point))].push_back(point); }
 
  private:
-  struct Cell {
-    std::int64_t x;
-    std::int64_t y;
-    std::int64_t z;
-  };
+  using Cell = Eigen::Array<std::int64_t, 3, 1>;
 
   [[nodiscard]] Cell cellOf(Index point) const
   {
-    const Vector3 place = (points_.row(point).transpose() - origin_) / cellSize_;
-    return {static_cast<std::int64_t>(place.x()), static_cast<std::int64_t>(place.y()),
-            static_cast<std::int64_t>(place.z())};
+    return ((points_.row(point).transpose() - origin_) / cellSize_).array().cast<std::int64_t>();
   }
 
   [[nodiscard]] static std::int64_t keyOf(const Cell& cell)
   {
     constexpr int kBits = 21;
-    return ((cell.x + 1) << (2 * kBits)) + ((cell.y + 1) << kBits) + cell.z + 1;
+    return ((cell.x() + 1) << (2 * kBits)) + ((cell.y() + 1) << kBits) + cell.z() + 1;
   }
 
   [[nodiscard]] bool hasNearIn(const Cell& cell, Index point) const
@@ -91,19 +85,13 @@ std::vector<Index> spread(const Positions& points, const std::vector<Index>& amo
   return places;
 }
 
-Eigen::AlignedBox3d boxAround(const Positions& points, const std::vector<Index>& among)
-{
-  Eigen::AlignedBox3d box;
-  for (const Index k : among) box.extend(points.row(k).transpose());
-  return box;
-}
-
 }  // namespace
 
 std::vector<Index> evenlySpread(const Positions& points, const std::vector<Index>& among, Index target)
 {
   if (static_cast<Index>(among.size()) <= target) return among;
-  const Eigen::AlignedBox3d box = boxAround(points, among);
+  Eigen::AlignedBox3d box;
+  for (const Index k : among) box.extend(points.row(k).transpose());
   const double diagonal = box.sizes().stableNorm();
   if (diagonal == 0) return {among.front()};
   const auto wanted = static_cast<double>(target);

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// A few points of many that lie about equally far from one another.
 
 #include <vector>

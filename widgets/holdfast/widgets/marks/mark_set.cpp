@@ -71,31 +71,61 @@ ConstraintMark markOf(const ConstraintRow& row, const Model& model, const Positi
   return mark;
 }
 
-/// The places of one disabled constraint. Throws `InputError` where it does not fit the mesh.
-std::vector<DisabledPlace> placesOf(const Constraint& constraint, Index place, const Model& model,
-                                    const SurfaceLocator& locator, Selector& selector)
-{
-  const auto located = [&](const SurfaceLocation& location) { return locator.locate(location, {}); };
-  if (const auto* point = std::get_if<PointConstraint>(&constraint.what)) {
-    const SurfacePoint at = located(point->at);
-    const Target* const target = std::get_if<Target>(&point->to);
-    const Vector3 to =
-        target != nullptr ? target->place : positionOf(at, model.mesh.positions) + std::get<Move>(point->to).shift;
-    return {{at, kindOf(at), place, to, {}}};
+/// Makes the marks of disabled constraints.
+class DisabledMarks {
+ public:
+  DisabledMarks(const Model& model, const Positions& positions)
+      : model_(model), positions_(positions), locator_(model.locator())
+  {
   }
-  if (const auto* relative = std::get_if<RelativeConstraint>(&constraint.what))
-    return {{located(relative->from), MarkKind::Relative, place, {}, located(relative->to)}};
-  const auto* const rigid = std::get_if<RigidConstraint>(&constraint.what);
-  const auto* const handle = std::get_if<HandleConstraint>(&constraint.what);
-  const Selection& selection = rigid != nullptr    ? rigid->select
-                               : handle != nullptr ? handle->select
-                                                   : std::get<FixedConstraint>(constraint.what).select;
-  const MarkKind kind = rigid != nullptr ? MarkKind::Rigid : MarkKind::Selection;
-  std::vector<DisabledPlace> places;
-  for (const Index vertex : selector.select(selection, {}))
-    places.push_back({SurfacePoint{{{vertex, 1}}}, kind, place, {}, {}});
-  return places;
-}
+
+  std::vector<ConstraintMark> of(const Constraint& constraint, Index place)
+  {
+    if (const auto* point = std::get_if<PointConstraint>(&constraint.what)) {
+      const SurfacePoint at = located(point->at);
+      ConstraintMark mark = markAt(at, kindOf(at), place);
+      const Target* const target = std::get_if<Target>(&point->to);
+      mark.target = target != nullptr ? target->place : mark.rest + std::get<Move>(point->to).shift;
+      return {mark};
+    }
+    if (const auto* relative = std::get_if<RelativeConstraint>(&constraint.what)) {
+      ConstraintMark mark = markAt(located(relative->from), MarkKind::Relative, place);
+      mark.other = positionOf(located(relative->to), positions_);
+      return {mark};
+    }
+    if (const auto* rigid = std::get_if<RigidConstraint>(&constraint.what))
+      return ofSelection(rigid->select, MarkKind::Rigid, place);
+    const auto* const handle = std::get_if<HandleConstraint>(&constraint.what);
+    return ofSelection(handle != nullptr ? handle->select : std::get<FixedConstraint>(constraint.what).select,
+                       MarkKind::Selection, place);
+  }
+
+ private:
+  [[nodiscard]] SurfacePoint located(const SurfaceLocation& location) const
+  {
+    return locator_.locate(location, {});
+  }
+
+  [[nodiscard]] ConstraintMark markAt(const SurfacePoint& at, MarkKind kind, Index constraint) const
+  {
+    const Vector3 place = positionOf(at, positions_);
+    return {place, place, ConstraintStatus::Disabled, kind, constraint, positionOf(at, model_.mesh.positions)};
+  }
+
+  std::vector<ConstraintMark> ofSelection(const Selection& selection, MarkKind kind, Index constraint)
+  {
+    if (!selector_) selector_.emplace(model_.mesh, model_.solverMesh, locator_);
+    std::vector<ConstraintMark> marks;
+    for (const Index vertex : selector_->select(selection, {}))
+      marks.push_back(markAt(SurfacePoint{{{vertex, 1}}}, kind, constraint));
+    return marks;
+  }
+
+  const Model& model_;
+  const Positions& positions_;
+  SurfaceLocator locator_;
+  std::optional<Selector> selector_;
+};
 
 /// Those of `group` that are drawn where there are too many.
 std::vector<Index> thinned(const std::vector<ConstraintMark>& marks, const std::vector<Index>& group)
@@ -136,46 +166,16 @@ std::vector<ConstraintMark> constraintMarks(const Model& model, const DeformResu
   return marks;
 }
 
-std::vector<DisabledPlace> disabledPlaces(const Model& model, const ConstraintList& list)
-{
-  const SurfaceLocator locator = model.locator();
-  std::optional<Selector> selector;
-  std::vector<DisabledPlace> places;
-  for (std::size_t k = 0; k < list.constraints.size(); ++k) {
-    if (list.constraints[k].isEnabled) continue;
-    if (!selector) selector.emplace(model.mesh, model.solverMesh, locator);
-    try {
-      for (DisabledPlace& place : placesOf(list.constraints[k], static_cast<Index>(k), model, locator, *selector))
-        places.push_back(std::move(place));
-    } catch (const InputError&) {
-      // A disabled constraint may be unusable; the error comes when it is enabled.
-      continue;
-    }
-  }
-  return places;
-}
-
-std::vector<ConstraintMark> disabledMarks(const Model& model, const std::vector<DisabledPlace>& places,
-                                          const Positions& positions)
-{
-  std::vector<ConstraintMark> marks;
-  for (const DisabledPlace& disabled : places) {
-    const Vector3 place = positionOf(disabled.at, positions);
-    ConstraintMark mark{place, disabled.target.value_or(place), ConstraintStatus::Disabled, disabled.kind,
-                        disabled.constraint};
-    mark.rest = positionOf(disabled.at, model.mesh.positions);
-    if (!disabled.to.terms.empty()) mark.other = positionOf(disabled.to, positions);
-    marks.push_back(std::move(mark));
-  }
-  return marks;
-}
-
 std::vector<ConstraintMark> constraintMarks(const Model& model, const ConstraintList& list,
                                             const DeformResult& deformation)
 {
   std::vector<ConstraintMark> marks = constraintMarks(model, deformation);
-  for (ConstraintMark& mark : disabledMarks(model, disabledPlaces(model, list), deformation.positions))
-    marks.push_back(std::move(mark));
+  DisabledMarks disabled(model, deformation.positions);
+  for (std::size_t k = 0; k < list.constraints.size(); ++k) {
+    if (list.constraints[k].isEnabled) continue;
+    const std::vector<ConstraintMark> some = disabled.of(list.constraints[k], static_cast<Index>(k));
+    marks.insert(marks.end(), some.begin(), some.end());
+  }
   return marks;
 }
 

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Marks of constraints: the place and target of each, its status, and which marks are drawn. Nothing
 /// of VTK: any thread may make them.
 
@@ -43,24 +42,8 @@ struct ConstraintMark {
 /// relative constraint at the place that `from` names; both want to lie as they should to the other place. O(rows).
 [[nodiscard]] std::vector<ConstraintMark> constraintMarks(const Model& model, const DeformResult& deformation);
 
-/// A place at which a disabled constraint would act.
-struct DisabledPlace {
-  SurfacePoint at;
-  MarkKind kind = MarkKind::Selection;
-  Index constraint = 0;           ///< place in the list
-  std::optional<Vector3> target;  ///< of points: where it would take the place, model units
-  SurfacePoint to;                ///< of relative constraints: the other place; else without terms
-};
-
-/// The places of the disabled constraints of `list`, in its order; none for those that do not fit the mesh. They hold
-/// as long as the list and the mesh do. As costly as making rows of these constraints.
-[[nodiscard]] std::vector<DisabledPlace> disabledPlaces(const Model& model, const ConstraintList& list);
-
-/// Marks of status `Disabled` for file vertices at `positions`. O(places).
-[[nodiscard]] std::vector<ConstraintMark> disabledMarks(const Model& model, const std::vector<DisabledPlace>& places,
-                                                        const Positions& positions);
-
-/// Marks of all constraints of `list`, which `deformation` was made of: those of disabled ones come last.
+/// The same, and then those of the disabled constraints of `list`, which `deformation` was made of: a mark where each
+/// would act. As costly as making rows of these constraints.
 [[nodiscard]] std::vector<ConstraintMark> constraintMarks(const Model& model, const ConstraintList& list,
                                                           const DeformResult& deformation);
 

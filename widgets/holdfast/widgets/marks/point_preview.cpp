@@ -12,27 +12,19 @@ constexpr double kPreviewBallSize = 0.8;
 constexpr double kShapeSize = 1.4;
 constexpr double kRingSize = 2.4;
 
-std::vector<Sprite> spritesIf(bool isShown, const std::optional<PreviewedPoint>& point)
-{
-  if (!isShown || !point) return {};
-  return {{point->place, kAccentColor}};
-}
-
 }  // namespace
-
-PointPreview::PointPreview()
-{
-  set({});
-}
 
 void PointPreview::set(const std::optional<PreviewedPoint>& point)
 {
   const bool isOnEdge = point && point->kind == MarkKind::Edge;
   const bool isInFace = point && point->kind == MarkKind::Face;
-  bead_.set(spritesIf(isOnEdge, point));
-  triangle_.set(spritesIf(isInFace, point));
-  ball_.set(spritesIf(!isOnEdge && !isInFace, point));
-  ring_.set(spritesIf(true, point));
+  const auto show = [&](PointSprites& sprites, bool isShown) {
+    sprites.set(isShown ? std::vector<Sprite>{{point->place, kAccentColor}} : std::vector<Sprite>{});
+  };
+  show(bead_, isOnEdge);
+  show(triangle_, isInFace);
+  show(ball_, point && !isOnEdge && !isInFace);
+  show(ring_, point.has_value());
 }
 
 void PointPreview::setBallPixels(double pixels)

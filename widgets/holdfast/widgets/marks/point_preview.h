@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The point of the surface that a click would take.
 
 #include <optional>
@@ -21,7 +20,7 @@ struct PreviewedPoint {
 /// The actors of one such point: a ring around the glyph that a constraint there would have.
 class PointPreview {
  public:
-  PointPreview();
+  PointPreview() { set({}); }
 
   void set(const std::optional<PreviewedPoint>& point);
 

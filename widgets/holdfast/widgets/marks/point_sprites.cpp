@@ -5,7 +5,9 @@
 
 #include <vtkCellArray.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
 #include <vtkShaderProperty.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <holdfast/widgets/mesh/actor_setup.h>
 #include <holdfast/widgets/mesh/blended_actor.h>
@@ -77,10 +79,6 @@ void setLook(vtkActor& actor, SpriteShape shape)
 
 PointSprites::PointSprites(SpriteShape shape, SpriteDepth depth)
 {
-  points_->SetDataTypeToDouble();
-  colors_->SetNumberOfComponents(3);
-  data_->SetPoints(points_);
-  data_->GetPointData()->SetScalars(colors_);
   if (depth == SpriteDepth::Behind)
     actor_ = vtkSmartPointer<BehindActor>::New();
   else
@@ -92,16 +90,18 @@ PointSprites::PointSprites(SpriteShape shape, SpriteDepth depth)
 
 void PointSprites::set(const std::vector<Sprite>& sprites)
 {
-  points_->Reset();
-  colors_->Reset();
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkUnsignedCharArray> colors;
   vtkNew<vtkCellArray> cells;
+  points->SetDataTypeToDouble();
+  colors->SetNumberOfComponents(3);
   for (const auto& [place, color] : sprites) {
-    colors_->InsertNextTuple3(std::round(255 * color.red), std::round(255 * color.green), std::round(255 * color.blue));
-    cells->InsertNextCell({points_->InsertNextPoint(place.data())});
+    colors->InsertNextTuple3(std::round(255 * color.red), std::round(255 * color.green), std::round(255 * color.blue));
+    cells->InsertNextCell({points->InsertNextPoint(place.data())});
   }
-  points_->Modified();
-  colors_->Modified();
+  data_->SetPoints(points);
   data_->SetVerts(cells);
+  data_->GetPointData()->SetScalars(colors);
   actor_->SetVisibility(!sprites.empty());
 }
 

@@ -1,16 +1,13 @@
 #pragma once
-/// \file
 /// Small shapes at places in space that face the eye and keep their size in pixels whatever the camera does.
 
 #include <vector>
 
 #include <vtkActor.h>
 #include <vtkNew.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
 #include <vtkSmartPointer.h>
-#include <vtkUnsignedCharArray.h>
 
 #include <holdfast/base/types.h>
 #include <holdfast/widgets/color/color_map.h>
@@ -50,8 +47,6 @@ class PointSprites {
   [[nodiscard]] vtkActor& actor() const { return *actor_; }
 
  private:
-  vtkNew<vtkPoints> points_;
-  vtkNew<vtkUnsignedCharArray> colors_;
   vtkNew<vtkPolyData> data_;
   vtkSmartPointer<vtkActor> actor_;
 };

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The rotation field as arrows: each along the axis about which the surface rotates there.
 
 #include <vector>

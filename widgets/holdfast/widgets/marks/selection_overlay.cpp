@@ -29,14 +29,6 @@ std::vector<Index> pointsOfVertices(const MeshActor& mesh, Index vertexCount)
   return pointOf;
 }
 
-void setTintLook(vtkProperty& property)
-{
-  property.SetColor(kAccentColor.red, kAccentColor.green, kAccentColor.blue);
-  property.SetOpacity(kTintOpacity);
-  // The shades are those of the surface that shines through.
-  property.LightingOff();
-}
-
 }  // namespace
 
 SelectionOverlay::SelectionOverlay(const Model& model, const MeshActor& mesh)
@@ -54,7 +46,10 @@ SelectionOverlay::SelectionOverlay(const Model& model, const MeshActor& mesh)
     mapper->SetResolveCoincidentTopologyToPolygonOffset();
     mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(kTintFactor, kTintUnits);
   }
-  setTintLook(*tint_->GetProperty());
+  setColor(*tint_, kAccentColor);
+  tint_->GetProperty()->SetOpacity(kTintOpacity);
+  // The shades are those of the surface that shines through.
+  tint_->GetProperty()->LightingOff();
   // It hides nothing that the surface below it does not hide, and needs no order.
   tint_->ForceOpaqueOn();
   set({});
@@ -64,16 +59,6 @@ void SelectionOverlay::set(const std::vector<Index>& fileVertices)
 {
   isSelected_.assign(pointOf_.size(), 0);
   for (const Index vertex : fileVertices) isSelected_[vertex] = 1;
-  setDots();
-  tinted_ = tintedOf(mesh_.shaded()->triangles, mesh_.vertexOf());
-  // Made when they are to be drawn.
-  for (vtkPolyData* const data : {tintData_.Get(), coarseTintData_.Get()}) data->SetPolys(nullptr);
-  tint_->SetVisibility(tinted_ > 0);
-  updateTint();
-}
-
-void SelectionOverlay::setDots()
-{
   std::vector<Index> drawn;
   drawn.reserve(pointOf_.size());
   for (std::size_t vertex = 0; vertex < pointOf_.size(); ++vertex)
@@ -83,6 +68,11 @@ void SelectionOverlay::setDots()
     dots->InsertNextCell({pointOf_[vertex]});
   dotData_->SetVerts(dots);
   dots_->SetVisibility(dots->GetNumberOfCells() > 0);
+  tinted_ = tintedOf(mesh_.shaded()->triangles, mesh_.vertexOf());
+  // Made when they are to be drawn.
+  for (vtkPolyData* const data : {tintData_.Get(), coarseTintData_.Get()}) data->SetPolys(nullptr);
+  tint_->SetVisibility(tinted_ > 0);
+  updateTint();
 }
 
 bool SelectionOverlay::areSelected(std::span<const Index> points, const std::vector<Index>& vertexOf) const

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Vertices that are selected, on the mesh that is drawn.
 
 #include <span>
@@ -39,7 +38,6 @@ class SelectionOverlay {
   [[nodiscard]] ActorSlices& tintSlices() { return tintSlices_; }
 
  private:
-  void setDots();
   [[nodiscard]] bool areSelected(std::span<const Index> points, const std::vector<Index>& vertexOf) const;
   [[nodiscard]] vtkIdType tintedOf(const Polygons& triangles, const std::vector<Index>& vertexOf) const;
   void setTint(vtkPolyData& data, const Polygons& triangles, const std::vector<Index>& vertexOf) const;

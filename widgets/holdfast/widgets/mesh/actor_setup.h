@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Repeated steps of setting up an actor.
 
 #include <vtkActor.h>
@@ -12,7 +11,9 @@
 
 namespace holdfast {
 
-inline void setColor(vtkActor& actor, const Color& color)
+/// `Actor`: of three dimensions or of two.
+template <class Actor>
+void setColor(Actor& actor, const Color& color)
 {
   actor.GetProperty()->SetColor(color.red, color.green, color.blue);
 }

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// A large mesh, some of its cells at a time.
 
 #include <vector>

@@ -19,11 +19,6 @@ constexpr double kFaintOpacity = 0.30;
 
 vtkStandardNewMacro(BlendedActor);
 
-BlendedActor::BlendedActor()
-{
-  ForceOpaqueOn();
-}
-
 void BlendedActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
 {
   // Then no depths are written.

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Actors that are blended with what is there, without an order of their own.
 
 #include <vtkOpenGLActor.h>
@@ -17,7 +16,7 @@ class BlendedActor : public vtkOpenGLActor {
   void Render(vtkRenderer* renderer, vtkMapper* mapper) override;
 
  protected:
-  BlendedActor();
+  BlendedActor() { ForceOpaqueOn(); }
 };
 
 /// Draws only what is behind the picture so far.

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// A large mesh as it is drawn while it moves: fewer triangles.
 
 #include <vector>

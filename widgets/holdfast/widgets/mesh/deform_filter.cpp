@@ -1,5 +1,6 @@
 #include "holdfast/widgets/mesh/deform_filter.h"
 
+#include <vtkDoubleArray.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
@@ -14,27 +15,6 @@ namespace holdfast {
 namespace {
 
 constexpr const char* kInput = "the input of the filter";
-
-/// Steps as progress of VTK.
-class FilterProgress final : public Progress {
- public:
-  explicit FilterProgress(vtkAlgorithm& filter) : filter_(filter) {}
-
-  void step(std::string_view description) override
-  {
-    filter_.SetProgressText(std::string(description).c_str());
-    filter_.UpdateProgress(filter_.GetProgress());
-    proceed();
-  }
-
-  void proceed() override
-  {
-    if (filter_.GetAbortExecute() != 0) throw Cancelled();
-  }
-
- private:
-  vtkAlgorithm& filter_;
-};
 
 }  // namespace
 
@@ -64,7 +44,11 @@ DeformResult DeformFilter::Deform(vtkPolyData& input)
     this->CurrentInput = &input;
     this->CurrentTime = input.GetMTime();
   }
-  FilterProgress progress(*this);
+  StoppableProgress progress([this] { return this->GetAbortExecute() != 0; },
+                             [this](std::string_view step) {
+                               this->SetProgressText(std::string(step).c_str());
+                               this->UpdateProgress(this->GetProgress());
+                             });
   return this->Current->deform(this->Constraints, "the constraints of the filter", progress);
 }
 

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// A deformation as a filter of VTK.
 
 #include <memory>

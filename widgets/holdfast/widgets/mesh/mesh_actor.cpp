@@ -75,30 +75,20 @@ void setSurfaceLook(vtkProperty& property)
   property.SetSpecularPower(24);
 }
 
-void setEdgeLook(vtkProperty& property)
+void setEdgeLook(vtkActor& actor, double opacity, double pixels)
 {
-  property.SetColor(0.13, 0.15, 0.19);
-  property.SetOpacity(0.75);
-  property.LightingOff();
-  property.SetLineWidth(static_cast<float>(kEdgePixels));
-}
-
-void setMeshEdgeLook(vtkProperty& property)
-{
-  setEdgeLook(property);
-  property.SetOpacity(0.35);
-  property.SetLineWidth(static_cast<float>(kMeshEdgePixels));
+  actor.GetProperty()->SetColor(0.13, 0.15, 0.19);
+  actor.GetProperty()->SetOpacity(opacity);
+  actor.GetProperty()->LightingOff();
+  setLineWidth(actor, pixels);
 }
 
 }  // namespace
 
-MeshActor::MeshActor(const Model& model)
-    : MeshActor(model, std::make_shared<const ShadedSurface>(cutAtSharpEdges(model)))
-{
-}
-
 MeshActor::MeshActor(const Model& model, std::shared_ptr<const ShadedSurface> shaded)
-    : model_(model), shaded_(std::move(shaded)), corners_(cornerVertices(shaded_->triangles))
+    : model_(model),
+      shaded_(shaded ? std::move(shaded) : std::make_shared<const ShadedSurface>(cutAtSharpEdges(model))),
+      corners_(cornerVertices(shaded_->triangles))
 {
   places_.resize(static_cast<Index>(shaded_->vertexOf.size()), 3);
   coordinates_->SetNumberOfComponents(3);
@@ -121,8 +111,8 @@ MeshActor::MeshActor(const Model& model, std::shared_ptr<const ShadedSurface> sh
   showLines(*edges_, *edgeMapper_, *edgeData_);
   showLines(*meshEdges_, *meshEdgeMapper_, *meshEdgeData_);
   setSurfaceLook(*surface_->GetProperty());
-  setEdgeLook(*edges_->GetProperty());
-  setMeshEdgeLook(*meshEdges_->GetProperty());
+  setEdgeLook(*edges_, 0.75, kEdgePixels);
+  setEdgeLook(*meshEdges_, 0.35, kMeshEdgePixels);
   // They hide nothing that the surface below them does not hide, and need no order.
   meshEdges_->ForceOpaqueOn();
   setPositions(model.mesh.positions);

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// A mesh as VTK draws it: a smooth surface with crisp edges, in one colour or coloured by values.
 
 #include <memory>
@@ -44,10 +43,9 @@ enum class Detail {
 /// The actors of one mesh: its surface and, as thin dark lines, its sharp edges and borders.
 class MeshActor {
  public:
-  /// At rest, in one colour. `model` stays alive as long as this. O(T log T).
-  explicit MeshActor(const Model& model);
-  /// The same with `shaded`, which was cut from `model`.
-  MeshActor(const Model& model, std::shared_ptr<const ShadedSurface> shaded);
+  /// At rest, in one colour. `model` stays alive as long as this; `shaded` was cut from it, or is null. O(T log T)
+  /// without `shaded`.
+  explicit MeshActor(const Model& model, std::shared_ptr<const ShadedSurface> shaded = nullptr);
   ~MeshActor();
 
   /// Moves the mesh: one row for each vertex of the file. O(T); in coarse detail most of it waits for the full one.

@@ -1,8 +1,8 @@
 #include "holdfast/widgets/mesh/poly_data.h"
 
 #include <algorithm>
-#include <vector>
 
+#include <fmt/format.h>
 #include <vtkCellArray.h>
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
@@ -18,19 +18,14 @@ namespace {
 void requireSurface(vtkPolyData& polyData, const std::string& file)
 {
   if (const auto strips = polyData.GetNumberOfStrips(); strips > 0)
-    throw InputError({file, 0, ""},
-                     "there are triangle strips (" + std::to_string(strips) +
-                         "), whose triangles have no ids of their own; turn them into polygons first (the "
-                         "filter Triangulate of ParaView does)");
+    throw InputError({file, 0, ""}, fmt::format("there are triangle strips ({}), whose triangles have no ids of their "
+                                                "own; turn them into polygons first (the filter Triangulate of "
+                                                "ParaView does)",
+                                                strips));
   if (polyData.GetNumberOfPolys() == 0)
     throw InputError({file, 0, ""},
                      "there are no polygons, and only surfaces made of polygons can be deformed; give a file "
                      "with POLYGONS or Polys");
-}
-
-std::string polygon(vtkIdType id)
-{
-  return "polygon " + std::to_string(id);
 }
 
 void requireSoundKind(vtkCellArray& cells, vtkIdType leastCorners, const char* kind, const std::string& file)
@@ -43,18 +38,33 @@ void requireSoundKind(vtkCellArray& cells, vtkIdType leastCorners, const char* k
                      "their first offset is not 0; the file is damaged, write it anew");
   for (vtkIdType i = 1; i < offsets.GetNumberOfTuples(); ++i)
     if (offset(i) < offset(i - 1) + leastCorners || offset(i) > cornerCount)
-      throw InputError({file, 0, kind + (" " + std::to_string(i - 1))},
-                       "it goes from corner " + std::to_string(offset(i - 1)) + " to before corner " +
-                           std::to_string(offset(i)) + " of " + std::to_string(cornerCount) + ", and needs at least " +
-                           std::to_string(leastCorners) + "; leave it out or write the file anew");
+      throw InputError({file, 0, fmt::format("{} {}", kind, i - 1)},
+                       fmt::format("it goes from corner {} to before corner {} of {}, and needs at least {}; leave it "
+                                   "out or write the file anew",
+                                   offset(i - 1), offset(i), cornerCount, leastCorners));
 }
 
 void requireFace(const std::vector<Index>& corners, Index pointCount, const InputLocation& here)
 {
   for (const Index corner : corners)
     if (corner < 0 || corner >= pointCount)
-      throw InputError(here, "it refers to point " + std::to_string(corner) +
-                                 ", but the points are numbered from 0 to " + std::to_string(pointCount - 1));
+      throw InputError(
+          here, fmt::format("it refers to point {}, but the points are numbered from 0 to {}", corner, pointCount - 1));
+}
+
+vtkSmartPointer<vtkCellArray> addCells(vtkPolyData& data, const std::vector<std::vector<Vector3>>& corners)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  for (const std::vector<Vector3>& cell : corners) {
+    if (cell.empty()) continue;
+    cells->InsertNextCell(static_cast<int>(cell.size()));
+    for (const Vector3& place : cell) cells->InsertCellPoint(points->InsertNextPoint(place.data()));
+  }
+  data.Initialize();
+  data.SetPoints(points);
+  return cells;
 }
 
 }  // namespace
@@ -68,6 +78,26 @@ vtkSmartPointer<vtkPoints> toPoints(const Positions& positions)
   auto points = vtkSmartPointer<vtkPoints>::New();
   points->SetData(coordinates);
   return points;
+}
+
+void setPoints(vtkPolyData& data, const std::vector<Vector3>& places)
+{
+  const auto count = static_cast<Index>(places.size());
+  vtkNew<vtkCellArray> cells;
+  for (Index k = 0; k < count; ++k) cells->InsertNextCell({k});
+  data.Initialize();
+  data.SetPoints(toPoints(Eigen::Map<const Positions>(count > 0 ? places.front().data() : nullptr, count, 3)));
+  data.SetVerts(cells);
+}
+
+void setLines(vtkPolyData& data, const std::vector<std::vector<Vector3>>& lines)
+{
+  data.SetLines(addCells(data, lines));
+}
+
+void setPolygons(vtkPolyData& data, const std::vector<std::vector<Vector3>>& polygons)
+{
+  data.SetPolys(addCells(data, polygons));
 }
 
 vtkSmartPointer<vtkCellArray> toCells(const Polygons& polygons)
@@ -127,7 +157,7 @@ Polygons polygonsOf(vtkPolyData& polyData, const std::string& file)
     const vtkIdType* ids = nullptr;
     cells.GetCellAtId(face, count, ids);
     corners.assign(ids, ids + count);
-    requireFace(corners, polyData.GetNumberOfPoints(), {file, 0, polygon(face)});
+    requireFace(corners, polyData.GetNumberOfPoints(), {file, 0, fmt::format("polygon {}", face)});
     polygons.add(corners);
   }
   return polygons;

@@ -1,8 +1,8 @@
 #pragma once
-/// \file
 /// Between Holdfast's meshes and VTK's.
 
 #include <string>
+#include <vector>
 
 #include <vtkSmartPointer.h>
 
@@ -18,6 +18,11 @@ namespace holdfast {
 
 /// Points of doubles, a copy of `positions`.
 [[nodiscard]] vtkSmartPointer<vtkPoints> toPoints(const Positions& positions);
+
+/// In the place of all that `data` holds: points that are drawn; lines, or polygons, through points of their own.
+void setPoints(vtkPolyData& data, const std::vector<Vector3>& places);
+void setLines(vtkPolyData& data, const std::vector<std::vector<Vector3>>& lines);
+void setPolygons(vtkPolyData& data, const std::vector<std::vector<Vector3>>& polygons);
 
 /// The same cells.
 [[nodiscard]] vtkSmartPointer<vtkCellArray> toCells(const Polygons& polygons);

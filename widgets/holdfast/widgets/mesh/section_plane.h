@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// A plane that cuts away one side, so that the inside can be seen.
 
 #include <holdfast/base/types.h>

@@ -102,11 +102,4 @@ ShadedSurface cutAtSharpEdges(const Model& model)
   return surface;
 }
 
-Positions pointsOf(const ShadedSurface& surface, const Positions& positions)
-{
-  Positions points(static_cast<Index>(surface.vertexOf.size()), 3);
-  for (Index k = 0; k < points.rows(); ++k) points.row(k) = positions.row(surface.vertexOf[k]);
-  return points;
-}
-
 }  // namespace holdfast

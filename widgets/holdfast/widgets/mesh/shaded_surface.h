@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// A mesh cut along its sharp edges for drawing: smooth within, crisp between.
 
 #include <array>
@@ -27,8 +26,5 @@ inline constexpr double kLeastCreaseLength = 0.1;
 /// mesh deforms. Edges of more or fewer than two triangles, and those whose triangles disagree on which side is out,
 /// count as sharp. O(T log T).
 [[nodiscard]] ShadedSurface cutAtSharpEdges(const Model& model);
-
-/// The places of the points of `surface` for the file's vertices at `positions`: copies of rows, bit for bit.
-[[nodiscard]] Positions pointsOf(const ShadedSurface& surface, const Positions& positions);
 
 }  // namespace holdfast

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The vertices inside a polygon drawn on the screen: a rectangle or a lasso.
 
 #include <memory>

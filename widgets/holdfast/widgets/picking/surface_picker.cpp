@@ -54,6 +54,12 @@ std::optional<PointOfEdge> nearestOfEdge(const Vector3& a, const Vector3& b, con
 
 constexpr double kAnyDistance = std::numeric_limits<double>::infinity();
 
+void sortUnique(std::vector<Index>& ids)
+{
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+}
+
 /// One search around one cursor.
 class Search {
  public:
@@ -75,14 +81,54 @@ class Search {
   }
 
   /// Those of the face under the cursor and of all that share a vertex with it.
-  [[nodiscard]] std::vector<Index> trianglesAround() const;
+  [[nodiscard]] std::vector<Index> trianglesAround() const
+  {
+    const std::vector<Index>& faceOf = model_.triangulation.faceOf;
+    std::vector<Index> faces;
+    for (const Index vertex : model_.mesh.faces[faceOf[hit_->triangle]])
+      for (const Index triangle : surface_.trianglesAt(vertex)) faces.push_back(faceOf[triangle]);
+    sortUnique(faces);
+    std::vector<Index> triangles;
+    for (const Index face : faces) {
+      const auto [first, last] = std::equal_range(faceOf.begin(), faceOf.end(), face);
+      for (auto t = first; t != last; ++t) triangles.push_back(t - faceOf.begin());
+    }
+    return triangles;
+  }
 
   /// The point of the face under the cursor.
-  [[nodiscard]] SurfacePick ofFace() const;
+  [[nodiscard]] SurfacePick ofFace() const
+  {
+    const Index face = model_.triangulation.faceOf[hit_->triangle];
+    const auto corners = model_.mesh.faces[face];
+    AtFace at{face, std::vector<double>(corners.size(), 0.0)};
+    Vector3 place = Vector3::Zero();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Index corner = model_.triangulation.corners[hit_->triangle][k];
+      at.weights[corner] = hit_->weights[k];
+      place += hit_->weights[k] * surface_.positions().row(corners[corner]).transpose();
+    }
+    return {std::move(at), place, face, hit_->triangle};
+  }
 
   /// The nearest visible vertex, or point of an edge, of `triangles` up to `reach` pixels away.
-  [[nodiscard]] std::optional<SurfacePick> vertexOf(const std::vector<Index>& triangles, double reach) const;
-  [[nodiscard]] std::optional<SurfacePick> edgeOf(const std::vector<Index>& triangles, double reach) const;
+  [[nodiscard]] std::optional<SurfacePick> vertexOf(const std::vector<Index>& triangles, double reach) const
+  {
+    for (const auto& [distance, vertex] : verticesByDistance(triangles, reach))
+      if (surface_.isVertexVisible(vertex, display_))
+        return pickOf(AtVertex{vertex}, surface_.positions().row(vertex), vertex, vertex);
+    return std::nullopt;
+  }
+
+  [[nodiscard]] std::optional<SurfacePick> edgeOf(const std::vector<Index>& triangles, double reach) const
+  {
+    for (const auto& [point, i, j] : edgesByDistance(triangles, reach)) {
+      if (!surface_.isEdgeVisible(i, j, point.place, display_)) continue;
+      const double t = 1 - point.share;
+      return pickOf(AtEdge{i, j, t}, t * surface_.positions().row(i) + (1 - t) * surface_.positions().row(j), i, j);
+    }
+    return std::nullopt;
+  }
 
  private:
   struct ShownVertex {
@@ -95,12 +141,90 @@ class Search {
     Index j = 0;
   };
 
-  [[nodiscard]] std::vector<ShownVertex> verticesByDistance(const std::vector<Index>& triangles, double reach) const;
-  [[nodiscard]] std::vector<ShownEdge> edgesByDistance(const std::vector<Index>& triangles, double reach) const;
-  [[nodiscard]] std::vector<std::pair<Index, Index>> sidesOfFaces(const std::vector<Index>& triangles) const;
-  [[nodiscard]] bool isSideOfFace(Index triangle, int side) const;
-  [[nodiscard]] Index triangleWith(Index i, Index j) const;
-  [[nodiscard]] SurfacePick pickOf(SurfaceLocation location, const Vector3& place, Index i, Index j) const;
+  [[nodiscard]] std::vector<ShownVertex> verticesByDistance(const std::vector<Index>& triangles, double reach) const
+  {
+    std::vector<Index> vertices;
+    for (const Index t : triangles)
+      for (const Index vertex : model_.triangulation.triangles[t]) vertices.push_back(vertex);
+    sortUnique(vertices);
+    std::vector<ShownVertex> found;
+    for (const Index vertex : vertices) {
+      const DisplayTransform::Shown shown = display_.show(surface_.positions().row(vertex));
+      if (!(shown.depth > 0)) continue;
+      const double distance = (shown.point - cursor_).norm();
+      if (distance <= reach) found.push_back({distance, vertex});
+    }
+    std::stable_sort(found.begin(), found.end(),
+                     [](const ShownVertex& a, const ShownVertex& b) { return a.distance < b.distance; });
+    return found;
+  }
+
+  [[nodiscard]] std::vector<ShownEdge> edgesByDistance(const std::vector<Index>& triangles, double reach) const
+  {
+    std::vector<ShownEdge> found;
+    for (const auto& [i, j] : sidesOfFaces(triangles)) {
+      const Vector3 a = surface_.positions().row(i);
+      const Vector3 b = surface_.positions().row(j);
+      const auto placeAt = [&](double share) -> Vector3 { return (1 - share) * a + share * b; };
+      const auto [begin, end] = surface_.keptPart({a, b - a}, {0, 1});
+      if (begin > end) continue;
+      auto point = nearestOfEdge(placeAt(begin), placeAt(end), cursor_, display_);
+      if (!point || point->distance > reach) continue;
+      point->share = begin + point->share * (end - begin);
+      found.push_back({*point, i, j});
+    }
+    std::stable_sort(found.begin(), found.end(),
+                     [](const ShownEdge& a, const ShownEdge& b) { return a.point.distance < b.point.distance; });
+    return found;
+  }
+
+  /// Each once, its smaller vertex first; ascending.
+  [[nodiscard]] std::vector<std::pair<Index, Index>> sidesOfFaces(const std::vector<Index>& triangles) const
+  {
+    std::vector<std::pair<Index, Index>> sides;
+    for (const Index t : triangles)
+      for (int side = 0; side < 3; ++side) {
+        const Triangle& corners = model_.triangulation.triangles[t];
+        const std::pair<Index, Index> ends = std::minmax(corners[side], corners[(side + 1) % 3]);
+        if (ends.first != ends.second && isSideOfFace(t, side)) sides.push_back(ends);
+      }
+    std::sort(sides.begin(), sides.end());
+    sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
+    return sides;
+  }
+
+  /// Whether the side is one of the face that the triangle is cut from, not a cut.
+  [[nodiscard]] bool isSideOfFace(Index triangle, int side) const
+  {
+    const auto& corners = model_.triangulation.corners[triangle];
+    const auto count = static_cast<Index>(model_.mesh.faces[model_.triangulation.faceOf[triangle]].size());
+    const Index a = corners[side];
+    const Index b = corners[(side + 1) % 3];
+    return (a + 1) % count == b || (b + 1) % count == a;
+  }
+
+  /// A triangle with both vertices: that under the cursor, or else one of the same face, or else the first.
+  [[nodiscard]] Index triangleWith(Index i, Index j) const
+  {
+    const std::vector<Index>& faceOf = model_.triangulation.faceOf;
+    const auto rank = [&](Index t) {
+      if (!hit_) return 2;
+      return t == hit_->triangle ? 0 : faceOf[t] == faceOf[hit_->triangle] ? 1 : 2;
+    };
+    Index best = -1;
+    for (const Index t : surface_.trianglesAt(i)) {
+      const Triangle& own = model_.triangulation.triangles[t];
+      if (std::count(own.begin(), own.end(), i) == 0 || std::count(own.begin(), own.end(), j) == 0) continue;
+      if (best < 0 || rank(t) < rank(best)) best = t;
+    }
+    return best;
+  }
+
+  [[nodiscard]] SurfacePick pickOf(SurfaceLocation location, const Vector3& place, Index i, Index j) const
+  {
+    const Index triangle = triangleWith(i, j);
+    return {std::move(location), place, model_.triangulation.faceOf[triangle], triangle};
+  }
 
   const Model& model_;
   const VisibleSurface& surface_;
@@ -108,144 +232,6 @@ class Search {
   DisplayPoint cursor_;
   std::optional<RayHit> hit_;
 };
-
-void sortUnique(std::vector<Index>& ids)
-{
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-}
-
-std::vector<Index> Search::trianglesAround() const
-{
-  const std::vector<Index>& faceOf = model_.triangulation.faceOf;
-  std::vector<Index> faces;
-  for (const Index vertex : model_.mesh.faces[faceOf[hit_->triangle]])
-    for (const Index triangle : surface_.trianglesAt(vertex)) faces.push_back(faceOf[triangle]);
-  sortUnique(faces);
-  std::vector<Index> triangles;
-  for (const Index face : faces) {
-    const auto [first, last] = std::equal_range(faceOf.begin(), faceOf.end(), face);
-    for (auto t = first; t != last; ++t) triangles.push_back(t - faceOf.begin());
-  }
-  return triangles;
-}
-
-SurfacePick Search::ofFace() const
-{
-  const Index face = model_.triangulation.faceOf[hit_->triangle];
-  const auto corners = model_.mesh.faces[face];
-  AtFace at{face, std::vector<double>(corners.size(), 0.0)};
-  Vector3 place = Vector3::Zero();
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Index corner = model_.triangulation.corners[hit_->triangle][k];
-    at.weights[corner] = hit_->weights[k];
-    place += hit_->weights[k] * surface_.positions().row(corners[corner]).transpose();
-  }
-  return {std::move(at), place, face, hit_->triangle};
-}
-
-std::optional<SurfacePick> Search::vertexOf(const std::vector<Index>& triangles, double reach) const
-{
-  for (const auto& [distance, vertex] : verticesByDistance(triangles, reach))
-    if (surface_.isVertexVisible(vertex, display_))
-      return pickOf(AtVertex{vertex}, surface_.positions().row(vertex), vertex, vertex);
-  return std::nullopt;
-}
-
-std::optional<SurfacePick> Search::edgeOf(const std::vector<Index>& triangles, double reach) const
-{
-  for (const auto& [point, i, j] : edgesByDistance(triangles, reach)) {
-    if (!surface_.isEdgeVisible(i, j, point.place, display_)) continue;
-    const double t = 1 - point.share;
-    return pickOf(AtEdge{i, j, t}, t * surface_.positions().row(i) + (1 - t) * surface_.positions().row(j), i, j);
-  }
-  return std::nullopt;
-}
-
-std::vector<Search::ShownVertex> Search::verticesByDistance(const std::vector<Index>& triangles, double reach) const
-{
-  std::vector<Index> vertices;
-  for (const Index t : triangles)
-    for (const Index vertex : model_.triangulation.triangles[t]) vertices.push_back(vertex);
-  sortUnique(vertices);
-  std::vector<ShownVertex> found;
-  for (const Index vertex : vertices) {
-    const DisplayTransform::Shown shown = display_.show(surface_.positions().row(vertex));
-    if (!(shown.depth > 0)) continue;
-    const double distance = (shown.point - cursor_).norm();
-    if (distance <= reach) found.push_back({distance, vertex});
-  }
-  std::stable_sort(found.begin(), found.end(),
-                   [](const ShownVertex& a, const ShownVertex& b) { return a.distance < b.distance; });
-  return found;
-}
-
-std::vector<Search::ShownEdge> Search::edgesByDistance(const std::vector<Index>& triangles, double reach) const
-{
-  std::vector<ShownEdge> found;
-  for (const auto& [i, j] : sidesOfFaces(triangles)) {
-    const Vector3 a = surface_.positions().row(i);
-    const Vector3 b = surface_.positions().row(j);
-    const auto placeAt = [&](double share) -> Vector3 { return (1 - share) * a + share * b; };
-    const auto [begin, end] = surface_.keptPart({a, b - a}, {0, 1});
-    if (begin > end) continue;
-    auto point = nearestOfEdge(placeAt(begin), placeAt(end), cursor_, display_);
-    if (!point || point->distance > reach) continue;
-    point->share = begin + point->share * (end - begin);
-    found.push_back({*point, i, j});
-  }
-  std::stable_sort(found.begin(), found.end(),
-                   [](const ShownEdge& a, const ShownEdge& b) { return a.point.distance < b.point.distance; });
-  return found;
-}
-
-/// Each once, its smaller vertex first; ascending.
-std::vector<std::pair<Index, Index>> Search::sidesOfFaces(const std::vector<Index>& triangles) const
-{
-  std::vector<std::pair<Index, Index>> sides;
-  for (const Index t : triangles)
-    for (int side = 0; side < 3; ++side) {
-      const Triangle& corners = model_.triangulation.triangles[t];
-      const std::pair<Index, Index> ends = std::minmax(corners[side], corners[(side + 1) % 3]);
-      if (ends.first != ends.second && isSideOfFace(t, side)) sides.push_back(ends);
-    }
-  std::sort(sides.begin(), sides.end());
-  sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
-  return sides;
-}
-
-/// Whether the side is one of the face that the triangle is cut from, not a cut.
-bool Search::isSideOfFace(Index triangle, int side) const
-{
-  const auto& corners = model_.triangulation.corners[triangle];
-  const auto count = static_cast<Index>(model_.mesh.faces[model_.triangulation.faceOf[triangle]].size());
-  const Index a = corners[side];
-  const Index b = corners[(side + 1) % 3];
-  return (a + 1) % count == b || (b + 1) % count == a;
-}
-
-/// A triangle with both vertices: that under the cursor, or else one of the same face, or else the first.
-Index Search::triangleWith(Index i, Index j) const
-{
-  const std::vector<Index>& faceOf = model_.triangulation.faceOf;
-  const auto rank = [&](Index t) {
-    if (!hit_) return 2;
-    return t == hit_->triangle ? 0 : faceOf[t] == faceOf[hit_->triangle] ? 1 : 2;
-  };
-  Index best = -1;
-  for (const Index t : surface_.trianglesAt(i)) {
-    const Triangle& own = model_.triangulation.triangles[t];
-    if (std::count(own.begin(), own.end(), i) == 0 || std::count(own.begin(), own.end(), j) == 0) continue;
-    if (best < 0 || rank(t) < rank(best)) best = t;
-  }
-  return best;
-}
-
-SurfacePick Search::pickOf(SurfaceLocation location, const Vector3& place, Index i, Index j) const
-{
-  const Index triangle = triangleWith(i, j);
-  return {std::move(location), place, model_.triangulation.faceOf[triangle], triangle};
-}
 
 }  // namespace
 

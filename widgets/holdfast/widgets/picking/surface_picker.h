@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The point of the surface under the cursor.
 
 #include <memory>
@@ -54,7 +53,6 @@ class SurfacePicker {
                                                 double snapPixels) const;
 
   [[nodiscard]] const std::shared_ptr<const VisibleSurface>& surface() const noexcept { return surface_; }
-  [[nodiscard]] const Model& model() const noexcept { return surface_->model(); }
 
  private:
   std::shared_ptr<const VisibleSurface> surface_;

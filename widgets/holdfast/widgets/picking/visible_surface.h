@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Which parts of a model's surface are visible.
 
 #include <memory>

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The rotations of one deformation as points of the rotation sphere. Nothing of VTK: any thread may place them.
 
 #include <memory>

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Rotations as places on a sphere that can be looked at: where the unit quaternion exp(q) of a logarithm is drawn.
 ///
 /// Unit quaternions are a sphere in four dimensions. The prescribed rotations (fixed vertices, q = 0, and a handle or

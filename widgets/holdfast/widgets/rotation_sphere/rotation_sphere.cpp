@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
+#include <vtkCommand.h>
 #include <vtkCoordinate.h>
 #include <vtkDoubleArray.h>
 #include <vtkLookupTable.h>
@@ -14,8 +14,10 @@
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 
+#include <holdfast/widgets/camera/display_transform.h>
 #include <holdfast/widgets/marks/point_sprites.h>
 #include <holdfast/widgets/mesh/actor_setup.h>
+#include <holdfast/widgets/mesh/poly_data.h>
 #include <holdfast/widgets/rotation_sphere/sphere_camera.h>
 #include <holdfast/widgets/rotation_sphere/sphere_shapes.h>
 
@@ -92,12 +94,7 @@ void RotationSphere::addTo(vtkRenderer& renderer)
   // What is behind it is seen through it.
   renderer.AddActor(shell_);
   renderer.GetActiveCamera()->ParallelProjectionOn();
-  vtkNew<vtkCallbackCommand> beforeDrawing;
-  beforeDrawing->SetClientData(this);
-  beforeDrawing->SetCallback([](vtkObject* /*caller*/, unsigned long /*event*/, void* sphere, void* /*data*/) {
-    static_cast<const RotationSphere*>(sphere)->hideTexts();
-  });
-  observer_ = renderer.AddObserver(vtkCommand::StartEvent, beforeDrawing);
+  observer_ = renderer.AddObserver(vtkCommand::StartEvent, this, &RotationSphere::hideTexts);
   applyLook();
   showScale();
   fitCamera();
@@ -135,14 +132,6 @@ void RotationSphere::show(std::shared_ptr<const PlacedRotations> placed)
   for (const Index point : placed_->drawn) drawn.push_back(placed_->places[point]);
   setPoints(*pointData_, drawn);
   colorPoints();
-  placeBoundary();
-  placeMark();
-  if (isOtherFrame) showScale();
-  showNames();
-}
-
-void RotationSphere::placeBoundary()
-{
   const std::vector<BoundaryRotation>& boundary = placed_->boundary;
   std::vector<Vector3> balls;
   std::vector<std::vector<Vector3>> arcs;
@@ -152,7 +141,10 @@ void RotationSphere::placeBoundary()
       arcs.push_back(sphereArc(placed_->frame, boundary[a].q, boundary[b].q));
   }
   setPoints(*boundaryData_, balls);
-  setPolylines(*arcData_, arcs);
+  setLines(*arcData_, arcs);
+  placeMark();
+  if (isOtherFrame) showScale();
+  showNames();
 }
 
 void RotationSphere::setColoring(const std::optional<Coloring>& coloring)
@@ -217,7 +209,7 @@ vtkSmartPointer<vtkTextActor> RotationSphere::textAt(const std::string& text, co
   return actor;
 }
 
-void RotationSphere::hideTexts() const
+void RotationSphere::hideTexts()
 {
   const Vector3 forward = sightOf(*renderer_->GetActiveCamera());
   const double room = kScaleTextPixels * look_.pixelRatio;
@@ -308,13 +300,6 @@ std::optional<Index> RotationSphere::pick(double displayX, double displayY) cons
     found[side] = placed_->vertices->vertexOf[k];
   }
   return found[0] ? found[0] : found[1];
-}
-
-std::optional<DisplayPoint> RotationSphere::displayPlace(Index vertex) const
-{
-  const auto place = placeOf(vertex);
-  if (!place || !renderer_) return std::nullopt;
-  return DisplayTransform(*renderer_).show(*place).point;
 }
 
 }  // namespace holdfast

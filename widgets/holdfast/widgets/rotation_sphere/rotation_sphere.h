@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The rotation field on a sphere, Fig. 6 of the paper: a point for each vertex, a ball for each rotation that is
 /// prescribed, great arcs between these. `rotation_projection.h` says where a rotation is.
 
@@ -10,7 +9,6 @@
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
-#include <holdfast/widgets/camera/display_transform.h>
 #include <holdfast/widgets/color/coloring.h>
 #include <holdfast/widgets/mesh/blended_actor.h>
 #include <holdfast/widgets/rotation_sphere/placed_rotations.h>
@@ -63,9 +61,6 @@ class RotationSphere {
   /// those within `kSphereReach`; points on the far side only where there is none on the near side. O(N).
   [[nodiscard]] std::optional<Index> pick(double displayX, double displayY) const;
 
-  /// Where the point of a vertex of the file is in the window, pixels from its lower left corner; none without one.
-  [[nodiscard]] std::optional<DisplayPoint> displayPlace(Index vertex) const;
-
   /// The actor of the points; its mapper colours them.
   [[nodiscard]] vtkActor& points() const { return *points_; }
 
@@ -74,12 +69,11 @@ class RotationSphere {
 
   void applyLook();
   void colorPoints();
-  void placeBoundary();
   void placeMark();
   void showScale();
   void showNames();
   void replace(Texts& texts, Texts with);
-  void hideTexts() const;  // those far behind, and those that others leave no room
+  void hideTexts();  // those far behind, and those that others leave no room
   [[nodiscard]] vtkSmartPointer<vtkTextActor> textAt(const std::string& text, const Vector3& place,
                                                      double pixels) const;
   [[nodiscard]] std::optional<Vector3> placeOf(Index vertex) const;

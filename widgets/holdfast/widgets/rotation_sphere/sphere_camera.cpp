@@ -53,20 +53,6 @@ void lookAtPlaces(vtkCamera& camera, const std::vector<Vector3>& places)
   camera.SetParallelScale(isWhole ? std::max(reach, kWholeScale) : std::max(reach, kLeastView));
 }
 
-void turnSphere(vtkCamera& camera, double right, double up)
-{
-  const Vector3 viewUp(camera.GetViewUp());
-  const Vector3 across = sightOf(camera).cross(viewUp);
-  const Eigen::Matrix3d turn =
-      (Eigen::AngleAxisd(-right, viewUp.normalized()) * Eigen::AngleAxisd(up, across.normalized())).toRotationMatrix();
-  const Vector3 eye = turn * Vector3(camera.GetPosition());
-  const Vector3 focus = turn * Vector3(camera.GetFocalPoint());
-  const Vector3 rotatedUp = turn * viewUp;
-  camera.SetPosition(eye.data());
-  camera.SetFocalPoint(focus.data());
-  camera.SetViewUp(rotatedUp.data());
-}
-
 void zoomSphere(vtkCamera& camera, double factor)
 {
   camera.SetParallelScale(std::clamp(camera.GetParallelScale() / factor, kNearestView, kFarthestView));

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The camera before a unit sphere about the origin, in parallel projection.
 
 #include <vector>
@@ -15,9 +14,6 @@ namespace holdfast {
 
 /// Shows all `places`, at least one, from a little beside their middle; the whole sphere where they reach around it.
 void lookAtPlaces(vtkCamera& camera, const std::vector<Vector3>& places);
-
-/// Rotates the sphere: its near side moves to the right and up by so many radians.
-void turnSphere(vtkCamera& camera, double right, double up);
 
 /// Shows what is in the picture `factor` times as large, within bounds.
 void zoomSphere(vtkCamera& camera, double factor);

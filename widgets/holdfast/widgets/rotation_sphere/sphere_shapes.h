@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The unit sphere on which rotations are shown: its shell, its rings of equal angles, and small shapes on it.
 
 #include <string>
@@ -27,10 +26,6 @@ struct RingName {
 [[nodiscard]] vtkSmartPointer<vtkPolyData> sphereRings();
 
 [[nodiscard]] std::vector<RingName> ringNames();
-
-/// Puts points, or lines through points, in the place of what `data` holds.
-void setPoints(vtkPolyData& data, const std::vector<Vector3>& places);
-void setPolylines(vtkPolyData& data, const std::vector<std::vector<Vector3>>& lines);
 
 /// The colour that is `share` of the way from `from` to `to`.
 [[nodiscard]] Color mixed(const Color& from, const Color& to, double share);

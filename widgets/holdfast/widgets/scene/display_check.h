@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Whether there can be pictures here.
 
 #include <string>

@@ -1,7 +1,5 @@
 #include "holdfast/widgets/scene/example_document.h"
 
-#include <holdfast/base/progress.h>
-
 namespace holdfast {
 namespace {
 
@@ -46,8 +44,7 @@ ConstraintList everyKind()
 ExampleDocument exampleDocument()
 {
   ExampleDocument example{makeModel(sheet(), "example"), everyKind(), {}};
-  NoProgress quiet;
-  example.deformation = deform(example.model, example.list, "example", {}, quiet);
+  example.deformation = deform(example.model, example.list);
   return example;
 }
 

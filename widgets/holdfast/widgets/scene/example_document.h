@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// A small document with something of everything that a picture can show.
 
 #include <holdfast/deform/deform.h>

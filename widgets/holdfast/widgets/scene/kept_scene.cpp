@@ -44,11 +44,7 @@ void KeptScene::noteScene()
   size_ = {size[0], size[1]};
   cameraTime_ = scene_.GetActiveCamera()->GetMTime();
   isKept_ = isKeeping_;
-  if (isKeeping_) keep();
-}
-
-void KeptScene::keep()
-{
+  if (!isKeeping_) return;
   if (kept_->GetFBOIndex() == 0) {
     window_.GetState()->PushFramebufferBindings();
     kept_->PopulateFramebuffer(size_[0], size_[1], true, 1, VTK_UNSIGNED_CHAR, true, kDepthBits, 0);

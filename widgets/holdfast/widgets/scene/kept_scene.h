@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Drawing layers above a scene again without the scene.
 
 #include <array>
@@ -35,7 +34,6 @@ class KeptScene {
 
  private:
   void noteScene();
-  void keep();
   void putBack();
   void copy(vtkOpenGLFramebufferObject& from, vtkOpenGLFramebufferObject& to);
 

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The light and the background in which meshes are shown.
 
 class vtkRenderer;

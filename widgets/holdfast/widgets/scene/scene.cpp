@@ -1,7 +1,6 @@
 #include "holdfast/widgets/scene/scene.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -38,11 +37,6 @@ double textSizeOf(const PictureSize& size, int pixelRatio)
   return pixelRatio * std::max(9.0, std::round(std::min(size.height / 48.0, size.width / 64.0)));
 }
 
-bool hasRoomForLegend(const PictureSize& size)
-{
-  return size.width >= kLeastLegendWidth && size.height >= kLeastLegendHeight;
-}
-
 std::vector<KeyEntry> keyOf(const std::vector<ConstraintMark>& marks)
 {
   std::vector<KeyEntry> key;
@@ -53,13 +47,6 @@ std::vector<KeyEntry> keyOf(const std::vector<ConstraintMark>& marks)
     if (count > 0) key.push_back({glyphColor(status), fmt::format("{} {}", count, name(status))});
   }
   return key;
-}
-
-Positions stacked(const Positions& a, const Positions& b)
-{
-  Positions all(a.rows() + b.rows(), 3);
-  all << a, b;
-  return all;
 }
 
 constexpr int kChannels = 3;
@@ -128,7 +115,8 @@ Scene::Scene(const Model& model, const DeformResult& deformation, const SceneOpt
   LegendContents legend;
   if (coloring) legend.scale = coloring->scale;
   legend.key = keyOf(contents_.marks());
-  if (options.legend == Legend::Hidden || !hasRoomForLegend(size_)) legend = {};
+  const bool isLarge = size_.width >= kLeastLegendWidth && size_.height >= kLeastLegendHeight;
+  if (options.legend == Legend::Hidden || !isLarge) legend = {};
   layOut(legend, textSizeOf(size_, pixelRatio_));
   placeCamera(model, deformation);
 }
@@ -147,10 +135,10 @@ void Scene::layOut(const LegendContents& contents, double textSize)
 
 void Scene::placeCamera(const Model& model, const DeformResult& deformation)
 {
-  std::array<double, 4> viewport{};
-  meshRenderer_->GetViewport(viewport.data());
+  const double* const viewport = meshRenderer_->GetViewport();
   const double aspect = (viewport[2] - viewport[0]) * size_.width / size_.height;
-  const Positions all = stacked(model.mesh.positions, deformation.positions);
+  Positions all(2 * deformation.positions.rows(), 3);
+  all << model.mesh.positions, deformation.positions;
   fit(*meshRenderer_->GetActiveCamera(), defaultFrame(all), all, aspect);
   meshRenderer_->ResetCameraClippingRange();
 }

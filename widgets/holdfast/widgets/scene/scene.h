@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// A deformed mesh with all that explains it, drawn without a window; its picture as pixels and as a PNG file.
 
 #include <optional>

@@ -19,11 +19,6 @@ constexpr double kSelectionDotSize = 0.42;
 
 }  // namespace
 
-SceneContents::SceneContents(const Model& model)
-    : SceneContents(model, std::make_shared<const ShadedSurface>(cutAtSharpEdges(model)))
-{
-}
-
 SceneContents::SceneContents(const Model& model, std::shared_ptr<const ShadedSurface> shaded)
     : positions_(model.mesh.positions),
       mesh_(model, std::move(shaded)),
@@ -37,11 +32,6 @@ SceneContents::SceneContents(const Model& model, std::shared_ptr<const ShadedSur
   setRestGhost(RestGhost::Edges);
   setRotationDisplay(RotationDisplay::Hidden);
   resize();
-}
-
-SceneContents::~SceneContents()
-{
-  leave();
 }
 
 void SceneContents::addTo(vtkRenderer& renderer)
@@ -69,13 +59,10 @@ std::vector<vtkActor*> SceneContents::actors() const
   return all;
 }
 
-void SceneContents::show(const DeformResult& deformation, const std::vector<DisabledPlace>& disabled)
+void SceneContents::show(const DeformResult& deformation)
 {
   showShape(deformation);
-  std::vector<ConstraintMark> marks = constraintMarks(mesh_.model(), deformation);
-  for (ConstraintMark& mark : disabledMarks(mesh_.model(), disabled, deformation.positions))
-    marks.push_back(std::move(mark));
-  setMarks(std::move(marks));
+  setMarks(constraintMarks(mesh_.model(), deformation));
 }
 
 void SceneContents::showShape(const DeformResult& deformation)
@@ -161,6 +148,24 @@ void SceneContents::resize()
   rest_.setPixelRatio(pixelRatio_);
   glyphs_.setBallPixels(pixelRatio_ * ballSize_);
   selection_.setDotPixels(kSelectionDotSize * pixelRatio_ * ballSize_);
+}
+
+void arrange(SceneContents& contents, const DisplaySettings& settings)
+{
+  contents.setRestGhost(settings.rest);
+  contents.setMeshEdges(settings.edges);
+  contents.setRotationDisplay(settings.rotations);
+  if (!settings.areConstraintsShown) contents.setMarks({});
+}
+
+std::optional<Coloring> coloringOf(const Model& model, const DeformResult& deformation, const ColorSettings& settings,
+                                   const std::string& units)
+{
+  std::optional<Coloring> coloring = coloringOf(model, deformation, settings.field, units);
+  if (!coloring) return std::nullopt;
+  coloring = withRange(std::move(*coloring), settings.range);
+  coloring->scale.map = settings.map;
+  return coloring;
 }
 
 }  // namespace holdfast

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Everything that shows a document in a renderer, and follows it from frame to frame.
 
 #include <optional>
@@ -30,11 +29,9 @@ enum class RotationDisplay { Hidden, Arrows };
 /// all changes, then render once.
 class SceneContents {
  public:
-  /// At rest, in one colour, without constraints. `model` stays alive as long as this. O(T log T).
-  explicit SceneContents(const Model& model);
-  /// The same with `shaded`, which was cut from `model`. O(T).
-  SceneContents(const Model& model, std::shared_ptr<const ShadedSurface> shaded);
-  ~SceneContents();
+  /// At rest, in one colour, without constraints. Both are as for `MeshActor`.
+  explicit SceneContents(const Model& model, std::shared_ptr<const ShadedSurface> shaded = nullptr);
+  ~SceneContents() { leave(); }
   SceneContents(const SceneContents&) = delete;
   SceneContents& operator=(const SceneContents&) = delete;
 
@@ -42,9 +39,8 @@ class SceneContents {
   /// ends.
   void addTo(vtkRenderer& renderer);
 
-  /// A deformation: its positions, rotations and constraints; and those of its list that are disabled. Colours stay
-  /// (see `color`). O(T + marks).
-  void show(const DeformResult& deformation, const std::vector<DisabledPlace>& disabled = {});
+  /// A deformation: its positions, rotations and constraints. Colours stay (see `color`). O(T + marks).
+  void show(const DeformResult& deformation);
 
   /// The shape of it alone.
   void showShape(const DeformResult& deformation);
@@ -109,5 +105,30 @@ class SceneContents {
   RotationGlyphs arrows_;
   ConstraintGlyphs glyphs_;
 };
+
+/// The field that colours the surface, and its scale.
+struct ColorSettings {
+  ColorBy field = ColorBy::Displacement;
+  ColorRange range = AutomaticRange{};  ///< `whyNoRange` of it is empty
+  ColorMap map = ColorMap::BlueGreenYellow;
+};
+
+/// The things beside the deformed surface.
+struct DisplaySettings {
+  RestGhost rest = RestGhost::Edges;
+  MeshEdges edges = MeshEdges::Sharp;
+  RotationDisplay rotations = RotationDisplay::Hidden;
+  bool areConstraintsShown = true;
+
+  friend bool operator==(const DisplaySettings&, const DisplaySettings&) = default;
+};
+
+/// Shows in `contents`, to which a deformation was shown, what `settings` say.
+void arrange(SceneContents& contents, const DisplaySettings& settings);
+
+/// The values of the chosen field on the chosen scale; none for `ColorBy::None`. `units` as in the function of the same
+/// name.
+[[nodiscard]] std::optional<Coloring> coloringOf(const Model& model, const DeformResult& deformation,
+                                                 const ColorSettings& settings, const std::string& units);
 
 }  // namespace holdfast

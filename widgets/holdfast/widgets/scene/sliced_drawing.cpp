@@ -1,7 +1,5 @@
 #include "holdfast/widgets/scene/sliced_drawing.h"
 
-#include <array>
-
 #include <vtkActor.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
@@ -50,9 +48,7 @@ void SlicedDrawing::begin(SceneContents& contents)
   slices_->SetGradientBackground(scene_.GetGradientBackground());
   slices_->SetBackground(scene_.GetBackground());
   slices_->SetBackground2(scene_.GetBackground2());
-  std::array<double, 4> viewport{};
-  scene_.GetViewport(viewport.data());
-  slices_->SetViewport(viewport.data());
+  slices_->SetViewport(scene_.GetViewport());
 }
 
 void SlicedDrawing::advance()
@@ -61,8 +57,11 @@ void SlicedDrawing::advance()
     drawSlice();
   else if (!isWhole_)
     drawRest();
-  else
-    show();
+  else {
+    window_.SwapBuffersOn();
+    window_.Frame();
+    restore();
+  }
 }
 
 void SlicedDrawing::drawOthers(int isDrawn)
@@ -98,13 +97,6 @@ void SlicedDrawing::drawRest()
   window_.SwapBuffersOff();
   window_.Render();
   isWhole_ = true;
-}
-
-void SlicedDrawing::show()
-{
-  window_.SwapBuffersOn();
-  window_.Frame();
-  restore();
 }
 
 void SlicedDrawing::restore()

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Drawing a large mesh a few milliseconds at a time, so that a window can answer in between.
 
 #include <vector>
@@ -36,7 +35,6 @@ class SlicedDrawing {
  private:
   void drawSlice();
   void drawRest();
-  void show();
   void drawOthers(int isDrawn);
   void restore();
 

@@ -5,7 +5,7 @@
 #include <QWidget>
 #include <optional>
 
-#include <holdfast/widgets/scene/display_settings.h>
+#include <holdfast/widgets/scene/scene_contents.h>
 #include <holdfast/window/model/editor.h>
 
 class QCheckBox;

@@ -5,7 +5,7 @@
 #include <QPainter>
 #include <algorithm>
 
-#include <holdfast/widgets/camera/view_geometry.h>
+#include <holdfast/widgets/camera/display_transform.h>
 #include <holdfast/widgets/interaction/interaction_events.h>
 #include <holdfast/window/model/constraint_actions.h>
 #include <holdfast/window/viewport/viewport.h>
@@ -110,7 +110,7 @@ void GizmoTool::followDisplay()
 
 void GizmoTool::start()
 {
-  view_ = viewGeometryOf(viewport().renderer());
+  view_ = DisplayTransform(viewport().renderer());
   pivot_ = gizmo_.GetFrame().center;
   degreesSeen_ = 0;
   editor().beginGesture(
@@ -123,7 +123,7 @@ RigidIncrement GizmoTool::incrementOf(const GizmoMotion& motion)
   if (rotationOfMoves_ == RotationOfMoves::AsConstraint || isRotation() || !fixed)
     return {motion.axis, motion.degrees, pivot_, motion.translation};
   degreesSeen_ = degreesSeen(view_, *fixed, pivot_, pivot_ + motion.translation, degreesSeen_);
-  return {-view_.direction, degreesSeen_, pivot_, motion.translation};
+  return {-view_.direction(), degreesSeen_, pivot_, motion.translation};
 }
 
 void GizmoTool::move(vtkObject* /*caller*/, unsigned long /*event*/, void* motion)

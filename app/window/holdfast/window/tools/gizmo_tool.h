@@ -77,7 +77,7 @@ class GizmoTool : public WidgetTool {
   GizmoAxes axes_ = GizmoAxes::World;
   RotationOfMoves rotationOfMoves_ = RotationOfMoves::AsConstraint;
   std::unique_ptr<ConstraintDrag> placing_;  // what the gizmo moves; null while it is hidden
-  ViewGeometry view_;                        // when the drag began
+  DisplayTransform view_;                    // when the drag began
   Vector3 pivot_ = Vector3::Zero();
   double degreesSeen_ = 0;  // so far
 };

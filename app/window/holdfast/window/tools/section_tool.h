@@ -6,7 +6,7 @@
 
 #include <vtkNew.h>
 
-#include <holdfast/widgets/interaction/section_plane_representation.h>
+#include <holdfast/widgets/interaction/stock_widgets.h>
 #include <holdfast/window/model/editor.h>
 
 class vtkImplicitPlaneWidget2;

@@ -113,7 +113,8 @@ void Viewport::warmUp(const ExampleDocument& example)
   std::iota(corners.begin(), corners.end(), Index{0});
   SceneContents contents(example.model);
   contents.addTo(*renderer_);
-  contents.show(example.deformation, disabledPlaces(example.model, example.list));
+  contents.showShape(example.deformation);
+  contents.setMarks(constraintMarks(example.model, example.list, example.deformation));
   contents.setSelection(corners);
   contents.highlight({0});
   contents.setRotationDisplay(RotationDisplay::Arrows);

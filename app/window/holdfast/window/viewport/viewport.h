@@ -11,12 +11,12 @@
 #include <vtkNew.h>
 
 #include <holdfast/document/session_file.h>
-#include <holdfast/widgets/interaction/corner_axes.h>
+#include <holdfast/widgets/interaction/stock_widgets.h>
 #include <holdfast/widgets/interaction/surface_camera_style.h>
 #include <holdfast/widgets/picking/surface_picker.h>
 #include <holdfast/widgets/picking/visible_surface.h>
-#include <holdfast/widgets/scene/display_settings.h>
 #include <holdfast/widgets/scene/kept_scene.h>
+#include <holdfast/widgets/scene/scene_contents.h>
 #include <holdfast/widgets/scene/sliced_drawing.h>
 #include <holdfast/window/controls/vtk_view.h>
 #include <holdfast/window/model/editor.h>

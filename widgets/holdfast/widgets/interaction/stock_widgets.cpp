@@ -1,4 +1,4 @@
-#include "holdfast/widgets/interaction/corner_axes.h"
+#include "holdfast/widgets/interaction/stock_widgets.h"
 
 #include <array>
 #include <cmath>
@@ -7,13 +7,10 @@
 #include <vtkCameraInterpolator.h>
 #include <vtkEllipticalButtonSource.h>
 #include <vtkMath.h>
-#include <vtkObjectFactory.h>
 #include <vtkPoints.h>
 #include <vtkTextProperty.h>
 #include <vtkTransform.h>
 #include <vtkTubeFilter.h>
-
-#include <holdfast/base/types.h>
 
 namespace holdfast {
 namespace {
@@ -38,6 +35,7 @@ constexpr int kFirstBall = 7;
 
 vtkStandardNewMacro(OrientationRepresentation);
 vtkStandardNewMacro(OrientationWidget);
+vtkStandardNewMacro(SectionPlaneRepresentation);
 
 OrientationRepresentation::OrientationRepresentation()
 {
@@ -80,35 +78,36 @@ void OrientationRepresentation::HighlightHandle()
   this->LetteredFor = picked;
 }
 
-/// Whether the ball under the cursor is the nearest to the viewer, with that of the other direction right behind it.
-bool OrientationRepresentation::IsPickedFacing()
-{
-  if (this->PickedAxis < 0) return false;
-  const Vector3 axis = (this->PickedDir == 0 ? 1 : -1) * Vector3::Unit(this->PickedAxis);
-  const Vector3 seen(this->GetTransform()->TransformVector(axis.data()));
-  return seen.z() > 1 - kFacing;
-}
-
 void OrientationRepresentation::EndWidgetInteraction(double place[2])
 {
-  const bool isFromBehind = this->IsPickedFacing();
-  this->LastPickedAx = isFromBehind ? this->PickedAxis : -1;
-  this->LastPickedDir = isFromBehind ? this->PickedDir : -1;
+  // Whether the ball under the cursor is the nearest to the viewer, with that of the other direction right behind it.
+  bool isFacing = false;
+  if (this->PickedAxis >= 0) {
+    const Vector3 axis = (this->PickedDir == 0 ? 1 : -1) * Vector3::Unit(this->PickedAxis);
+    isFacing = this->GetTransform()->TransformVector(axis.data())[2] > 1 - kFacing;
+  }
+  this->LastPickedAx = isFacing ? this->PickedAxis : -1;
+  this->LastPickedDir = isFacing ? this->PickedDir : -1;
   this->Superclass::EndWidgetInteraction(place);
-}
-
-void OrientationWidget::CreateDefaultRepresentation()
-{
-  if (this->WidgetRep == nullptr) this->WidgetRep = OrientationRepresentation::New();
 }
 
 void OrientationWidget::SetPixelRatio(double ratio)
 {
   const int size = static_cast<int>(std::lround(kSizePixels * ratio));
   const int padding = static_cast<int>(std::lround(kPaddingPixels * ratio));
-  this->GetOrientationRepresentation()->SetSize(size, size);
-  this->GetOrientationRepresentation()->SetPadding(padding, padding);
+  this->Drawn().SetSize(size, size);
+  this->Drawn().SetPadding(padding, padding);
   this->SquareResize();
+}
+
+int SectionPlaneRepresentation::ComputeInteractionState(int x, int y, int modify)
+{
+  const auto isOverSurface = [&] {
+    const Ray sight = DisplayTransform(*this->Renderer).rayThrough(centerOfPixel(x, y));
+    return this->Surface->firstHit(sight).has_value();
+  };
+  this->CutActor->SetPickable(this->Surface && isOverSurface() ? 0 : 1);
+  return this->Superclass::ComputeInteractionState(x, y, modify);
 }
 
 }  // namespace holdfast
