@@ -1,13 +1,11 @@
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include <holdfast/base/error.h>
 #include <holdfast/check/mesh_check.h>
+#include <holdfast/deform/outcomes.h>
 #include <holdfast/deform/report_json.h>
 
 #include "batch/commands.h"
-#include "batch/mesh_formats.h"
 #include "batch/outputs.h"
 #include "batch/standard_streams.h"
 #include "batch/summary.h"
@@ -16,15 +14,15 @@ namespace holdfast::batch {
 namespace {
 
 /// Writes the report aside, if there is to be one.
-Outputs writeReport(const CheckCommand& command, const Report& report)
+Outputs writeReport(const Command& command, const Report& report)
 {
   Outputs outputs;
-  if (command.report) outputs.add(*command.report, reportToJson(report));
+  if (!command.report.empty()) outputs.add(command.report, reportToJson(report));
   return outputs;
 }
 
 /// Nothing more can be said about such a mesh: writes the report, then throws.
-void refuseNonFinite(const CheckCommand& command, const Mesh& mesh)
+void refuseNonFinite(const Command& command, const Mesh& mesh)
 {
   Report report;
   report.mesh.findings = findNonFinite(mesh);
@@ -35,35 +33,33 @@ void refuseNonFinite(const CheckCommand& command, const Mesh& mesh)
   outputs.commitDirect();
   outputs.commitAside();
   const Finding& finding = report.mesh.findings.front();
-  throw InputError({command.mesh.string(), 0, fmt::format("vertex {}", finding.ids.front())}, finding.message);
+  throw InputError({command.mesh, 0, fmt::format("vertex {}", finding.ids.front())}, finding.message);
 }
 
 }  // namespace
 
-ExitCode runCheck(const CheckCommand& command)
+ExitCode runCheck(const Command& command)
 {
-  const MeshDocument document = readAnyMesh(command.mesh);
+  const MeshDocument document = readMeshFile(command.mesh);
   refuseNonFinite(command, document.mesh);
-  const Model model = makeModel(document.mesh, command.mesh.string());
+  const Model model = makeModel(document.mesh, command.mesh);
+  const bool hasConstraints = !command.constraints.empty();
   const auto [constraints, ofSession] =
-      command.constraints ? readStatedConstraints(*command.constraints) : StatedConstraints{};
-  const std::string source = command.constraints ? command.constraints->string() : "";
+      hasConstraints ? readStatedConstraints(command.constraints) : StatedConstraints{};
   Report report;
-  if (command.constraints)
-    report = diagnoseConstraints(model, constraints, source, withStated(withStated({}, ofSession), command.options));
+  if (hasConstraints)
+    report = diagnoseConstraints(model, constraints, command.constraints,
+                                 withStated(withStated({}, ofSession), command.options));
   else
     report.mesh = describeMesh(model);
 
   Outputs outputs = writeReport(command, report);
   outputs.commitDirect();
   printMessage(messageLines(report, constraints.units));
-  if (!command.isQuiet) printResult(summary(report, command.mesh.string(), constraints.units));
+  if (!command.isQuiet) printResult(summary(report, command.mesh, constraints.units));
   outputs.commitAside();
   if (report.solve.status == SolveStatus::Failed) return kNumerical;
-  const bool hasConflicts =
-      std::any_of(report.constraints.begin(), report.constraints.end(),
-                  [](const ConstraintOutcome& outcome) { return outcome.status == ConstraintStatus::Conflicting; });
-  return hasConflicts ? kConflicts : kAllMet;
+  return countOf(report, ConstraintStatus::Conflicting) > 0 ? kConflicts : kAllMet;
 }
 
 }  // namespace holdfast::batch

@@ -32,16 +32,6 @@ void installSignalHandlers()
   for (const int signal : {SIGXFSZ, SIGPIPE}) std::signal(signal, SIG_IGN);
 }
 
-struct Run {
-  ExitCode operator()(const DeformCommand& command) const { return runDeform(command); }
-  ExitCode operator()(const CheckCommand& command) const { return runCheck(command); }
-  ExitCode operator()(const ShowText& show) const
-  {
-    printResult(show.text);
-    return kAllMet;
-  }
-};
-
 ExitCode complain(ExitCode code, const std::string& message)
 {
   printMessage(fmt::format("holdfast-batch: {}\n", printable(message, kLongestPrintedMessage)));
@@ -60,7 +50,7 @@ ExitCode run(int argc, const char* const* argv)
 {
   try {
     installSignalHandlers();
-    return std::visit(Run{}, parseCommandLine(argc, argv));
+    return parseCommandLine(argc, argv)();
   } catch (const UsageError& error) {
     return complain(kUsage, error.what());
   } catch (const InputError& error) {

@@ -1,6 +1,3 @@
-#include "batch/options.h"
-
-#include <algorithm>
 #include <cmath>
 #include <map>
 #include <vector>
@@ -11,7 +8,8 @@
 #include <holdfast/base/printable.h>
 #include <holdfast/version.h>
 
-#include "batch/mesh_formats.h"
+#include "batch/commands.h"
+#include "batch/standard_streams.h"
 
 namespace holdfast::batch {
 namespace {
@@ -28,56 +26,30 @@ std::map<std::string, Backend> backends()
   return result;
 }
 
-/// The value of an option that has a few, or none where it was not given.
+/// What an option says that a session may state as well.
+std::string described(const std::string& values, const auto& otherwise)
+{
+  return fmt::format("{}; what the session says if left out, else {}", values, otherwise);
+}
+
+/// An option that has a few values.
 template <class Value>
-std::optional<Value> chosen(const std::string& option, const std::optional<std::string>& text,
-                            const std::map<std::string, Value>& values)
+void addChoice(CLI::App& command, const std::string& option, std::optional<Value>& chosen,
+               const std::map<std::string, Value>& values, const std::string& description)
 {
-  if (!text) return std::nullopt;
-  if (const auto found = values.find(*text); found != values.end()) return found->second;
-  std::string known;
-  for (const auto& [key, value] : values) known += (known.empty() ? "" : ", ") + key;
-  throw UsageError(fmt::format("{}: {} is not one of {}", option, inQuotes(*text), known));
+  const auto choose = [=, &chosen](const std::string& text) {
+    if (const auto found = values.find(text); found != values.end()) {
+      chosen = found->second;
+      return;
+    }
+    std::string known;
+    for (const auto& [key, value] : values) known += (known.empty() ? "" : ", ") + key;
+    throw UsageError(fmt::format("{}: {} is not one of {}", option, inQuotes(text), known));
+  };
+  command.add_option_function<std::string>(option, choose, description);
 }
 
-/// What the command line says, as text.
-struct RawOptions {
-  std::string mesh;
-  std::string constraints;
-  std::string out;
-  std::string report;
-  std::string fields;
-  std::string snapshot;
-  std::string colorBy = "displacement";
-  std::string size = "1280x960";
-  std::optional<std::string> weights;
-  std::optional<std::string> solver;
-  std::optional<std::string> backend;
-  std::optional<double> softWeight;
-  bool isQuiet = false;
-};
-
-void describePictures(CLI::App& deformApp, RawOptions& raw)
-{
-  CLI::Option* const snapshot =
-      deformApp.add_option("--snapshot", raw.snapshot, "Draw the deformed mesh into this file")->type_name("P.png");
-  deformApp.add_option("--color-by", raw.colorBy, "Colours of the picture: " + knownColorings())
-      ->needs(snapshot)
-      ->type_name("FIELD")
-      ->capture_default_str();
-  deformApp.add_option("--size", raw.size, "Size of the picture in pixels")
-      ->needs(snapshot)
-      ->type_name("WxH")
-      ->capture_default_str();
-}
-
-/// An option that a session may state as well.
-void addOption(const char* option, auto& value, const std::string& values, const auto& otherwise, CLI::App& command)
-{
-  command.add_option(option, value, fmt::format("{}; what the session says if left out, else {}", values, otherwise));
-}
-
-void describe(CLI::App& app, CLI::App& deformApp, CLI::App& checkApp, RawOptions& raw)
+void describe(CLI::App& app, CLI::App& deformApp, CLI::App& checkApp, Command& asked)
 {
   const DeformOptions defaults;
   app.require_subcommand(1);
@@ -86,34 +58,34 @@ void describe(CLI::App& app, CLI::App& deformApp, CLI::App& checkApp, RawOptions
       "6 an output cannot be written, 70 a bug of ours. See docs/errors.md.");
   for (CLI::App* command : {&app, &deformApp, &checkApp}) {
     command->set_version_flag("--version", std::string("holdfast-batch " HOLDFAST_VERSION));
-    command->add_flag("--quiet", raw.isQuiet, "Print neither progress nor the summary");
+    command->add_flag("--quiet", asked.isQuiet, "Print neither progress nor the summary");
   }
   for (CLI::App* command : {&deformApp, &checkApp}) {
-    command->add_option("mesh", raw.mesh, "Mesh file: " + knownFormats())->required()->type_name("MESH");
-    command->add_option("--report", raw.report, "Write the report (JSON) here")->type_name("R.json");
-    addOption("--weights", raw.weights, "cotangent, cotangent-paper or uniform", name(defaults.weights), *command);
-    addOption("--backend", raw.backend, "holdfast, cholmod or eigen", name(defaults.solver.backend), *command);
+    command->add_option("mesh", asked.mesh, "Mesh file: " + knownFormats())->required()->type_name("MESH");
+    command->add_option("--report", asked.report, "Write the report (JSON) here")->type_name("R.json");
+    addChoice(*command, "--weights", asked.options.weights, kWeights,
+              described("cotangent, cotangent-paper or uniform", name(defaults.weights)));
+    addChoice(*command, "--backend", asked.options.backend, backends(),
+              described("holdfast, cholmod or eigen", name(defaults.solver.backend)));
+    command
+        ->add_option("--constraints", asked.constraints,
+                     "Constraint file (JSON), session (.holdfast) or point list (CSV)")
+        ->required(command == &deformApp)
+        ->type_name("C.json");
   }
-  checkApp
-      .add_option("--constraints", raw.constraints, "Constraint file (JSON), session (.holdfast) or point list (CSV)")
-      ->type_name("C.json");
-  deformApp
-      .add_option("--constraints", raw.constraints, "Constraint file (JSON), session (.holdfast) or point list (CSV)")
-      ->required()
-      ->type_name("C.json");
-  deformApp.add_option("--out", raw.out, "Write the deformed mesh here, in the format of the name")->type_name("MESH");
-  deformApp.add_option("--fields", raw.fields, "Write residuals, displacements, rotations and forces on the mesh here")
-      ->type_name("F.vtp");
-  describePictures(deformApp, raw);
-  addOption("--solver", raw.solver, "hard, soft or lagrange", name(defaults.solver.kind), deformApp);
-  addOption("--soft-weight", raw.softWeight, "Weight of the constraints of the solver soft", defaults.solver.softWeight,
-            deformApp);
-}
-
-std::optional<std::filesystem::path> pathOrNone(const std::string& text)
-{
-  if (text.empty()) return std::nullopt;
-  return std::filesystem::path(text);
+  const auto add = [&](const char* option, std::string& value, const char* description, const char* type) {
+    return deformApp.add_option(option, value, description)->type_name(type);
+  };
+  add("--out", asked.out, "Write the deformed mesh here, in the format of the name", "MESH");
+  add("--fields", asked.fields, "Write residuals, displacements, rotations and forces on the mesh here", "F.vtp");
+  CLI::Option* const snapshot = add("--snapshot", asked.picture.path, "Draw the deformed mesh into this file", "P.png");
+  const std::string colors = "Colours of the picture: " + knownColorings();
+  add("--color-by", asked.picture.colorBy, colors.c_str(), "FIELD")->needs(snapshot)->capture_default_str();
+  add("--size", asked.picture.size, "Size of the picture in pixels", "WxH")->needs(snapshot)->capture_default_str();
+  addChoice(deformApp, "--solver", asked.options.solver, kSolvers,
+            described("hard, soft or lagrange", name(defaults.solver.kind)));
+  deformApp.add_option("--soft-weight", asked.options.softWeight,
+                       described("Weight of the constraints of the solver soft", defaults.solver.softWeight));
 }
 
 /// The file that writing to `path` makes or replaces. Symbolic links are followed also where they lead to nothing yet.
@@ -135,81 +107,72 @@ bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b)
   return std::filesystem::equivalent(a, b, ignored) || writtenFile(a) == writtenFile(b);
 }
 
-struct NamedPath {
-  std::string option;
-  std::string path;
-};
+/// A device or a pipe can take several outputs.
+bool isFile(const std::string& path)
+{
+  std::error_code ignored;
+  return !path.empty() && (!std::filesystem::exists(path, ignored) || std::filesystem::is_regular_file(path, ignored));
+}
 
 /// No output may take the place of another or of an input.
-void checkPaths(const std::vector<NamedPath>& inputs, const std::vector<NamedPath>& outputs)
+void checkPaths(const Command& asked)
 {
-  for (std::size_t k = 0; k < outputs.size(); ++k) {
-    if (outputs[k].path.empty()) continue;
-    std::error_code ignored;
-    if (std::filesystem::exists(outputs[k].path, ignored) &&
-        !std::filesystem::is_regular_file(outputs[k].path, ignored))
-      continue;  // a device or a pipe can take several outputs
-    for (const NamedPath& input : inputs)
-      if (!input.path.empty() && isSameFile(outputs[k].path, input.path))
-        throw UsageError(fmt::format("{} would overwrite the input \"{}\"; choose another name", outputs[k].option,
-                                     printable(input.path)));
-    for (std::size_t other = 0; other < k; ++other)
-      if (!outputs[other].path.empty() && isSameFile(outputs[k].path, outputs[other].path))
+  const std::vector<std::pair<const char*, std::string>> outputs{
+      {"--out", asked.out}, {"--report", asked.report}, {"--fields", asked.fields}, {"--snapshot", asked.picture.path}};
+  for (auto output = outputs.begin(); output != outputs.end(); ++output) {
+    const auto& [option, path] = *output;
+    if (!isFile(path)) continue;
+    for (const std::string& input : {asked.mesh, asked.constraints})
+      if (!input.empty() && isSameFile(path, input))
+        throw UsageError(
+            fmt::format("{} would overwrite the input \"{}\"; choose another name", option, printable(input)));
+    for (auto other = outputs.begin(); other != output; ++other)
+      if (!other->second.empty() && isSameFile(path, other->second))
         throw UsageError(fmt::format("{} and {} name the same file \"{}\"; choose another name for one of them",
-                                     outputs[other].option, outputs[k].option, printable(outputs[k].path)));
+                                     other->first, option, printable(path)));
   }
 }
 
-/// What the names of weights, solver and backend mean.
-StatedOptions statedOptions(const RawOptions& raw)
+/// What the library that parses the command line does not check.
+void check(const Command& asked)
 {
-  return {chosen("--weights", raw.weights, kWeights), chosen("--solver", raw.solver, kSolvers), raw.softWeight,
-          chosen("--backend", raw.backend, backends())};
-}
-
-DeformCommand deformCommand(const RawOptions& raw)
-{
-  checkPaths({{"MESH", raw.mesh}, {"--constraints", raw.constraints}},
-             {{"--out", raw.out}, {"--report", raw.report}, {"--fields", raw.fields}, {"--snapshot", raw.snapshot}});
-  if (!raw.out.empty()) requireMeshExtension(raw.out);
-  if (!raw.fields.empty()) requireFieldsExtension(raw.fields);
-  if (raw.softWeight && (!(*raw.softWeight > 0) || !std::isfinite(*raw.softWeight)))
-    throw UsageError(fmt::format("--soft-weight: {} is not a positive number", *raw.softWeight));
-  const StatedOptions options = statedOptions(raw);
-  std::optional<PictureRequest> picture;
-  if (!raw.snapshot.empty()) picture = pictureRequest(raw.snapshot, raw.colorBy, raw.size);
-  return {raw.mesh, raw.constraints, pathOrNone(raw.out), pathOrNone(raw.report), pathOrNone(raw.fields),
-          picture,  options,         raw.isQuiet};
-}
-
-CheckCommand checkCommand(const RawOptions& raw)
-{
-  checkPaths({{"MESH", raw.mesh}, {"--constraints", raw.constraints}}, {{"--report", raw.report}});
-  return {raw.mesh, pathOrNone(raw.constraints), pathOrNone(raw.report), statedOptions(raw), raw.isQuiet};
+  checkPaths(asked);
+  if (!asked.out.empty()) requireMeshExtension(asked.out);
+  if (!asked.fields.empty()) requireFieldsExtension(asked.fields);
+  if (!asked.picture.path.empty()) requirePictureOptions(asked.picture);
+  if (const double weight = asked.options.softWeight.value_or(1); !(weight > 0) || !std::isfinite(weight))
+    throw UsageError(fmt::format("--soft-weight: {} is not a positive number", weight));
 }
 
 }  // namespace
 
-Command parseCommandLine(int argc, const char* const* argv)
+std::function<ExitCode()> parseCommandLine(int argc, const char* const* argv)
 {
-  RawOptions raw;
+  Command asked;
   CLI::App app{"Deforms triangle meshes so that chosen points land exactly where they are told to."};
   CLI::App* const deformApp = app.add_subcommand("deform", "Deform a mesh under constraints");
   CLI::App* const checkApp = app.add_subcommand("check", "Diagnose a mesh and its constraints, solve nothing");
-  describe(app, *deformApp, *checkApp, raw);
+  describe(app, *deformApp, *checkApp, asked);
+  const auto show = [](const std::string& text) {
+    return [text] {
+      printResult(text);
+      return kAllMet;
+    };
+  };
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
-    return ShowText{app.help()};
+    return show(app.help());
   } catch (const CLI::CallForAllHelp&) {
-    return ShowText{app.help("", CLI::AppFormatMode::All)};
+    return show(app.help("", CLI::AppFormatMode::All));
   } catch (const CLI::CallForVersion& version) {
-    return ShowText{std::string(version.what()) + "\n"};
+    return show(std::string(version.what()) + "\n");
   } catch (const CLI::ParseError& error) {
     throw UsageError(std::string(error.what()) + ". Run with --help for more information.");
   }
-  if (deformApp->parsed()) return deformCommand(raw);
-  return checkCommand(raw);
+  check(asked);
+  const auto run = deformApp->parsed() ? runDeform : runCheck;
+  return [=] { return run(asked); };
 }
 
 }  // namespace holdfast::batch

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The output files of one command, written together or not at all.
 
 #include <filesystem>
@@ -13,12 +12,9 @@ namespace holdfast::batch {
 /// output) goes first, because it may be full, while a rename hardly ever fails.
 class Outputs {
  public:
-  /// Writes aside. Throws `OutputError`.
   void add(const std::filesystem::path& path, std::string_view bytes) { files_.emplace_back(path, bytes); }
 
-  /// Writes what cannot be written aside. Throws `OutputError`.
   void commitDirect() { commit(true); }
-  /// Puts the others in their places; call it last. Throws `OutputError`.
   void commitAside() { commit(false); }
 
   [[nodiscard]] const std::vector<OutputFile>& files() const noexcept { return files_; }

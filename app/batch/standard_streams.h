@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// What holdfast-batch says: results on standard output, everything else on standard error.
 
 #include <string_view>

@@ -8,6 +8,7 @@
 
 #include <holdfast/base/counted.h>
 #include <holdfast/base/printable.h>
+#include <holdfast/deform/outcomes.h>
 
 namespace holdfast::batch {
 namespace {
@@ -59,13 +60,6 @@ std::string findingLine(const Finding& finding, const std::vector<ConstraintOutc
                      quotedNames(names));
 }
 
-std::string countOf(const Report& report, ConstraintStatus status)
-{
-  const auto count = std::count_if(report.constraints.begin(), report.constraints.end(),
-                                   [&](const ConstraintOutcome& outcome) { return outcome.status == status; });
-  return count == 0 ? "" : fmt::format(", {} {}", count, name(status));
-}
-
 std::string constraintLine(const Report& report)
 {
   Index rows = 0;
@@ -74,7 +68,7 @@ std::string constraintLine(const Report& report)
   for (const ConstraintStatus status :
        {ConstraintStatus::Independent, ConstraintStatus::Met, ConstraintStatus::Redundant,
         ConstraintStatus::Conflicting, ConstraintStatus::Missed, ConstraintStatus::Disabled})
-    line += countOf(report, status);
+    if (const Index count = countOf(report, status); count > 0) line += fmt::format(", {} {}", count, name(status));
   return line + "\n";
 }
 

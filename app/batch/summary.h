@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Reports in words, for the terminal.
 
 #include <string>

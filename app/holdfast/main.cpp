@@ -8,7 +8,6 @@
 #include <clocale>
 #include <cstdio>
 #include <exception>
-#include <optional>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -47,31 +46,18 @@ class Application : public QApplication {
   }
 };
 
-/// What the command line asks for; an exit code where that is all.
-struct CommandLine {
-  std::string file;
-  std::optional<int> exitCode;
-};
-
-CommandLine parse(int argc, char** argv)
-{
-  CommandLine line;
-  CLI::App app("Deforms triangle meshes under exact positional constraints.", "holdfast");
-  app.set_version_flag("--version", "holdfast " HOLDFAST_VERSION);
-  app.add_option("FILE", line.file, "a mesh (.obj, .ply, .off, .stl, .vtp) or a session (.holdfast)");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    line.exitCode = app.exit(error) == 0 ? 0 : kUsage;
-  }
-  return line;
-}
-
 int run(int argc, char** argv)
 {
   letOthersComputeInBackground();
-  const CommandLine line = parse(argc, argv);
-  if (line.exitCode) return *line.exitCode;
+  std::string file;
+  CLI::App app("Deforms triangle meshes under exact positional constraints.", "holdfast");
+  app.set_version_flag("--version", "holdfast " HOLDFAST_VERSION);
+  app.add_option("FILE", file, "a mesh (.obj, .ply, .off, .stl, .vtp) or a session (.holdfast)");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : kUsage;
+  }
   if (const std::string reason = whyNoPictures(); !reason.empty()) {
     std::fprintf(stderr, "holdfast: %s\nholdfast: holdfast-batch works without a window.\n", reason.c_str());
     return kNoDisplay;
@@ -92,8 +78,7 @@ int run(int argc, char** argv)
   window.resize(window.screen()->availableSize().boundedTo({1600, 1000}) * 0.95);
   window.warmUp();
   window.show();
-  if (!line.file.empty())
-    QTimer::singleShot(0, &window, [&] { window.files().open(QString::fromStdString(line.file)); });
+  if (!file.empty()) QTimer::singleShot(0, &window, [&] { window.files().open(QString::fromStdString(file)); });
   return QApplication::exec();
 }
 

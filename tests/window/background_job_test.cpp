@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include <holdfast/window/files/progress_sheet.h>
+#include <holdfast/window/files/file_messages.h>
 #include <holdfast/window/model/background_job.h>
 
 #include "dialogs.h"
@@ -99,19 +99,18 @@ TEST(BackgroundJob, EndsWithItsOwnerInTheMiddleOfWork)
   EXPECT_EQ(heard, 0);
 }
 
-TEST(ProgressSheet, TellsTheStageAndCancels)
+TEST(ProgressDialog, TellsTheStepAndCancels)
 {
   QWidget window;
   ASSERT_TRUE(test::showAndWait(window));
   BackgroundJob job;
-  ProgressSheet sheet(job, &window);
-  sheet.setTitle("Opening a mill");
   std::atomic<bool> isSeen = false;
   job.start([&](Progress& progress) -> BackgroundJob::Finish {
     progress.step("turning the wheel");
     while (!isSeen) std::this_thread::yield();
     return forever(progress);
   });
+  showProgress(job, &window, "Opening a mill");
   ASSERT_TRUE(test::waitUntil([] { return test::findDialog("progress") != nullptr; }));
   auto* dialog = qobject_cast<QProgressDialog*>(test::findDialog("progress"));
   EXPECT_EQ(dialog->labelText(), "turning the wheel");

@@ -16,7 +16,8 @@
 #include <vtkRendererCollection.h>
 
 #include <holdfast/widgets/camera/camera_state.h>
-#include <holdfast/window/tools/ruler_tool.h>
+#include <holdfast/widgets/interaction/surface_ruler_widget.h>
+#include <holdfast/window/tools/widget_tool.h>
 
 #include "gestures.h"
 #include "window_user.h"
@@ -160,7 +161,8 @@ TEST_F(OrientationInCorner, NoToolGetsWhatItTakes)
     EXPECT_EQ(editor().history().state(), state) << tool;
     EXPECT_TRUE(editor().selectedVertices().empty()) << tool;
   }
-  EXPECT_FALSE(window.findChild<RulerTool*>()->widget().GetLocation(0));
+  const auto& ruler = *static_cast<ToolOf<SurfaceRulerWidget>*>(window.findChild<Tool*>("rulerTool"));
+  EXPECT_FALSE(ruler.widget().GetLocation(0));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/document/list_edits.h>
 #include <holdfast/window/files/document_files.h>
+#include <holdfast/window/files/recent_files.h>
 
 #include "dialogs.h"
 #include "files_window.h"
@@ -324,21 +325,21 @@ TEST_F(DocumentFilesTest, RecentFilesAreTheLatestTenThatWereOpen)
   openSession();
   const QStringList expected{QString::fromStdString(w.path("part.holdfast").string()),
                              QString::fromStdString(w.path("bracket.obj").string())};
-  EXPECT_EQ(w.files.recentFiles().paths(), expected);
-  for (int k = 0; k < 12; ++k) w.files.recentFiles().add(QString("/somewhere/%1.obj").arg(k));
-  EXPECT_EQ(w.files.recentFiles().paths().size(), kMostRecentFiles);
-  EXPECT_EQ(w.files.recentFiles().paths().front(), "/somewhere/11.obj");
-  w.files.recentFiles().add("/somewhere/5.obj");
-  EXPECT_EQ(w.files.recentFiles().paths().front(), "/somewhere/5.obj");
-  EXPECT_EQ(w.files.recentFiles().paths().count("/somewhere/5.obj"), 1);
+  EXPECT_EQ(recentFiles(), expected);
+  for (int k = 0; k < 12; ++k) addRecentFile(QString("/somewhere/%1.obj").arg(k));
+  EXPECT_EQ(recentFiles().size(), kMostRecentFiles);
+  EXPECT_EQ(recentFiles().front(), "/somewhere/11.obj");
+  addRecentFile("/somewhere/5.obj");
+  EXPECT_EQ(recentFiles().front(), "/somewhere/5.obj");
+  EXPECT_EQ(recentFiles().count("/somewhere/5.obj"), 1);
 }
 
 TEST_F(DocumentFilesTest, RecentFilesThatAreMissingAreGreyAndCannotBeOpened)
 {
   openSession();
-  w.files.recentFiles().add("/somewhere/gone.obj");
+  addRecentFile("/somewhere/gone.obj");
   QMenu menu;
-  w.files.fillRecentMenu(menu);
+  fillRecentMenu(menu, [&](const QString& path) { w.files.open(path); });
   ASSERT_GE(menu.actions().size(), 3);
   EXPECT_TRUE(menu.actions()[0]->text().contains("gone.obj"));
   EXPECT_FALSE(menu.actions()[0]->isEnabled());
@@ -346,7 +347,7 @@ TEST_F(DocumentFilesTest, RecentFilesThatAreMissingAreGreyAndCannotBeOpened)
 
   const QString said = openAndAnswer("/somewhere/gone.obj", "OK");
   EXPECT_TRUE(said.contains("gone.obj"));
-  EXPECT_FALSE(w.files.recentFiles().paths().contains("/somewhere/gone.obj"));
+  EXPECT_FALSE(recentFiles().contains("/somewhere/gone.obj"));
   menu.actions()[2]->trigger();
   ASSERT_TRUE(test::waitUntil([&] { return w.files.name() == "bracket.obj"; }));
 }

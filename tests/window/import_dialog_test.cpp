@@ -1,3 +1,4 @@
+#include <QDialog>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QTableView>
@@ -32,7 +33,7 @@ class ImportDialogTest : public ::testing::Test {
   /// Opens the dialog, and waits for the table.
   void openDialog(const fs::path& path)
   {
-    dialog = std::make_unique<ImportDialog>(w.editor, path);
+    dialog.reset(newImportDialog(w.editor, path));
     dialog->open();
     ASSERT_TRUE(test::waitUntil([&] { return table().model()->rowCount() > 0; }));
   }
@@ -59,7 +60,7 @@ class ImportDialogTest : public ::testing::Test {
   }
 
   test::FilesWindow w;
-  std::unique_ptr<ImportDialog> dialog;
+  std::unique_ptr<QDialog> dialog;
 };
 
 TEST_F(ImportDialogTest, AnImportIsOneEditThatHoldsTheFileExactly)
@@ -151,8 +152,8 @@ TEST_F(ImportDialogTest, ACancelledImportChangesNothing)
 
 TEST_F(ImportDialogTest, AFileWithAMistakeIsRefusedWithItsLine)
 {
-  dialog = std::make_unique<ImportDialog>(
-      w.editor, w.folder.file("bad.csv", std::string(kHeader) + "A,0,0,0,1,2,3\nB,0,0,zero,1,2,3\n"));
+  dialog.reset(
+      newImportDialog(w.editor, w.folder.file("bad.csv", std::string(kHeader) + "A,0,0,0,1,2,3\nB,0,0,zero,1,2,3\n")));
   dialog->open();
   QString said;
   const test::DialogAnswer answer("messageBox", [&](QDialog& box) {
@@ -168,7 +169,7 @@ TEST_F(ImportDialogTest, AHundredThousandPointsAreLookedAtWhileTheWindowGoesOn)
   std::string csv = kHeader;
   constexpr int kPoints = 100'000;
   for (int k = 0; k < kPoints; ++k) csv += ',' + std::to_string(k * 1e-4) + ",0.5,0.25,1,2,3\n";
-  dialog = std::make_unique<ImportDialog>(w.editor, w.folder.file("many.csv", csv));
+  dialog.reset(newImportDialog(w.editor, w.folder.file("many.csv", csv)));
   dialog->open();
   EXPECT_EQ(table().model()->rowCount(), 0) << "nothing was done in the window's time";
   ASSERT_TRUE(test::waitUntil([&] { return table().model()->rowCount() == kPoints; }));
@@ -177,7 +178,7 @@ TEST_F(ImportDialogTest, AHundredThousandPointsAreLookedAtWhileTheWindowGoesOn)
 TEST_F(ImportDialogTest, IsAskedForAFileFirst)
 {
   w.answers = {w.sample("bracket.measured.csv")};
-  importConstraints(w.editor, &w.window, w.chooser());
+  w.files.importDialog();
   ASSERT_TRUE(test::waitUntil([] { return test::findDialog("importDialog") != nullptr; }));
   test::pressKey(*test::findDialog("importDialog"), Qt::Key_Escape);
   EXPECT_TRUE(test::waitUntil([] { return test::findDialog("importDialog") == nullptr; }));

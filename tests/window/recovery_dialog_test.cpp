@@ -1,18 +1,22 @@
+#include <QDialog>
 #include <QListWidget>
+#include <memory>
 
 #include <gtest/gtest.h>
 
-#include <holdfast/window/files/recovery_dialog.h>
+#include <holdfast/window/files/autosave.h>
 
 namespace holdfast {
 namespace {
 
 TEST(RecoveryDialogTest, SaysOfEachCopyWhatItIsOf)
 {
-  RecoveryDialog dialog({{"/kept/1.holdfast", "/parts/housing.holdfast", "/parts/housing.obj", {}, "housing"},
+  const std::unique_ptr<QDialog> dialog(
+      newRecoveryDialog({{"/kept/1.holdfast", "/parts/housing.holdfast", "/parts/housing.obj", {}, "housing"},
                          {"/kept/2.holdfast", "", "/scans/crown.ply", {}, "crown"},
-                         {"/kept/3.holdfast", "", "", {}, "3"}});
-  const auto& list = *dialog.findChild<QListWidget*>("copies");
+                         {"/kept/3.holdfast", "", "", {}, "3"}},
+                        [](const Recoverable&) {}));
+  const auto& list = *dialog->findChild<QListWidget*>("copies");
   const auto lines = [&](int row) { return list.item(row)->text().split('\n'); };
   ASSERT_EQ(list.count(), 3);
   EXPECT_TRUE(lines(0).first().startsWith("housing, kept "));

@@ -8,7 +8,8 @@
 
 #include <holdfast/document/list_edits.h>
 #include <holdfast/widgets/camera/camera_state.h>
-#include <holdfast/window/tools/ruler_tool.h>
+#include <holdfast/widgets/interaction/surface_ruler_widget.h>
+#include <holdfast/window/tools/widget_tool.h>
 
 #include "gestures.h"
 #include "window_user.h"
@@ -28,7 +29,10 @@ class RulerInWindow : public test::WindowUser {
     ASSERT_TRUE(find<QAction>("toolRuler").isChecked());
   }
 
-  [[nodiscard]] SurfaceRulerWidget& ruler() { return window.findChild<RulerTool*>()->widget(); }
+  [[nodiscard]] SurfaceRulerWidget& ruler()
+  {
+    return static_cast<ToolOf<SurfaceRulerWidget>*>(window.findChild<Tool*>("rulerTool"))->widget();
+  }
 
   /// What is drawn.
   [[nodiscard]] std::string label()

@@ -105,9 +105,16 @@ class SessionInWindow : public test::WindowUser {
     ASSERT_TRUE(test::waitUntil([this] { return again->editor().solveState() == SolveState::Current; }));
   }
 
+  [[nodiscard]] std::string sessionOf(MainWindow& shown)
+  {
+    SessionFile file = shown.files().emptySessionAt(session());
+    file.document = shown.editor().state();
+    return sessionToJson(file);
+  }
+
   void expectSameDocument()
   {
-    EXPECT_EQ(sessionToJson(again->files().sessionAt(session())), sessionToJson(window.files().sessionAt(session())));
+    EXPECT_EQ(sessionOf(*again), sessionOf(window));
     EXPECT_EQ(again->editor().state().options, editor().state().options);
     EXPECT_EQ(again->editor().positions(), editor().positions());
     EXPECT_EQ(viewStateOf(again->viewport()), viewStateOf(viewport()));

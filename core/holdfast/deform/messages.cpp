@@ -31,11 +31,6 @@ Finding nearlyDependent(std::vector<Index> spread, double largest)
        "constraints nearly follow from others: " + amount + "move their points apart, or leave some out"});
 }
 
-std::size_t countOf(const Report& report, ConstraintStatus status)
-{
-  return static_cast<std::size_t>(std::ranges::count(report.constraints, status, &ConstraintOutcome::status));
-}
-
 /// The residual of a row and its limit.
 std::string missText(const Report& report, const MissedRow& row)
 {
@@ -91,8 +86,8 @@ std::string solvedMessage(const Report& report, const std::optional<MissedRow>& 
 {
   const SolverKind kind = report.solve.options.kind;
   const std::size_t count = report.constraints.size();
-  const std::size_t conflicting = countOf(report, ConstraintStatus::Conflicting);
-  const std::size_t missed = countOf(report, ConstraintStatus::Missed);
+  const Index conflicting = countOf(report, ConstraintStatus::Conflicting);
+  const Index missed = countOf(report, ConstraintStatus::Missed);
   const std::string by = worst ? fmt::format(" ({})", missText(report, *worst)) : "";
   const std::string accuracy = "; " + accuracyText(report.solve.accuracy);
   if (kind == SolverKind::Soft && conflicting > 0)

@@ -5,6 +5,8 @@
 #include <set>
 #include <utility>
 
+#include <holdfast/deform/deform_details.h>
+
 namespace holdfast {
 namespace {
 
@@ -136,6 +138,19 @@ std::optional<MissedRow> setResiduals(Report& report, const ConstraintSystem& sy
   report.solve.maxResidual = largest;
   report.solve.maxResidualRelative = largest / report.mesh.bboxDiagonal;
   return worst;
+}
+
+bool setRoundedResiduals(Report& report, const DeformResult& result, const Weld& weld)
+{
+  const auto& [system, diagnosis, operators] = *result.details;
+  const Positions stored = result.positions.cast<float>().cast<double>();
+  return setResiduals(report, system, diagnosis, rowResiduals(system, weld, stored)).has_value();
+}
+
+Index countOf(const Report& report, ConstraintStatus status)
+{
+  return std::count_if(report.constraints.begin(), report.constraints.end(),
+                       [&](const ConstraintOutcome& outcome) { return outcome.status == status; });
 }
 
 }  // namespace holdfast

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <holdfast/constraints/constraint_system.h>
+#include <holdfast/deform/deform.h>
 #include <holdfast/deform/model.h>
 #include <holdfast/deform/report.h>
 #include <holdfast/elimination/diagnosis.h>
@@ -41,10 +42,16 @@ struct MissedRow {
   double limit = 0;      ///< what it should not exceed
 };
 
+/// How many constraints have this status.
+[[nodiscard]] Index countOf(const Report& report, ConstraintStatus status);
+
 /// Sets the residuals in `report` from positions as they are, or will be, stored, and the status of constraints that
 /// were solved: missed where the residual of a row exceeds its limit in `diagnosis`, else met. Returns the row that
 /// exceeds its limit most, as a share of it, if any does.
 std::optional<MissedRow> setResiduals(Report& report, const ConstraintSystem& system, const Diagnosis& diagnosis,
                                       const std::vector<double>& residuals);
+
+/// The same for a reader of a file that stores `result.positions` in single precision. Returns whether a row is missed.
+bool setRoundedResiduals(Report& report, const DeformResult& result, const Weld& weld);
 
 }  // namespace holdfast

@@ -26,10 +26,7 @@ Card::Card(QWidget* parent)
   layout->setContentsMargins(10, 8, 10, 8);
   layout->setSpacing(8);
   layout->addWidget(icon_, 0, Qt::AlignTop);
-  QVBoxLayout* column = new QVBoxLayout;
-  column->setSpacing(4);
-  column->addWidget(title_);
-  column->addWidget(text_);
+  auto* column = newLayout<QVBoxLayout>(nullptr, 0, 4, {title_, text_});
   buttons_->setSpacing(6);
   buttons_->setColumnStretch(2, 1);
   column->addLayout(buttons_);
@@ -69,9 +66,7 @@ QPushButton* Card::addButton(const QString& text, const QString& name)
 CardList::CardList(QWidget* parent) : QScrollArea(parent)
 {
   QWidget* content = new QWidget;
-  layout_ = new QVBoxLayout(content);
-  layout_->setContentsMargins(8, 8, 8, 8);
-  layout_->setSpacing(8);
+  layout_ = newLayout<QVBoxLayout>(content, 8, 8);
   layout_->addStretch(1);
   setWidget(content);
   setWidgetResizable(true);

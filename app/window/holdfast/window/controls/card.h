@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// A framed piece of text with buttons below it: what panels of conflicts and findings are made of.
 
 #include <QFrame>
@@ -40,7 +39,6 @@ class CardList : public QScrollArea {
  public:
   explicit CardList(QWidget* parent = nullptr);
 
-  /// Behind those that are there.
   void add(QWidget* card);
 
  private:

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Shapes of icons as text.
 
 #include <QPainterPath>

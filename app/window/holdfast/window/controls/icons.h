@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The signs on the buttons of the window. They are drawn, so they are sharp on every screen and follow the palette.
 
 #include <QIcon>

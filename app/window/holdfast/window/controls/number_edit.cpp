@@ -2,7 +2,6 @@
 
 #include <QHBoxLayout>
 #include <QKeyEvent>
-#include <QLabel>
 
 #include <holdfast/io/text/number_text.h>
 #include <holdfast/window/controls/panel_parts.h>
@@ -80,9 +79,7 @@ void NumberEdit::finish()
 
 VectorEdit::VectorEdit(const QString& name, const QString& title, QWidget* parent) : QWidget(parent)
 {
-  QHBoxLayout* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(4);
+  auto* layout = newLayout<QHBoxLayout>(this, 0, 4);
   const QString axes = QStringLiteral("xyz");
   for (int axis = 0; axis < 3; ++axis) {
     NumberEdit* line = named(new NumberEdit(this), name + axes[axis].toUpper(), title + ' ' + axes[axis]);

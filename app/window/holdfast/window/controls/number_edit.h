@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Lines to type numbers into, with all their digits.
 
 #include <QLineEdit>

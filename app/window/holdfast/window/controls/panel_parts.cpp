@@ -46,11 +46,16 @@ QScrollArea* newScrollArea(QWidget* content, const QString& spoken)
   return area;
 }
 
+void setQuiet(QWidget& text, bool isQuiet)
+{
+  QPalette own = text.parentWidget()->palette();
+  if (isQuiet) own.setColor(QPalette::WindowText, quietColor(own));
+  text.setPalette(own);
+}
+
 void fill(QWidget& panel, QWidget* content)
 {
-  auto* layout = new QVBoxLayout(&panel);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(content);
+  newLayout<QVBoxLayout>(&panel, 0, 0, {content});
 }
 
 void setTableLook(QTableView& table)
@@ -68,7 +73,7 @@ void setTableLook(QTableView& table)
 void showRefusal(QLabel& label, const QString& reason)
 {
   QPalette own = label.parentWidget()->palette();
-  own.setColor(QPalette::WindowText, statusColor(ConstraintStatus::Conflicting, lightnessOf(own)));
+  own.setColor(QPalette::WindowText, statusColor(ConstraintStatus::Conflicting, own));
   label.setPalette(own);
   label.setText(reason);
   label.setVisible(true);

@@ -1,8 +1,8 @@
 #pragma once
-/// \file
 /// What panels and dialogs are put together from. Widgets are returned without a parent: a layout takes them.
 
 #include <QStackedWidget>
+#include <initializer_list>
 
 class QLabel;
 class QScrollArea;
@@ -10,7 +10,6 @@ class QTableView;
 
 namespace holdfast {
 
-/// Gives an object its name for scripts.
 template <class Object>
 Object* named(Object* object, const QString& name)
 {
@@ -26,7 +25,6 @@ Widget* named(Widget* widget, const QString& name, const QString& spoken)
   return named(widget, name);
 }
 
-/// In the middle of a panel that has nothing else to show.
 [[nodiscard]] QLabel* newHint(const QString& name);
 
 /// Lines of plain text that can be selected with the mouse.
@@ -34,6 +32,20 @@ Widget* named(Widget* widget, const QString& name, const QString& spoken)
 
 /// `content` without a frame, scrolled if it needs more room.
 [[nodiscard]] QScrollArea* newScrollArea(QWidget* content, const QString& spoken);
+
+/// A column or a row of widgets (`QVBoxLayout`, `QHBoxLayout`) with the same margin at all sides.
+template <class Layout>
+Layout* newLayout(QWidget* owner, int margin, int spacing, std::initializer_list<QWidget*> widgets = {})
+{
+  auto* layout = new Layout(owner);
+  layout->setContentsMargins(margin, margin, margin, margin);
+  layout->setSpacing(spacing);
+  for (QWidget* widget : widgets) layout->addWidget(widget);
+  return layout;
+}
+
+/// Less important than other texts, or as they are.
+void setQuiet(QWidget& text, bool isQuiet);
 
 /// `content` fills `panel`.
 void fill(QWidget& panel, QWidget* content);

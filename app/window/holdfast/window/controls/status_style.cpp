@@ -6,6 +6,7 @@
 #include <array>
 
 #include <holdfast/window/controls/drawn_path.h>
+#include <holdfast/window/controls/theme.h>
 
 namespace holdfast {
 namespace {
@@ -52,12 +53,6 @@ void draw(QPainter& painter, const Look& look, const QColor& color, const QColor
 
 }  // namespace
 
-Lightness lightnessOf(const QPalette& palette)
-{
-  return palette.color(QPalette::Base).lightness() < palette.color(QPalette::Text).lightness() ? Lightness::Dark
-                                                                                               : Lightness::Light;
-}
-
 QColor quietColor(const QPalette& palette)
 {
   const QColor text = palette.color(QPalette::Active, QPalette::Text);
@@ -67,14 +62,14 @@ QColor quietColor(const QPalette& palette)
                           mixed(text.blueF(), base.blueF()));
 }
 
-QColor statusColor(std::optional<ConstraintStatus> status, Lightness background)
+QColor statusColor(std::optional<ConstraintStatus> status, const QPalette& palette)
 {
-  return {background == Lightness::Dark ? lookOf(status).onDark : lookOf(status).onLight};
+  return {isDark(palette) ? lookOf(status).onDark : lookOf(status).onLight};
 }
 
-QIcon statusIcon(std::optional<ConstraintStatus> status, Lightness background)
+QIcon statusIcon(std::optional<ConstraintStatus> status, const QPalette& palette)
 {
-  const QColor paper = background == Lightness::Dark ? QColor("#202020") : QColor("#ffffff");
+  const QColor paper(isDark(palette) ? "#202020" : "#ffffff");
   QIcon icon;
   const auto add = [&](int pixels, QIcon::Mode mode, const QColor& color, const QColor& within) {
     QPixmap pixmap(pixels, pixels);
@@ -86,7 +81,7 @@ QIcon statusIcon(std::optional<ConstraintStatus> status, Lightness background)
     icon.addPixmap(pixmap, mode);
   };
   for (const int pixels : kPixels) {
-    add(pixels, QIcon::Normal, statusColor(status, background), paper);
+    add(pixels, QIcon::Normal, statusColor(status, palette), paper);
     // Selected rows have a colour that is also one of the forms'.
     add(pixels, QIcon::Selected, Qt::white, QColor("#202020"));
   }

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// How the status of a constraint looks: each one has a form and a colour of its own.
 
 #include <QColor>
@@ -11,18 +10,14 @@
 
 namespace holdfast {
 
-/// The lightness of the background of texts.
-enum class Lightness { Light, Dark };
-[[nodiscard]] Lightness lightnessOf(const QPalette& palette);
-
 /// For less important texts: between text and background, still readable.
 [[nodiscard]] QColor quietColor(const QPalette& palette);
 
-/// Readable on the background. No status means that the constraint was not solved yet.
-[[nodiscard]] QColor statusColor(std::optional<ConstraintStatus> status, Lightness background);
+/// Readable on the palette's background. No status means that the constraint was not solved yet.
+[[nodiscard]] QColor statusColor(std::optional<ConstraintStatus> status, const QPalette& palette);
 
 /// A disc with a tick: met; a ring with =: redundant; a triangle with !: conflicting; a diamond: missed; a broken ring:
 /// disabled; a ring with a dot: independent; three dots: not solved yet.
-[[nodiscard]] QIcon statusIcon(std::optional<ConstraintStatus> status, Lightness background);
+[[nodiscard]] QIcon statusIcon(std::optional<ConstraintStatus> status, const QPalette& palette);
 
 }  // namespace holdfast

@@ -3,66 +3,44 @@
 #include <QApplication>
 #include <QStyle>
 #include <QStyleFactory>
+#include <array>
 
 namespace holdfast {
 namespace {
 
-struct Colors {
-  const char* window;
-  const char* base;
-  const char* alternate;
-  const char* button;
-  const char* text;
-  const char* faintText;
-  const char* highlight;
-  const char* highlightedText;
-  const char* link;
+struct RoleColors {
+  QPalette::ColorRole role;
   const char* light;
   const char* dark;
 };
 
-constexpr Colors kLight{"#f2f3f5", "#ffffff", "#f6f7f9", "#eceef1", "#1c2026", "#8a9099",
-                        "#2a6fd6", "#ffffff", "#1b5fc1", "#ffffff", "#b6bbc3"};
-constexpr Colors kDark{"#26292e", "#1d2024", "#23262b", "#32363c", "#e4e6ea", "#858b94",
-                       "#3b7ddd", "#ffffff", "#7db0ff", "#444951", "#15171a"};
+constexpr std::array kColors{RoleColors{QPalette::Base, "#ffffff", "#1d2024"},
+                             RoleColors{QPalette::AlternateBase, "#f6f7f9", "#23262b"},
+                             RoleColors{QPalette::ToolTipBase, "#ffffff", "#1d2024"},
+                             RoleColors{QPalette::Light, "#ffffff", "#444951"},
+                             RoleColors{QPalette::Dark, "#b6bbc3", "#15171a"},
+                             RoleColors{QPalette::Mid, "#b6bbc3", "#15171a"},
+                             RoleColors{QPalette::Highlight, "#2a6fd6", "#3b7ddd"},
+                             RoleColors{QPalette::HighlightedText, "#ffffff", "#ffffff"},
+                             RoleColors{QPalette::Link, "#1b5fc1", "#7db0ff"},
+                             RoleColors{QPalette::WindowText, "#1c2026", "#e4e6ea"},
+                             RoleColors{QPalette::Text, "#1c2026", "#e4e6ea"},
+                             RoleColors{QPalette::ButtonText, "#1c2026", "#e4e6ea"},
+                             RoleColors{QPalette::ToolTipText, "#1c2026", "#e4e6ea"}};
 
-QPalette paletteOf(const Colors& colors)
+Color toColor(const QColor& color)
 {
-  QPalette palette(QColor(colors.button), QColor(colors.window));
-  palette.setColor(QPalette::Base, colors.base);
-  palette.setColor(QPalette::AlternateBase, colors.alternate);
-  palette.setColor(QPalette::ToolTipBase, colors.base);
-  palette.setColor(QPalette::Light, colors.light);
-  palette.setColor(QPalette::Dark, colors.dark);
-  palette.setColor(QPalette::Mid, colors.dark);
-  palette.setColor(QPalette::Highlight, colors.highlight);
-  palette.setColor(QPalette::HighlightedText, colors.highlightedText);
-  palette.setColor(QPalette::Link, colors.link);
-  for (const QPalette::ColorRole role :
-       {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText}) {
-    palette.setColor(role, colors.text);
-    palette.setColor(QPalette::Disabled, role, colors.faintText);
-  }
-  palette.setColor(QPalette::PlaceholderText, colors.faintText);
-  palette.setColor(QPalette::Disabled, QPalette::Highlight, colors.faintText);
-  return palette;
+  return {color.redF(), color.greenF(), color.blueF()};
+}
+
+/// `from` with `share` of `to`.
+Color between(const Color& from, const Color& to, double share)
+{
+  return {from.red + share * (to.red - from.red), from.green + share * (to.green - from.green),
+          from.blue + share * (to.blue - from.blue)};
 }
 
 }  // namespace
-
-QPalette paletteOf(Appearance appearance)
-{
-  switch (appearance) {
-    case Appearance::Light:
-      return paletteOf(kLight);
-    case Appearance::Dark:
-      return paletteOf(kDark);
-    case Appearance::System:
-      break;
-  }
-  // Desktops that say nothing give Qt's grey: only whether it is dark is taken from them.
-  return paletteOf(isDark(QApplication::style()->standardPalette()) ? kDark : kLight);
-}
 
 bool isDark(const QPalette& palette)
 {
@@ -72,7 +50,34 @@ bool isDark(const QPalette& palette)
 void apply(Appearance appearance)
 {
   QApplication::setStyle(QStyleFactory::create("Fusion"));
-  QApplication::setPalette(paletteOf(appearance));
+  // Desktops that say nothing give Qt's grey: only whether it is dark is taken from them.
+  const bool isDarkWanted = appearance == Appearance::System ? isDark(QApplication::style()->standardPalette())
+                                                             : appearance == Appearance::Dark;
+  QPalette palette(QColor(isDarkWanted ? "#32363c" : "#eceef1"), QColor(isDarkWanted ? "#26292e" : "#f2f3f5"));
+  for (const auto& [role, light, dark] : kColors) palette.setColor(role, isDarkWanted ? dark : light);
+  const QColor faint(isDarkWanted ? "#858b94" : "#8a9099");
+  palette.setColor(QPalette::PlaceholderText, faint);
+  for (const QPalette::ColorRole role :
+       {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText, QPalette::Highlight})
+    palette.setColor(QPalette::Disabled, role, faint);
+  QApplication::setPalette(palette);
+}
+
+QColor toQColor(const Color& color)
+{
+  return QColor::fromRgbF(color.red, color.green, color.blue);
+}
+
+PictureColors pictureColors(const QPalette& palette)
+{
+  const Color ground = toColor(palette.color(QPalette::Base));
+  const Color ink = toColor(palette.color(QPalette::Text));
+  return {ground,
+          between(ground, ink, 0.09),
+          between(ground, ink, 0.18),
+          ink,
+          isDark(palette) ? Color{0.42, 0.62, 0.86} : Color{0.24, 0.44, 0.70},
+          isDark(palette) ? Color{1.00, 0.60, 0.25} : Color{0.86, 0.34, 0.04}};
 }
 
 }  // namespace holdfast

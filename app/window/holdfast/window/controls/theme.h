@@ -1,20 +1,32 @@
 #pragma once
-/// \file
-/// Light and dark.
+/// Light and dark: the colours of the window, and of what VTK draws inside it.
 
 #include <QPalette>
+
+#include <holdfast/widgets/color/color_map.h>
 
 namespace holdfast {
 
 enum class Appearance { System, Light, Dark };
 
-/// The colours of the window; for `System` those that the desktop says.
-[[nodiscard]] QPalette paletteOf(Appearance appearance);
+/// Gives the whole program this look; for `System` that of the desktop.
+void apply(Appearance appearance);
 
 /// Whether text is lighter than what it is written on.
 [[nodiscard]] bool isDark(const QPalette& palette);
 
-/// Gives the whole program this look.
-void apply(Appearance appearance);
+[[nodiscard]] QColor toQColor(const Color& color);
+
+/// Grounds and inks of pictures inside panels.
+struct PictureColors {
+  Color ground;  ///< as behind texts that are edited
+  Color raised;  ///< a little off the ground
+  Color grid;    ///< quiet lines
+  Color ink;     ///< texts and strong lines
+  Color bar;     ///< areas that are data
+  Color accent;  ///< marks; differs from `bar` and `ink` in hue and lightness
+};
+
+[[nodiscard]] PictureColors pictureColors(const QPalette& palette);
 
 }  // namespace holdfast

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// A picture of VTK in a window of Qt. Its interactor asks for pictures and draws none itself.
 
 #include <QVTKOpenGLNativeWidget.h>

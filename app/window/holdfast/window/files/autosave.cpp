@@ -1,11 +1,116 @@
 #include "holdfast/window/files/autosave.h"
 
-#include <QWidget>
+#include <QDateTime>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QLabel>
+#include <QListWidget>
+#include <QLocale>
+#include <QPushButton>
+#include <QVBoxLayout>
 #include <utility>
 
-#include <holdfast/window/files/recovery_dialog.h>
+#include <holdfast/window/controls/panel_parts.h>
+#include <holdfast/window/files/file_messages.h>
 
 namespace holdfast {
+namespace {
+
+QString native(const std::filesystem::path& path)
+{
+  return QDir::toNativeSeparators(QString::fromStdString(path.string()));
+}
+
+QString timeOf(const Recoverable& copy)
+{
+  const auto time = std::chrono::duration_cast<std::chrono::milliseconds>(copy.time.time_since_epoch());
+  return QLocale().toString(QDateTime::fromMSecsSinceEpoch(time.count()), QLocale::ShortFormat);
+}
+
+/// What the copy is of.
+QString originOf(const Recoverable& copy)
+{
+  if (!copy.original.empty()) return native(copy.original);
+  if (!copy.mesh.empty()) return QObject::tr("never saved; of the mesh %1").arg(native(copy.mesh));
+  return QObject::tr("cannot be read: %1").arg(native(copy.path));
+}
+
+class RecoveryDialog : public QDialog {
+ public:
+  RecoveryDialog(std::vector<Recoverable> copies, std::function<void(const Recoverable&)> open, QWidget* parent)
+      : QDialog(parent), copies_(std::move(copies)), open_(std::move(open))
+  {
+    setObjectName("recoveryDialog");
+    setWindowTitle(tr("Recover unsaved work"));
+    auto* text = new QLabel(
+        tr("Holdfast ended before this work was saved. Recovered work opens as it was; the files that it is of are not "
+           "touched until you save."));
+    text->setWordWrap(true);
+    list_ = named(new QListWidget, "copies", tr("Unsaved work"));
+    list_->setAlternatingRowColors(true);
+    for (const Recoverable& copy : copies_) {
+      const QString of = originOf(copy);
+      auto* item =
+          new QListWidgetItem(tr("%1, kept %2\n%3").arg(QString::fromStdString(copy.name), timeOf(copy), of), list_);
+      item->setToolTip(of);
+    }
+    list_->setCurrentRow(0);
+
+    auto* buttons = new QDialogButtonBox;
+    QPushButton* recover = named(buttons->addButton(tr("&Recover"), QDialogButtonBox::AcceptRole), "recover");
+    recover->setDefault(true);
+    QPushButton* discard = named(buttons->addButton(tr("&Discard…"), QDialogButtonBox::DestructiveRole), "discard");
+    QPushButton* later = named(buttons->addButton(tr("&Later"), QDialogButtonBox::RejectRole), "later");
+    connect(recover, &QPushButton::clicked, this, &RecoveryDialog::recoverChosen);
+    connect(discard, &QPushButton::clicked, this, &RecoveryDialog::discardChosen);
+    connect(later, &QPushButton::clicked, this, &QDialog::reject);
+    connect(list_, &QListWidget::itemDoubleClicked, this, &RecoveryDialog::recoverChosen);
+    connect(list_, &QListWidget::currentRowChanged, this, [recover, discard](int row) {
+      for (QPushButton* button : {recover, discard}) button->setEnabled(row >= 0);
+    });
+
+    auto* layout = new QVBoxLayout(this);
+    for (QWidget* widget : std::initializer_list<QWidget*>{text, list_, buttons}) layout->addWidget(widget);
+    resize(fontMetrics().averageCharWidth() * 80, fontMetrics().height() * 18);
+    list_->setFocus();
+  }
+
+ private:
+  void recoverChosen()
+  {
+    const int row = list_->currentRow();
+    if (row < 0) return;
+    accept();
+    open_(copies_[row]);
+  }
+
+  void discardChosen()
+  {
+    const int row = list_->currentRow();
+    if (row < 0) return;
+    const QString name = QString::fromStdString(copies_[row].name);
+    if (!askToGoOn(this, tr("Discard the unsaved work on “%1”?").arg(name), tr("It cannot be brought back."),
+                   tr("&Discard")))
+      return;
+    discard(copies_[row]);
+    copies_.erase(copies_.begin() + row);
+    delete list_->takeItem(row);
+    if (copies_.empty()) reject();
+  }
+
+  std::vector<Recoverable> copies_;
+  std::function<void(const Recoverable&)> open_;
+  QListWidget* list_ = nullptr;
+};
+
+}  // namespace
+
+QDialog* newRecoveryDialog(std::vector<Recoverable> copies, std::function<void(const Recoverable&)> recover,
+                           QWidget* parent)
+{
+  return new RecoveryDialog(std::move(copies), std::move(recover), parent);
+}
 
 Autosave::Autosave(Editor& editor, DocumentFiles& files, std::filesystem::path folder, QWidget* window)
     : QObject(window),
@@ -26,8 +131,6 @@ Autosave::Autosave(Editor& editor, DocumentFiles& files, std::filesystem::path f
   connect(&editor_, &Editor::saved, this, &Autosave::changed);
   connect(&job_, &BackgroundJob::failed, this, &Autosave::showFailure);
 }
-
-Autosave::~Autosave() = default;
 
 void Autosave::changed()
 {
@@ -94,9 +197,9 @@ void Autosave::offerRecovery()
 {
   std::vector<Recoverable> copies = recoverable(folder_);
   if (copies.empty()) return;
-  auto* dialog = new RecoveryDialog(std::move(copies), window_);
+  QDialog* dialog = newRecoveryDialog(
+      std::move(copies), [this](const Recoverable& copy) { recover(copy); }, window_);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog, &RecoveryDialog::recoverWanted, this, &Autosave::recover);
   dialog->open();
 }
 

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Keeps unsaved work against a crash, and offers what a crash has left.
 
 #include <QObject>
@@ -7,6 +6,7 @@
 #include <QTimer>
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -15,6 +15,7 @@
 #include <holdfast/window/model/background_job.h>
 #include <holdfast/window/model/editor.h>
 
+class QDialog;
 class QWidget;
 
 namespace holdfast {
@@ -28,10 +29,7 @@ class Autosave : public QObject {
   Q_OBJECT
 
  public:
-  /// Copies go to `folder`: `recoveryFolder()`.
   Autosave(Editor& editor, DocumentFiles& files, std::filesystem::path folder, QWidget* window);
-  /// Waits for a copy that is being written, then removes it.
-  ~Autosave() override;
 
   void setDelay(std::chrono::milliseconds delay) { delay_.setInterval(delay); }
 
@@ -67,5 +65,10 @@ class Autosave : public QObject {
   QTimer delay_;
   BackgroundJob job_;  // last: its thread uses what is above
 };
+
+/// One entry for each copy, the newest first. `recover` gets the one that the user wants opened; the dialog closes
+/// then, and the others are left for later.
+[[nodiscard]] QDialog* newRecoveryDialog(std::vector<Recoverable> copies,
+                                         std::function<void(const Recoverable&)> recover, QWidget* parent = nullptr);
 
 }  // namespace holdfast

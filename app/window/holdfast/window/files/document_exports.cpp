@@ -1,6 +1,15 @@
 #include "holdfast/window/files/document_exports.h"
 
+#include <QCheckBox>
+#include <QDialog>
+#include <QDialogButtonBox>
 #include <QFileInfo>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSettings>
+#include <QSpinBox>
+#include <QVBoxLayout>
 #include <QWidget>
 #include <algorithm>
 #include <utility>
@@ -8,9 +17,8 @@
 #include <vtkCamera.h>
 #include <vtkRenderer.h>
 
-#include <holdfast/base/error.h>
+#include <holdfast/base/lower_case.h>
 #include <holdfast/constraint_files/constraint_file.h>
-#include <holdfast/deform/deform_details.h>
 #include <holdfast/deform/fields.h>
 #include <holdfast/deform/outcomes.h>
 #include <holdfast/deform/report_csv.h>
@@ -20,23 +28,11 @@
 #include <holdfast/widgets/files/any_mesh_file.h>
 #include <holdfast/widgets/files/poly_data_file.h>
 #include <holdfast/widgets/scene/scene.h>
-#include <holdfast/window/files/file_messages.h>
-#include <holdfast/window/files/picture_dialog.h>
+#include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/text/number_text.h>
 
 namespace holdfast {
 namespace {
-
-/// How far a reader of coordinates in single precision misses constraints that are met here; 0 within the promise.
-double missedInSinglePrecision(const Model& model, const DeformResult& deformation)
-{
-  const Positions stored = deformation.positions.cast<float>().cast<double>();
-  Report report = deformation.report;
-  const bool isMissed = setResiduals(report, deformation.details->system, deformation.details->diagnosis,
-                                     rowResiduals(deformation.details->system, model.solverMesh.weld, stored))
-                            .has_value();
-  return isMissed ? report.solve.maxResidual : 0;
-}
 
 std::string pictureOf(const Model& model, const DeformResult& deformation, const SceneOptions& options,
                       const PictureView& view, const std::string& name)
@@ -50,77 +46,123 @@ std::string pictureOf(const Model& model, const DeformResult& deformation, const
   return toPng(draw(scene, name), name);
 }
 
-}  // namespace
-
-DocumentExports::DocumentExports(Editor& editor, QWidget* window)
-    : QObject(window), editor_(editor), window_(window), sheet_(job_, window)
+/// The size of an exported picture, and whether it has a legend; remembers the last answer in the user's settings.
+std::optional<SceneOptions> askForPicture(QWidget* window)
 {
-  connect(&job_, &BackgroundJob::failed, this,
-          [this](const std::exception_ptr& error) { showFailure(writing_, error); });
+  QSettings settings;
+  QDialog dialog(window);
+  dialog.setObjectName("pictureDialog");
+  dialog.setWindowTitle(QObject::tr("Export a picture"));
+  auto* form = new QFormLayout;
+  const auto addSide = [&](const QString& title, const QString& name, int usual) {
+    auto* box = named(new QSpinBox, name);
+    box->setRange(kLeastPictureSide, kLargestPictureSide);
+    box->setValue(settings.value("picture/" + name, usual).toInt());
+    box->setSingleStep(10);
+    box->setAccelerated(true);
+    box->setSuffix(QObject::tr(" px"));
+    form->addRow(title, box);
+    return box;
+  };
+  QSpinBox* width = addSide(QObject::tr("&Width"), "width", 1920);
+  QSpinBox* height = addSide(QObject::tr("&Height"), "height", 1200);
+  auto* legend = named(new QCheckBox(QObject::tr("With a &legend of the colours")), "legend");
+  legend->setChecked(settings.value("picture/legend", true).toBool());
+  form->addRow(QString(), legend);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+  named(buttons->addButton(QObject::tr("&Export…"), QDialogButtonBox::AcceptRole), "export")->setDefault(true);
+  buttons->button(QDialogButtonBox::Cancel)->setAutoDefault(false);
+  QObject::connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
+  QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
+
+  auto* layout = new QVBoxLayout(&dialog);
+  layout->setSizeConstraint(QLayout::SetFixedSize);
+  layout->setSpacing(2 * layout->spacing());
+  layout->addWidget(new QLabel(QObject::tr("The picture is drawn from where you look at the mesh now.")));
+  layout->addLayout(form);
+  layout->addWidget(buttons);
+  width->setFocus();
+  width->selectAll();
+  if (dialog.exec() != QDialog::Accepted) return std::nullopt;
+  settings.setValue("picture/width", width->value());
+  settings.setValue("picture/height", height->value());
+  settings.setValue("picture/legend", legend->isChecked());
+  SceneOptions options;
+  options.size = {width->value(), height->value()};
+  options.legend = legend->isChecked() ? Legend::Shown : Legend::Hidden;
+  return options;
 }
 
-DocumentExports::~DocumentExports() = default;
+}  // namespace
+
+DocumentExports::DocumentExports(Editor& editor, QWidget* window) : QObject(window), editor_(editor), window_(window)
+{
+  connect(&job_, &BackgroundJob::failed, this, &DocumentExports::showFailure);
+}
 
 void DocumentExports::exportMesh()
 {
   if (!mayExportShown()) return;
   const QString ending = QString::fromStdString(editor_.mesh().path.extension().string());
-  const QString path = ask(tr("Export the mesh"), ".deformed" + ending, meshFilters() << "VTK (*.vtk)");
-  if (path.isEmpty()) return;
-  make(path, [path, document = editor_.mesh().document, model = editor_.model(),
-              deformation = editor_.deformation()](Progress& progress) {
-    progress.step("writing the mesh");
-    Made file{serializeAnyMesh(document, deformation->positions, path.toStdString())};
-    if (file.contents.isSinglePrecision) file.missedBy = missedInSinglePrecision(*model, *deformation);
-    return file;
-  });
+  make(tr("Export the mesh"), ".deformed" + ending, meshFilters() << "VTK (*.vtk)",
+       [document = editor_.mesh().document, model = editor_.model(), deformation = editor_.deformation()](
+           const std::string& path, Progress& progress) {
+         progress.step("writing the mesh");
+         Made file{serializeAnyMesh(document, deformation->positions, path)};
+         Report report = deformation->report;
+         if (file.contents.isSinglePrecision && setRoundedResiduals(report, *deformation, model->solverMesh.weld))
+           file.missedBy = report.solve.maxResidual;
+         return file;
+       });
 }
 
 void DocumentExports::exportFields()
 {
   if (!mayExportShown()) return;
-  const QString path = ask(tr("Export fields"), ".fields.vtp", {tr("Fields over the mesh (*.vtp)")});
-  if (path.isEmpty()) return;
-  make(path, [model = editor_.model(), deformation = editor_.deformation()](Progress& progress) {
-    progress.step("computing fields");
-    const std::vector<Field> fields = fieldsOf(*model, *deformation);
-    progress.step("writing fields");
-    return Made{fieldsToVtp(model->mesh, deformation->positions, fields, {})};
-  });
+  make(tr("Export fields"), ".fields.vtp", {tr("Fields over the mesh (*.vtp)")},
+       [model = editor_.model(), deformation = editor_.deformation()](const std::string& /*path*/, Progress& progress) {
+         progress.step("computing fields");
+         const std::vector<Field> fields = fieldsOf(*model, *deformation);
+         progress.step("writing fields");
+         return Made{fieldsToVtp(model->mesh, deformation->positions, fields, {})};
+       });
 }
 
 void DocumentExports::exportReport()
 {
   if (!mayExportShown()) return;
-  const QString path =
-      ask(tr("Export the report"), ".report.json", {tr("Report (*.json)"), tr("Table of the constraints (*.csv)")});
-  if (path.isEmpty()) return;
-  const Report& report = editor_.deformation()->report;
-  const bool isTable = path.endsWith(".csv", Qt::CaseInsensitive);
-  write(path, [&] { return isTable ? reportToCsv(report) : reportToJson(report); });
+  make(tr("Export the report"), ".report.json", {tr("Report (*.json)"), tr("Table of the constraints (*.csv)")},
+       [deformation = editor_.deformation()](const std::string& path, Progress& /*progress*/) {
+         const bool isTable = lowerCase(path).ends_with(".csv");
+         return Made{{isTable ? reportToCsv(deformation->report) : reportToJson(deformation->report), {}}};
+       });
 }
 
 void DocumentExports::exportConstraints()
 {
-  const QString path = ask(tr("Export the constraints"), ".constraints.json", {tr("Constraints (*.json)")});
-  if (!path.isEmpty()) write(path, [&] { return constraintsToJson(editor_.list()); });
+  make(tr("Export the constraints"), ".constraints.json", {tr("Constraints (*.json)")},
+       [state = editor_.history().state()](const std::string& /*path*/, Progress& /*progress*/) {
+         return Made{{constraintsToJson(state->list), {}}};
+       });
 }
 
 void DocumentExports::exportPicture()
 {
   if (!mayExportShown()) return;
-  PictureDialog dialog(window_);
-  if (dialog.exec() != QDialog::Accepted) return;
+  std::optional<SceneOptions> options = askForPicture(window_);
+  if (!options) return;
   const QString path = ask(tr("Export a picture"), ".png", {tr("Pictures (*.png)")});
   if (path.isEmpty()) return;
+  writing_ = path;
   const PictureView view = pictureView_();
-  SceneOptions options;
-  options.size = dialog.size();
-  options.colorBy = ColorBy::None;
-  options.legend = dialog.legend();
-  options.units = editor_.deformedState()->list.units;
-  options.coloring = view.coloring;
-  write(path, [&] { return pictureOf(*editor_.model(), *editor_.deformation(), options, view, path.toStdString()); });
+  options->colorBy = ColorBy::None;
+  options->units = editor_.deformedState()->list.units;
+  options->coloring = view.coloring;
+  try {
+    write({pictureOf(*editor_.model(), *editor_.deformation(), *options, view, path.toStdString()), {}});
+  } catch (const std::exception&) {
+    showFailure(std::current_exception());
+  }
 }
 
 bool DocumentExports::mayExportShown()
@@ -156,61 +198,52 @@ QString DocumentExports::ask(const QString& title, const QString& ending, const 
   return chooser_(window_, {FileQuestion::Purpose::Write, title, suggestion, sorted});
 }
 
-void DocumentExports::make(const QString& path, std::function<Made(Progress&)> maker)
+void DocumentExports::make(const QString& title, const QString& ending, const QStringList& filters, Maker maker)
 {
+  const QString path = ask(title, ending, filters);
+  if (path.isEmpty()) return;
   writing_ = path;
-  sheet_.setTitle(tr("Writing %1").arg(QFileInfo(path).fileName()));
-  job_.start([this, path, maker = std::move(maker)](Progress& progress) {
-    auto file = std::make_shared<Made>(maker(progress));
-    return [this, path, file] { made(path, file); };
+  job_.start([this, path = path.toStdString(), maker = std::move(maker)](Progress& progress) {
+    return [this, file = std::make_shared<Made>(maker(path, progress))] {
+      if (mayMiss(file->missedBy)) write(std::move(file->contents));
+    };
   });
+  showProgress(job_, window_, tr("Writing %1").arg(name()));
 }
 
-void DocumentExports::made(const QString& path, const std::shared_ptr<Made>& file)
+bool DocumentExports::mayMiss(double length)
 {
-  const QString name = QFileInfo(path).fileName();
-  if (file->missedBy > 0 && !askToGoOn(window_, tr("“%1” would not be exact.").arg(name),
-                                       tr("This format stores coordinates in single precision: readers of the file "
-                                          "find constraints missed by up to %1 %2. PLY, OBJ and OFF keep every digit.")
-                                           .arg(roundedText(file->missedBy),
-                                                QString::fromStdString(editor_.isOpen() ? editor_.list().units : "")),
-                                       tr("&Export all the same")))
-    return;
-  write(path, std::shared_ptr<const Serialized>(file, &file->contents));
+  if (length == 0) return true;
+  return askToGoOn(window_, tr("“%1” would not be exact.").arg(name()),
+                   tr("This format stores coordinates in single precision: readers of the file find constraints missed "
+                      "by up to %1. PLY, OBJ and OFF keep every digit.")
+                       .arg(lengthText(length, editor_.isOpen() ? editor_.list().units : "")),
+                   tr("&Export all the same"));
 }
 
-void DocumentExports::write(const QString& path, const std::function<std::string()>& text)
+void DocumentExports::write(Serialized contents)
 {
-  try {
-    write(path, std::make_shared<const Serialized>(Serialized{text(), {}}));
-  } catch (const std::exception&) {
-    showFailure(path, std::current_exception());
-  }
-}
-
-void DocumentExports::write(const QString& path, std::shared_ptr<const Serialized> contents)
-{
-  writing_ = path;
-  job_.start([this, path, contents = std::move(contents)](Progress& progress) {
+  job_.start([this, path = writing_, contents = std::move(contents)](Progress& progress) {
     progress.step("writing to the disk");
-    OutputFile(path.toStdString(), contents->bytes).commit();
-    return [this, path, notes = contents->notes] { written(path, notes); };
+    OutputFile(path.toStdString(), contents.bytes).commit();
+    return [this, notes = contents.notes] {
+      Q_EMIT done(tr("wrote %1").arg(name()));
+      QStringList texts;
+      for (const std::string& note : notes) texts << QString::fromStdString(note);
+      if (!texts.empty()) showNotes(window_, tr("“%1” is written.").arg(name()), texts);
+    };
   });
+  showProgress(job_, window_, tr("Writing %1").arg(name()));
 }
 
-void DocumentExports::written(const QString& path, const std::vector<std::string>& notes)
+void DocumentExports::showFailure(const std::exception_ptr& error)
 {
-  const QString name = QFileInfo(path).fileName();
-  Q_EMIT done(tr("wrote %1").arg(name));
-  if (notes.empty()) return;
-  QStringList texts;
-  for (const std::string& note : notes) texts << QString::fromStdString(note);
-  showNotes(window_, tr("“%1” is written.").arg(name), texts);
+  showProblem(window_, tr("“%1” cannot be written.").arg(name()), error);
 }
 
-void DocumentExports::showFailure(const QString& path, const std::exception_ptr& error)
+QString DocumentExports::name() const
 {
-  showProblem(window_, tr("“%1” cannot be written.").arg(QFileInfo(path).fileName()), error);
+  return QFileInfo(writing_).fileName();
 }
 
 }  // namespace holdfast

@@ -1,11 +1,9 @@
 #pragma once
-/// \file
 /// What goes out of the open document besides sessions: meshes, fields, reports, constraints and pictures.
 
 #include <QObject>
 #include <QString>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,8 +11,7 @@
 #include <holdfast/document/session_file.h>
 #include <holdfast/io/mesh_document.h>
 #include <holdfast/widgets/color/coloring.h>
-#include <holdfast/window/files/file_chooser.h>
-#include <holdfast/window/files/progress_sheet.h>
+#include <holdfast/window/files/file_messages.h>
 #include <holdfast/window/model/background_job.h>
 #include <holdfast/window/model/editor.h>
 
@@ -33,17 +30,15 @@ struct PictureView {
 
 /// Writes what is shown. Asks before if that is not what a user would expect: results that are older than the
 /// constraints, coordinates in single precision. Files are complete or absent. A box over `window` reports failures.
-/// Each function needs an open document.
+/// Exports need an open document.
 class DocumentExports : public QObject {
   Q_OBJECT
 
  public:
   DocumentExports(Editor& editor, QWidget* window);
-  ~DocumentExports() override;
 
   /// Replaces `chooseFile`, for a program that drives the window.
   void setChooser(FileChooser chooser) { chooser_ = std::move(chooser); }
-  /// How pictures show the document: from where, and in which colours.
   void setPictureView(std::function<PictureView()> view) { pictureView_ = std::move(view); }
 
   /// In any known format, by the extension. A box says what the format cannot hold.
@@ -52,7 +47,6 @@ class DocumentExports : public QObject {
   void exportFields();
   /// As .json, or the constraints alone as .csv.
   void exportReport();
-  /// As a constraint file.
   void exportConstraints();
   /// As .png, in a size that a dialog asks for.
   void exportPicture();
@@ -63,28 +57,26 @@ class DocumentExports : public QObject {
   void done(const QString& what);
 
  private:
-  /// The contents of a file, made on any thread.
   struct Made {
     Serialized contents;
     double missedBy = 0;  // model units: by how much a reader misses constraints; 0 within the promise
   };
+  using Maker = std::function<Made(const std::string& path, Progress& progress)>;
 
   [[nodiscard]] bool mayExportShown();
   [[nodiscard]] QString ask(const QString& title, const QString& ending, const QStringList& filters);
-  void make(const QString& path, std::function<Made(Progress&)> maker);
-  void made(const QString& path, const std::shared_ptr<Made>& file);
-  void write(const QString& path, const std::function<std::string()>& text);
-  void write(const QString& path, std::shared_ptr<const Serialized> contents);
-  void written(const QString& path, const std::vector<std::string>& notes);
-  void showFailure(const QString& path, const std::exception_ptr& error);
+  void make(const QString& title, const QString& ending, const QStringList& filters, Maker maker);
+  [[nodiscard]] bool mayMiss(double length);
+  void write(Serialized contents);
+  void showFailure(const std::exception_ptr& error);
+  [[nodiscard]] QString name() const;
 
   Editor& editor_;
   QWidget* window_;
   FileChooser chooser_ = chooseFile;
   std::function<PictureView()> pictureView_ = [] { return PictureView{}; };
   BackgroundJob job_;
-  ProgressSheet sheet_;
-  QString writing_;  // the file, for messages
+  QString writing_;  // the latest file
 };
 
 }  // namespace holdfast

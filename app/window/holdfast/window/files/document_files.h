@@ -1,6 +1,6 @@
 #pragma once
-/// \file
-/// Opening and saving: which files the document comes from and goes to, and what the user is asked about them.
+/// Opening, importing and saving: which files the document comes from and goes to, and what the user is asked about
+/// them.
 
 #include <QObject>
 #include <QString>
@@ -11,18 +11,14 @@
 
 #include <holdfast/document/recovery.h>
 #include <holdfast/document/session_file.h>
-#include <holdfast/window/files/file_chooser.h>
-#include <holdfast/window/files/progress_sheet.h>
-#include <holdfast/window/files/recent_files.h>
+#include <holdfast/document/session_mesh.h>
+#include <holdfast/window/files/file_messages.h>
 #include <holdfast/window/model/background_job.h>
 #include <holdfast/window/model/editor.h>
 
-class QMenu;
 class QWidget;
 
 namespace holdfast {
-
-struct FoundDocument;
 
 /// The files of the editor's document. A box over `window` reports each failure, which leaves the document as it was.
 class DocumentFiles : public QObject {
@@ -30,7 +26,6 @@ class DocumentFiles : public QObject {
 
  public:
   DocumentFiles(Editor& editor, QWidget* window);
-  ~DocumentFiles() override;
 
   /// Replaces `chooseFile`, for a program that drives the window.
   void setChooser(FileChooser chooser) { chooser_ = std::move(chooser); }
@@ -46,12 +41,16 @@ class DocumentFiles : public QObject {
   void recover(const Recoverable& copy, std::function<void()> whenOpen);
   [[nodiscard]] bool isOpening() const noexcept { return job_.isRunning(); }
 
+  /// Shows what the constraints of a file would do to the open document.
+  void importConstraints(const QString& path);
+  void importDialog();
+
   /// False if nothing was saved, by an error or by the user. There is an open document.
   bool save();
   /// As `save` and to another session, on a thread of its own. Edits made meanwhile are not in the file, and unsaved. A
   /// request during a save is done after it. `done` follows each save.
   void saveInBackground();
-  void saveAsInBackground();
+  void saveAsInBackground() { beginSaving(askWhereToSave()); }
   [[nodiscard]] bool isSaving() const noexcept { return saving_.isRunning(); }
 
   /// Asks about unsaved changes, if there are any, and saves them if the user wants. `action` is what comes next:
@@ -62,33 +61,38 @@ class DocumentFiles : public QObject {
   [[nodiscard]] const std::filesystem::path& sessionPath() const noexcept { return sessionPath_; }
   /// The file name of the session, or of the mesh if there is none; empty without a document.
   [[nodiscard]] QString name() const;
-  /// The open document as a session at `path`.
-  [[nodiscard]] SessionFile sessionAt(const std::filesystem::path& path) const;
-  /// The same without constraints and options: copying many of them takes time.
+  /// The open document as a session at `path`, but for constraints and options: copying many of them takes time.
   [[nodiscard]] SessionFile emptySessionAt(const std::filesystem::path& path) const;
-
-  [[nodiscard]] RecentFiles& recentFiles() noexcept { return recent_; }
-  void fillRecentMenu(QMenu& menu) { recent_.fill(menu); }
 
  Q_SIGNALS:
   /// The view that the file has, after `Editor::opened`. Empty for a mesh.
   void viewOpened(const ViewState& view);
-  /// `sessionPath` or `name` is another.
   void pathChanged();
   /// For the status line: "saved bracket.holdfast".
   void done(const QString& what);
 
  private:
-  struct OpenRequest;  // what is to be opened
+  /// What is being opened, and what the files say of it.
+  struct Opening {
+    std::filesystem::path path;         // what is read
+    std::filesystem::path sessionPath;  // what it is saved to; empty for a mesh
+    bool isUnsaved = false;             // it differs from what is in the file at `sessionPath`
+    std::function<void()> whenOpen = [] {};
+    std::optional<SessionFile> session;  // read, perhaps with what the user has said of its mesh
+    ResolvedMesh resolved;               // where the mesh is, and whether it is the session's
+    LoadedMesh mesh;                     // if it is
+    std::string meshChecksum;
 
-  void openSession(OpenRequest request);
-  void find(OpenRequest request);
-  void found(OpenRequest request, std::shared_ptr<FoundDocument> document);
-  void askAboutMesh(OpenRequest request, const FoundDocument& document);
-  void locateMesh(OpenRequest request);
-  void adopt(const OpenRequest& request, FoundDocument& document);
+    void read(Progress& progress);
+  };
+
+  void begin(Opening opening);
+  void find(const std::shared_ptr<Opening>& opening);
+  void askAboutMesh(const std::shared_ptr<Opening>& opening);
+  void adopt(Opening& opening);
   void setPath(const std::filesystem::path& path);
   [[nodiscard]] bool mayReplaceDocument();
+  [[nodiscard]] QString askForFile(const QString& title, const QString& suggestion, const QStringList& filters);
   [[nodiscard]] std::filesystem::path askWhereToSave();
   void beginSaving(const std::filesystem::path& path);
   void saved(const std::shared_ptr<const Model>& model, const std::shared_ptr<const DocumentState>& state);
@@ -99,8 +103,6 @@ class DocumentFiles : public QObject {
   FileChooser chooser_ = chooseFile;
   std::function<ViewState()> view_;
   BackgroundJob job_;
-  ProgressSheet sheet_;
-  RecentFiles recent_;
   std::filesystem::path sessionPath_;
   std::string meshChecksum_;                       // of the mesh as it was read
   QString opening_;                                // the file, for messages

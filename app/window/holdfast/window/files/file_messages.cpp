@@ -1,11 +1,18 @@
 #include "holdfast/window/files/file_messages.h"
 
 #include <QCoreApplication>
+#include <QFileDialog>
+#include <QFileInfo>
 #include <QMessageBox>
+#include <QProgressDialog>
 #include <QPushButton>
+#include <QRegularExpression>
+#include <QTimer>
 
 #include <holdfast/base/error.h>
+#include <holdfast/widgets/files/any_mesh_file.h>
 #include <holdfast/window/controls/panel_parts.h>
+#include <holdfast/window/model/background_job.h>
 
 namespace holdfast {
 namespace {
@@ -13,6 +20,13 @@ namespace {
 struct FileMessages {
   Q_DECLARE_TR_FUNCTIONS(FileMessages)
 };
+
+/// "holdfast" of "Sessions (*.holdfast)".
+QString suffixOf(const QString& filter)
+{
+  static const QRegularExpression kPattern(R"(\*\.(\w+))");
+  return kPattern.match(filter).captured(1);
+}
 
 /// A whole sentence. Elsewhere reasons of the core follow a colon.
 QString asSentence(const QString& reason)
@@ -67,17 +81,6 @@ class Box : public QMessageBox {
   }
 };
 
-MeshAnswer askAboutMesh(Box& box, QAbstractButton* use)
-{
-  QPushButton* const locate =
-      named(box.addButton(FileMessages::tr("&Locate the mesh…"), QMessageBox::ActionRole), "locate");
-  box.addButton(QMessageBox::Cancel);
-  box.setDefaultButton(locate);
-  const QAbstractButton* const clicked = box.ask();
-  if (clicked == locate) return MeshAnswer::Locate;
-  return use != nullptr && clicked == use ? MeshAnswer::UseAllTheSame : MeshAnswer::Cancel;
-}
-
 }  // namespace
 
 QString textOf(const std::filesystem::path& path)
@@ -102,6 +105,20 @@ void showNotes(QWidget* window, const QString& headline, const QStringList& note
   Box(window, QMessageBox::Information, headline, text).exec();
 }
 
+void showProgress(BackgroundJob& job, QWidget* window, const QString& title)
+{
+  auto* dialog = named(new QProgressDialog({}, FileMessages::tr("Cancel"), 0, 0, window), "progress");
+  dialog->setWindowTitle(title);
+  dialog->setWindowModality(Qt::NonModal);
+  dialog->setMinimumWidth(dialog->fontMetrics().averageCharWidth() * 50);
+  QObject::connect(&job, &BackgroundJob::stepChanged, dialog, &QProgressDialog::setLabelText);
+  // The dialog may be the sender: its Cancel is what ends the work.
+  QObject::connect(&job, &BackgroundJob::ended, dialog, &QObject::deleteLater);
+  QObject::connect(dialog, &QProgressDialog::canceled, &job, &BackgroundJob::cancel);
+  // What is done sooner needs no dialog, which would only flash.
+  QTimer::singleShot(300, dialog, &QWidget::show);
+}
+
 SaveAnswer askToSave(QWidget* window, const QString& name, const QString& action)
 {
   Box box(window, QMessageBox::Warning, FileMessages::tr("Save the changes to “%1” before %2?").arg(name, action),
@@ -123,20 +140,54 @@ bool askToGoOn(QWidget* window, const QString& headline, const QString& explanat
   return box.ask() == yes;
 }
 
-MeshAnswer askAboutMissingMesh(QWidget* window, const QString& session, const QString& explanation)
+MeshAnswer askAboutSessionMesh(QWidget* window, const QString& session, const ResolvedMesh& mesh)
 {
-  Box box(window, QMessageBox::Warning, FileMessages::tr("The mesh of “%1” is not there.").arg(session),
-          asSentence(explanation));
-  return askAboutMesh(box, nullptr);
+  const bool isMissing = mesh.state == MeshState::Missing;
+  const QString headline = isMissing ? FileMessages::tr("The mesh of “%1” is not there.")
+                                     : FileMessages::tr("The mesh of “%1” has changed.");
+  Box box(window, QMessageBox::Warning, headline.arg(session), asSentence(QString::fromStdString(mesh.message)));
+  const QAbstractButton* use = nullptr;
+  if (!isMissing)
+    use = named(box.addButton(FileMessages::tr("&Use it all the same"), QMessageBox::AcceptRole), "useAllTheSame");
+  QPushButton* const locate =
+      named(box.addButton(FileMessages::tr("&Locate the mesh…"), QMessageBox::ActionRole), "locate");
+  box.addButton(QMessageBox::Cancel);
+  box.setDefaultButton(locate);
+  const QAbstractButton* const clicked = box.ask();
+  if (clicked == locate) return MeshAnswer::Locate;
+  return use != nullptr && clicked == use ? MeshAnswer::UseAllTheSame : MeshAnswer::Cancel;
 }
 
-MeshAnswer askAboutChangedMesh(QWidget* window, const QString& session, const QString& explanation)
+QString chooseFile(QWidget* window, const FileQuestion& question)
 {
-  Box box(window, QMessageBox::Warning, FileMessages::tr("The mesh of “%1” has changed.").arg(session),
-          asSentence(explanation));
-  QPushButton* const use =
-      named(box.addButton(FileMessages::tr("&Use it all the same"), QMessageBox::AcceptRole), "useAllTheSame");
-  return askAboutMesh(box, use);
+  QFileDialog dialog(window, question.title);
+  dialog.setObjectName("fileDialog");
+  const bool isWrite = question.purpose == FileQuestion::Purpose::Write;
+  dialog.setAcceptMode(isWrite ? QFileDialog::AcceptSave : QFileDialog::AcceptOpen);
+  dialog.setFileMode(isWrite ? QFileDialog::AnyFile : QFileDialog::ExistingFile);
+  dialog.setNameFilters(question.filters);
+  const QFileInfo suggestion(question.suggestion);
+  dialog.setDirectory(suggestion.isDir() ? question.suggestion : suggestion.path());
+  if (isWrite) {
+    if (!suggestion.isDir()) dialog.selectFile(suggestion.fileName());
+    const auto followFilter = [&](const QString& filter) { dialog.setDefaultSuffix(suffixOf(filter)); };
+    followFilter(question.filters.value(0));
+    QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog, followFilter);
+  }
+  if (dialog.exec() != QDialog::Accepted) return {};
+  return dialog.selectedFiles().value(0);
+}
+
+QStringList meshFilters()
+{
+  QStringList all;
+  QStringList each;
+  for (const std::string_view extension : anyMeshExtensions()) {
+    const QString name = QString::fromUtf8(extension.data(), static_cast<int>(extension.size())).mid(1);
+    all << "*." + name;
+    each << QString("%1 (*.%2)").arg(name.toUpper(), name);
+  }
+  return QStringList{QCoreApplication::translate("holdfast::FileChooser", "Meshes (%1)").arg(all.join(' '))} + each;
 }
 
 }  // namespace holdfast

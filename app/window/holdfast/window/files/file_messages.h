@@ -1,15 +1,38 @@
 #pragma once
-/// \file
-/// Messages and questions about files, in boxes that say what is wrong, where, and what to do.
+/// How the user is asked for files, and told about them: boxes say what is wrong, where, and what to do.
 
 #include <QString>
 #include <QStringList>
 #include <exception>
 #include <filesystem>
+#include <functional>
+
+#include <holdfast/document/session_mesh.h>
 
 class QWidget;
 
 namespace holdfast {
+
+class BackgroundJob;
+
+struct FileQuestion {
+  enum class Purpose { Read, Write };
+  Purpose purpose = Purpose::Read;
+  QString title;
+  QString suggestion;  ///< a folder, or a file in it
+  QStringList
+      filters;  ///< "Sessions (*.holdfast)"; the first pattern of the chosen one is what a name without an ending gets
+};
+
+/// Returns the path that the user chose, empty where none. Every dialog for files goes through one of these: a program
+/// that drives the window puts its own in the place of `chooseFile`.
+using FileChooser = std::function<QString(QWidget* window, const FileQuestion& question)>;
+
+/// Asks with Qt's dialog, that of the desktop where there is one. A file is only overwritten after a question.
+[[nodiscard]] QString chooseFile(QWidget* window, const FileQuestion& question);
+
+/// "Meshes (*.obj *.ply ...)" and one filter for each format that is known.
+[[nodiscard]] QStringList meshFilters();
 
 [[nodiscard]] QString textOf(const std::filesystem::path& path);
 
@@ -19,6 +42,10 @@ void showProblem(QWidget* window, const QString& headline, const QString& reason
 
 /// `headline` says what was done; the notes are what the user should know about it.
 void showNotes(QWidget* window, const QString& headline, const QStringList& notes);
+
+/// What the work of `job`, which runs, has come to: in a small dialog that can cancel it, once it takes longer than a
+/// moment. The window stays usable.
+void showProgress(BackgroundJob& job, QWidget* window, const QString& title);
 
 enum class SaveAnswer { Save, Discard, Cancel };
 
@@ -30,8 +57,7 @@ enum class SaveAnswer { Save, Discard, Cancel };
 
 enum class MeshAnswer { Locate, UseAllTheSame, Cancel };
 
-/// What to do about the mesh of `session`; `explanation` says what is wrong with it. A missing one cannot be used.
-[[nodiscard]] MeshAnswer askAboutMissingMesh(QWidget* window, const QString& session, const QString& explanation);
-[[nodiscard]] MeshAnswer askAboutChangedMesh(QWidget* window, const QString& session, const QString& explanation);
+/// What to do about the mesh of `session`, which is missing or has changed. A missing one cannot be used.
+[[nodiscard]] MeshAnswer askAboutSessionMesh(QWidget* window, const QString& session, const ResolvedMesh& mesh);
 
 }  // namespace holdfast

@@ -21,51 +21,46 @@ QString textOf(int place, const QString& path)
 
 }  // namespace
 
-QStringList RecentFiles::paths() const
+QStringList recentFiles()
 {
   return QSettings().value(kKey).toStringList().mid(0, kMostRecentFiles);
 }
 
-void RecentFiles::add(const QString& path)
+void addRecentFile(const QString& path)
 {
   const QString absolute = QFileInfo(path).absoluteFilePath();
-  QStringList all = paths();
+  QStringList all = recentFiles();
   all.removeAll(absolute);
   all.prepend(absolute);
   QSettings().setValue(kKey, QStringList(all.mid(0, kMostRecentFiles)));
 }
 
-void RecentFiles::remove(const QString& path)
+void removeRecentFile(const QString& path)
 {
-  QStringList all = paths();
+  QStringList all = recentFiles();
   if (all.removeAll(QFileInfo(path).absoluteFilePath()) > 0) QSettings().setValue(kKey, all);
 }
 
-void RecentFiles::clear()
-{
-  QSettings().remove(kKey);
-}
-
-void RecentFiles::fill(QMenu& menu)
+void fillRecentMenu(QMenu& menu, const std::function<void(const QString&)>& open)
 {
   menu.clear();
   menu.setToolTipsVisible(true);
-  const QStringList all = paths();
+  const QStringList all = recentFiles();
   for (int place = 0; place < all.size(); ++place) {
     const QString path = all[place];
     const bool isThere = QFileInfo::exists(path);
-    QAction* action = menu.addAction(textOf(place, path), this, [this, path] { Q_EMIT chosen(path); });
+    QAction* action = menu.addAction(textOf(place, path), [open, path] { open(path); });
     action->setEnabled(isThere);
     const QString native = QDir::toNativeSeparators(path);
-    action->setToolTip(isThere ? native : tr("%1 is not there any more").arg(native));
+    action->setToolTip(isThere ? native : QObject::tr("%1 is not there any more").arg(native));
     action->setStatusTip(action->toolTip());
   }
   if (all.isEmpty()) {
-    menu.addAction(tr("Nothing was open yet"))->setEnabled(false);
+    menu.addAction(QObject::tr("Nothing was open yet"))->setEnabled(false);
     return;
   }
   menu.addSeparator();
-  menu.addAction(tr("&Forget these files"), this, &RecentFiles::clear);
+  menu.addAction(QObject::tr("&Forget these files"), [] { QSettings().remove(kKey); });
 }
 
 }  // namespace holdfast

@@ -1,36 +1,22 @@
 #pragma once
-/// \file
-/// The files that were open last, kept in the user's settings.
+/// The files that were open last, by their absolute paths, the latest first. The user's settings are the one truth:
+/// several windows share them.
 
-#include <QObject>
 #include <QStringList>
+#include <functional>
 
 class QMenu;
 
 namespace holdfast {
 
-/// At most this many.
 inline constexpr int kMostRecentFiles = 10;
 
-/// Meshes and sessions by their absolute paths, the latest first. The settings are the one truth: several windows share
-/// them.
-class RecentFiles : public QObject {
-  Q_OBJECT
+[[nodiscard]] QStringList recentFiles();
+void addRecentFile(const QString& path);
+void removeRecentFile(const QString& path);
 
- public:
-  using QObject::QObject;
-
-  [[nodiscard]] QStringList paths() const;
-  void add(const QString& path);
-  void remove(const QString& path);
-  void clear();
-
-  /// Puts an entry for each file in the place of what is in `menu`; one that is missing is grey. Call it each time
-  /// before the menu is shown.
-  void fill(QMenu& menu);
-
- Q_SIGNALS:
-  void chosen(const QString& path);
-};
+/// Puts an entry for each file in the place of what is in `menu`; one that is missing is grey. Call it each time before
+/// the menu is shown. `open` gets the path that the user chooses.
+void fillRecentMenu(QMenu& menu, const std::function<void(const QString&)>& open);
 
 }  // namespace holdfast

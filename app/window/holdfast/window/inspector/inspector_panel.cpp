@@ -22,23 +22,20 @@ class InspectorPanel final : public RefreshedPanel {
   {
     setObjectName("inspectorPanel");
     QWidget* content = new QWidget;
-    QVBoxLayout* layout = new QVBoxLayout(content);
-    layout->setContentsMargins(10, 10, 10, 10);
-    layout->setSpacing(6);
+    auto* layout = newLayout<QVBoxLayout>(content, 10, 6);
     makeHead(*layout);
-    for (const auto& [title, section] : {std::pair(tr("Place"), newLocationSection(editor)),
-                                         {tr("Target"), newTargetSection(editor)},
-                                         {tr("Vertices"), newVerticesSection(editor)},
-                                         {tr("Motion"), newHandleSection(editor)},
-                                         {tr("Frames"), newFrameSection(editor)},
-                                         {tr("Single vertices"), newSingleVerticesSection(editor)},
-                                         {tr("Places"), newRelativeSection(editor)},
-                                         {tr("Outcome"), newOutcomeSection(editor)}})
-      addSection(*layout, title, section);
+    for (InspectorSection* section :
+         {newLocationSection(editor), newTargetSection(editor), newVerticesSection(editor), newHandleSection(editor),
+          newFrameSection(editor), newSingleVerticesSection(editor), newRelativeSection(editor),
+          newOutcomeSection(editor)}) {
+      layout->addWidget(section);
+      connect(section, &InspectorSection::refused, this, [this](const QString& why) { showRefusal(*reason_, why); });
+      sections_.push_back(section);
+    }
     layout->addStretch(1);
     int widest = 0;
-    for (const Part& part : parts_) widest = std::max(widest, part.section->titleWidth());
-    for (const Part& part : parts_) part.section->setTitleWidth(widest);
+    for (const InspectorSection* section : sections_) widest = std::max(widest, section->titleWidth());
+    for (InspectorSection* section : sections_) section->setTitleWidth(widest);
     pages_ = new HintedContent(newScrollArea(content, tr("Selected constraints")), "inspectorEmpty");
     fill(*this, pages_);
 
@@ -53,11 +50,6 @@ class InspectorPanel final : public RefreshedPanel {
   }
 
  private:
-  struct Part {
-    QLabel* title = nullptr;
-    InspectorSection* section = nullptr;
-  };
-
   void makeHead(QVBoxLayout& layout)
   {
     kind_ = named(new QLabel, "inspectorKind");
@@ -70,19 +62,6 @@ class InspectorPanel final : public RefreshedPanel {
     connect(enabled_, &QCheckBox::clicked, this, &InspectorPanel::enable);
   }
 
-  void addSection(QVBoxLayout& layout, const QString& title, InspectorSection* section)
-  {
-    QLabel* label = new QLabel(title);
-    QFont font = label->font();
-    font.setBold(true);
-    label->setFont(font);
-    label->setContentsMargins(0, 8, 0, 0);
-    layout.addWidget(label);
-    layout.addWidget(section);
-    connect(section, &InspectorSection::refused, this, [this](const QString& why) { showRefusal(*reason_, why); });
-    parts_.push_back({label, section});
-  }
-
   void refresh() override
   {
     if (!isVisible()) return;
@@ -93,12 +72,11 @@ class InspectorPanel final : public RefreshedPanel {
       return pages_->showHint(tr("Select a constraint to see and edit it."));
     pages_->showContent();
     refreshHead();
-    for (const Part& part : parts_) {
+    for (InspectorSection* section : sections_) {
       const bool areFit = std::all_of(rows.begin(), rows.end(),
-                                      [&](Index row) { return part.section->fits(editor_.list().constraints[row]); });
-      part.section->setVisible(areFit);
-      if (areFit) part.section->inspect(rows);
-      part.title->setVisible(!part.section->isHidden());
+                                      [&](Index row) { return section->fits(editor_.list().constraints[row]); });
+      section->setVisible(areFit);
+      if (areFit) section->inspect(rows);
     }
   }
 
@@ -144,7 +122,7 @@ class InspectorPanel final : public RefreshedPanel {
   QLineEdit* name_ = nullptr;
   QCheckBox* enabled_ = nullptr;
   QLabel* reason_ = nullptr;
-  std::vector<Part> parts_;
+  std::vector<InspectorSection*> sections_;
 };
 
 }  // namespace

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The panel that shows what is selected with all digits, and edits it by typing.
 
 #include <holdfast/window/model/editor.h>

@@ -1,9 +1,8 @@
 #include "holdfast/window/inspector/inspector_section.h"
 
-#include <QComboBox>
 #include <QLabel>
 #include <QVBoxLayout>
-#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <holdfast/base/error.h>
@@ -11,16 +10,23 @@
 
 namespace holdfast {
 
-InspectorSection::InspectorSection(Editor& editor) : editor_(editor), lines_(new QVBoxLayout(this))
+InspectorSection::InspectorSection(Editor& editor, const QString& title)
+    : editor_(editor), lines_(newLayout<QVBoxLayout>(this, 0, 6))
 {
-  lines_->setContentsMargins(0, 0, 0, 0);
-  lines_->setSpacing(6);
+  auto* label = new QLabel("<b>" + title + "</b>");
+  label->setContentsMargins(0, 8, 0, 0);
+  lines_->addWidget(label);
 }
 
 void InspectorSection::inspect(const Rows& rows)
 {
   rows_ = rows;
   refresh();
+}
+
+void InspectorSection::refresh()
+{
+  for (const auto& refresh : refreshes_) refresh();
 }
 
 bool InspectorSection::isNews()
@@ -49,13 +55,9 @@ void InspectorSection::change(const QString& name, const Change& change)
 void InspectorSection::addRow(const QString& title, QWidget* field)
 {
   auto* line = new QWidget(this);
-  auto* layout = new QHBoxLayout(line);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(10);
-  auto* label = new QLabel(title, line);
+  auto* label = new QLabel(title);
   label->setBuddy(field);
-  layout->addWidget(label);
-  layout->addWidget(field, 1);
+  newLayout<QHBoxLayout>(line, 0, 10, {label, field})->setStretch(1, 1);
   lines_->addWidget(line);
   if (title.isNull())
     label->hide();
@@ -92,9 +94,18 @@ QComboBox* InspectorSection::addChoice(const QString& title, const QString& name
 {
   auto* box = named(new QComboBox(this), name, spoken);
   box->addItems(choices);
-  connect(box, qOverload<int>(&QComboBox::activated), this, choose);
+  connect(box, qOverload<int>(&QComboBox::activated), this, [this, choose](int choice) {
+    choose(choice);
+    refresh();
+  });
   addRow(title, box);
   return box;
+}
+
+QString InspectorSection::editName(const QString& pattern, const QStringList& words) const
+{
+  if (!pattern.contains("%2")) return pattern.arg(subject());
+  return words.size() == 1 ? pattern.arg(subject(), words[0]) : pattern.arg(subject(), words[0], words[1]);
 }
 
 QLabel& InspectorSection::titleOf(QWidget* field)
@@ -124,6 +135,15 @@ void InspectorSection::setTitleWidth(int width)
 QString axisText(int axis)
 {
   return QStringLiteral("xyz").mid(axis, 1);
+}
+
+Index wholeNumber(double typed, double least, const std::string& reason)
+{
+  // Doubles represent all whole numbers up to here.
+  constexpr double kMost = 9e15;
+  if (typed < least || std::abs(typed) > kMost || typed != std::floor(typed))
+    throw InputError({}, exactText(typed).toStdString() + ' ' + reason);
+  return static_cast<Index>(typed);
 }
 
 }  // namespace holdfast

@@ -1,9 +1,11 @@
 #pragma once
-/// \file
 /// One part of the inspector: what some kinds of constraints have in common, shown and edited.
 
+#include <QComboBox>
 #include <QString>
 #include <QWidget>
+#include <algorithm>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -12,20 +14,22 @@
 #include <holdfast/window/controls/number_edit.h>
 #include <holdfast/window/model/constraint_actions.h>
 #include <holdfast/window/model/editor.h>
+#include <holdfast/window/text/number_text.h>
 
-class QComboBox;
 class QLabel;
 class QVBoxLayout;
 
 namespace holdfast {
+
+/// "x", "y", "z".
+[[nodiscard]] QString axisText(int axis);
 
 /// Shows the constraints of some rows and edits all of them at once.
 class InspectorSection : public QWidget {
   Q_OBJECT
 
  public:
-  /// `editor` stays alive as long as this.
-  explicit InspectorSection(Editor& editor);
+  InspectorSection(Editor& editor, const QString& title);
 
   /// Whether the section applies to the constraint.
   [[nodiscard]] virtual bool fits(const Constraint& constraint) const = 0;
@@ -37,11 +41,10 @@ class InspectorSection : public QWidget {
   void setTitleWidth(int width);
 
  Q_SIGNALS:
-  /// An edit that makes no sense, and why.
   void refused(const QString& reason);
 
  protected:
-  virtual void refresh() = 0;
+  virtual void refresh();
   /// Whether the state or the rows differ from those of the last call. If not, lines that only make sense together keep
   /// what was typed into them.
   [[nodiscard]] bool isNews();
@@ -81,19 +84,19 @@ class InspectorSection : public QWidget {
 
   /// A field below the others, over the whole width if it has no title.
   void addRow(const QString& title, QWidget* field);
-  /// A line of text that can be selected and copied.
   [[nodiscard]] QLabel* addText(const QString& title, const QString& name);
   /// `spoken` is the title for screen readers, if the one that is shown does not say it all.
-  [[nodiscard]] VectorEdit* addVector(const QString& title, const QString& name, const QString& spoken = {});
-  [[nodiscard]] NumberEdit* addNumber(const QString& title, const QString& name);
-  /// `choose` gets the entry that the user chose.
-  [[nodiscard]] QComboBox* addChoice(const QString& title, const QString& name, const QString& spoken,
-                                     const QStringList& choices, const std::function<void(int)>& choose);
+  VectorEdit* addVector(const QString& title, const QString& name, const QString& spoken = {});
+  NumberEdit* addNumber(const QString& title, const QString& name);
+  QComboBox* addChoice(const QString& title, const QString& name, const QString& spoken, const QStringList& choices,
+                       const std::function<void(int)>& choose);
+  void addRefresh(std::function<void()> refresh) { refreshes_.push_back(std::move(refresh)); }
   /// A tool tip for a field and its title. Lines of numbers show all their digits instead.
   void explain(QWidget* field, const QString& text);
   [[nodiscard]] static QLabel& titleOf(QWidget* field);
-  /// Shows or hides a field with its title.
   static void setFieldVisible(QWidget* field, bool isVisible) { field->parentWidget()->setVisible(isVisible); }
+  /// The name of an edit: `pattern` with the subject and, if it has room for them, `words`.
+  [[nodiscard]] QString editName(const QString& pattern, const QStringList& words) const;
 
  private:
   Editor& editor_;
@@ -102,9 +105,10 @@ class InspectorSection : public QWidget {
   Rows reportedRows_;
   QVBoxLayout* lines_;
   std::vector<QLabel*> titles_;
+  std::vector<std::function<void()>> refreshes_;
 };
 
-/// A section of constraints of one kind.
+/// A section of constraints of one kind. Its fields are hidden unless `read` gives something for each of them.
 template <class What>
 class SectionOf : public InspectorSection {
  public:
@@ -120,18 +124,6 @@ class SectionOf : public InspectorSection {
   /// That of the first row.
   [[nodiscard]] const What& what() const { return what(rows().front()); }
 
-  template <class Read>
-  [[nodiscard]] std::optional<double> commonOf(Read read) const
-  {
-    return common([&](const Constraint& c) -> std::optional<double> { return read(std::get<What>(c.what)); });
-  }
-
-  template <class Read>
-  [[nodiscard]] VectorEdit::Numbers commonVectorOf(Read read) const
-  {
-    return commonVector([&](const Constraint& c) -> std::optional<Vector3> { return read(std::get<What>(c.what)); });
-  }
-
   /// `edit` changes each row, or returns false to leave it as it is.
   template <class Edit>
   void edit(const QString& name, Edit edit)
@@ -140,9 +132,76 @@ class SectionOf : public InspectorSection {
       return edit(std::get<What>(constraint.what)) ? std::optional(constraint) : std::nullopt;
     });
   }
+
+  enum class WithoutValue { Hidden, Shown };
+
+  /// `write(what, axis, number)` sets one number in the vector that `read(what)` gives.
+  template <class Read, class Write>
+  VectorEdit* bindVector(const QString& title, const QString& name, Read read, const QString& pattern, Write write,
+                         WithoutValue without = WithoutValue::Hidden)
+  {
+    VectorEdit* field = addVector(title, name);
+    const auto ofConstraint = [=](const Constraint& c) -> std::optional<Vector3> {
+      return read(std::get<What>(c.what));
+    };
+    addRefresh([=, this] {
+      if (without == WithoutValue::Hidden) showWhileGiven(field, read);
+      field->setNumbers(commonVector(ofConstraint));
+    });
+    connect(field, &VectorEdit::entered, this, [=, this](int axis, double number) {
+      edit(editName(pattern, {axisText(axis), exactText(number)}), [&](What& what) {
+        write(what, axis, number);
+        return true;
+      });
+    });
+    return field;
+  }
+
+  template <class Read, class Write>
+  NumberEdit* bindNumber(const QString& title, const QString& name, Read read, const QString& pattern, Write write)
+  {
+    NumberEdit* field = addNumber(title, name);
+    addRefresh([=, this] {
+      showWhileGiven(field, read);
+      field->setNumber(commonOf(read));
+    });
+    connect(field, &NumberEdit::entered, this, [=, this](double number) {
+      edit(editName(pattern, {exactText(number)}), [&](What& what) {
+        write(what, number);
+        return true;
+      });
+    });
+    return field;
+  }
+
+  template <class Read>
+  QComboBox* bindChoice(const QString& title, const QString& name, const QString& spoken, const QStringList& choices,
+                        Read read, const std::function<void(int)>& choose)
+  {
+    QComboBox* field = addChoice(title, name, spoken, choices, choose);
+    addRefresh([=, this] {
+      showWhileGiven(field, read);
+      field->setCurrentIndex(static_cast<int>(commonOf(read).value_or(-1)));
+    });
+    return field;
+  }
+
+ private:
+  template <class Read>
+  [[nodiscard]] std::optional<double> commonOf(Read read) const
+  {
+    return common([&](const Constraint& c) -> std::optional<double> { return read(std::get<What>(c.what)); });
+  }
+
+  template <class Read>
+  void showWhileGiven(QWidget* field, Read read)
+  {
+    setFieldVisible(field, std::all_of(rows().begin(), rows().end(),
+                                       [&](Index row) { return std::optional(read(what(row))).has_value(); }));
+  }
 };
 
-/// "x", "y", "z".
-[[nodiscard]] QString axisText(int axis);
+/// What was typed, if it is a whole number from `least` on; else throws `InputError` with `reason`.
+[[nodiscard]] Index wholeNumber(double typed, double least, const std::string& reason);
 
 }  // namespace holdfast

@@ -6,7 +6,6 @@
 #include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/controls/status_style.h>
 #include <holdfast/window/inspector/sections.h>
-#include <holdfast/window/model/outcome_lookup.h>
 #include <holdfast/window/text/constraint_text.h>
 #include <holdfast/window/text/number_text.h>
 
@@ -15,52 +14,49 @@ namespace {
 
 class OutcomeSection : public InspectorSection {
  public:
-  explicit OutcomeSection(Editor& editor) : InspectorSection(editor), outcomes_(editor)
+  explicit OutcomeSection(Editor& editor) : InspectorSection(editor, tr("Outcome"))
   {
     QWidget* line = new QWidget(this);
-    QHBoxLayout* layout = new QHBoxLayout(line);
-    layout->setContentsMargins(0, 0, 0, 0);
-    icon_ = new QLabel(line);
-    status_ = named(new QLabel(line), "outcomeStatus");
+    icon_ = new QLabel;
+    status_ = named(new QLabel, "outcomeStatus");
     status_->setWordWrap(true);
-    layout->addWidget(icon_);
-    layout->addWidget(status_, 1);
+    newLayout<QHBoxLayout>(line, 0, 6, {icon_, status_})->setStretch(1, 1);
     addRow(tr("Status"), line);
-    residual_ = addText(tr("Residual"), "outcomeResidual");
-    gap_ = addText(tr("Gap"), "outcomeGap");
-    multiplier_ = addText(tr("Force"), "outcomeForce");
-    sensitivity_ = addText(tr("Amplification"), "outcomeAmplification");
-    age_ = addText({}, "outcomeAge");
-    age_->setText(tr("These values are of the list before the latest changes."));
+    addRefresh([this] { showStatus(); });
+    addLargest(tr("Residual"), "outcomeResidual", &ConstraintOutcome::residual, Unit::Length);
+    addLargest(tr("Gap"), "outcomeGap", &ConstraintOutcome::gap, Unit::Length);
+    addLargest(tr("Force"), "outcomeForce", &ConstraintOutcome::multiplier, Unit::None);
+    addLargest(tr("Amplification"), "outcomeAmplification", &ConstraintOutcome::sensitivity, Unit::None);
+    QLabel* age = addText({}, "outcomeAge");
+    age->setText(tr("These values are of the list before the latest changes."));
+    addRefresh([this, age] {
+      setFieldVisible(age, !this->editor().isCurrent());
+      setQuiet(*age, true);
+    });
   }
 
   bool fits(const Constraint& /*constraint*/) const override { return true; }
 
  private:
-  void refresh() override
+  enum class Unit { None, Length };
+
+  void addLargest(const QString& title, const QString& name, std::optional<double> ConstraintOutcome::*number,
+                  Unit unit)
   {
-    const std::string& units = editor().list().units;
-    showStatus();
-    showLargest(residual_, &ConstraintOutcome::residual, units);
-    showLargest(gap_, &ConstraintOutcome::gap, units);
-    showLargest(multiplier_, &ConstraintOutcome::multiplier, {});
-    showLargest(sensitivity_, &ConstraintOutcome::sensitivity, {});
-    const bool isCurrent = areResultsCurrent(editor());
-    setFieldVisible(age_, !isCurrent);
-    QPalette own = palette();
-    if (!isCurrent) own.setColor(QPalette::WindowText, quietColor(own));
-    for (QLabel* label : {status_, residual_, gap_, multiplier_, sensitivity_, age_}) label->setPalette(own);
+    QLabel* label = addText(title, name);
+    addRefresh([=, this] { showLargest(label, number, unit == Unit::Length ? editor().list().units : ""); });
   }
 
   void showStatus()
   {
     std::map<std::optional<ConstraintStatus>, int> counts;
-    for (const Index row : rows()) ++counts[shownStatus(constraint(row), outcomes_.find(constraint(row).name, row))];
+    for (const Index row : rows()) ++counts[editor().status(constraint(row), row)];
+    setQuiet(*status_, !editor().isCurrent());
     icon_->setVisible(counts.size() == 1);
     if (counts.size() == 1) {
       const std::optional<ConstraintStatus> status = counts.begin()->first;
       const int side = style()->pixelMetric(QStyle::PM_SmallIconSize);
-      icon_->setPixmap(statusIcon(status, lightnessOf(palette())).pixmap(side, side));
+      icon_->setPixmap(statusIcon(status, palette()).pixmap(side, side));
       status_->setText(statusText(status));
       status_->setToolTip(statusMeaning(status));
       return;
@@ -75,7 +71,7 @@ class OutcomeSection : public InspectorSection {
   {
     std::optional<double> largest;
     for (const Index row : rows()) {
-      const ConstraintOutcome* outcome = outcomes_.find(constraint(row).name, row);
+      const ConstraintOutcome* outcome = editor().outcome(constraint(row).name, row);
       if (outcome == nullptr || !constraint(row).isEnabled || !(outcome->*number)) continue;
       largest = std::max(largest.value_or(0), *(outcome->*number));
     }
@@ -84,16 +80,11 @@ class OutcomeSection : public InspectorSection {
     const QString text = lengthText(*largest, units);
     label->setText(rows().size() == 1 ? text : tr("%1 at most").arg(text));
     label->setToolTip(exactText(*largest));
+    setQuiet(*label, !editor().isCurrent());
   }
 
-  OutcomeLookup outcomes_;
   QLabel* icon_ = nullptr;
   QLabel* status_ = nullptr;
-  QLabel* residual_ = nullptr;
-  QLabel* gap_ = nullptr;
-  QLabel* multiplier_ = nullptr;
-  QLabel* sensitivity_ = nullptr;
-  QLabel* age_ = nullptr;
 };
 
 }  // namespace

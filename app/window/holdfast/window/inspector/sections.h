@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The sections of the inspector, one for each property of constraints. A layout takes them; `editor` outlives them.
 
 #include <holdfast/window/inspector/inspector_section.h>
@@ -14,9 +13,9 @@ namespace holdfast {
 [[nodiscard]] InspectorSection* newVerticesSection(Editor& editor);
 /// How handles turn and where they go.
 [[nodiscard]] InspectorSection* newHandleSection(Editor& editor);
-/// The frames of handles that go from one frame in space to another, and the whole turns between them.
+/// The frames between which handles go, and the whole turns between them.
 [[nodiscard]] InspectorSection* newFrameSection(Editor& editor);
-/// Rotations and targets of single vertices: for one handle that lists its vertices. For others the reason why not.
+/// Rotations and targets of the vertices that one handle lists; for others the reason why not.
 [[nodiscard]] InspectorSection* newSingleVerticesSection(Editor& editor);
 /// Which places relative constraints keep together, and how.
 [[nodiscard]] InspectorSection* newRelativeSection(Editor& editor);

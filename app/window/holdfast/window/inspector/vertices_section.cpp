@@ -5,7 +5,6 @@
 #include <holdfast/window/inspector/sections.h>
 #include <holdfast/window/model/at_rest.h>
 #include <holdfast/window/text/constraint_text.h>
-#include <holdfast/window/text/number_text.h>
 
 namespace holdfast {
 namespace {
@@ -15,7 +14,7 @@ constexpr std::size_t kMostCounted = 50;
 
 class VerticesSection : public InspectorSection {
  public:
-  explicit VerticesSection(Editor& editor) : InspectorSection(editor)
+  explicit VerticesSection(Editor& editor) : InspectorSection(editor, tr("Vertices"))
   {
     how_ = addText(tr("Selects"), "verticesHow");
     count_ = addText(tr("Holds"), "verticesCount");
@@ -32,15 +31,11 @@ class VerticesSection : public InspectorSection {
     setFieldVisible(how_, rows().size() == 1);
     if (rows().size() == 1) how_->setText(selectionText(*selectionOf(constraint(rows().front()))));
     // A drag moves what is selected and selects nothing else.
-    const bool isSame =
-        counted_ == editor().history().state() || (counted_ != nullptr && editor().history().isInGesture());
-    if (!isSame || countedRows_ != rows()) count();
+    if (isNews() && !(editor().history().isInGesture() && !count_->text().isEmpty())) count();
   }
 
   void count()
   {
-    counted_ = editor().history().state();
-    countedRows_ = rows();
     select_->setEnabled(true);
     if (rows().size() > kMostCounted) return count_->setText(tr("not counted for so many constraints"));
     Index count = 0;
@@ -65,8 +60,6 @@ class VerticesSection : public InspectorSection {
     editor().selectVertices(std::move(all));
   }
 
-  std::shared_ptr<const DocumentState> counted_;
-  Rows countedRows_;
   QLabel* count_ = nullptr;
   QLabel* how_ = nullptr;
   QPushButton* select_ = nullptr;

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The places and vertices that constraints name, on the mesh of an editor at rest.
 
 #include <optional>

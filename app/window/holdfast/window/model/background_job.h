@@ -1,19 +1,43 @@
 #pragma once
-/// \file
-/// Work that takes long, on a thread of its own, so that the window never waits.
+/// Work that takes long, on a thread of its own, so that the window never waits; and how threads call the window.
 
 #include <QObject>
 #include <QString>
 #include <cstdint>
+#include <deque>
 #include <exception>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 #include <holdfast/base/progress.h>
-#include <holdfast/window/model/posted_calls.h>
 
 namespace holdfast {
+
+/// Calls posted by other threads run one by one, in their order, on the thread that this object lives on. Its
+/// destructor drops those that are left.
+///
+/// A mutex of the standard library guards them, not Qt's queue of events: the thread sanitizer does not see the locks
+/// of Qt, which is not built for it.
+class PostedCalls final : public QObject {
+ public:
+  using Call = std::function<void()>;
+
+  using QObject::QObject;
+
+  /// From any thread, as long as this object lives.
+  void post(Call call);
+
+ protected:
+  void customEvent(QEvent* event) override;
+
+ private:
+  Call next();
+
+  std::mutex mutex_;  // guards what follows, and the making of events
+  std::deque<Call> calls_;
+};
 
 /// One piece of work at a time; the newest one counts. Lives on the thread of the window, where all signals come.
 class BackgroundJob : public QObject {

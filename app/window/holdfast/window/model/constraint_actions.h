@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// What a user does to constraints: each is one named entry of the history, whichever menu, tool or panel asks for it.
 
 #include <QString>

@@ -1,6 +1,5 @@
 #include "holdfast/window/model/editor.h"
 
-#include <QFileInfo>
 #include <algorithm>
 #include <cassert>
 #include <utility>
@@ -19,9 +18,12 @@ std::shared_ptr<const VisibleSurface> moved(const VisibleSurface& atRest,
 
 }  // namespace
 
-Editor::Editor(QObject* parent) : QObject(parent) {}
-
-Editor::~Editor() = default;
+std::vector<Index> sortedOnce(std::vector<Index> numbers)
+{
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  return numbers;
+}
 
 void Editor::open(LoadedMesh mesh, DocumentState state)
 {
@@ -51,10 +53,8 @@ void Editor::close()
   mesh_ = {};
   submitted_.clear();
   solved_.clear();
-  deformation_.reset();
-  deformedState_.reset();
-  deformedSurface_.reset();
-  deformedMarks_.reset();
+  outcomeOf_.clear();
+  shown_ = {};
   selectedVertices_.clear();
   selectedShape_.reset();
   selectedConstraints_.clear();
@@ -63,9 +63,24 @@ void Editor::close()
   Q_EMIT opened();
 }
 
-const std::shared_ptr<const VisibleSurface>& Editor::surface() const
+const ConstraintOutcome* Editor::outcome(const std::string& name, Index row) const
 {
-  return deformedSurface_ ? deformedSurface_ : mesh_.surface;
+  if (deformation() == nullptr) return nullptr;
+  const std::vector<ConstraintOutcome>& outcomes = deformation()->report.constraints;
+  if (row < static_cast<Index>(outcomes.size()) && outcomes[row].name == name) return &outcomes[row];
+  if (outcomeOf_.empty())
+    for (const ConstraintOutcome& outcome : outcomes)
+      outcomeOf_.emplace(outcome.name, static_cast<Index>(outcomeOf_.size()));
+  const auto found = outcomeOf_.find(name);
+  return found == outcomeOf_.end() ? nullptr : &outcomes[found->second];
+}
+
+std::optional<ConstraintStatus> Editor::status(const Constraint& constraint, Index row) const
+{
+  if (!constraint.isEnabled) return ConstraintStatus::Disabled;
+  const ConstraintOutcome* found = outcome(constraint.name, row);
+  if (found == nullptr || found->status == ConstraintStatus::Disabled) return std::nullopt;
+  return found->status;
 }
 
 void Editor::edit(const QString& name, ConstraintList after)
@@ -78,11 +93,6 @@ void Editor::setOptions(const QString& name, const DeformOptions& options)
 {
   history_->edit(name.toStdString(), {list(), options});
   stateBecame(Supersede::AtNextStep);
-}
-
-void Editor::beginGesture(const QString& name)
-{
-  history_->beginGesture(name.toStdString());
 }
 
 void Editor::updateGesture(ConstraintList after)
@@ -103,16 +113,6 @@ void Editor::cancelGesture()
   if (!history_->isInGesture()) return;
   history_->cancelGesture();
   stateBecame(Supersede::AtNextStep);
-}
-
-void Editor::undo()
-{
-  if (isOpen() && history_->undo()) stateBecame(Supersede::AtNextStep);
-}
-
-void Editor::redo()
-{
-  if (isOpen() && history_->redo()) stateBecame(Supersede::AtNextStep);
 }
 
 void Editor::markSaved(std::shared_ptr<const DocumentState> state)
@@ -138,56 +138,45 @@ void Editor::cancelSolving()
 
 void Editor::solve()
 {
-  if (!isOpen()) return;
-  const auto state = history_->state();
-  ++revision_;
-  submitted_.emplace_back(revision_, state);
-  setSolveState(SolveState::Solving, {});
-  worker_->submit(revision_, state, mesh_.path.filename().string(), Supersede::AtNextStep);
+  if (isOpen()) submit(Supersede::AtNextStep);
 }
 
-void Editor::stateBecame(Supersede supersede)
+void Editor::submit(Supersede supersede)
 {
-  dropVanishedSelection();
   const auto state = history_->state();
-  if (const auto known = remembered(state)) {
-    worker_->cancel();
-    submitted_.clear();
-    setStep({});
-    show(*known);
-    setSolveState(SolveState::Current, {});
-    Q_EMIT stateChanged();
-    return;
-  }
   ++revision_;
   submitted_.emplace_back(revision_, state);
   setSolveState(SolveState::Solving, {});
   worker_->submit(revision_, state, mesh_.path.filename().string(), supersede);
+}
+
+void Editor::stateBecame(Supersede supersede)
+{
+  auto kept = selectedConstraints_;
+  std::erase_if(kept, [&](Index k) { return k >= static_cast<Index>(list().constraints.size()); });
+  selectConstraints(std::move(kept));
+  const auto known = std::find_if(solved_.begin(), solved_.end(),
+                                  [&](const Solved& solved) { return solved.state == history_->state(); });
+  if (known == solved_.end()) {
+    submit(supersede);
+  } else {
+    worker_->cancel();
+    submitted_.clear();
+    setStep({});
+    show(Solved(*known));
+    setSolveState(SolveState::Current, {});
+  }
   Q_EMIT stateChanged();
 }
 
 void Editor::show(Solved solved)
 {
-  remember(solved);
-  deformedState_ = std::move(solved.state);
-  deformation_ = std::move(solved.deformation);
-  deformedSurface_ = std::move(solved.surface);
-  deformedMarks_ = std::move(solved.marks);
-  Q_EMIT deformed();
-}
-
-void Editor::remember(const Solved& solved)
-{
-  std::erase_if(solved_, [&](const Solved& other) { return other.state == solved.state; });
-  solved_.push_back(solved);
+  outcomeOf_.clear();
+  shown_ = std::move(solved);
+  std::erase_if(solved_, [&](const Solved& other) { return other.state == shown_.state; });
+  solved_.push_back(shown_);
   if (solved_.size() > kRemembered) solved_.pop_front();
-}
-
-std::optional<Editor::Solved> Editor::remembered(const std::shared_ptr<const DocumentState>& state) const
-{
-  const auto found =
-      std::find_if(solved_.begin(), solved_.end(), [&](const Solved& solved) { return solved.state == state; });
-  return found == solved_.end() ? std::nullopt : std::optional(*found);
+  Q_EMIT deformed();
 }
 
 void Editor::handle(const LiveEvent& event, Solved solved)
@@ -227,8 +216,7 @@ void Editor::setStep(const QString& step)
 
 void Editor::selectVertices(std::vector<Index> vertices, std::optional<Selection> shape)
 {
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  vertices = sortedOnce(std::move(vertices));
   selectedShape_ = std::move(shape);
   if (vertices == selectedVertices_) return;
   selectedVertices_ = std::move(vertices);
@@ -242,19 +230,10 @@ Selection Editor::selection() const
 
 void Editor::selectConstraints(std::vector<Index> constraints)
 {
-  std::sort(constraints.begin(), constraints.end());
-  constraints.erase(std::unique(constraints.begin(), constraints.end()), constraints.end());
+  constraints = sortedOnce(std::move(constraints));
   if (constraints == selectedConstraints_) return;
   selectedConstraints_ = std::move(constraints);
   Q_EMIT constraintSelectionChanged();
-}
-
-void Editor::dropVanishedSelection()
-{
-  auto kept = selectedConstraints_;
-  const Index size = static_cast<Index>(list().constraints.size());
-  std::erase_if(kept, [&](Index k) { return k >= size; });
-  selectConstraints(std::move(kept));
 }
 
 }  // namespace holdfast

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The open document, the one truth of the window: constraints, selection and the newest deformation.
 
 #include <QObject>
@@ -8,15 +7,20 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include <holdfast/document/history.h>
 #include <holdfast/document/live_deformer.h>
 #include <holdfast/widgets/marks/mark_set.h>
+#include <holdfast/window/model/background_job.h>
 #include <holdfast/window/model/loaded_mesh.h>
-#include <holdfast/window/model/posted_calls.h>
 
 namespace holdfast {
+
+/// Ascending, each once.
+[[nodiscard]] std::vector<Index> sortedOnce(std::vector<Index> numbers);
 
 /// Whether the picture shows the newest state.
 enum class SolveState {
@@ -33,10 +37,8 @@ class Editor : public QObject {
   Q_OBJECT
 
  public:
-  explicit Editor(QObject* parent = nullptr);
-  ~Editor() override;
+  using QObject::QObject;
 
-  /// Replaces the document: history, selection and deformation begin anew.
   void open(LoadedMesh mesh, DocumentState state);
   void close();
   [[nodiscard]] bool isOpen() const noexcept { return mesh_.model != nullptr; }
@@ -49,15 +51,24 @@ class Editor : public QObject {
   [[nodiscard]] const History& history() const { return *history_; }
 
   /// The newest finished deformation; null before the first, and without a document.
-  [[nodiscard]] const std::shared_ptr<const DeformResult>& deformation() const noexcept { return deformation_; }
+  [[nodiscard]] const std::shared_ptr<const DeformResult>& deformation() const noexcept { return shown_.deformation; }
   /// The state of `deformation`; null with it. Names and places in the report belong to its list.
-  [[nodiscard]] const std::shared_ptr<const DocumentState>& deformedState() const noexcept { return deformedState_; }
-  /// Deformed, or at rest before the first deformation.
+  [[nodiscard]] const std::shared_ptr<const DocumentState>& deformedState() const noexcept { return shown_.state; }
   [[nodiscard]] const Positions& positions() const { return surface()->positions(); }
-  [[nodiscard]] const std::shared_ptr<const VisibleSurface>& surface() const;
+  [[nodiscard]] const std::shared_ptr<const VisibleSurface>& surface() const
+  {
+    return shown_.surface ? shown_.surface : mesh_.surface;
+  }
   /// Where the constraints of `deformedState` act in `deformation`, disabled ones last; null with it.
-  [[nodiscard]] const std::shared_ptr<const MarkSet>& marks() const noexcept { return deformedMarks_; }
+  [[nodiscard]] const std::shared_ptr<const MarkSet>& marks() const noexcept { return shown_.marks; }
+  /// The outcome of the constraint of this name; null if nothing was solved with it. Looked for at `row` first: the
+  /// list may be another than that of `deformation`. O(1), after O(constraints) if it is.
+  [[nodiscard]] const ConstraintOutcome* outcome(const std::string& name, Index row) const;
+  /// That of its outcome; disabled if the list says so, nothing without an outcome or if it was disabled then.
+  [[nodiscard]] std::optional<ConstraintStatus> status(const Constraint& constraint, Index row) const;
   [[nodiscard]] SolveState solveState() const noexcept { return solveState_; }
+  /// Whether results are those of the list on screen.
+  [[nodiscard]] bool isCurrent() const noexcept { return solveState_ == SolveState::Current; }
   /// Why the newest state cannot be solved; empty otherwise.
   [[nodiscard]] const QString& error() const noexcept { return error_; }
   /// The current step of the worker; empty while it is idle.
@@ -67,12 +78,18 @@ class Editor : public QObject {
   void edit(const QString& name, ConstraintList after);
   void setOptions(const QString& name, const DeformOptions& options);
   /// A drag: any number of states, one entry. `cancelGesture` restores the state and the picture before it.
-  void beginGesture(const QString& name);
+  void beginGesture(const QString& name) { history_->beginGesture(name.toStdString()); }
   void updateGesture(ConstraintList after);
   void endGesture();
   void cancelGesture();
-  void undo();
-  void redo();
+  void undo()
+  {
+    if (isOpen() && history_->undo()) stateBecame(Supersede::AtNextStep);
+  }
+  void redo()
+  {
+    if (isOpen() && history_->redo()) stateBecame(Supersede::AtNextStep);
+  }
   /// The user's file holds `state`, which was shown before.
   void markSaved(std::shared_ptr<const DocumentState> state);
   /// The document is in no file although nothing was edited: a copy that a crash has left.
@@ -87,7 +104,6 @@ class Editor : public QObject {
   [[nodiscard]] const std::vector<Index>& selectedConstraints() const noexcept { return selectedConstraints_; }
   /// `shape` replaces the ids in constraints on these vertices, as long as they stay selected: a curve.
   void selectVertices(std::vector<Index> vertices, std::optional<Selection> shape = std::nullopt);
-  /// The selected vertices as a constraint names them.
   [[nodiscard]] Selection selection() const;
   void selectConstraints(std::vector<Index> constraints);
 
@@ -109,14 +125,12 @@ class Editor : public QObject {
     std::shared_ptr<const MarkSet> marks;
   };
 
+  void submit(Supersede supersede);
   void stateBecame(Supersede supersede);
   void show(Solved solved);
-  void remember(const Solved& solved);
-  [[nodiscard]] std::optional<Solved> remembered(const std::shared_ptr<const DocumentState>& state) const;
   void handle(const LiveEvent& event, Solved solved);
   void setSolveState(SolveState solveState, const QString& error);
   void setStep(const QString& step);
-  void dropVanishedSelection();
 
   LoadedMesh mesh_;
   std::unique_ptr<History> history_;
@@ -126,10 +140,9 @@ class Editor : public QObject {
   std::uint64_t revision_ = 0;  // of the newest state that was submitted, of any document
   std::deque<std::pair<std::uint64_t, std::shared_ptr<const DocumentState>>> submitted_;
   std::deque<Solved> solved_;  // the latest few, so that undo shows at once what was there
-  std::shared_ptr<const DeformResult> deformation_;
-  std::shared_ptr<const DocumentState> deformedState_;
-  std::shared_ptr<const VisibleSurface> deformedSurface_;
-  std::shared_ptr<const MarkSet> deformedMarks_;
+  Solved shown_;
+  mutable std::unordered_map<std::string_view, Index>
+      outcomeOf_;  // by name, in the report of `shown_`; empty until used
   SolveState solveState_ = SolveState::Nothing;
   QString error_;
   QString step_;

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// A mesh file and all that the window needs of it, made on any thread.
 
 #include <filesystem>
@@ -15,7 +14,6 @@
 
 namespace holdfast {
 
-/// What does not change while a mesh is open.
 struct LoadedMesh {
   std::filesystem::path path;
   MeshDocument document;

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The panel in which a user chooses colours, and what is shown beside the surface.
 
 #include <QWidget>
@@ -27,10 +26,8 @@ class ColorPanel : public QWidget {
   explicit ColorPanel(Editor& editor, QWidget* parent = nullptr);
 
   [[nodiscard]] const ColorSettings& settings() const noexcept { return settings_; }
-  [[nodiscard]] const DisplaySettings& displaySettings() const noexcept { return display_; }
 
  public Q_SLOTS:
-  /// Without signals.
   void setSettings(const ColorSettings& settings);
   void setDisplaySettings(const DisplaySettings& settings);
   /// The scale of what is on screen, none in one colour. An automatic range shows it, and a fixed range begins with it.
@@ -45,17 +42,14 @@ class ColorPanel : public QWidget {
   void makeDisplayRows(QFormLayout& form);
   [[nodiscard]] QWidget* makeFixedRange();
   [[nodiscard]] QWidget* makeLogarithmicRange();
-  void showSettings();
   void explain();
   void chooseRangeKind(int kind);
-  void takeFixedRange();
+  void takeRange();
   void takeDisplay();
   void refuse(const QString& reason);
-  void changeRange(const ColorRange& range);
 
   Editor& editor_;
   ColorSettings settings_;
-  DisplaySettings display_;
   std::optional<ColorScale> shownScale_;
   QComboBox* field_ = nullptr;
   QLabel* explanation_ = nullptr;

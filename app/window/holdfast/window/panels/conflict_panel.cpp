@@ -13,7 +13,6 @@
 #include <holdfast/window/controls/status_style.h>
 #include <holdfast/window/model/at_rest.h>
 #include <holdfast/window/model/constraint_actions.h>
-#include <holdfast/window/model/outcome_lookup.h>
 #include <holdfast/window/panels/panels.h>
 #include <holdfast/window/text/constraint_text.h>
 #include <holdfast/window/text/number_text.h>
@@ -102,9 +101,7 @@ class ConflictPanel final : public RefreshedPanel {
     error_ = named(new Card, "conflictError");
     error_->setTitle(tr("The constraints cannot be solved as they are."));
     conflicts_ = new QWidget;
-    conflictLayout_ = new QVBoxLayout(conflicts_);
-    conflictLayout_->setContentsMargins(0, 0, 0, 0);
-    conflictLayout_->setSpacing(8);
+    conflictLayout_ = newLayout<QVBoxLayout>(conflicts_, 0, 8);
     more_ = newText("conflictMore");
     repetitionTitle_ = newText("repetitionTitle");
     repetitionTitle_->setText(tr("Repeated, in agreement"));
@@ -159,7 +156,7 @@ class ConflictPanel final : public RefreshedPanel {
     const bool isUnusable = editor_.solveState() == SolveState::Unusable;
     error_->setVisible(isUnusable);
     if (!isUnusable) return;
-    error_->setIcon(statusIcon(ConstraintStatus::Conflicting, lightnessOf(palette())));
+    error_->setIcon(statusIcon(ConstraintStatus::Conflicting, palette()));
     error_->setText(editor_.error());
   }
 
@@ -185,9 +182,7 @@ class ConflictPanel final : public RefreshedPanel {
     if (repetitions.size() > kMostRepetitions)
       lines << tr("%n more are in the table.", nullptr, static_cast<int>(repetitions.size() - kMostRepetitions));
     repetitions_->setText(lines.join('\n'));
-    QPalette own = palette();
-    own.setColor(QPalette::WindowText, quietColor(own));
-    repetitions_->setPalette(own);
+    setQuiet(*repetitions_, true);
   }
 
   void addCard()
@@ -209,7 +204,7 @@ class ConflictPanel final : public RefreshedPanel {
   {
     card.conflict = conflict;
     const std::string& units = editor_.list().units;
-    card.card->setIcon(statusIcon(ConstraintStatus::Conflicting, lightnessOf(palette())));
+    card.card->setIcon(statusIcon(ConstraintStatus::Conflicting, palette()));
     card.card->setTitle(conflictText(*conflict.outcome, *conflict.conflictSet, units));
     card.card->setText(gapText(*conflict.outcome, *conflict.conflictSet, units));
     card.card->setToolTip(exactText(conflict.conflictSet->gap));
@@ -220,7 +215,7 @@ class ConflictPanel final : public RefreshedPanel {
   {
     const auto& [outcome, conflictSet] = card.conflict;
     // Repairs belong to the list that was solved, and wait while another one is on screen.
-    const bool isCurrent = areResultsCurrent(editor_);
+    const bool isCurrent = editor_.isCurrent();
     card.card->setEnabled(isCurrent);
     card.disable->setText(tr("Disable %1").arg(inFewLetters(conflictSet->disable)));
     card.disable->setToolTip(
@@ -233,19 +228,16 @@ class ConflictPanel final : public RefreshedPanel {
         tr("Gives %1 the target %2, which agrees with the others").arg(quoted(outcome->name), exactText(*target)));
   }
 
-  Rows rowsOf(const Conflict& conflict) const
+  void selectSet(std::size_t card)
   {
+    const auto& [outcome, conflictSet] = cards_[card].conflict;
+    std::vector<std::string> names = conflictSet->with;
+    names.push_back(outcome->name);
     Rows rows;
-    const auto add = [&](const std::string& name) {
+    for (const std::string& name : names)
       if (const std::optional<Index> row = indexOf(editor_.list(), name)) rows.push_back(*row);
-    };
-    for (const std::string& name : conflict.conflictSet->with) add(name);
-    add(conflict.outcome->name);
-    std::sort(rows.begin(), rows.end());
-    return rows;
+    editor_.selectConstraints(std::move(rows));
   }
-
-  void selectSet(std::size_t card) { editor_.selectConstraints(rowsOf(cards_[card].conflict)); }
 
   void disable(std::size_t card)
   {

@@ -1,6 +1,5 @@
-#include <QLabel>
 #include <QPushButton>
-#include <algorithm>
+#include <utility>
 
 #include <holdfast/document/list_edits.h>
 #include <holdfast/window/controls/card.h>
@@ -105,9 +104,7 @@ std::vector<Index> verticesOf(const Finding& finding, const Mesh& mesh)
   if (finding.idsOf == "face")
     for (const Index face : finding.ids)
       vertices.insert(vertices.end(), mesh.faces[face].begin(), mesh.faces[face].end());
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  return vertices;
+  return sortedOnce(std::move(vertices));
 }
 
 QWidget* newFindingsPanel(Editor& editor, const std::function<void(const std::vector<Index>&)>& showVertices)

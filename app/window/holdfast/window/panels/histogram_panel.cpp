@@ -4,14 +4,12 @@
 #include <QSplitter>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <unordered_set>
 
 #include <holdfast/deform/deform_details.h>
 #include <holdfast/geometry/rotation_log.h>
 #include <holdfast/widgets/rotation_sphere/rotation_projection.h>
-#include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/panels/histogram_view.h>
 #include <holdfast/window/text/number_text.h>
 
@@ -25,6 +23,7 @@ constexpr int kFirstPower = -17;
 constexpr int kLastPower = -11;
 
 constexpr Index kMostAngleBins = 25;
+
 std::vector<double> residualShares(const DeformResult& deformation, double diagonal)
 {
   std::vector<double> shares;
@@ -36,9 +35,7 @@ std::vector<double> residualShares(const DeformResult& deformation, double diago
 /// The smallest limit of a constraint as a share of the diagonal: what is marked.
 double leastLimit(const DeformResult& deformation, double diagonal)
 {
-  double least = std::numeric_limits<double>::infinity();
-  for (const double limit : deformation.details->diagnosis.limits) least = std::min(least, limit / diagonal);
-  return least;
+  return std::ranges::min(deformation.details->diagnosis.limits) / diagonal;
 }
 
 Index countWithinLimits(const std::vector<ConstraintOutcome>& outcomes)
@@ -61,7 +58,7 @@ std::vector<double> anglesOf(const Model& model, const DeformResult& deformation
 
 }  // namespace
 
-HistogramPanel::HistogramPanel(Editor& editor, QWidget* parent) : QWidget(parent), editor_(editor)
+HistogramPanel::HistogramPanel(Editor& editor) : editor_(editor)
 {
   setObjectName("histogramPanel");
   auto* splitter = new QSplitter(Qt::Vertical, this);
@@ -72,9 +69,10 @@ HistogramPanel::HistogramPanel(Editor& editor, QWidget* parent) : QWidget(parent
   splitter->addWidget(angles_.content);
   fill(*this, splitter);
   connect(residuals_.view, &HistogramView::barClicked, this, &HistogramPanel::pickConstraints);
-  connect(angles_.view, &HistogramView::barClicked, this, &HistogramPanel::pickVertices);
-  connect(&editor_, &Editor::opened, this, &HistogramPanel::becomeStale);
-  connect(&editor_, &Editor::deformed, this, &HistogramPanel::becomeStale);
+  connect(angles_.view, &HistogramView::barClicked, this,
+          [this](Index bar) { Q_EMIT verticesPicked(placesInBin(angles_.view->histogram(), angles_.values, bar)); });
+  connect(&editor_, &Editor::opened, this, &HistogramPanel::refresh);
+  connect(&editor_, &Editor::deformed, this, &HistogramPanel::refresh);
 }
 
 HistogramPanel::Page HistogramPanel::makePage(const QString& name)
@@ -84,24 +82,14 @@ HistogramPanel::Page HistogramPanel::makePage(const QString& name)
   page.title->setContentsMargins(6, 2, 6, 2);
   page.view = named(new HistogramView, name + "View");
   auto* chart = new QWidget;
-  auto* column = new QVBoxLayout(chart);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(2);
-  column->addWidget(page.title);
-  column->addWidget(page.view, 1);
+  newLayout<QVBoxLayout>(chart, 0, 2, {page.title, page.view})->setStretch(1, 1);
   page.content = new HintedContent(chart, name + "Hint");
   return page;
 }
 
-void HistogramPanel::becomeStale()
-{
-  isStale_ = true;
-  if (isVisible()) refresh();
-}
-
 void HistogramPanel::refresh()
 {
-  isStale_ = false;
+  if (!isVisible()) return;
   residuals_.values.clear();
   angles_.values.clear();
   if (editor_.deformation()) {
@@ -174,17 +162,6 @@ void HistogramPanel::pickConstraints(Index bar)
   for (std::size_t k = 0; k < list.size(); ++k)
     if (names.count(list[k].name) > 0) places.push_back(static_cast<Index>(k));
   Q_EMIT constraintsPicked(places);
-}
-
-void HistogramPanel::pickVertices(Index bar)
-{
-  Q_EMIT verticesPicked(placesInBin(angles_.view->histogram(), angles_.values, bar));
-}
-
-void HistogramPanel::showEvent(QShowEvent* event)
-{
-  QWidget::showEvent(event);
-  if (isStale_) refresh();
 }
 
 }  // namespace holdfast

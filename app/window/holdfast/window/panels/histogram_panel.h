@@ -1,27 +1,25 @@
 #pragma once
-/// \file
 /// The panel of distributions: how well constraints are met, and how much the surface turns.
 
-#include <QWidget>
 #include <vector>
 
+#include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/model/editor.h>
 
 class QLabel;
 
 namespace holdfast {
 
-class HintedContent;
 class HistogramView;
 
 /// Two charts of the editor's deformation: residuals of constraints as shares of the bounding box's diagonal, on a
 /// logarithmic scale with the promise marked, and rotation angles of vertices in degrees. A click on a bar picks what
 /// it counts. Kept up to date only while it is visible.
-class HistogramPanel : public QWidget {
+class HistogramPanel : public RefreshedPanel {
   Q_OBJECT
 
  public:
-  explicit HistogramPanel(Editor& editor, QWidget* parent = nullptr);
+  explicit HistogramPanel(Editor& editor);
 
   [[nodiscard]] HistogramView& residualView() const { return *residuals_.view; }
   [[nodiscard]] HistogramView& angleView() const { return *angles_.view; }
@@ -30,11 +28,7 @@ class HistogramPanel : public QWidget {
   void constraintsPicked(std::vector<Index> constraints);  ///< places in the editor's list, ascending
   void verticesPicked(std::vector<Index> vertices);        ///< of the file, ascending
 
- protected:
-  void showEvent(QShowEvent* event) override;
-
  private:
-  /// A chart, or what to do to get one.
   struct Page {
     HintedContent* content = nullptr;
     QLabel* title = nullptr;
@@ -43,17 +37,14 @@ class HistogramPanel : public QWidget {
   };
 
   [[nodiscard]] Page makePage(const QString& name);
-  void becomeStale();
-  void refresh();
+  void refresh() override;
   void refreshResiduals();
   void refreshAngles();
   void pickConstraints(Index bar);
-  void pickVertices(Index bar);
 
   Editor& editor_;
   Page residuals_;  // of each constraint of the deformed list, shares of the diagonal
   Page angles_;     // of each vertex of the file, degrees
-  bool isStale_ = true;
 };
 
 }  // namespace holdfast

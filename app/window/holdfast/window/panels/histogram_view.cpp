@@ -6,7 +6,7 @@
 #include <QToolTip>
 #include <algorithm>
 
-#include <holdfast/window/controls/vtk_palette.h>
+#include <holdfast/window/controls/theme.h>
 
 namespace holdfast {
 namespace {
@@ -124,11 +124,6 @@ void HistogramView::mouseReleaseEvent(QMouseEvent* event)
 {
   if (event->button() != Qt::LeftButton) return;
   if (const auto bar = barAt(event->localPos())) Q_EMIT barClicked(*bar);
-}
-
-void HistogramView::leaveEvent(QEvent* /*event*/)
-{
-  hover(std::nullopt);
 }
 
 void HistogramView::keyPressEvent(QKeyEvent* event)

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// A bar chart of one histogram.
 
 #include <QWidget>
@@ -10,7 +9,6 @@
 
 namespace holdfast {
 
-/// What a chart shows beside its bars.
 struct ChartTexts {
   QString title;
   QString valueAxis;
@@ -42,12 +40,11 @@ class HistogramView : public QWidget {
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
-  void leaveEvent(QEvent* event) override;
+  void leaveEvent(QEvent* /*event*/) override { hover(std::nullopt); }
 
  private:
   [[nodiscard]] Index barCount() const { return static_cast<Index>(histogram_.counts.size()); }
   [[nodiscard]] Index largestCount() const;
-  /// Where the bars are.
   [[nodiscard]] QRectF plot() const;
   [[nodiscard]] std::optional<Index> nextBar(Index step) const;
   void hover(std::optional<Index> bar);

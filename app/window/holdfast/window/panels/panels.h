@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Panels that only show an editor and edit it. The editor outlives them.
 
 #include <functional>

@@ -13,11 +13,9 @@
 #include <vector>
 
 #include <holdfast/deform/messages.h>
-#include <holdfast/deform/report.h>
+#include <holdfast/deform/outcomes.h>
 #include <holdfast/window/controls/number_edit.h>
 #include <holdfast/window/controls/panel_parts.h>
-#include <holdfast/window/controls/status_style.h>
-#include <holdfast/window/model/outcome_lookup.h>
 #include <holdfast/window/panels/panels.h>
 #include <holdfast/window/text/constraint_text.h>
 #include <holdfast/window/text/number_text.h>
@@ -57,16 +55,13 @@ QString meshText(const MeshReport& mesh)
 }
 
 /// "12 met, 2 conflicting"
-QString countsText(const std::vector<ConstraintOutcome>& outcomes)
+QString countsText(const Report& report)
 {
   QStringList words;
   for (const ConstraintStatus status :
        {ConstraintStatus::Met, ConstraintStatus::Redundant, ConstraintStatus::Conflicting, ConstraintStatus::Missed,
-        ConstraintStatus::Independent, ConstraintStatus::Disabled}) {
-    const auto count = std::count_if(outcomes.begin(), outcomes.end(),
-                                     [&](const ConstraintOutcome& outcome) { return outcome.status == status; });
-    if (count > 0) words << countText(count) + ' ' + statusText(status);
-  }
+        ConstraintStatus::Independent, ConstraintStatus::Disabled})
+    if (const Index count = countOf(report, status); count > 0) words << countText(count) + ' ' + statusText(status);
   return words.isEmpty() ? QObject::tr("none") : words.join(", ");
 }
 
@@ -100,7 +95,7 @@ ReportLines reportLines(const Report& report, const std::string& units)
   };
   say("Status", QObject::tr("Status"), text(name(solve.status)));
   say("Meaning", QObject::tr("Meaning"), QString::fromStdString(solve.message));
-  say("Constraints", QObject::tr("Constraints"), countsText(report.constraints));
+  say("Constraints", QObject::tr("Constraints"), countsText(report));
   say("Mesh", QObject::tr("Mesh"), meshText(report.mesh));
   say("Weights", QObject::tr("Weights"), text(name(solve.weights)));
   say("Solver", QObject::tr("Solver"), text(name(solve.options.kind)));
@@ -140,9 +135,7 @@ class ReportPanel final : public RefreshedPanel {
   {
     setObjectName("reportPanel");
     QWidget* content = new QWidget;
-    QVBoxLayout* layout = new QVBoxLayout(content);
-    layout->setContentsMargins(10, 10, 10, 10);
-    layout->setSpacing(8);
+    auto* layout = newLayout<QVBoxLayout>(content, 10, 8);
     makeOptions();
     layout->addLayout(options_);
     age_ = newText("reportAge");
@@ -211,14 +204,12 @@ class ReportPanel final : public RefreshedPanel {
     const bool isSolved = editor_.deformation() != nullptr;
     copy_->setVisible(isSolved);
     show(isSolved ? reportLines(editor_.deformation()->report, editor_.deformedState()->list.units) : ReportLines());
-    const bool isCurrent = areResultsCurrent(editor_);
+    const bool isCurrent = editor_.isCurrent();
     age_->setVisible(!isSolved || !isCurrent);
     age_->setText(!editor_.isOpen() ? tr("No mesh is open.")
                   : !isSolved       ? tr("Nothing is solved yet.")
                                     : tr("This is the report of the list before the latest changes."));
-    QPalette own = palette();
-    if (!isCurrent) own.setColor(QPalette::WindowText, quietColor(own));
-    for (QLabel* value : values_) value->setPalette(own);
+    for (QLabel* value : values_) setQuiet(*value, !isCurrent);
   }
 
   void show(const ReportLines& lines)

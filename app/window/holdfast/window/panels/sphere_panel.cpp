@@ -15,10 +15,8 @@
 #include <holdfast/geometry/rotation_log.h>
 #include <holdfast/widgets/rotation_sphere/rotation_sphere.h>
 #include <holdfast/widgets/scene/example_document.h>
-#include <holdfast/window/controls/panel_parts.h>
-#include <holdfast/window/controls/vtk_palette.h>
+#include <holdfast/window/controls/theme.h>
 #include <holdfast/window/controls/vtk_view.h>
-#include <holdfast/window/model/background_job.h>
 #include <holdfast/window/text/number_text.h>
 
 namespace holdfast {
@@ -33,7 +31,7 @@ double largestDegrees(const std::vector<BoundaryRotation>& boundary)
 
 }  // namespace
 
-SpherePanel::SpherePanel(Editor& editor, QWidget* parent) : QWidget(parent), editor_(editor)
+SpherePanel::SpherePanel(Editor& editor) : editor_(editor)
 {
   setObjectName("spherePanel");
   summary_ = named(new QLabel, "sphereSummary");
@@ -59,8 +57,7 @@ SpherePanel::SpherePanel(Editor& editor, QWidget* parent) : QWidget(parent), edi
   view_->interactor()->SetInteractorStyle(style_);
   style_->AddObserver(vtkCommand::PickEvent, this, &SpherePanel::pickVertex);
   auto* page = new QWidget;
-  auto* column = new QVBoxLayout(page);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = newLayout<QVBoxLayout>(page, 0, 6);
   column->addLayout(header);
   column->addWidget(view_, 1);
 
@@ -69,8 +66,7 @@ SpherePanel::SpherePanel(Editor& editor, QWidget* parent) : QWidget(parent), edi
 
   connect(fitButton, &QToolButton::clicked, this, &SpherePanel::fit);
   connect(&editor_, &Editor::opened, this, &SpherePanel::begin);
-  placing_ = new BackgroundJob(this);
-  connect(&editor_, &Editor::deformed, this, &SpherePanel::follow);
+  connect(&editor_, &Editor::deformed, this, &SpherePanel::refresh);
   begin();
 }
 
@@ -78,7 +74,7 @@ SpherePanel::~SpherePanel() = default;
 
 void SpherePanel::begin()
 {
-  placing_->cancel();
+  placing_.cancel();
   if (renderer_) view_->renderWindow()->RemoveRenderer(renderer_);
   style_->SetSphere(nullptr);
   sphere_.reset();
@@ -89,7 +85,7 @@ void SpherePanel::begin()
   marked_.reset();
   isFitted_ = false;
   showHint();
-  follow();
+  refresh();
 }
 
 void SpherePanel::warmUp(const ExampleDocument& example)
@@ -118,17 +114,19 @@ void SpherePanel::makeSphere()
   applyPalette();
 }
 
-void SpherePanel::follow()
+void SpherePanel::refresh()
 {
-  if (isVisible() && !isCurrent() && !placing_->isRunning()) place();
+  if (!isVisible()) return;
+  if (isCurrent()) return applyPalette();
+  if (!placing_.isRunning()) place();
 }
 
 void SpherePanel::place()
 {
   // Whether anything turns is not known yet.
   if (!placed_) pages_->showHint({});
-  placing_->start([this, model = editor_.model(), deformation = editor_.deformation(), before = placed_,
-                   coloring = coloring_](Progress&) -> BackgroundJob::Finish {
+  placing_.start([this, model = editor_.model(), deformation = editor_.deformation(), before = placed_,
+                  coloring = coloring_](Progress&) -> BackgroundJob::Finish {
     return [this, deformation, coloring, placed = placeRotations(*model, *deformation, before)] {
       shown_ = deformation;
       placed_ = placed;
@@ -137,7 +135,7 @@ void SpherePanel::place()
       else
         showHint();
       // What came meanwhile.
-      follow();
+      refresh();
     };
   });
 }
@@ -160,11 +158,6 @@ void SpherePanel::showPoints(const std::optional<Coloring>& coloring)
   summary_->setToolTip(tr("A point for each vertex: half its angle from the pole, towards its axis"));
   pages_->showContent();
   redraw();
-}
-
-void SpherePanel::redraw()
-{
-  drawing_.start(0);
 }
 
 void SpherePanel::showVertex(std::optional<Index> vertex)
@@ -207,16 +200,11 @@ void SpherePanel::pickVertex(vtkObject* /*caller*/, unsigned long /*event*/, voi
   Q_EMIT vertexPicked(*static_cast<const Index*>(vertex));
 }
 
-std::optional<Index> SpherePanel::vertexAt(const QPointF& place) const
-{
-  // Through the pixel's center; VTK counts from below.
-  const double ratio = view_->devicePixelRatioF();
-  return sphere_->pick((place.x() + 0.5) * ratio, (view_->height() - place.y() - 0.5) * ratio);
-}
-
 void SpherePanel::showTip(const QPoint& place)
 {
-  const auto vertex = vertexAt(place);
+  // Through the pixel's center; VTK counts from below.
+  const double ratio = view_->pixelRatio();
+  const auto vertex = sphere_->pick((place.x() + 0.5) * ratio, (view_->height() - place.y() - 0.5) * ratio);
   if (!vertex) return QToolTip::hideText();
   const Index unknown = editor_.model()->solverMesh.weld.unknownOf[*vertex];
   const Vector3 q = shown_->rotations.row(unknown).transpose();
@@ -229,19 +217,9 @@ void SpherePanel::showTip(const QPoint& place)
 
 bool SpherePanel::eventFilter(QObject* watched, QEvent* event)
 {
-  if (watched != view_ || !sphere_) return QWidget::eventFilter(watched, event);
-  if (event->type() == QEvent::ToolTip) {
-    showTip(static_cast<QHelpEvent*>(event)->pos());
-    return true;
-  }
-  return QWidget::eventFilter(watched, event);
-}
-
-void SpherePanel::showEvent(QShowEvent* event)
-{
-  QWidget::showEvent(event);
-  applyPalette();
-  follow();
+  if (watched != view_ || !sphere_ || event->type() != QEvent::ToolTip) return QWidget::eventFilter(watched, event);
+  showTip(static_cast<QHelpEvent*>(event)->pos());
+  return true;
 }
 
 void SpherePanel::changeEvent(QEvent* event)

@@ -1,9 +1,7 @@
 #pragma once
-/// \file
 /// The panel with the rotation sphere: which rotations there are, and which vertex has which.
 
 #include <QTimer>
-#include <QWidget>
 #include <memory>
 #include <optional>
 
@@ -12,6 +10,8 @@
 
 #include <holdfast/widgets/color/coloring.h>
 #include <holdfast/widgets/interaction/rotation_sphere_style.h>
+#include <holdfast/window/controls/panel_parts.h>
+#include <holdfast/window/model/background_job.h>
 #include <holdfast/window/model/editor.h>
 
 class QLabel;
@@ -20,8 +20,6 @@ class vtkRenderer;
 
 namespace holdfast {
 
-class BackgroundJob;
-class HintedContent;
 class RotationSphere;
 class VtkView;
 struct ExampleDocument;
@@ -30,11 +28,11 @@ struct PlacedRotations;
 /// The rotations of the editor's deformation. A drag turns the sphere, the wheel zooms, a click picks a vertex, a
 /// double click shows everything; arrow keys, plus, minus and Home do the same. Follows only while it is visible;
 /// points are placed in the background, and shown all at once.
-class SpherePanel : public QWidget {
+class SpherePanel : public RefreshedPanel {
   Q_OBJECT
 
  public:
-  explicit SpherePanel(Editor& editor, QWidget* parent = nullptr);
+  explicit SpherePanel(Editor& editor);
   ~SpherePanel() override;
 
   /// Draws an example for `MainWindow::warmUp`. Before a document is opened.
@@ -46,11 +44,9 @@ class SpherePanel : public QWidget {
   [[nodiscard]] bool isCurrent() const { return shown_ == editor_.deformation(); }
 
  public Q_SLOTS:
-  /// Marks a vertex of the file, or none.
   void showVertex(std::optional<Index> vertex);
   /// Colours points as the mesh, one value for each vertex of the file; one colour where there is nothing.
   void setColoring(const std::optional<Coloring>& coloring);
-  /// Everything that is prescribed, as large as it fits.
   void fit();
 
  Q_SIGNALS:
@@ -58,22 +54,19 @@ class SpherePanel : public QWidget {
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
-  void showEvent(QShowEvent* event) override;
   void changeEvent(QEvent* event) override;
 
  private:
   void begin();
-  void follow();
+  void refresh() override;
   void place();
   void showPoints(const std::optional<Coloring>& coloring);
   void showHint();
   void applyPalette();
-  void redraw();
+  void redraw() { drawing_.start(0); }
   void pickVertex(vtkObject* caller, unsigned long event, void* vertex);
   void showTip(const QPoint& place);
   void makeSphere();
-  [[nodiscard]] bool isTurning() const;
-  [[nodiscard]] std::optional<Index> vertexAt(const QPointF& place) const;
 
   Editor& editor_;
   HintedContent* pages_ = nullptr;
@@ -83,12 +76,12 @@ class SpherePanel : public QWidget {
   vtkSmartPointer<vtkRenderer> renderer_;
   vtkNew<RotationSphereStyle> style_;
   std::unique_ptr<RotationSphere> sphere_;  // from the first rotation that is to be shown
-  BackgroundJob* placing_ = nullptr;
   std::shared_ptr<const DeformResult> shown_;
   std::shared_ptr<const PlacedRotations> placed_;  // the latest of this mesh
   std::optional<Index> marked_;
   std::optional<Coloring> coloring_;
   bool isFitted_ = false;
+  BackgroundJob placing_;  // last: its thread uses what is above
 };
 
 }  // namespace holdfast

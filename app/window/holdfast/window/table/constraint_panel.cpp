@@ -9,6 +9,7 @@
 #include <QMenu>
 #include <QScopedValueRollback>
 #include <QScrollBar>
+#include <QSortFilterProxyModel>
 #include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -16,9 +17,8 @@
 #include <stdexcept>
 
 #include <holdfast/window/controls/panel_parts.h>
-#include <holdfast/window/controls/status_style.h>
-#include <holdfast/window/table/constraint_filter.h>
 #include <holdfast/window/table/constraint_table.h>
+#include <holdfast/window/table/constraint_table_model.h>
 #include <holdfast/window/text/constraint_text.h>
 #include <holdfast/window/text/number_text.h>
 
@@ -31,6 +31,111 @@ using Table = ConstraintTableModel;
 constexpr std::array<std::optional<ConstraintStatus>, 6> kStatuses{
     ConstraintStatus::Conflicting, ConstraintStatus::Missed,   ConstraintStatus::Redundant,
     ConstraintStatus::Met,         ConstraintStatus::Disabled, std::nullopt};
+
+/// The number of digits from `place` on.
+int digitsAt(const QString& text, int place)
+{
+  int end = place;
+  while (end < text.size() && text[end].isDigit()) ++end;
+  return end - place;
+}
+
+/// Ignores letter case, and compares numbers by their value: "P2" before "P10".
+bool comesBefore(const QString& a, const QString& b)
+{
+  int i = 0;
+  int j = 0;
+  while (i < a.size() && j < b.size()) {
+    const int n = digitsAt(a, i);
+    const int m = digitsAt(b, j);
+    if (n > 0 && m > 0 && n != m) return n < m;
+    const QChar x = a[i++].toLower();
+    const QChar y = b[j++].toLower();
+    if (x != y) return x < y;
+  }
+  return a.size() - i < b.size() - j;
+}
+
+/// Filters and sorts a `ConstraintTableModel`. Missing values come last in both directions; equal ones stay in the
+/// order of precedence. What is typed into a cell of a selected row goes to all selected rows that are visible.
+class ConstraintFilter : public QSortFilterProxyModel {
+ public:
+  ConstraintFilter(Editor& editor, Table& model) : editor_(editor), model_(model) { setSourceModel(&model); }
+
+  /// Rows whose name, kind or place has every word of `text` in it, and whose status is `*status` unless that is null.
+  void setFilter(const QString& text, const std::optional<ConstraintStatus>* status)
+  {
+    words_ = text.simplified().split(' ', Qt::SkipEmptyParts);
+    status_ = status;
+    invalidateFilter();
+  }
+
+  [[nodiscard]] bool isSorted() const { return sortColumn() >= 0; }
+
+  /// The row of a constraint of the list; -1 if it is not shown.
+  [[nodiscard]] int visibleRow(Index constraint) const
+  {
+    return mapFromSource(model_.index(static_cast<int>(constraint), 0)).row();
+  }
+
+  /// The selected constraints that are shown.
+  [[nodiscard]] Rows visibleSelection() const
+  {
+    Rows rows = editor_.selectedConstraints();
+    std::erase_if(rows, [this](Index row) { return visibleRow(row) < 0; });
+    return rows;
+  }
+
+  bool setData(const QModelIndex& index, const QVariant& value, int role) override
+  {
+    const Index row = mapToSource(index).row();
+    const Rows& selected = editor_.selectedConstraints();
+    // A name is that of the row where it was typed.
+    const bool isForAll = index.column() != Table::Name && std::binary_search(selected.begin(), selected.end(), row);
+    return model_.setCells(isForAll ? visibleSelection() : Rows{row}, index.column(), value, role);
+  }
+
+  [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override
+  {
+    const Qt::ItemFlags flags = QSortFilterProxyModel::flags(index);
+    return isSorted() ? flags & ~(Qt::ItemIsDragEnabled | Qt::ItemIsDropEnabled) : flags;
+  }
+
+  /// The place in the order of precedence, whatever the order of rows.
+  [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override
+  {
+    if (orientation == Qt::Horizontal) return model_.headerData(section, orientation, role);
+    return model_.headerData(mapToSource(index(section, 0)).row(), orientation, role);
+  }
+
+ protected:
+  [[nodiscard]] bool filterAcceptsRow(int row, const QModelIndex& /*parent*/) const override
+  {
+    if (status_ != nullptr && model_.status(row) != *status_) return false;
+    QString text;
+    for (const int column : {Table::Name, Table::Kind, Table::Where}) text += model_.text(row, column) + '\n';
+    return std::all_of(words_.begin(), words_.end(),
+                       [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
+  }
+
+  [[nodiscard]] bool lessThan(const QModelIndex& left, const QModelIndex& right) const override
+  {
+    const int column = left.column();
+    if (!model_.hasNumbers(column))
+      return comesBefore(model_.text(left.row(), column), model_.text(right.row(), column));
+    const std::optional<double> a = model_.number(left.row(), column);
+    const std::optional<double> b = model_.number(right.row(), column);
+    if (a && b) return *a < *b;
+    const bool isMissingLess = sortOrder() == Qt::DescendingOrder;
+    return isMissingLess ? b.has_value() && !a : a.has_value() && !b;
+  }
+
+ private:
+  Editor& editor_;
+  Table& model_;
+  QStringList words_;
+  const std::optional<ConstraintStatus>* status_ = nullptr;
+};
 
 QToolButton* toolButton(QAction* action, Qt::ArrowType arrow, const char* name)
 {
@@ -48,9 +153,7 @@ Rows rowsIn(const QItemSelection& selection)
   Rows rows;
   for (const QItemSelectionRange& range : selection)
     for (int row = range.top(); row <= range.bottom(); ++row) rows.push_back(row);
-  std::sort(rows.begin(), rows.end());
-  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-  return rows;
+  return sortedOnce(std::move(rows));
 }
 
 class ConstraintPanel : public QWidget {
@@ -59,18 +162,14 @@ class ConstraintPanel : public QWidget {
       : editor_(editor), activated_(activated), model_(editor), filter_(editor, model_)
   {
     setObjectName("constraintPanel");
-    QVBoxLayout* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(6, 6, 6, 6);
-    layout->setSpacing(6);
+    auto* layout = newLayout<QVBoxLayout>(this, 6, 6);
     makeTable();
     makeActions();
     makeTopLine();
     reason_ = newText("constraintRefusal");
     reason_->setVisible(false);
-    layout->addWidget(reason_);
-    layout->addWidget(table_);
     count_ = named(new QLabel, "constraintCount");
-    layout->addWidget(count_);
+    for (QWidget* widget : std::initializer_list<QWidget*>{reason_, table_, count_}) layout->addWidget(widget);
 
     connect(&model_, &Table::refused, this, [this](const QString& reason) { showRefusal(*reason_, reason); });
     connect(&editor_, &Editor::opened, this, [this] {
@@ -110,13 +209,10 @@ class ConstraintPanel : public QWidget {
     more->setPopupMode(QToolButton::InstantPopup);
     more->setMenu(menu);
 
-    QHBoxLayout* line = new QHBoxLayout;
-    line->setSpacing(6);
-    line->addWidget(text_, 1);
-    line->addWidget(status_);
-    line->addWidget(toolButton(up_, Qt::UpArrow, "constraintUp"));
-    line->addWidget(toolButton(down_, Qt::DownArrow, "constraintDown"));
-    line->addWidget(more);
+    auto* line = newLayout<QHBoxLayout>(nullptr, 0, 6,
+                                        {text_, status_, toolButton(up_, Qt::UpArrow, "constraintUp"),
+                                         toolButton(down_, Qt::DownArrow, "constraintDown"), more});
+    line->setStretch(0, 1);
     static_cast<QVBoxLayout*>(layout())->insertLayout(0, line);
   }
 
@@ -151,10 +247,6 @@ class ConstraintPanel : public QWidget {
     titles.setStretchLastSection(true);
     connect(table_, &ConstraintTable::sortAsked, this, [this](int column, Qt::SortOrder order) {
       filter_.sort(column, order);
-      updateActions();
-    });
-    connect(table_, &ConstraintTable::precedenceAsked, this, [this] {
-      filter_.sort(-1);
       updateActions();
     });
     connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &ConstraintPanel::takeSelection);
@@ -277,14 +369,10 @@ class ConstraintPanel : public QWidget {
 
   void filtersChanged()
   {
-    filter_.setText(text_->text());
     const int status = status_->currentIndex();
-    filter_.setStatus(status == 0 ? nullptr : &kStatuses[static_cast<std::size_t>(status - 1)]);
+    filter_.setFilter(text_->text(), status == 0 ? nullptr : &kStatuses[static_cast<std::size_t>(status - 1)]);
     // Users do not mean to change rows that they cannot see.
-    Rows visible;
-    for (const Index constraint : editor_.selectedConstraints())
-      if (filter_.visibleRow(constraint) >= 0) visible.push_back(constraint);
-    editor_.selectConstraints(std::move(visible));
+    editor_.selectConstraints(filter_.visibleSelection());
     updateTexts();
   }
 

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The panel that lists constraints: find, sort, reorder, switch, type targets, copy and paste.
 
 #include <functional>

@@ -57,10 +57,7 @@ void ConstraintTable::cycleSorting(int column)
   sortedColumn_ = isThird ? -1 : column;
   horizontalHeader()->setSortIndicatorShown(sortedColumn_ >= 0);
   horizontalHeader()->setSortIndicator(sortedColumn_, order_);
-  if (isThird)
-    Q_EMIT precedenceAsked();
-  else
-    Q_EMIT sortAsked(sortedColumn_, order_);
+  Q_EMIT sortAsked(sortedColumn_, order_);
 }
 
 QAction* ConstraintTable::actionOf(const QKeyEvent& event) const

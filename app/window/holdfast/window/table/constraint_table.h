@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The table of the constraint panel: rows are selected, dragged and typed into.
 
 #include <QTableView>
@@ -14,13 +13,11 @@ class ConstraintTable : public QTableView {
  public:
   explicit ConstraintTable(QWidget* parent = nullptr);
 
-  /// Shown where there are no rows.
   void setEmptyText(const QString& text);
 
  Q_SIGNALS:
-  /// A title was clicked for the first, the second or the third time: the third returns to the order of precedence.
+  /// A title was clicked for the first, the second or the third time: the third returns to the order of precedence, -1.
   void sortAsked(int column, Qt::SortOrder order);
-  void precedenceAsked();
 
  protected:
   bool event(QEvent* event) override;

@@ -1,7 +1,6 @@
 #include "holdfast/window/table/constraint_table_model.h"
 
 #include <QDataStream>
-#include <QFont>
 #include <QGuiApplication>
 #include <QMimeData>
 #include <algorithm>
@@ -10,6 +9,8 @@
 #include <holdfast/base/error.h>
 #include <holdfast/base/printable.h>
 #include <holdfast/io/text/number_text.h>
+#include <holdfast/window/controls/status_style.h>
+#include <holdfast/window/controls/theme.h>
 #include <holdfast/window/model/at_rest.h>
 #include <holdfast/window/text/constraint_text.h>
 #include <holdfast/window/text/number_text.h>
@@ -72,7 +73,7 @@ Rows rowsOf(const QMimeData& data, const void* list)
 }  // namespace
 
 ConstraintTableModel::ConstraintTableModel(Editor& editor, QObject* parent)
-    : QAbstractTableModel(parent), editor_(editor), outcomes_(editor)
+    : QAbstractTableModel(parent), editor_(editor)
 {
   connect(&editor, &Editor::opened, this, [this] {
     beginResetModel();
@@ -90,24 +91,9 @@ int ConstraintTableModel::rowCount(const QModelIndex& parent) const
   return parent.isValid() ? 0 : static_cast<int>(constraintsOf(shown_).size());
 }
 
-int ConstraintTableModel::columnCount(const QModelIndex& parent) const
-{
-  return parent.isValid() ? 0 : static_cast<int>(ColumnCount);
-}
-
-bool ConstraintTableModel::isInStep() const
-{
-  return shown_ == (editor_.isOpen() ? editor_.history().state() : nullptr);
-}
-
-const ConstraintOutcome* ConstraintTableModel::outcome(int row) const
-{
-  return outcomes_.find(constraint(row).name, row);
-}
-
 std::optional<ConstraintStatus> ConstraintTableModel::status(int row) const
 {
-  return shownStatus(constraint(row), outcome(row));
+  return editor_.status(constraint(row), row);
 }
 
 std::optional<double> ConstraintTableModel::coordinate(int row, int column) const
@@ -182,7 +168,7 @@ QVariant ConstraintTableModel::data(const QModelIndex& index, int role) const
 
 QVariant ConstraintTableModel::foreground(int row, int column) const
 {
-  const bool isOld = column >= Residual && !areResultsCurrent(editor_);
+  const bool isOld = column >= Residual && !editor_.isCurrent();
   if (!isOld && constraint(row).isEnabled) return {};
   return quietColor(QGuiApplication::palette());
 }
@@ -191,7 +177,7 @@ QString ConstraintTableModel::toolTip(int row, int column) const
 {
   const std::optional<double> number = exactNumber(row, column);
   const QString exact = number ? exactText(*number) : QString();
-  const bool isOld = column >= Residual && !areResultsCurrent(editor_);
+  const bool isOld = column >= Residual && !editor_.isCurrent();
   const QString age = isOld ? tr("\nThis is of the list before the latest changes.") : QString();
   if (column == On) return tr("Whether the constraint takes part");
   if (column == Status) return statusMeaning(status(row)) + age;
@@ -204,9 +190,9 @@ QString ConstraintTableModel::toolTip(int row, int column) const
 
 const QIcon& ConstraintTableModel::icon(std::optional<ConstraintStatus> status) const
 {
-  const Lightness background = lightnessOf(QGuiApplication::palette());
-  const auto [found, isNew] = icons_.try_emplace({status, background});
-  if (isNew) found->second = statusIcon(status, background);
+  const QPalette palette = QGuiApplication::palette();
+  const auto [found, isNew] = icons_.try_emplace({status, isDark(palette)});
+  if (isNew) found->second = statusIcon(status, palette);
   return found->second;
 }
 

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The constraints of an editor as rows of a table, in the order of precedence.
 
 #include <QAbstractTableModel>
@@ -8,10 +7,8 @@
 #include <memory>
 #include <optional>
 
-#include <holdfast/window/controls/status_style.h>
 #include <holdfast/window/model/constraint_actions.h>
 #include <holdfast/window/model/editor.h>
-#include <holdfast/window/model/outcome_lookup.h>
 
 namespace holdfast {
 
@@ -23,11 +20,13 @@ class ConstraintTableModel : public QAbstractTableModel {
  public:
   enum Column { On, Name, Kind, Where, X, Y, Z, Residual, Force, Status, ColumnCount };
 
-  /// `editor` stays alive as long as this.
   explicit ConstraintTableModel(Editor& editor, QObject* parent = nullptr);
 
   [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-  [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+  [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override
+  {
+    return parent.isValid() ? 0 : static_cast<int>(ColumnCount);
+  }
   [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
   [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
   [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
@@ -46,7 +45,7 @@ class ConstraintTableModel : public QAbstractTableModel {
                     const QModelIndex& parent) override;
 
   /// Whether the rows are those of `Editor::list`. They differ for a moment while the editor reports a change.
-  [[nodiscard]] bool isInStep() const;
+  [[nodiscard]] bool isInStep() const { return shown_ == (editor_.isOpen() ? editor_.history().state() : nullptr); }
 
   /// What rows are sorted and filtered by: numbers of numeric columns and ranks of the status, the gravest first; texts
   /// of the others.
@@ -56,12 +55,11 @@ class ConstraintTableModel : public QAbstractTableModel {
   [[nodiscard]] std::optional<ConstraintStatus> status(int row) const;
 
  Q_SIGNALS:
-  /// An edit that makes no sense, and why.
   void refused(const QString& reason);
 
  private:
   [[nodiscard]] const Constraint& constraint(int row) const { return shown_->list.constraints[row]; }
-  [[nodiscard]] const ConstraintOutcome* outcome(int row) const;
+  [[nodiscard]] const ConstraintOutcome* outcome(int row) const { return editor_.outcome(constraint(row).name, row); }
   [[nodiscard]] std::optional<double> coordinate(int row, int column) const;
   [[nodiscard]] std::optional<double> exactNumber(int row, int column) const;
   [[nodiscard]] bool isEditable(int row, int column) const;
@@ -74,9 +72,8 @@ class ConstraintTableModel : public QAbstractTableModel {
   void resultsChanged();
 
   Editor& editor_;
-  std::shared_ptr<const DocumentState> shown_;  // the rows that views know
-  mutable OutcomeLookup outcomes_;
-  mutable std::map<std::pair<std::optional<ConstraintStatus>, Lightness>, QIcon> icons_;
+  std::shared_ptr<const DocumentState> shown_;                                       // the rows that views know
+  mutable std::map<std::pair<std::optional<ConstraintStatus>, bool>, QIcon> icons_;  // on a dark background, or not
 };
 
 }  // namespace holdfast

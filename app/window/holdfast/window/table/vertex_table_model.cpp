@@ -26,11 +26,6 @@ const HandleConstraint& VertexTableModel::handle() const
   return std::get<HandleConstraint>(state_->list.constraints[constraint_].what);
 }
 
-Index VertexTableModel::vertex(int row) const
-{
-  return std::get<VertexIds>(handle().select.what).ids[row];
-}
-
 double VertexTableModel::number(int row, int column) const
 {
   if (what_ == What::Targets) return std::get<VertexTargets>(handle().motion).places[row][column - X];

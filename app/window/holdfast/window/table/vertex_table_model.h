@@ -1,10 +1,8 @@
 #pragma once
-/// \file
 /// What each listed vertex of a handle has of its own, as a table.
 
 #include <QAbstractTableModel>
 #include <memory>
-#include <optional>
 
 #include <holdfast/document/history.h>
 
@@ -24,7 +22,7 @@ class VertexTableModel : public QAbstractTableModel {
   /// Shows a handle of the list, which has what the table is about: one entry for each of its `VertexIds`.
   void show(std::shared_ptr<const DocumentState> state, Index constraint);
 
-  [[nodiscard]] Index vertex(int row) const;
+  [[nodiscard]] Index vertex(int row) const { return std::get<VertexIds>(handle().select.what).ids[row]; }
   [[nodiscard]] double number(int row, int column) const;
 
   [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
@@ -35,7 +33,6 @@ class VertexTableModel : public QAbstractTableModel {
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
 
  Q_SIGNALS:
-  /// Another number was typed.
   void entered(int row, int column, double number);
   void refused(const QString& reason);
 

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// What a surface can be coloured by, in words.
 
 #include <QString>
@@ -10,12 +9,10 @@ namespace holdfast {
 
 struct FieldText {
   QString name;     ///< short, for a list
-  QString meaning;  ///< a sentence
+  QString meaning;  ///< sentences, with the unit
 };
 
-[[nodiscard]] FieldText fieldText(ColorBy field);
-
-/// "Unit: mm." `units` is the user's name of the model's length; it may be empty.
-[[nodiscard]] QString unitSentence(ColorBy field, const QString& units, Weights weights);
+/// `units` is the user's name of the model's length; it may be empty.
+[[nodiscard]] FieldText fieldText(ColorBy field, const QString& units = {}, Weights weights = Weights::Cotangent);
 
 }  // namespace holdfast

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Constraints in words, as tables and panels show them.
 
 #include <QString>

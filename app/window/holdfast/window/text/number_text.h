@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Numbers as the window writes and reads them, whatever the locale is: with decimal points, exact where they are
 /// edited.
 

@@ -1,35 +1,30 @@
 #include <QScopedValueRollback>
 #include <QString>
-#include <vector>
-
-#include <vtkNew.h>
 
 #include <holdfast/base/error.h>
 #include <holdfast/widgets/interaction/surface_curve_widget.h>
 #include <holdfast/window/tools/tools.h>
-#include <holdfast/window/viewport/viewport.h>
 
 namespace holdfast {
 namespace {
 
 constexpr std::size_t kLeastPlaces = 3;
 
-class CurveTool : public WidgetTool {
+class CurveTool : public ToolOf<SurfaceCurveWidget> {
  public:
-  CurveTool(Editor& editor, Viewport& viewport) : WidgetTool(editor, viewport)
+  CurveTool(Editor& editor, Viewport& viewport) : ToolOf(editor, viewport)
   {
-    attach(*widget_);
-    widget_->AddObserver(vtkCommand::WidgetValueChangedEvent, this, &CurveTool::followCurve);
-    widget_->AddObserver(vtkCommand::EndInteractionEvent, this, &CurveTool::selectInside);
+    widget().AddObserver(vtkCommand::WidgetValueChangedEvent, this, &CurveTool::followCurve);
+    widget().AddObserver(vtkCommand::EndInteractionEvent, this, &CurveTool::selectInside);
     connect(&editor, &Editor::vertexSelectionChanged, this, &CurveTool::followSelection);
   }
 
   QString hint() const override
   {
     if (!error_.isEmpty()) return error_;
-    if (widget_->IsClosed())
+    if (widget().IsClosed())
       return tr("Drag its places, or F: fixed, H: handle, R: rigid. Escape takes the curve away");
-    const std::size_t places = widget_->GetPlaces().size();
+    const std::size_t places = widget().GetPlaces().size();
     if (places == 0) return tr("Click places around a feature to draw a closed curve along the edges");
     if (places < kLeastPlaces) return tr("Click on; Backspace takes the last place back, Escape all");
     return tr("Click the first place, or press Enter, to close the curve; Backspace takes the last place back");
@@ -37,21 +32,13 @@ class CurveTool : public WidgetTool {
 
   void end() override
   {
-    WidgetTool::end();
-    widget_->Clear();
+    ToolOf::end();
+    widget().Clear();
   }
 
-  bool cancel() override { return widget_->Cancel(); }
+  bool cancel() override { return widget().Cancel(); }
 
  private:
-  void followSurface() override
-  {
-    widget_->SetSurface(viewport().surface());
-    widget_->SetRegions(editor().isOpen() ? editor().mesh().regions : nullptr);
-  }
-
-  void followDisplay() override { widget_->SetPixelRatio(viewport().pixelRatio()); }
-
   void followCurve()
   {
     error_.clear();
@@ -60,9 +47,9 @@ class CurveTool : public WidgetTool {
 
   void selectInside()
   {
-    if (!widget_->IsClosed()) return;
+    if (!widget().IsClosed()) return;
     InsideCurve curve;
-    for (const Index vertex : widget_->GetPlaces()) curve.through.push_back(AtVertex{vertex});
+    for (const Index vertex : widget().GetPlaces()) curve.through.push_back(AtVertex{vertex});
     const Selection selection{curve};
     const QScopedValueRollback<bool> selecting(isSelecting_, true);
     try {
@@ -76,13 +63,12 @@ class CurveTool : public WidgetTool {
 
   void followSelection()
   {
-    if (isSelecting_ || !widget_->IsClosed()) return;
-    widget_->Clear();
-    widget_->Render();
+    if (isSelecting_ || !widget().IsClosed()) return;
+    widget().Clear();
+    widget().Render();
     Q_EMIT changed();
   }
 
-  vtkNew<SurfaceCurveWidget> widget_;
   QString error_;  // why the closed curve selects nothing
   bool isSelecting_ = false;
 };

@@ -8,7 +8,6 @@
 #include <holdfast/widgets/camera/display_transform.h>
 #include <holdfast/widgets/interaction/interaction_events.h>
 #include <holdfast/window/model/constraint_actions.h>
-#include <holdfast/window/viewport/viewport.h>
 
 namespace holdfast {
 namespace {
@@ -28,25 +27,22 @@ QRectF movedInto(QRectF box, const QRectF& room)
 }  // namespace
 
 GizmoTool::GizmoTool(Editor& editor, Viewport& viewport, QObject* parent)
-    : WidgetTool(editor, viewport, parent), gizmo_(*widget_->GetGizmoRepresentation())
+    : ToolOf(editor, viewport, parent), gizmo_(*widget().GetGizmoRepresentation())
 {
-  attach(*widget_);
   // `paint` draws it in the window's font.
   gizmo_.LabelVisibilityOff();
-  widget_->AddObserver(vtkCommand::HighlightEvent, this, &GizmoTool::highlight);
-  widget_->AddObserver(vtkCommand::StartInteractionEvent, this, &GizmoTool::start);
-  widget_->AddObserver(vtkCommand::InteractionEvent, this, &GizmoTool::move);
-  widget_->AddObserver(vtkCommand::EndInteractionEvent, this, &GizmoTool::keep);
-  widget_->AddObserver(CancelInteractionEvent, this, &GizmoTool::restore);
+  widget().AddObserver(vtkCommand::HighlightEvent, this, &GizmoTool::highlight);
+  widget().AddObserver(vtkCommand::StartInteractionEvent, this, &GizmoTool::start);
+  widget().AddObserver(vtkCommand::InteractionEvent, this, &GizmoTool::move);
+  widget().AddObserver(vtkCommand::EndInteractionEvent, this, &GizmoTool::finish);
+  widget().AddObserver(CancelInteractionEvent, this, &GizmoTool::finish);
   for (const auto& signal : {&Editor::opened, &Editor::stateChanged, &Editor::constraintSelectionChanged})
     connect(&editor, signal, this, &GizmoTool::placeGizmo);
 }
 
-GizmoTool::~GizmoTool() = default;
-
 QString GizmoTool::hint() const
 {
-  if (widget_->IsDragging() && !widget_->IsHeld())
+  if (widget().IsDragging() && !widget().IsHeld())
     return tr("Enter keeps it, Backspace corrects it, Escape takes it back");
   return isRotation() ? tr("Drag to turn, or type degrees; Ctrl snaps, Escape takes it back")
                       : tr("Drag to move, or type a length; Ctrl snaps, Escape takes it back");
@@ -54,7 +50,7 @@ QString GizmoTool::hint() const
 
 bool GizmoTool::isRotation() const
 {
-  const GizmoPartKind kind = kindOf(widget_->GetPart());
+  const GizmoPartKind kind = kindOf(widget().GetPart());
   return kind == GizmoPartKind::Ring || kind == GizmoPartKind::ViewRing;
 }
 
@@ -66,7 +62,7 @@ void GizmoTool::highlight()
 
 void GizmoTool::placeGizmo()
 {
-  if (widget_->IsDragging()) return;
+  if (widget().IsDragging()) return;
   placing_.reset();
   if (editor().isOpen() && !editor().selectedConstraints().empty()) try {
       placing_ = std::make_unique<ConstraintDrag>(*editor().model(), editor().list(), editor().selectedConstraints(),
@@ -76,12 +72,12 @@ void GizmoTool::placeGizmo()
       placing_.reset();
     }
   if (placing_ && placing_->isEmpty()) placing_.reset();
-  if (!placing_) return widget_->Off();
+  if (!placing_) return widget().Off();
   gizmo_.SetMotions(placing_->hasHandles() ? GizmoMotions::MovesAndTurns : GizmoMotions::Moves);
   gizmo_.SetUnits(editor().list().units);
   placeFrame();
-  widget_->On();
-  widget_->Render();
+  widget().On();
+  widget().Render();
 }
 
 void GizmoTool::placeFrame()
@@ -100,7 +96,7 @@ void GizmoTool::setAxes(GizmoAxes axes)
 void GizmoTool::followSurface()
 {
   // The axes of a point are those of the surface.
-  if (placing_ && axes_ == GizmoAxes::Own && !widget_->IsDragging()) placeFrame();
+  if (placing_ && axes_ == GizmoAxes::Own && !widget().IsDragging()) placeFrame();
 }
 
 void GizmoTool::followDisplay()
@@ -131,16 +127,12 @@ void GizmoTool::move(vtkObject* /*caller*/, unsigned long /*event*/, void* motio
   editor().updateGesture(placing_->movedBy(incrementOf(*static_cast<const GizmoMotion*>(motion))));
 }
 
-void GizmoTool::keep()
+void GizmoTool::finish(vtkObject* /*caller*/, unsigned long event, void* /*data*/)
 {
-  editor().endGesture();
-  placeGizmo();
-  Q_EMIT changed();
-}
-
-void GizmoTool::restore()
-{
-  editor().cancelGesture();
+  if (event == CancelInteractionEvent)
+    editor().cancelGesture();
+  else
+    editor().endGesture();
   placeGizmo();
   Q_EMIT changed();
 }
@@ -154,7 +146,7 @@ QFont GizmoTool::labelFont() const
 
 QRectF GizmoTool::labelPlate() const
 {
-  if (!widget_->IsDragging()) return {};
+  if (!widget().IsDragging()) return {};
   QRectF plate = QFontMetricsF(labelFont()).boundingRect(QString::fromStdString(gizmo_.GetLabel())) + kLabelMargins;
   plate.moveBottomLeft(viewport().toPlace(gizmo_.GetLabelPosition()) + kLabelOffset);
   return movedInto(plate, viewport().rect());
@@ -176,18 +168,13 @@ bool GizmoTool::wants(const QKeyEvent& event) const
 {
   const char key = characterOf(event);
   // Escape is the window's, and comes as `cancel`.
-  return key != 27 && widget_->WantsKey(key);
-}
-
-void GizmoTool::loseFocus()
-{
-  if (widget_->IsDragging() && !widget_->IsHeld()) widget_->Keep();
+  return key != 27 && widget().WantsKey(key);
 }
 
 bool GizmoTool::cancel()
 {
-  const bool wasDragging = widget_->IsDragging();
-  widget_->Cancel();
+  const bool wasDragging = widget().IsDragging();
+  widget().Cancel();
   return wasDragging;
 }
 

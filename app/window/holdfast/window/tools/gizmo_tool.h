@@ -1,12 +1,9 @@
 #pragma once
-/// \file
 /// Moves the selected constraints by arrows, squares and rings.
 
 #include <QFont>
 #include <QRectF>
 #include <memory>
-
-#include <vtkNew.h>
 
 #include <holdfast/document/constraint_drag.h>
 #include <holdfast/widgets/interaction/gizmo_widget.h>
@@ -28,19 +25,18 @@ enum class RotationOfMoves {
 };
 
 /// The gizmo is where the selected points and handles go, whichever tool is chosen. A drag is one edit.
-class GizmoTool : public WidgetTool {
-  Q_OBJECT
-
+class GizmoTool : public ToolOf<GizmoWidget> {
  public:
   GizmoTool(Editor& editor, Viewport& viewport, QObject* parent);
-  ~GizmoTool() override;
 
   [[nodiscard]] QString hint() const override;
   void begin() override { placeGizmo(); }
   [[nodiscard]] bool wants(const QKeyEvent& event) const override;
-  void loseFocus() override;
+  void loseFocus() override
+  {
+    if (widget().IsDragging() && !widget().IsHeld()) widget().Keep();
+  }
   bool cancel() override;
-  /// How far the drag is, at the cursor.
   void paint(QPainter& painter) const override;
 
   /// The box of that label, in the viewport's coordinates and inside it; empty without a drag.
@@ -49,12 +45,10 @@ class GizmoTool : public WidgetTool {
   void setAxes(GizmoAxes axes);
   [[nodiscard]] GizmoAxes axes() const noexcept { return axes_; }
   void setRotationOfMoves(RotationOfMoves turn) { rotationOfMoves_ = turn; }
-  [[nodiscard]] RotationOfMoves rotationOfMoves() const noexcept { return rotationOfMoves_; }
 
-  [[nodiscard]] GizmoWidget& widget() const { return *widget_; }
   [[nodiscard]] const GizmoRepresentation& gizmo() const noexcept { return gizmo_; }
   /// Whether the cursor is over one of its parts, or drags it: `hint` applies then.
-  [[nodiscard]] bool isTouched() const { return widget_->GetPart() != GizmoPart::None; }
+  [[nodiscard]] bool isTouched() const { return widget().GetPart() != GizmoPart::None; }
 
  protected:
   void followSurface() override;
@@ -66,13 +60,11 @@ class GizmoTool : public WidgetTool {
   void highlight();
   void start();
   void move(vtkObject* caller, unsigned long event, void* motion);
-  void keep();
-  void restore();
+  void finish(vtkObject* caller, unsigned long event, void* data);
   [[nodiscard]] bool isRotation() const;
   [[nodiscard]] RigidIncrement incrementOf(const GizmoMotion& motion);
   [[nodiscard]] QFont labelFont() const;
 
-  vtkNew<GizmoWidget> widget_;
   GizmoRepresentation& gizmo_;
   GizmoAxes axes_ = GizmoAxes::World;
   RotationOfMoves rotationOfMoves_ = RotationOfMoves::AsConstraint;

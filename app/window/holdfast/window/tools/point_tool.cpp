@@ -1,26 +1,22 @@
-#include <vtkNew.h>
-
 #include <holdfast/widgets/interaction/surface_point_widget.h>
 #include <holdfast/window/model/constraint_actions.h>
 #include <holdfast/window/tools/tools.h>
-#include <holdfast/window/viewport/viewport.h>
 
 namespace holdfast {
 namespace {
 
-class PointTool : public WidgetTool {
+class PointTool : public ToolOf<SurfacePointWidget> {
  public:
-  PointTool(Editor& editor, Viewport& viewport) : WidgetTool(editor, viewport)
+  PointTool(Editor& editor, Viewport& viewport) : ToolOf(editor, viewport)
   {
-    attach(*widget_);
-    widget_->AddObserver(vtkCommand::InteractionEvent, this, &PointTool::preview);
-    widget_->AddObserver(vtkCommand::PlacePointEvent, this, &PointTool::place);
-    widget_->AddObserver(vtkCommand::WidgetValueChangedEvent, this, &PointTool::changed);
+    widget().AddObserver(vtkCommand::InteractionEvent, this, &PointTool::preview);
+    widget().AddObserver(vtkCommand::PlacePointEvent, this, &PointTool::place);
+    widget().AddObserver(vtkCommand::WidgetValueChangedEvent, this, &PointTool::changed);
   }
 
   QString hint() const override
   {
-    switch (widget_->GetKind()) {
+    switch (widget().GetKind()) {
       case PickKind::Vertex:
         return tr("Click a vertex to hold it. E: edges, F: faces, A: whatever is nearest");
       case PickKind::Edge:
@@ -35,27 +31,23 @@ class PointTool : public WidgetTool {
 
   void end() override
   {
-    WidgetTool::end();
+    ToolOf::end();
     Q_EMIT viewport().previewChanged(std::nullopt);
   }
 
   void leave() override
   {
-    widget_->HidePreview();
+    widget().HidePreview();
     Q_EMIT viewport().previewChanged(std::nullopt);
   }
 
   bool wants(const QKeyEvent& event) const override
   {
     const char key = characterOf(event);
-    return key != '\0' && widget_->WantsKey(key);
+    return key != '\0' && widget().WantsKey(key);
   }
 
  private:
-  void followSurface() override { widget_->SetSurface(viewport().surface()); }
-
-  void followDisplay() override { widget_->SetPixelRatio(viewport().pixelRatio()); }
-
   void preview(vtkObject* /*caller*/, unsigned long /*event*/, void* pick)
   {
     const auto* shown = static_cast<const SurfacePick*>(pick);
@@ -66,8 +58,6 @@ class PointTool : public WidgetTool {
   {
     holdPoint(editor(), *static_cast<const SurfacePick*>(pick));
   }
-
-  vtkNew<SurfacePointWidget> widget_;
 };
 
 }  // namespace

@@ -1,57 +1,46 @@
 #include <vector>
 
-#include <vtkNew.h>
-
 #include <holdfast/widgets/interaction/interaction_events.h>
 #include <holdfast/window/tools/tools.h>
-#include <holdfast/window/viewport/viewport.h>
 
 namespace holdfast {
 namespace {
 
-class RegionTool : public WidgetTool {
+class RegionTool : public ToolOf<RegionWidget> {
  public:
-  RegionTool(RegionShape shape, Editor& editor, Viewport& viewport) : WidgetTool(editor, viewport)
+  RegionTool(RegionShape shape, Editor& editor, Viewport& viewport) : ToolOf(editor, viewport)
   {
-    attach(*widget_);
-    widget_->SetShape(shape);
-    widget_->AddObserver(vtkCommand::StartInteractionEvent, this, &RegionTool::start);
-    widget_->AddObserver(vtkCommand::InteractionEvent, this, &RegionTool::reach);
-    widget_->AddObserver(vtkCommand::EndInteractionEvent, this, &RegionTool::reach);
-    widget_->AddObserver(CancelInteractionEvent, this, &RegionTool::restore);
-    widget_->AddObserver(vtkCommand::WidgetValueChangedEvent, this, &RegionTool::changed);
+    widget().SetShape(shape);
+    widget().AddObserver(vtkCommand::StartInteractionEvent, this, &RegionTool::start);
+    widget().AddObserver(vtkCommand::InteractionEvent, this, &RegionTool::reach);
+    widget().AddObserver(vtkCommand::EndInteractionEvent, this, &RegionTool::reach);
+    widget().AddObserver(CancelInteractionEvent, this, &RegionTool::restore);
+    widget().AddObserver(vtkCommand::WidgetValueChangedEvent, this, &RegionTool::changed);
   }
 
   QString hint() const override
   {
-    const QString outline = tr("Shift adds, Ctrl takes away, Alt reaches through. Then F: fixed, H: handle, R: rigid");
-    switch (widget_->GetShape()) {
+    const QString outline =
+        ' ' + tr("Shift adds, Ctrl takes away, Alt reaches through. Then F: fixed, H: handle, R: rigid");
+    switch (widget().GetShape()) {
       case RegionShape::Brush:
         break;
       case RegionShape::Rectangle:
-        return tr("Drag a rectangle.") + ' ' + outline;
+        return tr("Drag a rectangle.") + outline;
       case RegionShape::Lasso:
-        return tr("Draw around vertices.") + ' ' + outline;
+        return tr("Draw around vertices.") + outline;
       case RegionShape::Side:
         return tr("Click a side that bends by less than %1° an edge ([ and ]). Double click: the whole part. "
                   "Shift adds, Ctrl takes away")
-            .arg(widget_->GetSideAngle());
+            .arg(widget().GetSideAngle());
     }
     return tr(
         "Paint a region. Shift adds, Ctrl takes away, [ and ] size the brush. Then F: fixed, H: handle, R: rigid");
   }
 
-  bool cancel() override { return widget_->Cancel(); }
+  bool cancel() override { return widget().Cancel(); }
 
  private:
-  void followSurface() override
-  {
-    widget_->SetSurface(viewport().surface());
-    widget_->SetRegions(editor().isOpen() ? editor().mesh().regions : nullptr);
-  }
-
-  void followDisplay() override { widget_->SetPixelRatio(viewport().pixelRatio()); }
-
   void start()
   {
     before_ = editor().selectedVertices();
@@ -70,7 +59,6 @@ class RegionTool : public WidgetTool {
     if (editor().isOpen() && ofModel_.lock() == editor().model()) editor().selectVertices(before_);
   }
 
-  vtkNew<RegionWidget> widget_;
   std::vector<Index> before_;           // the selection when the gesture began
   std::weak_ptr<const Model> ofModel_;  // the model at that time
 };

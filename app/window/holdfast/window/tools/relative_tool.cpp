@@ -1,4 +1,3 @@
-#include <vtkNew.h>
 #include <vtkRenderer.h>
 
 #include <holdfast/base/error.h>
@@ -6,20 +5,18 @@
 #include <holdfast/widgets/interaction/surface_ruler_widget.h>
 #include <holdfast/window/model/constraint_actions.h>
 #include <holdfast/window/tools/tools.h>
-#include <holdfast/window/viewport/viewport.h>
 
 namespace holdfast {
 namespace {
 
-class RelativeTool : public WidgetTool {
+class RelativeTool : public ToolOf<SurfaceRulerWidget> {
  public:
-  RelativeTool(Editor& editor, Viewport& viewport) : WidgetTool(editor, viewport)
+  RelativeTool(Editor& editor, Viewport& viewport) : ToolOf(editor, viewport)
   {
-    attach(*widget_);
-    widget_->AddObserver(vtkCommand::PlacePointEvent, this, &RelativeTool::forgetRefusal);
-    widget_->AddObserver(CancelInteractionEvent, this, &RelativeTool::forgetRefusal);
-    widget_->AddObserver(vtkCommand::EndInteractionEvent, this, &RelativeTool::keep);
-    widget_->GetRulerRepresentation()->ShowVectorOn();
+    widget().AddObserver(vtkCommand::PlacePointEvent, this, &RelativeTool::forgetRefusal);
+    widget().AddObserver(CancelInteractionEvent, this, &RelativeTool::forgetRefusal);
+    widget().AddObserver(vtkCommand::EndInteractionEvent, this, &RelativeTool::keep);
+    widget().GetRulerRepresentation()->ShowVectorOn();
     selected_->ShowVectorOn();
     selected_->SetRenderer(&viewport.widgetRenderer());
     viewport.widgetRenderer().AddViewProp(selected_);
@@ -30,27 +27,27 @@ class RelativeTool : public WidgetTool {
   QString hint() const override
   {
     if (!refusal_.isEmpty()) return refusal_;
-    if (widget_->GetLocation(0)) return tr("Click the second point; Escape takes the first one back");
+    if (widget().GetLocation(0)) return tr("Click the second point; Escape takes the first one back");
     return tr("Click two points of the surface to keep the vector from the first to the second");
   }
 
   bool cancel() override
   {
-    if (!widget_->IsUnderWay()) return false;
-    widget_->Cancel();
+    if (!widget().IsUnderWay()) return false;
+    widget().Cancel();
     return true;
   }
 
  private:
   void followSurface() override
   {
-    widget_->SetSurface(viewport().surface());
+    ToolOf::followSurface();
     selected_->SetSurface(viewport().surface());
   }
 
   void followDisplay() override
   {
-    for (SurfaceRulerRepresentation* const arrow : {widget_->GetRulerRepresentation(), selected_.Get()}) {
+    for (SurfaceRulerRepresentation* const arrow : {widget().GetRulerRepresentation(), selected_.Get()}) {
       arrow->SetPixelRatio(viewport().pixelRatio());
       arrow->SetUnits(editor().isOpen() ? editor().list().units : "");
     }
@@ -65,10 +62,10 @@ class RelativeTool : public WidgetTool {
 
   void keep()
   {
-    const SurfaceLocation first = *widget_->GetLocation(0);
-    const SurfaceLocation second = *widget_->GetLocation(1);
-    const bool isOnePlace = widget_->GetRestDistance() == 0;
-    widget_->Clear();
+    const SurfaceLocation first = *widget().GetLocation(0);
+    const SurfaceLocation second = *widget().GetLocation(1);
+    const bool isOnePlace = widget().GetRestDistance() == 0;
+    widget().Clear();
     if (isOnePlace)
       refusal_ = tr("Both clicks took the same place, which has no vector: click two places that are apart");
     else
@@ -93,7 +90,6 @@ class RelativeTool : public WidgetTool {
   }
 
   QString refusal_;  // of the last two clicks; empty if they made a constraint
-  vtkNew<SurfaceRulerWidget> widget_;
   vtkNew<SurfaceRulerRepresentation> selected_;
 };
 

@@ -1,47 +1,52 @@
-#include "holdfast/window/tools/ruler_tool.h"
-
 #include <holdfast/widgets/interaction/interaction_events.h>
-#include <holdfast/window/viewport/viewport.h>
+#include <holdfast/widgets/interaction/surface_ruler_widget.h>
+#include <holdfast/window/tools/tools.h>
 
 namespace holdfast {
+namespace {
 
-RulerTool::RulerTool(Editor& editor, Viewport& viewport, QObject* parent) : WidgetTool(editor, viewport, parent)
-{
-  attach(*widget_);
-  for (const unsigned long event :
-       {static_cast<unsigned long>(vtkCommand::PlacePointEvent), static_cast<unsigned long>(CancelInteractionEvent)})
-    widget_->AddObserver(event, this, &RulerTool::changed);
-}
-
-QString RulerTool::hint() const
-{
-  if (widget_->GetLocation(1)) return tr("Drag an end to measure elsewhere; Escape takes the ruler away");
-  if (widget_->GetLocation(0)) return tr("Click the second point; Escape takes the first one back");
-  return tr("Click two points of the surface to measure between them, now and at rest");
-}
-
-void RulerTool::followSurface()
-{
-  widget_->SetSurface(viewport().surface());
-  if (editor().isOpen()) widget_->SetUnits(editor().list().units);
-}
-
-void RulerTool::followDisplay()
-{
-  widget_->SetPixelRatio(viewport().pixelRatio());
-}
-
-bool RulerTool::cancel()
-{
-  if (!widget_->GetLocation(0)) return false;
-  if (widget_->IsUnderWay()) {
-    widget_->Cancel();
-  } else {
-    widget_->Clear();
-    widget_->Render();
+class RulerTool : public ToolOf<SurfaceRulerWidget> {
+ public:
+  RulerTool(Editor& editor, Viewport& viewport) : ToolOf(editor, viewport)
+  {
+    setObjectName("rulerTool");
+    widget().AddObserver(vtkCommand::PlacePointEvent, this, &RulerTool::changed);
+    widget().AddObserver(CancelInteractionEvent, this, &RulerTool::changed);
   }
-  Q_EMIT changed();
-  return true;
+
+  QString hint() const override
+  {
+    if (widget().GetLocation(1)) return tr("Drag an end to measure elsewhere; Escape takes the ruler away");
+    if (widget().GetLocation(0)) return tr("Click the second point; Escape takes the first one back");
+    return tr("Click two points of the surface to measure between them, now and at rest");
+  }
+
+  bool cancel() override
+  {
+    if (!widget().GetLocation(0)) return false;
+    if (widget().IsUnderWay()) {
+      widget().Cancel();
+    } else {
+      widget().Clear();
+      widget().Render();
+    }
+    Q_EMIT changed();
+    return true;
+  }
+
+ private:
+  void followSurface() override
+  {
+    ToolOf::followSurface();
+    if (editor().isOpen()) widget().SetUnits(editor().list().units);
+  }
+};
+
+}  // namespace
+
+Tool* newRulerTool(Editor& editor, Viewport& viewport)
+{
+  return new RulerTool(editor, viewport);
 }
 
 }  // namespace holdfast

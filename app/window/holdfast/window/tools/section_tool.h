@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// A plane that cuts the picture open.
 
 #include <QObject>

@@ -1,20 +1,16 @@
 #include <vector>
 
-#include <vtkNew.h>
-
 #include <holdfast/widgets/interaction/constraint_mark_widget.h>
 #include <holdfast/window/tools/tools.h>
-#include <holdfast/window/viewport/viewport.h>
 
 namespace holdfast {
 namespace {
 
-class SelectTool : public WidgetTool {
+class SelectTool : public ToolOf<ConstraintMarkWidget> {
  public:
-  SelectTool(Editor& editor, Viewport& viewport) : WidgetTool(editor, viewport)
+  SelectTool(Editor& editor, Viewport& viewport) : ToolOf(editor, viewport)
   {
-    attach(*widget_);
-    widget_->AddObserver(vtkCommand::PickEvent, this, &SelectTool::pick);
+    widget().AddObserver(vtkCommand::PickEvent, this, &SelectTool::pick);
     connect(&viewport, &Viewport::marksChanged, this, &SelectTool::followMarks);
   }
 
@@ -23,12 +19,10 @@ class SelectTool : public WidgetTool {
   QString hint() const override { return tr("Click a constraint to select it, drag to turn the picture"); }
 
  private:
-  void followDisplay() override { widget_->SetPixelRatio(viewport().pixelRatio()); }
-
   void followMarks()
   {
-    widget_->GetConstraintMarkRepresentation()->SetSection(viewport().section());
-    widget_->SetMarks(viewport().contents() ? viewport().contents()->sharedMarks() : nullptr);
+    widget().GetConstraintMarkRepresentation()->SetSection(viewport().section());
+    widget().SetMarks(viewport().contents() ? viewport().contents()->sharedMarks() : nullptr);
   }
 
   void pick(vtkObject* /*caller*/, unsigned long /*event*/, void* picked)
@@ -40,8 +34,6 @@ class SelectTool : public WidgetTool {
     if (std::erase(selected, *constraint) == 0) selected.push_back(*constraint);
     editor().selectConstraints(std::move(selected));
   }
-
-  vtkNew<ConstraintMarkWidget> widget_;
 };
 
 }  // namespace

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The tools of the viewport, one of which is chosen, and the actions that choose them.
 
 #include <QActionGroup>
@@ -18,18 +17,15 @@ class ToolBox : public QObject {
  public:
   ToolBox(Editor& editor, Viewport& viewport, QObject* parent);
 
-  /// In the order of the tool bar. Keys choose them, too.
   [[nodiscard]] QList<QAction*> actions() const { return group_->actions(); }
   [[nodiscard]] const Tool& current() const { return *current_; }
   void chooseSelect();
-  /// Draws the icons in the colours of the palette.
   void drawIcons();
 
  Q_SIGNALS:
   void hintChanged(const QString& hint);
 
  private:
-  void add(Tool* tool, const QString& objectName, const QString& name, const QString& key, const QString& tip);
   void choose(Tool* tool);
 
   Viewport& viewport_;

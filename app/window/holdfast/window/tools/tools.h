@@ -1,6 +1,5 @@
 #pragma once
-/// \file
-/// The tools that the tool box offers besides the ruler. The caller owns them; editor and viewport outlive them.
+/// The tools that the tool box offers. The caller owns them; editor and viewport outlive them.
 
 #include <holdfast/widgets/interaction/region_widget.h>
 #include <holdfast/window/tools/widget_tool.h>
@@ -20,5 +19,8 @@ namespace holdfast {
 /// Draws a closed curve, which selects what is inside it, again each time that one of its places is dragged. A
 /// constraint made of it keeps the curve, not the ids. Any other selection removes the curve.
 [[nodiscard]] Tool* newCurveTool(Editor& editor, Viewport& viewport);
+/// Two clicks place a ruler, which follows the surface and shows the distance now and at rest. Its ends can be dragged;
+/// Escape takes it away. It is there as long as the tool is chosen.
+[[nodiscard]] Tool* newRulerTool(Editor& editor, Viewport& viewport);
 
 }  // namespace holdfast

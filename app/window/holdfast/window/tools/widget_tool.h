@@ -1,51 +1,41 @@
 #pragma once
-/// \file
-/// The base of tools that listen to a widget of VTK.
+/// The base of tools.
 
-#include <holdfast/window/model/editor.h>
+#include <utility>
+
+#include <vtkNew.h>
+
 #include <holdfast/window/viewport/tool.h>
-
-class vtkAbstractWidget;
+#include <holdfast/window/viewport/viewport.h>
 
 namespace holdfast {
 
-class Viewport;
-
-/// Its widget works in the viewport as long as the tool is chosen.
-class WidgetTool : public Tool {
-  Q_OBJECT
-
+/// Makes its widget, and tells it the surface, its regions and the pixel ratio, as far as the widget wants to know
+/// them.
+template <class Widget>
+class ToolOf : public Tool {
  public:
-  [[nodiscard]] Qt::CursorShape cursor() const override { return Qt::CrossCursor; }
-  void begin() override;
-  void end() override;
-
- protected:
-  /// `widget` stays alive as long as this.
-  WidgetTool(Editor& editor, Viewport& viewport, QObject* parent = nullptr)
-      : Tool(parent), editor_(editor), viewport_(viewport)
+  ToolOf(Editor& editor, Viewport& viewport, QObject* parent = nullptr, vtkNew<Widget> widget = {})
+      : Tool(editor, viewport, *widget, parent), widget_(std::move(widget))
   {
   }
 
-  /// To be called once, by the constructor.
-  void attach(vtkAbstractWidget& widget);
+  [[nodiscard]] Widget& widget() const { return *widget_; }
 
-  /// The viewport shows another surface, or none.
-  virtual void followSurface() {}
-  /// Before each picture: the pixel ratio of the display may have changed.
-  virtual void followDisplay() {}
-
-  [[nodiscard]] Editor& editor() const noexcept { return editor_; }
-  [[nodiscard]] Viewport& viewport() const noexcept { return viewport_; }
+ protected:
+  void followSurface() override
+  {
+    if constexpr (requires { widget().SetSurface(viewport().surface()); }) widget().SetSurface(viewport().surface());
+    if constexpr (requires { widget().SetRegions(nullptr); })
+      widget().SetRegions(editor().isOpen() ? editor().mesh().regions : nullptr);
+  }
+  void followDisplay() override
+  {
+    if constexpr (requires { widget().SetPixelRatio(1); }) widget().SetPixelRatio(viewport().pixelRatio());
+  }
 
  private:
-  Editor& editor_;
-  Viewport& viewport_;
-  vtkAbstractWidget* widget_ = nullptr;
+  vtkNew<Widget> widget_;
 };
-
-/// The character that a key stands for, as widgets of VTK ask for it: '\r' for Return, '\b' for Backspace, 27 for
-/// Escape; 0 for others, and with Ctrl, Alt or Meta.
-[[nodiscard]] char characterOf(const QKeyEvent& event);
 
 }  // namespace holdfast

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// Whether OpenGL has finished drawing, without waiting for it.
 
 #include <chrono>
@@ -24,7 +23,6 @@ class DrawFence {
   DrawFence(const DrawFence&) = delete;
   DrawFence& operator=(const DrawFence&) = delete;
 
-  /// Replaces a fence that was set before.
   void set();
 
   /// False if the orders before the fence are still being drawn after `patience`; else true, and the fence is no longer

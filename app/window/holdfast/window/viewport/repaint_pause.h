@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// A window that is not repainted while OpenGL draws in it.
 
 #include <QObject>

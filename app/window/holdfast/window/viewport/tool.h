@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// What the mouse does in the viewport while one tool is chosen.
 
 #include <QObject>
@@ -8,43 +7,60 @@
 
 class QKeyEvent;
 class QPainter;
+class vtkAbstractWidget;
 
 namespace holdfast {
 
-/// The viewport has one tool at a time. Tools listen to widgets of VTK and edit the document; events that the widgets
-/// leave move the camera.
+class Editor;
+class Viewport;
+
+/// The viewport has one tool at a time. Tools listen to a widget of VTK, which works as long as the tool is chosen, and
+/// edit the document; events that the widget leaves move the camera.
 class Tool : public QObject {
   Q_OBJECT
 
  public:
-  using QObject::QObject;
-
   /// What the left button does, in one line for the status bar.
   [[nodiscard]] virtual QString hint() const = 0;
-  [[nodiscard]] virtual Qt::CursorShape cursor() const { return Qt::ArrowCursor; }
+  [[nodiscard]] virtual Qt::CursorShape cursor() const { return Qt::CrossCursor; }
 
   /// The user has chosen this tool; another one.
-  virtual void begin() = 0;
-  virtual void end() = 0;
-
+  virtual void begin();
+  virtual void end();
   /// The mouse is over something in front of what the tool works on.
   virtual void leave() {}
-
   /// Whether the tool takes the key, before any menu does.
   [[nodiscard]] virtual bool wants(const QKeyEvent& /*event*/) const { return false; }
-
   /// The viewport loses the keyboard focus.
   virtual void loseFocus() {}
-
   /// Takes back what is under way, exactly; false if nothing is.
   virtual bool cancel() { return false; }
-
   /// Draws over the picture, in the viewport's own coordinates.
   virtual void paint(QPainter& /*painter*/) const {}
 
  Q_SIGNALS:
   /// `paint` or `hint` gives another result now.
   void changed();
+
+ protected:
+  /// All outlive the tool.
+  Tool(Editor& editor, Viewport& viewport, vtkAbstractWidget& widget, QObject* parent);
+
+  /// The viewport shows another surface, or none.
+  virtual void followSurface() {}
+  /// Before each picture: the pixel ratio of the display may have changed.
+  virtual void followDisplay() {}
+
+  [[nodiscard]] Editor& editor() const noexcept { return editor_; }
+  [[nodiscard]] Viewport& viewport() const noexcept { return viewport_; }
+  /// The character that a key stands for, as widgets of VTK ask for it: '\r' for Return, '\b' for Backspace, 27 for
+  /// Escape; 0 for others, and with Ctrl, Alt or Meta.
+  [[nodiscard]] static char characterOf(const QKeyEvent& event);
+
+ private:
+  Editor& editor_;
+  Viewport& viewport_;
+  vtkAbstractWidget& vtkWidget_;
 };
 
 }  // namespace holdfast

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// What sessions keep of the view: the camera, the colours, and what is shown.
 
 #include <holdfast/document/session_file.h>

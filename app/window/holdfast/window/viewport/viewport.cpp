@@ -10,7 +10,6 @@
 #include <QVTKInteractor.h>
 #include <vtkBoundingBox.h>
 #include <vtkCamera.h>
-#include <vtkLightKit.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
@@ -129,10 +128,10 @@ void Viewport::warmUp(const ExampleDocument& example)
 
 void Viewport::setDarkBackdrop(bool isDark)
 {
-  const Color bottom = isDark ? Color{0.16, 0.17, 0.19} : Color{1.0, 1.0, 1.0};
-  const Color top = isDark ? Color{0.24, 0.26, 0.29} : Color{0.90, 0.915, 0.935};
-  renderer_->SetBackground(bottom.red, bottom.green, bottom.blue);
-  renderer_->SetBackground2(top.red, top.green, top.blue);
+  std::array bottom = isDark ? std::array{0.16, 0.17, 0.19} : std::array{1.0, 1.0, 1.0};
+  std::array top = isDark ? std::array{0.24, 0.26, 0.29} : std::array{0.90, 0.915, 0.935};
+  renderer_->SetBackground(bottom.data());
+  renderer_->SetBackground2(top.data());
   scheduleRender();
 }
 
@@ -236,7 +235,6 @@ void Viewport::setColors(const ColorSettings& settings)
 void Viewport::setDisplay(const DisplaySettings& settings)
 {
   display_ = settings;
-  if (!contents_) return;
   showConstraints();
 }
 
@@ -251,15 +249,20 @@ const std::vector<ConstraintMark>& Viewport::marks() const noexcept
 void Viewport::frameAll()
 {
   if (!editor_.isOpen()) return;
-  const double aspect = static_cast<double>(width()) / std::max(1, height());
-  fit(*renderer_->GetActiveCamera(), defaultFrame(editor_.positions()), editor_.positions(), aspect);
-  cameraMoved();
+  fitCamera(defaultFrame(editor_.positions()));
 }
 
 void Viewport::setCamera(const Camera& camera)
 {
   openedFrom_.reset();
   place(*renderer_->GetActiveCamera(), camera);
+  cameraMoved();
+}
+
+void Viewport::fitCamera(const ViewFrame& frame)
+{
+  const double aspect = static_cast<double>(width()) / std::max(1, height());
+  fit(*renderer_->GetActiveCamera(), frame, editor_.positions(), aspect);
   cameraMoved();
 }
 
@@ -274,10 +277,8 @@ void Viewport::frameConstraints(const std::vector<Index>& constraints)
   std::vector<Vector3> places;
   for (const ConstraintMark& mark : marks())
     if (std::binary_search(constraints.begin(), constraints.end(), mark.constraint)) places.push_back(mark.place);
-  if (places.empty()) return;
-  Positions rows(static_cast<Index>(places.size()), 3);
-  for (std::size_t k = 0; k < places.size(); ++k) rows.row(static_cast<Index>(k)) = places[k].transpose();
-  framePlaces(rows);
+  if (!places.empty())
+    framePlaces(Eigen::Map<const Positions>(places.front().data(), static_cast<Index>(places.size()), 3));
 }
 
 void Viewport::framePlaces(const Positions& places)
@@ -301,9 +302,7 @@ void Viewport::lookAlong(const Vector3& direction, const Vector3& up)
   if (!editor_.isOpen()) return;
   const Vector3 back = -direction.normalized();
   const Vector3 right = up.cross(back).normalized();
-  const double aspect = static_cast<double>(width()) / std::max(1, height());
-  fit(*renderer_->GetActiveCamera(), {right, back.cross(right), back}, editor_.positions(), aspect);
-  cameraMoved();
+  fitCamera({right, back.cross(right), back});
 }
 
 void Viewport::setParallelProjection(bool isParallel)
@@ -383,8 +382,24 @@ void Viewport::render()
   // The driver still draws what was abandoned, and the next picture would wait for it.
   if (isOneComing || !fence_->pass()) return renderTimer_.start(kMillisecondsBetweenLooks);
   if (!isVisible()) return;
-  if (!std::exchange(isSceneDue_, false) && kept_->isCurrent()) return renderWidgets();
-  // A large mesh is drawn with fewer triangles until the mouse rests.
+  const bool areOnlyWidgets = !std::exchange(isSceneDue_, false) && kept_->isCurrent();
+  if (!areOnlyWidgets) prepareScene();
+  Q_EMIT aboutToRender();
+  drawing_.start();
+  if (!areOnlyWidgets && !isCoarse_) return renderAtOnce();
+  // Showing the picture would wait for the drawing.
+  window_->SwapBuffersOff();
+  if (areOnlyWidgets)
+    kept_->drawLayersAbove();
+  else
+    window_->Render();
+  window_->SwapBuffersOn();
+  awaitDrawing();
+}
+
+/// A large mesh is drawn with fewer triangles until the mouse rests.
+void Viewport::prepareScene()
+{
   isCoarse_ = contents_ && fullMilliseconds_ > kFluentMilliseconds;
   kept_->setKeeping(!isCoarse_);
   if (contents_) {
@@ -392,41 +407,15 @@ void Viewport::render()
     contents_->setDetail(isCoarse_ ? Detail::Coarse : Detail::Full);
   }
   fitClippingRange();
-  Q_EMIT aboutToRender();
-  drawing_.start();
-  if (isCoarse_)
-    renderCoarse();
-  else
-    renderAtOnce();
-}
-
-void Viewport::renderWidgets()
-{
-  Q_EMIT aboutToRender();
-  drawing_.start();
-  window_->SwapBuffersOff();
-  kept_->drawLayersAbove();
-  window_->SwapBuffersOn();
-  awaitDrawing();
 }
 
 void Viewport::renderAtOnce()
 {
   window_->Render();
   fence_->set();
-  renderMilliseconds_ = millisecondsOf(drawing_);
-  fullMilliseconds_ = renderMilliseconds_;
+  fullMilliseconds_ = millisecondsOf(drawing_);
   overlay_->update();
   Q_EMIT rendered();
-}
-
-void Viewport::renderCoarse()
-{
-  // Showing the picture would wait for the drawing.
-  window_->SwapBuffersOff();
-  window_->Render();
-  window_->SwapBuffersOn();
-  awaitDrawing();
 }
 
 void Viewport::awaitDrawing()
@@ -448,14 +437,8 @@ void Viewport::goOnWhenDrawn()
   // Before its first painting there is no OpenGL context, and nothing was drawn.
   if (isValid()) window_->Frame();
   waiting_.start();
-  renderMilliseconds_ = millisecondsOf(drawing_);
   overlay_->update();
   Q_EMIT rendered();
-}
-
-bool Viewport::isUnseen() const
-{
-  return waiting_.isValid() && waiting_.elapsed() < kMostMillisecondsUnseen;
 }
 
 void Viewport::abandonDrawing()

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The picture of the open document, and VTK's interactor in it.
 
 #include <QElapsedTimer>
@@ -31,6 +30,7 @@ namespace holdfast {
 
 class ViewportOverlay;
 struct ExampleDocument;
+struct ViewFrame;
 
 /// Shows the editor's document. Qt's events go to VTK's interactor, whose widgets and camera style interpret them. All
 /// their requests of one turn of the event loop give one picture.
@@ -44,7 +44,6 @@ class Viewport : public VtkView {
   /// Draws an example for `MainWindow::warmUp`. Before a document is opened.
   void warmUp(const ExampleDocument& example);
 
-  /// The chosen tool; null for none. The caller keeps it.
   void setTool(Tool* tool);
   /// A tool beside every chosen tool: the gizmo.
   void setFirstTool(Tool* tool);
@@ -61,7 +60,6 @@ class Viewport : public VtkView {
   [[nodiscard]] const std::optional<Coloring>& coloring() const noexcept { return coloring_; }
   void setDarkBackdrop(bool isDark);
 
-  /// The camera.
   void frameAll();
   /// The first deformation no longer frames the mesh then.
   void setCamera(const Camera& camera);
@@ -91,31 +89,24 @@ class Viewport : public VtkView {
   /// The next picture waits this long for the window to show the last one. A minimised window shows none.
   static constexpr int kMostMillisecondsUnseen = 100;
 
-  /// Draws at the next turn of the event loop.
   void scheduleRender();
-  /// The same for VTK's interactor: draws only the layers above the document if that has not changed.
+  /// For VTK's interactor: draws only the layers above the document if that has not changed.
   void scheduleWidgets();
-  /// Whether the picture of a large mesh that moves has only some triangles.
-  [[nodiscard]] bool isCoarse() const noexcept { return isCoarse_; }
   /// Whether a picture, or one of more detail, is still to come.
   [[nodiscard]] bool isRenderPending() const
   {
     return renderTimer_.isActive() || restTimer_.isActive() || drawnTimer_.isActive();
   }
-  /// Milliseconds from the beginning to the end of the last picture.
-  [[nodiscard]] double lastRenderMilliseconds() const noexcept { return renderMilliseconds_; }
 
  Q_SIGNALS:
   /// What a click of the chosen tool would take, or nothing; tools emit it.
   void previewChanged(const std::optional<SurfacePick>& pick);
   /// Another field, another scale, or other values of it.
   void coloringChanged(const std::optional<Coloring>& coloring);
-  /// `surface` is another one.
   void surfaceChanged();
   /// `marks` or `section` has changed.
   void marksChanged();
   void contextMenuWanted(const QPoint& place);
-  /// Before each picture.
   void aboutToRender();
   /// The last moment to take a widget away from the interactor.
   void closing();
@@ -130,7 +121,6 @@ class Viewport : public VtkView {
  private:
   void askForContextMenu();
   void wakeOrientation(const QPointF& place);
-  void paintTools();
 
   void openDocument();
   void showSurface();
@@ -139,18 +129,18 @@ class Viewport : public VtkView {
   void showConstraints();
   void showSelection();
   void cameraMoved();
+  void fitCamera(const ViewFrame& frame);
   void framePlaces(const Positions& places);
   /// Avoids work for a full picture that will not be drawn.
   void prepareToMove();
   void render();
-  void renderWidgets();
+  void prepareScene();
   void renderAtOnce();
-  void renderCoarse();
   void renderInFull();
   void renderSlice();
   void awaitDrawing();
   void goOnWhenDrawn();
-  [[nodiscard]] bool isUnseen() const;
+  [[nodiscard]] bool isUnseen() const { return waiting_.isValid() && waiting_.elapsed() < kMostMillisecondsUnseen; }
   void abandonDrawing();
   void fitClippingRange();
 
@@ -182,9 +172,8 @@ class Viewport : public VtkView {
   RepaintPause pause_{*this};  // while something is drawn
   std::unique_ptr<SlicedDrawing> slices_;
   std::unique_ptr<KeptScene> kept_;
-  QElapsedTimer drawing_;  // since the picture was begun
-  QElapsedTimer waiting_;  // for the window to show it; invalid once it does
-  double renderMilliseconds_ = 0;
+  QElapsedTimer drawing_;        // since the picture was begun
+  QElapsedTimer waiting_;        // for the window to show it; invalid once it does
   double fullMilliseconds_ = 0;  // of the last picture in full detail
   bool isCoarse_ = false;
   bool isSceneDue_ = false;  // the next picture is one of the document, too

@@ -28,27 +28,19 @@ void Viewport::setTool(Tool* tool)
   // Widgets that show another cursor return to this one.
   setDefaultCursor(tool_ ? tool_->cursor() : Qt::ArrowCursor);
   setCursor(defaultCursor());
-  paintTools();
+  overlay_->setTools({tool_, firstTool_});
 }
 
 void Viewport::setFirstTool(Tool* tool)
 {
   firstTool_ = tool;
   connect(tool, &Tool::changed, overlay_, qOverload<>(&QWidget::update));
-  paintTools();
+  overlay_->setTools({tool_, firstTool_});
 }
 
 void Viewport::leaveTool()
 {
   if (tool_) tool_->leave();
-}
-
-void Viewport::paintTools()
-{
-  std::vector<const Tool*> tools;
-  for (const Tool* tool : {tool_, firstTool_})
-    if (tool) tools.push_back(tool);
-  overlay_->setTools(std::move(tools));
 }
 
 bool Viewport::cancelGesture()

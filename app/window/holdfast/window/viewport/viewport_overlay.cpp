@@ -2,15 +2,13 @@
 
 #include <QFontMetricsF>
 #include <QPainter>
-#include <algorithm>
 #include <array>
 #include <utility>
 
-#include <holdfast/window/controls/vtk_palette.h>
+#include <holdfast/deform/outcomes.h>
 #include <holdfast/window/text/color_text.h>
 #include <holdfast/window/viewport/tool.h>
 #include <holdfast/window/viewport/viewport.h>
-#include <holdfast/window/viewport/viewport_legend.h>
 
 namespace holdfast {
 namespace {
@@ -61,54 +59,44 @@ void ViewportOverlay::paintEvent(QPaintEvent* /*event*/)
   paintLegend(painter);
   paintSolveState(painter);
   for (const Tool* tool : tools_) {
+    if (tool == nullptr) continue;
     painter.save();
     tool->paint(painter);
     painter.restore();
   }
 }
 
-ViewportLegend ViewportOverlay::legend() const
+LegendContent ViewportOverlay::legend() const
 {
-  ViewportLegend legend(rect(), QFontMetricsF(font()));
+  LegendContent legend;
   const ColorBy field = viewport_.colors().field;
+  const auto& deformation = editor_.deformation();
   if (const auto& coloring = viewport_.coloring())
-    legend.addScale(coloring->scale);
-  else if (editor_.deformation() && field != ColorBy::None)
-    legend.addLine(tr("%1: nothing to show").arg(fieldText(field).name));
-  addCounts(legend);
+    legend.scale = coloring->scale;
+  else if (deformation && field != ColorBy::None)
+    legend.line = tr("%1: nothing to show").arg(fieldText(field).name);
+  if (!deformation || !viewport_.display().areConstraintsShown) return legend;
+  for (const ConstraintStatus status :
+       {ConstraintStatus::Disabled, ConstraintStatus::Missed, ConstraintStatus::Conflicting,
+        ConstraintStatus::Redundant, ConstraintStatus::Met})
+    if (const Index count = countOf(deformation->report, status); count > 0) legend.counts.emplace_back(status, count);
   return legend;
 }
 
 void ViewportOverlay::paintLegend(QPainter& painter)
 {
-  const ViewportLegend current = legend();
-  const QSize pixels = size() * devicePixelRatioF();
-  if (paintedLegend_ != current || paintedPalette_ != palette() || legendPicture_.size() != pixels) {
-    if (legendPicture_.size() != pixels) legendPicture_ = QPixmap(pixels);
+  const std::tuple key(legend(), palette(), font(), size() * devicePixelRatioF());
+  if (painted_ != key) {
+    painted_ = key;
+    legendPicture_ = QPixmap(size() * devicePixelRatioF());
     legendPicture_.setDevicePixelRatio(devicePixelRatioF());
     legendPicture_.fill(Qt::transparent);
     QPainter once(&legendPicture_);
     once.setRenderHint(QPainter::Antialiasing);
     once.setFont(font());
-    current.paint(once, palette());
-    paintedLegend_ = current;
-    paintedPalette_ = palette();
+    paint(legend(), once, rect(), palette());
   }
   painter.drawPixmap(0, 0, legendPicture_);
-}
-
-void ViewportOverlay::addCounts(ViewportLegend& legend) const
-{
-  const auto& deformation = editor_.deformation();
-  if (!deformation || !viewport_.display().areConstraintsShown) return;
-  const auto& outcomes = deformation->report.constraints;
-  for (const ConstraintStatus status :
-       {ConstraintStatus::Disabled, ConstraintStatus::Missed, ConstraintStatus::Conflicting,
-        ConstraintStatus::Redundant, ConstraintStatus::Met}) {
-    const auto count = std::count_if(outcomes.begin(), outcomes.end(),
-                                     [&](const ConstraintOutcome& outcome) { return outcome.status == status; });
-    if (count > 0) legend.addCount(status, count);
-  }
 }
 
 void ViewportOverlay::paintSolveState(QPainter& painter) const

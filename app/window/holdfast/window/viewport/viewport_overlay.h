@@ -1,12 +1,13 @@
 #pragma once
-/// \file
 /// Texts and drawings over the picture: the legend, those of the tool, whether the picture is older than the document,
 /// and what to do if nothing is open.
 
+#include <QFont>
 #include <QPalette>
 #include <QPixmap>
 #include <QWidget>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 #include <holdfast/window/model/editor.h>
@@ -17,14 +18,13 @@ namespace holdfast {
 class Tool;
 class Viewport;
 
-/// Covers a viewport and ignores the mouse.
 class ViewportOverlay : public QWidget {
   Q_OBJECT
 
  public:
   ViewportOverlay(Editor& editor, Viewport& viewport);
 
-  /// The tools that paint over the picture.
+  /// They paint over the picture; null for none.
   void setTools(std::vector<const Tool*> tools);
 
  protected:
@@ -32,8 +32,7 @@ class ViewportOverlay : public QWidget {
 
  private:
   void paintLegend(QPainter& painter);
-  [[nodiscard]] ViewportLegend legend() const;
-  void addCounts(ViewportLegend& legend) const;
+  [[nodiscard]] LegendContent legend() const;
   void paintSolveState(QPainter& painter) const;
   void paintWelcome(QPainter& painter) const;
 
@@ -41,8 +40,7 @@ class ViewportOverlay : public QWidget {
   Viewport& viewport_;
   std::vector<const Tool*> tools_;
   // The legend as painted last: halos take longer than most pictures.
-  std::optional<ViewportLegend> paintedLegend_;
-  QPalette paintedPalette_;
+  std::optional<std::tuple<LegendContent, QPalette, QFont, QSize>> painted_;
   QPixmap legendPicture_;
 };
 

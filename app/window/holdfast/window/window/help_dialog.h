@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The most useful gestures, on one page.
 
 class QWidget;

@@ -1,6 +1,6 @@
 #include "holdfast/window/window/main_window.h"
 
-#include <QAction>
+#include <QActionGroup>
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
@@ -12,9 +12,8 @@
 #include <QMimeData>
 #include <QTimer>
 #include <QToolBar>
+#include <QUrl>
 #include <algorithm>
-#include <array>
-#include <functional>
 
 #include <vtkRenderer.h>
 
@@ -23,9 +22,8 @@
 #include <holdfast/window/controls/icons.h>
 #include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/controls/theme.h>
-#include <holdfast/window/files/dropped_files.h>
 #include <holdfast/window/files/file_messages.h>
-#include <holdfast/window/files/import_dialog.h>
+#include <holdfast/window/files/recent_files.h>
 #include <holdfast/window/model/constraint_actions.h>
 #include <holdfast/window/tools/gizmo_tool.h>
 #include <holdfast/window/tools/section_tool.h>
@@ -37,6 +35,26 @@
 #include <holdfast/window/window/status_line.h>
 
 namespace holdfast {
+namespace {
+
+/// The paths of those that lie on this computer; none where something else is dragged.
+QStringList localFiles(const QMimeData& data)
+{
+  QStringList paths;
+  for (const QUrl& url : data.urls())
+    if (url.isLocalFile()) paths << url.toLocalFile();
+  return paths;
+}
+
+/// Of constraints or points.
+bool isListFile(const QString& path)
+{
+  return path.endsWith(".csv", Qt::CaseInsensitive) || path.endsWith(".json", Qt::CaseInsensitive);
+}
+
+}  // namespace
+
+const MainWindow::Item MainWindow::separator;
 
 MainWindow::MainWindow()
     : files_(editor_, this),
@@ -72,68 +90,89 @@ MainWindow::~MainWindow()
   gizmo_->disconnect(this);
 }
 
-QAction* MainWindow::addAction(QMenu& menu, const QString& name, const QString& text, const QKeySequence& key,
-                               const QString& tip, std::function<void()> run, Needs needs)
+QAction* MainWindow::addAction(QMenu& menu, const Item& item)
 {
-  QAction* action = named(menu.addAction(text), name);
-  action->setShortcut(key);
-  const QString plain = QString(tip).remove('&');
-  action->setToolTip(key.isEmpty() ? plain : QString("%1 (%2)").arg(plain, key.toString(QKeySequence::NativeText)));
-  action->setStatusTip(plain);
-  connect(action, &QAction::triggered, this, std::move(run));
-  if (needs != Needs::Nothing) needs_.emplace_back(action, needs);
+  QAction* action = named(menu.addAction(item.text), item.name);
+  action->setShortcut(QKeySequence(item.key));
+  const QString tip = QString(item.tip).remove('&');
+  const QString key = action->shortcut().toString(QKeySequence::NativeText);
+  action->setToolTip(key.isEmpty() ? tip : QString("%1 (%2)").arg(tip, key));
+  action->setStatusTip(tip);
+  if (item.run) connect(action, &QAction::triggered, this, item.run);
+  if (item.needs != Needs::Nothing) needs_.emplace_back(action, item.needs);
+  return action;
+}
+
+void MainWindow::addActions(QMenu& menu, const std::vector<Item>& items)
+{
+  for (const Item& item : items) item.text.isEmpty() ? menu.addSeparator() : addAction(menu, item);
+}
+
+void MainWindow::addChoices(QMenu& menu, const std::vector<Item>& items)
+{
+  auto* group = new QActionGroup(this);
+  for (const Item& item : items) {
+    QAction* action = addAction(menu, item);
+    action->setCheckable(true);
+    action->setChecked(group->actions().isEmpty());
+    group->addAction(action);
+  }
+}
+
+QAction* MainWindow::addSwitch(QMenu& menu, const Item& item)
+{
+  QAction* action = addAction(menu, item);
+  action->setCheckable(true);
   return action;
 }
 
 void MainWindow::makeFileMenu()
 {
   QMenu& menu = *menuBar()->addMenu(tr("&File"));
-  addAction(menu, "open", tr("&Open…"), QKeySequence::Open, tr("Open a mesh or a session"),
-            [this] { files_.openDialog(); });
+  addAction(menu, {"open", tr("&Open…"), "Ctrl+O", tr("Open a mesh or a session"), Needs::Nothing,
+                   [this] { files_.openDialog(); }});
   QMenu* recent = menu.addMenu(tr("Open &recent"));
-  connect(recent, &QMenu::aboutToShow, this, [this, recent] { files_.fillRecentMenu(*recent); });
-  menu.addSeparator();
-  addAction(
-      menu, "save", tr("&Save"), QKeySequence::Save, tr("Save the mesh's constraints and the view as a session"),
-      [this] { files_.saveInBackground(); }, Needs::Document);
-  addAction(
-      menu, "saveAs", tr("Save &as…"), QKeySequence("Ctrl+Shift+S"), tr("Save as another session"),
-      [this] { files_.saveAsInBackground(); }, Needs::Document);
-  menu.addSeparator();
-  addAction(
-      menu, "import", tr("&Import constraints…"), QKeySequence("Ctrl+I"),
-      tr("Add measured points (CSV) or constraints (JSON), after a look at where they lie"),
-      [this] { importConstraints(editor_, this); }, Needs::Document);
-  QMenu& out = *menu.addMenu(tr("&Export"));
-  const auto add = [&](const char* name, const QString& text, const QString& tip, void (DocumentExports::*run)()) {
-    addAction(
-        out, name, text, {}, tip, [this, run] { (exports_.*run)(); }, Needs::Document);
-  };
-  add("exportMesh", tr("&Mesh…"), tr("The deformed mesh, in any format"), &DocumentExports::exportMesh);
-  add("exportFields", tr("&Fields…"), tr("Residuals, rotations and displacements at all vertices, as VTP"),
-      &DocumentExports::exportFields);
-  add("exportReport", tr("&Report…"), tr("The outcome of each constraint, as JSON or CSV"),
-      &DocumentExports::exportReport);
-  add("exportConstraints", tr("&Constraints…"), tr("A constraint file for holdfast-batch"),
-      &DocumentExports::exportConstraints);
-  add("exportPicture", tr("&Picture…"), tr("The picture as you see it, at any size"), &DocumentExports::exportPicture);
-  menu.addSeparator();
-  addAction(menu, "quit", tr("&Quit"), QKeySequence("Ctrl+Q"), tr("Close the window"), [this] { close(); });
+  connect(recent, &QMenu::aboutToShow, this,
+          [this, recent] { fillRecentMenu(*recent, [this](const QString& path) { files_.open(path); }); });
+  addActions(menu, {separator,
+                    {"save", tr("&Save"), "Ctrl+S", tr("Save the mesh's constraints and the view as a session"),
+                     Needs::Document, [this] { files_.saveInBackground(); }},
+                    {"saveAs", tr("Save &as…"), "Ctrl+Shift+S", tr("Save as another session"), Needs::Document,
+                     [this] { files_.saveAsInBackground(); }},
+                    separator,
+                    {"import", tr("&Import constraints…"), "Ctrl+I",
+                     tr("Add measured points (CSV) or constraints (JSON), after a look at where they lie"),
+                     Needs::Document, [this] { files_.importDialog(); }}});
+  const auto writing = [this](void (DocumentExports::*run)()) { return [this, run] { (exports_.*run)(); }; };
+  addActions(*menu.addMenu(tr("&Export")),
+             {{"exportMesh", tr("&Mesh…"), "", tr("The deformed mesh, in any format"), Needs::Document,
+               writing(&DocumentExports::exportMesh)},
+              {"exportFields", tr("&Fields…"), "", tr("Residuals, rotations and displacements at all vertices, as VTP"),
+               Needs::Document, writing(&DocumentExports::exportFields)},
+              {"exportReport", tr("&Report…"), "", tr("The outcome of each constraint, as JSON or CSV"),
+               Needs::Document, writing(&DocumentExports::exportReport)},
+              {"exportConstraints", tr("&Constraints…"), "", tr("A constraint file for holdfast-batch"),
+               Needs::Document, writing(&DocumentExports::exportConstraints)},
+              {"exportPicture", tr("&Picture…"), "", tr("The picture as you see it, at any size"), Needs::Document,
+               writing(&DocumentExports::exportPicture)}});
+  addActions(menu,
+             {separator, {"quit", tr("&Quit"), "Ctrl+Q", tr("Close the window"), Needs::Nothing, [this] { close(); }}});
 }
 
 void MainWindow::makeHelpMenu()
 {
-  QMenu& menu = *menuBar()->addMenu(tr("&Help"));
-  addAction(menu, "help", tr("&Ten gestures"), QKeySequence(Qt::Key_F1), tr("The most useful gestures, on one page"),
-            [this] { showHelp(this); });
-  addAction(menu, "about", tr("&About Holdfast"), {}, tr("The version of the program"), [this] {
+  const auto about = [this] {
     QMessageBox::about(
         this, tr("About Holdfast"),
         tr("<b>Holdfast %1</b><p>Deforms triangle meshes under exact positional constraints, after H. Masuda, "
            "Y. Yoshioka, Y. Furukawa, <i>Interactive mesh deformation using equality-constrained least "
            "squares</i>.</p>")
             .arg(QApplication::applicationVersion()));
-  });
+  };
+  addActions(*menuBar()->addMenu(tr("&Help")),
+             {{"help", tr("&Ten gestures"), "F1", tr("The most useful gestures, on one page"), Needs::Nothing,
+               [this] { showHelp(this); }},
+              {"about", tr("&About Holdfast"), "", tr("The version of the program"), Needs::Nothing, about}});
 }
 
 void MainWindow::connectFiles()
@@ -176,18 +215,20 @@ void MainWindow::dropEvent(QDropEvent* event)
   event->setDropAction(Qt::CopyAction);
   event->accept();
   // The program that the files come from waits until this returns; questions may take longer.
-  QTimer::singleShot(0, this, [this, files = sorted(localFiles(*event->mimeData()))] { take(files); });
+  QTimer::singleShot(0, this, [this, paths = localFiles(*event->mimeData())] { take(paths); });
 }
 
-void MainWindow::take(const DroppedFiles& files)
+/// One document is open at a time, and a list of constraints belongs to it: takes the first document, else the first
+/// list.
+void MainWindow::take(const QStringList& paths)
 {
-  const QString& path = files.taken;
+  const auto document = std::find_if_not(paths.begin(), paths.end(), isListFile);
+  const QString& path = document == paths.end() ? paths.front() : *document;
   const QString name = QFileInfo(path).fileName();
-  if (!files.leftAlone.isEmpty())
-    status_->showMessage(tr("One file at a time: %1 is taken, %2 more not").arg(name).arg(files.leftAlone.size()),
-                         12000);
-  if (!files.isList) return files_.open(path);
-  if (editor_.isOpen()) return importConstraints(editor_, this, [path](QWidget*, const FileQuestion&) { return path; });
+  if (paths.size() > 1)
+    status_->showMessage(tr("One file at a time: %1 is taken, %2 more not").arg(name).arg(paths.size() - 1), 12000);
+  if (!isListFile(path)) return files_.open(path);
+  if (editor_.isOpen()) return files_.importConstraints(path);
   showProblem(this, tr("“%1” cannot be opened.").arg(name),
               tr("It is a list of constraints. Open the mesh that they belong to, and drop the list on it."));
 }
@@ -229,16 +270,16 @@ void MainWindow::closeEvent(QCloseEvent* event)
 void MainWindow::makeEditMenu()
 {
   QMenu& menu = *menuBar()->addMenu(tr("&Edit"));
-  undo_ = addAction(menu, "undo", tr("&Undo"), QKeySequence::Undo, tr("Take the last edit back"),
-                    [this] { editor_.undo(); });
-  redo_ = addAction(menu, "redo", tr("&Redo"), QKeySequence("Ctrl+Shift+Z"),
-                    tr("Do the edit again that was undone last"), [this] { editor_.redo(); });
-  menu.addSeparator();
-  addAction(menu, "escape", tr("&Cancel"), QKeySequence(Qt::Key_Escape),
-            tr("Take back what is under way: a drag, a curve, solving; or select nothing"), [this] { escape(); });
-  addAction(
-      menu, "solveAgain", tr("&Solve again"), QKeySequence(Qt::Key_F5), tr("Solve again after it was stopped"),
-      [this] { editor_.solve(); }, Needs::Document);
+  undo_ = addAction(
+      menu, {"undo", tr("&Undo"), "Ctrl+Z", tr("Take the last edit back"), Needs::Nothing, [this] { editor_.undo(); }});
+  redo_ = addAction(menu, {"redo", tr("&Redo"), "Ctrl+Shift+Z", tr("Do the edit again that was undone last"),
+                           Needs::Nothing, [this] { editor_.redo(); }});
+  addActions(menu, {separator,
+                    {"escape", tr("&Cancel"), "Esc",
+                     tr("Take back what is under way: a drag, a curve, solving; or select nothing"), Needs::Nothing,
+                     [this] { escape(); }},
+                    {"solveAgain", tr("&Solve again"), "F5", tr("Solve again after it was stopped"), Needs::Document,
+                     [this] { editor_.solve(); }}});
 }
 
 void MainWindow::makeSelectionMenu()
@@ -248,120 +289,105 @@ void MainWindow::makeSelectionMenu()
     menu.addAction(tool);
     needs_.emplace_back(tool, Needs::Document);
   }
-  menu.addSeparator();
-  const auto vertices = [this] { return editor_.selectedVertices(); };
-  const auto regions = [this]() -> VertexRegions& { return *editor_.mesh().regions; };
-  addAction(
-      menu, "grow", tr("&Grow"), QKeySequence("+"), tr("Select the next ring of vertices, too"),
-      [this, vertices, regions] { editor_.selectVertices(regions().grown(vertices())); }, Needs::Vertices);
-  addAction(
-      menu, "shrink", tr("S&hrink"), QKeySequence("-"), tr("Take the outermost vertices out of the selection"),
-      [this, vertices, regions] { editor_.selectVertices(regions().shrunk(vertices())); }, Needs::Vertices);
-  addAction(
-      menu, "invert", tr("&Invert"), QKeySequence("I"), tr("Select all other vertices"),
-      [this, vertices, regions] { editor_.selectVertices(regions().inverted(vertices())); }, Needs::Document);
-  addAction(
-      menu, "deselect", tr("&Nothing"), QKeySequence("Ctrl+Shift+A"), tr("Deselect all vertices"),
-      [this] { editor_.selectVertices({}); }, Needs::Vertices);
+  using Edit = std::vector<Index> (VertexRegions::*)(std::span<const Index>) const;
+  const auto select = [this](Edit edit) {
+    return [this, edit] { editor_.selectVertices((*editor_.mesh().regions.*edit)(editor_.selectedVertices())); };
+  };
+  addActions(menu, {separator,
+                    {"grow", tr("&Grow"), "+", tr("Select the next ring of vertices, too"), Needs::Vertices,
+                     select(&VertexRegions::grown)},
+                    {"shrink", tr("S&hrink"), "-", tr("Take the outermost vertices out of the selection"),
+                     Needs::Vertices, select(&VertexRegions::shrunk)},
+                    {"invert", tr("&Invert"), "I", tr("Select all other vertices"), Needs::Document,
+                     select(&VertexRegions::inverted)},
+                    {"deselect", tr("&Nothing"), "Ctrl+Shift+A", tr("Deselect all vertices"), Needs::Vertices,
+                     [this] { editor_.selectVertices({}); }}});
 }
 
 void MainWindow::makeConstraintMenu()
 {
-  QMenu& menu = *menuBar()->addMenu(tr("&Constrain"));
-  const auto add = [&](const char* objectName, const QString& text, const char* key, const QString& tip,
-                       RegionKind kind) {
-    addAction(
-        menu, objectName, text, QKeySequence(key), tip, [this, kind] { constrainSelection(editor_, kind); },
-        Needs::Vertices);
-  };
-  add("makeFixed", tr("&Fix the selection"), "F", tr("The selected vertices stay where they are"), RegionKind::Fixed);
-  add("makeHandle", tr("Make a &handle of it"), "H", tr("The selected vertices move as you drag them"),
-      RegionKind::Handle);
-  add("makeRigid", tr("Make a &rigid feature of it"), "R",
-      tr("The selected vertices keep their shape wherever the surface takes them"), RegionKind::Rigid);
-  menu.addSeparator();
-  addAction(
-      menu, "toggleEnabled", tr("&Enable or disable"), QKeySequence("E"),
-      tr("Switch the selected constraints off, or on again"),
-      [this] { toggleConstraints(editor_, Rows(editor_.selectedConstraints())); }, Needs::Constraints);
-  addAction(
-      menu, "deleteConstraints", tr("&Delete"), QKeySequence(Qt::Key_Delete), tr("Delete the selected constraints"),
-      [this] {
-        removeConstraints(editor_, Rows(editor_.selectedConstraints()));
-        editor_.selectConstraints({});
-      },
-      Needs::Constraints);
+  const auto constrain = [this](RegionKind kind) { return [this, kind] { constrainSelection(editor_, kind); }; };
+  addActions(
+      *menuBar()->addMenu(tr("&Constrain")),
+      {{"makeFixed", tr("&Fix the selection"), "F", tr("The selected vertices stay where they are"), Needs::Vertices,
+        constrain(RegionKind::Fixed)},
+       {"makeHandle", tr("Make a &handle of it"), "H", tr("The selected vertices move as you drag them"),
+        Needs::Vertices, constrain(RegionKind::Handle)},
+       {"makeRigid", tr("Make a &rigid feature of it"), "R",
+        tr("The selected vertices keep their shape wherever the surface takes them"), Needs::Vertices,
+        constrain(RegionKind::Rigid)},
+       separator,
+       {"toggleEnabled", tr("&Enable or disable"), "E", tr("Switch the selected constraints off, or on again"),
+        Needs::Constraints, [this] { toggleConstraints(editor_, Rows(editor_.selectedConstraints())); }},
+       {"deleteConstraints", tr("&Delete"), "Del", tr("Delete the selected constraints"), Needs::Constraints, [this] {
+          removeConstraints(editor_, Rows(editor_.selectedConstraints()));
+          editor_.selectConstraints({});
+        }}});
 }
 
 void MainWindow::makeViewMenu()
 {
   QMenu& menu = *menuBar()->addMenu(tr("&View"));
-  addAction(
-      menu, "frameAll", tr("Show &all"), QKeySequence(Qt::Key_Home), tr("Show the whole mesh"),
-      [this] { viewport_->frameAll(); }, Needs::Document);
-  addAction(
-      menu, "frameSelection", tr("Show the &selection"), QKeySequence("."), tr("Show the selection from near"),
-      [this] { frameSelection(); }, Needs::Document);
-  menu.addSeparator();
-  struct Side {
-    const char* objectName;
-    QString text;
-    const char* key;
-    Vector3 direction;
-    Vector3 up;
+  const auto look = [this](const char* name, const QString& text, const char* key, const Vector3& direction,
+                           const Vector3& up) -> Item {
+    return {name, text, key, text, Needs::Document, [=, this] { viewport_->lookAlong(direction, up); }};
   };
-  const std::array sides{Side{"viewFront", tr("From the &front"), "1", Vector3::UnitY(), Vector3::UnitZ()},
-                         Side{"viewBack", tr("From &behind"), "Ctrl+1", -Vector3::UnitY(), Vector3::UnitZ()},
-                         Side{"viewRight", tr("From the &right"), "3", -Vector3::UnitX(), Vector3::UnitZ()},
-                         Side{"viewLeft", tr("From the &left"), "Ctrl+3", Vector3::UnitX(), Vector3::UnitZ()},
-                         Side{"viewTop", tr("From a&bove"), "7", -Vector3::UnitZ(), Vector3::UnitY()},
-                         Side{"viewBottom", tr("From bel&ow"), "Ctrl+7", Vector3::UnitZ(), -Vector3::UnitY()}};
-  for (const Side& side : sides)
-    addAction(
-        menu, side.objectName, side.text, QKeySequence(side.key), side.text,
-        [this, side] { viewport_->lookAlong(side.direction, side.up); }, Needs::Document);
-  menu.addSeparator();
-  QAction* parallel = addAction(menu, "parallelProjection", tr("&Parallel projection"), QKeySequence("5"),
-                                tr("Without perspective"), [] {});
-  parallel->setCheckable(true);
-  connect(parallel, &QAction::toggled, viewport_, &Viewport::setParallelProjection);
+  const auto frameSelection = [this] {
+    if (!editor_.selectedVertices().empty()) return viewport_->frameVertices(editor_.selectedVertices());
+    viewport_->frameConstraints(editor_.selectedConstraints());
+  };
+  const Vector3 x = Vector3::UnitX();
+  const Vector3 y = Vector3::UnitY();
+  const Vector3 z = Vector3::UnitZ();
+  addActions(menu, {{"frameAll", tr("Show &all"), "Home", tr("Show the whole mesh"), Needs::Document,
+                     [this] { viewport_->frameAll(); }},
+                    {"frameSelection", tr("Show the &selection"), ".", tr("Show the selection from near"),
+                     Needs::Document, frameSelection},
+                    separator,
+                    look("viewFront", tr("From the &front"), "1", y, z),
+                    look("viewBack", tr("From &behind"), "Ctrl+1", -y, z),
+                    look("viewRight", tr("From the &right"), "3", -x, z),
+                    look("viewLeft", tr("From the &left"), "Ctrl+3", x, z),
+                    look("viewTop", tr("From a&bove"), "7", -z, y),
+                    look("viewBottom", tr("From bel&ow"), "Ctrl+7", z, -y),
+                    separator});
+  connect(addSwitch(menu, {"parallelProjection", tr("&Parallel projection"), "5", tr("Without perspective")}),
+          &QAction::toggled, viewport_, &Viewport::setParallelProjection);
 
-  const auto choices = [&](const QString& title) {
-    return [this, &choiceMenu = *menu.addMenu(title), group = new QActionGroup(this)](
-               const char* name, const QString& text, const char* key, const QString& tip, std::function<void()> run) {
-      QAction* action = addAction(choiceMenu, name, text, QKeySequence(key), tip, std::move(run));
-      action->setCheckable(true);
-      action->setChecked(group->actions().isEmpty());
-      group->addAction(action);
-    };
-  };
-  const auto addAxes = choices(tr("A&xes of the arrows"));
+  const auto along = [this](GizmoAxes axes) { return [this, axes] { gizmo_->setAxes(axes); }; };
   const QString own = tr("Its &own: a handle's, or across the surface");
-  addAxes("axesWorld", tr("Of the &world"), "Shift+W", tr("Of the world"),
-          [this] { gizmo_->setAxes(GizmoAxes::World); });
-  addAxes("axesOwn", own, "Shift+H", own, [this] { gizmo_->setAxes(GizmoAxes::Own); });
-  addAxes("axesView", tr("Of the &view"), "Shift+V", tr("Of the view"), [this] { gizmo_->setAxes(GizmoAxes::View); });
-  const auto addRotation = choices(tr("&Turn of a handle that is moved"));
-  addRotation("turnAsConstraint", tr("As the &constraint says"), "",
-              tr("A handle that is moved turns as its constraint says: not at all, or about what is fixed"),
-              [this] { gizmo_->setRotationOfMoves(RotationOfMoves::AsConstraint); });
-  addRotation("turnAsSeen", tr("As &seen about what is fixed"), "",
-              tr("A handle that is moved turns about the viewing axis, by the angle that it makes on the screen"),
-              [this] { gizmo_->setRotationOfMoves(RotationOfMoves::AsSeen); });
+  addChoices(
+      *menu.addMenu(tr("A&xes of the arrows")),
+      {{"axesWorld", tr("Of the &world"), "Shift+W", tr("Of the world"), Needs::Nothing, along(GizmoAxes::World)},
+       {"axesOwn", own, "Shift+H", own, Needs::Nothing, along(GizmoAxes::Own)},
+       {"axesView", tr("Of the &view"), "Shift+V", tr("Of the view"), Needs::Nothing, along(GizmoAxes::View)}});
+  const auto rotate = [this](RotationOfMoves turn) { return [this, turn] { gizmo_->setRotationOfMoves(turn); }; };
+  addChoices(*menu.addMenu(tr("&Turn of a handle that is moved")),
+             {{"turnAsConstraint", tr("As the &constraint says"), "",
+               tr("A handle that is moved turns as its constraint says: not at all, or about what is fixed"),
+               Needs::Nothing, rotate(RotationOfMoves::AsConstraint)},
+              {"turnAsSeen", tr("As &seen about what is fixed"), "",
+               tr("A handle that is moved turns about the viewing axis, by the angle that it makes on the screen"),
+               Needs::Nothing, rotate(RotationOfMoves::AsSeen)}});
   menu.addSeparator();
-  QAction* section = addAction(
-      menu, "sectionPlane", tr("&Section plane"), QKeySequence("Shift+S"),
-      tr("Cut the picture open; the mesh stays whole"), [] {}, Needs::Document);
-  section->setCheckable(true);
-  connect(section, &QAction::toggled, new SectionTool(editor_, *viewport_, this), &SectionTool::setOn);
+  connect(addSwitch(menu, {"sectionPlane", tr("&Section plane"), "Shift+S",
+                           tr("Cut the picture open; the mesh stays whole"), Needs::Document}),
+          &QAction::toggled, new SectionTool(editor_, *viewport_, this), &SectionTool::setOn);
 
   panels_->fillMenu(*menu.addMenu(tr("&Panels")));
-  const auto addColors = choices(tr("&Colours of the window"));
-  const QString tip = tr("Colours of the window: %1");
-  addColors("colorsOfDesktop", tr("As the &desktop"), "", tip.arg(tr("as the desktop")),
-            [] { apply(Appearance::System); });
-  addColors("colorsLight", tr("&Light"), "", tip.arg(tr("light")), [] { apply(Appearance::Light); });
-  addColors("colorsDark", tr("D&ark"), "", tip.arg(tr("dark")), [] { apply(Appearance::Dark); });
+  const auto colors = [this](const char* name, const QString& text, const QString& spoken,
+                             Appearance appearance) -> Item {
+    return {name,
+            text,
+            "",
+            tr("Colours of the window: %1").arg(spoken),
+            Needs::Nothing,
+            [appearance] { apply(appearance); }};
+  };
+  addChoices(*menu.addMenu(tr("&Colours of the window")),
+             {colors("colorsOfDesktop", tr("As the &desktop"), tr("as the desktop"), Appearance::System),
+              colors("colorsLight", tr("&Light"), tr("light"), Appearance::Light),
+              colors("colorsDark", tr("D&ark"), tr("dark"), Appearance::Dark)});
 }
 
 void MainWindow::makeToolBars()
@@ -440,12 +466,6 @@ void MainWindow::escape()
   if (!editor_.selectedVertices().empty()) return editor_.selectVertices({});
   if (!editor_.selectedConstraints().empty()) return editor_.selectConstraints({});
   tools_->chooseSelect();
-}
-
-void MainWindow::frameSelection()
-{
-  if (!editor_.selectedVertices().empty()) return viewport_->frameVertices(editor_.selectedVertices());
-  viewport_->frameConstraints(editor_.selectedConstraints());
 }
 
 }  // namespace holdfast

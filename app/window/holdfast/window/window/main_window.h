@@ -1,8 +1,6 @@
 #pragma once
-/// \file
 /// The window: the picture in the middle, panels around it, and what menus and keys do.
 
-#include <QKeySequence>
 #include <QMainWindow>
 #include <functional>
 #include <memory>
@@ -22,7 +20,6 @@ class PanelDocks;
 class StatusLine;
 class ToolBox;
 class Viewport;
-struct DroppedFiles;
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -58,17 +55,29 @@ class MainWindow : public QMainWindow {
   void makeViewMenu();
   void makeHelpMenu();
   void connectFiles();
-  void take(const DroppedFiles& files);
+  void take(const QStringList& paths);
   void showContextMenu(const QPoint& place);
   void connectStatus();
   void updateTitle();
   void updateActions();
   void escape();
-  void frameSelection();
-  /// What an action cannot do without.
+
   enum class Needs { Nothing, Document, Vertices, Constraints };
-  QAction* addAction(QMenu& menu, const QString& name, const QString& text, const QKeySequence& key, const QString& tip,
-                     std::function<void()> run, Needs needs = Needs::Nothing);
+  /// An entry of a menu; a separator without a text.
+  struct Item {
+    const char* name = "";
+    QString text;
+    const char* key = "";
+    QString tip;
+    Needs needs = Needs::Nothing;
+    std::function<void()> run = {};
+  };
+  static const Item separator;
+  QAction* addAction(QMenu& menu, const Item& item);
+  QAction* addSwitch(QMenu& menu, const Item& item);
+  void addActions(QMenu& menu, const std::vector<Item>& items);
+  /// One of which is chosen, at first the first.
+  void addChoices(QMenu& menu, const std::vector<Item>& items);
 
   Editor editor_;
   DocumentFiles files_;

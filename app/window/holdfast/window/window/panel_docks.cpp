@@ -7,6 +7,7 @@
 #include <QScrollArea>
 #include <algorithm>
 
+#include <holdfast/deform/outcomes.h>
 #include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/inspector/inspector_panel.h>
 #include <holdfast/window/panels/color_panel.h>
@@ -52,8 +53,8 @@ PanelDocks::PanelDocks(Editor& editor, Viewport& viewport, QMainWindow& window)
     : QObject(&window), editor_(editor), viewport_(viewport), window_(window)
 {
   auto* constraints = newConstraintPanel(editor, [this](Index k) { viewport_.frameConstraints({k}); });
-  sphere_ = new SpherePanel(editor, &window);
-  histograms_ = new HistogramPanel(editor, &window);
+  sphere_ = new SpherePanel(editor);
+  histograms_ = new HistogramPanel(editor);
   colors_ = new ColorPanel(editor, &window);
   upper_ = {add(tr("Constraints"), "constraintsDock", constraints), add(tr("Colours"), "colorsDock", colors_),
             add(tr("Rotations"), "sphereDock", sphere_), add(tr("Distributions"), "histogramDock", histograms_)};
@@ -136,11 +137,8 @@ void PanelDocks::followViewport()
 
 void PanelDocks::countConflicts()
 {
-  Index count = 0;
-  if (const auto& deformation = editor_.deformation())
-    count =
-        std::count_if(deformation->report.constraints.begin(), deformation->report.constraints.end(),
-                      [](const ConstraintOutcome& outcome) { return outcome.status == ConstraintStatus::Conflicting; });
+  const auto& deformation = editor_.deformation();
+  const Index count = deformation ? countOf(deformation->report, ConstraintStatus::Conflicting) : 0;
   conflicts_->setWindowTitle(count > 0 ? tr("Conflicts (%1)").arg(count) : tr("Conflicts"));
 }
 

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The panels around the picture, and the connections between them and the picture.
 
 #include <QObject>
@@ -25,13 +24,11 @@ class PanelDocks : public QObject {
  public:
   PanelDocks(Editor& editor, Viewport& viewport, QMainWindow& window);
 
-  /// An entry for each panel, to show and to hide it.
   void fillMenu(QMenu& menu) const;
 
   /// The panels' part of `MainWindow::warmUp`.
   void warmUp(const ExampleDocument& example);
 
-  /// Gives the panels their parts of a window of this size, which is shown.
   void share(const QSize& size);
 
   /// Updates the controls of the display after the viewport has changed it.

@@ -2,7 +2,6 @@
 
 #include <QLabel>
 #include <QPushButton>
-#include <QResizeEvent>
 #include <cmath>
 
 #include <holdfast/window/controls/panel_parts.h>

@@ -1,5 +1,4 @@
 #pragma once
-/// \file
 /// The line below the picture: what the mouse does, what is under it, and how accurate the solution is.
 
 #include <QStatusBar>
@@ -23,7 +22,6 @@ class StatusLine : public QStatusBar {
   void setPick(const std::optional<SurfacePick>& pick);
 
  protected:
-  /// Hints that are too long end in dots.
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:

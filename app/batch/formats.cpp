@@ -1,0 +1,188 @@
+#include "batch/formats.h"
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <string_view>
+
+#include <fmt/ranges.h>
+
+#include <holdfast/base/error.h>
+#include <holdfast/base/lower_case.h>
+#include <holdfast/base/printable.h>
+#include <holdfast/io/mesh_file.h>
+#ifdef HOLDFAST_WITH_VTK
+#include <holdfast/widgets/files/any_mesh_file.h>
+#include <holdfast/widgets/files/poly_data_file.h>
+#include <holdfast/widgets/scene/display_check.h>
+#include <holdfast/widgets/scene/scene.h>
+#endif
+
+#include "batch/commands.h"
+
+namespace holdfast::batch {
+namespace {
+
+/// Lower case with the dot: ".obj".
+std::string extensionOf(const std::filesystem::path& path)
+{
+  return lowerCase(path.extension().string());
+}
+
+void requireKnown(const std::filesystem::path& path, const auto& known)
+{
+  if (std::find(known.begin(), known.end(), extensionOf(path)) == known.end())
+    throw UsageError(
+        fmt::format("--out: \"{}\" has none of the extensions {}", printable(path.string()), fmt::join(known, ", ")));
+}
+
+#ifdef HOLDFAST_WITH_VTK
+
+std::optional<int> sideOf(std::string_view text)
+{
+  int side = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), side);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  if (side < kLeastPictureSide || side > kLargestPictureSide) return std::nullopt;
+  return side;
+}
+
+PictureSize sizeOf(std::string_view text)
+{
+  const auto cross = text.find('x');
+  const auto width = sideOf(text.substr(0, cross));
+  const auto height = cross == std::string_view::npos ? std::nullopt : sideOf(text.substr(cross + 1));
+  if (!width || !height)
+    throw UsageError(fmt::format("--size: {} is not WIDTHxHEIGHT in pixels, each from {} to {}, such as 1280x960",
+                                 inQuotes(text), kLeastPictureSide, kLargestPictureSide));
+  if (hasTooManyPixels({*width, *height}))
+    throw UsageError(fmt::format(
+        "--size: {} has more than {} pixels, for which drawing takes 2.5 GiB of memory; ask for 8192x8192 or less",
+        printable(text), kMostPicturePixels));
+  return {*width, *height};
+}
+
+#endif
+
+}  // namespace
+
+#ifdef HOLDFAST_WITH_VTK
+
+std::string knownFormats()
+{
+  return fmt::format("{}", fmt::join(anyMeshExtensions(), ", "));
+}
+
+std::string knownColorings()
+{
+  return fmt::format("{}", fmt::join(colorByNames(), ", "));
+}
+
+void requireMeshExtension(const std::filesystem::path& path)
+{
+  requireKnown(path, anyOutputExtensions());
+}
+
+void requireFieldsExtension(const std::filesystem::path& path)
+{
+  if (extensionOf(path) != ".vtp")
+    throw UsageError(fmt::format("--fields: \"{}\" does not end in .vtp", printable(path.string())));
+}
+
+void requirePictureOptions(const PictureRequest& request)
+{
+  if (extensionOf(request.path) != ".png")
+    throw UsageError(fmt::format("--snapshot: \"{}\" does not end in .png", printable(request.path)));
+  if (!colorByNamed(request.colorBy))
+    throw UsageError(fmt::format("--color-by: {} is not one of {}", inQuotes(request.colorBy), knownColorings()));
+  static_cast<void>(sizeOf(request.size));
+}
+
+void requireDisplay(const PictureRequest& request)
+{
+  if (const std::string reason = whyNoPictures(); !reason.empty()) throw OutputError(request.path, reason);
+}
+
+MeshDocument readMeshFile(const std::filesystem::path& path)
+{
+  return readAnyMesh(path);
+}
+
+Serialized serializeMeshFile(const MeshDocument& document, const Positions& positions,
+                             const std::filesystem::path& path)
+{
+  return serializeAnyMesh(document, positions, path);
+}
+
+Serialized serializeFields(const Mesh& mesh, const Positions& positions, std::span<const Field> fields)
+{
+  return fieldsToVtp(mesh, positions, fields, {});
+}
+
+std::string snapshot(const PictureRequest& request, const Model& model, const DeformResult& deformation,
+                     const std::string& units)
+{
+  const Scene scene(model, deformation,
+                    {sizeOf(request.size), colorByNamed(request.colorBy).value(), Legend::Shown, units});
+  return toPng(draw(scene, request.path), request.path);
+}
+
+#else
+
+std::string knownFormats()
+{
+  return fmt::format("{}", fmt::join(meshExtensions(), ", "));
+}
+
+std::string knownColorings()
+{
+  return {};
+}
+
+void requireMeshExtension(const std::filesystem::path& path)
+{
+  requireKnown(path, meshExtensions());
+}
+
+void requireFieldsExtension(const std::filesystem::path& path)
+{
+  throw UsageError("--fields: this build has no VTK to write \"" + path.string() + "\" with; leave the option out");
+}
+
+void requirePictureOptions(const PictureRequest& request)
+{
+  throw UsageError("--snapshot: this build has no VTK to draw \"" + request.path + "\" with; leave the option out");
+}
+
+void requireDisplay(const PictureRequest& /*request*/) {}
+
+MeshDocument readMeshFile(const std::filesystem::path& path)
+{
+  return readMesh(path);
+}
+
+Serialized serializeMeshFile(const MeshDocument& document, const Positions& positions,
+                             const std::filesystem::path& path)
+{
+  try {
+    return serializeMesh(document, positions, extensionOf(path));
+  } catch (const OutputError& error) {
+    throw OutputError(path.string(), error.reason());
+  }
+}
+
+// Options that ask for these are refused.
+Serialized serializeFields(const Mesh& /*mesh*/, const Positions& /*positions*/, std::span<const Field> /*fields*/)
+{
+  return {};
+}
+
+std::string snapshot(const PictureRequest& /*request*/, const Model& /*model*/, const DeformResult& /*deformation*/,
+                     const std::string& /*units*/)
+{
+  return {};
+}
+
+#endif
+
+}  // namespace holdfast::batch

@@ -1,0 +1,414 @@
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableView>
+#include <cmath>
+
+#include <holdfast/base/error.h>
+#include <holdfast/constraints/handle_validation.h>
+#include <holdfast/document/handle_restated.h>
+#include <holdfast/document/list_edits.h>
+#include <holdfast/geometry/centroid.h>
+#include <holdfast/window/controls/panel_parts.h>
+#include <holdfast/window/inspector/sections.h>
+#include <holdfast/window/model/at_rest.h>
+#include <holdfast/window/table/vertex_table_model.h>
+#include <holdfast/window/text/constraint_text.h>
+
+namespace holdfast {
+namespace {
+
+/// One of those that say the motion of a handle in another way: `byFrames`, ...
+using Restatement = HandleConstraint (*)(const HandleConstraint& handle, const HandleSetting& setting);
+
+/// What the motion of a handle of the editor's list depends on.
+HandleSetting settingOf(const Editor& editor, const Constraint& handle)
+{
+  return settingOf(*editor.model(), editor.list(), indexOf(editor.list(), handle.name).value(), {});
+}
+
+Constraint restated(const Editor& editor, Constraint handle, Restatement restate)
+{
+  handle.what = restate(std::get<HandleConstraint>(handle.what), settingOf(editor, handle));
+  return handle;
+}
+
+/// Throws `InputError` with the key at fault, "to y" of ".frame.to.y", and the reason.
+void requireValid(const HandleConstraint& handle)
+{
+  const auto error = validateHandle(handle);
+  if (!error) return;
+  constexpr std::string_view kFrame = ".frame.";
+  std::string key = error->key.substr(error->key.starts_with(kFrame) ? kFrame.size() : 1);
+  std::replace(key.begin(), key.end(), '.', ' ');
+  throw InputError({}, key + ": " + error->reason);
+}
+
+void requireAxis(const Vector3& axis)
+{
+  if (axis.isZero(0))
+    throw InputError({}, "an axis cannot be zero in x, y and z; type the new direction first, then this 0");
+}
+
+/// In the order of `HandleConstraint::motion`.
+enum Method { NoTurn, AboutAxis, AboutFixed, FromFrameToFrame, VertexByVertex };
+
+AxisRotation& turnOf(HandleConstraint& handle)
+{
+  return std::get<AxisRotation>(handle.motion);
+}
+
+/// Reads a member of the turn; nothing from handles that do not turn about an axis.
+auto ofTurn(auto AxisRotation::*member)
+{
+  return [=](const HandleConstraint& handle) {
+    const auto* turn = std::get_if<AxisRotation>(&handle.motion);
+    return turn == nullptr ? std::nullopt : std::optional(turn->*member);
+  };
+}
+
+/// Frames have a section of their own.
+class HandleSection : public SectionOf<HandleConstraint> {
+ public:
+  explicit HandleSection(Editor& editor) : SectionOf(editor, tr("Motion"))
+  {
+    const QStringList methods{tr("not at all"), tr("by its own frame, about an axis"),
+                              tr("about the fixed region as it moves"), tr("from frame to frame"),
+                              tr("as the targets of its vertices say")};
+    bindChoice(
+        tr("&Turns"), "handleMethod", tr("How the handle turns"), methods,
+        [](const HandleConstraint& handle) { return static_cast<double>(handle.motion.index()); },
+        [this, methods](int method) { chooseMethod(method, methods[method]); });
+    bindVector(tr("&Axis"), "handleAxis", ofTurn(&AxisRotation::axis), tr("turn %1 about another axis"),
+               [](HandleConstraint& handle, int axis, double number) {
+                 turnOf(handle).axis[axis] = number;
+                 requireAxis(turnOf(handle).axis);
+               });
+    explain(bindNumber(tr("&Degrees"), "handleDegrees", ofTurn(&AxisRotation::degrees), tr("turn %1 by %2 degrees"),
+                       [](HandleConstraint& handle, double number) { turnOf(handle).degrees = number; }),
+            tr("Any number of turns: 720 is twice around"));
+    bindChoice(
+        tr("T&hrough"), "handleCenterChoice", tr("What the axis goes through"), {tr("its centroid"), tr("a place")},
+        [](const HandleConstraint& handle) -> std::optional<double> {
+          const auto* turn = std::get_if<AxisRotation>(&handle.motion);
+          return turn == nullptr ? std::nullopt : std::optional(turn->center ? 1 : 0);
+        },
+        [this](int choice) { chooseCenter(choice); });
+    bindVector(tr("&Center"), "handleCenter", ofTurn(&AxisRotation::center), tr("turn %1 about another place"),
+               [](HandleConstraint& handle, int axis, double number) { (*turnOf(handle).center)[axis] = number; });
+    bindVector(
+        tr("&Shift"), "handleTranslation", [](const HandleConstraint& handle) { return handle.translate; },
+        tr("move %1 to %2 = %3"),
+        [](HandleConstraint& handle, int axis, double number) { handle.translate[axis] = number; });
+  }
+
+ private:
+  void chooseMethod(int method, const QString& text)
+  {
+    change(tr("turn %1 %2").arg(subject(), text), [&](Constraint constraint) -> std::optional<Constraint> {
+      HandleConstraint& handle = std::get<HandleConstraint>(constraint.what);
+      if (static_cast<int>(handle.motion.index()) == method) return std::nullopt;
+      if (method == FromFrameToFrame) return restated(editor(), constraint, byFrames);
+      if (method == VertexByVertex) return restated(editor(), constraint, byTargets);
+      if (method == NoTurn) handle.motion = std::monostate{};
+      if (method == AboutAxis) handle.motion = AxisRotation{};
+      if (method == AboutFixed) handle.motion = RotationAboutFixed{};
+      return constraint;
+    });
+  }
+
+  void chooseCenter(int choice)
+  {
+    const QString name = choice == 0 ? tr("turn %1 about its centroid") : tr("turn %1 about a place");
+    edit(name.arg(subject()), [&](HandleConstraint& handle) {
+      if (turnOf(handle).center.has_value() == (choice == 1)) return false;
+      turnOf(handle).center = choice == 1 ? std::optional(centroidOf(handle)) : std::nullopt;
+      return true;
+    });
+  }
+
+  Vector3 centroidOf(const HandleConstraint& handle)
+  {
+    const std::vector<Index> vertices = findVertices(editor(), handle.select).vertices;
+    if (vertices.empty()) return Vector3::Zero();
+    return centroid(editor().model()->mesh.positions(vertices, Eigen::all));
+  }
+};
+
+FrameMotion& framesOf(HandleConstraint& handle)
+{
+  return std::get<FrameMotion>(handle.motion);
+}
+
+const FrameMotion& framesOf(const HandleConstraint& handle)
+{
+  return std::get<FrameMotion>(handle.motion);
+}
+
+/// Puts the numbers of the lines into `vector`; an empty line leaves its number as it is.
+void take(const VectorEdit& lines, Vector3& vector)
+{
+  const VectorEdit::Numbers typed = lines.typed();
+  for (Index axis = 0; axis < 3; ++axis) vector[axis] = typed[static_cast<std::size_t>(axis)].value_or(vector[axis]);
+}
+
+/// Numbers of the frames stay in the lines until they make frames.
+class FrameSection : public SectionOf<HandleConstraint> {
+ public:
+  explicit FrameSection(Editor& editor) : SectionOf(editor, tr("Frames"))
+  {
+    addFrame(&FrameMotion::from, tr("&From"), "frameFrom", {tr("its centroid"), tr("a place")});
+    addFrame(&FrameMotion::to, tr("T&o"), "frameTo", {tr("the same place"), tr("a place")});
+    explain(bindNumber(
+                tr("&Whole turns"), "frameTurns",
+                [](const HandleConstraint& handle) { return static_cast<double>(framesOf(handle).turns); },
+                tr("turn %1 by %2 whole turns more"),
+                [](HandleConstraint& handle, double turns) {
+                  framesOf(handle).turns = wholeNumber(turns, -INFINITY, "is no whole number of turns");
+                  requireValid(handle);
+                }),
+            tr("Added to the shortest rotation, about its axis"));
+  }
+
+  bool fits(const Constraint& constraint) const override
+  {
+    return SectionOf::fits(constraint) &&
+           std::holds_alternative<FrameMotion>(std::get<HandleConstraint>(constraint.what).motion);
+  }
+
+ private:
+  /// One frame in lines.
+  struct Lines {
+    Frame FrameMotion::*frame;
+    VectorEdit* origin;
+    VectorEdit* x;
+    VectorEdit* y;
+  };
+
+  void addFrame(Frame FrameMotion::*frame, const QString& title, const QString& name, const QStringList& origins)
+  {
+    const QString spoken = QString(title).remove('&');
+    bindChoice(
+        title, name + "Choice", tr("%1: where the frame is").arg(spoken), origins,
+        [=](const HandleConstraint& handle) { return (framesOf(handle).*frame).origin ? 1.0 : 0.0; },
+        [this, frame](int choice) { chooseOrigin(frame, choice); });
+    lines_.push_back({frame, addVector(tr("Origin"), name + "Origin", tr("%1: origin").arg(spoken)),
+                      addVector(tr("x axis"), name + "X", tr("%1: x axis").arg(spoken)),
+                      addVector(tr("y axis"), name + "Y", tr("%1: y axis").arg(spoken))});
+    const auto& [ofMotion, origin, x, y] = lines_.back();
+    explain(x, tr("Of any length"));
+    explain(y, tr("Of any length; its part along x is ignored"));
+    for (VectorEdit* line : {origin, x, y}) connect(line, &VectorEdit::entered, this, &FrameSection::takeFrames);
+  }
+
+  void refresh() override
+  {
+    SectionOf::refresh();
+    const bool isOther = isNews();
+    for (const auto& [frame, origin, x, y] : lines_) {
+      const auto show = [&, frame = frame](VectorEdit* line, auto Frame::*vector) {
+        line->setNumbers(commonVector([&](const Constraint& c) {
+          return std::optional<Vector3>(framesOf(std::get<HandleConstraint>(c.what)).*frame.*vector);
+        }));
+      };
+      setFieldVisible(origin, std::all_of(rows().begin(), rows().end(), [&, frame = frame](Index row) {
+                        return (framesOf(what(row)).*frame).origin.has_value();
+                      }));
+      if (!isOther) continue;
+      show(origin, &Frame::origin);
+      show(x, &Frame::x);
+      show(y, &Frame::y);
+    }
+  }
+
+  void chooseOrigin(Frame FrameMotion::*place, int choice)
+  {
+    const QString name = choice == 0 ? tr("take the origin of %1 from its vertices") : tr("give %1 an origin");
+    change(name.arg(subject()), [&](Constraint constraint) -> std::optional<Constraint> {
+      HandleConstraint& handle = std::get<HandleConstraint>(constraint.what);
+      Frame& frame = framesOf(handle).*place;
+      if (frame.origin.has_value() == (choice == 1)) return std::nullopt;
+      if (choice == 0)
+        frame.origin.reset();
+      else
+        frame.origin = framesOf(handle).from.origin.value_or(centroid(settingOf(editor(), constraint).rest));
+      requireValid(handle);
+      return constraint;
+    });
+  }
+
+  void takeFrames()
+  {
+    edit(tr("set the frames of %1").arg(subject()), [this](HandleConstraint& handle) {
+      for (const auto& [ofMotion, origin, x, y] : lines_) {
+        Frame& frame = framesOf(handle).*ofMotion;
+        if (frame.origin) take(*origin, *frame.origin);
+        take(*x, frame.x);
+        take(*y, frame.y);
+      }
+      requireValid(handle);
+      return true;
+    });
+  }
+
+  std::vector<Lines> lines_;
+};
+
+constexpr int kMostRowsInSight = 6;
+
+/// Why the vertices cannot have entries of their own; empty if they can.
+QString whyNotSingle(HandleConstraint handle)
+{
+  const auto* listed = std::get_if<VertexIds>(&handle.select.what);
+  if (listed == nullptr)
+    return InspectorSection::tr(
+               "Only a handle that lists its vertices can give each its own. This one selects by its shape: %1.")
+        .arg(selectionText(handle.select));
+  handle.motion = std::monostate{};
+  handle.rotations.assign(listed->ids.size(), {});
+  const auto error = validateHandle(handle);
+  return error ? QString::fromStdString(error->reason) : QString();
+}
+
+QTableView* newVertexTable(VertexTableModel& model, const QString& name, const QString& spoken)
+{
+  auto* table = named(new QTableView, name, spoken);
+  table->setModel(&model);
+  setTableLook(*table);
+  table->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+  table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  table->verticalHeader()->hide();
+  table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  return table;
+}
+
+int heightOfRows(const QTableView& table)
+{
+  const int rows = std::min(table.model()->rowCount(), kMostRowsInSight);
+  return table.horizontalHeader()->sizeHint().height() + rows * table.verticalHeader()->defaultSectionSize() +
+         2 * table.frameWidth();
+}
+
+class SingleVerticesSection : public SectionOf<HandleConstraint> {
+ public:
+  explicit SingleVerticesSection(Editor& editor) : SectionOf(editor, tr("Single vertices"))
+  {
+    reason_ = newText("singleVerticesReason");
+    addRow({}, reason_);
+    rotations_ = addPart(VertexTableModel::What::Rotations, tr("&Rotations"), "vertexRotations");
+    targets_ = addPart(VertexTableModel::What::Targets, tr("Tar&gets"), "vertexTargets");
+    connect(rotations_.button, &QPushButton::clicked, this, &SingleVerticesSection::switchRotations);
+    connect(targets_.button, &QPushButton::clicked, this, &SingleVerticesSection::switchTargets);
+    connect(rotations_.model, &VertexTableModel::entered, this, &SingleVerticesSection::setRotation);
+    connect(targets_.model, &VertexTableModel::entered, this, &SingleVerticesSection::setTarget);
+  }
+
+ private:
+  void refresh() override
+  {
+    setVisible(rows().size() == 1);
+    if (rows().size() != 1 || !isNews()) return;
+    // A drag selects no other vertices, and there may be many.
+    if (!editor().history().isInGesture()) reason_->setText(whyNotSingle(what()));
+    const QString reason = reason_->text();
+    setFieldVisible(reason_, !reason.isEmpty());
+    showPart(rotations_, !what().rotations.empty(), reason);
+    showPart(targets_, std::holds_alternative<VertexTargets>(what().motion), reason);
+  }
+
+  /// The switch, and the table that is visible while it is on.
+  struct Part {
+    QPushButton* button = nullptr;
+    QTableView* table = nullptr;
+    VertexTableModel* model = nullptr;
+  };
+
+  Part addPart(VertexTableModel::What what, const QString& title, const QString& name)
+  {
+    const QString spoken = QString(title).remove('&');
+    Part part;
+    part.model = new VertexTableModel(what, this);
+    part.button = named(new QPushButton, name + "Switch");
+    addRow(title, part.button);
+    part.table = newVertexTable(*part.model, name, tr("%1 of single vertices").arg(spoken));
+    addRow({}, part.table);
+    connect(part.model, &VertexTableModel::refused, this, &InspectorSection::refused);
+    return part;
+  }
+
+  void showPart(const Part& part, bool isOwn, const QString& reason)
+  {
+    setFieldVisible(part.button, reason.isEmpty());
+    setFieldVisible(part.table, isOwn);
+    part.button->setText(isOwn ? tr("Take One for All") : tr("Give Each Vertex Its Own"));
+    if (!isOwn) return;
+    part.model->show(editor().history().state(), rows().front());
+    part.table->setFixedHeight(heightOfRows(*part.table));
+  }
+
+  void setRotation(int row, int column, double number)
+  {
+    const QString vertex = QString::number(rotations_.model->vertex(row));
+    edit(tr("turn vertex %1 of %2 otherwise").arg(vertex, subject()), [&](HandleConstraint& handle) {
+      AxisAngle& turn = handle.rotations[row];
+      (column == VertexTableModel::Degrees ? turn.degrees : turn.axis[column - VertexTableModel::X]) = number;
+      requireAxis(turn.axis);
+      return true;
+    });
+  }
+
+  void setTarget(int row, int column, double number)
+  {
+    const QString vertex = QString::number(targets_.model->vertex(row));
+    const int axis = column - VertexTableModel::X;
+    edit(tr("move vertex %1 of %2 to %3 = %4").arg(vertex, subject(), axisText(axis), exactText(number)),
+         [&](HandleConstraint& handle) {
+           std::get<VertexTargets>(handle.motion).places[row][axis] = number;
+           return true;
+         });
+  }
+
+  void switchRotations()
+  {
+    const bool isOwn = !what().rotations.empty();
+    const QString name =
+        isOwn ? tr("take one rotation for all vertices of %1") : tr("give each vertex of %1 its own rotation");
+    change(name.arg(subject()), [&](Constraint constraint) {
+      if (!isOwn) return restated(editor(), constraint, withRotations);
+      std::get<HandleConstraint>(constraint.what).rotations.clear();
+      return constraint;
+    });
+  }
+
+  void switchTargets()
+  {
+    const bool isOwn = std::holds_alternative<VertexTargets>(what().motion);
+    const QString name =
+        isOwn ? tr("take one motion for all vertices of %1") : tr("give each vertex of %1 its own target");
+    change(name.arg(subject()),
+           [&](const Constraint& constraint) { return restated(editor(), constraint, isOwn ? byFrames : byTargets); });
+  }
+
+  QLabel* reason_ = nullptr;
+  Part rotations_;
+  Part targets_;
+};
+
+}  // namespace
+
+InspectorSection* newHandleSection(Editor& editor)
+{
+  return new HandleSection(editor);
+}
+
+InspectorSection* newSingleVerticesSection(Editor& editor)
+{
+  return new SingleVerticesSection(editor);
+}
+
+InspectorSection* newFrameSection(Editor& editor)
+{
+  return new FrameSection(editor);
+}
+
+}  // namespace holdfast
