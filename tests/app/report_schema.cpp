@@ -171,7 +171,7 @@ void checkSolve(Complaints& complaints, const Json& solve, SolveState state)
                     {"max_residual_relative", isMeasured},
                     {"weights", isOneOf({"cotangent", "cotangent-paper", "uniform"})},
                     {"solver", isOneOf({"hard", "soft", "lagrange"})},
-                    {"backend", isOneOf({"cholmod", "eigen"})},
+                    {"backend", isOneOf({"holdfast", "cholmod", "eigen"})},
                     {"method", isText},
                     {"unknowns", isCount},
                     {"factor_nonzeros", isCount},

@@ -1,11 +1,13 @@
 #include <cstddef>
 #include <mutex>
 #include <new>
+#include <vector>
 
 #include <dlfcn.h>
 #include <sys/mman.h>
 
 #include <holdfast/base/one_thread_internal.h>
+#include <holdfast/base/parallel.h>
 
 namespace holdfast {
 namespace {
@@ -36,16 +38,18 @@ void requireRoom(std::size_t bytes)
   ::munmap(room, bytes);
 }
 
-/// OpenBLAS gives memory back to itself, never to the system.
+/// OpenBLAS gives memory back to itself, never to the system: one piece for each thread that computes at a time.
 void takeBlasMemory()
 {
   auto* const allocate = loaded<void*(int)>("blas_memory_alloc");
   auto* const free = loaded<void(void*)>("blas_memory_free");
   if (allocate == nullptr || free == nullptr) return;
   constexpr std::size_t kBlasMemory = std::size_t{144} << 20U;  // 128 MiB in one piece, and what malloc adds
-  requireRoom(kBlasMemory);
   constexpr int kAnyPlace = 0;
-  free(allocate(kAnyPlace));
+  std::vector<void*> pieces(static_cast<std::size_t>(threadCount()));
+  requireRoom(pieces.size() * kBlasMemory);
+  for (void*& piece : pieces) piece = allocate(kAnyPlace);
+  for (void* const piece : pieces) free(piece);
 }
 
 }  // namespace

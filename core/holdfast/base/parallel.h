@@ -12,16 +12,22 @@
 
 namespace holdfast {
 
-/// Calls `work(k)` once for each k of 0 .. count - 1, on as many threads as there are cores, the calling one among
+/// Threads that work at the same time, at most: one for each core. More than a few find no more memory to read.
+[[nodiscard]] inline Index threadCount()
+{
+  constexpr Index kMost = 8;
+  return std::clamp<Index>(static_cast<Index>(std::thread::hardware_concurrency()), 1, kMost);
+}
+
+/// Calls `work(k)` once for each k of 0 .. count - 1, on up to `threadCount()` threads, the calling one among
 /// them. Which thread takes which k is left open: results must not depend on it. Throws one of the exceptions of
 /// `work`, after all threads have ended.
 template <class Work>
 void parallelFor(Index count, const Work& work)
 {
-  const Index cores = std::max<Index>(1, static_cast<Index>(std::thread::hardware_concurrency()));
-  const Index threadCount = std::min(cores, count);
+  const Index threadsInAll = std::max<Index>(1, std::min(threadCount(), count));
   std::atomic<Index> next{0};
-  std::vector<std::exception_ptr> errors(static_cast<std::size_t>(std::max<Index>(1, threadCount)));
+  std::vector<std::exception_ptr> errors(static_cast<std::size_t>(threadsInAll));
   const auto run = [&](Index thread) {
     try {
       for (Index k = next++; k < count; k = next++) work(k);
@@ -33,7 +39,7 @@ void parallelFor(Index count, const Work& work)
   {
     std::vector<std::jthread> threads;
     try {
-      for (Index thread = 1; thread < threadCount; ++thread) threads.emplace_back(run, thread);
+      for (Index thread = 1; thread < threadsInAll; ++thread) threads.emplace_back(run, thread);
     } catch (const std::system_error&) {  // no more threads are to be had: those that run do all
     }
     run(0);

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include <vtkWidgetRepresentation.h>
 
@@ -18,7 +19,12 @@ class ConstraintMarkRepresentation : public vtkWidgetRepresentation {
   vtkTypeMacro(ConstraintMarkRepresentation, vtkWidgetRepresentation)
 
   /// Marks that can be found; null, the default: none.
-  vtkSetMacro(Marks, std::shared_ptr<const MarkSet>);
+  void SetMarks(std::shared_ptr<const MarkSet> marks)
+  {
+    if (this->Marks == marks) return;
+    this->Marks = std::move(marks);
+    this->Modified();
+  }
 
   /// Marks whose places it cuts away are not found; none by default.
   void SetSection(const std::optional<SectionPlane>& section) { this->Section = section; }

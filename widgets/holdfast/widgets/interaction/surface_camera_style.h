@@ -2,6 +2,7 @@
 /// Turns, shifts and zooms the camera about the place of a surface that is under the cursor.
 
 #include <memory>
+#include <utility>
 
 #include <vtkCommand.h>
 #include <vtkInteractorStyle.h>
@@ -24,7 +25,12 @@ class SurfaceCameraStyle : public vtkInteractorStyle {
   vtkTypeMacro(SurfaceCameraStyle, vtkInteractorStyle)
 
   /// The motion is about its place under the cursor; null (the default) and beside it: about the depth of the focus.
-  vtkSetMacro(Surface, std::shared_ptr<const VisibleSurface>);
+  void SetSurface(std::shared_ptr<const VisibleSurface> surface)
+  {
+    if (this->Surface == surface) return;
+    this->Surface = std::move(surface);
+    this->Modified();
+  }
   [[nodiscard]] const std::shared_ptr<const VisibleSurface>& GetSurface() const { return this->Surface; }
 
   vtkSetClampMacro(PixelRatio, double, 0.1, 100.0);

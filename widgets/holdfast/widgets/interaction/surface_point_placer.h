@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <vtkContourLineInterpolator.h>
@@ -21,7 +22,12 @@ class SurfacePointPlacer : public vtkPointPlacer {
   vtkTypeMacro(SurfacePointPlacer, vtkPointPlacer)
 
   /// Null (the default): no points. May change at any time.
-  vtkSetMacro(Surface, std::shared_ptr<const VisibleSurface>);
+  void SetSurface(std::shared_ptr<const VisibleSurface> surface)
+  {
+    if (this->Surface == surface) return;
+    this->Surface = std::move(surface);
+    this->Modified();
+  }
   [[nodiscard]] const std::shared_ptr<const VisibleSurface>& GetSurface() const { return this->Surface; }
 
   /// `Nearest` by default.
@@ -73,7 +79,12 @@ class SurfaceCurveInterpolator : public vtkContourLineInterpolator {
   vtkTypeMacro(SurfaceCurveInterpolator, vtkContourLineInterpolator)
 
   /// Until both are there, and made of one model, nothing is joined; null by default.
-  vtkSetMacro(Surface, std::shared_ptr<const VisibleSurface>);
+  void SetSurface(std::shared_ptr<const VisibleSurface> surface)
+  {
+    if (this->Surface == surface) return;
+    this->Surface = std::move(surface);
+    this->Modified();
+  }
   [[nodiscard]] const std::shared_ptr<const VisibleSurface>& GetSurface() const { return this->Surface; }
   void SetRegions(std::shared_ptr<const VertexRegions> regions);
   [[nodiscard]] const std::shared_ptr<const VertexRegions>& GetRegions() const { return this->Regions; }

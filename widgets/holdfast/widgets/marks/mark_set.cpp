@@ -101,10 +101,7 @@ class DisabledMarks {
   }
 
  private:
-  [[nodiscard]] SurfacePoint located(const SurfaceLocation& location) const
-  {
-    return locator_.locate(location, {});
-  }
+  [[nodiscard]] SurfacePoint located(const SurfaceLocation& location) const { return locator_.locate(location, {}); }
 
   [[nodiscard]] ConstraintMark markAt(const SurfacePoint& at, MarkKind kind, Index constraint) const
   {

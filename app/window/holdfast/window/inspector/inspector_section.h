@@ -129,7 +129,8 @@ class SectionOf : public InspectorSection {
   void edit(const QString& name, Edit edit)
   {
     change(name, [&](Constraint constraint) -> std::optional<Constraint> {
-      return edit(std::get<What>(constraint.what)) ? std::optional(constraint) : std::nullopt;
+      if (!edit(std::get<What>(constraint.what))) return std::nullopt;
+      return constraint;
     });
   }
 
