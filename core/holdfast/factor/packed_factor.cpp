@@ -84,11 +84,11 @@ void PackedFactor::solve(std::vector<double>& x) const
   const auto topStart = 4 * static_cast<std::ptrdiff_t>(symbolic_->topColumn());
   const std::size_t topSize = x.size() - static_cast<std::size_t>(topStart);
   std::vector<std::vector<double>> top(subtrees.size());
-  SolveView view{numbers_.get(), rows_.data(), x.data(), x.data()};
+  const SolveView view{numbers_.get(), rows_.data(), x.data(), x.data() + topStart, symbolic_->topColumn()};
   parallelFor(static_cast<Index>(subtrees.size()), [&](Index k) {
     top[k].assign(topSize, 0);
     SolveView own = view;
-    own.top = top[k].data() - topStart;
+    own.top = top[k].data();
     solveForward(chunksOf(subtrees[k]), own);
   });
   for (const std::vector<double>& sum : top)

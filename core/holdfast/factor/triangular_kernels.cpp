@@ -30,14 +30,14 @@ HOLDFAST_INLINE void prefetch(const double* numbers)
 constexpr std::ptrdiff_t kAhead = 256;  // numbers
 constexpr std::ptrdiff_t kLine = 8;
 
-/// x_r <- x_r - L_r y for rows r, two at a time: their sums do not wait for one another.
+/// x_r <- x_r - L_r y for rows r, two at a time: their sums do not wait for one another. `x` begins with row `begin`.
 template <int W>
-HOLDFAST_INLINE void reduceRows(const double* L, const int* rows, int count, const Quad* y, double* x)
+HOLDFAST_INLINE void reduceRows(const double* L, const int* rows, int count, const Quad* y, double* x, int begin = 0)
 {
   int r = 0;
   for (; r + 1 < count; r += 2, L += 2 * W) {
-    double* const first = x + 4 * static_cast<std::ptrdiff_t>(rows[r]);
-    double* const second = x + 4 * static_cast<std::ptrdiff_t>(rows[r + 1]);
+    double* const first = x + 4 * static_cast<std::ptrdiff_t>(rows[r] - begin);
+    double* const second = x + 4 * static_cast<std::ptrdiff_t>(rows[r + 1] - begin);
     prefetch(L + kAhead);
     prefetch(L + kAhead + kLine);
     Quad a;
@@ -60,7 +60,7 @@ HOLDFAST_INLINE void reduceRows(const double* L, const int* rows, int count, con
     store(b + b2, second);
   }
   if (r == count) return;
-  double* const last = x + 4 * static_cast<std::ptrdiff_t>(rows[r]);
+  double* const last = x + 4 * static_cast<std::ptrdiff_t>(rows[r] - begin);
   Quad a;
   load(a, last);
   for (int j = 0; j < W; ++j) a -= L[j] * y[j];
@@ -111,7 +111,7 @@ struct Forward {
     const int* const rows = view.rows + chunk.firstRow;
     reduceRows<W>(below, rows, chunk.lowRows, y, view.x);
     reduceRows<W>(below + static_cast<std::ptrdiff_t>(chunk.lowRows) * W, rows + chunk.lowRows,
-                  chunk.rowCount - chunk.lowRows, y, view.top);
+                  chunk.rowCount - chunk.lowRows, y, view.top, view.topColumn);
   }
 };
 

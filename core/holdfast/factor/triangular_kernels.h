@@ -12,8 +12,8 @@ struct SolveView {
   const double* numbers = nullptr;  ///< of the factor
   const int* rows = nullptr;        ///< of its chunks
   double* x = nullptr;              ///< all rows
-  /// Where the forward solve reduces rows of the top of the tree, at the place of row 0: `x`, or the range's own.
-  double* top = nullptr;
+  double* top = nullptr;            ///< rows from `topColumn` on, for the forward solve: of `x`, or of the range alone
+  int topColumn = 0;
 };
 
 /// L y = b over these chunks, one after the other: their columns are solved, rows below are reduced.
