@@ -245,27 +245,33 @@ class Multifrontal {
   void addToPanel(int child, const Supernode& node, Workspace& work, const Loop& loop)
   {
     const int own = findPlaces(child, node, work);
-    addColumns(child, 0, own, work, loop, [&](int column) { return work.panel.data() + at(0, column, node.height()); });
+    addColumns(child, 0, own, {work.panel.data(), node.height(), 0}, work, loop);
   }
 
   void addToUpdate(int child, const Supernode& node, Workspace& work, const Loop& loop)
   {
     const int own = findPlaces(child, node, work);
-    addColumns(child, own, static_cast<int>(work.places.size()), work, loop,
-               [&](int column) { return work.update.data() + at(0, column - node.width, node.rowCount) - node.width; });
+    addColumns(child, own, static_cast<int>(work.places.size()), {work.update.data(), node.rowCount, node.width}, work,
+               loop);
   }
 
-  /// Adds columns [begin, end) of the child's update; `columnAt(place)` is where rows of that column are counted from.
-  template <class ColumnAt>
-  void addColumns(int child, int begin, int end, const Workspace& work, const Loop& loop, const ColumnAt& columnAt)
+  /// Columns of a front, without rows and columns before `first`.
+  struct FrontPart {
+    double* numbers = nullptr;
+    int height = 0;
+    int first = 0;
+  };
+
+  /// Adds columns [begin, end) of the child's update to its parent's front.
+  void addColumns(int child, int begin, int end, const FrontPart& part, const Workspace& work, const Loop& loop)
   {
     const int size = static_cast<int>(work.places.size());
     loop(blockCount(end - begin), [&](int block) {
-      const int first = begin + block * kBlock;
-      for (int j = first; j < std::min(end, first + kBlock); ++j) {
-        double* const to = columnAt(work.places[j]);
-        const double* const column = updates_[child] + triangleColumn(j, size);
-        for (int i = j; i < size; ++i) to[work.places[i]] += column[i];
+      const int firstColumn = begin + block * kBlock;
+      for (int j = firstColumn; j < std::min(end, firstColumn + kBlock); ++j) {
+        double* const to = part.numbers + at(0, work.places[j] - part.first, part.height);
+        const double* const from = updates_[child] + triangleColumn(j, size);
+        for (int i = j; i < size; ++i) to[work.places[i] - part.first] += from[i];
       }
     });
   }
