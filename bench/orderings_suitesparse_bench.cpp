@@ -12,6 +12,7 @@
 #include <cholmod.h>
 
 #include <holdfast/base/cholmod_view_internal.h>
+#include <holdfast/base/one_thread_internal.h>
 #include <holdfast/factor/multifrontal.h>
 #include <holdfast/solve/column_scaling.h>
 #include <holdfast/solve/gram.h>
@@ -148,6 +149,7 @@ SparseMatrix normalEquations(const Model& model)
 
 void orderings(benchmark::State& state, const BenchMesh& mesh)
 {
+  const OneThread libraries;  // as the solver calls CHOLMOD: it is slower with threads of its own
   SparseMatrix lower = normalEquations(mesh.load());
   Samples samples;
   const std::array<std::pair<const char*, int>, 4> kOrders{
