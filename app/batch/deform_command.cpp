@@ -63,7 +63,7 @@ void probeOutputs(const Command& command)
   if (!command.picture.path.empty()) requireDisplay(command.picture);
 }
 
-/// The residuals of what a reader of the written mesh will find: positions rounded to floats.
+/// The residuals that the written mesh has: its positions are rounded to floats.
 void measureRounded(DeformResult& deformation, const Model& model)
 {
   SolveReport& solve = deformation.report.solve;

@@ -149,7 +149,7 @@ void check(const Command& asked)
 std::function<ExitCode()> parseCommandLine(int argc, const char* const* argv)
 {
   Command asked;
-  CLI::App app{"Deforms triangle meshes so that chosen points land exactly where they are told to."};
+  CLI::App app{"Deforms triangle meshes so that chosen points reach their targets exactly."};
   CLI::App* const deformApp = app.add_subcommand("deform", "Deform a mesh under constraints");
   CLI::App* const checkApp = app.add_subcommand("check", "Diagnose a mesh and its constraints, solve nothing");
   describe(app, *deformApp, *checkApp, asked);

@@ -219,13 +219,6 @@ std::int64_t SymbolicFactor::nonzeros() const
   return sum;
 }
 
-double SymbolicFactor::flops() const
-{
-  double sum = 0;
-  for (const Supernode& node : supernodes) sum += flopsOf(node.width, node.rowCount);
-  return sum;
-}
-
 SymbolicFactor analyze(const SparseMatrix& lower, const std::vector<int>& order)
 {
   const OrderedPattern given = orderedPattern(lower, order);

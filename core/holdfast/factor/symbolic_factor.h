@@ -48,8 +48,6 @@ struct SymbolicFactor {
   [[nodiscard]] int topColumn() const;
   /// Stored entries of L, those that supernodes add among them.
   [[nodiscard]] std::int64_t nonzeros() const;
-  /// Multiplications and additions of one factorisation.
-  [[nodiscard]] double flops() const;
 };
 
 /// Analyses the lower triangle `lower` for an order of elimination that keeps fill low: `order[k]` is the column that

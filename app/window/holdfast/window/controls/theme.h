@@ -1,5 +1,5 @@
 #pragma once
-/// Light and dark: the colours of the window, and of what VTK draws inside it.
+/// The light and the dark theme: colours of the window and of what VTK draws in it.
 
 #include <QPalette>
 

@@ -15,8 +15,8 @@ inline constexpr int kMostRecentFiles = 10;
 void addRecentFile(const QString& path);
 void removeRecentFile(const QString& path);
 
-/// Puts an entry for each file in the place of what is in `menu`; one that is missing is grey. Call it each time before
-/// the menu is shown. `open` gets the path that the user chooses.
+/// Replaces the entries of `menu` by one for each file; entries of missing files are grey. Call it each time before the
+/// menu is shown. `open` gets the path that the user chooses.
 void fillRecentMenu(QMenu& menu, const std::function<void(const QString&)>& open);
 
 }  // namespace holdfast

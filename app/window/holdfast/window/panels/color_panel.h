@@ -30,7 +30,7 @@ class ColorPanel : public QWidget {
  public Q_SLOTS:
   void setSettings(const ColorSettings& settings);
   void setDisplaySettings(const DisplaySettings& settings);
-  /// The scale of what is on screen, none in one colour. An automatic range shows it, and a fixed range begins with it.
+  /// The scale of the picture, none where it has one colour. An automatic range shows it; a fixed range starts from it.
   void setShownScale(const std::optional<ColorScale>& scale);
 
  Q_SIGNALS:
