@@ -144,7 +144,7 @@ SparseMatrix normalEquations(const Model& model)
 {
   const SetUp made = setUp(model, scene(model.mesh, {300, 300, 300}));
   const EliminatedConstraints eliminated = eliminate(made.system, model.solverMesh);
-  return gramLower(*scaleColumns(weightedRows(made.operators) * eliminated.elimination.Q2()).value.C);
+  return gramLower(scaleColumns(product(weightedRows(made.operators), eliminated.elimination.Q2())).value.C);
 }
 
 void orderings(benchmark::State& state, const BenchMesh& mesh)

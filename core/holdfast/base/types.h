@@ -16,8 +16,8 @@ using Vector3 = Eigen::Vector3d;
 /// renderers want them.
 using Positions = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
-/// n x 3, column-major: three right-hand sides, or three solutions, as solvers want them.
-using Columns3 = Eigen::Matrix<double, Eigen::Dynamic, 3>;
+/// n x 3: three right-hand sides or three solutions, side by side, so that a matrix is read once for all three.
+using Columns3 = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
 /// Column-major with 32-bit inner indices, as CHOLMOD and SPQR take them: no more than 2^31 - 1 non-zeros.
 using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;

@@ -24,8 +24,8 @@ struct DeformOptions {
 struct DeformResult {
   Positions positions;  ///< of the file's vertices
   Columns3 rotations;   ///< q of every unknown, n x 3, logs
-  Columns3
-      multipliers;  ///< of the constraints on every unknown, n x 3, see `Multipliers`; empty but for hard constraints
+  Columns3 multipliers;  ///< of the constraints, summed up at the unknowns that they name, n x 3; 0 at all others.
+                         ///< Empty but for hard constraints
   Report report;
   std::shared_ptr<const DeformDetails> details;  ///< what `fieldsOf` and marks of constraints are made of
 };

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <holdfast/base/error.h>
+#include <holdfast/base/parallel.h>
 #include <holdfast/check/mesh_check.h>
 #include <holdfast/constraints/constraint_system.h>
 #include <holdfast/deform/deform.h>
@@ -24,16 +25,16 @@ namespace holdfast {
 /// The elimination and, once they are asked for, the factors of positions and rotations. A factorisation that is left
 /// behind (`LongStep`) does not need the model.
 struct ConstraintFactorization {
-  ConstraintFactorization(const Model& model, std::shared_ptr<const Operators> operators,
+  ConstraintFactorization(const Model& model, const std::shared_ptr<const TwoWayMatrix>& A,
                           const ConstraintSystem& itsSystem, const DeformOptions& options)
       : system(itsSystem),
         eliminated(std::make_shared<const EliminatedConstraints>(eliminate(system, model.solverMesh))),
         sensitivities(eliminated->elimination.sensitivities()),
         rotations(model.solverMesh, options.weights, options.solver.backend),
-        positions([operators = std::move(operators), eliminated = eliminated,
+        positions([A, eliminated = eliminated,
                    rest = Columns3(model.solverMesh.rest.rowwise() - model.solverMesh.rest.colwise().mean()),
                    options = options.solver]() mutable {
-          return makeSolver({weightedRows(*operators), *eliminated, std::move(rest)}, options);
+          return makeSolver({A, *eliminated, std::move(rest)}, options);
         })
   {
   }
@@ -71,16 +72,15 @@ struct Multipliers {
   Columns3 ofUnknowns;  ///< n x 3: their sum where they act
 };
 
-/// The forces that hold the displacement `u` (n x 3) against A u = f. O(entries of L).
-Multipliers multipliersOf(const Operators& operators, const EliminatedConstraints& eliminated, const Columns3& u,
+/// The forces that hold the displacement `u` (n x 3) against A u = f. O(entries of A).
+Multipliers multipliersOf(const TwoWayMatrix& A, const EliminatedConstraints& eliminated, const Columns3& u,
                           const Columns3& f, double diagonal)
 {
   // At the minimum the gradient of the energy is what the constraints hold: A^T (A u - f) = B^T l.
-  const auto W = operators.rowWeights.asDiagonal();
-  const Columns3 missed = W * (operators.L * (u / diagonal)) - f / diagonal;
-  Columns3 gradient = operators.L.transpose() * (W * missed);
-  for (Index i = 0; i < gradient.rows(); ++i)
-    if (eliminated.isHeld[i]) gradient.row(i).setZero();
+  const Columns3 missed = A.residual(f, u);
+  Columns3 gradient = Columns3::Zero(u.rows(), 3);
+  for (const RowTerms& row : eliminated.rows)
+    for (const Term& term : row) gradient.row(term.index) = gathered(A.columns(), term.index, missed) / -diagonal;
   Columns3 ofRows = eliminated.elimination.multipliers(gradient);
   return {std::move(ofRows), std::move(gradient)};
 }
@@ -100,18 +100,21 @@ Positions deformedPositions(const Model& model, const ConstraintSystem& system, 
                             const Columns3& u)
 {
   const std::vector<Index>& unknownOf = model.solverMesh.weld.unknownOf;
-  std::vector<Index> pinOf(static_cast<std::size_t>(model.solverMesh.unknownCount()), -1);
+  std::vector<int> pinOf(static_cast<std::size_t>(model.solverMesh.unknownCount()), -1);
   for (Index r = static_cast<Index>(system.rows.size()) - 1; r >= 0; --r)
     if (system.rows[r].isPin() && diagnosis.status[r] != RowStatus::Conflicting)
-      pinOf[system.rows[r].terms.front().index] = r;
-  Positions positions = model.mesh.positions;
-  for (Index v = 0; v < positions.rows(); ++v) {
+      pinOf[system.rows[r].terms.front().index] = static_cast<int>(r);
+  const Positions& rest = model.mesh.positions;
+  Positions positions(rest.rows(), 3);
+  parallelBlocks(rest.rows(), [&](Index v) {
     const Index unknown = unknownOf[v];
     if (pinOf[unknown] >= 0)
       positions.row(v) = system.rows[pinOf[unknown]].target;
-    else if (!u.row(unknown).isZero(0))
-      positions.row(v) += u.row(unknown);
-  }
+    else if (u.row(unknown).isZero(0))
+      positions.row(v) = rest.row(v);  // -0 stays -0
+    else
+      positions.row(v) = rest.row(v) + u.row(unknown);
+  });
   return positions;
 }
 
@@ -119,13 +122,11 @@ Positions deformedPositions(const Model& model, const ConstraintSystem& system, 
 class Solution {
  public:
   Solution(const Model& model, const ConstraintList& constraints, const DeformOptions& options,
-           std::shared_ptr<const Operators> operators, ConstraintSystem system)
-      : model_(model), constraints_(constraints), options_(options)
+           std::shared_ptr<const Operators> operators, const TwoWayMatrix& A, ConstraintSystem system)
+      : model_(model), constraints_(constraints), options_(options), A_(A)
   {
     details_.operators = std::move(operators);
     details_.system = std::move(system);
-    result_.positions = model.mesh.positions;
-    result_.rotations = Columns3::Zero(model.solverMesh.unknownCount(), 3);
     result_.report.mesh = describeMesh(model);
     report().weights = options.weights;
     report().options = options.solver;
@@ -134,11 +135,14 @@ class Solution {
   /// Everything but the seconds that went before.
   DeformResult by(ConstraintFactorization& factorization, Progress& progress)
   {
+    const std::string refusal = details_.operators->undefinedRows.empty()
+                                    ? rotate(factorization, progress)
+                                    : undefinedRowsMessage(model_, *details_.operators);
     diagnoseRows(factorization);
-    if (details_.operators->undefinedRows.empty())
-      rotate(factorization, progress);
-    else
-      refuse(undefinedRowsMessage(model_, *details_.operators));
+    if (!refusal.empty()) {
+      result_.rotations = Columns3::Zero(model_.solverMesh.unknownCount(), 3);
+      refuse(refusal);
+    }
     addFindings(*factorization.eliminated);
     if (report().status != SolveStatus::Failed) solve(factorization, progress);
     result_.details = std::make_shared<const DeformDetails>(std::move(details_));
@@ -171,8 +175,8 @@ class Solution {
     setSensitivities(result_.report.constraints, details_.system, details_.diagnosis, factorization.sensitivities);
   }
 
-  /// Finds the rotations and what they make of the rows.
-  void rotate(ConstraintFactorization& factorization, Progress& progress)
+  /// Finds the rotations and what they make of the rows; the message where they cannot be found.
+  std::string rotate(ConstraintFactorization& factorization, Progress& progress)
   {
     const bool isFactorised = factorization.rotations.isReady();
     const Stopwatch stopwatch;
@@ -181,11 +185,10 @@ class Solution {
     Seconds& seconds = report().seconds;
     (isFactorised ? seconds.solution : seconds.factorization) += stopwatch.seconds();
     takeOver(rotations, result_.report);
-    if (!rotations.failure.empty()) return fail(rotations.failure);
-    if (rotations.q.isZero(0)) return;
+    if (!rotations.failure.empty()) return failureMessage(options_, rotations.failure);
     details_.system = rotated(std::move(details_.system), rotations.q);
     result_.rotations = std::move(rotations.q);
-    diagnoseRows(factorization);
+    return {};
   }
 
   void addFindings(const EliminatedConstraints& eliminated)
@@ -218,7 +221,7 @@ class Solution {
     accept(displacement);
     if (options_.solver.kind == SolverKind::Hard && report().status != SolveStatus::Failed)
       setMultipliers(
-          multipliersOf(*details_.operators, *factorization.eliminated, displacement.u, f, model_.solverMesh.diagonal));
+          multipliersOf(A_, *factorization.eliminated, displacement.u, f, model_.solverMesh.diagonal));
     report().seconds.solution += solution.seconds();
   }
 
@@ -245,14 +248,13 @@ class Solution {
     const bool isEliminated = options_.solver.kind == SolverKind::Hard;
     result_.positions = isEliminated ? deformedPositions(model_, details_.system, details_.diagnosis, displacement.u)
                                      : deformedPositions(model_, {}, {}, displacement.u);
-    setVerdicts();
+    setVerdicts(displacement.u);
   }
 
-  void setVerdicts()
+  void setVerdicts(const Columns3& u)
   {
     const SolverMesh& mesh = model_.solverMesh;
-    details_.diagnosis.limits = residualLimits(mesh, details_.system, details_.diagnosis.dependent,
-                                               result_.positions(mesh.weld.firstVertexOf, Eigen::all));
+    details_.diagnosis.limits = residualLimits(mesh, details_.system, details_.diagnosis.dependent, u);
     const std::optional<MissedRow> worst = setResiduals(result_.report, details_.system, details_.diagnosis,
                                                         rowResiduals(details_.system, mesh.weld, result_.positions));
     report().status = details_.diagnosis.hasConflicts() ? SolveStatus::Conflicts : SolveStatus::Ok;
@@ -263,6 +265,7 @@ class Solution {
   const Model& model_;
   const ConstraintList& constraints_;
   const DeformOptions& options_;
+  const TwoWayMatrix& A_;
   DeformResult result_;
   DeformDetails details_;
 };
@@ -309,18 +312,19 @@ DeformResult Deformer::deform(const ConstraintList& constraints, const std::stri
   if (operators_ == nullptr) {
     progress.step(fmt::format("building operators of {} vertices", model_->mesh.vertexCount()));
     operators_ = std::make_shared<const Operators>(makeOperators(model_->solverMesh, options_.weights));
+    A_ = std::make_shared<const TwoWayMatrix>(weightedRows(*operators_));
   }
   seconds.setup = setup.seconds();
 
   const Stopwatch elimination;
   if (factorization_ == nullptr || !factorization_->serves(system)) {
     progress.step(fmt::format("eliminating {} rows of constraints", system.rows.size()));
-    factorization_ = std::make_unique<ConstraintFactorization>(*model_, operators_, system, options_);
+    factorization_ = std::make_unique<ConstraintFactorization>(*model_, A_, system, options_);
   }
   seconds.factorization = elimination.seconds();
 
   DeformResult result =
-      Solution(*model_, constraints, options_, operators_, std::move(system)).by(*factorization_, progress);
+      Solution(*model_, constraints, options_, operators_, *A_, std::move(system)).by(*factorization_, progress);
   result.report.solve.seconds.setup = seconds.setup;
   result.report.solve.seconds.factorization += seconds.factorization;
   return result;

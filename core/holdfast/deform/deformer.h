@@ -11,6 +11,7 @@ namespace holdfast {
 
 struct ConstraintFactorization;
 struct Operators;
+class TwoWayMatrix;
 
 /// Deforms one model under one list of constraints after another. Operators are made once. As long as only targets and
 /// rotations change, from one list to the next, nothing is factorised. Not for concurrent calls.
@@ -45,6 +46,7 @@ class Deformer {
   DeformOptions options_;
   ConstraintList constraints_;
   std::shared_ptr<const Operators> operators_;
+  std::shared_ptr<const TwoWayMatrix> A_;
   std::unique_ptr<ConstraintFactorization> factorization_;
 };
 

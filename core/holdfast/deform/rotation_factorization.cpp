@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <holdfast/base/parallel.h>
 #include <holdfast/check/mesh_check.h>
 #include <holdfast/deform/messages.h>
 #include <holdfast/geometry/rotation_log.h>
@@ -93,12 +94,12 @@ void takeOver(const Rotations& rotations, Report& report)
 
 Columns3 rotationOfDelta(const Columns3& delta, const Columns3& q)
 {
-  Columns3 result = Columns3::Zero(q.rows(), 3);
-  for (Index i = 0; i < q.rows(); ++i) {
-    if (q.row(i).isZero(0)) continue;
+  Columns3 result(q.rows(), 3);
+  parallelBlocks(q.rows(), [&](Index i) {
     const Vector3 atRest = delta.row(i);
-    result.row(i) = rotationMatrix(Vector3(q.row(i))) * atRest - atRest;
-  }
+    const bool isTurned = !q.row(i).isZero(0);
+    result.row(i) = isTurned ? Vector3(rotationMatrix(Vector3(q.row(i))) * atRest - atRest) : Vector3::Zero().eval();
+  });
   return result;
 }
 

@@ -49,24 +49,29 @@ double largestCoordinate(const Vector3& place)
   return place.cwiseAbs().maxCoeff();
 }
 
-/// The largest coordinate of the sum of |w_i| |x_i|, of which the rounding of B x is a few epsilon.
-double largestSum(const RowTerms& row, const Positions& x)
+/// The largest coordinate of the sum of |w_i| |x_i|, of which the rounding of B x is a few epsilon; x is `rest`
+/// displaced by `u`, which may have no rows.
+double largestSum(const RowTerms& row, const Positions& rest, const Columns3& u)
 {
-  Vector3 sum = Vector3::Zero();
-  for (const Term& term : row) sum += std::abs(term.coefficient) * x.row(term.index).transpose().cwiseAbs();
+  Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+  for (const Term& term : row) {
+    Eigen::RowVector3d x = rest.row(term.index);
+    if (u.rows() > 0) x += u.row(term.index);
+    sum += std::abs(term.coefficient) * x.cwiseAbs();
+  }
   return largestCoordinate(sum);
 }
 
 /// The largest of each row's own numbers, see `residualLimits`.
-std::vector<double> magnitudes(const SolverMesh& mesh, const ConstraintSystem& system, const Positions& x)
+std::vector<double> magnitudes(const SolverMesh& mesh, const ConstraintSystem& system, const Columns3& u)
 {
   double asked = 0;
   for (const ConstraintRow& row : system.rows) asked = std::max(asked, largestCoordinate(row.target));
   std::vector<double> result;
   result.reserve(system.rows.size());
   for (const ConstraintRow& row : system.rows)
-    result.push_back(std::max(
-        {largestCoordinate(row.target), largestSum(row.terms, mesh.rest), std::min(asked, largestSum(row.terms, x))}));
+    result.push_back(std::max({largestCoordinate(row.target), largestSum(row.terms, mesh.rest, {}),
+                               std::min(asked, largestSum(row.terms, mesh.rest, u))}));
   return result;
 }
 
@@ -103,9 +108,9 @@ bool Diagnosis::hasConflicts() const
 }
 
 std::vector<double> residualLimits(const SolverMesh& mesh, const ConstraintSystem& system,
-                                   const std::vector<DependentRow>& dependent, const Positions& x)
+                                   const std::vector<DependentRow>& dependent, const Columns3& u)
 {
-  const std::vector<double> own = magnitudes(mesh, system, x);
+  const std::vector<double> own = magnitudes(mesh, system, u);
   std::vector<double> limits = own;
   for (const auto& [dependency, gap] : dependent)
     for (const Term& term : dependency.terms)
@@ -132,10 +137,10 @@ Diagnosis diagnose(const EliminatedConstraints& eliminated, const ConstraintSyst
 {
   Diagnosis diagnosis;
   diagnosis.status.assign(system.rows.size(), RowStatus::Independent);
-  Columns3 u = Columns3::Zero(mesh.unknownCount(), 3);
+  Columns3 u;
   if (!eliminated.dependencies.empty()) u = eliminated.elimination.particular(shiftsOf(system));
   diagnosis.dependent = gapsOf(eliminated, system, u);
-  diagnosis.limits = residualLimits(mesh, system, diagnosis.dependent, mesh.rest + u);
+  diagnosis.limits = residualLimits(mesh, system, diagnosis.dependent, u);
   bool isMissed = false;
   for (const auto& [dependency, gap] : diagnosis.dependent) {
     const double limit = kConsistentShare * diagnosis.limits[dependency.row];

@@ -46,10 +46,11 @@ inline constexpr double kConsistentShare = 0.5;
 
 /// The largest residual with which each row is met, in model units: `kPromisedResidual` of the diagonal or, if that is
 /// more, `kPromisedSpacings` epsilon of the largest of the row's own numbers. These are the coordinates of its target
-/// and the sums of its unknowns' coordinates times the size of their weights, at rest and at `x` (n x 3), the latter up
-/// to the largest coordinate that is asked for. For a dependent row the numbers of its terms count as well. O(terms).
+/// and the sums of its unknowns' coordinates times the size of their weights, at rest and displaced by `u` (n x 3; at
+/// rest where that has no rows), the latter up to the largest coordinate that is asked for. For a dependent row the
+/// numbers of its terms count as well. O(terms).
 [[nodiscard]] std::vector<double> residualLimits(const SolverMesh& mesh, const ConstraintSystem& system,
-                                                 const std::vector<DependentRow>& dependent, const Positions& x);
+                                                 const std::vector<DependentRow>& dependent, const Columns3& u);
 
 /// What the decomposition of section 5 finds out about the rows from topology and barycentric numbers alone: it does
 /// not change when targets do.

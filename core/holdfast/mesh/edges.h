@@ -18,7 +18,7 @@ struct HalfEdge {
 };
 
 /// All half edges sorted by (a, b, triangle), so that those of one edge are side by side. Sides that join a vertex to
-/// itself are left out. O(T log T).
+/// itself are left out. O(T) where no vertex has many.
 [[nodiscard]] std::vector<HalfEdge> sortedHalfEdges(const std::vector<Triangle>& triangles);
 
 /// Calls `visit(std::span<const HalfEdge>)` once for each edge with its half edges.

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include <holdfast/base/disjoint_sets.h>
-#include <holdfast/solve/corrected_solve.h>
+#include <holdfast/base/parallel.h>
 
 namespace holdfast {
 namespace {
@@ -156,6 +157,26 @@ std::vector<RotationGap> rotationGaps(const RotationUnknowns& unknowns, const Co
   return gaps;
 }
 
+/// Values that differ: which each row is, and the first row of each.
+struct DistinctRows {
+  std::vector<int> valueOf;
+  std::vector<Index> first;
+};
+
+/// Nothing where there are more than `most`.
+std::optional<DistinctRows> distinctRows(const Columns3& values, std::size_t most)
+{
+  DistinctRows result;
+  for (Index k = 0; k < values.rows(); ++k) {
+    const auto isSame = [&](Index first) { return values.row(first) == values.row(k); };
+    const auto found = std::ranges::find_if(result.first, isSame);
+    result.valueOf.push_back(static_cast<int>(found - result.first.begin()));
+    if (found == result.first.end()) result.first.push_back(k);
+    if (result.first.size() > most) return std::nullopt;
+  }
+  return result;
+}
+
 std::string notFiniteMessage(const EdgeWeight& edge)
 {
   return fmt::format(
@@ -175,21 +196,46 @@ RotationFieldSolver::RotationFieldSolver(RotationUnknowns unknowns, std::vector<
 RotationField RotationFieldSolver::solve(const Columns3& values) const
 {
   assert(values.rows() == static_cast<Index>(unknowns_.leaderOf.size()));
-  Columns3 f = Columns3::Zero(scaled_.C->rows(), 3);
-  for (const auto& [row, weight, given, reference] : pulls_)
-    f.row(row) += weight * (values.row(given) - values.row(reference));
-  const CorrectedSolution z = correctedSolve(*factor_, *scaled_.C, scaled_.scale, f);
+  // The field is linear in the given values: where few differ, as for a few handles, a solution says how far the
+  // difference of each from the first reaches, and stays right as long as the same are equal.
+  constexpr Index kResponses = 3;
+  Eigen::Matrix3d differences = Eigen::Matrix3d::Identity();
+  const std::optional<DistinctRows> distinct = distinctRows(values, kResponses + 1);
+  if (distinct) {
+    differences.setZero();
+    for (std::size_t k = 1; k < distinct->first.size(); ++k)
+      differences.row(static_cast<Index>(k) - 1) = values.row(distinct->first[k]) - values.row(0);
+    if (response_.valueOf != distinct->valueOf) {
+      Columns3 isValue(values.rows(), 3);
+      for (Index k = 0; k < isValue.rows(); ++k)
+        for (int column = 0; column < kResponses; ++column) isValue(k, column) = distinct->valueOf[k] == column + 1;
+      response_ = {distinct->valueOf, pulled(isValue)};
+    }
+  } else {
+    response_ = {{}, pulled(values)};
+  }
+  const auto& [z, corrections, accuracy] = response_.reach;
 
   const auto n = static_cast<Index>(unknowns_.givenOf.size());
-  RotationField field{Columns3::Zero(n, 3), z.accuracy, rotationGaps(unknowns_, values)};
-  for (Index i = 0; i < n; ++i) {
+  RotationField field{Columns3(n, 3), accuracy, rotationGaps(unknowns_, values)};
+  parallelBlocks(n, [&](Index i) {
     const Index column = unknowns_.columnOf[i];
     if (unknowns_.givenOf[i] >= 0)
       field.q.row(i) = values.row(unknowns_.givenOf[i]);
     else if (column >= 0)
-      field.q.row(i) = values.row(unknowns_.referenceOf[column]) + scaled_.scale[column] * z.z.row(column);
-  }
+      field.q.row(i) = values.row(unknowns_.referenceOf[column]) + scaled_.scale[column] * z.row(column) * differences;
+    else
+      field.q.row(i).setZero();
+  });
   return field;
+}
+
+CorrectedSolution RotationFieldSolver::pulled(const Columns3& values) const
+{
+  Columns3 f = Columns3::Zero(scaled_.C.rows().rows(), 3);
+  for (const auto& [row, weight, given, reference] : pulls_)
+    f.row(row) += weight * (values.row(given) - values.row(reference));
+  return correctedSolve(*factor_, scaled_.C, scaled_.scale, f);
 }
 
 RotationFieldResult makeRotationFieldSolver(const RotationProblem& problem, Backend backend)

@@ -6,7 +6,7 @@
 
 #include <holdfast/operators/laplacian.h>
 #include <holdfast/solve/column_scaling.h>
-#include <holdfast/solve/least_squares_factor.h>
+#include <holdfast/solve/corrected_solve.h>
 
 namespace holdfast {
 
@@ -61,14 +61,25 @@ class RotationFieldSolver {
   /// `values` (prescribed.size() x 3) are the logs at `RotationProblem::prescribed`, of any number of turns; they are
   /// copied bit for bit. Without negative weights every q is a mean of the given ones with non-negative weights, up to
   /// rounding. Where all values that a part of the mesh is tied to are the same, so is q there, exactly; unknowns that
-  /// are tied to none have q = 0. O(factor). Not for concurrent calls.
+  /// are tied to none have q = 0. O(factor); O(n) where up to four values differ, equal at the same places as in the
+  /// call before. Not for concurrent calls.
   [[nodiscard]] RotationField solve(const Columns3& values) const;
 
  private:
+  /// What the pulls make of three numbers that are given at each place in `prescribed`.
+  [[nodiscard]] CorrectedSolution pulled(const Columns3& values) const;
+
+  /// The last answer to distinct values: a column says how far one of them reaches.
+  struct Response {
+    std::vector<int> valueOf;  ///< of each place in `prescribed`
+    CorrectedSolution reach;
+  };
+
   RotationUnknowns unknowns_;
   std::vector<RotationPull> pulls_;
   ScaledColumns scaled_;
   std::unique_ptr<const LeastSquaresFactor> factor_;
+  mutable Response response_;
 };
 
 using RotationFieldResult = Result<std::unique_ptr<const RotationFieldSolver>>;

@@ -15,32 +15,25 @@ using Cholesky = Eigen::SimplicialLLT<SparseMatrix, Eigen::Lower, Eigen::AMDOrde
 
 class CholeskyByEigen final : public LeastSquaresFactor {
  public:
-  CholeskyByEigen(std::shared_ptr<const SparseMatrix> C, std::unique_ptr<Cholesky> cholesky)
-      : C_(std::move(C)), cholesky_(std::move(cholesky))
-  {
-  }
+  explicit CholeskyByEigen(std::unique_ptr<Cholesky> cholesky) : cholesky_(std::move(cholesky)) {}
 
-  [[nodiscard]] Columns3 solve(const Columns3& f) const override
-  {
-    return cholesky_->solve(Columns3(C_->transpose() * f));
-  }
+  [[nodiscard]] Columns3 solve(const Columns3& g) const override { return cholesky_->solve(g); }
   [[nodiscard]] Index nonzeros() const override { return cholesky_->matrixL().nestedExpression().nonZeros(); }
   [[nodiscard]] std::string_view method() const override { return "Cholesky factor of the normal equations (Eigen)"; }
 
  private:
-  std::shared_ptr<const SparseMatrix> C_;
   std::unique_ptr<Cholesky> cholesky_;
 };
 
 }  // namespace
 
-FactorResult choleskyByEigen(std::shared_ptr<const SparseMatrix> C)
+FactorResult choleskyByEigen(const TwoWayMatrix& C)
 {
-  auto cholesky = std::make_unique<Cholesky>(gramLower(*C));
+  auto cholesky = std::make_unique<Cholesky>(gramLower(C));
   if (cholesky->info() != Eigen::Success)
     return {nullptr,
-            fmt::format("the normal equations of {} unknowns are not positive definite in doubles", C->cols())};
-  return {std::make_unique<CholeskyByEigen>(std::move(C), std::move(cholesky)), {}};
+            fmt::format("the normal equations of {} unknowns are not positive definite in doubles", C.columns().cols())};
+  return {std::make_unique<CholeskyByEigen>(std::move(cholesky)), {}};
 }
 
 }  // namespace holdfast

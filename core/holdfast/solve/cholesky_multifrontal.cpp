@@ -1,5 +1,6 @@
 // Cholesky factorisation of the normal equations by our own multifrontal method.
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -22,25 +23,17 @@ std::vector<int> minimumDegreeOrder(const SparseMatrix& lower)
 
 class CholeskyMultifrontal final : public LeastSquaresFactor {
  public:
-  CholeskyMultifrontal(std::shared_ptr<const SparseMatrix> C, std::unique_ptr<const PackedFactor> factor)
-      : C_(std::move(C)), factor_(std::move(factor))
-  {
-  }
+  explicit CholeskyMultifrontal(std::unique_ptr<const PackedFactor> factor) : factor_(std::move(factor)) {}
 
-  [[nodiscard]] Columns3 solve(const Columns3& f) const override
+  [[nodiscard]] Columns3 solve(const Columns3& g) const override
   {
     const std::vector<int>& order = factor_->symbolic().order;
     const auto size = static_cast<Index>(order.size());
-    std::vector<double> x(4 * order.size());
-    parallelBlocks(size, [&](Index k) {
-      Eigen::Map<Vector3> right(&x[4 * k]);
-      right.setZero();
-      for (SparseMatrix::InnerIterator entry(*C_, order[k]); entry; ++entry)
-        right += entry.value() * f.row(entry.row()).transpose();
-    });
-    factor_->solve(x);
+    x_.resize(4 * order.size());
+    parallelBlocks(size, [&](Index k) { std::ranges::copy(g.row(order[k]), &x_[4 * k]); });
+    factor_->solve(x_);
     Columns3 z(size, 3);
-    parallelBlocks(size, [&](Index k) { z.row(order[k]) = Eigen::Map<const Eigen::RowVector3d>(&x[4 * k]); });
+    parallelBlocks(size, [&](Index k) { z.row(order[k]) = Eigen::Map<const Eigen::RowVector3d>(&x_[4 * k]); });
     return z;
   }
 
@@ -51,19 +44,19 @@ class CholeskyMultifrontal final : public LeastSquaresFactor {
   }
 
  private:
-  std::shared_ptr<const SparseMatrix> C_;
   std::unique_ptr<const PackedFactor> factor_;
+  mutable std::vector<double> x_;  // memory that every solution uses again
 };
 
 }  // namespace
 
-FactorResult choleskyMultifrontal(std::shared_ptr<const SparseMatrix> C)
+FactorResult choleskyMultifrontal(const TwoWayMatrix& C)
 {
-  const SparseMatrix lower = gramLower(*C);
+  const SparseMatrix lower = gramLower(C);
   const auto symbolic = std::make_shared<const SymbolicFactor>(analyze(lower, minimumDegreeOrder(lower)));
   auto [factor, failure] = factorizeMultifrontal(symbolic, lower);
   if (factor == nullptr) return {nullptr, std::move(failure)};
-  return {std::make_unique<CholeskyMultifrontal>(std::move(C), std::move(factor))};
+  return {std::make_unique<CholeskyMultifrontal>(std::move(factor))};
 }
 
 }  // namespace holdfast

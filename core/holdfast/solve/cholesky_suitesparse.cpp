@@ -42,7 +42,7 @@ class Cholmod {
     return failure(lower.rows());
   }
 
-  [[nodiscard]] Columns3 solve(Columns3 rightSides)
+  [[nodiscard]] Columns3 solve(Eigen::MatrixX3d rightSides)
   {
     const OneThread libraries;
     cholmod_dense view{};
@@ -55,9 +55,9 @@ class Cholmod {
     view.dtype = CHOLMOD_DOUBLE;
     cholmod_dense* solution = cholmod_solve(CHOLMOD_A, factor_, &view, &common_);
     if (solution == nullptr) throw std::bad_alloc();
-    rightSides = Eigen::Map<const Columns3>(static_cast<const double*>(solution->x), rightSides.rows(), 3);
+    Columns3 result = Eigen::Map<const Eigen::MatrixX3d>(static_cast<const double*>(solution->x), rightSides.rows(), 3);
     cholmod_free_dense(&solution, &common_);
-    return rightSides;
+    return result;
   }
 
   [[nodiscard]] Index nonzeros() const { return static_cast<Index>(common_.lnz); }
@@ -95,28 +95,24 @@ class Cholmod {
 
 class CholeskyBySuiteSparse final : public LeastSquaresFactor {
  public:
-  CholeskyBySuiteSparse(std::shared_ptr<const SparseMatrix> C, std::unique_ptr<Cholmod> cholmod)
-      : C_(std::move(C)), cholmod_(std::move(cholmod))
-  {
-  }
+  explicit CholeskyBySuiteSparse(std::unique_ptr<Cholmod> cholmod) : cholmod_(std::move(cholmod)) {}
 
-  [[nodiscard]] Columns3 solve(const Columns3& f) const override { return cholmod_->solve(C_->transpose() * f); }
+  [[nodiscard]] Columns3 solve(const Columns3& g) const override { return cholmod_->solve(g); }
   [[nodiscard]] Index nonzeros() const override { return cholmod_->nonzeros(); }
   [[nodiscard]] std::string_view method() const override { return "Cholesky factor of the normal equations (CHOLMOD)"; }
 
  private:
-  std::shared_ptr<const SparseMatrix> C_;
   std::unique_ptr<Cholmod> cholmod_;
 };
 
 }  // namespace
 
-FactorResult choleskyBySuiteSparse(std::shared_ptr<const SparseMatrix> C)
+FactorResult choleskyBySuiteSparse(const TwoWayMatrix& C)
 {
   auto cholmod = std::make_unique<Cholmod>();
-  SparseMatrix lower = gramLower(*C);
+  SparseMatrix lower = gramLower(C);
   if (std::string failure = cholmod->factorize(lower); !failure.empty()) return {nullptr, std::move(failure)};
-  return {std::make_unique<CholeskyBySuiteSparse>(std::move(C), std::move(cholmod)), {}};
+  return {std::make_unique<CholeskyBySuiteSparse>(std::move(cholmod)), {}};
 }
 
 }  // namespace holdfast

@@ -18,7 +18,7 @@ Result<ScaledColumns> scaleColumns(SparseMatrix M)
     result.scale[k] = 1 / length;
     M.col(k) *= result.scale[k];
   }
-  result.C = std::make_shared<const SparseMatrix>(std::move(M));
+  result.C = TwoWayMatrix(std::move(M));
   return {std::move(result)};
 }
 

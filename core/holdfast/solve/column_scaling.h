@@ -1,16 +1,14 @@
 #pragma once
 /// Columns of unit length: the normal equations get a unit diagonal.
 
-#include <memory>
-
 #include <holdfast/base/result.h>
-#include <holdfast/base/types.h>
+#include <holdfast/base/sparse_products.h>
 
 namespace holdfast {
 
 /// C = M diag(scale) with columns of length 1.
 struct ScaledColumns {
-  std::shared_ptr<const SparseMatrix> C;
+  TwoWayMatrix C;
   Eigen::VectorXd scale;
 };
 

@@ -47,7 +47,7 @@ class ConstrainedSolver {
 
 /// What the solvers are made of. `eliminated` stays alive as long as the solver.
 struct ConstrainedProblem {
-  SparseMatrix A;  ///< weighted rows, n x n
+  std::shared_ptr<const TwoWayMatrix> A;  ///< weighted rows, n x n
   const EliminatedConstraints& eliminated;
   Columns3 rest;  ///< n x 3, a typical solution to measure factors on
 };

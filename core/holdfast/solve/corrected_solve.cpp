@@ -21,17 +21,17 @@ double largest(const Columns3& x)
 
 }  // namespace
 
-CorrectedSolution correctedSolve(const LeastSquaresFactor& factor, const SparseMatrix& C,
+CorrectedSolution correctedSolve(const LeastSquaresFactor& factor, const TwoWayMatrix& C,
                                  const Eigen::VectorXd& columnScale, const Columns3& f)
 {
-  if (f.isZero(0)) return {Columns3::Zero(C.cols(), 3), 0, 0};
-  CorrectedSolution result{factor.solve(f), 0, 0};
+  if (f.isZero(0)) return {Columns3::Zero(C.columns().cols(), 3), 0, 0};
+  CorrectedSolution result{factor.solve(C.transposeTimes(f)), 0, 0};
   double first = 0;
   double last = std::numeric_limits<double>::infinity();
   while (result.corrections < kMaxCorrections) {
     const double size = largest(columnScale.asDiagonal() * result.z);
     if (size == 0) break;
-    const Columns3 correction = factor.solve(f - C * result.z);
+    const Columns3 correction = factor.solve(C.transposeTimes(C.residual(f, result.z)));
     const double change = largest(columnScale.asDiagonal() * correction) / size;
     if (!(change < last)) break;
     result.z += correction;
@@ -44,9 +44,9 @@ CorrectedSolution correctedSolve(const LeastSquaresFactor& factor, const SparseM
   return result;
 }
 
-double contraction(const LeastSquaresFactor& factor, const SparseMatrix& C, const Columns3& probe)
+double contraction(const LeastSquaresFactor& factor, const TwoWayMatrix& C, const Columns3& probe)
 {
-  const Columns3 found = factor.solve(C * probe);
+  const Columns3 found = factor.solve(C.transposeTimes(C.times(probe)));
   return largest(probe) == 0 ? 0 : largest(found - probe) / largest(probe);
 }
 

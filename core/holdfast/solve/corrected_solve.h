@@ -18,11 +18,11 @@ struct CorrectedSolution {
 /// solved for once more with the same factor, until what a correction leaves is less than a double holds, or until
 /// corrections no longer shrink. `C` is what the factor was made of. Sizes are measured after `columnScale` (k), that
 /// is in the units of what the user sees. Nothing is solved where `f` is zero.
-[[nodiscard]] CorrectedSolution correctedSolve(const LeastSquaresFactor& factor, const SparseMatrix& C,
+[[nodiscard]] CorrectedSolution correctedSolve(const LeastSquaresFactor& factor, const TwoWayMatrix& C,
                                                const Eigen::VectorXd& columnScale, const Columns3& f);
 
 /// How much of an error one correction leaves: 1e-8 for a good factor, 1 or more (or NaN) for a useless one. Measured
 /// on `probe`, a known solution.
-[[nodiscard]] double contraction(const LeastSquaresFactor& factor, const SparseMatrix& C, const Columns3& probe);
+[[nodiscard]] double contraction(const LeastSquaresFactor& factor, const TwoWayMatrix& C, const Columns3& probe);
 
 }  // namespace holdfast

@@ -15,18 +15,18 @@ constexpr double kGoodContraction = 0.05;
 /// The factor of a problem without unknowns: constraints and parts at rest have taken all.
 class NothingToSolve final : public LeastSquaresFactor {
  public:
-  [[nodiscard]] Columns3 solve(const Columns3& /*f*/) const override { return Columns3(0, 3); }
+  [[nodiscard]] Columns3 solve(const Columns3& /*g*/) const override { return Columns3(0, 3); }
   [[nodiscard]] Index nonzeros() const override { return 0; }
   [[nodiscard]] std::string_view method() const override { return "nothing left to solve"; }
 };
 
-FactorResult cholesky(std::shared_ptr<const SparseMatrix> C, Backend backend)
+FactorResult cholesky(const TwoWayMatrix& C, Backend backend)
 {
-  if (backend == Backend::Holdfast) return choleskyMultifrontal(std::move(C));
+  if (backend == Backend::Holdfast) return choleskyMultifrontal(C);
 #ifdef HOLDFAST_WITH_CHOLMOD
-  if (backend == Backend::Cholmod) return choleskyBySuiteSparse(std::move(C));
+  if (backend == Backend::Cholmod) return choleskyBySuiteSparse(C);
 #endif
-  return choleskyByEigen(std::move(C));
+  return choleskyByEigen(C);
 }
 
 }  // namespace
@@ -47,19 +47,19 @@ bool isBuilt(Backend backend)
 #endif
 }
 
-FactorResult factorize(std::shared_ptr<const SparseMatrix> C, Backend backend, const Columns3& probe)
+FactorResult factorize(const TwoWayMatrix& C, Backend backend, const Columns3& probe)
 {
-  if (C->cols() == 0) return {std::make_unique<NothingToSolve>()};
+  if (C.columns().cols() == 0) return {std::make_unique<NothingToSolve>()};
   FactorResult first = cholesky(C, backend);
   double left = 0;
   if (first.value != nullptr) {
-    left = contraction(*first.value, *C, probe);
+    left = contraction(*first.value, C, probe);
     if (left <= kGoodContraction) return first;
     first.failure = fmt::format("the normal equations keep no digits (a correction leaves {:.1g} of an error)", left);
   }
   FactorResult second = seminormalQr(C, backend);
   if (second.value != nullptr) {
-    const double leftByQr = contraction(*second.value, *C, probe);
+    const double leftByQr = contraction(*second.value, C, probe);
     if (leftByQr <= kUsableContraction) return second;
     second.failure = fmt::format("sparse QR keeps no digits (a correction leaves {:.1g} of an error)", leftByQr);
   }

@@ -14,7 +14,8 @@ class HardSolver final : public ConstrainedSolver {
  public:
   HardSolver(ConstrainedProblem problem, ScaledColumns reduced, std::unique_ptr<const LeastSquaresFactor> factor)
       : problem_(std::move(problem)),
-        B_(constraintMatrix(problem_.eliminated.rows, problem_.A.cols())),
+        B_(constraintMatrix(problem_.eliminated.rows, problem_.eliminated.elimination.Q2().rows())),
+        scaledQ2_(problem_.eliminated.elimination.Q2() * reduced.scale.asDiagonal()),
         reduced_(std::move(reduced)),
         factor_(std::move(factor))
   {
@@ -23,16 +24,18 @@ class HardSolver final : public ConstrainedSolver {
   [[nodiscard]] Displacement solve(const RowTargets& targets, const Columns3& f) const override
   {
     Displacement result{particular(targets), 0, 0};
-    const CorrectedSolution z = correctedSolve(*factor_, *reduced_.C, reduced_.scale, f - problem_.A * result.u);
-    result.u += problem_.eliminated.elimination.Q2() * (reduced_.scale.asDiagonal() * z.z);
+    const CorrectedSolution z =
+        correctedSolve(*factor_, reduced_.C, reduced_.scale, problem_.A->residual(f, result.u));
+    parallelBlocks(result.u.rows(), [&](Index i) { result.u.row(i) += gathered(scaledQ2_, i, z.z); });
     // What rounding has left of B u = d is taken off in the span of the rows; pins have nothing left.
-    result.u += particular({targets.shifts - B_ * result.u, targets.reconciled});
+    const Columns3 left = targets.shifts - B_ * result.u;
+    if (!left.isZero(0)) result.u += particular({left, targets.reconciled});
     result.corrections = z.corrections;
     result.accuracy = z.accuracy;
     return result;
   }
 
-  [[nodiscard]] Index unknowns() const override { return reduced_.C->cols(); }
+  [[nodiscard]] Index unknowns() const override { return reduced_.scale.size(); }
   [[nodiscard]] Index factorNonzeros() const override { return factor_->nonzeros(); }
   [[nodiscard]] std::string method() const override { return std::string(factor_->method()); }
 
@@ -45,7 +48,8 @@ class HardSolver final : public ConstrainedSolver {
   }
 
   ConstrainedProblem problem_;
-  SparseMatrix B_;
+  SparseRows B_;
+  SparseRows scaledQ2_;  // Q2 diag(scale)
   ScaledColumns reduced_;
   std::unique_ptr<const LeastSquaresFactor> factor_;
 };
@@ -55,7 +59,7 @@ class HardSolver final : public ConstrainedSolver {
 SolverResult makeHardSolver(ConstrainedProblem problem, Backend backend)
 {
   const SparseMatrix& Q2 = problem.eliminated.elimination.Q2();
-  Result<ScaledColumns> columns = scaleColumns(problem.A * Q2);
+  Result<ScaledColumns> columns = scaleColumns(product(problem.A->columns(), Q2));
   if (!columns) return {nullptr, std::move(columns.failure)};
   ScaledColumns& reduced = columns.value;
   const Columns3 probe = reduced.scale.cwiseInverse().asDiagonal() * Columns3(Q2.transpose() * problem.rest);

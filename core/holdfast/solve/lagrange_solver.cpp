@@ -98,13 +98,13 @@ std::unique_ptr<const SparseLu> factorLu(const SparseMatrix& K, Backend backend)
 SolverResult makeLagrangeSolver(ConstrainedProblem problem, Backend backend)
 {
   const EliminatedConstraints& eliminated = problem.eliminated;
-  const Index n = problem.A.cols();
-  SparseMatrix spread = Elimination({}, {}, n, eliminated.isHeld).Q2();
+  const SparseMatrix& whole = problem.A->columns();
+  SparseMatrix spread = Elimination({}, {}, whole.cols(), eliminated.isHeld).Q2();
   std::vector<Index> rows = independentRows(eliminated.dependencies, eliminated.rows.size());
   std::vector<RowTerms> terms;
   for (const Index row : rows) terms.push_back(eliminated.rows[row]);
-  SparseMatrix A = problem.A * spread;
-  SparseMatrix B = constraintMatrix(terms, n) * spread;
+  SparseMatrix A = whole * spread;
+  SparseMatrix B = constraintMatrix(terms, whole.cols()) * spread;
   auto lu = factorLu(saddleMatrix(A, B), backend);
   if (lu == nullptr) return {nullptr, "the system of Lagrange multipliers is singular in doubles"};
   const double left = contractionOf(*lu, A, B, spread.transpose() * problem.rest);

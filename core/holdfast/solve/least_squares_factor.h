@@ -6,18 +6,18 @@
 #include <string_view>
 
 #include <holdfast/base/result.h>
-#include <holdfast/base/types.h>
+#include <holdfast/base/sparse_products.h>
 #include <holdfast/solve/solver_options.h>
 
 namespace holdfast {
 
-/// A factorised problem: minimise |C z - f| for any f. Not for concurrent calls.
+/// A factorised problem: minimise |C z - f| for any f. It does not need C any more. Not for concurrent calls.
 class LeastSquaresFactor {
  public:
   virtual ~LeastSquaresFactor() = default;
 
-  /// z for three right-hand sides (m x 3), without any correction: see `correctedSolve`. O(nonzeros()).
-  [[nodiscard]] virtual Columns3 solve(const Columns3& f) const = 0;
+  /// z for C^T f (k x 3), without any correction: see `correctedSolve`. O(nonzeros()).
+  [[nodiscard]] virtual Columns3 solve(const Columns3& g) const = 0;
 
   /// Stored entries of the factor.
   [[nodiscard]] virtual Index nonzeros() const = 0;
@@ -33,17 +33,17 @@ class LeastSquaresFactor {
 
 using FactorResult = Result<std::unique_ptr<const LeastSquaresFactor>>;
 
-/// Each takes C (m x k) with columns of unit length, and keeps it. Those of SuiteSparse are defined where that is
+/// Each takes C (m x k) with columns of unit length. Those of SuiteSparse are defined where that is
 /// built.
-[[nodiscard]] FactorResult choleskyMultifrontal(std::shared_ptr<const SparseMatrix> C);
-[[nodiscard]] FactorResult choleskyBySuiteSparse(std::shared_ptr<const SparseMatrix> C);
-[[nodiscard]] FactorResult choleskyByEigen(std::shared_ptr<const SparseMatrix> C);
+[[nodiscard]] FactorResult choleskyMultifrontal(const TwoWayMatrix& C);
+[[nodiscard]] FactorResult choleskyBySuiteSparse(const TwoWayMatrix& C);
+[[nodiscard]] FactorResult choleskyByEigen(const TwoWayMatrix& C);
 /// R of a sparse QR of C, Q not kept: R^T R z = C^T f (semi-normal equations; Björck, 1987).
-[[nodiscard]] FactorResult seminormalQr(std::shared_ptr<const SparseMatrix> C, Backend backend);
+[[nodiscard]] FactorResult seminormalQr(const TwoWayMatrix& C, Backend backend);
 
 /// A factor that solves with the digits of a double after corrections: Cholesky of the normal equations, and where that
 /// meets a bad pivot or contracts too slowly, sparse QR of C. `probe` (k x 3) is any typical solution, by which
 /// factors are measured. A failure names both reasons.
-[[nodiscard]] FactorResult factorize(std::shared_ptr<const SparseMatrix> C, Backend backend, const Columns3& probe);
+[[nodiscard]] FactorResult factorize(const TwoWayMatrix& C, Backend backend, const Columns3& probe);
 
 }  // namespace holdfast

@@ -11,14 +11,13 @@
 namespace holdfast {
 namespace {
 
-/// The rows of C that are not empty: the others say nothing, and Eigen's QR does not take them.
-SparseMatrix withoutEmptyRows(const SparseMatrix& C)
+/// The rows that are not empty: the others say nothing, and Eigen's QR does not take them.
+SparseMatrix withoutEmptyRows(const SparseRows& byRows)
 {
-  const SparseRows byRows = C;
   std::vector<Index> kept;
   for (Index r = 0; r < byRows.rows(); ++r)
     if (byRows.outerIndexPtr()[r + 1] > byRows.outerIndexPtr()[r]) kept.push_back(r);
-  SparseRows result(static_cast<Index>(kept.size()), C.cols());
+  SparseRows result(static_cast<Index>(kept.size()), byRows.cols());
   result.reserve(byRows.nonZeros());
   for (std::size_t k = 0; k < kept.size(); ++k) {
     result.startVec(static_cast<Index>(k));
@@ -31,14 +30,13 @@ SparseMatrix withoutEmptyRows(const SparseMatrix& C)
 
 class SeminormalQr final : public LeastSquaresFactor {
  public:
-  SeminormalQr(std::shared_ptr<const SparseMatrix> C, SparseQrResult qr, Backend backend)
-      : C_(std::move(C)), R_(std::move(qr.R)), columns_(std::move(qr.columns)), backend_(backend)
+  SeminormalQr(SparseQrResult qr, Backend backend)
+      : R_(std::move(qr.R)), columns_(std::move(qr.columns)), backend_(backend)
   {
   }
 
-  [[nodiscard]] Columns3 solve(const Columns3& f) const override
+  [[nodiscard]] Columns3 solve(const Columns3& g) const override
   {
-    const Columns3 g = C_->transpose() * f;
     Columns3 z(g.rows(), 3);
     for (Index k = 0; k < z.rows(); ++k) z.row(k) = g.row(columns_[k]);
     R_.transpose().triangularView<Eigen::Lower>().solveInPlace(z);
@@ -57,7 +55,6 @@ class SeminormalQr final : public LeastSquaresFactor {
   }
 
  private:
-  std::shared_ptr<const SparseMatrix> C_;
   SparseMatrix R_;
   std::vector<Index> columns_;
   Backend backend_;
@@ -82,12 +79,12 @@ bool hasRegularDiagonal(const SparseMatrix& R)
 
 }  // namespace
 
-FactorResult seminormalQr(std::shared_ptr<const SparseMatrix> C, Backend backend)
+FactorResult seminormalQr(const TwoWayMatrix& C, Backend backend)
 {
-  SparseQrResult qr = qrBy(backend, withoutEmptyRows(*C));
-  if (qr.rank < C->cols() || qr.R.rows() < C->cols() || !hasRegularDiagonal(qr.R))
-    return {nullptr, fmt::format("sparse QR finds rank {} for {} unknowns", qr.rank, C->cols())};
-  return {std::make_unique<SeminormalQr>(std::move(C), std::move(qr), backend)};
+  SparseQrResult qr = qrBy(backend, withoutEmptyRows(C.rows()));
+  if (qr.rank < C.columns().cols() || qr.R.rows() < C.columns().cols() || !hasRegularDiagonal(qr.R))
+    return {nullptr, fmt::format("sparse QR finds rank {} for {} unknowns", qr.rank, C.columns().cols())};
+  return {std::make_unique<SeminormalQr>(std::move(qr), backend)};
 }
 
 }  // namespace holdfast

@@ -30,7 +30,7 @@ class SoftSolver final : public ConstrainedSolver {
   {
     Columns3 rightSides(f.rows() + targets.shifts.rows(), 3);
     rightSides << f, weight_ * targets.shifts;
-    const CorrectedSolution z = correctedSolve(*factor_, *stacked_.C, stacked_.scale, rightSides);
+    const CorrectedSolution z = correctedSolve(*factor_, stacked_.C, stacked_.scale, rightSides);
     return {spread_ * (stacked_.scale.asDiagonal() * z.z), z.corrections, z.accuracy};
   }
 
@@ -50,9 +50,9 @@ class SoftSolver final : public ConstrainedSolver {
 SolverResult makeSoftSolver(ConstrainedProblem problem, Backend backend, double weight)
 {
   const EliminatedConstraints& eliminated = problem.eliminated;
-  const Index n = problem.A.cols();
-  SparseMatrix spread = Elimination({}, {}, n, eliminated.isHeld).Q2();
-  const SparseMatrix all = stacked(problem.A, weight * constraintMatrix(eliminated.rows, n));
+  const SparseMatrix& A = problem.A->columns();
+  SparseMatrix spread = Elimination({}, {}, A.cols(), eliminated.isHeld).Q2();
+  const SparseMatrix all = stacked(A, weight * constraintMatrix(eliminated.rows, A.cols()));
   Result<ScaledColumns> columns = scaleColumns(all * spread);
   if (!columns) return {nullptr, std::move(columns.failure)};
   ScaledColumns& scaled = columns.value;

@@ -12,7 +12,10 @@ class LuByEigen final : public SparseLu {
   explicit LuByEigen(const SparseMatrix& K) : lu_(K) {}
 
   [[nodiscard]] bool isRegular() const { return lu_.info() == Eigen::Success; }
-  [[nodiscard]] Columns3 solve(const Columns3& rightSides) const override { return lu_.solve(rightSides); }
+  [[nodiscard]] Columns3 solve(const Columns3& rightSides) const override
+  {
+    return Eigen::MatrixX3d(lu_.solve(Eigen::MatrixX3d(rightSides)));
+  }
   [[nodiscard]] Index nonzeros() const override { return lu_.nnzL() + lu_.nnzU(); }
 
  private:

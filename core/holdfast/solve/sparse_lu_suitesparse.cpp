@@ -20,7 +20,7 @@ class LuBySuiteSparse final : public SparseLu {
   [[nodiscard]] Columns3 solve(const Columns3& rightSides) const override
   {
     const OneThread libraries;
-    return lu_.solve(rightSides);
+    return Eigen::MatrixX3d(lu_.solve(Eigen::MatrixX3d(rightSides)));
   }
   [[nodiscard]] Index nonzeros() const override
   {

@@ -23,7 +23,7 @@ TEST(Gram, IsTheLowerTriangleOfTheProduct)
   for (std::uint32_t seed = 0; seed < 50; ++seed) {
     test::Random random(seed);
     const SparseMatrix C = randomSparse(random, random.integer(1, 20), random.integer(1, 20));
-    const SparseMatrix gram = gramLower(C);
+    const SparseMatrix gram = gramLower(TwoWayMatrix(C));
     const Eigen::MatrixXd dense = C;
     const Eigen::MatrixXd product = dense.transpose() * dense;
     const Eigen::MatrixXd expected = product.triangularView<Eigen::Lower>();
@@ -34,7 +34,7 @@ TEST(Gram, IsTheLowerTriangleOfTheProduct)
 TEST(Gram, HasAscendingRowsInEachColumn)
 {
   test::Random random(3);
-  const SparseMatrix gram = gramLower(randomSparse(random, 40, 30));
+  const SparseMatrix gram = gramLower(TwoWayMatrix(randomSparse(random, 40, 30)));
   for (Index j = 0; j < gram.cols(); ++j) {
     int last = -1;
     for (SparseMatrix::InnerIterator entry(gram, j); entry; ++entry) {
@@ -52,8 +52,8 @@ TEST(ColumnScaling, MakesUnitColumns)
       Eigen::MatrixXd(Eigen::MatrixXd::NullaryExpr(7, 5, [&] { return random.uniform(-1e5, 1e5); })).sparseView();
   const auto [scaled, failure] = scaleColumns(M);
   ASSERT_EQ(failure, "");
-  for (Index k = 0; k < 5; ++k) EXPECT_NEAR(scaled.C->col(k).norm(), 1, 1e-15);
-  EXPECT_LT((Eigen::MatrixXd(*scaled.C) - Eigen::MatrixXd(M) * scaled.scale.asDiagonal()).norm(), 1e-15);
+  for (Index k = 0; k < 5; ++k) EXPECT_NEAR(scaled.C.columns().col(k).norm(), 1, 1e-15);
+  EXPECT_LT((Eigen::MatrixXd(scaled.C.columns()) - Eigen::MatrixXd(M) * scaled.scale.asDiagonal()).norm(), 1e-15);
 }
 
 TEST(ColumnScaling, NamesTheColumnThatCannotBeScaled)

@@ -1,0 +1,136 @@
+#pragma once
+/// Sparse matrices over all cores, with the same bits for any number of them: made column by column, and times three
+/// columns.
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include <holdfast/base/parallel.h>
+#include <holdfast/base/types.h>
+
+namespace holdfast {
+
+/// Entries of neighbouring columns (of a matrix by rows: rows).
+struct SparseEntries {
+  std::vector<int> places;
+  std::vector<double> values;
+};
+
+/// Sums the entries of one column at a time.
+class ColumnSum {
+ public:
+  explicit ColumnSum(Index size) : value_(static_cast<std::size_t>(size)), isNamed_(static_cast<std::size_t>(size)) {}
+
+  void add(int place, double value)
+  {
+    if (isNamed_[place] == 0) {
+      isNamed_[place] = 1;
+      value_[place] = 0;
+      places_.push_back(place);
+    }
+    value_[place] += value;
+  }
+
+  /// Appends the column to `entries`, places ascending, and starts anew. Returns how many entries it has.
+  int moveTo(SparseEntries& entries)
+  {
+    std::sort(places_.begin(), places_.end());
+    for (const int place : places_) {
+      entries.places.push_back(place);
+      entries.values.push_back(value_[place]);
+      isNamed_[place] = 0;
+    }
+    const auto count = static_cast<int>(places_.size());
+    places_.clear();
+    return count;
+  }
+
+ private:
+  std::vector<double> value_;
+  std::vector<char> isNamed_;
+  std::vector<int> places_;
+};
+
+/// The matrix whose k-th column (row of a `SparseRows`) is what `fill(k, sum)` adds to an empty `ColumnSum`.
+template <class Matrix, class Fill>
+Matrix assembled(Index rows, Index columns, const Fill& fill)
+{
+  Matrix result(rows, columns);
+  const Index count = result.outerSize();
+  const Index parts = threadCount();
+  const auto firstOf = [&](Index part) { return part * count / parts; };
+  std::vector<SparseEntries> entries(static_cast<std::size_t>(parts));
+  int* const start = result.outerIndexPtr();
+  parallelFor(parts, [&](Index part) {
+    ColumnSum sum(result.innerSize());
+    for (Index k = firstOf(part); k < firstOf(part + 1); ++k) {
+      fill(k, sum);
+      start[k + 1] = sum.moveTo(entries[part]);
+    }
+  });
+  std::partial_sum(start, start + count + 1, start);
+  result.resizeNonZeros(start[count]);
+  parallelFor(parts, [&](Index part) {
+    std::ranges::copy(entries[part].places, result.innerIndexPtr() + start[firstOf(part)]);
+    std::ranges::copy(entries[part].values, result.valuePtr() + start[firstOf(part)]);
+  });
+  return result;
+}
+
+/// M N. O(multiplications).
+[[nodiscard]] inline SparseMatrix product(const SparseMatrix& M, const SparseMatrix& N)
+{
+  return assembled<SparseMatrix>(M.rows(), N.cols(), [&](Index k, ColumnSum& sum) {
+    for (SparseMatrix::InnerIterator n(N, k); n; ++n)
+      for (SparseMatrix::InnerIterator m(M, n.row()); m; ++m) sum.add(static_cast<int>(m.row()), m.value() * n.value());
+  });
+}
+
+/// The sum of the k-th row of M (column where M is by columns) times the rows of x that it names.
+template <class Matrix>
+Eigen::RowVector3d gathered(const Matrix& M, Index k, const Columns3& x)
+{
+  Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+  for (typename Matrix::InnerIterator entry(M, k); entry; ++entry) sum += entry.value() * x.row(entry.index());
+  return sum;
+}
+
+/// A matrix by columns and by rows: products with it and with its transpose are sums for each row of the result.
+class TwoWayMatrix {
+ public:
+  TwoWayMatrix() = default;
+  explicit TwoWayMatrix(SparseMatrix columns) : columns_(std::move(columns)), rows_(columns_) {}
+
+  [[nodiscard]] const SparseMatrix& columns() const noexcept { return columns_; }
+  [[nodiscard]] const SparseRows& rows() const noexcept { return rows_; }
+
+  /// C x.
+  [[nodiscard]] Columns3 times(const Columns3& x) const
+  {
+    Columns3 result(rows_.rows(), 3);
+    parallelBlocks(result.rows(), [&](Index k) { result.row(k) = gathered(rows_, k, x); });
+    return result;
+  }
+  /// C^T f.
+  [[nodiscard]] Columns3 transposeTimes(const Columns3& f) const
+  {
+    Columns3 result(columns_.cols(), 3);
+    parallelBlocks(result.rows(), [&](Index k) { result.row(k) = gathered(columns_, k, f); });
+    return result;
+  }
+  /// f - C x, each number rounded as the difference of f and C x.
+  [[nodiscard]] Columns3 residual(const Columns3& f, const Columns3& x) const
+  {
+    Columns3 result(rows_.rows(), 3);
+    parallelBlocks(result.rows(), [&](Index k) { result.row(k) = f.row(k) - gathered(rows_, k, x); });
+    return result;
+  }
+
+ private:
+  SparseMatrix columns_;
+  SparseRows rows_;
+};
+
+}  // namespace holdfast
