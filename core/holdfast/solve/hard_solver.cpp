@@ -24,8 +24,7 @@ class HardSolver final : public ConstrainedSolver {
   [[nodiscard]] Displacement solve(const RowTargets& targets, const Columns3& f) const override
   {
     Displacement result{particular(targets), 0, 0};
-    const CorrectedSolution z =
-        correctedSolve(*factor_, reduced_.C, reduced_.scale, problem_.A->residual(f, result.u));
+    const CorrectedSolution z = correctedSolve(*factor_, reduced_.C, reduced_.scale, problem_.A->residual(f, result.u));
     parallelBlocks(result.u.rows(), [&](Index i) { result.u.row(i) += gathered(scaledQ2_, i, z.z); });
     // What rounding has left of B u = d is taken off in the span of the rows; pins have nothing left.
     const Columns3 left = targets.shifts - B_ * result.u;
