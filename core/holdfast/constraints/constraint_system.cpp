@@ -122,9 +122,9 @@ class SystemBuilder {
     system_.points[current_] = at;
     const Vector3 rest = positionOf(at, mesh_.positions);
     if (const Target* target = std::get_if<Target>(&point.to))
-      addRow(at, target->place, target->place - rest);
+      addRow(overUnknowns(at).terms, target->place, target->place - rest);
     else
-      addRow(at, rest + std::get<Move>(point.to).shift, std::get<Move>(point.to).shift);
+      addRow(overUnknowns(at).terms, rest + std::get<Move>(point.to).shift, std::get<Move>(point.to).shift);
   }
 
   void add(const RigidConstraint& /*rigid*/)
@@ -161,13 +161,13 @@ class SystemBuilder {
   // A target of a vertex is taken as it is: it is what the written file must hold.
   void addPin(Index vertex, const Vector3& target)
   {
-    addRow({{{vertex, 1.0}}}, target, target - mesh_.positions.row(vertex).transpose());
+    addRow({{solverMesh_.weld.unknownOf[vertex], 1.0}}, target, target - mesh_.positions.row(vertex).transpose());
   }
 
-  void addRow(const SurfacePoint& at, const Vector3& target, const Vector3& shift)
+  void addRow(std::vector<Term> terms, const Vector3& target, const Vector3& shift)
   {
     if (!isEnabled()) return;
-    ConstraintRow row{overUnknowns(at).terms, target, shift, current_};
+    ConstraintRow row{std::move(terms), target, shift, current_};
     if (isRepeatOfOwnPin(row)) return;
     if (row.isPin()) pinOf_[row.terms.front().index] = static_cast<Index>(system_.rows.size());
     system_.rows.push_back(std::move(row));

@@ -80,7 +80,9 @@ Multipliers multipliersOf(const TwoWayMatrix& A, const EliminatedConstraints& el
   const Columns3 missed = A.residual(f, u);
   Columns3 gradient = Columns3::Zero(u.rows(), 3);
   for (const RowTerms& row : eliminated.rows)
-    for (const Term& term : row) gradient.row(term.index) = gathered(A.columns(), term.index, missed) / -diagonal;
+    for (const Term& term : row)
+      if (gradient.row(term.index).isZero(0))
+        gradient.row(term.index) = gathered(A.columns(), term.index, missed) / -diagonal;
   Columns3 ofRows = eliminated.elimination.multipliers(gradient);
   return {std::move(ofRows), std::move(gradient)};
 }

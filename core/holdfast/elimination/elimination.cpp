@@ -295,6 +295,7 @@ Elimination::Elimination(const std::vector<RowTerms>& rows, const std::vector<In
 
 Columns3 Elimination::particular(const Columns3& d) const
 {
+  if (!merged_.hasLinks()) return blocks_.particular(d);
   const Columns3 offsets = merged_.offsets(d);
   return offsets + membership_ * blocks_.particular(askedOfGroups(d, offsets));
 }
@@ -315,6 +316,7 @@ Columns3 Elimination::askedOfGroups(const Columns3& d, const Columns3& offsets) 
 
 Columns3 Elimination::multipliers(const Columns3& gradient) const
 {
+  if (!merged_.hasLinks()) return blocks_.multipliers(gradient, static_cast<Index>(rows_.size()));
   Columns3 result = blocks_.multipliers(membership_.transpose() * gradient, static_cast<Index>(rows_.size()));
   Columns3 left = gradient;
   for (const Index row : others_)

@@ -39,6 +39,8 @@ class MergedUnknowns {
   [[nodiscard]] Index count() const noexcept { return count_; }
   [[nodiscard]] Index groupOf(Index unknown) const { return groupOf_[unknown]; }
 
+  /// Whether any group has more than one unknown.
+  [[nodiscard]] bool hasLinks() const { return !links_.empty(); }
   /// The links of a group, parents before children: one fewer than it has unknowns.
   [[nodiscard]] std::span<const Link> linksOf(Index group) const;
   [[nodiscard]] Index sizeOf(Index group) const { return static_cast<Index>(linksOf(group).size()) + 1; }

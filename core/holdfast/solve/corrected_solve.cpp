@@ -14,7 +14,8 @@ const double kLastCorrection = std::sqrt(kEpsilon);
 // A correction larger than this share of the one before has met rounding, or a factor that does not contract.
 constexpr double kStalled = 0.5;
 
-double largest(const Columns3& x)
+template <class Matrix>
+double largest(const Eigen::MatrixBase<Matrix>& x)
 {
   return x.size() == 0 ? 0 : x.cwiseAbs().maxCoeff();
 }
