@@ -31,7 +31,8 @@ class StepThread {
   std::shared_ptr<std::atomic<State>> state_;
 };
 
-/// One result that takes long. The work begins when it is asked for, and holds all that it needs: it may outlive this.
+/// One result that takes long. The work begins when it is asked for, or before, and holds all that it needs: it may
+/// outlive this.
 template <class Result>
 class LongStep {
  public:
@@ -43,12 +44,18 @@ class LongStep {
 
   [[nodiscard]] bool isDone() const { return result_.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }
 
+  /// Begins the work, if it has not begun. `progress` may throw; nothing has begun then.
+  void start(Progress& progress)
+  {
+    if (task_ != nullptr) thread_.start([task = task_] { (*task)(); }, progress);
+    task_.reset();
+  }
+
   /// Waits for the result; throws what the work throws. `progress` may throw meanwhile, within hundredths of a second:
   /// the work goes on then, and the next call waits for the rest of it.
   const Result& result(Progress& progress)
   {
-    if (task_ != nullptr) thread_.start([task = task_] { (*task)(); }, progress);
-    task_.reset();
+    start(progress);
     while (result_.wait_for(kAnswer) != std::future_status::ready) progress.proceed();
     return result_.get();
   }

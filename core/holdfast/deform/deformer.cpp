@@ -18,6 +18,7 @@
 #include <holdfast/deform/outcomes.h>
 #include <holdfast/deform/rotation_factorization.h>
 #include <holdfast/solve/constrained_solver.h>
+#include <holdfast/solve/elimination_order.h>
 #include <holdfast/surface/surface_locator.h>
 
 namespace holdfast {
@@ -26,15 +27,16 @@ namespace holdfast {
 /// behind (`LongStep`) does not need the model.
 struct ConstraintFactorization {
   ConstraintFactorization(const Model& model, const std::shared_ptr<const TwoWayMatrix>& A,
-                          const ConstraintSystem& itsSystem, const DeformOptions& options)
+                          const std::vector<int>& ranks, const ConstraintSystem& itsSystem,
+                          const DeformOptions& options)
       : system(itsSystem),
         eliminated(std::make_shared<const EliminatedConstraints>(eliminate(system, model.solverMesh))),
         sensitivities(eliminated->elimination.sensitivities()),
-        rotations(model.solverMesh, options.weights, options.solver.backend),
-        positions([A, eliminated = eliminated,
+        rotations(model.solverMesh, options.weights, options.solver.backend, ranks),
+        positions([A, eliminated = eliminated, ranks,
                    rest = Columns3(model.solverMesh.rest.rowwise() - model.solverMesh.rest.colwise().mean()),
                    options = options.solver]() mutable {
-          return makeSolver({A, *eliminated, std::move(rest)}, options);
+          return makeSolver({A, *eliminated, std::move(rest), std::move(ranks)}, options);
         })
   {
   }
@@ -137,9 +139,14 @@ class Solution {
   /// Everything but the seconds that went before.
   DeformResult by(ConstraintFactorization& factorization, Progress& progress)
   {
-    const std::string refusal = details_.operators->undefinedRows.empty()
-                                    ? rotate(factorization, progress)
-                                    : undefinedRowsMessage(model_, *details_.operators);
+    std::string refusal;
+    if (details_.operators->undefinedRows.empty()) {
+      announceFactorization(factorization, progress);
+      factorization.positions.start(progress);  // beside the rotations
+      refusal = rotate(factorization, progress);
+    } else {
+      refusal = undefinedRowsMessage(model_, *details_.operators);
+    }
     diagnoseRows(factorization);
     if (!refusal.empty()) {
       result_.rotations = Columns3::Zero(model_.solverMesh.unknownCount(), 3);
@@ -193,6 +200,12 @@ class Solution {
     return {};
   }
 
+  static void announceFactorization(const ConstraintFactorization& factorization, Progress& progress)
+  {
+    if (!factorization.positions.isDone())
+      progress.step(fmt::format("factorising {} unknowns", factorization.eliminated->elimination.Q2().cols()));
+  }
+
   void addFindings(const EliminatedConstraints& eliminated)
   {
     std::vector<Finding>& findings = result_.report.mesh.findings;
@@ -205,8 +218,7 @@ class Solution {
   void solve(ConstraintFactorization& factorization, Progress& progress)
   {
     const Stopwatch watch;
-    if (!factorization.positions.isDone())
-      progress.step(fmt::format("factorising {} unknowns", factorization.eliminated->elimination.Q2().cols()));
+    announceFactorization(factorization, progress);
     const SolverResult& result = factorization.positions.result(progress);
     report().seconds.factorization += watch.seconds();
     if (!result) return fail(result.failure);
@@ -222,8 +234,7 @@ class Solution {
         result.value->solve({shiftsOf(details_.system), details_.diagnosis.reconciled}, f);
     accept(displacement);
     if (options_.solver.kind == SolverKind::Hard && report().status != SolveStatus::Failed)
-      setMultipliers(
-          multipliersOf(A_, *factorization.eliminated, displacement.u, f, model_.solverMesh.diagonal));
+      setMultipliers(multipliersOf(A_, *factorization.eliminated, displacement.u, f, model_.solverMesh.diagonal));
     report().seconds.solution += solution.seconds();
   }
 
@@ -309,6 +320,14 @@ DeformResult Deformer::deform(const ConstraintList& constraints, const std::stri
 {
   Seconds seconds;
   const Stopwatch setup;
+  if (ranks_ == nullptr)
+    ranks_ = std::make_unique<LongStep<std::vector<int>>>([n = model_->solverMesh.unknownCount(),
+                                                           triangles = model_->solverMesh.triangles,
+                                                           isOurs = options_.solver.backend == Backend::Holdfast] {
+      return isOurs ? eliminationRanks(n, triangles) : std::vector<int>();
+    });
+  if (!ranks_->isDone()) progress.step(fmt::format("ordering {} unknowns", model_->solverMesh.unknownCount()));
+  ranks_->start(progress);
   ConstraintSystem system =
       makeConstraintSystem(constraints, model_->mesh, model_->solverMesh, model_->locator(), source);
   if (operators_ == nullptr) {
@@ -321,7 +340,7 @@ DeformResult Deformer::deform(const ConstraintList& constraints, const std::stri
   const Stopwatch elimination;
   if (factorization_ == nullptr || !factorization_->serves(system)) {
     progress.step(fmt::format("eliminating {} rows of constraints", system.rows.size()));
-    factorization_ = std::make_unique<ConstraintFactorization>(*model_, A_, system, options_);
+    factorization_ = std::make_unique<ConstraintFactorization>(*model_, A_, ranks_->result(progress), system, options_);
   }
   seconds.factorization = elimination.seconds();
 

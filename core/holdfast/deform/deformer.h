@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <holdfast/deform/deform.h>
 
@@ -12,6 +13,8 @@ namespace holdfast {
 struct ConstraintFactorization;
 struct Operators;
 class TwoWayMatrix;
+template <class Result>
+class LongStep;
 
 /// Deforms one model under one list of constraints after another. Operators are made once. As long as only targets and
 /// rotations change, from one list to the next, nothing is factorised. Not for concurrent calls.
@@ -47,6 +50,7 @@ class Deformer {
   ConstraintList constraints_;
   std::shared_ptr<const Operators> operators_;
   std::shared_ptr<const TwoWayMatrix> A_;
+  std::unique_ptr<LongStep<std::vector<int>>> ranks_;
   std::unique_ptr<ConstraintFactorization> factorization_;
 };
 

@@ -21,9 +21,10 @@ bool asksForRotation(const ConstraintSystem& system)
   return std::ranges::any_of(system.rotations, [](const GivenRotation& given) { return !given.q.isZero(0); });
 }
 
-RotationProblem problemOf(const ConstraintSystem& system, const SolverMesh& mesh, std::vector<EdgeWeight> weights)
+RotationProblem problemOf(const ConstraintSystem& system, const SolverMesh& mesh, std::vector<EdgeWeight> weights,
+                          const std::vector<int>& ranks)
 {
-  RotationProblem problem{mesh.unknownCount(), std::move(weights), {}, system.rigidRegions};
+  RotationProblem problem{mesh.unknownCount(), std::move(weights), {}, system.rigidRegions, ranks};
   for (const GivenRotation& given : system.rotations) problem.prescribed.push_back(given.unknown);
   return problem;
 }
@@ -67,10 +68,11 @@ Rotations RotationFactorization::solve(const ConstraintSystem& system, Progress&
   if (!field_) {
     RotationWeights weights = rotationEdgeWeights(mesh_, weights_);
     guards_ = guardFindings(weights, mesh_);
-    field_.emplace([problem = problemOf(system, mesh_, std::move(weights.edges)), backend = backend_]() mutable {
-      const RotationProblem own = std::move(problem);  // not to be kept beside its factor
-      return makeRotationFieldSolver(own, backend);
-    });
+    field_.emplace(
+        [problem = problemOf(system, mesh_, std::move(weights.edges), ranks_), backend = backend_]() mutable {
+          const RotationProblem own = std::move(problem);  // not to be kept beside its factor
+          return makeRotationFieldSolver(own, backend);
+        });
   }
   const auto& [solver, noSolver] = field_->result(progress);
   if (solver == nullptr) return {{}, {}, {}, guards_, kRefused + noSolver};

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <holdfast/base/long_step.h>
@@ -30,9 +31,9 @@ inline constexpr double kAgreeingRotations = 1e-12;
 /// Finds rotations for constraints of one structure. Nothing is factorised before a rotation is asked for.
 class RotationFactorization {
  public:
-  /// `mesh` stays alive as long as this.
-  RotationFactorization(const SolverMesh& mesh, Weights weights, Backend backend)
-      : mesh_(mesh), weights_(weights), backend_(backend)
+  /// `mesh` stays alive as long as this. `ranks` may be empty, see `RotationProblem`.
+  RotationFactorization(const SolverMesh& mesh, Weights weights, Backend backend, std::vector<int> ranks = {})
+      : mesh_(mesh), weights_(weights), backend_(backend), ranks_(std::move(ranks))
   {
   }
 
@@ -47,6 +48,7 @@ class RotationFactorization {
   const SolverMesh& mesh_;
   Weights weights_;
   Backend backend_;
+  std::vector<int> ranks_;
   std::optional<LongStep<RotationFieldResult>> field_;
   std::vector<Finding> guards_;
 };

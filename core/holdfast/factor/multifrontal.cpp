@@ -174,8 +174,10 @@ class Multifrontal {
 
   void findDiagonal()
   {
-    for (std::size_t k = 0; k < diagonal_.size(); ++k)
-      diagonal_[k] = lower_.coeff(symbolic_.order[k], symbolic_.order[k]);
+    for (std::size_t k = 0; k < diagonal_.size(); ++k) {
+      const SparseMatrix::InnerIterator first(lower_, symbolic_.order[k]);
+      diagonal_[k] = first && first.row() == first.col() ? first.value() : 0;
+    }
   }
 
   void factorize(Workspace& work, const Loop& loop)

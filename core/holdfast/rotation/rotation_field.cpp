@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -34,6 +35,26 @@ std::vector<Index> givenOfUnknowns(DisjointSets& regions, const std::vector<Inde
   return given;
 }
 
+/// Numbers the columns by the last of their unknowns, see `orderedColumns`.
+void orderColumns(RotationUnknowns& unknowns, const std::vector<int>& ranks)
+{
+  std::vector<int> last(unknowns.referenceOf.size(), -1);
+  for (std::size_t i = 0; i < ranks.size(); ++i)
+    if (const Index column = unknowns.columnOf[i]; column >= 0) last[column] = std::max(last[column], ranks[i]);
+  std::vector<Index> order(last.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  std::ranges::sort(order, {}, [&](Index column) { return last[column]; });
+  std::vector<Index> place(order.size());
+  std::vector<Index> referenceOf(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    place[order[k]] = static_cast<Index>(k);
+    referenceOf[k] = unknowns.referenceOf[order[k]];
+  }
+  for (Index& column : unknowns.columnOf)
+    if (column >= 0) column = place[column];
+  unknowns.referenceOf = std::move(referenceOf);
+}
+
 /// In a region where several unknowns are given, each keeps its own value, and all others have that of the first. For
 /// an unknown that is given twice, the first value counts. Edges of weight 0 tie nothing. Ids are in range.
 RotationUnknowns rotationUnknowns(const RotationProblem& problem)
@@ -57,6 +78,7 @@ RotationUnknowns rotationUnknowns(const RotationProblem& problem)
     if (first == i) result.referenceOf.push_back(reference);
     result.columnOf[i] = first == i ? result.columnCount() - 1 : result.columnOf[first];
   }
+  if (!problem.ranks.empty()) orderColumns(result, problem.ranks);
   return result;
 }
 
@@ -251,7 +273,8 @@ RotationFieldResult makeRotationFieldSolver(const RotationProblem& problem, Back
   ScaledColumns& scaled = columns.value;
   // A common rotation: what edges resist least, and so the hardest to find.
   const Columns3 probe = scaled.scale.cwiseInverse().replicate(1, 3);
-  FactorResult result = factorize(scaled.C, backend, probe);
+  FactorResult result = factorize(scaled.C, backend, probe,
+                                  problem.ranks.empty() ? EliminationOrder::ToBeFound : EliminationOrder::OfColumns);
   if (!result) return {nullptr, "the rotation field: " + result.failure};
   return {std::make_unique<RotationFieldSolver>(std::move(unknowns), std::move(system.pulls), std::move(scaled),
                                                 std::move(result.value))};

@@ -17,6 +17,7 @@ struct RotationProblem {
   std::vector<EdgeWeight> weights;               ///< each edge once
   std::vector<Index> prescribed;                 ///< unknowns whose q is given, in the order of precedence
   std::vector<std::vector<Index>> rigidRegions;  ///< unknowns of each rigid region; regions that overlap are one
+  std::vector<int> ranks = {};                   ///< `eliminationRanks`; empty: the factorisation finds an order
 };
 
 /// Each unknown is one of three: given (`givenOf`), free (`columnOf`), or out of reach of everything given (neither).

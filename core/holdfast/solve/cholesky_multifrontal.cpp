@@ -1,25 +1,18 @@
 // Cholesky factorisation of the normal equations by our own multifrontal method.
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 #include <vector>
 
-#include <Eigen/OrderingMethods>
-
 #include <holdfast/base/parallel.h>
 #include <holdfast/factor/multifrontal.h>
+#include <holdfast/solve/elimination_order.h>
 #include <holdfast/solve/gram.h>
 #include <holdfast/solve/least_squares_factor.h>
 
 namespace holdfast {
 namespace {
-
-std::vector<int> minimumDegreeOrder(const SparseMatrix& lower)
-{
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
-  Eigen::AMDOrdering<int>()(lower.selfadjointView<Eigen::Lower>(), order);
-  return {order.indices().begin(), order.indices().end()};
-}
 
 class CholeskyMultifrontal final : public LeastSquaresFactor {
  public:
@@ -50,10 +43,13 @@ class CholeskyMultifrontal final : public LeastSquaresFactor {
 
 }  // namespace
 
-FactorResult choleskyMultifrontal(const TwoWayMatrix& C)
+FactorResult choleskyMultifrontal(const TwoWayMatrix& C, EliminationOrder wanted)
 {
   const SparseMatrix lower = gramLower(C);
-  const auto symbolic = std::make_shared<const SymbolicFactor>(analyze(lower, minimumDegreeOrder(lower)));
+  std::vector<int> order(static_cast<std::size_t>(lower.cols()));
+  std::iota(order.begin(), order.end(), 0);
+  if (wanted == EliminationOrder::ToBeFound) order = minimumDegreeOrder(lower);
+  const auto symbolic = std::make_shared<const SymbolicFactor>(analyze(lower, order));
   auto [factor, failure] = factorizeMultifrontal(symbolic, lower);
   if (factor == nullptr) return {nullptr, std::move(failure)};
   return {std::make_unique<CholeskyMultifrontal>(std::move(factor))};

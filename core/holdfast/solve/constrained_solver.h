@@ -49,7 +49,13 @@ class ConstrainedSolver {
 struct ConstrainedProblem {
   std::shared_ptr<const TwoWayMatrix> A;  ///< weighted rows, n x n
   const EliminatedConstraints& eliminated;
-  Columns3 rest;  ///< n x 3, a typical solution to measure factors on
+  Columns3 rest;           ///< n x 3, a typical solution to measure factors on
+  std::vector<int> ranks;  ///< `eliminationRanks`; empty: the factorisation finds an order of its own
+
+  [[nodiscard]] EliminationOrder eliminationOrder() const
+  {
+    return ranks.empty() ? EliminationOrder::ToBeFound : EliminationOrder::OfColumns;
+  }
 };
 
 using SolverResult = Result<std::unique_ptr<const ConstrainedSolver>>;

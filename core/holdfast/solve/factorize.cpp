@@ -20,9 +20,9 @@ class NothingToSolve final : public LeastSquaresFactor {
   [[nodiscard]] std::string_view method() const override { return "nothing left to solve"; }
 };
 
-FactorResult cholesky(const TwoWayMatrix& C, Backend backend)
+FactorResult cholesky(const TwoWayMatrix& C, Backend backend, EliminationOrder order)
 {
-  if (backend == Backend::Holdfast) return choleskyMultifrontal(C);
+  if (backend == Backend::Holdfast) return choleskyMultifrontal(C, order);
 #ifdef HOLDFAST_WITH_CHOLMOD
   if (backend == Backend::Cholmod) return choleskyBySuiteSparse(C);
 #endif
@@ -47,10 +47,10 @@ bool isBuilt(Backend backend)
 #endif
 }
 
-FactorResult factorize(const TwoWayMatrix& C, Backend backend, const Columns3& probe)
+FactorResult factorize(const TwoWayMatrix& C, Backend backend, const Columns3& probe, EliminationOrder order)
 {
   if (C.columns().cols() == 0) return {std::make_unique<NothingToSolve>()};
-  FactorResult first = cholesky(C, backend);
+  FactorResult first = cholesky(C, backend, order);
   double left = 0;
   if (first.value != nullptr) {
     left = contraction(*first.value, C, probe);

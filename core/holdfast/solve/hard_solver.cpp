@@ -6,16 +6,18 @@
 #include <holdfast/solve/column_scaling.h>
 #include <holdfast/solve/constrained_solver.h>
 #include <holdfast/solve/corrected_solve.h>
+#include <holdfast/solve/elimination_order.h>
 
 namespace holdfast {
 namespace {
 
 class HardSolver final : public ConstrainedSolver {
  public:
-  HardSolver(ConstrainedProblem problem, ScaledColumns reduced, std::unique_ptr<const LeastSquaresFactor> factor)
+  HardSolver(ConstrainedProblem problem, const SparseMatrix& Q2, ScaledColumns reduced,
+             std::unique_ptr<const LeastSquaresFactor> factor)
       : problem_(std::move(problem)),
-        B_(constraintMatrix(problem_.eliminated.rows, problem_.eliminated.elimination.Q2().rows())),
-        scaledQ2_(problem_.eliminated.elimination.Q2() * reduced.scale.asDiagonal()),
+        B_(constraintMatrix(problem_.eliminated.rows, Q2.rows())),
+        scaledQ2_(Q2 * reduced.scale.asDiagonal()),
         reduced_(std::move(reduced)),
         factor_(std::move(factor))
   {
@@ -57,14 +59,14 @@ class HardSolver final : public ConstrainedSolver {
 
 SolverResult makeHardSolver(ConstrainedProblem problem, Backend backend)
 {
-  const SparseMatrix& Q2 = problem.eliminated.elimination.Q2();
+  const SparseMatrix Q2 = orderedColumns(problem.eliminated.elimination.Q2(), problem.ranks);
   Result<ScaledColumns> columns = scaleColumns(product(problem.A->columns(), Q2));
   if (!columns) return {nullptr, std::move(columns.failure)};
   ScaledColumns& reduced = columns.value;
   const Columns3 probe = reduced.scale.cwiseInverse().asDiagonal() * Columns3(Q2.transpose() * problem.rest);
-  FactorResult result = factorize(reduced.C, backend, probe);
+  FactorResult result = factorize(reduced.C, backend, probe, problem.eliminationOrder());
   if (!result) return {nullptr, std::move(result.failure)};
-  return {std::make_unique<HardSolver>(std::move(problem), std::move(reduced), std::move(result.value))};
+  return {std::make_unique<HardSolver>(std::move(problem), Q2, std::move(reduced), std::move(result.value))};
 }
 
 }  // namespace holdfast

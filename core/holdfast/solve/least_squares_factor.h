@@ -31,11 +31,18 @@ class LeastSquaresFactor {
   LeastSquaresFactor& operator=(const LeastSquaresFactor&) = default;
 };
 
+/// In which order a factorisation eliminates unknowns.
+enum class EliminationOrder {
+  ToBeFound,
+  OfColumns  ///< that of the columns of C, which keeps the factor small
+};
+
 using FactorResult = Result<std::unique_ptr<const LeastSquaresFactor>>;
 
 /// Each takes C (m x k) with columns of unit length. Those of SuiteSparse are defined where that is
 /// built.
-[[nodiscard]] FactorResult choleskyMultifrontal(const TwoWayMatrix& C);
+[[nodiscard]] FactorResult choleskyMultifrontal(const TwoWayMatrix& C,
+                                                EliminationOrder order = EliminationOrder::ToBeFound);
 [[nodiscard]] FactorResult choleskyBySuiteSparse(const TwoWayMatrix& C);
 [[nodiscard]] FactorResult choleskyByEigen(const TwoWayMatrix& C);
 /// R of a sparse QR of C, Q not kept: R^T R z = C^T f (semi-normal equations; Björck, 1987).
@@ -43,7 +50,8 @@ using FactorResult = Result<std::unique_ptr<const LeastSquaresFactor>>;
 
 /// A factor that solves with the digits of a double after corrections: Cholesky of the normal equations, and where that
 /// meets a bad pivot or contracts too slowly, sparse QR of C. `probe` (k x 3) is any typical solution, by which
-/// factors are measured. A failure names both reasons.
-[[nodiscard]] FactorResult factorize(const TwoWayMatrix& C, Backend backend, const Columns3& probe);
+/// factors are measured. A failure names both reasons. Other backends than our own find an order themselves.
+[[nodiscard]] FactorResult factorize(const TwoWayMatrix& C, Backend backend, const Columns3& probe,
+                                     EliminationOrder order = EliminationOrder::ToBeFound);
 
 }  // namespace holdfast

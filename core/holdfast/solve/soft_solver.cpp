@@ -6,6 +6,7 @@
 #include <holdfast/solve/column_scaling.h>
 #include <holdfast/solve/constrained_solver.h>
 #include <holdfast/solve/corrected_solve.h>
+#include <holdfast/solve/elimination_order.h>
 
 namespace holdfast {
 namespace {
@@ -51,13 +52,13 @@ SolverResult makeSoftSolver(ConstrainedProblem problem, Backend backend, double 
 {
   const EliminatedConstraints& eliminated = problem.eliminated;
   const SparseMatrix& A = problem.A->columns();
-  SparseMatrix spread = Elimination({}, {}, A.cols(), eliminated.isHeld).Q2();
+  SparseMatrix spread = orderedColumns(Elimination({}, {}, A.cols(), eliminated.isHeld).Q2(), problem.ranks);
   const SparseMatrix all = stacked(A, weight * constraintMatrix(eliminated.rows, A.cols()));
   Result<ScaledColumns> columns = scaleColumns(all * spread);
   if (!columns) return {nullptr, std::move(columns.failure)};
   ScaledColumns& scaled = columns.value;
   const Columns3 probe = scaled.scale.cwiseInverse().asDiagonal() * Columns3(spread.transpose() * problem.rest);
-  FactorResult result = factorize(scaled.C, backend, probe);
+  FactorResult result = factorize(scaled.C, backend, probe, problem.eliminationOrder());
   if (!result) return {nullptr, std::move(result.failure)};
   return {std::make_unique<SoftSolver>(weight, std::move(spread), std::move(scaled), std::move(result.value))};
 }

@@ -62,7 +62,7 @@ TEST(LiveDeformer, GivesTheDeformationThatIsAskedFor)
   const std::vector<LiveEvent> events = witness.eventsTo(1);
   EXPECT_EQ(events.front().kind, Kind::Started);
   EXPECT_EQ(events[1].kind, Kind::Step);
-  EXPECT_THAT(events[1].message, HasSubstr("operators"));
+  EXPECT_THAT(events[1].message, HasSubstr("ordering"));
   ASSERT_EQ(events.back().kind, Kind::Done);
   EXPECT_EQ(events.back().deformation->positions, freshly(*model, *dragged(0.5)));
 }
@@ -223,13 +223,13 @@ TEST(LiveDeformer, CancelWaitsForNoFactorisation)
   Witness witness;
   LiveDeformer live(model, witness.listener());
   live.submit(1, dragged(1), "list", Supersede::WhenDone);
-  ASSERT_TRUE(witness.hasStep(1, "factorising"));
+  ASSERT_TRUE(witness.hasStep(1, "ordering"));
   live.cancel();
   EXPECT_THAT(witness.endsTo(1), ElementsAre(End(1, Kind::Cancelled)));
   live.submit(2, dragged(2), "list", Supersede::WhenDone);
-  ASSERT_TRUE(witness.hasStep(2, "factorising"));
+  ASSERT_TRUE(witness.hasStep(2, "ordering"));
   live.submit(3, dragged(3), "list", Supersede::AtNextStep);
-  ASSERT_TRUE(witness.hasStep(3, "factorising"));
+  ASSERT_TRUE(witness.hasStep(3, "ordering"));
   factorisations.end();
   EXPECT_THAT(witness.endsTo(3), ElementsAre(End(1, Kind::Cancelled), End(3, Kind::Done)));
   EXPECT_EQ(witness.eventsTo(3).back().deformation->positions, freshly(*model, *dragged(3)));
