@@ -7,6 +7,7 @@ namespace holdfast::bench {
 
 void registerHardAgainstSoft();
 void registerBackends();
+void registerFrames();
 void registerConstraintCounts();
 void registerOverlappingPoints();
 void registerVerdicts();

@@ -12,6 +12,7 @@ int main(int argc, char** argv)
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   registerHardAgainstSoft();
   registerBackends();
+  registerFrames();
   registerConstraintCounts();
   registerOverlappingPoints();
   registerVerdicts();
