@@ -1,6 +1,8 @@
 #pragma once
 /// The edges of a set of triangles, each once, with the triangles on it.
 
+#include <algorithm>
+#include <compare>
 #include <span>
 #include <vector>
 
@@ -15,11 +17,26 @@ struct HalfEdge {
   Index triangle = 0;
   int side = 0;            ///< the edge runs between corners side and side + 1 of the triangle
   bool isForward = false;  ///< the triangle runs through it from a to b
+
+  friend auto operator<=>(const HalfEdge&, const HalfEdge&) = default;
 };
 
-/// All half edges sorted by (a, b, triangle), so that those of one edge are side by side. Sides that join a vertex to
-/// itself are left out. O(T log T).
-[[nodiscard]] std::vector<HalfEdge> sortedHalfEdges(const std::vector<Triangle>& triangles);
+/// Sorted by (a, b, triangle), so that those of one edge are side by side. Sides that join a vertex to itself are left
+/// out. O(T log T).
+[[nodiscard]] inline std::vector<HalfEdge> sortedHalfEdges(const std::vector<Triangle>& triangles)
+{
+  std::vector<HalfEdge> halfEdges;
+  halfEdges.reserve(3 * triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    for (int side = 0; side < 3; ++side) {
+      const Index from = triangles[t][side];
+      const Index to = triangles[t][(side + 1) % 3];
+      if (from == to) continue;
+      halfEdges.push_back({std::min(from, to), std::max(from, to), static_cast<Index>(t), side, from < to});
+    }
+  std::sort(halfEdges.begin(), halfEdges.end());
+  return halfEdges;
+}
 
 /// Calls `visit(std::span<const HalfEdge>)` once for each edge with its half edges.
 template <class Visitor>
