@@ -3,7 +3,6 @@
 #include <vector>
 
 #include <holdfast/mesh/triangulation.h>
-#include <holdfast/surface/closest_point.h>
 #include <holdfast/surface/surface_locator.h>
 
 #include "bench/benchmarks.h"

@@ -1,5 +1,3 @@
-#include "batch/formats.h"
-
 #include <algorithm>
 #include <charconv>
 #include <optional>
@@ -11,14 +9,14 @@
 #include <holdfast/base/lower_case.h>
 #include <holdfast/base/printable.h>
 #include <holdfast/io/mesh_file.h>
+
+#include "batch/batch.h"
 #ifdef HOLDFAST_WITH_VTK
 #include <holdfast/widgets/files/any_mesh_file.h>
 #include <holdfast/widgets/files/poly_data_file.h>
 #include <holdfast/widgets/scene/display_check.h>
 #include <holdfast/widgets/scene/scene.h>
 #endif
-
-#include "batch/commands.h"
 
 namespace holdfast::batch {
 namespace {
@@ -29,11 +27,11 @@ std::string extensionOf(const std::filesystem::path& path)
   return lowerCase(path.extension().string());
 }
 
-void requireKnown(const std::filesystem::path& path, const auto& known)
+void requireMeshExtension(const std::string& path, const auto& known)
 {
-  if (std::find(known.begin(), known.end(), extensionOf(path)) == known.end())
+  if (!path.empty() && std::find(known.begin(), known.end(), extensionOf(path)) == known.end())
     throw UsageError(
-        fmt::format("--out: \"{}\" has none of the extensions {}", printable(path.string()), fmt::join(known, ", ")));
+        fmt::format("--out: \"{}\" has none of the extensions {}", printable(path), fmt::join(known, ", ")));
 }
 
 #ifdef HOLDFAST_WITH_VTK
@@ -78,38 +76,31 @@ std::string knownColorings()
   return fmt::format("{}", fmt::join(colorByNames(), ", "));
 }
 
-void requireMeshExtension(const std::filesystem::path& path)
+void requireFormats(const Command& command)
 {
-  requireKnown(path, anyOutputExtensions());
+  const auto& [path, colorBy, size] = command.picture;
+  requireMeshExtension(command.out, anyOutputExtensions());
+  if (!command.fields.empty() && extensionOf(command.fields) != ".vtp")
+    throw UsageError(fmt::format("--fields: \"{}\" does not end in .vtp", printable(command.fields)));
+  if (path.empty()) return;
+  if (extensionOf(path) != ".png")
+    throw UsageError(fmt::format("--snapshot: \"{}\" does not end in .png", printable(path)));
+  if (!colorByNamed(colorBy))
+    throw UsageError(fmt::format("--color-by: {} is not one of {}", inQuotes(colorBy), knownColorings()));
+  static_cast<void>(sizeOf(size));
 }
 
-void requireFieldsExtension(const std::filesystem::path& path)
+void requireDisplay(const PictureRequest& picture)
 {
-  if (extensionOf(path) != ".vtp")
-    throw UsageError(fmt::format("--fields: \"{}\" does not end in .vtp", printable(path.string())));
+  if (const std::string reason = whyNoPictures(); !reason.empty()) throw OutputError(picture.path, reason);
 }
 
-void requirePictureOptions(const PictureRequest& request)
-{
-  if (extensionOf(request.path) != ".png")
-    throw UsageError(fmt::format("--snapshot: \"{}\" does not end in .png", printable(request.path)));
-  if (!colorByNamed(request.colorBy))
-    throw UsageError(fmt::format("--color-by: {} is not one of {}", inQuotes(request.colorBy), knownColorings()));
-  static_cast<void>(sizeOf(request.size));
-}
-
-void requireDisplay(const PictureRequest& request)
-{
-  if (const std::string reason = whyNoPictures(); !reason.empty()) throw OutputError(request.path, reason);
-}
-
-MeshDocument readMeshFile(const std::filesystem::path& path)
+MeshDocument readMeshFile(const std::string& path)
 {
   return readAnyMesh(path);
 }
 
-Serialized serializeMeshFile(const MeshDocument& document, const Positions& positions,
-                             const std::filesystem::path& path)
+Serialized serializeMeshFile(const MeshDocument& document, const Positions& positions, const std::string& path)
 {
   return serializeAnyMesh(document, positions, path);
 }
@@ -119,12 +110,12 @@ Serialized serializeFields(const Mesh& mesh, const Positions& positions, std::sp
   return fieldsToVtp(mesh, positions, fields, {});
 }
 
-std::string snapshot(const PictureRequest& request, const Model& model, const DeformResult& deformation,
+std::string snapshot(const PictureRequest& picture, const Model& model, const DeformResult& deformation,
                      const std::string& units)
 {
   const Scene scene(model, deformation,
-                    {sizeOf(request.size), colorByNamed(request.colorBy).value(), Legend::Shown, units});
-  return toPng(draw(scene, request.path), request.path);
+                    {sizeOf(picture.size), colorByNamed(picture.colorBy).value(), Legend::Shown, units});
+  return toPng(draw(scene, picture.path), picture.path);
 }
 
 #else
@@ -139,45 +130,37 @@ std::string knownColorings()
   return {};
 }
 
-void requireMeshExtension(const std::filesystem::path& path)
+void requireFormats(const Command& command)
 {
-  requireKnown(path, meshExtensions());
+  requireMeshExtension(command.out, meshExtensions());
+  if (!command.fields.empty())
+    throw UsageError("--fields: this build has no VTK to write \"" + command.fields + "\" with; leave the option out");
+  if (!command.picture.path.empty())
+    throw UsageError("--snapshot: this build has no VTK to draw \"" + command.picture.path +
+                     "\" with; leave the option out");
 }
 
-void requireFieldsExtension(const std::filesystem::path& path)
-{
-  throw UsageError("--fields: this build has no VTK to write \"" + path.string() + "\" with; leave the option out");
-}
-
-void requirePictureOptions(const PictureRequest& request)
-{
-  throw UsageError("--snapshot: this build has no VTK to draw \"" + request.path + "\" with; leave the option out");
-}
-
-void requireDisplay(const PictureRequest& /*request*/) {}
-
-MeshDocument readMeshFile(const std::filesystem::path& path)
+MeshDocument readMeshFile(const std::string& path)
 {
   return readMesh(path);
 }
 
-Serialized serializeMeshFile(const MeshDocument& document, const Positions& positions,
-                             const std::filesystem::path& path)
+Serialized serializeMeshFile(const MeshDocument& document, const Positions& positions, const std::string& path)
 {
   try {
     return serializeMesh(document, positions, extensionOf(path));
   } catch (const OutputError& error) {
-    throw OutputError(path.string(), error.reason());
+    throw OutputError(path, error.reason());
   }
 }
 
 // Options that ask for these are refused.
+void requireDisplay(const PictureRequest& /*picture*/) {}
 Serialized serializeFields(const Mesh& /*mesh*/, const Positions& /*positions*/, std::span<const Field> /*fields*/)
 {
   return {};
 }
-
-std::string snapshot(const PictureRequest& /*request*/, const Model& /*model*/, const DeformResult& /*deformation*/,
+std::string snapshot(const PictureRequest& /*picture*/, const Model& /*model*/, const DeformResult& /*deformation*/,
                      const std::string& /*units*/)
 {
   return {};

@@ -1,18 +1,20 @@
 // holdfast-batch: deforms and checks meshes without a window. The only place that turns exceptions into exit codes.
 
 #include <csignal>
+#include <cstring>
 #include <exception>
 #include <new>
 #include <system_error>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <holdfast/base/error.h>
 #include <holdfast/base/printable.h>
+#include <holdfast/io/files/file_descriptor.h>
 #include <holdfast/io/files/output_file.h>
 
-#include "batch/commands.h"
-#include "batch/standard_streams.h"
+#include "batch/batch.h"
 
 namespace holdfast::batch {
 namespace {
@@ -66,6 +68,20 @@ ExitCode run(int argc, const char* const* argv)
 }
 
 }  // namespace
+
+void printResult(std::string_view text)
+{
+  if (text.empty()) return;
+  if (const int code = writeAndClose(FileDescriptor(::dup(STDOUT_FILENO)), text); code != 0)
+    throw OutputError("standard output",
+                      fmt::format("cannot be written ({}): send it where there is room for it", std::strerror(code)));
+}
+
+void printMessage(std::string_view text) noexcept
+{
+  static_cast<void>(writeAndClose(FileDescriptor(::dup(STDERR_FILENO)), text));
+}
+
 }  // namespace holdfast::batch
 
 int main(int argc, char** argv)

@@ -1,52 +1,40 @@
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <map>
 #include <vector>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <holdfast/base/printable.h>
 #include <holdfast/version.h>
 
-#include "batch/commands.h"
-#include "batch/standard_streams.h"
+#include "batch/batch.h"
 
 namespace holdfast::batch {
 namespace {
 
-const std::map<std::string, Weights> kWeights{
-    {"cotangent", Weights::Cotangent}, {"cotangent-paper", Weights::CotangentPaper}, {"uniform", Weights::Uniform}};
-const std::map<std::string, SolverKind> kSolvers{
-    {"hard", SolverKind::Hard}, {"soft", SolverKind::Soft}, {"lagrange", SolverKind::Lagrange}};
-
-std::map<std::string, Backend> backends()
-{
-  std::map<std::string, Backend> result{{"holdfast", Backend::Holdfast}, {"eigen", Backend::Eigen}};
-  if (isBuilt(Backend::Cholmod)) result.emplace("cholmod", Backend::Cholmod);
-  return result;
-}
-
-/// What an option says that a session may state as well.
-std::string described(const std::string& values, const auto& otherwise)
-{
-  return fmt::format("{}; what the session says if left out, else {}", values, otherwise);
-}
-
-/// An option that has a few values.
-template <class Value>
+/// An option that a session may state as well.
+template <class Value, std::size_t count>
 void addChoice(CLI::App& command, const std::string& option, std::optional<Value>& chosen,
-               const std::map<std::string, Value>& values, const std::string& description)
+               const std::array<Value, count>& values, Value otherwise)
 {
+  std::array<std::string_view, count> names;
+  std::transform(values.begin(), values.end(), names.begin(), [](Value value) { return name(value); });
   const auto choose = [=, &chosen](const std::string& text) {
-    if (const auto found = values.find(text); found != values.end()) {
-      chosen = found->second;
-      return;
+    std::vector<std::string_view> offered;
+    for (const Value value : values) {
+      if constexpr (std::is_same_v<Value, Backend>)
+        if (!isBuilt(value)) continue;
+      if (text == name(value)) return void(chosen = value);
+      offered.push_back(name(value));
     }
-    std::string known;
-    for (const auto& [key, value] : values) known += (known.empty() ? "" : ", ") + key;
-    throw UsageError(fmt::format("{}: {} is not one of {}", option, inQuotes(text), known));
+    throw UsageError(fmt::format("{}: {} is not one of {}", option, inQuotes(text), fmt::join(offered, ", ")));
   };
-  command.add_option_function<std::string>(option, choose, description);
+  command.add_option_function<std::string>(
+      option, choose,
+      fmt::format("{} or {}; what the session says if left out, else {}",
+                  fmt::join(names.begin(), names.end() - 1, ", "), names.back(), name(otherwise)));
 }
 
 void describe(CLI::App& app, CLI::App& deformApp, CLI::App& checkApp, Command& asked)
@@ -63,10 +51,8 @@ void describe(CLI::App& app, CLI::App& deformApp, CLI::App& checkApp, Command& a
   for (CLI::App* command : {&deformApp, &checkApp}) {
     command->add_option("mesh", asked.mesh, "Mesh file: " + knownFormats())->required()->type_name("MESH");
     command->add_option("--report", asked.report, "Write the report (JSON) here")->type_name("R.json");
-    addChoice(*command, "--weights", asked.options.weights, kWeights,
-              described("cotangent, cotangent-paper or uniform", name(defaults.weights)));
-    addChoice(*command, "--backend", asked.options.backend, backends(),
-              described("holdfast, cholmod or eigen", name(defaults.solver.backend)));
+    addChoice(*command, "--weights", asked.options.weights, kAllWeights, defaults.weights);
+    addChoice(*command, "--backend", asked.options.backend, kAllBackends, defaults.solver.backend);
     command
         ->add_option("--constraints", asked.constraints,
                      "Constraint file (JSON), session (.holdfast) or point list (CSV)")
@@ -82,10 +68,11 @@ void describe(CLI::App& app, CLI::App& deformApp, CLI::App& checkApp, Command& a
   const std::string colors = "Colours of the picture: " + knownColorings();
   add("--color-by", asked.picture.colorBy, colors.c_str(), "FIELD")->needs(snapshot)->capture_default_str();
   add("--size", asked.picture.size, "Size of the picture in pixels", "WxH")->needs(snapshot)->capture_default_str();
-  addChoice(deformApp, "--solver", asked.options.solver, kSolvers,
-            described("hard, soft or lagrange", name(defaults.solver.kind)));
-  deformApp.add_option("--soft-weight", asked.options.softWeight,
-                       described("Weight of the constraints of the solver soft", defaults.solver.softWeight));
+  addChoice(deformApp, "--solver", asked.options.solver, kAllSolvers, defaults.solver.kind);
+  deformApp.add_option(
+      "--soft-weight", asked.options.softWeight,
+      fmt::format("Weight of the constraints of the solver soft; what the session says if left out, else {}",
+                  defaults.solver.softWeight));
 }
 
 /// The file that writing to `path` makes or replaces. Symbolic links are followed also where they lead to nothing yet.
@@ -133,13 +120,10 @@ void checkPaths(const Command& asked)
   }
 }
 
-/// What the library that parses the command line does not check.
 void check(const Command& asked)
 {
   checkPaths(asked);
-  if (!asked.out.empty()) requireMeshExtension(asked.out);
-  if (!asked.fields.empty()) requireFieldsExtension(asked.fields);
-  if (!asked.picture.path.empty()) requirePictureOptions(asked.picture);
+  requireFormats(asked);
   if (const double weight = asked.options.softWeight.value_or(1); !(weight > 0) || !std::isfinite(weight))
     throw UsageError(fmt::format("--soft-weight: {} is not a positive number", weight));
 }

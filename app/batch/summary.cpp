@@ -1,5 +1,3 @@
-#include "batch/summary.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -9,6 +7,8 @@
 #include <holdfast/base/counted.h>
 #include <holdfast/base/printable.h>
 #include <holdfast/deform/outcomes.h>
+
+#include "batch/batch.h"
 
 namespace holdfast::batch {
 namespace {
@@ -40,17 +40,13 @@ std::string placeText(const Vector3& place)
 std::string quotedNames(const std::vector<std::string>& names)
 {
   constexpr std::size_t kMostNames = 8;
-  const std::size_t shown = std::min(names.size(), kMostNames);
   std::string text;
-  for (std::size_t k = 0; k < shown; ++k) {
-    const bool isLast = k + 1 == names.size();
-    text += fmt::format("{}{}", k == 0 ? "" : isLast ? " and " : ", ", inQuotes(names[k]));
-  }
-  if (names.size() > shown) text += fmt::format(" and {} more", names.size() - shown);
+  for (std::size_t k = 0; k < std::min(names.size(), kMostNames); ++k)
+    text.append(k == 0 ? "" : k + 1 == names.size() ? " and " : ", ").append(inQuotes(names[k]));
+  if (names.size() > kMostNames) text += fmt::format(" and {} more", names.size() - kMostNames);
   return text;
 }
 
-/// The message, with the names of the constraints that it is about.
 std::string findingLine(const Finding& finding, const std::vector<ConstraintOutcome>& constraints)
 {
   std::vector<std::string> names;
@@ -72,7 +68,6 @@ std::string constraintLine(const Report& report)
   return line + "\n";
 }
 
-/// The constraints that pull hardest at the surface.
 std::string pullLine(const std::vector<ConstraintOutcome>& constraints)
 {
   std::vector<const ConstraintOutcome*> pulling;
@@ -149,13 +144,13 @@ std::string summary(const Report& report, const std::string& meshName, const std
   return text + pullLine(report.constraints);
 }
 
-std::string optionsLine(const StatedOptions& taken, const std::string& source)
+std::string optionsLine(const StatedOptions& asked, const StatedOptions& session, const std::string& source)
 {
   std::vector<std::string> options;
-  if (taken.weights) options.push_back(fmt::format("weights {}", name(*taken.weights)));
-  if (taken.solver) options.push_back(fmt::format("solver {}", name(*taken.solver)));
-  if (taken.softWeight) options.push_back(fmt::format("soft weight {}", *taken.softWeight));
-  if (taken.backend) options.push_back(fmt::format("backend {}", name(*taken.backend)));
+  if (session.weights && !asked.weights) options.push_back(fmt::format("weights {}", name(*session.weights)));
+  if (session.solver && !asked.solver) options.push_back(fmt::format("solver {}", name(*session.solver)));
+  if (session.softWeight && !asked.softWeight) options.push_back(fmt::format("soft weight {}", *session.softWeight));
+  if (session.backend && !asked.backend) options.push_back(fmt::format("backend {}", name(*session.backend)));
   if (options.empty()) return "";
   return fmt::format("options      {}: taken from {}\n", fmt::join(options, ", "), printable(source));
 }

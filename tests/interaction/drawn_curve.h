@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include <holdfast/surface/curve_region.h>
+#include <holdfast/surface/edge_graph.h>
 #include <holdfast/widgets/interaction/surface_curve_representation.h>
 #include <holdfast/widgets/interaction/surface_curve_widget.h>
 

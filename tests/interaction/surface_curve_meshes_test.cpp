@@ -10,7 +10,7 @@
 
 #include <holdfast/constraints/selector.h>
 #include <holdfast/io/mesh_file.h>
-#include <holdfast/surface/curve_region.h>
+#include <holdfast/surface/edge_graph.h>
 
 #include "interaction/drawn_curve.h"
 #include "support/law_meshes.h"

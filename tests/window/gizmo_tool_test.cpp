@@ -11,8 +11,8 @@
 #include <vtkRenderWindow.h>
 
 #include <holdfast/deform/deform_details.h>
+#include <holdfast/document/handle_restated.h>
 #include <holdfast/document/list_edits.h>
-#include <holdfast/document/own_axes.h>
 #include <holdfast/geometry/degree.h>
 #include <holdfast/geometry/rotation_log.h>
 #include <holdfast/widgets/picking/surface_picker.h>

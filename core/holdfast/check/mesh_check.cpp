@@ -228,4 +228,17 @@ std::vector<Finding> guardFindings(const RotationWeights& weights, const SolverM
   return findings;
 }
 
+bool isSolid(const SolverMesh& mesh)
+{
+  bool isClosed = true;
+  forEachEdge(sortedHalfEdges(mesh.triangles), [&](std::span<const HalfEdge> edge) {
+    isClosed = isClosed && edge.size() == 2 && edge[0].isForward != edge[1].isForward;
+  });
+  const Positions rest = restInDiagonals(mesh);
+  const auto at = [&](Index unknown) -> Vector3 { return rest.row(unknown).transpose(); };
+  std::vector<double> volumes(static_cast<std::size_t>(mesh.componentCount), 0.0);  // times six, in cubes of diagonals
+  for (const auto& [a, b, c] : mesh.triangles) volumes[mesh.componentOf[a]] += at(a).dot(at(b).cross(at(c)));
+  return isClosed && std::ranges::all_of(volumes, [](double volume) { return volume > 0; });
+}
+
 }  // namespace holdfast

@@ -1,6 +1,5 @@
 #pragma once
-/// What may be wrong with a mesh, found before anything is factorised, each finding with ids and with what the solver
-/// will do about it. docs/errors.md lists the kinds.
+/// What may be wrong with a mesh, found before anything is factorised. docs/errors.md lists the kinds.
 
 #include <vector>
 
@@ -14,17 +13,19 @@ namespace holdfast {
 /// A smallest angle below this makes a triangle a needle.
 inline constexpr double kNeedleDegrees = 1;
 
-/// Vertices with a coordinate that is NaN or infinite; empty for a usable mesh. Nothing else may be asked of a mesh
-/// that has such vertices. O(N).
+/// Vertices with a coordinate that is NaN or infinite; nothing else may be asked of a mesh that has such. O(N).
 [[nodiscard]] std::vector<Finding> findNonFinite(const Mesh& mesh);
 
-/// Everything else, in a fixed order: parts, vertices without faces, vertices that coincide, faces without area,
-/// needles, edges and vertices that are not manifold, neighbours that disagree on the orientation, boundaries.
+/// Everything else, in a fixed order.
 [[nodiscard]] std::vector<Finding> checkMesh(const Mesh& mesh, const Triangulation& triangulation,
                                              const SolverMesh& solverMesh);
 
 /// Vertices where a guard of the weights acted, in those of the surface and in those of its rotations.
 [[nodiscard]] std::vector<Finding> guardFindings(const Operators& operators, const SolverMesh& solverMesh);
 [[nodiscard]] std::vector<Finding> guardFindings(const RotationWeights& weights, const SolverMesh& solverMesh);
+
+/// Whether the mesh is the skin of something: every edge has two triangles, which run through it in opposite ways, and
+/// every connected part encloses a positive volume at rest. True where there are no triangles. O(T log T).
+[[nodiscard]] bool isSolid(const SolverMesh& mesh);
 
 }  // namespace holdfast

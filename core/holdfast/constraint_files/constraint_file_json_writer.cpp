@@ -3,9 +3,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <holdfast/base/error.h>
 #include <holdfast/constraint_files/constraint_file.h>
-#include <holdfast/constraint_files/constraint_file_json_internal.h>
+#include <holdfast/constraint_files/constraint_file_internal.h>
 #include <holdfast/io/text/number_text.h>
 
 namespace holdfast {
@@ -147,16 +146,6 @@ std::string constraintArrayJson(const std::vector<Constraint>& constraints)
   return json.empty() ? "[]" : fmt::format("[{}\n  ]", json);
 }
 
-void requireReadableConstraints(const std::string& json)
-{
-  try {
-    static_cast<void>(parseConstraintsJson(json, ""));
-  } catch (const InputError& error) {
-    throw OutputError("constraint file",
-                      std::string("the constraints cannot be written so that they can be read; ") + error.what());
-  }
-}
-
 std::string quoted(const std::string& text)
 {
   std::string json = "\"";
@@ -206,8 +195,8 @@ std::string constraintMembersJson(const ConstraintList& list)
 
 std::string constraintsToJson(const ConstraintList& list)
 {
-  const std::string json = fmt::format("{{{}}}\n", constraintMembersJson(list));
-  requireReadableConstraints(json);
+  std::string json = fmt::format("{{{}}}\n", constraintMembersJson(list));
+  requireReadable("constraint file", [&] { return parseConstraintsJson(json, ""); });
   return json;
 }
 

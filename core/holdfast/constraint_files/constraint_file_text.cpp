@@ -1,11 +1,11 @@
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include <holdfast/base/error.h>
 #include <holdfast/base/lower_case.h>
-#include <holdfast/constraint_files/constraint_file_text_internal.h>
+#include <holdfast/constraint_files/constraint_file_internal.h>
 
 namespace holdfast {
 namespace {
@@ -25,6 +25,22 @@ std::size_t editDistance(std::string_view a, std::string_view b)
     }
   }
   return row.back();
+}
+
+/// The word of `known` that `word` was probably meant to be: letter case aside, about one letter in three may differ.
+std::optional<std::string_view> closestSpelling(std::string_view word, std::span<const std::string_view> known)
+{
+  constexpr std::size_t kLongestWord = 64;
+  if (word.size() > kLongestWord) return std::nullopt;
+  std::optional<std::string_view> closest;
+  std::size_t smallest = word.size();  // a word that shares no letter is no spelling of it
+  for (const std::string_view candidate : known) {
+    const std::size_t distance = editDistance(word, candidate);
+    if (distance >= smallest || distance > (candidate.size() + 2) / 3) continue;
+    smallest = distance;
+    closest = candidate;
+  }
+  return closest;
 }
 
 }  // namespace
@@ -58,21 +74,6 @@ std::string listInQuotes(std::span<const std::string_view> words)
   std::string list;
   for (const std::string_view word : words) list += (list.empty() ? "" : ", ") + inQuotes(word);
   return list;
-}
-
-std::optional<std::string_view> closestSpelling(std::string_view word, std::span<const std::string_view> known)
-{
-  constexpr std::size_t kLongestWord = 64;
-  if (word.size() > kLongestWord) return std::nullopt;
-  std::optional<std::string_view> closest;
-  std::size_t smallest = word.size();  // a word that shares no letter is no spelling of it
-  for (const std::string_view candidate : known) {
-    const std::size_t distance = editDistance(word, candidate);
-    if (distance >= smallest || distance > (candidate.size() + 2) / 3) continue;
-    smallest = distance;
-    closest = candidate;
-  }
-  return closest;
 }
 
 std::string spellingHint(std::string_view word, std::span<const std::string_view> known)

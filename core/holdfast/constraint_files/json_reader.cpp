@@ -1,23 +1,198 @@
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
-#include <holdfast/base/error.h>
-#include <holdfast/constraint_files/constraint_file_text_internal.h>
-#include <holdfast/constraint_files/json_reader_internal.h>
+#include <holdfast/constraint_files/constraint_file_internal.h>
+#include <holdfast/io/text/number_text.h>
 
 namespace holdfast {
 namespace {
 
+// More than a constraint file can need, and little enough to recurse.
+constexpr std::size_t kMaximumJsonDepth = 300;
+
+bool isPlainWord(std::string_view key)
+{
+  const auto isPlain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  };
+  constexpr std::size_t kLongestWord = 60;
+  return !key.empty() && key.size() <= kLongestWord && std::all_of(key.begin(), key.end(), isPlain);
+}
+
+/// The path as messages show it.
+std::string namedPath(const std::string& path)
+{
+  return path.empty() ? "top level" : path;
+}
+
+std::string memberPath(const std::string& path, std::string_view key)
+{
+  if (!isPlainWord(key)) return fmt::format("{}[{}]", path, inQuotes(key));
+  return path.empty() ? std::string(key) : fmt::format("{}.{}", path, key);
+}
+
+std::string elementPath(const std::string& path, std::size_t place)
+{
+  // Once for each element of a list that is read, most of them for no message: piece by piece this takes half the time.
+  std::string element;
+  element.reserve(path.size() + std::numeric_limits<std::size_t>::digits10 + 3);
+  element.append(path).append(1, '[').append(fmt::format_int(place).c_str()).append(1, ']');
+  return element;
+}
+
+/// What the parser's message says once its own number and place are taken off.
+std::string causeOf(const nlohmann::json::exception& error)
+{
+  const std::string_view message = error.what();
+  const std::size_t colon = message.find(": ");
+  return std::string(colon == std::string_view::npos ? message : message.substr(colon + 2));
+}
+
+/// The number that `digits` say. The parser's own conversion depends on the locale, and cuts numbers short where the
+/// decimal sign takes several bytes; it has also put that sign into `digits`.
+ParsedNumber<double> doubleFrom(std::string digits)
+{
+  constexpr std::string_view kPlain = "0123456789+-eE";
+  std::replace_if(
+      digits.begin(), digits.end(), [&](char c) { return kPlain.find(c) == std::string_view::npos; }, '.');
+  return parseNumber<double>(digits);
+}
+
+/// Receives the parser's events and grows the tree. The parser itself does not recurse.
+class TreeBuilder {
+ public:
+  TreeBuilder(std::string_view text, std::string_view file) : text_(text), file_(file) {}
+
+  bool null() { return add({nullptr}); }
+  bool boolean(bool value) { return add({value}); }
+  bool number_integer(std::int64_t value) { return add({value}); }
+  bool number_unsigned(std::uint64_t value) { return add({value}); }
+  bool string(std::string& value) { return add({std::move(value)}); }
+  bool binary(nlohmann::json::binary_t& /*value*/) { return false; }
+  bool start_object(std::size_t /*size*/) { return open({JsonObject{}}); }
+  bool start_array(std::size_t /*size*/) { return open({JsonArray{}}); }
+  bool end_object() { return close(); }
+  bool end_array() { return close(); }
+
+  bool number_float(double /*value*/, const std::string& digits)
+  {
+    const auto [value, fault] = doubleFrom(digits);
+    place({value});
+    if (fault != NumberFault::None)
+      throw InputError({std::string(file_), 0, namedPath(openPath())},
+                       fmt::format("{} does not fit a number in double precision", shortened(digits)));
+    return true;
+  }
+
+  bool key(std::string& key)
+  {
+    std::get<JsonObject>(open_.back()->what).push_back({std::move(key), {}});
+    return true;
+  }
+
+  bool parse_error(std::size_t position, const std::string& token, const nlohmann::json::exception& error)
+  {
+    constexpr int kNumberOverflow = 406;
+    const TextPlace place = placeInText(text_, position == 0 ? 0 : position - 1);
+    const std::string reason =
+        error.id == kNumberOverflow
+            ? fmt::format("{} is too large for a number in double precision", shortened(token))
+            : fmt::format(
+                  "not valid JSON: {}. (JSON knows no comments, no comma before a closing bracket, no NaN; "
+                  "keys and text stand in double quotes)",
+                  cut(causeOf(error)));
+    throw InputError({std::string(file_), place.line, fmt::format("column {}", place.column)}, reason);
+  }
+
+  JsonValue finish() { return std::move(root_); }
+
+ private:
+  /// The parser quotes the text that it could not read, which may be long.
+  static std::string cut(const std::string& cause)
+  {
+    const std::size_t lastRead = cause.find("last read: '");
+    if (lastRead == std::string::npos) return cause;
+    const std::size_t token = cause.find('\'', lastRead) + 1;
+    const std::size_t end = cause.rfind('\'');
+    return cause.substr(0, token) + shortened(std::string_view(cause).substr(token, end - token)) + cause.substr(end);
+  }
+
+  JsonValue* place(JsonValue value)
+  {
+    JsonValue* target = &root_;
+    if (!open_.empty()) {
+      if (auto* array = std::get_if<JsonArray>(&open_.back()->what))
+        target = &array->emplace_back();
+      else
+        target = &std::get<JsonObject>(open_.back()->what).back().value;
+    }
+    *target = std::move(value);
+    return target;
+  }
+
+  bool add(JsonValue value)
+  {
+    place(std::move(value));
+    return true;
+  }
+
+  bool open(JsonValue container)
+  {
+    // The containers that are open do not grow while a child of theirs is open, so that the addresses last.
+    open_.push_back(place(std::move(container)));
+    if (open_.size() <= kMaximumJsonDepth) return true;
+    throw InputError({std::string(file_), 0, shortened(namedPath(openPath()))},
+                     fmt::format("lists and objects are nested deeper than {}; take levels out", kMaximumJsonDepth));
+  }
+
+  bool close()
+  {
+    open_.pop_back();
+    return true;
+  }
+
+  [[nodiscard]] std::string openPath() const
+  {
+    std::string path;
+    for (const JsonValue* container : open_) {
+      if (const auto* array = std::get_if<JsonArray>(&container->what)) {
+        if (!array->empty()) path = elementPath(path, array->size() - 1);
+      } else if (const auto& object = std::get<JsonObject>(container->what); !object.empty()) {
+        path = memberPath(path, object.back().key);
+      }
+    }
+    return path;
+  }
+
+  std::string_view text_;
+  std::string_view file_;
+  JsonValue root_;
+  std::vector<JsonValue*> open_;
+};
+
 const JsonMember* findMember(const JsonObject& object, std::string_view key)
 {
-  const auto found = std::find_if(object.begin(), object.end(), [&](const JsonMember& m) { return m.key == key; });
+  const auto found = std::ranges::find(object, key, &JsonMember::key);
   return found == object.end() ? nullptr : &*found;
 }
 
 }  // namespace
+
+JsonValue parseJson(std::string_view text, std::string_view file)
+{
+  const std::string_view characters = requireUtf8(text, file);
+  if (characters.find_first_not_of(" \t\r\n") == std::string_view::npos)
+    throw InputError({std::string(file), 1, ""}, "the file is empty; a JSON text is expected");
+  TreeBuilder builder(characters, file);
+  nlohmann::json::sax_parse(characters.begin(), characters.end(), &builder);
+  return builder.finish();
+}
 
 void JsonReader::requireKeys(std::span<const std::string_view> known) const
 {
@@ -49,12 +224,6 @@ JsonReader JsonReader::operator[](std::string_view key) const
   const JsonMember* member = findMember(object(), key);
   if (member == nullptr) fail("the key {} is missing; add it", inQuotes(key));
   return {member->value, file_, memberPath(path_, key)};
-}
-
-std::size_t JsonReader::sizeAboveZero() const
-{
-  if (array().empty()) fail("the list is empty; give at least one element");
-  return size();
 }
 
 void JsonReader::requireSize(std::size_t count, std::string_view meaning) const
@@ -95,6 +264,13 @@ Index JsonReader::id() const
   return value;
 }
 
+std::size_t JsonReader::choice(std::span<const std::string_view> names, fmt::string_view unknown) const
+{
+  const auto found = std::find(names.begin(), names.end(), text());
+  if (found == names.end()) fail(fmt::format(fmt::runtime(unknown), inQuotes(text())) + spellingHint(text(), names));
+  return static_cast<std::size_t>(found - names.begin());
+}
+
 Vector3 JsonReader::vector() const
 {
   requireSize(3, "[x, y, z]");
@@ -120,7 +296,9 @@ void JsonReader::failBelow(const std::string& key, const std::string& reason) co
 
 void JsonReader::failKind(std::string_view expected) const
 {
-  fail("{} is expected here, this is {}", expected, kindOf(*value_));
+  constexpr std::array<std::string_view, std::variant_size_v<decltype(JsonValue::what)>> kKinds{
+      "null", "true or false", "an integer", "an integer", "a number", "text", "a list", "an object"};
+  fail("{} is expected here, this is {}", expected, kKinds[value_->what.index()]);
 }
 
 }  // namespace holdfast

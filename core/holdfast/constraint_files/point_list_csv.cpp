@@ -2,12 +2,12 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include <fmt/format.h>
 
-#include <holdfast/base/error.h>
 #include <holdfast/constraint_files/constraint_file.h>
-#include <holdfast/constraint_files/constraint_file_text_internal.h>
+#include <holdfast/constraint_files/constraint_file_internal.h>
 #include <holdfast/io/text/csv_text.h>
 #include <holdfast/io/text/number_text.h>
 
@@ -29,7 +29,6 @@ std::string_view trimmed(std::string_view field)
   return field.substr(first, field.find_last_not_of(" \t") - first + 1);
 }
 
-/// One CSV text on its way to a list.
 class PointListReader {
  public:
   PointListReader(std::string_view file, char separator) : file_(file), separator_(separator) {}
@@ -70,25 +69,19 @@ class PointListReader {
     Places places;
     places.fill(kMissing);
     for (std::size_t place = 0; place < record.fields.size(); ++place) {
-      std::size_t& known = places[columnNamed(trimmed(record.fields[place]), record.line)];
-      if (known != kMissing)
-        fail(record.line, trimmed(record.fields[place]), "this column stands here more than once; keep one");
-      known = place;
+      const std::string_view name = trimmed(record.fields[place]);
+      const auto column = static_cast<std::size_t>(std::ranges::find(kColumnNames, name) - kColumnNames.begin());
+      if (column == kColumnCount)
+        fail(record.line, "",
+             fmt::format("unknown column {}{}. The first line is the header", inQuotes(name),
+                         spellingHint(name, kColumnNames)));
+      if (std::exchange(places[column], place) != kMissing)
+        fail(record.line, name, "this column stands here more than once; keep one");
     }
     for (std::size_t column = 0; column < kColumnCount; ++column)
       if (places[column] == kMissing)
         fail(record.line, kColumnNames[column], fmt::format("this column is missing; the header is {}", header()));
     return places;
-  }
-
-  [[nodiscard]] std::size_t columnNamed(std::string_view name, Index line) const
-  {
-    const auto* found = std::find(kColumnNames.begin(), kColumnNames.end(), name);
-    if (found == kColumnNames.end())
-      fail(line, "",
-           fmt::format("unknown column {}{}. The first line is the header", inQuotes(name),
-                       spellingHint(name, kColumnNames)));
-    return static_cast<std::size_t>(found - kColumnNames.begin());
   }
 
   [[nodiscard]] ConstraintList readRows(const std::vector<CsvRecord>& records, const Places& places) const
@@ -133,7 +126,7 @@ class PointListReader {
   {
     const std::string_view digits = trimmed(field);
     if (digits.empty()) fail(line, kColumnNames[column], "a number is missing; every coordinate is needed");
-    const auto [value, fault] = parseDouble(digits);
+    const auto [value, fault] = parseNumber<double>(digits);
     if (fault == NumberFault::OutOfRange)
       fail(line, kColumnNames[column], fmt::format("{} does not fit a number in double precision", shortened(digits)));
     if (fault == NumberFault::None && std::isfinite(value)) return value;

@@ -1,6 +1,5 @@
 #pragma once
 /// Constraints as a user states them: one entry of a constraint file each, in the file's own terms.
-/// `constraint_system.h` makes rows of B and d of them.
 
 #include <array>
 #include <optional>
@@ -18,14 +17,14 @@ struct FixedConstraint {
   Selection select;
 };
 
-/// A turn by `degrees` (any number of turns) about the line through `center` along `axis` (not zero, any length).
+/// A turn by `degrees` (any number) about the line through `center` along `axis` (not zero, any length).
 struct AxisRotation {
   Vector3 axis = Vector3::UnitZ();
   double degrees = 0;
   std::optional<Vector3> center;  ///< the centroid of the selected vertices at rest where absent
 };
 
-/// How much something turns: `degrees` (any number of turns) about `axis` (not zero, any length).
+/// A turn by `degrees` (any number) about `axis` (not zero, any length).
 struct AxisAngle {
   Vector3 axis = Vector3::UnitZ();
   double degrees = 0;
@@ -34,8 +33,8 @@ struct AxisAngle {
 /// The shortest rotation that takes the handle from where the fixed vertices see it to where they see it after
 /// `HandleConstraint::translate`, centroid from centroid, at rest; about the handle's own centroid.
 struct RotationAboutFixed {
-  /// Several turns, apart by whole turns, make this rotation: the one nearest to this is meant, the shortest where it
-  /// is absent. Where both directions are opposite, the axis across them that is nearest to this one is taken.
+  /// Of the turns that make this rotation, apart by whole turns, the nearest to this is meant, the shortest without it.
+  /// Where both directions are opposite, the axis across them that is nearest to this one is taken.
   std::optional<AxisAngle> near;
 };
 
@@ -54,8 +53,8 @@ struct FrameMotion {
   Index turns = 0;  ///< other than 0 only where the rotation has an axis
 };
 
-/// A place of its own for each vertex, three or more, in the order of the ids of the selection, which has to be
-/// `VertexIds`, distinct. The vertices turn by the rotation that fits best.
+/// A place for each vertex, three or more, in the order of the selection, which has to be distinct `VertexIds`. They
+/// turn by the rotation that fits best.
 struct VertexTargets {
   std::vector<Vector3> places;
 };
@@ -66,8 +65,7 @@ struct HandleConstraint {
   Selection select;
   std::variant<std::monostate, AxisRotation, RotationAboutFixed, FrameMotion, VertexTargets> motion;
   Vector3 translate = Vector3::Zero();
-  /// What each vertex hands on to the surface in the place of the rotation of the motion: one for each of `VertexIds`,
-  /// distinct, in their order; or none at all.
+  /// What each vertex hands on to the surface in place of that: one for each of distinct `VertexIds`, or none at all.
   std::vector<AxisAngle> rotations;
 };
 
@@ -85,8 +83,7 @@ struct PointConstraint {
   std::variant<Target, Move> to;
 };
 
-/// The selected vertices move as one rigid region: the vectors between them are kept and their
-/// rotations are equal, equations (28) and (29).
+/// The vectors between the selected vertices are kept and their rotations are equal, equations (28) and (29).
 struct RigidConstraint {
   Selection select;
 };

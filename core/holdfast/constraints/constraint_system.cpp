@@ -9,7 +9,6 @@
 #include <holdfast/base/error.h>
 #include <holdfast/base/printable.h>
 #include <holdfast/constraints/handle_motion.h>
-#include <holdfast/constraints/handle_validation.h>
 #include <holdfast/constraints/selector.h>
 #include <holdfast/geometry/centroid.h>
 #include <holdfast/geometry/rotation_log.h>
@@ -18,7 +17,6 @@
 namespace holdfast {
 namespace {
 
-/// Each id once.
 std::vector<Index> ascending(std::vector<Index> ids)
 {
   std::sort(ids.begin(), ids.end());
@@ -152,7 +150,6 @@ class SystemBuilder {
         {difference(from, to), *relative.offset, *relative.offset - rest, current_, RowKind::Relative});
   }
 
-  /// In the order of `vertices`.
   [[nodiscard]] Positions restOf(const std::vector<Index>& vertices) const
   {
     return mesh_.positions(vertices, Eigen::all);
@@ -228,7 +225,6 @@ class SystemBuilder {
     return canonical(std::move(point.terms));
   }
 
-  /// Between two points of unknowns.
   [[nodiscard]] Vector3 restVector(const SurfacePoint& from, const SurfacePoint& to) const
   {
     return positionOf(from, solverMesh_.rest) - positionOf(to, solverMesh_.rest);

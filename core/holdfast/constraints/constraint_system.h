@@ -31,8 +31,7 @@ struct ConstraintRow {
 };
 
 /// A row whose d turns with the surface: exp(q) rest, with q the sum of weight * q_unknown. In a rigid region that is
-/// the q of its first unknown, or, where rotations are given in it, of the unknown whose rotation is given first: that
-/// is the one which the rotation field has in the region.
+/// the q of the unknown whose rotation is given first, else of its first unknown.
 struct RotatedVector {
   Index row = 0;                   ///< place in `ConstraintSystem::rows`
   Vector3 rest = Vector3::Zero();  ///< B p at rest, model units
@@ -54,11 +53,10 @@ struct ConstraintNote {
 };
 
 /// A handle that moves by more than this share of its distance from the fixed vertices, and states no rotation, is
-/// noted: the surface between usually has to rotate with it.
+/// noted.
 inline constexpr double kUnsaidRotation = 0.25;
 
-/// All rows of the enabled constraints, in the user's order; what is behind this door may rely on unknowns in range,
-/// canonical terms and finite numbers.
+/// All rows of the enabled constraints, in the user's order: unknowns in range, canonical terms, finite numbers.
 struct ConstraintSystem {
   std::vector<ConstraintRow> rows;
   std::vector<SurfacePoint> points;      ///< of each constraint of type point: where it lies, in file vertices
@@ -70,8 +68,8 @@ struct ConstraintSystem {
 };
 
 /// Makes rows of a list of constraints on a mesh whose positions are finite. `source` names the list in messages.
-/// Throws `InputError` with the place in the list: ids out of range, edges that are not in the mesh, weights that do
-/// not fit a face, selections without a vertex, handles that `validateHandle` or `placeHandle` refuses.
+/// Throws `InputError` with the place in the list for what does not fit the mesh (`SurfaceLocator`, `Selector`) and for
+/// handles that `validateHandle` or `placeHandle` refuses.
 [[nodiscard]] ConstraintSystem makeConstraintSystem(const ConstraintList& list, const Mesh& mesh,
                                                     const SolverMesh& solverMesh, const SurfaceLocator& locator,
                                                     const std::string& source);

@@ -14,18 +14,14 @@ struct RigidIncrement {
   Vector3 translation = Vector3::Zero();
 };
 
-/// `turn` and then `next`, as one turn. About the same line, or against it, degrees are added; about another one the
-/// rotations are composed, and of the logs of the result that one is taken which follows from that of `turn` while
-/// `next` grows from nothing: turns are kept, and nothing jumps during a drag. O(degrees of `next`), bounded.
+/// `turn` and then `next`, as one turn. About one line degrees are added; else the rotations are composed, and the log
+/// is that which follows from that of `turn` while `next` grows from nothing: nothing jumps during a drag. O(degrees of
+/// `next`), bounded.
 [[nodiscard]] AxisAngle composed(const AxisAngle& turn, const AxisAngle& next);
 
-/// The handle that goes where `handle` goes and then by `increment`. The handle has no mistake.
-///
-/// A mere translation is added to `HandleConstraint::translate` and changes nothing else. No increment at all gives
-/// `handle` back, bit for bit. With a rotation
-/// - no motion, an `AxisRotation` and a `RotationAboutFixed` become an `AxisRotation`, with the center that they had,
-/// or
-///   the pivot;
+/// The handle that goes where `handle` goes, which has no mistake, and then by `increment`. A mere translation changes
+/// `HandleConstraint::translate` alone; no increment gives `handle` back, bit for bit. With a rotation
+/// - no motion, an `AxisRotation` and a `RotationAboutFixed` become an `AxisRotation`, with their center, or the pivot;
 /// - the `to` of a `FrameMotion` moves; where its frames are too nearly alike for whole turns, it becomes an
 ///   `AxisRotation`;
 /// - each place of `VertexTargets` moves; beyond half a turn `rotations` say how.
@@ -41,8 +37,7 @@ struct RigidIncrement {
 [[nodiscard]] AxisAngle rotationOfMotion(HandleConstraint handle, const HandleSetting& setting);
 
 /// `handle`, one step of a drag after it turned by `last`: where it turns about what is fixed, it turns by what is
-/// nearest to that, and says so from half a turn on (`RotationAboutFixed::near`). So it can be dragged round what is
-/// fixed, and nothing jumps where it passes the far side. Throws and costs as `placeHandle`.
+/// nearest to that, and says so from half a turn on (`RotationAboutFixed::near`). Throws and costs as `placeHandle`.
 [[nodiscard]] HandleConstraint followed(HandleConstraint handle, const AxisAngle& last, const HandleSetting& setting);
 
 }  // namespace holdfast

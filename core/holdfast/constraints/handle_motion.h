@@ -2,6 +2,7 @@
 /// Where a handle goes and how it turns: both ways of section 3.3 of the paper to give it its rotation, and more.
 
 #include <optional>
+#include <string>
 
 #include <Eigen/Geometry>
 
@@ -9,6 +10,16 @@
 #include <holdfast/constraints/constraint.h>
 
 namespace holdfast {
+
+/// What cannot be in a handle: the key at fault below that of the constraint (".frame.to.y"), why, and what to do.
+struct HandleError {
+  std::string key;
+  std::string reason;
+};
+
+/// The first thing in the handle that contradicts what its type demands: entries for each vertex of what is no list of
+/// distinct vertices, or not as many; too few targets; frames of zero or parallel axes; whole turns about no axis.
+[[nodiscard]] std::optional<HandleError> validateHandle(const HandleConstraint& handle);
 
 /// What is around a handle.
 struct HandleSurroundings {
@@ -30,8 +41,8 @@ struct HandlePlacement {
   bool isDetermined = true;  ///< false where other rotations fit the targets as well
 };
 
-/// A handle whose centroid is nearer to the fixed one than this share of the bounding box's diagonal has no direction
-/// from there: rounding of both would turn it by more than a millionth of a radian.
+/// A handle whose centroid is nearer to the fixed one than this share of the diagonal has no direction from there:
+/// rounding of both would turn it by more than a millionth of a radian.
 inline constexpr double kNoDirection = 1e-9;
 
 /// The handle has no mistake (`validateHandle`). Throws `InputError` with the key at fault: a turn about fixed vertices
@@ -41,8 +52,7 @@ inline constexpr double kNoDirection = 1e-9;
 /// The axes of a frame as columns, orthonormal, right-handed.
 [[nodiscard]] Eigen::Matrix3d axesOf(const Frame& frame);
 
-/// How far the handle's centroid moves, as a share of its distance from the fixed one; 0 where that is none, or where
-/// nothing is fixed.
+/// How far the handle's centroid moves, as a share of its distance from the fixed one; 0 without such a distance.
 [[nodiscard]] double shareMoved(const HandleConstraint& handle, const HandleSetting& setting);
 
 }  // namespace holdfast

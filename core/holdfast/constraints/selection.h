@@ -1,6 +1,5 @@
 #pragma once
-/// Sets of vertices named by ids, by shapes in space, by connected part, by closed curves on the surface, and by
-/// combinations of those.
+/// Sets of vertices, named in the terms of constraint files.
 
 #include <memory>
 #include <variant>
@@ -69,8 +68,8 @@ struct Selection {
 
 /// The ids that `selection` names, ascending, each once; may be empty. `componentOf` holds the connected part of each
 /// vertex, -1 for a vertex that no face uses. Points exactly on the boundary of a shape are inside. `AllOf` nothing is
-/// every vertex, `AnyOf` nothing is none. Ids out of range must have been refused, and curves resolved, before (see
-/// `Selector`). O(N) per node of the expression.
+/// every vertex, `AnyOf` nothing is none. There are no ids out of range, and no curves. O(N) per node of the
+/// expression.
 [[nodiscard]] std::vector<Index> select(const Selection& selection, const Positions& positions,
                                         const std::vector<Index>& componentOf);
 

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include <holdfast/surface/curve_region.h>
+#include <holdfast/surface/edge_graph.h>
 
 namespace holdfast {
 namespace {
@@ -159,7 +159,6 @@ std::vector<Index> Selector::select(const Selection& selection, const InputLocat
   return vertices;
 }
 
-/// The vertices on the curve and on the side that it names.
 std::vector<Index> Selector::within(const InsideCurve& curve, const InputLocation& where)
 {
   const std::vector<Index> places = placesOf(curve, where);
@@ -170,7 +169,14 @@ std::vector<Index> Selector::within(const InsideCurve& curve, const InputLocatio
                      "the curve does not divide the surface in two, so nothing is inside: it runs around a handle or "
                      "along the border, or so tightly that no vertex is left within; lead it around a region that it "
                      "cuts off, or select the vertices in another way");
-  return verticesOf({region.curve, curve.side == CurveSide::Smaller ? region.inside : region.outside});
+  std::vector<bool> isSelected(static_cast<std::size_t>(solverMesh_.unknownCount()), false);
+  for (const std::vector<Index>& part :
+       {region.curve, curve.side == CurveSide::Smaller ? region.inside : region.outside})
+    for (const Index unknown : part) isSelected[unknown] = true;
+  std::vector<Index> vertices;
+  for (Index v = 0; v < mesh_.vertexCount(); ++v)
+    if (isSelected[solverMesh_.weld.unknownOf[v]]) vertices.push_back(v);
+  return vertices;
 }
 
 /// The vertex of the file at which a curve takes a place: the nearest, at rest, of those that the place hangs on.
@@ -178,18 +184,13 @@ Index Selector::nearestVertex(const SurfaceLocation& location, const InputLocati
 {
   const SurfacePoint point = locator_.locate(location, where);
   const Vector3 place = positionOf(point, mesh_.positions);
-  Index nearest = -1;
-  double least = std::numeric_limits<double>::infinity();
-  for (const Term& term : point.terms) {
-    const double distance = (mesh_.positions.row(term.index).transpose() - place).stableNorm();
-    if (distance >= least) continue;
-    nearest = term.index;
-    least = distance;
-  }
-  return nearest;
+  const auto distance = [&](const Term& term) {
+    return (mesh_.positions.row(term.index).transpose() - place).stableNorm();
+  };
+  return std::ranges::min_element(point.terms, {}, distance)->index;
 }
 
-/// The unknowns that the curve is led through, all apart from one another and in one part.
+/// The unknowns that the curve is led through.
 std::vector<Index> Selector::placesOf(const InsideCurve& curve, const InputLocation& where)
 {
   std::vector<Index> places;
@@ -211,18 +212,6 @@ std::vector<Index> Selector::placesOf(const InsideCurve& curve, const InputLocat
                                          solverMesh_.componentOf[unknown], solverMesh_.componentOf[places.front()]));
   }
   return places;
-}
-
-/// All vertices of the file that are one of these unknowns.
-std::vector<Index> Selector::verticesOf(const std::vector<std::vector<Index>>& unknowns) const
-{
-  std::vector<bool> isSelected(static_cast<std::size_t>(solverMesh_.unknownCount()), false);
-  for (const std::vector<Index>& list : unknowns)
-    for (const Index unknown : list) isSelected[unknown] = true;
-  std::vector<Index> vertices;
-  for (Index v = 0; v < mesh_.vertexCount(); ++v)
-    if (isSelected[solverMesh_.weld.unknownOf[v]]) vertices.push_back(v);
-  return vertices;
 }
 
 }  // namespace holdfast

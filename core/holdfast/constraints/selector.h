@@ -7,7 +7,7 @@
 
 #include <holdfast/base/error.h>
 #include <holdfast/constraints/selection.h>
-#include <holdfast/mesh/edge_graph.h>
+#include <holdfast/surface/edge_graph.h>
 #include <holdfast/surface/surface_locator.h>
 
 namespace holdfast {
@@ -24,16 +24,15 @@ class Selector {
   }
 
   /// The vertices that `selection` names, ascending, each once. Throws `InputError` at `where` and the key at fault
-  /// (".any[1].vertices"): ids of vertices or parts that the mesh does not have; curves through places that are not on
-  /// the mesh, that go to the same vertex, or that lie on different connected parts, and curves that leave their part
-  /// in one piece; a selection of no vertex at all. O(N) per node of the expression, and what curves cost.
+  /// (".any[1].vertices"): ids that the mesh does not have; curves through places that are not on the mesh, go to the
+  /// same vertex or lie on different parts, and curves that leave their part in one piece; a selection of no vertex at
+  /// all. O(N) per node of the expression, and what curves cost.
   [[nodiscard]] std::vector<Index> select(const Selection& selection, const InputLocation& where);
 
  private:
   [[nodiscard]] std::vector<Index> within(const InsideCurve& curve, const InputLocation& where);
   [[nodiscard]] Index nearestVertex(const SurfaceLocation& location, const InputLocation& where);
   [[nodiscard]] std::vector<Index> placesOf(const InsideCurve& curve, const InputLocation& where);
-  [[nodiscard]] std::vector<Index> verticesOf(const std::vector<std::vector<Index>>& unknowns) const;
 
   const Mesh& mesh_;
   const SolverMesh& solverMesh_;

@@ -7,7 +7,6 @@
 
 #include <holdfast/base/error.h>
 #include <holdfast/document/handle_restated.h>
-#include <holdfast/document/own_axes.h>
 #include <holdfast/geometry/centroid.h>
 #include <holdfast/geometry/degree.h>
 #include <holdfast/geometry/rotation_log.h>

@@ -10,17 +10,15 @@
 
 namespace holdfast {
 
-/// One gesture on some constraints of a list. Each motion is measured from where the gesture began, so that nothing
-/// adds up. Handles that turn about what is fixed follow it from frame to frame (`followed`), so that they can go
-/// round; but for these no motion is exactly the list that there was.
+/// One gesture on some constraints of a list, each motion measured from where it began. Handles that turn about what is
+/// fixed follow it from frame to frame (`followed`); but for these no motion is exactly the list that there was.
 class ConstraintDrag {
  public:
-  /// Enabled points and handles among `constraints`, places in the list, move. Throws `InputError` where one of these
-  /// does not fit the mesh; `source` names the list. `model` stays alive as long as this.
+  /// Enabled points and handles among `constraints` (places in the list) move. Throws `InputError` where one does not
+  /// fit the mesh; `source` names the list. `model` stays alive as long as this.
   ConstraintDrag(const Model& model, const ConstraintList& list, std::span<const Index> constraints,
                  const std::string& source);
 
-  /// Whether anything moves, and whether anything of it turns: points do not.
   [[nodiscard]] bool isEmpty() const noexcept { return points_.empty() && handles_.empty(); }
   [[nodiscard]] bool hasHandles() const noexcept { return !handles_.empty(); }
 
@@ -31,7 +29,7 @@ class ConstraintDrag {
   /// it goes to, else its `principalAxes` at rest, turned with it. Of a point: its `surfaceAxes` at `positions`.
   [[nodiscard]] Eigen::Matrix3d axes(const Positions& positions) const;
 
-  /// The centroid of all that is fixed; none where nothing is, and where no handle moves.
+  /// The centroid of all that is fixed; none where nothing is or no handle moves.
   [[nodiscard]] std::optional<Vector3> fixedCenter() const
   {
     return handles_.empty() ? std::nullopt : handles_.front().setting.surroundings.fixedCenter;

@@ -18,8 +18,8 @@ struct DocumentState {
   DeformOptions options;
 };
 
-/// The states of one document, oldest first, and which of them is shown. Undo brings back the very object that was
-/// there before. A gesture (a drag) is one edit however many states it goes through. Not for concurrent calls.
+/// The states of one document, oldest first. Undo brings back the very object that was there before. A gesture (a drag)
+/// is one edit however many states it goes through.
 class History {
  public:
   explicit History(DocumentState state);
@@ -33,13 +33,13 @@ class History {
   /// One edit, named for menus ("move P1"). What could be redone is gone. A gesture under way ends before it.
   void edit(std::string name, DocumentState after);
 
-  /// Starts a gesture. One under way ends before it.
+  /// One under way ends before it.
   void beginGesture(std::string name);
-  /// What the gesture has come to so far. A gesture is under way.
+  /// A gesture is under way.
   void updateGesture(DocumentState after);
-  /// Makes one edit of the gesture, or nothing where it was never updated. Harmless without a gesture.
+  /// Makes one edit of the gesture, or nothing where it was never updated, or there is none.
   void endGesture();
-  /// As if the gesture had not begun: the state is the object that it was. Harmless without a gesture.
+  /// As if the gesture had not begun: the state is the object that it was.
   void cancelGesture() { gesture_.reset(); }
   [[nodiscard]] bool isInGesture() const noexcept { return gesture_ != nullptr; }
 
@@ -52,9 +52,9 @@ class History {
   [[nodiscard]] std::string_view undoName() const { return canUndo() ? nameAt(position_) : ""; }
   [[nodiscard]] std::string_view redoName() const { return canRedo() ? nameAt(position_ + 1) : ""; }
 
-  /// `state`, one that was shown, is what the user's file holds.
+  /// `state` is what the user's file holds.
   void markSaved(std::shared_ptr<const DocumentState> state) noexcept { saved_ = std::move(state); }
-  /// No state is the one in the user's file: there is none, or it says something else.
+  /// The user's file holds no state, or there is none.
   void markUnsaved() noexcept { saved_.reset(); }
   [[nodiscard]] bool isSaved() const noexcept { return saved_ == state(); }
 

@@ -23,7 +23,6 @@ Names namesOf(const ConstraintList& list)
   return names;
 }
 
-/// Whether each constraint of the list is at one of `indices`.
 std::vector<bool> chosen(const ConstraintList& list, const std::vector<Index>& indices)
 {
   std::vector<bool> isChosen(list.constraints.size(), false);
@@ -32,6 +31,15 @@ std::vector<bool> chosen(const ConstraintList& list, const std::vector<Index>& i
     isChosen[index] = true;
   }
   return isChosen;
+}
+
+ConstraintList partOf(const ConstraintList& list, const std::vector<Index>& indices, bool isWanted)
+{
+  const std::vector<bool> isChosen = chosen(list, indices);
+  ConstraintList part{list.units, {}};
+  for (std::size_t k = 0; k < isChosen.size(); ++k)
+    if (isChosen[k] == isWanted) part.constraints.push_back(list.constraints[k]);
+  return part;
 }
 
 void requireUsableName(const ConstraintList& list, const std::string& name, std::optional<Index> owner)
@@ -44,7 +52,7 @@ void requireUsableName(const ConstraintList& list, const std::string& name, std:
                                      inQuotes(name), *other + 1));
 }
 
-/// Makes names that are not taken, however many of them begin alike, without counting from the start each time.
+/// Makes names that are not taken, without counting from the start each time.
 class NameMaker {
  public:
   explicit NameMaker(Names taken) : taken_(std::move(taken)) {}
@@ -86,9 +94,11 @@ std::optional<Index> indexOf(const ConstraintList& list, std::string_view name)
 std::string unusedName(const ConstraintList& list, std::string_view stem)
 {
   const Names taken = namesOf(list);
-  Index number = 1;
-  while (taken.contains(fmt::format("{}{}", stem, number))) ++number;
-  return fmt::format("{}{}", stem, number);
+  std::string name;
+  Index number = 0;
+  do name = fmt::format("{}{}", stem, ++number);
+  while (taken.contains(name));
+  return name;
 }
 
 ConstraintList added(ConstraintList list, Constraint constraint)
@@ -112,22 +122,14 @@ ConstraintList renamed(ConstraintList list, Index index, std::string name)
   return list;
 }
 
-ConstraintList removed(ConstraintList list, const std::vector<Index>& indices)
+ConstraintList removed(const ConstraintList& list, const std::vector<Index>& indices)
 {
-  const std::vector<bool> isRemoved = chosen(list, indices);
-  ConstraintList rest{std::move(list.units), {}};
-  for (std::size_t k = 0; k < isRemoved.size(); ++k)
-    if (!isRemoved[k]) rest.constraints.push_back(std::move(list.constraints[k]));
-  return rest;
+  return partOf(list, indices, false);
 }
 
 ConstraintList extracted(const ConstraintList& list, const std::vector<Index>& indices)
 {
-  const std::vector<bool> isExtracted = chosen(list, indices);
-  ConstraintList part{list.units, {}};
-  for (std::size_t k = 0; k < isExtracted.size(); ++k)
-    if (isExtracted[k]) part.constraints.push_back(list.constraints[k]);
-  return part;
+  return partOf(list, indices, true);
 }
 
 ConstraintList moved(ConstraintList list, const std::vector<Index>& indices, Index before)

@@ -16,28 +16,24 @@ namespace holdfast {
 /// The first of `stem` 1, `stem` 2, ... that no constraint is called: "P1", "P2" for "P".
 [[nodiscard]] std::string unusedName(const ConstraintList& list, std::string_view stem);
 
-/// With `constraint` at the end, in the place of another one, or by another name. They throw `InputError` for a name
-/// that is empty or taken.
+/// These throw `InputError` for a name that is empty or taken.
 [[nodiscard]] ConstraintList added(ConstraintList list, Constraint constraint);
 [[nodiscard]] ConstraintList replaced(ConstraintList list, Index index, Constraint constraint);
 [[nodiscard]] ConstraintList renamed(ConstraintList list, Index index, std::string name);
 
-/// Without the constraints at `indices`, in any order.
-[[nodiscard]] ConstraintList removed(ConstraintList list, const std::vector<Index>& indices);
-
-/// The constraints at `indices` alone, in the order of the list; its units.
+/// Without the constraints at `indices`, or these alone, in the order of the list.
+[[nodiscard]] ConstraintList removed(const ConstraintList& list, const std::vector<Index>& indices);
 [[nodiscard]] ConstraintList extracted(const ConstraintList& list, const std::vector<Index>& indices);
 
-/// With the constraints at `indices`, in their order in the list, side by side in front of the one that is at `before`
-/// now, or at the end where that is the length of the list.
+/// With the constraints at `indices`, in their order, in front of the one that is at `before` now, or at the end.
 [[nodiscard]] ConstraintList moved(ConstraintList list, const std::vector<Index>& indices, Index before);
 
 enum class Enabling { Enabled, Disabled };
 
 [[nodiscard]] ConstraintList withEnabled(ConstraintList list, const std::vector<Index>& indices, Enabling enabling);
 
-/// With all of `other` at the end. Where a name is taken, the first number that makes it unique is put in the place of
-/// the one at its end, or behind it: "P1" becomes "P2", "base" becomes "base 2". Units are those of `list` if any.
+/// With all of `other` at the end. Names that are taken get another number: "P1" becomes "P2", "base" becomes "base 2".
+/// Units are those of `list` if any.
 [[nodiscard]] ConstraintList pasted(ConstraintList list, ConstraintList other);
 
 }  // namespace holdfast

@@ -11,8 +11,8 @@
 
 namespace holdfast {
 
-/// What the worker reports. All but `Started` and `Step` end the work on their revision: each revision ends once,
-/// unless a newer one replaced it.
+/// What the worker reports. Each revision ends once, by all kinds but `Started` and `Step`, unless a newer one replaced
+/// it.
 struct LiveEvent {
   enum class Kind {
     Started,    ///< work on a revision begins
@@ -38,8 +38,7 @@ enum class Supersede {
 /// Deforms one model on a thread of its own. Calls may come from one thread, the owner's.
 class LiveDeformer {
  public:
-  /// Called on the worker's thread, never after the destructor has returned. It does not throw, and does not wait for
-  /// the owner's thread, whose destructor waits for it.
+  /// Called on the worker's thread, never after the destructor has returned, which waits for it. Does not throw.
   using Listener = std::function<void(const LiveEvent&)>;
 
   LiveDeformer(std::shared_ptr<const Model> model, Listener listener);
@@ -52,8 +51,8 @@ class LiveDeformer {
   void submit(std::uint64_t revision, std::shared_ptr<const DocumentState> state, std::string source,
               Supersede supersede);
 
-  /// Gives up what is waiting and, at its next step or its end, what is under way. A factorisation goes on by itself
-  /// and serves the next state that needs it, see `LongStep`.
+  /// Gives up what is waiting and, at its next step or its end, what is under way. A factorisation goes on
+  /// (`LongStep`).
   void cancel();
 
  private:

@@ -41,7 +41,6 @@ void makeFolder(const fs::path& folder)
   if (isNew) fs::permissions(folder, fs::perms::owner_all, error);
 }
 
-/// A new folder within `folder`, by a name that no other program will think of.
 fs::path newPlace(const fs::path& folder)
 {
   makeFolder(folder);
@@ -106,23 +105,6 @@ Recoverable described(const fs::path& path)
 
 }  // namespace
 
-/// A folder of its own, held for as long as this is there.
-struct RecoveryFile::Place {
-  explicit Place(const fs::path& folder) : path(newPlace(folder)), lock(lockedFile(path / kLockName)) {}
-  ~Place()
-  {
-    // The copy goes before the lock: without one it would look abandoned.
-    std::error_code ignored;
-    fs::remove(path / kCopyName, ignored);
-    fs::remove_all(path, ignored);
-  }
-  Place(const Place&) = delete;
-  Place& operator=(const Place&) = delete;
-
-  fs::path path;
-  FileDescriptor lock;
-};
-
 std::optional<fs::path> recoveryFolder()
 {
   std::optional<fs::path> state = fromEnvironment("XDG_STATE_HOME");
@@ -131,10 +113,6 @@ std::optional<fs::path> recoveryFolder()
   return *state / "holdfast" / "recovery";
 }
 
-RecoveryFile::RecoveryFile(fs::path folder) : folder_(std::move(folder)) {}
-
-RecoveryFile::~RecoveryFile() = default;
-
 void RecoveryFile::write(SessionFile session, const fs::path& originalPath)
 {
   session.original = originalPath.empty() ? "" : fs::absolute(originalPath).lexically_normal().generic_string();
@@ -142,14 +120,23 @@ void RecoveryFile::write(SessionFile session, const fs::path& originalPath)
   session.mesh.absolutePath.clear();
   const std::string text = sessionToJson(session);
   std::error_code ignored;
-  const bool hasPlace = place_ != nullptr && fs::exists(place_->path, ignored);  // the folder may have been removed
-  if (!hasPlace) place_ = std::make_unique<Place>(folder_);
-  OutputFile(place_->path / kCopyName, text).commit();
+  if (place_.empty() || !fs::exists(place_, ignored)) {  // the folder may have been removed
+    const fs::path place = newPlace(folder_);
+    lock_ = lockedFile(place / kLockName);
+    place_ = place;
+  }
+  OutputFile(place_ / kCopyName, text).commit();
 }
 
 void RecoveryFile::clear() noexcept
 {
-  place_.reset();
+  if (place_.empty()) return;
+  // The copy goes before the lock: without one it would look abandoned.
+  std::error_code ignored;
+  fs::remove(place_ / kCopyName, ignored);
+  fs::remove_all(place_, ignored);
+  place_.clear();
+  static_cast<void>(lock_.close());
 }
 
 std::vector<Recoverable> recoverable(const fs::path& folder)

@@ -4,25 +4,25 @@
 
 #include <chrono>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <holdfast/document/session_file.h>
+#include <holdfast/io/files/file_descriptor.h>
 
 namespace holdfast {
 
-/// Where programs of this user keep their copies: `holdfast/recovery` below $XDG_STATE_HOME, or below ~/.local/state.
+/// `holdfast/recovery` below $XDG_STATE_HOME, or below ~/.local/state.
 [[nodiscard]] std::optional<std::filesystem::path> recoveryFolder();
 
 /// The copy of one open document.
 class RecoveryFile {
  public:
   /// `folder` is made when the first copy is written.
-  explicit RecoveryFile(std::filesystem::path folder);
-  /// Removes the copy.
-  ~RecoveryFile();
+  explicit RecoveryFile(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  ~RecoveryFile() { clear(); }
   RecoveryFile(const RecoveryFile&) = delete;
   RecoveryFile& operator=(const RecoveryFile&) = delete;
 
@@ -30,17 +30,15 @@ class RecoveryFile {
   /// it is not yet; the mesh is named from there, or absolutely. Throws `OutputError`; the last copy stays then.
   void write(SessionFile session, const std::filesystem::path& originalPath);
 
-  /// Removes the copy, as after the document was saved. The next `write` makes another.
+  /// Removes the copy. The next `write` makes another.
   void clear() noexcept;
 
  private:
-  struct Place;
-
   std::filesystem::path folder_;
-  std::unique_ptr<Place> place_;
+  std::filesystem::path place_;  // a folder of its own; empty before the first copy
+  FileDescriptor lock_;          // held for as long as that is there
 };
 
-/// What a program that is no more has left.
 struct Recoverable {
   std::filesystem::path path;                  ///< the copy, to be read with `readSession`
   std::filesystem::path original;              ///< the session that it is of; empty where that was never saved

@@ -1,23 +1,23 @@
 #include "holdfast/document/session_file.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <span>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <holdfast/base/error.h>
 #include <holdfast/constraint_files/constraint_file.h>
-#include <holdfast/constraint_files/constraint_file_json_internal.h>
-#include <holdfast/constraint_files/constraint_file_text_internal.h>
-#include <holdfast/document/session_mesh.h>
-#include <holdfast/document/stated_options.h>
+#include <holdfast/constraint_files/constraint_file_internal.h>
 #include <holdfast/io/files/file_bytes.h>
 #include <holdfast/io/files/output_file.h>
 
 namespace holdfast {
 namespace {
 
+namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr std::array<std::string_view, 2> kProjections{"perspective", "parallel"};
@@ -50,10 +50,10 @@ std::string textNotEmpty(const JsonReader& json)
   return json.text();
 }
 
-std::optional<std::string> textOrNone(const JsonReader& json, std::string_view key)
+/// Empty where the key is missing.
+std::string textOf(const JsonReader& json, std::string_view key)
 {
-  if (!json.has(key)) return std::nullopt;
-  return textNotEmpty(json[key]);
+  return json.has(key) ? textNotEmpty(json[key]) : std::string();
 }
 
 double positive(const JsonReader& json)
@@ -62,22 +62,18 @@ double positive(const JsonReader& json)
   return json.number();
 }
 
-/// The one of `choices` whose name, by `name`, the text is.
-template <class Choice>
-Choice chosen(const JsonReader& json, std::span<const Choice> choices)
+/// The one of `choices` whose name the text is.
+template <class Choice, std::size_t count>
+Choice chosen(const JsonReader& json, const std::array<Choice, count>& choices)
 {
-  std::vector<std::string_view> names;
-  for (const Choice choice : choices) {
-    if (json.text() == name(choice)) return choice;
-    names.push_back(name(choice));
-  }
-  json.fail("{} is not known here{}", inQuotes(json.text()), spellingHint(json.text(), names));
+  std::array<std::string_view, count> names;
+  std::ranges::transform(choices, names.begin(), [](Choice choice) { return name(choice); });
+  return choices[json.choice(names, "{} is not known here")];
 }
 
 Backend readBackend(const JsonReader& json)
 {
-  constexpr std::array kBackends{Backend::Holdfast, Backend::Cholmod, Backend::Eigen};
-  const auto backend = chosen<Backend>(json, kBackends);
+  const auto backend = chosen(json, kAllBackends);
   if (!isBuilt(backend))
     json.fail("this program was built without CHOLMOD; leave the key out for the best backend that there is");
   return backend;
@@ -85,34 +81,33 @@ Backend readBackend(const JsonReader& json)
 
 StatedOptions readOptions(const JsonReader& json)
 {
-  constexpr std::array kWeights{Weights::Cotangent, Weights::CotangentPaper, Weights::Uniform};
-  constexpr std::array kSolvers{SolverKind::Hard, SolverKind::Soft, SolverKind::Lagrange};
   json.requireKeys({"weights", "solver", "soft_weight", "backend"});
   StatedOptions options;
-  if (json.has("weights")) options.weights = chosen<Weights>(json["weights"], kWeights);
-  if (json.has("solver")) options.solver = chosen<SolverKind>(json["solver"], kSolvers);
+  if (json.has("weights")) options.weights = chosen(json["weights"], kAllWeights);
+  if (json.has("solver")) options.solver = chosen(json["solver"], kAllSolvers);
   if (json.has("soft_weight")) options.softWeight = positive(json["soft_weight"]);
   if (json.has("backend")) options.backend = readBackend(json["backend"]);
   return options;
 }
 
+constexpr std::string_view kAlgorithm = "fnv1a64:";
+constexpr std::size_t kDigits = 16;
+
+bool isChecksum(std::string_view text)
+{
+  if (!text.starts_with(kAlgorithm) || text.size() != kAlgorithm.size() + kDigits) return false;
+  return text.find_first_not_of("0123456789abcdef", kAlgorithm.size()) == std::string_view::npos;
+}
+
 MeshReference readMeshReference(const JsonReader& json)
 {
   json.requireKeys({"path", "absolute_path", "checksum"});
-  MeshReference mesh{textNotEmpty(json["path"]), textOrNone(json, "absolute_path").value_or(""),
-                     textOrNone(json, "checksum").value_or("")};
+  MeshReference mesh{textNotEmpty(json["path"]), textOf(json, "absolute_path"), textOf(json, "checksum")};
   if (!mesh.checksum.empty() && !isChecksum(mesh.checksum))
     json["checksum"].fail(
         "{} is not \"fnv1a64:\" and 16 hexadecimal digits; leave the key out where the checksum is not known",
         inQuotes(mesh.checksum));
   return mesh;
-}
-
-bool readIsParallel(const JsonReader& json)
-{
-  if (json.text() != kProjections[0] && json.text() != kProjections[1])
-    json.fail("{} is not a projection{}", inQuotes(json.text()), spellingHint(json.text(), kProjections));
-  return json.text() == kProjections[1];
 }
 
 void read(const JsonReader& json, std::string& text)
@@ -134,7 +129,8 @@ void read(const JsonReader& json, Camera& camera)
     json["focal_point"].fail("this is the camera's own place; name a point that it looks at");
   camera.viewUp = json["view_up"].direction();
   if (json.has("parallel_scale")) camera.parallelScale = positive(json["parallel_scale"]);
-  if (json.has("projection")) camera.isParallel = readIsParallel(json["projection"]);
+  if (json.has("projection"))
+    camera.isParallel = json["projection"].choice(kProjections, "{} is not a projection") == 1;
 }
 
 void read(const JsonReader& json, std::array<double, 2>& range)
@@ -150,26 +146,24 @@ void read(const JsonReader& json, Index& decades)
   if (decades < 1) json.fail("{} is not above 0", decades);
 }
 
+/// Reads the members that `forEach` visits. An object has no keys but theirs and `others`.
+template <class ForEach>
+void readMembers(const JsonReader& json, const ForEach& forEach, std::initializer_list<std::string_view> others)
+{
+  std::vector<std::string_view> keys;
+  forEach([&](const char* key, auto& /*member*/) { keys.emplace_back(key); });
+  keys.insert(keys.end(), others);
+  json.requireKeys(keys);
+  forEach([&](const char* key, auto& member) {
+    if (json.has(key)) read(json[key], member.emplace());
+  });
+}
+
 ViewState readView(const JsonReader& json)
 {
   ViewState view;
-  std::vector<std::string_view> keys;
-  const auto addKey = [&](const char* key, auto& /*member*/) { keys.emplace_back(key); };
-  const auto readInto = [](const JsonReader& from) {
-    return [&from](const char* key, auto& member) {
-      if (from.has(key)) read(from[key], member.emplace());
-    };
-  };
-  forEachMember(view, addKey);
-  keys.emplace_back("glyphs");
-  json.requireKeys(keys);
-  forEachMember(view, readInto(json));
-  if (!json.has("glyphs")) return view;
-  const JsonReader glyphs = json["glyphs"];
-  keys.clear();
-  forEachGlyph(view, addKey);
-  glyphs.requireKeys(keys);
-  forEachGlyph(view, readInto(glyphs));
+  readMembers(json, [&](auto&& visit) { forEachMember(view, visit); }, {"glyphs"});
+  if (json.has("glyphs")) readMembers(json["glyphs"], [&](auto&& visit) { forEachGlyph(view, visit); }, {});
   return view;
 }
 
@@ -226,12 +220,28 @@ Json viewJson(const ViewState& view)
   return json;
 }
 
-void requireReadableSession(const std::string& json)
+/// `path` with the symbolic links of its folders followed, but not that of the file itself: a link to a mesh moves with
+/// the folder that it is in.
+fs::path inRealFolder(const fs::path& path)
+{
+  std::error_code ignored;
+  const fs::path absolute = fs::absolute(path, ignored).lexically_normal();
+  const fs::path folder = fs::weakly_canonical(absolute.parent_path(), ignored);
+  return (folder.empty() ? absolute.parent_path() : folder) / absolute.filename();
+}
+
+ResolvedMesh examined(const fs::path& path, const std::string& checksum)
 {
   try {
-    static_cast<void>(parseSession(json, ""));
+    const std::string found = checksumOfFile(path);
+    if (checksum.empty() || found == checksum) return {path, MeshState::Same, ""};
+    return {
+        path, MeshState::Changed,
+        fmt::format("{}: the mesh is not the one that the session was saved with (checksum {} instead of {}). Vertex "
+                    "and face ids may mean other places now: check the constraints, or bring the old file back",
+                    path.string(), found, checksum)};
   } catch (const InputError& error) {
-    throw OutputError("session", std::string("it cannot be written so that it can be read; ") + error.what());
+    return {path, MeshState::Missing, fmt::format("{}. Choose where the mesh of the session is", error.what())};
   }
 }
 
@@ -248,16 +258,16 @@ SessionFile parseSession(std::string_view text, const std::string& name)
   session.mesh = readMeshReference(json["mesh"]);
   if (json.has("options")) session.document.options = withStated({}, readOptions(json["options"]));
   if (json.has("view")) session.view = readView(json["view"]);
-  session.original = textOrNone(json, "original").value_or("");
+  session.original = textOf(json, "original");
   return session;
 }
 
-SessionFile readSession(const std::filesystem::path& path)
+SessionFile readSession(const fs::path& path)
 {
   return parseSession(readTextFile(path), path.string());
 }
 
-StatedConstraints readStatedConstraints(const std::filesystem::path& path)
+StatedConstraints readStatedConstraints(const fs::path& path)
 {
   if (isPointList(path)) return {readConstraints(path), {}};
   const std::string name = path.string();
@@ -275,13 +285,38 @@ std::string sessionToJson(const SessionFile& session)
                                  jsonText(viewJson(session.view)));
   if (!session.original.empty()) json += fmt::format(",\n  \"original\": {}", jsonText(session.original));
   json += "\n}\n";
-  requireReadableSession(json);
+  requireReadable("session", [&] { return parseSession(json, ""); });
   return json;
 }
 
-void writeSession(const std::filesystem::path& path, const SessionFile& session)
+void writeSession(const fs::path& path, const SessionFile& session)
 {
   OutputFile(path, sessionToJson(session)).commit();
+}
+
+std::string checksumOfFile(const fs::path& path)
+{
+  // The Fowler-Noll-Vo hash, variant 1a, with the published constants.
+  std::uint64_t hash = 0xCBF29CE484222325U;
+  for (const char byte : readFileBytes(path)) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001B3U;
+  return fmt::format("{}{:016x}", kAlgorithm, hash);
+}
+
+MeshReference referenceTo(const fs::path& mesh, const fs::path& session, std::string checksum)
+{
+  const fs::path target = inRealFolder(mesh);
+  return {target.lexically_proximate(inRealFolder(session).parent_path()).generic_string(), target.generic_string(),
+          std::move(checksum)};
+}
+
+ResolvedMesh resolveMesh(const SessionFile& session, const fs::path& sessionPath)
+{
+  const MeshReference& mesh = session.mesh;
+  std::vector<ResolvedMesh> found{examined(sessionPath.parent_path() / mesh.path, mesh.checksum)};
+  if (!mesh.absolutePath.empty() && found.front().path != mesh.absolutePath)
+    found.push_back(examined(mesh.absolutePath, mesh.checksum));
+  // Same before Changed before Missing; of equals the likelier.
+  return *std::ranges::min_element(found, {}, &ResolvedMesh::state);
 }
 
 }  // namespace holdfast

@@ -8,11 +8,12 @@
 #include <string>
 #include <string_view>
 
+#include <holdfast/deform/deform.h>
 #include <holdfast/document/history.h>
 
 namespace holdfast {
 
-/// Which mesh a session is about. `session_mesh.h` makes it and finds the mesh again.
+/// Which mesh a session is about.
 struct MeshReference {
   std::string path;          ///< from the session's folder, or absolute; '/' between names
   std::string absolutePath;  ///< where the mesh was when the session was written; may be empty
@@ -55,19 +56,72 @@ struct SessionFile {
   std::string original;  ///< of a copy that is kept against a crash: absolute path of the session; else empty
 };
 
-/// Reads a session. Throws `InputError` as `readConstraints` does, and with the JSON path where what a session has
-/// besides is not as it should be: no mesh, a path that is empty, a checksum of a kind that is not known, options that
-/// do not exist or that this build does not have.
+/// Throws `InputError` as `readConstraints` does, also for what a session has besides: no mesh, a path that is empty, a
+/// checksum of a kind that is not known, options that do not exist or that this build does not have.
 [[nodiscard]] SessionFile readSession(const std::filesystem::path& path);
 
 /// The same from text; `name` is that of the file in messages.
 [[nodiscard]] SessionFile parseSession(std::string_view text, const std::string& name);
 
-/// The JSON text that reads back as `session`, every double in its shortest exact form. Throws `OutputError` where
-/// `session` is not one that a file can say: the text is read again before it is returned.
+/// The text that reads back as `session`, every double in its shortest exact form. Throws `OutputError` where no file
+/// can say `session`.
 [[nodiscard]] std::string sessionToJson(const SessionFile& session);
 
-/// Writes the file aside, then puts it in place. Throws `OutputError`; what stood there is untouched then.
+/// Throws `OutputError`; what stood there is untouched then.
 void writeSession(const std::filesystem::path& path, const SessionFile& session);
+
+/// "fnv1a64:" and 16 digits: the 64-bit FNV-1a hash of the file's bytes. Throws `InputError`.
+[[nodiscard]] std::string checksumOfFile(const std::filesystem::path& path);
+
+/// The reference of a session at `session` to the mesh at `mesh`, neither of which need exist; its path is relative.
+[[nodiscard]] MeshReference referenceTo(const std::filesystem::path& mesh, const std::filesystem::path& session,
+                                        std::string checksum);
+
+enum class MeshState {
+  Same,     ///< as it was, or the session does not say how it was
+  Changed,  ///< the bytes of the file are others
+  Missing   ///< neither where the session says nor where it was when that was written, or not to be read
+};
+
+struct ResolvedMesh {
+  std::filesystem::path path;
+  MeshState state = MeshState::Missing;
+  std::string message;  ///< for the user, of a mesh that is not the same: what is wrong, where, and what to do
+};
+
+/// Finds the mesh of the session at `sessionPath`, in its folder first. A mesh that is the same goes before one that
+/// has changed.
+[[nodiscard]] ResolvedMesh resolveMesh(const SessionFile& session, const std::filesystem::path& sessionPath);
+
+/// What options may name, in the order in which messages list it.
+inline constexpr std::array kAllWeights{Weights::Cotangent, Weights::CotangentPaper, Weights::Uniform};
+inline constexpr std::array kAllSolvers{SolverKind::Hard, SolverKind::Soft, SolverKind::Lagrange};
+inline constexpr std::array kAllBackends{Backend::Holdfast, Backend::Cholmod, Backend::Eigen};
+
+/// Options of a deformation as a session or a command line states them: any of them may be left out.
+struct StatedOptions {
+  std::optional<Weights> weights;
+  std::optional<SolverKind> solver;
+  std::optional<double> softWeight;
+  std::optional<Backend> backend;
+};
+
+/// `options` with what is stated in place of their own.
+[[nodiscard]] inline DeformOptions withStated(DeformOptions options, const StatedOptions& stated)
+{
+  options.weights = stated.weights.value_or(options.weights);
+  options.solver.kind = stated.solver.value_or(options.solver.kind);
+  options.solver.softWeight = stated.softWeight.value_or(options.solver.softWeight);
+  options.solver.backend = stated.backend.value_or(options.solver.backend);
+  return options;
+}
+
+struct StatedConstraints {
+  ConstraintList list;
+  StatedOptions options;
+};
+
+/// As `readConstraints`, with the options of a session.
+[[nodiscard]] StatedConstraints readStatedConstraints(const std::filesystem::path& path);
 
 }  // namespace holdfast

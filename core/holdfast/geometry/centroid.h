@@ -1,5 +1,5 @@
 #pragma once
-/// The mean of points: handles rotate about it by default.
+/// The mean of points.
 
 #include <cassert>
 
@@ -7,7 +7,7 @@
 
 namespace holdfast {
 
-/// The mean of the rows of `points`, one at least, in model units. Rounds with the size of the coordinates. O(N).
+/// The mean of the rows of `points`, one at least.
 [[nodiscard]] inline Vector3 centroid(const Positions& points)
 {
   assert(points.rows() > 0);

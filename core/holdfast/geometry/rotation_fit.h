@@ -7,30 +7,27 @@
 
 namespace holdfast {
 
-/// What `fitRotation` found.
 struct RotationFit {
   Eigen::Matrix3d R = Eigen::Matrix3d::Identity();  ///< proper: determinant +1
   bool isDetermined = false;                        ///< no other rotation fits as well
 };
 
 /// Squares of extents below this share of the largest count as zero: points within a millionth of their length from a
-/// line do not determine the rotation about it. Rounding of points far from the origin stays below that.
+/// line do not determine the rotation about it.
 inline constexpr double kRankOfFit = 1e-12;
 
 /// The rotation R that minimises the sum of |R (p_i - mean of p) - (t_i - mean of t)|^2 over the rows of `points` and
-/// `targets`: as many of each, finite, at least one (Kabsch, 1976; by singular values). R is not determined where
-/// points or targets lie on a line (it takes one line to the other by the shortest rotation), where all coincide
-/// (identity), and for the mirror image of points that are as thick as they are wide. O(N).
+/// `targets`: as many of each, finite, at least one (Kabsch, 1976; by singular values). Where points or targets lie on
+/// a line, R takes one line to the other by the shortest rotation; where all coincide, it is the identity. O(N).
 [[nodiscard]] RotationFit fitRotation(const Positions& points, const Positions& targets);
 
-/// What `shortestRotation` found.
 struct DirectionTurn {
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();  ///< of length 1
   bool isDetermined = false;                                     ///< false where the directions are opposite
 };
 
-/// The shortest rotation that takes the direction of `from` to that of `to` (neither zero, any lengths). Where they are
-/// opposite within rounding, every axis across them will do: one is taken that follows from `from` alone.
+/// The shortest rotation that takes the direction of `from` to that of `to` (neither zero, any lengths), about an axis
+/// that follows from `from` alone where they are opposite within rounding.
 [[nodiscard]] DirectionTurn shortestRotation(const Vector3& from, const Vector3& to);
 
 }  // namespace holdfast

@@ -1,9 +1,6 @@
 #pragma once
-/// Rotations and their logarithms, equations (22) to (24).
-///
-/// The logarithm of a rotation is that of a unit quaternion: q = (angle / 2) times the unit axis, in radians, not
-/// wrapped: 270 and 720 degrees stay what they are. All numbers are finite. Errors are a few units in the last place of
-/// the angle.
+/// Rotations and their logarithms, equations (22) to (24): those of unit quaternions, q = (angle / 2) times the unit
+/// axis, in radians, not wrapped. All numbers are finite. Errors are a few units in the last place of the angle.
 
 #include <Eigen/Geometry>
 
@@ -18,22 +15,18 @@ namespace holdfast {
 [[nodiscard]] Eigen::Matrix3d rotationMatrix(const Vector3& q);
 
 /// The rotation by `degrees` about `axis` (any length; none where it is zero), counterclockwise seen against it.
-/// Quarter turns about coordinate axes have entries that are exactly 0, 1 and -1, after any number of turns.
+/// Quarter turns about coordinate axes have entries that are exactly 0, 1 and -1.
 [[nodiscard]] Eigen::Matrix3d rotationMatrix(const Vector3& axis, double degrees);
 
-/// The shortest log of a rotation, |q| <= pi / 2, that is up to 180 degrees. `rotation` may have any length but zero;
-/// it and its negative are the same rotation and have the same log. Of the two logs of a half turn the one whose first
-/// component that is not zero is positive.
+/// The shortest log of a rotation, |q| <= pi / 2, also of a quaternion of other length than 1. Of the two logs of a
+/// half turn the one whose first component that is not zero is positive.
 [[nodiscard]] Vector3 rotationLog(const Eigen::Quaterniond& rotation);
-
-/// The same of a rotation matrix; what rounding has left it short of orthogonal changes the log no more than that.
 [[nodiscard]] Vector3 rotationLog(const Eigen::Matrix3d& rotation);
 
-/// The log of a turn by `degrees`, of any number of turns, about `axis` (any length; no turn where it is zero).
+/// The log of a turn by `degrees` about `axis` (any length; no turn where it is zero).
 [[nodiscard]] Vector3 rotationLog(const Vector3& axis, double degrees);
 
-/// The log of `rotation` that is nearest to `reference`: the number of turns that a drag has made is kept from one of
-/// its steps to the next. A rotation by whole turns, which have every axis, is taken to be about that of the reference.
+/// The log of `rotation` that is nearest to `reference`. A rotation by whole turns is taken to be about its axis.
 [[nodiscard]] Vector3 rotationLogNear(const Eigen::Quaterniond& rotation, const Vector3& reference);
 
 /// The angle of exp(q) in degrees, 0 or more, not wrapped.

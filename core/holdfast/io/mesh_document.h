@@ -10,13 +10,11 @@
 
 namespace holdfast {
 
-/// Contents of a file ready to be written, and what the user should know about them ("120 normals recomputed",
-/// "STL stores single precision").
+/// Contents of a file ready to be written.
 struct Serialized {
   std::string bytes;
-  std::vector<std::string> notes;
-  /// Coordinates are stored as floats: a reader finds each position rounded to single precision.
-  bool isSinglePrecision = false;
+  std::vector<std::string> notes;  ///< what the user should know: "120 normals recomputed"
+  bool isSinglePrecision = false;  ///< coordinates are stored as floats
 };
 
 /// What a mesh file said: the whole file, in the form that its format needs to be written again.
@@ -24,7 +22,7 @@ class MeshSource {
  public:
   virtual ~MeshSource() = default;
 
-  /// File name extension of the format, lower case with the dot: ".obj".
+  /// Of the format, lower case with the dot: ".obj".
   [[nodiscard]] virtual std::string extension() const = 0;
 
   /// The file as it was read, with `positions` (as many rows) in place of its own. Normals are kept where none of their

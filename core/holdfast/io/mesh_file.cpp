@@ -32,9 +32,7 @@ constexpr std::array<std::string_view, kFormats.size()> kExtensions{".obj", ".pl
 /// The format of `extension` in any case, or null.
 const Format* findFormat(std::string_view extension)
 {
-  const std::string lower = lowerCase(std::string(extension));
-  const auto format =
-      std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& known) { return known.extension == lower; });
+  const auto* const format = std::ranges::find(kFormats, lowerCase(std::string(extension)), &Format::extension);
   return format == kFormats.end() ? nullptr : &*format;
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <tuple>
 
 #include <holdfast/base/parallel.h>
 
@@ -32,11 +31,8 @@ std::vector<HalfEdge> sortedHalfEdges(const std::vector<Triangle>& triangles)
   std::partial_sum(place.begin(), place.end(), place.begin());
   std::vector<HalfEdge> halfEdges(static_cast<std::size_t>(place.back()));
   forEachHalfEdge(triangles, [&](const HalfEdge& half) { halfEdges[place[half.a + 1]++] = half; });
-  parallelBlocks(vertexCount, [&](Index a) {
-    std::sort(halfEdges.begin() + place[a], halfEdges.begin() + place[a + 1], [](const auto& x, const auto& y) {
-      return std::tie(x.b, x.triangle, x.side) < std::tie(y.b, y.triangle, y.side);
-    });
-  });
+  parallelBlocks(vertexCount,
+                 [&](Index a) { std::sort(halfEdges.begin() + place[a], halfEdges.begin() + place[a + 1]); });
   return halfEdges;
 }
 

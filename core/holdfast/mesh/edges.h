@@ -1,6 +1,7 @@
 #pragma once
 /// The edges of a set of triangles, each once, with the triangles on it.
 
+#include <compare>
 #include <span>
 #include <vector>
 
@@ -15,6 +16,8 @@ struct HalfEdge {
   Index triangle = 0;
   int side = 0;            ///< the edge runs between corners side and side + 1 of the triangle
   bool isForward = false;  ///< the triangle runs through it from a to b
+
+  friend auto operator<=>(const HalfEdge&, const HalfEdge&) = default;
 };
 
 /// All half edges sorted by (a, b, triangle), so that those of one edge are side by side. Sides that join a vertex to

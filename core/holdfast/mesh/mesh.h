@@ -58,8 +58,7 @@ class Polygons {
 };
 
 /// Positions and faces as in the file. Every corner is a valid vertex id and every face has at least three corners
-/// (readers guarantee both, `makeModel` refuses others); nothing else is promised: see `checkMesh` for what else may be
-/// wrong.
+/// (readers guarantee both, `makeModel` refuses others); nothing else is promised.
 struct Mesh {
   Positions positions;
   Polygons faces;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <tuple>
+#include <compare>
 #include <utility>
 
 #include <holdfast/base/disjoint_sets.h>
@@ -25,6 +25,8 @@ struct OpenEdge {
   Place high;
   Index lowVertex;
   Index highVertex;
+
+  friend auto operator<=>(const OpenEdge&, const OpenEdge&) = default;
 };
 
 OpenEdge openEdge(const Positions& positions, Index a, Index b)
@@ -46,9 +48,7 @@ std::vector<OpenEdge> openEdges(const Positions& positions, const std::vector<Tr
   });
   // An edge without length says nothing about which of the vertices at its place belong together.
   std::erase_if(open, [](const OpenEdge& edge) { return edge.low == edge.high; });
-  std::sort(open.begin(), open.end(), [](const OpenEdge& x, const OpenEdge& y) {
-    return std::tie(x.low, x.high, x.lowVertex, x.highVertex) < std::tie(y.low, y.high, y.lowVertex, y.highVertex);
-  });
+  std::sort(open.begin(), open.end());
   return open;
 }
 

@@ -15,8 +15,7 @@ struct Weld {
 };
 
 /// Ties the ends of open edges (edges of one triangle only) that lie exactly on one another, so that an unwelded file
-/// such as an STL deforms as the one surface that it shows. Closed parts that merely touch have no open edges and stay
-/// apart, as do parts that meet in single points. O(T log T).
+/// deforms as the one surface that it shows. Closed parts that merely touch stay apart. O(T log T).
 [[nodiscard]] Weld weldOpenEdges(const Positions& positions, const std::vector<Triangle>& triangles);
 
 struct SolverMesh {
@@ -35,8 +34,7 @@ struct SolverMesh {
 /// (they can be pinned), in no part. Positions must be finite. O(T log T).
 [[nodiscard]] SolverMesh makeSolverMesh(const Mesh& mesh, const Triangulation& triangulation);
 
-/// The rest positions about the first unknown, in units of the diagonal: squares of lengths of 1e-200 or 1e200 would
-/// leave the range of doubles.
+/// The rest positions about the first unknown, in units of the diagonal, whose squares stay in the range of doubles.
 [[nodiscard]] Positions restInDiagonals(const SolverMesh& mesh);
 
 /// The connected part of each file vertex, -1 where no face uses it.

@@ -67,13 +67,12 @@ class CornerBoxes {
     for (node /= 2; node > 0; node /= 2) boxes_[node] = boxes_[2 * node].merged(boxes_[2 * node + 1]);
   }
 
-  /// Calls `search.take(corner)` for corners in boxes of which `search.mayMatter(box)` is true, until it returns true.
-  template <class Search>
-  bool find(Search& search, std::size_t node = 1) const
+  /// Calls `take(corner)` for corners in boxes of which `mayMatter(box)` is true, until it returns true.
+  bool find(const auto& mayMatter, const auto& take, std::size_t node = 1) const
   {
-    if (boxes_[node].isEmpty() || !search.mayMatter(boxes_[node])) return false;
-    if (cornerOf_[node] != kNoCorner) return search.take(cornerOf_[node]);
-    return find(search, 2 * node) || find(search, 2 * node + 1);
+    if (boxes_[node].isEmpty() || !mayMatter(boxes_[node])) return false;
+    if (cornerOf_[node] != kNoCorner) return take(cornerOf_[node]);
+    return find(mayMatter, take, 2 * node) || find(mayMatter, take, 2 * node + 1);
   }
 
  private:
@@ -182,26 +181,6 @@ class EarClipper {
   // Fewer corners are looked through faster than a tree of boxes.
   static constexpr Index kFew = 32;
 
-  /// Looks for corners behind the cut of an ear.
-  struct GapSearch {
-    const EarClipper& clipper;
-    Index a;
-    Index b;
-    Index c;
-    EarRegion ear;     ///< corners here make it none
-    EarRegion needle;  ///< corners here make needles, too
-    double gap = std::numeric_limits<double>::infinity();
-
-    [[nodiscard]] bool mayMatter(const Box& box) const { return (gap < kNeedle ? ear : needle).mayMeet(box); }
-
-    /// True where no other corner can say more: the ear holds this one.
-    bool take(Index p)
-    {
-      gap = std::min(gap, clipper.gapTo(p, a, b, c));
-      return gap < 0;
-    }
-  };
-
   [[nodiscard]] std::array<Index, 3> ear(Index k) const { return {before_[k], k, behind_[k]}; }
 
   /// Area over the sum of squared edges, signed by the polygon's side: largest for the equilateral triangle. The
@@ -235,17 +214,24 @@ class EarClipper {
   [[nodiscard]] double gapBehind(Index a, Index b, Index c) const
   {
     double gap = std::numeric_limits<double>::infinity();
+    // True where no other corner can say more: the ear holds this one.
+    const auto take = [&](Index p) {
+      gap = std::min(gap, gapTo(p, a, b, c));
+      return gap < 0;
+    };
     if (count_ < kFew || !boxes_) {
-      for (Index p = behind_[c]; p != a; p = behind_[p]) gap = std::min(gap, gapTo(p, a, b, c));
+      for (Index p = behind_[c]; p != a; p = behind_[p]) take(p);
       return gap;
     }
     const auto region = [&](double depth) {
       return EarRegion(places_[a], places_[b], places_[c], depth * (polygon_[c] - polygon_[a]).squaredNorm());
     };
-    GapSearch search{*this, a, b, c, region(0), region(kNeedle)};
+    const auto mayMatter = [&, ear = region(0), needle = region(kNeedle)](const Box& box) {
+      return (gap < kNeedle ? ear : needle).mayMeet(box);
+    };
     // Along smooth curves the next corners are near the cut. They are far fewer than a search would go through.
-    if (!search.take(behind_[c]) && !search.take(before_[a])) boxes_->find(search);
-    return search.gap;
+    if (!take(behind_[c]) && !take(before_[a])) boxes_->find(mayMatter, take);
+    return gap;
   }
 
   /// The same of one corner; infinite where the two sides do not have it between them.
@@ -269,7 +255,6 @@ class EarClipper {
     ears_.emplace(quality_[k], -k);
   }
 
-  /// The best ear, of equals the one at the first corner.
   [[nodiscard]] Index bestEar()
   {
     for (;;) {
@@ -324,7 +309,6 @@ std::vector<Vector3> inUnitsOfItsSize(const Positions& positions, std::span<cons
   return polygon;
 }
 
-/// The n - 2 triangles of a face, as numbers of its corners.
 std::vector<std::array<Index, 3>> cornersOfTriangles(const Positions& positions, std::span<const Index> face)
 {
   if (face.size() == 3) return {{0, 1, 2}};

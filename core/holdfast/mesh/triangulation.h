@@ -19,9 +19,8 @@ struct Triangulation {
 };
 
 /// Triangulates every face without new vertices: n - 2 triangles for n corners. Of the ears that can be cut off, the
-/// best shaped goes first, so that a quadrilateral is split along the diagonal that avoids needles. A polygon that
-/// winds about itself or has no area falls back to whatever ears are left. O(n log n) in the corners of one face, for
-/// polygons that do not wind about themselves.
+/// best shaped goes first. A polygon that winds about itself or has no area falls back to whatever ears are left.
+/// O(n log n) in the corners of one face, for polygons that do not wind about themselves.
 [[nodiscard]] Triangulation triangulate(const Mesh& mesh);
 
 }  // namespace holdfast

@@ -15,9 +15,8 @@ namespace holdfast {
 /// `vector` at unit length; zero where its length is zero or not finite.
 [[nodiscard]] Vector3 unitOrZero(const Vector3& vector);
 
-/// `count` unit normals, one a row: row n is the sum of the area vectors of the faces at those corners that
-/// `normalOfCorner` (one entry a corner of `faces`, -1 for none) gives the number n, made a unit vector. Zero where
-/// there is no such corner, where the sum vanishes or where it is not finite. O(corners).
+/// Row n is the sum of the area vectors of the faces at those corners that `normalOfCorner` (one entry a corner of
+/// `faces`, -1 for none) gives the number n, made a unit vector; zero where it vanishes or is not finite. O(corners).
 [[nodiscard]] Positions areaWeightedNormals(const Positions& positions, const Polygons& faces,
                                             std::span<const Index> normalOfCorner, Index count);
 /// The same into `normals`, one for each of its rows: again and again in the same memory.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -44,11 +45,6 @@ class RayCaster::Caster {
       leave = std::min(leave, std::max(a, b) * kBoxSlack);
     }
     return enter <= leave ? enter : kNever;
-  }
-
-  [[nodiscard]] auto entries() const
-  {
-    return [this](const Eigen::AlignedBox3d& box, double limit) { return entry(box, limit); };
   }
 
   /// The box with all around it that the reach could span where the box is.
@@ -117,7 +113,7 @@ std::optional<RayHit> RayCaster::firstHit(const Ray& ray, const RayRange& range)
   RayHit best{-1, std::numeric_limits<double>::max(), {}};
   // Boxes hold what is hit only to rounding: an equally near triangle of smaller id must not be passed over.
   double limit = best.t;
-  tree_->visit(*boxes_, caster.entries(), limit, [&](Index triangle) {
+  tree_->visit(*boxes_, std::bind_front(&Caster::entry, caster), limit, [&](Index triangle) {
     const std::optional<RayHit> hit = caster.meet(triangle, tree_->triangles()[triangle], *positions_);
     if (!hit || hit->t < range.begin || hit->t > range.end) return false;
     if (std::pair(hit->t, hit->triangle) >= std::pair(best.t, best.triangle)) return false;
@@ -132,7 +128,7 @@ bool RayCaster::isBlocked(const Ray& ray, double before, std::span<const Index> 
 {
   const Caster caster(ray);
   bool isBlocked = false;
-  tree_->visit(*boxes_, caster.entries(), before, [&](Index triangle) {
+  tree_->visit(*boxes_, std::bind_front(&Caster::entry, caster), before, [&](Index triangle) {
     const std::optional<RayHit> hit = caster.meet(triangle, tree_->triangles()[triangle], *positions_);
     isBlocked =
         hit && hit->t >= from && hit->t < before && !std::binary_search(ignored.begin(), ignored.end(), triangle);

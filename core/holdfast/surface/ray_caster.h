@@ -37,15 +37,15 @@ struct RayHit {
   std::array<double, 3> weights{};  ///< of the triangle's corners; none negative, of sum 1 to rounding
 };
 
-/// Intersects rays with triangles, seen from either side, through a tree of boxes. Never changes: any number of
-/// threads may use one, copies cost nothing. Rays do not slip through between triangles that share an edge. Triangles
-/// without an area are not hit. Products of two lengths should lie between 1e-140 and 1e140.
+/// Intersects rays with triangles, seen from either side, through a tree of boxes. Never changes; copies cost nothing.
+/// Rays do not slip through between triangles that share an edge. Triangles without an area are not hit. Products of
+/// two lengths should lie between 1e-140 and 1e140.
 class RayCaster {
  public:
   /// Finite positions. O(T log T).
   RayCaster(const Positions& positions, std::vector<Triangle> triangles);
 
-  /// For the same triangles at other positions, finite as well. O(T), and shares all but the boxes.
+  /// For the same triangles at other finite positions. O(T); shares all but the boxes.
   [[nodiscard]] RayCaster movedTo(std::shared_ptr<const Positions> positions) const
   {
     return {tree_, std::move(positions)};
@@ -53,16 +53,13 @@ class RayCaster {
 
   [[nodiscard]] const Positions& positions() const noexcept { return *positions_; }
 
-  /// The first of the triangles that the ray meets within `range`; of several at the same place that of smallest id.
-  /// About O(log T), and as many triangles as it meets before.
+  /// The first that the ray meets within `range`; of several at one place that of smallest id. About O(log T).
   [[nodiscard]] std::optional<RayHit> firstHit(const Ray& ray, const RayRange& range = {}) const;
 
-  /// Whether the ray meets a triangle at `from` <= t < `before` other than those `ignored`, whose ids ascend. About
-  /// O(log T).
+  /// Whether the ray meets a triangle at `from` <= t < `before`, but for `ignored`, which ascend. About O(log T).
   [[nodiscard]] bool isBlocked(const Ray& ray, double before, std::span<const Index> ignored, double from = 0) const;
 
-  /// All triangles that have a point within reach of the ray, and some that almost have; ascending. About O(log T) and
-  /// what it finds.
+  /// All triangles that have a point within reach of the ray, and some that almost have; ascending.
   [[nodiscard]] std::vector<Index> withinReach(const Ray& ray, const RayReach& reach) const;
 
  private:

@@ -1,6 +1,7 @@
 #pragma once
-/// Makes canonical surface points of the user's names for them.
+/// Points of a surface: found by the user's names for them, named in another way, and closest to places in space.
 
+#include <array>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -10,10 +11,43 @@
 
 #include <holdfast/base/error.h>
 #include <holdfast/mesh/edges.h>
-#include <holdfast/surface/closest_point.h>
 #include <holdfast/surface/surface_location.h>
+#include <holdfast/surface/surface_point.h>
+#include <holdfast/surface/triangle_tree.h>
 
 namespace holdfast {
+
+/// Weights of a triangle's corners; none negative, of sum 1, exact zeros on edges and vertices.
+struct TrianglePoint {
+  std::array<double, 3> weights{};
+  Vector3 position = Vector3::Zero();
+  double squaredDistance = 0;
+};
+
+/// Triangles may be segments or points. Fourth powers of lengths are taken: they should lie between 1e-70 and 1e70.
+[[nodiscard]] TrianglePoint closestPointOfTriangle(const std::array<Vector3, 3>& corners, const Vector3& place);
+
+/// Finds closest points through a tree of boxes, at any size of the surface.
+class ClosestPointSearch {
+ public:
+  /// Finite positions, at least one triangle. O(T log T).
+  ClosestPointSearch(const Positions& positions, const std::vector<Triangle>& triangles);
+
+  struct Result {
+    SurfacePoint point;
+    Index triangle = 0;
+    double distance = 0;  ///< model units
+  };
+
+  /// The exact closest point of a finite place; of triangles at the same distance the one that comes first.
+  [[nodiscard]] Result find(const Vector3& place) const;
+
+ private:
+  int exponent_;         // the unit of what follows is 2^exponent model units
+  Positions positions_;  // in that unit: squares stay within the range of doubles
+  TriangleTree tree_;
+  TriangleTree::Boxes boxes_;
+};
 
 /// What the points of one mesh share: made when it is first asked for, once, whatever threads ask.
 class SurfaceIndex {
@@ -28,7 +62,7 @@ class SurfaceIndex {
   std::vector<HalfEdge> halfEdges_;
 };
 
-/// Locates points on one mesh. Copies are cheap and share the index. `Model::locator` has the one of a model.
+/// Locates points on one mesh, O(log T) after O(T log T). Copies share the index. `Model::locator` has that of a model.
 class SurfaceLocator {
  public:
   /// Mesh and triangulation stay alive as long as the locator. Positions are finite.
@@ -39,13 +73,12 @@ class SurfaceLocator {
   }
 
   /// Throws `InputError` at `where`, its element followed by the key at fault (".vertex", ".edge[0]", ".weights"): ids
-  /// out of range, an edge that no face has, as many weights as the face has no corners. O(log T) after O(T log T).
+  /// out of range, an edge that no face has, as many weights as the face has no corners.
   [[nodiscard]] SurfacePoint locate(const SurfaceLocation& location, const InputLocation& where) const;
 
-  /// Whether a face has an edge between the vertices, or is cut in triangles along it. O(log T) after O(T log T).
+  /// Whether a face has an edge between the vertices, or is cut in triangles along it.
   [[nodiscard]] bool isEdge(Index i, Index j) const;
 
-  /// O(log T) after O(T log T).
   [[nodiscard]] ClosestPointSearch::Result closestTo(const Vector3& place) const
   {
     return index_->closest(mesh_, triangulation_).find(place);
@@ -61,6 +94,26 @@ class SurfaceLocator {
   const Triangulation& triangulation_;
   std::shared_ptr<SurfaceIndex> index_;
 };
+
+/// In the order of `SurfaceLocation`.
+enum class LocationKind { Vertex, Edge, Face, Near };
+
+[[nodiscard]] inline LocationKind kindOf(const SurfaceLocation& location)
+{
+  return static_cast<LocationKind>(location.index());
+}
+
+/// The point of this kind that is nearest to `location`, by positions at rest. What lies on a vertex or an edge stays
+/// there as long as the kind allows it.
+/// - vertex: the nearest end of its edge, or corner of its face;
+/// - edge: from a vertex the first edge at it in file order, with t = 1; else the nearest side of its face;
+/// - face: the first in file order that has the vertex, or both ends of the edge, with the same weights;
+/// - near: its place.
+///
+/// `locator` is that of `mesh`. Throws `InputError` as the locator does, and without a place for a vertex that no face
+/// uses, or no edge joins to another. O(corners of the mesh).
+[[nodiscard]] SurfaceLocation converted(const SurfaceLocation& location, LocationKind kind, const Mesh& mesh,
+                                        const SurfaceLocator& locator);
 
 /// Throws `InputError` at `where`, its element followed by `key`, unless a mesh of so many vertices has the vertex.
 void requireVertex(Index vertexCount, Index vertex, const InputLocation& where, const std::string& key);

@@ -21,7 +21,6 @@ std::vector<Term> merged(std::vector<Term> terms)
   return sums;
 }
 
-/// The terms of both, weighted.
 std::vector<Term> combined(const SurfacePoint& x, double ofX, const SurfacePoint& y, double ofY)
 {
   std::vector<Term> terms;

@@ -7,10 +7,8 @@
 
 namespace holdfast {
 
-/// The point sum of coefficient * p_index over vertices of the file. Canonical: vertices ascend and differ, every
-/// coefficient (weight) is larger than
-/// `kVanishingWeight`, and a single term has the weight 1 exactly. One term is a vertex, two an edge, three a point in
-/// a triangle, more a point in a polygon.
+/// The sum of coefficient * p_index over vertices of the file. Canonical: vertices ascend and differ, every coefficient
+/// (weight) is larger than `kVanishingWeight`, and a single term has the weight 1 exactly.
 struct SurfacePoint {
   std::vector<Term> terms;
 
@@ -21,15 +19,12 @@ struct SurfacePoint {
 /// the promised 1e-12 of the bounding box.
 inline constexpr double kVanishingWeight = 1e-14;
 
-/// The canonical form of any list of terms whose weights sum to 1: sorted, repeated vertices added up, vanishing
-/// weights left out.
+/// The canonical form of any terms whose weights sum to 1.
 [[nodiscard]] SurfacePoint canonical(std::vector<Term> terms);
 
-/// The terms of x - y, sorted, repeated vertices merged, vanishing weights left out. Empty where both are one point:
-/// a single weight that is left is rounding, because all of them sum to 0.
+/// The terms of x - y in the same form. Empty where both are one point: a single weight that is left is rounding.
 [[nodiscard]] std::vector<Term> difference(const SurfacePoint& x, const SurfacePoint& y);
 
-/// The terms of the point midway between two.
 [[nodiscard]] SurfacePoint midpoint(const SurfacePoint& x, const SurfacePoint& y);
 
 /// Where the point is, in the units of `positions`.

@@ -12,8 +12,8 @@
 
 namespace holdfast {
 
-/// Which triangles lie together: halved by their centers along the longer side, again and again. The boxes of the nodes
-/// are apart from it, so that one tree serves the same triangles wherever they move.
+/// Which triangles lie together: halved by their centers along the longer side, again and again. The boxes are apart
+/// from it, so that one tree serves the same triangles wherever they move.
 class TriangleTree {
  public:
   struct Node {

@@ -24,22 +24,6 @@ double angleDegrees(const Vector3& a, const Vector3& b)
 
 }  // namespace
 
-VertexRegions::VertexRegions(const Mesh& mesh, const SolverMesh& solverMesh)
-    : mesh_(mesh),
-      solverMesh_(solverMesh),
-      graph_(solverMesh),
-      smoothFaces_(mesh, solverMesh),
-      starts_(static_cast<std::size_t>(solverMesh.unknownCount()) + 1, 0),
-      vertices_(solverMesh.weld.unknownOf.size()),
-      isReached_(static_cast<std::size_t>(solverMesh.unknownCount()), false)
-{
-  const std::vector<Index>& unknownOf = solverMesh.weld.unknownOf;
-  for (const Index unknown : unknownOf) ++starts_[unknown + 1];
-  for (std::size_t u = 1; u < starts_.size(); ++u) starts_[u] += starts_[u - 1];
-  std::vector<Index> next(starts_.begin(), starts_.end() - 1);
-  for (std::size_t v = 0; v < unknownOf.size(); ++v) vertices_[next[unknownOf[v]]++] = static_cast<Index>(v);
-}
-
 std::vector<Index> VertexRegions::connected(Index vertex) const
 {
   std::vector<bool> isChosen = unknownsOf({&vertex, 1});
@@ -50,7 +34,7 @@ std::vector<Index> VertexRegions::connected(Index vertex) const
 
 std::vector<Index> VertexRegions::smooth(Index face, double degrees) const
 {
-  std::vector<bool> isChosen(isReached_.size(), false);
+  std::vector<bool> isChosen = unknownsOf({});
   for (const Index reached : smoothFaces_.around(face, degrees))
     for (const Index vertex : mesh_.faces[reached]) isChosen[solverMesh_.weld.unknownOf[vertex]] = true;
   return verticesWhere(isChosen);
@@ -83,38 +67,27 @@ std::vector<Index> VertexRegions::inverted(std::span<const Index> vertices) cons
   return verticesWhere(isChosen);
 }
 
-std::vector<Index> VertexRegions::within(double radius, const Vector3& place, Index face, const Positions& positions)
+std::vector<Index> VertexRegions::within(double radius, const Vector3& place, Index face,
+                                         const Positions& positions) const
 {
-  std::vector<Index> vertices;
-  for (const Index unknown : floodBall(radius, place, face, positions)) {
-    isReached_[unknown] = false;
-    const std::span<const Index> own = verticesOf(unknown);
-    vertices.insert(vertices.end(), own.begin(), own.end());
-  }
-  std::sort(vertices.begin(), vertices.end());
-  return vertices;
-}
-
-/// The unknowns of the dab, which are marked as reached.
-std::vector<Index> VertexRegions::floodBall(double radius, const Vector3& place, Index face, const Positions& positions)
-{
+  std::vector<bool> isReached = unknownsOf({});
   std::vector<Index> queue;
   const auto reach = [&](Index unknown) {
-    const Index vertex = verticesOf(unknown).front();
+    const Index vertex = solverMesh_.weld.firstVertexOf[unknown];
     // A ball is convex: with both of its ends an edge lies within.
-    if (isReached_[unknown] || (positions.row(vertex).transpose() - place).stableNorm() > radius) return;
-    isReached_[unknown] = true;
+    if (isReached[unknown] || (positions.row(vertex).transpose() - place).stableNorm() > radius) return;
+    isReached[unknown] = true;
     queue.push_back(unknown);
   };
   for (const Index corner : mesh_.faces[face]) reach(solverMesh_.weld.unknownOf[corner]);
   for (std::size_t next = 0; next < queue.size(); ++next)
     for (const Index neighbour : graph_.neighbours(queue[next])) reach(neighbour);
-  return queue;
+  return verticesWhere(isReached);
 }
 
 std::vector<bool> VertexRegions::unknownsOf(std::span<const Index> vertices) const
 {
-  std::vector<bool> isGiven(isReached_.size(), false);
+  std::vector<bool> isGiven(static_cast<std::size_t>(solverMesh_.unknownCount()), false);
   for (const Index vertex : vertices) isGiven[solverMesh_.weld.unknownOf[vertex]] = true;
   return isGiven;
 }
@@ -122,16 +95,9 @@ std::vector<bool> VertexRegions::unknownsOf(std::span<const Index> vertices) con
 std::vector<Index> VertexRegions::verticesWhere(const std::vector<bool>& isChosen) const
 {
   std::vector<Index> vertices;
-  vertices.reserve(static_cast<std::size_t>(mesh_.vertexCount()));
   for (Index v = 0; v < mesh_.vertexCount(); ++v)
     if (isChosen[solverMesh_.weld.unknownOf[v]]) vertices.push_back(v);
   return vertices;
-}
-
-std::span<const Index> VertexRegions::verticesOf(Index unknown) const
-{
-  return std::span(vertices_).subspan(static_cast<std::size_t>(starts_[unknown]),
-                                      static_cast<std::size_t>(starts_[unknown + 1] - starts_[unknown]));
 }
 
 SmoothFaces::SmoothFaces(const Mesh& mesh, const SolverMesh& solverMesh)

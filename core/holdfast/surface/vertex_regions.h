@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include <holdfast/mesh/edge_graph.h>
 #include <holdfast/mesh/solver_mesh.h>
+#include <holdfast/surface/edge_graph.h>
 
 namespace holdfast {
 
@@ -16,11 +16,10 @@ class SmoothFaces {
   /// `mesh` is that of which `solverMesh` was made. O(T log T).
   SmoothFaces(const Mesh& mesh, const SolverMesh& solverMesh);
 
-  /// `face` and all faces to which edges lead from it that bend the surface by at most `degrees`, in ascending order.
-  /// What counts is the angle between the best-fitting planes of the two faces at the edge, so that 0 keeps to a plane
-  /// and 180 to nothing. Edges of three or more triangles are never crossed; a face without an area bends as the one
-  /// does from which it is reached; faces that disagree on which side is out are compared as if they agreed. O(k log k)
-  /// for k triangles reached, and O(T) for memory to remember them.
+  /// `face` and all faces to which edges lead from it that bend the surface by at most `degrees`, the angle between the
+  /// best-fitting planes of the two faces; ascending. Edges of three or more triangles are never crossed; a face
+  /// without an area bends as the one does from which it is reached; faces that disagree on which side is out are
+  /// compared as if they agreed. O(k log k) for k triangles reached, and O(T) for memory.
   [[nodiscard]] std::vector<Index> around(Index face, double degrees) const;
 
  private:
@@ -37,50 +36,47 @@ class SmoothFaces {
   Positions normals_;                          // of each face, unit length or zero
 };
 
-/// Makes sets of vertices of one mesh. Vertices are those of the file; in results they ascend, each once. Vertices that
-/// are one unknown go together: a set given with one of them counts as holding all, and results hold all. Not for
-/// several threads at once.
+/// Makes sets of vertices of one mesh, those of the file; results ascend. Vertices that are one unknown go together: a
+/// set with one of them counts as holding all, and results hold all. Each is O(N).
 class VertexRegions {
  public:
   /// `solverMesh` is made of `mesh`; both stay alive as long as this. O(T log T).
-  VertexRegions(const Mesh& mesh, const SolverMesh& solverMesh);
+  VertexRegions(const Mesh& mesh, const SolverMesh& solverMesh)
+      : mesh_(mesh), solverMesh_(solverMesh), graph_(solverMesh), smoothFaces_(mesh, solverMesh)
+  {
+  }
 
   [[nodiscard]] const EdgeGraph& graph() const noexcept { return graph_; }
 
-  /// All vertices that edges join to `vertex`; itself alone where no face uses it. O(N).
+  /// All vertices that edges join to `vertex`; itself alone where no face uses it.
   [[nodiscard]] std::vector<Index> connected(Index vertex) const;
 
-  /// The vertices of the faces that `SmoothFaces::around` reaches. O(N).
+  /// The vertices of the faces that `SmoothFaces::around` reaches.
   [[nodiscard]] std::vector<Index> smooth(Index face, double degrees) const;
 
-  /// `vertices` and all that an edge joins to one of them. O(N).
+  /// `vertices` and all that an edge joins to one of them.
   [[nodiscard]] std::vector<Index> grown(std::span<const Index> vertices) const;
 
-  /// `vertices` without those that an edge joins to one that is not among them: borders of the mesh stay. O(N).
+  /// `vertices` without those that an edge joins to one that is not among them: borders of the mesh stay.
   [[nodiscard]] std::vector<Index> shrunk(std::span<const Index> vertices) const;
 
-  /// The vertices that faces use and that are not among `vertices`. O(N).
+  /// The vertices that faces use and that are not among `vertices`.
   [[nodiscard]] std::vector<Index> inverted(std::span<const Index> vertices) const;
 
   /// A dab of a brush at `place`, a point of `face` with the vertices at `positions`: those no farther away than
-  /// `radius` to which edges lead, from vertex to vertex within that ball, from a corner of the face within it. The
-  /// other side of a thin wall is not reached. O(k log k) for k vertices in the ball and next to it.
-  [[nodiscard]] std::vector<Index> within(double radius, const Vector3& place, Index face, const Positions& positions);
+  /// `radius` to which edges lead within that ball from a corner of the face. The other side of a thin wall is not
+  /// reached.
+  [[nodiscard]] std::vector<Index> within(double radius, const Vector3& place, Index face,
+                                          const Positions& positions) const;
 
  private:
   [[nodiscard]] std::vector<bool> unknownsOf(std::span<const Index> vertices) const;
   [[nodiscard]] std::vector<Index> verticesWhere(const std::vector<bool>& isChosen) const;
-  [[nodiscard]] std::vector<Index> floodBall(double radius, const Vector3& place, Index face,
-                                             const Positions& positions);
-  [[nodiscard]] std::span<const Index> verticesOf(Index unknown) const;
 
   const Mesh& mesh_;
   const SolverMesh& solverMesh_;
   EdgeGraph graph_;
   SmoothFaces smoothFaces_;
-  std::vector<Index> starts_;    // of the vertices of each unknown in what follows, and the end
-  std::vector<Index> vertices_;  // of the file
-  std::vector<bool> isReached_;  // by the dab under way; all false between dabs
 };
 
 }  // namespace holdfast

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <holdfast/constraints/handle_drag.h>
-#include <holdfast/constraints/handle_validation.h>
 #include <holdfast/geometry/rotation_log.h>
 
 #include "support/constraint_systems.h"

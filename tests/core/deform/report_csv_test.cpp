@@ -26,7 +26,7 @@ std::vector<CsvRecord> tableOf(const Report& report)
 std::optional<double> numberIn(const std::string& field)
 {
   if (field.empty()) return std::nullopt;
-  return parseDouble(field).value;
+  return parseNumber<double>(field).value;
 }
 
 TEST(ReportCsv, IsAHeaderAloneWithoutConstraints)

@@ -5,7 +5,6 @@
 
 #include <holdfast/base/error.h>
 #include <holdfast/document/handle_restated.h>
-#include <holdfast/document/own_axes.h>
 
 #include "support/law_meshes.h"
 
@@ -29,7 +28,7 @@ class RestatedHandle : public testing::Test {
   }
   [[nodiscard]] HandleSetting settingOf(const HandleConstraint& handle) const
   {
-    return holdfast::settingOf(model, listWith(handle), 1, "list");
+    return settingsOf(model, listWith(handle), std::array{Index{1}}, "list").front();
   }
   [[nodiscard]] HandleConstraint handleThat(Motion motion) const
   {
@@ -158,10 +157,10 @@ TEST_F(RestatedHandle, TurnsAboutWhatIsFixedOnlyWhereSomethingIs)
 {
   const HandleConstraint handle = handleThat(RotationAboutFixed{});
   ConstraintList list = listWith(handle);
-  EXPECT_TRUE(holdfast::settingOf(model, list, 1, "list").surroundings.fixedCenter);
+  EXPECT_TRUE(settingsOf(model, list, std::array{Index{1}}, "list").front().surroundings.fixedCenter);
   list.constraints[0].isEnabled = false;
   try {
-    (void)byFrames(handle, holdfast::settingOf(model, list, 1, "list"));
+    (void)byFrames(handle, settingsOf(model, list, std::array{Index{1}}, "list").front());
     ADD_FAILURE();
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("list: constraints[1].turn: nothing is fixed"));

@@ -1,10 +1,9 @@
-#include "holdfast/document/own_axes.h"
-
 #include <gtest/gtest.h>
 
 #include <holdfast/document/constraint_drag.h>
 #include <holdfast/geometry/rotation_log.h>
 
+#include "holdfast/document/handle_restated.h"
 #include "support/law_meshes.h"
 #include "support/meshes.h"
 

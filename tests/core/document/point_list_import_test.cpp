@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <holdfast/document/point_list_import.h>
+#include <holdfast/document/point_lists.h>
 #include <holdfast/surface/surface_locator.h>
 
 #include "support/law_meshes.h"

@@ -6,7 +6,7 @@
 #include <holdfast/base/error.h>
 #include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/document/list_edits.h>
-#include <holdfast/document/point_list_text.h>
+#include <holdfast/document/point_lists.h>
 
 #include "support/constraint_lists.h"
 #include "support/meshes.h"
@@ -41,9 +41,9 @@ TEST(PointListText, SaysWherePointsLieAndWhereTheyGo)
       test::listOf({test::moveTo(AtVertex{6}, {0.1, -2, 1e300}), test::hold({0}),
                     test::moveBy(AtEdge{0, 1, 0.25}, {0, 0.5, 1}), test::moveBy(AtNear{{2, 2, 3}}, {0, 0, 1})});
   list.constraints[2].name = "bolt \"2\", left";
-  EXPECT_EQ(toPointListCsv(list, {3, 0, 2}, gridModel()), kPointListHeader + "P0,1,1,0,0.1,-2,1e+300\n" +
-                                                              "\"bolt \"\"2\"\", left\",0.75,0,0,0.75,0.5,1\n" +
-                                                              "P3,2,2,3,2,2,1\n");
+  EXPECT_EQ(toClipboardText(list, {3, 0, 2}, gridModel()), kPointListHeader + "P0,1,1,0,0.1,-2,1e+300\n" +
+                                                               "\"bolt \"\"2\"\", left\",0.75,0,0,0.75,0.5,1\n" +
+                                                               "P3,2,2,3,2,2,1\n");
 }
 
 TEST(PointListText, PointsComeBackBitForBit)

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <holdfast/base/error.h>
-#include <holdfast/document/session_mesh.h>
+#include <holdfast/document/session_file.h>
 
 #include "support/temporary_folder.h"
 
@@ -41,10 +41,8 @@ SessionFile sessionOf(const Project& project)
 TEST(Checksum, IsThePublishedHash)
 {
   const test::TemporaryFolder folder;
-  EXPECT_EQ(checksumOfBytes(""), "fnv1a64:cbf29ce484222325");
   EXPECT_EQ(checksumOfFile(folder.file("a", "a")), "fnv1a64:af63dc4c8601ec8c");
   EXPECT_EQ(checksumOfFile(folder.file("foobar", "foobar")), "fnv1a64:85944171f73967e8");
-  EXPECT_EQ(checksumOfBytes("foobar"), "fnv1a64:85944171f73967e8");
 }
 
 TEST(Checksum, DependsOnEveryByteOfALargeFile)
@@ -52,7 +50,6 @@ TEST(Checksum, DependsOnEveryByteOfALargeFile)
   const test::TemporaryFolder folder;
   std::string bytes(300000, '\xFF');
   const std::string checksum = checksumOfFile(folder.file("large", bytes));
-  EXPECT_TRUE(isChecksum(checksum));
   for (const std::size_t place : {std::size_t{0}, std::size_t{65535}, std::size_t{65536}, bytes.size() - 1}) {
     bytes[place] = 'x';
     EXPECT_NE(checksumOfFile(folder.file("large", bytes)), checksum);

@@ -56,7 +56,7 @@ TEST(NumberText, EveryDoubleReadsBackTheSame)
     for (int part = 0; part < 4; ++part) bits = bits << 16U | static_cast<std::uint64_t>(random.integer(0, 65535));
     const auto value = std::bit_cast<double>(bits);
     if (std::isnan(value)) continue;
-    ASSERT_TRUE(hasSameBits(parseDouble(NumberText(value).view()).value, value)) << value;
+    ASSERT_TRUE(hasSameBits(parseNumber<double>(NumberText(value).view()).value, value)) << value;
   }
 }
 
@@ -65,18 +65,18 @@ TEST(NumberText, ExtremesReadBackTheSame)
   using Limits = std::numeric_limits<double>;
   for (const double value : {0.0, -0.0, Limits::max(), Limits::lowest(), Limits::min(), Limits::denorm_min(),
                              -Limits::denorm_min(), Limits::infinity(), -Limits::infinity(), Limits::quiet_NaN()})
-    EXPECT_TRUE(hasSameBits(parseDouble(NumberText(value).view()).value, value)) << value;
+    EXPECT_TRUE(hasSameBits(parseNumber<double>(NumberText(value).view()).value, value)) << value;
 }
 
 TEST(NumberText, WhatIsNoNumberIsSaidToBeNone)
 {
   for (const char* token : {"", "+", "-", ".", "e5", "1e", "1,5", "0x1", "--1", "+-1", "++1", "1 ", "infinit"})
-    EXPECT_EQ(parseDouble(token).fault, NumberFault::NotANumber) << token;
+    EXPECT_EQ(parseNumber<double>(token).fault, NumberFault::NotANumber) << token;
   for (const char* token : {"", "+", "1.0", "1e3", "+-1", "0x1", "one"})
-    EXPECT_EQ(parseInteger(token).fault, NumberFault::NotANumber) << token;
+    EXPECT_EQ(parseNumber<Index>(token).fault, NumberFault::NotANumber) << token;
   for (const char* token : {"1e309", "-1e309", "1e-400"})
-    EXPECT_EQ(parseDouble(token).fault, NumberFault::OutOfRange) << token;
-  EXPECT_EQ(parseInteger("9223372036854775808").fault, NumberFault::OutOfRange);
+    EXPECT_EQ(parseNumber<double>(token).fault, NumberFault::OutOfRange) << token;
+  EXPECT_EQ(parseNumber<Index>("9223372036854775808").fault, NumberFault::OutOfRange);
 }
 
 }  // namespace

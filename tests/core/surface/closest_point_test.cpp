@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <holdfast/surface/closest_point.h>
 #include <holdfast/surface/surface_locator.h>
 
 #include "support/law_meshes.h"

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <holdfast/surface/curve_region.h>
+#include <holdfast/surface/edge_graph.h>
 
 #include "support/meshes.h"
 #include "support/random.h"

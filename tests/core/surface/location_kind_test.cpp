@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <holdfast/base/error.h>
-#include <holdfast/surface/location_kind.h>
+#include <holdfast/surface/surface_locator.h>
 
 #include "support/law_meshes.h"
 #include "support/meshes.h"

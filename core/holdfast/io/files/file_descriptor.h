@@ -51,4 +51,13 @@ class FileDescriptor {
   return 0;
 }
 
+/// Writes all of `bytes` and closes the file. Returns 0, or an errno: some file systems say only now that they are
+/// full.
+[[nodiscard]] inline int writeAndClose(FileDescriptor file, std::string_view bytes) noexcept
+{
+  const int writing = file.isOpen() ? writeAll(file, bytes) : errno;
+  const int closing = file.close();
+  return writing != 0 ? writing : closing;
+}
+
 }  // namespace holdfast

@@ -34,7 +34,7 @@ struct Slot {
 static_assert(std::atomic<SlotState>::is_always_lock_free);
 std::array<Slot, kTrackedOutputs> slots;
 
-/// Puts `path` on the list and returns its slot; -1 where the list is full or the path too long for it. Thread-safe.
+/// The slot of `path`; -1 where all are taken or the path is too long. Thread-safe.
 int trackUnfinishedFile(const std::string& path) noexcept
 {
   if (path.size() >= PATH_MAX) return -1;
@@ -56,23 +56,13 @@ constexpr mode_t kPermissionBits = 07777;
 
 const char* remedy(int code)
 {
-  constexpr const char* kFolder = "make the folder first, or name another";
-  constexpr const char* kPermissions = "change the permissions, or write to another folder";
-  constexpr const char* kSpace = "free some space, or write to another disk";
-  constexpr std::array<std::pair<int, const char*>, 11> kRemedies{
-      {{ENOENT, kFolder},
-       {ENOTDIR, kFolder},
-       {EACCES, kPermissions},
-       {EPERM, kPermissions},
-       {EROFS, kPermissions},
-       {ENOSPC, kSpace},
-       {EDQUOT, kSpace},
-       {EFBIG, "raise the limit on the size of files (ulimit -f)"},
-       {ENAMETOOLONG, "choose a shorter name"},
-       {ELOOP, "the symbolic links lead in a circle; remove one"},
-       {EPIPE, "who reads the pipe has closed it; let it read to the end"}}};
-  for (const auto& [known, text] : kRemedies)
-    if (known == code) return text;
+  if (code == ENOENT || code == ENOTDIR) return "make the folder first, or name another";
+  if (code == EACCES || code == EPERM || code == EROFS) return "change the permissions, or write to another folder";
+  if (code == ENOSPC || code == EDQUOT) return "free some space, or write to another disk";
+  if (code == EFBIG) return "raise the limit on the size of files (ulimit -f)";
+  if (code == ENAMETOOLONG) return "choose a shorter name";
+  if (code == ELOOP) return "the symbolic links lead in a circle; remove one";
+  if (code == EPIPE) return "who reads the pipe has closed it; let it read to the end";
   return "nothing was changed; try another place";
 }
 
@@ -99,7 +89,7 @@ int standardStream(const FileInfo& file)
   return -1;
 }
 
-/// Where the symbolic links from `path` on end; the end need not exist.
+/// The end need not exist.
 fs::path withLinksFollowed(const fs::path& path)
 {
   constexpr int kMostLinks = 40;  // as many as Linux follows
@@ -125,7 +115,6 @@ fs::path temporaryName(const fs::path& folder, const fs::path& extension)
                               random(), random());
 }
 
-/// Whether a file has a name as `temporaryName` makes them.
 bool isTemporaryName(const std::string& name)
 {
   const std::size_t dot = name.rfind('.');
@@ -133,8 +122,7 @@ bool isTemporaryName(const std::string& name)
          name.find_first_not_of("0123456789abcdef", dot + 1) == std::string::npos;
 }
 
-/// Removes the temporary files of programs that were killed. Where the file system has no locks there is no telling,
-/// and they stay.
+/// Removes the temporary files of programs that were killed. Without locks in the file system they stay.
 void removeAbandoned(const fs::path& folder)
 {
   std::error_code error;
@@ -163,8 +151,7 @@ FileDescriptor openDirect(const fs::path& path)
   return FileDescriptor(stream >= 0 ? ::dup(stream) : ::open(path.c_str(), O_WRONLY | O_CLOEXEC));
 }
 
-/// Gives a new file the owner and the permissions of the one that it replaces. Only root may give files away; for
-/// others the owner is the same, or cannot be kept.
+/// Gives a new file the permissions of the one that it replaces, and its owner if this is root.
 int takeOver(const FileDescriptor& file, const FileInfo& replaced)
 {
   static_cast<void>(::fchown(file.get(), replaced.st_uid, replaced.st_gid) == 0);  // not to be ignored otherwise
@@ -183,7 +170,7 @@ int writeAndFlush(const FileDescriptor& file, std::string_view bytes, const std:
   return code != 0 ? code : closing;
 }
 
-/// Makes the rename itself survive a power cut, where the file system can. The file is in place already.
+/// Makes the rename itself survive a power cut, where the file system can.
 void flushFolder(const fs::path& folder)
 {
   const FileDescriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
@@ -226,7 +213,6 @@ OutputFile::OutputFile(fs::path path, std::string_view bytes) : path_(std::move(
   if (code != 0) fail(path_, "cannot be written", code);
 }
 
-/// Makes the temporary file and locks it. Returns 0 or an errno.
 int OutputFile::openTemporary(bool isReplacing)
 {
   // Others must not read the new contents of a protected file, not even for a moment.
@@ -248,9 +234,7 @@ void OutputFile::commit()
   if (isDirect()) {
     FileDescriptor file = openDirect(path_);
     if (!file.isOpen()) fail(path_, "cannot be opened for writing", errno);
-    const int writing = writeAll(file, direct_);
-    const int closing = file.close();
-    if (writing != 0 || closing != 0) fail(path_, "cannot be written", writing != 0 ? writing : closing);
+    if (const int code = writeAndClose(std::move(file), direct_); code != 0) fail(path_, "cannot be written", code);
     return;
   }
   const int code = ::rename(temporary_->path.c_str(), target_.c_str()) == 0 ? 0 : errno;

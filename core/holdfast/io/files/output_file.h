@@ -43,11 +43,10 @@ class OutputFile {
   std::string direct_;                    // bytes for what is written directly
 };
 
-/// Removes the temporary file of every `OutputFile` that is not yet committed. Safe to call from a signal handler.
-/// Reaches as many files at a time as `kTrackedOutputs`; what is beyond that is removed by destructors alone.
-void removeUnfinishedOutputs() noexcept;
-
-/// How many unfinished outputs `removeUnfinishedOutputs` can know of at a time.
+/// Outputs that `removeUnfinishedOutputs` can know of at a time; those beyond are removed by destructors alone.
 inline constexpr int kTrackedOutputs = 32;
+
+/// Removes the temporary file of every `OutputFile` that is not yet committed. Safe to call from a signal handler.
+void removeUnfinishedOutputs() noexcept;
 
 }  // namespace holdfast

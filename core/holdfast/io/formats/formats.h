@@ -2,39 +2,88 @@
 /// The mesh formats, in and out. `file` names the file in errors; every reader throws `InputError` with the line (text)
 /// or the byte (binary), and keeps all that the file says besides the mesh.
 
+#include <array>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include <holdfast/io/mesh_document.h>
+#include <holdfast/io/text/byte_order.h>
+#include <holdfast/io/text/text_cursor.h>
 
 namespace holdfast {
 
-/// Wavefront OBJ: polygons (`f`) make the mesh.
+/// Wavefront OBJ.
 [[nodiscard]] MeshDocument readObj(std::string bytes, const std::string& file);
 
 /// Object File Format (OFF, COFF, NOFF, CNOFF, STOFF and so on), one vertex or face a line.
 [[nodiscard]] MeshDocument readOff(std::string bytes, const std::string& file);
 
-/// PLY, text and binary of either byte order. The element `vertex` with x, y, z and the element `face` with the list
-/// `vertex_indices` (or `vertex_index`) make the mesh. Where there are no faces, they are the triangles of the element
-/// `tristrips`, whose lists are strips separated by -1: corners k, k + 1, k + 2 of a strip are a triangle, every second
-/// one turned round, and no face where two of them are the same vertex.
+/// PLY, text and binary of either byte order. Where there are no faces, they are the triangles of the strips in
+/// `tristrips`, separated by -1: corners k, k + 1, k + 2, every second one turned round, unless two are the same.
 [[nodiscard]] MeshDocument readPly(std::string bytes, const std::string& file);
 
-/// STL, text and binary. Each facet has three vertices of its own, in file order. A file is binary if its size is what
-/// the count in its binary header calls for, whatever the first bytes say.
+/// STL: three vertices for each facet. Binary if the size is what the count of facets calls for, whatever the first
+/// bytes say.
 [[nodiscard]] MeshDocument readStl(std::string bytes, const std::string& file);
 
-/// Files made of positions and faces alone.
+/// Files made of positions and faces alone. PLY is binary little-endian with doubles. STL is binary, with polygons
+/// split into triangles that share their first corner; notes say what was rounded and split.
 [[nodiscard]] Serialized writeObj(const Positions& positions, const Polygons& faces);
 [[nodiscard]] Serialized writeOff(const Positions& positions, const Polygons& faces);
-
-/// Binary little-endian, coordinates as doubles.
 [[nodiscard]] Serialized writePly(const Positions& positions, const Polygons& faces);
-
-/// Binary. Polygons are split into triangles that share their first corner; notes say what was rounded and split.
 [[nodiscard]] Serialized writeStl(const Positions& positions, const Polygons& faces);
 
 /// Adds a note on what floats lose of `positions`. Throws `OutputError` where a coordinate is too large for one.
 void noteStlRounding(const Positions& positions, std::vector<std::string>& notes);
+
+/// What follows serves the readers: a file is written again as the bytes that were read, with other numbers in the
+/// places of coordinates and normals.
+
+enum class NumberType { kInt8, kUint8, kInt16, kUint16, kInt32, kUint32, kFloat, kDouble };
+
+/// Bytes that a number takes in a binary file.
+[[nodiscard]] constexpr std::size_t sizeOf(NumberType type)
+{
+  return std::array<std::size_t, 8>{1, 1, 2, 2, 4, 4, 4, 8}[static_cast<std::size_t>(type)];
+}
+
+[[nodiscard]] constexpr bool isInteger(NumberType type)
+{
+  return type < NumberType::kFloat;
+}
+
+/// Where a file says the three numbers of a vertex or of a stored normal, or one of them.
+struct NumberPlace {
+  std::size_t offset = 0;  ///< in a text: before the blanks in front of the first number
+  Index number = 0;        ///< 3 v + k for coordinate k of vertex v, -1 - (3 n + k) for that of normal n
+};
+
+/// What `FileLayout` and `NumberPlace` call component `k` of normal `n`.
+[[nodiscard]] constexpr Index normalNumber(Index n, Index k = 0)
+{
+  return -1 - (3 * n + k);
+}
+
+/// Where a file says what may change.
+struct FileLayout {
+  std::string extension;
+  TextDialect dialect;
+  std::vector<std::string> extras;          ///< see `MeshSource::extras`
+  std::optional<ByteOrder> byteOrder = {};  ///< none in a text
+  std::array<NumberType, 3> coordinateTypes{NumberType::kDouble, NumberType::kDouble, NumberType::kDouble};
+  std::array<NumberType, 3> normalTypes = coordinateTypes;
+  bool areTogether = true;                 ///< each place has three numbers; else one
+  std::vector<NumberPlace> numbers = {};   ///< ascending
+  std::vector<Index> normalOfCorner = {};  ///< of each corner of the faces: its stored normal, or -1
+  Index normalCount = 0;
+  std::vector<std::size_t> typeWords = {};      ///< where a header names types of coordinates that become double
+  std::vector<std::string> notesOfMotion = {};  ///< what is to be said where a vertex moves
+  /// Coordinates are written as floats: notes what that loses.
+  void (*noteRounding)(const Positions& positions, std::vector<std::string>& notes) = nullptr;
+};
+
+/// The document of a file that says `mesh`.
+[[nodiscard]] MeshDocument makeDocument(std::string bytes, FileLayout layout, Mesh mesh);
 
 }  // namespace holdfast

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <ranges>
 
 #include <fmt/format.h>
 
@@ -16,25 +17,11 @@
 namespace holdfast {
 namespace {
 
-/// "x y z" of one row.
-std::string rowText(const Positions& positions, Index v)
+template <class Numbers>
+std::string joined(const Numbers& numbers)
 {
   std::string text;
-  for (Index k = 0; k < 3; ++k) {
-    if (k > 0) text += ' ';
-    text += NumberText(positions(v, k)).view();
-  }
-  return text;
-}
-
-/// " a b c", each id raised by `firstId`.
-std::string cornersText(std::span<const Index> polygon, Index firstId)
-{
-  std::string text;
-  for (const Index corner : polygon) {
-    text += ' ';
-    text += NumberText(corner + firstId).view();
-  }
+  for (const auto number : numbers) text.append(text.empty() ? "" : " ").append(NumberText(number).view());
   return text;
 }
 
@@ -74,19 +61,17 @@ std::string stlFacet(const Positions& positions, const std::array<Index, 3>& cor
 Serialized writeObj(const Positions& positions, const Polygons& faces)
 {
   std::string text;
-  for (Index v = 0; v < positions.rows(); ++v) text += "v " + rowText(positions, v) + '\n';
-  for (Index f = 0; f < faces.size(); ++f) text += "f" + cornersText(faces[f], 1) + '\n';
+  for (Index v = 0; v < positions.rows(); ++v) text += "v " + joined(positions.row(v)) + '\n';
+  for (Index f = 0; f < faces.size(); ++f)
+    text += "f " + joined(faces[f] | std::views::transform([](Index corner) { return corner + 1; })) + '\n';
   return {std::move(text), {}};
 }
 
 Serialized writeOff(const Positions& positions, const Polygons& faces)
 {
   std::string text = fmt::format("OFF\n{} {} 0\n", positions.rows(), faces.size());
-  for (Index v = 0; v < positions.rows(); ++v) text += rowText(positions, v) + '\n';
-  for (Index f = 0; f < faces.size(); ++f) {
-    text += NumberText(static_cast<Index>(faces[f].size())).view();
-    text += cornersText(faces[f], 0) + '\n';
-  }
+  for (Index v = 0; v < positions.rows(); ++v) text += joined(positions.row(v)) + '\n';
+  for (Index f = 0; f < faces.size(); ++f) text += fmt::format("{} {}\n", faces[f].size(), joined(faces[f]));
   return {std::move(text), {}};
 }
 

@@ -8,29 +8,21 @@
 #include <holdfast/base/counted.h>
 #include <holdfast/base/error.h>
 #include <holdfast/io/formats/formats.h>
-#include <holdfast/io/formats/splice_source.h>
 #include <holdfast/io/text/number_text.h>
 
 namespace holdfast {
 namespace {
 
-/// Statements that are kept as text, by what they are for.
-struct KeptStatements {
-  std::string_view purpose;  // for `MeshSource::extras`
-  std::string_view keywords;
-};
-
-constexpr std::array kKeptStatements{
-    KeptStatements{"groups", " g "},
-    KeptStatements{"objects", " o "},
-    KeptStatements{"smoothing groups", " s mg "},
-    KeptStatements{"materials", " usemtl mtllib usemap maplib "},
-    KeptStatements{"lines", " l "},
-    KeptStatements{"points", " p "},
-    KeptStatements{"free-form curves and surfaces",
-                   " vp cstype deg bmat step curv curv2 surf parm trim hole scrv sp end con "},
-    KeptStatements{"rendering attributes", " bevel c_interp d_interp lod shadow_obj trace_obj ctech stech "},
-};
+/// Statements that are kept as text: what they are for (`MeshSource::extras`), and their keywords.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 8> kKeptStatements{
+    {{"groups", " g "},
+     {"objects", " o "},
+     {"smoothing groups", " s mg "},
+     {"materials", " usemtl mtllib usemap maplib "},
+     {"lines", " l "},
+     {"points", " p "},
+     {"free-form curves and surfaces", " vp cstype deg bmat step curv curv2 surf parm trim hole scrv sp end con "},
+     {"rendering attributes", " bevel c_interp d_interp lod shadow_obj trace_obj ctech stech "}}};
 
 // '#' begins a comment, '\\' at the end of a line continues it.
 constexpr TextDialect kObjDialect{'#', '\\'};
@@ -172,12 +164,12 @@ class ObjReader {
 
   void keepStatement(std::string_view keyword)
   {
-    const auto kept = std::find_if(kKeptStatements.begin(), kKeptStatements.end(), [&](const auto& statements) {
-      return statements.keywords.find(fmt::format(" {} ", keyword)) != std::string::npos;
+    const auto* const kept = std::ranges::find_if(kKeptStatements, [&](const auto& statements) {
+      return statements.second.find(fmt::format(" {} ", keyword)) != std::string::npos;
     });
     if (kept == kKeptStatements.end())
       cursor_.fail("{} is not an OBJ statement: correct it, or make the line a comment with #", quotedToken(keyword));
-    keptPurposes_.insert(kept->purpose);
+    keptPurposes_.insert(kept->first);
     cursor_.skipLine();
   }
 

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <holdfast/io/formats/formats.h>
-#include <holdfast/io/formats/splice_source.h>
 #include <holdfast/io/text/number_text.h>
 #include <holdfast/mesh/vertex_normals.h>
 

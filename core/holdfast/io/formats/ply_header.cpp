@@ -9,21 +9,15 @@
 namespace holdfast {
 namespace {
 
-struct TypeWord {
-  std::string_view word;
-  NumberType type;
-};
-
-constexpr std::array kTypeWords{
-    TypeWord{"char", NumberType::kInt8},     TypeWord{"int8", NumberType::kInt8},
-    TypeWord{"uchar", NumberType::kUint8},   TypeWord{"uint8", NumberType::kUint8},
-    TypeWord{"short", NumberType::kInt16},   TypeWord{"int16", NumberType::kInt16},
-    TypeWord{"ushort", NumberType::kUint16}, TypeWord{"uint16", NumberType::kUint16},
-    TypeWord{"int", NumberType::kInt32},     TypeWord{"int32", NumberType::kInt32},
-    TypeWord{"uint", NumberType::kUint32},   TypeWord{"uint32", NumberType::kUint32},
-    TypeWord{"float", NumberType::kFloat},   TypeWord{"float32", NumberType::kFloat},
-    TypeWord{"double", NumberType::kDouble}, TypeWord{"float64", NumberType::kDouble},
-};
+/// In the order of `NumberType`.
+constexpr std::array<std::array<std::string_view, 2>, 8> kTypeWords{{{"char", "int8"},
+                                                                     {"uchar", "uint8"},
+                                                                     {"short", "int16"},
+                                                                     {"ushort", "uint16"},
+                                                                     {"int", "int32"},
+                                                                     {"uint", "uint32"},
+                                                                     {"float", "float32"},
+                                                                     {"double", "float64"}}};
 
 class HeaderParser {
  public:
@@ -68,9 +62,9 @@ class HeaderParser {
   {
     const std::string_view word = cursor_.token();
     if (word == "binary_little_endian")
-      header_.encoding = Encoding::kLittleEndian;
+      header_.byteOrder = ByteOrder::kLittle;
     else if (word == "binary_big_endian")
-      header_.encoding = Encoding::kBigEndian;
+      header_.byteOrder = ByteOrder::kBig;
     else if (word != "ascii")
       cursor_.fail("{} is not a PLY format: ascii, binary_little_endian or binary_big_endian", quotedToken(word));
     const std::string_view version = cursor_.token();
@@ -115,11 +109,9 @@ class HeaderParser {
 
   [[nodiscard]] NumberType typeOf(std::string_view word) const
   {
-    const auto entry =
-        std::find_if(kTypeWords.begin(), kTypeWords.end(), [&](const TypeWord& known) { return known.word == word; });
-    if (entry == kTypeWords.end())
-      cursor_.fail("{} is not a PLY type: char, uchar, short, ushort, int, uint, float or double", quotedToken(word));
-    return entry->type;
+    for (std::size_t type = 0; type < kTypeWords.size(); ++type)
+      if (word == kTypeWords[type][0] || word == kTypeWords[type][1]) return static_cast<NumberType>(type);
+    cursor_.fail("{} is not a PLY type: char, uchar, short, ushort, int, uint, float or double", quotedToken(word));
   }
 
   std::string name(std::string_view what)
@@ -138,15 +130,13 @@ class HeaderParser {
 
 Index PlyElement::find(std::string_view wanted) const
 {
-  const auto found =
-      std::find_if(properties.begin(), properties.end(), [&](const PlyProperty& p) { return p.name == wanted; });
+  const auto found = std::ranges::find(properties, wanted, &PlyProperty::name);
   return found == properties.end() ? -1 : found - properties.begin();
 }
 
 const PlyElement* PlyHeader::find(std::string_view wanted) const
 {
-  const auto found =
-      std::find_if(elements.begin(), elements.end(), [&](const PlyElement& e) { return e.name == wanted; });
+  const auto found = std::ranges::find(elements, wanted, &PlyElement::name);
   return found == elements.end() ? nullptr : &*found;
 }
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include <holdfast/io/formats/splice_source.h>
+#include <holdfast/io/formats/formats.h>
 
 namespace holdfast {
 
@@ -25,27 +25,25 @@ struct PlyElement {
   Index line = 0;  ///< in the header
   std::vector<PlyProperty> properties;
 
-  /// Place of the property called `wanted`; -1 where there is none.
+  /// Place of a property; -1 where there is none.
   [[nodiscard]] Index find(std::string_view wanted) const;
   /// Whether the rows are strips of triangles, as Stanford's scans have them.
   [[nodiscard]] bool hasStrips() const { return name == "tristrips"; }
 };
 
 struct PlyHeader {
-  Encoding encoding = Encoding::kText;
+  std::optional<ByteOrder> byteOrder;  ///< none in a text
   std::vector<PlyElement> elements;
   std::size_t bodyOffset = 0;
   Index bodyLine = 1;
 
-  /// The element called `wanted`, or null.
   [[nodiscard]] const PlyElement* find(std::string_view wanted) const;
-  /// The element whose rows are the surface: `tristrips` where there is no `face` or none of its rows, else `face`.
-  /// Null where there is neither.
+  /// `tristrips` where there is no `face` or none of its rows, else `face`; null where there is neither.
   [[nodiscard]] const PlyElement* surface() const;
 };
 
-/// Reads the header at the beginning of `bytes`; `file` names it in errors. Throws `InputError` with the line. Counts
-/// are not negative, and otherwise as the file claims.
+/// Reads the header at the beginning of `bytes`; `file` names it in errors. Counts are as the file claims, not
+/// negative. Throws `InputError` with the line.
 [[nodiscard]] PlyHeader parsePlyHeader(std::string_view bytes, const std::string& file);
 
 }  // namespace holdfast

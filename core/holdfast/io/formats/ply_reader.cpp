@@ -45,8 +45,8 @@ class PlyScanner {
       : cursor_(bytes, file),
         bytes_(bytes),
         file_(file),
-        isText_(header.encoding == Encoding::kText),
-        order_(byteOrder(header.encoding)),
+        isText_(!header.byteOrder),
+        order_(header.byteOrder.value_or(ByteOrder::kLittle)),
         valueAt_(header.bodyOffset)
   {
     cursor_.seek(header.bodyOffset, header.bodyLine);
@@ -169,7 +169,7 @@ class PlyReader {
   PlyReader(std::string bytes, const std::string& file)
       : bytes_(std::move(bytes)), file_(file), header_(parsePlyHeader(bytes_, file)), scanner_(bytes_, file, header_)
   {
-    layout_.encoding = header_.encoding;
+    layout_.byteOrder = header_.byteOrder;
   }
 
   MeshDocument read()
@@ -179,10 +179,7 @@ class PlyReader {
     for (const PlyElement& element : header_.elements) readElement(element);
     scanner_.expectEnd();
     if (mesh_.faces.isEmpty()) failWithoutFaces();
-    if (normals_) {
-      layout_.normalOfCorner = cornerVertices(mesh_.faces);
-      layout_.normalCount = mesh_.vertexCount();
-    }
+    if (layout_.normalCount > 0) layout_.normalOfCorner = cornerVertices(mesh_.faces);
     return makeDocument(std::move(bytes_), std::move(layout_), std::move(mesh_));
   }
 
@@ -209,23 +206,28 @@ class PlyReader {
       if (const Index p = vertex_->find(name); p < 0 || vertex_->properties[p].isList())
         throw InputError({file_, vertex_->line, {}},
                          fmt::format("the element 'vertex' has no number {}: it needs x, y and z", quotedToken(name)));
-    coordinates_ = *placesOf(*vertex_, kCoordinates);
-    normals_ = placesOf(*vertex_, kNormals);
+    const std::array<Index, 3> coordinates = *placesOf(*vertex_, kCoordinates);
+    std::optional<std::array<Index, 3>> normals = placesOf(*vertex_, kNormals);
     const auto typeOf = [&](Index p) { return vertex_->properties[p].type; };
-    if (normals_ && std::any_of(normals_->begin(), normals_->end(), [&](Index p) { return isInteger(typeOf(p)); })) {
+    if (normals && std::ranges::any_of(*normals, [&](Index p) { return isInteger(typeOf(p)); })) {
       layout_.notesOfMotion.emplace_back("normals kept from before: nx, ny, nz are of a whole type");
-      normals_.reset();
+      normals.reset();
     }
-    for (int k = 0; k < 3; ++k) {
-      layout_.coordinateTypes[k] = typeOf(coordinates_[k]);
-      if (normals_) layout_.normalTypes[k] = typeOf((*normals_)[k]);
+    if (normals) layout_.normalCount = vertex_->count;
+    numbers_.resize(vertex_->properties.size());
+    for (Index k = 0; k < 3; ++k) {
+      numbers_[coordinates[k]] = k;
+      layout_.coordinateTypes[k] = typeOf(coordinates[k]);
+      if (!normals) continue;
+      numbers_[(*normals)[k]] = normalNumber(0, k);
+      layout_.normalTypes[k] = typeOf((*normals)[k]);
     }
-    for (const PlyProperty& property : vertex_->properties)
-      if (const Index k = placeIn(coordinates_, property); k >= 0 && property.type != NumberType::kDouble)
-        layout_.typeWords.push_back(property.typeOffset);
+    for (std::size_t p = 0; p < numbers_.size(); ++p)
+      if (numbers_[p] >= 0 && vertex_->properties[p].type != NumberType::kDouble)
+        layout_.typeWords.push_back(vertex_->properties[p].typeOffset);
     if (!layout_.typeWords.empty()) layout_.notesOfMotion.emplace_back("coordinates promoted to double");
     const auto areTogether = [](const std::array<Index, 3>& p) { return p[1] == p[0] + 1 && p[2] == p[1] + 1; };
-    layout_.areTogether = areTogether(coordinates_) && (!normals_ || areTogether(*normals_));
+    layout_.areTogether = areTogether(coordinates) && (!normals || areTogether(*normals));
   }
 
   void findSurface()
@@ -275,23 +277,19 @@ class PlyReader {
     return bytes;
   }
 
-  /// Which of the three numbers of a vertex the property is; -1 for none of them.
-  [[nodiscard]] Index placeIn(const std::array<Index, 3>& places, const PlyProperty& property) const
-  {
-    const auto found = std::find(places.begin(), places.end(), &property - vertex_->properties.data());
-    return found == places.end() ? -1 : found - places.begin();
-  }
-
   void readProperty(const PlyElement& element, const PlyProperty& property, Index row)
   {
-    if (&element == vertex_) {
-      if (const Index k = placeIn(coordinates_, property); k >= 0) {
-        addPlace(k, 3 * row + k);
-        mesh_.positions(row, k) = scanner_.number(property);
-        return;
+    if (&element == vertex_)
+      if (const std::optional<Index> number = numbers_[&property - vertex_->properties.data()]) {
+        const bool isNormal = *number < 0;
+        const Index k = isNormal ? -1 - *number : *number;
+        if (k == 0 || !layout_.areTogether)
+          layout_.numbers.push_back({scanner_.offset(), isNormal ? normalNumber(row, k) : 3 * row + k});
+        if (!isNormal) {
+          mesh_.positions(row, k) = scanner_.number(property);
+          return;
+        }
       }
-      if (const Index k = normals_ ? placeIn(*normals_, property) : -1; k >= 0) addPlace(k, normalNumber(row, k));
-    }
     const Index size = property.isList() ? listSize(property) : 1;
     if (&element != surface_ || &property != &element.properties[corners_])
       scanner_.skip(property.type, size);
@@ -299,11 +297,6 @@ class PlyReader {
       readStrips(property, size);
     else
       readCorners(property, size, row);
-  }
-
-  void addPlace(Index k, Index number)
-  {
-    if (k == 0 || !layout_.areTogether) layout_.numbers.push_back({scanner_.offset(), number});
   }
 
   Index listSize(const PlyProperty& property)
@@ -370,9 +363,8 @@ class PlyReader {
   PlyScanner scanner_;
   const PlyElement* vertex_ = nullptr;
   const PlyElement* surface_ = nullptr;
-  std::array<Index, 3> coordinates_{};           // properties of `vertex_`
-  std::optional<std::array<Index, 3>> normals_;  // those that can follow the vertices
-  Index corners_ = -1;                           // property of `surface_`
+  std::vector<std::optional<Index>> numbers_;  // of the first vertex: what its properties are to `NumberPlace`
+  Index corners_ = -1;                         // property of `surface_`
   Mesh mesh_;
   FileLayout layout_{".ply", {}, {}};
   std::vector<Index> polygon_;  // the face or the strip that is being read

@@ -7,7 +7,6 @@
 #include <holdfast/base/error.h>
 #include <holdfast/base/lower_case.h>
 #include <holdfast/io/formats/formats.h>
-#include <holdfast/io/formats/splice_source.h>
 #include <holdfast/io/text/number_text.h>
 
 namespace holdfast {
@@ -113,7 +112,6 @@ class TextStlReader {
   throw InputError({file, 0, fmt::format("byte {}", offset)}, reason);
 }
 
-/// Facets that the header of a binary file counts; `bytes` has a whole header.
 std::uint32_t binaryCount(std::string_view bytes)
 {
   return fromBytes<std::uint32_t>(bytes.substr(kHeaderBytes, sizeof(std::uint32_t)), ByteOrder::kLittle);
@@ -162,7 +160,7 @@ MeshDocument readBinaryStl(std::string bytes, const std::string& file)
 {
   checkBinarySize(bytes, file);
   const auto count = static_cast<Index>(binaryCount(bytes));
-  FileLayout layout{".stl", {}, {"facet normals"}, Encoding::kLittleEndian};
+  FileLayout layout{".stl", {}, {"facet normals"}, ByteOrder::kLittle};
   layout.coordinateTypes.fill(NumberType::kFloat);
   layout.normalTypes.fill(NumberType::kFloat);
   layout.noteRounding = noteStlRounding;

@@ -12,14 +12,13 @@ namespace holdfast {
 
 enum class ByteOrder { kLittle, kBig };
 
-/// Whether numbers in memory have their bytes in the given order.
+/// Whether numbers in memory have this order.
 [[nodiscard]] constexpr bool isNative(ByteOrder order) noexcept
 {
   static_assert(std::endian::native == std::endian::little || std::endian::native == std::endian::big);
   return (order == ByteOrder::kLittle) == (std::endian::native == std::endian::little);
 }
 
-/// `value` as bytes of the given order.
 template <class Number>
 [[nodiscard]] std::string toBytes(Number value, ByteOrder order)
 {
@@ -27,7 +26,7 @@ template <class Number>
   return isNative(order) ? std::string(bytes.begin(), bytes.end()) : std::string(bytes.rbegin(), bytes.rend());
 }
 
-/// The number whose bytes of the given order are `bytes`, exactly as many as it has.
+/// Of exactly as many bytes as the number has.
 template <class Number>
 [[nodiscard]] Number fromBytes(std::string_view bytes, ByteOrder order)
 {

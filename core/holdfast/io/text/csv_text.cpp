@@ -7,11 +7,6 @@
 namespace holdfast {
 namespace {
 
-bool isSpaceOrTab(char c)
-{
-  return c == ' ' || c == '\t';
-}
-
 class Splitter {
  public:
   Splitter(std::string_view text, std::string_view file, char separator)
@@ -23,43 +18,35 @@ class Splitter {
   {
     std::vector<CsvRecord> all;
     while (!rest_.empty()) {
-      if (skipBlankLine()) continue;
-      all.push_back(record());
+      const std::size_t content = rest_.find_first_not_of(ends_[0] == '\t' ? " " : " \t");
+      const bool isBlank = content == std::string_view::npos || rest_[content] == '\n' || rest_[content] == '\r';
+      if (isBlank)
+        rest_.remove_prefix(std::min(content, rest_.size()));
+      else
+        all.push_back(record());
+      skipLineEnd();
     }
     return all;
   }
 
  private:
-  bool skipBlankLine()
-  {
-    const std::size_t content = rest_.find_first_not_of(ends_[0] == '\t' ? " " : " \t");
-    if (content != std::string_view::npos && rest_[content] != '\n' && rest_[content] != '\r') return false;
-    rest_.remove_prefix(std::min(content, rest_.size()));
-    skipLineEnd();
-    return true;
-  }
-
   CsvRecord record()
   {
-    CsvRecord record{line_, {}};
-    record.fields.push_back(field());
+    CsvRecord record{line_, {field()}};
     while (rest_.starts_with(ends_[0])) {
       rest_.remove_prefix(1);
       record.fields.push_back(field());
     }
-    skipLineEnd();
     return record;
   }
 
-  std::string field() { return rest_.starts_with('"') ? quotedField() : plainField(); }
-
-  std::string plainField()
+  std::string field()
   {
-    const std::size_t length = std::min(rest_.find_first_of(ends_), rest_.size());
-    std::string field(rest_.substr(0, length));
+    if (rest_.starts_with('"')) return quotedField();
+    std::string field(rest_.substr(0, rest_.find_first_of(ends_)));
     if (ends_[0] == ',' && field.find('"') != std::string::npos)
       fail(line_, "a double quote inside a field; put the whole field in quotes and write quotes inside it twice");
-    rest_.remove_prefix(length);
+    rest_.remove_prefix(field.size());
     return field;
   }
 
@@ -67,27 +54,19 @@ class Splitter {
   {
     const Index start = line_;
     std::string field;
-    rest_.remove_prefix(1);
-    while (true) {
+    do {
+      rest_.remove_prefix(1);
       const std::size_t quote = rest_.find('"');
       if (quote == std::string_view::npos) fail(start, "the quoted field that starts here does not end; close it");
-      take(quote, field);
-      rest_.remove_prefix(1);
-      if (!rest_.starts_with('"')) break;
-      take(1, field);
-    }
+      field += rest_.substr(0, quote + 1);
+      rest_.remove_prefix(quote + 1);
+    } while (rest_.starts_with('"'));
+    field.pop_back();  // the closing quote
+    for (std::size_t k = 0; k < field.size(); ++k)
+      if (field[k] == '\n' || (field[k] == '\r' && field.compare(k, 2, "\r\n") != 0)) ++line_;
     if (!rest_.empty() && rest_.find_first_of(ends_) != 0)
       fail(line_, "text after the closing quote of a field; write quotes inside a field twice");
     return field;
-  }
-
-  /// Moves characters of a quoted field, line ends among them.
-  void take(std::size_t length, std::string& field)
-  {
-    for (std::size_t k = 0; k < length; ++k)
-      if (rest_[k] == '\n' || (rest_[k] == '\r' && !rest_.substr(k).starts_with("\r\n"))) ++line_;
-    field += rest_.substr(0, length);
-    rest_.remove_prefix(length);
   }
 
   void skipLineEnd()
@@ -112,8 +91,9 @@ class Splitter {
 
 std::string csvField(std::string_view text)
 {
-  const bool hasBlankEnd = !text.empty() && (isSpaceOrTab(text.front()) || isSpaceOrTab(text.back()));
-  if (!hasBlankEnd && text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+  const bool hasBlankEnd = text.find_first_of(" \t") == 0 || text.find_last_of(" \t") + 1 == text.size();
+  if (text.empty() || (!hasBlankEnd && text.find_first_of(",\"\r\n") == std::string_view::npos))
+    return std::string(text);
   std::string field = "\"";
   for (const char c : text) field.append(c == '"' ? 2 : 1, c);
   return field + '"';

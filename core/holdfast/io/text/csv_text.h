@@ -12,15 +12,14 @@ namespace holdfast {
 /// `text` as one field: in double quotes where it holds a comma, a quote, a line end, or blanks at an end.
 [[nodiscard]] std::string csvField(std::string_view text);
 
-/// The fields of one record, quotes taken off.
 struct CsvRecord {
-  Index line = 0;  ///< where it starts, from 1
-  std::vector<std::string> fields;
+  Index line = 0;                   ///< where it starts, from 1
+  std::vector<std::string> fields;  ///< quotes taken off
 };
 
-/// The records of `text`, split at `separator` (a comma or a tab) and at line ends (LF, CRLF or CR); blank lines are
-/// skipped. A field in double quotes may hold separators, line ends, and quotes written twice. Between tabs quotes
-/// inside a field are plain characters. Throws `InputError` with the line where quotes are used otherwise.
+/// Split at `separator` (a comma or a tab) and at line ends (LF, CRLF or CR); blank lines are skipped. A field in
+/// double quotes may hold separators, line ends, and quotes written twice; between tabs other quotes are plain
+/// characters. Throws `InputError` with the line where quotes are used otherwise.
 [[nodiscard]] std::vector<CsvRecord> splitCsv(std::string_view text, std::string_view file, char separator = ',');
 
 }  // namespace holdfast

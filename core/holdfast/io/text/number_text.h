@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cstdint>
 #include <string_view>
+#include <system_error>
 
 #include <holdfast/base/types.h>
 
@@ -14,7 +15,6 @@ namespace holdfast {
 /// What messages call the numbers of a point.
 inline constexpr std::array<std::string_view, 3> kCoordinateNames{"coordinate x", "coordinate y", "coordinate z"};
 
-/// Why a token is not a number that can be held.
 enum class NumberFault { None, NotANumber, OutOfRange };
 
 /// `value` means something only where `fault` is `None`.
@@ -24,12 +24,22 @@ struct ParsedNumber {
   NumberFault fault = NumberFault::None;
 };
 
-/// The whole `token` as a decimal number, to the nearest double; a leading '+' is accepted, and so are "nan" and "inf"
-/// in any case. A magnitude above the largest double or below half the smallest is `OutOfRange`.
-[[nodiscard]] ParsedNumber<double> parseDouble(std::string_view token);
-
-/// The whole `token` as a decimal integer; a leading '+' is accepted.
-[[nodiscard]] ParsedNumber<Index> parseInteger(std::string_view token);
+/// The whole `token` as a decimal number, a leading '+' accepted: an integer, or the nearest double, "nan" and "inf" in
+/// any case among them. A magnitude above the largest double or below half the smallest is `OutOfRange`.
+template <class Number>
+[[nodiscard]] ParsedNumber<Number> parseNumber(std::string_view token)
+{
+  // std::from_chars knows no '+'; "+-1" must not slip through.
+  if (token.size() > 1 && token[0] == '+' && token[1] != '-') token.remove_prefix(1);
+  ParsedNumber<Number> parsed;
+  const char* const end = token.data() + token.size();
+  const auto [stop, error] = std::from_chars(token.data(), end, parsed.value);
+  if (stop != end || token.empty() || error == std::errc::invalid_argument)
+    parsed.fault = NumberFault::NotANumber;
+  else if (error != std::errc{})
+    parsed.fault = NumberFault::OutOfRange;
+  return parsed;
+}
 
 /// The shortest text that reads back as the same number.
 class NumberText {

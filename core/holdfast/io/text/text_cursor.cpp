@@ -62,27 +62,27 @@ void TextCursor::skipLine()
   }
 }
 
-double TextCursor::numberOf(std::string_view token, std::string_view what) const
+template <class Number>
+Number TextCursor::parsed(std::string_view token, std::string_view what, const char* tooLarge, const char* other) const
 {
-  const auto [value, fault] = parseDouble(token);
+  const auto [value, fault] = parseNumber<Number>(token);
   if (fault == NumberFault::None) return value;
   if (token.empty()) fail("{} is missing: complete the line", what);
-  if (fault == NumberFault::OutOfRange)
-    fail(
-        "{} is {}, which no double can hold (4.9e-324 to 1.8e308 in magnitude): scale the model, or write 0 where that "
-        "is meant",
-        what, quotedToken(token));
-  fail("{} is {}, which is not a number: write digits, as in -1.5e3", what, quotedToken(token));
+  fail("{} is {}, {}", what, quotedToken(token), fault == NumberFault::OutOfRange ? tooLarge : other);
+}
+
+double TextCursor::numberOf(std::string_view token, std::string_view what) const
+{
+  return parsed<double>(token, what,
+                        "which no double can hold (4.9e-324 to 1.8e308 in magnitude): scale the model, or write 0 "
+                        "where that is meant",
+                        "which is not a number: write digits, as in -1.5e3");
 }
 
 Index TextCursor::integerOf(std::string_view token, std::string_view what) const
 {
-  const auto [value, fault] = parseInteger(token);
-  if (fault == NumberFault::None) return value;
-  if (token.empty()) fail("{} is missing: complete the line", what);
-  if (fault == NumberFault::OutOfRange)
-    fail("{} is {}, far beyond any count or index: correct it", what, quotedToken(token));
-  fail("{} is {}, which is not a whole number: write digits only", what, quotedToken(token));
+  return parsed<Index>(token, what, "far beyond any count or index: correct it",
+                       "which is not a whole number: write digits only");
 }
 
 Index TextCursor::skipNumbers(std::string_view what)

@@ -12,14 +12,13 @@
 
 namespace holdfast {
 
-/// What a text format means by some characters.
 struct TextDialect {
   std::optional<char> comment;       ///< begins a comment, which ends with the line
   std::optional<char> continuation;  ///< at the end of a line joins the next one to it
 };
 
-/// Walks over a text, which must outlive it. Tokens are what blanks (space, tab, carriage return, ...), line ends,
-/// comments and continuations separate. A byte order mark is passed over.
+/// Walks over a text, which must outlive it. Blanks, line ends, comments and continuations separate tokens. A byte
+/// order mark is passed over.
 class TextCursor {
  public:
   /// `file` names the text in errors.
@@ -31,19 +30,18 @@ class TextCursor {
   /// Goes to the next token, on this line or a later one; false where the text has no more.
   [[nodiscard]] bool findToken();
 
-  /// Goes to the beginning of the next line that does not continue this one, or to the end.
+  /// Goes to the next line that does not continue this one, or to the end.
   void skipLine();
 
-  /// The next token of this line as a number. Throws `InputError` where there is none ("`what` is missing") and where
-  /// it is no number.
+  /// The next token of this line as a number. Throws `InputError` where there is none ("`what` is missing") or another.
   [[nodiscard]] double number(std::string_view what) { return numberOf(token(), what); }
   [[nodiscard]] Index integer(std::string_view what) { return integerOf(token(), what); }
 
-  /// The same of a token that was read last.
+  /// The same of the token read last.
   [[nodiscard]] double numberOf(std::string_view token, std::string_view what) const;
   [[nodiscard]] Index integerOf(std::string_view token, std::string_view what) const;
 
-  /// Passes over the other tokens of this line, which are numbers, and returns how many they are. Throws as `number`.
+  /// Passes over the other numbers of this line and returns how many they are. Throws as `number`.
   Index skipNumbers(std::string_view what);
 
   /// Throws `InputError` where the line has another token; `remedy` completes "'...' is too much here: ".
@@ -70,9 +68,12 @@ class TextCursor {
   }
 
  private:
+  template <class Number>
+  [[nodiscard]] Number parsed(std::string_view token, std::string_view what, const char* tooLarge,
+                              const char* other) const;
   void skipBlanks();
   [[nodiscard]] bool endsToken(std::size_t at) const;
-  /// Where the line that ends in a continuation at `at` goes on; nothing if there is no continuation.
+  /// Where the line that ends in a continuation at `at` goes on.
   [[nodiscard]] std::optional<std::size_t> continued(std::size_t at) const;
 
   std::string_view text_;

@@ -208,7 +208,7 @@ Number numberOf(std::string_view word)
   bool isNumber = false;
   Number value{};
   if constexpr (std::is_floating_point_v<Number>) {
-    const ParsedNumber<double> parsed = parseDouble(word);
+    const ParsedNumber<double> parsed = parseNumber<double>(word);
     isNumber = parsed.fault == NumberFault::None;
     value = static_cast<Number>(parsed.value);
   } else {
@@ -334,7 +334,7 @@ Index wholeAttribute(const XmlElement& element, std::string_view name, Index abs
 {
   const auto text = element.attribute(name);
   if (!text) return absent;
-  const ParsedNumber<Index> number = parseInteger(*text);
+  const ParsedNumber<Index> number = parseNumber<Index>(*text);
   if (number.fault != NumberFault::None || number.value < 0)
     throw VtpFault(fmt::format("{} is '{}' and must be a whole number from 0", name, *text));
   return number.value;

@@ -85,7 +85,7 @@ bool NumericInput::add(char key)
 
 double NumericInput::value() const
 {
-  const ParsedNumber<double> number = parseDouble(text_);
+  const ParsedNumber<double> number = parseNumber<double>(text_);
   return number.fault == NumberFault::None ? number.value : 0;
 }
 

@@ -31,20 +31,11 @@ int SurfacePointPlacer::ComputeWorldPosition(vtkRenderer* renderer, double displ
 
 vtkStandardNewMacro(SurfaceCurveInterpolator);
 
-void SurfaceCurveInterpolator::SetRegions(std::shared_ptr<const VertexRegions> regions)
-{
-  if (this->Regions == regions) return;
-  this->Regions = std::move(regions);
-  this->Paths.reset();
-  if (this->Regions) this->Paths.emplace(this->Regions->graph());
-  this->Modified();
-}
-
 std::vector<Index> SurfaceCurveInterpolator::Path(Index from, Index to)
 {
-  if (!this->Surface || !this->Paths) return {};
+  if (!this->Surface || !this->Regions) return {};
   const Weld& weld = this->Surface->model().solverMesh.weld;
-  std::vector<Index> path = this->Paths->path(weld.unknownOf[from], weld.unknownOf[to]);
+  std::vector<Index> path = shortestPath(this->Regions->graph(), weld.unknownOf[from], weld.unknownOf[to]);
   if (path.empty()) return path;
   for (Index& unknown : path) unknown = weld.firstVertexOf[unknown];
   path.front() = from;

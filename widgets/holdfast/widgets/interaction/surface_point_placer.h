@@ -86,11 +86,16 @@ class SurfaceCurveInterpolator : public vtkContourLineInterpolator {
     this->Modified();
   }
   [[nodiscard]] const std::shared_ptr<const VisibleSurface>& GetSurface() const { return this->Surface; }
-  void SetRegions(std::shared_ptr<const VertexRegions> regions);
+  void SetRegions(std::shared_ptr<const VertexRegions> regions)
+  {
+    if (this->Regions == regions) return;
+    this->Regions = std::move(regions);
+    this->Modified();
+  }
   [[nodiscard]] const std::shared_ptr<const VertexRegions>& GetRegions() const { return this->Regions; }
 
   /// The vertices of a shortest path with both ends; none where no edges join them. Between the ends the first vertex
-  /// of each unknown is named (unwelded files have several). As costly as `ShortestPaths::path`.
+  /// of each unknown is named (unwelded files have several). As costly as `shortestPath`.
   [[nodiscard]] std::vector<Index> Path(Index from, Index to);
 
   /// 1, or 0 where nothing joins the nodes.
@@ -103,7 +108,6 @@ class SurfaceCurveInterpolator : public vtkContourLineInterpolator {
  private:
   std::shared_ptr<const VisibleSurface> Surface;
   std::shared_ptr<const VertexRegions> Regions;
-  std::optional<ShortestPaths> Paths;  // in the graph of the regions
 };
 
 }  // namespace holdfast

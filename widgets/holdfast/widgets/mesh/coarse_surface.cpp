@@ -11,7 +11,7 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 
-#include <holdfast/mesh/solid.h>
+#include <holdfast/check/mesh_check.h>
 #include <holdfast/mesh/vertex_normals.h>
 #include <holdfast/widgets/mesh/poly_data.h>
 

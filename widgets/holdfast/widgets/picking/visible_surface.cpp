@@ -15,8 +15,8 @@ constexpr double kBeforePlace = 1 - 1e-9;
 VisibleSurface::VisibleSurface(const Model& model)
     : model_(&model),
       rays_(model.mesh.positions, model.triangulation.triangles),
-      trianglesOf_(
-          std::make_shared<const VertexTriangles>(trianglesOverUnknowns(model), model.solverMesh.unknownCount()))
+      trianglesOf_(std::make_shared<const IndexLists>(
+          trianglesOfVertices(trianglesOverUnknowns(model), model.solverMesh.unknownCount())))
 {
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <holdfast/deform/model.h>
-#include <holdfast/mesh/vertex_triangles.h>
+#include <holdfast/mesh/index_lists.h>
 #include <holdfast/surface/ray_caster.h>
 #include <holdfast/widgets/camera/display_transform.h>
 #include <holdfast/widgets/mesh/section_plane.h>
@@ -42,7 +42,7 @@ class VisibleSurface {
   /// face uses.
   [[nodiscard]] std::span<const Index> trianglesAt(Index vertex) const
   {
-    return trianglesOf_->of(model_->solverMesh.weld.unknownOf[vertex]);
+    return (*trianglesOf_)[model_->solverMesh.weld.unknownOf[vertex]];
   }
 
   /// Whether a place is not cut away.
@@ -71,7 +71,7 @@ class VisibleSurface {
 
   const Model* model_;
   RayCaster rays_;
-  std::shared_ptr<const VertexTriangles> trianglesOf_;  // of each unknown
+  std::shared_ptr<const IndexLists> trianglesOf_;  // of each unknown
   std::optional<SectionPlane> section_;
 };
 

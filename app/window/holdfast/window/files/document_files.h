@@ -11,7 +11,6 @@
 
 #include <holdfast/document/recovery.h>
 #include <holdfast/document/session_file.h>
-#include <holdfast/document/session_mesh.h>
 #include <holdfast/window/files/file_messages.h>
 #include <holdfast/window/model/background_job.h>
 #include <holdfast/window/model/editor.h>

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <functional>
 
-#include <holdfast/document/session_mesh.h>
+#include <holdfast/document/session_file.h>
 
 class QWidget;
 

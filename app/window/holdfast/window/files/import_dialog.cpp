@@ -17,7 +17,7 @@
 
 #include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/document/list_edits.h>
-#include <holdfast/document/point_list_import.h>
+#include <holdfast/document/point_lists.h>
 #include <holdfast/window/controls/number_edit.h>
 #include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/controls/status_style.h>

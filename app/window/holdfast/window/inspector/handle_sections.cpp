@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include <holdfast/base/error.h>
-#include <holdfast/constraints/handle_validation.h>
+#include <holdfast/constraints/handle_motion.h>
 #include <holdfast/document/handle_restated.h>
 #include <holdfast/document/list_edits.h>
 #include <holdfast/geometry/centroid.h>
@@ -24,7 +24,8 @@ using Restatement = HandleConstraint (*)(const HandleConstraint& handle, const H
 /// What the motion of a handle of the editor's list depends on.
 HandleSetting settingOf(const Editor& editor, const Constraint& handle)
 {
-  return settingOf(*editor.model(), editor.list(), indexOf(editor.list(), handle.name).value(), {});
+  const Index index = indexOf(editor.list(), handle.name).value();
+  return settingsOf(*editor.model(), editor.list(), {&index, 1}, {}).front();
 }
 
 Constraint restated(const Editor& editor, Constraint handle, Restatement restate)

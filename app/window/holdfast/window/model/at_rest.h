@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <holdfast/surface/location_kind.h>
+#include <holdfast/surface/surface_locator.h>
 #include <holdfast/window/model/editor.h>
 
 namespace holdfast {

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-#include <holdfast/document/point_list_text.h>
+#include <holdfast/document/point_lists.h>
 #include <holdfast/window/text/constraint_text.h>
 
 namespace holdfast {

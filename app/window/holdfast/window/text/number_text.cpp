@@ -66,7 +66,7 @@ QString exactText(const Vector3& vector)
 std::optional<double> typedNumber(const QString& typed)
 {
   const std::string token = typed.trimmed().toStdString();
-  const ParsedNumber<double> parsed = parseDouble(token);
+  const ParsedNumber<double> parsed = parseNumber<double>(token);
   if (parsed.fault != NumberFault::None || !std::isfinite(parsed.value)) return std::nullopt;
   return parsed.value;
 }
@@ -75,7 +75,7 @@ QString notANumber(const QString& typed)
 {
   const QString shown = typed.trimmed();
   if (shown.isEmpty()) return Numbers::tr("A number is needed here, such as 1.5.");
-  if (parseDouble(shown.toStdString()).fault == NumberFault::OutOfRange)
+  if (parseNumber<double>(shown.toStdString()).fault == NumberFault::OutOfRange)
     return Numbers::tr("“%1” is beyond what a double can hold; write a number nearer to 1.").arg(shown);
   if (shown.contains(','))
     return Numbers::tr("“%1” is no number; write decimals with a point, such as 1.5.").arg(shown);

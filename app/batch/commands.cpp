@@ -5,20 +5,59 @@
 
 #include <fmt/format.h>
 
+#include <holdfast/base/error.h>
 #include <holdfast/base/printable.h>
 #include <holdfast/base/progress.h>
+#include <holdfast/check/mesh_check.h>
 #include <holdfast/deform/fields.h>
 #include <holdfast/deform/outcomes.h>
 #include <holdfast/deform/report_json.h>
 #include <holdfast/io/files/output_file.h>
 
-#include "batch/commands.h"
-#include "batch/outputs.h"
-#include "batch/standard_streams.h"
-#include "batch/summary.h"
+#include "batch/batch.h"
 
 namespace holdfast::batch {
 namespace {
+
+/// Outputs of one command. All are written aside before any is put in its place.
+using Outputs = std::vector<OutputFile>;
+
+/// What cannot be written aside (devices, pipes, standard output) goes first: it may be full, while a rename hardly
+/// ever fails.
+void commit(Outputs& outputs, bool areDirect)
+{
+  for (OutputFile& output : outputs)
+    if (output.isDirect() == areDirect) output.commit();
+}
+
+void addReport(Outputs& outputs, const Command& command, const Report& report)
+{
+  if (!command.report.empty()) outputs.emplace_back(command.report, reportToJson(report));
+}
+
+void finish(Outputs& outputs, const Command& command, const Report& report, const std::string& units,
+            const std::string& options)
+{
+  commit(outputs, true);
+  printMessage(messageLines(report, units));
+  if (!command.isQuiet) printResult(summary(report, command.mesh, units) + options);
+  commit(outputs, false);
+}
+
+/// Nothing more can be said about such a mesh: writes the report, then throws.
+void refuseNonFinite(const Command& command, const Mesh& mesh)
+{
+  Report report;
+  report.mesh.findings = findNonFinite(mesh);
+  if (report.mesh.findings.empty()) return;
+  report.mesh.vertices = mesh.vertexCount();
+  report.mesh.faces = mesh.faces.size();
+  Outputs outputs;
+  addReport(outputs, command, report);
+  for (OutputFile& output : outputs) output.commit();
+  const Finding& finding = report.mesh.findings.front();
+  throw InputError({command.mesh, 0, fmt::format("vertex {}", finding.ids.front())}, finding.message);
+}
 
 /// Prints nothing in the first second; then the current step and each one that follows, with the seconds since the
 /// start.
@@ -63,20 +102,10 @@ void probeOutputs(const Command& command)
   if (!command.picture.path.empty()) requireDisplay(command.picture);
 }
 
-/// The residuals that the written mesh has: its positions are rounded to floats.
-void measureRounded(DeformResult& deformation, const Model& model)
-{
-  SolveReport& solve = deformation.report.solve;
-  if (setRoundedResiduals(deformation.report, deformation, model.solverMesh.weld))
-    solve.message +=
-        fmt::format("; the file holds single precision and misses them by up to {:.3g}", solve.maxResidual);
-}
-
-/// Adds a file, and prints what it could not hold.
 void addNoted(Outputs& outputs, const std::string& path, const Serialized& contents)
 {
   for (const std::string& note : contents.notes) printMessage(fmt::format("note: {}: {}\n", printable(path), note));
-  outputs.add(path, contents.bytes);
+  outputs.emplace_back(path, contents.bytes);
 }
 
 /// The options of the command line; what it leaves out comes from the session, else from the defaults.
@@ -88,16 +117,19 @@ DeformOptions chosenOptions(const Command& command, const StatedOptions& ofSessi
   return options;
 }
 
-/// Writes everything aside.
+/// Writes everything aside. Residuals become those of the written mesh where its positions are rounded to floats.
 Outputs writeAll(const Command& command, const MeshDocument& document, const std::string& units, const Model& model,
                  DeformResult& deformation, Progress& progress)
 {
   Outputs outputs;
-  const bool isSolved = deformation.report.solve.status != SolveStatus::Failed;
+  SolveReport& solve = deformation.report.solve;
+  const bool isSolved = solve.status != SolveStatus::Failed;
   if (isSolved && !command.out.empty()) {
     progress.step("writing the mesh");
     const Serialized contents = serializeMeshFile(document, deformation.positions, command.out);
-    if (contents.isSinglePrecision) measureRounded(deformation, model);
+    if (contents.isSinglePrecision && setRoundedResiduals(deformation.report, deformation, model.solverMesh.weld))
+      solve.message +=
+          fmt::format("; the file holds single precision and misses them by up to {:.3g}", solve.maxResidual);
     addNoted(outputs, command.out, contents);
   }
   if (isSolved && !command.fields.empty()) {
@@ -106,9 +138,9 @@ Outputs writeAll(const Command& command, const MeshDocument& document, const std
   }
   if (isSolved && !command.picture.path.empty()) {
     progress.step("drawing the picture");
-    outputs.add(command.picture.path, snapshot(command.picture, model, deformation, units));
+    outputs.emplace_back(command.picture.path, snapshot(command.picture, model, deformation, units));
   }
-  if (!command.report.empty()) outputs.add(command.report, reportToJson(deformation.report));
+  addReport(outputs, command, deformation.report);
   return outputs;
 }
 
@@ -123,22 +155,37 @@ ExitCode deformWith(const Command& command, Progress& progress)
   const Model model = makeModel(document.mesh, command.mesh);
   DeformResult deformation = deform(model, constraints, command.constraints, options, progress);
   Outputs outputs = writeAll(command, document, constraints.units, model, deformation, progress);
-
-  const Report& report = deformation.report;
-  outputs.commitDirect();
-  printMessage(messageLines(report, constraints.units));
+  finish(outputs, command, deformation.report, constraints.units,
+         optionsLine(command.options, ofSession, command.constraints));
   if (!command.isQuiet)
-    printResult(summary(report, command.mesh, constraints.units) +
-                optionsLine(beside(command.options, ofSession), command.constraints));
-  outputs.commitAside();
-  if (!command.isQuiet)
-    for (const OutputFile& file : outputs.files())
-      printResult(fmt::format("wrote        {}\n", printable(file.path().string())));
-  if (report.solve.status == SolveStatus::Failed) return kNumerical;
-  return report.solve.status == SolveStatus::Conflicts ? kConflicts : kAllMet;
+    for (const OutputFile& output : outputs)
+      printResult(fmt::format("wrote        {}\n", printable(output.path().string())));
+  const SolveStatus status = deformation.report.solve.status;
+  return status == SolveStatus::Failed ? kNumerical : status == SolveStatus::Conflicts ? kConflicts : kAllMet;
 }
 
 }  // namespace
+
+ExitCode runCheck(const Command& command)
+{
+  const MeshDocument document = readMeshFile(command.mesh);
+  refuseNonFinite(command, document.mesh);
+  const Model model = makeModel(document.mesh, command.mesh);
+  const bool hasConstraints = !command.constraints.empty();
+  const auto [constraints, ofSession] =
+      hasConstraints ? readStatedConstraints(command.constraints) : StatedConstraints{};
+  Report report;
+  if (hasConstraints)
+    report = diagnoseConstraints(model, constraints, command.constraints,
+                                 withStated(withStated({}, ofSession), command.options));
+  else
+    report.mesh = describeMesh(model);
+  Outputs outputs;
+  addReport(outputs, command, report);
+  finish(outputs, command, report, constraints.units, "");
+  if (report.solve.status == SolveStatus::Failed) return kNumerical;
+  return countOf(report, ConstraintStatus::Conflicting) > 0 ? kConflicts : kAllMet;
+}
 
 ExitCode runDeform(const Command& command)
 {

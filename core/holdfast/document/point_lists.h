@@ -1,12 +1,25 @@
 #pragma once
-/// What a list of points would do to a document, before it is taken in.
+/// Points as tables that spreadsheets know: from and for the clipboard, and looked at before they are taken in.
 
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include <holdfast/constraints/constraint.h>
 #include <holdfast/deform/model.h>
 
 namespace holdfast {
+
+/// The constraints at `indices`: where all are points a point list (docs/formats.md), a constraint file otherwise, with
+/// every double in its shortest exact form. In point lists a point lies at its `near` place, or else where it is at
+/// rest, a shift becomes the target that it leads to, and it is not said whether a point is enabled. Throws
+/// `InputError` for points that the mesh does not have, and as `constraintsToJson` does.
+[[nodiscard]] std::string toClipboardText(const ConstraintList& list, const std::vector<Index>& indices,
+                                          const Model& model);
+
+/// The constraints of a constraint file or session, of a point list, or of the cells of one with tabs, as spreadsheets
+/// copy them. Throws `InputError` as `readConstraints` does.
+[[nodiscard]] ConstraintList fromClipboardText(std::string_view text);
 
 /// One `near` point of the list. Lengths in model units, places on the mesh at rest.
 struct ImportedPoint {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <holdfast/mesh/solid.h>
+#include <holdfast/check/mesh_check.h>
 
 #include "support/law_meshes.h"
 #include "support/meshes.h"

@@ -1,0 +1,91 @@
+#pragma once
+/// What holdfast-batch is asked for, does and says.
+
+#include <functional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include <holdfast/deform/deform.h>
+#include <holdfast/document/session_file.h>
+#include <holdfast/io/mesh_document.h>
+#include <holdfast/mesh/field.h>
+
+namespace holdfast::batch {
+
+/// What `--snapshot`, `--color-by` and `--size` say. `path` is empty for no picture.
+struct PictureRequest {
+  std::string path;
+  std::string colorBy = "displacement";
+  std::string size = "1280x960";
+};
+
+/// The options of `holdfast-batch deform` and `holdfast-batch check`. Files that were left out are empty.
+struct Command {
+  std::string mesh;
+  std::string constraints;
+  std::string out;
+  std::string report;
+  std::string fields;
+  PictureRequest picture;
+  StatedOptions options;  ///< those of the command line
+  bool isQuiet = false;
+};
+
+/// The command line cannot be understood; `what()` says why and what to do.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// docs/errors.md explains them.
+enum ExitCode : int { kAllMet = 0, kUsage = 2, kInput = 3, kConflicts = 4, kNumerical = 5, kOutput = 6, kBug = 70 };
+
+/// They throw `InputError` and `OutputError`; numerical failure and conflicts are in the exit code.
+[[nodiscard]] ExitCode runDeform(const Command& command);
+[[nodiscard]] ExitCode runCheck(const Command& command);
+
+/// One of these, or printing the text of `--help` or `--version`. Throws `UsageError`: unknown options and values,
+/// outputs of unknown formats, two outputs with one name, outputs that would overwrite an input.
+[[nodiscard]] std::function<ExitCode()> parseCommandLine(int argc, const char* const* argv);
+
+/// The extensions that this build reads as one text for people: ".obj, .ply, ...".
+[[nodiscard]] std::string knownFormats();
+/// The values of `--color-by` in the same way; empty in a build without VTK.
+[[nodiscard]] std::string knownColorings();
+
+/// Throws `UsageError` unless this build can write the outputs under these names and with these options.
+void requireFormats(const Command& command);
+
+/// Throws `OutputError` if no picture can be drawn here. Costs about a tenth of a second.
+void requireDisplay(const PictureRequest& picture);
+
+[[nodiscard]] MeshDocument readMeshFile(const std::string& path);
+
+/// The contents of files: a mesh in the format that `path` names, fields over the vertices of `mesh` at `positions`
+/// (VTP), a picture (PNG). They throw `OutputError`.
+[[nodiscard]] Serialized serializeMeshFile(const MeshDocument& document, const Positions& positions,
+                                           const std::string& path);
+[[nodiscard]] Serialized serializeFields(const Mesh& mesh, const Positions& positions, std::span<const Field> fields);
+[[nodiscard]] std::string snapshot(const PictureRequest& picture, const Model& model, const DeformResult& deformation,
+                                   const std::string& units);
+
+/// The mesh and its findings, the constraints in numbers, the solve, and which constraints pull hardest.
+[[nodiscard]] std::string summary(const Report& report, const std::string& meshName, const std::string& units);
+
+/// For standard error: findings that warn of the solution; for each constraint in conflict the first few sets of
+/// earlier ones with which it cannot hold, with gap and repairs, the largest gaps first; why solving failed.
+[[nodiscard]] std::string messageLines(const Report& report, const std::string& units);
+
+/// The options that come from the session `source` because they were not asked for. Empty if there are none.
+[[nodiscard]] std::string optionsLine(const StatedOptions& asked, const StatedOptions& session,
+                                      const std::string& source);
+
+/// Writes to standard output at once. Throws `OutputError` where the text does not arrive there (disk full, closed).
+void printResult(std::string_view text);
+
+/// Writes to standard error. Failures are ignored: there is no other place to report them.
+void printMessage(std::string_view text) noexcept;
+
+}  // namespace holdfast::batch
