@@ -49,8 +49,8 @@ class ConstrainedSolver {
 struct ConstrainedProblem {
   std::shared_ptr<const TwoWayMatrix> A;  ///< weighted rows, n x n
   const EliminatedConstraints& eliminated;
-  Columns3 rest;           ///< n x 3, a typical solution to measure factors on
-  std::vector<int> ranks;  ///< `eliminationRanks`; empty: the factorisation finds an order of its own
+  Columns3 rest;                ///< n x 3, a typical solution to measure factors on
+  std::vector<int> ranks = {};  ///< `eliminationRanks`; empty: the factorisation finds an order of its own
 
   [[nodiscard]] EliminationOrder eliminationOrder() const
   {

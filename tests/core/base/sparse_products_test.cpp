@@ -1,0 +1,57 @@
+#include <gtest/gtest.h>
+
+#include <holdfast/base/sparse_products.h>
+
+#include "support/random.h"
+
+namespace holdfast {
+namespace {
+
+SparseMatrix randomSparse(test::Random& random, Index rows, Index columns)
+{
+  Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(rows, columns);
+  for (Index k = 0; k < 3 * columns; ++k)
+    dense(random.integer(0, rows - 1), random.integer(0, columns - 1)) = random.uniform(-1, 1);
+  return dense.sparseView(1, 0);
+}
+
+Columns3 randomColumns(test::Random& random, Index rows)
+{
+  return Columns3::NullaryExpr(rows, 3, [&] { return random.uniform(-1, 1); });
+}
+
+TEST(SparseProducts, AreThoseOfDenseMatrices)
+{
+  test::Random random(4);
+  for (int turn = 0; turn < 50; ++turn) {
+    const SparseMatrix M = randomSparse(random, random.integer(1, 40), random.integer(1, 40));
+    const SparseMatrix N = randomSparse(random, M.cols(), random.integer(1, 40));
+    const Eigen::MatrixXd dense = M;
+    EXPECT_LT((Eigen::MatrixXd(product(M, N)) - dense * Eigen::MatrixXd(N)).cwiseAbs().maxCoeff(), 1e-14);
+    const TwoWayMatrix C(M);
+    const Columns3 x = randomColumns(random, M.cols());
+    const Columns3 f = randomColumns(random, M.rows());
+    EXPECT_LT((C.times(x) - dense * x).cwiseAbs().maxCoeff(), 1e-14);
+    EXPECT_LT((C.transposeTimes(f) - dense.transpose() * f).cwiseAbs().maxCoeff(), 1e-14);
+    EXPECT_LT((C.residual(f, x) - (f - dense * x)).cwiseAbs().maxCoeff(), 1e-14);
+  }
+}
+
+TEST(SparseProducts, AreAssembledWithAscendingPlaces)
+{
+  const auto rows = assembled<SparseRows>(10000, 7, [](Index k, ColumnSum& sum) {
+    sum.add(static_cast<int>((k + 3) % 7), 1);
+    sum.add(static_cast<int>(k % 7), 2);
+    sum.add(static_cast<int>((k + 3) % 7), 0.5);
+  });
+  ASSERT_EQ(rows.nonZeros(), 20000);
+  for (Index k = 0; k < rows.rows(); ++k) {
+    const int* const place = rows.innerIndexPtr() + rows.outerIndexPtr()[k];
+    EXPECT_LT(place[0], place[1]) << k;
+    EXPECT_EQ(rows.coeff(k, (k + 3) % 7), 1.5) << k;
+    EXPECT_EQ(rows.coeff(k, k % 7), 2) << k;
+  }
+}
+
+}  // namespace
+}  // namespace holdfast
