@@ -1,12 +1,12 @@
 #pragma once
 /// The camera of a renderer: its first place, its state in sessions, and its motion by the mouse.
 
+#include <vtkCamera.h>
+#include <vtkRenderer.h>
+
 #include <holdfast/base/types.h>
 #include <holdfast/document/session_file.h>
 #include <holdfast/widgets/camera/display_transform.h>
-
-class vtkCamera;
-class vtkRenderer;
 
 namespace holdfast {
 

@@ -1,13 +1,13 @@
 #pragma once
 /// Between places of the model and places on the screen.
 
+#include <algorithm>
 #include <optional>
 
 #include <Eigen/Core>
+#include <vtkRenderer.h>
 
 #include <holdfast/surface/ray_caster.h>
-
-class vtkRenderer;
 
 namespace holdfast {
 
@@ -66,10 +66,16 @@ class DisplayTransform {
   [[nodiscard]] bool isInside(const DisplayPoint& point) const;
 
   /// How long a pixel is at `place`, across the view, in model units; 0 for places that are not in front of the eye.
-  [[nodiscard]] double worldPerPixel(const Vector3& place) const;
+  [[nodiscard]] double worldPerPixel(const Vector3& place) const
+  {
+    return std::max(0.0, show(place).size) / pixelsOfUnit().y();
+  }
 
   /// The unit direction in which `place` is seen.
-  [[nodiscard]] Vector3 sightOf(const Vector3& place) const;
+  [[nodiscard]] Vector3 sightOf(const Vector3& place) const
+  {
+    return isParallel() ? direction() : Vector3((place - eye()).normalized());
+  }
 
  private:
   /// Seen at depth 1 or, for parallel projection, at any.

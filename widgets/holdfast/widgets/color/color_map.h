@@ -4,9 +4,8 @@
 #include <optional>
 #include <string>
 
+#include <vtkLookupTable.h>
 #include <vtkSmartPointer.h>
-
-class vtkLookupTable;
 
 namespace holdfast {
 
@@ -18,6 +17,9 @@ struct Color {
 
   friend bool operator==(const Color&, const Color&) = default;
 };
+
+/// The colour that is `share` of the way from `from` to `to`.
+[[nodiscard]] Color mixed(const Color& from, const Color& to, double share);
 
 /// Equal steps of each map look about equal, and no two colours of one look the same with any common colour blindness.
 enum class ColorMap {

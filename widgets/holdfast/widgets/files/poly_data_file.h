@@ -7,11 +7,11 @@
 #include <string_view>
 #include <vector>
 
+#include <vtkPolyData.h>
+
 #include <holdfast/io/mesh_document.h>
 #include <holdfast/mesh/field.h>
 #include <holdfast/mesh/mesh.h>
-
-class vtkPolyData;
 
 namespace holdfast {
 

@@ -4,9 +4,8 @@
 #include <string>
 
 #include <vtkCommand.h>
+#include <vtkObject.h>
 #include <vtkSmartPointer.h>
-
-class vtkObject;
 
 namespace holdfast {
 
@@ -20,7 +19,7 @@ class VtkErrorLog {
   VtkErrorLog& operator=(const VtkErrorLog&) = delete;
 
   /// Gets the errors of `object` from now on.
-  void watch(vtkObject& object);
+  void watch(vtkObject& object) { object.AddObserver(vtkCommand::ErrorEvent, observer_); }
 
   [[nodiscard]] bool isEmpty() const { return observer_->first.empty(); }
   /// The first error, without VTK's source line and object address: what came first caused the others.

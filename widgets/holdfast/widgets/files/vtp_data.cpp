@@ -13,7 +13,6 @@
 #include <vtkBase64Utilities.h>
 #include <vtkByteSwap.h>
 #include <vtkDataArray.h>
-#include <vtkDataCompressor.h>
 #include <vtkIdTypeArray.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>

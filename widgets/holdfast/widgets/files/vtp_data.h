@@ -9,13 +9,12 @@
 #include <string_view>
 #include <vector>
 
+#include <vtkAbstractArray.h>
+#include <vtkDataCompressor.h>
 #include <vtkSmartPointer.h>
 
 #include <holdfast/base/types.h>
 #include <holdfast/io/text/byte_order.h>
-
-class vtkAbstractArray;
-class vtkDataCompressor;
 
 namespace holdfast {
 

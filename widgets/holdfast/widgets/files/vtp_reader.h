@@ -5,9 +5,8 @@
 #include <set>
 #include <string>
 
+#include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
-
-class vtkPolyData;
 
 namespace holdfast {
 

@@ -28,10 +28,22 @@ constexpr int kRingSteps = 144;
 constexpr int kCornerSteps = 6;
 constexpr int kArcSteps = 8;
 
-/// A grid of points, row after row of `columns`, becomes two triangles a square; rows are closed.
-void addSquares(GizmoShape& shape, Index first, Index rows, Index columns)
+Index addPoint(GizmoShape& shape, const Vector3& point, const Vector3& normal, double opacity = 1)
 {
-  for (Index row = 0; row + 1 < rows; ++row)
+  shape.points.push_back(point);
+  shape.normals.push_back(normal);
+  shape.opacities.push_back(opacity);
+  return static_cast<Index>(shape.points.size()) - 1;
+}
+
+/// A grid of points becomes two triangles a square; rows are closed. `addAt(row, column)` adds one.
+template <class AddAt>
+void addGrid(GizmoShape& shape, std::size_t rows, Index columns, AddAt addAt)
+{
+  const auto first = static_cast<Index>(shape.points.size());
+  for (std::size_t row = 0; row < rows; ++row)
+    for (Index column = 0; column < columns; ++column) addAt(row, static_cast<double>(column));
+  for (Index row = 0; row + 1 < static_cast<Index>(rows); ++row)
     for (Index column = 0; column < columns; ++column) {
       const Index a = first + row * columns + column;
       const Index b = first + row * columns + (column + 1) % columns;
@@ -40,12 +52,9 @@ void addSquares(GizmoShape& shape, Index first, Index rows, Index columns)
     }
 }
 
-Index addPoint(GizmoShape& shape, const Vector3& point, const Vector3& normal, double opacity = 1)
+Vector3 acrossZ(double angle)
 {
-  shape.points.push_back(point);
-  shape.normals.push_back(normal);
-  shape.opacities.push_back(opacity);
-  return static_cast<Index>(shape.points.size()) - 1;
+  return {std::cos(angle), std::sin(angle), 0};
 }
 
 /// A place of a solid of revolution: its distance from the axis, how far along the axis, and the normal there.
@@ -59,15 +68,11 @@ using Profile = std::vector<ProfilePoint>;
 /// The surface of `profile`, which goes from the beginning of the axis to its end, rotated about z.
 void addRevolved(GizmoShape& shape, const Profile& profile)
 {
-  const auto first = static_cast<Index>(shape.points.size());
-  for (const ProfilePoint& point : profile)
-    for (int side = 0; side < kSides; ++side) {
-      const double angle = 2 * pi * side / kSides;
-      const Vector3 out(std::cos(angle), std::sin(angle), 0);
-      addPoint(shape, point.place.x() * out + point.place.y() * Vector3::UnitZ(),
-               point.normal.x() * out + point.normal.y() * Vector3::UnitZ());
-    }
-  addSquares(shape, first, static_cast<Index>(profile.size()), kSides);
+  addGrid(shape, profile.size(), kSides, [&](std::size_t k, double side) {
+    const auto& [place, normal] = profile[k];
+    const Vector3 out = acrossZ(2 * pi * side / kSides);
+    addPoint(shape, place.x() * out + place.y() * Vector3::UnitZ(), normal.x() * out + normal.y() * Vector3::UnitZ());
+  });
 }
 
 Profile arc(const Eigen::Vector2d& center, double radius, double from, double to, int steps = kArcSteps)
@@ -108,13 +113,6 @@ GizmoShape arrow()
   return shape;
 }
 
-GizmoShape ball()
-{
-  GizmoShape shape;
-  addRevolved(shape, arc({0, 0}, kBallRadius, -pi / 2, pi / 2, 2 * kArcSteps));
-  return shape;
-}
-
 /// A point of a closed curve across z, and the direction out of it.
 struct CurvePoint {
   Vector3 place;
@@ -124,24 +122,19 @@ struct CurvePoint {
 /// The tube about a curve that goes counterclockwise.
 void addTube(GizmoShape& shape, const std::vector<CurvePoint>& curve, double radius)
 {
-  const auto first = static_cast<Index>(shape.points.size());
-  for (std::size_t k = 0; k <= curve.size(); ++k) {
-    const CurvePoint& point = curve[k % curve.size()];
-    for (int side = 0; side < kTubeSides; ++side) {
-      const double angle = -2 * pi * side / kTubeSides;
-      const Vector3 normal = std::cos(angle) * point.out + std::sin(angle) * Vector3::UnitZ();
-      addPoint(shape, point.place + radius * normal, normal);
-    }
-  }
-  addSquares(shape, first, static_cast<Index>(curve.size()) + 1, kTubeSides);
+  addGrid(shape, curve.size() + 1, kTubeSides, [&](std::size_t k, double side) {
+    const auto& [place, out] = curve[k % curve.size()];
+    const double angle = -2 * pi * side / kTubeSides;
+    const Vector3 normal = std::cos(angle) * out + std::sin(angle) * Vector3::UnitZ();
+    addPoint(shape, place + radius * normal, normal);
+  });
 }
 
 GizmoShape ring(double radius, double tube)
 {
   std::vector<CurvePoint> curve;
   for (int k = 0; k < kRingSteps; ++k) {
-    const double angle = 2 * pi * k / kRingSteps;
-    const Vector3 out(std::cos(angle), std::sin(angle), 0);
+    const Vector3 out = acrossZ(2 * pi * k / kRingSteps);
     curve.push_back({radius * out, out});
   }
   GizmoShape shape;
@@ -159,8 +152,7 @@ std::vector<CurvePoint> roundedSquare()
                                        Vector3(high, low, 0)};
   for (int corner = 0; corner < 4; ++corner)
     for (int k = 0; k <= kCornerSteps; ++k) {
-      const double angle = pi / 2 * (corner + static_cast<double>(k) / kCornerSteps);
-      const Vector3 out(std::cos(angle), std::sin(angle), 0);
+      const Vector3 out = acrossZ(pi / 2 * (corner + static_cast<double>(k) / kCornerSteps));
       curve.push_back({centers[static_cast<std::size_t>(corner)] + kCornerRadius * out, out});
     }
   return curve;
@@ -182,20 +174,14 @@ GizmoShape square()
 
 GizmoShape shapeAlongZ(GizmoPart part)
 {
-  switch (kindOf(part)) {
-    case GizmoPartKind::Arrow:
-      return arrow();
-    case GizmoPartKind::Square:
-      return square();
-    case GizmoPartKind::Ring:
-      return ring(kRingRadius, kRingTube);
-    case GizmoPartKind::ViewRing:
-      return ring(1, kViewRingTube);
-    case GizmoPartKind::Center:
-    case GizmoPartKind::None:
-      break;
-  }
-  return ball();
+  const GizmoPartKind kind = kindOf(part);
+  if (kind == GizmoPartKind::Arrow) return arrow();
+  if (kind == GizmoPartKind::Square) return square();
+  if (kind == GizmoPartKind::Ring) return ring(kRingRadius, kRingTube);
+  if (kind == GizmoPartKind::ViewRing) return ring(1, kViewRingTube);
+  GizmoShape ball;
+  addRevolved(ball, arc({0, 0}, kBallRadius, -pi / 2, pi / 2, 2 * kArcSteps));
+  return ball;
 }
 
 }  // namespace

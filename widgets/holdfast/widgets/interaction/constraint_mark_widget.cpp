@@ -17,8 +17,7 @@ vtkStandardNewMacro(ConstraintMarkRepresentation);
 
 bool ConstraintMarkRepresentation::HasMarksOf(Index constraint) const
 {
-  return this->Marks && std::any_of(this->Marks->marks.begin(), this->Marks->marks.end(),
-                                    [&](const ConstraintMark& mark) { return mark.constraint == constraint; });
+  return this->Marks && std::ranges::count(this->Marks->marks, constraint, &ConstraintMark::constraint) > 0;
 }
 
 std::optional<Index> ConstraintMarkRepresentation::FindConstraint(double displayX, double displayY) const
@@ -49,13 +48,6 @@ ConstraintMarkWidget::ConstraintMarkWidget()
   this->Bind<&ConstraintMarkWidget::Leave>(vtkCommand::LeaveEvent, vtkWidgetEvent::HoverLeave);
   this->Bind<&ConstraintMarkWidget::PressClick>(vtkCommand::LeftButtonPressEvent, vtkWidgetEvent::Select);
   this->Bind<&ConstraintMarkWidget::Release>(vtkCommand::LeftButtonReleaseEvent, vtkWidgetEvent::EndSelect);
-}
-
-void ConstraintMarkWidget::SetEnabled(int enabling)
-{
-  if (enabling == 0 && this->Enabled != 0) this->Leave();
-  this->LeftClick.Forget();
-  this->Superclass::SetEnabled(enabling);
 }
 
 void ConstraintMarkWidget::SetMarks(std::shared_ptr<const MarkSet> marks)

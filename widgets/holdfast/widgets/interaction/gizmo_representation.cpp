@@ -134,11 +134,6 @@ void GizmoRepresentation::SetMotions(GizmoMotions motions)
   this->Modified();
 }
 
-bool GizmoRepresentation::IsDrawn(GizmoPart part) const
-{
-  return this->Visibility && this->Offers(part) && (!this->Drag || this->Drag->part == part);
-}
-
 GizmoDrag GizmoRepresentation::NewDrag(const DisplayPoint& cursor)
 {
   const DisplayTransform view(*this->Renderer);

@@ -106,7 +106,10 @@ class GizmoRepresentation : public vtkWidgetRepresentation {
   void PlaceParts(const DisplayTransform& view, const GizmoPlacement& placement);
   void PlaceLetters(const DisplayTransform& view, const GizmoPlacement& placement);
   void PlaceLabel();
-  [[nodiscard]] bool IsDrawn(GizmoPart part) const;
+  [[nodiscard]] bool IsDrawn(GizmoPart part) const
+  {
+    return this->Visibility && this->Offers(part) && (!this->Drag || this->Drag->part == part);
+  }
   [[nodiscard]] double Radius() const { return this->PixelSize * this->PixelRatio; }
 
   GizmoFrame Frame;

@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <vtkAbstractWidget.h>
@@ -32,6 +33,15 @@ enum InteractionEvents : unsigned long {
   /// The right button went down and up in one place. Call data: none; the interactor has the place.
   ContextMenuRequestEvent
 };
+
+/// As `vtkSetMacro` sets a member of `object`, for types that VTK cannot print.
+template <class Value>
+void assign(vtkObject& object, Value& member, Value value)
+{
+  if (member == value) return;
+  member = std::move(value);
+  object.Modified();
+}
 
 /// A press and a release nearer than this are a click.
 inline constexpr double kClickPixels = 4;
@@ -75,7 +85,7 @@ class Click {
 template <class Result, class Widget>
 Widget classOf(Result (Widget::*action)());
 
-/// A widget whose representation is of one class.
+/// A widget whose representation is of one class. Disabling it stops what is under way.
 template <class Representation, class Base = vtkAbstractWidget>
 class WidgetOf : public Base {
  public:
@@ -83,6 +93,12 @@ class WidgetOf : public Base {
   {
     this->SetWidgetRepresentation(representation);
     if (representation != nullptr) this->Inform(*representation);
+  }
+  void SetEnabled(int enabling) override
+  {
+    if (enabling == 0 && this->Enabled != 0) this->Stop();
+    this->LeftClick.Forget();
+    this->Base::SetEnabled(enabling);
   }
   /// Not by SetRepresentation, which would disable the widget and enable it again: that asks for a representation.
   void CreateDefaultRepresentation() override
@@ -96,6 +112,8 @@ class WidgetOf : public Base {
  protected:
   /// Tells a new representation what the widget knows.
   virtual void Inform(Representation& /*representation*/) {}
+  /// The widget is enabled, and about to be disabled.
+  virtual void Stop() {}
   [[nodiscard]] Representation& Drawn() { return *static_cast<Representation*>(this->GetRepresentation()); }
 
   /// The widget event calls a member function without arguments. One that returns true has used the VTK event.

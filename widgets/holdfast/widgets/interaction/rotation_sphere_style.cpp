@@ -8,7 +8,6 @@
 #include <holdfast/geometry/degree.h>
 #include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/widgets/interaction/interaction_events.h>
-#include <holdfast/widgets/rotation_sphere/rotation_sphere.h>
 #include <holdfast/widgets/rotation_sphere/sphere_camera.h>
 
 namespace holdfast {

@@ -8,7 +8,6 @@
 #include <vtkEvent.h>
 
 #include <holdfast/widgets/camera/camera_state.h>
-#include <holdfast/widgets/interaction/interaction_events.h>
 #include <holdfast/widgets/picking/surface_picker.h>
 
 namespace holdfast {

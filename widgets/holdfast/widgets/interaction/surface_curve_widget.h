@@ -61,6 +61,8 @@ class SurfaceCurveWidget : public WidgetOf<SurfaceCurveRepresentation, vtkContou
   SurfaceCurveWidget();
   ~SurfaceCurveWidget() override = default;
 
+  void Stop() override;
+
  private:
   // One for each widget event: whether the VTK event has been used.
   bool Press();

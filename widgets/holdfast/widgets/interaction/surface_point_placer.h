@@ -3,13 +3,13 @@
 
 #include <memory>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include <vtkContourLineInterpolator.h>
 #include <vtkPointPlacer.h>
 
 #include <holdfast/surface/vertex_regions.h>
+#include <holdfast/widgets/interaction/interaction_events.h>
 #include <holdfast/widgets/picking/surface_picker.h>
 #include <holdfast/widgets/picking/visible_surface.h>
 
@@ -22,12 +22,7 @@ class SurfacePointPlacer : public vtkPointPlacer {
   vtkTypeMacro(SurfacePointPlacer, vtkPointPlacer)
 
   /// Null (the default): no points. May change at any time.
-  void SetSurface(std::shared_ptr<const VisibleSurface> surface)
-  {
-    if (this->Surface == surface) return;
-    this->Surface = std::move(surface);
-    this->Modified();
-  }
+  void SetSurface(std::shared_ptr<const VisibleSurface> surface) { assign(*this, this->Surface, std::move(surface)); }
   [[nodiscard]] const std::shared_ptr<const VisibleSurface>& GetSurface() const { return this->Surface; }
 
   /// `Nearest` by default.
@@ -79,12 +74,7 @@ class SurfaceCurveInterpolator : public vtkContourLineInterpolator {
   vtkTypeMacro(SurfaceCurveInterpolator, vtkContourLineInterpolator)
 
   /// Until both are there, and made of one model, nothing is joined; null by default.
-  void SetSurface(std::shared_ptr<const VisibleSurface> surface)
-  {
-    if (this->Surface == surface) return;
-    this->Surface = std::move(surface);
-    this->Modified();
-  }
+  void SetSurface(std::shared_ptr<const VisibleSurface> surface) { assign(*this, this->Surface, std::move(surface)); }
   [[nodiscard]] const std::shared_ptr<const VisibleSurface>& GetSurface() const { return this->Surface; }
   void SetRegions(std::shared_ptr<const VertexRegions> regions);
   [[nodiscard]] const std::shared_ptr<const VertexRegions>& GetRegions() const { return this->Regions; }

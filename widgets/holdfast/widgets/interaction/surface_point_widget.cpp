@@ -124,13 +124,6 @@ void SurfacePointWidget::Inform(SurfacePointRepresentation& representation)
   representation.SetPixelRatio(this->GetPixelRatio());
 }
 
-void SurfacePointWidget::SetEnabled(int enabling)
-{
-  if (enabling == 0 && this->Enabled != 0) this->Leave();
-  this->LeftClick.Forget();
-  this->Superclass::SetEnabled(enabling);
-}
-
 void SurfacePointWidget::SetSurface(std::shared_ptr<const VisibleSurface> surface)
 {
   this->Placer->SetSurface(std::move(surface));
@@ -160,11 +153,6 @@ bool SurfacePointWidget::WantsKey(char key) const
 {
   return this->EventTranslator->GetTranslation(vtkCommand::CharEvent, vtkEvent::NoModifier, key, 0, nullptr) !=
          vtkWidgetEvent::NoEvent;
-}
-
-std::optional<SurfacePick> SurfacePointWidget::PickAtCursor() const
-{
-  return this->Placer->Pick(*this->CurrentRenderer, this->Cursor().data());
 }
 
 void SurfacePointWidget::Show(std::optional<SurfacePick> pick)

@@ -70,8 +70,6 @@ class SurfacePointWidget : public WidgetOf<SurfacePointRepresentation> {
   vtkTypeMacro(SurfacePointWidget, vtkAbstractWidget)
 
   [[nodiscard]] SurfacePointRepresentation* GetSurfacePointRepresentation() { return &this->Drawn(); }
-  /// Disabling hides the point.
-  void SetEnabled(int enabling) override;
 
   /// Null (the default): no points. May change at any time, see `SurfacePointRepresentation::SetSurface`.
   void SetSurface(std::shared_ptr<const VisibleSurface> surface);
@@ -97,6 +95,7 @@ class SurfacePointWidget : public WidgetOf<SurfacePointRepresentation> {
   ~SurfacePointWidget() override = default;
 
   void Inform(SurfacePointRepresentation& representation) override;
+  void Stop() override { this->Leave(); }
 
  private:
   void Hover();
@@ -105,7 +104,10 @@ class SurfacePointWidget : public WidgetOf<SurfacePointRepresentation> {
   template <PickKind Kind>
   bool Choose();
 
-  [[nodiscard]] std::optional<SurfacePick> PickAtCursor() const;
+  [[nodiscard]] std::optional<SurfacePick> PickAtCursor() const
+  {
+    return this->Placer->Pick(*this->CurrentRenderer, this->Cursor().data());
+  }
   void Show(std::optional<SurfacePick> pick);
 
   vtkNew<SurfacePointPlacer> Placer;

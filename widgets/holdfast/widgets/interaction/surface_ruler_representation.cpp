@@ -117,11 +117,6 @@ void SurfaceHandleRepresentation::FollowSurface()
   this->SetWorldPosition(place.data());
 }
 
-Vector3 SurfaceHandleRepresentation::GetRestPlace() const
-{
-  return positionOf(this->Placement->point, this->GetSurface()->model().mesh.positions);
-}
-
 void SurfaceHandleRepresentation::SetDisplayPosition(double display[3])
 {
   auto* placer = SurfacePointPlacer::SafeDownCast(this->PointPlacer);
@@ -154,11 +149,6 @@ SurfaceRulerRepresentation::SurfaceRulerRepresentation()
   this->Halo->GetProperty()->SetColor(1, 1, 1);
   setColor(*this->Line, kAccentColor);
   this->SetPixelRatio(1);
-}
-
-SurfaceHandleRepresentation& SurfaceRulerRepresentation::GetHandle(int end) const
-{
-  return *static_cast<SurfaceHandleRepresentation*>(end == 0 ? this->Point1Representation : this->Point2Representation);
 }
 
 void SurfaceRulerRepresentation::SetSurface(std::shared_ptr<const VisibleSurface> surface)

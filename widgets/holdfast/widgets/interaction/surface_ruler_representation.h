@@ -40,7 +40,10 @@ class SurfaceHandleRepresentation : public vtkPointHandleRepresentation2D {
   void FollowSurface();
 
   /// Its place at rest and now, model units. It is placed.
-  [[nodiscard]] Vector3 GetRestPlace() const;
+  [[nodiscard]] Vector3 GetRestPlace() const
+  {
+    return positionOf(this->Placement->point, this->GetSurface()->model().mesh.positions);
+  }
   [[nodiscard]] Vector3 GetPlace() const { return positionOf(this->Placement->point, this->GetSurface()->positions()); }
 
   void SetDisplayPosition(double display[3]) override;
@@ -70,7 +73,11 @@ class SurfaceRulerRepresentation : public vtkDistanceRepresentation2D {
   void SetSurface(std::shared_ptr<const VisibleSurface> surface);
 
   /// The ends, 0 and 1.
-  [[nodiscard]] SurfaceHandleRepresentation& GetHandle(int end) const;
+  [[nodiscard]] SurfaceHandleRepresentation& GetHandle(int end) const
+  {
+    return *static_cast<SurfaceHandleRepresentation*>(end == 0 ? this->Point1Representation
+                                                               : this->Point2Representation);
+  }
   /// Whether both are placed.
   [[nodiscard]] bool IsPlaced() const { return this->GetHandle(0).GetPlacement() && this->GetHandle(1).GetPlacement(); }
 

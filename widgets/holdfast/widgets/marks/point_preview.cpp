@@ -1,7 +1,5 @@
 #include "holdfast/widgets/marks/point_preview.h"
 
-#include <vtkActor.h>
-
 #include <holdfast/widgets/marks/constraint_glyphs.h>
 
 namespace holdfast {

@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
+#include <vtkActor.h>
+
 #include <holdfast/widgets/marks/mark_set.h>
 #include <holdfast/widgets/marks/point_sprites.h>
-
-class vtkActor;
 
 namespace holdfast {
 

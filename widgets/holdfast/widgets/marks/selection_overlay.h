@@ -1,6 +1,7 @@
 #pragma once
 /// Vertices that are selected, on the mesh that is drawn.
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -38,7 +39,10 @@ class SelectionOverlay {
   [[nodiscard]] ActorSlices& tintSlices() { return tintSlices_; }
 
  private:
-  [[nodiscard]] bool areSelected(std::span<const Index> points, const std::vector<Index>& vertexOf) const;
+  [[nodiscard]] bool areSelected(std::span<const Index> points, const std::vector<Index>& vertexOf) const
+  {
+    return std::ranges::all_of(points, [&](Index point) { return isSelected_[vertexOf[point]] != 0; });
+  }
   [[nodiscard]] vtkIdType tintedOf(const Polygons& triangles, const std::vector<Index>& vertexOf) const;
   void setTint(vtkPolyData& data, const Polygons& triangles, const std::vector<Index>& vertexOf) const;
   void updateTint();

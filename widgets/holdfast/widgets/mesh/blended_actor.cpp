@@ -13,8 +13,6 @@ namespace {
 constexpr unsigned int kAsNearOrNearer = 0x0203;
 constexpr unsigned int kFarther = 0x0204;
 
-constexpr double kFaintOpacity = 0.30;
-
 }  // namespace
 
 vtkStandardNewMacro(BlendedActor);
@@ -28,11 +26,6 @@ void BlendedActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
 }
 
 vtkStandardNewMacro(BehindActor);
-
-BehindActor::BehindActor()
-{
-  GetProperty()->SetOpacity(kFaintOpacity);
-}
 
 void BehindActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
 {

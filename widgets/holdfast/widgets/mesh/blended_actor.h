@@ -2,6 +2,7 @@
 /// Actors that are blended with what is there, without an order of their own.
 
 #include <vtkOpenGLActor.h>
+#include <vtkProperty.h>
 
 namespace holdfast {
 
@@ -28,7 +29,7 @@ class BehindActor : public BlendedActor {
   void Render(vtkRenderer* renderer, vtkMapper* mapper) override;
 
  protected:
-  BehindActor();
+  BehindActor() { GetProperty()->SetOpacity(0.30); }
 };
 
 }  // namespace holdfast

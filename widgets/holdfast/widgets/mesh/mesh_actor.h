@@ -5,7 +5,15 @@
 #include <optional>
 #include <vector>
 
+#include <vtkActor.h>
+#include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
 #include <vtkNew.h>
+#include <vtkPlane.h>
+#include <vtkPlaneCollection.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
 
 #include <holdfast/widgets/color/color_map.h>
 #include <holdfast/widgets/mesh/actor_slices.h>
@@ -13,15 +21,6 @@
 #include <holdfast/widgets/mesh/coarse_surface.h>
 #include <holdfast/widgets/mesh/section_plane.h>
 #include <holdfast/widgets/mesh/shaded_surface.h>
-
-class vtkActor;
-class vtkDoubleArray;
-class vtkFloatArray;
-class vtkPlane;
-class vtkPlaneCollection;
-class vtkPoints;
-class vtkPolyData;
-class vtkPolyDataMapper;
 
 namespace holdfast {
 

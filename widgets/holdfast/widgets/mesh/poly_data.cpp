@@ -3,12 +3,8 @@
 #include <algorithm>
 
 #include <fmt/format.h>
-#include <vtkCellArray.h>
 #include <vtkDataArray.h>
-#include <vtkDoubleArray.h>
 #include <vtkNew.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
 
 #include <holdfast/base/error.h>
 

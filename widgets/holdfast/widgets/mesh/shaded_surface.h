@@ -13,6 +13,9 @@ struct ShadedSurface {
   Polygons triangles;                         ///< over points
   std::vector<Index> vertexOf;                ///< file vertex of each point
   std::vector<std::array<Index, 2>> creases;  ///< points at the ends of sharp edges and of borders that are drawn
+
+  /// The first point of each of `vertexCount` file vertices, -1 where no triangle uses it. O(points).
+  [[nodiscard]] std::vector<Index> pointOf(Index vertexCount) const;
 };
 
 /// Edges are sharp where the normals on both sides differ by more than this at rest.

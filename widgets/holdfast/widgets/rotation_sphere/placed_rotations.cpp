@@ -4,40 +4,10 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
+#include <utility>
 
 namespace holdfast {
 namespace {
-
-/// Cells of a grid that hold something. A table with room to spare, probed from place to place: sets of the standard
-/// library take several times as long.
-class TakenCells {
- public:
-  explicit TakenCells(std::size_t most)
-  {
-    std::size_t size = 2;
-    while (size < 2 * most) size *= 2;
-    taken_.resize(size, kFree);
-  }
-
-  /// False where the cell was taken.
-  bool take(std::uint64_t cell)
-  {
-    const std::size_t mask = taken_.size() - 1;
-    // Fibonacci hashing: D. Knuth, The Art of Computer Programming 3, 6.4.
-    std::size_t at = (cell * 0x9E3779B97F4A7C15U >> 32U) & mask;
-    while (taken_[at] != kFree) {
-      if (taken_[at] == cell) return false;
-      at = (at + 1) & mask;
-    }
-    taken_[at] = cell;
-    return true;
-  }
-
- private:
-  static constexpr std::uint64_t kFree = 0;  // no cell: cells count from 1 along each axis
-
-  std::vector<std::uint64_t> taken_;
-};
 
 std::uint64_t cellOf(const Vector3& place, double side)
 {
@@ -51,10 +21,14 @@ std::uint64_t cellOf(const Vector3& place, double side)
 
 std::vector<Index> firstOfCells(const std::vector<Vector3>& places, const std::vector<Index>& among, double side)
 {
-  TakenCells taken(among.size());
+  std::vector<std::pair<std::uint64_t, Index>> cells;
+  for (const Index place : among) cells.emplace_back(cellOf(places[place], side), place);
+  std::sort(cells.begin(), cells.end());
+  const auto isSame = [](const auto& a, const auto& b) { return a.first == b.first; };
+  cells.erase(std::unique(cells.begin(), cells.end(), isSame), cells.end());
   std::vector<Index> first;
-  for (const Index place : among)
-    if (taken.take(cellOf(places[place], side))) first.push_back(place);
+  for (const auto& [cell, place] : cells) first.push_back(place);
+  std::sort(first.begin(), first.end());
   return first;
 }
 

@@ -6,17 +6,16 @@
 #include <optional>
 #include <vector>
 
+#include <vtkActor.h>
 #include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
+#include <vtkTextActor.h>
 
 #include <holdfast/widgets/color/coloring.h>
 #include <holdfast/widgets/mesh/blended_actor.h>
 #include <holdfast/widgets/rotation_sphere/placed_rotations.h>
-
-class vtkActor;
-class vtkPolyData;
-class vtkRenderer;
-class vtkTextActor;
 
 namespace holdfast {
 

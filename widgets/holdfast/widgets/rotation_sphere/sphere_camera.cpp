@@ -4,7 +4,6 @@
 #include <limits>
 
 #include <Eigen/Geometry>
-#include <vtkCamera.h>
 
 namespace holdfast {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include <holdfast/base/types.h>
+#include <vtkCamera.h>
 
-class vtkCamera;
+#include <holdfast/base/types.h>
 
 namespace holdfast {
 

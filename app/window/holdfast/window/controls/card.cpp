@@ -1,12 +1,8 @@
 #include "holdfast/window/controls/card.h"
 
-#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QIcon>
-#include <QLabel>
-#include <QPushButton>
 #include <QStyle>
-#include <QVBoxLayout>
 
 #include <holdfast/window/controls/panel_parts.h>
 
@@ -22,7 +18,7 @@ Card::Card(QWidget* parent)
   setFrameShape(StyledPanel);
   setAutoFillBackground(true);
   setBackgroundRole(QPalette::Base);
-  QHBoxLayout* layout = new QHBoxLayout(this);
+  auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(10, 8, 10, 8);
   layout->setSpacing(8);
   layout->addWidget(icon_, 0, Qt::AlignTop);
@@ -40,11 +36,6 @@ void Card::setIcon(const QIcon& icon)
   const int side = style()->pixelMetric(QStyle::PM_SmallIconSize);
   icon_->setPixmap(icon.pixmap(side, side));
   icon_->setVisible(!icon.isNull());
-}
-
-void Card::setTitle(const QString& title)
-{
-  title_->setText(title);
 }
 
 void Card::setText(const QString& text)
@@ -65,18 +56,12 @@ QPushButton* Card::addButton(const QString& text, const QString& name)
 
 CardList::CardList(QWidget* parent) : QScrollArea(parent)
 {
-  QWidget* content = new QWidget;
-  layout_ = newLayout<QVBoxLayout>(content, 8, 8);
+  setWidget(new QWidget);
+  layout_ = newLayout<QVBoxLayout>(widget(), 8, 8);
   layout_->addStretch(1);
-  setWidget(content);
   setWidgetResizable(true);
   setFrameShape(NoFrame);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-}
-
-void CardList::add(QWidget* card)
-{
-  layout_->insertWidget(layout_->count() - 1, card);
 }
 
 }  // namespace holdfast

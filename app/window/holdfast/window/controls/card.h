@@ -2,16 +2,14 @@
 /// A framed piece of text with buttons below it: what panels of conflicts and findings are made of.
 
 #include <QFrame>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
 #include <QScrollArea>
-
-class QGridLayout;
-class QLabel;
-class QPushButton;
-class QVBoxLayout;
+#include <QVBoxLayout>
 
 namespace holdfast {
 
-/// A title with an icon, some text that can be copied, and buttons.
 class Card : public QFrame {
   Q_OBJECT
 
@@ -19,8 +17,7 @@ class Card : public QFrame {
   explicit Card(QWidget* parent = nullptr);
 
   void setIcon(const QIcon& icon);
-  void setTitle(const QString& title);
-  /// Hidden where it is empty.
+  void setTitle(const QString& title) { title_->setText(title); }
   void setText(const QString& text);
   /// Below the text, two side by side; every third has a line of its own.
   QPushButton* addButton(const QString& text, const QString& name);
@@ -32,14 +29,14 @@ class Card : public QFrame {
   QGridLayout* buttons_;
 };
 
-/// Cards below one another, scrolled where they need more room, and a text where there are none.
+/// Cards below one another, scrolled where they need more room.
 class CardList : public QScrollArea {
   Q_OBJECT
 
  public:
   explicit CardList(QWidget* parent = nullptr);
 
-  void add(QWidget* card);
+  void add(QWidget* card) { layout_->insertWidget(layout_->count() - 1, card); }
 
  private:
   QVBoxLayout* layout_;

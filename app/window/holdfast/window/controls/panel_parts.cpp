@@ -1,36 +1,16 @@
 #include "holdfast/window/controls/panel_parts.h"
 
 #include <QHeaderView>
-#include <QLabel>
-#include <QScrollArea>
-#include <QTableView>
 #include <QVBoxLayout>
 
 #include <holdfast/window/controls/status_style.h>
 
 namespace holdfast {
-namespace {
-
-QLabel* newWrapped(const QString& name)
-{
-  auto* label = named(new QLabel, name);
-  label->setWordWrap(true);
-  return label;
-}
-
-}  // namespace
-
-QLabel* newHint(const QString& name)
-{
-  QLabel* label = newWrapped(name);
-  label->setAlignment(Qt::AlignCenter);
-  label->setMargin(12);
-  return label;
-}
 
 QLabel* newText(const QString& name)
 {
-  QLabel* label = newWrapped(name);
+  auto* label = named(new QLabel, name);
+  label->setWordWrap(true);
   label->setTextFormat(Qt::PlainText);
   label->setTextInteractionFlags(Qt::TextSelectableByMouse);
   return label;
@@ -79,8 +59,11 @@ void showRefusal(QLabel& label, const QString& reason)
   label.setVisible(true);
 }
 
-HintedContent::HintedContent(QWidget* content, const QString& hintName) : hint_(newHint(hintName))
+HintedContent::HintedContent(QWidget* content, const QString& hintName) : hint_(named(new QLabel, hintName))
 {
+  hint_->setWordWrap(true);
+  hint_->setAlignment(Qt::AlignCenter);
+  hint_->setMargin(12);
   addWidget(hint_);
   addWidget(content);
 }

@@ -1,12 +1,11 @@
 #pragma once
 /// What panels and dialogs are put together from. Widgets are returned without a parent: a layout takes them.
 
+#include <QLabel>
+#include <QScrollArea>
 #include <QStackedWidget>
+#include <QTableView>
 #include <initializer_list>
-
-class QLabel;
-class QScrollArea;
-class QTableView;
 
 namespace holdfast {
 
@@ -17,15 +16,13 @@ Object* named(Object* object, const QString& name)
   return object;
 }
 
-/// The same, with a name for screen readers.
+/// `spoken`: for screen readers.
 template <class Widget>
 Widget* named(Widget* widget, const QString& name, const QString& spoken)
 {
   widget->setAccessibleName(spoken);
   return named(widget, name);
 }
-
-[[nodiscard]] QLabel* newHint(const QString& name);
 
 /// Lines of plain text that can be selected with the mouse.
 [[nodiscard]] QLabel* newText(const QString& name);
@@ -47,7 +44,6 @@ Layout* newLayout(QWidget* owner, int margin, int spacing, std::initializer_list
 /// Less important than other texts, or as they are.
 void setQuiet(QWidget& text, bool isQuiet);
 
-/// `content` fills `panel`.
 void fill(QWidget& panel, QWidget* content);
 
 /// Rows without lines between them, in two alternating colours.
@@ -66,7 +62,6 @@ class RefreshedPanel : public QWidget {
   virtual void refresh() = 0;
 };
 
-/// The content of a panel, or a hint in its place.
 class HintedContent : public QStackedWidget {
  public:
   HintedContent(QWidget* content, const QString& hintName);

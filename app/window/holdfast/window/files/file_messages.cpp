@@ -3,7 +3,6 @@
 #include <QCoreApplication>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QMessageBox>
 #include <QProgressDialog>
 #include <QPushButton>
 #include <QRegularExpression>
@@ -12,7 +11,6 @@
 #include <holdfast/base/error.h>
 #include <holdfast/widgets/files/any_mesh_file.h>
 #include <holdfast/window/controls/panel_parts.h>
-#include <holdfast/window/model/background_job.h>
 
 namespace holdfast {
 namespace {
@@ -119,16 +117,14 @@ void showProgress(BackgroundJob& job, QWidget* window, const QString& title)
   QTimer::singleShot(300, dialog, &QWidget::show);
 }
 
-SaveAnswer askToSave(QWidget* window, const QString& name, const QString& action)
+QMessageBox::StandardButton askToSave(QWidget* window, const QString& name, const QString& action)
 {
   Box box(window, QMessageBox::Warning, FileMessages::tr("Save the changes to “%1” before %2?").arg(name, action),
           FileMessages::tr("Changes that are not saved are lost."));
   box.setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
   box.setDefaultButton(QMessageBox::Save);
   box.setEscapeButton(QMessageBox::Cancel);
-  const int answer = box.exec();
-  if (answer == QMessageBox::Save) return SaveAnswer::Save;
-  return answer == QMessageBox::Discard ? SaveAnswer::Discard : SaveAnswer::Cancel;
+  return static_cast<QMessageBox::StandardButton>(box.exec());
 }
 
 bool askToGoOn(QWidget* window, const QString& headline, const QString& explanation, const QString& goOn)

@@ -1,5 +1,4 @@
 #include <QHeaderView>
-#include <QLabel>
 #include <QPushButton>
 #include <QTableView>
 #include <cmath>
@@ -9,8 +8,7 @@
 #include <holdfast/document/handle_restated.h>
 #include <holdfast/document/list_edits.h>
 #include <holdfast/geometry/centroid.h>
-#include <holdfast/window/controls/panel_parts.h>
-#include <holdfast/window/inspector/sections.h>
+#include <holdfast/window/inspector/inspector_section.h>
 #include <holdfast/window/model/at_rest.h>
 #include <holdfast/window/table/vertex_table_model.h>
 #include <holdfast/window/text/constraint_text.h>
@@ -135,12 +133,8 @@ class HandleSection : public SectionOf<HandleConstraint> {
   }
 };
 
-FrameMotion& framesOf(HandleConstraint& handle)
-{
-  return std::get<FrameMotion>(handle.motion);
-}
-
-const FrameMotion& framesOf(const HandleConstraint& handle)
+/// Of a handle, const or not.
+auto& framesOf(auto& handle)
 {
   return std::get<FrameMotion>(handle.motion);
 }

@@ -1,9 +1,9 @@
 #pragma once
 /// The panel that shows what is selected with all digits, and edits it by typing.
 
-#include <holdfast/window/model/editor.h>
+#include <QWidget>
 
-class QWidget;
+#include <holdfast/window/model/editor.h>
 
 namespace holdfast {
 

@@ -2,43 +2,29 @@
 
 #include <QCoreApplication>
 #include <QEvent>
-#include <atomic>
-#include <thread>
 #include <utility>
 
 #include <holdfast/base/thread_priority.h>
 
 namespace holdfast {
 
-struct BackgroundJob::Run {
-  std::atomic<bool> hasEnded = false;
-  std::jthread thread;  // its destructor asks for the end and waits
-};
-
 void PostedCalls::post(Call call)
 {
   const std::scoped_lock lock(mutex_);
   calls_.push_back(std::move(call));
-  // Under the lock, so that the event too was made before `next` returns, after which it is deleted.
+  // Under the lock, so that the event too was made before its call is taken, after which it is deleted.
   QCoreApplication::postEvent(this, new QEvent(QEvent::User));
 }
 
 void PostedCalls::customEvent(QEvent* /*event*/)
 {
+  std::unique_lock lock(mutex_);
+  const Call call = std::move(calls_.front());
+  calls_.pop_front();
+  lock.unlock();
   // The call may be the end of this object.
-  const Call call = next();
   call();
 }
-
-PostedCalls::Call PostedCalls::next()
-{
-  const std::scoped_lock lock(mutex_);
-  Call call = std::move(calls_.front());
-  calls_.pop_front();
-  return call;
-}
-
-BackgroundJob::BackgroundJob(QObject* parent) : QObject(parent) {}
 
 BackgroundJob::~BackgroundJob()
 {

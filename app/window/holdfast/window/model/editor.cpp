@@ -10,12 +10,6 @@ namespace {
 // Solved states: enough to go back and forth between neighbours at once, and small beside the factor.
 constexpr std::size_t kRemembered = 6;
 
-std::shared_ptr<const VisibleSurface> moved(const VisibleSurface& atRest,
-                                            const std::shared_ptr<const DeformResult>& deformation)
-{
-  return std::make_shared<const VisibleSurface>(atRest.movedTo({deformation, &deformation->positions}));
-}
-
 }  // namespace
 
 std::vector<Index> sortedOnce(std::vector<Index> numbers)
@@ -36,7 +30,9 @@ void Editor::open(LoadedMesh mesh, DocumentState state)
                    marks = std::shared_ptr<const MarkSet>()](const LiveEvent& event) mutable -> Solved {
     if (event.deformation == nullptr) return {};
     marks = markSet(constraintMarks(*model, event.state->list, *event.deformation), marks);
-    return {event.state, event.deformation, moved(*atRest, event.deformation), marks};
+    auto surface =
+        std::make_shared<const VisibleSurface>(atRest->movedTo({event.deformation, &event.deformation->positions}));
+    return {event.state, event.deformation, std::move(surface), marks};
   };
   worker_ = std::make_unique<LiveDeformer>(mesh_.model, [this, prepared](const LiveEvent& event) mutable {
     calls_.post([this, event, solved = prepared(event)] { handle(event, solved); });
@@ -136,11 +132,6 @@ void Editor::cancelSolving()
   setSolveState(SolveState::Cancelled, {});
 }
 
-void Editor::solve()
-{
-  if (isOpen()) submit(Supersede::AtNextStep);
-}
-
 void Editor::submit(Supersede supersede)
 {
   const auto state = history_->state();
@@ -221,11 +212,6 @@ void Editor::selectVertices(std::vector<Index> vertices, std::optional<Selection
   if (vertices == selectedVertices_) return;
   selectedVertices_ = std::move(vertices);
   Q_EMIT vertexSelectionChanged();
-}
-
-Selection Editor::selection() const
-{
-  return selectedShape_ ? *selectedShape_ : Selection{VertexIds{selectedVertices_}};
 }
 
 void Editor::selectConstraints(std::vector<Index> constraints)

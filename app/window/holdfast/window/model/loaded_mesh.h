@@ -24,8 +24,7 @@ struct LoadedMesh {
   std::shared_ptr<const VisibleSurface> surface;  ///< at rest, ready for rays
 };
 
-/// Reads and prepares the file, by its extension one of core's formats or VTK's. Throws as `readMesh` and `makeModel`
-/// do, and what `progress` throws.
+/// Throws as `readAnyMesh` and `makeModel` do, and what `progress` throws.
 [[nodiscard]] LoadedMesh loadMesh(const std::filesystem::path& path, Progress& progress);
 
 /// The same for a mesh in memory; `path` names it.

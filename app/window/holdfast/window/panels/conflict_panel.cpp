@@ -1,6 +1,5 @@
 #include <QLabel>
 #include <QPushButton>
-#include <QString>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <string>

@@ -1,6 +1,5 @@
 #include "holdfast/window/panels/histogram_panel.h"
 
-#include <QLabel>
 #include <QSplitter>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -10,7 +9,6 @@
 #include <holdfast/deform/deform_details.h>
 #include <holdfast/geometry/rotation_log.h>
 #include <holdfast/widgets/rotation_sphere/rotation_projection.h>
-#include <holdfast/window/panels/histogram_view.h>
 #include <holdfast/window/text/number_text.h>
 
 namespace holdfast {
@@ -30,12 +28,6 @@ std::vector<double> residualShares(const DeformResult& deformation, double diago
   for (const ConstraintOutcome& outcome : deformation.report.constraints)
     shares.push_back(outcome.residual ? *outcome.residual / diagonal : kNoValue);
   return shares;
-}
-
-/// The smallest limit of a constraint as a share of the diagonal: what is marked.
-double leastLimit(const DeformResult& deformation, double diagonal)
-{
-  return std::ranges::min(deformation.details->diagnosis.limits) / diagonal;
 }
 
 Index countWithinLimits(const std::vector<ConstraintOutcome>& outcomes)
@@ -111,7 +103,7 @@ void HistogramPanel::refreshResiduals()
   std::vector<double> shares = residualShares(deformation, diagonal);
   const Histogram histogram = logarithmicHistogram(shares, kFirstPower, kLastPower);
   if (histogram.valueCount == 0) return;
-  const double promise = leastLimit(deformation, diagonal);
+  const double promise = std::ranges::min(deformation.details->diagnosis.limits) / diagonal;
   ChartTexts texts;
   texts.title = tr("Residuals of constraints: %1 of %2 within their limits, the least %3 of the diagonal (dashed)")
                     .arg(countWithinLimits(deformation.report.constraints))

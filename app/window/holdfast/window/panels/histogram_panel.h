@@ -1,20 +1,17 @@
 #pragma once
 /// The panel of distributions: how well constraints are met, and how much the surface turns.
 
+#include <QLabel>
 #include <vector>
 
 #include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/model/editor.h>
-
-class QLabel;
+#include <holdfast/window/panels/histogram_view.h>
 
 namespace holdfast {
 
-class HistogramView;
-
-/// Two charts of the editor's deformation: residuals of constraints as shares of the bounding box's diagonal, on a
-/// logarithmic scale with the promise marked, and rotation angles of vertices in degrees. A click on a bar picks what
-/// it counts. Kept up to date only while it is visible.
+/// Residuals of constraints as shares of the bounding box's diagonal, on a logarithmic scale with the promise marked,
+/// and rotation angles of vertices. A click on a bar picks what it counts.
 class HistogramPanel : public RefreshedPanel {
   Q_OBJECT
 

@@ -16,8 +16,7 @@ struct ChartTexts {
   std::function<QString(Index bin)> describe;  ///< the range and the count of a bar, for its tool tip
 };
 
-/// A bar answers to the mouse in its whole column, so small bars are as easy to hit as large ones. Arrow keys go from
-/// bar to bar, Enter is a click.
+/// A bar answers to the mouse in its whole column. Arrow keys go from bar to bar, Enter is a click.
 class HistogramView : public QWidget {
   Q_OBJECT
 

@@ -5,8 +5,6 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
-#include <QString>
-#include <QStringList>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <string>

@@ -2,7 +2,6 @@
 
 #include <QHBoxLayout>
 #include <QHelpEvent>
-#include <QLabel>
 #include <QToolButton>
 #include <QToolTip>
 #include <QVBoxLayout>
@@ -10,26 +9,12 @@
 
 #include <QVTKInteractor.h>
 #include <vtkRenderWindow.h>
-#include <vtkRenderer.h>
 
 #include <holdfast/geometry/rotation_log.h>
-#include <holdfast/widgets/rotation_sphere/rotation_sphere.h>
-#include <holdfast/widgets/scene/example_document.h>
 #include <holdfast/window/controls/theme.h>
-#include <holdfast/window/controls/vtk_view.h>
 #include <holdfast/window/text/number_text.h>
 
 namespace holdfast {
-namespace {
-
-double largestDegrees(const std::vector<BoundaryRotation>& boundary)
-{
-  double largest = 0;
-  for (const BoundaryRotation& value : boundary) largest = std::max(largest, angleDegrees(value.q));
-  return largest;
-}
-
-}  // namespace
 
 SpherePanel::SpherePanel(Editor& editor) : editor_(editor)
 {
@@ -69,8 +54,6 @@ SpherePanel::SpherePanel(Editor& editor) : editor_(editor)
   connect(&editor_, &Editor::deformed, this, &SpherePanel::refresh);
   begin();
 }
-
-SpherePanel::~SpherePanel() = default;
 
 void SpherePanel::begin()
 {
@@ -140,11 +123,6 @@ void SpherePanel::place()
   });
 }
 
-void SpherePanel::showHint()
-{
-  pages_->showHint(editor_.isOpen() ? tr("No rotation yet: give a handle a turn.") : tr("No mesh is open."));
-}
-
 void SpherePanel::showPoints(const std::optional<Coloring>& coloring)
 {
   if (!sphere_) makeSphere();
@@ -152,9 +130,10 @@ void SpherePanel::showPoints(const std::optional<Coloring>& coloring)
   sphere_->setColoring(coloring);
   if (!isFitted_) sphere_->fitCamera();
   isFitted_ = true;
-  summary_->setText(tr("Prescribed rotations: %1, largest %2°")
-                        .arg(placed_->boundary.size())
-                        .arg(roundedText(largestDegrees(placed_->boundary))));
+  double largest = 0;
+  for (const BoundaryRotation& value : placed_->boundary) largest = std::max(largest, angleDegrees(value.q));
+  summary_->setText(
+      tr("Prescribed rotations: %1, largest %2°").arg(placed_->boundary.size()).arg(roundedText(largest)));
   summary_->setToolTip(tr("A point for each vertex: half its angle from the pole, towards its axis"));
   pages_->showContent();
   redraw();
@@ -193,11 +172,6 @@ void SpherePanel::applyPalette()
   style_->SetPixelRatio(devicePixelRatioF());
   sphere_->setLook({colors.ground, colors.raised, colors.ink, colors.accent, devicePixelRatioF()});
   redraw();
-}
-
-void SpherePanel::pickVertex(vtkObject* /*caller*/, unsigned long /*event*/, void* vertex)
-{
-  Q_EMIT vertexPicked(*static_cast<const Index*>(vertex));
 }
 
 void SpherePanel::showTip(const QPoint& place)

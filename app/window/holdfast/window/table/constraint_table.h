@@ -5,8 +5,8 @@
 
 namespace holdfast {
 
-/// Rows in a table. Keys of its actions work while it has the focus, whatever menus use them for. Clicks in cells that
-/// set a value keep a selection of several rows, because the value goes to all of them.
+/// Keys of its actions work while it has the focus, whatever menus use them for. Clicks in cells that set a value keep
+/// a selection of several rows, because the value goes to all of them.
 class ConstraintTable : public QTableView {
   Q_OBJECT
 

@@ -10,7 +10,6 @@
 #include <holdfast/base/printable.h>
 #include <holdfast/io/text/number_text.h>
 #include <holdfast/window/controls/status_style.h>
-#include <holdfast/window/controls/theme.h>
 #include <holdfast/window/model/at_rest.h>
 #include <holdfast/window/text/constraint_text.h>
 #include <holdfast/window/text/number_text.h>
@@ -36,11 +35,6 @@ constexpr std::array<ShownStatus, 7> kRanks{
 double rankOf(ShownStatus status)
 {
   return static_cast<double>(std::find(kRanks.begin(), kRanks.end(), status) - kRanks.begin());
-}
-
-QString axisName(int column)
-{
-  return QStringLiteral("xyz").mid(column - ConstraintTableModel::X, 1);
 }
 
 bool isCoordinate(int column)
@@ -89,11 +83,6 @@ ConstraintTableModel::ConstraintTableModel(Editor& editor, QObject* parent)
 int ConstraintTableModel::rowCount(const QModelIndex& parent) const
 {
   return parent.isValid() ? 0 : static_cast<int>(constraintsOf(shown_).size());
-}
-
-std::optional<ConstraintStatus> ConstraintTableModel::status(int row) const
-{
-  return editor_.status(constraint(row), row);
 }
 
 std::optional<double> ConstraintTableModel::coordinate(int row, int column) const
@@ -150,7 +139,7 @@ QVariant ConstraintTableModel::data(const QModelIndex& index, int role) const
     case Qt::CheckStateRole:
       return column == On ? QVariant(constraint(row).isEnabled ? Qt::Checked : Qt::Unchecked) : QVariant();
     case Qt::DecorationRole:
-      return column == Status ? QVariant(icon(status(row))) : QVariant();
+      return column == Status ? QVariant(statusIcon(status(row), QGuiApplication::palette())) : QVariant();
     case Qt::TextAlignmentRole:
       return QVariant(isCoordinate(column) || column == Residual || column == Force
                           ? static_cast<int>(Qt::AlignRight | Qt::AlignVCenter)
@@ -184,16 +173,8 @@ QString ConstraintTableModel::toolTip(int row, int column) const
   if (!number) return text(row, column);
   if (!isCoordinate(column)) return exact + age;
   const bool isHandle = std::holds_alternative<HandleConstraint>(constraint(row).what);
-  return isHandle ? tr("%1, the handle's shift along %2").arg(exact, axisName(column))
-                  : tr("%1, the target's %2").arg(exact, axisName(column));
-}
-
-const QIcon& ConstraintTableModel::icon(std::optional<ConstraintStatus> status) const
-{
-  const QPalette palette = QGuiApplication::palette();
-  const auto [found, isNew] = icons_.try_emplace({status, isDark(palette)});
-  if (isNew) found->second = statusIcon(status, palette);
-  return found->second;
+  return isHandle ? tr("%1, the handle's shift along %2").arg(exact, axisText(column - X))
+                  : tr("%1, the target's %2").arg(exact, axisText(column - X));
 }
 
 QVariant ConstraintTableModel::headerData(int section, Qt::Orientation orientation, int role) const
@@ -273,7 +254,7 @@ bool ConstraintTableModel::setCoordinate(const Rows& rows, int column, const QSt
     return false;
   }
   const Index axis = column - X;
-  const QString name = tr("move %1 to %2 = %3").arg(subjectOf(editor_, rows), axisName(column), exactText(*value));
+  const QString name = tr("move %1 to %2 = %3").arg(subjectOf(editor_, rows), axisText(column - X), exactText(*value));
   changeConstraints(editor_, name, rows, [&](Constraint constraint) -> std::optional<Constraint> {
     if (HandleConstraint* handle = std::get_if<HandleConstraint>(&constraint.what)) {
       if (hasSameBits(handle->translate[axis], *value)) return std::nullopt;
@@ -299,14 +280,13 @@ QStringList ConstraintTableModel::mimeTypes() const
 
 QMimeData* ConstraintTableModel::mimeData(const QModelIndexList& indexes) const
 {
-  QVector<qint64> rows;
+  Rows rows;
   for (const QModelIndex& index : indexes) rows.push_back(index.row());
-  std::sort(rows.begin(), rows.end());
-  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+  rows = sortedOnce(std::move(rows));
   QByteArray bytes;
   QDataStream stream(&bytes, QIODevice::WriteOnly);
-  stream << static_cast<quint64>(reinterpret_cast<quintptr>(shown_.get())) << rows;
-  QMimeData* data = new QMimeData;
+  stream << static_cast<quint64>(reinterpret_cast<quintptr>(shown_.get())) << QVector<qint64>(rows.begin(), rows.end());
+  auto* data = new QMimeData;
   data->setData(kRowsFormat, bytes);
   return data;
 }

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QStringList>
 #include <algorithm>
+#include <array>
 
 #include <holdfast/base/printable.h>
 #include <holdfast/window/text/number_text.h>
@@ -132,22 +133,15 @@ QString statusText(std::optional<ConstraintStatus> status)
 
 QString statusMeaning(std::optional<ConstraintStatus> status)
 {
-  if (!status) return ConstraintText::tr("Nothing was solved with this constraint yet.");
-  switch (*status) {
-    case ConstraintStatus::Independent:
-      return ConstraintText::tr("Earlier constraints neither imply nor contradict it; nothing was solved.");
-    case ConstraintStatus::Met:
-      return ConstraintText::tr("It holds.");
-    case ConstraintStatus::Redundant:
-      return ConstraintText::tr("Earlier constraints imply it, and it holds.");
-    case ConstraintStatus::Conflicting:
-      return ConstraintText::tr("Earlier constraints contradict it; it is left out where they do.");
-    case ConstraintStatus::Missed:
-      return ConstraintText::tr("It is part of the solution, but holds only approximately.");
-    case ConstraintStatus::Disabled:
-      return ConstraintText::tr("It is switched off.");
-  }
-  return {};
+  // In the order of `ConstraintStatus`.
+  constexpr std::array kMeanings{"Earlier constraints neither imply nor contradict it; nothing was solved.",
+                                 "It holds.",
+                                 "Earlier constraints imply it, and it holds.",
+                                 "Earlier constraints contradict it; it is left out where they do.",
+                                 "It is part of the solution, but holds only approximately.",
+                                 "It is switched off."};
+  return ConstraintText::tr(status ? kMeanings[static_cast<std::size_t>(*status)]
+                                   : "Nothing was solved with this constraint yet.");
 }
 
 QString quoted(const std::string& name)

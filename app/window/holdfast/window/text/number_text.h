@@ -1,6 +1,5 @@
 #pragma once
-/// Numbers as the window writes and reads them, whatever the locale is: with decimal points, exact where they are
-/// edited.
+/// Numbers as the window writes and reads them, whatever the locale is.
 
 #include <QString>
 #include <optional>
@@ -18,6 +17,12 @@ namespace holdfast {
 
 /// The exact text where it is short, seven significant digits otherwise: for tables, where columns are narrow.
 [[nodiscard]] QString coordinateText(double value);
+
+/// "x", "y", "z".
+[[nodiscard]] inline QString axisText(int axis)
+{
+  return QStringLiteral("xyz").mid(axis, 1);
+}
 
 /// How many: "173 402", in groups that narrow spaces part and no line breaks.
 [[nodiscard]] QString countText(Index count);

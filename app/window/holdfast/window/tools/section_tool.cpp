@@ -4,14 +4,12 @@
 
 #include <QVTKInteractor.h>
 #include <vtkCamera.h>
-#include <vtkImplicitPlaneWidget2.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkWidgetEventTranslator.h>
 
 #include <holdfast/widgets/gizmo/gizmo_layout.h>
 #include <holdfast/widgets/marks/constraint_glyphs.h>
-#include <holdfast/window/viewport/viewport.h>
 
 namespace holdfast {
 namespace {
@@ -65,8 +63,6 @@ SectionTool::SectionTool(Editor& editor, Viewport& viewport, QObject* parent)
   });
 }
 
-SectionTool::~SectionTool() = default;
-
 void SectionTool::setOn(bool isOn)
 {
   isOn_ = isOn;
@@ -93,11 +89,6 @@ void SectionTool::placeInDocument()
   plane_->SetOrigin(middle.data());
   plane_->SetNormal(away.data());
   isPlaced_ = true;
-}
-
-void SectionTool::cut()
-{
-  viewport_.setSection(SectionPlane{Vector3(plane_->GetOrigin()), Vector3(plane_->GetNormal())});
 }
 
 }  // namespace holdfast

@@ -3,34 +3,29 @@
 
 #include <QObject>
 
+#include <vtkImplicitPlaneWidget2.h>
 #include <vtkNew.h>
 
 #include <holdfast/widgets/interaction/stock_widgets.h>
 #include <holdfast/window/model/editor.h>
-
-class vtkImplicitPlaneWidget2;
+#include <holdfast/window/viewport/viewport.h>
 
 namespace holdfast {
 
-class Viewport;
-
 /// VTK's plane, beside whatever tool is chosen: what lies on the side that its arrow does not point to is cut away from
-/// the picture and cannot be picked. The arrow turns it, the ball in its middle moves it, and beside the mesh it can be
-/// pushed by itself. The mesh, its constraints and its files stay as they are.
+/// the picture and cannot be picked. The arrow turns it, the ball in its middle moves it.
 class SectionTool : public QObject {
   Q_OBJECT
 
  public:
   SectionTool(Editor& editor, Viewport& viewport, QObject* parent);
-  ~SectionTool() override;
 
-  /// Cuts through the middle of what is shown, across the axis of the world that is nearest to the sight, so that the
-  /// half before it goes; or where the plane was left; or not at all.
+  /// Cuts where the plane was left, at first through the middle, across the axis that is nearest to the sight.
   void setOn(bool isOn);
 
  private:
   void placeInDocument();
-  void cut();
+  void cut() { viewport_.setSection(SectionPlane{Vector3(plane_->GetOrigin()), Vector3(plane_->GetNormal())}); }
 
   Editor& editor_;
   Viewport& viewport_;

@@ -10,8 +10,7 @@
 
 namespace holdfast {
 
-/// Makes its widget, and tells it the surface, its regions and the pixel ratio, as far as the widget wants to know
-/// them.
+/// Makes its widget, and tells it the surface, its regions and the pixel ratio, as far as it wants to know them.
 template <class Widget>
 class ToolOf : public Tool {
  public:

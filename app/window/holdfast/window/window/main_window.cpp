@@ -2,11 +2,9 @@
 
 #include <QActionGroup>
 #include <QApplication>
-#include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QFileInfo>
-#include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
@@ -25,14 +23,9 @@
 #include <holdfast/window/files/file_messages.h>
 #include <holdfast/window/files/recent_files.h>
 #include <holdfast/window/model/constraint_actions.h>
-#include <holdfast/window/tools/gizmo_tool.h>
 #include <holdfast/window/tools/section_tool.h>
-#include <holdfast/window/tools/tool_box.h>
 #include <holdfast/window/viewport/view_state.h>
-#include <holdfast/window/viewport/viewport.h>
 #include <holdfast/window/window/help_dialog.h>
-#include <holdfast/window/window/panel_docks.h>
-#include <holdfast/window/window/status_line.h>
 
 namespace holdfast {
 namespace {
@@ -101,11 +94,6 @@ QAction* MainWindow::addAction(QMenu& menu, const Item& item)
   if (item.run) connect(action, &QAction::triggered, this, item.run);
   if (item.needs != Needs::Nothing) needs_.emplace_back(action, item.needs);
   return action;
-}
-
-void MainWindow::addActions(QMenu& menu, const std::vector<Item>& items)
-{
-  for (const Item& item : items) item.text.isEmpty() ? menu.addSeparator() : addAction(menu, item);
 }
 
 void MainWindow::addChoices(QMenu& menu, const std::vector<Item>& items)
@@ -260,11 +248,6 @@ void MainWindow::showEvent(QShowEvent* event)
   if (event->spontaneous()) return;
   panels_->share(size());
   if (autosave_) QTimer::singleShot(0, this, [this] { autosave_->offerRecovery(); });
-}
-
-void MainWindow::closeEvent(QCloseEvent* event)
-{
-  event->setAccepted(files_.maySaveBefore(tr("closing the window")));
 }
 
 void MainWindow::makeEditMenu()

@@ -1,7 +1,5 @@
 #include "holdfast/window/window/status_line.h"
 
-#include <QLabel>
-#include <QPushButton>
 #include <cmath>
 
 #include <holdfast/window/controls/panel_parts.h>

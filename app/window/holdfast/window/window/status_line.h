@@ -1,14 +1,13 @@
 #pragma once
 /// The line below the picture: what the mouse does, what is under it, and how accurate the solution is.
 
+#include <QLabel>
+#include <QPushButton>
 #include <QStatusBar>
 #include <optional>
 
 #include <holdfast/widgets/picking/surface_picker.h>
 #include <holdfast/window/model/editor.h>
-
-class QLabel;
-class QPushButton;
 
 namespace holdfast {
 
