@@ -29,8 +29,7 @@ enum class ColorMap {
   Grey              ///< from black to a middling grey: leaves all colours to other things
 };
 
-/// The colour at `share` in [0, 1] (clamped; `kNoValueColor` for NaN). Lightness rises all the way, so that it reads
-/// without colours too; that of `BlueWhiteOrange` rises to the middle and falls from there.
+/// The colour at `share` in [0, 1] (clamped; `kNoValueColor` for NaN). Lightness rises all the way, or to the middle.
 [[nodiscard]] Color mapColor(double share, ColorMap map = ColorMap::BlueGreenYellow);
 
 /// A light grey that the maps do not have, for places without a value.

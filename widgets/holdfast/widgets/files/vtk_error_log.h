@@ -9,8 +9,7 @@
 
 namespace holdfast {
 
-/// Keeps the errors of the VTK objects that it watches. While one lives, nothing of VTK reaches the console: some of
-/// its warnings belong to no object and cannot be watched.
+/// While one lives, nothing of VTK reaches the console: some of its warnings belong to no object.
 class VtkErrorLog {
  public:
   VtkErrorLog();

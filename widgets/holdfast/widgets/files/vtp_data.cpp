@@ -1,5 +1,3 @@
-#include "holdfast/widgets/files/vtp_data.h"
-
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -22,6 +20,7 @@
 #include <holdfast/base/error.h>
 #include <holdfast/io/text/number_text.h>
 #include <holdfast/widgets/files/vtk_error_log.h>
+#include <holdfast/widgets/files/vtp_reader.h>
 
 namespace holdfast {
 namespace {

@@ -21,7 +21,6 @@
 
 #include <holdfast/base/error.h>
 #include <holdfast/widgets/files/vtk_error_log.h>
-#include <holdfast/widgets/files/vtp_data.h>
 #include <holdfast/widgets/mesh/poly_data.h>
 
 namespace holdfast {

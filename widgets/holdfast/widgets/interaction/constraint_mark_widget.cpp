@@ -1,17 +1,8 @@
 #include "holdfast/widgets/interaction/constraint_mark_widget.h"
 
 #include <algorithm>
-#include <utility>
-
-#include <holdfast/widgets/camera/display_transform.h>
 
 namespace holdfast {
-namespace {
-
-// Users aim at single points, not at one vertex of a region in the same place.
-constexpr double kRegionHandicapPixels = 2;
-
-}  // namespace
 
 vtkStandardNewMacro(ConstraintMarkRepresentation);
 
@@ -22,6 +13,8 @@ bool ConstraintMarkRepresentation::HasMarksOf(Index constraint) const
 
 std::optional<Index> ConstraintMarkRepresentation::FindConstraint(double displayX, double displayY) const
 {
+  // Users aim at single points, not at one vertex of a region in the same place.
+  constexpr double kRegionHandicapPixels = 2;
   if (this->Renderer == nullptr || !this->Marks) return std::nullopt;
   const DisplayTransform toDisplay(*this->Renderer);
   const DisplayPoint cursor = centerOfPixel(displayX, displayY);

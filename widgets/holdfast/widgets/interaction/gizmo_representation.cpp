@@ -1,5 +1,3 @@
-#include "holdfast/widgets/interaction/gizmo_representation.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -10,6 +8,8 @@
 #include <vtkRenderWindow.h>
 #include <vtkRendererCollection.h>
 #include <vtkTextProperty.h>
+
+#include <holdfast/widgets/interaction/gizmo_widget.h>
 
 namespace holdfast {
 namespace {

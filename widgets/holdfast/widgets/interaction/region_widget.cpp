@@ -11,7 +11,7 @@
 
 #include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/widgets/color/color_map.h>
-#include <holdfast/widgets/mesh/actor_setup.h>
+#include <holdfast/widgets/mesh/actors.h>
 #include <holdfast/widgets/mesh/poly_data.h>
 
 namespace holdfast {
@@ -76,13 +76,6 @@ constexpr double kLeastOutlinePixels = 3;
 // Vertices in one turn of the event loop: some 15 milliseconds at the most.
 constexpr Index kVerticesOfTurn = 12'000;
 constexpr unsigned long kTurnMilliseconds = 1;
-
-double extentOf(const std::vector<DisplayPoint>& points)
-{
-  Eigen::AlignedBox2d box;
-  for (const DisplayPoint& point : points) box.extend(point);
-  return box.sizes().maxCoeff();
-}
 
 }  // namespace
 
@@ -325,7 +318,9 @@ std::vector<DisplayPoint> RegionWidget::Polygon() const
 void RegionWidget::EndOutline()
 {
   const std::vector<DisplayPoint> polygon = this->Polygon();
-  if (extentOf(polygon) < kLeastOutlinePixels * this->PixelRatio) {
+  Eigen::AlignedBox2d box;
+  for (const DisplayPoint& corner : polygon) box.extend(corner);
+  if (box.sizes().maxCoeff() < kLeastOutlinePixels * this->PixelRatio) {
     this->Cancel();
     return;
   }

@@ -93,8 +93,7 @@ class RegionWidget : public WidgetOf<RegionRepresentation> {
   void SetSurface(std::shared_ptr<const VisibleSurface> surface);
   [[nodiscard]] const std::shared_ptr<const VisibleSurface>& GetSurface() const { return this->Surface; }
 
-  /// Those of the surface's model; null (the default): no brush and no sides. Another one cancels the gesture under
-  /// way.
+  /// Those of the surface's model; null (the default): no brush and no sides. Another one cancels the gesture.
   void SetRegions(std::shared_ptr<VertexRegions> regions);
   [[nodiscard]] const std::shared_ptr<VertexRegions>& GetRegions() const { return this->Regions; }
 

@@ -35,8 +35,7 @@ class SurfacePointPlacer : public vtkPointPlacer {
   vtkSetClampMacro(PixelRatio, double, 0.1, 100.0);
   vtkGetMacro(PixelRatio, double);
 
-  /// The point that a click on a pixel of the renderer's window means; none beside the surface. As
-  /// `SurfacePicker::pick`.
+  /// The point that a click on a pixel of the renderer's window means, as `SurfacePicker::pick`.
   [[nodiscard]] std::optional<SurfacePick> Pick(vtkRenderer& renderer, const double displayPos[2]) const;
 
   /// The last point that one of the functions below has placed; none before the first.
@@ -66,8 +65,7 @@ class SurfacePointPlacer : public vtkPointPlacer {
   std::optional<SurfacePick> LastPick;
 };
 
-/// Joins nodes of a contour by shortest paths of edges: as long as these are at rest, drawn where the surface is. Nodes
-/// are vertices of the file: the `PointId` of each, and of each point between.
+/// Joins nodes of a contour by shortest paths of edges at rest. `PointId` of nodes and of points between is the vertex.
 class SurfaceCurveInterpolator : public vtkContourLineInterpolator {
  public:
   static SurfaceCurveInterpolator* New();
@@ -79,8 +77,7 @@ class SurfaceCurveInterpolator : public vtkContourLineInterpolator {
   void SetRegions(std::shared_ptr<const VertexRegions> regions);
   [[nodiscard]] const std::shared_ptr<const VertexRegions>& GetRegions() const { return this->Regions; }
 
-  /// The vertices of a shortest path with both ends; none where no edges join them. Between the ends the first vertex
-  /// of each unknown is named (unwelded files have several). As costly as `ShortestPaths::path`.
+  /// The vertices of a shortest path with both ends, between them the first of each unknown; none where no edges join.
   [[nodiscard]] std::vector<Index> Path(Index from, Index to);
 
   /// 1, or 0 where nothing joins the nodes.

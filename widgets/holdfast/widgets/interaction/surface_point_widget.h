@@ -11,7 +11,7 @@
 #include <holdfast/widgets/interaction/interaction_events.h>
 #include <holdfast/widgets/interaction/surface_point_placer.h>
 #include <holdfast/widgets/marks/point_preview.h>
-#include <holdfast/widgets/mesh/blended_actor.h>
+#include <holdfast/widgets/mesh/actors.h>
 
 namespace holdfast {
 
@@ -22,8 +22,7 @@ class SurfacePointRepresentation : public DrawnByProps<vtkWidgetRepresentation> 
   static SurfacePointRepresentation* New();
   vtkTypeMacro(SurfacePointRepresentation, vtkWidgetRepresentation)
 
-  /// A point that is shown moves with the surface, and is removed where that is another mesh's
-  /// (`VisibleSurface::isSameMesh`). Null, the default: nothing is shown.
+  /// A point that is shown moves with it, and is removed where it is another mesh's. Null, the default: none is shown.
   void SetSurface(std::shared_ptr<const VisibleSurface> surface);
   [[nodiscard]] const std::shared_ptr<const VisibleSurface>& GetSurface() const { return this->Surface; }
 
@@ -41,8 +40,6 @@ class SurfacePointRepresentation : public DrawnByProps<vtkWidgetRepresentation> 
   ~SurfacePointRepresentation() override = default;
 
  private:
-  [[nodiscard]] std::vector<Index> OutlineVertices() const;
-
   std::shared_ptr<const VisibleSurface> Surface;
   std::optional<SurfacePick> Preview;
   double PixelRatio = 1;

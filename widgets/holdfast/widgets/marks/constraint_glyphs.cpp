@@ -11,7 +11,7 @@
 #include <vtkPoints.h>
 #include <vtkUnsignedCharArray.h>
 
-#include <holdfast/widgets/mesh/actor_setup.h>
+#include <holdfast/widgets/mesh/actors.h>
 
 namespace holdfast {
 namespace {

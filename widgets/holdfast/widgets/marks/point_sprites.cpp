@@ -10,8 +10,7 @@
 #include <vtkShaderProperty.h>
 #include <vtkUnsignedCharArray.h>
 
-#include <holdfast/widgets/mesh/actor_setup.h>
-#include <holdfast/widgets/mesh/blended_actor.h>
+#include <holdfast/widgets/mesh/actors.h>
 
 namespace holdfast {
 namespace {

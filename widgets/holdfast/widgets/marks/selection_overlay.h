@@ -18,8 +18,7 @@ namespace holdfast {
 /// No more vertices than this are dotted, evenly spread; the tint shows them all.
 inline constexpr Index kMostSelectionDots = 2000;
 
-/// The actors of a selection: small dots on vertices, and a tint over the triangles between them. They move with the
-/// mesh, whose points they share.
+/// Small dots on vertices, and a tint over the triangles between them; they share the points of the mesh.
 class SelectionOverlay {
  public:
   /// Both stay alive as long as this.

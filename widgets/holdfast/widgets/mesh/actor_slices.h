@@ -17,12 +17,10 @@ namespace holdfast {
 /// Triangles, or lines, that are drawn in a few milliseconds without a GPU.
 inline constexpr Index kSliceCells = 20'000;
 
-/// The cells of one actor in their order, cut into slices that share its points, normals and colours. Slices are made
-/// when they are first shown, and anew when the cells were replaced.
+/// The cells of one actor in their order, cut into slices that share its points. They are made when first shown.
 class ActorSlices {
  public:
-  /// Slices what `whole`, one of the mappers of `actor`, draws: its polygons, or its lines where it has none. Both stay
-  /// alive as long as this.
+  /// Slices the polygons, or else the lines, of `whole`, a mapper of `actor`. Both stay alive as long as this.
   ActorSlices(vtkActor& actor, vtkPolyDataMapper& whole) : actor_(actor), whole_(whole) {}
   ActorSlices(const ActorSlices&) = delete;
   ActorSlices& operator=(const ActorSlices&) = delete;

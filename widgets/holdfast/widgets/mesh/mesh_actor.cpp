@@ -11,7 +11,6 @@
 #include <vtkPointData.h>
 
 #include <holdfast/mesh/vertex_normals.h>
-#include <holdfast/widgets/mesh/actor_setup.h>
 #include <holdfast/widgets/mesh/poly_data.h>
 
 namespace holdfast {
@@ -149,8 +148,8 @@ void MeshActor::clearColors()
 void MeshActor::setMeshEdges(MeshEdges edges)
 {
   meshEdgesShown_ = edges;
-  if (edges == MeshEdges::All && !hasMeshEdges_) meshEdgeData_->SetLines(linesOf(polygonEdges(model_.mesh, *shaded_)));
-  hasMeshEdges_ = hasMeshEdges_ || edges == MeshEdges::All;
+  if (edges == MeshEdges::All && meshEdgeData_->GetNumberOfLines() == 0)
+    meshEdgeData_->SetLines(linesOf(polygonEdges(model_.mesh, *shaded_)));
   update();
 }
 

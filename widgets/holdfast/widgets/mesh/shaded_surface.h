@@ -21,8 +21,7 @@ struct ShadedSurface {
 /// Edges are sharp where the normals on both sides differ by more than this at rest.
 inline constexpr double kSharpDegrees = 42;
 
-/// Lines of sharp edges that are shorter than this share of the bounding box's diagonal, and close no loop, are not
-/// drawn.
+/// A share of the bounding box's diagonal: shorter lines of sharp edges that close no loop are not drawn.
 inline constexpr double kLeastCreaseLength = 0.1;
 
 /// The triangles of `model`, cut along the edges that are sharp at rest, so that the cuts stay where they are while the

@@ -22,11 +22,6 @@ constexpr double kFarthestView = 20;
 
 }  // namespace
 
-Vector3 sightOf(vtkCamera& camera)
-{
-  return Vector3(camera.GetDirectionOfProjection());
-}
-
 void lookAtPlaces(vtkCamera& camera, const std::vector<Vector3>& places)
 {
   Vector3 middle = Vector3::Zero();

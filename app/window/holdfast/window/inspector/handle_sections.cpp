@@ -133,7 +133,6 @@ class HandleSection : public SectionOf<HandleConstraint> {
   }
 };
 
-/// Of a handle, const or not.
 auto& framesOf(auto& handle)
 {
   return std::get<FrameMotion>(handle.motion);
@@ -205,9 +204,8 @@ class FrameSection : public SectionOf<HandleConstraint> {
           return std::optional<Vector3>(framesOf(std::get<HandleConstraint>(c.what)).*frame.*vector);
         }));
       };
-      setFieldVisible(origin, std::all_of(rows().begin(), rows().end(), [&, frame = frame](Index row) {
-                        return (framesOf(what(row)).*frame).origin.has_value();
-                      }));
+      showWhileGiven(origin,
+                     [frame = frame](const HandleConstraint& handle) { return (framesOf(handle).*frame).origin; });
       if (!isOther) continue;
       show(origin, &Frame::origin);
       show(x, &Frame::x);

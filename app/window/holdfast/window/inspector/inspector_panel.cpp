@@ -1,5 +1,3 @@
-#include "holdfast/window/inspector/inspector_panel.h"
-
 #include <QCheckBox>
 #include <QLineEdit>
 #include <QScrollArea>

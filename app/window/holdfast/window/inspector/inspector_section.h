@@ -195,23 +195,27 @@ class SectionOf : public InspectorSection {
     return field;
   }
 
- private:
-  template <class Read>
-  [[nodiscard]] std::optional<double> commonOf(Read read) const
-  {
-    return common([&](const Constraint& c) -> std::optional<double> { return read(std::get<What>(c.what)); });
-  }
-
   template <class Read>
   void showWhileGiven(QWidget* field, Read read)
   {
     setFieldVisible(field, std::all_of(rows().begin(), rows().end(),
                                        [&](Index row) { return std::optional(read(what(row))).has_value(); }));
   }
+
+ private:
+  template <class Read>
+  [[nodiscard]] std::optional<double> commonOf(Read read) const
+  {
+    return common([&](const Constraint& c) -> std::optional<double> { return read(std::get<What>(c.what)); });
+  }
 };
 
 /// What was typed, if it is a whole number from `least` on; else throws `InputError` with `reason`.
 [[nodiscard]] Index wholeNumber(double typed, double least, const std::string& reason);
+
+/// The panel: the selected constraints of an editor, which outlives it, one in full, of several what they have in
+/// common.
+[[nodiscard]] QWidget* newInspectorPanel(Editor& editor);
 
 // The sections of the inspector, one for each property of constraints. A layout takes them; `editor` outlives them.
 

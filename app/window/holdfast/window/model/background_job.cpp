@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <holdfast/base/thread_priority.h>
+#include <holdfast/window/text/number_text.h>
 
 namespace holdfast {
 
@@ -41,13 +42,12 @@ void BackgroundJob::start(Work work)
   Run& run = *runs_.emplace_back(std::make_unique<Run>());
   run.thread = std::jthread([this, id, &run, work = std::move(work)](const std::stop_token& stop) {
     computeInBackground();
-    StoppableProgress progress(
-        [&] { return stop.stop_requested(); },
-        [&](std::string_view step) {
-          calls_.post([this, id, step = QString::fromUtf8(step.data(), static_cast<int>(step.size()))] {
-            if (id == current_) Q_EMIT stepChanged(step);
-          });
-        });
+    StoppableProgress progress([&] { return stop.stop_requested(); },
+                               [&](std::string_view step) {
+                                 calls_.post([this, id, step = toText(step)] {
+                                   if (id == current_) Q_EMIT stepChanged(step);
+                                 });
+                               });
     std::exception_ptr error;
     try {
       calls_.post([this, id, finish = work(progress)] {

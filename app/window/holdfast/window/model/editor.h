@@ -5,19 +5,46 @@
 #include <QString>
 #include <cstdint>
 #include <deque>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
 
+#include <holdfast/base/progress.h>
+#include <holdfast/constraints/selector.h>
+#include <holdfast/deform/model.h>
 #include <holdfast/document/history.h>
 #include <holdfast/document/live_deformer.h>
+#include <holdfast/io/mesh_document.h>
+#include <holdfast/surface/vertex_regions.h>
 #include <holdfast/widgets/marks/mark_set.h>
+#include <holdfast/widgets/picking/visible_surface.h>
+#include <holdfast/widgets/scene/scene_contents.h>
 #include <holdfast/window/model/background_job.h>
-#include <holdfast/window/model/loaded_mesh.h>
 
 namespace holdfast {
+
+/// A mesh file and all that the window needs of it, made on any thread.
+struct LoadedMesh {
+  std::filesystem::path path;
+  MeshDocument document;
+  std::shared_ptr<const Model> model;
+  std::shared_ptr<Selector> selector;
+  std::shared_ptr<VertexRegions> regions;
+  std::shared_ptr<SceneContents> contents;        ///< at rest, with the coarse triangles of large meshes
+  std::shared_ptr<const VisibleSurface> surface;  ///< at rest, ready for rays
+};
+
+/// Throws as `readAnyMesh` and `makeModel` do, and what `progress` throws.
+[[nodiscard]] LoadedMesh loadMesh(const std::filesystem::path& path, Progress& progress);
+
+/// The same for a mesh in memory; `path` names it.
+[[nodiscard]] LoadedMesh prepareMesh(MeshDocument document, const std::filesystem::path& path, Progress& progress);
+
+/// Whether a full picture of it may take too long for a movement.
+[[nodiscard]] bool isLarge(const Model& model);
 
 /// Ascending, each once.
 [[nodiscard]] std::vector<Index> sortedOnce(std::vector<Index> numbers);

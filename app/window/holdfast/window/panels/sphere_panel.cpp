@@ -86,17 +86,6 @@ void SpherePanel::warmUp(const ExampleDocument& example)
   view_->renderWindow()->RemoveRenderer(renderer);
 }
 
-void SpherePanel::makeSphere()
-{
-  renderer_ = vtkSmartPointer<vtkRenderer>::New();
-  view_->renderWindow()->AddRenderer(renderer_);
-  sphere_ = std::make_unique<RotationSphere>();
-  sphere_->addTo(*renderer_);
-  sphere_->mark(marked_);
-  style_->SetSphere(sphere_.get());
-  applyPalette();
-}
-
 void SpherePanel::refresh()
 {
   if (!isVisible()) return;
@@ -125,7 +114,15 @@ void SpherePanel::place()
 
 void SpherePanel::showPoints(const std::optional<Coloring>& coloring)
 {
-  if (!sphere_) makeSphere();
+  if (!sphere_) {
+    renderer_ = vtkSmartPointer<vtkRenderer>::New();
+    view_->renderWindow()->AddRenderer(renderer_);
+    sphere_ = std::make_unique<RotationSphere>();
+    sphere_->addTo(*renderer_);
+    sphere_->mark(marked_);
+    style_->SetSphere(sphere_.get());
+    applyPalette();
+  }
   sphere_->show(placed_);
   sphere_->setColoring(coloring);
   if (!isFitted_) sphere_->fitCamera();

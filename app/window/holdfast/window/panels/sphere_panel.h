@@ -63,7 +63,6 @@ class SpherePanel : public RefreshedPanel {
     Q_EMIT vertexPicked(*static_cast<const Index*>(vertex));
   }
   void showTip(const QPoint& place);
-  void makeSphere();
 
   Editor& editor_;
   HintedContent* pages_ = nullptr;

@@ -1,5 +1,3 @@
-#include "holdfast/window/table/constraint_panel.h"
-
 #include <QAction>
 #include <QCollator>
 #include <QComboBox>

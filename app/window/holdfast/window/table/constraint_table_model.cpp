@@ -25,17 +25,11 @@ const std::vector<Constraint>& constraintsOf(const std::shared_ptr<const Documen
   return state == nullptr ? none : state->list.constraints;
 }
 
-using ShownStatus = std::optional<ConstraintStatus>;
 // The gravest first, as a user looks for them.
-constexpr std::array<ShownStatus, 7> kRanks{
+constexpr std::array<std::optional<ConstraintStatus>, 7> kRanks{
     ConstraintStatus::Conflicting, ConstraintStatus::Missed,      std::nullopt,
     ConstraintStatus::Redundant,   ConstraintStatus::Independent, ConstraintStatus::Met,
     ConstraintStatus::Disabled};
-
-double rankOf(ShownStatus status)
-{
-  return static_cast<double>(std::find(kRanks.begin(), kRanks.end(), status) - kRanks.begin());
-}
 
 bool isCoordinate(int column)
 {
@@ -109,7 +103,8 @@ std::optional<double> ConstraintTableModel::exactNumber(int row, int column) con
 std::optional<double> ConstraintTableModel::number(int row, int column) const
 {
   if (column == On) return constraint(row).isEnabled ? 0 : 1;
-  return column == Status ? rankOf(status(row)) : exactNumber(row, column);
+  if (column == Status) return static_cast<double>(std::ranges::find(kRanks, status(row)) - kRanks.begin());
+  return exactNumber(row, column);
 }
 
 QString ConstraintTableModel::text(int row, int column) const
@@ -145,7 +140,8 @@ QVariant ConstraintTableModel::data(const QModelIndex& index, int role) const
                           ? static_cast<int>(Qt::AlignRight | Qt::AlignVCenter)
                           : static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter));
     case Qt::ForegroundRole:
-      return foreground(row, column);
+      if (constraint(row).isEnabled && (column < Residual || editor_.isCurrent())) return {};
+      return quietColor(QGuiApplication::palette());
     case Qt::ToolTipRole:
       return toolTip(row, column);
     case Qt::AccessibleTextRole:
@@ -153,13 +149,6 @@ QVariant ConstraintTableModel::data(const QModelIndex& index, int role) const
     default:
       return {};
   }
-}
-
-QVariant ConstraintTableModel::foreground(int row, int column) const
-{
-  const bool isOld = column >= Residual && !editor_.isCurrent();
-  if (!isOld && constraint(row).isEnabled) return {};
-  return quietColor(QGuiApplication::palette());
 }
 
 QString ConstraintTableModel::toolTip(int row, int column) const
@@ -203,18 +192,13 @@ QVariant ConstraintTableModel::headerData(int section, Qt::Orientation orientati
   return role == Qt::DisplayRole ? QVariant(title) : role == Qt::ToolTipRole ? QVariant(meaning) : QVariant();
 }
 
-bool ConstraintTableModel::isEditable(int row, int column) const
-{
-  if (column == Name) return true;
-  return isCoordinate(column) && coordinate(row, column).has_value();
-}
-
 Qt::ItemFlags ConstraintTableModel::flags(const QModelIndex& index) const
 {
   if (!index.isValid()) return Qt::ItemIsDropEnabled;
   Qt::ItemFlags flags = Qt::ItemIsSelectable | Qt::ItemIsEnabled | Qt::ItemIsDragEnabled | Qt::ItemNeverHasChildren;
   if (index.column() == On) flags |= Qt::ItemIsUserCheckable;
-  if (isEditable(index.row(), index.column())) flags |= Qt::ItemIsEditable;
+  if (index.column() == Name || (isCoordinate(index.column()) && coordinate(index.row(), index.column())))
+    flags |= Qt::ItemIsEditable;
   return flags;
 }
 

@@ -4,10 +4,17 @@
 #include <QString>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include <holdfast/base/types.h>
 
 namespace holdfast {
+
+/// Of UTF-8.
+[[nodiscard]] inline QString toText(std::string_view text)
+{
+  return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
+}
 
 /// The shortest text that reads back as the same double.
 [[nodiscard]] QString exactText(double value);

@@ -7,7 +7,7 @@
 
 #include <holdfast/document/constraint_drag.h>
 #include <holdfast/widgets/interaction/gizmo_widget.h>
-#include <holdfast/window/tools/widget_tool.h>
+#include <holdfast/window/tools/tools.h>
 
 namespace holdfast {
 

@@ -23,7 +23,8 @@
 #include <holdfast/window/files/file_messages.h>
 #include <holdfast/window/files/recent_files.h>
 #include <holdfast/window/model/constraint_actions.h>
-#include <holdfast/window/tools/section_tool.h>
+#include <holdfast/window/text/number_text.h>
+#include <holdfast/window/tools/tools.h>
 #include <holdfast/window/viewport/view_state.h>
 #include <holdfast/window/window/help_dialog.h>
 
@@ -353,9 +354,10 @@ void MainWindow::makeViewMenu()
                tr("A handle that is moved turns about the viewing axis, by the angle that it makes on the screen"),
                Needs::Nothing, rotate(RotationOfMoves::AsSeen)}});
   menu.addSeparator();
-  connect(addSwitch(menu, {"sectionPlane", tr("&Section plane"), "Shift+S",
-                           tr("Cut the picture open; the mesh stays whole"), Needs::Document}),
-          &QAction::toggled, new SectionTool(editor_, *viewport_, this), &SectionTool::setOn);
+  newSectionTool(editor_, *viewport_,
+                 *addSwitch(menu, {"sectionPlane", tr("&Section plane"), "Shift+S",
+                                   tr("Cut the picture open; the mesh stays whole"), Needs::Document}),
+                 this);
 
   panels_->fillMenu(*menu.addMenu(tr("&Panels")));
   const auto colors = [this](const char* name, const QString& text, const QString& spoken,
@@ -433,7 +435,7 @@ void MainWindow::updateActions()
     action->setEnabled(isOpen && (needs != Needs::Vertices || !editor_.selectedVertices().empty()) &&
                        (needs != Needs::Constraints || !editor_.selectedConstraints().empty()));
   const auto textOf = [](const QString& verb, std::string_view name) {
-    return name.empty() ? verb : verb + ' ' + QString::fromUtf8(name.data(), static_cast<int>(name.size()));
+    return name.empty() ? verb : verb + ' ' + toText(name);
   };
   undo_->setEnabled(isOpen && editor_.history().canUndo());
   redo_->setEnabled(isOpen && editor_.history().canRedo());

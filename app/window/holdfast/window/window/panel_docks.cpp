@@ -6,9 +6,9 @@
 
 #include <holdfast/deform/outcomes.h>
 #include <holdfast/window/controls/panel_parts.h>
-#include <holdfast/window/inspector/inspector_panel.h>
+#include <holdfast/window/inspector/inspector_section.h>
 #include <holdfast/window/panels/panels.h>
-#include <holdfast/window/table/constraint_panel.h>
+#include <holdfast/window/table/constraint_table.h>
 
 namespace holdfast {
 namespace {

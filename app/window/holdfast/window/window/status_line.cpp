@@ -61,12 +61,6 @@ StatusLine::StatusLine(Editor& editor, QWidget* parent)
   showStep();
 }
 
-void StatusLine::setHint(const QString& hint)
-{
-  hint_ = hint;
-  showHint();
-}
-
 void StatusLine::setPick(const std::optional<SurfacePick>& pick)
 {
   pick_ = pick ? tr("%1  at %2").arg(locationText(pick->location), placeText(pick->place)) : QString();

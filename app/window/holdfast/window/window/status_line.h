@@ -17,7 +17,11 @@ class StatusLine : public QStatusBar {
  public:
   explicit StatusLine(Editor& editor, QWidget* parent = nullptr);
 
-  void setHint(const QString& hint);
+  void setHint(const QString& hint)
+  {
+    hint_ = hint;
+    showHint();
+  }
   void setPick(const std::optional<SurfacePick>& pick);
 
  protected:
