@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 
 #include <holdfast/surface/edge_graph.h>
-#include <holdfast/widgets/interaction/surface_curve_representation.h>
 #include <holdfast/widgets/interaction/surface_curve_widget.h>
 
 #include "interaction/interaction_fixture.h"

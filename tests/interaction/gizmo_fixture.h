@@ -6,7 +6,7 @@
 
 #include <holdfast/widgets/camera/display_transform.h>
 #include <holdfast/widgets/gizmo/gizmo_layout.h>
-#include <holdfast/widgets/interaction/gizmo_representation.h>
+#include <holdfast/widgets/interaction/gizmo_widget.h>
 
 #include "interaction/interaction_fixture.h"
 #include "support/meshes.h"

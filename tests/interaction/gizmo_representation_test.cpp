@@ -1,5 +1,3 @@
-#include "holdfast/widgets/interaction/gizmo_representation.h"
-
 #include <algorithm>
 #include <cstdlib>
 #include <sstream>
@@ -12,6 +10,7 @@
 
 #include <holdfast/widgets/gizmo/gizmo_layout.h>
 
+#include "holdfast/widgets/interaction/gizmo_widget.h"
 #include "interaction/gizmo_fixture.h"
 
 namespace holdfast {

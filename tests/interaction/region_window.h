@@ -7,7 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include <holdfast/widgets/interaction/region_representation.h>
 #include <holdfast/widgets/interaction/region_widget.h>
 
 #include "interaction/interaction_fixture.h"

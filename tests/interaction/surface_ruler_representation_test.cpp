@@ -1,8 +1,7 @@
-#include "holdfast/widgets/interaction/surface_ruler_representation.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "holdfast/widgets/interaction/surface_ruler_widget.h"
 #include "interaction/interaction_fixture.h"
 #include "support/meshes.h"
 

@@ -10,7 +10,7 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 
-#include <holdfast/widgets/mesh/blended_actor.h>
+#include <holdfast/widgets/mesh/actors.h>
 
 #include "render/drawn_window.h"
 

@@ -15,7 +15,7 @@
 #include <vtkTextProperty.h>
 #include <vtkTexture.h>
 
-#include <holdfast/widgets/interaction/gizmo_representation.h>
+#include <holdfast/widgets/interaction/gizmo_widget.h>
 #include <holdfast/widgets/scene/scene.h>
 
 #include "render/compare_pictures.h"

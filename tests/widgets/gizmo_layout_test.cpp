@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <holdfast/widgets/gizmo/gizmo_layout.h>
-#include <holdfast/widgets/gizmo/gizmo_shapes.h>
+#include <holdfast/widgets/gizmo/gizmo_part_actors.h>
 
 #include "support/point_constraints.h"
 #include "widgets/lab_color.h"

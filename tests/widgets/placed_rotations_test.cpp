@@ -3,7 +3,7 @@
 
 #include <holdfast/deform/deform_details.h>
 #include <holdfast/geometry/rotation_log.h>
-#include <holdfast/widgets/rotation_sphere/placed_rotations.h>
+#include <holdfast/widgets/rotation_sphere/rotation_projection.h>
 
 #include "support/meshes.h"
 

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <holdfast/widgets/rotation_sphere/placed_rotations.h>
+#include <holdfast/widgets/rotation_sphere/rotation_projection.h>
 
 #include "support/point_constraints.h"
 #include "support/random.h"

@@ -5,7 +5,7 @@
 
 #include <holdfast/deform/deform_details.h>
 #include <holdfast/document/list_edits.h>
-#include <holdfast/window/controls/card.h>
+#include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/model/constraint_actions.h>
 #include <holdfast/window/panels/panels.h>
 

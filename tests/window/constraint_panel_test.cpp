@@ -16,7 +16,7 @@
 #include <holdfast/document/list_edits.h>
 #include <holdfast/io/text/number_text.h>
 #include <holdfast/window/model/constraint_actions.h>
-#include <holdfast/window/table/constraint_panel.h>
+#include <holdfast/window/table/constraint_table.h>
 #include <holdfast/window/table/constraint_table_model.h>
 
 #include "gestures.h"

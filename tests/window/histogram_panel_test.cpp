@@ -9,7 +9,6 @@
 #include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/geometry/rotation_log.h>
 #include <holdfast/window/panels/histogram_panel.h>
-#include <holdfast/window/panels/histogram_view.h>
 
 #include "gestures.h"
 #include "support/source_tree.h"

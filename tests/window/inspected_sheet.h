@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include <holdfast/window/inspector/inspector_panel.h>
+#include <holdfast/window/inspector/inspector_section.h>
 
 #include "gestures.h"
 

@@ -8,7 +8,6 @@
 #include <holdfast/document/list_edits.h>
 #include <holdfast/widgets/rotation_sphere/rotation_sphere.h>
 #include <holdfast/window/panels/histogram_panel.h>
-#include <holdfast/window/panels/histogram_view.h>
 #include <holdfast/window/panels/sphere_panel.h>
 
 #include "window_user.h"

@@ -10,7 +10,7 @@
 #include <vtkPropCollection.h>
 #include <vtkRenderer.h>
 
-#include <holdfast/widgets/interaction/surface_ruler_representation.h>
+#include <holdfast/widgets/interaction/surface_ruler_widget.h>
 
 #include "open_document.h"
 #include "support/meshes.h"

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include <holdfast/window/controls/card.h>
+#include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/panels/panels.h>
 
 #include "gestures.h"

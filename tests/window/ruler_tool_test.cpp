@@ -9,7 +9,7 @@
 #include <holdfast/document/list_edits.h>
 #include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/widgets/interaction/surface_ruler_widget.h>
-#include <holdfast/window/tools/widget_tool.h>
+#include <holdfast/window/tools/tools.h>
 
 #include "gestures.h"
 #include "window_user.h"

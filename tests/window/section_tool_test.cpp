@@ -12,7 +12,6 @@
 #include <vtkCamera.h>
 
 #include <holdfast/widgets/camera/camera_state.h>
-#include <holdfast/window/tools/section_tool.h>
 
 #include "dialogs.h"
 #include "gestures.h"

@@ -10,7 +10,7 @@
 #include <vtkRenderer.h>
 
 #include <holdfast/widgets/marks/constraint_glyphs.h>
-#include <holdfast/window/controls/card.h>
+#include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/table/constraint_table_model.h>
 #include <holdfast/window/tools/gizmo_tool.h>
 

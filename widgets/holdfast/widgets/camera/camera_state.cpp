@@ -4,8 +4,6 @@
 #include <cmath>
 
 #include <Eigen/Geometry>
-#include <vtkCamera.h>
-#include <vtkRenderer.h>
 
 #include <holdfast/geometry/bounding_box.h>
 #include <holdfast/geometry/degree.h>

@@ -1,19 +1,18 @@
 #pragma once
 /// The camera of a renderer: its first place, its state in sessions, and its motion by the mouse.
 
+#include <vtkCamera.h>
+#include <vtkRenderer.h>
+
 #include <holdfast/base/types.h>
 #include <holdfast/document/session_file.h>
 #include <holdfast/widgets/camera/display_transform.h>
-
-class vtkCamera;
-class vtkRenderer;
 
 namespace holdfast {
 
 [[nodiscard]] Camera cameraOf(vtkCamera& camera);
 
-/// Sets the view up to the unit vector along `up` that VTK keeps: given it again, it stays bit for bit. VTK normalizes
-/// every view up that it is given, and rounding may change the last bit of one that is normalized already.
+/// Sets the view up to the unit vector along `up` that stays bit for bit when VTK normalizes it again.
 void setViewUp(vtkCamera& camera, const Vector3& up);
 
 /// Places `camera` so that `cameraOf` gives `state` back, if the view up is one that `setViewUp` has set. The angle of
@@ -27,8 +26,8 @@ void orbit(vtkCamera& camera, const Vector3& pivot, double degreesRight, double 
 /// Shifts the camera across the view so that `anchor`, which was under `from`, comes to lie under `to`.
 void pan(vtkRenderer& renderer, const Vector3& anchor, const DisplayPoint& from, const DisplayPoint& to);
 
-/// Goes nearer by `factor` > 1, away by less than 1: the distance of `anchor` to the eye is divided by it, and `anchor`
-/// stays where it is on the screen. With a parallel projection the picture grows about the anchor instead.
+/// Divides the distance of `anchor` to the eye by `factor`; it stays where it is on the screen. With a parallel
+/// projection the picture grows about it instead.
 void zoom(vtkRenderer& renderer, const Vector3& anchor, double factor);
 
 /// Where `display` is at the depth of `reference`: a place in model units.

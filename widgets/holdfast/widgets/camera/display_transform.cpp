@@ -1,6 +1,5 @@
 #include "holdfast/widgets/camera/display_transform.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <Eigen/Geometry>
@@ -8,7 +7,6 @@
 #include <vtkCamera.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
-#include <vtkRenderer.h>
 
 #include <holdfast/geometry/degree.h>
 
@@ -89,16 +87,6 @@ bool DisplayTransform::isInside(const DisplayPoint& point) const
 {
   const DisplayPoint inside = point - origin_;
   return (inside.array() >= 0).all() && (inside.array() <= size_.array()).all();
-}
-
-double DisplayTransform::worldPerPixel(const Vector3& place) const
-{
-  return std::max(0.0, show(place).size) / pixelsOfUnit().y();
-}
-
-Vector3 DisplayTransform::sightOf(const Vector3& place) const
-{
-  return isParallel() ? direction() : Vector3((place - eye()).normalized());
 }
 
 std::optional<DisplayPoint> toDisplay(const DisplayTransform& view, const Vector3& place)

@@ -1,26 +1,24 @@
 #pragma once
 /// Between places of the model and places on the screen.
 
+#include <algorithm>
 #include <optional>
 
 #include <Eigen/Core>
+#include <vtkRenderer.h>
 
 #include <holdfast/surface/ray_caster.h>
-
-class vtkRenderer;
 
 namespace holdfast {
 
 /// From places of the model to the axes of the renderer's camera: x to the right, y up, z towards the eye at 0.
 [[nodiscard]] Eigen::Matrix4d viewOf(vtkRenderer& renderer);
 
-/// From these axes to the cube of [-1, 1] across the viewport. The camera's clipping range, which follows whatever is
-/// drawn, has no part in it: otherwise the same click would name another place, by rounding, where something else is
-/// drawn as well. So depths within the cube say nothing.
+/// From these axes to the cube of [-1, 1] across the viewport. Depths in it say nothing: the camera's clipping range
+/// has no part in it, so that a click names the same place, to the last bit, whatever else is drawn.
 [[nodiscard]] Eigen::Matrix4d projectionOf(vtkRenderer& renderer);
 
-/// A place on the screen in pixels, from the lower left corner of the window. The pixel (x, y) covers the square from
-/// there to (x + 1, y + 1): its center is (x + 0.5, y + 0.5).
+/// Pixels from the lower left corner of the window; the center of the pixel (x, y) is (x + 0.5, y + 0.5).
 using DisplayPoint = Eigen::Vector2d;
 
 /// The center of the pixel that a cursor's coordinates name.
@@ -66,10 +64,16 @@ class DisplayTransform {
   [[nodiscard]] bool isInside(const DisplayPoint& point) const;
 
   /// How long a pixel is at `place`, across the view, in model units; 0 for places that are not in front of the eye.
-  [[nodiscard]] double worldPerPixel(const Vector3& place) const;
+  [[nodiscard]] double worldPerPixel(const Vector3& place) const
+  {
+    return std::max(0.0, show(place).size) / pixelsOfUnit().y();
+  }
 
   /// The unit direction in which `place` is seen.
-  [[nodiscard]] Vector3 sightOf(const Vector3& place) const;
+  [[nodiscard]] Vector3 sightOf(const Vector3& place) const
+  {
+    return isParallel() ? direction() : Vector3((place - eye()).normalized());
+  }
 
  private:
   /// Seen at depth 1 or, for parallel projection, at any.
@@ -89,9 +93,9 @@ class DisplayTransform {
 /// Where a place appears; none for places that are not in front of the eye.
 [[nodiscard]] std::optional<DisplayPoint> toDisplay(const DisplayTransform& view, const Vector3& place);
 
-/// The angle on the display between the directions from `center` to `from` and to `to`, degrees counterclockwise, about
-/// the viewing axis towards the eye. It is the angle nearest to `near` among those that differ by whole turns; `near`
-/// where one of the three is not in front of the eye, or appears where the center does. Places in model units.
+/// The angle on the display from the direction of `from` to that of `to`, seen from `center`, degrees counterclockwise:
+/// of those that differ by whole turns the nearest to `near`; `near` where a place is not in front of the eye, or
+/// appears where the center does.
 [[nodiscard]] double degreesSeen(const DisplayTransform& view, const Vector3& center, const Vector3& from,
                                  const Vector3& to, double near);
 

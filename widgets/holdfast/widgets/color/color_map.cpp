@@ -5,7 +5,6 @@
 #include <cmath>
 #include <span>
 
-#include <vtkLookupTable.h>
 #include <vtkMath.h>
 
 namespace holdfast {
@@ -53,30 +52,24 @@ constexpr std::array<LabColor, 9> kBlueWhiteOrange{{{36, 12, -50},
 // Ends well below the grey of what has no value.
 constexpr std::array<LabColor, 2> kGrey{{{8, 0, 0}, {64, 0, 0}}};
 
-std::span<const LabColor> pointsOf(ColorMap map)
-{
-  switch (map) {
-    case ColorMap::BlueGreyYellow:
-      return kBlueGreyYellow;
-    case ColorMap::BlueWhiteOrange:
-      return kBlueWhiteOrange;
-    case ColorMap::Grey:
-      return kGrey;
-    case ColorMap::BlueGreenYellow:
-      break;
-  }
-  return kBlueGreenYellow;
-}
+// In the order of `ColorMap`.
+constexpr std::array<std::span<const LabColor>, 4> kMaps{kBlueGreenYellow, kBlueGreyYellow, kBlueWhiteOrange, kGrey};
 
 // Finer than the 256 levels of a channel anywhere along the map.
 constexpr int kTableColors = 1024;
 
 }  // namespace
 
+Color mixed(const Color& from, const Color& to, double share)
+{
+  return {std::lerp(from.red, to.red, share), std::lerp(from.green, to.green, share),
+          std::lerp(from.blue, to.blue, share)};
+}
+
 Color mapColor(double share, ColorMap map)
 {
   if (std::isnan(share)) return kNoValueColor;
-  const std::span<const LabColor> points = pointsOf(map);
+  const std::span<const LabColor> points = kMaps[static_cast<std::size_t>(map)];
   const double place = std::clamp(share, 0.0, 1.0) * static_cast<double>(points.size() - 1);
   const auto leg = std::min(static_cast<std::size_t>(place), points.size() - 2);
   const double t = place - static_cast<double>(leg);

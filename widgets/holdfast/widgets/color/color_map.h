@@ -4,9 +4,8 @@
 #include <optional>
 #include <string>
 
+#include <vtkLookupTable.h>
 #include <vtkSmartPointer.h>
-
-class vtkLookupTable;
 
 namespace holdfast {
 
@@ -19,6 +18,9 @@ struct Color {
   friend bool operator==(const Color&, const Color&) = default;
 };
 
+/// The colour that is `share` of the way from `from` to `to`.
+[[nodiscard]] Color mixed(const Color& from, const Color& to, double share);
+
 /// Equal steps of each map look about equal, and no two colours of one look the same with any common colour blindness.
 enum class ColorMap {
   BlueGreenYellow,  ///< from dark blue over green to yellow
@@ -27,8 +29,7 @@ enum class ColorMap {
   Grey              ///< from black to a middling grey: leaves all colours to other things
 };
 
-/// The colour at `share` in [0, 1] (clamped; `kNoValueColor` for NaN). Lightness rises all the way, so that it reads
-/// without colours too; that of `BlueWhiteOrange` rises to the middle and falls from there.
+/// The colour at `share` in [0, 1] (clamped; `kNoValueColor` for NaN). Lightness rises all the way, or to the middle.
 [[nodiscard]] Color mapColor(double share, ColorMap map = ColorMap::BlueGreenYellow);
 
 /// A light grey that the maps do not have, for places without a value.

@@ -57,9 +57,8 @@ using ColorRange = std::variant<AutomaticRange, FixedRange, LogarithmicRange>;
 /// Why there is no such range, in a sentence that says what to do; empty where there is one.
 [[nodiscard]] std::string whyNoRange(const ColorRange& range);
 
-/// `coloring` over `range`, for which `whyNoRange` is empty. A fixed range stays on the scale, linear or logarithmic,
-/// that there was, and is linear where it does not begin above 0. A logarithmic one of values none of which is larger
-/// than 0 changes nothing. Only the scale changes, never the values. O(N).
+/// The same values on a scale over `range`, for which `whyNoRange` is empty. A fixed range keeps its scale logarithmic
+/// where it begins above 0; a logarithmic one changes nothing where no value is above 0. O(N).
 [[nodiscard]] Coloring withRange(Coloring coloring, const ColorRange& range);
 
 }  // namespace holdfast

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -22,13 +23,6 @@ double roundDegrees(double least)
   return 360 * roundStep(std::max(1.0, least / 360));
 }
 
-std::vector<double> finiteOf(std::span<const double> values)
-{
-  std::vector<double> finite;
-  std::copy_if(values.begin(), values.end(), std::back_inserter(finite), [](double v) { return std::isfinite(v); });
-  return finite;
-}
-
 void count(Histogram& histogram, std::span<const double> values)
 {
   histogram.counts.assign(histogram.edges.empty() ? 0 : histogram.edges.size() - 1, 0);
@@ -40,29 +34,29 @@ void count(Histogram& histogram, std::span<const double> values)
   histogram.withoutValueCount = static_cast<Index>(values.size()) - histogram.valueCount;
 }
 
-std::string powerText(int power)
-{
-  return power == 0 ? "1" : fmt::format("1e{}", power);
-}
-
 }  // namespace
 
 Histogram linearHistogram(std::span<const double> values, TickSteps steps, Index mostBins)
 {
   assert(mostBins >= 2);
-  const std::vector<double> finite = finiteOf(values);
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const double value : values)
+    if (std::isfinite(value)) {
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
   Histogram histogram;
-  if (!finite.empty()) {
-    const auto [low, high] = std::minmax_element(finite.begin(), finite.end());
+  if (low <= high) {
     // Beginning at a multiple of the width costs up to one bin. Values that are all the same have no range.
-    const double size = std::max(std::abs(*low), std::abs(*high));
-    const double range = *high > *low ? std::max(*high - *low, kLeastRange * size) : std::max(1.0, size);
+    const double size = std::max(std::abs(low), std::abs(high));
+    const double range = high > low ? std::max(high - low, kLeastRange * size) : std::max(1.0, size);
     const double least = range / static_cast<double>(mostBins - 1);
     const double width = steps == TickSteps::Degrees ? roundDegrees(least) : roundStep(least);
-    double first = std::floor(*low / width);
+    double first = std::floor(low / width);
     // The quotient may have been rounded up to a whole number.
-    if (first * width > *low) --first;
-    for (double k = first; histogram.edges.size() < 2 || histogram.edges.back() < *high; ++k)
+    if (first * width > low) --first;
+    for (double k = first; histogram.edges.size() < 2 || histogram.edges.back() < high; ++k)
       histogram.edges.push_back(k * width);
   }
   count(histogram, values);
@@ -120,9 +114,9 @@ std::vector<Tick> edgeTicks(const Histogram& histogram, Index most)
   const Index step = std::max<Index>(1, (bins + most - 1) / std::max<Index>(1, most));
   for (Index k = 0; bins > 0 && k <= bins; k += step) {
     const double edge = histogram.edges[k];
-    const bool isPower = histogram.scaling == Scaling::Logarithmic && edge > 0;
-    ticks.push_back({static_cast<double>(k), isPower ? powerText(static_cast<int>(std::lround(std::log10(edge))))
-                                                     : fmt::format("{:.6g}", edge)});
+    const bool isPower = histogram.scaling == Scaling::Logarithmic && edge > 0 && edge != 1;
+    ticks.push_back({static_cast<double>(k),
+                     isPower ? fmt::format("1e{}", std::lround(std::log10(edge))) : fmt::format("{:.6g}", edge)});
   }
   return ticks;
 }

@@ -13,7 +13,6 @@
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper2D.h>
 #include <vtkProperty2D.h>
-#include <vtkRenderer.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 #include <vtkUnsignedCharArray.h>
@@ -169,14 +168,6 @@ void addTicks(vtkRenderer& renderer, Shape& shape, const ColorScale& scale, cons
     addTick(*scale.promise, fmt::format("{:.1e} promised", *scale.promise), bar.left, TextWeight::Bold);
 }
 
-void addScale(vtkRenderer& renderer, const ColorScale& scale, const Bar& bar, double textSize)
-{
-  Shape shape;
-  addColors(shape, bar, scale.map);
-  addTicks(renderer, shape, scale, bar, textSize);
-  shape.show(renderer);
-}
-
 void addKey(vtkRenderer& renderer, const std::vector<KeyEntry>& key, const LegendPlace& place, double bottom)
 {
   Shape shape;
@@ -217,7 +208,10 @@ void addLegend(vtkRenderer& renderer, const LegendContents& contents, const Lege
   addText(renderer, contents.scale->title, place.left, place.height - margin,
           {place.textSize * 1.05, TextWeight::Bold, TextAnchor::Top});
   const Bar bar{place.left, place.left + 1.3 * place.textSize, std::round(barBottom), std::round(titleBottom)};
-  addScale(renderer, *contents.scale, bar, place.textSize);
+  Shape shape;
+  addColors(shape, bar, contents.scale->map);
+  addTicks(renderer, shape, *contents.scale, bar, place.textSize);
+  shape.show(renderer);
 }
 
 }  // namespace holdfast

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include <holdfast/widgets/color/color_map.h>
+#include <vtkRenderer.h>
 
-class vtkRenderer;
+#include <holdfast/widgets/color/color_map.h>
 
 namespace holdfast {
 

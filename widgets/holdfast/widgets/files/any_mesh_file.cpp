@@ -6,14 +6,6 @@
 #include <holdfast/widgets/files/poly_data_file.h>
 
 namespace holdfast {
-namespace {
-
-std::string extensionOf(const std::filesystem::path& path)
-{
-  return lowerCase(path.extension().string());
-}
-
-}  // namespace
 
 std::vector<std::string_view> anyMeshExtensions()
 {
@@ -32,7 +24,7 @@ std::vector<std::string_view> anyOutputExtensions()
 
 MeshDocument readAnyMesh(const std::filesystem::path& path)
 {
-  const std::string extension = extensionOf(path);
+  const std::string extension = lowerCase(path.extension().string());
   if (extension == ".vtk")
     throw InputError({path.string(), 0, ""},
                      "legacy VTK files (.vtk) are not read: save it as .vtp, for example in ParaView (Save Data)");
@@ -41,7 +33,7 @@ MeshDocument readAnyMesh(const std::filesystem::path& path)
 
 Serialized serializeAnyMesh(const MeshDocument& document, const Positions& positions, const std::filesystem::path& path)
 {
-  const std::string extension = extensionOf(path);
+  const std::string extension = lowerCase(path.extension().string());
   const bool isVtks = extension == ".vtp" || extension == ".vtk";
   try {
     return isVtks ? serializePolyData(document, positions, extension) : serializeMesh(document, positions, extension);

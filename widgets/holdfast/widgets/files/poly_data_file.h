@@ -7,11 +7,11 @@
 #include <string_view>
 #include <vector>
 
+#include <vtkPolyData.h>
+
 #include <holdfast/io/mesh_document.h>
 #include <holdfast/mesh/field.h>
 #include <holdfast/mesh/mesh.h>
-
-class vtkPolyData;
 
 namespace holdfast {
 
@@ -20,24 +20,21 @@ namespace holdfast {
 /// malformed, and where it has no polygons or has triangle strips.
 [[nodiscard]] MeshDocument readPolyData(const std::filesystem::path& path);
 
-/// The contents of a file of the format that `extension` names, .vtp or .vtk, with `positions` (vertexCount x 3) in the
-/// place of the document's own. A document from `readPolyData` keeps its arrays in both formats; of others positions
-/// and faces are written, and a note says what was left behind. Throws `OutputError` for other extensions.
+/// A file of the format that `extension` names, .vtp or .vtk, with other `positions` (vertexCount x 3). Documents from
+/// `readPolyData` keep their arrays; of others positions and faces are written, with a note. Throws `OutputError`.
 [[nodiscard]] Serialized serializePolyData(const MeshDocument& document, const Positions& positions,
                                            std::string_view extension);
 
 /// An XML file, arrays as raw binary after the XML. The same bytes for the same data. Throws `OutputError`.
 [[nodiscard]] std::string vtpBytes(vtkPolyData& polyData);
 
-/// The faces of `mesh` at `positions` (vertexCount x 3) with arrays of doubles, all in binary: every bit is kept, NaN
-/// included. The same bytes on every run. Throws `OutputError` where VTK fails.
+/// The faces of `mesh` at `positions` (vertexCount x 3) with arrays of doubles, bit for bit. Throws `OutputError`.
 [[nodiscard]] Serialized fieldsToVtp(const Mesh& mesh, const Positions& positions, std::span<const Field> pointFields,
                                      std::span<const Field> faceFields);
 
-/// Makes the stored normals of `polyData`, whose polygons and points are `rest`, right for other positions; its points
-/// stay. A normal is left alone where no vertex that it depends on moved, else it becomes the area-weighted normal of
-/// the faces around a point, or of the face, on the side on which the stored one was. Returns a note for each array
-/// that changed. O(corners).
+/// Makes the stored normals of `polyData`, whose polygons and points are `rest`, right for other positions, where a
+/// vertex that they depend on moved: area-weighted, on the side on which the stored one was. Its points stay. Returns a
+/// note for each array that changed. O(corners).
 [[nodiscard]] std::vector<std::string> refreshNormals(vtkPolyData& polyData, const Mesh& rest,
                                                       const Positions& positions);
 

@@ -4,7 +4,6 @@
 #include <string_view>
 
 #include <vtkLogger.h>
-#include <vtkObject.h>
 #include <vtkOutputWindow.h>
 
 namespace holdfast {
@@ -53,11 +52,6 @@ VtkErrorLog::~VtkErrorLog()
   if (--console.silencers > 0) return;
   vtkLogger::SetStderrVerbosity(console.verbosity);
   vtkOutputWindow::GetInstance()->SetDisplayMode(console.displayMode);
-}
-
-void VtkErrorLog::watch(vtkObject& object)
-{
-  object.AddObserver(vtkCommand::ErrorEvent, observer_);
 }
 
 }  // namespace holdfast

@@ -4,14 +4,12 @@
 #include <string>
 
 #include <vtkCommand.h>
+#include <vtkObject.h>
 #include <vtkSmartPointer.h>
-
-class vtkObject;
 
 namespace holdfast {
 
-/// Keeps the errors of the VTK objects that it watches. While one lives, nothing of VTK reaches the console: some of
-/// its warnings belong to no object and cannot be watched.
+/// While one lives, nothing of VTK reaches the console: some of its warnings belong to no object.
 class VtkErrorLog {
  public:
   VtkErrorLog();
@@ -20,7 +18,7 @@ class VtkErrorLog {
   VtkErrorLog& operator=(const VtkErrorLog&) = delete;
 
   /// Gets the errors of `object` from now on.
-  void watch(vtkObject& object);
+  void watch(vtkObject& object) { object.AddObserver(vtkCommand::ErrorEvent, observer_); }
 
   [[nodiscard]] bool isEmpty() const { return observer_->first.empty(); }
   /// The first error, without VTK's source line and object address: what came first caused the others.

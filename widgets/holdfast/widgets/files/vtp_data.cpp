@@ -1,5 +1,3 @@
-#include "holdfast/widgets/files/vtp_data.h"
-
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -13,7 +11,6 @@
 #include <vtkBase64Utilities.h>
 #include <vtkByteSwap.h>
 #include <vtkDataArray.h>
-#include <vtkDataCompressor.h>
 #include <vtkIdTypeArray.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
@@ -23,6 +20,7 @@
 #include <holdfast/base/error.h>
 #include <holdfast/io/text/number_text.h>
 #include <holdfast/widgets/files/vtk_error_log.h>
+#include <holdfast/widgets/files/vtp_reader.h>
 
 namespace holdfast {
 namespace {

@@ -16,13 +16,11 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
-#include <vtkPolyData.h>
 #include <vtkTypeInt64Array.h>
 #include <vtkZLibDataCompressor.h>
 
 #include <holdfast/base/error.h>
 #include <holdfast/widgets/files/vtk_error_log.h>
-#include <holdfast/widgets/files/vtp_data.h>
 #include <holdfast/widgets/mesh/poly_data.h>
 
 namespace holdfast {

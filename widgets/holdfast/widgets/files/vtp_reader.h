@@ -2,12 +2,22 @@
 /// XML PolyData (.vtp). A reader of our own over VTK's XML parser, because VTK's reader believes types, counts, offsets
 /// and sizes that a file states, and ends the program where they are wrong.
 
+#include <functional>
+#include <map>
+#include <optional>
 #include <set>
+#include <stdexcept>
 #include <string>
+#include <string_view>
+#include <vector>
 
+#include <vtkAbstractArray.h>
+#include <vtkDataCompressor.h>
+#include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
-class vtkPolyData;
+#include <holdfast/base/types.h>
+#include <holdfast/io/text/byte_order.h>
 
 namespace holdfast {
 
@@ -16,10 +26,51 @@ struct VtpContents {
   std::set<std::string> lostKeys;  ///< names of the information keys that are not in `polyData`
 };
 
-/// The surface in the bytes of a file, with all its arrays; pieces are joined. Of information keys only those of the
-/// range of an array are not lost, which VTK computes anew. Throws `InputError` about `file`, with
-/// the line, where the file is not XML, not PolyData, has steps of time, or where an array is not what its place needs:
-/// its type, its name, the count of its numbers, offsets that grow. O(bytes).
+/// The surface in the bytes of a file, with all its arrays; pieces are joined. Throws `InputError` about `file`, with
+/// the line, where it is not XML, not PolyData, has steps of time, or where an array is not what its place needs.
+/// O(bytes).
 [[nodiscard]] VtpContents readVtp(const std::string& bytes, const std::string& file);
+
+// What it is made of: elements, and the numbers of an array as text, in base64 or as raw bytes, compressed or not.
+
+/// An element with all that is in it. References to entities are resolved.
+struct XmlElement {
+  std::string name;
+  std::size_t place = 0;  ///< byte of the text where it begins
+  std::map<std::string, std::string, std::less<>> attributes;
+  std::string text;  ///< between its tags, without that of its children
+  std::vector<XmlElement> children;
+
+  /// The value of an attribute, or nothing where there is none of that name.
+  [[nodiscard]] std::optional<std::string_view> attribute(std::string_view wanted) const;
+  /// The first child of that name, or null.
+  [[nodiscard]] const XmlElement* child(std::string_view wanted) const;
+};
+
+/// The root of `text`. Throws `InputError` about `file` where it is no XML, and where elements are nested more than 32
+/// deep. O(text).
+[[nodiscard]] XmlElement parseXml(const std::string& text, const std::string& file);
+
+/// How a file stores the numbers of its arrays (VTK File Formats, "XML File Formats").
+struct VtpEncoding {
+  ByteOrder order = ByteOrder::kLittle;
+  bool hasLongHeaders = false;  ///< sizes take eight bytes, not four
+  vtkSmartPointer<vtkDataCompressor> compressor;
+  std::string_view appended;  ///< what follows the underscore of AppendedData
+  bool isAppendedBase64 = false;
+};
+
+/// A fault of an element; the caller knows its place.
+class VtpFault : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// An attribute as a whole number from 0, or `absent` where it is not there. Throws `VtpFault`.
+[[nodiscard]] Index wholeAttribute(const XmlElement& element, std::string_view name, Index absent);
+
+/// The array of a DataArray or Array element. Throws `VtpFault` where its type is not known, or its data are no whole
+/// tuples. Takes no memory for what the file only claims to hold. O(bytes of the array).
+[[nodiscard]] vtkSmartPointer<vtkAbstractArray> readVtpArray(const XmlElement& element, const VtpEncoding& encoding);
 
 }  // namespace holdfast

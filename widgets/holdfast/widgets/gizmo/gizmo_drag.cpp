@@ -39,11 +39,6 @@ constexpr double kLargestPixel = 1e280;
 constexpr int kMostDecimals = 6;
 constexpr double kLongest = 1e9;
 
-double wholeTurns(double degrees)
-{
-  return 360 * std::round(degrees / 360);
-}
-
 /// Nothing is never negative.
 double plain(double value)
 {
@@ -198,7 +193,7 @@ void GizmoDrag::follow(const DisplayPoint& point)
   if (!start_) start_ = amount;
   const double before = amount_.x();
   amount_ = *amount - *start_;
-  if (isRotation(part_) && !isFlat_) amount_.x() += wholeTurns(before - amount_.x());
+  if (isRotation(part_) && !isFlat_) amount_.x() += 360 * std::round((before - amount_.x()) / 360);
 }
 
 GizmoMotion GizmoDrag::shifted(const Eigen::Vector2d& amounts) const

@@ -36,8 +36,7 @@ class NumericInput {
   std::string text_;
 };
 
-/// A rigid motion since the drag began: a rotation about the line along `axis` through the center of the gizmo's frame,
-/// or a translation, never both.
+/// Since the drag began: a rotation about the line along `axis` through the frame's center, or a translation.
 struct GizmoMotion {
   Vector3 translation = Vector3::Zero();  ///< model units
   Vector3 axis = Vector3::UnitZ();        ///< of unit length
@@ -70,9 +69,8 @@ inline constexpr double kSnapPixels = 8;
 /// How far a ring is from the center, in pixels, unless something else is said.
 inline constexpr double kRingPixels = 70;
 
-/// One drag of one part. The motion begins with exactly none, wherever the part was grabbed. Where the cursor
-/// determines no motion (a ray along the arrow, in the plane of the ring, behind the eye), the motion stays: it is
-/// always finite.
+/// One drag of one part. The motion begins with exactly none, and stays where the cursor determines none (a ray along
+/// the arrow, in the plane of the ring, behind the eye): it is always finite.
 class GizmoDrag {
  public:
   /// `part` is not `None`. `ringPixels`: how far the rings are from the center on the display.
@@ -82,15 +80,14 @@ class GizmoDrag {
   /// The motion with the cursor at `point`; remembers it. Angles follow the cursor over several turns.
   GizmoMotion to(const DisplayPoint& point, Snap snap);
 
-  /// Exactly so far (model units) or so much (degrees) along the part. A square and the center go in the direction in
-  /// which they have been dragged, or along their first axis. Does not change what the cursor has said.
+  /// Exactly so far (model units) or so much (degrees): squares and the center in the direction of the drag so far, or
+  /// along their first axis.
   [[nodiscard]] GizmoMotion typed(double amount) const;
 
   [[nodiscard]] GizmoPart part() const noexcept { return part_; }
   [[nodiscard]] const GizmoFrame& frame() const noexcept { return frame_; }
 
-  /// The step to which translations snap: the smallest round length that is seen as `kSnapPixels` or more in every
-  /// direction of the part.
+  /// Translations snap to the smallest round length that is seen as `kSnapPixels` in every direction of the part.
   [[nodiscard]] const RoundStep& step() const noexcept { return step_; }
 
   /// For a ring the unit direction from the center to where it was grabbed, else zero.

@@ -62,7 +62,8 @@ struct Distances {
       case GizmoPartKind::Center:
         return std::max(0.0, (cursor - center).norm() - kBallRadius * radius);
       case GizmoPartKind::Arrow:
-        return toArrow(axisIndexOf(part));
+        return toLine(place(kShaftStart * Vector3::Unit(axisIndexOf(part))),
+                      place(kArrowEnd * Vector3::Unit(axisIndexOf(part))));
       case GizmoPartKind::Square:
         return toSquare(axisIndexOf(part));
       case GizmoPartKind::Ring:
@@ -81,11 +82,6 @@ struct Distances {
     const std::optional<DisplayPoint> from = toDisplay(view, a);
     const std::optional<DisplayPoint> to = toDisplay(view, b);
     return from && to ? distanceToSegment(cursor, *from, *to) : kFar;
-  }
-
-  [[nodiscard]] double toArrow(int axis) const
-  {
-    return toLine(place(kShaftStart * Vector3::Unit(axis)), place(kArrowEnd * Vector3::Unit(axis)));
   }
 
   [[nodiscard]] double toSquare(int axis) const

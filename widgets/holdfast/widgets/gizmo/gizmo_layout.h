@@ -1,6 +1,5 @@
 #pragma once
-/// The parts of the gizmo: their colours, their layout on the display, how visible each is, and which one the cursor
-/// meets.
+/// The parts of the gizmo: colours, layout on the display, how visible each is, and which one the cursor meets.
 
 #include <holdfast/base/types.h>
 #include <holdfast/widgets/camera/display_transform.h>
@@ -80,8 +79,7 @@ struct GizmoPlacement {
   double scale = 1;  ///< radius of the outer ring, model units
 };
 
-/// As large as it takes for the outer ring to have a radius of `pixels`. Of no size (0) where it is not in front of
-/// the eye.
+/// The outer ring has a radius of `pixels`; of no size (0) where it is not in front of the eye.
 [[nodiscard]] GizmoPlacement placementOf(const DisplayTransform& view, const GizmoFrame& frame, double pixels);
 
 /// From 0 (gone) to 1: arrows that point to the eye, and rings and squares that are seen edge-on, fade.

@@ -1,6 +1,7 @@
 #pragma once
-/// The gizmo as VTK draws it: the actors of a part, and of the trace of a drag.
+/// The gizmo as VTK draws it: the shape and the actors of a part, and the actors of the trace of a drag.
 
+#include <array>
 #include <vector>
 
 #include <vtkActor.h>
@@ -12,9 +13,20 @@
 #include <holdfast/widgets/color/color_map.h>
 #include <holdfast/widgets/gizmo/gizmo_drag.h>
 #include <holdfast/widgets/gizmo/gizmo_layout.h>
-#include <holdfast/widgets/gizmo/gizmo_shapes.h>
 
 namespace holdfast {
+
+/// A lit surface of triangles, in radii of the outer ring, about the origin along the coordinate axes.
+struct GizmoShape {
+  std::vector<Vector3> points;
+  std::vector<Vector3> normals;   ///< of unit length, one a point
+  std::vector<double> opacities;  ///< one a point
+  std::vector<Vector3> arms;      ///< of rings: from the center to the point's place on the ring; else empty
+  std::vector<std::array<Index, 3>> triangles;  ///< counterclockwise seen from outside
+};
+
+/// The shape of a part that is not `None`. The outer ring lies across z.
+[[nodiscard]] GizmoShape gizmoShape(GizmoPart part);
 
 /// Solid and translucent triangles are two actors: the translucent ones are drawn after the solid ones of all parts.
 class GizmoPartActors {

@@ -1,28 +1,20 @@
 #include "holdfast/widgets/interaction/constraint_mark_widget.h"
 
 #include <algorithm>
-#include <utility>
-
-#include <holdfast/widgets/camera/display_transform.h>
 
 namespace holdfast {
-namespace {
-
-// Users aim at single points, not at one vertex of a region in the same place.
-constexpr double kRegionHandicapPixels = 2;
-
-}  // namespace
 
 vtkStandardNewMacro(ConstraintMarkRepresentation);
 
 bool ConstraintMarkRepresentation::HasMarksOf(Index constraint) const
 {
-  return this->Marks && std::any_of(this->Marks->marks.begin(), this->Marks->marks.end(),
-                                    [&](const ConstraintMark& mark) { return mark.constraint == constraint; });
+  return this->Marks && std::ranges::count(this->Marks->marks, constraint, &ConstraintMark::constraint) > 0;
 }
 
 std::optional<Index> ConstraintMarkRepresentation::FindConstraint(double displayX, double displayY) const
 {
+  // Users aim at single points, not at one vertex of a region in the same place.
+  constexpr double kRegionHandicapPixels = 2;
   if (this->Renderer == nullptr || !this->Marks) return std::nullopt;
   const DisplayTransform toDisplay(*this->Renderer);
   const DisplayPoint cursor = centerOfPixel(displayX, displayY);
@@ -49,13 +41,6 @@ ConstraintMarkWidget::ConstraintMarkWidget()
   this->Bind<&ConstraintMarkWidget::Leave>(vtkCommand::LeaveEvent, vtkWidgetEvent::HoverLeave);
   this->Bind<&ConstraintMarkWidget::PressClick>(vtkCommand::LeftButtonPressEvent, vtkWidgetEvent::Select);
   this->Bind<&ConstraintMarkWidget::Release>(vtkCommand::LeftButtonReleaseEvent, vtkWidgetEvent::EndSelect);
-}
-
-void ConstraintMarkWidget::SetEnabled(int enabling)
-{
-  if (enabling == 0 && this->Enabled != 0) this->Leave();
-  this->LeftClick.Forget();
-  this->Superclass::SetEnabled(enabling);
 }
 
 void ConstraintMarkWidget::SetMarks(std::shared_ptr<const MarkSet> marks)

@@ -19,12 +19,7 @@ class ConstraintMarkRepresentation : public vtkWidgetRepresentation {
   vtkTypeMacro(ConstraintMarkRepresentation, vtkWidgetRepresentation)
 
   /// Marks that can be found; null, the default: none.
-  void SetMarks(std::shared_ptr<const MarkSet> marks)
-  {
-    if (this->Marks == marks) return;
-    this->Marks = std::move(marks);
-    this->Modified();
-  }
+  void SetMarks(std::shared_ptr<const MarkSet> marks) { assign(*this, this->Marks, std::move(marks)); }
 
   /// Marks whose places it cuts away are not found; none by default.
   void SetSection(const std::optional<SectionPlane>& section) { this->Section = section; }
@@ -68,8 +63,6 @@ class ConstraintMarkWidget : public WidgetOf<ConstraintMarkRepresentation> {
   vtkTypeMacro(ConstraintMarkWidget, vtkAbstractWidget)
 
   [[nodiscard]] ConstraintMarkRepresentation* GetConstraintMarkRepresentation() { return &this->Drawn(); }
-  /// Disabling ends what is highlighted.
-  void SetEnabled(int enabling) override;
 
   /// Null: none. A highlighted constraint stays so until the cursor moves, or until it has no marks any more.
   void SetMarks(std::shared_ptr<const MarkSet> marks);
@@ -85,6 +78,7 @@ class ConstraintMarkWidget : public WidgetOf<ConstraintMarkRepresentation> {
  private:
   void Hover();
   void Leave() { this->Highlight(std::nullopt); }
+  void Stop() override { this->Leave(); }
   void Release();
 
   [[nodiscard]] std::optional<Index> ConstraintAtCursor();

@@ -1,5 +1,3 @@
-#include "holdfast/widgets/interaction/gizmo_representation.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -10,6 +8,8 @@
 #include <vtkRenderWindow.h>
 #include <vtkRendererCollection.h>
 #include <vtkTextProperty.h>
+
+#include <holdfast/widgets/interaction/gizmo_widget.h>
 
 namespace holdfast {
 namespace {
@@ -132,11 +132,6 @@ void GizmoRepresentation::SetMotions(GizmoMotions motions)
   this->Motions = motions;
   if (!this->Offers(this->Part)) this->SetPart(GizmoPart::None);
   this->Modified();
-}
-
-bool GizmoRepresentation::IsDrawn(GizmoPart part) const
-{
-  return this->Visibility && this->Offers(part) && (!this->Drag || this->Drag->part == part);
 }
 
 GizmoDrag GizmoRepresentation::NewDrag(const DisplayPoint& cursor)

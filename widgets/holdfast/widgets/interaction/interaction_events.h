@@ -4,13 +4,19 @@
 /// can change. Sizes are pixels of a display of ordinary resolution; `PixelRatio`, 1 by default, is the number of
 /// pixels of the window for each of them.
 
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
 #include <optional>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <vtkAbstractWidget.h>
 #include <vtkCallbackCommand.h>
 #include <vtkEvent.h>
+#include <vtkInteractorStyle.h>
 #include <vtkObjectFactory.h>
 #include <vtkPropCollection.h>
 #include <vtkRenderWindow.h>
@@ -33,11 +39,24 @@ enum InteractionEvents : unsigned long {
   ContextMenuRequestEvent
 };
 
+/// As `vtkSetMacro` sets a member of `object`, for types that VTK cannot print.
+template <class Value>
+void assign(vtkObject& object, Value& member, Value value)
+{
+  if (member == value) return;
+  member = std::move(value);
+  object.Modified();
+}
+
 /// A press and a release nearer than this are a click.
 inline constexpr double kClickPixels = 4;
 
 /// Whether the interactor's style moves the camera at the moment: nothing follows the cursor then.
-[[nodiscard]] bool isCameraMoving(vtkRenderWindowInteractor& interactor);
+[[nodiscard]] inline bool isCameraMoving(vtkRenderWindowInteractor& interactor)
+{
+  auto* style = vtkInteractorStyle::SafeDownCast(interactor.GetInteractorStyle());
+  return style != nullptr && style->GetState() != VTKIS_NONE;
+}
 
 /// Whether the press that is being handled is the second one of a double click.
 [[nodiscard]] inline bool isSecondPress(vtkRenderWindowInteractor& interactor)
@@ -46,13 +65,29 @@ inline constexpr double kClickPixels = 4;
 }
 
 /// The pixel of the event that is being handled.
-[[nodiscard]] DisplayPoint cursorOf(vtkRenderWindowInteractor& interactor);
+[[nodiscard]] inline DisplayPoint cursorOf(vtkRenderWindowInteractor& interactor)
+{
+  const int* position = interactor.GetEventPosition();
+  return {position[0], position[1]};
+}
 
 /// `ComputeInteractionState` of that pixel.
-int stateAtCursor(vtkWidgetRepresentation& representation, vtkRenderWindowInteractor& interactor);
+inline int stateAtCursor(vtkWidgetRepresentation& representation, vtkRenderWindowInteractor& interactor)
+{
+  const int* position = interactor.GetEventPosition();
+  return representation.ComputeInteractionState(position[0], position[1]);
+}
 
 /// Points of a circle at equal distances, counterclockwise.
-[[nodiscard]] std::vector<DisplayPoint> circle(const DisplayPoint& center, double radius, int corners);
+[[nodiscard]] inline std::vector<DisplayPoint> circle(const DisplayPoint& center, double radius, int corners)
+{
+  std::vector<DisplayPoint> points;
+  for (int k = 0; k < corners; ++k) {
+    const double angle = 2 * std::numbers::pi * k / corners;
+    points.push_back(center + radius * DisplayPoint(std::cos(angle), std::sin(angle)));
+  }
+  return points;
+}
 
 /// A click is a press and a release within `kClickPixels`. Widgets abort neither event, so that a drag from the same
 /// place moves the camera.
@@ -61,10 +96,19 @@ class Click {
   void Press(const DisplayPoint& place) { this->PressedAt = place; }
 
   /// The cursor is at `place`: whether that ends a possible click.
-  bool LeaveAt(const DisplayPoint& place, double pixelRatio);
+  bool LeaveAt(const DisplayPoint& place, double pixelRatio)
+  {
+    if (!this->PressedAt || (place - *this->PressedAt).norm() < kClickPixels * pixelRatio) return false;
+    this->PressedAt.reset();
+    return true;
+  }
 
   /// Whether the button that comes up at `place` clicks.
-  [[nodiscard]] bool Release(const DisplayPoint& place, double pixelRatio);
+  [[nodiscard]] bool Release(const DisplayPoint& place, double pixelRatio)
+  {
+    this->LeaveAt(place, pixelRatio);
+    return std::exchange(this->PressedAt, std::nullopt).has_value();
+  }
 
   void Forget() { this->PressedAt.reset(); }
 
@@ -75,7 +119,7 @@ class Click {
 template <class Result, class Widget>
 Widget classOf(Result (Widget::*action)());
 
-/// A widget whose representation is of one class.
+/// A widget whose representation is of one class. Disabling it stops what is under way.
 template <class Representation, class Base = vtkAbstractWidget>
 class WidgetOf : public Base {
  public:
@@ -83,6 +127,12 @@ class WidgetOf : public Base {
   {
     this->SetWidgetRepresentation(representation);
     if (representation != nullptr) this->Inform(*representation);
+  }
+  void SetEnabled(int enabling) override
+  {
+    if (enabling == 0 && this->Enabled != 0) this->Stop();
+    this->LeftClick.Forget();
+    this->Base::SetEnabled(enabling);
   }
   /// Not by SetRepresentation, which would disable the widget and enable it again: that asks for a representation.
   void CreateDefaultRepresentation() override
@@ -96,6 +146,8 @@ class WidgetOf : public Base {
  protected:
   /// Tells a new representation what the widget knows.
   virtual void Inform(Representation& /*representation*/) {}
+  /// The widget is enabled, and about to be disabled.
+  virtual void Stop() {}
   [[nodiscard]] Representation& Drawn() { return *static_cast<Representation*>(this->GetRepresentation()); }
 
   /// The widget event calls a member function without arguments. One that returns true has used the VTK event.
@@ -184,10 +236,21 @@ class DrawnByProps : public Base {
 enum class SelectionMode { Replace, Add, Remove };
 
 /// By the keys of the event that is handled: Shift adds, Ctrl removes.
-[[nodiscard]] SelectionMode selectionModeOf(vtkRenderWindowInteractor& interactor);
+[[nodiscard]] inline SelectionMode selectionModeOf(vtkRenderWindowInteractor& interactor)
+{
+  if (interactor.GetControlKey() != 0) return SelectionMode::Remove;
+  return interactor.GetShiftKey() != 0 ? SelectionMode::Add : SelectionMode::Replace;
+}
 
 /// Arguments and result are ascending, each id once. O(sum of both).
-[[nodiscard]] std::vector<Index> joined(const std::vector<Index>& selected, const std::vector<Index>& reached,
-                                        SelectionMode mode);
+[[nodiscard]] inline std::vector<Index> joined(const std::vector<Index>& selected, const std::vector<Index>& reached,
+                                               SelectionMode mode)
+{
+  std::vector<Index> result;
+  if (mode == SelectionMode::Replace) return reached;
+  if (mode == SelectionMode::Add) std::ranges::set_union(selected, reached, std::back_inserter(result));
+  if (mode == SelectionMode::Remove) std::ranges::set_difference(selected, reached, std::back_inserter(result));
+  return result;
+}
 
 }  // namespace holdfast

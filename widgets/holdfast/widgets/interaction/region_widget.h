@@ -5,13 +5,57 @@
 #include <optional>
 #include <vector>
 
+#include <vtkActor2D.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+
 #include <holdfast/surface/vertex_regions.h>
-#include <holdfast/widgets/interaction/region_representation.h>
+#include <holdfast/widgets/interaction/interaction_events.h>
 #include <holdfast/widgets/picking/screen_selection.h>
 #include <holdfast/widgets/picking/surface_picker.h>
 #include <holdfast/widgets/picking/visible_surface.h>
 
 namespace holdfast {
+
+/// A closed line over the picture, light below dark, so that it is seen on every surface; or nothing (the default).
+class RegionRepresentation : public DrawnByProps<vtkWidgetRepresentation> {
+ public:
+  static RegionRepresentation* New();
+  vtkTypeMacro(RegionRepresentation, vtkWidgetRepresentation)
+
+  /// A polygon that is filled faintly where `ScreenPolygon` has its inside. Corners are pixels as a cursor names them.
+  void ShowPolygon(std::vector<DisplayPoint> corners) { this->Show(std::move(corners), true); }
+  /// A circle, not filled, around the center of a pixel; radius in pixels of the window.
+  void ShowCircle(const DisplayPoint& center, double radius)
+  {
+    constexpr int kCorners = 72;
+    this->Show(circle(center, radius, kCorners), false);
+  }
+  void ShowNothing() { this->Show({}, false); }
+  /// Corners of what is shown.
+  [[nodiscard]] const std::vector<DisplayPoint>& GetOutline() const { return this->Outline; }
+
+  vtkSetClampMacro(PixelRatio, double, 0.1, 100.0);
+  vtkGetMacro(PixelRatio, double);
+
+  void BuildRepresentation() override;
+
+ protected:
+  RegionRepresentation();
+  ~RegionRepresentation() override = default;
+
+ private:
+  void Show(std::vector<DisplayPoint> outline, bool isFilled);
+
+  std::vector<DisplayPoint> Outline;
+  bool IsFilled = false;
+  double PixelRatio = 1;
+  vtkNew<vtkPolyData> FillData;  // in pixels of the window
+  vtkNew<vtkPolyData> LineData;
+  vtkNew<vtkActor2D> Fill;
+  vtkNew<vtkActor2D> LightLine;
+  vtkNew<vtkActor2D> DarkLine;
+};
 
 enum class RegionShape {
   Brush,      ///< a stroke reaches the vertices that the brush touches along the surface
@@ -40,8 +84,6 @@ class RegionWidget : public WidgetOf<RegionRepresentation> {
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   [[nodiscard]] RegionRepresentation* GetRegionRepresentation() { return &this->Drawn(); }
-  /// Disabling cancels the gesture under way.
-  void SetEnabled(int enabling) override;
 
   /// `Brush` by default. Another one cancels the gesture under way.
   void SetShape(RegionShape shape);
@@ -51,8 +93,7 @@ class RegionWidget : public WidgetOf<RegionRepresentation> {
   void SetSurface(std::shared_ptr<const VisibleSurface> surface);
   [[nodiscard]] const std::shared_ptr<const VisibleSurface>& GetSurface() const { return this->Surface; }
 
-  /// Those of the surface's model; null (the default): no brush and no sides. Another one cancels the gesture under
-  /// way.
+  /// Those of the surface's model; null (the default): no brush and no sides. Another one cancels the gesture.
   void SetRegions(std::shared_ptr<VertexRegions> regions);
   [[nodiscard]] const std::shared_ptr<VertexRegions>& GetRegions() const { return this->Regions; }
 
@@ -75,6 +116,7 @@ class RegionWidget : public WidgetOf<RegionRepresentation> {
   ~RegionWidget() override = default;
 
   void Inform(RegionRepresentation& representation) override { representation.SetPixelRatio(this->PixelRatio); }
+  void Stop() override;
 
  private:
   enum class Gesture {
@@ -103,7 +145,10 @@ class RegionWidget : public WidgetOf<RegionRepresentation> {
   void SelectAtOnce(std::vector<Index> reached);
   void ShowBrush();
   [[nodiscard]] std::vector<DisplayPoint> Polygon() const;
-  [[nodiscard]] std::optional<SurfacePick> FaceAt(const DisplayPoint& pixel) const;
+  [[nodiscard]] std::optional<SurfacePick> FaceAt(const DisplayPoint& pixel) const
+  {
+    return SurfacePicker(this->Surface).pick(*this->CurrentRenderer, pixel.x(), pixel.y(), PickKind::Face, 0);
+  }
   void Tell(unsigned long event, std::vector<Index> reached = {});
 
   RegionShape Shape = RegionShape::Brush;

@@ -8,18 +8,9 @@
 #include <holdfast/geometry/degree.h>
 #include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/widgets/interaction/interaction_events.h>
-#include <holdfast/widgets/rotation_sphere/rotation_sphere.h>
 #include <holdfast/widgets/rotation_sphere/sphere_camera.h>
 
 namespace holdfast {
-namespace {
-
-// A drag across the height of the picture rotates the sphere by this: it about follows the cursor.
-constexpr double kSphereDegreesAcross = 3.2 / kDegree;
-constexpr double kPixelsOfKey = 20;
-constexpr double kZoomOfNotch = 1.2;
-
-}  // namespace
 
 vtkStandardNewMacro(RotationSphereStyle);
 
@@ -59,6 +50,7 @@ void RotationSphereStyle::OnKeyPress()
 {
   const char* name = this->Interactor->GetKeySym();
   const std::string_view key = name != nullptr ? name : "";
+  constexpr double kPixelsOfKey = 20;
   const double step = kPixelsOfKey * this->PixelRatio;
   if (key == "Left") this->Turn({-step, 0});
   if (key == "Right") this->Turn({step, 0});
@@ -72,6 +64,8 @@ void RotationSphereStyle::OnKeyPress()
 void RotationSphereStyle::Turn(const DisplayPoint& pixels)
 {
   if (!this->Sphere) return;
+  // A drag across the height of the picture rotates the sphere by this: it about follows the cursor.
+  constexpr double kSphereDegreesAcross = 3.2 / kDegree;
   vtkRenderer& renderer = *this->Sphere->renderer();
   const DisplayPoint degrees = kSphereDegreesAcross / std::max(1, renderer.GetSize()[1]) * pixels;
   orbit(*renderer.GetActiveCamera(), Vector3::Zero(), degrees.x(), degrees.y());
@@ -81,6 +75,7 @@ void RotationSphereStyle::Turn(const DisplayPoint& pixels)
 void RotationSphereStyle::Zoom(double notches)
 {
   if (!this->Sphere) return;
+  constexpr double kZoomOfNotch = 1.2;
   zoomSphere(*this->Sphere->renderer()->GetActiveCamera(),
              std::pow(kZoomOfNotch, notches * this->GetMouseWheelMotionFactor()));
   this->CameraMoved();

@@ -4,10 +4,9 @@
 #include <vtkInteractorStyle.h>
 
 #include <holdfast/widgets/camera/display_transform.h>
+#include <holdfast/widgets/rotation_sphere/rotation_sphere.h>
 
 namespace holdfast {
-
-class RotationSphere;
 
 /// A drag with the left button rotates the sphere with the cursor, the wheel and "plus" and "minus" zoom, arrow keys
 /// rotate, a double click and "Home" show all that is prescribed.

@@ -8,18 +8,9 @@
 #include <vtkEvent.h>
 
 #include <holdfast/widgets/camera/camera_state.h>
-#include <holdfast/widgets/interaction/interaction_events.h>
 #include <holdfast/widgets/picking/surface_picker.h>
 
 namespace holdfast {
-namespace {
-
-// A drag across the height of the picture rotates by this.
-constexpr double kDegreesAcross = 220;
-
-constexpr double kWheelZoom = 1.2;
-
-}  // namespace
 
 vtkStandardNewMacro(SurfaceCameraStyle);
 
@@ -81,6 +72,8 @@ void SurfaceCameraStyle::OnMouseMove()
   if (this->State == VTKIS_PAN) {
     pan(*this->CurrentRenderer, this->Pivot, from, to);
   } else {
+    // A drag across the height of the picture rotates by this.
+    constexpr double kDegreesAcross = 220;
     const DisplayPoint degrees = kDegreesAcross / std::max(1, this->CurrentRenderer->GetSize()[1]) * (to - from);
     orbit(*this->CurrentRenderer->GetActiveCamera(), this->Pivot, degrees.x(), degrees.y());
   }
@@ -89,6 +82,7 @@ void SurfaceCameraStyle::OnMouseMove()
 
 void SurfaceCameraStyle::Zoom(double notches)
 {
+  constexpr double kWheelZoom = 1.2;
   const DisplayPoint cursor = cursorOf(*this->Interactor);
   this->FindPokedRenderer(static_cast<int>(cursor.x()), static_cast<int>(cursor.y()));
   if (this->CurrentRenderer == nullptr) return;

@@ -2,13 +2,13 @@
 /// Turns, shifts and zooms the camera about the place of a surface that is under the cursor.
 
 #include <memory>
-#include <utility>
 
 #include <vtkCommand.h>
 #include <vtkInteractorStyle.h>
 #include <vtkNew.h>
 #include <vtkWidgetEventTranslator.h>
 
+#include <holdfast/widgets/interaction/interaction_events.h>
 #include <holdfast/widgets/picking/visible_surface.h>
 
 namespace holdfast {
@@ -25,12 +25,7 @@ class SurfaceCameraStyle : public vtkInteractorStyle {
   vtkTypeMacro(SurfaceCameraStyle, vtkInteractorStyle)
 
   /// The motion is about its place under the cursor; null (the default) and beside it: about the depth of the focus.
-  void SetSurface(std::shared_ptr<const VisibleSurface> surface)
-  {
-    if (this->Surface == surface) return;
-    this->Surface = std::move(surface);
-    this->Modified();
-  }
+  void SetSurface(std::shared_ptr<const VisibleSurface> surface) { assign(*this, this->Surface, std::move(surface)); }
   [[nodiscard]] const std::shared_ptr<const VisibleSurface>& GetSurface() const { return this->Surface; }
 
   vtkSetClampMacro(PixelRatio, double, 0.1, 100.0);

@@ -1,5 +1,3 @@
-#include "holdfast/widgets/interaction/surface_curve_representation.h"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -9,7 +7,8 @@
 
 #include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/widgets/color/color_map.h>
-#include <holdfast/widgets/mesh/actor_setup.h>
+#include <holdfast/widgets/interaction/surface_curve_widget.h>
+#include <holdfast/widgets/mesh/actors.h>
 #include <holdfast/widgets/mesh/poly_data.h>
 
 namespace holdfast {

@@ -30,15 +30,16 @@ SurfaceCurveWidget::SurfaceCurveWidget()
 
 void SurfaceCurveWidget::SetEnabled(int enabling)
 {
-  if (enabling == 0 && this->Enabled != 0) {
-    if (this->IsDragging()) this->Cancel();
-    this->LeftClick.Forget();
-    this->Drawn().SetPreview(std::nullopt);
-    this->RequestCursorShape(VTK_CURSOR_DEFAULT);
-  }
-  this->Superclass::SetEnabled(enabling);
+  this->WidgetOf::SetEnabled(enabling);
   // VTK hides what has no point yet: here the vertex under the cursor is shown.
   this->Drawn().VisibilityOn();
+}
+
+void SurfaceCurveWidget::Stop()
+{
+  if (this->IsDragging()) this->Cancel();
+  this->Drawn().SetPreview(std::nullopt);
+  this->RequestCursorShape(VTK_CURSOR_DEFAULT);
 }
 
 void SurfaceCurveWidget::SetSurface(std::shared_ptr<const VisibleSurface> surface)

@@ -3,13 +3,13 @@
 
 #include <memory>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include <vtkContourLineInterpolator.h>
 #include <vtkPointPlacer.h>
 
 #include <holdfast/surface/vertex_regions.h>
+#include <holdfast/widgets/interaction/interaction_events.h>
 #include <holdfast/widgets/picking/surface_picker.h>
 #include <holdfast/widgets/picking/visible_surface.h>
 
@@ -22,12 +22,7 @@ class SurfacePointPlacer : public vtkPointPlacer {
   vtkTypeMacro(SurfacePointPlacer, vtkPointPlacer)
 
   /// Null (the default): no points. May change at any time.
-  void SetSurface(std::shared_ptr<const VisibleSurface> surface)
-  {
-    if (this->Surface == surface) return;
-    this->Surface = std::move(surface);
-    this->Modified();
-  }
+  void SetSurface(std::shared_ptr<const VisibleSurface> surface) { assign(*this, this->Surface, std::move(surface)); }
   [[nodiscard]] const std::shared_ptr<const VisibleSurface>& GetSurface() const { return this->Surface; }
 
   /// `Nearest` by default.
@@ -40,8 +35,7 @@ class SurfacePointPlacer : public vtkPointPlacer {
   vtkSetClampMacro(PixelRatio, double, 0.1, 100.0);
   vtkGetMacro(PixelRatio, double);
 
-  /// The point that a click on a pixel of the renderer's window means; none beside the surface. As
-  /// `SurfacePicker::pick`.
+  /// The point that a click on a pixel of the renderer's window means, as `SurfacePicker::pick`.
   [[nodiscard]] std::optional<SurfacePick> Pick(vtkRenderer& renderer, const double displayPos[2]) const;
 
   /// The last point that one of the functions below has placed; none before the first.
@@ -71,31 +65,19 @@ class SurfacePointPlacer : public vtkPointPlacer {
   std::optional<SurfacePick> LastPick;
 };
 
-/// Joins nodes of a contour by shortest paths of edges: as long as these are at rest, drawn where the surface is. Nodes
-/// are vertices of the file: the `PointId` of each, and of each point between.
+/// Joins nodes of a contour by shortest paths of edges at rest. `PointId` of nodes and of points between is the vertex.
 class SurfaceCurveInterpolator : public vtkContourLineInterpolator {
  public:
   static SurfaceCurveInterpolator* New();
   vtkTypeMacro(SurfaceCurveInterpolator, vtkContourLineInterpolator)
 
   /// Until both are there, and made of one model, nothing is joined; null by default.
-  void SetSurface(std::shared_ptr<const VisibleSurface> surface)
-  {
-    if (this->Surface == surface) return;
-    this->Surface = std::move(surface);
-    this->Modified();
-  }
+  void SetSurface(std::shared_ptr<const VisibleSurface> surface) { assign(*this, this->Surface, std::move(surface)); }
   [[nodiscard]] const std::shared_ptr<const VisibleSurface>& GetSurface() const { return this->Surface; }
-  void SetRegions(std::shared_ptr<const VertexRegions> regions)
-  {
-    if (this->Regions == regions) return;
-    this->Regions = std::move(regions);
-    this->Modified();
-  }
+  void SetRegions(std::shared_ptr<const VertexRegions> regions) { assign(*this, this->Regions, std::move(regions)); }
   [[nodiscard]] const std::shared_ptr<const VertexRegions>& GetRegions() const { return this->Regions; }
 
-  /// The vertices of a shortest path with both ends; none where no edges join them. Between the ends the first vertex
-  /// of each unknown is named (unwelded files have several). As costly as `shortestPath`.
+  /// The vertices of a shortest path with both ends, between them the first of each unknown; none where no edges join.
   [[nodiscard]] std::vector<Index> Path(Index from, Index to);
 
   /// 1, or 0 where nothing joins the nodes.

@@ -1,11 +1,12 @@
 #include "holdfast/widgets/interaction/surface_point_widget.h"
 
+#include <array>
 #include <utility>
 
 #include <vtkWidgetEventTranslator.h>
 
 #include <holdfast/widgets/marks/constraint_glyphs.h>
-#include <holdfast/widgets/mesh/actor_setup.h>
+#include <holdfast/widgets/mesh/actors.h>
 #include <holdfast/widgets/mesh/poly_data.h>
 
 namespace holdfast {
@@ -21,12 +22,6 @@ constexpr double kOutlineFactor = -2;
 constexpr double kOutlineUnits = -8;
 
 constexpr Color kHaloColor{1, 1, 1};
-
-MarkKind markKindOf(const SurfaceLocation& location)
-{
-  if (std::holds_alternative<AtVertex>(location)) return MarkKind::Vertex;
-  return std::holds_alternative<AtEdge>(location) ? MarkKind::Edge : MarkKind::Face;
-}
 
 }  // namespace
 
@@ -74,26 +69,24 @@ void SurfacePointRepresentation::SetPixelRatio(double ratio)
   this->Modified();
 }
 
-/// The ends of the edge, the corners of the face; none for a vertex.
-std::vector<Index> SurfacePointRepresentation::OutlineVertices() const
-{
-  if (!this->Preview) return {};
-  if (const auto* edge = std::get_if<AtEdge>(&this->Preview->location)) return {edge->i, edge->j};
-  const auto* at = std::get_if<AtFace>(&this->Preview->location);
-  if (at == nullptr) return {};
-  const auto corners = this->Surface->model().mesh.faces[at->face];
-  return {corners.begin(), corners.end()};
-}
-
 void SurfacePointRepresentation::BuildRepresentation()
 {
   if (this->BuildTime > this->GetMTime()) return;
   std::vector<Vector3> outline;
-  for (const Index vertex : this->OutlineVertices()) outline.emplace_back(this->Surface->positions().row(vertex));
+  const auto add = [&](Index vertex) { outline.emplace_back(this->Surface->positions().row(vertex)); };
+  const SurfaceLocation* const at = this->Preview ? &this->Preview->location : nullptr;
+  if (const auto* edge = std::get_if<AtEdge>(at)) {
+    add(edge->i);
+    add(edge->j);
+  }
+  if (const auto* face = std::get_if<AtFace>(at))
+    for (const Index corner : this->Surface->model().mesh.faces[face->face]) add(corner);
   if (!outline.empty()) outline.push_back(outline.front());
   setLines(*this->Outline, {outline});
   std::optional<PreviewedPoint> point;
-  if (this->Preview) point.emplace(PreviewedPoint{this->Preview->place, markKindOf(this->Preview->location)});
+  // In the order of `SurfaceLocation`; no pick is near a place.
+  constexpr std::array kKinds{MarkKind::Vertex, MarkKind::Edge, MarkKind::Face};
+  if (this->Preview) point.emplace(PreviewedPoint{this->Preview->place, kKinds.at(this->Preview->location.index())});
   this->Point.set(point);
   this->BuildTime.Modified();
 }
@@ -122,13 +115,6 @@ void SurfacePointWidget::Inform(SurfacePointRepresentation& representation)
 {
   representation.SetSurface(this->Placer->GetSurface());
   representation.SetPixelRatio(this->GetPixelRatio());
-}
-
-void SurfacePointWidget::SetEnabled(int enabling)
-{
-  if (enabling == 0 && this->Enabled != 0) this->Leave();
-  this->LeftClick.Forget();
-  this->Superclass::SetEnabled(enabling);
 }
 
 void SurfacePointWidget::SetSurface(std::shared_ptr<const VisibleSurface> surface)
@@ -160,11 +146,6 @@ bool SurfacePointWidget::WantsKey(char key) const
 {
   return this->EventTranslator->GetTranslation(vtkCommand::CharEvent, vtkEvent::NoModifier, key, 0, nullptr) !=
          vtkWidgetEvent::NoEvent;
-}
-
-std::optional<SurfacePick> SurfacePointWidget::PickAtCursor() const
-{
-  return this->Placer->Pick(*this->CurrentRenderer, this->Cursor().data());
 }
 
 void SurfacePointWidget::Show(std::optional<SurfacePick> pick)

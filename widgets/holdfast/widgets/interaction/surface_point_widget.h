@@ -11,7 +11,7 @@
 #include <holdfast/widgets/interaction/interaction_events.h>
 #include <holdfast/widgets/interaction/surface_point_placer.h>
 #include <holdfast/widgets/marks/point_preview.h>
-#include <holdfast/widgets/mesh/blended_actor.h>
+#include <holdfast/widgets/mesh/actors.h>
 
 namespace holdfast {
 
@@ -22,8 +22,7 @@ class SurfacePointRepresentation : public DrawnByProps<vtkWidgetRepresentation> 
   static SurfacePointRepresentation* New();
   vtkTypeMacro(SurfacePointRepresentation, vtkWidgetRepresentation)
 
-  /// A point that is shown moves with the surface, and is removed where that is another mesh's
-  /// (`VisibleSurface::isSameMesh`). Null, the default: nothing is shown.
+  /// A point that is shown moves with it, and is removed where it is another mesh's. Null, the default: none is shown.
   void SetSurface(std::shared_ptr<const VisibleSurface> surface);
   [[nodiscard]] const std::shared_ptr<const VisibleSurface>& GetSurface() const { return this->Surface; }
 
@@ -41,8 +40,6 @@ class SurfacePointRepresentation : public DrawnByProps<vtkWidgetRepresentation> 
   ~SurfacePointRepresentation() override = default;
 
  private:
-  [[nodiscard]] std::vector<Index> OutlineVertices() const;
-
   std::shared_ptr<const VisibleSurface> Surface;
   std::optional<SurfacePick> Preview;
   double PixelRatio = 1;
@@ -70,8 +67,6 @@ class SurfacePointWidget : public WidgetOf<SurfacePointRepresentation> {
   vtkTypeMacro(SurfacePointWidget, vtkAbstractWidget)
 
   [[nodiscard]] SurfacePointRepresentation* GetSurfacePointRepresentation() { return &this->Drawn(); }
-  /// Disabling hides the point.
-  void SetEnabled(int enabling) override;
 
   /// Null (the default): no points. May change at any time, see `SurfacePointRepresentation::SetSurface`.
   void SetSurface(std::shared_ptr<const VisibleSurface> surface);
@@ -97,6 +92,7 @@ class SurfacePointWidget : public WidgetOf<SurfacePointRepresentation> {
   ~SurfacePointWidget() override = default;
 
   void Inform(SurfacePointRepresentation& representation) override;
+  void Stop() override { this->Leave(); }
 
  private:
   void Hover();
@@ -105,7 +101,10 @@ class SurfacePointWidget : public WidgetOf<SurfacePointRepresentation> {
   template <PickKind Kind>
   bool Choose();
 
-  [[nodiscard]] std::optional<SurfacePick> PickAtCursor() const;
+  [[nodiscard]] std::optional<SurfacePick> PickAtCursor() const
+  {
+    return this->Placer->Pick(*this->CurrentRenderer, this->Cursor().data());
+  }
   void Show(std::optional<SurfacePick> pick);
 
   vtkNew<SurfacePointPlacer> Placer;

@@ -11,7 +11,7 @@
 #include <vtkPoints.h>
 #include <vtkUnsignedCharArray.h>
 
-#include <holdfast/widgets/mesh/actor_setup.h>
+#include <holdfast/widgets/mesh/actors.h>
 
 namespace holdfast {
 namespace {
@@ -131,21 +131,10 @@ struct GlyphSet {
 
 Color glyphColor(ConstraintStatus status)
 {
-  switch (status) {
-    case ConstraintStatus::Redundant:
-      return {1, 1, 1};
-    case ConstraintStatus::Conflicting:
-      return {0.90, 0.22, 0.05};
-    case ConstraintStatus::Missed:
-      return {0.72, 0.25, 0.60};
-    case ConstraintStatus::Independent:
-      return {0.33, 0.38, 0.48};
-    case ConstraintStatus::Disabled:
-      return {0.47, 0.48, 0.50};
-    case ConstraintStatus::Met:
-      break;
-  }
-  return {0.14, 0.15, 0.18};
+  // In the order of `ConstraintStatus`.
+  constexpr std::array<Color, 6> kColors{
+      {{0.33, 0.38, 0.48}, {0.14, 0.15, 0.18}, {1, 1, 1}, {0.90, 0.22, 0.05}, {0.72, 0.25, 0.60}, {0.47, 0.48, 0.50}}};
+  return kColors[static_cast<std::size_t>(status)];
 }
 
 Color glyphColor(const ConstraintMark& mark)

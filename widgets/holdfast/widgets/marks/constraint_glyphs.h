@@ -1,6 +1,5 @@
 #pragma once
-/// Constraints in a picture: a glyph where each acts, its shape after what it holds and its colour after its status,
-/// and a line to its target.
+/// Constraints in a picture: glyphs in the shape of what they hold and the colour of their status, lines to targets.
 
 #include <memory>
 #include <optional>

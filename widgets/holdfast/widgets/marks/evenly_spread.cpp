@@ -32,7 +32,6 @@ class Grid {
   [[nodiscard]] bool hasNear(Index point) const
   {
     const Cell own = cellOf(point);
-    if (hasNearIn(own, point)) return true;
     for (std::int64_t dx = -1; dx <= 1; ++dx)
       for (std::int64_t dy = -1; dy <= 1; ++dy)
         for (std::int64_t dz = -1; dz <= 1; ++dz)

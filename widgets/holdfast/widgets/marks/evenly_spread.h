@@ -7,9 +7,8 @@
 
 namespace holdfast {
 
-/// About `target` (larger than 0) of the points whose places in `points` are `among`, in that order: no two are nearer
-/// to one another than some distance, and none of `among` is farther than that from all of them. All, where there are
-/// no more than `target`. The same on every run. About O(N) for N in `among`.
+/// About `target` (larger than 0) of the `points` at `among`, in that order: no two are nearer to one another than some
+/// distance, and none of `among` is farther than that from all of them. About O(N) for N in `among`.
 [[nodiscard]] std::vector<Index> evenlySpread(const Positions& points, const std::vector<Index>& among, Index target);
 /// The same of all of `points`: their places, ascending.
 [[nodiscard]] std::vector<Index> evenlySpread(const Positions& points, Index target);

@@ -1,6 +1,5 @@
 #pragma once
-/// Marks of constraints: the place and target of each, its status, and which marks are drawn. Nothing
-/// of VTK: any thread may make them.
+/// Marks of constraints: places, targets, statuses, and which are drawn. Any thread may make them.
 
 #include <memory>
 #include <optional>
@@ -42,16 +41,14 @@ struct ConstraintMark {
 /// relative constraint at the place that `from` names; both want to lie as they should to the other place. O(rows).
 [[nodiscard]] std::vector<ConstraintMark> constraintMarks(const Model& model, const DeformResult& deformation);
 
-/// The same, and then those of the disabled constraints of `list`, which `deformation` was made of: a mark where each
-/// would act. As costly as making rows of these constraints.
+/// The same, and where the disabled constraints of `list`, which `deformation` was made of, would act.
 [[nodiscard]] std::vector<ConstraintMark> constraintMarks(const Model& model, const ConstraintList& list,
                                                           const DeformResult& deformation);
 
 /// Whether a constraint of this status is not where it should be.
 [[nodiscard]] bool isOff(ConstraintStatus status);
 
-/// The most dots of one status that are drawn for regions, evenly spread. Marks that conflict or are missed are always
-/// drawn.
+/// The most dots of one status that are drawn for regions. Marks that conflict or are missed are always drawn.
 inline constexpr Index kMostDots = 800;
 
 /// The places in `marks` of those that are drawn, in the order of drawing: the most serious status is drawn last.
@@ -63,8 +60,7 @@ struct MarkSet {
   std::vector<Index> drawn;  ///< `drawnMarks` of them
 };
 
-/// `before` is the set that was shown before, null at first: the choice of dots stays where places and statuses are the
-/// same. O(marks log marks).
+/// `before` was shown before, null at first: its choice of dots stays where rest places and statuses are the same.
 [[nodiscard]] std::shared_ptr<const MarkSet> markSet(std::vector<ConstraintMark> marks,
                                                      const std::shared_ptr<const MarkSet>& before);
 

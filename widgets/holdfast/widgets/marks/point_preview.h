@@ -4,10 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include <holdfast/widgets/marks/mark_set.h>
-#include <holdfast/widgets/marks/point_sprites.h>
-
-class vtkActor;
+#include <holdfast/widgets/marks/constraint_glyphs.h>
 
 namespace holdfast {
 
@@ -22,10 +19,27 @@ class PointPreview {
  public:
   PointPreview() { set({}); }
 
-  void set(const std::optional<PreviewedPoint>& point);
+  void set(const std::optional<PreviewedPoint>& point)
+  {
+    const bool isOnEdge = point && point->kind == MarkKind::Edge;
+    const bool isInFace = point && point->kind == MarkKind::Face;
+    const auto show = [&](PointSprites& sprites, bool isShown) {
+      sprites.set(isShown ? std::vector<Sprite>{{point->place, kAccentColor}} : std::vector<Sprite>{});
+    };
+    show(bead_, isOnEdge);
+    show(triangle_, isInFace);
+    show(ball_, point && !isOnEdge && !isInFace);
+    show(ring_, point.has_value());
+  }
 
   /// The diameter of the ball of a constraint's point, in pixels of the window.
-  void setBallPixels(double pixels);
+  void setBallPixels(double pixels)
+  {
+    ball_.setPixels(0.8 * pixels);
+    bead_.setPixels(1.4 * pixels);
+    triangle_.setPixels(1.4 * pixels);
+    ring_.setPixels(2.4 * pixels);
+  }
 
   [[nodiscard]] std::vector<vtkActor*> actors() const
   {

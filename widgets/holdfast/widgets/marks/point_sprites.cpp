@@ -1,5 +1,6 @@
 #include "holdfast/widgets/marks/point_sprites.h"
 
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -9,49 +10,33 @@
 #include <vtkShaderProperty.h>
 #include <vtkUnsignedCharArray.h>
 
-#include <holdfast/widgets/mesh/actor_setup.h>
-#include <holdfast/widgets/mesh/blended_actor.h>
+#include <holdfast/widgets/mesh/actors.h>
 
 namespace holdfast {
 namespace {
 
 /// The distance `d` of the pixel at `p`, in radii of the sprite, from the border of the shape, negative inside; and
-/// whether it is light there.
-std::string shapeCode(SpriteShape shape)
-{
-  switch (shape) {
-    case SpriteShape::Bead:
-      return "float d = min(length(p) - 0.50, max(abs(p.y) - 0.13, abs(p.x) - 0.84));"
-             "bool isLight = d > 0.0; d -= 0.14;";
-    case SpriteShape::Wedge:
-      return "float d = max(-p.y, 0.866 * abs(p.x) + 0.5 * p.y) - 0.37;"
-             "bool isLight = d > 0.0 || length(p) < 0.16; d -= 0.11;";
-    case SpriteShape::Hollow:
-      return "float d = length(p) - 0.84; bool isLight = d > 0.0 || d < -0.34; d -= 0.15;";
-    case SpriteShape::Ring:
-      return "float d = abs(length(p) - 0.82) - 0.10; bool isLight = d > 0.0; d -= 0.07;";
-    case SpriteShape::Ball:
-      break;
-  }
-  return {};
-}
-
-/// How far before their place flat shapes are drawn, in radii, so that a tilted surface does not cut them. A ring is
-/// seen as a whole; other shapes are not seen through a thin wall.
-const char* liftOf(SpriteShape shape)
-{
-  return shape == SpriteShape::Ring ? "3.0" : "1.6";
-}
+/// whether it is light there. In the order of `SpriteShape`.
+constexpr std::array<const char*, 5> kShapeCodes{
+    "",  // a ball is VTK's
+    "float d = min(length(p) - 0.50, max(abs(p.y) - 0.13, abs(p.x) - 0.84)); bool isLight = d > 0.0; d -= 0.14;",
+    "float d = max(-p.y, 0.866 * abs(p.x) + 0.5 * p.y) - 0.37; bool isLight = d > 0.0 || length(p) < 0.16; d -= 0.11;",
+    "float d = length(p) - 0.84; bool isLight = d > 0.0 || d < -0.34; d -= 0.15;",
+    "float d = abs(length(p) - 0.82) - 0.10; bool isLight = d > 0.0; d -= 0.07;"};
 
 std::string fragmentCode(SpriteShape shape)
 {
-  return "//VTK::Light::Impl\n"
-         "  vec2 p = vec2(2.0 * gl_PointCoord.x - 1.0, 1.0 - 2.0 * gl_PointCoord.y);\n  " +
-         shapeCode(shape) +
+  // How far before their place flat shapes are drawn, in radii, so that a tilted surface does not cut them. A ring is
+  // seen as a whole; other shapes are not seen through a thin wall.
+  const char* const lift = shape == SpriteShape::Ring ? "3.0" : "1.6";
+  return std::string(
+             "//VTK::Light::Impl\n"
+             "  vec2 p = vec2(2.0 * gl_PointCoord.x - 1.0, 1.0 - 2.0 * gl_PointCoord.y);\n  ") +
+         kShapeCodes[static_cast<std::size_t>(shape)] +
          "\n  if (d > 0.0) discard;\n"
          "  if (isLight) fragOutput0.rgb = vec3(0.98);\n"
          "  float lift = ZCalcR * " +
-         liftOf(shape) +
+         lift +
          ";\n"
          "  gl_FragDepth = cameraParallel == 0 ? (ZCalcS - gl_FragCoord.z) / (lift - 1.0) + ZCalcS\n"
          "                                     : gl_FragCoord.z + ZCalcS * lift;\n";
@@ -67,14 +52,6 @@ void setBallLook(vtkActor& actor)
   property.SetSpecularPower(30);
 }
 
-void setLook(vtkActor& actor, SpriteShape shape)
-{
-  setBallLook(actor);
-  if (shape == SpriteShape::Ball) return;
-  actor.GetProperty()->LightingOff();
-  actor.GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", true, fragmentCode(shape), false);
-}
-
 }  // namespace
 
 PointSprites::PointSprites(SpriteShape shape, SpriteDepth depth)
@@ -84,8 +61,10 @@ PointSprites::PointSprites(SpriteShape shape, SpriteDepth depth)
   else
     actor_ = vtkSmartPointer<vtkActor>::New();
   showData(*actor_, *data_);
-  setLook(*actor_, shape);
-  if (depth == SpriteDepth::Behind) actor_->GetProperty()->LightingOff();
+  setBallLook(*actor_);
+  if (depth == SpriteDepth::Behind || shape != SpriteShape::Ball) actor_->GetProperty()->LightingOff();
+  if (shape != SpriteShape::Ball)
+    actor_->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", true, fragmentCode(shape), false);
 }
 
 void PointSprites::set(const std::vector<Sprite>& sprites)

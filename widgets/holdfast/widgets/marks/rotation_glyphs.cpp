@@ -11,7 +11,7 @@
 
 #include <holdfast/geometry/rotation_log.h>
 #include <holdfast/widgets/marks/evenly_spread.h>
-#include <holdfast/widgets/mesh/actor_setup.h>
+#include <holdfast/widgets/mesh/actors.h>
 
 namespace holdfast {
 namespace {

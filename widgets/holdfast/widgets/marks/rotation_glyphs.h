@@ -33,8 +33,7 @@ class RotationGlyphs {
   /// `model` stays alive as long as this.
   explicit RotationGlyphs(const Model& model);
 
-  /// Shows the field `q`, one row for each unknown, on the mesh at `positions`; no rows: no arrows. O(arrows), and O(N)
-  /// at the first call.
+  /// Shows the field `q`, one row for each unknown, on the mesh at `positions`; no rows: no arrows. O(N) at first.
   void set(const Positions& positions, const Columns3& q);
 
   /// In the order in which they are drawn.

@@ -1,7 +1,5 @@
 #include "holdfast/widgets/marks/selection_overlay.h"
 
-#include <algorithm>
-
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
 #include <vtkPlaneCollection.h>
@@ -10,7 +8,7 @@
 
 #include <holdfast/widgets/marks/constraint_glyphs.h>
 #include <holdfast/widgets/marks/evenly_spread.h>
-#include <holdfast/widgets/mesh/actor_setup.h>
+#include <holdfast/widgets/mesh/actors.h>
 
 namespace holdfast {
 namespace {
@@ -21,18 +19,10 @@ constexpr double kTintOpacity = 0.45;
 constexpr double kTintFactor = -0.5;
 constexpr double kTintUnits = -2;
 
-std::vector<Index> pointsOfVertices(const MeshActor& mesh, Index vertexCount)
-{
-  std::vector<Index> pointOf(static_cast<std::size_t>(vertexCount), -1);
-  const std::vector<Index>& vertexOf = mesh.vertexOf();
-  for (std::size_t k = vertexOf.size(); k-- > 0;) pointOf[vertexOf[k]] = static_cast<Index>(k);
-  return pointOf;
-}
-
 }  // namespace
 
 SelectionOverlay::SelectionOverlay(const Model& model, const MeshActor& mesh)
-    : model_(model), mesh_(mesh), pointOf_(pointsOfVertices(mesh, model.mesh.vertexCount()))
+    : model_(model), mesh_(mesh), pointOf_(mesh.shaded()->pointOf(model.mesh.vertexCount()))
 {
   dotData_->SetPoints(&mesh.points());
   showData(*dots_, *dotData_).SetClippingPlanes(&mesh.sectionPlanes());
@@ -73,11 +63,6 @@ void SelectionOverlay::set(const std::vector<Index>& fileVertices)
   for (vtkPolyData* const data : {tintData_.Get(), coarseTintData_.Get()}) data->SetPolys(nullptr);
   tint_->SetVisibility(tinted_ > 0);
   updateTint();
-}
-
-bool SelectionOverlay::areSelected(std::span<const Index> points, const std::vector<Index>& vertexOf) const
-{
-  return std::all_of(points.begin(), points.end(), [&](Index point) { return isSelected_[vertexOf[point]] != 0; });
 }
 
 vtkIdType SelectionOverlay::tintedOf(const Polygons& triangles, const std::vector<Index>& vertexOf) const

@@ -1,6 +1,7 @@
 #pragma once
 /// Vertices that are selected, on the mesh that is drawn.
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -17,8 +18,7 @@ namespace holdfast {
 /// No more vertices than this are dotted, evenly spread; the tint shows them all.
 inline constexpr Index kMostSelectionDots = 2000;
 
-/// The actors of a selection: small dots on vertices, and a tint over the triangles between them. They move with the
-/// mesh, whose points they share.
+/// Small dots on vertices, and a tint over the triangles between them; they share the points of the mesh.
 class SelectionOverlay {
  public:
   /// Both stay alive as long as this.
@@ -38,7 +38,10 @@ class SelectionOverlay {
   [[nodiscard]] ActorSlices& tintSlices() { return tintSlices_; }
 
  private:
-  [[nodiscard]] bool areSelected(std::span<const Index> points, const std::vector<Index>& vertexOf) const;
+  [[nodiscard]] bool areSelected(std::span<const Index> points, const std::vector<Index>& vertexOf) const
+  {
+    return std::ranges::all_of(points, [&](Index point) { return isSelected_[vertexOf[point]] != 0; });
+  }
   [[nodiscard]] vtkIdType tintedOf(const Polygons& triangles, const std::vector<Index>& vertexOf) const;
   void setTint(vtkPolyData& data, const Polygons& triangles, const std::vector<Index>& vertexOf) const;
   void updateTint();

@@ -2,12 +2,8 @@
 
 #include <algorithm>
 
-#include <vtkActor.h>
-#include <vtkCellArray.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
 
 namespace holdfast {
 namespace {
@@ -50,17 +46,10 @@ void share(vtkPolyDataMapper& whole, vtkPolyDataMapper& slice)
 
 }  // namespace
 
-ActorSlices::ActorSlices(vtkActor& actor, vtkPolyDataMapper& whole) : actor_(actor), whole_(whole) {}
-
 vtkCellArray& ActorSlices::cells() const
 {
   vtkPolyData& data = *whole_.GetInput();
   return data.GetNumberOfPolys() > 0 ? *data.GetPolys() : *data.GetLines();
-}
-
-Index ActorSlices::count() const
-{
-  return (cells().GetNumberOfCells() + kSliceCells - 1) / kSliceCells;
 }
 
 void ActorSlices::make(Index slice)
@@ -87,11 +76,6 @@ void ActorSlices::show(Index slice)
   share(*whole_.GetInput(), *slices_[slice].data);
   share(whole_, *slices_[slice].mapper);
   actor_.SetMapper(slices_[slice].mapper);
-}
-
-void ActorSlices::showWhole()
-{
-  actor_.SetMapper(&whole_);
 }
 
 }  // namespace holdfast

@@ -3,36 +3,33 @@
 
 #include <vector>
 
+#include <vtkActor.h>
+#include <vtkCellArray.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
 
 #include <holdfast/base/types.h>
-
-class vtkActor;
-class vtkCellArray;
-class vtkPolyData;
-class vtkPolyDataMapper;
 
 namespace holdfast {
 
 /// Triangles, or lines, that are drawn in a few milliseconds without a GPU.
 inline constexpr Index kSliceCells = 20'000;
 
-/// The cells of one actor in their order, cut into slices that share its points, normals and colours. Slices are made
-/// when they are first shown, and anew when the cells were replaced.
+/// The cells of one actor in their order, cut into slices that share its points. They are made when first shown.
 class ActorSlices {
  public:
-  /// Slices what `whole`, one of the mappers of `actor`, draws: its polygons, or its lines where it has none. Both stay
-  /// alive as long as this.
-  ActorSlices(vtkActor& actor, vtkPolyDataMapper& whole);
+  /// Slices the polygons, or else the lines, of `whole`, a mapper of `actor`. Both stay alive as long as this.
+  ActorSlices(vtkActor& actor, vtkPolyDataMapper& whole) : actor_(actor), whole_(whole) {}
   ActorSlices(const ActorSlices&) = delete;
   ActorSlices& operator=(const ActorSlices&) = delete;
 
   [[nodiscard]] vtkActor& actor() const noexcept { return actor_; }
-  [[nodiscard]] Index count() const;
+  [[nodiscard]] Index count() const { return (cells().GetNumberOfCells() + kSliceCells - 1) / kSliceCells; }
   /// The actor draws one of `count` slices only, until it is given another mapper. O(`kSliceCells`) the first time.
   void show(Index slice);
-  void showWhole();
+  void showWhole() { actor_.SetMapper(&whole_); }
 
  private:
   struct Slice {

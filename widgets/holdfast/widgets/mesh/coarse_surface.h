@@ -21,8 +21,7 @@ inline constexpr Index kCoarseTriangles = 20'000;
 /// has none. O(T log T).
 [[nodiscard]] Polygons coarseTriangles(const Model& model, const ShadedSurface& surface, Index target);
 
-/// About `kCoarseTriangles` of a surface, over copies of the points that they need: what is drawn again and again is
-/// small.
+/// About `kCoarseTriangles` of a surface, over copies of the points that they need.
 class CoarseSurface {
  public:
   /// O(T log T).

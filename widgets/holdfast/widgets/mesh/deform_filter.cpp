@@ -12,11 +12,6 @@
 #include <holdfast/widgets/mesh/poly_data.h>
 
 namespace holdfast {
-namespace {
-
-constexpr const char* kInput = "the input of the filter";
-
-}  // namespace
 
 vtkStandardNewMacro(DeformFilter);
 
@@ -36,6 +31,7 @@ void DeformFilter::SetOptions(const DeformOptions& options)
 
 DeformResult DeformFilter::Deform(vtkPolyData& input)
 {
+  constexpr const char* kInput = "the input of the filter";
   if (this->Current == nullptr || this->CurrentInput != &input || this->CurrentTime != input.GetMTime()) {
     requireSoundCells(input, kInput);
     this->Current.reset();

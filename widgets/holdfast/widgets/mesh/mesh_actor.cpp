@@ -7,16 +7,10 @@
 #include <utility>
 
 #include <vtkCellArray.h>
-#include <vtkDoubleArray.h>
-#include <vtkFloatArray.h>
 #include <vtkLookupTable.h>
-#include <vtkPlane.h>
-#include <vtkPlaneCollection.h>
 #include <vtkPointData.h>
-#include <vtkPoints.h>
 
 #include <holdfast/mesh/vertex_normals.h>
-#include <holdfast/widgets/mesh/actor_setup.h>
 #include <holdfast/widgets/mesh/poly_data.h>
 
 namespace holdfast {
@@ -41,8 +35,7 @@ vtkSmartPointer<vtkCellArray> linesOf(const std::vector<std::array<Index, 2>>& e
 /// The sides of all polygons of the file, each once, as pairs of points.
 std::vector<std::array<Index, 2>> polygonEdges(const Mesh& mesh, const ShadedSurface& surface)
 {
-  std::vector<Index> pointOf(static_cast<std::size_t>(mesh.vertexCount()), -1);
-  for (std::size_t k = surface.vertexOf.size(); k-- > 0;) pointOf[surface.vertexOf[k]] = static_cast<Index>(k);
+  const std::vector<Index> pointOf = surface.pointOf(mesh.vertexCount());
   std::vector<std::array<Index, 2>> edges;
   for (Index f = 0; f < mesh.faces.size(); ++f) {
     const auto corners = mesh.faces[f];
@@ -155,8 +148,8 @@ void MeshActor::clearColors()
 void MeshActor::setMeshEdges(MeshEdges edges)
 {
   meshEdgesShown_ = edges;
-  if (edges == MeshEdges::All && !hasMeshEdges_) meshEdgeData_->SetLines(linesOf(polygonEdges(model_.mesh, *shaded_)));
-  hasMeshEdges_ = hasMeshEdges_ || edges == MeshEdges::All;
+  if (edges == MeshEdges::All && meshEdgeData_->GetNumberOfLines() == 0)
+    meshEdgeData_->SetLines(linesOf(polygonEdges(model_.mesh, *shaded_)));
   update();
 }
 

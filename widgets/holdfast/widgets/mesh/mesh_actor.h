@@ -5,23 +5,22 @@
 #include <optional>
 #include <vector>
 
+#include <vtkActor.h>
+#include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
 #include <vtkNew.h>
+#include <vtkPlane.h>
+#include <vtkPlaneCollection.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
 
 #include <holdfast/widgets/color/color_map.h>
 #include <holdfast/widgets/mesh/actor_slices.h>
-#include <holdfast/widgets/mesh/blended_actor.h>
+#include <holdfast/widgets/mesh/actors.h>
 #include <holdfast/widgets/mesh/coarse_surface.h>
 #include <holdfast/widgets/mesh/section_plane.h>
 #include <holdfast/widgets/mesh/shaded_surface.h>
-
-class vtkActor;
-class vtkDoubleArray;
-class vtkFloatArray;
-class vtkPlane;
-class vtkPlaneCollection;
-class vtkPoints;
-class vtkPolyData;
-class vtkPolyDataMapper;
 
 namespace holdfast {
 
@@ -61,8 +60,8 @@ class MeshActor {
   void setMeshEdges(MeshEdges edges);
   /// Switching costs next to nothing once there are coarse triangles.
   void setDetail(Detail detail);
-  /// The place of the eye. In coarse detail the backs of a solid are not drawn while the eye is outside the box around
-  /// it and no section opens it, which saves a third of the time without a GPU.
+  /// In coarse detail the backs of a solid are not drawn while the eye is outside the box around it and no section
+  /// opens it, which saves a third of the time without a GPU.
   void lookFrom(const Vector3& eye);
 
   /// `surface` and `meshEdges` in full detail, a part at a time, until the next `setDetail`.
@@ -112,7 +111,6 @@ class MeshActor {
   MeshEdges meshEdgesShown_ = MeshEdges::Sharp;
   Detail detail_ = Detail::Full;
   std::optional<Vector3> eye_;
-  bool hasMeshEdges_ = false;
   bool areNormalsOld_ = true;  // older than the places
   mutable bool isCoarseOld_ = true;
   mutable std::unique_ptr<CoarseSurface> coarse_;

@@ -3,12 +3,8 @@
 #include <algorithm>
 
 #include <fmt/format.h>
-#include <vtkCellArray.h>
 #include <vtkDataArray.h>
-#include <vtkDoubleArray.h>
 #include <vtkNew.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
 
 #include <holdfast/base/error.h>
 
@@ -42,14 +38,6 @@ void requireSoundKind(vtkCellArray& cells, vtkIdType leastCorners, const char* k
                        fmt::format("it goes from corner {} to before corner {} of {}, and needs at least {}; leave it "
                                    "out or write the file anew",
                                    offset(i - 1), offset(i), cornerCount, leastCorners));
-}
-
-void requireFace(const std::vector<Index>& corners, Index pointCount, const InputLocation& here)
-{
-  for (const Index corner : corners)
-    if (corner < 0 || corner >= pointCount)
-      throw InputError(
-          here, fmt::format("it refers to point {}, but the points are numbered from 0 to {}", corner, pointCount - 1));
 }
 
 vtkSmartPointer<vtkCellArray> addCells(vtkPolyData& data, const std::vector<std::vector<Vector3>>& corners)
@@ -157,7 +145,11 @@ Polygons polygonsOf(vtkPolyData& polyData, const std::string& file)
     const vtkIdType* ids = nullptr;
     cells.GetCellAtId(face, count, ids);
     corners.assign(ids, ids + count);
-    requireFace(corners, polyData.GetNumberOfPoints(), {file, 0, fmt::format("polygon {}", face)});
+    for (const Index corner : corners)
+      if (corner < 0 || corner >= polyData.GetNumberOfPoints())
+        throw InputError({file, 0, fmt::format("polygon {}", face)},
+                         fmt::format("it refers to point {}, but the points are numbered from 0 to {}", corner,
+                                     polyData.GetNumberOfPoints() - 1));
     polygons.add(corners);
   }
   return polygons;

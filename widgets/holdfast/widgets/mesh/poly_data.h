@@ -4,15 +4,14 @@
 #include <string>
 #include <vector>
 
+#include <vtkCellArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
 #include <holdfast/mesh/field.h>
 #include <holdfast/mesh/mesh.h>
-
-class vtkCellArray;
-class vtkDoubleArray;
-class vtkPoints;
-class vtkPolyData;
 
 namespace holdfast {
 

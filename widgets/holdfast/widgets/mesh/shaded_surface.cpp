@@ -84,6 +84,13 @@ std::vector<HalfEdge> drawnEdges(const std::vector<HalfEdge>& sharp, const Solve
 
 }  // namespace
 
+std::vector<Index> ShadedSurface::pointOf(Index vertexCount) const
+{
+  std::vector<Index> points(static_cast<std::size_t>(vertexCount), -1);
+  for (std::size_t k = vertexOf.size(); k-- > 0;) points[vertexOf[k]] = static_cast<Index>(k);
+  return points;
+}
+
 ShadedSurface cutAtSharpEdges(const Model& model)
 {
   const std::vector<Triangle> triangles = trianglesOverUnknowns(model);

@@ -13,13 +13,15 @@ struct ShadedSurface {
   Polygons triangles;                         ///< over points
   std::vector<Index> vertexOf;                ///< file vertex of each point
   std::vector<std::array<Index, 2>> creases;  ///< points at the ends of sharp edges and of borders that are drawn
+
+  /// The first point of each of `vertexCount` file vertices, -1 where no triangle uses it. O(points).
+  [[nodiscard]] std::vector<Index> pointOf(Index vertexCount) const;
 };
 
 /// Edges are sharp where the normals on both sides differ by more than this at rest.
 inline constexpr double kSharpDegrees = 42;
 
-/// Lines of sharp edges that are shorter than this share of the bounding box's diagonal, and close no loop, are not
-/// drawn.
+/// A share of the bounding box's diagonal: shorter lines of sharp edges that close no loop are not drawn.
 inline constexpr double kLeastCreaseLength = 0.1;
 
 /// The triangles of `model`, cut along the edges that are sharp at rest, so that the cuts stay where they are while the

@@ -54,10 +54,10 @@ std::optional<PointOfEdge> nearestOfEdge(const Vector3& a, const Vector3& b, con
 
 constexpr double kAnyDistance = std::numeric_limits<double>::infinity();
 
-void sortUnique(std::vector<Index>& ids)
+void sortUnique(auto& values)
 {
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
 /// One search around one cursor.
@@ -73,12 +73,6 @@ class Search {
   }
 
   [[nodiscard]] bool hitsSurface() const { return hit_.has_value(); }
-
-  /// The triangles that come within `pixels` of the cursor.
-  [[nodiscard]] std::vector<Index> trianglesWithin(double pixels) const
-  {
-    return surface_.withinReach(display_.rayThrough(cursor_), display_.reachOf(pixels));
-  }
 
   /// Those of the face under the cursor and of all that share a vertex with it.
   [[nodiscard]] std::vector<Index> trianglesAround() const
@@ -188,8 +182,7 @@ class Search {
         const std::pair<Index, Index> ends = std::minmax(corners[side], corners[(side + 1) % 3]);
         if (ends.first != ends.second && isSideOfFace(t, side)) sides.push_back(ends);
       }
-    std::sort(sides.begin(), sides.end());
-    sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
+    sortUnique(sides);
     return sides;
   }
 
@@ -249,9 +242,10 @@ std::optional<SurfacePick> SurfacePicker::pick(vtkRenderer& renderer, double dis
                                                double snapPixels) const
 {
   const DisplayTransform display(renderer);
-  Search search(*surface_, display, centerOfPixel(displayX, displayY));
+  const DisplayPoint cursor = centerOfPixel(displayX, displayY);
+  const Search search(*surface_, display, cursor);
   if (kind != PickKind::Face) {
-    const std::vector<Index> triangles = search.trianglesWithin(snapPixels);
+    const std::vector<Index> triangles = surface_->withinReach(display.rayThrough(cursor), display.reachOf(snapPixels));
     if (kind != PickKind::Edge)
       if (auto vertex = search.vertexOf(triangles, snapPixels)) return vertex;
     if (kind != PickKind::Vertex)

@@ -5,11 +5,11 @@
 #include <optional>
 #include <utility>
 
+#include <vtkRenderer.h>
+
 #include <holdfast/surface/surface_location.h>
 #include <holdfast/surface/surface_point.h>
 #include <holdfast/widgets/picking/visible_surface.h>
-
-class vtkRenderer;
 
 namespace holdfast {
 

@@ -5,12 +5,6 @@
 #include <utility>
 
 namespace holdfast {
-namespace {
-
-// Parts of the surface that touch a place do not hide it, though rounding may put them this share of the way nearer.
-constexpr double kBeforePlace = 1 - 1e-9;
-
-}  // namespace
 
 VisibleSurface::VisibleSurface(const Model& model)
     : model_(&model),
@@ -49,6 +43,8 @@ RayRange VisibleSurface::keptPart(const Ray& ray, const RayRange& range) const
 /// Whether triangles other than `own` lie between the ray's origin and its place at t = 1.
 bool VisibleSurface::isBlocked(const Ray& toPlace, std::span<const Index> own) const
 {
+  // Parts of the surface that touch a place do not hide it, though rounding may put them this share of the way nearer.
+  constexpr double kBeforePlace = 1 - 1e-9;
   const RayRange kept = keptPart(toPlace, {0, kBeforePlace});
   return rays_.isBlocked(toPlace, kept.end, own, kept.begin);
 }

@@ -14,8 +14,7 @@
 
 namespace holdfast {
 
-/// The triangles of one model at some positions, hit by rays, numbered as in the model's triangulation. Never changes;
-/// copies share its data.
+/// The triangles of one model at some positions, hit by rays. Never changes; copies share its data.
 class VisibleSurface {
  public:
   /// At rest. `model` stays alive as long as this. O(T log T).
@@ -25,8 +24,7 @@ class VisibleSurface {
   [[nodiscard]] VisibleSurface withSection(const std::optional<SectionPlane>& section) const;
   [[nodiscard]] const std::optional<SectionPlane>& section() const noexcept { return section_; }
 
-  /// The same at other positions, cut by the same plane: one row for each vertex of the file, all finite. O(T), on any
-  /// thread.
+  /// The same at other positions, all finite, cut by the same plane. O(T), on any thread.
   [[nodiscard]] VisibleSurface movedTo(std::shared_ptr<const Positions> positions) const;
 
   /// Whether one was made of the other, or both of a third: places are named alike on both.
@@ -38,8 +36,7 @@ class VisibleSurface {
   [[nodiscard]] const Model& model() const noexcept { return *model_; }
   [[nodiscard]] const Positions& positions() const noexcept { return rays_.positions(); }
 
-  /// The triangles at a vertex of the file and at all that are the same unknown; ascending, none for a vertex that no
-  /// face uses.
+  /// The triangles at a vertex of the file and at all that are the same unknown; ascending.
   [[nodiscard]] std::span<const Index> trianglesAt(Index vertex) const
   {
     return (*trianglesOf_)[model_->solverMesh.weld.unknownOf[vertex]];
@@ -58,12 +55,10 @@ class VisibleSurface {
     return rays_.withinReach(ray, reach);
   }
 
-  /// Whether a vertex that is in front of the eye is kept, and nothing but its own triangles lies before it. Takes
-  /// microseconds.
+  /// Whether a vertex in front of the eye is kept, and nothing but its own triangles lies before it.
   [[nodiscard]] bool isVertexVisible(Index vertex, const DisplayTransform& display) const;
 
-  /// Whether nothing but the triangles of the edge between two vertices lies before a place on it, which is kept and in
-  /// front of the eye.
+  /// The same for a place on the edge between two vertices, which is kept.
   [[nodiscard]] bool isEdgeVisible(Index i, Index j, const Vector3& place, const DisplayTransform& display) const;
 
  private:

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <set>
+#include <utility>
 
 #include <Eigen/Eigenvalues>
 
@@ -30,11 +33,6 @@ constexpr double kSameAxis = 1e-9;
 
 constexpr double kArcStep = 2 * std::numbers::pi / 180;
 
-double liftOf(double halfAngle)
-{
-  return 1 + kTurnRise * std::max(0.0, halfAngle / std::numbers::pi - 1);
-}
-
 /// The shadow of a unit quaternion.
 Vector3 shadow(const SphereFrame& frame, const Eigen::Quaterniond& rotation)
 {
@@ -47,11 +45,6 @@ std::string labelOf(const std::vector<std::string>& names)
   for (std::size_t k = 0; k < std::min(names.size(), kNamesInLabel); ++k) label += (k == 0 ? "" : ", ") + names[k];
   if (names.size() > kNamesInLabel) label += " +" + std::to_string(names.size() - kNamesInLabel);
   return label;
-}
-
-bool isAlongOneAxis(const Vector3& a, const Vector3& b)
-{
-  return a.cross(b).norm() <= kSameAxis * a.norm() * b.norm();
 }
 
 int arcSteps(double halfAngle)
@@ -69,6 +62,33 @@ SphereFrame frameWithout(const Vector3& hidden)
   frame.axes << x, hidden.cross(x), hidden;
   return frame;
 }
+
+std::uint64_t cellOf(const Vector3& place, double side)
+{
+  constexpr double kMiddle = 1 << 20;
+  std::uint64_t cell = 0;
+  for (const double coordinate : place)
+    cell = cell << 21U |
+           static_cast<std::uint64_t>(std::clamp(std::floor(coordinate / side) + kMiddle, 1.0, 2 * kMiddle - 1));
+  return cell;
+}
+
+std::vector<Index> firstOfCells(const std::vector<Vector3>& places, const std::vector<Index>& among, double side)
+{
+  std::vector<std::pair<std::uint64_t, Index>> cells;
+  for (const Index place : among) cells.emplace_back(cellOf(places[place], side), place);
+  std::sort(cells.begin(), cells.end());
+  const auto isSame = [](const auto& a, const auto& b) { return a.first == b.first; };
+  cells.erase(std::unique(cells.begin(), cells.end(), isSame), cells.end());
+  std::vector<Index> first;
+  for (const auto& [cell, place] : cells) first.push_back(place);
+  std::sort(first.begin(), first.end());
+  return first;
+}
+
+// In radii: points that are nearer to one another than a pixel of a sphere that is shown several times as large as the
+// panel hide one another.
+constexpr double kFinestCell = 1.0 / 4096;
 
 }  // namespace
 
@@ -117,13 +137,15 @@ SphereFrame sphereFrame(const std::vector<BoundaryRotation>& boundary, const Sph
 
 Vector3 spherePlace(const SphereFrame& frame, const Vector3& q)
 {
-  return liftOf(q.norm()) * shadow(frame, rotationExp(q));
+  const double lift = 1 + kTurnRise * std::max(0.0, q.norm() / std::numbers::pi - 1);
+  return lift * shadow(frame, rotationExp(q));
 }
 
 std::vector<Vector3> sphereArc(const SphereFrame& frame, const Vector3& from, const Vector3& to)
 {
   std::vector<Vector3> places;
-  if (isAlongOneAxis(from, to) || std::max(from.norm(), to.norm()) > std::numbers::pi) {
+  const bool areAlongOneAxis = from.cross(to).norm() <= kSameAxis * from.norm() * to.norm();
+  if (areAlongOneAxis || std::max(from.norm(), to.norm()) > std::numbers::pi) {
     const int steps = arcSteps((to - from).norm());
     for (int k = 0; k <= steps; ++k) places.push_back(spherePlace(frame, from + k / double(steps) * (to - from)));
     return places;
@@ -138,6 +160,44 @@ std::vector<Vector3> sphereArc(const SphereFrame& frame, const Vector3& from, co
     places.push_back(shadow(frame, Eigen::Quaterniond(Eigen::Vector4d(blend.normalized()))));
   }
   return places;
+}
+
+std::vector<Index> thinnedPlaces(const std::vector<Vector3>& places, Index most, double finest)
+{
+  std::vector<Index> chosen(places.size());
+  std::iota(chosen.begin(), chosen.end(), Index{0});
+  for (double side = finest; static_cast<Index>(chosen.size()) > most; side *= 2)
+    chosen = firstOfCells(places, chosen, side);
+  return chosen;
+}
+
+SphereVertices sphereVertices(const Model& model)
+{
+  const SolverMesh& mesh = model.solverMesh;
+  SphereVertices vertices;
+  std::vector<Index> pointOfUnknown(mesh.unknownCount(), -1);
+  for (Index u = 0; u < mesh.unknownCount(); ++u) {
+    if (mesh.componentOf[u] < 0) continue;
+    pointOfUnknown[u] = static_cast<Index>(vertices.vertexOf.size());
+    vertices.vertexOf.push_back(mesh.weld.firstVertexOf[u]);
+    vertices.unknownOf.push_back(u);
+  }
+  for (Index v = 0; v < model.mesh.vertexCount(); ++v)
+    vertices.pointOf.push_back(pointOfUnknown[mesh.weld.unknownOf[v]]);
+  return vertices;
+}
+
+std::shared_ptr<const PlacedRotations> placeRotations(const Model& model, const DeformResult& deformation,
+                                                      const std::shared_ptr<const PlacedRotations>& before)
+{
+  auto placed = std::make_shared<PlacedRotations>();
+  placed->vertices = before ? before->vertices : std::make_shared<const SphereVertices>(sphereVertices(model));
+  placed->boundary = boundaryRotations(deformation);
+  placed->frame = sphereFrame(placed->boundary, before ? before->frame : SphereFrame{});
+  for (const Index unknown : placed->vertices->unknownOf)
+    placed->places.push_back(spherePlace(placed->frame, deformation.rotations.row(unknown).transpose()));
+  placed->drawn = thinnedPlaces(placed->places, kMostSpherePoints, kFinestCell);
+  return placed;
 }
 
 }  // namespace holdfast

@@ -8,6 +8,7 @@
 /// whole turn places are above the sphere, one shell for each turn. Where the prescribed rotations need more
 /// dimensions, the picture is the projection onto the subspace that holds most: other places are below the surface.
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -36,15 +37,43 @@ inline constexpr double kTurnRise = 0.12;
 /// Whether any prescribed rotation is not zero.
 [[nodiscard]] bool hasRotation(const std::vector<BoundaryRotation>& boundary);
 
-/// The frame that shows most of `boundary`; `before` where that shows about as much, so that a drag does not flip the
-/// picture.
+/// The frame that shows most of `boundary`; `before` where that shows about as much.
 [[nodiscard]] SphereFrame sphereFrame(const std::vector<BoundaryRotation>& boundary, const SphereFrame& before);
 
 /// Where exp(q) is in the picture: z is the pole.
 [[nodiscard]] Vector3 spherePlace(const SphereFrame& frame, const Vector3& q);
 
-/// The great arc between two rotations as a polyline; where they are about one axis, or beyond a whole turn, the way
-/// that blends of their logs take.
+/// The great arc between two rotations; about one axis, or beyond a whole turn, the way of blends of their logs.
 [[nodiscard]] std::vector<Vector3> sphereArc(const SphereFrame& frame, const Vector3& from, const Vector3& to);
+
+/// At most `most` (positive) of `places`, which are within a few units of the origin: the first in each cell of a grid
+/// that is as fine as that allows, and never finer than `finest`. Ascending; all where there are no more. O(N log N).
+[[nodiscard]] std::vector<Index> thinnedPlaces(const std::vector<Vector3>& places, Index most, double finest);
+
+/// The most points that are drawn, spread evenly. A click finds the others too.
+inline constexpr Index kMostSpherePoints = 20'000;
+
+/// Which point is whose: one for each unknown of a mesh that a face uses.
+struct SphereVertices {
+  std::vector<Index> vertexOf;   ///< file vertex of each point
+  std::vector<Index> unknownOf;  ///< unknown of each point
+  std::vector<Index> pointOf;    ///< of each file vertex; -1 without one
+};
+
+/// O(N).
+[[nodiscard]] SphereVertices sphereVertices(const Model& model);
+
+/// The points of one deformation on the sphere.
+struct PlacedRotations {
+  std::shared_ptr<const SphereVertices> vertices;
+  std::vector<BoundaryRotation> boundary;  ///< what is prescribed
+  SphereFrame frame;
+  std::vector<Vector3> places;  ///< of each point, in the picture
+  std::vector<Index> drawn;     ///< of the points, ascending: all up to `kMostSpherePoints`
+};
+
+/// `before` was shown of the same model before, which keeps the picture from turning over; null at first.
+[[nodiscard]] std::shared_ptr<const PlacedRotations> placeRotations(
+    const Model& model, const DeformResult& deformation, const std::shared_ptr<const PlacedRotations>& before);
 
 }  // namespace holdfast

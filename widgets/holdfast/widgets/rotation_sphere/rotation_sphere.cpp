@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include <vtkCamera.h>
 #include <vtkCommand.h>
@@ -10,16 +11,15 @@
 #include <vtkDoubleArray.h>
 #include <vtkLookupTable.h>
 #include <vtkPointData.h>
-#include <vtkRenderer.h>
-#include <vtkTextActor.h>
+#include <vtkSphereSource.h>
 #include <vtkTextProperty.h>
 
+#include <holdfast/geometry/degree.h>
 #include <holdfast/widgets/camera/display_transform.h>
 #include <holdfast/widgets/marks/point_sprites.h>
-#include <holdfast/widgets/mesh/actor_setup.h>
+#include <holdfast/widgets/mesh/actors.h>
 #include <holdfast/widgets/mesh/poly_data.h>
 #include <holdfast/widgets/rotation_sphere/sphere_camera.h>
-#include <holdfast/widgets/rotation_sphere/sphere_shapes.h>
 
 namespace holdfast {
 namespace {
@@ -48,6 +48,57 @@ constexpr std::array<const char*, 3> kAxisNames{"x", "y", "z"};
 
 // Names of rings and axes are hidden where the surface faces away from the eye.
 constexpr double kFarText = -0.1;
+
+// Rings lie between the shell and the points.
+constexpr double kShellRadius = 0.985;
+constexpr double kGridRadius = 0.993;
+constexpr int kShellRings = 48;
+constexpr int kShellMeridians = 96;
+constexpr int kSteps = 120;
+constexpr int kMeridians = 8;
+
+// Degrees of rotation from ring to ring, and of the last one before the whole turn.
+constexpr int kRingDegrees = 45;
+constexpr int kLastRing = 315;
+
+// Between the meridians, where data about coordinate axes are.
+constexpr double kNameAzimuth = 22.5;
+constexpr double kNameRadius = 1.01;
+
+Vector3 onSphere(double fromPole, double azimuth)
+{
+  return {std::sin(fromPole) * std::cos(azimuth), std::sin(fromPole) * std::sin(azimuth), std::cos(fromPole)};
+}
+
+/// A closed surface a little within the unit sphere: what lies on the sphere is before it.
+vtkSmartPointer<vtkPolyData> sphereShell()
+{
+  vtkNew<vtkSphereSource> shell;
+  shell->SetRadius(kShellRadius);
+  shell->SetPhiResolution(kShellRings + 1);
+  shell->SetThetaResolution(kShellMeridians);
+  shell->LatLongTessellationOn();
+  shell->Update();
+  return shell->GetOutput();
+}
+
+/// Rings of rotations by multiples of 45 degrees, whose quaternions lie half that from the pole +z, and meridians.
+vtkSmartPointer<vtkPolyData> sphereRings()
+{
+  std::vector<std::vector<Vector3>> lines;
+  const auto addLine = [&](auto placeAt) {
+    std::vector<Vector3>& line = lines.emplace_back();
+    for (int k = 0; k <= kSteps; ++k) line.push_back(kGridRadius * placeAt(static_cast<double>(k) / kSteps));
+  };
+  for (int degrees = kRingDegrees; degrees <= kLastRing; degrees += kRingDegrees)
+    addLine([&](double share) { return onSphere(degrees / 2.0 * kDegree, share * 2 * std::numbers::pi); });
+  for (int meridian = 0; meridian < kMeridians; ++meridian)
+    addLine(
+        [&](double share) { return onSphere(share * std::numbers::pi, meridian * 2 * std::numbers::pi / kMeridians); });
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  setLines(*data, lines);
+  return data;
+}
 
 void makeBalls(vtkActor& actor)
 {
@@ -251,10 +302,14 @@ void RotationSphere::showScale()
     texts.push_back(
         textAt(std::string("\u2212") + kAxisNames[axis], -kAxisNameRadius * shown.normalized(), kTextPixels));
   }
-  for (const RingName& ring : ringNames()) {
-    texts.push_back(textAt(ring.text, ring.place, kScaleTextPixels));
+  const auto addRing = [&](int degrees, const Vector3& place) {
+    texts.push_back(textAt(std::to_string(degrees) + "\u00b0", place, kScaleTextPixels));
     texts.back()->GetTextProperty()->SetOpacity(0.7);
-  }
+  };
+  for (int degrees = kRingDegrees; degrees <= kLastRing; degrees += kRingDegrees)
+    for (const double azimuth : {-90 + kNameAzimuth, 90 + kNameAzimuth})
+      addRing(degrees, kNameRadius * onSphere(degrees / 2.0 * kDegree, azimuth * kDegree));
+  addRing(360, -1.05 * Vector3::UnitZ());
   replace(scaleTexts_, std::move(texts));
 }
 

@@ -6,17 +6,16 @@
 #include <optional>
 #include <vector>
 
+#include <vtkActor.h>
 #include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
+#include <vtkTextActor.h>
 
 #include <holdfast/widgets/color/coloring.h>
-#include <holdfast/widgets/mesh/blended_actor.h>
-#include <holdfast/widgets/rotation_sphere/placed_rotations.h>
-
-class vtkActor;
-class vtkPolyData;
-class vtkRenderer;
-class vtkTextActor;
+#include <holdfast/widgets/mesh/actors.h>
+#include <holdfast/widgets/rotation_sphere/rotation_projection.h>
 
 namespace holdfast {
 
@@ -38,7 +37,7 @@ class RotationSphere {
   RotationSphere();
   ~RotationSphere();
 
-  /// Puts everything into `renderer`, sets its background and its camera. Once; the renderer is in a window.
+  /// Once; the renderer is in a window. Sets its background and its camera.
   void addTo(vtkRenderer& renderer);
   /// That renderer; null before.
   [[nodiscard]] vtkRenderer* renderer() const { return renderer_; }
@@ -53,12 +52,11 @@ class RotationSphere {
   /// Marks the point of a vertex of the file. None, and vertices that no face uses: no mark.
   void mark(std::optional<Index> vertex);
 
-  /// Places the camera of the renderer so that what is prescribed is seen from the front and fills the picture.
-  /// Parallel projection: a sphere is a circle.
+  /// What is prescribed is seen from the front and fills the picture.
   void fitCamera() const;
 
-  /// The vertex of the file whose point is nearest to a place in the window (pixels from its lower left corner), of
-  /// those within `kSphereReach`; points on the far side only where there is none on the near side. O(N).
+  /// The vertex of the file whose point is nearest to a pixel of the window, within `kSphereReach`; on the far side
+  /// only where there is none on the near side. O(N).
   [[nodiscard]] std::optional<Index> pick(double displayX, double displayY) const;
 
   /// The actor of the points; its mapper colours them.

@@ -4,7 +4,6 @@
 #include <limits>
 
 #include <Eigen/Geometry>
-#include <vtkCamera.h>
 
 namespace holdfast {
 namespace {
@@ -22,11 +21,6 @@ constexpr double kNearestView = 0.005;
 constexpr double kFarthestView = 20;
 
 }  // namespace
-
-Vector3 sightOf(vtkCamera& camera)
-{
-  return Vector3(camera.GetDirectionOfProjection());
-}
 
 void lookAtPlaces(vtkCamera& camera, const std::vector<Vector3>& places)
 {

@@ -3,14 +3,17 @@
 
 #include <vector>
 
-#include <holdfast/base/types.h>
+#include <vtkCamera.h>
 
-class vtkCamera;
+#include <holdfast/base/types.h>
 
 namespace holdfast {
 
 /// The direction in which the camera looks, of length 1.
-[[nodiscard]] Vector3 sightOf(vtkCamera& camera);
+[[nodiscard]] inline Vector3 sightOf(vtkCamera& camera)
+{
+  return Vector3(camera.GetDirectionOfProjection());
+}
 
 /// Shows all `places`, at least one, from a little beside their middle; the whole sphere where they reach around it.
 void lookAtPlaces(vtkCamera& camera, const std::vector<Vector3>& places);

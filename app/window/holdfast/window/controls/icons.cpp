@@ -3,8 +3,7 @@
 #include <QIconEngine>
 #include <QPainter>
 #include <array>
-
-#include <holdfast/window/controls/drawn_path.h>
+#include <sstream>
 
 namespace holdfast {
 namespace {
@@ -43,24 +42,18 @@ constexpr std::array kDrawings{
     Drawing{"M16 7 L10 7 C7 7 4.5 9.5 4.5 12.5 C4.5 15.5 7 18 10 18 L15 18", "M20.5 7 L15.5 10.2 L15.5 3.8 Z"},
     Drawing{"M3 8 L3 3 L8 3 M16 3 L21 3 L21 8 M21 16 L21 21 L16 21 M8 21 L3 21 L3 16 O12 12 3", ""}};
 
-class SignEngine : public QIconEngine {
+class DrawnEngine : public QIconEngine {
  public:
-  SignEngine(Sign sign, const QPalette& palette) : sign_(sign), palette_(palette) {}
+  DrawnEngine(double side, std::function<void(QPainter&, QIcon::Mode)> draw) : side_(side), draw_(std::move(draw)) {}
 
   void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State /*state*/) override
   {
-    const auto& [lines, filled] = kDrawings[static_cast<std::size_t>(sign_)];
-    const QColor color =
-        palette_.color(mode == QIcon::Disabled ? QPalette::Disabled : QPalette::Active, QPalette::WindowText);
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
-    painter->translate(rect.topLeft());
-    painter->scale(rect.width() / kSide, rect.height() / kSide);
-    painter->setPen(QPen(color, 1.7, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter->setBrush(Qt::NoBrush);
-    painter->drawPath(drawnPath(lines));
-    painter->setBrush(color);
-    painter->drawPath(drawnPath(filled));
+    painter->translate(rect.topLeft());
+    painter->scale(rect.width() / side_, rect.height() / side_);
+    draw_(*painter, mode);
     painter->restore();
   }
 
@@ -73,18 +66,48 @@ class SignEngine : public QIconEngine {
     return pixmap;
   }
 
-  [[nodiscard]] QIconEngine* clone() const override { return new SignEngine(sign_, palette_); }
+  [[nodiscard]] QIconEngine* clone() const override { return new DrawnEngine(side_, draw_); }
 
  private:
-  Sign sign_;
-  QPalette palette_;
+  double side_;
+  std::function<void(QPainter&, QIcon::Mode)> draw_;
 };
 
 }  // namespace
 
 QIcon iconOf(Sign sign, const QPalette& palette)
 {
-  return QIcon(new SignEngine(sign, palette));
+  return drawnIcon(kSide, [sign, palette](QPainter& painter, QIcon::Mode mode) {
+    const auto& [lines, filled] = kDrawings[static_cast<std::size_t>(sign)];
+    const QColor color =
+        palette.color(mode == QIcon::Disabled ? QPalette::Disabled : QPalette::Active, QPalette::WindowText);
+    painter.setPen(QPen(color, 1.7, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.drawPath(drawnPath(lines));
+    painter.setBrush(color);
+    painter.drawPath(drawnPath(filled));
+  });
+}
+
+QIcon drawnIcon(double side, std::function<void(QPainter& painter, QIcon::Mode mode)> draw)
+{
+  return QIcon(new DrawnEngine(side, std::move(draw)));
+}
+
+QPainterPath drawnPath(const char* text)
+{
+  QPainterPath path;
+  std::istringstream in(text);
+  std::array<double, 6> n{};
+  for (char command = 0; in >> command;) {
+    const std::size_t count = command == 'Z' ? 0 : command == 'C' ? 6 : command == 'O' ? 3 : 2;
+    for (std::size_t k = 0; k < count; ++k) in >> n[k];
+    if (command == 'M') path.moveTo(n[0], n[1]);
+    if (command == 'L') path.lineTo(n[0], n[1]);
+    if (command == 'C') path.cubicTo(n[0], n[1], n[2], n[3], n[4], n[5]);
+    if (command == 'O') path.addEllipse(QPointF(n[0], n[1]), n[2], n[2]);
+    if (command == 'Z') path.closeSubpath();
+  }
+  return path;
 }
 
 }  // namespace holdfast

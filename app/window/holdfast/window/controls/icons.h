@@ -1,11 +1,14 @@
 #pragma once
-/// The signs on the buttons of the window. They are drawn, so they are sharp on every screen and follow the palette.
+/// Icons that are drawn, so they are sharp on every screen and follow the palette.
 
 #include <QIcon>
+#include <QPainterPath>
 #include <QPalette>
+#include <functional>
 
 namespace holdfast {
 
+/// The signs on the buttons of the window.
 enum class Sign {
   Select,
   Point,
@@ -26,5 +29,12 @@ enum class Sign {
 
 /// In the colour of the palette's text, faint where disabled.
 [[nodiscard]] QIcon iconOf(Sign sign, const QPalette& palette);
+
+/// `draw` draws it on a square of this side.
+[[nodiscard]] QIcon drawnIcon(double side, std::function<void(QPainter& painter, QIcon::Mode mode)> draw);
+
+/// Understands the commands of SVG paths that icons need, each with its letter and absolute coordinates: M x y, L x y,
+/// C x y x y x y, Z; and O x y r for a circle.
+[[nodiscard]] QPainterPath drawnPath(const char* text);
 
 }  // namespace holdfast

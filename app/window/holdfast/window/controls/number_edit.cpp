@@ -5,7 +5,6 @@
 
 #include <holdfast/io/text/number_text.h>
 #include <holdfast/window/controls/panel_parts.h>
-#include <holdfast/window/text/number_text.h>
 
 namespace holdfast {
 namespace {
@@ -39,11 +38,6 @@ void NumberEdit::replaceTyped(std::optional<double> number)
   setModified(false);
   setToolTip(exact);
   if (!hasFocus()) setCursorPosition(0);
-}
-
-std::optional<double> NumberEdit::typed() const
-{
-  return typedNumber(text());
 }
 
 QSize NumberEdit::sizeHint() const
@@ -89,16 +83,6 @@ VectorEdit::VectorEdit(const QString& name, const QString& title, QWidget* paren
     lines_[static_cast<std::size_t>(axis)] = line;
   }
   setFocusProxy(lines_.front());
-}
-
-void VectorEdit::setNumbers(const Numbers& numbers)
-{
-  for (std::size_t axis = 0; axis < 3; ++axis) lines_[axis]->setNumber(numbers[axis]);
-}
-
-VectorEdit::Numbers VectorEdit::typed() const
-{
-  return {lines_[0]->typed(), lines_[1]->typed(), lines_[2]->typed()};
 }
 
 }  // namespace holdfast

@@ -5,10 +5,11 @@
 #include <array>
 #include <optional>
 
+#include <holdfast/window/text/number_text.h>
+
 namespace holdfast {
 
-/// A number with its shortest exact text. When the user leaves the line or presses Enter, another number is `entered`
-/// once; Escape restores the number before.
+/// A number with its shortest exact text. Leaving the line or Enter enters another number; Escape restores the last.
 class NumberEdit : public QLineEdit {
   Q_OBJECT
 
@@ -18,8 +19,8 @@ class NumberEdit : public QLineEdit {
   /// Shows a number, or that there are several. Does not disturb a user who is typing.
   void setNumber(std::optional<double> number);
   /// The number that is typed at the moment; nothing if it is invalid.
-  [[nodiscard]] std::optional<double> typed() const;
-  /// Shows a number, and drops what the user typed.
+  [[nodiscard]] std::optional<double> typed() const { return typedNumber(text()); }
+  /// Drops what the user typed.
   void replaceTyped(std::optional<double> number);
 
   [[nodiscard]] QSize sizeHint() const override;
@@ -48,9 +49,11 @@ class VectorEdit : public QWidget {
   /// Lines are called `name` + "X", ... for scripts, and `title` + " x", ... for screen readers.
   VectorEdit(const QString& name, const QString& title, QWidget* parent = nullptr);
 
-  void setNumbers(const Numbers& numbers);
-  /// The numbers in the lines at the moment; nothing for an invalid one.
-  [[nodiscard]] Numbers typed() const;
+  void setNumbers(const Numbers& numbers)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis) lines_[axis]->setNumber(numbers[axis]);
+  }
+  [[nodiscard]] Numbers typed() const { return {lines_[0]->typed(), lines_[1]->typed(), lines_[2]->typed()}; }
   [[nodiscard]] NumberEdit& line(int axis) { return *lines_[static_cast<std::size_t>(axis)]; }
 
  Q_SIGNALS:

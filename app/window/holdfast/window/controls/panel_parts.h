@@ -1,12 +1,16 @@
 #pragma once
 /// What panels and dialogs are put together from. Widgets are returned without a parent: a layout takes them.
 
+#include <QFrame>
+#include <QGridLayout>
+#include <QIcon>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
 #include <QStackedWidget>
+#include <QTableView>
+#include <QVBoxLayout>
 #include <initializer_list>
-
-class QLabel;
-class QScrollArea;
-class QTableView;
 
 namespace holdfast {
 
@@ -17,15 +21,13 @@ Object* named(Object* object, const QString& name)
   return object;
 }
 
-/// The same, with a name for screen readers.
+/// `spoken`: for screen readers.
 template <class Widget>
 Widget* named(Widget* widget, const QString& name, const QString& spoken)
 {
   widget->setAccessibleName(spoken);
   return named(widget, name);
 }
-
-[[nodiscard]] QLabel* newHint(const QString& name);
 
 /// Lines of plain text that can be selected with the mouse.
 [[nodiscard]] QLabel* newText(const QString& name);
@@ -47,7 +49,6 @@ Layout* newLayout(QWidget* owner, int margin, int spacing, std::initializer_list
 /// Less important than other texts, or as they are.
 void setQuiet(QWidget& text, bool isQuiet);
 
-/// `content` fills `panel`.
 void fill(QWidget& panel, QWidget* content);
 
 /// Rows without lines between them, in two alternating colours.
@@ -66,7 +67,6 @@ class RefreshedPanel : public QWidget {
   virtual void refresh() = 0;
 };
 
-/// The content of a panel, or a hint in its place.
 class HintedContent : public QStackedWidget {
  public:
   HintedContent(QWidget* content, const QString& hintName);
@@ -76,6 +76,39 @@ class HintedContent : public QStackedWidget {
 
  private:
   QLabel* hint_;
+};
+
+/// A framed piece of text with an icon, a title and buttons: a conflict, or a finding.
+class Card : public QFrame {
+  Q_OBJECT
+
+ public:
+  explicit Card(QWidget* parent = nullptr);
+
+  void setIcon(const QIcon& icon);
+  void setTitle(const QString& title) { title_->setText(title); }
+  void setText(const QString& text);
+  /// Below the text, two side by side; every third has a line of its own.
+  QPushButton* addButton(const QString& text, const QString& name);
+
+ private:
+  QLabel* icon_;
+  QLabel* title_;
+  QLabel* text_;
+  QGridLayout* buttons_;
+};
+
+/// Cards below one another, scrolled where they need more room.
+class CardList : public QScrollArea {
+  Q_OBJECT
+
+ public:
+  explicit CardList(QWidget* parent = nullptr);
+
+  void add(QWidget* card) { layout_->insertWidget(layout_->count() - 1, card); }
+
+ private:
+  QVBoxLayout* layout_;
 };
 
 }  // namespace holdfast

@@ -1,19 +1,14 @@
 #include "holdfast/window/controls/status_style.h"
 
 #include <QPainter>
-#include <QPixmap>
 #include <algorithm>
 #include <array>
 
-#include <holdfast/window/controls/drawn_path.h>
+#include <holdfast/window/controls/icons.h>
 #include <holdfast/window/controls/theme.h>
 
 namespace holdfast {
 namespace {
-
-// Forms are drawn in a square of this side, in the pixels of displays of one to three times the usual density.
-constexpr double kFormSide = 16;
-constexpr std::array kPixels = {16, 24, 32, 48};
 
 constexpr double kQuiet = 0.55;  // the share of the text's colour in a quiet one
 
@@ -43,14 +38,6 @@ const Look& lookOf(std::optional<ConstraintStatus> status)
   return *std::find_if(kLooks.begin(), kLooks.end(), [&](const Look& look) { return look.status == status; });
 }
 
-void draw(QPainter& painter, const Look& look, const QColor& color, const QColor& paper)
-{
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.fillPath(drawnPath(look.filled), color);
-  painter.strokePath(drawnPath(look.lines), QPen(color, 1.5, look.style, Qt::RoundCap, Qt::RoundJoin));
-  painter.strokePath(drawnPath(look.inPaper), QPen(paper, 1.8, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-}
-
 }  // namespace
 
 QColor quietColor(const QPalette& palette)
@@ -69,23 +56,18 @@ QColor statusColor(std::optional<ConstraintStatus> status, const QPalette& palet
 
 QIcon statusIcon(std::optional<ConstraintStatus> status, const QPalette& palette)
 {
-  const QColor paper(isDark(palette) ? "#202020" : "#ffffff");
-  QIcon icon;
-  const auto add = [&](int pixels, QIcon::Mode mode, const QColor& color, const QColor& within) {
-    QPixmap pixmap(pixels, pixels);
-    pixmap.fill(Qt::transparent);
-    QPainter painter(&pixmap);
-    painter.scale(pixels / kFormSide, pixels / kFormSide);
-    draw(painter, lookOf(status), color, within);
-    painter.end();
-    icon.addPixmap(pixmap, mode);
-  };
-  for (const int pixels : kPixels) {
-    add(pixels, QIcon::Normal, statusColor(status, palette), paper);
+  constexpr double kSide = 16;
+  const QColor paperAround(isDark(palette) ? "#202020" : "#ffffff");
+  return drawnIcon(kSide, [&look = lookOf(status), ownColor = statusColor(status, palette), paperAround](
+                              QPainter& painter, QIcon::Mode mode) {
     // Selected rows have a colour that is also one of the forms'.
-    add(pixels, QIcon::Selected, Qt::white, QColor("#202020"));
-  }
-  return icon;
+    const bool isSelected = mode == QIcon::Selected;
+    const QColor color = isSelected ? QColor(Qt::white) : ownColor;
+    const QColor paper = isSelected ? QColor("#202020") : paperAround;
+    painter.fillPath(drawnPath(look.filled), color);
+    painter.strokePath(drawnPath(look.lines), QPen(color, 1.5, look.style, Qt::RoundCap, Qt::RoundJoin));
+    painter.strokePath(drawnPath(look.inPaper), QPen(paper, 1.8, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  });
 }
 
 }  // namespace holdfast

@@ -16,8 +16,6 @@ namespace holdfast {
 /// Readable on the palette's background. No status means that the constraint was not solved yet.
 [[nodiscard]] QColor statusColor(std::optional<ConstraintStatus> status, const QPalette& palette);
 
-/// A disc with a tick: met; a ring with =: redundant; a triangle with !: conflicting; a diamond: missed; a broken ring:
-/// disabled; a ring with a dot: independent; three dots: not solved yet.
 [[nodiscard]] QIcon statusIcon(std::optional<ConstraintStatus> status, const QPalette& palette);
 
 }  // namespace holdfast

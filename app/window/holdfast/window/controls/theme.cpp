@@ -33,13 +33,6 @@ Color toColor(const QColor& color)
   return {color.redF(), color.greenF(), color.blueF()};
 }
 
-/// `from` with `share` of `to`.
-Color between(const Color& from, const Color& to, double share)
-{
-  return {from.red + share * (to.red - from.red), from.green + share * (to.green - from.green),
-          from.blue + share * (to.blue - from.blue)};
-}
-
 }  // namespace
 
 bool isDark(const QPalette& palette)
@@ -73,8 +66,8 @@ PictureColors pictureColors(const QPalette& palette)
   const Color ground = toColor(palette.color(QPalette::Base));
   const Color ink = toColor(palette.color(QPalette::Text));
   return {ground,
-          between(ground, ink, 0.09),
-          between(ground, ink, 0.18),
+          mixed(ground, ink, 0.09),
+          mixed(ground, ink, 0.18),
           ink,
           isDark(palette) ? Color{0.42, 0.62, 0.86} : Color{0.24, 0.44, 0.70},
           isDark(palette) ? Color{1.00, 0.60, 0.25} : Color{0.86, 0.34, 0.04}};

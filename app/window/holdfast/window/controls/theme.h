@@ -17,7 +17,7 @@ void apply(Appearance appearance);
 
 [[nodiscard]] QColor toQColor(const Color& color);
 
-/// Grounds and inks of pictures inside panels.
+/// Of pictures inside panels.
 struct PictureColors {
   Color ground;  ///< as behind texts that are edited
   Color raised;  ///< a little off the ground

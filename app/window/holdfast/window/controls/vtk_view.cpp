@@ -1,8 +1,6 @@
 #include "holdfast/window/controls/vtk_view.h"
 
-#include <QMouseEvent>
 #include <QScopedValueRollback>
-#include <QWheelEvent>
 #include <cmath>
 
 #include <QVTKInteractor.h>

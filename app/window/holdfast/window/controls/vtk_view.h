@@ -1,16 +1,15 @@
 #pragma once
 /// A picture of VTK in a window of Qt. Its interactor asks for pictures and draws none itself.
 
-#include <QVTKOpenGLNativeWidget.h>
+#include <QMouseEvent>
+#include <QWheelEvent>
 
-class QMouseEvent;
-class QWheelEvent;
+#include <QVTKOpenGLNativeWidget.h>
 
 namespace holdfast {
 
-/// Sends Qt's events to VTK's interactor. It replaces VTK's adapter for mouse and wheel, which loses the pixel under
-/// the cursor on displays with a pixel ratio above 1, and shares of a notch of the wheel
-/// (`vtkInteractorStyle::SetMouseWheelMotionFactor`). The second press of a double click has a repeat count of 1.
+/// Replaces VTK's adapter for mouse and wheel, which loses the pixel under the cursor on displays with a pixel ratio
+/// above 1, and shares of a notch of the wheel. The second press of a double click has a repeat count of 1.
 class VtkView : public QVTKOpenGLNativeWidget {
   Q_OBJECT
 
@@ -21,7 +20,6 @@ class VtkView : public QVTKOpenGLNativeWidget {
   [[nodiscard]] double pixelRatio() const { return devicePixelRatioF(); }
 
  Q_SIGNALS:
-  /// The interactor wants a picture, on behalf of a widget or of its style.
   void renderWanted();
 
  protected:

@@ -1,7 +1,6 @@
 #include "holdfast/window/files/autosave.h"
 
 #include <QDateTime>
-#include <QDialog>
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QLabel>

@@ -1,9 +1,9 @@
 #pragma once
 /// Keeps unsaved work against a crash, and offers what a crash has left.
 
-#include <QObject>
-#include <QString>
+#include <QDialog>
 #include <QTimer>
+#include <QWidget>
 #include <chrono>
 #include <filesystem>
 #include <functional>
@@ -14,9 +14,6 @@
 #include <holdfast/window/files/document_files.h>
 #include <holdfast/window/model/background_job.h>
 #include <holdfast/window/model/editor.h>
-
-class QDialog;
-class QWidget;
 
 namespace holdfast {
 
@@ -33,8 +30,7 @@ class Autosave : public QObject {
 
   void setDelay(std::chrono::milliseconds delay) { delay_.setInterval(delay); }
 
-  /// Shows what crashed programs have left, if anything, without blocking. The user can recover one in this window,
-  /// discard some, or leave all for later.
+  /// Shows what crashed programs have left, if anything, without blocking.
   void offerRecovery();
   /// Opens the copy, and removes it as soon as this document has a copy of its own.
   void recover(const Recoverable& copy);
@@ -66,8 +62,7 @@ class Autosave : public QObject {
   BackgroundJob job_;  // last: its thread uses what is above
 };
 
-/// One entry for each copy, the newest first. `recover` gets the one that the user wants opened; the dialog closes
-/// then, and the others are left for later.
+/// One entry for each copy. `recover` gets the one that the user wants opened; the others are left for later.
 [[nodiscard]] QDialog* newRecoveryDialog(std::vector<Recoverable> copies,
                                          std::function<void(const Recoverable&)> recover, QWidget* parent = nullptr);
 

@@ -3,14 +3,12 @@
 #include <QCheckBox>
 #include <QDialog>
 #include <QDialogButtonBox>
-#include <QFileInfo>
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSettings>
 #include <QSpinBox>
 #include <QVBoxLayout>
-#include <QWidget>
 #include <algorithm>
 #include <utility>
 
@@ -94,11 +92,6 @@ std::optional<SceneOptions> askForPicture(QWidget* window)
 }
 
 }  // namespace
-
-DocumentExports::DocumentExports(Editor& editor, QWidget* window) : QObject(window), editor_(editor), window_(window)
-{
-  connect(&job_, &BackgroundJob::failed, this, &DocumentExports::showFailure);
-}
 
 void DocumentExports::exportMesh()
 {
@@ -234,16 +227,6 @@ void DocumentExports::write(Serialized contents)
     };
   });
   showProgress(job_, window_, tr("Writing %1").arg(name()));
-}
-
-void DocumentExports::showFailure(const std::exception_ptr& error)
-{
-  showProblem(window_, tr("“%1” cannot be written.").arg(name()), error);
-}
-
-QString DocumentExports::name() const
-{
-  return QFileInfo(writing_).fileName();
 }
 
 }  // namespace holdfast

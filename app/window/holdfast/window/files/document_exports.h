@@ -1,8 +1,8 @@
 #pragma once
 /// What goes out of the open document besides sessions: meshes, fields, reports, constraints and pictures.
 
-#include <QObject>
-#include <QString>
+#include <QFileInfo>
+#include <QWidget>
 #include <functional>
 #include <optional>
 #include <string>
@@ -11,15 +11,12 @@
 #include <holdfast/document/session_file.h>
 #include <holdfast/io/mesh_document.h>
 #include <holdfast/widgets/color/coloring.h>
+#include <holdfast/widgets/scene/scene_contents.h>
 #include <holdfast/window/files/file_messages.h>
 #include <holdfast/window/model/background_job.h>
 #include <holdfast/window/model/editor.h>
 
-class QWidget;
-
 namespace holdfast {
-
-class SceneContents;
 
 /// How a picture shows the document; by default as `Scene` does.
 struct PictureView {
@@ -28,27 +25,25 @@ struct PictureView {
   std::function<void(SceneContents&)> arrange = {};  ///< switches other parts on or off; may be empty
 };
 
-/// Writes what is shown. Asks before if that is not what a user would expect: results that are older than the
-/// constraints, coordinates in single precision. Files are complete or absent. A box over `window` reports failures.
-/// Exports need an open document.
+/// Writes what is shown, and asks before if that is older than the constraints or loses precision. Files are complete
+/// or absent. A box over `window` reports failures. Exports need an open document.
 class DocumentExports : public QObject {
   Q_OBJECT
 
  public:
-  DocumentExports(Editor& editor, QWidget* window);
+  DocumentExports(Editor& editor, QWidget* window) : QObject(window), editor_(editor), window_(window)
+  {
+    connect(&job_, &BackgroundJob::failed, this, &DocumentExports::showFailure);
+  }
 
   /// Replaces `chooseFile`, for a program that drives the window.
   void setChooser(FileChooser chooser) { chooser_ = std::move(chooser); }
   void setPictureView(std::function<PictureView()> view) { pictureView_ = std::move(view); }
 
-  /// In any known format, by the extension. A box says what the format cannot hold.
   void exportMesh();
-  /// What `fieldsOf` computes, as .vtp.
   void exportFields();
-  /// As .json, or the constraints alone as .csv.
   void exportReport();
   void exportConstraints();
-  /// As .png, in a size that a dialog asks for.
   void exportPicture();
   [[nodiscard]] bool isWriting() const noexcept { return job_.isRunning(); }
 
@@ -68,8 +63,11 @@ class DocumentExports : public QObject {
   void make(const QString& title, const QString& ending, const QStringList& filters, Maker maker);
   [[nodiscard]] bool mayMiss(double length);
   void write(Serialized contents);
-  void showFailure(const std::exception_ptr& error);
-  [[nodiscard]] QString name() const;
+  void showFailure(const std::exception_ptr& error)
+  {
+    showProblem(window_, tr("“%1” cannot be written.").arg(name()), error);
+  }
+  [[nodiscard]] QString name() const { return QFileInfo(writing_).fileName(); }
 
   Editor& editor_;
   QWidget* window_;

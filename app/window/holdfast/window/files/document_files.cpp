@@ -3,7 +3,6 @@
 #include <QDialog>
 #include <QDir>
 #include <QFileInfo>
-#include <QWidget>
 #include <utility>
 
 #include <fmt/format.h>
@@ -159,11 +158,6 @@ bool DocumentFiles::mayReplaceDocument()
   return true;
 }
 
-QString DocumentFiles::askForFile(const QString& title, const QString& suggestion, const QStringList& filters)
-{
-  return chooser_(window_, {FileQuestion::Purpose::Read, title, suggestion, filters});
-}
-
 void DocumentFiles::importDialog()
 {
   const QString path = askForFile(
@@ -189,11 +183,6 @@ bool DocumentFiles::save()
   beginSaving(path);
   saving_.wait();
   return wasSaved_;
-}
-
-void DocumentFiles::saveInBackground()
-{
-  beginSaving(sessionPath_.empty() ? askWhereToSave() : sessionPath_);
 }
 
 fs::path DocumentFiles::askWhereToSave()
@@ -242,26 +231,14 @@ bool DocumentFiles::maySaveBefore(const QString& action)
     if (!isSaving() && !wasSaved_) return false;
   }
   if (!editor_.isOpen() || editor_.history().isSaved()) return true;
-  switch (askToSave(window_, name(), action)) {
-    case SaveAnswer::Save:
-      return save();
-    case SaveAnswer::Discard:
-      return true;
-    case SaveAnswer::Cancel:
-      break;
-  }
-  return false;
+  const auto answer = askToSave(window_, name(), action);
+  return answer == QMessageBox::Save ? save() : answer == QMessageBox::Discard;
 }
 
 QString DocumentFiles::name() const
 {
   if (!editor_.isOpen()) return {};
   return textOf((sessionPath_.empty() ? editor_.mesh().path : sessionPath_).filename());
-}
-
-SessionFile DocumentFiles::emptySessionAt(const fs::path& path) const
-{
-  return {referenceTo(editor_.mesh().path, path, meshChecksum_), {}, view_ ? view_() : ViewState{}, ""};
 }
 
 QString DocumentFiles::suggestedPath() const

@@ -1,9 +1,7 @@
 #pragma once
-/// Opening, importing and saving: which files the document comes from and goes to, and what the user is asked about
-/// them.
+/// Opening, importing and saving: the files of the document, and what the user is asked about them.
 
-#include <QObject>
-#include <QString>
+#include <QWidget>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -14,8 +12,6 @@
 #include <holdfast/window/files/file_messages.h>
 #include <holdfast/window/model/background_job.h>
 #include <holdfast/window/model/editor.h>
-
-class QWidget;
 
 namespace holdfast {
 
@@ -31,29 +27,25 @@ class DocumentFiles : public QObject {
   /// What sessions keep of the view; by default nothing.
   void setView(std::function<ViewState()> view) { view_ = std::move(view); }
 
-  /// Reads a mesh or a session (`.holdfast`) on a thread of its own. The open document stays usable until the new one
-  /// is ready. Asks before about unsaved changes, and about the mesh of a session if it is missing or has changed.
-  /// Gives up what is being opened.
+  /// Reads a mesh or a session (`.holdfast`) on a thread of its own, in place of what is being opened. Asks before
+  /// about unsaved changes, and about the mesh of a session if it is missing or has changed.
   void open(const QString& path);
   void openDialog();
   /// Opens a copy that a crash has left, as unsaved work on what it is a copy of. `whenOpen` is called when it is.
   void recover(const Recoverable& copy, std::function<void()> whenOpen);
   [[nodiscard]] bool isOpening() const noexcept { return job_.isRunning(); }
 
-  /// Shows what the constraints of a file would do to the open document.
   void importConstraints(const QString& path);
   void importDialog();
 
   /// False if nothing was saved, by an error or by the user. There is an open document.
   bool save();
-  /// As `save` and to another session, on a thread of its own. Edits made meanwhile are not in the file, and unsaved. A
-  /// request during a save is done after it. `done` follows each save.
-  void saveInBackground();
+  /// On a thread of its own. Edits made meanwhile stay unsaved; a request during a save is done after it.
+  void saveInBackground() { beginSaving(sessionPath_.empty() ? askWhereToSave() : sessionPath_); }
   void saveAsInBackground() { beginSaving(askWhereToSave()); }
   [[nodiscard]] bool isSaving() const noexcept { return saving_.isRunning(); }
 
-  /// Asks about unsaved changes, if there are any, and saves them if the user wants. `action` is what comes next:
-  /// "closing the window". False if it must not.
+  /// Asks about unsaved changes, if any, and saves them if the user wants. `action` comes next: "closing the window".
   [[nodiscard]] bool maySaveBefore(const QString& action);
 
   /// The file of the session; empty if the document was never saved.
@@ -61,7 +53,10 @@ class DocumentFiles : public QObject {
   /// The file name of the session, or of the mesh if there is none; empty without a document.
   [[nodiscard]] QString name() const;
   /// The open document as a session at `path`, but for constraints and options: copying many of them takes time.
-  [[nodiscard]] SessionFile emptySessionAt(const std::filesystem::path& path) const;
+  [[nodiscard]] SessionFile emptySessionAt(const std::filesystem::path& path) const
+  {
+    return {referenceTo(editor_.mesh().path, path, meshChecksum_), {}, view_(), ""};
+  }
 
  Q_SIGNALS:
   /// The view that the file has, after `Editor::opened`. Empty for a mesh.
@@ -91,7 +86,10 @@ class DocumentFiles : public QObject {
   void adopt(Opening& opening);
   void setPath(const std::filesystem::path& path);
   [[nodiscard]] bool mayReplaceDocument();
-  [[nodiscard]] QString askForFile(const QString& title, const QString& suggestion, const QStringList& filters);
+  [[nodiscard]] QString askForFile(const QString& title, const QString& suggestion, const QStringList& filters)
+  {
+    return chooser_(window_, {FileQuestion::Purpose::Read, title, suggestion, filters});
+  }
   [[nodiscard]] std::filesystem::path askWhereToSave();
   void beginSaving(const std::filesystem::path& path);
   void saved(const std::shared_ptr<const Model>& model, const std::shared_ptr<const DocumentState>& state);
@@ -100,7 +98,7 @@ class DocumentFiles : public QObject {
   Editor& editor_;
   QWidget* window_;
   FileChooser chooser_ = chooseFile;
-  std::function<ViewState()> view_;
+  std::function<ViewState()> view_ = [] { return ViewState{}; };
   BackgroundJob job_;
   std::filesystem::path sessionPath_;
   std::string meshChecksum_;                       // of the mesh as it was read

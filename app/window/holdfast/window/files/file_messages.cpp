@@ -3,7 +3,6 @@
 #include <QCoreApplication>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QMessageBox>
 #include <QProgressDialog>
 #include <QPushButton>
 #include <QRegularExpression>
@@ -12,21 +11,10 @@
 #include <holdfast/base/error.h>
 #include <holdfast/widgets/files/any_mesh_file.h>
 #include <holdfast/window/controls/panel_parts.h>
-#include <holdfast/window/model/background_job.h>
+#include <holdfast/window/text/number_text.h>
 
 namespace holdfast {
 namespace {
-
-struct FileMessages {
-  Q_DECLARE_TR_FUNCTIONS(FileMessages)
-};
-
-/// "holdfast" of "Sessions (*.holdfast)".
-QString suffixOf(const QString& filter)
-{
-  static const QRegularExpression kPattern(R"(\*\.(\w+))");
-  return kPattern.match(filter).captured(1);
-}
 
 /// A whole sentence. Elsewhere reasons of the core follow a colon.
 QString asSentence(const QString& reason)
@@ -39,9 +27,9 @@ QString asSentence(const QString& reason)
 
 QString placeOf(const InputLocation& location)
 {
-  QStringList lines{FileMessages::tr("File: %1").arg(QString::fromStdString(location.file))};
-  if (location.line > 0) lines << FileMessages::tr("Line: %1").arg(location.line);
-  if (!location.element.empty()) lines << FileMessages::tr("Place: %1").arg(QString::fromStdString(location.element));
+  QStringList lines{QObject::tr("File: %1").arg(QString::fromStdString(location.file))};
+  if (location.line > 0) lines << QObject::tr("Line: %1").arg(location.line);
+  if (!location.element.empty()) lines << QObject::tr("Place: %1").arg(QString::fromStdString(location.element));
   return lines.join('\n');
 }
 
@@ -53,7 +41,7 @@ QString explained(const std::exception_ptr& error)
   } catch (const InputError& input) {
     return asSentence(QString::fromStdString(input.reason())) + "\n\n" + placeOf(input.location());
   } catch (const std::bad_alloc&) {
-    return FileMessages::tr("There is not enough memory for it; close other documents and programs.");
+    return QObject::tr("There is not enough memory for it; close other documents and programs.");
   } catch (const std::exception& other) {
     return asSentence(QString::fromUtf8(other.what()));
   }
@@ -107,7 +95,7 @@ void showNotes(QWidget* window, const QString& headline, const QStringList& note
 
 void showProgress(BackgroundJob& job, QWidget* window, const QString& title)
 {
-  auto* dialog = named(new QProgressDialog({}, FileMessages::tr("Cancel"), 0, 0, window), "progress");
+  auto* dialog = named(new QProgressDialog({}, QObject::tr("Cancel"), 0, 0, window), "progress");
   dialog->setWindowTitle(title);
   dialog->setWindowModality(Qt::NonModal);
   dialog->setMinimumWidth(dialog->fontMetrics().averageCharWidth() * 50);
@@ -119,16 +107,14 @@ void showProgress(BackgroundJob& job, QWidget* window, const QString& title)
   QTimer::singleShot(300, dialog, &QWidget::show);
 }
 
-SaveAnswer askToSave(QWidget* window, const QString& name, const QString& action)
+QMessageBox::StandardButton askToSave(QWidget* window, const QString& name, const QString& action)
 {
-  Box box(window, QMessageBox::Warning, FileMessages::tr("Save the changes to “%1” before %2?").arg(name, action),
-          FileMessages::tr("Changes that are not saved are lost."));
+  Box box(window, QMessageBox::Warning, QObject::tr("Save the changes to “%1” before %2?").arg(name, action),
+          QObject::tr("Changes that are not saved are lost."));
   box.setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
   box.setDefaultButton(QMessageBox::Save);
   box.setEscapeButton(QMessageBox::Cancel);
-  const int answer = box.exec();
-  if (answer == QMessageBox::Save) return SaveAnswer::Save;
-  return answer == QMessageBox::Discard ? SaveAnswer::Discard : SaveAnswer::Cancel;
+  return static_cast<QMessageBox::StandardButton>(box.exec());
 }
 
 bool askToGoOn(QWidget* window, const QString& headline, const QString& explanation, const QString& goOn)
@@ -143,14 +129,13 @@ bool askToGoOn(QWidget* window, const QString& headline, const QString& explanat
 MeshAnswer askAboutSessionMesh(QWidget* window, const QString& session, const ResolvedMesh& mesh)
 {
   const bool isMissing = mesh.state == MeshState::Missing;
-  const QString headline = isMissing ? FileMessages::tr("The mesh of “%1” is not there.")
-                                     : FileMessages::tr("The mesh of “%1” has changed.");
+  const QString headline =
+      isMissing ? QObject::tr("The mesh of “%1” is not there.") : QObject::tr("The mesh of “%1” has changed.");
   Box box(window, QMessageBox::Warning, headline.arg(session), asSentence(QString::fromStdString(mesh.message)));
   const QAbstractButton* use = nullptr;
   if (!isMissing)
-    use = named(box.addButton(FileMessages::tr("&Use it all the same"), QMessageBox::AcceptRole), "useAllTheSame");
-  QPushButton* const locate =
-      named(box.addButton(FileMessages::tr("&Locate the mesh…"), QMessageBox::ActionRole), "locate");
+    use = named(box.addButton(QObject::tr("&Use it all the same"), QMessageBox::AcceptRole), "useAllTheSame");
+  QPushButton* const locate = named(box.addButton(QObject::tr("&Locate the mesh…"), QMessageBox::ActionRole), "locate");
   box.addButton(QMessageBox::Cancel);
   box.setDefaultButton(locate);
   const QAbstractButton* const clicked = box.ask();
@@ -170,7 +155,10 @@ QString chooseFile(QWidget* window, const FileQuestion& question)
   dialog.setDirectory(suggestion.isDir() ? question.suggestion : suggestion.path());
   if (isWrite) {
     if (!suggestion.isDir()) dialog.selectFile(suggestion.fileName());
-    const auto followFilter = [&](const QString& filter) { dialog.setDefaultSuffix(suffixOf(filter)); };
+    // "holdfast" of "Sessions (*.holdfast)".
+    const auto followFilter = [&](const QString& filter) {
+      dialog.setDefaultSuffix(QRegularExpression(R"(\*\.(\w+))").match(filter).captured(1));
+    };
     followFilter(question.filters.value(0));
     QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog, followFilter);
   }
@@ -183,11 +171,11 @@ QStringList meshFilters()
   QStringList all;
   QStringList each;
   for (const std::string_view extension : anyMeshExtensions()) {
-    const QString name = QString::fromUtf8(extension.data(), static_cast<int>(extension.size())).mid(1);
+    const QString name = toText(extension).mid(1);
     all << "*." + name;
     each << QString("%1 (*.%2)").arg(name.toUpper(), name);
   }
-  return QStringList{QCoreApplication::translate("holdfast::FileChooser", "Meshes (%1)").arg(all.join(' '))} + each;
+  return QStringList{QObject::tr("Meshes (%1)").arg(all.join(' '))} + each;
 }
 
 }  // namespace holdfast

@@ -1,31 +1,25 @@
 #pragma once
 /// How the user is asked for files, and told about them: boxes say what is wrong, where, and what to do.
 
-#include <QString>
-#include <QStringList>
+#include <QMessageBox>
 #include <exception>
 #include <filesystem>
 #include <functional>
 
 #include <holdfast/document/session_file.h>
-
-class QWidget;
+#include <holdfast/window/model/background_job.h>
 
 namespace holdfast {
-
-class BackgroundJob;
 
 struct FileQuestion {
   enum class Purpose { Read, Write };
   Purpose purpose = Purpose::Read;
   QString title;
-  QString suggestion;  ///< a folder, or a file in it
-  QStringList
-      filters;  ///< "Sessions (*.holdfast)"; the first pattern of the chosen one is what a name without an ending gets
+  QString suggestion;   ///< a folder, or a file in it
+  QStringList filters;  ///< "Sessions (*.holdfast)": a name without an ending gets the first one's
 };
 
-/// Returns the path that the user chose, empty where none. Every dialog for files goes through one of these: a program
-/// that drives the window puts its own in the place of `chooseFile`.
+/// Returns the path that the user chose, empty where none. Programs that drive the window replace `chooseFile` by it.
 using FileChooser = std::function<QString(QWidget* window, const FileQuestion& question)>;
 
 /// Asks with Qt's dialog, that of the desktop where there is one. A file is only overwritten after a question.
@@ -43,14 +37,11 @@ void showProblem(QWidget* window, const QString& headline, const QString& reason
 /// `headline` says what was done; the notes are what the user should know about it.
 void showNotes(QWidget* window, const QString& headline, const QStringList& notes);
 
-/// What the work of `job`, which runs, has come to: in a small dialog that can cancel it, once it takes longer than a
-/// moment. The window stays usable.
+/// The steps of `job`, which runs, in a small dialog that can cancel it, once it takes longer than a moment.
 void showProgress(BackgroundJob& job, QWidget* window, const QString& title);
 
-enum class SaveAnswer { Save, Discard, Cancel };
-
-/// Whether unsaved changes of the document called `name` are to be saved before `action` ("closing the window").
-[[nodiscard]] SaveAnswer askToSave(QWidget* window, const QString& name, const QString& action);
+/// `Save`, `Discard` or `Cancel`: about unsaved changes of the document `name`, before `action`.
+[[nodiscard]] QMessageBox::StandardButton askToSave(QWidget* window, const QString& name, const QString& action);
 
 /// A question with the button `goOn` and Cancel. False for Cancel, which Escape and Enter choose too.
 [[nodiscard]] bool askToGoOn(QWidget* window, const QString& headline, const QString& explanation, const QString& goOn);

@@ -1,7 +1,6 @@
 #include "holdfast/window/files/import_dialog.h"
 
 #include <QAbstractTableModel>
-#include <QDialog>
 #include <QDialogButtonBox>
 #include <QGuiApplication>
 #include <QHBoxLayout>

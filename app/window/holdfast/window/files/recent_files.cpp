@@ -3,21 +3,12 @@
 #include <QAction>
 #include <QDir>
 #include <QFileInfo>
-#include <QMenu>
 #include <QSettings>
 
 namespace holdfast {
 namespace {
 
 constexpr const char* kKey = "recentFiles";
-
-/// Entries "&1" to "&9" by their digit, the last by 0. Ampersands of names are no mnemonics.
-QString textOf(int place, const QString& path)
-{
-  QString name = QFileInfo(path).fileName();
-  name.replace('&', "&&");
-  return QString("&%1  %2").arg((place + 1) % kMostRecentFiles).arg(name);
-}
 
 }  // namespace
 
@@ -49,7 +40,10 @@ void fillRecentMenu(QMenu& menu, const std::function<void(const QString&)>& open
   for (int place = 0; place < all.size(); ++place) {
     const QString path = all[place];
     const bool isThere = QFileInfo::exists(path);
-    QAction* action = menu.addAction(textOf(place, path), [open, path] { open(path); });
+    // Entries "&1" to "&9" by their digit, the last by 0. Ampersands of names are no mnemonics.
+    const QString name = QFileInfo(path).fileName().replace('&', "&&");
+    QAction* action =
+        menu.addAction(QString("&%1  %2").arg((place + 1) % kMostRecentFiles).arg(name), [open, path] { open(path); });
     action->setEnabled(isThere);
     const QString native = QDir::toNativeSeparators(path);
     action->setToolTip(isThere ? native : QObject::tr("%1 is not there any more").arg(native));

@@ -1,11 +1,8 @@
 #pragma once
-/// The files that were open last, by their absolute paths, the latest first. The user's settings are the one truth:
-/// several windows share them.
+/// The files that were open last, by their absolute paths, the latest first, in the user's settings.
 
-#include <QStringList>
+#include <QMenu>
 #include <functional>
-
-class QMenu;
 
 namespace holdfast {
 
@@ -15,8 +12,7 @@ inline constexpr int kMostRecentFiles = 10;
 void addRecentFile(const QString& path);
 void removeRecentFile(const QString& path);
 
-/// Replaces the entries of `menu` by one for each file; entries of missing files are grey. Call it each time before the
-/// menu is shown. `open` gets the path that the user chooses.
+/// Replaces the entries of `menu` by one for each file; `open` gets the path that the user chooses.
 void fillRecentMenu(QMenu& menu, const std::function<void(const QString&)>& open);
 
 }  // namespace holdfast

@@ -1,5 +1,4 @@
 #include <QHeaderView>
-#include <QLabel>
 #include <QPushButton>
 #include <QTableView>
 #include <cmath>
@@ -9,8 +8,7 @@
 #include <holdfast/document/handle_restated.h>
 #include <holdfast/document/list_edits.h>
 #include <holdfast/geometry/centroid.h>
-#include <holdfast/window/controls/panel_parts.h>
-#include <holdfast/window/inspector/sections.h>
+#include <holdfast/window/inspector/inspector_section.h>
 #include <holdfast/window/model/at_rest.h>
 #include <holdfast/window/table/vertex_table_model.h>
 #include <holdfast/window/text/constraint_text.h>
@@ -136,12 +134,7 @@ class HandleSection : public SectionOf<HandleConstraint> {
   }
 };
 
-FrameMotion& framesOf(HandleConstraint& handle)
-{
-  return std::get<FrameMotion>(handle.motion);
-}
-
-const FrameMotion& framesOf(const HandleConstraint& handle)
+auto& framesOf(auto& handle)
 {
   return std::get<FrameMotion>(handle.motion);
 }
@@ -212,9 +205,8 @@ class FrameSection : public SectionOf<HandleConstraint> {
           return std::optional<Vector3>(framesOf(std::get<HandleConstraint>(c.what)).*frame.*vector);
         }));
       };
-      setFieldVisible(origin, std::all_of(rows().begin(), rows().end(), [&, frame = frame](Index row) {
-                        return (framesOf(what(row)).*frame).origin.has_value();
-                      }));
+      showWhileGiven(origin,
+                     [frame = frame](const HandleConstraint& handle) { return (framesOf(handle).*frame).origin; });
       if (!isOther) continue;
       show(origin, &Frame::origin);
       show(x, &Frame::x);

@@ -1,16 +1,11 @@
-#include "holdfast/window/inspector/inspector_panel.h"
-
 #include <QCheckBox>
-#include <QLabel>
 #include <QLineEdit>
 #include <QScrollArea>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <set>
 
 #include <holdfast/base/error.h>
-#include <holdfast/window/controls/panel_parts.h>
-#include <holdfast/window/inspector/sections.h>
+#include <holdfast/window/inspector/inspector_section.h>
 #include <holdfast/window/text/constraint_text.h>
 
 namespace holdfast {

@@ -1,12 +1,9 @@
 #include "holdfast/window/inspector/inspector_section.h"
 
-#include <QLabel>
-#include <QVBoxLayout>
 #include <cmath>
 #include <utility>
 
 #include <holdfast/base/error.h>
-#include <holdfast/window/controls/panel_parts.h>
 
 namespace holdfast {
 
@@ -24,22 +21,11 @@ void InspectorSection::inspect(const Rows& rows)
   refresh();
 }
 
-void InspectorSection::refresh()
-{
-  for (const auto& refresh : refreshes_) refresh();
-}
-
 bool InspectorSection::isNews()
 {
   const auto before = std::exchange(reported_, editor_.history().state());
   const Rows rowsBefore = std::exchange(reportedRows_, rows_);
   return before != reported_ || rowsBefore != reportedRows_;
-}
-
-void InspectorSection::hideEvent(QHideEvent* event)
-{
-  reported_.reset();
-  QWidget::hideEvent(event);
 }
 
 void InspectorSection::change(const QString& name, const Change& change)
@@ -89,28 +75,10 @@ NumberEdit* InspectorSection::addNumber(const QString& title, const QString& nam
   return edit;
 }
 
-QComboBox* InspectorSection::addChoice(const QString& title, const QString& name, const QString& spoken,
-                                       const QStringList& choices, const std::function<void(int)>& choose)
-{
-  auto* box = named(new QComboBox(this), name, spoken);
-  box->addItems(choices);
-  connect(box, qOverload<int>(&QComboBox::activated), this, [this, choose](int choice) {
-    choose(choice);
-    refresh();
-  });
-  addRow(title, box);
-  return box;
-}
-
 QString InspectorSection::editName(const QString& pattern, const QStringList& words) const
 {
   if (!pattern.contains("%2")) return pattern.arg(subject());
   return words.size() == 1 ? pattern.arg(subject(), words[0]) : pattern.arg(subject(), words[0], words[1]);
-}
-
-QLabel& InspectorSection::titleOf(QWidget* field)
-{
-  return *static_cast<QLabel*>(field->parentWidget()->layout()->itemAt(0)->widget());
 }
 
 void InspectorSection::explain(QWidget* field, const QString& text)
@@ -125,16 +93,6 @@ int InspectorSection::titleWidth() const
   int widest = 0;
   for (const QLabel* title : titles_) widest = std::max(widest, title->sizeHint().width());
   return widest;
-}
-
-void InspectorSection::setTitleWidth(int width)
-{
-  for (QLabel* title : titles_) title->setMinimumWidth(width);
-}
-
-QString axisText(int axis)
-{
-  return QStringLiteral("xyz").mid(axis, 1);
 }
 
 Index wholeNumber(double typed, double least, const std::string& reason)

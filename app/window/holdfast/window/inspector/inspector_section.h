@@ -2,8 +2,8 @@
 /// One part of the inspector: what some kinds of constraints have in common, shown and edited.
 
 #include <QComboBox>
-#include <QString>
-#include <QWidget>
+#include <QLabel>
+#include <QVBoxLayout>
 #include <algorithm>
 #include <functional>
 #include <memory>
@@ -12,17 +12,11 @@
 
 #include <holdfast/io/text/number_text.h>
 #include <holdfast/window/controls/number_edit.h>
+#include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/model/constraint_actions.h>
-#include <holdfast/window/model/editor.h>
 #include <holdfast/window/text/number_text.h>
 
-class QLabel;
-class QVBoxLayout;
-
 namespace holdfast {
-
-/// "x", "y", "z".
-[[nodiscard]] QString axisText(int axis);
 
 /// Shows the constraints of some rows and edits all of them at once.
 class InspectorSection : public QWidget {
@@ -31,24 +25,32 @@ class InspectorSection : public QWidget {
  public:
   InspectorSection(Editor& editor, const QString& title);
 
-  /// Whether the section applies to the constraint.
   [[nodiscard]] virtual bool fits(const Constraint& constraint) const = 0;
-  /// Reads these rows, one or more, which all fit, from the editor and shows them.
+  /// One or more, which all fit.
   void inspect(const Rows& rows);
 
   /// Titles of all sections are equally wide, so that fields stand below one another.
   [[nodiscard]] int titleWidth() const;
-  void setTitleWidth(int width);
+  void setTitleWidth(int width)
+  {
+    for (QLabel* title : titles_) title->setMinimumWidth(width);
+  }
 
  Q_SIGNALS:
   void refused(const QString& reason);
 
  protected:
-  virtual void refresh();
-  /// Whether the state or the rows differ from those of the last call. If not, lines that only make sense together keep
-  /// what was typed into them.
+  virtual void refresh()
+  {
+    for (const auto& refresh : refreshes_) refresh();
+  }
+  /// Since the last call. If not, lines that only make sense together keep what was typed into them.
   [[nodiscard]] bool isNews();
-  void hideEvent(QHideEvent* event) override;
+  void hideEvent(QHideEvent* event) override
+  {
+    reported_.reset();
+    QWidget::hideEvent(event);
+  }
   [[nodiscard]] Editor& editor() const { return editor_; }
   [[nodiscard]] const Rows& rows() const { return rows_; }
   [[nodiscard]] const Constraint& constraint(Index row) const { return editor_.list().constraints[row]; }
@@ -69,7 +71,6 @@ class InspectorSection : public QWidget {
     return first;
   }
 
-  /// The same for three numbers: `read` gives an optional vector.
   template <class Read>
   [[nodiscard]] VectorEdit::Numbers commonVector(Read read) const
   {
@@ -88,12 +89,13 @@ class InspectorSection : public QWidget {
   /// `spoken` is the title for screen readers, if the one that is shown does not say it all.
   VectorEdit* addVector(const QString& title, const QString& name, const QString& spoken = {});
   NumberEdit* addNumber(const QString& title, const QString& name);
-  QComboBox* addChoice(const QString& title, const QString& name, const QString& spoken, const QStringList& choices,
-                       const std::function<void(int)>& choose);
   void addRefresh(std::function<void()> refresh) { refreshes_.push_back(std::move(refresh)); }
   /// A tool tip for a field and its title. Lines of numbers show all their digits instead.
   void explain(QWidget* field, const QString& text);
-  [[nodiscard]] static QLabel& titleOf(QWidget* field);
+  [[nodiscard]] static QLabel& titleOf(QWidget* field)
+  {
+    return *static_cast<QLabel*>(field->parentWidget()->layout()->itemAt(0)->widget());
+  }
   static void setFieldVisible(QWidget* field, bool isVisible) { field->parentWidget()->setVisible(isVisible); }
   /// The name of an edit: `pattern` with the subject and, if it has room for them, `words`.
   [[nodiscard]] QString editName(const QString& pattern, const QStringList& words) const;
@@ -179,19 +181,18 @@ class SectionOf : public InspectorSection {
   QComboBox* bindChoice(const QString& title, const QString& name, const QString& spoken, const QStringList& choices,
                         Read read, const std::function<void(int)>& choose)
   {
-    QComboBox* field = addChoice(title, name, spoken, choices, choose);
+    auto* field = named(new QComboBox(this), name, spoken);
+    field->addItems(choices);
+    connect(field, qOverload<int>(&QComboBox::activated), this, [this, choose](int choice) {
+      choose(choice);
+      refresh();
+    });
+    addRow(title, field);
     addRefresh([=, this] {
       showWhileGiven(field, read);
       field->setCurrentIndex(static_cast<int>(commonOf(read).value_or(-1)));
     });
     return field;
-  }
-
- private:
-  template <class Read>
-  [[nodiscard]] std::optional<double> commonOf(Read read) const
-  {
-    return common([&](const Constraint& c) -> std::optional<double> { return read(std::get<What>(c.what)); });
   }
 
   template <class Read>
@@ -200,9 +201,39 @@ class SectionOf : public InspectorSection {
     setFieldVisible(field, std::all_of(rows().begin(), rows().end(),
                                        [&](Index row) { return std::optional(read(what(row))).has_value(); }));
   }
+
+ private:
+  template <class Read>
+  [[nodiscard]] std::optional<double> commonOf(Read read) const
+  {
+    return common([&](const Constraint& c) -> std::optional<double> { return read(std::get<What>(c.what)); });
+  }
 };
 
 /// What was typed, if it is a whole number from `least` on; else throws `InputError` with `reason`.
 [[nodiscard]] Index wholeNumber(double typed, double least, const std::string& reason);
+
+/// The panel: the selected constraints of an editor, which outlives it, one in full, of several what they have in
+/// common.
+[[nodiscard]] QWidget* newInspectorPanel(Editor& editor);
+
+// The sections of the inspector, one for each property of constraints. A layout takes them; `editor` outlives them.
+
+/// Where one point lies: ids and weights. Hidden for several points.
+[[nodiscard]] InspectorSection* newLocationSection(Editor& editor);
+/// Where points go: to a place, or by a shift.
+[[nodiscard]] InspectorSection* newTargetSection(Editor& editor);
+/// How many vertices fixed, rigid and handle constraints hold.
+[[nodiscard]] InspectorSection* newVerticesSection(Editor& editor);
+/// How handles turn and where they go.
+[[nodiscard]] InspectorSection* newHandleSection(Editor& editor);
+/// The frames between which handles go, and the whole turns between them.
+[[nodiscard]] InspectorSection* newFrameSection(Editor& editor);
+/// Rotations and targets of the vertices that one handle lists; for others the reason why not.
+[[nodiscard]] InspectorSection* newSingleVerticesSection(Editor& editor);
+/// Which places relative constraints keep together, and how.
+[[nodiscard]] InspectorSection* newRelativeSection(Editor& editor);
+/// Whether constraints hold and how hard they pull: of one, or the largest values of several.
+[[nodiscard]] InspectorSection* newOutcomeSection(Editor& editor);
 
 }  // namespace holdfast

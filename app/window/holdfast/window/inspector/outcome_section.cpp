@@ -1,13 +1,10 @@
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QStyle>
 #include <map>
 
-#include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/controls/status_style.h>
-#include <holdfast/window/inspector/sections.h>
+#include <holdfast/window/inspector/inspector_section.h>
 #include <holdfast/window/text/constraint_text.h>
-#include <holdfast/window/text/number_text.h>
 
 namespace holdfast {
 namespace {
@@ -16,7 +13,7 @@ class OutcomeSection : public InspectorSection {
  public:
   explicit OutcomeSection(Editor& editor) : InspectorSection(editor, tr("Outcome"))
   {
-    QWidget* line = new QWidget(this);
+    auto* line = new QWidget(this);
     icon_ = new QLabel;
     status_ = named(new QLabel, "outcomeStatus");
     status_->setWordWrap(true);
@@ -44,7 +41,20 @@ class OutcomeSection : public InspectorSection {
                   Unit unit)
   {
     QLabel* label = addText(title, name);
-    addRefresh([=, this] { showLargest(label, number, unit == Unit::Length ? editor().list().units : ""); });
+    addRefresh([=, this] {
+      std::optional<double> largest;
+      for (const Index row : rows()) {
+        const ConstraintOutcome* outcome = editor().outcome(constraint(row).name, row);
+        if (outcome == nullptr || !constraint(row).isEnabled || !(outcome->*number)) continue;
+        largest = std::max(largest.value_or(0), *(outcome->*number));
+      }
+      setFieldVisible(label, largest.has_value());
+      if (!largest) return;
+      const QString text = lengthText(*largest, unit == Unit::Length ? editor().list().units : "");
+      label->setText(rows().size() == 1 ? text : tr("%1 at most").arg(text));
+      label->setToolTip(exactText(*largest));
+      setQuiet(*label, !editor().isCurrent());
+    });
   }
 
   void showStatus()
@@ -65,22 +75,6 @@ class OutcomeSection : public InspectorSection {
     for (const auto& [status, count] : counts) words << QString::number(count) + ' ' + statusText(status);
     status_->setText(words.join(", "));
     status_->setToolTip({});
-  }
-
-  void showLargest(QLabel* label, std::optional<double> ConstraintOutcome::*number, const std::string& units)
-  {
-    std::optional<double> largest;
-    for (const Index row : rows()) {
-      const ConstraintOutcome* outcome = editor().outcome(constraint(row).name, row);
-      if (outcome == nullptr || !constraint(row).isEnabled || !(outcome->*number)) continue;
-      largest = std::max(largest.value_or(0), *(outcome->*number));
-    }
-    setFieldVisible(label, largest.has_value());
-    if (!largest) return;
-    const QString text = lengthText(*largest, units);
-    label->setText(rows().size() == 1 ? text : tr("%1 at most").arg(text));
-    label->setToolTip(exactText(*largest));
-    setQuiet(*label, !editor().isCurrent());
   }
 
   QLabel* icon_ = nullptr;

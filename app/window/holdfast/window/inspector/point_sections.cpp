@@ -1,5 +1,4 @@
 #include <QGridLayout>
-#include <QLabel>
 #include <QPushButton>
 #include <algorithm>
 #include <cmath>
@@ -9,10 +8,8 @@
 #include <holdfast/base/error.h>
 #include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/surface/surface_locator.h>
-#include <holdfast/window/controls/panel_parts.h>
-#include <holdfast/window/inspector/sections.h>
+#include <holdfast/window/inspector/inspector_section.h>
 #include <holdfast/window/model/at_rest.h>
-#include <holdfast/window/text/number_text.h>
 
 namespace holdfast {
 namespace {

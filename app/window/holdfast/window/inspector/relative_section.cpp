@@ -1,6 +1,4 @@
-#include <QLabel>
-
-#include <holdfast/window/inspector/sections.h>
+#include <holdfast/window/inspector/inspector_section.h>
 #include <holdfast/window/model/at_rest.h>
 #include <holdfast/window/text/constraint_text.h>
 

@@ -1,8 +1,6 @@
-#include <QLabel>
 #include <QPushButton>
 
-#include <holdfast/window/controls/panel_parts.h>
-#include <holdfast/window/inspector/sections.h>
+#include <holdfast/window/inspector/inspector_section.h>
 #include <holdfast/window/model/at_rest.h>
 #include <holdfast/window/text/constraint_text.h>
 

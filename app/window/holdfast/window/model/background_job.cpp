@@ -2,43 +2,30 @@
 
 #include <QCoreApplication>
 #include <QEvent>
-#include <atomic>
-#include <thread>
 #include <utility>
 
 #include <holdfast/base/thread_priority.h>
+#include <holdfast/window/text/number_text.h>
 
 namespace holdfast {
-
-struct BackgroundJob::Run {
-  std::atomic<bool> hasEnded = false;
-  std::jthread thread;  // its destructor asks for the end and waits
-};
 
 void PostedCalls::post(Call call)
 {
   const std::scoped_lock lock(mutex_);
   calls_.push_back(std::move(call));
-  // Under the lock, so that the event too was made before `next` returns, after which it is deleted.
+  // Under the lock, so that the event too was made before its call is taken, after which it is deleted.
   QCoreApplication::postEvent(this, new QEvent(QEvent::User));
 }
 
 void PostedCalls::customEvent(QEvent* /*event*/)
 {
+  std::unique_lock lock(mutex_);
+  const Call call = std::move(calls_.front());
+  calls_.pop_front();
+  lock.unlock();
   // The call may be the end of this object.
-  const Call call = next();
   call();
 }
-
-PostedCalls::Call PostedCalls::next()
-{
-  const std::scoped_lock lock(mutex_);
-  Call call = std::move(calls_.front());
-  calls_.pop_front();
-  return call;
-}
-
-BackgroundJob::BackgroundJob(QObject* parent) : QObject(parent) {}
 
 BackgroundJob::~BackgroundJob()
 {
@@ -55,13 +42,12 @@ void BackgroundJob::start(Work work)
   Run& run = *runs_.emplace_back(std::make_unique<Run>());
   run.thread = std::jthread([this, id, &run, work = std::move(work)](const std::stop_token& stop) {
     computeInBackground();
-    StoppableProgress progress(
-        [&] { return stop.stop_requested(); },
-        [&](std::string_view step) {
-          calls_.post([this, id, step = QString::fromUtf8(step.data(), static_cast<int>(step.size()))] {
-            if (id == current_) Q_EMIT stepChanged(step);
-          });
-        });
+    StoppableProgress progress([&] { return stop.stop_requested(); },
+                               [&](std::string_view step) {
+                                 calls_.post([this, id, step = toText(step)] {
+                                   if (id == current_) Q_EMIT stepChanged(step);
+                                 });
+                               });
     std::exception_ptr error;
     try {
       calls_.post([this, id, finish = work(progress)] {

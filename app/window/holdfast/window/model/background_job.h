@@ -3,23 +3,22 @@
 
 #include <QObject>
 #include <QString>
+#include <atomic>
 #include <cstdint>
 #include <deque>
 #include <exception>
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <thread>
 #include <vector>
 
 #include <holdfast/base/progress.h>
 
 namespace holdfast {
 
-/// Calls posted by other threads run one by one, in their order, on the thread that this object lives on. Its
-/// destructor drops those that are left.
-///
-/// A mutex of the standard library guards them, not Qt's queue of events: the thread sanitizer does not see the locks
-/// of Qt, which is not built for it.
+/// Calls posted by other threads run in their order on the thread that this object lives on; its destructor drops those
+/// that are left. Not Qt's queue of events, whose locks the thread sanitizer does not see.
 class PostedCalls final : public QObject {
  public:
   using Call = std::function<void()>;
@@ -33,8 +32,6 @@ class PostedCalls final : public QObject {
   void customEvent(QEvent* event) override;
 
  private:
-  Call next();
-
   std::mutex mutex_;  // guards what follows, and the making of events
   std::deque<Call> calls_;
 };
@@ -46,17 +43,16 @@ class BackgroundJob : public QObject {
  public:
   /// What the thread of the window does once the work has succeeded.
   using Finish = std::function<void()>;
-  /// Runs on a thread of its own and touches nothing of the window. It may throw; `Cancelled` ends it without a signal
-  /// but `ended`.
+  /// Touches nothing of the window. May throw; `Cancelled` ends it without a signal but `ended`.
   using Work = std::function<Finish(Progress&)>;
 
-  explicit BackgroundJob(QObject* parent = nullptr);
+  using QObject::QObject;
   /// Gives up the work under way, and waits for its current step.
   ~BackgroundJob() override;
 
   /// Gives up the work under way in favour of `work`.
   void start(Work work);
-  /// Gives up the work under way at its next step; no signal or call follows but `ended`. Harmless without any work.
+  /// Gives up the work under way, if any, at its next step; no signal or call follows but `ended`.
   void cancel();
   /// Waits until the work under way has ended and was reported.
   void wait();
@@ -69,7 +65,11 @@ class BackgroundJob : public QObject {
   void failed(const std::exception_ptr& error);  ///< after `ended`
 
  private:
-  struct Run;
+  struct Run {
+    std::atomic<bool> hasEnded = false;
+    std::jthread thread;  // its destructor asks for the end and waits
+  };
+
   /// Whether that run is the one that counts, which then does not count any more.
   bool end(std::uint64_t run);
 

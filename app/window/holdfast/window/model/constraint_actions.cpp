@@ -1,8 +1,8 @@
 #include "holdfast/window/model/constraint_actions.h"
 
 #include <QClipboard>
-#include <QCoreApplication>
 #include <QGuiApplication>
+#include <QObject>
 #include <algorithm>
 #include <numeric>
 #include <utility>
@@ -12,10 +12,6 @@
 
 namespace holdfast {
 namespace {
-
-struct ConstraintActions {
-  Q_DECLARE_TR_FUNCTIONS(ConstraintActions)
-};
 
 Index sizeOf(const ConstraintList& list)
 {
@@ -31,7 +27,7 @@ Rows rowsFrom(Index first, Index count)
 
 void add(Editor& editor, Constraint constraint)
 {
-  const QString name = ConstraintActions::tr("add %1").arg(nameText(constraint.name));
+  const QString name = QObject::tr("add %1").arg(nameText(constraint.name));
   editor.edit(name, added(editor.list(), std::move(constraint)));
   editor.selectConstraints({sizeOf(editor.list()) - 1});
 }
@@ -48,7 +44,7 @@ void append(Editor& editor, const QString& name, const ConstraintList& more)
 QString subjectOf(const Editor& editor, const Rows& rows)
 {
   if (rows.size() == 1) return nameText(editor.list().constraints[rows.front()].name);
-  return ConstraintActions::tr("%n constraints", nullptr, static_cast<int>(rows.size()));
+  return QObject::tr("%n constraints", nullptr, static_cast<int>(rows.size()));
 }
 
 void changeConstraints(Editor& editor, const QString& name, const Rows& rows, const Change& change)
@@ -94,7 +90,7 @@ void switchConstraints(Editor& editor, const Rows& rows, Enabling enabling)
 {
   if (rows.empty()) return;
   const bool isOn = enabling == Enabling::Enabled;
-  const QString name = isOn ? ConstraintActions::tr("enable %1") : ConstraintActions::tr("disable %1");
+  const QString name = isOn ? QObject::tr("enable %1") : QObject::tr("disable %1");
   editor.edit(name.arg(subjectOf(editor, rows)), withEnabled(editor.list(), rows, enabling));
 }
 
@@ -109,14 +105,14 @@ void renameConstraint(Editor& editor, Index row, const QString& name)
 {
   const std::string before = editor.list().constraints[row].name;
   if (name.toStdString() == before) return;
-  editor.edit(ConstraintActions::tr("rename %1 to %2").arg(nameText(before), nameText(name.toStdString())),
+  editor.edit(QObject::tr("rename %1 to %2").arg(nameText(before), nameText(name.toStdString())),
               renamed(editor.list(), row, name.toStdString()));
 }
 
 void removeConstraints(Editor& editor, const Rows& rows)
 {
   if (rows.empty()) return;
-  editor.edit(ConstraintActions::tr("delete %1").arg(subjectOf(editor, rows)), removed(editor.list(), rows));
+  editor.edit(QObject::tr("delete %1").arg(subjectOf(editor, rows)), removed(editor.list(), rows));
   const Index size = sizeOf(editor.list());
   editor.selectConstraints(size == 0 ? Rows{} : Rows{std::min(rows.front(), size - 1)});
 }
@@ -127,7 +123,7 @@ void moveConstraints(Editor& editor, const Rows& rows, Index to)
   const Index first = to - before;
   const Rows after = rowsFrom(first, static_cast<Index>(rows.size()));
   if (rows.empty() || rows == after) return;
-  editor.edit(ConstraintActions::tr("reorder %1").arg(subjectOf(editor, rows)), moved(editor.list(), rows, to));
+  editor.edit(QObject::tr("reorder %1").arg(subjectOf(editor, rows)), moved(editor.list(), rows, to));
   editor.selectConstraints(after);
 }
 
@@ -144,7 +140,7 @@ void moveConstraintsDown(Editor& editor, const Rows& rows)
 void duplicateConstraints(Editor& editor, const Rows& rows)
 {
   if (!rows.empty())
-    append(editor, ConstraintActions::tr("duplicate %1").arg(subjectOf(editor, rows)), extracted(editor.list(), rows));
+    append(editor, QObject::tr("duplicate %1").arg(subjectOf(editor, rows)), extracted(editor.list(), rows));
 }
 
 void copyConstraints(const Editor& editor, const Rows& rows)
@@ -158,8 +154,8 @@ void pasteConstraints(Editor& editor)
   const ConstraintList list = fromClipboardText(QGuiApplication::clipboard()->text().toStdString());
   const std::size_t count = list.constraints.size();
   append(editor,
-         count == 1 ? ConstraintActions::tr("paste %1").arg(nameText(list.constraints.front().name))
-                    : ConstraintActions::tr("paste %n constraints", nullptr, static_cast<int>(count)),
+         count == 1 ? QObject::tr("paste %1").arg(nameText(list.constraints.front().name))
+                    : QObject::tr("paste %n constraints", nullptr, static_cast<int>(count)),
          list);
 }
 

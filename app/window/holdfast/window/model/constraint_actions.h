@@ -21,8 +21,7 @@ using Rows = std::vector<Index>;
 /// What a constraint becomes; nothing if it stays as it is.
 using Change = std::function<std::optional<Constraint>(const Constraint&)>;
 
-/// Changes `rows` by `change`. Makes no entry if all stay as they are. Passes on what `change` throws, and changes
-/// nothing then.
+/// Makes no entry if all stay as they are. Passes on what `change` throws, and changes nothing then.
 void changeConstraints(Editor& editor, const QString& name, const Rows& rows, const Change& change);
 
 /// These three select what they make. `holdPoint` holds the point of the surface where it is now.
@@ -51,12 +50,10 @@ void moveConstraintsDown(Editor& editor, const Rows& rows);
 /// Copies with names of their own at the end of the list, selected.
 void duplicateConstraints(Editor& editor, const Rows& rows);
 
-/// To the clipboard: points as a point list (CSV), anything else as a constraint file (JSON). Throws `InputError` for
-/// points that are not on the mesh.
+/// Points as a point list (CSV), else as a constraint file (JSON). Throws `InputError` for points beside the mesh.
 void copyConstraints(const Editor& editor, const Rows& rows);
 
-/// From the clipboard to the end of the list, names made unique, selected. Throws `InputError` for what is neither a
-/// point list nor a constraint file.
+/// To the end of the list, names made unique, selected. Throws `InputError` for what is neither of these.
 void pasteConstraints(Editor& editor);
 
 }  // namespace holdfast

@@ -4,19 +4,46 @@
 #include <cassert>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include <holdfast/surface/surface_locator.h>
+#include <holdfast/widgets/files/any_mesh_file.h>
+#include <holdfast/widgets/mesh/coarse_surface.h>
+
 namespace holdfast {
 namespace {
 
 // Solved states: enough to go back and forth between neighbours at once, and small beside the factor.
 constexpr std::size_t kRemembered = 6;
 
-std::shared_ptr<const VisibleSurface> moved(const VisibleSurface& atRest,
-                                            const std::shared_ptr<const DeformResult>& deformation)
+}  // namespace
+
+LoadedMesh loadMesh(const std::filesystem::path& path, Progress& progress)
 {
-  return std::make_shared<const VisibleSurface>(atRest.movedTo({deformation, &deformation->positions}));
+  progress.step(fmt::format("reading {}", path.filename().string()));
+  return prepareMesh(readAnyMesh(path), path, progress);
 }
 
-}  // namespace
+LoadedMesh prepareMesh(MeshDocument document, const std::filesystem::path& path, Progress& progress)
+{
+  progress.step(fmt::format("preparing {} vertices", document.mesh.vertexCount()));
+  LoadedMesh loaded;
+  loaded.path = path;
+  loaded.document = std::move(document);
+  loaded.model = std::make_shared<const Model>(makeModel(loaded.document.mesh, path.string()));
+  const Model& model = *loaded.model;
+  loaded.selector = std::make_shared<Selector>(model.mesh, model.solverMesh, model.locator());
+  loaded.regions = std::make_shared<VertexRegions>(model.mesh, model.solverMesh);
+  loaded.contents = std::make_shared<SceneContents>(model);
+  if (isLarge(model)) loaded.contents->setDetail(Detail::Coarse);
+  loaded.surface = std::make_shared<const VisibleSurface>(model);
+  return loaded;
+}
+
+bool isLarge(const Model& model)
+{
+  return static_cast<Index>(model.triangulation.triangles.size()) > 2 * kCoarseTriangles;
+}
 
 std::vector<Index> sortedOnce(std::vector<Index> numbers)
 {
@@ -36,7 +63,9 @@ void Editor::open(LoadedMesh mesh, DocumentState state)
                    marks = std::shared_ptr<const MarkSet>()](const LiveEvent& event) mutable -> Solved {
     if (event.deformation == nullptr) return {};
     marks = markSet(constraintMarks(*model, event.state->list, *event.deformation), marks);
-    return {event.state, event.deformation, moved(*atRest, event.deformation), marks};
+    auto surface =
+        std::make_shared<const VisibleSurface>(atRest->movedTo({event.deformation, &event.deformation->positions}));
+    return {event.state, event.deformation, std::move(surface), marks};
   };
   worker_ = std::make_unique<LiveDeformer>(mesh_.model, [this, prepared](const LiveEvent& event) mutable {
     calls_.post([this, event, solved = prepared(event)] { handle(event, solved); });
@@ -136,11 +165,6 @@ void Editor::cancelSolving()
   setSolveState(SolveState::Cancelled, {});
 }
 
-void Editor::solve()
-{
-  if (isOpen()) submit(Supersede::AtNextStep);
-}
-
 void Editor::submit(Supersede supersede)
 {
   const auto state = history_->state();
@@ -221,11 +245,6 @@ void Editor::selectVertices(std::vector<Index> vertices, std::optional<Selection
   if (vertices == selectedVertices_) return;
   selectedVertices_ = std::move(vertices);
   Q_EMIT vertexSelectionChanged();
-}
-
-Selection Editor::selection() const
-{
-  return selectedShape_ ? *selectedShape_ : Selection{VertexIds{selectedVertices_}};
 }
 
 void Editor::selectConstraints(std::vector<Index> constraints)

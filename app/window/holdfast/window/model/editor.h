@@ -5,19 +5,46 @@
 #include <QString>
 #include <cstdint>
 #include <deque>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
 
+#include <holdfast/base/progress.h>
+#include <holdfast/constraints/selector.h>
+#include <holdfast/deform/model.h>
 #include <holdfast/document/history.h>
 #include <holdfast/document/live_deformer.h>
+#include <holdfast/io/mesh_document.h>
+#include <holdfast/surface/vertex_regions.h>
 #include <holdfast/widgets/marks/mark_set.h>
+#include <holdfast/widgets/picking/visible_surface.h>
+#include <holdfast/widgets/scene/scene_contents.h>
 #include <holdfast/window/model/background_job.h>
-#include <holdfast/window/model/loaded_mesh.h>
 
 namespace holdfast {
+
+/// A mesh file and all that the window needs of it, made on any thread.
+struct LoadedMesh {
+  std::filesystem::path path;
+  MeshDocument document;
+  std::shared_ptr<const Model> model;
+  std::shared_ptr<Selector> selector;
+  std::shared_ptr<VertexRegions> regions;
+  std::shared_ptr<SceneContents> contents;        ///< at rest, with the coarse triangles of large meshes
+  std::shared_ptr<const VisibleSurface> surface;  ///< at rest, ready for rays
+};
+
+/// Throws as `readAnyMesh` and `makeModel` do, and what `progress` throws.
+[[nodiscard]] LoadedMesh loadMesh(const std::filesystem::path& path, Progress& progress);
+
+/// The same for a mesh in memory; `path` names it.
+[[nodiscard]] LoadedMesh prepareMesh(MeshDocument document, const std::filesystem::path& path, Progress& progress);
+
+/// Whether a full picture of it may take too long for a movement.
+[[nodiscard]] bool isLarge(const Model& model);
 
 /// Ascending, each once.
 [[nodiscard]] std::vector<Index> sortedOnce(std::vector<Index> numbers);
@@ -31,8 +58,7 @@ enum class SolveState {
   Unusable    ///< the state cannot be solved, `Editor::error` says why: the deformation is older
 };
 
-/// One mesh, its constraints with their history, the selection, and the worker that deforms. Widgets show this data,
-/// change it through the functions below, and keep no copy. Lives on the thread of the window.
+/// Widgets show this data, change it through the functions below, and keep no copy. Lives on the thread of the window.
 class Editor : public QObject {
   Q_OBJECT
 
@@ -61,8 +87,7 @@ class Editor : public QObject {
   }
   /// Where the constraints of `deformedState` act in `deformation`, disabled ones last; null with it.
   [[nodiscard]] const std::shared_ptr<const MarkSet>& marks() const noexcept { return shown_.marks; }
-  /// The outcome of the constraint of this name; null if nothing was solved with it. Looked for at `row` first: the
-  /// list may be another than that of `deformation`. O(1), after O(constraints) if it is.
+  /// The outcome of the constraint of this name, probably at `row`; null if nothing was solved with it. O(1) mostly.
   [[nodiscard]] const ConstraintOutcome* outcome(const std::string& name, Index row) const;
   /// That of its outcome; disabled if the list says so, nothing without an outcome or if it was disabled then.
   [[nodiscard]] std::optional<ConstraintStatus> status(const Constraint& constraint, Index row) const;
@@ -97,14 +122,17 @@ class Editor : public QObject {
 
   /// Stops the work under way; the state stays as it is. `solve` starts it again.
   void cancelSolving();
-  void solve();
+  void solve()
+  {
+    if (isOpen()) submit(Supersede::AtNextStep);
+  }
 
   /// Selected vertices of the file, ascending; and selected constraints by their place in the list, ascending.
   [[nodiscard]] const std::vector<Index>& selectedVertices() const noexcept { return selectedVertices_; }
   [[nodiscard]] const std::vector<Index>& selectedConstraints() const noexcept { return selectedConstraints_; }
   /// `shape` replaces the ids in constraints on these vertices, as long as they stay selected: a curve.
   void selectVertices(std::vector<Index> vertices, std::optional<Selection> shape = std::nullopt);
-  [[nodiscard]] Selection selection() const;
+  [[nodiscard]] Selection selection() const { return selectedShape_.value_or(Selection{VertexIds{selectedVertices_}}); }
   void selectConstraints(std::vector<Index> constraints);
 
  Q_SIGNALS:

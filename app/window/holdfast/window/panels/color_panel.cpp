@@ -1,21 +1,14 @@
 #include "holdfast/window/panels/color_panel.h"
 
-#include <QCheckBox>
-#include <QComboBox>
-#include <QFormLayout>
 #include <QGroupBox>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QPainter>
 #include <QPixmap>
 #include <QScrollArea>
 #include <QSignalBlocker>
-#include <QSpinBox>
-#include <QStackedWidget>
 #include <QVBoxLayout>
 #include <initializer_list>
 
-#include <holdfast/window/controls/number_edit.h>
 #include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/controls/theme.h>
 #include <holdfast/window/text/color_text.h>

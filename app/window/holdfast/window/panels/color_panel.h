@@ -1,22 +1,20 @@
 #pragma once
 /// The panel in which a user chooses colours, and what is shown beside the surface.
 
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QSpinBox>
+#include <QStackedWidget>
 #include <QWidget>
 #include <optional>
 
 #include <holdfast/widgets/scene/scene_contents.h>
+#include <holdfast/window/controls/number_edit.h>
 #include <holdfast/window/model/editor.h>
 
-class QCheckBox;
-class QComboBox;
-class QFormLayout;
-class QLabel;
-class QSpinBox;
-class QStackedWidget;
-
 namespace holdfast {
-
-class NumberEdit;
 
 /// Its controls show the settings. An invalid range is refused with the reason, and the settings stay as they were.
 class ColorPanel : public QWidget {

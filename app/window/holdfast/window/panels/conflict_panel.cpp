@@ -1,6 +1,5 @@
 #include <QLabel>
 #include <QPushButton>
-#include <QString>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <string>
@@ -8,7 +7,6 @@
 
 #include <holdfast/deform/report.h>
 #include <holdfast/document/list_edits.h>
-#include <holdfast/window/controls/card.h>
 #include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/controls/status_style.h>
 #include <holdfast/window/model/at_rest.h>
@@ -69,13 +67,6 @@ QString repetitionText(const ConstraintOutcome& outcome, const ConflictSet& conf
 constexpr std::size_t kMostConflicts = 100;
 constexpr std::size_t kMostRepetitions = 200;
 constexpr int kLettersOnButtons = 16;
-
-/// A short form of a name for buttons.
-QString inFewLetters(const std::string& name)
-{
-  const QString all = QString::fromStdString(name);
-  return all.size() <= kLettersOnButtons ? quoted(name) : quoted(all.left(kLettersOnButtons - 1).toStdString() + "…");
-}
 
 /// The constraint with the target or offset that agrees with the others.
 std::optional<Constraint> agreeing(Constraint constraint, const Vector3& target, const Editor& editor)
@@ -217,7 +208,9 @@ class ConflictPanel final : public RefreshedPanel {
     // Repairs belong to the list that was solved, and wait while another one is on screen.
     const bool isCurrent = editor_.isCurrent();
     card.card->setEnabled(isCurrent);
-    card.disable->setText(tr("Disable %1").arg(inFewLetters(conflictSet->disable)));
+    QString shortName = QString::fromStdString(conflictSet->disable);
+    if (shortName.size() > kLettersOnButtons) shortName = shortName.left(kLettersOnButtons - 1) + "…";
+    card.disable->setText(tr("Disable %1").arg(quoted(shortName.toStdString())));
     card.disable->setToolTip(
         tr("Disabling %1 ends most conflicts at the price of the fewest rows").arg(quoted(conflictSet->disable)));
     const std::optional<Vector3>& target = conflictSet->consistentTarget;

@@ -2,7 +2,6 @@
 #include <utility>
 
 #include <holdfast/document/list_edits.h>
-#include <holdfast/window/controls/card.h>
 #include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/model/constraint_actions.h>
 #include <holdfast/window/panels/panels.h>

@@ -1,20 +1,64 @@
 #pragma once
 /// The panel of distributions: how well constraints are met, and how much the surface turns.
 
+#include <QLabel>
+#include <functional>
+#include <optional>
 #include <vector>
 
+#include <holdfast/widgets/color/histogram.h>
 #include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/model/editor.h>
 
-class QLabel;
-
 namespace holdfast {
 
-class HistogramView;
+struct ChartTexts {
+  QString title;
+  QString valueAxis;
+  QString countAxis;
+  std::function<QString(Index bin)> describe;  ///< the range and the count of a bar, for its tool tip
+};
 
-/// Two charts of the editor's deformation: residuals of constraints as shares of the bounding box's diagonal, on a
-/// logarithmic scale with the promise marked, and rotation angles of vertices in degrees. A click on a bar picks what
-/// it counts. Kept up to date only while it is visible.
+/// A bar answers to the mouse in its whole column. Arrow keys go from bar to bar, Enter is a click.
+class HistogramView : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit HistogramView(QWidget* parent = nullptr);
+
+  /// `marked`: a value with a dashed line at it.
+  void setHistogram(const Histogram& histogram, const ChartTexts& texts, std::optional<double> marked);
+  [[nodiscard]] const Histogram& histogram() const noexcept { return histogram_; }
+
+  /// The bar whose column is at `place`; none beside the columns and for an empty bar.
+  [[nodiscard]] std::optional<Index> barAt(const QPointF& place) const;
+  [[nodiscard]] QPointF middleOf(Index bar) const;
+
+ Q_SIGNALS:
+  void barClicked(Index bar);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void leaveEvent(QEvent* /*event*/) override { hover(std::nullopt); }
+
+ private:
+  [[nodiscard]] Index barCount() const { return static_cast<Index>(histogram_.counts.size()); }
+  [[nodiscard]] Index largestCount() const;
+  [[nodiscard]] QRectF plot() const;
+  [[nodiscard]] std::optional<Index> nextBar(Index step) const;
+  void hover(std::optional<Index> bar);
+
+  Histogram histogram_;
+  ChartTexts texts_;
+  std::optional<double> marked_;
+  std::optional<Index> hovered_;
+};
+
+/// Residuals of constraints as shares of the bounding box's diagonal, on a logarithmic scale with the promise marked,
+/// and rotation angles of vertices. A click on a bar picks what it counts.
 class HistogramPanel : public RefreshedPanel {
   Q_OBJECT
 

@@ -1,20 +1,19 @@
 #pragma once
 /// Panels that only show an editor and edit it. The editor outlives them.
 
+#include <QWidget>
 #include <functional>
 #include <vector>
 
 #include <holdfast/window/model/editor.h>
-
-class QWidget;
 
 namespace holdfast {
 
 /// What cannot hold together, by how much, and repairs: a card for each conflict. Below them what only repeats.
 [[nodiscard]] QWidget* newConflictPanel(Editor& editor);
 
-/// What is wrong or doubtful about the mesh and the constraints although they can be solved: a card for each finding.
-/// Its button selects constraints, or calls `showVertices` with vertices of the file, ascending.
+/// A card for each finding. Its button selects constraints, or calls `showVertices` with vertices of the file,
+/// ascending.
 [[nodiscard]] QWidget* newFindingsPanel(Editor& editor,
                                         const std::function<void(const std::vector<Index>&)>& showVertices);
 

@@ -5,8 +5,6 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
-#include <QString>
-#include <QStringList>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <string>
@@ -36,11 +34,6 @@ using ReportLines = std::vector<ReportLine>;
 
 // Limits within this factor of the usual one count as usual.
 constexpr double kRounding = 1.000001;
-
-QString text(std::string_view view)
-{
-  return QString::fromUtf8(view.data(), static_cast<int>(view.size()));
-}
 
 QString secondsText(double seconds)
 {
@@ -93,12 +86,12 @@ ReportLines reportLines(const Report& report, const std::string& units)
   const auto round = [&](const QString& key, const QString& title, const QString& value, double exact) {
     lines.push_back({key, title, value, exactText(exact)});
   };
-  say("Status", QObject::tr("Status"), text(name(solve.status)));
+  say("Status", QObject::tr("Status"), toText(name(solve.status)));
   say("Meaning", QObject::tr("Meaning"), QString::fromStdString(solve.message));
   say("Constraints", QObject::tr("Constraints"), countsText(report));
   say("Mesh", QObject::tr("Mesh"), meshText(report.mesh));
-  say("Weights", QObject::tr("Weights"), text(name(solve.weights)));
-  say("Solver", QObject::tr("Solver"), text(name(solve.options.kind)));
+  say("Weights", QObject::tr("Weights"), toText(name(solve.weights)));
+  say("Solver", QObject::tr("Solver"), toText(name(solve.options.kind)));
   if (solve.status == SolveStatus::Failed || solve.status == SolveStatus::NotRun) return lines;
   round("Residual", QObject::tr("Largest residual"), lengthText(solve.maxResidual, units), solve.maxResidual);
   round("RelativeResidual", QObject::tr("Relative residual"),

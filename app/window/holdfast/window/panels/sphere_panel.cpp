@@ -2,7 +2,6 @@
 
 #include <QHBoxLayout>
 #include <QHelpEvent>
-#include <QLabel>
 #include <QToolButton>
 #include <QToolTip>
 #include <QVBoxLayout>
@@ -10,26 +9,12 @@
 
 #include <QVTKInteractor.h>
 #include <vtkRenderWindow.h>
-#include <vtkRenderer.h>
 
 #include <holdfast/geometry/rotation_log.h>
-#include <holdfast/widgets/rotation_sphere/rotation_sphere.h>
-#include <holdfast/widgets/scene/example_document.h>
 #include <holdfast/window/controls/theme.h>
-#include <holdfast/window/controls/vtk_view.h>
 #include <holdfast/window/text/number_text.h>
 
 namespace holdfast {
-namespace {
-
-double largestDegrees(const std::vector<BoundaryRotation>& boundary)
-{
-  double largest = 0;
-  for (const BoundaryRotation& value : boundary) largest = std::max(largest, angleDegrees(value.q));
-  return largest;
-}
-
-}  // namespace
 
 SpherePanel::SpherePanel(Editor& editor) : editor_(editor)
 {
@@ -70,8 +55,6 @@ SpherePanel::SpherePanel(Editor& editor) : editor_(editor)
   begin();
 }
 
-SpherePanel::~SpherePanel() = default;
-
 void SpherePanel::begin()
 {
   placing_.cancel();
@@ -103,17 +86,6 @@ void SpherePanel::warmUp(const ExampleDocument& example)
   view_->renderWindow()->RemoveRenderer(renderer);
 }
 
-void SpherePanel::makeSphere()
-{
-  renderer_ = vtkSmartPointer<vtkRenderer>::New();
-  view_->renderWindow()->AddRenderer(renderer_);
-  sphere_ = std::make_unique<RotationSphere>();
-  sphere_->addTo(*renderer_);
-  sphere_->mark(marked_);
-  style_->SetSphere(sphere_.get());
-  applyPalette();
-}
-
 void SpherePanel::refresh()
 {
   if (!isVisible()) return;
@@ -140,21 +112,25 @@ void SpherePanel::place()
   });
 }
 
-void SpherePanel::showHint()
-{
-  pages_->showHint(editor_.isOpen() ? tr("No rotation yet: give a handle a turn.") : tr("No mesh is open."));
-}
-
 void SpherePanel::showPoints(const std::optional<Coloring>& coloring)
 {
-  if (!sphere_) makeSphere();
+  if (!sphere_) {
+    renderer_ = vtkSmartPointer<vtkRenderer>::New();
+    view_->renderWindow()->AddRenderer(renderer_);
+    sphere_ = std::make_unique<RotationSphere>();
+    sphere_->addTo(*renderer_);
+    sphere_->mark(marked_);
+    style_->SetSphere(sphere_.get());
+    applyPalette();
+  }
   sphere_->show(placed_);
   sphere_->setColoring(coloring);
   if (!isFitted_) sphere_->fitCamera();
   isFitted_ = true;
-  summary_->setText(tr("Prescribed rotations: %1, largest %2°")
-                        .arg(placed_->boundary.size())
-                        .arg(roundedText(largestDegrees(placed_->boundary))));
+  double largest = 0;
+  for (const BoundaryRotation& value : placed_->boundary) largest = std::max(largest, angleDegrees(value.q));
+  summary_->setText(
+      tr("Prescribed rotations: %1, largest %2°").arg(placed_->boundary.size()).arg(roundedText(largest)));
   summary_->setToolTip(tr("A point for each vertex: half its angle from the pole, towards its axis"));
   pages_->showContent();
   redraw();
@@ -193,11 +169,6 @@ void SpherePanel::applyPalette()
   style_->SetPixelRatio(devicePixelRatioF());
   sphere_->setLook({colors.ground, colors.raised, colors.ink, colors.accent, devicePixelRatioF()});
   redraw();
-}
-
-void SpherePanel::pickVertex(vtkObject* /*caller*/, unsigned long /*event*/, void* vertex)
-{
-  Q_EMIT vertexPicked(*static_cast<const Index*>(vertex));
 }
 
 void SpherePanel::showTip(const QPoint& place)

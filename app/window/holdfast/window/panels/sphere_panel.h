@@ -10,30 +10,21 @@
 
 #include <holdfast/widgets/color/coloring.h>
 #include <holdfast/widgets/interaction/rotation_sphere_style.h>
+#include <holdfast/widgets/rotation_sphere/rotation_sphere.h>
+#include <holdfast/widgets/scene/example_document.h>
 #include <holdfast/window/controls/panel_parts.h>
+#include <holdfast/window/controls/vtk_view.h>
 #include <holdfast/window/model/background_job.h>
 #include <holdfast/window/model/editor.h>
 
-class QLabel;
-class vtkObject;
-class vtkRenderer;
-
 namespace holdfast {
 
-class RotationSphere;
-class VtkView;
-struct ExampleDocument;
-struct PlacedRotations;
-
-/// The rotations of the editor's deformation. A drag turns the sphere, the wheel zooms, a click picks a vertex, a
-/// double click shows everything; arrow keys, plus, minus and Home do the same. Follows only while it is visible;
-/// points are placed in the background, and shown all at once.
+/// The rotations of the editor's deformation. Points are placed in the background, and shown all at once.
 class SpherePanel : public RefreshedPanel {
   Q_OBJECT
 
  public:
   explicit SpherePanel(Editor& editor);
-  ~SpherePanel() override;
 
   /// Draws an example for `MainWindow::warmUp`. Before a document is opened.
   void warmUp(const ExampleDocument& example);
@@ -61,12 +52,17 @@ class SpherePanel : public RefreshedPanel {
   void refresh() override;
   void place();
   void showPoints(const std::optional<Coloring>& coloring);
-  void showHint();
+  void showHint()
+  {
+    pages_->showHint(editor_.isOpen() ? tr("No rotation yet: give a handle a turn.") : tr("No mesh is open."));
+  }
   void applyPalette();
   void redraw() { drawing_.start(0); }
-  void pickVertex(vtkObject* caller, unsigned long event, void* vertex);
+  void pickVertex(vtkObject* /*caller*/, unsigned long /*event*/, void* vertex)
+  {
+    Q_EMIT vertexPicked(*static_cast<const Index*>(vertex));
+  }
   void showTip(const QPoint& place);
-  void makeSphere();
 
   Editor& editor_;
   HintedContent* pages_ = nullptr;

@@ -1,6 +1,5 @@
-#include "holdfast/window/table/constraint_panel.h"
-
 #include <QAction>
+#include <QCollator>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -32,35 +31,17 @@ constexpr std::array<std::optional<ConstraintStatus>, 6> kStatuses{
     ConstraintStatus::Conflicting, ConstraintStatus::Missed,   ConstraintStatus::Redundant,
     ConstraintStatus::Met,         ConstraintStatus::Disabled, std::nullopt};
 
-/// The number of digits from `place` on.
-int digitsAt(const QString& text, int place)
-{
-  int end = place;
-  while (end < text.size() && text[end].isDigit()) ++end;
-  return end - place;
-}
-
-/// Ignores letter case, and compares numbers by their value: "P2" before "P10".
-bool comesBefore(const QString& a, const QString& b)
-{
-  int i = 0;
-  int j = 0;
-  while (i < a.size() && j < b.size()) {
-    const int n = digitsAt(a, i);
-    const int m = digitsAt(b, j);
-    if (n > 0 && m > 0 && n != m) return n < m;
-    const QChar x = a[i++].toLower();
-    const QChar y = b[j++].toLower();
-    if (x != y) return x < y;
-  }
-  return a.size() - i < b.size() - j;
-}
-
 /// Filters and sorts a `ConstraintTableModel`. Missing values come last in both directions; equal ones stay in the
 /// order of precedence. What is typed into a cell of a selected row goes to all selected rows that are visible.
 class ConstraintFilter : public QSortFilterProxyModel {
  public:
-  ConstraintFilter(Editor& editor, Table& model) : editor_(editor), model_(model) { setSourceModel(&model); }
+  ConstraintFilter(Editor& editor, Table& model) : editor_(editor), model_(model)
+  {
+    setSourceModel(&model);
+    // "P2" before "P10".
+    collator_.setNumericMode(true);
+    collator_.setCaseSensitivity(Qt::CaseInsensitive);
+  }
 
   /// Rows whose name, kind or place has every word of `text` in it, and whose status is `*status` unless that is null.
   void setFilter(const QString& text, const std::optional<ConstraintStatus>* status)
@@ -122,7 +103,7 @@ class ConstraintFilter : public QSortFilterProxyModel {
   {
     const int column = left.column();
     if (!model_.hasNumbers(column))
-      return comesBefore(model_.text(left.row(), column), model_.text(right.row(), column));
+      return collator_.compare(model_.text(left.row(), column), model_.text(right.row(), column)) < 0;
     const std::optional<double> a = model_.number(left.row(), column);
     const std::optional<double> b = model_.number(right.row(), column);
     if (a && b) return *a < *b;
@@ -135,6 +116,7 @@ class ConstraintFilter : public QSortFilterProxyModel {
   Table& model_;
   QStringList words_;
   const std::optional<ConstraintStatus>* status_ = nullptr;
+  QCollator collator_{QLocale(QLocale::English)};
 };
 
 QToolButton* toolButton(QAction* action, Qt::ArrowType arrow, const char* name)
@@ -199,7 +181,7 @@ class ConstraintPanel : public QWidget {
     connect(text_, &QLineEdit::textChanged, this, &ConstraintPanel::filtersChanged);
     connect(status_, qOverload<int>(&QComboBox::currentIndexChanged), this, &ConstraintPanel::filtersChanged);
 
-    QMenu* menu = new QMenu(this);
+    auto* menu = new QMenu(this);
     menu->addActions(table_->actions());
     auto* more = named(new QToolButton, "constraintMenu", tr("Edit the selected constraints"));
     // The style cuts its own sign of a menu off beside a text.
@@ -262,9 +244,8 @@ class ConstraintPanel : public QWidget {
       return [this, edit] { edit(editor_, Rows(editor_.selectedConstraints())); };
     };
     const auto separate = [this] {
-      QAction* separator = new QAction(this);
-      separator->setSeparator(true);
-      table_->addAction(separator);
+      table_->addAction(new QAction(this));
+      table_->actions().back()->setSeparator(true);
     };
     addCommand({tr("&Switch On or Off"), "constraintSwitch", tr("Switches the selected constraints off, or on again"),
                 Qt::Key_Space, onSelected(toggleConstraints)});

@@ -12,16 +12,14 @@
 namespace holdfast {
 namespace {
 
-bool setsValue(int column)
-{
-  return column == ConstraintTableModel::On || (column >= ConstraintTableModel::X && column <= ConstraintTableModel::Z);
-}
-
-bool isPlainMouse(const QEvent& event)
+/// Whether a click with this event sets a value.
+bool setsValue(int column, const QEvent& event)
 {
   const bool isMouse = event.type() == QEvent::MouseButtonPress || event.type() == QEvent::MouseButtonRelease ||
                        event.type() == QEvent::MouseButtonDblClick;
-  return isMouse && static_cast<const QMouseEvent&>(event).modifiers() == Qt::NoModifier;
+  return isMouse && static_cast<const QMouseEvent&>(event).modifiers() == Qt::NoModifier &&
+         (column == ConstraintTableModel::On ||
+          (column >= ConstraintTableModel::X && column <= ConstraintTableModel::Z));
 }
 
 }  // namespace
@@ -99,8 +97,7 @@ void ConstraintTable::paintEvent(QPaintEvent* event)
 QItemSelectionModel::SelectionFlags ConstraintTable::selectionCommand(const QModelIndex& index,
                                                                       const QEvent* event) const
 {
-  if (event != nullptr && index.isValid() && isPlainMouse(*event) && setsValue(index.column()) &&
-      selectionModel()->isSelected(index))
+  if (event != nullptr && index.isValid() && setsValue(index.column(), *event) && selectionModel()->isSelected(index))
     return QItemSelectionModel::NoUpdate;
   return QTableView::selectionCommand(index, event);
 }

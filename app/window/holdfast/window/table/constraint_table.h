@@ -2,11 +2,14 @@
 /// The table of the constraint panel: rows are selected, dragged and typed into.
 
 #include <QTableView>
+#include <functional>
+
+#include <holdfast/window/model/editor.h>
 
 namespace holdfast {
 
-/// Rows in a table. Keys of its actions work while it has the focus, whatever menus use them for. Clicks in cells that
-/// set a value keep a selection of several rows, because the value goes to all of them.
+/// Keys of its actions work while it has the focus, whatever menus use them for. Clicks in cells that set a value keep
+/// a selection of several rows, because the value goes to all of them.
 class ConstraintTable : public QTableView {
   Q_OBJECT
 
@@ -34,5 +37,9 @@ class ConstraintTable : public QTableView {
   int sortedColumn_ = -1;
   Qt::SortOrder order_ = Qt::AscendingOrder;
 };
+
+/// The panel: find, sort, reorder, switch, type targets, copy and paste. A double click on a row, in a cell that cannot
+/// be edited, calls `activated` with its place in the list. The editor outlives it.
+[[nodiscard]] QWidget* newConstraintPanel(Editor& editor, const std::function<void(Index)>& activated);
 
 }  // namespace holdfast

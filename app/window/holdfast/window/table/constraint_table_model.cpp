@@ -10,7 +10,6 @@
 #include <holdfast/base/printable.h>
 #include <holdfast/io/text/number_text.h>
 #include <holdfast/window/controls/status_style.h>
-#include <holdfast/window/controls/theme.h>
 #include <holdfast/window/model/at_rest.h>
 #include <holdfast/window/text/constraint_text.h>
 #include <holdfast/window/text/number_text.h>
@@ -26,22 +25,11 @@ const std::vector<Constraint>& constraintsOf(const std::shared_ptr<const Documen
   return state == nullptr ? none : state->list.constraints;
 }
 
-using ShownStatus = std::optional<ConstraintStatus>;
 // The gravest first, as a user looks for them.
-constexpr std::array<ShownStatus, 7> kRanks{
+constexpr std::array<std::optional<ConstraintStatus>, 7> kRanks{
     ConstraintStatus::Conflicting, ConstraintStatus::Missed,      std::nullopt,
     ConstraintStatus::Redundant,   ConstraintStatus::Independent, ConstraintStatus::Met,
     ConstraintStatus::Disabled};
-
-double rankOf(ShownStatus status)
-{
-  return static_cast<double>(std::find(kRanks.begin(), kRanks.end(), status) - kRanks.begin());
-}
-
-QString axisName(int column)
-{
-  return QStringLiteral("xyz").mid(column - ConstraintTableModel::X, 1);
-}
 
 bool isCoordinate(int column)
 {
@@ -91,11 +79,6 @@ int ConstraintTableModel::rowCount(const QModelIndex& parent) const
   return parent.isValid() ? 0 : static_cast<int>(constraintsOf(shown_).size());
 }
 
-std::optional<ConstraintStatus> ConstraintTableModel::status(int row) const
-{
-  return editor_.status(constraint(row), row);
-}
-
 std::optional<double> ConstraintTableModel::coordinate(int row, int column) const
 {
   if (const HandleConstraint* handle = std::get_if<HandleConstraint>(&constraint(row).what))
@@ -120,7 +103,8 @@ std::optional<double> ConstraintTableModel::exactNumber(int row, int column) con
 std::optional<double> ConstraintTableModel::number(int row, int column) const
 {
   if (column == On) return constraint(row).isEnabled ? 0 : 1;
-  return column == Status ? rankOf(status(row)) : exactNumber(row, column);
+  if (column == Status) return static_cast<double>(std::ranges::find(kRanks, status(row)) - kRanks.begin());
+  return exactNumber(row, column);
 }
 
 QString ConstraintTableModel::text(int row, int column) const
@@ -150,13 +134,14 @@ QVariant ConstraintTableModel::data(const QModelIndex& index, int role) const
     case Qt::CheckStateRole:
       return column == On ? QVariant(constraint(row).isEnabled ? Qt::Checked : Qt::Unchecked) : QVariant();
     case Qt::DecorationRole:
-      return column == Status ? QVariant(icon(status(row))) : QVariant();
+      return column == Status ? QVariant(statusIcon(status(row), QGuiApplication::palette())) : QVariant();
     case Qt::TextAlignmentRole:
       return QVariant(isCoordinate(column) || column == Residual || column == Force
                           ? static_cast<int>(Qt::AlignRight | Qt::AlignVCenter)
                           : static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter));
     case Qt::ForegroundRole:
-      return foreground(row, column);
+      if (constraint(row).isEnabled && (column < Residual || editor_.isCurrent())) return {};
+      return quietColor(QGuiApplication::palette());
     case Qt::ToolTipRole:
       return toolTip(row, column);
     case Qt::AccessibleTextRole:
@@ -164,13 +149,6 @@ QVariant ConstraintTableModel::data(const QModelIndex& index, int role) const
     default:
       return {};
   }
-}
-
-QVariant ConstraintTableModel::foreground(int row, int column) const
-{
-  const bool isOld = column >= Residual && !editor_.isCurrent();
-  if (!isOld && constraint(row).isEnabled) return {};
-  return quietColor(QGuiApplication::palette());
 }
 
 QString ConstraintTableModel::toolTip(int row, int column) const
@@ -184,16 +162,8 @@ QString ConstraintTableModel::toolTip(int row, int column) const
   if (!number) return text(row, column);
   if (!isCoordinate(column)) return exact + age;
   const bool isHandle = std::holds_alternative<HandleConstraint>(constraint(row).what);
-  return isHandle ? tr("%1, the handle's shift along %2").arg(exact, axisName(column))
-                  : tr("%1, the target's %2").arg(exact, axisName(column));
-}
-
-const QIcon& ConstraintTableModel::icon(std::optional<ConstraintStatus> status) const
-{
-  const QPalette palette = QGuiApplication::palette();
-  const auto [found, isNew] = icons_.try_emplace({status, isDark(palette)});
-  if (isNew) found->second = statusIcon(status, palette);
-  return found->second;
+  return isHandle ? tr("%1, the handle's shift along %2").arg(exact, axisText(column - X))
+                  : tr("%1, the target's %2").arg(exact, axisText(column - X));
 }
 
 QVariant ConstraintTableModel::headerData(int section, Qt::Orientation orientation, int role) const
@@ -222,18 +192,13 @@ QVariant ConstraintTableModel::headerData(int section, Qt::Orientation orientati
   return role == Qt::DisplayRole ? QVariant(title) : role == Qt::ToolTipRole ? QVariant(meaning) : QVariant();
 }
 
-bool ConstraintTableModel::isEditable(int row, int column) const
-{
-  if (column == Name) return true;
-  return isCoordinate(column) && coordinate(row, column).has_value();
-}
-
 Qt::ItemFlags ConstraintTableModel::flags(const QModelIndex& index) const
 {
   if (!index.isValid()) return Qt::ItemIsDropEnabled;
   Qt::ItemFlags flags = Qt::ItemIsSelectable | Qt::ItemIsEnabled | Qt::ItemIsDragEnabled | Qt::ItemNeverHasChildren;
   if (index.column() == On) flags |= Qt::ItemIsUserCheckable;
-  if (isEditable(index.row(), index.column())) flags |= Qt::ItemIsEditable;
+  if (index.column() == Name || (isCoordinate(index.column()) && coordinate(index.row(), index.column())))
+    flags |= Qt::ItemIsEditable;
   return flags;
 }
 
@@ -273,7 +238,7 @@ bool ConstraintTableModel::setCoordinate(const Rows& rows, int column, const QSt
     return false;
   }
   const Index axis = column - X;
-  const QString name = tr("move %1 to %2 = %3").arg(subjectOf(editor_, rows), axisName(column), exactText(*value));
+  const QString name = tr("move %1 to %2 = %3").arg(subjectOf(editor_, rows), axisText(column - X), exactText(*value));
   changeConstraints(editor_, name, rows, [&](Constraint constraint) -> std::optional<Constraint> {
     if (HandleConstraint* handle = std::get_if<HandleConstraint>(&constraint.what)) {
       if (hasSameBits(handle->translate[axis], *value)) return std::nullopt;
@@ -299,14 +264,13 @@ QStringList ConstraintTableModel::mimeTypes() const
 
 QMimeData* ConstraintTableModel::mimeData(const QModelIndexList& indexes) const
 {
-  QVector<qint64> rows;
+  Rows rows;
   for (const QModelIndex& index : indexes) rows.push_back(index.row());
-  std::sort(rows.begin(), rows.end());
-  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+  rows = sortedOnce(std::move(rows));
   QByteArray bytes;
   QDataStream stream(&bytes, QIODevice::WriteOnly);
-  stream << static_cast<quint64>(reinterpret_cast<quintptr>(shown_.get())) << rows;
-  QMimeData* data = new QMimeData;
+  stream << static_cast<quint64>(reinterpret_cast<quintptr>(shown_.get())) << QVector<qint64>(rows.begin(), rows.end());
+  auto* data = new QMimeData;
   data->setData(kRowsFormat, bytes);
   return data;
 }

@@ -2,8 +2,6 @@
 /// The constraints of an editor as rows of a table, in the order of precedence.
 
 #include <QAbstractTableModel>
-#include <QIcon>
-#include <map>
 #include <memory>
 #include <optional>
 
@@ -12,8 +10,7 @@
 
 namespace holdfast {
 
-/// Reads all that it shows from the editor on demand, and edits through it. Results that are older than the list are
-/// grey. 10,000 rows cost no more than the few that are visible.
+/// Reads all that it shows from the editor on demand: 10,000 rows cost no more than the few that are visible.
 class ConstraintTableModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -47,12 +44,11 @@ class ConstraintTableModel : public QAbstractTableModel {
   /// Whether the rows are those of `Editor::list`. They differ for a moment while the editor reports a change.
   [[nodiscard]] bool isInStep() const { return shown_ == (editor_.isOpen() ? editor_.history().state() : nullptr); }
 
-  /// What rows are sorted and filtered by: numbers of numeric columns and ranks of the status, the gravest first; texts
-  /// of the others.
+  /// What rows are sorted by: numbers, and ranks of the status, the gravest first; texts of the others.
   [[nodiscard]] bool hasNumbers(int column) const { return column == On || column >= X; }
   [[nodiscard]] std::optional<double> number(int row, int column) const;
   [[nodiscard]] QString text(int row, int column) const;
-  [[nodiscard]] std::optional<ConstraintStatus> status(int row) const;
+  [[nodiscard]] std::optional<ConstraintStatus> status(int row) const { return editor_.status(constraint(row), row); }
 
  Q_SIGNALS:
   void refused(const QString& reason);
@@ -62,18 +58,14 @@ class ConstraintTableModel : public QAbstractTableModel {
   [[nodiscard]] const ConstraintOutcome* outcome(int row) const { return editor_.outcome(constraint(row).name, row); }
   [[nodiscard]] std::optional<double> coordinate(int row, int column) const;
   [[nodiscard]] std::optional<double> exactNumber(int row, int column) const;
-  [[nodiscard]] bool isEditable(int row, int column) const;
-  [[nodiscard]] QVariant foreground(int row, int column) const;
   [[nodiscard]] QString toolTip(int row, int column) const;
-  [[nodiscard]] const QIcon& icon(std::optional<ConstraintStatus> status) const;
   bool setCoordinate(const Rows& rows, int column, const QString& typed);
   bool rename(Index row, const QString& name);
   void follow();
   void resultsChanged();
 
   Editor& editor_;
-  std::shared_ptr<const DocumentState> shown_;                                       // the rows that views know
-  mutable std::map<std::pair<std::optional<ConstraintStatus>, bool>, QIcon> icons_;  // on a dark background, or not
+  std::shared_ptr<const DocumentState> shown_;  // the rows that views know
 };
 
 }  // namespace holdfast

@@ -8,8 +8,7 @@
 
 namespace holdfast {
 
-/// A row for each vertex, in the order of the list: its id, and x, y, z of its target, or its rotation by axis and
-/// degrees. Keeps the state and no copy of the numbers: a handle may have a hundred thousand vertices.
+/// A row for each vertex. Keeps the state and no copy of the numbers: a handle may have a hundred thousand vertices.
 class VertexTableModel : public QAbstractTableModel {
   Q_OBJECT
 

@@ -1,8 +1,9 @@
 #include "holdfast/window/text/constraint_text.h"
 
-#include <QCoreApplication>
+#include <QObject>
 #include <QStringList>
 #include <algorithm>
+#include <array>
 
 #include <holdfast/base/printable.h>
 #include <holdfast/window/text/number_text.h>
@@ -10,24 +11,20 @@
 namespace holdfast {
 namespace {
 
-struct ConstraintText {
-  Q_DECLARE_TR_FUNCTIONS(ConstraintText)
-};
-
 constexpr std::size_t kPartsInWords = 3;
 constexpr std::size_t kWeightsInWords = 6;
 constexpr std::size_t kNamesInWords = 5;
 
 QString counted(std::size_t n, const char* one, const char* many)
 {
-  return n == 1 ? ConstraintText::tr(one) : ConstraintText::tr(many).arg(countText(static_cast<Index>(n)));
+  return n == 1 ? QObject::tr(one) : QObject::tr(many).arg(countText(static_cast<Index>(n)));
 }
 
 struct LocationText {
-  QString operator()(const AtVertex& at) const { return ConstraintText::tr("vertex %1").arg(at.vertex); }
+  QString operator()(const AtVertex& at) const { return QObject::tr("vertex %1").arg(at.vertex); }
   QString operator()(const AtEdge& at) const
   {
-    return ConstraintText::tr("edge %1–%2, t %3").arg(QString::number(at.i), QString::number(at.j), roundedText(at.t));
+    return QObject::tr("edge %1–%2, t %3").arg(QString::number(at.i), QString::number(at.j), roundedText(at.t));
   }
   QString operator()(const AtFace& at) const
   {
@@ -35,9 +32,9 @@ struct LocationText {
     for (std::size_t k = 0; k < std::min(at.weights.size(), kWeightsInWords); ++k)
       weights << roundedText(at.weights[k]);
     if (at.weights.size() > kWeightsInWords) weights << QStringLiteral("…");
-    return ConstraintText::tr("face %1: %2").arg(QString::number(at.face), weights.join(", "));
+    return QObject::tr("face %1: %2").arg(QString::number(at.face), weights.join(", "));
   }
-  QString operator()(const AtNear& at) const { return ConstraintText::tr("near %1").arg(roundedText(at.place)); }
+  QString operator()(const AtNear& at) const { return QObject::tr("near %1").arg(roundedText(at.place)); }
 };
 
 struct SelectionText {
@@ -45,13 +42,13 @@ struct SelectionText {
   {
     return counted(vertices.ids.size(), "1 vertex", "%1 vertices");
   }
-  QString operator()(const InBox& /*box*/) const { return ConstraintText::tr("box"); }
+  QString operator()(const InBox& /*box*/) const { return QObject::tr("box"); }
   QString operator()(const InSphere& sphere) const
   {
-    return ConstraintText::tr("sphere of radius %1").arg(roundedText(sphere.radius));
+    return QObject::tr("sphere of radius %1").arg(roundedText(sphere.radius));
   }
-  QString operator()(const InHalfSpace& /*half*/) const { return ConstraintText::tr("half space"); }
-  QString operator()(const InComponent& part) const { return ConstraintText::tr("part %1").arg(part.component); }
+  QString operator()(const InHalfSpace& /*half*/) const { return QObject::tr("half space"); }
+  QString operator()(const InComponent& part) const { return QObject::tr("part %1").arg(part.component); }
   QString operator()(const InsideCurve& curve) const
   {
     return curve.side == CurveSide::Smaller
@@ -60,21 +57,18 @@ struct SelectionText {
   }
   QString operator()(const AllOf& all) const
   {
-    return joined(all.parts, ConstraintText::tr(" and "), ConstraintText::tr("everything"));
+    return joined(all.parts, QObject::tr(" and "), QObject::tr("everything"));
   }
-  QString operator()(const AnyOf& any) const
-  {
-    return joined(any.parts, ConstraintText::tr(" or "), ConstraintText::tr("nothing"));
-  }
-  QString operator()(const NotIn& no) const { return ConstraintText::tr("not %1").arg(inner(*no.part)); }
+  QString operator()(const AnyOf& any) const { return joined(any.parts, QObject::tr(" or "), QObject::tr("nothing")); }
+  QString operator()(const NotIn& no) const { return QObject::tr("not %1").arg(inner(*no.part)); }
 
  private:
   // Describes one level in words, and deeper levels by their kind only.
   static QString inner(const Selection& selection)
   {
-    if (std::holds_alternative<AllOf>(selection.what)) return ConstraintText::tr("(several at once)");
-    if (std::holds_alternative<AnyOf>(selection.what)) return ConstraintText::tr("(any of several)");
-    if (std::holds_alternative<NotIn>(selection.what)) return ConstraintText::tr("(all but some)");
+    if (std::holds_alternative<AllOf>(selection.what)) return QObject::tr("(several at once)");
+    if (std::holds_alternative<AnyOf>(selection.what)) return QObject::tr("(any of several)");
+    if (std::holds_alternative<NotIn>(selection.what)) return QObject::tr("(all but some)");
     return selectionText(selection);
   }
 
@@ -92,7 +86,7 @@ struct WhereText {
   QString operator()(const PointConstraint& point) const { return locationText(point.at); }
   QString operator()(const RelativeConstraint& relative) const
   {
-    return ConstraintText::tr("%1 to %2").arg(locationText(relative.from), locationText(relative.to));
+    return QObject::tr("%1 to %2").arg(locationText(relative.from), locationText(relative.to));
   }
   template <class Selecting>
   QString operator()(const Selecting& selecting) const
@@ -125,29 +119,21 @@ QString whereText(const Constraint& constraint)
 
 QString statusText(std::optional<ConstraintStatus> status)
 {
-  if (!status) return ConstraintText::tr("not solved");
-  const std::string_view text = name(*status);
-  return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
+  if (!status) return QObject::tr("not solved");
+  return toText(name(*status));
 }
 
 QString statusMeaning(std::optional<ConstraintStatus> status)
 {
-  if (!status) return ConstraintText::tr("Nothing was solved with this constraint yet.");
-  switch (*status) {
-    case ConstraintStatus::Independent:
-      return ConstraintText::tr("Earlier constraints neither imply nor contradict it; nothing was solved.");
-    case ConstraintStatus::Met:
-      return ConstraintText::tr("It holds.");
-    case ConstraintStatus::Redundant:
-      return ConstraintText::tr("Earlier constraints imply it, and it holds.");
-    case ConstraintStatus::Conflicting:
-      return ConstraintText::tr("Earlier constraints contradict it; it is left out where they do.");
-    case ConstraintStatus::Missed:
-      return ConstraintText::tr("It is part of the solution, but holds only approximately.");
-    case ConstraintStatus::Disabled:
-      return ConstraintText::tr("It is switched off.");
-  }
-  return {};
+  // In the order of `ConstraintStatus`.
+  constexpr std::array kMeanings{"Earlier constraints neither imply nor contradict it; nothing was solved.",
+                                 "It holds.",
+                                 "Earlier constraints imply it, and it holds.",
+                                 "Earlier constraints contradict it; it is left out where they do.",
+                                 "It is part of the solution, but holds only approximately.",
+                                 "It is switched off."};
+  return QObject::tr(status ? kMeanings[static_cast<std::size_t>(*status)]
+                            : "Nothing was solved with this constraint yet.");
 }
 
 QString quoted(const std::string& name)
@@ -167,7 +153,7 @@ QString quotedList(const std::vector<std::string>& names)
   if (names.size() > kNamesInWords) words << counted(names.size() - kNamesInWords, "1 other", "%1 others");
   if (words.size() < 2) return words.join(QString());
   const QString last = words.takeLast();
-  return ConstraintText::tr("%1 and %2").arg(words.join(", "), last);
+  return QObject::tr("%1 and %2").arg(words.join(", "), last);
 }
 
 }  // namespace holdfast

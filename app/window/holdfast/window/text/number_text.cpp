@@ -1,6 +1,6 @@
 #include "holdfast/window/text/number_text.h"
 
-#include <QCoreApplication>
+#include <QObject>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -10,23 +10,13 @@
 namespace holdfast {
 namespace {
 
-struct Numbers {
-  Q_DECLARE_TR_FUNCTIONS(NumberText)
-};
-
 constexpr int kShortText = 9;  // characters that a column of coordinates has room for
-
-QString toText(const std::string& text)
-{
-  return QString::fromStdString(text);
-}
 
 }  // namespace
 
 QString exactText(double value)
 {
-  const NumberText text(value);
-  return QString::fromLatin1(text.view().data(), static_cast<int>(text.view().size()));
+  return toText(NumberText(value).view());
 }
 
 QString roundedText(double value)
@@ -74,12 +64,12 @@ std::optional<double> typedNumber(const QString& typed)
 QString notANumber(const QString& typed)
 {
   const QString shown = typed.trimmed();
-  if (shown.isEmpty()) return Numbers::tr("A number is needed here, such as 1.5.");
+  if (shown.isEmpty()) return QObject::tr("A number is needed here, such as 1.5.");
   if (parseNumber<double>(shown.toStdString()).fault == NumberFault::OutOfRange)
-    return Numbers::tr("“%1” is beyond what a double can hold; write a number nearer to 1.").arg(shown);
+    return QObject::tr("“%1” is beyond what a double can hold; write a number nearer to 1.").arg(shown);
   if (shown.contains(','))
-    return Numbers::tr("“%1” is no number; write decimals with a point, such as 1.5.").arg(shown);
-  return Numbers::tr("“%1” is no number; write one such as 1.5 or -2e-3.").arg(shown);
+    return QObject::tr("“%1” is no number; write decimals with a point, such as 1.5.").arg(shown);
+  return QObject::tr("“%1” is no number; write one such as 1.5 or -2e-3.").arg(shown);
 }
 
 }  // namespace holdfast

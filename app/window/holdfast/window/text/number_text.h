@@ -1,14 +1,20 @@
 #pragma once
-/// Numbers as the window writes and reads them, whatever the locale is: with decimal points, exact where they are
-/// edited.
+/// Numbers as the window writes and reads them, whatever the locale is.
 
 #include <QString>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include <holdfast/base/types.h>
 
 namespace holdfast {
+
+/// Of UTF-8.
+[[nodiscard]] inline QString toText(std::string_view text)
+{
+  return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
+}
 
 /// The shortest text that reads back as the same double.
 [[nodiscard]] QString exactText(double value);
@@ -18,6 +24,12 @@ namespace holdfast {
 
 /// The exact text where it is short, seven significant digits otherwise: for tables, where columns are narrow.
 [[nodiscard]] QString coordinateText(double value);
+
+/// "x", "y", "z".
+[[nodiscard]] inline QString axisText(int axis)
+{
+  return QStringLiteral("xyz").mid(axis, 1);
+}
 
 /// How many: "173 402", in groups that narrow spaces part and no line breaks.
 [[nodiscard]] QString countText(Index count);

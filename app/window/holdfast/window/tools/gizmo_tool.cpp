@@ -48,12 +48,6 @@ QString GizmoTool::hint() const
                       : tr("Drag to move, or type a length; Ctrl snaps, Escape takes it back");
 }
 
-bool GizmoTool::isRotation() const
-{
-  const GizmoPartKind kind = kindOf(widget().GetPart());
-  return kind == GizmoPartKind::Ring || kind == GizmoPartKind::ViewRing;
-}
-
 void GizmoTool::highlight()
 {
   if (isTouched()) viewport().leaveTool();
@@ -87,21 +81,10 @@ void GizmoTool::placeFrame()
                   axes_ == GizmoAxes::Own ? placing_->axes(editor().positions()) : Eigen::Matrix3d::Identity());
 }
 
-void GizmoTool::setAxes(GizmoAxes axes)
-{
-  axes_ = axes;
-  placeGizmo();
-}
-
 void GizmoTool::followSurface()
 {
   // The axes of a point are those of the surface.
   if (placing_ && axes_ == GizmoAxes::Own && !widget().IsDragging()) placeFrame();
-}
-
-void GizmoTool::followDisplay()
-{
-  gizmo_.SetPixelRatio(viewport().pixelRatio());
 }
 
 void GizmoTool::start()
@@ -137,13 +120,6 @@ void GizmoTool::finish(vtkObject* /*caller*/, unsigned long event, void* /*data*
   Q_EMIT changed();
 }
 
-QFont GizmoTool::labelFont() const
-{
-  QFont font = viewport().font();
-  font.setBold(true);
-  return font;
-}
-
 QRectF GizmoTool::labelPlate() const
 {
   if (!widget().IsDragging()) return {};
@@ -162,13 +138,6 @@ void GizmoTool::paint(QPainter& painter) const
   painter.setFont(labelFont());
   painter.setPen(QColor(33, 38, 48));
   painter.drawText(plate, Qt::AlignCenter, QString::fromStdString(gizmo_.GetLabel()));
-}
-
-bool GizmoTool::wants(const QKeyEvent& event) const
-{
-  const char key = characterOf(event);
-  // Escape is the window's, and comes as `cancel`.
-  return key != 27 && widget().WantsKey(key);
 }
 
 bool GizmoTool::cancel()

@@ -7,7 +7,7 @@
 
 #include <holdfast/document/constraint_drag.h>
 #include <holdfast/widgets/interaction/gizmo_widget.h>
-#include <holdfast/window/tools/widget_tool.h>
+#include <holdfast/window/tools/tools.h>
 
 namespace holdfast {
 
@@ -31,7 +31,11 @@ class GizmoTool : public ToolOf<GizmoWidget> {
 
   [[nodiscard]] QString hint() const override;
   void begin() override { placeGizmo(); }
-  [[nodiscard]] bool wants(const QKeyEvent& event) const override;
+  [[nodiscard]] bool wants(const QKeyEvent& event) const override
+  {
+    // Escape is the window's, and comes as `cancel`.
+    return characterOf(event) != 27 && widget().WantsKey(characterOf(event));
+  }
   void loseFocus() override
   {
     if (widget().IsDragging() && !widget().IsHeld()) widget().Keep();
@@ -42,7 +46,11 @@ class GizmoTool : public ToolOf<GizmoWidget> {
   /// The box of that label, in the viewport's coordinates and inside it; empty without a drag.
   [[nodiscard]] QRectF labelPlate() const;
 
-  void setAxes(GizmoAxes axes);
+  void setAxes(GizmoAxes axes)
+  {
+    axes_ = axes;
+    placeGizmo();
+  }
   [[nodiscard]] GizmoAxes axes() const noexcept { return axes_; }
   void setRotationOfMoves(RotationOfMoves turn) { rotationOfMoves_ = turn; }
 
@@ -52,7 +60,7 @@ class GizmoTool : public ToolOf<GizmoWidget> {
 
  protected:
   void followSurface() override;
-  void followDisplay() override;
+  void followDisplay() override { gizmo_.SetPixelRatio(viewport().pixelRatio()); }
 
  private:
   void placeGizmo();
@@ -61,9 +69,14 @@ class GizmoTool : public ToolOf<GizmoWidget> {
   void start();
   void move(vtkObject* caller, unsigned long event, void* motion);
   void finish(vtkObject* caller, unsigned long event, void* data);
-  [[nodiscard]] bool isRotation() const;
+  [[nodiscard]] bool isRotation() const { return holdfast::isRotation(widget().GetPart()); }
   [[nodiscard]] RigidIncrement incrementOf(const GizmoMotion& motion);
-  [[nodiscard]] QFont labelFont() const;
+  [[nodiscard]] QFont labelFont() const
+  {
+    QFont font = viewport().font();
+    font.setBold(true);
+    return font;
+  }
 
   GizmoRepresentation& gizmo_;
   GizmoAxes axes_ = GizmoAxes::World;

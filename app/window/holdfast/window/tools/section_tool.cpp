@@ -1,5 +1,4 @@
-#include "holdfast/window/tools/section_tool.h"
-
+#include <QAction>
 #include <array>
 
 #include <QVTKInteractor.h>
@@ -10,8 +9,9 @@
 #include <vtkWidgetEventTranslator.h>
 
 #include <holdfast/widgets/gizmo/gizmo_layout.h>
+#include <holdfast/widgets/interaction/stock_widgets.h>
 #include <holdfast/widgets/marks/constraint_glyphs.h>
-#include <holdfast/window/viewport/viewport.h>
+#include <holdfast/window/tools/tools.h>
 
 namespace holdfast {
 namespace {
@@ -39,65 +39,77 @@ void setLook(vtkImplicitPlaneRepresentation& plane)
   setColor(*plane.GetSelectedNormalProperty(), kHighlightColor);
 }
 
+class SectionTool : public QObject {
+ public:
+  SectionTool(Editor& editor, Viewport& viewport, QAction& isOn, QObject* parent)
+      : QObject(parent), editor_(editor), viewport_(viewport), isOn_(isOn)
+  {
+    widget_->SetInteractor(viewport.interactor());
+    widget_->SetDefaultRenderer(&viewport.widgetRenderer());
+    widget_->KeyPressActivationOff();
+    widget_->SetRepresentation(plane_);
+    widget_->SetPriority(kPriority);
+    // They move the camera.
+    widget_->GetEventTranslator()->RemoveTranslation(vtkCommand::MiddleButtonPressEvent);
+    widget_->GetEventTranslator()->RemoveTranslation(vtkCommand::RightButtonPressEvent);
+    widget_->AddObserver(vtkCommand::InteractionEvent, this, &SectionTool::cut);
+    plane_->SetPlaceFactor(1.1);
+    plane_->OutlineTranslationOff();
+    plane_->ScaleEnabledOff();
+    setLook(*plane_);
+    connect(&isOn, &QAction::toggled, this, &SectionTool::follow);
+    connect(&viewport, &Viewport::surfaceChanged, this, [this] { plane_->SetSurface(viewport_.surface()); });
+    connect(&viewport, &Viewport::closing, this, [this] { widget_->SetInteractor(nullptr); });
+    connect(&editor, &Editor::opened, this, [this] {
+      isPlaced_ = false;
+      follow();
+    });
+  }
+
+ private:
+  void follow()
+  {
+    const bool isCutting = isOn_.isChecked() && editor_.isOpen();
+    if (isCutting && !isPlaced_) placeInDocument();
+    widget_->SetEnabled(isCutting ? 1 : 0);
+    if (isCutting) return cut();
+    viewport_.setSection(std::nullopt);
+  }
+
+  /// Through the middle, across the axis that is nearest to the sight, so that the half before it goes.
+  void placeInDocument()
+  {
+    const Positions& positions = editor_.positions();
+    const Vector3 low = positions.colwise().minCoeff();
+    const Vector3 high = positions.colwise().maxCoeff();
+    std::array<double, 6> bounds{low.x(), high.x(), low.y(), high.y(), low.z(), high.z()};
+    plane_->PlaceWidget(bounds.data());
+    const Vector3 sight(viewport_.renderer().GetActiveCamera()->GetDirectionOfProjection());
+    Index axis = 0;
+    sight.cwiseAbs().maxCoeff(&axis);
+    Vector3 away = Vector3::Unit(axis);
+    if (sight[axis] < 0) away = -away;
+    Vector3 middle = (low + high) / 2;
+    plane_->SetOrigin(middle.data());
+    plane_->SetNormal(away.data());
+    isPlaced_ = true;
+  }
+
+  void cut() { viewport_.setSection(SectionPlane{Vector3(plane_->GetOrigin()), Vector3(plane_->GetNormal())}); }
+
+  Editor& editor_;
+  Viewport& viewport_;
+  QAction& isOn_;
+  vtkNew<SectionPlaneRepresentation> plane_;
+  vtkNew<vtkImplicitPlaneWidget2> widget_;
+  bool isPlaced_ = false;  // in this document
+};
+
 }  // namespace
 
-SectionTool::SectionTool(Editor& editor, Viewport& viewport, QObject* parent)
-    : QObject(parent), editor_(editor), viewport_(viewport)
+QObject* newSectionTool(Editor& editor, Viewport& viewport, QAction& isOn, QObject* parent)
 {
-  widget_->SetInteractor(viewport.interactor());
-  widget_->SetDefaultRenderer(&viewport.widgetRenderer());
-  widget_->KeyPressActivationOff();
-  widget_->SetRepresentation(plane_);
-  widget_->SetPriority(kPriority);
-  // They move the camera.
-  widget_->GetEventTranslator()->RemoveTranslation(vtkCommand::MiddleButtonPressEvent);
-  widget_->GetEventTranslator()->RemoveTranslation(vtkCommand::RightButtonPressEvent);
-  widget_->AddObserver(vtkCommand::InteractionEvent, this, &SectionTool::cut);
-  plane_->SetPlaceFactor(1.1);
-  plane_->OutlineTranslationOff();
-  plane_->ScaleEnabledOff();
-  setLook(*plane_);
-  connect(&viewport, &Viewport::surfaceChanged, this, [this] { plane_->SetSurface(viewport_.surface()); });
-  connect(&viewport, &Viewport::closing, this, [this] { widget_->SetInteractor(nullptr); });
-  connect(&editor, &Editor::opened, this, [this] {
-    isPlaced_ = false;
-    setOn(isOn_);
-  });
-}
-
-SectionTool::~SectionTool() = default;
-
-void SectionTool::setOn(bool isOn)
-{
-  isOn_ = isOn;
-  const bool isCutting = isOn && editor_.isOpen();
-  if (isCutting && !isPlaced_) placeInDocument();
-  widget_->SetEnabled(isCutting ? 1 : 0);
-  if (isCutting) return cut();
-  viewport_.setSection(std::nullopt);
-}
-
-void SectionTool::placeInDocument()
-{
-  const Positions& positions = editor_.positions();
-  const Vector3 low = positions.colwise().minCoeff();
-  const Vector3 high = positions.colwise().maxCoeff();
-  std::array<double, 6> bounds{low.x(), high.x(), low.y(), high.y(), low.z(), high.z()};
-  plane_->PlaceWidget(bounds.data());
-  const Vector3 sight(viewport_.renderer().GetActiveCamera()->GetDirectionOfProjection());
-  Index axis = 0;
-  sight.cwiseAbs().maxCoeff(&axis);
-  Vector3 away = Vector3::Unit(axis);
-  if (sight[axis] < 0) away = -away;
-  Vector3 middle = (low + high) / 2;
-  plane_->SetOrigin(middle.data());
-  plane_->SetNormal(away.data());
-  isPlaced_ = true;
-}
-
-void SectionTool::cut()
-{
-  viewport_.setSection(SectionPlane{Vector3(plane_->GetOrigin()), Vector3(plane_->GetNormal())});
+  return new SectionTool(editor, viewport, isOn, parent);
 }
 
 }  // namespace holdfast

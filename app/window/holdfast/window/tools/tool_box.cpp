@@ -64,11 +64,6 @@ void ToolBox::choose(Tool* tool)
   Q_EMIT hintChanged(tool->hint());
 }
 
-void ToolBox::chooseSelect()
-{
-  actions().front()->setChecked(true);
-}
-
 void ToolBox::drawIcons()
 {
   for (QAction* action : actions())

@@ -2,14 +2,12 @@
 /// The tools of the viewport, one of which is chosen, and the actions that choose them.
 
 #include <QActionGroup>
-#include <QObject>
 
 #include <holdfast/window/model/editor.h>
 #include <holdfast/window/viewport/tool.h>
+#include <holdfast/window/viewport/viewport.h>
 
 namespace holdfast {
-
-class Viewport;
 
 class ToolBox : public QObject {
   Q_OBJECT
@@ -19,7 +17,7 @@ class ToolBox : public QObject {
 
   [[nodiscard]] QList<QAction*> actions() const { return group_->actions(); }
   [[nodiscard]] const Tool& current() const { return *current_; }
-  void chooseSelect();
+  void chooseSelect() { actions().front()->setChecked(true); }
   void drawIcons();
 
  Q_SIGNALS:

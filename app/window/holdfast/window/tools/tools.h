@@ -1,26 +1,59 @@
 #pragma once
-/// The tools that the tool box offers. The caller owns them; editor and viewport outlive them.
+/// Tools: their base, and those that the tool box offers. The caller owns them; editor and viewport outlive them.
+
+#include <utility>
+
+#include <vtkNew.h>
 
 #include <holdfast/widgets/interaction/region_widget.h>
-#include <holdfast/window/tools/widget_tool.h>
+#include <holdfast/window/viewport/tool.h>
+#include <holdfast/window/viewport/viewport.h>
 
 namespace holdfast {
 
+/// Makes its widget, and tells it the surface, its regions and the pixel ratio, as far as it wants to know them.
+template <class Widget>
+class ToolOf : public Tool {
+ public:
+  ToolOf(Editor& editor, Viewport& viewport, QObject* parent = nullptr, vtkNew<Widget> widget = {})
+      : Tool(editor, viewport, *widget, parent), widget_(std::move(widget))
+  {
+  }
+
+  [[nodiscard]] Widget& widget() const { return *widget_; }
+
+ protected:
+  void followSurface() override
+  {
+    if constexpr (requires { widget().SetSurface(viewport().surface()); }) widget().SetSurface(viewport().surface());
+    if constexpr (requires { widget().SetRegions(nullptr); })
+      widget().SetRegions(editor().isOpen() ? editor().mesh().regions : nullptr);
+  }
+  void followDisplay() override
+  {
+    if constexpr (requires { widget().SetPixelRatio(1); }) widget().SetPixelRatio(viewport().pixelRatio());
+  }
+
+ private:
+  vtkNew<Widget> widget_;
+};
+
 /// A click on a glyph selects its constraint; Shift or Ctrl adds or removes it. A click beside all glyphs selects none.
 [[nodiscard]] Tool* newSelectTool(Editor& editor, Viewport& viewport);
-/// A click holds the point under the cursor where it is. V, E and F choose vertices, edges or faces only; A the
-/// nearest.
+/// A click holds the point under the cursor where it is.
 [[nodiscard]] Tool* newPointTool(Editor& editor, Viewport& viewport);
-/// Two clicks make a relative constraint of the vector from the first place to the second. If one relative constraint
-/// alone is selected, an arrow shows its vector, whichever tool is chosen.
+/// Two clicks make a relative constraint. An arrow shows the vector of the one that is selected, whatever tool is
+/// chosen.
 [[nodiscard]] Tool* newRelativeTool(Editor& editor, Viewport& viewport);
 /// Selects vertices by a brush, a rectangle or a lasso, or a whole side by one click.
 [[nodiscard]] Tool* newRegionTool(RegionShape shape, Editor& editor, Viewport& viewport);
-/// Draws a closed curve, which selects what is inside it, again each time that one of its places is dragged. A
-/// constraint made of it keeps the curve, not the ids. Any other selection removes the curve.
+/// A closed curve selects what is inside it; a constraint keeps the curve. Any other selection removes it.
 [[nodiscard]] Tool* newCurveTool(Editor& editor, Viewport& viewport);
-/// Two clicks place a ruler, which follows the surface and shows the distance now and at rest. Its ends can be dragged;
-/// Escape takes it away. It is there as long as the tool is chosen.
+/// Two clicks place a ruler, which is there as long as the tool is chosen.
 [[nodiscard]] Tool* newRulerTool(Editor& editor, Viewport& viewport);
+
+/// VTK's plane, beside whatever tool is chosen: what lies on the side that its arrow does not point to is cut away from
+/// the picture and cannot be picked. The arrow turns it, the ball in its middle moves it.
+QObject* newSectionTool(Editor& editor, Viewport& viewport, QAction& isOn, QObject* parent);
 
 }  // namespace holdfast

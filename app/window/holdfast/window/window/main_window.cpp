@@ -2,11 +2,9 @@
 
 #include <QActionGroup>
 #include <QApplication>
-#include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QFileInfo>
-#include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
@@ -25,14 +23,10 @@
 #include <holdfast/window/files/file_messages.h>
 #include <holdfast/window/files/recent_files.h>
 #include <holdfast/window/model/constraint_actions.h>
-#include <holdfast/window/tools/gizmo_tool.h>
-#include <holdfast/window/tools/section_tool.h>
-#include <holdfast/window/tools/tool_box.h>
+#include <holdfast/window/text/number_text.h>
+#include <holdfast/window/tools/tools.h>
 #include <holdfast/window/viewport/view_state.h>
-#include <holdfast/window/viewport/viewport.h>
 #include <holdfast/window/window/help_dialog.h>
-#include <holdfast/window/window/panel_docks.h>
-#include <holdfast/window/window/status_line.h>
 
 namespace holdfast {
 namespace {
@@ -101,11 +95,6 @@ QAction* MainWindow::addAction(QMenu& menu, const Item& item)
   if (item.run) connect(action, &QAction::triggered, this, item.run);
   if (item.needs != Needs::Nothing) needs_.emplace_back(action, item.needs);
   return action;
-}
-
-void MainWindow::addActions(QMenu& menu, const std::vector<Item>& items)
-{
-  for (const Item& item : items) item.text.isEmpty() ? menu.addSeparator() : addAction(menu, item);
 }
 
 void MainWindow::addChoices(QMenu& menu, const std::vector<Item>& items)
@@ -262,11 +251,6 @@ void MainWindow::showEvent(QShowEvent* event)
   if (autosave_) QTimer::singleShot(0, this, [this] { autosave_->offerRecovery(); });
 }
 
-void MainWindow::closeEvent(QCloseEvent* event)
-{
-  event->setAccepted(files_.maySaveBefore(tr("closing the window")));
-}
-
 void MainWindow::makeEditMenu()
 {
   QMenu& menu = *menuBar()->addMenu(tr("&Edit"));
@@ -370,9 +354,10 @@ void MainWindow::makeViewMenu()
                tr("A handle that is moved turns about the viewing axis, by the angle that it makes on the screen"),
                Needs::Nothing, rotate(RotationOfMoves::AsSeen)}});
   menu.addSeparator();
-  connect(addSwitch(menu, {"sectionPlane", tr("&Section plane"), "Shift+S",
-                           tr("Cut the picture open; the mesh stays whole"), Needs::Document}),
-          &QAction::toggled, new SectionTool(editor_, *viewport_, this), &SectionTool::setOn);
+  newSectionTool(editor_, *viewport_,
+                 *addSwitch(menu, {"sectionPlane", tr("&Section plane"), "Shift+S",
+                                   tr("Cut the picture open; the mesh stays whole"), Needs::Document}),
+                 this);
 
   panels_->fillMenu(*menu.addMenu(tr("&Panels")));
   const auto colors = [this](const char* name, const QString& text, const QString& spoken,
@@ -450,7 +435,7 @@ void MainWindow::updateActions()
     action->setEnabled(isOpen && (needs != Needs::Vertices || !editor_.selectedVertices().empty()) &&
                        (needs != Needs::Constraints || !editor_.selectedConstraints().empty()));
   const auto textOf = [](const QString& verb, std::string_view name) {
-    return name.empty() ? verb : verb + ' ' + QString::fromUtf8(name.data(), static_cast<int>(name.size()));
+    return name.empty() ? verb : verb + ' ' + toText(name);
   };
   undo_->setEnabled(isOpen && editor_.history().canUndo());
   redo_->setEnabled(isOpen && editor_.history().canRedo());

@@ -1,7 +1,9 @@
 #pragma once
 /// The window: the picture in the middle, panels around it, and what menus and keys do.
 
+#include <QCloseEvent>
 #include <QMainWindow>
+#include <QMenu>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -10,16 +12,13 @@
 #include <holdfast/window/files/document_exports.h>
 #include <holdfast/window/files/document_files.h>
 #include <holdfast/window/model/editor.h>
-
-class QMenu;
+#include <holdfast/window/tools/gizmo_tool.h>
+#include <holdfast/window/tools/tool_box.h>
+#include <holdfast/window/viewport/viewport.h>
+#include <holdfast/window/window/panel_docks.h>
+#include <holdfast/window/window/status_line.h>
 
 namespace holdfast {
-
-class GizmoTool;
-class PanelDocks;
-class StatusLine;
-class ToolBox;
-class Viewport;
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -28,8 +27,7 @@ class MainWindow : public QMainWindow {
   MainWindow();
   ~MainWindow() override;
 
-  /// Draws an example in every view before the window is shown, which compiles shaders. Without a GPU this takes some
-  /// tenths of a second, and first pictures of meshes and panels would take as much longer without it.
+  /// Draws an example in every view before the window is shown: compiling shaders takes some tenths of a second.
   void warmUp();
 
   [[nodiscard]] Editor& editor() { return editor_; }
@@ -41,7 +39,7 @@ class MainWindow : public QMainWindow {
 
  protected:
   void changeEvent(QEvent* event) override;
-  void closeEvent(QCloseEvent* event) override;
+  void closeEvent(QCloseEvent* event) override { event->setAccepted(files_.maySaveBefore(tr("closing the window"))); }
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
   void showEvent(QShowEvent* event) override;
@@ -75,7 +73,10 @@ class MainWindow : public QMainWindow {
   static const Item separator;
   QAction* addAction(QMenu& menu, const Item& item);
   QAction* addSwitch(QMenu& menu, const Item& item);
-  void addActions(QMenu& menu, const std::vector<Item>& items);
+  void addActions(QMenu& menu, const std::vector<Item>& items)
+  {
+    for (const Item& item : items) item.text.isEmpty() ? menu.addSeparator() : addAction(menu, item);
+  }
   /// One of which is chosen, at first the first.
   void addChoices(QMenu& menu, const std::vector<Item>& items);
 

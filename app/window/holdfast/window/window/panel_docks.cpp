@@ -1,21 +1,14 @@
 #include "holdfast/window/window/panel_docks.h"
 
 #include <QAction>
-#include <QDockWidget>
-#include <QMainWindow>
-#include <QMenu>
 #include <QScrollArea>
 #include <algorithm>
 
 #include <holdfast/deform/outcomes.h>
 #include <holdfast/window/controls/panel_parts.h>
-#include <holdfast/window/inspector/inspector_panel.h>
-#include <holdfast/window/panels/color_panel.h>
-#include <holdfast/window/panels/histogram_panel.h>
+#include <holdfast/window/inspector/inspector_section.h>
 #include <holdfast/window/panels/panels.h>
-#include <holdfast/window/panels/sphere_panel.h>
-#include <holdfast/window/table/constraint_panel.h>
-#include <holdfast/window/viewport/viewport.h>
+#include <holdfast/window/table/constraint_table.h>
 
 namespace holdfast {
 namespace {
@@ -109,11 +102,6 @@ void PanelDocks::arrange()
     for (int k = 1; k < stack->size(); ++k) window_.tabifyDockWidget((*stack)[k - 1], (*stack)[k]);
     stack->front()->raise();
   }
-}
-
-void PanelDocks::warmUp(const ExampleDocument& example)
-{
-  sphere_->warmUp(example);
 }
 
 void PanelDocks::share(const QSize& size)

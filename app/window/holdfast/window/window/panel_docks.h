@@ -1,21 +1,18 @@
 #pragma once
 /// The panels around the picture, and the connections between them and the picture.
 
-#include <QObject>
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QMenu>
 
+#include <holdfast/widgets/scene/example_document.h>
 #include <holdfast/window/model/editor.h>
-
-class QDockWidget;
-class QMainWindow;
-class QMenu;
+#include <holdfast/window/panels/color_panel.h>
+#include <holdfast/window/panels/histogram_panel.h>
+#include <holdfast/window/panels/sphere_panel.h>
+#include <holdfast/window/viewport/viewport.h>
 
 namespace holdfast {
-
-class ColorPanel;
-class HistogramPanel;
-class SpherePanel;
-class Viewport;
-struct ExampleDocument;
 
 /// Two stacks of tabs at the right: constraints, colours and rotations above; the selection and results below.
 class PanelDocks : public QObject {
@@ -27,7 +24,7 @@ class PanelDocks : public QObject {
   void fillMenu(QMenu& menu) const;
 
   /// The panels' part of `MainWindow::warmUp`.
-  void warmUp(const ExampleDocument& example);
+  void warmUp(const ExampleDocument& example) { sphere_->warmUp(example); }
 
   void share(const QSize& size);
 

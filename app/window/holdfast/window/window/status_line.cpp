@@ -1,7 +1,5 @@
 #include "holdfast/window/window/status_line.h"
 
-#include <QLabel>
-#include <QPushButton>
 #include <cmath>
 
 #include <holdfast/window/controls/panel_parts.h>
@@ -61,12 +59,6 @@ StatusLine::StatusLine(Editor& editor, QWidget* parent)
   connect(&editor_, &Editor::stepChanged, this, &StatusLine::showStep);
   showNumbers();
   showStep();
-}
-
-void StatusLine::setHint(const QString& hint)
-{
-  hint_ = hint;
-  showHint();
 }
 
 void StatusLine::setPick(const std::optional<SurfacePick>& pick)

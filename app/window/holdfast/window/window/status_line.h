@@ -1,14 +1,13 @@
 #pragma once
 /// The line below the picture: what the mouse does, what is under it, and how accurate the solution is.
 
+#include <QLabel>
+#include <QPushButton>
 #include <QStatusBar>
 #include <optional>
 
 #include <holdfast/widgets/picking/surface_picker.h>
 #include <holdfast/window/model/editor.h>
-
-class QLabel;
-class QPushButton;
 
 namespace holdfast {
 
@@ -18,7 +17,11 @@ class StatusLine : public QStatusBar {
  public:
   explicit StatusLine(Editor& editor, QWidget* parent = nullptr);
 
-  void setHint(const QString& hint);
+  void setHint(const QString& hint)
+  {
+    hint_ = hint;
+    showHint();
+  }
   void setPick(const std::optional<SurfacePick>& pick);
 
  protected:

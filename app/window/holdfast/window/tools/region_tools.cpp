@@ -1,12 +1,66 @@
 #include <QScopedValueRollback>
 #include <QString>
+#include <array>
+#include <vector>
 
 #include <holdfast/base/error.h>
+#include <holdfast/widgets/interaction/interaction_events.h>
 #include <holdfast/widgets/interaction/surface_curve_widget.h>
 #include <holdfast/window/tools/tools.h>
 
 namespace holdfast {
 namespace {
+
+class RegionTool : public ToolOf<RegionWidget> {
+ public:
+  RegionTool(RegionShape shape, Editor& editor, Viewport& viewport) : ToolOf(editor, viewport)
+  {
+    widget().SetShape(shape);
+    widget().AddObserver(vtkCommand::StartInteractionEvent, this, &RegionTool::start);
+    widget().AddObserver(vtkCommand::InteractionEvent, this, &RegionTool::reach);
+    widget().AddObserver(vtkCommand::EndInteractionEvent, this, &RegionTool::reach);
+    widget().AddObserver(CancelInteractionEvent, this, &RegionTool::restore);
+    widget().AddObserver(vtkCommand::WidgetValueChangedEvent, this, &RegionTool::changed);
+  }
+
+  QString hint() const override
+  {
+    const QString outline =
+        ' ' + tr("Shift adds, Ctrl takes away, Alt reaches through. Then F: fixed, H: handle, R: rigid");
+    // In the order of `RegionShape`.
+    const std::array hints{tr("Paint a region. Shift adds, Ctrl takes away, [ and ] size the brush. Then F: fixed, "
+                              "H: handle, R: rigid"),
+                           tr("Drag a rectangle.") + outline, tr("Draw around vertices.") + outline,
+                           tr("Click a side that bends by less than %1° an edge ([ and ]). Double click: the whole "
+                              "part. Shift adds, Ctrl takes away")
+                               .arg(widget().GetSideAngle())};
+    return hints[static_cast<std::size_t>(widget().GetShape())];
+  }
+
+  bool cancel() override { return widget().Cancel(); }
+
+ private:
+  void start()
+  {
+    before_ = editor().selectedVertices();
+    ofModel_ = editor().model();
+  }
+
+  void reach(vtkObject* /*caller*/, unsigned long /*event*/, void* callData)
+  {
+    const auto& [reached, mode] = *static_cast<const RegionCallData*>(callData);
+    editor().selectVertices(joined(before_, reached, mode));
+  }
+
+  void restore()
+  {
+    // Another document may have been opened meanwhile.
+    if (editor().isOpen() && ofModel_.lock() == editor().model()) editor().selectVertices(before_);
+  }
+
+  std::vector<Index> before_;           // the selection when the gesture began
+  std::weak_ptr<const Model> ofModel_;  // the model at that time
+};
 
 constexpr std::size_t kLeastPlaces = 3;
 
@@ -74,6 +128,11 @@ class CurveTool : public ToolOf<SurfaceCurveWidget> {
 };
 
 }  // namespace
+
+Tool* newRegionTool(RegionShape shape, Editor& editor, Viewport& viewport)
+{
+  return new RegionTool(shape, editor, viewport);
+}
 
 Tool* newCurveTool(Editor& editor, Viewport& viewport)
 {

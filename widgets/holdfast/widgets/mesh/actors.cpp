@@ -1,21 +1,11 @@
-#include "holdfast/widgets/mesh/blended_actor.h"
+#include "holdfast/widgets/mesh/actors.h"
 
 #include <vtkObjectFactory.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLState.h>
-#include <vtkProperty.h>
 #include <vtkRenderer.h>
 
 namespace holdfast {
-namespace {
-
-// GL_LEQUAL and GL_GREATER.
-constexpr unsigned int kAsNearOrNearer = 0x0203;
-constexpr unsigned int kFarther = 0x0204;
-
-constexpr double kFaintOpacity = 0.30;
-
-}  // namespace
 
 vtkStandardNewMacro(BlendedActor);
 
@@ -29,13 +19,11 @@ void BlendedActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
 
 vtkStandardNewMacro(BehindActor);
 
-BehindActor::BehindActor()
-{
-  GetProperty()->SetOpacity(kFaintOpacity);
-}
-
 void BehindActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
 {
+  // GL_LEQUAL and GL_GREATER.
+  constexpr unsigned int kAsNearOrNearer = 0x0203;
+  constexpr unsigned int kFarther = 0x0204;
   vtkOpenGLState* const state = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow())->GetState();
   state->vtkglDepthFunc(kFarther);
   BlendedActor::Render(renderer, mapper);

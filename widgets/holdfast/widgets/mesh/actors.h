@@ -1,8 +1,8 @@
 #pragma once
-/// Repeated steps of setting up an actor.
+/// Actors that are blended with what is there, without an order of their own, and repeated steps of setting up actors.
 
-#include <vtkActor.h>
 #include <vtkNew.h>
+#include <vtkOpenGLActor.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
@@ -10,6 +10,31 @@
 #include <holdfast/widgets/color/color_map.h>
 
 namespace holdfast {
+
+/// Drawn with the opaque actors, in their order, blended with the picture so far, without writing depths. VTK's own
+/// translucent pass copies the depths and so waits for the whole picture on a machine without a GPU.
+class BlendedActor : public vtkOpenGLActor {
+ public:
+  static BlendedActor* New();
+  vtkTypeMacro(BlendedActor, vtkOpenGLActor)
+
+  void Render(vtkRenderer* renderer, vtkMapper* mapper) override;
+
+ protected:
+  BlendedActor() { ForceOpaqueOn(); }
+};
+
+/// Draws only what is behind the picture so far.
+class BehindActor : public BlendedActor {
+ public:
+  static BehindActor* New();
+  vtkTypeMacro(BehindActor, BlendedActor)
+
+  void Render(vtkRenderer* renderer, vtkMapper* mapper) override;
+
+ protected:
+  BehindActor() { GetProperty()->SetOpacity(0.30); }
+};
 
 /// `Actor`: of three dimensions or of two.
 template <class Actor>

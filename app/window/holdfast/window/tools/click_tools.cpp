@@ -1,0 +1,240 @@
+#include <array>
+#include <vector>
+
+#include <vtkRenderer.h>
+
+#include <holdfast/base/error.h>
+#include <holdfast/widgets/interaction/constraint_mark_widget.h>
+#include <holdfast/widgets/interaction/interaction_events.h>
+#include <holdfast/widgets/interaction/surface_point_widget.h>
+#include <holdfast/widgets/interaction/surface_ruler_widget.h>
+#include <holdfast/window/model/constraint_actions.h>
+#include <holdfast/window/tools/tools.h>
+
+namespace holdfast {
+namespace {
+
+class SelectTool : public ToolOf<ConstraintMarkWidget> {
+ public:
+  SelectTool(Editor& editor, Viewport& viewport) : ToolOf(editor, viewport)
+  {
+    widget().AddObserver(vtkCommand::PickEvent, this, &SelectTool::pick);
+    connect(&viewport, &Viewport::marksChanged, this, &SelectTool::followMarks);
+  }
+
+  Qt::CursorShape cursor() const override { return Qt::ArrowCursor; }
+
+  QString hint() const override { return tr("Click a constraint to select it, drag to turn the picture"); }
+
+ private:
+  void followMarks()
+  {
+    widget().GetConstraintMarkRepresentation()->SetSection(viewport().section());
+    widget().SetMarks(viewport().contents() ? viewport().contents()->sharedMarks() : nullptr);
+  }
+
+  void pick(vtkObject* /*caller*/, unsigned long /*event*/, void* picked)
+  {
+    const auto& [constraint, isAdded] = *static_cast<const ConstraintPick*>(picked);
+    if (!isAdded) return editor().selectConstraints(constraint ? std::vector{*constraint} : std::vector<Index>{});
+    if (!constraint) return;
+    auto selected = editor().selectedConstraints();
+    if (std::erase(selected, *constraint) == 0) selected.push_back(*constraint);
+    editor().selectConstraints(std::move(selected));
+  }
+};
+
+class PointTool : public ToolOf<SurfacePointWidget> {
+ public:
+  PointTool(Editor& editor, Viewport& viewport) : ToolOf(editor, viewport)
+  {
+    widget().AddObserver(vtkCommand::InteractionEvent, this, &PointTool::preview);
+    widget().AddObserver(vtkCommand::PlacePointEvent, this, &PointTool::place);
+    widget().AddObserver(vtkCommand::WidgetValueChangedEvent, this, &PointTool::changed);
+  }
+
+  QString hint() const override
+  {
+    // In the order of `PickKind`.
+    const std::array hints{tr("Click a point of the surface to hold it. V: vertices only, E: edges, F: faces"),
+                           tr("Click a vertex to hold it. E: edges, F: faces, A: whatever is nearest"),
+                           tr("Click an edge to hold a point of it. V: vertices, F: faces, A: whatever is nearest"),
+                           tr("Click a face to hold a point of it. V: vertices, E: edges, A: whatever is nearest")};
+    return hints[static_cast<std::size_t>(widget().GetKind())];
+  }
+
+  void end() override
+  {
+    ToolOf::end();
+    Q_EMIT viewport().previewChanged(std::nullopt);
+  }
+
+  void leave() override
+  {
+    widget().HidePreview();
+    Q_EMIT viewport().previewChanged(std::nullopt);
+  }
+
+  bool wants(const QKeyEvent& event) const override
+  {
+    const char key = characterOf(event);
+    return key != '\0' && widget().WantsKey(key);
+  }
+
+ private:
+  void preview(vtkObject* /*caller*/, unsigned long /*event*/, void* pick)
+  {
+    const auto* shown = static_cast<const SurfacePick*>(pick);
+    Q_EMIT viewport().previewChanged(shown != nullptr ? std::optional(*shown) : std::nullopt);
+  }
+
+  void place(vtkObject* /*caller*/, unsigned long /*event*/, void* pick)
+  {
+    holdPoint(editor(), *static_cast<const SurfacePick*>(pick));
+  }
+};
+
+class RelativeTool : public ToolOf<SurfaceRulerWidget> {
+ public:
+  RelativeTool(Editor& editor, Viewport& viewport) : ToolOf(editor, viewport)
+  {
+    widget().AddObserver(vtkCommand::PlacePointEvent, this, &RelativeTool::forgetRefusal);
+    widget().AddObserver(CancelInteractionEvent, this, &RelativeTool::forgetRefusal);
+    widget().AddObserver(vtkCommand::EndInteractionEvent, this, &RelativeTool::keep);
+    widget().GetRulerRepresentation()->ShowVectorOn();
+    selected_->ShowVectorOn();
+    selected_->SetRenderer(&viewport.widgetRenderer());
+    viewport.widgetRenderer().AddViewProp(selected_);
+    connect(&editor, &Editor::constraintSelectionChanged, this, &RelativeTool::showSelected);
+    connect(&editor, &Editor::stateChanged, this, &RelativeTool::showSelected);
+  }
+
+  QString hint() const override
+  {
+    if (!refusal_.isEmpty()) return refusal_;
+    if (widget().GetLocation(0)) return tr("Click the second point; Escape takes the first one back");
+    return tr("Click two points of the surface to keep the vector from the first to the second");
+  }
+
+  bool cancel() override
+  {
+    if (!widget().IsUnderWay()) return false;
+    widget().Cancel();
+    return true;
+  }
+
+ private:
+  void followSurface() override
+  {
+    ToolOf::followSurface();
+    selected_->SetSurface(viewport().surface());
+  }
+
+  void followDisplay() override
+  {
+    for (SurfaceRulerRepresentation* const arrow : {widget().GetRulerRepresentation(), selected_.Get()}) {
+      arrow->SetPixelRatio(viewport().pixelRatio());
+      arrow->SetUnits(editor().isOpen() ? editor().list().units : "");
+    }
+    selected_->SetVisibility(viewport().display().areConstraintsShown ? 1 : 0);
+  }
+
+  void forgetRefusal()
+  {
+    refusal_.clear();
+    Q_EMIT changed();
+  }
+
+  void keep()
+  {
+    const SurfaceLocation first = *widget().GetLocation(0);
+    const SurfaceLocation second = *widget().GetLocation(1);
+    const bool isOnePlace = widget().GetRestDistance() == 0;
+    widget().Clear();
+    if (isOnePlace)
+      refusal_ = tr("Both clicks took the same place, which has no vector: click two places that are apart");
+    else
+      keepVector(editor(), second, first);
+    Q_EMIT changed();
+  }
+
+  void showSelected()
+  {
+    for (const int end : {0, 1}) selected_->GetHandle(end).SetPlacement(std::nullopt);
+    if (!editor().isOpen() || editor().selectedConstraints().size() != 1) return;
+    const Constraint& constraint = editor().list().constraints[editor().selectedConstraints().front()];
+    const auto* relative = std::get_if<RelativeConstraint>(&constraint.what);
+    if (relative == nullptr) return;
+    try {
+      selected_->GetHandle(0).SetLocation(relative->to);
+      selected_->GetHandle(1).SetLocation(relative->from);
+    } catch (const InputError&) {
+      // The mesh has no such place: the inspector says so, and there is no arrow.
+      selected_->GetHandle(0).SetPlacement(std::nullopt);
+    }
+  }
+
+  QString refusal_;  // of the last two clicks; empty if they made a constraint
+  vtkNew<SurfaceRulerRepresentation> selected_;
+};
+
+class RulerTool : public ToolOf<SurfaceRulerWidget> {
+ public:
+  RulerTool(Editor& editor, Viewport& viewport) : ToolOf(editor, viewport)
+  {
+    setObjectName("rulerTool");
+    widget().AddObserver(vtkCommand::PlacePointEvent, this, &RulerTool::changed);
+    widget().AddObserver(CancelInteractionEvent, this, &RulerTool::changed);
+  }
+
+  QString hint() const override
+  {
+    if (widget().GetLocation(1)) return tr("Drag an end to measure elsewhere; Escape takes the ruler away");
+    if (widget().GetLocation(0)) return tr("Click the second point; Escape takes the first one back");
+    return tr("Click two points of the surface to measure between them, now and at rest");
+  }
+
+  bool cancel() override
+  {
+    if (!widget().GetLocation(0)) return false;
+    if (widget().IsUnderWay()) {
+      widget().Cancel();
+    } else {
+      widget().Clear();
+      widget().Render();
+    }
+    Q_EMIT changed();
+    return true;
+  }
+
+ private:
+  void followSurface() override
+  {
+    ToolOf::followSurface();
+    if (editor().isOpen()) widget().SetUnits(editor().list().units);
+  }
+};
+
+}  // namespace
+
+Tool* newSelectTool(Editor& editor, Viewport& viewport)
+{
+  return new SelectTool(editor, viewport);
+}
+
+Tool* newPointTool(Editor& editor, Viewport& viewport)
+{
+  return new PointTool(editor, viewport);
+}
+
+Tool* newRelativeTool(Editor& editor, Viewport& viewport)
+{
+  return new RelativeTool(editor, viewport);
+}
+
+Tool* newRulerTool(Editor& editor, Viewport& viewport)
+{
+  return new RulerTool(editor, viewport);
+}
+
+}  // namespace holdfast
