@@ -414,7 +414,6 @@ void Viewport::renderAtOnce()
   window_->Render();
   fence_->set();
   fullMilliseconds_ = millisecondsOf(drawing_);
-  overlay_->update();
   Q_EMIT rendered();
 }
 
@@ -437,7 +436,6 @@ void Viewport::goOnWhenDrawn()
   // Before its first painting there is no OpenGL context, and nothing was drawn.
   if (isValid()) window_->Frame();
   waiting_.start();
-  overlay_->update();
   Q_EMIT rendered();
 }
 
