@@ -77,6 +77,16 @@ TEST_F(LargeMeshInWindow, EveryPictureOfAMovementIsSeen)
   EXPECT_TRUE(test::waitUntil([&] { return isSeen; }));
 }
 
+TEST_F(LargeMeshInWindow, PicturesAreOpaque)
+{
+  const QImage rested = viewport().grabFramebuffer();
+  ASSERT_TRUE(rested.hasAlphaChannel());
+  EXPECT_TRUE(test::isOpaque(rested));
+  trigger("viewFront");
+  ASSERT_TRUE(test::waitUntil([&] { return viewport().grabFramebuffer() != rested; }));
+  EXPECT_TRUE(test::isOpaque(viewport().grabFramebuffer())) << "of fewer triangles";
+}
+
 TEST_F(LargeMeshInWindow, WhatElseChangesIsShownTogetherWithThePicture)
 {
   auto* label = window.findChild<QWidget*>("statusNumbers");
