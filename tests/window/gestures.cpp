@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QElapsedTimer>
+#include <QImage>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QTimer>
@@ -43,6 +44,14 @@ bool waitUntil(const std::function<bool()>& condition, std::chrono::milliseconds
     // Without a time of its own: with one Qt does not wait, and takes a whole core from what is waited for.
     QApplication::processEvents(QEventLoop::WaitForMoreEvents);
   }
+  return true;
+}
+
+bool isOpaque(const QImage& picture)
+{
+  for (int y = 0; y < picture.height(); ++y)
+    for (int x = 0; x < picture.width(); ++x)
+      if (qAlpha(picture.pixel(x, y)) != 255) return false;
   return true;
 }
 

@@ -9,6 +9,7 @@
 #include <functional>
 #include <vector>
 
+class QImage;
 class QWidget;
 
 namespace holdfast::test {
@@ -16,6 +17,9 @@ namespace holdfast::test {
 /// Handles events until `condition` holds. False where it does not within `limit`: the test fails then, nothing hangs.
 [[nodiscard]] bool waitUntil(const std::function<bool()>& condition,
                              std::chrono::milliseconds limit = std::chrono::seconds(60));
+
+/// Whether nothing behind the picture would be seen through it.
+[[nodiscard]] bool isOpaque(const QImage& picture);
 
 /// Shows the widget, and waits for it to be on the screen.
 [[nodiscard]] bool showAndWait(QWidget& widget);

@@ -91,6 +91,13 @@ TEST_F(SpherePanelOfPlate, ADragTurnsTheSphereAndPicksNothing)
   EXPECT_GT(placeOf(200).x(), from.x() + 10);
 }
 
+TEST_F(SpherePanelOfPlate, ThePictureIsOpaque)
+{
+  const QImage picture = view().grabFramebuffer();
+  ASSERT_TRUE(picture.hasAlphaChannel());
+  EXPECT_TRUE(test::isOpaque(picture));
+}
+
 TEST_F(SpherePanelOfPlate, KeysZoomAndHomeShowsEverythingAgain)
 {
   const double before = camera().GetParallelScale();

@@ -77,5 +77,29 @@ TEST_F(LargeMeshInWindow, EveryPictureOfAMovementIsSeen)
   EXPECT_TRUE(test::waitUntil([&] { return isSeen; }));
 }
 
+TEST_F(LargeMeshInWindow, PicturesAreOpaque)
+{
+  const QImage rested = viewport().grabFramebuffer();
+  ASSERT_TRUE(rested.hasAlphaChannel());
+  EXPECT_TRUE(test::isOpaque(rested));
+  trigger("viewFront");
+  ASSERT_TRUE(test::waitUntil([&] { return viewport().grabFramebuffer() != rested; }));
+  EXPECT_TRUE(test::isOpaque(viewport().grabFramebuffer())) << "of fewer triangles";
+}
+
+TEST_F(LargeMeshInWindow, WhatElseChangesIsShownTogetherWithThePicture)
+{
+  auto* label = window.findChild<QWidget*>("statusNumbers");
+  ASSERT_NE(label, nullptr);
+  ASSERT_TRUE(settle());
+  int shownTimes = 0;
+  QObject::connect(&viewport(), &QOpenGLWidget::frameSwapped, &viewport(), [&] { ++shownTimes; });
+  label->update();
+  viewport().scheduleWidgets();
+  EXPECT_TRUE(test::waitUntil([&] { return shownTimes > 0; }));
+  static_cast<void>(test::waitUntil([] { return false; }, std::chrono::milliseconds(100)));
+  EXPECT_EQ(shownTimes, 1);
+}
+
 }  // namespace
 }  // namespace holdfast

@@ -144,6 +144,7 @@ void RotationSphere::addTo(vtkRenderer& renderer)
     renderer.AddActor(actor);
   // What is behind it is seen through it.
   renderer.AddActor(shell_);
+  renderer.SetBackgroundAlpha(1);
   renderer.GetActiveCamera()->ParallelProjectionOn();
   observer_ = renderer.AddObserver(vtkCommand::StartEvent, this, &RotationSphere::hideTexts);
   applyLook();

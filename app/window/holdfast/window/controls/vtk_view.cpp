@@ -1,18 +1,41 @@
 #include "holdfast/window/controls/vtk_view.h"
 
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
 #include <QScopedValueRollback>
 #include <cmath>
+#include <utility>
 
 #include <QVTKInteractor.h>
+#include <QVTKRenderWindowAdapter.h>
 #include <vtkCommand.h>
+#include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkInteractorStyle.h>
-#include <vtkRenderWindow.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkOpenGLState.h>
 
 namespace holdfast {
 namespace {
 
 // In Qt's units.
 constexpr double kNotch = 120;
+
+/// Shows a picture by exchanging its two framebuffers; VTK's copies colours and depths from one to the other. The back
+/// buffer holds an older picture afterwards.
+class ExchangingWindow : public vtkGenericOpenGLRenderWindow {
+ public:
+  static ExchangingWindow* New();
+  vtkTypeMacro(ExchangingWindow, vtkGenericOpenGLRenderWindow)
+
+  void Frame() override
+  {
+    if (this->GetSwapBuffers() != 0) std::swap(this->RenderFramebuffer, this->DisplayFramebuffer);
+    this->InvokeEvent(vtkCommand::WindowFrameEvent);
+  }
+};
+
+vtkStandardNewMacro(ExchangingWindow);
 
 unsigned long vtkEventOf(const QMouseEvent& event)
 {
@@ -36,6 +59,9 @@ VtkView::VtkView(QWidget* parent) : QVTKOpenGLNativeWidget(parent)
 {
   // Sizes are in pixels of the window; scaled by the resolution as well, texts would be too large.
   setEnableHiDPI(false);
+  // Each painting replaces the whole picture, so Qt need not clear it.
+  setUpdateBehavior(PartialUpdate);
+  setRenderWindow(vtkNew<ExchangingWindow>());
   renderWindow()->SetMultiSamples(0);
   interactor()->EnableRenderOff();
   interactor()->AddObserver(vtkCommand::RenderEvent, this, &VtkView::tellRender);
@@ -51,8 +77,19 @@ void VtkView::paintGL()
   // Draws now what Qt wants painted and is not drawn yet.
   const QScopedValueRollback<bool> painting(isPainting_, true);
   interactor()->EnableRenderOn();
-  QVTKOpenGLNativeWidget::paintGL();
+  vtkOpenGLRenderWindow& window = *RenderWindow;
+  vtkOpenGLState& state = *window.GetState();
+  state.Reset();
+  state.Push();
+  state.vtkglDepthFunc(GL_LEQUAL);
+  RenderWindowAdapter->paint();
   interactor()->EnableRenderOff();
+  // As VTK's painting, but without setting the opacity of all pixels, for which the window would wait. Pictures are
+  // opaque.
+  makeCurrent();
+  context()->functions()->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
+  window.BlitDisplayFramebuffer();
+  state.Pop();
 }
 
 bool VtkView::event(QEvent* event)

@@ -6,6 +6,7 @@
 #include <QToolTip>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include <QVTKInteractor.h>
 #include <vtkRenderWindow.h>
@@ -33,11 +34,6 @@ SpherePanel::SpherePanel(Editor& editor) : editor_(editor)
   view_->setFocusPolicy(Qt::StrongFocus);
   view_->setMinimumSize(120, 120);
   view_->installEventFilter(this);
-  drawing_.setSingleShot(true);
-  connect(&drawing_, &QTimer::timeout, this, [this] {
-    // Before its first frame the view has no OpenGL, and draws by itself.
-    if (view_->isVisible() && view_->isValid()) view_->renderWindow()->Render();
-  });
   connect(view_, &VtkView::renderWanted, this, &SpherePanel::redraw);
   view_->interactor()->SetInteractorStyle(style_);
   style_->AddObserver(vtkCommand::PickEvent, this, &SpherePanel::pickVertex);
@@ -134,6 +130,18 @@ void SpherePanel::showPoints(const std::optional<Coloring>& coloring)
   summary_->setToolTip(tr("A point for each vertex: half its angle from the pole, towards its axis"));
   pages_->showContent();
   redraw();
+}
+
+void SpherePanel::redraw()
+{
+  if (std::exchange(isDrawingDue_, true)) return;
+  const auto draw = [this] {
+    isDrawingDue_ = false;
+    // Before its first frame the view has no OpenGL, and draws by itself.
+    if (view_->isVisible() && view_->isValid()) view_->renderWindow()->Render();
+  };
+  // After what lays out the window, before what paints it.
+  QMetaObject::invokeMethod(this, draw, Qt::QueuedConnection);
 }
 
 void SpherePanel::showVertex(std::optional<Index> vertex)

@@ -1,7 +1,6 @@
 #pragma once
 /// The panel with the rotation sphere: which rotations there are, and which vertex has which.
 
-#include <QTimer>
 #include <memory>
 #include <optional>
 
@@ -57,7 +56,8 @@ class SpherePanel : public RefreshedPanel {
     pages_->showHint(editor_.isOpen() ? tr("No rotation yet: give a handle a turn.") : tr("No mesh is open."));
   }
   void applyPalette();
-  void redraw() { drawing_.start(0); }
+  /// Once for all requests of one turn of the event loop.
+  void redraw();
   void pickVertex(vtkObject* /*caller*/, unsigned long /*event*/, void* vertex)
   {
     Q_EMIT vertexPicked(*static_cast<const Index*>(vertex));
@@ -68,7 +68,7 @@ class SpherePanel : public RefreshedPanel {
   HintedContent* pages_ = nullptr;
   QLabel* summary_ = nullptr;
   VtkView* view_ = nullptr;
-  QTimer drawing_;  // once for all requests of one turn of the event loop
+  bool isDrawingDue_ = false;
   vtkSmartPointer<vtkRenderer> renderer_;
   vtkNew<RotationSphereStyle> style_;
   std::unique_ptr<RotationSphere> sphere_;  // from the first rotation that is to be shown

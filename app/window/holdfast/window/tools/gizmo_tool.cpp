@@ -4,6 +4,7 @@
 #include <QMarginsF>
 #include <QPainter>
 #include <algorithm>
+#include <utility>
 
 #include <holdfast/widgets/camera/display_transform.h>
 #include <holdfast/widgets/interaction/interaction_events.h>
@@ -36,6 +37,7 @@ GizmoTool::GizmoTool(Editor& editor, Viewport& viewport, QObject* parent)
   widget().AddObserver(vtkCommand::InteractionEvent, this, &GizmoTool::move);
   widget().AddObserver(vtkCommand::EndInteractionEvent, this, &GizmoTool::finish);
   widget().AddObserver(CancelInteractionEvent, this, &GizmoTool::finish);
+  connect(&viewport, &Viewport::rendered, this, &GizmoTool::moveLabel);
   for (const auto& signal : {&Editor::opened, &Editor::stateChanged, &Editor::constraintSelectionChanged})
     connect(&editor, signal, this, &GizmoTool::placeGizmo);
 }
@@ -126,6 +128,13 @@ QRectF GizmoTool::labelPlate() const
   QRectF plate = QFontMetricsF(labelFont()).boundingRect(QString::fromStdString(gizmo_.GetLabel())) + kLabelMargins;
   plate.moveBottomLeft(viewport().toPlace(gizmo_.GetLabelPosition()) + kLabelOffset);
   return movedInto(plate, viewport().rect());
+}
+
+void GizmoTool::moveLabel()
+{
+  const QRect plate = labelPlate().toAlignedRect();
+  for (const QRect& area : {std::exchange(painted_, plate), plate})
+    if (!area.isEmpty()) Q_EMIT paintChanged(area);
 }
 
 void GizmoTool::paint(QPainter& painter) const

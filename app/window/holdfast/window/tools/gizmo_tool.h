@@ -65,6 +65,7 @@ class GizmoTool : public ToolOf<GizmoWidget> {
  private:
   void placeGizmo();
   void placeFrame();
+  void moveLabel();
   void highlight();
   void start();
   void move(vtkObject* caller, unsigned long event, void* motion);
@@ -85,6 +86,7 @@ class GizmoTool : public ToolOf<GizmoWidget> {
   DisplayTransform view_;                    // when the drag began
   Vector3 pivot_ = Vector3::Zero();
   double degreesSeen_ = 0;  // so far
+  QRect painted_;           // by the label
 };
 
 }  // namespace holdfast

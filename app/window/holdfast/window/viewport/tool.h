@@ -7,6 +7,7 @@
 
 class QKeyEvent;
 class QPainter;
+class QRect;
 class vtkAbstractWidget;
 
 namespace holdfast {
@@ -39,8 +40,10 @@ class Tool : public QObject {
   virtual void paint(QPainter& /*painter*/) const {}
 
  Q_SIGNALS:
-  /// `paint` or `hint` gives another result now.
+  /// `hint` gives another result now.
   void changed();
+  /// `paint` gives another result there.
+  void paintChanged(const QRect& area);
 
  protected:
   /// All outlive the tool.

@@ -360,10 +360,18 @@ void Viewport::paintGL()
   fence_->set();
 }
 
+void Viewport::schedulePicture()
+{
+  if (renderTimer_.isActive()) return;
+  renderTimer_.start(0);
+  // What else has changed in the window is shown together with the picture.
+  if (!isUnseen()) pause_.begin();
+}
+
 void Viewport::scheduleRender()
 {
   isSceneDue_ = true;
-  if (!renderTimer_.isActive()) renderTimer_.start(0);
+  schedulePicture();
   if (fullMilliseconds_ > kFluentMilliseconds) restTimer_.start();
 }
 
@@ -371,7 +379,7 @@ void Viewport::scheduleWidgets()
 {
   // A widget that has moved the camera does not report it, and the kept scene includes the balls in the corner.
   if (orientation_->GetProcessEvents() != 0 || kept_->isOutdated()) return scheduleRender();
-  if (!renderTimer_.isActive()) renderTimer_.start(0);
+  schedulePicture();
 }
 
 void Viewport::render()
@@ -414,7 +422,6 @@ void Viewport::renderAtOnce()
   window_->Render();
   fence_->set();
   fullMilliseconds_ = millisecondsOf(drawing_);
-  overlay_->update();
   Q_EMIT rendered();
 }
 
@@ -437,7 +444,6 @@ void Viewport::goOnWhenDrawn()
   // Before its first painting there is no OpenGL context, and nothing was drawn.
   if (isValid()) window_->Frame();
   waiting_.start();
-  overlay_->update();
   Q_EMIT rendered();
 }
 

@@ -131,6 +131,7 @@ class Viewport : public VtkView {
   void cameraMoved();
   void fitCamera(const ViewFrame& frame);
   void framePlaces(const Positions& places);
+  void schedulePicture();
   /// Avoids work for a full picture that will not be drawn.
   void prepareToMove();
   void render();

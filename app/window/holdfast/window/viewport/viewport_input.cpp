@@ -23,7 +23,7 @@ void Viewport::setTool(Tool* tool)
   tool_ = tool;
   if (tool_) {
     tool_->begin();
-    connect(tool_, &Tool::changed, overlay_, qOverload<>(&QWidget::update));
+    connect(tool_, &Tool::paintChanged, overlay_, qOverload<const QRect&>(&QWidget::update));
   }
   // Widgets that show another cursor return to this one.
   setDefaultCursor(tool_ ? tool_->cursor() : Qt::ArrowCursor);
@@ -34,7 +34,7 @@ void Viewport::setTool(Tool* tool)
 void Viewport::setFirstTool(Tool* tool)
 {
   firstTool_ = tool;
-  connect(tool, &Tool::changed, overlay_, qOverload<>(&QWidget::update));
+  connect(tool, &Tool::paintChanged, overlay_, qOverload<const QRect&>(&QWidget::update));
   overlay_->setTools({tool_, firstTool_});
 }
 
