@@ -31,8 +31,8 @@ FactorResult choleskyByEigen(const TwoWayMatrix& C)
 {
   auto cholesky = std::make_unique<Cholesky>(gramLower(C));
   if (cholesky->info() != Eigen::Success)
-    return {nullptr,
-            fmt::format("the normal equations of {} unknowns are not positive definite in doubles", C.columns().cols())};
+    return {nullptr, fmt::format("the normal equations of {} unknowns are not positive definite in doubles",
+                                 C.columns().cols())};
   return {std::make_unique<CholeskyByEigen>(std::move(cholesky)), {}};
 }
 
