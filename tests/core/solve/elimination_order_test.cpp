@@ -23,7 +23,7 @@ ConstraintList someConstraints()
   return list;
 }
 
-struct Reduced {
+struct ReducedPlate {
   Model model = makeModel(test::plate(40, 30));
   std::shared_ptr<const TwoWayMatrix> A =
       std::make_shared<const TwoWayMatrix>(weightedRows(makeOperators(model.solverMesh, Weights::Cotangent)));
@@ -40,7 +40,7 @@ struct Reduced {
 
 TEST(EliminationOrder, RanksEachUnknownOnce)
 {
-  const Reduced reduced;
+  const ReducedPlate reduced;
   std::vector<int> sorted = reduced.ranks;
   std::ranges::sort(sorted);
   std::vector<int> all(static_cast<std::size_t>(reduced.model.solverMesh.unknownCount()));
@@ -50,7 +50,7 @@ TEST(EliminationOrder, RanksEachUnknownOnce)
 
 TEST(EliminationOrder, PutsColumnsByTheLastOfTheirUnknowns)
 {
-  const Reduced reduced;
+  const ReducedPlate reduced;
   const SparseMatrix& Q2 = reduced.eliminated.elimination.Q2();
   const SparseMatrix ordered = orderedColumns(Q2, reduced.ranks);
   EXPECT_EQ(ordered.nonZeros(), Q2.nonZeros());
@@ -66,7 +66,7 @@ TEST(EliminationOrder, PutsColumnsByTheLastOfTheirUnknowns)
 
 TEST(EliminationOrder, OfTheWholeMeshServesASetOfConstraintsAsWellAsOneOfItsOwn)
 {
-  const Reduced reduced;
+  const ReducedPlate reduced;
   const auto whole = reduced.solver(reduced.ranks);
   const auto own = reduced.solver({});
   ASSERT_NE(whole, nullptr);
