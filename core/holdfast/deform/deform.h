@@ -22,8 +22,8 @@ struct DeformOptions {
 
 /// A deformed mesh, or (status `Failed`) the mesh at rest with the reason in the report.
 struct DeformResult {
-  Positions positions;  ///< of the file's vertices
-  Columns3 rotations;   ///< q of every unknown, n x 3, logs
+  Positions positions;   ///< of the file's vertices
+  Columns3 rotations;    ///< q of every unknown, n x 3, logs
   Columns3 multipliers;  ///< of the constraints, summed up at the unknowns that they name, n x 3; 0 at all others.
                          ///< Empty but for hard constraints
   Report report;
