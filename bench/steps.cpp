@@ -15,7 +15,8 @@ std::unique_ptr<const ConstrainedSolver> factorized(const Model& model, const Se
                                                     const SolverOptions& options)
 {
   const Columns3 centerd = model.solverMesh.rest.rowwise() - model.solverMesh.rest.colwise().mean();
-  SolverResult result = makeSolver({std::make_shared<const TwoWayMatrix>(weightedRows(setUp.operators)), eliminated, centerd}, options);
+  SolverResult result =
+      makeSolver({std::make_shared<const TwoWayMatrix>(weightedRows(setUp.operators)), eliminated, centerd}, options);
   if (result.value == nullptr) throw std::runtime_error(result.failure);
   return std::move(result.value);
 }
