@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <mutex>
 #include <utility>
 
 #include <fmt/format.h>
@@ -144,6 +145,9 @@ class Multifrontal {
   /// The place of the first pivot that is not positive, or `kAllPositive`.
   int run()
   {
+    // One factorisation at a time: `OneThread` has taken memory for one thread a core.
+    static std::mutex computing;
+    const std::scoped_lock lock(computing);
     const OneThread libraries;
     findDiagonal();
     std::vector<Workspace> ranges;
