@@ -2,18 +2,10 @@
 
 #include <holdfast/base/sparse_products.h>
 
-#include "support/random.h"
+#include "support/random_sparse.h"
 
 namespace holdfast {
 namespace {
-
-SparseMatrix randomSparse(test::Random& random, Index rows, Index columns)
-{
-  Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(rows, columns);
-  for (Index k = 0; k < 3 * columns; ++k)
-    dense(random.integer(0, rows - 1), random.integer(0, columns - 1)) = random.uniform(-1, 1);
-  return dense.sparseView(1, 0);
-}
 
 Columns3 randomColumns(test::Random& random, Index rows)
 {
@@ -24,8 +16,8 @@ TEST(SparseProducts, AreThoseOfDenseMatrices)
 {
   test::Random random(4);
   for (int turn = 0; turn < 50; ++turn) {
-    const SparseMatrix M = randomSparse(random, random.integer(1, 40), random.integer(1, 40));
-    const SparseMatrix N = randomSparse(random, M.cols(), random.integer(1, 40));
+    const SparseMatrix M = test::randomSparse(random, random.integer(1, 40), random.integer(1, 40));
+    const SparseMatrix N = test::randomSparse(random, M.cols(), random.integer(1, 40));
     const Eigen::MatrixXd dense = M;
     EXPECT_LT((Eigen::MatrixXd(product(M, N)) - dense * Eigen::MatrixXd(N)).cwiseAbs().maxCoeff(), 1e-14);
     const TwoWayMatrix C(M);

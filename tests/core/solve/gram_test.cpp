@@ -5,24 +5,16 @@
 #include <holdfast/solve/column_scaling.h>
 #include <holdfast/solve/gram.h>
 
-#include "support/random.h"
+#include "support/random_sparse.h"
 
 namespace holdfast {
 namespace {
-
-SparseMatrix randomSparse(test::Random& random, Index rows, Index columns)
-{
-  Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(rows, columns);
-  for (Index k = 0; k < 2 * columns; ++k)
-    dense(random.integer(0, rows - 1), random.integer(0, columns - 1)) = random.uniform(-1, 1);
-  return dense.sparseView(1, 0);
-}
 
 TEST(Gram, IsTheLowerTriangleOfTheProduct)
 {
   for (std::uint32_t seed = 0; seed < 50; ++seed) {
     test::Random random(seed);
-    const SparseMatrix C = randomSparse(random, random.integer(1, 20), random.integer(1, 20));
+    const SparseMatrix C = test::randomSparse(random, random.integer(1, 20), random.integer(1, 20));
     const SparseMatrix gram = gramLower(TwoWayMatrix(C));
     const Eigen::MatrixXd dense = C;
     const Eigen::MatrixXd product = dense.transpose() * dense;
@@ -34,7 +26,7 @@ TEST(Gram, IsTheLowerTriangleOfTheProduct)
 TEST(Gram, HasAscendingRowsInEachColumn)
 {
   test::Random random(3);
-  const SparseMatrix gram = gramLower(TwoWayMatrix(randomSparse(random, 40, 30)));
+  const SparseMatrix gram = gramLower(TwoWayMatrix(test::randomSparse(random, 40, 30)));
   for (Index j = 0; j < gram.cols(); ++j) {
     int last = -1;
     for (SparseMatrix::InnerIterator entry(gram, j); entry; ++entry) {
