@@ -3,9 +3,9 @@
 #include <cmath>
 #include <map>
 #include <random>
+#include <utility>
 
 #include <holdfast/elimination/sequential_qr.h>
-#include <holdfast/elimination/sparse_qr.h>
 
 namespace holdfast {
 namespace {
@@ -38,9 +38,23 @@ Eigen::MatrixXd inverseRows(const SparseMatrix& R1)
 
 }  // namespace
 
+Columns3 BlockElimination::Block::spanTimes(const Columns3& y) const
+{
+  if (Q.h.size() == 0) return Q1 * y;
+  Columns3 padded = Columns3::Zero(static_cast<Index>(unknowns.size()), 3);
+  padded.topRows(y.rows()) = y;
+  return Q.times(padded);
+}
+
+Columns3 BlockElimination::Block::spanTransposeTimes(const Columns3& x) const
+{
+  if (Q.h.size() == 0) return Q1.transpose() * x;
+  return Q.transposeTimes(x).topRows(static_cast<Index>(rows.size()));
+}
+
 BlockElimination::BlockElimination(const std::vector<RowTerms>& rows, const std::vector<Index>& independent,
                                    Index unknownCount, const std::vector<bool>& isHeld)
-    : pinnedTerms_(rows.size())
+    : pinnedTerms_(rows.size()), isHeld_(isHeld)
 {
   std::vector<bool> isPinned(static_cast<std::size_t>(unknownCount), false);
   for (const Index row : independent)
@@ -54,14 +68,14 @@ BlockElimination::BlockElimination(const std::vector<RowTerms>& rows, const std:
       for (const Term& term : rows[row]) (isPinned[term.index] ? pinnedTerms_ : left)[row].push_back(term);
   for (const RowComponent& component : connectedRows(left, unknownCount))
     blocks_.push_back(isDense(component) ? denseBlock(left, component) : sparseBlock(left, component));
-  Q2_ = assembleQ2(unknownCount, isHeld);
+  Q2_ = assembleQ2();
 }
 
 BlockElimination::Block BlockElimination::denseBlock(const std::vector<RowTerms>& rows, const RowComponent& component)
 {
   const Eigen::MatrixXd BT = transposedBlock(rows, component);
   SequentialQr qr(BT.rows(), BT.cols());
-  Block block{{}, component.unknowns, {}, {}, {}};
+  Block block{{}, component.unknowns, {}, {}, {}, {}};
   for (Index k = 0; k < BT.cols(); ++k)
     if (!qr.add(BT.col(k))) block.rows.push_back(component.rows[k]);
   const Eigen::MatrixXd Q = qr.applyQ(Eigen::MatrixXd::Identity(BT.rows(), BT.rows()));
@@ -75,23 +89,33 @@ BlockElimination::Block BlockElimination::sparseBlock(const std::vector<RowTerms
 {
   SparseMatrix BT = transposedBlock(rows, component);
   const Eigen::VectorXd lengths = normalizeColumns(BT);
-  const SparseQrResult qr = sparseQr(BT, kRankTolerance, WantQ::Yes);
-  Block block{{}, component.unknowns, {}, {}, {}};
+  SparseQrResult qr = sparseQr(BT, kRankTolerance, WantQ::Yes);
+  Block block{{}, component.unknowns, qr.R.leftCols(qr.rank), {}, {}, std::move(qr.Q)};
   for (Index k = 0; k < qr.rank; ++k) block.rows.push_back(component.rows[qr.columns[k]]);
-  block.Q1 = qr.Q.leftCols(qr.rank);
-  block.Q2 = qr.Q.rightCols(BT.rows() - qr.rank);
-  block.R1 = qr.R.leftCols(qr.rank);
   for (Index k = 0; k < qr.rank; ++k) block.R1.col(k) *= lengths[qr.columns[k]];
   return block;
 }
 
-SparseMatrix BlockElimination::assembleQ2(Index unknownCount, const std::vector<bool>& isHeld) const
+SparseMatrix BlockElimination::wholeQ2() const
 {
-  std::vector<Index> role(static_cast<std::size_t>(unknownCount), kNotPivot);
+  BlockElimination whole = *this;
+  for (Block& block : whole.blocks_)
+    if (block.isKept()) {
+      block.Q2 = block.Q.columnsFrom(static_cast<Index>(block.rows.size()));
+      block.Q = {};
+    }
+  return whole.assembleQ2();
+}
+
+SparseMatrix BlockElimination::assembleQ2() const
+{
+  const auto unknownCount = static_cast<Index>(isHeld_.size());
+  std::vector<Index> role(isHeld_.size(), kNotPivot);
   for (Index u = 0; u < unknownCount; ++u)
-    if (isHeld[u]) role[u] = kTaken;
+    if (isHeld_[u]) role[u] = kTaken;
   for (const Pin& pin : pins_) role[pin.unknown] = kTaken;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    if (blocks_[b].isKept()) continue;
     for (const Index u : blocks_[b].unknowns) role[u] = kTaken;
     role[blocks_[b].unknowns.front()] = static_cast<Index>(b);
   }
@@ -123,8 +147,7 @@ Columns3 BlockElimination::particular(const Columns3& d) const
       for (const Term& term : pinnedTerms_[block.rows[k]]) y.row(k) -= term.coefficient * u.row(term.index);
     }
     block.R1.transpose().triangularView<Eigen::Lower>().solveInPlace(y);  // R1^T y = d, (18)
-    const Columns3 part = block.Q1 * y;
-    u(block.unknowns, Eigen::all) = part;
+    u(block.unknowns, Eigen::all) = block.spanTimes(y);
   }
   return u;
 }
@@ -134,8 +157,7 @@ Columns3 BlockElimination::multipliers(const Columns3& gradient, Index rowCount)
   Columns3 result = Columns3::Zero(rowCount, 3);
   Columns3 left = gradient;
   for (const Block& block : blocks_) {
-    const Columns3 part = gradient(block.unknowns, Eigen::all);
-    Columns3 y = block.Q1.transpose() * part;
+    Columns3 y = block.spanTransposeTimes(gradient(block.unknowns, Eigen::all));
     block.R1.triangularView<Eigen::Upper>().solveInPlace(y);
     for (std::size_t k = 0; k < block.rows.size(); ++k) {
       result.row(block.rows[k]) = y.row(k);

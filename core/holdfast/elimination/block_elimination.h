@@ -4,28 +4,40 @@
 #include <vector>
 
 #include <holdfast/elimination/row_components.h>
+#include <holdfast/elimination/sparse_qr.h>
 
 namespace holdfast {
 
 /// `Elimination` over rows of which none is the difference of two unknowns. A pin is an identity column, its value
 /// copied; what pins leave of the other rows falls into components, each with a Householder QR of its own, dense when
-/// small and sparse when large.
+/// small and sparse when large. Q2 of a large one would be nearly dense: its unknowns stay in the system, and its rows
+/// with them.
 class BlockElimination {
  public:
   /// One component of what pins leave of the rows.
   struct Block {
     std::vector<Index> rows;  ///< in the order of R1
     std::vector<Index> unknowns;
-    SparseMatrix Q1;  ///< unknowns x rows
     SparseMatrix R1;  ///< upper triangular
-    SparseMatrix Q2;  ///< unknowns x (unknowns - rows)
+    SparseMatrix Q1;  ///< unknowns x rows; empty where Q is a product
+    SparseMatrix Q2;  ///< unknowns x (unknowns - rows); empty where rows are kept
+    Reflections Q;    ///< of a large component
+
+    [[nodiscard]] bool isKept() const { return Q.h.size() > 0 && rows.size() < unknowns.size(); }
+    /// Q1 y.
+    [[nodiscard]] Columns3 spanTimes(const Columns3& y) const;
+    /// Q1^T x.
+    [[nodiscard]] Columns3 spanTransposeTimes(const Columns3& x) const;
   };
 
   BlockElimination(const std::vector<RowTerms>& rows, const std::vector<Index>& independent, Index unknownCount,
                    const std::vector<bool>& isHeld);
 
-  /// Orthonormal; a free unknown has an identity column.
+  /// Orthonormal; an unknown that is free or named by kept rows has an identity column.
   [[nodiscard]] const SparseMatrix& Q2() const noexcept { return Q2_; }
+
+  /// Q2 with no row kept: see `Elimination::wholeQ2`.
+  [[nodiscard]] SparseMatrix wholeQ2() const;
 
   /// Q1 y with R1^T y = d, (18). Pins are copied bit for bit.
   [[nodiscard]] Columns3 particular(const Columns3& d) const;
@@ -46,11 +58,12 @@ class BlockElimination {
 
   [[nodiscard]] static Block denseBlock(const std::vector<RowTerms>& rows, const RowComponent& component);
   [[nodiscard]] static Block sparseBlock(const std::vector<RowTerms>& rows, const RowComponent& component);
-  [[nodiscard]] SparseMatrix assembleQ2(Index unknownCount, const std::vector<bool>& isHeld) const;
+  [[nodiscard]] SparseMatrix assembleQ2() const;
 
   std::vector<Pin> pins_;
   std::vector<RowTerms> pinnedTerms_;  // of each row: its terms at pinned unknowns
   std::vector<Block> blocks_;
+  std::vector<bool> isHeld_;
   SparseMatrix Q2_;
 };
 

@@ -27,7 +27,7 @@ struct Diagnosis {
   std::vector<DependentRow> dependent;  ///< ascending by row
   std::vector<double> limits;  ///< of each row: the largest residual with which it is met, see `residualLimits`
   /// The redundant rows, when the independent ones alone would miss some of them: see
-  /// `Elimination::reconciledParticular`.
+  /// `reconciledParticular`.
   std::vector<Index> reconciled;
 
   [[nodiscard]] bool hasConflicts() const;

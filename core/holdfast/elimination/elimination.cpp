@@ -5,122 +5,13 @@
 #include <map>
 #include <numeric>
 #include <span>
-#include <utility>
 #include <vector>
 
-#include <holdfast/base/disjoint_sets.h>
 #include <holdfast/elimination/block_elimination.h>
 #include <holdfast/elimination/merged_unknowns.h>
-#include <holdfast/elimination/sparse_qr.h>
 
 namespace holdfast {
 namespace {
-
-constexpr Index kNoBlock = -1;
-constexpr int kCorrections = 2;
-
-/// Blocks that redundant rows join, and all rows that hang on them.
-struct Group {
-  std::vector<const BlockElimination::Block*> blocks;
-  std::vector<Index> rows;  // independent ones, then redundant ones
-  bool isJoined = false;    // by a redundant row
-};
-
-std::vector<Index> blockOfUnknowns(const BlockElimination& elimination)
-{
-  std::vector<Index> blockOf(static_cast<std::size_t>(elimination.Q2().rows()), kNoBlock);
-  for (std::size_t b = 0; b < elimination.blocks().size(); ++b)
-    for (const Index u : elimination.blocks()[b].unknowns) blockOf[u] = static_cast<Index>(b);
-  return blockOf;
-}
-
-/// A row without an unknown in a block hangs on pins alone.
-Index firstBlock(const RowTerms& row, const std::vector<Index>& blockOf)
-{
-  for (const Term& term : row)
-    if (blockOf[term.index] != kNoBlock) return blockOf[term.index];
-  return kNoBlock;
-}
-
-std::vector<Group> groupsOf(const std::vector<BlockElimination::Block>& blocks, const std::vector<RowTerms>& rows,
-                            const std::vector<Index>& redundant, const std::vector<Index>& blockOf)
-{
-  DisjointSets sets(static_cast<Index>(blocks.size()));
-  for (const Index row : redundant)
-    for (const Term& term : rows[row])
-      if (const Index block = blockOf[term.index]; block != kNoBlock) sets.unite(block, firstBlock(rows[row], blockOf));
-
-  std::vector<Group> groups(blocks.size());  // by representative
-  for (std::size_t b = 0; b < blocks.size(); ++b) {
-    Group& group = groups[sets.find(static_cast<Index>(b))];
-    group.blocks.push_back(&blocks[b]);
-    group.rows.insert(group.rows.end(), blocks[b].rows.begin(), blocks[b].rows.end());
-  }
-  for (const Index row : redundant)
-    if (const Index block = firstBlock(rows[row], blockOf); block != kNoBlock) {
-      groups[sets.find(block)].rows.push_back(row);
-      groups[sets.find(block)].isJoined = true;
-    }
-  std::erase_if(groups, [](const Group& group) { return !group.isJoined; });
-  return groups;
-}
-
-/// The unit vectors of the blocks' Q1, n x (rows of the blocks).
-SparseMatrix spanOf(const Group& group, Index unknownCount)
-{
-  std::vector<Eigen::Triplet<double, int>> entries;
-  int column = 0;
-  for (const BlockElimination::Block* block : group.blocks)
-    for (int k = 0; k < block->Q1.outerSize(); ++k, ++column)
-      for (SparseMatrix::InnerIterator entry(block->Q1, k); entry; ++entry)
-        entries.emplace_back(static_cast<int>(block->unknowns[entry.row()]), column, entry.value());
-  SparseMatrix span(unknownCount, column);
-  span.setFromTriplets(entries.begin(), entries.end());
-  return span;
-}
-
-/// y of least |M y - d|, M of full column rank, by corrected semi-normal equations (Björck, 1987): Q would be as large
-/// as the rows are many, squared.
-Columns3 leastSquares(SparseMatrix M, const Columns3& d)
-{
-  const SparseMatrix original = M;
-  const Eigen::VectorXd lengths = normalizeColumns(M);
-  const SparseQrResult qr = sparseQr(M, -1, WantQ::No);
-  const SparseMatrix R = qr.R.leftCols(qr.rank);
-  const auto solve = [&](const Columns3& residual) {
-    const Columns3 right = M.transpose() * residual;
-    Columns3 x(qr.rank, 3);
-    for (Index k = 0; k < qr.rank; ++k) x.row(k) = right.row(qr.columns[k]);
-    R.transpose().triangularView<Eigen::Lower>().solveInPlace(x);
-    R.triangularView<Eigen::Upper>().solveInPlace(x);
-    Columns3 y = Columns3::Zero(M.cols(), 3);
-    for (Index k = 0; k < qr.rank; ++k) y.row(qr.columns[k]) = x.row(k) / lengths[qr.columns[k]];
-    return y;
-  };
-  Columns3 y = solve(d);
-  for (int correction = 0; correction < kCorrections; ++correction) y += solve(d - original * y);
-  return y;
-}
-
-/// As `BlockElimination::particular`, with `redundant` rows of `rows` met as well: see
-/// `Elimination::reconciledParticular`.
-Columns3 reconciled(const BlockElimination& elimination, const std::vector<RowTerms>& rows,
-                    const std::vector<Index>& redundant, const Columns3& d)
-{
-  Columns3 u = elimination.particular(d);
-  const std::vector<Index> blockOf = blockOfUnknowns(elimination);
-  for (const Group& group : groupsOf(elimination.blocks(), rows, redundant, blockOf)) {
-    // What the group's blocks hold is found anew; what pins hold is known.
-    for (const BlockElimination::Block* block : group.blocks) u(block->unknowns, Eigen::all).setZero();
-    std::vector<RowTerms> terms;
-    for (const Index row : group.rows) terms.push_back(rows[row]);
-    const SparseMatrix B = constraintMatrix(terms, u.rows());
-    const SparseMatrix span = spanOf(group, u.rows());
-    const Columns3 asked = d(group.rows, Eigen::all);
-    u += span * leastSquares(B * span, asked - B * u);
-  }
-  return u;
-}
 
 double rootOfSize(const MergedUnknowns& groups, Index group)
 {
@@ -300,10 +191,18 @@ Columns3 Elimination::particular(const Columns3& d) const
   return offsets + membership_ * blocks_.particular(askedOfGroups(d, offsets));
 }
 
-Columns3 Elimination::reconciledParticular(const std::vector<Index>& redundant, const Columns3& d) const
+std::vector<Index> Elimination::kept() const
 {
-  const Columns3 offsets = merged_.offsets(d);
-  return offsets + membership_ * reconciled(blocks_, contracted_, redundant, askedOfGroups(d, offsets));
+  std::vector<Index> result;
+  for (const BlockElimination::Block& block : blocks_.blocks())
+    if (block.isKept()) result.insert(result.end(), block.rows.begin(), block.rows.end());
+  std::ranges::sort(result);
+  return result;
+}
+
+SparseMatrix Elimination::wholeQ2() const
+{
+  return membership_ * blocks_.wholeQ2();
 }
 
 Columns3 Elimination::askedOfGroups(const Columns3& d, const Columns3& offsets) const

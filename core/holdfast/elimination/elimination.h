@@ -8,26 +8,30 @@
 
 namespace holdfast {
 
-/// Splits displacements: u = particular(d) + Q2 z has B u = d for every z. Unknowns that difference rows tie together
-/// are one group, with one column however many they are; everything else is eliminated over groups, block by block.
+/// Splits displacements: u = particular(d) + Q2 z has B u = d for every z for which the rows `kept()` of B Q2 z are 0.
+/// Unknowns that difference rows tie together are one group, with one column however many they are; everything else is
+/// eliminated over groups, block by block.
 class Elimination {
  public:
   /// `independent` names independent rows, ascending. Unknowns with `isHeld` have the displacement 0; no row names one.
   Elimination(const std::vector<RowTerms>& rows, const std::vector<Index>& independent, Index unknownCount,
               const std::vector<bool>& isHeld);
 
-  /// n x k, orthogonal columns that span the displacements with B u = 0 and 0 where held. A free unknown has an
-  /// identity column, a free group one of ones.
+  /// n x k, orthogonal columns that span the displacements with B u = 0 in all rows that are not kept, and 0 where held.
+  /// A free unknown has an identity column, a free group one of ones.
   [[nodiscard]] const SparseMatrix& Q2() const noexcept { return Q2_; }
+
+  /// The independent rows of large components, ascending. A basis of what they leave free would be nearly dense, so
+  /// they stay in the system that is solved, with multipliers.
+  [[nodiscard]] std::vector<Index> kept() const;
+
+  /// Q2 with no row kept: spans the displacements with B u = 0. O(its entries), which may be as many as the square of
+  /// the unknowns of a large component.
+  [[nodiscard]] SparseMatrix wholeQ2() const;
 
   /// The displacement in the span of the rows with B u = d, n x 3. `d` has a row for each row that the constructor was
   /// given; those that are not independent are not looked at. Pins are copied bit for bit.
   [[nodiscard]] Columns3 particular(const Columns3& d) const;
-
-  /// The same by least squares over the independent and the `redundant` rows. Where coefficients of circuits are large,
-  /// `particular` misses redundant rows by as much as rounding of d grows along the circuit; this misses none by more
-  /// than the smallest change of d that makes all agree. One sparse QR for each set of blocks that redundant rows join.
-  [[nodiscard]] Columns3 reconciledParticular(const std::vector<Index>& redundant, const Columns3& d) const;
 
   /// The Lagrange multipliers l of the rows with B^T l = `gradient` (n x 3), which Q2 maps to zero: rows x 3, zero for
   /// rows that are not independent.

@@ -8,12 +8,27 @@
 
 namespace holdfast {
 
+/// An orthogonal matrix as a product of reflections, m x m: Q = P^T H_1 H_2 ... H_k with H_j = I - tau_j h_j h_j^T and
+/// (P x)_place(i) = x_i. It takes far less memory than its entries.
+struct Reflections {
+  SparseMatrix h;            ///< m x k
+  Eigen::VectorXd tau;       ///< k
+  std::vector<Index> place;  ///< m
+
+  /// Q x. O(entries of h).
+  [[nodiscard]] Columns3 times(const Columns3& x) const;
+  /// Q^T x. O(entries of h).
+  [[nodiscard]] Columns3 transposeTimes(const Columns3& x) const;
+  /// Columns of Q from `first` on. O(their entries), which may be as many as m^2.
+  [[nodiscard]] SparseMatrix columnsFrom(Index first) const;
+};
+
 /// M = Q R P^T with P the permutation of columns and R upper trapezoidal.
 struct SparseQrResult {
   Index rank = 0;
   SparseMatrix R;              ///< rank x columns; its first `rank` columns are upper triangular and regular
   std::vector<Index> columns;  ///< column k of R belongs to column columns[k] of M; the dependent ones come last
-  SparseMatrix Q;              ///< rows x rows, orthonormal; empty unless asked for
+  Reflections Q;               ///< empty unless asked for
 };
 
 enum class WantQ { No, Yes };

@@ -1,5 +1,8 @@
 // Sparse QR by Eigen.
 
+#include <algorithm>
+#include <numeric>
+
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseQR>
 
@@ -9,12 +12,26 @@ namespace holdfast {
 
 namespace {
 
+/// Lets its reflections be seen.
+template <class Ordering>
+class ByEigen : public Eigen::SparseQR<SparseMatrix, Ordering> {
+ public:
+  [[nodiscard]] Reflections reflections() const
+  {
+    const Index count = std::min(this->rows(), this->cols());
+    Reflections result{this->m_Q.leftCols(count), this->m_hcoeffs.head(count), {}};
+    result.place.resize(static_cast<std::size_t>(this->rows()));
+    std::iota(result.place.begin(), result.place.end(), Index{0});
+    return result;
+  }
+};
+
 template <class Ordering>
 SparseQrResult decomposed(const SparseMatrix& M, double tolerance, WantQ wantQ)
 {
   SparseMatrix compressed = M;
   compressed.makeCompressed();
-  Eigen::SparseQR<SparseMatrix, Ordering> qr;
+  ByEigen<Ordering> qr;
   // Eigen takes columns shorter than the threshold for dependent; 0 accepts all but exact zeros.
   qr.setPivotThreshold(tolerance < 0 ? 0 : tolerance);
   qr.compute(compressed);
@@ -23,7 +40,7 @@ SparseQrResult decomposed(const SparseMatrix& M, double tolerance, WantQ wantQ)
   const SparseRows sorted = qr.matrixR();  // Eigen leaves the entries of a column in any order; by rows they are sorted
   result.R = sorted.topRows(result.rank);
   for (Index k = 0; k < M.cols(); ++k) result.columns.push_back(qr.colsPermutation().indices()[k]);
-  if (wantQ == WantQ::Yes) result.Q = qr.matrixQ();
+  if (wantQ == WantQ::Yes) result.Q = qr.reflections();
   return result;
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <queue>
 #include <stdexcept>
 #include <vector>
 
@@ -15,107 +14,6 @@
 
 namespace holdfast {
 namespace {
-
-/// Q = P^T H_1 H_2 ... H_k with H_j = I - tau_j h_j h_j^T and (P x)_place(i) = x_i.
-struct HouseholderVectors {
-  SparseMatrix h;            ///< m x k
-  Eigen::VectorXd tau;       ///< k
-  std::vector<Index> place;  ///< m: row i of Q is row place[i] of the product
-};
-
-/// One column at a time, in dense workspaces that are cleared where they were touched.
-class ReflectedUnit {
- public:
-  explicit ReflectedUnit(const HouseholderVectors& vectors)
-      : vectors_(vectors),
-        byRow_(vectors.h),
-        x_(Eigen::VectorXd::Zero(vectors.h.rows())),
-        isTouched_(static_cast<std::size_t>(vectors.h.rows()), false),
-        isPending_(static_cast<std::size_t>(vectors.h.cols()), false)
-  {
-  }
-
-  /// H_1 ... H_k e_row: the places that are not zero are `touched()`.
-  void reflect(Index row)
-  {
-    touch(row, vectors_.h.cols());
-    x_[row] = 1;
-    while (!pending_.empty()) {
-      const Index j = pending_.top();
-      pending_.pop();
-      isPending_[j] = false;
-      apply(j);
-    }
-  }
-
-  [[nodiscard]] const std::vector<Index>& touched() const { return touched_; }
-  [[nodiscard]] double at(Index row) const { return x_[row]; }
-
-  void clear()
-  {
-    for (const Index row : touched_) {
-      x_[row] = 0;
-      isTouched_[row] = false;
-    }
-    touched_.clear();
-  }
-
- private:
-  /// Reflections before `end` that hang on a row that was zero so far are to come.
-  void touch(Index row, Index end)
-  {
-    if (isTouched_[row]) return;
-    isTouched_[row] = true;
-    touched_.push_back(row);
-    for (SparseRows::InnerIterator entry(byRow_, row); entry && entry.col() < end; ++entry) {
-      if (isPending_[entry.col()]) continue;
-      isPending_[entry.col()] = true;
-      pending_.push(entry.col());
-    }
-  }
-
-  void apply(Index j)
-  {
-    double product = 0;
-    for (SparseMatrix::InnerIterator entry(vectors_.h, j); entry; ++entry) product += entry.value() * x_[entry.row()];
-    if (product == 0) return;
-    for (SparseMatrix::InnerIterator entry(vectors_.h, j); entry; ++entry) {
-      touch(entry.row(), j);
-      x_[entry.row()] -= vectors_.tau[j] * product * entry.value();
-    }
-  }
-
-  const HouseholderVectors& vectors_;
-  SparseRows byRow_;
-  Eigen::VectorXd x_;
-  std::vector<bool> isTouched_;
-  std::vector<bool> isPending_;
-  std::vector<Index> touched_;
-  std::priority_queue<Index> pending_;
-};
-
-/// Q, m x m. Each column meets only the reflections that share a row with what it has become: time and memory go with
-/// the entries of Q, not with m^2.
-SparseMatrix explicitQ(const HouseholderVectors& vectors)
-{
-  const Index m = vectors.h.rows();
-  std::vector<Index> rowAt(static_cast<std::size_t>(m));
-  for (Index i = 0; i < m; ++i) rowAt[vectors.place[i]] = i;
-  SparseMatrix Q(m, m);
-  ReflectedUnit column(vectors);
-  for (Index k = 0; k < m; ++k) {
-    column.reflect(k);
-    std::vector<Index> rows;
-    for (const Index place : column.touched()) rows.push_back(rowAt[place]);
-    std::sort(rows.begin(), rows.end());
-    Q.startVec(k);
-    for (const Index row : rows)
-      if (const double value = column.at(vectors.place[row]); value != 0) Q.insertBack(row, k) = value;
-    column.clear();
-  }
-  Q.finalize();
-  return Q;
-}
 
 using LongMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, SuiteSparse_long>;
 
@@ -159,11 +57,11 @@ std::vector<Index> takenPermutation(SuiteSparse_long* columns, Index count, chol
   return result;
 }
 
-/// Takes the Householder vectors over from SPQR.
-HouseholderVectors taken(cholmod_sparse* h, SuiteSparse_long* place, cholmod_dense* tau, cholmod_common* common)
+/// Takes the reflections over from SPQR.
+Reflections taken(cholmod_sparse* h, SuiteSparse_long* place, cholmod_dense* tau, cholmod_common* common)
 {
   const Index m = static_cast<Index>(h->nrow);
-  HouseholderVectors result;
+  Reflections result;
   result.tau = Eigen::Map<const Eigen::VectorXd>(static_cast<const double*>(tau->x), static_cast<Index>(h->ncol));
   result.h = taken(h, m, common);
   result.place = takenPermutation(place, m, common);
@@ -188,7 +86,6 @@ SparseQrResult sparseQrSuiteSparse(const SparseMatrix& M, double tolerance, Want
   const double limit = tolerance < 0 ? SPQR_NO_TOL : tolerance;
   const int ordering = order == ColumnOrder::AsGiven ? SPQR_ORDERING_FIXED : SPQR_ORDERING_COLAMD;
   const SuiteSparse_long econ = std::min(M.rows(), M.cols());
-  // SPQR's own explicit Q would take memory for m x m numbers.
   const SuiteSparse_long rank =
       wantQ == WantQ::Yes ? SuiteSparseQR<double>(ordering, limit, econ, &view, &R, &columns, &h, &place, &tau, common)
                           : SuiteSparseQR<double>(ordering, limit, econ, &view, &R, &columns, common);
@@ -197,7 +94,7 @@ SparseQrResult sparseQrSuiteSparse(const SparseMatrix& M, double tolerance, Want
   result.rank = static_cast<Index>(rank);
   result.R = taken(R, result.rank, common);
   result.columns = takenPermutation(columns, M.cols(), common);
-  if (h != nullptr) result.Q = explicitQ(taken(h, place, tau, common));
+  if (h != nullptr) result.Q = taken(h, place, tau, common);
   return result;
 }
 

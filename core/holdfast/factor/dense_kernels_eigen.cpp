@@ -29,20 +29,21 @@ void denseSolveRight(int m, int n, const double* L, int ldL, double* B, int ldB)
       .solveInPlace<Eigen::OnTheRight>(right);
 }
 
-void denseSymmetricUpdate(int n, int k, const double* A, int ldA, double scale, double* C, int ldC)
+void denseSymmetricUpdate(int n, int k, double factor, const double* A, int ldA, double scale, double* C, int ldC)
 {
   const ConstMatrix left(A, n, k, Eigen::OuterStride<>(ldA));
   Matrix result(C, n, n, Eigen::OuterStride<>(ldC));
   if (scale == 0) result.triangularView<Eigen::Lower>().setZero();
-  result.selfadjointView<Eigen::Lower>().rankUpdate(left, -1);
+  result.selfadjointView<Eigen::Lower>().rankUpdate(left, factor);
 }
 
-void denseUpdate(int m, int n, int k, const double* A, const double* B, int ldAB, double scale, double* C, int ldC)
+void denseUpdate(int m, int n, int k, double factor, const double* A, const double* B, int ldAB, double scale,
+                 double* C, int ldC)
 {
   Matrix result(C, m, n, Eigen::OuterStride<>(ldC));
   if (scale == 0) result.setZero();
-  result.noalias() -=
-      ConstMatrix(A, m, k, Eigen::OuterStride<>(ldAB)) * ConstMatrix(B, n, k, Eigen::OuterStride<>(ldAB)).transpose();
+  result.noalias() += factor * ConstMatrix(A, m, k, Eigen::OuterStride<>(ldAB)) *
+                      ConstMatrix(B, n, k, Eigen::OuterStride<>(ldAB)).transpose();
 }
 
 }  // namespace holdfast

@@ -11,10 +11,11 @@ namespace holdfast {
 /// B <- B L^-T, B m x n.
 void denseSolveRight(int m, int n, const double* L, int ldL, double* B, int ldB);
 
-/// C <- scale C - A A^T, C n x n, A n x k; `scale` is 0 or 1.
-void denseSymmetricUpdate(int n, int k, const double* A, int ldA, double scale, double* C, int ldC);
+/// C <- scale C + factor A A^T, C n x n, A n x k; `scale` is 0 or 1.
+void denseSymmetricUpdate(int n, int k, double factor, const double* A, int ldA, double scale, double* C, int ldC);
 
-/// C <- scale C - A B^T, C m x n, A m x k, B n x k; `scale` is 0 or 1.
-void denseUpdate(int m, int n, int k, const double* A, const double* B, int ldAB, double scale, double* C, int ldC);
+/// C <- scale C + factor A B^T, C m x n, A m x k, B n x k; `scale` is 0 or 1.
+void denseUpdate(int m, int n, int k, double factor, const double* A, const double* B, int ldAB, double scale,
+                 double* C, int ldC);
 
 }  // namespace holdfast

@@ -20,7 +20,6 @@ namespace holdfast {
 namespace {
 
 constexpr double kOne = 1;
-constexpr double kMinusOne = -1;
 
 }  // namespace
 
@@ -36,14 +35,15 @@ void denseSolveRight(int m, int n, const double* L, int ldL, double* B, int ldB)
   dtrsm_("R", "L", "T", "N", &m, &n, &kOne, L, &ldL, B, &ldB);
 }
 
-void denseSymmetricUpdate(int n, int k, const double* A, int ldA, double scale, double* C, int ldC)
+void denseSymmetricUpdate(int n, int k, double factor, const double* A, int ldA, double scale, double* C, int ldC)
 {
-  dsyrk_("L", "N", &n, &k, &kMinusOne, A, &ldA, &scale, C, &ldC);
+  dsyrk_("L", "N", &n, &k, &factor, A, &ldA, &scale, C, &ldC);
 }
 
-void denseUpdate(int m, int n, int k, const double* A, const double* B, int ldAB, double scale, double* C, int ldC)
+void denseUpdate(int m, int n, int k, double factor, const double* A, const double* B, int ldAB, double scale,
+                 double* C, int ldC)
 {
-  dgemm_("N", "T", &m, &n, &k, &kMinusOne, A, &ldAB, B, &ldAB, &scale, C, &ldC);
+  dgemm_("N", "T", &m, &n, &k, &factor, A, &ldAB, B, &ldAB, &scale, C, &ldC);
 }
 
 }  // namespace holdfast

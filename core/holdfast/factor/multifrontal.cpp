@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <functional>
 #include <mutex>
 #include <utility>
 
@@ -47,26 +48,34 @@ class Loop {
   bool isParallel_;
 };
 
-/// C <- scale C - A A^T for the lower triangle of C, n x n.
-void update(const Loop& loop, int n, int k, const double* A, int ldA, double scale, double* C, int ldC)
+/// C <- scale C - sign A A^T for the lower triangle of C, n x n.
+void update(const Loop& loop, int n, int k, double sign, const double* A, int ldA, double scale, double* C, int ldC)
 {
   loop(blockCount(n), [&](int block) {
     const int first = block * kBlock;
     const int width = std::min(kBlock, n - first);
-    denseSymmetricUpdate(width, k, A + first, ldA, scale, C + at(first, first, ldC), ldC);
+    denseSymmetricUpdate(width, k, -sign, A + first, ldA, scale, C + at(first, first, ldC), ldC);
     if (const int below = n - first - width; below > 0)
-      denseUpdate(below, width, k, A + first + width, A + first, ldA, scale, C + at(first + width, first, ldC), ldC);
+      denseUpdate(below, width, k, -sign, A + first + width, A + first, ldA, scale, C + at(first + width, first, ldC),
+                  ldC);
   });
 }
 
-/// Factorises the columns of a panel (height x width), block by block. As `denseCholesky`.
-int factorizePanel(const Loop& loop, double* panel, int height, int width)
+/// Factorises the columns of a panel (height x width), block by block; from column `positive` on with -1 in S. Returns
+/// the place of the first pivot of another sign, from 1; 0 where there is none.
+int factorizePanel(const Loop& loop, double* panel, int height, int width, int positive)
 {
-  for (int first = 0; first < width; first += kBlock) {
-    const int columns = std::min(kBlock, width - first);
+  int end = 0;
+  for (int first = 0; first < width; first = end) {
+    end = std::min(first + kBlock, first < positive ? positive : width);
+    const int columns = end - first;
+    const double sign = first < positive ? 1 : -1;
     double* const corner = panel + at(first, first, height);
+    if (sign < 0)  // L11 L11^T = -F11, L21 = -F21 L11^-T
+      for (int j = 0; j < columns; ++j)
+        std::transform(corner + at(j, j, height), corner + at(height - first, j, height), corner + at(j, j, height),
+                       std::negate());
     if (const int bad = denseCholesky(columns, corner, height); bad != 0) return first + bad;
-    const int end = first + columns;
     loop(blockCount(height - end), [&](int block) {
       const int row = end + block * kBlock;
       denseSolveRight(std::min(kBlock, height - row), columns, corner, height, panel + at(row, first, height), height);
@@ -75,10 +84,10 @@ int factorizePanel(const Loop& loop, double* panel, int height, int width)
       const int column = end + block * kBlock;
       const int count = std::min(kBlock, width - column);
       const double* const left = panel + at(column, first, height);
-      denseSymmetricUpdate(count, columns, left, height, 1, panel + at(column, column, height), height);
+      denseSymmetricUpdate(count, columns, -sign, left, height, 1, panel + at(column, column, height), height);
       if (const int below = height - column - count; below > 0)
-        denseUpdate(below, count, columns, left + count, left, height, 1, panel + at(column + count, column, height),
-                    height);
+        denseUpdate(below, count, columns, -sign, left + count, left, height, 1,
+                    panel + at(column + count, column, height), height);
     });
   }
   return 0;
@@ -206,7 +215,8 @@ class Multifrontal {
     addEntries(node, work);
     for (int child = symbolic_.firstChild[s]; child != kNoParent; child = symbolic_.nextSibling[child])
       addToPanel(child, node, work, loop);
-    if (const int bad = factorizePanel(loop, work.panel.data(), height, node.width); bad != 0) {
+    const int positive = node.width - node.multipliers;
+    if (const int bad = factorizePanel(loop, work.panel.data(), height, node.width, positive); bad != 0) {
       int none = kAllPositive;
       badPivot_.compare_exchange_strong(none, node.firstColumn + bad - 1);
       return;
@@ -215,7 +225,10 @@ class Multifrontal {
 
     const std::size_t needed = static_cast<std::size_t>(rows) * static_cast<std::size_t>(rows);
     if (work.update.size() < needed) work.update.resize(needed);
-    update(loop, rows, node.width, work.panel.data() + node.width, height, 0, work.update.data(), rows);
+    const double* const below = work.panel.data() + node.width;
+    update(loop, rows, positive, 1, below, height, 0, work.update.data(), rows);
+    if (node.multipliers > 0)
+      update(loop, rows, node.multipliers, -1, below + at(0, positive, height), height, 1, work.update.data(), rows);
     for (int child = symbolic_.firstChild[s]; child != kNoParent; child = symbolic_.nextSibling[child])
       addToUpdate(child, node, work, loop);
     for (int child = symbolic_.firstChild[s]; child != kNoParent; child = symbolic_.nextSibling[child])

@@ -1,5 +1,5 @@
 #pragma once
-/// Multifrontal Cholesky factorisation (Duff and Reid, 1983; Liu, 1992).
+/// Multifrontal factorisation (Duff and Reid, 1983; Liu, 1992): Cholesky's, but for signs.
 
 #include <memory>
 
@@ -9,7 +9,7 @@
 namespace holdfast {
 
 /// L of the matrix whose lower triangle is `lower`, which has the pattern that `symbolic` was made of. Fails where a
-/// pivot is not positive. The same bits for any number of threads. O(sum of width times height squared of supernodes).
+/// pivot does not have the sign of its column. The same bits for any number of threads. O(sum of width times height squared of supernodes).
 [[nodiscard]] Result<std::unique_ptr<const PackedFactor>> factorizeMultifrontal(
     const std::shared_ptr<const SymbolicFactor>& symbolic, const SparseMatrix& lower);
 

@@ -38,7 +38,10 @@ PackedFactor::PackedFactor(std::shared_ptr<const SymbolicFactor> symbolic) : sym
   for (const Supernode& node : symbolic_->supernodes) {
     firstChunk_.push_back(static_cast<int>(chunks_.size()));
     const auto firstRow = static_cast<std::int64_t>(rows_.size());
-    for (int column = 0; column < node.width; ++column) rows_.push_back(node.firstColumn + column);
+    for (int column = 0; column < node.width; ++column) {
+      rows_.push_back(node.firstColumn + column);
+      if (column >= node.width - node.multipliers) negative_.push_back(node.firstColumn + column);
+    }
     const std::span<const int> below = symbolic_->rowsOf(node);
     rows_.insert(rows_.end(), below.begin(), below.end());
     const auto high = std::lower_bound(rows_.begin() + firstRow, rows_.end(), topColumn) - rows_.begin();
@@ -94,6 +97,8 @@ void PackedFactor::solve(std::vector<double>& x) const
   for (const std::vector<double>& sum : top)
     for (std::size_t k = 0; k < topSize; ++k) x[static_cast<std::size_t>(topStart) + k] += sum[k];
   solveForward(chunksOf(symbolic_->top), view);
+  for (const int column : negative_)
+    for (std::size_t k = 0; k < 3; ++k) x[4 * static_cast<std::size_t>(column) + k] *= -1;
   solveBackward(chunksOf(symbolic_->top), view);
   parallelFor(static_cast<Index>(subtrees.size()), [&](Index k) { solveBackward(chunksOf(subtrees[k]), view); });
 }

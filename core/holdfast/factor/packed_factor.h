@@ -32,7 +32,7 @@ class PackedFactor {
   /// Stores the columns of a supernode: `panel` is its height x width, column by column, `height` apart.
   void store(int supernode, const double* panel);
 
-  /// Solves L L^T z = b for three right-hand sides. `x` is n x 4, row by row in the order of elimination, b before and
+  /// Solves L S L^T z = b for three right-hand sides. `x` is n x 4, row by row in the order of elimination, b before and
   /// z afterwards; the fourth number of each row is not used. The same bits for any number of threads. O(nonzeros).
   void solve(std::vector<double>& x) const;
 
@@ -50,6 +50,7 @@ class PackedFactor {
   std::shared_ptr<const SymbolicFactor> symbolic_;
   std::vector<FactorChunk> chunks_;
   std::vector<int> firstChunk_;  // of each supernode, and the end
+  std::vector<int> negative_;    // columns with -1 in S
   std::vector<int> rows_;        // of chunks: the columns of the supernode behind them, then its rows
   std::size_t size_ = 0;
   std::unique_ptr<double[], Free> numbers_;

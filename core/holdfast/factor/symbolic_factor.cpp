@@ -219,6 +219,18 @@ std::int64_t SymbolicFactor::nonzeros() const
   return sum;
 }
 
+bool SymbolicFactor::hasMultipliers() const
+{
+  return std::ranges::any_of(supernodes, [](const Supernode& node) { return node.multipliers > 0; });
+}
+
+void complete(SymbolicFactor& factor, const SparseMatrix& lower)
+{
+  factor.pattern = orderedPattern(lower, factor.order);
+  findRows(factor);
+  linkChildren(factor);
+}
+
 SymbolicFactor analyze(const SparseMatrix& lower, const std::vector<int>& order)
 {
   const OrderedPattern given = orderedPattern(lower, order);
@@ -236,9 +248,7 @@ SymbolicFactor analyze(const SparseMatrix& lower, const std::vector<int>& order)
   }
   factor.subtrees = layout.subtrees;
   factor.top = layout.top;
-  factor.pattern = orderedPattern(lower, factor.order);
-  findRows(factor);
-  linkChildren(factor);
+  complete(factor, lower);
   return factor;
 }
 

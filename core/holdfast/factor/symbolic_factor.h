@@ -1,5 +1,6 @@
 #pragma once
-/// The structure of a supernodal Cholesky factor L L^T = P M P^T, found from the pattern of M alone.
+/// The structure of a supernodal factor L S L^T = P M P^T, found from the pattern of M alone. S is the identity where M
+/// is positive definite; the columns of multipliers have -1 in it.
 
 #include <cstdint>
 #include <span>
@@ -17,6 +18,7 @@ struct Supernode {
   std::int64_t firstRow = 0;  ///< in `SymbolicFactor::rows`
   int rowCount = 0;           ///< rows below the triangle
   int parent = kNoParent;     ///< the supernode of the first of these rows
+  int multipliers = 0;        ///< its last columns, so many, have -1 in S
 
   [[nodiscard]] int height() const noexcept { return width + rowCount; }
 };
@@ -48,10 +50,14 @@ struct SymbolicFactor {
   [[nodiscard]] int topColumn() const;
   /// Stored entries of L, those that supernodes add among them.
   [[nodiscard]] std::int64_t nonzeros() const;
+  [[nodiscard]] bool hasMultipliers() const;
 };
 
 /// Analyses the lower triangle `lower` for an order of elimination that keeps fill low: `order[k]` is the column that
 /// comes k-th. Columns are reordered among those that are equally good. O(entries + rows of supernodes).
 [[nodiscard]] SymbolicFactor analyze(const SparseMatrix& lower, const std::vector<int>& order);
+
+/// Finds all that follows from the order, the columns of supernodes and the ranges.
+void complete(SymbolicFactor& factor, const SparseMatrix& lower);
 
 }  // namespace holdfast

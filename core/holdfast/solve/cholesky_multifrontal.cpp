@@ -7,6 +7,7 @@
 
 #include <holdfast/base/parallel.h>
 #include <holdfast/factor/multifrontal.h>
+#include <holdfast/factor/multipliers.h>
 #include <holdfast/solve/elimination_order.h>
 #include <holdfast/solve/gram.h>
 #include <holdfast/solve/least_squares_factor.h>
@@ -33,7 +34,8 @@ class CholeskyMultifrontal final : public LeastSquaresFactor {
   [[nodiscard]] Index nonzeros() const override { return factor_->symbolic().nonzeros(); }
   [[nodiscard]] std::string_view method() const override
   {
-    return "multifrontal Cholesky factor of the normal equations";
+    return factor_->symbolic().hasMultipliers() ? "multifrontal factor of the normal equations and multipliers"
+                                                : "multifrontal Cholesky factor of the normal equations";
   }
 
  private:
@@ -41,15 +43,34 @@ class CholeskyMultifrontal final : public LeastSquaresFactor {
   mutable std::vector<double> x_;  // memory that every solution uses again
 };
 
+/// The lower triangle of [C^T C, K^T; K, 0], K the last `kept` rows of C, from that of C^T C.
+SparseMatrix withKeptRows(const SparseMatrix& lower, const TwoWayMatrix& C, Index kept)
+{
+  const Index size = lower.cols();
+  const Index firstKept = C.rows().rows() - kept;
+  return assembled<SparseMatrix>(size + kept, size + kept, [&](Index k, ColumnSum& sum) {
+    if (k >= size) return;
+    for (SparseMatrix::InnerIterator entry(lower, k); entry; ++entry)
+      sum.add(static_cast<int>(entry.row()), entry.value());
+    for (SparseMatrix::InnerIterator entry(C.columns(), k); entry; ++entry)
+      if (entry.row() >= firstKept) sum.add(static_cast<int>(size + entry.row() - firstKept), entry.value());
+  });
+}
+
 }  // namespace
 
-FactorResult choleskyMultifrontal(const TwoWayMatrix& C, EliminationOrder wanted)
+FactorResult choleskyMultifrontal(const TwoWayMatrix& C, EliminationOrder wanted, Index kept)
 {
-  const SparseMatrix lower = gramLower(C);
+  SparseMatrix lower = gramLower(C);
   std::vector<int> order(static_cast<std::size_t>(lower.cols()));
   std::iota(order.begin(), order.end(), 0);
   if (wanted == EliminationOrder::ToBeFound) order = minimumDegreeOrder(lower);
-  const auto symbolic = std::make_shared<const SymbolicFactor>(analyze(lower, order));
+  SymbolicFactor structure = analyze(lower, order);
+  if (kept > 0) {
+    lower = withKeptRows(lower, C, kept);
+    structure = withMultipliers(structure, lower);
+  }
+  const auto symbolic = std::make_shared<const SymbolicFactor>(std::move(structure));
   auto [factor, failure] = factorizeMultifrontal(symbolic, lower);
   if (factor == nullptr) return {nullptr, std::move(failure)};
   return {std::make_unique<CholeskyMultifrontal>(std::move(factor))};

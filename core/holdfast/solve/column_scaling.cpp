@@ -7,7 +7,25 @@
 
 namespace holdfast {
 
-Result<ScaledColumns> scaleColumns(SparseMatrix M)
+namespace {
+
+/// M with K diag(scale) below it, whose rows get length 1.
+SparseMatrix withKeptRows(const SparseMatrix& M, const SparseMatrix& K, const Eigen::VectorXd& scale)
+{
+  Eigen::VectorXd squares = Eigen::VectorXd::Zero(K.rows());
+  for (Index k = 0; k < K.cols(); ++k)
+    for (SparseMatrix::InnerIterator entry(K, k); entry; ++entry)
+      squares[entry.row()] += std::pow(scale[k] * entry.value(), 2);
+  return assembled<SparseMatrix>(M.rows() + K.rows(), M.cols(), [&](Index k, ColumnSum& sum) {
+    for (SparseMatrix::InnerIterator entry(M, k); entry; ++entry) sum.add(static_cast<int>(entry.row()), entry.value());
+    for (SparseMatrix::InnerIterator entry(K, k); entry; ++entry)
+      sum.add(static_cast<int>(M.rows() + entry.row()), scale[k] * entry.value() / std::sqrt(squares[entry.row()]));
+  });
+}
+
+}  // namespace
+
+Result<ScaledColumns> scaleColumns(SparseMatrix M, const SparseMatrix& K)
 {
   ScaledColumns result;
   result.scale.resize(M.cols());
@@ -18,7 +36,8 @@ Result<ScaledColumns> scaleColumns(SparseMatrix M)
     result.scale[k] = 1 / length;
     M.col(k) *= result.scale[k];
   }
-  result.C = TwoWayMatrix(std::move(M));
+  result.kept = K.rows();
+  result.C = TwoWayMatrix(K.rows() == 0 ? std::move(M) : withKeptRows(M, K, result.scale));
   return {std::move(result)};
 }
 

@@ -20,22 +20,39 @@ double largest(const Eigen::MatrixBase<Matrix>& x)
   return x.size() == 0 ? 0 : x.cwiseAbs().maxCoeff();
 }
 
+/// What changes a solution and its multipliers when this is left of their equations: of C z = f (`left`), and in its
+/// last rows of K z = 0.
+Columns3 solved(const LeastSquaresFactor& factor, const TwoWayMatrix& C, Columns3 left, const Columns3& multipliers)
+{
+  const Index kept = multipliers.rows();
+  if (kept == 0) return factor.solve(C.transposeTimes(left));
+  Columns3 g(C.columns().cols() + kept, 3);
+  g.bottomRows(kept) = left.bottomRows(kept);
+  left.bottomRows(kept) -= multipliers;
+  g.topRows(C.columns().cols()) = C.transposeTimes(left);
+  return factor.solve(g);
+}
+
 }  // namespace
 
 CorrectedSolution correctedSolve(const LeastSquaresFactor& factor, const TwoWayMatrix& C,
-                                 const Eigen::VectorXd& columnScale, const Columns3& f)
+                                 const Eigen::VectorXd& columnScale, const Columns3& f, Index kept)
 {
-  if (f.isZero(0)) return {Columns3::Zero(C.columns().cols(), 3), 0, 0};
-  CorrectedSolution result{factor.solve(C.transposeTimes(f)), 0, 0};
+  const Index unknowns = C.columns().cols();
+  if (f.isZero(0)) return {Columns3::Zero(unknowns, 3), 0, 0};
+  CorrectedSolution result{solved(factor, C, f, Columns3::Zero(kept, 3)), 0, 0};
+  Columns3 multipliers = result.z.bottomRows(kept);
+  result.z.conservativeResize(unknowns, 3);
   double first = 0;
   double last = std::numeric_limits<double>::infinity();
   while (result.corrections < kMaxCorrections) {
     const double size = largest(columnScale.asDiagonal() * result.z);
     if (size == 0) break;
-    const Columns3 correction = factor.solve(C.transposeTimes(C.residual(f, result.z)));
+    const Columns3 correction = solved(factor, C, C.residual(f, result.z), multipliers);
     const double change = largest(columnScale.asDiagonal() * correction) / size;
     if (!(change < last)) break;
-    result.z += correction;
+    result.z += correction.topRows(unknowns);
+    multipliers += correction.bottomRows(kept);
     if (result.corrections++ == 0) first = change;
     // The normal equations lost cond^2 epsilon = first; what their corrections reach is cond epsilon.
     result.accuracy = change <= kLastCorrection ? std::sqrt(first * kEpsilon) : change;
@@ -45,9 +62,9 @@ CorrectedSolution correctedSolve(const LeastSquaresFactor& factor, const TwoWayM
   return result;
 }
 
-double contraction(const LeastSquaresFactor& factor, const TwoWayMatrix& C, const Columns3& probe)
+double contraction(const LeastSquaresFactor& factor, const TwoWayMatrix& C, const Columns3& probe, Index kept)
 {
-  const Columns3 found = factor.solve(C.transposeTimes(C.times(probe)));
+  const Columns3 found = solved(factor, C, C.times(probe), Columns3::Zero(kept, 3)).topRows(probe.rows());
   return largest(probe) == 0 ? 0 : largest(found - probe) / largest(probe);
 }
 

@@ -16,13 +16,15 @@ struct CorrectedSolution {
 
 /// Corrected semi-normal equations (Björck, 1987): the residual is computed through C itself, never through C^T C, and
 /// solved for once more with the same factor, until what a correction leaves is less than a double holds, or until
-/// corrections no longer shrink. `C` is what the factor was made of. Sizes are measured after `columnScale` (k), that
+/// corrections no longer shrink. `C` is what the factor was made of, its last `kept` rows hold exactly, `f` is 0 there. Sizes are measured after `columnScale` (k), that
 /// is in the units of what the user sees. Nothing is solved where `f` is zero.
 [[nodiscard]] CorrectedSolution correctedSolve(const LeastSquaresFactor& factor, const TwoWayMatrix& C,
-                                               const Eigen::VectorXd& columnScale, const Columns3& f);
+                                               const Eigen::VectorXd& columnScale, const Columns3& f,
+                                               Index kept = 0);
 
 /// How much of an error one correction leaves: 1e-8 for a good factor, 1 or more (or NaN) for a useless one. Measured
 /// on `probe`, a known solution.
-[[nodiscard]] double contraction(const LeastSquaresFactor& factor, const TwoWayMatrix& C, const Columns3& probe);
+[[nodiscard]] double contraction(const LeastSquaresFactor& factor, const TwoWayMatrix& C, const Columns3& probe,
+                                 Index kept = 0);
 
 }  // namespace holdfast

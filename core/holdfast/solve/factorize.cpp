@@ -47,6 +47,16 @@ bool isBuilt(Backend backend)
 #endif
 }
 
+FactorResult factorizeKept(const TwoWayMatrix& C, Index kept, const Columns3& probe, EliminationOrder order)
+{
+  FactorResult result = choleskyMultifrontal(C, order, kept);
+  if (!result) return result;
+  const double left = contraction(*result.value, C, probe, kept);
+  if (left <= kGoodContraction) return result;
+  return {nullptr, fmt::format("the equations with multipliers keep no digits (a correction leaves {:.1g} of an error)",
+                               left)};
+}
+
 FactorResult factorize(const TwoWayMatrix& C, Backend backend, const Columns3& probe, EliminationOrder order)
 {
   if (C.columns().cols() == 0) return {std::make_unique<NothingToSolve>()};

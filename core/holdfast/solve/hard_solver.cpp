@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include <holdfast/elimination/row_components.h>
+#include <holdfast/elimination/reconciliation.h>
 #include <holdfast/solve/column_scaling.h>
 #include <holdfast/solve/constrained_solver.h>
 #include <holdfast/solve/corrected_solve.h>
@@ -26,7 +26,9 @@ class HardSolver final : public ConstrainedSolver {
   [[nodiscard]] Displacement solve(const RowTargets& targets, const Columns3& f) const override
   {
     Displacement result{particular(targets), 0, 0};
-    const CorrectedSolution z = correctedSolve(*factor_, reduced_.C, reduced_.scale, problem_.A->residual(f, result.u));
+    Columns3 missed = problem_.A->residual(f, result.u);
+    missed.conservativeResizeLike(Columns3::Zero(missed.rows() + reduced_.kept, 3));
+    const CorrectedSolution z = correctedSolve(*factor_, reduced_.C, reduced_.scale, missed, reduced_.kept);
     parallelBlocks(result.u.rows(), [&](Index i) { result.u.row(i) += gathered(scaledQ2_, i, z.z); });
     // What rounding has left of B u = d is taken off in the span of the rows; pins have nothing left.
     const Columns3 left = targets.shifts - B_ * result.u;
@@ -36,7 +38,7 @@ class HardSolver final : public ConstrainedSolver {
     return result;
   }
 
-  [[nodiscard]] Index unknowns() const override { return reduced_.scale.size(); }
+  [[nodiscard]] Index unknowns() const override { return reduced_.scale.size() + reduced_.kept; }
   [[nodiscard]] Index factorNonzeros() const override { return factor_->nonzeros(); }
   [[nodiscard]] std::string method() const override { return std::string(factor_->method()); }
 
@@ -45,7 +47,7 @@ class HardSolver final : public ConstrainedSolver {
   {
     return targets.reconciled.empty()
                ? problem_.eliminated.elimination.particular(targets.shifts)
-               : problem_.eliminated.elimination.reconciledParticular(targets.reconciled, targets.shifts);
+               : reconciledParticular(problem_.eliminated, targets.reconciled, targets.shifts);
   }
 
   ConstrainedProblem problem_;
@@ -55,18 +57,36 @@ class HardSolver final : public ConstrainedSolver {
   std::unique_ptr<const LeastSquaresFactor> factor_;
 };
 
+/// With the rows `kept` of the elimination in the system, or with none where that is empty.
+SolverResult hardSolver(ConstrainedProblem& problem, Backend backend, const SparseMatrix& wantedQ2,
+                        const std::vector<Index>& kept)
+{
+  const SparseMatrix Q2 = orderedColumns(wantedQ2, problem.ranks);
+  std::vector<RowTerms> rows;
+  for (const Index row : kept) rows.push_back(problem.eliminated.rows[row]);
+  Result<ScaledColumns> columns =
+      scaleColumns(product(problem.A->columns(), Q2), constraintMatrix(rows, Q2.rows()) * Q2);
+  if (!columns) return {nullptr, std::move(columns.failure)};
+  ScaledColumns& reduced = columns.value;
+  const Columns3 probe = reduced.scale.cwiseInverse().asDiagonal() * Columns3(Q2.transpose() * problem.rest);
+  const EliminationOrder order = problem.eliminationOrder();
+  FactorResult result = kept.empty() ? factorize(reduced.C, backend, probe, order)
+                                     : factorizeKept(reduced.C, reduced.kept, probe, order);
+  if (!result) return {nullptr, std::move(result.failure)};
+  return {std::make_unique<HardSolver>(std::move(problem), Q2, std::move(reduced), std::move(result.value))};
+}
+
 }  // namespace
 
 SolverResult makeHardSolver(ConstrainedProblem problem, Backend backend)
 {
-  const SparseMatrix Q2 = orderedColumns(problem.eliminated.elimination.Q2(), problem.ranks);
-  Result<ScaledColumns> columns = scaleColumns(product(problem.A->columns(), Q2));
-  if (!columns) return {nullptr, std::move(columns.failure)};
-  ScaledColumns& reduced = columns.value;
-  const Columns3 probe = reduced.scale.cwiseInverse().asDiagonal() * Columns3(Q2.transpose() * problem.rest);
-  FactorResult result = factorize(reduced.C, backend, probe, problem.eliminationOrder());
-  if (!result) return {nullptr, std::move(result.failure)};
-  return {std::make_unique<HardSolver>(std::move(problem), Q2, std::move(reduced), std::move(result.value))};
+  const Elimination& elimination = problem.eliminated.elimination;
+  const std::vector<Index> kept = elimination.kept();
+  if (kept.empty()) return hardSolver(problem, backend, elimination.Q2(), kept);
+  // Only our own factorisation has multipliers.
+  if (backend == Backend::Holdfast)
+    if (SolverResult result = hardSolver(problem, backend, elimination.Q2(), kept)) return result;
+  return hardSolver(problem, backend, elimination.wholeQ2(), {});
 }
 
 }  // namespace holdfast

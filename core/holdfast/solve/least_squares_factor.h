@@ -11,12 +11,14 @@
 
 namespace holdfast {
 
-/// A factorised problem: minimise |C z - f| for any f. It does not need C any more. Not for concurrent calls.
+/// A factorised problem: minimise |C z - f| for any f. The last rows of C may be kept: they hold exactly, C z = 0 there,
+/// and have a multiplier each. It does not need C any more. Not for concurrent calls.
 class LeastSquaresFactor {
  public:
   virtual ~LeastSquaresFactor() = default;
 
-  /// z for C^T f (k x 3), without any correction: see `correctedSolve`. O(nonzeros()).
+  /// z for g = C^T f (k x 3), without any correction: see `correctedSolve`. With kept rows K: z and below it the
+  /// multipliers l, for any g with C^T C z + K^T l = g, K z = what is below g. O(nonzeros()).
   [[nodiscard]] virtual Columns3 solve(const Columns3& g) const = 0;
 
   /// Stored entries of the factor.
@@ -42,7 +44,7 @@ using FactorResult = Result<std::unique_ptr<const LeastSquaresFactor>>;
 /// Each takes C (m x k) with columns of unit length. Those of SuiteSparse are defined where that is
 /// built.
 [[nodiscard]] FactorResult choleskyMultifrontal(const TwoWayMatrix& C,
-                                                EliminationOrder order = EliminationOrder::ToBeFound);
+                                                EliminationOrder order = EliminationOrder::ToBeFound, Index kept = 0);
 [[nodiscard]] FactorResult choleskyBySuiteSparse(const TwoWayMatrix& C);
 [[nodiscard]] FactorResult choleskyByEigen(const TwoWayMatrix& C);
 /// R of a sparse QR of C, Q not kept: R^T R z = C^T f (semi-normal equations; Björck, 1987).
@@ -53,5 +55,9 @@ using FactorResult = Result<std::unique_ptr<const LeastSquaresFactor>>;
 /// factors are measured. A failure names both reasons. Other backends than our own find an order themselves.
 [[nodiscard]] FactorResult factorize(const TwoWayMatrix& C, Backend backend, const Columns3& probe,
                                      EliminationOrder order = EliminationOrder::ToBeFound);
+
+/// Our own factor of a problem with kept rows, if corrections reach the digits of a double with it.
+[[nodiscard]] FactorResult factorizeKept(const TwoWayMatrix& C, Index kept, const Columns3& probe,
+                                         EliminationOrder order);
 
 }  // namespace holdfast

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <holdfast/elimination/diagnosis.h>
+#include <holdfast/elimination/reconciliation.h>
 
 #include "support/meshes.h"
 #include "support/point_constraints.h"
@@ -55,7 +55,7 @@ TEST(Reconciliation, MissesNoRowByMoreThanTheSmallestChangeThatMakesAllAgree)
 
   double squares = 1;
   for (const Term& term : dependency.terms) squares += term.coefficient * term.coefficient;
-  const Columns3 u = problem.eliminated.elimination.reconciledParticular({dependency.row}, d);
+  const Columns3 u = reconciledParticular(problem.eliminated, {dependency.row}, d);
   double squaresOfMisses = 0;
   for (std::size_t r = 0; r < problem.eliminated.rows.size(); ++r) {
     Vector3 missed = d.row(r);
@@ -82,7 +82,7 @@ TEST(Reconciliation, LeavesPinsAndOtherRowsAsTheyAre)
   d.row(d.rows() - 1) = d.row(0);
 
   const Columns3 plain = problem.eliminated.elimination.particular(d);
-  const Columns3 u = problem.eliminated.elimination.reconciledParticular(redundant, d);
+  const Columns3 u = reconciledParticular(problem.eliminated, redundant, d);
   EXPECT_EQ(u.row(7), d.row(0)) << "a pin";
   EXPECT_LT((u - plain).cwiseAbs().maxCoeff(), 1e-12) << "nothing disagrees";
   EXPECT_LT(largestMiss(problem, u, d), 1e-14);
@@ -101,7 +101,7 @@ TEST(Reconciliation, JoinsBlocksThatARedundantRowHangsOn)
   Columns3 d = shiftsOf(problem.system);
   d(d.rows() - 1, 0) += 1e-9;
   const Columns3 u =
-      problem.eliminated.elimination.reconciledParticular({problem.eliminated.dependencies.front().row}, d);
+      reconciledParticular(problem.eliminated, {problem.eliminated.dependencies.front().row}, d);
   EXPECT_LT(largestMiss(problem, u, d), 0.9e-9) << "shared between the four";
   EXPECT_GT(largestMiss(problem, u, d), 1e-10) << "it cannot vanish";
 }
