@@ -23,7 +23,7 @@ struct EliminatedPoints {
   EliminatedConstraints eliminated = eliminate(system, solverMesh);
   Eigen::MatrixXd B = test::denseRows(list, mesh).B;
 
-  [[nodiscard]] const SparseMatrix& Q2() const { return eliminated.elimination.Q2(); }
+  [[nodiscard]] SparseMatrix Q2() const { return eliminated.elimination.wholeQ2(); }
 };
 
 /// Calls `check(problem)` for few and many, isolated and overlapping points on every mesh; the most make components
@@ -40,6 +40,10 @@ void forEachSetOfPoints(Check&& check)
   test::Random random(5);
   const Mesh sphere = test::icosphere(2);
   check(EliminatedPoints{sphere, test::randomMoves(random, sphere, 130, 0.3)});
+  std::vector<Constraint> points;
+  for (Index face = 0; face < sphere.faces.size(); face += 3)
+    points.push_back(test::moveBy(AtFace{face, {0.25, 0.125, 0.625}}, test::randomVector(random, 0.3)));
+  check(EliminatedPoints{sphere, test::listOf(std::move(points))});
 }
 
 TEST(Elimination, Q2HasOrthonormalColumns)
@@ -79,6 +83,21 @@ TEST(Elimination, FreeUnknownsHaveIdentityColumnsAndPinnedOnesNone)
       }
     }
   });
+}
+
+TEST(Elimination, KeptRowsAreAllThatQ2LeavesToAsk)
+{
+  bool isAnyKept = false;
+  forEachSetOfPoints([&](const EliminatedPoints& problem) {
+    const Elimination& elimination = problem.eliminated.elimination;
+    const std::vector<Index> kept = elimination.kept();
+    const Eigen::MatrixXd asked = problem.B * elimination.Q2();
+    for (Index row = 0; row < asked.rows(); ++row)
+      EXPECT_EQ(std::ranges::binary_search(kept, row), asked.row(row).cwiseAbs().maxCoeff() > 1e-13) << row;
+    EXPECT_EQ(elimination.Q2().cols(), elimination.wholeQ2().cols() + static_cast<Index>(kept.size()));
+    isAnyKept = isAnyKept || !kept.empty();
+  });
+  EXPECT_TRUE(isAnyKept);
 }
 
 TEST(Elimination, TheParticularDisplacementMeetsIndependentRowsAndCopiesPins)

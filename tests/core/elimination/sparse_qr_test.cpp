@@ -48,12 +48,23 @@ TEST_P(SparseQr, FactorsMultiplyToTheMatrixAndQIsOrthonormal)
     test::Random random(seed);
     const SparseMatrix M = randomColumns(random, 30, 14, 0);
     const SparseQrResult qr = GetParam().run(M, 1e-12, WantQ::Yes, order);
-    ASSERT_EQ(qr.Q.rows(), 30);
-    ASSERT_EQ(qr.Q.cols(), 30);
-    const Eigen::MatrixXd Q = qr.Q;
+    const Eigen::MatrixXd Q = qr.Q.columnsFrom(0);
+    ASSERT_EQ(Q.rows(), 30);
+    ASSERT_EQ(Q.cols(), 30);
     EXPECT_LT((Q.transpose() * Q - Eigen::MatrixXd::Identity(30, 30)).norm(), 1e-13);
     EXPECT_LT((Q.leftCols(qr.rank) * Eigen::MatrixXd(qr.R) - Eigen::MatrixXd(permuted(M, qr.columns))).norm(), 1e-13);
   }
+}
+
+TEST_P(SparseQr, ReflectionsActAsTheMatrixTheyMake)
+{
+  test::Random random(3);
+  const Reflections Q = GetParam().run(randomColumns(random, 30, 14, 3), 1e-12, WantQ::Yes, ColumnOrder::FillReducing).Q;
+  const Eigen::MatrixXd whole = Q.columnsFrom(0);
+  const Columns3 x = Columns3::Random(30, 3);
+  EXPECT_LT((Q.times(x) - whole * x).norm(), 1e-13);
+  EXPECT_LT((Q.transposeTimes(x) - whole.transpose() * x).norm(), 1e-13);
+  EXPECT_EQ(Eigen::MatrixXd(Q.columnsFrom(17)), whole.rightCols(13));
 }
 
 TEST_P(SparseQr, DependentColumnsComeLastAndTheLeadingTriangleIsRegular)

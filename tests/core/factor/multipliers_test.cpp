@@ -1,0 +1,108 @@
+#include <algorithm>
+#include <vector>
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+#include <holdfast/factor/multifrontal.h>
+#include <holdfast/factor/multipliers.h>
+
+#include "core/factor/spd_matrices.h"
+
+namespace holdfast {
+namespace {
+
+/// [M, K^T; K, 0] and the structure of its factor.
+struct Saddle {
+  SparseMatrix matrix;
+  std::shared_ptr<const SymbolicFactor> symbolic;
+
+  Saddle(const SparseMatrix& M, const SparseMatrix& K)
+  {
+    const Index n = M.cols();
+    Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(n + K.rows(), n + K.rows());
+    whole.topLeftCorner(n, n) = M;
+    whole.bottomLeftCorner(K.rows(), n) = K;
+    whole.topRightCorner(n, K.rows()) = K.transpose();
+    matrix = whole.sparseView();
+    const SparseMatrix lower = test::lowerOf(M);
+    symbolic = std::make_shared<const SymbolicFactor>(
+        withMultipliers(analyze(lower, test::minimumDegree(lower)), test::lowerOf(matrix)));
+  }
+
+  [[nodiscard]] auto factorized() const { return factorizeMultifrontal(symbolic, test::lowerOf(matrix)); }
+};
+
+/// Each row ties three neighbours in a chain of columns, every other column at most in several rows.
+SparseMatrix chainRows(test::Random& random, Index rows, Index columns)
+{
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(rows, columns);
+  for (Index r = 0; r < rows; ++r) {
+    const Index first = r * (columns - 3) / std::max<Index>(1, rows - 1);
+    for (Index k = 0; k < 3; ++k) K(r, first + k) = random.uniform(0.05, 1);
+  }
+  return K.sparseView();
+}
+
+Columns3 saddleSolution(const PackedFactor& factor, const Columns3& b)
+{
+  const std::vector<int>& order = factor.symbolic().order;
+  std::vector<double> x(4 * order.size());
+  for (std::size_t k = 0; k < order.size(); ++k)
+    for (int c = 0; c < 3; ++c) x[4 * k + static_cast<std::size_t>(c)] = b(order[k], c);
+  factor.solve(x);
+  Columns3 z(b.rows(), 3);
+  for (std::size_t k = 0; k < order.size(); ++k)
+    for (int c = 0; c < 3; ++c) z(order[k], c) = x[4 * k + static_cast<std::size_t>(c)];
+  return z;
+}
+
+TEST(Multipliers, SolveAsDenseEliminationDoes)
+{
+  test::Random random(11);
+  for (int turn = 0; turn < 40; ++turn) {
+    const Index n = random.integer(4, 200);
+    const SparseMatrix K = chainRows(random, random.integer(1, n / 2), n);
+    const SparseMatrix M = SparseMatrix(test::randomSpd(random, n, 3) + K.transpose() * K);
+    const Saddle saddle(M, K);
+    const auto result = saddle.factorized();
+    ASSERT_TRUE(result) << result.failure;
+    const Columns3 expected = Columns3::Random(n + K.rows(), 3);
+    const Columns3 found = saddleSolution(*result.value, saddle.matrix * expected);
+    EXPECT_LT((found - expected).cwiseAbs().maxCoeff(), 1e-9);
+  }
+}
+
+TEST(Multipliers, MayBeAllThatMakesTheMatrixRegular)
+{
+  // Without the rows a common shift of all columns costs nothing.
+  test::Random random(12);
+  SparseMatrix M = test::gridMatrix(6);
+  const Index n = M.cols();
+  for (Index i = 0; i < n; ++i) M.coeffRef(i, i) -= M.col(i).sum();
+  const SparseMatrix K = chainRows(random, 40, n);
+  const Saddle saddle(SparseMatrix(M + K.transpose() * K), K);
+  const auto result = saddle.factorized();
+  ASSERT_TRUE(result) << result.failure;
+  const Columns3 b = Columns3::Random(n + K.rows(), 3);
+  const Columns3 x = saddleSolution(*result.value, b);
+  EXPECT_LT((saddle.matrix * x - b).cwiseAbs().maxCoeff(), 1e-9);
+}
+
+TEST(Multipliers, HaveNegativePivotsAndComeAfterTheColumnsTheyAreMatchedWith)
+{
+  test::Random random(13);
+  const SparseMatrix K = chainRows(random, 30, 90);
+  const Saddle saddle(SparseMatrix(test::randomSpd(random, 90, 3) + K.transpose() * K), K);
+  int multipliers = 0;
+  for (const Supernode& node : saddle.symbolic->supernodes) {
+    multipliers += node.multipliers;
+    EXPECT_LT(node.multipliers, node.width);
+    for (int k = 0; k < node.width; ++k)
+      EXPECT_EQ(saddle.symbolic->order[node.firstColumn + k] >= 90, k >= node.width - node.multipliers);
+  }
+  EXPECT_EQ(multipliers, 30);
+}
+
+}  // namespace
+}  // namespace holdfast
