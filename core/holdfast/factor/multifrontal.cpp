@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <holdfast/base/no_subnormals_internal.h>
 #include <holdfast/base/one_thread_internal.h>
 #include <holdfast/base/parallel.h>
 #include <holdfast/factor/dense_kernels_internal.h>
@@ -158,6 +159,7 @@ class Multifrontal {
     static std::mutex computing;
     const std::scoped_lock lock(computing);
     const OneThread libraries;
+    const NoSubnormals arithmetic;  // L falls off exponentially where much is held
     findDiagonal();
     std::vector<Workspace> ranges;
     for (const SupernodeRange& range : symbolic_.subtrees) ranges.emplace_back(symbolic_, range);
