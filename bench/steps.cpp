@@ -16,7 +16,9 @@ std::unique_ptr<const ConstrainedSolver> factorized(const Model& model, const Se
 {
   const Columns3 centerd = model.solverMesh.rest.rowwise() - model.solverMesh.rest.colwise().mean();
   SolverResult result =
-      makeSolver({std::make_shared<const TwoWayMatrix>(weightedRows(setUp.operators)), eliminated, centerd}, options);
+      makeSolver({std::make_shared<const TwoWayMatrix>(weightedRows(setUp.operators)),
+                  std::make_shared<const EliminatedConstraints>(eliminated), centerd},
+                 options);
   if (result.value == nullptr) throw std::runtime_error(result.failure);
   return std::move(result.value);
 }

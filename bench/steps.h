@@ -19,7 +19,7 @@ struct SetUp {
 
 [[nodiscard]] SetUp setUp(const Model& model, const ConstraintList& constraints);
 
-/// The solver, which refers to `eliminated`. Throws std::runtime_error with the reason where there is none.
+/// The solver. Throws std::runtime_error with the reason where there is none.
 [[nodiscard]] std::unique_ptr<const ConstrainedSolver> factorized(const Model& model, const SetUp& setUp,
                                                                   const EliminatedConstraints& eliminated,
                                                                   const SolverOptions& options);

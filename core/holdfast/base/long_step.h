@@ -1,8 +1,9 @@
 #pragma once
-/// Work that nothing can stop, such as a factorisation by a library: the caller can stop waiting for it.
+/// Work that cannot be stopped at any moment, such as a factorisation: the caller can stop waiting for it.
 
 #include <atomic>
 #include <chrono>
+#include <exception>
 #include <functional>
 #include <future>
 #include <memory>
@@ -11,6 +12,13 @@
 #include <holdfast/base/progress.h>
 
 namespace holdfast {
+
+/// Thrown by work that nobody waits for any more.
+class LeftBehind : public std::exception {};
+
+/// Whether nobody waits any more for what the thread works for that asks for this. To be called by any thread, now and
+/// then, by work that can end early.
+[[nodiscard]] std::function<bool()> leftBehindCheck();
 
 /// Runs one thing at most, on a thread of its own and to its end. Where this is destroyed earlier, the thread is left
 /// behind: only the end of the program waits for it.

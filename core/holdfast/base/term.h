@@ -1,6 +1,8 @@
 #pragma once
 /// One term of a linear combination.
 
+#include <compare>
+
 #include <holdfast/base/types.h>
 
 namespace holdfast {
@@ -11,6 +13,7 @@ struct Term {
   double coefficient = 0;
 
   friend bool operator==(const Term&, const Term&) = default;
+  friend auto operator<=>(const Term&, const Term&) = default;
 };
 
 }  // namespace holdfast

@@ -32,12 +32,26 @@ struct ConstraintFactorization {
       : system(itsSystem),
         eliminated(std::make_shared<const EliminatedConstraints>(eliminate(system, model.solverMesh))),
         sensitivities(eliminated->elimination.sensitivities()),
-        rotations(model.solverMesh, options.weights, options.solver.backend, ranks),
+        rotations(
+            std::make_shared<RotationFactorization>(model.solverMesh, options.weights, options.solver.backend, ranks)),
         positions([A, eliminated = eliminated, ranks,
                    rest = Columns3(model.solverMesh.rest.rowwise() - model.solverMesh.rest.colwise().mean()),
                    options = options.solver]() mutable {
-          return makeSolver({A, *eliminated, std::move(rest), std::move(ranks)}, options);
+          return makeSolver({A, eliminated, std::move(rest), std::move(ranks)}, options);
         })
+  {
+  }
+
+  /// The same under the constraints of `wanted`, by the factor of `base`.
+  ConstraintFactorization(const ConstraintFactorization& wanted, std::shared_ptr<ConstraintFactorization> base)
+      : system(wanted.system),
+        eliminated(wanted.eliminated),
+        sensitivities(wanted.sensitivities),
+        rotations(wanted.rotations),
+        positions([base = std::move(base), eliminated = eliminated] {
+          return base->positions.result(noProgress()).value->edited(eliminated);
+        }),
+        isBordered(true)
   {
   }
 
@@ -45,19 +59,32 @@ struct ConstraintFactorization {
   [[nodiscard]] bool serves(const ConstraintSystem& other) const
   {
     return std::ranges::equal(other.rows, system.rows, {}, &ConstraintRow::terms, &ConstraintRow::terms) &&
-           std::ranges::equal(other.rotations, system.rotations, {}, &GivenRotation::unknown,
+           turnsAs(other);
+  }
+
+  /// Whether `other` has the same given rotations and rigid regions.
+  [[nodiscard]] bool turnsAs(const ConstraintSystem& other) const
+  {
+    return std::ranges::equal(other.rotations, system.rotations, {}, &GivenRotation::unknown,
                               &GivenRotation::unknown) &&
            other.rigidRegions == system.rigidRegions;
   }
 
+  /// Whether it has a factor, and it can be used.
+  [[nodiscard]] bool isReady() { return positions.isDone() && positions.result(noProgress()); }
+
   ConstraintSystem system;
   std::shared_ptr<const EliminatedConstraints> eliminated;
   std::vector<double> sensitivities;
-  RotationFactorization rotations;
+  std::shared_ptr<RotationFactorization> rotations;
   LongStep<SolverResult> positions;
+  bool isBordered = false;
 };
 
 namespace {
+
+// A border by which fewer digits are left is not used.
+constexpr double kBorderedAccuracy = 1e-8;
 
 class Stopwatch {
  public:
@@ -187,10 +214,10 @@ class Solution {
   /// Finds the rotations and what they make of the rows; the message where they cannot be found.
   std::string rotate(ConstraintFactorization& factorization, Progress& progress)
   {
-    const bool isFactorised = factorization.rotations.isReady();
+    const bool isFactorised = factorization.rotations->isReady();
     const Stopwatch stopwatch;
     if (!isFactorised) progress.step("solving the rotation field");
-    Rotations rotations = factorization.rotations.solve(details_.system, progress);
+    Rotations rotations = factorization.rotations->solve(details_.system, progress);
     Seconds& seconds = report().seconds;
     (isFactorised ? seconds.solution : seconds.factorization) += stopwatch.seconds();
     takeOver(rotations, result_.report);
@@ -316,6 +343,30 @@ void Deformer::setTarget(std::string_view name, const Vector3& place)
   point->to = Target{place};
 }
 
+ConstraintFactorization& Deformer::factorizationFor(const ConstraintSystem& system, Progress& progress)
+{
+  if (coming_ != nullptr && coming_->serves(system) && coming_->isReady()) factorization_ = std::exchange(coming_, {});
+  if (factorization_ != nullptr && factorization_->serves(system)) return *factorization_;
+
+  if (answersEditsAtOnce_ && factorization_ != nullptr && !factorization_->isBordered && factorization_->isReady())
+    whole_ = factorization_;
+  progress.step(fmt::format("eliminating {} rows of constraints", system.rows.size()));
+  auto wanted = std::make_shared<ConstraintFactorization>(*model_, A_, ranks_->result(progress), system, options_);
+  if (answersEditsAtOnce_ && whole_ != nullptr && whole_->turnsAs(system)) {
+    wanted->rotations = whole_->rotations;
+    auto bordered = std::make_shared<ConstraintFactorization>(*wanted, whole_);
+    if (bordered->positions.result(progress)) {
+      coming_ = std::move(wanted);
+      factorization_ = std::move(bordered);
+      return *factorization_;
+    }
+  }
+  coming_ = nullptr;
+  whole_ = nullptr;
+  factorization_ = std::move(wanted);
+  return *factorization_;
+}
+
 DeformResult Deformer::deform(const ConstraintList& constraints, const std::string& source, Progress& progress)
 {
   Seconds seconds;
@@ -338,14 +389,21 @@ DeformResult Deformer::deform(const ConstraintList& constraints, const std::stri
   seconds.setup = setup.seconds();
 
   const Stopwatch elimination;
-  if (factorization_ == nullptr || !factorization_->serves(system)) {
-    progress.step(fmt::format("eliminating {} rows of constraints", system.rows.size()));
-    factorization_ = std::make_unique<ConstraintFactorization>(*model_, A_, ranks_->result(progress), system, options_);
-  }
+  ConstraintFactorization& factorization = factorizationFor(system, progress);
   seconds.factorization = elimination.seconds();
 
-  DeformResult result =
-      Solution(*model_, constraints, options_, operators_, *A_, std::move(system)).by(*factorization_, progress);
+  const auto solved = [&](ConstraintFactorization& by, ConstraintSystem its) {
+    return Solution(*model_, constraints, options_, operators_, *A_, std::move(its)).by(by, progress);
+  };
+  ConstraintSystem again;
+  if (factorization.isBordered) again = system;
+  DeformResult result = solved(factorization, std::move(system));
+  const SolveReport& report = result.report.solve;
+  if (factorization.isBordered && (report.status == SolveStatus::Failed || report.accuracy > kBorderedAccuracy)) {
+    factorization_ = std::exchange(coming_, {});
+    result = solved(*factorization_, std::move(again));
+  }
+  if (coming_ != nullptr) coming_->positions.start(progress);
   result.report.solve.seconds.setup = seconds.setup;
   result.report.solve.seconds.factorization += seconds.factorization;
   return result;

@@ -12,6 +12,12 @@
 #include <holdfast/deform/deformer.h>
 
 namespace holdfast {
+namespace {
+
+// From so many unknowns on, a factorisation takes longer than a hand waits.
+constexpr Index kLarge = 20000;
+
+}  // namespace
 
 struct LiveDeformer::Shared {
   using Kind = LiveEvent::Kind;
@@ -75,6 +81,7 @@ struct LiveDeformer::Shared {
   {
     if (deformer == nullptr || deformerOptions != job.state->options) {
       deformer = std::make_unique<Deformer>(*model, job.state->options);
+      deformer->answerEditsAtOnce(model->solverMesh.unknownCount() >= kLarge);
       deformerOptions = job.state->options;
     }
     StoppableProgress progress([this] { return stopRequest() != StopRequest::GoOn; },

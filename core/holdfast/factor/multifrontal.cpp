@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <holdfast/base/long_step.h>
 #include <holdfast/base/no_subnormals_internal.h>
 #include <holdfast/base/one_thread_internal.h>
 #include <holdfast/base/parallel.h>
@@ -152,12 +153,13 @@ class Multifrontal {
   {
   }
 
-  /// The place of the first pivot that is not positive, or `kAllPositive`.
+  /// The place of the first pivot that is not positive, or `kAllPositive`. Throws `LeftBehind`.
   int run()
   {
     // One factorisation at a time: `OneThread` has taken memory for one thread a core.
     static std::mutex computing;
     const std::scoped_lock lock(computing);
+    if (isLeftBehind_()) throw LeftBehind();
     const OneThread libraries;
     const NoSubnormals arithmetic;  // L falls off exponentially where much is held
     findDiagonal();
@@ -166,6 +168,7 @@ class Multifrontal {
     parallelFor(static_cast<Index>(ranges.size()), [&](Index k) { factorize(ranges[k], Loop(false)); });
     Workspace top(symbolic_, symbolic_.top);
     factorize(top, Loop(true));
+    if (isLeftBehind_()) throw LeftBehind();
     return badPivot_;
   }
 
@@ -198,7 +201,8 @@ class Multifrontal {
   void factorize(Workspace& work, const Loop& loop)
   {
     work.placeOf.resize(diagonal_.size());
-    for (int s = work.range.begin; s < work.range.end && badPivot_ == kAllPositive; ++s) factorize(s, work, loop);
+    for (int s = work.range.begin; s < work.range.end && badPivot_ == kAllPositive && !isLeftBehind_(); ++s)
+      factorize(s, work, loop);
     work.placeOf = {};
     work.panel = {};
     work.update = {};
@@ -302,6 +306,7 @@ class Multifrontal {
   std::vector<double> diagonal_;
   std::vector<const double*> updates_;  // of each supernode, as long as it is needed
   std::unique_ptr<PackedFactor> result_;
+  std::function<bool()> isLeftBehind_ = leftBehindCheck();
   std::atomic<int> badPivot_{kAllPositive};
 };
 

@@ -25,6 +25,9 @@ struct Displacement {
   double accuracy = 0;  ///< estimated relative error, from residuals through A itself: see `correctedSolve`
 };
 
+class ConstrainedSolver;
+using SolverResult = Result<std::unique_ptr<const ConstrainedSolver>>;
+
 /// One decomposition, for any number of solutions with the same rows. Another set of constraints makes another object.
 class ConstrainedSolver {
  public:
@@ -32,6 +35,10 @@ class ConstrainedSolver {
 
   /// `f` (n x 3) is what A u should be near: 0 when no detail is turned. O(factor). Not for concurrent calls.
   [[nodiscard]] virtual Displacement solve(const RowTargets& targets, const Columns3& f) const = 0;
+
+  /// A solver under `others`, by this one's decomposition and a border of one column for each row more and each row
+  /// fewer. Fails where they are too many, or where the solver does not do that. O(factor) for three rows.
+  [[nodiscard]] virtual SolverResult edited(std::shared_ptr<const EliminatedConstraints> others) const;
 
   /// Unknowns of the system that is solved, for each coordinate.
   [[nodiscard]] virtual Index unknowns() const = 0;
@@ -45,10 +52,10 @@ class ConstrainedSolver {
   ConstrainedSolver& operator=(const ConstrainedSolver&) = default;
 };
 
-/// What the solvers are made of. `eliminated` stays alive as long as the solver.
+/// What the solvers are made of.
 struct ConstrainedProblem {
   std::shared_ptr<const TwoWayMatrix> A;  ///< weighted rows, n x n
-  const EliminatedConstraints& eliminated;
+  std::shared_ptr<const EliminatedConstraints> eliminated;
   Columns3 rest;                ///< n x 3, a typical solution to measure factors on
   std::vector<int> ranks = {};  ///< `eliminationRanks`; empty: the factorisation finds an order of its own
 
@@ -57,8 +64,6 @@ struct ConstrainedProblem {
     return ranks.empty() ? EliminationOrder::ToBeFound : EliminationOrder::OfColumns;
   }
 };
-
-using SolverResult = Result<std::unique_ptr<const ConstrainedSolver>>;
 
 [[nodiscard]] SolverResult makeSolver(ConstrainedProblem problem, const SolverOptions& options);
 

@@ -22,23 +22,24 @@ double largest(const Eigen::MatrixBase<Matrix>& x)
 
 /// What changes a solution and its multipliers when this is left of their equations: of C z = f (`left`), and in its
 /// last rows of K z = 0.
-Columns3 solved(const LeastSquaresFactor& factor, const TwoWayMatrix& C, Columns3 left, const Columns3& multipliers)
+Columns3 solved(const LeastSquaresFactor& factor, const LinearMap& C, Columns3 left, const Columns3& multipliers)
 {
   const Index kept = multipliers.rows();
   if (kept == 0) return factor.solve(C.transposeTimes(left));
-  Columns3 g(C.columns().cols() + kept, 3);
-  g.bottomRows(kept) = left.bottomRows(kept);
+  const Columns3 ofKept = left.bottomRows(kept);
   left.bottomRows(kept) -= multipliers;
-  g.topRows(C.columns().cols()) = C.transposeTimes(left);
+  const Columns3 ofUnknowns = C.transposeTimes(left);
+  Columns3 g(ofUnknowns.rows() + kept, 3);
+  g << ofUnknowns, ofKept;
   return factor.solve(g);
 }
 
 }  // namespace
 
-CorrectedSolution correctedSolve(const LeastSquaresFactor& factor, const TwoWayMatrix& C,
+CorrectedSolution correctedSolve(const LeastSquaresFactor& factor, const LinearMap& C,
                                  const Eigen::VectorXd& columnScale, const Columns3& f, Index kept)
 {
-  const Index unknowns = C.columns().cols();
+  const Index unknowns = columnScale.size();
   if (f.isZero(0)) return {Columns3::Zero(unknowns, 3), 0, 0};
   CorrectedSolution result{solved(factor, C, f, Columns3::Zero(kept, 3)), 0, 0};
   Columns3 multipliers = result.z.bottomRows(kept);

@@ -53,8 +53,8 @@ FactorResult factorizeKept(const TwoWayMatrix& C, Index kept, const Columns3& pr
   if (!result) return result;
   const double left = contraction(*result.value, C, probe, kept);
   if (left <= kGoodContraction) return result;
-  return {nullptr, fmt::format("the equations with multipliers keep no digits (a correction leaves {:.1g} of an error)",
-                               left)};
+  return {nullptr,
+          fmt::format("the equations with multipliers keep no digits (a correction leaves {:.1g} of an error)", left)};
 }
 
 FactorResult factorize(const TwoWayMatrix& C, Backend backend, const Columns3& probe, EliminationOrder order)

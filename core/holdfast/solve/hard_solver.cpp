@@ -3,6 +3,7 @@
 #include <utility>
 
 #include <holdfast/elimination/reconciliation.h>
+#include <holdfast/solve/bordered_problem.h>
 #include <holdfast/solve/column_scaling.h>
 #include <holdfast/solve/constrained_solver.h>
 #include <holdfast/solve/corrected_solve.h>
@@ -13,13 +14,10 @@ namespace {
 
 class HardSolver final : public ConstrainedSolver {
  public:
-  HardSolver(ConstrainedProblem problem, const SparseMatrix& Q2, ScaledColumns reduced,
-             std::unique_ptr<const LeastSquaresFactor> factor)
+  HardSolver(ConstrainedProblem problem, ReducedProblem reduced)
       : problem_(std::move(problem)),
-        B_(constraintMatrix(problem_.eliminated.rows, Q2.rows())),
-        scaledQ2_(Q2 * reduced.scale.asDiagonal()),
-        reduced_(std::move(reduced)),
-        factor_(std::move(factor))
+        B_(constraintMatrix(problem_.eliminated->rows, problem_.A->columns().cols())),
+        reduced_(std::make_shared<const ReducedProblem>(std::move(reduced)))
   {
   }
 
@@ -27,9 +25,9 @@ class HardSolver final : public ConstrainedSolver {
   {
     Displacement result{particular(targets), 0, 0};
     Columns3 missed = problem_.A->residual(f, result.u);
-    missed.conservativeResizeLike(Columns3::Zero(missed.rows() + reduced_.kept, 3));
-    const CorrectedSolution z = correctedSolve(*factor_, reduced_.C, reduced_.scale, missed, reduced_.kept);
-    parallelBlocks(result.u.rows(), [&](Index i) { result.u.row(i) += gathered(scaledQ2_, i, z.z); });
+    missed.conservativeResizeLike(Columns3::Zero(missed.rows() + reduced_->kept, 3));
+    const CorrectedSolution z = correctedSolve(*reduced_->factor, reduced_->C, reduced_->scale, missed, reduced_->kept);
+    parallelBlocks(result.u.rows(), [&](Index i) { result.u.row(i) += gathered(reduced_->scaledQ2, i, z.z); });
     // What rounding has left of B u = d is taken off in the span of the rows; pins have nothing left.
     const Columns3 left = targets.shifts - B_ * result.u;
     if (!left.isZero(0)) result.u += particular({left, targets.reconciled});
@@ -38,23 +36,28 @@ class HardSolver final : public ConstrainedSolver {
     return result;
   }
 
-  [[nodiscard]] Index unknowns() const override { return reduced_.scale.size() + reduced_.kept; }
-  [[nodiscard]] Index factorNonzeros() const override { return factor_->nonzeros(); }
-  [[nodiscard]] std::string method() const override { return std::string(factor_->method()); }
+  [[nodiscard]] SolverResult edited(std::shared_ptr<const EliminatedConstraints> others) const override
+  {
+    Result<ReducedProblem> result = bordered(reduced_, *problem_.A, *problem_.eliminated, *others);
+    if (!result) return {nullptr, std::move(result.failure)};
+    return {
+        std::make_unique<HardSolver>(ConstrainedProblem{problem_.A, std::move(others), {}}, std::move(result.value))};
+  }
+
+  [[nodiscard]] Index unknowns() const override { return reduced_->scale.size() + reduced_->kept; }
+  [[nodiscard]] Index factorNonzeros() const override { return reduced_->factor->nonzeros(); }
+  [[nodiscard]] std::string method() const override { return std::string(reduced_->factor->method()); }
 
  private:
   [[nodiscard]] Columns3 particular(const RowTargets& targets) const
   {
-    return targets.reconciled.empty()
-               ? problem_.eliminated.elimination.particular(targets.shifts)
-               : reconciledParticular(problem_.eliminated, targets.reconciled, targets.shifts);
+    return targets.reconciled.empty() ? problem_.eliminated->elimination.particular(targets.shifts)
+                                      : reconciledParticular(*problem_.eliminated, targets.reconciled, targets.shifts);
   }
 
   ConstrainedProblem problem_;
   SparseRows B_;
-  SparseRows scaledQ2_;  // Q2 diag(scale)
-  ScaledColumns reduced_;
-  std::unique_ptr<const LeastSquaresFactor> factor_;
+  std::shared_ptr<const ReducedProblem> reduced_;
 };
 
 /// With the rows `kept` of the elimination in the system, or with none where that is empty.
@@ -63,24 +66,28 @@ SolverResult hardSolver(ConstrainedProblem& problem, Backend backend, const Spar
 {
   const SparseMatrix Q2 = orderedColumns(wantedQ2, problem.ranks);
   std::vector<RowTerms> rows;
-  for (const Index row : kept) rows.push_back(problem.eliminated.rows[row]);
+  for (const Index row : kept) rows.push_back(problem.eliminated->rows[row]);
   Result<ScaledColumns> columns =
       scaleColumns(product(problem.A->columns(), Q2), constraintMatrix(rows, Q2.rows()) * Q2);
   if (!columns) return {nullptr, std::move(columns.failure)};
   ScaledColumns& reduced = columns.value;
   const Columns3 probe = reduced.scale.cwiseInverse().asDiagonal() * Columns3(Q2.transpose() * problem.rest);
   const EliminationOrder order = problem.eliminationOrder();
-  FactorResult result = kept.empty() ? factorize(reduced.C, backend, probe, order)
-                                     : factorizeKept(reduced.C, reduced.kept, probe, order);
+  FactorResult result =
+      kept.empty() ? factorize(reduced.C, backend, probe, order) : factorizeKept(reduced.C, reduced.kept, probe, order);
   if (!result) return {nullptr, std::move(result.failure)};
-  return {std::make_unique<HardSolver>(std::move(problem), Q2, std::move(reduced), std::move(result.value))};
+  SparseRows scaledQ2 = Q2 * reduced.scale.asDiagonal();
+  return {std::make_unique<HardSolver>(
+      std::move(problem),
+      ReducedProblem{std::make_shared<const TwoWayMatrix>(std::move(reduced.C)), std::move(reduced.scale), reduced.kept,
+                     std::move(scaledQ2), std::move(result.value)})};
 }
 
 }  // namespace
 
 SolverResult makeHardSolver(ConstrainedProblem problem, Backend backend)
 {
-  const Elimination& elimination = problem.eliminated.elimination;
+  const Elimination& elimination = problem.eliminated->elimination;
   const std::vector<Index> kept = elimination.kept();
   if (kept.empty()) return hardSolver(problem, backend, elimination.Q2(), kept);
   // Only our own factorisation has multipliers.

@@ -97,7 +97,7 @@ std::unique_ptr<const SparseLu> factorLu(const SparseMatrix& K, Backend backend)
 
 SolverResult makeLagrangeSolver(ConstrainedProblem problem, Backend backend)
 {
-  const EliminatedConstraints& eliminated = problem.eliminated;
+  const EliminatedConstraints& eliminated = *problem.eliminated;
   const SparseMatrix& whole = problem.A->columns();
   SparseMatrix spread = Elimination({}, {}, whole.cols(), eliminated.isHeld).Q2();
   std::vector<Index> rows = independentRows(eliminated.dependencies, eliminated.rows.size());

@@ -11,8 +11,8 @@
 
 namespace holdfast {
 
-/// A factorised problem: minimise |C z - f| for any f. The last rows of C may be kept: they hold exactly, C z = 0 there,
-/// and have a multiplier each. It does not need C any more. Not for concurrent calls.
+/// A factorised problem: minimise |C z - f| for any f. The last rows of C may be kept: they hold exactly, C z = 0
+/// there, and have a multiplier each. It does not need C any more. Not for concurrent calls.
 class LeastSquaresFactor {
  public:
   virtual ~LeastSquaresFactor() = default;

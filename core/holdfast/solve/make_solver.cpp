@@ -11,6 +11,11 @@ std::string_view name(SolverKind kind)
   return kNames[static_cast<std::size_t>(kind)];
 }
 
+SolverResult ConstrainedSolver::edited(std::shared_ptr<const EliminatedConstraints> /*others*/) const
+{
+  return {nullptr, "only hard constraints are edited"};
+}
+
 SolverResult makeSolver(ConstrainedProblem problem, const SolverOptions& options)
 {
   if (options.kind == SolverKind::Soft) return makeSoftSolver(std::move(problem), options.backend, options.softWeight);

@@ -50,7 +50,7 @@ class SoftSolver final : public ConstrainedSolver {
 
 SolverResult makeSoftSolver(ConstrainedProblem problem, Backend backend, double weight)
 {
-  const EliminatedConstraints& eliminated = problem.eliminated;
+  const EliminatedConstraints& eliminated = *problem.eliminated;
   const SparseMatrix& A = problem.A->columns();
   SparseMatrix spread = orderedColumns(Elimination({}, {}, A.cols(), eliminated.isHeld).Q2(), problem.ranks);
   const SparseMatrix all = stacked(A, weight * constraintMatrix(eliminated.rows, A.cols()));

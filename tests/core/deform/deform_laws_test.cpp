@@ -189,7 +189,7 @@ TEST(DeformLaws, ASolverServesOtherTargetsAsAFreshOneWould)
     const auto A = std::make_shared<const TwoWayMatrix>(weightedRows(makeOperators(solverMesh, options.weights)));
     const ConstraintSystem system =
         makeConstraintSystem(someMoves(mesh), mesh, solverMesh, SurfaceLocator(mesh, triangulation), "list");
-    const EliminatedConstraints eliminated = eliminate(system, solverMesh);
+    const auto eliminated = std::make_shared<const EliminatedConstraints>(eliminate(system, solverMesh));
     const Columns3 rest = solverMesh.rest.rowwise() - solverMesh.rest.colwise().mean();
     const Columns3 f = Columns3::Zero(rest.rows(), 3);
     for (const SolverKind kind : {SolverKind::Hard, SolverKind::Soft, SolverKind::Lagrange}) {

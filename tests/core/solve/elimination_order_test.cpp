@@ -34,7 +34,10 @@ struct ReducedPlate {
 
   [[nodiscard]] std::unique_ptr<const ConstrainedSolver> solver(std::vector<int> its) const
   {
-    return makeSolver({A, eliminated, model.solverMesh.rest, std::move(its)}, {}).value;
+    return makeSolver(
+               {A, std::make_shared<const EliminatedConstraints>(eliminated), model.solverMesh.rest, std::move(its)},
+               {})
+        .value;
   }
 };
 

@@ -1,0 +1,226 @@
+#include "holdfast/solve/bordered_problem.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include <Eigen/LU>
+
+#include <holdfast/elimination/row_components.h>
+#include <holdfast/solve/column_scaling.h>
+
+namespace holdfast {
+namespace {
+
+// Scaled to a diagonal of 1, a matrix with a smaller reciprocal condition number keeps too few digits.
+constexpr double kLeastRcond = 1e-13;
+
+/// Rows by their places in their lists.
+struct Edit {
+  std::vector<Index> removed;  // of the rows before
+  std::vector<Index> added;    // of the rows now
+};
+
+/// The places of `rows` in ascending order of their terms.
+std::vector<Index> sorted(std::vector<Index> places, const std::vector<RowTerms>& rows)
+{
+  std::ranges::sort(places, {}, [&](Index place) -> const RowTerms& { return rows[place]; });
+  return places;
+}
+
+Edit editOf(const EliminatedConstraints& before, const EliminatedConstraints& now)
+{
+  const auto independentOf = [](const EliminatedConstraints& all) {
+    return independentRows(all.dependencies, all.rows.size());
+  };
+  std::vector<Index> old = independentOf(before);
+  std::vector<Index> fresh = independentOf(now);
+  // Lists that follow one another are alike but for one place.
+  const auto isSame = [&](Index a, Index b) { return before.rows[a] == now.rows[b]; };
+  const auto [oldFirst, freshFirst] = std::ranges::mismatch(old, fresh, isSame);
+  old.erase(old.begin(), oldFirst);
+  fresh.erase(fresh.begin(), freshFirst);
+  while (!old.empty() && !fresh.empty() && isSame(old.back(), fresh.back())) {
+    old.pop_back();
+    fresh.pop_back();
+  }
+  old = sorted(std::move(old), before.rows);
+  fresh = sorted(std::move(fresh), now.rows);
+  const auto termsBefore = [&](Index row) -> const RowTerms& { return before.rows[row]; };
+  const auto termsNow = [&](Index row) -> const RowTerms& { return now.rows[row]; };
+  Edit edit;
+  std::ranges::set_difference(old, fresh, std::back_inserter(edit.removed), {}, termsBefore, termsNow);
+  std::ranges::set_difference(fresh, old, std::back_inserter(edit.added), {}, termsNow, termsBefore);
+  return edit;
+}
+
+/// Calls `use(first, count)` for three columns at a time.
+template <class Use>
+void forEachThree(Index columns, const Use& use)
+{
+  for (Index first = 0; first < columns; first += 3) use(first, std::min<Index>(3, columns - first));
+}
+
+/// n x removed: the displacements that meet every independent row with 0 but one of those removed, with 1.
+SparseMatrix released(const EliminatedConstraints& before, const std::vector<Index>& removed, Index unknownCount)
+{
+  std::vector<Eigen::Triplet<double, int>> entries;
+  const auto columns = static_cast<Index>(removed.size());
+  forEachThree(columns, [&](Index first, Index count) {
+    Columns3 d = Columns3::Zero(static_cast<Index>(before.rows.size()), 3);
+    for (Index c = 0; c < count; ++c) d(removed[first + c], c) = 1;
+    const Columns3 u = before.elimination.particular(d);
+    for (Index i = 0; i < u.rows(); ++i)
+      for (Index c = 0; c < count; ++c)
+        if (u(i, c) != 0) entries.emplace_back(static_cast<int>(i), static_cast<int>(first + c), u(i, c));
+  });
+  SparseMatrix result(unknownCount, columns);
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
+/// The border of a reduced problem of k unknowns.
+struct Border {
+  SparseMatrix AP;  // n x removed, columns of length 1
+  SparseRows K;     // added x (k + removed), rows of length 1
+};
+
+SparseRows sideBySide(const SparseRows& left, const SparseRows& right)
+{
+  return assembled<SparseRows>(left.rows(), left.cols() + right.cols(), [&](Index i, ColumnSum& sum) {
+    for (SparseRows::InnerIterator entry(left, i); entry; ++entry)
+      sum.add(static_cast<int>(entry.col()), entry.value());
+    for (SparseRows::InnerIterator entry(right, i); entry; ++entry)
+      sum.add(static_cast<int>(left.cols() + entry.col()), entry.value());
+  });
+}
+
+/// These rows over z, of length 1.
+SparseRows keptRows(const EliminatedConstraints& constraints, const std::vector<Index>& rows,
+                    const SparseRows& scaledQ2)
+{
+  std::vector<RowTerms> terms;
+  for (const Index row : rows) terms.push_back(constraints.rows[row]);
+  SparseRows K = SparseRows(constraintMatrix(terms, scaledQ2.rows())) * scaledQ2;
+  for (Index r = 0; r < K.rows(); ++r) K.row(r) /= K.row(r).norm();
+  return K;
+}
+
+/// Solves the bordered system. Layout of right sides and solutions: unknowns, those added; multipliers, those added.
+class BorderedFactor final : public LeastSquaresFactor {
+ public:
+  BorderedFactor(std::shared_ptr<const ReducedProblem> base, const Border& border)
+      : base_(std::move(base)),
+        unknowns_(base_->scale.size()),
+        released_(border.AP.cols()),
+        added_(border.K.rows()),
+        W_(unknowns_ + base_->kept, released_ + added_),
+        Z_(W_.rows(), W_.cols())
+  {
+    const Index rows = border.AP.rows();
+    std::vector<Eigen::Triplet<double, int>> entries;
+    forEachThree(W_.cols(), [&](Index first, Index count) {
+      Columns3 w = Columns3::Zero(W_.rows(), 3);
+      Columns3 f = Columns3::Zero(rows + base_->kept, 3);
+      for (Index c = 0; c < count; ++c) {
+        if (first + c < released_)
+          f.col(c).head(rows) = border.AP.col(first + c);
+        else
+          w.col(c).head(unknowns_) = border.K.row(first + c - released_).head(unknowns_).transpose();
+      }
+      if (first < released_) w.topRows(unknowns_) += base_->C.transposeTimes(f);
+      for (Index i = 0; i < w.rows(); ++i)
+        for (Index c = 0; c < count; ++c)
+          if (w(i, c) != 0) entries.emplace_back(static_cast<int>(i), static_cast<int>(first + c), w(i, c));
+      Z_.middleCols(first, count) = base_->factor->solve(w).leftCols(count);
+    });
+    W_.setFromTriplets(entries.begin(), entries.end());
+    Eigen::MatrixXd S = Eigen::MatrixXd::Zero(W_.cols(), W_.cols());
+    S.topLeftCorner(released_, released_) = SparseMatrix(border.AP.transpose() * border.AP);
+    S.bottomLeftCorner(added_, released_) = border.K.rightCols(released_);
+    S.topRightCorner(released_, added_) = S.bottomLeftCorner(added_, released_).transpose();
+    S -= W_.transpose() * Z_;
+    weights_ = S.diagonal().cwiseAbs().cwiseSqrt().cwiseInverse();
+    S_.compute(weights_.asDiagonal() * S * weights_.asDiagonal());
+  }
+
+  [[nodiscard]] bool isRegular() const { return weights_.allFinite() && S_.rcond() > kLeastRcond; }
+
+  [[nodiscard]] Columns3 solve(const Columns3& g) const override
+  {
+    Columns3 own(W_.rows(), 3);
+    own << g.topRows(unknowns_), g.middleRows(unknowns_ + released_, base_->kept);
+    Columns3 ofBorder(W_.cols(), 3);
+    ofBorder << g.middleRows(unknowns_, released_), g.bottomRows(added_);
+    own = base_->factor->solve(own);
+    const Columns3 s = weights_.asDiagonal() *
+                       S_.solve(Eigen::MatrixX3d(weights_.asDiagonal() * Columns3(ofBorder - W_.transpose() * own)));
+    own -= Z_ * s;
+    Columns3 result(g.rows(), 3);
+    // C^T C has the squares of kept rows in it; those added are not in the factor.
+    result << own.topRows(unknowns_), s.topRows(released_), own.bottomRows(base_->kept),
+        s.bottomRows(added_) - g.bottomRows(added_);
+    return result;
+  }
+
+  [[nodiscard]] Index nonzeros() const override { return base_->factor->nonzeros() + Z_.size(); }
+  [[nodiscard]] std::string_view method() const override
+  {
+    return "an earlier factor, bordered by the rows that differ";
+  }
+
+ private:
+  std::shared_ptr<const ReducedProblem> base_;
+  Index unknowns_;
+  Index released_;
+  Index added_;
+  SparseMatrix W_;
+  Eigen::MatrixXd Z_;  // N^-1 W
+  Eigen::VectorXd weights_;
+  Eigen::PartialPivLU<Eigen::MatrixXd> S_;
+};
+
+}  // namespace
+
+Result<ReducedProblem> bordered(const std::shared_ptr<const ReducedProblem>& base, const TwoWayMatrix& A,
+                                const EliminatedConstraints& before, const EliminatedConstraints& now)
+{
+  if (before.isHeld != now.isHeld) return {{}, "other parts are held"};
+  const Edit edit = editOf(before, now);
+  if (edit.removed.size() + edit.added.size() > kMostEdited) return {{}, "too many rows differ"};
+
+  const SparseMatrix P = released(before, edit.removed, A.columns().cols());
+  Result<ScaledColumns> columns = scaleColumns(product(A.columns(), P));
+  if (!columns) return {{}, std::move(columns.failure)};
+  const auto border = std::make_shared<Border>();
+  border->AP = columns.value.C.columns();
+  ReducedProblem result;
+  result.scaledQ2 = sideBySide(base->scaledQ2, SparseRows(P * columns.value.scale.asDiagonal()));
+  border->K = keptRows(now, edit.added, result.scaledQ2);
+  auto factor = std::make_shared<BorderedFactor>(base, *border);
+  if (!factor->isRegular()) return {{}, "the Schur complement is singular in doubles"};
+  result.factor = std::move(factor);
+  result.scale.resize(result.scaledQ2.cols());
+  result.scale << base->scale, columns.value.scale;
+  result.kept = base->kept + border->K.rows();
+
+  const Index unknowns = base->scale.size();
+  const Index rows = A.rows().rows();
+  result.C.residual = [base, border, unknowns, rows](const Columns3& f, const Columns3& z) {
+    Columns3 left(f.rows(), 3);
+    left << base->C.residual(f.topRows(rows + base->kept), z.topRows(unknowns)),
+        f.bottomRows(border->K.rows()) - border->K * z;
+    left.topRows(rows) -= border->AP * z.bottomRows(border->AP.cols());
+    return left;
+  };
+  result.C.transposeTimes = [base, border, unknowns, rows](const Columns3& f) {
+    Columns3 g = border->K.transpose() * f.bottomRows(border->K.rows());
+    g.topRows(unknowns) += base->C.transposeTimes(f.topRows(rows + base->kept));
+    g.bottomRows(border->AP.cols()) += border->AP.transpose() * f.topRows(rows);
+    return g;
+  };
+  return {std::move(result)};
+}
+
+}  // namespace holdfast

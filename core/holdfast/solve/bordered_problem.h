@@ -1,0 +1,30 @@
+#pragma once
+/// The reduced problem of hard constraints, and the same for a few rows more or fewer on the factor that is there.
+
+#include <memory>
+
+#include <holdfast/elimination/diagnosis.h>
+#include <holdfast/solve/corrected_solve.h>
+
+namespace holdfast {
+
+/// Minimise |C z - f|, with u = Q2 diag(scale) z.
+struct ReducedProblem {
+  LinearMap C;  ///< columns of length 1, and kept rows of length 1 below
+  Eigen::VectorXd scale;
+  Index kept = 0;       ///< how many rows are kept
+  SparseRows scaledQ2;  ///< Q2 diag(scale)
+  std::shared_ptr<const LeastSquaresFactor> factor;
+};
+
+/// More rows take longer than another factorisation does.
+inline constexpr std::size_t kMostEdited = 60;
+
+/// `base`, which was made under the rows `before`, under the rows `now`. A row fewer is a column more: the displacement
+/// by which that row alone changes. A row more is kept, with a multiplier. With these borders W the system is solved by
+/// the factor of `base` and the Schur complement S = S_0 - W^T N^-1 W. Fails where rows differ by more than
+/// `kMostEdited`, where other parts are held, and where S is singular in doubles. O(factor) for three of these rows.
+[[nodiscard]] Result<ReducedProblem> bordered(const std::shared_ptr<const ReducedProblem>& base, const TwoWayMatrix& A,
+                                              const EliminatedConstraints& before, const EliminatedConstraints& now);
+
+}  // namespace holdfast

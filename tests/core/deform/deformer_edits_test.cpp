@@ -1,0 +1,146 @@
+// Edits that are answered by the factor of an earlier list, bordered by the rows that differ.
+
+#include <algorithm>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <holdfast/deform/deformer.h>
+
+#include "support/meshes.h"
+#include "support/point_constraints.h"
+#include "support/solve_cases.h"
+
+namespace holdfast {
+namespace {
+
+constexpr char kBordered[] = "an earlier factor, bordered by the rows that differ";
+
+ConstraintList turnedEnd(const Mesh& mesh)
+{
+  const Index last = mesh.vertexCount() - 1;
+  ConstraintList list = test::listOf({test::hold({0, 1, 2, 3})});
+  list.constraints.push_back(
+      {"handle", true,
+       HandleConstraint{
+           {VertexIds{{last, last - 1, last - 2}}}, AxisRotation{Vector3(1, 1, 0), 40, {}}, Vector3(0, 0, 1), {}}});
+  return list;
+}
+
+/// Adds, moves, removes, disables or enables a point.
+void edit(ConstraintList& list, test::Random& random, const Mesh& mesh)
+{
+  const auto size = static_cast<Index>(list.constraints.size());
+  const Index choice = random.integer(0, size < 6 ? 1 : 4);
+  Constraint& other = list.constraints[size > 2 ? random.integer(2, size - 1) : 0];
+  if (choice <= 1)
+    list.constraints.push_back(test::moveBy(test::randomPlace(random, mesh), test::randomVector(random, 0.2)));
+  else if (choice == 2)
+    list.constraints.erase(list.constraints.begin() + random.integer(2, size - 1));
+  else if (choice == 3)
+    std::get<PointConstraint>(other.what).at = test::randomPlace(random, mesh);
+  else
+    other.isEnabled = !other.isEnabled;
+}
+
+void expectAsFresh(const DeformResult& edited, const Mesh& mesh, const ConstraintList& list,
+                   const DeformOptions& options)
+{
+  const DeformResult fresh = test::deformed(mesh, list, options);
+  EXPECT_EQ(edited.report.solve.status, fresh.report.solve.status) << edited.report.solve.message;
+  EXPECT_LT(test::distance(edited.positions, fresh.positions), 1e-11);
+  EXPECT_LE(edited.report.solve.maxResidualRelative, std::max(1e-14, fresh.report.solve.maxResidualRelative));
+  EXPECT_LT(edited.report.solve.accuracy, 1e-9);
+  for (std::size_t c = 0; c < list.constraints.size(); ++c)
+    EXPECT_EQ(edited.report.constraints[c].status, fresh.report.constraints[c].status) << c;
+}
+
+TEST(DeformerEdits, AreAsExactAsFreshDeformations)
+{
+  const Mesh mesh = test::plate(16, 12);
+  for (const Backend backend : test::backends())
+    for (const Weights weights : test::allWeights()) {
+      const DeformOptions options{weights, {SolverKind::Hard, backend, 5}};
+      test::Random random(21);
+      Deformer deformer(makeModel(mesh), options);
+      deformer.answerEditsAtOnce(true);
+      ConstraintList list = turnedEnd(mesh);
+      static_cast<void>(deformer.deform(list));
+      int bordered = 0;
+      for (int k = 0; k < 30; ++k) {
+        edit(list, random, mesh);
+        const DeformResult result = deformer.deform(list);
+        bordered += result.report.solve.method == kBordered ? 1 : 0;
+        expectAsFresh(result, mesh, list, options);
+      }
+      EXPECT_GT(bordered, 15);
+    }
+}
+
+TEST(DeformerEdits, MayTakeEveryRowOfAnEarlierPointAway)
+{
+  const Mesh mesh = test::plate(12, 10);
+  Deformer deformer(makeModel(mesh));
+  deformer.answerEditsAtOnce(true);
+  ConstraintList list = turnedEnd(mesh);
+  for (const Index face : {100, 130, 131, 132})
+    list.constraints.push_back(test::moveBy(AtFace{face, {0.2, 0.3, 0.5}}, Vector3(0, 0, 0.2)));
+  list.constraints.push_back(test::moveBy(AtVertex{60}, Vector3(0, 0, 0.1)));
+  static_cast<void>(deformer.deform(list));
+  while (list.constraints.size() > 2) {
+    list.constraints.pop_back();
+    const DeformResult result = deformer.deform(list);
+    expectAsFresh(result, mesh, list, {});
+  }
+}
+
+TEST(DeformerEdits, GetAFactorOfTheirOwnMeanwhile)
+{
+  const Mesh mesh = test::plate(12, 10);
+  Deformer deformer(makeModel(mesh));
+  deformer.answerEditsAtOnce(true);
+  ConstraintList list = turnedEnd(mesh);
+  static_cast<void>(deformer.deform(list));
+  list.constraints.push_back(test::moveBy(AtVertex{60}, Vector3(0, 0, 0.1)));
+  DeformResult result = deformer.deform(list);
+  EXPECT_EQ(result.report.solve.method, kBordered);
+  for (int turn = 0; turn < 1000 && result.report.solve.method == kBordered; ++turn) result = deformer.deform(list);
+  EXPECT_NE(result.report.solve.method, kBordered);
+  EXPECT_EQ(result.positions, test::deformed(mesh, list, {}).positions) << "bit for bit";
+}
+
+TEST(DeformerEdits, FactoriseAnewWhereTooMuchDiffers)
+{
+  const Mesh mesh = test::plate(16, 12);
+  Deformer deformer(makeModel(mesh));
+  deformer.answerEditsAtOnce(true);
+  ConstraintList list = turnedEnd(mesh);
+  static_cast<void>(deformer.deform(list));
+  const auto deformed = [&] { return deformer.deform(list); };
+  for (Index vertex = 40; vertex < 110; ++vertex)
+    list.constraints.push_back(test::moveBy(AtVertex{vertex}, Vector3(0, 0, 0.1)));
+  EXPECT_NE(deformed().report.solve.method, kBordered) << "70 rows more";
+  list.constraints[1].isEnabled = false;
+  EXPECT_NE(deformed().report.solve.method, kBordered) << "other rotations are given";
+  deformer.answerEditsAtOnce(false);
+  list.constraints.pop_back();
+  EXPECT_NE(deformed().report.solve.method, kBordered) << "not asked for";
+}
+
+TEST(DeformerEdits, OfOtherSolversAreFactorisedAnew)
+{
+  const Mesh mesh = test::plate(8, 6);
+  for (const SolverKind kind : {SolverKind::Soft, SolverKind::Lagrange}) {
+    const DeformOptions options{Weights::Cotangent, {kind, Backend::Holdfast, 5}};
+    Deformer deformer(makeModel(mesh), options);
+    deformer.answerEditsAtOnce(true);
+    ConstraintList list = turnedEnd(mesh);
+    static_cast<void>(deformer.deform(list));
+    list.constraints.push_back(test::moveBy(AtVertex{30}, Vector3(0, 0, 0.1)));
+    EXPECT_EQ(deformer.deform(list).positions, test::deformed(mesh, list, options).positions);
+  }
+}
+
+}  // namespace
+}  // namespace holdfast
