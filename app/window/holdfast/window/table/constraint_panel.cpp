@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include <holdfast/mesh/index_lists.h>
 #include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/table/constraint_table.h>
 #include <holdfast/window/table/constraint_table_model.h>
@@ -59,7 +60,6 @@ class ConstraintFilter : public QSortFilterProxyModel {
     return mapFromSource(model_.index(static_cast<int>(constraint), 0)).row();
   }
 
-  /// The selected constraints that are shown.
   [[nodiscard]] Rows visibleSelection() const
   {
     Rows rows = editor_.selectedConstraints();
@@ -129,7 +129,6 @@ QToolButton* toolButton(QAction* action, Qt::ArrowType arrow, const char* name)
   return button;
 }
 
-/// The rows of a selection of whole rows.
 Rows rowsIn(const QItemSelection& selection)
 {
   Rows rows;
@@ -307,7 +306,6 @@ class ConstraintPanel : public QWidget {
     }
   }
 
-  /// Begins to type a new name for the current row.
   void rename()
   {
     const QModelIndex current = table_->currentIndex();
