@@ -83,9 +83,9 @@ class OutcomeSection : public InspectorSection {
 
 }  // namespace
 
-InspectorSection* newOutcomeSection(Editor& editor)
+Sections newOutcomeSections(Editor& editor)
 {
-  return new OutcomeSection(editor);
+  return {new OutcomeSection(editor)};
 }
 
 }  // namespace holdfast

@@ -65,9 +65,9 @@ class VerticesSection : public InspectorSection {
 
 }  // namespace
 
-InspectorSection* newVerticesSection(Editor& editor)
+Sections newVerticesSections(Editor& editor)
 {
-  return new VerticesSection(editor);
+  return {new VerticesSection(editor)};
 }
 
 }  // namespace holdfast
