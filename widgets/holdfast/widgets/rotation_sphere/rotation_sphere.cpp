@@ -100,13 +100,6 @@ vtkSmartPointer<vtkPolyData> sphereRings()
   return data;
 }
 
-void makeBalls(vtkActor& actor)
-{
-  drawPointsAsBalls(actor);
-  actor.GetProperty()->SetAmbient(0.35);
-  actor.GetProperty()->SetDiffuse(0.65);
-}
-
 }  // namespace
 
 RotationSphere::RotationSphere()
@@ -120,7 +113,11 @@ RotationSphere::RotationSphere()
   showData(*mark_, *markData_);
   showData(*shell_, *sphereShell());
   showData(*rings_, *sphereRings());
-  for (vtkActor* const actor : {points_.Get(), balls_.Get(), mark_.Get()}) makeBalls(*actor);
+  for (vtkActor* const actor : {points_.Get(), balls_.Get(), mark_.Get()}) {
+    drawPointsAsBalls(*actor);
+    actor->GetProperty()->SetAmbient(0.35);
+    actor->GetProperty()->SetDiffuse(0.65);
+  }
   for (vtkActor* const actor : {rings_.Get(), arcs_.Get()}) actor->GetProperty()->LightingOff();
   shell_->GetProperty()->SetOpacity(kShellOpacity);
   // Nearly flat, so that the colours of points differ at the rim too.
