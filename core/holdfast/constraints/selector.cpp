@@ -190,7 +190,6 @@ Index Selector::nearestVertex(const SurfaceLocation& location, const InputLocati
   return std::ranges::min_element(point.terms, {}, distance)->index;
 }
 
-/// The unknowns that the curve is led through.
 std::vector<Index> Selector::placesOf(const InsideCurve& curve, const InputLocation& where)
 {
   std::vector<Index> places;

@@ -131,8 +131,6 @@ bool GizmoWidget::WantsKey(char key)
   return isAxisKey(key) && !this->Drag && this->WidgetRep->GetVisibility() != 0;
 }
 
-// The mouse
-
 bool GizmoWidget::Hover()
 {
   if (this->Held) {
@@ -176,8 +174,6 @@ bool GizmoWidget::Release()
   this->Keep();
   return true;
 }
-
-// Keys
 
 bool GizmoWidget::Choose(GizmoPart ofX)
 {
@@ -232,8 +228,6 @@ void GizmoWidget::OnChar()
   else
     this->Superclass::OnChar();
 }
-
-// The drag
 
 void GizmoWidget::Grab()
 {

@@ -27,7 +27,6 @@ QString timeOf(const Recoverable& copy)
   return QLocale().toString(QDateTime::fromMSecsSinceEpoch(time.count()), QLocale::ShortFormat);
 }
 
-/// What the copy is of.
 QString originOf(const Recoverable& copy)
 {
   if (!copy.original.empty()) return native(copy.original);

@@ -87,7 +87,6 @@ class ImportTable : public QAbstractTableModel {
     reportChange();
   }
 
-  /// Places in the list, ascending.
   [[nodiscard]] std::vector<Index> tickedRows() const
   {
     std::vector<Index> rows;

@@ -107,7 +107,6 @@ class ConflictPanel final : public RefreshedPanel {
     refresh();
   }
 
- private:
   /// A conflict of the newest deformation.
   struct Conflict {
     const ConstraintOutcome* outcome = nullptr;

@@ -135,8 +135,6 @@ void Viewport::setDarkBackdrop(bool isDark)
   scheduleRender();
 }
 
-// The document
-
 void Viewport::openDocument()
 {
   cancelGesture();
@@ -244,8 +242,6 @@ const std::vector<ConstraintMark>& Viewport::marks() const noexcept
   return contents_ ? contents_->marks() : none;
 }
 
-// The camera
-
 void Viewport::frameAll()
 {
   if (!editor_.isOpen()) return;
@@ -343,8 +339,6 @@ void Viewport::fitClippingRange()
   shown.GetBounds(bounds.data());
   if (shown.IsValid()) renderer_->ResetCameraClippingRange(bounds.data());
 }
-
-// Drawing
 
 void Viewport::initializeGL()
 {

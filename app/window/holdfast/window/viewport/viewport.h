@@ -79,8 +79,7 @@ class Viewport : public VtkView {
   /// The constraints that are drawn, including those that the section plane cuts away; none without a document.
   [[nodiscard]] const std::vector<ConstraintMark>& marks() const noexcept;
   [[nodiscard]] vtkRenderer& renderer() { return *renderer_; }
-  /// A layer for widgets over the picture of the document, with its camera and its depths. Drawing it does not draw the
-  /// document again.
+  /// A layer for widgets over the picture, with its camera and depths. Drawing it does not draw the document again.
   [[nodiscard]] vtkRenderer& widgetRenderer() { return *widgetRenderer_; }
 
   /// In the widget's coordinates, from the upper left corner.
