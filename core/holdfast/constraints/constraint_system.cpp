@@ -6,14 +6,12 @@
 #include <fmt/format.h>
 
 #include <holdfast/base/disjoint_sets.h>
-#include <holdfast/base/error.h>
 #include <holdfast/base/printable.h>
 #include <holdfast/constraints/handle_motion.h>
 #include <holdfast/constraints/selector.h>
 #include <holdfast/geometry/centroid.h>
 #include <holdfast/geometry/rotation_log.h>
 #include <holdfast/mesh/index_lists.h>
-#include <holdfast/surface/surface_locator.h>
 
 namespace holdfast {
 namespace {

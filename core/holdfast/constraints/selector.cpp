@@ -6,11 +6,8 @@
 #include <functional>
 #include <limits>
 #include <map>
-#include <utility>
 
 #include <fmt/format.h>
-
-#include <holdfast/surface/edge_graph.h>
 
 namespace holdfast {
 namespace {

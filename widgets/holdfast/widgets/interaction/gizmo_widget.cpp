@@ -1,7 +1,6 @@
 #include "holdfast/widgets/interaction/gizmo_widget.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 
 namespace holdfast {

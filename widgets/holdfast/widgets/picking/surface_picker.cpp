@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include <holdfast/mesh/index_lists.h>
-#include <holdfast/widgets/camera/display_transform.h>
-
 namespace holdfast {
 namespace {
 

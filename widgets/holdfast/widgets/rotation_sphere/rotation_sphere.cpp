@@ -17,7 +17,6 @@
 #include <holdfast/geometry/degree.h>
 #include <holdfast/widgets/camera/display_transform.h>
 #include <holdfast/widgets/marks/point_sprites.h>
-#include <holdfast/widgets/mesh/actors.h>
 #include <holdfast/widgets/mesh/poly_data.h>
 #include <holdfast/widgets/rotation_sphere/sphere_camera.h>
 

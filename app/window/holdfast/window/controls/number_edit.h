@@ -37,7 +37,6 @@ class NumberEdit : public QLineEdit {
   std::optional<double> number_;
 };
 
-/// Three lines side by side, x, y and z.
 class VectorEdit : public QWidget {
   Q_OBJECT
 

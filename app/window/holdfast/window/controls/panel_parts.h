@@ -1,8 +1,10 @@
 #pragma once
-/// What panels and dialogs are put together from. Widgets are returned without a parent: a layout takes them.
+/// What panels and dialogs are put together from, Qt's most used widgets included. Widgets are returned without a
+/// parent: a layout takes them.
 
 #include <QFrame>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QIcon>
 #include <QLabel>
 #include <QPushButton>

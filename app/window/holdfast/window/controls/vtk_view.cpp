@@ -6,7 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include <QVTKInteractor.h>
 #include <QVTKRenderWindowAdapter.h>
 #include <vtkCommand.h>
 #include <vtkGenericOpenGLRenderWindow.h>

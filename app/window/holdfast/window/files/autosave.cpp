@@ -3,15 +3,11 @@
 #include <QDateTime>
 #include <QDialogButtonBox>
 #include <QDir>
-#include <QLabel>
 #include <QListWidget>
 #include <QLocale>
-#include <QPushButton>
-#include <QVBoxLayout>
 #include <utility>
 
 #include <holdfast/window/controls/panel_parts.h>
-#include <holdfast/window/files/file_messages.h>
 
 namespace holdfast {
 namespace {

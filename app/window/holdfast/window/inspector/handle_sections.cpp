@@ -1,6 +1,4 @@
 #include <QHeaderView>
-#include <QPushButton>
-#include <QTableView>
 #include <cmath>
 
 #include <holdfast/base/error.h>

@@ -1,6 +1,5 @@
 #include <QCheckBox>
 #include <QLineEdit>
-#include <QScrollArea>
 #include <algorithm>
 #include <set>
 

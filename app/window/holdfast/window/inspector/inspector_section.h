@@ -2,8 +2,6 @@
 /// One part of the inspector: what some kinds of constraints have in common, shown and edited.
 
 #include <QComboBox>
-#include <QLabel>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <functional>
 #include <memory>
@@ -122,7 +120,6 @@ class SectionOf : public InspectorSection {
 
  protected:
   [[nodiscard]] const What& what(Index row) const { return std::get<What>(constraint(row).what); }
-  /// That of the first row.
   [[nodiscard]] const What& what() const { return what(rows().front()); }
 
   /// `edit` changes each row, or returns false to leave it as it is.

@@ -1,5 +1,3 @@
-#include <QGridLayout>
-#include <QPushButton>
 #include <algorithm>
 #include <cmath>
 #include <numeric>

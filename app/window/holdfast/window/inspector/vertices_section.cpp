@@ -1,5 +1,3 @@
-#include <QPushButton>
-
 #include <holdfast/window/inspector/inspector_section.h>
 #include <holdfast/window/model/at_rest.h>
 #include <holdfast/window/text/constraint_text.h>

@@ -1,9 +1,6 @@
 #include "holdfast/window/model/at_rest.h"
 
-#include <holdfast/base/error.h>
 #include <holdfast/io/text/number_text.h>
-#include <holdfast/surface/surface_locator.h>
-#include <holdfast/surface/surface_point.h>
 
 namespace holdfast {
 

@@ -6,8 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <holdfast/mesh/index_lists.h>
-#include <holdfast/surface/surface_locator.h>
 #include <holdfast/widgets/files/any_mesh_file.h>
 #include <holdfast/widgets/mesh/coarse_surface.h>
 

@@ -1,4 +1,3 @@
-#include <QPushButton>
 #include <utility>
 
 #include <holdfast/document/list_edits.h>

@@ -5,7 +5,6 @@
 #include <QPainter>
 #include <QSplitter>
 #include <QToolTip>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <limits>
 #include <unordered_set>

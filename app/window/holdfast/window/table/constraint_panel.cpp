@@ -1,9 +1,7 @@
 #include <QAction>
 #include <QCollator>
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QHeaderView>
-#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QScopedValueRollback>
@@ -11,7 +9,6 @@
 #include <QSortFilterProxyModel>
 #include <QTimer>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <stdexcept>
 

@@ -7,16 +7,12 @@
 #include <numeric>
 #include <utility>
 
-#include <QVTKInteractor.h>
 #include <vtkBoundingBox.h>
 #include <vtkCamera.h>
-#include <vtkRenderWindow.h>
-#include <vtkRenderer.h>
 
 #include <holdfast/base/thread_priority.h>
 #include <holdfast/geometry/degree.h>
 #include <holdfast/widgets/camera/camera_state.h>
-#include <holdfast/widgets/interaction/interaction_events.h>
 #include <holdfast/widgets/scene/example_document.h>
 #include <holdfast/widgets/scene/lighting.h>
 #include <holdfast/window/viewport/viewport_overlay.h>

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include <vtkNew.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
 
 #include <holdfast/document/session_file.h>
 #include <holdfast/widgets/interaction/stock_widgets.h>
@@ -22,9 +24,6 @@
 #include <holdfast/window/viewport/draw_fence.h>
 #include <holdfast/window/viewport/repaint_pause.h>
 #include <holdfast/window/viewport/tool.h>
-
-class vtkRenderWindow;
-class vtkRenderer;
 
 namespace holdfast {
 

@@ -13,18 +13,13 @@
 #include <QUrl>
 #include <algorithm>
 
-#include <vtkRenderer.h>
-
 #include <holdfast/widgets/camera/camera_state.h>
-#include <holdfast/widgets/scene/example_document.h>
 #include <holdfast/window/controls/icons.h>
 #include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/controls/theme.h>
-#include <holdfast/window/files/file_messages.h>
 #include <holdfast/window/files/recent_files.h>
 #include <holdfast/window/model/constraint_actions.h>
 #include <holdfast/window/text/number_text.h>
-#include <holdfast/window/tools/tools.h>
 #include <holdfast/window/viewport/view_state.h>
 #include <holdfast/window/window/help_dialog.h>
 

@@ -1,11 +1,9 @@
 #include "holdfast/window/window/panel_docks.h"
 
 #include <QAction>
-#include <QScrollArea>
 #include <algorithm>
 
 #include <holdfast/deform/outcomes.h>
-#include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/inspector/inspector_section.h>
 #include <holdfast/window/panels/panels.h>
 #include <holdfast/window/table/constraint_table.h>
