@@ -46,8 +46,7 @@ enum ExitCode : int { kAllMet = 0, kUsage = 2, kInput = 3, kConflicts = 4, kNume
 [[nodiscard]] ExitCode runDeform(const Command& command);
 [[nodiscard]] ExitCode runCheck(const Command& command);
 
-/// One of these, or printing the text of `--help` or `--version`. Throws `UsageError`: unknown options and values,
-/// outputs of unknown formats, two outputs with one name, outputs that would overwrite an input.
+/// One of these, or printing help. Throws `UsageError`, also for outputs with one name or with that of an input.
 [[nodiscard]] std::function<ExitCode()> parseCommandLine(int argc, const char* const* argv);
 
 /// The extensions that this build reads as one text for people: ".obj, .ply, ...".
@@ -63,8 +62,7 @@ void requireDisplay(const PictureRequest& picture);
 
 [[nodiscard]] MeshDocument readMeshFile(const std::string& path);
 
-/// The contents of files: a mesh in the format that `path` names, fields over the vertices of `mesh` at `positions`
-/// (VTP), a picture (PNG). They throw `OutputError`.
+/// The bytes of a mesh file, of fields over `mesh` at `positions` (VTP), of a picture (PNG). Throw `OutputError`.
 [[nodiscard]] Serialized serializeMeshFile(const MeshDocument& document, const Positions& positions,
                                            const std::string& path);
 [[nodiscard]] Serialized serializeFields(const Mesh& mesh, const Positions& positions, std::span<const Field> fields);
@@ -74,8 +72,7 @@ void requireDisplay(const PictureRequest& picture);
 /// The mesh and its findings, the constraints in numbers, the solve, and which constraints pull hardest.
 [[nodiscard]] std::string summary(const Report& report, const std::string& meshName, const std::string& units);
 
-/// For standard error: findings that warn of the solution; for each constraint in conflict the first few sets of
-/// earlier ones with which it cannot hold, with gap and repairs, the largest gaps first; why solving failed.
+/// For standard error: doubtful findings, the first few conflict sets with gap and repairs, why solving failed.
 [[nodiscard]] std::string messageLines(const Report& report, const std::string& units);
 
 /// The options that come from the session `source` because they were not asked for. Empty if there are none.

@@ -22,8 +22,7 @@ namespace {
 /// Outputs of one command. All are written aside before any is put in its place.
 using Outputs = std::vector<OutputFile>;
 
-/// What cannot be written aside (devices, pipes, standard output) goes first: it may be full, while a rename hardly
-/// ever fails.
+/// What cannot be written aside (a device, a pipe) goes first: it may be full, while a rename hardly ever fails.
 void commit(Outputs& outputs, bool areDirect)
 {
   for (OutputFile& output : outputs)
@@ -59,8 +58,7 @@ void refuseNonFinite(const Command& command, const Mesh& mesh)
   throw InputError({command.mesh, 0, fmt::format("vertex {}", finding.ids.front())}, finding.message);
 }
 
-/// Prints nothing in the first second; then the current step and each one that follows, with the seconds since the
-/// start.
+/// Prints nothing in the first second; then each step, with the seconds since the start.
 class ProgressLine final : public Progress {
  public:
   void step(std::string_view description) override

@@ -23,7 +23,6 @@ constexpr rlim_t kRoom = 288 * kMebibyte;
 // Exit code: numerical failures, and too little memory for them.
 constexpr int kOutOfMemory = 5;
 
-/// `RLIM_INFINITY` for none.
 rlim_t limitOfAddressSpace()
 {
   rlimit limit{};
@@ -49,8 +48,7 @@ bool hasRoom()
   ::_exit(kOutOfMemory);
 }
 
-/// Begins the program anew with OpenBLAS on one thread, which is all that it ever uses. Where that cannot be done the
-/// program goes on as it is.
+/// Begins the program anew with OpenBLAS on one thread, all that it ever uses; if that fails, goes on as it is.
 void keepBlasFromThreads(int /*argc*/, char** argv, char** environment)
 {
   const rlim_t limit = limitOfAddressSpace();

@@ -26,8 +26,7 @@ extern "C" void removeOutputsAndDie(int signal)
   std::raise(signal);
 }
 
-/// From now on SIGINT, SIGTERM and SIGHUP remove unfinished outputs before they end the program. A file that grows
-/// beyond its limit, and a pipe that nothing reads any more, become errors of writing instead of signals.
+/// Signals that end the program remove unfinished outputs first; outgrown limits and closed pipes become errors.
 void installSignalHandlers()
 {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, removeOutputsAndDie);

@@ -25,8 +25,7 @@ namespace {
 constexpr int kUsage = 2;
 constexpr int kNoDisplay = 3;
 
-/// Says what went wrong where no code has: whatever comes here is a mistake of ours or of the machine, and the document
-/// is still there.
+/// Reports what no code has caught, a mistake of ours or of the machine; the document is still there.
 class Application : public QApplication {
  public:
   using QApplication::QApplication;

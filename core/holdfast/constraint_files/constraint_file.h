@@ -9,18 +9,16 @@
 
 namespace holdfast {
 
-/// Reads a constraint file or a session, ".csv" as a point list and anything else as JSON. Throws `InputError` with
-/// line (for syntax) or JSON path (for meaning) for all that docs/formats.md does not allow; what depends on the mesh
-/// is checked later. Constraints without a name get "type N" with N their place in the list from 1. O(size of the
-/// file), which is at most 256 MiB.
+/// Reads a constraint file or a session, ".csv" as a point list and anything else as JSON; at most 256 MiB. Throws
+/// `InputError` with line (for syntax) or JSON path (for meaning) for all that docs/formats.md does not allow; what
+/// depends on the mesh is checked later. Constraints without a name get "type N", N their place from 1. O(size).
 [[nodiscard]] ConstraintList readConstraints(const std::filesystem::path& path);
 
 /// The same from text; `name` is that of the file in messages.
 [[nodiscard]] ConstraintList parseConstraintsJson(std::string_view text, const std::string& name);
 
 /// A CSV point list: header `name,x,y,z,target_x,target_y,target_z` (columns in any order, names may be empty), each
-/// row a `near` point with a target; with tabs as separators for cells of a spreadsheet. Throws `InputError` with the
-/// line.
+/// row a `near` point with a target; cells of a spreadsheet have tabs as separators. Throws `InputError` with the line.
 [[nodiscard]] ConstraintList parsePointListCsv(std::string_view text, const std::string& name, char separator = ',');
 
 /// The text of a constraint file that reads back as `list`, every double in its shortest exact form. Throws

@@ -33,13 +33,11 @@ struct TextPlace {
 /// The place of byte `offset`, or of the end. O(offset).
 [[nodiscard]] TextPlace placeInText(std::string_view text, std::size_t offset);
 
-/// Whether the name ends in .csv, in any case of letters.
 [[nodiscard]] bool isPointList(const std::filesystem::path& path);
 
 /// `text` without a byte order mark. Throws `InputError` with the line of the first byte that is not UTF-8.
 [[nodiscard]] std::string_view requireUtf8(std::string_view text, std::string_view file);
 
-/// "a", "b", "c".
 [[nodiscard]] std::string listInQuotes(std::span<const std::string_view> words);
 
 /// `; did you mean "center"? Known here: "axis", "center"`, the end of a message about an unknown word.
@@ -119,7 +117,6 @@ class JsonReader {
 
   [[nodiscard]] const std::string& path() const noexcept { return path_; }
 
-  /// Throws `InputError` with this value's file and path.
   [[noreturn]] void fail(const std::string& reason) const;
   template <class Arg, class... Args>
   [[noreturn]] void fail(fmt::format_string<Arg, Args...> reason, Arg&& arg, Args&&... args) const
@@ -153,8 +150,7 @@ class JsonReader {
 /// Keys that only sessions have. A session is a constraint file as well, whose readers skip them.
 inline constexpr std::array<std::string_view, 4> kSessionKeys{"mesh", "options", "view", "original"};
 
-/// The constraints of a document whose format, version and keys are those of a constraint file or a session. Throws
-/// `InputError`.
+/// The constraints of a document that is a constraint file or a session. Throws `InputError`.
 [[nodiscard]] ConstraintList readConstraintDocument(const JsonReader& document);
 
 /// The members of a constraint file, in lines of their own, without the braces around them.

@@ -82,7 +82,6 @@ Json toJson(const AxisAngle& turn)
   return {{"axis", toJson(turn.axis)}, {"degrees", turn.degrees}};
 }
 
-/// Adds the keys that only this type of constraint has.
 struct OwnKeys {
   Json& json;
 

@@ -25,7 +25,6 @@ bool isPlainWord(std::string_view key)
   return !key.empty() && key.size() <= kLongestWord && std::all_of(key.begin(), key.end(), isPlain);
 }
 
-/// The path as messages show it.
 std::string namedPath(const std::string& path)
 {
   return path.empty() ? "top level" : path;

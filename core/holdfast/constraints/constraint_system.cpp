@@ -6,23 +6,15 @@
 #include <fmt/format.h>
 
 #include <holdfast/base/disjoint_sets.h>
-#include <holdfast/base/error.h>
 #include <holdfast/base/printable.h>
 #include <holdfast/constraints/handle_motion.h>
 #include <holdfast/constraints/selector.h>
 #include <holdfast/geometry/centroid.h>
 #include <holdfast/geometry/rotation_log.h>
-#include <holdfast/surface/surface_locator.h>
+#include <holdfast/mesh/index_lists.h>
 
 namespace holdfast {
 namespace {
-
-std::vector<Index> ascending(std::vector<Index> ids)
-{
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-  return ids;
-}
 
 /// Makes the rows of one list; remembers what several constraints share.
 class SystemBuilder {
@@ -85,7 +77,7 @@ class SystemBuilder {
       if (list_.constraints[c].isEnabled && std::holds_alternative<FixedConstraint>(list_.constraints[c].what))
         fixed.insert(fixed.end(), selected_[c].begin(), selected_[c].end());
     if (fixed.empty()) return {std::nullopt, solverMesh_.diagonal};
-    return {centroid(restOf(ascending(std::move(fixed)))), solverMesh_.diagonal};
+    return {centroid(restOf(sortedOnce(std::move(fixed)))), solverMesh_.diagonal};
   }
 
   void add(const FixedConstraint& /*fixed*/)
@@ -130,7 +122,7 @@ class SystemBuilder {
     if (!isEnabled()) return;
     std::vector<Index> group = selected_[current_];
     for (Index& v : group) v = solverMesh_.weld.unknownOf[v];
-    group = ascending(std::move(group));
+    group = sortedOnce(std::move(group));
     const SurfacePoint reference{{{group.front(), 1.0}}};
     for (const Index u : group)
       if (u != group.front()) addRotatedVector(RowKind::Region, {{{u, 1.0}}}, reference, reference.terms);

@@ -10,7 +10,6 @@
 
 namespace holdfast {
 
-/// What a row prescribes.
 enum class RowKind {
   Position,  ///< where a point of the surface is
   Region,    ///< how an unknown of a rigid region lies to the first one of it: the vector x_i - x_ref of (28)
@@ -52,24 +51,22 @@ struct ConstraintNote {
   std::string message;   ///< one sentence for people, without the constraint's name
 };
 
-/// A handle that moves by more than this share of its distance from the fixed vertices, and states no rotation, is
-/// noted.
+/// A handle that moves by more than this share of its distance from what is fixed, and states no rotation, is noted.
 inline constexpr double kUnsaidRotation = 0.25;
 
 /// All rows of the enabled constraints, in the user's order: unknowns in range, canonical terms, finite numbers.
 struct ConstraintSystem {
   std::vector<ConstraintRow> rows;
-  std::vector<SurfacePoint> points;      ///< of each constraint of type point: where it lies, in file vertices
-  std::vector<RotatedVector> rotated;    ///< ascending by row; the rows are as at q = 0, see `rotated`
-  std::vector<GivenRotation> rotations;  ///< in the user's order; each unknown once, because the first stands
-  std::vector<std::vector<Index>>
-      rigidRegions;                   ///< unknowns of each rigid region, ascending; the rows refer to the first
-  std::vector<ConstraintNote> notes;  ///< in the user's order
+  std::vector<SurfacePoint> points;              ///< of each constraint of type point: where it lies, in file vertices
+  std::vector<RotatedVector> rotated;            ///< ascending by row; the rows are as at q = 0, see `rotated`
+  std::vector<GivenRotation> rotations;          ///< in the user's order; each unknown once, because the first stands
+  std::vector<std::vector<Index>> rigidRegions;  ///< unknowns of each, ascending; the rows refer to the first
+  std::vector<ConstraintNote> notes;             ///< in the user's order
 };
 
-/// Makes rows of a list of constraints on a mesh whose positions are finite. `source` names the list in messages.
-/// Throws `InputError` with the place in the list for what does not fit the mesh (`SurfaceLocator`, `Selector`) and for
-/// handles that `validateHandle` or `placeHandle` refuses.
+/// The rows of a list of constraints on a mesh of finite positions. `source` names the list in messages. Throws
+/// `InputError` with the place in the list for what does not fit the mesh, and for what `validateHandle` or
+/// `placeHandle` refuses.
 [[nodiscard]] ConstraintSystem makeConstraintSystem(const ConstraintList& list, const Mesh& mesh,
                                                     const SolverMesh& solverMesh, const SurfaceLocator& locator,
                                                     const std::string& source);

@@ -29,8 +29,7 @@ struct RigidIncrement {
 [[nodiscard]] HandleConstraint composed(const HandleConstraint& handle, const RigidIncrement& increment,
                                         const HandleSetting& setting);
 
-/// The whole turns about the axis of the frames that make the log of their rotation `q`; none where they are too nearly
-/// alike to say an axis.
+/// The whole turns about the axis of the frames that make the log of their rotation `q`; none where they say no axis.
 [[nodiscard]] std::optional<Index> wholeTurns(const FrameMotion& frames, const Vector3& q);
 
 /// How the motion of `handle` turns it. Throws and costs as `placeHandle`.

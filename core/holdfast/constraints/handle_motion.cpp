@@ -47,7 +47,6 @@ std::optional<Eigen::Quaterniond> halfTurnAcross(const Vector3& direction, const
   return Eigen::Quaterniond(0, v.x(), v.y(), v.z());
 }
 
-/// One overload for each motion.
 struct Placer {
   const Positions& rest;
   const Vector3& translate;

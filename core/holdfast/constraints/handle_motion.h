@@ -21,7 +21,6 @@ struct HandleError {
 /// distinct vertices, or not as many; too few targets; frames of zero or parallel axes; whole turns about no axis.
 [[nodiscard]] std::optional<HandleError> validateHandle(const HandleConstraint& handle);
 
-/// What is around a handle.
 struct HandleSurroundings {
   std::optional<Vector3> fixedCenter;  ///< centroid of all vertices that are fixed, at rest; none where there are none
   double diagonal = 0;                 ///< of the bounding box of the mesh, model units
@@ -41,8 +40,7 @@ struct HandlePlacement {
   bool isDetermined = true;  ///< false where other rotations fit the targets as well
 };
 
-/// A handle whose centroid is nearer to the fixed one than this share of the diagonal has no direction from there:
-/// rounding of both would turn it by more than a millionth of a radian.
+/// Nearer to the fixed centroid than this share of the diagonal, rounding would turn a handle by 1e-6 radians or more.
 inline constexpr double kNoDirection = 1e-9;
 
 /// The handle has no mistake (`validateHandle`). Throws `InputError` with the key at fault: a turn about fixed vertices

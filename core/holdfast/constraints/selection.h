@@ -66,10 +66,9 @@ struct Selection {
   std::variant<VertexIds, InBox, InSphere, InHalfSpace, InComponent, InsideCurve, AllOf, AnyOf, NotIn> what;
 };
 
-/// The ids that `selection` names, ascending, each once; may be empty. `componentOf` holds the connected part of each
-/// vertex, -1 for a vertex that no face uses. Points exactly on the boundary of a shape are inside. `AllOf` nothing is
-/// every vertex, `AnyOf` nothing is none. There are no ids out of range, and no curves. O(N) per node of the
-/// expression.
+/// The ids that `selection` names, which has none out of range and no curves: ascending, each once; may be none.
+/// `componentOf`: the connected part of each vertex, -1 for one that no face uses. Points on the boundary of a shape
+/// are inside. `AllOf` nothing is every vertex, `AnyOf` nothing is none. O(N) per node of the expression.
 [[nodiscard]] std::vector<Index> select(const Selection& selection, const Positions& positions,
                                         const std::vector<Index>& componentOf);
 

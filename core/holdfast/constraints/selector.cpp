@@ -6,11 +6,8 @@
 #include <functional>
 #include <limits>
 #include <map>
-#include <utility>
 
 #include <fmt/format.h>
-
-#include <holdfast/surface/edge_graph.h>
 
 namespace holdfast {
 namespace {
@@ -190,7 +187,6 @@ Index Selector::nearestVertex(const SurfaceLocation& location, const InputLocati
   return std::ranges::min_element(point.terms, {}, distance)->index;
 }
 
-/// The unknowns that the curve is led through.
 std::vector<Index> Selector::placesOf(const InsideCurve& curve, const InputLocation& where)
 {
   std::vector<Index> places;

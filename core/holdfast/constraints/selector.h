@@ -24,9 +24,8 @@ class Selector {
   }
 
   /// The vertices that `selection` names, ascending, each once. Throws `InputError` at `where` and the key at fault
-  /// (".any[1].vertices"): ids that the mesh does not have; curves through places that are not on the mesh, go to the
-  /// same vertex or lie on different parts, and curves that leave their part in one piece; a selection of no vertex at
-  /// all. O(N) per node of the expression, and what curves cost.
+  /// (".any[1].vertices"): ids that the mesh does not have; curves through places that are not on the mesh, that do not
+  /// differ or lie on different parts, or that divide nothing; no vertex at all. O(N) per node, and what curves cost.
   [[nodiscard]] std::vector<Index> select(const Selection& selection, const InputLocation& where);
 
  private:

@@ -10,6 +10,7 @@
 #include <holdfast/constraints/selector.h>
 #include <holdfast/geometry/centroid.h>
 #include <holdfast/geometry/rotation_log.h>
+#include <holdfast/mesh/index_lists.h>
 #include <holdfast/mesh/vertex_normals.h>
 #include <holdfast/surface/surface_locator.h>
 
@@ -48,10 +49,8 @@ std::optional<Vector3> centerOfFixed(const Model& model, const ConstraintList& l
     const auto selected = selector.select(what->select, below(placeInList(source, static_cast<Index>(c)), ".select"));
     fixed.insert(fixed.end(), selected.begin(), selected.end());
   }
-  std::sort(fixed.begin(), fixed.end());
-  fixed.erase(std::unique(fixed.begin(), fixed.end()), fixed.end());
   if (fixed.empty()) return std::nullopt;
-  return centroid(model.mesh.positions(fixed, Eigen::all));
+  return centroid(model.mesh.positions(sortedOnce(std::move(fixed)), Eigen::all));
 }
 
 // Variances that differ by less than this share of the largest have no axis that a user would expect.

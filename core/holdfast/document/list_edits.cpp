@@ -108,13 +108,6 @@ ConstraintList added(ConstraintList list, Constraint constraint)
   return list;
 }
 
-ConstraintList replaced(ConstraintList list, Index index, Constraint constraint)
-{
-  requireUsableName(list, constraint.name, index);
-  list.constraints.at(index) = std::move(constraint);
-  return list;
-}
-
 ConstraintList renamed(ConstraintList list, Index index, std::string name)
 {
   requireUsableName(list, name, index);

@@ -18,7 +18,6 @@ namespace holdfast {
 
 /// These throw `InputError` for a name that is empty or taken.
 [[nodiscard]] ConstraintList added(ConstraintList list, Constraint constraint);
-[[nodiscard]] ConstraintList replaced(ConstraintList list, Index index, Constraint constraint);
 [[nodiscard]] ConstraintList renamed(ConstraintList list, Index index, std::string name);
 
 /// Without the constraints at `indices`, or these alone, in the order of the list.

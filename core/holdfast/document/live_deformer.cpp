@@ -29,7 +29,6 @@ struct LiveDeformer::Shared {
     bool isCancelled = false;  // before its work began
   };
 
-  /// What is to become of the work under way.
   enum class StopRequest { GoOn, GiveUp, GiveUpAndTell };
 
   Shared(std::shared_ptr<const Model> itsModel, Listener itsListener)

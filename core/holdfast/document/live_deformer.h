@@ -11,8 +11,7 @@
 
 namespace holdfast {
 
-/// What the worker reports. Each revision ends once, by all kinds but `Started` and `Step`, unless a newer one replaced
-/// it.
+/// What the worker reports. Each revision ends once, not by `Started` or `Step`, unless a newer one replaced it.
 struct LiveEvent {
   enum class Kind {
     Started,    ///< work on a revision begins
@@ -51,8 +50,7 @@ class LiveDeformer {
   void submit(std::uint64_t revision, std::shared_ptr<const DocumentState> state, std::string source,
               Supersede supersede);
 
-  /// Gives up what is waiting and, at its next step or its end, what is under way. A factorisation goes on
-  /// (`LongStep`).
+  /// Gives up what is waiting and, at its next step or its end, what is under way. A `LongStep` goes on.
   void cancel();
 
  private:

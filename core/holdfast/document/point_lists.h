@@ -10,15 +10,13 @@
 
 namespace holdfast {
 
-/// The constraints at `indices`: where all are points a point list (docs/formats.md), a constraint file otherwise, with
-/// every double in its shortest exact form. In point lists a point lies at its `near` place, or else where it is at
-/// rest, a shift becomes the target that it leads to, and it is not said whether a point is enabled. Throws
-/// `InputError` for points that the mesh does not have, and as `constraintsToJson` does.
+/// The constraints at `indices`: where all are points a point list (docs/formats.md), else a constraint file, every
+/// double in its shortest exact form. In point lists a point lies at its `near` place or where it is at rest, a shift
+/// becomes a target, and none is disabled. Throws for points that the mesh does not have, and as `constraintsToJson`.
 [[nodiscard]] std::string toClipboardText(const ConstraintList& list, const std::vector<Index>& indices,
                                           const Model& model);
 
-/// The constraints of a constraint file or session, of a point list, or of the cells of one with tabs, as spreadsheets
-/// copy them. Throws `InputError` as `readConstraints` does.
+/// The constraints of a constraint file, a session, a point list, or cells with tabs. Throws as `readConstraints`.
 [[nodiscard]] ConstraintList fromClipboardText(std::string_view text);
 
 /// One `near` point of the list. Lengths in model units, places on the mesh at rest.

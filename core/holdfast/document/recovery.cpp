@@ -5,7 +5,6 @@
 #include <cstdlib>
 #include <random>
 #include <system_error>
-#include <utility>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -13,7 +12,6 @@
 #include <unistd.h>
 
 #include <holdfast/base/error.h>
-#include <holdfast/io/files/file_descriptor.h>
 #include <holdfast/io/files/output_file.h>
 
 namespace holdfast {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <span>
 #include <system_error>
 #include <utility>
 
@@ -62,7 +61,6 @@ double positive(const JsonReader& json)
   return json.number();
 }
 
-/// The one of `choices` whose name the text is.
 template <class Choice, std::size_t count>
 Choice chosen(const JsonReader& json, const std::array<Choice, count>& choices)
 {
@@ -220,8 +218,7 @@ Json viewJson(const ViewState& view)
   return json;
 }
 
-/// `path` with the symbolic links of its folders followed, but not that of the file itself: a link to a mesh moves with
-/// the folder that it is in.
+/// `path` with the links of its folders followed, not its own: a link to a mesh moves with the folder that it is in.
 fs::path inRealFolder(const fs::path& path)
 {
   std::error_code ignored;

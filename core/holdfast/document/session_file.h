@@ -1,6 +1,5 @@
 #pragma once
-/// Sessions (`.holdfast`): a mesh, its constraints and how they are looked at, as one file. docs/formats.md describes
-/// every key.
+/// Sessions (`.holdfast`): a mesh, its constraints and how they are looked at. docs/formats.md describes every key.
 
 #include <array>
 #include <filesystem>
@@ -13,7 +12,6 @@
 
 namespace holdfast {
 
-/// Which mesh a session is about.
 struct MeshReference {
   std::string path;          ///< from the session's folder, or absolute; '/' between names
   std::string absolutePath;  ///< where the mesh was when the session was written; may be empty
@@ -63,8 +61,7 @@ struct SessionFile {
 /// The same from text; `name` is that of the file in messages.
 [[nodiscard]] SessionFile parseSession(std::string_view text, const std::string& name);
 
-/// The text that reads back as `session`, every double in its shortest exact form. Throws `OutputError` where no file
-/// can say `session`.
+/// Reads back as `session`, every double in its shortest exact form. Throws `OutputError` for what no file can say.
 [[nodiscard]] std::string sessionToJson(const SessionFile& session);
 
 /// Throws `OutputError`; what stood there is untouched then.
@@ -89,8 +86,7 @@ struct ResolvedMesh {
   std::string message;  ///< for the user, of a mesh that is not the same: what is wrong, where, and what to do
 };
 
-/// Finds the mesh of the session at `sessionPath`, in its folder first. A mesh that is the same goes before one that
-/// has changed.
+/// Finds the mesh of the session at `sessionPath`, in its folder first. The same one goes before a changed one.
 [[nodiscard]] ResolvedMesh resolveMesh(const SessionFile& session, const std::filesystem::path& sessionPath);
 
 /// What options may name, in the order in which messages list it.

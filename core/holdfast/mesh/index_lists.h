@@ -47,4 +47,13 @@ class IndexLists {
   });
 }
 
+/// Ascending, each once.
+template <class Value>
+[[nodiscard]] std::vector<Value> sortedOnce(std::vector<Value> values)
+{
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  return values;
+}
+
 }  // namespace holdfast

@@ -14,7 +14,6 @@ namespace holdfast {
 /// another, whose square root is all that sparse QR sees.
 inline constexpr double kRotationWeightFloor = 1e-6;
 
-/// The weights of all edges of a mesh.
 struct RotationWeights {
   std::vector<EdgeWeight> edges;  ///< each once
   std::vector<Index> capped;      ///< unknowns of triangles whose cotangents were held within the cap, ascending

@@ -10,8 +10,7 @@
 
 namespace holdfast {
 
-/// The rotation field that minimises the sum of w_ij |q_i - q_j|^2 with q given at some unknowns and equal inside rigid
-/// regions.
+/// The field that minimises the sum of w_ij |q_i - q_j|^2 with q given at some unknowns and equal inside rigid regions.
 struct RotationProblem {
   Index unknownCount = 0;
   std::vector<EdgeWeight> weights;               ///< each edge once

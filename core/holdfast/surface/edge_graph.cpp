@@ -98,9 +98,7 @@ std::vector<Index> closedCurve(const EdgeGraph& graph, std::span<const Index> pl
 
 CurveRegion regionOfCurve(const EdgeGraph& graph, const std::vector<Index>& curve)
 {
-  CurveRegion region{curve, {}, {}};
-  std::sort(region.curve.begin(), region.curve.end());
-  region.curve.erase(std::unique(region.curve.begin(), region.curve.end()), region.curve.end());
+  CurveRegion region{sortedOnce(curve), {}, {}};
   std::vector<bool> isTaken(static_cast<std::size_t>(graph.vertexCount()), false);
   for (const Index v : region.curve) isTaken[v] = true;
   for (const Index v : region.curve)

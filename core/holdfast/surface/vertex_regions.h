@@ -63,9 +63,8 @@ class VertexRegions {
   /// The vertices that faces use and that are not among `vertices`.
   [[nodiscard]] std::vector<Index> inverted(std::span<const Index> vertices) const;
 
-  /// A dab of a brush at `place`, a point of `face` with the vertices at `positions`: those no farther away than
-  /// `radius` to which edges lead within that ball from a corner of the face. The other side of a thin wall is not
-  /// reached.
+  /// A dab of a brush at `place`, a point of `face`, with the vertices at `positions`: those within `radius` to which
+  /// edges lead inside that ball from a corner of the face. The other side of a thin wall is not reached.
   [[nodiscard]] std::vector<Index> within(double radius, const Vector3& place, Index face,
                                           const Positions& positions) const;
 

@@ -81,7 +81,6 @@ TEST(ListEdits, NamesThatAreTakenOrEmptyAreRefused)
   expectEditRefused([&] { return added(list, point("")); }, "the name is empty");
   expectEditRefused([&] { return renamed(list, 0, "b"); }, "choose another");
   expectEditRefused([&] { return renamed(list, 0, ""); }, "the name is empty");
-  expectEditRefused([&] { return replaced(list, 0, point("b")); }, "already");
 }
 
 TEST(ListEdits, RenameChangesNothingElse)
@@ -90,13 +89,6 @@ TEST(ListEdits, RenameChangesNothingElse)
   EXPECT_THAT(namesOf(list), ElementsAre("a", "c"));
   EXPECT_THAT(verticesOf(list), ElementsAre(0, 1));
   EXPECT_THAT(namesOf(renamed(list, 1, "c")), ElementsAre("a", "c")) << "to its own name";
-}
-
-TEST(ListEdits, ReplaceKeepsThePlace)
-{
-  const ConstraintList list = replaced(pointsNamed({"a", "b", "c"}), 1, point("b", 7));
-  EXPECT_THAT(namesOf(list), ElementsAre("a", "b", "c"));
-  EXPECT_THAT(verticesOf(list), ElementsAre(0, 7, 2));
 }
 
 TEST(ListEdits, RemoveAndExtractDivideTheList)

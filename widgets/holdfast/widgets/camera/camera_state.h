@@ -15,8 +15,7 @@ namespace holdfast {
 /// Sets the view up to the unit vector along `up` that stays bit for bit when VTK normalizes it again.
 void setViewUp(vtkCamera& camera, const Vector3& up);
 
-/// Places `camera` so that `cameraOf` gives `state` back, if the view up is one that `setViewUp` has set. The angle of
-/// view and the clipping planes stay: set those too.
+/// `cameraOf` gives `state` back where `setViewUp` has set its view up. Set the view angle and clipping planes, too.
 void place(vtkCamera& camera, const Camera& state);
 
 /// Rotates eye and focal point about `pivot` (model units), which stays where it is on the screen: `degreesRight` about
@@ -26,8 +25,7 @@ void orbit(vtkCamera& camera, const Vector3& pivot, double degreesRight, double 
 /// Shifts the camera across the view so that `anchor`, which was under `from`, comes to lie under `to`.
 void pan(vtkRenderer& renderer, const Vector3& anchor, const DisplayPoint& from, const DisplayPoint& to);
 
-/// Divides the distance of `anchor` to the eye by `factor`; it stays where it is on the screen. With a parallel
-/// projection the picture grows about it instead.
+/// Divides the distance from `anchor`, which stays in its pixel, to the eye by `factor`, or magnifies a parallel view.
 void zoom(vtkRenderer& renderer, const Vector3& anchor, double factor);
 
 /// Where `display` is at the depth of `reference`: a place in model units.
@@ -47,8 +45,7 @@ struct ViewFrame {
 /// y), rotated by a third of a right angle towards the other of these two, and raised, higher above flat meshes.
 [[nodiscard]] ViewFrame defaultFrame(const Positions& positions);
 
-/// Places `camera` along `frame`, as near as all `points` (at least one) are in a picture of `aspect` = width / height
-/// with a margin around them. Exact for the perspective, not for a bounding sphere. O(N).
+/// Places `camera` along `frame`, as near as `points` (one at least) fit a picture of width / height `aspect`. O(N).
 void fit(vtkCamera& camera, const ViewFrame& frame, const Positions& points, double aspect);
 
 }  // namespace holdfast

@@ -93,9 +93,8 @@ class DisplayTransform {
 /// Where a place appears; none for places that are not in front of the eye.
 [[nodiscard]] std::optional<DisplayPoint> toDisplay(const DisplayTransform& view, const Vector3& place);
 
-/// The angle on the display from the direction of `from` to that of `to`, seen from `center`, degrees counterclockwise:
-/// of those that differ by whole turns the nearest to `near`; `near` where a place is not in front of the eye, or
-/// appears where the center does.
+/// The angle on the display from the direction of `from` to that of `to`, seen from `center`, degrees counterclockwise,
+/// of all turns nearest to `near`; `near` where a place is not in front of the eye, or appears where the center does.
 [[nodiscard]] double degreesSeen(const DisplayTransform& view, const Vector3& center, const Vector3& from,
                                  const Vector3& to, double near);
 

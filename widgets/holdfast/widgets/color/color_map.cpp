@@ -19,38 +19,17 @@ struct LabColor {
 
 // Points of smooth curves through Lab space at equal distances along each, so that equal steps of a value look equal;
 // all of them, and the straight lines between them, can be shown in sRGB.
-constexpr std::array<LabColor, 9> kBlueGreenYellow{{{30, 22, -46},
-                                                    {41, 6, -41},
-                                                    {50, -8, -31},
-                                                    {57, -22, -18},
-                                                    {63, -29, -1},
-                                                    {70, -31, 18},
-                                                    {76, -29, 37},
-                                                    {83, -19, 52},
-                                                    {90, -6, 66}}};
+constexpr LabColor kBlueGreenYellow[] = {{30, 22, -46}, {41, 6, -41},  {50, -8, -31}, {57, -22, -18}, {63, -29, -1},
+                                         {70, -31, 18}, {76, -29, 37}, {83, -19, 52}, {90, -6, 66}};
 
-constexpr std::array<LabColor, 9> kBlueGreyYellow{{{22, 6, -33},
-                                                   {35, 4, -26},
-                                                   {46, 3, -15},
-                                                   {55, 1, -3},
-                                                   {63, 0, 10},
-                                                   {70, -2, 23},
-                                                   {77, -3, 37},
-                                                   {84, -4, 50},
-                                                   {90, -5, 64}}};
+constexpr LabColor kBlueGreyYellow[] = {{22, 6, -33}, {35, 4, -26}, {46, 3, -15}, {55, 1, -3}, {63, 0, 10},
+                                        {70, -2, 23}, {77, -3, 37}, {84, -4, 50}, {90, -5, 64}};
 
-constexpr std::array<LabColor, 9> kBlueWhiteOrange{{{36, 12, -50},
-                                                    {52, 3, -42},
-                                                    {68, -1, -30},
-                                                    {83, -1, -15},
-                                                    {96, 0, 0},
-                                                    {87, 8, 19},
-                                                    {76, 18, 35},
-                                                    {62, 29, 48},
-                                                    {44, 42, 52}}};
+constexpr LabColor kBlueWhiteOrange[] = {{36, 12, -50}, {52, 3, -42}, {68, -1, -30}, {83, -1, -15}, {96, 0, 0},
+                                         {87, 8, 19},   {76, 18, 35}, {62, 29, 48},  {44, 42, 52}};
 
 // Ends well below the grey of what has no value.
-constexpr std::array<LabColor, 2> kGrey{{{8, 0, 0}, {64, 0, 0}}};
+constexpr LabColor kGrey[] = {{8, 0, 0}, {64, 0, 0}};
 
 // In the order of `ColorMap`.
 constexpr std::array<std::span<const LabColor>, 4> kMaps{kBlueGreenYellow, kBlueGreyYellow, kBlueWhiteOrange, kGrey};

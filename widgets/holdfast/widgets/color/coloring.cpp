@@ -74,7 +74,6 @@ Coloring residualColoring(const Model& model, const DeformResult& deformation, c
   return {std::move(field.values), std::move(scale)};
 }
 
-/// From 0 to the largest value.
 Coloring linearColoring(const std::string& title, std::vector<double> values)
 {
   ColorScale scale = linearScale(title, largestOf(values));

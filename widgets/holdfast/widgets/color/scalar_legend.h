@@ -32,7 +32,6 @@ struct LegendPlace {
   double textSize = 0;
 };
 
-/// A number of the bar.
 struct Tick {
   double value = 0;
   std::string text;

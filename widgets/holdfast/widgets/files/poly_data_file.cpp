@@ -28,7 +28,6 @@
 namespace holdfast {
 namespace {
 
-/// Runs a writer of VTK, which writes into a string of its own.
 template <class Writer>
 void write(Writer& writer, vtkPolyData& polyData, const char* extension)
 {
@@ -153,8 +152,7 @@ vtkDataArray* storedNormals(vtkDataSetAttributes& attributes)
   return normals != nullptr && normals->GetNumberOfComponents() == 3 ? normals : nullptr;
 }
 
-/// Makes those anew that are out of date, in a copy: the original belongs to the file as it was read. The first one is
-/// tuple `first`. Returns how many.
+/// In a copy: the original belongs to the file as it was read. The first one is tuple `first`. Returns how many.
 std::ptrdiff_t refresh(vtkDataSetAttributes& attributes, const NormalSides& sides, vtkIdType first)
 {
   const std::ptrdiff_t count = std::ranges::count(sides.isOutdated, 1);

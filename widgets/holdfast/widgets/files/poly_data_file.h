@@ -15,9 +15,8 @@
 
 namespace holdfast {
 
-/// Reads a .vtp file. Its polygons are the faces of the mesh; vertices, lines and all arrays of points, cells and the
-/// whole file are kept for writing. Throws `InputError` with the file and the reason where it is missing, truncated or
-/// malformed, and where it has no polygons or has triangle strips.
+/// Reads a .vtp file: polygons are the faces; vertices, lines and all arrays are kept for writing. Throws `InputError`
+/// where it is missing, truncated or malformed, has no polygons or has triangle strips.
 [[nodiscard]] MeshDocument readPolyData(const std::filesystem::path& path);
 
 /// A file of the format that `extension` names, .vtp or .vtk, with other `positions` (vertexCount x 3). Documents from
@@ -32,9 +31,8 @@ namespace holdfast {
 [[nodiscard]] Serialized fieldsToVtp(const Mesh& mesh, const Positions& positions, std::span<const Field> pointFields,
                                      std::span<const Field> faceFields);
 
-/// Makes the stored normals of `polyData`, whose polygons and points are `rest`, right for other positions, where a
-/// vertex that they depend on moved: area-weighted, on the side on which the stored one was. Its points stay. Returns a
-/// note for each array that changed. O(corners).
+/// Makes the stored normals of `polyData`, whose polygons and points are `rest`, right where a vertex that they depend
+/// on moved: area-weighted, on the side of the stored one. Returns a note for each array that changed. O(corners).
 [[nodiscard]] std::vector<std::string> refreshNormals(vtkPolyData& polyData, const Mesh& rest,
                                                       const Positions& positions);
 

@@ -83,7 +83,6 @@ class EncodedBytes {
  public:
   EncodedBytes(std::string_view text, bool isBase64) : text_(text), isBase64_(isBase64) {}
 
-  /// The first `count` bytes.
   [[nodiscard]] std::string first(std::uint64_t count) const
   {
     requireHeld(count);
@@ -124,7 +123,6 @@ std::uint64_t wordSize(const VtpEncoding& encoding)
   return encoding.hasLongHeaders ? 8 : 4;
 }
 
-/// The first `count` numbers of a header.
 std::vector<std::uint64_t> words(const EncodedBytes& block, std::uint64_t count, const VtpEncoding& encoding)
 {
   block.requireHeld(count);
@@ -217,7 +215,6 @@ Number numberOf(std::string_view word)
   return value;
 }
 
-/// The numbers of a text as they lie in memory.
 template <class Number>
 std::string dataOfText(std::string_view text)
 {
@@ -231,7 +228,6 @@ std::string dataOfText(std::string_view text)
   return data;
 }
 
-/// A type of the values of an array.
 struct NumberType {
   std::string_view name;
   int vtkType;
@@ -262,7 +258,6 @@ const NumberType& typeOf(const XmlElement& element)
   return *found;
 }
 
-/// The data of an array as they lie in memory.
 std::string dataOf(const XmlElement& element, const NumberType& type, const VtpEncoding& encoding)
 {
   const std::string_view format = element.attribute("format").value_or("ascii");

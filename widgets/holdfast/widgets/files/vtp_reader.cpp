@@ -1,9 +1,6 @@
 #include "holdfast/widgets/files/vtp_reader.h"
 
 #include <algorithm>
-#include <optional>
-#include <string_view>
-#include <vector>
 
 #include <fmt/format.h>
 #include <vtkAppendPolyData.h>

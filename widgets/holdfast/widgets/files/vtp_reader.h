@@ -27,11 +27,8 @@ struct VtpContents {
 };
 
 /// The surface in the bytes of a file, with all its arrays; pieces are joined. Throws `InputError` about `file`, with
-/// the line, where it is not XML, not PolyData, has steps of time, or where an array is not what its place needs.
-/// O(bytes).
+/// the line, where it is no PolyData, has steps of time, or where an array is not what its place needs. O(bytes).
 [[nodiscard]] VtpContents readVtp(const std::string& bytes, const std::string& file);
-
-// What it is made of: elements, and the numbers of an array as text, in base64 or as raw bytes, compressed or not.
 
 /// An element with all that is in it. References to entities are resolved.
 struct XmlElement {
@@ -41,14 +38,12 @@ struct XmlElement {
   std::string text;  ///< between its tags, without that of its children
   std::vector<XmlElement> children;
 
-  /// The value of an attribute, or nothing where there is none of that name.
   [[nodiscard]] std::optional<std::string_view> attribute(std::string_view wanted) const;
   /// The first child of that name, or null.
   [[nodiscard]] const XmlElement* child(std::string_view wanted) const;
 };
 
-/// The root of `text`. Throws `InputError` about `file` where it is no XML, and where elements are nested more than 32
-/// deep. O(text).
+/// The root of `text`. Throws `InputError` about `file` for what is no XML or nested more than 32 deep. O(text).
 [[nodiscard]] XmlElement parseXml(const std::string& text, const std::string& file);
 
 /// How a file stores the numbers of its arrays (VTK File Formats, "XML File Formats").

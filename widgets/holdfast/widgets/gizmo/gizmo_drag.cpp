@@ -198,20 +198,14 @@ void GizmoDrag::follow(const DisplayPoint& point)
 
 GizmoMotion GizmoDrag::shifted(const Eigen::Vector2d& amounts) const
 {
-  GizmoMotion motion;
-  motion.axis = normal_;
   const bool isArrow = kindOf(part_) == GizmoPartKind::Arrow;
-  motion.translation = isArrow ? Vector3(amounts.x() * first_) : Vector3(amounts.x() * first_ + amounts.y() * second_);
-  motion.distance = isArrow ? amounts.x() : amounts.norm();
-  return motion;
+  if (isArrow) return {amounts.x() * first_, normal_, 0, amounts.x()};
+  return {amounts.x() * first_ + amounts.y() * second_, normal_, 0, amounts.norm()};
 }
 
 GizmoMotion GizmoDrag::rotated(double degrees) const
 {
-  GizmoMotion motion;
-  motion.axis = normal_;
-  motion.degrees = degrees;
-  return motion;
+  return {Vector3::Zero(), normal_, degrees, 0};
 }
 
 GizmoMotion GizmoDrag::to(const DisplayPoint& point, Snap snap)

@@ -73,7 +73,6 @@ inline constexpr double kRingRadius = 0.57;
 inline constexpr double kTolerance = 0.06;
 }  // namespace gizmo_layout
 
-/// The place of the gizmo, and its size for one view.
 struct GizmoPlacement {
   GizmoFrame frame;
   double scale = 1;  ///< radius of the outer ring, model units
@@ -85,8 +84,7 @@ struct GizmoPlacement {
 /// From 0 (gone) to 1: arrows that point to the eye, and rings and squares that are seen edge-on, fade.
 [[nodiscard]] double visibilityOf(GizmoPart part, const GizmoFrame& frame, const DisplayTransform& view);
 
-/// From nearly 0 on the half of a ring that faces away from the eye to 1. `arm`: from the center to a place of the
-/// ring, of unit length.
+/// From nearly 0 where a ring faces away from the eye to 1. `arm`: the unit direction from the center to the place.
 [[nodiscard]] double ringVisibility(const Vector3& arm, const Vector3& sight);
 
 /// Less visible parts cannot be hit.

@@ -51,7 +51,6 @@ class GizmoPartActors {
   vtkNew<vtkActor> faded_;
 };
 
-/// The state of a drag.
 struct GizmoTrace {
   GizmoPart part = GizmoPart::None;
   GizmoFrame from;                    ///< where the drag began
@@ -59,7 +58,6 @@ struct GizmoTrace {
   GizmoMotion motion;
 };
 
-/// The actors of a trace.
 class GizmoTraceActors {
  public:
   GizmoTraceActors();

@@ -1,7 +1,6 @@
 #include "holdfast/widgets/interaction/gizmo_widget.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 
 namespace holdfast {
@@ -131,8 +130,6 @@ bool GizmoWidget::WantsKey(char key)
   return isAxisKey(key) && !this->Drag && this->WidgetRep->GetVisibility() != 0;
 }
 
-// The mouse
-
 bool GizmoWidget::Hover()
 {
   if (this->Held) {
@@ -176,8 +173,6 @@ bool GizmoWidget::Release()
   this->Keep();
   return true;
 }
-
-// Keys
 
 bool GizmoWidget::Choose(GizmoPart ofX)
 {
@@ -232,8 +227,6 @@ void GizmoWidget::OnChar()
   else
     this->Superclass::OnChar();
 }
-
-// The drag
 
 void GizmoWidget::Grab()
 {

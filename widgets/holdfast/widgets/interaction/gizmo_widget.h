@@ -151,7 +151,6 @@ class GizmoWidget : public WidgetOf<GizmoRepresentation> {
   /// Disabling cancels a drag, and removes the gizmo from the window.
   void SetEnabled(int isEnabled) override;
 
-  /// The active part, or `None`.
   [[nodiscard]] GizmoPart GetPart() { return this->Drawn().GetPart(); }
   /// Chooses a part, or none. Without effect during a drag, while disabled, and for a part that is not offered.
   void SetPart(GizmoPart part);

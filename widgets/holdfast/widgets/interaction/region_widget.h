@@ -32,7 +32,6 @@ class RegionRepresentation : public DrawnByProps<vtkWidgetRepresentation> {
     this->Show(circle(center, radius, kCorners), false);
   }
   void ShowNothing() { this->Show({}, false); }
-  /// Corners of what is shown.
   [[nodiscard]] const std::vector<DisplayPoint>& GetOutline() const { return this->Outline; }
 
   vtkSetClampMacro(PixelRatio, double, 0.1, 100.0);

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include <vtkCamera.h>
-#include <vtkEvent.h>
 
 #include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/widgets/picking/surface_picker.h>

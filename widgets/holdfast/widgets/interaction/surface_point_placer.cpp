@@ -1,11 +1,8 @@
 #include "holdfast/widgets/interaction/surface_point_placer.h"
 
 #include <algorithm>
-#include <utility>
 
 #include <vtkContourRepresentation.h>
-#include <vtkObjectFactory.h>
-#include <vtkRenderer.h>
 
 namespace holdfast {
 

@@ -5,8 +5,6 @@
 
 #include <vtkWidgetEventTranslator.h>
 
-#include <holdfast/widgets/marks/constraint_glyphs.h>
-#include <holdfast/widgets/mesh/actors.h>
 #include <holdfast/widgets/mesh/poly_data.h>
 
 namespace holdfast {

@@ -3,7 +3,6 @@
 
 #include <memory>
 #include <optional>
-#include <vector>
 
 #include <vtkNew.h>
 #include <vtkPolyData.h>

@@ -10,15 +10,12 @@
 #include <vtkCoordinate.h>
 #include <vtkHandleWidget.h>
 #include <vtkPolyDataMapper2D.h>
-#include <vtkPropCollection.h>
 #include <vtkProperty2D.h>
-#include <vtkRenderer.h>
 #include <vtkTextProperty.h>
 #include <vtkWindow.h>
 
 #include <holdfast/geometry/degree.h>
 #include <holdfast/surface/surface_locator.h>
-#include <holdfast/widgets/camera/display_transform.h>
 #include <holdfast/widgets/marks/constraint_glyphs.h>
 #include <holdfast/widgets/mesh/actors.h>
 #include <holdfast/widgets/mesh/poly_data.h>
@@ -380,7 +377,6 @@ void SurfaceRulerWidget::Move()
   this->Render();
 }
 
-/// Finds the end under the cursor, and shows it.
 void SurfaceRulerWidget::Hover()
 {
   bool isChanged = false;

@@ -95,7 +95,6 @@ void drawLines(vtkPolyData& data, const std::vector<GlyphLine>& lines)
   data.GetPointData()->SetScalars(colors);
 }
 
-/// The sprites and lines of some marks.
 struct GlyphSet {
   std::optional<SectionPlane> section;
   std::array<std::vector<Sprite>, LayerCount> layers;

@@ -71,7 +71,6 @@ ConstraintMark markOf(const ConstraintRow& row, const Model& model, const Positi
   return mark;
 }
 
-/// Makes the marks of disabled constraints.
 class DisabledMarks {
  public:
   DisabledMarks(const Model& model, const Positions& positions)

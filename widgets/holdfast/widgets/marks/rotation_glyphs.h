@@ -21,9 +21,8 @@ struct RotationArrow {
   Vector3 along;     ///< the whole of it, model units
 };
 
-/// Arrows at `vertices` of the file, at `positions`, along the axes of the logs `q`, one for each unknown. An angle of
-/// 90 degrees, or the largest of all where that is more, has the length `longest`; angles of less than half a degree
-/// have no arrow.
+/// Arrows at `vertices` of the file, at `positions`, along the axes of the logs `q` of all unknowns. 90 degrees, or the
+/// largest angle where that is more, has the length `longest`; angles of less than half a degree have no arrow.
 [[nodiscard]] std::vector<RotationArrow> rotationArrows(const Model& model, const std::vector<Index>& vertices,
                                                         const Positions& positions, const Columns3& q, double longest);
 

@@ -8,7 +8,6 @@
 
 #include <holdfast/widgets/marks/constraint_glyphs.h>
 #include <holdfast/widgets/marks/evenly_spread.h>
-#include <holdfast/widgets/mesh/actors.h>
 
 namespace holdfast {
 namespace {

@@ -12,6 +12,7 @@
 #include <vtkPoints.h>
 
 #include <holdfast/check/mesh_check.h>
+#include <holdfast/mesh/index_lists.h>
 #include <holdfast/mesh/vertex_normals.h>
 #include <holdfast/widgets/mesh/poly_data.h>
 
@@ -97,9 +98,7 @@ std::vector<Triangle> between(const SolverMesh& mesh, const std::vector<Index>& 
     std::rotate(coarse.begin(), std::min_element(coarse.begin(), coarse.end()), coarse.end());
     triangles.push_back(coarse);
   }
-  std::sort(triangles.begin(), triangles.end());
-  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
-  return triangles;
+  return sortedOnce(std::move(triangles));
 }
 
 std::vector<Triangle> aboutAsMany(const SolverMesh& mesh, Index target)

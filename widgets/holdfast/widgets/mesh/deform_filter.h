@@ -2,7 +2,6 @@
 /// A deformation as a filter of VTK.
 
 #include <memory>
-#include <string>
 
 #include <vtkPolyDataAlgorithm.h>
 

@@ -10,6 +10,7 @@
 #include <vtkLookupTable.h>
 #include <vtkPointData.h>
 
+#include <holdfast/mesh/index_lists.h>
 #include <holdfast/mesh/vertex_normals.h>
 #include <holdfast/widgets/mesh/poly_data.h>
 
@@ -45,9 +46,7 @@ std::vector<std::array<Index, 2>> polygonEdges(const Mesh& mesh, const ShadedSur
       if (a >= 0 && b >= 0 && a != b) edges.push_back({std::min(a, b), std::max(a, b)});
     }
   }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  return edges;
+  return sortedOnce(std::move(edges));
 }
 
 void showLines(vtkActor& actor, vtkPolyDataMapper& mapper, vtkPolyData& data)

@@ -42,8 +42,7 @@ enum class Detail {
 /// The actors of one mesh: its surface and, as thin dark lines, its sharp edges and borders.
 class MeshActor {
  public:
-  /// At rest, in one colour. `model` stays alive as long as this; `shaded` was cut from it, or is null. O(T log T)
-  /// without `shaded`.
+  /// At rest, in one colour. `model` stays alive as long as this. `shaded` was cut from it; if null it is, O(T log T).
   explicit MeshActor(const Model& model, std::shared_ptr<const ShadedSurface> shaded = nullptr);
   ~MeshActor();
 
@@ -54,7 +53,6 @@ class MeshActor {
   /// coloured; where some are NaN, the colours are interpolated.
   void setColors(const std::vector<double>& values, const ColorScale& scale);
 
-  /// One colour again.
   void clearColors();
 
   void setMeshEdges(MeshEdges edges);

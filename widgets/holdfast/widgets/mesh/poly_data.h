@@ -23,7 +23,6 @@ void setPoints(vtkPolyData& data, const std::vector<Vector3>& places);
 void setLines(vtkPolyData& data, const std::vector<std::vector<Vector3>>& lines);
 void setPolygons(vtkPolyData& data, const std::vector<std::vector<Vector3>>& polygons);
 
-/// The same cells.
 [[nodiscard]] vtkSmartPointer<vtkCellArray> toCells(const Polygons& polygons);
 
 /// The faces of `mesh` at `positions` (vertexCount x 3): polygons only, no attributes.
@@ -32,7 +31,6 @@ void setPolygons(vtkPolyData& data, const std::vector<std::vector<Vector3>>& pol
 /// A copy, called as the field.
 [[nodiscard]] vtkSmartPointer<vtkDoubleArray> toArray(const Field& field);
 
-/// The points of `polyData`, as doubles.
 [[nodiscard]] Positions positionsOf(vtkPolyData& polyData);
 
 /// Throws `InputError` about `file` where a cell begins or ends outside the list of corners, or has fewer corners than

@@ -53,7 +53,6 @@ ShadedSurface numberPoints(const Model& model, DisjointSets& corners)
   return surface;
 }
 
-/// Connected sharp edges.
 struct Chain {
   Index edges = 0;
   Index vertices = 0;

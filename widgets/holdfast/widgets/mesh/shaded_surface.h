@@ -24,9 +24,8 @@ inline constexpr double kSharpDegrees = 42;
 /// A share of the bounding box's diagonal: shorter lines of sharp edges that close no loop are not drawn.
 inline constexpr double kLeastCreaseLength = 0.1;
 
-/// The triangles of `model`, cut along the edges that are sharp at rest, so that the cuts stay where they are while the
-/// mesh deforms. Edges of more or fewer than two triangles, and those whose triangles disagree on which side is out,
-/// count as sharp. O(T log T).
+/// The triangles of `model`, cut along the edges that are sharp at rest, so that the cuts stay while the mesh deforms.
+/// Edges of more or fewer than two triangles, or of two that disagree on which side is out, are sharp. O(T log T).
 [[nodiscard]] ShadedSurface cutAtSharpEdges(const Model& model);
 
 }  // namespace holdfast

@@ -37,9 +37,8 @@ enum class ScreenReach {
 };
 
 /// The vertices of the file that are shown inside `polygon` in the renderer's part of the window, found a few at a
-/// time, so that a window can answer in between. Corners are pixels as a cursor names them, each meaning its center.
-/// Vertices that no face uses, that are behind the eye or that a section cuts away are left out. O(N) and, for
-/// `VisibleOnly`, about O(k log T) for k vertices inside.
+/// time. Corners are pixels as a cursor names them, each meaning its center. Without vertices that no face uses, that
+/// are behind the eye or that a section cuts away. O(N) and, for `VisibleOnly`, about O(k log T) for k vertices inside.
 class ScreenSelection {
  public:
   /// Sees what `renderer` shows now of `surface`, which is not null.

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include <holdfast/widgets/camera/display_transform.h>
-
 namespace holdfast {
 namespace {
 
@@ -54,12 +52,6 @@ std::optional<PointOfEdge> nearestOfEdge(const Vector3& a, const Vector3& b, con
 
 constexpr double kAnyDistance = std::numeric_limits<double>::infinity();
 
-void sortUnique(auto& values)
-{
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-}
-
 /// One search around one cursor.
 class Search {
  public:
@@ -81,16 +73,14 @@ class Search {
     std::vector<Index> faces;
     for (const Index vertex : model_.mesh.faces[faceOf[hit_->triangle]])
       for (const Index triangle : surface_.trianglesAt(vertex)) faces.push_back(faceOf[triangle]);
-    sortUnique(faces);
     std::vector<Index> triangles;
-    for (const Index face : faces) {
+    for (const Index face : sortedOnce(std::move(faces))) {
       const auto [first, last] = std::equal_range(faceOf.begin(), faceOf.end(), face);
       for (auto t = first; t != last; ++t) triangles.push_back(t - faceOf.begin());
     }
     return triangles;
   }
 
-  /// The point of the face under the cursor.
   [[nodiscard]] SurfacePick ofFace() const
   {
     const Index face = model_.triangulation.faceOf[hit_->triangle];
@@ -140,9 +130,8 @@ class Search {
     std::vector<Index> vertices;
     for (const Index t : triangles)
       for (const Index vertex : model_.triangulation.triangles[t]) vertices.push_back(vertex);
-    sortUnique(vertices);
     std::vector<ShownVertex> found;
-    for (const Index vertex : vertices) {
+    for (const Index vertex : sortedOnce(std::move(vertices))) {
       const DisplayTransform::Shown shown = display_.show(surface_.positions().row(vertex));
       if (!(shown.depth > 0)) continue;
       const double distance = (shown.point - cursor_).norm();
@@ -182,8 +171,7 @@ class Search {
         const std::pair<Index, Index> ends = std::minmax(corners[side], corners[(side + 1) % 3]);
         if (ends.first != ends.second && isSideOfFace(t, side)) sides.push_back(ends);
       }
-    sortUnique(sides);
-    return sides;
+    return sortedOnce(std::move(sides));
   }
 
   /// Whether the side is one of the face that the triangle is cut from, not a cut.

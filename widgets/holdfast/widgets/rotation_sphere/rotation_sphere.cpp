@@ -17,7 +17,6 @@
 #include <holdfast/geometry/degree.h>
 #include <holdfast/widgets/camera/display_transform.h>
 #include <holdfast/widgets/marks/point_sprites.h>
-#include <holdfast/widgets/mesh/actors.h>
 #include <holdfast/widgets/mesh/poly_data.h>
 #include <holdfast/widgets/rotation_sphere/sphere_camera.h>
 
@@ -100,13 +99,6 @@ vtkSmartPointer<vtkPolyData> sphereRings()
   return data;
 }
 
-void makeBalls(vtkActor& actor)
-{
-  drawPointsAsBalls(actor);
-  actor.GetProperty()->SetAmbient(0.35);
-  actor.GetProperty()->SetDiffuse(0.65);
-}
-
 }  // namespace
 
 RotationSphere::RotationSphere()
@@ -120,7 +112,11 @@ RotationSphere::RotationSphere()
   showData(*mark_, *markData_);
   showData(*shell_, *sphereShell());
   showData(*rings_, *sphereRings());
-  for (vtkActor* const actor : {points_.Get(), balls_.Get(), mark_.Get()}) makeBalls(*actor);
+  for (vtkActor* const actor : {points_.Get(), balls_.Get(), mark_.Get()}) {
+    drawPointsAsBalls(*actor);
+    actor->GetProperty()->SetAmbient(0.35);
+    actor->GetProperty()->SetDiffuse(0.65);
+  }
   for (vtkActor* const actor : {rings_.Get(), arcs_.Get()}) actor->GetProperty()->LightingOff();
   shell_->GetProperty()->SetOpacity(kShellOpacity);
   // Nearly flat, so that the colours of points differ at the rim too.

@@ -35,14 +35,12 @@ class SceneContents {
   SceneContents(const SceneContents&) = delete;
   SceneContents& operator=(const SceneContents&) = delete;
 
-  /// Adds all actors, those that are hidden as well, in the place of where they were. They leave `renderer` when this
-  /// ends.
+  /// Adds all actors, also hidden ones, in the place of where they were. They leave `renderer` when this ends.
   void addTo(vtkRenderer& renderer);
 
   /// A deformation: its positions, rotations and constraints. Colours stay (see `color`). O(T + marks).
   void show(const DeformResult& deformation);
 
-  /// The shape of it alone.
   void showShape(const DeformResult& deformation);
 
   /// Moves the mesh and the selection on it, nothing else: one row for each vertex of the file. O(T).
@@ -106,14 +104,12 @@ class SceneContents {
   ConstraintGlyphs glyphs_;
 };
 
-/// The field that colours the surface, and its scale.
 struct ColorSettings {
   ColorBy field = ColorBy::Displacement;
   ColorRange range = AutomaticRange{};  ///< `whyNoRange` of it is empty
   ColorMap map = ColorMap::BlueGreenYellow;
 };
 
-/// The things beside the deformed surface.
 struct DisplaySettings {
   RestGhost rest = RestGhost::Edges;
   MeshEdges edges = MeshEdges::Sharp;
@@ -126,8 +122,7 @@ struct DisplaySettings {
 /// Shows in `contents`, to which a deformation was shown, what `settings` say.
 void arrange(SceneContents& contents, const DisplaySettings& settings);
 
-/// The values of the chosen field on the chosen scale; none for `ColorBy::None`. `units` as in the function of the same
-/// name.
+/// The values of the chosen field on the chosen scale; none for `ColorBy::None`.
 [[nodiscard]] std::optional<Coloring> coloringOf(const Model& model, const DeformResult& deformation,
                                                  const ColorSettings& settings, const std::string& units);
 

@@ -19,8 +19,7 @@ class SlicedDrawing {
   explicit SlicedDrawing(vtkRenderer& scene);
   ~SlicedDrawing();
 
-  /// Begins a picture of `contents`, which stays as it is until the picture is done or abandoned. One under way is
-  /// abandoned.
+  /// Begins a picture of `contents`, which stay as they are until it is done or abandoned. Abandons one under way.
   void begin(SceneContents& contents);
   /// Orders the next part, and at last shows the picture. One is under way. Drivers draw later, and showing waits for
   /// them: a window that answers in between lets each part be drawn before the next.

@@ -8,7 +8,6 @@
 namespace holdfast {
 namespace {
 
-// The side of the square that signs are drawn on.
 constexpr double kSide = 24;
 
 struct Drawing {

@@ -8,7 +8,6 @@
 
 namespace holdfast {
 
-/// The signs on the buttons of the window.
 enum class Sign {
   Select,
   Point,
@@ -33,8 +32,7 @@ enum class Sign {
 /// `draw` draws it on a square of this side.
 [[nodiscard]] QIcon drawnIcon(double side, std::function<void(QPainter& painter, QIcon::Mode mode)> draw);
 
-/// Understands the commands of SVG paths that icons need, each with its letter and absolute coordinates: M x y, L x y,
-/// C x y x y x y, Z; and O x y r for a circle.
+/// Commands of SVG paths with absolute coordinates (M x y, L x y, C x y x y x y, Z); and O x y r for a circle.
 [[nodiscard]] QPainterPath drawnPath(const char* text);
 
 }  // namespace holdfast

@@ -1,6 +1,5 @@
 #include "holdfast/window/controls/number_edit.h"
 
-#include <QHBoxLayout>
 #include <QKeyEvent>
 
 #include <holdfast/io/text/number_text.h>

@@ -18,9 +18,7 @@ class NumberEdit : public QLineEdit {
 
   /// Shows a number, or that there are several. Does not disturb a user who is typing.
   void setNumber(std::optional<double> number);
-  /// The number that is typed at the moment; nothing if it is invalid.
   [[nodiscard]] std::optional<double> typed() const { return typedNumber(text()); }
-  /// Drops what the user typed.
   void replaceTyped(std::optional<double> number);
 
   [[nodiscard]] QSize sizeHint() const override;
@@ -39,7 +37,6 @@ class NumberEdit : public QLineEdit {
   std::optional<double> number_;
 };
 
-/// Three lines side by side, x, y and z.
 class VectorEdit : public QWidget {
   Q_OBJECT
 

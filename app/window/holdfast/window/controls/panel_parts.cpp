@@ -1,6 +1,5 @@
 #include "holdfast/window/controls/panel_parts.h"
 
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QStyle>
 

@@ -1,8 +1,10 @@
 #pragma once
-/// What panels and dialogs are put together from. Widgets are returned without a parent: a layout takes them.
+/// What panels and dialogs are put together from, Qt's most used widgets included. Widgets are returned without a
+/// parent: a layout takes them.
 
 #include <QFrame>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QIcon>
 #include <QLabel>
 #include <QPushButton>
@@ -54,7 +56,6 @@ void fill(QWidget& panel, QWidget* content);
 /// Rows without lines between them, in two alternating colours.
 void setTableLook(QTableView& table);
 
-/// The reason why an edit was refused, in the colour of conflicts.
 void showRefusal(QLabel& label, const QString& reason);
 
 /// A panel that follows what it shows while it is seen, and catches up when it comes into view.
@@ -98,7 +99,6 @@ class Card : public QFrame {
   QGridLayout* buttons_;
 };
 
-/// Cards below one another, scrolled where they need more room.
 class CardList : public QScrollArea {
   Q_OBJECT
 

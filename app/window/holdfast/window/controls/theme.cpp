@@ -65,12 +65,9 @@ PictureColors pictureColors(const QPalette& palette)
 {
   const Color ground = toColor(palette.color(QPalette::Base));
   const Color ink = toColor(palette.color(QPalette::Text));
-  return {ground,
-          mixed(ground, ink, 0.09),
-          mixed(ground, ink, 0.18),
-          ink,
-          isDark(palette) ? Color{0.42, 0.62, 0.86} : Color{0.24, 0.44, 0.70},
-          isDark(palette) ? Color{1.00, 0.60, 0.25} : Color{0.86, 0.34, 0.04}};
+  const Color bar = isDark(palette) ? Color{0.42, 0.62, 0.86} : Color{0.24, 0.44, 0.70};
+  const Color accent = isDark(palette) ? Color{1.00, 0.60, 0.25} : Color{0.86, 0.34, 0.04};
+  return {ground, mixed(ground, ink, 0.09), mixed(ground, ink, 0.18), ink, bar, accent};
 }
 
 }  // namespace holdfast

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include <QVTKInteractor.h>
 #include <QVTKRenderWindowAdapter.h>
 #include <vtkCommand.h>
 #include <vtkGenericOpenGLRenderWindow.h>
@@ -21,8 +20,7 @@ namespace {
 // In Qt's units.
 constexpr double kNotch = 120;
 
-/// Shows a picture by exchanging its two framebuffers; VTK's copies colours and depths from one to the other. The back
-/// buffer holds an older picture afterwards.
+/// VTK copies one framebuffer to the other; this exchanges them. The back buffer holds an older picture afterwards.
 class ExchangingWindow : public vtkGenericOpenGLRenderWindow {
  public:
   static ExchangingWindow* New();
@@ -84,8 +82,7 @@ void VtkView::paintGL()
   state.vtkglDepthFunc(GL_LEQUAL);
   RenderWindowAdapter->paint();
   interactor()->EnableRenderOff();
-  // As VTK's painting, but without setting the opacity of all pixels, for which the window would wait. Pictures are
-  // opaque.
+  // As VTK's painting, but without setting the opacity of all pixels, for which the window would wait.
   makeCurrent();
   context()->functions()->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
   window.BlitDisplayFramebuffer();

@@ -4,6 +4,7 @@
 #include <QMouseEvent>
 #include <QWheelEvent>
 
+#include <QVTKInteractor.h>
 #include <QVTKOpenGLNativeWidget.h>
 
 namespace holdfast {

@@ -3,15 +3,11 @@
 #include <QDateTime>
 #include <QDialogButtonBox>
 #include <QDir>
-#include <QLabel>
 #include <QListWidget>
 #include <QLocale>
-#include <QPushButton>
-#include <QVBoxLayout>
 #include <utility>
 
 #include <holdfast/window/controls/panel_parts.h>
-#include <holdfast/window/files/file_messages.h>
 
 namespace holdfast {
 namespace {
@@ -27,7 +23,6 @@ QString timeOf(const Recoverable& copy)
   return QLocale().toString(QDateTime::fromMSecsSinceEpoch(time.count()), QLocale::ShortFormat);
 }
 
-/// What the copy is of.
 QString originOf(const Recoverable& copy)
 {
   if (!copy.original.empty()) return native(copy.original);

@@ -17,7 +17,6 @@
 
 namespace holdfast {
 
-/// Unsaved work that is older than this is kept.
 inline constexpr std::chrono::milliseconds kAutosaveDelay = std::chrono::seconds(2);
 
 /// Writes a copy of the editor's document on a thread of its own, a moment after a change and never in the middle of a

@@ -6,7 +6,6 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include <holdfast/document/session_file.h>
 #include <holdfast/io/mesh_document.h>
@@ -36,7 +35,6 @@ class DocumentExports : public QObject {
     connect(&job_, &BackgroundJob::failed, this, &DocumentExports::showFailure);
   }
 
-  /// Replaces `chooseFile`, for a program that drives the window.
   void setChooser(FileChooser chooser) { chooser_ = std::move(chooser); }
   void setPictureView(std::function<PictureView()> view) { pictureView_ = std::move(view); }
 

@@ -36,8 +36,6 @@ DocumentFiles::DocumentFiles(Editor& editor, QWidget* window) : QObject(window),
   });
 }
 
-// Opening
-
 void DocumentFiles::open(const QString& path)
 {
   const QString absolute = QFileInfo(path).absoluteFilePath();
@@ -172,8 +170,6 @@ void DocumentFiles::importConstraints(const QString& path)
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->open();
 }
-
-// Saving
 
 bool DocumentFiles::save()
 {

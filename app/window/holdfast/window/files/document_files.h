@@ -62,7 +62,6 @@ class DocumentFiles : public QObject {
   /// The view that the file has, after `Editor::opened`. Empty for a mesh.
   void viewOpened(const ViewState& view);
   void pathChanged();
-  /// For the status line: "saved bracket.holdfast".
   void done(const QString& what);
 
  private:

@@ -3,15 +3,10 @@
 #include <QAbstractTableModel>
 #include <QDialogButtonBox>
 #include <QGuiApplication>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QKeyEvent>
-#include <QLabel>
 #include <QProgressBar>
-#include <QPushButton>
 #include <QSortFilterProxyModel>
-#include <QTableView>
-#include <QVBoxLayout>
 #include <utility>
 
 #include <holdfast/constraint_files/constraint_file.h>
@@ -22,7 +17,6 @@
 #include <holdfast/window/controls/status_style.h>
 #include <holdfast/window/files/file_messages.h>
 #include <holdfast/window/model/at_rest.h>
-#include <holdfast/window/model/background_job.h>
 #include <holdfast/window/text/constraint_text.h>
 #include <holdfast/window/text/number_text.h>
 
@@ -87,7 +81,6 @@ class ImportTable : public QAbstractTableModel {
     reportChange();
   }
 
-  /// Places in the list, ascending.
   [[nodiscard]] std::vector<Index> tickedRows() const
   {
     std::vector<Index> rows;

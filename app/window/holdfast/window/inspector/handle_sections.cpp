@@ -1,6 +1,4 @@
 #include <QHeaderView>
-#include <QPushButton>
-#include <QTableView>
 #include <cmath>
 
 #include <holdfast/base/error.h>
@@ -19,7 +17,6 @@ namespace {
 /// One of those that say the motion of a handle in another way: `byFrames`, ...
 using Restatement = HandleConstraint (*)(const HandleConstraint& handle, const HandleSetting& setting);
 
-/// What the motion of a handle of the editor's list depends on.
 HandleSetting settingOf(const Editor& editor, const Constraint& handle)
 {
   const Index index = indexOf(editor.list(), handle.name).value();
@@ -66,7 +63,6 @@ auto ofTurn(auto AxisRotation::*member)
   };
 }
 
-/// Frames have a section of their own.
 class HandleSection : public SectionOf<HandleConstraint> {
  public:
   explicit HandleSection(Editor& editor) : SectionOf(editor, tr("Motion"))
@@ -171,7 +167,6 @@ class FrameSection : public SectionOf<HandleConstraint> {
   }
 
  private:
-  /// One frame in lines.
   struct Lines {
     Frame FrameMotion::*frame;
     VectorEdit* origin;
@@ -389,19 +384,9 @@ class SingleVerticesSection : public SectionOf<HandleConstraint> {
 
 }  // namespace
 
-InspectorSection* newHandleSection(Editor& editor)
+Sections newHandleSections(Editor& editor)
 {
-  return new HandleSection(editor);
-}
-
-InspectorSection* newSingleVerticesSection(Editor& editor)
-{
-  return new SingleVerticesSection(editor);
-}
-
-InspectorSection* newFrameSection(Editor& editor)
-{
-  return new FrameSection(editor);
+  return {new HandleSection(editor), new FrameSection(editor), new SingleVerticesSection(editor)};
 }
 
 }  // namespace holdfast

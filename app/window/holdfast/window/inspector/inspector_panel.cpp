@@ -1,6 +1,5 @@
 #include <QCheckBox>
 #include <QLineEdit>
-#include <QScrollArea>
 #include <algorithm>
 #include <set>
 
@@ -19,13 +18,12 @@ class InspectorPanel final : public RefreshedPanel {
     QWidget* content = new QWidget;
     auto* layout = newLayout<QVBoxLayout>(content, 10, 6);
     makeHead(*layout);
-    for (InspectorSection* section :
-         {newLocationSection(editor), newTargetSection(editor), newVerticesSection(editor), newHandleSection(editor),
-          newFrameSection(editor), newSingleVerticesSection(editor), newRelativeSection(editor),
-          newOutcomeSection(editor)}) {
+    for (const Sections& sections : {newPointSections(editor), newVerticesSections(editor), newHandleSections(editor),
+                                     newRelativeSections(editor), newOutcomeSections(editor)})
+      sections_.insert(sections_.end(), sections.begin(), sections.end());
+    for (InspectorSection* section : sections_) {
       layout->addWidget(section);
       connect(section, &InspectorSection::refused, this, [this](const QString& why) { showRefusal(*reason_, why); });
-      sections_.push_back(section);
     }
     layout->addStretch(1);
     int widest = 0;
@@ -117,7 +115,7 @@ class InspectorPanel final : public RefreshedPanel {
   QLineEdit* name_ = nullptr;
   QCheckBox* enabled_ = nullptr;
   QLabel* reason_ = nullptr;
-  std::vector<InspectorSection*> sections_;
+  Sections sections_;
 };
 
 }  // namespace

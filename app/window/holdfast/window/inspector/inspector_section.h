@@ -2,8 +2,6 @@
 /// One part of the inspector: what some kinds of constraints have in common, shown and edited.
 
 #include <QComboBox>
-#include <QLabel>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <functional>
 #include <memory>
@@ -54,7 +52,6 @@ class InspectorSection : public QWidget {
   [[nodiscard]] Editor& editor() const { return editor_; }
   [[nodiscard]] const Rows& rows() const { return rows_; }
   [[nodiscard]] const Constraint& constraint(Index row) const { return editor_.list().constraints[row]; }
-  /// "P1", "3 constraints".
   [[nodiscard]] QString subject() const { return subjectOf(editor_, rows_); }
   /// `change` may throw `InputError`, which is refused with its reason.
   void change(const QString& name, const Change& change);
@@ -123,7 +120,6 @@ class SectionOf : public InspectorSection {
 
  protected:
   [[nodiscard]] const What& what(Index row) const { return std::get<What>(constraint(row).what); }
-  /// That of the first row.
   [[nodiscard]] const What& what() const { return what(rows().front()); }
 
   /// `edit` changes each row, or returns false to leave it as it is.
@@ -213,27 +209,21 @@ class SectionOf : public InspectorSection {
 /// What was typed, if it is a whole number from `least` on; else throws `InputError` with `reason`.
 [[nodiscard]] Index wholeNumber(double typed, double least, const std::string& reason);
 
-/// The panel: the selected constraints of an editor, which outlives it, one in full, of several what they have in
-/// common.
+/// The panel: the selected constraints of an editor, which outlives it; of several what they have in common.
 [[nodiscard]] QWidget* newInspectorPanel(Editor& editor);
 
-// The sections of the inspector, one for each property of constraints. A layout takes them; `editor` outlives them.
+// The sections of the inspector. A layout takes them; `editor` outlives them.
+using Sections = std::vector<InspectorSection*>;
 
-/// Where one point lies: ids and weights. Hidden for several points.
-[[nodiscard]] InspectorSection* newLocationSection(Editor& editor);
-/// Where points go: to a place, or by a shift.
-[[nodiscard]] InspectorSection* newTargetSection(Editor& editor);
+/// Where one point lies (ids and weights), and where points go: to a place, or by a shift.
+[[nodiscard]] Sections newPointSections(Editor& editor);
 /// How many vertices fixed, rigid and handle constraints hold.
-[[nodiscard]] InspectorSection* newVerticesSection(Editor& editor);
-/// How handles turn and where they go.
-[[nodiscard]] InspectorSection* newHandleSection(Editor& editor);
-/// The frames between which handles go, and the whole turns between them.
-[[nodiscard]] InspectorSection* newFrameSection(Editor& editor);
-/// Rotations and targets of the vertices that one handle lists; for others the reason why not.
-[[nodiscard]] InspectorSection* newSingleVerticesSection(Editor& editor);
+[[nodiscard]] Sections newVerticesSections(Editor& editor);
+/// How handles turn and where they go, their frames, and what each vertex that one lists has of its own.
+[[nodiscard]] Sections newHandleSections(Editor& editor);
 /// Which places relative constraints keep together, and how.
-[[nodiscard]] InspectorSection* newRelativeSection(Editor& editor);
+[[nodiscard]] Sections newRelativeSections(Editor& editor);
 /// Whether constraints hold and how hard they pull: of one, or the largest values of several.
-[[nodiscard]] InspectorSection* newOutcomeSection(Editor& editor);
+[[nodiscard]] Sections newOutcomeSections(Editor& editor);
 
 }  // namespace holdfast

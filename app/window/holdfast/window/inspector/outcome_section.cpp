@@ -1,4 +1,3 @@
-#include <QHBoxLayout>
 #include <QStyle>
 #include <map>
 
@@ -83,9 +82,9 @@ class OutcomeSection : public InspectorSection {
 
 }  // namespace
 
-InspectorSection* newOutcomeSection(Editor& editor)
+Sections newOutcomeSections(Editor& editor)
 {
-  return new OutcomeSection(editor);
+  return {new OutcomeSection(editor)};
 }
 
 }  // namespace holdfast

@@ -1,5 +1,3 @@
-#include <QGridLayout>
-#include <QPushButton>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -274,14 +272,9 @@ class TargetSection : public SectionOf<PointConstraint> {
 
 }  // namespace
 
-InspectorSection* newLocationSection(Editor& editor)
+Sections newPointSections(Editor& editor)
 {
-  return new LocationSection(editor);
-}
-
-InspectorSection* newTargetSection(Editor& editor)
-{
-  return new TargetSection(editor);
+  return {new LocationSection(editor), new TargetSection(editor)};
 }
 
 }  // namespace holdfast

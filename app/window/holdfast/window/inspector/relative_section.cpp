@@ -66,9 +66,9 @@ class RelativeSection : public SectionOf<RelativeConstraint> {
 
 }  // namespace
 
-InspectorSection* newRelativeSection(Editor& editor)
+Sections newRelativeSections(Editor& editor)
 {
-  return new RelativeSection(editor);
+  return {new RelativeSection(editor)};
 }
 
 }  // namespace holdfast

@@ -1,5 +1,3 @@
-#include <QPushButton>
-
 #include <holdfast/window/inspector/inspector_section.h>
 #include <holdfast/window/model/at_rest.h>
 #include <holdfast/window/text/constraint_text.h>
@@ -65,9 +63,9 @@ class VerticesSection : public InspectorSection {
 
 }  // namespace
 
-InspectorSection* newVerticesSection(Editor& editor)
+Sections newVerticesSections(Editor& editor)
 {
-  return new VerticesSection(editor);
+  return {new VerticesSection(editor)};
 }
 
 }  // namespace holdfast

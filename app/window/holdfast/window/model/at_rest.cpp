@@ -1,9 +1,6 @@
 #include "holdfast/window/model/at_rest.h"
 
-#include <holdfast/base/error.h>
 #include <holdfast/io/text/number_text.h>
-#include <holdfast/surface/surface_locator.h>
-#include <holdfast/surface/surface_point.h>
 
 namespace holdfast {
 
@@ -31,20 +28,16 @@ Vector3 placeOf(const PointConstraint& point, const Vector3& rest)
 PointConstraint goingTo(PointConstraint point, const Vector3& rest, const Vector3& place)
 {
   const Move* move = std::get_if<Move>(&point.to);
-  if (move == nullptr) {
-    point.to = Target{place};
-    return point;
-  }
-  Vector3 shift = move->shift;
+  Vector3 shift = move != nullptr ? move->shift : Vector3::Zero();
+  bool isShift = move != nullptr;
   for (Index k = 0; k < 3; ++k) {
-    if (hasSameBits(rest[k] + shift[k], place[k])) continue;
-    shift[k] = place[k] - rest[k];
-    if (!hasSameBits(rest[k] + shift[k], place[k])) {
-      point.to = Target{place};
-      return point;
-    }
+    if (!hasSameBits(rest[k] + shift[k], place[k])) shift[k] = place[k] - rest[k];
+    isShift = isShift && hasSameBits(rest[k] + shift[k], place[k]);
   }
-  point.to = Move{shift};
+  if (isShift)
+    point.to = Move{shift};
+  else
+    point.to = Target{place};
   return point;
 }
 

@@ -10,8 +10,7 @@
 
 namespace holdfast {
 
-/// The place that the solver starts from, bit for bit. Throws `InputError` with the reason if the mesh has no such
-/// location. A mesh is open. O(log T), the first of type `near` O(T log T).
+/// The place that the solver starts from, bit for bit. Throws `InputError` if the open mesh has no such location.
 [[nodiscard]] Vector3 requireRestPlace(const Editor& editor, const SurfaceLocation& location);
 
 /// The same; nothing if there is no such location or no mesh is open.
@@ -20,14 +19,12 @@ namespace holdfast {
 /// Where the point goes, as the solver computes it from the place at rest.
 [[nodiscard]] Vector3 placeOf(const PointConstraint& point, const Vector3& rest);
 
-/// The point that goes to `place` to the last bit. A shift stays a shift if rest + shift is that place, and becomes a
-/// target if no shift is.
+/// The point that goes to `place` to the last bit; a shift becomes a target only where no shift does so.
 [[nodiscard]] PointConstraint goingTo(PointConstraint point, const Vector3& rest, const Vector3& place);
 
-/// The vertices, ascending; or none and the reason.
 struct FoundVertices {
-  std::vector<Index> vertices;
-  std::string reason;  ///< why the selection is invalid; empty if it is valid
+  std::vector<Index> vertices;  ///< ascending
+  std::string reason;           ///< why the selection is invalid; empty if it is valid
 };
 
 /// A mesh is open. O(N) per node of the expression.

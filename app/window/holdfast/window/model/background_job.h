@@ -50,7 +50,6 @@ class BackgroundJob : public QObject {
   /// Gives up the work under way, and waits for its current step.
   ~BackgroundJob() override;
 
-  /// Gives up the work under way in favour of `work`.
   void start(Work work);
   /// Gives up the work under way, if any, at its next step; no signal or call follows but `ended`.
   void cancel();

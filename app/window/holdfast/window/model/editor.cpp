@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <holdfast/surface/surface_locator.h>
 #include <holdfast/widgets/files/any_mesh_file.h>
 #include <holdfast/widgets/mesh/coarse_surface.h>
 
@@ -43,13 +42,6 @@ LoadedMesh prepareMesh(MeshDocument document, const std::filesystem::path& path,
 bool isLarge(const Model& model)
 {
   return static_cast<Index>(model.triangulation.triangles.size()) > 2 * kCoarseTriangles;
-}
-
-std::vector<Index> sortedOnce(std::vector<Index> numbers)
-{
-  std::sort(numbers.begin(), numbers.end());
-  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-  return numbers;
 }
 
 void Editor::open(LoadedMesh mesh, DocumentState state)

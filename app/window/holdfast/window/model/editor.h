@@ -46,9 +46,6 @@ struct LoadedMesh {
 /// Whether a full picture of it may take too long for a movement.
 [[nodiscard]] bool isLarge(const Model& model);
 
-/// Ascending, each once.
-[[nodiscard]] std::vector<Index> sortedOnce(std::vector<Index> numbers);
-
 /// Whether the picture shows the newest state.
 enum class SolveState {
   Nothing,    ///< no mesh is open

@@ -1,18 +1,14 @@
 #include "holdfast/window/panels/color_panel.h"
 
 #include <QGroupBox>
-#include <QHBoxLayout>
 #include <QPainter>
 #include <QPixmap>
-#include <QScrollArea>
 #include <QSignalBlocker>
-#include <QVBoxLayout>
 #include <initializer_list>
 
 #include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/controls/theme.h>
 #include <holdfast/window/text/color_text.h>
-#include <holdfast/window/text/number_text.h>
 
 namespace holdfast {
 namespace {

@@ -1,6 +1,3 @@
-#include <QLabel>
-#include <QPushButton>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -107,8 +104,6 @@ class ConflictPanel final : public RefreshedPanel {
     refresh();
   }
 
- private:
-  /// A conflict of the newest deformation.
   struct Conflict {
     const ConstraintOutcome* outcome = nullptr;
     const ConflictSet* conflictSet = nullptr;

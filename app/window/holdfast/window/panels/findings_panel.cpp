@@ -1,7 +1,7 @@
-#include <QPushButton>
 #include <utility>
 
 #include <holdfast/document/list_edits.h>
+#include <holdfast/mesh/index_lists.h>
 #include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/model/constraint_actions.h>
 #include <holdfast/window/panels/panels.h>

@@ -5,7 +5,6 @@
 #include <QPainter>
 #include <QSplitter>
 #include <QToolTip>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <limits>
 #include <unordered_set>
@@ -54,9 +53,7 @@ void HistogramView::setHistogram(const Histogram& histogram, const ChartTexts& t
 
 Index HistogramView::largestCount() const
 {
-  return histogram_.counts.empty()
-             ? 1
-             : std::max<Index>(1, *std::max_element(histogram_.counts.begin(), histogram_.counts.end()));
+  return histogram_.counts.empty() ? 1 : std::max<Index>(1, std::ranges::max(histogram_.counts));
 }
 
 QRectF HistogramView::plot() const
@@ -144,19 +141,11 @@ void HistogramView::mouseReleaseEvent(QMouseEvent* event)
 
 void HistogramView::keyPressEvent(QKeyEvent* event)
 {
-  switch (event->key()) {
-    case Qt::Key_Left:
-      return hover(nextBar(-1));
-    case Qt::Key_Right:
-      return hover(nextBar(1));
-    case Qt::Key_Return:
-    case Qt::Key_Enter:
-    case Qt::Key_Space:
-      if (hovered_) Q_EMIT barClicked(*hovered_);
-      return;
-    default:
-      return QWidget::keyPressEvent(event);
-  }
+  const int key = event->key();
+  if (key == Qt::Key_Left) return hover(nextBar(-1));
+  if (key == Qt::Key_Right) return hover(nextBar(1));
+  if (key != Qt::Key_Return && key != Qt::Key_Enter && key != Qt::Key_Space) return QWidget::keyPressEvent(event);
+  if (hovered_) Q_EMIT barClicked(*hovered_);
 }
 
 std::optional<Index> HistogramView::nextBar(Index step) const

@@ -1,7 +1,6 @@
 #pragma once
 /// The panel of distributions: how well constraints are met, and how much the surface turns.
 
-#include <QLabel>
 #include <functional>
 #include <optional>
 #include <vector>

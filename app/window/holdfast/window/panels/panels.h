@@ -12,8 +12,7 @@ namespace holdfast {
 /// What cannot hold together, by how much, and repairs: a card for each conflict. Below them what only repeats.
 [[nodiscard]] QWidget* newConflictPanel(Editor& editor);
 
-/// A card for each finding. Its button selects constraints, or calls `showVertices` with vertices of the file,
-/// ascending.
+/// A card for each finding. Its button selects constraints, or calls `showVertices` with vertices of the file.
 [[nodiscard]] QWidget* newFindingsPanel(Editor& editor,
                                         const std::function<void(const std::vector<Index>&)>& showVertices);
 

@@ -2,10 +2,6 @@
 #include <QComboBox>
 #include <QFormLayout>
 #include <QGuiApplication>
-#include <QLabel>
-#include <QPushButton>
-#include <QScrollArea>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -21,7 +17,6 @@
 namespace holdfast {
 namespace {
 
-/// A value with its title.
 struct ReportLine {
   QString key;  ///< its name for scripts
   QString title;
@@ -29,7 +24,6 @@ struct ReportLine {
   QString exact;  ///< with all digits, where `value` is rounded
 };
 
-/// In the order in which they are read.
 using ReportLines = std::vector<ReportLine>;
 
 // Limits within this factor of the usual one count as usual.
@@ -112,7 +106,6 @@ ReportLines reportLines(const Report& report, const std::string& units)
   return lines;
 }
 
-/// The lines as text, aligned.
 QString reportText(const ReportLines& lines)
 {
   int widest = 0;

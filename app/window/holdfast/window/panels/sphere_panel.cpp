@@ -1,14 +1,11 @@
 #include "holdfast/window/panels/sphere_panel.h"
 
-#include <QHBoxLayout>
 #include <QHelpEvent>
 #include <QToolButton>
 #include <QToolTip>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
 
-#include <QVTKInteractor.h>
 #include <vtkRenderWindow.h>
 
 #include <holdfast/geometry/rotation_log.h>

@@ -1,9 +1,7 @@
 #include <QAction>
 #include <QCollator>
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QHeaderView>
-#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QScopedValueRollback>
@@ -11,10 +9,10 @@
 #include <QSortFilterProxyModel>
 #include <QTimer>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <stdexcept>
 
+#include <holdfast/mesh/index_lists.h>
 #include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/table/constraint_table.h>
 #include <holdfast/window/table/constraint_table_model.h>
@@ -59,7 +57,6 @@ class ConstraintFilter : public QSortFilterProxyModel {
     return mapFromSource(model_.index(static_cast<int>(constraint), 0)).row();
   }
 
-  /// The selected constraints that are shown.
   [[nodiscard]] Rows visibleSelection() const
   {
     Rows rows = editor_.selectedConstraints();
@@ -129,7 +126,6 @@ QToolButton* toolButton(QAction* action, Qt::ArrowType arrow, const char* name)
   return button;
 }
 
-/// The rows of a selection of whole rows.
 Rows rowsIn(const QItemSelection& selection)
 {
   Rows rows;
@@ -307,7 +303,6 @@ class ConstraintPanel : public QWidget {
     }
   }
 
-  /// Begins to type a new name for the current row.
   void rename()
   {
     const QModelIndex current = table_->currentIndex();

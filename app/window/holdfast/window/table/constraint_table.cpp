@@ -12,7 +12,6 @@
 namespace holdfast {
 namespace {
 
-/// Whether a click with this event sets a value.
 bool setsValue(int column, const QEvent& event)
 {
   const bool isMouse = event.type() == QEvent::MouseButtonPress || event.type() == QEvent::MouseButtonRelease ||

@@ -38,8 +38,7 @@ class ConstraintTable : public QTableView {
   Qt::SortOrder order_ = Qt::AscendingOrder;
 };
 
-/// The panel: find, sort, reorder, switch, type targets, copy and paste. A double click on a row, in a cell that cannot
-/// be edited, calls `activated` with its place in the list. The editor outlives it.
+/// The panel. A double click on a row, in a cell that cannot be edited, calls `activated` with its place in the list.
 [[nodiscard]] QWidget* newConstraintPanel(Editor& editor, const std::function<void(Index)>& activated);
 
 }  // namespace holdfast

@@ -9,6 +9,7 @@
 #include <holdfast/base/error.h>
 #include <holdfast/base/printable.h>
 #include <holdfast/io/text/number_text.h>
+#include <holdfast/mesh/index_lists.h>
 #include <holdfast/window/controls/status_style.h>
 #include <holdfast/window/model/at_rest.h>
 #include <holdfast/window/text/constraint_text.h>
@@ -90,7 +91,6 @@ std::optional<double> ConstraintTableModel::coordinate(int row, int column) cons
   return rest ? std::optional(placeOf(*point, *rest)[column - X]) : std::nullopt;
 }
 
-/// For the columns that show numbers.
 std::optional<double> ConstraintTableModel::exactNumber(int row, int column) const
 {
   if (isCoordinate(column)) return coordinate(row, column);

@@ -11,7 +11,6 @@
 
 namespace holdfast {
 
-/// "point", "handle", ...
 [[nodiscard]] QString kindText(const Constraint& constraint);
 
 /// "vertex 12", "edge 12–13, t 0.25", "face 77: 0.2, 0.3, 0.5", "near (4.1, 0.2, 0.9)".

@@ -25,7 +25,6 @@ namespace holdfast {
 /// The exact text where it is short, seven significant digits otherwise: for tables, where columns are narrow.
 [[nodiscard]] QString coordinateText(double value);
 
-/// "x", "y", "z".
 [[nodiscard]] inline QString axisText(int axis)
 {
   return QStringLiteral("xyz").mid(axis, 1);

@@ -1,8 +1,6 @@
 #include <array>
 #include <vector>
 
-#include <vtkRenderer.h>
-
 #include <holdfast/base/error.h>
 #include <holdfast/widgets/interaction/constraint_mark_widget.h>
 #include <holdfast/widgets/interaction/interaction_events.h>

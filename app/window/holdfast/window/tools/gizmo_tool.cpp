@@ -7,7 +7,6 @@
 #include <utility>
 
 #include <holdfast/widgets/camera/display_transform.h>
-#include <holdfast/widgets/interaction/interaction_events.h>
 #include <holdfast/window/model/constraint_actions.h>
 
 namespace holdfast {

@@ -1,11 +1,9 @@
 #include <QAction>
 #include <array>
 
-#include <QVTKInteractor.h>
 #include <vtkCamera.h>
 #include <vtkImplicitPlaneWidget2.h>
 #include <vtkProperty.h>
-#include <vtkRenderer.h>
 #include <vtkWidgetEventTranslator.h>
 
 #include <holdfast/widgets/gizmo/gizmo_layout.h>

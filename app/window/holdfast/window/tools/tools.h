@@ -42,8 +42,7 @@ class ToolOf : public Tool {
 [[nodiscard]] Tool* newSelectTool(Editor& editor, Viewport& viewport);
 /// A click holds the point under the cursor where it is.
 [[nodiscard]] Tool* newPointTool(Editor& editor, Viewport& viewport);
-/// Two clicks make a relative constraint. An arrow shows the vector of the one that is selected, whatever tool is
-/// chosen.
+/// Two clicks make a relative constraint. An arrow shows the vector of the selected one, whatever tool is chosen.
 [[nodiscard]] Tool* newRelativeTool(Editor& editor, Viewport& viewport);
 /// Selects vertices by a brush, a rectangle or a lasso, or a whole side by one click.
 [[nodiscard]] Tool* newRegionTool(RegionShape shape, Editor& editor, Viewport& viewport);
@@ -52,8 +51,7 @@ class ToolOf : public Tool {
 /// Two clicks place a ruler, which is there as long as the tool is chosen.
 [[nodiscard]] Tool* newRulerTool(Editor& editor, Viewport& viewport);
 
-/// VTK's plane, beside whatever tool is chosen: what lies on the side that its arrow does not point to is cut away from
-/// the picture and cannot be picked. The arrow turns it, the ball in its middle moves it.
+/// VTK's plane, beside any tool: the side that its arrow does not point to is cut away, and cannot be picked.
 QObject* newSectionTool(Editor& editor, Viewport& viewport, QAction& isOn, QObject* parent);
 
 }  // namespace holdfast

@@ -2,9 +2,7 @@
 
 #include <QKeyEvent>
 
-#include <QVTKInteractor.h>
 #include <vtkAbstractWidget.h>
-#include <vtkRenderer.h>
 
 #include <holdfast/window/viewport/viewport.h>
 

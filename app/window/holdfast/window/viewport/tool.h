@@ -56,8 +56,8 @@ class Tool : public QObject {
 
   [[nodiscard]] Editor& editor() const noexcept { return editor_; }
   [[nodiscard]] Viewport& viewport() const noexcept { return viewport_; }
-  /// The character that a key stands for, as widgets of VTK ask for it: '\r' for Return, '\b' for Backspace, 27 for
-  /// Escape; 0 for others, and with Ctrl, Alt or Meta.
+  /// As VTK's widgets ask for a key: '\r' for Return, '\b' for Backspace, 27 for Escape; 0 for others or with Ctrl,
+  /// Alt.
   [[nodiscard]] static char characterOf(const QKeyEvent& event);
 
  private:

@@ -4,8 +4,6 @@
 #include <array>
 #include <string_view>
 
-#include <vtkRenderer.h>
-
 #include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/window/viewport/viewport.h>
 

@@ -7,16 +7,12 @@
 #include <numeric>
 #include <utility>
 
-#include <QVTKInteractor.h>
 #include <vtkBoundingBox.h>
 #include <vtkCamera.h>
-#include <vtkRenderWindow.h>
-#include <vtkRenderer.h>
 
 #include <holdfast/base/thread_priority.h>
 #include <holdfast/geometry/degree.h>
 #include <holdfast/widgets/camera/camera_state.h>
-#include <holdfast/widgets/interaction/interaction_events.h>
 #include <holdfast/widgets/scene/example_document.h>
 #include <holdfast/widgets/scene/lighting.h>
 #include <holdfast/window/viewport/viewport_overlay.h>
@@ -135,8 +131,6 @@ void Viewport::setDarkBackdrop(bool isDark)
   scheduleRender();
 }
 
-// The document
-
 void Viewport::openDocument()
 {
   cancelGesture();
@@ -244,8 +238,6 @@ const std::vector<ConstraintMark>& Viewport::marks() const noexcept
   return contents_ ? contents_->marks() : none;
 }
 
-// The camera
-
 void Viewport::frameAll()
 {
   if (!editor_.isOpen()) return;
@@ -343,8 +335,6 @@ void Viewport::fitClippingRange()
   shown.GetBounds(bounds.data());
   if (shown.IsValid()) renderer_->ResetCameraClippingRange(bounds.data());
 }
-
-// Drawing
 
 void Viewport::initializeGL()
 {

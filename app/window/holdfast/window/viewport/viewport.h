@@ -8,6 +8,8 @@
 #include <vector>
 
 #include <vtkNew.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
 
 #include <holdfast/document/session_file.h>
 #include <holdfast/widgets/interaction/stock_widgets.h>
@@ -22,9 +24,6 @@
 #include <holdfast/window/viewport/draw_fence.h>
 #include <holdfast/window/viewport/repaint_pause.h>
 #include <holdfast/window/viewport/tool.h>
-
-class vtkRenderWindow;
-class vtkRenderer;
 
 namespace holdfast {
 
@@ -79,8 +78,7 @@ class Viewport : public VtkView {
   /// The constraints that are drawn, including those that the section plane cuts away; none without a document.
   [[nodiscard]] const std::vector<ConstraintMark>& marks() const noexcept;
   [[nodiscard]] vtkRenderer& renderer() { return *renderer_; }
-  /// A layer for widgets over the picture of the document, with its camera and its depths. Drawing it does not draw the
-  /// document again.
+  /// A layer for widgets over the picture, with its camera and depths. Drawing it does not draw the document again.
   [[nodiscard]] vtkRenderer& widgetRenderer() { return *widgetRenderer_; }
 
   /// In the widget's coordinates, from the upper left corner.

@@ -4,9 +4,6 @@
 #include <QMouseEvent>
 #include <utility>
 
-#include <QVTKInteractor.h>
-#include <vtkRenderer.h>
-
 #include <holdfast/window/viewport/viewport.h>
 #include <holdfast/window/viewport/viewport_overlay.h>
 

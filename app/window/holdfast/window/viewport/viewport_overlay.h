@@ -1,6 +1,5 @@
 #pragma once
-/// Texts and drawings over the picture: the legend, those of the tool, whether the picture is older than the document,
-/// and what to do if nothing is open.
+/// Over the picture: the legend, what tools paint, whether it is older than the document, what to do if none is open.
 
 #include <QFont>
 #include <QPalette>

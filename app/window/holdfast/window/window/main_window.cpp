@@ -13,18 +13,13 @@
 #include <QUrl>
 #include <algorithm>
 
-#include <vtkRenderer.h>
-
 #include <holdfast/widgets/camera/camera_state.h>
-#include <holdfast/widgets/scene/example_document.h>
 #include <holdfast/window/controls/icons.h>
 #include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/controls/theme.h>
-#include <holdfast/window/files/file_messages.h>
 #include <holdfast/window/files/recent_files.h>
 #include <holdfast/window/model/constraint_actions.h>
 #include <holdfast/window/text/number_text.h>
-#include <holdfast/window/tools/tools.h>
 #include <holdfast/window/viewport/view_state.h>
 #include <holdfast/window/window/help_dialog.h>
 
@@ -207,8 +202,7 @@ void MainWindow::dropEvent(QDropEvent* event)
   QTimer::singleShot(0, this, [this, paths = localFiles(*event->mimeData())] { take(paths); });
 }
 
-/// One document is open at a time, and a list of constraints belongs to it: takes the first document, else the first
-/// list.
+/// One document is open at a time, and a list belongs to it: takes the first document, else the first list.
 void MainWindow::take(const QStringList& paths)
 {
   const auto document = std::find_if_not(paths.begin(), paths.end(), isListFile);
@@ -362,12 +356,8 @@ void MainWindow::makeViewMenu()
   panels_->fillMenu(*menu.addMenu(tr("&Panels")));
   const auto colors = [this](const char* name, const QString& text, const QString& spoken,
                              Appearance appearance) -> Item {
-    return {name,
-            text,
-            "",
-            tr("Colours of the window: %1").arg(spoken),
-            Needs::Nothing,
-            [appearance] { apply(appearance); }};
+    const QString tip = tr("Colours of the window: %1").arg(spoken);
+    return {name, text, "", tip, Needs::Nothing, [appearance] { apply(appearance); }};
   };
   addChoices(*menu.addMenu(tr("&Colours of the window")),
              {colors("colorsOfDesktop", tr("As the &desktop"), tr("as the desktop"), Appearance::System),

@@ -1,11 +1,9 @@
 #include "holdfast/window/window/panel_docks.h"
 
 #include <QAction>
-#include <QScrollArea>
 #include <algorithm>
 
 #include <holdfast/deform/outcomes.h>
-#include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/inspector/inspector_section.h>
 #include <holdfast/window/panels/panels.h>
 #include <holdfast/window/table/constraint_table.h>
@@ -28,8 +26,7 @@ Index nearestVertex(const SurfacePick& pick, const Model& model)
   return model.mesh.faces[pick.face][static_cast<std::size_t>(largest)];
 }
 
-/// Qt moves a dock behind others out of the window and calls it visible: its panel would follow every change, and draw
-/// pictures that are not visible.
+/// Qt calls a dock behind others visible: its panel would follow every change, and draw pictures that are not seen.
 void showWhileInFront(QWidget& panel, const QDockWidget& dock)
 {
   // The dock asks for the same room, so that nothing moves from tab to tab.

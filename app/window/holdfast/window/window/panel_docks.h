@@ -23,12 +23,10 @@ class PanelDocks : public QObject {
 
   void fillMenu(QMenu& menu) const;
 
-  /// The panels' part of `MainWindow::warmUp`.
   void warmUp(const ExampleDocument& example) { sphere_->warmUp(example); }
 
   void share(const QSize& size);
 
-  /// Updates the controls of the display after the viewport has changed it.
   void followViewport();
 
  private:
