@@ -33,7 +33,7 @@ const std::vector<Benchmark>& allBenchmarks()
       {"against CHOLMOD", againstCholmod, {"35", "173", "438", "1000"}},
       {"edits of constraints", editsOfConstraints, {"35", "173", "438", "1000"}},
       {"many points", manyPoints, {"1000"}},
-      {"random points", randomPoints, {"156"}},
+      {"random points", randomPoints, {"35"}},
       {"verdicts", verdicts, {"438"}},
       {"one core against all", oneCoreAgainstAll, {"35", "173"}},
       {"batch program", batchProgram, {"35", "173", "438"}},
@@ -41,10 +41,10 @@ const std::vector<Benchmark>& allBenchmarks()
   return kAll;
 }
 
-/// As many as fit into a minute or so, and one where nothing but the benchmark itself can be measured.
+/// As many as fit into a minute, and one where nothing but the benchmark itself can be measured.
 Index turnsFor(Index thousands)
 {
-  return thousands < 10 ? 1 : std::clamp<Index>(1500 / thousands, 1, 9);
+  return thousands < 10 ? 1 : std::clamp<Index>(600 / thousands, 1, 9);
 }
 
 /// One benchmark on one mesh.
