@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -132,7 +133,8 @@ Figures takeCholmodsTurn(Samples& samples, SparseMatrix& lower)
   };
   for (const auto& [name, ordering] : {std::pair<std::string, int>{"AMD", CHOLMOD_AMD}, {"METIS", CHOLMOD_METIS}}) {
     std::unique_ptr<CholmodFactor> factor;
-    const double analysis = secondsOf([&] { factor = std::make_unique<CholmodFactor>(lower, ordering); });
+    const double analysis =
+        secondsOf([&, order = ordering] { factor = std::make_unique<CholmodFactor>(lower, order); });
     samples.add(name + ", one thread", "s analyse", analysis);
     {
       const OneThread libraries;

@@ -1,6 +1,7 @@
 #include "bench/dragged_mesh.h"
 
 #include <stdexcept>
+#include <utility>
 
 #include <holdfast/mesh/vertex_normals.h>
 

@@ -1,6 +1,9 @@
 // What another set of constraints costs: from nothing, on a mesh that is known, and as an edit of a few.
 
+#include <cstddef>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bench/benchmarks.h"

@@ -7,15 +7,12 @@
 #include <vector>
 
 #include <benchmark/benchmark.h>
+#include <cblas.h>
 #include <sys/mman.h>
 
 #include <holdfast/base/parallel.h>
 
 #include "bench/measure.h"
-
-extern "C" void dgemm_(const char* transA, const char* transB, const int* m, const int* n, const int* k,
-                       const double* alpha, const double* A, const int* ldA, const double* B, const int* ldB,
-                       const double* beta, double* C, const int* ldC);
 
 namespace holdfast::bench {
 
@@ -43,14 +40,12 @@ double bytesReadPerSecond()
 double operationsPerSecond()
 {
   constexpr int kSize = 1000;
-  const std::vector<double> factor(kSize * kSize, 0.5);
+  const Eigen::MatrixXd factor = Eigen::MatrixXd::Constant(kSize, kSize, 0.5);
   const double seconds = shortest(3, [&] {
     parallelFor(threadCount(), [&](Index) {
-      std::vector<double> product(kSize * kSize);
-      const double one = 1;
-      const double zero = 0;
-      dgemm_("N", "T", &kSize, &kSize, &kSize, &one, factor.data(), &kSize, factor.data(), &kSize, &zero,
-             product.data(), &kSize);
+      Eigen::MatrixXd product(kSize, kSize);
+      cblas_dgemm(CblasColMajor, CblasNoTrans, CblasTrans, kSize, kSize, kSize, 1, factor.data(), kSize, factor.data(),
+                  kSize, 0, product.data(), kSize);
     });
   });
   return static_cast<double>(threadCount()) * 2e9 / seconds;

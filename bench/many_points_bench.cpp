@@ -1,5 +1,6 @@
 // What many points cost: isolated ones, ones that overlap, and ones at random.
 
+#include <memory>
 #include <string>
 
 #include "bench/benchmarks.h"

@@ -1,5 +1,8 @@
 // Whether results have the same bits on one core and on all, and how much faster all of them are.
 
+#include <memory>
+#include <string>
+
 #include <sched.h>
 
 #include "bench/benchmarks.h"

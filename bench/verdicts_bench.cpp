@@ -1,7 +1,11 @@
 // How long it takes to find the constraints that follow from others, without solving anything.
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
+#include <holdfast/constraints/constraint_system.h>
+#include <holdfast/deform/model.h>
 #include <holdfast/elimination/elimination.h>
 #include <holdfast/elimination/find_dependencies.h>
 #include <holdfast/elimination/row_components.h>
