@@ -1,19 +1,20 @@
 #pragma once
 /// \file
-/// The groups of benchmarks. Each function registers one with Google Benchmark; docs/benchmarks.md says what they
-/// measure.
+/// The benchmarks: each measures one mesh. docs/performance.md says what for.
+
+#include <benchmark/benchmark.h>
+
+#include <holdfast/mesh/mesh.h>
 
 namespace holdfast::bench {
 
-void registerHardAgainstSoft();
-void registerBackends();
-void registerFrames();
-void registerConstraintCounts();
-void registerOverlappingPoints();
-void registerVerdicts();
-void registerClosestPoints();
-#ifdef HOLDFAST_WITH_CHOLMOD
-void registerOrderings();
-#endif
+void hardAgainstSoft(benchmark::State& state, const Mesh& mesh);
+void againstCholmod(benchmark::State& state, const Mesh& mesh);
+void editsOfConstraints(benchmark::State& state, const Mesh& mesh);
+void manyPoints(benchmark::State& state, const Mesh& mesh);
+void randomPoints(benchmark::State& state, const Mesh& mesh);
+void verdicts(benchmark::State& state, const Mesh& mesh);
+void oneCoreAgainstAll(benchmark::State& state, const Mesh& mesh);
+void batchProgram(benchmark::State& state, const Mesh& mesh);
 
 }  // namespace holdfast::bench

@@ -68,8 +68,9 @@ Vector3 onBumpySurface(const Vector3& direction)
 
 }  // namespace
 
-Mesh bumpyMesh(Index divisions)
+Mesh bumpyMesh(Index vertices)
 {
+  const auto divisions = static_cast<Index>(std::lround(std::sqrt(static_cast<double>(vertices) / 6)));
   Random random(1);
   CubeSurface cube(divisions);
   Mesh mesh;

@@ -6,9 +6,9 @@
 
 namespace holdfast::bench {
 
-/// An ellipsoid with smooth bumps, 6 divisions^2 + 2 vertices: a cube's grid pushed outwards, its vertices shaken
-/// within the surface, its squares split along either diagonal, its triangles longer one way than the other. About two
-/// units long.
-[[nodiscard]] Mesh bumpyMesh(Index divisions);
+/// An ellipsoid with smooth bumps and about as many vertices: a cube's grid pushed outwards, its vertices shaken within
+/// the surface, its squares split along either diagonal, its triangles longer one way than the other. About two units
+/// long.
+[[nodiscard]] Mesh bumpyMesh(Index vertices);
 
 }  // namespace holdfast::bench

@@ -12,12 +12,11 @@ double median(std::vector<double> values)
   return (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
 }
 
-void Samples::addRatios(const std::string& row, const std::string& ratio, const std::string& column,
-                        const std::string& base)
+void Samples::addRatios(const std::string& name, const Cell& above, const Cell& below)
 {
-  const std::vector<double>& above = cells_.at({row, column});
-  const std::vector<double>& below = cells_.at({row, base});
-  for (std::size_t turn = 0; turn < above.size(); ++turn) add(row, ratio, above[turn] / below[turn]);
+  const std::vector<double>& over = cells_.at(above);
+  const std::vector<double>& under = cells_.at(below);
+  for (std::size_t turn = 0; turn < over.size(); ++turn) add(above.first, name, over[turn] / under[turn]);
 }
 
 void Samples::report(benchmark::State& state) const

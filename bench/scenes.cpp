@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <holdfast/geometry/bounding_box.h>
@@ -15,7 +16,6 @@ namespace {
 
 constexpr double kEnd = 0.05;    // of the length
 constexpr double kShift = 0.01;  // of the length
-constexpr std::uint32_t kSeed = 2;
 
 Selection beyond(double x, double normal)
 {
@@ -28,7 +28,8 @@ ConstraintList ends(const Mesh& mesh)
   const double length = box.sizes().x();
   ConstraintList list;
   list.constraints.push_back({"fixed end", true, FixedConstraint{beyond(box.min().x() + kEnd * length, -1)}});
-  const HandleConstraint handle{beyond(box.max().x() - kEnd * length, 1), {}, Vector3(0, 0.2 * length, 0), {}};
+  const HandleConstraint handle{
+      beyond(box.max().x() - kEnd * length, 1), AxisRotation{Vector3(1, 2, 3), 1, {}}, Vector3(0, 0.2 * length, 0), {}};
   list.constraints.push_back({"handle", true, handle});
   return list;
 }
@@ -71,17 +72,19 @@ AtFace insideFace(Index face, Random& random)
   return {face, {a, b, 1 - a - b}};
 }
 
-SurfaceLocation location(const Mesh& mesh, const PointCounts& counts, Index number, Index face, Random& random)
+/// The ends, and isolated points: `location` makes them of the place in the list and of a face.
+template <class Location>
+ConstraintList isolatedPoints(const Mesh& mesh, Index count, Random random, const Location& location)
 {
-  const auto corners = mesh.faces[face];
-  if (number < counts.vertices) return AtVertex{corners[0]};
-  if (number < counts.vertices + counts.edges) return AtEdge{corners[0], corners[1], random.uniform(0.1, 0.9)};
-  return insideFace(face, random);
-}
-
-Vector3 randomShift(double length, Random& random)
-{
-  return length * Vector3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+  ConstraintList list = ends(mesh);
+  const double shift = kShift * boundingBox(mesh.positions).sizes().x();
+  const auto component = [&] { return shift * random.uniform(-1, 1); };
+  for (const Index face : isolatedFaces(mesh, count, random)) {
+    const Index number = static_cast<Index>(list.constraints.size() - kEnds);
+    SurfaceLocation at = location(number, face, random);
+    list.constraints.push_back(point(number, std::move(at), {component(), component(), component()}));
+  }
+  return list;
 }
 
 /// The `count` faces, away from the ends, whose first corners are nearest to the place of the first of them.
@@ -90,7 +93,7 @@ std::vector<Index> patch(const Mesh& mesh, Index count)
   const std::vector<bool> isNearEnd = nearEnds(mesh);
   std::vector<Index> faces;
   for (Index f = 0; f < mesh.faces.size(); ++f)
-    if (!isNearEnd[mesh.faces[f][0]]) faces.push_back(f);
+    if (std::ranges::none_of(mesh.faces[f], [&](Index v) { return isNearEnd[v]; })) faces.push_back(f);
   const Vector3 center = mesh.positions.row(mesh.faces[faces.front()][0]);
   std::stable_sort(faces.begin(), faces.end(), [&](Index f, Index g) {
     const auto distance = [&](Index face) {
@@ -98,35 +101,45 @@ std::vector<Index> patch(const Mesh& mesh, Index count)
     };
     return distance(f) < distance(g);
   });
-  faces.resize(static_cast<std::size_t>(count));
+  faces.resize(std::min(faces.size(), static_cast<std::size_t>(count)));
   return faces;
 }
 
 }  // namespace
 
-ConstraintList scene(const Mesh& mesh, const PointCounts& counts)
+ConstraintList scene(const Mesh& mesh, std::uint32_t set)
 {
-  Random random(kSeed);
+  const Index each = std::min<Index>(300, mesh.vertexCount() / 100);
+  return isolatedPoints(mesh, 3 * each, Random(2 + set), [&](Index number, Index face, Random& random) {
+    const auto corners = mesh.faces[face];
+    if (number < each) return SurfaceLocation(AtVertex{corners[0]});
+    if (number < 2 * each) return SurfaceLocation(AtEdge{corners[0], corners[1], random.uniform(0.1, 0.9)});
+    return SurfaceLocation(insideFace(face, random));
+  });
+}
+
+ConstraintList isolatedFacePoints(const Mesh& mesh, Index count)
+{
+  return isolatedPoints(mesh, count, Random(2),
+                        [](Index, Index face, Random& random) { return insideFace(face, random); });
+}
+
+ConstraintList overlappingFacePoints(const Mesh& mesh, Index count, Index among)
+{
+  Random random(2);
   ConstraintList list = ends(mesh);
-  const double shift = kShift * boundingBox(mesh.positions).sizes().x();
-  Index number = 0;
-  for (const Index face : isolatedFaces(mesh, counts.vertices + counts.edges + counts.faces, random)) {
-    const SurfaceLocation at = location(mesh, counts, number, face, random);
-    list.constraints.push_back(point(number++, at, randomShift(shift, random)));
-  }
+  const std::vector<Index> faces = patch(mesh, among);
+  const std::vector<Index> order = random.permutation(static_cast<Index>(faces.size()));
+  // A shift that all share: they do not contradict one another where some depend on others.
+  const Vector3 shift = kShift * boundingBox(mesh.positions).sizes().x() * Vector3::UnitY();
+  for (Index k = 0; k < count; ++k)
+    list.constraints.push_back(point(k, insideFace(faces.at(order.at(k)), random), shift));
   return list;
 }
 
-ConstraintList overlappingScene(const Mesh& mesh, Index count)
+void turnHandle(ConstraintList& list, double degrees)
 {
-  Random random(kSeed);
-  ConstraintList list = ends(mesh);
-  const std::vector<Index> faces = patch(mesh, 3 * count);
-  const std::vector<Index> order = random.permutation(3 * count);
-  // A shift that all share: they do not contradict one another where some depend on others.
-  const Vector3 shift = kShift * boundingBox(mesh.positions).sizes().x() * Vector3::UnitY();
-  for (Index k = 0; k < count; ++k) list.constraints.push_back(point(k, insideFace(faces[order[k]], random), shift));
-  return list;
+  std::get<HandleConstraint>(list.constraints[1].what).motion = AxisRotation{Vector3(1, 2, 3), degrees, {}};
 }
 
 }  // namespace holdfast::bench

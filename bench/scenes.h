@@ -7,20 +7,22 @@
 
 namespace holdfast::bench {
 
-/// How many points lie on vertices, on edges and in faces. No two of them share a face corner.
-struct PointCounts {
-  Index vertices = 0;
-  Index edges = 0;
-  Index faces = 0;
-};
+/// In front of the points of each list: one end of the mesh (a twentieth of its length) is fixed, the other one is
+/// moved aside and turned by a handle. The meshes are of triangles.
+inline constexpr std::size_t kEnds = 2;
 
-/// One end of the mesh (a twentieth of its length) fixed, the other moved aside, and points in between that are moved
-/// by a hundredth of its length. As in Fig. 12 of the paper. Triangles only; throws std::runtime_error where the mesh
-/// has no room for so many points.
-[[nodiscard]] ConstraintList scene(const Mesh& mesh, const PointCounts& counts);
+/// As in Fig. 12 of the paper: 300 isolated points each on vertices, on edges and in faces, fewer on small meshes, that
+/// move by a hundredth of the length. Another `set` has other points.
+[[nodiscard]] ConstraintList scene(const Mesh& mesh, std::uint32_t set = 0);
 
-/// The same ends and `count` points in faces of one patch of the surface, about every third of its faces, so that most
-/// of them share vertices with others.
-[[nodiscard]] ConstraintList overlappingScene(const Mesh& mesh, Index count);
+/// `count` points in faces that share no vertex. Throws std::runtime_error where the mesh has no room for them.
+[[nodiscard]] ConstraintList isolatedFacePoints(const Mesh& mesh, Index count);
+
+/// `count` points in random ones of the `among` faces nearest to one another, as far as there are so many: where that
+/// is three times as many, most of them share vertices with others.
+[[nodiscard]] ConstraintList overlappingFacePoints(const Mesh& mesh, Index count, Index among);
+
+/// Turns the handle of a list by so many degrees from rest.
+void turnHandle(ConstraintList& list, double degrees);
 
 }  // namespace holdfast::bench

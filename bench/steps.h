@@ -4,6 +4,7 @@
 /// solution.
 
 #include <memory>
+#include <vector>
 
 #include <holdfast/deform/model.h>
 #include <holdfast/operators/operators.h>
@@ -13,7 +14,8 @@ namespace holdfast::bench {
 
 /// What set-up makes: nothing of it depends on the solver.
 struct SetUp {
-  Operators operators;
+  std::shared_ptr<const TwoWayMatrix> A;
+  std::vector<int> ranks;
   ConstraintSystem system;
 };
 
@@ -22,12 +24,15 @@ struct SetUp {
 /// The solver. Throws std::runtime_error with the reason where there is none.
 [[nodiscard]] std::unique_ptr<const ConstrainedSolver> factorized(const Model& model, const SetUp& setUp,
                                                                   const EliminatedConstraints& eliminated,
-                                                                  const SolverOptions& options);
+                                                                  SolverKind kind);
 
 /// One solution, at the targets of `setUp`, no detail turned.
-[[nodiscard]] Displacement solution(const SetUp& setUp, const ConstrainedSolver& solver);
+Displacement solution(const SetUp& setUp, const ConstrainedSolver& solver);
 
 /// Bytes of the numbers in the solver's factor, in MiB.
 [[nodiscard]] double factorMiB(const ConstrainedSolver& solver);
+
+/// The lower triangle of the normal equations under `constraints`, its columns in our order of elimination.
+[[nodiscard]] SparseMatrix normalEquations(const Model& model, const ConstraintList& constraints);
 
 }  // namespace holdfast::bench

@@ -1,74 +1,69 @@
 // How long it takes to find the constraints that follow from others, without solving anything.
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
+#include <holdfast/constraints/constraint_system.h>
+#include <holdfast/deform/model.h>
 #include <holdfast/elimination/elimination.h>
 #include <holdfast/elimination/find_dependencies.h>
 #include <holdfast/elimination/row_components.h>
 
-#include "bench/bench_meshes.h"
 #include "bench/benchmarks.h"
 #include "bench/measure.h"
 #include "bench/samples.h"
 #include "bench/scenes.h"
-#include "bench/steps.h"
 
 namespace holdfast::bench {
 namespace {
 
-constexpr std::size_t kRepeats = 37;
-
-/// The rows of the largest component of `count` overlapping points of faces; 37 of the points are said twice.
+/// The rows of the largest component of `count` overlapping points of faces; some of the points are said twice.
 std::vector<RowTerms> overlappingRows(const Model& model, Index count)
 {
-  ConstraintList list = overlappingScene(model.mesh, count);
-  const std::size_t first = list.constraints.size() - static_cast<std::size_t>(count);
-  for (std::size_t k = 0; k < kRepeats; ++k) {
-    Constraint repeat = list.constraints[first + k * (static_cast<std::size_t>(count) / kRepeats)];
+  constexpr std::size_t kRepeats = 37;
+  ConstraintList list = overlappingFacePoints(model.mesh, count, 3 * count);
+  for (std::size_t k = 0; k < std::min(kRepeats, static_cast<std::size_t>(count)); ++k) {
+    Constraint repeat = list.constraints[list.constraints.size() - 1 - 2 * k];
     repeat.name += " again";
     list.constraints.insert(list.constraints.begin(), std::move(repeat));
   }
-  const SetUp made = setUp(model, list);
+  const ConstraintSystem system =
+      makeConstraintSystem(list, model.mesh, model.solverMesh, model.locator(), "benchmark");
   std::vector<RowTerms> rows;
-  for (const ConstraintRow& row : made.system.rows) rows.push_back(row.terms);
-  RowComponent largest;
-  for (RowComponent& component : connectedRows(rows, model.solverMesh.unknownCount()))
-    if (component.rows.size() > largest.rows.size()) largest = std::move(component);
+  for (const ConstraintRow& row : system.rows) rows.push_back(row.terms);
+  const std::vector<RowComponent> components = connectedRows(rows, model.solverMesh.unknownCount());
   std::vector<RowTerms> result;
-  for (const Index row : largest.rows) result.push_back(rows[row]);
+  for (const Index row : std::ranges::max(components, {}, [](const RowComponent& c) { return c.rows.size(); }).rows)
+    result.push_back(rows[row]);
   return result;
 }
 
 void takeTurn(Samples& samples, const std::string& row, const std::vector<RowTerms>& rows, Index unknownCount)
 {
-  const auto found = measure([&] { return findDependencies(rows, unknownCount); });
-  samples.add(row, "ms verdict", 1000 * found.cost.seconds);
+  std::vector<Dependency> found;
+  samples.add(row, "ms verdict", 1000 * secondsOf([&] { found = findDependencies(rows, unknownCount); }));
   const std::vector<bool> isHeld(static_cast<std::size_t>(unknownCount), false);
-  const auto eliminated =
-      measure([&] { return Elimination(rows, independentRows(found.result, rows.size()), unknownCount, isHeld); });
-  samples.add(row, "ms eliminate", 1000 * eliminated.cost.seconds);
+  samples.add(row, "ms eliminate",
+              1000 * secondsOf([&] { Elimination(rows, independentRows(found, rows.size()), unknownCount, isHeld); }));
   samples.add(row, "rows", static_cast<double>(rows.size()));
-  samples.add(row, "dependent", static_cast<double>(found.result.size()));
-}
-
-void verdicts(benchmark::State& state)
-{
-  const Model model = benchMeshes()[2].load();
-  const std::vector<RowTerms> few = overlappingRows(model, 1100);
-  const std::vector<RowTerms> many = overlappingRows(model, 106000);
-  Samples samples;
-  for ([[maybe_unused]] auto turn : state) {
-    takeTurn(samples, "some 1,000 points of faces", few, model.solverMesh.unknownCount());
-    takeTurn(samples, "some 100,000 points of faces", many, model.solverMesh.unknownCount());
-  }
-  samples.report(state);
+  samples.add(row, "dependent", static_cast<double>(found.size()));
 }
 
 }  // namespace
 
-void registerVerdicts()
+void verdicts(benchmark::State& state, const Mesh& mesh)
 {
-  benchmark::RegisterBenchmark("verdicts/one component", verdicts)->Iterations(5)->Unit(benchmark::kSecond);
+  const Model model = makeModel(mesh);
+  const Index many = mesh.vertexCount() * 10 / 41;
+  const std::vector<RowTerms> fewRows = overlappingRows(model, many / 100);
+  const std::vector<RowTerms> manyRows = overlappingRows(model, many);
+  Samples samples;
+  for ([[maybe_unused]] auto turn : state) {
+    takeTurn(samples, "some", fewRows, model.solverMesh.unknownCount());
+    takeTurn(samples, "a hundred times as many", manyRows, model.solverMesh.unknownCount());
+  }
+  samples.report(state);
 }
 
 }  // namespace holdfast::bench

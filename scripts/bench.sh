@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Builds the benchmarks and runs them, installing what is missing first (apt). docs/benchmarks.md explains the tables.
-#   scripts/bench.sh [OPTION-OF-GOOGLE-BENCHMARK...]      for example: scripts/bench.sh --benchmark_filter=35k
+# Builds the benchmarks and runs them, installing what is missing first (apt). docs/performance.md explains the tables.
+#   scripts/bench.sh [MESH...] [OPTION-OF-GOOGLE-BENCHMARK...]      for example: scripts/bench.sh 35 --benchmark_filter=edits
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 . scripts/lib/packages.sh

@@ -5,7 +5,7 @@ namespace holdfast {
 
 /// While this lives, OpenMP regions that the calling thread enters run on it alone; from the first one on, OpenBLAS
 /// computes on the thread that calls it. Threads of these libraries wait by spinning: beside others a factorisation
-/// takes several times as long, and alone they win nothing at the sizes that are solved here (docs/benchmarks.md).
+/// takes several times as long, and alone they win nothing at the sizes that are solved here (docs/performance.md).
 ///
 /// The first one also makes OpenBLAS take the memory that it computes in and keeps. Without memory OpenBLAS asks the
 /// system forever; this throws `std::bad_alloc` instead.

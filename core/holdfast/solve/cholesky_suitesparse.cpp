@@ -11,6 +11,7 @@
 #include <holdfast/base/one_thread_internal.h>
 #include <holdfast/solve/gram.h>
 #include <holdfast/solve/least_squares_factor.h>
+#include <holdfast/solve/nested_dissection_internal.h>
 
 namespace holdfast {
 namespace {
@@ -63,12 +64,9 @@ class Cholmod {
   [[nodiscard]] Index nonzeros() const { return static_cast<Index>(common_.lnz); }
 
  private:
-  /// METIS draws from the random numbers of the C library, which it starts anew for each order that it looks for: one
-  /// at a time, so that the order does not depend on what other threads do.
   cholmod_factor* analyze(cholmod_sparse& lower)
   {
-    static std::mutex ordering;
-    const std::scoped_lock lock(ordering);
+    const std::scoped_lock lock(orderingLock());
     return cholmod_analyze(&lower, &common_);
   }
 

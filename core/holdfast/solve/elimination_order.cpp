@@ -2,13 +2,38 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include <Eigen/OrderingMethods>
 
+#include <holdfast/factor/elimination_tree.h>
 #include <holdfast/operators/laplacian.h>
 #include <holdfast/solve/gram.h>
+#include <holdfast/solve/nested_dissection_internal.h>
 
 namespace holdfast {
+
+#ifdef HOLDFAST_WITH_CHOLMOD
+namespace {
+
+// A mesh of this size takes METIS two seconds, and minimum degree another tenth of one to count what it leaves to do.
+constexpr Index kLargeMesh = 300000;
+// Flops of a factorisation for each unknown, from which on METIS wins more than it takes.
+constexpr double kManyFlops = 600000;
+
+/// Flops of a Cholesky factorisation in this order.
+double flopsOf(const SparseMatrix& lower, const std::vector<int>& order)
+{
+  const OrderedPattern pattern = orderedPattern(lower, order);
+  const std::vector<int> parent = eliminationTree(pattern);
+  double flops = 0;
+  for (const int count : columnCounts(pattern, parent, postorder(parent)))
+    flops += static_cast<double>(count) * static_cast<double>(count);
+  return flops;
+}
+
+}  // namespace
+#endif
 
 std::vector<int> minimumDegreeOrder(const SparseMatrix& lower)
 {
@@ -20,7 +45,12 @@ std::vector<int> minimumDegreeOrder(const SparseMatrix& lower)
 std::vector<int> eliminationRanks(Index unknownCount, const std::vector<Triangle>& triangles)
 {
   const TwoWayMatrix A(stiffness(unknownCount, unitEdgeWeights(triangles)));
-  const std::vector<int> order = minimumDegreeOrder(gramLower(A));
+  const SparseMatrix lower = gramLower(A);
+  std::vector<int> order = minimumDegreeOrder(lower);
+#ifdef HOLDFAST_WITH_CHOLMOD
+  if (unknownCount >= kLargeMesh && flopsOf(lower, order) > kManyFlops * static_cast<double>(unknownCount))
+    if (std::vector<int> other = nestedDissectionOrder(lower); !other.empty()) order = std::move(other);
+#endif
   std::vector<int> ranks(order.size());
   for (std::size_t k = 0; k < order.size(); ++k) ranks[order[k]] = static_cast<int>(k);
   return ranks;

@@ -12,7 +12,8 @@ namespace holdfast {
 [[nodiscard]] std::vector<int> minimumDegreeOrder(const SparseMatrix& lower);
 
 /// Of each unknown: its place in an order that keeps factors of A^T A small, A having an entry for each edge of
-/// `triangles` and each unknown. Constraints take unknowns away, which never adds fill.
+/// `triangles` and each unknown. Constraints take unknowns away, which never adds fill. By minimum degree; from 300,000
+/// unknowns on by METIS, where it is built in and minimum degree leaves so much to compute that both together are less.
 [[nodiscard]] std::vector<int> eliminationRanks(Index unknownCount, const std::vector<Triangle>& triangles);
 
 /// Q (n x k) with its columns by the last of their unknowns: a column ties together what its unknowns are tied to, and

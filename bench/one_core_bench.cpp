@@ -1,0 +1,66 @@
+// Whether results have the same bits on one core and on all, and how much faster all of them are.
+
+#include <memory>
+#include <string>
+
+#include <sched.h>
+
+#include "bench/benchmarks.h"
+#include "bench/dragged_mesh.h"
+#include "bench/samples.h"
+#include "bench/scenes.h"
+
+namespace holdfast::bench {
+namespace {
+
+/// While this lives, the calling thread and those that it starts compute on one core.
+class OneCore {
+ public:
+  OneCore()
+  {
+    sched_getaffinity(0, sizeof(before_), &before_);
+    cpu_set_t one;
+    CPU_ZERO(&one);
+    CPU_SET(sched_getcpu(), &one);
+    sched_setaffinity(0, sizeof(one), &one);
+  }
+  ~OneCore() { sched_setaffinity(0, sizeof(before_), &before_); }
+  OneCore(const OneCore&) = delete;
+  OneCore& operator=(const OneCore&) = delete;
+
+ private:
+  cpu_set_t before_{};
+};
+
+/// The positions of the last frame.
+Positions takeTurn(Samples& samples, const std::string& column, const std::shared_ptr<const Model>& model)
+{
+  const ConstraintList list = scene(model->mesh);
+  DraggedMesh dragged(model);
+  dragged.deform(list);
+  samples.add("decomposition", column, dragged.report().seconds.factorization);
+  samples.add("frame", column, dragged.frame(list));
+  return dragged.positions();
+}
+
+}  // namespace
+
+void oneCoreAgainstAll(benchmark::State& state, const Mesh& mesh)
+{
+  const auto model = std::make_shared<const Model>(makeModel(mesh));
+  Samples before;
+  const Positions first = takeTurn(before, "s all", model);
+  Samples samples;
+  const auto compare = [&](const std::string& column, const Positions& positions) {
+    samples.add("numbers that differ", column, static_cast<double>((positions.array() != first.array()).count()));
+  };
+  for ([[maybe_unused]] auto turn : state) {
+    compare("s all", takeTurn(samples, "s all", model));
+    const OneCore here;
+    compare("s one", takeTurn(samples, "s one", model));
+  }
+  for (const char* row : {"decomposition", "frame"}) samples.addRatios("= one/all", {row, "s one"}, {row, "s all"});
+  samples.report(state);
+}
+
+}  // namespace holdfast::bench
