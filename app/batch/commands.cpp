@@ -2,6 +2,7 @@
 #include <condition_variable>
 #include <mutex>
 #include <thread>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -148,11 +149,11 @@ ExitCode deformWith(const Command& command, Progress& progress)
   const DeformOptions options = chosenOptions(command, ofSession);
   probeOutputs(command);
   progress.step(fmt::format("reading {}", printable(command.mesh)));
-  const MeshDocument document = readMeshFile(command.mesh);
-  progress.step(fmt::format("checking {} vertices", document.mesh.vertexCount()));
-  const Model model = makeModel(document.mesh, command.mesh);
+  auto [mesh, meshSource] = readMeshFile(command.mesh);
+  progress.step(fmt::format("checking {} vertices", mesh.vertexCount()));
+  const Model model = makeModel(std::move(mesh), command.mesh);
   DeformResult deformation = deform(model, constraints, command.constraints, options, progress);
-  Outputs outputs = writeAll(command, document, constraints.units, model, deformation, progress);
+  Outputs outputs = writeAll(command, {model.mesh, meshSource}, constraints.units, model, deformation, progress);
   finish(outputs, command, deformation.report, constraints.units,
          optionsLine(command.options, ofSession, command.constraints));
   if (!command.isQuiet)
@@ -166,9 +167,9 @@ ExitCode deformWith(const Command& command, Progress& progress)
 
 ExitCode runCheck(const Command& command)
 {
-  const MeshDocument document = readMeshFile(command.mesh);
-  refuseNonFinite(command, document.mesh);
-  const Model model = makeModel(document.mesh, command.mesh);
+  Mesh mesh = readMeshFile(command.mesh).mesh;
+  refuseNonFinite(command, mesh);
+  const Model model = makeModel(std::move(mesh), command.mesh);
   const bool hasConstraints = !command.constraints.empty();
   const auto [constraints, ofSession] =
       hasConstraints ? readStatedConstraints(command.constraints) : StatedConstraints{};

@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include <fmt/format.h>
+#include <malloc.h>
 #include <unistd.h>
 
 #include <holdfast/base/error.h>
@@ -85,5 +86,8 @@ void printMessage(std::string_view text) noexcept
 
 int main(int argc, char** argv)
 {
+#ifdef M_ARENA_MAX
+  ::mallopt(M_ARENA_MAX, 1);  // what one thread has freed serves all: with a heap for each, memory grows by an eighth
+#endif
   return holdfast::batch::run(argc, argv);
 }

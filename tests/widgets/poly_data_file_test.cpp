@@ -56,7 +56,7 @@ TEST_F(PolyDataFormat, DoublesSurviveBitForBit)
   EXPECT_EQ(first.mesh.faces, mesh.faces);
 
   const Positions moved = mesh.positions * (1.0 / 3);
-  const MeshDocument second = readBack(first.source->withPositions(moved).bytes);
+  const MeshDocument second = readBack(first.source->withPositions(first.mesh, moved).bytes);
   EXPECT_TRUE(isSameBits(second.mesh.positions, moved));
   EXPECT_EQ(second.mesh.faces, mesh.faces);
 }
@@ -69,7 +69,7 @@ TEST_F(PolyDataFormat, PolygonsAreTheFacesAndAllElseIsKept)
   EXPECT_THAT(document.mesh.faces[2], ElementsAre(0, 1, 3, 4, 5));
   EXPECT_EQ(document.source->extension(), ".vtp");
 
-  const auto result = readByVtk(document.source->withPositions(document.mesh.positions * 2).bytes);
+  const auto result = readByVtk(document.source->withPositions(document.mesh, document.mesh.positions * 2).bytes);
   EXPECT_EQ(result->GetNumberOfVerts(), 1);
   EXPECT_EQ(result->GetNumberOfLines(), 1);
   EXPECT_EQ(result->GetNumberOfPolys(), 3);
@@ -92,9 +92,9 @@ TEST_F(PolyDataFormat, PolygonsAreTheFacesAndAllElseIsKept)
 TEST_F(PolyDataFormat, TheSameMeshGivesTheSameBytes)
 {
   const MeshDocument document = readBack(vtpBytes(*test::richPolyData()));
-  EXPECT_EQ(document.source->withPositions(document.mesh.positions).bytes,
-            document.source->withPositions(document.mesh.positions).bytes);
-  EXPECT_THAT(document.source->withPositions(document.mesh.positions).notes, IsEmpty());
+  EXPECT_EQ(document.source->withPositions(document.mesh, document.mesh.positions).bytes,
+            document.source->withPositions(document.mesh, document.mesh.positions).bytes);
+  EXPECT_THAT(document.source->withPositions(document.mesh, document.mesh.positions).notes, IsEmpty());
 }
 
 TEST_F(PolyDataFormat, SinglePrecisionIsWrittenAsDoubles)
@@ -108,7 +108,7 @@ TEST_F(PolyDataFormat, SinglePrecisionIsWrittenAsDoubles)
 
   const MeshDocument document = readBack(vtpBytes(*polyData));
   const Positions moved = document.mesh.positions.array() + 1.0 / 3;
-  const Serialized result = document.source->withPositions(moved);
+  const Serialized result = document.source->withPositions(document.mesh, moved);
   EXPECT_TRUE(isSameBits(readBack(result.bytes).mesh.positions, moved));
   EXPECT_THAT(result.notes, ElementsAre(HasSubstr("single precision")));
 }
@@ -129,7 +129,10 @@ TEST(PolyDataFile, OtherFormatsLeaveANote)
   struct Obj final : MeshSource {
     [[nodiscard]] std::string extension() const override { return ".obj"; }
     [[nodiscard]] std::vector<std::string> extras() const override { return {}; }
-    [[nodiscard]] Serialized withPositions(const Positions& /*positions*/) const override { return {}; }
+    [[nodiscard]] Serialized withPositions(const Mesh& /*rest*/, const Positions& /*positions*/) const override
+    {
+      return {};
+    }
   };
   const MeshDocument document{test::tetrahedron(), std::make_shared<Obj>()};
   EXPECT_THAT(serializePolyData(document, document.mesh.positions, ".vtp").notes, ElementsAre(HasSubstr(".obj")));

@@ -15,7 +15,7 @@ class DisjointSets {
  public:
   explicit DisjointSets(Index size) : parent_(static_cast<std::size_t>(size))
   {
-    std::iota(parent_.begin(), parent_.end(), Index{0});
+    std::iota(parent_.begin(), parent_.end(), 0);
   }
 
   [[nodiscard]] Index find(Index element)
@@ -32,7 +32,7 @@ class DisjointSets {
     a = find(a);
     b = find(b);
     if (a > b) std::swap(a, b);
-    parent_[b] = a;
+    parent_[b] = static_cast<int>(a);
   }
 
   /// The members of each group become one set.
@@ -43,7 +43,7 @@ class DisjointSets {
   }
 
  private:
-  std::vector<Index> parent_;
+  std::vector<int> parent_;  // 32 bits: the time of `find` is that of the memory
 };
 
 }  // namespace holdfast

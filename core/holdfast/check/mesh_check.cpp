@@ -3,14 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
-#include <tuple>
 #include <utility>
 
 #include <Eigen/Geometry>
 
 #include <holdfast/base/disjoint_sets.h>
+#include <holdfast/base/parallel.h>
 #include <holdfast/mesh/edges.h>
 
 namespace holdfast {
@@ -55,18 +56,14 @@ void addUnreferenced(Findings& findings, const SolverMesh& mesh)
 /// Vertices that lie on others, apart by whether the solver ties them.
 void addCoincident(Findings& findings, const Mesh& mesh, const SolverMesh& solverMesh)
 {
-  std::vector<Index> order(static_cast<std::size_t>(mesh.vertexCount()));
-  for (std::size_t v = 0; v < order.size(); ++v) order[v] = static_cast<Index>(v);
-  const auto unknownOf = [&](Index v) { return solverMesh.weld.unknownOf[v]; };
-  const auto key = [&](Index v) {
-    return std::tuple(mesh.positions(v, 0), mesh.positions(v, 1), mesh.positions(v, 2), unknownOf(v), v);
-  };
-  std::sort(order.begin(), order.end(), [&](Index a, Index b) { return key(a) < key(b); });
+  const std::vector<int> firstAt = firstAtPlaces(mesh.positions);
   std::vector<Index> tied;
   std::vector<Index> apart;
-  for (std::size_t k = 1; k < order.size(); ++k)
-    if (mesh.positions.row(order[k]) == mesh.positions.row(order[k - 1]))
-      (unknownOf(order[k]) == unknownOf(order[k - 1]) ? tied : apart).push_back(order[k]);
+  for (Index v = 0; v < mesh.vertexCount(); ++v)
+    if (solverMesh.weld.firstVertexOf[solverMesh.weld.unknownOf[v]] != v)
+      tied.push_back(v);
+    else if (firstAt[v] != v)
+      apart.push_back(v);
   add(findings, "welded_vertices", "vertex", std::move(tied),
       {"vertex repeats another one exactly along an open edge; they are deformed as one and written apart",
        "vertices repeat another one exactly along open edges; they are deformed as one and written apart"});
@@ -195,12 +192,16 @@ std::vector<Finding> findNonFinite(const Mesh& mesh)
 
 std::vector<Finding> checkMesh(const Mesh& mesh, const Triangulation& triangulation, const SolverMesh& solverMesh)
 {
+  std::array<Findings, 5> parts;
+  parallelFor(5, [&](Index part) {
+    if (part == 0) addEdges(parts[4], solverMesh);  // takes the longest
+    if (part == 1) addCoincident(parts[2], mesh, solverMesh);
+    if (part == 2) addBadTriangles(parts[3], mesh, triangulation);
+    if (part == 3) addUnreferenced(parts[1], solverMesh);
+    if (part == 4) addComponents(parts[0], solverMesh);
+  });
   Findings findings;
-  addComponents(findings, solverMesh);
-  addUnreferenced(findings, solverMesh);
-  addCoincident(findings, mesh, solverMesh);
-  addBadTriangles(findings, mesh, triangulation);
-  addEdges(findings, solverMesh);
+  for (Findings& part : parts) std::ranges::move(part, std::back_inserter(findings));
   return findings;
 }
 

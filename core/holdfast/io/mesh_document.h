@@ -25,10 +25,11 @@ class MeshSource {
   /// Of the format, lower case with the dot: ".obj".
   [[nodiscard]] virtual std::string extension() const = 0;
 
-  /// The file as it was read, with `positions` (as many rows) in place of its own. Normals are kept where none of their
-  /// vertices moved; elsewhere they are recomputed or dropped, and a note says which. Doubles read back bit for bit in
-  /// formats that can hold them. Throws `OutputError` where a coordinate is too large for the format.
-  [[nodiscard]] virtual Serialized withPositions(const Positions& positions) const = 0;
+  /// The file as it was read, with `positions` (as many rows) in place of its own, which `rest` has with its faces.
+  /// Normals are kept where none of their vertices moved; elsewhere they are recomputed or dropped, and a note says
+  /// which. Doubles read back bit for bit in formats that can hold them. Throws `OutputError` where a coordinate is too
+  /// large for the format.
+  [[nodiscard]] virtual Serialized withPositions(const Mesh& rest, const Positions& positions) const = 0;
 
   /// What another format would lose, in the words of a message: "texture coordinates", "groups".
   [[nodiscard]] virtual std::vector<std::string> extras() const = 0;

@@ -68,7 +68,7 @@ Serialized serializeMesh(const MeshDocument& document, const Positions& position
     throw OutputError(extension.empty() ? "(no extension)" : std::string(extension),
                       unknownFormat(extension, kExtensions));
   if (document.source && document.source->extension() == format->extension)
-    return document.source->withPositions(positions);
+    return document.source->withPositions(document.mesh, positions);
   Serialized result = format->write(positions, document.mesh.faces);
   const std::vector<std::string> lost = document.source ? document.source->extras() : std::vector<std::string>{};
   if (!lost.empty())

@@ -2,6 +2,7 @@
 /// The edges of a set of triangles, each once, with the triangles on it.
 
 #include <compare>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -9,12 +10,12 @@
 
 namespace holdfast {
 
-/// One side of one triangle, seen as half an edge.
+/// One side of one triangle, seen as half an edge. Numbers of 32 bits: lists of them are as fast as they are small.
 struct HalfEdge {
-  Index a = 0;  ///< the smaller vertex id of the edge
-  Index b = 0;  ///< the larger
-  Index triangle = 0;
-  int side = 0;            ///< the edge runs between corners side and side + 1 of the triangle
+  int a = 0;  ///< the smaller vertex id of the edge
+  int b = 0;  ///< the larger
+  int triangle = 0;
+  std::int8_t side = 0;    ///< the edge runs between corners side and side + 1 of the triangle
   bool isForward = false;  ///< the triangle runs through it from a to b
 
   friend auto operator<=>(const HalfEdge&, const HalfEdge&) = default;

@@ -1,9 +1,8 @@
 #include "holdfast/mesh/solver_mesh.h"
 
-#include <algorithm>
-#include <array>
-#include <compare>
-#include <utility>
+#include <bit>
+#include <cstdint>
+#include <span>
 
 #include <holdfast/base/disjoint_sets.h>
 #include <holdfast/geometry/bounding_box.h>
@@ -11,46 +10,6 @@
 
 namespace holdfast {
 namespace {
-
-using Place = std::array<double, 3>;
-
-Place placeOf(const Positions& positions, Index v)
-{
-  return {positions(v, 0), positions(v, 1), positions(v, 2)};
-}
-
-/// An edge of one triangle only, its ends ordered by place.
-struct OpenEdge {
-  Place low;
-  Place high;
-  Index lowVertex;
-  Index highVertex;
-
-  friend auto operator<=>(const OpenEdge&, const OpenEdge&) = default;
-};
-
-OpenEdge openEdge(const Positions& positions, Index a, Index b)
-{
-  Place low = placeOf(positions, a);
-  Place high = placeOf(positions, b);
-  if (high < low) {
-    std::swap(low, high);
-    std::swap(a, b);
-  }
-  return {low, high, a, b};
-}
-
-std::vector<OpenEdge> openEdges(const Positions& positions, const std::vector<Triangle>& triangles)
-{
-  std::vector<OpenEdge> open;
-  forEachEdge(sortedHalfEdges(triangles), [&](std::span<const HalfEdge> edge) {
-    if (edge.size() == 1) open.push_back(openEdge(positions, edge[0].a, edge[0].b));
-  });
-  // An edge without length says nothing about which of the vertices at its place belong together.
-  std::erase_if(open, [](const OpenEdge& edge) { return edge.low == edge.high; });
-  std::sort(open.begin(), open.end());
-  return open;
-}
 
 Weld numbered(DisjointSets& sets, Index vertexCount)
 {
@@ -83,6 +42,8 @@ void findComponents(SolverMesh& mesh)
 
 void addTriangles(SolverMesh& mesh, const Triangulation& triangulation)
 {
+  mesh.triangles.reserve(triangulation.triangles.size());
+  mesh.faceOf.reserve(triangulation.triangles.size());
   for (std::size_t t = 0; t < triangulation.triangles.size(); ++t) {
     Triangle triangle = triangulation.triangles[t];
     for (Index& v : triangle) v = mesh.weld.unknownOf[v];
@@ -121,15 +82,48 @@ std::vector<Index> componentOfVertices(const SolverMesh& solverMesh)
   return result;
 }
 
+std::vector<int> firstAtPlaces(const Positions& positions)
+{
+  // A table by hashes, at most half full; the next entry is free or tried where one is taken.
+  std::vector<int> table(2 * std::bit_ceil(static_cast<std::size_t>(positions.rows())), -1);
+  std::vector<int> first(static_cast<std::size_t>(positions.rows()));
+  for (int v = 0; v < static_cast<int>(first.size()); ++v) {
+    std::uint64_t hash = 0;
+    for (const double x : positions.row(v)) {
+      hash = (hash ^ std::bit_cast<std::uint64_t>(x + 0.0)) * 0x9E3779B97F4A7C15U;  // -0 becomes 0
+      hash ^= hash >> 32U;
+    }
+    std::size_t entry = hash & (table.size() - 1);
+    while (table[entry] >= 0 && positions.row(table[entry]) != positions.row(v))
+      entry = (entry + 1) & (table.size() - 1);
+    if (table[entry] < 0) table[entry] = v;
+    first[v] = table[entry];
+  }
+  return first;
+}
+
 Weld weldOpenEdges(const Positions& positions, const std::vector<Triangle>& triangles)
 {
+  std::vector<HalfEdge> open;
+  forEachEdge(sortedHalfEdges(triangles), [&](std::span<const HalfEdge> edge) {
+    if (edge.size() == 1) open.push_back(edge[0]);
+  });
   DisjointSets sets(positions.rows());
-  const std::vector<OpenEdge> open = openEdges(positions, triangles);
-  for (std::size_t k = 1; k < open.size(); ++k)
-    if (open[k].low == open[k - 1].low && open[k].high == open[k - 1].high) {
-      sets.unite(open[k].lowVertex, open[k - 1].lowVertex);
-      sets.unite(open[k].highVertex, open[k - 1].highVertex);
-    }
+  if (open.empty()) return numbered(sets, positions.rows());
+  const std::vector<int> placeOf = firstAtPlaces(positions);
+  // Edges between places, as triangles that go there and back. Those without length are left out: they do not say which
+  // of the vertices at their place belong together.
+  std::vector<Triangle> overPlaces;
+  overPlaces.reserve(open.size());
+  for (const auto& [a, b, triangle, side, isForward] : open) overPlaces.push_back({placeOf[a], placeOf[b], placeOf[b]});
+  const auto endOf = [&](const HalfEdge& half, bool isLow) {
+    const HalfEdge& edge = open[half.triangle];
+    return (half.side == 0) == (half.isForward == isLow) ? edge.a : edge.b;
+  };
+  forEachEdge(sortedHalfEdges(overPlaces), [&](std::span<const HalfEdge> edge) {
+    for (const HalfEdge& half : edge)
+      for (const bool isLow : {true, false}) sets.unite(endOf(edge[0], isLow), endOf(half, isLow));
+  });
   return numbered(sets, positions.rows());
 }
 

@@ -18,6 +18,9 @@ struct Weld {
 /// deforms as the one surface that it shows. Closed parts that merely touch stay apart. O(T log T).
 [[nodiscard]] Weld weldOpenEdges(const Positions& positions, const std::vector<Triangle>& triangles);
 
+/// For each vertex the one of smallest id at its place (-0 is 0). Positions must be finite. O(N).
+[[nodiscard]] std::vector<int> firstAtPlaces(const Positions& positions);
+
 struct SolverMesh {
   Positions rest;                   ///< n x 3, position of each unknown at rest, model units
   std::vector<Triangle> triangles;  ///< unknown ids; none names an unknown twice

@@ -5,6 +5,8 @@
 
 #include <Eigen/Geometry>
 
+#include <holdfast/base/parallel.h>
+
 namespace holdfast {
 namespace {
 
@@ -71,9 +73,9 @@ CornerCotangents cornerCotangents(const Positions& positions, const Triangle& tr
 
 std::vector<CornerCotangents> cornerCotangents(const Positions& positions, const std::vector<Triangle>& triangles)
 {
-  std::vector<CornerCotangents> result;
-  result.reserve(triangles.size());
-  for (const Triangle& triangle : triangles) result.push_back(cornerCotangents(positions, triangle));
+  std::vector<CornerCotangents> result(triangles.size());
+  parallelBlocks(static_cast<Index>(triangles.size()),
+                 [&](Index t) { result[t] = cornerCotangents(positions, triangles[t]); });
   return result;
 }
 

@@ -10,20 +10,20 @@ namespace holdfast {
 
 /// A weight on the edge between two unknowns; each edge once, i < j.
 struct EdgeWeight {
-  Index i = 0;
-  Index j = 0;
+  int i = 0;
+  int j = 0;
   double weight = 0;
 };
 
-/// Weight 1 on every edge.
+/// Weight 1 on every edge, sorted by (i, j).
 [[nodiscard]] std::vector<EdgeWeight> unitEdgeWeights(const std::vector<Triangle>& triangles);
 
 /// cot alpha + cot beta on every edge, of the angles across it in the triangles on it (one at a boundary, more where
-/// the mesh is not a manifold). `cotangents` holds those of each triangle.
+/// the mesh is not a manifold), sorted by (i, j). `cotangents` holds those of each triangle.
 [[nodiscard]] std::vector<EdgeWeight> cotangentEdgeWeights(const std::vector<Triangle>& triangles,
                                                            const std::vector<CornerCotangents>& cotangents);
 
-/// n x n, symmetric, rows of sum zero: S_ij = -w_ij, S_ii = sum over j of w_ij.
+/// n x n, symmetric, rows of sum zero: S_ij = -w_ij, S_ii = sum over j of w_ij. The weights are sorted by (i, j).
 [[nodiscard]] SparseMatrix stiffness(Index n, const std::vector<EdgeWeight>& weights);
 
 }  // namespace holdfast

@@ -245,7 +245,7 @@ SurfacePoint SurfaceLocator::at(const AtNear& near, const InputLocation& /*where
 
 bool SurfaceLocator::isEdge(Index i, Index j) const
 {
-  const auto ends = [](const HalfEdge& edge) { return std::pair(edge.a, edge.b); };
+  const auto ends = [](const HalfEdge& edge) { return std::pair<Index, Index>(edge.a, edge.b); };
   return std::ranges::binary_search(index_->halfEdges(triangulation_), std::pair(std::min(i, j), std::max(i, j)), {},
                                     ends);
 }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -6,6 +7,11 @@
 
 #include <holdfast/base/error.h>
 #include <holdfast/deform/model.h>
+#include <holdfast/operators/operators.h>
+
+#include "support/law_meshes.h"
+#include "support/one_core.h"
+#include "support/solve_cases.h"
 
 namespace holdfast {
 namespace {
@@ -66,6 +72,37 @@ TEST(Model, IsMadeOfMatrices)
   Triangles triangles(10, 3);
   for (Index f = 0; f < 10; ++f) triangles.row(f) << mesh.faces[f][0], mesh.faces[f][1], mesh.faces[f][2];
   EXPECT_EQ(makeModel({mesh.positions, Polygons(triangles)}).mesh.faces, mesh.faces);
+}
+
+void expectSameBits(const Model& a, const Model& b)
+{
+  EXPECT_EQ(a.solverMesh.triangles, b.solverMesh.triangles);
+  EXPECT_EQ(a.solverMesh.weld.unknownOf, b.solverMesh.weld.unknownOf);
+  EXPECT_TRUE(std::ranges::equal(a.findings, b.findings, {}, &Finding::message, &Finding::message));
+  EXPECT_TRUE(std::ranges::equal(a.findings, b.findings, {}, &Finding::ids, &Finding::ids));
+  for (const Weights weights : test::allWeights()) {
+    const Operators ofA = makeOperators(a.solverMesh, weights);
+    const test::OneCore one;
+    const Operators ofB = makeOperators(b.solverMesh, weights);
+    EXPECT_EQ(ofA.delta, ofB.delta);
+    EXPECT_EQ(ofA.rowWeights, ofB.rowWeights);
+    EXPECT_TRUE(std::ranges::equal(ofA.L.coeffs(), ofB.L.coeffs()));
+    EXPECT_EQ(ofA.clampedCotangents, ofB.clampedCotangents);
+  }
+}
+
+TEST(Model, HasTheSameBitsOnOneCoreAsItsOperatorsHave)
+{
+  const Mesh plate = test::plate(90, 70);
+  for (const Mesh& mesh : {plate, test::soup(plate)}) {
+    const Model onAll = makeModel(mesh);
+    ASSERT_FALSE(onAll.findings.empty());
+    const auto onOne = [&] {
+      const test::OneCore one;
+      return makeModel(mesh);
+    };
+    expectSameBits(onAll, onOne());
+  }
 }
 
 }  // namespace

@@ -2,11 +2,11 @@
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
-#include <sched.h>
 
 #include <holdfast/factor/multifrontal.h>
 
 #include "core/factor/spd_matrices.h"
+#include "support/one_core.h"
 
 namespace holdfast {
 namespace {
@@ -28,27 +28,6 @@ Columns3 solved(const PackedFactor& factor, const Columns3& b)
     for (int c = 0; c < 3; ++c) z(order[k], c) = x[4 * k + static_cast<std::size_t>(c)];
   return z;
 }
-
-/// Only one core is seen while this lives.
-class OneCore {
- public:
-  OneCore()
-  {
-    sched_getaffinity(0, sizeof(before_), &before_);
-    int core = 0;
-    while (!CPU_ISSET(core, &before_)) ++core;
-    cpu_set_t one;
-    CPU_ZERO(&one);
-    CPU_SET(core, &one);
-    sched_setaffinity(0, sizeof(one), &one);
-  }
-  ~OneCore() { sched_setaffinity(0, sizeof(before_), &before_); }
-  OneCore(const OneCore&) = delete;
-  OneCore& operator=(const OneCore&) = delete;
-
- private:
-  cpu_set_t before_{};
-};
 
 TEST(Multifrontal, SolvesAsDenseEliminationDoes)
 {
@@ -85,7 +64,7 @@ TEST(Multifrontal, HasTheSameBitsOnOneCore)
   ASSERT_GT(symbolic->subtrees.size(), 1);
   const Columns3 b = Columns3::Random(M.cols(), 3);
   const Columns3 onAll = solved(*factorizeMultifrontal(symbolic, lower).value, b);
-  const OneCore one;
+  const test::OneCore one;
   EXPECT_EQ(solved(*factorizeMultifrontal(symbolic, lower).value, b), onAll);
 }
 

@@ -36,7 +36,7 @@ void expectWritable(const std::string& extension, const MeshDocument& document)
 {
   const Positions positions = (1.5 * document.mesh.positions.array() + 1).matrix();
   try {
-    const MeshDocument again = read(extension, document.source->withPositions(positions).bytes);
+    const MeshDocument again = read(extension, document.source->withPositions(document.mesh, positions).bytes);
     ASSERT_EQ(again.mesh.faces, document.mesh.faces);
     ASSERT_EQ(again.mesh.vertexCount(), document.mesh.vertexCount());
   } catch (const OutputError&) {

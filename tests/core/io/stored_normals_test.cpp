@@ -20,7 +20,7 @@ TEST(StoredNormals, OnlyThoseOfFacesWithAMovedVertexChange)
   const MeshDocument document = readObj(text, "");
   Positions positions = document.mesh.positions;
   positions.row(1) = Vector3(0, 0, 1);
-  const Serialized written = document.source->withPositions(positions);
+  const Serialized written = document.source->withPositions(document.mesh, positions);
   EXPECT_EQ(written.bytes,
             "v 0 0 0\nv 0 0 1\nv 0 1 0\nv 5 0 0\nv 6 0 0\nv 5 1 0\nvn -1 0 0\nvn 0.0 0.0 1.0\nvn 0.0 0.0 1.0\n"
             "f 1//1 2//1 3//1\nf 4//2 5//2 6//2\n");
@@ -33,7 +33,7 @@ TEST(StoredNormals, ASharedNormalIsWeightedByArea)
   const MeshDocument document =
       readObj("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 3\nvn 1 0 0\nf 1//1 2//1 3//1\nf 1//1 3//1 4//1\n", "");
   const Positions positions = document.mesh.positions.rowwise() + Eigen::RowVector3d(1, 0, 0);
-  const std::string written = document.source->withPositions(positions).bytes;
+  const std::string written = document.source->withPositions(document.mesh, positions).bytes;
   std::istringstream line(written.substr(written.find("vn")));
   std::string keyword;
   Vector3 normal;
@@ -47,7 +47,7 @@ TEST(StoredNormals, WithoutAreaTheOldNormalStaysAndANoteSaysSo)
   const MeshDocument document = readObj("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1.00\nf 1//1 2//1 3//1\n", "");
   Positions positions = document.mesh.positions;
   positions.row(2) = Vector3(2, 0, 0);
-  const Serialized written = document.source->withPositions(positions);
+  const Serialized written = document.source->withPositions(document.mesh, positions);
   EXPECT_THAT(written.bytes, HasSubstr("vn 0 0 1.00\n"));
   EXPECT_THAT(written.notes, ElementsAre(HasSubstr("1 normal kept from before")));
 }
@@ -59,7 +59,7 @@ TEST(StoredNormals, OfAVertexFollowEveryFaceAroundIt)
   Positions positions = document.mesh.positions;
   positions.row(0) = Vector3(1, 1, 1);
   positions.row(4) = Vector3(8, 8, 8);
-  const Serialized written = document.source->withPositions(positions);
+  const Serialized written = document.source->withPositions(document.mesh, positions);
   const MeshDocument again = readOff(written.bytes, "");
   EXPECT_THAT(written.notes, ElementsAre("3 normals recomputed"));
   EXPECT_THAT(written.bytes, HasSubstr("1 1 0 0 0 1.0\n"));  // its only face did not move
@@ -73,7 +73,8 @@ TEST(StoredNormals, OfAWholeTypeInPlyStayAndANoteSaysSo)
       "property char nx\nproperty char ny\nproperty char nz\nelement face 1\nproperty list uchar int vertex_index\n"
       "end_header\n0 0 0 0 0 127\n1 0 0 0 0 127\n0 1 0 0 0 127\n3 0 1 2\n",
       "");
-  const Serialized written = document.source->withPositions((document.mesh.positions.array() + 1).matrix());
+  const Serialized written =
+      document.source->withPositions(document.mesh, (document.mesh.positions.array() + 1).matrix());
   EXPECT_THAT(written.bytes, HasSubstr("1 1 1 0 0 127\n2 1 1 0 0 127\n1 2 1 0 0 127\n"));
   EXPECT_THAT(written.notes, ElementsAre(HasSubstr("normals kept from before: nx, ny, nz are of a whole type")));
 }
@@ -88,7 +89,7 @@ TEST(StoredNormals, InPlyKeepTheirOwnPrecision)
   Positions positions = document.mesh.positions;
   positions(1, 2) = 1;
   positions(2, 2) = 1;
-  const Serialized written = document.source->withPositions(positions);
+  const Serialized written = document.source->withPositions(document.mesh, positions);
   EXPECT_THAT(written.bytes, HasSubstr("1 0 1 -0.57735026 -0.57735026 0.57735026918962"));
   EXPECT_THAT(written.notes, ElementsAre("3 normals recomputed", "coordinates promoted to double"));
 }

@@ -246,7 +246,10 @@ class PlyReader {
   void readElement(const PlyElement& element)
   {
     scanner_.expectRoom(element, leastRowBytes(element));
-    if (&element == vertex_) mesh_.positions.resize(element.count, 3);
+    if (&element == vertex_) {
+      mesh_.positions.resize(element.count, 3);
+      layout_.numbers.reserve(element.count);
+    }
     if (&element == surface_) mesh_.faces.reserve(element.count, 3 * element.count);
     noteExtras(element);
     if (element.properties.empty()) return;  // rows of nothing, however many

@@ -59,30 +59,27 @@ NormalUpdate updateNormals(const Mesh& rest, const FileLayout& layout, const Pos
 
 class SpliceSource final : public MeshSource {
  public:
-  SpliceSource(std::string bytes, FileLayout layout, Mesh rest)
-      : bytes_(std::move(bytes)), layout_(std::move(layout)), rest_(std::move(rest))
-  {
-  }
+  SpliceSource(std::string bytes, FileLayout layout) : bytes_(std::move(bytes)), layout_(std::move(layout)) {}
 
   [[nodiscard]] std::string extension() const override { return layout_.extension; }
   [[nodiscard]] std::vector<std::string> extras() const override { return layout_.extras; }
 
-  [[nodiscard]] Serialized withPositions(const Positions& positions) const override
+  [[nodiscard]] Serialized withPositions(const Mesh& rest, const Positions& positions) const override
   {
-    assert(positions.rows() == rest_.vertexCount());
+    assert(positions.rows() == rest.vertexCount());
     const bool isSinglePrecision = layout_.noteRounding != nullptr;
     Index v = 0;
-    while (v < positions.rows() && hasSameRow(rest_.positions, positions, v)) ++v;
+    while (v < positions.rows() && hasSameRow(rest.positions, positions, v)) ++v;
     if (v == positions.rows()) return {bytes_, {}, isSinglePrecision};
     NormalUpdate update;
-    if (layout_.normalCount > 0) update = updateNormals(rest_, layout_, positions);
+    if (layout_.normalCount > 0) update = updateNormals(rest, layout_, positions);
     update.notes.insert(update.notes.end(), layout_.notesOfMotion.begin(), layout_.notesOfMotion.end());
     if (isSinglePrecision) layout_.noteRounding(positions, update.notes);
-    return {spliced(positions, update), std::move(update.notes), isSinglePrecision};
+    return {spliced(rest.positions, positions, update), std::move(update.notes), isSinglePrecision};
   }
 
  private:
-  [[nodiscard]] std::string spliced(const Positions& positions, const NormalUpdate& update) const
+  [[nodiscard]] std::string spliced(const Positions& rest, const Positions& positions, const NormalUpdate& update) const
   {
     TextCursor cursor(bytes_, {}, layout_.dialect);
     std::string result;
@@ -105,7 +102,7 @@ class SpliceSource final : public MeshSource {
         const std::string_view part = next(cursor, type);
         if (first < 0) {
           if (update.isNew[number / 3]) replace(part, bytesOf(update.normals.data()[number], type));
-        } else if (isReplaced(type, rest_.positions.data()[number], positions.data()[number])) {
+        } else if (isReplaced(type, rest.data()[number], positions.data()[number])) {
           replace(part, bytesOf(positions.data()[number], writtenType()));
         }
       }
@@ -147,15 +144,13 @@ class SpliceSource final : public MeshSource {
 
   std::string bytes_;
   FileLayout layout_;
-  Mesh rest_;
 };
 
 }  // namespace
 
 MeshDocument makeDocument(std::string bytes, FileLayout layout, Mesh mesh)
 {
-  auto source = std::make_shared<const SpliceSource>(std::move(bytes), std::move(layout), mesh);
-  return {std::move(mesh), std::move(source)};
+  return {std::move(mesh), std::make_shared<const SpliceSource>(std::move(bytes), std::move(layout))};
 }
 
 }  // namespace holdfast

@@ -25,13 +25,16 @@ TextCursor::TextCursor(std::string_view text, std::string file, TextDialect dial
     : text_(text), file_(std::move(file)), dialect_(dialect)
 {
   if (text_.starts_with(kByteOrderMark)) at_ = kByteOrderMark.size();
+  for (const char c :
+       {' ', '\t', '\r', '\v', '\f', '\n', dialect_.comment.value_or('\n'), dialect_.continuation.value_or('\n')})
+    mayEnd_[static_cast<unsigned char>(c)] = true;
 }
 
 std::string_view TextCursor::token()
 {
   skipBlanks();
   const std::size_t first = at_;
-  while (at_ < text_.size() && !endsToken(at_)) ++at_;
+  while (at_ < text_.size() && !(mayEndAt(at_) && (dialect_.continuation != text_[at_] || continued(at_)))) ++at_;
   return text_.substr(first, at_ - first);
 }
 
@@ -111,7 +114,7 @@ Index TextCursor::line() const
 
 void TextCursor::skipBlanks()
 {
-  while (at_ < text_.size()) {
+  while (at_ < text_.size() && mayEndAt(at_)) {
     if (isBlank(text_[at_])) {
       ++at_;
     } else if (const std::optional<std::size_t> next = continued(at_)) {
@@ -122,12 +125,6 @@ void TextCursor::skipBlanks()
       return;
     }
   }
-}
-
-bool TextCursor::endsToken(std::size_t at) const
-{
-  const char c = text_[at];
-  return isBlank(c) || c == '\n' || dialect_.comment == c || continued(at);
 }
 
 std::optional<std::size_t> TextCursor::continued(std::size_t at) const

@@ -1,6 +1,7 @@
 #pragma once
 /// A place in a text that is read token by token and always knows its line.
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -72,13 +73,14 @@ class TextCursor {
   [[nodiscard]] Number parsed(std::string_view token, std::string_view what, const char* tooLarge,
                               const char* other) const;
   void skipBlanks();
-  [[nodiscard]] bool endsToken(std::size_t at) const;
+  [[nodiscard]] bool mayEndAt(std::size_t at) const { return mayEnd_[static_cast<unsigned char>(text_[at])]; }
   /// Where the line that ends in a continuation at `at` goes on.
   [[nodiscard]] std::optional<std::size_t> continued(std::size_t at) const;
 
   std::string_view text_;
   std::string file_;
   TextDialect dialect_;
+  std::array<bool, 256> mayEnd_{};  // for each byte: whether tokens end before it, or may (continuations)
   std::size_t at_ = 0;
   Index line_ = 1;
 };

@@ -60,7 +60,7 @@ std::string bytesOf(vtkPolyData& polyData, std::string_view extension)
 
 class PolyDataSource final : public MeshSource {
  public:
-  PolyDataSource(VtpContents file, std::string path) : file_(std::move(file)), path_(std::move(path)) {}
+  explicit PolyDataSource(VtpContents file) : file_(std::move(file)) {}
 
   [[nodiscard]] std::string extension() const override { return ".vtp"; }
 
@@ -75,14 +75,13 @@ class PolyDataSource final : public MeshSource {
     return names;
   }
 
-  [[nodiscard]] Serialized withPositions(const Positions& positions) const override
+  [[nodiscard]] Serialized withPositions(const Mesh& rest, const Positions& positions) const override
   {
-    return withPositions(positions, ".vtp");
+    return withPositions(rest, positions, ".vtp");
   }
 
-  [[nodiscard]] Serialized withPositions(const Positions& positions, std::string_view extension) const
+  [[nodiscard]] Serialized withPositions(const Mesh& rest, const Positions& positions, std::string_view extension) const
   {
-    const Mesh rest{positionsOf(*file_.polyData), polygonsOf(*file_.polyData, path_)};
     assert(positions.rows() == rest.vertexCount());
     vtkNew<vtkPolyData> moved;
     // Not a shallow copy: VTK writes notes of its own into arrays, and this document is const.
@@ -99,7 +98,6 @@ class PolyDataSource final : public MeshSource {
 
  private:
   VtpContents file_;
-  std::string path_;
 };
 
 void addFields(vtkDataSetAttributes& attributes, std::span<const Field> fields, [[maybe_unused]] Index count)
@@ -179,13 +177,13 @@ MeshDocument readPolyData(const std::filesystem::path& path)
 {
   VtpContents file = readVtp(readFileBytes(path), path.string());
   Mesh mesh{positionsOf(*file.polyData), polygonsOf(*file.polyData, path.string())};
-  return {std::move(mesh), std::make_shared<PolyDataSource>(std::move(file), path.string())};
+  return {std::move(mesh), std::make_shared<PolyDataSource>(std::move(file))};
 }
 
 Serialized serializePolyData(const MeshDocument& document, const Positions& positions, std::string_view extension)
 {
   if (const auto* source = dynamic_cast<const PolyDataSource*>(document.source.get()))
-    return source->withPositions(positions, extension);
+    return source->withPositions(document.mesh, positions, extension);
   Serialized result{bytesOf(*toPolyData(document.mesh, positions), extension), {}, false};
   if (document.source != nullptr)
     result.notes.push_back(
