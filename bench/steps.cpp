@@ -23,8 +23,8 @@ std::unique_ptr<const ConstrainedSolver> factorized(const Model& model, const Se
   const Columns3 centered = model.solverMesh.rest.rowwise() - model.solverMesh.rest.colwise().mean();
   SolverOptions options;
   options.kind = kind;
-  SolverResult result = makeSolver(
-      {setUp.A, std::make_shared<const EliminatedConstraints>(eliminated), centered, setUp.ranks}, options);
+  SolverResult result =
+      makeSolver({setUp.A, std::make_shared<const EliminatedConstraints>(eliminated), centered, setUp.ranks}, options);
   if (!result) throw std::runtime_error(result.failure);
   return std::move(result.value);
 }

@@ -17,8 +17,8 @@ class Elimination {
   Elimination(const std::vector<RowTerms>& rows, const std::vector<Index>& independent, Index unknownCount,
               const std::vector<bool>& isHeld);
 
-  /// n x k, orthogonal columns that span the displacements with B u = 0 in all rows that are not kept, and 0 where held.
-  /// A free unknown has an identity column, a free group one of ones.
+  /// n x k, orthogonal columns that span the displacements with B u = 0 in all rows that are not kept, and 0 where
+  /// held. A free unknown has an identity column, a free group one of ones.
   [[nodiscard]] const SparseMatrix& Q2() const noexcept { return Q2_; }
 
   /// The independent rows of large components, ascending. A basis of what they leave free would be nearly dense, so

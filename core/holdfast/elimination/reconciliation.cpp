@@ -39,10 +39,10 @@ Circuits circuitsOf(const EliminatedConstraints& eliminated, const std::vector<I
   for (std::size_t r = 0; r < redundant.size(); ++r)
     for (const Term& term : termsOf(redundant[r]))
       if (isChanged(term))
-        entries.emplace_back(count + static_cast<int>(r),
-                             static_cast<int>(std::ranges::lower_bound(result.changed, term.index) -
-                                              result.changed.begin()),
-                             term.coefficient);
+        entries.emplace_back(
+            count + static_cast<int>(r),
+            static_cast<int>(std::ranges::lower_bound(result.changed, term.index) - result.changed.begin()),
+            term.coefficient);
   result.W.resize(static_cast<Index>(result.rows.size()), count);
   result.W.setFromTriplets(entries.begin(), entries.end());
   return result;

@@ -60,7 +60,8 @@ class ReflectedUnit {
   void apply(Index j)
   {
     double product = 0;
-    for (SparseMatrix::InnerIterator entry(reflections_.h, j); entry; ++entry) product += entry.value() * x_[entry.row()];
+    for (SparseMatrix::InnerIterator entry(reflections_.h, j); entry; ++entry)
+      product += entry.value() * x_[entry.row()];
     if (product == 0) return;
     for (SparseMatrix::InnerIterator entry(reflections_.h, j); entry; ++entry) {
       touch(entry.row(), j);
@@ -82,7 +83,8 @@ void reflect(const Reflections& Q, Index j, Columns3& x)
 {
   Eigen::RowVector3d product = Eigen::RowVector3d::Zero();
   for (SparseMatrix::InnerIterator entry(Q.h, j); entry; ++entry) product += entry.value() * x.row(entry.row());
-  for (SparseMatrix::InnerIterator entry(Q.h, j); entry; ++entry) x.row(entry.row()) -= Q.tau[j] * entry.value() * product;
+  for (SparseMatrix::InnerIterator entry(Q.h, j); entry; ++entry)
+    x.row(entry.row()) -= Q.tau[j] * entry.value() * product;
 }
 
 }  // namespace

@@ -9,9 +9,9 @@ namespace holdfast {
 /// k + j is the multiplier of row j of K. The rows of K are independent.
 ///
 /// Gaussian elimination of K in the order of M's columns, with threshold pivoting, matches each row with a column. Its
-/// multiplier becomes one of the last columns of that column's supernode. Then the rows whose multipliers are in a leading part of the
-/// matrix are independent on the columns that are in it, so the part has as many negative eigenvalues as multipliers if
-/// M + K^T K is positive definite: L S L^T exists, and needs no exchanges.
+/// multiplier becomes one of the last columns of that column's supernode. Then the rows whose multipliers are in a
+/// leading part of the matrix are independent on the columns that are in it, so the part has as many negative
+/// eigenvalues as multipliers if M + K^T K is positive definite: L S L^T exists, and needs no exchanges.
 [[nodiscard]] SymbolicFactor withMultipliers(const SymbolicFactor& ofM, const SparseMatrix& lower);
 
 }  // namespace holdfast

@@ -32,8 +32,8 @@ class PackedFactor {
   /// Stores the columns of a supernode: `panel` is its height x width, column by column, `height` apart.
   void store(int supernode, const double* panel);
 
-  /// Solves L S L^T z = b for three right-hand sides. `x` is n x 4, row by row in the order of elimination, b before and
-  /// z afterwards; the fourth number of each row is not used. The same bits for any number of threads. O(nonzeros).
+  /// Solves L S L^T z = b for three right-hand sides. `x` is n x 4, row by row in the order of elimination, b before
+  /// and z afterwards; the fourth number of each row is not used. The same bits for any number of threads. O(nonzeros).
   void solve(std::vector<double>& x) const;
 
   [[nodiscard]] const SymbolicFactor& symbolic() const noexcept { return *symbolic_; }

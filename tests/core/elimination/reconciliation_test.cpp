@@ -100,8 +100,7 @@ TEST(Reconciliation, JoinsBlocksThatARedundantRowHangsOn)
   ASSERT_EQ(problem.eliminated.dependencies.size(), 1U);
   Columns3 d = shiftsOf(problem.system);
   d(d.rows() - 1, 0) += 1e-9;
-  const Columns3 u =
-      reconciledParticular(problem.eliminated, {problem.eliminated.dependencies.front().row}, d);
+  const Columns3 u = reconciledParticular(problem.eliminated, {problem.eliminated.dependencies.front().row}, d);
   EXPECT_LT(largestMiss(problem, u, d), 0.9e-9) << "shared between the four";
   EXPECT_GT(largestMiss(problem, u, d), 1e-10) << "it cannot vanish";
 }

@@ -59,7 +59,8 @@ TEST_P(SparseQr, FactorsMultiplyToTheMatrixAndQIsOrthonormal)
 TEST_P(SparseQr, ReflectionsActAsTheMatrixTheyMake)
 {
   test::Random random(3);
-  const Reflections Q = GetParam().run(randomColumns(random, 30, 14, 3), 1e-12, WantQ::Yes, ColumnOrder::FillReducing).Q;
+  const Reflections Q =
+      GetParam().run(randomColumns(random, 30, 14, 3), 1e-12, WantQ::Yes, ColumnOrder::FillReducing).Q;
   const Eigen::MatrixXd whole = Q.columnsFrom(0);
   const Columns3 x = Columns3::Random(30, 3);
   EXPECT_LT((Q.times(x) - whole * x).norm(), 1e-13);
