@@ -19,6 +19,8 @@ class DraggedMesh {
   /// The median over some frames in which the handle of a scene turns on.
   double frame(ConstraintList list);
 
+  void answerEditsAtOnce() { deformer_.answerEditsAtOnce(true); }
+
   [[nodiscard]] const Model& model() const noexcept { return deformer_.model(); }
   [[nodiscard]] const SolveReport& report() const noexcept { return result_.report.solve; }
   [[nodiscard]] const Positions& positions() const noexcept { return result_.positions; }

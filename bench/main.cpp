@@ -33,7 +33,7 @@ const std::vector<Benchmark>& allBenchmarks()
       {"against CHOLMOD", againstCholmod, {"35", "173", "438", "1000"}},
       {"edits of constraints", editsOfConstraints, {"35", "173", "438", "1000"}},
       {"many points", manyPoints, {"1000"}},
-      {"random points", randomPoints, {"35"}},
+      {"random points", randomPoints, {"156"}},
       {"verdicts", verdicts, {"438"}},
       {"one core against all", oneCoreAgainstAll, {"35", "173"}},
       {"batch program", batchProgram, {"35", "173", "438"}},

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include <holdfast/base/printable.h>
+#include <holdfast/base/spelling.h>
 #include <holdfast/version.h>
 
 #include "batch/batch.h"
@@ -130,6 +131,30 @@ void check(const Command& asked)
 
 }  // namespace
 
+namespace {
+
+/// What is wrong with the arguments, as far as the first one that means nothing is concerned; empty where there is
+/// none.
+std::string unknownArgument(const CLI::App& app)
+{
+  const std::vector<std::string> unknown = app.remaining(true);
+  if (unknown.empty()) return "";
+  std::vector<std::string> known;
+  const std::vector<const CLI::App*> given = app.get_subcommands({});
+  const auto parsed = std::ranges::find_if(given, [](const CLI::App* command) { return command->parsed(); });
+  if (parsed == given.end())
+    for (const CLI::App* command : given) known.push_back(command->get_name());
+  else
+    for (const CLI::Option* option : (*parsed)->get_options())
+      for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+  const std::vector<std::string_view> words(known.begin(), known.end());
+  const auto closest = closestSpelling(unknown.front(), words);
+  return fmt::format("{} is not known{}", inQuotes(unknown.front()),
+                     closest ? fmt::format("; did you mean {}?", *closest) : ".");
+}
+
+}  // namespace
+
 std::function<ExitCode()> parseCommandLine(int argc, const char* const* argv)
 {
   Command asked;
@@ -152,7 +177,9 @@ std::function<ExitCode()> parseCommandLine(int argc, const char* const* argv)
   } catch (const CLI::CallForVersion& version) {
     return show(std::string(version.what()) + "\n");
   } catch (const CLI::ParseError& error) {
-    throw UsageError(std::string(error.what()) + ". Run with --help for more information.");
+    const std::string unknown = unknownArgument(app);
+    throw UsageError((unknown.empty() ? std::string(error.what()) + "." : unknown) +
+                     " Run with --help for more information.");
   }
   check(asked);
   const auto run = deformApp->parsed() ? runDeform : runCheck;

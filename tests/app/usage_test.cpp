@@ -29,7 +29,8 @@ class Usage : public BatchTest {
 TEST_F(Usage, ACommandIsNeeded)
 {
   expectRefusal(runBatch({}), kUsage, {"--help"});
-  expectRefusal(runBatch({"bend", mesh()}), kUsage, {"--help"});
+  expectRefusal(runBatch({"bend", mesh()}), kUsage, {"\"bend\" is not known.", "--help"});
+  expectRefusal(runBatch({"defrom", mesh()}), kUsage, {"\"defrom\" is not known; did you mean deform?"});
 }
 
 TEST_F(Usage, AMeshIsNeeded)
@@ -45,7 +46,7 @@ TEST_F(Usage, ConstraintsAreNeeded)
 
 TEST_F(Usage, UnknownOptionsAreNamed)
 {
-  expectRefusedOptions({"--wieghts", "uniform"}, {"--wieghts"});
+  expectRefusedOptions({"--wieghts", "uniform"}, {"\"--wieghts\" is not known; did you mean --weights?"});
   expectRefusedOptions({"surplus"}, {"surplus"});
   expectRefusal(runBatch({"check", mesh(), "--solver", "uniform"}), kUsage, {"--solver"});
 }

@@ -348,6 +348,11 @@ ConstraintFactorization& Deformer::factorizationFor(const ConstraintSystem& syst
   if (coming_ != nullptr && coming_->serves(system) && coming_->isReady()) factorization_ = std::exchange(coming_, {});
   if (factorization_ != nullptr && factorization_->serves(system)) return *factorization_;
 
+  if (whole_ != nullptr && whole_->serves(system)) {  // back to where edits began
+    coming_ = nullptr;
+    factorization_ = whole_;
+    return *factorization_;
+  }
   if (answersEditsAtOnce_ && factorization_ != nullptr && !factorization_->isBordered && factorization_->isReady())
     whole_ = factorization_;
   progress.step(fmt::format("eliminating {} rows of constraints", system.rows.size()));

@@ -19,7 +19,8 @@ class ByEigen : public Eigen::SparseQR<SparseMatrix, Ordering> {
   [[nodiscard]] Reflections reflections() const
   {
     const Index count = std::min(this->rows(), this->cols());
-    Reflections result{this->m_Q.leftCols(count), this->m_hcoeffs.head(count), {}};
+    const SparseRows sorted = this->m_Q.leftCols(count);  // as R below
+    Reflections result{sorted, this->m_hcoeffs.head(count), {}};
     result.place.resize(static_cast<std::size_t>(this->rows()));
     std::iota(result.place.begin(), result.place.end(), Index{0});
     return result;

@@ -50,9 +50,10 @@ CorrectedSolution correctedSolve(const LeastSquaresFactor& factor, const LinearM
     const double size = largest(columnScale.asDiagonal() * result.z);
     if (size == 0) break;
     const Columns3 correction = solved(factor, C, C.residual(f, result.z), multipliers);
-    const double change = largest(columnScale.asDiagonal() * correction) / size;
+    const auto step = correction.topRows(unknowns);
+    const double change = largest(columnScale.asDiagonal() * step) / size;
     if (!(change < last)) break;
-    result.z += correction.topRows(unknowns);
+    result.z += step;
     multipliers += correction.bottomRows(kept);
     if (result.corrections++ == 0) first = change;
     // The normal equations lost cond^2 epsilon = first; what their corrections reach is cond epsilon.

@@ -1,5 +1,8 @@
 #include <array>
+#include <cmath>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include <holdfast/solve/constrained_solver.h>
 
@@ -18,6 +21,10 @@ SolverResult ConstrainedSolver::edited(std::shared_ptr<const EliminatedConstrain
 
 SolverResult makeSolver(ConstrainedProblem problem, const SolverOptions& options)
 {
+  if (!isBuilt(options.backend))
+    return {nullptr, fmt::format("the backend {} is not part of this program", name(options.backend))};
+  if (options.kind == SolverKind::Soft && !(options.softWeight > 0 && std::isfinite(options.softWeight)))
+    return {nullptr, fmt::format("the soft weight is {}; it has to be positive", options.softWeight)};
   if (options.kind == SolverKind::Soft) return makeSoftSolver(std::move(problem), options.backend, options.softWeight);
   if (options.kind == SolverKind::Lagrange) return makeLagrangeSolver(std::move(problem), options.backend);
   return makeHardSolver(std::move(problem), options.backend);

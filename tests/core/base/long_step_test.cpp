@@ -103,6 +103,27 @@ TEST(LongStep, LeavesBehindWhatItHolds)
   work.mayEnd->open();
 }
 
+TEST(LongStep, TellsItsWorkWhenNobodyWaits)
+{
+  EXPECT_FALSE(leftBehindCheck()()) << "no step at all";
+  const auto hasEnded = std::make_shared<Latch>();
+  const HeldBack work;
+  {
+    LongStep<int> step([work, hasEnded] {
+      const std::function<bool()> isLeftBehind = leftBehindCheck();
+      EXPECT_FALSE(isLeftBehind());
+      const int result = work();
+      EXPECT_TRUE(isLeftBehind());
+      hasEnded->open();
+      return result;
+    });
+    UntilBegun untilBegun(work);
+    EXPECT_THROW(static_cast<void>(step.result(untilBegun)), Cancelled);
+  }
+  work.mayEnd->open();
+  EXPECT_TRUE(hasEnded->wait());
+}
+
 TEST(LongStep, OneMoreGoesOnBesideWhatWasLeftBehindAndAThirdWaits)
 {
   const HeldBack first;

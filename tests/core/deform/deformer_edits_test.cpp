@@ -110,6 +110,21 @@ TEST(DeformerEdits, GetAFactorOfTheirOwnMeanwhile)
   EXPECT_EQ(result.positions, test::deformed(mesh, list, {}).positions) << "bit for bit";
 }
 
+TEST(DeformerEdits, GoBackToTheFactorThatTheyBeganWith)
+{
+  const Mesh mesh = test::plate(12, 10);
+  Deformer deformer(makeModel(mesh));
+  deformer.answerEditsAtOnce(true);
+  ConstraintList list = turnedEnd(mesh);
+  const DeformResult before = deformer.deform(list);
+  list.constraints.push_back(test::moveBy(AtVertex{60}, Vector3(0, 0, 0.1)));
+  EXPECT_EQ(deformer.deform(list).report.solve.method, kBordered);
+  list.constraints.pop_back();
+  const DeformResult after = deformer.deform(list);
+  EXPECT_EQ(after.report.solve.method, before.report.solve.method);
+  EXPECT_EQ(after.positions, before.positions) << "bit for bit";
+}
+
 TEST(DeformerEdits, FactoriseAnewWhereTooMuchDiffers)
 {
   const Mesh mesh = test::plate(16, 12);

@@ -1,11 +1,15 @@
 #include <algorithm>
+#include <future>
+#include <memory>
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
+#include <holdfast/base/long_step.h>
 #include <holdfast/factor/multifrontal.h>
 
 #include "core/factor/spd_matrices.h"
+#include "support/latch.h"
 #include "support/one_core.h"
 
 namespace holdfast {
@@ -66,6 +70,33 @@ TEST(Multifrontal, HasTheSameBitsOnOneCore)
   const Columns3 onAll = solved(*factorizeMultifrontal(symbolic, lower).value, b);
   const test::OneCore one;
   EXPECT_EQ(solved(*factorizeMultifrontal(symbolic, lower).value, b), onAll);
+}
+
+TEST(Multifrontal, EndsWhereNobodyWaits)
+{
+  const SparseMatrix lower = test::lowerOf(test::gridMatrix(8));
+  const auto symbolic = analyzed(lower);
+  const auto begun = std::make_shared<test::Latch>();
+  const auto left = std::make_shared<test::Latch>();
+  const auto isGivenUp = std::make_shared<std::promise<bool>>();
+  std::future<bool> end = isGivenUp->get_future();
+  {
+    LongStep<int> step([=] {
+      begun->open();
+      EXPECT_TRUE(left->wait());
+      try {
+        static_cast<void>(factorizeMultifrontal(symbolic, lower));
+        isGivenUp->set_value(false);
+      } catch (const LeftBehind&) {
+        isGivenUp->set_value(true);
+      }
+      return 0;
+    });
+    step.start(noProgress());
+    EXPECT_TRUE(begun->wait());
+  }
+  left->open();
+  EXPECT_TRUE(end.get());
 }
 
 TEST(Multifrontal, NamesThePivotThatIsNotPositive)

@@ -56,6 +56,17 @@ TEST(SoftSolver, AgreesWithTheNormalEquationsInLongDouble)
   });
 }
 
+TEST(SoftSolver, RefusesWeightsThatAreNotPositive)
+{
+  const test::Problem problem = overlappingProblem(1);
+  for (const double weight : {0.0, -5.0, std::numeric_limits<double>::quiet_NaN()}) {
+    const DeformResult result =
+        test::deformed(problem.mesh, problem.list, {Weights::Uniform, {SolverKind::Soft, Backend::Holdfast, weight}});
+    EXPECT_EQ(result.report.solve.status, SolveStatus::Failed);
+    EXPECT_THAT(result.report.solve.message, testing::HasSubstr("the soft weight is")) << weight;
+  }
+}
+
 TEST(SoftSolver, TendsToTheHardOneAsTheWeightGrows)
 {
   const Mesh mesh = test::plate(4, 4);
