@@ -1,7 +1,9 @@
 #include <QPushButton>
 #include <memory>
+#include <numeric>
 #include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <holdfast/document/list_edits.h>
@@ -43,11 +45,17 @@ class LargeDocument : public test::WindowUser {
     return vertex;
   }
 
-  /// Another point is held: another matrix, which is factorised anew.
-  void holdMore(Index vertex)
+  void add(const std::string& name, decltype(Constraint::what) what)
   {
-    editor().edit("hold more", added(editor().list(), {"held " + std::to_string(vertex), true,
-                                                       PointConstraint{AtVertex{vertex}, Move{Vector3(0, 0.01, 0)}}}));
+    editor().edit("add", added(editor().list(), {name, true, std::move(what)}));
+  }
+
+  /// A row of vertices is fixed: too much for the factor that is there, so that another one is made.
+  void holdMore(Index row)
+  {
+    std::vector<Index> vertices(80);
+    std::iota(vertices.begin(), vertices.end(), 100 * row);
+    add("held " + std::to_string(row), FixedConstraint{{VertexIds{std::move(vertices)}}});
   }
 
   /// Runs `act` when the worker says that it factorises, while nothing that it says later has been handled.
@@ -80,6 +88,15 @@ class LargeDocument : public test::WindowUser {
 
   Positions before;
 };
+
+TEST_F(LargeDocument, APointMoreNeedsNoOtherFactor)
+{
+  add("held", PointConstraint{AtVertex{3}, Move{Vector3(0, 0.01, 0)}});
+  ASSERT_TRUE(settle());
+  EXPECT_THAT(editor().deformation()->report.solve.method, testing::HasSubstr("an earlier factor"));
+  EXPECT_EQ(editor().deformation()->report.solve.status, SolveStatus::Ok);
+  EXPECT_LE(editor().deformation()->report.solve.maxResidualRelative, 1e-14);
+}
 
 TEST_F(LargeDocument, EscapeStopsAFactorisation)
 {
