@@ -20,19 +20,6 @@ std::shared_ptr<const SymbolicFactor> analyzed(const SparseMatrix& lower)
   return std::make_shared<const SymbolicFactor>(analyze(lower, test::minimumDegree(lower)));
 }
 
-Columns3 solved(const PackedFactor& factor, const Columns3& b)
-{
-  const std::vector<int>& order = factor.symbolic().order;
-  std::vector<double> x(4 * order.size());
-  for (std::size_t k = 0; k < order.size(); ++k)
-    for (int c = 0; c < 3; ++c) x[4 * k + static_cast<std::size_t>(c)] = b(order[k], c);
-  factor.solve(x);
-  Columns3 z(b.rows(), 3);
-  for (std::size_t k = 0; k < order.size(); ++k)
-    for (int c = 0; c < 3; ++c) z(order[k], c) = x[4 * k + static_cast<std::size_t>(c)];
-  return z;
-}
-
 TEST(Multifrontal, SolvesAsDenseEliminationDoes)
 {
   test::Random random(7);
@@ -42,7 +29,7 @@ TEST(Multifrontal, SolvesAsDenseEliminationDoes)
     const auto result = factorizeMultifrontal(analyzed(lower), lower);
     ASSERT_TRUE(result) << result.failure;
     const Columns3 expected = Columns3::Random(M.cols(), 3);
-    const Columns3 found = solved(*result.value, M * expected);
+    const Columns3 found = test::solved(*result.value, M * expected);
     EXPECT_LT((found - expected).cwiseAbs().maxCoeff(), 1e-13);
   }
 }
@@ -57,7 +44,7 @@ TEST(Multifrontal, SolvesWithFrontsOfManyBlocks)
   const auto result = factorizeMultifrontal(symbolic, lower);
   ASSERT_TRUE(result) << result.failure;
   const Columns3 expected = Columns3::Random(M.cols(), 3);
-  EXPECT_LT((solved(*result.value, M * expected) - expected).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_LT((test::solved(*result.value, M * expected) - expected).cwiseAbs().maxCoeff(), 1e-12);
 }
 
 TEST(Multifrontal, HasTheSameBitsOnOneCore)
@@ -67,9 +54,9 @@ TEST(Multifrontal, HasTheSameBitsOnOneCore)
   const auto symbolic = analyzed(lower);
   ASSERT_GT(symbolic->subtrees.size(), 1);
   const Columns3 b = Columns3::Random(M.cols(), 3);
-  const Columns3 onAll = solved(*factorizeMultifrontal(symbolic, lower).value, b);
+  const Columns3 onAll = test::solved(*factorizeMultifrontal(symbolic, lower).value, b);
   const test::OneCore one;
-  EXPECT_EQ(solved(*factorizeMultifrontal(symbolic, lower).value, b), onAll);
+  EXPECT_EQ(test::solved(*factorizeMultifrontal(symbolic, lower).value, b), onAll);
 }
 
 TEST(Multifrontal, EndsWhereNobodyWaits)

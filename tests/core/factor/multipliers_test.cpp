@@ -44,19 +44,6 @@ SparseMatrix chainRows(test::Random& random, Index rows, Index columns)
   return K.sparseView();
 }
 
-Columns3 saddleSolution(const PackedFactor& factor, const Columns3& b)
-{
-  const std::vector<int>& order = factor.symbolic().order;
-  std::vector<double> x(4 * order.size());
-  for (std::size_t k = 0; k < order.size(); ++k)
-    for (int c = 0; c < 3; ++c) x[4 * k + static_cast<std::size_t>(c)] = b(order[k], c);
-  factor.solve(x);
-  Columns3 z(b.rows(), 3);
-  for (std::size_t k = 0; k < order.size(); ++k)
-    for (int c = 0; c < 3; ++c) z(order[k], c) = x[4 * k + static_cast<std::size_t>(c)];
-  return z;
-}
-
 TEST(Multipliers, SolveAsDenseEliminationDoes)
 {
   test::Random random(11);
@@ -68,7 +55,7 @@ TEST(Multipliers, SolveAsDenseEliminationDoes)
     const auto result = saddle.factorized();
     ASSERT_TRUE(result) << result.failure;
     const Columns3 expected = Columns3::Random(n + K.rows(), 3);
-    const Columns3 found = saddleSolution(*result.value, saddle.matrix * expected);
+    const Columns3 found = test::solved(*result.value, saddle.matrix * expected);
     EXPECT_LT((found - expected).cwiseAbs().maxCoeff(), 1e-9);
   }
 }
@@ -85,7 +72,7 @@ TEST(Multipliers, MayBeAllThatMakesTheMatrixRegular)
   const auto result = saddle.factorized();
   ASSERT_TRUE(result) << result.failure;
   const Columns3 b = Columns3::Random(n + K.rows(), 3);
-  const Columns3 x = saddleSolution(*result.value, b);
+  const Columns3 x = test::solved(*result.value, b);
   EXPECT_LT((saddle.matrix * x - b).cwiseAbs().maxCoeff(), 1e-9);
 }
 

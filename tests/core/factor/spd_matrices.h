@@ -8,7 +8,7 @@
 
 #include <Eigen/OrderingMethods>
 
-#include <holdfast/base/types.h>
+#include <holdfast/factor/packed_factor.h>
 
 #include "support/random.h"
 
@@ -77,6 +77,20 @@ inline std::vector<std::set<int>> factorPattern(const SparseMatrix& M, const std
   for (std::set<int>& column : columns)
     if (!column.empty()) columns[*column.begin()].insert(std::next(column.begin()), column.end());
   return columns;
+}
+
+/// What the factor makes of b, in the order of the matrix.
+inline Columns3 solved(const PackedFactor& factor, const Columns3& b)
+{
+  const std::vector<int>& order = factor.symbolic().order;
+  std::vector<double> x(4 * order.size());
+  for (std::size_t k = 0; k < order.size(); ++k)
+    for (int c = 0; c < 3; ++c) x[4 * k + static_cast<std::size_t>(c)] = b(order[k], c);
+  factor.solve(x);
+  Columns3 z(b.rows(), 3);
+  for (std::size_t k = 0; k < order.size(); ++k)
+    for (int c = 0; c < 3; ++c) z(order[k], c) = x[4 * k + static_cast<std::size_t>(c)];
+  return z;
 }
 
 }  // namespace holdfast::test
