@@ -5,7 +5,6 @@
 
 #include <holdfast/solve/column_scaling.h>
 #include <holdfast/solve/elimination_order.h>
-#include <holdfast/solve/gram.h>
 
 namespace holdfast::bench {
 

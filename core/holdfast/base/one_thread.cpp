@@ -1,7 +1,6 @@
 #include <cstddef>
 #include <mutex>
 #include <new>
-#include <vector>
 
 #include <dlfcn.h>
 #include <sys/mman.h>

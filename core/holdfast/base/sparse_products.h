@@ -33,6 +33,14 @@ class ColumnSum {
     value_[place] += value;
   }
 
+  /// Adds the k-th column of M (row of a matrix by rows), `shift` places further on.
+  template <class Matrix>
+  void addColumn(const Matrix& M, Index k, Index shift = 0)
+  {
+    for (typename Matrix::InnerIterator entry(M, k); entry; ++entry)
+      add(static_cast<int>(shift + entry.index()), entry.value());
+  }
+
   /// Appends the column to `entries`, places ascending, and starts anew. Returns how many entries it has.
   int moveTo(SparseEntries& entries)
   {
@@ -132,5 +140,20 @@ class TwoWayMatrix {
   SparseMatrix columns_;
   SparseRows rows_;
 };
+
+/// The matrix of the normal equations: the lower triangle of C^T C, each column with ascending rows. O(sum of squares
+/// of the row lengths of C).
+[[nodiscard]] inline SparseMatrix gramLower(const TwoWayMatrix& C)
+{
+  const SparseRows& rows = C.rows();
+  const int* const column = rows.innerIndexPtr();
+  return assembled<SparseMatrix>(rows.cols(), rows.cols(), [&](Index j, ColumnSum& sum) {
+    for (SparseMatrix::InnerIterator entry(C.columns(), j); entry; ++entry) {
+      const int first = rows.outerIndexPtr()[entry.row()];
+      for (int k = rows.outerIndexPtr()[entry.row() + 1] - 1; k >= first && column[k] >= j; --k)
+        sum.add(column[k], entry.value() * rows.valuePtr()[k]);
+    }
+  });
+}
 
 }  // namespace holdfast

@@ -1,6 +1,5 @@
 #include "holdfast/base/thread_priority.h"
 
-#if defined(__linux__)
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
@@ -13,12 +12,8 @@
 #include <sys/resource.h>
 #include <sys/syscall.h>
 #include <unistd.h>
-#endif
 
 namespace holdfast {
-
-#if defined(__linux__)
-
 namespace {
 
 // As `nice` counts: a tenth of the time of a core that a thread of the window needs as well.
@@ -95,15 +90,5 @@ void spreadOverCores(std::string_view name) noexcept
     ::sched_setaffinity(thread, sizeof(only), &only);
   }
 }
-
-#else
-
-void computeInBackground() noexcept {}
-
-void letOthersComputeInBackground() noexcept {}
-
-void spreadOverCores(std::string_view /*name*/) noexcept {}
-
-#endif
 
 }  // namespace holdfast

@@ -5,8 +5,7 @@
 
 namespace holdfast {
 
-/// Lowers the priority of the calling thread, and of those that it starts from now on, for good. Does nothing where the
-/// system has no priorities of threads.
+/// Lowers the priority of the calling thread, and of those that it starts from now on, for good.
 void computeInBackground() noexcept;
 
 /// The same for every thread of this program but the calling one: pools that libraries have started before `main`.
@@ -14,7 +13,7 @@ void letOthersComputeInBackground() noexcept;
 
 /// Puts the threads of this program whose names begin with `name` on the usable cores in turn. For pools that wait
 /// together for short work, such as drawing without a GPU: while something computes in the background, the system may
-/// wake all of them on one core. Linux only.
+/// wake all of them on one core.
 void spreadOverCores(std::string_view name) noexcept;
 
 }  // namespace holdfast

@@ -1,11 +1,7 @@
 #include "holdfast/deform/deform.h"
 
-#include <utility>
-
-#include <holdfast/constraints/constraint_system.h>
 #include <holdfast/deform/deformer.h>
 #include <holdfast/deform/messages.h>
-#include <holdfast/deform/outcomes.h>
 #include <holdfast/deform/rotation_factorization.h>
 #include <holdfast/surface/surface_locator.h>
 

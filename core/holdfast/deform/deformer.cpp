@@ -1,21 +1,14 @@
 #include "holdfast/deform/deformer.h"
 
-#include <algorithm>
 #include <chrono>
-#include <utility>
-#include <variant>
-#include <vector>
 
 #include <fmt/format.h>
 
 #include <holdfast/base/error.h>
 #include <holdfast/base/parallel.h>
 #include <holdfast/check/mesh_check.h>
-#include <holdfast/constraints/constraint_system.h>
-#include <holdfast/deform/deform.h>
 #include <holdfast/deform/deform_details.h>
 #include <holdfast/deform/messages.h>
-#include <holdfast/deform/outcomes.h>
 #include <holdfast/deform/rotation_factorization.h>
 #include <holdfast/solve/constrained_solver.h>
 #include <holdfast/solve/elimination_order.h>
@@ -86,14 +79,12 @@ namespace {
 // A border by which fewer digits are left is not used.
 constexpr double kBorderedAccuracy = 1e-8;
 
-class Stopwatch {
- public:
-  [[nodiscard]] double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+using Clock = std::chrono::steady_clock;
 
- private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point start_ = Clock::now();
-};
+double secondsSince(Clock::time_point start)
+{
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 /// What the constraints do to the surface, with the energy |A u - f|^2 / 2 of lengths in diagonals: no units.
 struct Multipliers {
@@ -114,16 +105,6 @@ Multipliers multipliersOf(const TwoWayMatrix& A, const EliminatedConstraints& el
         gradient.row(term.index) = gathered(A.columns(), term.index, missed) / -diagonal;
   Columns3 ofRows = eliminated.elimination.multipliers(gradient);
   return {std::move(ofRows), std::move(gradient)};
-}
-
-/// The sum of the lengths of its rows' forces, for every constraint of a list.
-std::vector<double> multipliersOfConstraints(const Multipliers& multipliers, const ConstraintSystem& system,
-                                             std::size_t constraintCount)
-{
-  std::vector<double> result(constraintCount, 0);
-  for (std::size_t r = 0; r < system.rows.size(); ++r)
-    result[system.rows[r].constraint] += multipliers.ofRows.row(static_cast<Index>(r)).stableNorm();
-  return result;
 }
 
 /// The file's positions: pins as they were asked for, bit for bit, everything else displaced from rest.
@@ -215,11 +196,11 @@ class Solution {
   std::string rotate(ConstraintFactorization& factorization, Progress& progress)
   {
     const bool isFactorised = factorization.rotations->isReady();
-    const Stopwatch stopwatch;
+    const auto start = Clock::now();
     if (!isFactorised) progress.step("solving the rotation field");
     Rotations rotations = factorization.rotations->solve(details_.system, progress);
     Seconds& seconds = report().seconds;
-    (isFactorised ? seconds.solution : seconds.factorization) += stopwatch.seconds();
+    (isFactorised ? seconds.solution : seconds.factorization) += secondsSince(start);
     takeOver(rotations, result_.report);
     if (!rotations.failure.empty()) return failureMessage(options_, rotations.failure);
     details_.system = rotated(std::move(details_.system), rotations.q);
@@ -244,17 +225,17 @@ class Solution {
 
   void solve(ConstraintFactorization& factorization, Progress& progress)
   {
-    const Stopwatch watch;
+    const auto start = Clock::now();
     announceFactorization(factorization, progress);
     const SolverResult& result = factorization.positions.result(progress);
-    report().seconds.factorization += watch.seconds();
+    report().seconds.factorization += secondsSince(start);
     if (!result) return fail(result.failure);
     report().unknowns = result.value->unknowns();
     report().factorNonzeros = result.value->factorNonzeros();
     report().method = result.value->method();
 
     progress.step("solving");
-    const Stopwatch solution;
+    const auto solution = Clock::now();
     const Columns3 f = (model_.solverMesh.diagonal * details_.operators->rowWeights).asDiagonal() *
                        rotationOfDelta(details_.operators->delta, result_.rotations);
     const Displacement displacement =
@@ -262,15 +243,16 @@ class Solution {
     accept(displacement);
     if (options_.solver.kind == SolverKind::Hard && report().status != SolveStatus::Failed)
       setMultipliers(multipliersOf(A_, *factorization.eliminated, displacement.u, f, model_.solverMesh.diagonal));
-    report().seconds.solution += solution.seconds();
+    report().seconds.solution += secondsSince(solution);
   }
 
+  /// The multiplier of a constraint is the sum of the lengths of those of its rows.
   void setMultipliers(Multipliers multipliers)
   {
-    const std::vector<double> ofConstraints =
-        multipliersOfConstraints(multipliers, details_.system, result_.report.constraints.size());
-    for (std::size_t c = 0; c < ofConstraints.size(); ++c)
-      if (result_.report.constraints[c].rows > 0) result_.report.constraints[c].multiplier = ofConstraints[c];
+    for (std::size_t r = 0; r < details_.system.rows.size(); ++r) {
+      std::optional<double>& sum = result_.report.constraints[details_.system.rows[r].constraint].multiplier;
+      sum = sum.value_or(0) + multipliers.ofRows.row(static_cast<Index>(r)).stableNorm();
+    }
     result_.multipliers = std::move(multipliers.ofUnknowns);
   }
 
@@ -375,7 +357,7 @@ ConstraintFactorization& Deformer::factorizationFor(const ConstraintSystem& syst
 DeformResult Deformer::deform(const ConstraintList& constraints, const std::string& source, Progress& progress)
 {
   Seconds seconds;
-  const Stopwatch setup;
+  const auto setup = Clock::now();
   if (ranks_ == nullptr)
     ranks_ = std::make_unique<LongStep<std::vector<int>>>([n = model_->solverMesh.unknownCount(),
                                                            triangles = model_->solverMesh.triangles,
@@ -391,11 +373,11 @@ DeformResult Deformer::deform(const ConstraintList& constraints, const std::stri
     operators_ = std::make_shared<const Operators>(makeOperators(model_->solverMesh, options_.weights));
     A_ = std::make_shared<const TwoWayMatrix>(weightedRows(*operators_));
   }
-  seconds.setup = setup.seconds();
+  seconds.setup = secondsSince(setup);
 
-  const Stopwatch elimination;
+  const auto elimination = Clock::now();
   ConstraintFactorization& factorization = factorizationFor(system, progress);
-  seconds.factorization = elimination.seconds();
+  seconds.factorization = secondsSince(elimination);
 
   const auto solved = [&](ConstraintFactorization& by, ConstraintSystem its) {
     return Solution(*model_, constraints, options_, operators_, *A_, std::move(its)).by(by, progress);

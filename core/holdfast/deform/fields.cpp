@@ -1,7 +1,5 @@
 #include "holdfast/deform/fields.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -13,13 +11,14 @@
 namespace holdfast {
 namespace {
 
-/// Values of unknowns at the vertices of the file.
-std::vector<double> spread(const std::vector<double>& ofUnknowns, const Weld& weld)
+/// The numbers `ofUnknown(u)` at the vertices of the file.
+template <class OfUnknown>
+Field scalarField(const char* name, const Weld& weld, const OfUnknown& ofUnknown)
 {
-  std::vector<double> values;
-  values.reserve(weld.unknownOf.size());
-  for (const Index unknown : weld.unknownOf) values.push_back(ofUnknowns[unknown]);
-  return values;
+  Field field{name, 1, {}};
+  field.values.reserve(weld.unknownOf.size());
+  for (const Index unknown : weld.unknownOf) field.values.push_back(ofUnknown(unknown));
+  return field;
 }
 
 Field residualField(const Model& model, const DeformResult& deformation)
@@ -31,7 +30,7 @@ Field residualField(const Model& model, const DeformResult& deformation)
   for (std::size_t r = 0; r < residuals.size(); ++r)
     for (const Term& term : deformation.details->system.rows[r].terms)
       largest[term.index] = std::fmax(largest[term.index], residuals[r]);
-  return {"constraint_residual", 1, spread(largest, model.solverMesh.weld)};
+  return scalarField("constraint_residual", model.solverMesh.weld, [&](Index u) { return largest[u]; });
 }
 
 Field statusField(const Model& model, const DeformResult& deformation)
@@ -43,7 +42,7 @@ Field statusField(const Model& model, const DeformResult& deformation)
     for (const Term& term : row.terms)
       gravest[term.index] = std::max(gravest[term.index], kCodes[static_cast<std::size_t>(status)]);
   }
-  return {"constraint_status", 1, spread(gravest, model.solverMesh.weld)};
+  return scalarField("constraint_status", model.solverMesh.weld, [&](Index u) { return gravest[u]; });
 }
 
 Field displacementField(const Model& model, const DeformResult& deformation)
@@ -63,11 +62,8 @@ Field rotationField(const Model& model, const DeformResult& deformation)
 
 Field angleField(const Model& model, const DeformResult& deformation)
 {
-  std::vector<double> degrees;
-  degrees.reserve(static_cast<std::size_t>(deformation.rotations.rows()));
-  for (Index u = 0; u < deformation.rotations.rows(); ++u)
-    degrees.push_back(angleDegrees(deformation.rotations.row(u).transpose()));
-  return {"rotation_angle_degrees", 1, spread(degrees, model.solverMesh.weld)};
+  return scalarField("rotation_angle_degrees", model.solverMesh.weld,
+                     [&](Index u) { return angleDegrees(deformation.rotations.row(u).transpose()); });
 }
 
 Field multiplierField(const Model& model, const DeformResult& deformation)
@@ -77,7 +73,7 @@ Field multiplierField(const Model& model, const DeformResult& deformation)
   if (deformation.multipliers.rows() > 0)
     for (const ConstraintRow& row : deformation.details->system.rows)
       for (const Term& term : row.terms) lengths[term.index] = deformation.multipliers.row(term.index).stableNorm();
-  return {"constraint_force", 1, spread(lengths, model.solverMesh.weld)};
+  return scalarField("constraint_force", model.solverMesh.weld, [&](Index u) { return lengths[u]; });
 }
 
 Field detailField(const Model& model, const DeformResult& deformation)
@@ -89,10 +85,7 @@ Field detailField(const Model& model, const DeformResult& deformation)
   const Columns3 missed = operators.L * u - rotationOfDelta(operators.delta, deformation.rotations);
   // L of cotangents is one over a squared length.
   const double unit = operators.weights == Weights::Uniform ? mesh.diagonal : 1 / mesh.diagonal;
-  std::vector<double> lengths;
-  lengths.reserve(static_cast<std::size_t>(missed.rows()));
-  for (Index k = 0; k < missed.rows(); ++k) lengths.push_back(unit * missed.row(k).stableNorm());
-  return {"detail_residual", 1, spread(lengths, mesh.weld)};
+  return scalarField("detail_residual", mesh.weld, [&](Index k) { return unit * missed.row(k).stableNorm(); });
 }
 
 // In the order of `FieldKind`.

@@ -1,12 +1,8 @@
 #include "holdfast/deform/messages.h"
 
-#include <algorithm>
-#include <utility>
-
 #include <fmt/format.h>
 
 #include <holdfast/base/printable.h>
-#include <holdfast/deform/outcomes.h>
 
 namespace holdfast {
 namespace {

@@ -2,14 +2,7 @@
 /// What a solve has to say, in sentences: what was wrong, where, and what to do. An accuracy is the estimated relative
 /// error of what constraints leave free.
 
-#include <optional>
-#include <string>
-#include <vector>
-
-#include <holdfast/deform/deform.h>
-#include <holdfast/deform/model.h>
 #include <holdfast/deform/outcomes.h>
-#include <holdfast/deform/report.h>
 #include <holdfast/operators/operators.h>
 
 namespace holdfast {

@@ -1,8 +1,6 @@
 #include "holdfast/deform/model.h"
 
-#include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include <fmt/format.h>
 

@@ -1,9 +1,6 @@
 #include "holdfast/deform/outcomes.h"
 
-#include <algorithm>
-#include <array>
 #include <set>
-#include <utility>
 
 #include <holdfast/deform/deform_details.h>
 

@@ -1,13 +1,8 @@
 #pragma once
 /// How each constraint fared, read off positions.
 
-#include <optional>
-#include <vector>
-
 #include <holdfast/constraints/constraint_system.h>
 #include <holdfast/deform/deform.h>
-#include <holdfast/deform/model.h>
-#include <holdfast/deform/report.h>
 #include <holdfast/elimination/diagnosis.h>
 
 namespace holdfast {

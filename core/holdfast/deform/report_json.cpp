@@ -1,7 +1,5 @@
 #include "holdfast/deform/report_json.h"
 
-#include <algorithm>
-
 #include <nlohmann/json.hpp>
 
 namespace holdfast {

@@ -1,11 +1,7 @@
 #include "holdfast/deform/rotation_factorization.h"
 
-#include <algorithm>
-#include <utility>
-
 #include <fmt/format.h>
 
-#include <holdfast/base/parallel.h>
 #include <holdfast/check/mesh_check.h>
 #include <holdfast/deform/messages.h>
 #include <holdfast/geometry/rotation_log.h>

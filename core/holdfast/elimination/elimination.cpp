@@ -3,12 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
-#include <span>
-#include <vector>
 
-#include <holdfast/elimination/block_elimination.h>
-#include <holdfast/elimination/merged_unknowns.h>
+#include <holdfast/elimination/find_dependencies.h>
 
 namespace holdfast {
 namespace {
@@ -20,62 +16,30 @@ double rootOfSize(const MergedUnknowns& groups, Index group)
 
 /// The rows of a component of contracted rows, over the coordinates w_b = sqrt(n_b) v_b of its groups: |w| is the
 /// length over all unknowns.
-class ScaledComponent {
- public:
-  ScaledComponent(const RowComponent& component, const std::vector<RowTerms>& contracted, const MergedUnknowns& groups)
-      : rows_(scaledRows(component, contracted, groups)),
-        elimination_(rows_, allRows(), static_cast<Index>(component.unknowns.size()),
-                     std::vector<bool>(component.unknowns.size(), false))
-  {
-  }
-
-  [[nodiscard]] std::vector<double> sensitivities() const { return elimination_.sensitivities(rows_.size()); }
-
-  /// What the rows have at the group of this place in the component, by their places.
-  [[nodiscard]] RowTerms column(Index place) const
-  {
-    RowTerms result;
-    for (std::size_t k = 0; k < rows_.size(); ++k)
-      for (const Term& term : rows_[k])
-        if (term.index == place) result.push_back({static_cast<Index>(k), term.coefficient});
-    return result;
-  }
-
-  /// The shortest w for which the rows of these places have these values, and all others 0.
-  [[nodiscard]] Eigen::VectorXd shortest(const RowTerms& values) const
-  {
-    Columns3 d = Columns3::Zero(static_cast<Index>(rows_.size()), 3);
-    for (const Term& value : values) d(value.index, 0) = value.coefficient;
-    return elimination_.particular(d).col(0);
-  }
-
- private:
-  static std::vector<RowTerms> scaledRows(const RowComponent& component, const std::vector<RowTerms>& contracted,
-                                          const MergedUnknowns& groups)
-  {
-    std::vector<RowTerms> result;
-    for (const Index row : component.rows) {
-      RowTerms terms = contracted[row];
-      for (auto& [group, weight] : terms) {
-        weight /= rootOfSize(groups, group);
-        group =
-            std::lower_bound(component.unknowns.begin(), component.unknowns.end(), group) - component.unknowns.begin();
-      }
-      result.push_back(std::move(terms));
+std::vector<RowTerms> scaledRows(const RowComponent& component, const std::vector<RowTerms>& contracted,
+                                 const MergedUnknowns& groups)
+{
+  std::vector<RowTerms> result;
+  for (const Index row : component.rows) {
+    RowTerms terms = contracted[row];
+    for (auto& [group, weight] : terms) {
+      weight /= rootOfSize(groups, group);
+      group = std::ranges::lower_bound(component.unknowns, group) - component.unknowns.begin();
     }
-    return result;
+    result.push_back(std::move(terms));
   }
+  return result;
+}
 
-  [[nodiscard]] std::vector<Index> allRows() const
-  {
-    std::vector<Index> result(rows_.size());
-    std::iota(result.begin(), result.end(), Index{0});
-    return result;
-  }
-
-  std::vector<RowTerms> rows_;
-  BlockElimination elimination_;
-};
+/// What the rows have at this unknown, by their places.
+RowTerms columnOf(const std::vector<RowTerms>& rows, std::size_t unknown)
+{
+  RowTerms result;
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    for (const Term& term : rows[k])
+      if (term.index == static_cast<Index>(unknown)) result.push_back({static_cast<Index>(k), term.coefficient});
+  return result;
+}
 
 /// By difference row: what a unit of it is in the rows of a component, by their places, where only the unknowns that
 /// hang on it move.
@@ -102,24 +66,31 @@ void spreadOverComponent(std::vector<double>& sensitivities, const RowComponent&
                          const std::vector<RowTerms>& rows, const std::vector<RowTerms>& contracted,
                          const MergedUnknowns& groups)
 {
-  const ScaledComponent scaled(component, contracted, groups);
-  const std::vector<double> ofRows = scaled.sensitivities();
+  const std::vector<RowTerms> scaled = scaledRows(component, contracted, groups);
+  const BlockElimination elimination(scaled, independentRows({}, scaled.size()),
+                                     static_cast<Index>(component.unknowns.size()),
+                                     std::vector<bool>(component.unknowns.size(), false));
+  const std::vector<double> ofRows = elimination.sensitivities(scaled.size());
   for (std::size_t k = 0; k < ofRows.size(); ++k)
     sensitivities[component.rows[k]] = std::max(sensitivities[component.rows[k]], ofRows[k]);
 
+  // The shortest w for which these rows have these values, and all others 0.
+  const auto shortest = [&](const RowTerms& values) -> Eigen::VectorXd {
+    Columns3 d = Columns3::Zero(static_cast<Index>(scaled.size()), 3);
+    for (const Term& value : values) d(value.index, 0) = value.coefficient;
+    return elimination.particular(d).col(0);
+  };
   // Where a difference row changes, groups have to move as well, so that the other rows stay met.
   const std::map<Index, RowTerms> values = valuesByDifference(component, rows, groups);
   for (std::size_t b = 0; b < component.unknowns.size(); ++b) {
     const std::span<const MergedUnknowns::Link> links = groups.linksOf(component.unknowns[b]);
     if (links.empty()) continue;
-    const Eigen::VectorXd centroid =
-        scaled.shortest(scaled.column(static_cast<Index>(b))) / rootOfSize(groups, component.unknowns[b]);
+    const Eigen::VectorXd centroid = shortest(columnOf(scaled, b)) / rootOfSize(groups, component.unknowns[b]);
     const double length = centroid.norm();
     for (const MergedUnknowns::Link& link : links) {
       const auto s = static_cast<double>(link.hanging);
       const auto own = values.find(link.row);
-      const double moved =
-          own == values.end() ? s * length : (scaled.shortest(own->second) - link.sign * s * centroid).norm();
+      const double moved = own == values.end() ? s * length : (shortest(own->second) - link.sign * s * centroid).norm();
       sensitivities[link.row] = std::hypot(spread(link, groups), moved);
     }
   }
@@ -188,7 +159,10 @@ Columns3 Elimination::particular(const Columns3& d) const
 {
   if (!merged_.hasLinks()) return blocks_.particular(d);
   const Columns3 offsets = merged_.offsets(d);
-  return offsets + membership_ * blocks_.particular(askedOfGroups(d, offsets));
+  Columns3 askedOfGroups = d;
+  for (std::size_t r = 0; r < rows_.size(); ++r)
+    for (const Term& term : rows_[r]) askedOfGroups.row(r) -= term.coefficient * offsets.row(term.index);
+  return offsets + membership_ * blocks_.particular(askedOfGroups);
 }
 
 std::vector<Index> Elimination::kept() const
@@ -203,14 +177,6 @@ std::vector<Index> Elimination::kept() const
 SparseMatrix Elimination::wholeQ2() const
 {
   return membership_ * blocks_.wholeQ2();
-}
-
-Columns3 Elimination::askedOfGroups(const Columns3& d, const Columns3& offsets) const
-{
-  Columns3 result = d;
-  for (std::size_t r = 0; r < rows_.size(); ++r)
-    for (const Term& term : rows_[r]) result.row(r) -= term.coefficient * offsets.row(term.index);
-  return result;
 }
 
 Columns3 Elimination::multipliers(const Columns3& gradient) const

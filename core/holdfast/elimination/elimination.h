@@ -43,9 +43,6 @@ class Elimination {
   [[nodiscard]] std::vector<double> sensitivities() const;
 
  private:
-  /// `d` less what the offsets of groups give of it.
-  [[nodiscard]] Columns3 askedOfGroups(const Columns3& d, const Columns3& offsets) const;
-
   std::vector<RowTerms> rows_;
   std::vector<Index> others_;  // the independent rows that are no differences
   MergedUnknowns merged_;

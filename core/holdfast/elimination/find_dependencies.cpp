@@ -4,8 +4,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
-#include <utility>
-#include <vector>
+#include <ranges>
 
 #include <Eigen/OrderingMethods>
 
@@ -29,27 +28,15 @@ struct Exchange {
 
 using Combination = std::vector<Term>;  // ascending by row
 
-bool comesBefore(const Term& term, Index row)
-{
-  return term.index < row;
-}
-
-double largestOf(const Combination& combination)
-{
-  double largest = 0;
-  for (const Term& term : combination) largest = std::max(largest, std::abs(term.coefficient));
-  return largest;
-}
-
 /// Solves row = sum c_k k for its term `leaving`.
 Combination solvedFor(Index leaving, Index row, const Combination& combination)
 {
-  const double pivot = std::lower_bound(combination.begin(), combination.end(), leaving, comesBefore)->coefficient;
+  const double pivot = std::ranges::lower_bound(combination, leaving, {}, &Term::index)->coefficient;
   Combination result;
   result.reserve(combination.size());
   for (const Term& term : combination)
     if (term.index != leaving) result.push_back({term.index, -term.coefficient / pivot});
-  result.insert(std::lower_bound(result.begin(), result.end(), row, comesBefore), {row, 1 / pivot});
+  result.insert(std::ranges::lower_bound(result, row, {}, &Term::index), {row, 1 / pivot});
   return result;
 }
 
@@ -109,16 +96,16 @@ class Tableau {
 
   static bool areBounded(const Changes& changes)
   {
-    return std::ranges::all_of(changes, [](const auto& c) { return largestOf(c.second) <= kLargestCoefficient; });
+    const auto isLarge = [](const Term& term) { return std::abs(term.coefficient) > kLargestCoefficient; };
+    return std::ranges::none_of(changes, [&](const auto& c) { return std::ranges::any_of(c.second, isLarge); });
   }
 
   [[nodiscard]] std::optional<Exchange> pairOf(Index row) const
   {
     const Combination& combination = dependent_.at(row);
-    const auto later = std::lower_bound(combination.begin(), combination.end(), row, comesBefore);
-    const auto largest = std::max_element(later, combination.end(), [](const Term& x, const Term& y) {
-      return std::abs(x.coefficient) < std::abs(y.coefficient);
-    });
+    const auto later = std::ranges::lower_bound(combination, row, {}, &Term::index);
+    const auto size = [](const Term& term) { return std::abs(term.coefficient); };
+    const auto largest = std::ranges::max_element(later, combination.end(), {}, size);
     if (largest == combination.end()) return std::nullopt;
     return Exchange{row, largest->index};
   }
@@ -129,7 +116,7 @@ class Tableau {
     Changes changes;
     const Combination replacement = solvedFor(pair.leaving, pair.entering, dependent_.at(pair.entering));
     for (const auto& [row, combination] : dependent_) {
-      const auto term = std::lower_bound(combination.begin(), combination.end(), pair.leaving, comesBefore);
+      const auto term = std::ranges::lower_bound(combination, pair.leaving, {}, &Term::index);
       if (term == combination.end() || term->index != pair.leaving || row == pair.entering) continue;
       changes.emplace_back(row, sum(combination, term->coefficient, replacement, pair.leaving));
     }
@@ -176,43 +163,38 @@ Dependency dependency(Index row, const std::vector<Index>& basis, const Eigen::V
   return result;
 }
 
-/// The dependencies that a QR of the block of `rows` shows: of its R = [R11, R12] the coefficients are R11^-1 R12. Q is
-/// not needed. `lengths` are those of the block's columns.
-std::vector<Dependency> dependenciesOf(const SparseQrResult& qr, Index rank, const std::vector<Index>& rows,
-                                       const Eigen::VectorXd& lengths)
+/// The dependencies that a QR of the component's block shows: of its R = [R11, R12] the coefficients are R11^-1 R12. Q
+/// is not needed. Without `basisSize` the rank tells how large R11 is.
+std::vector<Dependency> dependenciesByQr(const std::vector<RowTerms>& all, const RowComponent& component,
+                                         ColumnOrder order, std::optional<std::size_t> basisSize = {})
 {
+  constexpr double kAcceptAll = -1;
+  SparseMatrix block = transposedBlock(all, component);
+  const Eigen::VectorXd lengths = normalizeColumns(block);
+  const SparseQrResult qr = sparseQr(block, basisSize ? kAcceptAll : kRankTolerance, WantQ::No, order);
+  const Index rank = basisSize ? static_cast<Index>(*basisSize) : qr.rank;
   const SparseMatrix top = SparseRows(SparseRows(qr.R).topRows(rank));
   const SparseMatrix R11 = top.leftCols(rank);
   std::vector<Index> basis;
-  for (Index k = 0; k < rank; ++k) basis.push_back(rows[qr.columns[k]]);
+  for (Index k = 0; k < rank; ++k) basis.push_back(component.rows[qr.columns[k]]);
   std::vector<Dependency> result;
   for (Index k = rank; k < top.cols(); ++k) {
     Eigen::VectorXd coefficients = top.col(k);
     R11.triangularView<Eigen::Upper>().solveInPlace(coefficients);
     const Index column = qr.columns[k];
     for (Index j = 0; j < rank; ++j) coefficients[j] *= lengths[column] / lengths[qr.columns[j]];
-    result.push_back(dependency(rows[column], basis, coefficients));
+    result.push_back(dependency(component.rows[column], basis, coefficients));
   }
   std::ranges::sort(result, {}, &Dependency::row);
   return result;
 }
 
-/// The dependencies by whatever basis sparse QR comes upon.
-std::vector<Dependency> byBasisOfSparseQr(const std::vector<RowTerms>& rows, const RowComponent& component)
+/// Those of `rows`, ascending, that depend on none.
+template <class Rows>
+std::vector<Index> independentOf(const Rows& rows, const std::vector<Dependency>& dependencies)
 {
-  SparseMatrix block = transposedBlock(rows, component);
-  const Eigen::VectorXd lengths = normalizeColumns(block);
-  const SparseQrResult qr = sparseQr(block, kRankTolerance, WantQ::No);
-  return dependenciesOf(qr, qr.rank, component.rows, lengths);
-}
-
-/// The rows of the component that depend on none, ascending.
-std::vector<Index> independentOf(const RowComponent& component, const std::vector<Dependency>& dependencies)
-{
-  std::vector<Index> dependent;
-  for (const Dependency& dependency : dependencies) dependent.push_back(dependency.row);
   std::vector<Index> result;
-  std::ranges::set_difference(component.rows, dependent, std::back_inserter(result));
+  std::ranges::set_difference(rows, dependencies | std::views::transform(&Dependency::row), std::back_inserter(result));
   return result;
 }
 
@@ -220,8 +202,7 @@ std::vector<Index> independentOf(const RowComponent& component, const std::vecto
 std::vector<Index> inFillReducingOrder(const std::vector<RowTerms>& rows, const RowComponent& component,
                                        const std::vector<Index>& basis)
 {
-  SparseMatrix block = transposedBlock(rows, {basis, component.unknowns});
-  block.makeCompressed();
+  const SparseMatrix block = transposedBlock(rows, {basis, component.unknowns});
   Eigen::COLAMDOrdering<int>::PermutationType placeOf;
   Eigen::COLAMDOrdering<int>()(block, placeOf);
   std::vector<Index> result(basis.size());
@@ -235,10 +216,7 @@ std::vector<Dependency> byBasis(const std::vector<RowTerms>& rows, const RowComp
 {
   std::vector<Index> order = inFillReducingOrder(rows, component, basis);
   std::ranges::set_difference(component.rows, basis, std::back_inserter(order));
-  SparseMatrix block = transposedBlock(rows, {order, component.unknowns});
-  const Eigen::VectorXd lengths = normalizeColumns(block);
-  const SparseQrResult qr = sparseQr(block, -1, WantQ::No, ColumnOrder::AsGiven);
-  return dependenciesOf(qr, static_cast<Index>(basis.size()), order, lengths);
+  return dependenciesByQr(rows, {std::move(order), component.unknowns}, ColumnOrder::AsGiven, basis.size());
 }
 
 /// `found`, by a basis in which no coefficient exceeds `kLargestCoefficient`. A factorisation for each exchange: where
@@ -249,7 +227,7 @@ std::vector<Dependency> bounded(std::vector<Dependency> found, const std::vector
   for (int exchange = 0; exchange < kMaxReductions; ++exchange) {
     const auto pair = largestCoefficient(found);
     if (!pair) break;
-    std::vector<Index> basis = independentOf(component, found);
+    std::vector<Index> basis = independentOf(component.rows, found);
     basis.erase(std::find(basis.begin(), basis.end(), pair->leaving));
     basis.insert(std::lower_bound(basis.begin(), basis.end(), pair->entering), pair->entering);
     found = byBasis(rows, component, basis);
@@ -310,11 +288,12 @@ std::vector<Dependency> sequentialDependencies(const std::vector<RowTerms>& rows
 
 std::vector<Dependency> sparseDependencies(const std::vector<RowTerms>& rows, const RowComponent& component)
 {
-  std::vector<Dependency> found = bounded(byBasisOfSparseQr(rows, component), rows, component);
+  std::vector<Dependency> found =
+      bounded(dependenciesByQr(rows, component, ColumnOrder::FillReducing), rows, component);
   // Each exchange adds rounding: what they lead to is factorised anew, and exchanged again where that tells more.
   for (int round = 0; round < kMaxRounds; ++round) {
-    const std::vector<Index> basis = independentOf(component, Tableau(found).byEarliestBasis());
-    if (basis == independentOf(component, found)) break;
+    const std::vector<Index> basis = independentOf(component.rows, Tableau(found).byEarliestBasis());
+    if (basis == independentOf(component.rows, found)) break;
     found = bounded(byBasis(rows, component, basis), rows, component);
   }
   return found;
@@ -343,14 +322,7 @@ std::vector<Dependency> findDependencies(const std::vector<RowTerms>& rows, Inde
 
 std::vector<Index> independentRows(const std::vector<Dependency>& dependencies, std::size_t rowCount)
 {
-  std::vector<Index> result;
-  auto dependent = dependencies.begin();
-  for (std::size_t r = 0; r < rowCount; ++r)
-    if (dependent != dependencies.end() && dependent->row == static_cast<Index>(r))
-      ++dependent;
-    else
-      result.push_back(static_cast<Index>(r));
-  return result;
+  return independentOf(std::views::iota(Index{0}, static_cast<Index>(rowCount)), dependencies);
 }
 
 }  // namespace holdfast

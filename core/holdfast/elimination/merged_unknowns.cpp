@@ -4,6 +4,8 @@
 #include <functional>
 #include <map>
 
+#include <holdfast/base/sparse_products.h>
+
 namespace holdfast {
 namespace {
 
@@ -85,13 +87,8 @@ RowTerms MergedUnknowns::contracted(const RowTerms& row) const
 
 SparseMatrix MergedUnknowns::membership() const
 {
-  std::vector<Eigen::Triplet<double, int>> entries;
-  entries.reserve(groupOf_.size());
-  for (std::size_t u = 0; u < groupOf_.size(); ++u)
-    entries.emplace_back(static_cast<int>(u), static_cast<int>(groupOf_[u]), 1.0);
-  SparseMatrix result(static_cast<Index>(groupOf_.size()), count_);
-  result.setFromTriplets(entries.begin(), entries.end());
-  return result;
+  return assembled<SparseRows>(static_cast<Index>(groupOf_.size()), count_,
+                               [&](Index u, ColumnSum& sum) { sum.add(static_cast<int>(groupOf_[u]), 1); });
 }
 
 Columns3 MergedUnknowns::offsets(const Columns3& d) const

@@ -1,9 +1,8 @@
 #include "holdfast/elimination/reconciliation.h"
 
 #include <algorithm>
-#include <utility>
 
-#include <holdfast/elimination/sparse_qr.h>
+#include <holdfast/mesh/index_lists.h>
 
 namespace holdfast {
 namespace {
@@ -28,8 +27,7 @@ Circuits circuitsOf(const EliminatedConstraints& eliminated, const std::vector<I
   for (const Index row : redundant)
     for (const Term& term : termsOf(row))
       if (isChanged(term)) result.changed.push_back(term.index);
-  std::ranges::sort(result.changed);
-  result.changed.erase(std::unique(result.changed.begin(), result.changed.end()), result.changed.end());
+  result.changed = sortedOnce(std::move(result.changed));
   result.rows = result.changed;
   result.rows.insert(result.rows.end(), redundant.begin(), redundant.end());
 
@@ -48,51 +46,27 @@ Circuits circuitsOf(const EliminatedConstraints& eliminated, const std::vector<I
   return result;
 }
 
-/// The y of least |W y - d|, W of full column rank, by semi-normal equations: Q would be as large as the rows are many,
-/// squared.
-class LeastSquares {
- public:
-  explicit LeastSquares(SparseMatrix W) : W_(std::move(W)), lengths_(normalizeColumns(W_))
-  {
-    SparseQrResult qr = sparseQr(W_, -1, WantQ::No);
-    columns_ = std::move(qr.columns);
-    R_ = qr.R.leftCols(W_.cols());
-  }
-
-  [[nodiscard]] Columns3 solve(const Columns3& d) const
-  {
-    const Columns3 right = W_.transpose() * d;
-    Columns3 x = right(columns_, Eigen::all);
-    R_.transpose().triangularView<Eigen::Lower>().solveInPlace(x);
-    R_.triangularView<Eigen::Upper>().solveInPlace(x);
-    Columns3 y(x.rows(), 3);
-    for (Index k = 0; k < y.rows(); ++k) y.row(columns_[k]) = x.row(k) / lengths_[columns_[k]];
-    return y;
-  }
-
- private:
-  SparseMatrix W_;
-  Eigen::VectorXd lengths_;
-  SparseMatrix R_;
-  std::vector<Index> columns_;
-};
-
 }  // namespace
 
 Columns3 reconciledParticular(const EliminatedConstraints& eliminated, const std::vector<Index>& redundant,
                               const Columns3& d)
 {
   Columns3 u = eliminated.elimination.particular(d);
-  const Circuits circuits = circuitsOf(eliminated, redundant);
+  Circuits circuits = circuitsOf(eliminated, redundant);
   if (circuits.changed.empty()) return u;
   std::vector<RowTerms> terms;
   for (const Index row : circuits.rows) terms.push_back(eliminated.rows[row]);
   const SparseMatrix B = constraintMatrix(terms, u.rows());
   const Columns3 asked = d(circuits.rows, Eigen::all);
-  const LeastSquares leastSquares(circuits.W);
+  // The y of least |W y - d| by semi-normal equations: Q would be as large as the rows are many, squared.
+  SparseMatrix& W = circuits.W;
+  const Eigen::VectorXd lengths = normalizeColumns(W);
+  const SparseQrResult qr = sparseQr(W, -1, WantQ::No);
   for (int round = 0; round < kRounds; ++round) {
     Columns3 change = Columns3::Zero(d.rows(), 3);
-    change(circuits.changed, Eigen::all) = leastSquares.solve(asked - B * u);
+    const Columns3 missed = asked - B * u;
+    const Columns3 y = qr.solveSeminormal(W.transpose() * missed);
+    change(circuits.changed, Eigen::all) = (y.array().colwise() / lengths.array()).matrix();
     u += eliminated.elimination.particular(change);
   }
   return u;

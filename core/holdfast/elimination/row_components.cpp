@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include <holdfast/base/disjoint_sets.h>
+#include <holdfast/base/sparse_products.h>
+#include <holdfast/mesh/index_lists.h>
 
 namespace holdfast {
 namespace {
@@ -16,9 +18,7 @@ std::vector<Index> unknownsOf(const std::vector<RowTerms>& rows, const std::vect
   std::vector<Index> unknowns;
   for (const Index row : some)
     for (const Term& term : rows[row]) unknowns.push_back(term.index);
-  std::sort(unknowns.begin(), unknowns.end());
-  unknowns.erase(std::unique(unknowns.begin(), unknowns.end()), unknowns.end());
-  return unknowns;
+  return sortedOnce(std::move(unknowns));
 }
 
 }  // namespace
@@ -64,13 +64,9 @@ bool isDense(const RowComponent& component)
 
 SparseMatrix constraintMatrix(const std::vector<RowTerms>& rows, Index unknownCount)
 {
-  std::vector<Eigen::Triplet<double, int>> entries;
-  for (std::size_t r = 0; r < rows.size(); ++r)
-    for (const Term& term : rows[r])
-      entries.emplace_back(static_cast<int>(r), static_cast<int>(term.index), term.coefficient);
-  SparseMatrix B(static_cast<Index>(rows.size()), unknownCount);
-  B.setFromTriplets(entries.begin(), entries.end());
-  return B;
+  return assembled<SparseRows>(static_cast<Index>(rows.size()), unknownCount, [&](Index r, ColumnSum& sum) {
+    for (const Term& term : rows[r]) sum.add(static_cast<int>(term.index), term.coefficient);
+  });
 }
 
 }  // namespace holdfast

@@ -125,6 +125,16 @@ SparseMatrix Reflections::columnsFrom(Index first) const
   return Q;
 }
 
+Columns3 SparseQrResult::solveSeminormal(const Columns3& g) const
+{
+  Columns3 z = g(columns, Eigen::all);
+  R.transpose().triangularView<Eigen::Lower>().solveInPlace(z);
+  R.triangularView<Eigen::Upper>().solveInPlace(z);
+  Columns3 result(z.rows(), 3);
+  result(columns, Eigen::all) = z;
+  return result;
+}
+
 Eigen::VectorXd normalizeColumns(SparseMatrix& M)
 {
   Eigen::VectorXd lengths(M.cols());

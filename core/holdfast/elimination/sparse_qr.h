@@ -29,6 +29,9 @@ struct SparseQrResult {
   SparseMatrix R;              ///< rank x columns; its first `rank` columns are upper triangular and regular
   std::vector<Index> columns;  ///< column k of R belongs to column columns[k] of M; the dependent ones come last
   Reflections Q;               ///< empty unless asked for
+
+  /// z of M^T M z = g, the semi-normal equations; M has full column rank.
+  [[nodiscard]] Columns3 solveSeminormal(const Columns3& g) const;
 };
 
 enum class WantQ { No, Yes };

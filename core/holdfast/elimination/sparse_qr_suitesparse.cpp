@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <memory>
 #include <stdexcept>
-#include <vector>
 
 #include <SuiteSparseQR.hpp>
 
 #include <holdfast/base/cholmod_view_internal.h>
 #include <holdfast/base/one_thread_internal.h>
-#include <holdfast/base/types.h>
 #include <holdfast/elimination/sparse_qr.h>
 
 namespace holdfast {

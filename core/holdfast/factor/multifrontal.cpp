@@ -4,7 +4,6 @@
 #include <atomic>
 #include <functional>
 #include <mutex>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -130,7 +129,7 @@ class UpdateStack {
     std::size_t size = 0;
     std::size_t highest = 0;
     for (int s = range.begin; s < range.end; ++s) {
-      for (int child = symbolic.firstChild[s]; child != kNoParent; child = symbolic.nextSibling[child])
+      for (const int child : symbolic.children[s])
         if (child >= range.begin) size -= triangleSize(symbolic.supernodes[child].rowCount);
       size += triangleSize(symbolic.supernodes[s].rowCount);
       highest = std::max(highest, size);
@@ -219,8 +218,7 @@ class Multifrontal {
 
     work.panel.assign(static_cast<std::size_t>(height) * static_cast<std::size_t>(node.width), 0);
     addEntries(node, work);
-    for (int child = symbolic_.firstChild[s]; child != kNoParent; child = symbolic_.nextSibling[child])
-      addToPanel(child, node, work, loop);
+    for (const int child : symbolic_.children[s]) addToPanel(child, node, work, loop);
     const int positive = node.width - node.multipliers;
     if (const int bad = factorizePanel(loop, work.panel.data(), height, node.width, positive); bad != 0) {
       int none = kAllPositive;
@@ -235,9 +233,8 @@ class Multifrontal {
     update(loop, rows, positive, 1, below, height, 0, work.update.data(), rows);
     if (node.multipliers > 0)
       update(loop, rows, node.multipliers, -1, below + at(0, positive, height), height, 1, work.update.data(), rows);
-    for (int child = symbolic_.firstChild[s]; child != kNoParent; child = symbolic_.nextSibling[child])
-      addToUpdate(child, node, work, loop);
-    for (int child = symbolic_.firstChild[s]; child != kNoParent; child = symbolic_.nextSibling[child])
+    for (const int child : symbolic_.children[s]) addToUpdate(child, node, work, loop);
+    for (const int child : symbolic_.children[s])
       if (child >= work.range.begin) work.stack.pop(symbolic_.supernodes[child].rowCount);
     double* const kept = work.stack.push(rows);
     updates_[s] = kept;

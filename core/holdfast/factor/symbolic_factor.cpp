@@ -162,25 +162,14 @@ Layout layOut(const std::vector<Draft>& drafts)
   return layout;
 }
 
-void linkChildren(SymbolicFactor& factor)
-{
-  factor.firstChild.assign(factor.supernodes.size(), kNoParent);
-  factor.nextSibling.assign(factor.supernodes.size(), kNoParent);
-  for (int s = static_cast<int>(factor.supernodes.size()) - 1; s >= 0; --s)
-    if (const int parent = factor.supernodes[s].parent; parent != kNoParent) {
-      factor.nextSibling[s] = factor.firstChild[parent];
-      factor.firstChild[parent] = s;
-    }
-}
-
-/// The rows below each supernode: those of its columns in M, and those of its children.
+/// The rows below each supernode: those of its columns in M, and those of its children. The first tells its parent.
 void findRows(SymbolicFactor& factor)
 {
   std::vector<int> supernodeOf(static_cast<std::size_t>(factor.size()));
   for (std::size_t s = 0; s < factor.supernodes.size(); ++s)
     std::fill_n(supernodeOf.begin() + factor.supernodes[s].firstColumn, factor.supernodes[s].width,
                 static_cast<int>(s));
-  std::vector<std::vector<int>> children(factor.supernodes.size());
+  factor.children.resize(factor.supernodes.size());
   std::vector<int> seenBy(supernodeOf.size(), kNoParent);
   for (std::size_t s = 0; s < factor.supernodes.size(); ++s) {
     Supernode& node = factor.supernodes[s];
@@ -192,7 +181,7 @@ void findRows(SymbolicFactor& factor)
       factor.rows.push_back(row);
     };
     for (int k = factor.pattern.start[node.firstColumn]; k < factor.pattern.start[end]; ++k) add(factor.pattern.row[k]);
-    for (const int child : children[s]) {
+    for (const int child : factor.children[s]) {
       const Supernode& below = factor.supernodes[child];
       for (int k = 0; k < below.rowCount; ++k) add(factor.rows[below.firstRow + k]);
     }
@@ -200,7 +189,7 @@ void findRows(SymbolicFactor& factor)
     node.rowCount = static_cast<int>(static_cast<std::int64_t>(factor.rows.size()) - node.firstRow);
     if (node.rowCount == 0) continue;
     node.parent = supernodeOf[factor.rows[node.firstRow]];
-    children[node.parent].push_back(static_cast<int>(s));
+    factor.children[node.parent].push_back(static_cast<int>(s));
   }
 }
 
@@ -228,7 +217,6 @@ void complete(SymbolicFactor& factor, const SparseMatrix& lower)
 {
   factor.pattern = orderedPattern(lower, factor.order);
   findRows(factor);
-  linkChildren(factor);
 }
 
 SymbolicFactor analyze(const SparseMatrix& lower, const std::vector<int>& order)

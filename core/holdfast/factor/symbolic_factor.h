@@ -33,8 +33,8 @@ struct SymbolicFactor {
   std::vector<int> order;  ///< the column of M that is eliminated k-th
   OrderedPattern pattern;  ///< of M in this order
   std::vector<Supernode> supernodes;
-  std::vector<int> rows;                     ///< of all supernodes, ascending in each
-  std::vector<int> firstChild, nextSibling;  ///< of each supernode; `kNoParent` ends a list
+  std::vector<int> rows;                   ///< of all supernodes, ascending in each
+  std::vector<std::vector<int>> children;  ///< of each supernode, ascending
 
   /// The supernodes in ranges that do not depend on one another, each a set of whole subtrees, and behind them the
   /// rest, which needs all of them. The same for any number of threads.

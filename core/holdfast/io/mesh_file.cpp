@@ -2,10 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
-#include <utility>
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <holdfast/base/error.h>
@@ -13,7 +10,6 @@
 #include <holdfast/io/files/file_bytes.h>
 #include <holdfast/io/files/output_file.h>
 #include <holdfast/io/formats/formats.h>
-#include <holdfast/io/text/text_cursor.h>
 
 namespace holdfast {
 namespace {

@@ -2,7 +2,6 @@
 
 #include <bit>
 #include <cstdint>
-#include <span>
 
 #include <holdfast/base/disjoint_sets.h>
 #include <holdfast/geometry/bounding_box.h>

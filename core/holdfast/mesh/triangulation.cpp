@@ -1,19 +1,14 @@
 #include "holdfast/mesh/triangulation.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <limits>
 #include <numeric>
 #include <optional>
 #include <queue>
-#include <span>
 #include <utility>
-#include <vector>
 
 #include <Eigen/Geometry>
-
-#include <holdfast/base/types.h>
 
 namespace holdfast {
 namespace {

@@ -1,7 +1,5 @@
 #include "holdfast/mesh/vertex_normals.h"
 
-#include <cassert>
-
 #include <Eigen/Geometry>
 
 namespace holdfast {

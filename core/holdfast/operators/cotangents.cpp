@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include <holdfast/base/parallel.h>
+#include <holdfast/mesh/index_lists.h>
 
 namespace holdfast {
 namespace {
@@ -96,9 +97,7 @@ std::vector<Index> guardAll(std::vector<CornerCotangents>& cotangents, const std
     if (safe != cotangents[t]) touched.insert(touched.end(), triangles[t].begin(), triangles[t].end());
     cotangents[t] = safe;
   }
-  std::sort(touched.begin(), touched.end());
-  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
-  return touched;
+  return sortedOnce(std::move(touched));
 }
 
 Eigen::VectorXd mixedVoronoiAreas(const Positions& positions, const std::vector<Triangle>& triangles)

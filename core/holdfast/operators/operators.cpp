@@ -1,10 +1,8 @@
 #include "holdfast/operators/operators.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include <holdfast/operators/cotangents.h>
 #include <holdfast/operators/laplacian.h>
 
 namespace holdfast {

@@ -1,13 +1,9 @@
 #include "holdfast/solve/bordered_problem.h"
 
-#include <algorithm>
 #include <cmath>
-#include <utility>
-#include <vector>
 
 #include <Eigen/LU>
 
-#include <holdfast/elimination/row_components.h>
 #include <holdfast/solve/column_scaling.h>
 
 namespace holdfast {
@@ -89,10 +85,8 @@ struct Border {
 SparseRows sideBySide(const SparseRows& left, const SparseRows& right)
 {
   return assembled<SparseRows>(left.rows(), left.cols() + right.cols(), [&](Index i, ColumnSum& sum) {
-    for (SparseRows::InnerIterator entry(left, i); entry; ++entry)
-      sum.add(static_cast<int>(entry.col()), entry.value());
-    for (SparseRows::InnerIterator entry(right, i); entry; ++entry)
-      sum.add(static_cast<int>(left.cols() + entry.col()), entry.value());
+    sum.addColumn(left, i);
+    sum.addColumn(right, i, left.cols());
   });
 }
 
@@ -182,6 +176,20 @@ class BorderedFactor final : public LeastSquaresFactor {
 };
 
 }  // namespace
+
+Result<ReducedProblem> makeReducedProblem(const SparseMatrix& A, const SparseMatrix& Q2, const SparseMatrix& K,
+                                          const Columns3& rest, Backend backend, EliminationOrder order)
+{
+  Result<ScaledColumns> columns = scaleColumns(product(A, Q2), K);
+  if (!columns) return {{}, std::move(columns.failure)};
+  auto& [C, scale, kept] = columns.value;
+  const Columns3 probe = scale.cwiseInverse().asDiagonal() * Columns3(Q2.transpose() * rest);
+  FactorResult factor = kept == 0 ? factorize(C, backend, probe, order) : factorizeKept(C, kept, probe, order);
+  if (!factor) return {{}, std::move(factor.failure)};
+  SparseRows scaledQ2 = Q2 * scale.asDiagonal();
+  return {{std::make_shared<const TwoWayMatrix>(std::move(C)), std::move(scale), kept, std::move(scaledQ2),
+           std::move(factor.value)}};
+}
 
 Result<ReducedProblem> bordered(const std::shared_ptr<const ReducedProblem>& base, const TwoWayMatrix& A,
                                 const EliminatedConstraints& before, const EliminatedConstraints& now)

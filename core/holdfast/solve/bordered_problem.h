@@ -1,5 +1,5 @@
 #pragma once
-/// The reduced problem of hard constraints, and the same for a few rows more or fewer on the factor that is there.
+/// The problem that constraints leave, and the same for a few rows more or fewer on the factor that is there.
 
 #include <memory>
 
@@ -16,6 +16,12 @@ struct ReducedProblem {
   SparseRows scaledQ2;  ///< Q2 diag(scale)
   std::shared_ptr<const LeastSquaresFactor> factor;
 };
+
+/// That of min |A Q2 y - f| with K y = 0 below it, a row for each that is kept; there may be none. `rest` (n x 3) is a
+/// typical solution to measure factors on. Only our own factorisation keeps rows.
+[[nodiscard]] Result<ReducedProblem> makeReducedProblem(const SparseMatrix& A, const SparseMatrix& Q2,
+                                                        const SparseMatrix& K, const Columns3& rest, Backend backend,
+                                                        EliminationOrder order);
 
 /// More rows take longer than another factorisation does.
 inline constexpr std::size_t kMostEdited = 60;

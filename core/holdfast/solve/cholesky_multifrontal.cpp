@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <numeric>
-#include <utility>
-#include <vector>
 
 #include <holdfast/base/parallel.h>
 #include <holdfast/factor/multifrontal.h>
 #include <holdfast/factor/multipliers.h>
 #include <holdfast/solve/elimination_order.h>
-#include <holdfast/solve/gram.h>
 #include <holdfast/solve/least_squares_factor.h>
 
 namespace holdfast {
@@ -50,8 +47,7 @@ SparseMatrix withKeptRows(const SparseMatrix& lower, const TwoWayMatrix& C, Inde
   const Index firstKept = C.rows().rows() - kept;
   return assembled<SparseMatrix>(size + kept, size + kept, [&](Index k, ColumnSum& sum) {
     if (k >= size) return;
-    for (SparseMatrix::InnerIterator entry(lower, k); entry; ++entry)
-      sum.add(static_cast<int>(entry.row()), entry.value());
+    sum.addColumn(lower, k);
     for (SparseMatrix::InnerIterator entry(C.columns(), k); entry; ++entry)
       if (entry.row() >= firstKept) sum.add(static_cast<int>(size + entry.row() - firstKept), entry.value());
   });

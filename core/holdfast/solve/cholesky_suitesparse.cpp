@@ -2,14 +2,11 @@
 
 #include <mutex>
 #include <new>
-#include <utility>
 
-#include <cholmod.h>
 #include <fmt/format.h>
 
 #include <holdfast/base/cholmod_view_internal.h>
 #include <holdfast/base/one_thread_internal.h>
-#include <holdfast/solve/gram.h>
 #include <holdfast/solve/least_squares_factor.h>
 #include <holdfast/solve/nested_dissection_internal.h>
 
@@ -17,35 +14,39 @@ namespace holdfast {
 namespace {
 
 /// Owns CHOLMOD's workspace, its factor and the memory of both.
-class Cholmod {
+class CholeskyBySuiteSparse final : public LeastSquaresFactor {
  public:
-  Cholmod()
+  CholeskyBySuiteSparse()
   {
     cholmod_start(&common_);
     common_.print = 0;
     common_.supernodal = CHOLMOD_SUPERNODAL;
   }
-  ~Cholmod()
+  ~CholeskyBySuiteSparse() override
   {
     cholmod_free_factor(&factor_, &common_);
     cholmod_finish(&common_);
   }
-  Cholmod(const Cholmod&) = delete;
-  Cholmod& operator=(const Cholmod&) = delete;
+  CholeskyBySuiteSparse(const CholeskyBySuiteSparse&) = delete;
+  CholeskyBySuiteSparse& operator=(const CholeskyBySuiteSparse&) = delete;
 
   /// Analyses and factorises the matrix whose lower triangle is given; the reason where that fails.
   std::string factorize(SparseMatrix& lower)
   {
     const OneThread libraries;
     cholmod_sparse view = cholmodView(lower, StoredPart::LowerTriangle);
-    factor_ = analyze(view);
+    {
+      const std::scoped_lock lock(orderingLock());
+      factor_ = cholmod_analyze(&view, &common_);
+    }
     if (factor_ != nullptr) cholmod_factorize(&view, factor_, &common_);
     return failure(lower.rows());
   }
 
-  [[nodiscard]] Columns3 solve(Eigen::MatrixX3d rightSides)
+  [[nodiscard]] Columns3 solve(const Columns3& g) const override
   {
     const OneThread libraries;
+    Eigen::MatrixX3d rightSides = g;
     cholmod_dense view{};
     view.nrow = static_cast<std::size_t>(rightSides.rows());
     view.ncol = 3;
@@ -61,15 +62,10 @@ class Cholmod {
     return result;
   }
 
-  [[nodiscard]] Index nonzeros() const { return static_cast<Index>(common_.lnz); }
+  [[nodiscard]] Index nonzeros() const override { return static_cast<Index>(common_.lnz); }
+  [[nodiscard]] std::string_view method() const override { return "Cholesky factor of the normal equations (CHOLMOD)"; }
 
  private:
-  cholmod_factor* analyze(cholmod_sparse& lower)
-  {
-    const std::scoped_lock lock(orderingLock());
-    return cholmod_analyze(&lower, &common_);
-  }
-
   [[nodiscard]] std::string failure(Index size) const
   {
     switch (common_.status) {
@@ -91,26 +87,14 @@ class Cholmod {
   cholmod_factor* factor_ = nullptr;
 };
 
-class CholeskyBySuiteSparse final : public LeastSquaresFactor {
- public:
-  explicit CholeskyBySuiteSparse(std::unique_ptr<Cholmod> cholmod) : cholmod_(std::move(cholmod)) {}
-
-  [[nodiscard]] Columns3 solve(const Columns3& g) const override { return cholmod_->solve(g); }
-  [[nodiscard]] Index nonzeros() const override { return cholmod_->nonzeros(); }
-  [[nodiscard]] std::string_view method() const override { return "Cholesky factor of the normal equations (CHOLMOD)"; }
-
- private:
-  std::unique_ptr<Cholmod> cholmod_;
-};
-
 }  // namespace
 
 FactorResult choleskyBySuiteSparse(const TwoWayMatrix& C)
 {
-  auto cholmod = std::make_unique<Cholmod>();
+  auto factor = std::make_unique<CholeskyBySuiteSparse>();
   SparseMatrix lower = gramLower(C);
-  if (std::string failure = cholmod->factorize(lower); !failure.empty()) return {nullptr, std::move(failure)};
-  return {std::make_unique<CholeskyBySuiteSparse>(std::move(cholmod)), {}};
+  if (std::string failure = factor->factorize(lower); !failure.empty()) return {nullptr, std::move(failure)};
+  return {std::move(factor)};
 }
 
 }  // namespace holdfast

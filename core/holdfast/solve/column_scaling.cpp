@@ -1,7 +1,6 @@
 #include "holdfast/solve/column_scaling.h"
 
 #include <cmath>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -17,7 +16,7 @@ SparseMatrix withKeptRows(const SparseMatrix& M, const SparseMatrix& K, const Ei
     for (SparseMatrix::InnerIterator entry(K, k); entry; ++entry)
       squares[entry.row()] += std::pow(scale[k] * entry.value(), 2);
   return assembled<SparseMatrix>(M.rows() + K.rows(), M.cols(), [&](Index k, ColumnSum& sum) {
-    for (SparseMatrix::InnerIterator entry(M, k); entry; ++entry) sum.add(static_cast<int>(entry.row()), entry.value());
+    sum.addColumn(M, k);
     for (SparseMatrix::InnerIterator entry(K, k); entry; ++entry)
       sum.add(static_cast<int>(M.rows() + entry.row()), scale[k] * entry.value() / std::sqrt(squares[entry.row()]));
   });

@@ -3,8 +3,6 @@
 
 #include <memory>
 #include <string>
-#include <string_view>
-#include <variant>
 
 #include <holdfast/elimination/diagnosis.h>
 #include <holdfast/solve/least_squares_factor.h>

@@ -8,7 +8,6 @@
 
 #include <holdfast/factor/elimination_tree.h>
 #include <holdfast/operators/laplacian.h>
-#include <holdfast/solve/gram.h>
 #include <holdfast/solve/nested_dissection_internal.h>
 
 namespace holdfast {
@@ -51,9 +50,7 @@ std::vector<int> eliminationRanks(Index unknownCount, const std::vector<Triangle
   if (unknownCount >= kLargeMesh && flopsOf(lower, order) > kManyFlops * static_cast<double>(unknownCount))
     if (std::vector<int> other = nestedDissectionOrder(lower); !other.empty()) order = std::move(other);
 #endif
-  std::vector<int> ranks(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k) ranks[order[k]] = static_cast<int>(k);
-  return ranks;
+  return inverse(order);
 }
 
 SparseMatrix orderedColumns(const SparseMatrix& Q, const std::vector<int>& ranks)
@@ -65,10 +62,7 @@ SparseMatrix orderedColumns(const SparseMatrix& Q, const std::vector<int>& ranks
   std::vector<int> order(last.size());
   std::iota(order.begin(), order.end(), 0);
   std::ranges::stable_sort(order, {}, [&](int k) { return last[k]; });
-  return assembled<SparseMatrix>(Q.rows(), Q.cols(), [&](Index k, ColumnSum& sum) {
-    for (SparseMatrix::InnerIterator entry(Q, order[k]); entry; ++entry)
-      sum.add(static_cast<int>(entry.row()), entry.value());
-  });
+  return assembled<SparseMatrix>(Q.rows(), Q.cols(), [&](Index k, ColumnSum& sum) { sum.addColumn(Q, order[k]); });
 }
 
 }  // namespace holdfast

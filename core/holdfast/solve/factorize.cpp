@@ -1,10 +1,8 @@
 #include <array>
-#include <utility>
 
 #include <fmt/format.h>
 
 #include <holdfast/solve/corrected_solve.h>
-#include <holdfast/solve/least_squares_factor.h>
 
 namespace holdfast {
 namespace {

@@ -1,12 +1,8 @@
 // Hard constraints by elimination: equations (11) to (21).
 
-#include <utility>
-
 #include <holdfast/elimination/reconciliation.h>
 #include <holdfast/solve/bordered_problem.h>
-#include <holdfast/solve/column_scaling.h>
 #include <holdfast/solve/constrained_solver.h>
-#include <holdfast/solve/corrected_solve.h>
 #include <holdfast/solve/elimination_order.h>
 
 namespace holdfast {
@@ -67,20 +63,10 @@ SolverResult hardSolver(ConstrainedProblem& problem, Backend backend, const Spar
   const SparseMatrix Q2 = orderedColumns(wantedQ2, problem.ranks);
   std::vector<RowTerms> rows;
   for (const Index row : kept) rows.push_back(problem.eliminated->rows[row]);
-  Result<ScaledColumns> columns =
-      scaleColumns(product(problem.A->columns(), Q2), constraintMatrix(rows, Q2.rows()) * Q2);
-  if (!columns) return {nullptr, std::move(columns.failure)};
-  ScaledColumns& reduced = columns.value;
-  const Columns3 probe = reduced.scale.cwiseInverse().asDiagonal() * Columns3(Q2.transpose() * problem.rest);
-  const EliminationOrder order = problem.eliminationOrder();
-  FactorResult result =
-      kept.empty() ? factorize(reduced.C, backend, probe, order) : factorizeKept(reduced.C, reduced.kept, probe, order);
-  if (!result) return {nullptr, std::move(result.failure)};
-  SparseRows scaledQ2 = Q2 * reduced.scale.asDiagonal();
-  return {std::make_unique<HardSolver>(
-      std::move(problem),
-      ReducedProblem{std::make_shared<const TwoWayMatrix>(std::move(reduced.C)), std::move(reduced.scale), reduced.kept,
-                     std::move(scaledQ2), std::move(result.value)})};
+  Result<ReducedProblem> reduced = makeReducedProblem(problem.A->columns(), Q2, constraintMatrix(rows, Q2.rows()) * Q2,
+                                                      problem.rest, backend, problem.eliminationOrder());
+  if (!reduced) return {nullptr, std::move(reduced.failure)};
+  return {std::make_unique<HardSolver>(std::move(problem), std::move(reduced.value))};
 }
 
 }  // namespace

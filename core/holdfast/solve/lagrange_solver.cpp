@@ -1,12 +1,7 @@
 // Constraints by Lagrange multipliers (end of section 3.2 of the paper), for comparison with elimination.
 
-#include <utility>
-#include <vector>
-
 #include <fmt/format.h>
 
-#include <holdfast/elimination/find_dependencies.h>
-#include <holdfast/elimination/row_components.h>
 #include <holdfast/solve/constrained_solver.h>
 #include <holdfast/solve/corrected_solve.h>
 #include <holdfast/solve/sparse_lu.h>
@@ -18,25 +13,18 @@ namespace {
 SparseMatrix saddleMatrix(const SparseMatrix& A, const SparseMatrix& B)
 {
   const SparseMatrix normal = A.transpose() * A;
-  const int k = static_cast<int>(A.cols());
-  std::vector<Eigen::Triplet<double, int>> entries;
-  for (int j = 0; j < normal.outerSize(); ++j)
-    for (SparseMatrix::InnerIterator entry(normal, j); entry; ++entry)
-      entries.emplace_back(static_cast<int>(entry.row()), j, entry.value());
-  for (int j = 0; j < B.outerSize(); ++j)
-    for (SparseMatrix::InnerIterator entry(B, j); entry; ++entry) {
-      entries.emplace_back(k + static_cast<int>(entry.row()), j, entry.value());
-      entries.emplace_back(j, k + static_cast<int>(entry.row()), entry.value());
-    }
-  SparseMatrix K(k + B.rows(), k + B.rows());
-  K.setFromTriplets(entries.begin(), entries.end());
-  return K;
+  const SparseMatrix BT = B.transpose();
+  const Index k = A.cols();
+  return assembled<SparseMatrix>(k + B.rows(), k + B.rows(), [&](Index j, ColumnSum& sum) {
+    if (j >= k) return sum.addColumn(BT, j - k);
+    sum.addColumn(normal, j);
+    sum.addColumn(B, j, k);
+  });
 }
 
 class LagrangeSolver final : public ConstrainedSolver {
  public:
-  LagrangeSolver(SparseMatrix spread, SparseMatrix A, SparseMatrix B, std::vector<Index> rows,
-                 std::unique_ptr<const SparseLu> lu)
+  LagrangeSolver(SparseMatrix spread, SparseMatrix A, SparseMatrix B, std::vector<Index> rows, SparseLu lu)
       : spread_(std::move(spread)), A_(std::move(A)), B_(std::move(B)), rows_(std::move(rows)), lu_(std::move(lu))
   {
   }
@@ -47,12 +35,12 @@ class LagrangeSolver final : public ConstrainedSolver {
     for (Index k = 0; k < d.rows(); ++k) d.row(k) = targets.shifts.row(rows_[k]);
     Columns3 rightSides(unknowns(), 3);
     rightSides << A_.transpose() * f, d;
-    const Columns3 found = lu_->solve(rightSides);
+    const Columns3 found = lu_.solve(rightSides);
     return {spread_ * found.topRows(A_.cols()), 0, accuracy(found, f, d)};
   }
 
   [[nodiscard]] Index unknowns() const override { return A_.cols() + static_cast<Index>(rows_.size()); }
-  [[nodiscard]] Index factorNonzeros() const override { return lu_->nonzeros(); }
+  [[nodiscard]] Index factorNonzeros() const override { return lu_.nonzeros; }
   [[nodiscard]] std::string method() const override { return "LU of the system of Lagrange multipliers"; }
 
  private:
@@ -65,14 +53,14 @@ class LagrangeSolver final : public ConstrainedSolver {
     if (size == 0) return 0;
     Columns3 residual(found.rows(), 3);
     residual << A_.transpose() * (f - A_ * u) - B_.transpose() * found.bottomRows(B_.rows()), d - B_ * u;
-    return lu_->solve(residual).topRows(A_.cols()).cwiseAbs().maxCoeff() / size;
+    return lu_.solve(residual).topRows(A_.cols()).cwiseAbs().maxCoeff() / size;
   }
 
   SparseMatrix spread_;  // n x free unknowns, identity columns
   SparseMatrix A_;       // over free unknowns
   SparseMatrix B_;       // the independent rows, over free unknowns
   std::vector<Index> rows_;
-  std::unique_ptr<const SparseLu> lu_;
+  SparseLu lu_;
 };
 
 /// What a correction leaves of an error, by a known solution: as `contraction` of least-squares factors.
@@ -84,7 +72,7 @@ double contractionOf(const SparseLu& lu, const SparseMatrix& A, const SparseMatr
   return (lu.solve(rightSides).topRows(A.cols()) - probe).cwiseAbs().maxCoeff() / probe.cwiseAbs().maxCoeff();
 }
 
-std::unique_ptr<const SparseLu> factorLu(const SparseMatrix& K, Backend backend)
+std::optional<SparseLu> factorLu(const SparseMatrix& K, Backend backend)
 {
 #ifdef HOLDFAST_WITH_CHOLMOD
   if (backend != Backend::Eigen) return luBySuiteSparse(K);
@@ -105,16 +93,15 @@ SolverResult makeLagrangeSolver(ConstrainedProblem problem, Backend backend)
   for (const Index row : rows) terms.push_back(eliminated.rows[row]);
   SparseMatrix A = whole * spread;
   SparseMatrix B = constraintMatrix(terms, whole.cols()) * spread;
-  auto lu = factorLu(saddleMatrix(A, B), backend);
-  if (lu == nullptr) return {nullptr, "the system of Lagrange multipliers is singular in doubles"};
+  std::optional<SparseLu> lu = factorLu(saddleMatrix(A, B), backend);
+  if (!lu) return {nullptr, "the system of Lagrange multipliers is singular in doubles"};
   const double left = contractionOf(*lu, A, B, spread.transpose() * problem.rest);
   if (!(left <= kUsableContraction))
     return {nullptr, fmt::format("the system of Lagrange multipliers keeps no digits (a correction leaves {:.1g} of an "
                                  "error)",
                                  left)};
   return {
-      std::make_unique<LagrangeSolver>(std::move(spread), std::move(A), std::move(B), std::move(rows), std::move(lu)),
-      {}};
+      std::make_unique<LagrangeSolver>(std::move(spread), std::move(A), std::move(B), std::move(rows), std::move(*lu))};
 }
 
 }  // namespace holdfast

@@ -1,7 +1,5 @@
 // Nested dissection by METIS, through CHOLMOD.
 
-#include <cholmod.h>
-
 #include <holdfast/base/cholmod_view_internal.h>
 #include <holdfast/solve/nested_dissection_internal.h>
 

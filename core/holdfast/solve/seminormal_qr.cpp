@@ -1,8 +1,5 @@
 // The least-squares factor of last resort: R of a sparse QR of C, which never squares the condition number.
 
-#include <utility>
-#include <vector>
-
 #include <fmt/format.h>
 
 #include <holdfast/elimination/sparse_qr.h>
@@ -30,24 +27,10 @@ SparseMatrix withoutEmptyRows(const SparseRows& byRows)
 
 class SeminormalQr final : public LeastSquaresFactor {
  public:
-  SeminormalQr(SparseQrResult qr, Backend backend)
-      : R_(std::move(qr.R)), columns_(std::move(qr.columns)), backend_(backend)
-  {
-  }
+  SeminormalQr(SparseQrResult qr, Backend backend) : qr_(std::move(qr)), backend_(backend) {}
 
-  [[nodiscard]] Columns3 solve(const Columns3& g) const override
-  {
-    Columns3 z(g.rows(), 3);
-    for (Index k = 0; k < z.rows(); ++k) z.row(k) = g.row(columns_[k]);
-    R_.transpose().triangularView<Eigen::Lower>().solveInPlace(z);
-    R_.triangularView<Eigen::Upper>().solveInPlace(z);
-    Columns3 result(z.rows(), 3);
-    for (Index k = 0; k < z.rows(); ++k) result.row(columns_[k]) = z.row(k);
-    return result;
-  }
-
-  [[nodiscard]] Index nonzeros() const override { return R_.nonZeros(); }
-
+  [[nodiscard]] Columns3 solve(const Columns3& g) const override { return qr_.solveSeminormal(g); }
+  [[nodiscard]] Index nonzeros() const override { return qr_.R.nonZeros(); }
   [[nodiscard]] std::string_view method() const override
   {
     return backend_ != Backend::Eigen && isBuilt(Backend::Cholmod) ? "R of a sparse QR (SPQR)"
@@ -55,8 +38,7 @@ class SeminormalQr final : public LeastSquaresFactor {
   }
 
  private:
-  SparseMatrix R_;
-  std::vector<Index> columns_;
+  SparseQrResult qr_;
   Backend backend_;
 };
 

@@ -1,7 +1,5 @@
 #include "holdfast/surface/edge_graph.h"
 
-#include <algorithm>
-#include <cassert>
 #include <functional>
 #include <limits>
 #include <queue>

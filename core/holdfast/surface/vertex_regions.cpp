@@ -1,9 +1,7 @@
 #include "holdfast/surface/vertex_regions.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 #include <Eigen/Geometry>
 

@@ -6,11 +6,9 @@
 
 #include <gmock/gmock.h>
 #include <pthread.h>
+#include <sched.h>
 
 #include <holdfast/base/thread_priority.h>
-
-#if defined(__linux__)
-#include <sched.h>
 
 namespace holdfast {
 namespace {
@@ -93,4 +91,3 @@ TEST(ThreadPriority, MoreThreadsThanCoresShareThem)
 
 }  // namespace
 }  // namespace holdfast
-#endif

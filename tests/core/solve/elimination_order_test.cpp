@@ -4,12 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <holdfast/constraints/constraint_system.h>
+#include <holdfast/deform/model.h>
 #include <holdfast/operators/operators.h>
 #include <holdfast/solve/constrained_solver.h>
 #include <holdfast/solve/elimination_order.h>
 
-#include "support/constraint_lists.h"
-#include "support/meshes.h"
+#include "support/law_meshes.h"
+#include "support/point_constraints.h"
 
 namespace holdfast {
 namespace {

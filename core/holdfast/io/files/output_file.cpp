@@ -7,9 +7,7 @@
 #include <cstring>
 #include <optional>
 #include <random>
-#include <string>
 #include <system_error>
-#include <utility>
 
 #include <fcntl.h>
 #include <fmt/format.h>

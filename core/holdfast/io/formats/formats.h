@@ -69,8 +69,8 @@ struct NumberPlace {
 struct FileLayout {
   std::string extension;
   TextDialect dialect;
-  std::vector<std::string> extras;          ///< see `MeshSource::extras`
-  std::optional<ByteOrder> byteOrder = {};  ///< none in a text
+  std::vector<std::string> extras;            ///< see `MeshSource::extras`
+  std::optional<std::endian> byteOrder = {};  ///< none in a text
   std::array<NumberType, 3> coordinateTypes{NumberType::kDouble, NumberType::kDouble, NumberType::kDouble};
   std::array<NumberType, 3> normalTypes = coordinateTypes;
   bool areTogether = true;                 ///< each place has three numbers; else one

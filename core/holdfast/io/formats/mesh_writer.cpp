@@ -5,12 +5,9 @@
 #include <limits>
 #include <ranges>
 
-#include <fmt/format.h>
-
 #include <holdfast/base/counted.h>
 #include <holdfast/base/error.h>
 #include <holdfast/io/formats/formats.h>
-#include <holdfast/io/text/byte_order.h>
 #include <holdfast/io/text/number_text.h>
 #include <holdfast/mesh/vertex_normals.h>
 
@@ -45,7 +42,7 @@ Number narrowed(Index count, const std::string& extension)
 std::string stlBytes(const Vector3& vector)
 {
   std::string bytes;
-  for (const double value : vector) bytes += toBytes(static_cast<float>(value), ByteOrder::kLittle);
+  for (const double value : vector) bytes += toBytes(static_cast<float>(value), std::endian::little);
   return bytes;
 }
 
@@ -84,13 +81,13 @@ Serialized writePly(const Positions& positions, const Polygons& faces)
       "property double z\nelement face {}\nproperty list {} int vertex_indices\nend_header\n",
       positions.rows(), faces.size(), isCountInt ? "int" : "uchar");
   for (Index v = 0; v < positions.rows(); ++v)
-    for (Index k = 0; k < 3; ++k) bytes += toBytes(positions(v, k), ByteOrder::kLittle);
+    for (Index k = 0; k < 3; ++k) bytes += toBytes(positions(v, k), std::endian::little);
   for (Index f = 0; f < faces.size(); ++f) {
     if (isCountInt)
-      bytes += toBytes(static_cast<std::int32_t>(faces[f].size()), ByteOrder::kLittle);
+      bytes += toBytes(static_cast<std::int32_t>(faces[f].size()), std::endian::little);
     else
       bytes += static_cast<char>(faces[f].size());
-    for (const Index corner : faces[f]) bytes += toBytes(static_cast<std::int32_t>(corner), ByteOrder::kLittle);
+    for (const Index corner : faces[f]) bytes += toBytes(static_cast<std::int32_t>(corner), std::endian::little);
   }
   return {std::move(bytes), {}};
 }
@@ -103,7 +100,7 @@ Serialized writeStl(const Positions& positions, const Polygons& faces)
   result.isSinglePrecision = true;
   result.bytes = "Holdfast";
   result.bytes.resize(kStlHeaderBytes, ' ');
-  result.bytes += toBytes(narrowed<std::uint32_t>(faces.cornerCount() - 2 * faces.size(), ".stl"), ByteOrder::kLittle);
+  result.bytes += toBytes(narrowed<std::uint32_t>(faces.cornerCount() - 2 * faces.size(), ".stl"), std::endian::little);
   Index split = 0;
   for (Index f = 0; f < faces.size(); ++f) {
     const auto polygon = faces[f];

@@ -1,9 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <set>
-#include <utility>
-
-#include <fmt/format.h>
 
 #include <holdfast/base/counted.h>
 #include <holdfast/base/error.h>

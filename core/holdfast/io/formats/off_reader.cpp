@@ -1,7 +1,4 @@
 #include <optional>
-#include <utility>
-
-#include <fmt/format.h>
 
 #include <holdfast/io/formats/formats.h>
 #include <holdfast/io/text/number_text.h>

@@ -1,11 +1,5 @@
 #include "holdfast/io/formats/ply_header.h"
 
-#include <algorithm>
-#include <array>
-#include <utility>
-
-#include <fmt/format.h>
-
 namespace holdfast {
 namespace {
 
@@ -62,9 +56,9 @@ class HeaderParser {
   {
     const std::string_view word = cursor_.token();
     if (word == "binary_little_endian")
-      header_.byteOrder = ByteOrder::kLittle;
+      header_.byteOrder = std::endian::little;
     else if (word == "binary_big_endian")
-      header_.byteOrder = ByteOrder::kBig;
+      header_.byteOrder = std::endian::big;
     else if (word != "ascii")
       cursor_.fail("{} is not a PLY format: ascii, binary_little_endian or binary_big_endian", quotedToken(word));
     const std::string_view version = cursor_.token();

@@ -32,7 +32,7 @@ struct PlyElement {
 };
 
 struct PlyHeader {
-  std::optional<ByteOrder> byteOrder;  ///< none in a text
+  std::optional<std::endian> byteOrder;  ///< none in a text
   std::vector<PlyElement> elements;
   std::size_t bodyOffset = 0;
   Index bodyLine = 1;

@@ -2,13 +2,9 @@
 #include <array>
 #include <cstdint>
 #include <string>
-#include <utility>
-
-#include <fmt/format.h>
 
 #include <holdfast/base/counted.h>
 #include <holdfast/base/error.h>
-#include <holdfast/io/formats/formats.h>
 #include <holdfast/io/formats/ply_header.h>
 #include <holdfast/mesh/vertex_normals.h>
 
@@ -20,7 +16,7 @@ using ThreeNames = std::array<std::string_view, 3>;
 constexpr ThreeNames kCoordinates{"x", "y", "z"};
 constexpr ThreeNames kNormals{"nx", "ny", "nz"};
 
-Index integerFromBytes(std::string_view bytes, NumberType type, ByteOrder order)
+Index integerFromBytes(std::string_view bytes, NumberType type, std::endian order)
 {
   if (type == NumberType::kInt8) return fromBytes<std::int8_t>(bytes, order);
   if (type == NumberType::kUint8) return fromBytes<std::uint8_t>(bytes, order);
@@ -30,7 +26,7 @@ Index integerFromBytes(std::string_view bytes, NumberType type, ByteOrder order)
   return fromBytes<std::uint32_t>(bytes, order);
 }
 
-double numberFromBytes(std::string_view bytes, NumberType type, ByteOrder order)
+double numberFromBytes(std::string_view bytes, NumberType type, std::endian order)
 {
   if (type == NumberType::kDouble) return fromBytes<double>(bytes, order);
   if (type == NumberType::kFloat) return static_cast<double>(fromBytes<float>(bytes, order));
@@ -46,7 +42,7 @@ class PlyScanner {
         bytes_(bytes),
         file_(file),
         isText_(!header.byteOrder),
-        order_(header.byteOrder.value_or(ByteOrder::kLittle)),
+        order_(header.byteOrder.value_or(std::endian::little)),
         valueAt_(header.bodyOffset)
   {
     cursor_.seek(header.bodyOffset, header.bodyLine);
@@ -139,7 +135,7 @@ class PlyScanner {
   std::string_view bytes_;
   std::string file_;
   bool isText_;
-  ByteOrder order_;
+  std::endian order_;
   std::size_t valueAt_;  // where the binary value read last begins, for errors
 };
 

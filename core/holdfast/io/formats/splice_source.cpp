@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cassert>
-#include <utility>
 
 #include <holdfast/base/counted.h>
 #include <holdfast/io/text/number_text.h>

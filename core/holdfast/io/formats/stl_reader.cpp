@@ -1,8 +1,5 @@
 #include <algorithm>
 #include <cstdint>
-#include <utility>
-
-#include <fmt/format.h>
 
 #include <holdfast/base/error.h>
 #include <holdfast/base/lower_case.h>
@@ -114,7 +111,7 @@ class TextStlReader {
 
 std::uint32_t binaryCount(std::string_view bytes)
 {
-  return fromBytes<std::uint32_t>(bytes.substr(kHeaderBytes, sizeof(std::uint32_t)), ByteOrder::kLittle);
+  return fromBytes<std::uint32_t>(bytes.substr(kHeaderBytes, sizeof(std::uint32_t)), std::endian::little);
 }
 
 std::size_t binarySize(std::size_t count)
@@ -160,7 +157,7 @@ MeshDocument readBinaryStl(std::string bytes, const std::string& file)
 {
   checkBinarySize(bytes, file);
   const auto count = static_cast<Index>(binaryCount(bytes));
-  FileLayout layout{".stl", {}, {"facet normals"}, ByteOrder::kLittle};
+  FileLayout layout{".stl", {}, {"facet normals"}, std::endian::little};
   layout.coordinateTypes.fill(NumberType::kFloat);
   layout.normalTypes.fill(NumberType::kFloat);
   layout.noteRounding = noteStlRounding;
@@ -172,7 +169,7 @@ MeshDocument readBinaryStl(std::string bytes, const std::string& file)
     for (Index k = 0; k < 9; ++k) {
       const std::size_t at = facet + kVectorBytes + sizeof(float) * k;
       if (k % 3 == 0) layout.numbers.push_back({at, 9 * f + k});
-      const auto number = fromBytes<float>(std::string_view(bytes).substr(at, sizeof(float)), ByteOrder::kLittle);
+      const auto number = fromBytes<float>(std::string_view(bytes).substr(at, sizeof(float)), std::endian::little);
       positions.data()[9 * f + k] = static_cast<double>(number);
     }
     const std::size_t attributes = facet + kAttributesOffset;

@@ -10,30 +10,22 @@
 
 namespace holdfast {
 
-enum class ByteOrder { kLittle, kBig };
-
-/// Whether numbers in memory have this order.
-[[nodiscard]] constexpr bool isNative(ByteOrder order) noexcept
-{
-  static_assert(std::endian::native == std::endian::little || std::endian::native == std::endian::big);
-  return (order == ByteOrder::kLittle) == (std::endian::native == std::endian::little);
-}
-
 template <class Number>
-[[nodiscard]] std::string toBytes(Number value, ByteOrder order)
+[[nodiscard]] std::string toBytes(Number value, std::endian order)
 {
   const auto bytes = std::bit_cast<std::array<char, sizeof(Number)>>(value);
-  return isNative(order) ? std::string(bytes.begin(), bytes.end()) : std::string(bytes.rbegin(), bytes.rend());
+  return order == std::endian::native ? std::string(bytes.begin(), bytes.end())
+                                      : std::string(bytes.rbegin(), bytes.rend());
 }
 
 /// Of exactly as many bytes as the number has.
 template <class Number>
-[[nodiscard]] Number fromBytes(std::string_view bytes, ByteOrder order)
+[[nodiscard]] Number fromBytes(std::string_view bytes, std::endian order)
 {
   assert(bytes.size() == sizeof(Number));
   std::array<char, sizeof(Number)> native{};
   std::copy_n(bytes.begin(), native.size(), native.begin());
-  if (!isNative(order)) std::reverse(native.begin(), native.end());
+  if (order != std::endian::native) std::reverse(native.begin(), native.end());
   return std::bit_cast<Number>(native);
 }
 

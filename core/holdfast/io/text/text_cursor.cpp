@@ -1,9 +1,6 @@
 #include "holdfast/io/text/text_cursor.h"
 
 #include <algorithm>
-#include <utility>
-
-#include <fmt/format.h>
 
 #include <holdfast/base/error.h>
 #include <holdfast/base/printable.h>

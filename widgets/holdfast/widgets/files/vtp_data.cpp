@@ -266,7 +266,7 @@ std::string dataOf(const XmlElement& element, const NumberType& type, const VtpE
     throw VtpFault(fmt::format("its format is '{}' and must be ascii, binary or appended", format));
   std::string data = storedData(element, format, encoding);
   if (data.size() % type.size != 0) throw VtpFault("its data are no whole number of numbers");
-  const bool isNative = (encoding.order == ByteOrder::kLittle) == (std::endian::native == std::endian::little);
+  const bool isNative = encoding.order == std::endian::native;
   if (!isNative) vtkByteSwap::SwapVoidRange(data.data(), data.size() / type.size, type.size);
   return data;
 }

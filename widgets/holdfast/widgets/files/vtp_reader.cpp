@@ -91,7 +91,7 @@ class VtpReader {
     const auto compressor = root.attribute("compressor").value_or("");
     if (order != "LittleEndian" && order != "BigEndian") fail(root, fmt::format("byte_order '{}' is not known", order));
     if (header != "UInt32" && header != "UInt64") fail(root, fmt::format("header_type '{}' is not known", header));
-    encoding_.order = order == "BigEndian" ? ByteOrder::kBig : ByteOrder::kLittle;
+    encoding_.order = order == "BigEndian" ? std::endian::big : std::endian::little;
     encoding_.hasLongHeaders = header == "UInt64";
     if (compressor == "vtkZLibDataCompressor")
       encoding_.compressor = vtkSmartPointer<vtkZLibDataCompressor>::New();

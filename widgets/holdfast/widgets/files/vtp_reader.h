@@ -48,7 +48,7 @@ struct XmlElement {
 
 /// How a file stores the numbers of its arrays (VTK File Formats, "XML File Formats").
 struct VtpEncoding {
-  ByteOrder order = ByteOrder::kLittle;
+  std::endian order = std::endian::little;
   bool hasLongHeaders = false;  ///< sizes take eight bytes, not four
   vtkSmartPointer<vtkDataCompressor> compressor;
   std::string_view appended;  ///< what follows the underscore of AppendedData

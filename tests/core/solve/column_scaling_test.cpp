@@ -3,39 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <holdfast/solve/column_scaling.h>
-#include <holdfast/solve/gram.h>
 
 #include "support/random_sparse.h"
 
 namespace holdfast {
 namespace {
-
-TEST(Gram, IsTheLowerTriangleOfTheProduct)
-{
-  for (std::uint32_t seed = 0; seed < 50; ++seed) {
-    test::Random random(seed);
-    const SparseMatrix C = test::randomSparse(random, random.integer(1, 20), random.integer(1, 20));
-    const SparseMatrix gram = gramLower(TwoWayMatrix(C));
-    const Eigen::MatrixXd dense = C;
-    const Eigen::MatrixXd product = dense.transpose() * dense;
-    const Eigen::MatrixXd expected = product.triangularView<Eigen::Lower>();
-    EXPECT_LT((Eigen::MatrixXd(gram) - expected).cwiseAbs().maxCoeff(), 1e-15);
-  }
-}
-
-TEST(Gram, HasAscendingRowsInEachColumn)
-{
-  test::Random random(3);
-  const SparseMatrix gram = gramLower(TwoWayMatrix(test::randomSparse(random, 40, 30)));
-  for (Index j = 0; j < gram.cols(); ++j) {
-    int last = -1;
-    for (SparseMatrix::InnerIterator entry(gram, j); entry; ++entry) {
-      EXPECT_GT(entry.row(), last);
-      EXPECT_GE(entry.row(), j);
-      last = static_cast<int>(entry.row());
-    }
-  }
-}
 
 TEST(ColumnScaling, MakesUnitColumns)
 {
