@@ -3,34 +3,14 @@
 #include <memory>
 #include <string>
 
-#include <sched.h>
-
 #include "bench/benchmarks.h"
 #include "bench/dragged_mesh.h"
 #include "bench/samples.h"
 #include "bench/scenes.h"
+#include "support/one_core.h"
 
 namespace holdfast::bench {
 namespace {
-
-/// While this lives, the calling thread and those that it starts compute on one core.
-class OneCore {
- public:
-  OneCore()
-  {
-    sched_getaffinity(0, sizeof(before_), &before_);
-    cpu_set_t one;
-    CPU_ZERO(&one);
-    CPU_SET(sched_getcpu(), &one);
-    sched_setaffinity(0, sizeof(one), &one);
-  }
-  ~OneCore() { sched_setaffinity(0, sizeof(before_), &before_); }
-  OneCore(const OneCore&) = delete;
-  OneCore& operator=(const OneCore&) = delete;
-
- private:
-  cpu_set_t before_{};
-};
 
 /// The positions of the last frame.
 Positions takeTurn(Samples& samples, const std::string& column, const std::shared_ptr<const Model>& model)
@@ -56,7 +36,7 @@ void oneCoreAgainstAll(benchmark::State& state, const Mesh& mesh)
   };
   for ([[maybe_unused]] auto turn : state) {
     compare("s all", takeTurn(samples, "s all", model));
-    const OneCore here;
+    const test::OneCore here;
     compare("s one", takeTurn(samples, "s one", model));
   }
   for (const char* row : {"decomposition", "frame"}) samples.addRatios("= one/all", {row, "s one"}, {row, "s all"});

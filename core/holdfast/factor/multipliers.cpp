@@ -42,12 +42,11 @@ Row eliminated(const Row& row, double factor, const Row& pivot)
   auto a = row.begin() + 1;
   auto b = pivot.begin() + 1;
   while (a != row.end() || b != pivot.end()) {
-    if (b == pivot.end() || (a != row.end() && a->column < b->column))
-      result.push_back(*a++);
-    else if (a == row.end() || b->column < a->column)
-      result.push_back({b->column, -factor * b->value}), ++b;
-    else
-      result.push_back({a->column, a->value - factor * b->value}), ++a, ++b;
+    const bool takesA = b == pivot.end() || (a != row.end() && a->column <= b->column);
+    const bool takesB = a == row.end() || (b != pivot.end() && b->column <= a->column);
+    const int column = takesA ? a->column : b->column;
+    const double value = takesA ? (a++)->value : 0;
+    result.push_back({column, takesB ? value - factor * (b++)->value : value});
   }
   return result;
 }
