@@ -31,7 +31,7 @@ class Deformer {
 
   /// Whether a list whose rows differ in few places from those that were factorised is answered by the factor that is
   /// there, bordered, while another is made beside the next calls. As exact, in a fraction of the time, but the last
-  /// digits depend on which factor was there. Off at first. For hard constraints.
+  /// digits depend on which factor was there. Up to two factors are in memory. Off at first. For hard constraints.
   void answerEditsAtOnce(bool isWanted) noexcept { answersEditsAtOnce_ = isWanted; }
 
   /// As the function `deform`. When `progress` or an unusable list throws, this is as if it had not been called.
