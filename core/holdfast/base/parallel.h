@@ -6,6 +6,7 @@
 #include <exception>
 #include <system_error>
 #include <thread>
+#include <type_traits>
 #include <vector>
 
 #include <holdfast/base/types.h>
@@ -19,9 +20,9 @@ namespace holdfast {
   return std::clamp<Index>(static_cast<Index>(std::thread::hardware_concurrency()), 1, kMost);
 }
 
-/// Calls `work(k)` once for each k of 0 .. count - 1, on up to `threadCount()` threads, the calling one among
-/// them. Which thread takes which k is left open: results must not depend on it. Throws one of the exceptions of
-/// `work`, after all threads have ended.
+/// Calls `work(k)`, or `work(k, thread)`, once for each k of 0 .. count - 1, on up to `threadCount()` threads, the
+/// calling one among them as number 0. Which thread takes which k is left open: results must not depend on it. Throws
+/// one of the exceptions of `work`, after all threads have ended.
 template <class Work>
 void parallelFor(Index count, const Work& work)
 {
@@ -30,7 +31,11 @@ void parallelFor(Index count, const Work& work)
   std::vector<std::exception_ptr> errors(static_cast<std::size_t>(threadsInAll));
   const auto run = [&](Index thread) {
     try {
-      for (Index k = next++; k < count; k = next++) work(k);
+      for (Index k = next++; k < count; k = next++)
+        if constexpr (std::is_invocable_v<Work, Index, Index>)
+          work(k, thread);
+        else
+          work(k);
     } catch (...) {
       errors[thread] = std::current_exception();
       next = count;

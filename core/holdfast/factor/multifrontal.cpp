@@ -1,9 +1,13 @@
 #include "holdfast/factor/multifrontal.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <functional>
+#include <memory>
 #include <mutex>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -31,7 +35,7 @@ int blockCount(int size)
   return (size + kBlock - 1) / kBlock;
 }
 
-/// Runs turns of a loop one after the other, or over all cores.
+/// Runs turns of a loop one after the other, or over all cores. `work` takes the turn and the number of the thread.
 class Loop {
  public:
   explicit Loop(bool isParallel) : isParallel_(isParallel) {}
@@ -40,26 +44,20 @@ class Loop {
   void operator()(int count, const Work& work) const
   {
     if (isParallel_ && count > 1)
-      parallelFor(count, [&](Index k) { work(static_cast<int>(k)); });
+      parallelFor(count, [&](Index k, Index thread) { work(static_cast<int>(k), thread); });
     else
-      for (int k = 0; k < count; ++k) work(k);
+      for (int k = 0; k < count; ++k) work(k, 0);
   }
 
  private:
   bool isParallel_;
 };
 
-/// C <- scale C - sign A A^T for the lower triangle of C, n x n.
-void update(const Loop& loop, int n, int k, double sign, const double* A, int ldA, double scale, double* C, int ldC)
+/// C <- scale C - sign A A1^T for n rows of A, A1 the first `width` of them; above its diagonal C is not used.
+void updateColumns(int n, int width, int k, double sign, const double* A, int ldA, double scale, double* C)
 {
-  loop(blockCount(n), [&](int block) {
-    const int first = block * kBlock;
-    const int width = std::min(kBlock, n - first);
-    denseSymmetricUpdate(width, k, -sign, A + first, ldA, scale, C + at(first, first, ldC), ldC);
-    if (const int below = n - first - width; below > 0)
-      denseUpdate(below, width, k, -sign, A + first + width, A + first, ldA, scale, C + at(first + width, first, ldC),
-                  ldC);
-  });
+  denseSymmetricUpdate(width, k, -sign, A, ldA, scale, C, n);
+  if (n > width) denseUpdate(n - width, width, k, -sign, A + width, A, ldA, scale, C + width, n);
 }
 
 /// Factorises the columns of a panel (height x width), block by block; from column `positive` on with -1 in S. Returns
@@ -77,11 +75,11 @@ int factorizePanel(const Loop& loop, double* panel, int height, int width, int p
         std::transform(corner + at(j, j, height), corner + at(height - first, j, height), corner + at(j, j, height),
                        std::negate());
     if (const int bad = denseCholesky(columns, corner, height); bad != 0) return first + bad;
-    loop(blockCount(height - end), [&](int block) {
+    loop(blockCount(height - end), [&](int block, Index /*thread*/) {
       const int row = end + block * kBlock;
       denseSolveRight(std::min(kBlock, height - row), columns, corner, height, panel + at(row, first, height), height);
     });
-    loop(blockCount(width - end), [&](int block) {
+    loop(blockCount(width - end), [&](int block, Index /*thread*/) {
       const int column = end + block * kBlock;
       const int count = std::min(kBlock, width - column);
       const double* const left = panel + at(column, first, height);
@@ -106,39 +104,33 @@ std::size_t triangleColumn(int j, int size)
   return static_cast<std::size_t>(j) * static_cast<std::size_t>(2 * size - j - 1) / 2;
 }
 
-/// What supernodes of a range take off the rows below them, each a lower triangle, until their parents have added it.
-/// In the order of elimination the children of the next one are always those that came last.
-class UpdateStack {
+/// Memory that is taken back in the opposite order.
+class Stack {
  public:
-  UpdateStack(const SymbolicFactor& symbolic, const SupernodeRange& range)
-      : numbers_(std::make_unique_for_overwrite<double[]>(highest(symbolic, range)))
+  /// The stack is empty.
+  void reserve(std::size_t size)
   {
+    if (size <= capacity_) return;
+    numbers_.reset();
+    numbers_ = std::make_unique_for_overwrite<double[]>(size);
+    capacity_ = size;
   }
-
-  [[nodiscard]] double* push(int rowCount)
-  {
-    double* const place = numbers_.get() + size_;
-    size_ += triangleSize(rowCount);
-    return place;
-  }
-  void pop(int rowCount) { size_ -= triangleSize(rowCount); }
+  [[nodiscard]] double* push(std::size_t size) { return numbers_.get() + std::exchange(size_, size_ + size); }
+  void pop(std::size_t size) { size_ -= size; }
 
  private:
-  static std::size_t highest(const SymbolicFactor& symbolic, const SupernodeRange& range)
-  {
-    std::size_t size = 0;
-    std::size_t highest = 0;
-    for (int s = range.begin; s < range.end; ++s) {
-      for (const int child : symbolic.children[s])
-        if (child >= range.begin) size -= triangleSize(symbolic.supernodes[child].rowCount);
-      size += triangleSize(symbolic.supernodes[s].rowCount);
-      highest = std::max(highest, size);
-    }
-    return highest;
-  }
-
   std::unique_ptr<double[]> numbers_;
+  std::size_t capacity_ = 0;
   std::size_t size_ = 0;
+};
+
+/// What a thread computes supernodes in.
+struct Workspace {
+  std::vector<int> placeOf;              // of a column: its row in the front
+  std::vector<std::vector<int>> places;  // of the rows of each child: theirs
+  std::vector<double> panel;
+  std::vector<std::vector<double>> strips = std::vector<std::vector<double>>(threadCount());
+  std::array<Stack, 2> stacks;  // for the supernodes on even and on odd levels of the tree
 };
 
 class Multifrontal {
@@ -147,7 +139,9 @@ class Multifrontal {
       : symbolic_(*symbolic),
         lower_(lower),
         diagonal_(symbolic->order.size()),
+        isOdd_(symbolic->supernodes.size()),
         updates_(symbolic->supernodes.size()),
+        owned_(symbolic->supernodes.size()),
         result_(std::make_unique<PackedFactor>(symbolic))
   {
   }
@@ -162,11 +156,13 @@ class Multifrontal {
     const OneThread libraries;
     const NoSubnormals arithmetic;  // L falls off exponentially where much is held
     findDiagonal();
-    std::vector<Workspace> ranges;
-    for (const SupernodeRange& range : symbolic_.subtrees) ranges.emplace_back(symbolic_, range);
-    parallelFor(static_cast<Index>(ranges.size()), [&](Index k) { factorize(ranges[k], Loop(false)); });
-    Workspace top(symbolic_, symbolic_.top);
-    factorize(top, Loop(true));
+    findLevels();
+    std::vector<Workspace> workspaces(static_cast<std::size_t>(threadCount()));
+    const std::vector<SupernodeRange>& subtrees = symbolic_.subtrees;
+    parallelFor(static_cast<Index>(subtrees.size()),
+                [&](Index k, Index thread) { factorize(subtrees[k], workspaces[thread], Loop(false)); });
+    workspaces.resize(1);
+    factorize(symbolic_.top, workspaces[0], Loop(true));
     if (isLeftBehind_()) throw LeftBehind();
     return badPivot_;
   }
@@ -174,21 +170,6 @@ class Multifrontal {
   [[nodiscard]] std::unique_ptr<const PackedFactor> result() { return std::move(result_); }
 
  private:
-  /// What the supernodes of a range are computed in.
-  struct Workspace {
-    Workspace(const SymbolicFactor& symbolic, const SupernodeRange& supernodes)
-        : range(supernodes), stack(symbolic, supernodes)
-    {
-    }
-
-    SupernodeRange range;
-    UpdateStack stack;
-    std::vector<int> placeOf;  // of a column: its row in the front
-    std::vector<int> places;   // of the rows of a child
-    std::vector<double> panel;
-    std::vector<double> update;
-  };
-
   void findDiagonal()
   {
     for (std::size_t k = 0; k < diagonal_.size(); ++k) {
@@ -197,50 +178,94 @@ class Multifrontal {
     }
   }
 
-  void factorize(Workspace& work, const Loop& loop)
+  void findLevels()
   {
-    work.placeOf.resize(diagonal_.size());
-    for (int s = work.range.begin; s < work.range.end && badPivot_ == kAllPositive && !isLeftBehind_(); ++s)
-      factorize(s, work, loop);
-    work.placeOf = {};
-    work.panel = {};
-    work.update = {};
+    for (std::size_t s = isOdd_.size(); s-- > 0;)
+      if (const int parent = symbolic_.supernodes[s].parent; parent != kNoParent) isOdd_[s] = !isOdd_[parent];
   }
 
-  void factorize(int s, Workspace& work, const Loop& loop)
+  /// Numbers that a supernode hands to its parent.
+  [[nodiscard]] std::size_t updateSize(int s) const { return triangleSize(symbolic_.supernodes[s].rowCount); }
+
+  /// Updates that are added in another range than they are made in have memory of their own. Those on every second
+  /// level of the tree that stay in their range are added in the opposite order, one supernode's children at a time.
+  [[nodiscard]] bool isOnStack(int s, const SupernodeRange& range) const
+  {
+    const int parent = symbolic_.supernodes[s].parent;
+    return s >= range.begin && parent != kNoParent && parent < range.end;
+  }
+
+  void reserveStacks(const SupernodeRange& range, Workspace& work) const
+  {
+    std::array<std::size_t, 2> size{};
+    std::array<std::size_t, 2> highest{};
+    for (int s = range.begin; s < range.end; ++s) {
+      const int level = isOdd_[s];
+      if (isOnStack(s, range)) size[level] += updateSize(s);
+      highest[level] = std::max(highest[level], size[level]);
+      for (const int child : symbolic_.children[s])
+        if (isOnStack(child, range)) size[1 - level] -= updateSize(child);
+    }
+    for (const int level : {0, 1}) work.stacks[level].reserve(highest[level]);
+  }
+
+  void factorize(const SupernodeRange& range, Workspace& work, const Loop& loop)
+  {
+    reserveStacks(range, work);
+    work.placeOf.resize(diagonal_.size());
+    for (int s = range.begin; s < range.end && badPivot_ == kAllPositive && !isLeftBehind_(); ++s)
+      factorize(s, range, work, loop);
+  }
+
+  void factorize(int s, const SupernodeRange& range, Workspace& work, const Loop& loop)
   {
     const Supernode& node = symbolic_.supernodes[s];
-    const int height = node.height();
-    const int rows = node.rowCount;
-    for (int k = 0; k < node.width; ++k) work.placeOf[node.firstColumn + k] = k;
-    int place = node.width;
-    for (const int row : symbolic_.rowsOf(node)) work.placeOf[row] = place++;
-
-    work.panel.assign(static_cast<std::size_t>(height) * static_cast<std::size_t>(node.width), 0);
+    findPlaces(s, work);
+    work.panel.assign(static_cast<std::size_t>(node.height()) * static_cast<std::size_t>(node.width), 0);
     addEntries(node, work);
-    for (const int child : symbolic_.children[s]) addToPanel(child, node, work, loop);
+    addChildren(s, {work.panel.data(), node.height(), 0, node.width}, work, loop);
     const int positive = node.width - node.multipliers;
-    if (const int bad = factorizePanel(loop, work.panel.data(), height, node.width, positive); bad != 0) {
+    if (const int bad = factorizePanel(loop, work.panel.data(), node.height(), node.width, positive); bad != 0) {
       int none = kAllPositive;
       badPivot_.compare_exchange_strong(none, node.firstColumn + bad - 1);
       return;
     }
     result_->store(s, work.panel.data());
-
-    const std::size_t needed = static_cast<std::size_t>(rows) * static_cast<std::size_t>(rows);
-    if (work.update.size() < needed) work.update.resize(needed);
-    const double* const below = work.panel.data() + node.width;
-    update(loop, rows, positive, 1, below, height, 0, work.update.data(), rows);
-    if (node.multipliers > 0)
-      update(loop, rows, node.multipliers, -1, below + at(0, positive, height), height, 1, work.update.data(), rows);
-    for (const int child : symbolic_.children[s]) addToUpdate(child, node, work, loop);
+    keepUpdate(s, range, work, loop);
     for (const int child : symbolic_.children[s])
-      if (child >= work.range.begin) work.stack.pop(symbolic_.supernodes[child].rowCount);
-    double* const kept = work.stack.push(rows);
-    updates_[s] = kept;
-    loop(blockCount(rows), [&](int block) {
-      for (int j = block * kBlock; j < std::min(rows, (block + 1) * kBlock); ++j)
-        std::copy_n(work.update.data() + at(j, j, rows), rows - j, kept + triangleColumn(j, rows) + j);
+      if (isOnStack(child, range))
+        work.stacks[isOdd_[child]].pop(updateSize(child));
+      else
+        owned_[child].reset();
+  }
+
+  /// What the supernode and those below it take off its parents, in strips that stay in the cache.
+  void keepUpdate(int s, const SupernodeRange& range, Workspace& work, const Loop& loop)
+  {
+    const Supernode& node = symbolic_.supernodes[s];
+    if (isOnStack(s, range)) {
+      updates_[s] = work.stacks[isOdd_[s]].push(updateSize(s));
+    } else {
+      owned_[s] = std::make_unique_for_overwrite<double[]>(updateSize(s));
+      updates_[s] = owned_[s].get();
+    }
+    const int rows = node.rowCount;
+    const int positive = node.width - node.multipliers;
+    loop(blockCount(rows), [&](int block, Index thread) {
+      const int first = block * kBlock;
+      const int width = std::min(kBlock, rows - first);
+      const int below = rows - first;
+      std::vector<double>& strip = work.strips[thread];
+      if (const std::size_t needed = at(0, width, below); strip.size() < needed) strip.resize(needed);
+      const double* const left = work.panel.data() + node.width + first;
+      updateColumns(below, width, positive, 1, left, node.height(), 0, strip.data());
+      if (node.multipliers > 0)
+        updateColumns(below, width, node.multipliers, -1, left + at(0, positive, node.height()), node.height(), 1,
+                      strip.data());
+      addChildren(s, {strip.data(), below, node.width + first, node.width + first + width}, work, Loop(false));
+      for (int j = 0; j < width; ++j)
+        std::copy_n(strip.data() + at(j, j, below), below - j,
+                    updates_[s] + triangleColumn(first + j, rows) + first + j);
     });
   }
 
@@ -256,52 +281,59 @@ class Multifrontal {
     }
   }
 
-  /// The rows of the child's update in the front of its parent; returns how many of them are columns of the parent.
-  int findPlaces(int child, const Supernode& node, Workspace& work)
+  /// Where the rows of the front are in it, and those that its children have updated.
+  void findPlaces(int s, Workspace& work)
   {
-    work.places.clear();
-    for (const int row : symbolic_.rowsOf(symbolic_.supernodes[child])) work.places.push_back(work.placeOf[row]);
-    return static_cast<int>(std::lower_bound(work.places.begin(), work.places.end(), node.width) - work.places.begin());
+    const Supernode& node = symbolic_.supernodes[s];
+    int place = 0;
+    while (place < node.width) {
+      work.placeOf[node.firstColumn + place] = place;
+      ++place;
+    }
+    for (const int row : symbolic_.rowsOf(node)) work.placeOf[row] = place++;
+    const std::vector<int>& children = symbolic_.children[s];
+    if (work.places.size() < children.size()) work.places.resize(children.size());
+    for (std::size_t c = 0; c < children.size(); ++c) {
+      work.places[c].clear();
+      for (const int row : symbolic_.rowsOf(symbolic_.supernodes[children[c]]))
+        work.places[c].push_back(work.placeOf[row]);
+    }
   }
 
-  void addToPanel(int child, const Supernode& node, Workspace& work, const Loop& loop)
-  {
-    const int own = findPlaces(child, node, work);
-    addColumns(child, 0, own, {work.panel.data(), node.height(), 0}, work, loop);
-  }
-
-  void addToUpdate(int child, const Supernode& node, Workspace& work, const Loop& loop)
-  {
-    const int own = findPlaces(child, node, work);
-    addColumns(child, own, static_cast<int>(work.places.size()), {work.update.data(), node.rowCount, node.width}, work,
-               loop);
-  }
-
-  /// Columns of a front, without rows and columns before `first`.
+  /// Columns [first, end) of a front, from row `first` on, `height` apart.
   struct FrontPart {
     double* numbers = nullptr;
     int height = 0;
     int first = 0;
+    int end = 0;
   };
 
-  /// Adds columns [begin, end) of the child's update to its parent's front.
-  void addColumns(int child, int begin, int end, const FrontPart& part, const Workspace& work, const Loop& loop)
+  /// Adds what the children of a supernode have kept to a part of its front.
+  void addChildren(int s, const FrontPart& part, const Workspace& work, const Loop& loop)
   {
-    const int size = static_cast<int>(work.places.size());
-    loop(blockCount(end - begin), [&](int block) {
-      const int firstColumn = begin + block * kBlock;
-      for (int j = firstColumn; j < std::min(end, firstColumn + kBlock); ++j) {
-        double* const to = part.numbers + at(0, work.places[j] - part.first, part.height);
-        const double* const from = updates_[child] + triangleColumn(j, size);
-        for (int i = j; i < size; ++i) to[work.places[i] - part.first] += from[i];
-      }
-    });
+    for (std::size_t c = 0; c < symbolic_.children[s].size(); ++c) {
+      const std::vector<int>& places = work.places[c];
+      const double* const update = updates_[symbolic_.children[s][c]];
+      const int size = static_cast<int>(places.size());
+      const int begin = static_cast<int>(std::ranges::lower_bound(places, part.first) - places.begin());
+      const int end = static_cast<int>(std::ranges::lower_bound(places, part.end) - places.begin());
+      loop(blockCount(end - begin), [&](int block, Index /*thread*/) {
+        const int firstColumn = begin + block * kBlock;
+        for (int j = firstColumn; j < std::min(end, firstColumn + kBlock); ++j) {
+          double* const to = part.numbers + at(0, places[j] - part.first, part.height);
+          const double* const from = update + triangleColumn(j, size);
+          for (int i = j; i < size; ++i) to[places[i] - part.first] += from[i];
+        }
+      });
+    }
   }
 
   const SymbolicFactor& symbolic_;
   const SparseMatrix& lower_;
   std::vector<double> diagonal_;
-  std::vector<const double*> updates_;  // of each supernode, as long as it is needed
+  std::vector<char> isOdd_;       // the level of each supernode
+  std::vector<double*> updates_;  // of each supernode, as long as it is needed: a lower triangle
+  std::vector<std::unique_ptr<double[]>> owned_;
   std::unique_ptr<PackedFactor> result_;
   std::function<bool()> isLeftBehind_ = leftBehindCheck();
   std::atomic<int> badPivot_{kAllPositive};

@@ -123,7 +123,7 @@ void appendSubtree(const std::vector<Draft>& drafts, int root, std::vector<int>&
   std::reverse(result.begin() + begin, result.end());
 }
 
-/// Takes the heaviest subtrees apart until none is heavier than a small share of all, and deals them out to ranges, the
+/// Takes the heaviest subtrees apart until none is heavier than the share of a range, and deals them out to ranges, the
 /// heaviest first, each to the lightest range.
 Layout layOut(const std::vector<Draft>& drafts)
 {
@@ -135,7 +135,7 @@ Layout layOut(const std::vector<Draft>& drafts)
     total += work[root];
   }
   std::vector<int> top;
-  while (!subtrees.empty() && subtrees.top().first > total / (2 * kRanges)) {
+  while (!subtrees.empty() && subtrees.top().first > total / kRanges) {
     const int node = subtrees.top().second;
     subtrees.pop();
     top.push_back(node);
