@@ -1,12 +1,10 @@
 #include "holdfast/factor/multifrontal.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <functional>
 #include <memory>
 #include <mutex>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -104,33 +102,12 @@ std::size_t triangleColumn(int j, int size)
   return static_cast<std::size_t>(j) * static_cast<std::size_t>(2 * size - j - 1) / 2;
 }
 
-/// Memory that is taken back in the opposite order.
-class Stack {
- public:
-  /// The stack is empty.
-  void reserve(std::size_t size)
-  {
-    if (size <= capacity_) return;
-    numbers_.reset();
-    numbers_ = std::make_unique_for_overwrite<double[]>(size);
-    capacity_ = size;
-  }
-  [[nodiscard]] double* push(std::size_t size) { return numbers_.get() + std::exchange(size_, size_ + size); }
-  void pop(std::size_t size) { size_ -= size; }
-
- private:
-  std::unique_ptr<double[]> numbers_;
-  std::size_t capacity_ = 0;
-  std::size_t size_ = 0;
-};
-
 /// What a thread computes supernodes in.
 struct Workspace {
   std::vector<int> placeOf;              // of a column: its row in the front
   std::vector<std::vector<int>> places;  // of the rows of each child: theirs
   std::vector<double> panel;
   std::vector<std::vector<double>> strips = std::vector<std::vector<double>>(threadCount());
-  std::array<Stack, 2> stacks;  // for the supernodes on even and on odd levels of the tree
 };
 
 class Multifrontal {
@@ -139,9 +116,7 @@ class Multifrontal {
       : symbolic_(*symbolic),
         lower_(lower),
         diagonal_(symbolic->order.size()),
-        isOdd_(symbolic->supernodes.size()),
         updates_(symbolic->supernodes.size()),
-        owned_(symbolic->supernodes.size()),
         result_(std::make_unique<PackedFactor>(symbolic))
   {
   }
@@ -156,7 +131,6 @@ class Multifrontal {
     const OneThread libraries;
     const NoSubnormals arithmetic;  // L falls off exponentially where much is held
     findDiagonal();
-    findLevels();
     std::vector<Workspace> workspaces(static_cast<std::size_t>(threadCount()));
     const std::vector<SupernodeRange>& subtrees = symbolic_.subtrees;
     parallelFor(static_cast<Index>(subtrees.size()),
@@ -178,46 +152,14 @@ class Multifrontal {
     }
   }
 
-  void findLevels()
-  {
-    for (std::size_t s = isOdd_.size(); s-- > 0;)
-      if (const int parent = symbolic_.supernodes[s].parent; parent != kNoParent) isOdd_[s] = !isOdd_[parent];
-  }
-
-  /// Numbers that a supernode hands to its parent.
-  [[nodiscard]] std::size_t updateSize(int s) const { return triangleSize(symbolic_.supernodes[s].rowCount); }
-
-  /// Updates that are added in another range than they are made in have memory of their own. Those on every second
-  /// level of the tree that stay in their range are added in the opposite order, one supernode's children at a time.
-  [[nodiscard]] bool isOnStack(int s, const SupernodeRange& range) const
-  {
-    const int parent = symbolic_.supernodes[s].parent;
-    return s >= range.begin && parent != kNoParent && parent < range.end;
-  }
-
-  void reserveStacks(const SupernodeRange& range, Workspace& work) const
-  {
-    std::array<std::size_t, 2> size{};
-    std::array<std::size_t, 2> highest{};
-    for (int s = range.begin; s < range.end; ++s) {
-      const int level = isOdd_[s];
-      if (isOnStack(s, range)) size[level] += updateSize(s);
-      highest[level] = std::max(highest[level], size[level]);
-      for (const int child : symbolic_.children[s])
-        if (isOnStack(child, range)) size[1 - level] -= updateSize(child);
-    }
-    for (const int level : {0, 1}) work.stacks[level].reserve(highest[level]);
-  }
-
   void factorize(const SupernodeRange& range, Workspace& work, const Loop& loop)
   {
-    reserveStacks(range, work);
     work.placeOf.resize(diagonal_.size());
     for (int s = range.begin; s < range.end && badPivot_ == kAllPositive && !isLeftBehind_(); ++s)
-      factorize(s, range, work, loop);
+      factorize(s, work, loop);
   }
 
-  void factorize(int s, const SupernodeRange& range, Workspace& work, const Loop& loop)
+  void factorize(int s, Workspace& work, const Loop& loop)
   {
     const Supernode& node = symbolic_.supernodes[s];
     findPlaces(s, work);
@@ -231,25 +173,16 @@ class Multifrontal {
       return;
     }
     result_->store(s, work.panel.data());
-    keepUpdate(s, range, work, loop);
-    for (const int child : symbolic_.children[s])
-      if (isOnStack(child, range))
-        work.stacks[isOdd_[child]].pop(updateSize(child));
-      else
-        owned_[child].reset();
+    keepUpdate(s, work, loop);
+    for (const int child : symbolic_.children[s]) updates_[child].reset();
   }
 
   /// What the supernode and those below it take off its parents, in strips that stay in the cache.
-  void keepUpdate(int s, const SupernodeRange& range, Workspace& work, const Loop& loop)
+  void keepUpdate(int s, Workspace& work, const Loop& loop)
   {
     const Supernode& node = symbolic_.supernodes[s];
-    if (isOnStack(s, range)) {
-      updates_[s] = work.stacks[isOdd_[s]].push(updateSize(s));
-    } else {
-      owned_[s] = std::make_unique_for_overwrite<double[]>(updateSize(s));
-      updates_[s] = owned_[s].get();
-    }
     const int rows = node.rowCount;
+    updates_[s] = std::make_unique_for_overwrite<double[]>(triangleSize(rows));
     const int positive = node.width - node.multipliers;
     loop(blockCount(rows), [&](int block, Index thread) {
       const int first = block * kBlock;
@@ -265,7 +198,7 @@ class Multifrontal {
       addChildren(s, {strip.data(), below, node.width + first, node.width + first + width}, work, Loop(false));
       for (int j = 0; j < width; ++j)
         std::copy_n(strip.data() + at(j, j, below), below - j,
-                    updates_[s] + triangleColumn(first + j, rows) + first + j);
+                    updates_[s].get() + triangleColumn(first + j, rows) + first + j);
     });
   }
 
@@ -313,7 +246,7 @@ class Multifrontal {
   {
     for (std::size_t c = 0; c < symbolic_.children[s].size(); ++c) {
       const std::vector<int>& places = work.places[c];
-      const double* const update = updates_[symbolic_.children[s][c]];
+      const double* const update = updates_[symbolic_.children[s][c]].get();
       const int size = static_cast<int>(places.size());
       const int begin = static_cast<int>(std::ranges::lower_bound(places, part.first) - places.begin());
       const int end = static_cast<int>(std::ranges::lower_bound(places, part.end) - places.begin());
@@ -331,9 +264,8 @@ class Multifrontal {
   const SymbolicFactor& symbolic_;
   const SparseMatrix& lower_;
   std::vector<double> diagonal_;
-  std::vector<char> isOdd_;       // the level of each supernode
-  std::vector<double*> updates_;  // of each supernode, as long as it is needed: a lower triangle
-  std::vector<std::unique_ptr<double[]>> owned_;
+  /// What supernodes take off the rows below them, each a lower triangle, until their parents have added it.
+  std::vector<std::unique_ptr<double[]>> updates_;
   std::unique_ptr<PackedFactor> result_;
   std::function<bool()> isLeftBehind_ = leftBehindCheck();
   std::atomic<int> badPivot_{kAllPositive};
