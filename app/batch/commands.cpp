@@ -59,14 +59,25 @@ void refuseNonFinite(const Command& command, const Mesh& mesh)
   throw InputError({command.mesh, 0, fmt::format("vertex {}", finding.ids.front())}, finding.message);
 }
 
-/// Prints nothing in the first second; then each step, with the seconds since the start.
+/// Prints nothing in the first second; then each step and, of those that take long, every fifth, with the seconds since
+/// the start.
 class ProgressLine final : public Progress {
  public:
   void step(std::string_view description) override
   {
     const std::lock_guard lock(mutex_);
     description_ = description;
-    if (isLong_) print();
+    percent_ = 0;
+    if (isLong_) print(description_);
+  }
+  void proceed(double share) override
+  {
+    constexpr int kEvery = 20;  // percent
+    const std::lock_guard lock(mutex_);
+    const auto percent = static_cast<int>(100 * share);
+    if (!isLong_ || percent < percent_ + kEvery) return;
+    percent_ = percent;
+    print(withPercent(description_, percent));
   }
 
  private:
@@ -77,18 +88,19 @@ class ProgressLine final : public Progress {
     std::unique_lock lock(mutex_);
     std::condition_variable_any().wait_until(lock, stop, start_ + std::chrono::seconds(1), [] { return false; });
     isLong_ = !stop.stop_requested();
-    if (isLong_ && !description_.empty()) print();
+    if (isLong_ && !description_.empty()) print(description_);
   }
 
-  void print() const
+  void print(std::string_view text) const
   {
     const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
-    printMessage(fmt::format("[{:6.1f} s] {}\n", seconds, description_));
+    printMessage(fmt::format("[{:6.1f} s] {}\n", seconds, text));
   }
 
   Clock::time_point start_ = Clock::now();
   std::mutex mutex_;
   std::string description_;
+  int percent_ = 0;  // printed last
   bool isLong_ = false;
   std::jthread thread_{[this](const std::stop_token& stop) { waitAndPrint(stop); }};
 };

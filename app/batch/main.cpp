@@ -10,6 +10,7 @@
 #include <malloc.h>
 #include <unistd.h>
 
+#include <holdfast/base/available_memory.h>
 #include <holdfast/base/error.h>
 #include <holdfast/base/printable.h>
 #include <holdfast/io/files/file_descriptor.h>
@@ -60,6 +61,7 @@ ExitCode run(int argc, const char* const* argv)
   } catch (const OutputError& error) {
     return complain(kOutput, error.what());
   } catch (const std::exception& error) {
+    if (dynamic_cast<const LackOfMemory*>(&error) != nullptr) return complain(kNumerical, error.what());
     if (isLackOfMemory(error))
       return complain(kNumerical,
                       "there is not enough memory for a problem of this size; free some or raise its limit");

@@ -12,31 +12,31 @@ std::atomic<int> leftBehind = 0;
 
 constexpr std::chrono::milliseconds kLook{10};
 
-thread_local std::function<bool()> isLeftBehind;
+thread_local std::shared_ptr<StepState> current;
 
 }  // namespace
 
-std::function<bool()> leftBehindCheck()
+std::shared_ptr<StepState> currentStep()
 {
-  return isLeftBehind ? isLeftBehind : [] { return false; };
+  return current != nullptr ? current : std::make_shared<StepState>();
 }
 
 StepThread::~StepThread()
 {
   if (state_ == nullptr) return;
   ++leftBehind;
-  if (state_->exchange(State::LeftBehind) == State::Ended) --leftBehind;
+  if (state_->phase_.exchange(StepState::Phase::LeftBehind) == StepState::Phase::Ended) --leftBehind;
 }
 
 void StepThread::start(std::function<void()> work, Progress& progress)
 {
-  for (; leftBehind > 1; std::this_thread::sleep_for(kLook)) progress.proceed();
-  auto state = std::make_shared<std::atomic<State>>(State::Running);
+  for (; leftBehind > 1; std::this_thread::sleep_for(kLook)) progress.proceed(0);
+  auto state = std::make_shared<StepState>();
   startBackgroundThread([state, work = std::move(work)]() mutable {
-    isLeftBehind = [state] { return *state == State::LeftBehind; };
+    current = state;
     work();
     work = nullptr;
-    if (state->exchange(State::Ended) == State::LeftBehind) --leftBehind;
+    if (state->phase_.exchange(StepState::Phase::Ended) == StepState::Phase::LeftBehind) --leftBehind;
   });
   state_ = std::move(state);
 }

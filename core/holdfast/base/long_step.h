@@ -16,9 +16,25 @@ namespace holdfast {
 /// Thrown by work that nobody waits for any more.
 class LeftBehind : public std::exception {};
 
-/// Whether nobody waits any more for what the thread works for that asks for this. To be called by any thread, now and
-/// then, by work that can end early.
-[[nodiscard]] std::function<bool()> leftBehindCheck();
+/// What the work of a step and those who wait for it tell each other. Any thread may call it.
+class StepState {
+ public:
+  /// Whether nobody waits any more. To be asked now and then by work that can end early.
+  [[nodiscard]] bool isLeftBehind() const noexcept { return phase_ == Phase::LeftBehind; }
+  /// The share of the operations of the step, from 0 to 1.
+  void setShare(double share) noexcept { share_ = share; }
+  [[nodiscard]] double share() const noexcept { return share_; }
+
+ private:
+  friend class StepThread;
+  enum class Phase { Running, Ended, LeftBehind };
+
+  std::atomic<Phase> phase_ = Phase::Running;
+  std::atomic<double> share_ = 0;
+};
+
+/// Of the step that the calling thread works for; of none, which runs, on another thread.
+[[nodiscard]] std::shared_ptr<StepState> currentStep();
 
 /// Runs one thing at most, on a thread of its own and to its end. Where this is destroyed earlier, the thread is left
 /// behind: only the end of the program waits for it.
@@ -33,10 +49,11 @@ class StepThread {
   /// memory and cores are not used up. `progress` may throw meanwhile; nothing has been started then.
   void start(std::function<void()> work, Progress& progress);
 
- private:
-  enum class State { Running, Ended, LeftBehind };
+  /// Of the work that was started.
+  [[nodiscard]] double share() const noexcept { return state_->share(); }
 
-  std::shared_ptr<std::atomic<State>> state_;
+ private:
+  std::shared_ptr<StepState> state_;
 };
 
 /// One result that takes long. The work begins when it is asked for, or before, and holds all that it needs: it may
@@ -64,7 +81,7 @@ class LongStep {
   const Result& result(Progress& progress)
   {
     start(progress);
-    while (result_.wait_for(kAnswer) != std::future_status::ready) progress.proceed();
+    while (result_.wait_for(kAnswer) != std::future_status::ready) progress.proceed(thread_.share());
     return result_.get();
   }
 

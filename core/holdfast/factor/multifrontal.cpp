@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <atomic>
-#include <functional>
 #include <memory>
 #include <mutex>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include <holdfast/base/available_memory.h>
 #include <holdfast/base/long_step.h>
 #include <holdfast/base/no_subnormals_internal.h>
 #include <holdfast/base/one_thread_internal.h>
@@ -90,13 +90,7 @@ int factorizePanel(const Loop& loop, double* panel, int height, int width, int p
   return 0;
 }
 
-/// Numbers of a lower triangle, column by column without gaps.
-std::size_t triangleSize(int size)
-{
-  return static_cast<std::size_t>(size) * (static_cast<std::size_t>(size) + 1) / 2;
-}
-
-/// Where column j of such a triangle has its row 0.
+/// Where column j of a lower triangle without gaps has its row 0.
 std::size_t triangleColumn(int j, int size)
 {
   return static_cast<std::size_t>(j) * static_cast<std::size_t>(2 * size - j - 1) / 2;
@@ -127,7 +121,7 @@ class Multifrontal {
     // One factorisation at a time: `OneThread` has taken memory for one thread a core.
     static std::mutex computing;
     const std::scoped_lock lock(computing);
-    if (isLeftBehind_()) throw LeftBehind();
+    if (step_->isLeftBehind()) throw LeftBehind();
     const OneThread libraries;
     const NoSubnormals arithmetic;  // L falls off exponentially where much is held
     findDiagonal();
@@ -137,7 +131,7 @@ class Multifrontal {
                 [&](Index k, Index thread) { factorize(subtrees[k], workspaces[thread], Loop(false)); });
     workspaces.resize(1);
     factorize(symbolic_.top, workspaces[0], Loop(true));
-    if (isLeftBehind_()) throw LeftBehind();
+    if (step_->isLeftBehind()) throw LeftBehind();
     return badPivot_;
   }
 
@@ -155,8 +149,11 @@ class Multifrontal {
   void factorize(const SupernodeRange& range, Workspace& work, const Loop& loop)
   {
     work.placeOf.resize(diagonal_.size());
-    for (int s = range.begin; s < range.end && badPivot_ == kAllPositive && !isLeftBehind_(); ++s)
+    for (int s = range.begin; s < range.end && badPivot_ == kAllPositive && !step_->isLeftBehind(); ++s) {
       factorize(s, work, loop);
+      done_ += flopsOf(symbolic_.supernodes[s].width, symbolic_.supernodes[s].rowCount);
+      step_->setShare(done_ / flops_);
+    }
   }
 
   void factorize(int s, Workspace& work, const Loop& loop)
@@ -182,7 +179,7 @@ class Multifrontal {
   {
     const Supernode& node = symbolic_.supernodes[s];
     const int rows = node.rowCount;
-    updates_[s] = std::make_unique_for_overwrite<double[]>(triangleSize(rows));
+    updates_[s] = std::make_unique_for_overwrite<double[]>(static_cast<std::size_t>(triangleSize(rows)));
     const int positive = node.width - node.multipliers;
     loop(blockCount(rows), [&](int block, Index thread) {
       const int first = block * kBlock;
@@ -267,7 +264,9 @@ class Multifrontal {
   /// What supernodes take off the rows below them, each a lower triangle, until their parents have added it.
   std::vector<std::unique_ptr<double[]>> updates_;
   std::unique_ptr<PackedFactor> result_;
-  std::function<bool()> isLeftBehind_ = leftBehindCheck();
+  std::shared_ptr<StepState> step_ = currentStep();
+  double flops_ = symbolic_.flops();
+  std::atomic<double> done_ = 0;
   std::atomic<int> badPivot_{kAllPositive};
 };
 
@@ -276,6 +275,8 @@ class Multifrontal {
 Result<std::unique_ptr<const PackedFactor>> factorizeMultifrontal(const std::shared_ptr<const SymbolicFactor>& symbolic,
                                                                   const SparseMatrix& lower)
 {
+  requireMemory(sizeof(double) * static_cast<std::uint64_t>(symbolic->mostNumbers()),
+                fmt::format("the factor of {} unknowns", symbolic->size()));
   Multifrontal multifrontal(symbolic, lower);
   if (const int bad = multifrontal.run(); bad != kAllPositive)
     return {nullptr, fmt::format("the normal equations are not positive definite in doubles (pivot {} of {})", bad + 1,

@@ -1,6 +1,7 @@
 #include "holdfast/factor/symbolic_factor.h"
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
 #include <queue>
 #include <utility>
@@ -78,11 +79,6 @@ struct Layout {
   std::vector<SupernodeRange> subtrees;
   SupernodeRange top;
 };
-
-double flopsOf(double width, double rowCount)
-{
-  return width * width * width / 3 + width * rowCount * (width + rowCount);
-}
 
 /// The work of the subtree of each.
 std::vector<double> subtreeWork(const std::vector<Draft>& drafts)
@@ -195,6 +191,16 @@ void findRows(SymbolicFactor& factor)
 
 }  // namespace
 
+double flopsOf(double width, double rowCount)
+{
+  return width * width * width / 3 + width * rowCount * (width + rowCount);
+}
+
+std::int64_t triangleSize(std::int64_t size)
+{
+  return size * (size + 1) / 2;
+}
+
 int SymbolicFactor::topColumn() const
 {
   return top.begin < top.end ? supernodes[top.begin].firstColumn : size();
@@ -203,9 +209,26 @@ int SymbolicFactor::topColumn() const
 std::int64_t SymbolicFactor::nonzeros() const
 {
   std::int64_t sum = 0;
-  for (const Supernode& node : supernodes)
-    sum += std::int64_t{node.width} * (node.width + 1) / 2 + std::int64_t{node.width} * node.rowCount;
+  for (const Supernode& node : supernodes) sum += triangleSize(node.width) + std::int64_t{node.width} * node.rowCount;
   return sum;
+}
+
+double SymbolicFactor::flops() const
+{
+  return std::transform_reduce(supernodes.begin(), supernodes.end(), 0.0, std::plus(),
+                               [](const Supernode& node) { return flopsOf(node.width, node.rowCount); });
+}
+
+std::int64_t SymbolicFactor::mostNumbers() const
+{
+  std::int64_t kept = 0;
+  std::int64_t most = 0;
+  for (std::size_t s = 0; s < supernodes.size(); ++s) {
+    kept += triangleSize(supernodes[s].rowCount);
+    most = std::max(most, kept);
+    for (const int child : children[s]) kept -= triangleSize(supernodes[child].rowCount);
+  }
+  return nonzeros() + most;
 }
 
 bool SymbolicFactor::hasMultipliers() const

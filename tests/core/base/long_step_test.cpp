@@ -1,7 +1,9 @@
 #include <atomic>
 #include <memory>
 #include <stdexcept>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -33,7 +35,7 @@ class UntilBegun final : public Progress {
   explicit UntilBegun(const HeldBack& work) : begun_(work.begun) {}
 
   void step(std::string_view /*description*/) override {}
-  void proceed() override
+  void proceed(double /*share*/) override
   {
     if (*begun_ > 0) throw Cancelled();
   }
@@ -46,7 +48,7 @@ class UntilBegun final : public Progress {
 class Impatient final : public Progress {
  public:
   void step(std::string_view /*description*/) override {}
-  void proceed() override { throw Cancelled(); }
+  void proceed(double /*share*/) override { throw Cancelled(); }
 };
 
 /// Lets work end when it is asked.
@@ -55,7 +57,7 @@ class Opening final : public Progress {
   explicit Opening(const HeldBack& work) : mayEnd_(work.mayEnd) {}
 
   void step(std::string_view /*description*/) override {}
-  void proceed() override { mayEnd_->open(); }
+  void proceed(double /*share*/) override { mayEnd_->open(); }
 
  private:
   std::shared_ptr<Latch> mayEnd_;
@@ -105,15 +107,15 @@ TEST(LongStep, LeavesBehindWhatItHolds)
 
 TEST(LongStep, TellsItsWorkWhenNobodyWaits)
 {
-  EXPECT_FALSE(leftBehindCheck()()) << "no step at all";
+  EXPECT_FALSE(currentStep()->isLeftBehind()) << "no step at all";
   const auto hasEnded = std::make_shared<Latch>();
   const HeldBack work;
   {
     LongStep<int> step([work, hasEnded] {
-      const std::function<bool()> isLeftBehind = leftBehindCheck();
-      EXPECT_FALSE(isLeftBehind());
+      const std::shared_ptr<const StepState> own = currentStep();
+      EXPECT_FALSE(own->isLeftBehind());
       const int result = work();
-      EXPECT_TRUE(isLeftBehind());
+      EXPECT_TRUE(own->isLeftBehind());
       hasEnded->open();
       return result;
     });
@@ -122,6 +124,48 @@ TEST(LongStep, TellsItsWorkWhenNobodyWaits)
   }
   work.mayEnd->open();
   EXPECT_TRUE(hasEnded->wait());
+}
+
+/// Keeps the last share, and lets the work end once it has one.
+class Share final : public Progress {
+ public:
+  explicit Share(const HeldBack& work) : mayEnd_(work.mayEnd) {}
+
+  void step(std::string_view /*description*/) override {}
+  void proceed(double share) override
+  {
+    last = share;
+    if (share > 0) mayEnd_->open();
+  }
+
+  double last = 0;
+
+ private:
+  std::shared_ptr<Latch> mayEnd_;
+};
+
+TEST(LongStep, TellsWhoWaitsTheShareThatIsDone)
+{
+  const HeldBack work;
+  LongStep<int> step([work] {
+    currentStep()->setShare(0.25);
+    return work();
+  });
+  Share share(work);
+  EXPECT_EQ(step.result(share), 42);
+  EXPECT_EQ(share.last, 0.25);
+}
+
+TEST(StoppableProgress, ReportsEachPercentOnce)
+{
+  std::vector<std::string> reports;
+  StoppableProgress progress([] { return false; }, [&](std::string_view report) { reports.emplace_back(report); });
+  progress.step("factorising");
+  for (const double share : {0.0, 0.004, 0.01, 0.014, 0.4, 0.3}) progress.proceed(share);
+  progress.step("solving");
+  progress.proceed(0.01);
+  EXPECT_EQ(reports, (std::vector<std::string>{"factorising", "factorising, 1 %", "factorising, 40 %", "solving",
+                                               "solving, 1 %"}));
 }
 
 TEST(LongStep, OneMoreGoesOnBesideWhatWasLeftBehindAndAThirdWaits)

@@ -3,8 +3,10 @@
 #include <memory>
 
 #include <Eigen/Dense>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <holdfast/base/available_memory.h>
 #include <holdfast/base/long_step.h>
 #include <holdfast/factor/multifrontal.h>
 
@@ -14,6 +16,9 @@
 
 namespace holdfast {
 namespace {
+
+using testing::EndsWith;
+using testing::StartsWith;
 
 std::shared_ptr<const SymbolicFactor> analyzed(const SparseMatrix& lower)
 {
@@ -45,6 +50,32 @@ TEST(Multifrontal, SolvesWithFrontsOfManyBlocks)
   ASSERT_TRUE(result) << result.failure;
   const Columns3 expected = Columns3::Random(M.cols(), 3);
   EXPECT_LT((test::solved(*result.value, M * expected) - expected).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(Multifrontal, TellsItsShareOfOperations)
+{
+  const SparseMatrix lower = test::lowerOf(test::gridMatrix(8));
+  LongStep<double> step([&] {
+    EXPECT_TRUE(factorizeMultifrontal(analyzed(lower), lower));
+    return currentStep()->share();
+  });
+  EXPECT_NEAR(step.result(noProgress()), 1, 1e-12);
+}
+
+TEST(Multifrontal, RefusesAFactorThatIsLargerThanMemory)
+{
+  SymbolicFactor large;
+  constexpr int kSize = 20'000'000;  // 1.6 PB of one triangle
+  large.supernodes.push_back({0, kSize});
+  large.children.resize(1);
+  large.pattern.start.resize(1 + std::size_t{kSize});
+  try {
+    static_cast<void>(factorizeMultifrontal(std::make_shared<const SymbolicFactor>(large), SparseMatrix()));
+    FAIL() << "takes 1.6 PB";
+  } catch (const LackOfMemory& lack) {
+    EXPECT_THAT(lack.what(), StartsWith("the factor of 20000000 unknowns needs 1600000.1 GB of memory and "));
+    EXPECT_THAT(lack.what(), EndsWith(" GB are free; close other programs, or take a coarser mesh"));
+  }
 }
 
 TEST(Multifrontal, HasTheSameBitsOnOneCore)

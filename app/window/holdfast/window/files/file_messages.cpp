@@ -7,6 +7,7 @@
 #include <QRegularExpression>
 #include <QTimer>
 
+#include <holdfast/base/available_memory.h>
 #include <holdfast/base/error.h>
 #include <holdfast/widgets/files/any_mesh_file.h>
 #include <holdfast/window/controls/panel_parts.h>
@@ -39,6 +40,8 @@ QString explained(const std::exception_ptr& error)
     std::rethrow_exception(error);
   } catch (const InputError& input) {
     return asSentence(QString::fromStdString(input.reason())) + "\n\n" + placeOf(input.location());
+  } catch (const LackOfMemory& lack) {
+    return asSentence(QString::fromUtf8(lack.what()));
   } catch (const std::bad_alloc&) {
     return QObject::tr("There is not enough memory for it; close other documents and programs.");
   } catch (const std::exception& other) {

@@ -1,0 +1,36 @@
+#include "holdfast/base/available_memory.h"
+
+#include <fstream>
+#include <limits>
+
+#include <fmt/format.h>
+
+namespace holdfast {
+
+std::uint64_t availableMemory()
+{
+  std::ifstream file("/proc/meminfo");
+  std::uint64_t sum = 0;
+  bool isFound = false;
+  std::string name;
+  std::string unit;
+  for (std::uint64_t kibibytes = 0; file >> name >> kibibytes && std::getline(file, unit);) {
+    if (name != "MemAvailable:" && name != "SwapFree:") continue;
+    isFound = true;
+    sum += 1024 * kibibytes;
+  }
+  return isFound ? sum : std::numeric_limits<std::uint64_t>::max();
+}
+
+void requireMemory(std::uint64_t bytes, std::string_view user)
+{
+  const std::uint64_t available = availableMemory();
+  if (bytes <= available) return;
+  constexpr double kGigabyte = 1e9;
+  throw LackOfMemory(
+      fmt::format("{} needs {:.1f} GB of memory and {:.1f} GB are free; close other programs, or take a "
+                  "coarser mesh",
+                  user, static_cast<double>(bytes) / kGigabyte, static_cast<double>(available) / kGigabyte));
+}
+
+}  // namespace holdfast

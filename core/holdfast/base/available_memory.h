@@ -1,0 +1,29 @@
+#pragma once
+/// Memory that is asked for before it is taken: Linux promises more than there is, and ends programs that use it.
+
+#include <cstdint>
+#include <new>
+#include <string>
+#include <string_view>
+
+namespace holdfast {
+
+/// `what()` says what needs how much, what is free and what to do.
+class LackOfMemory : public std::bad_alloc {
+ public:
+  explicit LackOfMemory(std::string message) : message_(std::move(message)) {}
+
+  [[nodiscard]] const char* what() const noexcept override { return message_.c_str(); }
+
+ private:
+  std::string message_;
+};
+
+/// Bytes of memory and swap that the machine has free; the largest number where the system does not say. Limits of a
+/// container are not seen.
+[[nodiscard]] std::uint64_t availableMemory();
+
+/// Throws `LackOfMemory` where `user` ("the factor of 1000 unknowns") needs more than is free.
+void requireMemory(std::uint64_t bytes, std::string_view user);
+
+}  // namespace holdfast
