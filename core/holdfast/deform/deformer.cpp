@@ -12,6 +12,7 @@
 #include <holdfast/deform/rotation_factorization.h>
 #include <holdfast/solve/constrained_solver.h>
 #include <holdfast/solve/elimination_order.h>
+#include <holdfast/solve/moved_solutions.h>
 #include <holdfast/surface/surface_locator.h>
 
 namespace holdfast {
@@ -71,6 +72,7 @@ struct ConstraintFactorization {
   std::vector<double> sensitivities;
   std::shared_ptr<RotationFactorization> rotations;
   LongStep<SolverResult> positions;
+  std::unique_ptr<MovedSolutions> moved;  // where solutions may be sums of earlier ones
   bool isBordered = false;
 };
 
@@ -236,13 +238,21 @@ class Solution {
 
     progress.step("solving");
     const auto solution = Clock::now();
-    const Columns3 f = (model_.solverMesh.diagonal * details_.operators->rowWeights).asDiagonal() *
-                       rotationOfDelta(details_.operators->delta, result_.rotations);
-    const Displacement displacement =
-        result.value->solve({shiftsOf(details_.system), details_.diagnosis.reconciled}, f);
+    const auto makeF = [this]() -> Columns3 {
+      return (model_.solverMesh.diagonal * details_.operators->rowWeights).asDiagonal() *
+             rotationOfDelta(details_.operators->delta, result_.rotations);
+    };
+    const RowTargets targets{shiftsOf(details_.system), details_.diagnosis.reconciled};
+    MovedSolutions* const moved = factorization.moved.get();
+    Columns3 f;
+    Displacement own;
+    if (moved == nullptr) own = result.value->solve(targets, f = makeF());
+    const Displacement& displacement =
+        moved == nullptr ? own : moved->solve(*result.value, targets, result_.rotations, makeF);
     accept(displacement);
     if (options_.solver.kind == SolverKind::Hard && report().status != SolveStatus::Failed)
-      setMultipliers(multipliersOf(A_, *factorization.eliminated, displacement.u, f, model_.solverMesh.diagonal));
+      setMultipliers(multipliersOf(A_, *factorization.eliminated, displacement.u, moved == nullptr ? f : moved->f(),
+                                   model_.solverMesh.diagonal));
     report().seconds.solution += secondsSince(solution);
   }
 
@@ -380,6 +390,7 @@ DeformResult Deformer::deform(const ConstraintList& constraints, const std::stri
   seconds.factorization = secondsSince(elimination);
 
   const auto solved = [&](ConstraintFactorization& by, ConstraintSystem its) {
+    if (answersEditsAtOnce_ && by.moved == nullptr) by.moved = std::make_unique<MovedSolutions>(model_->solverMesh);
     return Solution(*model_, constraints, options_, operators_, *A_, std::move(its)).by(by, progress);
   };
   ConstraintSystem again;

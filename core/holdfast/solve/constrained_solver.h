@@ -34,6 +34,9 @@ class ConstrainedSolver {
   /// `f` (n x 3) is what A u should be near: 0 when no detail is turned. O(factor). Not for concurrent calls.
   [[nodiscard]] virtual Displacement solve(const RowTargets& targets, const Columns3& f) const = 0;
 
+  /// Takes what rounding has left of B u = d off `u`, where the solver holds its rows exactly.
+  virtual void meet(const RowTargets& /*targets*/, Columns3& /*u*/) const {}
+
   /// A solver under `others`, by this one's decomposition and a border of one column for each row more and each row
   /// fewer. Fails where they are too many, or where the solver does not do that. O(factor) for three rows.
   [[nodiscard]] virtual SolverResult edited(std::shared_ptr<const EliminatedConstraints> others) const;

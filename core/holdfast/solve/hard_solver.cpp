@@ -24,12 +24,17 @@ class HardSolver final : public ConstrainedSolver {
     missed.conservativeResizeLike(Columns3::Zero(missed.rows() + reduced_->kept, 3));
     const CorrectedSolution z = correctedSolve(*reduced_->factor, reduced_->C, reduced_->scale, missed, reduced_->kept);
     parallelBlocks(result.u.rows(), [&](Index i) { result.u.row(i) += gathered(reduced_->scaledQ2, i, z.z); });
-    // What rounding has left of B u = d is taken off in the span of the rows; pins have nothing left.
-    const Columns3 left = targets.shifts - B_ * result.u;
-    if (!left.isZero(0)) result.u += particular({left, targets.reconciled});
+    meet(targets, result.u);
     result.corrections = z.corrections;
     result.accuracy = z.accuracy;
     return result;
+  }
+
+  /// In the span of the rows; pins have nothing left.
+  void meet(const RowTargets& targets, Columns3& u) const override
+  {
+    const Columns3 left = targets.shifts - B_ * u;
+    if (!left.isZero(0)) u += particular({left, targets.reconciled});
   }
 
   [[nodiscard]] SolverResult edited(std::shared_ptr<const EliminatedConstraints> others) const override

@@ -1,0 +1,44 @@
+#pragma once
+/// Solutions of a drag. The displacement is linear in what the rows ask for: where few groups of rows have moved, each
+/// as a whole, since another solution, the difference is a sum of stored columns.
+
+#include <functional>
+
+#include <holdfast/mesh/solver_mesh.h>
+#include <holdfast/solve/constrained_solver.h>
+
+namespace holdfast {
+
+/// For one solver, which is the same at every call.
+class MovedSolutions {
+ public:
+  explicit MovedSolutions(const SolverMesh& mesh);
+
+  /// As `solver.solve(targets, makeF())`; `q` (n x 3) is all that `makeF` depends on. O(n) from the third solution of a
+  /// drag on, whose last digits then depend on those before. Valid until the next call.
+  [[nodiscard]] const Displacement& solve(const ConstrainedSolver& solver, const RowTargets& targets, const Columns3& q,
+                                          const std::function<Columns3()>& makeF);
+
+  /// The f of the last solution.
+  [[nodiscard]] const Columns3& f() const noexcept { return f_; }
+
+ private:
+  /// How far it reaches, n x 3, when the rows of groups 1, 2 and 3 move by 1: a column for each.
+  struct Response {
+    std::vector<int> groupOf;  // of each row; 0 where it stays
+    Displacement reach;
+  };
+
+  double rounding_ = 0;  // of shifts, model units
+  double farthest_ = 0;  // that rows move from a solution until there is another one
+
+  /// What the last solution that was solved for was made of.
+  Columns3 q_;
+  Columns3 f_;
+  RowTargets targets_;
+  Displacement solution_;
+  Response response_;
+  Displacement sum_;
+};
+
+}  // namespace holdfast

@@ -1,0 +1,122 @@
+#include <algorithm>
+#include <array>
+
+#include <gtest/gtest.h>
+
+#include <holdfast/deform/deformer.h>
+#include <holdfast/solve/moved_solutions.h>
+
+#include "support/meshes.h"
+#include "support/point_constraints.h"
+#include "support/solve_cases.h"
+
+namespace holdfast {
+namespace {
+
+constexpr Index kUnknowns = 12;
+constexpr Index kRows = 5;
+
+/// Any linear map from what rows ask for; counts its solutions.
+class Linear final : public ConstrainedSolver {
+ public:
+  [[nodiscard]] Displacement solve(const RowTargets& targets, const Columns3& f) const override
+  {
+    ++solutions;
+    return {map_ * targets.shifts + f, 1, 1e-14};
+  }
+  [[nodiscard]] Index unknowns() const override { return kUnknowns; }
+  [[nodiscard]] Index factorNonzeros() const override { return 0; }
+  [[nodiscard]] std::string method() const override { return "a product"; }
+
+  mutable int solutions = 0;
+
+ private:
+  Eigen::MatrixXd map_ = Eigen::MatrixXd::Random(kUnknowns, kRows);
+};
+
+class MovedRows : public testing::Test {
+ protected:
+  /// Solves again after the rows have moved by `by`; returns how many solutions that took.
+  int move(const Columns3& by)
+  {
+    targets_.shifts += by;
+    const int before = solver_.solutions;
+    const Displacement found = moved_.solve(solver_, targets_, q_, [this]() -> Columns3 { return 2 * q_; });
+    const int taken = solver_.solutions - before;
+    EXPECT_LT((found.u - solver_.solve(targets_, 2 * q_).u).cwiseAbs().maxCoeff(), 1e-14);
+    EXPECT_EQ(moved_.f(), 2 * q_);
+    return taken;
+  }
+
+  /// Row k moves by the k-th of these.
+  static Columns3 rows(const std::array<double, kRows>& x)
+  {
+    Columns3 by = Columns3::Zero(kRows, 3);
+    for (Index r = 0; r < kRows; ++r) by.row(r) = x[r] * Vector3(1, -2, 0.5);
+    return by;
+  }
+
+  Linear solver_;
+  MovedSolutions moved_{makeModel(test::plate(3, 4)).solverMesh};
+  RowTargets targets_{Columns3::Random(kRows, 3), {}};
+  Columns3 q_ = Columns3::Random(kUnknowns, 3);
+};
+
+TEST_F(MovedRows, TakeOneSolutionForAllMovesOfADrag)
+{
+  EXPECT_EQ(move(Columns3::Zero(kRows, 3)), 1);
+  EXPECT_EQ(move(rows({0, 0.1, 0.1, 0, 0})), 1) << "how far these two reach";
+  for (int k = 0; k < 10; ++k) EXPECT_EQ(move(rows({0, 0.1, 0.1, 0, 0})), 0) << k;
+  EXPECT_EQ(move(rows({0, 1e-16, -1e-16, 0, 0})), 0) << "rounding";
+}
+
+TEST_F(MovedRows, MayMoveInThreeWays)
+{
+  EXPECT_EQ(move(Columns3::Zero(kRows, 3)), 1);
+  EXPECT_EQ(move(rows({0.1, 0.2, 0.3, 0, 0})), 1);
+  EXPECT_EQ(move(rows({0.2, 0.2, -0.3, 0, 0})), 1) << "other groups: the third is back";
+  EXPECT_EQ(move(rows({0.1, 0.2, 0.3, 0.4, 0})), 1) << "four ways";
+}
+
+TEST_F(MovedRows, AreSolvedForAgainWhereAnythingElseHasChanged)
+{
+  EXPECT_EQ(move(Columns3::Zero(kRows, 3)), 1);
+  EXPECT_EQ(move(rows({0.1, 0, 0, 0, 0})), 1);
+  q_(0, 0) += 0.1;
+  EXPECT_EQ(move(rows({0.1, 0, 0, 0, 0})), 1) << "other rotations";
+  targets_.reconciled = {4};
+  EXPECT_EQ(move(rows({0.1, 0, 0, 0, 0})), 1) << "another redundant row";
+  EXPECT_EQ(move(rows({1e6, 0, 0, 0, 0})), 1) << "so far that digits would be lost";
+}
+
+/// A drag of a point and of a handle, for each solver.
+TEST(MovedSolutions, AreAsExactAsOthers)
+{
+  const Mesh mesh = test::plate(16, 12);
+  for (const SolverKind kind : {SolverKind::Hard, SolverKind::Soft, SolverKind::Lagrange}) {
+    const DeformOptions options{Weights::Cotangent, {kind, Backend::Holdfast, 100}};
+    test::Random random(5);
+    ConstraintList list = test::listOf({test::hold({0, 1, 2, 3})});
+    const Index last = mesh.vertexCount() - 1;
+    list.constraints.push_back(
+        {"handle", true,
+         HandleConstraint{
+             {VertexIds{{last, last - 1, last - 2}}}, AxisRotation{Vector3(1, 1, 0), 40, {}}, Vector3::Zero(), {}}});
+    list.constraints.push_back(test::moveBy(test::randomPlace(random, mesh), Vector3::Zero()));
+    Deformer deformer(makeModel(mesh), options);
+    deformer.answerEditsAtOnce(true);
+    for (int k = 0; k < 6; ++k) {
+      std::get<HandleConstraint>(list.constraints[1].what).translate = 0.1 * k * Vector3(1, 2, 3);
+      std::get<PointConstraint>(list.constraints[2].what).to = Move{0.05 * k * Vector3(0, 1, -1)};
+      const DeformResult result = deformer.deform(list);
+      const DeformResult fresh = test::deformed(mesh, list, options);
+      EXPECT_EQ(result.report.solve.status, fresh.report.solve.status) << result.report.solve.message;
+      EXPECT_LT(test::distance(result.positions, fresh.positions), 1e-11) << k;
+      EXPECT_LE(result.report.solve.maxResidualRelative, std::max(1e-14, 1.01 * fresh.report.solve.maxResidualRelative))
+          << k;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace holdfast
