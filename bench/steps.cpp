@@ -12,7 +12,7 @@ SetUp setUp(const Model& model, const ConstraintList& constraints)
 {
   const SolverMesh& mesh = model.solverMesh;
   return {std::make_shared<const TwoWayMatrix>(weightedRows(makeOperators(mesh, Weights::Cotangent))),
-          eliminationRanks(mesh.unknownCount(), mesh.triangles),
+          eliminationRanks(mesh.unknownCount(), mesh.triangles).ranks,
           makeConstraintSystem(constraints, model.mesh, mesh, model.locator(), "benchmark")};
 }
 

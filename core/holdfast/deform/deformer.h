@@ -12,7 +12,9 @@ namespace holdfast {
 
 struct ConstraintFactorization;
 struct ConstraintSystem;
+struct EliminationRanks;
 struct Operators;
+enum class OrderFor;
 class TwoWayMatrix;
 template <class Result>
 class LongStep;
@@ -58,9 +60,14 @@ class Deformer {
   ConstraintList constraints_;
   std::shared_ptr<const Operators> operators_;
   std::shared_ptr<const TwoWayMatrix> A_;
-  std::unique_ptr<LongStep<std::vector<int>>> ranks_;
+  std::unique_ptr<LongStep<EliminationRanks>> ranks_;
+  std::unique_ptr<LongStep<EliminationRanks>> betterRanks_;  // sought while results are answered
   /// One that serves `system`: the one at hand, one that was made meanwhile, or a new one.
   [[nodiscard]] ConstraintFactorization& factorizationFor(const ConstraintSystem& system, Progress& progress);
+
+  [[nodiscard]] std::unique_ptr<LongStep<EliminationRanks>> orderStep(OrderFor use) const;
+  /// Looks for an order that leaves less to compute for each result, and has it used.
+  void seekBetterOrder(Progress& progress);
 
   bool answersEditsAtOnce_ = false;
   std::shared_ptr<ConstraintFactorization> factorization_;

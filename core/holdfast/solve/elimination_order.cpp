@@ -41,16 +41,21 @@ std::vector<int> minimumDegreeOrder(const SparseMatrix& lower)
   return {order.indices().begin(), order.indices().end()};
 }
 
-std::vector<int> eliminationRanks(Index unknownCount, const std::vector<Triangle>& triangles)
+EliminationRanks eliminationRanks(Index unknownCount, const std::vector<Triangle>& triangles,
+                                  [[maybe_unused]] OrderFor use)
 {
   const TwoWayMatrix A(stiffness(unknownCount, unitEdgeWeights(triangles)));
   const SparseMatrix lower = gramLower(A);
-  std::vector<int> order = minimumDegreeOrder(lower);
+  const std::vector<int> order = minimumDegreeOrder(lower);
 #ifdef HOLDFAST_WITH_CHOLMOD
-  if (unknownCount >= kLargeMesh && flopsOf(lower, order) > kManyFlops * static_cast<double>(unknownCount))
-    if (std::vector<int> other = nestedDissectionOrder(lower); !other.empty()) order = std::move(other);
+  if (use == OrderFor::ManyResults || unknownCount >= kLargeMesh) {
+    const double flops = flopsOf(lower, order);
+    if (use == OrderFor::ManyResults || flops > kManyFlops * static_cast<double>(unknownCount))
+      if (const std::vector<int> other = nestedDissectionOrder(lower); !other.empty() && flopsOf(lower, other) < flops)
+        return {inverse(other), true};
+  }
 #endif
-  return inverse(order);
+  return {inverse(order)};
 }
 
 SparseMatrix orderedColumns(const SparseMatrix& Q, const std::vector<int>& ranks)

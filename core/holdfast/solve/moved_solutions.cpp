@@ -59,6 +59,7 @@ const Displacement& MovedSolutions::solve(const ConstrainedSolver& solver, const
     solution_ = solver.solve(targets, f_);
     return solution_;
   }
+  if (moves->by.isZero(0)) return solution_;
   if (response_.groupOf != moves->groupOf) {
     Columns3 isMoved(targets.shifts.rows(), 3);
     for (Index r = 0; r < isMoved.rows(); ++r)

@@ -1,6 +1,7 @@
 // Edits that are answered by the factor of an earlier list, bordered by the rows that differ.
 
 #include <algorithm>
+#include <chrono>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -56,6 +57,32 @@ void expectAsFresh(const DeformResult& edited, const Mesh& mesh, const Constrain
     EXPECT_EQ(edited.report.constraints[c].status, fresh.report.constraints[c].status) << c;
 }
 
+/// For what other threads are about to do.
+class Patience {
+ public:
+  [[nodiscard]] bool isLeft() const { return std::chrono::steady_clock::now() - start_ < std::chrono::minutes(1); }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+TEST(DeformerEdits, GetABetterOrderMeanwhile)
+{
+  const Mesh mesh = test::plate(90, 80);
+  const ConstraintList list = turnedEnd(mesh);
+  Deformer deformer(makeModel(mesh));
+  deformer.answerEditsAtOnce(true);
+  const DeformResult first = deformer.deform(list);
+  DeformResult later = deformer.deform(list);
+  const Patience patience;
+  while (later.report.solve.factorNonzeros == first.report.solve.factorNonzeros && patience.isLeft())
+    later = deformer.deform(list);
+#ifdef HOLDFAST_WITH_CHOLMOD
+  EXPECT_LT(later.report.solve.factorNonzeros, first.report.solve.factorNonzeros);
+#endif
+  EXPECT_LT(test::distance(later.positions, first.positions), 1e-11);
+}
+
 TEST(DeformerEdits, AreAsExactAsFreshDeformations)
 {
   const Mesh mesh = test::plate(16, 12);
@@ -105,9 +132,10 @@ TEST(DeformerEdits, GetAFactorOfTheirOwnMeanwhile)
   list.constraints.push_back(test::moveBy(AtVertex{60}, Vector3(0, 0, 0.1)));
   DeformResult result = deformer.deform(list);
   EXPECT_EQ(result.report.solve.method, kBordered);
-  for (int turn = 0; turn < 1000 && result.report.solve.method == kBordered; ++turn) result = deformer.deform(list);
+  const Patience patience;
+  while (result.report.solve.method == kBordered && patience.isLeft()) result = deformer.deform(list);
   EXPECT_NE(result.report.solve.method, kBordered);
-  EXPECT_EQ(result.positions, test::deformed(mesh, list, {}).positions) << "bit for bit";
+  expectAsFresh(result, mesh, list, {});
 }
 
 TEST(DeformerEdits, GoBackToTheFactorThatTheyBeganWith)

@@ -31,7 +31,7 @@ struct ReducedPlate {
   ConstraintSystem system =
       makeConstraintSystem(someConstraints(), model.mesh, model.solverMesh, model.locator(), "list");
   EliminatedConstraints eliminated = eliminate(system, model.solverMesh);
-  std::vector<int> ranks = eliminationRanks(model.solverMesh.unknownCount(), model.solverMesh.triangles);
+  std::vector<int> ranks = eliminationRanks(model.solverMesh.unknownCount(), model.solverMesh.triangles).ranks;
 
   [[nodiscard]] std::unique_ptr<const ConstrainedSolver> solver(std::vector<int> its) const
   {
