@@ -26,15 +26,27 @@ double DraggedMesh::deform(const ConstraintList& list)
   return seconds;
 }
 
-double DraggedMesh::frame(ConstraintList list)
+template <class Change>
+double DraggedMesh::frames(ConstraintList list, const Change& change)
 {
   constexpr int kFrames = 10;
   std::vector<double> seconds;
   for (int k = 1; k <= kFrames; ++k) {
-    turnHandle(list, 2.0 * k);
+    change(list, k);
     seconds.push_back(deform(list));
   }
   return median(std::move(seconds));
+}
+
+double DraggedMesh::frame(ConstraintList list)
+{
+  return frames(std::move(list), [](ConstraintList& changed, int k) { turnHandle(changed, 2.0 * k); });
+}
+
+double DraggedMesh::movedFrame(ConstraintList list)
+{
+  const double step = 1e-3 * deformer_.model().solverMesh.diagonal;
+  return frames(std::move(list), [step](ConstraintList& changed, int /*k*/) { moveHandle(changed, step); });
 }
 
 }  // namespace holdfast::bench

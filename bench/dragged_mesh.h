@@ -18,6 +18,8 @@ class DraggedMesh {
   double deform(const ConstraintList& list);
   /// The median over some frames in which the handle of a scene turns on.
   double frame(ConstraintList list);
+  /// The same for frames in which it moves on without turning.
+  double movedFrame(ConstraintList list);
 
   void answerEditsAtOnce() { deformer_.answerEditsAtOnce(true); }
 
@@ -26,6 +28,10 @@ class DraggedMesh {
   [[nodiscard]] const Positions& positions() const noexcept { return result_.positions; }
 
  private:
+  /// Changes the list before each frame.
+  template <class Change>
+  double frames(ConstraintList list, const Change& change);
+
   Deformer deformer_;
   std::vector<Index> corners_;
   DeformResult result_;

@@ -48,6 +48,7 @@ void editsOfConstraints(benchmark::State& state, const Mesh& mesh)
     });
     add("from nothing", nothing, *dragged);
     add("frame", dragged->frame(first), *dragged);
+    add("moved frame", dragged->movedFrame(first), *dragged);
     add("another set", dragged->deform(other), *dragged);
     for (const auto& [row, edited] : edits) {
       add(row, dragged->deform(edited), *dragged);
@@ -55,6 +56,7 @@ void editsOfConstraints(benchmark::State& state, const Mesh& mesh)
       dragged->deform(other);
     }
   }
+  samples.addRatios("= of frame", {"moved frame", "ms"}, {"frame", "ms"});
   samples.addRatios("= of nothing", {"another set", "ms"}, {"from nothing", "ms"});
   for (const auto& [row, edited] : edits) {
     samples.addRatios("= of another set", {row, "ms"}, {"another set", "ms"});

@@ -142,4 +142,9 @@ void turnHandle(ConstraintList& list, double degrees)
   std::get<HandleConstraint>(list.constraints[1].what).motion = AxisRotation{Vector3(1, 2, 3), degrees, {}};
 }
 
+void moveHandle(ConstraintList& list, double by)
+{
+  std::get<HandleConstraint>(list.constraints[1].what).translate.x() += by;
+}
+
 }  // namespace holdfast::bench

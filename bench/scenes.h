@@ -25,4 +25,7 @@ inline constexpr std::size_t kEnds = 2;
 /// Turns the handle of a list by so many degrees from rest.
 void turnHandle(ConstraintList& list, double degrees);
 
+/// Moves it by this along x.
+void moveHandle(ConstraintList& list, double by);
+
 }  // namespace holdfast::bench

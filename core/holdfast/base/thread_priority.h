@@ -8,7 +8,11 @@ namespace holdfast {
 /// Lowers the priority of the calling thread, and of those that it starts from now on, for good.
 void computeInBackground() noexcept;
 
-/// The same for every thread of this program but the calling one: pools that libraries have started before `main`.
+/// Lowers it as far as it goes: for what is worth the time that is left over.
+void computeLast() noexcept;
+
+/// As `computeInBackground` for every thread of this program but the calling one: pools that libraries have started
+/// before `main`.
 void letOthersComputeInBackground() noexcept;
 
 /// Puts the threads of this program whose names begin with `name` on the usable cores in turn. For pools that wait

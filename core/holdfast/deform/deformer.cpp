@@ -6,6 +6,7 @@
 
 #include <holdfast/base/error.h>
 #include <holdfast/base/parallel.h>
+#include <holdfast/base/thread_priority.h>
 #include <holdfast/check/mesh_check.h>
 #include <holdfast/deform/deform_details.h>
 #include <holdfast/deform/messages.h>
@@ -340,6 +341,7 @@ std::unique_ptr<LongStep<EliminationRanks>> Deformer::orderStep(OrderFor use) co
   const bool isOurs = options_.solver.backend == Backend::Holdfast;
   return std::make_unique<LongStep<EliminationRanks>>(
       [use, isOurs, n = model_->solverMesh.unknownCount(), triangles = model_->solverMesh.triangles] {
+        if (use == OrderFor::ManyResults) computeLast();
         return isOurs ? eliminationRanks(n, triangles, use) : EliminationRanks();
       });
 }

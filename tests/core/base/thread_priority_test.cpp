@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <pthread.h>
 #include <sched.h>
+#include <sys/resource.h>
 
 #include <holdfast/base/thread_priority.h>
 
@@ -67,6 +68,19 @@ class WaitingThreads {
   bool isOver_ = false;
   std::vector<std::thread> threads_;
 };
+
+TEST(ThreadPriority, IsLoweredForTheThreadThatAsks)
+{
+  const auto niceness = [] { return ::getpriority(PRIO_PROCESS, 0); };
+  const int before = niceness();
+  std::thread([&] {
+    computeInBackground();
+    EXPECT_EQ(niceness(), 10);
+    computeLast();
+    EXPECT_EQ(niceness(), 19);
+  }).join();
+  EXPECT_EQ(niceness(), before);
+}
 
 TEST(ThreadPriority, ThreadsOfANameAreSpreadOverTheCoresAndOthersAreNot)
 {
