@@ -236,10 +236,10 @@ void JsonReader::requireKeys(std::span<const std::string_view> known) const
 {
   for (const auto& member : object()) {
     const std::string& key = member.first;
-    const JsonReader at(member.second, file_, memberPath(path_, key));
+    const auto at = [&] { return JsonReader(member.second, file_, memberPath(path_, key)); };
     if (std::find(known.begin(), known.end(), key) == known.end())
-      at.fail("unknown key {}{}", inQuotes(key), spellingHint(key, known));
-    if (findMember(object(), key) != &member) at.fail("this key stands here more than once; keep one");
+      at().fail("unknown key {}{}", inQuotes(key), spellingHint(key, known));
+    if (findMember(object(), key) != &member) at().fail("this key stands here more than once; keep one");
   }
 }
 
