@@ -2,7 +2,6 @@
 #include <condition_variable>
 #include <mutex>
 #include <thread>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -35,23 +34,22 @@ void addReport(Outputs& outputs, const Command& command, const Report& report)
   if (!command.report.empty()) outputs.emplace_back(command.report, reportToJson(report));
 }
 
-void finish(Outputs& outputs, const Command& command, const Report& report, const std::string& units,
-            const std::string& options)
+ExitCode finish(Outputs& outputs, const Command& command, const Report& report, const std::string& units,
+                const std::string& options)
 {
   commit(outputs, true);
   printMessage(messageLines(report, units));
   if (!command.isQuiet) printResult(summary(report, command.mesh, units) + options);
   commit(outputs, false);
+  if (report.solve.status == SolveStatus::Failed) return kNumerical;
+  return countOf(report, ConstraintStatus::Conflicting) > 0 ? kConflicts : kAllMet;
 }
 
 /// Nothing more can be said about such a mesh: writes the report, then throws.
 void refuseNonFinite(const Command& command, const Mesh& mesh)
 {
-  Report report;
-  report.mesh.findings = findNonFinite(mesh);
+  const Report report{{mesh.vertexCount(), mesh.faces.size(), 0, 0, findNonFinite(mesh)}, {}, {}};
   if (report.mesh.findings.empty()) return;
-  report.mesh.vertices = mesh.vertexCount();
-  report.mesh.faces = mesh.faces.size();
   Outputs outputs;
   addReport(outputs, command, report);
   for (OutputFile& output : outputs) output.commit();
@@ -166,13 +164,12 @@ ExitCode deformWith(const Command& command, Progress& progress)
   const Model model = makeModel(std::move(mesh), command.mesh);
   DeformResult deformation = deform(model, constraints, command.constraints, options, progress);
   Outputs outputs = writeAll(command, {model.mesh, meshSource}, constraints.units, model, deformation, progress);
-  finish(outputs, command, deformation.report, constraints.units,
-         optionsLine(command.options, ofSession, command.constraints));
+  const ExitCode code = finish(outputs, command, deformation.report, constraints.units,
+                               optionsLine(command.options, ofSession, command.constraints));
   if (!command.isQuiet)
     for (const OutputFile& output : outputs)
       printResult(fmt::format("wrote        {}\n", printable(output.path().string())));
-  const SolveStatus status = deformation.report.solve.status;
-  return status == SolveStatus::Failed ? kNumerical : status == SolveStatus::Conflicts ? kConflicts : kAllMet;
+  return code;
 }
 
 }  // namespace
@@ -182,28 +179,21 @@ ExitCode runCheck(const Command& command)
   Mesh mesh = readMeshFile(command.mesh).mesh;
   refuseNonFinite(command, mesh);
   const Model model = makeModel(std::move(mesh), command.mesh);
-  const bool hasConstraints = !command.constraints.empty();
-  const auto [constraints, ofSession] =
-      hasConstraints ? readStatedConstraints(command.constraints) : StatedConstraints{};
-  Report report;
-  if (hasConstraints)
-    report = diagnoseConstraints(model, constraints, command.constraints,
-                                 withStated(withStated({}, ofSession), command.options));
-  else
-    report.mesh = describeMesh(model);
+  StatedConstraints stated;
+  Report report{describeMesh(model), {}, {}};
+  if (!command.constraints.empty()) {
+    stated = readStatedConstraints(command.constraints);
+    report = diagnoseConstraints(model, stated.list, command.constraints,
+                                 withStated(withStated({}, stated.options), command.options));
+  }
   Outputs outputs;
   addReport(outputs, command, report);
-  finish(outputs, command, report, constraints.units, "");
-  if (report.solve.status == SolveStatus::Failed) return kNumerical;
-  return countOf(report, ConstraintStatus::Conflicting) > 0 ? kConflicts : kAllMet;
+  return finish(outputs, command, report, stated.list.units, "");
 }
 
 ExitCode runDeform(const Command& command)
 {
-  if (command.isQuiet) {
-    NoProgress quiet;
-    return deformWith(command, quiet);
-  }
+  if (command.isQuiet) return deformWith(command, noProgress());
   ProgressLine progress;
   return deformWith(command, progress);
 }

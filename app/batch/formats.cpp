@@ -1,7 +1,5 @@
-#include <algorithm>
 #include <charconv>
 #include <optional>
-#include <string_view>
 
 #include <fmt/ranges.h>
 

@@ -39,12 +39,10 @@ bool hasRoom()
 
 [[noreturn]] void refuse(rlim_t limit)
 {
-  char text[256];
-  const int length = std::snprintf(text, sizeof text,
-                                   "holdfast-batch: error: there is not enough memory to begin: the address space is "
-                                   "limited to %llu MiB (ulimit -v); allow 500 or more\n",
-                                   static_cast<unsigned long long>(limit / kMebibyte));
-  static_cast<void>(!::write(STDERR_FILENO, text, static_cast<std::size_t>(length)));
+  ::dprintf(STDERR_FILENO,
+            "holdfast-batch: error: there is not enough memory to begin: the address space is limited to %llu MiB "
+            "(ulimit -v); allow 500 or more\n",
+            static_cast<unsigned long long>(limit / kMebibyte));
   ::_exit(kOutOfMemory);
 }
 

@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 #include <malloc.h>
-#include <unistd.h>
 
 #include <holdfast/base/available_memory.h>
 #include <holdfast/base/error.h>
@@ -28,13 +27,6 @@ extern "C" void removeOutputsAndDie(int signal)
   std::raise(signal);
 }
 
-/// Signals that end the program remove unfinished outputs first; outgrown limits and closed pipes become errors.
-void installSignalHandlers()
-{
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, removeOutputsAndDie);
-  for (const int signal : {SIGXFSZ, SIGPIPE}) std::signal(signal, SIG_IGN);
-}
-
 ExitCode complain(ExitCode code, const std::string& message)
 {
   printMessage(fmt::format("holdfast-batch: {}\n", printable(message, kLongestPrintedMessage)));
@@ -52,7 +44,8 @@ bool isLackOfMemory(const std::exception& error)
 ExitCode run(int argc, const char* const* argv)
 {
   try {
-    installSignalHandlers();
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, removeOutputsAndDie);
+    for (const int signal : {SIGXFSZ, SIGPIPE}) std::signal(signal, SIG_IGN);  // errors of the outputs that meet them
     return parseCommandLine(argc, argv)();
   } catch (const UsageError& error) {
     return complain(kUsage, error.what());

@@ -7,7 +7,6 @@
 #include <fmt/ranges.h>
 
 #include <holdfast/base/printable.h>
-#include <holdfast/base/spelling.h>
 #include <holdfast/version.h>
 
 #include "batch/batch.h"
@@ -129,12 +128,7 @@ void check(const Command& asked)
     throw UsageError(fmt::format("--soft-weight: {} is not a positive number", weight));
 }
 
-}  // namespace
-
-namespace {
-
-/// What is wrong with the arguments, as far as the first one that means nothing is concerned; empty where there is
-/// none.
+/// What is wrong with the first argument that means nothing; empty where there is none.
 std::string unknownArgument(const CLI::App& app)
 {
   const std::vector<std::string> unknown = app.remaining(true);

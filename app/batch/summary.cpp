@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <holdfast/base/counted.h>
 #include <holdfast/base/printable.h>
 #include <holdfast/deform/outcomes.h>
 
@@ -29,12 +28,6 @@ std::string gapText(const Vector3& gap)
 {
   const auto shown = [&](double x) { return std::abs(x) < kLeastComponent * gap.stableNorm() ? 0 : x; };
   return fmt::format("({:.4g}, {:.4g}, {:.4g})", shown(gap.x()), shown(gap.y()), shown(gap.z()));
-}
-
-/// With every digit, to copy.
-std::string placeText(const Vector3& place)
-{
-  return fmt::format("({}, {}, {})", place.x(), place.y(), place.z());
 }
 
 std::string quotedNames(const std::vector<std::string>& names)
@@ -102,7 +95,8 @@ std::string repairText(const ConstraintOutcome& outcome, const ConflictSet& conf
   if (conflictSet.consistentTarget) {
     const std::string it = conflictSet.disable == outcome.name ? "it" : inQuotes(outcome.name);
     const char* const what = outcome.type == "relative" ? "offset" : "target";
-    text += fmt::format(", or give {} the {} {}", it, what, placeText(*conflictSet.consistentTarget));
+    const Vector3& place = *conflictSet.consistentTarget;  // with every digit, to copy
+    text += fmt::format(", or give {} the {} ({}, {}, {})", it, what, place.x(), place.y(), place.z());
   }
   return text;
 }

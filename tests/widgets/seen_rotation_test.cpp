@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 #include <vtkRenderer.h>
 
-#include <holdfast/geometry/degree.h>
+#include <holdfast/geometry/rotation_log.h>
 
 #include "holdfast/widgets/camera/display_transform.h"
 #include "widgets/plain_view.h"

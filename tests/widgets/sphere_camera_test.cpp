@@ -5,7 +5,7 @@
 #include <vtkCamera.h>
 #include <vtkNew.h>
 
-#include <holdfast/widgets/rotation_sphere/sphere_camera.h>
+#include <holdfast/widgets/rotation_sphere/rotation_sphere.h>
 
 namespace holdfast {
 namespace {

@@ -7,7 +7,6 @@
 
 #include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/deform/fields.h>
-#include <holdfast/deform/report_csv.h>
 #include <holdfast/deform/report_json.h>
 #include <holdfast/widgets/files/any_mesh_file.h>
 #include <holdfast/widgets/files/poly_data_file.h>

@@ -13,7 +13,6 @@
 #include <holdfast/deform/deform_details.h>
 #include <holdfast/document/handle_restated.h>
 #include <holdfast/document/list_edits.h>
-#include <holdfast/geometry/degree.h>
 #include <holdfast/geometry/rotation_log.h>
 #include <holdfast/widgets/picking/surface_picker.h>
 #include <holdfast/window/tools/gizmo_tool.h>

@@ -1,40 +1,35 @@
 #include "holdfast/base/printable.h"
 
+#include <array>
+#include <bit>
+#include <vector>
+
 #include <fmt/format.h>
+
+#include <holdfast/base/lower_case.h>
 
 namespace holdfast {
 namespace {
 
-unsigned char byteAt(std::string_view text, std::size_t place)
-{
-  return static_cast<unsigned char>(text[place]);
-}
+struct Utf8Character {
+  char32_t code = 0;
+  std::size_t length = 0;  ///< in bytes; 0 where there is none
+};
 
-std::size_t lengthFromLead(unsigned char lead)
+/// At the beginning of `text`, which is not empty. Overlong forms, surrogates and code points past U+10FFFF are none.
+Utf8Character firstUtf8Character(std::string_view text)
 {
-  if (lead < 0x80) return 1;
-  if (lead >= 0xC2 && lead <= 0xDF) return 2;
-  if (lead >= 0xE0 && lead <= 0xEF) return 3;
-  if (lead >= 0xF0 && lead <= 0xF4) return 4;
-  return 0;
-}
-
-/// Overlong forms, surrogates and code points past U+10FFFF show in the second byte (Unicode, table 3-7).
-bool isSecondByteAllowed(unsigned char lead, unsigned char second)
-{
-  if (lead == 0xE0) return second >= 0xA0;
-  if (lead == 0xED) return second <= 0x9F;
-  if (lead == 0xF0) return second >= 0x90;
-  return lead != 0xF4 || second <= 0x8F;
-}
-
-/// `character` is valid.
-char32_t codePointOf(std::string_view character)
-{
-  if (character.size() == 1) return byteAt(character, 0);
-  char32_t code = byteAt(character, 0) & (0x7FU >> character.size());
-  for (std::size_t i = 1; i < character.size(); ++i) code = code << 6U | (byteAt(character, i) & 0x3FU);
-  return code;
+  constexpr std::array<char32_t, 5> kLeast{0, 0, 0x80, 0x800, 0x10000};  // of so many bytes
+  const auto lead = static_cast<unsigned char>(text[0]);
+  const std::size_t length = std::max(1, std::countl_one(lead));
+  if ((lead >= 0x80 && length == 1) || length > 4 || length > text.size()) return {};
+  char32_t code = length == 1 ? lead : lead & (0x7FU >> length);
+  for (const char byte : text.substr(1, length - 1)) {
+    if ((static_cast<unsigned char>(byte) & 0xC0U) != 0x80U) return {};
+    code = code << 6U | (static_cast<unsigned char>(byte) & 0x3FU);
+  }
+  if (code < kLeast[length] || code > 0x10FFFF || (code >= 0xD800 && code <= 0xDFFF)) return {};
+  return {code, length};
 }
 
 bool isForPrinting(char32_t c)
@@ -46,31 +41,59 @@ bool isForPrinting(char32_t c)
   return !isControl && !separates && !turnsDirection;
 }
 
+/// Levenshtein's distance, letter case aside.
+std::size_t editDistance(std::string_view a, std::string_view b)
+{
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (lowerCase(a[i]) == lowerCase(b[j]) ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
+    }
+  }
+  return row.back();
+}
+
 }  // namespace
 
 std::size_t utf8Length(std::string_view text)
 {
-  const std::size_t length = lengthFromLead(byteAt(text, 0));
-  if (length == 0 || length > text.size()) return 0;
-  for (std::size_t i = 1; i < length; ++i)
-    if ((byteAt(text, i) & 0xC0U) != 0x80U) return 0;
-  return length == 1 || isSecondByteAllowed(byteAt(text, 0), byteAt(text, 1)) ? length : 0;
+  return firstUtf8Character(text).length;
 }
 
 std::string printable(std::string_view text, std::size_t most)
 {
   std::string result;
   for (std::size_t at = 0; at < text.size();) {
-    const std::size_t valid = utf8Length(text.substr(at));
-    const std::string_view character = text.substr(at, valid == 0 ? 1 : valid);
+    const auto [code, length] = firstUtf8Character(text.substr(at));
+    const std::string_view character = text.substr(at, std::max<std::size_t>(1, length));
     if (character.size() > most - at) return result + "...";
     at += character.size();
-    if (valid > 0 && isForPrinting(codePointOf(character)))
+    if (length > 0 && isForPrinting(code))
       result += character;
     else
       for (const char byte : character) result += fmt::format("\\x{:02x}", static_cast<unsigned char>(byte));
   }
   return result;
+}
+
+std::optional<std::string_view> closestSpelling(std::string_view word, std::span<const std::string_view> known)
+{
+  constexpr std::size_t kLongestWord = 64;
+  if (word.size() > kLongestWord) return std::nullopt;
+  std::optional<std::string_view> closest;
+  std::size_t smallest = word.size();  // a word that shares no letter is no spelling of it
+  for (const std::string_view candidate : known) {
+    const std::size_t distance = editDistance(word, candidate);
+    if (distance >= smallest || distance > (candidate.size() + 2) / 3) continue;
+    smallest = distance;
+    closest = candidate;
+  }
+  return closest;
 }
 
 }  // namespace holdfast

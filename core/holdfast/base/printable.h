@@ -1,8 +1,13 @@
 #pragma once
-/// Text from outside (names, paths, options, messages of libraries) as users see it.
+/// What messages are made of: text from outside (names, paths, options, messages of libraries) as users see it, numbers
+/// of things, and what was meant by a word that was spelled wrong.
 
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+
+#include <holdfast/base/types.h>
 
 namespace holdfast {
 
@@ -28,5 +33,15 @@ inline constexpr std::size_t kLongestPrintedMessage = 6000;
 {
   return '"' + shortened(text) + '"';
 }
+
+/// "1 normal", "3 normals".
+[[nodiscard]] inline std::string counted(Index count, const std::string& singular)
+{
+  return std::to_string(count) + " " + singular + (count == 1 ? "" : "s");
+}
+
+/// The word of `known` that `word` was probably meant to be: letter case aside, about one letter in three may differ.
+[[nodiscard]] std::optional<std::string_view> closestSpelling(std::string_view word,
+                                                              std::span<const std::string_view> known);
 
 }  // namespace holdfast

@@ -1,12 +1,9 @@
 #include "holdfast/check/mesh_check.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
 #include <numbers>
-#include <utility>
 
 #include <Eigen/Geometry>
 

@@ -2,36 +2,21 @@
 /// What readers and writers of constraint files and sessions share: texts, JSON values that know their path, and the
 /// part of a document that states constraints.
 
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <initializer_list>
-#include <span>
-#include <string>
-#include <string_view>
 #include <type_traits>
 #include <utility>
-#include <variant>
-#include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 
 #include <holdfast/base/error.h>
 #include <holdfast/base/printable.h>
 #include <holdfast/constraints/constraint.h>
 
 namespace holdfast {
-
-/// From 1, the column in bytes.
-struct TextPlace {
-  Index line = 1;
-  Index column = 1;
-};
-
-/// The place of byte `offset`, or of the end. O(offset).
-[[nodiscard]] TextPlace placeInText(std::string_view text, std::size_t offset);
 
 [[nodiscard]] bool isPointList(const std::filesystem::path& path);
 
@@ -43,21 +28,9 @@ struct TextPlace {
 /// `; did you mean "center"? Known here: "axis", "center"`, the end of a message about an unknown word.
 [[nodiscard]] std::string spellingHint(std::string_view word, std::span<const std::string_view> known);
 
-struct JsonValue;
-struct JsonMember;
-
-using JsonArray = std::vector<JsonValue>;
-using JsonObject = std::vector<JsonMember>;
-
-/// Integers that fit are `std::int64_t` when negative, else `std::uint64_t`; every other number is a double.
-struct JsonValue {
-  std::variant<std::nullptr_t, bool, std::int64_t, std::uint64_t, double, std::string, JsonArray, JsonObject> what;
-};
-
-struct JsonMember {
-  std::string key;
-  JsonValue value;
-};
+/// Numbers are integers where they are written so and fit, negative ones `std::int64_t`, others `std::uint64_t`; else
+/// doubles. An object holds its members in the order of the text, and as often as they stand there.
+using JsonValue = nlohmann::ordered_json;
 
 /// The tree of a JSON text. Throws `InputError` for what is not JSON, not UTF-8, nested deeper than a constraint file
 /// can need, or holds a number that is no double. O(size of the text) in time and memory.
@@ -67,7 +40,11 @@ struct JsonMember {
 /// asks for. Refers to the tree and to the file's name, which must outlive it.
 class JsonReader {
  public:
-  JsonReader(const JsonValue& root, std::string_view file) : JsonReader(root, file, std::string()) {}
+  /// `path` is the place of `value` in the text.
+  JsonReader(const JsonValue& value, std::string_view file, std::string path = {})
+      : value_(&value), file_(file), path_(std::move(path))
+  {
+  }
 
   /// This is an object whose keys are all among `known` and do not repeat.
   void requireKeys(std::span<const std::string_view> known) const;
@@ -117,29 +94,23 @@ class JsonReader {
 
   [[nodiscard]] const std::string& path() const noexcept { return path_; }
 
-  [[noreturn]] void fail(const std::string& reason) const;
-  template <class Arg, class... Args>
-  [[noreturn]] void fail(fmt::format_string<Arg, Args...> reason, Arg&& arg, Args&&... args) const
+  template <class... Args>
+  [[noreturn]] void fail(fmt::format_string<Args...> reason, Args&&... args) const
   {
-    fail(fmt::format(reason, std::forward<Arg>(arg), std::forward<Args>(args)...));
+    failBelow("", fmt::format(reason, std::forward<Args>(args)...));
   }
   /// The same with this value's path followed by `key`: ".vertices[3]".
   [[noreturn]] void failBelow(const std::string& key, const std::string& reason) const;
 
  private:
-  JsonReader(const JsonValue& value, std::string_view file, std::string path)
-      : value_(&value), file_(file), path_(std::move(path))
-  {
-  }
-
   template <class Kind>
   [[nodiscard]] const Kind& as(std::string_view expected) const
   {
-    if (const auto* value = std::get_if<Kind>(&value_->what)) return *value;
+    if (const auto* value = value_->get_ptr<const Kind*>()) return *value;
     failKind(expected);
   }
-  [[nodiscard]] const JsonObject& object() const { return as<JsonObject>("an object in braces"); }
-  [[nodiscard]] const JsonArray& array() const { return as<JsonArray>("a list"); }
+  [[nodiscard]] const JsonValue::object_t& object() const { return as<JsonValue::object_t>("an object in braces"); }
+  [[nodiscard]] const JsonValue::array_t& array() const { return as<JsonValue::array_t>("a list"); }
   [[noreturn]] void failKind(std::string_view expected) const;
 
   const JsonValue* value_;

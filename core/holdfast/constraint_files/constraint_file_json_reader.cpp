@@ -1,11 +1,7 @@
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <memory>
 #include <numeric>
-
-#include <fmt/format.h>
 
 #include <holdfast/base/lower_case.h>
 #include <holdfast/constraint_files/constraint_file.h>

@@ -1,131 +1,94 @@
 #include <cmath>
 
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
-
 #include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/constraint_files/constraint_file_internal.h>
 #include <holdfast/io/text/number_text.h>
 
 namespace holdfast {
-namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json toJson(const Vector3& v)
-{
-  return {v.x(), v.y(), v.z()};
-}
+// Found by the library where it writes values and lists of them.
+static void to_json(Json& json, const SurfaceLocation& location);
+static void to_json(Json& json, const Selection& selection);
+static void to_json(Json& json, const AxisAngle& turn);
+static void to_json(Json& json, const Frame& frame);
 
-Json toJson(const SurfaceLocation& location);
-Json toJson(const Selection& selection);
-Json toJson(const AxisAngle& turn);
-
-template <class Range>
-Json listOf(const Range& range)
-{
-  Json list = Json::array();
-  for (const auto& element : range) list.push_back(toJson(element));
-  return list;
-}
+namespace {
 
 struct LocationJson {
   Json operator()(const AtVertex& at) const { return {{"vertex", at.vertex}}; }
   Json operator()(const AtEdge& at) const { return {{"edge", {at.i, at.j}}, {"t", at.t}}; }
   Json operator()(const AtFace& at) const { return {{"face", at.face}, {"weights", at.weights}}; }
-  Json operator()(const AtNear& at) const { return {{"near", toJson(at.place)}}; }
+  Json operator()(const AtNear& at) const { return {{"near", at.place}}; }
 };
-
-Json toJson(const SurfaceLocation& location)
-{
-  return std::visit(LocationJson{}, location);
-}
 
 struct SelectionJson {
   Json operator()(const VertexIds& vertices) const { return {{"vertices", vertices.ids}}; }
-  Json operator()(const InBox& box) const { return {{"box", {{"min", toJson(box.min)}, {"max", toJson(box.max)}}}}; }
+  Json operator()(const InBox& box) const { return {{"box", {{"min", box.min}, {"max", box.max}}}}; }
   Json operator()(const InSphere& sphere) const
   {
-    return {{"sphere", {{"center", toJson(sphere.center)}, {"radius", sphere.radius}}}};
+    return {{"sphere", {{"center", sphere.center}, {"radius", sphere.radius}}}};
   }
   Json operator()(const InHalfSpace& half) const
   {
-    return {{"halfspace", {{"point", toJson(half.point)}, {"normal", toJson(half.normal)}}}};
+    return {{"halfspace", {{"point", half.point}, {"normal", half.normal}}}};
   }
   Json operator()(const InComponent& part) const { return {{"component", part.component}}; }
   Json operator()(const InsideCurve& curve) const
   {
-    return {{"curve",
-             {{"through", listOf(curve.through)}, {"side", curve.side == CurveSide::Smaller ? "smaller" : "larger"}}}};
+    const char* const side = curve.side == CurveSide::Smaller ? "smaller" : "larger";
+    return {{"curve", {{"through", curve.through}, {"side", side}}}};
   }
-  Json operator()(const AllOf& all) const { return {{"all", listOf(all.parts)}}; }
-  Json operator()(const AnyOf& any) const { return {{"any", listOf(any.parts)}}; }
-  Json operator()(const NotIn& none) const { return {{"not", toJson(*none.part)}}; }
+  Json operator()(const AllOf& all) const { return {{"all", all.parts}}; }
+  Json operator()(const AnyOf& any) const { return {{"any", any.parts}}; }
+  Json operator()(const NotIn& none) const { return {{"not", *none.part}}; }
 };
-
-Json toJson(const Selection& selection)
-{
-  return std::visit(SelectionJson{}, selection.what);
-}
-
-Json toJson(const Frame& frame)
-{
-  Json json = Json::object();
-  if (frame.origin) json["origin"] = toJson(*frame.origin);
-  json["x"] = toJson(frame.x);
-  json["y"] = toJson(frame.y);
-  return json;
-}
-
-Json toJson(const AxisAngle& turn)
-{
-  return {{"axis", toJson(turn.axis)}, {"degrees", turn.degrees}};
-}
 
 struct OwnKeys {
   Json& json;
 
-  void operator()(const FixedConstraint& fixed) const { json["select"] = toJson(fixed.select); }
-  void operator()(const RigidConstraint& rigid) const { json["select"] = toJson(rigid.select); }
+  void operator()(const FixedConstraint& fixed) const { json["select"] = fixed.select; }
+  void operator()(const RigidConstraint& rigid) const { json["select"] = rigid.select; }
   void operator()(const HandleConstraint& handle) const
   {
-    json["select"] = toJson(handle.select);
+    json["select"] = handle.select;
     std::visit(*this, handle.motion);
-    json["translate"] = toJson(handle.translate);
-    if (!handle.rotations.empty()) json["rotations"] = listOf(handle.rotations);
+    json["translate"] = handle.translate;
+    if (!handle.rotations.empty()) json["rotations"] = handle.rotations;
   }
   void operator()(const PointConstraint& point) const
   {
-    json["at"] = toJson(point.at);
+    json["at"] = point.at;
     std::visit(*this, point.to);
   }
   void operator()(const RelativeConstraint& relative) const
   {
-    json["from"] = toJson(relative.from);
-    json["to"] = toJson(relative.to);
-    if (relative.offset) json["offset"] = toJson(*relative.offset);
+    json["from"] = relative.from;
+    json["to"] = relative.to;
+    if (relative.offset) json["offset"] = *relative.offset;
   }
 
-  void operator()(const Target& target) const { json["target"] = toJson(target.place); }
-  void operator()(const Move& move) const { json["move"] = toJson(move.shift); }
+  void operator()(const Target& target) const { json["target"] = target.place; }
+  void operator()(const Move& move) const { json["move"] = move.shift; }
 
   void operator()(std::monostate) const {}
   void operator()(const AxisRotation& turn) const
   {
-    json["rotate"] = toJson(AxisAngle{turn.axis, turn.degrees});
-    if (turn.center) json["rotate"]["center"] = toJson(*turn.center);
+    json["rotate"] = AxisAngle{turn.axis, turn.degrees};
+    if (turn.center) json["rotate"]["center"] = *turn.center;
   }
   void operator()(const RotationAboutFixed& turn) const
   {
     json["turn"] = "about-fixed";
-    if (turn.near) json["turn_near"] = toJson(*turn.near);
+    if (turn.near) json["turn_near"] = *turn.near;
   }
   void operator()(const FrameMotion& motion) const
   {
-    json["frame"] = {{"from", toJson(motion.from)}, {"to", toJson(motion.to)}};
+    json["frame"] = {{"from", motion.from}, {"to", motion.to}};
     if (motion.turns != 0) json["frame"]["turns"] = motion.turns;
   }
-  void operator()(const VertexTargets& targets) const { json["targets"] = listOf(targets.places); }
+  void operator()(const VertexTargets& targets) const { json["targets"] = targets.places; }
 };
 
 std::string constraintJson(const Constraint& constraint)
@@ -168,6 +131,28 @@ std::string numberJson(double value)
 }
 
 }  // namespace
+
+void to_json(Json& json, const SurfaceLocation& location)
+{
+  json = std::visit(LocationJson{}, location);
+}
+
+void to_json(Json& json, const Selection& selection)
+{
+  json = std::visit(SelectionJson{}, selection.what);
+}
+
+void to_json(Json& json, const AxisAngle& turn)
+{
+  json = {{"axis", turn.axis}, {"degrees", turn.degrees}};
+}
+
+void to_json(Json& json, const Frame& frame)
+{
+  if (frame.origin) json["origin"] = *frame.origin;
+  json["x"] = frame.x;
+  json["y"] = frame.y;
+}
 
 std::string jsonText(const nlohmann::ordered_json& json)
 {

@@ -1,11 +1,6 @@
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <limits>
-#include <utility>
-
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <holdfast/constraint_files/constraint_file_internal.h>
 #include <holdfast/io/text/number_text.h>
@@ -15,6 +10,20 @@ namespace {
 
 // More than a constraint file can need, and little enough to recurse.
 constexpr std::size_t kMaximumJsonDepth = 300;
+
+/// From 1, the column in bytes.
+struct TextPlace {
+  Index line = 1;
+  Index column = 1;
+};
+
+/// The place of byte `offset`, or of the end.
+TextPlace placeInText(std::string_view text, std::size_t offset)
+{
+  const std::string_view before = text.substr(0, offset);
+  const auto column = static_cast<Index>(before.size() - (before.rfind('\n') + 1)) + 1;  // no line end: npos + 1 is 0
+  return {static_cast<Index>(std::count(before.begin(), before.end(), '\n')) + 1, column};
+}
 
 bool isPlainWord(std::string_view key)
 {
@@ -63,26 +72,31 @@ ParsedNumber<double> doubleFrom(std::string digits)
   return parseNumber<double>(digits);
 }
 
+JsonValue::object_t& membersOf(JsonValue& object)
+{
+  return object.get_ref<JsonValue::object_t&>();
+}
+
 /// Receives the parser's events and grows the tree. The parser itself does not recurse.
 class TreeBuilder {
  public:
   TreeBuilder(std::string_view text, std::string_view file) : text_(text), file_(file) {}
 
-  bool null() { return add({nullptr}); }
-  bool boolean(bool value) { return add({value}); }
-  bool number_integer(std::int64_t value) { return add({value}); }
-  bool number_unsigned(std::uint64_t value) { return add({value}); }
-  bool string(std::string& value) { return add({std::move(value)}); }
+  bool null() { return add(nullptr); }
+  bool boolean(bool value) { return add(value); }
+  bool number_integer(std::int64_t value) { return add(value); }
+  bool number_unsigned(std::uint64_t value) { return add(value); }
+  bool string(std::string& value) { return add(std::move(value)); }
   bool binary(nlohmann::json::binary_t& /*value*/) { return false; }
-  bool start_object(std::size_t /*size*/) { return open({JsonObject{}}); }
-  bool start_array(std::size_t /*size*/) { return open({JsonArray{}}); }
+  bool start_object(std::size_t /*size*/) { return open(JsonValue::object()); }
+  bool start_array(std::size_t /*size*/) { return open(JsonValue::array()); }
   bool end_object() { return close(); }
   bool end_array() { return close(); }
 
   bool number_float(double /*value*/, const std::string& digits)
   {
     const auto [value, fault] = doubleFrom(digits);
-    place({value});
+    place(value);
     if (fault != NumberFault::None)
       throw InputError({std::string(file_), 0, namedPath(openPath())},
                        fmt::format("{} does not fit a number in double precision", shortened(digits)));
@@ -91,7 +105,7 @@ class TreeBuilder {
 
   bool key(std::string& key)
   {
-    std::get<JsonObject>(open_.back()->what).push_back({std::move(key), {}});
+    membersOf(*open_.back()).emplace_back(std::move(key), nullptr);
     return true;
   }
 
@@ -125,12 +139,10 @@ class TreeBuilder {
   JsonValue* place(JsonValue value)
   {
     JsonValue* target = &root_;
-    if (!open_.empty()) {
-      if (auto* array = std::get_if<JsonArray>(&open_.back()->what))
-        target = &array->emplace_back();
-      else
-        target = &std::get<JsonObject>(open_.back()->what).back().value;
-    }
+    if (!open_.empty() && open_.back()->is_array())
+      target = &open_.back()->emplace_back(nullptr);
+    else if (!open_.empty())
+      target = &membersOf(*open_.back()).back().second;
     *target = std::move(value);
     return target;
   }
@@ -159,12 +171,10 @@ class TreeBuilder {
   [[nodiscard]] std::string openPath() const
   {
     std::string path;
-    for (const JsonValue* container : open_) {
-      if (const auto* array = std::get_if<JsonArray>(&container->what)) {
-        if (!array->empty()) path = elementPath(path, array->size() - 1);
-      } else if (const auto& object = std::get<JsonObject>(container->what); !object.empty()) {
-        path = memberPath(path, object.back().key);
-      }
+    for (JsonValue* const container : open_) {
+      if (container->empty()) continue;
+      path = container->is_array() ? elementPath(path, container->size() - 1)
+                                   : memberPath(path, membersOf(*container).back().first);
     }
     return path;
   }
@@ -175,13 +185,42 @@ class TreeBuilder {
   std::vector<JsonValue*> open_;
 };
 
-const JsonMember* findMember(const JsonObject& object, std::string_view key)
+const JsonValue::object_t::value_type* findMember(const JsonValue::object_t& object, std::string_view key)
 {
-  const auto found = std::ranges::find(object, key, &JsonMember::key);
+  const auto found = std::ranges::find(object, key, &JsonValue::object_t::value_type::first);
   return found == object.end() ? nullptr : &*found;
 }
 
 }  // namespace
+
+std::string_view requireUtf8(std::string_view text, std::string_view file)
+{
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  for (std::size_t offset = 0; offset < text.size();) {
+    const std::size_t length = utf8Length(text.substr(offset));
+    if (length == 0)
+      throw InputError({std::string(file), placeInText(text, offset).line, ""},
+                       fmt::format("not UTF-8 text (byte 0x{:02X}); save the file in the encoding UTF-8",
+                                   static_cast<unsigned char>(text[offset])));
+    offset += length;
+  }
+  return text;
+}
+
+std::string listInQuotes(std::span<const std::string_view> words)
+{
+  std::string list;
+  for (const std::string_view word : words) list += (list.empty() ? "" : ", ") + inQuotes(word);
+  return list;
+}
+
+std::string spellingHint(std::string_view word, std::span<const std::string_view> known)
+{
+  const std::optional<std::string_view> closest = closestSpelling(word, known);
+  const std::string guess = closest ? fmt::format("; did you mean {}? ", inQuotes(*closest)) : "; ";
+  return fmt::format("{}Known here: {}", guess, listInQuotes(known));
+}
 
 JsonValue parseJson(std::string_view text, std::string_view file)
 {
@@ -195,11 +234,12 @@ JsonValue parseJson(std::string_view text, std::string_view file)
 
 void JsonReader::requireKeys(std::span<const std::string_view> known) const
 {
-  for (const JsonMember& member : object()) {
-    const auto at = [&](const JsonValue& value) { return JsonReader(value, file_, memberPath(path_, member.key)); };
-    if (std::find(known.begin(), known.end(), member.key) == known.end())
-      at(member.value).fail("unknown key {}{}", inQuotes(member.key), spellingHint(member.key, known));
-    if (findMember(object(), member.key) != &member) at(*value_).fail("this key stands here more than once; keep one");
+  for (const auto& member : object()) {
+    const std::string& key = member.first;
+    const auto at = [&] { return JsonReader(member.second, file_, memberPath(path_, key)); };
+    if (std::find(known.begin(), known.end(), key) == known.end())
+      at().fail("unknown key {}{}", inQuotes(key), spellingHint(key, known));
+    if (findMember(object(), key) != &member) at().fail("this key stands here more than once; keep one");
   }
 }
 
@@ -220,9 +260,9 @@ std::string_view JsonReader::oneKeyOf(std::span<const std::string_view> choices)
 
 JsonReader JsonReader::operator[](std::string_view key) const
 {
-  const JsonMember* member = findMember(object(), key);
+  const auto* const member = findMember(object(), key);
   if (member == nullptr) fail("the key {} is missing; add it", inQuotes(key));
-  return {member->value, file_, memberPath(path_, key)};
+  return {member->second, file_, memberPath(path_, key)};
 }
 
 void JsonReader::requireSize(std::size_t count, std::string_view meaning) const
@@ -238,22 +278,19 @@ JsonReader JsonReader::element(std::size_t place) const
 
 double JsonReader::number() const
 {
-  if (const auto* value = std::get_if<double>(&value_->what)) return *value;
-  if (const auto* value = std::get_if<std::int64_t>(&value_->what)) return static_cast<double>(*value);
-  if (const auto* value = std::get_if<std::uint64_t>(&value_->what)) return static_cast<double>(*value);
-  failKind("a number");
+  if (!value_->is_number()) failKind("a number");
+  return value_->get<double>();
 }
 
 Index JsonReader::integer() const
 {
-  if (const auto* value = std::get_if<std::int64_t>(&value_->what)) return *value;
-  if (const auto* value = std::get_if<double>(&value_->what))
-    fail("{} is not an integer of at most 64 bits, written without point and exponent", *value);
-  const auto* value = std::get_if<std::uint64_t>(&value_->what);
-  if (value == nullptr) failKind("an integer");
-  if (*value > static_cast<std::uint64_t>(std::numeric_limits<Index>::max()))
-    fail("{} is too large for an integer here; the largest is {}", *value, std::numeric_limits<Index>::max());
-  return static_cast<Index>(*value);
+  if (value_->is_number_float())
+    fail("{} is not an integer of at most 64 bits, written without point and exponent", value_->get<double>());
+  if (!value_->is_number_integer()) failKind("an integer");
+  constexpr Index kLargest = std::numeric_limits<Index>::max();
+  if (value_->is_number_unsigned() && value_->get<std::uint64_t>() > static_cast<std::uint64_t>(kLargest))
+    fail("{} is too large for an integer here; the largest is {}", value_->get<std::uint64_t>(), kLargest);
+  return value_->get<Index>();
 }
 
 Index JsonReader::id() const
@@ -266,7 +303,8 @@ Index JsonReader::id() const
 std::size_t JsonReader::choice(std::span<const std::string_view> names, fmt::string_view unknown) const
 {
   const auto found = std::find(names.begin(), names.end(), text());
-  if (found == names.end()) fail(fmt::format(fmt::runtime(unknown), inQuotes(text())) + spellingHint(text(), names));
+  if (found == names.end())
+    fail("{}{}", fmt::format(fmt::runtime(unknown), inQuotes(text())), spellingHint(text(), names));
   return static_cast<std::size_t>(found - names.begin());
 }
 
@@ -283,21 +321,17 @@ Vector3 JsonReader::direction() const
   return value;
 }
 
-void JsonReader::fail(const std::string& reason) const
-{
-  throw InputError({std::string(file_), 0, namedPath(path_)}, reason);
-}
-
 void JsonReader::failBelow(const std::string& key, const std::string& reason) const
 {
-  throw InputError({std::string(file_), 0, path_ + key}, reason);
+  throw InputError({std::string(file_), 0, namedPath(path_ + key)}, reason);
 }
 
 void JsonReader::failKind(std::string_view expected) const
 {
-  constexpr std::array<std::string_view, std::variant_size_v<decltype(JsonValue::what)>> kKinds{
-      "null", "true or false", "an integer", "an integer", "a number", "text", "a list", "an object"};
-  fail("{} is expected here, this is {}", expected, kKinds[value_->what.index()]);
+  // In the order of `nlohmann::json::value_t`.
+  constexpr std::array kKinds{"null",          "an object",  "a list",     "text",
+                              "true or false", "an integer", "an integer", "a number"};
+  fail("{} is expected here, this is {}", expected, kKinds[static_cast<std::size_t>(value_->type())]);
 }
 
 }  // namespace holdfast

@@ -1,10 +1,6 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
-#include <utility>
-
-#include <fmt/format.h>
 
 #include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/constraint_files/constraint_file_internal.h>

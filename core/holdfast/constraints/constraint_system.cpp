@@ -1,15 +1,11 @@
 #include "holdfast/constraints/constraint_system.h"
 
-#include <algorithm>
-#include <utility>
-
 #include <fmt/format.h>
 
 #include <holdfast/base/disjoint_sets.h>
 #include <holdfast/base/printable.h>
 #include <holdfast/constraints/handle_motion.h>
 #include <holdfast/constraints/selector.h>
-#include <holdfast/geometry/centroid.h>
 #include <holdfast/geometry/rotation_log.h>
 #include <holdfast/mesh/index_lists.h>
 

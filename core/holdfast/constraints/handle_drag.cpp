@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
-#include <holdfast/geometry/centroid.h>
 #include <holdfast/geometry/rotation_log.h>
 
 namespace holdfast {

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <set>
 
 #include <fmt/format.h>
 
-#include <holdfast/geometry/centroid.h>
 #include <holdfast/geometry/rotation_fit.h>
 #include <holdfast/geometry/rotation_log.h>
 #include <holdfast/surface/surface_locator.h>

@@ -1,6 +1,7 @@
 #pragma once
 /// Where a handle goes and how it turns: both ways of section 3.3 of the paper to give it its rotation, and more.
 
+#include <cassert>
 #include <optional>
 #include <string>
 
@@ -20,6 +21,13 @@ struct HandleError {
 /// The first thing in the handle that contradicts what its type demands: entries for each vertex of what is no list of
 /// distinct vertices, or not as many; too few targets; frames of zero or parallel axes; whole turns about no axis.
 [[nodiscard]] std::optional<HandleError> validateHandle(const HandleConstraint& handle);
+
+/// The mean of the rows of `points`, one at least.
+[[nodiscard]] inline Vector3 centroid(const Positions& points)
+{
+  assert(points.rows() > 0);
+  return points.colwise().mean().transpose();
+}
 
 struct HandleSurroundings {
   std::optional<Vector3> fixedCenter;  ///< centroid of all vertices that are fixed, at rest; none where there are none

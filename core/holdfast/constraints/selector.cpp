@@ -1,10 +1,7 @@
 #include "holdfast/constraints/selector.h"
 
-#include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <map>
 
 #include <fmt/format.h>

@@ -1,11 +1,6 @@
 #pragma once
 /// Selections on one mesh: what they select, or why they make no sense there.
 
-#include <optional>
-#include <utility>
-#include <vector>
-
-#include <holdfast/base/error.h>
 #include <holdfast/constraints/selection.h>
 #include <holdfast/surface/edge_graph.h>
 #include <holdfast/surface/surface_locator.h>

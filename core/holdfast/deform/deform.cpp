@@ -24,9 +24,8 @@ Report diagnoseConstraints(const Model& model, const ConstraintList& constraints
   report.solve.options = options.solver;
   ConstraintSystem system = makeConstraintSystem(constraints, model.mesh, model.solverMesh, model.locator(), source);
   const EliminatedConstraints eliminated = eliminate(system, model.solverMesh);
-  NoProgress progress;
   const Rotations rotations =
-      RotationFactorization(model.solverMesh, options.weights, options.solver.backend).solve(system, progress);
+      RotationFactorization(model.solverMesh, options.weights, options.solver.backend).solve(system, noProgress());
   takeOver(rotations, report);
   if (rotations.failure.empty()) {
     system = rotated(std::move(system), rotations.q);

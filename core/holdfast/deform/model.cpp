@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <holdfast/base/error.h>
 #include <holdfast/check/mesh_check.h>
 #include <holdfast/surface/surface_locator.h>
 

@@ -1,41 +1,127 @@
 #include "holdfast/deform/outcomes.h"
 
+#include <map>
 #include <set>
+#include <tuple>
 
 #include <holdfast/deform/deform_details.h>
 
 namespace holdfast {
 namespace {
 
-/// What the rows of one constraint add up to.
-struct RowTally {
+using ConstraintSet = std::set<Index>;
+
+/// Rows of one constraint that depend on the same other constraints.
+struct DependencyGroup {
   Index rows = 0;
-  Index redundant = 0;
-  Index conflicting = 0;
-  double gap = 0;
-  std::set<Index> terms;  // constraints
+  Index worstRow = 0;
+  Vector3 gap = Vector3::Zero();
+  bool isConflict = false;
+  bool needsOwn = false;  // depends on others of its own rows as well
 };
 
-std::vector<RowTally> tally(const ConstraintSystem& system, const Diagnosis& diagnosis, std::size_t constraintCount)
+using DependencyGroups = std::map<ConstraintSet, DependencyGroup>;
+
+/// The groups of every constraint, by the other constraints that they need.
+std::vector<DependencyGroups> dependencyGroupsOf(const ConstraintSystem& system, const Diagnosis& diagnosis,
+                                                 std::size_t constraintCount)
 {
-  std::vector<RowTally> tallies(constraintCount);
-  for (const ConstraintRow& row : system.rows) ++tallies[row.constraint].rows;
+  std::vector<DependencyGroups> result(constraintCount);
   for (const auto& [dependency, gap] : diagnosis.dependent) {
-    RowTally& own = tallies[system.rows[dependency.row].constraint];
-    const bool isConflicting = diagnosis.status[dependency.row] == RowStatus::Conflicting;
-    ++(isConflicting ? own.conflicting : own.redundant);
-    own.gap = std::max(own.gap, gap.stableNorm());
-    for (const Term& term : dependency.terms) own.terms.insert(system.rows[term.index].constraint);
+    const Index own = system.rows[dependency.row].constraint;
+    ConstraintSet others;
+    for (const Term& term : dependency.terms) others.insert(system.rows[term.index].constraint);
+    const bool needsOwn = others.erase(own) > 0;
+    DependencyGroup& group = result[own][others];
+    group.needsOwn = group.needsOwn || needsOwn;
+    if (group.rows++ == 0 || gap.stableNorm() > group.gap.stableNorm()) {
+      group.gap = gap;
+      group.worstRow = dependency.row;
+    }
+    group.isConflict = group.isConflict || diagnosis.status[dependency.row] == RowStatus::Conflicting;
   }
-  return tallies;
+  return result;
+}
+
+/// Leaves out groups that need all constraints of another group of their kind and more.
+void keepSmallest(DependencyGroups& groups)
+{
+  const auto needsMore = [&](const auto& group) {
+    return std::any_of(groups.begin(), groups.end(), [&](const auto& other) {
+      return other.second.isConflict == group.second.isConflict && other.first.size() < group.first.size() &&
+             std::includes(group.first.begin(), group.first.end(), other.first.begin(), other.first.end());
+    });
+  };
+  std::vector<ConstraintSet> larger;
+  for (const auto& group : groups)
+    if (needsMore(group)) larger.push_back(group.first);
+  for (const ConstraintSet& set : larger) groups.erase(set);
+}
+
+/// How many conflicts each constraint takes part in.
+std::vector<Index> conflictCounts(const std::vector<DependencyGroups>& groups)
+{
+  std::vector<Index> counts(groups.size(), 0);
+  for (std::size_t own = 0; own < groups.size(); ++own)
+    for (const auto& [others, group] : groups[own]) {
+      if (!group.isConflict) continue;
+      ++counts[own];
+      for (const Index other : others) ++counts[other];
+    }
+  return counts;
+}
+
+/// Points and offsets have a target of their own that can be another one.
+bool hasTarget(const Constraint& constraint)
+{
+  const RelativeConstraint* relative = std::get_if<RelativeConstraint>(&constraint.what);
+  return std::holds_alternative<PointConstraint>(constraint.what) || (relative != nullptr && relative->offset);
+}
+
+/// The constraint whose end would end most conflicts, at the price of the fewest rows, the later one of equals.
+Index cheapest(Index own, const ConstraintSet& others, const std::vector<Index>& conflicts,
+               const std::vector<Index>& rows)
+{
+  const auto cost = [&](Index c) { return std::tuple(-conflicts[c], rows[c], -c); };
+  Index best = own;
+  for (const Index other : others)
+    if (cost(other) < cost(best)) best = other;
+  return best;
+}
+
+/// For each constraint of the list, the sets with which it conflicts or which it repeats, the largest gap first. A set
+/// that holds all constraints of another one and more is left out. O(dependent rows times terms).
+std::vector<std::vector<ConflictSet>> conflictSetsOf(const ConstraintList& list, const ConstraintSystem& system,
+                                                     std::vector<DependencyGroups> groups,
+                                                     const std::vector<Index>& rows)
+{
+  for (DependencyGroups& own : groups) keepSmallest(own);
+  const std::vector<Index> conflicts = conflictCounts(groups);
+  std::vector<std::vector<ConflictSet>> result(groups.size());
+  for (std::size_t own = 0; own < groups.size(); ++own) {
+    for (const auto& [others, group] : groups[own]) {
+      ConflictSet& set = result[own].emplace_back(ConflictSet{{}, group.rows, group.gap, group.isConflict, {}, {}});
+      for (const Index other : others) set.with.push_back(list.constraints[other].name);
+      if (!group.isConflict) continue;
+      set.disable = list.constraints[cheapest(static_cast<Index>(own), others, conflicts, rows)].name;
+      if (hasTarget(list.constraints[own])) set.consistentTarget = system.rows[group.worstRow].target - group.gap;
+    }
+    std::stable_sort(result[own].begin(), result[own].end(), [](const ConflictSet& x, const ConflictSet& y) {
+      return x.gap.stableNorm() > y.gap.stableNorm();
+    });
+  }
+  return result;
 }
 
 /// An enabled constraint without rows, as a rigid region of one vertex, asks for nothing and holds.
-ConstraintStatus statusOf(const RowTally& rows, bool isEnabled)
+ConstraintStatus statusOf(const DependencyGroups& groups, Index rows, bool isEnabled)
 {
   if (!isEnabled) return ConstraintStatus::Disabled;
-  if (rows.conflicting > 0) return ConstraintStatus::Conflicting;
-  return rows.redundant == rows.rows ? ConstraintStatus::Redundant : ConstraintStatus::Independent;
+  for (const auto& [others, group] : groups) {
+    if (group.isConflict) return ConstraintStatus::Conflicting;
+    rows -= group.rows;
+  }
+  return rows == 0 ? ConstraintStatus::Redundant : ConstraintStatus::Independent;
 }
 
 /// The limit of a constraint is the largest of its rows.
@@ -79,19 +165,27 @@ std::vector<double> rowResiduals(const ConstraintSystem& system, const Weld& wel
 std::vector<ConstraintOutcome> outcomes(const ConstraintList& list, const ConstraintSystem& system,
                                         const Diagnosis& diagnosis)
 {
-  const std::vector<RowTally> tallies = tally(system, diagnosis, list.constraints.size());
-  std::vector<std::vector<ConflictSet>> conflictSets = conflictSetsOf(list, system, diagnosis);
+  const std::vector<DependencyGroups> groups = dependencyGroupsOf(system, diagnosis, list.constraints.size());
+  std::vector<Index> rows(groups.size(), 0);
+  for (const ConstraintRow& row : system.rows) ++rows[row.constraint];
+  std::vector<std::vector<ConflictSet>> conflictSets = conflictSetsOf(list, system, groups, rows);
   std::vector<ConstraintOutcome> result;
-  for (std::size_t c = 0; c < list.constraints.size(); ++c) {
+  for (std::size_t c = 0; c < groups.size(); ++c) {
     ConstraintOutcome outcome;
     outcome.name = list.constraints[c].name;
     outcome.type = typeName(list.constraints[c]);
-    outcome.rows = tallies[c].rows;
-    outcome.status = statusOf(tallies[c], list.constraints[c].isEnabled);
+    outcome.rows = rows[c];
+    outcome.status = statusOf(groups[c], rows[c], list.constraints[c].isEnabled);
     outcome.conflictSets = std::move(conflictSets[c]);
     if (outcome.status == ConstraintStatus::Redundant || outcome.status == ConstraintStatus::Conflicting) {
-      outcome.gap = tallies[c].gap;
-      for (const Index term : tallies[c].terms) outcome.dependsOn.push_back(list.constraints[term].name);
+      outcome.gap = 0;
+      ConstraintSet terms;
+      for (const auto& [others, group] : groups[c]) {
+        outcome.gap = std::max(*outcome.gap, group.gap.stableNorm());
+        terms.insert(others.begin(), others.end());
+        if (group.needsOwn) terms.insert(static_cast<Index>(c));
+      }
+      for (const Index term : terms) outcome.dependsOn.push_back(list.constraints[term].name);
     }
     result.push_back(std::move(outcome));
   }

@@ -11,12 +11,6 @@ namespace holdfast {
 [[nodiscard]] std::vector<double> rowResiduals(const ConstraintSystem& system, const Weld& weld,
                                                const Positions& positions);
 
-/// For each constraint of the list, the sets with which it conflicts or which it repeats, the largest gap first. A set
-/// that holds all constraints of another one and more is left out. O(dependent rows times terms).
-[[nodiscard]] std::vector<std::vector<ConflictSet>> conflictSetsOf(const ConstraintList& list,
-                                                                   const ConstraintSystem& system,
-                                                                   const Diagnosis& diagnosis);
-
 /// One outcome for each constraint of the list, in order, before anything is solved:
 /// without residuals, and none of them met.
 [[nodiscard]] std::vector<ConstraintOutcome> outcomes(const ConstraintList& list, const ConstraintSystem& system,

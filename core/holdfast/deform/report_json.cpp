@@ -1,11 +1,28 @@
 #include "holdfast/deform/report_json.h"
 
+#include <cmath>
+
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include <holdfast/io/text/csv_text.h>
+#include <holdfast/io/text/number_text.h>
+
 namespace holdfast {
-namespace {
 
 using Json = nlohmann::ordered_json;
+
+/// Found by the library where it writes lists of them.
+static void to_json(Json& json, const Finding& finding)
+{
+  json = {{"kind", finding.kind},
+          {"count", finding.count},
+          {"ids_of", finding.idsOf},
+          {"ids", finding.ids},
+          {"message", finding.message}};
+}
+
+namespace {
 
 // A region that overlaps hundreds of points need not list them all with numbers.
 constexpr std::size_t kMaxReportedConflictSets = 20;
@@ -15,29 +32,13 @@ Json orNull(const std::optional<double>& value)
   return value ? Json(*value) : Json(nullptr);
 }
 
-Json toJson(const Finding& finding)
-{
-  return {{"kind", finding.kind},
-          {"count", finding.count},
-          {"ids_of", finding.idsOf},
-          {"ids", finding.ids},
-          {"message", finding.message}};
-}
-
 Json toJson(const MeshReport& mesh)
 {
-  Json findings = Json::array();
-  for (const Finding& finding : mesh.findings) findings.push_back(toJson(finding));
   return {{"vertices", mesh.vertices},
           {"faces", mesh.faces},
           {"components", mesh.components},
           {"bbox_diagonal", mesh.bboxDiagonal},
-          {"findings", std::move(findings)}};
-}
-
-Json toJson(const Vector3& vector)
-{
-  return {vector.x(), vector.y(), vector.z()};
+          {"findings", mesh.findings}};
 }
 
 Json toJson(const ConflictSet& conflictSet)
@@ -45,10 +46,10 @@ Json toJson(const ConflictSet& conflictSet)
   Json json{{"with", conflictSet.with},
             {"rows", conflictSet.rows},
             {"conflict", conflictSet.isConflict},
-            {"gap", toJson(conflictSet.gap)},
+            {"gap", conflictSet.gap},
             {"length", conflictSet.gap.stableNorm()}};
   if (conflictSet.isConflict) json["repair"] = {{"disable", conflictSet.disable}};
-  if (conflictSet.consistentTarget) json["repair"]["consistent_target"] = toJson(*conflictSet.consistentTarget);
+  if (conflictSet.consistentTarget) json["repair"]["consistent_target"] = *conflictSet.consistentTarget;
   return json;
 }
 
@@ -102,6 +103,18 @@ Json toJson(const SolveReport& solve)
   return json;
 }
 
+// Of a table: what the report file calls them.
+constexpr std::array kColumns{"name", "type",       "rows",        "status",        "residual", "limit",
+                              "gap",  "depends_on", "clash_count", "amplification", "force"};
+
+std::string cellOf(const Json& value)
+{
+  if (value.is_null() || (value.is_number_float() && !std::isfinite(value.get<double>()))) return "";
+  if (value.is_number_float()) return std::string(NumberText(value.get<double>()).view());
+  if (value.is_array()) return csvField(fmt::format("{}", fmt::join(value.get<std::vector<std::string>>(), "; ")));
+  return value.is_string() ? csvField(value.get<std::string>()) : value.dump();
+}
+
 }  // namespace
 
 std::string reportToJson(const Report& report)
@@ -114,6 +127,17 @@ std::string reportToJson(const Report& report)
                   {"constraints", std::move(constraints)},
                   {"solve", toJson(report.solve)}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string reportToCsv(const Report& report)
+{
+  std::string csv = fmt::format("{}\n", fmt::join(kColumns, ","));
+  for (const ConstraintOutcome& outcome : report.constraints) {
+    std::vector<std::string> cells;
+    for (const Json json = toJson(outcome); const char* const column : kColumns) cells.push_back(cellOf(json[column]));
+    csv += fmt::format("{}\n", fmt::join(cells, ","));
+  }
+  return csv;
 }
 
 }  // namespace holdfast

@@ -5,7 +5,6 @@
 #include <holdfast/check/mesh_check.h>
 #include <holdfast/deform/messages.h>
 #include <holdfast/geometry/rotation_log.h>
-#include <holdfast/rotation/edge_weights.h>
 
 namespace holdfast {
 namespace {

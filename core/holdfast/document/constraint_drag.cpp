@@ -1,14 +1,6 @@
 #include "holdfast/document/constraint_drag.h"
 
-#include <cassert>
-#include <utility>
-
-#include <Eigen/Geometry>
-
-#include <holdfast/base/error.h>
 #include <holdfast/document/handle_restated.h>
-#include <holdfast/geometry/centroid.h>
-#include <holdfast/geometry/degree.h>
 #include <holdfast/geometry/rotation_log.h>
 #include <holdfast/surface/surface_locator.h>
 

@@ -1,18 +1,13 @@
 #include "holdfast/document/handle_restated.h"
 
-#include <algorithm>
-
 #include <Eigen/Eigenvalues>
-#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <holdfast/constraints/handle_drag.h>
 #include <holdfast/constraints/selector.h>
-#include <holdfast/geometry/centroid.h>
 #include <holdfast/geometry/rotation_log.h>
 #include <holdfast/mesh/index_lists.h>
 #include <holdfast/mesh/vertex_normals.h>
-#include <holdfast/surface/surface_locator.h>
 
 namespace holdfast {
 namespace {

@@ -1,8 +1,5 @@
 #include "holdfast/document/history.h"
 
-#include <cassert>
-#include <utility>
-
 namespace holdfast {
 
 History::History(DocumentState state)

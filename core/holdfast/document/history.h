@@ -49,8 +49,11 @@ class History {
   [[nodiscard]] bool canUndo() const noexcept { return position_ > 0; }
   [[nodiscard]] bool canRedo() const noexcept { return position_ + 1 < states_.size(); }
   /// Names of the edits that undo and redo would affect; empty where there is none.
-  [[nodiscard]] std::string_view undoName() const { return canUndo() ? nameAt(position_) : ""; }
-  [[nodiscard]] std::string_view redoName() const { return canRedo() ? nameAt(position_ + 1) : ""; }
+  [[nodiscard]] std::string_view undoName() const { return canUndo() ? states_[position_].name : std::string_view(); }
+  [[nodiscard]] std::string_view redoName() const
+  {
+    return canRedo() ? states_[position_ + 1].name : std::string_view();
+  }
 
   /// `state` is what the user's file holds.
   void markSaved(std::shared_ptr<const DocumentState> state) noexcept { saved_ = std::move(state); }
@@ -68,7 +71,6 @@ class History {
     std::shared_ptr<const DocumentState> after;
   };
 
-  [[nodiscard]] std::string_view nameAt(std::size_t position) const { return states_[position].name; }
   void push(std::string name, std::shared_ptr<const DocumentState> state);
 
   std::vector<Entry> states_;

@@ -1,7 +1,6 @@
 #include "holdfast/document/list_edits.h"
 
 #include <algorithm>
-#include <cassert>
 #include <map>
 #include <set>
 #include <utility>

@@ -1,13 +1,10 @@
 #include "holdfast/document/live_deformer.h"
 
 #include <condition_variable>
-#include <exception>
 #include <mutex>
-#include <optional>
-#include <utility>
 
-#include <holdfast/base/background_thread.h>
 #include <holdfast/base/error.h>
+#include <holdfast/base/long_step.h>
 #include <holdfast/base/thread_priority.h>
 #include <holdfast/deform/deformer.h>
 

@@ -1,11 +1,9 @@
 #include "holdfast/document/point_lists.h"
 
-#include <algorithm>
 #include <set>
 
 #include <fmt/format.h>
 
-#include <holdfast/base/error.h>
 #include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/document/list_edits.h>
 #include <holdfast/io/text/csv_text.h>

@@ -1,7 +1,5 @@
 #include "holdfast/document/recovery.h"
 
-#include <algorithm>
-#include <cerrno>
 #include <cstdlib>
 #include <random>
 #include <system_error>
@@ -9,7 +7,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
-#include <unistd.h>
 
 #include <holdfast/base/error.h>
 #include <holdfast/io/files/output_file.h>

@@ -1,12 +1,6 @@
 #include "holdfast/document/session_file.h"
 
-#include <algorithm>
-#include <cstdint>
 #include <system_error>
-#include <utility>
-
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/constraint_files/constraint_file_internal.h>
@@ -183,31 +177,25 @@ Json optionsJson(const DeformOptions& options)
   return json;
 }
 
-template <class Value>
-const Value& memberJson(const Value& value)
+void addMember(Json& json, const char* key, const auto& value)
 {
-  return value;
+  json[key] = value;
 }
 
-Json memberJson(const Vector3& v)
+void addMember(Json& json, const char* key, const Camera& camera)
 {
-  return {v.x(), v.y(), v.z()};
-}
-
-Json memberJson(const Camera& camera)
-{
-  return {{"position", memberJson(camera.position)},
-          {"focal_point", memberJson(camera.focalPoint)},
-          {"view_up", memberJson(camera.viewUp)},
-          {"parallel_scale", camera.parallelScale},
-          {"projection", kProjections[camera.isParallel ? 1 : 0]}};
+  json[key] = {{"position", camera.position},
+               {"focal_point", camera.focalPoint},
+               {"view_up", camera.viewUp},
+               {"parallel_scale", camera.parallelScale},
+               {"projection", kProjections[camera.isParallel ? 1 : 0]}};
 }
 
 Json viewJson(const ViewState& view)
 {
   const auto addTo = [](Json& json) {
     return [&json](const char* key, const auto& member) {
-      if (member) json[key] = memberJson(*member);
+      if (member) addMember(json, key, *member);
     };
   };
   Json json = Json::object();

@@ -2,11 +2,16 @@
 /// Rotations and their logarithms, equations (22) to (24): those of unit quaternions, q = (angle / 2) times the unit
 /// axis, in radians, not wrapped. All numbers are finite. Errors are a few units in the last place of the angle.
 
+#include <numbers>
+
 #include <Eigen/Geometry>
 
 #include <holdfast/base/types.h>
 
 namespace holdfast {
+
+/// A degree in radians: degrees are for what people read and write.
+inline constexpr double kDegree = std::numbers::pi / 180;
 
 /// exp(q): the unit quaternion (cos |q|, sin |q| q / |q|).
 [[nodiscard]] Eigen::Quaterniond rotationExp(const Vector3& q);

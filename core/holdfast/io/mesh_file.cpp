@@ -1,8 +1,5 @@
 #include "holdfast/io/mesh_file.h"
 
-#include <algorithm>
-#include <array>
-
 #include <fmt/ranges.h>
 
 #include <holdfast/base/error.h>

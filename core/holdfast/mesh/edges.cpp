@@ -1,6 +1,5 @@
 #include "holdfast/mesh/edges.h"
 
-#include <algorithm>
 #include <numeric>
 
 #include <holdfast/base/parallel.h>

@@ -1,7 +1,6 @@
 #include "holdfast/mesh/solver_mesh.h"
 
 #include <bit>
-#include <cstdint>
 
 #include <holdfast/base/disjoint_sets.h>
 #include <holdfast/geometry/bounding_box.h>

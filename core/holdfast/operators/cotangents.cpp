@@ -1,6 +1,5 @@
 #include "holdfast/operators/cotangents.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <Eigen/Geometry>

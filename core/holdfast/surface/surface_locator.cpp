@@ -82,14 +82,6 @@ AtVertex nearestCorner(Corners face, const Vector3& place, const Positions& rest
   return {*std::min_element(face.begin(), face.end(), [&](Index a, Index b) { return distance(a) < distance(b); })};
 }
 
-/// The point t a + (1 - t) b, t in [0, 1], that is closest to `place`.
-double closestShare(const Vector3& a, const Vector3& b, const Vector3& place)
-{
-  const Vector3 side = a - b;
-  const double length = side.stableNorm();
-  return length > 0 ? std::clamp(((place - b) / length).dot(side / length), 0.0, 1.0) : 0.0;
-}
-
 AtEdge nearestSide(Corners face, const Vector3& place, const Positions& rest)
 {
   AtEdge nearest;
@@ -100,7 +92,8 @@ AtEdge nearestSide(Corners face, const Vector3& place, const Positions& rest)
     if (i == j) continue;
     const Vector3 a = rest.row(i);
     const Vector3 b = rest.row(j);
-    const double t = closestShare(a, b, place);
+    const double length = (a - b).stableNorm();
+    const double t = length > 0 ? std::clamp(((place - b) / length).dot((a - b) / length), 0.0, 1.0) : 0.0;
     const double distance = (t * a + (1 - t) * b - place).stableNorm();
     if (!(distance < least)) continue;
     least = distance;

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <holdfast/deform/deform.h>
-#include <holdfast/deform/report_csv.h>
+#include <holdfast/deform/report_json.h>
 #include <holdfast/io/text/csv_text.h>
 #include <holdfast/io/text/number_text.h>
 

@@ -8,7 +8,7 @@
 #include <holdfast/deform/deformer.h>
 #include <holdfast/document/constraint_drag.h>
 #include <holdfast/document/history.h>
-#include <holdfast/geometry/degree.h>
+#include <holdfast/geometry/rotation_log.h>
 
 #include "support/law_meshes.h"
 #include "support/point_constraints.h"

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <atomic>
-#include <cerrno>
 #include <climits>
 #include <cstring>
 #include <optional>
@@ -13,7 +12,6 @@
 #include <fmt/format.h>
 #include <sys/file.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <holdfast/base/error.h>
 #include <holdfast/io/files/file_descriptor.h>

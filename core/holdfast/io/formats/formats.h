@@ -2,11 +2,6 @@
 /// The mesh formats, in and out. `file` names the file in errors; every reader throws `InputError` with the line (text)
 /// or the byte (binary), and keeps all that the file says besides the mesh.
 
-#include <array>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include <holdfast/io/mesh_document.h>
 #include <holdfast/io/text/byte_order.h>
 #include <holdfast/io/text/text_cursor.h>

@@ -1,12 +1,10 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <ranges>
 
-#include <holdfast/base/counted.h>
 #include <holdfast/base/error.h>
+#include <holdfast/base/printable.h>
 #include <holdfast/io/formats/formats.h>
 #include <holdfast/io/text/number_text.h>
 #include <holdfast/mesh/vertex_normals.h>

@@ -1,9 +1,8 @@
 #include <algorithm>
-#include <array>
 #include <set>
 
-#include <holdfast/base/counted.h>
 #include <holdfast/base/error.h>
+#include <holdfast/base/printable.h>
 #include <holdfast/io/formats/formats.h>
 #include <holdfast/io/text/number_text.h>
 

@@ -1,5 +1,3 @@
-#include <optional>
-
 #include <holdfast/io/formats/formats.h>
 #include <holdfast/io/text/number_text.h>
 #include <holdfast/mesh/vertex_normals.h>

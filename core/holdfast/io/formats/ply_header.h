@@ -1,10 +1,7 @@
 #pragma once
 /// The header of a PLY file: what elements follow, and what each of them is made of.
 
-#include <optional>
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include <holdfast/io/formats/formats.h>
 

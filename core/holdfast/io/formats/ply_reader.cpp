@@ -1,10 +1,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <string>
 
-#include <holdfast/base/counted.h>
 #include <holdfast/base/error.h>
+#include <holdfast/base/printable.h>
 #include <holdfast/io/formats/ply_header.h>
 #include <holdfast/mesh/vertex_normals.h>
 
@@ -16,22 +15,17 @@ using ThreeNames = std::array<std::string_view, 3>;
 constexpr ThreeNames kCoordinates{"x", "y", "z"};
 constexpr ThreeNames kNormals{"nx", "ny", "nz"};
 
-Index integerFromBytes(std::string_view bytes, NumberType type, std::endian order)
+template <class Number>
+double numberFromBytes(std::string_view bytes, std::endian order)
 {
-  if (type == NumberType::kInt8) return fromBytes<std::int8_t>(bytes, order);
-  if (type == NumberType::kUint8) return fromBytes<std::uint8_t>(bytes, order);
-  if (type == NumberType::kInt16) return fromBytes<std::int16_t>(bytes, order);
-  if (type == NumberType::kUint16) return fromBytes<std::uint16_t>(bytes, order);
-  if (type == NumberType::kInt32) return fromBytes<std::int32_t>(bytes, order);
-  return fromBytes<std::uint32_t>(bytes, order);
+  return static_cast<double>(fromBytes<Number>(bytes, order));
 }
 
-double numberFromBytes(std::string_view bytes, NumberType type, std::endian order)
-{
-  if (type == NumberType::kDouble) return fromBytes<double>(bytes, order);
-  if (type == NumberType::kFloat) return static_cast<double>(fromBytes<float>(bytes, order));
-  return static_cast<double>(integerFromBytes(bytes, type, order));
-}
+/// In the order of `NumberType`. A double holds each of them exactly.
+constexpr std::array kNumberFromBytes{numberFromBytes<std::int8_t>,  numberFromBytes<std::uint8_t>,
+                                      numberFromBytes<std::int16_t>, numberFromBytes<std::uint16_t>,
+                                      numberFromBytes<std::int32_t>, numberFromBytes<std::uint32_t>,
+                                      numberFromBytes<float>,        numberFromBytes<double>};
 
 /// The values in the body, one after the other: written as text, one row of an element a line, or as bytes of one
 /// order. Every call throws `InputError` with the line, or with the offset of the byte in the file.
@@ -63,12 +57,12 @@ class PlyScanner {
 
   [[nodiscard]] double number(const PlyProperty& property)
   {
-    return isText_ ? cursor_.number(property.name) : numberFromBytes(take(property.type), property.type, order_);
+    return isText_ ? cursor_.number(property.name) : taken(property.type);
   }
 
   [[nodiscard]] Index integer(NumberType type, std::string_view what)
   {
-    return isText_ ? cursor_.integer(what) : integerFromBytes(take(type), type, order_);
+    return isText_ ? cursor_.integer(what) : static_cast<Index>(taken(type));
   }
 
   void skip(NumberType type, Index count)
@@ -102,20 +96,17 @@ class PlyScanner {
   {
     valueAt_ = cursor_.offset();
     if (isText_ ? !cursor_.findToken() : cursor_.remaining() == 0) return;
-    fail((isText_ ? "there is more text behind the last element"
-                  : fmt::format("{} bytes follow the last element", cursor_.remaining())) +
-         ": correct the counts in the header, or remove what follows");
+    const std::string rest = isText_ ? "there is more text behind the last element"
+                                     : fmt::format("{} bytes follow the last element", cursor_.remaining());
+    fail("{}: correct the counts in the header, or remove what follows", rest);
   }
 
-  [[noreturn]] void fail(const std::string& reason) const
+  template <class... Args>
+  [[noreturn]] void fail(fmt::format_string<Args...> reason, Args&&... args) const
   {
-    if (isText_) cursor_.fail(reason);
-    throw InputError({file_, 0, fmt::format("byte {}", valueAt_)}, reason);
-  }
-  template <class Arg, class... Args>
-  [[noreturn]] void fail(fmt::format_string<Arg, Args...> reason, Arg&& arg, Args&&... args) const
-  {
-    fail(fmt::format(reason, std::forward<Arg>(arg), std::forward<Args>(args)...));
+    const std::string text = fmt::format(reason, std::forward<Args>(args)...);
+    if (isText_) cursor_.fail("{}", text);
+    throw InputError({file_, 0, fmt::format("byte {}", valueAt_)}, text);
   }
 
   [[nodiscard]] std::size_t offset() const { return cursor_.offset(); }
@@ -123,12 +114,12 @@ class PlyScanner {
   [[nodiscard]] std::size_t leastBytes(NumberType type) const { return isText_ ? 2 : sizeOf(type); }
 
  private:
-  std::string_view take(NumberType type)
+  double taken(NumberType type)
   {
     valueAt_ = cursor_.offset();
     if (sizeOf(type) > cursor_.remaining()) fail("the file ends inside this value: it is truncated; export it again");
     cursor_.seek(valueAt_ + sizeOf(type), 1);
-    return bytes_.substr(valueAt_, sizeOf(type));
+    return kNumberFromBytes[static_cast<std::size_t>(type)](bytes_.substr(valueAt_, sizeOf(type)), order_);
   }
 
   TextCursor cursor_;

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include <holdfast/base/counted.h>
+#include <holdfast/base/printable.h>
 #include <holdfast/io/text/number_text.h>
 #include <holdfast/mesh/vertex_normals.h>
 

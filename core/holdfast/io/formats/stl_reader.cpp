@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <cstdint>
-
 #include <holdfast/base/error.h>
 #include <holdfast/base/lower_case.h>
 #include <holdfast/io/formats/formats.h>

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include <holdfast/base/error.h>
 #include <holdfast/base/printable.h>
 #include <holdfast/io/text/number_text.h>
 
@@ -14,6 +13,16 @@ constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 bool isBlank(char c)
 {
   return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
+}
+
+template <class Number>
+Number parsed(const TextCursor& cursor, std::string_view token, std::string_view what, const char* tooLarge,
+              const char* other)
+{
+  const auto [value, fault] = parseNumber<Number>(token);
+  if (fault == NumberFault::None) return value;
+  if (token.empty()) cursor.fail("{} is missing: complete the line", what);
+  cursor.fail("{} is {}, {}", what, quotedToken(token), fault == NumberFault::OutOfRange ? tooLarge : other);
 }
 
 }  // namespace
@@ -62,18 +71,9 @@ void TextCursor::skipLine()
   }
 }
 
-template <class Number>
-Number TextCursor::parsed(std::string_view token, std::string_view what, const char* tooLarge, const char* other) const
-{
-  const auto [value, fault] = parseNumber<Number>(token);
-  if (fault == NumberFault::None) return value;
-  if (token.empty()) fail("{} is missing: complete the line", what);
-  fail("{} is {}, {}", what, quotedToken(token), fault == NumberFault::OutOfRange ? tooLarge : other);
-}
-
 double TextCursor::numberOf(std::string_view token, std::string_view what) const
 {
-  return parsed<double>(token, what,
+  return parsed<double>(*this, token, what,
                         "which no double can hold (4.9e-324 to 1.8e308 in magnitude): scale the model, or write 0 "
                         "where that is meant",
                         "which is not a number: write digits, as in -1.5e3");
@@ -81,7 +81,7 @@ double TextCursor::numberOf(std::string_view token, std::string_view what) const
 
 Index TextCursor::integerOf(std::string_view token, std::string_view what) const
 {
-  return parsed<Index>(token, what, "far beyond any count or index: correct it",
+  return parsed<Index>(*this, token, what, "far beyond any count or index: correct it",
                        "which is not a whole number: write digits only");
 }
 
@@ -96,11 +96,6 @@ void TextCursor::expectLineEnd(std::string_view remedy)
 {
   const std::string_view extra = token();
   if (!extra.empty()) fail("{} is too much here: {}", quotedToken(extra), remedy);
-}
-
-void TextCursor::fail(const std::string& reason) const
-{
-  throw InputError({file_, line(), {}}, reason);
 }
 
 Index TextCursor::line() const

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include <holdfast/base/types.h>
+#include <holdfast/base/error.h>
 
 namespace holdfast {
 
@@ -49,11 +49,10 @@ class TextCursor {
   void expectLineEnd(std::string_view remedy);
 
   /// Throws an `InputError` with the file and the current line.
-  [[noreturn]] void fail(const std::string& reason) const;
-  template <class Arg, class... Args>
-  [[noreturn]] void fail(fmt::format_string<Arg, Args...> reason, Arg&& arg, Args&&... args) const
+  template <class... Args>
+  [[noreturn]] void fail(fmt::format_string<Args...> reason, Args&&... args) const
   {
-    fail(fmt::format(reason, std::forward<Arg>(arg), std::forward<Args>(args)...));
+    throw InputError({file_, line(), {}}, fmt::format(reason, std::forward<Args>(args)...));
   }
 
   /// Line of the token read last, from 1.
@@ -69,9 +68,6 @@ class TextCursor {
   }
 
  private:
-  template <class Number>
-  [[nodiscard]] Number parsed(std::string_view token, std::string_view what, const char* tooLarge,
-                              const char* other) const;
   void skipBlanks();
   [[nodiscard]] bool mayEndAt(std::size_t at) const { return mayEnd_[static_cast<unsigned char>(text_[at])]; }
   /// Where the line that ends in a continuation at `at` goes on.

@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 
 #include <holdfast/geometry/bounding_box.h>
-#include <holdfast/geometry/degree.h>
+#include <holdfast/geometry/rotation_log.h>
 
 namespace holdfast {
 namespace {

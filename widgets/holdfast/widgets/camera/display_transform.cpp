@@ -8,7 +8,7 @@
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 
-#include <holdfast/geometry/degree.h>
+#include <holdfast/geometry/rotation_log.h>
 
 namespace holdfast {
 namespace {

@@ -80,7 +80,7 @@ Coloring linearColoring(const std::string& title, std::vector<double> values)
   return {std::move(values), std::move(scale)};
 }
 
-Coloring rotationColoring(const Model& model, const DeformResult& deformation)
+Coloring rotationColoring(const Model& model, const DeformResult& deformation, const std::string& /*units*/)
 {
   std::vector<double> lengths;
   for (const Index unknown : model.solverMesh.weld.unknownOf)
@@ -88,7 +88,7 @@ Coloring rotationColoring(const Model& model, const DeformResult& deformation)
   return linearColoring(inUnits("rotation |q|", "rad"), std::move(lengths));
 }
 
-Coloring angleColoring(const Model& model, const DeformResult& deformation)
+Coloring angleColoring(const Model& model, const DeformResult& deformation, const std::string& /*units*/)
 {
   Coloring coloring = linearColoring(inUnits("rotation angle", "degrees"),
                                      fieldOf(model, deformation, FieldKind::RotationAngleDegrees).values);
@@ -97,7 +97,7 @@ Coloring angleColoring(const Model& model, const DeformResult& deformation)
 }
 
 /// Lengths of Lagrange multipliers have no units.
-Coloring forceColoring(const Model& model, const DeformResult& deformation)
+Coloring forceColoring(const Model& model, const DeformResult& deformation, const std::string& /*units*/)
 {
   Field field = fieldOf(model, deformation, FieldKind::ConstraintForce);
   const double largest = largestOf(field.values);
@@ -128,6 +128,10 @@ Coloring detailColoring(const Model& model, const DeformResult& deformation, con
   return {std::move(field.values), linearScale(inUnits("detail residual", unit), high)};
 }
 
+// In the order of `ColorBy`, without `None`.
+constexpr std::array kColorings{residualColoring,     rotationColoring, angleColoring,
+                                displacementColoring, detailColoring,   forceColoring};
+
 }  // namespace
 
 std::span<const std::string_view> colorByNames()
@@ -145,23 +149,8 @@ std::optional<ColorBy> colorByNamed(std::string_view name)
 std::optional<Coloring> coloringOf(const Model& model, const DeformResult& deformation, ColorBy colorBy,
                                    const std::string& units)
 {
-  switch (colorBy) {
-    case ColorBy::ConstraintResidual:
-      return residualColoring(model, deformation, units);
-    case ColorBy::Rotation:
-      return rotationColoring(model, deformation);
-    case ColorBy::Angle:
-      return angleColoring(model, deformation);
-    case ColorBy::Force:
-      return forceColoring(model, deformation);
-    case ColorBy::Displacement:
-      return displacementColoring(model, deformation, units);
-    case ColorBy::Detail:
-      return detailColoring(model, deformation, units);
-    case ColorBy::None:
-      break;
-  }
-  return std::nullopt;
+  if (colorBy == ColorBy::None) return std::nullopt;
+  return kColorings[static_cast<std::size_t>(colorBy) - 1](model, deformation, units);
 }
 
 std::string whyNoRange(const ColorRange& range)

@@ -1,21 +1,17 @@
 #include "holdfast/widgets/files/poly_data_file.h"
 
 #include <algorithm>
-#include <cassert>
 #include <utility>
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
-#include <vtkDoubleArray.h>
 #include <vtkExecutive.h>
 #include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkPoints.h>
 #include <vtkPolyDataWriter.h>
-#include <vtkSmartPointer.h>
 #include <vtkXMLPolyDataWriter.h>
 
 #include <holdfast/base/error.h>
@@ -36,9 +32,9 @@ void write(Writer& writer, vtkPolyData& polyData, const char* extension)
   log.watch(*writer.GetExecutive());
   writer.SetInputData(&polyData);
   writer.WriteToOutputStringOn();
-  const bool isWritten = writer.Write() != 0;
-  if (!log.isEmpty()) throw OutputError(extension, "VTK cannot write this mesh: " + log.first());
-  if (!isWritten) throw OutputError(extension, "VTK cannot write this mesh and gives no reason");
+  if (writer.Write() != 0 && log.isEmpty()) return;
+  throw OutputError(extension,
+                    "VTK cannot write this mesh" + (log.isEmpty() ? " and gives no reason" : ": " + log.first()));
 }
 
 /// In binary form: VTK writes text with 11 digits, and a double needs 17.

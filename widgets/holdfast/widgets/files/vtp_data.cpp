@@ -1,7 +1,4 @@
 #include <algorithm>
-#include <array>
-#include <charconv>
-#include <cstdint>
 #include <cstring>
 #include <memory>
 #include <sstream>
@@ -201,18 +198,10 @@ std::string storedData(const XmlElement& element, std::string_view format, const
 template <class Number>
 Number numberOf(std::string_view word)
 {
-  bool isNumber = false;
-  Number value{};
-  if constexpr (std::is_floating_point_v<Number>) {
-    const ParsedNumber<double> parsed = parseNumber<double>(word);
-    isNumber = parsed.fault == NumberFault::None;
-    value = static_cast<Number>(parsed.value);
-  } else {
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    isNumber = error == std::errc() && end == word.data() + word.size();
-  }
-  if (!isNumber) throw VtpFault(fmt::format("'{}' is no number that it can hold", word));
-  return value;
+  using Parsed = std::conditional_t<std::is_floating_point_v<Number>, double, Number>;
+  const auto [value, fault] = parseNumber<Parsed>(word);
+  if (fault != NumberFault::None) throw VtpFault(fmt::format("'{}' is no number that it can hold", word));
+  return static_cast<Number>(value);
 }
 
 template <class Number>

@@ -1,10 +1,7 @@
 #include "holdfast/widgets/files/vtp_reader.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 #include <vtkAppendPolyData.h>
-#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
@@ -12,7 +9,6 @@
 #include <vtkLZMADataCompressor.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkPoints.h>
 #include <vtkTypeInt64Array.h>
 #include <vtkZLibDataCompressor.h>
 

@@ -1,13 +1,10 @@
 #include "holdfast/widgets/gizmo/gizmo_drag.h"
 
-#include <algorithm>
-#include <cassert>
 #include <cmath>
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
 
-#include <holdfast/geometry/degree.h>
+#include <holdfast/geometry/rotation_log.h>
 #include <holdfast/io/text/number_text.h>
 
 namespace holdfast {

@@ -1,12 +1,7 @@
 #include "holdfast/widgets/gizmo/gizmo_layout.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
-
-#include <Eigen/Geometry>
 
 namespace holdfast {
 namespace {

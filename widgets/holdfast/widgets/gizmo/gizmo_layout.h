@@ -48,16 +48,9 @@ inline constexpr Color kHighlightColor{0.98, 0.76, 0.18};
 /// The colour of a part that is not highlighted.
 [[nodiscard]] constexpr Color gizmoColor(GizmoPart part)
 {
-  switch (axisIndexOf(part)) {
-    case 0:
-      return {0.84, 0.27, 0.24};
-    case 1:
-      return {0.33, 0.74, 0.52};
-    case 2:
-      return {0.15, 0.36, 0.74};
-    default:
-      return part == GizmoPart::ViewRing ? Color{0.50, 0.53, 0.58} : Color{0.93, 0.94, 0.96};
-  }
+  constexpr Color kOfAxes[]{{0.84, 0.27, 0.24}, {0.33, 0.74, 0.52}, {0.15, 0.36, 0.74}};
+  if (const int axis = axisIndexOf(part); axis >= 0) return kOfAxes[axis];
+  return part == GizmoPart::ViewRing ? Color{0.50, 0.53, 0.58} : Color{0.93, 0.94, 0.96};
 }
 
 /// Lengths in radii of the outer ring.

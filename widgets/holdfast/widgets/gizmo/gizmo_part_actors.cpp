@@ -1,16 +1,12 @@
 #include "holdfast/widgets/gizmo/gizmo_part_actors.h"
 
-#include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include <Eigen/Geometry>
-#include <vtkCellArray.h>
 #include <vtkFloatArray.h>
 #include <vtkMatrix4x4.h>
 #include <vtkPointData.h>
 
-#include <holdfast/geometry/degree.h>
+#include <holdfast/geometry/rotation_log.h>
 #include <holdfast/widgets/marks/point_sprites.h>
 #include <holdfast/widgets/mesh/actors.h>
 #include <holdfast/widgets/mesh/poly_data.h>

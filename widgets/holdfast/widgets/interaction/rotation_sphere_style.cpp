@@ -5,10 +5,9 @@
 #include <string_view>
 #include <utility>
 
-#include <holdfast/geometry/degree.h>
+#include <holdfast/geometry/rotation_log.h>
 #include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/widgets/interaction/interaction_events.h>
-#include <holdfast/widgets/rotation_sphere/sphere_camera.h>
 
 namespace holdfast {
 

@@ -14,7 +14,7 @@
 #include <vtkTextProperty.h>
 #include <vtkWindow.h>
 
-#include <holdfast/geometry/degree.h>
+#include <holdfast/geometry/rotation_log.h>
 #include <holdfast/surface/surface_locator.h>
 #include <holdfast/widgets/marks/constraint_glyphs.h>
 #include <holdfast/widgets/mesh/actors.h>

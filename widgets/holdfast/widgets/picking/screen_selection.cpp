@@ -1,9 +1,5 @@
 #include "holdfast/widgets/picking/screen_selection.h"
 
-#include <algorithm>
-#include <limits>
-#include <utility>
-
 namespace holdfast {
 namespace {
 

@@ -1,8 +1,5 @@
 #include "holdfast/widgets/picking/surface_picker.h"
 
-#include <algorithm>
-#include <limits>
-
 namespace holdfast {
 namespace {
 
@@ -16,18 +13,13 @@ struct PointOfEdge {
 constexpr double kLeastDepth = 1e-6;
 
 /// The share of the segment that is at least as deep as that.
-struct Range {
-  double low = 0;
-  double high = 1;
-};
-
-Range inFrontOfEye(double depthA, double depthB)
+RayRange inFrontOfEye(double depthA, double depthB)
 {
   const double least = kLeastDepth * std::max(depthA, depthB);
   const double share = (least - depthA) / (depthB - depthA);
   if (depthA < least) return {share, 1};
   if (depthB < least) return {0, share};
-  return {};
+  return {0, 1};
 }
 
 /// The point of the segment from `a` to `b` that is shown nearest to `point`; none where all of it is behind the eye.
@@ -37,16 +29,16 @@ std::optional<PointOfEdge> nearestOfEdge(const Vector3& a, const Vector3& b, con
   const double depthA = display.show(a).depth;
   const double depthB = display.show(b).depth;
   if (!(std::max(depthA, depthB) > 0)) return std::nullopt;
-  const Range range = inFrontOfEye(depthA, depthB);
+  const auto [begin, end] = inFrontOfEye(depthA, depthB);
   const auto placeAt = [&](double share) -> Vector3 { return (1 - share) * a + share * b; };
-  const DisplayTransform::Shown low = display.show(placeAt(range.low));
-  const DisplayTransform::Shown high = display.show(placeAt(range.high));
+  const DisplayTransform::Shown low = display.show(placeAt(begin));
+  const DisplayTransform::Shown high = display.show(placeAt(end));
   const DisplayPoint along = high.point - low.point;
   const double squared = along.squaredNorm();
   const double s = squared > 0 ? std::clamp((point - low.point).dot(along) / squared, 0.0, 1.0) : 0.0;
   // Equal steps on the screen are longer ones along the edge where it is farther away.
   const double inRange = s * low.size / ((1 - s) * high.size + s * low.size);
-  const double share = std::clamp(range.low + inRange * (range.high - range.low), 0.0, 1.0);
+  const double share = std::clamp(begin + inRange * (end - begin), 0.0, 1.0);
   return PointOfEdge{share, placeAt(share), (low.point + s * along - point).norm()};
 }
 

@@ -1,8 +1,6 @@
 #include "holdfast/widgets/picking/visible_surface.h"
 
-#include <algorithm>
 #include <iterator>
-#include <utility>
 
 namespace holdfast {
 

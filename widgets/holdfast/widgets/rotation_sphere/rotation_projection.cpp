@@ -1,18 +1,13 @@
 #include "holdfast/widgets/rotation_sphere/rotation_projection.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <map>
-#include <numbers>
 #include <numeric>
 #include <set>
-#include <utility>
 
 #include <Eigen/Eigenvalues>
 
-#include <holdfast/constraints/constraint_system.h>
 #include <holdfast/deform/deform_details.h>
 #include <holdfast/geometry/rotation_log.h>
 

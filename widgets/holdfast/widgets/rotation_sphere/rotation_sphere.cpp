@@ -1,24 +1,18 @@
 #include "holdfast/widgets/rotation_sphere/rotation_sphere.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <numbers>
+#include <limits>
 
-#include <vtkCamera.h>
 #include <vtkCommand.h>
 #include <vtkCoordinate.h>
-#include <vtkDoubleArray.h>
-#include <vtkLookupTable.h>
 #include <vtkPointData.h>
 #include <vtkSphereSource.h>
 #include <vtkTextProperty.h>
 
-#include <holdfast/geometry/degree.h>
+#include <holdfast/geometry/rotation_log.h>
 #include <holdfast/widgets/camera/display_transform.h>
 #include <holdfast/widgets/marks/point_sprites.h>
 #include <holdfast/widgets/mesh/poly_data.h>
-#include <holdfast/widgets/rotation_sphere/sphere_camera.h>
 
 namespace holdfast {
 namespace {
@@ -64,6 +58,18 @@ constexpr int kLastRing = 315;
 constexpr double kNameAzimuth = 22.5;
 constexpr double kNameRadius = 1.01;
 
+// Towards where the camera is shifted from the middle of what it shows.
+const Vector3 kBeside(0.25, -0.4, 0.2);
+constexpr double kEyeDistance = 10;
+
+// Half the height of the picture, in radii: at least, beyond which all of the sphere is shown, and then.
+constexpr double kLeastView = 0.5;
+constexpr double kWholeView = 0.9;
+constexpr double kWholeScale = 1.2;
+constexpr double kViewMargin = 1.25;
+constexpr double kNearestView = 0.005;
+constexpr double kFarthestView = 20;
+
 Vector3 onSphere(double fromPole, double azimuth)
 {
   return {std::sin(fromPole) * std::cos(azimuth), std::sin(fromPole) * std::sin(azimuth), std::cos(fromPole)};
@@ -100,6 +106,36 @@ vtkSmartPointer<vtkPolyData> sphereRings()
 }
 
 }  // namespace
+
+void lookAtPlaces(vtkCamera& camera, const std::vector<Vector3>& places)
+{
+  Vector3 middle = Vector3::Zero();
+  for (const Vector3& place : places) middle += place / static_cast<double>(places.size());
+  const Vector3 back = (middle + kBeside).normalized();
+  const Vector3 right = Vector3::UnitZ().cross(back).normalized();
+  const Vector3 up = back.cross(right);
+  Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
+  Eigen::Vector2d high = -low;
+  for (const Vector3& place : places) {
+    const Eigen::Vector2d seen(place.dot(right), place.dot(up));
+    low = low.cwiseMin(seen);
+    high = high.cwiseMax(seen);
+  }
+  const double reach = kViewMargin * (high - low).maxCoeff() / 2;
+  const bool isWhole = reach > kWholeView;
+  const Eigen::Vector2d center = isWhole ? Eigen::Vector2d(0, 0) : Eigen::Vector2d((low + high) / 2);
+  const Vector3 focus = center.x() * right + center.y() * up;
+  const Vector3 eye = focus + kEyeDistance * back;
+  camera.SetFocalPoint(focus.data());
+  camera.SetPosition(eye.data());
+  camera.SetViewUp(up.data());
+  camera.SetParallelScale(isWhole ? std::max(reach, kWholeScale) : std::max(reach, kLeastView));
+}
+
+void zoomSphere(vtkCamera& camera, double factor)
+{
+  camera.SetParallelScale(std::clamp(camera.GetParallelScale() / factor, kNearestView, kFarthestView));
+}
 
 RotationSphere::RotationSphere()
 {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <vtkActor.h>
+#include <vtkCamera.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkRenderer.h>
@@ -27,6 +28,18 @@ struct SphereLook {
   Color mark{0.93, 0.38, 0.05};
   double pixelRatio = 1;  ///< pixels of the window for each of the picture: sizes are in the latter
 };
+
+/// The direction in which the camera looks, of length 1.
+[[nodiscard]] inline Vector3 sightOf(vtkCamera& camera)
+{
+  return Vector3(camera.GetDirectionOfProjection());
+}
+
+/// Shows all `places`, at least one, from a little beside their middle; the whole sphere where they reach around it.
+void lookAtPlaces(vtkCamera& camera, const std::vector<Vector3>& places);
+
+/// Shows what is in the picture `factor` times as large, within bounds.
+void zoomSphere(vtkCamera& camera, double factor);
 
 /// How near to a point a click must be, in pixels of the picture.
 inline constexpr double kSphereReach = 8;

@@ -16,7 +16,6 @@
 #include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/deform/fields.h>
 #include <holdfast/deform/outcomes.h>
-#include <holdfast/deform/report_csv.h>
 #include <holdfast/deform/report_json.h>
 #include <holdfast/io/files/output_file.h>
 #include <holdfast/widgets/camera/camera_state.h>

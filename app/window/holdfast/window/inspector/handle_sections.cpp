@@ -5,7 +5,6 @@
 #include <holdfast/constraints/handle_motion.h>
 #include <holdfast/document/handle_restated.h>
 #include <holdfast/document/list_edits.h>
-#include <holdfast/geometry/centroid.h>
 #include <holdfast/window/inspector/inspector_section.h>
 #include <holdfast/window/model/at_rest.h>
 #include <holdfast/window/table/vertex_table_model.h>

@@ -11,7 +11,7 @@
 #include <vtkCamera.h>
 
 #include <holdfast/base/thread_priority.h>
-#include <holdfast/geometry/degree.h>
+#include <holdfast/geometry/rotation_log.h>
 #include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/widgets/scene/example_document.h>
 #include <holdfast/widgets/scene/lighting.h>
