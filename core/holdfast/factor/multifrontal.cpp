@@ -97,7 +97,7 @@ std::size_t triangleColumn(int j, int size)
 }
 
 /// What a thread computes supernodes in.
-struct Workspace {
+struct FrontWorkspace {
   std::vector<int> placeOf;              // of a column: its row in the front
   std::vector<std::vector<int>> places;  // of the rows of each child: theirs
   std::vector<double> panel;
@@ -125,7 +125,7 @@ class Multifrontal {
     const OneThread libraries;
     const NoSubnormals arithmetic;  // L falls off exponentially where much is held
     findDiagonal();
-    std::vector<Workspace> workspaces(static_cast<std::size_t>(threadCount()));
+    std::vector<FrontWorkspace> workspaces(static_cast<std::size_t>(threadCount()));
     const std::vector<SupernodeRange>& subtrees = symbolic_.subtrees;
     parallelFor(static_cast<Index>(subtrees.size()),
                 [&](Index k, Index thread) { factorize(subtrees[k], workspaces[thread], Loop(false)); });
@@ -146,7 +146,7 @@ class Multifrontal {
     }
   }
 
-  void factorize(const SupernodeRange& range, Workspace& work, const Loop& loop)
+  void factorize(const SupernodeRange& range, FrontWorkspace& work, const Loop& loop)
   {
     work.placeOf.resize(diagonal_.size());
     for (int s = range.begin; s < range.end && badPivot_ == kAllPositive && !step_->isLeftBehind(); ++s) {
@@ -156,7 +156,7 @@ class Multifrontal {
     }
   }
 
-  void factorize(int s, Workspace& work, const Loop& loop)
+  void factorize(int s, FrontWorkspace& work, const Loop& loop)
   {
     const Supernode& node = symbolic_.supernodes[s];
     findPlaces(s, work);
@@ -175,7 +175,7 @@ class Multifrontal {
   }
 
   /// What the supernode and those below it take off its parents, in strips that stay in the cache.
-  void keepUpdate(int s, Workspace& work, const Loop& loop)
+  void keepUpdate(int s, FrontWorkspace& work, const Loop& loop)
   {
     const Supernode& node = symbolic_.supernodes[s];
     const int rows = node.rowCount;
@@ -199,7 +199,7 @@ class Multifrontal {
     });
   }
 
-  void addEntries(const Supernode& node, Workspace& work)
+  void addEntries(const Supernode& node, FrontWorkspace& work)
   {
     const int height = node.height();
     for (int k = 0; k < node.width; ++k) {
@@ -212,7 +212,7 @@ class Multifrontal {
   }
 
   /// Where the rows of the front are in it, and those that its children have updated.
-  void findPlaces(int s, Workspace& work)
+  void findPlaces(int s, FrontWorkspace& work)
   {
     const Supernode& node = symbolic_.supernodes[s];
     int place = 0;
@@ -239,7 +239,7 @@ class Multifrontal {
   };
 
   /// Adds what the children of a supernode have kept to a part of its front.
-  void addChildren(int s, const FrontPart& part, const Workspace& work, const Loop& loop)
+  void addChildren(int s, const FrontPart& part, const FrontWorkspace& work, const Loop& loop)
   {
     for (std::size_t c = 0; c < symbolic_.children[s].size(); ++c) {
       const std::vector<int>& places = work.places[c];

@@ -6,6 +6,7 @@
 
 #include <Eigen/OrderingMethods>
 
+#include <holdfast/base/sparse_products.h>
 #include <holdfast/factor/elimination_tree.h>
 #include <holdfast/operators/laplacian.h>
 #include <holdfast/solve/nested_dissection_internal.h>
