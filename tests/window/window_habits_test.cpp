@@ -34,6 +34,9 @@ using test::DialogAnswer;
 /// Finds a command by words, and runs it with Enter.
 void runCommand(QWidget& window, const char* words)
 {
+  // Without a window manager a dialog that closes leaves no window active.
+  window.activateWindow();
+  ASSERT_TRUE(test::waitUntil([&] { return window.isActiveWindow(); }));
   const DialogAnswer answer("commandDialog", [words](QDialog& dialog) {
     auto& text = *dialog.findChild<QLineEdit*>("commandText");
     test::type(text, words);

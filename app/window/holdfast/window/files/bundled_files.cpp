@@ -31,9 +31,9 @@ std::vector<Example> examples()
   };
   std::vector<Example> all;
   for (const Row& row :
-       {Row{QObject::tr("Bracket on measured points"), "bracket.obj", "bracket", "bracket"},
-        {QObject::tr("Bar with one end turned twice"), "bar.obj", "bar.twist_720", "twist"},
-        {QObject::tr("Plate between three handles"), "plate_unsymmetric.off", "plate_unsymmetric.three_handles",
+       {Row{QObject::tr("Measured bracket"), "bracket.obj", "bracket", "bracket"},
+        {QObject::tr("Twisted bar"), "bar.obj", "bar.twist_720", "twist"},
+        {QObject::tr("Plate, three handles"), "plate_unsymmetric.off", "plate_unsymmetric.three_handles",
          "three_handles"},
         {QObject::tr("Head with rigid eyes"), "head.ply", "head.rigid_eyes", "rigid_eyes"},
         {QObject::tr("Plate with conflicts"), "plate_unsymmetric.off", "plate_unsymmetric.conflict", "conflicts"}}) {

@@ -76,7 +76,8 @@ void Gallery::arrange()
     grid_->removeWidget(buttons_[k]);
     grid_->addWidget(buttons_[k], k / columns, k % columns);
   }
-  for (int column = 0; column < std::max(columns, grid_->columnCount()); ++column)
+  // What is left over is at the right.
+  for (int column = 0; column <= std::max(columns, grid_->columnCount()); ++column)
     grid_->setColumnStretch(column, column == columns ? 1 : 0);
 }
 
