@@ -24,6 +24,11 @@ foreach(program IN ITEMS holdfast-batch holdfast)
   endif()
 endforeach()
 
+# What the window shows of them: the manual, examples and their pictures.
+if(TARGET holdfast)
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/data" "${PROJECT_SOURCE_DIR}/docs" DESTINATION "${CMAKE_INSTALL_DATADIR}/holdfast")
+endif()
+
 configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/holdfast-config.cmake.in"
   "${PROJECT_BINARY_DIR}/holdfast-config.cmake" INSTALL_DESTINATION "${holdfast_package_dir}"
   NO_SET_AND_CHECK_MACRO)

@@ -75,6 +75,7 @@ int run(int argc, char** argv)
 
   MainWindow window;
   window.resize(window.screen()->availableSize().boundedTo({1600, 1000}) * 0.95);
+  window.remember();
   window.warmUp();
   window.show();
   if (!file.empty()) QTimer::singleShot(0, &window, [&] { window.files().open(QString::fromStdString(file)); });

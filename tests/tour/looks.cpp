@@ -24,6 +24,8 @@ void dark(TourWindow& tour)
   tour.picture("dark_rotations_and_report");
   tour.raise("histogramDock");
   tour.picture("dark_distributions");
+  tour.trigger("close");
+  tour.picture("dark_start_page");
   tour.raise("constraintsDock");
   tour.raise("inspectorDock");
   apply(Appearance::Light);
@@ -51,7 +53,8 @@ void inside(TourWindow& tour)
 
 void looks(TourWindow& tour)
 {
-  tour.ask("help", [&](QWidget& dialog) { tour.pictureOf(dialog, "help"); });
+  for (const char* dialog : {"help", "commands", "preferences"})
+    tour.ask(dialog, [&](QWidget& shown) { tour.pictureOf(shown, dialog); });
   dark(tour);
   inside(tour);
   tour.open("bracket.obj", "bracket.constraints.json");

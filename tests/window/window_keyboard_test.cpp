@@ -3,18 +3,23 @@
 #include <QAction>
 #include <QApplication>
 #include <QClipboard>
+#include <QDialog>
 #include <QLineEdit>
 #include <QMenu>
 #include <QTabBar>
 #include <QToolButton>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include <holdfast/window/files/autosave.h>
+#include <holdfast/window/files/import_dialog.h>
 #include <holdfast/window/table/constraint_table_model.h>
 
+#include "dialogs.h"
 #include "gestures.h"
 #include "support/source_tree.h"
 #include "support/temporary_folder.h"
@@ -186,16 +191,27 @@ bool isPart(const QWidget& widget)
   if (widget.objectName().startsWith("qt_") || widget.inherits("QComboBoxListView") ||
       qobject_cast<const QTabBar*>(&widget) != nullptr)
     return true;
+  for (const char* whole : {"QAbstractItemView", "QLineEdit", "QTabBar", "QAbstractSpinBox", "QComboBox"})
+    if (widget.parentWidget() != nullptr && widget.parentWidget()->inherits(whole)) return true;
   const auto* area = qobject_cast<const QAbstractScrollArea*>(widget.parentWidget());
   return area != nullptr && area->viewport() == &widget;
 }
 
-/// Widgets that can have the keys and that no screen reader could name.
+/// Whether a user can press, type into or choose from it, or get to it by keys.
+bool isControl(const QWidget& widget)
+{
+  if ((widget.focusPolicy() & Qt::TabFocus) != 0) return true;
+  for (const char* kind : {"QAbstractButton", "QLineEdit", "QComboBox", "QAbstractSpinBox", "QAbstractItemView"})
+    if (widget.inherits(kind)) return true;
+  return false;
+}
+
+/// Controls that no screen reader could name.
 std::vector<std::string> namelessWidgets(const QWidget& window)
 {
   std::vector<std::string> found;
   for (QWidget* widget : window.findChildren<QWidget*>()) {
-    if ((widget->focusPolicy() & Qt::TabFocus) == 0 || widget->focusProxy() != nullptr || isPart(*widget)) continue;
+    if (!isControl(*widget) || widget->focusProxy() != nullptr || isPart(*widget)) continue;
     QAccessibleInterface* spoken = QAccessible::queryAccessibleInterface(widget);
     if (spoken != nullptr && !spoken->text(QAccessible::Name).trimmed().isEmpty()) continue;
     found.push_back(widget->metaObject()->className() + (" " + widget->objectName()).toStdString() + " in " +
@@ -230,12 +246,36 @@ TEST_F(NamesInWindow, EveryControlHasAName)
   EXPECT_THAT(namelessWidgets(window), IsEmpty());
 }
 
+TEST_F(NamesInWindow, EveryControlOfADialogHasAName)
+{
+  for (const auto& [action, dialog] : {std::pair("help", "helpDialog"),
+                                       {"commands", "commandDialog"},
+                                       {"preferences", "preferencesDialog"},
+                                       {"exportPicture", "pictureDialog"}}) {
+    const test::DialogAnswer answer(dialog, [](QDialog& shown) {
+      EXPECT_THAT(namelessWidgets(shown), IsEmpty());
+      shown.close();
+    });
+    trigger(action);
+    EXPECT_TRUE(test::waitUntil([&] { return answer.isGiven(); })) << action;
+  }
+  trigger("manual");
+  ASSERT_TRUE(test::waitUntil([] { return test::findDialog("manual") != nullptr; }));
+  EXPECT_THAT(namelessWidgets(*test::findDialog("manual")), IsEmpty());
+  test::findDialog("manual")->close();
+  const std::unique_ptr<QDialog> import(
+      newImportDialog(editor(), test::dataFolder() + "/bracket.measured.csv", &window));
+  EXPECT_THAT(namelessWidgets(*import), IsEmpty());
+  const std::unique_ptr<QDialog> recovery(newRecoveryDialog({{}}, [](const Recoverable&) {}));
+  EXPECT_THAT(namelessWidgets(*recovery), IsEmpty());
+}
+
 TEST_F(NamesInWindow, WhatHasNoneIsFound)
 {
   const auto widgets = namelessWidgets(window).size();
   const auto actions = actionsWithoutTips(window).size();
   auto* bare = new QToolButton(&window);
-  bare->setFocusPolicy(Qt::StrongFocus);
+  bare->setFocusPolicy(Qt::NoFocus);
   bare->addAction(new QAction("&Bare", bare));
   EXPECT_EQ(namelessWidgets(window).size(), widgets + 1);
   EXPECT_EQ(actionsWithoutTips(window).size(), actions + 1);

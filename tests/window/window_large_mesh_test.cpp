@@ -4,6 +4,9 @@
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
+#include <holdfast/window/tools/moved_region.h>
+#include <holdfast/window/viewport/viewport_overlay.h>
+
 #include "gestures.h"
 #include "open_window.h"
 #include "support/meshes.h"
@@ -99,6 +102,92 @@ TEST_F(LargeMeshInWindow, WhatElseChangesIsShownTogetherWithThePicture)
   EXPECT_TRUE(test::waitUntil([&] { return shownTimes > 0; }));
   static_cast<void>(test::waitUntil([] { return false; }, std::chrono::milliseconds(100)));
   EXPECT_EQ(shownTimes, 1);
+}
+
+/// The same, standing on its lower end; the upper one is a handle, and is selected.
+class HandleOfLargeMesh : public LargeMeshInWindow {
+ protected:
+  void SetUp() override
+  {
+    LargeMeshInWindow::SetUp();
+    const auto beyond = [](double z) { return Selection{InHalfSpace{{0, 0, z}, {0, 0, z}}}; };
+    editor().edit("list", {"",
+                           {{"base", true, FixedConstraint{beyond(-0.8)}},
+                            {"top", true, HandleConstraint{beyond(0.8), RotationAboutFixed{}, {0, 0, 0}, {}}}}});
+    editor().selectConstraints({1});
+    ASSERT_TRUE(settle());
+  }
+
+  [[nodiscard]] MovedRegion& region() { return window.gizmo().movedRegion(); }
+};
+
+TEST_F(HandleOfLargeMesh, IsDrawnWhereItIsToBeBeforeTheRestIsSolved)
+{
+  EXPECT_FALSE(region().isVisible());
+  const QPointF from = onArrow(0);
+  test::pressMouse(viewport(), from);
+  test::moveMouse(viewport(), from + QPointF(60, 0), Qt::LeftButton);
+  // Nothing was solved since: no event was handled.
+  ASSERT_EQ(editor().solveState(), SolveState::Solving);
+  ASSERT_TRUE(region().isVisible());
+  const vtkIdType count = region().points().GetNumberOfPoints();
+  ASSERT_GT(count, 1000);
+  std::vector<Vector3> early;
+  for (vtkIdType k = 0; k < count; ++k) early.emplace_back(region().points().GetPoint(k));
+  test::releaseMouse(viewport(), from + QPointF(60, 0));
+  EXPECT_TRUE(region().isVisible()) << "until the surface has followed";
+  ASSERT_TRUE(settle());
+  EXPECT_FALSE(region().isVisible());
+  std::vector<Vector3> solved;
+  for (Index vertex = 0; vertex < editor().positions().rows(); ++vertex)
+    if (editor().model()->mesh.positions(vertex, 2) >= 0.8) solved.emplace_back(editor().positions().row(vertex));
+  EXPECT_EQ(early, solved);
+}
+
+TEST_F(HandleOfLargeMesh, EscapeTakesItAway)
+{
+  const QPointF from = onArrow(0);
+  test::pressMouse(viewport(), from);
+  test::moveMouse(viewport(), from + QPointF(60, 0), Qt::LeftButton);
+  trigger("escape");
+  EXPECT_FALSE(region().isVisible());
+  test::releaseMouse(viewport(), from + QPointF(60, 0));
+}
+
+TEST_F(HandleOfLargeMesh, OfManyQuickUndosTheLastStateIsShownFirst)
+{
+  constexpr int kEdits = 40;
+  const auto first = editor().history().state();
+  for (int k = 1; k <= kEdits; ++k) {
+    ConstraintList moved = list();
+    std::get<HandleConstraint>(moved.constraints[1].what).translate.x() = 0.01 * k;
+    editor().edit("move", std::move(moved));
+    // Some are solved, as by a user who looks at them.
+    const bool isSeen = k > kEdits - 3;
+    ASSERT_TRUE(!isSeen || settle());
+  }
+  std::vector<std::shared_ptr<const DocumentState>> shown;
+  QObject::connect(&editor(), &Editor::deformed, &viewport(), [&] { shown.push_back(editor().deformedState()); });
+  for (int k = 0; k < kEdits; ++k) trigger("undo");
+  EXPECT_EQ(editor().history().state(), first);
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(shown, std::vector{first});
+  EXPECT_EQ(editor().deformedState(), first);
+}
+
+TEST_F(HandleOfLargeMesh, ThePictureSaysForHowLongItHasBeenOlder)
+{
+  editor().solve();
+  EXPECT_EQ(solveStateText(editor()), "Older than the constraints: solving");
+  QElapsedTimer since;
+  since.start();
+  while (since.elapsed() < 600) {
+    // No event is handled: whatever was solved is not shown.
+  }
+  const QString text = solveStateText(editor());
+  EXPECT_TRUE(text.startsWith("Older than the constraints: solving, 0.")) << text.toStdString();
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(solveStateText(editor()), "");
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <Eigen/Geometry>
 
@@ -38,7 +39,8 @@ struct HandleSurroundings {
 struct HandleSetting {
   Positions rest;  ///< of its vertices, at least one: in the order of its targets and rotations, where it has any
   HandleSurroundings surroundings;
-  InputLocation where;  ///< the handle's, for errors
+  InputLocation where;               ///< the handle's, for errors
+  std::vector<Index> vertices = {};  ///< of the file, in the order of `rest`; may be empty
 };
 
 /// One row for each vertex of a handle.

@@ -95,4 +95,25 @@ ConstraintList ConstraintDrag::movedBy(const RigidIncrement& increment)
   return moved;
 }
 
+std::vector<Index> ConstraintDrag::handleVertices() const
+{
+  std::vector<Index> all;
+  for (const auto& [constraint, setting, center, turn] : handles_)
+    all.insert(all.end(), setting.vertices.begin(), setting.vertices.end());
+  return all;
+}
+
+Positions ConstraintDrag::handlePlaces(const ConstraintList& moved) const
+{
+  Positions all(static_cast<Index>(handleVertices().size()), 3);
+  Index row = 0;
+  for (const DraggedHandle& dragged : handles_) {
+    const auto& handle = std::get<HandleConstraint>(moved.constraints[dragged.constraint].what);
+    const Positions places = placeHandle(handle, dragged.setting).places;
+    all.middleRows(row, places.rows()) = places;
+    row += places.rows();
+  }
+  return all;
+}
+
 }  // namespace holdfast

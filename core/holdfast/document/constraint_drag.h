@@ -38,6 +38,11 @@ class ConstraintDrag {
   /// The list after the motion, the next frame of the gesture.
   [[nodiscard]] ConstraintList movedBy(const RigidIncrement& increment);
 
+  /// Vertices of the file that handles move, and where `moved`, a list that `movedBy` gave, takes them: one row for
+  /// each. Throws as `placeHandle`. O(vertices).
+  [[nodiscard]] std::vector<Index> handleVertices() const;
+  [[nodiscard]] Positions handlePlaces(const ConstraintList& moved) const;
+
  private:
   struct DraggedPoint {
     Index constraint = 0;

@@ -118,7 +118,7 @@ std::vector<HandleSetting> settingsOf(const Model& model, const ConstraintList& 
     std::vector<Index> vertices = selector.select(select, below(where, ".select"));
     const auto* listed = std::get_if<VertexIds>(&select.what);
     if (listed != nullptr && listed->ids.size() == vertices.size()) vertices = listed->ids;
-    settings.push_back({model.mesh.positions(vertices, Eigen::all), surroundings, where});
+    settings.push_back({model.mesh.positions(vertices, Eigen::all), surroundings, where, vertices});
   }
   return settings;
 }

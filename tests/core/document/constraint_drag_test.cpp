@@ -72,6 +72,16 @@ class DragAboutFixed : public testing::Test {
   Deformer deformer_{model, {}};
 };
 
+TEST_F(DragAboutFixed, SaysWhereTheHandleIsToBeBeforeAnythingIsSolved)
+{
+  const ConstraintList moved = frame(onCircle(70));
+  const Positions places = drag.handlePlaces(moved);
+  const std::vector<Index> vertices = drag.handleVertices();
+  ASSERT_EQ(places.rows(), static_cast<Index>(vertices.size()));
+  ASSERT_GT(places.rows(), 4);
+  EXPECT_EQ(Positions(deformed(moved).positions(vertices, Eigen::all)), places);
+}
+
 TEST_F(DragAboutFixed, GoesRoundAndRoundWithoutAJump)
 {
   constexpr double kStep = 2;

@@ -23,6 +23,7 @@
 #include <holdfast/widgets/files/poly_data_file.h>
 #include <holdfast/widgets/scene/scene.h>
 #include <holdfast/window/controls/panel_parts.h>
+#include <holdfast/window/files/recent_files.h>
 #include <holdfast/window/text/number_text.h>
 
 namespace holdfast {
@@ -184,7 +185,10 @@ QString DocumentExports::ask(const QString& title, const QString& ending, const 
     return filter.contains("*." + QFileInfo(suggestion).suffix() + ')', Qt::CaseInsensitive);
   });
   if (own != sorted.end()) std::rotate(sorted.begin(), own, own + 1);
-  return chooser_(window_, {FileQuestion::Purpose::Write, title, suggestion, sorted});
+  const QString path =
+      chooser_(window_, {FileQuestion::Purpose::Write, title, inLastFolder("export", suggestion), sorted});
+  rememberFolder("export", path);
+  return path;
 }
 
 void DocumentExports::make(const QString& title, const QString& ending, const QStringList& filters, Maker maker)

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/window/files/import_dialog.h>
 #include <holdfast/window/files/recent_files.h>
 
@@ -46,6 +47,7 @@ void DocumentFiles::open(const QString& path)
   }
   Opening opening;
   opening.path = absolute.toStdString();
+  opening.unit = unit_;
   if (isSessionFile(opening.path)) opening.sessionPath = opening.path;
   begin(std::move(opening));
 }
@@ -58,8 +60,23 @@ void DocumentFiles::openDialog()
   all.replace(all.indexOf('('), 1, '(' + sessions + ' ');
   filters.front() = all.replace(0, all.indexOf('('), tr("Meshes and sessions "));
   filters.insert(1, tr("Sessions (%1)").arg(sessions));
-  const QString path = askForFile(tr("Open a mesh or a session"), suggestedPath(), filters);
+  const QString path = askForFile(tr("Open a mesh or a session"), inLastFolder("open", suggestedPath()), filters);
+  rememberFolder("open", path);
   if (!path.isEmpty()) open(path);
+}
+
+void DocumentFiles::openExample(const Example& example)
+{
+  Opening opening;
+  opening.path = example.mesh.toStdString();
+  opening.constraints = example.constraints.toStdString();
+  begin(std::move(opening));
+}
+
+void DocumentFiles::close()
+{
+  job_.cancel();
+  if (maySaveBefore(tr("closing it"))) editor_.close();
 }
 
 void DocumentFiles::recover(const Recoverable& copy, std::function<void()> whenOpen)
@@ -94,6 +111,8 @@ void DocumentFiles::Opening::read(Progress& progress)
   if (!session) {
     progress.step(fmt::format("reading {}", path.filename().string()));
     session = isSessionFile(path) ? readSession(path) : SessionFile{};
+    if (!constraints.empty()) session->document.list = readConstraints(constraints);
+    if (!isSessionFile(path) && session->document.list.units.empty()) session->document.list.units = unit;
   }
   progress.step("looking for the mesh");
   resolved = isSessionFile(path) ? resolveMesh(*session, path) : ResolvedMesh{path, MeshState::Same, ""};
@@ -134,7 +153,8 @@ void DocumentFiles::adopt(Opening& opening)
   editor_.open(std::move(opening.mesh), std::move(opening.session->document));
   if (opening.isUnsaved) editor_.markUnsaved();
   setPath(opening.sessionPath);
-  addRecentFile(textOf(opening.sessionPath.empty() ? editor_.mesh().path : opening.sessionPath));
+  if (opening.constraints.empty())
+    addRecentFile(textOf(opening.sessionPath.empty() ? editor_.mesh().path : opening.sessionPath));
   Q_EMIT viewOpened(opening.session->view);
   opening.whenOpen();
 }
@@ -159,8 +179,9 @@ bool DocumentFiles::mayReplaceDocument()
 void DocumentFiles::importDialog()
 {
   const QString path = askForFile(
-      tr("Import constraints"), textOf(editor_.mesh().path.parent_path()),
+      tr("Import constraints"), inLastFolder("import", textOf(editor_.mesh().path.parent_path())),
       {tr("Constraints and points (*.json *.csv *.holdfast)"), tr("Constraints (*.json)"), tr("Points (*.csv)")});
+  rememberFolder("import", path);
   if (!path.isEmpty()) importConstraints(path);
 }
 
@@ -185,8 +206,11 @@ fs::path DocumentFiles::askWhereToSave()
 {
   const QString suggestion =
       QFileInfo(suggestedPath()).path() + '/' + QFileInfo(name()).completeBaseName() + ".holdfast";
-  const QString path = chooser_(
-      window_, {FileQuestion::Purpose::Write, tr("Save the session"), suggestion, {tr("Sessions (*.holdfast)")}});
+  const QString path = chooser_(window_, {FileQuestion::Purpose::Write,
+                                          tr("Save the session"),
+                                          sessionPath_.empty() ? inLastFolder("save", suggestion) : suggestion,
+                                          {tr("Sessions (*.holdfast)")}});
+  rememberFolder("save", path);
   return path.isEmpty() ? std::string() : QFileInfo(path).absoluteFilePath().toStdString();
 }
 

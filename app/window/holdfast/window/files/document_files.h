@@ -9,6 +9,7 @@
 
 #include <holdfast/document/recovery.h>
 #include <holdfast/document/session_file.h>
+#include <holdfast/window/files/bundled_files.h>
 #include <holdfast/window/files/file_messages.h>
 #include <holdfast/window/model/background_job.h>
 #include <holdfast/window/model/editor.h>
@@ -22,6 +23,8 @@ class DocumentFiles : public QObject {
  public:
   DocumentFiles(Editor& editor, QWidget* window);
 
+  /// Of lengths in meshes that are opened, which do not name one themselves.
+  void setUnit(const QString& unit) { unit_ = unit.toStdString(); }
   /// Replaces `chooseFile`, for a program that drives the window.
   void setChooser(FileChooser chooser) { chooser_ = std::move(chooser); }
   /// What sessions keep of the view; by default nothing.
@@ -31,8 +34,12 @@ class DocumentFiles : public QObject {
   /// about unsaved changes, and about the mesh of a session if it is missing or has changed.
   void open(const QString& path);
   void openDialog();
+  /// As a document that was never saved.
+  void openExample(const Example& example);
   /// Opens a copy that a crash has left, as unsaved work on what it is a copy of. `whenOpen` is called when it is.
   void recover(const Recoverable& copy, std::function<void()> whenOpen);
+  /// Asks before about unsaved changes.
+  void close();
   [[nodiscard]] bool isOpening() const noexcept { return job_.isRunning(); }
 
   void importConstraints(const QString& path);
@@ -69,7 +76,9 @@ class DocumentFiles : public QObject {
   struct Opening {
     std::filesystem::path path;         // what is read
     std::filesystem::path sessionPath;  // what it is saved to; empty for a mesh
-    bool isUnsaved = false;             // it differs from what is in the file at `sessionPath`
+    std::filesystem::path constraints;  // of an example; else empty
+    std::string unit;
+    bool isUnsaved = false;  // it differs from what is in the file at `sessionPath`
     std::function<void()> whenOpen = [] {};
     std::optional<SessionFile> session;  // read, perhaps with what the user has said of its mesh
     ResolvedMesh resolved;               // where the mesh is, and whether it is the session's
@@ -97,6 +106,7 @@ class DocumentFiles : public QObject {
   Editor& editor_;
   QWidget* window_;
   FileChooser chooser_ = chooseFile;
+  std::string unit_;
   std::function<ViewState()> view_ = [] { return ViewState{}; };
   BackgroundJob job_;
   std::filesystem::path sessionPath_;

@@ -1,6 +1,5 @@
 #include "holdfast/window/files/file_messages.h"
 
-#include <QCoreApplication>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QProgressDialog>
@@ -55,7 +54,7 @@ class Box : public QMessageBox {
   Box(QWidget* window, Icon icon, const QString& headline, const QString& explanation) : QMessageBox(window)
   {
     setObjectName("messageBox");
-    setWindowTitle(QCoreApplication::applicationName());
+    setWindowTitle("Holdfast");
     setWindowModality(Qt::WindowModal);
     setIcon(icon);
     setText(QString("<b>%1</b>").arg(headline.toHtmlEscaped()));

@@ -1,14 +1,23 @@
 #include "holdfast/window/files/recent_files.h"
 
 #include <QAction>
+#include <QCryptographicHash>
 #include <QDir>
 #include <QFileInfo>
 #include <QSettings>
+#include <QStandardPaths>
+#include <algorithm>
 
 namespace holdfast {
 namespace {
 
 constexpr const char* kKey = "recentFiles";
+constexpr const char* kFolders = "folders";
+
+QDir pictureFolder()
+{
+  return QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + "/recent";
+}
 
 }  // namespace
 
@@ -30,6 +39,53 @@ void removeRecentFile(const QString& path)
 {
   QStringList all = recentFiles();
   if (all.removeAll(QFileInfo(path).absoluteFilePath()) > 0) QSettings().setValue(kKey, all);
+}
+
+QPixmap fitted(const QPixmap& picture)
+{
+  // Most of a large picture is left out first: smoothing takes long.
+  const QPixmap rough = picture.scaled(4 * kRecentPictureSize, Qt::KeepAspectRatioByExpanding);
+  const QPixmap smooth = rough.scaled(kRecentPictureSize, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
+  const QSize margin = (smooth.size() - kRecentPictureSize) / 2;
+  return smooth.copy(QRect({margin.width(), margin.height()}, kRecentPictureSize));
+}
+
+QString recentPicture(const QString& path)
+{
+  const QByteArray name = QCryptographicHash::hash(path.toUtf8(), QCryptographicHash::Sha1).toHex();
+  return pictureFolder().filePath(name + ".png");
+}
+
+void keepRecentPicture(const QString& path, const QPixmap& picture)
+{
+  const QStringList recent = recentFiles();
+  if (!recent.contains(path)) return;
+  QDir folder = pictureFolder();
+  folder.mkpath(".");
+  for (const QFileInfo& kept : folder.entryInfoList({"*.png"}))
+    if (std::none_of(recent.begin(), recent.end(),
+                     [&](const QString& file) { return recentPicture(file) == kept.filePath(); }))
+      QFile::remove(kept.filePath());
+  fitted(picture).save(recentPicture(path));
+}
+
+QString inLastFolder(const QString& purpose, const QString& suggestion)
+{
+  const QString folder = QSettings().value(QString("%1/%2").arg(kFolders, purpose)).toString();
+  if (folder.isEmpty() || !QFileInfo(folder).isDir()) return suggestion;
+  return QFileInfo(suggestion).isDir() ? folder : folder + '/' + QFileInfo(suggestion).fileName();
+}
+
+void rememberFolder(const QString& purpose, const QString& path)
+{
+  if (!path.isEmpty()) QSettings().setValue(QString("%1/%2").arg(kFolders, purpose), QFileInfo(path).absolutePath());
+}
+
+void forgetSettings()
+{
+  QSettings settings;
+  for (const QString& key : settings.allKeys())
+    if (key != kKey) settings.remove(key);
 }
 
 void fillRecentMenu(QMenu& menu, const std::function<void(const QString&)>& open)
@@ -54,7 +110,10 @@ void fillRecentMenu(QMenu& menu, const std::function<void(const QString&)>& open
     return;
   }
   menu.addSeparator();
-  menu.addAction(QObject::tr("&Forget these files"), [] { QSettings().remove(kKey); });
+  menu.addAction(QObject::tr("&Forget these files"), [] {
+    QSettings().remove(kKey);
+    pictureFolder().removeRecursively();
+  });
 }
 
 }  // namespace holdfast

@@ -1,5 +1,6 @@
 #include "holdfast/window/model/editor.h"
 
+#include <QTimer>
 #include <algorithm>
 #include <cassert>
 #include <utility>
@@ -71,6 +72,7 @@ void Editor::close()
   if (!isOpen()) return;
   worker_.reset();
   history_.reset();
+  isShowDue_ = false;
   mesh_ = {};
   submitted_.clear();
   solved_.clear();
@@ -168,27 +170,51 @@ void Editor::submit(Supersede supersede)
 
 void Editor::stateBecame(Supersede supersede)
 {
+  keepSelection();
+  showOrSubmit(supersede);
+  Q_EMIT stateChanged();
+}
+
+void Editor::stateIsAnother()
+{
+  if (!isLarge(*model())) return stateBecame(Supersede::AtNextStep);
+  keepSelection();
+  worker_->cancel();
+  submitted_.clear();
+  setSolveState(SolveState::Solving, {});
+  isShowDue_ = true;
+  // Keys that are waiting come first.
+  QTimer::singleShot(0, this, [this] {
+    if (isOpen() && isShowDue_) showOrSubmit(Supersede::AtNextStep);
+  });
+  Q_EMIT stateChanged();
+}
+
+void Editor::keepSelection()
+{
   auto kept = selectedConstraints_;
   std::erase_if(kept, [&](Index k) { return k >= static_cast<Index>(list().constraints.size()); });
   selectConstraints(std::move(kept));
+}
+
+void Editor::showOrSubmit(Supersede supersede)
+{
+  isShowDue_ = false;
   const auto known = std::find_if(solved_.begin(), solved_.end(),
                                   [&](const Solved& solved) { return solved.state == history_->state(); });
-  if (known == solved_.end()) {
-    submit(supersede);
-  } else {
-    worker_->cancel();
-    submitted_.clear();
-    setStep({});
-    show(Solved(*known));
-    setSolveState(SolveState::Current, {});
-  }
-  Q_EMIT stateChanged();
+  if (known == solved_.end()) return submit(supersede);
+  worker_->cancel();
+  submitted_.clear();
+  setStep({});
+  show(Solved(*known));
+  setSolveState(SolveState::Current, {});
 }
 
 void Editor::show(Solved solved)
 {
   outcomeOf_.clear();
   shown_ = std::move(solved);
+  older_.start();
   std::erase_if(solved_, [&](const Solved& other) { return other.state == shown_.state; });
   solved_.push_back(shown_);
   if (solved_.size() > kRemembered) solved_.pop_front();
@@ -218,6 +244,7 @@ void Editor::handle(const LiveEvent& event, Solved solved)
 void Editor::setSolveState(SolveState solveState, const QString& error)
 {
   if (solveState_ == solveState && error_ == error) return;
+  if (solveState_ != SolveState::Solving) older_.start();
   solveState_ = solveState;
   error_ = error;
   Q_EMIT solveStateChanged();

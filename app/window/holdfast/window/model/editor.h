@@ -1,6 +1,7 @@
 #pragma once
 /// The open document, the one truth of the window: constraints, selection and the newest deformation.
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QString>
 #include <cstdint>
@@ -89,6 +90,11 @@ class Editor : public QObject {
   /// That of its outcome; disabled if the list says so, nothing without an outcome or if it was disabled then.
   [[nodiscard]] std::optional<ConstraintStatus> status(const Constraint& constraint, Index row) const;
   [[nodiscard]] SolveState solveState() const noexcept { return solveState_; }
+  /// How long the picture has been older than the list, while that is being solved.
+  [[nodiscard]] double secondsOlder() const
+  {
+    return solveState_ == SolveState::Solving ? static_cast<double>(older_.elapsed()) / 1000 : 0;
+  }
   /// Whether results are those of the list on screen.
   [[nodiscard]] bool isCurrent() const noexcept { return solveState_ == SolveState::Current; }
   /// Why the newest state cannot be solved; empty otherwise.
@@ -104,13 +110,14 @@ class Editor : public QObject {
   void updateGesture(ConstraintList after);
   void endGesture();
   void cancelGesture();
+  /// Of many in quick succession on a large mesh only the last state is solved and shown.
   void undo()
   {
-    if (isOpen() && history_->undo()) stateBecame(Supersede::AtNextStep);
+    if (isOpen() && history_->undo()) stateIsAnother();
   }
   void redo()
   {
-    if (isOpen() && history_->redo()) stateBecame(Supersede::AtNextStep);
+    if (isOpen() && history_->redo()) stateIsAnother();
   }
   /// The user's file holds `state`, which was shown before.
   void markSaved(std::shared_ptr<const DocumentState> state);
@@ -152,6 +159,9 @@ class Editor : public QObject {
 
   void submit(Supersede supersede);
   void stateBecame(Supersede supersede);
+  void stateIsAnother();
+  void keepSelection();
+  void showOrSubmit(Supersede supersede);
   void show(Solved solved);
   void handle(const LiveEvent& event, Solved solved);
   void setSolveState(SolveState solveState, const QString& error);
@@ -169,6 +179,8 @@ class Editor : public QObject {
   mutable std::unordered_map<std::string_view, Index>
       outcomeOf_;  // by name, in the report of `shown_`; empty until used
   SolveState solveState_ = SolveState::Nothing;
+  bool isShowDue_ = false;  // of the state that undo or redo has come to
+  QElapsedTimer older_;  // since the picture was shown, or was current
   QString error_;
   QString step_;
 

@@ -27,7 +27,7 @@ QRectF movedInto(QRectF box, const QRectF& room)
 }  // namespace
 
 GizmoTool::GizmoTool(Editor& editor, Viewport& viewport, QObject* parent)
-    : ToolOf(editor, viewport, parent), gizmo_(*widget().GetGizmoRepresentation())
+    : ToolOf(editor, viewport, parent), gizmo_(*widget().GetGizmoRepresentation()), region_(viewport)
 {
   // `paint` draws it in the window's font.
   gizmo_.LabelVisibilityOff();
@@ -39,6 +39,9 @@ GizmoTool::GizmoTool(Editor& editor, Viewport& viewport, QObject* parent)
   connect(&viewport, &Viewport::rendered, this, &GizmoTool::moveLabel);
   for (const auto& signal : {&Editor::opened, &Editor::stateChanged, &Editor::constraintSelectionChanged})
     connect(&editor, signal, this, &GizmoTool::placeGizmo);
+  connect(&editor, &Editor::solveStateChanged, this, [this] {
+    if (this->editor().solveState() != SolveState::Solving) region_.hide();
+  });
 }
 
 QString GizmoTool::hint() const
@@ -93,6 +96,7 @@ void GizmoTool::start()
   view_ = DisplayTransform(viewport().renderer());
   pivot_ = gizmo_.GetFrame().center;
   degreesSeen_ = 0;
+  if (isLarge(*editor().model())) region_.begin(placing_->handleVertices());
   editor().beginGesture(
       (isRotation() ? tr("turn %1") : tr("move %1")).arg(subjectOf(editor(), editor().selectedConstraints())));
 }
@@ -108,7 +112,20 @@ RigidIncrement GizmoTool::incrementOf(const GizmoMotion& motion)
 
 void GizmoTool::move(vtkObject* /*caller*/, unsigned long /*event*/, void* motion)
 {
-  editor().updateGesture(placing_->movedBy(incrementOf(*static_cast<const GizmoMotion*>(motion))));
+  ConstraintList moved = placing_->movedBy(incrementOf(*static_cast<const GizmoMotion*>(motion)));
+  showRegion(moved);
+  editor().updateGesture(std::move(moved));
+}
+
+void GizmoTool::showRegion(const ConstraintList& moved)
+{
+  if (!isLarge(*editor().model()) || !placing_->hasHandles()) return;
+  try {
+    region_.moveTo(placing_->handlePlaces(moved));
+  } catch (const InputError&) {
+    // The editor reports what the handle cannot do.
+    region_.hide();
+  }
 }
 
 void GizmoTool::finish(vtkObject* /*caller*/, unsigned long event, void* /*data*/)

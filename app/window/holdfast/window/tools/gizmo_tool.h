@@ -7,6 +7,7 @@
 
 #include <holdfast/document/constraint_drag.h>
 #include <holdfast/widgets/interaction/gizmo_widget.h>
+#include <holdfast/window/tools/moved_region.h>
 #include <holdfast/window/tools/tools.h>
 
 namespace holdfast {
@@ -55,6 +56,7 @@ class GizmoTool : public ToolOf<GizmoWidget> {
   void setRotationOfMoves(RotationOfMoves turn) { rotationOfMoves_ = turn; }
 
   [[nodiscard]] const GizmoRepresentation& gizmo() const noexcept { return gizmo_; }
+  [[nodiscard]] MovedRegion& movedRegion() noexcept { return region_; }
   /// Whether the cursor is over one of its parts, or drags it: `hint` applies then.
   [[nodiscard]] bool isTouched() const { return widget().GetPart() != GizmoPart::None; }
 
@@ -69,6 +71,7 @@ class GizmoTool : public ToolOf<GizmoWidget> {
   void highlight();
   void start();
   void move(vtkObject* caller, unsigned long event, void* motion);
+  void showRegion(const ConstraintList& moved);
   void finish(vtkObject* caller, unsigned long event, void* data);
   [[nodiscard]] bool isRotation() const { return holdfast::isRotation(widget().GetPart()); }
   [[nodiscard]] RigidIncrement incrementOf(const GizmoMotion& motion);
@@ -80,6 +83,7 @@ class GizmoTool : public ToolOf<GizmoWidget> {
   }
 
   GizmoRepresentation& gizmo_;
+  MovedRegion region_;
   GizmoAxes axes_ = GizmoAxes::World;
   RotationOfMoves rotationOfMoves_ = RotationOfMoves::AsConstraint;
   std::unique_ptr<ConstraintDrag> placing_;  // what the gizmo moves; null while it is hidden

@@ -1,8 +1,6 @@
 #include "holdfast/window/viewport/viewport_overlay.h"
 
-#include <QFontMetricsF>
 #include <QPainter>
-#include <array>
 #include <utility>
 
 #include <holdfast/deform/outcomes.h>
@@ -15,6 +13,10 @@ namespace {
 
 constexpr double kNoteMargin = 14;
 
+// A shorter wait needs no number, and in a drag no word.
+constexpr double kSecondsUnsaid = 0.5;
+constexpr int kMillisecondsBetweenTimes = 200;
+
 }  // namespace
 
 QString solveStateText(const Editor& editor)
@@ -23,10 +25,14 @@ QString solveStateText(const Editor& editor)
     case SolveState::Nothing:
     case SolveState::Current:
       break;
-    case SolveState::Solving:
-      if (!editor.deformation()) return ViewportOverlay::tr("At rest: solving");
+    case SolveState::Solving: {
+      const bool isLong = editor.secondsOlder() >= kSecondsUnsaid;
       // A drag's frames follow one another faster than a word can be read.
-      return editor.history().isInGesture() ? QString() : ViewportOverlay::tr("Older than the constraints: solving");
+      if (editor.deformation() && editor.history().isInGesture() && !isLong) return {};
+      const QString text = editor.deformation() ? ViewportOverlay::tr("Older than the constraints: solving")
+                                                : ViewportOverlay::tr("At rest: solving");
+      return isLong ? ViewportOverlay::tr("%1, %2 s").arg(text).arg(editor.secondsOlder(), 0, 'f', 1) : text;
+    }
     case SolveState::Cancelled:
       return ViewportOverlay::tr("Older than the constraints: solving was stopped. F5 solves again.");
     case SolveState::Unusable:
@@ -43,6 +49,10 @@ ViewportOverlay::ViewportOverlay(Editor& editor, Viewport& viewport)
   setAttribute(Qt::WA_NoSystemBackground);
   for (const auto& signal : {&Editor::opened, &Editor::solveStateChanged, &Editor::stepChanged})
     connect(&editor_, signal, this, qOverload<>(&QWidget::update));
+  clock_.setInterval(kMillisecondsBetweenTimes);
+  connect(&clock_, &QTimer::timeout, this, [this] { update(0, 0, width(), fontMetrics().height() * 3); });
+  connect(&editor_, &Editor::solveStateChanged, &clock_,
+          [this] { editor_.solveState() == SolveState::Solving ? clock_.start() : clock_.stop(); });
 }
 
 void ViewportOverlay::setTools(std::vector<const Tool*> tools)
@@ -55,7 +65,7 @@ void ViewportOverlay::paintEvent(QPaintEvent* /*event*/)
 {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  if (!editor_.isOpen()) return paintWelcome(painter);
+  if (!editor_.isOpen()) return;
   paintLegend(painter);
   paintSolveState(painter);
   for (const Tool* tool : tools_) {
@@ -113,34 +123,6 @@ void ViewportOverlay::paintSolveState(QPainter& painter) const
   painter.drawRoundedRect(box.adjusted(-8, -5, 8, 5), 4, 4);
   painter.setPen(palette().color(QPalette::WindowText));
   painter.drawText(box, Qt::AlignLeft | Qt::TextWordWrap, text);
-}
-
-void ViewportOverlay::paintWelcome(QPainter& painter) const
-{
-  struct Line {
-    QString text;
-    double size;   // of the font
-    double after;  // space below, in lines
-  };
-  const std::array lines{
-      Line{tr("Hold points of a surface exactly where you want them"), 1.45, 1.0},
-      Line{tr("Drop a mesh here, or open one with Ctrl+O."), 1.0, 0.3},
-      Line{tr("Then pick points on it (P) and drag them, or import measured points (Ctrl+I)."), 1.0, 1.0},
-      Line{tr("OBJ, PLY, OFF, STL, VTP, VTK, and sessions (.holdfast)"), 0.9, 0.0}};
-  const double lineHeight = QFontMetricsF(font()).height();
-  double total = 0;
-  for (const Line& line : lines) total += lineHeight * (line.size + line.after);
-  double y = (height() - total) / 2;
-  for (const Line& line : lines) {
-    QFont sized = font();
-    sized.setPointSizeF(font().pointSizeF() * line.size);
-    painter.setFont(sized);
-    QColor ink = palette().color(QPalette::WindowText);
-    ink.setAlphaF(line.size < 1 ? 0.6 : 0.85);
-    painter.setPen(ink);
-    painter.drawText(QRectF(0, y, width(), lineHeight * line.size * 1.2), Qt::AlignHCenter, line.text);
-    y += lineHeight * (line.size + line.after);
-  }
 }
 
 }  // namespace holdfast

@@ -1,9 +1,10 @@
 #pragma once
-/// Over the picture: the legend, what tools paint, whether it is older than the document, what to do if none is open.
+/// Over the picture: the legend, what tools paint, whether it is older than the document.
 
 #include <QFont>
 #include <QPalette>
 #include <QPixmap>
+#include <QTimer>
 #include <QWidget>
 #include <optional>
 #include <tuple>
@@ -33,7 +34,6 @@ class ViewportOverlay : public QWidget {
   void paintLegend(QPainter& painter);
   [[nodiscard]] LegendContent legend() const;
   void paintSolveState(QPainter& painter) const;
-  void paintWelcome(QPainter& painter) const;
 
   Editor& editor_;
   Viewport& viewport_;
@@ -41,6 +41,7 @@ class ViewportOverlay : public QWidget {
   // The legend as painted last: halos take longer than most pictures.
   std::optional<std::tuple<LegendContent, QPalette, QFont, QSize>> painted_;
   QPixmap legendPicture_;
+  QTimer clock_;  // while the document is solved
 };
 
 /// Why the picture is older than the document; empty if it is current.

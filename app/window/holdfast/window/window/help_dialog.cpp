@@ -4,7 +4,13 @@
 #include <QDialogButtonBox>
 #include <QGridLayout>
 #include <QLabel>
+#include <QTextBrowser>
+#include <QUrl>
 #include <QVBoxLayout>
+
+#include <holdfast/window/controls/panel_parts.h>
+#include <holdfast/window/files/bundled_files.h>
+#include <holdfast/window/files/file_messages.h>
 
 namespace holdfast {
 void showHelp(QWidget* window)
@@ -48,6 +54,24 @@ void showHelp(QWidget* window)
   layout->addLayout(grid);
   layout->addWidget(buttons);
   dialog.exec();
+}
+
+void showManual(QWidget* window)
+{
+  const QString manual = bundledFile("docs/window.md");
+  if (manual.isEmpty())
+    return showProblem(window, QObject::tr("The manual is not there."),
+                       QObject::tr("It is docs/window.md of the sources, share/holdfast/docs/window.md where the "
+                                   "program is installed"));
+  auto* dialog = named(new QDialog(window), "manual");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(QObject::tr("Manual"));
+  auto* text = named(new QTextBrowser, "manualText", QObject::tr("Manual"));
+  text->setOpenExternalLinks(true);
+  text->setSource(QUrl::fromLocalFile(manual), QTextDocument::MarkdownResource);
+  newLayout<QVBoxLayout>(dialog, 0, 0, {text});
+  dialog->resize(text->fontMetrics().averageCharWidth() * 110, text->fontMetrics().height() * 45);
+  dialog->show();
 }
 
 }  // namespace holdfast

@@ -1,27 +1,31 @@
 #include "holdfast/window/window/main_window.h"
 
-#include <QActionGroup>
 #include <QApplication>
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QFileInfo>
+#include <QHeaderView>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
-#include <QTimer>
+#include <QTableView>
 #include <QToolBar>
 #include <QUrl>
 #include <algorithm>
 
+#include <holdfast/base/error.h>
 #include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/window/controls/icons.h>
 #include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/controls/theme.h>
 #include <holdfast/window/files/recent_files.h>
+#include <holdfast/window/files/start_page.h>
 #include <holdfast/window/model/constraint_actions.h>
 #include <holdfast/window/text/number_text.h>
 #include <holdfast/window/viewport/view_state.h>
+#include <holdfast/window/window/command_dialog.h>
 #include <holdfast/window/window/help_dialog.h>
+#include <holdfast/window/window/preferences_dialog.h>
 
 namespace holdfast {
 namespace {
@@ -33,6 +37,20 @@ QStringList localFiles(const QMimeData& data)
   for (const QUrl& url : data.urls())
     if (url.isLocalFile()) paths << url.toLocalFile();
   return paths;
+}
+
+// Longer than it takes to draw most pictures.
+constexpr int kPictureDelay = 500;
+
+/// What every document has: how it is coloured and what is shown beside it.
+QVariant settingOf(const ViewState& view)
+{
+  SessionFile session;
+  session.mesh.path = "none";
+  session.view = view;
+  session.view.camera.reset();
+  session.view.range.reset();
+  return QByteArray::fromStdString(sessionToJson(session));
 }
 
 /// Of constraints or points.
@@ -58,6 +76,7 @@ MainWindow::MainWindow()
   setAcceptDrops(true);
   setCentralWidget(viewport_);
   viewport_->setFirstTool(gizmo_);
+  new StartPage(editor_, files_, viewport_);
   setStatusBar(status_);
   makeFileMenu();
   makeEditMenu();
@@ -94,7 +113,8 @@ QAction* MainWindow::addAction(QMenu& menu, const Item& item)
 
 void MainWindow::addChoices(QMenu& menu, const std::vector<Item>& items)
 {
-  auto* group = new QActionGroup(this);
+  QActionGroup* group = named(new QActionGroup(this), menu.title().remove('&'));
+  choices_ << group;
   for (const Item& item : items) {
     QAction* action = addAction(menu, item);
     action->setCheckable(true);
@@ -123,6 +143,8 @@ void MainWindow::makeFileMenu()
                      Needs::Document, [this] { files_.saveInBackground(); }},
                     {"saveAs", tr("Save &as…"), "Ctrl+Shift+S", tr("Save as another session"), Needs::Document,
                      [this] { files_.saveAsInBackground(); }},
+                    {"close", tr("&Close"), "Ctrl+W", tr("Close the document and show the start page"), Needs::Document,
+                     [this] { files_.close(); }},
                     separator,
                     {"import", tr("&Import constraints…"), "Ctrl+I",
                      tr("Add measured points (CSV) or constraints (JSON), after a look at where they lie"),
@@ -145,6 +167,11 @@ void MainWindow::makeFileMenu()
 
 void MainWindow::makeHelpMenu()
 {
+  const auto commands = [this] {
+    const auto* table = findChild<QTableView*>("constraintTable");
+    showCommands(commandsOf(menuBar()->actions()) + commandsOf(table->actions(), tr("Table \u203a ")) + gestures(),
+                 this);
+  };
   const auto about = [this] {
     QMessageBox::about(
         this, tr("About Holdfast"),
@@ -156,6 +183,10 @@ void MainWindow::makeHelpMenu()
   addActions(*menuBar()->addMenu(tr("&Help")),
              {{"help", tr("&Ten gestures"), "F1", tr("The most useful gestures, on one page"), Needs::Nothing,
                [this] { showHelp(this); }},
+              {"commands", tr("&Commands and keys…"), "Ctrl+Shift+P", tr("Find a command, or look up a key"),
+               Needs::Nothing, commands},
+              {"manual", tr("&Manual"), "Ctrl+F1", tr("How the window is used, all of it"), Needs::Nothing,
+               [this] { showManual(this); }},
               {"about", tr("&About Holdfast"), "", tr("The version of the program"), Needs::Nothing, about}});
 }
 
@@ -168,6 +199,10 @@ void MainWindow::connectFiles()
     findChild<QAction*>("parallelProjection")->setChecked(viewport_->isParallelProjection());
   });
   connect(&files_, &DocumentFiles::pathChanged, this, &MainWindow::updateTitle);
+  pictureDelay_.setSingleShot(true);
+  pictureDelay_.setInterval(kPictureDelay);
+  connect(&pictureDelay_, &QTimer::timeout, this, &MainWindow::keepPicture);
+  connect(&files_, &DocumentFiles::pathChanged, &pictureDelay_, qOverload<>(&QTimer::start));
   connect(&files_, &DocumentFiles::done, this, [this](const QString& what) { status_->showMessage(what, 6000); });
   exports_.setPictureView([this]() -> PictureView {
     const DisplaySettings display = viewport_->display();
@@ -242,7 +277,89 @@ void MainWindow::showEvent(QShowEvent* event)
   QMainWindow::showEvent(event);
   if (event->spontaneous()) return;
   panels_->share(size());
+  if (remembered_) rememberLayout();
   if (autosave_) QTimer::singleShot(0, this, [this] { autosave_->offerRecovery(); });
+}
+
+void MainWindow::remember()
+{
+  remembered_.emplace();
+  remembered_->add(
+      "geometry", [this] { return saveGeometry(); },
+      [this](const QVariant& last) { restoreGeometry(last.toByteArray()); });
+  for (QActionGroup* group : choices_)
+    remembered_->add(
+        group->actions().front()->objectName(), [group] { return group->checkedAction()->objectName(); },
+        [this, group](const QVariant& last) {
+          auto* action = findChild<QAction*>(last.toString());
+          if (group->actions().contains(action)) action->trigger();
+        });
+  remembered_->add(
+      "unit", [this] { return unit_; }, [this](const QVariant& last) { setUnit(last.toString()); });
+  remembered_->add(
+      "view", [this] { return settingOf(viewStateOf(*viewport_)); },
+      [this](const QVariant& last) {
+        try {
+          apply(parseSession(last.toByteArray().toStdString(), "settings").view, *viewport_);
+          panels_->followViewport();
+        } catch (const InputError&) {
+          // Of another version: the view stays as it is.
+        }
+      });
+}
+
+/// Sizes of panels are those of a window that is shown.
+void MainWindow::rememberLayout()
+{
+  auto* titles = findChild<QTableView*>("constraintTable")->horizontalHeader();
+  // Qt takes no state of other columns.
+  remembered_->add(
+      QString("columns%1").arg(titles->count()), [titles] { return titles->saveState(); },
+      [titles](const QVariant& last) { titles->restoreState(last.toByteArray()); });
+  remembered_->add(
+      "panels", [this] { return saveState(); }, [this](const QVariant& last) { restoreState(last.toByteArray()); });
+}
+
+void MainWindow::closeEvent(QCloseEvent* event)
+{
+  event->setAccepted(files_.maySaveBefore(tr("closing the window")));
+  if (event->isAccepted() && remembered_) remembered_->save();
+}
+
+void MainWindow::setUnit(const QString& unit)
+{
+  unit_ = unit;
+  files_.setUnit(unit);
+}
+
+void MainWindow::showPreferences()
+{
+  const auto setUnitOfAll = [this](const QString& unit) {
+    setUnit(unit);
+    if (!editor_.isOpen() || editor_.list().units == unit.toStdString()) return;
+    ConstraintList list = editor_.list();
+    list.units = unit.toStdString();
+    editor_.edit(tr("unit of length"), std::move(list));
+  };
+  newPreferencesDialog({choices_, editor_.isOpen() ? QString::fromStdString(editor_.list().units) : unit_, setUnitOfAll,
+                        findChild<QAction*>("resetSettings")},
+                       this)
+      ->open();
+}
+
+void MainWindow::resetSettings()
+{
+  forgetSettings();
+  if (remembered_) remembered_->reset();
+}
+
+void MainWindow::keepPicture()
+{
+  if (!editor_.isOpen() || !isVisible()) return;
+  if (editor_.solveState() == SolveState::Solving || viewport_->isRenderPending()) return pictureDelay_.start();
+  const auto& session = files_.sessionPath();
+  keepRecentPicture(textOf(session.empty() ? editor_.mesh().path : session),
+                    QPixmap::fromImage(viewport_->grabFramebuffer()));
 }
 
 void MainWindow::makeEditMenu()
@@ -257,7 +374,13 @@ void MainWindow::makeEditMenu()
                      tr("Take back what is under way: a drag, a curve, solving; or select nothing"), Needs::Nothing,
                      [this] { escape(); }},
                     {"solveAgain", tr("&Solve again"), "F5", tr("Solve again after it was stopped"), Needs::Document,
-                     [this] { editor_.solve(); }}});
+                     [this] { editor_.solve(); }},
+                    separator,
+                    {"preferences", tr("&Preferences…"), "Ctrl+,", tr("Choose what holds for all documents"),
+                     Needs::Nothing, [this] { showPreferences(); }},
+                    {"resetSettings", tr("Reset all se&ttings"), "",
+                     tr("Panels, columns, colours and folders as in a new installation; recent files stay"),
+                     Needs::Nothing, [this] { resetSettings(); }}});
 }
 
 void MainWindow::makeSelectionMenu()

@@ -1,11 +1,14 @@
 #pragma once
 /// The window: the picture in the middle, panels around it, and what menus and keys do.
 
+#include <QActionGroup>
 #include <QCloseEvent>
 #include <QMainWindow>
 #include <QMenu>
+#include <QTimer>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <holdfast/window/files/autosave.h>
@@ -16,6 +19,7 @@
 #include <holdfast/window/tools/tool_box.h>
 #include <holdfast/window/viewport/viewport.h>
 #include <holdfast/window/window/panel_docks.h>
+#include <holdfast/window/window/remembered.h>
 #include <holdfast/window/window/status_line.h>
 
 namespace holdfast {
@@ -30,6 +34,9 @@ class MainWindow : public QMainWindow {
   /// Draws an example in every view before the window is shown: compiling shaders takes some tenths of a second.
   void warmUp();
 
+  /// Looks as it did when it was closed last, and keeps how it looks when it is closed. Before it is shown.
+  void remember();
+
   [[nodiscard]] Editor& editor() { return editor_; }
   [[nodiscard]] Viewport& viewport() { return *viewport_; }
   [[nodiscard]] GizmoTool& gizmo() { return *gizmo_; }
@@ -39,7 +46,7 @@ class MainWindow : public QMainWindow {
 
  protected:
   void changeEvent(QEvent* event) override;
-  void closeEvent(QCloseEvent* event) override { event->setAccepted(files_.maySaveBefore(tr("closing the window"))); }
+  void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
   void showEvent(QShowEvent* event) override;
@@ -53,6 +60,11 @@ class MainWindow : public QMainWindow {
   void makeViewMenu();
   void makeHelpMenu();
   void connectFiles();
+  void rememberLayout();
+  void setUnit(const QString& unit);
+  void showPreferences();
+  void resetSettings();
+  void keepPicture();
   void take(const QStringList& paths);
   void showContextMenu(const QPoint& place);
   void connectStatus();
@@ -92,6 +104,10 @@ class MainWindow : public QMainWindow {
   QAction* undo_ = nullptr;
   QAction* redo_ = nullptr;
   std::vector<std::pair<QAction*, Needs>> needs_;
+  QList<QActionGroup*> choices_;
+  std::optional<Remembered> remembered_;  // none in a window that remembers nothing
+  QString unit_;                          // of documents that name none
+  QTimer pictureDelay_;                   // until what was opened or saved is drawn
 };
 
 }  // namespace holdfast

@@ -1,5 +1,6 @@
 #include "holdfast/window/window/status_line.h"
 
+#include <QEvent>
 #include <cmath>
 
 #include <holdfast/window/controls/panel_parts.h>

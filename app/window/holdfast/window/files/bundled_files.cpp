@@ -1,0 +1,48 @@
+#include "holdfast/window/files/bundled_files.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <array>
+
+namespace holdfast {
+namespace {
+
+// From the program's folder: of bin/ of an installation, of build/PRESET/app/.
+constexpr std::array kRoots{"../share/holdfast/", "../../../"};
+
+}  // namespace
+
+QString bundledFile(const QString& path)
+{
+  const QDir program(QCoreApplication::applicationDirPath());
+  for (const char* root : kRoots)
+    if (const QString file = QDir::cleanPath(program.filePath(root + path)); QFileInfo::exists(file)) return file;
+  return {};
+}
+
+std::vector<Example> examples()
+{
+  struct Row {
+    QString title;
+    const char* mesh;
+    const char* constraints;
+    const char* picture;
+  };
+  std::vector<Example> all;
+  for (const Row& row :
+       {Row{QObject::tr("Measured bracket"), "bracket.obj", "bracket", "bracket"},
+        {QObject::tr("Twisted bar"), "bar.obj", "bar.twist_720", "twist"},
+        {QObject::tr("Plate, three handles"), "plate_unsymmetric.off", "plate_unsymmetric.three_handles",
+         "three_handles"},
+        {QObject::tr("Head with rigid eyes"), "head.ply", "head.rigid_eyes", "rigid_eyes"},
+        {QObject::tr("Plate with conflicts"), "plate_unsymmetric.off", "plate_unsymmetric.conflict", "conflicts"}}) {
+    Example example{row.title, bundledFile(QString("data/%1").arg(row.mesh)),
+                    bundledFile(QString("data/%1.constraints.json").arg(row.constraints)),
+                    bundledFile(QString("docs/images/%1.png").arg(row.picture))};
+    if (!example.mesh.isEmpty() && !example.constraints.isEmpty()) all.push_back(std::move(example));
+  }
+  return all;
+}
+
+}  // namespace holdfast

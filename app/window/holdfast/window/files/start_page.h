@@ -1,0 +1,51 @@
+#pragma once
+/// What the window shows while nothing is open: recent files, and the bundled examples.
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QPixmap>
+#include <QToolButton>
+#include <functional>
+#include <vector>
+
+#include <holdfast/window/files/document_files.h>
+
+namespace holdfast {
+
+/// Buttons with pictures, as many beside one another as there is room for.
+class Gallery : public QWidget {
+ public:
+  Gallery();
+
+  void clear();
+  void add(const QString& title, const QString& tip, const QPixmap& picture, std::function<void()> open);
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void arrange();
+
+  QGridLayout* grid_;
+  std::vector<QToolButton*> buttons_;
+};
+
+/// Covers its parent while no document is open.
+class StartPage : public QWidget {
+  Q_OBJECT
+
+ public:
+  StartPage(Editor& editor, DocumentFiles& files, QWidget* parent);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  DocumentFiles& files_;
+  QLabel* recentTitle_;
+  Gallery* recent_;
+  Gallery* examples_;
+};
+
+}  // namespace holdfast

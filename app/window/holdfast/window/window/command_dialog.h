@@ -1,0 +1,27 @@
+#pragma once
+/// All commands and keys of the window, found by words.
+
+#include <QAction>
+#include <QList>
+#include <QString>
+#include <QWidget>
+
+namespace holdfast {
+
+/// What a user can do: an action, or what a key or the mouse does inside a tool.
+struct Command {
+  QString name;  ///< with the menus that lead to it
+  QString key;
+  QAction* action = nullptr;
+};
+
+/// Those of a menu or a menu bar and all menus in it; `path` is written before their names.
+[[nodiscard]] QList<Command> commandsOf(const QList<QAction*>& actions, const QString& path = {});
+
+/// What keys and the mouse do without an action.
+[[nodiscard]] QList<Command> gestures();
+
+/// Shows the list over `window`, and triggers the action that the user chooses.
+void showCommands(const QList<Command>& commands, QWidget* window);
+
+}  // namespace holdfast

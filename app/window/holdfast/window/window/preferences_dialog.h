@@ -1,0 +1,20 @@
+#pragma once
+/// What a user chooses once and for all documents.
+
+#include <QActionGroup>
+#include <QDialog>
+#include <functional>
+
+namespace holdfast {
+
+struct Preferences {
+  QList<QActionGroup*> choices;  ///< of menus, with their titles as object names
+  QString unit;                  ///< of lengths; may be empty
+  std::function<void(const QString&)> setUnit;
+  QAction* reset = nullptr;  ///< puts everything back
+};
+
+/// Each change applies at once.
+[[nodiscard]] QDialog* newPreferencesDialog(const Preferences& preferences, QWidget* window);
+
+}  // namespace holdfast
