@@ -45,7 +45,7 @@ QString GizmoTool::hint() const
 {
   if (widget().IsDragging() && !widget().IsHeld())
     return tr("Enter keeps it, Backspace corrects it, Escape takes it back");
-  return isRotation() ? tr("Drag to turn, or type degrees; Ctrl snaps, Escape takes it back")
+  return isRotation() ? tr("Drag to rotate, or type degrees; Ctrl snaps, Escape takes it back")
                       : tr("Drag to move, or type a length; Ctrl snaps, Escape takes it back");
 }
 
@@ -68,7 +68,7 @@ void GizmoTool::placeGizmo()
     }
   if (placing_ && placing_->isEmpty()) placing_.reset();
   if (!placing_) return widget().Off();
-  gizmo_.SetMotions(placing_->hasHandles() ? GizmoMotions::MovesAndTurns : GizmoMotions::Moves);
+  gizmo_.SetMotions(placing_->canRotate() ? GizmoMotions::MovesAndTurns : GizmoMotions::Moves);
   gizmo_.SetUnits(editor().list().units);
   placeFrame();
   widget().On();
@@ -94,7 +94,7 @@ void GizmoTool::start()
   pivot_ = gizmo_.GetFrame().center;
   degreesSeen_ = 0;
   editor().beginGesture(
-      (isRotation() ? tr("turn %1") : tr("move %1")).arg(subjectOf(editor(), editor().selectedConstraints())));
+      (isRotation() ? tr("rotate %1") : tr("move %1")).arg(subjectOf(editor(), editor().selectedConstraints())));
 }
 
 RigidIncrement GizmoTool::incrementOf(const GizmoMotion& motion)
