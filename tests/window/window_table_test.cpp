@@ -1,3 +1,4 @@
+#include <QCoreApplication>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
@@ -120,6 +121,22 @@ TEST_F(TypedTarget, IsTakenBackByUndoToTheLastBit)
   for (int axis = 0; axis < 3; ++axis) key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
   ASSERT_TRUE(settle());
   EXPECT_EQ(editor().positions(), after);
+}
+
+class TableInWindow : public test::WindowUser {};
+
+TEST_F(TableInWindow, TargetsResidualAndStatusAreSeenAt1280WithoutScrolling)
+{
+  window.resize(1280, 800);
+  open("bracket.obj", "bracket.conflict.constraints.json");
+  QCoreApplication::processEvents();
+  const int right = table().viewport()->width();
+  for (const int column : {Table::X, Table::Y, Table::Z, Table::Residual, Table::Status})
+    EXPECT_LE(table().columnViewportPosition(column) + table().columnWidth(column), right) << column;
+  for (Index row = 0; row < static_cast<Index>(list().constraints.size()); ++row)
+    for (const int column : {Table::X, Table::Y, Table::Z, Table::Residual})
+      EXPECT_LE(table().fontMetrics().horizontalAdvance(shown(row, column)) + 8, table().columnWidth(column))
+          << shown(row, column).toStdString();
 }
 
 }  // namespace
