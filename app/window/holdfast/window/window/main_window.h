@@ -39,9 +39,11 @@ class MainWindow : public QMainWindow {
 
  protected:
   void changeEvent(QEvent* event) override;
+  void childEvent(QChildEvent* event) override;
   void closeEvent(QCloseEvent* event) override { event->setAccepted(files_.maySaveBefore(tr("closing the window"))); }
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
   void showEvent(QShowEvent* event) override;
 
  private:
@@ -50,6 +52,8 @@ class MainWindow : public QMainWindow {
   void makeEditMenu();
   void makeConstraintMenu();
   void makeSelectionMenu();
+  void addMirrors(QMenu& menu);
+  void selectBesidePlane();
   void makeViewMenu();
   void makeHelpMenu();
   void connectFiles();
