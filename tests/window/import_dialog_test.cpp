@@ -169,7 +169,7 @@ TEST_F(ImportDialogTest, RowsWithFaultsStandMarkedAndTheRestIsTaken)
   EXPECT_FALSE(isTicked(1)) << "it cannot be read";
   EXPECT_EQ(importText(), "Import 4");
   test::clickButton(*dialog, "import");
-  EXPECT_THAT(names(), ElementsAre("A", "A2", "C", "D"));
+  EXPECT_THAT(names(), ElementsAre("A", "A 2", "C", "D"));
 }
 
 TEST_F(ImportDialogTest, DecimalCommasSemicolonsAndOtherColumnsAreFound)

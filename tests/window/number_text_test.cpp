@@ -42,7 +42,7 @@ TEST(NumberWords, CoordinatesAreExactAsLongAsTheyAreShort)
 {
   EXPECT_EQ(coordinateText(0.1).toStdString(), "0.1");
   EXPECT_EQ(coordinateText(-41.5).toStdString(), "-41.5");
-  EXPECT_EQ(coordinateText(1.0 / 3).toStdString(), "0.333333");
+  EXPECT_EQ(coordinateText(1.0 / 3).toStdString(), "0.33333");
 }
 
 TEST(NumberWords, RoundingIsTakenForZeroBesideLargerNumbers)

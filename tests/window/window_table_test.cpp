@@ -1,4 +1,5 @@
 #include <QCoreApplication>
+#include <QStyle>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
@@ -137,6 +138,8 @@ TEST_F(TableInWindow, TargetsResidualAndStatusAreSeenAt1280WithoutScrolling)
     for (const int column : {Table::X, Table::Y, Table::Z, Table::Residual})
       EXPECT_LE(table().fontMetrics().horizontalAdvance(shown(row, column)) + 8, table().columnWidth(column))
           << shown(row, column).toStdString();
+  const int icon = table().style()->pixelMetric(QStyle::PM_SmallIconSize);
+  EXPECT_LE(table().fontMetrics().horizontalAdvance("conflicting") + icon + 12, table().columnWidth(Table::Status));
 }
 
 }  // namespace

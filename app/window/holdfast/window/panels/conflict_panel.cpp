@@ -185,7 +185,7 @@ class ConflictPanel final : public RefreshedPanel {
     card.disable = card.card->addButton({}, "conflictDisable");
     card.retarget = card.card->addButton({}, "conflictRetarget");
     card.prefer = card.card->addButton(tr("Prefer this one"), "conflictPrefer");
-    card.average = card.card->addButton({}, "conflictAverage");
+    card.average = card.card->addButton(tr("Use the average"), "conflictAverage");
     connect(card.prefer, &QPushButton::clicked, this, [this, k] { prefer(k); });
     connect(card.average, &QPushButton::clicked, this, [this, k] { average(k); });
     connect(card.select, &QPushButton::clicked, this, [this, k] { selectSet(k); });

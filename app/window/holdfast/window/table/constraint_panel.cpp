@@ -219,7 +219,8 @@ class ConstraintPanel : public QWidget {
 
     const int wide = table_->fontMetrics().horizontalAdvance('0');
     int sized = 0;
-    for (const int characters : {4, 12, 8, 20, 8, 8, 8, 8, 8, 12}) table_->setColumnWidth(sized++, characters * wide);
+    for (const double characters : {3.0, 9.0, 8.0, 20.0, 7.3, 7.3, 7.3, 7.1, 8.0, 12.0})
+      table_->setColumnWidth(sized++, static_cast<int>(characters * wide));
     QHeaderView& titles = *table_->horizontalHeader();
     // A narrow panel shows first what is read and typed most.
     int place = 0;

@@ -10,7 +10,7 @@
 namespace holdfast {
 namespace {
 
-constexpr int kShortText = 7;  // characters that a column of coordinates has room for
+constexpr int kShortText = 6;  // characters that a column of coordinates has room for
 
 // The share of the largest number below which another one is rounding.
 constexpr double kRoundingShare = 1e-14;
@@ -41,7 +41,7 @@ double withoutNoise(double value, double scale)
 QString coordinateText(double value)
 {
   const QString exact = exactText(value);
-  return exact.size() <= kShortText ? exact : toText(fmt::format("{:.6g}", value));
+  return exact.size() <= kShortText ? exact : toText(fmt::format("{:.5g}", value));
 }
 
 QString countText(Index count)

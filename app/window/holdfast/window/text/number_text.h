@@ -28,7 +28,7 @@ namespace holdfast {
 /// 0 for what is only rounding beside numbers of the size of `scale`.
 [[nodiscard]] double withoutNoise(double value, double scale);
 
-/// The exact text where it is short, six significant digits otherwise: for tables, where columns are narrow.
+/// The exact text where it is short, five significant digits otherwise: for tables, where columns are narrow.
 [[nodiscard]] QString coordinateText(double value);
 
 [[nodiscard]] inline QString axisText(int axis)

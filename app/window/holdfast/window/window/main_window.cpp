@@ -5,6 +5,7 @@
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QFileInfo>
+#include <QKeyEvent>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
@@ -58,6 +59,7 @@ MainWindow::MainWindow()
 {
   setObjectName("mainWindow");
   setAcceptDrops(true);
+  QApplication::instance()->installEventFilter(this);
   setCentralWidget(viewport_);
   viewport_->setFirstTool(gizmo_);
   setStatusBar(status_);
@@ -239,18 +241,21 @@ void MainWindow::warmUp()
   panels_->warmUp(example);
 }
 
-void MainWindow::childEvent(QChildEvent* event)
-{
-  QMainWindow::childEvent(event);
-  if (event->polished() && qobject_cast<QDialog*>(event->child()) != nullptr) event->child()->installEventFilter(this);
-}
-
-/// A dialog that had the keys gives them back, also where no window manager does so.
+/// Of all objects of the program.
 bool MainWindow::eventFilter(QObject* watched, QEvent* event)
 {
-  if (event->type() == QEvent::Hide && !event->spontaneous() && static_cast<QWidget*>(watched)->isActiveWindow())
+  // An open list would hide, and leave Escape to the window as well.
+  const bool isForList = event->type() == QEvent::ShortcutOverride && QApplication::activePopupWidget() != nullptr &&
+                         static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape;
+  if (isForList) {
+    event->accept();
+    return true;
+  }
+  // A dialog gives the keys back, also where no window manager does so.
+  if (event->type() == QEvent::Hide && qobject_cast<QDialog*>(watched) != nullptr &&
+      static_cast<QWidget*>(watched)->isModal())
     QTimer::singleShot(0, this, [this] {
-      if (QApplication::activeModalWidget() == nullptr) activateWindow();
+      if (isVisible() && QApplication::activeModalWidget() == nullptr) activateWindow();
     });
   return QMainWindow::eventFilter(watched, event);
 }
@@ -512,8 +517,6 @@ void MainWindow::updateActions()
 
 void MainWindow::escape()
 {
-  // An open list of a combo box leaves the key to the window.
-  if (QWidget* list = QApplication::activePopupWidget()) return static_cast<void>(list->close());
   if (viewport_->cancelGesture()) return;
   if (!editor_.isOpen()) return;
   if (editor_.solveState() == SolveState::Solving) return editor_.cancelSolving();

@@ -39,7 +39,6 @@ class MainWindow : public QMainWindow {
 
  protected:
   void changeEvent(QEvent* event) override;
-  void childEvent(QChildEvent* event) override;
   void closeEvent(QCloseEvent* event) override { event->setAccepted(files_.maySaveBefore(tr("closing the window"))); }
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
