@@ -98,6 +98,27 @@ TEST_F(ConflictPanelOfBracket, TheConsistentTargetEndsTheConflict)
   }
 }
 
+TEST_F(ConflictPanelOfBracket, ThePreferredOneHoldsAndTheOtherGivesWay)
+{
+  press(card(crown), "conflictPrefer");
+  EXPECT_LT(row(crown), row("crown forward by 1.5"));
+  ASSERT_TRUE(test::waitForCurrent(editor));
+  EXPECT_EQ(status(row(crown)), ConstraintStatus::Met);
+  EXPECT_EQ(status(row("crown forward by 1.5")), ConstraintStatus::Conflicting);
+  editor.undo();
+  EXPECT_GT(row(crown), row("crown forward by 1.5"));
+}
+
+TEST_F(ConflictPanelOfBracket, TheAverageIsATargetForAllOfTheSet)
+{
+  EXPECT_FALSE(card(lifted)->findChild<QPushButton*>("conflictAverage")->isVisible()) << "a region has no target";
+  EXPECT_FALSE(card(flange)->findChild<QPushButton*>("conflictAverage")->isVisible()) << "points of other places";
+  press(card(crown), "conflictAverage");
+  ASSERT_TRUE(test::waitForCurrent(editor));
+  EXPECT_EQ(card(crown), nullptr);
+  EXPECT_EQ(status(row(crown)), ConstraintStatus::Redundant);
+}
+
 TEST_F(ConflictPanelOfBracket, RepairsWaitForTheListThatTheyAreOf)
 {
   ASSERT_TRUE(card(crown)->isEnabled());
@@ -123,7 +144,16 @@ TEST(ConflictPanelWithoutConflicts, SaysThatNothingContradicts)
   ASSERT_TRUE(test::showAndWait(*panel));
   ASSERT_TRUE(test::openMesh(editor, test::grid(3, 3), {"mm", {{"P", true, PointConstraint{AtVertex{0}, Move{}}}}}));
   EXPECT_TRUE(panel->findChild<QLabel*>("conflictEmpty")->isVisible());
-  EXPECT_EQ(panel->findChild<QLabel*>("conflictEmpty")->text(), "Nothing contradicts.");
+  EXPECT_EQ(panel->findChild<QLabel*>("conflictEmpty")->text(), "No conflicts.");
+}
+
+TEST(ConflictPanelWithoutConflicts, ALoneRigidRegionIsNoFault)
+{
+  Editor editor;
+  const std::unique_ptr<QWidget> panel(newConflictPanel(editor));
+  ASSERT_TRUE(test::showAndWait(*panel));
+  ASSERT_TRUE(test::openMesh(editor, test::grid(3, 3), {"mm", {{"R", true, RigidConstraint{{VertexIds{{0, 1, 4}}}}}}}));
+  EXPECT_EQ(panel->findChild<QLabel*>("repetitions")->text(), "“R” holds as it is: nothing moves it");
 }
 
 }  // namespace

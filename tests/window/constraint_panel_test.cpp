@@ -1,3 +1,4 @@
+#include <QAction>
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
@@ -7,6 +8,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMimeData>
+#include <QScrollBar>
 #include <QTableView>
 #include <memory>
 
@@ -111,6 +113,60 @@ TEST_F(ConstraintPanelOfSheet, TellsWhatEachConstraintIs)
   EXPECT_EQ(shown(5, Table::Z), "2");
   EXPECT_EQ(shown(0, Table::X), "");
   EXPECT_EQ(shown(1, Table::Status), "met");
+}
+
+TEST_F(ConstraintPanelOfSheet, RoundingIsShownAsZeroAndNothingIsMinusZero)
+{
+  ConstraintList list = editor.list();
+  std::get<HandleConstraint>(list.constraints[5].what).translate = Vector3(3.469e-17, -0.0, 1e-9);
+  editor.edit("move", list);
+  EXPECT_EQ(shown(5, Table::X), "0");
+  EXPECT_EQ(shown(5, Table::Y), "0");
+  EXPECT_EQ(shown(5, Table::Z), "1e-09");
+}
+
+TEST_F(ConstraintPanelOfSheet, SwitchAndNameStayInSightWhenTheRestIsScrolled)
+{
+  panel.resize(400, 500);
+  const auto shownAt = [this](int column) {
+    const QPoint place = table().viewport()->mapTo(&table(), QPoint(4, 4)) + QPoint(column == Table::On ? 0 : 40, 0);
+    const auto* over = qobject_cast<QTableView*>(table().childAt(place)->parentWidget());
+    return over->indexAt(over->viewport()->mapFrom(&table(), place)).column();
+  };
+  EXPECT_EQ(shownAt(Table::Name), Table::Name);
+  table().scrollTo(rows().index(0, Table::Force));
+  ASSERT_GT(table().horizontalScrollBar()->value(), 100);
+  EXPECT_EQ(shownAt(Table::On), Table::On);
+  EXPECT_EQ(shownAt(Table::Name), Table::Name);
+  auto& pinned = *qobject_cast<QTableView*>(table().childAt(table().viewport()->pos() + QPoint(40, 4))->parentWidget());
+  ASSERT_NE(&pinned, &table());
+  test::click(*pinned.viewport(), pinned.visualRect(rows().index(2, Table::Name)).center());
+  EXPECT_EQ(editor.selectedConstraints(), (Rows{2}));
+  // Cells that the keys go to are not behind them.
+  table().selectionModel()->setCurrentIndex(rows().index(2, Table::X), QItemSelectionModel::NoUpdate);
+  table().scrollTo(rows().index(2, Table::X));
+  EXPECT_GE(table().visualRect(rows().index(2, Table::X)).left(), pinned.isVisible() ? pinned.width() : 0);
+}
+
+TEST_F(ConstraintPanelOfSheet, ColumnsAreChosenAndRemembered)
+{
+  auto* action = panel.findChild<QAction*>("columnForce");
+  ASSERT_FALSE(table().isColumnHidden(Table::Force));
+  action->trigger();
+  EXPECT_TRUE(table().isColumnHidden(Table::Force));
+  const std::unique_ptr<QWidget> next(newConstraintPanel(editor, [](Index) {}));
+  EXPECT_TRUE(next->findChild<QTableView*>("constraintTable")->isColumnHidden(Table::Force));
+  action->trigger();
+  EXPECT_FALSE(table().isColumnHidden(Table::Force));
+}
+
+TEST_F(ConstraintPanelOfSheet, ARefusalMovesNoRow)
+{
+  const QPoint before = table().viewport()->mapToGlobal(table().visualRect(rows().index(3, Table::X)).topLeft());
+  typeInto(3, Table::X, "a");
+  QApplication::processEvents();
+  ASSERT_TRUE(refusal().isVisible());
+  EXPECT_EQ(table().viewport()->mapToGlobal(table().visualRect(rows().index(3, Table::X)).topLeft()), before);
 }
 
 TEST_F(ConstraintPanelOfSheet, ATypedTargetIsTheTargetToTheLastBit)

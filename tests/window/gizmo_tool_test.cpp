@@ -114,6 +114,20 @@ TEST_F(GizmoOnPoint, ControlSnapsToARoundLength)
   EXPECT_NEAR(steps, std::round(steps), 1e-9);
 }
 
+TEST_F(GizmoOnPoint, TheLabelHasTheDigitsOfTheDrag)
+{
+  const QPointF from = onArrow(0);
+  const auto decimals = [this, from](Qt::KeyboardModifiers modifiers) {
+    test::moveMouse(viewport(), from + QPointF(33, 7), Qt::LeftButton, modifiers);
+    const QString label = QString::fromStdString(window.gizmo().gizmo().GetLabel()).section(' ', 0, 0);
+    return label.section('.', 1).size();
+  };
+  test::pressMouse(viewport(), from);
+  const auto snapped = decimals(Qt::ControlModifier);
+  EXPECT_EQ(decimals(Qt::NoModifier), snapped + 1) << "a pixel is about a tenth of a step";
+  test::releaseMouse(viewport(), from);
+}
+
 TEST_F(GizmoOnPoint, TheLabelStaysAtTheCursorAndInTheWindow)
 {
   EXPECT_TRUE(window.gizmo().labelPlate().isEmpty());
@@ -212,7 +226,7 @@ TEST_F(GizmoOnHandle, ARingTurnsItAsOftenAsTheCursorGoesRound)
   turnOuterRing(400);
   EXPECT_NEAR(degrees(), 490, kPixelInDegrees);
   EXPECT_NEAR(degreesOfTheSurface(), degrees(), 1e-9);
-  EXPECT_EQ(editor().history().undoName().substr(0, 4), "turn");
+  EXPECT_EQ(editor().history().undoName().substr(0, 6), "rotate");
   EXPECT_LE(editor().deformation()->report.solve.maxResidualRelative, 1e-12);
   turnOuterRing(-800);
   EXPECT_NEAR(degrees(), -310, 2 * kPixelInDegrees);

@@ -153,7 +153,28 @@ TEST_F(NumberTypedAtAHandle, ATypedAngleTurnsByExactlyThat)
   key(Qt::Key_Return);
   const Eigen::AngleAxisd rotated(Eigen::Matrix3d(rotation() * before.transpose()));
   EXPECT_NEAR(rotated.angle() * 180 / std::numbers::pi, 37.5, 1e-9);
-  EXPECT_EQ(editor().history().undoName().substr(0, 4), "turn");
+  EXPECT_EQ(editor().history().undoName().substr(0, 6), "rotate");
+}
+
+TEST_F(NumberTypedAtAPoint, TwoPointsRotateAsAGroup)
+{
+  const Index other = *indexOf(list(), "flange west");
+  const auto place = [this](Index row) {
+    return std::get<Target>(std::get<PointConstraint>(list().constraints[row].what).to).place;
+  };
+  const Vector3 first = place(point);
+  const Vector3 second = place(other);
+  editor().selectConstraints({point, other});
+  ASSERT_TRUE(settle());
+  test::moveMouse(viewport(), seenAt(window.gizmo().gizmo().GetFrame().center) + QPointF(kGizmoPixels, 0));
+  ASSERT_EQ(window.gizmo().gizmo().GetPart(), GizmoPart::ViewRing);
+  keys("180");
+  key(Qt::Key_Return);
+  EXPECT_NEAR((place(point) - place(other)).norm(), (first - second).norm(), 1e-12);
+  EXPECT_LT((place(point) + place(other) - first - second).norm(), 1e-12);
+  EXPECT_GT((place(point) - first).norm(), 1);
+  trigger("undo");
+  EXPECT_EQ(place(other), second);
 }
 
 }  // namespace

@@ -150,7 +150,7 @@ TEST_F(HistogramPanelTest, HintsSayWhatToDo)
   open("bracket.obj", "bracket.constraints.json");
   EXPECT_FALSE(residuals->isVisible());
   EXPECT_TRUE(angles->isVisible());
-  EXPECT_TRUE(angles->text().contains("turn"));
+  EXPECT_TRUE(angles->text().contains("rotate"));
   editor.close();
   EXPECT_TRUE(residuals->isVisible());
 }

@@ -1,3 +1,4 @@
+#include <QComboBox>
 #include <QDialog>
 #include <QLineEdit>
 #include <QPushButton>
@@ -150,10 +151,53 @@ TEST_F(ImportDialogTest, ACancelledImportChangesNothing)
   EXPECT_EQ(w.editor.history().state(), state);
 }
 
-TEST_F(ImportDialogTest, AFileWithAMistakeIsRefusedWithItsLine)
+TEST_F(ImportDialogTest, RowsWithFaultsStandMarkedAndTheRestIsTaken)
 {
-  dialog.reset(
-      newImportDialog(w.editor, w.folder.file("bad.csv", std::string(kHeader) + "A,0,0,0,1,2,3\nB,0,0,zero,1,2,3\n")));
+  const Vector3 p = w.editor.model()->mesh.positions.row(0);
+  const std::string at = std::to_string(p.x()) + ',' + std::to_string(p.y()) + ',' + std::to_string(p.z());
+  openDialog(w.folder.file("faults.csv", std::string(kHeader) + "A," + at + ",1,2,3\nB,0,0,zero,1,2,3\nA," + at +
+                                             ",4,5,6\nC,1e4,0,0,1,2,3\nD," + at + ",7,8,9\n"));
+  ASSERT_EQ(table().model()->rowCount(), 5);
+  EXPECT_EQ(cell(1, 5).toString(), "Line 3: z is \"zero\", which is not a number.");
+  EXPECT_EQ(cell(2, 5).toString(), "Line 4: its name is that of line 2, too.");
+  for (const int row : {1, 2, 3}) {
+    EXPECT_TRUE(cell(row, 0, Qt::ForegroundRole).isValid()) << row;
+    EXPECT_FALSE(isTicked(row)) << row;
+  }
+  EXPECT_EQ(importText(), "Import 2");
+  test::clickButton(*dialog, "tickAll");
+  EXPECT_FALSE(isTicked(1)) << "it cannot be read";
+  EXPECT_EQ(importText(), "Import 4");
+  test::clickButton(*dialog, "import");
+  EXPECT_THAT(names(), ElementsAre("A", "A 2", "C", "D"));
+}
+
+TEST_F(ImportDialogTest, DecimalCommasSemicolonsAndOtherColumnsAreFound)
+{
+  openDialog(w.folder.file("scan.csv", "Nr;X;Y;Z\nA;1,5;0;0\nB;2;0,25;0\n"));
+  EXPECT_EQ(cell(0, 0).toString(), "point 1");
+  EXPECT_EQ(cell(0, 2).toString(), "(1.5, 0, 0)");
+  EXPECT_EQ(cell(1, 3).toString(), "(2, 0.25, 0)") << "without targets they go where they were measured";
+  const auto choose = [this](const char* name, int entry) {
+    auto* box = dialog->findChild<QComboBox*>(name);
+    ASSERT_TRUE(box->isVisible());
+    box->setFocus();
+    const int before = box->currentIndex();
+    for (int k = before; k < entry; ++k) test::pressKey(*box, Qt::Key_Down);
+    for (int k = before; k > entry; --k) test::pressKey(*box, Qt::Key_Up);
+    ASSERT_EQ(box->currentIndex(), entry);
+  };
+  choose("column0", 1);
+  ASSERT_TRUE(test::waitUntil([&] { return cell(0, 0).toString() == "A"; }));
+  choose("unit", 2);
+  ASSERT_TRUE(test::waitUntil([&] { return cell(0, 2).toString() == "(15, 0, 0)"; }));
+  choose("decimalSign", 0);
+  ASSERT_TRUE(test::waitUntil([&] { return cell(0, 5).toString().contains("\"1,5\", which is not a number"); }));
+}
+
+TEST_F(ImportDialogTest, AFileThatIsNoTableIsRefusedWithItsLine)
+{
+  dialog.reset(newImportDialog(w.editor, w.folder.file("bad.csv", std::string(kHeader) + "A,0,0,0,1,2,3\n\"B,0\n")));
   dialog->open();
   QString said;
   const test::DialogAnswer answer("messageBox", [&](QDialog& box) {

@@ -77,7 +77,7 @@ TEST_F(InspectorOfHandles, FromFrameToFrameBeginsWhereTheHandleIs)
     ASSERT_TRUE(std::holds_alternative<FrameMotion>(tip().motion)) << way;
     EXPECT_LT((solved() - before).cwiseAbs().maxCoeff(), 1e-11) << way;
   }
-  EXPECT_EQ(editor.history().undoName(), "turn tip from frame to frame");
+  EXPECT_EQ(editor.history().undoName(), "rotation of tip: from frame to frame");
   expectKeptInSession();
 }
 
@@ -183,7 +183,7 @@ TEST_F(InspectorOfHandles, EachVertexTakesARotationOfItsOwn)
   typeIntoCell("vertexRotations", 1, 4, "0.30000000000000004");
   EXPECT_TRUE(hasSameBits(tip().rotations[1].degrees, 0.1 + 0.2));
   EXPECT_EQ(tip().rotations[0].degrees, 100);
-  EXPECT_EQ(editor.history().undoName(), "turn vertex 97 of tip otherwise");
+  EXPECT_EQ(editor.history().undoName(), "rotate vertex 97 of tip otherwise");
   typeIntoCell("vertexRotations", 3, 1, "-7");
   EXPECT_EQ(tip().rotations[3].axis, Vector3(-7, 2, 2));
   expectKeptInSession();

@@ -42,7 +42,24 @@ TEST(NumberWords, CoordinatesAreExactAsLongAsTheyAreShort)
 {
   EXPECT_EQ(coordinateText(0.1).toStdString(), "0.1");
   EXPECT_EQ(coordinateText(-41.5).toStdString(), "-41.5");
-  EXPECT_EQ(coordinateText(1.0 / 3).toStdString(), "0.3333333");
+  EXPECT_EQ(coordinateText(1.0 / 3).toStdString(), "0.33333");
+}
+
+TEST(NumberWords, RoundingIsTakenForZeroBesideLargerNumbers)
+{
+  EXPECT_FALSE(std::signbit(withoutNoise(-0.0, 1)));
+  EXPECT_EQ(withoutNoise(3.469e-17, 100), 0);
+  EXPECT_EQ(withoutNoise(1e-9, 100), 1e-9);
+  EXPECT_EQ(roundedText(Vector3(3.469e-17, -0.0, 2)).toStdString(), "(0, 0, 2)");
+  EXPECT_EQ(roundedText(-0.0).toStdString(), "0");
+  EXPECT_EQ(shortText(1.234e-16).toStdString(), "1.2e-16");
+}
+
+TEST(NumberWords, OneIsSingular)
+{
+  EXPECT_EQ(countText(1, "1 vertex", "%1 vertices").toStdString(), "1 vertex");
+  EXPECT_EQ(countText(0, "1 vertex", "%1 vertices").toStdString(), "0 vertices");
+  EXPECT_EQ(seen(countText(1200, "1 vertex", "%1 vertices")), "1_200 vertices");
 }
 
 }  // namespace

@@ -1,3 +1,4 @@
+#include <QLabel>
 #include <algorithm>
 
 #include <gmock/gmock.h>
@@ -96,6 +97,38 @@ TEST_F(RegionsOfHead, ARectangleSelectsWhatIsSeenInIt)
                             selected.end()));
 }
 
+TEST_F(RegionsOfHead, TheSwitchReachesThroughAsAltDoes)
+{
+  trigger("toolRectangle");
+  const QPointF a = shownAt({10, -76, 10});
+  const QPointF b = shownAt({45, -76, 42});
+  select({a, b}, Qt::AltModifier);
+  const auto through = editor().selectedVertices();
+  trigger("reachThrough");
+  select({a, b});
+  EXPECT_EQ(editor().selectedVertices(), through);
+  trigger("reachThrough");
+  select({a, b});
+  EXPECT_LT(editor().selectedVertices().size(), through.size());
+}
+
+TEST_F(RegionsOfHead, TheStatusLineTellsTheSizeOfTheSelection)
+{
+  const auto label = [this](const char* name) { return window.findChild<QLabel*>(name); };
+  EXPECT_TRUE(label("statusNumbers")->isVisible());
+  trigger("invert");
+  ASSERT_TRUE(test::waitUntil([&] { return label("statusSelection")->text().contains("24\u202f838 triangles"); }))
+      << label("statusSelection")->text().toStdString();
+  EXPECT_TRUE(label("statusSelection")->text().startsWith("12\u202f421 vertices"));
+  EXPECT_TRUE(label("statusSelection")->isVisible());
+  EXPECT_FALSE(label("statusNumbers")->isVisible());
+  editor().selectVertices({0});
+  EXPECT_TRUE(test::waitUntil([&] { return label("statusSelection")->text().startsWith("1 vertex "); }));
+  trigger("escape");
+  EXPECT_FALSE(label("statusSelection")->isVisible());
+  EXPECT_TRUE(label("statusNumbers")->toolTip().contains("ms decomposition"));
+}
+
 TEST_F(RegionsOfHead, ALassoSelectsAsTheRectangleOfTheSameOutline)
 {
   const QPointF a = shownAt({10, -76, 10});
@@ -188,6 +221,37 @@ TEST_F(RegionsOfHead, OneKeyEachMakesConstraintsOfTheSelection)
   EXPECT_EQ(editor().deformation()->report.solve.status, SolveStatus::Ok);
   trigger("deleteConstraints");
   EXPECT_EQ(list().constraints.size(), 2u) << "the newest is selected";
+}
+
+TEST_F(RegionsOfHead, ThePlaneAndWholePartsSelect)
+{
+  trigger("besidePlane");
+  EXPECT_TRUE(editor().selectedVertices().empty()) << "first the plane is placed";
+  ASSERT_TRUE(viewport().section());
+  trigger("besidePlane");
+  const SectionPlane plane = *viewport().section();
+  const auto& selected = editor().selectedVertices();
+  EXPECT_GT(selected.size(), 1000u);
+  for (Index v = 0; v < editor().model()->mesh.vertexCount(); ++v)
+    EXPECT_EQ(std::ranges::binary_search(selected, v), (placeOf(v) - plane.origin).dot(plane.normal) >= 0) << v;
+  trigger("wholeParts");
+  EXPECT_EQ(static_cast<Index>(editor().selectedVertices().size()), editor().model()->mesh.vertexCount());
+  trigger("sectionPlane");
+}
+
+TEST_F(RegionsOfHead, AMirroredCopyIsOneEditAndSelected)
+{
+  const Index ear = nearestVertex({60, 0, 0});
+  editor().selectVertices({ear});
+  for (int k = 0; k < 4; ++k) trigger("grow");
+  trigger("makeFixed");
+  trigger("mirrorX");
+  ASSERT_EQ(list().constraints.size(), 2u);
+  EXPECT_EQ(editor().selectedConstraints(), (std::vector<Index>{1}));
+  const auto& copy = std::get<FixedConstraint>(list().constraints[1].what).select;
+  for (const Index v : std::get<VertexIds>(copy.what).ids) EXPECT_LT(placeOf(v).x(), 0);
+  trigger("undo");
+  EXPECT_EQ(list().constraints.size(), 1u);
 }
 
 }  // namespace

@@ -120,7 +120,7 @@ TEST_F(SpherePanelOfPlate, WithoutARotationTheHintSaysWhatToDo)
   open("plate_unsymmetric.conflict.constraints.json");
   ASSERT_TRUE(isShown());
   EXPECT_TRUE(hint->isVisible());
-  EXPECT_TRUE(hint->text().contains("turn"));
+  EXPECT_TRUE(hint->text().contains("rotate"));
   editor.close();
   EXPECT_TRUE(hint->isVisible());
   EXPECT_TRUE(hint->text().contains("No mesh"));

@@ -6,12 +6,16 @@
 #include <QDialog>
 #include <QLineEdit>
 #include <QMenu>
+#include <QPushButton>
+#include <QRegularExpression>
 #include <QTabBar>
+#include <QTimer>
 #include <QToolButton>
 #include <filesystem>
 #include <fstream>
 #include <memory>
 
+#include <QtTest/QTest>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
@@ -169,6 +173,50 @@ TEST_F(KeyboardInWindow, TabGoesThroughAllThatIsShownAndReturns)
   ASSERT_TRUE(tabTo(table()));
 }
 
+TEST_F(KeyboardInWindow, EscapeInAnOpenListClosesTheListAndNothingElse)
+{
+  openByKeys();
+  key(Qt::Key_I);
+  auto& list = find<QComboBox>("constraintStatusFilter");
+  ASSERT_TRUE(tabTo(list));
+  key(Qt::Key_Space);
+  ASSERT_TRUE(test::waitUntil([&] { return list.view()->isVisible(); }));
+  key(Qt::Key_Escape);
+  EXPECT_TRUE(test::waitUntil([&] { return !list.view()->isVisible(); }));
+  EXPECT_FALSE(editor().selectedVertices().empty());
+  key(Qt::Key_Escape);
+  EXPECT_TRUE(editor().selectedVertices().empty());
+}
+
+TEST_F(KeyboardInWindow, CtrlYRedoes)
+{
+  openByKeys();
+  key(Qt::Key_I);
+  key(Qt::Key_F);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_TRUE(list().constraints.empty());
+  key(Qt::Key_Y, Qt::ControlModifier);
+  EXPECT_EQ(list().constraints.size(), 1u);
+}
+
+TEST_F(KeyboardInWindow, ADialogGivesTheKeysBack)
+{
+  openByKeys();
+  viewport().setFocus();
+  QTimer::singleShot(0, &window, [this] {
+    ASSERT_TRUE(test::waitUntil([] { return QApplication::activeModalWidget() != nullptr; }));
+    QWidget* dialog = QApplication::activeModalWidget();
+    dialog->activateWindow();
+    ASSERT_TRUE(test::waitUntil([=] { return dialog->isActiveWindow(); }));
+    QTest::keyClick(dialog, Qt::Key_Escape);
+  });
+  trigger("help");
+  ASSERT_TRUE(test::waitUntil([this] { return window.isActiveWindow(); }));
+  EXPECT_EQ(QApplication::focusWidget(), &viewport());
+  key(Qt::Key_I);
+  EXPECT_FALSE(editor().selectedVertices().empty());
+}
+
 /// Names of actions whose tip is missing, says no more than their text, or shows the mark of a mnemonic.
 std::vector<std::string> actionsWithoutTips(const QWidget& window)
 {
@@ -239,6 +287,28 @@ class NamesInWindow : public test::WindowUser {
 TEST_F(NamesInWindow, EveryActionHasATip)
 {
   EXPECT_THAT(actionsWithoutTips(window), IsEmpty());
+}
+
+/// Texts of buttons and actions with a capital letter after the first word.
+std::vector<std::string> titlesInCapitals(const QWidget& window)
+{
+  QStringList texts;
+  for (const QAbstractButton* button : window.findChildren<QAbstractButton*>()) texts << button->text();
+  for (const QAction* action : window.findChildren<QAction*>())
+    if (qobject_cast<QLineEdit*>(action->parent()) == nullptr) texts << action->text();
+  std::vector<std::string> found;
+  for (const QString& text : texts)
+    // Names of constraints and of the program aside.
+    if (QString(text).remove('&').remove(QRegularExpression("“.*”|Holdfast")).contains(QRegularExpression(" [A-Z]")))
+      found.push_back(text.toStdString());
+  return found;
+}
+
+TEST_F(NamesInWindow, ButtonsAndActionsAreInSentenceCase)
+{
+  EXPECT_THAT(titlesInCapitals(window), IsEmpty());
+  new QPushButton("Give Each Its Own", &window);
+  EXPECT_THAT(titlesInCapitals(window), testing::ElementsAre("Give Each Its Own"));
 }
 
 TEST_F(NamesInWindow, EveryControlHasAName)

@@ -1,3 +1,5 @@
+#include <QCoreApplication>
+#include <QStyle>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
@@ -120,6 +122,24 @@ TEST_F(TypedTarget, IsTakenBackByUndoToTheLastBit)
   for (int axis = 0; axis < 3; ++axis) key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
   ASSERT_TRUE(settle());
   EXPECT_EQ(editor().positions(), after);
+}
+
+class TableInWindow : public test::WindowUser {};
+
+TEST_F(TableInWindow, TargetsResidualAndStatusAreSeenAt1280WithoutScrolling)
+{
+  window.resize(1280, 800);
+  open("bracket.obj", "bracket.conflict.constraints.json");
+  QCoreApplication::processEvents();
+  const int right = table().viewport()->width();
+  for (const int column : {Table::X, Table::Y, Table::Z, Table::Residual, Table::Status})
+    EXPECT_LE(table().columnViewportPosition(column) + table().columnWidth(column), right) << column;
+  for (Index row = 0; row < static_cast<Index>(list().constraints.size()); ++row)
+    for (const int column : {Table::X, Table::Y, Table::Z, Table::Residual})
+      EXPECT_LE(table().fontMetrics().horizontalAdvance(shown(row, column)) + 8, table().columnWidth(column))
+          << shown(row, column).toStdString();
+  const int icon = table().style()->pixelMetric(QStyle::PM_SmallIconSize);
+  EXPECT_LE(table().fontMetrics().horizontalAdvance("conflicting") + icon + 12, table().columnWidth(Table::Status));
 }
 
 }  // namespace

@@ -122,8 +122,8 @@ std::vector<Finding> constraintFindings(const Model& model, const EliminatedCons
   if (std::vector<Index> atRest = partsAtRest(model, eliminated); !atRest.empty())
     findings.push_back(
         makeFinding("parts_at_rest", "vertex", std::move(atRest),
-                    {"connected part has no constraint and stays at rest (a vertex of it is named)",
-                     "connected parts have no constraint and stay at rest (a vertex of each is named)"}));
+                    {"connected part that no constraint places; it stays at rest (a vertex of it is named)",
+                     "connected parts that no constraint places; they stay at rest (a vertex of each is named)"}));
   std::vector<Index> spread;
   double largest = 0;
   for (std::size_t c = 0; c < outcomes.size(); ++c)

@@ -79,6 +79,24 @@ HandleConstraint ConstraintDrag::nextFrame(DraggedHandle& dragged, const RigidIn
   return moved;
 }
 
+std::optional<Vector3> averageTarget(const Model& model, const ConstraintList& list, std::span<const Index> constraints)
+{
+  std::optional<SurfacePoint> shared;
+  Vector3 sum = Vector3::Zero();
+  for (const Index c : constraints) {
+    const auto* point = std::get_if<PointConstraint>(&list.constraints[c].what);
+    if (point == nullptr) return std::nullopt;
+    const SurfacePoint at = model.locator().locate(point->at, {});
+    if (shared && *shared != at) return std::nullopt;
+    shared = at;
+    const auto* target = std::get_if<Target>(&point->to);
+    sum += target != nullptr ? target->place
+                             : Vector3(positionOf(at, model.mesh.positions) + std::get<Move>(point->to).shift);
+  }
+  if (constraints.size() < 2) return std::nullopt;
+  return sum / static_cast<double>(constraints.size());
+}
+
 ConstraintList ConstraintDrag::movedBy(const RigidIncrement& increment)
 {
   ConstraintList moved = list_;

@@ -1,6 +1,7 @@
 #pragma once
 /// Points and handles that the user drags together.
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,7 +21,8 @@ class ConstraintDrag {
                  const std::string& source);
 
   [[nodiscard]] bool isEmpty() const noexcept { return points_.empty() && handles_.empty(); }
-  [[nodiscard]] bool hasHandles() const noexcept { return !handles_.empty(); }
+  /// A handle, or several points as a group.
+  [[nodiscard]] bool canRotate() const noexcept { return !handles_.empty() || points_.size() > 1; }
 
   /// The middle of where all that moves is to be, model units. Something moves.
   [[nodiscard]] Vector3 center() const;
@@ -65,5 +67,9 @@ class ConstraintDrag {
   std::vector<DraggedPoint> points_;
   std::vector<DraggedHandle> handles_;
 };
+
+/// The mean of where points go that are one point of the surface; nothing unless these are such points, two or more.
+[[nodiscard]] std::optional<Vector3> averageTarget(const Model& model, const ConstraintList& list,
+                                                   std::span<const Index> constraints);
 
 }  // namespace holdfast

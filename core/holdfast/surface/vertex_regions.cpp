@@ -21,11 +21,14 @@ double angleDegrees(const Vector3& a, const Vector3& b)
 
 }  // namespace
 
-std::vector<Index> VertexRegions::connected(Index vertex) const
+std::vector<Index> VertexRegions::connected(std::span<const Index> vertices) const
 {
-  std::vector<bool> isChosen = unknownsOf({&vertex, 1});
-  if (const Index part = solverMesh_.componentOf[solverMesh_.weld.unknownOf[vertex]]; part >= 0)
-    for (Index u = 0; u < solverMesh_.unknownCount(); ++u) isChosen[u] = solverMesh_.componentOf[u] == part;
+  const std::vector<Index>& partOf = solverMesh_.componentOf;
+  std::vector<bool> isChosen = unknownsOf(vertices);
+  std::vector<bool> isPart(static_cast<std::size_t>(solverMesh_.componentCount), false);
+  for (std::size_t k = 0; k < partOf.size(); ++k)
+    if (isChosen[k] && partOf[k] >= 0) isPart[partOf[k]] = true;
+  for (std::size_t k = 0; k < partOf.size(); ++k) isChosen[k] = isChosen[k] || (partOf[k] >= 0 && isPart[partOf[k]]);
   return verticesWhere(isChosen);
 }
 
@@ -95,6 +98,25 @@ std::vector<Index> VertexRegions::verticesWhere(const std::vector<bool>& isChose
   for (Index v = 0; v < mesh_.vertexCount(); ++v)
     if (isChosen[solverMesh_.weld.unknownOf[v]]) vertices.push_back(v);
   return vertices;
+}
+
+RegionSize sizeOfRegion(std::span<const Index> vertices, const std::vector<Triangle>& triangles,
+                        const Positions& positions)
+{
+  RegionSize size;
+  std::vector<bool> isIn(static_cast<std::size_t>(positions.rows()), false);
+  for (const Index v : vertices) {
+    isIn[v] = true;
+    size.box.extend(Vector3(positions.row(v)));
+  }
+  for (const auto& [a, b, c] : triangles) {
+    if (!isIn[a] || !isIn[b] || !isIn[c]) continue;
+    const Vector3 at = positions.row(a);
+    const Vector3 ab = Vector3(positions.row(b)) - at;
+    ++size.triangles;
+    size.area += ab.cross(Vector3(positions.row(c)) - at).norm() / 2;
+  }
+  return size;
 }
 
 SmoothFaces::SmoothFaces(const Mesh& mesh, const SolverMesh& solverMesh)

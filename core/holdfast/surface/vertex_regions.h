@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include <holdfast/mesh/solver_mesh.h>
 #include <holdfast/surface/edge_graph.h>
 
@@ -48,8 +50,8 @@ class VertexRegions {
 
   [[nodiscard]] const EdgeGraph& graph() const noexcept { return graph_; }
 
-  /// All vertices that edges join to `vertex`; itself alone where no face uses it.
-  [[nodiscard]] std::vector<Index> connected(Index vertex) const;
+  /// `vertices` and all vertices of the connected parts that they lie in.
+  [[nodiscard]] std::vector<Index> connected(std::span<const Index> vertices) const;
 
   /// The vertices of the faces that `SmoothFaces::around` reaches.
   [[nodiscard]] std::vector<Index> smooth(Index face, double degrees) const;
@@ -77,5 +79,16 @@ class VertexRegions {
   EdgeGraph graph_;
   SmoothFaces smoothFaces_;
 };
+
+/// What a set of vertices covers.
+struct RegionSize {
+  Index triangles = 0;  ///< all of whose corners are in the set
+  double area = 0;      ///< of these
+  Eigen::AlignedBox3d box;
+};
+
+/// With vertices at `positions`. O(T).
+[[nodiscard]] RegionSize sizeOfRegion(std::span<const Index> vertices, const std::vector<Triangle>& triangles,
+                                      const Positions& positions);
 
 }  // namespace holdfast

@@ -177,5 +177,42 @@ TEST_F(DragAboutFixed, TurnedByARingItKeepsWhatItHasTurned)
   EXPECT_NEAR(std::get<AxisRotation>(top(rotated).motion).degrees, 310, 1e-9);
 }
 
+TEST(DragOfPoints, RotatesThemAsAGroup)
+{
+  const Model model = makeModel(test::quadBox({1, 1, 1}, 1), "box");
+  const ConstraintList list{"",
+                            {{"A", true, PointConstraint{AtVertex{0}, Target{Vector3(1, 0, 0)}}},
+                             {"B", true, PointConstraint{AtVertex{1}, Move{Vector3::Zero()}}},
+                             {"C", true, PointConstraint{AtVertex{2}, Target{Vector3(-1, 0, 0)}}}}};
+  const std::vector<Index> ends{0, 2};
+  ConstraintDrag drag(model, list, ends, "list");
+  EXPECT_TRUE(drag.canRotate());
+  EXPECT_EQ(drag.center(), Vector3(0, 0, 0));
+  const ConstraintList rotated = drag.movedBy({Vector3::UnitZ(), 90, drag.center(), Vector3::Zero()});
+  const auto target = [&](Index k) {
+    return std::get<Target>(std::get<PointConstraint>(rotated.constraints[k].what).to).place;
+  };
+  EXPECT_LT((target(0) - Vector3(0, 1, 0)).norm(), 1e-15);
+  EXPECT_LT((target(2) - Vector3(0, -1, 0)).norm(), 1e-15);
+  const Index one = 0;
+  EXPECT_FALSE(ConstraintDrag(model, list, {&one, 1}, "list").canRotate()) << "a point alone has nothing to rotate";
+}
+
+TEST(AverageTarget, IsThatOfPointsOfOnePlaceOnly)
+{
+  const Model model = makeModel(test::quadBox({1, 1, 1}, 1), "box");
+  const Vector3 rest = model.mesh.positions.row(0);
+  const ConstraintList list{"",
+                            {{"A", true, PointConstraint{AtVertex{0}, Target{Vector3(1, 2, 3)}}},
+                             {"B", true, PointConstraint{AtNear{rest}, Move{Vector3(1, 0, 0)}}},
+                             {"C", true, PointConstraint{AtVertex{1}, Move{}}},
+                             {"D", true, FixedConstraint{{VertexIds{{0}}}}}}};
+  const auto mean = [&](std::vector<Index> of) { return averageTarget(model, list, of); };
+  EXPECT_EQ(mean({0, 1}), Vector3((Vector3(1, 2, 3) + rest + Vector3(1, 0, 0)) / 2));
+  EXPECT_FALSE(mean({0}));
+  EXPECT_FALSE(mean({0, 2}));
+  EXPECT_FALSE(mean({0, 3}));
+}
+
 }  // namespace
 }  // namespace holdfast

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <numeric>
 #include <set>
 
 #include <gmock/gmock.h>
@@ -25,6 +26,21 @@ struct Grown {
   Model model;
   VertexRegions regions{model.mesh, model.solverMesh};
 };
+
+TEST(RegionSize, CountsTrianglesWithAllCornersAndTheirArea)
+{
+  const Model model = makeModel(test::grid(3, 2), "grid");
+  const std::vector<Index> square{0, 1, 4, 5};
+  const RegionSize one = sizeOfRegion(square, model.triangulation.triangles, model.mesh.positions);
+  EXPECT_EQ(one.triangles, 2);
+  EXPECT_DOUBLE_EQ(one.area, 1);
+  EXPECT_EQ(Vector3(one.box.sizes()), Vector3(1, 1, 0));
+  EXPECT_EQ(sizeOfRegion(std::vector<Index>{0, 1}, model.triangulation.triangles, model.mesh.positions).triangles, 0);
+  std::vector<Index> all(12);
+  std::iota(all.begin(), all.end(), Index{0});
+  const Positions twice = 2 * model.mesh.positions;
+  EXPECT_DOUBLE_EQ(sizeOfRegion(all, model.triangulation.triangles, twice).area, 24);
+}
 
 std::vector<Index> randomSet(test::Random& random, Index count)
 {
@@ -80,9 +96,10 @@ TEST(VertexRegions, ConnectedPartsAreWhole)
 {
   const Mesh mesh = test::withVertex(test::merged(test::tetrahedron(), test::grid(1, 1)), {9, 9, 9});
   const Grown grown(mesh);
-  EXPECT_THAT(grown.regions.connected(2), ElementsAre(0, 1, 2, 3));
-  EXPECT_THAT(grown.regions.connected(7), ElementsAre(4, 5, 6, 7));
-  EXPECT_THAT(grown.regions.connected(8), ElementsAre(8)) << "no face uses it";
+  EXPECT_THAT(grown.regions.connected(std::vector<Index>{2}), ElementsAre(0, 1, 2, 3));
+  EXPECT_THAT(grown.regions.connected(std::vector<Index>{7}), ElementsAre(4, 5, 6, 7));
+  EXPECT_THAT(grown.regions.connected(std::vector<Index>{8}), ElementsAre(8)) << "no face uses it";
+  EXPECT_THAT(grown.regions.connected(std::vector<Index>{1, 8}), ElementsAre(0, 1, 2, 3, 8));
 }
 
 TEST(VertexRegions, InvertingLeavesOutVerticesThatNoFaceUses)
@@ -115,7 +132,7 @@ TEST(VertexRegions, VerticesOfOneUnknownGoTogether)
   EXPECT_EQ(b.regions.grown(oneOfSeveral), inParts(a.regions.grown(one)));
   EXPECT_EQ(b.regions.inverted(oneOfSeveral), inParts(a.regions.inverted(one)));
   EXPECT_EQ(b.regions.smooth(7, 1), inParts(a.regions.smooth(7, 1)));
-  EXPECT_EQ(b.regions.connected(0).size(), vertexOf.size());
+  EXPECT_EQ(b.regions.connected(std::vector<Index>{0}).size(), vertexOf.size());
   const Vector3 place = whole.positions.row(whole.faces[7][0]);
   EXPECT_EQ(b.regions.within(0.8, place, 7, parts.positions),
             inParts(a.regions.within(0.8, place, 7, whole.positions)));

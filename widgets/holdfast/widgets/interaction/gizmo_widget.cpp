@@ -239,9 +239,12 @@ void GizmoWidget::Grab()
 void GizmoWidget::FollowCursor()
 {
   if (!this->Drag) return;
-  const GizmoMotion motion =
-      this->Drag->to(this->PixelCenter(), this->Interactor->GetControlKey() != 0 ? Snap::On : Snap::None);
-  this->MoveTo(motion, motionText(this->Drag->part(), motion, this->Drag->step(), this->Drawn().GetUnits()));
+  const Snap snap = this->Interactor->GetControlKey() != 0 ? Snap::On : Snap::None;
+  const GizmoMotion motion = this->Drag->to(this->PixelCenter(), snap);
+  // Without snapping a pixel is about a tenth of a step.
+  const RoundStep& step = this->Drag->step();
+  const RoundStep digits = snap == Snap::On ? step : RoundStep{1, step.exponent - 1};
+  this->MoveTo(motion, motionText(this->Drag->part(), motion, digits, this->Drawn().GetUnits()));
 }
 
 void GizmoWidget::FollowTyped()

@@ -150,6 +150,7 @@ void RegionWidget::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BrushRadius: " << this->BrushRadius << '\n';
   os << indent << "SideAngle: " << this->SideAngle << '\n';
   os << indent << "PixelRatio: " << this->PixelRatio << '\n';
+  os << indent << "Reach: " << static_cast<int>(this->Reach) << '\n';
 }
 
 void RegionWidget::Stop()
@@ -327,7 +328,7 @@ void RegionWidget::EndOutline()
   this->Drawn().ShowNothing();
   this->Render();
   this->Mode = selectionModeOf(*this->Interactor);
-  const ScreenReach reach = this->Interactor->GetAltKey() != 0 ? ScreenReach::Through : ScreenReach::VisibleOnly;
+  const ScreenReach reach = this->Interactor->GetAltKey() != 0 ? ScreenReach::Through : this->Reach;
   this->Found = std::make_unique<ScreenSelection>(*this->CurrentRenderer, this->Surface, polygon, reach);
   this->Current = Gesture::Search;
   this->Search();
@@ -356,7 +357,7 @@ bool RegionWidget::SelectPart()
   this->Cancel();
   if (!this->Surface || !this->Regions || !this->IsCursorInside()) return false;
   const auto pick = this->FaceAt(this->Cursor());
-  if (pick) this->SelectAtOnce(this->Regions->connected(this->Surface->model().mesh.faces[pick->face].front()));
+  if (pick) this->SelectAtOnce(this->Regions->connected(this->Surface->model().mesh.faces[pick->face].first(1)));
   return pick.has_value();
 }
 

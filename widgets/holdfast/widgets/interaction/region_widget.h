@@ -73,9 +73,9 @@ struct RegionCallData {
 /// and restores it when the gesture is cancelled.
 ///
 /// Shift adds to the selection, Ctrl removes: read at the press of a brush, else at the end of the gesture. With Alt,
-/// rectangle and lasso reach hidden vertices as well. Their search takes 12,000 vertices at a time, in turns of the
-/// event loop where the interactor has timers. The events of a gesture are aborted; a brush beside the surface and a
-/// click on a side leave them to the camera.
+/// or by `SetReach`, rectangle and lasso reach hidden vertices as well. Their search takes 12,000 vertices at a time,
+/// in turns of the event loop where the interactor has timers. The events of a gesture are aborted; a brush beside the
+/// surface and a click on a side leave them to the camera.
 class RegionWidget : public WidgetOf<RegionRepresentation> {
  public:
   static RegionWidget* New();
@@ -106,6 +106,10 @@ class RegionWidget : public WidgetOf<RegionRepresentation> {
 
   void SetPixelRatio(double ratio);
   vtkGetMacro(PixelRatio, double);
+
+  /// What rectangle and lasso reach without Alt: `VisibleOnly` by default.
+  void SetReach(ScreenReach reach) { this->Reach = reach; }
+  [[nodiscard]] ScreenReach GetReach() const { return this->Reach; }
 
   /// Takes back the gesture under way, as Escape does. False where there is none.
   bool Cancel();
@@ -156,6 +160,7 @@ class RegionWidget : public WidgetOf<RegionRepresentation> {
   double BrushRadius = 24;
   double SideAngle = 20;
   double PixelRatio = 1;
+  ScreenReach Reach = ScreenReach::VisibleOnly;
 
   Gesture Current = Gesture::None;
   SelectionMode Mode = SelectionMode::Replace;

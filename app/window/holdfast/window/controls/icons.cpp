@@ -39,7 +39,9 @@ constexpr std::array kDrawings{
         "O8.5 8.5 1.6 O15.5 8.5 1.6 O8.5 15.5 1.6 O15.5 15.5 1.6"},
     Drawing{"M8 7 L14 7 C17 7 19.5 9.5 19.5 12.5 C19.5 15.5 17 18 14 18 L9 18", "M3.5 7 L8.5 10.2 L8.5 3.8 Z"},
     Drawing{"M16 7 L10 7 C7 7 4.5 9.5 4.5 12.5 C4.5 15.5 7 18 10 18 L15 18", "M20.5 7 L15.5 10.2 L15.5 3.8 Z"},
-    Drawing{"M3 8 L3 3 L8 3 M16 3 L21 3 L21 8 M21 16 L21 21 L16 21 M8 21 L3 21 L3 16 O12 12 3", ""}};
+    Drawing{"M3 8 L3 3 L8 3 M16 3 L21 3 L21 8 M21 16 L21 21 L16 21 M8 21 L3 21 L3 16 O12 12 3", ""},
+    Drawing{"M3 8 L3 3 L8 3 M11 3 L15 3 L15 7 M15 10 L15 15 L10 15 M7 15 L3 15 L3 11",
+            "M9 9 L21 13.5 L16 16 L13.5 21 Z"}};
 
 class DrawnEngine : public QIconEngine {
  public:

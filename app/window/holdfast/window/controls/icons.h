@@ -23,7 +23,8 @@ enum class Sign {
   Rigid,
   Undo,
   Redo,
-  Frame
+  Frame,
+  Through
 };
 
 /// In the colour of the palette's text, faint where disabled.

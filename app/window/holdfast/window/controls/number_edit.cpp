@@ -19,7 +19,7 @@ constexpr int kVisibleDigits = 9;
 
 NumberEdit::NumberEdit(QWidget* parent) : QLineEdit(parent)
 {
-  setPlaceholderText(tr("several"));
+  setPlaceholderText(tr("mixed"));
   connect(this, &QLineEdit::editingFinished, this, &NumberEdit::finish);
 }
 
@@ -32,7 +32,8 @@ void NumberEdit::setNumber(std::optional<double> number)
 void NumberEdit::replaceTyped(std::optional<double> number)
 {
   number_ = number;
-  const QString exact = number ? exactText(*number) : QString();
+  // No sum is -0.
+  const QString exact = number ? exactText(*number + 0.0) : QString();
   if (text() != exact) setText(exact);
   setModified(false);
   setToolTip(exact);

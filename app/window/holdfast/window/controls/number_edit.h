@@ -16,7 +16,7 @@ class NumberEdit : public QLineEdit {
  public:
   explicit NumberEdit(QWidget* parent = nullptr);
 
-  /// Shows a number, or that there are several. Does not disturb a user who is typing.
+  /// Shows a number, or that there are several: "mixed". Does not disturb a user who is typing.
   void setNumber(std::optional<double> number);
   [[nodiscard]] std::optional<double> typed() const { return typedNumber(text()); }
   void replaceTyped(std::optional<double> number);

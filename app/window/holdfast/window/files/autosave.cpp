@@ -37,9 +37,9 @@ class RecoveryDialog : public QDialog {
   {
     setObjectName("recoveryDialog");
     setWindowTitle(tr("Recover unsaved work"));
-    auto* text = new QLabel(
-        tr("Holdfast ended before this work was saved. Recovered work opens as it was; the files that it is of are not "
-           "touched until you save."));
+    auto* text = new QLabel(tr(
+        "Holdfast ended before this work was saved. Recovered work opens as it was; the original files are not touched "
+        "until you save."));
     text->setWordWrap(true);
     list_ = named(new QListWidget, "copies", tr("Unsaved work"));
     list_->setAlternatingRowColors(true);

@@ -211,7 +211,7 @@ bool DocumentExports::mayMiss(double length)
                    tr("This format stores coordinates in single precision: readers of the file find constraints missed "
                       "by up to %1. PLY, OBJ and OFF keep every digit.")
                        .arg(lengthText(length, editor_.isOpen() ? editor_.list().units : "")),
-                   tr("&Export all the same"));
+                   tr("&Export anyway"));
 }
 
 void DocumentExports::write(Serialized contents)

@@ -43,7 +43,7 @@ void DocumentFiles::open(const QString& path)
   if (!QFileInfo::exists(absolute)) {
     removeRecentFile(absolute);
     return showProblem(window_, tr("“%1” cannot be opened.").arg(QFileInfo(path).fileName()),
-                       tr("There is no such file any more: %1").arg(QDir::toNativeSeparators(absolute)));
+                       tr("File not found: %1\n%2").arg(QDir::toNativeSeparators(absolute), formatsText()));
   }
   Opening opening;
   opening.path = absolute.toStdString();
@@ -132,7 +132,7 @@ void DocumentFiles::askAboutMesh(const std::shared_ptr<Opening>& opening)
       opening->session->mesh = {mesh.path.string(), "", ""};
       break;
     case MeshAnswer::Locate: {
-      const QString path = askForFile(tr("Where is the mesh?"), textOf(mesh.path.parent_path()), meshFilters());
+      const QString path = askForFile(tr("Locate the mesh"), textOf(mesh.path.parent_path()), meshFilters());
       if (path.isEmpty()) return;
       opening->session->mesh.path = opening->session->mesh.absolutePath =
           QFileInfo(path).absoluteFilePath().toStdString();

@@ -110,8 +110,8 @@ void showProgress(BackgroundJob& job, QWidget* window, const QString& title)
 
 QMessageBox::StandardButton askToSave(QWidget* window, const QString& name, const QString& action)
 {
-  Box box(window, QMessageBox::Warning, QObject::tr("Save the changes to “%1” before %2?").arg(name, action),
-          QObject::tr("Changes that are not saved are lost."));
+  Box box(window, QMessageBox::Warning, QObject::tr("Save this session?"),
+          QObject::tr("“%1” has changes that are not saved; %2 loses them.").arg(name, action));
   box.setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
   box.setDefaultButton(QMessageBox::Save);
   box.setEscapeButton(QMessageBox::Cancel);
@@ -131,11 +131,10 @@ MeshAnswer askAboutSessionMesh(QWidget* window, const QString& session, const Re
 {
   const bool isMissing = mesh.state == MeshState::Missing;
   const QString headline =
-      isMissing ? QObject::tr("The mesh of “%1” is not there.") : QObject::tr("The mesh of “%1” has changed.");
+      isMissing ? QObject::tr("The mesh of “%1” was not found.") : QObject::tr("The mesh of “%1” has changed.");
   Box box(window, QMessageBox::Warning, headline.arg(session), asSentence(QString::fromStdString(mesh.message)));
   const QAbstractButton* use = nullptr;
-  if (!isMissing)
-    use = named(box.addButton(QObject::tr("&Use it all the same"), QMessageBox::AcceptRole), "useAllTheSame");
+  if (!isMissing) use = named(box.addButton(QObject::tr("&Use it anyway"), QMessageBox::AcceptRole), "useAllTheSame");
   QPushButton* const locate = named(box.addButton(QObject::tr("&Locate the mesh…"), QMessageBox::ActionRole), "locate");
   box.addButton(QMessageBox::Cancel);
   box.setDefaultButton(locate);
@@ -165,6 +164,13 @@ QString chooseFile(QWidget* window, const FileQuestion& question)
   }
   if (dialog.exec() != QDialog::Accepted) return {};
   return dialog.selectedFiles().value(0);
+}
+
+QString formatsText()
+{
+  QStringList known{".holdfast"};
+  for (const std::string_view extension : anyMeshExtensions()) known << toText(extension);
+  return QObject::tr("Sessions and meshes are %1.").arg(known.join(", "));
 }
 
 QStringList meshFilters()

@@ -27,6 +27,8 @@ using FileChooser = std::function<QString(QWidget* window, const FileQuestion& q
 
 /// "Meshes (*.obj *.ply ...)" and one filter for each format that is known.
 [[nodiscard]] QStringList meshFilters();
+/// A sentence with the extensions of all that can be opened.
+[[nodiscard]] QString formatsText();
 
 [[nodiscard]] QString textOf(const std::filesystem::path& path);
 

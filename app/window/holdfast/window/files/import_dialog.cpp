@@ -1,17 +1,23 @@
 #include "holdfast/window/files/import_dialog.h"
 
 #include <QAbstractTableModel>
+#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QGuiApplication>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QProgressBar>
 #include <QSortFilterProxyModel>
+#include <algorithm>
+#include <array>
 #include <utility>
 
+#include <holdfast/base/lower_case.h>
 #include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/document/list_edits.h>
 #include <holdfast/document/point_lists.h>
+#include <holdfast/document/point_tables.h>
+#include <holdfast/io/files/file_bytes.h>
 #include <holdfast/window/controls/number_edit.h>
 #include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/controls/status_style.h>
@@ -29,17 +35,46 @@ double usualTolerance(const Model& model)
   return QString::number(0.01 * model.solverMesh.diagonal, 'g', 2).toDouble();
 }
 
+/// A constraint of the file, or what stands in its place.
+struct ImportRow {
+  std::string name;
+  std::optional<Index> constraint = {};  ///< its place in the list; none if it cannot be read
+  QString fault = {};                    ///< a sentence; empty if there is none
+};
+
 /// The constraints of a file, and what they would be in a document.
 struct ImportContents {
   ConstraintList list;
+  std::vector<ImportRow> rows;
+  std::optional<PointTable> table;  ///< of a point list: its format and titles
   ImportPreview preview;
   std::vector<std::string> newNames;  ///< one for each constraint of the list: what the document will call it
 };
 
-ImportContents readImport(const std::filesystem::path& path, const ConstraintList& present, const Model& model)
+ImportContents readImport(const std::filesystem::path& path, const std::optional<PointTableFormat>& format,
+                          const ConstraintList& present, const Model& model)
 {
   ImportContents contents;
-  contents.list = readConstraints(path);
+  const auto add = [&](ImportRow row, Constraint&& constraint) {
+    row.constraint = static_cast<Index>(contents.list.constraints.size());
+    contents.rows.push_back(std::move(row));
+    contents.list.constraints.push_back(std::move(constraint));
+  };
+  if (lowerCase(path.extension().string()) == ".csv") {
+    contents.table = readPointTable(readTextFile(path), path.string(), format);
+    for (PointTableRow& row : std::exchange(contents.table->rows, {})) {
+      const QString fault =
+          row.fault.empty() ? QString() : QObject::tr("Line %1: %2.").arg(row.line).arg(toText(row.fault));
+      if (row.point)
+        add({row.name, {}, fault}, {row.name, true, *row.point});
+      else
+        contents.rows.push_back({row.name, {}, fault});
+    }
+  } else {
+    ConstraintList read = readConstraints(path);
+    contents.list.units = read.units;
+    for (Constraint& constraint : read.constraints) add({constraint.name}, std::move(constraint));
+  }
   contents.preview = previewImport(contents.list, present, model);
   const ConstraintList all = pasted(present, contents.list);
   for (std::size_t k = present.constraints.size(); k < all.constraints.size(); ++k)
@@ -47,7 +82,7 @@ ImportContents readImport(const std::filesystem::path& path, const ConstraintLis
   return contents;
 }
 
-/// One row for each constraint of the file, in its order.
+/// One row for each constraint or point of the file, in its order.
 class ImportTable : public QAbstractTableModel {
  public:
   enum Column { Name, Kind, Place, Goal, Distance, Where };
@@ -63,7 +98,7 @@ class ImportTable : public QAbstractTableModel {
     contents_ = std::move(contents);
     points_.assign(contents_.list.constraints.size(), nullptr);
     for (const ImportedPoint& point : contents_.preview.points) points_[point.index] = &point;
-    isTicked_.resize(points_.size());
+    isTicked_.resize(contents_.rows.size());
     tickNear(tolerance);
     endResetModel();
   }
@@ -77,16 +112,22 @@ class ImportTable : public QAbstractTableModel {
 
   void tickAll(bool isTicked)
   {
-    isTicked_.assign(isTicked_.size(), isTicked);
+    for (int row = 0; row < rowCount(); ++row) isTicked_[row] = isTicked && isReadable(row);
     reportChange();
   }
 
-  [[nodiscard]] std::vector<Index> tickedRows() const
+  /// Places in the list.
+  [[nodiscard]] std::vector<Index> tickedConstraints() const
   {
-    std::vector<Index> rows;
+    std::vector<Index> ticked;
     for (std::size_t row = 0; row < isTicked_.size(); ++row)
-      if (isTicked_[row]) rows.push_back(static_cast<Index>(row));
-    return rows;
+      if (isTicked_[row]) ticked.push_back(*contents_.rows[row].constraint);
+    return ticked;
+  }
+
+  [[nodiscard]] Index faultyRows() const
+  {
+    return std::ranges::count_if(contents_.rows, [](const ImportRow& row) { return !row.fault.isEmpty(); });
   }
 
   [[nodiscard]] Index farPoints() const
@@ -98,7 +139,7 @@ class ImportTable : public QAbstractTableModel {
 
   [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override
   {
-    return parent.isValid() ? 0 : static_cast<int>(points_.size());
+    return parent.isValid() ? 0 : static_cast<int>(contents_.rows.size());
   }
 
   [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override
@@ -113,12 +154,13 @@ class ImportTable : public QAbstractTableModel {
     const int column = index.column();
     if (role == Qt::DisplayRole) return text(row, column);
     if (role == Qt::ToolTipRole) return toolTip(row, column);
-    if (role == Qt::CheckStateRole && column == Name) return isTicked_[row] ? Qt::Checked : Qt::Unchecked;
-    if (role == Qt::ForegroundRole && isFar(row))
+    if (role == Qt::CheckStateRole && column == Name && isReadable(row))
+      return isTicked_[row] ? Qt::Checked : Qt::Unchecked;
+    if (role == Qt::ForegroundRole && isMarked(row))
       return statusColor(ConstraintStatus::Conflicting, QGuiApplication::palette());
     if (role != kSortRole) return {};
     if (column != Distance) return text(row, column);
-    return points_[row] == nullptr ? -1.0 : points_[row]->distance;
+    return point(row) == nullptr ? -1.0 : point(row)->distance;
   }
 
   [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override
@@ -132,7 +174,7 @@ class ImportTable : public QAbstractTableModel {
   [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override
   {
     const Qt::ItemFlags usual = QAbstractTableModel::flags(index);
-    return index.column() == Name ? usual | Qt::ItemIsUserCheckable : usual;
+    return index.column() == Name && isReadable(index.row()) ? usual | Qt::ItemIsUserCheckable : usual;
   }
 
   bool setData(const QModelIndex& index, const QVariant& value, int role) override
@@ -144,14 +186,23 @@ class ImportTable : public QAbstractTableModel {
   }
 
  private:
-  [[nodiscard]] const Constraint& constraint(int row) const { return contents_.list.constraints[row]; }
+  [[nodiscard]] bool isReadable(int row) const { return contents_.rows[row].constraint.has_value(); }
+  [[nodiscard]] const Constraint& constraint(int row) const
+  {
+    return contents_.list.constraints[*contents_.rows[row].constraint];
+  }
+  [[nodiscard]] const ImportedPoint* point(int row) const
+  {
+    return isReadable(row) ? points_[*contents_.rows[row].constraint] : nullptr;
+  }
 
-  [[nodiscard]] bool isFar(int row) const { return points_[row] != nullptr && points_[row]->distance > tolerance_; }
+  [[nodiscard]] bool isFar(int row) const { return point(row) != nullptr && point(row)->distance > tolerance_; }
+  [[nodiscard]] bool isMarked(int row) const { return isFar(row) || !contents_.rows[row].fault.isEmpty(); }
 
   void tickNear(double tolerance)
   {
     tolerance_ = tolerance;
-    for (int row = 0; row < rowCount(); ++row) isTicked_[row] = !isFar(row);
+    for (int row = 0; row < rowCount(); ++row) isTicked_[row] = !isMarked(row);
   }
 
   void reportChange()
@@ -161,12 +212,14 @@ class ImportTable : public QAbstractTableModel {
 
   [[nodiscard]] QString text(int row, int column, bool isExact = false) const
   {
-    const ImportedPoint* point = points_[row];
+    const ImportRow& of = contents_.rows[row];
+    if (!of.constraint) return column == Name ? nameText(of.name) : column == Where ? of.fault : QString();
+    const ImportedPoint* point = this->point(row);
     const auto number = [&](const auto& value) { return isExact ? exactText(value) : roundedText(value); };
     switch (column) {
       case Name: {
         const QString name = nameText(constraint(row).name);
-        const std::string& newName = contents_.newNames[row];
+        const std::string& newName = contents_.newNames[*of.constraint];
         return constraint(row).name == newName ? name : tr("%1 → %2").arg(name, nameText(newName));
       }
       case Kind:
@@ -179,7 +232,7 @@ class ImportTable : public QAbstractTableModel {
       case Distance:
         return point == nullptr ? QString() : number(point->distance);
       default:
-        return point == nullptr ? whereText(constraint(row)) : locationText(point->at);
+        return !of.fault.isEmpty() ? of.fault : point == nullptr ? whereText(constraint(row)) : locationText(point->at);
     }
   }
 
@@ -190,32 +243,43 @@ class ImportTable : public QAbstractTableModel {
       return tr("%1: farther from the surface than the tolerance. The point may be in another unit or coordinate "
                 "system.")
           .arg(exact);
-    if (column == Name && constraint(row).name != contents_.newNames[row])
-      return tr("The name is taken: the constraint will be called “%1”.").arg(nameText(contents_.newNames[row]));
+    if (!isReadable(row)) return contents_.rows[row].fault;
+    const std::string& newName = contents_.newNames[*contents_.rows[row].constraint];
+    if (column == Name && constraint(row).name != newName)
+      return tr("The name is taken: the constraint will be called “%1”.").arg(nameText(newName));
     return exact;
   }
 
   ImportContents contents_;
-  std::vector<const ImportedPoint*> points_;  // of the rows; null for what is no `near` point
+  std::vector<const ImportedPoint*> points_;  // of the list; null for what is no `near` point
   std::vector<bool> isTicked_;
   double tolerance_ = 0;
 };
 
+// Lengths of units in mm, as a user's units may be called.
+constexpr std::array<std::pair<const char*, double>, 5> kUnits{
+    {{"mm", 1}, {"cm", 10}, {"m", 1000}, {"in", 25.4}, {"µm", 1e-3}}};
+
+// In the order of the choices.
+constexpr std::array kSeparators{',', ';', '\t'};
+constexpr std::array kDecimalSigns{'.', ','};
+
 class ImportDialog : public QDialog {
  public:
   ImportDialog(Editor& editor, const std::filesystem::path& path, QWidget* parent)
-      : QDialog(parent), editor_(editor), file_(textOf(path.filename()))
+      : QDialog(parent), editor_(editor), path_(path), file_(textOf(path.filename()))
   {
     setObjectName("importDialog");
     setWindowTitle(tr("Import %1").arg(file_));
     summary_ = newText("summary");
     summary_->setText(tr("Looking for the places on the surface…"));
-    auto* busy = new QProgressBar;
-    busy->setRange(0, 0);
-    busy->setTextVisible(false);
+    busy_ = new QProgressBar;
+    busy_->setRange(0, 0);
+    busy_->setTextVisible(false);
     auto* layout = new QVBoxLayout(this);
+    layout->addWidget(newFormatRows());
     layout->addWidget(summary_);
-    layout->addWidget(busy);
+    layout->addWidget(busy_);
     layout->addLayout(newToleranceRow());
     layout->addWidget(newTable(), 1);
     layout->addWidget(newButtons());
@@ -228,20 +292,12 @@ class ImportDialog : public QDialog {
       reject();
     });
     connect(this, &QDialog::finished, &job_, &BackgroundJob::cancel);
-    job_.start([this, path, busy, model = editor_.model(), state = editor_.history().state()](Progress& progress) {
-      progress.step("reading");
-      auto contents = std::make_shared<ImportContents>(readImport(path, state->list, *model));
-      return [this, busy, contents] {
-        busy->hide();
-        model_.setContents(std::move(*contents), tolerance_->typed().value_or(usualTolerance(*editor_.model())));
-        table_->resizeColumnsToContents();
-      };
-    });
+    read(std::nullopt);
   }
 
   void accept() override
   {
-    const std::vector<Index> rows = model_.tickedRows();
+    const std::vector<Index> rows = model_.tickedConstraints();
     if (rows.empty()) return;
     ConstraintList imported = extracted(model_.contents().list, rows);
     for (std::size_t k = 0; k < rows.size(); ++k) imported.constraints[k].name = model_.contents().newNames[rows[k]];
@@ -259,6 +315,94 @@ class ImportDialog : public QDialog {
   }
 
  private:
+  void read(const std::optional<PointTableFormat>& format)
+  {
+    busy_->show();
+    job_.start(
+        [this, path = path_, format, model = editor_.model(), state = editor_.history().state()](Progress& progress) {
+          progress.step("reading");
+          auto contents = std::make_shared<ImportContents>(readImport(path, format, state->list, *model));
+          return [this, contents] {
+            busy_->hide();
+            model_.setContents(std::move(*contents), tolerance_->typed().value_or(usualTolerance(*editor_.model())));
+            table_->resizeColumnsToContents();
+            showFormat();
+          };
+        });
+  }
+
+  /// How a point list is written. Another choice reads it again.
+  QWidget* newFormatRows()
+  {
+    formatRows_ = new QWidget;
+    auto* rows = newLayout<QVBoxLayout>(formatRows_, 0, 6);
+    const auto addChoice = [this](QHBoxLayout& row, const QString& title, const QString& name,
+                                  const QStringList& choices) {
+      auto* label = new QLabel(title);
+      auto* box = named(new QComboBox, name, QString(title).remove('&'));
+      box->addItems(choices);
+      label->setBuddy(box);
+      row.addWidget(label);
+      row.addWidget(box);
+      connect(box, qOverload<int>(&QComboBox::activated), this, [this] { read(chosenFormat()); });
+      return box;
+    };
+    auto* writing = newLayout<QHBoxLayout>(nullptr, 0, 6);
+    separator_ = addChoice(*writing, tr("&Separator"), "separator", {tr("comma"), tr("semicolon"), tr("tab")});
+    decimalSign_ = addChoice(*writing, tr("&Decimal sign"), "decimalSign", {tr("point"), tr("comma")});
+    const auto ofModel = std::ranges::find(kUnits, editor_.list().units, &std::pair<const char*, double>::first);
+    units_ = addChoice(*writing, tr("&Unit"), "unit", {tr("as the model")});
+    units_->setItemData(0, 1.0);
+    for (const auto& [unit, length] : kUnits)
+      if (ofModel == kUnits.end())
+        units_->addItem(tr("%1, of a model in mm").arg(unit), length);
+      else
+        units_->addItem(unit, length / ofModel->second);
+    writing->addStretch(1);
+    auto* meaning = newLayout<QHBoxLayout>(nullptr, 0, 6);
+    for (std::size_t k = 0; k < kPointColumns.size(); ++k)
+      columns_[k] = addChoice(*meaning, toText(kPointColumns[k]).replace('_', ' '), "column" + QString::number(k), {});
+    meaning->addStretch(1);
+    rows->addLayout(writing);
+    rows->addLayout(meaning);
+    formatRows_->hide();
+    return formatRows_;
+  }
+
+  void showFormat()
+  {
+    const std::optional<PointTable>& table = model_.contents().table;
+    formatRows_->setVisible(table.has_value());
+    if (!table) return;
+    const auto placeOf = [](const auto& choices, char chosen) {
+      return static_cast<int>(std::ranges::find(choices, chosen) - choices.begin());
+    };
+    separator_->setCurrentIndex(placeOf(kSeparators, table->format.separator));
+    decimalSign_->setCurrentIndex(placeOf(kDecimalSigns, table->format.decimalSign));
+    for (std::size_t k = 0; k < columns_.size(); ++k) {
+      columns_[k]->clear();
+      columns_[k]->addItem(tr("none"));
+      for (const std::string& title : table->titles) columns_[k]->addItem(nameText(title));
+      const auto& place = table->format.columns[k];
+      columns_[k]->setCurrentIndex(place ? static_cast<int>(*place) + 1 : 0);
+    }
+  }
+
+  /// Columns belong to a separator: another one finds its own.
+  [[nodiscard]] std::optional<PointTableFormat> chosenFormat() const
+  {
+    PointTableFormat format = model_.contents().table->format;
+    const char separator = kSeparators[static_cast<std::size_t>(separator_->currentIndex())];
+    format.decimalSign = kDecimalSigns[static_cast<std::size_t>(decimalSign_->currentIndex())];
+    format.scale = units_->currentData().toDouble();
+    for (std::size_t k = 0; k < columns_.size(); ++k) {
+      const int chosen = columns_[k]->currentIndex();
+      format.columns[k] = chosen > 0 ? std::optional(static_cast<std::size_t>(chosen - 1)) : std::nullopt;
+    }
+    if (std::exchange(format.separator, separator) != separator) format.columns = {};
+    return format;
+  }
+
   QLayout* newToleranceRow()
   {
     tolerance_ = named(new NumberEdit, "tolerance", tr("Tolerance of the distance from the surface"));
@@ -323,6 +467,8 @@ class ImportDialog : public QDialog {
     };
     const QString reach = tr(", %1 from the surface at most and %2 on average.")
                               .arg(lengthText(preview.maxDistance, units), lengthText(preview.meanDistance, units));
+    add(model_.faultyRows(), tr("One row has a fault: it is marked, and left out unless it is ticked."),
+        tr("%1 rows have faults: they are marked, and left out unless they are ticked."));
     add(static_cast<Index>(preview.points.size()), tr("One point") + reach, tr("%1 points") + reach);
     add(model_.farPoints(), tr("One lies farther away than below: is it in another unit or coordinate system?"),
         tr("%1 lie farther away than below: are they in another unit or coordinate system?"));
@@ -335,7 +481,7 @@ class ImportDialog : public QDialog {
 
   void updateTexts()
   {
-    const std::size_t count = model_.tickedRows().size();
+    const std::size_t count = model_.tickedConstraints().size();
     summary_->setText(summary());
     import_->setEnabled(count > 0);
     import_->setText(tr("&Import %1").arg(count));
@@ -349,8 +495,15 @@ class ImportDialog : public QDialog {
   }
 
   Editor& editor_;
+  std::filesystem::path path_;
   QString file_;
   ImportTable model_;
+  QWidget* formatRows_ = nullptr;
+  QComboBox* separator_ = nullptr;
+  QComboBox* decimalSign_ = nullptr;
+  QComboBox* units_ = nullptr;
+  std::array<QComboBox*, kPointColumns.size()> columns_{};
+  QProgressBar* busy_ = nullptr;
   QLabel* summary_ = nullptr;
   NumberEdit* tolerance_ = nullptr;
   QTableView* table_ = nullptr;

@@ -102,15 +102,15 @@ void fillRecentMenu(QMenu& menu, const std::function<void(const QString&)>& open
         menu.addAction(QString("&%1  %2").arg((place + 1) % kMostRecentFiles).arg(name), [open, path] { open(path); });
     action->setEnabled(isThere);
     const QString native = QDir::toNativeSeparators(path);
-    action->setToolTip(isThere ? native : QObject::tr("%1 is not there any more").arg(native));
+    action->setToolTip(isThere ? native : QObject::tr("File not found: %1").arg(native));
     action->setStatusTip(action->toolTip());
   }
   if (all.isEmpty()) {
-    menu.addAction(QObject::tr("Nothing was open yet"))->setEnabled(false);
+    menu.addAction(QObject::tr("No recent files"))->setEnabled(false);
     return;
   }
   menu.addSeparator();
-  menu.addAction(QObject::tr("&Forget these files"), [] {
+  menu.addAction(QObject::tr("&Clear this list"), [] {
     QSettings().remove(kKey);
     pictureFolder().removeRecursively();
   });

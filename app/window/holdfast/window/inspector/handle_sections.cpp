@@ -66,21 +66,21 @@ class HandleSection : public SectionOf<HandleConstraint> {
  public:
   explicit HandleSection(Editor& editor) : SectionOf(editor, tr("Motion"))
   {
-    const QStringList methods{tr("not at all"), tr("by its own frame, about an axis"),
-                              tr("about the fixed region as it moves"), tr("from frame to frame"),
-                              tr("as the targets of its vertices say")};
+    const QStringList methods{tr("none"), tr("about an axis"), tr("about the fixed region as it moves"),
+                              tr("from frame to frame"), tr("from the targets of its vertices")};
     bindChoice(
-        tr("&Turns"), "handleMethod", tr("How the handle turns"), methods,
+        tr("&Rotation"), "handleMethod", tr("How the handle rotates"), methods,
         [](const HandleConstraint& handle) { return static_cast<double>(handle.motion.index()); },
         [this, methods](int method) { chooseMethod(method, methods[method]); });
-    bindVector(tr("&Axis"), "handleAxis", ofTurn(&AxisRotation::axis), tr("turn %1 about another axis"),
+    bindVector(tr("&Axis"), "handleAxis", ofTurn(&AxisRotation::axis), tr("rotate %1 about another axis"),
                [](HandleConstraint& handle, int axis, double number) {
                  turnOf(handle).axis[axis] = number;
                  requireAxis(turnOf(handle).axis);
                });
-    explain(bindNumber(tr("&Degrees"), "handleDegrees", ofTurn(&AxisRotation::degrees), tr("turn %1 by %2 degrees"),
-                       [](HandleConstraint& handle, double number) { turnOf(handle).degrees = number; }),
-            tr("Any number of turns: 720 is twice around"));
+    explain(
+        bindNumber(tr("An&gle [deg]"), "handleDegrees", ofTurn(&AxisRotation::degrees), tr("rotate %1 by %2 degrees"),
+                   [](HandleConstraint& handle, double number) { turnOf(handle).degrees = number; }),
+        tr("Any number of turns: 720 is twice around"));
     bindChoice(
         tr("T&hrough"), "handleCenterChoice", tr("What the axis goes through"), {tr("its centroid"), tr("a place")},
         [](const HandleConstraint& handle) -> std::optional<double> {
@@ -88,7 +88,7 @@ class HandleSection : public SectionOf<HandleConstraint> {
           return turn == nullptr ? std::nullopt : std::optional(turn->center ? 1 : 0);
         },
         [this](int choice) { chooseCenter(choice); });
-    bindVector(tr("&Center"), "handleCenter", ofTurn(&AxisRotation::center), tr("turn %1 about another place"),
+    bindVector(tr("&Center"), "handleCenter", ofTurn(&AxisRotation::center), tr("rotate %1 about another place"),
                [](HandleConstraint& handle, int axis, double number) { (*turnOf(handle).center)[axis] = number; });
     bindVector(
         tr("&Shift"), "handleTranslation", [](const HandleConstraint& handle) { return handle.translate; },
@@ -99,7 +99,7 @@ class HandleSection : public SectionOf<HandleConstraint> {
  private:
   void chooseMethod(int method, const QString& text)
   {
-    change(tr("turn %1 %2").arg(subject(), text), [&](Constraint constraint) -> std::optional<Constraint> {
+    change(tr("rotation of %1: %2").arg(subject(), text), [&](Constraint constraint) -> std::optional<Constraint> {
       HandleConstraint& handle = std::get<HandleConstraint>(constraint.what);
       if (static_cast<int>(handle.motion.index()) == method) return std::nullopt;
       if (method == FromFrameToFrame) return restated(editor(), constraint, byFrames);
@@ -113,7 +113,7 @@ class HandleSection : public SectionOf<HandleConstraint> {
 
   void chooseCenter(int choice)
   {
-    const QString name = choice == 0 ? tr("turn %1 about its centroid") : tr("turn %1 about a place");
+    const QString name = choice == 0 ? tr("rotate %1 about its centroid") : tr("rotate %1 about a place");
     edit(name.arg(subject()), [&](HandleConstraint& handle) {
       if (turnOf(handle).center.has_value() == (choice == 1)) return false;
       turnOf(handle).center = choice == 1 ? std::optional(centroidOf(handle)) : std::nullopt;
@@ -151,7 +151,7 @@ class FrameSection : public SectionOf<HandleConstraint> {
     explain(bindNumber(
                 tr("&Whole turns"), "frameTurns",
                 [](const HandleConstraint& handle) { return static_cast<double>(framesOf(handle).turns); },
-                tr("turn %1 by %2 whole turns more"),
+                tr("rotate %1 by %2 whole turns more"),
                 [](HandleConstraint& handle, double turns) {
                   framesOf(handle).turns = wholeNumber(turns, -INFINITY, "is no whole number of turns");
                   requireValid(handle);
@@ -327,7 +327,7 @@ class SingleVerticesSection : public SectionOf<HandleConstraint> {
   {
     setFieldVisible(part.button, reason.isEmpty());
     setFieldVisible(part.table, isOwn);
-    part.button->setText(isOwn ? tr("Take One for All") : tr("Give Each Vertex Its Own"));
+    part.button->setText(isOwn ? tr("Take one for all") : tr("Give each vertex its own"));
     if (!isOwn) return;
     part.model->show(editor().history().state(), rows().front());
     part.table->setFixedHeight(heightOfRows(*part.table));
@@ -336,7 +336,7 @@ class SingleVerticesSection : public SectionOf<HandleConstraint> {
   void setRotation(int row, int column, double number)
   {
     const QString vertex = QString::number(rotations_.model->vertex(row));
-    edit(tr("turn vertex %1 of %2 otherwise").arg(vertex, subject()), [&](HandleConstraint& handle) {
+    edit(tr("rotate vertex %1 of %2 otherwise").arg(vertex, subject()), [&](HandleConstraint& handle) {
       AxisAngle& turn = handle.rotations[row];
       (column == VertexTableModel::Degrees ? turn.degrees : turn.axis[column - VertexTableModel::X]) = number;
       requireAxis(turn.axis);

@@ -24,7 +24,7 @@ class OutcomeSection : public InspectorSection {
     addLargest(tr("Force"), "outcomeForce", &ConstraintOutcome::multiplier, Unit::None);
     addLargest(tr("Amplification"), "outcomeAmplification", &ConstraintOutcome::sensitivity, Unit::None);
     QLabel* age = addText({}, "outcomeAge");
-    age->setText(tr("These values are of the list before the latest changes."));
+    age->setText(tr("From before the latest edit."));
     addRefresh([this, age] {
       setFieldVisible(age, !this->editor().isCurrent());
       setQuiet(*age, true);

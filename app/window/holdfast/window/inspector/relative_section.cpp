@@ -13,7 +13,7 @@ class RelativeSection : public SectionOf<RelativeConstraint> {
     addPlace(tr("To"), "relativeTo", &RelativeConstraint::to);
     bindChoice(
         tr("&Keeps"), "relativeWay", tr("Which vector between the places is kept"),
-        {tr("its vector at rest, turning with the surface"), tr("an offset of its own")},
+        {tr("its vector at rest, rotated with the surface"), tr("an offset of its own")},
         [](const RelativeConstraint& relative) { return relative.offset ? 1.0 : 0.0; },
         [this](int way) { chooseWay(way); });
     explain(bindVector(

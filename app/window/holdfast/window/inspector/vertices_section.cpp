@@ -14,7 +14,7 @@ class VerticesSection : public InspectorSection {
   {
     how_ = addText(tr("Selects"), "verticesHow");
     count_ = addText(tr("Holds"), "verticesCount");
-    select_ = named(new QPushButton(tr("Select Its &Vertices"), this), "verticesSelect");
+    select_ = named(new QPushButton(tr("Select its &vertices"), this), "verticesSelect");
     addRow(QStringLiteral(""), select_);
     connect(select_, &QPushButton::clicked, this, &VerticesSection::selectThem);
   }
@@ -41,7 +41,7 @@ class VerticesSection : public InspectorSection {
       count += static_cast<Index>(found.vertices.size());
       if (!found.reason.empty()) reason = quoted(constraint(row).name) + ": " + QString::fromStdString(found.reason);
     }
-    const QString number = count == 1 ? tr("1 vertex") : tr("%1 vertices").arg(countText(count));
+    const QString number = countText(count, "1 vertex", "%1 vertices");
     count_->setText(reason.isEmpty() ? number : reason);
     select_->setEnabled(reason.isEmpty());
   }

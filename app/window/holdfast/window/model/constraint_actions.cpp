@@ -143,6 +143,13 @@ void duplicateConstraints(Editor& editor, const Rows& rows)
     append(editor, QObject::tr("duplicate %1").arg(subjectOf(editor, rows)), extracted(editor.list(), rows));
 }
 
+void mirrorConstraints(Editor& editor, const Rows& rows, const MirrorPlane& plane)
+{
+  if (!rows.empty())
+    append(editor, QObject::tr("mirror %1").arg(subjectOf(editor, rows)),
+           mirrored(editor.list(), rows, plane, *editor.model()));
+}
+
 void copyConstraints(const Editor& editor, const Rows& rows)
 {
   if (rows.empty()) return;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <holdfast/document/list_edits.h>
+#include <holdfast/document/mirrored.h>
 #include <holdfast/widgets/picking/surface_picker.h>
 #include <holdfast/window/model/editor.h>
 
@@ -49,6 +50,9 @@ void moveConstraintsDown(Editor& editor, const Rows& rows);
 
 /// Copies with names of their own at the end of the list, selected.
 void duplicateConstraints(Editor& editor, const Rows& rows);
+
+/// Mirrored copies with names of their own at the end of the list, selected. Throws `InputError` as `mirrored` does.
+void mirrorConstraints(Editor& editor, const Rows& rows, const MirrorPlane& plane);
 
 /// Points as a point list (CSV), else as a constraint file (JSON). Throws `InputError` for points beside the mesh.
 void copyConstraints(const Editor& editor, const Rows& rows);

@@ -124,7 +124,7 @@ void ColorPanel::makeDisplayRows(QFormLayout& form)
   edges_ = named(new QComboBox, "meshEdges");
   edges_->addItems({tr("Sharp ones"), tr("All")});
   arrows_ = named(new QCheckBox(tr("Rotation &arrows")), "rotationArrows");
-  arrows_->setToolTip(tr("Arrows along the axis of rotation; the right hand's fingers turn as the surface does"));
+  arrows_->setToolTip(tr("Arrows along the axis of rotation; the right hand's fingers rotate as the surface does"));
   constraints_ = named(new QCheckBox(tr("&Constraints")), "constraintGlyphs");
   form.addRow(tr("Shape at r&est"), rest_);
   form.addRow(tr("Mesh e&dges"), edges_);

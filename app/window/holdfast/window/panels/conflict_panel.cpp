@@ -3,6 +3,7 @@
 #include <vector>
 
 #include <holdfast/deform/report.h>
+#include <holdfast/document/constraint_drag.h>
 #include <holdfast/document/list_edits.h>
 #include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/controls/status_style.h>
@@ -50,11 +51,14 @@ QString gapText(const ConstraintOutcome& outcome, const ConflictSet& conflictSet
   return text + '.';
 }
 
-/// “P4” repeats “P1”.
+/// “P4” repeats “P1”; a rigid region alone repeats none.
 QString repetitionText(const ConstraintOutcome& outcome, const ConflictSet& conflictSet)
 {
   const QString own = quoted(outcome.name);
-  if (conflictSet.with.empty()) return QObject::tr("%1 repeats itself").arg(own);
+  if (conflictSet.with.empty())
+    return (conflictSet.rows == outcome.rows ? QObject::tr("%1 holds as it is: nothing moves it")
+                                             : QObject::tr("%1 repeats itself in part"))
+        .arg(own);
   const QString others = quotedList(conflictSet.with);
   return conflictSet.rows == outcome.rows ? QObject::tr("%1 repeats %2").arg(own, others)
                                           : QObject::tr("%1 repeats %2 in part").arg(own, others);
@@ -92,7 +96,7 @@ class ConflictPanel final : public RefreshedPanel {
     conflictLayout_ = newLayout<QVBoxLayout>(conflicts_, 0, 8);
     more_ = newText("conflictMore");
     repetitionTitle_ = newText("repetitionTitle");
-    repetitionTitle_->setText(tr("Repeated, in agreement"));
+    repetitionTitle_->setText(tr("Redundant, in agreement"));
     repetitions_ = newText("repetitions");
     for (QWidget* widget : std::initializer_list<QWidget*>{error_, conflicts_, more_, repetitionTitle_, repetitions_})
       list->add(widget);
@@ -113,6 +117,8 @@ class ConflictPanel final : public RefreshedPanel {
     QPushButton* select = nullptr;
     QPushButton* disable = nullptr;
     QPushButton* retarget = nullptr;
+    QPushButton* prefer = nullptr;
+    QPushButton* average = nullptr;
     Conflict conflict;
   };
 
@@ -130,11 +136,10 @@ class ConflictPanel final : public RefreshedPanel {
     refreshConflicts(conflicts);
     refreshRepetitions(repetitions);
     if (!conflicts.empty() || !repetitions.empty() || !error_->isHidden()) return pages_->showContent();
-    pages_->showHint(!editor_.isOpen()   ? tr("No mesh is open.")
-                     : shown_ == nullptr ? tr("Nothing is solved yet.")
-                     : editor_.solveState() == SolveState::Solving
-                         ? tr("Nothing contradicted before the latest changes.")
-                         : tr("Nothing contradicts."));
+    pages_->showHint(!editor_.isOpen()                             ? tr("No mesh is open.")
+                     : shown_ == nullptr                           ? tr("Nothing is solved yet.")
+                     : editor_.solveState() == SolveState::Solving ? tr("No conflicts before the latest edit.")
+                                                                   : tr("No conflicts."));
   }
 
   void refreshError()
@@ -155,7 +160,7 @@ class ConflictPanel final : public RefreshedPanel {
       if (k < count) fill(cards_[k], conflicts[k]);
     }
     more_->setVisible(conflicts.size() > count);
-    more_->setText(tr("%n more conflicts are in the table.", nullptr, static_cast<int>(conflicts.size() - count)));
+    more_->setText(tr("The table has %1 more.").arg(countText(static_cast<Index>(conflicts.size() - count))));
   }
 
   void refreshRepetitions(const std::vector<Conflict>& repetitions)
@@ -166,7 +171,7 @@ class ConflictPanel final : public RefreshedPanel {
     for (std::size_t k = 0; k < std::min(repetitions.size(), kMostRepetitions); ++k)
       lines << repetitionText(*repetitions[k].outcome, *repetitions[k].conflictSet);
     if (repetitions.size() > kMostRepetitions)
-      lines << tr("%n more are in the table.", nullptr, static_cast<int>(repetitions.size() - kMostRepetitions));
+      lines << tr("The table has %1 more.").arg(countText(static_cast<Index>(repetitions.size() - kMostRepetitions)));
     repetitions_->setText(lines.join('\n'));
     setQuiet(*repetitions_, true);
   }
@@ -176,9 +181,13 @@ class ConflictPanel final : public RefreshedPanel {
     const std::size_t k = cards_.size();
     ConflictCard card;
     card.card = named(new Card, QString("conflict%1").arg(k));
-    card.select = card.card->addButton(tr("Select the Set"), "conflictSelect");
+    card.select = card.card->addButton(tr("Select the set"), "conflictSelect");
     card.disable = card.card->addButton({}, "conflictDisable");
     card.retarget = card.card->addButton({}, "conflictRetarget");
+    card.prefer = card.card->addButton(tr("Prefer this one"), "conflictPrefer");
+    card.average = card.card->addButton(tr("Use the average"), "conflictAverage");
+    connect(card.prefer, &QPushButton::clicked, this, [this, k] { prefer(k); });
+    connect(card.average, &QPushButton::clicked, this, [this, k] { average(k); });
     connect(card.select, &QPushButton::clicked, this, [this, k] { selectSet(k); });
     connect(card.disable, &QPushButton::clicked, this, [this, k] { disable(k); });
     connect(card.retarget, &QPushButton::clicked, this, [this, k] { retarget(k); });
@@ -208,23 +217,50 @@ class ConflictPanel final : public RefreshedPanel {
     card.disable->setText(tr("Disable %1").arg(quoted(shortName.toStdString())));
     card.disable->setToolTip(
         tr("Disabling %1 ends most conflicts at the price of the fewest rows").arg(quoted(conflictSet->disable)));
+    card.prefer->setVisible(!conflictSet->with.empty());
+    card.prefer->setToolTip(tr("Moves %1 up, before %2, so that it holds and they give way")
+                                .arg(quoted(outcome->name), quotedList(conflictSet->with)));
+    const std::optional<Vector3> mean =
+        isCurrent ? averageTarget(*editor_.model(), editor_.list(), setOf(card)) : std::nullopt;
+    card.average->setVisible(mean.has_value());
+    if (mean) {
+      card.average->setText(tr("Use the average %1").arg(roundedText(*mean)));
+      card.average->setToolTip(tr("Gives all of the set the target %1").arg(exactText(*mean)));
+    }
     const std::optional<Vector3>& target = conflictSet->consistentTarget;
     card.retarget->setVisible(target.has_value());
     if (!target) return;
-    card.retarget->setText(tr("Use the Target %1").arg(roundedText(*target)));
+    card.retarget->setText(tr("Use the target %1").arg(roundedText(*target)));
     card.retarget->setToolTip(
         tr("Gives %1 the target %2, which agrees with the others").arg(quoted(outcome->name), exactText(*target)));
   }
 
-  void selectSet(std::size_t card)
+  /// Ascending, as far as they are in the list still.
+  [[nodiscard]] Rows setOf(const ConflictCard& card) const
   {
-    const auto& [outcome, conflictSet] = cards_[card].conflict;
-    std::vector<std::string> names = conflictSet->with;
-    names.push_back(outcome->name);
+    std::vector<std::string> names = card.conflict.conflictSet->with;
+    names.push_back(card.conflict.outcome->name);
     Rows rows;
     for (const std::string& name : names)
       if (const std::optional<Index> row = indexOf(editor_.list(), name)) rows.push_back(*row);
-    editor_.selectConstraints(std::move(rows));
+    std::ranges::sort(rows);
+    return rows;
+  }
+
+  void selectSet(std::size_t card) { editor_.selectConstraints(setOf(cards_[card])); }
+
+  void prefer(std::size_t card)
+  {
+    if (const std::optional<Index> row = indexOf(editor_.list(), cards_[card].conflict.outcome->name))
+      moveConstraints(editor_, {*row}, setOf(cards_[card]).front());
+  }
+
+  void average(std::size_t card)
+  {
+    const Rows rows = setOf(cards_[card]);
+    if (const auto mean = averageTarget(*editor_.model(), editor_.list(), rows))
+      changeConstraints(editor_, tr("give %1 their average target").arg(subjectOf(editor_, rows)), rows,
+                        [&](const Constraint& constraint) { return agreeing(constraint, *mean, editor_); });
   }
 
   void disable(std::size_t card)

@@ -53,15 +53,14 @@ class FindingsPanel final : public RefreshedPanel {
       if (k < findings_.size()) fill(k);
     }
     if (!findings_.empty()) return pages_->showContent();
-    pages_->showHint(editor_.isOpen() ? tr("Nothing is doubtful about the mesh or the constraints.")
-                                      : tr("No mesh is open."));
+    pages_->showHint(editor_.isOpen() ? tr("No problems found.") : tr("No mesh is open."));
   }
 
   void addCard()
   {
     const std::size_t k = cards_.size();
     Card* card = named(new Card, QString("finding%1").arg(k));
-    connect(card->addButton(tr("Show Me"), "findingShow"), &QPushButton::clicked, this, [this, k] { showWhere(k); });
+    connect(card->addButton(tr("Show"), "findingShow"), &QPushButton::clicked, this, [this, k] { showWhere(k); });
     list_->add(card);
     cards_.push_back(card);
   }

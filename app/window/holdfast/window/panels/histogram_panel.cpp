@@ -208,7 +208,7 @@ void HistogramPanel::refresh()
     page.content->showHint(editor_.isOpen() ? hint : tr("No mesh is open."));
   };
   showPage(residuals_, tr("No residuals yet: add a constraint."));
-  showPage(angles_, tr("No rotation yet: give a handle a turn."));
+  showPage(angles_, tr("No rotation yet: rotate a handle."));
 }
 
 void HistogramPanel::refreshResiduals()

@@ -36,9 +36,8 @@ QString secondsText(double seconds)
 
 QString meshText(const MeshReport& mesh)
 {
-  const QString parts =
-      mesh.components == 1 ? QObject::tr("1 part") : QObject::tr("%1 parts").arg(countText(mesh.components));
-  return QObject::tr("%1 vertices, %2 faces, %3").arg(countText(mesh.vertices), countText(mesh.faces), parts);
+  return countText(mesh.vertices, "1 vertex", "%1 vertices") + ", " + countText(mesh.faces, "1 face", "%1 faces") +
+         ", " + countText(mesh.components, "1 part", "%1 parts");
 }
 
 /// "12 met, 2 conflicting"
@@ -94,8 +93,7 @@ ReportLines reportLines(const Report& report, const std::string& units)
   say("Method", QObject::tr("Method"), QString::fromStdString(solve.method));
   say("Unknowns", QObject::tr("Unknowns"), countText(solve.unknowns));
   say("Factor", QObject::tr("Factor"), QObject::tr("%1 non-zeros").arg(countText(solve.factorNonzeros)));
-  say("Refinement", QObject::tr("Refinement"),
-      solve.refinementSteps == 1 ? QObject::tr("1 step") : QObject::tr("%1 steps").arg(solve.refinementSteps));
+  say("Refinement", QObject::tr("Refinement"), countText(solve.refinementSteps, "1 step", "%1 steps"));
   round("Accuracy", QObject::tr("Accuracy"), accuracyText(solve.accuracy), solve.accuracy);
   if (solve.rotationAccuracy)
     round("RotationAccuracy", QObject::tr("Rotations"), accuracyText(*solve.rotationAccuracy), *solve.rotationAccuracy);
@@ -131,7 +129,7 @@ class ReportPanel final : public RefreshedPanel {
     report_->setHorizontalSpacing(10);
     report_->setVerticalSpacing(4);
     layout->addLayout(report_);
-    copy_ = named(new QPushButton(tr("&Copy as Text")), "reportCopy");
+    copy_ = named(new QPushButton(tr("&Copy as text")), "reportCopy");
     connect(copy_, &QPushButton::clicked, this, &ReportPanel::copy);
     layout->addWidget(copy_, 0, Qt::AlignLeft);
     layout->addStretch(1);
@@ -194,7 +192,7 @@ class ReportPanel final : public RefreshedPanel {
     age_->setVisible(!isSolved || !isCurrent);
     age_->setText(!editor_.isOpen() ? tr("No mesh is open.")
                   : !isSolved       ? tr("Nothing is solved yet.")
-                                    : tr("This is the report of the list before the latest changes."));
+                                    : tr("From before the latest edit."));
     for (QLabel* value : values_) setQuiet(*value, !isCurrent);
   }
 

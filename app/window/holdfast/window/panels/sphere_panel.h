@@ -53,7 +53,7 @@ class SpherePanel : public RefreshedPanel {
   void showPoints(const std::optional<Coloring>& coloring);
   void showHint()
   {
-    pages_->showHint(editor_.isOpen() ? tr("No rotation yet: give a handle a turn.") : tr("No mesh is open."));
+    pages_->showHint(editor_.isOpen() ? tr("No rotation yet: rotate a handle.") : tr("No mesh is open."));
   }
   void applyPalette();
   /// Once for all requests of one turn of the event loop.

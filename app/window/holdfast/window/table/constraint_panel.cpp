@@ -6,6 +6,7 @@
 #include <QMenu>
 #include <QScopedValueRollback>
 #include <QScrollBar>
+#include <QSettings>
 #include <QSortFilterProxyModel>
 #include <QTimer>
 #include <QToolButton>
@@ -144,10 +145,11 @@ class ConstraintPanel : public QWidget {
     makeTable();
     makeActions();
     makeTopLine();
+    // Below the table, so that no row moves.
     reason_ = newText("constraintRefusal");
     reason_->setVisible(false);
     count_ = named(new QLabel, "constraintCount");
-    for (QWidget* widget : std::initializer_list<QWidget*>{reason_, table_, count_}) layout->addWidget(widget);
+    for (QWidget* widget : std::initializer_list<QWidget*>{table_, reason_, count_}) layout->addWidget(widget);
 
     connect(&model_, &Table::refused, this, [this](const QString& reason) { showRefusal(*reason_, reason); });
     connect(&editor_, &Editor::opened, this, [this] {
@@ -179,6 +181,8 @@ class ConstraintPanel : public QWidget {
 
     auto* menu = new QMenu(this);
     menu->addActions(table_->actions());
+    menu->addSeparator();
+    menu->addMenu(tr("Col&umns"))->addActions(table_->horizontalHeader()->actions());
     auto* more = named(new QToolButton, "constraintMenu", tr("Edit the selected constraints"));
     // The style cuts its own sign of a menu off beside a text.
     more->setText(tr("Edit") + QStringLiteral(" \u25be"));
@@ -215,14 +219,15 @@ class ConstraintPanel : public QWidget {
 
     const int wide = table_->fontMetrics().horizontalAdvance('0');
     int sized = 0;
-    for (const int characters : {4, 17, 8, 20, 11, 11, 11, 9, 8, 13})
-      table_->setColumnWidth(sized++, characters * wide);
+    for (const double characters : {3.0, 9.0, 8.0, 20.0, 7.3, 7.3, 7.3, 7.1, 8.0, 12.0})
+      table_->setColumnWidth(sized++, static_cast<int>(characters * wide));
     QHeaderView& titles = *table_->horizontalHeader();
     // A narrow panel shows first what is read and typed most.
     int place = 0;
-    for (const int first : {Table::On, Table::Name, Table::Status, Table::X, Table::Y, Table::Z})
+    for (const int first : {Table::On, Table::Name, Table::X, Table::Y, Table::Z, Table::Residual, Table::Status})
       titles.moveSection(titles.visualIndex(first), place++);
     titles.setStretchLastSection(true);
+    makeColumnChoice(titles);
     connect(table_, &ConstraintTable::sortAsked, this, [this](int column, Qt::SortOrder order) {
       filter_.sort(column, order);
       updateActions();
@@ -234,6 +239,31 @@ class ConstraintPanel : public QWidget {
     });
   }
 
+  /// The titles' own menu shows and hides the columns; which ones is remembered.
+  void makeColumnChoice(QHeaderView& titles)
+  {
+    const QString remembered = "table/hiddenColumns";
+    const QStringList hidden = QSettings().value(remembered).toStringList();
+    for (int place = 2; place < Table::ColumnCount; ++place) {
+      const int column = titles.logicalIndex(place);
+      const QString title = filter_.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+      auto* action = named(new QAction(title, &titles), "column" + title);
+      action->setToolTip(tr("Show or hide the column “%1”").arg(title));
+      action->setCheckable(true);
+      action->setChecked(!hidden.contains(title));
+      table_->setColumnHidden(column, !action->isChecked());
+      connect(action, &QAction::toggled, this, [this, column, title, remembered](bool isShown) {
+        table_->setColumnHidden(column, !isShown);
+        QStringList names = QSettings().value(remembered).toStringList();
+        names.removeAll(title);
+        if (!isShown) names << title;
+        QSettings().setValue(remembered, names);
+      });
+      titles.addAction(action);
+    }
+    titles.setContextMenuPolicy(Qt::ActionsContextMenu);
+  }
+
   void makeActions()
   {
     const auto onSelected = [this](void (*edit)(Editor&, const Rows&)) {
@@ -243,29 +273,30 @@ class ConstraintPanel : public QWidget {
       table_->addAction(new QAction(this));
       table_->actions().back()->setSeparator(true);
     };
-    addCommand({tr("&Switch On or Off"), "constraintSwitch", tr("Switches the selected constraints off, or on again"),
-                Qt::Key_Space, onSelected(toggleConstraints)});
+    addCommand({tr("&Enable or disable"), "constraintSwitch",
+                tr("Disable the selected constraints, or enable them again"), Qt::Key_Space,
+                onSelected(toggleConstraints)});
     addCommand(
-        {tr("Re&name"), "constraintRename", tr("Gives the current constraint another name"), {}, [this] { rename(); }});
+        {tr("Re&name"), "constraintRename", tr("Give the current constraint another name"), {}, [this] { rename(); }});
     separate();
-    up_ = addCommand({tr("Move &Up"), "constraintMoveUp",
-                      tr("Gives the selected constraints precedence over the one above"), QKeySequence("Alt+Up"),
+    up_ = addCommand({tr("Move &up"), "constraintMoveUp",
+                      tr("Give the selected constraints precedence over the one above"), QKeySequence("Alt+Up"),
                       onSelected(moveConstraintsUp)});
-    down_ = addCommand({tr("Move Do&wn"), "constraintMoveDown",
-                        tr("Gives the one below precedence over the selected constraints"), QKeySequence("Alt+Down"),
+    down_ = addCommand({tr("Move do&wn"), "constraintMoveDown",
+                        tr("Give the one below precedence over the selected constraints"), QKeySequence("Alt+Down"),
                         onSelected(moveConstraintsDown)});
     separate();
-    addCommand({tr("&Copy"), "constraintCopy", tr("Copies the selected constraints: points as a table"),
+    addCommand({tr("&Copy"), "constraintCopy", tr("Copy the selected constraints: points as a table"),
                 QKeySequence::Copy,
                 [this] { attempt([this] { copyConstraints(editor_, editor_.selectedConstraints()); }); }});
-    addCommand({tr("&Paste"), "constraintPaste", tr("Adds the constraints or the table of points that were copied"),
+    addCommand({tr("&Paste"), "constraintPaste", tr("Add the constraints or the table of points that were copied"),
                 QKeySequence::Paste, [this] { attempt([this] { pasteConstraints(editor_); }); }, false});
-    addCommand({tr("&Duplicate"), "constraintDuplicate", tr("Adds copies of the selected constraints"),
+    addCommand({tr("&Duplicate"), "constraintDuplicate", tr("Add copies of the selected constraints"),
                 QKeySequence("Ctrl+D"), onSelected(duplicateConstraints)});
-    addCommand({tr("De&lete"), "constraintDelete", tr("Deletes the selected constraints"), QKeySequence::Delete,
+    addCommand({tr("De&lete"), "constraintDelete", tr("Delete the selected constraints"), QKeySequence::Delete,
                 onSelected(removeConstraints)});
     separate();
-    addCommand({tr("Select &All"), "constraintSelectAll", tr("Selects all constraints that are shown"),
+    addCommand({tr("Select &all"), "constraintSelectAll", tr("Select all constraints that are shown"),
                 QKeySequence::SelectAll, [this] { table_->selectAll(); }, false});
     table_->setContextMenuPolicy(Qt::ActionsContextMenu);
   }
@@ -369,7 +400,7 @@ class ConstraintPanel : public QWidget {
                          : all == 0 ? tr("No constraints yet.\n\nPick a point on the surface, paste a point list, or "
                                          "open a constraint file.")
                                     : tr("Nothing matches.\n\nClear the filter to see all constraints."));
-    QString text = all == 1 ? tr("1 constraint") : tr("%1 constraints").arg(countText(all));
+    QString text = countText(all, "1 constraint", "%1 constraints");
     if (shown != all) text += tr(", %1 shown").arg(countText(shown));
     if (selected > 1) text += tr(", %1 selected").arg(countText(static_cast<Index>(selected)));
     count_->setText(text);

@@ -4,6 +4,7 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QPainter>
+#include <QScrollBar>
 
 #include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/controls/status_style.h>
@@ -21,23 +22,106 @@ bool setsValue(int column, const QEvent& event)
           (column >= ConstraintTableModel::X && column <= ConstraintTableModel::Z));
 }
 
+bool keepsSelection(const QTableView& table, const QModelIndex& index, const QEvent* event)
+{
+  return event != nullptr && index.isValid() && setsValue(index.column(), *event) &&
+         table.selectionModel()->isSelected(index);
+}
+
+bool staysInSight(int column)
+{
+  return column == ConstraintTableModel::On || column == ConstraintTableModel::Name;
+}
+
+class PinnedColumns : public QTableView {
+ public:
+  using QTableView::QTableView;
+
+ protected:
+  [[nodiscard]] QItemSelectionModel::SelectionFlags selectionCommand(const QModelIndex& index,
+                                                                     const QEvent* event) const override
+  {
+    if (keepsSelection(*this, index, event)) return QItemSelectionModel::NoUpdate;
+    return QTableView::selectionCommand(index, event);
+  }
+};
+
+void setSelecting(QTableView& table)
+{
+  table.setSelectionBehavior(QAbstractItemView::SelectRows);
+  table.setSelectionMode(QAbstractItemView::ExtendedSelection);
+  table.horizontalHeader()->setSectionsClickable(true);
+  setTableLook(table);
+}
+
 }  // namespace
 
-ConstraintTable::ConstraintTable(QWidget* parent) : QTableView(parent)
+ConstraintTable::ConstraintTable(QWidget* parent) : QTableView(parent), pinned_(new PinnedColumns(this))
 {
-  setSelectionBehavior(SelectRows);
-  setSelectionMode(ExtendedSelection);
+  setSelecting(*this);
+  setSelecting(*pinned_);
+  pinned_->hide();
+  pinned_->setFocusPolicy(Qt::NoFocus);
+  pinned_->setContextMenuPolicy(Qt::NoContextMenu);
+  pinned_->setEditTriggers(NoEditTriggers);
+  pinned_->setFrameShape(NoFrame);
+  pinned_->setStyleSheet("QTableView { border-right: 1px solid palette(mid); }");
+  pinned_->verticalHeader()->hide();
+  pinned_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  pinned_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setHorizontalScrollMode(ScrollPerPixel);
+  connect(verticalScrollBar(), &QScrollBar::valueChanged, pinned_->verticalScrollBar(), &QScrollBar::setValue);
+  connect(pinned_->verticalScrollBar(), &QScrollBar::valueChanged, verticalScrollBar(), &QScrollBar::setValue);
+  connect(horizontalScrollBar(), &QScrollBar::valueChanged, this, &ConstraintTable::placePinned);
+  connect(pinned_->horizontalHeader(), &QHeaderView::sectionClicked, this, &ConstraintTable::cycleSorting);
+  // In the table itself, which scrolls back for it.
+  connect(pinned_, &QTableView::doubleClicked, this, [this](const QModelIndex& index) {
+    if (index.column() == ConstraintTableModel::Name) edit(index);
+  });
   setEditTriggers(DoubleClicked | EditKeyPressed);
-  setTableLook(*this);
   setDragEnabled(true);
   setDragDropMode(DragDrop);
   setDefaultDropAction(Qt::MoveAction);
   // A drop goes between rows, and what was dragged is not removed by the view.
   setDragDropOverwriteMode(false);
   setDropIndicatorShown(true);
-  horizontalHeader()->setSectionsClickable(true);
   horizontalHeader()->setSortIndicatorShown(false);
   connect(horizontalHeader(), &QHeaderView::sectionClicked, this, &ConstraintTable::cycleSorting);
+}
+
+void ConstraintTable::setModel(QAbstractItemModel* model)
+{
+  QTableView::setModel(model);
+  pinned_->setModel(model);
+  pinned_->setSelectionModel(selectionModel());
+  for (int column = 0; column < model->columnCount(); ++column) pinned_->setColumnHidden(column, !staysInSight(column));
+}
+
+void ConstraintTable::updateGeometries()
+{
+  QTableView::updateGeometries();
+  placePinned();
+}
+
+void ConstraintTable::placePinned()
+{
+  int width = 0;
+  for (const int column : {ConstraintTableModel::On, ConstraintTableModel::Name}) {
+    pinned_->setColumnWidth(column, columnWidth(column));
+    width += columnWidth(column);
+  }
+  const QRect cells = viewport()->geometry();
+  pinned_->setGeometry(cells.left(), frameWidth(), width, cells.bottom() + 1 - frameWidth());
+  pinned_->horizontalHeader()->setFixedHeight(horizontalHeader()->height());
+  pinned_->setVisible(horizontalScrollBar()->value() > 0 && width < cells.width() / 2);
+}
+
+void ConstraintTable::scrollTo(const QModelIndex& index, ScrollHint hint)
+{
+  QTableView::scrollTo(index, hint);
+  const int hidden = pinned_->width() - visualRect(index).left();
+  if (pinned_->isVisible() && !staysInSight(index.column()) && hidden > 0)
+    horizontalScrollBar()->setValue(horizontalScrollBar()->value() - hidden);
 }
 
 void ConstraintTable::setEmptyText(const QString& text)
@@ -96,8 +180,7 @@ void ConstraintTable::paintEvent(QPaintEvent* event)
 QItemSelectionModel::SelectionFlags ConstraintTable::selectionCommand(const QModelIndex& index,
                                                                       const QEvent* event) const
 {
-  if (event != nullptr && index.isValid() && setsValue(index.column(), *event) && selectionModel()->isSelected(index))
-    return QItemSelectionModel::NoUpdate;
+  if (keepsSelection(*this, index, event)) return QItemSelectionModel::NoUpdate;
   return QTableView::selectionCommand(index, event);
 }
 

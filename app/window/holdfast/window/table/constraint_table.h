@@ -9,14 +9,17 @@
 namespace holdfast {
 
 /// Keys of its actions work while it has the focus, whatever menus use them for. Clicks in cells that set a value keep
-/// a selection of several rows, because the value goes to all of them.
+/// a selection of several rows, because the value goes to all of them. Switch and name stay in sight at the left when
+/// the other columns are scrolled.
 class ConstraintTable : public QTableView {
   Q_OBJECT
 
  public:
   explicit ConstraintTable(QWidget* parent = nullptr);
 
+  void setModel(QAbstractItemModel* model) override;
   void setEmptyText(const QString& text);
+  void scrollTo(const QModelIndex& index, ScrollHint hint = EnsureVisible) override;
 
  Q_SIGNALS:
   /// A title was clicked for the first, the second or the third time: the third returns to the order of precedence, -1.
@@ -26,13 +29,16 @@ class ConstraintTable : public QTableView {
   bool event(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
+  void updateGeometries() override;
   [[nodiscard]] QItemSelectionModel::SelectionFlags selectionCommand(const QModelIndex& index,
                                                                      const QEvent* event) const override;
 
  private:
   [[nodiscard]] QAction* actionOf(const QKeyEvent& event) const;
   void cycleSorting(int column);
+  void placePinned();
 
+  QTableView* pinned_;  // the columns that stay, over the others while these are scrolled
   QString emptyText_;
   int sortedColumn_ = -1;
   Qt::SortOrder order_ = Qt::AscendingOrder;

@@ -115,7 +115,8 @@ QString ConstraintTableModel::text(int row, int column) const
   if (column == Status) return statusText(status(row));
   const std::optional<double> number = exactNumber(row, column);
   if (!number) return {};
-  return isCoordinate(column) ? coordinateText(*number) : roundedText(*number);
+  if (isCoordinate(column)) return coordinateText(withoutNoise(*number, editor_.model()->solverMesh.diagonal));
+  return column == Residual ? shortText(*number) : roundedText(*number);
 }
 
 QVariant ConstraintTableModel::data(const QModelIndex& index, int role) const
@@ -145,7 +146,7 @@ QVariant ConstraintTableModel::data(const QModelIndex& index, int role) const
     case Qt::ToolTipRole:
       return toolTip(row, column);
     case Qt::AccessibleTextRole:
-      return column == On ? (constraint(row).isEnabled ? tr("on") : tr("off")) : text(row, column);
+      return column == On ? (constraint(row).isEnabled ? tr("enabled") : tr("disabled")) : text(row, column);
     default:
       return {};
   }
@@ -156,8 +157,8 @@ QString ConstraintTableModel::toolTip(int row, int column) const
   const std::optional<double> number = exactNumber(row, column);
   const QString exact = number ? exactText(*number) : QString();
   const bool isOld = column >= Residual && !editor_.isCurrent();
-  const QString age = isOld ? tr("\nThis is of the list before the latest changes.") : QString();
-  if (column == On) return tr("Whether the constraint takes part");
+  const QString age = isOld ? tr("\nFrom before the latest edit.") : QString();
+  if (column == On) return tr("Whether the constraint is enabled");
   if (column == Status) return statusMeaning(status(row)) + age;
   if (!number) return text(row, column);
   if (!isCoordinate(column)) return exact + age;
@@ -177,7 +178,7 @@ QVariant ConstraintTableModel::headerData(int section, Qt::Orientation orientati
                             : QString(" (%1)").arg(QString::fromStdString(shown_->list.units));
   const QString target = tr("Where a point goes%1; how far a handle is shifted").arg(units);
   const std::array<std::pair<QString, QString>, ColumnCount> titles{{
-      {tr("On"), tr("Whether the constraint takes part")},
+      {tr("On"), tr("Whether the constraint is enabled")},
       {tr("Name"), tr("The name in reports and messages")},
       {tr("Kind"), tr("What kind of constraint")},
       {tr("Where"), tr("The point or the vertices that it holds")},

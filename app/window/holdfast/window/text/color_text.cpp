@@ -17,17 +17,17 @@ FieldText fieldText(ColorBy field, const QString& units, Weights weights)
             with(length)}},
       {ColorBy::Rotation,
        {QObject::tr("Rotation |q|"),
-        QObject::tr("The length of the quaternion's logarithm: half the angle by which the detail is turned.") +
+        QObject::tr("The length of the quaternion's logarithm: half the angle by which the detail is rotated.") +
             with(QObject::tr("radians"))}},
       {ColorBy::Angle,
        {QObject::tr("Rotation angle"),
-        QObject::tr("The angle by which the detail is turned; whole turns are counted.") +
+        QObject::tr("The angle by which the detail is rotated; whole turns are counted.") +
             with(QObject::tr("degrees"))}},
       {ColorBy::Displacement,
        {QObject::tr("Displacement"), QObject::tr("How far each vertex is from its place at rest.") + with(length)}},
       {ColorBy::Detail,
        {QObject::tr("Detail residual"),
-        QObject::tr("How far the detail is from that at rest, turned: where the shape had to give way.") +
+        QObject::tr("How far the detail is from that at rest, rotated: where the shape had to give way.") +
             with(weights == Weights::Uniform ? length : inverse)}},
       {ColorBy::Force,
        {QObject::tr("Constraint force"),

@@ -15,11 +15,6 @@ constexpr std::size_t kPartsInWords = 3;
 constexpr std::size_t kWeightsInWords = 6;
 constexpr std::size_t kNamesInWords = 5;
 
-QString counted(std::size_t n, const char* one, const char* many)
-{
-  return n == 1 ? QObject::tr(one) : QObject::tr(many).arg(countText(static_cast<Index>(n)));
-}
-
 struct LocationText {
   QString operator()(const AtVertex& at) const { return QObject::tr("vertex %1").arg(at.vertex); }
   QString operator()(const AtEdge& at) const
@@ -40,7 +35,7 @@ struct LocationText {
 struct SelectionText {
   QString operator()(const VertexIds& vertices) const
   {
-    return counted(vertices.ids.size(), "1 vertex", "%1 vertices");
+    return countText(static_cast<Index>(vertices.ids.size()), "1 vertex", "%1 vertices");
   }
   QString operator()(const InBox& /*box*/) const { return QObject::tr("box"); }
   QString operator()(const InSphere& sphere) const
@@ -52,8 +47,9 @@ struct SelectionText {
   QString operator()(const InsideCurve& curve) const
   {
     return curve.side == CurveSide::Smaller
-               ? counted(curve.through.size(), "curve", "curve through %1 places")
-               : counted(curve.through.size(), "outside a curve", "outside a curve through %1 places");
+               ? countText(static_cast<Index>(curve.through.size()), "curve", "curve through %1 places")
+               : countText(static_cast<Index>(curve.through.size()), "outside a curve",
+                           "outside a curve through %1 places");
   }
   QString operator()(const AllOf& all) const
   {
@@ -77,7 +73,8 @@ struct SelectionText {
     if (parts.empty()) return ofNone;
     QStringList words;
     for (std::size_t k = 0; k < std::min(parts.size(), kPartsInWords); ++k) words << inner(parts[k]);
-    if (parts.size() > kPartsInWords) words << counted(parts.size() - kPartsInWords, "1 more", "%1 more");
+    if (parts.size() > kPartsInWords)
+      words << countText(static_cast<Index>(parts.size() - kPartsInWords), "1 more", "%1 more");
     return words.join(glue);
   }
 };
@@ -128,10 +125,10 @@ QString statusMeaning(std::optional<ConstraintStatus> status)
   // In the order of `ConstraintStatus`.
   constexpr std::array kMeanings{"Earlier constraints neither imply nor contradict it; nothing was solved.",
                                  "It holds.",
-                                 "Earlier constraints imply it, and it holds.",
+                                 "It holds already: earlier constraints imply it, or nothing moves it.",
                                  "Earlier constraints contradict it; it is left out where they do.",
                                  "It is part of the solution, but holds only approximately.",
-                                 "It is switched off."};
+                                 "It is disabled."};
   return QObject::tr(status ? kMeanings[static_cast<std::size_t>(*status)]
                             : "Nothing was solved with this constraint yet.");
 }
@@ -150,7 +147,7 @@ QString quotedList(const std::vector<std::string>& names)
 {
   QStringList words;
   for (std::size_t k = 0; k < std::min(names.size(), kNamesInWords); ++k) words << quoted(names[k]);
-  if (names.size() > kNamesInWords) words << counted(names.size() - kNamesInWords, "1 other", "%1 others");
+  if (names.size() > kNamesInWords) words << countText(names.size() - kNamesInWords, "1 other", "%1 others");
   if (words.size() < 2) return words.join(QString());
   const QString last = words.takeLast();
   return QObject::tr("%1 and %2").arg(words.join(", "), last);

@@ -10,7 +10,10 @@
 namespace holdfast {
 namespace {
 
-constexpr int kShortText = 9;  // characters that a column of coordinates has room for
+constexpr int kShortText = 6;  // characters that a column of coordinates has room for
+
+// The share of the largest number below which another one is rounding.
+constexpr double kRoundingShare = 1e-14;
 
 }  // namespace
 
@@ -21,13 +24,24 @@ QString exactText(double value)
 
 QString roundedText(double value)
 {
-  return toText(fmt::format("{:.4g}", value));
+  // No sum is -0.
+  return toText(fmt::format("{:.4g}", value + 0.0));
+}
+
+QString shortText(double value)
+{
+  return toText(fmt::format("{:.2g}", value + 0.0));
+}
+
+double withoutNoise(double value, double scale)
+{
+  return std::abs(value) <= kRoundingShare * scale ? 0 : value;
 }
 
 QString coordinateText(double value)
 {
   const QString exact = exactText(value);
-  return exact.size() <= kShortText ? exact : toText(fmt::format("{:.7g}", value));
+  return exact.size() <= kShortText ? exact : toText(fmt::format("{:.5g}", value));
 }
 
 QString countText(Index count)
@@ -38,6 +52,11 @@ QString countText(Index count)
   return digits;
 }
 
+QString countText(Index count, const char* one, const char* many)
+{
+  return count == 1 ? QObject::tr(one) : QObject::tr(many).arg(countText(count));
+}
+
 QString lengthText(double length, const std::string& units)
 {
   return units.empty() ? roundedText(length) : roundedText(length) + ' ' + QString::fromStdString(units);
@@ -45,7 +64,10 @@ QString lengthText(double length, const std::string& units)
 
 QString roundedText(const Vector3& vector)
 {
-  return toText(fmt::format("({:.4g}, {:.4g}, {:.4g})", vector.x(), vector.y(), vector.z()));
+  const auto number = [scale = vector.cwiseAbs().maxCoeff()](double value) {
+    return roundedText(withoutNoise(value, scale));
+  };
+  return '(' + number(vector.x()) + ", " + number(vector.y()) + ", " + number(vector.z()) + ')';
 }
 
 QString exactText(const Vector3& vector)

@@ -22,7 +22,13 @@ namespace holdfast {
 /// Four significant digits, for numbers that are only shown.
 [[nodiscard]] QString roundedText(double value);
 
-/// The exact text where it is short, seven significant digits otherwise: for tables, where columns are narrow.
+/// Two significant digits, for residuals in tables: "1.2e-16".
+[[nodiscard]] QString shortText(double value);
+
+/// 0 for what is only rounding beside numbers of the size of `scale`.
+[[nodiscard]] double withoutNoise(double value, double scale);
+
+/// The exact text where it is short, five significant digits otherwise: for tables, where columns are narrow.
 [[nodiscard]] QString coordinateText(double value);
 
 [[nodiscard]] inline QString axisText(int axis)
@@ -32,11 +38,13 @@ namespace holdfast {
 
 /// How many: "173 402", in groups that narrow spaces part and no line breaks.
 [[nodiscard]] QString countText(Index count);
+/// "1 vertex", "12 vertices" of "1 vertex" and "%1 vertices".
+[[nodiscard]] QString countText(Index count, const char* one, const char* many);
 
 /// "0.42 mm", rounded; without a unit where `units` is empty.
 [[nodiscard]] QString lengthText(double length, const std::string& units);
 
-/// "(1, 2.5, 3)", rounded or exact.
+/// "(1, 2.5, 3)", rounded and `withoutNoise`, or exact.
 [[nodiscard]] QString roundedText(const Vector3& vector);
 [[nodiscard]] QString exactText(const Vector3& vector);
 

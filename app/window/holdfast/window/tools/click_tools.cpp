@@ -22,7 +22,7 @@ class SelectTool : public ToolOf<ConstraintMarkWidget> {
 
   Qt::CursorShape cursor() const override { return Qt::ArrowCursor; }
 
-  QString hint() const override { return tr("Click a constraint to select it, drag to turn the picture"); }
+  QString hint() const override { return tr("Click a constraint to select it, drag to rotate the picture"); }
 
  private:
   void followMarks()

@@ -48,7 +48,7 @@ QString GizmoTool::hint() const
 {
   if (widget().IsDragging() && !widget().IsHeld())
     return tr("Enter keeps it, Backspace corrects it, Escape takes it back");
-  return isRotation() ? tr("Drag to turn, or type degrees; Ctrl snaps, Escape takes it back")
+  return isRotation() ? tr("Drag to rotate, or type degrees; Ctrl snaps, Escape takes it back")
                       : tr("Drag to move, or type a length; Ctrl snaps, Escape takes it back");
 }
 
@@ -71,7 +71,7 @@ void GizmoTool::placeGizmo()
     }
   if (placing_ && placing_->isEmpty()) placing_.reset();
   if (!placing_) return widget().Off();
-  gizmo_.SetMotions(placing_->hasHandles() ? GizmoMotions::MovesAndTurns : GizmoMotions::Moves);
+  gizmo_.SetMotions(placing_->canRotate() ? GizmoMotions::MovesAndTurns : GizmoMotions::Moves);
   gizmo_.SetUnits(editor().list().units);
   placeFrame();
   widget().On();
@@ -98,7 +98,7 @@ void GizmoTool::start()
   degreesSeen_ = 0;
   if (isLarge(*editor().model())) region_.begin(placing_->handleVertices());
   editor().beginGesture(
-      (isRotation() ? tr("turn %1") : tr("move %1")).arg(subjectOf(editor(), editor().selectedConstraints())));
+      (isRotation() ? tr("rotate %1") : tr("move %1")).arg(subjectOf(editor(), editor().selectedConstraints())));
 }
 
 RigidIncrement GizmoTool::incrementOf(const GizmoMotion& motion)

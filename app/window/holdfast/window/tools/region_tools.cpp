@@ -1,3 +1,4 @@
+#include <QAction>
 #include <QScopedValueRollback>
 #include <QString>
 #include <array>
@@ -13,7 +14,7 @@ namespace {
 
 class RegionTool : public ToolOf<RegionWidget> {
  public:
-  RegionTool(RegionShape shape, Editor& editor, Viewport& viewport) : ToolOf(editor, viewport)
+  RegionTool(RegionShape shape, Editor& editor, Viewport& viewport, QAction& reachesThrough) : ToolOf(editor, viewport)
   {
     widget().SetShape(shape);
     widget().AddObserver(vtkCommand::StartInteractionEvent, this, &RegionTool::start);
@@ -21,12 +22,20 @@ class RegionTool : public ToolOf<RegionWidget> {
     widget().AddObserver(vtkCommand::EndInteractionEvent, this, &RegionTool::reach);
     widget().AddObserver(CancelInteractionEvent, this, &RegionTool::restore);
     widget().AddObserver(vtkCommand::WidgetValueChangedEvent, this, &RegionTool::changed);
+    const auto followSwitch = [this](bool isThrough) {
+      widget().SetReach(isThrough ? ScreenReach::Through : ScreenReach::VisibleOnly);
+      Q_EMIT changed();
+    };
+    connect(&reachesThrough, &QAction::toggled, this, followSwitch);
+    followSwitch(reachesThrough.isChecked());
   }
 
   QString hint() const override
   {
     const QString outline =
-        ' ' + tr("Shift adds, Ctrl takes away, Alt reaches through. Then F: fixed, H: handle, R: rigid");
+        ' ' + (widget().GetReach() == ScreenReach::Through
+                   ? tr("Hidden vertices, too. Shift adds, Ctrl takes away, T: only what is seen. Then F, H or R")
+                   : tr("Shift adds, Ctrl takes away, T reaches through. Then F: fixed, H: handle, R: rigid"));
     // In the order of `RegionShape`.
     const std::array hints{tr("Paint a region. Shift adds, Ctrl takes away, [ and ] size the brush. Then F: fixed, "
                               "H: handle, R: rigid"),
@@ -129,9 +138,9 @@ class CurveTool : public ToolOf<SurfaceCurveWidget> {
 
 }  // namespace
 
-Tool* newRegionTool(RegionShape shape, Editor& editor, Viewport& viewport)
+Tool* newRegionTool(RegionShape shape, Editor& editor, Viewport& viewport, QAction& reachesThrough)
 {
-  return new RegionTool(shape, editor, viewport);
+  return new RegionTool(shape, editor, viewport, reachesThrough);
 }
 
 Tool* newCurveTool(Editor& editor, Viewport& viewport)

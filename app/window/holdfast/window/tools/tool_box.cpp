@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QSettings>
 
 #include <holdfast/window/controls/icons.h>
 #include <holdfast/window/controls/panel_parts.h>
@@ -10,9 +11,18 @@
 namespace holdfast {
 
 ToolBox::ToolBox(Editor& editor, Viewport& viewport, QObject* parent)
-    : QObject(parent), viewport_(viewport), group_(new QActionGroup(this))
+    : QObject(parent),
+      viewport_(viewport),
+      group_(new QActionGroup(this)),
+      reachesThrough_(named(new QAction(tr("Reac&h through"), this), "reachThrough"))
 {
-  const auto region = [&](RegionShape shape) { return newRegionTool(shape, editor, viewport); };
+  const char* const remembered = "select/reachThrough";
+  reachesThrough_->setCheckable(true);
+  reachesThrough_->setShortcut(QKeySequence("T"));
+  reachesThrough_->setToolTip(tr("Rectangle and lasso select hidden vertices, too (T)"));
+  reachesThrough_->setChecked(QSettings().value(remembered).toBool());
+  connect(reachesThrough_, &QAction::toggled, this, [=](bool isOn) { QSettings().setValue(remembered, isOn); });
+  const auto region = [&](RegionShape shape) { return newRegionTool(shape, editor, viewport, *reachesThrough_); };
   struct Entry {
     Tool* tool;
     const char* name;
@@ -68,6 +78,7 @@ void ToolBox::drawIcons()
 {
   for (QAction* action : actions())
     action->setIcon(iconOf(static_cast<Sign>(action->data().toInt()), QApplication::palette()));
+  reachesThrough_->setIcon(iconOf(Sign::Through, QApplication::palette()));
 }
 
 }  // namespace holdfast

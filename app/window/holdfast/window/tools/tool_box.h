@@ -16,6 +16,8 @@ class ToolBox : public QObject {
   ToolBox(Editor& editor, Viewport& viewport, QObject* parent);
 
   [[nodiscard]] QList<QAction*> actions() const { return group_->actions(); }
+  /// A switch: whether rectangle and lasso select hidden vertices, too. Remembered.
+  [[nodiscard]] QAction* reachesThrough() const { return reachesThrough_; }
   [[nodiscard]] const Tool& current() const { return *current_; }
   void chooseSelect() { actions().front()->setChecked(true); }
   void drawIcons();
@@ -28,6 +30,7 @@ class ToolBox : public QObject {
 
   Viewport& viewport_;
   QActionGroup* group_;
+  QAction* reachesThrough_;
   Tool* current_ = nullptr;
 };
 

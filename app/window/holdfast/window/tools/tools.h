@@ -44,8 +44,9 @@ class ToolOf : public Tool {
 [[nodiscard]] Tool* newPointTool(Editor& editor, Viewport& viewport);
 /// Two clicks make a relative constraint. An arrow shows the vector of the selected one, whatever tool is chosen.
 [[nodiscard]] Tool* newRelativeTool(Editor& editor, Viewport& viewport);
-/// Selects vertices by a brush, a rectangle or a lasso, or a whole side by one click.
-[[nodiscard]] Tool* newRegionTool(RegionShape shape, Editor& editor, Viewport& viewport);
+/// Selects vertices by a brush, a rectangle or a lasso, or a whole side by one click. While `reachesThrough` is
+/// checked, rectangle and lasso select hidden vertices, too.
+[[nodiscard]] Tool* newRegionTool(RegionShape shape, Editor& editor, Viewport& viewport, QAction& reachesThrough);
 /// A closed curve selects what is inside it; a constraint keeps the curve. Any other selection removes it.
 [[nodiscard]] Tool* newCurveTool(Editor& editor, Viewport& viewport);
 /// Two clicks place a ruler, which is there as long as the tool is chosen.

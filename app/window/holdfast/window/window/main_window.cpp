@@ -5,6 +5,7 @@
 #include <QDropEvent>
 #include <QFileInfo>
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
@@ -74,6 +75,7 @@ MainWindow::MainWindow()
 {
   setObjectName("mainWindow");
   setAcceptDrops(true);
+  QApplication::instance()->installEventFilter(this);
   setCentralWidget(viewport_);
   viewport_->setFirstTool(gizmo_);
   new StartPage(editor_, files_, viewport_);
@@ -272,6 +274,25 @@ void MainWindow::warmUp()
   panels_->warmUp(example);
 }
 
+/// Of all objects of the program.
+bool MainWindow::eventFilter(QObject* watched, QEvent* event)
+{
+  // An open list would hide, and leave Escape to the window as well.
+  const bool isForList = event->type() == QEvent::ShortcutOverride && QApplication::activePopupWidget() != nullptr &&
+                         static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape;
+  if (isForList) {
+    event->accept();
+    return true;
+  }
+  // A dialog gives the keys back, also where no window manager does so.
+  if (event->type() == QEvent::Hide && qobject_cast<QDialog*>(watched) != nullptr &&
+      static_cast<QWidget*>(watched)->isModal())
+    QTimer::singleShot(0, this, [this] {
+      if (isVisible() && QApplication::activeModalWidget() == nullptr) activateWindow();
+    });
+  return QMainWindow::eventFilter(watched, event);
+}
+
 void MainWindow::showEvent(QShowEvent* event)
 {
   QMainWindow::showEvent(event);
@@ -369,6 +390,7 @@ void MainWindow::makeEditMenu()
       menu, {"undo", tr("&Undo"), "Ctrl+Z", tr("Take the last edit back"), Needs::Nothing, [this] { editor_.undo(); }});
   redo_ = addAction(menu, {"redo", tr("&Redo"), "Ctrl+Shift+Z", tr("Do the edit again that was undone last"),
                            Needs::Nothing, [this] { editor_.redo(); }});
+  redo_->setShortcuts({redo_->shortcut(), QKeySequence("Ctrl+Y")});
   addActions(menu, {separator,
                     {"escape", tr("&Cancel"), "Esc",
                      tr("Take back what is under way: a drag, a curve, solving; or select nothing"), Needs::Nothing,
@@ -394,22 +416,30 @@ void MainWindow::makeSelectionMenu()
   const auto select = [this](Edit edit) {
     return [this, edit] { editor_.selectVertices((*editor_.mesh().regions.*edit)(editor_.selectedVertices())); };
   };
-  addActions(menu, {separator,
-                    {"grow", tr("&Grow"), "+", tr("Select the next ring of vertices, too"), Needs::Vertices,
-                     select(&VertexRegions::grown)},
-                    {"shrink", tr("S&hrink"), "-", tr("Take the outermost vertices out of the selection"),
-                     Needs::Vertices, select(&VertexRegions::shrunk)},
-                    {"invert", tr("&Invert"), "I", tr("Select all other vertices"), Needs::Document,
-                     select(&VertexRegions::inverted)},
-                    {"deselect", tr("&Nothing"), "Ctrl+Shift+A", tr("Deselect all vertices"), Needs::Vertices,
-                     [this] { editor_.selectVertices({}); }}});
+  menu.addAction(tools_->reachesThrough());
+  addActions(menu,
+             {separator,
+              {"grow", tr("&Grow"), "+", tr("Select the next ring of vertices, too"), Needs::Vertices,
+               select(&VertexRegions::grown)},
+              {"shrink", tr("S&hrink"), "-", tr("Take the outermost vertices out of the selection"), Needs::Vertices,
+               select(&VertexRegions::shrunk)},
+              {"invert", tr("&Invert"), "I", tr("Select all other vertices"), Needs::Document,
+               select(&VertexRegions::inverted)},
+              {"wholeParts", tr("&Whole parts"), "Ctrl+L", tr("Select all of the connected parts of the selection"),
+               Needs::Vertices, select(&VertexRegions::connected)},
+              {"besidePlane", tr("&Kept by the section plane"), "Ctrl+K",
+               tr("Select what the section plane leaves to be seen; I selects the other side"), Needs::Document,
+               [this] { selectBesidePlane(); }},
+              {"deselect", tr("&None"), "Ctrl+Shift+A", tr("Deselect all vertices"), Needs::Vertices,
+               [this] { editor_.selectVertices({}); }}});
 }
 
 void MainWindow::makeConstraintMenu()
 {
   const auto constrain = [this](RegionKind kind) { return [this, kind] { constrainSelection(editor_, kind); }; };
+  QMenu& menu = *menuBar()->addMenu(tr("&Constrain"));
   addActions(
-      *menuBar()->addMenu(tr("&Constrain")),
+      menu,
       {{"makeFixed", tr("&Fix the selection"), "F", tr("The selected vertices stay where they are"), Needs::Vertices,
         constrain(RegionKind::Fixed)},
        {"makeHandle", tr("Make a &handle of it"), "H", tr("The selected vertices move as you drag them"),
@@ -418,12 +448,58 @@ void MainWindow::makeConstraintMenu()
         tr("The selected vertices keep their shape wherever the surface takes them"), Needs::Vertices,
         constrain(RegionKind::Rigid)},
        separator,
-       {"toggleEnabled", tr("&Enable or disable"), "E", tr("Switch the selected constraints off, or on again"),
+       {"toggleEnabled", tr("&Enable or disable"), "E", tr("Disable the selected constraints, or enable them again"),
         Needs::Constraints, [this] { toggleConstraints(editor_, Rows(editor_.selectedConstraints())); }},
        {"deleteConstraints", tr("&Delete"), "Del", tr("Delete the selected constraints"), Needs::Constraints, [this] {
           removeConstraints(editor_, Rows(editor_.selectedConstraints()));
           editor_.selectConstraints({});
         }}});
+  addMirrors(*menu.addMenu(tr("&Mirrored copy")));
+}
+
+void MainWindow::selectBesidePlane()
+{
+  const auto& section = viewport_->section();
+  if (!section) {
+    findChild<QAction*>("sectionPlane")->setChecked(true);
+    return status_->showMessage(tr("Place the section plane, and choose this again"), 12000);
+  }
+  std::vector<Index> kept;
+  for (Index v = 0; v < editor_.positions().rows(); ++v)
+    if (isKept(*section, editor_.positions().row(v))) kept.push_back(v);
+  editor_.selectVertices(std::move(kept));
+}
+
+void MainWindow::addMirrors(QMenu& menu)
+{
+  const auto mirror = [this](const MirrorPlane& plane) {
+    try {
+      mirrorConstraints(editor_, Rows(editor_.selectedConstraints()), plane);
+    } catch (const InputError& error) {
+      showProblem(this, tr("There is no mirrored copy."), QString::fromStdString(error.reason()));
+    }
+  };
+  for (const char* const middle : {"", "Middle"})
+    for (int axis = 0; axis < 3; ++axis) {
+      const QString text = *middle == 0 ? tr("Across &%1 = 0") : tr("Across the middle of the mesh in %1");
+      const QString tip =
+          tr("Add a mirrored copy of the selected constraints: %1").arg(text.arg(axisText(axis)).remove('&').toLower());
+      const auto run = [this, mirror, axis, isMiddle = *middle != 0] {
+        MirrorPlane plane{Vector3::Zero(), Vector3::Unit(axis)};
+        if (isMiddle) plane.point = boundingBox(editor_.model()->mesh.positions).center();
+        mirror(plane);
+      };
+      addAction(menu, {"", text.arg(axisText(axis)), "", tip, Needs::Constraints, run})
+          ->setObjectName("mirror" + axisText(axis).toUpper() + middle);
+    }
+  addAction(menu, {"mirrorSection", tr("Across the &section plane"), "Ctrl+M",
+                   tr("Add a mirrored copy of the selected constraints: across the section plane"), Needs::Constraints,
+                   [this, mirror] {
+                     const auto& section = viewport_->section();
+                     if (section) return mirror({section->origin, section->normal.normalized()});
+                     findChild<QAction*>("sectionPlane")->setChecked(true);
+                     status_->showMessage(tr("Place the section plane, and choose this again"), 12000);
+                   }});
 }
 
 void MainWindow::makeViewMenu()
@@ -463,12 +539,12 @@ void MainWindow::makeViewMenu()
        {"axesOwn", own, "Shift+H", own, Needs::Nothing, along(GizmoAxes::Own)},
        {"axesView", tr("Of the &view"), "Shift+V", tr("Of the view"), Needs::Nothing, along(GizmoAxes::View)}});
   const auto rotate = [this](RotationOfMoves turn) { return [this, turn] { gizmo_->setRotationOfMoves(turn); }; };
-  addChoices(*menu.addMenu(tr("&Turn of a handle that is moved")),
+  addChoices(*menu.addMenu(tr("R&otation of a handle that is moved")),
              {{"turnAsConstraint", tr("As the &constraint says"), "",
-               tr("A handle that is moved turns as its constraint says: not at all, or about what is fixed"),
+               tr("A handle that is moved rotates as its constraint says: not at all, or about what is fixed"),
                Needs::Nothing, rotate(RotationOfMoves::AsConstraint)},
               {"turnAsSeen", tr("As &seen about what is fixed"), "",
-               tr("A handle that is moved turns about the viewing axis, by the angle that it makes on the screen"),
+               tr("A handle that is moved rotates about the viewing axis, by the angle that it makes on the screen"),
                Needs::Nothing, rotate(RotationOfMoves::AsSeen)}});
   menu.addSeparator();
   newSectionTool(editor_, *viewport_,
@@ -495,6 +571,7 @@ void MainWindow::makeToolBars()
   bar->toggleViewAction()->setToolTip(tr("Show or hide the tools"));
   bar->setToolButtonStyle(Qt::ToolButtonIconOnly);
   for (QAction* tool : tools_->actions()) bar->addAction(tool);
+  bar->addAction(tools_->reachesThrough());
   bar->addSeparator();
   for (const char* name : {"makeFixed", "makeHandle", "makeRigid"}) bar->addAction(findChild<QAction*>(name));
   bar->addSeparator();
@@ -507,6 +584,9 @@ void MainWindow::makeToolBars()
 void MainWindow::changeEvent(QEvent* event)
 {
   QMainWindow::changeEvent(event);
+  const QWidget* focus = focusWidget();
+  const bool isLost = focus == nullptr || !focus->isVisible() || !focus->isEnabled();
+  if (event->type() == QEvent::ActivationChange && isActiveWindow() && isLost) viewport_->setFocus();
   if (event->type() != QEvent::PaletteChange) return;
   viewport_->setDarkBackdrop(isDark(palette()));
   tools_->drawIcons();

@@ -49,6 +49,7 @@ class MainWindow : public QMainWindow {
   void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
   void showEvent(QShowEvent* event) override;
 
  private:
@@ -57,6 +58,8 @@ class MainWindow : public QMainWindow {
   void makeEditMenu();
   void makeConstraintMenu();
   void makeSelectionMenu();
+  void addMirrors(QMenu& menu);
+  void selectBesidePlane();
   void makeViewMenu();
   void makeHelpMenu();
   void connectFiles();

@@ -41,7 +41,8 @@ StatusLine::StatusLine(Editor& editor, QWidget* parent)
       left_(named(new QLabel(this), "statusHint")),
       step_(named(new QLabel(this), "statusStage")),
       cancel_(named(new QPushButton(tr("Stop"), this), "statusStop")),
-      numbers_(named(new QLabel(this), "statusNumbers"))
+      numbers_(named(new QLabel(this), "statusNumbers")),
+      selection_(named(new QLabel(this), "statusSelection"))
 {
   setObjectName("statusLine");
   left_->setMinimumWidth(1);
@@ -53,9 +54,12 @@ StatusLine::StatusLine(Editor& editor, QWidget* parent)
   addPermanentWidget(step_);
   addPermanentWidget(cancel_);
   addPermanentWidget(numbers_);
+  addPermanentWidget(selection_);
   connect(cancel_, &QPushButton::clicked, &editor_, &Editor::cancelSolving);
   connect(&editor_, &Editor::opened, this, &StatusLine::showNumbers);
   connect(&editor_, &Editor::deformed, this, &StatusLine::showNumbers);
+  for (const auto& signal : {&Editor::deformed, &Editor::vertexSelectionChanged})
+    connect(&editor_, signal, this, &StatusLine::measureSelection);
   connect(&editor_, &Editor::solveStateChanged, this, &StatusLine::showStep);
   connect(&editor_, &Editor::stepChanged, this, &StatusLine::showStep);
   showNumbers();
@@ -89,28 +93,64 @@ void StatusLine::showStep()
   cancel_->setVisible(isSolving);
 }
 
+/// On a thread of its own, for its time is that of the mesh. What changes meanwhile is measured after it.
+void StatusLine::measureSelection()
+{
+  showNumbers();
+  if (editor_.selectedVertices().empty()) return;
+  isMeasureDue_ = measure_.isRunning();
+  if (isMeasureDue_) return;
+  measure_.start([this, model = editor_.model(), surface = editor_.surface(), vertices = editor_.selectedVertices(),
+                  units = editor_.list().units](Progress&) -> BackgroundJob::Finish {
+    const RegionSize size = sizeOfRegion(vertices, model->triangulation.triangles, surface->positions());
+    return [this, size, units, count = static_cast<Index>(vertices.size())] {
+      const Vector3 extent = size.box.sizes();
+      const QString unit = units.empty() ? QString() : ' ' + QString::fromStdString(units);
+      const QString square = unit.isEmpty() ? unit : unit + QStringLiteral("²");
+      selection_->setText(QStringList{
+          countText(count, "1 vertex", "%1 vertices"), countText(size.triangles, "1 triangle", "%1 triangles"),
+          tr("area %1").arg(roundedText(size.area) + square),
+          QStringList{roundedText(extent.x()), roundedText(extent.y()), roundedText(extent.z())}.join(
+              QStringLiteral(" × ")) +
+              unit}
+                              .join("  ·  "));
+      selection_->setToolTip(tr("Selected, from %1 to %2%3. Triangles and area: those with all corners selected.")
+                                 .arg(roundedText(size.box.min()), roundedText(size.box.max()), unit));
+      showNumbers();
+      if (isMeasureDue_) measureSelection();
+    };
+  });
+}
+
 void StatusLine::showNumbers()
 {
-  numbers_->setVisible(editor_.isOpen());
+  const bool isSelection = editor_.isOpen() && !editor_.selectedVertices().empty();
+  selection_->setVisible(isSelection);
+  numbers_->setVisible(editor_.isOpen() && !isSelection);
   if (!editor_.isOpen()) return;
-  QStringList parts{tr("%1 vertices").arg(countText(editor_.model()->mesh.vertexCount()))};
+  QStringList parts{countText(editor_.model()->mesh.vertexCount(), "1 vertex", "%1 vertices")};
+  QString times;
   if (const auto& deformation = editor_.deformation()) {
     const SolveReport& solve = deformation->report.solve;
-    parts << tr("%1 unknowns").arg(countText(solve.unknowns))
-          << tr("%1 + %2 + %3 ms")
-                 .arg(milliseconds(solve.seconds.setup), milliseconds(solve.seconds.factorization),
-                      milliseconds(solve.seconds.solution))
+    times = tr("Time: %1 ms set-up, %2 ms decomposition, %3 ms solution. ")
+                .arg(milliseconds(solve.seconds.setup), milliseconds(solve.seconds.factorization),
+                     milliseconds(solve.seconds.solution));
+    parts << countText(solve.unknowns, "1 unknown", "%1 unknowns")
+          << tr("%1 ms").arg(milliseconds(solve.seconds.setup + solve.seconds.factorization + solve.seconds.solution))
           << (solve.status == SolveStatus::Failed ? tr("not solved")
                                                   : tr("residual %1").arg(shareText(solve.maxResidualRelative)));
     if (solve.status != SolveStatus::Failed) parts << tr("accuracy %1").arg(shareText(solve.accuracy));
   }
   numbers_->setText(parts.join("  ·  "));
-  numbers_->setToolTip(tr(
-      "Milliseconds: set-up + decomposition + solution. Residual: the largest of all constraints except those in "
-      "conflict, as a share of the bounding box's diagonal. The solver “hard” promises at most 1e-12 or, for a "
-      "constraint whose coordinates are so large that doubles lie farther apart, 8 epsilon of the largest coordinate. "
-      "Accuracy: the estimated relative error of what constraints leave free. Above 1e-9 it is a finding; above 1e-6 "
-      "the solution is refused."));
+  numbers_->setToolTip(
+      times +
+      tr("Residual: the largest of all constraints except those in "
+         "conflict, as a share of the bounding box's diagonal. The solver “hard” promises at most 1e-12 or, for a "
+         "constraint whose coordinates are so large that doubles lie farther apart, 8 epsilon of the largest "
+         "coordinate. "
+         "Accuracy: the estimated relative error of what constraints leave free. Above 1e-9 it is a finding; above "
+         "1e-6 "
+         "the solution is refused."));
 }
 
 }  // namespace holdfast

@@ -1,5 +1,6 @@
 #pragma once
-/// The line below the picture: what the mouse does, what is under it, and how accurate the solution is.
+/// The line below the picture: what the mouse does, what is under it, what is selected, and how accurate the solution
+/// is.
 
 #include <QLabel>
 #include <QPushButton>
@@ -30,6 +31,7 @@ class StatusLine : public QStatusBar {
  private:
   void showHint();
   void showNumbers();
+  void measureSelection();
   void showStep();
 
   Editor& editor_;
@@ -39,6 +41,9 @@ class StatusLine : public QStatusBar {
   QLabel* step_;
   QPushButton* cancel_;
   QLabel* numbers_;
+  QLabel* selection_;      // in place of the numbers while vertices are selected
+  BackgroundJob measure_;  // of the selection
+  bool isMeasureDue_ = false;
 };
 
 }  // namespace holdfast

@@ -1,0 +1,173 @@
+#include "holdfast/document/mirrored.h"
+
+#include <algorithm>
+#include <set>
+
+#include <Eigen/Geometry>
+
+#include <holdfast/base/error.h>
+#include <holdfast/base/printable.h>
+#include <holdfast/constraints/selector.h>
+#include <holdfast/document/list_edits.h>
+
+namespace holdfast {
+namespace {
+
+// Of the diagonal: a mirrored place farther from the surface has no counterpart there.
+constexpr double kReach = 0.01;
+
+class Mirror {
+ public:
+  Mirror(const MirrorPlane& plane, const Model& model)
+      : plane_(plane), model_(model), selector_(model.mesh, model.solverMesh, model.locator())
+  {
+  }
+
+  void mirror(FixedConstraint& fixed) { mirror(fixed.select); }
+  void mirror(RigidConstraint& rigid) { mirror(rigid.select); }
+
+  void mirror(PointConstraint& point)
+  {
+    const Vector3 rest = restOf(point.at);
+    point.at = AtNear{reflected(rest)};
+    if (auto* move = std::get_if<Move>(&point.to)) return reflectVector(move->shift);
+    reflectPlace(std::get<Target>(point.to).place);
+  }
+
+  void mirror(RelativeConstraint& relative)
+  {
+    for (SurfaceLocation* at : {&relative.from, &relative.to}) *at = AtNear{reflected(restOf(*at))};
+    if (relative.offset) reflectVector(*relative.offset);
+  }
+
+  void mirror(HandleConstraint& handle)
+  {
+    auto* targets = std::get_if<VertexTargets>(&handle.motion);
+    if (targets != nullptr || !handle.rotations.empty())
+      mirrorEach(std::get<VertexIds>(handle.select.what));
+    else
+      mirror(handle.select);
+    reflectVector(handle.translate);
+    for (AxisAngle& turn : handle.rotations) reflectTurn(turn);
+    if (targets != nullptr)
+      for (Vector3& place : targets->places) reflectPlace(place);
+    if (auto* turn = std::get_if<AxisRotation>(&handle.motion)) {
+      reflectTurn(*turn);
+      if (turn->center) reflectPlace(*turn->center);
+    }
+    if (auto* turn = std::get_if<RotationAboutFixed>(&handle.motion); turn != nullptr && turn->near)
+      reflectTurn(*turn->near);
+    if (auto* motion = std::get_if<FrameMotion>(&handle.motion))
+      for (Frame* frame : {&motion->from, &motion->to}) {
+        if (frame->origin) reflectPlace(*frame->origin);
+        reflectVector(frame->x);
+        reflectVector(frame->y);
+      }
+  }
+
+ private:
+  [[nodiscard]] Vector3 reflected(const Vector3& place) const
+  {
+    return place - 2 * plane_.normal.dot(place - plane_.point) * plane_.normal;
+  }
+  void reflectPlace(Vector3& place) const { place = reflected(place); }
+  void reflectVector(Vector3& vector) const { vector -= 2 * plane_.normal.dot(vector) * plane_.normal; }
+  /// What turns one way turns the other way in a mirror.
+  void reflectTurn(auto& turn) const
+  {
+    reflectVector(turn.axis);
+    turn.degrees = -turn.degrees;
+  }
+
+  [[nodiscard]] Vector3 restOf(const SurfaceLocation& at) const
+  {
+    return positionOf(model_.locator().locate(at, {}), model_.mesh.positions);
+  }
+
+  /// The vertex nearest to the mirrored place of a vertex; -1 if the surface is not there.
+  [[nodiscard]] Index counterpart(Index vertex) const
+  {
+    const auto found = model_.locator().closestTo(reflected(model_.mesh.positions.row(vertex)));
+    if (found.distance > kReach * model_.solverMesh.diagonal) return -1;
+    return std::ranges::max(found.point.terms, {}, &Term::coefficient).index;
+  }
+
+  void mirror(Selection& selection)
+  {
+    if (auto* sphere = std::get_if<InSphere>(&selection.what)) return reflectPlace(sphere->center);
+    if (auto* half = std::get_if<InHalfSpace>(&selection.what)) {
+      reflectPlace(half->point);
+      return reflectVector(half->normal);
+    }
+    if (auto* curve = std::get_if<InsideCurve>(&selection.what)) {
+      for (SurfaceLocation& at : curve->through) at = AtNear{reflected(restOf(at))};
+      return;
+    }
+    if (auto* all = std::get_if<AllOf>(&selection.what)) return mirror(all->parts);
+    if (auto* any = std::get_if<AnyOf>(&selection.what)) return mirror(any->parts);
+    if (auto* no = std::get_if<NotIn>(&selection.what)) {
+      auto part = std::make_shared<Selection>(*no->part);
+      mirror(*part);
+      no->part = std::move(part);
+      return;
+    }
+    auto* box = std::get_if<InBox>(&selection.what);
+    if (box != nullptr && plane_.normal.cwiseAbs().maxCoeff() == 1) {
+      const Vector3 a = reflected(box->min);
+      const Vector3 b = reflected(box->max);
+      *box = {a.cwiseMin(b), a.cwiseMax(b)};
+      return;
+    }
+    const std::vector<Index> selected = selector_.select(selection, {});
+    const double reach = kReach * model_.solverMesh.diagonal;
+    Eigen::AlignedBox3d around;
+    for (const Index v : selected) around.extend(Vector3(model_.mesh.positions.row(v)));
+    VertexIds mirrored;
+    for (Index v = 0; v < model_.mesh.vertexCount(); ++v)
+      if (around.squaredExteriorDistance(reflected(model_.mesh.positions.row(v))) <= reach * reach &&
+          std::ranges::binary_search(selected, counterpart(v)))
+        mirrored.ids.push_back(v);
+    if (mirrored.ids.empty()) throw InputError({}, "the mesh has nothing beyond the plane where it would be");
+    selection.what = std::move(mirrored);
+  }
+
+  void mirror(std::vector<Selection>& parts)
+  {
+    for (Selection& part : parts) mirror(part);
+  }
+
+  /// In the order of the list, which others follow.
+  void mirrorEach(VertexIds& vertices) const
+  {
+    std::set<Index> taken;
+    for (Index& vertex : vertices.ids) {
+      vertex = counterpart(vertex);
+      if (vertex < 0 || !taken.insert(vertex).second)
+        throw InputError({}, "its single vertices have no counterparts beyond the plane; take one motion for all");
+    }
+  }
+
+  const MirrorPlane& plane_;
+  const Model& model_;
+  Selector selector_;
+};
+
+}  // namespace
+
+ConstraintList mirrored(const ConstraintList& list, const std::vector<Index>& indices, const MirrorPlane& plane,
+                        const Model& model)
+{
+  Mirror mirror(plane, model);
+  ConstraintList copies = extracted(list, indices);
+  for (Constraint& copy : copies.constraints) {
+    try {
+      std::visit([&](auto& what) { mirror.mirror(what); }, copy.what);
+    } catch (const InputError& error) {
+      throw InputError({}, inQuotes(copy.name) + " cannot be mirrored: " + error.reason());
+    }
+    copy.name += " mirrored";
+  }
+  return copies;
+}
+
+}  // namespace holdfast
