@@ -12,9 +12,9 @@
 
 #include <holdfast/base/thread_priority.h>
 #include <holdfast/geometry/degree.h>
-#include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/widgets/scene/example_document.h>
 #include <holdfast/widgets/scene/lighting.h>
+#include <holdfast/window/viewport/view_state.h>
 #include <holdfast/window/viewport/viewport_overlay.h>
 
 namespace holdfast {
@@ -32,6 +32,12 @@ constexpr int kMillisecondsBetweenLooks = 1;
 
 // Longer than any picture takes.
 constexpr std::chrono::seconds kLongestWait(10);
+
+// For the legend and the axes in the corner, and at most a share of the width.
+constexpr double kPixelsFreeAtRight = 140;
+constexpr double kMostFreeAtRight = 0.25;
+
+constexpr std::size_t kMostViews = 200;
 
 double millisecondsOf(const QElapsedTimer& timer)
 {
@@ -147,7 +153,9 @@ void Viewport::openDocument()
     fullMilliseconds_ = isLarge(*editor_.model()) ? 2 * kFluentMilliseconds : 0;
     setDisplay(display_);
     showColors();
-    frameAll();
+    setUpAxis(upAxisOf(editor_.mesh()));
+    lookFromCorner();
+    forgetViews();
     openedFrom_ = Vector3(renderer_->GetActiveCamera()->GetPosition());
   } else {
     Q_EMIT marksChanged();
@@ -182,8 +190,10 @@ void Viewport::showResult()
   showSurface();
   // So far the picture showed the mesh at rest. A camera that has moved since stays where it is.
   if (const auto eye = std::exchange(openedFrom_, std::nullopt);
-      eye && *eye == Vector3(renderer_->GetActiveCamera()->GetPosition()))
+      eye && *eye == Vector3(renderer_->GetActiveCamera()->GetPosition())) {
     frameAll();
+    forgetViews();
+  }
   contents_->showShape(*editor_.deformation());
   showConstraints();
   showColors();
@@ -240,8 +250,18 @@ const std::vector<ConstraintMark>& Viewport::marks() const noexcept
 
 void Viewport::frameAll()
 {
-  if (!editor_.isOpen()) return;
-  fitCamera(defaultFrame(editor_.positions()));
+  if (editor_.isOpen()) fitCamera(frameOf(*renderer_->GetActiveCamera()));
+}
+
+void Viewport::lookFromCorner()
+{
+  if (editor_.isOpen()) fitCamera(defaultFrame(editor_.positions(), upAxis_));
+}
+
+void Viewport::setUpAxis(UpAxis axis)
+{
+  upAxis_ = axis;
+  Q_EMIT upAxisChanged(axis);
 }
 
 void Viewport::setCamera(const Camera& camera)
@@ -249,12 +269,42 @@ void Viewport::setCamera(const Camera& camera)
   openedFrom_.reset();
   place(*renderer_->GetActiveCamera(), camera);
   cameraMoved();
+  Q_EMIT projectionChanged(camera.isParallel);
+}
+
+void Viewport::goBack(std::vector<Camera>& from, std::vector<Camera>& to)
+{
+  noteView();
+  if (from.empty()) return;
+  to.push_back(*shownView_);
+  setCamera(from.back());
+  from.pop_back();
+  shownView_ = cameraOf(*renderer_->GetActiveCamera());
+}
+
+void Viewport::forgetViews()
+{
+  earlierViews_.clear();
+  laterViews_.clear();
+  shownView_.reset();
+}
+
+/// A drag, or a turn of the wheel by several notches, is one change.
+void Viewport::noteView()
+{
+  const Camera view = cameraOf(*renderer_->GetActiveCamera());
+  const Camera before = std::exchange(shownView_, view).value_or(view);
+  if (before == view) return;
+  if (std::exchange(isNewView_, false)) earlierViews_.push_back(before);
+  if (earlierViews_.size() > kMostViews) earlierViews_.erase(earlierViews_.begin());
+  laterViews_.clear();
 }
 
 void Viewport::fitCamera(const ViewFrame& frame)
 {
   const double aspect = static_cast<double>(width()) / std::max(1, height());
-  fit(*renderer_->GetActiveCamera(), frame, editor_.positions(), aspect);
+  const double freeAtRight = std::min(kPixelsFreeAtRight / std::max(1, width()), kMostFreeAtRight);
+  fit(*renderer_->GetActiveCamera(), frame, editor_.positions(), aspect, freeAtRight);
   cameraMoved();
 }
 
@@ -312,6 +362,7 @@ void Viewport::setParallelProjection(bool isParallel)
   }
   camera.SetParallelProjection(isParallel);
   cameraMoved();
+  Q_EMIT projectionChanged(isParallel);
 }
 
 bool Viewport::isParallelProjection() const
@@ -321,6 +372,7 @@ bool Viewport::isParallelProjection() const
 
 void Viewport::cameraMoved()
 {
+  isNewView_ = true;
   fitClippingRange();
   scheduleRender();
 }
@@ -400,6 +452,7 @@ void Viewport::prepareScene()
 {
   isCoarse_ = contents_ && fullMilliseconds_ > kFluentMilliseconds;
   kept_->setKeeping(!isCoarse_);
+  noteView();
   if (contents_) {
     contents_->lookFrom(Vector3(renderer_->GetActiveCamera()->GetPosition()));
     contents_->setDetail(isCoarse_ ? Detail::Coarse : Detail::Full);

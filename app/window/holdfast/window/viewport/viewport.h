@@ -12,6 +12,7 @@
 #include <vtkRenderer.h>
 
 #include <holdfast/document/session_file.h>
+#include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/widgets/interaction/stock_widgets.h>
 #include <holdfast/widgets/interaction/surface_camera_style.h>
 #include <holdfast/widgets/picking/surface_picker.h>
@@ -59,13 +60,22 @@ class Viewport : public VtkView {
   [[nodiscard]] const std::optional<Coloring>& coloring() const noexcept { return coloring_; }
   void setDarkBackdrop(bool isDark);
 
+  /// From where the camera looks; in parallel projection, too. The legend and the axes in the corner stay clear of it.
   void frameAll();
+  /// The same from a corner, as it is first shown.
+  void lookFromCorner();
   /// The first deformation no longer frames the mesh then.
   void setCamera(const Camera& camera);
+  /// Drags, turns of the wheel and the functions here each lead to another view of this document.
+  void showPreviousView() { goBack(earlierViews_, laterViews_); }
+  void showNextView() { goBack(laterViews_, earlierViews_); }
   void frameVertices(const std::vector<Index>& vertices);
   /// Ascending places in the list.
   void frameConstraints(const std::vector<Index>& constraints);
   void lookAlong(const Vector3& direction, const Vector3& up);
+  /// Of the model, for `lookFromCorner`; the camera stays as it is. A new document has that of `upAxisOf`.
+  void setUpAxis(UpAxis axis);
+  [[nodiscard]] UpAxis upAxis() const noexcept { return upAxis_; }
   void setParallelProjection(bool isParallel);
   [[nodiscard]] bool isParallelProjection() const;
 
@@ -102,6 +112,8 @@ class Viewport : public VtkView {
   /// Another field, another scale, or other values of it.
   void coloringChanged(const std::optional<Coloring>& coloring);
   void surfaceChanged();
+  void projectionChanged(bool isParallel);
+  void upAxisChanged(UpAxis axis);
   /// `marks` or `section` has changed.
   void marksChanged();
   void contextMenuWanted(const QPoint& place);
@@ -127,6 +139,9 @@ class Viewport : public VtkView {
   void showConstraints();
   void showSelection();
   void cameraMoved();
+  void goBack(std::vector<Camera>& from, std::vector<Camera>& to);
+  void forgetViews();
+  void noteView();
   void fitCamera(const ViewFrame& frame);
   void framePlaces(const Positions& places);
   void schedulePicture();
@@ -148,6 +163,12 @@ class Viewport : public VtkView {
   std::shared_ptr<const VisibleSurface> surface_;
   std::optional<SectionPlane> section_;
   std::optional<Vector3> openedFrom_;  // the camera's place until the first deformation
+  UpAxis upAxis_ = UpAxis::Z;
+  std::optional<Camera> shownView_;  // in the latest picture
+  std::vector<Camera> earlierViews_;
+  std::vector<Camera> laterViews_;  // the next one last
+  bool isNewView_ = false;          // the next change of the camera leads to one
+  QElapsedTimer wheel_;             // since it was turned last
   std::optional<Coloring> coloring_;
   ColorSettings colors_;
   DisplaySettings display_;

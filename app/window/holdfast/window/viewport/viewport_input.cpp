@@ -61,9 +61,14 @@ bool Viewport::event(QEvent* event)
     case QEvent::MouseButtonRelease:
     case QEvent::MouseButtonDblClick:
       if (!isHeld_) wakeOrientation(static_cast<const QMouseEvent&>(*event).localPos());
+      if (event->type() == QEvent::MouseButtonPress) isNewView_ = true;
       isHeld_ = static_cast<const QMouseEvent&>(*event).buttons() != Qt::NoButton;
       // A coarse picture is drawn in full when the mouse rests.
       if (!isHeld_ && isCoarse_) restTimer_.start();
+      break;
+    case QEvent::Wheel:
+      if (!wheel_.isValid() || wheel_.elapsed() > restTimer_.interval()) isNewView_ = true;
+      wheel_.start();
       break;
     case QEvent::ShortcutOverride:
       for (const Tool* tool : {firstTool_, tool_}) {
