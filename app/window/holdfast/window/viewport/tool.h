@@ -30,6 +30,8 @@ class Tool : public QObject {
   virtual void end();
   /// The mouse is over something in front of what the tool works on.
   virtual void leave() {}
+  /// Whether the tool calls `Viewport::setPreview` with what a click would take.
+  [[nodiscard]] virtual bool hasPreview() const { return false; }
   /// Whether the tool takes the key, before any menu does.
   [[nodiscard]] virtual bool wants(const QKeyEvent& /*event*/) const { return false; }
   /// The viewport loses the keyboard focus.

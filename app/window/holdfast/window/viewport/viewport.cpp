@@ -82,6 +82,7 @@ Viewport::Viewport(Editor& editor, QWidget* parent) : VtkView(parent), editor_(e
   orientation_->KeyPressActivationOff();
   orientation_->On();
 
+  marksUnderCursor_->SetRenderer(renderer_);
   fence_ = std::make_unique<DrawFence>(*window_);
   slices_ = std::make_unique<SlicedDrawing>(*renderer_);
   kept_ = std::make_unique<KeptScene>(*renderer_, *orientation_->GetDefaultRenderer());
@@ -140,6 +141,7 @@ void Viewport::setDarkBackdrop(bool isDark)
 void Viewport::openDocument()
 {
   cancelGesture();
+  lookUnderCursor(nullptr);
   abandonDrawing();
   renderer_->RemoveAllViewProps();
   contents_.reset();
@@ -168,6 +170,7 @@ void Viewport::showSurface()
 {
   surface_ = editor_.isOpen() ? editor_.surface() : nullptr;
   if (surface_ && section_) surface_ = std::make_shared<const VisibleSurface>(surface_->withSection(section_));
+  if (surface_) contents_->setCut(surface_->cut());
   style_->SetSurface(surface_);
   Q_EMIT surfaceChanged();
 }

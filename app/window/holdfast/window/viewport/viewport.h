@@ -2,6 +2,7 @@
 /// The picture of the open document, and VTK's interactor in it.
 
 #include <QElapsedTimer>
+#include <QMouseEvent>
 #include <QTimer>
 #include <memory>
 #include <optional>
@@ -13,6 +14,7 @@
 
 #include <holdfast/document/session_file.h>
 #include <holdfast/widgets/camera/camera_state.h>
+#include <holdfast/widgets/interaction/constraint_mark_widget.h>
 #include <holdfast/widgets/interaction/stock_widgets.h>
 #include <holdfast/widgets/interaction/surface_camera_style.h>
 #include <holdfast/widgets/picking/surface_picker.h>
@@ -47,6 +49,8 @@ class Viewport : public VtkView {
   void setTool(Tool* tool);
   /// A tool beside every chosen tool: the gizmo.
   void setFirstTool(Tool* tool);
+  /// What a click would take; tools call it.
+  void setPreview(const std::optional<SurfacePick>& pick);
   /// The mouse is over something in front of what the chosen tool works on.
   void leaveTool();
   /// Takes back what is under way with the mouse; false if nothing is.
@@ -107,7 +111,7 @@ class Viewport : public VtkView {
   }
 
  Q_SIGNALS:
-  /// What a click of the chosen tool would take, or nothing; tools emit it.
+  /// What a click of the chosen tool would take, or nothing.
   void previewChanged(const std::optional<SurfacePick>& pick);
   /// Another field, another scale, or other values of it.
   void coloringChanged(const std::optional<Coloring>& coloring);
@@ -131,6 +135,7 @@ class Viewport : public VtkView {
  private:
   void askForContextMenu();
   void wakeOrientation(const QPointF& place);
+  void lookUnderCursor(const QMouseEvent* move);
 
   void openDocument();
   void showSurface();
@@ -178,6 +183,7 @@ class Viewport : public VtkView {
   vtkNew<vtkRenderer> widgetRenderer_;
   vtkNew<SurfaceCameraStyle> style_;
   vtkNew<OrientationWidget> orientation_;  // in the corner
+  vtkNew<ConstraintMarkRepresentation> marksUnderCursor_;
   ViewportOverlay* overlay_;
 
   Tool* tool_ = nullptr;

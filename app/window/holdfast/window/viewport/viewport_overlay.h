@@ -4,6 +4,7 @@
 #include <QFont>
 #include <QPalette>
 #include <QPixmap>
+#include <QRectF>
 #include <QWidget>
 #include <optional>
 #include <tuple>
@@ -33,6 +34,13 @@ class ViewportOverlay : public QWidget {
   void paintLegend(QPainter& painter);
   [[nodiscard]] LegendContent legend() const;
   void paintSolveState(QPainter& painter) const;
+  void followCursor();
+  void paintProbes(QPainter& painter) const;
+  void paintCursor(QPainter& painter) const;
+  void paintNote(QPainter& painter, const QRectF& text, const QString& words) const;
+  /// In the lower left corner.
+  [[nodiscard]] QRectF cursorNote() const;
+  [[nodiscard]] QString cursorText() const;
   void paintWelcome(QPainter& painter) const;
 
   Editor& editor_;
@@ -41,6 +49,7 @@ class ViewportOverlay : public QWidget {
   // The legend as painted last: halos take longer than most pictures.
   std::optional<std::tuple<LegendContent, QPalette, QFont, QSize>> painted_;
   QPixmap legendPicture_;
+  QRectF cursorNote_;  // as it was last
 };
 
 /// Why the picture is older than the document; empty if it is current.

@@ -170,11 +170,12 @@ void MainWindow::connectFiles()
   connect(&files_, &DocumentFiles::done, this, [this](const QString& what) { status_->showMessage(what, 6000); });
   exports_.setPictureView([this]() -> PictureView {
     const DisplaySettings display = viewport_->display();
-    const auto section = viewport_->section();
+    const auto surface = viewport_->surface();
     return {cameraOf(*viewport_->renderer().GetActiveCamera()), viewport_->coloring(),
-            [display, section](SceneContents& contents) {
+            [display, surface](SceneContents& contents) {
               arrange(contents, display);
-              contents.setSection(section);
+              contents.setSection(surface->section());
+              contents.setCut(surface->cut());
             }};
   });
   connect(&exports_, &DocumentExports::done, this, [this](const QString& what) { status_->showMessage(what, 6000); });
@@ -370,6 +371,9 @@ void MainWindow::makeViewMenu()
                  *addSwitch(menu, {"sectionPlane", tr("&Section plane"), "Shift+S",
                                    tr("Cut the picture open; the mesh stays whole"), Needs::Document}),
                  this);
+
+  addAction(menu, {"removeMeasurements", tr("Remove all &measurements"), "", tr("Remove all probes and rulers"),
+                   Needs::Document, [this] { editor_.setMeasurements({}); }});
 
   panels_->fillMenu(*menu.addMenu(tr("&Panels")));
   const auto colors = [this](const char* name, const QString& text, const QString& spoken,
