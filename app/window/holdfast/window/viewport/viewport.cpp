@@ -44,6 +44,13 @@ double millisecondsOf(const QElapsedTimer& timer)
   return static_cast<double>(timer.nsecsElapsed()) / 1e6;
 }
 
+/// Where constraints act on the way from rest.
+std::vector<ConstraintMark> marksAt(std::vector<ConstraintMark> marks, double share)
+{
+  for (ConstraintMark& mark : marks) mark.place = (1 - share) * mark.rest + share * mark.place;
+  return marks;
+}
+
 /// A mesh at rest would have one dark colour, and look like a result. The user wants a range that he has fixed.
 bool saysAnything(const Coloring& coloring, const ColorSettings& settings)
 {
@@ -141,6 +148,8 @@ void Viewport::setDarkBackdrop(bool isDark)
 void Viewport::openDocument()
 {
   cancelGesture();
+  shownShare_ = 1;
+  Q_EMIT shownShareChanged(shownShare_);
   lookUnderCursor(nullptr);
   abandonDrawing();
   renderer_->RemoveAllViewProps();
@@ -168,11 +177,32 @@ void Viewport::openDocument()
 
 void Viewport::showSurface()
 {
-  surface_ = editor_.isOpen() ? editor_.surface() : nullptr;
+  surface_ = editor_.isOpen() ? shownSurface() : nullptr;
   if (surface_ && section_) surface_ = std::make_shared<const VisibleSurface>(surface_->withSection(section_));
   if (surface_) contents_->setCut(surface_->cut());
   style_->SetSurface(surface_);
   Q_EMIT surfaceChanged();
+}
+
+std::shared_ptr<const VisibleSurface> Viewport::shownSurface() const
+{
+  const auto& rest = editor_.mesh().surface;
+  if (shownShare_ == 0) return rest;
+  if (shownShare_ == 1) return editor_.surface();
+  return std::make_shared<const VisibleSurface>(rest->movedTo(
+      std::make_shared<const Positions>((1 - shownShare_) * rest->positions() + shownShare_ * editor_.positions())));
+}
+
+void Viewport::setShownShare(double share)
+{
+  if (shownShare_ != share && editor_.deformation()) {
+    shownShare_ = share;
+    prepareToMove();
+    showSurface();
+    contents_->setPositions(surface_->positions());
+    showConstraints();
+  }
+  Q_EMIT shownShareChanged(shownShare_);
 }
 
 void Viewport::setSection(const std::optional<SectionPlane>& section)
@@ -190,6 +220,7 @@ void Viewport::setSection(const std::optional<SectionPlane>& section)
 void Viewport::showResult()
 {
   prepareToMove();
+  if (std::exchange(shownShare_, 1) != 1) Q_EMIT shownShareChanged(1);
   showSurface();
   // So far the picture showed the mesh at rest. A camera that has moved since stays where it is.
   if (const auto eye = std::exchange(openedFrom_, std::nullopt);
@@ -205,7 +236,8 @@ void Viewport::showResult()
 void Viewport::showConstraints()
 {
   if (!contents_) return;
-  if (const auto& marks = editor_.marks()) contents_->showMarks(marks);
+  if (const auto& marks = editor_.marks())
+    contents_->showMarks(shownShare_ == 1 ? marks : markSet(marksAt(marks->marks, shownShare_), marks));
   arrange(*contents_, display_);
   overlay_->update();
   scheduleRender();

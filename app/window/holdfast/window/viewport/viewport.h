@@ -63,6 +63,9 @@ class Viewport : public VtkView {
   /// The present colouring; none for one colour, for an empty viewport, and for a field that is zero everywhere.
   [[nodiscard]] const std::optional<Coloring>& coloring() const noexcept { return coloring_; }
   void setDarkBackdrop(bool isDark);
+  /// How much of the way from rest, 0, to the deformation, 1, the picture shows. Another deformation is shown in full.
+  void setShownShare(double share);
+  [[nodiscard]] double shownShare() const noexcept { return shownShare_; }
 
   /// From where the camera looks; in parallel projection, too. The legend and the axes in the corner stay clear of it.
   void frameAll();
@@ -116,6 +119,7 @@ class Viewport : public VtkView {
   /// Another field, another scale, or other values of it.
   void coloringChanged(const std::optional<Coloring>& coloring);
   void surfaceChanged();
+  void shownShareChanged(double share);
   void projectionChanged(bool isParallel);
   void upAxisChanged(UpAxis axis);
   /// `marks` or `section` has changed.
@@ -138,6 +142,7 @@ class Viewport : public VtkView {
   void lookUnderCursor(const QMouseEvent* move);
 
   void openDocument();
+  [[nodiscard]] std::shared_ptr<const VisibleSurface> shownSurface() const;
   void showSurface();
   void showResult();
   void showColors();
@@ -167,6 +172,7 @@ class Viewport : public VtkView {
   std::shared_ptr<SceneContents> contents_;
   std::shared_ptr<const VisibleSurface> surface_;
   std::optional<SectionPlane> section_;
+  double shownShare_ = 1;
   std::optional<Vector3> openedFrom_;  // the camera's place until the first deformation
   UpAxis upAxis_ = UpAxis::Z;
   std::optional<Camera> shownView_;  // in the latest picture

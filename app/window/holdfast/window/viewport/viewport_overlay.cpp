@@ -126,7 +126,11 @@ void ViewportOverlay::paintLegend(QPainter& painter)
 
 void ViewportOverlay::paintSolveState(QPainter& painter) const
 {
-  const QString text = solveStateText(editor_);
+  QString text = solveStateText(editor_);
+  if (const double share = viewport_.shownShare(); share != 1) {
+    if (!text.isEmpty()) text += '\n';
+    text += share == 0 ? tr("At rest") : tr("%1 % of the way from rest").arg(std::lround(100 * share));
+  }
   if (text.isEmpty()) return;
   const QRectF available(0, 0, width() - 4 * kNoteMargin, height());
   QRectF box = painter.fontMetrics().boundingRect(available.toRect(), Qt::AlignLeft | Qt::TextWordWrap, text);
@@ -150,7 +154,7 @@ QString ViewportOverlay::cursorText() const
   const auto& [pick, constraint] = editor_.underCursor();
   if (!pick || !editor_.isOpen()) return {};
   const SurfacePoint point = pointOf(pick->location, editor_.model()->mesh);
-  QStringList lines{locationText(pick->location), roundedText(positionOf(point, editor_.positions()))};
+  QStringList lines{locationText(pick->location), roundedText(positionOf(point, viewport_.surface()->positions()))};
   if (const auto& coloring = viewport_.coloring()) lines << valueText(*coloring, point);
   const auto& state = editor_.deformedState();
   if (constraint && state && *constraint < static_cast<Index>(state->list.constraints.size())) {
@@ -183,7 +187,7 @@ void ViewportOverlay::paintProbes(QPainter& painter) const
   const DisplayTransform display(viewport_.renderer());
   for (std::size_t k = 0; k < probes.size(); ++k) {
     const SurfacePoint point = pointOf(probes[k], editor_.model()->mesh);
-    const Vector3 place = positionOf(point, editor_.positions());
+    const Vector3 place = positionOf(point, viewport_.surface()->positions());
     const auto shown = toDisplay(display, place);
     if (!shown || !viewport_.surface()->isKept(place)) continue;
     const auto hit = viewport_.surface()->firstHit(display.rayTo(place));

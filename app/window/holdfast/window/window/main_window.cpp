@@ -341,6 +341,10 @@ void MainWindow::makeViewMenu()
       addSwitch(menu, {"parallelProjection", tr("&Parallel projection"), "Ctrl+5", tr("Without perspective")});
   connect(parallel, &QAction::toggled, viewport_, &Viewport::setParallelProjection);
   connect(viewport_, &Viewport::projectionChanged, parallel, &QAction::setChecked);
+  QAction* atRest = addSwitch(menu, {"showRest", tr("Shape at &rest"), "T",
+                                     tr("Show the shape at rest, and the deformed one again"), Needs::Document});
+  connect(atRest, &QAction::triggered, viewport_, [this](bool isOn) { viewport_->setShownShare(isOn ? 0 : 1); });
+  connect(viewport_, &Viewport::shownShareChanged, atRest, [atRest](double share) { atRest->setChecked(share == 0); });
   QAction* yIsUp = addSwitch(
       menu, {"upAxisY", tr("&Y is up"), "Ctrl+U",
              tr("Which axis of the mesh is up, Y or Z; remembered for files of its format"), Needs::Document});

@@ -61,6 +61,8 @@ PanelDocks::PanelDocks(Editor& editor, Viewport& viewport, QMainWindow& window)
 
   connect(colors_, &ColorPanel::settingsChanged, &viewport_, &Viewport::setColors);
   connect(colors_, &ColorPanel::displaySettingsChanged, &viewport_, &Viewport::setDisplay);
+  connect(colors_, &ColorPanel::shownShareChosen, &viewport_, &Viewport::setShownShare);
+  connect(&viewport_, &Viewport::shownShareChanged, colors_, &ColorPanel::setShownShare);
   connect(&viewport_, &Viewport::coloringChanged, sphere_, &SpherePanel::setColoring);
   connect(&viewport_, &Viewport::coloringChanged, colors_, [this](const std::optional<Coloring>& coloring) {
     colors_->setShownScale(coloring ? std::optional(coloring->scale) : std::nullopt);
