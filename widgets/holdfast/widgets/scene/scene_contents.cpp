@@ -3,6 +3,7 @@
 #include <utility>
 
 #include <vtkActor.h>
+#include <vtkCellArray.h>
 #include <vtkMapper.h>
 #include <vtkPlaneCollection.h>
 #include <vtkProperty.h>

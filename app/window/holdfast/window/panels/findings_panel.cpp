@@ -28,7 +28,7 @@ Rows constraintsOf(const Finding& finding, const Editor& editor)
 }
 
 /// The file, its size, its parts, and the box around it now.
-QString meshText(const Editor& editor)
+QString aboutMesh(const Editor& editor)
 {
   const Model& model = *editor.model();
   const QString units = toText(editor.list().units);
@@ -40,7 +40,7 @@ QString meshText(const Editor& editor)
   };
   const Index parts = model.solverMesh.componentCount;
   const QStringList lines{
-      QString::fromStdString(printable(editor.mesh().path.string())),
+      QString::fromStdString(printable(editor.mesh().path.filename().string())),
       QObject::tr("%1 vertices, %2 faces, %3")
           .arg(countText(model.mesh.vertexCount()), countText(model.mesh.faces.size()),
                parts == 1 ? QObject::tr("1 part") : QObject::tr("%1 parts").arg(countText(parts))),
@@ -71,7 +71,10 @@ class FindingsPanel final : public RefreshedPanel {
   {
     if (!isVisible()) return;
     about_->setVisible(editor_.isOpen());
-    if (editor_.isOpen()) about_->setText(meshText(editor_));
+    if (editor_.isOpen()) {
+      about_->setText(aboutMesh(editor_));
+      about_->setToolTip(QString::fromStdString(printable(editor_.mesh().path.string())));
+    }
     // The report begins with those of the mesh.
     findings_ = !editor_.isOpen()                  ? std::vector<Finding>()
                 : editor_.deformation() == nullptr ? editor_.model()->findings

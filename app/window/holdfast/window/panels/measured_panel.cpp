@@ -21,7 +21,7 @@
 namespace holdfast {
 namespace {
 
-enum Column { kWhat, kNow, kRest, kDifference, kColumns };
+enum MeasuredColumn { kWhat, kNow, kRest, kDifference, kColumns };
 
 /// The tree of what is under the cursor, of probes and of rulers, each with its numbers now and at rest.
 class MeasuredPanel final : public RefreshedPanel {
@@ -45,7 +45,8 @@ class MeasuredPanel final : public RefreshedPanel {
     tree_->setContextMenuPolicy(Qt::ActionsContextMenu);
     pages_ = new HintedContent(tree_, "measuredHint");
     fill(*this, pages_);
-    for (const auto& signal : {&Editor::opened, &Editor::deformed, &Editor::measurementsChanged})
+    connect(&editor, &Editor::opened, this, &MeasuredPanel::begin);
+    for (const auto& signal : {&Editor::deformed, &Editor::measurementsChanged})
       connect(&editor, signal, this, &MeasuredPanel::refresh);
     connect(&editor, &Editor::underCursorChanged, this, [this] {
       if (isVisible() && tree_->topLevelItemCount() > 0) fillCursor();
@@ -59,18 +60,21 @@ class MeasuredPanel final : public RefreshedPanel {
     std::vector<double> values;
   };
 
+  void begin()
+  {
+    computing_.cancel();
+    fieldsOf_.reset();
+    fields_.clear();
+    tree_->clear();
+    refresh();
+  }
+
   void refresh() override
   {
     if (!isVisible()) return;
-    if (!editor_.isOpen()) {
-      computing_.cancel();
-      tree_->clear();
-      fieldsOf_.reset();
-      fields_.clear();
-      return pages_->showHint(tr("No mesh is open."));
-    }
+    if (!editor_.isOpen()) return pages_->showHint(tr("No mesh is open."));
     pages_->showContent();
-    if (fieldsOf_ != editor_.deformation() && !computing_.isRunning()) computeFields();
+    if (editor_.deformation() && fieldsOf_ != editor_.deformation() && !computing_.isRunning()) computeFields();
     const auto& [probes, rulers] = editor_.measurements();
     const int count = static_cast<int>(1 + probes.size() + rulers.size());
     while (tree_->topLevelItemCount() > count) delete tree_->takeTopLevelItem(count);

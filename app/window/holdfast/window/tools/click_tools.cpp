@@ -229,6 +229,17 @@ class RulerTool : public ToolOf<SurfaceRulerWidget> {
     widget().Clear();
   }
 
+  bool remove() override
+  {
+    if (!current_) return false;
+    Measurements rest = editor().measurements();
+    rest.rulers.erase(rest.rulers.begin() + *std::exchange(current_, std::nullopt));
+    widget().Clear();
+    editor().setMeasurements(std::move(rest));
+    Q_EMIT changed();
+    return true;
+  }
+
   QString hint() const override
   {
     if (widget().GetLocation(1))
@@ -239,15 +250,8 @@ class RulerTool : public ToolOf<SurfaceRulerWidget> {
 
   bool cancel() override
   {
-    if (!widget().GetLocation(0)) return false;
-    if (widget().IsUnderWay()) {
-      widget().Cancel();
-    } else {
-      widget().Clear();
-      Measurements rest = editor().measurements();
-      rest.rulers.erase(rest.rulers.begin() + *std::exchange(current_, std::nullopt));
-      editor().setMeasurements(std::move(rest));
-    }
+    if (!widget().IsUnderWay()) return false;
+    widget().Cancel();
     Q_EMIT changed();
     return true;
   }

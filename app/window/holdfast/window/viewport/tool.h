@@ -38,6 +38,8 @@ class Tool : public QObject {
   virtual void loseFocus() {}
   /// Takes back what is under way, exactly; false if nothing is.
   virtual bool cancel() { return false; }
+  /// Removes what the tool has made last and still holds; false if there is nothing.
+  virtual bool remove() { return false; }
   /// Draws over the picture, in the viewport's own coordinates.
   virtual void paint(QPainter& /*painter*/) const {}
 

@@ -38,7 +38,7 @@ Value named(const Names& names, const std::optional<std::string>& name, Value ot
   return found == names.end() ? otherwise : static_cast<Value>(found - names.begin());
 }
 
-QString settingOf(const LoadedMesh& mesh)
+QString upAxisSetting(const LoadedMesh& mesh)
 {
   return "upAxis/" + QString::fromStdString(mesh.path.extension().string()).toLower();
 }
@@ -100,15 +100,15 @@ void apply(const ViewState& state, Viewport& viewport)
 
 UpAxis upAxisOf(const LoadedMesh& mesh)
 {
-  const QVariant chosen = QSettings().value(settingOf(mesh));
+  const QVariant chosen = QSettings().value(upAxisSetting(mesh));
   const Positions& positions = mesh.document.mesh.positions;
-  const bool isScan = settingOf(mesh).endsWith(".ply") && positions.cast<float>().cast<double>() == positions;
+  const bool isScan = upAxisSetting(mesh).endsWith(".ply") && positions.cast<float>().cast<double>() == positions;
   return chosen.isValid() ? static_cast<UpAxis>(chosen.toInt()) : isScan ? UpAxis::Y : UpAxis::Z;
 }
 
 void rememberUpAxis(const LoadedMesh& mesh, UpAxis axis)
 {
-  QSettings().setValue(settingOf(mesh), static_cast<int>(axis));
+  QSettings().setValue(upAxisSetting(mesh), static_cast<int>(axis));
 }
 
 }  // namespace holdfast

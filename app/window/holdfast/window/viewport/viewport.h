@@ -55,6 +55,8 @@ class Viewport : public VtkView {
   void leaveTool();
   /// Takes back what is under way with the mouse; false if nothing is.
   bool cancelGesture();
+  /// The same, or else removes what the chosen tool has made last.
+  bool takeBack() { return cancelGesture() || (tool_ && tool_->remove()); }
 
   void setColors(const ColorSettings& settings);
   [[nodiscard]] const ColorSettings& colors() const noexcept { return colors_; }

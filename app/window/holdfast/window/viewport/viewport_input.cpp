@@ -12,7 +12,7 @@ namespace holdfast {
 namespace {
 
 // How near the cursor a vertex or an edge is taken, of a display of ordinary resolution.
-constexpr double kSnapPixels = 7;
+constexpr double kCursorPixels = 7;
 
 }  // namespace
 
@@ -119,8 +119,8 @@ void Viewport::lookUnderCursor(const QMouseEvent* move)
     const DisplayPoint pixel(std::floor(pixelRatio() * move->localPos().x()),
                              std::ceil(pixelRatio() * (height() - move->localPos().y())) - 1);
     if (!isPreviewed)
-      found.pick =
-          SurfacePicker(surface_).pick(*renderer_, pixel.x(), pixel.y(), PickKind::Nearest, kSnapPixels * pixelRatio());
+      found.pick = SurfacePicker(surface_).pick(*renderer_, pixel.x(), pixel.y(), PickKind::Nearest,
+                                                kCursorPixels * pixelRatio());
     marksUnderCursor_->SetPixelRatio(pixelRatio());
     marksUnderCursor_->SetSection(section_);
     marksUnderCursor_->SetMarks(contents_->sharedMarks());

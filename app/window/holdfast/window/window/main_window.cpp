@@ -461,7 +461,7 @@ void MainWindow::updateActions()
 
 void MainWindow::escape()
 {
-  if (viewport_->cancelGesture()) return;
+  if (viewport_->takeBack()) return;
   if (!editor_.isOpen()) return;
   if (editor_.solveState() == SolveState::Solving) return editor_.cancelSolving();
   if (!editor_.selectedVertices().empty()) return editor_.selectVertices({});
