@@ -177,6 +177,13 @@ TEST_F(UpAxisInWindow, ScansStandUpright)
   EXPECT_TRUE(sight().isApprox(-Vector3::UnitZ(), 1e-12));
   press(Qt::Key_7, Qt::ControlModifier);
   EXPECT_TRUE(sight().isApprox(-Vector3::UnitY(), 1e-12));
+  // Of the axes in the corner, too: the one to the right, seen from the front, is x.
+  press(Qt::Key_1, Qt::ControlModifier);
+  test::click(viewport(), {viewport().width() - 24.0, 70});
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(sight().isApprox(-Vector3::UnitX(), 1e-9));
+  EXPECT_TRUE(isUp(Vector3::UnitY()));
+  expectFits();
   open("head.ply");
   EXPECT_TRUE(isUp(Vector3::UnitZ())) << "double precision: no scan";
 }

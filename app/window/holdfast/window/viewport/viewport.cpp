@@ -87,6 +87,7 @@ Viewport::Viewport(Editor& editor, QWidget* parent) : VtkView(parent), editor_(e
   orientation_->SetParentRenderer(renderer_);
   orientation_->AnimateOff();
   orientation_->KeyPressActivationOff();
+  orientation_->AddObserver(vtkCommand::EndInteractionEvent, this, &Viewport::lookAlongAxis);
   orientation_->On();
 
   marksUnderCursor_->SetRenderer(renderer_);
@@ -380,6 +381,18 @@ void Viewport::lookAlong(const Vector3& direction, const Vector3& up)
   const Vector3 back = -direction.normalized();
   const Vector3 right = up.cross(back).normalized();
   fitCamera({right, back.cross(right), back});
+}
+
+/// After a click on the axes in the corner: all of the mesh, with what is up upright.
+void Viewport::lookAlongAxis()
+{
+  constexpr double kAlong = 1 - 1e-9;
+  const Vector3 sight(renderer_->GetActiveCamera()->GetDirectionOfProjection());
+  const Vector3 along = sight.array().round();
+  if (sight.dot(along) < kAlong) return;
+  const Vector3 up = upright(upAxis_, Vector3::UnitZ());
+  const double rise = along.dot(up);
+  lookAlong(along, rise == 0 ? up : upright(upAxis_, -rise * Vector3::UnitY()));
 }
 
 void Viewport::setParallelProjection(bool isParallel)

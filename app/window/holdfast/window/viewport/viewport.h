@@ -150,6 +150,7 @@ class Viewport : public VtkView {
   void showColors();
   void showConstraints();
   void showSelection();
+  void lookAlongAxis();
   void cameraMoved();
   void goBack(std::vector<Camera>& from, std::vector<Camera>& to);
   void forgetViews();
