@@ -65,10 +65,10 @@ class ViewsInWindow : public test::WindowUser {
 TEST_F(ViewsInWindow, ShowAllKeepsTheDirection)
 {
   turn();
-  const Camera turned = camera();
+  const Camera after = camera();
   for (int k = 0; k < 3; ++k) press(Qt::Key_Home);
-  EXPECT_TRUE(sight().isApprox((turned.focalPoint - turned.position).normalized(), 1e-12));
-  EXPECT_TRUE(camera().viewUp.isApprox(turned.viewUp, 1e-12));
+  EXPECT_TRUE(sight().isApprox((after.focalPoint - after.position).normalized(), 1e-12));
+  EXPECT_TRUE(camera().viewUp.isApprox(after.viewUp, 1e-12));
   expectFits();
 }
 
@@ -118,9 +118,9 @@ TEST_F(ViewsInWindow, PreviousViewTakesDragsWheelAndKeysBackOneByOne)
   }
   press(Qt::Key_Left, Qt::AltModifier);
   turn();
-  const Camera turned = camera();
+  const Camera after = camera();
   press(Qt::Key_Right, Qt::AltModifier);
-  EXPECT_EQ(camera(), turned) << "another view takes the place of those that were taken back";
+  EXPECT_EQ(camera(), after) << "another view takes the place of those that were taken back";
 }
 
 TEST_F(ViewsInWindow, AnotherDocumentHasNoViewsOfThisOne)
