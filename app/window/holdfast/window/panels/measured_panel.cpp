@@ -2,6 +2,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QTreeWidget>
 #include <array>
 #include <cmath>
@@ -43,6 +44,7 @@ class MeasuredPanel final : public RefreshedPanel {
     addCommand(tr("&Remove"), "measuredRemove", tr("Removes the selected measurements"), QKeySequence::Delete,
                &MeasuredPanel::removeSelected);
     tree_->setContextMenuPolicy(Qt::ActionsContextMenu);
+    tree_->installEventFilter(this);
     pages_ = new HintedContent(tree_, "measuredHint");
     fill(*this, pages_);
     connect(&editor, &Editor::opened, this, &MeasuredPanel::begin);
@@ -52,6 +54,22 @@ class MeasuredPanel final : public RefreshedPanel {
       if (isVisible() && tree_->topLevelItemCount() > 0) fillCursor();
     });
     refresh();
+  }
+
+ protected:
+  /// The keys of its commands are those of the tree while that has the focus, whatever menus use them for.
+  bool eventFilter(QObject* watched, QEvent* event) override
+  {
+    if (event->type() != QEvent::ShortcutOverride && event->type() != QEvent::KeyPress)
+      return RefreshedPanel::eventFilter(watched, event);
+    const auto& key = static_cast<const QKeyEvent&>(*event);
+    for (QAction* action : tree_->actions()) {
+      if (action->shortcut() != QKeySequence(key.key() | static_cast<int>(key.modifiers()))) continue;
+      if (event->type() == QEvent::KeyPress) action->trigger();
+      event->accept();
+      return true;
+    }
+    return RefreshedPanel::eventFilter(watched, event);
   }
 
  private:
