@@ -201,7 +201,7 @@ void ViewportOverlay::paintProbes(QPainter& painter) const
     QString text = QString::number(k + 1);
     if (const auto& coloring = viewport_.coloring())
       if (const double value = valueAt(coloring->values, point); !std::isnan(value)) text += ": " + roundedText(value);
-    QRectF box = QFontMetricsF(font()).boundingRect(text);
+    QRectF box = QFontMetricsF(font()).boundingRect(rect(), Qt::AlignLeft, text);
     box.moveBottomLeft(center + QPointF(kProbeRadius + 10, -kProbeRadius));
     paintNote(painter, box, text);
   }
