@@ -14,6 +14,13 @@ void dark(TourWindow& tour)
   tour.open("bracket.obj", "bracket.constraints.json");
   tour.select("flange east");
   tour.picture("dark");
+  tour.trigger("toolProbe");
+  test::click(tour.viewport(), tour.shownVertex(tour.nearestVertex(Vector3(0, -30, 70))));
+  tour.raise("measuredDock");
+  tour.settle();
+  tour.picture("dark_measured");
+  tour.trigger("removeMeasurements");
+  tour.trigger("toolSelect");
   tour.open("bracket.obj", "bracket.conflict.constraints.json");
   tour.raise("conflictsDock");
   tour.raise("colorsDock");
@@ -45,7 +52,18 @@ void inside(TourWindow& tour)
     test::click(tour.viewport(), tour.shownVertex(tour.nearestVertex(place)));
   tour.settle();
   tour.picture("ruler");
-  tour.trigger("escape");
+  tour.trigger("toolProbe");
+  test::click(tour.viewport(), tour.shownVertex(tour.nearestVertex(Vector3(0, -30, 70))));
+  test::moveMouse(tour.viewport(), tour.shownVertex(tour.nearestVertex(Vector3(30, -30, 12))));
+  tour.raise("measuredDock");
+  tour.settle();
+  tour.picture("measured");
+  tour.raise("findingsDock");
+  tour.trigger("showRest");
+  tour.picture("mesh_at_rest");
+  tour.trigger("showRest");
+  tour.raise("inspectorDock");
+  tour.trigger("removeMeasurements");
   tour.trigger("toolSelect");
 }
 

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 #include <vtkCamera.h>
+#include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 
 #include <holdfast/deform/deform.h>
@@ -226,6 +227,44 @@ TEST(DefaultCamera, FitsAnyMeshIntoAnyPicture)
       fit(*camera, defaultFrame(mesh.positions), mesh.positions, aspect);
       EXPECT_NEAR(reach(*camera, mesh.positions, aspect), 0.88, 1e-6) << size.transpose() << ", aspect " << aspect;
     }
+}
+
+TEST(DefaultCamera, FitsAMeshIntoAParallelPictureAndLeavesRoomAtTheRight)
+{
+  for (const int isParallel : {0, 1})
+    for (const Vector3& size : {Vector3(1, 2, 3), Vector3(100, 1, 1), Vector3(1, 1, 100)})
+      for (const double aspect : {0.3, 1.0, 5.0}) {
+        const Positions points = test::box(size, 2).positions;
+        vtkNew<vtkCamera> camera;
+        camera->SetParallelProjection(isParallel);
+        fit(*camera, defaultFrame(points), points, aspect, 0.2);
+        vtkMatrix4x4& view = *camera->GetCompositeProjectionTransformMatrix(aspect, -1, 1);
+        Positions shown(points.rows(), 3);
+        for (Index k = 0; k < points.rows(); ++k) {
+          const double* place = view.MultiplyDoublePoint(Vector3(points.row(k)).homogeneous().eval().data());
+          shown.row(k) = Vector3(place).transpose() / place[3];
+        }
+        const double left = -1 - shown.col(0).minCoeff();
+        const double right = shown.col(0).maxCoeff() - 1;
+        const double above = shown.col(1).maxCoeff() - 1;
+        EXPECT_LE(left, -0.12 + 1e-9);
+        EXPECT_LE(right, -0.4 + 1e-9);
+        EXPECT_LE(above, -0.12 + 1e-9);
+        EXPECT_NEAR(std::max(left, above), -0.12, 1e-9) << "as large as it fits";
+      }
+}
+
+TEST(DefaultCamera, OfAModelWhoseYIsUpIsThatOfTheSameModelTurnedUpright)
+{
+  const Positions lying = test::box({2, 7, 5}, 2).positions;
+  Positions standing(lying.rows(), 3);
+  for (Index k = 0; k < lying.rows(); ++k) standing.row(k) = upright(UpAxis::Y, Vector3(lying.row(k))).transpose();
+  const ViewFrame expected = defaultFrame(lying);
+  const ViewFrame frame = defaultFrame(standing, UpAxis::Y);
+  EXPECT_EQ(frame.up, upright(UpAxis::Y, expected.up));
+  EXPECT_EQ(frame.back, upright(UpAxis::Y, expected.back));
+  EXPECT_GT(frame.up.y(), 0.7);
+  EXPECT_NEAR(frame.right.cross(frame.up).dot(frame.back), 1, 1e-12);
 }
 
 TEST(DefaultCamera, LooksFromAboveAtTheLongerSide)

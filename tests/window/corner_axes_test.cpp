@@ -111,6 +111,18 @@ TEST_F(OrientationInCorner, AClickOnABallLooksFromThere)
     }
 }
 
+TEST_F(OrientationInCorner, AClickLeavesWhatIsUpUpright)
+{
+  viewport().setUpAxis(UpAxis::Y);
+  for (int axis = 0; axis < 3; ++axis)
+    for (const bool isPositive : {true, false}) {
+      lookFromCorner();
+      clickBall(axis, isPositive);
+      const Vector3 up = axis != 1 ? Vector3::UnitY() : Vector3((isPositive ? -1 : 1) * Vector3::UnitZ());
+      EXPECT_LT((Vector3(camera().GetViewUp()) - up).norm(), 1e-6) << "axis " << axis;
+    }
+}
+
 TEST_F(OrientationInCorner, AClickOnTheBallThatFacesTheViewerLooksFromBehind)
 {
   clickBall(0, true);

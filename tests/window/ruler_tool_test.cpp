@@ -149,7 +149,7 @@ TEST_F(RulerInWindow, EscapeTakesBackTheFirstEndThenTheRulerThenTheTool)
   EXPECT_TRUE(find<QAction>("toolSelect").isChecked());
 }
 
-TEST_F(RulerInWindow, StaysAtItsKeyAndGoesWithTheTool)
+TEST_F(RulerInWindow, StaysAtItsKeyAndBeginsAnewWithTheTool)
 {
   const auto [a, b] = twoVertices();
   measure(a, b);

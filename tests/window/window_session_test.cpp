@@ -79,7 +79,7 @@ class SessionInWindow : public test::WindowUser {
     const QPointF from(100, 100);
     test::drag(viewport(), {from, from + QPointF(50, 20), from + QPointF(123, 45)}, Qt::RightButton);
     test::drag(viewport(), {from, from + QPointF(17, 5)}, Qt::MiddleButton);
-    key(Qt::Key_5);
+    key(Qt::Key_5, Qt::ControlModifier);
     openPanel("Colours");
     choose("colorField", static_cast<int>(ColorBy::Rotation));
     choose("colorMap", 2);

@@ -20,6 +20,7 @@ template <class View, class Visitor>
 void forEachMember(View& view, Visitor&& visit)
 {
   visit("camera", view.camera);
+  visit("up_axis", view.upAxis);
   visit("color_by", view.colorBy);
   visit("range", view.range);
   visit("scale", view.scale);

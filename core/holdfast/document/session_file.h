@@ -34,6 +34,7 @@ struct Camera {
 /// How the model is shown; the view chooses what is absent. Names are those of the view.
 struct ViewState {
   std::optional<Camera> camera;
+  std::optional<std::string> upAxis;  ///< of the model: "y", "z"
   std::optional<std::string> colorBy;
   std::optional<std::array<double, 2>> range;  ///< low below high; automatic where absent
   std::optional<std::string> scale;            ///< of the colours: "linear", "log"

@@ -135,6 +135,35 @@ bool RayCaster::isBlocked(const Ray& ray, double before, std::span<const Index> 
   return isBlocked;
 }
 
+std::vector<std::array<Vector3, 2>> RayCaster::cutBy(const Vector3& origin, const Vector3& normal) const
+{
+  const auto entryOf = [&](const Eigen::AlignedBox3d& box, double /*limit*/) {
+    const double reach = kBoxSlack * box.sizes().dot(normal.cwiseAbs()) / 2;
+    return std::abs((box.center() - origin).dot(normal)) <= reach ? 0 : kNever;
+  };
+  std::vector<std::array<Vector3, 2>> segments;
+  constexpr double kNoLimit = 0;
+  tree_->visit(*boxes_, entryOf, kNoLimit, [&](Index triangle) {
+    std::array<Vector3, 3> corners;
+    std::array<double, 3> heights{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      corners[k] = positions_->row(tree_->triangles()[triangle][k]).transpose();
+      heights[k] = (corners[k] - origin).dot(normal);
+    }
+    std::array<Vector3, 2> segment;
+    std::size_t ends = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t next = (k + 1) % 3;
+      if ((heights[k] >= 0) == (heights[next] >= 0)) continue;
+      const double t = heights[k] / (heights[k] - heights[next]);
+      segment[ends++] = corners[k] + t * (corners[next] - corners[k]);
+    }
+    if (ends == 2) segments.push_back(segment);
+    return false;
+  });
+  return segments;
+}
+
 std::vector<Index> RayCaster::withinReach(const Ray& ray, const RayReach& reach) const
 {
   const Caster caster(ray);

@@ -59,6 +59,10 @@ class RayCaster {
   /// Whether the ray meets a triangle at `from` <= t < `before`, but for `ignored`, which ascend. About O(log T).
   [[nodiscard]] bool isBlocked(const Ray& ray, double before, std::span<const Index> ignored, double from = 0) const;
 
+  /// Where a plane through `origin`, across `normal` (not zero), cuts the triangles: a segment of each that has corners
+  /// on both sides. About O(segments log T).
+  [[nodiscard]] std::vector<std::array<Vector3, 2>> cutBy(const Vector3& origin, const Vector3& normal) const;
+
   /// All triangles that have a point within reach of the ray, and some that almost have; ascending.
   [[nodiscard]] std::vector<Index> withinReach(const Ray& ray, const RayReach& reach) const;
 

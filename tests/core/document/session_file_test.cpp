@@ -32,6 +32,7 @@ SessionFile fullSession()
   session.document.options = {Weights::Uniform, {SolverKind::Soft, Backend::Eigen, 0.1}};
   session.view.camera =
       Camera{{0.1, -1e-300, 1.0 / 3}, {1e300, -0.0, 2}, {0, 0.6, 0.8}, std::numeric_limits<double>::min(), true};
+  session.view.upAxis = "y";
   session.view.colorBy = "detail";
   session.view.range = {-0.1, 0.30000000000000004};
   session.view.scale = "log";

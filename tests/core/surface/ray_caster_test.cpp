@@ -1,4 +1,7 @@
+#include <algorithm>
+#include <cmath>
 #include <memory>
+#include <numbers>
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>
@@ -219,6 +222,38 @@ TEST(RayCaster, TrianglesWithoutAreaAreNotHit)
   const RayCaster caster(needle.positions, {{0, 1, 2}, {0, 0, 1}});
   EXPECT_FALSE(caster.firstHit({{0.5, 0, 1}, {0, 0, -1}}));
   EXPECT_FALSE(RayCaster(needle.positions, {}).firstHit({{0.5, 0, 1}, {0, 0, -1}}));
+}
+
+TEST(RayCaster, APlaneCutsAClosedSurfaceInClosedLines)
+{
+  const Mesh mesh = test::icosphere(4);
+  const std::vector<Triangle> triangles = triangulate(mesh).triangles;
+  const RayCaster caster(mesh.positions, triangles);
+  const Vector3 normal = Vector3(0.3, -0.5, 1.7);
+  for (const double height : {0.0, 0.31, -0.9}) {
+    const Vector3 origin = height * normal.normalized();
+    std::size_t crossed = 0;
+    for (const Triangle& triangle : triangles) {
+      int above = 0;
+      for (const Index v : triangle) above += (Vector3(mesh.positions.row(v)) - origin).dot(normal) >= 0 ? 1 : 0;
+      crossed += above % 3 != 0 ? 1 : 0;
+    }
+    const auto segments = caster.cutBy(origin, normal);
+    EXPECT_EQ(segments.size(), crossed);
+    double length = 0;
+    for (const auto& segment : segments) {
+      length += (segment[1] - segment[0]).norm();
+      for (const Vector3& end : segment) {
+        EXPECT_NEAR((end - origin).dot(normal), 0, 1e-14);
+        const auto isHere = [&](const Vector3& place) { return (place - end).norm() < 1e-14; };
+        const auto ends = std::count_if(segments.begin(), segments.end(),
+                                        [&](const auto& other) { return isHere(other[0]) != isHere(other[1]); });
+        EXPECT_EQ(ends, 2) << "the next segment begins where one ends";
+      }
+    }
+    EXPECT_NEAR(length, 2 * std::numbers::pi * std::sqrt(1 - height * height), 0.01);
+  }
+  EXPECT_TRUE(caster.cutBy(2 * normal, normal).empty());
 }
 
 }  // namespace

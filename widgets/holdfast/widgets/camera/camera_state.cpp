@@ -119,40 +119,57 @@ Vector3 atDepthOf(vtkRenderer& renderer, const Vector3& reference, const Display
   return Vector3(world) / world[3];
 }
 
-ViewFrame defaultFrame(const Positions& positions)
+ViewFrame frameOf(vtkCamera& camera)
 {
-  const Vector3 sides = boundingBox(positions).sizes();
-  const bool isLongAlongY = sides.y() > sides.x();
-  const double longest = std::max(sides.x(), sides.y());
-  const double rise = (sides.z() < kFlat * longest ? kRiseOverFlatDegrees : kRiseDegrees) * kDegree;
-  const double turn = (isLongAlongY ? -kTurnDegrees : kTurnDegrees - 90) * kDegree;
-  const Vector3 back(std::cos(rise) * std::cos(turn), std::cos(rise) * std::sin(turn), std::sin(rise));
-  const Vector3 right = Vector3::UnitZ().cross(back).normalized();
+  const Vector3 back = -Vector3(camera.GetDirectionOfProjection()).normalized();
+  const Vector3 right = Vector3(camera.GetViewUp()).cross(back).normalized();
   return {right, back.cross(right), back};
 }
 
-void fit(vtkCamera& camera, const ViewFrame& frame, const Positions& points, double aspect)
+ViewFrame defaultFrame(const Positions& positions, UpAxis up)
 {
-  const double slope = std::tan(kViewAngleDegrees / 2 * kDegree) * (1 - 2 * kMargin);
-  const double slopeAcross = slope * aspect;
+  const Vector3 sizes = boundingBox(positions).sizes();
+  const double height = up == UpAxis::Z ? sizes.z() : sizes.y();
+  const double depth = up == UpAxis::Z ? sizes.y() : sizes.z();
+  const double longest = std::max(sizes.x(), depth);
+  const double rise = (height < kFlat * longest ? kRiseOverFlatDegrees : kRiseDegrees) * kDegree;
+  const double turn = (depth > sizes.x() ? -kTurnDegrees : kTurnDegrees - 90) * kDegree;
+  const Vector3 back(std::cos(rise) * std::cos(turn), std::cos(rise) * std::sin(turn), std::sin(rise));
+  const Vector3 right = Vector3::UnitZ().cross(back).normalized();
+  return {upright(up, right), upright(up, back.cross(right)), upright(up, back)};
+}
+
+void fit(vtkCamera& camera, const ViewFrame& frame, const Positions& points, double aspect, double freeAtRight)
+{
+  // Planes of these slopes through the eye have all points between them. Those of a parallel projection are parallel,
+  // and its half height takes the place of the eye's distance.
+  const bool isParallel = camera.GetParallelProjection() != 0;
+  const double lens = std::tan(kViewAngleDegrees / 2 * kDegree);
+  const double perHeight = isParallel ? 1 : lens;
+  const double perDepth = isParallel ? 0 : 1;
+  const double slope = perHeight * (1 - 2 * kMargin);
+  const double slopeLeft = slope * aspect;
+  const double slopeRight = perHeight * (1 - 2 * std::max(kMargin, freeAtRight)) * aspect;
+  const Vector3 back = perDepth * frame.back;
   Eigen::Matrix<double, 3, 6> directions;
-  directions << slopeAcross * frame.back + frame.right, slopeAcross * frame.back - frame.right,
-      slope * frame.back + frame.up, slope * frame.back - frame.up, frame.back, -frame.back;
+  directions << slopeRight * back + frame.right, slopeLeft * back - frame.right, slope * back + frame.up,
+      slope * back - frame.up, frame.back, -frame.back;
   // Not as a product of matrices, which would hold all points six times.
   const Eigen::RowVector<double, 6> reach = points.lazyProduct(directions).colwise().maxCoeff();
   const double nearest = reach[4];
   const double farthest = -reach[5];
-  // Planes of these slopes through the eye have all points between them. A single point has no size to fit: any
-  // distance from it will do.
-  const double back = std::max((reach[0] + reach[1]) / (2 * slopeAcross), (reach[2] + reach[3]) / (2 * slope));
-  const double distance = back - nearest;
-  const double eyeBack = nearest + (distance > 0 ? distance : 1);
-  const Vector3 across = (reach[0] - reach[1]) / 2 * frame.right + (reach[2] - reach[3]) / 2 * frame.up;
+  // A single point has no size to fit: any distance from it will do.
+  const double size = std::max((reach[0] + reach[1]) / (slopeRight + slopeLeft), (reach[2] + reach[3]) / (2 * slope));
+  const double extent = size - perDepth * nearest > 0 ? size : perDepth * nearest + 1;
+  const double eyeBack = isParallel ? nearest + extent / lens : extent;
+  const Vector3 across = ((reach[0] - reach[1]) + (slopeLeft - slopeRight) * extent) / 2 * frame.right +
+                         (reach[2] - reach[3]) / 2 * frame.up;
   const Vector3 eye = across + eyeBack * frame.back;
   const Vector3 focus = across + (farthest + nearest) / 2 * frame.back;
   camera.SetViewAngle(kViewAngleDegrees);
   camera.SetPosition(eye.data());
   camera.SetFocalPoint(focus.data());
+  if (isParallel) camera.SetParallelScale(extent);
   setViewUp(camera, frame.up);
 }
 

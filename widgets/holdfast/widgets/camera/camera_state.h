@@ -41,11 +41,25 @@ struct ViewFrame {
   Vector3 back;  ///< from the mesh to the eye
 };
 
-/// z is up and -y the front. The eye is in front of the longer side (at -y, or at +x for a mesh that is longer along
-/// y), rotated by a third of a right angle towards the other of these two, and raised, higher above flat meshes.
-[[nodiscard]] ViewFrame defaultFrame(const Positions& positions);
+/// The camera's present one.
+[[nodiscard]] ViewFrame frameOf(vtkCamera& camera);
 
-/// Places `camera` along `frame`, as near as `points` (one at least) fit a picture of width / height `aspect`. O(N).
-void fit(vtkCamera& camera, const ViewFrame& frame, const Positions& points, double aspect);
+/// The axis of the model that is up. x is to the right of who looks from the front, at -y where z is up, at +z where y
+/// is.
+enum class UpAxis { Y, Z };
+
+/// A direction of a model whose z is up, as it is in one whose `up` is.
+[[nodiscard]] inline Vector3 upright(UpAxis up, const Vector3& direction)
+{
+  return up == UpAxis::Z ? direction : Vector3(direction.x(), direction.z(), -direction.y());
+}
+
+/// The eye is in front of the longer side (the front or the right one), rotated by a third of a right angle towards the
+/// other of these two, and raised, higher above flat meshes.
+[[nodiscard]] ViewFrame defaultFrame(const Positions& positions, UpAxis up = UpAxis::Z);
+
+/// Places `camera` along `frame`, as near as `points` (one at least) fit a picture of width / height `aspect`; in
+/// parallel projection as large as they fit. At the right a share of the width may be left free. O(N).
+void fit(vtkCamera& camera, const ViewFrame& frame, const Positions& points, double aspect, double freeAtRight = 0);
 
 }  // namespace holdfast

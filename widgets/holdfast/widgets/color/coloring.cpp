@@ -146,6 +146,13 @@ std::optional<ColorBy> colorByNamed(std::string_view name)
   return static_cast<ColorBy>(found - kNames.begin());
 }
 
+double valueAt(const std::vector<double>& values, const SurfacePoint& point)
+{
+  double value = 0;
+  for (const Term& term : point.terms) value += term.coefficient * values[term.index];
+  return value;
+}
+
 std::optional<Coloring> coloringOf(const Model& model, const DeformResult& deformation, ColorBy colorBy,
                                    const std::string& units)
 {

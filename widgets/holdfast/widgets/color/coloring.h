@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <holdfast/deform/deform.h>
+#include <holdfast/surface/surface_point.h>
 #include <holdfast/widgets/color/color_map.h>
 
 namespace holdfast {
@@ -33,6 +34,9 @@ struct Coloring {
   std::vector<double> values;
   ColorScale scale;
 };
+
+/// The value at a point of the surface, as it is coloured; NaN where a vertex of it has none.
+[[nodiscard]] double valueAt(const std::vector<double>& values, const SurfacePoint& point);
 
 /// None for `ColorBy::None`. `units` is the user's name of the model's length; it may be empty.
 [[nodiscard]] std::optional<Coloring> coloringOf(const Model& model, const DeformResult& deformation, ColorBy colorBy,

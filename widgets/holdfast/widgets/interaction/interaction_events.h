@@ -36,7 +36,9 @@ enum InteractionEvents : unsigned long {
   /// Instead of EndInteractionEvent: the gesture was taken back; restore the state before it.
   CancelInteractionEvent = vtkCommand::UserEvent + 18'500,
   /// The right button went down and up in one place. Call data: none; the interactor has the place.
-  ContextMenuRequestEvent
+  ContextMenuRequestEvent,
+  /// A click is about to begin another ruler: the present one goes. Call data: none.
+  NextRulerEvent
 };
 
 /// As `vtkSetMacro` sets a member of `object`, for types that VTK cannot print.

@@ -361,7 +361,10 @@ void SurfaceRulerWidget::Press()
   this->Hover();
   this->CurrentHandle = -1;
   AddPointAction(this);
-  if (this->CurrentHandle >= 0) this->GrabbedAt = this->Drawn().GetHandle(this->CurrentHandle).GetPlacement();
+  if (this->CurrentHandle >= 0)
+    this->GrabbedAt = this->Drawn().GetHandle(this->CurrentHandle).GetPlacement();
+  else
+    this->PressClick();
 }
 
 void SurfaceRulerWidget::Move()
@@ -398,6 +401,10 @@ void SurfaceRulerWidget::Release()
   DisplayPoint cursor = this->Cursor();
   if (!this->LeftClick.Release(cursor, this->Drawn().GetPixelRatio())) return;
   if (!this->GetPlacer()->Pick(*this->CurrentRenderer, cursor.data())) return;
+  if (this->WidgetState == vtkDistanceWidget::Manipulate) {
+    this->InvokeEvent(NextRulerEvent);
+    this->Clear();
+  }
   if (this->WidgetState == vtkDistanceWidget::Define) this->Drawn().WidgetInteraction(cursor.data());
   this->PrepareHandles();
   AddPointAction(this);

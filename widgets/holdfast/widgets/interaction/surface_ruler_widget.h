@@ -130,7 +130,8 @@ class SurfaceRulerRepresentation : public vtkDistanceRepresentation2D {
   vtkNew<vtkActor2D> Line;
 };
 
-/// A click on the surface places the first end, another one the second; then both can be dragged. Ends are on vertices,
+/// A click on the surface places the first end, another one the second; then both can be dragged, and a click beside
+/// them begins another ruler (`NextRulerEvent` before it). Ends are on vertices,
 /// on edges or in faces, and move with the surface. Clicks are as in `Click`. A drag of an end aborts its events.
 class SurfaceRulerWidget : public WidgetOf<SurfaceRulerRepresentation, vtkDistanceWidget> {
  public:

@@ -1,6 +1,7 @@
 #pragma once
 /// Which parts of a model's surface are visible.
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <span>
@@ -40,6 +41,13 @@ class VisibleSurface {
   [[nodiscard]] std::span<const Index> trianglesAt(Index vertex) const
   {
     return (*trianglesOf_)[model_->solverMesh.weld.unknownOf[vertex]];
+  }
+
+  /// Where the section plane cuts the triangles, a segment each; none without a plane.
+  [[nodiscard]] std::vector<std::array<Vector3, 2>> cut() const
+  {
+    if (!section_) return {};
+    return rays_.cutBy(section_->origin, section_->normal);
   }
 
   /// Whether a place is not cut away.

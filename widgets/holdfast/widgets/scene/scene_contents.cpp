@@ -3,6 +3,7 @@
 #include <utility>
 
 #include <vtkActor.h>
+#include <vtkCellArray.h>
 #include <vtkMapper.h>
 #include <vtkPlaneCollection.h>
 #include <vtkProperty.h>
@@ -13,6 +14,10 @@ namespace {
 
 constexpr double kGhostEdgeOpacity = 0.22;
 constexpr double kGhostSurfaceOpacity = 0.16;
+
+constexpr double kCutPixels = 2;
+constexpr double kCutFactor = -2;
+constexpr double kCutUnits = -8;
 
 // A share of a ball's diameter.
 constexpr double kSelectionDotSize = 0.42;
@@ -28,6 +33,9 @@ SceneContents::SceneContents(const Model& model, std::shared_ptr<const ShadedSur
 {
   rest_.edges().GetProperty()->SetOpacity(kGhostEdgeOpacity);
   rest_.surface().GetProperty()->SetOpacity(kGhostSurfaceOpacity);
+  drawLinesNearer(showData(*cut_, *cutLines_), kCutFactor, kCutUnits);
+  setColor(*cut_, kAccentColor);
+  cut_->GetProperty()->LightingOff();
   for (vtkActor* const actor : arrows_.actors()) actor->GetMapper()->SetClippingPlanes(&mesh_.sectionPlanes());
   setRestGhost(RestGhost::Edges);
   setRotationDisplay(RotationDisplay::Hidden);
@@ -55,7 +63,7 @@ std::vector<vtkActor*> SceneContents::actors() const
   add(arrows_.actors());
   add({&selection_.dots()});
   add(glyphs_.actors());
-  add({&mesh_.edges(), &rest_.edges(), &rest_.surface()});
+  add({&mesh_.edges(), &rest_.edges(), &rest_.surface(), cut_});
   return all;
 }
 
@@ -99,6 +107,20 @@ void SceneContents::setSection(const std::optional<SectionPlane>& section)
   mesh_.setSection(section);
   rest_.setSection(section);
   glyphs_.setSection(section);
+}
+
+void SceneContents::setCut(const std::vector<std::array<Vector3, 2>>& segments)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(2 * static_cast<vtkIdType>(segments.size()));
+  vtkNew<vtkCellArray> lines;
+  for (vtkIdType end = 0; end < points->GetNumberOfPoints(); ++end) {
+    points->SetPoint(end, segments[static_cast<std::size_t>(end / 2)][end % 2].data());
+    if (end % 2 == 1) lines->InsertNextCell({end - 1, end});
+  }
+  cutLines_->SetPoints(points);
+  cutLines_->SetLines(lines);
 }
 
 void SceneContents::setRestGhost(RestGhost ghost)
@@ -146,6 +168,7 @@ void SceneContents::resize()
 {
   mesh_.setPixelRatio(pixelRatio_);
   rest_.setPixelRatio(pixelRatio_);
+  setLineWidth(*cut_, kCutPixels * pixelRatio_);
   glyphs_.setBallPixels(pixelRatio_ * ballSize_);
   selection_.setDotPixels(kSelectionDotSize * pixelRatio_ * ballSize_);
 }

@@ -1,6 +1,7 @@
 #pragma once
 /// Everything that shows a document in a renderer, and follows it from frame to frame.
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -60,6 +61,8 @@ class SceneContents {
 
   /// Draws what a plane keeps of the mesh, its shape at rest, the selection, constraints and rotations; none: all.
   void setSection(const std::optional<SectionPlane>& section);
+  /// Draws the lines along which the plane cuts the mesh (`VisibleSurface::cut`).
+  void setCut(const std::vector<std::array<Vector3, 2>>& segments);
 
   void setRestGhost(RestGhost ghost);
   void setMeshEdges(MeshEdges edges) { mesh_.setMeshEdges(edges); }
@@ -102,6 +105,8 @@ class SceneContents {
   SelectionOverlay selection_;
   RotationGlyphs arrows_;
   ConstraintGlyphs glyphs_;
+  vtkNew<vtkPolyData> cutLines_;
+  vtkNew<BlendedActor> cut_;
 };
 
 struct ColorSettings {

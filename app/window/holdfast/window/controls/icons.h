@@ -18,6 +18,7 @@ enum class Sign {
   Flood,
   Curve,
   Ruler,
+  Probe,
   Fix,
   Handle,
   Rigid,

@@ -81,6 +81,8 @@ void Editor::close()
   selectedVertices_.clear();
   selectedShape_.reset();
   selectedConstraints_.clear();
+  measurements_ = {};
+  underCursor_ = {};
   setStep({});
   setSolveState(SolveState::Nothing, {});
   Q_EMIT opened();
@@ -272,6 +274,19 @@ void Editor::selectConstraints(std::vector<Index> constraints)
   if (constraints == selectedConstraints_) return;
   selectedConstraints_ = std::move(constraints);
   Q_EMIT constraintSelectionChanged();
+}
+
+void Editor::setMeasurements(Measurements measurements)
+{
+  measurements_ = std::move(measurements);
+  Q_EMIT measurementsChanged();
+}
+
+void Editor::setUnderCursor(UnderCursor underCursor)
+{
+  const bool wasAnything = underCursor_.pick || underCursor_.constraint;
+  underCursor_ = std::move(underCursor);
+  if (wasAnything || underCursor_.pick || underCursor_.constraint) Q_EMIT underCursorChanged();
 }
 
 }  // namespace holdfast

@@ -4,6 +4,7 @@
 #include <QElapsedTimer>
 #include <QObject>
 #include <QString>
+#include <array>
 #include <cstdint>
 #include <deque>
 #include <filesystem>
@@ -21,6 +22,7 @@
 #include <holdfast/io/mesh_document.h>
 #include <holdfast/surface/vertex_regions.h>
 #include <holdfast/widgets/marks/mark_set.h>
+#include <holdfast/widgets/picking/surface_picker.h>
 #include <holdfast/widgets/picking/visible_surface.h>
 #include <holdfast/widgets/scene/scene_contents.h>
 #include <holdfast/window/model/background_job.h>
@@ -54,6 +56,18 @@ enum class SolveState {
   Solving,    ///< a newer state is being worked on: the deformation is older
   Cancelled,  ///< the user stopped the work: the deformation is older
   Unusable    ///< the state cannot be solved, `Editor::error` says why: the deformation is older
+};
+
+/// What the user has measured. Not part of the document: nothing is undone, and no file has it.
+struct Measurements {
+  std::vector<SurfaceLocation> probes;
+  std::vector<std::array<SurfaceLocation, 2>> rulers;
+};
+
+/// What is under the cursor of the picture. With tools that pick it is what a click would take.
+struct UnderCursor {
+  std::optional<SurfacePick> pick;
+  std::optional<Index> constraint;  ///< whose mark it is, by its place in the list
 };
 
 /// Widgets show this data, change it through the functions below, and keep no copy. Lives on the thread of the window.
@@ -139,6 +153,12 @@ class Editor : public QObject {
   [[nodiscard]] Selection selection() const { return selectedShape_.value_or(Selection{VertexIds{selectedVertices_}}); }
   void selectConstraints(std::vector<Index> constraints);
 
+  /// Of this document, in the order in which they were made. Locations are those of picks.
+  [[nodiscard]] const Measurements& measurements() const noexcept { return measurements_; }
+  void setMeasurements(Measurements measurements);
+  [[nodiscard]] const UnderCursor& underCursor() const noexcept { return underCursor_; }
+  void setUnderCursor(UnderCursor underCursor);
+
  Q_SIGNALS:
   void opened();             ///< another document, or none
   void stateChanged();       ///< the list or the options; the history with them
@@ -147,6 +167,8 @@ class Editor : public QObject {
   void stepChanged();        ///< of the worker
   void vertexSelectionChanged();
   void constraintSelectionChanged();
+  void measurementsChanged();
+  void underCursorChanged();
   void saved();  ///< the history is where the file is, or `markUnsaved` was called
 
  private:
@@ -187,6 +209,8 @@ class Editor : public QObject {
   std::vector<Index> selectedVertices_;
   std::optional<Selection> selectedShape_;
   std::vector<Index> selectedConstraints_;
+  Measurements measurements_;
+  UnderCursor underCursor_;
 };
 
 }  // namespace holdfast

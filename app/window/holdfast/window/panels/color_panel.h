@@ -5,9 +5,11 @@
 #include <QComboBox>
 #include <QFormLayout>
 #include <QLabel>
+#include <QSlider>
 #include <QSpinBox>
 #include <QStackedWidget>
 #include <QWidget>
+#include <cmath>
 #include <optional>
 
 #include <holdfast/widgets/scene/scene_contents.h>
@@ -28,12 +30,15 @@ class ColorPanel : public QWidget {
  public Q_SLOTS:
   void setSettings(const ColorSettings& settings);
   void setDisplaySettings(const DisplaySettings& settings);
+  /// How much of the deformation the picture shows.
+  void setShownShare(double share) { share_->setValue(static_cast<int>(std::lround(100 * share))); }
   /// The scale of the picture, none where it has one colour. An automatic range shows it; a fixed range starts from it.
   void setShownScale(const std::optional<ColorScale>& scale);
 
  Q_SIGNALS:
   void settingsChanged(const ColorSettings& settings);
   void displaySettingsChanged(const DisplaySettings& settings);
+  void shownShareChosen(double share);
 
  private:
   void makeColorRows(QFormLayout& form);
@@ -61,6 +66,7 @@ class ColorPanel : public QWidget {
   QComboBox* map_ = nullptr;
   QComboBox* rest_ = nullptr;
   QComboBox* edges_ = nullptr;
+  QSlider* share_ = nullptr;
   QCheckBox* arrows_ = nullptr;
   QCheckBox* constraints_ = nullptr;
 };

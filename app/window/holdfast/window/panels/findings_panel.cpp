@@ -1,10 +1,13 @@
 #include <utility>
 
+#include <holdfast/base/printable.h>
 #include <holdfast/document/list_edits.h>
+#include <holdfast/geometry/bounding_box.h>
 #include <holdfast/mesh/index_lists.h>
 #include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/model/constraint_actions.h>
 #include <holdfast/window/panels/panels.h>
+#include <holdfast/window/text/number_text.h>
 
 namespace holdfast {
 namespace {
@@ -24,6 +27,29 @@ Rows constraintsOf(const Finding& finding, const Editor& editor)
   return rows;
 }
 
+/// The file, its size, its parts, and the box around it now.
+QString aboutMesh(const Editor& editor)
+{
+  const Model& model = *editor.model();
+  const QString units = toText(editor.list().units);
+  const Eigen::AlignedBox3d rest = boundingBox(model.mesh.positions);
+  const Eigen::AlignedBox3d now = boundingBox(editor.positions());
+  const auto sizesOf = [](const Eigen::AlignedBox3d& box) {
+    return QString("%1 × %2 × %3")
+        .arg(roundedText(box.sizes().x()), roundedText(box.sizes().y()), roundedText(box.sizes().z()));
+  };
+  const Index parts = model.solverMesh.componentCount;
+  const QStringList lines{
+      QString::fromStdString(printable(editor.mesh().path.filename().string())),
+      QObject::tr("%1 vertices, %2 faces, %3")
+          .arg(countText(model.mesh.vertexCount()), countText(model.mesh.faces.size()),
+               parts == 1 ? QObject::tr("1 part") : QObject::tr("%1 parts").arg(countText(parts))),
+      QObject::tr("Size: %1 %2").arg(sizesOf(now), units.isEmpty() ? QObject::tr("(no unit)") : units) +
+          (sizesOf(now) == sizesOf(rest) ? QString() : QObject::tr("; at rest %1").arg(sizesOf(rest))),
+      QObject::tr("Bounds: %1 to %2").arg(roundedText(Vector3(now.min())), roundedText(Vector3(now.max())))};
+  return lines.join('\n');
+}
+
 class FindingsPanel final : public RefreshedPanel {
  public:
   FindingsPanel(Editor& editor, const std::function<void(const std::vector<Index>&)>& showVertices)
@@ -32,7 +58,9 @@ class FindingsPanel final : public RefreshedPanel {
     setObjectName("findingsPanel");
     list_ = named(new CardList, "findingsList", tr("Findings about the mesh"));
     pages_ = new HintedContent(list_, "findingsEmpty");
-    holdfast::fill(*this, pages_);
+    about_ = newText("meshAbout");
+    newLayout<QVBoxLayout>(this, 0, 0, {about_, pages_})->setStretch(1, 1);
+    about_->setContentsMargins(9, 6, 9, 3);
     connect(&editor, &Editor::opened, this, &FindingsPanel::refresh);
     connect(&editor, &Editor::deformed, this, &FindingsPanel::refresh);
     refresh();
@@ -42,6 +70,11 @@ class FindingsPanel final : public RefreshedPanel {
   void refresh() override
   {
     if (!isVisible()) return;
+    about_->setVisible(editor_.isOpen());
+    if (editor_.isOpen()) {
+      about_->setText(aboutMesh(editor_));
+      about_->setToolTip(QString::fromStdString(printable(editor_.mesh().path.string())));
+    }
     // The report begins with those of the mesh.
     findings_ = !editor_.isOpen()                  ? std::vector<Finding>()
                 : editor_.deformation() == nullptr ? editor_.model()->findings
@@ -88,6 +121,7 @@ class FindingsPanel final : public RefreshedPanel {
   Editor& editor_;
   std::function<void(const std::vector<Index>&)> showVertices_;
   HintedContent* pages_ = nullptr;
+  QLabel* about_ = nullptr;
   CardList* list_ = nullptr;
   std::vector<Card*> cards_;
   std::vector<Finding> findings_;  // those on the cards

@@ -19,6 +19,9 @@ namespace holdfast {
 /// The vertices that a finding names, those of its faces if it names faces, ascending; none for constraints.
 [[nodiscard]] std::vector<Index> verticesOf(const Finding& finding, const Mesh& mesh);
 
+/// What is under the cursor, probes and rulers: places, lengths and the values of all fields, now and at rest.
+[[nodiscard]] QWidget* newMeasuredPanel(Editor& editor);
+
 /// How the mesh was solved, and the choice of weights and solver.
 [[nodiscard]] QWidget* newReportPanel(Editor& editor);
 

@@ -143,8 +143,7 @@ void SpherePanel::redraw()
 
 void SpherePanel::showVertex(std::optional<Index> vertex)
 {
-  marked_ = vertex;
-  if (!sphere_) return;
+  if (std::exchange(marked_, vertex) == vertex || !sphere_) return;
   sphere_->mark(vertex);
   redraw();
 }

@@ -1,5 +1,6 @@
 #include "holdfast/window/table/constraint_table_model.h"
 
+#include <QBrush>
 #include <QDataStream>
 #include <QGuiApplication>
 #include <QMimeData>
@@ -31,6 +32,14 @@ constexpr std::array<std::optional<ConstraintStatus>, 7> kRanks{
     ConstraintStatus::Conflicting, ConstraintStatus::Missed,      std::nullopt,
     ConstraintStatus::Redundant,   ConstraintStatus::Independent, ConstraintStatus::Met,
     ConstraintStatus::Disabled};
+
+/// Of the row whose mark is under the cursor: fainter than what is selected.
+QColor markedColor()
+{
+  QColor color = QGuiApplication::palette().color(QPalette::Highlight);
+  color.setAlphaF(0.3);
+  return color;
+}
 
 bool isCoordinate(int column)
 {
@@ -72,6 +81,13 @@ ConstraintTableModel::ConstraintTableModel(Editor& editor, QObject* parent)
   connect(&editor, &Editor::stateChanged, this, &ConstraintTableModel::follow);
   connect(&editor, &Editor::deformed, this, &ConstraintTableModel::resultsChanged);
   connect(&editor, &Editor::solveStateChanged, this, &ConstraintTableModel::resultsChanged);
+  connect(&editor, &Editor::underCursorChanged, this, [this] {
+    if (marked_ == editor_.underCursor().constraint) return;
+    for (const auto& row : {std::exchange(marked_, editor_.underCursor().constraint), marked_})
+      if (row && *row < rowCount())
+        Q_EMIT dataChanged(index(static_cast<int>(*row), 0), index(static_cast<int>(*row), ColumnCount - 1),
+                           {Qt::BackgroundRole});
+  });
   if (editor.isOpen()) shown_ = editor.history().state();
 }
 
@@ -140,6 +156,8 @@ QVariant ConstraintTableModel::data(const QModelIndex& index, int role) const
       return QVariant(isCoordinate(column) || column == Residual || column == Force
                           ? static_cast<int>(Qt::AlignRight | Qt::AlignVCenter)
                           : static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter));
+    case Qt::BackgroundRole:
+      return row == marked_ ? QVariant(QBrush(markedColor())) : QVariant();
     case Qt::ForegroundRole:
       if (constraint(row).isEnabled && (column < Residual || editor_.isCurrent())) return {};
       return quietColor(QGuiApplication::palette());

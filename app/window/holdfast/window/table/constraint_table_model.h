@@ -66,6 +66,7 @@ class ConstraintTableModel : public QAbstractTableModel {
 
   Editor& editor_;
   std::shared_ptr<const DocumentState> shown_;  // the rows that views know
+  std::optional<Index> marked_;                 // under the cursor of the picture
 };
 
 }  // namespace holdfast

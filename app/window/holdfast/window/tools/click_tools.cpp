@@ -1,4 +1,8 @@
+#include <QScopedValueRollback>
 #include <array>
+#include <cstddef>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include <holdfast/base/error.h>
@@ -61,16 +65,18 @@ class PointTool : public ToolOf<SurfacePointWidget> {
     return hints[static_cast<std::size_t>(widget().GetKind())];
   }
 
+  bool hasPreview() const override { return true; }
+
   void end() override
   {
     ToolOf::end();
-    Q_EMIT viewport().previewChanged(std::nullopt);
+    viewport().setPreview(std::nullopt);
   }
 
   void leave() override
   {
     widget().HidePreview();
-    Q_EMIT viewport().previewChanged(std::nullopt);
+    viewport().setPreview(std::nullopt);
   }
 
   bool wants(const QKeyEvent& event) const override
@@ -83,12 +89,34 @@ class PointTool : public ToolOf<SurfacePointWidget> {
   void preview(vtkObject* /*caller*/, unsigned long /*event*/, void* pick)
   {
     const auto* shown = static_cast<const SurfacePick*>(pick);
-    Q_EMIT viewport().previewChanged(shown != nullptr ? std::optional(*shown) : std::nullopt);
+    viewport().setPreview(shown != nullptr ? std::optional(*shown) : std::nullopt);
   }
 
   void place(vtkObject* /*caller*/, unsigned long /*event*/, void* pick)
   {
-    holdPoint(editor(), *static_cast<const SurfacePick*>(pick));
+    take(*static_cast<const SurfacePick*>(pick));
+  }
+
+  virtual void take(const SurfacePick& pick) { holdPoint(editor(), pick); }
+};
+
+class ProbeTool final : public PointTool {
+ public:
+  using PointTool::PointTool;
+
+  QString hint() const override
+  {
+    return tr(
+        "Click a point of the surface to keep its values at “Measured”. V: vertices only, E: edges, F: faces, "
+        "A: whatever is nearest");
+  }
+
+ private:
+  void take(const SurfacePick& pick) override
+  {
+    Measurements measurements = editor().measurements();
+    measurements.probes.push_back(pick.location);
+    editor().setMeasurements(std::move(measurements));
   }
 };
 
@@ -183,24 +211,47 @@ class RulerTool : public ToolOf<SurfaceRulerWidget> {
     setObjectName("rulerTool");
     widget().AddObserver(vtkCommand::PlacePointEvent, this, &RulerTool::changed);
     widget().AddObserver(CancelInteractionEvent, this, &RulerTool::changed);
+    widget().AddObserver(vtkCommand::EndInteractionEvent, this, &RulerTool::keep);
+    widget().AddObserver(NextRulerEvent, this, &RulerTool::leaveCurrent);
+    connect(&editor, &Editor::measurementsChanged, this, [this] {
+      if (!isChanging_ && current_) {
+        current_.reset();
+        widget().Clear();
+      }
+      showKept();
+    });
+  }
+
+  void end() override
+  {
+    ToolOf::end();
+    leaveCurrent();
+    widget().Clear();
+  }
+
+  bool remove() override
+  {
+    if (!current_) return false;
+    Measurements rest = editor().measurements();
+    rest.rulers.erase(rest.rulers.begin() + *std::exchange(current_, std::nullopt));
+    widget().Clear();
+    editor().setMeasurements(std::move(rest));
+    Q_EMIT changed();
+    return true;
   }
 
   QString hint() const override
   {
-    if (widget().GetLocation(1)) return tr("Drag an end to measure elsewhere; Escape takes the ruler away");
+    if (widget().GetLocation(1))
+      return tr("Drag an end to measure elsewhere, or click two other points; Escape takes the ruler away");
     if (widget().GetLocation(0)) return tr("Click the second point; Escape takes the first one back");
     return tr("Click two points of the surface to measure between them, now and at rest");
   }
 
   bool cancel() override
   {
-    if (!widget().GetLocation(0)) return false;
-    if (widget().IsUnderWay()) {
-      widget().Cancel();
-    } else {
-      widget().Clear();
-      widget().Render();
-    }
+    if (!widget().IsUnderWay()) return false;
+    widget().Cancel();
     Q_EMIT changed();
     return true;
   }
@@ -210,7 +261,60 @@ class RulerTool : public ToolOf<SurfaceRulerWidget> {
   {
     ToolOf::followSurface();
     if (editor().isOpen()) widget().SetUnits(editor().list().units);
+    if (!widget().GetLocation(1)) current_.reset();
+    for (const auto& ruler : kept_) ruler->SetSurface(viewport().surface());
+    if (kept_.size() + (current_ ? 1 : 0) != editor().measurements().rulers.size()) showKept();
   }
+
+  void followDisplay() override
+  {
+    ToolOf::followDisplay();
+    for (const auto& ruler : kept_) ruler->SetPixelRatio(viewport().pixelRatio());
+  }
+
+  /// Lists the ruler that the user has placed, or has dragged an end of.
+  void keep()
+  {
+    Measurements measurements = editor().measurements();
+    if (!current_) {
+      current_ = static_cast<std::ptrdiff_t>(measurements.rulers.size());
+      measurements.rulers.emplace_back();
+    }
+    measurements.rulers[*current_] = {*widget().GetLocation(0), *widget().GetLocation(1)};
+    const QScopedValueRollback<bool> changing(isChanging_, true);
+    editor().setMeasurements(std::move(measurements));
+  }
+
+  void leaveCurrent()
+  {
+    if (std::exchange(current_, std::nullopt)) showKept();
+  }
+
+  /// The widget draws the current one.
+  void showKept()
+  {
+    const auto& rulers = editor().measurements().rulers;
+    for (const auto& ruler : kept_) viewport().widgetRenderer().RemoveViewProp(ruler);
+    kept_.clear();
+    for (std::size_t k = 0; k < rulers.size(); ++k) {
+      if (current_ == static_cast<std::ptrdiff_t>(k)) continue;
+      SurfaceRulerRepresentation& ruler = *kept_.emplace_back();
+      ruler.SetRenderer(&viewport().widgetRenderer());
+      ruler.SetPixelRatio(viewport().pixelRatio());
+      ruler.SetUnits(editor().list().units);
+      ruler.SetSurface(viewport().surface());
+      for (const int end : {0, 1}) {
+        const SurfaceLocation& at = rulers[k][static_cast<std::size_t>(end)];
+        ruler.GetHandle(end).SetPlacement(SurfacePlacement{at, pointOf(at, editor().model()->mesh)});
+      }
+      viewport().widgetRenderer().AddViewProp(&ruler);
+    }
+    viewport().scheduleWidgets();
+  }
+
+  std::optional<std::ptrdiff_t> current_;                 // the ruler whose ends the widget has, in the list
+  bool isChanging_ = false;                               // this tool changes the list
+  std::vector<vtkNew<SurfaceRulerRepresentation>> kept_;  // all others
 };
 
 }  // namespace
@@ -223,6 +327,11 @@ Tool* newSelectTool(Editor& editor, Viewport& viewport)
 Tool* newPointTool(Editor& editor, Viewport& viewport)
 {
   return new PointTool(editor, viewport);
+}
+
+Tool* newProbeTool(Editor& editor, Viewport& viewport)
+{
+  return new ProbeTool(editor, viewport);
 }
 
 Tool* newRelativeTool(Editor& editor, Viewport& viewport)

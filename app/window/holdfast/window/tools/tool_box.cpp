@@ -48,7 +48,9 @@ ToolBox::ToolBox(Editor& editor, Viewport& viewport, QObject* parent)
                              {newCurveTool(editor, viewport), "toolCurve", tr("&Curve"), "C",
                               tr("Draw a closed curve around a feature on the surface"), Sign::Curve},
                              {newRulerTool(editor, viewport), "toolRuler", tr("R&uler"), "D",
-                              tr("Measure between two points of the surface, now and at rest"), Sign::Ruler}}) {
+                              tr("Measure between two points of the surface, now and at rest"), Sign::Ruler},
+                             {newProbeTool(editor, viewport), "toolProbe", tr("&Probe"), "Q",
+                              tr("Keep the values of all fields at a point of the surface"), Sign::Probe}}) {
     Tool* const tool = entry.tool;
     tool->setParent(this);
     auto* action = named(new QAction(entry.text, group_), entry.name);

@@ -49,7 +49,9 @@ class ToolOf : public Tool {
 [[nodiscard]] Tool* newRegionTool(RegionShape shape, Editor& editor, Viewport& viewport, QAction& reachesThrough);
 /// A closed curve selects what is inside it; a constraint keeps the curve. Any other selection removes it.
 [[nodiscard]] Tool* newCurveTool(Editor& editor, Viewport& viewport);
-/// Two clicks place a ruler, which is there as long as the tool is chosen.
+/// A click keeps the point under the cursor in the list of measurements.
+[[nodiscard]] Tool* newProbeTool(Editor& editor, Viewport& viewport);
+/// Two clicks place a ruler, which is shown and listed from then on, whatever tool is chosen.
 [[nodiscard]] Tool* newRulerTool(Editor& editor, Viewport& viewport);
 
 /// VTK's plane, beside any tool: the side that its arrow does not point to is cut away, and cannot be picked.

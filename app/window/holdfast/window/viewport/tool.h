@@ -30,12 +30,16 @@ class Tool : public QObject {
   virtual void end();
   /// The mouse is over something in front of what the tool works on.
   virtual void leave() {}
+  /// Whether the tool calls `Viewport::setPreview` with what a click would take.
+  [[nodiscard]] virtual bool hasPreview() const { return false; }
   /// Whether the tool takes the key, before any menu does.
   [[nodiscard]] virtual bool wants(const QKeyEvent& /*event*/) const { return false; }
   /// The viewport loses the keyboard focus.
   virtual void loseFocus() {}
   /// Takes back what is under way, exactly; false if nothing is.
   virtual bool cancel() { return false; }
+  /// Removes what the tool has made last and still holds; false if there is nothing.
+  virtual bool remove() { return false; }
   /// Draws over the picture, in the viewport's own coordinates.
   virtual void paint(QPainter& /*painter*/) const {}
 

@@ -1,10 +1,10 @@
 #include "holdfast/window/viewport/view_state.h"
 
+#include <QSettings>
 #include <algorithm>
 #include <array>
 #include <string_view>
 
-#include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/window/viewport/viewport.h>
 
 namespace holdfast {
@@ -15,6 +15,8 @@ constexpr std::array<std::string_view, 4> kMapNames{"blue-green-yellow", "blue-g
                                                     "grey"};
 constexpr std::array<std::string_view, 3> kRestNames{"hidden", "edges", "surface"};
 constexpr std::array<std::string_view, 2> kEdgeNames{"sharp", "all"};
+
+constexpr std::array<std::string_view, 2> kAxisNames{"y", "z"};
 
 constexpr std::string_view kLogarithmic = "log";
 
@@ -36,6 +38,11 @@ Value named(const Names& names, const std::optional<std::string>& name, Value ot
   return found == names.end() ? otherwise : static_cast<Value>(found - names.begin());
 }
 
+QString upAxisSetting(const LoadedMesh& mesh)
+{
+  return "upAxis/" + QString::fromStdString(mesh.path.extension().string()).toLower();
+}
+
 /// The default where `state` says nothing, or more than there is.
 LogarithmicRange logarithmicRange(const ViewState& state)
 {
@@ -51,6 +58,7 @@ ViewState viewStateOf(Viewport& viewport)
   const DisplaySettings& display = viewport.display();
   ViewState state;
   state.camera = cameraOf(*viewport.renderer().GetActiveCamera());
+  state.upAxis = nameOf(kAxisNames, viewport.upAxis());
   state.colorBy = nameOf(colorByNames(), colors.field);
   if (const auto* fixed = std::get_if<FixedRange>(&colors.range)) state.range = {fixed->low, fixed->high};
   if (const auto* logarithmic = std::get_if<LogarithmicRange>(&colors.range)) {
@@ -86,7 +94,21 @@ void apply(const ViewState& state, Viewport& viewport)
     display.rotations = *state.showsRotations ? RotationDisplay::Arrows : RotationDisplay::Hidden;
   viewport.setDisplay(display);
 
+  viewport.setUpAxis(named(kAxisNames, state.upAxis, viewport.upAxis()));
   if (state.camera) viewport.setCamera(*state.camera);
+}
+
+UpAxis upAxisOf(const LoadedMesh& mesh)
+{
+  const QVariant chosen = QSettings().value(upAxisSetting(mesh));
+  const Positions& positions = mesh.document.mesh.positions;
+  const bool isScan = upAxisSetting(mesh).endsWith(".ply") && positions.cast<float>().cast<double>() == positions;
+  return chosen.isValid() ? static_cast<UpAxis>(chosen.toInt()) : isScan ? UpAxis::Y : UpAxis::Z;
+}
+
+void rememberUpAxis(const LoadedMesh& mesh, UpAxis axis)
+{
+  QSettings().setValue(upAxisSetting(mesh), static_cast<int>(axis));
 }
 
 }  // namespace holdfast

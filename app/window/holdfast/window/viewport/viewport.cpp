@@ -15,6 +15,7 @@
 #include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/widgets/scene/example_document.h>
 #include <holdfast/widgets/scene/lighting.h>
+#include <holdfast/window/viewport/view_state.h>
 #include <holdfast/window/viewport/viewport_overlay.h>
 
 namespace holdfast {
@@ -33,9 +34,22 @@ constexpr int kMillisecondsBetweenLooks = 1;
 // Longer than any picture takes.
 constexpr std::chrono::seconds kLongestWait(10);
 
+// For the legend and the axes in the corner, and at most a share of the width.
+constexpr double kPixelsFreeAtRight = 140;
+constexpr double kMostFreeAtRight = 0.25;
+
+constexpr std::size_t kMostViews = 200;
+
 double millisecondsOf(const QElapsedTimer& timer)
 {
   return static_cast<double>(timer.nsecsElapsed()) / 1e6;
+}
+
+/// Where constraints act on the way from rest.
+std::vector<ConstraintMark> marksAt(std::vector<ConstraintMark> marks, double share)
+{
+  for (ConstraintMark& mark : marks) mark.place = (1 - share) * mark.rest + share * mark.place;
+  return marks;
 }
 
 /// A mesh at rest would have one dark colour, and look like a result. The user wants a range that he has fixed.
@@ -74,8 +88,10 @@ Viewport::Viewport(Editor& editor, QWidget* parent) : VtkView(parent), editor_(e
   orientation_->SetParentRenderer(renderer_);
   orientation_->AnimateOff();
   orientation_->KeyPressActivationOff();
+  orientation_->AddObserver(vtkCommand::EndInteractionEvent, this, &Viewport::lookAlongAxis);
   orientation_->On();
 
+  marksUnderCursor_->SetRenderer(renderer_);
   fence_ = std::make_unique<DrawFence>(*window_);
   slices_ = std::make_unique<SlicedDrawing>(*renderer_);
   kept_ = std::make_unique<KeptScene>(*renderer_, *orientation_->GetDefaultRenderer());
@@ -134,6 +150,9 @@ void Viewport::setDarkBackdrop(bool isDark)
 void Viewport::openDocument()
 {
   cancelGesture();
+  shownShare_ = 1;
+  Q_EMIT shownShareChanged(shownShare_);
+  lookUnderCursor(nullptr);
   abandonDrawing();
   renderer_->RemoveAllViewProps();
   contents_.reset();
@@ -147,7 +166,9 @@ void Viewport::openDocument()
     fullMilliseconds_ = isLarge(*editor_.model()) ? 2 * kFluentMilliseconds : 0;
     setDisplay(display_);
     showColors();
-    frameAll();
+    setUpAxis(upAxisOf(editor_.mesh()));
+    lookFromCorner();
+    forgetViews();
     openedFrom_ = Vector3(renderer_->GetActiveCamera()->GetPosition());
   } else {
     Q_EMIT marksChanged();
@@ -158,10 +179,32 @@ void Viewport::openDocument()
 
 void Viewport::showSurface()
 {
-  surface_ = editor_.isOpen() ? editor_.surface() : nullptr;
+  surface_ = editor_.isOpen() ? shownSurface() : nullptr;
   if (surface_ && section_) surface_ = std::make_shared<const VisibleSurface>(surface_->withSection(section_));
+  if (surface_) contents_->setCut(surface_->cut());
   style_->SetSurface(surface_);
   Q_EMIT surfaceChanged();
+}
+
+std::shared_ptr<const VisibleSurface> Viewport::shownSurface() const
+{
+  const auto& rest = editor_.mesh().surface;
+  if (shownShare_ == 0) return rest;
+  if (shownShare_ == 1) return editor_.surface();
+  return std::make_shared<const VisibleSurface>(rest->movedTo(
+      std::make_shared<const Positions>((1 - shownShare_) * rest->positions() + shownShare_ * editor_.positions())));
+}
+
+void Viewport::setShownShare(double share)
+{
+  if (shownShare_ != share && editor_.deformation()) {
+    shownShare_ = share;
+    prepareToMove();
+    showSurface();
+    contents_->setPositions(surface_->positions());
+    showConstraints();
+  }
+  Q_EMIT shownShareChanged(shownShare_);
 }
 
 void Viewport::setSection(const std::optional<SectionPlane>& section)
@@ -179,11 +222,14 @@ void Viewport::setSection(const std::optional<SectionPlane>& section)
 void Viewport::showResult()
 {
   prepareToMove();
+  if (std::exchange(shownShare_, 1) != 1) Q_EMIT shownShareChanged(1);
   showSurface();
   // So far the picture showed the mesh at rest. A camera that has moved since stays where it is.
   if (const auto eye = std::exchange(openedFrom_, std::nullopt);
-      eye && *eye == Vector3(renderer_->GetActiveCamera()->GetPosition()))
+      eye && *eye == Vector3(renderer_->GetActiveCamera()->GetPosition())) {
     frameAll();
+    forgetViews();
+  }
   contents_->showShape(*editor_.deformation());
   showConstraints();
   showColors();
@@ -192,7 +238,8 @@ void Viewport::showResult()
 void Viewport::showConstraints()
 {
   if (!contents_) return;
-  if (const auto& marks = editor_.marks()) contents_->showMarks(marks);
+  if (const auto& marks = editor_.marks())
+    contents_->showMarks(shownShare_ == 1 ? marks : markSet(marksAt(marks->marks, shownShare_), marks));
   arrange(*contents_, display_);
   overlay_->update();
   scheduleRender();
@@ -240,8 +287,18 @@ const std::vector<ConstraintMark>& Viewport::marks() const noexcept
 
 void Viewport::frameAll()
 {
-  if (!editor_.isOpen()) return;
-  fitCamera(defaultFrame(editor_.positions()));
+  if (editor_.isOpen()) fitCamera(frameOf(*renderer_->GetActiveCamera()));
+}
+
+void Viewport::lookFromCorner()
+{
+  if (editor_.isOpen()) fitCamera(defaultFrame(editor_.positions(), upAxis_));
+}
+
+void Viewport::setUpAxis(UpAxis axis)
+{
+  upAxis_ = axis;
+  Q_EMIT upAxisChanged(axis);
 }
 
 void Viewport::setCamera(const Camera& camera)
@@ -249,12 +306,42 @@ void Viewport::setCamera(const Camera& camera)
   openedFrom_.reset();
   place(*renderer_->GetActiveCamera(), camera);
   cameraMoved();
+  Q_EMIT projectionChanged(camera.isParallel);
+}
+
+void Viewport::goBack(std::vector<Camera>& from, std::vector<Camera>& to)
+{
+  noteView();
+  if (from.empty()) return;
+  to.push_back(*shownView_);
+  setCamera(from.back());
+  from.pop_back();
+  shownView_ = cameraOf(*renderer_->GetActiveCamera());
+}
+
+void Viewport::forgetViews()
+{
+  earlierViews_.clear();
+  laterViews_.clear();
+  shownView_.reset();
+}
+
+/// A drag, or a turn of the wheel by several notches, is one change.
+void Viewport::noteView()
+{
+  const Camera view = cameraOf(*renderer_->GetActiveCamera());
+  const Camera before = std::exchange(shownView_, view).value_or(view);
+  if (before == view) return;
+  if (std::exchange(isNewView_, false)) earlierViews_.push_back(before);
+  if (earlierViews_.size() > kMostViews) earlierViews_.erase(earlierViews_.begin());
+  laterViews_.clear();
 }
 
 void Viewport::fitCamera(const ViewFrame& frame)
 {
   const double aspect = static_cast<double>(width()) / std::max(1, height());
-  fit(*renderer_->GetActiveCamera(), frame, editor_.positions(), aspect);
+  const double freeAtRight = std::min(kPixelsFreeAtRight / std::max(1, width()), kMostFreeAtRight);
+  fit(*renderer_->GetActiveCamera(), frame, editor_.positions(), aspect, freeAtRight);
   cameraMoved();
 }
 
@@ -297,6 +384,18 @@ void Viewport::lookAlong(const Vector3& direction, const Vector3& up)
   fitCamera({right, back.cross(right), back});
 }
 
+/// After a click on the axes in the corner: all of the mesh, with what is up upright.
+void Viewport::lookAlongAxis()
+{
+  constexpr double kAlong = 1 - 1e-9;
+  const Vector3 sight(renderer_->GetActiveCamera()->GetDirectionOfProjection());
+  const Vector3 along = sight.array().round();
+  if (sight.dot(along) < kAlong) return;
+  const Vector3 up = upright(upAxis_, Vector3::UnitZ());
+  const double rise = along.dot(up);
+  lookAlong(along, rise == 0 ? up : upright(upAxis_, -rise * Vector3::UnitY()));
+}
+
 void Viewport::setParallelProjection(bool isParallel)
 {
   vtkCamera& camera = *renderer_->GetActiveCamera();
@@ -312,6 +411,7 @@ void Viewport::setParallelProjection(bool isParallel)
   }
   camera.SetParallelProjection(isParallel);
   cameraMoved();
+  Q_EMIT projectionChanged(isParallel);
 }
 
 bool Viewport::isParallelProjection() const
@@ -321,6 +421,7 @@ bool Viewport::isParallelProjection() const
 
 void Viewport::cameraMoved()
 {
+  isNewView_ = true;
   fitClippingRange();
   scheduleRender();
 }
@@ -400,6 +501,7 @@ void Viewport::prepareScene()
 {
   isCoarse_ = contents_ && fullMilliseconds_ > kFluentMilliseconds;
   kept_->setKeeping(!isCoarse_);
+  noteView();
   if (contents_) {
     contents_->lookFrom(Vector3(renderer_->GetActiveCamera()->GetPosition()));
     contents_->setDetail(isCoarse_ ? Detail::Coarse : Detail::Full);

@@ -2,6 +2,7 @@
 /// The picture of the open document, and VTK's interactor in it.
 
 #include <QElapsedTimer>
+#include <QMouseEvent>
 #include <QTimer>
 #include <memory>
 #include <optional>
@@ -12,6 +13,8 @@
 #include <vtkRenderer.h>
 
 #include <holdfast/document/session_file.h>
+#include <holdfast/widgets/camera/camera_state.h>
+#include <holdfast/widgets/interaction/constraint_mark_widget.h>
 #include <holdfast/widgets/interaction/stock_widgets.h>
 #include <holdfast/widgets/interaction/surface_camera_style.h>
 #include <holdfast/widgets/picking/surface_picker.h>
@@ -46,10 +49,14 @@ class Viewport : public VtkView {
   void setTool(Tool* tool);
   /// A tool beside every chosen tool: the gizmo.
   void setFirstTool(Tool* tool);
+  /// What a click would take; tools call it.
+  void setPreview(const std::optional<SurfacePick>& pick);
   /// The mouse is over something in front of what the chosen tool works on.
   void leaveTool();
   /// Takes back what is under way with the mouse; false if nothing is.
   bool cancelGesture();
+  /// The same, or else removes what the chosen tool has made last.
+  bool takeBack() { return cancelGesture() || (tool_ && tool_->remove()); }
 
   void setColors(const ColorSettings& settings);
   [[nodiscard]] const ColorSettings& colors() const noexcept { return colors_; }
@@ -58,14 +65,26 @@ class Viewport : public VtkView {
   /// The present colouring; none for one colour, for an empty viewport, and for a field that is zero everywhere.
   [[nodiscard]] const std::optional<Coloring>& coloring() const noexcept { return coloring_; }
   void setDarkBackdrop(bool isDark);
+  /// How much of the way from rest, 0, to the deformation, 1, the picture shows. Another deformation is shown in full.
+  void setShownShare(double share);
+  [[nodiscard]] double shownShare() const noexcept { return shownShare_; }
 
+  /// From where the camera looks; in parallel projection, too. The legend and the axes in the corner stay clear of it.
   void frameAll();
+  /// The same from a corner, as it is first shown.
+  void lookFromCorner();
   /// The first deformation no longer frames the mesh then.
   void setCamera(const Camera& camera);
+  /// Drags, turns of the wheel and the functions here each lead to another view of this document.
+  void showPreviousView() { goBack(earlierViews_, laterViews_); }
+  void showNextView() { goBack(laterViews_, earlierViews_); }
   void frameVertices(const std::vector<Index>& vertices);
   /// Ascending places in the list.
   void frameConstraints(const std::vector<Index>& constraints);
   void lookAlong(const Vector3& direction, const Vector3& up);
+  /// Of the model, for `lookFromCorner`; the camera stays as it is. A new document has that of `upAxisOf`.
+  void setUpAxis(UpAxis axis);
+  [[nodiscard]] UpAxis upAxis() const noexcept { return upAxis_; }
   void setParallelProjection(bool isParallel);
   [[nodiscard]] bool isParallelProjection() const;
 
@@ -97,11 +116,14 @@ class Viewport : public VtkView {
   }
 
  Q_SIGNALS:
-  /// What a click of the chosen tool would take, or nothing; tools emit it.
+  /// What a click of the chosen tool would take, or nothing.
   void previewChanged(const std::optional<SurfacePick>& pick);
   /// Another field, another scale, or other values of it.
   void coloringChanged(const std::optional<Coloring>& coloring);
   void surfaceChanged();
+  void shownShareChanged(double share);
+  void projectionChanged(bool isParallel);
+  void upAxisChanged(UpAxis axis);
   /// `marks` or `section` has changed.
   void marksChanged();
   void contextMenuWanted(const QPoint& place);
@@ -119,14 +141,20 @@ class Viewport : public VtkView {
  private:
   void askForContextMenu();
   void wakeOrientation(const QPointF& place);
+  void lookUnderCursor(const QMouseEvent* move);
 
   void openDocument();
+  [[nodiscard]] std::shared_ptr<const VisibleSurface> shownSurface() const;
   void showSurface();
   void showResult();
   void showColors();
   void showConstraints();
   void showSelection();
+  void lookAlongAxis();
   void cameraMoved();
+  void goBack(std::vector<Camera>& from, std::vector<Camera>& to);
+  void forgetViews();
+  void noteView();
   void fitCamera(const ViewFrame& frame);
   void framePlaces(const Positions& places);
   void schedulePicture();
@@ -147,7 +175,14 @@ class Viewport : public VtkView {
   std::shared_ptr<SceneContents> contents_;
   std::shared_ptr<const VisibleSurface> surface_;
   std::optional<SectionPlane> section_;
+  double shownShare_ = 1;
   std::optional<Vector3> openedFrom_;  // the camera's place until the first deformation
+  UpAxis upAxis_ = UpAxis::Z;
+  std::optional<Camera> shownView_;  // in the latest picture
+  std::vector<Camera> earlierViews_;
+  std::vector<Camera> laterViews_;  // the next one last
+  bool isNewView_ = false;          // the next change of the camera leads to one
+  QElapsedTimer wheel_;             // since it was turned last
   std::optional<Coloring> coloring_;
   ColorSettings colors_;
   DisplaySettings display_;
@@ -157,6 +192,7 @@ class Viewport : public VtkView {
   vtkNew<vtkRenderer> widgetRenderer_;
   vtkNew<SurfaceCameraStyle> style_;
   vtkNew<OrientationWidget> orientation_;  // in the corner
+  vtkNew<ConstraintMarkRepresentation> marksUnderCursor_;
   ViewportOverlay* overlay_;
 
   Tool* tool_ = nullptr;

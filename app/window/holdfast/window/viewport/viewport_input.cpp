@@ -2,12 +2,19 @@
 
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <cmath>
 #include <utility>
 
 #include <holdfast/window/viewport/viewport.h>
 #include <holdfast/window/viewport/viewport_overlay.h>
 
 namespace holdfast {
+namespace {
+
+// How near the cursor a vertex or an edge is taken, of a display of ordinary resolution.
+constexpr double kCursorPixels = 7;
+
+}  // namespace
 
 void Viewport::setTool(Tool* tool)
 {
@@ -61,9 +68,17 @@ bool Viewport::event(QEvent* event)
     case QEvent::MouseButtonRelease:
     case QEvent::MouseButtonDblClick:
       if (!isHeld_) wakeOrientation(static_cast<const QMouseEvent&>(*event).localPos());
+      if (event->type() == QEvent::MouseButtonPress) isNewView_ = true;
       isHeld_ = static_cast<const QMouseEvent&>(*event).buttons() != Qt::NoButton;
       // A coarse picture is drawn in full when the mouse rests.
       if (!isHeld_ && isCoarse_) restTimer_.start();
+      break;
+    case QEvent::Leave:
+      lookUnderCursor(nullptr);
+      break;
+    case QEvent::Wheel:
+      if (!wheel_.isValid() || wheel_.elapsed() > restTimer_.interval()) isNewView_ = true;
+      wheel_.start();
       break;
     case QEvent::ShortcutOverride:
       for (const Tool* tool : {firstTool_, tool_}) {
@@ -82,7 +97,36 @@ bool Viewport::event(QEvent* event)
     default:
       break;
   }
-  return VtkView::event(event);
+  if (event->type() != QEvent::MouseMove) return VtkView::event(event);
+  const bool isTaken = VtkView::event(event);
+  lookUnderCursor(static_cast<const QMouseEvent*>(event));
+  return isTaken;
+}
+
+void Viewport::setPreview(const std::optional<SurfacePick>& pick)
+{
+  editor_.setUnderCursor({pick, editor_.underCursor().constraint});
+  Q_EMIT previewChanged(pick);
+}
+
+/// Nothing follows the cursor while a button is held, and where it has left (null).
+void Viewport::lookUnderCursor(const QMouseEvent* move)
+{
+  const bool isPreviewed = tool_ != nullptr && tool_->hasPreview();
+  UnderCursor found;
+  if (isPreviewed) found.pick = editor_.underCursor().pick;
+  if (move != nullptr && move->buttons() == Qt::NoButton && contents_ && !isOverOrientation_) {
+    const DisplayPoint pixel(std::floor(pixelRatio() * move->localPos().x()),
+                             std::ceil(pixelRatio() * (height() - move->localPos().y())) - 1);
+    if (!isPreviewed)
+      found.pick = SurfacePicker(surface_).pick(*renderer_, pixel.x(), pixel.y(), PickKind::Nearest,
+                                                kCursorPixels * pixelRatio());
+    marksUnderCursor_->SetPixelRatio(pixelRatio());
+    marksUnderCursor_->SetSection(section_);
+    marksUnderCursor_->SetMarks(contents_->sharedMarks());
+    found.constraint = marksUnderCursor_->FindConstraint(pixel.x(), pixel.y());
+  }
+  editor_.setUnderCursor(std::move(found));
 }
 
 void Viewport::wakeOrientation(const QPointF& place)

@@ -1,10 +1,17 @@
 #include "holdfast/window/viewport/viewport_overlay.h"
 
+#include <QFontMetricsF>
+#include <QMarginsF>
 #include <QPainter>
+#include <cmath>
 #include <utility>
 
 #include <holdfast/deform/outcomes.h>
+#include <holdfast/widgets/marks/constraint_glyphs.h>
+#include <holdfast/window/controls/theme.h>
 #include <holdfast/window/text/color_text.h>
+#include <holdfast/window/text/constraint_text.h>
+#include <holdfast/window/text/number_text.h>
 #include <holdfast/window/viewport/tool.h>
 #include <holdfast/window/viewport/viewport.h>
 
@@ -12,6 +19,18 @@ namespace holdfast {
 namespace {
 
 constexpr double kNoteMargin = 14;
+constexpr QMarginsF kNotePadding(8, 5, 8, 5);
+
+constexpr double kProbeRadius = 5;
+// A share of the way from the eye: parts of the surface that touch a place do not hide it.
+constexpr double kHidden = 1 - 1e-6;
+
+QString valueText(const Coloring& coloring, const SurfacePoint& point)
+{
+  const double value = valueAt(coloring.values, point);
+  return QString::fromStdString(coloring.scale.title).replace('\n', ' ') + ": " +
+         (std::isnan(value) ? ViewportOverlay::tr("none here") : roundedText(value));
+}
 
 // A shorter wait needs no number, and in a drag no word.
 constexpr double kSecondsUnsaid = 0.5;
@@ -53,6 +72,11 @@ ViewportOverlay::ViewportOverlay(Editor& editor, Viewport& viewport)
   connect(&clock_, &QTimer::timeout, this, [this] { update(0, 0, width(), fontMetrics().height() * 3); });
   connect(&editor_, &Editor::solveStateChanged, &clock_,
           [this] { editor_.solveState() == SolveState::Solving ? clock_.start() : clock_.stop(); });
+  connect(&editor_, &Editor::measurementsChanged, this, qOverload<>(&QWidget::update));
+  connect(&viewport_, &Viewport::rendered, this, [this] {
+    if (editor_.isOpen() && !editor_.measurements().probes.empty()) update();
+  });
+  connect(&editor_, &Editor::underCursorChanged, this, &ViewportOverlay::followCursor);
 }
 
 void ViewportOverlay::setTools(std::vector<const Tool*> tools)
@@ -68,6 +92,8 @@ void ViewportOverlay::paintEvent(QPaintEvent* /*event*/)
   if (!editor_.isOpen()) return;
   paintLegend(painter);
   paintSolveState(painter);
+  paintProbes(painter);
+  paintCursor(painter);
   for (const Tool* tool : tools_) {
     if (tool == nullptr) continue;
     painter.save();
@@ -111,18 +137,91 @@ void ViewportOverlay::paintLegend(QPainter& painter)
 
 void ViewportOverlay::paintSolveState(QPainter& painter) const
 {
-  const QString text = solveStateText(editor_);
+  QString text = solveStateText(editor_);
+  if (const double share = viewport_.shownShare(); share != 1) {
+    if (!text.isEmpty()) text += '\n';
+    text += share == 0 ? tr("At rest") : tr("%1 % of the way from rest").arg(std::lround(100 * share));
+  }
   if (text.isEmpty()) return;
   const QRectF available(0, 0, width() - 4 * kNoteMargin, height());
   QRectF box = painter.fontMetrics().boundingRect(available.toRect(), Qt::AlignLeft | Qt::TextWordWrap, text);
   box.moveTo(kNoteMargin + 8, kNoteMargin + 5);
+  paintNote(painter, box, text);
+}
+
+void ViewportOverlay::paintNote(QPainter& painter, const QRectF& text, const QString& words) const
+{
   QColor plate = palette().color(QPalette::Window);
   plate.setAlpha(225);
   painter.setPen(Qt::NoPen);
   painter.setBrush(plate);
-  painter.drawRoundedRect(box.adjusted(-8, -5, 8, 5), 4, 4);
+  painter.drawRoundedRect(text + kNotePadding, 4, 4);
   painter.setPen(palette().color(QPalette::WindowText));
-  painter.drawText(box, Qt::AlignLeft | Qt::TextWordWrap, text);
+  painter.drawText(text, Qt::AlignLeft | Qt::TextWordWrap, words);
+}
+
+QString ViewportOverlay::cursorText() const
+{
+  const auto& [pick, constraint] = editor_.underCursor();
+  if (!pick || !editor_.isOpen()) return {};
+  const SurfacePoint point = pointOf(pick->location, editor_.model()->mesh);
+  QStringList lines{locationText(pick->location), roundedText(positionOf(point, viewport_.surface()->positions()))};
+  if (const auto& coloring = viewport_.coloring()) lines << valueText(*coloring, point);
+  const auto& state = editor_.deformedState();
+  if (constraint && state && *constraint < static_cast<Index>(state->list.constraints.size())) {
+    const Constraint& found = state->list.constraints[*constraint];
+    lines << quoted(found.name) + ": " + statusText(editor_.status(found, *constraint));
+  }
+  return lines.join('\n');
+}
+
+QRectF ViewportOverlay::cursorNote() const
+{
+  const QString text = cursorText();
+  if (text.isEmpty()) return {};
+  QRectF box = QFontMetricsF(font()).boundingRect(QRectF(0, 0, width() / 2.0, height()), Qt::AlignLeft, text);
+  box.moveBottomLeft({kNoteMargin + 8, height() - kNoteMargin - 5});
+  return box;
+}
+
+void ViewportOverlay::followCursor()
+{
+  const QRectF before = std::exchange(cursorNote_, cursorNote());
+  update(((before | cursorNote_) + kNotePadding).toAlignedRect());
+}
+
+/// A ring, with the number in the list and the value that colours the surface; faint where the surface hides it.
+void ViewportOverlay::paintProbes(QPainter& painter) const
+{
+  const auto& probes = editor_.measurements().probes;
+  if (probes.empty()) return;
+  const DisplayTransform display(viewport_.renderer());
+  for (std::size_t k = 0; k < probes.size(); ++k) {
+    const SurfacePoint point = pointOf(probes[k], editor_.model()->mesh);
+    const Vector3 place = positionOf(point, viewport_.surface()->positions());
+    const auto shown = toDisplay(display, place);
+    if (!shown || !viewport_.surface()->isKept(place)) continue;
+    const auto hit = viewport_.surface()->firstHit(display.rayTo(place));
+    painter.setOpacity(hit && hit->t < kHidden ? 0.4 : 1);
+    const QPointF center = viewport_.toPlace(*shown);
+    painter.setBrush(Qt::NoBrush);
+    for (const auto& [color, width] : {std::pair(QColor(Qt::white), 4.0), std::pair(toQColor(kAccentColor), 2.0)}) {
+      painter.setPen(QPen(color, width));
+      painter.drawEllipse(center, kProbeRadius, kProbeRadius);
+    }
+    QString text = QString::number(k + 1);
+    if (const auto& coloring = viewport_.coloring())
+      if (const double value = valueAt(coloring->values, point); !std::isnan(value)) text += ": " + roundedText(value);
+    QRectF box = QFontMetricsF(font()).boundingRect(rect(), Qt::AlignLeft, text);
+    box.moveBottomLeft(center + QPointF(kProbeRadius + 10, -kProbeRadius));
+    paintNote(painter, box, text);
+  }
+  painter.setOpacity(1);
+}
+
+void ViewportOverlay::paintCursor(QPainter& painter) const
+{
+  if (const QString text = cursorText(); !text.isEmpty()) paintNote(painter, cursorNote(), text);
 }
 
 }  // namespace holdfast

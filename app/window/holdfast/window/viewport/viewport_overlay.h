@@ -4,6 +4,7 @@
 #include <QFont>
 #include <QPalette>
 #include <QPixmap>
+#include <QRectF>
 #include <QTimer>
 #include <QWidget>
 #include <optional>
@@ -34,6 +35,13 @@ class ViewportOverlay : public QWidget {
   void paintLegend(QPainter& painter);
   [[nodiscard]] LegendContent legend() const;
   void paintSolveState(QPainter& painter) const;
+  void followCursor();
+  void paintProbes(QPainter& painter) const;
+  void paintCursor(QPainter& painter) const;
+  void paintNote(QPainter& painter, const QRectF& text, const QString& words) const;
+  /// In the lower left corner.
+  [[nodiscard]] QRectF cursorNote() const;
+  [[nodiscard]] QString cursorText() const;
 
   Editor& editor_;
   Viewport& viewport_;
@@ -42,6 +50,7 @@ class ViewportOverlay : public QWidget {
   std::optional<std::tuple<LegendContent, QPalette, QFont, QSize>> painted_;
   QPixmap legendPicture_;
   QTimer clock_;  // while the document is solved
+  QRectF cursorNote_;  // as it was last
 };
 
 /// Why the picture is older than the document; empty if it is current.

@@ -198,7 +198,6 @@ void MainWindow::connectFiles()
   connect(&files_, &DocumentFiles::viewOpened, this, [this](const ViewState& view) {
     apply(view, *viewport_);
     panels_->followViewport();
-    findChild<QAction*>("parallelProjection")->setChecked(viewport_->isParallelProjection());
   });
   connect(&files_, &DocumentFiles::pathChanged, this, &MainWindow::updateTitle);
   pictureDelay_.setSingleShot(true);
@@ -208,11 +207,12 @@ void MainWindow::connectFiles()
   connect(&files_, &DocumentFiles::done, this, [this](const QString& what) { status_->showMessage(what, 6000); });
   exports_.setPictureView([this]() -> PictureView {
     const DisplaySettings display = viewport_->display();
-    const auto section = viewport_->section();
+    const auto surface = viewport_->surface();
     return {cameraOf(*viewport_->renderer().GetActiveCamera()), viewport_->coloring(),
-            [display, section](SceneContents& contents) {
+            [display, surface](SceneContents& contents) {
               arrange(contents, display);
-              contents.setSection(section);
+              contents.setSection(surface->section());
+              contents.setCut(surface->cut());
             }};
   });
   connect(&exports_, &DocumentExports::done, this, [this](const QString& what) { status_->showMessage(what, 6000); });
@@ -507,7 +507,9 @@ void MainWindow::makeViewMenu()
   QMenu& menu = *menuBar()->addMenu(tr("&View"));
   const auto look = [this](const char* name, const QString& text, const char* key, const Vector3& direction,
                            const Vector3& up) -> Item {
-    return {name, text, key, text, Needs::Document, [=, this] { viewport_->lookAlong(direction, up); }};
+    return {name, text, key, text, Needs::Document, [=, this] {
+              viewport_->lookAlong(upright(viewport_->upAxis(), direction), upright(viewport_->upAxis(), up));
+            }};
   };
   const auto frameSelection = [this] {
     if (!editor_.selectedVertices().empty()) return viewport_->frameVertices(editor_.selectedVertices());
@@ -516,20 +518,41 @@ void MainWindow::makeViewMenu()
   const Vector3 x = Vector3::UnitX();
   const Vector3 y = Vector3::UnitY();
   const Vector3 z = Vector3::UnitZ();
-  addActions(menu, {{"frameAll", tr("Show &all"), "Home", tr("Show the whole mesh"), Needs::Document,
-                     [this] { viewport_->frameAll(); }},
-                    {"frameSelection", tr("Show the &selection"), ".", tr("Show the selection from near"),
+  addActions(menu, {{"frameAll", tr("Show &all"), "Home", tr("Show the whole mesh, from where you look at it"),
+                     Needs::Document, [this] { viewport_->frameAll(); }},
+                    {"frameSelection", tr("Show the &selection"), "Shift+F", tr("Show the selection from near"),
                      Needs::Document, frameSelection},
+                    {"viewPrevious", tr("Pre&vious view"), "Alt+Left", tr("Take the last change of the view back"),
+                     Needs::Document, [this] { viewport_->showPreviousView(); }},
+                    {"viewNext", tr("&Next view"), "Alt+Right", tr("Return to the view before “Previous view”"),
+                     Needs::Document, [this] { viewport_->showNextView(); }},
                     separator,
-                    look("viewFront", tr("From the &front"), "1", y, z),
-                    look("viewBack", tr("From &behind"), "Ctrl+1", -y, z),
-                    look("viewRight", tr("From the &right"), "3", -x, z),
-                    look("viewLeft", tr("From the &left"), "Ctrl+3", x, z),
-                    look("viewTop", tr("From a&bove"), "7", -z, y),
-                    look("viewBottom", tr("From bel&ow"), "Ctrl+7", z, -y),
+                    look("viewFront", tr("From the &front"), "Ctrl+1", y, z),
+                    look("viewBack", tr("From &behind"), "Ctrl+2", -y, z),
+                    look("viewRight", tr("From the &right"), "Ctrl+3", -x, z),
+                    look("viewLeft", tr("From the &left"), "Ctrl+4", x, z),
+                    look("viewTop", tr("From a&bove"), "Ctrl+7", -z, y),
+                    look("viewBottom", tr("From bel&ow"), "Ctrl+8", z, -y),
+                    {"viewCorner", tr("From a corn&er"), "Ctrl+9", tr("From a corner, as when it was opened"),
+                     Needs::Document, [this] { viewport_->lookFromCorner(); }},
                     separator});
-  connect(addSwitch(menu, {"parallelProjection", tr("&Parallel projection"), "5", tr("Without perspective")}),
-          &QAction::toggled, viewport_, &Viewport::setParallelProjection);
+  QAction* parallel =
+      addSwitch(menu, {"parallelProjection", tr("&Parallel projection"), "Ctrl+5", tr("Without perspective")});
+  connect(parallel, &QAction::toggled, viewport_, &Viewport::setParallelProjection);
+  connect(viewport_, &Viewport::projectionChanged, parallel, &QAction::setChecked);
+  QAction* atRest = addSwitch(menu, {"showRest", tr("Shape at &rest"), "O",
+                                     tr("Show the shape at rest, and the deformed one again"), Needs::Document});
+  connect(atRest, &QAction::triggered, viewport_, [this](bool isOn) { viewport_->setShownShare(isOn ? 0 : 1); });
+  connect(viewport_, &Viewport::shownShareChanged, atRest, [atRest](double share) { atRest->setChecked(share == 0); });
+  QAction* yIsUp = addSwitch(
+      menu, {"upAxisY", tr("&Y is up"), "Ctrl+U",
+             tr("Which axis of the mesh is up, Y or Z; remembered for files of its format"), Needs::Document});
+  connect(yIsUp, &QAction::triggered, this, [this](bool isOn) {
+    viewport_->setUpAxis(isOn ? UpAxis::Y : UpAxis::Z);
+    rememberUpAxis(editor_.mesh(), viewport_->upAxis());
+    viewport_->lookFromCorner();
+  });
+  connect(viewport_, &Viewport::upAxisChanged, yIsUp, [yIsUp](UpAxis axis) { yIsUp->setChecked(axis == UpAxis::Y); });
 
   const auto along = [this](GizmoAxes axes) { return [this, axes] { gizmo_->setAxes(axes); }; };
   const QString own = tr("Its &own: a handle's, or across the surface");
@@ -551,6 +574,9 @@ void MainWindow::makeViewMenu()
                  *addSwitch(menu, {"sectionPlane", tr("&Section plane"), "Shift+S",
                                    tr("Cut the picture open; the mesh stays whole"), Needs::Document}),
                  this);
+
+  addAction(menu, {"removeMeasurements", tr("Remove all &measurements"), "", tr("Remove all probes and rulers"),
+                   Needs::Document, [this] { editor_.setMeasurements({}); }});
 
   panels_->fillMenu(*menu.addMenu(tr("&Panels")));
   const auto colors = [this](const char* name, const QString& text, const QString& spoken,
@@ -638,7 +664,7 @@ void MainWindow::updateActions()
 
 void MainWindow::escape()
 {
-  if (viewport_->cancelGesture()) return;
+  if (viewport_->takeBack()) return;
   if (!editor_.isOpen()) return;
   if (editor_.solveState() == SolveState::Solving) return editor_.cancelSolving();
   if (!editor_.selectedVertices().empty()) return editor_.selectVertices({});

@@ -55,23 +55,28 @@ PanelDocks::PanelDocks(Editor& editor, Viewport& viewport, QMainWindow& window)
   conflicts_ = add(tr("Conflicts"), "conflictsDock", newConflictPanel(editor));
   lower_ = {add(tr("Selected"), "inspectorDock", newInspectorPanel(editor)), conflicts_,
             add(tr("Mesh"), "findingsDock", newFindingsPanel(editor, showVertices)),
+            add(tr("Measured"), "measuredDock", newMeasuredPanel(editor)),
             add(tr("Solution"), "reportDock", newReportPanel(editor))};
   arrange();
 
   connect(colors_, &ColorPanel::settingsChanged, &viewport_, &Viewport::setColors);
   connect(colors_, &ColorPanel::displaySettingsChanged, &viewport_, &Viewport::setDisplay);
+  connect(colors_, &ColorPanel::shownShareChosen, &viewport_, &Viewport::setShownShare);
+  connect(&viewport_, &Viewport::shownShareChanged, colors_, &ColorPanel::setShownShare);
   connect(&viewport_, &Viewport::coloringChanged, sphere_, &SpherePanel::setColoring);
   connect(&viewport_, &Viewport::coloringChanged, colors_, [this](const std::optional<Coloring>& coloring) {
     colors_->setShownScale(coloring ? std::optional(coloring->scale) : std::nullopt);
   });
-  connect(&viewport_, &Viewport::previewChanged, sphere_, [this](const std::optional<SurfacePick>& pick) {
-    sphere_->showVertex(pick ? std::optional(nearestVertex(*pick, *editor_.model())) : std::nullopt);
-  });
-  connect(sphere_, &SpherePanel::vertexPicked, &editor_, [this](Index vertex) { editor_.selectVertices({vertex}); });
-  connect(&editor_, &Editor::vertexSelectionChanged, sphere_, [this] {
+  const auto markVertex = [this] {
+    const auto& pick = editor_.underCursor().pick;
     const auto& selected = editor_.selectedVertices();
-    sphere_->showVertex(selected.size() == 1 ? std::optional(selected.front()) : std::nullopt);
-  });
+    sphere_->showVertex(pick                   ? std::optional(nearestVertex(*pick, *editor_.model()))
+                        : selected.size() == 1 ? std::optional(selected.front())
+                                               : std::nullopt);
+  };
+  connect(sphere_, &SpherePanel::vertexPicked, &editor_, [this](Index vertex) { editor_.selectVertices({vertex}); });
+  for (const auto& signal : {&Editor::underCursorChanged, &Editor::vertexSelectionChanged})
+    connect(&editor_, signal, sphere_, markVertex);
   connect(histograms_, &HistogramPanel::constraintsPicked, &editor_, &Editor::selectConstraints);
   connect(histograms_, &HistogramPanel::verticesPicked, &editor_,
           [this](const std::vector<Index>& vertices) { editor_.selectVertices(vertices); });

@@ -1,0 +1,216 @@
+// From where the window looks at a mesh: show all, the previous view, what is up, and keys beside typed numbers.
+
+#include <QAction>
+#include <QApplication>
+#include <QWheelEvent>
+
+#include <gtest/gtest.h>
+
+#include <holdfast/document/list_edits.h>
+#include <holdfast/widgets/camera/camera_state.h>
+
+#include "gestures.h"
+#include "support/source_tree.h"
+#include "support/temporary_folder.h"
+#include "window_user.h"
+
+namespace holdfast {
+namespace {
+
+class ViewsInWindow : public test::WindowUser {
+ protected:
+  void SetUp() override
+  {
+    WindowUser::SetUp();
+    open("bracket.obj", "bracket.constraints.json");
+    viewport().setFocus();
+  }
+
+  [[nodiscard]] Camera camera() { return cameraOf(*viewport().renderer().GetActiveCamera()); }
+  [[nodiscard]] Vector3 sight() { return (camera().focalPoint - camera().position).normalized(); }
+
+  void turn()
+  {
+    test::drag(viewport(), {{100, 100}, {150, 120}, {223, 145}}, Qt::RightButton);
+    ASSERT_TRUE(settle());
+  }
+
+  void press(Qt::Key code, Qt::KeyboardModifiers modifiers = Qt::NoModifier)
+  {
+    key(code, modifiers);
+    ASSERT_TRUE(settle());
+  }
+
+  /// The part of the viewport that the mesh covers.
+  [[nodiscard]] QRectF covered()
+  {
+    QRectF box;
+    for (Index v = 0; v < editor().positions().rows(); ++v) {
+      const QPointF place = shownAt(editor().positions().row(v).transpose());
+      box = v == 0 ? QRectF(place, place) : box.united(QRectF(place, QSizeF(1e-9, 1e-9)));
+    }
+    return box;
+  }
+
+  /// Small enough for the picture, clear of the legend and the axes at its right, and no smaller than that.
+  void expectFits()
+  {
+    const QRectF box = covered();
+    const QRectF room = QRectF(viewport().rect()).adjusted(0, 0, -139, 0);
+    EXPECT_TRUE(room.contains(box));
+    EXPECT_GT(std::max(box.width() / room.width(), box.height() / room.height()), 0.8);
+  }
+};
+
+TEST_F(ViewsInWindow, ShowAllKeepsTheDirection)
+{
+  turn();
+  const Camera after = camera();
+  for (int k = 0; k < 3; ++k) press(Qt::Key_Home);
+  EXPECT_TRUE(sight().isApprox((after.focalPoint - after.position).normalized(), 1e-12));
+  EXPECT_TRUE(camera().viewUp.isApprox(after.viewUp, 1e-12));
+  expectFits();
+}
+
+TEST_F(ViewsInWindow, ShowAllFitsInParallelProjectionFromEverySide)
+{
+  expectFits();
+  for (const Qt::Key side : {Qt::Key_7, Qt::Key_1, Qt::Key_9}) {
+    press(side, Qt::ControlModifier);
+    press(Qt::Key_5, Qt::ControlModifier);
+    press(Qt::Key_Home);
+    EXPECT_EQ(viewport().isParallelProjection(), side != Qt::Key_1);
+    expectFits();
+  }
+}
+
+TEST_F(ViewsInWindow, PreviousViewTakesDragsWheelAndKeysBackOneByOne)
+{
+  std::vector<Camera> views{camera()};
+  const auto next = [&] {
+    ASSERT_TRUE(settle());
+    ASSERT_NE(camera(), views.back());
+    views.push_back(camera());
+  };
+  press(Qt::Key_Left, Qt::AltModifier);
+  EXPECT_EQ(camera(), views.back()) << "there is none before the first";
+  turn();
+  next();
+  // Three notches are one change.
+  for (int k = 0; k < 3; ++k) {
+    QWheelEvent wheel({300, 300}, viewport().mapToGlobal(QPoint(300, 300)), {}, {0, 120}, Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(&viewport(), &wheel);
+  }
+  next();
+  press(Qt::Key_5, Qt::ControlModifier);
+  next();
+  press(Qt::Key_7, Qt::ControlModifier);
+  next();
+  for (std::size_t k = views.size() - 1; k-- > 0;) {
+    press(Qt::Key_Left, Qt::AltModifier);
+    EXPECT_EQ(camera(), views[k]) << k;
+    EXPECT_EQ(find<QAction>("parallelProjection").isChecked(), views[k].isParallel);
+  }
+  for (std::size_t k = 1; k < views.size(); ++k) {
+    press(Qt::Key_Right, Qt::AltModifier);
+    EXPECT_EQ(camera(), views[k]) << k;
+  }
+  press(Qt::Key_Left, Qt::AltModifier);
+  turn();
+  const Camera after = camera();
+  press(Qt::Key_Right, Qt::AltModifier);
+  EXPECT_EQ(camera(), after) << "another view takes the place of those that were taken back";
+}
+
+TEST_F(ViewsInWindow, AnotherDocumentHasNoViewsOfThisOne)
+{
+  turn();
+  open("bar.obj");
+  const Camera opened = camera();
+  press(Qt::Key_Left, Qt::AltModifier);
+  EXPECT_EQ(camera(), opened);
+}
+
+TEST_F(ViewsInWindow, NumbersTypedBesideTheArrowsLeaveTheView)
+{
+  editor().selectConstraints({*indexOf(list(), "flange east")});
+  ASSERT_TRUE(settle());
+  const Camera before = camera();
+  const auto state = editor().history().state();
+  test::moveMouse(viewport(), {30, 30});
+  keys("725.13");
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(camera(), before);
+  EXPECT_EQ(editor().history().state(), state);
+  // Over the arrow they are the amount.
+  test::moveMouse(viewport(), onArrow(2));
+  keys("2.5");
+  key(Qt::Key_Return);
+  EXPECT_NE(editor().history().state(), state);
+  EXPECT_EQ(camera(), before);
+}
+
+/// A mesh of a format, with coordinates as scans have them.
+class UpAxisInWindow : public ViewsInWindow {
+ protected:
+  void openAs(const char* name)
+  {
+    NoProgress quiet;
+    MeshDocument document{editor().mesh().document.mesh, nullptr};
+    document.mesh.positions = document.mesh.positions.cast<float>().cast<double>().eval();
+    editor().open(prepareMesh(std::move(document), name, quiet), {});
+    ASSERT_TRUE(settle());
+  }
+
+  [[nodiscard]] bool isUp(const Vector3& axis) { return camera().viewUp.dot(axis) > 0.7; }
+};
+
+TEST_F(UpAxisInWindow, ScansStandUpright)
+{
+  EXPECT_TRUE(isUp(Vector3::UnitZ()));
+  EXPECT_FALSE(find<QAction>("upAxisY").isChecked());
+  openAs("scan.PLY");
+  EXPECT_TRUE(isUp(Vector3::UnitY()));
+  EXPECT_TRUE(find<QAction>("upAxisY").isChecked());
+  press(Qt::Key_1, Qt::ControlModifier);
+  EXPECT_TRUE(sight().isApprox(-Vector3::UnitZ(), 1e-12));
+  press(Qt::Key_7, Qt::ControlModifier);
+  EXPECT_TRUE(sight().isApprox(-Vector3::UnitY(), 1e-12));
+  open("head.ply");
+  EXPECT_TRUE(isUp(Vector3::UnitZ())) << "double precision: no scan";
+}
+
+TEST_F(UpAxisInWindow, IsRememberedForFilesOfTheFormat)
+{
+  press(Qt::Key_U, Qt::ControlModifier);
+  EXPECT_TRUE(isUp(Vector3::UnitY()));
+  open("plate_unsymmetric.off");
+  EXPECT_TRUE(isUp(Vector3::UnitZ()));
+  open("bar.obj");
+  EXPECT_TRUE(isUp(Vector3::UnitY()));
+  press(Qt::Key_U, Qt::ControlModifier);
+  EXPECT_TRUE(isUp(Vector3::UnitZ()));
+  open("bracket.obj");
+  EXPECT_TRUE(isUp(Vector3::UnitZ()));
+}
+
+TEST_F(UpAxisInWindow, IsKeptInTheSession)
+{
+  const test::TemporaryFolder folder;
+  const auto path = folder.path() / "up.holdfast";
+  press(Qt::Key_U, Qt::ControlModifier);
+  chooseFile(path.string());
+  press(Qt::Key_S, Qt::ControlModifier);
+  ASSERT_TRUE(test::waitUntil([this] { return !window.files().isSaving(); }));
+  press(Qt::Key_U, Qt::ControlModifier);
+  window.files().open(QString::fromStdString(path.string()));
+  ASSERT_TRUE(test::waitUntil([this] { return viewport().upAxis() == UpAxis::Y; }));
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(find<QAction>("upAxisY").isChecked());
+  press(Qt::Key_7, Qt::ControlModifier);
+  EXPECT_TRUE(sight().isApprox(-Vector3::UnitY(), 1e-12));
+}
+
+}  // namespace
+}  // namespace holdfast
