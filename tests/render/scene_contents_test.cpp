@@ -160,7 +160,7 @@ std::ptrdiff_t accentedPixels(const Picture& picture)
 {
   std::ptrdiff_t count = 0;
   for (std::size_t k = 0; k < picture.pixels.size(); k += 3)
-    if (picture.pixels[k] < 60 && picture.pixels[k + 2] > 200) ++count;
+    if (picture.pixels[k] > 110 && picture.pixels[k + 1] < 100 && picture.pixels[k + 2] > 200) ++count;
   return count;
 }
 

@@ -61,6 +61,7 @@ class ColorPanel : public QWidget {
   QComboBox* map_ = nullptr;
   QComboBox* rest_ = nullptr;
   QComboBox* edges_ = nullptr;
+  QComboBox* surface_ = nullptr;
   QCheckBox* arrows_ = nullptr;
   QCheckBox* constraints_ = nullptr;
 };

@@ -24,6 +24,7 @@
 #include <holdfast/window/viewport/draw_fence.h>
 #include <holdfast/window/viewport/repaint_pause.h>
 #include <holdfast/window/viewport/tool.h>
+#include <holdfast/window/viewport/viewport_legend.h>
 
 namespace holdfast {
 
@@ -58,6 +59,8 @@ class Viewport : public VtkView {
   /// The present colouring; none for one colour, for an empty viewport, and for a field that is zero everywhere.
   [[nodiscard]] const std::optional<Coloring>& coloring() const noexcept { return coloring_; }
   void setDarkBackdrop(bool isDark);
+  /// What the legend over the picture says.
+  [[nodiscard]] LegendContent legend() const;
 
   void frameAll();
   /// The first deformation no longer frames the mesh then.
