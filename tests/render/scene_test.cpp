@@ -200,7 +200,7 @@ TEST(Scene, EdgesOfFacesAreWholeFromWhereverTheyAreSeen)
   scene.contents().setRestGhost(RestGhost::Hidden);
   vtkCamera& camera = *scene.meshRenderer().GetActiveCamera();
   const auto gapsFrom = [&](const Vector3& direction) {
-    const Vector3 eye = size / 2 + 12 * direction.normalized();
+    const Vector3 eye = size / 2 + 24 * direction.normalized();
     camera.SetFocalPoint(2, 0.5, 1.5);
     camera.SetPosition(eye.data());
     camera.SetViewUp(0, 0, 1);
