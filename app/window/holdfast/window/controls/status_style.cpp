@@ -11,7 +11,7 @@
 namespace holdfast {
 namespace {
 
-constexpr double kQuiet = 0.65;  // the share of the text's colour in a quiet one
+constexpr double kQuiet = 0.68;  // the share of the text's colour in a quiet one
 
 // WCAG 2.2 asks as much of signs (1.4.11).
 constexpr double kLeastContrast = 3;
@@ -34,7 +34,7 @@ constexpr std::array kLooks{
     Look{ConstraintStatus::Conflicting, "#b83600", "#ff8f5e", "M8 1.2 L15.2 14.2 L0.8 14.2 Z",
          "M8 5.8 L8 9.4 M8 12 L8 12.1"},
     Look{ConstraintStatus::Missed, "#8b3a8f", "#e09be3", "M8 0.8 L15.2 8 L8 15.2 L0.8 8 Z", "M5.2 8 L10.8 8"},
-    Look{ConstraintStatus::Independent, "#666666", "#a8a8a8", "", "O8 8 6.2 O8 8 1.4"},
+    Look{ConstraintStatus::Independent, "#666666", "#a8a8a8", "", "O8 8 6.2 O8 8 0.9 O8 8 2.2"},
     Look{ConstraintStatus::Disabled, "#666666", "#a8a8a8", "", "O8 8 6.2", Qt::DashLine}};
 
 const Look& lookOf(std::optional<ConstraintStatus> status)
