@@ -40,7 +40,7 @@ std::vector<ConstraintMark> threeConstraints()
 struct MarkWidgetFixture : InteractionFixture {
   MarkWidgetFixture() : InteractionFixture(test::grid(4, 3))
   {
-    widget->SetMarks(markSet(threeConstraints(), nullptr));
+    widget->SetMarks(markSet(model(), threeConstraints(), nullptr));
     enable(*widget);
   }
 
@@ -118,15 +118,35 @@ TEST_F(MarkWidget, MarksBehindTheEyeAreNotFound)
   EXPECT_FALSE(picked.data()[0]->constraint);
 }
 
+TEST_F(MarkWidget, FindsARegionByItsFaces)
+{
+  std::vector<ConstraintMark> square;
+  for (const Index vertex : {6, 7, 11, 12}) {
+    square.push_back(markAt(model().mesh.positions.row(vertex), MarkKind::Selection, 4));
+    square.back().unknown = vertex;
+  }
+  widget->SetMarks(markSet(model(), square, nullptr));
+  mouse().moveTo(pixelOf({1.5, 1.5, 0}));
+  EXPECT_FALSE(widget->GetHighlighted()) << "it knows no faces";
+  widget->SetSurface(surface());
+  mouse().moveTo(pixelOf({1.4, 1.5, 0}));
+  EXPECT_EQ(widget->GetHighlighted(), 4);
+  mouse().moveTo(pixelOf({2.5, 1.5, 0}));
+  EXPECT_FALSE(widget->GetHighlighted()) << "beside it";
+  mouse().click(pixelOf({1.5, 1.4, 0}));
+  ASSERT_EQ(picked.data().size(), 1U);
+  EXPECT_EQ(picked.data()[0]->constraint, 4);
+}
+
 TEST_F(MarkWidget, ForgetsWhatHasNoMarksAnyMore)
 {
   mouse().moveTo(pixelOf({3, 2, 0}));
   auto marks = threeConstraints();
   marks.back().place.x() = 3.2;
-  widget->SetMarks(markSet(marks, nullptr));
+  widget->SetMarks(markSet(model(), marks, nullptr));
   EXPECT_EQ(widget->GetHighlighted(), 2) << "a mark that moves is not lost";
   marks.pop_back();
-  widget->SetMarks(markSet(marks, nullptr));
+  widget->SetMarks(markSet(model(), marks, nullptr));
   EXPECT_FALSE(widget->GetHighlighted());
   EXPECT_THAT(highlighted.data(), ElementsAre(2, std::nullopt));
 }

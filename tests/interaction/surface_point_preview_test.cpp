@@ -23,7 +23,7 @@ struct PreviewFixture : test::InteractionFixture {
 };
 
 // The accent colour, and that of halos, in a picture.
-const std::vector<int> kAccent{13, 128, 255};
+const std::vector<int> kAccent{156, 43, 255};
 const std::vector<int> kLight{250, 250, 250};
 
 struct PreviewPicture : testing::Test {

@@ -10,7 +10,7 @@ namespace {
 
 using test::InteractionFixture;
 
-const std::vector<int> kArrowBlue{13, 128, 255};
+const std::vector<int> kArrowColor{156, 43, 255};
 
 /// An arrow from vertex 5 to 13, drawn without a widget.
 struct Arrow : InteractionFixture, testing::Test {
@@ -52,7 +52,7 @@ TEST_F(Arrow, IsThatOfTheSurfaceAsItIsNow)
 
 TEST_F(Arrow, HasAHeadAtItsEnd)
 {
-  const auto accent = [&] { return countPixels(kArrowBlue, 30); };
+  const auto accent = [&] { return countPixels(kArrowColor, 30); };
   const auto atHead = [&] {
     const DisplayPoint along = pixelOfVertex(13) - pixelOfVertex(5);
     const DisplayPoint across = DisplayPoint(-along.y(), along.x()).normalized();

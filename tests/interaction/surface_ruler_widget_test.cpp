@@ -347,11 +347,11 @@ TEST_F(Ruler, GivesItsActors)
   EXPECT_EQ(actors->GetNumberOfItems(), 3);
 }
 
-const std::vector<int> kRulerBlue{13, 128, 255};
+const std::vector<int> kRulerColor{156, 43, 255};
 
 TEST_F(Ruler, IsDrawnWithAHaloAndALabel)
 {
-  const auto accent = [&] { return countPixels(kRulerBlue, 30); };
+  const auto accent = [&] { return countPixels(kRulerColor, 30); };
   const auto light = [&] { return countPixels({255, 255, 255}, 20); };
   EXPECT_EQ(accent(), 0);
   mouse().click(pixelOfVertex(5));

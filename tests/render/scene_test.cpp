@@ -8,6 +8,7 @@
 #include <vtkCamera.h>
 #include <vtkRenderer.h>
 
+#include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/widgets/scene/scene.h>
 
 #include "render/compare_pictures.h"
@@ -102,7 +103,7 @@ TEST(Scene, TwistedBarByAngle)
   const DeformResult deformation = deform(model, list, "constraints", {}, progress);
   const Scene scene(model, deformation, {kSmall, ColorBy::Angle, Legend::Shown, "mm"});
   EXPECT_EQ(test::textsIn(scene.window()),
-            (std::vector<std::string>{"338 met", "rotation angle\n[degrees]", "0", "90", "180", "270", "360", "450"}));
+            (std::vector<std::string>{"2 met", "rotation angle\n[degrees]", "0", "90", "180", "270", "360", "450"}));
   test::hideTexts(scene.window());
   EXPECT_EQ(differenceOfScene(scene), "");
 }
@@ -157,6 +158,64 @@ TEST(Scene, SmoothSurfacesHaveNoEdges)
       model, test::listOf({test::hold({0}), test::moveBy(AtVertex{40}, {0, 0, 0.5})}), "constraints", {}, progress);
   const Scene scene(model, deformation, {kSmall, ColorBy::Displacement, Legend::Hidden, ""});
   EXPECT_EQ(differenceOfScene(scene), "");
+}
+
+/// The places along the edges of the box from 0 to `size` that the eye sees and that are drawn without a dark line.
+int gapsInEdges(const Scene& scene, const Vector3& size, const Picture& picture)
+{
+  constexpr int kDark = 120;
+  constexpr int kSamples = 150;
+  const Vector3 eye(scene.meshRenderer().GetActiveCamera()->GetPosition());
+  const auto isDarkNear = [&](const Vector3& pixel) {
+    for (int y = static_cast<int>(pixel.y()) - 1; y <= static_cast<int>(pixel.y()) + 1; ++y)
+      for (int x = static_cast<int>(pixel.x()) - 1; x <= static_cast<int>(pixel.x()) + 1; ++x)
+        if (picture.pixels[3 * (static_cast<std::size_t>(y) * picture.size.width + x)] < kDark) return true;
+    return false;
+  };
+  int gaps = 0;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const int corner : {0, 1, 2, 3}) {
+      const int b = (axis + 1) % 3;
+      const int c = (axis + 2) % 3;
+      Vector3 from = Vector3::Zero();
+      from[b] = (corner & 1) != 0 ? size[b] : 0;
+      from[c] = (corner & 2) != 0 ? size[c] : 0;
+      const auto isSeen = [&](int face) { return from[face] == 0 ? eye[face] < 0 : eye[face] > size[face]; };
+      if (!isSeen(b) && !isSeen(c)) continue;
+      for (int k = 0; k <= kSamples; ++k) {
+        Vector3 place = from;
+        place[axis] = k * size[axis] / kSamples;
+        if (!isDarkNear(toDisplay(scene.meshRenderer(), place) / scene.pixelRatio())) ++gaps;
+      }
+    }
+  return gaps;
+}
+
+TEST(Scene, EdgesOfFacesAreWholeFromWhereverTheyAreSeen)
+{
+  const Vector3 size(4, 1, 3);
+  const Model model = makeModel(test::box(size, 2), "box");
+  Scene scene(model, deform(model, test::listOf({test::hold({0})})), {kSmall, ColorBy::None, Legend::Hidden, ""});
+  scene.contents().setMarks({});
+  scene.contents().setRestGhost(RestGhost::Hidden);
+  vtkCamera& camera = *scene.meshRenderer().GetActiveCamera();
+  const auto gapsFrom = [&](const Vector3& direction) {
+    const Vector3 eye = size / 2 + 24 * direction.normalized();
+    camera.SetFocalPoint(2, 0.5, 1.5);
+    camera.SetPosition(eye.data());
+    camera.SetViewUp(0, 0, 1);
+    scene.meshRenderer().ResetCameraClippingRange();
+    return gapsInEdges(scene, size, drawnScene(scene));
+  };
+  for (const bool isParallel : {false, true}) {
+    camera.SetParallelProjection(isParallel);
+    camera.SetParallelScale(3);
+    // Along the second and third ones a face is seen from its edge.
+    for (const Vector3& direction : {Vector3(1, -1, 0.7), Vector3(0.28, -1, 0.3), Vector3(0.5, -0.2, 0.19)})
+      EXPECT_EQ(gapsFrom(direction), 0) << direction.transpose() << ", parallel: " << isParallel;
+  }
+  scene.mesh().edges().VisibilityOff();
+  EXPECT_GT(gapsFrom({1, -1, 0.7}), 100) << "the control";
 }
 
 TEST(Scene, SamePixelsAndBytesOnEveryRun)

@@ -84,8 +84,10 @@ TEST(SnapshotOption, MistakesAreUsageErrorsThatSayWhatToWrite)
     EXPECT_EQ(run.exitCode, 2) << options;
     EXPECT_NE(run.messages.find(hint), std::string::npos) << run.messages;
   };
-  expectUsage("--snapshot p.png --color-by angles",
-              "none, constraint-residual, rotation, angle, displacement, detail, force");
+  expectUsage(
+      "--snapshot p.png --color-by angles",
+      "none, constraint-residual, rotation, angle, displacement, detail, force, displacement-x, displacement-y, "
+      "displacement-z, displacement-normal, area-change, edge-change");
   expectUsage("--snapshot p.png --color-by force --solver soft", "--solver hard only");
   expectUsage("--snapshot p.jpg", "does not end in .png");
   for (const char* const size : {"15x100", "100x16385", "100", "100x", "x100", "100x100x", "-20x30", "1e3x100", "''"})

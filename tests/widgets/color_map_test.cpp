@@ -10,6 +10,7 @@
 
 #include <holdfast/widgets/color/color_map.h>
 #include <holdfast/widgets/color/scalar_legend.h>
+#include <holdfast/widgets/marks/constraint_glyphs.h>
 
 #include "support/special_values.h"
 #include "widgets/lab_color.h"
@@ -17,41 +18,20 @@
 namespace holdfast {
 namespace {
 
+using test::distance;
 using test::LabColor;
 using test::toLab;
 
 constexpr int kSteps = 500;
-
-double distance(const LabColor& p, const LabColor& q)
-{
-  return std::hypot(p.lightness - q.lightness, p.a - q.a, p.b - q.b);
-}
 
 LabColor labAt(int step, ColorMap map = ColorMap::BlueGreenYellow)
 {
   return toLab(mapColor(step / static_cast<double>(kSteps), map));
 }
 
-constexpr std::array kMaps{ColorMap::BlueGreenYellow, ColorMap::BlueGreyYellow, ColorMap::BlueWhiteOrange,
-                           ColorMap::Grey};
-
-/// The colour as it looks to an eye without the receptors for green (Machado, Oliveira and Fernandes, 2009).
-Color withoutGreenReceptors(const Color& color)
-{
-  const auto light = [](double channel) {
-    return channel <= 0.04045 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
-  };
-  const auto channel = [](double sum) {
-    const double inside = std::clamp(sum, 0.0, 1.0);
-    return inside <= 0.0031308 ? 12.92 * inside : 1.055 * std::pow(inside, 1 / 2.4) - 0.055;
-  };
-  const double red = light(color.red);
-  const double green = light(color.green);
-  const double blue = light(color.blue);
-  return {channel(0.367322 * red + 0.860646 * green - 0.227968 * blue),
-          channel(0.280085 * red + 0.672501 * green + 0.047413 * blue),
-          channel(-0.011820 * red + 0.042940 * green + 0.968881 * blue)};
-}
+constexpr std::array kMaps{ColorMap::BlueGreenYellow, ColorMap::BlueGreyYellow,
+                           ColorMap::BlueWhiteOrange, ColorMap::Grey,
+                           ColorMap::BlueWhiteRed,    ColorMap::BlackRedYellow};
 
 TEST(ColorMap, LabOfKnownColorsIsKnown)
 {
@@ -64,19 +44,29 @@ TEST(ColorMap, LabOfKnownColorsIsKnown)
 
 TEST(ColorMap, LightnessRisesAllTheWay)
 {
-  for (const ColorMap map : {ColorMap::BlueGreenYellow, ColorMap::BlueGreyYellow, ColorMap::Grey})
+  for (const ColorMap map :
+       {ColorMap::BlueGreenYellow, ColorMap::BlueGreyYellow, ColorMap::Grey, ColorMap::BlackRedYellow})
     for (int k = 0; k < kSteps; ++k)
       EXPECT_LT(labAt(k, map).lightness, labAt(k + 1, map).lightness) << "map " << static_cast<int>(map) << ", " << k;
 }
 
-TEST(ColorMap, WhiteIsInTheMiddleOfTheTwoSidedOne)
+TEST(ColorMap, WhiteIsInTheMiddleOfTheTwoSidedOnes)
 {
-  constexpr ColorMap kMap = ColorMap::BlueWhiteOrange;
-  for (int k = 0; k < kSteps / 2; ++k) {
-    EXPECT_LT(labAt(k, kMap).lightness, labAt(k + 1, kMap).lightness) << "step " << k;
-    EXPECT_GT(labAt(k + kSteps / 2, kMap).lightness, labAt(k + 1 + kSteps / 2, kMap).lightness) << "step " << k;
+  for (const ColorMap map : {ColorMap::BlueWhiteOrange, ColorMap::BlueWhiteRed}) {
+    for (int k = 0; k < kSteps / 2; ++k) {
+      EXPECT_LT(labAt(k, map).lightness, labAt(k + 1, map).lightness) << "step " << k;
+      EXPECT_GT(labAt(k + kSteps / 2, map).lightness, labAt(k + 1 + kSteps / 2, map).lightness) << "step " << k;
+    }
+    EXPECT_LT(distance(labAt(kSteps / 2, map), {96, 0, 0}), 0.5);
   }
-  EXPECT_LT(distance(labAt(kSteps / 2, kMap), {96, 0, 0}), 0.5);
+}
+
+TEST(ColorMap, NoMapHasTheColorsOfSelections)
+{
+  for (const Color& color : {kAccentColor, kSelectedColor})
+    for (const ColorMap map : kMaps)
+      for (int k = 0; k <= kSteps; ++k)
+        EXPECT_GT(distance(labAt(k, map), toLab(color)), 40) << "map " << static_cast<int>(map) << ", step " << k;
 }
 
 TEST(ColorMap, EqualStepsLookAboutEqual)
@@ -94,7 +84,9 @@ TEST(ColorMap, EqualStepsLookAboutEqual)
 TEST(ColorMap, SharesFarApartLookDifferentWithoutGreenReceptors)
 {
   constexpr int kTenths = 10;
-  const auto seen = [](int tenth, ColorMap map) { return toLab(withoutGreenReceptors(mapColor(tenth / 10.0, map))); };
+  const auto seen = [](int tenth, ColorMap map) {
+    return toLab(test::seenBy(test::Vision::WithoutGreen, mapColor(tenth / 10.0, map)));
+  };
   for (const ColorMap map : kMaps)
     for (int a = 0; a <= kTenths; ++a)
       for (int b = a + 2; b <= kTenths; ++b)
@@ -103,7 +95,7 @@ TEST(ColorMap, SharesFarApartLookDifferentWithoutGreenReceptors)
 
 TEST(ColorMap, ARainbowLooksTheSameAtDifferentSharesWithoutGreenReceptors)
 {
-  const auto seen = [](const Color& color) { return toLab(withoutGreenReceptors(color)); };
+  const auto seen = [](const Color& color) { return toLab(test::seenBy(test::Vision::WithoutGreen, color)); };
   EXPECT_LT(distance(seen({0.60, 0.55, 0}), seen({0.25, 0.65, 0})), 10);
 }
 

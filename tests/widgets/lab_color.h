@@ -15,4 +15,12 @@ struct LabColor {
 
 [[nodiscard]] LabColor toLab(const Color& color);
 
+[[nodiscard]] double distance(const LabColor& p, const LabColor& q);
+
+/// Eyes, with all receptors, and without those for green or for red (deuteranopia, protanopia).
+enum class Vision { Usual, WithoutGreen, WithoutRed };
+
+/// The colour as it looks to such an eye (Machado, Oliveira and Fernandes, 2009).
+[[nodiscard]] Color seenBy(Vision vision, const Color& color);
+
 }  // namespace holdfast::test

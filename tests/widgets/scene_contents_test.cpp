@@ -181,13 +181,14 @@ TEST(Detail, LargeTintsAreCoarseAndSmallOnesAreNot)
   std::vector<Index> all(static_cast<std::size_t>(model.mesh.vertexCount()));
   std::iota(all.begin(), all.end(), Index{0});
   overlay.set(all);
-  EXPECT_EQ(drawnBy(overlay.tint()).GetNumberOfPolys(), static_cast<vtkIdType>(model.mesh.faces.size()));
-  overlay.setDetail(Detail::Coarse);
-  EXPECT_EQ(drawnBy(overlay.tint()).GetNumberOfPolys(), static_cast<vtkIdType>(actor.coarse().triangles().size()));
-  EXPECT_EQ(drawnBy(overlay.tint()).GetPoints(), actor.coarse().data().GetPoints());
+  EXPECT_EQ(drawnBy(overlay.tint().faces()).GetNumberOfPolys(), static_cast<vtkIdType>(model.mesh.faces.size()));
+  overlay.tint().setDetail(Detail::Coarse);
+  EXPECT_EQ(drawnBy(overlay.tint().faces()).GetNumberOfPolys(),
+            static_cast<vtkIdType>(actor.coarse().triangles().size()));
+  EXPECT_EQ(drawnBy(overlay.tint().faces()).GetPoints(), actor.coarse().data().GetPoints());
   const auto corners = model.mesh.faces[5];
   overlay.set({corners[0], corners[1], corners[2]});
-  EXPECT_EQ(drawnBy(overlay.tint()).GetNumberOfPolys(), 1);
+  EXPECT_EQ(drawnBy(overlay.tint().faces()).GetNumberOfPolys(), 1);
 }
 
 TEST(Detail, OfSmallMeshesIsAlwaysFull)
@@ -200,20 +201,21 @@ TEST(Detail, OfSmallMeshesIsAlwaysFull)
   EXPECT_TRUE(actor.meshEdges().GetVisibility());
 }
 
-TEST(SelectionOverlay, DotsVerticesAndTintsWhatLiesBetween)
+TEST(SelectionOverlay, TintsWhatLiesBetweenVerticesAndDotsTheOthers)
 {
   const Model model = makeModel(test::grid(4, 4), "grid");
   const MeshActor mesh(model);
   SelectionOverlay overlay(model, mesh);
   EXPECT_FALSE(overlay.dots().GetVisibility());
   overlay.set({0, 1, 5, 6, 24});
-  EXPECT_EQ(drawnBy(overlay.dots()).GetNumberOfVerts(), 5);
-  EXPECT_EQ(drawnBy(overlay.tint()).GetNumberOfPolys(), 2);
+  EXPECT_EQ(drawnBy(overlay.dots()).GetNumberOfVerts(), 1);
+  EXPECT_EQ(drawnBy(overlay.tint().faces()).GetNumberOfPolys(), 2);
+  EXPECT_EQ(drawnBy(*overlay.tint().outline().front()).GetNumberOfLines(), 4);
   EXPECT_EQ(drawnBy(overlay.dots()).GetPoints(), &mesh.points());
-  EXPECT_TRUE(overlay.tint().GetVisibility());
+  EXPECT_TRUE(overlay.tint().faces().GetVisibility());
   overlay.set({});
   EXPECT_FALSE(overlay.dots().GetVisibility());
-  EXPECT_FALSE(overlay.tint().GetVisibility());
+  EXPECT_FALSE(overlay.tint().faces().GetVisibility());
 }
 
 TEST(SelectionOverlay, TintsSharpEdgesOnBothSides)
@@ -224,7 +226,7 @@ TEST(SelectionOverlay, TintsSharpEdgesOnBothSides)
   std::vector<Index> all(static_cast<std::size_t>(model.mesh.vertexCount()));
   std::iota(all.begin(), all.end(), Index{0});
   overlay.set(all);
-  EXPECT_EQ(drawnBy(overlay.tint()).GetNumberOfPolys(), static_cast<vtkIdType>(model.mesh.faces.size()));
+  EXPECT_EQ(drawnBy(overlay.tint().faces()).GetNumberOfPolys(), static_cast<vtkIdType>(model.mesh.faces.size()));
 }
 
 TEST(SelectionOverlay, PassesOverVerticesThatNoFaceUses)
@@ -236,16 +238,64 @@ TEST(SelectionOverlay, PassesOverVerticesThatNoFaceUses)
   EXPECT_FALSE(overlay.dots().GetVisibility());
 }
 
-TEST(SelectionOverlay, LargeOnesHaveFewDots)
+TEST(SelectionOverlay, OfManyVerticesWithoutAFaceHasFewDots)
 {
-  const Model model = makeModel(test::grid(100, 100), "grid");
+  const Model model = makeModel(test::grid(150, 150), "grid");
   const MeshActor mesh(model);
   SelectionOverlay overlay(model, mesh);
-  std::vector<Index> all(static_cast<std::size_t>(model.mesh.vertexCount()));
-  std::iota(all.begin(), all.end(), Index{0});
-  overlay.set(all);
+  std::vector<Index> alternate;
+  for (Index v = 0; v < model.mesh.vertexCount(); v += 2) alternate.push_back(v);
+  overlay.set(alternate);
+  EXPECT_FALSE(overlay.tint().faces().GetVisibility());
   EXPECT_LT(drawnBy(overlay.dots()).GetNumberOfVerts(), 1.3 * kMostSelectionDots);
-  EXPECT_EQ(drawnBy(overlay.tint()).GetNumberOfPolys(), static_cast<vtkIdType>(model.mesh.faces.size()));
+}
+
+/// A fixed square, a rigid one beside it, and one vertex apart.
+ConstraintList regions()
+{
+  return {"",
+          {{"fixed", true, FixedConstraint{{VertexIds{{0, 1, 5, 6}}}}},
+           {"rigid", true, RigidConstraint{{VertexIds{{18, 19, 23, 24}}}}},
+           {"apart", true, FixedConstraint{{VertexIds{{4}}}}}}};
+}
+
+TEST(RegionTints, AreFacesWithOutlinesAndOnlyVerticesApartHaveDots)
+{
+  const Model model = makeModel(test::grid(4, 4), "grid");
+  const MeshActor mesh(model);
+  RegionTints tints(mesh);
+  const DeformResult deformation = deform(model, regions());
+  const auto marks = markSet(model, constraintMarks(model, deformation), nullptr);
+  tints.show(marks);
+  const auto faces = [&](std::size_t look) {
+    const FaceTint& tint = *tints.tints()[look];
+    return tint.faces().GetVisibility() != 0 ? drawnBy(tint.faces()).GetNumberOfPolys() : 0;
+  };
+  EXPECT_EQ(faces(static_cast<std::size_t>(ConstraintStatus::Met)), 2);
+  EXPECT_EQ(faces(kRegionLooks - 1), 2) << "rigid, with the vertex to which the others refer";
+  ASSERT_EQ(marks->drawn.size(), 1u);
+  EXPECT_EQ(marks->marks[marks->drawn[0]].constraint, 2);
+
+  EXPECT_EQ(faces(kRegionLooks), 0);
+  tints.highlight({1});
+  EXPECT_EQ(faces(kRegionLooks), 2);
+  tints.highlight({});
+  EXPECT_EQ(faces(kRegionLooks), 0);
+  tints.show(std::make_shared<const MarkSet>());
+  for (std::size_t look = 0; look <= kRegionLooks; ++look) EXPECT_EQ(faces(look), 0) << look;
+}
+
+TEST(RegionTints, ShowTheMostSeriousStatusOfARegion)
+{
+  const Model model = makeModel(test::grid(4, 4), "grid");
+  ConstraintList list = regions();
+  list.constraints.push_back({"pulled", true, HandleConstraint{{VertexIds{{0}}}, {}, Vector3(0, 0, 1), {}}});
+  list.constraints.push_back({"again", true, FixedConstraint{{VertexIds{{5, 6, 10, 11}}}}});
+  const auto looks = regionLooks(model, constraintMarks(model, deform(model, list)));
+  const auto bit = [](ConstraintStatus status) { return 1U << static_cast<unsigned>(status); };
+  EXPECT_EQ(looks[0], bit(ConstraintStatus::Met) | bit(ConstraintStatus::Conflicting));
+  EXPECT_EQ(looks[5], bit(ConstraintStatus::Met)) << "half of what repeats it is new";
+  EXPECT_EQ(looks[2], 0);
 }
 
 TEST(PointPreview, ShowsOneShapeAndARing)

@@ -145,6 +145,37 @@ TEST(Coloring, NamesAndValuesBelongTogether)
   EXPECT_EQ(colorByNamed(""), std::nullopt);
 }
 
+TEST(Coloring, ComponentsHaveZeroInTheMiddle)
+{
+  const Model model = makeModel(test::box({1, 2, 3}, 2), "box");
+  DeformResult moved = deform(model, test::listOf({test::hold({0})}));
+  moved.positions.rowwise() += Eigen::RowVector3d(0, -3, 1);
+  const auto y = coloringOf(model, moved, ColorBy::DisplacementY, "mm");
+  EXPECT_EQ(y->scale.title, "displacement y\n[mm]");
+  EXPECT_EQ(y->scale.low, -3);
+  EXPECT_EQ(y->scale.high, 3);
+  for (const double value : y->values) EXPECT_DOUBLE_EQ(value, -3);
+}
+
+TEST(Coloring, AlongTheNormalOutwardsIsAboveZero)
+{
+  const Model model = makeModel(test::icosphere(3), "sphere");
+  DeformResult grown = deform(model, test::listOf({test::hold({0})}));
+  grown.positions *= 1.5;
+  const auto coloring = coloringOf(model, grown, ColorBy::DisplacementNormal, "");
+  for (const double value : coloring->values) EXPECT_NEAR(value, 0.5, 0.005);
+}
+
+TEST(Coloring, ChangesOfAreaAndLengthArePercent)
+{
+  const Model model = makeModel(test::icosphere(2), "sphere");
+  DeformResult grown = deform(model, test::listOf({test::hold({0})}));
+  grown.positions *= 1.1;
+  const auto values = [&](ColorBy field) { return coloringOf(model, grown, field, "mm")->values; };
+  for (const double value : values(ColorBy::AreaChange)) EXPECT_NEAR(value, 21, 1e-9);
+  for (const double value : values(ColorBy::EdgeChange)) EXPECT_NEAR(value, 10, 1e-9);
+}
+
 TEST(Coloring, EveryNameIsDescribed)
 {
   const std::string document = test::bytesOf(test::sourceFolder() + "/docs/formats.md");

@@ -121,7 +121,8 @@ TEST_F(ColorPanelTest, LogarithmicRangesHaveDecades)
 TEST_F(ColorPanelTest, SettingsFromElsewhereAreShownWithoutSignals)
 {
   panel.setSettings({ColorBy::Force, LogarithmicRange{7}, ColorMap::Grey});
-  panel.setDisplaySettings({RestGhost::Surface, MeshEdges::All, RotationDisplay::Arrows, false});
+  panel.setDisplaySettings(
+      {RestGhost::Surface, MeshEdges::All, SurfaceDisplay::Points, RotationDisplay::Arrows, false});
   EXPECT_TRUE(changes.empty());
   EXPECT_TRUE(displays.empty());
   EXPECT_EQ(find<QComboBox>("colorField").currentIndex(), static_cast<int>(ColorBy::Force));
@@ -136,9 +137,11 @@ TEST_F(ColorPanelTest, SwitchesTellAllOfTheDisplay)
   test::pressKey(find<QCheckBox>("rotationArrows"), Qt::Key_Space);
   find<QComboBox>("restGhost").setCurrentIndex(2);
   find<QComboBox>("meshEdges").setCurrentIndex(1);
+  find<QComboBox>("surfaceDisplay").setCurrentIndex(2);
   test::pressKey(find<QCheckBox>("constraintGlyphs"), Qt::Key_Space);
-  ASSERT_EQ(displays.size(), 4U);
-  EXPECT_EQ(displays.back(), (DisplaySettings{RestGhost::Surface, MeshEdges::All, RotationDisplay::Arrows, false}));
+  ASSERT_EQ(displays.size(), 5U);
+  EXPECT_EQ(displays.back(), (DisplaySettings{RestGhost::Surface, MeshEdges::All, SurfaceDisplay::Points,
+                                              RotationDisplay::Arrows, false}));
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
+#include <QCheckBox>
 #include <QDialog>
 #include <QImage>
+#include <QPainter>
 #include <QSpinBox>
 #include <optional>
 
@@ -144,10 +146,11 @@ TEST_F(DocumentExportsTest, AFailureToWriteIsExplained)
 }
 
 /// The picture that comes of the dialog with this width and height.
-QImage exportedPicture(DocumentExports& exports, test::FilesWindow& w, const char* name)
+QImage exportedPicture(DocumentExports& exports, test::FilesWindow& w, const char* name, bool isTransparent = false)
 {
   w.answers = {w.path(name)};
-  const DialogAnswer answer("pictureDialog", [](QDialog& dialog) {
+  const DialogAnswer answer("pictureDialog", [isTransparent](QDialog& dialog) {
+    dialog.findChild<QCheckBox*>("transparent")->setChecked(isTransparent);
     dialog.findChild<QSpinBox*>("width")->setValue(300);
     dialog.findChild<QSpinBox*>("height")->setValue(200);
     test::clickButton(dialog, "export");
@@ -180,6 +183,38 @@ TEST_F(DocumentExportsTest, APictureHasTheColoursThatAreShown)
     return view;
   });
   EXPECT_NE(exportedPicture(exports, w, "coloured.png"), grey);
+}
+
+TEST_F(DocumentExportsTest, APictureMayBeTransparentBesideTheMesh)
+{
+  const QImage usual = exportedPicture(exports, w, "usual.png");
+  const QImage transparent = exportedPicture(exports, w, "transparent.png", true);
+  EXPECT_TRUE(test::isOpaque(usual));
+  EXPECT_EQ(qAlpha(transparent.pixel(2, 2)), 0);
+  int opaque = 0;
+  for (int y = 0; y < usual.height(); ++y)
+    for (int x = 0; x < usual.width(); ++x) {
+      if (qAlpha(transparent.pixel(x, y)) != 255) continue;
+      ++opaque;
+      ASSERT_EQ(transparent.pixelColor(x, y), usual.pixelColor(x, y)) << x << ", " << y;
+    }
+  EXPECT_GT(opaque, 2000);
+}
+
+TEST_F(DocumentExportsTest, APictureHasTheLegendOfTheWindowAtItsScale)
+{
+  exports.setPictureView([&] {
+    PictureView view;
+    view.size = {600, 400};
+    view.paintLegend = [](QPainter& painter, const QRectF& area) {
+      painter.fillRect(QRectF(area.right() - 100, area.bottom() - 60, 100, 60), Qt::red);
+    };
+    return view;
+  });
+  const QImage picture = exportedPicture(exports, w, "legend.png");
+  EXPECT_EQ(picture.pixelColor(299, 199), QColor(Qt::red));
+  EXPECT_EQ(picture.pixelColor(251, 171), QColor(Qt::red)) << "half as large as in the window";
+  EXPECT_NE(picture.pixelColor(248, 171), QColor(Qt::red));
 }
 
 }  // namespace

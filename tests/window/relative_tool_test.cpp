@@ -94,9 +94,11 @@ class RelativeToolOnSheet : public test::WindowUser {
     EXPECT_TRUE(settle());
     const QImage picture = viewport().grabFramebuffer();
     const QPointF place = viewport().pixelRatio() * inWidget(pixelOf((7 * placeOf(6) + placeOf(13)) / 8));
-    const auto isBlue = [](const QColor& color) { return color.blue() > 200 && color.red() < 60; };
+    const auto isAccent = [](const QColor& color) {
+      return color.blue() > 200 && color.red() > 110 && color.green() < 110;
+    };
     for (int k = 0; k < 25; ++k)
-      if (isBlue(picture.pixelColor(place.toPoint() + QPoint(k % 5 - 2, k / 5 - 2)))) return true;
+      if (isAccent(picture.pixelColor(place.toPoint() + QPoint(k % 5 - 2, k / 5 - 2)))) return true;
     return false;
   }
 

@@ -11,6 +11,7 @@
 
 #include <holdfast/widgets/marks/constraint_glyphs.h>
 #include <holdfast/window/controls/panel_parts.h>
+#include <holdfast/window/controls/theme.h>
 #include <holdfast/window/table/constraint_table_model.h>
 #include <holdfast/window/tools/gizmo_tool.h>
 
@@ -21,11 +22,6 @@ namespace holdfast {
 namespace {
 
 using Table = ConstraintTableModel;
-
-QColor toQColor(const Color& color)
-{
-  return QColor::fromRgbF(color.red, color.green, color.blue);
-}
 
 // Pixels to all sides of a ball's middle that are the ball's.
 constexpr int kReach = 2;

@@ -85,13 +85,14 @@ class SessionInWindow : public test::WindowUser {
     choose("colorMap", 2);
     choose("restGhost", 2);
     choose("meshEdges", 1);
+    choose("surfaceDisplay", 1);
     for (const char* box : {"rotationArrows", "constraintGlyphs"}) {
       find<QCheckBox>(box).setFocus();
       key(Qt::Key_Space);
     }
     ASSERT_TRUE(viewport().isParallelProjection());
-    ASSERT_EQ(viewport().display(),
-              (DisplaySettings{RestGhost::Surface, MeshEdges::All, RotationDisplay::Arrows, false}));
+    ASSERT_EQ(viewport().display(), (DisplaySettings{RestGhost::Surface, MeshEdges::All, SurfaceDisplay::Wireframe,
+                                                     RotationDisplay::Arrows, false}));
     ASSERT_TRUE(settle());
   }
 

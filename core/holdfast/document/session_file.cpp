@@ -28,6 +28,7 @@ void forEachMember(View& view, Visitor&& visit)
   visit("color_map", view.colorMap);
   visit("rest_shape", view.restShape);
   visit("mesh_edges", view.meshEdges);
+  visit("surface", view.surface);
 }
 
 /// The same for those below "glyphs".

@@ -42,6 +42,7 @@ struct ViewState {
   std::optional<std::string> colorMap;
   std::optional<std::string> restShape;
   std::optional<std::string> meshEdges;
+  std::optional<std::string> surface;
   std::optional<bool> showsConstraints;
   std::optional<bool> showsRotations;
 

@@ -150,7 +150,7 @@ TEST(FormatsDocument, ExampleOfASessionHasEveryKeyOfTheView)
   const SessionFile session = parseSession(examples[0], kDocument);
   const ViewState& view = session.view;
   EXPECT_TRUE(view.camera && view.colorBy && view.range && view.scale && view.colorMap && view.restShape &&
-              view.meshEdges && view.showsConstraints && view.showsRotations);
+              view.meshEdges && view.surface && view.showsConstraints && view.showsRotations);
   EXPECT_FALSE(session.mesh.path.empty() || session.mesh.absolutePath.empty() || session.mesh.checksum.empty());
   EXPECT_EQ(parseConstraintsJson(examples[0], kDocument).constraints.size(), 1U);
 }

@@ -40,6 +40,7 @@ SessionFile fullSession()
   session.view.colorMap = "Björk's";
   session.view.restShape = "edges";
   session.view.meshEdges = "all";
+  session.view.surface = "wireframe";
   session.view.showsConstraints = false;
   session.view.showsRotations = true;
   session.original = "/home/somebody/part.holdfast";

@@ -31,8 +31,15 @@ constexpr LabColor kBlueWhiteOrange[] = {{36, 12, -50}, {52, 3, -42}, {68, -1, -
 // Ends well below the grey of what has no value.
 constexpr LabColor kGrey[] = {{8, 0, 0}, {64, 0, 0}};
 
+constexpr LabColor kBlueWhiteRed[] = {{37, 16, -53}, {51, 7, -43}, {66, 1, -29}, {83, -1, -15}, {96, 0, 0},
+                                      {84, 15, 12},  {71, 30, 22}, {57, 44, 30}, {43, 55, 36}};
+
+constexpr LabColor kBlackRedYellow[] = {{10, 10, 4},  {19, 26, 17}, {28, 39, 32}, {39, 50, 46}, {54, 48, 57},
+                                        {67, 34, 64}, {78, 17, 68}, {88, 1, 62},  {94, -6, 46}};
+
 // In the order of `ColorMap`.
-constexpr std::array<std::span<const LabColor>, 4> kMaps{kBlueGreenYellow, kBlueGreyYellow, kBlueWhiteOrange, kGrey};
+constexpr std::array<std::span<const LabColor>, 6> kMaps{kBlueGreenYellow, kBlueGreyYellow, kBlueWhiteOrange, kGrey,
+                                                         kBlueWhiteRed,    kBlackRedYellow};
 
 // Finer than the 256 levels of a channel anywhere along the map.
 constexpr int kTableColors = 1024;

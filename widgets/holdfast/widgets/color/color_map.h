@@ -26,7 +26,9 @@ enum class ColorMap {
   BlueGreenYellow,  ///< from dark blue over green to yellow
   BlueGreyYellow,   ///< from dark blue over grey to yellow: looks nearly the same with and without red and green
   BlueWhiteOrange,  ///< from blue over white to orange, lightest in the middle: for what lies on either side of a value
-  Grey              ///< from black to a middling grey: leaves all colours to other things
+  Grey,             ///< from black to a middling grey: leaves all colours to other things
+  BlueWhiteRed,     ///< from blue over white to red, lightest in the middle
+  BlackRedYellow    ///< from black over red to light yellow
 };
 
 /// The colour at `share` in [0, 1] (clamped; `kNoValueColor` for NaN). Lightness rises all the way, or to the middle.

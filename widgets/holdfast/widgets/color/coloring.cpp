@@ -9,13 +9,16 @@
 
 #include <holdfast/deform/deform_details.h>
 #include <holdfast/deform/fields.h>
+#include <holdfast/mesh/vertex_normals.h>
 
 namespace holdfast {
 namespace {
 
 // In the order of `ColorBy`.
-constexpr std::array<std::string_view, 7> kNames{
-    "none", "constraint-residual", "rotation", "angle", "displacement", "detail", "force"};
+constexpr std::array<std::string_view, 13> kNames{
+    "none",       "constraint-residual", "rotation",       "angle",          "displacement",        "detail",
+    "force",      "displacement-x",      "displacement-y", "displacement-z", "displacement-normal", "area-change",
+    "edge-change"};
 
 // Decades of the logarithmic scale below the promise and, at least, above it: residuals of a good solution are
 // hundreds of times smaller than promised.
@@ -115,6 +118,71 @@ Coloring displacementColoring(const Model& model, const DeformResult& deformatio
   return linearColoring(inUnits("displacement", units), std::move(lengths));
 }
 
+/// Zero in the middle: a map of two sides shows the sign.
+Coloring signedColoring(std::string title, std::vector<double> values)
+{
+  double largest = 0;
+  for (const double value : values)
+    if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+  if (largest == 0) largest = 1;
+  return {std::move(values), {std::move(title), Scaling::Linear, -largest, largest}};
+}
+
+template <int axis>
+Coloring componentColoring(const Model& model, const DeformResult& deformation, const std::string& units)
+{
+  const Eigen::VectorXd along = deformation.positions.col(axis) - model.mesh.positions.col(axis);
+  return signedColoring(inUnits(std::string("displacement ") + "xyz"[axis], units), {along.begin(), along.end()});
+}
+
+Coloring normalColoring(const Model& model, const DeformResult& deformation, const std::string& units)
+{
+  const SolverMesh& mesh = model.solverMesh;
+  Positions normals = Positions::Zero(mesh.unknownCount(), 3);
+  for (const Triangle& triangle : mesh.triangles) {
+    const Vector3 area = areaVector(mesh.rest, triangle);
+    for (const Index unknown : triangle) normals.row(unknown) += area;
+  }
+  std::vector<double> values;
+  for (Index v = 0; v < deformation.positions.rows(); ++v)
+    values.push_back((deformation.positions.row(v) - model.mesh.positions.row(v))
+                         .dot(unitOrZero(normals.row(mesh.weld.unknownOf[v]).transpose())));
+  return signedColoring(inUnits("displacement along\nthe normal", units), std::move(values));
+}
+
+/// By how many percent the sum over the triangles at each vertex of `measure(positions, triangle)` is larger than at
+/// rest; none where it is 0 there.
+template <class Measure>
+Coloring changeColoring(const Model& model, const DeformResult& deformation, const char* title, Measure&& measure)
+{
+  const auto vertices = static_cast<std::size_t>(model.mesh.vertexCount());
+  std::vector<double> rest(vertices, 0);
+  std::vector<double> values(vertices, 0);
+  for (const Triangle& triangle : model.triangulation.triangles) {
+    const double before = measure(model.mesh.positions, triangle);
+    const double after = measure(deformation.positions, triangle);
+    for (const Index vertex : triangle) {
+      rest[vertex] += before;
+      values[vertex] += after;
+    }
+  }
+  for (std::size_t v = 0; v < vertices; ++v)
+    values[v] = rest[v] > 0 ? 100 * (values[v] / rest[v] - 1) : std::numeric_limits<double>::quiet_NaN();
+  return signedColoring(inUnits(title, "%"), std::move(values));
+}
+
+double areaOf(const Positions& positions, const Triangle& triangle)
+{
+  return areaVector(positions, triangle).norm() / 2;
+}
+
+double sidesOf(const Positions& positions, const Triangle& triangle)
+{
+  double sum = 0;
+  for (int k = 0; k < 3; ++k) sum += (positions.row(triangle[(k + 1) % 3]) - positions.row(triangle[k])).norm();
+  return sum;
+}
+
 Coloring detailColoring(const Model& model, const DeformResult& deformation, const std::string& units)
 {
   Field field = fieldOf(model, deformation, FieldKind::DetailResidual);
@@ -128,9 +196,20 @@ Coloring detailColoring(const Model& model, const DeformResult& deformation, con
   return {std::move(field.values), linearScale(inUnits("detail residual", unit), high)};
 }
 
+Coloring areaColoring(const Model& model, const DeformResult& deformation, const std::string& /*units*/)
+{
+  return changeColoring(model, deformation, "change of area", areaOf);
+}
+
+Coloring edgeColoring(const Model& model, const DeformResult& deformation, const std::string& /*units*/)
+{
+  return changeColoring(model, deformation, "change of edge length", sidesOf);
+}
+
 // In the order of `ColorBy`, without `None`.
-constexpr std::array kColorings{residualColoring,     rotationColoring, angleColoring,
-                                displacementColoring, detailColoring,   forceColoring};
+constexpr std::array kColorings{residualColoring,     rotationColoring, angleColoring,        displacementColoring,
+                                detailColoring,       forceColoring,    componentColoring<0>, componentColoring<1>,
+                                componentColoring<2>, normalColoring,   areaColoring,         edgeColoring};
 
 }  // namespace
 

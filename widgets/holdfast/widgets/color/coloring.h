@@ -21,7 +21,13 @@ enum class ColorBy {
   Angle,               ///< the whole of it, degrees, not wrapped
   Displacement,        ///< the length of the way from rest
   Detail,              ///< how far the detail is from the rotated one at rest
-  Force                ///< how hard constraints pull; logarithmic. Of hard constraints only, else nowhere a value
+  Force,               ///< how hard constraints pull; logarithmic. Of hard constraints only, else nowhere a value
+  DisplacementX,       ///< the part of the way from rest along x; with both signs, as all that follow
+  DisplacementY,
+  DisplacementZ,
+  DisplacementNormal,  ///< that along the surface's normal at rest: outwards is above 0
+  AreaChange,          ///< of the triangles at each vertex, as a share of their area at rest, percent
+  EdgeChange           ///< of the lengths of their sides, likewise
 };
 
 /// The names on command lines, in the order of `ColorBy`: "none", "constraint-residual", "rotation", ...

@@ -325,7 +325,7 @@ GizmoTraceActors::GizmoTraceActors()
   setUp(*ends_, *endData_);
   sector_->GetProperty()->SetOpacity(kSectorOpacity);
   sector_->ForceOpaqueOn();  // as with parts that are faded
-  drawPointsAsBalls(*ends_);
+  ends_->GetProperty()->RenderPointsAsSpheresOn();
 }
 
 void GizmoTraceActors::show(const GizmoTrace& trace, double radius, double pixels)

@@ -1,6 +1,9 @@
 #include "holdfast/widgets/interaction/constraint_mark_widget.h"
 
 #include <algorithm>
+#include <map>
+
+#include <holdfast/widgets/picking/surface_picker.h>
 
 namespace holdfast {
 
@@ -30,7 +33,24 @@ std::optional<Index> ConstraintMarkRepresentation::FindConstraint(double display
     nearest = distance;
     found = mark.constraint;
   }
-  return found;
+  return found ? found : this->FindRegion(displayX, displayY);
+}
+
+std::optional<Index> ConstraintMarkRepresentation::FindRegion(double displayX, double displayY) const
+{
+  if (!this->Surface) return std::nullopt;
+  const auto pick = SurfacePicker(this->Surface).pick(*this->Renderer, displayX, displayY, PickKind::Face, 0);
+  if (!pick) return std::nullopt;
+  const Model& model = this->Surface->model();
+  Triangle corners = model.triangulation.triangles[pick->triangle];
+  for (Index& corner : corners) corner = model.solverMesh.weld.unknownOf[corner];
+  constexpr unsigned kAll = 0b111;
+  std::map<Index, unsigned> held;  // the corners that a constraint has, as bits
+  for (const ConstraintMark& mark : this->Marks->marks)
+    for (unsigned k = 0; mark.unknown >= 0 && k < 3; ++k)
+      if (corners[k] == mark.unknown || corners[k] == mark.reference) held[mark.constraint] |= 1U << k;
+  const auto first = std::ranges::find(held, kAll, [](const auto& each) { return each.second; });
+  return first != held.end() ? std::optional(first->first) : std::nullopt;
 }
 
 vtkStandardNewMacro(ConstraintMarkWidget);

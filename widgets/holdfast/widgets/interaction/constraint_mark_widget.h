@@ -10,6 +10,7 @@
 #include <holdfast/widgets/interaction/interaction_events.h>
 #include <holdfast/widgets/marks/mark_set.h>
 #include <holdfast/widgets/mesh/section_plane.h>
+#include <holdfast/widgets/picking/visible_surface.h>
 
 namespace holdfast {
 
@@ -21,6 +22,9 @@ class ConstraintMarkRepresentation : public vtkWidgetRepresentation {
   /// Marks that can be found; null, the default: none.
   void SetMarks(std::shared_ptr<const MarkSet> marks) { assign(*this, this->Marks, std::move(marks)); }
 
+  /// What is drawn: regions are found by its faces, too. Null, the default: by their marks only.
+  void SetSurface(std::shared_ptr<const VisibleSurface> surface) { this->Surface = std::move(surface); }
+
   /// Marks whose places it cuts away are not found; none by default.
   void SetSection(const std::optional<SectionPlane>& section) { this->Section = section; }
 
@@ -30,7 +34,8 @@ class ConstraintMarkRepresentation : public vtkWidgetRepresentation {
   vtkGetMacro(PixelRatio, double);
 
   /// The constraint, as a place in the list, of the nearest mark at a pixel of the renderer's window, hidden or not. A
-  /// mark of a single point comes before one of a region in the same place. O(marks).
+  /// mark of a single point comes before one of a region in the same place. Without a mark near it, the first region
+  /// that has all corners of the face there. O(marks).
   [[nodiscard]] std::optional<Index> FindConstraint(double displayX, double displayY) const;
 
   /// Whether any mark is of this constraint. O(marks).
@@ -43,7 +48,10 @@ class ConstraintMarkRepresentation : public vtkWidgetRepresentation {
   ~ConstraintMarkRepresentation() override = default;
 
  private:
+  [[nodiscard]] std::optional<Index> FindRegion(double displayX, double displayY) const;
+
   std::shared_ptr<const MarkSet> Marks;
+  std::shared_ptr<const VisibleSurface> Surface;
   std::optional<SectionPlane> Section;
   double ReachPixels = 9;
   double PixelRatio = 1;
@@ -66,6 +74,7 @@ class ConstraintMarkWidget : public WidgetOf<ConstraintMarkRepresentation> {
 
   /// Null: none. A highlighted constraint stays so until the cursor moves, or until it has no marks any more.
   void SetMarks(std::shared_ptr<const MarkSet> marks);
+  void SetSurface(std::shared_ptr<const VisibleSurface> surface) { this->Drawn().SetSurface(std::move(surface)); }
   void SetPixelRatio(double ratio) { this->Drawn().SetPixelRatio(ratio); }
 
   /// The constraint under the cursor.

@@ -28,10 +28,6 @@ constexpr double kActivePixels = 17;
 constexpr double kRimOpacity = 0.82;
 constexpr double kPreviewOpacity = 0.65;
 
-// The curve lies on edges of the surface: it is drawn a little nearer than these.
-constexpr double kCurveFactor = -1.5;
-constexpr double kCurveUnits = -8;
-
 }  // namespace
 
 vtkStandardNewMacro(SurfaceCurveRepresentation);
@@ -45,7 +41,7 @@ SurfaceCurveRepresentation::SurfaceCurveRepresentation()
   this->Placer->SetSnapPixels(kReachPixels);
   this->PixelTolerance = kReachPixels;
   const auto show = [](vtkActor& actor, vtkPolyData& line, const Color& color, double opacity) {
-    drawLinesNearer(showData(actor, line), kCurveFactor, kCurveUnits);
+    showData(actor, line);
     setColor(actor, color);
     actor.GetProperty()->SetOpacity(opacity);
     actor.GetProperty()->LightingOff();

@@ -15,10 +15,6 @@ constexpr double kPreviewBallPixels = 9;
 constexpr double kHaloPixels = 3.5;
 constexpr double kOutlinePixels = 1.6;
 
-// Nearer to the eye than the lines of the mesh, which lie in the same place.
-constexpr double kOutlineFactor = -2;
-constexpr double kOutlineUnits = -8;
-
 constexpr Color kHaloColor{1, 1, 1};
 
 }  // namespace
@@ -28,7 +24,7 @@ vtkStandardNewMacro(SurfacePointRepresentation);
 SurfacePointRepresentation::SurfacePointRepresentation()
 {
   const auto addLine = [this](vtkActor& actor, const Color& color) {
-    drawLinesNearer(showData(actor, *this->Outline), kOutlineFactor, kOutlineUnits);
+    showData(actor, *this->Outline);
     setColor(actor, color);
     actor.GetProperty()->LightingOff();
     this->Props.push_back(&actor);

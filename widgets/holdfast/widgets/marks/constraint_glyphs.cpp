@@ -122,7 +122,7 @@ struct GlyphSet {
   void highlight(const ConstraintMark& mark)
   {
     if (!isShown(mark.place)) return;
-    layers[isSinglePoint(mark.kind) ? Rings : HighlightedDots].push_back({mark.place, kAccentColor});
+    layers[isSinglePoint(mark.kind) ? Rings : HighlightedDots].push_back({mark.place, kSelectedColor});
   }
 };
 

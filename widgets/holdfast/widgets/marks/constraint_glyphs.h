@@ -24,16 +24,19 @@ namespace holdfast {
 /// As that of its status; marks of rigid regions that are met are brown.
 [[nodiscard]] Color glyphColor(const ConstraintMark& mark);
 
-/// The colour of things that are selected, highlighted or under the cursor.
-inline constexpr Color kAccentColor{0.05, 0.50, 1.00};
+/// The colour of vertices that are selected and of what is under the cursor: a violet that no colour map has.
+inline constexpr Color kAccentColor{0.61, 0.17, 1.00};
+
+/// The colour of constraints that are selected: a magenta that no colour map has.
+inline constexpr Color kSelectedColor{1.00, 0.00, 0.83};
 
 /// Whether single points that lie behind a surface show through it.
 enum class HiddenMarks { Invisible, Faint };
 
-/// The actors of some marks. Glyphs and lines keep their size in pixels whatever the camera does: balls for points on
-/// vertices and for relative constraints, which a dashed line joins to their other place; beads on a bar for points on
-/// edges; triangles for points in faces; dots for the vertices of regions and for targets that are not reached. Those
-/// of disabled constraints are hollow.
+/// The actors of some marks, without the tints of regions. Glyphs and lines keep their size in pixels whatever the
+/// camera does: balls for points on vertices and for relative constraints, which a dashed line joins to their other
+/// place; beads on a bar for points on edges; triangles for points in faces; dots for the vertices of regions and for
+/// targets that are not reached. Those of disabled constraints are hollow.
 class ConstraintGlyphs {
  public:
   ConstraintGlyphs();

@@ -112,8 +112,10 @@ class DisabledMarks {
   {
     if (!selector_) selector_.emplace(model_.mesh, model_.solverMesh, locator_);
     std::vector<ConstraintMark> marks;
-    for (const Index vertex : selector_->select(selection, {}))
+    for (const Index vertex : selector_->select(selection, {})) {
       marks.push_back(markAt(SurfacePoint{{{vertex, 1}}}, kind, constraint));
+      marks.back().unknown = model_.solverMesh.weld.unknownOf[vertex];
+    }
     return marks;
   }
 
@@ -157,6 +159,8 @@ std::vector<ConstraintMark> constraintMarks(const Model& model, const DeformResu
         statusOf(deformation.details->diagnosis.status[r], residuals[r], deformation.details->diagnosis.limits[r]);
     mark.kind = kindOf(row, system.points[row.constraint]);
     mark.constraint = row.constraint;
+    if (!isSinglePoint(mark.kind))
+      for (const Term& term : row.terms) (term.coefficient < 0 ? mark.reference : mark.unknown) = term.index;
     marks.push_back(std::move(mark));
   }
   return marks;
@@ -180,12 +184,36 @@ bool isOff(ConstraintStatus status)
   return status == ConstraintStatus::Conflicting || status == ConstraintStatus::Missed;
 }
 
-std::vector<Index> drawnMarks(const std::vector<ConstraintMark>& marks)
+RegionLooks regionLooks(const Model& model, const std::vector<ConstraintMark>& marks)
+{
+  // From the least serious one: a later one counts.
+  constexpr std::array kOrder{ConstraintStatus::Disabled, ConstraintStatus::Independent, ConstraintStatus::Redundant,
+                              ConstraintStatus::Met,      ConstraintStatus::Missed,      ConstraintStatus::Conflicting};
+  const auto orderOf = [&](const ConstraintMark& mark) {
+    return std::ranges::find(kOrder, mark.status) - kOrder.begin();
+  };
+  std::map<Index, std::ptrdiff_t> gravest;
+  for (const ConstraintMark& mark : marks)
+    if (mark.unknown >= 0) gravest[mark.constraint] = std::max(gravest[mark.constraint], orderOf(mark));
+  RegionLooks looks(static_cast<std::size_t>(model.solverMesh.unknownCount()), 0);
+  for (const ConstraintMark& mark : marks) {
+    if (mark.unknown < 0) continue;
+    const ConstraintStatus status = kOrder[static_cast<std::size_t>(gravest[mark.constraint])];
+    const bool isRigidAndMet = mark.kind == MarkKind::Rigid && status == ConstraintStatus::Met;
+    const std::size_t look = isRigidAndMet ? kRegionLooks - 1 : static_cast<std::size_t>(status);
+    for (const Index unknown : {mark.unknown, mark.reference})
+      if (unknown >= 0) looks[unknown] |= static_cast<std::uint8_t>(1U << look);
+  }
+  return looks;
+}
+
+std::vector<Index> drawnMarks(const std::vector<ConstraintMark>& marks, const std::vector<char>& isCovered)
 {
   std::map<ConstraintStatus, std::vector<Index>> dots;
   std::vector<Index> drawn;
   for (std::size_t k = 0; k < marks.size(); ++k) {
     const bool isOneOfMany = !isSinglePoint(marks[k].kind) && !isOff(marks[k].status);
+    if (isOneOfMany && !isCovered.empty() && marks[k].unknown >= 0 && isCovered[marks[k].unknown] != 0) continue;
     (isOneOfMany ? dots[marks[k].status] : drawn).push_back(static_cast<Index>(k));
   }
   for (const auto& [status, group] : dots)
@@ -199,10 +227,18 @@ std::vector<Index> drawnMarks(const std::vector<ConstraintMark>& marks)
   return drawn;
 }
 
-std::shared_ptr<const MarkSet> markSet(std::vector<ConstraintMark> marks, const std::shared_ptr<const MarkSet>& before)
+std::shared_ptr<const MarkSet> markSet(const Model& model, std::vector<ConstraintMark> marks,
+                                       const std::shared_ptr<const MarkSet>& before)
 {
-  std::vector<Index> drawn = before && areDrawnAlike(marks, before->marks) ? before->drawn : drawnMarks(marks);
-  return std::make_shared<const MarkSet>(MarkSet{std::move(marks), std::move(drawn)});
+  if (marks.empty()) return std::make_shared<const MarkSet>();
+  if (before && areDrawnAlike(marks, before->marks))
+    return std::make_shared<const MarkSet>(MarkSet{std::move(marks), before->drawn, before->looks});
+  auto looks = std::make_shared<const RegionLooks>(regionLooks(model, marks));
+  std::vector<char> isCovered(looks->size(), 0);
+  for (const auto& [a, b, c] : model.solverMesh.triangles)
+    if (((*looks)[a] & (*looks)[b] & (*looks)[c]) != 0) isCovered[a] = isCovered[b] = isCovered[c] = 1;
+  std::vector<Index> drawn = drawnMarks(marks, isCovered);
+  return std::make_shared<const MarkSet>(MarkSet{std::move(marks), std::move(drawn), std::move(looks)});
 }
 
 }  // namespace holdfast

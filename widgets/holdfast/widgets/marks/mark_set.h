@@ -1,6 +1,7 @@
 #pragma once
 /// Marks of constraints: places, targets, statuses, and which are drawn. Any thread may make them.
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -35,6 +36,8 @@ struct ConstraintMark {
   Index constraint = 0;      ///< place in the list
   Vector3 rest = {0, 0, 0};  ///< where the point is at rest: marks are thinned by this, so that none flickers
   std::optional<Vector3> other = std::nullopt;  ///< of relative constraints: where the place is that `to` names
+  Index unknown = -1;                           ///< of regions: the vertex
+  Index reference = -1;                         ///< of rigid regions: the first vertex, to which the others refer
 };
 
 /// A mark for each row that has terms, in the order of rows. One of a rigid region lies at its vertex, one of a
@@ -51,17 +54,30 @@ struct ConstraintMark {
 /// The most dots of one status that are drawn for regions. Marks that conflict or are missed are always drawn.
 inline constexpr Index kMostDots = 800;
 
-/// The places in `marks` of those that are drawn, in the order of drawing: the most serious status is drawn last.
-[[nodiscard]] std::vector<Index> drawnMarks(const std::vector<ConstraintMark>& marks);
+/// How a region looks: as its status, in the order of `ConstraintStatus`, and last as rigid ones that are met.
+inline constexpr std::size_t kRegionLooks = 7;
+
+/// The looks of regions at vertices: a bit for each look of a region that the vertex is in.
+using RegionLooks = std::vector<std::uint8_t>;
+
+/// Of all unknowns of a model. A region has the most serious status of its marks; it is redundant where all are.
+[[nodiscard]] RegionLooks regionLooks(const Model& model, const std::vector<ConstraintMark>& marks);
+
+/// The places in `marks` of those that are drawn, in the order of drawing: the most serious status is drawn last. Dots
+/// of regions at unknowns that are covered by a tint are left out where all is well with them; empty: none is covered.
+[[nodiscard]] std::vector<Index> drawnMarks(const std::vector<ConstraintMark>& marks,
+                                            const std::vector<char>& isCovered = {});
 
 /// Never changes once it is shared.
 struct MarkSet {
   std::vector<ConstraintMark> marks;
-  std::vector<Index> drawn;  ///< `drawnMarks` of them
+  std::vector<Index> drawn;                  ///< `drawnMarks` of them beside the tints of regions
+  std::shared_ptr<const RegionLooks> looks;  ///< `regionLooks` of them; null where there are no marks
 };
 
-/// `before` was shown before, null at first: its choice of dots stays where rest places and statuses are the same.
-[[nodiscard]] std::shared_ptr<const MarkSet> markSet(std::vector<ConstraintMark> marks,
+/// `before` was shown before, null at first: its choice of dots and its looks stay where rest places and statuses are
+/// the same.
+[[nodiscard]] std::shared_ptr<const MarkSet> markSet(const Model& model, std::vector<ConstraintMark> marks,
                                                      const std::shared_ptr<const MarkSet>& before);
 
 }  // namespace holdfast

@@ -44,8 +44,8 @@ std::string fragmentCode(SpriteShape shape)
 
 void setBallLook(vtkActor& actor)
 {
-  drawPointsAsBalls(actor);
   vtkProperty& property = *actor.GetProperty();
+  property.RenderPointsAsSpheresOn();
   property.SetAmbient(0.25);
   property.SetDiffuse(0.75);
   property.SetSpecular(0.35);
@@ -82,16 +82,6 @@ void PointSprites::set(const std::vector<Sprite>& sprites)
   data_->SetVerts(cells);
   data_->GetPointData()->SetScalars(colors);
   actor_->SetVisibility(!sprites.empty());
-}
-
-void drawPointsAsBalls(vtkActor& actor)
-{
-  actor.GetProperty()->RenderPointsAsSpheresOn();
-  // Where lines are shifted towards the eye, VTK shifts points as well. Version 9.3 adds a slope of depths that are not
-  // yet known then, and balls sink into the surface: their shift is none.
-  double units = 0;
-  vtkMapper::GetResolveCoincidentTopologyPointOffsetParameter(units);
-  actor.GetMapper()->SetRelativeCoincidentTopologyPointOffsetParameter(-units);
 }
 
 void showPointsAsBalls(vtkActor& actor, const Color& color)

@@ -51,9 +51,6 @@ class PointSprites {
   vtkSmartPointer<vtkActor> actor_;
 };
 
-/// The points of `actor`, which has its mapper, become balls, each at the depth of its place.
-void drawPointsAsBalls(vtkActor& actor);
-
 /// Balls of one size and colour at some of the points of a mesh that is drawn: nothing is copied when these move.
 void showPointsAsBalls(vtkActor& actor, const Color& color);
 

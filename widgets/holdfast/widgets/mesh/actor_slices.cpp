@@ -36,12 +36,6 @@ void share(vtkPolyDataMapper& whole, vtkPolyDataMapper& slice)
   slice.SetUseLookupTableScalarRange(whole.GetUseLookupTableScalarRange());
   if (whole.GetScalarVisibility() != 0) slice.SetLookupTable(whole.GetLookupTable());
   slice.SetClippingPlanes(whole.GetClippingPlanes());
-  double factor = 0;
-  double units = 0;
-  whole.GetRelativeCoincidentTopologyPolygonOffsetParameters(factor, units);
-  slice.SetRelativeCoincidentTopologyPolygonOffsetParameters(factor, units);
-  whole.GetRelativeCoincidentTopologyLineOffsetParameters(factor, units);
-  slice.SetRelativeCoincidentTopologyLineOffsetParameters(factor, units);
 }
 
 }  // namespace

@@ -24,6 +24,24 @@ class BlendedActor : public vtkOpenGLActor {
   BlendedActor() { ForceOpaqueOn(); }
 };
 
+/// A surface drawn farther from the eye than it is: by what its depth changes within a pixel, and a little more. Lines
+/// that lie on it are then drawn whole at any angle.
+class PushedActor : public vtkOpenGLActor {
+ public:
+  static PushedActor* New();
+  vtkTypeMacro(PushedActor, vtkOpenGLActor)
+
+  /// A share of that, 1 by default: what lies on the surface, below its lines, takes less.
+  void SetPush(double share) { Push = share; }
+  void Render(vtkRenderer* renderer, vtkMapper* mapper) override;
+
+ protected:
+  PushedActor() = default;
+
+ private:
+  double Push = 1;
+};
+
 /// Draws only what is behind the picture so far.
 class BehindActor : public BlendedActor {
  public:
@@ -61,13 +79,6 @@ inline vtkPolyDataMapper& showData(vtkActor& actor, vtkPolyData& data)
   mapper->SetInputData(&data);
   actor.SetMapper(mapper);
   return *mapper;
-}
-
-/// Lines lie on the surface: they are shifted towards the eye, by the slope of the surface and by units of depth.
-inline void drawLinesNearer(vtkPolyDataMapper& mapper, double factor, double units)
-{
-  mapper.SetResolveCoincidentTopologyToPolygonOffset();
-  mapper.SetRelativeCoincidentTopologyLineOffsetParameters(factor, units);
 }
 
 }  // namespace holdfast

@@ -21,10 +21,7 @@ constexpr double kEdgePixels = 1.1;
 
 // No wider than a pixel of the window, OpenGL draws lines itself; wider ones are made of triangles.
 constexpr double kMeshEdgePixels = 1.0;
-
-// Lines lie on the surface: without a shift towards the eye they would come and go.
-constexpr double kEdgeFactor = -1;
-constexpr double kEdgeUnits = -4;
+constexpr double kPointPixels = 2.5;
 
 vtkSmartPointer<vtkCellArray> linesOf(const std::vector<std::array<Index, 2>>& edges)
 {
@@ -53,7 +50,6 @@ void showLines(vtkActor& actor, vtkPolyDataMapper& mapper, vtkPolyData& data)
 {
   mapper.SetInputData(&data);
   mapper.ScalarVisibilityOff();
-  drawLinesNearer(mapper, kEdgeFactor, kEdgeUnits);
   actor.SetMapper(&mapper);
 }
 
@@ -105,8 +101,6 @@ MeshActor::MeshActor(const Model& model, std::shared_ptr<const ShadedSurface> sh
   setSurfaceLook(*surface_->GetProperty());
   setEdgeLook(*edges_, 0.75, kEdgePixels);
   setEdgeLook(*meshEdges_, 0.35, kMeshEdgePixels);
-  // They hide nothing that the surface below them does not hide, and need no order.
-  meshEdges_->ForceOpaqueOn();
   setPositions(model.mesh.positions);
 }
 
@@ -147,9 +141,16 @@ void MeshActor::clearColors()
 void MeshActor::setMeshEdges(MeshEdges edges)
 {
   meshEdgesShown_ = edges;
+  edges_->SetVisibility(edges != MeshEdges::None);
   if (edges == MeshEdges::All && meshEdgeData_->GetNumberOfLines() == 0)
     meshEdgeData_->SetLines(linesOf(polygonEdges(model_.mesh, *shaded_)));
   update();
+}
+
+void MeshActor::setSurfaceDisplay(SurfaceDisplay display)
+{
+  constexpr std::array kRepresentations{VTK_SURFACE, VTK_WIREFRAME, VTK_POINTS};
+  surface_->GetProperty()->SetRepresentation(kRepresentations[static_cast<std::size_t>(display)]);
 }
 
 void MeshActor::setDetail(Detail detail)
@@ -235,6 +236,8 @@ void MeshActor::setPixelRatio(double ratio)
 {
   setLineWidth(*edges_, kEdgePixels * ratio);
   setLineWidth(*meshEdges_, kMeshEdgePixels * ratio);
+  setLineWidth(*surface_, kMeshEdgePixels * ratio);
+  setPointSize(*surface_, kPointPixels * ratio);
 }
 
 }  // namespace holdfast

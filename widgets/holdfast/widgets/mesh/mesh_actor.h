@@ -30,8 +30,12 @@ inline constexpr Color kPlainColor{0.70, 0.73, 0.77};
 /// Which edges are drawn as lines besides the sharp ones and borders.
 enum class MeshEdges {
   Sharp,  ///< none
-  All     ///< those of all polygons of the file
+  All,    ///< those of all polygons of the file
+  None    ///< not even the sharp ones and borders
 };
+
+/// How the triangles are drawn. Only shaded ones hide what is behind them.
+enum class SurfaceDisplay { Shaded, Wireframe, Points };
 
 /// How much of a large mesh is drawn.
 enum class Detail {
@@ -56,6 +60,7 @@ class MeshActor {
   void clearColors();
 
   void setMeshEdges(MeshEdges edges);
+  void setSurfaceDisplay(SurfaceDisplay display);
   /// Switching costs next to nothing once there are coarse triangles.
   void setDetail(Detail detail);
   /// In coarse detail the backs of a solid are not drawn while the eye is outside the box around it and no section
@@ -124,9 +129,9 @@ class MeshActor {
   vtkNew<vtkPolyDataMapper> coarseMapper_;
   vtkNew<vtkPolyDataMapper> edgeMapper_;
   vtkNew<vtkPolyDataMapper> meshEdgeMapper_;
-  vtkNew<vtkActor> surface_;
+  vtkNew<PushedActor> surface_;
   vtkNew<BlendedActor> edges_;
-  vtkNew<vtkActor> meshEdges_;
+  vtkNew<BlendedActor> meshEdges_;
   ActorSlices surfaceSlices_{*surface_, *surfaceMapper_};
   ActorSlices meshEdgeSlices_{*meshEdges_, *meshEdgeMapper_};
 };

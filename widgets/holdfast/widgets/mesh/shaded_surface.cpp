@@ -95,12 +95,16 @@ ShadedSurface cutAtSharpEdges(const Model& model)
   const std::vector<Triangle> triangles = trianglesOverUnknowns(model);
   DisjointSets corners(3 * static_cast<Index>(triangles.size()));
   std::vector<HalfEdge> sharp;
+  std::vector<Triangle> across(triangles.size(), {-1, -1, -1});
   forEachEdge(sortedHalfEdges(triangles), [&](std::span<const HalfEdge> halves) {
+    if (halves.size() == 2)
+      for (const int k : {0, 1}) across[halves[k].triangle][halves[k].side] = halves[1 - k].triangle;
     if (!isSmooth(halves, model)) return sharp.push_back(halves[0]);
     for (const Index vertex : {halves[0].a, halves[0].b})
       corners.unite(cornerOf(halves[0], triangles, vertex), cornerOf(halves[1], triangles, vertex));
   });
   ShadedSurface surface = numberPoints(model, corners);
+  surface.across = std::move(across);
   for (const HalfEdge& half : drawnEdges(sharp, model.solverMesh)) {
     const auto points = surface.triangles[half.triangle];
     surface.creases.push_back({points[half.side], points[(half.side + 1) % 3]});

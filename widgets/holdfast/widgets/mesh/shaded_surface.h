@@ -12,6 +12,7 @@ namespace holdfast {
 struct ShadedSurface {
   Polygons triangles;                         ///< over points
   std::vector<Index> vertexOf;                ///< file vertex of each point
+  std::vector<Triangle> across;               ///< beyond each side of each triangle: another one; -1: none, or several
   std::vector<std::array<Index, 2>> creases;  ///< points at the ends of sharp edges and of borders that are drawn
 
   /// The first point of each of `vertexCount` file vertices, -1 where no triangle uses it. O(points).

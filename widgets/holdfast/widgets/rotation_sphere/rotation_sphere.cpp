@@ -149,7 +149,7 @@ RotationSphere::RotationSphere()
   showData(*shell_, *sphereShell());
   showData(*rings_, *sphereRings());
   for (vtkActor* const actor : {points_.Get(), balls_.Get(), mark_.Get()}) {
-    drawPointsAsBalls(*actor);
+    actor->GetProperty()->RenderPointsAsSpheresOn();
     actor->GetProperty()->SetAmbient(0.35);
     actor->GetProperty()->SetDiffuse(0.65);
   }

@@ -11,6 +11,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <holdfast/base/error.h>
+#include <holdfast/deform/outcomes.h>
 #include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/widgets/color/scalar_legend.h>
 #include <holdfast/widgets/files/vtk_error_log.h>
@@ -37,15 +38,13 @@ double textSizeOf(const PictureSize& size, int pixelRatio)
   return pixelRatio * std::max(9.0, std::round(std::min(size.height / 48.0, size.width / 64.0)));
 }
 
-std::vector<KeyEntry> keyOf(const std::vector<ConstraintMark>& marks)
+std::vector<KeyEntry> keyOf(const Report& report)
 {
   std::vector<KeyEntry> key;
   for (const ConstraintStatus status :
-       {ConstraintStatus::Met, ConstraintStatus::Redundant, ConstraintStatus::Conflicting, ConstraintStatus::Missed}) {
-    const auto count =
-        std::count_if(marks.begin(), marks.end(), [&](const ConstraintMark& mark) { return mark.status == status; });
-    if (count > 0) key.push_back({glyphColor(status), fmt::format("{} {}", count, name(status))});
-  }
+       {ConstraintStatus::Met, ConstraintStatus::Redundant, ConstraintStatus::Conflicting, ConstraintStatus::Missed})
+    if (const Index count = countOf(report, status); count > 0)
+      key.push_back({glyphColor(status), fmt::format("{} {}", count, name(status))});
   return key;
 }
 
@@ -114,11 +113,17 @@ Scene::Scene(const Model& model, const DeformResult& deformation, const SceneOpt
 
   LegendContents legend;
   if (coloring) legend.scale = coloring->scale;
-  legend.key = keyOf(contents_.marks());
+  legend.key = keyOf(deformation.report);
   const bool isLarge = size_.width >= kLeastLegendWidth && size_.height >= kLeastLegendHeight;
   if (options.legend == Legend::Hidden || !isLarge) legend = {};
   layOut(legend, textSizeOf(size_, pixelRatio_));
   placeCamera(model, deformation);
+}
+
+void Scene::setBackdrop(const Color& color)
+{
+  backdrop_->GradientBackgroundOff();
+  backdrop_->SetBackground(color.red, color.green, color.blue);
 }
 
 void Scene::layOut(const LegendContents& contents, double textSize)

@@ -61,6 +61,9 @@ class Scene {
   [[nodiscard]] SceneContents& contents() { return contents_; }
   [[nodiscard]] MeshActor& mesh() { return contents_.mesh(); }
 
+  /// One colour in the place of the usual background.
+  void setBackdrop(const Color& color);
+
   [[nodiscard]] PictureSize size() const noexcept { return size_; }
   /// The window has this many pixels for each of the picture, along both sides; `draw` takes the mean.
   [[nodiscard]] int pixelRatio() const noexcept { return pixelRatio_; }

@@ -28,6 +28,7 @@ SceneContents::SceneContents(const Model& model, std::shared_ptr<const ShadedSur
     : positions_(model.mesh.positions),
       mesh_(model, std::move(shaded)),
       rest_(model, mesh_.shaded()),
+      regions_(mesh_),
       selection_(model, mesh_),
       arrows_(model)
 {
@@ -56,15 +57,27 @@ void SceneContents::leave()
 }
 
 /// In the order in which they are drawn.
-std::vector<vtkActor*> SceneContents::actors() const
+std::vector<vtkActor*> SceneContents::actors()
 {
-  std::vector<vtkActor*> all{&mesh_.surface(), &selection_.tint(), &mesh_.meshEdges()};
+  std::vector<vtkActor*> all{&mesh_.surface()};
   const auto add = [&](const std::vector<vtkActor*>& some) { all.insert(all.end(), some.begin(), some.end()); };
+  for (const FaceTint* tint : tints()) add({&tint->faces()});
+  add({&mesh_.meshEdges()});
+  for (const FaceTint* tint : tints()) add(tint->outline());
   add(arrows_.actors());
   add({&selection_.dots()});
   add(glyphs_.actors());
   add({&mesh_.edges(), &rest_.edges(), &rest_.surface(), cut_});
   return all;
+}
+
+/// In the order in which they are drawn.
+std::vector<FaceTint*> SceneContents::tints()
+{
+  std::vector<FaceTint*> tints;
+  for (const auto& tint : regions_.tints()) tints.push_back(tint.get());
+  tints.push_back(&selection_.tint());
+  return tints;
 }
 
 void SceneContents::show(const DeformResult& deformation)
@@ -88,10 +101,11 @@ void SceneContents::setPositions(const Positions& positions)
 
 std::vector<ActorSlices*> SceneContents::slices()
 {
-  std::vector<ActorSlices*> shown;
-  for (ActorSlices* slices : {&mesh_.surfaceSlices(), &selection_.tintSlices(), &mesh_.meshEdgeSlices()})
-    if (slices->actor().GetVisibility() != 0) shown.push_back(slices);
-  return shown;
+  std::vector<ActorSlices*> all{&mesh_.surfaceSlices()};
+  for (FaceTint* tint : tints()) all.push_back(&tint->slices());
+  all.push_back(&mesh_.meshEdgeSlices());
+  std::erase_if(all, [](const ActorSlices* slices) { return slices->actor().GetVisibility() == 0; });
+  return all;
 }
 
 void SceneContents::color(const std::optional<Coloring>& coloring)
@@ -147,7 +161,7 @@ void SceneContents::setDetail(Detail detail)
 void SceneContents::updateDetail()
 {
   mesh_.setDetail(detail_);
-  selection_.setDetail(detail_);
+  for (FaceTint* tint : tints()) tint->setDetail(detail_);
   // The surface is too faint for its fewer triangles to be seen.
   if (ghost_ == RestGhost::Surface) rest_.setDetail(Detail::Coarse);
 }
@@ -169,6 +183,7 @@ void SceneContents::resize()
   mesh_.setPixelRatio(pixelRatio_);
   rest_.setPixelRatio(pixelRatio_);
   setLineWidth(*cut_, kCutPixels * pixelRatio_);
+  for (FaceTint* tint : tints()) tint->setPixelRatio(pixelRatio_);
   glyphs_.setBallPixels(pixelRatio_ * ballSize_);
   selection_.setDotPixels(kSelectionDotSize * pixelRatio_ * ballSize_);
 }
@@ -177,6 +192,7 @@ void arrange(SceneContents& contents, const DisplaySettings& settings)
 {
   contents.setRestGhost(settings.rest);
   contents.setMeshEdges(settings.edges);
+  contents.mesh().setSurfaceDisplay(settings.surface);
   contents.setRotationDisplay(settings.rotations);
   if (!settings.areConstraintsShown) contents.setMarks({});
 }

@@ -9,6 +9,7 @@
 
 #include <holdfast/widgets/color/coloring.h>
 #include <holdfast/widgets/marks/constraint_glyphs.h>
+#include <holdfast/widgets/marks/region_tints.h>
 #include <holdfast/widgets/marks/rotation_glyphs.h>
 #include <holdfast/widgets/marks/selection_overlay.h>
 #include <holdfast/widgets/mesh/mesh_actor.h>
@@ -50,13 +51,24 @@ class SceneContents {
   /// Colours by values, one for each vertex of the file; none: one colour. O(N).
   void color(const std::optional<Coloring>& coloring);
 
-  void setMarks(std::vector<ConstraintMark> marks) { glyphs_.setMarks(markSet(std::move(marks), glyphs_.marks())); }
-  /// Those that another thread has made ready; not null. O(those that are drawn).
-  void showMarks(std::shared_ptr<const MarkSet> marks) { glyphs_.setMarks(std::move(marks)); }
+  void setMarks(std::vector<ConstraintMark> marks)
+  {
+    showMarks(markSet(mesh_.model(), std::move(marks), glyphs_.marks()));
+  }
+  /// Those that another thread has made ready; not null. O(those that are drawn), and O(T) where regions have changed.
+  void showMarks(std::shared_ptr<const MarkSet> marks)
+  {
+    regions_.show(marks);
+    glyphs_.setMarks(std::move(marks));
+  }
   [[nodiscard]] const std::vector<ConstraintMark>& marks() const noexcept { return glyphs_.marks()->marks; }
   [[nodiscard]] const std::shared_ptr<const MarkSet>& sharedMarks() const noexcept { return glyphs_.marks(); }
   /// Places in the list of constraints.
-  void highlight(std::vector<Index> constraints) { glyphs_.highlight(std::move(constraints)); }
+  void highlight(std::vector<Index> constraints)
+  {
+    regions_.highlight(constraints);
+    glyphs_.highlight(std::move(constraints));
+  }
   void setHiddenMarks(HiddenMarks hidden) { glyphs_.setHiddenMarks(hidden); }
 
   /// Draws what a plane keeps of the mesh, its shape at rest, the selection, constraints and rotations; none: all.
@@ -84,7 +96,8 @@ class SceneContents {
 
  private:
   void leave();
-  [[nodiscard]] std::vector<vtkActor*> actors() const;
+  [[nodiscard]] std::vector<vtkActor*> actors();
+  [[nodiscard]] std::vector<FaceTint*> tints();
   void resize();
   void updateArrows()
   {
@@ -102,6 +115,7 @@ class SceneContents {
   Columns3 rotations_;
   MeshActor mesh_;
   MeshActor rest_;
+  RegionTints regions_;
   SelectionOverlay selection_;
   RotationGlyphs arrows_;
   ConstraintGlyphs glyphs_;
@@ -118,6 +132,7 @@ struct ColorSettings {
 struct DisplaySettings {
   RestGhost rest = RestGhost::Edges;
   MeshEdges edges = MeshEdges::Sharp;
+  SurfaceDisplay surface = SurfaceDisplay::Shaded;
   RotationDisplay rotations = RotationDisplay::Hidden;
   bool areConstraintsShown = true;
 

@@ -90,6 +90,19 @@ QIcon iconOf(Sign sign, const QPalette& palette)
   });
 }
 
+QIcon programIcon()
+{
+  return drawnIcon(kSide, [](QPainter& painter, QIcon::Mode /*mode*/) {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor("#24467c"));
+    painter.drawRoundedRect(QRectF(0.5, 0.5, 23, 23), 5, 5);
+    painter.setBrush(QColor("#8fc7d8"));
+    painter.drawPath(drawnPath("M2.5 19.5 C7 19.5 8 9.5 12 9.5 C16 9.5 17 19.5 21.5 19.5 Z"));
+    painter.setBrush(QColor("#f4d35e"));
+    painter.drawPath(drawnPath("O12 8.5 3.6"));
+  });
+}
+
 QIcon drawnIcon(double side, std::function<void(QPainter& painter, QIcon::Mode mode)> draw)
 {
   return QIcon(new DrawnEngine(side, std::move(draw)));

@@ -31,6 +31,9 @@ enum class Sign {
 /// In the colour of the palette's text, faint where disabled.
 [[nodiscard]] QIcon iconOf(Sign sign, const QPalette& palette);
 
+/// Of the program: a surface that a point holds.
+[[nodiscard]] QIcon programIcon();
+
 /// `draw` draws it on a square of this side.
 [[nodiscard]] QIcon drawnIcon(double side, std::function<void(QPainter& painter, QIcon::Mode mode)> draw);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// How the status of a constraint looks: each one has a form and a colour of its own.
+/// How the status of a constraint looks everywhere: each one has a form of its own, and the colour of its glyphs.
 
 #include <QColor>
 #include <QIcon>

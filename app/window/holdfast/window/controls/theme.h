@@ -9,6 +9,12 @@ namespace holdfast {
 
 enum class Appearance { System, Light, Dark };
 
+/// Of the luminances of two colours, from 1 to 21, as WCAG 2.2 defines it.
+[[nodiscard]] double contrast(const QColor& a, const QColor& b);
+
+/// For `System` that of the desktop.
+[[nodiscard]] QPalette paletteOf(Appearance appearance);
+
 /// Gives the whole program this look; for `System` that of the desktop.
 void apply(Appearance appearance);
 

@@ -1,9 +1,13 @@
 #include "holdfast/window/files/document_exports.h"
 
+#include <QBuffer>
 #include <QCheckBox>
+#include <QClipboard>
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QFormLayout>
+#include <QGuiApplication>
+#include <QImage>
 #include <QSettings>
 #include <QSpinBox>
 #include <algorithm>
@@ -12,6 +16,7 @@
 #include <vtkCamera.h>
 #include <vtkRenderer.h>
 
+#include <holdfast/base/error.h>
 #include <holdfast/base/lower_case.h>
 #include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/deform/fields.h>
@@ -29,20 +34,67 @@
 namespace holdfast {
 namespace {
 
-std::string pictureOf(const Model& model, const DeformResult& deformation, const SceneOptions& options,
-                      const PictureView& view, const std::string& name)
+struct PictureWish {
+  PictureSize size;
+  bool hasLegend = true;
+  bool isTransparent = false;
+};
+
+/// Four bytes a pixel: what a picture on black and the same on white have in common, and how much of that covers.
+QImage uncovered(const Picture& onBlack, const Picture& onWhite)
 {
+  QImage image(onBlack.size.width, onBlack.size.height, QImage::Format_ARGB32);
+  std::size_t at = 0;
+  for (int y = image.height(); y-- > 0;)
+    for (int x = 0; x < image.width(); ++x, at += 3) {
+      int light = 0;
+      for (std::size_t c = at; c < at + 3; ++c) light = std::max(light, onWhite.pixels[c] - onBlack.pixels[c]);
+      const int alpha = std::clamp(255 - light, 0, 255);
+      const auto whole = [&](std::size_t c) { return alpha == 0 ? 0 : std::min(255, onBlack.pixels[c] * 255 / alpha); };
+      image.setPixel(x, y, qRgba(whole(at), whole(at + 1), whole(at + 2), alpha));
+    }
+  return image;
+}
+
+QImage pictureOf(const Model& model, const DeformResult& deformation, const PictureWish& wish, const PictureView& view,
+                 const std::string& name)
+{
+  SceneOptions options;
+  options.size = wish.size;
+  options.legend = Legend::Hidden;
+  options.colorBy = ColorBy::None;
+  options.coloring = view.coloring;
   Scene scene(model, deformation, options);
   if (view.arrange) view.arrange(scene.contents());
   if (view.camera) {
     place(*scene.meshRenderer().GetActiveCamera(), *view.camera);
     scene.meshRenderer().ResetCameraClippingRange();
   }
-  return toPng(draw(scene, name), name);
+  QImage image;
+  if (wish.isTransparent) {
+    scene.setBackdrop({0, 0, 0});
+    const Picture onBlack = draw(scene, name);
+    scene.setBackdrop({1, 1, 1});
+    image = uncovered(onBlack, draw(scene, name));
+  } else {
+    const Picture drawn = draw(scene, name);
+    image =
+        QImage(drawn.pixels.data(), drawn.size.width, drawn.size.height, 3 * drawn.size.width, QImage::Format_RGB888)
+            .mirrored();
+  }
+  if (!wish.hasLegend || !view.paintLegend || image.width() < kLeastLegendWidth || image.height() < kLeastLegendHeight)
+    return image;
+  QPainter painter(&image);
+  painter.setRenderHint(QPainter::Antialiasing);
+  // As large beside the mesh as in the window.
+  const double scale = std::max(0.5, image.height() / static_cast<double>(view.size.height()));
+  painter.scale(scale, scale);
+  view.paintLegend(painter, QRectF(0, 0, image.width() / scale, image.height() / scale));
+  return image;
 }
 
-/// The size of an exported picture, and whether it has a legend; remembers the last answer in the user's settings.
-std::optional<SceneOptions> askForPicture(QWidget* window)
+/// How an exported picture is wanted; remembers the last answer in the user's settings.
+std::optional<PictureWish> askForPicture(QWidget* window)
 {
   QSettings settings;
   QDialog dialog(window);
@@ -61,9 +113,14 @@ std::optional<SceneOptions> askForPicture(QWidget* window)
   };
   QSpinBox* width = addSide(QObject::tr("&Width"), "width", 1920);
   QSpinBox* height = addSide(QObject::tr("&Height"), "height", 1200);
-  auto* legend = named(new QCheckBox(QObject::tr("With a &legend of the colours")), "legend");
-  legend->setChecked(settings.value("picture/legend", true).toBool());
-  form->addRow(QString(), legend);
+  const auto addCheck = [&](const QString& text, const QString& name, bool usual) {
+    auto* box = named(new QCheckBox(text), name);
+    box->setChecked(settings.value("picture/" + name, usual).toBool());
+    form->addRow(QString(), box);
+    return box;
+  };
+  QCheckBox* legend = addCheck(QObject::tr("With a &legend of the colours"), "legend", true);
+  QCheckBox* transparent = addCheck(QObject::tr("&Transparent background"), "transparent", false);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
   named(buttons->addButton(QObject::tr("&Export…"), QDialogButtonBox::AcceptRole), "export")->setDefault(true);
   buttons->button(QDialogButtonBox::Cancel)->setAutoDefault(false);
@@ -82,10 +139,8 @@ std::optional<SceneOptions> askForPicture(QWidget* window)
   settings.setValue("picture/width", width->value());
   settings.setValue("picture/height", height->value());
   settings.setValue("picture/legend", legend->isChecked());
-  SceneOptions options;
-  options.size = {width->value(), height->value()};
-  options.legend = legend->isChecked() ? Legend::Shown : Legend::Hidden;
-  return options;
+  settings.setValue("picture/transparent", transparent->isChecked());
+  return PictureWish{{width->value(), height->value()}, legend->isChecked(), transparent->isChecked()};
 }
 
 }  // namespace
@@ -139,17 +194,31 @@ void DocumentExports::exportConstraints()
 void DocumentExports::exportPicture()
 {
   if (!mayExportShown()) return;
-  std::optional<SceneOptions> options = askForPicture(window_);
-  if (!options) return;
+  const std::optional<PictureWish> wish = askForPicture(window_);
+  if (!wish) return;
   const QString path = ask(tr("Export a picture"), ".png", {tr("Pictures (*.png)")});
   if (path.isEmpty()) return;
   writing_ = path;
-  const PictureView view = pictureView_();
-  options->colorBy = ColorBy::None;
-  options->units = editor_.deformedState()->list.units;
-  options->coloring = view.coloring;
   try {
-    write({pictureOf(*editor_.model(), *editor_.deformation(), *options, view, path.toStdString()), {}});
+    const QImage image = pictureOf(*editor_.model(), *editor_.deformation(), *wish, pictureView_(), path.toStdString());
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    if (!image.save(&buffer, "PNG")) throw OutputError(path.toStdString(), "Qt cannot write PNG; install its plug-ins");
+    write({bytes.toStdString(), {}});
+  } catch (const std::exception&) {
+    showFailure(std::current_exception());
+  }
+}
+
+void DocumentExports::copyPicture()
+{
+  if (!mayExportShown()) return;
+  const PictureView view = pictureView_();
+  writing_ = tr("the picture");
+  try {
+    QGuiApplication::clipboard()->setImage(pictureOf(*editor_.model(), *editor_.deformation(),
+                                                     {{view.size.width(), view.size.height()}}, view, "the picture"));
+    Q_EMIT done(tr("copied the picture"));
   } catch (const std::exception&) {
     showFailure(std::current_exception());
   }

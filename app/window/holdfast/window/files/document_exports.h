@@ -2,6 +2,8 @@
 /// What goes out of the open document besides sessions: meshes, fields, reports, constraints and pictures.
 
 #include <QFileInfo>
+#include <QPainter>
+#include <QSize>
 #include <QWidget>
 #include <functional>
 #include <optional>
@@ -22,6 +24,9 @@ struct PictureView {
   std::optional<Camera> camera;
   std::optional<Coloring> coloring;                  ///< none: one colour
   std::function<void(SceneContents&)> arrange = {};  ///< switches other parts on or off; may be empty
+  /// Paints the legend into this area as the window does; may be empty.
+  std::function<void(QPainter&, const QRectF&)> paintLegend = {};
+  QSize size = {640, 480};  ///< of the view in the window, in its own pixels
 };
 
 /// Writes what is shown, and asks before if that is older than the constraints or loses precision. Files are complete
@@ -43,6 +48,8 @@ class DocumentExports : public QObject {
   void exportReport();
   void exportConstraints();
   void exportPicture();
+  /// Puts the picture as it is in the window into the clipboard.
+  void copyPicture();
   [[nodiscard]] bool isWriting() const noexcept { return job_.isRunning(); }
 
  Q_SIGNALS:

@@ -55,7 +55,7 @@ void Editor::open(LoadedMesh mesh, DocumentState state)
   auto prepared = [atRest = mesh_.surface, model = mesh_.model,
                    marks = std::shared_ptr<const MarkSet>()](const LiveEvent& event) mutable -> Solved {
     if (event.deformation == nullptr) return {};
-    marks = markSet(constraintMarks(*model, event.state->list, *event.deformation), marks);
+    marks = markSet(*model, constraintMarks(*model, event.state->list, *event.deformation), marks);
     auto surface =
         std::make_shared<const VisibleSurface>(atRest->movedTo({event.deformation, &event.deformation->positions}));
     return {event.state, event.deformation, std::move(surface), marks};

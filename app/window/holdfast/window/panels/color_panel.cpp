@@ -72,7 +72,9 @@ void ColorPanel::makeColorRows(QFormLayout& form)
   for (const auto& [map, name] : {std::pair(ColorMap::BlueGreenYellow, tr("Blue to green to yellow")),
                                   {ColorMap::BlueGreyYellow, tr("Blue to grey to yellow")},
                                   {ColorMap::BlueWhiteOrange, tr("Blue to white to orange")},
-                                  {ColorMap::Grey, tr("Greys")}})
+                                  {ColorMap::Grey, tr("Greys")},
+                                  {ColorMap::BlueWhiteRed, tr("Blue to white to red")},
+                                  {ColorMap::BlackRedYellow, tr("Black to red to yellow")}})
     map_->addItem(swatchOf(map), name, static_cast<int>(map));
   form.addRow(tr("Colour &by"), field_);
   form.addRow(QString(), explanation_);
@@ -122,7 +124,9 @@ void ColorPanel::makeDisplayRows(QFormLayout& form)
   rest_ = named(new QComboBox, "restGhost");
   rest_->addItems({tr("Hidden"), tr("Edges"), tr("Translucent surface")});
   edges_ = named(new QComboBox, "meshEdges");
-  edges_->addItems({tr("Sharp ones"), tr("All")});
+  edges_->addItems({tr("Sharp ones"), tr("All"), tr("None")});
+  surface_ = named(new QComboBox, "surfaceDisplay");
+  surface_->addItems({tr("Shaded"), tr("Wireframe"), tr("Points")});
   arrows_ = named(new QCheckBox(tr("Rotation &arrows")), "rotationArrows");
   arrows_->setToolTip(tr("Arrows along the axis of rotation; the right hand's fingers rotate as the surface does"));
   constraints_ = named(new QCheckBox(tr("&Constraints")), "constraintGlyphs");
@@ -130,7 +134,7 @@ void ColorPanel::makeDisplayRows(QFormLayout& form)
   share_->setRange(0, 100);
   share_->setValue(100);
   share_->setPageStep(10);
-  share_->setToolTip(tr("From the shape at rest to the deformed one (T shows them in turn)"));
+  share_->setToolTip(tr("From the shape at rest to the deformed one (O shows them in turn)"));
   auto* percent = newText("shownShareText");
   percent->setMinimumWidth(percent->fontMetrics().horizontalAdvance("100 %"));
   const auto showPercent = [percent](int value) { percent->setText(tr("%1 %").arg(value)); };
@@ -142,9 +146,10 @@ void ColorPanel::makeDisplayRows(QFormLayout& form)
   form.addRow(tr("Sho&w"), shareRow);
   form.addRow(tr("Shape at r&est"), rest_);
   form.addRow(tr("Mesh e&dges"), edges_);
+  form.addRow(tr("&Surface"), surface_);
   form.addRow(QString(), arrows_);
   form.addRow(QString(), constraints_);
-  for (QComboBox* box : {rest_, edges_}) connect(box, kChosen, this, &ColorPanel::takeDisplay);
+  for (QComboBox* box : {rest_, edges_, surface_}) connect(box, kChosen, this, &ColorPanel::takeDisplay);
   for (QCheckBox* box : {arrows_, constraints_}) connect(box, &QCheckBox::toggled, this, &ColorPanel::takeDisplay);
 }
 
@@ -152,6 +157,7 @@ void ColorPanel::takeDisplay()
 {
   Q_EMIT displaySettingsChanged(
       {static_cast<RestGhost>(rest_->currentIndex()), static_cast<MeshEdges>(edges_->currentIndex()),
+       static_cast<SurfaceDisplay>(surface_->currentIndex()),
        arrows_->isChecked() ? RotationDisplay::Arrows : RotationDisplay::Hidden, constraints_->isChecked()});
 }
 
@@ -160,6 +166,7 @@ void ColorPanel::setDisplaySettings(const DisplaySettings& settings)
   const QSignalBlocker quiet(this);
   rest_->setCurrentIndex(static_cast<int>(settings.rest));
   edges_->setCurrentIndex(static_cast<int>(settings.edges));
+  surface_->setCurrentIndex(static_cast<int>(settings.surface));
   arrows_->setChecked(settings.rotations == RotationDisplay::Arrows);
   constraints_->setChecked(settings.areConstraintsShown);
 }

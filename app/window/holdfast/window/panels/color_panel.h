@@ -67,6 +67,7 @@ class ColorPanel : public QWidget {
   QComboBox* rest_ = nullptr;
   QComboBox* edges_ = nullptr;
   QSlider* share_ = nullptr;
+  QComboBox* surface_ = nullptr;
   QCheckBox* arrows_ = nullptr;
   QCheckBox* constraints_ = nullptr;
 };

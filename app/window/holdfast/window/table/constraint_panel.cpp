@@ -184,12 +184,10 @@ class ConstraintPanel : public QWidget {
     menu->addSeparator();
     menu->addMenu(tr("Col&umns"))->addActions(table_->horizontalHeader()->actions());
     auto* more = named(new QToolButton, "constraintMenu", tr("Edit the selected constraints"));
-    // The style cuts its own sign of a menu off beside a text.
+    // The style cuts its own sign of a menu off beside a text, and a style sheet would keep the colours of one theme.
     more->setText(tr("Edit") + QStringLiteral(" \u25be"));
-    more->setStyleSheet("QToolButton::menu-indicator { image: none; }");
     more->setAutoRaise(true);
-    more->setPopupMode(QToolButton::InstantPopup);
-    more->setMenu(menu);
+    connect(more, &QToolButton::clicked, menu, [=] { menu->popup(more->mapToGlobal(more->rect().bottomLeft())); });
 
     auto* line = newLayout<QHBoxLayout>(nullptr, 0, 6,
                                         {text_, status_, toolButton(up_, Qt::UpArrow, "constraintUp"),

@@ -31,7 +31,24 @@ FieldText fieldText(ColorBy field, const QString& units, Weights weights)
             with(weights == Weights::Uniform ? length : inverse)}},
       {ColorBy::Force,
        {QObject::tr("Constraint force"),
-        QObject::tr("How hard each constraint pulls; of hard constraints only. It has no unit.")}}};
+        QObject::tr("How hard each constraint pulls; of hard constraints only. It has no unit.")}},
+      {ColorBy::DisplacementX,
+       {QObject::tr("Displacement x"), QObject::tr("How far each vertex has moved along x.") + with(length)}},
+      {ColorBy::DisplacementY,
+       {QObject::tr("Displacement y"), QObject::tr("How far each vertex has moved along y.") + with(length)}},
+      {ColorBy::DisplacementZ,
+       {QObject::tr("Displacement z"), QObject::tr("How far each vertex has moved along z.") + with(length)}},
+      {ColorBy::DisplacementNormal,
+       {QObject::tr("Displacement along the normal"),
+        QObject::tr("How far each vertex has moved outwards, along the normal at rest; below zero is inwards.") +
+            with(length)}},
+      {ColorBy::AreaChange,
+       {QObject::tr("Change of area"),
+        QObject::tr("How much larger the triangles at each vertex are than at rest.") + with(QObject::tr("percent"))}},
+      {ColorBy::EdgeChange,
+       {QObject::tr("Change of edge length"),
+        QObject::tr("How much longer the sides of the triangles at each vertex are than at rest.") +
+            with(QObject::tr("percent"))}}};
   return texts.at(field);
 }
 

@@ -11,10 +11,11 @@ namespace holdfast {
 namespace {
 
 // In the order of the enumerators.
-constexpr std::array<std::string_view, 4> kMapNames{"blue-green-yellow", "blue-grey-yellow", "blue-white-orange",
-                                                    "grey"};
+constexpr std::array<std::string_view, 6> kMapNames{
+    "blue-green-yellow", "blue-grey-yellow", "blue-white-orange", "grey", "blue-white-red", "black-red-yellow"};
 constexpr std::array<std::string_view, 3> kRestNames{"hidden", "edges", "surface"};
-constexpr std::array<std::string_view, 2> kEdgeNames{"sharp", "all"};
+constexpr std::array<std::string_view, 3> kEdgeNames{"sharp", "all", "none"};
+constexpr std::array<std::string_view, 3> kSurfaceNames{"shaded", "wireframe", "points"};
 
 constexpr std::array<std::string_view, 2> kAxisNames{"y", "z"};
 
@@ -68,6 +69,7 @@ ViewState viewStateOf(Viewport& viewport)
   state.colorMap = nameOf(kMapNames, colors.map);
   state.restShape = nameOf(kRestNames, display.rest);
   state.meshEdges = nameOf(kEdgeNames, display.edges);
+  state.surface = nameOf(kSurfaceNames, display.surface);
   state.showsConstraints = display.areConstraintsShown;
   state.showsRotations = display.rotations == RotationDisplay::Arrows;
   return state;
@@ -89,6 +91,7 @@ void apply(const ViewState& state, Viewport& viewport)
   DisplaySettings display = viewport.display();
   display.rest = named(kRestNames, state.restShape, display.rest);
   display.edges = named(kEdgeNames, state.meshEdges, display.edges);
+  display.surface = named(kSurfaceNames, state.surface, display.surface);
   display.areConstraintsShown = state.showsConstraints.value_or(display.areConstraintsShown);
   if (state.showsRotations)
     display.rotations = *state.showsRotations ? RotationDisplay::Arrows : RotationDisplay::Hidden;

@@ -59,7 +59,7 @@ bool saysAnything(const Coloring& coloring, const ColorSettings& settings)
   // Residuals of zero are a result.
   const bool isZeroShown = settings.field == ColorBy::ConstraintResidual;
   return std::any_of(coloring.values.begin(), coloring.values.end(),
-                     [&](double value) { return isZeroShown ? value >= 0 : value > 0; });
+                     [&](double value) { return isZeroShown ? value >= 0 : std::abs(value) > 0; });
 }
 
 }  // namespace
@@ -79,6 +79,7 @@ Viewport::Viewport(Editor& editor, QWidget* parent) : VtkView(parent), editor_(e
   widgetRenderer_->SetActiveCamera(renderer_->GetActiveCamera());
   widgetRenderer_->PreserveDepthBufferOn();
   renderer_->GradientBackgroundOn();
+  renderer_->UseFXAAOn();
   setDarkBackdrop(false);
   interactor()->SetInteractorStyle(style_);
   style_->AutoAdjustCameraClippingRangeOff();
@@ -145,6 +146,11 @@ void Viewport::setDarkBackdrop(bool isDark)
   renderer_->SetBackground(bottom.data());
   renderer_->SetBackground2(top.data());
   scheduleRender();
+}
+
+LegendContent Viewport::legend() const
+{
+  return overlay_->legend();
 }
 
 void Viewport::openDocument()
@@ -500,6 +506,7 @@ void Viewport::render()
 void Viewport::prepareScene()
 {
   isCoarse_ = contents_ && fullMilliseconds_ > kFluentMilliseconds;
+  renderer_->SetUseFXAA(!isCoarse_);
   kept_->setKeeping(!isCoarse_);
   noteView();
   if (contents_) {
@@ -562,6 +569,7 @@ void Viewport::renderInFull()
   Q_EMIT aboutToRender();
   drawing_.start();
   kept_->setKeeping(true);
+  renderer_->UseFXAAOn();
   slices_->begin(*contents_);
   drawnTimer_.start(0);
 }

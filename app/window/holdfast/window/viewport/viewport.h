@@ -27,6 +27,7 @@
 #include <holdfast/window/viewport/draw_fence.h>
 #include <holdfast/window/viewport/repaint_pause.h>
 #include <holdfast/window/viewport/tool.h>
+#include <holdfast/window/viewport/viewport_legend.h>
 
 namespace holdfast {
 
@@ -68,6 +69,8 @@ class Viewport : public VtkView {
   /// How much of the way from rest, 0, to the deformation, 1, the picture shows. Another deformation is shown in full.
   void setShownShare(double share);
   [[nodiscard]] double shownShare() const noexcept { return shownShare_; }
+  /// What the legend over the picture says.
+  [[nodiscard]] LegendContent legend() const;
 
   /// From where the camera looks; in parallel projection, too. The legend and the axes in the corner stay clear of it.
   void frameAll();

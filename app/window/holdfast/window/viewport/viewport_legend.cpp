@@ -9,7 +9,7 @@
 #include <algorithm>
 
 #include <holdfast/widgets/color/scalar_legend.h>
-#include <holdfast/widgets/marks/constraint_glyphs.h>
+#include <holdfast/window/controls/status_style.h>
 #include <holdfast/window/controls/theme.h>
 #include <holdfast/window/text/constraint_text.h>
 
@@ -20,7 +20,7 @@ constexpr double kMargin = 14;
 constexpr double kScaleWidth = 14;
 constexpr double kShortTick = 4;
 constexpr double kLongTick = 12;
-constexpr double kBall = 9;
+constexpr double kIcon = 14;
 constexpr double kHalo = 4;
 constexpr int kHaloOpacity = 200;
 
@@ -63,8 +63,8 @@ class Layout {
 
   void addCount(ConstraintStatus status, Index count)
   {
-    const double middle = addLine(QString("%1 %2").arg(count).arg(statusText(status)), 1.25, kBall + 6);
-    balls_.emplace_back(QPointF(area_.right() - kBall / 2, middle), status);
+    const double middle = addLine(QString("%1 %2").arg(count).arg(statusText(status)), 1.25, kIcon + 6);
+    icons_.emplace_back(QRectF(area_.right() - kIcon, middle - kIcon / 2, kIcon, kIcon).toRect(), status);
   }
 
   void addGap() { top_ -= kMargin / 2; }
@@ -87,10 +87,7 @@ class Layout {
     }
     painter.drawLines(ticks_);
     for (const auto& [place, text] : words_) painter.drawText(place, text);
-    for (const auto& [middle, status] : balls_) {
-      painter.setBrush(status == ConstraintStatus::Disabled ? QBrush(Qt::NoBrush) : toQColor(glyphColor(status)));
-      painter.drawEllipse(middle, kBall / 2, kBall / 2);
-    }
+    for (const auto& [place, status] : icons_) statusIcon(status, palette).paint(&painter, place);
   }
 
  private:
@@ -113,7 +110,7 @@ class Layout {
   QRectF bar_;
   QVector<QLineF> ticks_;
   std::vector<std::pair<QPointF, QString>> words_;  // by the beginnings of their baselines
-  std::vector<std::pair<QPointF, ConstraintStatus>> balls_;
+  std::vector<std::pair<QRect, ConstraintStatus>> icons_;
 };
 
 }  // namespace

@@ -28,12 +28,13 @@ class ViewportOverlay : public QWidget {
   /// They paint over the picture; null for none.
   void setTools(std::vector<const Tool*> tools);
 
+  [[nodiscard]] LegendContent legend() const;
+
  protected:
   void paintEvent(QPaintEvent* event) override;
 
  private:
   void paintLegend(QPainter& painter);
-  [[nodiscard]] LegendContent legend() const;
   void paintSolveState(QPainter& painter) const;
   void followCursor();
   void paintProbes(QPainter& painter) const;

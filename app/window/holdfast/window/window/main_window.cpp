@@ -74,6 +74,7 @@ MainWindow::MainWindow()
       panels_(new PanelDocks(editor_, *viewport_, *this))
 {
   setObjectName("mainWindow");
+  setWindowIcon(programIcon());
   setAcceptDrops(true);
   QApplication::instance()->installEventFilter(this);
   setCentralWidget(viewport_);
@@ -152,17 +153,20 @@ void MainWindow::makeFileMenu()
                      tr("Add measured points (CSV) or constraints (JSON), after a look at where they lie"),
                      Needs::Document, [this] { files_.importDialog(); }}});
   const auto writing = [this](void (DocumentExports::*run)()) { return [this, run] { (exports_.*run)(); }; };
-  addActions(*menu.addMenu(tr("&Export")),
-             {{"exportMesh", tr("&Mesh…"), "", tr("The deformed mesh, in any format"), Needs::Document,
-               writing(&DocumentExports::exportMesh)},
-              {"exportFields", tr("&Fields…"), "", tr("Residuals, rotations and displacements at all vertices, as VTP"),
-               Needs::Document, writing(&DocumentExports::exportFields)},
-              {"exportReport", tr("&Report…"), "", tr("The outcome of each constraint, as JSON or CSV"),
-               Needs::Document, writing(&DocumentExports::exportReport)},
-              {"exportConstraints", tr("&Constraints…"), "", tr("A constraint file for holdfast-batch"),
-               Needs::Document, writing(&DocumentExports::exportConstraints)},
-              {"exportPicture", tr("&Picture…"), "", tr("The picture as you see it, at any size"), Needs::Document,
-               writing(&DocumentExports::exportPicture)}});
+  addActions(
+      *menu.addMenu(tr("&Export")),
+      {{"exportMesh", tr("&Mesh…"), "", tr("The deformed mesh, in any format"), Needs::Document,
+        writing(&DocumentExports::exportMesh)},
+       {"exportFields", tr("&Fields…"), "", tr("Residuals, rotations and displacements at all vertices, as VTP"),
+        Needs::Document, writing(&DocumentExports::exportFields)},
+       {"exportReport", tr("&Report…"), "", tr("The outcome of each constraint, as JSON or CSV"), Needs::Document,
+        writing(&DocumentExports::exportReport)},
+       {"exportConstraints", tr("&Constraints…"), "", tr("A constraint file for holdfast-batch"), Needs::Document,
+        writing(&DocumentExports::exportConstraints)},
+       {"exportPicture", tr("&Picture…"), "", tr("The picture as you see it, at any size"), Needs::Document,
+        writing(&DocumentExports::exportPicture)},
+       {"copyPicture", tr("C&opy the picture"), "Ctrl+Shift+C", tr("Put the picture as you see it into the clipboard"),
+        Needs::Document, writing(&DocumentExports::copyPicture)}});
   addActions(menu,
              {separator, {"quit", tr("&Quit"), "Ctrl+Q", tr("Close the window"), Needs::Nothing, [this] { close(); }}});
 }
@@ -213,7 +217,12 @@ void MainWindow::connectFiles()
               arrange(contents, display);
               contents.setSection(surface->section());
               contents.setCut(surface->cut());
-            }};
+            },
+            [legend = viewport_->legend(), font = viewport_->font()](QPainter& painter, const QRectF& area) {
+              painter.setFont(font);
+              paint(legend, painter, area, paletteOf(Appearance::Light));
+            },
+            viewport_->size()};
   });
   connect(&exports_, &DocumentExports::done, this, [this](const QString& what) { status_->showMessage(what, 6000); });
   if (const auto folder = recoveryFolder()) {
@@ -554,6 +563,21 @@ void MainWindow::makeViewMenu()
   });
   connect(viewport_, &Viewport::upAxisChanged, yIsUp, [yIsUp](UpAxis axis) { yIsUp->setChecked(axis == UpAxis::Y); });
 
+  const auto next = [this](auto DisplaySettings::*what, int count) {
+    return [this, what, count] {
+      DisplaySettings display = viewport_->display();
+      using Kind = std::remove_reference_t<decltype(display.*what)>;
+      display.*what = static_cast<Kind>((static_cast<int>(display.*what) + 1) % count);
+      viewport_->setDisplay(display);
+      panels_->followViewport();
+    };
+  };
+  addActions(menu, {{"nextEdges", tr("&Edges: sharp, all or none"), "Shift+E",
+                     tr("Show the sharp edges of the mesh, all, or none, in turn"), Needs::Document,
+                     next(&DisplaySettings::edges, 3)},
+                    {"nextSurface", tr("Surface: s&haded, wireframe or points"), "Shift+D",
+                     tr("Show the surface shaded, as a wireframe, or as points, in turn"), Needs::Document,
+                     next(&DisplaySettings::surface, 3)}});
   const auto along = [this](GizmoAxes axes) { return [this, axes] { gizmo_->setAxes(axes); }; };
   const QString own = tr("Its &own: a handle's, or across the surface");
   addChoices(

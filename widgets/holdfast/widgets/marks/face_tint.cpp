@@ -1,0 +1,119 @@
+#include "holdfast/widgets/marks/face_tint.h"
+
+#include <utility>
+
+#include <vtkCellArray.h>
+#include <vtkPlaneCollection.h>
+#include <vtkPointData.h>
+
+namespace holdfast {
+namespace {
+
+// A line has a rim of the other lightness, so that it is seen on every colour.
+constexpr double kLight = 0.7;
+constexpr Color kLightRim{1, 1, 1};
+constexpr Color kDarkRim{0.14, 0.15, 0.18};
+constexpr double kRimOpacity = 0.75;
+constexpr double kRimPixels = 3.6;
+constexpr double kLinePixels = 1.8;
+
+// Of what pushes the surface away: between it and the lines on it.
+constexpr double kPush = 0.5;
+
+}  // namespace
+
+FaceTint::FaceTint(const MeshActor& mesh, const Color& color, double opacity) : mesh_(mesh)
+{
+  data_->SetPoints(&mesh.points());
+  data_->GetPointData()->SetNormals(&mesh.normals());
+  lineData_->SetPoints(&mesh.points());
+  mapper_->SetInputData(data_);
+  coarseMapper_->SetInputData(coarseData_);
+  for (vtkPolyDataMapper* const mapper :
+       {mapper_.Get(), coarseMapper_.Get(), &showData(*rim_, *lineData_), &showData(*line_, *lineData_)})
+    mapper->SetClippingPlanes(&mesh.sectionPlanes());
+  // The shades are those of the surface that shines through.
+  for (vtkActor* const actor : std::initializer_list<vtkActor*>{faces_, rim_, line_}) {
+    actor->GetProperty()->LightingOff();
+    setColor(*actor, color);
+  }
+  setColor(*rim_, color.green > kLight ? kDarkRim : kLightRim);
+  rim_->GetProperty()->SetOpacity(kRimOpacity);
+  faces_->GetProperty()->SetOpacity(opacity);
+  faces_->SetPush(kPush);
+  // They hide nothing that the surface below them does not hide, and need no order.
+  faces_->ForceOpaqueOn();
+  setPixelRatio(1);
+  set({});
+}
+
+void FaceTint::set(std::vector<char> isIn)
+{
+  isIn_ = std::move(isIn);
+  setOutline();
+  // Made when they are to be drawn.
+  for (vtkPolyData* const data : {data_.Get(), coarseData_.Get()}) data->SetPolys(nullptr);
+  for (vtkActor* const actor : std::initializer_list<vtkActor*>{faces_, rim_, line_}) actor->SetVisibility(tinted_ > 0);
+  updateFaces();
+}
+
+void FaceTint::setOutline()
+{
+  const ShadedSurface& surface = *mesh_.shaded();
+  vtkNew<vtkCellArray> lines;
+  tinted_ = 0;
+  isCovered_.clear();
+  for (Index t = 0; !isIn_.empty() && t < surface.triangles.size(); ++t) {
+    if (!isTinted(t)) continue;
+    isCovered_.resize(isIn_.size());
+    ++tinted_;
+    const auto points = surface.triangles[t];
+    for (int side = 0; side < 3; ++side) {
+      isCovered_[surface.vertexOf[points[side]]] = 1;
+      const Index across = surface.across[t][side];
+      if (across < 0 || !isTinted(across)) lines->InsertNextCell({points[side], points[(side + 1) % 3]});
+    }
+  }
+  lineData_->SetLines(lines);
+}
+
+void FaceTint::setFaces(vtkPolyData& data, const Polygons& triangles, const std::vector<Index>& vertexOf) const
+{
+  vtkNew<vtkCellArray> cells;
+  // Fresh memory takes longer than what is written into it.
+  cells->Use32BitStorage();
+  cells->AllocateExact(tinted_, 3 * tinted_);
+  for (Index t = 0; t < triangles.size(); ++t) {
+    const auto corners = triangles[t];
+    if (isTinted(corners, vertexOf)) cells->InsertNextCell({corners[0], corners[1], corners[2]});
+  }
+  data.SetPolys(cells);
+}
+
+void FaceTint::setDetail(Detail detail)
+{
+  detail_ = detail;
+  updateFaces();
+}
+
+void FaceTint::updateFaces()
+{
+  // Small tints would lose their shape.
+  const bool isCoarse = detail_ == Detail::Coarse && tinted_ > kCoarseTriangles;
+  if (!isCoarse && data_->GetNumberOfPolys() < tinted_) setFaces(*data_, mesh_.shaded()->triangles, mesh_.vertexOf());
+  if (isCoarse && coarseData_->GetNumberOfPolys() == 0) {
+    const CoarseSurface& coarse = mesh_.coarse();
+    coarseData_->SetPoints(coarse.data().GetPoints());
+    coarseData_->GetPointData()->SetNormals(coarse.data().GetPointData()->GetNormals());
+    setFaces(*coarseData_, coarse.triangles(), coarse.vertexOf());
+  }
+  faces_->SetMapper(isCoarse ? coarseMapper_ : mapper_);
+}
+
+void FaceTint::setPixelRatio(double ratio)
+{
+  setLineWidth(*rim_, kRimPixels * ratio);
+  setLineWidth(*line_, kLinePixels * ratio);
+}
+
+}  // namespace holdfast

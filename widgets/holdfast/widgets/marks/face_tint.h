@@ -1,0 +1,65 @@
+#pragma once
+/// Some vertices of the mesh that is drawn as tinted faces with an outline.
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include <vtkActor.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+
+#include <holdfast/widgets/mesh/mesh_actor.h>
+
+namespace holdfast {
+
+/// A tint over the triangles between some vertices, with a line around it. Both share the points of the mesh.
+class FaceTint {
+ public:
+  /// `mesh` stays alive as long as this.
+  FaceTint(const MeshActor& mesh, const Color& color, double opacity = 0.45);
+
+  /// Whether each file vertex is one of them; none where it is empty. O(T).
+  void set(std::vector<char> isIn);
+  /// That of the tint, where it covers many triangles.
+  void setDetail(Detail detail);
+  void setPixelRatio(double ratio);
+
+  [[nodiscard]] vtkActor& faces() const { return *faces_; }
+  [[nodiscard]] std::vector<vtkActor*> outline() const { return {rim_, line_}; }
+  /// The faces in full detail, a part at a time, until the next `setDetail`.
+  [[nodiscard]] ActorSlices& slices() { return slices_; }
+  /// Whether a triangle at this file vertex is tinted.
+  [[nodiscard]] bool covers(Index vertex) const { return !isCovered_.empty() && isCovered_[vertex] != 0; }
+
+ private:
+  [[nodiscard]] bool isTinted(std::span<const Index> points, const std::vector<Index>& vertexOf) const
+  {
+    return std::ranges::all_of(points, [&](Index point) { return isIn_[vertexOf[point]] != 0; });
+  }
+  [[nodiscard]] bool isTinted(Index triangle) const
+  {
+    return isTinted(mesh_.shaded()->triangles[triangle], mesh_.vertexOf());
+  }
+  void setOutline();
+  void setFaces(vtkPolyData& data, const Polygons& triangles, const std::vector<Index>& vertexOf) const;
+  void updateFaces();
+
+  const MeshActor& mesh_;
+  std::vector<char> isIn_;       // of each file vertex
+  std::vector<char> isCovered_;  // by tinted triangles; empty where there are none
+  Detail detail_ = Detail::Full;
+  vtkIdType tinted_ = 0;  // of the triangles of the mesh
+  vtkNew<vtkPolyData> data_;
+  vtkNew<vtkPolyData> coarseData_;
+  vtkNew<vtkPolyData> lineData_;
+  vtkNew<vtkPolyDataMapper> mapper_;
+  vtkNew<vtkPolyDataMapper> coarseMapper_;
+  vtkNew<PushedActor> faces_;
+  vtkNew<BlendedActor> rim_;
+  vtkNew<BlendedActor> line_;
+  ActorSlices slices_{*faces_, *mapper_};
+};
+
+}  // namespace holdfast
