@@ -8,6 +8,7 @@
 #include <holdfast/base/parallel.h>
 #include <holdfast/check/mesh_check.h>
 #include <holdfast/deform/deform_details.h>
+#include <holdfast/deform/found_shape.h>
 #include <holdfast/deform/messages.h>
 #include <holdfast/deform/rotation_factorization.h>
 #include <holdfast/solve/constrained_solver.h>
@@ -130,18 +131,27 @@ Positions deformedPositions(const Model& model, const ConstraintSystem& system, 
   return positions;
 }
 
+/// How rotations are found.
+struct RotationSearch {
+  const RotationEnergy* energy;  ///< none where they are given
+  RotationOptions options;
+  const Columns3* before;  ///< those of the last call, from which this one goes on; none where it starts anew
+};
+
 /// One solution, and what is to be said of it.
 class Solution {
  public:
   Solution(const Model& model, const ConstraintList& constraints, const DeformOptions& options,
-           std::shared_ptr<const Operators> operators, const TwoWayMatrix& A, ConstraintSystem system)
-      : model_(model), constraints_(constraints), options_(options), A_(A)
+           std::shared_ptr<const Operators> operators, const TwoWayMatrix& A, const RotationSearch& search,
+           ConstraintSystem system)
+      : model_(model), constraints_(constraints), options_(options), A_(A), search_(search)
   {
     details_.operators = std::move(operators);
     details_.system = std::move(system);
     result_.report.mesh = describeMesh(model);
     report().weights = options.weights;
     report().options = options.solver;
+    report().rotations = options.rotations.source;
   }
 
   /// Everything but the seconds that went before.
@@ -236,14 +246,38 @@ class Solution {
 
     progress.step("solving");
     const auto solution = Clock::now();
-    const Columns3 f = (model_.solverMesh.diagonal * details_.operators->rowWeights).asDiagonal() *
-                       rotationOfDelta(details_.operators->delta, result_.rotations);
-    const Displacement displacement =
-        result.value->solve({shiftsOf(details_.system), details_.diagnosis.reconciled}, f);
+    Columns3 f;
+    const Displacement displacement = search_.energy == nullptr ? withGivenRotations(*result.value, f)
+                                                                : find(*result.value, factorization, f, progress);
     accept(displacement);
     if (options_.solver.kind == SolverKind::Hard && report().status != SolveStatus::Failed)
       setMultipliers(multipliersOf(A_, *factorization.eliminated, displacement.u, f, model_.solverMesh.diagonal));
     report().seconds.solution += secondsSince(solution);
+  }
+
+  Displacement withGivenRotations(const ConstrainedSolver& solver, Columns3& f)
+  {
+    f = (model_.solverMesh.diagonal * details_.operators->rowWeights).asDiagonal() *
+        rotationOfDelta(details_.operators->delta, result_.rotations);
+    return solver.solve({shiftsOf(details_.system), details_.diagnosis.reconciled}, f);
+  }
+
+  Displacement find(const ConstrainedSolver& solver, const ConstraintFactorization& factorization, Columns3& f,
+                    Progress& progress)
+  {
+    const FoundProblem problem{*search_.energy, model_.solverMesh, *factorization.eliminated, solver};
+    FoundShape shape =
+        findShape(problem, std::move(details_.system),
+                  {std::move(result_.rotations), search_.before == nullptr ? Columns3() : *search_.before},
+                  search_.options, progress);
+    report().iterations = shape.iterations;
+    if (!shape.iterations.isConverged && search_.before == nullptr)
+      result_.report.mesh.findings.push_back(unconvergedWarning(shape.iterations, search_.options));
+    f = std::move(shape.wanted);
+    result_.rotations = std::move(shape.q);
+    details_.system = std::move(shape.system);
+    diagnoseRows(factorization);
+    return std::move(shape.displacement);
   }
 
   /// The multiplier of a constraint is the sum of the lengths of those of its rows.
@@ -288,6 +322,7 @@ class Solution {
   const ConstraintList& constraints_;
   const DeformOptions& options_;
   const TwoWayMatrix& A_;
+  const RotationSearch& search_;
   DeformResult result_;
   DeformDetails details_;
 };
@@ -368,10 +403,14 @@ DeformResult Deformer::deform(const ConstraintList& constraints, const std::stri
   ranks_->start(progress);
   ConstraintSystem system =
       makeConstraintSystem(constraints, model_->mesh, model_->solverMesh, model_->locator(), source);
+  const bool isFound = options_.rotations.source != RotationSource::Given;
+  if (isFound) system = withStatedRotations(std::move(system));
   if (operators_ == nullptr) {
     progress.step(fmt::format("building operators of {} vertices", model_->mesh.vertexCount()));
     operators_ = std::make_shared<const Operators>(makeOperators(model_->solverMesh, options_.weights));
-    A_ = std::make_shared<const TwoWayMatrix>(weightedRows(*operators_));
+    if (isFound)
+      energy_ = std::make_shared<const RotationEnergy>(model_->solverMesh, *operators_, options_.rotations.source);
+    A_ = isFound ? energy_->A() : std::make_shared<const TwoWayMatrix>(weightedRows(*operators_));
   }
   seconds.setup = secondsSince(setup);
 
@@ -379,8 +418,13 @@ DeformResult Deformer::deform(const ConstraintList& constraints, const std::stri
   ConstraintFactorization& factorization = factorizationFor(system, progress);
   seconds.factorization = secondsSince(elimination);
 
+  RotationSearch search{energy_.get(), options_.rotations, nullptr};
+  if (continued_ > 0) {
+    search.before = &lastRotations_;
+    search.options.mostIterations = continued_;
+  }
   const auto solved = [&](ConstraintFactorization& by, ConstraintSystem its) {
-    return Solution(*model_, constraints, options_, operators_, *A_, std::move(its)).by(by, progress);
+    return Solution(*model_, constraints, options_, operators_, *A_, search, std::move(its)).by(by, progress);
   };
   ConstraintSystem again;
   if (factorization.isBordered) again = system;
@@ -391,6 +435,7 @@ DeformResult Deformer::deform(const ConstraintList& constraints, const std::stri
     result = solved(*factorization_, std::move(again));
   }
   if (coming_ != nullptr) coming_->positions.start(progress);
+  if (isFound && result.report.solve.status != SolveStatus::Failed) lastRotations_ = result.rotations;
   result.report.solve.seconds.setup = seconds.setup;
   result.report.solve.seconds.factorization += seconds.factorization;
   return result;

@@ -13,6 +13,7 @@ namespace holdfast {
 struct ConstraintFactorization;
 struct ConstraintSystem;
 struct Operators;
+class RotationEnergy;
 class TwoWayMatrix;
 template <class Result>
 class LongStep;
@@ -33,6 +34,10 @@ class Deformer {
   /// there, bordered, while another is made beside the next calls. As exact, in a fraction of the time, but the last
   /// digits depend on which factor was there. Up to two factors are in memory. Off at first. For hard constraints.
   void answerEditsAtOnce(bool isWanted) noexcept { answersEditsAtOnce_ = isWanted; }
+
+  /// Rotations are found from those of the last call on, by up to so many iterations in a call: the frames of a drag.
+  /// With 0, as at first, every call starts anew and finds what it finds in any other program.
+  void continueRotations(int mostIterations) noexcept { continued_ = mostIterations; }
 
   /// As the function `deform`. When `progress` or an unusable list throws, this is as if it had not been called.
   [[nodiscard]] DeformResult deform(const ConstraintList& constraints, const std::string& source = "constraints",
@@ -55,12 +60,15 @@ class Deformer {
   DeformOptions options_;
   ConstraintList constraints_;
   std::shared_ptr<const Operators> operators_;
+  std::shared_ptr<const RotationEnergy> energy_;  // where rotations are found
   std::shared_ptr<const TwoWayMatrix> A_;
   std::unique_ptr<LongStep<std::vector<int>>> ranks_;
   /// One that serves `system`: the one at hand, one that was made meanwhile, or a new one.
   [[nodiscard]] ConstraintFactorization& factorizationFor(const ConstraintSystem& system, Progress& progress);
 
   bool answersEditsAtOnce_ = false;
+  int continued_ = 0;
+  Columns3 lastRotations_;
   std::shared_ptr<ConstraintFactorization> factorization_;
   std::shared_ptr<ConstraintFactorization> whole_;   // the last one with a factor of its own that is done
   std::shared_ptr<ConstraintFactorization> coming_;  // what takes the place of a bordered one
