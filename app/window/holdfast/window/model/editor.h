@@ -153,6 +153,7 @@ class Editor : public QObject {
   void submit(Supersede supersede);
   void stateBecame(Supersede supersede);
   void show(Solved solved);
+  void remember();
   void handle(const LiveEvent& event, Solved solved);
   void setSolveState(SolveState solveState, const QString& error);
   void setStep(const QString& step);
