@@ -126,31 +126,37 @@ FoundShape findShape(const FoundProblem& problem, ConstraintSystem system, Rotat
   UnknownRotations R(static_cast<std::size_t>(shape.q.rows()));
   parallelBlocks(shape.q.rows(), [&](Index i) { R[i] = rotationExp(Vector3(shape.q.row(i))); });
 
-  const auto solve = [&] {
+  const auto solved = [&] {
     if (turnsRows) shape.system = rotated(std::move(shape.system), shape.q);
     if (turnsRows || shape.diagnosis.status.empty())
       shape.diagnosis = diagnose(problem.eliminated, shape.system, problem.mesh);
     shape.wanted = problem.energy.wanted(R);
-    shape.displacement = problem.solver.solve({shiftsOf(shape.system), shape.diagnosis.reconciled}, shape.wanted);
+    return problem.solver.solve({shiftsOf(shape.system), shape.diagnosis.reconciled}, shape.wanted);
   };
-  solve();
+  shape.displacement = solved();
   Acceleration acceleration;
   Columns3 from = shape.displacement.u;
   double energy = problem.energy.value(from, R);
   auto& [count, change, isConverged] = shape.iterations;
+  const auto iterate = [&] {
+    R = problem.energy.fitted(from, free, std::move(R));
+    if (turnsRows) shape.q = logsNear(R, free, std::move(shape.q));
+    return solved();
+  };
   while (!isConverged && count < options.mostIterations && shape.displacement.u.allFinite()) {
     progress.step(count == 0 ? "finding rotations"
                              : fmt::format("finding rotations: iteration {}, last change {:.1e}", count + 1, change));
-    R = problem.energy.fitted(from, free, std::move(R));
-    if (!turnsRows && !(problem.energy.value(from, R) <= energy)) {
+    Displacement next = iterate();
+    double itsEnergy = problem.energy.value(next.u, R);
+    if (!turnsRows && !(itsEnergy <= energy)) {
       acceleration.forget();
-      from = shape.displacement.u;
-      R = problem.energy.fitted(from, free, std::move(R));
+      from = std::move(shape.displacement.u);
+      next = iterate();
+      itsEnergy = problem.energy.value(next.u, R);
     }
-    if (turnsRows) shape.q = logsNear(R, free, std::move(shape.q));
-    solve();
+    shape.displacement = std::move(next);
+    energy = itsEnergy;
     const Columns3& u = shape.displacement.u;
-    energy = problem.energy.value(u, R);
     change = largestChange(u, from) / problem.mesh.diagonal;
     // What rows ask for that rotate is no longer what earlier results meet.
     from = turnsRows ? u : acceleration.next(from, u);

@@ -3,7 +3,6 @@
 #include <cassert>
 #include <limits>
 
-#include <Eigen/Cholesky>
 #include <Eigen/SVD>
 
 namespace holdfast {
@@ -72,11 +71,13 @@ Eigen::Quaterniond fittedRotation(const Eigen::Matrix3d& H, const Eigen::Quatern
     const Eigen::Matrix3d M = R.toRotationMatrix().transpose() * H;
     const Vector3 g(M(2, 1) - M(1, 2), M(0, 2) - M(2, 0), M(1, 0) - M(0, 1));
     const Eigen::Matrix3d K = M.trace() * Eigen::Matrix3d::Identity() - (M + M.transpose()) / 2;
-    const Eigen::LLT<Eigen::Matrix3d> factor(K);
-    if (factor.info() != Eigen::Success) break;
-    if (!(factor.matrixLLT().diagonal().cwiseAbs2().minCoeff() > kRankOfFit * K.trace())) break;
+    Eigen::Matrix3d adjugate;
+    for (int k = 0; k < 3; ++k) adjugate.col(k) = K.col((k + 1) % 3).cross(K.col((k + 2) % 3));
+    const double determinant = K.col(0).dot(adjugate.col(0));
+    const bool isDefinite = K.trace() > 0 && adjugate.trace() > 0;
+    if (!(isDefinite && determinant > kRankOfFit * adjugate.trace() * K.trace())) break;
     if (g.isZero(0)) return R;
-    const Vector3 w = factor.solve(g);
+    const Vector3 w = adjugate * g / determinant;
     if (!(w.norm() <= kLargestNewtonStep)) break;
     R = (R * Eigen::Quaterniond(1, w.x() / 2, w.y() / 2, w.z() / 2)).normalized();
     if (w.norm() <= kLastNewtonStep) return R;
