@@ -1,5 +1,6 @@
 #include "holdfast/deform/found_shape.h"
 
+#include <bit>
 #include <cmath>
 #include <deque>
 #include <utility>
@@ -74,7 +75,7 @@ Columns3 startRotations(const ConstraintSystem& system, const SolverMesh& mesh, 
 }
 
 /// Anderson's acceleration (1965) of an iteration u <- g(u): goes on from the combination of the last few results for
-/// which the same combination of changes g(u) - u is shortest. Weights sum to 1, so what all results meet, it meets.
+/// which the same combination of changes g(u) - u is shortest.
 class Acceleration {
  public:
   [[nodiscard]] Columns3 next(const Columns3& u, const Columns3& g)
@@ -98,6 +99,9 @@ class Acceleration {
     return result;
   }
 
+  /// Whether the last was a combination.
+  [[nodiscard]] bool isCombined() const { return results_.size() > 1; }
+
   void forget()
   {
     changes_.clear();
@@ -112,6 +116,18 @@ class Acceleration {
   std::deque<Columns3> results_;
   Eigen::MatrixXd products_;  // of changes with one another
 };
+
+/// Tells of iterations that are powers of two; there may be many.
+void announce(const RotationIterations& iterations, Progress& progress)
+{
+  const auto count = static_cast<unsigned>(iterations.count);
+  if (count == 0)
+    progress.step("finding rotations");
+  else if (std::has_single_bit(count))
+    progress.step(fmt::format("finding rotations: iteration {}, last change {:.1e}", count + 1, iterations.change));
+  else
+    progress.proceed();
+}
 
 }  // namespace
 
@@ -136,6 +152,7 @@ FoundShape findShape(const FoundProblem& problem, ConstraintSystem system, Rotat
   shape.displacement = solved();
   Acceleration acceleration;
   Columns3 from = shape.displacement.u;
+  bool isCombined = false;  // `from`: of several shapes
   double energy = problem.energy.value(from, R);
   auto& [count, change, isConverged] = shape.iterations;
   const auto iterate = [&] {
@@ -144,11 +161,10 @@ FoundShape findShape(const FoundProblem& problem, ConstraintSystem system, Rotat
     return solved();
   };
   while (!isConverged && count < options.mostIterations && shape.displacement.u.allFinite()) {
-    progress.step(count == 0 ? "finding rotations"
-                             : fmt::format("finding rotations: iteration {}, last change {:.1e}", count + 1, change));
+    announce(shape.iterations, progress);
     Displacement next = iterate();
     double itsEnergy = problem.energy.value(next.u, R);
-    if (!turnsRows && !(itsEnergy <= energy)) {
+    if (isCombined && !(itsEnergy <= energy)) {
       acceleration.forget();
       from = std::move(shape.displacement.u);
       next = iterate();
@@ -158,8 +174,8 @@ FoundShape findShape(const FoundProblem& problem, ConstraintSystem system, Rotat
     energy = itsEnergy;
     const Columns3& u = shape.displacement.u;
     change = largestChange(u, from) / problem.mesh.diagonal;
-    // What rows ask for that rotate is no longer what earlier results meet.
-    from = turnsRows ? u : acceleration.next(from, u);
+    from = acceleration.next(from, u);
+    isCombined = acceleration.isCombined();
     ++count;
     isConverged = change <= options.change;
   }
