@@ -14,13 +14,13 @@
 namespace holdfast {
 namespace {
 
-using Kind = FreeRotations::Kind;
+using RotationKind = FreeRotations::Kind;
 
 /// Logs of `R`, the nearest to those of `q`; where they are given, those.
 Columns3 logsNear(const UnknownRotations& R, const FreeRotations& free, Columns3 q)
 {
   parallelBlocks(q.rows(), [&](Index i) {
-    if (free.kindOf[i] != Kind::Given) q.row(i) = rotationLogNear(R[i], Vector3(q.row(i)));
+    if (free.kindOf[i] != RotationKind::Given) q.row(i) = rotationLogNear(R[i], Vector3(q.row(i)));
   });
   return q;
 }
@@ -66,7 +66,7 @@ Columns3 startRotations(const ConstraintSystem& system, const SolverMesh& mesh, 
   const std::vector<Vector3> ofPart = fittedParts(system, mesh);
   for (Index i = 0; i < q.rows(); ++i) {
     const Index part = mesh.componentOf[i];
-    if (before.rows() > 0 && free.kindOf[i] != Kind::Given)
+    if (before.rows() > 0 && free.kindOf[i] != RotationKind::Given)
       q.row(i) = before.row(i);
     else if (part >= 0 && !ofPart[part].isZero(0))
       q.row(i) = ofPart[part];

@@ -10,8 +10,6 @@
 namespace holdfast {
 namespace {
 
-using Entries = std::vector<Eigen::Triplet<double, int>>;
-
 /// What makes rows of the Laplacian count as much as edges at `kBendingLength`, in diagonals as they are. Uniform rows
 /// are not integrated: on regular triangles of edges h their squares are h^2 / 12 of those of cotangents, beside those
 /// of their edges.
@@ -87,7 +85,7 @@ RotationEnergy::RotationEnergy(const SolverMesh& mesh, const Operators& operator
   // Negative weights would leave no minimum, so cotangents are guarded whatever the Laplacian has.
   const Weights weights = operators.weights == Weights::Uniform ? Weights::Uniform : Weights::Cotangent;
   const std::vector<EdgeWeight> edges = rotationEdgeWeights(mesh, weights).edges;
-  Entries entries;
+  std::vector<Eigen::Triplet<double, int>> entries;
   for (const auto& [i, j, weight] : edges) {
     const auto row = static_cast<int>(unknownsOf_.size());
     entries.emplace_back(row, i, std::sqrt(weight));

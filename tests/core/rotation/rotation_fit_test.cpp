@@ -228,7 +228,7 @@ TEST(ShortestRotation, OfOppositeDirectionsIsSomeHalfTurnAndNotDetermined)
   }
 }
 
-TEST(RotationFit, FindsTheBestRotationFromOneNearIt)
+TEST(FittedRotation, FindsTheBestRotationFromOneNearIt)
 {
   Random random(7);
   for (int k = 0; k < 2000; ++k) {
@@ -251,7 +251,7 @@ TEST(RotationFit, FindsTheBestRotationFromOneNearIt)
   }
 }
 
-TEST(RotationFit, StaysWhereItIsWhereNothingIsBetter)
+TEST(FittedRotation, StaysWhereItIsWhereNothingIsBetter)
 {
   const Eigen::Quaterniond near = rotationExp(Vector3(0.3, -0.2, 0.5));
   const Vector3 a(1, 2, 3);
