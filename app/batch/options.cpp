@@ -69,6 +69,12 @@ void describe(CLI::App& app, CLI::App& deformApp, CLI::App& checkApp, Command& a
   add("--color-by", asked.picture.colorBy, colors.c_str(), "FIELD")->needs(snapshot)->capture_default_str();
   add("--size", asked.picture.size, "Size of the picture in pixels", "WxH")->needs(snapshot)->capture_default_str();
   addChoice(deformApp, "--solver", asked.options.solver, kAllSolvers, defaults.solver.kind);
+  addChoice(deformApp, "--rotations", asked.options.rotations, kAllRotations, defaults.rotations.source);
+  deformApp.add_option(
+      "--rotation-change", asked.options.rotationChange,
+      fmt::format("Rotations are found until a vertex moves by no more than this share of the diagonal; what the "
+                  "session says if left out, else {}",
+                  defaults.rotations.change));
   deformApp.add_option(
       "--soft-weight", asked.options.softWeight,
       fmt::format("Weight of the constraints of the solver soft; what the session says if left out, else {}",
@@ -120,12 +126,18 @@ void checkPaths(const Command& asked)
   }
 }
 
+void requirePositive(const char* option, const std::optional<double>& value)
+{
+  if (value && !(*value > 0 && std::isfinite(*value)))
+    throw UsageError(fmt::format("{}: {} is not a positive number", option, *value));
+}
+
 void check(const Command& asked)
 {
   checkPaths(asked);
   requireFormats(asked);
-  if (const double weight = asked.options.softWeight.value_or(1); !(weight > 0) || !std::isfinite(weight))
-    throw UsageError(fmt::format("--soft-weight: {} is not a positive number", weight));
+  requirePositive("--soft-weight", asked.options.softWeight);
+  requirePositive("--rotation-change", asked.options.rotationChange);
 }
 
 /// What is wrong with the first argument that means nothing; empty where there is none.

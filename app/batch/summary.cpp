@@ -84,6 +84,10 @@ std::string solveLines(const SolveReport& solve, const std::string& units)
   lines += fmt::format("method       {} weights, {} solver, {}; {}, {}, {}\n", name(solve.weights),
                        name(solve.options.kind), solve.method, counted(solve.unknowns, "unknown"),
                        counted(solve.factorNonzeros, "non-zero"), counted(solve.refinementSteps, "correction"));
+  if (solve.iterations)
+    lines +=
+        fmt::format("rotations    {} in {}, which moved a vertex by {:.2g} of the diagonal at last\n",
+                    name(solve.rotations), counted(solve.iterations->count, "iteration"), solve.iterations->change);
   lines += fmt::format("seconds      set-up {:.3f}, decomposition {:.3f}, solution {:.3f}\n", solve.seconds.setup,
                        solve.seconds.factorization, solve.seconds.solution);
   return lines;
@@ -145,6 +149,9 @@ std::string optionsLine(const StatedOptions& asked, const StatedOptions& session
   if (session.solver && !asked.solver) options.push_back(fmt::format("solver {}", name(*session.solver)));
   if (session.softWeight && !asked.softWeight) options.push_back(fmt::format("soft weight {}", *session.softWeight));
   if (session.backend && !asked.backend) options.push_back(fmt::format("backend {}", name(*session.backend)));
+  if (session.rotations && !asked.rotations) options.push_back(fmt::format("rotations {}", name(*session.rotations)));
+  if (session.rotationChange && !asked.rotationChange)
+    options.push_back(fmt::format("rotation change {}", *session.rotationChange));
   if (options.empty()) return "";
   return fmt::format("options      {}: taken from {}\n", fmt::join(options, ", "), printable(source));
 }

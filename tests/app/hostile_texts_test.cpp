@@ -101,8 +101,8 @@ TEST_F(HostileTexts, ValuesOfOptionsAreEscaped)
 {
   const std::string longValue(100000, 'x');
   for (const std::string& value : {kHostile, longValue}) {
-    const std::vector<std::string> options{
-        "--weights", "--solver", "--backend", "--soft-weight", "--out", "--fields", "--snapshot", "--" + value, value};
+    const std::vector<std::string> options{"--weights", "--solver", "--backend",  "--soft-weight", "--rotations",
+                                           "--out",     "--fields", "--snapshot", "--" + value,    value};
     for (const std::string& option : options) {
       const ProcessResult result = runBatch({"deform", mesh(), "--constraints", constraints(), option, value});
       EXPECT_EQ(result.exitCode, 2) << option << result.err;

@@ -164,6 +164,7 @@ void checkSolve(Complaints& complaints, const Json& solve, SolveState state)
   const std::set<std::string> statuses = isSolved                       ? std::set<std::string>{"ok", "conflicts"}
                                          : state == SolveState::kFailed ? std::set<std::string>{"failed"}
                                                                         : std::set<std::string>{"not run"};
+  const bool isFound = isSolved && solve.value("rotations", "") != "given";
   complaints.check(solve, "solve",
                    {{"status", isOneOf(statuses)},
                     {"message", isText},
@@ -179,6 +180,10 @@ void checkSolve(Complaints& complaints, const Json& solve, SolveState state)
                     {"accuracy", isMeasured},
                     {"rotation_accuracy", isLengthOrNull},
                     {"rotation_disagreement_degrees", isLengthOrNull},
+                    {"rotations", isOneOf({"given", "found", "found-smooth"})},
+                    {"rotation_iterations", isFound ? Predicate(isCount) : Predicate(isNull)},
+                    {"rotation_change", isFound ? Predicate(isLength) : Predicate(isNull)},
+                    {"rotation_stop", isFound ? isOneOf({"converged", "iteration_limit"}) : Predicate(isNull)},
                     {"seconds", isObject}});
   complaints.check(solve.value("seconds", Json::object()), "solve.seconds",
                    {{"setup", isLength}, {"decomposition", isLength}, {"solution", isLength}});

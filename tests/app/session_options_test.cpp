@@ -10,6 +10,7 @@ namespace holdfast::test {
 namespace {
 
 using Json = nlohmann::json;
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -53,6 +54,22 @@ TEST_F(SessionOptions, GiveTheMeshThatTheSameOptionsOnTheCommandLineGive)
   EXPECT_FALSE(bytesOf(output("out.obj")) == bySession);
 }
 
+TEST_F(SessionOptions, FindRotations)
+{
+  const Json bySession = solved(session(R"({"rotations": "found", "rotation_change": 1e-7})"), {});
+  EXPECT_EQ(bySession.at("rotations"), "found");
+  EXPECT_EQ(bySession.at("rotation_stop"), "converged");
+  EXPECT_LE(bySession.at("rotation_change"), 1e-7);
+  const std::string mesh = bytesOf(output("out.obj"));
+  static_cast<void>(solved(constraints(), {"--rotations", "found", "--rotation-change", "1e-7"}));
+  EXPECT_TRUE(bytesOf(output("out.obj")) == mesh);
+  EXPECT_EQ(solved(constraints(), {"--rotations", "found-smooth"}).at("rotations"), "found-smooth");
+  EXPECT_FALSE(bytesOf(output("out.obj")) == mesh);
+  const Json given = solved(session(R"({"rotations": "found"})"), {"--rotations", "given"});
+  EXPECT_EQ(given.at("rotations"), "given");
+  EXPECT_TRUE(given.at("rotation_stop").is_null());
+}
+
 TEST_F(SessionOptions, GiveWayToTheCommandLineOneByOne)
 {
   const std::string path = session(R"({"weights": "uniform", "solver": "soft", "soft_weight": 7})");
@@ -72,6 +89,10 @@ TEST_F(SessionOptions, AreNamedInTheSummaryWithTheSession)
   EXPECT_THAT(runBatch(deform(mesh(), path, {"--solver", "hard", "--soft-weight", "5", "--weights", "cotangent"})).out,
               Not(HasSubstr("options ")));
   EXPECT_THAT(runBatch(deform(mesh(), constraints())).out, Not(HasSubstr("options ")));
+  const std::string found = session(R"({"rotations": "found", "rotation_change": 0.001})");
+  EXPECT_THAT(runBatch(deform(mesh(), found)).out,
+              AllOf(HasSubstr("options      rotations found, rotation change 0.001: taken from " + found + "\n"),
+                    HasSubstr("\nrotations    found in ")));
 }
 
 TEST_F(SessionOptions, ThatDoNotExistAreRefusedByTheirPlace)

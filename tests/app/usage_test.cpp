@@ -63,6 +63,8 @@ TEST_F(Usage, SoftWeightsArePositiveNumbers)
   for (const std::string value : {"0", "-1", "nan", "inf"})
     expectRefusedOptions({"--solver", "soft", "--soft-weight", value}, {"--soft-weight: ", "not a positive number"});
   expectRefusedOptions({"--soft-weight", "much"}, {"--soft-weight", "much"});
+  expectRefusedOptions({"--rotation-change", "0"}, {"--rotation-change: ", "not a positive number"});
+  expectRefusedOptions({"--rotations", "guessed"}, {"--rotations: \"guessed\" is not one of given, found"});
 }
 
 TEST_F(Usage, OptionsNeedTheirValues)

@@ -142,6 +142,17 @@ TEST_F(ReportPanelOfSphere, ChoosesWeightsAndSolver)
   EXPECT_FALSE(softWeight.isVisible());
 }
 
+TEST_F(ReportPanelOfSphere, ChoosesWhereRotationsComeFrom)
+{
+  choose("reportRotations", "Found: edges keep their length");
+  EXPECT_EQ(editor.state().options.rotations.source, RotationSource::Found);
+  EXPECT_EQ(editor.history().undoName(), "choose where rotations come from");
+  ASSERT_TRUE(test::waitForCurrent(editor));
+  EXPECT_TRUE(value("RotationIterations").startsWith("iteration "));
+  editor.undo();
+  EXPECT_EQ(editor.state().options, DeformOptions());
+}
+
 TEST_F(ReportPanelOfSphere, ASoftWeightThatIsNotPositiveIsRefused)
 {
   choose("reportSolver", "Soft: weighted least squares");

@@ -12,6 +12,13 @@
 namespace holdfast {
 namespace {
 
+const std::string kUnsaidNote = "unsaid_rotation";
+
+bool statesRotation(const HandleConstraint& handle)
+{
+  return !handle.rotations.empty() || !std::holds_alternative<std::monostate>(handle.motion);
+}
+
 /// Makes the rows of one list; remembers what several constraints share.
 class SystemBuilder {
  public:
@@ -81,7 +88,7 @@ class SystemBuilder {
     if (!isEnabled()) return;
     for (const Index v : selected_[current_]) {
       addPin(v, mesh_.positions.row(v));
-      giveRotation(v, Vector3::Zero());
+      giveRotation(v, {});
     }
   }
 
@@ -97,7 +104,7 @@ class SystemBuilder {
     const HandlePlacement placement = placeHandle(handle, setting);
     for (std::size_t k = 0; k < vertices.size(); ++k) {
       addPin(vertices[k], placement.places.row(k));
-      giveRotation(vertices[k], placement.q.row(k));
+      giveRotation(vertices[k], {.q = placement.q.row(k), .isStated = statesRotation(handle)});
     }
     noteRotation(handle, placement, shareMoved(handle, setting));
   }
@@ -166,11 +173,12 @@ class SystemBuilder {
     system_.rows.push_back({difference(from, to), rest, Vector3::Zero(), current_, kind});
   }
 
-  void giveRotation(Index vertex, const Vector3& q)
+  void giveRotation(Index vertex, GivenRotation given)
   {
-    const Index unknown = solverMesh_.weld.unknownOf[vertex];
-    if (!hasRotation_[unknown]) system_.rotations.push_back({unknown, q, current_});
-    hasRotation_[unknown] = true;
+    given.unknown = solverMesh_.weld.unknownOf[vertex];
+    given.constraint = current_;
+    if (!hasRotation_[given.unknown]) system_.rotations.push_back(given);
+    hasRotation_[given.unknown] = true;
   }
 
   /// The rows of a rigid region rotate by the first rotation that is given in it or in one that overlaps it.
@@ -195,11 +203,10 @@ class SystemBuilder {
       note("undetermined_rotation",
            "its targets do not say how it turns: they or its vertices lie on a line, or the targets mirror it; the "
            "rotation that fits is taken, give \"rotations\" if it should be another");
-    const bool statesNone = handle.rotations.empty() && std::holds_alternative<std::monostate>(handle.motion);
-    if (statesNone && share > kUnsaidRotation)
-      note("unsaid_rotation", fmt::format("moved {:.0f} % of its distance to the fixed region without turning; give it "
-                                          "a rotation (\"rotate\", or \"turn\": \"about-fixed\") if it should turn",
-                                          100 * share));
+    if (!statesRotation(handle) && share > kUnsaidRotation)
+      note(kUnsaidNote, fmt::format("moved {:.0f} % of its distance to the fixed region without turning; give it "
+                                    "a rotation (\"rotate\", or \"turn\": \"about-fixed\") if it should turn",
+                                    100 * share));
   }
 
   void note(std::string kind, std::string message)
@@ -245,6 +252,13 @@ ConstraintSystem makeConstraintSystem(const ConstraintList& list, const Mesh& me
                                       const SurfaceLocator& locator, const std::string& source)
 {
   return SystemBuilder(list, mesh, solverMesh, locator, source).build();
+}
+
+ConstraintSystem withStatedRotations(ConstraintSystem system)
+{
+  std::erase_if(system.rotations, [](const GivenRotation& given) { return !given.isStated; });
+  std::erase_if(system.notes, [](const ConstraintNote& note) { return note.kind == kUnsaidNote; });
+  return system;
 }
 
 ConstraintSystem rotated(ConstraintSystem system, const Columns3& q)

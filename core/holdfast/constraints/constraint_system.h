@@ -42,6 +42,7 @@ struct GivenRotation {
   Index unknown = 0;
   Vector3 q = Vector3::Zero();  ///< log: half angle times axis, radians, of any number of turns
   Index constraint = 0;         ///< place in the list
+  bool isStated = true;         ///< false for a handle that only moves: 0 is what it does unless rotations are found
 };
 
 /// Something doubtful about an enabled constraint that is solved all the same.
@@ -70,6 +71,9 @@ struct ConstraintSystem {
 [[nodiscard]] ConstraintSystem makeConstraintSystem(const ConstraintList& list, const Mesh& mesh,
                                                     const SolverMesh& solverMesh, const SurfaceLocator& locator,
                                                     const std::string& source);
+
+/// `system` as it is where rotations are found: without those that are not stated and what is noted of them.
+[[nodiscard]] ConstraintSystem withStatedRotations(ConstraintSystem system);
 
 /// `system` with the targets and shifts of its rotated rows at the rotations `q` of all unknowns (n x 3, logs). Counts
 /// from rest, whatever rotations the rows had before. Where q is 0 every row is as it was made, bit for bit.

@@ -16,6 +16,7 @@ struct DeformDetails;
 struct DeformOptions {
   Weights weights = Weights::Cotangent;
   SolverOptions solver;
+  RotationOptions rotations = {};
 
   friend bool operator==(const DeformOptions&, const DeformOptions&) = default;
 };

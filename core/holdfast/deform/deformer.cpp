@@ -9,6 +9,7 @@
 #include <holdfast/base/thread_priority.h>
 #include <holdfast/check/mesh_check.h>
 #include <holdfast/deform/deform_details.h>
+#include <holdfast/deform/found_shape.h>
 #include <holdfast/deform/messages.h>
 #include <holdfast/deform/rotation_factorization.h>
 #include <holdfast/solve/constrained_solver.h>
@@ -133,18 +134,27 @@ Positions deformedPositions(const Model& model, const ConstraintSystem& system, 
   return positions;
 }
 
+/// How rotations are found.
+struct RotationSearch {
+  const RotationEnergy* energy;  ///< none where they are given
+  RotationOptions options;
+  const Columns3* before;  ///< those of the last call, from which this one goes on; none where it starts anew
+};
+
 /// One solution, and what is to be said of it.
 class Solution {
  public:
   Solution(const Model& model, const ConstraintList& constraints, const DeformOptions& options,
-           std::shared_ptr<const Operators> operators, const TwoWayMatrix& A, ConstraintSystem system)
-      : model_(model), constraints_(constraints), options_(options), A_(A)
+           std::shared_ptr<const Operators> operators, const TwoWayMatrix& A, const RotationSearch& search,
+           ConstraintSystem system)
+      : model_(model), constraints_(constraints), options_(options), A_(A), search_(search)
   {
     details_.operators = std::move(operators);
     details_.system = std::move(system);
     result_.report.mesh = describeMesh(model);
     report().weights = options.weights;
     report().options = options.solver;
+    report().rotations = options.rotations.source;
   }
 
   /// Everything but the seconds that went before.
@@ -239,22 +249,46 @@ class Solution {
 
     progress.step("solving");
     const auto solution = Clock::now();
-    const auto makeF = [this]() -> Columns3 {
-      return (model_.solverMesh.diagonal * details_.operators->rowWeights).asDiagonal() *
-             rotationOfDelta(details_.operators->delta, result_.rotations);
-    };
-    const RowTargets targets{shiftsOf(details_.system), details_.diagnosis.reconciled};
-    MovedSolutions* const moved = factorization.moved.get();
+    MovedSolutions* const moved = search_.energy == nullptr ? factorization.moved.get() : nullptr;
     Columns3 f;
     Displacement own;
-    if (moved == nullptr) own = result.value->solve(targets, f = makeF());
+    if (search_.energy != nullptr)
+      own = find(*result.value, factorization, f, progress);
+    else if (moved == nullptr)
+      own = result.value->solve(targets(), f = makeF());
     const Displacement& displacement =
-        moved == nullptr ? own : moved->solve(*result.value, targets, result_.rotations, makeF);
+        moved == nullptr ? own : moved->solve(*result.value, targets(), result_.rotations, [this] { return makeF(); });
     accept(displacement);
     if (options_.solver.kind == SolverKind::Hard && report().status != SolveStatus::Failed)
       setMultipliers(multipliersOf(A_, *factorization.eliminated, displacement.u, moved == nullptr ? f : moved->f(),
                                    model_.solverMesh.diagonal));
     report().seconds.solution += secondsSince(solution);
+  }
+
+  [[nodiscard]] RowTargets targets() const { return {shiftsOf(details_.system), details_.diagnosis.reconciled}; }
+
+  [[nodiscard]] Columns3 makeF() const
+  {
+    return (model_.solverMesh.diagonal * details_.operators->rowWeights).asDiagonal() *
+           rotationOfDelta(details_.operators->delta, result_.rotations);
+  }
+
+  Displacement find(const ConstrainedSolver& solver, const ConstraintFactorization& factorization, Columns3& f,
+                    Progress& progress)
+  {
+    const FoundProblem problem{*search_.energy, model_.solverMesh, *factorization.eliminated, solver};
+    FoundShape shape =
+        findShape(problem, std::move(details_.system),
+                  {std::move(result_.rotations), search_.before == nullptr ? Columns3() : *search_.before},
+                  search_.options, progress);
+    report().iterations = shape.iterations;
+    if (!shape.iterations.isConverged && search_.before == nullptr)
+      result_.report.mesh.findings.push_back(unconvergedWarning(shape.iterations, search_.options));
+    f = std::move(shape.wanted);
+    result_.rotations = std::move(shape.q);
+    details_.system = std::move(shape.system);
+    diagnoseRows(factorization);
+    return std::move(shape.displacement);
   }
 
   /// The multiplier of a constraint is the sum of the lengths of those of its rows.
@@ -299,6 +333,7 @@ class Solution {
   const ConstraintList& constraints_;
   const DeformOptions& options_;
   const TwoWayMatrix& A_;
+  const RotationSearch& search_;
   DeformResult result_;
   DeformDetails details_;
 };
@@ -399,10 +434,14 @@ DeformResult Deformer::deform(const ConstraintList& constraints, const std::stri
   ranks_->start(progress);
   ConstraintSystem system =
       makeConstraintSystem(constraints, model_->mesh, model_->solverMesh, model_->locator(), source);
+  const bool isFound = options_.rotations.source != RotationSource::Given;
+  if (isFound) system = withStatedRotations(std::move(system));
   if (operators_ == nullptr) {
     progress.step(fmt::format("building operators of {} vertices", model_->mesh.vertexCount()));
     operators_ = std::make_shared<const Operators>(makeOperators(model_->solverMesh, options_.weights));
-    A_ = std::make_shared<const TwoWayMatrix>(weightedRows(*operators_));
+    if (isFound)
+      energy_ = std::make_shared<const RotationEnergy>(model_->solverMesh, *operators_, options_.rotations.source);
+    A_ = isFound ? energy_->A() : std::make_shared<const TwoWayMatrix>(weightedRows(*operators_));
   }
   seconds.setup = secondsSince(setup);
 
@@ -410,9 +449,14 @@ DeformResult Deformer::deform(const ConstraintList& constraints, const std::stri
   ConstraintFactorization& factorization = factorizationFor(system, progress);
   seconds.factorization = secondsSince(elimination);
 
+  RotationSearch search{energy_.get(), options_.rotations, nullptr};
+  if (continued_ > 0) {
+    search.before = &lastRotations_;
+    search.options.mostIterations = continued_;
+  }
   const auto solved = [&](ConstraintFactorization& by, ConstraintSystem its) {
     if (answersEditsAtOnce_ && by.moved == nullptr) by.moved = std::make_unique<MovedSolutions>(model_->solverMesh);
-    return Solution(*model_, constraints, options_, operators_, *A_, std::move(its)).by(by, progress);
+    return Solution(*model_, constraints, options_, operators_, *A_, search, std::move(its)).by(by, progress);
   };
   ConstraintSystem again;
   if (factorization.isBordered) again = system;
@@ -424,6 +468,7 @@ DeformResult Deformer::deform(const ConstraintList& constraints, const std::stri
   }
   if (answersEditsAtOnce_ && options_.solver.backend == Backend::Holdfast) seekBetterOrder(progress);
   if (coming_ != nullptr) coming_->positions.start(progress);
+  if (isFound && result.report.solve.status != SolveStatus::Failed) lastRotations_ = result.rotations;
   result.report.solve.seconds.setup = seconds.setup;
   result.report.solve.seconds.factorization += seconds.factorization;
   return result;

@@ -15,6 +15,7 @@ struct ConstraintSystem;
 struct EliminationRanks;
 struct Operators;
 enum class OrderFor;
+class RotationEnergy;
 class TwoWayMatrix;
 template <class Result>
 class LongStep;
@@ -38,6 +39,10 @@ class Deformer {
   /// Off at first.
   void answerEditsAtOnce(bool isWanted) noexcept { answersEditsAtOnce_ = isWanted; }
 
+  /// Rotations are found from those of the last call on, by up to so many iterations in a call: the frames of a drag.
+  /// With 0, as at first, every call starts anew and finds what it finds in any other program.
+  void continueRotations(int mostIterations) noexcept { continued_ = mostIterations; }
+
   /// As the function `deform`. When `progress` or an unusable list throws, this is as if it had not been called.
   [[nodiscard]] DeformResult deform(const ConstraintList& constraints, const std::string& source = "constraints",
                                     Progress& progress = noProgress());
@@ -59,6 +64,7 @@ class Deformer {
   DeformOptions options_;
   ConstraintList constraints_;
   std::shared_ptr<const Operators> operators_;
+  std::shared_ptr<const RotationEnergy> energy_;  // where rotations are found
   std::shared_ptr<const TwoWayMatrix> A_;
   std::unique_ptr<LongStep<EliminationRanks>> ranks_;
   std::unique_ptr<LongStep<EliminationRanks>> betterRanks_;  // sought while results are answered
@@ -70,6 +76,8 @@ class Deformer {
   void seekBetterOrder(Progress& progress);
 
   bool answersEditsAtOnce_ = false;
+  int continued_ = 0;
+  Columns3 lastRotations_;
   std::shared_ptr<ConstraintFactorization> factorization_;
   std::shared_ptr<ConstraintFactorization> whole_;   // the last one with a factor of its own that is done
   std::shared_ptr<ConstraintFactorization> coming_;  // what takes the place of a bordered one

@@ -60,6 +60,18 @@ std::optional<Finding> accuracyWarning(const std::string& kind, const std::strin
                              what, accuracy)};
 }
 
+Finding unconvergedWarning(const RotationIterations& iterations, const RotationOptions& options)
+{
+  return {"rotations_not_converged",
+          1,
+          "solution",
+          {},
+          fmt::format("rotations still change after {} iterations: the last one moved a vertex by {:.2g} of the "
+                      "diagonal, and {:g} is asked for; constraints hold all the same; ask for a larger "
+                      "\"rotation_change\", or for less far a move",
+                      iterations.count, iterations.change, options.change)};
+}
+
 std::string undefinedRowsMessage(const Model& model, const Operators& operators)
 {
   return fmt::format(

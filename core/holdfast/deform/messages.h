@@ -19,6 +19,9 @@ inline constexpr double kDoubtfulAccuracy = 1e-9;
 /// The warning of `what` ("the solution"), of the kind `kind`, where it is usable and doubtful.
 [[nodiscard]] std::optional<Finding> accuracyWarning(const std::string& kind, const std::string& what, double accuracy);
 
+/// The warning that rotations were not found within the iterations of `options`.
+[[nodiscard]] Finding unconvergedWarning(const RotationIterations& iterations, const RotationOptions& options);
+
 /// Weights are not finite at some vertices.
 [[nodiscard]] std::string undefinedRowsMessage(const Model& model, const Operators& operators);
 

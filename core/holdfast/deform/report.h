@@ -8,6 +8,7 @@
 
 #include <holdfast/check/finding.h>
 #include <holdfast/operators/weights.h>
+#include <holdfast/rotation/rotation_options.h>
 #include <holdfast/solve/solver_options.h>
 
 namespace holdfast {
@@ -76,6 +77,13 @@ struct Seconds {
   double solution = 0;       ///< per set of targets
 };
 
+/// How rotations were found.
+struct RotationIterations {
+  int count = 0;
+  double change = 0;  ///< how far the last one moved a vertex at most, as a share of the diagonal
+  bool isConverged = false;
+};
+
 struct SolveReport {
   SolveStatus status = SolveStatus::NotRun;
   std::string message;
@@ -90,6 +98,8 @@ struct SolveReport {
   double accuracy = 0;                        ///< estimated relative error of the displacements
   std::optional<double> rotationAccuracy;     ///< that of the rotation field; none where none was solved for
   std::optional<double> disagreementDegrees;  ///< of rotations given in one rigid region: the largest difference
+  RotationSource rotations = RotationSource::Given;
+  std::optional<RotationIterations> iterations;  ///< of rotations that were found
   Seconds seconds;
 };
 

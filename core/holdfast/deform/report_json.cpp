@@ -78,6 +78,11 @@ Json toJson(const ConstraintOutcome& outcome)
           {"force", orNull(outcome.multiplier)}};
 }
 
+const char* stopName(const RotationIterations& iterations)
+{
+  return iterations.isConverged ? "converged" : "iteration_limit";
+}
+
 Json toJson(const SolveReport& solve)
 {
   const bool isSolved = solve.status == SolveStatus::Ok || solve.status == SolveStatus::Conflicts;
@@ -95,6 +100,10 @@ Json toJson(const SolveReport& solve)
             {"accuracy", isSolved ? Json(solve.accuracy) : Json(nullptr)},
             {"rotation_accuracy", orNull(solve.rotationAccuracy)},
             {"rotation_disagreement_degrees", orNull(solve.disagreementDegrees)},
+            {"rotations", name(solve.rotations)},
+            {"rotation_iterations", solve.iterations ? Json(solve.iterations->count) : Json(nullptr)},
+            {"rotation_change", solve.iterations ? Json(solve.iterations->change) : Json(nullptr)},
+            {"rotation_stop", solve.iterations ? Json(stopName(*solve.iterations)) : Json(nullptr)},
             {"seconds",
              {{"setup", solve.seconds.setup},
               {"decomposition", solve.seconds.factorization},

@@ -14,6 +14,9 @@ namespace {
 // From so many unknowns on, a factorisation takes longer than a hand waits.
 constexpr Index kLarge = 20000;
 
+// So many take about as long as drawing the picture.
+constexpr int kIterationsOfFrame = 2;
+
 }  // namespace
 
 struct LiveDeformer::Shared {
@@ -23,6 +26,7 @@ struct LiveDeformer::Shared {
     std::uint64_t revision = 0;
     std::shared_ptr<const DocumentState> state;
     std::string source;
+    Supersede supersede = Supersede::AtNextStep;
     bool isCancelled = false;  // before its work began
   };
 
@@ -84,7 +88,25 @@ struct LiveDeformer::Shared {
                                [&](std::string_view step) {
                                  tell({Kind::Step, job.revision, std::string(step), nullptr});
                                });
-    return deformer->deform(job.state->list, job.source, progress);
+    const bool isFrame =
+        job.supersede == Supersede::WhenDone && deformerOptions.rotations.source != RotationSource::Given;
+    deformer->continueRotations(isFrame ? kIterationsOfFrame : 0);
+    DeformResult result = deformer->deform(job.state->list, job.source, progress);
+    if (!isFrame) return result;
+    for (int k = 0; k < deformerOptions.rotations.mostIterations && isToGoOn(result); ++k) {
+      tell({Kind::Iterate, job.revision, "", std::make_shared<const DeformResult>(std::move(result)), job.state});
+      result = deformer->deform(job.state->list, job.source, progress);
+    }
+    return result;
+  }
+
+  /// Whether more iterations make the result of a frame better, and nothing newer waits.
+  bool isToGoOn(const DeformResult& result)
+  {
+    const std::optional<RotationIterations>& iterations = result.report.solve.iterations;
+    if (!iterations || iterations->isConverged || result.report.solve.status == SolveStatus::Failed) return false;
+    const std::scoped_lock lock(mutex);
+    return !waiting;
   }
 
   void tell(const LiveEvent& event)
@@ -142,7 +164,7 @@ void LiveDeformer::submit(std::uint64_t revision, std::shared_ptr<const Document
 {
   {
     const std::scoped_lock lock(shared_->mutex);
-    shared_->waiting = Shared::Job{revision, std::move(state), std::move(source), false};
+    shared_->waiting = Shared::Job{revision, std::move(state), std::move(source), supersede, false};
     if (supersede == Supersede::AtNextStep && shared_->request == Shared::StopRequest::GoOn)
       shared_->request = Shared::StopRequest::GiveUp;
   }

@@ -11,11 +11,12 @@
 
 namespace holdfast {
 
-/// What the worker reports. Each revision ends once, not by `Started` or `Step`, unless a newer one replaced it.
+/// What the worker reports. Each revision ends once, not by one of the first three, unless a newer one replaced it.
 struct LiveEvent {
   enum class Kind {
     Started,    ///< work on a revision begins
     Step,       ///< `message` says what is being done now
+    Iterate,    ///< `deformation` meets the constraints, and its rotations are still being found: a drag that rests
     Done,       ///< `deformation` is what the state asks for, or the rest shape with the reason in its report
     Unusable,   ///< the constraints do not fit the mesh; `message` says why and where
     Cancelled,  ///< by `cancel`, whether or not the work had started
@@ -25,13 +26,15 @@ struct LiveEvent {
   std::uint64_t revision = 0;
   std::string message;
   std::shared_ptr<const DeformResult> deformation;
-  std::shared_ptr<const DocumentState> state = nullptr;  ///< with `Done`: what `deformation` is of
+  std::shared_ptr<const DocumentState> state = nullptr;  ///< with `Iterate` and `Done`: what `deformation` is of
 };
 
 /// What a newer state does to the work that is under way.
 enum class Supersede {
   AtNextStep,  ///< it is given up as soon as it can be, as by `cancel`: an edit
-  WhenDone     ///< it is finished and shown first: a drag, whose frames would starve otherwise
+  /// It is finished and shown first: a drag, whose frames would starve otherwise. Where rotations are found, a frame
+  /// goes on from those of the one before, by a few iterations, and by more as long as nothing newer waits.
+  WhenDone
 };
 
 /// Deforms one model on a thread of its own. Calls may come from one thread, the owner's.

@@ -75,12 +75,14 @@ Backend readBackend(const JsonReader& json)
 
 StatedOptions readOptions(const JsonReader& json)
 {
-  json.requireKeys({"weights", "solver", "soft_weight", "backend"});
+  json.requireKeys({"weights", "solver", "soft_weight", "backend", "rotations", "rotation_change"});
   StatedOptions options;
   if (json.has("weights")) options.weights = chosen(json["weights"], kAllWeights);
   if (json.has("solver")) options.solver = chosen(json["solver"], kAllSolvers);
   if (json.has("soft_weight")) options.softWeight = positive(json["soft_weight"]);
   if (json.has("backend")) options.backend = readBackend(json["backend"]);
+  if (json.has("rotations")) options.rotations = chosen(json["rotations"], kAllRotations);
+  if (json.has("rotation_change")) options.rotationChange = positive(json["rotation_change"]);
   return options;
 }
 
@@ -170,12 +172,15 @@ Json meshJson(const MeshReference& mesh)
 }
 
 /// The backend is written only where it is not the default: a session is then good for a build with another default.
+/// What is said of rotations likewise: such a session is good for earlier programs.
 Json optionsJson(const DeformOptions& options)
 {
   Json json{{"weights", name(options.weights)}, {"solver", name(options.solver.kind)}};
   if (options.solver.softWeight != SolverOptions().softWeight || options.solver.kind == SolverKind::Soft)
     json["soft_weight"] = options.solver.softWeight;
   if (options.solver.backend != Backend::Holdfast) json["backend"] = name(options.solver.backend);
+  if (options.rotations.source != RotationSource::Given) json["rotations"] = name(options.rotations.source);
+  if (options.rotations.change != kFoundChange) json["rotation_change"] = options.rotations.change;
   return json;
 }
 

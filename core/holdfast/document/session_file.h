@@ -94,6 +94,7 @@ struct ResolvedMesh {
 /// What options may name, in the order in which messages list it.
 inline constexpr std::array kAllWeights{Weights::Cotangent, Weights::CotangentPaper, Weights::Uniform};
 inline constexpr std::array kAllSolvers{SolverKind::Hard, SolverKind::Soft, SolverKind::Lagrange};
+inline constexpr std::array kAllRotations{RotationSource::Given, RotationSource::Found, RotationSource::FoundSmooth};
 inline constexpr std::array kAllBackends{Backend::Holdfast, Backend::Cholmod, Backend::Eigen};
 
 /// Options of a deformation as a session or a command line states them: any of them may be left out.
@@ -102,6 +103,8 @@ struct StatedOptions {
   std::optional<SolverKind> solver;
   std::optional<double> softWeight;
   std::optional<Backend> backend;
+  std::optional<RotationSource> rotations;
+  std::optional<double> rotationChange;
 };
 
 /// `options` with what is stated in place of their own.
@@ -111,6 +114,8 @@ struct StatedOptions {
   options.solver.kind = stated.solver.value_or(options.solver.kind);
   options.solver.softWeight = stated.softWeight.value_or(options.solver.softWeight);
   options.solver.backend = stated.backend.value_or(options.solver.backend);
+  options.rotations.source = stated.rotations.value_or(options.rotations.source);
+  options.rotations.change = stated.rotationChange.value_or(options.rotations.change);
   return options;
 }
 

@@ -11,6 +11,12 @@ namespace {
 // Unit vectors whose sum is shorter than this are opposite within rounding.
 constexpr double kOpposite = 8 * std::numeric_limits<double>::epsilon();
 
+// Newton's method converges quadratically: a smaller step (radians) leaves less than a double holds.
+constexpr double kLastNewtonStep = 1e-8;
+// From nearer than this (radians) so many steps are enough; singular values serve elsewhere.
+constexpr double kLargestNewtonStep = 1;
+constexpr int kMostNewtonSteps = 8;
+
 /// Points about their mean. The first is taken off before: a mean of large numbers would cost digits.
 Positions centered(const Positions& points)
 {
@@ -54,6 +60,32 @@ RotationFit fitRotation(const Positions& points, const Positions& targets)
 {
   assert(points.rows() > 0 && points.rows() == targets.rows());
   return rotationOfCovariance(inOwnUnits(centered(points)).transpose() * inOwnUnits(centered(targets)));
+}
+
+Eigen::Quaterniond fittedRotation(const Eigen::Matrix3d& H, const Eigen::Quaterniond& near)
+{
+  // With R exp(w) in place of R, trace(R^T H) grows by g . w - w . K w / 2. A positive definite K where g = 0 is that
+  // of the only maximum: its eigenvalues are sums of two singular values, the least with the sign of the determinant.
+  Eigen::Quaterniond R = near;
+  for (int step = 0; step < kMostNewtonSteps; ++step) {
+    const Eigen::Matrix3d M = R.toRotationMatrix().transpose() * H;
+    const Vector3 g(M(2, 1) - M(1, 2), M(0, 2) - M(2, 0), M(1, 0) - M(0, 1));
+    const Eigen::Matrix3d K = M.trace() * Eigen::Matrix3d::Identity() - (M + M.transpose()) / 2;
+    Eigen::Matrix3d adjugate;
+    for (int k = 0; k < 3; ++k) adjugate.col(k) = K.col((k + 1) % 3).cross(K.col((k + 2) % 3));
+    const double determinant = K.col(0).dot(adjugate.col(0));
+    const bool isDefinite = K.trace() > 0 && adjugate.trace() > 0;
+    if (!(isDefinite && determinant > kRankOfFit * adjugate.trace() * K.trace())) break;
+    if (g.isZero(0)) return R;
+    const Vector3 w = adjugate * g / determinant;
+    if (!(w.norm() <= kLargestNewtonStep)) break;
+    R = (R * Eigen::Quaterniond(1, w.x() / 2, w.y() / 2, w.z() / 2)).normalized();
+    if (w.norm() <= kLastNewtonStep) return R;
+  }
+  const double size = H.cwiseAbs().maxCoeff();
+  if (!(size > 0)) return near;
+  const Eigen::Matrix3d fromNear = near.toRotationMatrix().transpose() * (H / size);
+  return (near * Eigen::Quaterniond(rotationOfCovariance(fromNear.transpose()).R)).normalized();
 }
 
 DirectionTurn shortestRotation(const Vector3& from, const Vector3& to)

@@ -21,6 +21,11 @@ inline constexpr double kRankOfFit = 1e-12;
 /// a line, R takes one line to the other by the shortest rotation; where all coincide, it is the identity. O(N).
 [[nodiscard]] RotationFit fitRotation(const Positions& points, const Positions& targets);
 
+/// The rotation R (of length 1) that minimises the sum of |R s - t|^2 for the covariance H = sum of t s^T, by Newton's
+/// method from `near`, of length 1. Where several fit, one that follows from `near`, which it is itself where H says
+/// nothing. Exact to a few units in the last place; `near` as it is, bit for bit, where it fits without rounding.
+[[nodiscard]] Eigen::Quaterniond fittedRotation(const Eigen::Matrix3d& H, const Eigen::Quaterniond& near);
+
 struct DirectionTurn {
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();  ///< of length 1
   bool isDetermined = false;                                     ///< false where the directions are opposite

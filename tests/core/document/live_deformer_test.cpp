@@ -9,6 +9,7 @@
 
 #include <holdfast/base/long_step.h>
 #include <holdfast/document/live_deformer.h>
+#include <holdfast/elimination/diagnosis.h>
 
 #include "core/document/live_witness.h"
 #include "support/law_meshes.h"
@@ -65,6 +66,43 @@ TEST(LiveDeformer, GivesTheDeformationThatIsAskedFor)
   EXPECT_THAT(events[1].message, HasSubstr("ordering"));
   ASSERT_EQ(events.back().kind, Kind::Done);
   EXPECT_EQ(events.back().deformation->positions, freshly(*model, *dragged(0.5)));
+}
+
+TEST(LiveDeformer, FindsRotationsFrameByFrameWhileADragRestsAndAnewForAnEdit)
+{
+  const auto model = plateModel();
+  DeformOptions finding;
+  finding.rotations.source = RotationSource::Found;
+  finding.rotations.change = 1e-9;
+  const auto state = stateOf(dragged(2)->list, finding);
+  Witness witness;
+  LiveDeformer live(model, witness.listener());
+  live.submit(1, state, "list", Supersede::WhenDone);
+  const std::vector<LiveEvent> events = witness.eventsTo(1);
+  EXPECT_GT(std::ranges::count(events, Kind::Iterate, &LiveEvent::kind), 1);
+  for (const LiveEvent& event : events)
+    if (event.kind == Kind::Iterate) {
+      EXPECT_FALSE(event.deformation->report.solve.iterations->isConverged);
+      EXPECT_LE(event.deformation->report.solve.maxResidualRelative, kPromisedResidual);
+    }
+  ASSERT_EQ(events.back().kind, Kind::Done);
+  EXPECT_TRUE(events.back().deformation->report.solve.iterations->isConverged);
+  live.submit(2, state, "list", Supersede::AtNextStep);
+  EXPECT_EQ(witness.eventsTo(2).back().deformation->positions, freshly(*model, *state));
+}
+
+TEST(LiveDeformer, AFrameWhoseRotationsAreBeingFoundGivesWayToTheNext)
+{
+  DeformOptions finding;
+  finding.rotations.source = RotationSource::Found;
+  finding.rotations.change = 1e-9;
+  Witness witness(Gate{1, Kind::Iterate, ""});
+  LiveDeformer live(plateModel(), witness.listener());
+  live.submit(1, stateOf(dragged(2)->list, finding), "list", Supersede::WhenDone);
+  ASSERT_TRUE(witness.isAtGate());
+  live.submit(2, stateOf(dragged(2.1)->list, finding), "list", Supersede::WhenDone);
+  witness.openGate();
+  EXPECT_THAT(witness.endsTo(2), ElementsAre(End(1, Kind::Done), End(2, Kind::Done)));
 }
 
 TEST(LiveDeformer, AnEditGivesUpTheWorkUnderWayAndTellsNothingOfItsEnd)

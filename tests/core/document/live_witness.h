@@ -88,10 +88,7 @@ class Witness {
     return events_.size();
   }
 
-  static bool isEnd(const LiveEvent& event)
-  {
-    return event.kind != LiveEvent::Kind::Started && event.kind != LiveEvent::Kind::Step;
-  }
+  static bool isEnd(const LiveEvent& event) { return event.kind > LiveEvent::Kind::Iterate; }
 
  private:
   void take(const LiveEvent& event)

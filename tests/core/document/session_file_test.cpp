@@ -155,6 +155,8 @@ TEST(SessionFile, MistakesOfTheOptionsAreRefused)
                        R"("cotan" is not known here; Known here:)");
   expectSessionRefused(head + R"({"solver": "Soft"}})", "options.solver", R"(did you mean "soft"?)");
   expectSessionRefused(head + R"({"soft_weight": 0}})", "options.soft_weight", "not above 0");
+  expectSessionRefused(head + R"({"rotations": "fund"}})", "options.rotations", R"(did you mean "found"?)");
+  expectSessionRefused(head + R"({"rotation_change": -1}})", "options.rotation_change", "not above 0");
   expectSessionRefused(head + R"({"backend": 1}})", "options.backend", "text in double quotes");
 }
 

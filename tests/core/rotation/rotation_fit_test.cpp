@@ -228,5 +228,41 @@ TEST(ShortestRotation, OfOppositeDirectionsIsSomeHalfTurnAndNotDetermined)
   }
 }
 
+TEST(FittedRotation, FindsTheBestRotationFromOneNearIt)
+{
+  Random random(7);
+  for (int k = 0; k < 2000; ++k) {
+    const Eigen::Matrix3d turn = rotationMatrix(randomVector(random, 3));
+    Eigen::Matrix3d points;
+    for (int c = 0; c < 3; ++c) points.col(c) = randomVector(random, 1);
+    Eigen::Matrix3d noise;
+    for (int c = 0; c < 3; ++c) noise.col(c) = randomVector(random, 0.2 * (k % 5));
+    const Eigen::Matrix3d H = (turn * points + noise) * points.transpose();
+    const Eigen::Quaterniond near = rotationExp(randomVector(random, 2));
+    const Eigen::Matrix3d R = fittedRotation(H, near).toRotationMatrix();
+    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(H, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant() > 0 ? 1 : -1;
+    const Vector3 s = svd.singularValues();
+    EXPECT_NEAR((R.transpose() * H).trace(), s[0] + s[1] + sign * s[2], 1e-12 * s[0]) << k;
+    EXPECT_NEAR(R.determinant(), 1, 1e-14);
+    if (k % 5 == 0) {
+      EXPECT_LE((R - turn).cwiseAbs().maxCoeff(), 1e-9) << k;
+    }
+  }
+}
+
+TEST(FittedRotation, StaysWhereItIsWhereNothingIsBetter)
+{
+  const Eigen::Quaterniond near = rotationExp(Vector3(0.3, -0.2, 0.5));
+  const Vector3 a(1, 2, 3);
+  EXPECT_EQ(fittedRotation(Eigen::Matrix3d::Zero(), near).coeffs(), near.coeffs());
+  // Of all rotations that take a line to a line, the one that differs least.
+  const Vector3 b = near * a;
+  EXPECT_LE(fittedRotation(b * a.transpose(), near).angularDistance(near), 1e-7);
+  const Eigen::Matrix3d symmetric = a * a.transpose() + 2 * Eigen::Matrix3d::Identity();
+  EXPECT_EQ(fittedRotation(symmetric, Eigen::Quaterniond::Identity()).coeffs(),
+            Eigen::Quaterniond::Identity().coeffs());
+}
+
 }  // namespace
 }  // namespace holdfast

@@ -130,6 +130,8 @@ void Editor::endGesture()
 {
   if (!history_->isInGesture()) return;
   history_->endGesture();
+  // Rotations were found from frame to frame; the state has to have those that any other program finds for it.
+  if (state().options.rotations.source != RotationSource::Given) submit(Supersede::AtNextStep);
   Q_EMIT stateChanged();
 }
 
@@ -209,6 +211,7 @@ void Editor::showOrSubmit(Supersede supersede)
   submitted_.clear();
   setStep({});
   show(Solved(*known));
+  remember();
   setSolveState(SolveState::Current, {});
 }
 
@@ -217,10 +220,14 @@ void Editor::show(Solved solved)
   outcomeOf_.clear();
   shown_ = std::move(solved);
   older_.start();
+  Q_EMIT deformed();
+}
+
+void Editor::remember()
+{
   std::erase_if(solved_, [&](const Solved& other) { return other.state == shown_.state; });
   solved_.push_back(shown_);
   if (solved_.size() > kRemembered) solved_.pop_front();
-  Q_EMIT deformed();
 }
 
 void Editor::handle(const LiveEvent& event, Solved solved)
@@ -231,11 +238,15 @@ void Editor::handle(const LiveEvent& event, Solved solved)
   if (submitted_.empty() || submitted_.front().first != event.revision) return;
   if (event.kind == Kind::Started) return;
   if (event.kind == Kind::Step) return setStep(QString::fromStdString(event.message));
+  if (event.kind == Kind::Iterate) return show(std::move(solved));
 
   submitted_.pop_front();
   const bool isNewest = submitted_.empty();
   if (isNewest) setStep({});
-  if (event.kind == Kind::Done) show(std::move(solved));
+  if (event.kind == Kind::Done) {
+    show(std::move(solved));
+    remember();
+  }
   if (!isNewest) return;
   if (event.kind == Kind::Done) setSolveState(SolveState::Current, {});
   if (event.kind == Kind::Cancelled) setSolveState(SolveState::Cancelled, {});

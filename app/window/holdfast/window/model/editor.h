@@ -185,6 +185,7 @@ class Editor : public QObject {
   void keepSelection();
   void showOrSubmit(Supersede supersede);
   void show(Solved solved);
+  void remember();
   void handle(const LiveEvent& event, Solved solved);
   void setSolveState(SolveState solveState, const QString& error);
   void setStep(const QString& step);

@@ -69,6 +69,13 @@ QString accuracyText(double accuracy)
       .arg(roundedText(accuracy), roundedText(kDoubtfulAccuracy), roundedText(kUsableAccuracy));
 }
 
+QString iterationsText(const RotationIterations& iterations)
+{
+  return QObject::tr("iteration %1 moved a vertex by %2 of the diagonal%3")
+      .arg(countText(iterations.count), roundedText(iterations.change),
+           iterations.isConverged ? QString() : QObject::tr("; more would move it further"));
+}
+
 ReportLines reportLines(const Report& report, const std::string& units)
 {
   const SolveReport& solve = report.solve;
@@ -97,6 +104,9 @@ ReportLines reportLines(const Report& report, const std::string& units)
   round("Accuracy", QObject::tr("Accuracy"), accuracyText(solve.accuracy), solve.accuracy);
   if (solve.rotationAccuracy)
     round("RotationAccuracy", QObject::tr("Rotations"), accuracyText(*solve.rotationAccuracy), *solve.rotationAccuracy);
+  if (solve.iterations)
+    round("RotationIterations", QObject::tr("Rotations found"), iterationsText(*solve.iterations),
+          solve.iterations->change);
   round("Setup", QObject::tr("Set-up"), secondsText(solve.seconds.setup), solve.seconds.setup);
   round("Decomposition", QObject::tr("Decomposition"), secondsText(solve.seconds.factorization),
         solve.seconds.factorization);
@@ -151,14 +161,20 @@ class ReportPanel final : public RefreshedPanel {
     solver_->addItem(tr("Soft: weighted least squares"), static_cast<int>(SolverKind::Soft));
     solver_->addItem(tr("Lagrange multipliers"), static_cast<int>(SolverKind::Lagrange));
     softWeight_ = named(new NumberEdit, "reportSoftWeight");
+    rotations_ = named(new QComboBox, "reportRotations");
+    rotations_->addItem(tr("Given by constraints"), static_cast<int>(RotationSource::Given));
+    rotations_->addItem(tr("Found: edges keep their length"), static_cast<int>(RotationSource::Found));
+    rotations_->addItem(tr("Found: smooth at single points"), static_cast<int>(RotationSource::FoundSmooth));
     options_ = new QFormLayout;
     options_->setHorizontalSpacing(10);
     options_->setVerticalSpacing(6);
     options_->addRow(tr("&Weights"), weights_);
     options_->addRow(tr("&Solver"), solver_);
     options_->addRow(tr("Soft w&eight"), softWeight_);
+    options_->addRow(tr("&Rotations"), rotations_);
     connect(weights_, qOverload<int>(&QComboBox::activated), this, &ReportPanel::choose);
     connect(solver_, qOverload<int>(&QComboBox::activated), this, &ReportPanel::choose);
+    connect(rotations_, qOverload<int>(&QComboBox::activated), this, &ReportPanel::choose);
     connect(softWeight_, &NumberEdit::entered, this, &ReportPanel::setSoftWeight);
     connect(softWeight_, &NumberEdit::refused, this, &ReportPanel::refuse);
   }
@@ -174,9 +190,11 @@ class ReportPanel final : public RefreshedPanel {
     const bool isOpen = editor_.isOpen();
     weights_->setEnabled(isOpen);
     solver_->setEnabled(isOpen);
+    rotations_->setEnabled(isOpen);
     const DeformOptions options = isOpen ? editor_.state().options : DeformOptions();
     weights_->setCurrentIndex(weights_->findData(static_cast<int>(options.weights)));
     solver_->setCurrentIndex(solver_->findData(static_cast<int>(options.solver.kind)));
+    rotations_->setCurrentIndex(rotations_->findData(static_cast<int>(options.rotations.source)));
     const bool isSoft = isOpen && options.solver.kind == SolverKind::Soft;
     softWeight_->setVisible(isSoft);
     options_->labelForField(softWeight_)->setVisible(isSoft);
@@ -220,9 +238,13 @@ class ReportPanel final : public RefreshedPanel {
     DeformOptions options = editor_.state().options;
     options.weights = static_cast<Weights>(weights_->currentData().toInt());
     options.solver.kind = static_cast<SolverKind>(solver_->currentData().toInt());
-    if (options == editor_.state().options) return;
-    const bool isOtherWeights = options.weights != editor_.state().options.weights;
-    editor_.setOptions(isOtherWeights ? tr("choose weights") : tr("choose the solver"), options);
+    options.rotations.source = static_cast<RotationSource>(rotations_->currentData().toInt());
+    const DeformOptions& before = editor_.state().options;
+    if (options == before) return;
+    editor_.setOptions(options.weights != before.weights       ? tr("choose weights")
+                       : options.rotations != before.rotations ? tr("choose where rotations come from")
+                                                               : tr("choose the solver"),
+                       options);
   }
 
   void setSoftWeight(double weight)
@@ -254,6 +276,7 @@ class ReportPanel final : public RefreshedPanel {
   QFormLayout* options_ = nullptr;
   QComboBox* weights_ = nullptr;
   QComboBox* solver_ = nullptr;
+  QComboBox* rotations_ = nullptr;
   NumberEdit* softWeight_ = nullptr;
   QLabel* age_ = nullptr;
   QFormLayout* report_ = nullptr;

@@ -1,0 +1,68 @@
+#pragma once
+/// The energy of shapes whose rotations are found: as rigid as possible, over edges or with the detail beside them.
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include <holdfast/base/sparse_products.h>
+#include <holdfast/constraints/constraint_system.h>
+#include <holdfast/operators/operators.h>
+#include <holdfast/rotation/rotation_options.h>
+
+namespace holdfast {
+
+/// The length below which `RotationSource::FoundSmooth` keeps detail rather than lengths of edges, as a share of the
+/// diagonal of the bounding box. From 0.01 on creases are wider than the triangles of ordinary meshes; at 0.1 long
+/// bends stretch edges.
+inline constexpr double kBendingLength = 0.03;
+
+/// A rotation for each unknown, of length 1.
+using UnknownRotations = std::vector<Eigen::Quaterniond>;
+
+/// Which rotations may change.
+struct FreeRotations {
+  enum class Kind : char { Given, Own, OfRegion };
+
+  /// Those that `system` gives, and those of rigid regions in which one is given, are given. Another rigid region has
+  /// one rotation; regions that overlap are one.
+  FreeRotations(const ConstraintSystem& system, Index unknownCount);
+
+  std::vector<Kind> kindOf;                 ///< of each unknown
+  std::vector<std::vector<Index>> regions;  ///< unknowns of each that may rotate, ascending
+};
+
+/// E(u, R) = sum over the rows k of |(A (p0 + u))_k - R v_k|^2, with v = A p0 and R the rotations of one or two
+/// unknowns, the mean of both terms. A row sqrt(w_ij) (p_i - p_j) for each edge has those of its ends, so that E is the
+/// energy over spokes of Sorkine and Alexa (2007). `FoundSmooth` adds the weighted rows of the Laplacian, each with the
+/// rotation of its unknown. For each of u and R the best is found exactly while the other stays, so E never rises.
+class RotationEnergy {
+ public:
+  RotationEnergy(const SolverMesh& mesh, const Operators& operators, RotationSource source);
+
+  /// A: one for all u, factorised once.
+  [[nodiscard]] const std::shared_ptr<const TwoWayMatrix>& A() const noexcept { return A_; }
+
+  /// For the rotations `R` the best u has A u nearest to this: the mean of R v_k, less v_k. Rows x 3, model units.
+  [[nodiscard]] Columns3 wanted(const UnknownRotations& R) const;
+
+  /// For the displacement `u` the best of the free rotations. Those of regions are the best for any place of the
+  /// region. Those in `R` are the start. O(n), over all cores, with the same bits for any number of them.
+  [[nodiscard]] UnknownRotations fitted(const Columns3& u, const FreeRotations& free, UnknownRotations R) const;
+
+  /// E, in squares of model units.
+  [[nodiscard]] double value(const Columns3& u, const UnknownRotations& R) const;
+
+ private:
+  [[nodiscard]] Eigen::Quaterniond fittedRegion(const std::vector<Index>& region, const Columns3& u,
+                                                const Columns3& deformed, const UnknownRotations& R) const;
+
+  Positions rest_;
+  std::vector<std::array<int, 2>> unknownsOf_;  // of each row: whose rotations it has; twice the same where it has one
+  std::shared_ptr<const TwoWayMatrix> A_;
+  Columns3 v_;
+};
+
+}  // namespace holdfast
