@@ -77,8 +77,8 @@ void Gallery::arrange()
     grid_->addWidget(buttons_[k], k / columns, k % columns);
   }
   // What is left over is at the right.
-  for (int column = 0; column <= std::max(columns, grid_->columnCount()); ++column)
-    grid_->setColumnStretch(column, column == columns ? 1 : 0);
+  for (int column = 0; column < grid_->columnCount(); ++column) grid_->setColumnStretch(column, 0);
+  grid_->setColumnStretch(columns, 1);
 }
 
 void Gallery::resizeEvent(QResizeEvent* event)

@@ -203,7 +203,7 @@ class Editor : public QObject {
       outcomeOf_;  // by name, in the report of `shown_`; empty until used
   SolveState solveState_ = SolveState::Nothing;
   bool isShowDue_ = false;  // of the state that undo or redo has come to
-  QElapsedTimer older_;  // since the picture was shown, or was current
+  QElapsedTimer older_;     // since the picture was shown, or was current
   QString error_;
   QString step_;
 
