@@ -126,7 +126,7 @@ void announce(const RotationIterations& iterations, Progress& progress)
   else if (std::has_single_bit(count))
     progress.step(fmt::format("finding rotations: iteration {}, last change {:.1e}", count + 1, iterations.change));
   else
-    progress.proceed();
+    progress.proceed(0);
 }
 
 }  // namespace

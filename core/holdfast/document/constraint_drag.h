@@ -21,8 +21,9 @@ class ConstraintDrag {
                  const std::string& source);
 
   [[nodiscard]] bool isEmpty() const noexcept { return points_.empty() && handles_.empty(); }
+  [[nodiscard]] bool hasHandles() const noexcept { return !handles_.empty(); }
   /// A handle, or several points as a group.
-  [[nodiscard]] bool canRotate() const noexcept { return !handles_.empty() || points_.size() > 1; }
+  [[nodiscard]] bool canRotate() const noexcept { return hasHandles() || points_.size() > 1; }
 
   /// The middle of where all that moves is to be, model units. Something moves.
   [[nodiscard]] Vector3 center() const;

@@ -16,8 +16,6 @@ constexpr double kGhostEdgeOpacity = 0.22;
 constexpr double kGhostSurfaceOpacity = 0.16;
 
 constexpr double kCutPixels = 2;
-constexpr double kCutFactor = -2;
-constexpr double kCutUnits = -8;
 
 // A share of a ball's diameter.
 constexpr double kSelectionDotSize = 0.42;
@@ -34,7 +32,7 @@ SceneContents::SceneContents(const Model& model, std::shared_ptr<const ShadedSur
 {
   rest_.edges().GetProperty()->SetOpacity(kGhostEdgeOpacity);
   rest_.surface().GetProperty()->SetOpacity(kGhostSurfaceOpacity);
-  drawLinesNearer(showData(*cut_, *cutLines_), kCutFactor, kCutUnits);
+  showData(*cut_, *cutLines_);
   setColor(*cut_, kAccentColor);
   cut_->GetProperty()->LightingOff();
   for (vtkActor* const actor : arrows_.actors()) actor->GetMapper()->SetClippingPlanes(&mesh_.sectionPlanes());

@@ -32,7 +32,7 @@ std::string nameOf(const Names& names, Value value)
 
 /// The enumerator called `name`; `otherwise` where there is none.
 template <class Names, class Value>
-Value named(const Names& names, const std::optional<std::string>& name, Value otherwise)
+Value valueNamed(const Names& names, const std::optional<std::string>& name, Value otherwise)
 {
   if (!name) return otherwise;
   const auto found = std::find(names.begin(), names.end(), *name);
@@ -78,8 +78,8 @@ ViewState viewStateOf(Viewport& viewport)
 void apply(const ViewState& state, Viewport& viewport)
 {
   ColorSettings colors = viewport.colors();
-  colors.field = named(colorByNames(), state.colorBy, colors.field);
-  colors.map = named(kMapNames, state.colorMap, colors.map);
+  colors.field = valueNamed(colorByNames(), state.colorBy, colors.field);
+  colors.map = valueNamed(kMapNames, state.colorMap, colors.map);
   if (state.range)
     colors.range = FixedRange{(*state.range)[0], (*state.range)[1]};
   else if (state.scale == kLogarithmic)
@@ -89,15 +89,15 @@ void apply(const ViewState& state, Viewport& viewport)
   viewport.setColors(colors);
 
   DisplaySettings display = viewport.display();
-  display.rest = named(kRestNames, state.restShape, display.rest);
-  display.edges = named(kEdgeNames, state.meshEdges, display.edges);
-  display.surface = named(kSurfaceNames, state.surface, display.surface);
+  display.rest = valueNamed(kRestNames, state.restShape, display.rest);
+  display.edges = valueNamed(kEdgeNames, state.meshEdges, display.edges);
+  display.surface = valueNamed(kSurfaceNames, state.surface, display.surface);
   display.areConstraintsShown = state.showsConstraints.value_or(display.areConstraintsShown);
   if (state.showsRotations)
     display.rotations = *state.showsRotations ? RotationDisplay::Arrows : RotationDisplay::Hidden;
   viewport.setDisplay(display);
 
-  viewport.setUpAxis(named(kAxisNames, state.upAxis, viewport.upAxis()));
+  viewport.setUpAxis(valueNamed(kAxisNames, state.upAxis, viewport.upAxis()));
   if (state.camera) viewport.setCamera(*state.camera);
 }
 

@@ -245,7 +245,8 @@ void Viewport::showConstraints()
 {
   if (!contents_) return;
   if (const auto& marks = editor_.marks())
-    contents_->showMarks(shownShare_ == 1 ? marks : markSet(marksAt(marks->marks, shownShare_), marks));
+    contents_->showMarks(shownShare_ == 1 ? marks
+                                          : markSet(*editor_.model(), marksAt(marks->marks, shownShare_), marks));
   arrange(*contents_, display_);
   overlay_->update();
   scheduleRender();

@@ -15,6 +15,7 @@
 #include <algorithm>
 
 #include <holdfast/base/error.h>
+#include <holdfast/geometry/bounding_box.h>
 #include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/window/controls/icons.h>
 #include <holdfast/window/controls/panel_parts.h>
