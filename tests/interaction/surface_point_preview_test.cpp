@@ -88,7 +88,7 @@ TEST_F(PreviewPicture, WhatAnotherPartHidesOfTheOutlineIsFaint)
   const std::vector<int> beside = fixture.colorAt(fixture.pixelOf({2.6, 1.8, 0}));
   EXPECT_NEAR(open[0], kAccent[0], 30);
   EXPECT_GT(hidden[2], beside[2] + 15) << "bluer than the plate";
-  EXPECT_GT(hidden[0], kAccent[0] + 50) << "and far from the full colour";
+  EXPECT_GT(hidden[1], kAccent[1] + 50) << "and far from the full colour";
 }
 
 TEST_F(PreviewPicture, IsLargerOnADisplayOfManyPixels)

@@ -60,7 +60,7 @@ TEST_F(Arrow, HasAHeadAtItsEnd)
     int seen = 0;
     for (const double side : {-1.0, 1.0})
       for (double back = 6; back <= 9; ++back)
-        if (colorAt(tip - back * along.normalized() + side * 0.47 * back * across)[0] < 100) ++seen;
+        if (colorAt(tip - back * along.normalized() + side * 0.47 * back * across)[1] < 100) ++seen;
     return seen;
   };
   const int line = accent();

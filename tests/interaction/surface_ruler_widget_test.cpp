@@ -80,7 +80,7 @@ TEST_F(Ruler, TwoClicksMeasureBetweenPointsOfTheSurface)
   EXPECT_THAT(log.events(), ElementsAre(kBegins, kPlaces, kMoves, kPlaces, kEnds));
   EXPECT_THAT(placed.data(), ElementsAre(0, 1));
   mouse().click(pixelOfVertex(9));
-  EXPECT_EQ(vertexOfEnd(1), 13) << "a ruler that is drawn stays";
+  EXPECT_EQ(vertexOfEnd(0), 9) << "the next ruler begins there";
 }
 
 TEST_F(Ruler, TheSecondEndGoesWithTheCursorAndStaysOnTheSurface)

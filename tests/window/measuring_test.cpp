@@ -11,6 +11,8 @@
 
 #include <holdfast/document/list_edits.h>
 #include <holdfast/widgets/camera/camera_state.h>
+#include <holdfast/widgets/marks/constraint_glyphs.h>
+#include <holdfast/window/controls/theme.h>
 #include <holdfast/window/panels/sphere_panel.h>
 #include <holdfast/window/text/number_text.h>
 
@@ -66,6 +68,14 @@ class MeasuringInWindow : public test::WindowUser {
     ASSERT_TRUE(test::waitUntil([this] { return item(0).childCount() > 3; }));
   }
 
+  [[nodiscard]] static bool isAccent(const QColor& color)
+  {
+    const QColor accent = toQColor(kAccentColor);
+    constexpr int kNear = 40;
+    return std::abs(color.red() - accent.red()) < kNear && std::abs(color.green() - accent.green()) < kNear &&
+           std::abs(color.blue() - accent.blue()) < kNear;
+  }
+
   [[nodiscard]] int accentPixels()
   {
     const QImage picture = viewport().grabFramebuffer();
@@ -73,7 +83,7 @@ class MeasuringInWindow : public test::WindowUser {
     for (int y = 0; y < picture.height(); ++y)
       for (int x = 0; x < picture.width(); ++x) {
         const QColor color = picture.pixelColor(x, y);
-        count += color.blue() > 230 && color.red() < 60 ? 1 : 0;
+        count += isAccent(color) ? 1 : 0;
       }
     return count;
   }

@@ -23,10 +23,9 @@ int denseCholesky(int n, double* A, int ld)
 void denseSolveRight(int m, int n, const double* L, int ldL, double* B, int ldB)
 {
   Matrix right(B, m, n, Eigen::OuterStride<>(ldB));
-  ConstMatrix(L, n, n, Eigen::OuterStride<>(ldL))
-      .triangularView<Eigen::Lower>()
-      .transpose()
-      .solveInPlace<Eigen::OnTheRight>(right);
+  const ConstMatrix left(L, n, n, Eigen::OuterStride<>(ldL));
+  const auto lower = left.triangularView<Eigen::Lower>();
+  lower.transpose().solveInPlace<Eigen::OnTheRight>(right);
 }
 
 void denseSymmetricUpdate(int n, int k, double factor, const double* A, int ldA, double scale, double* C, int ldC)

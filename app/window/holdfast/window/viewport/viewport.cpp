@@ -79,7 +79,6 @@ Viewport::Viewport(Editor& editor, QWidget* parent) : VtkView(parent), editor_(e
   widgetRenderer_->SetActiveCamera(renderer_->GetActiveCamera());
   widgetRenderer_->PreserveDepthBufferOn();
   renderer_->GradientBackgroundOn();
-  renderer_->UseFXAAOn();
   setDarkBackdrop(false);
   interactor()->SetInteractorStyle(style_);
   style_->AutoAdjustCameraClippingRangeOff();
@@ -507,7 +506,6 @@ void Viewport::render()
 void Viewport::prepareScene()
 {
   isCoarse_ = contents_ && fullMilliseconds_ > kFluentMilliseconds;
-  renderer_->SetUseFXAA(!isCoarse_);
   kept_->setKeeping(!isCoarse_);
   noteView();
   if (contents_) {
@@ -570,7 +568,6 @@ void Viewport::renderInFull()
   Q_EMIT aboutToRender();
   drawing_.start();
   kept_->setKeeping(true);
-  renderer_->UseFXAAOn();
   slices_->begin(*contents_);
   drawnTimer_.start(0);
 }

@@ -50,7 +50,7 @@ class ViewportOverlay : public QWidget {
   // The legend as painted last: halos take longer than most pictures.
   std::optional<std::tuple<LegendContent, QPalette, QFont, QSize>> painted_;
   QPixmap legendPicture_;
-  QTimer clock_;  // while the document is solved
+  QTimer clock_;       // while the document is solved
   QRectF cursorNote_;  // as it was last
 };
 
