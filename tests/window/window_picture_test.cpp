@@ -96,11 +96,6 @@ TEST_F(PictureOfBar, IsCopiedAsItIsInTheWindow)
   EXPECT_GT(painted, 1000);
 }
 
-TEST_F(PictureOfBar, IsSmoothedOnceItRests)
-{
-  EXPECT_TRUE(viewport().renderer().GetUseFXAA());
-}
-
 TEST_F(PictureOfBar, ButtonsAreReadableInEveryTheme)
 {
   for (const Appearance appearance : {Appearance::Light, Appearance::Dark, Appearance::Light}) {
