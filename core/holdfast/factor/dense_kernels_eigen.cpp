@@ -23,9 +23,8 @@ int denseCholesky(int n, double* A, int ld)
 void denseSolveRight(int m, int n, const double* L, int ldL, double* B, int ldB)
 {
   Matrix right(B, m, n, Eigen::OuterStride<>(ldB));
-  const ConstMatrix left(L, n, n, Eigen::OuterStride<>(ldL));
-  const auto lower = left.triangularView<Eigen::Lower>();
-  lower.transpose().solveInPlace<Eigen::OnTheRight>(right);
+  // X L^T = B
+  ConstMatrix(L, n, n, Eigen::OuterStride<>(ldL)).triangularView<Eigen::Lower>().solveInPlace(right.transpose());
 }
 
 void denseSymmetricUpdate(int n, int k, double factor, const double* A, int ldA, double scale, double* C, int ldC)
