@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include <holdfast/base/printable.h>
+#include <holdfast/base/spelling.h>
 #include <holdfast/version.h>
 
 #include "batch/batch.h"

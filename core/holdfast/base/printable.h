@@ -1,9 +1,7 @@
 #pragma once
-/// What messages are made of: text from outside (names, paths, options, messages of libraries) as users see it, numbers
-/// of things, and what was meant by a word that was spelled wrong.
+/// What messages are made of: text from outside (names, paths, options, messages of libraries) as users see it, and
+/// numbers of things.
 
-#include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -39,9 +37,5 @@ inline constexpr std::size_t kLongestPrintedMessage = 6000;
 {
   return std::to_string(count) + " " + singular + (count == 1 ? "" : "s");
 }
-
-/// The word of `known` that `word` was probably meant to be: letter case aside, about one letter in three may differ.
-[[nodiscard]] std::optional<std::string_view> closestSpelling(std::string_view word,
-                                                              std::span<const std::string_view> known);
 
 }  // namespace holdfast

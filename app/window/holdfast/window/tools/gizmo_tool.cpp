@@ -16,7 +16,7 @@ namespace {
 constexpr QPointF kLabelOffset(18, -16);
 constexpr QMarginsF kLabelMargins(6, 3, 6, 3);
 
-/// Where it is as a whole within `room`, as near as can be.
+/// `box`, moved by as little as brings it inside `room`.
 QRectF movedInto(QRectF box, const QRectF& room)
 {
   box.moveLeft(std::max(room.left(), std::min(box.left(), room.right() - box.width())));

@@ -59,6 +59,7 @@ class MainWindow : public QMainWindow {
   void makeConstraintMenu();
   void makeSelectionMenu();
   void addMirrors(QMenu& menu);
+  void askForSectionPlane();
   void selectBesidePlane();
   void makeViewMenu();
   void makeHelpMenu();

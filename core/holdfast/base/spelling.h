@@ -1,0 +1,14 @@
+#pragma once
+/// Words that were spelled wrong.
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace holdfast {
+
+/// The word of `known` that `word` was probably meant to be: letter case aside, about one letter in three may differ.
+[[nodiscard]] std::optional<std::string_view> closestSpelling(std::string_view word,
+                                                              std::span<const std::string_view> known);
+
+}  // namespace holdfast
