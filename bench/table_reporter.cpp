@@ -69,7 +69,6 @@ void TableReporter::reportRun(const Run& run)
     family_ = family;
   }
   const std::string subject = name.substr(name.find('/') + 1);
-  if (run.error_occurred) out << fmt::format("{}: {}\n", subject, run.error_message);
   for (const auto& [label, row] : rows) {
     out << fmt::format("{:<{}}", subject + ", " + label, kLabelWidth);
     for (const std::string& column : columns) out << fmt::format("{:>{}}", cell(row, column), kColumnWidth);

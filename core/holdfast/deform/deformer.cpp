@@ -96,17 +96,26 @@ struct Multipliers {
   Columns3 ofUnknowns;  ///< n x 3: their sum where they act
 };
 
-/// The forces that hold the displacement `u` (n x 3) against A u = f. O(entries of A).
+/// The forces that hold the displacement `u` (n x 3) against A u = f. O(entries of A where rows act).
 Multipliers multipliersOf(const TwoWayMatrix& A, const EliminatedConstraints& eliminated, const Columns3& u,
                           const Columns3& f, double diagonal)
 {
-  // At the minimum the gradient of the energy is what the constraints hold: A^T (A u - f) = B^T l.
-  const Columns3 missed = A.residual(f, u);
-  Columns3 gradient = Columns3::Zero(u.rows(), 3);
+  std::vector<char> isHeld(static_cast<std::size_t>(u.rows()));
   for (const RowTerms& row : eliminated.rows)
-    for (const Term& term : row)
-      if (gradient.row(term.index).isZero(0))
-        gradient.row(term.index) = gathered(A.columns(), term.index, missed) / -diagonal;
+    for (const Term& term : row) isHeld[term.index] = 1;
+  std::vector<char> isNear(static_cast<std::size_t>(f.rows()));  // of each row of A
+  for (Index k = 0; k < u.rows(); ++k)
+    if (isHeld[k] != 0)
+      for (SparseMatrix::InnerIterator entry(A.columns(), k); entry; ++entry) isNear[entry.row()] = 1;
+  // At the minimum the gradient of the energy is what the constraints hold: A^T (A u - f) = B^T l.
+  Columns3 missed(f.rows(), 3);
+  parallelBlocks(f.rows(), [&](Index k) {
+    if (isNear[k] != 0) missed.row(k) = f.row(k) - gathered(A.rows(), k, u);
+  });
+  Columns3 gradient = Columns3::Zero(u.rows(), 3);
+  parallelBlocks(u.rows(), [&](Index k) {
+    if (isHeld[k] != 0) gradient.row(k) = gathered(A.columns(), k, missed) / -diagonal;
+  });
   Columns3 ofRows = eliminated.elimination.multipliers(gradient);
   return {std::move(ofRows), std::move(gradient)};
 }

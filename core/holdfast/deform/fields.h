@@ -15,7 +15,7 @@ enum class FieldKind {
   Displacement,        ///< three components, model units
   RotationLog,         ///< three components: half angle times axis, radians
   RotationAngleDegrees,  ///< not wrapped
-  ConstraintForce,       ///< see `Multipliers`; NaN where there is no constraint, and but for hard constraints
+  ConstraintForce,       ///< `multiplier` of the report, summed; NaN where there is no constraint and for other solvers
   DetailResidual  ///< |L p - R delta|, for `uniform` weights in model units, for the others in one over model units
 };
 

@@ -59,7 +59,7 @@ struct ConstraintOutcome {
   std::vector<ConflictSet> conflictSets;  ///< the smallest sets that it conflicts with or repeats, and repairs
   /// How far vertices move, all together, for a unit of change in what one of its rows asks for; none when disabled.
   std::optional<double> sensitivity;
-  std::optional<double> multiplier;  ///< how hard it pulls, see `Multipliers`; of hard constraints that were solved
+  std::optional<double> multiplier;  ///< how hard it pulls, without units: see docs/math.md; of solved hard constraints
 };
 
 enum class SolveStatus {

@@ -11,6 +11,8 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 // A factor that leaves a share c of an error leaves c of the first correction, too: below this, c^2 is less than a
 // double holds, and another correction would only exchange one rounding for another.
 const double kLastCorrection = std::sqrt(kEpsilon);
+// The same where what another correction would take off is less than this share of the accuracy that is reached.
+constexpr double kNegligible = 1.0 / 64;
 // A correction larger than this share of the one before has met rounding, or a factor that does not contract.
 constexpr double kStalled = 0.5;
 
@@ -57,8 +59,10 @@ CorrectedSolution correctedSolve(const LeastSquaresFactor& factor, const LinearM
     multipliers += correction.bottomRows(kept);
     if (result.corrections++ == 0) first = change;
     // The normal equations lost cond^2 epsilon = first; what their corrections reach is cond epsilon.
-    result.accuracy = change <= kLastCorrection ? std::sqrt(first * kEpsilon) : change;
-    if (change <= kLastCorrection || change > kStalled * last) break;
+    const double reached = std::sqrt(first * kEpsilon);
+    const bool isLast = change <= kLastCorrection || first * change <= kNegligible * reached;
+    result.accuracy = isLast ? reached : change;
+    if (isLast || change > kStalled * last) break;
     last = change;
   }
   return result;
