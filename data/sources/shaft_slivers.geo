@@ -1,7 +1,7 @@
 // A stepped shaft on a flange with four bolt holes, meshed as programs for CAD tessellate it: many points around, few
 // along, and no vertex inside flat faces. Lengths in millimetres. Written with Gmsh 4.8.4:
 //   gmsh -2 -format ply2 -o shaft_slivers.ply2 shaft_slivers.geo
-//   awk -f ply2_to_off.awk shaft_slivers.ply2 > shaft_slivers.off
+//   awk -v comment="Holdfast example: a shaft with slivers, mm" -f ply2_to_off.awk shaft_slivers.ply2 > shaft_slivers.off
 
 around[] = {6, 48, 12, 30};  // parts of each quarter of a turn
 thickness = 8;   // of the flange
