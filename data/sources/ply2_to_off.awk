@@ -1,4 +1,5 @@
-# From PLY2, as Gmsh writes it, to OFF with `comment` in its second line. Vertices that no face uses, such as the centers of arcs, are left out.
+# From PLY2, as Gmsh writes it, to OFF with `comment` in its second line. Vertices that no face uses,
+# such as the centers of arcs, are left out.
 NR == 1 { vertices = $1; next }
 NR == 2 { faces = $1; next }
 NR <= vertices + 2 { place[NR - 3] = $0; next }
