@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Reproduces every figure and table of the paper and writes docs/paper.md, with the pictures of the project's own meshes in
-# docs/images/paper and all else in out/paper. Needs Xvfb, no screen.
+# Reproduces every figure and table of the paper and writes docs/paper.md. Pictures of the project's own meshes go to
+# docs/images/paper, all else to out/paper. Needs Xvfb, no screen.
 #   scripts/paper.sh [--small] [WORD...]
-# --small: what needs neither fetched models nor minutes. WORD: sections whose titles have one of these words alone. Other
-# sections stay as they are. Where models cannot be fetched, the sections that need them stay as they are, too.
+# --small: what needs neither fetched models nor minutes. WORD: sections alone whose titles have one of these words. Other
+# sections stay as they are, and so do those whose models cannot be fetched.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 . scripts/lib/packages.sh

@@ -106,6 +106,61 @@ std::string meshLine(const Model& shaft)
       100.0 * static_cast<double>(below) / static_cast<double>(angles.size()));
 }
 
+/// The distance of each weighting to the shaft of even triangles.
+void compareWeights(Section& section, const Workbench& bench, const std::string& evenPath, const Model& even)
+{
+  const Model shaft = makeModel(readMesh(kShaft).mesh, kShaft);
+  const BatchRun truth = bench.deform("figure_03_even", evenPath, kBend);
+  Table table{{"weights", "distance, RMS, mm", "largest, mm"}, {}};
+  for (const std::string weights : {"uniform", "cotangent-paper", "cotangent"}) {
+    const BatchRun run = bench.deform("figure_03_" + weights, kShaft, kBend, {"--weights", weights});
+    const Spread distance = distanceBetween(shaft, run.mesh.positions, freeVertices(shaft), even, truth.mesh.positions);
+    section.commands.push_back(run.command);
+    section.numbers[weights] = distance.rms;
+    table.rows.push_back({weights, fmt::format("{:.3f}", distance.rms), fmt::format("{:.3f}", distance.largest)});
+  }
+  section.commands.push_back(truth.command);
+  section.tables = {table};
+}
+
+void drawBentShafts(const Workbench& bench, const std::string& evenPath)
+{
+  const Deformed uniform = deformed(kShaft, kBend, {.weights = Weights::Uniform, .solver = {}});
+  const Deformed cotangent = deformed(kShaft, kBend);
+  const Deformed reference = deformed(evenPath, kBend);
+  Panel last = shaftPanel("(c) even mesh", reference);
+  last.edges = MeshEdges::Sharp;  // its own are too dense for a picture
+  drawPanels(bench.picture("figure_03.png"),
+             {shaftPanel("(a) uniform", uniform), shaftPanel("(b) cotangent", cotangent), last},
+             {.back = {0.35, -2, 0.5}, .up = {0, 0, 1}, .panel = {400, 400}, .columns = 3});
+}
+
+/// The outcome of each solver with each weighting.
+void compareSolvers(Section& section, const Workbench& bench)
+{
+  Table table{{"weights", "solver", "outcome", "largest residual / diagonal", "accuracy"}, {}};
+  for (const std::string weights : {"uniform", "cotangent", "cotangent-paper"})
+    for (const std::string solver : {"soft", "lagrange", "hard"}) {
+      const BatchRun run = bench.deform("figure_09", kShaft, kBend, {"--weights", weights, "--solver", solver});
+      const double residual = run.solve().at("max_residual_relative").get<double>();
+      section.commands.push_back(run.command);
+      section.numbers[weights + ' ' + solver] = residual;
+      table.rows.push_back({weights, solver, run.solve().at("status").get<std::string>(),
+                            fmt::format("{:.1e}", residual),
+                            fmt::format("{:.1e}", run.solve().at("accuracy").get<double>())});
+    }
+  section.tables = {table};
+}
+
+void drawSoftAndHard(const Workbench& bench)
+{
+  const Deformed soft =
+      deformed(kShaft, kBend, {.weights = Weights::CotangentPaper, .solver = {.kind = SolverKind::Soft}});
+  const Deformed hard = deformed(kShaft, kBend, {.weights = Weights::CotangentPaper, .solver = {}});
+  drawPanels(bench.picture("figure_09.png"), {shaftPanel("(a) soft, weight 5", soft), shaftPanel("(b) hard", hard)},
+             {.back = {0.35, -2, 0.5}, .up = {0, 0, 1}, .panel = {400, 400}, .columns = 2});
+}
+
 }  // namespace
 
 Section badlyShapedTriangles(const Workbench& bench)
@@ -119,30 +174,12 @@ Section badlyShapedTriangles(const Workbench& bench)
                                          " Each vertex of the shaft is compared with the same point of a shaft "
                                          "of {} vertices with triangles of even shape.",
                                          even.mesh.vertexCount());
-  const BatchRun truth = bench.deform("figure_03_even", evenPath, kBend);
-  Table table{{"weights", "distance, RMS, mm", "largest, mm"}, {}};
-  for (const std::string weights : {"uniform", "cotangent-paper", "cotangent"}) {
-    const BatchRun run = bench.deform("figure_03_" + weights, kShaft, kBend, {"--weights", weights});
-    const Spread distance = distanceBetween(shaft, run.mesh.positions, freeVertices(shaft), even, truth.mesh.positions);
-    section.commands.push_back(run.command);
-    section.numbers[weights] = distance.rms;
-    table.rows.push_back({weights, fmt::format("{:.3f}", distance.rms), fmt::format("{:.3f}", distance.largest)});
-  }
-  section.commands.push_back(truth.command);
-  section.tables = {table};
+  compareWeights(section, bench, evenPath, even);
   section.result = fmt::format(
       "With uniform weights the shaft is pressed in at its step, where triangles are small on one side; cotangent "
-      "weights "
-      "come {:.1f} times as near to the even mesh.",
+      "weights come {:.1f} times as near to the even mesh.",
       section.numbers["uniform"] / section.numbers["cotangent"]);
-  const Deformed uniform = deformed(kShaft, kBend, {.weights = Weights::Uniform, .solver = {}});
-  const Deformed cotangent = deformed(kShaft, kBend);
-  const Deformed reference = deformed(evenPath, kBend);
-  Panel last = shaftPanel("(c) even mesh", reference);
-  last.edges = MeshEdges::Sharp;  // its own are too dense for a picture
-  drawPanels(bench.picture("figure_03.png"),
-             {shaftPanel("(a) uniform", uniform), shaftPanel("(b) cotangent", cotangent), last},
-             {.back = {0.35, -2, 0.5}, .up = {0, 0, 1}, .panel = {400, 400}, .columns = 3});
+  drawBentShafts(bench, evenPath);
   section.pictures = {
       {"figure_03.png", "The bent shaft: uniform and cotangent weights, and triangles of even shape", true}};
   return section;
@@ -156,28 +193,13 @@ Section solversOnBadTriangles(const Workbench& bench)
   section.method = meshLine(shaft) +
                    " Every solver with every weighting, as the product solves: Table 1 has plain "
                    "factorisations.";
-  Table table{{"weights", "solver", "outcome", "largest residual / diagonal", "accuracy"}, {}};
-  for (const std::string weights : {"uniform", "cotangent", "cotangent-paper"})
-    for (const std::string solver : {"soft", "lagrange", "hard"}) {
-      const BatchRun run = bench.deform("figure_09", kShaft, kBend, {"--weights", weights, "--solver", solver});
-      const double residual = run.solve().at("max_residual_relative").get<double>();
-      section.commands.push_back(run.command);
-      section.numbers[weights + ' ' + solver] = residual;
-      table.rows.push_back({weights, solver, run.solve().at("status").get<std::string>(),
-                            fmt::format("{:.1e}", residual),
-                            fmt::format("{:.1e}", run.solve().at("accuracy").get<double>())});
-    }
-  section.tables = {table};
+  compareSolvers(section, bench);
   section.result = fmt::format(
       "Rows of L as printed in (10), cotangent weights, grow with the inverse of an area, so that a soft constraint of "
       "weight 5 means nothing beside them: it is missed by {:.0f} % of the diagonal. Hard constraints are met exactly "
       "with any weights.",
       100 * section.numbers["cotangent-paper soft"]);
-  const Deformed soft =
-      deformed(kShaft, kBend, {.weights = Weights::CotangentPaper, .solver = {.kind = SolverKind::Soft}});
-  const Deformed hard = deformed(kShaft, kBend, {.weights = Weights::CotangentPaper, .solver = {}});
-  drawPanels(bench.picture("figure_09.png"), {shaftPanel("(a) soft, weight 5", soft), shaftPanel("(b) hard", hard)},
-             {.back = {0.35, -2, 0.5}, .up = {0, 0, 1}, .panel = {400, 400}, .columns = 2});
+  drawSoftAndHard(bench);
   section.pictures = {{"figure_09.png", "Cotangent weights as printed with soft and with hard constraints", true}};
   return section;
 }

@@ -41,6 +41,16 @@ struct Step {
   std::vector<std::string> arguments;
 };
 
+void drawSteps(const Workbench& bench, const std::vector<Deformed>& shown)
+{
+  std::vector<Panel> panels;
+  const std::vector<std::string> labels{"(a) conflict: high left out", "(b) compromise", "(c) resolution"};
+  for (std::size_t k = 0; k < shown.size(); ++k) panels.push_back({labels[k], &shown[k], ColorBy::DisplacementZ});
+  for (Panel& panel : panels) panel.range = FixedRange{0, 30};
+  drawPanels(bench.picture("figure_11.png"), panels,
+             {.back = {0, -3, 1}, .up = {0, 0, 1}, .panel = {360, 190}, .columns = 3});
+}
+
 }  // namespace
 
 Section conflictingPoints(const Workbench& bench)
@@ -77,12 +87,7 @@ Section conflictingPoints(const Workbench& bench)
       "Hard constraints leave out \"high\", which comes later, and report the gap of {:g} and that \"{}\" is to be "
       "disabled. Soft constraints put the point between the two. With \"{}\" disabled everything is met.",
       section.numbers["gap"], disabled, disabled);
-  std::vector<Panel> panels;
-  const std::vector<std::string> labels{"(a) conflict: high left out", "(b) compromise", "(c) resolution"};
-  for (std::size_t k = 0; k < shown.size(); ++k) panels.push_back({labels[k], &shown[k], ColorBy::DisplacementZ});
-  for (Panel& panel : panels) panel.range = FixedRange{0, 30};
-  drawPanels(bench.picture("figure_11.png"), panels,
-             {.back = {0, -3, 1}, .up = {0, 0, 1}, .panel = {360, 190}, .columns = 3});
+  drawSteps(bench, shown);
   section.pictures = {{"figure_11.png", "A conflict, its compromise by soft constraints, and its resolution", true}};
   return section;
 }

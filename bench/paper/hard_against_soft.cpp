@@ -40,6 +40,28 @@ std::string thousandth(double value)
   return fmt::format("{:.3f}", value);
 }
 
+void addRows(Section& section, const std::string& mesh, const Counters& counters)
+{
+  for (const std::string step : {"set-up", "decomposition", "set-up and decomposition", "solution"}) {
+    const double soft = counters.at(step + "/s soft");
+    const double hard = counters.at(step + "/s hard");
+    section.numbers[mesh + "k " + step] = hard / soft;
+    section.tables[0].rows.push_back(
+        {mesh + ",000", step, thousandth(soft), thousandth(hard), fmt::format("{:.2f}", hard / soft)});
+  }
+}
+
+std::string rangeOfRatios(Section& section, const std::vector<std::string>& thousands)
+{
+  double least = std::numeric_limits<double>::infinity();
+  double most = 0;
+  for (const std::string& mesh : thousands) {
+    least = std::min(least, section.numbers[mesh + "k set-up and decomposition"]);
+    most = std::max(most, section.numbers[mesh + "k set-up and decomposition"]);
+  }
+  return fmt::format("Hard constraints take {:.2f} to {:.2f} times as long as soft ones.", least, most);
+}
+
 }  // namespace
 
 Section costsOfMeshes(const Workbench& bench, const std::vector<std::string>& thousands)
@@ -48,8 +70,7 @@ Section costsOfMeshes(const Workbench& bench, const std::vector<std::string>& th
   section.paper = "set-up and decomposition take about as long with hard constraints as with soft ones.";
   section.method =
       "the benchmark on generated meshes: one end fixed, the other moved, and 300 points each on vertices, on edges "
-      "and "
-      "in faces. Medians over turns; both take turns in one process.";
+      "and in faces. Medians over turns; both take turns in one process.";
   section.tables = {{{"vertices", "step", "soft, s", "hard, s", "hard / soft"}, {}}};
   std::vector<Bar> bars;
   for (const std::string& mesh : thousands) {
@@ -58,21 +79,9 @@ Section costsOfMeshes(const Workbench& bench, const std::vector<std::string>& th
       bars.push_back(
           {mesh + ",000, " + kind,
            {counters.at(fmt::format("set-up/s {}", kind)), counters.at(fmt::format("decomposition/s {}", kind))}});
-    for (const std::string step : {"set-up", "decomposition", "set-up and decomposition", "solution"}) {
-      const double soft = counters.at(step + "/s soft");
-      const double hard = counters.at(step + "/s hard");
-      section.numbers[mesh + "k " + step] = hard / soft;
-      section.tables[0].rows.push_back(
-          {mesh + ",000", step, thousandth(soft), thousandth(hard), fmt::format("{:.2f}", hard / soft)});
-    }
+    addRows(section, mesh, counters);
   }
-  double least = std::numeric_limits<double>::infinity();
-  double most = 0;
-  for (const std::string& mesh : thousands) {
-    least = std::min(least, section.numbers[mesh + "k set-up and decomposition"]);
-    most = std::max(most, section.numbers[mesh + "k set-up and decomposition"]);
-  }
-  section.result = fmt::format("Hard constraints take {:.2f} to {:.2f} times as long as soft ones.", least, most);
+  section.result = rangeOfRatios(section, thousands);
   writeFile(bench.picture("figure_12.svg"),
             barChart("Set-up and decomposition", "s", {"set-up", "decomposition"}, bars));
   section.pictures = {{"figure_12.svg", "Set-up and decomposition, soft and hard", true}};

@@ -64,6 +64,25 @@ Panel eyePanel(const char* label, const Deformed& shown)
   return {label, &shown, ColorBy::EdgeChange, MeshEdges::Sharp, RestGhost::Hidden, {}, FixedRange{-5, 5}};
 }
 
+void drawEyes(const Workbench& bench, const std::string& free, const std::vector<Index>& eyes)
+{
+  const Deformed loose = deformed(kHead, free);
+  const Deformed rigid = deformed(kHead, kRigidEyes);
+  drawPanels(bench.picture("figure_07.png"),
+             {eyePanel("(a) without rigid regions", loose), eyePanel("(b) rigid eyes", rigid)},
+             {.back = {0, -1, 0.1}, .up = {0, 0, 1}, .panel = {360, 300}, .columns = 2, .focus = eyes});
+}
+
+void drawNoses(const Workbench& bench, const std::string& free, const std::string& kept)
+{
+  const Deformed looseShown = deformed(kHead, free);
+  const Deformed tiedShown = deformed(kHead, kept);
+  drawPanels(
+      bench.picture("figure_08.png"),
+      {{"(a) free", &looseShown, ColorBy::Displacement}, {"(b) kept distance", &tiedShown, ColorBy::Displacement}},
+      {.back = {1, -0.6, 0.1}, .up = {0, 0, 1}, .panel = {420, 460}, .columns = 2});
+}
+
 }  // namespace
 
 Section rigidEyes(const Workbench& bench)
@@ -95,11 +114,7 @@ Section rigidEyes(const Workbench& bench)
   section.result =
       fmt::format("Free eyes stretch by up to {:.0f} %, rigid ones by rounding alone.",
                   100 * std::max(section.numbers["left eye without"], section.numbers["right eye without"]));
-  const Deformed loose = deformed(kHead, free);
-  const Deformed rigid = deformed(kHead, kRigidEyes);
-  drawPanels(bench.picture("figure_07.png"),
-             {eyePanel("(a) without rigid regions", loose), eyePanel("(b) rigid eyes", rigid)},
-             {.back = {0, -1, 0.1}, .up = {0, 0, 1}, .panel = {360, 300}, .columns = 2, .focus = eyes});
+  drawEyes(bench, free, eyes);
   section.pictures = {{"figure_07.png", "The eyes coloured by the change of edge lengths: free, and rigid", true}};
   return section;
 }
@@ -127,12 +142,7 @@ Section keptDistance(const Workbench& bench)
         {name, fmt::format("{:.6f}", section.numbers[name]), fmt::format("{:.1e}", section.numbers[name] - rest)});
   section.result = fmt::format("The free distance grows by {:.0f} %, the kept one changes by rounding alone.",
                                100 * (section.numbers["free"] / rest - 1));
-  const Deformed looseShown = deformed(kHead, free);
-  const Deformed tiedShown = deformed(kHead, with);
-  drawPanels(
-      bench.picture("figure_08.png"),
-      {{"(a) free", &looseShown, ColorBy::Displacement}, {"(b) kept distance", &tiedShown, ColorBy::Displacement}},
-      {.back = {1, -0.6, 0.1}, .up = {0, 0, 1}, .panel = {420, 460}, .columns = 2});
+  drawNoses(bench, free, with);
   section.pictures = {{"figure_08.png", "The pulled nose: the mouth is free, or keeps its vector to the nose", true}};
   return section;
 }

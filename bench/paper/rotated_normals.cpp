@@ -108,6 +108,33 @@ Panel panelWithNormals(const char* label, const Deformed& shown)
       label, &shown, ColorBy::None, MeshEdges::None, RestGhost::Hidden, {normalLines(shown, carriedNormals(shown))}};
 }
 
+/// Deforms the sheet `path` under `list`, and measures angles and edges.
+std::vector<std::string> measuredRow(Section& section, const Workbench& bench, const std::string& name,
+                                     const std::string& path, const std::string& list)
+{
+  const BatchRun run = bench.deform("figure_04_" + name, path, list);
+  const Deformed shown = deformed(path, list);
+  const Spread angles = spreadOf(anglesOf(shown, carriedNormals(shown)));
+  const Spread edges = stretchOf(*shown.model, run.mesh.positions, allVertices(*shown.model));
+  section.commands.push_back(run.command);
+  section.numbers[name + " angle"] = angles.rms;
+  section.numbers[name + " edges"] = edges.rms;
+  section.numbers["program and library differ"] =
+      std::max(section.numbers["program and library differ"],
+               (run.mesh.positions - shown.result.positions).cwiseAbs().maxCoeff());
+  return {name, fmt::format("{:.1f}", angles.rms), fmt::format("{:.1f}", angles.largest),
+          fmt::format("{:.1f} %", 100 * edges.rms)};
+}
+
+void drawNormals(const Workbench& bench, const std::string& path, const std::string& without, const std::string& with)
+{
+  const Deformed none = deformed(path, without);
+  const Deformed rotated = deformed(path, with);
+  drawPanels(bench.picture("figure_04.png"),
+             {panelWithNormals("(a) no rotations", none), panelWithNormals("(b) rotated", rotated)},
+             {.back = {0.5, -2, 0.9}, .up = {0, 0, 1}, .panel = {560, 420}, .columns = 2});
+}
+
 }  // namespace
 
 Section rotatedNormals(const Workbench& bench)
@@ -125,31 +152,15 @@ Section rotatedNormals(const Workbench& bench)
       "deformed surface.";
   Table table{{"rotations", "angle between normals, RMS, degrees", "largest, degrees", "edges, RMS"}, {}};
   for (const auto& [name, list] : {std::pair{std::string("none"), without}, {std::string("rotated"), with}}) {
-    const BatchRun run = bench.deform("figure_04_" + name, path, list);
-    const Deformed shown = deformed(path, list);
-    const Spread angles = spreadOf(anglesOf(shown, carriedNormals(shown)));
-    const Spread edges = stretchOf(sheet, run.mesh.positions, allVertices(sheet));
-    section.commands.push_back(run.command);
-    section.numbers[name + " angle"] = angles.rms;
-    section.numbers[name + " edges"] = edges.rms;
-    section.numbers["program and library differ"] =
-        std::max(section.numbers["program and library differ"],
-                 (run.mesh.positions - shown.result.positions).cwiseAbs().maxCoeff());
-    table.rows.push_back({name, fmt::format("{:.1f}", angles.rms), fmt::format("{:.1f}", angles.largest),
-                          fmt::format("{:.1f} %", 100 * edges.rms)});
+    table.rows.push_back(measuredRow(section, bench, name, path, list));
   }
   section.tables = {table};
   section.result = fmt::format(
       "Rotated normals lie {:.1f} degrees beside those of the surface (RMS), the others {:.0f}. Edges stretch {:.0f} "
-      "times "
-      "as much without rotations.",
+      "times as much without rotations.",
       section.numbers["rotated angle"], section.numbers["none angle"],
       section.numbers["none edges"] / section.numbers["rotated edges"]);
-  const Deformed none = deformed(path, without);
-  const Deformed rotated = deformed(path, with);
-  drawPanels(bench.picture("figure_04.png"),
-             {panelWithNormals("(a) no rotations", none), panelWithNormals("(b) rotated", rotated)},
-             {.back = {0.5, -2, 0.9}, .up = {0, 0, 1}, .panel = {560, 420}, .columns = 2});
+  drawNormals(bench, path, without, with);
   section.pictures = {{"figure_04.png", "The bent sheet with its carried normals: not rotated, and rotated", true}};
   return section;
 }
