@@ -2,8 +2,8 @@
 # Reproduces every figure and table of the paper and writes docs/paper.md. Pictures of the project's own meshes go to
 # docs/images/paper, all else to out/paper. Needs Xvfb, no screen.
 #   scripts/paper.sh [--small] [WORD...]
-# --small: what needs neither fetched models nor minutes. WORD: sections alone whose titles have one of these words. Other
-# sections stay as they are, and so do those whose models cannot be fetched.
+# --small: what needs neither fetched models nor minutes. WORD: only sections whose titles have one of these words. All
+# others stay as they are, and so do those whose models cannot be fetched.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 . scripts/lib/packages.sh
