@@ -1,0 +1,31 @@
+#include "bench/paper/experiments.h"
+
+namespace holdfast::paper {
+
+const std::vector<Experiment>& allExperiments()
+{
+  static const std::vector<Experiment> kAll{
+      {"Figure 1: cotangents and areas", Needs::Nothing, cotangentDefinition},
+      {"Figure 2: unsymmetric subdivision", Needs::Nothing, unsymmetricSubdivision},
+      {"Figure 3: badly shaped triangles", Needs::Nothing, badlyShapedTriangles},
+      {"Figures 4 and 5: rotated normals", Needs::Nothing, rotatedNormals},
+      {"Figure 6: rotations on the sphere", Needs::Nothing, rotationSpheres},
+      {"Figure 7: rigid eyes", Needs::Nothing, rigidEyes},
+      {"Figure 8: a kept distance", Needs::Nothing, keptDistance},
+      {"Figure 9: solvers on badly shaped triangles", Needs::Nothing, solversOnBadTriangles},
+      {"Figure 10: deformed models", Needs::Nothing, deformedModels},
+      {"Figure 10, continued: scans", Needs::Models, deformedScans},
+      {"Figure 11: conflict, compromise, resolution", Needs::Nothing, conflictingPoints},
+      {"Figure 12: hard against soft", Needs::Time, hardAgainstSoft},
+  };
+  return kAll;
+}
+
+Section run(const Experiment& experiment, const Workbench& bench)
+{
+  Section section = experiment.run(bench);
+  section.title = experiment.title;
+  return section;
+}
+
+}  // namespace holdfast::paper

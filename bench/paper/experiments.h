@@ -1,0 +1,48 @@
+#pragma once
+/// \file
+/// Every experiment: one function each, in a source of its own.
+
+#include <string>
+#include <vector>
+
+#include "bench/paper/section.h"
+#include "bench/paper/workbench.h"
+
+namespace holdfast::paper {
+
+/// What an experiment needs besides the project.
+enum class Needs {
+  Nothing,  ///< seconds
+  Time,     ///< minutes, or a quiet machine
+  Models    ///< meshes that scripts/paper.sh fetches
+};
+
+struct Experiment {
+  const char* title;  ///< of its section
+  Needs needs;
+  Section (*run)(const Workbench& bench);  ///< returns the section without its title
+};
+
+/// All of them, in the order of the page.
+[[nodiscard]] const std::vector<Experiment>& allExperiments();
+
+/// The section with its title.
+[[nodiscard]] Section run(const Experiment& experiment, const Workbench& bench);
+
+[[nodiscard]] Section cotangentDefinition(const Workbench& bench);     ///< Fig. 1
+[[nodiscard]] Section unsymmetricSubdivision(const Workbench& bench);  ///< Fig. 2
+[[nodiscard]] Section badlyShapedTriangles(const Workbench& bench);    ///< Fig. 3
+[[nodiscard]] Section rotatedNormals(const Workbench& bench);          ///< Fig. 4 and 5
+[[nodiscard]] Section rotationSpheres(const Workbench& bench);         ///< Fig. 6
+[[nodiscard]] Section rigidEyes(const Workbench& bench);               ///< Fig. 7
+[[nodiscard]] Section keptDistance(const Workbench& bench);            ///< Fig. 8
+[[nodiscard]] Section solversOnBadTriangles(const Workbench& bench);   ///< Fig. 9
+[[nodiscard]] Section deformedModels(const Workbench& bench);          ///< Fig. 10, meshes of the project
+[[nodiscard]] Section deformedScans(const Workbench& bench);           ///< Fig. 10, fetched meshes
+[[nodiscard]] Section conflictingPoints(const Workbench& bench);       ///< Fig. 11
+[[nodiscard]] Section hardAgainstSoft(const Workbench& bench);         ///< Fig. 12
+
+/// Fig. 12 on generated meshes of so many thousand vertices.
+[[nodiscard]] Section costsOfMeshes(const Workbench& bench, const std::vector<std::string>& thousands);
+
+}  // namespace holdfast::paper
