@@ -70,6 +70,7 @@ TEST_F(InspectorPanelOfSheet, WeightsThatDoNotSumToOneAreRefusedUntilNormalized)
 TEST_F(InspectorPanelOfSheet, ARefusalMovesNoField)
 {
   editor.selectConstraints({3});
+  QApplication::processEvents();
   const auto placeOf = [this](const char* name) { return find(name).mapTo(&panel, QPoint()); };
   const std::vector<const char*> fields{"inspectorName", "locationWeight0", "locationWeight2", "targetShiftZ"};
   std::vector<QPoint> before;

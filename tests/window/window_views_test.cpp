@@ -13,6 +13,7 @@
 #include <holdfast/io/mesh_file.h>
 #include <holdfast/widgets/camera/camera_state.h>
 
+#include "files_window.h"
 #include "gestures.h"
 #include "support/source_tree.h"
 #include "support/temporary_folder.h"
@@ -184,6 +185,8 @@ class UpAxisInWindow : public ViewsInWindow {
   }
 
   [[nodiscard]] bool isUp(const Vector3& axis) { return camera().viewUp.dot(axis) > 0.7; }
+
+  test::OwnSettings settings;
 };
 
 TEST_F(UpAxisInWindow, ScansStandUpright)

@@ -119,8 +119,8 @@ class JsonReader {
 };
 
 /// Keys that only sessions have. A session is a constraint file as well, whose readers skip them.
-inline constexpr std::array<std::string_view, 6> kSessionKeys{"mesh", "options", "selections",
-                                                              "measurements", "view", "original"};
+inline constexpr std::array<std::string_view, 6> kSessionKeys{"mesh",         "options", "selections",
+                                                              "measurements", "view",    "original"};
 
 /// The constraints of a document that is a constraint file or a session. Throws `InputError`.
 [[nodiscard]] ConstraintList readConstraintDocument(const JsonReader& document);

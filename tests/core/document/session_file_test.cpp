@@ -43,9 +43,9 @@ SessionFile fullSession()
   session.view.surface = "wireframe";
   session.view.showsConstraints = false;
   session.view.showsRotations = true;
-  session.document.annotations = std::make_shared<const Annotations>(
-      Annotations{{{"rim \"1\"", {VertexIds{{3, 1, 4}}}}, {"eye", {InsideCurve{{AtVertex{1}, AtVertex{2}, AtVertex{5}}}}}},
-                  {{AtVertex{7}, AtEdge{1, 2, 0.1}, AtFace{4, {0.25, 0.25, 0.5}}}, {{AtVertex{1}, AtEdge{3, 4, 1}}}}});
+  session.document.annotations = std::make_shared<const Annotations>(Annotations{
+      {{"rim \"1\"", {VertexIds{{3, 1, 4}}}}, {"eye", {InsideCurve{{AtVertex{1}, AtVertex{2}, AtVertex{5}}}}}},
+      {{AtVertex{7}, AtEdge{1, 2, 0.1}, AtFace{4, {0.25, 0.25, 0.5}}}, {{AtVertex{1}, AtEdge{3, 4, 1}}}}});
   session.original = "/home/somebody/part.holdfast";
   return session;
 }

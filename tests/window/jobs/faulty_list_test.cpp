@@ -21,9 +21,9 @@ constexpr const char* kMeasured =
     "datum 1,-44.5,-19,0,-44.5,-19,0\n"
     "datum 2,53.5,-19,0,53.5,-19,0\n"
     "datum 3,-44.5,19,0,-44.5,19,0\n"
-    "datum 3,53.5,19,0,53.5,19,0\n"     // a name twice
-    "rim east,15,10,fifty,15,9,50\n"    // no number
-    "lost,400,400,400,400,400,400\n"    // off the surface
+    "datum 3,53.5,19,0,53.5,19,0\n"   // a name twice
+    "rim east,15,10,fifty,15,9,50\n"  // no number
+    "lost,400,400,400,400,400,400\n"  // off the surface
     "rim west,-15,10,50,-15,9,50.5\n"
     "rim west again,-15,10,50,-15,9,52.5\n";  // another target for the same place
 

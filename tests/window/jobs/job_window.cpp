@@ -31,6 +31,17 @@ bool isBackdrop(const QImage& picture, int x, int y)
          std::abs(here.blue() - there.blue()) < kNear;
 }
 
+/// A vertex on the outline may be drawn one pixel aside.
+bool isDrawnAt(const QImage& picture, const QPoint& pixel)
+{
+  for (const int dx : {-1, 0, 1})
+    for (const int dy : {-1, 0, 1}) {
+      const QPoint near = pixel + QPoint(dx, dy);
+      if (picture.rect().contains(near) && !isBackdrop(picture, near.x(), near.y())) return true;
+    }
+  return false;
+}
+
 double shareOfBackdrop(const QImage& picture, const QRect& area, const QRect& without)
 {
   int count = 0;
@@ -59,9 +70,15 @@ void JobWindow::TearDown()
   if (editor().isOpen()) editor().markSaved(editor().history().state());
 }
 
+void JobWindow::waitForKeys()
+{
+  ASSERT_TRUE(waitUntil([this] { return window.isActiveWindow(); }));
+}
+
 void JobWindow::openFile(const std::filesystem::path& path)
 {
   chooseFile(path.string());
+  waitForKeys();
   key(Qt::Key_O, Qt::ControlModifier);
   ASSERT_TRUE(waitUntil([this] { return !window.files().isOpening(); }, std::chrono::minutes(3)));
   ASSERT_TRUE(editor().isOpen());
@@ -125,7 +142,8 @@ void JobWindow::expectAllMet()
   EXPECT_EQ(report.solve.status, SolveStatus::Ok);
   EXPECT_LE(report.solve.maxResidualRelative, 1e-12);
   for (const ConstraintOutcome& outcome : report.constraints)
-    EXPECT_TRUE(outcome.status == ConstraintStatus::Met || outcome.status == ConstraintStatus::Disabled) << outcome.name;
+    EXPECT_TRUE(outcome.status == ConstraintStatus::Met || outcome.status == ConstraintStatus::Disabled)
+        << outcome.name;
 }
 
 void JobWindow::expectPicture()
@@ -144,10 +162,10 @@ void JobWindow::expectPicture()
     shown |= QRect(pixel, QSize(1, 1));
     if (!picture.rect().contains(pixel)) continue;
     ++inside;
-    if (!isBackdrop(picture, pixel.x(), pixel.y())) ++seen;
+    if (isDrawnAt(picture, pixel)) ++seen;
   }
   ASSERT_GT(inside, 20) << "the mesh is in the picture";
-  EXPECT_GT(seen, 0.9 * inside);
+  EXPECT_GT(seen, 0.97 * inside);
   // A row of the picture begins with the backdrop only where the mesh leaves it free.
   ASSERT_GT(shown.left(), 5);
   const QRect below = picture.rect().adjusted(0, kCornerPixels, 0, 0);

@@ -16,6 +16,8 @@ class JobWindow : public WindowUser {
  protected:
   void TearDown() override;
 
+  /// Until the window has the keys: a dialog that closes gives them back a moment later.
+  void waitForKeys();
   /// Ctrl+O and the file; ends when it is open, solved and drawn.
   void openFile(const std::filesystem::path& path);
   /// A copy of a file of data/ in the folder of this job.
@@ -35,8 +37,8 @@ class JobWindow : public WindowUser {
 
   /// All enabled constraints are met, within the limit that the report promises.
   void expectAllMet();
-  /// Writes the window as jobs/SUITE.TEST.png beside the test program. The surface is seen where the camera says that it
-  /// is, and beside it is the backdrop.
+  /// Writes the window as jobs/SUITE.TEST.png beside the test program. The surface is seen where the camera says that
+  /// it is, and beside it is the backdrop.
   void expectPicture();
 
   OwnSettings settings;

@@ -74,8 +74,8 @@ TEST_F(KeyboardJob, HoldsMovesNamesUndoesAndSaves)
   key(Qt::Key_A, Qt::ControlModifier);
   keys("everything");
   key(Qt::Key_Return);
-  EXPECT_EQ(editor().annotations().selections[0].name, "everything");
   ASSERT_TRUE(test::waitUntil([&] { return QApplication::focusWidget() == &tree; }));
+  EXPECT_EQ(editor().annotations().selections[0].name, "everything");
   key(Qt::Key_A, Qt::ControlModifier | Qt::ShiftModifier);
   EXPECT_TRUE(editor().selectedVertices().empty());
   key(Qt::Key_Return);

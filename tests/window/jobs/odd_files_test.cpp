@@ -27,6 +27,7 @@ class OddFilesJob : public test::JobWindow {
       test::clickButton(box, button);
     });
     chooseFile(file.string());
+    waitForKeys();
     key(Qt::Key_O, Qt::ControlModifier);
     EXPECT_TRUE(test::waitUntil([&] { return answer.isGiven() && !window.files().isOpening(); }));
     return said.toStdString();
@@ -60,14 +61,15 @@ TEST_F(OddFilesJob, SayWhatIsWrongAndLeaveTheDocument)
 {
   openFile(sample("bracket.obj"));
   holdVertex(freeVertex());
+  chooseFile(path("mine.holdfast").string());
+  key(Qt::Key_S, Qt::ControlModifier);
+  ASSERT_TRUE(test::waitUntil([this] { return !window.files().isSaving(); }));
   const std::string head = test::bytesOf(test::dataFolder() + "/head.ply");
-  answer(QMessageBox::Discard);
-  expectRefused("cut short.ply", head.substr(0, head.size() / 2), {"end"});
-  ASSERT_TRUE(wasAsked()) << "about the edit, once";
+  expectRefused("cut short.ply", head.substr(0, head.size() / 2), {"truncated", "byte"});
   expectRefused("corner.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 7\n", {"Line: 4", "7"});
   expectRefused("letters.off", "OFF\n3 1 0\n0 0 0\n1 zero 0\n0 1 0\n3 0 1 2\n", {"Line: 4", "zero"});
   expectRefused("empty.stl", "", {"empty"});
-  expectRefused("no mesh.obj", "# nothing\n", {"face"});
+  expectRefused("no mesh.obj", "# nothing\n", {"no vertices"});
   expectRefused("newer.holdfast", R"({"format": "holdfast-constraints", "version": 2, "constraints": []})",
                 {"version 2", "newer"});
   expectRefused("old key.holdfast",

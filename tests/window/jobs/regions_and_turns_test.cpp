@@ -25,13 +25,14 @@ TEST_F(RegionsJob, APaintedRegionStaysAndAHandleTurnsBy400Degrees)
   key(Qt::Key_1, Qt::ControlModifier);
   ASSERT_TRUE(settle());
   const QPointF neck = seenAt(nearestVertex({0, -12.6, -99}));
+  key(Qt::Key_B);
+  for (int k = 0; k < 4; ++k) key(Qt::Key_BracketRight);
   const Index fixed = constrainBy(Qt::Key_B, {neck, neck + QPointF(-40, -4), neck + QPointF(40, -4)}, Qt::Key_F);
   ASSERT_GT(verticesOf(fixed).size(), 50u);
 
   const double top = editor().positions().col(2).maxCoeff();
   const QPointF crown = seenAt(Vector3(0, 0, top));
-  const Index handle =
-      constrainBy(Qt::Key_M, {crown + QPointF(-200, -30), crown + QPointF(200, 60)}, Qt::Key_H);
+  const Index handle = constrainBy(Qt::Key_M, {crown + QPointF(-200, -30), crown + QPointF(200, 60)}, Qt::Key_H);
   ASSERT_GT(verticesOf(handle).size(), 50u);
   ASSERT_EQ(editor().selectedConstraints(), std::vector<Index>{handle}) << "its rings stand";
 
@@ -43,8 +44,7 @@ TEST_F(RegionsJob, APaintedRegionStaysAndAHandleTurnsBy400Degrees)
   key(Qt::Key_Return);
   ASSERT_TRUE(settle());
 
-  const auto& turn =
-      std::get<AxisRotation>(std::get<HandleConstraint>(list().constraints[handle].what).motion);
+  const auto& turn = std::get<AxisRotation>(std::get<HandleConstraint>(list().constraints[handle].what).motion);
   EXPECT_NEAR(std::abs(turn.degrees), 400, 1e-9) << "not 40";
   EXPECT_NEAR(std::abs(turn.axis.normalized().dot(sight)), 1, 1e-9);
   for (const Index v : verticesOf(handle)) {

@@ -60,7 +60,7 @@ enum class RegionShape {
   Brush,      ///< a stroke reaches the vertices that the brush touches along the surface
   Rectangle,  ///< a drag spans a rectangle: what is seen in it
   Lasso,      ///< a drag draws a line around: what is seen within
-  Side  ///< a click: as far as the surface bends by no more than an angle; double: the whole part
+  Side        ///< a click: as far as the surface bends by no more than an angle; double: the whole part
 };
 
 /// Call data of a `RegionWidget`.

@@ -31,8 +31,7 @@ QAction* CommandTree::addCommand(const QString& text, const char* name, const QS
 
 bool CommandTree::event(QEvent* event)
 {
-  if (event->type() != QEvent::ShortcutOverride && event->type() != QEvent::KeyPress)
-    return QTreeWidget::event(event);
+  if (event->type() != QEvent::ShortcutOverride && event->type() != QEvent::KeyPress) return QTreeWidget::event(event);
   const auto& key = static_cast<const QKeyEvent&>(*event);
   for (QAction* action : actions()) {
     if (action->shortcut() != QKeySequence(key.key() | static_cast<int>(key.modifiers()))) continue;

@@ -172,10 +172,10 @@ void DocumentFiles::adopt(Opening& opening)
     addRecentFile(textOf(opening.sessionPath.empty() ? editor_.mesh().path : opening.sessionPath));
   Q_EMIT viewOpened(opening.session->view);
   if (opening.lostMeasurements > 0)
-    showProblem(window_, tr("Measurements are left out."),
-                tr("%1 name places that the mesh does not have. The file still has them until you save.")
-                    .arg(countText(static_cast<Index>(opening.lostMeasurements), "1 probe or ruler",
-                                   "%1 probes and rulers")));
+    showProblem(
+        window_, tr("Measurements are left out."),
+        tr("%1 name places that the mesh does not have. The file still has them until you save.")
+            .arg(countText(static_cast<Index>(opening.lostMeasurements), "1 probe or ruler", "%1 probes and rulers")));
   opening.whenOpen();
 }
 

@@ -29,9 +29,11 @@ class InspectorPanel final : public RefreshedPanel {
     int widest = 0;
     for (const InspectorSection* section : sections_) widest = std::max(widest, section->titleWidth());
     for (InspectorSection* section : sections_) section->setTitleWidth(widest);
-    // Below the fields, so that none moves.
+    // Below the fields, so that none moves; nor does a scroll bar come that would take their width.
     auto* page = new QWidget;
-    newLayout<QVBoxLayout>(page, 0, 0, {newScrollArea(content, tr("Selected constraints")), reason_});
+    QScrollArea* fields = newScrollArea(content, tr("Selected constraints"));
+    fields->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
+    newLayout<QVBoxLayout>(page, 0, 0, {fields, reason_});
     pages_ = new HintedContent(page, "inspectorEmpty");
     fill(*this, pages_);
 

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <holdfast/base/lower_case.h>
 #include <holdfast/widgets/files/any_mesh_file.h>
 #include <holdfast/widgets/mesh/coarse_surface.h>
 
@@ -23,21 +24,27 @@ constexpr double kFlatShareOfScans = 0.01;
 // So many coordinates tell.
 constexpr Index kSampledCoordinates = 3000;
 
-/// A double that was a float: its bits, or the nine digits as which text formats write it.
-bool wasFloat(double value)
+bool isFloat(double value)
 {
-  if (static_cast<double>(static_cast<float>(value)) == value) return true;
+  return static_cast<double>(static_cast<float>(value)) == value;
+}
+
+/// As formats of text write a float.
+bool hasNineDigits(double value)
+{
   const std::string digits = fmt::format("{:.9g}", value);
   double read = 0;
   std::from_chars(digits.data(), digits.data() + digits.size(), read);
   return read == value;
 }
 
-bool hasSinglePrecision(const Positions& positions)
+bool hasSinglePrecision(const Positions& positions, const std::filesystem::path& path)
 {
+  const std::string format = lowerCase(path.extension().string());
+  const auto wasFloat = format == ".obj" || format == ".off" ? hasNineDigits : isFloat;
   const Index step = std::max<Index>(1, positions.size() / kSampledCoordinates);
   for (Index k = 0; k < positions.size(); k += step)
-    if (!wasFloat(positions.data()[k])) return false;
+    if (!wasFloat(positions.data()[k]) && !isFloat(positions.data()[k])) return false;
   return true;
 }
 
@@ -62,7 +69,7 @@ LoadedMesh prepareMesh(MeshDocument document, const std::filesystem::path& path,
   loaded.contents = std::make_shared<SceneContents>(model);
   if (isLarge(model)) loaded.contents->setDetail(Detail::Coarse);
   loaded.surface = std::make_shared<const VisibleSurface>(model);
-  loaded.isScan = loaded.regions->flatShare() < kFlatShareOfScans && hasSinglePrecision(model.mesh.positions);
+  loaded.isScan = loaded.regions->flatShare() < kFlatShareOfScans && hasSinglePrecision(model.mesh.positions, path);
   return loaded;
 }
 
@@ -107,7 +114,7 @@ void Editor::close()
   selectedVertices_.clear();
   selectedShape_.reset();
   selectedConstraints_.clear();
-  told_.reset();
+  lastAnnotations_.reset();
   underCursor_ = {};
   setStep({});
   setSolveState(SolveState::Nothing, {});
@@ -208,7 +215,7 @@ void Editor::stateBecame(Supersede supersede)
 void Editor::tellState()
 {
   Q_EMIT stateChanged();
-  if (std::exchange(told_, state().annotations) != state().annotations) Q_EMIT annotationsChanged();
+  if (std::exchange(lastAnnotations_, state().annotations) != state().annotations) Q_EMIT annotationsChanged();
 }
 
 void Editor::stateIsAnother()
@@ -324,8 +331,8 @@ void Editor::selectConstraints(std::vector<Index> constraints)
 
 const Annotations& Editor::annotations() const
 {
-  static const Annotations kNone;
-  return isOpen() ? *state().annotations : kNone;
+  static const Annotations kEmpty;
+  return isOpen() ? *state().annotations : kEmpty;
 }
 
 void Editor::setMeasurements(const QString& name, Measurements measurements)
@@ -340,8 +347,7 @@ void Editor::setSavedSelections(const QString& name, std::vector<SavedSelection>
 
 void Editor::annotate(const QString& name, Annotations after)
 {
-  history_->edit(name.toStdString(),
-                 {list(), state().options, std::make_shared<const Annotations>(std::move(after))});
+  history_->edit(name.toStdString(), {list(), state().options, std::make_shared<const Annotations>(std::move(after))});
   // What is being solved is solved for this state as well.
   if (isCurrent()) {
     shown_.state = history_->state();

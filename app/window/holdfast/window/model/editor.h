@@ -209,7 +209,7 @@ class Editor : public QObject {
   std::vector<Index> selectedVertices_;
   std::optional<Selection> selectedShape_;
   std::vector<Index> selectedConstraints_;
-  std::shared_ptr<const Annotations> told_;  // of the last signal
+  std::shared_ptr<const Annotations> lastAnnotations_;  // of the last signal
   UnderCursor underCursor_;
 };
 

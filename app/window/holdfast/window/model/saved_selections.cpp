@@ -45,8 +45,8 @@ void removeSavedSelections(Editor& editor, const Rows& places)
 {
   if (places.empty()) return;
   std::vector<SavedSelection> selections = editor.annotations().selections;
-  const QString subject = places.size() == 1 ? nameText(selections[places.front()].name)
-                                             : QObject::tr("%1 selections").arg(places.size());
+  const QString subject =
+      places.size() == 1 ? nameText(selections[places.front()].name) : QObject::tr("%1 selections").arg(places.size());
   for (auto place = places.rbegin(); place != places.rend(); ++place) selections.erase(selections.begin() + *place);
   editor.setSavedSelections(QObject::tr("delete %1").arg(subject), std::move(selections));
 }

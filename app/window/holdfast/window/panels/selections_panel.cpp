@@ -54,9 +54,10 @@ class SelectionsPanel final : public RefreshedPanel {
   {
     tree_ = named(new CommandTree, "selectionTree", tr("Saved selections"));
     tree_->setColumnCount(kSelectionColumns);
-    tree_->setHeaderLabels({tr("Name"), tr("Vertices")});
+    tree_->setHeaderLabels({tr("Name"), tr("Selects")});
     tree_->setRootIsDecorated(false);
     tree_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    tree_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     tree_->header()->setSectionResizeMode(kSelectionName, QHeaderView::Stretch);
     tree_->addCommand(tr("&Select"), "selectionRecall", tr("Selects these vertices again"), Qt::Key_Return,
                       [this] { selectCurrent(); });

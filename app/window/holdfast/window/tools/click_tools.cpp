@@ -116,7 +116,8 @@ class ProbeTool final : public PointTool {
   {
     Measurements measurements = editor().measurements();
     measurements.probes.push_back(pick.location);
-    editor().setMeasurements(tr("probe %1").arg(measurements.probes.size()), std::move(measurements));
+    const QString name = tr("probe %1").arg(measurements.probes.size());
+    editor().setMeasurements(name, std::move(measurements));
   }
 };
 

@@ -51,7 +51,8 @@ class RegionTool : public ToolOf<RegionWidget> {
   {
     const QString rest = ' ' + tr("Double click: the whole part. Shift adds, Ctrl takes away");
     if (widget().GetBendFrom() == BendFrom::Neighbour)
-      return tr("Click a side that bends by less than %1° an edge ([ and ]). N: less than that from the face clicked.") +
+      return tr("Click a side that bends by less than %1° an edge ([ and ]). N: less than that from the face "
+                "clicked.") +
              rest;
     return tr("Click a face: what bends by less than %1° from it ([ and ]). N: less than that at each edge.") + rest;
   }

@@ -79,6 +79,7 @@ MainWindow::MainWindow()
   makeViewMenu();
   makeHelpMenu();
   makeToolBars();
+  drawIcons();
   connectStatus();
   connectFiles();
   updateTitle();
@@ -306,6 +307,11 @@ void MainWindow::changeEvent(QEvent* event)
   if (event->type() == QEvent::ActivationChange && isActiveWindow() && isLost) viewport_->setFocus();
   if (event->type() != QEvent::PaletteChange) return;
   viewport_->setDarkBackdrop(isDark(palette()));
+  drawIcons();
+}
+
+void MainWindow::drawIcons()
+{
   tools_->drawIcons();
   for (const auto& [name, sign] : {std::pair("makeFixed", Sign::Fix),
                                    {"makeHandle", Sign::Handle},

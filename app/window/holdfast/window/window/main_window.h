@@ -54,6 +54,7 @@ class MainWindow : public QMainWindow {
 
  private:
   void makeToolBars();
+  void drawIcons();
   void makeFileMenu();
   void makeEditMenu();
   void makeConstraintMenu();

@@ -23,8 +23,7 @@ void fillMenu(QMenu& menu, Editor& editor, QMainWindow& window)
       try {
         selectSaved(editor, static_cast<Index>(place));
       } catch (const InputError& error) {
-        showProblem(&window, QObject::tr("This selection is not on the mesh."),
-                    QString::fromStdString(error.reason()));
+        showProblem(&window, QObject::tr("This selection is not on the mesh."), QString::fromStdString(error.reason()));
       }
     };
     QAction* action = menu.addAction(nameText(selections[place].name).replace('&', "&&"), &window, select);
