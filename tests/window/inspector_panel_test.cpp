@@ -69,13 +69,13 @@ TEST_F(InspectorPanelOfSheet, WeightsThatDoNotSumToOneAreRefusedUntilNormalized)
 
 TEST_F(InspectorPanelOfSheet, ARefusalMovesNoField)
 {
-  editor.selectConstraints({3});
+  editor.selectConstraints({1});
   QApplication::processEvents();
   const auto placeOf = [this](const char* name) { return find(name).mapTo(&panel, QPoint()); };
-  const std::vector<const char*> fields{"inspectorName", "locationWeight0", "locationWeight2", "targetShiftZ"};
+  const std::vector<const char*> fields{"inspectorName", "locationFirst", "targetPlaceX", "targetPlaceZ"};
   std::vector<QPoint> before;
   for (const char* field : fields) before.push_back(placeOf(field));
-  typeInto("locationWeight0", "0.75");
+  typeInto("locationFirst", "1000");
   ASSERT_NE(refusal(), "");
   QApplication::processEvents();
   for (std::size_t k = 0; k < fields.size(); ++k) EXPECT_EQ(placeOf(fields[k]), before[k]) << fields[k];

@@ -71,7 +71,7 @@ TEST_F(OddFilesJob, SayWhatIsWrongAndLeaveTheDocument)
   expectRefused("empty.stl", "", {"empty"});
   expectRefused("no mesh.obj", "# nothing\n", {"no vertices"});
   expectRefused("newer.holdfast", R"({"format": "holdfast-constraints", "version": 2, "constraints": []})",
-                {"version 2", "newer"});
+                {"Version 2", "newer"});
   expectRefused("old key.holdfast",
                 R"({"format": "holdfast-constraints", "version": 1, "constraints": [], "mesh": {"path": "a.obj"},
                     "selection": []})",
