@@ -1,3 +1,6 @@
+#include <cmath>
+#include <numbers>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <vtkCamera.h>
@@ -89,6 +92,33 @@ TEST_F(RegionsOfBox, BracketsChangeTheAngleOfASide)
   for (int k = 0; k < 100; ++k) mouse().key("bracketleft");
   EXPECT_EQ(widget->GetSideAngle(), 0);
   EXPECT_EQ(widget->GetBrushRadius(), 24);
+}
+
+/// A round surface, which bends little from face to face.
+struct RegionsOfSphere : testing::Test, RegionWindow {
+  RegionsOfSphere() : RegionWindow(test::icosphere(4)) { widget->SetShape(RegionShape::Side); }
+};
+
+TEST_F(RegionsOfSphere, TheKeyNMeasuresFromTheFaceThatIsClicked)
+{
+  EventLog changes(*widget, {vtkCommand::WidgetValueChangedEvent});
+  const DisplayPoint middle(fixture.renderer().GetSize()[0] / 2, fixture.renderer().GetSize()[1] / 2);
+  mouse().click(middle);
+  EXPECT_THAT(selected, SizeIs(fixture.model().mesh.vertexCount())) << "from face to face";
+  mouse().key("n");
+  EXPECT_EQ(widget->GetBendFrom(), BendFrom::FirstFace);
+  EXPECT_THAT(changes.events(), SizeIs(1));
+  mouse().click(middle);
+  EXPECT_FALSE(selected.empty());
+  const Vector3 sight(fixture.renderer().GetActiveCamera()->GetViewPlaneNormal());
+  for (const Index v : selected)
+    EXPECT_GT(fixture.model().mesh.positions.row(v).normalized().dot(sight), std::cos(26 * std::numbers::pi / 180));
+  mouse().key("n");
+  mouse().click(middle);
+  EXPECT_THAT(selected, SizeIs(fixture.model().mesh.vertexCount()));
+  widget->SetShape(RegionShape::Brush);
+  mouse().key("n");
+  EXPECT_EQ(widget->GetBendFrom(), BendFrom::Neighbour) << "a brush has no sides";
 }
 
 }  // namespace

@@ -67,6 +67,22 @@ TEST_F(InspectorPanelOfSheet, WeightsThatDoNotSumToOneAreRefusedUntilNormalized)
   EXPECT_EQ(refusal(), "");
 }
 
+TEST_F(InspectorPanelOfSheet, ARefusalMovesNoField)
+{
+  editor.selectConstraints({1});
+  QApplication::processEvents();
+  const auto placeOf = [this](const char* name) { return find(name).mapTo(&panel, QPoint()); };
+  const std::vector<const char*> fields{"inspectorName", "locationFirst", "targetPlaceX", "targetPlaceZ"};
+  std::vector<QPoint> before;
+  for (const char* field : fields) before.push_back(placeOf(field));
+  typeInto("locationFirst", "1000");
+  ASSERT_NE(refusal(), "");
+  QApplication::processEvents();
+  for (std::size_t k = 0; k < fields.size(); ++k) EXPECT_EQ(placeOf(fields[k]), before[k]) << fields[k];
+  const auto& reason = find<QLabel>("inspectorRefusal");
+  EXPECT_TRUE(panel.rect().contains(QRect(reason.mapTo(&panel, QPoint()), reason.size()))) << "it is seen";
+}
+
 TEST_F(InspectorPanelOfSheet, WeightsThatSumToOneAreTaken)
 {
   editor.selectConstraints({3});

@@ -135,7 +135,12 @@ TEST_F(MeasuringInWindow, ProbesStayAndFollowTheSurface)
   test::click(viewport(), seenAt(vertex));
   test::moveMouse(viewport(), {3, 3});
   ASSERT_EQ(tree().topLevelItemCount(), 2);
-  EXPECT_EQ(editor().history().state(), state) << "it is no edit";
+  EXPECT_EQ(editor().history().undoName(), "probe 1");
+  EXPECT_TRUE(editor().isCurrent()) << "nothing is solved for it";
+  trigger("undo");
+  EXPECT_EQ(tree().topLevelItemCount(), 1);
+  EXPECT_EQ(editor().history().state(), state);
+  trigger("redo");
   expectProbe(item(1), vertex);
   trigger("toolSelect");
   // Another deformation has other values.

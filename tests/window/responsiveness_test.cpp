@@ -17,7 +17,7 @@
 
 #include "event_delays.h"
 #include "gestures.h"
-#include "support/meshes.h"
+#include "large_mesh.h"
 #include "support/point_constraints.h"
 #include "support/temporary_folder.h"
 #include "window_user.h"
@@ -38,19 +38,6 @@ using Computed = std::map<std::string, double>;
 
 // Of a hand that moves.
 constexpr int kMilliSecondsBetweenMoves = 8;
-
-/// As large as a scan: an ellipsoid with bumps, of 173,402 vertices.
-Mesh largeMesh()
-{
-  Mesh mesh = test::box({2, 2, 2}, 170);
-  const Vector3 middle = mesh.positions.colwise().mean().transpose();
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
-    const Vector3 out = (mesh.positions.row(v).transpose() - middle).normalized();
-    const double bumps = 1 + 0.03 * std::sin(9 * out.x()) * std::sin(8 * out.y()) * std::sin(11 * out.z());
-    mesh.positions.row(v) = bumps * out.cwiseProduct(Vector3(60, 50, 90)).transpose();
-  }
-  return mesh;
-}
 
 /// How long events wait in a window with a large mesh while something goes on in it. The figures are printed, and
 /// recorded with the test.
@@ -259,7 +246,7 @@ class LargeMeshUser : public test::WindowUser {
   [[nodiscard]] static std::pair<LoadedMesh, DocumentState> document()
   {
     MeshDocument read;
-    read.mesh = largeMesh();
+    read.mesh = test::bumpyEllipsoid(170);
     NoProgress quiet;
     LoadedMesh loaded = prepareMesh(std::move(read), "ellipsoid", quiet);
     const Mesh& mesh = loaded.model->mesh;

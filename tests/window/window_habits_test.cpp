@@ -20,6 +20,7 @@
 #include <holdfast/window/files/bundled_files.h>
 #include <holdfast/window/files/document_exports.h>
 #include <holdfast/window/files/recent_files.h>
+#include <holdfast/window/table/constraint_table_model.h>
 
 #include "dialogs.h"
 #include "files_window.h"
@@ -105,6 +106,34 @@ TEST_F(RememberedWindow, LooksAsItDidWhenItWasClosed)
   EXPECT_EQ(titlesOf(*window).sectionSize(1), wide);
   EXPECT_EQ(window->viewport().colors().map, ColorSettings{}.map);
   EXPECT_TRUE(test::waitUntil([&] { return window->size() == QSize(1100, 900); }));
+}
+
+TEST_F(RememberedWindow, KeepsAndResetsHiddenColumnsAndSwitches)
+{
+  const int residual = ConstraintTableModel::Residual;
+  const auto isHidden = [&](MainWindow& window) { return titlesOf(window).isSectionHidden(residual); };
+  const auto isThrough = [](MainWindow& window) { return window.findChild<QAction*>("reachThrough")->isChecked(); };
+  auto window = nextStart();
+  ASSERT_FALSE(isHidden(*window));
+  ASSERT_FALSE(isThrough(*window));
+  const QString column = "column" + titlesOf(*window).model()->headerData(residual, Qt::Horizontal).toString();
+  window->findChild<QAction*>(column)->trigger();
+  window->findChild<QAction*>("reachThrough")->trigger();
+  ASSERT_TRUE(isHidden(*window));
+  window->close();
+
+  window = nextStart();
+  EXPECT_TRUE(isHidden(*window));
+  EXPECT_FALSE(window->findChild<QAction*>(column)->isChecked()) << "its menu knows";
+  EXPECT_TRUE(isThrough(*window));
+  runCommand(*window, "reset all settings");
+  EXPECT_FALSE(isHidden(*window));
+  EXPECT_TRUE(window->findChild<QAction*>(column)->isChecked());
+  EXPECT_FALSE(isThrough(*window));
+  window->close();
+  window = nextStart();
+  EXPECT_FALSE(isHidden(*window));
+  EXPECT_FALSE(isThrough(*window));
 }
 
 TEST_F(RememberedWindow, KeepsAPanelThatIsInFront)

@@ -2,7 +2,6 @@
 #include <QAccessible>
 #include <QAction>
 #include <QApplication>
-#include <QClipboard>
 #include <QDialog>
 #include <QLineEdit>
 #include <QMenu>
@@ -11,13 +10,10 @@
 #include <QTabBar>
 #include <QTimer>
 #include <QToolButton>
-#include <filesystem>
-#include <fstream>
 #include <memory>
 
 #include <QtTest/QTest>
 #include <gmock/gmock.h>
-#include <nlohmann/json.hpp>
 
 #include <holdfast/window/files/autosave.h>
 #include <holdfast/window/files/import_dialog.h>
@@ -26,7 +22,6 @@
 #include "dialogs.h"
 #include "gestures.h"
 #include "support/source_tree.h"
-#include "support/temporary_folder.h"
 #include "window_user.h"
 
 namespace holdfast {
@@ -38,34 +33,6 @@ using testing::IsEmpty;
 /// The window, used by keys alone.
 class KeyboardInWindow : public test::WindowUser {
  protected:
-  /// Goes on with Tab until this has the keys.
-  [[nodiscard]] bool tabTo(QWidget& widget)
-  {
-    for (int k = 0; k < 100 && QApplication::focusWidget() != &widget; ++k) key(Qt::Key_Tab);
-    return QApplication::focusWidget() == &widget;
-  }
-
-  /// Into the cell that has the keys: F2, the text in the place of what is there, Enter.
-  void typeIntoCell(const char* text)
-  {
-    key(Qt::Key_F2);
-    ASSERT_NE(qobject_cast<QLineEdit*>(QApplication::focusWidget()), nullptr);
-    key(Qt::Key_A, Qt::ControlModifier);
-    keys(text);
-    key(Qt::Key_Return);
-    ASSERT_TRUE(test::waitUntil([this] { return QApplication::focusWidget() == &table(); }));
-    ASSERT_TRUE(settle());
-  }
-
-  /// Columns may stand in another order than they are counted.
-  void goToColumn(int column)
-  {
-    const int last = Table::ColumnCount;
-    for (int k = 0; k < last; ++k) key(Qt::Key_Left);
-    for (int k = 0; k < last && table().currentIndex().column() != column; ++k) key(Qt::Key_Right);
-    ASSERT_EQ(table().currentIndex().column(), column);
-  }
-
   /// Opens the bracket with Ctrl+O.
   void openByKeys()
   {
@@ -80,46 +47,6 @@ class KeyboardInWindow : public test::WindowUser {
     if (editor().isOpen()) editor().markSaved(editor().history().state());
   }
 };
-
-TEST_F(KeyboardInWindow, HoldsMovesUndoesAndSaves)
-{
-  openByKeys();
-  ASSERT_TRUE(tabTo(table()));
-  // Two points, measured elsewhere and copied there.
-  QApplication::clipboard()->setText(
-      "name,x,y,z,target_x,target_y,target_z\n"
-      "base,-49,-19,0,-49,-19,0\n"
-      "crown,0,23,70,0,23,71\n");
-  key(Qt::Key_V, Qt::ControlModifier);
-  ASSERT_EQ(list().constraints.size(), 2u);
-  ASSERT_TRUE(settle());
-
-  key(Qt::Key_Home, Qt::ControlModifier);
-  key(Qt::Key_Down);
-  EXPECT_EQ(editor().selectedConstraints(), (std::vector<Index>{1}));
-  goToColumn(Table::Z);
-  typeIntoCell("72.125");
-  const auto target = [this] {
-    return std::get<Target>(std::get<PointConstraint>(list().constraints[1].what).to).place;
-  };
-  EXPECT_EQ(target(), Vector3(0, 23, 72.125));
-  EXPECT_EQ(shown(1, Table::Status), "met");
-
-  key(Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_EQ(target(), Vector3(0, 23, 71));
-  key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-  EXPECT_EQ(target(), Vector3(0, 23, 72.125));
-
-  const test::TemporaryFolder folder;
-  const auto path = folder.path() / "keys.holdfast";
-  chooseFile(path.string());
-  key(Qt::Key_S, Qt::ControlModifier);
-  ASSERT_TRUE(test::waitUntil([this] { return !window.files().isSaving(); }));
-  std::ifstream file(path);
-  ASSERT_TRUE(file);
-  EXPECT_EQ(nlohmann::json::parse(file).at("constraints").at(1).at("target").at(2).get<double>(), 72.125);
-  EXPECT_FALSE(window.isWindowModified());
-}
 
 TEST_F(KeyboardInWindow, MakesAHandleOfWhatIsSelectedAndShiftsIt)
 {

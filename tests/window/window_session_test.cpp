@@ -2,7 +2,10 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDialog>
+#include <QDockWidget>
 #include <QTimer>
+#include <QTreeWidget>
 #include <filesystem>
 #include <memory>
 
@@ -13,6 +16,7 @@
 #include <holdfast/window/table/constraint_table_model.h>
 #include <holdfast/window/viewport/view_state.h>
 
+#include "dialogs.h"
 #include "gestures.h"
 #include "support/source_tree.h"
 #include "support/temporary_folder.h"
@@ -266,6 +270,56 @@ TEST_F(SessionInWindow, OpeningAnotherFileAsksFirst)
   EXPECT_TRUE(wasAsked());
   EXPECT_FALSE(window.files().isOpening());
   EXPECT_EQ(list().constraints.size(), 1u);
+}
+
+TEST_F(SessionInWindow, MeasurementsAndSavedSelectionsComeBack)
+{
+  viewport().setFocus();
+  // Without arrows, which would take the clicks.
+  editor().selectConstraints({});
+  key(Qt::Key_Q);
+  const QPointF place = seenAt(freeVertex());
+  test::click(viewport(), place);
+  key(Qt::Key_D);
+  test::click(viewport(), place);
+  test::click(viewport(), place + QPointF(3, 30));
+  ASSERT_EQ(editor().measurements().probes.size(), 1u);
+  ASSERT_EQ(editor().measurements().rulers.size(), 1u);
+  editor().selectVertices({3, 1, 4});
+  trigger("saveSelection");
+  EXPECT_TRUE(window.isWindowModified());
+  save();
+  window.close();
+  openAgain();
+  expectSameDocument();
+  EXPECT_EQ(again->editor().measurements().probes.size(), 1u);
+  EXPECT_EQ(again->editor().measurements().rulers.size(), 1u);
+  EXPECT_EQ(again->editor().annotations().selections.front().name, "selection 1");
+  EXPECT_FALSE(again->isWindowModified());
+  const auto* tree = again->findChild<QTreeWidget*>("measuredTree");
+  again->findChild<QDockWidget*>("measuredDock")->raise();
+  EXPECT_TRUE(test::waitUntil([&] { return tree->topLevelItemCount() == 3; })) << "cursor, probe, ruler";
+}
+
+TEST_F(SessionInWindow, MeasurementsElsewhereAreLeftOutAndTold)
+{
+  SessionFile file = window.files().emptySessionAt(session());
+  file.document = editor().state();
+  file.document.annotations = std::make_shared<const Annotations>(
+      Annotations{{}, {{AtVertex{0}, AtVertex{1'000'000}}, {{AtVertex{0}, AtEdge{0, 9000, 0.5}}}}});
+  writeSession(session(), file);
+  editor().markSaved(editor().history().state());
+  QString said;
+  const test::DialogAnswer answer("messageBox", [&](QDialog& box) {
+    said = test::textOf(box);
+    test::clickButton(box, "OK");
+  });
+  window.files().open(QString::fromStdString(session().string()));
+  ASSERT_TRUE(test::waitUntil([&] { return answer.isGiven(); }));
+  EXPECT_TRUE(said.contains("2 probes and rulers")) << said.toStdString();
+  EXPECT_EQ(editor().measurements().probes.size(), 1u);
+  EXPECT_TRUE(editor().measurements().rulers.empty());
+  EXPECT_TRUE(window.isWindowModified()) << "saving would lose them";
 }
 
 }  // namespace

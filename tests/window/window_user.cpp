@@ -12,6 +12,7 @@
 #include <QtTest/QTest>
 
 #include <holdfast/widgets/camera/camera_state.h>
+#include <holdfast/window/table/constraint_table_model.h>
 
 #include "gestures.h"
 
@@ -136,6 +137,31 @@ void WindowUser::keys(const char* text)
     QWidget* focus = QApplication::focusWidget();
     QTest::keyClick(focus != nullptr ? focus : &window, *letter);
   }
+}
+
+bool WindowUser::tabTo(QWidget& widget)
+{
+  for (int k = 0; k < 100 && QApplication::focusWidget() != &widget; ++k) key(Qt::Key_Tab);
+  return QApplication::focusWidget() == &widget;
+}
+
+void WindowUser::goToColumn(int column)
+{
+  const int last = ConstraintTableModel::ColumnCount;
+  for (int k = 0; k < last; ++k) key(Qt::Key_Left);
+  for (int k = 0; k < last && table().currentIndex().column() != column; ++k) key(Qt::Key_Right);
+  ASSERT_EQ(table().currentIndex().column(), column);
+}
+
+void WindowUser::typeIntoCell(const char* text)
+{
+  key(Qt::Key_F2);
+  ASSERT_NE(qobject_cast<QLineEdit*>(QApplication::focusWidget()), nullptr);
+  key(Qt::Key_A, Qt::ControlModifier);
+  keys(text);
+  key(Qt::Key_Return);
+  ASSERT_TRUE(waitUntil([this] { return QApplication::focusWidget() == &table(); }));
+  ASSERT_TRUE(settle());
 }
 
 void WindowUser::answer(QMessageBox::StandardButton button)

@@ -57,6 +57,13 @@ class WindowUser : public OpenWindow {
   /// Letters, one key each.
   void keys(const char* text);
 
+  /// Goes on with Tab until this has the keys.
+  [[nodiscard]] bool tabTo(QWidget& widget);
+  /// In the table, by arrow keys: columns may stand in another order than they are counted.
+  void goToColumn(int column);
+  /// Into the cell that has the keys: F2, the text in the place of what is there, Enter.
+  void typeIntoCell(const char* text);
+
   /// Presses a button of the next question. True from `wasAsked` once that has happened.
   void answer(QMessageBox::StandardButton button);
   [[nodiscard]] bool wasAsked() const { return wasAsked_; }

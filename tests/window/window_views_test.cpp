@@ -3,12 +3,17 @@
 #include <QAction>
 #include <QApplication>
 #include <QWheelEvent>
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
 
 #include <gtest/gtest.h>
 
 #include <holdfast/document/list_edits.h>
+#include <holdfast/io/mesh_file.h>
 #include <holdfast/widgets/camera/camera_state.h>
 
+#include "files_window.h"
 #include "gestures.h"
 #include "support/source_tree.h"
 #include "support/temporary_folder.h"
@@ -154,16 +159,34 @@ TEST_F(ViewsInWindow, NumbersTypedBesideTheArrowsLeaveTheView)
 /// A mesh of a format, with coordinates as scans have them.
 class UpAxisInWindow : public ViewsInWindow {
  protected:
-  void openAs(const char* name)
+  void openAs(const char* name, const char* mesh = "head.ply")
   {
     NoProgress quiet;
-    MeshDocument document{editor().mesh().document.mesh, nullptr};
+    MeshDocument document{readMesh(test::dataFolder() + "/" + mesh).mesh, nullptr};
     document.mesh.positions = document.mesh.positions.cast<float>().cast<double>().eval();
     editor().open(prepareMesh(std::move(document), name, quiet), {});
     ASSERT_TRUE(settle());
   }
 
+  /// The same as a file, whose numbers have six decimals.
+  void openText(const std::filesystem::path& path)
+  {
+    const Mesh mesh = readMesh(test::dataFolder() + "/head.ply").mesh;
+    std::ofstream file(path);
+    file << std::fixed << std::setprecision(6);
+    for (Index v = 0; v < mesh.vertexCount(); ++v)
+      file << "v " << mesh.positions(v, 0) << ' ' << mesh.positions(v, 1) << ' ' << mesh.positions(v, 2) << '\n';
+    for (Index f = 0; f < mesh.faces.size(); ++f)
+      file << "f " << mesh.faces[f][0] + 1 << ' ' << mesh.faces[f][1] + 1 << ' ' << mesh.faces[f][2] + 1 << '\n';
+    file.close();
+    NoProgress quiet;
+    editor().open(loadMesh(path, quiet), {});
+    ASSERT_TRUE(settle());
+  }
+
   [[nodiscard]] bool isUp(const Vector3& axis) { return camera().viewUp.dot(axis) > 0.7; }
+
+  test::OwnSettings settings;
 };
 
 TEST_F(UpAxisInWindow, ScansStandUpright)
@@ -177,8 +200,25 @@ TEST_F(UpAxisInWindow, ScansStandUpright)
   EXPECT_TRUE(sight().isApprox(-Vector3::UnitZ(), 1e-12));
   press(Qt::Key_7, Qt::ControlModifier);
   EXPECT_TRUE(sight().isApprox(-Vector3::UnitY(), 1e-12));
-  open("head.ply");
-  EXPECT_TRUE(isUp(Vector3::UnitZ())) << "double precision: no scan";
+  for (const char* scan : {"scan.obj", "scan.OFF", "scan.vtp"}) {
+    openAs(scan);
+    EXPECT_TRUE(isUp(Vector3::UnitY())) << scan;
+  }
+  const test::TemporaryFolder folder;
+  openText(folder.path() / "text.obj");
+  EXPECT_TRUE(isUp(Vector3::UnitY())) << "nine digits are single precision";
+}
+
+TEST_F(UpAxisInWindow, WhatIsBuiltOrPrintedStandsOnItsBase)
+{
+  for (const char* mesh : {"head.ply", "bracket.obj", "bar.obj", "plate_unsymmetric.off", "cube_unwelded.stl"}) {
+    open(mesh);
+    EXPECT_TRUE(isUp(Vector3::UnitZ())) << mesh;
+  }
+  openAs("print.stl");
+  EXPECT_TRUE(isUp(Vector3::UnitZ())) << "a scan that is printed";
+  openAs("part.ply", "bracket.obj");
+  EXPECT_TRUE(isUp(Vector3::UnitZ())) << "flat places are no scan's";
 }
 
 TEST_F(UpAxisInWindow, IsRememberedForFilesOfTheFormat)

@@ -119,10 +119,17 @@ class JsonReader {
 };
 
 /// Keys that only sessions have. A session is a constraint file as well, whose readers skip them.
-inline constexpr std::array<std::string_view, 4> kSessionKeys{"mesh", "options", "view", "original"};
+inline constexpr std::array<std::string_view, 6> kSessionKeys{"mesh",         "options", "selections",
+                                                              "measurements", "view",    "original"};
 
 /// The constraints of a document that is a constraint file or a session. Throws `InputError`.
 [[nodiscard]] ConstraintList readConstraintDocument(const JsonReader& document);
+
+/// A point of the surface, and a set of vertices, as constraints name them. They throw `InputError`.
+[[nodiscard]] SurfaceLocation readLocation(const JsonReader& json);
+[[nodiscard]] Selection readSelection(const JsonReader& json);
+[[nodiscard]] JsonValue locationJson(const SurfaceLocation& location);
+[[nodiscard]] JsonValue selectionJson(const Selection& selection);
 
 /// The members of a constraint file, in lines of their own, without the braces around them.
 [[nodiscard]] std::string constraintMembersJson(const ConstraintList& list);

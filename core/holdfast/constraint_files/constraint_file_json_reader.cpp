@@ -48,17 +48,6 @@ AtFace readFace(const JsonReader& json)
   weights.fail("the weights sum to {}, not to 1; {}", sum, remedy);
 }
 
-SurfaceLocation readLocation(const JsonReader& json)
-{
-  json.requireKeys({"vertex", "edge", "t", "face", "weights", "near"});
-  const std::string_view kind = json.oneKeyOf(kLocations);
-  if (kind == "edge") return readEdge(json);
-  if (kind == "face") return readFace(json);
-  json.requireKeys({kind});
-  if (kind == "vertex") return AtVertex{json[kind].id()};
-  return AtNear{json[kind].vector()};
-}
-
 InBox readBox(const JsonReader& json)
 {
   json.requireKeys({"min", "max"});
@@ -97,7 +86,7 @@ InsideCurve readCurve(const JsonReader& json)
 }
 
 /// `depth` counts the selections around this one and itself.
-Selection readSelection(const JsonReader& json, int depth = 1)
+Selection readSelection(const JsonReader& json, int depth)
 {
   if (depth > kMaximumSelectionDepth)
     json.fail("selections are nested deeper than {}; take levels out", kMaximumSelectionDepth);
@@ -201,8 +190,7 @@ using What = decltype(Constraint::what);
 
 constexpr std::string_view kFormat = "holdfast-constraints";
 constexpr Index kVersion = 1;
-constexpr std::array<std::string_view, 8> kDocumentKeys{
-    "format", "version", "units", "constraints", kSessionKeys[0], kSessionKeys[1], kSessionKeys[2], kSessionKeys[3]};
+constexpr std::array<std::string_view, 4> kListKeys{"format", "version", "units", "constraints"};
 
 struct Type {
   std::string_view name;
@@ -305,10 +293,28 @@ std::vector<Constraint> readConstraintArray(const JsonReader& json)
 
 }  // namespace
 
+SurfaceLocation readLocation(const JsonReader& json)
+{
+  json.requireKeys({"vertex", "edge", "t", "face", "weights", "near"});
+  const std::string_view kind = json.oneKeyOf(kLocations);
+  if (kind == "edge") return readEdge(json);
+  if (kind == "face") return readFace(json);
+  json.requireKeys({kind});
+  if (kind == "vertex") return AtVertex{json[kind].id()};
+  return AtNear{json[kind].vector()};
+}
+
+Selection readSelection(const JsonReader& json)
+{
+  return readSelection(json, 1);
+}
+
 ConstraintList readConstraintDocument(const JsonReader& document)
 {
   requireFormat(document);
-  document.requireKeys(kDocumentKeys);
+  std::vector<std::string_view> keys(kListKeys.begin(), kListKeys.end());
+  keys.insert(keys.end(), kSessionKeys.begin(), kSessionKeys.end());
+  document.requireKeys(keys);
   ConstraintList list;
   if (document.has("units")) list.units = document["units"].text();
   list.constraints = readConstraintArray(document["constraints"]);

@@ -154,6 +154,16 @@ void to_json(Json& json, const Frame& frame)
   json["y"] = frame.y;
 }
 
+JsonValue locationJson(const SurfaceLocation& location)
+{
+  return location;
+}
+
+JsonValue selectionJson(const Selection& selection)
+{
+  return selection;
+}
+
 std::string jsonText(const nlohmann::ordered_json& json)
 {
   if (json.is_string()) return quoted(json.get_ref<const std::string&>());

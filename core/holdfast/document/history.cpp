@@ -1,6 +1,33 @@
 #include "holdfast/document/history.h"
 
+#include <algorithm>
+
+#include <holdfast/base/error.h>
+
 namespace holdfast {
+namespace {
+
+bool has(const SurfaceLocator& locator, const SurfaceLocation& location)
+{
+  try {
+    static_cast<void>(locator.locate(location, {}));
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+Measurements onMesh(const Measurements& measurements, const SurfaceLocator& locator)
+{
+  Measurements found = measurements;
+  std::erase_if(found.probes, [&](const SurfaceLocation& probe) { return !has(locator, probe); });
+  std::erase_if(found.rulers, [&](const std::array<SurfaceLocation, 2>& ends) {
+    return !has(locator, ends[0]) || !has(locator, ends[1]);
+  });
+  return found;
+}
 
 History::History(DocumentState state)
 {

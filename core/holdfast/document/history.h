@@ -1,6 +1,7 @@
 #pragma once
 /// What a user edits, and the way back: values of the document before and after each edit, with a name.
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <string>
@@ -8,14 +9,39 @@
 #include <vector>
 
 #include <holdfast/constraints/constraint.h>
+#include <holdfast/constraints/selection.h>
 #include <holdfast/deform/deform.h>
+#include <holdfast/surface/surface_locator.h>
 
 namespace holdfast {
+
+/// Vertices that the user has kept under a name, to select them again.
+struct SavedSelection {
+  std::string name;  ///< unique in its document, not empty
+  Selection select;
+};
+
+/// What the user has measured, in the order in which it was made.
+struct Measurements {
+  std::vector<SurfaceLocation> probes;
+  std::vector<std::array<SurfaceLocation, 2>> rulers;
+};
+
+/// Those of `measurements` whose places the mesh of `locator` has.
+[[nodiscard]] Measurements onMesh(const Measurements& measurements, const SurfaceLocator& locator);
+
+/// What a document keeps beside its constraints. No solution depends on it.
+struct Annotations {
+  std::vector<SavedSelection> selections;
+  Measurements measurements;
+};
 
 /// All that edits change and undo brings back. The mesh is not part of it: another mesh is another document.
 struct DocumentState {
   ConstraintList list;
   DeformOptions options;
+  /// Never null. States between which it does not change share it.
+  std::shared_ptr<const Annotations> annotations = std::make_shared<const Annotations>();
 };
 
 /// The states of one document, oldest first. Undo brings back the very object that was there before. A gesture (a drag)

@@ -163,6 +163,54 @@ ViewState readView(const JsonReader& json)
   return view;
 }
 
+SavedSelection readSavedSelection(const JsonReader& json)
+{
+  json.requireKeys({"name", "select"});
+  return {textNotEmpty(json["name"]), readSelection(json["select"])};
+}
+
+std::vector<SavedSelection> readSelections(const JsonReader& json)
+{
+  std::vector<SavedSelection> selections;
+  for (std::size_t k = 0; k < json.size(); ++k) {
+    SavedSelection saved = readSavedSelection(json.element(k));
+    if (std::ranges::count(selections, saved.name, &SavedSelection::name) != 0)
+      json.element(k)["name"].fail("{} is the name of an earlier selection; names are unique", inQuotes(saved.name));
+    selections.push_back(std::move(saved));
+  }
+  return selections;
+}
+
+SurfaceLocation readMeasuredPlace(const JsonReader& json)
+{
+  SurfaceLocation place = readLocation(json);
+  if (std::holds_alternative<AtNear>(place)) json.fail("measured places are vertices, edges or faces; name one");
+  return place;
+}
+
+std::array<SurfaceLocation, 2> readRuler(const JsonReader& json)
+{
+  json.requireSize(2, "the places of both ends");
+  return {readMeasuredPlace(json.element(0)), readMeasuredPlace(json.element(1))};
+}
+
+Measurements readMeasurements(const JsonReader& json)
+{
+  json.requireKeys({"probes", "rulers"});
+  Measurements measurements;
+  if (json.has("probes")) measurements.probes = json["probes"].list(readMeasuredPlace);
+  if (json.has("rulers")) measurements.rulers = json["rulers"].list(readRuler);
+  return measurements;
+}
+
+Annotations readAnnotations(const JsonReader& json)
+{
+  Annotations annotations;
+  if (json.has("selections")) annotations.selections = readSelections(json["selections"]);
+  if (json.has("measurements")) annotations.measurements = readMeasurements(json["measurements"]);
+  return annotations;
+}
+
 Json meshJson(const MeshReference& mesh)
 {
   Json json{{"path", mesh.path}};
@@ -181,6 +229,36 @@ Json optionsJson(const DeformOptions& options)
   if (options.solver.backend != Backend::Holdfast) json["backend"] = name(options.solver.backend);
   if (options.rotations.source != RotationSource::Given) json["rotations"] = name(options.rotations.source);
   if (options.rotations.change != kFoundChange) json["rotation_change"] = options.rotations.change;
+  return json;
+}
+
+Json selectionsJson(const std::vector<SavedSelection>& selections)
+{
+  Json json = Json::array();
+  for (const SavedSelection& saved : selections)
+    json.push_back({{"name", saved.name}, {"select", selectionJson(saved.select)}});
+  return json;
+}
+
+Json measurementsJson(const Measurements& measurements)
+{
+  Json probes = Json::array();
+  for (const SurfaceLocation& probe : measurements.probes) probes.push_back(locationJson(probe));
+  Json rulers = Json::array();
+  for (const auto& [from, to] : measurements.rulers)
+    rulers.push_back(Json::array({locationJson(from), locationJson(to)}));
+  return {{"probes", probes}, {"rulers", rulers}};
+}
+
+/// Where there are none nothing is written: such a session is good for earlier programs, which refuse these keys.
+std::string annotationMembersJson(const Annotations& annotations)
+{
+  std::string json;
+  if (!annotations.selections.empty())
+    json += fmt::format(",\n  \"selections\": {}", jsonText(selectionsJson(annotations.selections)));
+  const auto& [probes, rulers] = annotations.measurements;
+  if (!probes.empty() || !rulers.empty())
+    json += fmt::format(",\n  \"measurements\": {}", jsonText(measurementsJson(annotations.measurements)));
   return json;
 }
 
@@ -249,6 +327,7 @@ SessionFile parseSession(std::string_view text, const std::string& name)
     json.fail("the key \"mesh\" is missing: this is a constraint file; open a mesh, then the constraints");
   session.mesh = readMeshReference(json["mesh"]);
   if (json.has("options")) session.document.options = withStated({}, readOptions(json["options"]));
+  session.document.annotations = std::make_shared<const Annotations>(readAnnotations(json));
   if (json.has("view")) session.view = readView(json["view"]);
   session.original = textOf(json, "original");
   return session;
@@ -272,9 +351,10 @@ std::string sessionToJson(const SessionFile& session)
 {
   std::string constraints = constraintMembersJson(session.document.list);
   constraints.pop_back();  // the end of its last line, where members follow
-  std::string json = fmt::format("{{{},\n  \"mesh\": {},\n  \"options\": {},\n  \"view\": {}", constraints,
-                                 jsonText(meshJson(session.mesh)), jsonText(optionsJson(session.document.options)),
-                                 jsonText(viewJson(session.view)));
+  std::string json =
+      fmt::format("{{{},\n  \"mesh\": {},\n  \"options\": {}{},\n  \"view\": {}", constraints,
+                  jsonText(meshJson(session.mesh)), jsonText(optionsJson(session.document.options)),
+                  annotationMembersJson(*session.document.annotations), jsonText(viewJson(session.view)));
   if (!session.original.empty()) json += fmt::format(",\n  \"original\": {}", jsonText(session.original));
   json += "\n}\n";
   requireReadable("session", [&] { return parseSession(json, ""); });

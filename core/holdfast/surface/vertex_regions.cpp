@@ -14,6 +14,9 @@ namespace {
 // Normals of needles in one plane differ by rounding.
 constexpr double kAngleSlack = 1e-6;
 
+// The cosine of 0.003 degrees: coordinates of nine digits bend planes by less.
+constexpr double kFlatCosine = 1 - 1e-9;
+
 double angleDegrees(const Vector3& a, const Vector3& b)
 {
   return std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / std::numbers::pi;
@@ -32,10 +35,10 @@ std::vector<Index> VertexRegions::connected(std::span<const Index> vertices) con
   return verticesWhere(isChosen);
 }
 
-std::vector<Index> VertexRegions::smooth(Index face, double degrees) const
+std::vector<Index> VertexRegions::smooth(Index face, double degrees, BendFrom from) const
 {
   std::vector<bool> isChosen = unknownsOf({});
-  for (const Index reached : smoothFaces_.around(face, degrees))
+  for (const Index reached : smoothFaces_.around(face, degrees, from))
     for (const Index vertex : mesh_.faces[reached]) isChosen[solverMesh_.weld.unknownOf[vertex]] = true;
   return verticesWhere(isChosen);
 }
@@ -131,12 +134,28 @@ SmoothFaces::SmoothFaces(const Mesh& mesh, const SolverMesh& solverMesh)
   for (Index f = 0; f < mesh.faces.size(); ++f) normals_.row(f) = unitOrZero(areaVector(mesh.positions, mesh.faces[f]));
 }
 
-std::vector<Index> SmoothFaces::around(Index face, double degrees) const
+double SmoothFaces::flatShare() const
+{
+  Index flat = 0;
+  Index all = 0;
+  for (std::size_t triangle = 0; triangle < beyond_.size(); ++triangle)
+    for (const Beyond& beyond : beyond_[triangle]) {
+      if (beyond.triangle < 0) continue;
+      const Vector3 here = normals_.row(mesh_.faceOf[triangle]);
+      const double cosine = here.dot(Vector3(normals_.row(mesh_.faceOf[beyond.triangle])));
+      ++all;
+      if ((beyond.isFlipped ? -cosine : cosine) > kFlatCosine) ++flat;
+    }
+  return all == 0 ? 0 : static_cast<double>(flat) / static_cast<double>(all);
+}
+
+std::vector<Index> SmoothFaces::around(Index face, double degrees, BendFrom from) const
 {
   std::vector<Index> queue = trianglesOf(face);
   std::vector<bool> isReached(beyond_.size(), false);
   for (const Index triangle : queue) isReached[triangle] = true;
-  // One normal for each triangle in the queue: a face without an area has that of its predecessor.
+  // With what the faces beyond each triangle in the queue are compared. A face without an area has the normal of its
+  // predecessor.
   std::vector<Vector3> normals(queue.size(), normals_.row(face));
   std::vector<Index> faces{face};
   for (std::size_t next = 0; next < queue.size(); ++next)
@@ -151,7 +170,7 @@ std::vector<Index> SmoothFaces::around(Index face, double degrees) const
       for (const Index triangle : trianglesOf(other)) {
         isReached[triangle] = true;
         queue.push_back(triangle);
-        normals.push_back(there);
+        normals.push_back(from == BendFrom::FirstFace && !here.isZero(0) ? here : there);
       }
     }
   std::sort(faces.begin(), faces.end());

@@ -12,17 +12,26 @@
 
 namespace holdfast {
 
+/// With which face the direction of another one is compared.
+enum class BendFrom {
+  Neighbour,  ///< the one from which it is reached: a side that bends gently belongs to it as a whole
+  FirstFace   ///< the first one: what looks in one direction
+};
+
 /// Finds smooth patches of one mesh, at rest.
 class SmoothFaces {
  public:
   /// `mesh` is that of which `solverMesh` was made. O(T log T).
   SmoothFaces(const Mesh& mesh, const SolverMesh& solverMesh);
 
-  /// `face` and all faces to which edges lead from it that bend the surface by at most `degrees`, the angle between the
-  /// best-fitting planes of the two faces; ascending. Edges of three or more triangles are never crossed; a face
-  /// without an area bends as the one does from which it is reached; faces that disagree on which side is out are
-  /// compared as if they agreed. O(k log k) for k triangles reached, and O(T) for memory.
-  [[nodiscard]] std::vector<Index> around(Index face, double degrees) const;
+  /// `face` and all faces to which edges lead from it through faces that bend by at most `degrees` from the one that
+  /// `from` names, the angle between the best-fitting planes of the two; ascending. Edges of three or more triangles
+  /// are never crossed; a face without an area bends as the one does from which it is reached; faces that disagree on
+  /// which side is out are compared as if they agreed. O(k log k) for k triangles reached, and O(T) for memory.
+  [[nodiscard]] std::vector<Index> around(Index face, double degrees, BendFrom from = BendFrom::Neighbour) const;
+
+  /// The share of the edges between two triangles that do not bend the surface; 0 where there are none. O(T).
+  [[nodiscard]] double flatShare() const;
 
  private:
   /// What lies beyond one side of a triangle.
@@ -54,7 +63,9 @@ class VertexRegions {
   [[nodiscard]] std::vector<Index> connected(std::span<const Index> vertices) const;
 
   /// The vertices of the faces that `SmoothFaces::around` reaches.
-  [[nodiscard]] std::vector<Index> smooth(Index face, double degrees) const;
+  [[nodiscard]] std::vector<Index> smooth(Index face, double degrees, BendFrom from = BendFrom::Neighbour) const;
+
+  [[nodiscard]] double flatShare() const { return smoothFaces_.flatShare(); }
 
   /// `vertices` and all that an edge joins to one of them.
   [[nodiscard]] std::vector<Index> grown(std::span<const Index> vertices) const;

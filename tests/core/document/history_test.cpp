@@ -2,6 +2,8 @@
 
 #include <holdfast/document/history.h>
 
+#include "support/law_meshes.h"
+
 namespace holdfast {
 namespace {
 
@@ -138,6 +140,21 @@ TEST(History, ADocumentThatIsInNoFileIsUnsavedUntilItIsSaved)
   EXPECT_FALSE(history.canUndo()) << "nothing was edited";
   history.markSaved(history.state());
   EXPECT_TRUE(history.isSaved());
+}
+
+TEST(Measurements, ThoseAtPlacesThatTheMeshLacksAreLeftOut)
+{
+  const Mesh mesh = test::grid(1, 1);
+  const Triangulation triangulation = triangulate(mesh);
+  const SurfaceLocator locator(mesh, triangulation);
+  const Measurements all{{AtVertex{3}, AtVertex{4}, AtEdge{0, 1, 0.5}, AtFace{9, {1, 0, 0}}},
+                         {{AtVertex{0}, AtVertex{3}}, {AtVertex{0}, AtVertex{99}}}};
+  const Measurements kept = onMesh(all, locator);
+  ASSERT_EQ(kept.probes.size(), 2u);
+  EXPECT_EQ(std::get<AtVertex>(kept.probes[0]).vertex, 3);
+  EXPECT_EQ(std::get<AtEdge>(kept.probes[1]).j, 1);
+  ASSERT_EQ(kept.rulers.size(), 1u);
+  EXPECT_EQ(std::get<AtVertex>(kept.rulers[0][1]).vertex, 3);
 }
 
 }  // namespace

@@ -43,13 +43,28 @@ SessionFile fullSession()
   session.view.surface = "wireframe";
   session.view.showsConstraints = false;
   session.view.showsRotations = true;
+  session.document.annotations = std::make_shared<const Annotations>(Annotations{
+      {{"rim \"1\"", {VertexIds{{3, 1, 4}}}}, {"eye", {InsideCurve{{AtVertex{1}, AtVertex{2}, AtVertex{5}}}}}},
+      {{AtVertex{7}, AtEdge{1, 2, 0.1}, AtFace{4, {0.25, 0.25, 0.5}}}, {{AtVertex{1}, AtEdge{3, 4, 1}}}}});
   session.original = "/home/somebody/part.holdfast";
   return session;
+}
+
+/// As constraints, which can be compared.
+ConstraintList listOf(const Annotations& annotations)
+{
+  ConstraintList list;
+  const auto add = [&](const std::string& name, auto what) { list.constraints.push_back({name, true, what}); };
+  for (const SavedSelection& saved : annotations.selections) add("s " + saved.name, FixedConstraint{saved.select});
+  for (const SurfaceLocation& probe : annotations.measurements.probes) add("probe", PointConstraint{probe, Move{}});
+  for (const auto& [from, to] : annotations.measurements.rulers) add("ruler", RelativeConstraint{from, to, {}});
+  return list;
 }
 
 void expectSame(const SessionFile& a, const SessionFile& b)
 {
   EXPECT_EQ(a.mesh, b.mesh);
+  EXPECT_TRUE(test::areSame(listOf(*a.document.annotations), listOf(*b.document.annotations)));
   EXPECT_TRUE(test::areSame(a.document.list, b.document.list));
   EXPECT_EQ(a.document.options, b.document.options);
   EXPECT_EQ(a.view, b.view);
@@ -86,7 +101,7 @@ TEST(SessionFile, WhatIsAbsentStaysAbsent)
   const nlohmann::json json = nlohmann::json::parse(text);
   EXPECT_EQ(json["view"], nlohmann::json::object());
   EXPECT_EQ(json["mesh"], (nlohmann::json{{"path", "part.ply"}}));
-  EXPECT_FALSE(json.contains("original"));
+  for (const char* key : {"original", "selections", "measurements"}) EXPECT_FALSE(json.contains(key)) << key;
 }
 
 TEST(SessionFile, IsAConstraintFileAsWell)
@@ -177,6 +192,22 @@ TEST(SessionFile, MistakesOfTheViewAreRefused)
                        "not above 0");
   expectSessionRefused(camera + R"([0,0,0], "view_up": [0,1,0], "projection": "paralel"}}})", "view.camera.projection",
                        R"(did you mean "parallel"?)");
+}
+
+TEST(SessionFile, MistakesOfSavedSelectionsAndMeasurementsAreRefused)
+{
+  const std::string head = kSessionHead + kMesh + R"(, "selections": )";
+  const std::string a = R"({"name": "a", "select": {"vertices": [1]}})";
+  expectSessionRefused(head + "[" + a + ", " + a + "]}", "selections[1].name", "\"a\" is the name of an earlier");
+  expectSessionRefused(head + R"([{"name": "", "select": {"vertices": [1]}}]})", "selections[0].name", "empty");
+  expectSessionRefused(head + R"([{"name": "a"}]})", "selections[0]", "\"select\" is missing");
+  expectSessionRefused(head + R"([{"name": "a", "select": {"vertices": []}}]})", "selections[0].select.vertices",
+                       "at least one");
+  const std::string measured = kSessionHead + kMesh + R"(, "measurements": )";
+  expectSessionRefused(measured + R"({"probe": []}})", "measurements.probe", R"(did you mean "probes"?)");
+  expectSessionRefused(measured + R"({"probes": [{"near": [0, 0, 0]}]}})", "measurements.probes[0]",
+                       "vertices, edges or faces");
+  expectSessionRefused(measured + R"({"rulers": [[{"vertex": 1}]]}})", "measurements.rulers[0]", "a list of 2");
 }
 
 TEST(SessionFile, AFileThatIsNotThereIsNamed)

@@ -1,3 +1,6 @@
+#include <cmath>
+#include <numbers>
+
 #include <Eigen/Geometry>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,10 +15,22 @@ namespace {
 
 using testing::ElementsAre;
 
-std::vector<Index> around(const Mesh& mesh, Index face, double degrees)
+std::vector<Index> around(const Mesh& mesh, Index face, double degrees, BendFrom from = BendFrom::Neighbour)
 {
   const SolverMesh solverMesh = makeSolverMesh(mesh, triangulate(mesh));
-  return SmoothFaces(mesh, solverMesh).around(face, degrees);
+  return SmoothFaces(mesh, solverMesh).around(face, degrees, from);
+}
+
+double flatShareOf(const Mesh& mesh)
+{
+  const SolverMesh solverMesh = makeSolverMesh(mesh, triangulate(mesh));
+  return SmoothFaces(mesh, solverMesh).flatShare();
+}
+
+Vector3 normalOf(const Mesh& mesh, Index face)
+{
+  const auto corner = [&](int k) { return Vector3(mesh.positions.row(mesh.faces[face][k])); };
+  return (corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized();
 }
 
 /// A box that no axis is along.
@@ -48,6 +63,42 @@ TEST(SmoothFaces, BendsAddUpAlongTheWay)
   const Mesh mesh = test::icosphere(3);
   EXPECT_EQ(static_cast<Index>(around(mesh, 5, 20).size()), mesh.faces.size());
   EXPECT_THAT(around(mesh, 5, 0.1), ElementsAre(5));
+}
+
+TEST(SmoothFaces, FromTheFirstFaceOnlyWhatLooksAsItDoesIsReached)
+{
+  const Mesh mesh = test::icosphere(3);
+  for (const double degrees : {5.0, 20.0, 60.0, 120.0}) {
+    std::vector<Index> cap;
+    for (Index f = 0; f < mesh.faces.size(); ++f)
+      if (normalOf(mesh, f).dot(normalOf(mesh, 5)) >= std::cos(degrees * std::numbers::pi / 180)) cap.push_back(f);
+    EXPECT_EQ(around(mesh, 5, degrees, BendFrom::FirstFace), cap) << degrees;
+  }
+  EXPECT_EQ(static_cast<Index>(around(mesh, 5, 180, BendFrom::FirstFace).size()), mesh.faces.size());
+}
+
+TEST(SmoothFaces, FromTheFirstFaceSidesAreComparedAsIfTheyAgreed)
+{
+  Mesh mesh{test::icosphere(2).positions, {}};
+  const Mesh whole = test::icosphere(2);
+  // Every third face has its other side out.
+  for (Index f = 0; f < whole.faces.size(); ++f) {
+    const auto& corners = whole.faces[f];
+    if (f % 3 == 0)
+      mesh.faces.add({corners[0], corners[2], corners[1]});
+    else
+      mesh.faces.add({corners[0], corners[1], corners[2]});
+  }
+  EXPECT_EQ(around(mesh, 5, 40, BendFrom::FirstFace), around(whole, 5, 40, BendFrom::FirstFace));
+}
+
+TEST(SmoothFaces, TheFlatShareIsThatOfEdgesWithinPlanes)
+{
+  EXPECT_EQ(flatShareOf(test::grid(3, 3)), 1);
+  EXPECT_EQ(flatShareOf(test::icosphere(2)), 0);
+  // A cube of squares cut in two: 6 diagonals lie in its planes, 12 edges bend.
+  EXPECT_NEAR(flatShareOf(tilted(test::box({1, 2, 3}, 1))), 6.0 / 18, 1e-15);
+  EXPECT_EQ(flatShareOf(Mesh{}), 0);
 }
 
 TEST(SmoothFaces, OtherPartsAreNotReached)

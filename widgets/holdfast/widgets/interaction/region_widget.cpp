@@ -138,6 +138,7 @@ RegionWidget::RegionWidget()
   this->Bind<&RegionWidget::TimeOut>(vtkCommand::TimerEvent, vtkWidgetEvent::TimedOut);
   this->BindKey<&RegionWidget::Step<-1>>("bracketleft", vtkWidgetEvent::Down);
   this->BindKey<&RegionWidget::Step<1>>("bracketright", vtkWidgetEvent::Up);
+  this->BindKey<&RegionWidget::ChangeBendFrom>("n", vtkWidgetEvent::ModifyEvent);
   this->BindKey<&RegionWidget::Cancel>("Escape", vtkWidgetEvent::Reset);
 }
 
@@ -149,6 +150,7 @@ void RegionWidget::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Regions: " << this->Regions.get() << '\n';
   os << indent << "BrushRadius: " << this->BrushRadius << '\n';
   os << indent << "SideAngle: " << this->SideAngle << '\n';
+  os << indent << "BendFrom: " << static_cast<int>(this->SideBendFrom) << '\n';
   os << indent << "PixelRatio: " << this->PixelRatio << '\n';
   os << indent << "Reach: " << static_cast<int>(this->Reach) << '\n';
 }
@@ -265,7 +267,7 @@ bool RegionWidget::Release()
     case Gesture::Search:
       if (!this->LeftClick.Release(cursor, this->PixelRatio) || !this->Regions) return false;
       if (const auto pick = this->FaceAt(this->Cursor()))
-        this->SelectAtOnce(this->Regions->smooth(pick->face, this->SideAngle));
+        this->SelectAtOnce(this->Regions->smooth(pick->face, this->SideAngle, this->SideBendFrom));
   }
   return false;
 }
@@ -391,6 +393,15 @@ bool RegionWidget::Step()
     this->SetSideAngle(this->SideAngle + Direction * kSideStepDegrees);
   else
     return false;
+  this->InvokeEvent(vtkCommand::WidgetValueChangedEvent);
+  return true;
+}
+
+bool RegionWidget::ChangeBendFrom()
+{
+  if (this->Shape != RegionShape::Side) return false;
+  const bool wasNeighbour = this->SideBendFrom == BendFrom::Neighbour;
+  this->SetBendFrom(wasNeighbour ? BendFrom::FirstFace : BendFrom::Neighbour);
   this->InvokeEvent(vtkCommand::WidgetValueChangedEvent);
   return true;
 }

@@ -60,7 +60,7 @@ enum class RegionShape {
   Brush,      ///< a stroke reaches the vertices that the brush touches along the surface
   Rectangle,  ///< a drag spans a rectangle: what is seen in it
   Lasso,      ///< a drag draws a line around: what is seen within
-  Side  ///< a click: as far as the surface bends by no more than an angle from face to face; double: the whole part
+  Side        ///< a click: as far as the surface bends by no more than an angle; double: the whole part
 };
 
 /// Call data of a `RegionWidget`.
@@ -100,9 +100,13 @@ class RegionWidget : public WidgetOf<RegionRepresentation> {
   void SetBrushRadius(double pixels);
   vtkGetMacro(BrushRadius, double);
 
-  /// By how much a side may bend from face to face, degrees; from 0 to 175, by default 20.
+  /// By how much a side may bend, degrees; from 0 to 175, by default 20.
   vtkSetClampMacro(SideAngle, double, 0.0, 175.0);
   vtkGetMacro(SideAngle, double);
+
+  /// From where that is measured: by default from face to face. The key N changes it.
+  void SetBendFrom(BendFrom from) { this->SideBendFrom = from; }
+  [[nodiscard]] BendFrom GetBendFrom() const { return this->SideBendFrom; }
 
   void SetPixelRatio(double ratio);
   vtkGetMacro(PixelRatio, double);
@@ -138,6 +142,7 @@ class RegionWidget : public WidgetOf<RegionRepresentation> {
   void TimeOut();
   template <int Direction>
   bool Step();
+  bool ChangeBendFrom();
 
   bool BeginStroke();
   void PaintTo(const DisplayPoint& cursor);
@@ -159,6 +164,7 @@ class RegionWidget : public WidgetOf<RegionRepresentation> {
   std::shared_ptr<VertexRegions> Regions;
   double BrushRadius = 24;
   double SideAngle = 20;
+  BendFrom SideBendFrom = BendFrom::Neighbour;
   double PixelRatio = 1;
   ScreenReach Reach = ScreenReach::VisibleOnly;
 

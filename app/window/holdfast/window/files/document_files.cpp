@@ -10,6 +10,7 @@
 #include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/window/files/import_dialog.h>
 #include <holdfast/window/files/recent_files.h>
+#include <holdfast/window/text/number_text.h>
 
 namespace holdfast {
 namespace {
@@ -118,8 +119,22 @@ void DocumentFiles::Opening::read(Progress& progress)
   resolved = isSessionFile(path) ? resolveMesh(*session, path) : ResolvedMesh{path, MeshState::Same, ""};
   if (resolved.state != MeshState::Same) return;
   mesh = loadMesh(resolved.path, progress);
+  keepMeasurements();
   progress.step("remembering which mesh it is");
   meshChecksum = checksumOfFile(resolved.path);
+}
+
+void DocumentFiles::Opening::keepMeasurements()
+{
+  const Annotations& read = *session->document.annotations;
+  Annotations kept{read.selections, onMesh(read.measurements, mesh.model->locator())};
+  const auto countOf = [](const Annotations& all) {
+    return all.measurements.probes.size() + all.measurements.rulers.size();
+  };
+  lostMeasurements = countOf(read) - countOf(kept);
+  if (lostMeasurements == 0) return;
+  isUnsaved = true;
+  session->document.annotations = std::make_shared<const Annotations>(std::move(kept));
 }
 
 void DocumentFiles::askAboutMesh(const std::shared_ptr<Opening>& opening)
@@ -156,6 +171,11 @@ void DocumentFiles::adopt(Opening& opening)
   if (opening.constraints.empty())
     addRecentFile(textOf(opening.sessionPath.empty() ? editor_.mesh().path : opening.sessionPath));
   Q_EMIT viewOpened(opening.session->view);
+  if (opening.lostMeasurements > 0)
+    showProblem(
+        window_, tr("Measurements are left out."),
+        tr("%1 name places that the mesh does not have. The file still has them until you save.")
+            .arg(countText(static_cast<Index>(opening.lostMeasurements), "1 probe or ruler", "%1 probes and rulers")));
   opening.whenOpen();
 }
 

@@ -84,8 +84,10 @@ class DocumentFiles : public QObject {
     ResolvedMesh resolved;               // where the mesh is, and whether it is the session's
     LoadedMesh mesh;                     // if it is
     std::string meshChecksum;
+    std::size_t lostMeasurements = 0;  // whose places the mesh does not have
 
     void read(Progress& progress);
+    void keepMeasurements();
   };
 
   void begin(Opening opening);

@@ -29,7 +29,12 @@ class InspectorPanel final : public RefreshedPanel {
     int widest = 0;
     for (const InspectorSection* section : sections_) widest = std::max(widest, section->titleWidth());
     for (InspectorSection* section : sections_) section->setTitleWidth(widest);
-    pages_ = new HintedContent(newScrollArea(content, tr("Selected constraints")), "inspectorEmpty");
+    // Below the fields, so that none moves; nor does a scroll bar come that would take their width.
+    auto* page = new QWidget;
+    QScrollArea* fields = newScrollArea(content, tr("Selected constraints"));
+    fields->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
+    newLayout<QVBoxLayout>(page, 0, 0, {fields, reason_});
+    pages_ = new HintedContent(page, "inspectorEmpty");
     fill(*this, pages_);
 
     for (const auto signal : {&Editor::opened, &Editor::deformed, &Editor::solveStateChanged})
@@ -50,7 +55,8 @@ class InspectorPanel final : public RefreshedPanel {
     enabled_ = named(new QCheckBox(tr("&Enabled")), "inspectorEnabled");
     reason_ = newText("inspectorRefusal");
     reason_->setVisible(false);
-    for (QWidget* widget : std::initializer_list<QWidget*>{kind_, name_, enabled_, reason_}) layout.addWidget(widget);
+    reason_->setMargin(10);
+    for (QWidget* widget : std::initializer_list<QWidget*>{kind_, name_, enabled_}) layout.addWidget(widget);
     connect(name_, &QLineEdit::editingFinished, this, &InspectorPanel::rename);
     connect(enabled_, &QCheckBox::clicked, this, &InspectorPanel::enable);
   }

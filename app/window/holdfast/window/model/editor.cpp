@@ -3,10 +3,12 @@
 #include <QTimer>
 #include <algorithm>
 #include <cassert>
+#include <charconv>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include <holdfast/base/lower_case.h>
 #include <holdfast/widgets/files/any_mesh_file.h>
 #include <holdfast/widgets/mesh/coarse_surface.h>
 
@@ -15,6 +17,36 @@ namespace {
 
 // Solved states: enough to go back and forth between neighbours at once, and small beside the factor.
 constexpr std::size_t kRemembered = 6;
+
+// Scans have flat places by chance alone, models of CAD programs many.
+constexpr double kFlatShareOfScans = 0.01;
+
+// So many coordinates tell.
+constexpr Index kSampledCoordinates = 3000;
+
+bool isFloat(double value)
+{
+  return static_cast<double>(static_cast<float>(value)) == value;
+}
+
+/// As formats of text write a float.
+bool hasNineDigits(double value)
+{
+  const std::string digits = fmt::format("{:.9g}", value);
+  double read = 0;
+  std::from_chars(digits.data(), digits.data() + digits.size(), read);
+  return read == value;
+}
+
+bool hasSinglePrecision(const Positions& positions, const std::filesystem::path& path)
+{
+  const std::string format = lowerCase(path.extension().string());
+  const auto wasFloat = format == ".obj" || format == ".off" ? hasNineDigits : isFloat;
+  const Index step = std::max<Index>(1, positions.size() / kSampledCoordinates);
+  for (Index k = 0; k < positions.size(); k += step)
+    if (!wasFloat(positions.data()[k]) && !isFloat(positions.data()[k])) return false;
+  return true;
+}
 
 }  // namespace
 
@@ -37,6 +69,7 @@ LoadedMesh prepareMesh(MeshDocument document, const std::filesystem::path& path,
   loaded.contents = std::make_shared<SceneContents>(model);
   if (isLarge(model)) loaded.contents->setDetail(Detail::Coarse);
   loaded.surface = std::make_shared<const VisibleSurface>(model);
+  loaded.isScan = loaded.regions->flatShare() < kFlatShareOfScans && hasSinglePrecision(model.mesh.positions, path);
   return loaded;
 }
 
@@ -81,7 +114,7 @@ void Editor::close()
   selectedVertices_.clear();
   selectedShape_.reset();
   selectedConstraints_.clear();
-  measurements_ = {};
+  lastAnnotations_.reset();
   underCursor_ = {};
   setStep({});
   setSolveState(SolveState::Nothing, {});
@@ -110,19 +143,19 @@ std::optional<ConstraintStatus> Editor::status(const Constraint& constraint, Ind
 
 void Editor::edit(const QString& name, ConstraintList after)
 {
-  history_->edit(name.toStdString(), {std::move(after), state().options});
+  history_->edit(name.toStdString(), {std::move(after), state().options, state().annotations});
   stateBecame(Supersede::AtNextStep);
 }
 
 void Editor::setOptions(const QString& name, const DeformOptions& options)
 {
-  history_->edit(name.toStdString(), {list(), options});
+  history_->edit(name.toStdString(), {list(), options, state().annotations});
   stateBecame(Supersede::AtNextStep);
 }
 
 void Editor::updateGesture(ConstraintList after)
 {
-  history_->updateGesture({std::move(after), state().options});
+  history_->updateGesture({std::move(after), state().options, state().annotations});
   stateBecame(Supersede::WhenDone);
 }
 
@@ -176,7 +209,13 @@ void Editor::stateBecame(Supersede supersede)
 {
   keepSelection();
   showOrSubmit(supersede);
+  tellState();
+}
+
+void Editor::tellState()
+{
   Q_EMIT stateChanged();
+  if (std::exchange(lastAnnotations_, state().annotations) != state().annotations) Q_EMIT annotationsChanged();
 }
 
 void Editor::stateIsAnother()
@@ -191,7 +230,7 @@ void Editor::stateIsAnother()
   QTimer::singleShot(0, this, [this] {
     if (isOpen() && isShowDue_) showOrSubmit(Supersede::AtNextStep);
   });
-  Q_EMIT stateChanged();
+  tellState();
 }
 
 void Editor::keepSelection()
@@ -210,7 +249,10 @@ void Editor::showOrSubmit(Supersede supersede)
   worker_->cancel();
   submitted_.clear();
   setStep({});
-  show(Solved(*known));
+  if (known->deformation == shown_.deformation)
+    shown_.state = known->state;
+  else
+    show(Solved(*known));
   remember();
   setSolveState(SolveState::Current, {});
 }
@@ -287,10 +329,31 @@ void Editor::selectConstraints(std::vector<Index> constraints)
   Q_EMIT constraintSelectionChanged();
 }
 
-void Editor::setMeasurements(Measurements measurements)
+const Annotations& Editor::annotations() const
 {
-  measurements_ = std::move(measurements);
-  Q_EMIT measurementsChanged();
+  static const Annotations kEmpty;
+  return isOpen() ? *state().annotations : kEmpty;
+}
+
+void Editor::setMeasurements(const QString& name, Measurements measurements)
+{
+  annotate(name, {annotations().selections, std::move(measurements)});
+}
+
+void Editor::setSavedSelections(const QString& name, std::vector<SavedSelection> selections)
+{
+  annotate(name, {std::move(selections), measurements()});
+}
+
+void Editor::annotate(const QString& name, Annotations after)
+{
+  history_->edit(name.toStdString(), {list(), state().options, std::make_shared<const Annotations>(std::move(after))});
+  // What is being solved is solved for this state as well.
+  if (isCurrent()) {
+    shown_.state = history_->state();
+    remember();
+  }
+  tellState();
 }
 
 void Editor::setUnderCursor(UnderCursor underCursor)

@@ -4,7 +4,6 @@
 #include <QElapsedTimer>
 #include <QObject>
 #include <QString>
-#include <array>
 #include <cstdint>
 #include <deque>
 #include <filesystem>
@@ -38,6 +37,7 @@ struct LoadedMesh {
   std::shared_ptr<VertexRegions> regions;
   std::shared_ptr<SceneContents> contents;        ///< at rest, with the coarse triangles of large meshes
   std::shared_ptr<const VisibleSurface> surface;  ///< at rest, ready for rays
+  bool isScan = false;                            ///< coordinates of single precision, and hardly a flat place
 };
 
 /// Throws as `readAnyMesh` and `makeModel` do, and what `progress` throws.
@@ -56,12 +56,6 @@ enum class SolveState {
   Solving,    ///< a newer state is being worked on: the deformation is older
   Cancelled,  ///< the user stopped the work: the deformation is older
   Unusable    ///< the state cannot be solved, `Editor::error` says why: the deformation is older
-};
-
-/// What the user has measured. Not part of the document: nothing is undone, and no file has it.
-struct Measurements {
-  std::vector<SurfaceLocation> probes;
-  std::vector<std::array<SurfaceLocation, 2>> rulers;
 };
 
 /// What is under the cursor of the picture. With tools that pick it is what a click would take.
@@ -153,9 +147,12 @@ class Editor : public QObject {
   [[nodiscard]] Selection selection() const { return selectedShape_.value_or(Selection{VertexIds{selectedVertices_}}); }
   void selectConstraints(std::vector<Index> constraints);
 
-  /// Of this document, in the order in which they were made. Locations are those of picks.
-  [[nodiscard]] const Measurements& measurements() const noexcept { return measurements_; }
-  void setMeasurements(Measurements measurements);
+  /// None without a document. Locations of measurements are those of picks. Each change is one entry of the history,
+  /// and needs no solution.
+  [[nodiscard]] const Annotations& annotations() const;
+  [[nodiscard]] const Measurements& measurements() const { return annotations().measurements; }
+  void setMeasurements(const QString& name, Measurements measurements);
+  void setSavedSelections(const QString& name, std::vector<SavedSelection> selections);
   [[nodiscard]] const UnderCursor& underCursor() const noexcept { return underCursor_; }
   void setUnderCursor(UnderCursor underCursor);
 
@@ -167,7 +164,7 @@ class Editor : public QObject {
   void stepChanged();        ///< of the worker
   void vertexSelectionChanged();
   void constraintSelectionChanged();
-  void measurementsChanged();
+  void annotationsChanged();
   void underCursorChanged();
   void saved();  ///< the history is where the file is, or `markUnsaved` was called
 
@@ -182,6 +179,8 @@ class Editor : public QObject {
   void submit(Supersede supersede);
   void stateBecame(Supersede supersede);
   void stateIsAnother();
+  void annotate(const QString& name, Annotations after);
+  void tellState();
   void keepSelection();
   void showOrSubmit(Supersede supersede);
   void show(Solved solved);
@@ -210,7 +209,7 @@ class Editor : public QObject {
   std::vector<Index> selectedVertices_;
   std::optional<Selection> selectedShape_;
   std::vector<Index> selectedConstraints_;
-  Measurements measurements_;
+  std::shared_ptr<const Annotations> lastAnnotations_;  // of the last signal
   UnderCursor underCursor_;
 };
 

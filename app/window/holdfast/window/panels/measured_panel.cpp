@@ -2,8 +2,6 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QHeaderView>
-#include <QKeyEvent>
-#include <QTreeWidget>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -12,6 +10,7 @@
 #include <vector>
 
 #include <holdfast/widgets/color/coloring.h>
+#include <holdfast/window/controls/command_tree.h>
 #include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/model/background_job.h>
 #include <holdfast/window/panels/panels.h>
@@ -30,46 +29,24 @@ class MeasuredPanel final : public RefreshedPanel {
   explicit MeasuredPanel(Editor& editor) : editor_(editor)
   {
     setObjectName("measuredPanel");
-    tree_ = named(new QTreeWidget, "measuredTree", tr("Measurements"));
+    tree_ = named(new CommandTree, "measuredTree", tr("Measurements"));
     tree_->setColumnCount(kColumns);
     tree_->setHeaderLabels({tr("Measured"), tr("Now"), tr("At rest"), tr("Difference")});
-    tree_->setAlternatingRowColors(true);
-    tree_->setFrameShape(QFrame::NoFrame);
-    tree_->setSelectionMode(QAbstractItemView::ExtendedSelection);
-    tree_->header()->setStretchLastSection(false);
     tree_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     tree_->header()->setSectionResizeMode(kWhat, QHeaderView::Stretch);
-    addCommand(tr("&Copy"), "measuredCopy", tr("Copies the table, for a spreadsheet"), QKeySequence::Copy,
-               &MeasuredPanel::copy);
-    addCommand(tr("&Remove"), "measuredRemove", tr("Removes the selected measurements"), QKeySequence::Delete,
-               &MeasuredPanel::removeSelected);
-    tree_->setContextMenuPolicy(Qt::ActionsContextMenu);
-    tree_->installEventFilter(this);
+    tree_->addCommand(tr("&Copy"), "measuredCopy", tr("Copies the table, for a spreadsheet"), QKeySequence::Copy,
+                      [this] { copy(); });
+    tree_->addCommand(tr("&Remove"), "measuredRemove", tr("Removes the selected measurements"), QKeySequence::Delete,
+                      [this] { removeSelected(); });
     pages_ = new HintedContent(tree_, "measuredHint");
     fill(*this, pages_);
     connect(&editor, &Editor::opened, this, &MeasuredPanel::begin);
-    for (const auto& signal : {&Editor::deformed, &Editor::measurementsChanged})
+    for (const auto& signal : {&Editor::deformed, &Editor::annotationsChanged})
       connect(&editor, signal, this, &MeasuredPanel::refresh);
     connect(&editor, &Editor::underCursorChanged, this, [this] {
       if (isVisible() && tree_->topLevelItemCount() > 0) fillCursor();
     });
     refresh();
-  }
-
- protected:
-  /// The keys of its commands are those of the tree while that has the focus, whatever menus use them for.
-  bool eventFilter(QObject* watched, QEvent* event) override
-  {
-    if (event->type() != QEvent::ShortcutOverride && event->type() != QEvent::KeyPress)
-      return RefreshedPanel::eventFilter(watched, event);
-    const auto& key = static_cast<const QKeyEvent&>(*event);
-    for (QAction* action : tree_->actions()) {
-      if (action->shortcut() != QKeySequence(key.key() | static_cast<int>(key.modifiers()))) continue;
-      if (event->type() == QEvent::KeyPress) action->trigger();
-      event->accept();
-      return true;
-    }
-    return RefreshedPanel::eventFilter(watched, event);
   }
 
  private:
@@ -196,17 +173,6 @@ class MeasuredPanel final : public RefreshedPanel {
     while (item.childCount() > rows) delete item.takeChild(rows);
   }
 
-  void addCommand(const QString& text, const char* name, const QString& tip, const QKeySequence& keys,
-                  void (MeasuredPanel::*run)())
-  {
-    auto* action = named(new QAction(text, this), name);
-    action->setToolTip(tip);
-    action->setShortcut(keys);
-    action->setShortcutContext(Qt::WidgetShortcut);
-    connect(action, &QAction::triggered, this, run);
-    tree_->addAction(action);
-  }
-
   void removeSelected()
   {
     const Measurements& all = editor_.measurements();
@@ -221,8 +187,9 @@ class MeasuredPanel final : public RefreshedPanel {
       if (!isSelected(1 + k)) rest.probes.push_back(all.probes[k]);
     for (std::size_t k = 0; k < all.rulers.size(); ++k)
       if (!isSelected(1 + all.probes.size() + k)) rest.rulers.push_back(all.rulers[k]);
+    if (rest.probes.size() == all.probes.size() && rest.rulers.size() == all.rulers.size()) return;
     tree_->clearSelection();
-    editor_.setMeasurements(std::move(rest));
+    editor_.setMeasurements(tr("remove measurements"), std::move(rest));
   }
 
   void copy()
@@ -243,7 +210,7 @@ class MeasuredPanel final : public RefreshedPanel {
 
   Editor& editor_;
   HintedContent* pages_ = nullptr;
-  QTreeWidget* tree_ = nullptr;
+  CommandTree* tree_ = nullptr;
   std::shared_ptr<const DeformResult> fieldsOf_;
   std::vector<ShownField> fields_;  // of `fieldsOf_`, which may be older than the editor's
   BackgroundJob computing_;         // last: its thread uses what is above

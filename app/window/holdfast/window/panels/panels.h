@@ -22,6 +22,9 @@ namespace holdfast {
 /// What is under the cursor, probes and rulers: places, lengths and the values of all fields, now and at rest.
 [[nodiscard]] QWidget* newMeasuredPanel(Editor& editor);
 
+/// Saved selections: a list of names, to select, rename and delete.
+[[nodiscard]] QWidget* newSelectionsPanel(Editor& editor);
+
 /// How the mesh was solved, and the choice of weights and solver.
 [[nodiscard]] QWidget* newReportPanel(Editor& editor);
 

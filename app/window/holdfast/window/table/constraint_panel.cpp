@@ -6,7 +6,6 @@
 #include <QMenu>
 #include <QScopedValueRollback>
 #include <QScrollBar>
-#include <QSettings>
 #include <QSortFilterProxyModel>
 #include <QTimer>
 #include <QToolButton>
@@ -237,26 +236,18 @@ class ConstraintPanel : public QWidget {
     });
   }
 
-  /// The titles' own menu shows and hides the columns; which ones is remembered.
+  /// The titles' own menu shows and hides the columns.
   void makeColumnChoice(QHeaderView& titles)
   {
-    const QString remembered = "table/hiddenColumns";
-    const QStringList hidden = QSettings().value(remembered).toStringList();
     for (int place = 2; place < Table::ColumnCount; ++place) {
       const int column = titles.logicalIndex(place);
       const QString title = filter_.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
       auto* action = named(new QAction(title, &titles), "column" + title);
       action->setToolTip(tr("Show or hide the column “%1”").arg(title));
       action->setCheckable(true);
-      action->setChecked(!hidden.contains(title));
-      table_->setColumnHidden(column, !action->isChecked());
-      connect(action, &QAction::toggled, this, [this, column, title, remembered](bool isShown) {
-        table_->setColumnHidden(column, !isShown);
-        QStringList names = QSettings().value(remembered).toStringList();
-        names.removeAll(title);
-        if (!isShown) names << title;
-        QSettings().setValue(remembered, names);
-      });
+      action->setChecked(true);
+      connect(action, &QAction::toggled, this,
+              [this, column](bool isShown) { table_->setColumnHidden(column, !isShown); });
       titles.addAction(action);
     }
     titles.setContextMenuPolicy(Qt::ActionsContextMenu);

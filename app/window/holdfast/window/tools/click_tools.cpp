@@ -116,7 +116,8 @@ class ProbeTool final : public PointTool {
   {
     Measurements measurements = editor().measurements();
     measurements.probes.push_back(pick.location);
-    editor().setMeasurements(std::move(measurements));
+    const QString name = tr("probe %1").arg(measurements.probes.size());
+    editor().setMeasurements(name, std::move(measurements));
   }
 };
 
@@ -213,7 +214,7 @@ class RulerTool : public ToolOf<SurfaceRulerWidget> {
     widget().AddObserver(CancelInteractionEvent, this, &RulerTool::changed);
     widget().AddObserver(vtkCommand::EndInteractionEvent, this, &RulerTool::keep);
     widget().AddObserver(NextRulerEvent, this, &RulerTool::leaveCurrent);
-    connect(&editor, &Editor::measurementsChanged, this, [this] {
+    connect(&editor, &Editor::annotationsChanged, this, [this] {
       if (!isChanging_ && current_) {
         current_.reset();
         widget().Clear();
@@ -235,7 +236,7 @@ class RulerTool : public ToolOf<SurfaceRulerWidget> {
     Measurements rest = editor().measurements();
     rest.rulers.erase(rest.rulers.begin() + *std::exchange(current_, std::nullopt));
     widget().Clear();
-    editor().setMeasurements(std::move(rest));
+    editor().setMeasurements(tr("remove the ruler"), std::move(rest));
     Q_EMIT changed();
     return true;
   }
@@ -282,7 +283,7 @@ class RulerTool : public ToolOf<SurfaceRulerWidget> {
     }
     measurements.rulers[*current_] = {*widget().GetLocation(0), *widget().GetLocation(1)};
     const QScopedValueRollback<bool> changing(isChanging_, true);
-    editor().setMeasurements(std::move(measurements));
+    editor().setMeasurements(tr("ruler %1").arg(*current_ + 1), std::move(measurements));
   }
 
   void leaveCurrent()

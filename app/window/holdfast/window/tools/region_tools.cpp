@@ -40,15 +40,23 @@ class RegionTool : public ToolOf<RegionWidget> {
     const std::array hints{tr("Paint a region. Shift adds, Ctrl takes away, [ and ] size the brush. Then F: fixed, "
                               "H: handle, R: rigid"),
                            tr("Drag a rectangle.") + outline, tr("Draw around vertices.") + outline,
-                           tr("Click a side that bends by less than %1° an edge ([ and ]). Double click: the whole "
-                              "part. Shift adds, Ctrl takes away")
-                               .arg(widget().GetSideAngle())};
+                           sideHint().arg(widget().GetSideAngle())};
     return hints[static_cast<std::size_t>(widget().GetShape())];
   }
 
   bool cancel() override { return widget().Cancel(); }
 
  private:
+  [[nodiscard]] QString sideHint() const
+  {
+    const QString rest = ' ' + tr("Double click: the whole part. Shift adds, Ctrl takes away");
+    if (widget().GetBendFrom() == BendFrom::Neighbour)
+      return tr("Click a side that bends by less than %1° an edge ([ and ]). N: less than that from the face "
+                "clicked.") +
+             rest;
+    return tr("Click a face: what bends by less than %1° from it ([ and ]). N: less than that at each edge.") + rest;
+  }
+
   void start()
   {
     before_ = editor().selectedVertices();

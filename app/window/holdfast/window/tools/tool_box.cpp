@@ -2,7 +2,6 @@
 
 #include <QAction>
 #include <QApplication>
-#include <QSettings>
 
 #include <holdfast/window/controls/icons.h>
 #include <holdfast/window/controls/panel_parts.h>
@@ -16,12 +15,9 @@ ToolBox::ToolBox(Editor& editor, Viewport& viewport, QObject* parent)
       group_(new QActionGroup(this)),
       reachesThrough_(named(new QAction(tr("Reac&h through"), this), "reachThrough"))
 {
-  const char* const remembered = "select/reachThrough";
   reachesThrough_->setCheckable(true);
   reachesThrough_->setShortcut(QKeySequence("T"));
   reachesThrough_->setToolTip(tr("Rectangle and lasso select hidden vertices, too (T)"));
-  reachesThrough_->setChecked(QSettings().value(remembered).toBool());
-  connect(reachesThrough_, &QAction::toggled, this, [=](bool isOn) { QSettings().setValue(remembered, isOn); });
   const auto region = [&](RegionShape shape) { return newRegionTool(shape, editor, viewport, *reachesThrough_); };
   struct Entry {
     Tool* tool;

@@ -104,9 +104,8 @@ void apply(const ViewState& state, Viewport& viewport)
 UpAxis upAxisOf(const LoadedMesh& mesh)
 {
   const QVariant chosen = QSettings().value(upAxisSetting(mesh));
-  const Positions& positions = mesh.document.mesh.positions;
-  const bool isScan = upAxisSetting(mesh).endsWith(".ply") && positions.cast<float>().cast<double>() == positions;
-  return chosen.isValid() ? static_cast<UpAxis>(chosen.toInt()) : isScan ? UpAxis::Y : UpAxis::Z;
+  if (chosen.isValid()) return static_cast<UpAxis>(chosen.toInt());
+  return mesh.isScan && !upAxisSetting(mesh).endsWith(".stl") ? UpAxis::Y : UpAxis::Z;
 }
 
 void rememberUpAxis(const LoadedMesh& mesh, UpAxis axis)

@@ -14,8 +14,8 @@ class Viewport;
 /// Settings that `state` leaves out, and unknown names (of a newer version), change nothing.
 void apply(const ViewState& state, Viewport& viewport);
 
-/// What the user has chosen last for meshes of this one's format. Before that: y for PLY files of single precision, in
-/// which scans come, and z for all others.
+/// What the user has chosen last for meshes of this one's format. Before that: y for scans (`LoadedMesh::isScan`) but
+/// in STL files, which are made for machines whose z is up; z for all others.
 [[nodiscard]] UpAxis upAxisOf(const LoadedMesh& mesh);
 void rememberUpAxis(const LoadedMesh& mesh, UpAxis axis);
 

@@ -120,7 +120,6 @@ class Viewport : public VtkView {
 
  Q_SIGNALS:
   /// What a click of the chosen tool would take, or nothing.
-  void previewChanged(const std::optional<SurfacePick>& pick);
   /// Another field, another scale, or other values of it.
   void coloringChanged(const std::optional<Coloring>& coloring);
   void surfaceChanged();

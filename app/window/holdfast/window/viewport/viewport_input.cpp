@@ -106,7 +106,6 @@ bool Viewport::event(QEvent* event)
 void Viewport::setPreview(const std::optional<SurfacePick>& pick)
 {
   editor_.setUnderCursor({pick, editor_.underCursor().constraint});
-  Q_EMIT previewChanged(pick);
 }
 
 /// Nothing follows the cursor while a button is held, and where it has left (null).

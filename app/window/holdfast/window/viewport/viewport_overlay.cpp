@@ -72,7 +72,7 @@ ViewportOverlay::ViewportOverlay(Editor& editor, Viewport& viewport)
   connect(&clock_, &QTimer::timeout, this, [this] { update(0, 0, width(), fontMetrics().height() * 3); });
   connect(&editor_, &Editor::solveStateChanged, &clock_,
           [this] { editor_.solveState() == SolveState::Solving ? clock_.start() : clock_.stop(); });
-  connect(&editor_, &Editor::measurementsChanged, this, qOverload<>(&QWidget::update));
+  connect(&editor_, &Editor::annotationsChanged, this, qOverload<>(&QWidget::update));
   connect(&viewport_, &Viewport::rendered, this, [this] {
     if (editor_.isOpen() && !editor_.measurements().probes.empty()) update();
   });

@@ -79,6 +79,7 @@ MainWindow::MainWindow()
   makeViewMenu();
   makeHelpMenu();
   makeToolBars();
+  drawIcons();
   connectStatus();
   connectFiles();
   updateTitle();
@@ -220,6 +221,7 @@ void MainWindow::remember()
           auto* action = findChild<QAction*>(last.toString());
           if (group->actions().contains(action)) action->trigger();
         });
+  rememberSwitch(*tools_->reachesThrough());
   remembered_->add(
       "unit", [this] { return unit_; }, [this](const QVariant& last) { setUnit(last.toString()); });
   remembered_->add(
@@ -234,6 +236,13 @@ void MainWindow::remember()
       });
 }
 
+void MainWindow::rememberSwitch(QAction& action)
+{
+  remembered_->add(
+      action.objectName(), [&action] { return action.isChecked(); },
+      [&action](const QVariant& last) { action.setChecked(last.toBool()); });
+}
+
 /// Sizes of panels are those of a window that is shown.
 void MainWindow::rememberLayout()
 {
@@ -242,6 +251,8 @@ void MainWindow::rememberLayout()
   remembered_->add(
       QString("columns%1").arg(titles->count()), [titles] { return titles->saveState(); },
       [titles](const QVariant& last) { titles->restoreState(last.toByteArray()); });
+  // After that state, which hides columns without telling their switches.
+  for (QAction* column : titles->actions()) rememberSwitch(*column);
   remembered_->add(
       "panels", [this] { return saveState(); }, [this](const QVariant& last) { restoreState(last.toByteArray()); });
 }
@@ -296,6 +307,11 @@ void MainWindow::changeEvent(QEvent* event)
   if (event->type() == QEvent::ActivationChange && isActiveWindow() && isLost) viewport_->setFocus();
   if (event->type() != QEvent::PaletteChange) return;
   viewport_->setDarkBackdrop(isDark(palette()));
+  drawIcons();
+}
+
+void MainWindow::drawIcons()
+{
   tools_->drawIcons();
   for (const auto& [name, sign] : {std::pair("makeFixed", Sign::Fix),
                                    {"makeHandle", Sign::Handle},
@@ -312,7 +328,6 @@ void MainWindow::connectStatus()
   connect(tools_, &ToolBox::hintChanged, this, showHint);
   connect(gizmo_, &Tool::changed, this, showHint);
   showHint();
-  connect(viewport_, &Viewport::previewChanged, status_, &StatusLine::setPick);
   for (const auto& signal : {&Editor::opened, &Editor::stateChanged, &Editor::saved}) {
     connect(&editor_, signal, this, &MainWindow::updateTitle);
     connect(&editor_, signal, this, &MainWindow::updateActions);
@@ -331,9 +346,12 @@ void MainWindow::updateTitle()
 void MainWindow::updateActions()
 {
   const bool isOpen = editor_.isOpen();
+  const auto& [probes, rulers] = editor_.measurements();
+  const bool isMeasured = !probes.empty() || !rulers.empty();
   for (const auto& [action, needs] : needs_)
     action->setEnabled(isOpen && (needs != Needs::Vertices || !editor_.selectedVertices().empty()) &&
-                       (needs != Needs::Constraints || !editor_.selectedConstraints().empty()));
+                       (needs != Needs::Constraints || !editor_.selectedConstraints().empty()) &&
+                       (needs != Needs::Measurements || isMeasured));
   const auto textOf = [](const QString& verb, std::string_view name) {
     return name.empty() ? verb : verb + ' ' + toText(name);
   };

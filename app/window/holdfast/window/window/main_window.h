@@ -54,6 +54,7 @@ class MainWindow : public QMainWindow {
 
  private:
   void makeToolBars();
+  void drawIcons();
   void makeFileMenu();
   void makeEditMenu();
   void makeConstraintMenu();
@@ -64,6 +65,7 @@ class MainWindow : public QMainWindow {
   void makeViewMenu();
   void makeHelpMenu();
   void connectFiles();
+  void rememberSwitch(QAction& action);
   void rememberLayout();
   void setUnit(const QString& unit);
   void showPreferences();
@@ -76,7 +78,7 @@ class MainWindow : public QMainWindow {
   void updateActions();
   void escape();
 
-  enum class Needs { Nothing, Document, Vertices, Constraints };
+  enum class Needs { Nothing, Document, Vertices, Constraints, Measurements };
   /// An entry of a menu; a separator without a text.
   struct Item {
     const char* name = "";

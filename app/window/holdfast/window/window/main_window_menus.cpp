@@ -18,6 +18,7 @@
 #include <holdfast/window/window/command_dialog.h>
 #include <holdfast/window/window/help_dialog.h>
 #include <holdfast/window/window/main_window.h>
+#include <holdfast/window/window/saved_selection_menu.h>
 
 namespace holdfast {
 
@@ -166,7 +167,11 @@ void MainWindow::makeSelectionMenu()
                tr("Select what the section plane leaves to be seen; I selects the other side"), Needs::Document,
                [this] { selectBesidePlane(); }},
               {"deselect", tr("&None"), "Ctrl+Shift+A", tr("Deselect all vertices"), Needs::Vertices,
-               [this] { editor_.selectVertices({}); }}});
+               [this] { editor_.selectVertices({}); }},
+              separator,
+              {"saveSelection", tr("Sa&ve the selection"), "Ctrl+G", tr("Keep the selected vertices under a name"),
+               Needs::Vertices, [this] { saveAndNameSelection(editor_, *this); }}});
+  menu.addMenu(newSavedSelectionMenu(editor_, *this));
 }
 
 void MainWindow::makeConstraintMenu()
@@ -328,7 +333,7 @@ void MainWindow::makeViewMenu()
                  this);
 
   addAction(menu, {"removeMeasurements", tr("Remove all &measurements"), "", tr("Remove all probes and rulers"),
-                   Needs::Document, [this] { editor_.setMeasurements({}); }});
+                   Needs::Measurements, [this] { editor_.setMeasurements(tr("remove all measurements"), {}); }});
 
   panels_->fillMenu(*menu.addMenu(tr("&Panels")));
   const auto colors = [this](const char* name, const QString& text, const QString& spoken,

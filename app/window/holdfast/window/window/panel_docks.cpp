@@ -47,7 +47,8 @@ PanelDocks::PanelDocks(Editor& editor, Viewport& viewport, QMainWindow& window)
   histograms_ = new HistogramPanel(editor);
   colors_ = new ColorPanel(editor, &window);
   upper_ = {add(tr("Constraints"), "constraintsDock", constraints), add(tr("Colours"), "colorsDock", colors_),
-            add(tr("Rotations"), "sphereDock", sphere_), add(tr("Distributions"), "histogramDock", histograms_)};
+            add(tr("Rotations"), "sphereDock", sphere_), add(tr("Distributions"), "histogramDock", histograms_),
+            add(tr("Selections"), "selectionsDock", newSelectionsPanel(editor))};
   const auto showVertices = [this](const std::vector<Index>& vertices) {
     editor_.selectVertices(vertices);
     viewport_.frameVertices(vertices);

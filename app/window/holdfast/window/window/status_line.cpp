@@ -4,23 +4,12 @@
 #include <cmath>
 
 #include <holdfast/window/controls/panel_parts.h>
-#include <holdfast/window/text/constraint_text.h>
 #include <holdfast/window/text/number_text.h>
 
 namespace holdfast {
 namespace {
 
 constexpr int kIndent = 6;
-
-/// Coordinates that are only rounding errors beside the others become zero.
-QString placeText(const Vector3& place)
-{
-  constexpr double kNoise = 1e-12;
-  QStringList coordinates;
-  for (const double value : place)
-    coordinates << roundedText(std::abs(value) <= kNoise * place.cwiseAbs().maxCoeff() ? 0 : value);
-  return coordinates.join(", ");
-}
 
 QString shareText(double share)
 {
@@ -66,17 +55,10 @@ StatusLine::StatusLine(Editor& editor, QWidget* parent)
   showStep();
 }
 
-void StatusLine::setPick(const std::optional<SurfacePick>& pick)
-{
-  pick_ = pick ? tr("%1  at %2").arg(locationText(pick->location), placeText(pick->place)) : QString();
-  showHint();
-}
-
 void StatusLine::showHint()
 {
-  const QString text = pick_.isEmpty() ? hint_ : pick_;
-  left_->setText(left_->fontMetrics().elidedText(text, Qt::ElideRight, left_->width() - 2 * kIndent));
-  left_->setToolTip(text);
+  left_->setText(left_->fontMetrics().elidedText(hint_, Qt::ElideRight, left_->width() - 2 * kIndent));
+  left_->setToolTip(hint_);
 }
 
 bool StatusLine::eventFilter(QObject* watched, QEvent* event)

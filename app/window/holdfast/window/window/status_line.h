@@ -1,13 +1,10 @@
 #pragma once
-/// The line below the picture: what the mouse does, what is under it, what is selected, and how accurate the solution
-/// is.
+/// The line below the picture: what the mouse does, what is selected, and how accurate the solution is.
 
 #include <QLabel>
 #include <QPushButton>
 #include <QStatusBar>
-#include <optional>
 
-#include <holdfast/widgets/picking/surface_picker.h>
 #include <holdfast/window/model/editor.h>
 
 namespace holdfast {
@@ -23,7 +20,6 @@ class StatusLine : public QStatusBar {
     hint_ = hint;
     showHint();
   }
-  void setPick(const std::optional<SurfacePick>& pick);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -36,7 +32,6 @@ class StatusLine : public QStatusBar {
 
   Editor& editor_;
   QString hint_;
-  QString pick_;
   QLabel* left_;
   QLabel* step_;
   QPushButton* cancel_;
