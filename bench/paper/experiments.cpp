@@ -7,6 +7,10 @@ const std::vector<Experiment>& allExperiments()
   static const std::vector<Experiment> kAll{
       {"Figure 1: cotangents and areas", Needs::Nothing, cotangentDefinition},
       {"Figure 2: unsymmetric subdivision", Needs::Nothing, unsymmetricSubdivision},
+      {"Table 1: solvers, weights and precision", Needs::Nothing, stabilityOfOwnMeshes},
+      {"Table 1: solvers, weights and precision, on the models of the paper", Needs::Models, stabilityOfModels},
+      {"Beyond the paper: rotations by bends and twists", Needs::Time, bendsAndTwists},
+      {"Beyond the paper: rotations in tasks of the survey", Needs::Nothing, surveyTasks},
   };
   return kAll;
 }

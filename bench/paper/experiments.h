@@ -30,5 +30,9 @@ struct Experiment {
 
 [[nodiscard]] Section cotangentDefinition(const Workbench& bench);     ///< Fig. 1
 [[nodiscard]] Section unsymmetricSubdivision(const Workbench& bench);  ///< Fig. 2
+[[nodiscard]] Section stabilityOfOwnMeshes(const Workbench& bench);    ///< Table 1
+[[nodiscard]] Section stabilityOfModels(const Workbench& bench);       ///< Table 1
+[[nodiscard]] Section bendsAndTwists(const Workbench& bench);          ///< rotation methods
+[[nodiscard]] Section surveyTasks(const Workbench& bench);             ///< rotation methods
 
 }  // namespace holdfast::paper

@@ -167,7 +167,7 @@ Outcome solvedInSingle(const BentMesh& bent, const BentProblem& problem, const M
                        const Columns3& reference)
 {
   const Index unknowns = problem.A->columns().cols();
-  if (method.kind == SolverKind::Lagrange && unknowns > kMostForSingleLu) return {"not run"};
+  if (method.kind == SolverKind::Lagrange && unknowns > kMostForSingleLu) return {kNotRun};
   return solved<float>(bent, problem, method, reference);
 }
 

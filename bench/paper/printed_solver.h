@@ -19,6 +19,12 @@ struct Outcome {
   [[nodiscard]] bool isSolved() const { return failure.empty(); }
 };
 
+/// `Outcome::failure` of what would take too long.
+inline constexpr const char* kNotRun = "not run";
+
+/// A larger error is visible in a picture of the whole mesh: nothing worth the name is solved.
+inline constexpr double kLostError = 1e-3;
+
 /// Those of displacements `u`, judged by `reference`.
 [[nodiscard]] Outcome judged(const BentProblem& problem, const Columns3& u, const Columns3& reference, double seconds);
 

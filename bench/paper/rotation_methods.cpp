@@ -107,7 +107,8 @@ Section sweeps(const Workbench& bench, double step)
   section.paper = "rotations that handles give, (25) to (29), beside no rotations. It has none that are found.";
   section.method = fmt::format(
       "a bar of 10 x 10 x 90 units, one end held, the other one bent along an arc that keeps the length of its middle "
-      "line, or twisted, in steps of {:g} degrees. A cell has the root of the mean square of relative changes of edges, "
+      "line, or twisted, in steps of {:g} degrees. A cell has the root of the mean square of relative changes of "
+      "edges, "
       "the relative change of the volume, and the root of the mean square of changes of angles between neighbouring "
       "normals, in degrees.",
       step);
@@ -147,12 +148,15 @@ RotationOutcome outcomeOf(const Task& task, const RotationMethod& method, double
   const SolveReport& report = result.report.solve;
   if (report.status != SolveStatus::Ok) throw std::runtime_error(task.name + ": " + report.message);
   if (report.iterations && !report.iterations->isConverged)
-    throw std::runtime_error(fmt::format("{}: rotations are not found after {} iterations", task.name,
-                                         report.iterations->count));
+    throw std::runtime_error(
+        fmt::format("{}: rotations are not found after {} iterations", task.name, report.iterations->count));
   const Positions& p = result.positions;
-  return {edgeError(task, p),      volumeError(task, p),
-          dihedralError(task, p),  residual(task, p),
-          report.iterations ? report.iterations->count : 0, seconds};
+  return {edgeError(task, p),
+          volumeError(task, p),
+          dihedralError(task, p),
+          residual(task, p),
+          report.iterations ? report.iterations->count : 0,
+          seconds};
 }
 
 Section bendsAndTwists(const Workbench& bench)
@@ -184,7 +188,8 @@ Section surveyTasks(const Workbench& /*bench*/)
   section.numbers["residual"] = residual;
   section.tables = {table};
   section.result = fmt::format(
-      "Found rotations keep edges best in all four tasks, smooth ones have the smallest jumps; constraints are missed by "
+      "Found rotations keep edges best in all four tasks, smooth ones have the smallest jumps; constraints are missed "
+      "by "
       "{:.0e} of the diagonal at most.",
       residual);
   return section;

@@ -1,5 +1,7 @@
 #include "bench/paper/stability.h"
 
+#include <limits>
+
 #include <fmt/format.h>
 
 #include <holdfast/operators/operators.h>
@@ -10,14 +12,13 @@ namespace {
 void measureOne(const BentMesh& bent, const BentProblem& problem, StabilityRow& row)
 {
   const Result<ReducedProblem> reduced = reducedProblem(bent, problem, row.method);
-  if (!reduced) {
-    row.byProduct.failure = row.inDouble.failure = row.inSingle.failure = reduced.failure;
-    return;
+  Reference reference{Columns3::Constant(problem.f.rows(), 3, std::numeric_limits<double>::quiet_NaN())};
+  if (reduced) {
+    reference = quadrupleSolution(bent, problem, reduced.value, row.method);
+    const Index weighted = row.method.kind == SolverKind::Soft ? problem.d.rows() : 0;
+    row.condition = conditionOf(reduced.value, problem.f.rows() + weighted);
   }
-  const Reference reference = quadrupleSolution(bent, problem, reduced.value, row.method);
   row.referenceError = reference.lastCorrection;
-  row.condition =
-      conditionOf(reduced.value, problem.f.rows() + (row.method.kind == SolverKind::Soft ? problem.d.rows() : 0));
   row.inSingle = solvedInSingle(bent, problem, row.method, reference.u);
   row.inDouble = solvedInDouble(bent, problem, row.method, reference.u);
   row.byProduct = solvedByProduct(bent, problem, row.method, reference.u);

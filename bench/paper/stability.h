@@ -20,7 +20,7 @@ struct StabilityRow {
   Outcome inDouble;
   Outcome byProduct;
   double condition = 0;       ///< of the normal equations; 0 where the product has no factor of them
-  double referenceError = 1;  ///< `Reference::lastCorrection`
+  double referenceError = 1;  ///< `Reference::lastCorrection`; errors are NaN where there is no reference
 };
 
 /// "soft 5", "Lagrange", "hard".

@@ -103,6 +103,19 @@ Task bar(std::string name)
   return task;
 }
 
+HandleConstraint handleOf(const Task& task, HandleRotation rotation)
+{
+  const Selection select{VertexIds{task.handle}};
+  if (rotation == HandleRotation::None) {
+    const Positions targets = task.targets();
+    VertexTargets places;
+    for (const Index v : task.handle) places.places.emplace_back(targets.row(v));
+    return {select, places, Vector3::Zero(), std::vector<AxisAngle>(task.handle.size())};
+  }
+  if (task.rotation.degrees == 0) return {select, {}, task.translation, {}};
+  return {select, task.rotation, task.translation, {}};
+}
+
 }  // namespace
 
 Positions Task::targets() const
@@ -210,19 +223,10 @@ Task bentFile(const std::string& path)
 
 ConstraintList constraintsOf(const Task& task, HandleRotation rotation)
 {
-  HandleConstraint handle;
-  handle.select = {VertexIds{task.handle}};
-  if (rotation == HandleRotation::None) {
-    const Positions targets = task.targets();
-    VertexTargets places;
-    for (const Index v : task.handle) places.places.emplace_back(targets.row(v));
-    handle.motion = places;
-    handle.rotations.assign(task.handle.size(), AxisAngle{Vector3::UnitZ(), 0});
-  } else {
-    handle.translate = task.translation;
-    if (task.rotation.degrees != 0) handle.motion = task.rotation;
-  }
-  return {"", {{"fixed", true, FixedConstraint{{VertexIds{task.fixed}}}}, {"handle", true, handle}}};
+  ConstraintList list;
+  list.constraints.push_back({"fixed", true, FixedConstraint{{VertexIds{task.fixed}}}});
+  list.constraints.push_back({"handle", true, handleOf(task, rotation)});
+  return list;
 }
 
 }  // namespace holdfast::paper
