@@ -1,5 +1,7 @@
 #include "bench/paper/bent_mesh.h"
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 #include <holdfast/deform/deform.h>
@@ -32,14 +34,14 @@ ConstraintSystem independentSystem(ConstraintSystem system, const SolverMesh& me
   return system;
 }
 
-}  // namespace
-
-BentMesh bentMesh(Mesh mesh)
+/// Under the first `count` constraints of the scene.
+BentMesh bentUnder(Mesh mesh, std::size_t count)
 {
   BentMesh bent;
   bent.model = makeModel(inDiagonals(std::move(mesh)));
   ConstraintList list = bench::scene(bent.model.mesh);
   bench::turnHandle(list, kBend);
+  list.constraints.resize(std::min(count, list.constraints.size()));
   const SolverMesh& solverMesh = bent.model.solverMesh;
   bent.system = independentSystem(
       makeConstraintSystem(list, bent.model.mesh, solverMesh, bent.model.locator(), "scene"), solverMesh);
@@ -47,6 +49,18 @@ BentMesh bentMesh(Mesh mesh)
   bent.q = deform(bent.model, list, "scene").rotations;
   bent.ranks = eliminationRanks(solverMesh.unknownCount(), solverMesh.triangles, OrderFor::ManyResults).ranks;
   return bent;
+}
+
+}  // namespace
+
+BentMesh bentMesh(Mesh mesh)
+{
+  return bentUnder(std::move(mesh), std::numeric_limits<std::size_t>::max());
+}
+
+BentMesh bentByEnds(Mesh mesh)
+{
+  return bentUnder(std::move(mesh), bench::kEnds);
 }
 
 BentProblem bentProblem(const BentMesh& bent, Weights weights)

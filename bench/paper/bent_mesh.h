@@ -25,6 +25,9 @@ struct BentMesh {
 /// Bends `mesh`, which is of triangles, by 60 degrees. Throws what `makeModel` throws.
 [[nodiscard]] BentMesh bentMesh(Mesh mesh);
 
+/// The same without points between the ends.
+[[nodiscard]] BentMesh bentByEnds(Mesh mesh);
+
 /// Minimise |A u - f| under B u = d, u being the displacement.
 struct BentProblem {
   std::shared_ptr<const TwoWayMatrix> A;

@@ -9,6 +9,8 @@ const std::vector<Experiment>& allExperiments()
       {"Figure 2: unsymmetric subdivision", Needs::Nothing, unsymmetricSubdivision},
       {"Table 1: solvers, weights and precision", Needs::Nothing, stabilityOfOwnMeshes},
       {"Table 1: solvers, weights and precision, on the models of the paper", Needs::Models, stabilityOfModels},
+      {"Beyond the paper: causes of instability", Needs::Nothing, causesOfInstability},
+      {"Beyond the paper: many constraints of two and three variables", Needs::Time, manyConstraints},
       {"Beyond the paper: rotations by bends and twists", Needs::Time, bendsAndTwists},
       {"Beyond the paper: rotations in tasks of the survey", Needs::Nothing, surveyTasks},
   };

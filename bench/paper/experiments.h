@@ -32,6 +32,8 @@ struct Experiment {
 [[nodiscard]] Section unsymmetricSubdivision(const Workbench& bench);  ///< Fig. 2
 [[nodiscard]] Section stabilityOfOwnMeshes(const Workbench& bench);    ///< Table 1
 [[nodiscard]] Section stabilityOfModels(const Workbench& bench);       ///< Table 1
+[[nodiscard]] Section causesOfInstability(const Workbench& bench);     ///< "future work"
+[[nodiscard]] Section manyConstraints(const Workbench& bench);         ///< "future work"
 [[nodiscard]] Section bendsAndTwists(const Workbench& bench);          ///< rotation methods
 [[nodiscard]] Section surveyTasks(const Workbench& bench);             ///< rotation methods
 
