@@ -111,7 +111,9 @@ const std::vector<Recipe>& allRecipes()
       {"rows by area", R::Edges::OfMesh, R::Cotangents::Plain, R::Areas::Printed, R::Rows::RootOfArea},
       {"mixed areas, rows by area", R::Edges::OfMesh, R::Cotangents::Plain, R::Areas::Mixed, R::Rows::RootOfArea},
       {"default", R::Edges::OfMesh, R::Cotangents::Guarded, R::Areas::Mixed, R::Rows::RootOfArea},
-      {"default, intrinsic Delaunay", R::Edges::IntrinsicDelaunay, R::Cotangents::Plain, R::Areas::Mixed,
+      {"default without guard, intrinsic Delaunay", R::Edges::IntrinsicDelaunay, R::Cotangents::Plain, R::Areas::Mixed,
+       R::Rows::RootOfArea},
+      {"default, intrinsic Delaunay", R::Edges::IntrinsicDelaunay, R::Cotangents::Guarded, R::Areas::Mixed,
        R::Rows::RootOfArea}};
   return kAll;
 }

@@ -24,8 +24,8 @@ struct Recipe {
   Rows rows = Rows::Printed;
 };
 
-/// As printed in (10), cotangent weights; with one cure each; the product's default; that with intrinsic Delaunay edges
-/// in place of guarded cotangents.
+/// As printed in (10), cotangent weights; with one cure each and with two; the product's default; that on intrinsic
+/// Delaunay edges, without guarded cotangents and with them.
 [[nodiscard]] const std::vector<Recipe>& allRecipes();
 
 /// The rows, n x n, weighted. They may be infinite or NaN.

@@ -142,15 +142,20 @@ Section causesOfInstability(const Workbench& /*bench*/)
       "cure flat angles and the areas that they cancel, and do nothing about a small angle across a short edge, where "
       "no "
       "edge can be flipped. Mixed areas cure areas that cancel; rows weighted by the root of the area cure areas of "
-      "different sizes. All three together, the default, have conditions of up to {:.0e}, where (10), cotangent "
-      "weights as "
-      "printed, reaches {:.0e} and intrinsic Delaunay edges in place of the guard {:.0e}. Corrections leave {:.0e} of "
-      "error "
-      "at most with the default, and {:.0e} with any of these rows; augmented equations {:.0e} and {:.0e} without a "
-      "correction.",
+      "different sizes. All but the edges together are the default: its conditions are up to {:.0e}, where (10), "
+      "cotangent "
+      "weights as printed, reaches {:.0e}, and intrinsic Delaunay edges in place of the guard {:.0e}. Corrections "
+      "leave "
+      "{:.0e} of error at most with the default, and {:.0e} with any of these rows; augmented equations {:.0e} and "
+      "{:.0e} "
+      "without a correction. The price of the guard is the shape beside flat angles: {:.0e} of the diagonal from that "
+      "of "
+      "the sound plate, {:.0e} on intrinsic Delaunay edges.",
       largest(section, "default", "condition"), largest(section, "as printed", "condition"),
-      largest(section, "default, intrinsic Delaunay", "condition"), largest(section, "default", "corrected"),
-      largestOfAll(section, "corrected"), largest(section, "default", "augmented"), largestOfAll(section, "augmented"));
+      largest(section, "default without guard, intrinsic Delaunay", "condition"),
+      largest(section, "default", "corrected"), largestOfAll(section, "corrected"),
+      largest(section, "default", "augmented"), largestOfAll(section, "augmented"),
+      largest(section, "default", "shape"), largest(section, "default, intrinsic Delaunay", "shape"));
   return section;
 }
 
