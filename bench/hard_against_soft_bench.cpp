@@ -23,8 +23,10 @@ void takeTurn(Samples& samples, const Model& model, const ConstraintList& constr
   std::unique_ptr<const ConstrainedSolver> solver;
   const double factorization = secondsOf([&] { solver = factorized(model, *made, *eliminated, kind); });
   // Soft constraints need no elimination: it is charged to hard ones alone.
-  samples.add("set-up and decomposition", column,
-              setUpSeconds + factorization + (kind == SolverKind::Hard ? elimination : 0));
+  const double decomposition = factorization + (kind == SolverKind::Hard ? elimination : 0);
+  samples.add("set-up", column, setUpSeconds);
+  samples.add("decomposition", column, decomposition);
+  samples.add("set-up and decomposition", column, setUpSeconds + decomposition);
   samples.add("solution", column, shortest(5, [&] { solution(*made, *solver); }));
   samples.add("factor", "MiB " + std::string(name(kind)), factorMiB(*solver));
 }

@@ -15,7 +15,7 @@
 #include <holdfast/holdfast.h>
 
 #include "bench/measure.h"
-#include "bench/paper/shape_measures.h"
+#include "bench/paper/task_measures.h"
 #include "bench/paper/survey_tasks.h"
 
 namespace {

@@ -96,7 +96,7 @@ struct Ring {
 /// To pixels.
 Point2 placed(const Point2& point)
 {
-  return {300 + 210 * point.x(), 270 - 210 * point.y()};
+  return {290 + 210 * point.x(), 250 - 210 * point.y()};
 }
 
 std::vector<Point2> placed(std::vector<Point2> points)
@@ -122,10 +122,12 @@ void drawAngle(Svg& svg, const Point2& apex, const Point2& from, const Point2& t
 
 std::string drawing(const Ring& ring)
 {
-  Svg svg(640, 540);
+  Svg svg(600, 470);
   for (std::size_t t = 0; t < ring.triangles.size(); ++t)
     svg.polygon(placed({ring.corner(t, 0), ring.corner(t, 1), ring.corner(t, 2)}), {"#7a818c", 1.2, "#f2f4f7", ""});
   svg.polygon(placed(ring.cell), {"#0072b2", 1.5, "#cfe3f2", ""});
+  for (std::size_t t = 0; t < ring.triangles.size(); ++t)
+    svg.line(placed(ring.corner(t, 0)), placed(ring.corner(t, 1)), {"#7a818c", 1.2, "none", ""});
   svg.line(placed(ring.corner(0, 0)), placed(ring.corner(0, 1)), {"#20242c", 3, "none", ""});
   drawAngle(svg, ring.corner(0, 2), ring.corner(0, 0), ring.corner(0, 1), "&#945;");
   drawAngle(svg, ring.corner(ring.before(0), 1), ring.corner(0, 1), ring.corner(0, 0), "&#946;");
@@ -166,7 +168,7 @@ Section cotangentDefinition(const Workbench& bench)
 {
   const Model model = fan({1.05, 0.92, 1.0, 1.1, 0.95, 1.02}, {8, 66, 128, 186, 247, 307});
   const Ring ring(model);
-  const Ring obtuse(fan({0.25, 1, 1, 1, 1}, {8, 100, 160, 216, 276}));
+  const Ring obtuse(fan({0.25, 1, 1, 1, 1, 1}, {8, 18, 95, 175, 255, 358}));
   writeFile(bench.picture("figure_01.svg"), drawing(ring));
   Section section;
   section.paper = "the angles and the Voronoi area in the cotangent weights (10).";
@@ -183,7 +185,7 @@ Section cotangentDefinition(const Workbench& bench)
                      {"obtuse triangles", obtuse.trianglesArea}};
   section.result = fmt::format(
       "The cell that is drawn has the area {:.6f}, Area(i) is {:.6f}, and the row of L differs from these weights by "
-      "{:.1e} at most. With a neighbour near by, obtuse angles make the formula of Area(i) {:.3f} about a vertex whose "
+      "{:.1e} at most. Obtuse angles make Area(i) as printed {:.3f} at another vertex whose "
       "triangles have the area {:.3f}; the mixed area, which the default weights take, is {:.3f}.",
       polygonArea(ring.cell), ring.literalArea, section.numbers["difference from L"], obtuse.literalArea,
       obtuse.trianglesArea, obtuse.mixedArea);

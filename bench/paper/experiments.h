@@ -2,6 +2,7 @@
 /// \file
 /// Every experiment: one function each, in a source of its own.
 
+#include <string>
 #include <vector>
 
 #include "bench/paper/section.h"
@@ -30,11 +31,24 @@ struct Experiment {
 
 [[nodiscard]] Section cotangentDefinition(const Workbench& bench);     ///< Fig. 1
 [[nodiscard]] Section unsymmetricSubdivision(const Workbench& bench);  ///< Fig. 2
-[[nodiscard]] Section stabilityOfOwnMeshes(const Workbench& bench);    ///< Table 1
-[[nodiscard]] Section stabilityOfModels(const Workbench& bench);       ///< Table 1
+[[nodiscard]] Section badlyShapedTriangles(const Workbench& bench);    ///< Fig. 3
+[[nodiscard]] Section rotatedNormals(const Workbench& bench);          ///< Fig. 4 and 5
+[[nodiscard]] Section rotationSpheres(const Workbench& bench);         ///< Fig. 6
+[[nodiscard]] Section rigidEyes(const Workbench& bench);               ///< Fig. 7
+[[nodiscard]] Section keptDistance(const Workbench& bench);            ///< Fig. 8
+[[nodiscard]] Section solversOnBadTriangles(const Workbench& bench);   ///< Fig. 9
+[[nodiscard]] Section deformedModels(const Workbench& bench);          ///< Fig. 10, meshes of the project
+[[nodiscard]] Section deformedScans(const Workbench& bench);           ///< Fig. 10, fetched meshes
+[[nodiscard]] Section conflictingPoints(const Workbench& bench);       ///< Fig. 11
+[[nodiscard]] Section hardAgainstSoft(const Workbench& bench);         ///< Fig. 12
+[[nodiscard]] Section stabilityOfOwnMeshes(const Workbench& bench);    ///< Table 1, meshes of the project
+[[nodiscard]] Section stabilityOfModels(const Workbench& bench);       ///< Table 1, fetched meshes
 [[nodiscard]] Section causesOfInstability(const Workbench& bench);     ///< "future work"
 [[nodiscard]] Section manyConstraints(const Workbench& bench);         ///< "future work"
 [[nodiscard]] Section bendsAndTwists(const Workbench& bench);          ///< rotation methods
 [[nodiscard]] Section surveyTasks(const Workbench& bench);             ///< rotation methods
+
+/// Fig. 12 on generated meshes of so many thousand vertices.
+[[nodiscard]] Section costsOfMeshes(const Workbench& bench, const std::vector<std::string>& thousands);
 
 }  // namespace holdfast::paper

@@ -3,19 +3,23 @@
 #include <algorithm>
 
 #include <vtkCellArray.h>
-#include <vtkLineSource.h>
 #include <vtkPoints.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/io/mesh_file.h>
 #include <holdfast/widgets/mesh/actors.h>
+#include <holdfast/widgets/rotation_sphere/rotation_sphere.h>
 
+#include "bench/paper/shape_measures.h"
 #include "bench/paper/workbench.h"
 
 namespace holdfast::paper {
 namespace {
+
+constexpr std::size_t kChannels = 3;
 
 ViewFrame frameFor(const Look& look)
 {
@@ -24,17 +28,17 @@ ViewFrame frameFor(const Look& look)
   return {right, back.cross(right), back};
 }
 
-/// The places of all panels, which share one camera.
-Positions placesOf(const std::vector<Panel>& panels)
+/// What `look` shows of the meshes of `panels`.
+Positions placesOf(const std::vector<Panel>& panels, const Look& look)
 {
-  Index count = 0;
-  for (const Panel& panel : panels) count += panel.shown->result.positions.rows();
-  Positions all(count, 3);
-  Index row = 0;
+  std::vector<Vector3> places;
   for (const Panel& panel : panels) {
-    all.middleRows(row, panel.shown->result.positions.rows()) = panel.shown->result.positions;
-    row += panel.shown->result.positions.rows();
+    const Positions& positions = panel.shown->result.positions;
+    for (const Index v : look.focus.empty() ? allVertices(*panel.shown->model) : look.focus)
+      places.emplace_back(positions.row(v));
   }
+  Positions all(static_cast<Index>(places.size()), 3);
+  for (Index k = 0; k < all.rows(); ++k) all.row(k) = places[k];
   return all;
 }
 
@@ -73,7 +77,8 @@ Picture drawn(const Panel& panel, const ViewFrame& frame, const Positions& place
 {
   SceneOptions options;
   options.size = size;
-  options.colorBy = panel.colorBy;
+  options.coloring = coloringOf(*panel.shown->model, panel.shown->result, {panel.colorBy, panel.range, {}}, "");
+  options.colorBy = ColorBy::None;
   options.legend = Legend::Hidden;
   Scene scene(*panel.shown->model, panel.shown->result, options);
   scene.contents().setMeshEdges(panel.edges);
@@ -84,6 +89,28 @@ Picture drawn(const Panel& panel, const ViewFrame& frame, const Positions& place
   fit(*scene.meshRenderer().GetActiveCamera(), frame, places, static_cast<double>(size.width) / size.height);
   scene.meshRenderer().ResetCameraClippingRange();
   return draw(scene, name);
+}
+
+Picture pixelsOf(vtkRenderWindow& window)
+{
+  const int* const size = window.GetSize();
+  const vtkNew<vtkUnsignedCharArray> pixels;
+  window.GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
+  return {{size[0], size[1]}, {pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues()}};
+}
+
+/// The mean of 2 x 2 pixels each.
+Picture halved(const Picture& picture)
+{
+  const std::size_t width = kChannels * picture.size.width;  // of a row of `picture`
+  Picture half{{picture.size.width / 2, picture.size.height / 2}, {}};
+  for (std::size_t y = 0; y + 1 < static_cast<std::size_t>(picture.size.height); y += 2)
+    for (std::size_t x = 0; x < width; x += (x % kChannels == kChannels - 1) ? kChannels + 1 : 1) {
+      const unsigned char* const first = picture.pixels.data() + y * width + x;
+      half.pixels.push_back(
+          static_cast<unsigned char>((first[0] + first[kChannels] + first[width] + first[width + kChannels] + 2) / 4));
+    }
+  return half;
 }
 
 }  // namespace
@@ -97,7 +124,6 @@ Deformed deformed(const std::string& mesh, const std::string& constraints, const
 
 Picture tiled(const std::vector<Picture>& pictures, int columns)
 {
-  constexpr std::size_t kChannels = 3;
   constexpr unsigned char kWhite = 255;
   const PictureSize one = pictures.front().size;
   const int count = static_cast<int>(pictures.size());
@@ -114,12 +140,40 @@ Picture tiled(const std::vector<Picture>& pictures, int columns)
   return whole;
 }
 
+std::vector<Picture> drawnPanels(const std::vector<Panel>& panels, const Look& look)
+{
+  const Positions together = placesOf(panels, look);
+  std::vector<Picture> pictures;
+  for (const Panel& panel : panels) {
+    const Positions places = look.frame == Frame::OwnMesh ? placesOf({panel}, look) : together;
+    pictures.push_back(drawn(panel, frameFor(look), places, look.panel, panel.label));
+  }
+  return pictures;
+}
+
 void drawPanels(const std::string& path, const std::vector<Panel>& panels, const Look& look)
 {
-  const Positions places = placesOf(panels);
-  std::vector<Picture> pictures;
-  for (const Panel& panel : panels) pictures.push_back(drawn(panel, frameFor(look), places, look.panel, path));
-  writeFile(path, toPng(tiled(pictures, look.columns), path));
+  writeFile(path, toPng(tiled(drawnPanels(panels, look), look.columns), path));
+}
+
+Picture drawnSphere(const std::string& label, const Deformed& shown, const PictureSize& size)
+{
+  constexpr int kRatio = 2;
+  const vtkNew<vtkRenderWindow> window;
+  const vtkNew<vtkRenderer> renderer;
+  window->SetOffScreenRendering(1);
+  window->SetMultiSamples(0);
+  window->SetSize(kRatio * size.width, kRatio * size.height);
+  window->AddRenderer(renderer);
+  RotationSphere sphere;
+  sphere.addTo(*renderer);
+  sphere.setLook({.background = {1, 1, 1}, .pixelRatio = kRatio});
+  sphere.show(placeRotations(*shown.model, shown.result, nullptr));
+  sphere.setColoring(coloringOf(*shown.model, shown.result, ColorBy::Angle, ""));
+  sphere.fitCamera();
+  addLabel(*renderer, label, kRatio);
+  window->Render();
+  return halved(pixelsOf(*window));
 }
 
 }  // namespace holdfast::paper

@@ -2,7 +2,7 @@
 /// \file
 /// One task by several ways to choose rotations, measured.
 
-#include "bench/paper/shape_measures.h"
+#include "bench/paper/task_measures.h"
 
 namespace holdfast::paper {
 

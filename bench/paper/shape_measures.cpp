@@ -2,85 +2,61 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <numeric>
 
-#include <holdfast/geometry/rotation_log.h>
+#include <holdfast/constraints/selector.h>
+#include <holdfast/operators/laplacian.h>
+#include <holdfast/surface/surface_locator.h>
 
 namespace holdfast::paper {
-namespace {
 
-Vector3 corner(const Task& task, const Positions& p, Index triangle, int k)
+Spread spreadOf(const std::vector<double>& values)
 {
-  return p.row(task.triangles(triangle, k % 3));
+  Spread spread;
+  for (const double value : values) {
+    spread.rms += value * value / static_cast<double>(values.size());
+    spread.largest = std::max(spread.largest, std::abs(value));
+  }
+  spread.rms = std::sqrt(spread.rms);
+  return spread;
 }
 
-Vector3 normal(const Task& task, const Positions& p, Index triangle)
+Spread distanceBetween(const Model& model, const Positions& shape, const std::vector<Index>& vertices,
+                       const Model& other, const Positions& otherShape)
 {
-  const Vector3 a = corner(task, p, triangle, 0);
-  return (corner(task, p, triangle, 1) - a).cross(corner(task, p, triangle, 2) - a);
+  const SurfaceLocator locator = other.locator();
+  std::vector<double> distances;
+  for (const Index v : vertices) {
+    const SurfacePoint point = locator.closestTo(model.mesh.positions.row(v)).point;
+    distances.push_back((positionOf(point, otherShape) - shape.row(v).transpose()).norm());
+  }
+  return spreadOf(distances);
 }
 
-double angleBetween(const Task& task, const Positions& p, Index s, Index t)
+Spread stretchOf(const Model& model, const Positions& shape, const std::vector<Index>& vertices)
 {
-  const Vector3 a = normal(task, p, s);
-  const Vector3 b = normal(task, p, t);
-  return std::atan2(a.cross(b).norm(), a.dot(b)) / kDegree;
+  std::vector<bool> isChosen(model.mesh.vertexCount());
+  for (const Index v : vertices) isChosen[v] = true;
+  const auto lengthIn = [](const Positions& positions, const EdgeWeight& edge) {
+    return (positions.row(edge.i) - positions.row(edge.j)).norm();
+  };
+  std::vector<double> changes;
+  for (const EdgeWeight& edge : unitEdgeWeights(model.triangulation.triangles))
+    if (isChosen[edge.i] && isChosen[edge.j])
+      changes.push_back(lengthIn(shape, edge) / lengthIn(model.mesh.positions, edge) - 1);
+  return spreadOf(changes);
 }
 
-double volume(const Task& task, const Positions& p)
+std::vector<Index> allVertices(const Model& model)
 {
-  double sum = 0;
-  for (Index t = 0; t < task.triangles.rows(); ++t) sum += corner(task, p, t, 0).dot(normal(task, p, t)) / 6;
-  return sum;
+  std::vector<Index> all(model.mesh.vertexCount());
+  std::iota(all.begin(), all.end(), Index{0});
+  return all;
 }
 
-}  // namespace
-
-double edgeError(const Task& task, const Positions& deformed)
+std::vector<Index> verticesOf(const Model& model, const Selection& selection)
 {
-  double squares = 0;
-  for (Index t = 0; t < task.triangles.rows(); ++t)
-    for (int k = 0; k < 3; ++k) {
-      const double before = (corner(task, task.rest, t, k) - corner(task, task.rest, t, k + 1)).norm();
-      const double after = (corner(task, deformed, t, k) - corner(task, deformed, t, k + 1)).norm();
-      squares += std::pow(after / before - 1, 2);
-    }
-  return std::sqrt(squares / static_cast<double>(3 * task.triangles.rows()));
-}
-
-double volumeError(const Task& task, const Positions& deformed)
-{
-  return volume(task, deformed) / volume(task, task.rest) - 1;
-}
-
-DihedralError dihedralError(const Task& task, const Positions& deformed)
-{
-  std::map<std::pair<Index, Index>, Index> firstOn;
-  DihedralError error;
-  double squares = 0;
-  Index count = 0;
-  for (Index t = 0; t < task.triangles.rows(); ++t)
-    for (int k = 0; k < 3; ++k) {
-      const auto [low, high] = std::minmax({task.triangles(t, k), task.triangles(t, (k + 1) % 3)});
-      const auto [entry, isNew] = firstOn.try_emplace({low, high}, t);
-      if (isNew) continue;
-      const double change =
-          std::abs(angleBetween(task, deformed, entry->second, t) - angleBetween(task, task.rest, entry->second, t));
-      error.largest = std::max(error.largest, change);
-      squares += change * change;
-      ++count;
-    }
-  error.rms = std::sqrt(squares / static_cast<double>(count));
-  return error;
-}
-
-double residual(const Task& task, const Positions& deformed)
-{
-  const Positions targets = task.targets();
-  double largest = 0;
-  for (const auto* ids : {&task.fixed, &task.handle})
-    for (const Index v : *ids) largest = std::max(largest, (deformed.row(v) - targets.row(v)).norm());
-  return largest / task.diagonal();
+  return Selector(model.mesh, model.solverMesh, model.locator()).select(selection, {"experiment", 0, ""});
 }
 
 }  // namespace holdfast::paper

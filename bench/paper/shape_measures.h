@@ -1,25 +1,35 @@
 #pragma once
 /// \file
-/// How far a deformed mesh is from its rest shape, up to a rigid motion.
+/// How near two shapes of a surface are, and how much a deformation stretches it.
 
-#include "bench/paper/survey_tasks.h"
+#include <vector>
+
+#include <holdfast/constraints/selection.h>
+#include <holdfast/deform/model.h>
 
 namespace holdfast::paper {
 
-/// Root of the mean square of the relative changes of length of all edges of all triangles.
-[[nodiscard]] double edgeError(const Task& task, const Positions& deformed);
-
-/// Relative change of the volume that the triangles enclose; of no meaning for open meshes.
-[[nodiscard]] double volumeError(const Task& task, const Positions& deformed);
-
-/// Changes of the angle between the normals of two neighbours, in degrees.
-struct DihedralError {
-  double rms = 0;  ///< root of the mean square over inner edges
+/// Root of the mean square, and the largest.
+struct Spread {
+  double rms = 0;
   double largest = 0;
 };
-[[nodiscard]] DihedralError dihedralError(const Task& task, const Positions& deformed);
 
-/// Largest distance of a fixed vertex or one of the handle to its place, as a share of the diagonal.
-[[nodiscard]] double residual(const Task& task, const Positions& deformed);
+/// Of the sizes of `values`; zero of none.
+[[nodiscard]] Spread spreadOf(const std::vector<double>& values);
+
+/// From where each of `vertices` went, `shape`, to where the point of `other` went, `otherShape`, that is nearest to it
+/// at rest.
+[[nodiscard]] Spread distanceBetween(const Model& model, const Positions& shape, const std::vector<Index>& vertices,
+                                     const Model& other, const Positions& otherShape);
+
+/// Relative changes of length of the edges between `vertices`.
+[[nodiscard]] Spread stretchOf(const Model& model, const Positions& shape, const std::vector<Index>& vertices);
+
+/// Every vertex of the file.
+[[nodiscard]] std::vector<Index> allVertices(const Model& model);
+
+/// Those that `selection` names, curves among them, ascending.
+[[nodiscard]] std::vector<Index> verticesOf(const Model& model, const Selection& selection);
 
 }  // namespace holdfast::paper
