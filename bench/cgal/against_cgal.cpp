@@ -15,8 +15,8 @@
 #include <holdfast/holdfast.h>
 
 #include "bench/measure.h"
-#include "bench/paper/task_measures.h"
 #include "bench/paper/survey_tasks.h"
+#include "bench/paper/task_measures.h"
 
 namespace {
 
@@ -32,7 +32,7 @@ struct Outcome {
   double seconds = 0;
 };
 
-Outcome byHoldfast(const Task& task, const std::string& name, RotationSource source, HandleRotation rotation,
+Outcome byHoldfast(const SurveyTask& task, const std::string& name, RotationSource source, HandleRotation rotation,
                    double change)
 {
   const Model model = makeModel({task.rest, Polygons(task.triangles)});
@@ -55,7 +55,7 @@ Positions positionsOf(const CgalMesh& mesh)
 }
 
 template <CGAL::Deformation_algorithm_tag kTag>
-Outcome byCgal(const Task& task, const std::string& name, double change)
+Outcome byCgal(const SurveyTask& task, const std::string& name, double change)
 {
   constexpr int kMostIterations = 3000;
   CgalMesh mesh;
@@ -87,7 +87,7 @@ Outcome byCgal(const Task& task, const std::string& name, double change)
   return outcome;
 }
 
-void print(const Task& task, const Outcome& outcome)
+void print(const SurveyTask& task, const Outcome& outcome)
 {
   fmt::print("| {} | {} | {:.4f} | {:.2f} | {:.1e} | {} | {:.2f} |\n", task.name, outcome.method,
              edgeError(task, outcome.positions), dihedralError(task, outcome.positions).largest,
@@ -96,7 +96,7 @@ void print(const Task& task, const Outcome& outcome)
 }
 
 /// The methods whose names have `part` in them.
-void compare(const Task& task, double change, const std::string& part)
+void compare(const SurveyTask& task, double change, const std::string& part)
 {
   using Method = std::function<Outcome(const std::string&)>;
   const auto ours = [&](RotationSource source, HandleRotation rotation) -> Method {
@@ -126,6 +126,7 @@ int main(int argc, char** argv)
   fmt::print("|---|---|---|---|---|---|---|\n");
   for (int k = 3; k < argc; ++k) compare(bentFile(argv[k]), change, part);
   if (argc <= 3)
-    for (const Task& task : {bentBar(), bentCactus(), twistedCylinder(), liftedPlane()}) compare(task, change, part);
+    for (const SurveyTask& task : {bentBar(), bentCactus(), twistedCylinder(), liftedPlane()})
+      compare(task, change, part);
   return 0;
 }

@@ -14,7 +14,7 @@
 namespace holdfast::paper {
 namespace {
 
-constexpr double kBend = 60;  // degrees
+constexpr double kBentBy = 60;  // degrees
 
 Mesh inDiagonals(Mesh mesh)
 {
@@ -40,7 +40,7 @@ BentMesh bentUnder(Mesh mesh, std::size_t count)
   BentMesh bent;
   bent.model = makeModel(inDiagonals(std::move(mesh)));
   ConstraintList list = bench::scene(bent.model.mesh);
-  bench::turnHandle(list, kBend);
+  bench::turnHandle(list, kBentBy);
   list.constraints.resize(std::min(count, list.constraints.size()));
   const SolverMesh& solverMesh = bent.model.solverMesh;
   bent.system = independentSystem(

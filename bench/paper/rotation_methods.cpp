@@ -17,10 +17,10 @@ namespace {
 /// A motion by any angle, and a curve a method.
 struct Sweep {
   const char* name;
-  Task (*task)(double degrees);
+  SurveyTask (*task)(double degrees);
 };
-constexpr Sweep kBend{"bend", bentBar};
-constexpr Sweep kTwist{"twist", twistedBar};
+constexpr Sweep kBending{"bend", bentBar};
+constexpr Sweep kTwisting{"twist", twistedBar};
 
 struct Measure {
   const char* name;
@@ -112,8 +112,8 @@ Section sweeps(const Workbench& bench, double step)
       "the relative change of the volume, and the root of the mean square of changes of angles between neighbouring "
       "normals, in degrees.",
       step);
-  addSweep(section, bench, kBend, step);
-  addSweep(section, bench, kTwist, step);
+  addSweep(section, bench, kBending, step);
+  addSweep(section, bench, kTwisting, step);
   const auto at = [&](const char* name) { return section.numbers.at(name); };
   section.result = fmt::format(
       "Without rotations a bend by 180 degrees changes edges by {:.2f}, with given ones by {:.2f}, with found ones by "
@@ -136,7 +136,7 @@ const std::vector<RotationMethod>& rotationMethods()
   return kAll;
 }
 
-RotationOutcome outcomeOf(const Task& task, const RotationMethod& method, double change)
+RotationOutcome outcomeOf(const SurveyTask& task, const RotationMethod& method, double change)
 {
   const Model model = makeModel({task.rest, Polygons(task.triangles)});
   const ConstraintList list = constraintsOf(task, method.handle);
@@ -174,7 +174,7 @@ Section surveyTasks(const Workbench& /*bench*/)
   Table table{{"task"}, {}};
   for (const RotationMethod& method : rotationMethods()) table.columns.emplace_back(method.name);
   double residual = 0;
-  for (const Task& task : {bentBar(), bentCactus(), twistedCylinder(), liftedPlane()}) {
+  for (const SurveyTask& task : {bentBar(), bentCactus(), twistedCylinder(), liftedPlane()}) {
     table.rows.push_back({task.name});
     for (const RotationMethod& method : rotationMethods()) {
       const RotationOutcome outcome = outcomeOf(task, method);

@@ -24,6 +24,7 @@ struct RotationOutcome {
 };
 
 /// Throws std::runtime_error where the task is not solved, or rotations are not found to `change`.
-[[nodiscard]] RotationOutcome outcomeOf(const Task& task, const RotationMethod& method, double change = kFoundChange);
+[[nodiscard]] RotationOutcome outcomeOf(const SurveyTask& task, const RotationMethod& method,
+                                        double change = kFoundChange);
 
 }  // namespace holdfast::paper

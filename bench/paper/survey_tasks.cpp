@@ -18,7 +18,7 @@ namespace {
 using Cell = std::array<int, 3>;
 
 /// The surface of a set of unit cubes, as triangles over lattice points. No two cubes touch in an edge alone.
-void addSurface(Task& task, const Cell& size, const std::function<bool(const Cell&)>& isIn)
+void addSurface(SurveyTask& task, const Cell& size, const std::function<bool(const Cell&)>& isIn)
 {
   std::map<Cell, int> idOf;
   std::vector<std::array<int, 3>> triangles;
@@ -58,7 +58,7 @@ void addSurface(Task& task, const Cell& size, const std::function<bool(const Cel
 }
 
 /// Each vertex goes to the mean of its neighbours, so many times.
-void smooth(Task& task, int times)
+void smooth(SurveyTask& task, int times)
 {
   std::vector<std::set<int>> neighbours(static_cast<std::size_t>(task.rest.rows()));
   for (Index t = 0; t < task.triangles.rows(); ++t)
@@ -76,7 +76,7 @@ void smooth(Task& task, int times)
 }
 
 /// Holds what is below `low` and moves what is above `high`, by height.
-void hold(Task& task, double low, double high)
+void hold(SurveyTask& task, double low, double high)
 {
   for (Index v = 0; v < task.rest.rows(); ++v) {
     if (task.rest(v, 2) <= low) task.fixed.push_back(v);
@@ -85,7 +85,7 @@ void hold(Task& task, double low, double high)
 }
 
 /// Bends the part between the heights into an arc about the y axis that keeps the length of its middle line.
-void bend(Task& task, double low, double high, double degrees)
+void bend(SurveyTask& task, double low, double high, double degrees)
 {
   hold(task, low, high);
   const double angle = degrees * std::numbers::pi / 180;
@@ -96,14 +96,14 @@ void bend(Task& task, double low, double high, double degrees)
 }
 
 /// 10 x 10 x 90 units.
-Task bar(std::string name)
+SurveyTask bar(std::string name)
 {
-  Task task{std::move(name)};
+  SurveyTask task{std::move(name)};
   addSurface(task, {10, 10, 90}, [](const Cell&) { return true; });
   return task;
 }
 
-HandleConstraint handleOf(const Task& task, HandleRotation rotation)
+HandleConstraint handleOf(const SurveyTask& task, HandleRotation rotation)
 {
   const Selection select{VertexIds{task.handle}};
   if (rotation == HandleRotation::None) {
@@ -118,7 +118,7 @@ HandleConstraint handleOf(const Task& task, HandleRotation rotation)
 
 }  // namespace
 
-Positions Task::targets() const
+Positions SurveyTask::targets() const
 {
   const Vector3 center = rotation.center.value_or(Vector3::Zero());
   const Eigen::Matrix3d R = rotationMatrix(rotation.axis, rotation.degrees);
@@ -127,29 +127,29 @@ Positions Task::targets() const
   return result;
 }
 
-double Task::diagonal() const
+double SurveyTask::diagonal() const
 {
   return (rest.colwise().maxCoeff() - rest.colwise().minCoeff()).norm();
 }
 
-Task bentBar(double degrees)
+SurveyTask bentBar(double degrees)
 {
-  Task task = bar(fmt::format("bar, bent by {}", degrees));
+  SurveyTask task = bar(fmt::format("bar, bent by {}", degrees));
   bend(task, 10, 80, degrees);
   return task;
 }
 
-Task twistedBar(double degrees)
+SurveyTask twistedBar(double degrees)
 {
-  Task task = bar(fmt::format("bar, twisted by {}", degrees));
+  SurveyTask task = bar(fmt::format("bar, twisted by {}", degrees));
   hold(task, 10, 80);
   task.rotation = {Vector3::UnitZ(), degrees, Vector3(5, 5, 0)};
   return task;
 }
 
-Task bentCactus()
+SurveyTask bentCactus()
 {
-  Task task{"cactus, bent by 70"};
+  SurveyTask task{"cactus, bent by 70"};
   addSurface(task, {44, 10, 80}, [](const Cell& c) {
     const bool isTrunk = c[0] >= 17 && c[0] < 27;
     const bool isLeft = c[0] < 27 && c[2] >= 30 && c[2] < 38 && c[1] >= 1 && c[1] < 9;
@@ -167,9 +167,9 @@ Task bentCactus()
   return task;
 }
 
-Task twistedCylinder()
+SurveyTask twistedCylinder()
 {
-  Task task{"cylinder, twisted by 120"};
+  SurveyTask task{"cylinder, twisted by 120"};
   addSurface(task, {16, 16, 70}, [](const Cell&) { return true; });
   for (Index v = 0; v < task.rest.rows(); ++v) {  // squares to circles
     const Eigen::Vector2d p(task.rest(v, 0) - 8, task.rest(v, 1) - 8);
@@ -181,9 +181,9 @@ Task twistedCylinder()
   return task;
 }
 
-Task liftedPlane()
+SurveyTask liftedPlane()
 {
-  Task task{"bumpy plane, lifted"};
+  SurveyTask task{"bumpy plane, lifted"};
   constexpr int kSide = 100;
   task.rest.resize((kSide + 1) * (kSide + 1), 3);
   task.triangles.resize(2 * kSide * kSide, 3);
@@ -203,9 +203,9 @@ Task liftedPlane()
   return task;
 }
 
-Task bentFile(const std::string& path)
+SurveyTask bentFile(const std::string& path)
 {
-  Task task{path.substr(path.rfind('/') + 1) + ", bent by 60"};
+  SurveyTask task{path.substr(path.rfind('/') + 1) + ", bent by 60"};
   const Model model = makeModel(readMesh(path).mesh, path);
   const SolverMesh& mesh = model.solverMesh;
   int longest = 0;
@@ -221,7 +221,7 @@ Task bentFile(const std::string& path)
   return task;
 }
 
-ConstraintList constraintsOf(const Task& task, HandleRotation rotation)
+ConstraintList constraintsOf(const SurveyTask& task, HandleRotation rotation)
 {
   ConstraintList list;
   list.constraints.push_back({"fixed", true, FixedConstraint{{VertexIds{task.fixed}}}});

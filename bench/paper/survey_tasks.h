@@ -12,7 +12,7 @@
 namespace holdfast::paper {
 
 /// A mesh of which one part is fixed and another one moved rigidly.
-struct Task {
+struct SurveyTask {
   std::string name;
   Positions rest = {};
   Triangles triangles = {};
@@ -27,19 +27,19 @@ struct Task {
   [[nodiscard]] double diagonal() const;
 };
 
-[[nodiscard]] Task bentBar(double degrees = 135);
-[[nodiscard]] Task twistedBar(double degrees);
-[[nodiscard]] Task bentCactus();
-[[nodiscard]] Task twistedCylinder();
-[[nodiscard]] Task liftedPlane();
+[[nodiscard]] SurveyTask bentBar(double degrees = 135);
+[[nodiscard]] SurveyTask twistedBar(double degrees);
+[[nodiscard]] SurveyTask bentCactus();
+[[nodiscard]] SurveyTask twistedCylinder();
+[[nodiscard]] SurveyTask liftedPlane();
 /// The mesh of a file: the tenth at the lower end of its longest side is held, the one at the upper end bent by 60
 /// degrees.
-[[nodiscard]] Task bentFile(const std::string& path);
+[[nodiscard]] SurveyTask bentFile(const std::string& path);
 
 /// What a handle tells about rotations.
 enum class HandleRotation { Stated, None };
 
 /// The constraints of `task`. With `HandleRotation::None` its handle is moved as stated and turns nothing.
-[[nodiscard]] ConstraintList constraintsOf(const Task& task, HandleRotation rotation = HandleRotation::Stated);
+[[nodiscard]] ConstraintList constraintsOf(const SurveyTask& task, HandleRotation rotation = HandleRotation::Stated);
 
 }  // namespace holdfast::paper

@@ -9,25 +9,25 @@
 namespace holdfast::paper {
 namespace {
 
-Vector3 corner(const Task& task, const Positions& p, Index triangle, int k)
+Vector3 corner(const SurveyTask& task, const Positions& p, Index triangle, int k)
 {
   return p.row(task.triangles(triangle, k % 3));
 }
 
-Vector3 normal(const Task& task, const Positions& p, Index triangle)
+Vector3 normal(const SurveyTask& task, const Positions& p, Index triangle)
 {
   const Vector3 a = corner(task, p, triangle, 0);
   return (corner(task, p, triangle, 1) - a).cross(corner(task, p, triangle, 2) - a);
 }
 
-double angleBetween(const Task& task, const Positions& p, Index s, Index t)
+double angleBetween(const SurveyTask& task, const Positions& p, Index s, Index t)
 {
   const Vector3 a = normal(task, p, s);
   const Vector3 b = normal(task, p, t);
   return std::atan2(a.cross(b).norm(), a.dot(b)) / kDegree;
 }
 
-double volume(const Task& task, const Positions& p)
+double volume(const SurveyTask& task, const Positions& p)
 {
   double sum = 0;
   for (Index t = 0; t < task.triangles.rows(); ++t) sum += corner(task, p, t, 0).dot(normal(task, p, t)) / 6;
@@ -36,7 +36,7 @@ double volume(const Task& task, const Positions& p)
 
 }  // namespace
 
-double edgeError(const Task& task, const Positions& deformed)
+double edgeError(const SurveyTask& task, const Positions& deformed)
 {
   double squares = 0;
   for (Index t = 0; t < task.triangles.rows(); ++t)
@@ -48,12 +48,12 @@ double edgeError(const Task& task, const Positions& deformed)
   return std::sqrt(squares / static_cast<double>(3 * task.triangles.rows()));
 }
 
-double volumeError(const Task& task, const Positions& deformed)
+double volumeError(const SurveyTask& task, const Positions& deformed)
 {
   return volume(task, deformed) / volume(task, task.rest) - 1;
 }
 
-DihedralError dihedralError(const Task& task, const Positions& deformed)
+DihedralError dihedralError(const SurveyTask& task, const Positions& deformed)
 {
   std::map<std::pair<Index, Index>, Index> firstOn;
   DihedralError error;
@@ -74,7 +74,7 @@ DihedralError dihedralError(const Task& task, const Positions& deformed)
   return error;
 }
 
-double residual(const Task& task, const Positions& deformed)
+double residual(const SurveyTask& task, const Positions& deformed)
 {
   const Positions targets = task.targets();
   double largest = 0;
