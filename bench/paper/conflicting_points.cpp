@@ -50,7 +50,7 @@ Section conflictingPoints(const Workbench& bench)
   const std::string both = bench.write("figure_11.constraints.json", list);
   const BatchRun conflict = bench.deform("figure_11_conflict", kPulledPlate, both);
   const nlohmann::json& clash = conflict.constraint("high").at("clashes").at(0);
-  const std::string disabled = clash.at("disable").get<std::string>();
+  const std::string disabled = clash.at("repair").at("disable").get<std::string>();
   for (Constraint& constraint : list.constraints) constraint.isEnabled = constraint.name != disabled;
   const std::string resolved = bench.write("figure_11_resolved.constraints.json", list);
   const SolverOptions soft{.kind = SolverKind::Soft, .softWeight = 1e6};

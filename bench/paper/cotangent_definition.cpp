@@ -168,7 +168,7 @@ Section cotangentDefinition(const Workbench& bench)
 {
   const Model model = fan({1.05, 0.92, 1.0, 1.1, 0.95, 1.02}, {8, 66, 128, 186, 247, 307});
   const Ring ring(model);
-  const Ring obtuse(fan({0.25, 1, 1, 1, 1, 1}, {8, 18, 95, 175, 255, 358}));
+  const Ring obtuse(fan({0.25, 1, 1, 1, 1, 1}, {8, 14, 95, 175, 255, 362}));
   writeFile(bench.picture("figure_01.svg"), drawing(ring));
   Section section;
   section.paper = "the angles and the Voronoi area in the cotangent weights (10).";

@@ -3,7 +3,7 @@
 //   gmsh -2 -format ply2 -o shaft_slivers.ply2 shaft_slivers.geo
 //   awk -f ply2_to_off.awk shaft_slivers.ply2 > shaft_slivers.off
 
-around = 24;     // parts of each quarter of a turn
+around[] = {6, 48, 12, 30};  // parts of each quarter of a turn
 thickness = 8;   // of the flange
 Mesh.Algorithm = 3;  // initial mesh only: flat faces get no vertices of their own
 Mesh.MeshSizeExtendFromBoundary = 0;
@@ -12,7 +12,7 @@ Mesh.MeshSizeMax = 1e6;
 // The profile of the shaft, from the flange's upper face to its end, and the parts that each line gets.
 radius[] = {10, 10, 9.9, 9.9, 6, 6, 5.9, 0};
 height[] = {thickness, 50, 50.1, 52, 52, 98, 98.1, 98.1};
-parts[] = {12, 1, 1, 1, 14, 1, 1};
+parts[] = {10, 1, 1, 1, 16, 1, 1};
 For k In {0:7}
   Point(100 + k) = {radius[k], 0, height[k]};
 EndFor
@@ -25,7 +25,7 @@ EndFor
 For quarter In {0:3}
   next[] = {};
   For k In {0:6}
-    made[] = Extrude { {0, 0, 1}, {0, 0, 0}, -Pi / 2 } { Curve{profile[k]}; Layers{around}; };
+    made[] = Extrude { {0, 0, 1}, {0, 0, 0}, -Pi / 2 } { Curve{profile[k]}; Layers{around[quarter]}; };
     next[] += {made[0]};
   EndFor
   profile[] = next[];
