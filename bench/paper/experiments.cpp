@@ -19,6 +19,7 @@ const std::vector<Experiment>& allExperiments()
       {"Figure 12: hard against soft", Needs::Time, hardAgainstSoft},
       {"Table 1: solvers, weights and precision", Needs::Nothing, stabilityOfOwnMeshes},
       {"Table 1, continued: scans and a CAD mesh", Needs::Models, stabilityOfModels},
+      {"Table 1, continued: the Dragon", Needs::Models, stabilityOfDragon},
       {"Beyond the paper: causes of instability", Needs::Nothing, causesOfInstability},
       {"Beyond the paper: many constraints of two and three variables", Needs::Time, manyConstraints},
       {"Beyond the paper: bends and twists", Needs::Time, bendsAndTwists},

@@ -175,4 +175,11 @@ Section stabilityOfModels(const Workbench& bench)
   return stabilityOf(meshes, allMethods());
 }
 
+Section stabilityOfDragon(const Workbench& bench)
+{
+  const std::vector<Method> methods{{SolverKind::Soft, 1},   {SolverKind::Soft, 5},  {SolverKind::Soft, 1e4},
+                                    {SolverKind::Soft, 1e8}, {SolverKind::Lagrange}, {SolverKind::Hard}};
+  return stabilityOf({{"dragon.ply", readMesh(bench.model("dragon.ply")).mesh}}, methods);
+}
+
 }  // namespace holdfast::paper
