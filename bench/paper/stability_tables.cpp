@@ -177,8 +177,8 @@ Section stabilityOfModels(const Workbench& bench)
 
 Section stabilityOfDragon(const Workbench& bench)
 {
-  const std::vector<Method> methods{{SolverKind::Soft, 1},   {SolverKind::Soft, 5},  {SolverKind::Soft, 1e4},
-                                    {SolverKind::Soft, 1e8}, {SolverKind::Lagrange}, {SolverKind::Hard}};
+  // Each of the others takes minutes, and the LU of Lagrange multipliers 4 GB.
+  const std::vector<Method> methods{{SolverKind::Soft, 1}, {SolverKind::Soft, 5}, {SolverKind::Hard}};
   return stabilityOf({{"dragon.ply", readMesh(bench.model("dragon.ply")).mesh}}, methods);
 }
 

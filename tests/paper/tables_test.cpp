@@ -94,7 +94,7 @@ TEST_F(PaperCause, DefaultSolvesThemAll)
 {
   for (const Cause cause : allCauses()) {
     const CauseOutcome made = outcome(cause, "default");
-    EXPECT_LT(made.condition, 1e11) << name(cause);
+    EXPECT_LT(made.condition, 1e10) << name(cause);
     EXPECT_LT(made.corrected.error, 1e-13) << name(cause);
     EXPECT_LT(made.augmented.error, 1e-11) << name(cause);
   }

@@ -75,6 +75,7 @@ TEST_F(GizmoOnPoint, ADragFindsRotationsLiveAndAnewWhenItEnds)
 {
   DeformOptions options = editor().state().options;
   options.rotations.source = RotationSource::Found;
+  options.rotations.change = 1e-3;  // a few iterations
   editor().setOptions("choose where rotations come from", options);
   ASSERT_TRUE(settle());
   const QPointF from = onArrow(2);
