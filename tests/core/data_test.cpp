@@ -156,7 +156,8 @@ double signedVolume(const Mesh& mesh)
 
 class ClosedData : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Data, ClosedData,
-                         testing::Values("bracket.obj", "bar.obj", "head.ply", "two_parts.obj", "quads.obj"));
+                         testing::Values("bracket.obj", "bar.obj", "head.ply", "two_parts.obj", "quads.obj",
+                                         "shaft_slivers.off"));
 
 TEST_P(ClosedData, IsAClosedSurfaceFacingOutward)
 {
@@ -224,6 +225,16 @@ std::vector<std::filesystem::path> filesEndingWith(const std::string& ending)
     if (entry.path().string().ends_with(ending)) result.push_back(entry.path());
   }
   return result;
+}
+
+TEST(ShaftData, HasTheSliversThatItIsThereFor)
+{
+  const Mesh mesh = readData("shaft_slivers.off");
+  EXPECT_NEAR(smallestAngleDegrees(mesh), 0.573, 1e-3);
+  std::set<Index> used;
+  for (Index face = 0; face < mesh.faces.size(); ++face)
+    for (const Index vertex : mesh.faces[face]) used.insert(vertex);
+  EXPECT_EQ(static_cast<Index>(used.size()), mesh.vertexCount());
 }
 
 TEST(ConstraintData, HasAMeshUniqueNamesAndKnownTypes)

@@ -1,5 +1,7 @@
 // The least-squares factor of last resort: R of a sparse QR of C, which never squares the condition number.
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include <holdfast/elimination/sparse_qr.h>
@@ -8,12 +10,17 @@
 namespace holdfast {
 namespace {
 
-/// The rows that are not empty: the others say nothing, and Eigen's QR does not take them.
-SparseMatrix withoutEmptyRows(const SparseRows& byRows)
+/// The rows that are not empty (Eigen's QR does not take those), longest first: reflections keep the digits of short
+/// rows only after the long ones. Source: A. J. Cox, N. J. Higham, "Stability of Householder QR factorization for
+/// weighted least squares problems", 1998.
+SparseMatrix longestRowsFirst(const SparseRows& byRows)
 {
+  Eigen::VectorXd lengths(byRows.rows());
+  for (Index r = 0; r < byRows.rows(); ++r) lengths[r] = byRows.row(r).norm();
   std::vector<Index> kept;
   for (Index r = 0; r < byRows.rows(); ++r)
     if (byRows.outerIndexPtr()[r + 1] > byRows.outerIndexPtr()[r]) kept.push_back(r);
+  std::ranges::stable_sort(kept, std::ranges::greater{}, [&](Index r) { return lengths[r]; });
   SparseRows result(static_cast<Index>(kept.size()), byRows.cols());
   result.reserve(byRows.nonZeros());
   for (std::size_t k = 0; k < kept.size(); ++k) {
@@ -63,7 +70,7 @@ bool hasRegularDiagonal(const SparseMatrix& R)
 
 FactorResult seminormalQr(const TwoWayMatrix& C, Backend backend)
 {
-  SparseQrResult qr = qrBy(backend, withoutEmptyRows(C.rows()));
+  SparseQrResult qr = qrBy(backend, longestRowsFirst(C.rows()));
   if (qr.rank < C.columns().cols() || qr.R.rows() < C.columns().cols() || !hasRegularDiagonal(qr.R))
     return {nullptr, fmt::format("sparse QR finds rank {} for {} unknowns", qr.rank, C.columns().cols())};
   return {std::make_unique<SeminormalQr>(std::move(qr), backend)};
