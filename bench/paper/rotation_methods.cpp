@@ -104,7 +104,9 @@ void addSweep(Section& section, const Workbench& bench, const Sweep& sweep, doub
 Section sweeps(const Workbench& bench, double step)
 {
   Section section;
-  section.paper = "rotations that handles give, (25) to (29), beside no rotations. It has none that are found.";
+  section.paper =
+      "rotations that handles give, carried into the surface by the rotation field, (25) to (29). It has none that are "
+      "found.";
   section.method = fmt::format(
       "a bar of 10 x 10 x 90 units, one end held, the other one bent along an arc that keeps the length of its middle "
       "line, or twisted, in steps of {:g} degrees. A cell has the root of the mean square of relative changes of "
