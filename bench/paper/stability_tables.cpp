@@ -109,7 +109,8 @@ std::string resultOf(const Section& section)
   return fmt::format(
       "As printed, {:.0f} of {:.0f} systems are lost in single precision and {:.0f} in double precision: the "
       "factorisation fails, or vertices are wrong by {:g} of the diagonal or more. The product loses {:.0f}. Hard "
-      "constraints are wrong by up to {:.0e} in single and {:.0e} in double precision as printed, by {:.0e} as the "
+      "constraints that are solved are wrong by up to {:.0e} in single and {:.0e} in double precision as printed, by "
+      "{:.0e} as the "
       "product "
       "solves them. "
       "Where the formulas fail, and what cures it. Soft constraints: the condition grows with the square of the "
