@@ -32,6 +32,7 @@ Section run(const Experiment& experiment, const Workbench& bench)
 {
   Section section = experiment.run(bench);
   section.title = experiment.title;
+  if (section.commands.empty()) section.commands.push_back("scripts/paper.sh \"" + section.title + '"');
   return section;
 }
 
