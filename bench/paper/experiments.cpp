@@ -17,6 +17,13 @@ const std::vector<Experiment>& allExperiments()
       {"Figure 10, continued: scans", Needs::Models, deformedScans},
       {"Figure 11: conflict, compromise, resolution", Needs::Nothing, conflictingPoints},
       {"Figure 12: hard against soft", Needs::Time, hardAgainstSoft},
+      {"Table 1: solvers, weights and precision", Needs::Nothing, stabilityOfOwnMeshes},
+      {"Table 1, continued: scans and a CAD mesh", Needs::Models, stabilityOfModels},
+      {"Table 1, continued: the Dragon", Needs::Models, stabilityOfDragon},
+      {"Beyond the paper: causes of instability", Needs::Nothing, causesOfInstability},
+      {"Beyond the paper: many constraints of two and three variables", Needs::Time, manyConstraints},
+      {"Beyond the paper: bends and twists", Needs::Time, bendsAndTwists},
+      {"Beyond the paper: tasks of the survey", Needs::Nothing, surveyTasks},
   };
   return kAll;
 }
@@ -25,6 +32,7 @@ Section run(const Experiment& experiment, const Workbench& bench)
 {
   Section section = experiment.run(bench);
   section.title = experiment.title;
+  if (section.commands.empty()) section.commands.push_back("scripts/paper.sh \"" + section.title + '"');
   return section;
 }
 

@@ -41,6 +41,13 @@ struct Experiment {
 [[nodiscard]] Section deformedScans(const Workbench& bench);           ///< Fig. 10, fetched meshes
 [[nodiscard]] Section conflictingPoints(const Workbench& bench);       ///< Fig. 11
 [[nodiscard]] Section hardAgainstSoft(const Workbench& bench);         ///< Fig. 12
+[[nodiscard]] Section stabilityOfOwnMeshes(const Workbench& bench);    ///< Table 1, meshes of the project
+[[nodiscard]] Section stabilityOfModels(const Workbench& bench);       ///< Table 1, fetched meshes
+[[nodiscard]] Section stabilityOfDragon(const Workbench& bench);       ///< Table 1, fetched mesh of 438,000 vertices
+[[nodiscard]] Section causesOfInstability(const Workbench& bench);     ///< "future work"
+[[nodiscard]] Section manyConstraints(const Workbench& bench);         ///< "future work"
+[[nodiscard]] Section bendsAndTwists(const Workbench& bench);          ///< rotation methods
+[[nodiscard]] Section surveyTasks(const Workbench& bench);             ///< rotation methods
 
 /// Fig. 12 on generated meshes of so many thousand vertices.
 [[nodiscard]] Section costsOfMeshes(const Workbench& bench, const std::vector<std::string>& thousands);

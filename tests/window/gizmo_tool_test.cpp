@@ -10,6 +10,7 @@
 #include <gmock/gmock.h>
 #include <vtkRenderWindow.h>
 
+#include <holdfast/deform/deform.h>
 #include <holdfast/deform/deform_details.h>
 #include <holdfast/document/handle_restated.h>
 #include <holdfast/document/list_edits.h>
@@ -67,6 +68,33 @@ TEST_F(GizmoOnPoint, TheSurfaceFollowsExactly)
   const auto& report = editor().deformation()->report;
   EXPECT_EQ(report.solve.status, SolveStatus::Ok);
   EXPECT_LE(report.solve.maxResidualRelative, 1e-12);
+}
+
+/// Rotations are found anew in every frame, from those of the frame before; the release finds what any program finds.
+TEST_F(GizmoOnPoint, ADragFindsRotationsLiveAndAnewWhenItEnds)
+{
+  DeformOptions options = editor().state().options;
+  options.rotations.source = RotationSource::Found;
+  options.rotations.change = 1e-3;  // a few iterations
+  editor().setOptions("choose where rotations come from", options);
+  ASSERT_TRUE(settle());
+  const QPointF from = onArrow(2);
+  test::pressMouse(viewport(), from);
+  Positions before = editor().positions();
+  for (const double up : {20.0, 40.0}) {
+    test::moveMouse(viewport(), from - QPointF(0, up), Qt::LeftButton);
+    ASSERT_TRUE(settle());
+    const SolveReport& solve = editor().deformation()->report.solve;
+    EXPECT_NE(editor().positions(), before) << up;
+    EXPECT_EQ(solve.status, SolveStatus::Ok);
+    EXPECT_TRUE(solve.iterations.has_value());
+    EXPECT_LE(solve.maxResidualRelative, 1e-12) << "in every frame";
+    before = editor().positions();
+  }
+  test::releaseMouse(viewport(), from - QPointF(0, 40));
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(editor().deformation()->report.solve.iterations->isConverged);
+  EXPECT_EQ(editor().positions(), deform(*editor().model(), list(), "constraints", options).positions);
 }
 
 TEST_F(GizmoOnPoint, ADragIsOneEditThatUndoAndRedoBringBackBitForBit)

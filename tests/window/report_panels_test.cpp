@@ -153,6 +153,37 @@ TEST_F(ReportPanelOfSphere, ChoosesWhereRotationsComeFrom)
   EXPECT_EQ(editor.state().options, DeformOptions());
 }
 
+TEST_F(ReportPanelOfSphere, SetsWhereTheSearchForRotationsEnds)
+{
+  QLineEdit& change = *panel.findChild<QLineEdit*>("reportRotationChange");
+  EXPECT_FALSE(change.isVisible());
+  choose("reportRotations", "Found: edges keep their length");
+  ASSERT_TRUE(test::waitForCurrent(editor));
+  const int before = editor.deformation()->report.solve.iterations->count;
+  EXPECT_TRUE(change.isVisible());
+  EXPECT_EQ(change.text(), "1e-05");
+  change.selectAll();
+  test::type(change, "1e-12");
+  test::pressKey(change, Qt::Key_Return);
+  EXPECT_EQ(editor.state().options.rotations.change, 1e-12);
+  ASSERT_TRUE(test::waitForCurrent(editor));
+  EXPECT_GT(editor.deformation()->report.solve.iterations->count, before);
+  while (editor.history().canUndo()) editor.undo();
+  EXPECT_EQ(editor.state().options, DeformOptions());
+  EXPECT_FALSE(change.isVisible());
+}
+
+TEST_F(ReportPanelOfSphere, ALastChangeThatIsNotPositiveIsRefused)
+{
+  choose("reportRotations", "Found: smooth at single points");
+  QLineEdit& change = *panel.findChild<QLineEdit*>("reportRotationChange");
+  change.selectAll();
+  test::type(change, "0");
+  test::pressKey(change, Qt::Key_Return);
+  EXPECT_EQ(editor.state().options.rotations.change, kFoundChange);
+  EXPECT_EQ(change.text(), "1e-05");
+}
+
 TEST_F(ReportPanelOfSphere, ASoftWeightThatIsNotPositiveIsRefused)
 {
   choose("reportSolver", "Soft: weighted least squares");

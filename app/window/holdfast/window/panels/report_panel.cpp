@@ -165,6 +165,10 @@ class ReportPanel final : public RefreshedPanel {
     rotations_->addItem(tr("Given by constraints"), static_cast<int>(RotationSource::Given));
     rotations_->addItem(tr("Found: edges keep their length"), static_cast<int>(RotationSource::Found));
     rotations_->addItem(tr("Found: smooth at single points"), static_cast<int>(RotationSource::FoundSmooth));
+    rotationChange_ = named(new NumberEdit, "reportRotationChange");
+    rotationChange_->setToolTip(
+        tr("Rotations are found when an iteration moves no vertex by more than this share of "
+           "the diagonal"));
     options_ = new QFormLayout;
     options_->setHorizontalSpacing(10);
     options_->setVerticalSpacing(6);
@@ -172,11 +176,14 @@ class ReportPanel final : public RefreshedPanel {
     options_->addRow(tr("&Solver"), solver_);
     options_->addRow(tr("Soft w&eight"), softWeight_);
     options_->addRow(tr("&Rotations"), rotations_);
+    options_->addRow(tr("&Last change"), rotationChange_);
     connect(weights_, qOverload<int>(&QComboBox::activated), this, &ReportPanel::choose);
     connect(solver_, qOverload<int>(&QComboBox::activated), this, &ReportPanel::choose);
     connect(rotations_, qOverload<int>(&QComboBox::activated), this, &ReportPanel::choose);
     connect(softWeight_, &NumberEdit::entered, this, &ReportPanel::setSoftWeight);
     connect(softWeight_, &NumberEdit::refused, this, &ReportPanel::refuse);
+    connect(rotationChange_, &NumberEdit::entered, this, &ReportPanel::setRotationChange);
+    connect(rotationChange_, &NumberEdit::refused, this, &ReportPanel::refuse);
   }
 
   void refresh() override
@@ -195,10 +202,17 @@ class ReportPanel final : public RefreshedPanel {
     weights_->setCurrentIndex(weights_->findData(static_cast<int>(options.weights)));
     solver_->setCurrentIndex(solver_->findData(static_cast<int>(options.solver.kind)));
     rotations_->setCurrentIndex(rotations_->findData(static_cast<int>(options.rotations.source)));
-    const bool isSoft = isOpen && options.solver.kind == SolverKind::Soft;
-    softWeight_->setVisible(isSoft);
-    options_->labelForField(softWeight_)->setVisible(isSoft);
-    softWeight_->setNumber(options.solver.softWeight);
+    refreshNumber(*softWeight_, options.solver.softWeight, isOpen && options.solver.kind == SolverKind::Soft);
+    refreshNumber(*rotationChange_, options.rotations.change,
+                  isOpen && options.rotations.source != RotationSource::Given);
+  }
+
+  /// Shows the number and its label only where it has an effect.
+  void refreshNumber(NumberEdit& line, double number, bool isUsed)
+  {
+    line.setVisible(isUsed);
+    options_->labelForField(&line)->setVisible(isUsed);
+    line.setNumber(number);
   }
 
   void refreshReport()
@@ -259,6 +273,18 @@ class ReportPanel final : public RefreshedPanel {
     refuse(tr("A soft weight must be positive."));
   }
 
+  void setRotationChange(double change)
+  {
+    DeformOptions options = editor_.state().options;
+    if (change > 0) {
+      options.rotations.change = change;
+      editor_.setOptions(tr("set the last change of rotations to %1").arg(exactText(change)), options);
+      return;
+    }
+    rotationChange_->replaceTyped(options.rotations.change);
+    refuse(tr("A last change must be positive: a share of the diagonal."));
+  }
+
   void refuse(const QString& reason)
   {
     age_->setText(reason);
@@ -278,6 +304,7 @@ class ReportPanel final : public RefreshedPanel {
   QComboBox* solver_ = nullptr;
   QComboBox* rotations_ = nullptr;
   NumberEdit* softWeight_ = nullptr;
+  NumberEdit* rotationChange_ = nullptr;
   QLabel* age_ = nullptr;
   QFormLayout* report_ = nullptr;
   std::vector<QLabel*> values_;

@@ -1,0 +1,44 @@
+#pragma once
+/// \file
+/// Solutions as the paper prints them, for comparison only: positions instead of displacements, normal equations that
+/// are not scaled, one plain factorisation, no correction, no fallback.
+
+#include <string>
+
+#include "bench/paper/reference.h"
+
+namespace holdfast::paper {
+
+/// What a solver did.
+struct Outcome {
+  std::string failure;  ///< empty where it is solved: all numbers are finite
+  double residual = 0;  ///< of constraints, the largest, diagonals
+  double error = 0;     ///< largest distance of a vertex to the reference, diagonals
+  double seconds = 0;   ///< factorisation and solution
+
+  [[nodiscard]] bool isSolved() const { return failure.empty(); }
+};
+
+/// `Outcome::failure` of what would take too long.
+inline constexpr const char* kNotRun = "not run";
+
+/// A larger error is visible in a picture of the whole mesh: nothing worth the name is solved.
+inline constexpr double kLostError = 1e-3;
+
+/// Those of displacements `u`, judged by `reference`.
+[[nodiscard]] Outcome judged(const BentProblem& problem, const Columns3& u, const Columns3& reference, double seconds);
+
+/// Larger systems of Lagrange multipliers take LU in single precision, which is Eigen's, many minutes: not run.
+inline constexpr Index kMostForSingleLu = 60000;
+
+/// In double precision: Cholesky by CHOLMOD, LU by UMFPACK without its scaling and its refinement.
+[[nodiscard]] Outcome solvedInDouble(const BentMesh& bent, const BentProblem& problem, const Method& method,
+                                     const Columns3& reference);
+/// In single precision, matrices and factors included, both by Eigen.
+[[nodiscard]] Outcome solvedInSingle(const BentMesh& bent, const BentProblem& problem, const Method& method,
+                                     const Columns3& reference);
+/// As the product solves it, with all that it does.
+[[nodiscard]] Outcome solvedByProduct(const BentMesh& bent, const BentProblem& problem, const Method& method,
+                                      const Columns3& reference);
+
+}  // namespace holdfast::paper
