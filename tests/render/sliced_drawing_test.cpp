@@ -7,6 +7,7 @@
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <holdfast/widgets/scene/kept_scene.h>
 #include <holdfast/widgets/scene/lighting.h>
 #include <holdfast/widgets/scene/sliced_drawing.h>
 
@@ -85,6 +86,18 @@ TEST_F(SlicedPlate, TheFinishedPictureIsTheOneDrawnAtOnce)
   const Pixels atOnce = drawnAtOnce();
   EXPECT_EQ(drawnInSlices(), atOnce);
   EXPECT_EQ(drawnAtOnce(), atOnce) << "and nothing of it stays behind";
+}
+
+TEST_F(SlicedPlate, TheSmoothPictureIsThatOfTheOneDrawnAtOnce)
+{
+  KeptScene kept(*scene, *scene);
+  const Pixels rough = drawnAtOnce();
+  kept.drawLayersAbove();
+  const Pixels smooth = shown();
+  EXPECT_NE(smooth, rough);
+  EXPECT_EQ(drawnInSlices(), rough);
+  kept.drawLayersAbove();
+  EXPECT_EQ(shown(), smooth);
 }
 
 TEST_F(SlicedPlate, ColoursAreThoseDrawnAtOnce)

@@ -45,8 +45,9 @@ TEST(CoarseTriangles, AreAboutAsManyAsAskedFor)
   const Model model = makeModel(test::icosphere(6), "sphere");
   const ShadedSurface surface = cutAtSharpEdges(model);
   for (const Index target : {800, 3000, 12000})
-    EXPECT_NEAR(static_cast<double>(coarseTriangles(model, surface, target).size()) / static_cast<double>(target), 1,
-                0.4)
+    EXPECT_NEAR(
+        static_cast<double>(coarseTriangles(model, surface, target).triangles.size()) / static_cast<double>(target), 1,
+        0.4)
         << target;
 }
 
@@ -54,14 +55,14 @@ TEST(CoarseTriangles, OfASmallMeshAreItsOwn)
 {
   const Model model = makeModel(test::box({1, 2, 3}, 4), "box");
   const ShadedSurface surface = cutAtSharpEdges(model);
-  EXPECT_EQ(coarseTriangles(model, surface, kCoarseTriangles), surface.triangles);
+  EXPECT_EQ(coarseTriangles(model, surface, kCoarseTriangles).triangles, surface.triangles);
 }
 
 TEST(CoarseTriangles, OfASphereCloseIt)
 {
   const Model model = makeModel(test::icosphere(5), "sphere");
   const ShadedSurface surface = cutAtSharpEdges(model);
-  const Polygons coarse = coarseTriangles(model, surface, 2000);
+  const Polygons coarse = coarseTriangles(model, surface, 2000).triangles;
   EXPECT_TRUE(isClosed(coarse, surface.vertexOf));
   EXPECT_NEAR(volume(coarse, surface, model.mesh.positions), volume(surface.triangles, surface, model.mesh.positions),
               0.08);
@@ -71,7 +72,7 @@ TEST(CoarseTriangles, OfSharpEdgesHaveNoGaps)
 {
   const Model model = makeModel(test::box({1, 2, 3}, 30), "box");
   const ShadedSurface surface = cutAtSharpEdges(model);
-  const Polygons coarse = coarseTriangles(model, surface, 1500);
+  const Polygons coarse = coarseTriangles(model, surface, 1500).triangles;
   EXPECT_LT(coarse.size(), surface.triangles.size() / 2);
   EXPECT_TRUE(isClosed(coarse, surface.vertexOf));
 }
@@ -80,15 +81,37 @@ TEST(CoarseTriangles, OfAFileWithoutSharedVerticesHaveNoGaps)
 {
   const Model model = makeModel(test::soup(test::icosphere(5)), "soup");
   const ShadedSurface surface = cutAtSharpEdges(model);
-  EXPECT_TRUE(isClosed(coarseTriangles(model, surface, 2000), surface.vertexOf));
+  EXPECT_TRUE(isClosed(coarseTriangles(model, surface, 2000).triangles, surface.vertexOf));
 }
 
 TEST(CoarseTriangles, KeepBothSidesOfAThinWallApart)
 {
   const Model model = makeModel(test::box({4, 4, 0.01}, 40), "plate");
   const ShadedSurface surface = cutAtSharpEdges(model);
-  const Polygons coarse = coarseTriangles(model, surface, 1000);
+  const Polygons coarse = coarseTriangles(model, surface, 1000).triangles;
   EXPECT_NEAR(volume(coarse, surface, model.mesh.positions), 0.16, 0.02);
+}
+
+TEST(CoarseSurface, LeavesOutWhatStandsForHiddenTriangles)
+{
+  const Model model = makeModel(test::icosphere(7), "sphere");
+  const ShadedSurface surface = cutAtSharpEdges(model);
+  CoarseSurface coarse(model, surface);
+  const Index all = coarse.triangles().size();
+  ASSERT_LT(2 * all, surface.triangles.size());
+  std::vector<char> isHidden;
+  for (const Triangle& triangle : model.triangulation.triangles)
+    isHidden.push_back(model.mesh.positions(triangle, 2).maxCoeff() < 0 ? 1 : 0);
+  EXPECT_TRUE(coarse.isSolid());
+  coarse.setHidden(isHidden);
+  EXPECT_FALSE(coarse.isSolid()) << "backs are seen";
+  EXPECT_NEAR(static_cast<double>(coarse.triangles().size()) / static_cast<double>(all), 0.5, 0.05);
+  for (Index t = 0; t < coarse.triangles().size(); ++t)
+    for (const Index point : coarse.triangles()[t]) EXPECT_GT(model.mesh.positions(coarse.vertexOf()[point], 2), -0.1);
+  EXPECT_EQ(coarse.data().GetNumberOfPolys(), coarse.triangles().size());
+  coarse.setHidden({});
+  EXPECT_EQ(coarse.triangles().size(), all);
+  EXPECT_TRUE(coarse.isSolid());
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -119,7 +120,9 @@ TEST(ColorMap, NoValueIsAGreyThatNoMapHas)
 TEST(ColorMap, TablesOfVtkHaveTheSameColors)
 {
   for (const ColorMap map : kMaps) {
-    const auto table = toLookupTable(map);
+    ColorScale scale;
+    scale.map = map;
+    const auto table = toLookupTable(scale);
     for (int k = 0; k <= kSteps; ++k) {
       const double share = k / static_cast<double>(kSteps);
       const Color color = mapColor(share, map);
@@ -136,6 +139,29 @@ TEST(ColorScale, HasAMap)
   ColorScale scale{"", Scaling::Linear, 2, 6};
   scale.map = ColorMap::Grey;
   EXPECT_EQ(colorOf(scale, 5), mapColor(0.75, ColorMap::Grey));
+}
+
+TEST(ColorScale, HasBandsOfOneColorEachFromEndToEndOfItsMap)
+{
+  ColorScale scale{"", Scaling::Linear, 2, 6};
+  scale.bands = 4;
+  for (const auto& [value, share] : {std::pair(2.0, 0.0),
+                                     {2.99, 0.0},
+                                     {3.01, 1 / 3.0},
+                                     {3.99, 1 / 3.0},
+                                     {5.5, 1.0},
+                                     {6.0, 1.0},
+                                     {7.0, 1.0},
+                                     {1.0, 0.0}})
+    EXPECT_EQ(colorOf(scale, value), mapColor(share)) << value;
+  EXPECT_EQ(colorOf(scale, test::kNan), kNoValueColor);
+  std::set<std::array<int, 3>> drawn;
+  const auto table = toLookupTable(scale);
+  for (int k = 0; k <= 1000; ++k) {
+    const unsigned char* const color = table->MapValue(k / 1000.0);
+    drawn.insert({color[0], color[1], color[2]});
+  }
+  EXPECT_EQ(drawn.size(), 4U);
 }
 
 TEST(ColorScale, EndsAndMiddleOfALinearScale)

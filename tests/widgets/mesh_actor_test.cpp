@@ -82,6 +82,39 @@ TEST(MeshActor, BoxesAreCutAlongTheirTwelveEdges)
   EXPECT_EQ(static_cast<Index>(surface.vertexOf.size()), 6 * (kDivisions + 1) * (kDivisions + 1));
 }
 
+TEST(MeshActor, HiddenTrianglesAreNotDrawnNorEdgesOfThemAlone)
+{
+  constexpr Index kDivisions = 3;
+  const Model model = makeModel(test::box({1, 2, 3}, kDivisions), "box");
+  const auto isOnTop = [&](const Triangle& triangle) {
+    return std::ranges::all_of(triangle, [&](Index v) { return model.mesh.positions(v, 2) == 3; });
+  };
+  std::vector<char> isHidden;
+  for (const Triangle& triangle : model.triangulation.triangles) isHidden.push_back(isOnTop(triangle) ? 0 : 1);
+  MeshActor actor(model);
+  const vtkIdType all = drawnBy(actor).GetNumberOfPolys();
+  actor.setMeshEdges(MeshEdges::All);
+  const auto edges = [](vtkActor& lines) {
+    return vtkPolyData::SafeDownCast(lines.GetMapper()->GetInputAsDataSet())->GetNumberOfLines();
+  };
+  const vtkIdType allEdges = edges(actor.meshEdges());
+  actor.setHidden(isHidden);
+  EXPECT_EQ(drawnBy(actor).GetNumberOfPolys(), 2 * kDivisions * kDivisions) << "one of six sides";
+  EXPECT_EQ(edges(actor.edges()), 4 * kDivisions) << "its rim";
+  EXPECT_EQ(edges(actor.meshEdges()), 2 * kDivisions * (kDivisions + 1) + kDivisions * kDivisions);
+  EXPECT_FALSE(actor.coarse().isSolid()) << "backs are seen";
+  for (const Triangle& across : actor.drawn()->across)
+    for (const Index other : across) EXPECT_LT(other, actor.drawn()->triangles.size());
+
+  for (char& each : isHidden) each = each != 0 ? 0 : 1;
+  actor.setHidden(isHidden);
+  EXPECT_EQ(edges(actor.edges()), 12 * kDivisions) << "the rim is that of the sides, too";
+  actor.setHidden({});
+  EXPECT_EQ(drawnBy(actor).GetNumberOfPolys(), all);
+  EXPECT_EQ(edges(actor.meshEdges()), allEdges);
+  EXPECT_TRUE(actor.coarse().isSolid());
+}
+
 TEST(MeshActor, BordersAreDrawn)
 {
   const ShadedSurface surface = cutAtSharpEdges(makeModel(test::grid(5, 3), "grid"));

@@ -48,6 +48,38 @@ TEST(SceneContents, ShowsPositionsAndMarksOfADeformation)
   EXPECT_EQ(contents.marks()[2].place, Vector3(4, 4, 1));
 }
 
+TEST(SceneContents, OfHiddenFacesNothingIsShown)
+{
+  const Model model = makeModel(test::grid(4, 4), "grid");
+  SceneContents contents(model);
+  contents.show(lifted(model));
+  contents.setSelection({0, 24});
+  ASSERT_EQ(contents.marks().size(), 3);
+  const auto dots = [&] {
+    vtkNew<vtkRenderer> renderer;
+    contents.addTo(*renderer);
+    vtkIdType count = 0;
+    vtkActorCollection& actors = *renderer->GetActors();
+    actors.InitTraversal();
+    while (vtkActor* const actor = actors.GetNextActor()) count += drawnBy(*actor).GetNumberOfVerts();
+    return count;
+  };
+  const vtkIdType before = dots();
+  // Those at vertex 24, the last corner, and all beside them.
+  std::vector<char> isHidden;
+  for (const Triangle& triangle : model.triangulation.triangles)
+    isHidden.push_back(std::ranges::all_of(triangle, [](Index v) { return v >= 10; }) ? 1 : 0);
+  contents.setHidden(isHidden);
+  ASSERT_EQ(contents.marks().size(), 2);
+  for (const ConstraintMark& mark : contents.marks()) EXPECT_EQ(mark.constraint, 0);
+  EXPECT_LT(dots(), before) << "of the selection";
+  contents.show(lifted(model));
+  EXPECT_EQ(contents.marks().size(), 2) << "of another deformation, too";
+  contents.setHidden({});
+  EXPECT_EQ(contents.marks().size(), 3);
+  EXPECT_EQ(dots(), before);
+}
+
 TEST(SceneContents, OfAFailedDeformationAreTheMeshAtRest)
 {
   const Model model = makeModel(test::grid(4, 4), "grid");

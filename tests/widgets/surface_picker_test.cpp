@@ -271,6 +271,28 @@ TEST(SurfacePicker, HiddenPartsAreNeverPicked)
   }
 }
 
+TEST(SurfacePicker, FacesThatAreNotShownArePickedThrough)
+{
+  for (const PickKind kind : {PickKind::Nearest, PickKind::Vertex, PickKind::Edge, PickKind::Face}) {
+    Shown shown(plates(), {{0, 0, 9}, {0, 0, 0}, Projection::Perspective});
+    const Vector3 middle = Vector3::Zero();
+    ASSERT_EQ(shown.pick(shown.pixelOf(middle), kind)->place.z(), 1) << "the plate in front";
+    auto isHidden = std::make_shared<std::vector<char>>();
+    for (const Triangle& triangle : shown.model.triangulation.triangles)
+      isHidden->push_back(shown.positions(triangle[0], 2) == 1 ? 1 : 0);
+    const VisibleSurface all(shown.model);
+    const auto some = std::make_shared<const VisibleSurface>(all.withHidden(isHidden));
+    const Eigen::Vector2d pixel = shown.pixelOf(middle);
+    const auto pick = SurfacePicker(some).pick(shown.screen.renderer(), pixel.x(), pixel.y(), kind, kSnap);
+    ASSERT_TRUE(pick);
+    EXPECT_LT(pick->place.z(), 1);
+    for (Index v = 0; v < shown.model.mesh.vertexCount(); ++v) {
+      EXPECT_TRUE(all.isShown(v));
+      EXPECT_EQ(some->isShown(v), shown.positions(v, 2) != 1);
+    }
+  }
+}
+
 TEST(SurfacePicker, EdgesOfWhatIsInFrontCatchTheCursorBesideThem)
 {
   Shown shown(plates(), {{0, 0, 9}, {0, 0, 0}});

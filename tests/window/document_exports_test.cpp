@@ -1,5 +1,7 @@
 #include <QCheckBox>
+#include <QClipboard>
 #include <QDialog>
+#include <QGuiApplication>
 #include <QImage>
 #include <QPainter>
 #include <QSpinBox>
@@ -215,6 +217,25 @@ TEST_F(DocumentExportsTest, APictureHasTheLegendOfTheWindowAtItsScale)
   EXPECT_EQ(picture.pixelColor(299, 199), QColor(Qt::red));
   EXPECT_EQ(picture.pixelColor(251, 171), QColor(Qt::red)) << "half as large as in the window";
   EXPECT_NE(picture.pixelColor(248, 171), QColor(Qt::red));
+}
+
+TEST_F(DocumentExportsTest, ACopiedPictureHasThePixelsOfTheScreen)
+{
+  exports.setPictureView([&] {
+    PictureView view;
+    view.size = {300, 200};
+    view.pixelRatio = 1.5;
+    view.paintLegend = [](QPainter& painter, const QRectF& area) {
+      painter.fillRect(QRectF(area.right() - 100, area.bottom() - 60, 100, 60), Qt::red);
+    };
+    return view;
+  });
+  QGuiApplication::clipboard()->clear();
+  exports.copyPicture();
+  const QImage copied = QGuiApplication::clipboard()->image();
+  ASSERT_EQ(copied.size(), QSize(450, 300));
+  EXPECT_EQ(copied.pixelColor(301, 211), QColor(Qt::red)) << "the legend is as large beside the mesh";
+  EXPECT_NE(copied.pixelColor(298, 211), QColor(Qt::red));
 }
 
 }  // namespace

@@ -178,6 +178,15 @@ class LargeMeshUser : public test::WindowUser {
     });
     trigger("toolBrush");
     measure("painting with the brush", [&] { moveWith(Qt::LeftButton, wave(middle(), 100, 80, 120)); });
+    const std::vector<Index> painted = editor().selectedVertices();
+    measure("hiding, showing again", [&] {
+      trigger("hideSelection");
+      ASSERT_TRUE(settle());
+      moveWith(Qt::RightButton, wave(middle(), 100, 50, 30));
+      trigger("showHidden");
+      ASSERT_TRUE(settle());
+    });
+    editor().selectVertices(painted);
     measure("inverting, shrinking, growing", [&] {
       for (const char* const action : {"invert", "shrink", "grow"}) {
         trigger(action);

@@ -1,7 +1,11 @@
+#include <QImage>
 #include <QLabel>
+#include <QRegion>
+#include <algorithm>
 
 #include <QVTKOpenGLNativeWidget.h>
 #include <gtest/gtest.h>
+#include <vtkActor2DCollection.h>
 #include <vtkCamera.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
@@ -60,6 +64,40 @@ class SpherePanelOfPlate : public ::testing::Test {
   Editor editor;
   SpherePanel panel{editor};
 };
+
+TEST_F(SpherePanelOfPlate, TextsAreInTheFontAndTheColorOfTheWindow)
+{
+  auto& texts = *panel.findChild<QWidget*>("sphereTexts");
+  const auto painted = [&] {
+    QImage drawn(texts.size(), QImage::Format_ARGB32_Premultiplied);
+    drawn.fill(Qt::transparent);
+    texts.render(&drawn, QPoint(), QRegion(), {});
+    return drawn;
+  };
+  ASSERT_TRUE(test::waitUntil([&] { return !panel.sphere()->texts().empty(); }));
+  EXPECT_EQ(texts.size(), view().size());
+  EXPECT_TRUE(std::ranges::any_of(panel.sphere()->texts(), &SphereText::isName));
+  const QImage usual = painted();
+  constexpr int kNear = 8;
+  const QRect clear = usual.rect().adjusted(kNear, kNear, -kNear, -kNear);
+  int seen = 0;
+  for (const SphereText& text : panel.sphere()->texts()) {
+    const double ratio = view().devicePixelRatioF();
+    const QPoint place = QPointF(text.place.x() / ratio, view().height() - text.place.y() / ratio).toPoint();
+    if (!clear.contains(place)) continue;
+    ++seen;
+    int ink = 0;
+    for (int x = -kNear; x <= kNear; ++x)
+      for (int y = -kNear; y <= kNear; ++y) ink += qAlpha(usual.pixel(place + QPoint(x, y))) > 100 ? 1 : 0;
+    EXPECT_GT(ink, 3) << text.text;
+  }
+  EXPECT_GT(seen, 2);
+  QFont larger = panel.font();
+  larger.setPointSizeF(2 * larger.pointSizeF());
+  panel.setFont(larger);
+  EXPECT_NE(painted(), usual);
+  EXPECT_EQ(panel.sphere()->renderer()->GetActors2D()->GetNumberOfItems(), 0) << "none by VTK as well";
+}
 
 TEST_F(SpherePanelOfPlate, AClickPicksTheVertexWhoseRotationIsThere)
 {

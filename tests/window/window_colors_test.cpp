@@ -62,12 +62,17 @@ class ColorsOfBar : public test::WindowUser {
     ASSERT_TRUE(settle());
   }
 
-  /// Without what is written over it: Qt's text may differ in a bit from time to time.
+  /// Without what is written over it: Qt's text may differ in a bit from time to time. While a button is held edges are
+  /// not smoothed: each pixel has the colour of its own place.
   [[nodiscard]] QImage picture()
   {
     auto& overlay = *window.findChild<QWidget*>("overlay");
     overlay.hide();
+    test::pressMouse(viewport(), {5, 5}, Qt::MiddleButton);
+    viewport().scheduleRender();
+    EXPECT_TRUE(settle());
     const QImage image = viewport().grab().toImage().convertToFormat(QImage::Format_RGB32);
+    test::releaseMouse(viewport(), {5, 5}, Qt::MiddleButton);
     overlay.show();
     return image;
   }

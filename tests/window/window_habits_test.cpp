@@ -5,11 +5,17 @@
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QHeaderView>
+#include <QLabel>
 #include <QLineEdit>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSettings>
+#include <QSpinBox>
 #include <QTextBrowser>
 #include <QToolButton>
 #include <QTreeWidget>
+#include <algorithm>
+#include <chrono>
 #include <memory>
 #include <set>
 
@@ -82,7 +88,11 @@ TEST_F(RememberedWindow, LooksAsItDidWhenItWasClosed)
   window->resize(1250, 850);
   auto colors = window->viewport().colors();
   colors.map = ColorMap::Grey;
+  colors.bands = 5;
   window->viewport().setColors(colors);
+  auto display = window->viewport().display();
+  display.legend = LegendSide::Left;
+  window->viewport().setDisplay(display);
   window->close();
 
   window = nextStart();
@@ -93,6 +103,10 @@ TEST_F(RememberedWindow, LooksAsItDidWhenItWasClosed)
   EXPECT_EQ(window->size(), QSize(1250, 850));
   EXPECT_EQ(window->viewport().colors().map, ColorMap::Grey);
   EXPECT_EQ(window->findChild<QComboBox*>("colorMap")->currentText(), "Greys");
+  EXPECT_EQ(window->viewport().colors().bands, 5);
+  EXPECT_EQ(window->findChild<QSpinBox*>("colorBands")->value(), 5);
+  EXPECT_EQ(window->viewport().display().legend, LegendSide::Left);
+  EXPECT_EQ(window->findChild<QComboBox*>("legendSide")->currentText(), "At the left");
 
   addRecentFile("/part.obj");
   rememberFolder("export", "/usr/bin/env");
@@ -105,6 +119,8 @@ TEST_F(RememberedWindow, LooksAsItDidWhenItWasClosed)
   EXPECT_EQ(window->gizmo().axes(), GizmoAxes::World);
   EXPECT_EQ(titlesOf(*window).sectionSize(1), wide);
   EXPECT_EQ(window->viewport().colors().map, ColorSettings{}.map);
+  EXPECT_EQ(window->viewport().colors().bands, 0);
+  EXPECT_EQ(window->viewport().display().legend, LegendSide::Right);
   EXPECT_TRUE(test::waitUntil([&] { return window->size() == QSize(1100, 900); }));
 }
 
@@ -185,6 +201,37 @@ TEST_F(HabitsInWindow, StartPageOpensExamplesThatAreNotOverwritten)
   EXPECT_EQ(list().constraints.size(), 22u);
   EXPECT_TRUE(window.files().sessionPath().empty()) << "Save asks where to";
   EXPECT_TRUE(recentFiles().isEmpty());
+}
+
+TEST_F(HabitsInWindow, StartPageScrollsAcrossAtNoWidth)
+{
+  const auto& bar = *startPage().findChild<QScrollArea*>()->horizontalScrollBar();
+  for (const int width : {1600, 1100, 760, 1300}) {
+    window.resize(width, 800);
+    ASSERT_TRUE(test::waitUntil([&] { return startPage().width() == viewport().width() && window.width() == width; }));
+    const auto isInside = [this](const QToolButton* entry) {
+      return entry->mapTo(&startPage(), entry->rect().bottomRight()).x() < startPage().width();
+    };
+    EXPECT_TRUE(test::waitUntil(
+        [&] { return bar.maximum() == 0 && std::ranges::all_of(entriesOf("exampleGallery"), isInside); },
+        std::chrono::seconds(5)))
+        << width;
+  }
+  const auto top = [this](int k) { return entriesOf("exampleGallery")[k]->y(); };
+  EXPECT_EQ(top(0), top(1)) << "side by side where there is room";
+}
+
+TEST_F(HabitsInWindow, AnEmptyWindowSaysHowToBegin)
+{
+  const auto& hint = find<QLabel>("statusHint");
+  EXPECT_EQ(hint.toolTip(), "Open or drop a mesh or a session, or choose an example");
+  EXPECT_FALSE(find<QAction>("reachThrough").isEnabled());
+  open("bar.obj");
+  EXPECT_TRUE(hint.toolTip().contains("Click a constraint")) << hint.toolTip().toStdString();
+  EXPECT_TRUE(find<QAction>("reachThrough").isEnabled());
+  key(Qt::Key_W, Qt::ControlModifier);
+  EXPECT_EQ(hint.toolTip(), "Open or drop a mesh or a session, or choose an example");
+  EXPECT_FALSE(find<QAction>("reachThrough").isEnabled());
 }
 
 TEST_F(HabitsInWindow, RecentFilesHavePicturesAndOpenByAClick)

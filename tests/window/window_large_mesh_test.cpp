@@ -31,13 +31,16 @@ class LargeMeshInWindow : public test::OpenWindow {
 
   [[nodiscard]] QImage shown() { return viewport().grabFramebuffer().convertToFormat(QImage::Format_RGB32); }
 
-  /// What is shown when all is at rest is what one call of the renderer draws.
+  /// What is shown when all is at rest is what one call of the renderer draws, with smooth edges.
   void expectTheWholePicture()
   {
     ASSERT_TRUE(settle());
     const QImage rested = shown();
     editor().mesh().contents->setDetail(Detail::Full);
     viewport().renderer().GetRenderWindow()->Render();
+    EXPECT_NE(rested, shown()) << "its edges are not smooth";
+    viewport().scheduleWidgets();
+    ASSERT_TRUE(settle());
     EXPECT_EQ(rested, shown());
   }
 };
@@ -95,6 +98,8 @@ TEST_F(LargeMeshInWindow, WhatElseChangesIsShownTogetherWithThePicture)
   auto* label = window.findChild<QWidget*>("statusNumbers");
   ASSERT_NE(label, nullptr);
   ASSERT_TRUE(settle());
+  // Until the window shows what was drawn before.
+  static_cast<void>(test::waitUntil([] { return false; }, std::chrono::milliseconds(100)));
   int shownTimes = 0;
   QObject::connect(&viewport(), &QOpenGLWidget::frameSwapped, &viewport(), [&] { ++shownTimes; });
   label->update();

@@ -1,8 +1,10 @@
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QImage>
+#include <QSpinBox>
 #include <QToolButton>
 #include <algorithm>
+#include <set>
 
 #include <gtest/gtest.h>
 #include <vtkProperty.h>
@@ -94,6 +96,82 @@ TEST_F(PictureOfBar, IsCopiedAsItIsInTheWindow)
       ASSERT_EQ(copied.pixelColor(x, y), legend.pixelColor(x, y)) << x << ", " << y;
     }
   EXPECT_GT(painted, 1000);
+}
+
+TEST_F(PictureOfBar, IsSmoothWheneverTheMouseRests)
+{
+  const auto shown = [this] { return viewport().grabFramebuffer().convertToFormat(QImage::Format_RGB32); };
+  const QImage smooth = shown();
+  const QPointF place(20, 20);
+  test::pressMouse(viewport(), place, Qt::MiddleButton);
+  viewport().scheduleRender();
+  ASSERT_TRUE(settle());
+  EXPECT_NE(shown(), smooth) << "while a button is held";
+  test::releaseMouse(viewport(), place, Qt::MiddleButton);
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(shown(), smooth);
+}
+
+TEST_F(PictureOfBar, ADoubleClickOnTheLegendOpensItsSettings)
+{
+  const QWidget& panel = find<QWidget>("colorPanel");
+  ASSERT_FALSE(panel.isVisible());
+  test::doubleClick(viewport(), viewport().legendBox().topLeft() - QPointF(20, 20));
+  test::doubleClick(viewport(), viewport().legendBox().center());
+  ASSERT_TRUE(test::waitUntil([&] { return panel.isVisible() && find<QComboBox>("colorRangeKind").hasFocus(); }));
+  EXPECT_EQ(list().constraints.size(), 2U);
+}
+
+TEST_F(PictureOfBar, TheLegendHasAsManyColorsAsWanted)
+{
+  const auto legendColors = [this] {
+    key(Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
+    const QImage copied = QGuiApplication::clipboard()->image();
+    const QRectF box = viewport().legendBox();
+    std::set<QRgb> colors;
+    // The bar is at the right; beside its frame, and below the title.
+    const int x = static_cast<int>(box.right()) - 7;
+    for (int y = static_cast<int>(box.bottom()) - 80; y < static_cast<int>(box.bottom()) - 14; ++y)
+      colors.insert(copied.pixel(x, y));
+    return colors.size();
+  };
+  EXPECT_GT(legendColors(), 20U);
+  openPanel("Colours");
+  auto& bands = find<QSpinBox>("colorBands");
+  for (int k = 0; k < 2; ++k) test::pressKey(bands, Qt::Key_Up);
+  EXPECT_EQ(viewport().coloring()->scale.bands, 3);
+  EXPECT_LE(legendColors(), 2U) << "the lower third, and some of the middle one";
+  test::pressKey(bands, Qt::Key_Down);
+  EXPECT_EQ(viewport().coloring()->scale.bands, 2);
+  test::pressKey(bands, Qt::Key_Down);
+  EXPECT_EQ(viewport().coloring()->scale.bands, 0) << "smooth again";
+}
+
+TEST_F(PictureOfBar, TheLegendIsWhereItIsWanted)
+{
+  openPanel("Colours");
+  const double middle = viewport().width() / 2.0;
+  EXPECT_GT(viewport().legendBox().left(), middle);
+  chooseEntry(find<QComboBox>("legendSide"), 1);
+  const QRectF box = viewport().legendBox();
+  EXPECT_LT(box.right(), middle);
+  EXPECT_TRUE(QRectF(viewport().rect()).contains(box));
+  const auto ink = [this](const QRectF& area) {
+    auto& overlay = find<QWidget>("overlay");
+    QImage drawn(overlay.size(), QImage::Format_ARGB32_Premultiplied);
+    drawn.fill(Qt::transparent);
+    overlay.render(&drawn, QPoint(), QRegion(), {});
+    int count = 0;
+    for (int y = 0; y < drawn.height(); ++y)
+      for (int x = 0; x < drawn.width(); ++x)
+        count += area.contains(QPointF(x, y)) && qAlpha(drawn.pixel(x, y)) == 255 ? 1 : 0;
+    return count;
+  };
+  EXPECT_GT(ink(box), 1000);
+  EXPECT_EQ(ink(QRectF(middle, 0, middle, viewport().height())), 0);
+  chooseEntry(find<QComboBox>("legendSide"), 2);
+  EXPECT_TRUE(viewport().legendBox().isEmpty());
+  EXPECT_EQ(ink(box), 0);
 }
 
 TEST_F(PictureOfBar, ButtonsAreReadableInEveryTheme)

@@ -4,10 +4,12 @@
 #include <QComboBox>
 #include <QDialog>
 #include <QDockWidget>
+#include <QSpinBox>
 #include <QTimer>
 #include <QTreeWidget>
 #include <filesystem>
 #include <memory>
+#include <set>
 
 #include <gtest/gtest.h>
 #include <vtkCamera.h>
@@ -172,6 +174,26 @@ TEST_F(SessionInWindow, PowersOfTenComeBack)
   openAgain();
   ASSERT_TRUE(std::holds_alternative<LogarithmicRange>(again->viewport().colors().range));
   EXPECT_EQ(std::get<LogarithmicRange>(again->viewport().colors().range).decades, 7);
+}
+
+TEST_F(SessionInWindow, HiddenFacesAndTheLooksOfTheLegendComeBack)
+{
+  openPanel("Colours");
+  for (int k = 0; k < 3; ++k) test::pressKey(find<QWidget>("colorBands"), Qt::Key_Up);
+  choose("legendSide", 1);
+  const auto& faces = editor().model()->mesh.faces;
+  std::set<Index> corners(faces[3].begin(), faces[3].end());
+  corners.insert(faces[7].begin(), faces[7].end());
+  editor().selectVertices({corners.begin(), corners.end()});
+  trigger("hideSelection");
+  const auto hidden = viewport().hiddenFaces();
+  ASSERT_FALSE(hidden.empty());
+  save();
+  openAgain();
+  EXPECT_EQ(again->viewport().hiddenFaces(), hidden);
+  EXPECT_EQ(again->viewport().colors().bands, 4);
+  EXPECT_EQ(again->findChild<QSpinBox*>("colorBands")->value(), 4);
+  EXPECT_EQ(again->viewport().display().legend, LegendSide::Left);
 }
 
 TEST_F(SessionInWindow, ControlsShowWhatWasOpened)

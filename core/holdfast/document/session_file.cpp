@@ -26,9 +26,12 @@ void forEachMember(View& view, Visitor&& visit)
   visit("scale", view.scale);
   visit("decades", view.decades);
   visit("color_map", view.colorMap);
+  visit("bands", view.bands);
+  visit("legend", view.legend);
   visit("rest_shape", view.restShape);
   visit("mesh_edges", view.meshEdges);
   visit("surface", view.surface);
+  visit("hidden_faces", view.hiddenFaces);
 }
 
 /// The same for those below "glyphs".
@@ -136,10 +139,20 @@ void read(const JsonReader& json, std::array<double, 2>& range)
   if (!(range[0] < range[1])) json.fail("low is not below high; leave the key out for an automatic range");
 }
 
-void read(const JsonReader& json, Index& decades)
+void read(const JsonReader& json, Index& count)
 {
-  decades = json.integer();
-  if (decades < 1) json.fail("{} is not above 0", decades);
+  count = json.integer();
+  if (count < 1) json.fail("{} is not above 0", count);
+}
+
+void read(const JsonReader& json, std::vector<std::array<Index, 2>>& ranges)
+{
+  ranges = json.list([](const JsonReader& range) {
+    range.requireSize(2, "[first, last]");
+    const std::array ends{range.element(0).id(), range.element(1).id()};
+    if (ends[0] > ends[1]) range.fail("{} is not below {}; give the first and the last face", ends[0], ends[1]);
+    return ends;
+  });
 }
 
 /// Reads the members that `forEach` visits. An object has no keys but theirs and `others`.

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <holdfast/deform/deform.h>
 #include <holdfast/document/history.h>
@@ -40,9 +41,12 @@ struct ViewState {
   std::optional<std::string> scale;            ///< of the colours: "linear", "log"
   std::optional<Index> decades;                ///< powers of ten that a logarithmic scale shows, 1 or more
   std::optional<std::string> colorMap;
+  std::optional<Index> bands;         ///< of one colour each, 1 or more; colours change with every value where absent
+  std::optional<std::string> legend;  ///< where it is
   std::optional<std::string> restShape;
   std::optional<std::string> meshEdges;
   std::optional<std::string> surface;
+  std::optional<std::vector<std::array<Index, 2>>> hiddenFaces;  ///< first and last of each range, ascending
   std::optional<bool> showsConstraints;
   std::optional<bool> showsRotations;
 

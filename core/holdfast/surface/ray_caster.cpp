@@ -111,7 +111,7 @@ std::optional<RayHit> RayCaster::firstHit(const Ray& ray, const RayRange& range)
   RayHit best{-1, std::numeric_limits<double>::max(), {}};
   // Boxes hold what is hit only to rounding: an equally near triangle of smaller id must not be passed over.
   double limit = best.t;
-  tree_->visit(*boxes_, std::bind_front(&Caster::entry, caster), limit, [&](Index triangle) {
+  visit(std::bind_front(&Caster::entry, caster), limit, [&](Index triangle) {
     const std::optional<RayHit> hit = caster.meet(triangle, tree_->triangles()[triangle], *positions_);
     if (!hit || hit->t < range.begin || hit->t > range.end) return false;
     if (std::pair(hit->t, hit->triangle) >= std::pair(best.t, best.triangle)) return false;
@@ -126,7 +126,7 @@ bool RayCaster::isBlocked(const Ray& ray, double before, std::span<const Index> 
 {
   const Caster caster(ray);
   bool isBlocked = false;
-  tree_->visit(*boxes_, std::bind_front(&Caster::entry, caster), before, [&](Index triangle) {
+  visit(std::bind_front(&Caster::entry, caster), before, [&](Index triangle) {
     const std::optional<RayHit> hit = caster.meet(triangle, tree_->triangles()[triangle], *positions_);
     isBlocked =
         hit && hit->t >= from && hit->t < before && !std::binary_search(ignored.begin(), ignored.end(), triangle);
@@ -143,7 +143,7 @@ std::vector<std::array<Vector3, 2>> RayCaster::cutBy(const Vector3& origin, cons
   };
   std::vector<std::array<Vector3, 2>> segments;
   constexpr double kNoLimit = 0;
-  tree_->visit(*boxes_, entryOf, kNoLimit, [&](Index triangle) {
+  visit(entryOf, kNoLimit, [&](Index triangle) {
     std::array<Vector3, 3> corners;
     std::array<double, 3> heights{};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -172,7 +172,7 @@ std::vector<Index> RayCaster::withinReach(const Ray& ray, const RayReach& reach)
     return caster.entry(caster.widened(box, reach), before);
   };
   std::vector<Index> found;
-  tree_->visit(*boxes_, entryOf, limit, [&](Index triangle) {
+  visit(entryOf, limit, [&](Index triangle) {
     if (entryOf(tree_->boxOf(triangle, *positions_), limit) < kNever) found.push_back(triangle);
     return false;
   });

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <holdfast/surface/triangle_tree.h>
@@ -48,8 +49,17 @@ class RayCaster {
   /// For the same triangles at other finite positions. O(T); shares all but the boxes.
   [[nodiscard]] RayCaster movedTo(std::shared_ptr<const Positions> positions) const
   {
-    return {tree_, std::move(positions)};
+    return RayCaster(tree_, std::move(positions)).without(isLeftOut_);
   }
+
+  /// The same without the triangles for which `isLeftOut`, one for each; null: with all of them. O(1).
+  [[nodiscard]] RayCaster without(std::shared_ptr<const std::vector<char>> isLeftOut) const
+  {
+    RayCaster some(*this);
+    some.isLeftOut_ = std::move(isLeftOut);
+    return some;
+  }
+  [[nodiscard]] bool isLeftOut(Index triangle) const { return isLeftOut_ && (*isLeftOut_)[triangle] != 0; }
 
   [[nodiscard]] const Positions& positions() const noexcept { return *positions_; }
 
@@ -71,9 +81,17 @@ class RayCaster {
 
   RayCaster(std::shared_ptr<const TriangleTree> tree, std::shared_ptr<const Positions> positions);
 
+  /// As `TriangleTree::visit`, without what is left out.
+  template <class Entry, class Visit>
+  void visit(Entry&& entry, const double& limit, Visit&& visit) const
+  {
+    tree_->visit(*boxes_, entry, limit, [&](Index triangle) { return !isLeftOut(triangle) && visit(triangle); });
+  }
+
   std::shared_ptr<const TriangleTree> tree_;
   std::shared_ptr<const Positions> positions_;
   std::shared_ptr<const TriangleTree::Boxes> boxes_;  // at the positions
+  std::shared_ptr<const std::vector<char>> isLeftOut_;
 };
 
 }  // namespace holdfast

@@ -38,9 +38,12 @@ SessionFile fullSession()
   session.view.scale = "log";
   session.view.decades = 7;
   session.view.colorMap = "Björk's";
+  session.view.bands = 12;
+  session.view.legend = "left";
   session.view.restShape = "edges";
   session.view.meshEdges = "all";
   session.view.surface = "wireframe";
+  session.view.hiddenFaces = {{0, 3}, {7, 7}};
   session.view.showsConstraints = false;
   session.view.showsRotations = true;
   session.document.annotations = std::make_shared<const Annotations>(Annotations{
@@ -182,6 +185,9 @@ TEST(SessionFile, MistakesOfTheViewAreRefused)
   expectSessionRefused(head + R"({"color_by": ""}})", "view.color_by", "the text is empty");
   expectSessionRefused(head + R"({"range": [1, 1]}})", "view.range", "low is not below high");
   expectSessionRefused(head + R"({"range": [1]}})", "view.range", "a list of 2");
+  expectSessionRefused(head + R"({"bands": 0}})", "view.bands", "not above 0");
+  expectSessionRefused(head + R"({"hidden_faces": [[0, 1], [5, 4]]}})", "view.hidden_faces[1]", "5 is not below 4");
+  expectSessionRefused(head + R"({"hidden_faces": [[-1, 4]]}})", "view.hidden_faces[0][0]", "-1");
   expectSessionRefused(head + R"({"glyphs": {"rotations": 1}}})", "view.glyphs.rotations", "true or false");
   const std::string camera = head + R"({"camera": {"position": [0,0,1], "focal_point": )";
   expectSessionRefused(camera + R"([0,0,1], "view_up": [0,1,0]}}})", "view.camera.focal_point",

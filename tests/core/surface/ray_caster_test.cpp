@@ -173,6 +173,46 @@ TEST(RayCaster, WhatLiesOutsideOfTheRangeIsNotMet)
   EXPECT_FALSE(caster.isBlocked(down, 1.9, {}, 1.5));
 }
 
+TEST(RayCaster, WithoutSomeTrianglesMeetsTheOthersAsIfTheyWereAlone)
+{
+  test::Random random(23);
+  int hits = 0;
+  for (const test::NamedMesh& named : test::lawMeshes()) {
+    SCOPED_TRACE(named.name);
+    const std::vector<Triangle> triangles = triangulate(named.mesh).triangles;
+    auto isLeftOut = std::make_shared<std::vector<char>>();
+    std::vector<Triangle> others;
+    std::vector<Index> numberOf;
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+      isLeftOut->push_back(random.uniform(0, 1) < 0.5 ? 1 : 0);
+      if (isLeftOut->back() != 0) continue;
+      others.push_back(triangles[t]);
+      numberOf.push_back(static_cast<Index>(t));
+    }
+    const RayCaster all(named.mesh.positions, triangles);
+    const RayCaster some = all.without(isLeftOut).movedTo(std::make_shared<const Positions>(named.mesh.positions));
+    const RayCaster alone(named.mesh.positions, others);
+    for (int k = 0; k < 100; ++k) {
+      const Vector3 origin = test::randomVector(random, 6);
+      const Vector3 vertex = named.mesh.positions.row(random.integer(0, named.mesh.vertexCount() - 1));
+      const Ray ray{origin, vertex + test::randomVector(random, 0.3) - origin};
+      const auto hit = some.firstHit(ray);
+      const auto expected = alone.firstHit(ray);
+      ASSERT_EQ(hit.has_value(), expected.has_value());
+      EXPECT_EQ(some.isBlocked(ray, 2, {}), alone.isBlocked(ray, 2, {}));
+      for (const Index t : some.withinReach(ray, {0.1, 0})) EXPECT_FALSE(some.isLeftOut(t));
+      if (!hit) continue;
+      ++hits;
+      EXPECT_EQ(hit->triangle, numberOf[expected->triangle]);
+      EXPECT_EQ(hit->t, expected->t);
+    }
+    EXPECT_EQ(some.cutBy(named.mesh.positions.colwise().mean(), {0.3, 0.5, 0.7}).size(),
+              alone.cutBy(named.mesh.positions.colwise().mean(), {0.3, 0.5, 0.7}).size());
+    EXPECT_FALSE(some.without(nullptr).isLeftOut(0));
+  }
+  EXPECT_GT(hits, 100);
+}
+
 TEST(RayCaster, NothingWithinReachIsLeftOut)
 {
   test::Random random(15);

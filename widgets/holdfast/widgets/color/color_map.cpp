@@ -75,13 +75,20 @@ double shareOf(const ColorScale& scale, double value)
   return std::log(inside / scale.low) / std::log(scale.high / scale.low);
 }
 
-vtkSmartPointer<vtkLookupTable> toLookupTable(ColorMap map)
+Color colorAt(const ColorScale& scale, double share)
+{
+  if (scale.bands < 2 || std::isnan(share)) return mapColor(share, scale.map);
+  const double band = std::clamp(std::floor(share * scale.bands), 0.0, scale.bands - 1.0);
+  return mapColor(band / (scale.bands - 1), scale.map);
+}
+
+vtkSmartPointer<vtkLookupTable> toLookupTable(const ColorScale& scale)
 {
   auto table = vtkSmartPointer<vtkLookupTable>::New();
   table->SetNumberOfTableValues(kTableColors);
   table->SetTableRange(0, 1);
   for (int k = 0; k < kTableColors; ++k) {
-    const Color color = mapColor(k / (kTableColors - 1.0), map);
+    const Color color = colorAt(scale, k / (kTableColors - 1.0));
     table->SetTableValue(k, color.red, color.green, color.blue);
   }
   table->SetNanColor(kNoValueColor.red, kNoValueColor.green, kNoValueColor.blue, 1);

@@ -45,6 +45,9 @@ enum class TickSteps {
   Degrees   ///< 15, 30, 45 and 90 degrees and whole turns; decimal below
 };
 
+/// More are hardly told apart.
+inline constexpr int kMostBands = 64;
+
 /// The meaning of values on the map.
 struct ColorScale {
   std::string title;  ///< may hold line breaks
@@ -54,6 +57,7 @@ struct ColorScale {
   std::optional<double> promise = std::nullopt;  ///< a value to mark: what is below it is as good as promised
   TickSteps steps = TickSteps::Decimal;
   ColorMap map = ColorMap::BlueGreenYellow;
+  int bands = 0;  ///< of one colour each, all equally wide, 2 or more; 0: colours change with every value
 
   friend bool operator==(const ColorScale&, const ColorScale&) = default;
 };
@@ -61,12 +65,16 @@ struct ColorScale {
 /// Where `value` lies between the ends of the scale, from 0 to 1 and no farther; NaN for NaN.
 [[nodiscard]] double shareOf(const ColorScale& scale, double value);
 
+/// The colour at `share` of the way from the beginning of the scale to its end. The first band has the colour of the
+/// map's beginning, the last one that of its end.
+[[nodiscard]] Color colorAt(const ColorScale& scale, double share);
+
 [[nodiscard]] inline Color colorOf(const ColorScale& scale, double value)
 {
-  return mapColor(shareOf(scale, value), scale.map);
+  return colorAt(scale, shareOf(scale, value));
 }
 
-/// The map for VTK, over shares from 0 to 1.
-[[nodiscard]] vtkSmartPointer<vtkLookupTable> toLookupTable(ColorMap map = ColorMap::BlueGreenYellow);
+/// The colours of a scale for VTK, over shares from 0 to 1.
+[[nodiscard]] vtkSmartPointer<vtkLookupTable> toLookupTable(const ColorScale& scale);
 
 }  // namespace holdfast

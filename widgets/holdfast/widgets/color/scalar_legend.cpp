@@ -142,12 +142,12 @@ struct Bar {
   [[nodiscard]] double heightOf(double share) const { return bottom + share * (top - bottom); }
 };
 
-void addColors(Shape& shape, const Bar& bar, ColorMap map)
+void addColors(Shape& shape, const Bar& bar, const ColorScale& scale)
 {
   for (int k = 0; k < kBarSteps; ++k) {
     const double low = bar.heightOf(k / static_cast<double>(kBarSteps));
     const double high = bar.heightOf((k + 1) / static_cast<double>(kBarSteps));
-    shape.addRectangle(bar.left, low, bar.right, high, mapColor((k + 0.5) / kBarSteps, map));
+    shape.addRectangle(bar.left, low, bar.right, high, colorAt(scale, (k + 0.5) / kBarSteps));
   }
 }
 
@@ -209,7 +209,7 @@ void addLegend(vtkRenderer& renderer, const LegendContents& contents, const Lege
           {place.textSize * 1.05, TextWeight::Bold, TextAnchor::Top});
   const Bar bar{place.left, place.left + 1.3 * place.textSize, std::round(barBottom), std::round(titleBottom)};
   Shape shape;
-  addColors(shape, bar, contents.scale->map);
+  addColors(shape, bar, *contents.scale);
   addTicks(renderer, shape, *contents.scale, bar, place.textSize);
   shape.show(renderer);
 }

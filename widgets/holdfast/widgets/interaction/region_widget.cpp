@@ -296,7 +296,7 @@ void RegionWidget::PaintTo(const DisplayPoint& cursor)
 }
 
 /// A ball around a place of the surface, with the radius of the brush there. It reaches along edges only, and nothing
-/// that a section cuts away.
+/// that a section cuts away or that is not shown.
 void RegionWidget::Dab(const DisplayPoint& pixel)
 {
   const auto pick = this->FaceAt(pixel);
@@ -306,7 +306,8 @@ void RegionWidget::Dab(const DisplayPoint& pixel)
   const Vector3 border = atDepthOf(*this->CurrentRenderer, pick->place, pixel + radius);
   const Positions& positions = this->Surface->positions();
   auto touched = this->Regions->within((border - center).norm(), pick->place, pick->face, positions);
-  std::erase_if(touched, [&](Index v) { return !this->Surface->isKept(positions.row(v)); });
+  std::erase_if(touched,
+                [&](Index v) { return !this->Surface->isShown(v) || !this->Surface->isKept(positions.row(v)); });
   this->Reached = joined(this->Reached, touched, SelectionMode::Add);
 }
 

@@ -199,7 +199,7 @@ std::optional<Index> SurfaceCurveRepresentation::NearestVertex(const double plac
   std::optional<Index> nearest;
   double least = 0;
   for (Index v = 0; v < this->Surface->positions().rows(); ++v) {
-    if (this->Surface->trianglesAt(v).empty()) continue;
+    if (!this->Surface->isShown(v)) continue;
     const double distance = (this->PlaceOf(v) - at).stableNorm();
     if (nearest && distance >= least) continue;
     nearest = v;

@@ -59,7 +59,7 @@ void FaceTint::set(std::vector<char> isIn)
 
 void FaceTint::setOutline()
 {
-  const ShadedSurface& surface = *mesh_.shaded();
+  const ShadedSurface& surface = *mesh_.drawn();
   vtkNew<vtkCellArray> lines;
   tinted_ = 0;
   isCovered_.clear();
@@ -100,7 +100,7 @@ void FaceTint::updateFaces()
 {
   // Small tints would lose their shape.
   const bool isCoarse = detail_ == Detail::Coarse && tinted_ > kCoarseTriangles;
-  if (!isCoarse && data_->GetNumberOfPolys() < tinted_) setFaces(*data_, mesh_.shaded()->triangles, mesh_.vertexOf());
+  if (!isCoarse && data_->GetNumberOfPolys() < tinted_) setFaces(*data_, mesh_.drawn()->triangles, mesh_.vertexOf());
   if (isCoarse && coarseData_->GetNumberOfPolys() == 0) {
     const CoarseSurface& coarse = mesh_.coarse();
     coarseData_->SetPoints(coarse.data().GetPoints());

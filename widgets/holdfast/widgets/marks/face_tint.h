@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <vtkActor.h>
@@ -22,6 +23,8 @@ class FaceTint {
 
   /// Whether each file vertex is one of them; none where it is empty. O(T).
   void set(std::vector<char> isIn);
+  /// Of what is drawn of the mesh now: after `MeshActor::setHidden`. O(T).
+  void refresh() { set(std::move(isIn_)); }
   /// That of the tint, where it covers many triangles.
   void setDetail(Detail detail);
   void setPixelRatio(double ratio);
@@ -40,7 +43,7 @@ class FaceTint {
   }
   [[nodiscard]] bool isTinted(Index triangle) const
   {
-    return isTinted(mesh_.shaded()->triangles[triangle], mesh_.vertexOf());
+    return isTinted(mesh_.drawn()->triangles[triangle], mesh_.vertexOf());
   }
   void setOutline();
   void setFaces(vtkPolyData& data, const Polygons& triangles, const std::vector<Index>& vertexOf) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <span>
 #include <utility>
 
 #include <holdfast/constraints/selector.h>
@@ -55,6 +56,11 @@ RowPlaces placesOf(const ConstraintRow& row, const Weld& weld, const Positions& 
   return places;
 }
 
+Index heaviest(std::span<const Term> terms)
+{
+  return std::ranges::max_element(terms, {}, &Term::coefficient)->index;
+}
+
 /// A row that says how one place lies to another acts on the one.
 ConstraintMark markOf(const ConstraintRow& row, const Model& model, const Positions& positions)
 {
@@ -63,6 +69,7 @@ ConstraintMark markOf(const ConstraintRow& row, const Model& model, const Positi
   const Side rest = placesOf(row, weld, model.mesh.positions).acts;
   ConstraintMark mark{acts.sum, row.target};
   mark.rest = rest.sum;
+  mark.nearest = heaviest(row.terms);
   if (row.kind == RowKind::Position) return mark;
   mark.place = acts.sum / acts.weight;
   mark.target = mark.place + (row.target - (acts.sum + refers.sum)) / acts.weight;
@@ -105,7 +112,10 @@ class DisabledMarks {
   [[nodiscard]] ConstraintMark markAt(const SurfacePoint& at, MarkKind kind, Index constraint) const
   {
     const Vector3 place = positionOf(at, positions_);
-    return {place, place, ConstraintStatus::Disabled, kind, constraint, positionOf(at, model_.mesh.positions)};
+    ConstraintMark mark{place, place,      ConstraintStatus::Disabled,
+                        kind,  constraint, positionOf(at, model_.mesh.positions)};
+    mark.nearest = model_.solverMesh.weld.unknownOf[heaviest(at.terms)];
+    return mark;
   }
 
   std::vector<ConstraintMark> ofSelection(const Selection& selection, MarkKind kind, Index constraint)

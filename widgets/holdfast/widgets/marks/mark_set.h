@@ -38,6 +38,7 @@ struct ConstraintMark {
   std::optional<Vector3> other = std::nullopt;  ///< of relative constraints: where the place is that `to` names
   Index unknown = -1;                           ///< of regions: the vertex
   Index reference = -1;                         ///< of rigid regions: the first vertex, to which the others refer
+  Index nearest = -1;                           ///< of the unknowns that make the place: that of the largest weight
 };
 
 /// A mark for each row that has terms, in the order of rows. One of a rigid region lies at its vertex, one of a

@@ -44,6 +44,11 @@ void RegionTints::set(FaceTint& tint, std::uint8_t bit, const RegionLooks& looks
   tint.set(std::move(isIn));
 }
 
+void RegionTints::refresh()
+{
+  for (const auto& tint : tints_) tint->refresh();
+}
+
 void RegionTints::highlight(std::vector<Index> constraints)
 {
   std::ranges::sort(constraints);

@@ -15,6 +15,9 @@ class RegionTints {
   /// `mesh` stays alive as long as this.
   explicit RegionTints(const MeshActor& mesh);
 
+  /// Of what is drawn of the mesh now: after `MeshActor::setHidden`. O(T).
+  void refresh();
+
   /// Not null. O(T) where regions or their statuses have changed.
   void show(const std::shared_ptr<const MarkSet>& marks);
   /// Places in the list. O(T).

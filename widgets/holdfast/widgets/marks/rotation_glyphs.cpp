@@ -134,6 +134,7 @@ void RotationGlyphs::set(const Positions& positions, const Columns3& q)
   ArrowMesh outlines;
   if (q.rows() > 0)
     for (const RotationArrow& arrow : rotationArrows(model_, vertices_, positions, q, longest)) {
+      if (!isHidden_.empty() && isHidden_[arrow.vertex] != 0) continue;
       const double length = arrow.along.norm();
       arrows.add(arrow, profileOf(length, longest, 0));
       outlines.add(arrow, profileOf(length, longest, kOutline * diagonal));

@@ -35,12 +35,16 @@ class RotationGlyphs {
   /// Shows the field `q`, one row for each unknown, on the mesh at `positions`; no rows: no arrows. O(N) at first.
   void set(const Positions& positions, const Columns3& q);
 
+  /// Without arrows at vertices of the file for which `isHidden`; empty: with all. For the next `set`.
+  void setHidden(std::vector<char> isHidden) { isHidden_ = std::move(isHidden); }
+
   /// In the order in which they are drawn.
   [[nodiscard]] std::vector<vtkActor*> actors() const { return {outlines_, arrows_}; }
 
  private:
   const Model& model_;
   std::vector<Index> vertices_;  // evenly spread at rest, of those that faces use
+  std::vector<char> isHidden_;
   vtkNew<vtkPolyData> arrowData_;
   vtkNew<vtkPolyData> outlineData_;
   vtkNew<vtkActor> arrows_;

@@ -10,7 +10,7 @@
 namespace holdfast {
 
 SelectionOverlay::SelectionOverlay(const Model& model, const MeshActor& mesh)
-    : model_(model), pointOf_(mesh.shaded()->pointOf(model.mesh.vertexCount())), tint_(mesh, kAccentColor)
+    : model_(model), mesh_(mesh), tint_(mesh, kAccentColor)
 {
   dotData_->SetPoints(&mesh.points());
   showData(*dots_, *dotData_).SetClippingPlanes(&mesh.sectionPlanes());
@@ -20,16 +20,26 @@ SelectionOverlay::SelectionOverlay(const Model& model, const MeshActor& mesh)
 
 void SelectionOverlay::set(const std::vector<Index>& fileVertices)
 {
-  std::vector<char> isSelected(fileVertices.empty() ? 0 : pointOf_.size(), 0);
-  for (const Index vertex : fileVertices) isSelected[vertex] = 1;
+  selected_ = fileVertices;
+  refresh();
+}
+
+void SelectionOverlay::refresh()
+{
+  const auto count = static_cast<std::size_t>(selected_.empty() ? 0 : model_.mesh.vertexCount());
+  std::vector<char> isSelected(count, 0);
+  for (const Index vertex : selected_) isSelected[vertex] = 1;
   tint_.set(isSelected);
+  std::vector<Index> pointOf(count, -1);
+  for (Index t = 0; count > 0 && t < mesh_.drawn()->triangles.size(); ++t)
+    for (const Index point : mesh_.drawn()->triangles[t]) pointOf[mesh_.vertexOf()[point]] = point;
   std::vector<Index> drawn;
   for (std::size_t vertex = 0; vertex < isSelected.size(); ++vertex)
-    if (isSelected[vertex] != 0 && pointOf_[vertex] >= 0 && !tint_.covers(static_cast<Index>(vertex)))
+    if (isSelected[vertex] != 0 && pointOf[vertex] >= 0 && !tint_.covers(static_cast<Index>(vertex)))
       drawn.push_back(static_cast<Index>(vertex));
   vtkNew<vtkCellArray> dots;
   for (const Index vertex : evenlySpread(model_.mesh.positions, drawn, kMostSelectionDots))
-    dots->InsertNextCell({pointOf_[vertex]});
+    dots->InsertNextCell({pointOf[vertex]});
   dotData_->SetVerts(dots);
   dots_->SetVisibility(dots->GetNumberOfCells() > 0);
 }

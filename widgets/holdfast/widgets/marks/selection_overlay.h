@@ -24,6 +24,9 @@ class SelectionOverlay {
   /// File vertices, in any order. Those that no face uses do not show. O(T).
   void set(const std::vector<Index>& fileVertices);
 
+  /// Of what is drawn of the mesh now: after `MeshActor::setHidden`. O(T).
+  void refresh();
+
   /// The diameter of dots, in pixels of the window.
   void setDotPixels(double pixels) { dots_->GetProperty()->SetPointSize(static_cast<float>(pixels)); }
 
@@ -32,7 +35,8 @@ class SelectionOverlay {
 
  private:
   const Model& model_;
-  std::vector<Index> pointOf_;  // of each file vertex, -1 where no face uses it
+  const MeshActor& mesh_;
+  std::vector<Index> selected_;
   vtkNew<vtkPolyData> dotData_;
   vtkNew<vtkActor> dots_;
   FaceTint tint_;

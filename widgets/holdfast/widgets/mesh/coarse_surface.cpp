@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -88,27 +89,34 @@ std::vector<Index> representatives(const Cloud& cloud, double cellSize)
   return representativeOf;
 }
 
+/// Three representatives, and the first triangle between them.
+using Between = std::array<Index, 4>;
+
 /// The triangles between different representatives, each once, its smallest corner first.
-std::vector<Triangle> between(const SolverMesh& mesh, const std::vector<Index>& representativeOf)
+std::vector<Between> between(const std::vector<Triangle>& all, const std::vector<Index>& representativeOf)
 {
-  std::vector<Triangle> triangles;
-  for (const Triangle& fine : mesh.triangles) {
-    Triangle coarse{representativeOf[fine[0]], representativeOf[fine[1]], representativeOf[fine[2]]};
+  std::vector<Between> triangles;
+  for (std::size_t t = 0; t < all.size(); ++t) {
+    Triangle coarse{representativeOf[all[t][0]], representativeOf[all[t][1]], representativeOf[all[t][2]]};
     if (coarse[0] == coarse[1] || coarse[1] == coarse[2] || coarse[2] == coarse[0]) continue;
     std::rotate(coarse.begin(), std::min_element(coarse.begin(), coarse.end()), coarse.end());
-    triangles.push_back(coarse);
+    triangles.push_back({coarse[0], coarse[1], coarse[2], static_cast<Index>(t)});
   }
-  return sortedOnce(std::move(triangles));
+  std::ranges::sort(triangles);
+  const auto repeated = std::ranges::unique(
+      triangles, [](const Between& a, const Between& b) { return std::equal(a.begin(), a.begin() + 3, b.begin()); });
+  triangles.erase(repeated.begin(), repeated.end());
+  return triangles;
 }
 
-std::vector<Triangle> aboutAsMany(const SolverMesh& mesh, Index target)
+std::vector<Between> aboutAsMany(const SolverMesh& mesh, const std::vector<Triangle>& all, Index target)
 {
   const Cloud cloud = cloudOf(mesh);
   const auto wanted = static_cast<double>(target);
   double cellSize = 1 / std::sqrt(wanted);
-  std::vector<Triangle> triangles;
+  std::vector<Between> triangles;
   for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
-    triangles = between(mesh, representatives(cloud, cellSize));
+    triangles = between(all, representatives(cloud, cellSize));
     const double share = static_cast<double>(triangles.size()) / wanted;
     if (share >= kTooFew && share <= kTooMany) break;
     cellSize = std::clamp(cellSize * std::sqrt(std::max(share, 0.01)), 1 / kMostCellsAcross, 1.0);
@@ -118,23 +126,32 @@ std::vector<Triangle> aboutAsMany(const SolverMesh& mesh, Index target)
 
 }  // namespace
 
-Polygons coarseTriangles(const Model& model, const ShadedSurface& surface, Index target)
+CoarseTriangles coarseTriangles(const Model& model, const ShadedSurface& surface, Index target)
 {
-  if (2 * surface.triangles.size() <= 3 * target) return surface.triangles;
+  CoarseTriangles coarse;
+  if (2 * surface.triangles.size() <= 3 * target) {
+    coarse.triangles = surface.triangles;
+    coarse.sources.resize(static_cast<std::size_t>(surface.triangles.size()));
+    std::iota(coarse.sources.begin(), coarse.sources.end(), Index{0});
+    return coarse;
+  }
   const Weld& weld = model.solverMesh.weld;
   std::vector<Index> pointOf(static_cast<std::size_t>(weld.unknownCount), -1);
   for (std::size_t k = surface.vertexOf.size(); k-- > 0;)
     pointOf[weld.unknownOf[surface.vertexOf[k]]] = static_cast<Index>(k);
-  Polygons coarse;
-  for (const Triangle& triangle : aboutAsMany(model.solverMesh, target))
-    coarse.add({pointOf[triangle[0]], pointOf[triangle[1]], pointOf[triangle[2]]});
+  for (const auto& [a, b, c, source] : aboutAsMany(model.solverMesh, trianglesOverUnknowns(model), target)) {
+    coarse.triangles.add({pointOf[a], pointOf[b], pointOf[c]});
+    coarse.sources.push_back(source);
+  }
   return coarse;
 }
 
 CoarseSurface::CoarseSurface(const Model& model, const ShadedSurface& surface)
     : isSolid_(holdfast::isSolid(model.solverMesh))
 {
-  const Polygons coarse = coarseTriangles(model, surface, kCoarseTriangles);
+  CoarseTriangles chosen = coarseTriangles(model, surface, kCoarseTriangles);
+  sources_ = std::move(chosen.sources);
+  const Polygons& coarse = chosen.triangles;
   std::vector<Index> newPointOf(surface.vertexOf.size(), -1);
   const auto newPoint = [&](Index point) {
     if (newPointOf[point] < 0) {
@@ -163,7 +180,15 @@ CoarseSurface::CoarseSurface(const Model& model, const ShadedSurface& surface)
   points->SetData(places_);
   data_->SetPoints(points);
   data_->GetPointData()->SetNormals(normals_);
-  data_->SetPolys(toCells(triangles_));
+  setHidden({});
+}
+
+void CoarseSurface::setHidden(const std::vector<char>& isHidden)
+{
+  drawn_ = {};
+  for (Index t = 0; t < triangles_.size(); ++t)
+    if (isHidden.empty() || isHidden[sources_[t]] == 0) drawn_.add(triangles_[t]);
+  data_->SetPolys(toCells(drawn_));
 }
 
 void CoarseSurface::follow(const Positions& places)

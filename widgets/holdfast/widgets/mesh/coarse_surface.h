@@ -15,10 +15,15 @@ namespace holdfast {
 /// About how many triangles are drawn of what moves: as many as are drawn in a few milliseconds without a GPU.
 inline constexpr Index kCoarseTriangles = 20'000;
 
+struct CoarseTriangles {
+  Polygons triangles;          ///< over points of a surface
+  std::vector<Index> sources;  ///< of each: a triangle of the surface for which it stands
+};
+
 /// About `target` (larger than 0) triangles over points of `surface`, which was cut from `model`; its own where it has
 /// up to one and a half times as many. Vertices near one another at rest that face the same way are drawn as one of
 /// them, so that what moves the points moves these triangles. Without gaps where the model has none. O(T log T).
-[[nodiscard]] Polygons coarseTriangles(const Model& model, const ShadedSurface& surface, Index target);
+[[nodiscard]] CoarseTriangles coarseTriangles(const Model& model, const ShadedSurface& surface, Index target);
 
 /// About `kCoarseTriangles` of a surface, over copies of the points that they need.
 class CoarseSurface {
@@ -31,9 +36,14 @@ class CoarseSurface {
   /// Copies the shares of the surface's points; null where it has one colour.
   void color(const vtkDoubleArray* shares);
 
-  [[nodiscard]] const Polygons& triangles() const noexcept { return triangles_; }
-  /// Whether it is the skin of a solid at rest: from outside only fronts of triangles are seen.
-  [[nodiscard]] bool isSolid() const noexcept { return isSolid_; }
+  /// Leaves out those that stand for triangles of the surface for which `isHidden`, one for each; empty: none. O(their
+  /// number).
+  void setHidden(const std::vector<char>& isHidden);
+
+  /// Those that are drawn.
+  [[nodiscard]] const Polygons& triangles() const noexcept { return drawn_; }
+  /// Whether it is drawn as the whole skin of a solid at rest: from outside only fronts of triangles are seen.
+  [[nodiscard]] bool isSolid() const noexcept { return isSolid_ && drawn_.size() == triangles_.size(); }
   /// Whether the place is within the box around its points.
   [[nodiscard]] bool isNear(const Vector3& place) const;
   /// The file's vertex of each point.
@@ -42,6 +52,8 @@ class CoarseSurface {
 
  private:
   Polygons triangles_;
+  std::vector<Index> sources_;
+  Polygons drawn_;
   bool isSolid_;
   std::vector<Index> pointOf_;  // of the surface, for each point
   std::vector<Index> vertexOf_;

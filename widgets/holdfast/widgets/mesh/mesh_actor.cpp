@@ -30,22 +30,6 @@ vtkSmartPointer<vtkCellArray> linesOf(const std::vector<std::array<Index, 2>>& e
   return cells;
 }
 
-/// The sides of all polygons of the file, each once, as pairs of points.
-std::vector<std::array<Index, 2>> polygonEdges(const Mesh& mesh, const ShadedSurface& surface)
-{
-  const std::vector<Index> pointOf = surface.pointOf(mesh.vertexCount());
-  std::vector<std::array<Index, 2>> edges;
-  for (Index f = 0; f < mesh.faces.size(); ++f) {
-    const auto corners = mesh.faces[f];
-    for (std::size_t k = 0; k < corners.size(); ++k) {
-      const Index a = pointOf[corners[k]];
-      const Index b = pointOf[corners[(k + 1) % corners.size()]];
-      if (a >= 0 && b >= 0 && a != b) edges.push_back({std::min(a, b), std::max(a, b)});
-    }
-  }
-  return sortedOnce(std::move(edges));
-}
-
 void showLines(vtkActor& actor, vtkPolyDataMapper& mapper, vtkPolyData& data)
 {
   mapper.SetInputData(&data);
@@ -76,6 +60,7 @@ void setEdgeLook(vtkActor& actor, double opacity, double pixels)
 MeshActor::MeshActor(const Model& model, std::shared_ptr<const ShadedSurface> shaded)
     : model_(model),
       shaded_(shaded ? std::move(shaded) : std::make_shared<const ShadedSurface>(cutAtSharpEdges(model))),
+      drawn_(shaded_),
       corners_(cornerVertices(shaded_->triangles))
 {
   places_.resize(static_cast<Index>(shaded_->vertexOf.size()), 3);
@@ -143,8 +128,54 @@ void MeshActor::setMeshEdges(MeshEdges edges)
   meshEdgesShown_ = edges;
   edges_->SetVisibility(edges != MeshEdges::None);
   if (edges == MeshEdges::All && meshEdgeData_->GetNumberOfLines() == 0)
-    meshEdgeData_->SetLines(linesOf(polygonEdges(model_.mesh, *shaded_)));
+    meshEdgeData_->SetLines(linesOf(polygonEdges()));
   update();
+}
+
+/// The sides of all polygons of the file that are drawn, each once, as pairs of points.
+std::vector<std::array<Index, 2>> MeshActor::polygonEdges() const
+{
+  const Mesh& mesh = model_.mesh;
+  std::vector<char> isFaceHidden(static_cast<std::size_t>(mesh.faces.size()), 0);
+  for (std::size_t t = 0; t < isHidden_.size(); ++t) isFaceHidden[model_.triangulation.faceOf[t]] = isHidden_[t];
+  const std::vector<Index> pointOf = shaded_->pointOf(mesh.vertexCount());
+  std::vector<std::array<Index, 2>> edges;
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    const auto corners = mesh.faces[f];
+    for (std::size_t k = 0; isFaceHidden[f] == 0 && k < corners.size(); ++k) {
+      const Index a = pointOf[corners[k]];
+      const Index b = pointOf[corners[(k + 1) % corners.size()]];
+      if (a >= 0 && b >= 0 && a != b) edges.push_back({std::min(a, b), std::max(a, b)});
+    }
+  }
+  return sortedOnce(std::move(edges));
+}
+
+void MeshActor::setHidden(std::vector<char> isHidden)
+{
+  if (isHidden_ == isHidden) return;
+  isHidden_ = std::move(isHidden);
+  auto drawn =
+      isHidden_.empty() ? shaded_ : std::make_shared<const ShadedSurface>(without(*shaded_, model_, isHidden_));
+  const auto triangles = toCells(drawn->triangles);
+  const auto creases = linesOf(drawn->creases);
+  draw(std::move(drawn), triangles, creases);
+}
+
+void MeshActor::setHiddenAs(const MeshActor& other)
+{
+  isHidden_ = other.isHidden_;
+  draw(other.drawn_, other.surfaceData_->GetPolys(), other.edgeData_->GetLines());
+}
+
+void MeshActor::draw(std::shared_ptr<const ShadedSurface> surface, vtkCellArray* triangles, vtkCellArray* creases)
+{
+  drawn_ = std::move(surface);
+  surfaceData_->SetPolys(triangles);
+  edgeData_->SetLines(creases);
+  meshEdgeData_->SetLines(nullptr);
+  if (coarse_) coarse_->setHidden(isHidden_);
+  setMeshEdges(meshEdgesShown_);
 }
 
 void MeshActor::setSurfaceDisplay(SurfaceDisplay display)
@@ -184,7 +215,10 @@ void MeshActor::setSection(const std::optional<SectionPlane>& section)
 
 const CoarseSurface& MeshActor::coarse() const
 {
-  if (!coarse_) coarse_ = std::make_unique<CoarseSurface>(model_, *shaded_);
+  if (!coarse_) {
+    coarse_ = std::make_unique<CoarseSurface>(model_, *shaded_);
+    coarse_->setHidden(isHidden_);
+  }
   if (std::exchange(isCoarseOld_, false)) coarse_->follow(places_);
   return *coarse_;
 }
@@ -225,7 +259,7 @@ void MeshActor::setColors(const std::vector<double>& values, const ColorScale& s
     shares->SetValue(static_cast<vtkIdType>(k), share);
   }
   surfaceData_->GetPointData()->SetScalars(shares);
-  surfaceMapper_->SetLookupTable(toLookupTable(scale.map));
+  surfaceMapper_->SetLookupTable(toLookupTable(scale));
   surfaceMapper_->UseLookupTableScalarRangeOn();
   surfaceMapper_->SetInterpolateScalarsBeforeMapping(isComplete);
   surfaceMapper_->ScalarVisibilityOn();

@@ -76,6 +76,12 @@ class MeshActor {
   /// The planes of `setSection`, for other actors on the mesh.
   [[nodiscard]] vtkPlaneCollection& sectionPlanes() const { return *sectionPlanes_; }
 
+  /// Leaves out the triangles for which `isHidden`, one for each; empty: draws all. Tints on the mesh are set again
+  /// afterwards. O(T).
+  void setHidden(std::vector<char> isHidden);
+  /// The same as another actor of the mesh. O(1) where all its edges are not drawn.
+  void setHiddenAs(const MeshActor& other);
+
   /// How many pixels of the window are one of the picture: widths of lines are in pixels of the picture.
   void setPixelRatio(double ratio);
 
@@ -90,6 +96,9 @@ class MeshActor {
   [[nodiscard]] const std::vector<Index>& vertexOf() const noexcept { return shaded_->vertexOf; }
   [[nodiscard]] const std::shared_ptr<const ShadedSurface>& shaded() const noexcept { return shaded_; }
 
+  /// What is drawn of it.
+  [[nodiscard]] const std::shared_ptr<const ShadedSurface>& drawn() const noexcept { return drawn_; }
+
   /// The points and normals that are drawn, for other actors on the mesh.
   [[nodiscard]] vtkPoints& points() const { return *points_; }
   /// In coarse detail they may be older than the points.
@@ -100,17 +109,23 @@ class MeshActor {
  private:
   [[nodiscard]] bool isCoarse() const
   {
-    return detail_ == Detail::Coarse && coarse().triangles().size() < shaded_->triangles.size();
+    // A small part of a large mesh is drawn as it is.
+    return detail_ == Detail::Coarse && 2 * drawn_->triangles.size() > 3 * kCoarseTriangles &&
+           coarse().triangles().size() < drawn_->triangles.size();
   }
   void update();
+  void draw(std::shared_ptr<const ShadedSurface> surface, vtkCellArray* triangles, vtkCellArray* creases);
   void updateNormals();
   void colorCoarse();
+  [[nodiscard]] std::vector<std::array<Index, 2>> polygonEdges() const;
 
   const Model& model_;
   std::shared_ptr<const ShadedSurface> shaded_;
-  std::vector<Index> corners_;  // the point at each corner of the triangles
-  Positions places_;            // of the points: what VTK draws lies here
-  Positions doubleNormals_;     // at the points: kept for the memory
+  std::shared_ptr<const ShadedSurface> drawn_;  // that, or without what is hidden
+  std::vector<char> isHidden_;                  // of each triangle; empty where all are drawn
+  std::vector<Index> corners_;                  // the point at each corner of the triangles
+  Positions places_;                            // of the points: what VTK draws lies here
+  Positions doubleNormals_;                     // at the points: kept for the memory
   MeshEdges meshEdgesShown_ = MeshEdges::Sharp;
   Detail detail_ = Detail::Full;
   std::optional<Vector3> eye_;

@@ -1,5 +1,6 @@
 #include "holdfast/widgets/mesh/shaded_surface.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -81,6 +82,31 @@ std::vector<HalfEdge> drawnEdges(const std::vector<HalfEdge>& sharp, const Solve
   return drawn;
 }
 
+/// Those of `creases` that are sides of triangles of `surface`.
+std::vector<std::array<Index, 2>> creasesOf(const ShadedSurface& surface,
+                                            const std::vector<std::array<Index, 2>>& creases, const SolverMesh& mesh)
+{
+  const auto sideOf = [&](Index a, Index b) {
+    const auto [low, high] =
+        std::minmax(mesh.weld.unknownOf[surface.vertexOf[a]], mesh.weld.unknownOf[surface.vertexOf[b]]);
+    return std::array{low, high};
+  };
+  std::map<std::array<Index, 2>, bool> isSide;
+  // Most sides do not begin where a crease does, and need no search.
+  std::vector<char> isAtCrease(static_cast<std::size_t>(mesh.unknownCount()), 0);
+  for (const auto& [a, b] : creases) isAtCrease[isSide.emplace(sideOf(a, b), false).first->first[0]] = 1;
+  for (Index t = 0; t < surface.triangles.size(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      const auto side = sideOf(surface.triangles[t][k], surface.triangles[t][(k + 1) % 3]);
+      if (isAtCrease[side[0]] == 0) continue;
+      if (const auto found = isSide.find(side); found != isSide.end()) found->second = true;
+    }
+  std::vector<std::array<Index, 2>> found;
+  for (const auto& [a, b] : creases)
+    if (isSide.at(sideOf(a, b))) found.push_back({a, b});
+  return found;
+}
+
 }  // namespace
 
 std::vector<Index> ShadedSurface::pointOf(Index vertexCount) const
@@ -88,6 +114,26 @@ std::vector<Index> ShadedSurface::pointOf(Index vertexCount) const
   std::vector<Index> points(static_cast<std::size_t>(vertexCount), -1);
   for (std::size_t k = vertexOf.size(); k-- > 0;) points[vertexOf[k]] = static_cast<Index>(k);
   return points;
+}
+
+ShadedSurface without(const ShadedSurface& surface, const Model& model, const std::vector<char>& isHidden)
+{
+  ShadedSurface some;
+  some.vertexOf = surface.vertexOf;
+  std::vector<Index> numberOf(isHidden.size(), -1);
+  for (Index t = 0; t < surface.triangles.size(); ++t) {
+    if (isHidden[t] != 0) continue;
+    numberOf[t] = some.triangles.size();
+    some.triangles.add(surface.triangles[t]);
+  }
+  for (Index t = 0; t < surface.triangles.size(); ++t) {
+    if (isHidden[t] != 0) continue;
+    Triangle across = surface.across[t];
+    for (Index& other : across) other = other < 0 ? -1 : numberOf[other];
+    some.across.push_back(across);
+  }
+  some.creases = creasesOf(some, surface.creases, model.solverMesh);
+  return some;
 }
 
 ShadedSurface cutAtSharpEdges(const Model& model)

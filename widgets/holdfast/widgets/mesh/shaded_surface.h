@@ -19,6 +19,11 @@ struct ShadedSurface {
   [[nodiscard]] std::vector<Index> pointOf(Index vertexCount) const;
 };
 
+/// `surface`, which was cut from `model`, without the triangles for which `isHidden`, one for each: over the same
+/// points, with the creases at the triangles that are left. O(T).
+[[nodiscard]] ShadedSurface without(const ShadedSurface& surface, const Model& model,
+                                    const std::vector<char>& isHidden);
+
 /// Edges are sharp where the normals on both sides differ by more than this at rest.
 inline constexpr double kSharpDegrees = 42;
 

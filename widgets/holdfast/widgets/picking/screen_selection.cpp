@@ -65,7 +65,7 @@ bool ScreenSelection::isInside(Index vertex) const
   const Vector3 place = surface_->positions().row(vertex);
   const DisplayTransform::Shown shown = display_.show(place);
   if (!(shown.depth > 0) || !display_.isInside(shown.point) || !outline_.contains(shown.point)) return false;
-  if (surface_->trianglesAt(vertex).empty() || !surface_->isKept(place)) return false;
+  if (!surface_->isShown(vertex) || !surface_->isKept(place)) return false;
   return reach_ == ScreenReach::Through || surface_->isVertexVisible(vertex, display_);
 }
 

@@ -33,12 +33,13 @@ class ScreenPolygon {
 
 enum class ScreenReach {
   VisibleOnly,  ///< what the user sees: nothing lies before the vertex
-  Through       ///< what is hidden as well, but not what a section cuts away
+  Through       ///< what is behind the surface as well, but not what a section cuts away or is not shown
 };
 
 /// The vertices of the file that are shown inside `polygon` in the renderer's part of the window, found a few at a
 /// time. Corners are pixels as a cursor names them, each meaning its center. Without vertices that no face uses, that
-/// are behind the eye or that a section cuts away. O(N) and, for `VisibleOnly`, about O(k log T) for k vertices inside.
+/// are behind the eye, that a section cuts away or whose faces are not shown. O(N) and, for `VisibleOnly`, about O(k
+/// log T) for k vertices inside.
 class ScreenSelection {
  public:
   /// Sees what `renderer` shows now of `surface`, which is not null.

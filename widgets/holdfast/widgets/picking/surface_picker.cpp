@@ -64,7 +64,8 @@ class Search {
     const std::vector<Index>& faceOf = model_.triangulation.faceOf;
     std::vector<Index> faces;
     for (const Index vertex : model_.mesh.faces[faceOf[hit_->triangle]])
-      for (const Index triangle : surface_.trianglesAt(vertex)) faces.push_back(faceOf[triangle]);
+      for (const Index triangle : surface_.trianglesAt(vertex))
+        if (!surface_.isHidden(triangle)) faces.push_back(faceOf[triangle]);
     std::vector<Index> triangles;
     for (const Index face : sortedOnce(std::move(faces))) {
       const auto [first, last] = std::equal_range(faceOf.begin(), faceOf.end(), face);
@@ -187,6 +188,7 @@ class Search {
     Index best = -1;
     for (const Index t : surface_.trianglesAt(i)) {
       const Triangle& own = model_.triangulation.triangles[t];
+      if (surface_.isHidden(t)) continue;
       if (std::count(own.begin(), own.end(), i) == 0 || std::count(own.begin(), own.end(), j) == 0) continue;
       if (best < 0 || rank(t) < rank(best)) best = t;
     }

@@ -1,6 +1,8 @@
 #include "holdfast/widgets/picking/visible_surface.h"
 
+#include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace holdfast {
 
@@ -17,6 +19,18 @@ VisibleSurface VisibleSurface::withSection(const std::optional<SectionPlane>& se
   VisibleSurface cut(*this);
   cut.section_ = section;
   return cut;
+}
+
+VisibleSurface VisibleSurface::withHidden(std::shared_ptr<const std::vector<char>> isHidden) const
+{
+  VisibleSurface some(*this);
+  some.rays_ = rays_.without(std::move(isHidden));
+  return some;
+}
+
+bool VisibleSurface::isShown(Index vertex) const
+{
+  return std::ranges::any_of(trianglesAt(vertex), [this](Index triangle) { return !isHidden(triangle); });
 }
 
 VisibleSurface VisibleSurface::movedTo(std::shared_ptr<const Positions> positions) const

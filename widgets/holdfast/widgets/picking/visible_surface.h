@@ -25,7 +25,13 @@ class VisibleSurface {
   [[nodiscard]] VisibleSurface withSection(const std::optional<SectionPlane>& section) const;
   [[nodiscard]] const std::optional<SectionPlane>& section() const noexcept { return section_; }
 
-  /// The same at other positions, all finite, cut by the same plane. O(T), on any thread.
+  /// The same without the triangles for which `isHidden`, one for each; null: with all of them. O(1).
+  [[nodiscard]] VisibleSurface withHidden(std::shared_ptr<const std::vector<char>> isHidden) const;
+  [[nodiscard]] bool isHidden(Index triangle) const { return rays_.isLeftOut(triangle); }
+  /// Whether a triangle at a vertex of the file is not hidden.
+  [[nodiscard]] bool isShown(Index vertex) const;
+
+  /// The same at other positions, all finite, cut by the same plane, as much hidden. O(T), on any thread.
   [[nodiscard]] VisibleSurface movedTo(std::shared_ptr<const Positions> positions) const;
 
   /// Whether one was made of the other, or both of a third: places are named alike on both.
@@ -43,7 +49,7 @@ class VisibleSurface {
     return (*trianglesOf_)[model_->solverMesh.weld.unknownOf[vertex]];
   }
 
-  /// Where the section plane cuts the triangles, a segment each; none without a plane.
+  /// Where the section plane cuts the triangles that are not hidden, a segment each; none without a plane.
   [[nodiscard]] std::vector<std::array<Vector3, 2>> cut() const
   {
     if (!section_) return {};

@@ -249,7 +249,7 @@ void RotationSphere::colorPoints()
     shares->InsertNextValue(shareOf(coloring_->scale, value));
   }
   pointData_->GetPointData()->SetScalars(shares);
-  mapper.SetLookupTable(toLookupTable(coloring_->scale.map));
+  mapper.SetLookupTable(toLookupTable(coloring_->scale));
   mapper.UseLookupTableScalarRangeOn();
 }
 
@@ -322,7 +322,20 @@ void RotationSphere::replace(Texts& texts, Texts with)
   if (!renderer_) return;
   for (const auto& text : texts) renderer_->RemoveActor(text);
   texts = std::move(with);
-  for (const auto& text : texts) renderer_->AddActor(text);
+  for (const auto& text : texts)
+    if (look_.areTextsDrawn) renderer_->AddActor(text);
+}
+
+std::vector<SphereText> RotationSphere::texts() const
+{
+  std::vector<SphereText> shown;
+  for (const Texts* texts : {&scaleTexts_, &nameTexts_})
+    for (const auto& text : *texts)
+      if (text->GetVisibility() != 0)
+        shown.push_back({text->GetInput(),
+                         DisplayPoint(text->GetPositionCoordinate()->GetComputedDoubleDisplayValue(renderer_)),
+                         texts == &nameTexts_});
+  return shown;
 }
 
 void RotationSphere::showScale()

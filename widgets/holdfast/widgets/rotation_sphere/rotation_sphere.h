@@ -26,7 +26,15 @@ struct SphereLook {
   Color shell{0.90, 0.915, 0.935};
   Color ink{0.13, 0.15, 0.19};
   Color mark{0.93, 0.38, 0.05};
-  double pixelRatio = 1;  ///< pixels of the window for each of the picture: sizes are in the latter
+  double pixelRatio = 1;      ///< pixels of the window for each of the picture: sizes are in the latter
+  bool areTextsDrawn = true;  ///< by VTK; else another painter writes `RotationSphere::texts` over the picture
+};
+
+/// An angle, an axis, or the name of a constraint.
+struct SphereText {
+  std::string text;
+  DisplayPoint place;   ///< of its middle; of a name of its beginning, at half its height
+  bool isName = false;  ///< these stand out
 };
 
 /// The direction in which the camera looks, of length 1.
@@ -71,6 +79,9 @@ class RotationSphere {
   /// The vertex of the file whose point is nearest to a pixel of the window, within `kSphereReach`; on the far side
   /// only where there is none on the near side. O(N).
   [[nodiscard]] std::optional<Index> pick(double displayX, double displayY) const;
+
+  /// Those that have room in the picture that was drawn last.
+  [[nodiscard]] std::vector<SphereText> texts() const;
 
   /// The actor of the points; its mapper colours them.
   [[nodiscard]] vtkActor& points() const { return *points_; }

@@ -4,8 +4,10 @@
 
 #include <vtkCamera.h>
 #include <vtkCommand.h>
+#include <vtkOpenGLFXAAFilter.h>
 #include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLRenderer.h>
 #include <vtkOpenGLState.h>
 #include <vtkRenderer.h>
 #include <vtkRendererCollection.h>
@@ -29,6 +31,7 @@ KeptScene::KeptScene(vtkRenderer& scene, vtkRenderer& last)
 KeptScene::~KeptScene()
 {
   last_.RemoveObserver(observer_);
+  fxaa_->ReleaseGraphicsResources();
   kept_->ReleaseGraphicsResources(&window_);
 }
 
@@ -53,6 +56,7 @@ void KeptScene::noteScene()
     kept_->Resize(size_[0], size_[1]);
   }
   copy(*window_.GetRenderFramebuffer(), *kept_);
+  isRough_ = true;
 }
 
 void KeptScene::copy(vtkOpenGLFramebufferObject& from, vtkOpenGLFramebufferObject& to)
@@ -72,8 +76,26 @@ void KeptScene::copy(vtkOpenGLFramebufferObject& from, vtkOpenGLFramebufferObjec
   state.PopFramebufferBindings();
 }
 
+/// Depths stay as they are: what is drawn above is hidden by the surface itself.
+void KeptScene::smooth()
+{
+  vtkOpenGLState& state = *window_.GetState();
+  const vtkOpenGLState::ScopedglEnableDisable scissor(&state, GL_SCISSOR_TEST);
+  const vtkOpenGLState::ScopedglViewport viewport(&state);
+  state.vtkglDisable(GL_SCISSOR_TEST);
+  state.vtkglViewport(0, 0, size_[0], size_[1]);
+  state.PushFramebufferBindings();
+  kept_->Bind();
+  kept_->ActivateReadBuffer(0);
+  kept_->ActivateDrawBuffer(0);
+  fxaa_->Execute(vtkOpenGLRenderer::SafeDownCast(&scene_));
+  state.PopFramebufferBindings();
+  isRough_ = false;
+}
+
 void KeptScene::putBack()
 {
+  if (isRough_) smooth();
   copy(*kept_, *window_.GetRenderFramebuffer());
 }
 

@@ -102,7 +102,8 @@ std::vector<ActorSlices*> SceneContents::slices()
   std::vector<ActorSlices*> all{&mesh_.surfaceSlices()};
   for (FaceTint* tint : tints()) all.push_back(&tint->slices());
   all.push_back(&mesh_.meshEdgeSlices());
-  std::erase_if(all, [](const ActorSlices* slices) { return slices->actor().GetVisibility() == 0; });
+  std::erase_if(all,
+                [](const ActorSlices* slices) { return slices->actor().GetVisibility() == 0 || slices->count() == 0; });
   return all;
 }
 
@@ -119,6 +120,43 @@ void SceneContents::setSection(const std::optional<SectionPlane>& section)
   mesh_.setSection(section);
   rest_.setSection(section);
   glyphs_.setSection(section);
+}
+
+void SceneContents::setHidden(const std::vector<char>& isHidden)
+{
+  const Model& model = mesh_.model();
+  mesh_.setHidden(isHidden);
+  rest_.setHiddenAs(mesh_);
+  const auto count = static_cast<std::size_t>(model.solverMesh.unknownCount());
+  isUnknownHidden_.assign(isHidden.empty() ? 0 : count, 1);
+  for (std::size_t t = 0; t < isHidden.size(); ++t)
+    for (const Index vertex : model.triangulation.triangles[t])
+      if (isHidden[t] == 0) isUnknownHidden_[model.solverMesh.weld.unknownOf[vertex]] = 0;
+  std::vector<char> isVertexHidden;
+  for (const Index unknown : model.solverMesh.weld.unknownOf)
+    if (!isUnknownHidden_.empty()) isVertexHidden.push_back(isUnknownHidden_[unknown]);
+  regions_.refresh();
+  selection_.refresh();
+  arrows_.setHidden(std::move(isVertexHidden));
+  updateArrows();
+  if (allMarks_) showMarks(allMarks_);
+}
+
+void SceneContents::showMarks(std::shared_ptr<const MarkSet> marks)
+{
+  allMarks_ = std::move(marks);
+  const auto shown = shownMarks();
+  regions_.show(shown);
+  glyphs_.setMarks(shown);
+}
+
+std::shared_ptr<const MarkSet> SceneContents::shownMarks() const
+{
+  if (isUnknownHidden_.empty()) return allMarks_;
+  std::vector<ConstraintMark> shown = allMarks_->marks;
+  std::erase_if(
+      shown, [this](const ConstraintMark& mark) { return mark.nearest >= 0 && isUnknownHidden_[mark.nearest] != 0; });
+  return markSet(mesh_.model(), std::move(shown), glyphs_.marks());
 }
 
 void SceneContents::setCut(const std::vector<std::array<Vector3, 2>>& segments)
@@ -202,6 +240,7 @@ std::optional<Coloring> coloringOf(const Model& model, const DeformResult& defor
   if (!coloring) return std::nullopt;
   coloring = withRange(std::move(*coloring), settings.range);
   coloring->scale.map = settings.map;
+  coloring->scale.bands = settings.bands;
   return coloring;
 }
 

@@ -56,11 +56,8 @@ class SceneContents {
     showMarks(markSet(mesh_.model(), std::move(marks), glyphs_.marks()));
   }
   /// Those that another thread has made ready; not null. O(those that are drawn), and O(T) where regions have changed.
-  void showMarks(std::shared_ptr<const MarkSet> marks)
-  {
-    regions_.show(marks);
-    glyphs_.setMarks(std::move(marks));
-  }
+  void showMarks(std::shared_ptr<const MarkSet> marks);
+  /// Without those of what is hidden.
   [[nodiscard]] const std::vector<ConstraintMark>& marks() const noexcept { return glyphs_.marks()->marks; }
   [[nodiscard]] const std::shared_ptr<const MarkSet>& sharedMarks() const noexcept { return glyphs_.marks(); }
   /// Places in the list of constraints.
@@ -75,6 +72,10 @@ class SceneContents {
   void setSection(const std::optional<SectionPlane>& section);
   /// Draws the lines along which the plane cuts the mesh (`VisibleSurface::cut`).
   void setCut(const std::vector<std::array<Vector3, 2>>& segments);
+
+  /// Leaves out the triangles for which `isHidden`, one for each, with all that is drawn on them alone; empty: draws
+  /// everything. O(T).
+  void setHidden(const std::vector<char>& isHidden);
 
   void setRestGhost(RestGhost ghost);
   void setMeshEdges(MeshEdges edges) { mesh_.setMeshEdges(edges); }
@@ -104,6 +105,7 @@ class SceneContents {
     if (rotationDisplay_ == RotationDisplay::Arrows) arrows_.set(positions_, rotations_);
   }
   void updateDetail();
+  [[nodiscard]] std::shared_ptr<const MarkSet> shownMarks() const;
 
   vtkWeakPointer<vtkRenderer> renderer_;
   double pixelRatio_ = 1;
@@ -118,6 +120,8 @@ class SceneContents {
   RegionTints regions_;
   SelectionOverlay selection_;
   RotationGlyphs arrows_;
+  std::shared_ptr<const MarkSet> allMarks_;
+  std::vector<char> isUnknownHidden_;  // empty where nothing is hidden
   ConstraintGlyphs glyphs_;
   vtkNew<vtkPolyData> cutLines_;
   vtkNew<BlendedActor> cut_;
@@ -127,7 +131,11 @@ struct ColorSettings {
   ColorBy field = ColorBy::Displacement;
   ColorRange range = AutomaticRange{};  ///< `whyNoRange` of it is empty
   ColorMap map = ColorMap::BlueGreenYellow;
+  int bands = 0;  ///< as in `ColorScale`
 };
+
+/// In which lower corner of the picture the legend is.
+enum class LegendSide { Right, Left, Hidden };
 
 struct DisplaySettings {
   RestGhost rest = RestGhost::Edges;
@@ -135,11 +143,12 @@ struct DisplaySettings {
   SurfaceDisplay surface = SurfaceDisplay::Shaded;
   RotationDisplay rotations = RotationDisplay::Hidden;
   bool areConstraintsShown = true;
+  LegendSide legend = LegendSide::Right;
 
   friend bool operator==(const DisplaySettings&, const DisplaySettings&) = default;
 };
 
-/// Shows in `contents`, to which a deformation was shown, what `settings` say.
+/// Shows in `contents`, to which a deformation was shown, what `settings` say of them.
 void arrange(SceneContents& contents, const DisplaySettings& settings);
 
 /// The values of the chosen field on the chosen scale; none for `ColorBy::None`.

@@ -214,10 +214,11 @@ void DocumentExports::copyPicture()
 {
   if (!mayExportShown()) return;
   const PictureView view = pictureView_();
+  const QSize size = view.size * view.pixelRatio;
   writing_ = tr("the picture");
   try {
-    QGuiApplication::clipboard()->setImage(pictureOf(*editor_.model(), *editor_.deformation(),
-                                                     {{view.size.width(), view.size.height()}}, view, "the picture"));
+    QGuiApplication::clipboard()->setImage(
+        pictureOf(*editor_.model(), *editor_.deformation(), {{size.width(), size.height()}}, view, "the picture"));
     Q_EMIT done(tr("copied the picture"));
   } catch (const std::exception&) {
     showFailure(std::current_exception());

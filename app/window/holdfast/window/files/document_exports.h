@@ -27,6 +27,7 @@ struct PictureView {
   /// Paints the legend into this area as the window does; may be empty.
   std::function<void(QPainter&, const QRectF&)> paintLegend = {};
   QSize size = {640, 480};  ///< of the view in the window, in its own pixels
+  double pixelRatio = 1;    ///< of the screen's pixels to these
 };
 
 /// Writes what is shown, and asks before if that is older than the constraints or loses precision. Files are complete

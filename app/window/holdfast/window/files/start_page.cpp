@@ -17,6 +17,7 @@ namespace {
 
 constexpr int kMargin = 28;
 constexpr int kGap = 8;
+constexpr int kEntryWidth = kRecentPictureSize.width() / 2 + 2 * kGap;
 
 /// In the place of a picture: the format.
 QPixmap blankPicture(const QString& path, const QPalette& palette)
@@ -59,7 +60,7 @@ void Gallery::add(const QString& title, const QString& tip, const QPixmap& pictu
   button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
   button->setAutoRaise(true);
   button->setIconSize(kRecentPictureSize / 2);
-  button->setFixedWidth(kRecentPictureSize.width() / 2 + 2 * kGap);
+  button->setFixedWidth(kEntryWidth);
   button->setIcon(picture);
   button->setText(fontMetrics().elidedText(title, Qt::ElideMiddle, kRecentPictureSize.width() / 2).replace('&', "&&"));
   button->setToolTip(tip);
@@ -69,9 +70,14 @@ void Gallery::add(const QString& title, const QString& tip, const QPixmap& pictu
   arrange();
 }
 
+QSize Gallery::minimumSizeHint() const
+{
+  return {kEntryWidth, QWidget::minimumSizeHint().height()};
+}
+
 void Gallery::arrange()
 {
-  const int columns = std::max(1, (width() + kGap) / (kRecentPictureSize.width() / 2 + 3 * kGap));
+  const int columns = std::max(1, (width() + kGap) / (kEntryWidth + kGap));
   for (int k = 0; k < static_cast<int>(buttons_.size()); ++k) {
     grid_->removeWidget(buttons_[k]);
     grid_->addWidget(buttons_[k], k / columns, k % columns);
@@ -104,8 +110,9 @@ StartPage::StartPage(Editor& editor, DocumentFiles& files, QWidget* parent)
   auto* open = named(new QPushButton(tr("&Open…")), "startOpen");
   connect(open, &QPushButton::clicked, &files_, &DocumentFiles::openDialog);
   auto* drop = new QLabel(tr("or drop a mesh or a session (.holdfast) here"));
+  drop->setWordWrap(true);
   auto* line = newLayout<QHBoxLayout>(nullptr, 0, 12, {open, drop});
-  line->addStretch(1);
+  line->setStretch(1, 1);
   column->addSpacing(kGap);
   column->addLayout(line);
   column->addSpacing(kGap);

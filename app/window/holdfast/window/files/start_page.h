@@ -20,6 +20,9 @@ class Gallery : public QWidget {
   void clear();
   void add(const QString& title, const QString& tip, const QPixmap& picture, std::function<void()> open);
 
+  /// That of one button, not of the last row: what has become narrower is arranged anew.
+  [[nodiscard]] QSize minimumSizeHint() const override;
+
  protected:
   void resizeEvent(QResizeEvent* event) override;
 

@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <QPixmap>
 #include <QSignalBlocker>
+#include <algorithm>
 #include <initializer_list>
 
 #include <holdfast/window/controls/panel_parts.h>
@@ -15,6 +16,9 @@ namespace {
 
 // In the order of the alternatives of `ColorRange`.
 enum RangeKind { kFixed = 1, kDecades };
+
+// The number of colours that stands for a map without bands.
+constexpr int kSmooth = 1;
 
 constexpr int kDefaultDecades = 4;
 constexpr int kMostDecadesShown = 60;
@@ -76,12 +80,20 @@ void ColorPanel::makeColorRows(QFormLayout& form)
                                   {ColorMap::BlueWhiteRed, tr("Blue to white to red")},
                                   {ColorMap::BlackRedYellow, tr("Black to red to yellow")}})
     map_->addItem(swatchOf(map), name, static_cast<int>(map));
+  bands_ = named(new QSpinBox, "colorBands", tr("Number of colours"));
+  bands_->setRange(kSmooth, kMostBands);
+  bands_->setSpecialValueText(tr("Smooth"));
+  bands_->setToolTip(tr("As many bands of one colour each, all equally wide"));
+  legend_ = named(new QComboBox, "legendSide");
+  legend_->addItems({tr("At the right"), tr("At the left"), tr("Hidden")});
   form.addRow(tr("Colour &by"), field_);
   form.addRow(QString(), explanation_);
   form.addRow(tr("&Range"), rangeKind_);
   form.addRow(QString(), rangeRows_);
   form.addRow(QString(), refusal_);
   form.addRow(tr("Colour &map"), map_);
+  form.addRow(tr("&Number of colours"), bands_);
+  form.addRow(tr("&Legend"), legend_);
 
   connect(field_, kChosen, this, [this](int index) {
     settings_.field = static_cast<ColorBy>(index);
@@ -93,6 +105,11 @@ void ColorPanel::makeColorRows(QFormLayout& form)
     settings_.map = static_cast<ColorMap>(map_->currentData().toInt());
     Q_EMIT settingsChanged(settings_);
   });
+  connect(bands_, qOverload<int>(&QSpinBox::valueChanged), this, [this](int count) {
+    settings_.bands = count == kSmooth ? 0 : count;
+    Q_EMIT settingsChanged(settings_);
+  });
+  connect(legend_, kChosen, this, &ColorPanel::takeDisplay);
 }
 
 QWidget* ColorPanel::makeFixedRange()
@@ -155,10 +172,11 @@ void ColorPanel::makeDisplayRows(QFormLayout& form)
 
 void ColorPanel::takeDisplay()
 {
-  Q_EMIT displaySettingsChanged(
-      {static_cast<RestGhost>(rest_->currentIndex()), static_cast<MeshEdges>(edges_->currentIndex()),
-       static_cast<SurfaceDisplay>(surface_->currentIndex()),
-       arrows_->isChecked() ? RotationDisplay::Arrows : RotationDisplay::Hidden, constraints_->isChecked()});
+  Q_EMIT displaySettingsChanged({static_cast<RestGhost>(rest_->currentIndex()),
+                                 static_cast<MeshEdges>(edges_->currentIndex()),
+                                 static_cast<SurfaceDisplay>(surface_->currentIndex()),
+                                 arrows_->isChecked() ? RotationDisplay::Arrows : RotationDisplay::Hidden,
+                                 constraints_->isChecked(), static_cast<LegendSide>(legend_->currentIndex())});
 }
 
 void ColorPanel::setDisplaySettings(const DisplaySettings& settings)
@@ -169,6 +187,7 @@ void ColorPanel::setDisplaySettings(const DisplaySettings& settings)
   surface_->setCurrentIndex(static_cast<int>(settings.surface));
   arrows_->setChecked(settings.rotations == RotationDisplay::Arrows);
   constraints_->setChecked(settings.areConstraintsShown);
+  legend_->setCurrentIndex(static_cast<int>(settings.legend));
 }
 
 void ColorPanel::setSettings(const ColorSettings& settings)
@@ -177,6 +196,7 @@ void ColorPanel::setSettings(const ColorSettings& settings)
   field_->setCurrentIndex(static_cast<int>(settings.field));
   rangeKind_->setCurrentIndex(static_cast<int>(settings.range.index()));
   map_->setCurrentIndex(map_->findData(static_cast<int>(settings.map)));
+  bands_->setValue(std::max(settings.bands, kSmooth));
   if (const auto* fixed = std::get_if<FixedRange>(&settings.range)) {
     low_->replaceTyped(fixed->low);
     high_->replaceTyped(fixed->high);
@@ -193,7 +213,7 @@ void ColorPanel::explain()
   const QString units = editor_.isOpen() ? QString::fromStdString(editor_.list().units) : QString();
   const Weights weights = editor_.isOpen() ? editor_.state().options.weights : Weights::Cotangent;
   explanation_->setText(fieldText(settings_.field, units, weights).meaning);
-  for (QWidget* const widget : std::initializer_list<QWidget*>{rangeKind_, rangeRows_, map_})
+  for (QWidget* const widget : std::initializer_list<QWidget*>{rangeKind_, rangeRows_, map_, bands_})
     widget->setEnabled(settings_.field != ColorBy::None);
 }
 

@@ -27,6 +27,9 @@ class ColorPanel : public QWidget {
 
   [[nodiscard]] const ColorSettings& settings() const noexcept { return settings_; }
 
+  /// What is typed next is the range of the colours.
+  void focusRange() { rangeKind_->setFocus(Qt::OtherFocusReason); }
+
  public Q_SLOTS:
   void setSettings(const ColorSettings& settings);
   void setDisplaySettings(const DisplaySettings& settings);
@@ -64,6 +67,8 @@ class ColorPanel : public QWidget {
   QSpinBox* decades_ = nullptr;
   QLabel* refusal_ = nullptr;
   QComboBox* map_ = nullptr;
+  QSpinBox* bands_ = nullptr;
+  QComboBox* legend_ = nullptr;
   QComboBox* rest_ = nullptr;
   QComboBox* edges_ = nullptr;
   QSlider* share_ = nullptr;

@@ -1,6 +1,7 @@
 #include "holdfast/window/panels/sphere_panel.h"
 
 #include <QHelpEvent>
+#include <QPainter>
 #include <QToolButton>
 #include <QToolTip>
 #include <algorithm>
@@ -13,6 +14,40 @@
 #include <holdfast/window/text/number_text.h>
 
 namespace holdfast {
+namespace {
+
+/// The texts of the sphere in the window's font.
+class SphereTexts : public QWidget {
+ public:
+  SphereTexts(const SpherePanel& panel, VtkView& view) : QWidget(&view), panel_(panel), view_(view)
+  {
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+  }
+
+ protected:
+  void paintEvent(QPaintEvent* /*event*/) override
+  {
+    if (panel_.sphere() == nullptr) return;
+    QPainter painter(this);
+    painter.setPen(palette().color(QPalette::Text));
+    for (const SphereText& text : panel_.sphere()->texts()) {
+      QFont font = this->font();
+      font.setBold(text.isName);
+      painter.setFont(font);
+      const QString words = QString::fromStdString(text.text);
+      QRectF box = painter.fontMetrics().boundingRect(words);
+      box.moveCenter({text.place.x() / view_.pixelRatio(), height() - text.place.y() / view_.pixelRatio()});
+      if (text.isName) box.translate(box.width() / 2, 0);
+      painter.drawText(box, Qt::AlignCenter | Qt::TextDontClip, words);
+    }
+  }
+
+ private:
+  const SpherePanel& panel_;
+  const VtkView& view_;
+};
+
+}  // namespace
 
 SpherePanel::SpherePanel(Editor& editor) : editor_(editor)
 {
@@ -31,6 +66,7 @@ SpherePanel::SpherePanel(Editor& editor) : editor_(editor)
   view_->setFocusPolicy(Qt::StrongFocus);
   view_->setMinimumSize(120, 120);
   view_->installEventFilter(this);
+  texts_ = named(new SphereTexts(*this, *view_), "sphereTexts");
   connect(view_, &VtkView::renderWanted, this, &SpherePanel::redraw);
   view_->interactor()->SetInteractorStyle(style_);
   style_->AddObserver(vtkCommand::PickEvent, this, &SpherePanel::pickVertex);
@@ -112,6 +148,8 @@ void SpherePanel::showPoints(const std::optional<Coloring>& coloring)
     view_->renderWindow()->AddRenderer(renderer_);
     sphere_ = std::make_unique<RotationSphere>();
     sphere_->addTo(*renderer_);
+    renderer_->UseFXAAOn();
+    renderer_->AddObserver(vtkCommand::EndEvent, this, &SpherePanel::updateTexts);
     sphere_->mark(marked_);
     style_->SetSphere(sphere_.get());
     applyPalette();
@@ -171,7 +209,7 @@ void SpherePanel::applyPalette()
   if (!sphere_) return;
   const PictureColors colors = pictureColors(palette());
   style_->SetPixelRatio(devicePixelRatioF());
-  sphere_->setLook({colors.ground, colors.raised, colors.ink, colors.accent, devicePixelRatioF()});
+  sphere_->setLook({colors.ground, colors.raised, colors.ink, colors.accent, devicePixelRatioF(), false});
   redraw();
 }
 
@@ -192,6 +230,7 @@ void SpherePanel::showTip(const QPoint& place)
 
 bool SpherePanel::eventFilter(QObject* watched, QEvent* event)
 {
+  if (watched == view_ && event->type() == QEvent::Resize) texts_->setGeometry(view_->rect());
   if (watched != view_ || !sphere_ || event->type() != QEvent::ToolTip) return QWidget::eventFilter(watched, event);
   showTip(static_cast<QHelpEvent*>(event)->pos());
   return true;

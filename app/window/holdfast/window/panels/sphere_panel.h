@@ -56,6 +56,7 @@ class SpherePanel : public RefreshedPanel {
     pages_->showHint(editor_.isOpen() ? tr("No rotation yet: rotate a handle.") : tr("No mesh is open."));
   }
   void applyPalette();
+  void updateTexts() { texts_->update(); }
   /// Once for all requests of one turn of the event loop.
   void redraw();
   void pickVertex(vtkObject* /*caller*/, unsigned long /*event*/, void* vertex)
@@ -68,6 +69,7 @@ class SpherePanel : public RefreshedPanel {
   HintedContent* pages_ = nullptr;
   QLabel* summary_ = nullptr;
   VtkView* view_ = nullptr;
+  QWidget* texts_ = nullptr;  // over the view
   bool isDrawingDue_ = false;
   vtkSmartPointer<vtkRenderer> renderer_;
   vtkNew<RotationSphereStyle> style_;

@@ -17,6 +17,8 @@ constexpr std::array<std::string_view, 3> kRestNames{"hidden", "edges", "surface
 constexpr std::array<std::string_view, 3> kEdgeNames{"sharp", "all", "none"};
 constexpr std::array<std::string_view, 3> kSurfaceNames{"shaded", "wireframe", "points"};
 
+constexpr std::array<std::string_view, 3> kLegendNames{"right", "left", "hidden"};
+
 constexpr std::array<std::string_view, 2> kAxisNames{"y", "z"};
 
 constexpr std::string_view kLogarithmic = "log";
@@ -67,11 +69,14 @@ ViewState viewStateOf(Viewport& viewport)
     state.decades = logarithmic->decades;
   }
   state.colorMap = nameOf(kMapNames, colors.map);
+  if (colors.bands > 0) state.bands = colors.bands;
+  if (display.legend != LegendSide::Right) state.legend = nameOf(kLegendNames, display.legend);
   state.restShape = nameOf(kRestNames, display.rest);
   state.meshEdges = nameOf(kEdgeNames, display.edges);
   state.surface = nameOf(kSurfaceNames, display.surface);
   state.showsConstraints = display.areConstraintsShown;
   state.showsRotations = display.rotations == RotationDisplay::Arrows;
+  if (viewport.hidden()) state.hiddenFaces = viewport.hiddenFaces();
   return state;
 }
 
@@ -80,6 +85,7 @@ void apply(const ViewState& state, Viewport& viewport)
   ColorSettings colors = viewport.colors();
   colors.field = valueNamed(colorByNames(), state.colorBy, colors.field);
   colors.map = valueNamed(kMapNames, state.colorMap, colors.map);
+  if (state.colorBy) colors.bands = static_cast<int>(std::min<Index>(state.bands.value_or(0), kMostBands));
   if (state.range)
     colors.range = FixedRange{(*state.range)[0], (*state.range)[1]};
   else if (state.scale == kLogarithmic)
@@ -95,7 +101,9 @@ void apply(const ViewState& state, Viewport& viewport)
   display.areConstraintsShown = state.showsConstraints.value_or(display.areConstraintsShown);
   if (state.showsRotations)
     display.rotations = *state.showsRotations ? RotationDisplay::Arrows : RotationDisplay::Hidden;
+  if (state.colorBy) display.legend = valueNamed(kLegendNames, state.legend, LegendSide::Right);
   viewport.setDisplay(display);
+  if (state.hiddenFaces) viewport.hideFaces(*state.hiddenFaces);
 
   viewport.setUpAxis(valueNamed(kAxisNames, state.upAxis, viewport.upAxis()));
   if (state.camera) viewport.setCamera(*state.camera);

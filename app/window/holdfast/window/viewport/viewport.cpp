@@ -136,6 +136,7 @@ void Viewport::warmUp(const ExampleDocument& example)
     contents.color(coloringOf(example.model, example.deformation, colors, ""));
     grabFramebuffer();
   }
+  if (kept_->isCurrent()) kept_->drawLayersAbove();
 }
 
 void Viewport::setDarkBackdrop(bool isDark)
@@ -162,6 +163,8 @@ void Viewport::openDocument()
   renderer_->RemoveAllViewProps();
   contents_.reset();
   coloring_.reset();
+  hidden_.reset();
+  Q_EMIT hiddenChanged(false);
   if (editor_.isOpen()) {
     contents_ = editor_.mesh().contents;
     contents_->setPixelRatio(pixelRatio());
@@ -185,7 +188,8 @@ void Viewport::openDocument()
 void Viewport::showSurface()
 {
   surface_ = editor_.isOpen() ? shownSurface() : nullptr;
-  if (surface_ && section_) surface_ = std::make_shared<const VisibleSurface>(surface_->withSection(section_));
+  if (surface_ && (section_ || hidden_))
+    surface_ = std::make_shared<const VisibleSurface>(surface_->withSection(section_).withHidden(hidden_));
   if (surface_) contents_->setCut(surface_->cut());
   style_->SetSurface(surface_);
   Q_EMIT surfaceChanged();
@@ -298,7 +302,7 @@ void Viewport::frameAll()
 
 void Viewport::lookFromCorner()
 {
-  if (editor_.isOpen()) fitCamera(defaultFrame(editor_.positions(), upAxis_));
+  if (editor_.isOpen()) fitCamera(defaultFrame(shownPositions(), upAxis_));
 }
 
 void Viewport::setUpAxis(UpAxis axis)
@@ -347,7 +351,7 @@ void Viewport::fitCamera(const ViewFrame& frame)
 {
   const double aspect = static_cast<double>(width()) / std::max(1, height());
   const double freeAtRight = std::min(kPixelsFreeAtRight / std::max(1, width()), kMostFreeAtRight);
-  fit(*renderer_->GetActiveCamera(), frame, editor_.positions(), aspect, freeAtRight);
+  fit(*renderer_->GetActiveCamera(), frame, shownPositions(), aspect, freeAtRight);
   cameraMoved();
 }
 
@@ -521,6 +525,13 @@ void Viewport::renderAtOnce()
   fence_->set();
   fullMilliseconds_ = millisecondsOf(drawing_);
   Q_EMIT rendered();
+  smoothAtRest();
+}
+
+/// By another picture of the layers above: what is dragged waits for nothing but its own picture.
+void Viewport::smoothAtRest()
+{
+  if (!isHeld_ && kept_->isRough()) schedulePicture();
 }
 
 void Viewport::awaitDrawing()
@@ -579,6 +590,7 @@ void Viewport::renderSlice()
   isCoarse_ = false;
   fullMilliseconds_ = millisecondsOf(drawing_);
   Q_EMIT rendered();
+  smoothAtRest();
 }
 
 void Viewport::resizeEvent(QResizeEvent* event)

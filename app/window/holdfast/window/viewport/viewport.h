@@ -4,6 +4,7 @@
 #include <QElapsedTimer>
 #include <QMouseEvent>
 #include <QTimer>
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -71,6 +72,8 @@ class Viewport : public VtkView {
   [[nodiscard]] double shownShare() const noexcept { return shownShare_; }
   /// What the legend over the picture says.
   [[nodiscard]] LegendContent legend() const;
+  /// Where it is, in the widget's coordinates; empty where nothing is to be said.
+  [[nodiscard]] QRectF legendBox() const { return boxOf(legend(), font(), rect()); }
 
   /// From where the camera looks; in parallel projection, too. The legend and the axes in the corner stay clear of it.
   void frameAll();
@@ -96,6 +99,21 @@ class Viewport : public VtkView {
   /// Cuts the picture, not the mesh; none shows all of it. Applies to the next document, too.
   void setSection(const std::optional<SectionPlane>& section);
   [[nodiscard]] const std::optional<SectionPlane>& section() const noexcept { return section_; }
+
+  /// Faces whose corners are all among `vertices` are neither drawn nor picked, nor are the constraints on them alone;
+  /// with what was hidden before. False where there is no such face, or no other: then nothing changes. For this
+  /// document. O(T).
+  bool hide(const std::vector<Index>& vertices);
+  /// The same of all other faces.
+  bool isolate(const std::vector<Index>& vertices);
+  void showHidden();
+  /// Ranges of faces of the file, first and last, ascending. What they hide is hidden as by `hide`; the file may have
+  /// fewer faces.
+  [[nodiscard]] std::vector<std::array<Index, 2>> hiddenFaces() const;
+  void hideFaces(const std::vector<std::array<Index, 2>>& ranges);
+  /// Whether each triangle is hidden; null where none is.
+  [[nodiscard]] const std::shared_ptr<const std::vector<char>>& hidden() const noexcept { return hidden_; }
+
   [[nodiscard]] SceneContents* contents() noexcept { return contents_.get(); }
   /// The constraints that are drawn, including those that the section plane cuts away; none without a document.
   [[nodiscard]] const std::vector<ConstraintMark>& marks() const noexcept;
@@ -128,7 +146,10 @@ class Viewport : public VtkView {
   void upAxisChanged(UpAxis axis);
   /// `marks` or `section` has changed.
   void marksChanged();
+  /// Something is hidden, or all is shown again.
+  void hiddenChanged(bool isSomethingHidden);
   void contextMenuWanted(const QPoint& place);
+  void legendDoubleClicked();
   void aboutToRender();
   /// The last moment to take a widget away from the interactor.
   void closing();
@@ -148,6 +169,9 @@ class Viewport : public VtkView {
   void openDocument();
   [[nodiscard]] std::shared_ptr<const VisibleSurface> shownSurface() const;
   void showSurface();
+  bool hideToo(std::vector<char> triangles);
+  void setHidden(std::shared_ptr<const std::vector<char>> hidden);
+  [[nodiscard]] Positions shownPositions() const;
   void showResult();
   void showColors();
   void showConstraints();
@@ -167,6 +191,7 @@ class Viewport : public VtkView {
   void renderAtOnce();
   void renderInFull();
   void renderSlice();
+  void smoothAtRest();
   void awaitDrawing();
   void goOnWhenDrawn();
   [[nodiscard]] bool isUnseen() const { return waiting_.isValid() && waiting_.elapsed() < kMostMillisecondsUnseen; }
@@ -177,6 +202,7 @@ class Viewport : public VtkView {
   std::shared_ptr<SceneContents> contents_;
   std::shared_ptr<const VisibleSurface> surface_;
   std::optional<SectionPlane> section_;
+  std::shared_ptr<const std::vector<char>> hidden_;
   double shownShare_ = 1;
   std::optional<Vector3> openedFrom_;  // the camera's place until the first deformation
   UpAxis upAxis_ = UpAxis::Z;

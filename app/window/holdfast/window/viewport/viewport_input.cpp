@@ -62,6 +62,11 @@ QPointF Viewport::toPlace(const DisplayPoint& display) const
 
 bool Viewport::event(QEvent* event)
 {
+  if (event->type() == QEvent::MouseButtonDblClick &&
+      legendBox().contains(static_cast<const QMouseEvent&>(*event).localPos())) {
+    Q_EMIT legendDoubleClicked();
+    return true;
+  }
   switch (event->type()) {
     case QEvent::MouseButtonPress:
     case QEvent::MouseMove:
@@ -72,6 +77,7 @@ bool Viewport::event(QEvent* event)
       isHeld_ = static_cast<const QMouseEvent&>(*event).buttons() != Qt::NoButton;
       // A coarse picture is drawn in full when the mouse rests.
       if (!isHeld_ && isCoarse_) restTimer_.start();
+      smoothAtRest();
       break;
     case QEvent::Leave:
       lookUnderCursor(nullptr);

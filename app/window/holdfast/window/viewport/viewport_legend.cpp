@@ -21,6 +21,8 @@ constexpr double kScaleWidth = 14;
 constexpr double kShortTick = 4;
 constexpr double kLongTick = 12;
 constexpr double kIcon = 14;
+// Of the note in the lower left corner.
+constexpr double kNoteLines = 5;
 constexpr double kHalo = 4;
 constexpr int kHaloOpacity = 200;
 
@@ -28,7 +30,7 @@ constexpr int kHaloOpacity = 200;
 QImage pictureOf(const ColorScale& scale, int height)
 {
   QImage image(1, height, QImage::Format_RGB32);
-  for (int y = 0; y < height; ++y) image.setPixelColor(0, y, toQColor(mapColor(1 - (y + 0.5) / height, scale.map)));
+  for (int y = 0; y < height; ++y) image.setPixelColor(0, y, toQColor(colorAt(scale, 1 - (y + 0.5) / height)));
   return image;
 }
 
@@ -68,6 +70,15 @@ class Layout {
   }
 
   void addGap() { top_ -= kMargin / 2; }
+
+  [[nodiscard]] QRectF box() const
+  {
+    QRectF box = bar_;
+    for (const auto& [place, text] : words_)
+      box |= QRectF(place.x(), place.y() - metrics_.ascent(), metrics_.horizontalAdvance(text), metrics_.height());
+    for (const auto& [place, status] : icons_) box |= place;
+    return box;
+  }
 
   void paint(QPainter& painter, const QPalette& palette, const std::optional<ColorScale>& scale) const
   {
@@ -113,18 +124,43 @@ class Layout {
   std::vector<std::pair<QRect, ConstraintStatus>> icons_;
 };
 
-}  // namespace
-
-void paint(const LegendContent& legend, QPainter& painter, const QRectF& area, const QPalette& palette)
+/// At the right of `area`.
+Layout layOut(const LegendContent& legend, const QFont& font, const QRectF& area)
 {
-  Layout layout(area, QFontMetricsF(painter.font()));
+  Layout layout(area, QFontMetricsF(font));
   if (legend.scale) layout.addScale(*legend.scale);
   if (!legend.line.isEmpty()) {
     layout.addLine(legend.line, 1);
     layout.addGap();
   }
   for (const auto& [status, count] : legend.counts) layout.addCount(status, count);
+  return layout;
+}
+
+/// How far the legend is from the right of `area`.
+QPointF shiftOf(const LegendContent& legend, const QRectF& box, const QFont& font, const QRectF& area)
+{
+  if (legend.side == LegendSide::Right) return {};
+  return {area.left() + kMargin - box.left(), -kNoteLines * QFontMetricsF(font).height() - kMargin};
+}
+
+}  // namespace
+
+void paint(const LegendContent& legend, QPainter& painter, const QRectF& area, const QPalette& palette)
+{
+  if (legend.side == LegendSide::Hidden) return;
+  const Layout layout = layOut(legend, painter.font(), area);
+  painter.save();
+  painter.translate(shiftOf(legend, layout.box(), painter.font(), area));
   layout.paint(painter, palette, legend.scale);
+  painter.restore();
+}
+
+QRectF boxOf(const LegendContent& legend, const QFont& font, const QRectF& area)
+{
+  if (legend.side == LegendSide::Hidden) return {};
+  const QRectF box = layOut(legend, font, area).box();
+  return box.translated(shiftOf(legend, box, font, area));
 }
 
 }  // namespace holdfast

@@ -1,17 +1,18 @@
 #pragma once
 /// The legend over the picture: what colours mean, and how many constraints have which status.
 
+#include <QRectF>
 #include <QString>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include <holdfast/deform/report.h>
-#include <holdfast/widgets/color/color_map.h>
+#include <holdfast/widgets/scene/scene_contents.h>
 
+class QFont;
 class QPainter;
 class QPalette;
-class QRectF;
 
 namespace holdfast {
 
@@ -20,11 +21,16 @@ struct LegendContent {
   std::optional<ColorScale> scale;
   QString line;                                            ///< may be empty
   std::vector<std::pair<ConstraintStatus, Index>> counts;  ///< how many have this status
+  LegendSide side = LegendSide::Right;
 
   friend bool operator==(const LegendContent&, const LegendContent&) = default;
 };
 
-/// In the lower right corner of `area`, with a halo that keeps it legible over the mesh.
+/// In a lower corner of `area`, at the left above the note about what is under the cursor, with a halo that keeps it
+/// legible over the mesh.
 void paint(const LegendContent& legend, QPainter& painter, const QRectF& area, const QPalette& palette);
+
+/// Around what that paints; empty for nothing.
+[[nodiscard]] QRectF boxOf(const LegendContent& legend, const QFont& font, const QRectF& area);
 
 }  // namespace holdfast

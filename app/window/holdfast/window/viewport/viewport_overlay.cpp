@@ -73,6 +73,7 @@ ViewportOverlay::ViewportOverlay(Editor& editor, Viewport& viewport)
   connect(&editor_, &Editor::solveStateChanged, &clock_,
           [this] { editor_.solveState() == SolveState::Solving ? clock_.start() : clock_.stop(); });
   connect(&editor_, &Editor::annotationsChanged, this, qOverload<>(&QWidget::update));
+  connect(&viewport_, &Viewport::hiddenChanged, this, qOverload<>(&QWidget::update));
   connect(&viewport_, &Viewport::rendered, this, [this] {
     if (editor_.isOpen() && !editor_.measurements().probes.empty()) update();
   });
@@ -105,6 +106,7 @@ void ViewportOverlay::paintEvent(QPaintEvent* /*event*/)
 LegendContent ViewportOverlay::legend() const
 {
   LegendContent legend;
+  legend.side = viewport_.display().legend;
   const ColorBy field = viewport_.colors().field;
   const auto& deformation = editor_.deformation();
   if (const auto& coloring = viewport_.coloring())
@@ -142,6 +144,7 @@ void ViewportOverlay::paintSolveState(QPainter& painter) const
     if (!text.isEmpty()) text += '\n';
     text += share == 0 ? tr("At rest") : tr("%1 % of the way from rest").arg(std::lround(100 * share));
   }
+  if (viewport_.hidden()) text += (text.isEmpty() ? "" : "\n") + tr("Faces are hidden. Ctrl+Shift+H shows them.");
   if (text.isEmpty()) return;
   const QRectF available(0, 0, width() - 4 * kNoteMargin, height());
   QRectF box = painter.fontMetrics().boundingRect(available.toRect(), Qt::AlignLeft | Qt::TextWordWrap, text);

@@ -44,6 +44,7 @@ QVariant settingOf(const ViewState& view)
   session.view = view;
   session.view.camera.reset();
   session.view.range.reset();
+  session.view.hiddenFaces.reset();
   return QByteArray::fromStdString(sessionToJson(session));
 }
 
@@ -109,9 +110,11 @@ void MainWindow::connectFiles()
   exports_.setPictureView([this]() -> PictureView {
     const DisplaySettings display = viewport_->display();
     const auto surface = viewport_->surface();
-    return {cameraOf(*viewport_->renderer().GetActiveCamera()), viewport_->coloring(),
-            [display, surface](SceneContents& contents) {
+    return {cameraOf(*viewport_->renderer().GetActiveCamera()),
+            viewport_->coloring(),
+            [display, surface, hidden = viewport_->hidden()](SceneContents& contents) {
               arrange(contents, display);
+              if (hidden) contents.setHidden(*hidden);
               contents.setSection(surface->section());
               contents.setCut(surface->cut());
             },
@@ -119,7 +122,8 @@ void MainWindow::connectFiles()
               painter.setFont(font);
               paint(legend, painter, area, paletteOf(Appearance::Light));
             },
-            viewport_->size()};
+            viewport_->size(),
+            viewport_->pixelRatio()};
   });
   connect(&exports_, &DocumentExports::done, this, [this](const QString& what) { status_->showMessage(what, 6000); });
   if (const auto folder = recoveryFolder()) {
@@ -162,8 +166,9 @@ void MainWindow::take(const QStringList& paths)
 void MainWindow::showContextMenu(const QPoint& place)
 {
   QMenu menu(this);
-  for (const char* name : {"makeFixed", "makeHandle", "makeRigid", "", "grow", "shrink", "invert", "", "toggleEnabled",
-                           "deleteConstraints", "", "frameSelection", "frameAll"})
+  for (const char* name :
+       {"makeFixed", "makeHandle", "makeRigid", "", "grow", "shrink", "invert", "", "toggleEnabled",
+        "deleteConstraints", "", "isolate", "hideSelection", "showHidden", "", "frameSelection", "frameAll"})
     if (*name == 0)
       menu.addSeparator();
     else
@@ -295,8 +300,10 @@ void MainWindow::keepPicture()
   if (!editor_.isOpen() || !isVisible()) return;
   if (editor_.solveState() == SolveState::Solving || viewport_->isRenderPending()) return pictureDelay_.start();
   const auto& session = files_.sessionPath();
-  keepRecentPicture(textOf(session.empty() ? editor_.mesh().path : session),
-                    QPixmap::fromImage(viewport_->grabFramebuffer()));
+  QPixmap picture = QPixmap::fromImage(viewport_->grabFramebuffer());
+  // Without the axes in the corner.
+  picture = picture.copy(0, 0, picture.width() * 4 / 5, picture.height());
+  keepRecentPicture(textOf(session.empty() ? editor_.mesh().path : session), picture);
 }
 
 void MainWindow::changeEvent(QEvent* event)
@@ -324,9 +331,14 @@ void MainWindow::drawIcons()
 
 void MainWindow::connectStatus()
 {
-  const auto showHint = [this] { status_->setHint(gizmo_->isTouched() ? gizmo_->hint() : tools_->current().hint()); };
+  const auto showHint = [this] {
+    status_->setHint(!editor_.isOpen()     ? tr("Open or drop a mesh or a session, or choose an example")
+                     : gizmo_->isTouched() ? gizmo_->hint()
+                                           : tools_->current().hint());
+  };
   connect(tools_, &ToolBox::hintChanged, this, showHint);
   connect(gizmo_, &Tool::changed, this, showHint);
+  connect(&editor_, &Editor::opened, this, showHint);
   showHint();
   for (const auto& signal : {&Editor::opened, &Editor::stateChanged, &Editor::saved}) {
     connect(&editor_, signal, this, &MainWindow::updateTitle);

@@ -153,6 +153,7 @@ void MainWindow::makeSelectionMenu()
     return [this, edit] { editor_.selectVertices((*editor_.mesh().regions.*edit)(editor_.selectedVertices())); };
   };
   menu.addAction(tools_->reachesThrough());
+  needs_.emplace_back(tools_->reachesThrough(), Needs::Document);
   addActions(menu,
              {separator,
               {"grow", tr("&Grow"), "+", tr("Select the next ring of vertices, too"), Needs::Vertices,
@@ -326,6 +327,25 @@ void MainWindow::makeViewMenu()
               {"turnAsSeen", tr("As &seen about what is fixed"), "",
                tr("A handle that is moved rotates about the viewing axis, by the angle that it makes on the screen"),
                Needs::Nothing, rotate(RotationOfMoves::AsSeen)}});
+  const auto isDone = [this](bool isSomethingHidden) {
+    if (!isSomethingHidden)
+      status_->showMessage(tr("Nothing is hidden: select some whole faces, not all that are shown"), 12000);
+    return isSomethingHidden;
+  };
+  addActions(menu, {separator,
+                    {"isolate", tr("&Isolate the selection"), "Shift+I",
+                     tr("Show only the faces of the selection, with their constraints"), Needs::Vertices,
+                     [this, isDone] { isDone(viewport_->isolate(editor_.selectedVertices())); }},
+                    {"hideSelection", tr("Hi&de the selection"), "Ctrl+H",
+                     tr("Show and pick the faces of the selection no more"), Needs::Vertices,
+                     [this, isDone] {
+                       if (isDone(viewport_->hide(editor_.selectedVertices()))) editor_.selectVertices({});
+                     }},
+                    {"showHidden", tr("Show what is hidd&en"), "Ctrl+Shift+H", tr("Show all faces again"),
+                     Needs::Nothing, [this] { viewport_->showHidden(); }}});
+  QAction* showHidden = findChild<QAction*>("showHidden");
+  showHidden->setEnabled(false);
+  connect(viewport_, &Viewport::hiddenChanged, showHidden, &QAction::setEnabled);
   menu.addSeparator();
   newSectionTool(editor_, *viewport_,
                  *addSwitch(menu, {"sectionPlane", tr("&Section plane"), "Shift+S",

@@ -1,6 +1,7 @@
 #include "holdfast/window/window/panel_docks.h"
 
 #include <QAction>
+#include <QTimer>
 #include <algorithm>
 
 #include <holdfast/deform/outcomes.h>
@@ -64,6 +65,7 @@ PanelDocks::PanelDocks(Editor& editor, Viewport& viewport, QMainWindow& window)
   connect(colors_, &ColorPanel::displaySettingsChanged, &viewport_, &Viewport::setDisplay);
   connect(colors_, &ColorPanel::shownShareChosen, &viewport_, &Viewport::setShownShare);
   connect(&viewport_, &Viewport::shownShareChanged, colors_, &ColorPanel::setShownShare);
+  connect(&viewport_, &Viewport::legendDoubleClicked, this, &PanelDocks::showColors);
   connect(&viewport_, &Viewport::coloringChanged, sphere_, &SpherePanel::setColoring);
   connect(&viewport_, &Viewport::coloringChanged, colors_, [this](const std::optional<Coloring>& coloring) {
     colors_->setShownScale(coloring ? std::optional(coloring->scale) : std::nullopt);
@@ -124,6 +126,15 @@ void PanelDocks::followViewport()
 {
   colors_->setSettings(viewport_.colors());
   colors_->setDisplaySettings(viewport_.display());
+}
+
+void PanelDocks::showColors()
+{
+  auto* dock = window_.findChild<QDockWidget*>("colorsDock");
+  dock->show();
+  dock->raise();
+  // The panel is hidden with its tab, and cannot have the keys before.
+  QTimer::singleShot(0, colors_, &ColorPanel::focusRange);
 }
 
 void PanelDocks::countConflicts()

@@ -29,6 +29,9 @@ class PanelDocks : public QObject {
 
   void followViewport();
 
+  /// Brings the panel of colours to the front, with the keys.
+  void showColors();
+
  private:
   QDockWidget* add(const QString& title, const QString& objectName, QWidget* panel);
   void arrange();
