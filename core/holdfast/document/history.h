@@ -11,9 +11,11 @@
 #include <holdfast/constraints/constraint.h>
 #include <holdfast/constraints/selection.h>
 #include <holdfast/deform/deform.h>
-#include <holdfast/surface/surface_locator.h>
+#include <holdfast/surface/surface_location.h>
 
 namespace holdfast {
+
+class SurfaceLocator;
 
 /// Vertices that the user has kept under a name, to select them again.
 struct SavedSelection {
