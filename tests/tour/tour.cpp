@@ -31,7 +31,8 @@ constexpr std::array kChapters{Chapter{"opening", opening},     Chapter{"moving"
                                Chapter{"conflicts", conflicts}, Chapter{"colors", colors},
                                Chapter{"rotations", rotations}, Chapter{"regions", regions},
                                Chapter{"dialogs", dialogs},     Chapter{"looks", looks},
-                               Chapter{"glance", glance},       Chapter{"documents", documentPictures}};
+                               Chapter{"glance", glance},       Chapter{"sizes", sizes},
+                               Chapter{"documents", documentPictures}};
 
 // The first ones.
 constexpr std::size_t kStory = 8;
