@@ -88,7 +88,7 @@ TEST_F(InspectorPanelOfSheet, WeightsThatAreRefusedMoveNoField)
 {
   panel.resize(320, 900);
   editor.selectConstraints({3});
-  QApplication::processEvents();
+  for (int k = 0; k < 5; ++k) QApplication::processEvents();
   const auto places = [this] {
     std::vector<QRect> all;
     for (const char* name : {"locationWeight0", "locationWeight2", "targetShiftX", "targetShiftZ"})

@@ -129,7 +129,7 @@ class TableInWindow : public test::WindowUser {};
 TEST_F(TableInWindow, TargetsResidualAndStatusAreSeenAt1280WithoutScrolling)
 {
   window.resize(1280, 800);
-  open("bracket.obj", "bracket.conflict.constraints.json");
+  open("bracket.obj", "bracket.constraints.json");
   QCoreApplication::processEvents();
   const int right = table().viewport()->width();
   for (const int column : {Table::X, Table::Y, Table::Z, Table::Residual, Table::Status})
@@ -138,6 +138,11 @@ TEST_F(TableInWindow, TargetsResidualAndStatusAreSeenAt1280WithoutScrolling)
     for (const int column : {Table::X, Table::Y, Table::Z, Table::Residual})
       EXPECT_LE(table().fontMetrics().horizontalAdvance(shown(row, column)) + 8, table().columnWidth(column))
           << shown(row, column).toStdString();
+  // Longer ones are cut in their middle, which names that differ at their ends survive; tool tips have them whole.
+  EXPECT_LE(table().fontMetrics().horizontalAdvance("bolt rear right") + 8, table().columnWidth(Table::Name));
+  EXPECT_EQ(table().textElideMode(), Qt::ElideMiddle);
+  const QModelIndex longest = table().model()->index(9, Table::Name);
+  EXPECT_EQ(longest.data(Qt::ToolTipRole).toString(), "bore shoulder east");
   const int icon = table().style()->pixelMetric(QStyle::PM_SmallIconSize);
   EXPECT_LE(table().fontMetrics().horizontalAdvance("conflicting") + icon + 12, table().columnWidth(Table::Status));
 }
