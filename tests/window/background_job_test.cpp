@@ -1,5 +1,7 @@
 #include <QApplication>
+#include <QLineEdit>
 #include <QProgressDialog>
+#include <QWindow>
 #include <atomic>
 #include <chrono>
 #include <future>
@@ -119,6 +121,27 @@ TEST(ProgressDialog, TellsTheStepAndCancels)
   EXPECT_FALSE(job.isRunning());
   isSeen = true;
   EXPECT_TRUE(test::waitUntil([] { return test::findDialog("progress") == nullptr; }));
+}
+
+TEST(ProgressDialog, LeavesTheKeysWhereTheyAreTyped)
+{
+  QWidget window;
+  auto* line = new QLineEdit(&window);
+  ASSERT_TRUE(test::showAndWait(window));
+  window.activateWindow();
+  line->setFocus();
+  ASSERT_TRUE(test::waitUntil([&] { return line->hasFocus(); }));
+  BackgroundJob job;
+  job.start(forever);
+  showProgress(job, &window, "Opening a mill");
+  ASSERT_TRUE(test::waitUntil([] {
+    const auto* dialog = test::findDialog("progress");
+    return dialog != nullptr && dialog->windowHandle() != nullptr && dialog->windowHandle()->isExposed();
+  }));
+  QGuiApplication::sync();
+  QApplication::processEvents();
+  EXPECT_TRUE(window.isActiveWindow());
+  EXPECT_TRUE(line->hasFocus());
 }
 
 }  // namespace
