@@ -14,8 +14,7 @@ namespace {
 void clickVertices(TourWindow& tour, const char* tool, const std::vector<Vector3>& places)
 {
   tour.trigger(tool);
-  for (const Vector3& place : places)
-    test::click(tour.viewport(), tour.shownVertex(tour.nearestVertex(place)));
+  for (const Vector3& place : places) test::click(tour.viewport(), tour.shownVertex(tour.nearestVertex(place)));
   tour.settle();
 }
 
@@ -69,7 +68,8 @@ void sizes(TourWindow& tour)
 {
   for (const QSize size : {QSize(1024, 700), QGuiApplication::primaryScreen()->size()}) {
     tour.resize(size.width(), size.height());
-    for (const auto& [appearance, name] : {std::pair(Appearance::Light, "light"), std::pair(Appearance::Dark, "dark")}) {
+    for (const auto& [appearance, name] :
+         {std::pair(Appearance::Light, "light"), std::pair(Appearance::Dark, "dark")}) {
       apply(appearance);
       const std::string look = fmt::format("{}x{}_{}", size.width(), size.height(), name);
       bracket(tour, look);

@@ -132,7 +132,13 @@ TEST(ProgressDialog, LeavesTheKeysWhereTheyAreTyped)
   line->setFocus();
   ASSERT_TRUE(test::waitUntil([&] { return line->hasFocus(); }));
   BackgroundJob job;
-  job.start(forever);
+  job.start([](Progress& progress) -> BackgroundJob::Finish {
+    // Fewer steps than the window can show.
+    while (true) {
+      progress.step("turning the wheel");
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+  });
   showProgress(job, &window, "Opening a mill");
   ASSERT_TRUE(test::waitUntil([] {
     const auto* dialog = test::findDialog("progress");

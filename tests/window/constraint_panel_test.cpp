@@ -154,7 +154,9 @@ TEST_F(ConstraintPanelOfSheet, SwitchAndNameStayInSightWhenTheRestIsScrolled)
 TEST_F(ConstraintPanelOfSheet, ANarrowColumnHasFewerDigitsAndCutsNoNumber)
 {
   ConstraintList list = editor.list();
-  const auto setX = [&](Index row, double x) { std::get<Target>(std::get<PointConstraint>(list.constraints[row].what).to).place.x() = x; };
+  const auto setX = [&](Index row, double x) {
+    std::get<Target>(std::get<PointConstraint>(list.constraints[row].what).to).place.x() = x;
+  };
   setX(1, 0.0995432);
   setX(4, 0.0995);
   editor.edit("move", list);

@@ -44,10 +44,7 @@ class RulerInWindow : public test::WindowUser {
     return shown.GetVisibility() != 0 && ruler().GetEnabled() != 0 ? shown.GetAxis()->GetTitle() : "";
   }
   /// What is written over the picture, and where.
-  [[nodiscard]] const ViewportOverlay::RulerLabels& written()
-  {
-    return find<ViewportOverlay>("overlay").rulerLabels();
-  }
+  [[nodiscard]] const ViewportOverlay::RulerLabels& written() { return find<ViewportOverlay>("overlay").rulerLabels(); }
   /// How many pixels the window paints over the picture there, and how much the picture below has changed from
   /// `before`.
   [[nodiscard]] std::pair<int, int> paintedAndDrawn(const QRectF& place, const QImage& before)

@@ -227,9 +227,8 @@ void HistogramPanel::refreshResiduals()
   if (histogram.valueCount == 0) return;
   const double promise = std::ranges::min(deformation.details->diagnosis.limits) / diagonal;
   ChartTexts texts;
-  texts.title = tr("Residuals: %1 of %2 within their limits, the least dashed")
-                    .arg(withinLimits)
-                    .arg(histogram.valueCount);
+  texts.title =
+      tr("Residuals: %1 of %2 within their limits, the least dashed").arg(withinLimits).arg(histogram.valueCount);
   texts.valueAxis = tr("residual / diagonal of the bounding box");
   texts.countAxis = tr("constraints");
   const QString units = QString::fromStdString(editor_.deformedState()->list.units);
