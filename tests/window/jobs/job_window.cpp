@@ -83,7 +83,6 @@ void JobWindow::openFile(const std::filesystem::path& path)
   ASSERT_TRUE(waitUntil([this] { return !window.files().isOpening(); }, std::chrono::minutes(3)));
   ASSERT_TRUE(editor().isOpen());
   ASSERT_TRUE(settle(std::chrono::minutes(3)));
-  waitForKeys();
   viewport().setFocus();
 }
 
