@@ -130,12 +130,12 @@ std::string resultOf(const Section& section)
   const auto edges = leastAndLargestRatio(section, kBending, "found edges", "ORIGINAL_ARAP edges");
   return fmt::format(
       "A bend by 180 degrees changes edges by {:.3f} without rotations, by {:.3f} with given ones and by {:.3f} with "
-      "found ones. ORIGINAL_ARAP, which has the energy of found rotations, comes to the same shapes: at every bend ours "
-      "changes edges {:.3f} to {:.3f} times as much. SRE_ARAP is near our smooth ones, {:.3f} and {:.3f} at 180 degrees. "
-      "A twist by 300 degrees takes {:.0f} % of the volume with given rotations, {:.0f} % with found ones, {:.0f} % with "
-      "smooth ones and {:.0f} % with ORIGINAL_ARAP. At a full twist the handle is where it is at rest. Methods that find "
-      "rotations may lose the turn there: edges change by {:.3f} with ORIGINAL_ARAP and by {:.3f} with our smooth "
-      "rotations, by {:.3f} with given ones, which cannot.",
+      "found ones. ORIGINAL_ARAP, which has the energy of found rotations, comes to the same shapes: at every bend "
+      "ours changes edges {:.3f} to {:.3f} times as much. SRE_ARAP is near our smooth ones, {:.3f} and {:.3f} at 180 "
+      "degrees. A twist by 300 degrees takes {:.0f} % of the volume with given rotations, {:.0f} % with found ones, "
+      "{:.0f} % with smooth ones and {:.0f} % with ORIGINAL_ARAP. At a full twist the handle is where it is at rest. "
+      "Methods that find rotations may lose the turn there: edges change by {:.3f} with ORIGINAL_ARAP and by {:.3f} "
+      "with our smooth rotations, by {:.3f} with given ones, which cannot.",
       at("bend 180 none edges"), at("bend 180 given edges"), at("bend 180 found edges"), edges.first, edges.second,
       at("bend 180 SRE_ARAP edges"), at("bend 180 found-smooth edges"), 100 * at("twist 300 given volume"),
       100 * at("twist 300 found volume"), 100 * at("twist 300 found-smooth volume"),
@@ -149,16 +149,17 @@ Section bendsAndTwists(const Workbench& bench)
 {
   Section section;
   section.paper =
-      "rotations that handles give, carried into the surface by the rotation field, (25) to (29). It has none that are "
-      "found.";
+      "rotations that handles give, carried into the surface by the rotation field, (25) to (29). It has none that "
+      "are found.";
   section.method = fmt::format(
-      "a bar of 10 x 10 x 90 units, one end held, the other one bent along an arc that keeps the length of its middle "
-      "line, or twisted. A cell has the root of the mean square of relative changes of edges, the relative change of "
-      "the volume, the root of the mean square of changes of angles between neighbouring normals, in degrees, and "
-      "seconds. All methods that iterate end where no vertex moves by more than {:g} of the diagonal (* where they do "
-      "not). Ours start from the rest shape at every angle, which a handle states. CGAL {} knows the places of the "
-      "handle alone, which are the same after a full turn. So its three methods follow the handle in steps of {} "
-      "degrees, each from the shape of the one before, as in a drag, and have the seconds of all steps so far.",
+      "a bar of 10 x 10 x 90 units, one end held, the other one bent along an arc that keeps the length of its "
+      "middle line, or twisted. A cell has the root of the mean square of relative changes of edges, the relative "
+      "change of the volume, the root of the mean square of changes of angles between neighbouring normals, in "
+      "degrees, and seconds. All methods that iterate end where no vertex moves by more than {:g} of the diagonal (* "
+      "where they do not). Ours start from the rest shape at every angle, which a handle states. CGAL {} knows the "
+      "places of the handle alone, which are the same after a full turn. So its three methods follow the handle in "
+      "steps of {} degrees, each from the shape of the one before, as in a drag, and have the seconds of all steps "
+      "so far.",
       kFoundChange, cgalVersion(), kStep);
   const std::vector<RotationMethod> methods = allRotationMethods();
   for (const Sweep& sweep : {kBending, kTwisting}) addSweep(section, bench, sweep, methods);

@@ -54,9 +54,12 @@ const std::vector<View>& views()
       {"residual, as the product solves", [](const StabilityRow& row) { return residualText(row.byProduct); }},
       {"condition of the normal equations",
        [](const StabilityRow& row) { return row.condition > 0 ? fmt::format("{:.0e}", row.condition) : "?"; }},
-      {"processor seconds, single, as printed", [](const StabilityRow& row) { return secondsText(row.inSingle); }, true},
-      {"processor seconds, double, as printed", [](const StabilityRow& row) { return secondsText(row.inDouble); }, true},
-      {"processor seconds, as the product solves", [](const StabilityRow& row) { return secondsText(row.byProduct); }, true}};
+      {"processor seconds, single, as printed", [](const StabilityRow& row) { return secondsText(row.inSingle); },
+       true},
+      {"processor seconds, double, as printed", [](const StabilityRow& row) { return secondsText(row.inDouble); },
+       true},
+      {"processor seconds, as the product solves", [](const StabilityRow& row) { return secondsText(row.byProduct); },
+       true}};
   return kAll;
 }
 
@@ -111,20 +114,21 @@ std::string resultOf(const Section& section)
   const auto at = [&](const char* name) { return section.numbers.at(name); };
   const std::string notFinite =
       at("not finite") > 0
-          ? fmt::format(" {:.0f} systems are not finite: areas vanish, and (10), cotangent weights as printed, divides by "
-                        "them.",
-                        at("not finite"))
+          ? fmt::format(
+                " {:.0f} systems are not finite: areas vanish, and (10), cotangent weights as printed, divides by "
+                "them.",
+                at("not finite"))
           : "";
   return fmt::format(
       "As printed, {:.0f} of {:.0f} systems are lost in single precision and {:.0f} in double precision: the "
-      "factorisation fails or is stopped, rows are not finite, or vertices are wrong by {:g} of the diagonal or more. The product loses "
-      "{:.0f}.{} Hard constraints that are solved are wrong by up to {:.0e} in single and {:.0e} in double precision as "
-      "printed, by {:.0e} as the product solves them. Where the formulas fail, and what cures it. Soft constraints: the "
-      "condition grows with the square of the weight, so a weight that meets constraints has no digits left; "
-      "elimination has no weight. Cotangent weights as printed: rows of small areas outweigh all others; mixed areas and "
-      "rows weighted by the root of the area cure it. Lagrange multipliers: rows of different sizes and an indefinite "
-      "matrix, whose pivots grow; elimination leaves a positive definite one. Normal equations lose half of the digits; "
-      "corrections by residuals through A bring them back.",
+      "factorisation fails or is stopped, rows are not finite, or vertices are wrong by {:g} of the diagonal or "
+      "more. The product loses {:.0f}.{} Hard constraints that are solved are wrong by up to {:.0e} in single and "
+      "{:.0e} in double precision as printed, by {:.0e} as the product solves them. Where the formulas fail, and "
+      "what cures it. Soft constraints: the condition grows with the square of the weight, so a weight that meets "
+      "constraints has no digits left; elimination has no weight. Cotangent weights as printed: rows of small areas "
+      "outweigh all others; mixed areas and rows weighted by the root of the area cure it. Lagrange multipliers: "
+      "rows of different sizes and an indefinite matrix, whose pivots grow; elimination leaves a positive definite "
+      "one. Normal equations lose half of the digits; corrections by residuals through A bring them back.",
       at("lost in single"), at("systems"), at("lost in double"), kLostError, at("lost by product"), notFinite,
       at("hard error, single"), at("hard error, double"), at("hard error, product"));
 }
@@ -139,16 +143,17 @@ Section stabilityOf(const std::vector<NamedMesh>& meshes)
   const std::vector<Method> methods = allMethods();
   Section section;
   section.paper =
-      "which of soft constraints with the weights 1 and 5 and hard constraints solve which models, with uniform and with "
-      "cotangent weights, and what residuals are left.";
+      "which of soft constraints with the weights 1 and 5 and hard constraints solve which models, with uniform and "
+      "with cotangent weights, and what residuals are left.";
   section.method = fmt::format(
-      "one end of each mesh is fixed, the other one moved and turned by 60 degrees, and points on vertices, on edges and "
-      "in faces are moved. \"As printed\" solves for positions by the normal equations as they stand, with a plain "
-      "factorisation (CHOLMOD in double, Eigen in single precision; for Lagrange multipliers LU without scaling, by "
-      "UMFPACK and by Eigen, which is stopped after {} s of processor time or at {} GB of addresses). An error is the "
-      "largest distance of a vertex to the solution of the same equations in quadruple precision, a residual that of a "
-      "constraint to its target, both as shares of the diagonal. Seconds are those of all cores. Errors from {:g} on and failures are bold; \"?\" stands "
-      "where no factor in doubles is good enough for a reference.",
+      "one end of each mesh is fixed, the other one moved and turned by 60 degrees, and points on vertices, on edges "
+      "and in faces are moved. \"As printed\" solves for positions by the normal equations as they stand, with a "
+      "plain factorisation (CHOLMOD in double, Eigen in single precision; for Lagrange multipliers LU without "
+      "scaling, by UMFPACK and by Eigen, which is stopped after {} s of processor time or at {} GB of addresses). An "
+      "error is the largest distance of a vertex to the solution of the same equations in quadruple precision, a "
+      "residual that of a constraint to its target, both as shares of the diagonal. Seconds are those of all cores. "
+      "Errors from {:g} on and failures are bold; \"?\" stands where no factor in doubles is good enough for a "
+      "reference.",
       kLuLimits.seconds, kLuLimits.gigabytes, kLostError);
   Rows rows;
   for (const NamedMesh& mesh : meshes)

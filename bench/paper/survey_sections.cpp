@@ -54,7 +54,7 @@ double largestResidual(const Section& section)
   return largest;
 }
 
-/// Of both methods on large meshes: ten times that of ordinary ones, for the hours that CGAL would take.
+/// Ten times that of other tasks: CGAL takes minutes to it.
 constexpr double kChangeOfLarge = 1e-4;
 
 void addLargeTask(Section& section, const SurveyTask& task)
@@ -82,10 +82,10 @@ Section tasksBy(const std::vector<RotationMethod>& methods)
   Section section;
   section.paper = kSurvey;
   section.method = fmt::format(
-      "tasks like those of the survey on meshes of our own. A cell has the root of the mean square of relative changes "
-      "of edges, the largest change of the angle between neighbouring normals in degrees, iterations, and seconds. All "
-      "methods that iterate end where no vertex moves by more than {:g} of the diagonal (* where they do not). The "
-      "handle goes to its place at once.",
+      "tasks like those of the survey on meshes of our own. A cell has the root of the mean square of relative "
+      "changes of edges, the largest change of the angle between neighbouring normals in degrees, iterations, and "
+      "seconds. All methods that iterate end where no vertex moves by more than {:g} of the diagonal (* where they "
+      "do not). The handle goes to its place at once.",
       kFoundChange);
   Table table{{"task"}, {}};
   for (const RotationMethod& method : methods) table.columns.push_back(method.name);
@@ -109,12 +109,12 @@ Section surveyTasks(const Workbench& /*bench*/)
   for (const RotationMethod& method : cgalMethods())
     jump = std::max(jump, ratiosOf(section, "found-smooth jump", method.name + " jump").largest);
   section.result = fmt::format(
-      "Of ours, found rotations keep edges best in all four tasks. Smooth ones keep them better than given ones, with "
-      "smaller jumps than those found over edges, and with jumps of at most {:.2f} times those of any method of CGAL "
-      "{}. Edges by found rotations change {:.3f} to {:.3f} times as much as by ORIGINAL_ARAP, whose energy is the same. "
-      "On the bar it ends in a minimum where faces are folded over (a jump by {:.0f} degrees), with shorter edges; ours "
-      "starts from a smooth field of rotations and ends in another one. Constraints are missed by {:.0e} of the diagonal "
-      "at most.",
+      "Of ours, found rotations keep edges best in all four tasks. Smooth ones keep them better than given ones, "
+      "with smaller jumps than those found over edges, and with jumps of at most {:.2f} times those of any method of "
+      "CGAL {}. Edges by found rotations change {:.3f} to {:.3f} times as much as by ORIGINAL_ARAP, whose energy is "
+      "the same. On the bar it ends in a minimum where faces are folded over (a jump by {:.0f} degrees), with "
+      "shorter edges; ours starts from a smooth field of rotations and ends in another one. Constraints are missed "
+      "by {:.0e} of the diagonal at most.",
       jump, cgalVersion(), arap.least, arap.largest, section.numbers.at("bar, bent by 135: ORIGINAL_ARAP jump"),
       largestResidual(section));
   return section;
@@ -125,10 +125,10 @@ Section surveyScans(const Workbench& bench)
   Section section;
   section.paper = kSurvey;
   section.method = fmt::format(
-      "one end of a large mesh is held, the other one bent by 60 degrees, by rotations found over edges and by CGAL {}, "
-      "which solves on one thread. Both end where no vertex moves by more than {:g} of the diagonal. Cells have "
-      "seconds from mesh to result and iterations, or edges: the root of the mean square of relative changes, ours and "
-      "CGAL's.",
+      "one end of a large mesh is held, the other one bent by 60 degrees, by rotations found over edges and by CGAL "
+      "{}, which solves on one thread. Both end where no vertex moves by more than {:g} of the diagonal. Cells have "
+      "seconds from mesh to result and iterations, or edges: the root of the mean square of relative changes, ours "
+      "and CGAL's.",
       cgalVersion(), kChangeOfLarge);
   section.tables = {{{"mesh", "vertices", "found", "ORIGINAL_ARAP", "ratio of seconds", "edges"}, {}}};
   addLargeTask(section, bentAtItsEnd("bunny.ply", readMesh(bench.model("bunny.ply")).mesh));
