@@ -16,5 +16,6 @@ void randomPoints(benchmark::State& state, const Mesh& mesh);
 void verdicts(benchmark::State& state, const Mesh& mesh);
 void oneCoreAgainstAll(benchmark::State& state, const Mesh& mesh);
 void batchProgram(benchmark::State& state, const Mesh& mesh);
+void accuracy(benchmark::State& state, const Mesh& mesh);
 
 }  // namespace holdfast::bench

@@ -37,6 +37,7 @@ const std::vector<Benchmark>& allBenchmarks()
       {"verdicts", verdicts, {"438"}},
       {"one core against all", oneCoreAgainstAll, {"35", "173"}},
       {"batch program", batchProgram, {"35", "173", "438"}},
+      {"accuracy", accuracy, {"35", "173"}},
   };
   return kAll;
 }

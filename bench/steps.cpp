@@ -4,15 +4,14 @@
 #include <utility>
 
 #include <holdfast/solve/column_scaling.h>
-#include <holdfast/solve/elimination_order.h>
 
 namespace holdfast::bench {
 
-SetUp setUp(const Model& model, const ConstraintList& constraints)
+SetUp setUp(const Model& model, const ConstraintList& constraints, OrderFor use)
 {
   const SolverMesh& mesh = model.solverMesh;
   return {std::make_shared<const TwoWayMatrix>(weightedRows(makeOperators(mesh, Weights::Cotangent))),
-          eliminationRanks(mesh.unknownCount(), mesh.triangles).ranks,
+          eliminationRanks(mesh.unknownCount(), mesh.triangles, use).ranks,
           makeConstraintSystem(constraints, model.mesh, mesh, model.locator(), "benchmark")};
 }
 
@@ -38,9 +37,9 @@ double factorMiB(const ConstrainedSolver& solver)
   return static_cast<double>(solver.factorNonzeros()) * sizeof(double) / (1024 * 1024);
 }
 
-SparseMatrix normalEquations(const Model& model, const ConstraintList& constraints)
+SparseMatrix normalEquations(const Model& model, const ConstraintList& constraints, OrderFor use)
 {
-  const SetUp made = setUp(model, constraints);
+  const SetUp made = setUp(model, constraints, use);
   const EliminatedConstraints eliminated = eliminate(made.system, model.solverMesh);
   return gramLower(
       scaleColumns(product(made.A->columns(), orderedColumns(eliminated.elimination.Q2(), made.ranks))).value.C);

@@ -9,6 +9,7 @@
 #include <holdfast/deform/model.h>
 #include <holdfast/operators/operators.h>
 #include <holdfast/solve/constrained_solver.h>
+#include <holdfast/solve/elimination_order.h>
 
 namespace holdfast::bench {
 
@@ -19,7 +20,8 @@ struct SetUp {
   ConstraintSystem system;
 };
 
-[[nodiscard]] SetUp setUp(const Model& model, const ConstraintList& constraints);
+[[nodiscard]] SetUp setUp(const Model& model, const ConstraintList& constraints,
+                          OrderFor use = OrderFor::FirstResult);
 
 /// The solver. Throws std::runtime_error with the reason where there is none.
 [[nodiscard]] std::unique_ptr<const ConstrainedSolver> factorized(const Model& model, const SetUp& setUp,
@@ -33,6 +35,6 @@ Displacement solution(const SetUp& setUp, const ConstrainedSolver& solver);
 [[nodiscard]] double factorMiB(const ConstrainedSolver& solver);
 
 /// The lower triangle of the normal equations under `constraints`, its columns in our order of elimination.
-[[nodiscard]] SparseMatrix normalEquations(const Model& model, const ConstraintList& constraints);
+[[nodiscard]] SparseMatrix normalEquations(const Model& model, const ConstraintList& constraints, OrderFor use);
 
 }  // namespace holdfast::bench

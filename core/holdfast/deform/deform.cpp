@@ -11,8 +11,9 @@ DeformResult deform(const Model& model, const ConstraintList& constraints, const
                     const DeformOptions& options, Progress& progress)
 {
   // A pointer that owns nothing: the deformer is gone before the caller's model.
-  return Deformer(std::shared_ptr<const Model>(std::shared_ptr<const Model>(), &model), options)
-      .deform(constraints, source, progress);
+  Deformer deformer(std::shared_ptr<const Model>(std::shared_ptr<const Model>(), &model), options);
+  deformer.isForOneCall_ = true;
+  return deformer.deform(constraints, source, progress);
 }
 
 Report diagnoseConstraints(const Model& model, const ConstraintList& constraints, const std::string& source,

@@ -76,6 +76,7 @@ struct ConstraintFactorization {
   LongStep<SolverResult> positions;
   std::unique_ptr<MovedSolutions> moved;  // where solutions may be sums of earlier ones
   bool isBordered = false;
+  bool isForOneCall = false;  // the factor of rotations is released before that of positions takes memory
 };
 
 namespace {
@@ -171,8 +172,10 @@ class Solution {
   {
     std::string refusal;
     if (details_.operators->undefinedRows.empty()) {
-      announceFactorization(factorization, progress);
-      factorization.positions.start(progress);  // beside the rotations
+      if (!factorization.isForOneCall) {
+        announceFactorization(factorization, progress);
+        factorization.positions.start(progress);  // beside the rotations
+      }
       refusal = rotate(factorization, progress);
     } else {
       refusal = undefinedRowsMessage(model_, *details_.operators);
@@ -223,6 +226,7 @@ class Solution {
     Rotations rotations = factorization.rotations->solve(details_.system, progress);
     Seconds& seconds = report().seconds;
     (isFactorised ? seconds.solution : seconds.factorization) += secondsSince(start);
+    if (factorization.isForOneCall) factorization.rotations.reset();
     takeOver(rotations, result_.report);
     if (!rotations.failure.empty()) return failureMessage(options_, rotations.failure);
     details_.system = rotated(std::move(details_.system), rotations.q);
@@ -384,9 +388,10 @@ std::unique_ptr<LongStep<EliminationRanks>> Deformer::orderStep(OrderFor use) co
 {
   const bool isOurs = options_.solver.backend == Backend::Holdfast;
   return std::make_unique<LongStep<EliminationRanks>>(
-      [use, isOurs, n = model_->solverMesh.unknownCount(), triangles = model_->solverMesh.triangles] {
+      [use, isOurs, n = model_->solverMesh.unknownCount(), triangles = model_->solverMesh.triangles]() mutable {
         if (use == OrderFor::ManyResults) computeLast();
-        return isOurs ? eliminationRanks(n, triangles, use) : EliminationRanks();
+        const std::vector<Triangle> own = std::move(triangles);  // not to be kept beside the order
+        return isOurs ? eliminationRanks(n, own, use) : EliminationRanks();
       });
 }
 
@@ -457,6 +462,7 @@ DeformResult Deformer::deform(const ConstraintList& constraints, const std::stri
   const auto elimination = Clock::now();
   ConstraintFactorization& factorization = factorizationFor(system, progress);
   seconds.factorization = secondsSince(elimination);
+  factorization.isForOneCall = isForOneCall_;
 
   RotationSearch search{energy_.get(), options_.rotations, nullptr};
   if (continued_ > 0) {

@@ -75,6 +75,9 @@ class Deformer {
   /// Looks for an order that leaves less to compute for each result, and has it used.
   void seekBetterOrder(Progress& progress);
 
+  friend DeformResult deform(const Model&, const ConstraintList&, const std::string&, const DeformOptions&, Progress&);
+
+  bool isForOneCall_ = false;  // what the rest of the call does not need is released
   bool answersEditsAtOnce_ = false;
   int continued_ = 0;
   Columns3 lastRotations_;
