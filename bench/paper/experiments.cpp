@@ -22,8 +22,9 @@ const std::vector<Experiment>& allExperiments()
       {"Table 1, continued: the Dragon", Needs::Models, stabilityOfDragon},
       {"Beyond the paper: causes of instability", Needs::Nothing, causesOfInstability},
       {"Beyond the paper: many constraints of two and three variables", Needs::Time, manyConstraints},
-      {"Beyond the paper: bends and twists", Needs::Time, bendsAndTwists},
-      {"Beyond the paper: tasks of the survey", Needs::Nothing, surveyTasks},
+      {"Beyond the paper: bends and twists", Needs::Models, bendsAndTwists},
+      {"Beyond the paper: tasks of the survey", Needs::Models, surveyTasks},
+      {"Beyond the paper: rotations found on large meshes", Needs::Models, surveyScans},
   };
   return kAll;
 }

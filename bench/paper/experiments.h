@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/paper/rotation_methods.h"
 #include "bench/paper/section.h"
 #include "bench/paper/workbench.h"
 
@@ -14,7 +15,7 @@ namespace holdfast::paper {
 enum class Needs {
   Nothing,  ///< seconds
   Time,     ///< minutes, or a quiet machine
-  Models    ///< meshes that scripts/paper.sh fetches
+  Models    ///< what scripts/paper.sh fetches: meshes, the headers of CGAL
 };
 
 struct Experiment {
@@ -48,6 +49,10 @@ struct Experiment {
 [[nodiscard]] Section manyConstraints(const Workbench& bench);         ///< "future work"
 [[nodiscard]] Section bendsAndTwists(const Workbench& bench);          ///< rotation methods
 [[nodiscard]] Section surveyTasks(const Workbench& bench);             ///< rotation methods
+[[nodiscard]] Section surveyScans(const Workbench& bench);             ///< rotation methods, seconds
+
+/// The tasks of the survey by these methods, without a result.
+[[nodiscard]] Section tasksBy(const std::vector<RotationMethod>& methods);
 
 /// Fig. 12 on generated meshes of so many thousand vertices.
 [[nodiscard]] Section costsOfMeshes(const Workbench& bench, const std::vector<std::string>& thousands);

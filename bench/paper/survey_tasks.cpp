@@ -6,11 +6,11 @@
 #include <map>
 #include <numbers>
 #include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include <holdfast/geometry/rotation_log.h>
-#include <holdfast/io/mesh_file.h>
 
 namespace holdfast::paper {
 namespace {
@@ -203,10 +203,10 @@ SurveyTask liftedPlane()
   return task;
 }
 
-SurveyTask bentFile(const std::string& path)
+SurveyTask bentAtItsEnd(const std::string& name, Mesh whole)
 {
-  SurveyTask task{path.substr(path.rfind('/') + 1) + ", bent by 60"};
-  const Model model = makeModel(readMesh(path).mesh, path);
+  SurveyTask task{name + ", bent by 60"};
+  const Model model = makeModel(std::move(whole), name);
   const SolverMesh& mesh = model.solverMesh;
   int longest = 0;
   (mesh.rest.colwise().maxCoeff() - mesh.rest.colwise().minCoeff()).maxCoeff(&longest);

@@ -32,9 +32,8 @@ struct SurveyTask {
 [[nodiscard]] SurveyTask bentCactus();
 [[nodiscard]] SurveyTask twistedCylinder();
 [[nodiscard]] SurveyTask liftedPlane();
-/// The mesh of a file: the tenth at the lower end of its longest side is held, the one at the upper end bent by 60
-/// degrees.
-[[nodiscard]] SurveyTask bentFile(const std::string& path);
+/// The tenth at the lower end of the longest side is held, the one at the upper end bent by 60 degrees.
+[[nodiscard]] SurveyTask bentAtItsEnd(const std::string& name, Mesh mesh);
 
 /// What a handle tells about rotations.
 enum class HandleRotation { Stated, None };

