@@ -20,8 +20,7 @@ struct SetUp {
   ConstraintSystem system;
 };
 
-[[nodiscard]] SetUp setUp(const Model& model, const ConstraintList& constraints,
-                          OrderFor use = OrderFor::FirstResult);
+[[nodiscard]] SetUp setUp(const Model& model, const ConstraintList& constraints, OrderFor use = OrderFor::FirstResult);
 
 /// The solver. Throws std::runtime_error with the reason where there is none.
 [[nodiscard]] std::unique_ptr<const ConstrainedSolver> factorized(const Model& model, const SetUp& setUp,
