@@ -92,6 +92,7 @@ MainWindow::~MainWindow()
   // The base class deletes the tools, which end their work then and say that they have changed.
   tools_->disconnect(this);
   gizmo_->disconnect(this);
+  viewport_->setTool(nullptr);  // it ends while the editor that it tells is there
 }
 
 void MainWindow::connectFiles()
