@@ -12,9 +12,10 @@ configure_preset release -DHOLDFAST_BUILD_GUI=ON -DHOLDFAST_WITH_CHOLMOD=ON -DHO
 build_preset release holdfast_tour
 
 mkdir -p "$folder"
-rm -f "$folder"/[0-9][0-9]_*.png
+rm -f "$folder"/[0-9]*_*.png
 # The large window of the tour takes the whole screen.
 export HOLDFAST_SCREEN=2560x1600
 tests/support/with_display.sh build/release/tests/holdfast_tour "$folder"
 QT_SCALE_FACTOR=2 tests/support/with_display.sh build/release/tests/holdfast_tour "$folder" glance
+HOLDFAST_SCREEN=3840x2160 QT_SCALE_FACTOR=2 tests/support/with_display.sh build/release/tests/holdfast_tour "$folder" sizes
 echo "== Written: $(find "$folder" -name '*.png' | wc -l) pictures in $folder"

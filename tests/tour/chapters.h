@@ -24,6 +24,8 @@ void dialogs(TourWindow& tour);
 void looks(TourWindow& tour);
 /// A few pictures of everything, for screens of high resolution.
 void glance(TourWindow& tour);
+/// Every panel in the smallest window and in one as large as the screen, in light and dark.
+void sizes(TourWindow& tour);
 /// Those of the documentation.
 void documentPictures(TourWindow& tour);
 

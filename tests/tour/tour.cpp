@@ -27,11 +27,17 @@ struct Chapter {
   void (*play)(TourWindow& tour);
 };
 
-constexpr std::array kChapters{Chapter{"opening", opening},     Chapter{"moving", moving},
-                               Chapter{"conflicts", conflicts}, Chapter{"colors", colors},
-                               Chapter{"rotations", rotations}, Chapter{"regions", regions},
-                               Chapter{"dialogs", dialogs},     Chapter{"looks", looks},
-                               Chapter{"glance", glance},       Chapter{"documents", documentPictures}};
+constexpr std::array kChapters{Chapter{"opening", opening},
+                               Chapter{"moving", moving},
+                               Chapter{"conflicts", conflicts},
+                               Chapter{"colors", colors},
+                               Chapter{"rotations", rotations},
+                               Chapter{"regions", regions},
+                               Chapter{"dialogs", dialogs},
+                               Chapter{"looks", looks},
+                               Chapter{"glance", glance},
+                               Chapter{"sizes", sizes},
+                               Chapter{"documents", documentPictures}};
 
 // The first ones.
 constexpr std::size_t kStory = 8;

@@ -5,11 +5,14 @@
 #include <QDropEvent>
 #include <QElapsedTimer>
 #include <QHeaderView>
+#include <QHelpEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMimeData>
 #include <QScrollBar>
 #include <QTableView>
+#include <QTextDocument>
+#include <QToolTip>
 #include <memory>
 
 #include <gtest/gtest.h>
@@ -146,6 +149,25 @@ TEST_F(ConstraintPanelOfSheet, SwitchAndNameStayInSightWhenTheRestIsScrolled)
   table().selectionModel()->setCurrentIndex(rows().index(2, Table::X), QItemSelectionModel::NoUpdate);
   table().scrollTo(rows().index(2, Table::X));
   EXPECT_GE(table().visualRect(rows().index(2, Table::X)).left(), pinned.isVisible() ? pinned.width() : 0);
+}
+
+TEST_F(ConstraintPanelOfSheet, ANarrowColumnHasFewerDigitsAndCutsNoNumber)
+{
+  ConstraintList list = editor.list();
+  const auto setX = [&](Index row, double x) {
+    std::get<Target>(std::get<PointConstraint>(list.constraints[row].what).to).place.x() = x;
+  };
+  setX(1, 0.0995432);
+  setX(4, 0.0995);
+  editor.edit("move", list);
+  const auto drawn = [this](int row) {
+    return table().viewport()->grab(table().visualRect(rows().index(row, Table::X))).toImage();
+  };
+  table().setAlternatingRowColors(false);
+  table().setColumnWidth(Table::X, table().fontMetrics().horizontalAdvance("0.0995") + 10);
+  EXPECT_EQ(drawn(1), drawn(4)) << "three digits";
+  table().setColumnWidth(Table::X, table().fontMetrics().horizontalAdvance("0.099543") + 10);
+  EXPECT_NE(drawn(1), drawn(4)) << "five digits";
 }
 
 TEST_F(ConstraintPanelOfSheet, ColumnsAreChosen)
@@ -329,6 +351,21 @@ TEST_F(ConstraintPanelOfSheet, ANameIsShownOnOneLineAndEditedAsItIs)
   const std::string undo(editor.history().undoName());
   EXPECT_LT(undo.size(), 100U) << "menus stay narrow";
   EXPECT_TRUE(undo.starts_with(R"(disable P\x0a)")) << undo;
+}
+
+TEST_F(ConstraintPanelOfSheet, ANameThatLooksLikeHtmlIsShownAsItIsTyped)
+{
+  typeInto(1, Table::Name, "<b>x</b>");
+  EXPECT_EQ(shown(1, Table::Name), "<b>x</b>");
+  const QModelIndex cell = rows().index(1, Table::Name);
+  const QPoint place = table().visualRect(cell).center();
+  QHelpEvent asks(QEvent::ToolTip, place, table().viewport()->mapToGlobal(place));
+  QApplication::sendEvent(table().viewport(), &asks);
+  ASSERT_TRUE(test::waitUntil([] { return QToolTip::isVisible(); }));
+  QTextDocument shownTip;
+  shownTip.setHtml(QToolTip::text());
+  EXPECT_EQ(shownTip.toPlainText(), "<b>x</b>");
+  QToolTip::hideText();
 }
 
 TEST_F(ConstraintPanelOfSheet, ATakenNameIsRefusedWithTheReason)

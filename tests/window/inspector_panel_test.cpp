@@ -2,6 +2,7 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QLabel>
+#include <QPushButton>
 #include <utility>
 
 #include <gtest/gtest.h>
@@ -81,6 +82,29 @@ TEST_F(InspectorPanelOfSheet, ARefusalMovesNoField)
   for (std::size_t k = 0; k < fields.size(); ++k) EXPECT_EQ(placeOf(fields[k]), before[k]) << fields[k];
   const auto& reason = find<QLabel>("inspectorRefusal");
   EXPECT_TRUE(panel.rect().contains(QRect(reason.mapTo(&panel, QPoint()), reason.size()))) << "it is seen";
+}
+
+TEST_F(InspectorPanelOfSheet, WeightsThatAreRefusedMoveNoField)
+{
+  panel.resize(320, 900);
+  editor.selectConstraints({3});
+  for (int k = 0; k < 5; ++k) QApplication::processEvents();
+  const auto places = [this] {
+    std::vector<QRect> all;
+    for (const char* name : {"locationWeight0", "locationWeight2", "targetShiftX", "targetShiftZ"})
+      all.emplace_back(find(name).mapTo(&panel, QPoint()), find(name).size());
+    const auto& normalize = find<QPushButton>("locationNormalize");
+    EXPECT_TRUE(normalize.isVisible());
+    all.emplace_back(normalize.mapTo(&panel, QPoint()), normalize.size());
+    return all;
+  };
+  const std::vector<QRect> before = places();
+  for (const char* weight : {"0.75", "0.12345678901234567"}) {
+    typeInto("locationWeight0", weight);
+    QApplication::processEvents();
+    ASSERT_NE(refusal(), "");
+    EXPECT_EQ(places(), before) << weight;
+  }
 }
 
 TEST_F(InspectorPanelOfSheet, WeightsThatSumToOneAreTaken)

@@ -45,6 +45,22 @@ TEST(NumberWords, CoordinatesAreExactAsLongAsTheyAreShort)
   EXPECT_EQ(coordinateText(1.0 / 3).toStdString(), "0.33333");
 }
 
+TEST(NumberWords, NumbersHaveTheDigitsThatFitAndTwoAtLeast)
+{
+  const auto within = [](double value, int most) {
+    return fittingText(value, coordinateText(value), [most](const QString& text) { return text.size() <= most; })
+        .toStdString();
+  };
+  EXPECT_EQ(within(-0.0995432, 9), "-0.099543");
+  EXPECT_EQ(within(-0.0995432, 8), "-0.09954");
+  EXPECT_EQ(within(-0.0995432, 7), "-0.0995");
+  EXPECT_EQ(within(-0.0995432, 6), "-0.1");
+  EXPECT_EQ(within(-123456.7, 11), "-1.2346e+05");
+  EXPECT_EQ(within(-123456.7, 8), "-123457");
+  EXPECT_EQ(within(-1.2345e-5, 8), "-1.2e-05");
+  EXPECT_EQ(within(-1.2345e-5, 7), "…") << "one digit would be another number";
+}
+
 TEST(NumberWords, RoundingIsTakenForZeroBesideLargerNumbers)
 {
   EXPECT_FALSE(std::signbit(withoutNoise(-0.0, 1)));

@@ -23,7 +23,7 @@ class OpenWindow : public ::testing::Test {
   void open(const std::string& mesh, const std::string& constraints = "");
 
   /// Until what is shown is what was asked for, and is drawn in full. False where it does not come to that in time.
-  [[nodiscard]] bool settle(std::chrono::milliseconds limit = std::chrono::minutes(1));
+  [[nodiscard]] bool settle(std::chrono::milliseconds limit = std::chrono::minutes(3));
 
   /// Triggers an action by its object name, as a menu does.
   void trigger(const char* action);

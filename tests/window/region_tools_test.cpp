@@ -116,12 +116,16 @@ TEST_F(RegionsOfHead, TheStatusLineTellsTheSizeOfTheSelection)
 {
   const auto label = [this](const char* name) { return window.findChild<QLabel*>(name); };
   EXPECT_TRUE(label("statusNumbers")->isVisible());
+  window.resize(1024, 700);
+  ASSERT_TRUE(settle());
   trigger("invert");
   ASSERT_TRUE(test::waitUntil([&] { return label("statusSelection")->text().contains("24\u202f838 triangles"); }))
       << label("statusSelection")->text().toStdString();
   EXPECT_TRUE(label("statusSelection")->text().startsWith("12\u202f421 vertices"));
   EXPECT_TRUE(label("statusSelection")->isVisible());
   EXPECT_FALSE(label("statusNumbers")->isVisible());
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(window.width(), 1024) << "no text makes the window wider";
   editor().selectVertices({0});
   EXPECT_TRUE(test::waitUntil([&] { return label("statusSelection")->text().startsWith("1 vertex "); }));
   trigger("escape");

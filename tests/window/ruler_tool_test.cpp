@@ -1,5 +1,7 @@
 #include <QAction>
+#include <QFontMetricsF>
 #include <QImage>
+#include <QLineF>
 #include <string>
 
 #include <fmt/format.h>
@@ -10,6 +12,7 @@
 #include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/widgets/interaction/surface_ruler_widget.h>
 #include <holdfast/window/tools/tools.h>
+#include <holdfast/window/viewport/viewport_overlay.h>
 
 #include "gestures.h"
 #include "window_user.h"
@@ -39,6 +42,26 @@ class RulerInWindow : public test::WindowUser {
   {
     SurfaceRulerRepresentation& shown = *ruler().GetRulerRepresentation();
     return shown.GetVisibility() != 0 && ruler().GetEnabled() != 0 ? shown.GetAxis()->GetTitle() : "";
+  }
+  /// What is written over the picture, and where.
+  [[nodiscard]] const ViewportOverlay::RulerLabels& written() { return find<ViewportOverlay>("overlay").rulerLabels(); }
+  /// How many pixels the window paints over the picture there, and how much the picture below has changed from
+  /// `before`.
+  [[nodiscard]] std::pair<int, int> paintedAndDrawn(const QRectF& place, const QImage& before)
+  {
+    auto& overlay = find<QWidget>("overlay");
+    QImage painted(overlay.size(), QImage::Format_ARGB32_Premultiplied);
+    painted.fill(Qt::transparent);
+    overlay.render(&painted, QPoint(), QRegion(), {});
+    const QImage drawn = viewport().grabFramebuffer();
+    std::pair<int, int> count;
+    for (int y = 0; y < drawn.height(); ++y)
+      for (int x = 0; x < drawn.width(); ++x) {
+        if (!place.contains(QPointF(x, y))) continue;
+        count.first += qAlpha(painted.pixel(x, y)) != 0 ? 1 : 0;
+        count.second += drawn.pixel(x, y) != before.pixel(x, y) ? 1 : 0;
+      }
+    return count;
   }
 
   [[nodiscard]] static double distance(const Positions& positions, Index a, Index b)
@@ -98,6 +121,42 @@ TEST_F(RulerInWindow, MeasuresBetweenTheVerticesNearTwoClicks)
   EXPECT_EQ(editor().history().undoName(), "ruler 1");
   EXPECT_EQ(editor().deformation(), deformation) << "nothing is solved for it";
   EXPECT_TRUE(editor().isCurrent());
+}
+
+TEST_F(RulerInWindow, TheWindowWritesItsLabelInItsOwnFont)
+{
+  const auto [a, b] = twoVertices();
+  ASSERT_TRUE(settle());
+  const QImage before = viewport().grabFramebuffer();
+  measure(a, b);
+  ASSERT_EQ(written().size(), 1U);
+  const auto [place, text] = written().front();
+  EXPECT_EQ(text.toStdString(), expectedLabel(a, b));
+  EXPECT_EQ(place.size(), QFontMetricsF(viewport().font()).boundingRect(viewport().rect(), Qt::AlignLeft, text).size());
+  const QPointF middle = (seenAt(a) + seenAt(b)) / 2;
+  EXPECT_LT(QLineF(place.center(), middle).length(), place.width());
+  const auto [painted, drawn] = paintedAndDrawn(place, before);
+  EXPECT_GT(painted, 500);
+  EXPECT_EQ(drawn, 0) << "VTK writes nothing, and the line is beside it";
+  key(Qt::Key_S);
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(written().size(), 1U) << "it stays with every tool";
+  trigger("removeMeasurements");
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(written().empty());
+  EXPECT_EQ(paintedAndDrawn(place, before).first, 0);
+}
+
+TEST_F(RulerInWindow, ItsLabelFollowsTheCamera)
+{
+  const auto [a, b] = twoVertices();
+  measure(a, b);
+  const QRectF before = written().front().first;
+  test::drag(viewport(), {{300, 300}, {320, 330}, {340, 330}}, Qt::MiddleButton);
+  ASSERT_TRUE(settle());
+  const QPointF moved = written().front().first.center() - before.center();
+  EXPECT_NEAR(moved.x(), 40, 3);
+  EXPECT_NEAR(moved.y(), 30, 3);
 }
 
 TEST_F(RulerInWindow, LeavesThePictureAroundItAsItIs)

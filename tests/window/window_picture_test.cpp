@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <vtkProperty.h>
 
+#include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/window/controls/theme.h>
 
 #include "gestures.h"
@@ -120,6 +121,38 @@ TEST_F(PictureOfBar, ADoubleClickOnTheLegendOpensItsSettings)
   test::doubleClick(viewport(), viewport().legendBox().center());
   ASSERT_TRUE(test::waitUntil([&] { return panel.isVisible() && find<QComboBox>("colorRangeKind").hasFocus(); }));
   EXPECT_EQ(list().constraints.size(), 2U);
+}
+
+TEST_F(PictureOfBar, ALeftClickOnTheLegendReachesNothingBehindIt)
+{
+  const QPointF place = viewport().legendBox().center();
+  test::drag(viewport(), {seenAt(editor().positions().colwise().mean().transpose()), place}, Qt::MiddleButton);
+  ASSERT_TRUE(settle());
+  const auto holdThere = [&] {
+    key(Qt::Key_P);
+    test::moveMouse(viewport(), place);
+    const bool isPreviewed = editor().underCursor().pick.has_value();
+    test::click(viewport(), place);
+    return isPreviewed;
+  };
+  EXPECT_FALSE(holdThere());
+  EXPECT_EQ(list().constraints.size(), 2U);
+  key(Qt::Key_S);
+  editor().selectConstraints({1});
+  const Camera before = cameraOf(*viewport().renderer().GetActiveCamera());
+  test::drag(viewport(), {place, place + QPointF(-40, 20), place + QPointF(-200, 50)});
+  test::doubleClick(viewport(), place);
+  EXPECT_EQ(editor().selectedConstraints(), Rows{1});
+  EXPECT_EQ(cameraOf(*viewport().renderer().GetActiveCamera()), before);
+  test::drag(viewport(), {place, place + QPointF(-40, 20)}, Qt::RightButton);
+  EXPECT_NE(cameraOf(*viewport().renderer().GetActiveCamera()), before) << "other buttons rotate and shift there";
+
+  DisplaySettings settings = viewport().display();
+  settings.legend = LegendSide::Hidden;
+  viewport().setDisplay(settings);
+  editor().selectConstraints({});
+  EXPECT_TRUE(holdThere());
+  EXPECT_EQ(list().constraints.size(), 3U) << "the surface is there";
 }
 
 TEST_F(PictureOfBar, TheLegendHasAsManyColorsAsWanted)

@@ -1,6 +1,7 @@
 #include "holdfast/constraints/handle_motion.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -243,6 +244,12 @@ double shareMoved(const HandleConstraint& handle, const HandleSetting& setting)
   if (!fixedCenter) return 0;
   const double distance = (centroid(setting.rest) - *fixedCenter).stableNorm();
   return distance <= kNoDirection * diagonal ? 0 : handle.translate.stableNorm() / distance;
+}
+
+Vector3 centroid(const Positions& points)
+{
+  assert(points.rows() > 0);
+  return points.colwise().mean().transpose();
 }
 
 std::optional<HandleError> validateHandle(const HandleConstraint& handle)

@@ -1,7 +1,6 @@
 #pragma once
 /// Where a handle goes and how it turns: both ways of section 3.3 of the paper to give it its rotation, and more.
 
-#include <cassert>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,11 +23,7 @@ struct HandleError {
 [[nodiscard]] std::optional<HandleError> validateHandle(const HandleConstraint& handle);
 
 /// The mean of the rows of `points`, one at least.
-[[nodiscard]] inline Vector3 centroid(const Positions& points)
-{
-  assert(points.rows() > 0);
-  return points.colwise().mean().transpose();
-}
+[[nodiscard]] Vector3 centroid(const Positions& points);
 
 struct HandleSurroundings {
   std::optional<Vector3> fixedCenter;  ///< centroid of all vertices that are fixed, at rest; none where there are none

@@ -244,8 +244,8 @@ int SurfaceRulerRepresentation::RenderOverlay(vtkViewport* viewport)
 {
   this->BuildRepresentation();
   if (!this->IsInView) return 0;
-  return this->Halo->RenderOverlay(viewport) + this->Line->RenderOverlay(viewport) +
-         this->Superclass::RenderOverlay(viewport);
+  const int drawn = this->Halo->RenderOverlay(viewport) + this->Line->RenderOverlay(viewport);
+  return this->LabelVisibility ? drawn + this->Superclass::RenderOverlay(viewport) : drawn;
 }
 
 vtkStandardNewMacro(SurfaceRulerWidget);

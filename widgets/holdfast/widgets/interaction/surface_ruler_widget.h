@@ -104,6 +104,9 @@ class SurfaceRulerRepresentation : public vtkDistanceRepresentation2D {
   vtkSetMacro(Units, std::string);
   [[nodiscard]] const std::string& GetUnits() const { return this->Units; }
   [[nodiscard]] std::string GetLabel();
+  /// Whether VTK draws the label; on by default. A window that writes in a font of its own switches it off.
+  vtkSetMacro(LabelVisibility, bool);
+  vtkBooleanMacro(LabelVisibility, bool);
 
   /// dots per inch do not count.
   void SetPixelRatio(double ratio);
@@ -124,6 +127,7 @@ class SurfaceRulerRepresentation : public vtkDistanceRepresentation2D {
   vtkNew<SurfacePointPlacer> Placer;
   std::string Units;
   bool ShowVector = false;
+  bool LabelVisibility = true;
   bool IsInView = false;      // both ends are in front of the eye
   vtkNew<vtkPolyData> Lines;  // in pixels of the window
   vtkNew<vtkActor2D> Halo;

@@ -2,6 +2,7 @@
 
 #include <QHeaderView>
 #include <QStyle>
+#include <QTextDocument>
 
 #include <holdfast/window/controls/status_style.h>
 
@@ -14,6 +15,11 @@ QLabel* newText(const QString& name)
   label->setTextFormat(Qt::PlainText);
   label->setTextInteractionFlags(Qt::TextSelectableByMouse);
   return label;
+}
+
+QString plainTip(const QString& text)
+{
+  return Qt::mightBeRichText(text) ? Qt::convertFromPlainText(text, Qt::WhiteSpaceNormal) : text;
 }
 
 QScrollArea* newScrollArea(QWidget* content, const QString& spoken)

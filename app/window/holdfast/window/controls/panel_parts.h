@@ -34,6 +34,9 @@ Widget* named(Widget* widget, const QString& name, const QString& spoken)
 /// Lines of plain text that can be selected with the mouse.
 [[nodiscard]] QLabel* newText(const QString& name);
 
+/// A tool tip with texts from outside, such as names and paths. Qt would show what looks like HTML as such.
+[[nodiscard]] QString plainTip(const QString& text);
+
 /// `content` without a frame, scrolled if it needs more room.
 [[nodiscard]] QScrollArea* newScrollArea(QWidget* content, const QString& spoken);
 

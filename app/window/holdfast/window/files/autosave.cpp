@@ -47,7 +47,7 @@ class RecoveryDialog : public QDialog {
       const QString of = originOf(copy);
       auto* item =
           new QListWidgetItem(tr("%1, kept %2\n%3").arg(QString::fromStdString(copy.name), timeOf(copy), of), list_);
-      item->setToolTip(of);
+      item->setToolTip(plainTip(of));
     }
     list_->setCurrentRow(0);
 

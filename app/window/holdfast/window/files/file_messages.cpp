@@ -99,6 +99,8 @@ void showProgress(BackgroundJob& job, QWidget* window, const QString& title)
   auto* dialog = named(new QProgressDialog({}, QObject::tr("Cancel"), 0, 0, window), "progress");
   dialog->setWindowTitle(title);
   dialog->setWindowModality(Qt::NonModal);
+  // Work goes on meanwhile: keys stay where they are typed.
+  dialog->setAttribute(Qt::WA_ShowWithoutActivating);
   dialog->setMinimumWidth(dialog->fontMetrics().averageCharWidth() * 50);
   QObject::connect(&job, &BackgroundJob::stepChanged, dialog, &QProgressDialog::setLabelText);
   // The dialog may be the sender: its Cancel is what ends the work.

@@ -153,7 +153,7 @@ class ImportTable : public QAbstractTableModel {
     const int row = index.row();
     const int column = index.column();
     if (role == Qt::DisplayRole) return text(row, column);
-    if (role == Qt::ToolTipRole) return toolTip(row, column);
+    if (role == Qt::ToolTipRole) return plainTip(toolTip(row, column));
     if (role == Qt::CheckStateRole && column == Name && isReadable(row))
       return isTicked_[row] ? Qt::Checked : Qt::Unchecked;
     if (role == Qt::ForegroundRole && isMarked(row))

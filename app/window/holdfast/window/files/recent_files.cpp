@@ -8,6 +8,8 @@
 #include <QStandardPaths>
 #include <algorithm>
 
+#include <holdfast/window/controls/panel_parts.h>
+
 namespace holdfast {
 namespace {
 
@@ -102,8 +104,8 @@ void fillRecentMenu(QMenu& menu, const std::function<void(const QString&)>& open
         menu.addAction(QString("&%1  %2").arg((place + 1) % kMostRecentFiles).arg(name), [open, path] { open(path); });
     action->setEnabled(isThere);
     const QString native = QDir::toNativeSeparators(path);
-    action->setToolTip(isThere ? native : QObject::tr("File not found: %1").arg(native));
-    action->setStatusTip(action->toolTip());
+    action->setStatusTip(isThere ? native : QObject::tr("File not found: %1").arg(native));
+    action->setToolTip(plainTip(action->statusTip()));
   }
   if (all.isEmpty()) {
     menu.addAction(QObject::tr("No recent files"))->setEnabled(false);

@@ -63,7 +63,7 @@ void Gallery::add(const QString& title, const QString& tip, const QPixmap& pictu
   button->setFixedWidth(kEntryWidth);
   button->setIcon(picture);
   button->setText(fontMetrics().elidedText(title, Qt::ElideMiddle, kRecentPictureSize.width() / 2).replace('&', "&&"));
-  button->setToolTip(tip);
+  button->setToolTip(plainTip(tip));
   button->setFocusPolicy(Qt::StrongFocus);
   connect(button, &QToolButton::clicked, this, std::move(open));
   buttons_.push_back(button);

@@ -69,7 +69,10 @@ class LocationSection : public SectionOf<PointConstraint> {
     weightLines_ = new QGridLayout(weights_);
     weightLines_->setContentsMargins(0, 0, 0, 0);
     weightLines_->setSpacing(4);
+    for (int column = 0; column < kWeightsInLine; ++column) weightLines_->setColumnStretch(column, 1);
     sum_ = named(new QLabel(weights_), "locationSum");
+    // Fields stay where they are, however long it is.
+    sum_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     normalize_ = named(new QPushButton(tr("N&ormalize"), weights_), "locationNormalize");
     normalize_->setToolTip(tr("Divides all weights by their sum"));
     addRow(tr("Weights"), weights_);

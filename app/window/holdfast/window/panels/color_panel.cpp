@@ -153,6 +153,7 @@ void ColorPanel::makeDisplayRows(QFormLayout& form)
   share_->setPageStep(10);
   share_->setToolTip(tr("From the shape at rest to the deformed one (O shows them in turn)"));
   auto* percent = newText("shownShareText");
+  percent->setWordWrap(false);
   percent->setMinimumWidth(percent->fontMetrics().horizontalAdvance("100 %"));
   const auto showPercent = [percent](int value) { percent->setText(tr("%1 %").arg(value)); };
   showPercent(share_->value());

@@ -215,11 +215,11 @@ class ConflictPanel final : public RefreshedPanel {
     QString shortName = QString::fromStdString(conflictSet->disable);
     if (shortName.size() > kLettersOnButtons) shortName = shortName.left(kLettersOnButtons - 1) + "…";
     card.disable->setText(tr("Disable %1").arg(quoted(shortName.toStdString())));
-    card.disable->setToolTip(
-        tr("Disabling %1 ends most conflicts at the price of the fewest rows").arg(quoted(conflictSet->disable)));
+    card.disable->setToolTip(plainTip(
+        tr("Disabling %1 ends most conflicts at the price of the fewest rows").arg(quoted(conflictSet->disable))));
     card.prefer->setVisible(!conflictSet->with.empty());
-    card.prefer->setToolTip(tr("Moves %1 up, before %2, so that it holds and they give way")
-                                .arg(quoted(outcome->name), quotedList(conflictSet->with)));
+    card.prefer->setToolTip(plainTip(tr("Moves %1 up, before %2, so that it holds and they give way")
+                                         .arg(quoted(outcome->name), quotedList(conflictSet->with))));
     const std::optional<Vector3> mean =
         isCurrent ? averageTarget(*editor_.model(), editor_.list(), setOf(card)) : std::nullopt;
     card.average->setVisible(mean.has_value());
@@ -231,8 +231,8 @@ class ConflictPanel final : public RefreshedPanel {
     card.retarget->setVisible(target.has_value());
     if (!target) return;
     card.retarget->setText(tr("Use the target %1").arg(roundedText(*target)));
-    card.retarget->setToolTip(
-        tr("Gives %1 the target %2, which agrees with the others").arg(quoted(outcome->name), exactText(*target)));
+    card.retarget->setToolTip(plainTip(
+        tr("Gives %1 the target %2, which agrees with the others").arg(quoted(outcome->name), exactText(*target))));
   }
 
   /// Ascending, as far as they are in the list still.

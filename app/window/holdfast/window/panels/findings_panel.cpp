@@ -73,7 +73,7 @@ class FindingsPanel final : public RefreshedPanel {
     about_->setVisible(editor_.isOpen());
     if (editor_.isOpen()) {
       about_->setText(aboutMesh(editor_));
-      about_->setToolTip(QString::fromStdString(printable(editor_.mesh().path.string())));
+      about_->setToolTip(plainTip(QString::fromStdString(printable(editor_.mesh().path.string()))));
     }
     // The report begins with those of the mesh.
     findings_ = !editor_.isOpen()                  ? std::vector<Finding>()

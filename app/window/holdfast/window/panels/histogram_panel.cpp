@@ -107,6 +107,8 @@ void HistogramView::paintEvent(QPaintEvent* /*event*/)
     painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
   }
 
+  // The title names what is counted as well.
+  if (QFontMetricsF(font()).horizontalAdvance(texts_.countAxis) > area.height()) return;
   painter.rotate(-90);
   painter.setPen(toQColor(colors.ink));
   painter.drawText(QRectF(-area.bottom(), kGap / 2, area.height(), line), Qt::AlignCenter, texts_.countAxis);
@@ -225,10 +227,8 @@ void HistogramPanel::refreshResiduals()
   if (histogram.valueCount == 0) return;
   const double promise = std::ranges::min(deformation.details->diagnosis.limits) / diagonal;
   ChartTexts texts;
-  texts.title = tr("Residuals of constraints: %1 of %2 within their limits, the least %3 of the diagonal (dashed)")
-                    .arg(withinLimits)
-                    .arg(histogram.valueCount)
-                    .arg(roundedText(promise));
+  texts.title =
+      tr("Residuals: %1 of %2 within their limits, the least dashed").arg(withinLimits).arg(histogram.valueCount);
   texts.valueAxis = tr("residual / diagonal of the bounding box");
   texts.countAxis = tr("constraints");
   const QString units = QString::fromStdString(editor_.deformedState()->list.units);

@@ -120,6 +120,7 @@ class MeasuredPanel final : public RefreshedPanel {
   {
     if (row >= item.childCount()) item.addChild(new QTreeWidgetItem);
     item.child(row)->setText(kWhat, name);
+    item.child(row)->setToolTip(kWhat, name);
     return *item.child(row);
   }
 

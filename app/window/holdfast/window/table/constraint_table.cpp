@@ -5,10 +5,14 @@
 #include <QKeyEvent>
 #include <QPainter>
 #include <QScrollBar>
+#include <QStyle>
+#include <QStyledItemDelegate>
+#include <optional>
 
 #include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/controls/status_style.h>
 #include <holdfast/window/table/constraint_table_model.h>
+#include <holdfast/window/text/number_text.h>
 
 namespace holdfast {
 namespace {
@@ -33,6 +37,26 @@ bool staysInSight(int column)
   return column == ConstraintTableModel::On || column == ConstraintTableModel::Name;
 }
 
+/// A number has as many digits as there is room for, and is never cut.
+class NumberCells : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+ protected:
+  void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override
+  {
+    QStyledItemDelegate::initStyleOption(option, index);
+    const std::optional<double> number = typedNumber(index.data(Qt::EditRole).toString());
+    if (!number) return;
+    // As styles leave it free beside a text.
+    const int margin = option->widget->style()->pixelMetric(QStyle::PM_FocusFrameHMargin, option, option->widget) + 1;
+    const int room = option->rect.width() - 2 * margin;
+    option->text = fittingText(*number, option->text, [&](const QString& text) {
+      return option->fontMetrics.horizontalAdvance(text) <= room;
+    });
+  }
+};
+
 class PinnedColumns : public QTableView {
  public:
   using QTableView::QTableView;
@@ -51,6 +75,7 @@ void setSelecting(QTableView& table)
   table.setSelectionBehavior(QAbstractItemView::SelectRows);
   table.setSelectionMode(QAbstractItemView::ExtendedSelection);
   table.horizontalHeader()->setSectionsClickable(true);
+  table.setTextElideMode(Qt::ElideMiddle);
   setTableLook(table);
 }
 
@@ -70,6 +95,9 @@ ConstraintTable::ConstraintTable(QWidget* parent) : QTableView(parent), pinned_(
   pinned_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   pinned_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setHorizontalScrollMode(ScrollPerPixel);
+  auto* numbers = new NumberCells(this);
+  for (int column = ConstraintTableModel::X; column <= ConstraintTableModel::Force; ++column)
+    setItemDelegateForColumn(column, numbers);
   connect(verticalScrollBar(), &QScrollBar::valueChanged, pinned_->verticalScrollBar(), &QScrollBar::setValue);
   connect(pinned_->verticalScrollBar(), &QScrollBar::valueChanged, verticalScrollBar(), &QScrollBar::setValue);
   connect(horizontalScrollBar(), &QScrollBar::valueChanged, this, &ConstraintTable::placePinned);

@@ -11,6 +11,7 @@
 #include <holdfast/base/printable.h>
 #include <holdfast/io/text/number_text.h>
 #include <holdfast/mesh/index_lists.h>
+#include <holdfast/window/controls/panel_parts.h>
 #include <holdfast/window/controls/status_style.h>
 #include <holdfast/window/model/at_rest.h>
 #include <holdfast/window/text/constraint_text.h>
@@ -162,7 +163,7 @@ QVariant ConstraintTableModel::data(const QModelIndex& index, int role) const
       if (constraint(row).isEnabled && (column < Residual || editor_.isCurrent())) return {};
       return quietColor(QGuiApplication::palette());
     case Qt::ToolTipRole:
-      return toolTip(row, column);
+      return plainTip(toolTip(row, column));
     case Qt::AccessibleTextRole:
       return column == On ? (constraint(row).isEnabled ? tr("enabled") : tr("disabled")) : text(row, column);
     default:
@@ -208,7 +209,7 @@ QVariant ConstraintTableModel::headerData(int section, Qt::Orientation orientati
       {tr("Status"), tr("Whether it holds")},
   }};
   const auto& [title, meaning] = titles[static_cast<std::size_t>(section)];
-  return role == Qt::DisplayRole ? QVariant(title) : role == Qt::ToolTipRole ? QVariant(meaning) : QVariant();
+  return role == Qt::DisplayRole ? QVariant(title) : role == Qt::ToolTipRole ? QVariant(plainTip(meaning)) : QVariant();
 }
 
 Qt::ItemFlags ConstraintTableModel::flags(const QModelIndex& index) const

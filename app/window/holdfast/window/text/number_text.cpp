@@ -1,6 +1,8 @@
 #include "holdfast/window/text/number_text.h"
 
 #include <QObject>
+#include <QStringList>
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -11,6 +13,8 @@ namespace holdfast {
 namespace {
 
 constexpr int kShortText = 6;  // characters that a column of coordinates has room for
+
+constexpr double kLongWhole = 1e5;
 
 // The share of the largest number below which another one is rounding.
 constexpr double kRoundingShare = 1e-14;
@@ -42,6 +46,16 @@ QString coordinateText(double value)
 {
   const QString exact = exactText(value);
   return exact.size() <= kShortText ? exact : toText(fmt::format("{:.5g}", value));
+}
+
+QString fittingText(double value, const QString& text, const std::function<bool(const QString&)>& fits)
+{
+  QStringList texts{text};
+  // From here on all digits before the point need less room than a power of ten.
+  if (std::abs(value) >= kLongWhole) texts << toText(fmt::format("{:.0f}", value));
+  for (const int digits : {4, 3, 2}) texts << toText(fmt::format("{:.{}g}", value, digits));
+  const auto found = std::find_if(texts.begin(), texts.end(), fits);
+  return found != texts.end() ? *found : QStringLiteral("…");
 }
 
 QString countText(Index count)

@@ -2,6 +2,7 @@
 /// Numbers as the window writes and reads them, whatever the locale is.
 
 #include <QString>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -30,6 +31,9 @@ namespace holdfast {
 
 /// The exact text where it is short, five significant digits otherwise: for tables, where columns are narrow.
 [[nodiscard]] QString coordinateText(double value);
+
+/// `text` of `value` if it fits, or the first that does of fewer digits, two at least; else "…".
+[[nodiscard]] QString fittingText(double value, const QString& text, const std::function<bool(const QString&)>& fits);
 
 [[nodiscard]] inline QString axisText(int axis)
 {

@@ -128,8 +128,10 @@ class RelativeTool : public ToolOf<SurfaceRulerWidget> {
     widget().AddObserver(vtkCommand::PlacePointEvent, this, &RelativeTool::forgetRefusal);
     widget().AddObserver(CancelInteractionEvent, this, &RelativeTool::forgetRefusal);
     widget().AddObserver(vtkCommand::EndInteractionEvent, this, &RelativeTool::keep);
-    widget().GetRulerRepresentation()->ShowVectorOn();
-    selected_->ShowVectorOn();
+    for (SurfaceRulerRepresentation* const arrow : {widget().GetRulerRepresentation(), selected_.Get()}) {
+      arrow->ShowVectorOn();
+      arrow->LabelVisibilityOff();
+    }
     selected_->SetRenderer(&viewport.widgetRenderer());
     viewport.widgetRenderer().AddViewProp(selected_);
     connect(&editor, &Editor::constraintSelectionChanged, this, &RelativeTool::showSelected);
@@ -210,6 +212,7 @@ class RulerTool : public ToolOf<SurfaceRulerWidget> {
   RulerTool(Editor& editor, Viewport& viewport) : ToolOf(editor, viewport)
   {
     setObjectName("rulerTool");
+    widget().GetRulerRepresentation()->LabelVisibilityOff();
     widget().AddObserver(vtkCommand::PlacePointEvent, this, &RulerTool::changed);
     widget().AddObserver(CancelInteractionEvent, this, &RulerTool::changed);
     widget().AddObserver(vtkCommand::EndInteractionEvent, this, &RulerTool::keep);
@@ -301,6 +304,7 @@ class RulerTool : public ToolOf<SurfaceRulerWidget> {
       if (current_ == static_cast<std::ptrdiff_t>(k)) continue;
       SurfaceRulerRepresentation& ruler = *kept_.emplace_back();
       ruler.SetRenderer(&viewport().widgetRenderer());
+      ruler.LabelVisibilityOff();
       ruler.SetPixelRatio(viewport().pixelRatio());
       ruler.SetUnits(editor().list().units);
       ruler.SetSurface(viewport().surface());

@@ -137,7 +137,6 @@ class Viewport : public VtkView {
   }
 
  Q_SIGNALS:
-  /// What a click of the chosen tool would take, or nothing.
   /// Another field, another scale, or other values of it.
   void coloringChanged(const std::optional<Coloring>& coloring);
   void surfaceChanged();
@@ -162,6 +161,8 @@ class Viewport : public VtkView {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  [[nodiscard]] bool isForLegend(const QEvent& event);
+  void leavePicture();
   void askForContextMenu();
   void wakeOrientation(const QPointF& place);
   void lookUnderCursor(const QMouseEvent* move);
@@ -225,7 +226,8 @@ class Viewport : public VtkView {
 
   Tool* tool_ = nullptr;
   Tool* firstTool_ = nullptr;
-  bool isHeld_ = false;  // a button of the mouse is down
+  bool isHeld_ = false;           // a button of the mouse is down
+  bool isLegendPressed_ = false;  // the left one, on the legend
   bool isOverOrientation_ = false;
 
   QTimer renderTimer_;  // draws once a turn of the event loop

@@ -60,11 +60,39 @@ QPointF Viewport::toPlace(const DisplayPoint& display) const
   return {display.x() / pixelRatio(), height() - display.y() / pixelRatio()};
 }
 
+/// A press of the left button on the legend, what follows it until that button is up again, and the free cursor there.
+/// Other buttons move the camera there as well.
+bool Viewport::isForLegend(const QEvent& event)
+{
+  switch (event.type()) {
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonDblClick:
+      if (const auto& press = static_cast<const QMouseEvent&>(event); press.button() == Qt::LeftButton)
+        isLegendPressed_ = press.buttons() == Qt::LeftButton && legendBox().contains(press.localPos());
+      return isLegendPressed_;
+    case QEvent::MouseButtonRelease:
+      if (static_cast<const QMouseEvent&>(event).button() != Qt::LeftButton) return isLegendPressed_;
+      return std::exchange(isLegendPressed_, false);
+    case QEvent::MouseMove: {
+      const auto& move = static_cast<const QMouseEvent&>(event);
+      return isLegendPressed_ || (move.buttons() == Qt::NoButton && legendBox().contains(move.localPos()));
+    }
+    default:
+      return false;
+  }
+}
+
+void Viewport::leavePicture()
+{
+  interactor()->InvokeEvent(vtkCommand::LeaveEvent);
+  lookUnderCursor(nullptr);
+}
+
 bool Viewport::event(QEvent* event)
 {
-  if (event->type() == QEvent::MouseButtonDblClick &&
-      legendBox().contains(static_cast<const QMouseEvent&>(*event).localPos())) {
-    Q_EMIT legendDoubleClicked();
+  if (isForLegend(*event)) {
+    if (event->type() == QEvent::MouseMove) leavePicture();
+    if (event->type() == QEvent::MouseButtonDblClick) Q_EMIT legendDoubleClicked();
     return true;
   }
   switch (event->type()) {

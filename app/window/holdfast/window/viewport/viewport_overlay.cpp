@@ -1,12 +1,16 @@
 #include "holdfast/window/viewport/viewport_overlay.h"
 
 #include <QFontMetricsF>
+#include <QLineF>
 #include <QMarginsF>
 #include <QPainter>
 #include <cmath>
 #include <utility>
 
+#include <vtkPropCollection.h>
+
 #include <holdfast/deform/outcomes.h>
+#include <holdfast/widgets/interaction/surface_ruler_widget.h>
 #include <holdfast/widgets/marks/constraint_glyphs.h>
 #include <holdfast/window/controls/theme.h>
 #include <holdfast/window/text/color_text.h>
@@ -22,6 +26,7 @@ constexpr double kNoteMargin = 14;
 constexpr QMarginsF kNotePadding(8, 5, 8, 5);
 
 constexpr double kProbeRadius = 5;
+constexpr double kRulerGap = 4;
 // A share of the way from the eye: parts of the surface that touch a place do not hide it.
 constexpr double kHidden = 1 - 1e-6;
 
@@ -30,6 +35,18 @@ QString valueText(const Coloring& coloring, const SurfacePoint& point)
   const double value = valueAt(coloring.values, point);
   return QString::fromStdString(coloring.scale.title).replace('\n', ' ') + ": " +
          (std::isnan(value) ? ViewportOverlay::tr("none here") : roundedText(value));
+}
+
+/// `box` above the middle of a line, or beside it where the line is upright.
+QRectF besideLine(QRectF box, const QPointF& a, const QPointF& b)
+{
+  const QLineF line = a.x() < b.x() ? QLineF(a, b) : QLineF(b, a);
+  QLineF away = line.normalVector().unitVector();
+  if (line.length() == 0) away = QLineF(0, 0, 0, -1);
+  const QRectF plate = box + kNotePadding;
+  const double half = (std::abs(away.dx()) * plate.width() + std::abs(away.dy()) * plate.height()) / 2;
+  box.moveCenter(line.center() + (half + kRulerGap) * QPointF(away.dx(), away.dy()));
+  return box;
 }
 
 // A shorter wait needs no number, and in a drag no word.
@@ -74,9 +91,7 @@ ViewportOverlay::ViewportOverlay(Editor& editor, Viewport& viewport)
           [this] { editor_.solveState() == SolveState::Solving ? clock_.start() : clock_.stop(); });
   connect(&editor_, &Editor::annotationsChanged, this, qOverload<>(&QWidget::update));
   connect(&viewport_, &Viewport::hiddenChanged, this, qOverload<>(&QWidget::update));
-  connect(&viewport_, &Viewport::rendered, this, [this] {
-    if (editor_.isOpen() && !editor_.measurements().probes.empty()) update();
-  });
+  connect(&viewport_, &Viewport::rendered, this, &ViewportOverlay::followPicture);
   connect(&editor_, &Editor::underCursorChanged, this, &ViewportOverlay::followCursor);
 }
 
@@ -94,6 +109,7 @@ void ViewportOverlay::paintEvent(QPaintEvent* /*event*/)
   paintLegend(painter);
   paintSolveState(painter);
   paintProbes(painter);
+  for (const auto& [place, text] : rulerLabels_) paintNote(painter, place, text);
   paintCursor(painter);
   for (const Tool* tool : tools_) {
     if (tool == nullptr) continue;
@@ -191,6 +207,33 @@ void ViewportOverlay::followCursor()
 {
   const QRectF before = std::exchange(cursorNote_, cursorNote());
   update(((before | cursorNote_) + kNotePadding).toAlignedRect());
+}
+
+void ViewportOverlay::followPicture()
+{
+  if (editor_.isOpen() && !editor_.measurements().probes.empty()) update();
+  const RulerLabels before = std::exchange(rulerLabels_, currentRulerLabels());
+  if (before == rulerLabels_) return;
+  for (const RulerLabels* labels : {&before, &std::as_const(rulerLabels_)})
+    for (const auto& [place, text] : *labels) update((place + kNotePadding).toAlignedRect());
+}
+
+ViewportOverlay::RulerLabels ViewportOverlay::currentRulerLabels() const
+{
+  RulerLabels labels;
+  const DisplayTransform display(viewport_.renderer());
+  vtkPropCollection& props = *viewport_.widgetRenderer().GetViewProps();
+  for (int k = 0; k < props.GetNumberOfItems(); ++k) {
+    auto* ruler = SurfaceRulerRepresentation::SafeDownCast(props.GetItemAsObject(k));
+    if (ruler == nullptr || ruler->GetVisibility() == 0 || !ruler->IsPlaced()) continue;
+    const auto a = toDisplay(display, ruler->GetHandle(0).GetPlace());
+    const auto b = toDisplay(display, ruler->GetHandle(1).GetPlace());
+    if (!a || !b) continue;
+    const QString text = toText(ruler->GetLabel());
+    const QRectF box = QFontMetricsF(font()).boundingRect(rect(), Qt::AlignLeft, text);
+    labels.emplace_back(besideLine(box, viewport_.toPlace(*a), viewport_.toPlace(*b)), text);
+  }
+  return labels;
 }
 
 /// A ring, with the number in the list and the value that colours the surface; faint where the surface hides it.

@@ -9,6 +9,7 @@
 #include <QWidget>
 #include <optional>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include <holdfast/window/model/editor.h>
@@ -30,6 +31,10 @@ class ViewportOverlay : public QWidget {
 
   [[nodiscard]] LegendContent legend() const;
 
+  /// What rulers and arrows in the layer of the widgets say, as in the latest picture, and where that is painted.
+  using RulerLabels = std::vector<std::pair<QRectF, QString>>;
+  [[nodiscard]] const RulerLabels& rulerLabels() const noexcept { return rulerLabels_; }
+
  protected:
   void paintEvent(QPaintEvent* event) override;
 
@@ -37,6 +42,8 @@ class ViewportOverlay : public QWidget {
   void paintLegend(QPainter& painter);
   void paintSolveState(QPainter& painter) const;
   void followCursor();
+  void followPicture();
+  [[nodiscard]] RulerLabels currentRulerLabels() const;
   void paintProbes(QPainter& painter) const;
   void paintCursor(QPainter& painter) const;
   void paintNote(QPainter& painter, const QRectF& text, const QString& words) const;
@@ -52,6 +59,7 @@ class ViewportOverlay : public QWidget {
   QPixmap legendPicture_;
   QTimer clock_;       // while the document is solved
   QRectF cursorNote_;  // as it was last
+  RulerLabels rulerLabels_;
 };
 
 /// Why the picture is older than the document; empty if it is current.

@@ -20,7 +20,7 @@ void showHelp(QWidget* window)
   dialog.setObjectName("helpDialog");
   dialog.setWindowTitle(tr("Ten gestures"));
   const std::pair<QString, QString> gestures[] = {
-      {tr("Turn the picture"), tr("Drag with the right button, or beside what the tool takes")},
+      {tr("Rotate the picture"), tr("Drag with the right button, or beside what the tool takes")},
       {tr("Shift it, go nearer"), tr("Drag with the middle button; turn the wheel")},
       {tr("Hold a point exactly"), tr("P, then click a vertex, an edge or a face; V, E and F choose which. "
                                       "K and two clicks keep the vector between two points")},
@@ -28,7 +28,7 @@ void showHelp(QWidget* window)
       {tr("Select a region"), tr("B paints, M draws a rectangle, L a line around, W takes a whole side; "
                                  "Shift adds, Ctrl takes away")},
       {tr("Say what it does"), tr("F fixes the region, H makes a handle, R a rigid feature")},
-      {tr("Turn a handle"), tr("Drag one of its rings, as many times round as you like, or type degrees over it")},
+      {tr("Rotate a handle"), tr("Drag one of its rings, as many times round as you like, or type degrees over it")},
       {tr("Draw around a feature"), tr("C, click places around it, Enter; then R keeps it rigid")},
       {tr("Measured points"), tr("Ctrl+I imports a list, and shows how far each point is from the surface")},
       {tr("Take it back"), tr("Escape during a drag; Ctrl+Z afterwards")}};

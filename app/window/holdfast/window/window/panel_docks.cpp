@@ -13,7 +13,7 @@ namespace holdfast {
 namespace {
 
 // The share of the window; the picture has the rest.
-constexpr double kPanelShare = 0.39;
+constexpr double kPanelShare = 0.42;
 constexpr int kLeastPanelWidth = 340;
 constexpr int kMostPanelWidth = 680;
 

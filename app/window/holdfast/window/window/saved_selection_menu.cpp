@@ -27,7 +27,7 @@ void fillMenu(QMenu& menu, Editor& editor, QMainWindow& window)
       }
     };
     QAction* action = menu.addAction(nameText(selections[place].name).replace('&', "&&"), &window, select);
-    action->setToolTip(QObject::tr("Select %1 again").arg(quoted(selections[place].name)));
+    action->setToolTip(plainTip(QObject::tr("Select %1 again").arg(quoted(selections[place].name))));
   }
   menu.setEnabled(!selections.empty());
 }

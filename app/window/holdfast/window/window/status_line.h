@@ -21,6 +21,9 @@ class StatusLine : public QStatusBar {
     showHint();
   }
 
+  /// No text makes the window wider.
+  [[nodiscard]] QSize minimumSizeHint() const override { return {0, QStatusBar::minimumSizeHint().height()}; }
+
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
