@@ -242,6 +242,9 @@ class Viewport : public VtkView {
   double fullMilliseconds_ = 0;  // of the last picture in full detail
   bool isCoarse_ = false;
   bool isSceneDue_ = false;  // the next picture is one of the document, too
+
+  // Beyond this a moving picture is drawn of fewer triangles.
+  static constexpr double kFluentMilliseconds = 30;
 };
 
 }  // namespace holdfast
