@@ -74,6 +74,44 @@ TEST_F(PictureOfBar, KeysShowEdgesAndSurfaceInTurn)
   EXPECT_EQ(surface().GetRepresentation(), VTK_SURFACE);
 }
 
+TEST_F(PictureOfBar, TheShapeAtRestIsGreyWhereItsLayersOverlap)
+{
+  open("head.ply", "head.rigid_eyes.constraints.json");
+  trigger("viewRight");
+  viewport().setColors({ColorBy::None});
+  const auto greyest = [this](RestGhost ghost) {
+    viewport().setDisplay({ghost, MeshEdges::None, SurfaceDisplay::Shaded, RotationDisplay::Hidden, false});
+    EXPECT_TRUE(settle());
+    return viewport().grabFramebuffer().convertToFormat(QImage::Format_RGB32);
+  };
+  const QImage with = greyest(RestGhost::Surface);
+  const QImage without = greyest(RestGhost::Hidden);
+  int changed = 0;
+  int mostColored = 0;
+  for (int y = 0; y < with.height(); ++y)
+    for (int x = 0; x < with.width(); ++x) {
+      if (with.pixel(x, y) == without.pixel(x, y)) continue;
+      const QColor color = with.pixelColor(x, y);
+      const auto [least, most] = std::minmax({color.red(), color.green(), color.blue()});
+      mostColored = std::max(mostColored, most - least);
+      ++changed;
+    }
+  EXPECT_GT(changed, 10'000);
+  EXPECT_LT(mostColored, 40);
+}
+
+TEST_F(PictureOfBar, RoundingIsNoField)
+{
+  open("head.ply", "head.rigid_eyes.constraints.json");
+  const Eigen::VectorXd along = (editor().positions() - editor().model()->mesh.positions).col(1);
+  ASSERT_GT(along.cwiseAbs().maxCoeff(), 0) << "nothing is rounded";
+  openPanel("Colours");
+  chooseEntry(find<QComboBox>("colorField"), static_cast<int>(ColorBy::DisplacementY));
+  EXPECT_EQ(viewport().legend().line, "Displacement y: nothing to show");
+  chooseEntry(find<QComboBox>("colorField"), static_cast<int>(ColorBy::DisplacementX));
+  EXPECT_TRUE(viewport().coloring());
+}
+
 TEST_F(PictureOfBar, IsCopiedAsItIsInTheWindow)
 {
   QGuiApplication::clipboard()->clear();

@@ -89,6 +89,43 @@ TEST_F(ViewsInWindow, ShowAllFitsInParallelProjectionFromEverySide)
   }
 }
 
+TEST_F(ViewsInWindow, ShowAllLeavesRoomForTheLegendAtTheLeft)
+{
+  openPanel("Colours");
+  chooseEntry(find<QComboBox>("legendSide"), 1);
+  viewport().setFocus();
+  press(Qt::Key_Home);
+  const QRectF room = QRectF(viewport().rect()).adjusted(139, 0, -139, 0);
+  EXPECT_TRUE(room.contains(covered()));
+  EXPECT_FALSE(covered().intersects(viewport().legendBox()));
+}
+
+TEST_F(ViewsInWindow, ShowAllShowsAllOfTheGizmo)
+{
+  open("bar.obj", "bar.twist_90.constraints.json");
+  viewport().setFocus();
+  press(Qt::Key_1, Qt::ControlModifier);
+  editor().selectConstraints({*indexOf(list(), "top")});
+  ASSERT_TRUE(settle());
+  const auto ring = [this] {
+    QRectF box(0, 0, 2 * kGizmoPixels, 2 * kGizmoPixels);
+    box.moveCenter(shownAt(window.gizmo().gizmo().GetFrame().center));
+    return box;
+  };
+  const QRectF all = viewport().rect();
+  ASSERT_FALSE(all.contains(ring())) << "the handle is at the end of the bar";
+  for (const auto& [code, modifiers] :
+       {std::pair(Qt::Key_Home, Qt::KeyboardModifiers()), std::pair(Qt::Key_5, Qt::KeyboardModifiers(Qt::ControlModifier)),
+        std::pair(Qt::Key_Home, Qt::KeyboardModifiers()), std::pair(Qt::Key_3, Qt::KeyboardModifiers(Qt::ControlModifier))})
+    press(code, modifiers);
+  EXPECT_TRUE(all.contains(ring()));
+  EXPECT_TRUE(all.contains(covered()));
+  EXPECT_GT(covered().united(ring()).height(), 0.8 * viewport().height()) << "no farther than that";
+  const Camera before = camera();
+  press(Qt::Key_Home);
+  EXPECT_LT((camera().position - before.position).norm(), 0.02 * (before.position - before.focalPoint).norm());
+}
+
 TEST_F(ViewsInWindow, PreviousViewTakesDragsWheelAndKeysBackOneByOne)
 {
   std::vector<Camera> views{camera()};

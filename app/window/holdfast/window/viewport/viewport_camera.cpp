@@ -15,8 +15,12 @@ namespace holdfast {
 namespace {
 
 // For the legend and the axes in the corner, and at most a share of the width.
-constexpr double kPixelsFreeAtRight = 140;
-constexpr double kMostFreeAtRight = 0.25;
+constexpr double kPixelsFree = 140;
+constexpr double kMostFree = 0.25;
+
+// The gizmo has a size in pixels, so its place depends on the camera: a step leaves at most half of the error of the
+// one before in a picture of 460 pixels.
+constexpr int kGizmoSteps = 5;
 
 constexpr std::size_t kMostViews = 200;
 
@@ -77,8 +81,19 @@ void Viewport::noteView()
 void Viewport::fitCamera(const ViewFrame& frame)
 {
   const double aspect = static_cast<double>(width()) / std::max(1, height());
-  const double freeAtRight = std::min(kPixelsFreeAtRight / std::max(1, width()), kMostFreeAtRight);
-  fit(*renderer_->GetActiveCamera(), frame, shownPositions(), aspect, freeAtRight);
+  const double share = std::min(kPixelsFree / std::max(1, width()), kMostFree);
+  const FreeSides free{display_.legend == LegendSide::Left ? share : 0, share};
+  vtkCamera& camera = *renderer_->GetActiveCamera();
+  Positions places = shownPositions();
+  fit(camera, frame, places, aspect, free);
+  const Index count = places.rows();
+  for (int step = 0; step < kGizmoSteps && firstTool_ != nullptr; ++step) {
+    const std::vector<Vector3> extent = firstTool_->extent();
+    if (extent.empty()) break;
+    places.conservativeResize(count + static_cast<Index>(extent.size()), Eigen::NoChange);
+    for (std::size_t k = 0; k < extent.size(); ++k) places.row(count + static_cast<Index>(k)) = extent[k];
+    fit(camera, frame, places, aspect, free);
+  }
   cameraMoved();
 }
 

@@ -60,7 +60,8 @@ void Viewport::scheduleRender()
 void Viewport::scheduleWidgets()
 {
   // A widget that has moved the camera does not report it, and the kept scene includes the balls in the corner.
-  if (orientation_->GetProcessEvents() != 0 || kept_->isOutdated()) return scheduleRender();
+  const bool isAnotherView = shownView_ != cameraOf(*renderer_->GetActiveCamera());
+  if (orientation_->GetProcessEvents() != 0 || isAnotherView) return scheduleRender();
   schedulePicture();
 }
 
@@ -91,6 +92,7 @@ void Viewport::render()
 void Viewport::prepareScene()
 {
   isCoarse_ = contents_ && fullMilliseconds_ > kFluentMilliseconds;
+  if (isCoarse_ && !restTimer_.isActive()) restTimer_.start();
   kept_->setKeeping(!isCoarse_);
   noteView();
   if (contents_) {
