@@ -206,6 +206,25 @@ class UpAxisInWindow : public ViewsInWindow {
   }
 
   /// The same as a file, whose numbers have six decimals.
+  void openTextPly(const std::filesystem::path& path)
+  {
+    const Mesh mesh = readMesh(test::dataFolder() + "/head.ply").mesh;
+    std::ofstream file(path);
+    file << "ply\nformat ascii 1.0\nelement vertex " << mesh.vertexCount()
+         << "\nproperty float x\nproperty float y\nproperty float z\nelement face " << mesh.faces.size()
+         << "\nproperty list uchar int vertex_indices\nend_header\n"
+         << std::fixed << std::setprecision(6);
+    for (Index v = 0; v < mesh.vertexCount(); ++v)
+      file << mesh.positions(v, 0) << ' ' << mesh.positions(v, 1) << ' ' << mesh.positions(v, 2) << '\n';
+    for (Index f = 0; f < mesh.faces.size(); ++f)
+      file << "3 " << mesh.faces[f][0] << ' ' << mesh.faces[f][1] << ' ' << mesh.faces[f][2] << '\n';
+    file.close();
+    NoProgress quiet;
+    editor().open(loadMesh(path, quiet), {});
+    ASSERT_TRUE(settle());
+  }
+
+  /// The same.
   void openText(const std::filesystem::path& path)
   {
     const Mesh mesh = readMesh(test::dataFolder() + "/head.ply").mesh;
@@ -244,6 +263,10 @@ TEST_F(UpAxisInWindow, ScansStandUpright)
   const test::TemporaryFolder folder;
   openText(folder.path() / "text.obj");
   EXPECT_TRUE(isUp(Vector3::UnitY())) << "nine digits are single precision";
+  press(Qt::Key_U, Qt::ControlModifier);
+  EXPECT_TRUE(isUp(Vector3::UnitZ())) << "a guess is one key away";
+  openTextPly(folder.path() / "text.ply");
+  EXPECT_TRUE(isUp(Vector3::UnitY())) << "in every format of text";
 }
 
 TEST_F(UpAxisInWindow, WhatIsBuiltOrPrintedStandsOnItsBase)
