@@ -228,7 +228,8 @@ TEST_F(MeasuringInWindow, LabelsStayInsideThePictureAndApart)
   };
   const QRectF picture = viewport().rect();
   QPointF at = seenAt(a);
-  for (const QPointF& corner : {at, QPointF(2, 2), picture.bottomRight() - QPointF(3, 3), QPointF(2, picture.height() - 3)}) {
+  for (const QPointF& corner :
+       {at, QPointF(2, 2), picture.bottomRight() - QPointF(3, 3), QPointF(2, picture.height() - 3)}) {
     test::drag(viewport(), {at, (at + corner) / 2, corner}, Qt::MiddleButton);
     ASSERT_TRUE(settle());
     at = corner;

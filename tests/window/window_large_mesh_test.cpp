@@ -87,6 +87,7 @@ TEST_F(LargeMeshInWindow, IsDrawnInFullWhileTheCursorMoves)
 {
   trigger("toolPoint");
   test::drag(viewport(), {{100, 100}, {120, 110}, {140, 120}}, Qt::RightButton);
+  ASSERT_TRUE(test::waitUntil([this] { return !viewport().isInFullDetail(); }));
   int k = 0;
   EXPECT_TRUE(test::waitUntil(
       [&] {

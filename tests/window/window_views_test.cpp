@@ -114,10 +114,11 @@ TEST_F(ViewsInWindow, ShowAllShowsAllOfTheGizmo)
   };
   const QRectF all = viewport().rect();
   ASSERT_FALSE(all.contains(ring())) << "the handle is at the end of the bar";
-  for (const auto& [code, modifiers] :
-       {std::pair(Qt::Key_Home, Qt::KeyboardModifiers()), std::pair(Qt::Key_5, Qt::KeyboardModifiers(Qt::ControlModifier)),
-        std::pair(Qt::Key_Home, Qt::KeyboardModifiers()), std::pair(Qt::Key_3, Qt::KeyboardModifiers(Qt::ControlModifier))})
-    press(code, modifiers);
+  press(Qt::Key_Home);
+  EXPECT_TRUE(all.contains(ring()));
+  press(Qt::Key_5, Qt::ControlModifier);
+  press(Qt::Key_3, Qt::ControlModifier);
+  ASSERT_TRUE(viewport().isParallelProjection());
   EXPECT_TRUE(all.contains(ring()));
   EXPECT_TRUE(all.contains(covered()));
   EXPECT_GT(covered().united(ring()).height(), 0.8 * viewport().height()) << "no farther than that";

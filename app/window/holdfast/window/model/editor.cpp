@@ -38,11 +38,11 @@ bool hasNineDigits(double value)
   return read == value;
 }
 
-bool hasSinglePrecision(const Positions& positions)
+bool hasSinglePrecision(const Positions& positions, bool isText)
 {
   const Index step = std::max<Index>(1, positions.size() / kSampledCoordinates);
   for (Index k = 0; k < positions.size(); k += step)
-    if (!hasNineDigits(positions.data()[k]) && !isFloat(positions.data()[k])) return false;
+    if (!isFloat(positions.data()[k]) && !(isText && hasNineDigits(positions.data()[k]))) return false;
   return true;
 }
 
@@ -67,7 +67,9 @@ LoadedMesh prepareMesh(MeshDocument document, const std::filesystem::path& path,
   loaded.contents = std::make_shared<SceneContents>(model);
   if (isLarge(model)) loaded.contents->setDetail(Detail::Coarse);
   loaded.surface = std::make_shared<const VisibleSurface>(model);
-  loaded.isScan = loaded.regions->flatShare() < kFlatShareOfScans && hasSinglePrecision(model.mesh.positions);
+  const auto& source = loaded.document.source;
+  loaded.isScan = loaded.regions->flatShare() < kFlatShareOfScans &&
+                  hasSinglePrecision(model.mesh.positions, source && source->isText());
   return loaded;
 }
 

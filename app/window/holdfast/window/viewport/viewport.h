@@ -247,6 +247,7 @@ class Viewport : public VtkView {
   double fullMilliseconds_ = 0;  // of the last picture in full detail
   bool isCoarse_ = false;
   bool isSceneDue_ = false;  // the next picture is one of the document, too
+  bool isFullDue_ = false;   // the mouse rests long enough, but a coarse picture is under way
 
   // Beyond this a moving picture is drawn of fewer triangles.
   static constexpr double kFluentMilliseconds = 30;

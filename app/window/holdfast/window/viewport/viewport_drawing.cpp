@@ -73,6 +73,8 @@ void Viewport::render()
   // The driver still draws what was abandoned, and the next picture would wait for it.
   if (isOneComing || !fence_->pass()) return renderTimer_.start(kMillisecondsBetweenLooks);
   if (!isVisible()) return;
+  // Where the cursor moves all the time, coarse pictures would follow one another for ever.
+  if (std::exchange(isFullDue_, false) && !isSceneDue_) return renderInFull();
   const bool areOnlyWidgets = !std::exchange(isSceneDue_, false) && kept_->isCurrent();
   if (!areOnlyWidgets) prepareScene();
   Q_EMIT aboutToRender();
@@ -157,7 +159,8 @@ void Viewport::prepareToMove()
 void Viewport::renderInFull()
 {
   if (!isVisible() || !isValid() || !isCoarse_ || isHeld_) return;
-  if (drawnTimer_.isActive() || !fence_->pass()) return restTimer_.start();
+  isFullDue_ = drawnTimer_.isActive() || !fence_->pass();
+  if (isFullDue_) return restTimer_.start();
   fitClippingRange();
   Q_EMIT aboutToRender();
   drawing_.start();
