@@ -1,4 +1,6 @@
 #include <QDialog>
+#include <QLineEdit>
+#include <QTreeWidget>
 
 #include <holdfast/window/controls/theme.h>
 
@@ -67,6 +69,31 @@ void inside(TourWindow& tour)
   tour.trigger("toolSelect");
 }
 
+/// Two that are saved, the second one selected; beside a ruler and probes.
+void selections(TourWindow& tour)
+{
+  tour.editor().selectConstraints({});
+  tour.raise("measuredDock");
+  tour.clickVertices("toolRuler", {Vector3(-26, 10, 71), Vector3(26, 10, 71)});
+  tour.clickVertices("toolProbe", {Vector3(0, 10, 70), Vector3(0, -30, 12)});
+  for (const auto& [name, place] :
+       {std::pair("pad", Vector3(0, -18, 15)), std::pair("right gusset", Vector3(29, 0, 24))}) {
+    tour.clickVertices("toolFlood", {place});
+    tour.trigger("saveSelection");
+    auto* line = tour.find<QTreeWidget>("selectionTree").findChild<QLineEdit*>();
+    require(line != nullptr, "the name of the new selection can be typed");
+    line->setText(name);
+    test::pressKey(*line, Qt::Key_Return);
+    tour.settle();
+  }
+  test::moveMouse(tour.viewport(), QPointF(3, 3));
+  tour.picture("window_selections");
+  tour.trigger("removeMeasurements");
+  tour.trigger("deselect");
+  tour.trigger("toolSelect");
+  tour.raise("constraintsDock");
+}
+
 }  // namespace
 
 void looks(TourWindow& tour)
@@ -112,6 +139,7 @@ void documentPictures(TourWindow& tour)
   tour.trigger("frameAll");
   tour.select("flange east");
   tour.picture("window");
+  selections(tour);
   tour.open("bar.obj", "bar.twist_360.constraints.json");
   tour.trigger("frameAll");
   tour.choose("colorField", static_cast<int>(ColorBy::Angle));

@@ -6,17 +6,9 @@
 #include <holdfast/window/controls/theme.h>
 
 #include "chapters.h"
-#include "window/gestures.h"
 
 namespace holdfast::tour {
 namespace {
-
-void clickVertices(TourWindow& tour, const char* tool, const std::vector<Vector3>& places)
-{
-  tour.trigger(tool);
-  for (const Vector3& place : places) test::click(tour.viewport(), tour.shownVertex(tour.nearestVertex(place)));
-  tour.settle();
-}
 
 /// A point selected, a probe, a ruler and a saved selection; the panels that are about them.
 void bracket(TourWindow& tour, const std::string& look)
@@ -25,9 +17,9 @@ void bracket(TourWindow& tour, const std::string& look)
   tour.trigger("frameAll");
   tour.raise("constraintsDock");
   tour.raise("inspectorDock");
-  clickVertices(tour, "toolRuler", {Vector3(-60, -30, 80), Vector3(60, -30, 80)});
-  clickVertices(tour, "toolProbe", {Vector3(0, -30, 70)});
-  clickVertices(tour, "toolFlood", {Vector3(20, 10, 12)});
+  tour.clickVertices("toolRuler", {Vector3(-60, -30, 80), Vector3(60, -30, 80)});
+  tour.clickVertices("toolProbe", {Vector3(0, -30, 70)});
+  tour.clickVertices("toolFlood", {Vector3(20, 10, 12)});
   tour.trigger("saveSelection");
   tour.trigger("deselect");
   tour.trigger("toolSelect");

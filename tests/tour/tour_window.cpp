@@ -118,6 +118,13 @@ void TourWindow::trigger(const char* name)
   settle();
 }
 
+void TourWindow::clickVertices(const char* tool, const std::vector<Vector3>& places)
+{
+  trigger(tool);
+  for (const Vector3& place : places) test::click(viewport(), shownVertex(nearestVertex(place)));
+  settle();
+}
+
 void TourWindow::ask(const char* action, const std::function<void(QWidget&)>& see)
 {
   bool wasSeen = false;

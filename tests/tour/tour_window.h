@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include <holdfast/window/viewport/viewport.h>
 #include <holdfast/window/window/main_window.h>
@@ -52,6 +53,8 @@ class TourWindow {
   void settle();
 
   void trigger(const char* action);
+  /// With a tool, those nearest to some places.
+  void clickVertices(const char* tool, const std::vector<Vector3>& places);
   /// Triggers an action that asks something, and hands the dialog to `see` before it is closed.
   void ask(const char* action, const std::function<void(QWidget&)>& see);
   /// Brings a panel to the front of its stack.

@@ -268,7 +268,7 @@ TEST(DefaultCamera, FitsAMeshIntoAParallelPictureAndLeavesRoomAtTheRight)
         const Positions points = test::box(size, 2).positions;
         vtkNew<vtkCamera> camera;
         camera->SetParallelProjection(isParallel);
-        fit(*camera, defaultFrame(points), points, aspect, 0.2);
+        fit(*camera, defaultFrame(points), points, aspect, {0, 0.2});
         vtkMatrix4x4& view = *camera->GetCompositeProjectionTransformMatrix(aspect, -1, 1);
         Positions shown(points.rows(), 3);
         for (Index k = 0; k < points.rows(); ++k) {

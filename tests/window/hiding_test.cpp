@@ -138,6 +138,34 @@ TEST_F(HidingInWindow, TheIsolatedSelectionIsAllThatIsShown)
   EXPECT_EQ(trianglesSelected(), some);
 }
 
+TEST_F(HidingInWindow, WhatMakesASelectionLargerLeavesHiddenVertices)
+{
+  selectTop();
+  key(Qt::Key_I, Qt::ShiftModifier);
+  ASSERT_TRUE(settle());
+  const std::vector<Index> shown = editor().selectedVertices();
+  const Index vertex = shown.front();
+  ASSERT_LT(shown.size(), static_cast<std::size_t>(editor().model()->mesh.vertexCount()));
+  key(Qt::Key_Plus);
+  EXPECT_EQ(editor().selectedVertices(), shown) << "a ring around it is hidden";
+  editor().selectVertices({vertex});
+  key(Qt::Key_L, Qt::ControlModifier);
+  EXPECT_EQ(editor().selectedVertices(), shown);
+  editor().selectVertices({vertex});
+  key(Qt::Key_I);
+  EXPECT_EQ(editor().selectedVertices().size(), shown.size() - 1);
+  EXPECT_FALSE(std::ranges::binary_search(editor().selectedVertices(), vertex));
+  // Twice the same click: the tool, with its double click, takes whole parts.
+  trigger("deselect");
+  keys("w");
+  test::click(viewport(), shownAt(top()));
+  test::doubleClick(viewport(), shownAt(top()));
+  EXPECT_EQ(editor().selectedVertices(), shown);
+  key(Qt::Key_H, Qt::ControlModifier | Qt::ShiftModifier);
+  key(Qt::Key_Plus);
+  EXPECT_GT(editor().selectedVertices().size(), shown.size());
+}
+
 TEST_F(HidingInWindow, SelectionsWithoutAWholeFaceOrOfAllHideNothing)
 {
   editor().selectVertices({0});

@@ -15,6 +15,7 @@
 #include <holdfast/window/controls/theme.h>
 #include <holdfast/window/panels/sphere_panel.h>
 #include <holdfast/window/text/number_text.h>
+#include <holdfast/window/viewport/viewport_overlay.h>
 
 #include "gestures.h"
 #include "window_user.h"
@@ -205,6 +206,41 @@ TEST_F(MeasuringInWindow, RulersStayWithTheirDifferenceFromRest)
   EXPECT_EQ(accentPixels(), plain);
   open("bar.obj");
   EXPECT_EQ(tree().topLevelItemCount(), 1);
+}
+
+TEST_F(MeasuringInWindow, LabelsStayInsideThePictureAndApart)
+{
+  const auto& overlay = find<ViewportOverlay>("overlay");
+  const Index a = freeVertex();
+  const Vector3 far = nowOf(a) + Vector3(0, 0, 40);
+  Index b = a;
+  for (Index v = 0; v < editor().positions().rows(); ++v)
+    if ((nowOf(v) - far).norm() < (nowOf(b) - far).norm()) b = v;
+  Measurements measurements;
+  for (const Index v : {a, a, b, a}) measurements.probes.emplace_back(AtVertex{v});
+  for (const Index v : {b, b}) measurements.rulers.push_back({AtVertex{a}, AtVertex{v}});
+  editor().setMeasurements("measurements", measurements);
+  const auto labels = [&] {
+    std::vector<QRectF> all;
+    for (const auto& [box, text] : overlay.rulerLabels()) all.push_back(box);
+    for (const auto& probe : overlay.shownProbes()) all.push_back(probe.label);
+    return all;
+  };
+  const QRectF picture = viewport().rect();
+  QPointF at = seenAt(a);
+  for (const QPointF& corner :
+       {at, QPointF(2, 2), picture.bottomRight() - QPointF(3, 3), QPointF(2, picture.height() - 3)}) {
+    test::drag(viewport(), {at, (at + corner) / 2, corner}, Qt::MiddleButton);
+    ASSERT_TRUE(settle());
+    at = corner;
+    const std::vector<QRectF> all = labels();
+    EXPECT_GE(all.size(), 5U);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      EXPECT_TRUE(picture.contains(all[k])) << k;
+      EXPECT_FALSE(all[k].intersects(viewport().legendBox())) << k;
+      for (std::size_t j = 0; j < k; ++j) EXPECT_FALSE(all[j].intersects(all[k])) << j << ' ' << k;
+    }
+  }
 }
 
 TEST_F(MeasuringInWindow, TheSectionPlaneDrawsTheCut)

@@ -83,6 +83,21 @@ TEST_F(LargeMeshInWindow, EveryPictureOfAMovementIsSeen)
   EXPECT_TRUE(test::waitUntil([&] { return isSeen; }));
 }
 
+TEST_F(LargeMeshInWindow, IsDrawnInFullWhileTheCursorMoves)
+{
+  trigger("toolPoint");
+  test::drag(viewport(), {{100, 100}, {120, 110}, {140, 120}}, Qt::RightButton);
+  ASSERT_TRUE(test::waitUntil([this] { return !viewport().isInFullDetail(); }));
+  int k = 0;
+  EXPECT_TRUE(test::waitUntil(
+      [&] {
+        ++k;
+        test::moveMouse(viewport(), {viewport().width() / 2.0 + k % 20, viewport().height() / 2.0});
+        return viewport().isInFullDetail();
+      },
+      std::chrono::seconds(30)));
+}
+
 TEST_F(LargeMeshInWindow, PicturesAreOpaque)
 {
   const QImage rested = viewport().grabFramebuffer();

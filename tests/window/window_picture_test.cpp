@@ -74,6 +74,45 @@ TEST_F(PictureOfBar, KeysShowEdgesAndSurfaceInTurn)
   EXPECT_EQ(surface().GetRepresentation(), VTK_SURFACE);
 }
 
+TEST_F(PictureOfBar, TheShapeAtRestIsNotWhiteWhereItsLayersOverlap)
+{
+  open("head.ply", "head.rigid_eyes.constraints.json");
+  viewport().setColors({ColorBy::None});
+  const auto drawnWith = [this](RestGhost ghost) {
+    viewport().setDisplay({ghost, MeshEdges::Sharp, SurfaceDisplay::Shaded, RotationDisplay::Arrows, true});
+    EXPECT_TRUE(settle());
+    return viewport().grabFramebuffer().convertToFormat(QImage::Format_RGB32);
+  };
+  const QImage with = drawnWith(RestGhost::Surface);
+  const QImage without = drawnWith(RestGhost::Hidden);
+  const auto isWhite = [](const QColor& color, int least) {
+    return std::min({color.red(), color.green(), color.blue()}) >= least;
+  };
+  int changed = 0;
+  int whitened = 0;
+  for (int y = 0; y < with.height(); ++y)
+    for (int x = 0; x < with.width(); ++x) {
+      changed += with.pixel(x, y) != without.pixel(x, y) ? 1 : 0;
+      // Six layers of white leave a third of what was there.
+      constexpr int kNearlyWhite = 250;
+      if (isWhite(with.pixelColor(x, y), 255) && !isWhite(without.pixelColor(x, y), kNearlyWhite)) ++whitened;
+    }
+  EXPECT_GT(changed, 10'000);
+  EXPECT_EQ(whitened, 0);
+}
+
+TEST_F(PictureOfBar, RoundingIsNoField)
+{
+  open("head.ply", "head.rigid_eyes.constraints.json");
+  const Eigen::VectorXd along = (editor().positions() - editor().model()->mesh.positions).col(1);
+  ASSERT_GT(along.cwiseAbs().maxCoeff(), 0) << "nothing is rounded";
+  openPanel("Colours");
+  chooseEntry(find<QComboBox>("colorField"), static_cast<int>(ColorBy::DisplacementY));
+  EXPECT_EQ(viewport().legend().line, "Displacement y: nothing to show");
+  chooseEntry(find<QComboBox>("colorField"), static_cast<int>(ColorBy::DisplacementX));
+  EXPECT_TRUE(viewport().coloring());
+}
+
 TEST_F(PictureOfBar, IsCopiedAsItIsInTheWindow)
 {
   QGuiApplication::clipboard()->clear();

@@ -89,6 +89,44 @@ TEST_F(ViewsInWindow, ShowAllFitsInParallelProjectionFromEverySide)
   }
 }
 
+TEST_F(ViewsInWindow, ShowAllLeavesRoomForTheLegendAtTheLeft)
+{
+  openPanel("Colours");
+  chooseEntry(find<QComboBox>("legendSide"), 1);
+  viewport().setFocus();
+  press(Qt::Key_Home);
+  const QRectF room = QRectF(viewport().rect()).adjusted(139, 0, -139, 0);
+  EXPECT_TRUE(room.contains(covered()));
+  EXPECT_FALSE(covered().intersects(viewport().legendBox()));
+}
+
+TEST_F(ViewsInWindow, ShowAllShowsAllOfTheGizmo)
+{
+  open("bar.obj", "bar.twist_90.constraints.json");
+  viewport().setFocus();
+  press(Qt::Key_1, Qt::ControlModifier);
+  editor().selectConstraints({*indexOf(list(), "top")});
+  ASSERT_TRUE(settle());
+  const auto ring = [this] {
+    QRectF box(0, 0, 2 * kGizmoPixels, 2 * kGizmoPixels);
+    box.moveCenter(shownAt(window.gizmo().gizmo().GetFrame().center));
+    return box;
+  };
+  const QRectF all = viewport().rect();
+  ASSERT_FALSE(all.contains(ring())) << "the handle is at the end of the bar";
+  press(Qt::Key_Home);
+  EXPECT_TRUE(all.contains(ring()));
+  press(Qt::Key_5, Qt::ControlModifier);
+  press(Qt::Key_3, Qt::ControlModifier);
+  ASSERT_TRUE(viewport().isParallelProjection());
+  EXPECT_TRUE(all.contains(ring()));
+  EXPECT_TRUE(all.contains(covered()));
+  EXPECT_GT(covered().united(ring()).height(), 0.8 * viewport().height()) << "no farther than that";
+  const Camera before = camera();
+  press(Qt::Key_Home);
+  EXPECT_LT((camera().position - before.position).norm(), 0.02 * (before.position - before.focalPoint).norm());
+}
+
 TEST_F(ViewsInWindow, PreviousViewTakesDragsWheelAndKeysBackOneByOne)
 {
   std::vector<Camera> views{camera()};
@@ -169,6 +207,25 @@ class UpAxisInWindow : public ViewsInWindow {
   }
 
   /// The same as a file, whose numbers have six decimals.
+  void openTextPly(const std::filesystem::path& path)
+  {
+    const Mesh mesh = readMesh(test::dataFolder() + "/head.ply").mesh;
+    std::ofstream file(path);
+    file << "ply\nformat ascii 1.0\nelement vertex " << mesh.vertexCount()
+         << "\nproperty float x\nproperty float y\nproperty float z\nelement face " << mesh.faces.size()
+         << "\nproperty list uchar int vertex_indices\nend_header\n"
+         << std::fixed << std::setprecision(6);
+    for (Index v = 0; v < mesh.vertexCount(); ++v)
+      file << mesh.positions(v, 0) << ' ' << mesh.positions(v, 1) << ' ' << mesh.positions(v, 2) << '\n';
+    for (Index f = 0; f < mesh.faces.size(); ++f)
+      file << "3 " << mesh.faces[f][0] << ' ' << mesh.faces[f][1] << ' ' << mesh.faces[f][2] << '\n';
+    file.close();
+    NoProgress quiet;
+    editor().open(loadMesh(path, quiet), {});
+    ASSERT_TRUE(settle());
+  }
+
+  /// The same.
   void openText(const std::filesystem::path& path)
   {
     const Mesh mesh = readMesh(test::dataFolder() + "/head.ply").mesh;
@@ -207,6 +264,10 @@ TEST_F(UpAxisInWindow, ScansStandUpright)
   const test::TemporaryFolder folder;
   openText(folder.path() / "text.obj");
   EXPECT_TRUE(isUp(Vector3::UnitY())) << "nine digits are single precision";
+  press(Qt::Key_U, Qt::ControlModifier);
+  EXPECT_TRUE(isUp(Vector3::UnitZ())) << "a guess is one key away";
+  openTextPly(folder.path() / "text.ply");
+  EXPECT_TRUE(isUp(Vector3::UnitY())) << "in every format of text";
 }
 
 TEST_F(UpAxisInWindow, WhatIsBuiltOrPrintedStandsOnItsBase)

@@ -25,6 +25,9 @@ class MeshSource {
   /// Of the format, lower case with the dot: ".obj".
   [[nodiscard]] virtual std::string extension() const = 0;
 
+  /// Whether numbers are written in digits.
+  [[nodiscard]] virtual bool isText() const { return false; }
+
   /// The file as it was read, with `positions` (as many rows) in place of its own, which `rest` has with its faces.
   /// Normals are kept where none of their vertices moved; elsewhere they are recomputed or dropped, and a note says
   /// which. Doubles read back bit for bit in formats that can hold them. Throws `OutputError` where a coordinate is too

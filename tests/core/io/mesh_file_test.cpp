@@ -120,6 +120,14 @@ TEST_F(MeshFile, TheExtensionCountsInAnyCase)
   EXPECT_EQ(serializeMesh(document, document.mesh.positions, ".Obj").bytes, kObj);
 }
 
+TEST_F(MeshFile, TextsAreToldFromBinaryFiles)
+{
+  const Mesh mesh = test::tetrahedron();
+  for (const auto& [extension, isText] : {std::pair(".obj", true), {".off", true}, {".ply", false}, {".stl", false}})
+    EXPECT_EQ(readBack(serializeMesh({mesh, nullptr}, mesh.positions, extension), extension).source->isText(), isText)
+        << extension;
+}
+
 TEST_F(MeshFile, EveryKnownExtensionIsReadAndWritten)
 {
   const Mesh mesh = test::tetrahedron();

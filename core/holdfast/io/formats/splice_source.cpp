@@ -61,6 +61,7 @@ class SpliceSource final : public MeshSource {
   SpliceSource(std::string bytes, FileLayout layout) : bytes_(std::move(bytes)), layout_(std::move(layout)) {}
 
   [[nodiscard]] std::string extension() const override { return layout_.extension; }
+  [[nodiscard]] bool isText() const override { return !layout_.byteOrder; }
   [[nodiscard]] std::vector<std::string> extras() const override { return layout_.extras; }
 
   [[nodiscard]] Serialized withPositions(const Mesh& rest, const Positions& positions) const override

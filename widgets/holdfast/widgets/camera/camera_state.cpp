@@ -139,7 +139,7 @@ ViewFrame defaultFrame(const Positions& positions, UpAxis up)
   return {upright(up, right), upright(up, back.cross(right)), upright(up, back)};
 }
 
-void fit(vtkCamera& camera, const ViewFrame& frame, const Positions& points, double aspect, double freeAtRight)
+void fit(vtkCamera& camera, const ViewFrame& frame, const Positions& points, double aspect, const FreeSides& free)
 {
   // Planes of these slopes through the eye have all points between them. Those of a parallel projection are parallel,
   // and its half height takes the place of the eye's distance.
@@ -148,8 +148,8 @@ void fit(vtkCamera& camera, const ViewFrame& frame, const Positions& points, dou
   const double perHeight = isParallel ? 1 : lens;
   const double perDepth = isParallel ? 0 : 1;
   const double slope = perHeight * (1 - 2 * kMargin);
-  const double slopeLeft = slope * aspect;
-  const double slopeRight = perHeight * (1 - 2 * std::max(kMargin, freeAtRight)) * aspect;
+  const double slopeLeft = perHeight * (1 - 2 * std::max(kMargin, free.left)) * aspect;
+  const double slopeRight = perHeight * (1 - 2 * std::max(kMargin, free.right)) * aspect;
   const Vector3 back = perDepth * frame.back;
   Eigen::Matrix<double, 3, 6> directions;
   directions << slopeRight * back + frame.right, slopeLeft * back - frame.right, slope * back + frame.up,

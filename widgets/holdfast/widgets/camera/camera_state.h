@@ -58,8 +58,14 @@ enum class UpAxis { Y, Z };
 /// other of these two, and raised, higher above flat meshes.
 [[nodiscard]] ViewFrame defaultFrame(const Positions& positions, UpAxis up = UpAxis::Z);
 
-/// Places `camera` along `frame`, as near as `points` (one at least) fit a picture of width / height `aspect`; in
-/// parallel projection as large as they fit. At the right a share of the width may be left free. O(N).
-void fit(vtkCamera& camera, const ViewFrame& frame, const Positions& points, double aspect, double freeAtRight = 0);
+/// Shares of the picture's width.
+struct FreeSides {
+  double left = 0;
+  double right = 0;
+};
+
+/// Places `camera` along `frame`, as near as `points` (one at least) fit a picture of width / height `aspect` between
+/// two sides that stay free; in parallel projection as large as they fit. O(N).
+void fit(vtkCamera& camera, const ViewFrame& frame, const Positions& points, double aspect, const FreeSides& free = {});
 
 }  // namespace holdfast

@@ -51,6 +51,23 @@ double quantile(std::vector<double> values, double share)
   return *place;
 }
 
+// Percent. Coordinates are rounded by 1e-16 of the diagonal: sides of a millionth of it by 1e-8 percent.
+constexpr double kRoundedPercent = 1e-7;
+
+/// What is within rounding of 0 is 0: no picture of it says anything.
+std::vector<double> withoutRounding(std::vector<double> values, double rounding)
+{
+  for (double& value : values)
+    if (std::abs(value) <= rounding) value = 0;
+  return values;
+}
+
+/// Of lengths in model units: constraints hold to no more.
+double roundingOf(const Model& model)
+{
+  return kPromisedResidual * model.solverMesh.diagonal;
+}
+
 std::string inUnits(const std::string& title, const std::string& units)
 {
   return units.empty() ? title : title + "\n[" + units + "]";
@@ -115,7 +132,7 @@ Coloring displacementColoring(const Model& model, const DeformResult& deformatio
   std::vector<double> lengths;
   for (Index v = 0; v < deformation.positions.rows(); ++v)
     lengths.push_back((deformation.positions.row(v) - model.mesh.positions.row(v)).stableNorm());
-  return linearColoring(inUnits("displacement", units), std::move(lengths));
+  return linearColoring(inUnits("displacement", units), withoutRounding(std::move(lengths), roundingOf(model)));
 }
 
 /// Zero in the middle: a map of two sides shows the sign.
@@ -132,7 +149,8 @@ template <int axis>
 Coloring componentColoring(const Model& model, const DeformResult& deformation, const std::string& units)
 {
   const Eigen::VectorXd along = deformation.positions.col(axis) - model.mesh.positions.col(axis);
-  return signedColoring(inUnits(std::string("displacement ") + "xyz"[axis], units), {along.begin(), along.end()});
+  return signedColoring(inUnits(std::string("displacement ") + "xyz"[axis], units),
+                        withoutRounding({along.begin(), along.end()}, roundingOf(model)));
 }
 
 Coloring normalColoring(const Model& model, const DeformResult& deformation, const std::string& units)
@@ -147,7 +165,8 @@ Coloring normalColoring(const Model& model, const DeformResult& deformation, con
   for (Index v = 0; v < deformation.positions.rows(); ++v)
     values.push_back((deformation.positions.row(v) - model.mesh.positions.row(v))
                          .dot(unitOrZero(normals.row(mesh.weld.unknownOf[v]).transpose())));
-  return signedColoring(inUnits("displacement along\nthe normal", units), std::move(values));
+  return signedColoring(inUnits("displacement along\nthe normal", units),
+                        withoutRounding(std::move(values), roundingOf(model)));
 }
 
 /// By how many percent the sum over the triangles at each vertex of `measure(positions, triangle)` is larger than at
@@ -168,7 +187,7 @@ Coloring changeColoring(const Model& model, const DeformResult& deformation, con
   }
   for (std::size_t v = 0; v < vertices; ++v)
     values[v] = rest[v] > 0 ? 100 * (values[v] / rest[v] - 1) : std::numeric_limits<double>::quiet_NaN();
-  return signedColoring(inUnits(title, "%"), std::move(values));
+  return signedColoring(inUnits(title, "%"), withoutRounding(std::move(values), kRoundedPercent));
 }
 
 double areaOf(const Positions& positions, const Triangle& triangle)

@@ -44,7 +44,8 @@ struct Coloring {
 /// The value at a point of the surface, as it is coloured; NaN where a vertex of it has none.
 [[nodiscard]] double valueAt(const std::vector<double>& values, const SurfacePoint& point);
 
-/// None for `ColorBy::None`. `units` is the user's name of the model's length; it may be empty.
+/// None for `ColorBy::None`. Displacements below `kPromisedResidual` of the diagonal, and changes within rounding, are
+/// 0. `units` is the user's name of the model's length; it may be empty.
 [[nodiscard]] std::optional<Coloring> coloringOf(const Model& model, const DeformResult& deformation, ColorBy colorBy,
                                                  const std::string& units);
 

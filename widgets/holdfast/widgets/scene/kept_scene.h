@@ -26,8 +26,6 @@ class KeptScene {
   /// which is lost time where one scene follows another.
   void setKeeping(bool isKeeping) { isKeeping_ = isKeeping; }
 
-  /// Whether the camera has moved or the window got another size since the scene was drawn, or none was.
-  [[nodiscard]] bool isOutdated() const;
   /// Whether the scene that was drawn last is kept, and not outdated.
   [[nodiscard]] bool isCurrent() const { return isKept_ && !isOutdated(); }
 
@@ -38,6 +36,8 @@ class KeptScene {
   void drawLayersAbove();
 
  private:
+  /// Whether the camera has moved or the window got another size since the scene was drawn, or none was.
+  [[nodiscard]] bool isOutdated() const;
   void noteScene();
   void putBack();
   void smooth();

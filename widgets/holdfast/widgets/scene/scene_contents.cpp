@@ -32,6 +32,7 @@ SceneContents::SceneContents(const Model& model, std::shared_ptr<const ShadedSur
 {
   rest_.edges().GetProperty()->SetOpacity(kGhostEdgeOpacity);
   rest_.surface().GetProperty()->SetOpacity(kGhostSurfaceOpacity);
+  restSurface_->SetProperty(rest_.surface().GetProperty());
   showData(*cut_, *cutLines_);
   setColor(*cut_, kAccentColor);
   cut_->GetProperty()->LightingOff();
@@ -65,7 +66,7 @@ std::vector<vtkActor*> SceneContents::actors()
   add(arrows_.actors());
   add({&selection_.dots()});
   add(glyphs_.actors());
-  add({&mesh_.edges(), &rest_.edges(), &rest_.surface(), cut_});
+  add({&mesh_.edges(), &rest_.edges(), restSurface_, cut_});
   return all;
 }
 
@@ -127,6 +128,7 @@ void SceneContents::setHidden(const std::vector<char>& isHidden)
   const Model& model = mesh_.model();
   mesh_.setHidden(isHidden);
   rest_.setHiddenAs(mesh_);
+  restSurface_->SetMapper(rest_.surface().GetMapper());
   const auto count = static_cast<std::size_t>(model.solverMesh.unknownCount());
   isUnknownHidden_.assign(isHidden.empty() ? 0 : count, 1);
   for (std::size_t t = 0; t < isHidden.size(); ++t)
@@ -176,7 +178,7 @@ void SceneContents::setCut(const std::vector<std::array<Vector3, 2>>& segments)
 void SceneContents::setRestGhost(RestGhost ghost)
 {
   rest_.edges().SetVisibility(ghost != RestGhost::Hidden);
-  rest_.surface().SetVisibility(ghost == RestGhost::Surface);
+  restSurface_->SetVisibility(ghost == RestGhost::Surface);
   ghost_ = ghost;
   updateDetail();
 }
@@ -200,6 +202,7 @@ void SceneContents::updateDetail()
   for (FaceTint* tint : tints()) tint->setDetail(detail_);
   // The surface is too faint for its fewer triangles to be seen.
   if (ghost_ == RestGhost::Surface) rest_.setDetail(Detail::Coarse);
+  restSurface_->SetMapper(rest_.surface().GetMapper());
 }
 
 void SceneContents::setPixelRatio(double ratio)

@@ -117,6 +117,7 @@ class SceneContents {
   Columns3 rotations_;
   MeshActor mesh_;
   MeshActor rest_;
+  vtkNew<BlendedActor> restSurface_;  // draws that of `rest_`
   RegionTints regions_;
   SelectionOverlay selection_;
   RotationGlyphs arrows_;

@@ -3,11 +3,11 @@
 #include <QFontMetricsF>
 #include <QMarginsF>
 #include <QPainter>
-#include <algorithm>
 #include <utility>
 
 #include <holdfast/widgets/camera/display_transform.h>
 #include <holdfast/window/model/constraint_actions.h>
+#include <holdfast/window/viewport/label_place.h>
 
 namespace holdfast {
 namespace {
@@ -15,14 +15,6 @@ namespace {
 // Up and to the right of the cursor, clear of what is dragged.
 constexpr QPointF kLabelOffset(18, -16);
 constexpr QMarginsF kLabelMargins(6, 3, 6, 3);
-
-/// `box`, moved by as little as brings it inside `room`.
-QRectF movedInto(QRectF box, const QRectF& room)
-{
-  box.moveLeft(std::max(room.left(), std::min(box.left(), room.right() - box.width())));
-  box.moveTop(std::max(room.top(), std::min(box.top(), room.bottom() - box.height())));
-  return box;
-}
 
 }  // namespace
 
@@ -136,6 +128,16 @@ void GizmoTool::finish(vtkObject* /*caller*/, unsigned long event, void* /*data*
     editor().endGesture();
   placeGizmo();
   Q_EMIT changed();
+}
+
+std::vector<Vector3> GizmoTool::extent() const
+{
+  if (gizmo_.GetVisibility() == 0) return {};
+  const DisplayTransform view(viewport().renderer());
+  const Vector3& center = gizmo_.GetFrame().center;
+  const double radius = placementOf(view, gizmo_.GetFrame(), gizmo_.GetPixelSize() * gizmo_.GetPixelRatio()).scale;
+  return {center - radius * view.right(), center + radius * view.right(), center - radius * view.up(),
+          center + radius * view.up()};
 }
 
 QRectF GizmoTool::labelPlate() const

@@ -42,6 +42,8 @@ class GizmoTool : public ToolOf<GizmoWidget> {
     if (widget().IsDragging() && !widget().IsHeld()) widget().Keep();
   }
   bool cancel() override;
+  /// Of the outer ring, also where the gizmo has none: letters reach nearly as far.
+  [[nodiscard]] std::vector<Vector3> extent() const override;
   void paint(QPainter& painter) const override;
 
   /// The box of that label, in the viewport's coordinates and inside it; empty without a drag.

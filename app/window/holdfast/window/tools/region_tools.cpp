@@ -66,7 +66,7 @@ class RegionTool : public ToolOf<RegionWidget> {
   void reach(vtkObject* /*caller*/, unsigned long /*event*/, void* callData)
   {
     const auto& [reached, mode] = *static_cast<const RegionCallData*>(callData);
-    editor().selectVertices(joined(before_, reached, mode));
+    editor().selectVertices(joined(before_, viewport().shownAmong(reached), mode));
   }
 
   void restore()

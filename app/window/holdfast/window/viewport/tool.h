@@ -4,6 +4,9 @@
 #include <QObject>
 #include <QString>
 #include <Qt>
+#include <vector>
+
+#include <holdfast/base/types.h>
 
 class QKeyEvent;
 class QPainter;
@@ -40,6 +43,8 @@ class Tool : public QObject {
   virtual bool cancel() { return false; }
   /// Removes what the tool has made last and still holds; false if there is nothing.
   virtual bool remove() { return false; }
+  /// Places beside the surface that "show all" shows, too, as the camera stands now.
+  [[nodiscard]] virtual std::vector<Vector3> extent() const { return {}; }
   /// Draws over the picture, in the viewport's own coordinates.
   virtual void paint(QPainter& /*painter*/) const {}
 

@@ -111,6 +111,9 @@ class Viewport : public VtkView {
   /// fewer faces.
   [[nodiscard]] std::vector<std::array<Index, 2>> hiddenFaces() const;
   void hideFaces(const std::vector<std::array<Index, 2>>& ranges);
+  /// Those of some vertices that are not hidden: what selects in one step beyond the cursor leaves hidden ones as they
+  /// are.
+  [[nodiscard]] std::vector<Index> shownAmong(std::vector<Index> vertices) const;
   /// Whether each triangle is hidden; null where none is.
   [[nodiscard]] const std::shared_ptr<const std::vector<char>>& hidden() const noexcept { return hidden_; }
 
@@ -130,6 +133,8 @@ class Viewport : public VtkView {
   void scheduleRender();
   /// For VTK's interactor: draws only the layers above the document if that has not changed.
   void scheduleWidgets();
+  /// Whether the latest picture of the document is one of all its triangles.
+  [[nodiscard]] bool isInFullDetail() const noexcept { return !isCoarse_; }
   /// Whether a picture, or one of more detail, is still to come.
   [[nodiscard]] bool isRenderPending() const
   {
@@ -242,6 +247,10 @@ class Viewport : public VtkView {
   double fullMilliseconds_ = 0;  // of the last picture in full detail
   bool isCoarse_ = false;
   bool isSceneDue_ = false;  // the next picture is one of the document, too
+  bool isFullDue_ = false;   // the mouse rests long enough, but a coarse picture is under way
+
+  // Beyond this a moving picture is drawn of fewer triangles.
+  static constexpr double kFluentMilliseconds = 30;
 };
 
 }  // namespace holdfast

@@ -67,6 +67,12 @@ void Viewport::hideFaces(const std::vector<std::array<Index, 2>>& ranges)
   hideToo(std::move(triangles));
 }
 
+std::vector<Index> Viewport::shownAmong(std::vector<Index> vertices) const
+{
+  if (hidden_) std::erase_if(vertices, [this](Index vertex) { return !surface_->isShown(vertex); });
+  return vertices;
+}
+
 void Viewport::showHidden()
 {
   if (hidden_) setHidden(nullptr);

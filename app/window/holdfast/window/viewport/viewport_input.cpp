@@ -103,8 +103,8 @@ bool Viewport::event(QEvent* event)
       if (!isHeld_) wakeOrientation(static_cast<const QMouseEvent&>(*event).localPos());
       if (event->type() == QEvent::MouseButtonPress) isNewView_ = true;
       isHeld_ = static_cast<const QMouseEvent&>(*event).buttons() != Qt::NoButton;
-      // A coarse picture is drawn in full when the mouse rests.
-      if (!isHeld_ && isCoarse_) restTimer_.start();
+      // A coarse picture is drawn in full when the buttons rest.
+      if (!isHeld_ && isCoarse_ && event->type() != QEvent::MouseMove) restTimer_.start();
       smoothAtRest();
       break;
     case QEvent::Leave:

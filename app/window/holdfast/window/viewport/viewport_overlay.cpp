@@ -16,6 +16,7 @@
 #include <holdfast/window/text/color_text.h>
 #include <holdfast/window/text/constraint_text.h>
 #include <holdfast/window/text/number_text.h>
+#include <holdfast/window/viewport/label_place.h>
 #include <holdfast/window/viewport/tool.h>
 #include <holdfast/window/viewport/viewport.h>
 
@@ -26,6 +27,7 @@ constexpr double kNoteMargin = 14;
 constexpr QMarginsF kNotePadding(8, 5, 8, 5);
 
 constexpr double kProbeRadius = 5;
+constexpr QPointF kProbeLabelOffset(7, 0);
 constexpr double kRulerGap = 4;
 // A share of the way from the eye: parts of the surface that touch a place do not hide it.
 constexpr double kHidden = 1 - 1e-6;
@@ -37,16 +39,15 @@ QString valueText(const Coloring& coloring, const SurfacePoint& point)
          (std::isnan(value) ? ViewportOverlay::tr("none here") : roundedText(value));
 }
 
-/// `box` above the middle of a line, or beside it where the line is upright.
-QRectF besideLine(QRectF box, const QPointF& a, const QPointF& b)
+/// `plate` above the middle of a line, or beside it where the line is upright.
+QRectF besideLine(QRectF plate, const QPointF& a, const QPointF& b)
 {
   const QLineF line = a.x() < b.x() ? QLineF(a, b) : QLineF(b, a);
   QLineF away = line.normalVector().unitVector();
   if (line.length() == 0) away = QLineF(0, 0, 0, -1);
-  const QRectF plate = box + kNotePadding;
   const double half = (std::abs(away.dx()) * plate.width() + std::abs(away.dy()) * plate.height()) / 2;
-  box.moveCenter(line.center() + (half + kRulerGap) * QPointF(away.dx(), away.dy()));
-  return box;
+  plate.moveCenter(line.center() + (half + kRulerGap) * QPointF(away.dx(), away.dy()));
+  return plate;
 }
 
 // A shorter wait needs no number, and in a drag no word.
@@ -221,6 +222,7 @@ void ViewportOverlay::followPicture()
 ViewportOverlay::RulerLabels ViewportOverlay::currentRulerLabels() const
 {
   RulerLabels labels;
+  std::vector<QRectF> taken{viewport_.legendBox()};
   const DisplayTransform display(viewport_.renderer());
   vtkPropCollection& props = *viewport_.widgetRenderer().GetViewProps();
   for (int k = 0; k < props.GetNumberOfItems(); ++k) {
@@ -230,37 +232,57 @@ ViewportOverlay::RulerLabels ViewportOverlay::currentRulerLabels() const
     const auto b = toDisplay(display, ruler->GetHandle(1).GetPlace());
     if (!a || !b) continue;
     const QString text = toText(ruler->GetLabel());
-    const QRectF box = QFontMetricsF(font()).boundingRect(rect(), Qt::AlignLeft, text);
-    labels.emplace_back(besideLine(box, viewport_.toPlace(*a), viewport_.toPlace(*b)), text);
+    const QRectF plate = besideLine(plateOf(text), viewport_.toPlace(*a), viewport_.toPlace(*b));
+    taken.push_back(movedClear(plate, rect(), taken));
+    labels.emplace_back(taken.back() - kNotePadding, text);
   }
   return labels;
 }
 
-/// A ring, with the number in the list and the value that colours the surface; faint where the surface hides it.
-void ViewportOverlay::paintProbes(QPainter& painter) const
+QRectF ViewportOverlay::plateOf(const QString& text) const
 {
+  return QFontMetricsF(font()).boundingRect(rect(), Qt::AlignLeft, text) + kNotePadding;
+}
+
+std::vector<ViewportOverlay::ShownProbe> ViewportOverlay::shownProbes() const
+{
+  std::vector<ShownProbe> shown;
   const auto& probes = editor_.measurements().probes;
-  if (probes.empty()) return;
+  if (probes.empty()) return shown;
+  std::vector<QRectF> taken{viewport_.legendBox()};
+  for (const auto& [box, text] : rulerLabels_) taken.push_back(box + kNotePadding);
   const DisplayTransform display(viewport_.renderer());
   for (std::size_t k = 0; k < probes.size(); ++k) {
     const SurfacePoint point = pointOf(probes[k], editor_.model()->mesh);
     const Vector3 place = positionOf(point, viewport_.surface()->positions());
-    const auto shown = toDisplay(display, place);
-    if (!shown || !viewport_.surface()->isKept(place)) continue;
+    const auto pixel = toDisplay(display, place);
+    if (!pixel || !viewport_.surface()->isKept(place)) continue;
     const auto hit = viewport_.surface()->firstHit(display.rayTo(place));
-    painter.setOpacity(hit && hit->t < kHidden ? 0.4 : 1);
-    const QPointF center = viewport_.toPlace(*shown);
+    ShownProbe probe{viewport_.toPlace(*pixel), hit && hit->t < kHidden, {}, QString::number(k + 1)};
+    if (!rect().contains(probe.place.toPoint())) continue;
+    if (const auto& coloring = viewport_.coloring())
+      if (const double value = valueAt(coloring->values, point); !std::isnan(value))
+        probe.text += ": " + roundedText(value);
+    QRectF plate = plateOf(probe.text);
+    plate.moveBottomLeft(probe.place + kProbeLabelOffset);
+    taken.push_back(movedClear(plate, rect(), taken));
+    probe.label = taken.back() - kNotePadding;
+    shown.push_back(std::move(probe));
+  }
+  return shown;
+}
+
+/// A ring and the label; faint where the surface hides the place.
+void ViewportOverlay::paintProbes(QPainter& painter) const
+{
+  for (const ShownProbe& probe : shownProbes()) {
+    painter.setOpacity(probe.isBehind ? 0.4 : 1);
     painter.setBrush(Qt::NoBrush);
     for (const auto& [color, width] : {std::pair(QColor(Qt::white), 4.0), std::pair(toQColor(kAccentColor), 2.0)}) {
       painter.setPen(QPen(color, width));
-      painter.drawEllipse(center, kProbeRadius, kProbeRadius);
+      painter.drawEllipse(probe.place, kProbeRadius, kProbeRadius);
     }
-    QString text = QString::number(k + 1);
-    if (const auto& coloring = viewport_.coloring())
-      if (const double value = valueAt(coloring->values, point); !std::isnan(value)) text += ": " + roundedText(value);
-    QRectF box = QFontMetricsF(font()).boundingRect(rect(), Qt::AlignLeft, text);
-    box.moveBottomLeft(center + QPointF(kProbeRadius + 10, -kProbeRadius));
-    paintNote(painter, box, text);
+    paintNote(painter, probe.label, probe.text);
   }
   painter.setOpacity(1);
 }

@@ -4,6 +4,7 @@
 #include <QFont>
 #include <QPalette>
 #include <QPixmap>
+#include <QPointF>
 #include <QRectF>
 #include <QTimer>
 #include <QWidget>
@@ -35,6 +36,15 @@ class ViewportOverlay : public QWidget {
   using RulerLabels = std::vector<std::pair<QRectF, QString>>;
   [[nodiscard]] const RulerLabels& rulerLabels() const noexcept { return rulerLabels_; }
 
+  /// A probe that is in the picture.
+  struct ShownProbe {
+    QPointF place;
+    bool isBehind = false;  ///< the surface hides it
+    QRectF label;           ///< inside the picture, and clear of other labels
+    QString text;           ///< its number in the list, and its value of the field that colours the surface
+  };
+  [[nodiscard]] std::vector<ShownProbe> shownProbes() const;
+
  protected:
   void paintEvent(QPaintEvent* event) override;
 
@@ -44,6 +54,8 @@ class ViewportOverlay : public QWidget {
   void followCursor();
   void followPicture();
   [[nodiscard]] RulerLabels currentRulerLabels() const;
+  /// The size of a label, with its margins.
+  [[nodiscard]] QRectF plateOf(const QString& text) const;
   void paintProbes(QPainter& painter) const;
   void paintCursor(QPainter& painter) const;
   void paintNote(QPainter& painter, const QRectF& text, const QString& words) const;

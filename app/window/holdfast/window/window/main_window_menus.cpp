@@ -150,7 +150,9 @@ void MainWindow::makeSelectionMenu()
   }
   using Edit = std::vector<Index> (VertexRegions::*)(std::span<const Index>) const;
   const auto select = [this](Edit edit) {
-    return [this, edit] { editor_.selectVertices((*editor_.mesh().regions.*edit)(editor_.selectedVertices())); };
+    return [this, edit] {
+      editor_.selectVertices(viewport_->shownAmong((*editor_.mesh().regions.*edit)(editor_.selectedVertices())));
+    };
   };
   menu.addAction(tools_->reachesThrough());
   needs_.emplace_back(tools_->reachesThrough(), Needs::Document);
@@ -211,7 +213,7 @@ void MainWindow::selectBesidePlane()
   std::vector<Index> kept;
   for (Index v = 0; v < editor_.positions().rows(); ++v)
     if (isKept(*section, editor_.positions().row(v))) kept.push_back(v);
-  editor_.selectVertices(std::move(kept));
+  editor_.selectVertices(viewport_->shownAmong(std::move(kept)));
 }
 
 void MainWindow::addMirrors(QMenu& menu)
