@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <vtkActor.h>
@@ -14,6 +15,7 @@
 #include <vtkSmartPointer.h>
 #include <vtkTextActor.h>
 
+#include <holdfast/widgets/camera/display_transform.h>
 #include <holdfast/widgets/color/coloring.h>
 #include <holdfast/widgets/mesh/actors.h>
 #include <holdfast/widgets/rotation_sphere/rotation_projection.h>
