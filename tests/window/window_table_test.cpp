@@ -1,4 +1,5 @@
 #include <QCoreApplication>
+#include <QScrollBar>
 #include <QStyle>
 #include <array>
 #include <cmath>
@@ -134,10 +135,14 @@ TEST_F(TableInWindow, TargetsResidualAndStatusAreSeenAt1280WithoutScrolling)
   open("bracket.obj", "bracket.constraints.json");
   QCoreApplication::processEvents();
   const int right = table().viewport()->width();
-  for (const int column : {Table::X, Table::Y, Table::Z, Table::Residual, Table::Status})
+  EXPECT_EQ(table().horizontalScrollBar()->value(), 0);
+  for (const int column : {Table::On, Table::Name, Table::X, Table::Y, Table::Z, Table::Residual, Table::Status}) {
+    EXPECT_FALSE(table().isColumnHidden(column)) << column;
     EXPECT_LE(table().columnViewportPosition(column) + table().columnWidth(column), right) << column;
+  }
   const auto room = [this](int column) { return table().columnWidth(column) - 8; };
   const QFontMetrics metrics = table().fontMetrics();
+  EXPECT_LE(metrics.horizontalAdvance("1e-16"), room(Table::Residual));
   for (Index row = 0; row < static_cast<Index>(list().constraints.size()); ++row) {
     EXPECT_LE(metrics.horizontalAdvance(shown(row, Table::Residual)), room(Table::Residual));
     for (const int column : {Table::X, Table::Y, Table::Z}) {

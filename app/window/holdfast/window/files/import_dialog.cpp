@@ -1,9 +1,7 @@
 #include "holdfast/window/files/import_dialog.h"
 
-#include <QAbstractTableModel>
 #include <QComboBox>
 #include <QDialogButtonBox>
-#include <QGuiApplication>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QProgressBar>
@@ -12,17 +10,11 @@
 #include <array>
 #include <utility>
 
-#include <holdfast/base/lower_case.h>
-#include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/document/list_edits.h>
-#include <holdfast/document/point_lists.h>
-#include <holdfast/document/point_tables.h>
-#include <holdfast/io/files/file_bytes.h>
 #include <holdfast/window/controls/number_edit.h>
 #include <holdfast/window/controls/panel_parts.h>
-#include <holdfast/window/controls/status_style.h>
 #include <holdfast/window/files/file_messages.h>
-#include <holdfast/window/model/at_rest.h>
+#include <holdfast/window/files/import_table.h>
 #include <holdfast/window/text/constraint_text.h>
 #include <holdfast/window/text/number_text.h>
 
@@ -34,227 +26,6 @@ double usualTolerance(const Model& model)
 {
   return QString::number(0.01 * model.solverMesh.diagonal, 'g', 2).toDouble();
 }
-
-/// A constraint of the file, or what stands in its place.
-struct ImportRow {
-  std::string name;
-  std::optional<Index> constraint = {};  ///< its place in the list; none if it cannot be read
-  QString fault = {};                    ///< a sentence; empty if there is none
-};
-
-/// The constraints of a file, and what they would be in a document.
-struct ImportContents {
-  ConstraintList list;
-  std::vector<ImportRow> rows;
-  std::optional<PointTable> table;  ///< of a point list: its format and titles
-  ImportPreview preview;
-  std::vector<std::string> newNames;  ///< one for each constraint of the list: what the document will call it
-};
-
-ImportContents readImport(const std::filesystem::path& path, const std::optional<PointTableFormat>& format,
-                          const ConstraintList& present, const Model& model)
-{
-  ImportContents contents;
-  const auto add = [&](ImportRow row, Constraint&& constraint) {
-    row.constraint = static_cast<Index>(contents.list.constraints.size());
-    contents.rows.push_back(std::move(row));
-    contents.list.constraints.push_back(std::move(constraint));
-  };
-  if (lowerCase(path.extension().string()) == ".csv") {
-    contents.table = readPointTable(readTextFile(path), path.string(), format);
-    for (PointTableRow& row : std::exchange(contents.table->rows, {})) {
-      const QString fault =
-          row.fault.empty() ? QString() : QObject::tr("Line %1: %2.").arg(row.line).arg(toText(row.fault));
-      if (row.point)
-        add({row.name, {}, fault}, {row.name, true, *row.point});
-      else
-        contents.rows.push_back({row.name, {}, fault});
-    }
-  } else {
-    ConstraintList read = readConstraints(path);
-    contents.list.units = read.units;
-    for (Constraint& constraint : read.constraints) add({constraint.name}, std::move(constraint));
-  }
-  contents.preview = previewImport(contents.list, present, model);
-  const ConstraintList all = pasted(present, contents.list);
-  for (std::size_t k = present.constraints.size(); k < all.constraints.size(); ++k)
-    contents.newNames.push_back(all.constraints[k].name);
-  return contents;
-}
-
-/// One row for each constraint or point of the file, in its order.
-class ImportTable : public QAbstractTableModel {
- public:
-  enum Column { Name, Kind, Place, Goal, Distance, Where };
-
-  /// What rows are sorted by: numbers of distances, texts of the others.
-  static constexpr int kSortRole = Qt::UserRole;
-
-  [[nodiscard]] const ImportContents& contents() const { return contents_; }
-
-  void setContents(ImportContents contents, double tolerance)
-  {
-    beginResetModel();
-    contents_ = std::move(contents);
-    points_.assign(contents_.list.constraints.size(), nullptr);
-    for (const ImportedPoint& point : contents_.preview.points) points_[point.index] = &point;
-    isTicked_.resize(contents_.rows.size());
-    tickNear(tolerance);
-    endResetModel();
-  }
-
-  /// Ticks and unticks by the distance alone: what the user has ticked before is forgotten.
-  void setTolerance(double tolerance)
-  {
-    tickNear(tolerance);
-    reportChange();
-  }
-
-  void tickAll(bool isTicked)
-  {
-    for (int row = 0; row < rowCount(); ++row) isTicked_[row] = isTicked && isReadable(row);
-    reportChange();
-  }
-
-  /// Places in the list.
-  [[nodiscard]] std::vector<Index> tickedConstraints() const
-  {
-    std::vector<Index> ticked;
-    for (std::size_t row = 0; row < isTicked_.size(); ++row)
-      if (isTicked_[row]) ticked.push_back(*contents_.rows[row].constraint);
-    return ticked;
-  }
-
-  [[nodiscard]] Index faultyRows() const
-  {
-    return std::ranges::count_if(contents_.rows, [](const ImportRow& row) { return !row.fault.isEmpty(); });
-  }
-
-  [[nodiscard]] Index farPoints() const
-  {
-    Index count = 0;
-    for (int row = 0; row < rowCount(); ++row) count += isFar(row) ? 1 : 0;
-    return count;
-  }
-
-  [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override
-  {
-    return parent.isValid() ? 0 : static_cast<int>(contents_.rows.size());
-  }
-
-  [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override
-  {
-    return parent.isValid() ? 0 : Where + 1;
-  }
-
-  [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override
-  {
-    if (!index.isValid()) return {};
-    const int row = index.row();
-    const int column = index.column();
-    if (role == Qt::DisplayRole) return text(row, column);
-    if (role == Qt::ToolTipRole) return plainTip(toolTip(row, column));
-    if (role == Qt::CheckStateRole && column == Name && isReadable(row))
-      return isTicked_[row] ? Qt::Checked : Qt::Unchecked;
-    if (role == Qt::ForegroundRole && isMarked(row))
-      return statusColor(ConstraintStatus::Conflicting, QGuiApplication::palette());
-    if (role != kSortRole) return {};
-    if (column != Distance) return text(row, column);
-    return point(row) == nullptr ? -1.0 : point(row)->distance;
-  }
-
-  [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override
-  {
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
-      return QAbstractTableModel::headerData(section, orientation, role);
-    return QStringList{
-        tr("Name"), tr("Kind"), tr("Place"), tr("Target"), tr("Distance"), tr("On the surface")}[section];
-  }
-
-  [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override
-  {
-    const Qt::ItemFlags usual = QAbstractTableModel::flags(index);
-    return index.column() == Name && isReadable(index.row()) ? usual | Qt::ItemIsUserCheckable : usual;
-  }
-
-  bool setData(const QModelIndex& index, const QVariant& value, int role) override
-  {
-    if (!index.isValid() || role != Qt::CheckStateRole || index.column() != Name) return false;
-    isTicked_[index.row()] = value.toInt() == Qt::Checked;
-    Q_EMIT dataChanged(index, index, {role});
-    return true;
-  }
-
- private:
-  [[nodiscard]] bool isReadable(int row) const { return contents_.rows[row].constraint.has_value(); }
-  [[nodiscard]] const Constraint& constraint(int row) const
-  {
-    return contents_.list.constraints[*contents_.rows[row].constraint];
-  }
-  [[nodiscard]] const ImportedPoint* point(int row) const
-  {
-    return isReadable(row) ? points_[*contents_.rows[row].constraint] : nullptr;
-  }
-
-  [[nodiscard]] bool isFar(int row) const { return point(row) != nullptr && point(row)->distance > tolerance_; }
-  [[nodiscard]] bool isMarked(int row) const { return isFar(row) || !contents_.rows[row].fault.isEmpty(); }
-
-  void tickNear(double tolerance)
-  {
-    tolerance_ = tolerance;
-    for (int row = 0; row < rowCount(); ++row) isTicked_[row] = !isMarked(row);
-  }
-
-  void reportChange()
-  {
-    if (rowCount() > 0) Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, Where));
-  }
-
-  [[nodiscard]] QString text(int row, int column, bool isExact = false) const
-  {
-    const ImportRow& of = contents_.rows[row];
-    if (!of.constraint) return column == Name ? nameText(of.name) : column == Where ? of.fault : QString();
-    const ImportedPoint* point = this->point(row);
-    const auto number = [&](const auto& value) { return isExact ? exactText(value) : roundedText(value); };
-    switch (column) {
-      case Name: {
-        const QString name = nameText(constraint(row).name);
-        const std::string& newName = contents_.newNames[*of.constraint];
-        return constraint(row).name == newName ? name : tr("%1 → %2").arg(name, nameText(newName));
-      }
-      case Kind:
-        return kindText(constraint(row));
-      case Place:
-        return point == nullptr ? QString() : number(point->place);
-      case Goal:
-        return point == nullptr ? QString()
-                                : number(placeOf(std::get<PointConstraint>(constraint(row).what), point->place));
-      case Distance:
-        return point == nullptr ? QString() : number(point->distance);
-      default:
-        return !of.fault.isEmpty() ? of.fault : point == nullptr ? whereText(constraint(row)) : locationText(point->at);
-    }
-  }
-
-  [[nodiscard]] QString toolTip(int row, int column) const
-  {
-    const QString exact = text(row, column, true);
-    if (column == Distance && isFar(row))
-      return tr("%1: farther from the surface than the tolerance. The point may be in another unit or coordinate "
-                "system.")
-          .arg(exact);
-    if (!isReadable(row)) return contents_.rows[row].fault;
-    const std::string& newName = contents_.newNames[*contents_.rows[row].constraint];
-    if (column == Name && constraint(row).name != newName)
-      return tr("The name is taken: the constraint will be called “%1”.").arg(nameText(newName));
-    return exact;
-  }
-
-  ImportContents contents_;
-  std::vector<const ImportedPoint*> points_;  // of the list; null for what is no `near` point
-  std::vector<bool> isTicked_;
-  double tolerance_ = 0;
-};
 
 // Lengths of units in mm, as a user's units may be called.
 constexpr std::array<std::pair<const char*, double>, 5> kUnits{

@@ -1,12 +1,10 @@
 #include <QAction>
-#include <QCollator>
 #include <QComboBox>
 #include <QHeaderView>
 #include <QLineEdit>
 #include <QMenu>
 #include <QScopedValueRollback>
 #include <QScrollBar>
-#include <QSortFilterProxyModel>
 #include <QTimer>
 #include <QToolButton>
 #include <algorithm>
@@ -14,6 +12,7 @@
 
 #include <holdfast/mesh/index_lists.h>
 #include <holdfast/window/controls/panel_parts.h>
+#include <holdfast/window/table/constraint_filter.h>
 #include <holdfast/window/table/constraint_table.h>
 #include <holdfast/window/table/constraint_table_model.h>
 #include <holdfast/window/text/constraint_text.h>
@@ -28,93 +27,6 @@ using Table = ConstraintTableModel;
 constexpr std::array<std::optional<ConstraintStatus>, 6> kStatuses{
     ConstraintStatus::Conflicting, ConstraintStatus::Missed,   ConstraintStatus::Redundant,
     ConstraintStatus::Met,         ConstraintStatus::Disabled, std::nullopt};
-
-/// Filters and sorts a `ConstraintTableModel`. Missing values come last in both directions; equal ones stay in the
-/// order of precedence. What is typed into a cell of a selected row goes to all selected rows that are visible.
-class ConstraintFilter : public QSortFilterProxyModel {
- public:
-  ConstraintFilter(Editor& editor, Table& model) : editor_(editor), model_(model)
-  {
-    setSourceModel(&model);
-    // "P2" before "P10".
-    collator_.setNumericMode(true);
-    collator_.setCaseSensitivity(Qt::CaseInsensitive);
-  }
-
-  /// Rows whose name, kind or place has every word of `text` in it, and whose status is `*status` unless that is null.
-  void setFilter(const QString& text, const std::optional<ConstraintStatus>* status)
-  {
-    words_ = text.simplified().split(' ', Qt::SkipEmptyParts);
-    status_ = status;
-    invalidateFilter();
-  }
-
-  [[nodiscard]] bool isSorted() const { return sortColumn() >= 0; }
-
-  /// The row of a constraint of the list; -1 if it is not shown.
-  [[nodiscard]] int visibleRow(Index constraint) const
-  {
-    return mapFromSource(model_.index(static_cast<int>(constraint), 0)).row();
-  }
-
-  [[nodiscard]] Rows visibleSelection() const
-  {
-    Rows rows = editor_.selectedConstraints();
-    std::erase_if(rows, [this](Index row) { return visibleRow(row) < 0; });
-    return rows;
-  }
-
-  bool setData(const QModelIndex& index, const QVariant& value, int role) override
-  {
-    const Index row = mapToSource(index).row();
-    const Rows& selected = editor_.selectedConstraints();
-    // A name is that of the row where it was typed.
-    const bool isForAll = index.column() != Table::Name && std::binary_search(selected.begin(), selected.end(), row);
-    return model_.setCells(isForAll ? visibleSelection() : Rows{row}, index.column(), value, role);
-  }
-
-  [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override
-  {
-    const Qt::ItemFlags flags = QSortFilterProxyModel::flags(index);
-    return isSorted() ? flags & ~(Qt::ItemIsDragEnabled | Qt::ItemIsDropEnabled) : flags;
-  }
-
-  /// The place in the order of precedence, whatever the order of rows.
-  [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override
-  {
-    if (orientation == Qt::Horizontal) return model_.headerData(section, orientation, role);
-    return model_.headerData(mapToSource(index(section, 0)).row(), orientation, role);
-  }
-
- protected:
-  [[nodiscard]] bool filterAcceptsRow(int row, const QModelIndex& /*parent*/) const override
-  {
-    if (status_ != nullptr && model_.status(row) != *status_) return false;
-    QString text;
-    for (const int column : {Table::Name, Table::Kind, Table::Where}) text += model_.text(row, column) + '\n';
-    return std::all_of(words_.begin(), words_.end(),
-                       [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
-  }
-
-  [[nodiscard]] bool lessThan(const QModelIndex& left, const QModelIndex& right) const override
-  {
-    const int column = left.column();
-    if (!model_.hasNumbers(column))
-      return collator_.compare(model_.text(left.row(), column), model_.text(right.row(), column)) < 0;
-    const std::optional<double> a = model_.number(left.row(), column);
-    const std::optional<double> b = model_.number(right.row(), column);
-    if (a && b) return *a < *b;
-    const bool isMissingLess = sortOrder() == Qt::DescendingOrder;
-    return isMissingLess ? b.has_value() && !a : a.has_value() && !b;
-  }
-
- private:
-  Editor& editor_;
-  Table& model_;
-  QStringList words_;
-  const std::optional<ConstraintStatus>* status_ = nullptr;
-  QCollator collator_{QLocale(QLocale::English)};
-};
 
 QToolButton* toolButton(QAction* action, Qt::ArrowType arrow, const char* name)
 {
