@@ -181,7 +181,7 @@ TEST_F(PictureOfBar, ALeftClickOnTheLegendReachesNothingBehindIt)
   const Camera before = cameraOf(*viewport().renderer().GetActiveCamera());
   test::drag(viewport(), {place, place + QPointF(-40, 20), place + QPointF(-200, 50)});
   test::doubleClick(viewport(), place);
-  EXPECT_EQ(editor().selectedConstraints(), Rows{1});
+  EXPECT_EQ(editor().selectedConstraints(), std::vector<Index>{1});
   EXPECT_EQ(cameraOf(*viewport().renderer().GetActiveCamera()), before);
   test::drag(viewport(), {place, place + QPointF(-40, 20)}, Qt::RightButton);
   EXPECT_NE(cameraOf(*viewport().renderer().GetActiveCamera()), before) << "other buttons rotate and shift there";
