@@ -7,10 +7,12 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPointer>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSettings>
 #include <QSpinBox>
+#include <QStatusBar>
 #include <QTextBrowser>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -162,6 +164,29 @@ TEST_F(RememberedWindow, KeepsAPanelThatIsInFront)
   EXPECT_TRUE(test::waitUntil([panel] { return panel->isVisible(); }));
 }
 
+TEST_F(RememberedWindow, EndsWhileACellIsEdited)
+{
+  auto window = nextStart();
+  NoProgress quiet;
+  DocumentState state;
+  state.list.constraints.push_back({"held", true, PointConstraint{AtVertex{0}, Move{}}});
+  window->editor().open(loadMesh(test::dataFolder() + "/bracket.obj", quiet), std::move(state));
+  auto& table = *window->findChild<QTableView*>("constraintTable");
+  table.setFocus();
+  table.setCurrentIndex(table.model()->index(0, ConstraintTableModel::Name));
+  table.edit(table.currentIndex());
+  QPointer<QLineEdit> line = qobject_cast<QLineEdit*>(QApplication::focusWidget());
+  ASSERT_NE(line, nullptr);
+  line->selectAll();
+  test::type(*line, "other");
+  std::string name;
+  Editor& editor = window->editor();
+  QObject::connect(&editor, &Editor::stateChanged, &editor, [&] { name = editor.list().constraints[0].name; });
+  window.reset();
+  EXPECT_EQ(line, nullptr);
+  EXPECT_EQ(name, "other") << "taken while the document was there";
+}
+
 TEST_F(RememberedWindow, SettingsOfAnotherVersionChangeNothing)
 {
   QSettings().setValue("window/view", "{");
@@ -232,6 +257,23 @@ TEST_F(HabitsInWindow, AnEmptyWindowSaysHowToBegin)
   key(Qt::Key_W, Qt::ControlModifier);
   EXPECT_EQ(hint.toolTip(), "Open or drop a mesh or a session, or choose an example");
   EXPECT_FALSE(find<QAction>("reachThrough").isEnabled());
+}
+
+TEST_F(HabitsInWindow, MessagesGoWithTheirDocument)
+{
+  const test::TemporaryFolder folder;
+  const auto& hint = find<QLabel>("statusHint");
+  for (const bool isClosed : {true, false}) {
+    open("bar.obj");
+    chooseFile((folder.path() / "mine.holdfast").string());
+    key(Qt::Key_S, Qt::ControlModifier | Qt::ShiftModifier);
+    ASSERT_TRUE(test::waitUntil([this] { return !window.files().isSaving(); }));
+    ASSERT_EQ(window.statusBar()->currentMessage(), "saved mine.holdfast");
+    EXPECT_FALSE(hint.isVisible()) << "covered";
+    isClosed ? key(Qt::Key_W, Qt::ControlModifier) : open("bracket.obj");
+    EXPECT_EQ(window.statusBar()->currentMessage(), "");
+    EXPECT_TRUE(hint.isVisible());
+  }
 }
 
 TEST_F(HabitsInWindow, RecentFilesHavePicturesAndOpenByAClick)

@@ -89,6 +89,7 @@ MainWindow::MainWindow()
 
 MainWindow::~MainWindow()
 {
+  hide();  // what is being typed is taken while the document is there
   // The base class deletes the tools, which end their work then and say that they have changed.
   tools_->disconnect(this);
   gizmo_->disconnect(this);
@@ -107,7 +108,7 @@ void MainWindow::connectFiles()
   pictureDelay_.setInterval(kPictureDelay);
   connect(&pictureDelay_, &QTimer::timeout, this, &MainWindow::keepPicture);
   connect(&files_, &DocumentFiles::pathChanged, &pictureDelay_, qOverload<>(&QTimer::start));
-  connect(&files_, &DocumentFiles::done, this, [this](const QString& what) { status_->showMessage(what, 6000); });
+  connect(&files_, &DocumentFiles::done, this, [this](const QString& what) { status_->showDocumentMessage(what, 6000); });
   exports_.setPictureView([this]() -> PictureView {
     const DisplaySettings display = viewport_->display();
     const auto surface = viewport_->surface();
@@ -126,10 +127,10 @@ void MainWindow::connectFiles()
             viewport_->size(),
             viewport_->pixelRatio()};
   });
-  connect(&exports_, &DocumentExports::done, this, [this](const QString& what) { status_->showMessage(what, 6000); });
+  connect(&exports_, &DocumentExports::done, this, [this](const QString& what) { status_->showDocumentMessage(what, 6000); });
   if (const auto folder = recoveryFolder()) {
     autosave_ = std::make_unique<Autosave>(editor_, files_, *folder, this);
-    connect(autosave_.get(), &Autosave::failed, this, [this](const QString& why) { status_->showMessage(why, 12000); });
+    connect(autosave_.get(), &Autosave::failed, this, [this](const QString& why) { status_->showDocumentMessage(why, 12000); });
   }
   connect(viewport_, &Viewport::contextMenuWanted, this, &MainWindow::showContextMenu);
 }

@@ -45,6 +45,7 @@ StatusLine::StatusLine(Editor& editor, QWidget* parent)
   addPermanentWidget(numbers_);
   addPermanentWidget(selection_);
   connect(cancel_, &QPushButton::clicked, &editor_, &Editor::cancelSolving);
+  connect(&editor_, &Editor::opened, this, &StatusLine::clearDocumentMessage);
   connect(&editor_, &Editor::opened, this, &StatusLine::showNumbers);
   connect(&editor_, &Editor::deformed, this, &StatusLine::showNumbers);
   for (const auto& signal : {&Editor::deformed, &Editor::vertexSelectionChanged})
@@ -59,6 +60,12 @@ void StatusLine::showHint()
 {
   left_->setText(left_->fontMetrics().elidedText(hint_, Qt::ElideRight, left_->width() - 2 * kIndent));
   left_->setToolTip(hint_);
+}
+
+/// What is said of the document that is coming stays.
+void StatusLine::clearDocumentMessage()
+{
+  if (currentMessage() == documentMessage_) clearMessage();
 }
 
 bool StatusLine::eventFilter(QObject* watched, QEvent* event)

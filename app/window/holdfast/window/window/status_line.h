@@ -21,6 +21,13 @@ class StatusLine : public QStatusBar {
     showHint();
   }
 
+  /// For some time, until the next message or until another document is opened; the hint is covered meanwhile.
+  void showDocumentMessage(const QString& message, int milliseconds)
+  {
+    documentMessage_ = message;
+    showMessage(message, milliseconds);
+  }
+
   /// No text makes the window wider.
   [[nodiscard]] QSize minimumSizeHint() const override { return {0, QStatusBar::minimumSizeHint().height()}; }
 
@@ -29,12 +36,14 @@ class StatusLine : public QStatusBar {
 
  private:
   void showHint();
+  void clearDocumentMessage();
   void showNumbers();
   void measureSelection();
   void showStep();
 
   Editor& editor_;
   QString hint_;
+  QString documentMessage_;  // the latest, shown or not
   QLabel* left_;
   QLabel* step_;
   QPushButton* cancel_;
