@@ -101,7 +101,7 @@ TEST(Coloring, ForcesAreLogarithmicAndWhereConstraintsAre)
   const Model model = makeModel(test::grid(4, 4), "grid");
   const auto coloring = coloringOf(model, deformed(model, threePoints(0)), ColorBy::Force, "mm");
   ASSERT_TRUE(coloring);
-  EXPECT_EQ(coloring->scale.title, "constraint force");
+  EXPECT_EQ(coloring->scale.title, "force");
   EXPECT_EQ(coloring->scale.scaling, Scaling::Logarithmic);
   EXPECT_TRUE(std::isnan(coloring->values[12]));
   EXPECT_GT(coloring->values[24], 0);

@@ -201,7 +201,7 @@ INSTANTIATE_TEST_SUITE_P(
                       FieldCase{ColorBy::Angle, "rotation angle\n[degrees]", "rotation_angle_degrees"},
                       FieldCase{ColorBy::Displacement, "displacement\n[mm]", "displacement"},
                       FieldCase{ColorBy::Detail, "detail residual\n[1/mm]", "detail_residual"},
-                      FieldCase{ColorBy::Force, "constraint force", "constraint_force"}),
+                      FieldCase{ColorBy::Force, "force", "constraint_force"}),
     [](const ::testing::TestParamInfo<FieldCase>& each) { return std::string(each.param.name); });
 
 TEST_F(ColorsOfBar, DisplacementIsTheWayFromRest)

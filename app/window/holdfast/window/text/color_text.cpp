@@ -30,7 +30,7 @@ FieldText fieldText(ColorBy field, const QString& units, Weights weights)
         QObject::tr("How far the detail is from that at rest, rotated: where the shape had to give way.") +
             with(weights == Weights::Uniform ? length : inverse)}},
       {ColorBy::Force,
-       {QObject::tr("Constraint force"),
+       {QObject::tr("Force"),
         QObject::tr("How hard each constraint pulls; of hard constraints only. It has no unit.")}},
       {ColorBy::DisplacementX,
        {QObject::tr("Displacement x"), QObject::tr("How far each vertex has moved along x.") + with(length)}},
