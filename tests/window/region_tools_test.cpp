@@ -77,6 +77,33 @@ TEST_F(RegionsOfHead, ARigidFeatureOfACurveKeepsTheCurve)
   EXPECT_EQ(editor().selectedConstraints(), (std::vector<Index>{0}));
 }
 
+TEST_F(RegionsOfHead, ACurveLeavesWhatIsHiddenInsideIt)
+{
+  const auto drawAroundEye = [this] {
+    trigger("toolCurve");
+    for (const Vector3& place :
+         {Vector3(41, -76, 25), Vector3(27, -76, 39), Vector3(13, -76, 25), Vector3(27, -76, 11)})
+      test::click(viewport(), shownAt(placeOf(nearestVertex(place))));
+    test::pressKey(viewport(), Qt::Key_Return);
+  };
+  drawAroundEye();
+  const std::vector<Index> inside = editor().selectedVertices();
+  trigger("shrink");
+  trigger("shrink");
+  trigger("hideSelection");
+  ASSERT_TRUE(settle());
+
+  drawAroundEye();
+  const std::vector<Index> shown = editor().selectedVertices();
+  EXPECT_EQ(shown, viewport().shownAmong(inside));
+  ASSERT_LT(shown.size(), inside.size());
+  ASSERT_FALSE(shown.empty());
+  trigger("makeRigid");
+  const auto& rigid = std::get<RigidConstraint>(list().constraints.front().what);
+  ASSERT_TRUE(std::holds_alternative<VertexIds>(rigid.select.what)) << "the curve would enclose what is hidden, too";
+  EXPECT_EQ(std::get<VertexIds>(rigid.select.what).ids, shown);
+}
+
 TEST_F(RegionsOfHead, ARectangleSelectsWhatIsSeenInIt)
 {
   trigger("toolRectangle");

@@ -106,9 +106,7 @@ class ProbeTool final : public PointTool {
 
   QString hint() const override
   {
-    return tr(
-        "Click a point of the surface to keep its values at “Measured”. V: vertices only, E: edges, F: faces, "
-        "A: whatever is nearest");
+    return tr("Click a point to keep its values at “Measured”. V, E, F: vertices, edges, faces only; A: any");
   }
 
  private:

@@ -34,10 +34,10 @@ class RegionTool : public ToolOf<RegionWidget> {
   {
     const QString outline =
         ' ' + (widget().GetReach() == ScreenReach::Through
-                   ? tr("Hidden vertices, too. Shift adds, Ctrl takes away, T: only what is seen. Then F, H or R")
-                   : tr("Shift adds, Ctrl takes away, T reaches through. Then F: fixed, H: handle, R: rigid"));
+                   ? tr("Hidden ones, too. Shift adds, Ctrl removes, T: only seen ones. Then F, H or R")
+                   : tr("Shift adds, Ctrl removes, T reaches through. Then F: fixed, H: handle, R: rigid"));
     // In the order of `RegionShape`.
-    const std::array hints{tr("Paint a region. Shift adds, Ctrl takes away, [ and ] size the brush. Then F: fixed, "
+    const std::array hints{tr("Paint a region. Shift adds, Ctrl removes, [ and ] size the brush. Then F: fixed, "
                               "H: handle, R: rigid"),
                            tr("Drag a rectangle.") + outline, tr("Draw around vertices.") + outline,
                            sideHint().arg(widget().GetSideAngle())};
@@ -49,12 +49,10 @@ class RegionTool : public ToolOf<RegionWidget> {
  private:
   [[nodiscard]] QString sideHint() const
   {
-    const QString rest = ' ' + tr("Double click: the whole part. Shift adds, Ctrl takes away");
+    const QString rest = ' ' + tr("Double click: a part. Shift adds, Ctrl removes");
     if (widget().GetBendFrom() == BendFrom::Neighbour)
-      return tr("Click a side that bends by less than %1° an edge ([ and ]). N: less than that from the face "
-                "clicked.") +
-             rest;
-    return tr("Click a face: what bends by less than %1° from it ([ and ]). N: less than that at each edge.") + rest;
+      return tr("Click a side: < %1° at each edge ([, ]; N: from the face).") + rest;
+    return tr("Click a side: < %1° from the face ([, ]; N: at each edge).") + rest;
   }
 
   void start()
@@ -124,12 +122,20 @@ class CurveTool : public ToolOf<SurfaceCurveWidget> {
     const Selection selection{curve};
     const QScopedValueRollback<bool> selecting(isSelecting_, true);
     try {
-      editor().selectVertices(editor().mesh().selector->select(selection, {}), selection);
+      select(editor().mesh().selector->select(selection, {}), selection);
       error_.clear();
     } catch (const InputError& error) {
       error_ = tr("This curve encloses nothing: %1").arg(QString::fromStdString(error.reason()));
     }
     Q_EMIT changed();
+  }
+
+  /// Constraints keep the curve where nothing inside is hidden, else the vertices that are shown.
+  void select(const std::vector<Index>& inside, const Selection& curve)
+  {
+    std::vector<Index> shown = viewport().shownAmong(inside);
+    const bool isWhole = shown.size() == inside.size();
+    editor().selectVertices(std::move(shown), isWhole ? std::optional(curve) : std::nullopt);
   }
 
   void followSelection()
