@@ -32,6 +32,9 @@ void DialogAnswer::look()
   if (isGiven_ || dialog == nullptr || !dialog->isActiveWindow()) return;
   isGiven_ = true;
   timer_.stop();
+  if (objectName_ == "messageBox") {
+    EXPECT_EQ(dialog->windowTitle(), "Holdfast");
+  }
   answer_(*dialog);
 }
 
