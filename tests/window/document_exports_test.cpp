@@ -219,6 +219,29 @@ TEST_F(DocumentExportsTest, APictureHasTheLegendOfTheWindowAtItsScale)
   EXPECT_NE(picture.pixelColor(248, 171), QColor(Qt::red));
 }
 
+TEST_F(DocumentExportsTest, APictureIsSavedWithoutAQuestionByANameOfItsOwn)
+{
+  PictureView view;
+  view.size = {300, 200};
+  view.pixelRatio = 1.5;
+  exports.setPictureView([&] { return view; });
+  for (const char* name : {"bracket.1.png", "bracket.2.png"}) {
+    exports.savePicture();
+    ASSERT_TRUE(waitForWritten());
+    const QImage picture(QString::fromStdString(w.path(name).string()));
+    EXPECT_EQ(picture.size(), QSize(450, 300)) << name;
+    EXPECT_TRUE(test::isOpaque(picture));
+  }
+  EXPECT_TRUE(w.questions.empty());
+  fs::create_directory(w.path("elsewhere"));
+  w.answers = {w.path("elsewhere") / "report.json"};
+  exports.exportReport();
+  ASSERT_TRUE(waitForWritten());
+  exports.savePicture();
+  ASSERT_TRUE(waitForWritten());
+  EXPECT_TRUE(fs::exists(w.path("elsewhere") / "bracket.1.png")) << "the folder of the last export";
+}
+
 TEST_F(DocumentExportsTest, ACopiedPictureHasThePixelsOfTheScreen)
 {
   exports.setPictureView([&] {

@@ -7,7 +7,6 @@
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QGuiApplication>
-#include <QImage>
 #include <QSettings>
 #include <QSpinBox>
 #include <algorithm>
@@ -91,6 +90,14 @@ QImage pictureOf(const Model& model, const DeformResult& deformation, const Pict
   painter.scale(scale, scale);
   view.paintLegend(painter, QRectF(0, 0, image.width() / scale, image.height() / scale));
   return image;
+}
+
+/// With as many pixels as the screen has there.
+QImage pictureInWindow(const Model& model, const DeformResult& deformation, const PictureView& view,
+                       const std::string& name)
+{
+  const QSize size = view.size * view.pixelRatio;
+  return pictureOf(model, deformation, {{size.width(), size.height()}}, view, name);
 }
 
 /// How an exported picture is wanted; remembers the last answer in the user's settings.
@@ -198,12 +205,30 @@ void DocumentExports::exportPicture()
   if (!wish) return;
   const QString path = ask(tr("Export a picture"), ".png", {tr("Pictures (*.png)")});
   if (path.isEmpty()) return;
+  writePicture(path, [&] {
+    return pictureOf(*editor_.model(), *editor_.deformation(), *wish, pictureView_(), path.toStdString());
+  });
+}
+
+void DocumentExports::savePicture()
+{
+  if (!mayExportShown()) return;
+  const auto numbered = [this](int number) { return suggested(QString(".%1.png").arg(number)); };
+  int number = 1;
+  while (QFileInfo::exists(numbered(number))) ++number;
+  const QString path = numbered(number);
+  writePicture(path, [&] {
+    return pictureInWindow(*editor_.model(), *editor_.deformation(), pictureView_(), path.toStdString());
+  });
+}
+
+void DocumentExports::writePicture(const QString& path, const std::function<QImage()>& draw)
+{
   writing_ = path;
   try {
-    const QImage image = pictureOf(*editor_.model(), *editor_.deformation(), *wish, pictureView_(), path.toStdString());
     QByteArray bytes;
     QBuffer buffer(&bytes);
-    if (!image.save(&buffer, "PNG")) throw OutputError(path.toStdString(), "Qt cannot write PNG; install its plug-ins");
+    if (!draw().save(&buffer, "PNG")) throw OutputError(path.toStdString(), "Qt cannot write PNG; install its plug-ins");
     write({bytes.toStdString(), {}});
   } catch (const std::exception&) {
     showFailure(std::current_exception());
@@ -213,12 +238,10 @@ void DocumentExports::exportPicture()
 void DocumentExports::copyPicture()
 {
   if (!mayExportShown()) return;
-  const PictureView view = pictureView_();
-  const QSize size = view.size * view.pixelRatio;
   writing_ = tr("the picture");
   try {
     QGuiApplication::clipboard()->setImage(
-        pictureOf(*editor_.model(), *editor_.deformation(), {{size.width(), size.height()}}, view, "the picture"));
+        pictureInWindow(*editor_.model(), *editor_.deformation(), pictureView_(), "the picture"));
     Q_EMIT done(tr("copied the picture"));
   } catch (const std::exception&) {
     showFailure(std::current_exception());
@@ -246,17 +269,21 @@ bool DocumentExports::mayExportShown()
                    tr("&Export what is shown"));
 }
 
+QString DocumentExports::suggested(const QString& ending) const
+{
+  const QFileInfo mesh(textOf(editor_.mesh().path));
+  return inLastFolder("export", mesh.path() + '/' + mesh.completeBaseName() + ending);
+}
+
 QString DocumentExports::ask(const QString& title, const QString& ending, const QStringList& filters)
 {
-  const QFileInfo mesh(QString::fromStdString(editor_.mesh().path.string()));
-  const QString suggestion = mesh.path() + '/' + mesh.completeBaseName() + ending;
+  const QString suggestion = suggested(ending);
   QStringList sorted = filters;
   const auto own = std::find_if(sorted.begin(), sorted.end(), [&](const QString& filter) {
     return filter.contains("*." + QFileInfo(suggestion).suffix() + ')', Qt::CaseInsensitive);
   });
   if (own != sorted.end()) std::rotate(sorted.begin(), own, own + 1);
-  const QString path =
-      chooser_(window_, {FileQuestion::Purpose::Write, title, inLastFolder("export", suggestion), sorted});
+  const QString path = chooser_(window_, {FileQuestion::Purpose::Write, title, suggestion, sorted});
   rememberFolder("export", path);
   return path;
 }

@@ -2,6 +2,7 @@
 /// What goes out of the open document besides sessions: meshes, fields, reports, constraints and pictures.
 
 #include <QFileInfo>
+#include <QImage>
 #include <QPainter>
 #include <QSize>
 #include <QWidget>
@@ -49,6 +50,9 @@ class DocumentExports : public QObject {
   void exportReport();
   void exportConstraints();
   void exportPicture();
+  /// Writes the picture as it is in the window without a question, beside the mesh or into the folder of the last
+  /// export, as the first of NAME.1.png, NAME.2.png ... that is not there.
+  void savePicture();
   /// Puts the picture as it is in the window into the clipboard.
   void copyPicture();
   [[nodiscard]] bool isWriting() const noexcept { return job_.isRunning(); }
@@ -65,9 +69,11 @@ class DocumentExports : public QObject {
   using Maker = std::function<Made(const std::string& path, Progress& progress)>;
 
   [[nodiscard]] bool mayExportShown();
+  [[nodiscard]] QString suggested(const QString& ending) const;
   [[nodiscard]] QString ask(const QString& title, const QString& ending, const QStringList& filters);
   void make(const QString& title, const QString& ending, const QStringList& filters, Maker maker);
   [[nodiscard]] bool mayMiss(double length);
+  void writePicture(const QString& path, const std::function<QImage()>& draw);
   void write(Serialized contents);
   void showFailure(const std::exception_ptr& error)
   {

@@ -88,6 +88,9 @@ void MainWindow::makeFileMenu()
         writing(&DocumentExports::exportConstraints)},
        {"exportPicture", tr("&Picture…"), "", tr("The picture as you see it, at any size"), Needs::Document,
         writing(&DocumentExports::exportPicture)},
+       {"savePicture", tr("Picture at &once"), "F12",
+        tr("Write the picture as you see it, beside the mesh or into the folder of the last export, by a name of its own"),
+        Needs::Document, writing(&DocumentExports::savePicture)},
        {"copyPicture", tr("C&opy the picture"), "Ctrl+Shift+C", tr("Put the picture as you see it into the clipboard"),
         Needs::Document, writing(&DocumentExports::copyPicture)}});
   addActions(menu,
@@ -203,7 +206,7 @@ void MainWindow::makeConstraintMenu()
 void MainWindow::askForSectionPlane()
 {
   findChild<QAction*>("sectionPlane")->setChecked(true);
-  status_->showMessage(tr("Place the section plane, and choose this again"), 12000);
+  status_->showDocumentMessage(tr("Place the section plane, and choose this again"), 12000);
 }
 
 void MainWindow::selectBesidePlane()
@@ -331,7 +334,7 @@ void MainWindow::makeViewMenu()
                Needs::Nothing, rotate(RotationOfMoves::AsSeen)}});
   const auto isDone = [this](bool isSomethingHidden) {
     if (!isSomethingHidden)
-      status_->showMessage(tr("Nothing is hidden: select some whole faces, not all that are shown"), 12000);
+      status_->showDocumentMessage(tr("Nothing is hidden: select some whole faces, not all that are shown"), 12000);
     return isSomethingHidden;
   };
   addActions(menu, {separator,
