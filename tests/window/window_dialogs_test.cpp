@@ -137,8 +137,8 @@ TEST_F(LineOfWindow, HintsOfAllToolsFitAt1280)
   window.resize(1280, 800);
   open("bracket.obj", "bracket.constraints.json");
   ASSERT_TRUE(test::waitUntil([this] { return window.width() == 1280; }));
-  const std::vector<const char*> tools{"s", "pa", "pv", "pe", "pf", "k", "b", "m", "mt", "t", "l", "lt", "t", "w",
-                                       "wn", "n", "c", "d", "q"};
+  const std::vector<const char*> tools{"s", "pa", "pv", "pe", "pf", "k", "b", "m", "mt", "t",
+                                       "l", "lt", "t",  "w",  "wn", "n", "c", "d", "q"};
   EXPECT_EQ(cutHints(tools), std::vector<std::string>());
   // The line says more of a selection than of a solution.
   key(Qt::Key_I);

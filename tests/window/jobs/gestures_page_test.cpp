@@ -232,7 +232,8 @@ TEST_F(StepsOfJob, EightIsJobOneWithoutAMouse)
   openMesh("bracket.obj");
   const Index vertex = freeVertex();
   const Vector3 place = restOf(vertex);
-  const QString numbers = QString("%1,%2,%3").arg(place.x(), 0, 'g', 17).arg(place.y(), 0, 'g', 17).arg(place.z(), 0, 'g', 17);
+  const QString numbers =
+      QString("%1,%2,%3").arg(place.x(), 0, 'g', 17).arg(place.y(), 0, 'g', 17).arg(place.z(), 0, 'g', 17);
   QApplication::clipboard()->setText("name,x,y,z,target_x,target_y,target_z\nhere," + numbers + ',' + numbers + '\n');
   while (QApplication::focusWidget() != &table()) press(Qt::Key_Tab);
   press(Qt::Key_V, Qt::ControlModifier);

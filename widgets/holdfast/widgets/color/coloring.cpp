@@ -122,8 +122,7 @@ Coloring forceColoring(const Model& model, const DeformResult& deformation, cons
   Field field = fieldOf(model, deformation, FieldKind::ConstraintForce);
   const double largest = largestOf(field.values);
   const double highest = largest > 0 ? std::ceil(std::log10(largest)) : 0;
-  ColorScale scale{"force", Scaling::Logarithmic, std::pow(10, highest - kForceDecades),
-                   std::pow(10, highest)};
+  ColorScale scale{"force", Scaling::Logarithmic, std::pow(10, highest - kForceDecades), std::pow(10, highest)};
   return {std::move(field.values), std::move(scale)};
 }
 

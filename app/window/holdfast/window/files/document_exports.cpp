@@ -228,7 +228,8 @@ void DocumentExports::writePicture(const QString& path, const std::function<QIma
   try {
     QByteArray bytes;
     QBuffer buffer(&bytes);
-    if (!draw().save(&buffer, "PNG")) throw OutputError(path.toStdString(), "Qt cannot write PNG; install its plug-ins");
+    if (!draw().save(&buffer, "PNG"))
+      throw OutputError(path.toStdString(), "Qt cannot write PNG; install its plug-ins");
     write({bytes.toStdString(), {}});
   } catch (const std::exception&) {
     showFailure(std::current_exception());

@@ -108,7 +108,8 @@ void MainWindow::connectFiles()
   pictureDelay_.setInterval(kPictureDelay);
   connect(&pictureDelay_, &QTimer::timeout, this, &MainWindow::keepPicture);
   connect(&files_, &DocumentFiles::pathChanged, &pictureDelay_, qOverload<>(&QTimer::start));
-  connect(&files_, &DocumentFiles::done, this, [this](const QString& what) { status_->showDocumentMessage(what, 6000); });
+  connect(&files_, &DocumentFiles::done, this,
+          [this](const QString& what) { status_->showDocumentMessage(what, 6000); });
   exports_.setPictureView([this]() -> PictureView {
     const DisplaySettings display = viewport_->display();
     const auto surface = viewport_->surface();
@@ -127,10 +128,12 @@ void MainWindow::connectFiles()
             viewport_->size(),
             viewport_->pixelRatio()};
   });
-  connect(&exports_, &DocumentExports::done, this, [this](const QString& what) { status_->showDocumentMessage(what, 6000); });
+  connect(&exports_, &DocumentExports::done, this,
+          [this](const QString& what) { status_->showDocumentMessage(what, 6000); });
   if (const auto folder = recoveryFolder()) {
     autosave_ = std::make_unique<Autosave>(editor_, files_, *folder, this);
-    connect(autosave_.get(), &Autosave::failed, this, [this](const QString& why) { status_->showDocumentMessage(why, 12000); });
+    connect(autosave_.get(), &Autosave::failed, this,
+            [this](const QString& why) { status_->showDocumentMessage(why, 12000); });
   }
   connect(viewport_, &Viewport::contextMenuWanted, this, &MainWindow::showContextMenu);
 }

@@ -89,7 +89,8 @@ void MainWindow::makeFileMenu()
        {"exportPicture", tr("&Picture…"), "", tr("The picture as you see it, at any size"), Needs::Document,
         writing(&DocumentExports::exportPicture)},
        {"savePicture", tr("Picture at &once"), "F12",
-        tr("Write the picture as you see it, beside the mesh or into the folder of the last export, by a name of its own"),
+        tr("Write the picture as you see it, beside the mesh or into the folder of the last export, by a name of its "
+           "own"),
         Needs::Document, writing(&DocumentExports::savePicture)},
        {"copyPicture", tr("C&opy the picture"), "Ctrl+Shift+C", tr("Put the picture as you see it into the clipboard"),
         Needs::Document, writing(&DocumentExports::copyPicture)}});
