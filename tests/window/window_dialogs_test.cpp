@@ -28,6 +28,11 @@ struct KeyedDialog {
   const char* button = "";  // in place of Enter, where that closes nothing
 };
 
+void PrintTo(const KeyedDialog& dialog, std::ostream* stream)
+{
+  *stream << dialog.title;
+}
+
 class DialogInWindow : public test::WindowUser, public ::testing::WithParamInterface<KeyedDialog> {
  protected:
   void SetUp() override
