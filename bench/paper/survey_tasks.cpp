@@ -147,9 +147,9 @@ SurveyTask twistedBar(double degrees)
   return task;
 }
 
-SurveyTask bentCactus()
+SurveyTask bentCactus(double degrees)
 {
-  SurveyTask task{"cactus, bent by 70"};
+  SurveyTask task{fmt::format("cactus, bent by {}", degrees)};
   addSurface(task, {44, 10, 80}, [](const Cell& c) {
     const bool isTrunk = c[0] >= 17 && c[0] < 27;
     const bool isLeft = c[0] < 27 && c[2] >= 30 && c[2] < 38 && c[1] >= 1 && c[1] < 9;
@@ -160,16 +160,16 @@ SurveyTask bentCactus()
   });
   smooth(task, 30);
   hold(task, 5, 72);
-  const double angle = 70 * std::numbers::pi / 180;
+  const double angle = degrees * std::numbers::pi / 180;
   const double length = 67;
-  task.rotation = {Vector3::UnitY(), 70, Vector3(22, 5, 72)};
+  task.rotation = {Vector3::UnitY(), degrees, Vector3(22, 5, 72)};
   task.translation = Vector3(length / angle * (1 - std::cos(angle)), 0, length / angle * std::sin(angle) - length);
   return task;
 }
 
-SurveyTask twistedCylinder()
+SurveyTask twistedCylinder(double degrees)
 {
-  SurveyTask task{"cylinder, twisted by 120"};
+  SurveyTask task{fmt::format("cylinder, twisted by {}", degrees)};
   addSurface(task, {16, 16, 70}, [](const Cell&) { return true; });
   for (Index v = 0; v < task.rest.rows(); ++v) {  // squares to circles
     const Eigen::Vector2d p(task.rest(v, 0) - 8, task.rest(v, 1) - 8);
@@ -177,13 +177,13 @@ SurveyTask twistedCylinder()
     if (size > 0) task.rest.row(v).head<2>() = p * (size * 4 / std::numbers::pi / p.norm());
   }
   hold(task, 5, 65);
-  task.rotation = {Vector3::UnitZ(), 120, Vector3::Zero()};
+  task.rotation = {Vector3::UnitZ(), degrees, Vector3::Zero()};
   return task;
 }
 
-SurveyTask liftedPlane()
+SurveyTask liftedPlane(double height)
 {
-  SurveyTask task{"bumpy plane, lifted"};
+  SurveyTask task{fmt::format("bumpy plane, lifted by {}", height)};
   constexpr int kSide = 100;
   task.rest.resize((kSide + 1) * (kSide + 1), 3);
   task.triangles.resize(2 * kSide * kSide, 3);
@@ -199,7 +199,7 @@ SurveyTask liftedPlane()
       task.triangles.row(t) << id(x, y), id(x + 1, y), id(x + 1, y + 1);
       task.triangles.row(t + 1) << id(x, y), id(x + 1, y + 1), id(x, y + 1);
     }
-  task.translation = Vector3(0, 0, 25);
+  task.translation = Vector3(0, 0, height);
   return task;
 }
 

@@ -29,9 +29,9 @@ struct SurveyTask {
 
 [[nodiscard]] SurveyTask bentBar(double degrees = 135);
 [[nodiscard]] SurveyTask twistedBar(double degrees);
-[[nodiscard]] SurveyTask bentCactus();
-[[nodiscard]] SurveyTask twistedCylinder();
-[[nodiscard]] SurveyTask liftedPlane();
+[[nodiscard]] SurveyTask bentCactus(double degrees = 70);
+[[nodiscard]] SurveyTask twistedCylinder(double degrees = 120);
+[[nodiscard]] SurveyTask liftedPlane(double height = 25);
 /// The tenth at the lower end of the longest side is held, the one at the upper end bent by 60 degrees.
 [[nodiscard]] SurveyTask bentAtItsEnd(const std::string& name, Mesh mesh);
 
