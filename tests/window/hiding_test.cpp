@@ -3,6 +3,8 @@
 #include <QGuiApplication>
 #include <QImage>
 #include <algorithm>
+#include <cstdlib>
+#include <numeric>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -77,7 +79,19 @@ class HidingInWindow : public test::WindowUser {
     return editor().underCursor().pick.has_value();
   }
 
-  [[nodiscard]] static QImage copied() { return QGuiApplication::clipboard()->image(); }
+  [[nodiscard]] static QImage copied()
+  {
+    return QGuiApplication::clipboard()->image().convertToFormat(QImage::Format_ARGB32);
+  }
+
+  /// Of any channel of any pixel. Text that Qt blends differs by up to 2 from one drawing to the next.
+  [[nodiscard]] static int largestDifference(const QImage& a, const QImage& b)
+  {
+    if (a.size() != b.size()) return 255;
+    return std::transform_reduce(a.constBits(), a.constBits() + a.sizeInBytes(), b.constBits(), 0,
+                                 [](int x, int y) { return std::max(x, y); },
+                                 [](int x, int y) { return std::abs(x - y); });
+  }
 };
 
 TEST_F(HidingInWindow, WhatIsHiddenIsNeitherDrawnNorPickedUntilAllIsShown)
@@ -198,12 +212,12 @@ TEST_F(HidingInWindow, ThePictureSaysSoAndItsCopyFollows)
   ASSERT_TRUE(settle());
   EXPECT_NE(note(), none);
   key(Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
-  EXPECT_NE(copied(), whole);
+  EXPECT_GT(largestDifference(copied(), whole), 50);
   trigger("showHidden");
   ASSERT_TRUE(settle());
   EXPECT_EQ(note(), none);
   key(Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
-  EXPECT_EQ(copied(), whole);
+  EXPECT_LE(largestDifference(copied(), whole), 3);
 }
 
 TEST_F(HidingInWindow, AnotherDocumentIsShownWhole)
