@@ -88,9 +88,9 @@ class HidingInWindow : public test::WindowUser {
   [[nodiscard]] static int largestDifference(const QImage& a, const QImage& b)
   {
     if (a.size() != b.size()) return 255;
-    return std::transform_reduce(a.constBits(), a.constBits() + a.sizeInBytes(), b.constBits(), 0,
-                                 [](int x, int y) { return std::max(x, y); },
-                                 [](int x, int y) { return std::abs(x - y); });
+    return std::transform_reduce(
+        a.constBits(), a.constBits() + a.sizeInBytes(), b.constBits(), 0, [](int x, int y) { return std::max(x, y); },
+        [](int x, int y) { return std::abs(x - y); });
   }
 };
 
