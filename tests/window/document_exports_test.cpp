@@ -86,6 +86,20 @@ TEST_F(DocumentExportsTest, SinglePrecisionIsWarnedOfBeforeAnythingIsWritten)
   EXPECT_TRUE(fs::exists(w.path("out.stl")));
 }
 
+TEST_F(DocumentExportsTest, APictureAtOnceSaysWhyItIsNotWritten)
+{
+  fs::remove_all(w.editor.mesh().path.parent_path());
+  QString said;
+  const DialogAnswer answer("messageBox", [&](QDialog& box) {
+    said = test::textOf(box);
+    test::clickButton(box, "OK");
+  });
+  exports.savePicture();
+  ASSERT_TRUE(test::waitUntil([&] { return answer.isGiven() && !exports.isWriting(); }));
+  EXPECT_TRUE(said.contains("bracket.1.png")) << said.toStdString();
+  EXPECT_TRUE(said.contains("No such file or directory")) << said.toStdString();
+}
+
 TEST_F(DocumentExportsTest, ResultsThatAreOlderThanTheConstraintsAreOnlyWrittenWithLeave)
 {
   const Positions shown = w.editor.positions();

@@ -87,10 +87,9 @@ void ColorPanel::makeColorRows(QFormLayout& form)
   legend_ = named(new QComboBox, "legendSide");
   legend_->addItems({tr("At the right"), tr("At the left"), tr("Hidden")});
   form.addRow(tr("Colour &by"), field_);
-  form.addRow(QString(), explanation_);
+  form.addRow(explanation_);
   form.addRow(tr("&Range"), rangeKind_);
-  form.addRow(QString(), rangeRows_);
-  form.addRow(QString(), refusal_);
+  form.addRow(QString(), newLayout<QVBoxLayout>(nullptr, 0, 6, {rangeRows_, refusal_}));
   form.addRow(tr("Colour &map"), map_);
   form.addRow(tr("&Number of colours"), bands_);
   form.addRow(tr("&Legend"), legend_);
