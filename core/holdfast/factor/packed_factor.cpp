@@ -13,6 +13,9 @@
 namespace holdfast {
 namespace {
 
+// So many numbers are in each row of what is solved on.
+constexpr Index kSolvedAtOnce = 4;
+
 /// Memory in pages of 2 MiB where the system has them: the solves walk through all of it, and would wait for the table
 /// of small pages.
 double* allocate(std::size_t count)
@@ -81,26 +84,107 @@ std::span<const FactorChunk> PackedFactor::chunksOf(const SupernodeRange& range)
                                     static_cast<std::size_t>(firstChunk_[range.end] - firstChunk_[range.begin]));
 }
 
+void PackedFactor::gather(const Columns3& b, std::vector<double>& x) const
+{
+  const std::vector<int>& order = symbolic_->order;
+  x.resize(4 * order.size());
+  parallelBlocks(static_cast<Index>(order.size()), [&](Index k) { std::ranges::copy(b.row(order[k]), &x[4 * k]); });
+}
+
+Columns3 PackedFactor::scattered(const std::vector<double>& x) const
+{
+  const std::vector<int>& order = symbolic_->order;
+  Columns3 z(static_cast<Index>(order.size()), 3);
+  parallelBlocks(z.rows(), [&](Index k) { z.row(order[k]) = Eigen::Map<const Eigen::RowVector3d>(&x[4 * k]); });
+  return z;
+}
+
 void PackedFactor::solve(std::vector<double>& x) const
 {
+  solveForward(x);
+  solveBackward(x);
+}
+
+void PackedFactor::solveForward(std::vector<double>& x) const
+{
   const std::vector<SupernodeRange>& subtrees = symbolic_->subtrees;
-  const auto topStart = 4 * static_cast<std::ptrdiff_t>(symbolic_->topColumn());
-  const std::size_t topSize = x.size() - static_cast<std::size_t>(topStart);
+  const SolveView view = viewOf(x);
+  const auto topSize = static_cast<std::size_t>(x.data() + x.size() - view.top);
   std::vector<std::vector<double>> top(subtrees.size());
-  const SolveView view{numbers_.get(), rows_.data(), x.data(), x.data() + topStart, symbolic_->topColumn()};
   parallelFor(static_cast<Index>(subtrees.size()), [&](Index k) {
     top[k].assign(topSize, 0);
     SolveView own = view;
     own.top = top[k].data();
-    solveForward(chunksOf(subtrees[k]), own);
+    holdfast::solveForward(chunksOf(subtrees[k]), own);
   });
   for (const std::vector<double>& sum : top)
-    for (std::size_t k = 0; k < topSize; ++k) x[static_cast<std::size_t>(topStart) + k] += sum[k];
-  solveForward(chunksOf(symbolic_->top), view);
+    for (std::size_t k = 0; k < topSize; ++k) view.top[k] += sum[k];
+  holdfast::solveForward(chunksOf(symbolic_->top), view);
+}
+
+void PackedFactor::solveBackward(std::vector<double>& x) const
+{
+  const SolveView view = viewOf(x);
   for (const int column : negative_)
     for (std::size_t k = 0; k < 3; ++k) x[4 * static_cast<std::size_t>(column) + k] *= -1;
-  solveBackward(chunksOf(symbolic_->top), view);
-  parallelFor(static_cast<Index>(subtrees.size()), [&](Index k) { solveBackward(chunksOf(subtrees[k]), view); });
+  holdfast::solveBackward(chunksOf(symbolic_->top), view);
+  const std::vector<SupernodeRange>& subtrees = symbolic_->subtrees;
+  parallelFor(static_cast<Index>(subtrees.size()),
+              [&](Index k) { holdfast::solveBackward(chunksOf(subtrees[k]), view); });
+}
+
+SparseMatrix PackedFactor::solveForward(const SparseMatrix& b) const
+{
+  std::vector<int> place(symbolic_->order.size());
+  for (std::size_t k = 0; k < place.size(); ++k) place[symbolic_->order[k]] = static_cast<int>(k);
+  std::vector<FewEntries> columns(static_cast<std::size_t>(b.cols()));
+  for (Index k = 0; k < b.cols(); ++k) {
+    columns[k].column = static_cast<int>(k);
+    for (SparseMatrix::InnerIterator entry(b, k); entry; ++entry)
+      columns[k].entries.emplace_back(place[entry.row()], entry.value());
+    std::ranges::sort(columns[k].entries);
+  }
+  // Neighbours have most of their way up the tree in common.
+  std::ranges::sort(columns, {}, &FewEntries::entries);
+  const Index turns = (b.cols() + kSolvedAtOnce - 1) / kSolvedAtOnce;
+  std::vector<std::vector<double>> x(static_cast<std::size_t>(threadCount()));
+  std::vector<std::vector<Eigen::Triplet<double, int>>> found(static_cast<std::size_t>(turns));
+  parallelFor(turns, [&](Index k, Index thread) {
+    x[thread].resize(kSolvedAtOnce * place.size());
+    const auto rest = std::span<const FewEntries>(columns).subspan(static_cast<std::size_t>(k * kSolvedAtOnce));
+    solveForward(rest.first(std::min<std::size_t>(kSolvedAtOnce, rest.size())), x[thread], found[k]);
+  });
+  std::vector<Eigen::Triplet<double, int>> entries;
+  for (const auto& some : found) entries.insert(entries.end(), some.begin(), some.end());
+  SparseMatrix result(b.rows(), b.cols());
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
+void PackedFactor::solveForward(std::span<const FewEntries> columns, std::vector<double>& x,
+                                std::vector<Eigen::Triplet<double, int>>& found) const
+{
+  std::vector<int> rows;
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    for (const auto& [row, value] : columns[c].entries) {
+      x[4 * static_cast<std::size_t>(row) + c] = value;
+      rows.push_back(row);
+    }
+  const SolveView view = viewOf(x);
+  for (const int node : symbolic_->withAncestors(rows)) {
+    holdfast::solveForward(chunksOf({node, node + 1}), view);
+    const Supernode& own = symbolic_->supernodes[node];
+    for (int row = own.firstColumn; row < own.firstColumn + own.width; ++row)
+      for (std::size_t c = 0; c < columns.size(); ++c)
+        if (const double value = std::exchange(x[4 * static_cast<std::size_t>(row) + c], 0); value != 0)
+          found.emplace_back(row, columns[c].column, value);
+  }
+}
+
+SolveView PackedFactor::viewOf(std::vector<double>& x) const
+{
+  const int topColumn = symbolic_->topColumn();
+  return {numbers_.get(), rows_.data(), x.data(), x.data() + 4 * static_cast<std::ptrdiff_t>(topColumn), topColumn};
 }
 
 }  // namespace holdfast

@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <memory>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include <holdfast/factor/symbolic_factor.h>
@@ -23,6 +25,8 @@ struct FactorChunk {
   int rowCount = 0;           ///< all rows
 };
 
+struct SolveView;
+
 /// L, by chunks. Memory is read once from front to back for the solve with L, and back for that with its transpose:
 /// both are bound by it.
 class PackedFactor {
@@ -32,9 +36,24 @@ class PackedFactor {
   /// Stores the columns of a supernode: `panel` is its height x width, column by column, `height` apart.
   void store(int supernode, const double* panel);
 
+  /// Puts the rows of `b` (n x 3) into the order of elimination: what `solve` takes.
+  void gather(const Columns3& b, std::vector<double>& x) const;
+  /// The inverse.
+  [[nodiscard]] Columns3 scattered(const std::vector<double>& x) const;
+
   /// Solves L S L^T z = b for three right-hand sides. `x` is n x 4, row by row in the order of elimination, b before
   /// and z afterwards; the fourth number of each row is not used. The same bits for any number of threads. O(nonzeros).
   void solve(std::vector<double>& x) const;
+  /// Its halves: L y = b, and S L^T z = y.
+  void solveForward(std::vector<double>& x) const;
+  void solveBackward(std::vector<double>& x) const;
+
+  /// L^-1 P b for columns with few entries each: b in the order of M, the result in that of elimination. Reads only
+  /// what is above these entries in the tree.
+  [[nodiscard]] SparseMatrix solveForward(const SparseMatrix& b) const;
+
+  /// Columns with -1 in S.
+  [[nodiscard]] const std::vector<int>& negative() const noexcept { return negative_; }
 
   [[nodiscard]] const SymbolicFactor& symbolic() const noexcept { return *symbolic_; }
   [[nodiscard]] std::size_t bytes() const noexcept { return size_ * sizeof(double); }
@@ -44,14 +63,26 @@ class PackedFactor {
     void operator()(double* numbers) const;
   };
 
+  /// A column with few entries: pairs of row and value, in the order of elimination.
+  struct FewEntries {
+    int column = 0;
+    std::vector<std::pair<int, double>> entries;
+  };
+
+  /// L^-1 of up to four columns. `x` is n x 4, zero before and afterwards.
+  void solveForward(std::span<const FewEntries> columns, std::vector<double>& x,
+                    std::vector<Eigen::Triplet<double, int>>& found) const;
+
+  [[nodiscard]] SolveView viewOf(std::vector<double>& x) const;
+
   /// The chunks of supernodes [begin, end).
   [[nodiscard]] std::span<const FactorChunk> chunksOf(const SupernodeRange& range) const;
 
   std::shared_ptr<const SymbolicFactor> symbolic_;
   std::vector<FactorChunk> chunks_;
   std::vector<int> firstChunk_;  // of each supernode, and the end
-  std::vector<int> negative_;    // columns with -1 in S
-  std::vector<int> rows_;        // of chunks: the columns of the supernode behind them, then its rows
+  std::vector<int> negative_;
+  std::vector<int> rows_;  // of chunks: the columns of the supernode behind them, then its rows
   std::size_t size_ = 0;
   std::unique_ptr<double[], Free> numbers_;
 };

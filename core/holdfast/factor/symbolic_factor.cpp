@@ -4,6 +4,7 @@
 #include <functional>
 #include <numeric>
 #include <queue>
+#include <set>
 #include <utility>
 
 namespace holdfast {
@@ -199,6 +200,17 @@ double flopsOf(double width, double rowCount)
 std::int64_t triangleSize(std::int64_t size)
 {
   return size * (size + 1) / 2;
+}
+
+std::vector<int> SymbolicFactor::withAncestors(const std::vector<int>& columns) const
+{
+  std::set<int> nodes;
+  for (const int column : columns) {
+    const auto behind = std::ranges::upper_bound(supernodes, column, {}, &Supernode::firstColumn);
+    int node = static_cast<int>(behind - supernodes.begin()) - 1;
+    while (node != kNoParent && nodes.insert(node).second) node = supernodes[node].parent;
+  }
+  return {nodes.begin(), nodes.end()};
 }
 
 int SymbolicFactor::topColumn() const

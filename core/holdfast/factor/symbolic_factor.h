@@ -46,6 +46,8 @@ struct SymbolicFactor {
   {
     return {rows.data() + supernode.firstRow, static_cast<std::size_t>(supernode.rowCount)};
   }
+  /// The supernodes of these columns and all their ancestors, ascending.
+  [[nodiscard]] std::vector<int> withAncestors(const std::vector<int>& columns) const;
   /// The first column of `top`.
   [[nodiscard]] int topColumn() const;
   /// Stored entries of L, those that supernodes add among them.

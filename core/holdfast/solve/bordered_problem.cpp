@@ -1,5 +1,6 @@
 #include "holdfast/solve/bordered_problem.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/LU>
@@ -101,56 +102,63 @@ SparseRows keptRows(const EliminatedConstraints& constraints, const std::vector<
   return K;
 }
 
+/// W (N's size x released and added): how the border is tied to the system of `base`.
+SparseMatrix couplings(const ReducedProblem& base, const TwoWayMatrix& A, const Border& border)
+{
+  const Index unknowns = base.scale.size();
+  const SparseMatrix ofReleased = base.scaledQ2.transpose() * SparseMatrix(A.rows().transpose() * border.AP);
+  const SparseMatrix ofAdded = border.K.leftCols(unknowns).transpose();
+  return assembled<SparseMatrix>(unknowns + base.kept, ofReleased.cols() + ofAdded.cols(),
+                                 [&](Index k, ColumnSum& sum) {
+                                   if (k < ofReleased.cols()) return sum.addColumn(ofReleased, k);
+                                   sum.addColumn(ofAdded, k - ofReleased.cols());
+                                 });
+}
+
 /// Solves the bordered system. Layout of right sides and solutions: unknowns, those added; multipliers, those added.
 class BorderedFactor final : public LeastSquaresFactor {
  public:
-  BorderedFactor(std::shared_ptr<const ReducedProblem> base, const Border& border)
+  /// `base` has our own factor.
+  BorderedFactor(std::shared_ptr<const ReducedProblem> base, const TwoWayMatrix& A, const Border& border)
       : base_(std::move(base)),
         unknowns_(base_->scale.size()),
         released_(border.AP.cols()),
         added_(border.K.rows()),
-        W_(unknowns_ + base_->kept, released_ + added_),
-        Z_(W_.rows(), W_.cols())
+        V_(base_->factor->packed()->solveForward(couplings(*base_, A, border))),
+        SV_(V_)
   {
-    const Index rows = border.AP.rows();
-    std::vector<Eigen::Triplet<double, int>> entries;
-    forEachThree(W_.cols(), [&](Index first, Index count) {
-      Columns3 w = Columns3::Zero(W_.rows(), 3);
-      Columns3 f = Columns3::Zero(rows + base_->kept, 3);
-      for (Index c = 0; c < count; ++c) {
-        if (first + c < released_)
-          f.col(c).head(rows) = border.AP.col(first + c);
-        else
-          w.col(c).head(unknowns_) = border.K.row(first + c - released_).head(unknowns_).transpose();
-      }
-      if (first < released_) w.topRows(unknowns_) += base_->C.transposeTimes(f);
-      for (Index i = 0; i < w.rows(); ++i)
-        for (Index c = 0; c < count; ++c)
-          if (w(i, c) != 0) entries.emplace_back(static_cast<int>(i), static_cast<int>(first + c), w(i, c));
-      Z_.middleCols(first, count) = base_->factor->solve(w).leftCols(count);
-    });
-    W_.setFromTriplets(entries.begin(), entries.end());
-    Eigen::MatrixXd S = Eigen::MatrixXd::Zero(W_.cols(), W_.cols());
+    for (Index column = 0; column < SV_.cols(); ++column)
+      for (SparseMatrix::InnerIterator entry(SV_, column); entry; ++entry)
+        if (std::ranges::binary_search(base_->factor->packed()->negative(), static_cast<int>(entry.row())))
+          entry.valueRef() *= -1;
+    Eigen::MatrixXd S = Eigen::MatrixXd::Zero(V_.cols(), V_.cols());
     S.topLeftCorner(released_, released_) = SparseMatrix(border.AP.transpose() * border.AP);
     S.bottomLeftCorner(added_, released_) = border.K.rightCols(released_);
     S.topRightCorner(released_, added_) = S.bottomLeftCorner(added_, released_).transpose();
-    S -= W_.transpose() * Z_;
+    S -= SparseMatrix(SV_.transpose() * V_);
     weights_ = S.diagonal().cwiseAbs().cwiseSqrt().cwiseInverse();
-    S_.compute(weights_.asDiagonal() * S * weights_.asDiagonal());
+    schur_.compute(weights_.asDiagonal() * S * weights_.asDiagonal());
   }
 
-  [[nodiscard]] bool isRegular() const { return weights_.allFinite() && S_.rcond() > kLeastRcond; }
+  [[nodiscard]] bool isRegular() const { return weights_.allFinite() && schur_.rcond() > kLeastRcond; }
 
   [[nodiscard]] Columns3 solve(const Columns3& g) const override
   {
-    Columns3 own(W_.rows(), 3);
+    const PackedFactor& factor = *base_->factor->packed();
+    Columns3 own(V_.rows(), 3);
     own << g.topRows(unknowns_), g.middleRows(unknowns_ + released_, base_->kept);
-    Columns3 ofBorder(W_.cols(), 3);
+    Columns3 ofBorder(V_.cols(), 3);
     ofBorder << g.middleRows(unknowns_, released_), g.bottomRows(added_);
-    own = base_->factor->solve(own);
-    const Columns3 s = weights_.asDiagonal() *
-                       S_.solve(Eigen::MatrixX3d(weights_.asDiagonal() * Columns3(ofBorder - W_.transpose() * own)));
-    own -= Z_ * s;
+    factor.gather(own, x_);
+    factor.solveForward(x_);
+    auto forward =
+        Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>>(x_.data(), V_.rows(), 4).leftCols<3>();
+    const Columns3 s =
+        weights_.asDiagonal() *
+        schur_.solve(Eigen::MatrixX3d(weights_.asDiagonal() * Columns3(ofBorder - SV_.transpose() * forward)));
+    forward -= V_ * s;
+    factor.solveBackward(x_);
+    own = factor.scattered(x_);
     Columns3 result(g.rows(), 3);
     // C^T C has the squares of kept rows in it; those added are not in the factor.
     result << own.topRows(unknowns_), s.topRows(released_), own.bottomRows(base_->kept),
@@ -158,7 +166,7 @@ class BorderedFactor final : public LeastSquaresFactor {
     return result;
   }
 
-  [[nodiscard]] Index nonzeros() const override { return base_->factor->nonzeros() + Z_.size(); }
+  [[nodiscard]] Index nonzeros() const override { return base_->factor->nonzeros() + V_.nonZeros(); }
   [[nodiscard]] std::string_view method() const override
   {
     return "an earlier factor, bordered by the rows that differ";
@@ -169,10 +177,11 @@ class BorderedFactor final : public LeastSquaresFactor {
   Index unknowns_;
   Index released_;
   Index added_;
-  SparseMatrix W_;
-  Eigen::MatrixXd Z_;  // N^-1 W
+  SparseMatrix V_;   // L^-1 W
+  SparseMatrix SV_;  // S V, S with the signs of the factor
   Eigen::VectorXd weights_;
-  Eigen::PartialPivLU<Eigen::MatrixXd> S_;
+  Eigen::PartialPivLU<Eigen::MatrixXd> schur_;
+  mutable std::vector<double> x_;  // memory that every solution uses again
 };
 
 }  // namespace
@@ -197,6 +206,7 @@ Result<ReducedProblem> bordered(const std::shared_ptr<const ReducedProblem>& bas
   if (before.isHeld != now.isHeld) return {{}, "other parts are held"};
   const Edit edit = editOf(before, now);
   if (edit.removed.size() + edit.added.size() > kMostEdited) return {{}, "too many rows differ"};
+  if (base->factor->packed() == nullptr) return {{}, "the factor has no halves"};
 
   const SparseMatrix P = released(before, edit.removed, A.columns().cols());
   Result<ScaledColumns> columns = scaleColumns(product(A.columns(), P));
@@ -206,7 +216,7 @@ Result<ReducedProblem> bordered(const std::shared_ptr<const ReducedProblem>& bas
   ReducedProblem result;
   result.scaledQ2 = sideBySide(base->scaledQ2, SparseRows(P * columns.value.scale.asDiagonal()));
   border->K = keptRows(now, edit.added, result.scaledQ2);
-  auto factor = std::make_shared<BorderedFactor>(base, *border);
+  auto factor = std::make_shared<BorderedFactor>(base, A, *border);
   if (!factor->isRegular()) return {{}, "the Schur complement is singular in doubles"};
   result.factor = std::move(factor);
   result.scale.resize(result.scaledQ2.cols());

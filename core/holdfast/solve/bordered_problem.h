@@ -24,12 +24,12 @@ struct ReducedProblem {
                                                         EliminationOrder order);
 
 /// More rows take longer than another factorisation does.
-inline constexpr std::size_t kMostEdited = 60;
+inline constexpr std::size_t kMostEdited = 300;
 
 /// `base`, which was made under the rows `before`, under the rows `now`. A row fewer is a column more: the displacement
 /// by which that row alone changes. A row more is kept, with a multiplier. With these borders W the system is solved by
-/// the factor of `base` and the Schur complement S = S_0 - W^T N^-1 W. Fails where rows differ by more than
-/// `kMostEdited`, where other parts are held, and where S is singular in doubles. O(factor) for three of these rows.
+/// our own factor of `base`, N, and the Schur complement S_0 - W^T N^-1 W. Fails where the factor is another one, where
+/// more than `kMostEdited` rows differ, where other parts are held, and where the complement is singular in doubles.
 [[nodiscard]] Result<ReducedProblem> bordered(const std::shared_ptr<const ReducedProblem>& base, const TwoWayMatrix& A,
                                               const EliminatedConstraints& before, const EliminatedConstraints& now);
 

@@ -1,6 +1,5 @@
 // Cholesky factorisation of the normal equations by our own multifrontal method.
 
-#include <algorithm>
 #include <numeric>
 
 #include <holdfast/base/parallel.h>
@@ -18,16 +17,12 @@ class CholeskyMultifrontal final : public LeastSquaresFactor {
 
   [[nodiscard]] Columns3 solve(const Columns3& g) const override
   {
-    const std::vector<int>& order = factor_->symbolic().order;
-    const auto size = static_cast<Index>(order.size());
-    x_.resize(4 * order.size());
-    parallelBlocks(size, [&](Index k) { std::ranges::copy(g.row(order[k]), &x_[4 * k]); });
+    factor_->gather(g, x_);
     factor_->solve(x_);
-    Columns3 z(size, 3);
-    parallelBlocks(size, [&](Index k) { z.row(order[k]) = Eigen::Map<const Eigen::RowVector3d>(&x_[4 * k]); });
-    return z;
+    return factor_->scattered(x_);
   }
 
+  [[nodiscard]] const PackedFactor* packed() const override { return factor_.get(); }
   [[nodiscard]] Index nonzeros() const override { return factor_->symbolic().nonzeros(); }
   [[nodiscard]] std::string_view method() const override
   {

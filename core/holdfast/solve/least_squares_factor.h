@@ -7,6 +7,7 @@
 
 #include <holdfast/base/result.h>
 #include <holdfast/base/sparse_products.h>
+#include <holdfast/factor/packed_factor.h>
 #include <holdfast/solve/solver_options.h>
 
 namespace holdfast {
@@ -20,6 +21,9 @@ class LeastSquaresFactor {
   /// z for g = C^T f (k x 3), without any correction: see `correctedSolve`. With kept rows K: z and below it the
   /// multipliers l, for any g with C^T C z + K^T l = g, K z = what is below g. O(nonzeros()).
   [[nodiscard]] virtual Columns3 solve(const Columns3& g) const = 0;
+
+  /// Our own factor of C^T C or of the system with kept rows, where it is one.
+  [[nodiscard]] virtual const PackedFactor* packed() const { return nullptr; }
 
   /// Stored entries of the factor.
   [[nodiscard]] virtual Index nonzeros() const = 0;

@@ -101,7 +101,10 @@ TEST(DeformerEdits, AreAsExactAsFreshDeformations)
         bordered += result.report.solve.method == kBordered ? 1 : 0;
         expectAsFresh(result, mesh, list, options);
       }
-      EXPECT_GT(bordered, 15);
+      if (backend == Backend::Holdfast)
+        EXPECT_GT(bordered, 15);
+      else
+        EXPECT_EQ(bordered, 0);
     }
 }
 
@@ -155,15 +158,15 @@ TEST(DeformerEdits, GoBackToTheFactorThatTheyBeganWith)
 
 TEST(DeformerEdits, FactoriseAnewWhereTooMuchDiffers)
 {
-  const Mesh mesh = test::plate(16, 12);
+  const Mesh mesh = test::plate(30, 20);
   Deformer deformer(makeModel(mesh));
   deformer.answerEditsAtOnce(true);
   ConstraintList list = turnedEnd(mesh);
   static_cast<void>(deformer.deform(list));
   const auto deformed = [&] { return deformer.deform(list); };
-  for (Index vertex = 40; vertex < 110; ++vertex)
+  for (Index vertex = 100; vertex < 500; ++vertex)
     list.constraints.push_back(test::moveBy(AtVertex{vertex}, Vector3(0, 0, 0.1)));
-  EXPECT_NE(deformed().report.solve.method, kBordered) << "70 rows more";
+  EXPECT_NE(deformed().report.solve.method, kBordered) << "400 rows more";
   list.constraints[1].isEnabled = false;
   EXPECT_NE(deformed().report.solve.method, kBordered) << "other rotations are given";
   deformer.answerEditsAtOnce(false);

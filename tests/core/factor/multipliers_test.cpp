@@ -60,6 +60,29 @@ TEST(Multipliers, SolveAsDenseEliminationDoes)
   }
 }
 
+TEST(Multipliers, ColumnsWithFewEntriesAreSolvedForwardAlone)
+{
+  test::Random random(13);
+  for (int turn = 0; turn < 20; ++turn) {
+    const Index n = random.integer(4, 200);
+    const SparseMatrix K = chainRows(random, random.integer(0, n / 2), n);
+    const Saddle saddle(SparseMatrix(test::randomSpd(random, n, 3) + K.transpose() * K), K);
+    const auto result = saddle.factorized();
+    ASSERT_TRUE(result) << result.failure;
+    SparseMatrix b(saddle.matrix.rows(), random.integer(0, 11));
+    for (Index k = 0; k < 2 * b.cols(); ++k)
+      b.coeffRef(random.integer(0, b.rows() - 1), k % b.cols()) = random.uniform(-1, 1);
+    const Eigen::MatrixXd V = result.value->solveForward(b);
+    Eigen::VectorXd signs = Eigen::VectorXd::Ones(b.rows());
+    for (const int column : result.value->negative()) signs(column) = -1;
+    EXPECT_EQ((signs.array() < 0).count(), K.rows());
+    // b^T M^-1 b = V^T S V.
+    const Eigen::MatrixXd expected =
+        Eigen::MatrixXd(b).transpose() * Eigen::MatrixXd(saddle.matrix).partialPivLu().solve(Eigen::MatrixXd(b));
+    EXPECT_LT((V.transpose() * signs.asDiagonal() * V - expected).norm(), 1e-9);
+  }
+}
+
 TEST(Multipliers, MayBeAllThatMakesTheMatrixRegular)
 {
   // Without the rows a common shift of all columns costs nothing.
