@@ -65,6 +65,16 @@ class SystemBuilder {
     return {source_, 0, fmt::format("constraints[{}]{}", current_, name)};
   }
 
+  /// Names its place in the list where that is at fault alone.
+  [[nodiscard]] SurfacePoint located(const SurfaceLocation& location, const char* name) const
+  {
+    try {
+      return locator_.locate(location, {});
+    } catch (const InputError& error) {
+      throw InputError(key(name + error.location().element), error.reason());
+    }
+  }
+
   [[nodiscard]] bool isEnabled() const { return list_.constraints[current_].isEnabled; }
 
   template <class What>
@@ -111,7 +121,7 @@ class SystemBuilder {
 
   void add(const PointConstraint& point)
   {
-    const SurfacePoint at = locator_.locate(point.at, key(".at"));
+    const SurfacePoint at = located(point.at, ".at");
     system_.points[current_] = at;
     const Vector3 rest = positionOf(at, mesh_.positions);
     if (const Target* target = std::get_if<Target>(&point.to))
@@ -136,8 +146,8 @@ class SystemBuilder {
 
   void add(const RelativeConstraint& relative)
   {
-    const SurfacePoint from = overUnknowns(locator_.locate(relative.from, key(".from")));
-    const SurfacePoint to = overUnknowns(locator_.locate(relative.to, key(".to")));
+    const SurfacePoint from = overUnknowns(located(relative.from, ".from"));
+    const SurfacePoint to = overUnknowns(located(relative.to, ".to"));
     if (!isEnabled()) return;
     if (!relative.offset) return addRotatedVector(RowKind::Relative, from, to, midpoint(from, to).terms);
     const Vector3 rest = restVector(from, to);
