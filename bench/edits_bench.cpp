@@ -60,6 +60,7 @@ void editsOfConstraints(benchmark::State& state, const Mesh& mesh)
   samples.addRatios("= of nothing", {"another set", "ms"}, {"from nothing", "ms"});
   for (const auto& [row, edited] : edits) {
     samples.addRatios("= of another set", {row, "ms"}, {"another set", "ms"});
+    samples.addRatios("= of nothing", {row, "ms"}, {"from nothing", "ms"});
     samples.addRatios("= of frame", {"frame after " + row, "ms"}, {"frame", "ms"});
   }
   samples.report(state);
