@@ -127,16 +127,20 @@ void WindowUser::holdVertex(Index vertex)
 
 void WindowUser::key(Qt::Key key, Qt::KeyboardModifiers modifiers)
 {
-  QWidget* focus = QApplication::focusWidget();
-  QTest::keyClick(focus != nullptr ? focus : &window, key, modifiers);
+  QTest::keyClick(&keyOwner(), key, modifiers);
 }
 
 void WindowUser::keys(const char* text)
 {
-  for (const char* letter = text; *letter != 0; ++letter) {
-    QWidget* focus = QApplication::focusWidget();
-    QTest::keyClick(focus != nullptr ? focus : &window, *letter);
-  }
+  for (const char* letter = text; *letter != 0; ++letter) QTest::keyClick(&keyOwner(), *letter);
+}
+
+QWidget& WindowUser::keyOwner()
+{
+  // After a dialog the display takes a moment to give the keys back.
+  static_cast<void>(waitUntil([] { return QApplication::focusWidget() != nullptr; }, std::chrono::seconds(2)));
+  QWidget* const focus = QApplication::focusWidget();
+  return focus != nullptr ? *focus : window;
 }
 
 bool WindowUser::tabTo(QWidget& widget)

@@ -72,6 +72,8 @@ class WindowUser : public OpenWindow {
   void chooseFile(const std::string& path);
 
  private:
+  [[nodiscard]] QWidget& keyOwner();
+
   bool wasAsked_ = false;
 };
 
