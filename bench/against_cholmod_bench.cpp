@@ -147,12 +147,12 @@ Figures takeCholmodsTurn(Samples& samples, SparseMatrix& lower)
   return best;
 }
 
-Figures takeOwnTurn(Samples& samples, const std::string& row, const SparseMatrix& lower)
+Figures takeOwnTurn(Samples& samples, const SparseMatrix& lower)
 {
   std::vector<int> order(static_cast<std::size_t>(lower.cols()));  // the matrix has it already
   std::iota(order.begin(), order.end(), 0);
   std::shared_ptr<const SymbolicFactor> symbolic;
-  samples.add(row, "s analyse",
+  samples.add("own", "s analyse",
               secondsOf([&] { symbolic = std::make_shared<const SymbolicFactor>(analyze(lower, order)); }));
   Result<std::unique_ptr<const PackedFactor>> factor;
   const double factorize = secondsOf([&] { factor = factorizeMultifrontal(symbolic, lower); });
@@ -168,7 +168,7 @@ Figures takeOwnTurn(Samples& samples, const std::string& row, const SparseMatrix
     parallelBlocks(lower.cols(), [&](Index k) { solution.row(symbolic->order[k]) = place(k); });
   });
   const Figures own{factorize, solve, static_cast<double>(symbolic->nonzeros()), operationsOf(*symbolic)};
-  own.addTo(samples, row);
+  own.addTo(samples, "own");
   return own;
 }
 
@@ -179,22 +179,18 @@ void againstCholmod(benchmark::State& state, const Mesh& mesh)
   const ConstraintList list = scene(mesh);
   DraggedMesh dragged(mesh);
   dragged.deform(list);
-  SparseMatrix lower = normalEquations(dragged.model(), list, OrderFor::FirstResult);
-  const std::pair<std::string, SparseMatrix> orders[]{
-      {"own", lower}, {"own, order for many results", normalEquations(dragged.model(), list, OrderFor::ManyResults)}};
+  SparseMatrix lower = normalEquations(dragged.model(), list);
   Samples samples;
   for ([[maybe_unused]] auto turn : state) {
     const double frame = dragged.frame(list);
     const double read = bytesReadPerSecond();
     const double multiplied = operationsPerSecond();
     const Figures cholmod = takeCholmodsTurn(samples, lower);
-    for (const auto& [row, ordered] : orders) {
-      const Figures own = takeOwnTurn(samples, row, ordered);
-      samples.add(row, "= GB/s", own.bytesPerSecond() / read);
-      samples.add(row, "= GFlop/s", own.operationsPerSecond() / multiplied);
-      samples.add(row, "= factorise", own.factorize / cholmod.factorize);
-      samples.add(row, "= solve", own.solve / cholmod.solve);
-    }
+    const Figures own = takeOwnTurn(samples, lower);
+    samples.add("own", "= GB/s", own.bytesPerSecond() / read);
+    samples.add("own", "= GFlop/s", own.operationsPerSecond() / multiplied);
+    samples.add("own", "= factorise", own.factorize / cholmod.factorize);
+    samples.add("own", "= solve", own.solve / cholmod.solve);
     samples.add("machine", "GB/s", 1e-9 * read);
     samples.add("machine", "GFlop/s", 1e-9 * multiplied);
     samples.add("own", "ms frame", 1000 * frame);

@@ -7,11 +7,11 @@
 
 namespace holdfast::bench {
 
-SetUp setUp(const Model& model, const ConstraintList& constraints, OrderFor use)
+SetUp setUp(const Model& model, const ConstraintList& constraints)
 {
   const SolverMesh& mesh = model.solverMesh;
   return {std::make_shared<const TwoWayMatrix>(weightedRows(makeOperators(mesh, Weights::Cotangent))),
-          eliminationRanks(mesh.unknownCount(), mesh.triangles, use).ranks,
+          eliminationRanks(mesh.unknownCount(), mesh.triangles),
           makeConstraintSystem(constraints, model.mesh, mesh, model.locator(), "benchmark")};
 }
 
@@ -37,9 +37,9 @@ double factorMiB(const ConstrainedSolver& solver)
   return static_cast<double>(solver.factorNonzeros()) * sizeof(double) / (1024 * 1024);
 }
 
-SparseMatrix normalEquations(const Model& model, const ConstraintList& constraints, OrderFor use)
+SparseMatrix normalEquations(const Model& model, const ConstraintList& constraints)
 {
-  const SetUp made = setUp(model, constraints, use);
+  const SetUp made = setUp(model, constraints);
   const EliminatedConstraints eliminated = eliminate(made.system, model.solverMesh);
   return gramLower(
       scaleColumns(product(made.A->columns(), orderedColumns(eliminated.elimination.Q2(), made.ranks))).value.C);

@@ -8,8 +8,8 @@
 
 #include <holdfast/deform/model.h>
 #include <holdfast/operators/operators.h>
+#include <holdfast/ordering/elimination_order.h>
 #include <holdfast/solve/constrained_solver.h>
-#include <holdfast/solve/elimination_order.h>
 
 namespace holdfast::bench {
 
@@ -20,7 +20,7 @@ struct SetUp {
   ConstraintSystem system;
 };
 
-[[nodiscard]] SetUp setUp(const Model& model, const ConstraintList& constraints, OrderFor use = OrderFor::FirstResult);
+[[nodiscard]] SetUp setUp(const Model& model, const ConstraintList& constraints);
 
 /// The solver. Throws std::runtime_error with the reason where there is none.
 [[nodiscard]] std::unique_ptr<const ConstrainedSolver> factorized(const Model& model, const SetUp& setUp,
@@ -34,6 +34,6 @@ Displacement solution(const SetUp& setUp, const ConstrainedSolver& solver);
 [[nodiscard]] double factorMiB(const ConstrainedSolver& solver);
 
 /// The lower triangle of the normal equations under `constraints`, its columns in our order of elimination.
-[[nodiscard]] SparseMatrix normalEquations(const Model& model, const ConstraintList& constraints, OrderFor use);
+[[nodiscard]] SparseMatrix normalEquations(const Model& model, const ConstraintList& constraints);
 
 }  // namespace holdfast::bench

@@ -7,7 +7,7 @@
 #include <holdfast/deform/deform.h>
 #include <holdfast/geometry/rotation_log.h>
 #include <holdfast/operators/operators.h>
-#include <holdfast/solve/elimination_order.h>
+#include <holdfast/ordering/elimination_order.h>
 
 #include "bench/scenes.h"
 
@@ -47,7 +47,7 @@ BentMesh bentUnder(Mesh mesh, std::size_t count)
       makeConstraintSystem(list, bent.model.mesh, solverMesh, bent.model.locator(), "scene"), solverMesh);
   bent.eliminated = std::make_shared<const EliminatedConstraints>(eliminate(bent.system, solverMesh));
   bent.q = deform(bent.model, list, "scene").rotations;
-  bent.ranks = eliminationRanks(solverMesh.unknownCount(), solverMesh.triangles, OrderFor::ManyResults).ranks;
+  bent.ranks = eliminationRanks(solverMesh.unknownCount(), solverMesh.triangles);
   return bent;
 }
 

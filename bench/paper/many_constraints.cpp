@@ -15,7 +15,7 @@
 #include <holdfast/elimination/row_components.h>
 #include <holdfast/operators/operators.h>
 #include <holdfast/solve/bordered_problem.h>
-#include <holdfast/solve/elimination_order.h>
+#include <holdfast/ordering/elimination_order.h>
 
 #include "bench/bumpy_mesh.h"
 #include "bench/measure.h"
@@ -36,7 +36,7 @@ struct Bumpy {
   Model model = makeModel(bench::bumpyMesh(kVertices));
   SparseMatrix A = weightedRows(makeOperators(model.solverMesh, Weights::Cotangent));
   std::vector<int> ranks =
-      eliminationRanks(model.solverMesh.unknownCount(), model.solverMesh.triangles, OrderFor::ManyResults).ranks;
+      eliminationRanks(model.solverMesh.unknownCount(), model.solverMesh.triangles);
   Columns3 rest = model.solverMesh.rest.rowwise() - model.solverMesh.rest.colwise().mean();
 };
 

@@ -9,7 +9,7 @@
 #include <sys/resource.h>
 
 #include <holdfast/base/one_thread_internal.h>
-#include <holdfast/solve/elimination_order.h>
+#include <holdfast/ordering/elimination_order.h>
 
 namespace holdfast::paper {
 namespace {

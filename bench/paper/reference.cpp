@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include <holdfast/solve/elimination_order.h>
+#include <holdfast/ordering/elimination_order.h>
 
 #include "bench/random.h"
 

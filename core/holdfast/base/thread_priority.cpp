@@ -18,7 +18,6 @@ namespace {
 
 // As `nice` counts: a tenth of the time of a core that a thread of the window needs as well.
 constexpr int kNiceness = 10;
-constexpr int kLastNiceness = 19;
 
 pid_t thisThread() noexcept
 {
@@ -26,9 +25,9 @@ pid_t thisThread() noexcept
 }
 
 // On Linux a thread is what POSIX calls a process here.
-void lowerPriority(pid_t thread, int niceness = kNiceness) noexcept
+void lowerPriority(pid_t thread) noexcept
 {
-  ::setpriority(PRIO_PROCESS, static_cast<id_t>(thread), niceness);
+  ::setpriority(PRIO_PROCESS, static_cast<id_t>(thread), kNiceness);
 }
 
 /// All of this program, in the order in which they were started.
@@ -71,11 +70,6 @@ std::vector<int> usableCores()
 void computeInBackground() noexcept
 {
   lowerPriority(thisThread());
-}
-
-void computeLast() noexcept
-{
-  lowerPriority(thisThread(), kLastNiceness);
 }
 
 void letOthersComputeInBackground() noexcept

@@ -8,9 +8,6 @@ namespace holdfast {
 /// Lowers the priority of the calling thread, and of those that it starts from now on, for good.
 void computeInBackground() noexcept;
 
-/// Lowers it as far as it goes: for what is worth the time that is left over.
-void computeLast() noexcept;
-
 /// As `computeInBackground` for every thread of this program but the calling one: pools that libraries have started
 /// before `main`.
 void letOthersComputeInBackground() noexcept;

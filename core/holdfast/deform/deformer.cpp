@@ -6,14 +6,13 @@
 
 #include <holdfast/base/error.h>
 #include <holdfast/base/parallel.h>
-#include <holdfast/base/thread_priority.h>
 #include <holdfast/check/mesh_check.h>
 #include <holdfast/deform/deform_details.h>
 #include <holdfast/deform/found_shape.h>
 #include <holdfast/deform/messages.h>
 #include <holdfast/deform/rotation_factorization.h>
+#include <holdfast/ordering/elimination_order.h>
 #include <holdfast/solve/constrained_solver.h>
-#include <holdfast/solve/elimination_order.h>
 #include <holdfast/solve/moved_solutions.h>
 #include <holdfast/surface/surface_locator.h>
 
@@ -384,31 +383,6 @@ void Deformer::setTarget(std::string_view name, const Vector3& place)
   point->to = Target{place};
 }
 
-std::unique_ptr<LongStep<EliminationRanks>> Deformer::orderStep(OrderFor use) const
-{
-  const bool isOurs = options_.solver.backend == Backend::Holdfast;
-  return std::make_unique<LongStep<EliminationRanks>>(
-      [use, isOurs, n = model_->solverMesh.unknownCount(), triangles = model_->solverMesh.triangles]() mutable {
-        if (use == OrderFor::ManyResults) computeLast();
-        const std::vector<Triangle> own = std::move(triangles);  // not to be kept beside the order
-        return isOurs ? eliminationRanks(n, own, use) : EliminationRanks();
-      });
-}
-
-void Deformer::seekBetterOrder(Progress& progress)
-{
-  if (betterRanks_ == nullptr && !ranks_->result(progress).isByDissection) {
-    betterRanks_ = orderStep(OrderFor::ManyResults);
-    betterRanks_->start(progress);
-  }
-  if (betterRanks_ == nullptr || !betterRanks_->isDone() || coming_ != nullptr) return;
-  if (!betterRanks_->result(progress).isByDissection) return;
-  std::swap(ranks_, betterRanks_);
-  coming_ = std::make_shared<ConstraintFactorization>(*model_, A_, ranks_->result(progress).ranks,
-                                                      factorization_->system, options_);
-  coming_->rotations = factorization_->rotations;
-}
-
 ConstraintFactorization& Deformer::factorizationFor(const ConstraintSystem& system, Progress& progress)
 {
   if (coming_ != nullptr && coming_->serves(system) && coming_->isReady()) factorization_ = std::exchange(coming_, {});
@@ -422,8 +396,7 @@ ConstraintFactorization& Deformer::factorizationFor(const ConstraintSystem& syst
   if (answersEditsAtOnce_ && factorization_ != nullptr && !factorization_->isBordered && factorization_->isReady())
     whole_ = factorization_;
   progress.step(fmt::format("eliminating {} rows of constraints", system.rows.size()));
-  auto wanted =
-      std::make_shared<ConstraintFactorization>(*model_, A_, ranks_->result(progress).ranks, system, options_);
+  auto wanted = std::make_shared<ConstraintFactorization>(*model_, A_, ranks_->result(progress), system, options_);
   if (answersEditsAtOnce_ && whole_ != nullptr && whole_->turnsAs(system)) {
     wanted->rotations = whole_->rotations;
     auto bordered = std::make_shared<ConstraintFactorization>(*wanted, whole_);
@@ -443,7 +416,12 @@ DeformResult Deformer::deform(const ConstraintList& constraints, const std::stri
 {
   Seconds seconds;
   const auto setup = Clock::now();
-  if (ranks_ == nullptr) ranks_ = orderStep(OrderFor::FirstResult);
+  if (ranks_ == nullptr)
+    ranks_ = std::make_unique<LongStep<std::vector<int>>>([isOurs = options_.solver.backend == Backend::Holdfast,
+                                                           n = model_->solverMesh.unknownCount(),
+                                                           triangles = model_->solverMesh.triangles] {
+      return isOurs ? eliminationRanks(n, triangles) : std::vector<int>();
+    });
   if (!ranks_->isDone()) progress.step(fmt::format("ordering {} unknowns", model_->solverMesh.unknownCount()));
   ranks_->start(progress);
   ConstraintSystem system =
@@ -481,7 +459,6 @@ DeformResult Deformer::deform(const ConstraintList& constraints, const std::stri
     factorization_ = std::exchange(coming_, {});
     result = solved(*factorization_, std::move(again));
   }
-  if (answersEditsAtOnce_ && options_.solver.backend == Backend::Holdfast) seekBetterOrder(progress);
   if (coming_ != nullptr) coming_->positions.start(progress);
   if (isFound && result.report.solve.status != SolveStatus::Failed) lastRotations_ = result.rotations;
   result.report.solve.seconds.setup = seconds.setup;

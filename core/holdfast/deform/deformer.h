@@ -12,9 +12,7 @@ namespace holdfast {
 
 struct ConstraintFactorization;
 struct ConstraintSystem;
-struct EliminationRanks;
 struct Operators;
-enum class OrderFor;
 class RotationEnergy;
 class TwoWayMatrix;
 template <class Result>
@@ -66,14 +64,9 @@ class Deformer {
   std::shared_ptr<const Operators> operators_;
   std::shared_ptr<const RotationEnergy> energy_;  // where rotations are found
   std::shared_ptr<const TwoWayMatrix> A_;
-  std::unique_ptr<LongStep<EliminationRanks>> ranks_;
-  std::unique_ptr<LongStep<EliminationRanks>> betterRanks_;  // sought while results are answered
+  std::unique_ptr<LongStep<std::vector<int>>> ranks_;  // the order of elimination
   /// One that serves `system`: the one at hand, one that was made meanwhile, or a new one.
   [[nodiscard]] ConstraintFactorization& factorizationFor(const ConstraintSystem& system, Progress& progress);
-
-  [[nodiscard]] std::unique_ptr<LongStep<EliminationRanks>> orderStep(OrderFor use) const;
-  /// Looks for an order that leaves less to compute for each result, and has it used.
-  void seekBetterOrder(Progress& progress);
 
   friend DeformResult deform(const Model&, const ConstraintList&, const std::string&, const DeformOptions&, Progress&);
 

@@ -5,7 +5,7 @@
 #include <holdfast/base/parallel.h>
 #include <holdfast/factor/multifrontal.h>
 #include <holdfast/factor/multipliers.h>
-#include <holdfast/solve/elimination_order.h>
+#include <holdfast/ordering/minimum_degree.h>
 #include <holdfast/solve/least_squares_factor.h>
 
 namespace holdfast {

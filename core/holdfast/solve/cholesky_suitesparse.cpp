@@ -8,10 +8,17 @@
 #include <holdfast/base/cholmod_view_internal.h>
 #include <holdfast/base/one_thread_internal.h>
 #include <holdfast/solve/least_squares_factor.h>
-#include <holdfast/solve/nested_dissection_internal.h>
 
 namespace holdfast {
 namespace {
+
+/// METIS draws from the random numbers of the C library, which it starts anew for each order that it looks for: one at
+/// a time, so that the order does not depend on what other threads do.
+std::mutex& orderingLock()
+{
+  static std::mutex lock;
+  return lock;
+}
 
 /// Owns CHOLMOD's workspace, its factor and the memory of both.
 class CholeskyBySuiteSparse final : public LeastSquaresFactor {

@@ -3,7 +3,7 @@
 #include <holdfast/elimination/reconciliation.h>
 #include <holdfast/solve/bordered_problem.h>
 #include <holdfast/solve/constrained_solver.h>
-#include <holdfast/solve/elimination_order.h>
+#include <holdfast/ordering/elimination_order.h>
 
 namespace holdfast {
 namespace {

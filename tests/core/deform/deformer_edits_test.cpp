@@ -66,23 +66,6 @@ class Patience {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-TEST(DeformerEdits, GetABetterOrderMeanwhile)
-{
-  const Mesh mesh = test::plate(90, 80);
-  const ConstraintList list = turnedEnd(mesh);
-  Deformer deformer(makeModel(mesh));
-  deformer.answerEditsAtOnce(true);
-  const DeformResult first = deformer.deform(list);
-  DeformResult later = deformer.deform(list);
-  const Patience patience;
-  while (later.report.solve.factorNonzeros == first.report.solve.factorNonzeros && patience.isLeft())
-    later = deformer.deform(list);
-#ifdef HOLDFAST_WITH_CHOLMOD
-  EXPECT_LT(later.report.solve.factorNonzeros, first.report.solve.factorNonzeros);
-#endif
-  EXPECT_LT(test::distance(later.positions, first.positions), 1e-11);
-}
-
 TEST(DeformerEdits, AreAsExactAsFreshDeformations)
 {
   const Mesh mesh = test::plate(16, 12);

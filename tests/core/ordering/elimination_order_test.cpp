@@ -6,8 +6,8 @@
 #include <holdfast/constraints/constraint_system.h>
 #include <holdfast/deform/model.h>
 #include <holdfast/operators/operators.h>
+#include <holdfast/ordering/elimination_order.h>
 #include <holdfast/solve/constrained_solver.h>
-#include <holdfast/solve/elimination_order.h>
 
 #include "support/law_meshes.h"
 #include "support/point_constraints.h"
@@ -31,7 +31,7 @@ struct ReducedPlate {
   ConstraintSystem system =
       makeConstraintSystem(someConstraints(), model.mesh, model.solverMesh, model.locator(), "list");
   EliminatedConstraints eliminated = eliminate(system, model.solverMesh);
-  std::vector<int> ranks = eliminationRanks(model.solverMesh.unknownCount(), model.solverMesh.triangles).ranks;
+  std::vector<int> ranks = eliminationRanks(model.solverMesh.unknownCount(), model.solverMesh.triangles);
 
   [[nodiscard]] std::unique_ptr<const ConstrainedSolver> solver(std::vector<int> its) const
   {
