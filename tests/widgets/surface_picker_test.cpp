@@ -110,7 +110,7 @@ TEST(SurfacePicker, FacePicksAreThoseOfASearchThroughAllTriangles)
     EXPECT_GE(*std::min_element(at.weights.begin(), at.weights.end()), 0);
     EXPECT_NEAR(std::accumulate(at.weights.begin(), at.weights.end(), 0.0), 1, 1e-15);
     for (int k = 0; k < 3; ++k)
-      EXPECT_NEAR(at.weights[triangulation.corners[sight.triangle][k]], sight.weights[k], 1e-9);
+      EXPECT_NEAR(at.weights[triangulation.cornersOf(sight.triangle)[k]], sight.weights[k], 1e-9);
     EXPECT_NEAR(shown.distance(pick->place, pixel), 0, 1e-9);
     EXPECT_NEAR((placeOf(at, shown) - pick->place).norm(), 0, 1e-14 * shown.model.solverMesh.diagonal);
   });

@@ -80,7 +80,7 @@ class PointToolOnBracket : public test::OpenWindow {
     EXPECT_EQ(at->face, model().triangulation.faceOf[sight.triangle]);
     ASSERT_EQ(at->weights.size(), 3u);
     for (int corner = 0; corner < 3; ++corner) {
-      const Index cornerOfFace = model().triangulation.corners[sight.triangle][corner];
+      const Index cornerOfFace = model().triangulation.cornersOf(sight.triangle)[corner];
       EXPECT_NEAR(at->weights[cornerOfFace], sight.weights[corner], 1e-9);
     }
   }

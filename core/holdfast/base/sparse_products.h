@@ -114,6 +114,10 @@ class TwoWayMatrix {
   [[nodiscard]] const SparseMatrix& columns() const noexcept { return columns_; }
   [[nodiscard]] const SparseRows& rows() const noexcept { return rows_; }
 
+  /// Gives the memory of `rows` back until `makeRows`; meanwhile there are no products.
+  void dropRows() { SparseRows().swap(rows_); }
+  void makeRows() { rows_ = columns_; }
+
   /// C x.
   [[nodiscard]] Columns3 times(const Columns3& x) const
   {

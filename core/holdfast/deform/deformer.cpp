@@ -424,8 +424,9 @@ DeformResult Deformer::deform(const ConstraintList& constraints, const std::stri
     });
   if (!ranks_->isDone()) progress.step(fmt::format("ordering {} unknowns", model_->solverMesh.unknownCount()));
   ranks_->start(progress);
-  ConstraintSystem system =
-      makeConstraintSystem(constraints, model_->mesh, model_->solverMesh, model_->locator(), source);
+  ConstraintSystem system = makeConstraintSystem(
+      constraints, model_->mesh, model_->solverMesh,
+      isForOneCall_ ? SurfaceLocator(model_->mesh, model_->triangulation) : model_->locator(), source);
   const bool isFound = options_.rotations.source != RotationSource::Given;
   if (isFound) system = withStatedRotations(std::move(system));
   if (operators_ == nullptr) {

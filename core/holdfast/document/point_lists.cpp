@@ -51,7 +51,7 @@ SurfaceLocation locationOf(const ClosestPointSearch::Result& found, const Model&
   if (terms.size() == 2) return AtEdge{terms[0].index, terms[1].index, terms[0].coefficient};
   const Index face = model.triangulation.faceOf[found.triangle];
   AtFace at{face, std::vector<double>(model.mesh.faces[face].size(), 0.0)};
-  for (const Index corner : model.triangulation.corners[found.triangle])
+  for (const Index corner : model.triangulation.cornersOf(found.triangle))
     for (const Term& term : terms)
       if (model.mesh.faces[face][corner] == term.index) at.weights[corner] = term.coefficient;
   return at;

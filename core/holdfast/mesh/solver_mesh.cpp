@@ -18,6 +18,7 @@ Weld numbered(DisjointSets& sets, Index vertexCount)
     if (first == v) weld.firstVertexOf.push_back(v);
     weld.unknownOf[v] = first == v ? weld.unknownCount++ : weld.unknownOf[first];
   }
+  weld.firstVertexOf.shrink_to_fit();
   return weld;
 }
 

@@ -317,13 +317,14 @@ Triangulation triangulate(const Mesh& mesh)
   Triangulation result;
   const auto expected = static_cast<std::size_t>(mesh.faces.cornerCount() - 2 * mesh.faces.size());
   result.triangles.reserve(expected);
-  result.corners.reserve(expected);
+  const bool areTriangles = mesh.faces.cornerCount() == 3 * mesh.faces.size();  // none has fewer corners
+  if (!areTriangles) result.corners.reserve(expected);
   result.faceOf.reserve(expected);
   for (Index f = 0; f < mesh.faces.size(); ++f) {
     const auto face = mesh.faces[f];
     for (const auto& corners : cornersOfTriangles(mesh.positions, face)) {
       result.triangles.push_back({face[corners[0]], face[corners[1]], face[corners[2]]});
-      result.corners.push_back(corners);
+      if (!areTriangles) result.corners.push_back(corners);
       result.faceOf.push_back(f);
     }
   }

@@ -14,8 +14,14 @@ using Triangle = std::array<Index, 3>;
 /// The triangles of all faces, those of one face side by side, faces in file order.
 struct Triangulation {
   std::vector<Triangle> triangles;            ///< vertex ids
-  std::vector<std::array<Index, 3>> corners;  ///< the same as corner numbers within the face
+  std::vector<std::array<Index, 3>> corners;  ///< see `cornersOf`; empty where all faces are triangles
   std::vector<Index> faceOf;                  ///< file face of each triangle
+
+  /// A triangle as corner numbers within its face.
+  [[nodiscard]] std::array<Index, 3> cornersOf(Index triangle) const
+  {
+    return corners.empty() ? std::array<Index, 3>{0, 1, 2} : corners[static_cast<std::size_t>(triangle)];
+  }
 };
 
 /// Triangulates every face without new vertices: n - 2 triangles for n corners. Of the ears that can be cut off, the

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/LU>
 
@@ -187,12 +188,12 @@ class BorderedFactor final : public LeastSquaresFactor {
 }  // namespace
 
 Result<ReducedProblem> makeReducedProblem(const SparseMatrix& A, const SparseMatrix& Q2, const SparseMatrix& K,
-                                          const Columns3& rest, Backend backend, EliminationOrder order)
+                                          Columns3 rest, Backend backend, EliminationOrder order)
 {
   Result<ScaledColumns> columns = scaleColumns(product(A, Q2), K);
   if (!columns) return {{}, std::move(columns.failure)};
   auto& [C, scale, kept] = columns.value;
-  const Columns3 probe = scale.cwiseInverse().asDiagonal() * Columns3(Q2.transpose() * rest);
+  const Columns3 probe = scale.cwiseInverse().asDiagonal() * Columns3(Q2.transpose() * std::exchange(rest, {}));
   FactorResult factor = kept == 0 ? factorize(C, backend, probe, order) : factorizeKept(C, kept, probe, order);
   if (!factor) return {{}, std::move(factor.failure)};
   SparseRows scaledQ2 = Q2 * scale.asDiagonal();

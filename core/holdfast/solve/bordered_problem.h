@@ -20,7 +20,7 @@ struct ReducedProblem {
 /// That of min |A Q2 y - f| with K y = 0 below it, a row for each that is kept; there may be none. `rest` (n x 3) is a
 /// typical solution to measure factors on. Only our own factorisation keeps rows.
 [[nodiscard]] Result<ReducedProblem> makeReducedProblem(const SparseMatrix& A, const SparseMatrix& Q2,
-                                                        const SparseMatrix& K, const Columns3& rest, Backend backend,
+                                                        const SparseMatrix& K, Columns3 rest, Backend backend,
                                                         EliminationOrder order);
 
 /// More rows take longer than another factorisation does.

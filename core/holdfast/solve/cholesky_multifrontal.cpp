@@ -39,7 +39,7 @@ class CholeskyMultifrontal final : public LeastSquaresFactor {
 SparseMatrix withKeptRows(const SparseMatrix& lower, const TwoWayMatrix& C, Index kept)
 {
   const Index size = lower.cols();
-  const Index firstKept = C.rows().rows() - kept;
+  const Index firstKept = C.columns().rows() - kept;
   return assembled<SparseMatrix>(size + kept, size + kept, [&](Index k, ColumnSum& sum) {
     if (k >= size) return;
     sum.addColumn(lower, k);
@@ -50,9 +50,10 @@ SparseMatrix withKeptRows(const SparseMatrix& lower, const TwoWayMatrix& C, Inde
 
 }  // namespace
 
-FactorResult choleskyMultifrontal(const TwoWayMatrix& C, EliminationOrder wanted, Index kept)
+FactorResult choleskyMultifrontal(TwoWayMatrix& C, EliminationOrder wanted, Index kept)
 {
   SparseMatrix lower = gramLower(C);
+  C.dropRows();  // not to be kept beside the numbers of fronts
   std::vector<int> order(static_cast<std::size_t>(lower.cols()));
   std::iota(order.begin(), order.end(), 0);
   if (wanted == EliminationOrder::ToBeFound) order = minimumDegreeOrder(lower);
@@ -63,6 +64,7 @@ FactorResult choleskyMultifrontal(const TwoWayMatrix& C, EliminationOrder wanted
   }
   const auto symbolic = std::make_shared<const SymbolicFactor>(std::move(structure));
   auto [factor, failure] = factorizeMultifrontal(symbolic, lower);
+  C.makeRows();
   if (factor == nullptr) return {nullptr, std::move(failure)};
   return {std::make_unique<CholeskyMultifrontal>(std::move(factor))};
 }

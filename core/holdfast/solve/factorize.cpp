@@ -18,7 +18,7 @@ class NothingToSolve final : public LeastSquaresFactor {
   [[nodiscard]] std::string_view method() const override { return "nothing left to solve"; }
 };
 
-FactorResult cholesky(const TwoWayMatrix& C, Backend backend, EliminationOrder order)
+FactorResult cholesky(TwoWayMatrix& C, Backend backend, EliminationOrder order)
 {
   if (backend == Backend::Holdfast) return choleskyMultifrontal(C, order);
 #ifdef HOLDFAST_WITH_CHOLMOD
@@ -45,7 +45,7 @@ bool isBuilt(Backend backend)
 #endif
 }
 
-FactorResult factorizeKept(const TwoWayMatrix& C, Index kept, const Columns3& probe, EliminationOrder order)
+FactorResult factorizeKept(TwoWayMatrix& C, Index kept, const Columns3& probe, EliminationOrder order)
 {
   FactorResult result = choleskyMultifrontal(C, order, kept);
   if (!result) return result;
@@ -55,7 +55,7 @@ FactorResult factorizeKept(const TwoWayMatrix& C, Index kept, const Columns3& pr
           fmt::format("the equations with multipliers keep no digits (a correction leaves {:.1g} of an error)", left)};
 }
 
-FactorResult factorize(const TwoWayMatrix& C, Backend backend, const Columns3& probe, EliminationOrder order)
+FactorResult factorize(TwoWayMatrix& C, Backend backend, const Columns3& probe, EliminationOrder order)
 {
   if (C.columns().cols() == 0) return {std::make_unique<NothingToSolve>()};
   FactorResult first = cholesky(C, backend, order);

@@ -62,14 +62,14 @@ class HardSolver final : public ConstrainedSolver {
 };
 
 /// With the rows `kept` of the elimination in the system, or with none where that is empty.
-SolverResult hardSolver(ConstrainedProblem& problem, Backend backend, const SparseMatrix& wantedQ2,
+SolverResult hardSolver(ConstrainedProblem problem, Backend backend, const SparseMatrix& wantedQ2,
                         const std::vector<Index>& kept)
 {
   const SparseMatrix Q2 = orderedColumns(wantedQ2, problem.ranks);
   std::vector<RowTerms> rows;
   for (const Index row : kept) rows.push_back(problem.eliminated->rows[row]);
   Result<ReducedProblem> reduced = makeReducedProblem(problem.A->columns(), Q2, constraintMatrix(rows, Q2.rows()) * Q2,
-                                                      problem.rest, backend, problem.eliminationOrder());
+                                                      std::move(problem.rest), backend, problem.eliminationOrder());
   if (!reduced) return {nullptr, std::move(reduced.failure)};
   return {std::make_unique<HardSolver>(std::move(problem), std::move(reduced.value))};
 }
@@ -80,11 +80,11 @@ SolverResult makeHardSolver(ConstrainedProblem problem, Backend backend)
 {
   const Elimination& elimination = problem.eliminated->elimination;
   const std::vector<Index> kept = elimination.kept();
-  if (kept.empty()) return hardSolver(problem, backend, elimination.Q2(), kept);
+  if (kept.empty()) return hardSolver(std::move(problem), backend, elimination.Q2(), kept);
   // Only our own factorisation has multipliers.
   if (backend == Backend::Holdfast)
     if (SolverResult result = hardSolver(problem, backend, elimination.Q2(), kept)) return result;
-  return hardSolver(problem, backend, elimination.wholeQ2(), {});
+  return hardSolver(std::move(problem), backend, elimination.wholeQ2(), {});
 }
 
 }  // namespace holdfast

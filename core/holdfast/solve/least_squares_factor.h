@@ -45,10 +45,10 @@ enum class EliminationOrder {
 
 using FactorResult = Result<std::unique_ptr<const LeastSquaresFactor>>;
 
-/// Each takes C (m x k) with columns of unit length. Those of SuiteSparse are defined where that is
-/// built.
-[[nodiscard]] FactorResult choleskyMultifrontal(const TwoWayMatrix& C,
-                                                EliminationOrder order = EliminationOrder::ToBeFound, Index kept = 0);
+/// Each takes C (m x k) with columns of unit length. Those of SuiteSparse are defined where that is built. Our own is
+/// without the rows of C meanwhile (`TwoWayMatrix::dropRows`).
+[[nodiscard]] FactorResult choleskyMultifrontal(TwoWayMatrix& C, EliminationOrder order = EliminationOrder::ToBeFound,
+                                                Index kept = 0);
 [[nodiscard]] FactorResult choleskyBySuiteSparse(const TwoWayMatrix& C);
 [[nodiscard]] FactorResult choleskyByEigen(const TwoWayMatrix& C);
 /// R of a sparse QR of C, Q not kept: R^T R z = C^T f (semi-normal equations; Björck, 1987).
@@ -57,11 +57,10 @@ using FactorResult = Result<std::unique_ptr<const LeastSquaresFactor>>;
 /// A factor that solves with the digits of a double after corrections: Cholesky of the normal equations, and where that
 /// meets a bad pivot or contracts too slowly, sparse QR of C. `probe` (k x 3) is any typical solution, by which
 /// factors are measured. A failure names both reasons. Other backends than our own find an order themselves.
-[[nodiscard]] FactorResult factorize(const TwoWayMatrix& C, Backend backend, const Columns3& probe,
+[[nodiscard]] FactorResult factorize(TwoWayMatrix& C, Backend backend, const Columns3& probe,
                                      EliminationOrder order = EliminationOrder::ToBeFound);
 
 /// Our own factor of a problem with kept rows, if corrections reach the digits of a double with it.
-[[nodiscard]] FactorResult factorizeKept(const TwoWayMatrix& C, Index kept, const Columns3& probe,
-                                         EliminationOrder order);
+[[nodiscard]] FactorResult factorizeKept(TwoWayMatrix& C, Index kept, const Columns3& probe, EliminationOrder order);
 
 }  // namespace holdfast

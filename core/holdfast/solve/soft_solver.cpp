@@ -45,7 +45,7 @@ SolverResult makeSoftSolver(ConstrainedProblem problem, Backend backend, double 
   const SparseMatrix spread = orderedColumns(Elimination({}, {}, A.cols(), eliminated.isHeld).Q2(), problem.ranks);
   const SparseMatrix all = stacked(A, weight * constraintMatrix(eliminated.rows, A.cols()));
   Result<ReducedProblem> reduced =
-      makeReducedProblem(all, spread, {}, problem.rest, backend, problem.eliminationOrder());
+      makeReducedProblem(all, spread, {}, std::move(problem.rest), backend, problem.eliminationOrder());
   if (!reduced) return {nullptr, std::move(reduced.failure)};
   return {std::make_unique<SoftSolver>(weight, std::move(reduced.value))};
 }

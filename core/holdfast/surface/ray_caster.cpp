@@ -99,9 +99,7 @@ RayCaster::RayCaster(const Positions& positions, std::vector<Triangle> triangles
 }
 
 RayCaster::RayCaster(std::shared_ptr<const TriangleTree> tree, std::shared_ptr<const Positions> positions)
-    : tree_(std::move(tree)),
-      positions_(std::move(positions)),
-      boxes_(std::make_shared<const TriangleTree::Boxes>(tree_->boxesAt(*positions_)))
+    : tree_(std::move(tree)), positions_(std::move(positions))
 {
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <utility>
@@ -46,7 +47,7 @@ class RayCaster {
   /// Finite positions. O(T log T).
   RayCaster(const Positions& positions, std::vector<Triangle> triangles);
 
-  /// For the same triangles at other finite positions. O(T); shares all but the boxes.
+  /// For the same triangles at other finite positions. O(1); shares all but the boxes.
   [[nodiscard]] RayCaster movedTo(std::shared_ptr<const Positions> positions) const
   {
     return RayCaster(tree_, std::move(positions)).without(isLeftOut_);
@@ -62,6 +63,9 @@ class RayCaster {
   [[nodiscard]] bool isLeftOut(Index triangle) const { return isLeftOut_ && (*isLeftOut_)[triangle] != 0; }
 
   [[nodiscard]] const Positions& positions() const noexcept { return *positions_; }
+
+  /// Makes the boxes, which the first ray makes otherwise. On any thread; for all copies. O(T).
+  void prepare() const { static_cast<void>(boxes_->get(*tree_, *positions_)); }
 
   /// The first that the ray meets within `range`; of several at one place that of smallest id. About O(log T).
   [[nodiscard]] std::optional<RayHit> firstHit(const Ray& ray, const RayRange& range = {}) const;
@@ -79,18 +83,33 @@ class RayCaster {
  private:
   class Caster;
 
+  /// The boxes of a tree: made when they are first asked for, once, whatever threads ask.
+  class Boxes {
+   public:
+    const TriangleTree::Boxes& get(const TriangleTree& tree, const Positions& positions)
+    {
+      std::call_once(areMade_, [&] { boxes_ = tree.boxesAt(positions); });
+      return boxes_;
+    }
+
+   private:
+    std::once_flag areMade_;
+    TriangleTree::Boxes boxes_;
+  };
+
   RayCaster(std::shared_ptr<const TriangleTree> tree, std::shared_ptr<const Positions> positions);
 
   /// As `TriangleTree::visit`, without what is left out.
   template <class Entry, class Visit>
   void visit(Entry&& entry, const double& limit, Visit&& visit) const
   {
-    tree_->visit(*boxes_, entry, limit, [&](Index triangle) { return !isLeftOut(triangle) && visit(triangle); });
+    tree_->visit(boxes_->get(*tree_, *positions_), entry, limit,
+                 [&](Index triangle) { return !isLeftOut(triangle) && visit(triangle); });
   }
 
   std::shared_ptr<const TriangleTree> tree_;
   std::shared_ptr<const Positions> positions_;
-  std::shared_ptr<const TriangleTree::Boxes> boxes_;  // at the positions
+  std::shared_ptr<Boxes> boxes_ = std::make_shared<Boxes>();  // at the positions
   std::shared_ptr<const std::vector<char>> isLeftOut_;
 };
 

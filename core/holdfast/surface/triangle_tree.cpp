@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include <holdfast/base/parallel.h>
+
 namespace holdfast {
 namespace {
 
@@ -46,13 +48,14 @@ Index TriangleTree::addNode(Index first, Index last, const Positions& centers)
 TriangleTree::Boxes TriangleTree::boxesAt(const Positions& positions) const
 {
   Boxes boxes(nodes_.size());
-  for (Index n = static_cast<Index>(boxes.size()) - 1; n >= 0; --n) {
+  const auto count = static_cast<Index>(boxes.size());
+  parallelBlocks(count, [&](Index n) {
     const Node& node = nodes_[n];
-    if (node.second != 0)
-      boxes[n] = boxes[n + 1].merged(boxes[node.second]);
-    else
+    if (node.second == 0)
       for (Index k = node.first; k < node.last; ++k) boxes[n].extend(boxOf(order_[k], positions));
-  }
+  });
+  for (Index n = count - 1; n >= 0; --n)
+    if (const Index second = nodes_[n].second; second != 0) boxes[n] = boxes[n + 1].merged(boxes[second]);
   return boxes;
 }
 

@@ -69,12 +69,22 @@ TEST(Triangulate, GivesTwoTrianglesLessThanCornersAndNamesTheirFaceAndCorners)
     for (std::size_t t = 0; t < result.triangles.size(); ++t) {
       ++count[result.faceOf[t]];
       for (int k = 0; k < 3; ++k)
-        EXPECT_EQ(named.mesh.faces[result.faceOf[t]][result.corners[t][k]], result.triangles[t][k]);
+        EXPECT_EQ(named.mesh.faces[result.faceOf[t]][result.cornersOf(t)[k]], result.triangles[t][k]);
     }
     for (Index f = 0; f < named.mesh.faces.size(); ++f)
       EXPECT_EQ(count[f], static_cast<Index>(named.mesh.faces[f].size()) - 2) << "face " << f;
     EXPECT_TRUE(std::is_sorted(result.faceOf.begin(), result.faceOf.end()));
   }
+}
+
+TEST(Triangulate, KeepsCornersOnlyWhereAFaceHasMoreThanThree)
+{
+  const Triangulation ofTriangles = triangulate(test::icosphere(1));
+  EXPECT_TRUE(ofTriangles.corners.empty());
+  EXPECT_EQ(ofTriangles.cornersOf(7), (std::array<Index, 3>{0, 1, 2}));
+  Mesh mixed = test::grid(2, 2);
+  mixed.faces.add({0, 1, 2, 3});
+  EXPECT_EQ(triangulate(mixed).corners.size(), triangulate(mixed).triangles.size());
 }
 
 TEST(Triangulate, LeavesTrianglesAsTheyAre)

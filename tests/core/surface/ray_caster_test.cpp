@@ -2,10 +2,13 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <optional>
+#include <vector>
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
+#include <holdfast/base/parallel.h>
 #include <holdfast/surface/ray_caster.h>
 
 #include "support/law_meshes.h"
@@ -102,6 +105,26 @@ TEST(RayCaster, HitsFollowTheSurface)
   EXPECT_EQ(moved.positions(), crumpled);
   expectPlainHits(moved, crumpled, triangles, random);
   expectPlainHits(atRest, mesh.positions, triangles, random);
+}
+
+TEST(RayCaster, AnswersSeveralThreadsAtOnceAsOneThatWasPrepared)
+{
+  const Mesh mesh = test::icosphere(4);
+  const RayCaster atRest(mesh.positions, triangulate(mesh).triangles);
+  const auto stretched = std::make_shared<const Positions>(2 * mesh.positions);
+  const RayCaster prepared = atRest.movedTo(stretched);
+  prepared.prepare();
+  const RayCaster moved = atRest.movedTo(stretched);
+  std::vector<std::optional<RayHit>> hits(64);
+  const auto ray = [&](Index k) { return Ray{Vector3::Zero(), mesh.positions.row(k).transpose()}; };
+  parallelFor(static_cast<Index>(hits.size()), [&](Index k) { hits[k] = moved.firstHit(ray(k)); });
+  for (Index k = 0; k < static_cast<Index>(hits.size()); ++k) {
+    const std::optional<RayHit> expected = prepared.firstHit(ray(k));
+    ASSERT_TRUE(hits[k] && expected) << k;
+    EXPECT_NEAR(hits[k]->t, 2, 0.01) << k;
+    EXPECT_EQ(hits[k]->triangle, expected->triangle) << k;
+    EXPECT_EQ(hits[k]->t, expected->t) << k;
+  }
 }
 
 TEST(RayCaster, RaysDoNotSlipThroughEdgesAndVertices)

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include <holdfast/base/parallel.h>
 #include <holdfast/deform/deform_details.h>
 #include <holdfast/deform/fields.h>
 #include <holdfast/mesh/vertex_normals.h>
@@ -128,9 +129,10 @@ Coloring forceColoring(const Model& model, const DeformResult& deformation, cons
 
 Coloring displacementColoring(const Model& model, const DeformResult& deformation, const std::string& units)
 {
-  std::vector<double> lengths;
-  for (Index v = 0; v < deformation.positions.rows(); ++v)
-    lengths.push_back((deformation.positions.row(v) - model.mesh.positions.row(v)).stableNorm());
+  std::vector<double> lengths(static_cast<std::size_t>(deformation.positions.rows()));
+  parallelBlocks(deformation.positions.rows(), [&](Index v) {
+    lengths[v] = (deformation.positions.row(v) - model.mesh.positions.row(v)).stableNorm();
+  });
   return linearColoring(inUnits("displacement", units), withoutRounding(std::move(lengths), roundingOf(model)));
 }
 

@@ -81,7 +81,7 @@ class Search {
     AtFace at{face, std::vector<double>(corners.size(), 0.0)};
     Vector3 place = Vector3::Zero();
     for (std::size_t k = 0; k < 3; ++k) {
-      const Index corner = model_.triangulation.corners[hit_->triangle][k];
+      const Index corner = model_.triangulation.cornersOf(hit_->triangle)[k];
       at.weights[corner] = hit_->weights[k];
       place += hit_->weights[k] * surface_.positions().row(corners[corner]).transpose();
     }
@@ -170,7 +170,7 @@ class Search {
   /// Whether the side is one of the face that the triangle is cut from, not a cut.
   [[nodiscard]] bool isSideOfFace(Index triangle, int side) const
   {
-    const auto& corners = model_.triangulation.corners[triangle];
+    const auto corners = model_.triangulation.cornersOf(triangle);
     const auto count = static_cast<Index>(model_.mesh.faces[model_.triangulation.faceOf[triangle]].size());
     const Index a = corners[side];
     const Index b = corners[(side + 1) % 3];

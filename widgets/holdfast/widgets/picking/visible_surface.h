@@ -31,8 +31,11 @@ class VisibleSurface {
   /// Whether a triangle at a vertex of the file is not hidden.
   [[nodiscard]] bool isShown(Index vertex) const;
 
-  /// The same at other positions, all finite, cut by the same plane, as much hidden. O(T), on any thread.
+  /// The same at other positions, all finite, cut by the same plane, as much hidden. O(1).
   [[nodiscard]] VisibleSurface movedTo(std::shared_ptr<const Positions> positions) const;
+
+  /// Does what the first ray does otherwise, on any thread. O(T).
+  void prepare() const { rays_.prepare(); }
 
   /// Whether one was made of the other, or both of a third: places are named alike on both.
   [[nodiscard]] bool isSameMesh(const VisibleSurface& other) const noexcept

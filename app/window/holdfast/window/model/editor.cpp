@@ -67,6 +67,7 @@ LoadedMesh prepareMesh(MeshDocument document, const std::filesystem::path& path,
   loaded.contents = std::make_shared<SceneContents>(model);
   if (isLarge(model)) loaded.contents->setDetail(Detail::Coarse);
   loaded.surface = std::make_shared<const VisibleSurface>(model);
+  loaded.surface->prepare();
   const auto& source = loaded.document.source;
   loaded.isScan = loaded.regions->flatShare() < kFlatShareOfScans &&
                   hasSinglePrecision(model.mesh.positions, source && source->isText());
@@ -94,7 +95,9 @@ void Editor::open(LoadedMesh mesh, DocumentState state)
     return {event.state, event.deformation, std::move(surface), marks};
   };
   worker_ = std::make_unique<LiveDeformer>(mesh_.model, [this, prepared](const LiveEvent& event) mutable {
-    calls_.post([this, event, solved = prepared(event)] { handle(event, solved); });
+    const Solved solved = prepared(event);
+    calls_.post([this, event, solved] { handle(event, solved); });
+    if (solved.surface) solved.surface->prepare();  // the picture does not wait for rays
   });
   Q_EMIT opened();
   stateBecame(Supersede::AtNextStep);

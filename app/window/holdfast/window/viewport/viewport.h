@@ -201,6 +201,7 @@ class Viewport : public VtkView {
   void awaitDrawing();
   void goOnWhenDrawn();
   [[nodiscard]] bool isUnseen() const { return waiting_.isValid() && waiting_.elapsed() < kMostMillisecondsUnseen; }
+  [[nodiscard]] bool isSolutionAwaited() const;
   void abandonDrawing();
   void fitClippingRange();
 

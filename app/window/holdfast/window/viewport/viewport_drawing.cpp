@@ -18,6 +18,9 @@ constexpr const char* kDrawingThreads = "llvmpipe-";
 // Between two looks at the fence.
 constexpr int kMillisecondsBetweenLooks = 1;
 
+// Since the last picture. A mesh of 173,000 vertices follows a drag within that time.
+constexpr int kMostMillisecondsUnsolved = 100;
+
 // Longer than any picture takes.
 constexpr std::chrono::seconds kLongestWait(10);
 
@@ -71,7 +74,7 @@ void Viewport::render()
   const bool isOneComing = (drawnTimer_.isActive() && (!slices_->isUnderWay() || !isSceneDue_)) || isUnseen();
   if (!isOneComing) abandonDrawing();
   // The driver still draws what was abandoned, and the next picture would wait for it.
-  if (isOneComing || !fence_->pass()) return renderTimer_.start(kMillisecondsBetweenLooks);
+  if (isOneComing || isSolutionAwaited() || !fence_->pass()) return renderTimer_.start(kMillisecondsBetweenLooks);
   if (!isVisible()) return;
   // Where the cursor moves all the time, coarse pictures would follow one another for ever.
   if (std::exchange(isFullDue_, false) && !isSceneDue_) return renderInFull();
@@ -88,6 +91,13 @@ void Viewport::render()
     window_->Render();
   window_->SwapBuffersOn();
   awaitDrawing();
+}
+
+/// Whether a drag's widgets wait for what they drag. Without a GPU their own pictures take the cores from the solver.
+bool Viewport::isSolutionAwaited() const
+{
+  return !isSceneDue_ && isHeld_ && editor_.solveState() == SolveState::Solving && drawing_.isValid() &&
+         drawing_.elapsed() < kMostMillisecondsUnsolved;
 }
 
 /// A large mesh is drawn with fewer triangles until the mouse rests.
