@@ -359,7 +359,7 @@ Deformer::Deformer(Model model, const DeformOptions& options)
 }
 
 Deformer::Deformer(std::shared_ptr<const Model> model, const DeformOptions& options)
-    : model_(std::move(model)), options_(options)
+    : model_(std::move(model)), options_(options), points_(std::make_unique<LocatedPoints>())
 {
 }
 
@@ -447,7 +447,7 @@ DeformResult Deformer::deform(const ConstraintList& constraints, const std::stri
   if (!ranks_->isDone()) progress.step(fmt::format("ordering {} unknowns", model_->solverMesh.unknownCount()));
   ranks_->start(progress);
   ConstraintSystem system =
-      makeConstraintSystem(constraints, model_->mesh, model_->solverMesh, model_->locator(), source);
+      makeConstraintSystem(constraints, model_->mesh, model_->solverMesh, model_->locator(), source, *points_);
   const bool isFound = options_.rotations.source != RotationSource::Given;
   if (isFound) system = withStatedRotations(std::move(system));
   if (operators_ == nullptr) {

@@ -15,6 +15,7 @@ struct ConstraintSystem;
 struct EliminationRanks;
 struct Operators;
 enum class OrderFor;
+class LocatedPoints;
 class RotationEnergy;
 class TwoWayMatrix;
 template <class Result>
@@ -63,6 +64,7 @@ class Deformer {
   std::shared_ptr<const Model> model_;
   DeformOptions options_;
   ConstraintList constraints_;
+  std::unique_ptr<LocatedPoints> points_;
   std::shared_ptr<const Operators> operators_;
   std::shared_ptr<const RotationEnergy> energy_;  // where rotations are found
   std::shared_ptr<const TwoWayMatrix> A_;
