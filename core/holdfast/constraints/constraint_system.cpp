@@ -23,18 +23,20 @@ bool statesRotation(const HandleConstraint& handle)
 class SystemBuilder {
  public:
   SystemBuilder(const ConstraintList& list, const Mesh& mesh, const SolverMesh& solverMesh,
-                const SurfaceLocator& locator, const std::string& source)
+                const SurfaceLocator& locator, const std::string& source, LocatedPoints& points)
       : list_(list),
         mesh_(mesh),
         solverMesh_(solverMesh),
         source_(source),
         locator_(locator),
+        points_(points),
         selector_(mesh, solverMesh, locator_),
         selected_(list.constraints.size()),
         pinOf_(static_cast<std::size_t>(solverMesh.unknownCount()), -1),
         hasRotation_(static_cast<std::size_t>(solverMesh.unknownCount()), false)
   {
     system_.points.resize(list.constraints.size());
+    system_.rows.reserve(list.constraints.size());
   }
 
   ConstraintSystem build()
@@ -121,13 +123,15 @@ class SystemBuilder {
 
   void add(const PointConstraint& point)
   {
-    const SurfacePoint at = located(point.at, ".at");
-    system_.points[current_] = at;
-    const Vector3 rest = positionOf(at, mesh_.positions);
+    const LocatedPoints::Entry& known = points_.entry(current_, point.at, [this](const SurfaceLocation& at) {
+      const SurfacePoint found = located(at, ".at");
+      return LocatedPoints::Entry{at, found, overUnknowns(found).terms, positionOf(found, mesh_.positions)};
+    });
+    system_.points[current_] = known.point;
     if (const Target* target = std::get_if<Target>(&point.to))
-      addRow(overUnknowns(at).terms, target->place, target->place - rest);
+      addRow(known.terms, target->place, target->place - known.rest);
     else
-      addRow(overUnknowns(at).terms, rest + std::get<Move>(point.to).shift, std::get<Move>(point.to).shift);
+      addRow(known.terms, known.rest + std::get<Move>(point.to).shift, std::get<Move>(point.to).shift);
   }
 
   void add(const RigidConstraint& /*rigid*/)
@@ -247,6 +251,7 @@ class SystemBuilder {
   const SolverMesh& solverMesh_;
   const std::string& source_;
   const SurfaceLocator& locator_;
+  LocatedPoints& points_;
   Selector selector_;
   std::vector<std::vector<Index>> selected_;  // vertices of each constraint
   HandleSurroundings surroundings_;
@@ -259,9 +264,16 @@ class SystemBuilder {
 }  // namespace
 
 ConstraintSystem makeConstraintSystem(const ConstraintList& list, const Mesh& mesh, const SolverMesh& solverMesh,
+                                      const SurfaceLocator& locator, const std::string& source, LocatedPoints& points)
+{
+  return SystemBuilder(list, mesh, solverMesh, locator, source, points).build();
+}
+
+ConstraintSystem makeConstraintSystem(const ConstraintList& list, const Mesh& mesh, const SolverMesh& solverMesh,
                                       const SurfaceLocator& locator, const std::string& source)
 {
-  return SystemBuilder(list, mesh, solverMesh, locator, source).build();
+  LocatedPoints points;
+  return makeConstraintSystem(list, mesh, solverMesh, locator, source, points);
 }
 
 ConstraintSystem withStatedRotations(ConstraintSystem system)

@@ -1,6 +1,7 @@
 #pragma once
 /// Constraints as the solver sees them: the rows of B and d, in the user's order, over unknowns.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -65,9 +66,37 @@ struct ConstraintSystem {
   std::vector<ConstraintNote> notes;             ///< in the user's order
 };
 
-/// The rows of a list of constraints on a mesh of finite positions. `source` names the list in messages. Throws
-/// `InputError` with the place in the list for what does not fit the mesh, and for what `validateHandle` or
-/// `placeHandle` refuses.
+/// Where the points of lists lie that follow one another on one mesh: a point that stays at its location is not located
+/// again.
+class LocatedPoints {
+ public:
+  struct Entry {
+    SurfaceLocation at;
+    SurfacePoint point;       ///< in file vertices
+    std::vector<Term> terms;  ///< over unknowns
+    Vector3 rest;             ///< model units
+  };
+
+  /// That of the constraint at this place in the list; `locate(at)` makes it where the last one was elsewhere.
+  template <class Locate>
+  [[nodiscard]] const Entry& entry(Index place, const SurfaceLocation& at, const Locate& locate)
+  {
+    if (place >= static_cast<Index>(entries_.size())) entries_.resize(static_cast<std::size_t>(place) + 1);
+    std::optional<Entry>& known = entries_[place];
+    if (!known || known->at != at) known = locate(at);
+    return *known;
+  }
+
+ private:
+  std::vector<std::optional<Entry>> entries_;  // of each constraint
+};
+
+/// The rows of a list of constraints on a mesh of finite positions. `source` names the list in messages. `points` are
+/// those of lists before this one on the same mesh. Throws `InputError` with the place in the list for what does not
+/// fit the mesh, and for what `validateHandle` or `placeHandle` refuses.
+[[nodiscard]] ConstraintSystem makeConstraintSystem(const ConstraintList& list, const Mesh& mesh,
+                                                    const SolverMesh& solverMesh, const SurfaceLocator& locator,
+                                                    const std::string& source, LocatedPoints& points);
 [[nodiscard]] ConstraintSystem makeConstraintSystem(const ConstraintList& list, const Mesh& mesh,
                                                     const SolverMesh& solverMesh, const SurfaceLocator& locator,
                                                     const std::string& source);

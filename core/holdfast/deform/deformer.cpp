@@ -358,7 +358,7 @@ Deformer::Deformer(Model model, const DeformOptions& options)
 }
 
 Deformer::Deformer(std::shared_ptr<const Model> model, const DeformOptions& options)
-    : model_(std::move(model)), options_(options)
+    : model_(std::move(model)), options_(options), points_(std::make_unique<LocatedPoints>())
 {
 }
 
@@ -426,7 +426,7 @@ DeformResult Deformer::deform(const ConstraintList& constraints, const std::stri
   ranks_->start(progress);
   ConstraintSystem system = makeConstraintSystem(
       constraints, model_->mesh, model_->solverMesh,
-      isForOneCall_ ? SurfaceLocator(model_->mesh, model_->triangulation) : model_->locator(), source);
+      isForOneCall_ ? SurfaceLocator(model_->mesh, model_->triangulation) : model_->locator(), source, *points_);
   const bool isFound = options_.rotations.source != RotationSource::Given;
   if (isFound) system = withStatedRotations(std::move(system));
   if (operators_ == nullptr) {

@@ -4,6 +4,7 @@
 #include <set>
 #include <tuple>
 
+#include <holdfast/base/parallel.h>
 #include <holdfast/deform/deform_details.h>
 
 namespace holdfast {
@@ -151,14 +152,14 @@ std::string_view name(SolveStatus status)
 
 std::vector<double> rowResiduals(const ConstraintSystem& system, const Weld& weld, const Positions& positions)
 {
-  std::vector<double> residuals;
-  residuals.reserve(system.rows.size());
-  for (const ConstraintRow& row : system.rows) {
+  std::vector<double> residuals(system.rows.size());
+  parallelBlocks(static_cast<Index>(residuals.size()), [&](Index r) {
+    const ConstraintRow& row = system.rows[r];
     Vector3 at = Vector3::Zero();
     for (const Term& term : row.terms)
       at += term.coefficient * positions.row(weld.firstVertexOf[term.index]).transpose();
-    residuals.push_back((at - row.target).stableNorm());
-  }
+    residuals[r] = (at - row.target).stableNorm();
+  });
   return residuals;
 }
 
@@ -169,9 +170,9 @@ std::vector<ConstraintOutcome> outcomes(const ConstraintList& list, const Constr
   std::vector<Index> rows(groups.size(), 0);
   for (const ConstraintRow& row : system.rows) ++rows[row.constraint];
   std::vector<std::vector<ConflictSet>> conflictSets = conflictSetsOf(list, system, groups, rows);
-  std::vector<ConstraintOutcome> result;
+  std::vector<ConstraintOutcome> result(groups.size());
   for (std::size_t c = 0; c < groups.size(); ++c) {
-    ConstraintOutcome outcome;
+    ConstraintOutcome& outcome = result[c];
     outcome.name = list.constraints[c].name;
     outcome.type = typeName(list.constraints[c]);
     outcome.rows = rows[c];
@@ -187,7 +188,6 @@ std::vector<ConstraintOutcome> outcomes(const ConstraintList& list, const Constr
       }
       for (const Index term : terms) outcome.dependsOn.push_back(list.constraints[term].name);
     }
-    result.push_back(std::move(outcome));
   }
   setLimits(result, system, diagnosis.limits);
   return result;

@@ -5,6 +5,7 @@
 #include <random>
 #include <utility>
 
+#include <holdfast/elimination/own_unknowns.h>
 #include <holdfast/elimination/sequential_qr.h>
 
 namespace holdfast {
@@ -40,7 +41,7 @@ Eigen::MatrixXd inverseRows(const SparseMatrix& R1)
 
 Columns3 BlockElimination::Block::spanTimes(const Columns3& y) const
 {
-  if (Q.h.size() == 0) return Q1 * y;
+  if (!isLarge()) return Q1 * y;
   Columns3 padded = Columns3::Zero(static_cast<Index>(unknowns.size()), 3);
   padded.topRows(y.rows()) = y;
   return Q.times(padded);
@@ -48,7 +49,7 @@ Columns3 BlockElimination::Block::spanTimes(const Columns3& y) const
 
 Columns3 BlockElimination::Block::spanTransposeTimes(const Columns3& x) const
 {
-  if (Q.h.size() == 0) return Q1.transpose() * x;
+  if (!isLarge()) return Q1.transpose() * x;
   return Q.transposeTimes(x).topRows(static_cast<Index>(rows.size()));
 }
 
@@ -75,7 +76,7 @@ BlockElimination::Block BlockElimination::denseBlock(const std::vector<RowTerms>
 {
   const Eigen::MatrixXd BT = transposedBlock(rows, component);
   SequentialQr qr(BT.rows(), BT.cols());
-  Block block{{}, component.unknowns, {}, {}, {}, {}};
+  Block block{{}, component.unknowns, {}, {}, {}, {}, {}};
   for (Index k = 0; k < BT.cols(); ++k)
     if (!qr.add(BT.col(k))) block.rows.push_back(component.rows[k]);
   const Eigen::MatrixXd Q = qr.applyQ(Eigen::MatrixXd::Identity(BT.rows(), BT.rows()));
@@ -90,9 +91,13 @@ BlockElimination::Block BlockElimination::sparseBlock(const std::vector<RowTerms
   SparseMatrix BT = transposedBlock(rows, component);
   const Eigen::VectorXd lengths = normalizeColumns(BT);
   SparseQrResult qr = sparseQr(BT, kRankTolerance, WantQ::Yes);
-  Block block{{}, component.unknowns, qr.R.leftCols(qr.rank), {}, {}, std::move(qr.Q)};
+  Block block{{}, component.unknowns, qr.R.leftCols(qr.rank), {}, {}, std::move(qr.Q), {}};
   for (Index k = 0; k < qr.rank; ++k) block.rows.push_back(component.rows[qr.columns[k]]);
   for (Index k = 0; k < qr.rank; ++k) block.R1.col(k) *= lengths[qr.columns[k]];
+  if (block.rows.size() == block.unknowns.size()) return block;
+  SubstitutedRows left = substituted(localRows(rows, {block.rows, block.unknowns}), BT.rows());
+  for (const Index row : left.kept) block.kept.push_back(block.rows[row]);
+  block.Q2 = std::move(left.basis);
   return block;
 }
 
@@ -100,10 +105,7 @@ SparseMatrix BlockElimination::wholeQ2() const
 {
   BlockElimination whole = *this;
   for (Block& block : whole.blocks_)
-    if (block.isKept()) {
-      block.Q2 = block.Q.columnsFrom(static_cast<Index>(block.rows.size()));
-      block.Q = {};
-    }
+    if (block.isLarge()) block.Q2 = block.Q.columnsFrom(static_cast<Index>(block.rows.size()));
   return whole.assembleQ2();
 }
 
@@ -115,7 +117,6 @@ SparseMatrix BlockElimination::assembleQ2() const
     if (isHeld_[u]) role[u] = kTaken;
   for (const Pin& pin : pins_) role[pin.unknown] = kTaken;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    if (blocks_[b].isKept()) continue;
     for (const Index u : blocks_[b].unknowns) role[u] = kTaken;
     role[blocks_[b].unknowns.front()] = static_cast<Index>(b);
   }

@@ -10,8 +10,8 @@ namespace holdfast {
 
 /// `Elimination` over rows of which none is the difference of two unknowns. A pin is an identity column, its value
 /// copied; what pins leave of the other rows falls into components, each with a Householder QR of its own, dense when
-/// small and sparse when large. Q2 of a large one would be nearly dense: its unknowns stay in the system, and its rows
-/// with them.
+/// small and sparse when large. Q2 of a large one would be nearly dense: its rows are substituted as far as each has an
+/// unknown of its own (`ownUnknowns`), and the rest of them stay in the system.
 class BlockElimination {
  public:
   /// One component of what pins leave of the rows.
@@ -20,10 +20,11 @@ class BlockElimination {
     std::vector<Index> unknowns;
     SparseMatrix R1;  ///< upper triangular
     SparseMatrix Q1;  ///< unknowns x rows; empty where Q is a product
-    SparseMatrix Q2;  ///< unknowns x (unknowns - rows); empty where rows are kept
+    SparseMatrix Q2;  ///< unknowns x (unknowns - rows that are not kept)
     Reflections Q;    ///< of a large component
+    std::vector<Index> kept;
 
-    [[nodiscard]] bool isKept() const { return Q.h.size() > 0 && rows.size() < unknowns.size(); }
+    [[nodiscard]] bool isLarge() const { return Q.h.size() > 0; }
     /// Q1 y.
     [[nodiscard]] Columns3 spanTimes(const Columns3& y) const;
     /// Q1^T x.
@@ -33,10 +34,10 @@ class BlockElimination {
   BlockElimination(const std::vector<RowTerms>& rows, const std::vector<Index>& independent, Index unknownCount,
                    const std::vector<bool>& isHeld);
 
-  /// Orthonormal; an unknown that is free or named by kept rows has an identity column.
+  /// Orthonormal but for large components; a free unknown has an identity column.
   [[nodiscard]] const SparseMatrix& Q2() const noexcept { return Q2_; }
 
-  /// Q2 with no row kept: see `Elimination::wholeQ2`.
+  /// Orthonormal, with no row kept: see `Elimination::wholeQ2`.
   [[nodiscard]] SparseMatrix wholeQ2() const;
 
   /// Q1 y with R1^T y = d, (18). Pins are copied bit for bit.

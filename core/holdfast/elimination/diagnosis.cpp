@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <holdfast/base/disjoint_sets.h>
+#include <holdfast/base/parallel.h>
 
 namespace holdfast {
 namespace {
@@ -65,11 +66,12 @@ std::vector<double> magnitudes(const SolverMesh& mesh, const ConstraintSystem& s
 {
   double asked = 0;
   for (const ConstraintRow& row : system.rows) asked = std::max(asked, largestCoordinate(row.target));
-  std::vector<double> result;
-  result.reserve(system.rows.size());
-  for (const ConstraintRow& row : system.rows)
-    result.push_back(std::max({largestCoordinate(row.target), largestSum(row.terms, mesh.rest, {}),
-                               std::min(asked, largestSum(row.terms, mesh.rest, u))}));
+  std::vector<double> result(system.rows.size());
+  parallelBlocks(static_cast<Index>(result.size()), [&](Index r) {
+    const ConstraintRow& row = system.rows[r];
+    result[r] = std::max(largestCoordinate(row.target), largestSum(row.terms, mesh.rest, {}));
+    if (u.rows() > 0) result[r] = std::max(result[r], std::min(asked, largestSum(row.terms, mesh.rest, u)));
+  });
   return result;
 }
 

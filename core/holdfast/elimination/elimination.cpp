@@ -19,15 +19,9 @@ double rootOfSize(const MergedUnknowns& groups, Index group)
 std::vector<RowTerms> scaledRows(const RowComponent& component, const std::vector<RowTerms>& contracted,
                                  const MergedUnknowns& groups)
 {
-  std::vector<RowTerms> result;
-  for (const Index row : component.rows) {
-    RowTerms terms = contracted[row];
-    for (auto& [group, weight] : terms) {
-      weight /= rootOfSize(groups, group);
-      group = std::ranges::lower_bound(component.unknowns, group) - component.unknowns.begin();
-    }
-    result.push_back(std::move(terms));
-  }
+  std::vector<RowTerms> result = localRows(contracted, component);
+  for (RowTerms& row : result)
+    for (Term& term : row) term.coefficient /= rootOfSize(groups, component.unknowns[term.index]);
   return result;
 }
 
@@ -169,7 +163,7 @@ std::vector<Index> Elimination::kept() const
 {
   std::vector<Index> result;
   for (const BlockElimination::Block& block : blocks_.blocks())
-    if (block.isKept()) result.insert(result.end(), block.rows.begin(), block.rows.end());
+    result.insert(result.end(), block.kept.begin(), block.kept.end());
   std::ranges::sort(result);
   return result;
 }

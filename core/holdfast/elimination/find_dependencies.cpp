@@ -10,6 +10,7 @@
 
 #include <holdfast/base/disjoint_sets.h>
 #include <holdfast/elimination/merged_unknowns.h>
+#include <holdfast/elimination/own_unknowns.h>
 #include <holdfast/elimination/sequential_qr.h>
 #include <holdfast/elimination/sparse_qr.h>
 
@@ -309,6 +310,7 @@ std::vector<Dependency> findDependencies(const std::vector<RowTerms>& rows, Inde
   std::vector<Dependency> all;
   for (const Index row : forest.others)
     if (contracted[row].empty()) all.push_back({row, {}});
+  for (const OwnUnknown& own : ownUnknowns(contracted, groups.count())) contracted[own.row].clear();  // independent
   for (const RowComponent& component : connectedRows(contracted, groups.count())) {
     if (component.rows.size() == 1) continue;
     std::vector<Dependency> found =

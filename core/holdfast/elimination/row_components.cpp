@@ -44,6 +44,18 @@ std::vector<RowComponent> connectedRows(const std::vector<RowTerms>& rows, Index
   return components;
 }
 
+std::vector<RowTerms> localRows(const std::vector<RowTerms>& rows, const RowComponent& component)
+{
+  std::vector<RowTerms> result;
+  result.reserve(component.rows.size());
+  for (const Index row : component.rows) {
+    RowTerms& local = result.emplace_back(rows[row]);
+    for (Term& term : local)
+      term.index = std::ranges::lower_bound(component.unknowns, term.index) - component.unknowns.begin();
+  }
+  return result;
+}
+
 SparseMatrix transposedBlock(const std::vector<RowTerms>& rows, const RowComponent& component)
 {
   std::vector<Eigen::Triplet<double, int>> entries;

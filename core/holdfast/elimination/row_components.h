@@ -20,6 +20,9 @@ struct RowComponent {
 /// The components of all rows that are not empty, in the order of their first rows. O(terms log terms).
 [[nodiscard]] std::vector<RowComponent> connectedRows(const std::vector<RowTerms>& rows, Index unknownCount);
 
+/// Its rows, by places in `component.rows`, over places in `component.unknowns`.
+[[nodiscard]] std::vector<RowTerms> localRows(const std::vector<RowTerms>& rows, const RowComponent& component);
+
 /// The component's block of B^T: component.unknowns x component.rows.
 [[nodiscard]] SparseMatrix transposedBlock(const std::vector<RowTerms>& rows, const RowComponent& component);
 

@@ -1,9 +1,9 @@
 // Hard constraints by elimination: equations (11) to (21).
 
 #include <holdfast/elimination/reconciliation.h>
+#include <holdfast/ordering/elimination_order.h>
 #include <holdfast/solve/bordered_problem.h>
 #include <holdfast/solve/constrained_solver.h>
-#include <holdfast/ordering/elimination_order.h>
 
 namespace holdfast {
 namespace {
@@ -61,6 +61,16 @@ class HardSolver final : public ConstrainedSolver {
   std::shared_ptr<const ReducedProblem> reduced_;
 };
 
+/// Where most unknowns of the mesh are sums of those that are left, these are tied to more than their neighbours, and
+/// an order of their own leaves half as many entries in the factor as that of the mesh.
+EliminationOrder orderFor(const ConstrainedProblem& problem, const SparseMatrix& Q2)
+{
+  Index sums = 0;
+  for (Index k = 0; k < Q2.cols(); ++k)
+    if (Q2.col(k).nonZeros() > 1) ++sums;
+  return 2 * sums > Q2.cols() ? EliminationOrder::ToBeFound : problem.eliminationOrder();
+}
+
 /// With the rows `kept` of the elimination in the system, or with none where that is empty.
 SolverResult hardSolver(ConstrainedProblem problem, Backend backend, const SparseMatrix& wantedQ2,
                         const std::vector<Index>& kept)
@@ -69,7 +79,7 @@ SolverResult hardSolver(ConstrainedProblem problem, Backend backend, const Spars
   std::vector<RowTerms> rows;
   for (const Index row : kept) rows.push_back(problem.eliminated->rows[row]);
   Result<ReducedProblem> reduced = makeReducedProblem(problem.A->columns(), Q2, constraintMatrix(rows, Q2.rows()) * Q2,
-                                                      std::move(problem.rest), backend, problem.eliminationOrder());
+                                                      std::move(problem.rest), backend, orderFor(problem, Q2));
   if (!reduced) return {nullptr, std::move(reduced.failure)};
   return {std::make_unique<HardSolver>(std::move(problem), std::move(reduced.value))};
 }

@@ -50,14 +50,13 @@ ConstraintList dragged(double degrees, const Vector3& shift)
 TEST(Deformer, MakesOneTreeOfClosestPointsForAllFrames)
 {
   const auto model = std::make_shared<Model>(makeModel(test::plate(6, 5)));
-  const auto frame = [](double height) {
-    return test::listOf({test::hold({0, 1, 2}), test::moveTo(AtNear{Vector3(3.3, 2.6, 1)}, Vector3(3, 3, height))});
-  };
+  // The point comes first in later frames: where it was located is known for its place in the list alone.
+  const Constraint held = test::hold({0, 1, 2});
+  const auto point = [](double height) { return test::moveTo(AtNear{Vector3(3.3, 2.6, 1)}, Vector3(3, 3, height)); };
   Deformer deformer(model);
-  const SurfacePoint first = deformer.deform(frame(1)).details->system.points[1];
+  const SurfacePoint first = deformer.deform(test::listOf({held, point(1)})).details->system.points[1];
   model->mesh.positions.rowwise() += Eigen::RowVector3d(50, 20, 0);
-  for (const double height : {2.0, 3.0, 4.0})
-    EXPECT_EQ(deformer.deform(frame(height)).details->system.points[1], first);
+  EXPECT_EQ(deformer.deform(test::listOf({point(2), held})).details->system.points[0], first);
   const SurfaceLocator another(model->mesh, model->triangulation);
   EXPECT_NE(another.locate(AtNear{Vector3(3.3, 2.6, 1)}, {}), first) << "a tree made now finds another point";
 }
@@ -79,6 +78,40 @@ TEST(Deformer, FactorisesNothingWhenOnlyTargetsAndRotationsChange)
     const DeformResult fresh = deform(model, dragged(200, Vector3::UnitX()), "list", options, progress);
     EXPECT_EQ(again.positions, fresh.positions) << "bit for bit";
     EXPECT_EQ(again.rotations, fresh.rotations);
+  }
+}
+
+/// Frames in which a point moves, goes elsewhere, changes places in the list, is disabled and comes back.
+std::vector<ConstraintList> changedFrames()
+{
+  const auto frame = [](std::vector<SurfaceLocation> places, double height) {
+    std::vector<Constraint> constraints{test::hold({0, 1, 2})};
+    for (SurfaceLocation& at : places) constraints.push_back(test::moveBy(std::move(at), {0, 0, height}));
+    return test::listOf(std::move(constraints));
+  };
+  const SurfaceLocation face = AtFace{9, {0.2, 0.3, 0.5}};
+  const SurfaceLocation inside = AtFace{9, {0.5, 0.3, 0.2}};
+  const SurfaceLocation vertex = AtVertex{30};
+  std::vector<ConstraintList> frames{frame({face, vertex}, 1),   frame({face, vertex}, 2), frame({inside, vertex}, 2),
+                                     frame({vertex, inside}, 2), frame({vertex}, 3),       frame({vertex, face}, 3)};
+  frames[4].constraints[1].isEnabled = false;
+  return frames;
+}
+
+TEST(Deformer, HasTheRowsOfAFreshOneWhateverPointsChanged)
+{
+  const Model model = makeModel(test::plate(6, 5), "mesh");
+  Deformer deformer(model);
+  for (const ConstraintList& list : changedFrames()) {
+    const DeformResult result = deformer.deform(list);
+    const DeformResult fresh = deform(model, list);
+    EXPECT_EQ(result.positions, fresh.positions);
+    EXPECT_EQ(result.details->system.points, fresh.details->system.points);
+    ASSERT_EQ(result.details->system.rows.size(), fresh.details->system.rows.size());
+    for (std::size_t r = 0; r < fresh.details->system.rows.size(); ++r) {
+      EXPECT_EQ(result.details->system.rows[r].terms, fresh.details->system.rows[r].terms);
+      EXPECT_EQ(result.details->system.rows[r].target, fresh.details->system.rows[r].target);
+    }
   }
 }
 

@@ -1,0 +1,124 @@
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <vector>
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+#include <holdfast/elimination/find_dependencies.h>
+#include <holdfast/elimination/own_unknowns.h>
+
+#include "support/random.h"
+
+namespace holdfast {
+namespace {
+
+constexpr Index kUnknowns = 60;
+
+/// Rows of three neighbours in a circle, `count` of them, in which the smallest weight is at least `least`.
+std::vector<RowTerms> randomRows(test::Random& random, Index count, double least)
+{
+  std::vector<RowTerms> rows;
+  for (Index r = 0; r < count; ++r) {
+    const Index first = random.integer(0, kUnknowns - 1);
+    RowTerms row;
+    for (Index k = 0; k < 3; ++k) row.push_back({(first + k) % kUnknowns, random.uniform(least, 1)});
+    std::ranges::sort(row, {}, &Term::index);
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+bool names(const RowTerms& row, Index unknown)
+{
+  return std::ranges::find(row, unknown, &Term::index) != row.end();
+}
+
+/// Calls `check(rows)` for few and many rows, some of them with weights near zero.
+template <class Check>
+void forEachSetOfRows(const Check& check)
+{
+  for (std::uint32_t seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE(seed);
+    test::Random random(seed);
+    check(randomRows(random, 1 + seed, seed % 3 == 0 ? 1e-9 : 0.1));
+  }
+}
+
+TEST(OwnUnknowns, AreNamedByNoRowBehindAndByNoneThatIsNotListed)
+{
+  bool isAnyLeft = false;
+  forEachSetOfRows([&](const std::vector<RowTerms>& rows) {
+    std::vector<bool> isPassed(rows.size(), false);
+    const std::vector<OwnUnknown> found = ownUnknowns(rows, kUnknowns);
+    for (const auto& [row, unknown] : found) {
+      EXPECT_TRUE(names(rows[row], unknown));
+      isPassed[row] = true;
+      for (std::size_t other = 0; other < rows.size(); ++other) {
+        EXPECT_FALSE(!isPassed[other] && names(rows[other], unknown)) << other;
+      }
+    }
+    isAnyLeft = isAnyLeft || found.size() < rows.size();
+  });
+  EXPECT_TRUE(isAnyLeft);
+}
+
+TEST(OwnUnknowns, MoveNoFurtherThanPromisedToMeetOneRow)
+{
+  forEachSetOfRows([](const std::vector<RowTerms>& rows) {
+    const std::vector<OwnUnknown> found = ownUnknowns(rows, kUnknowns);
+    const auto count = static_cast<Index>(found.size());
+    Eigen::MatrixXd square = Eigen::MatrixXd::Zero(count, count);  // these rows at their own unknowns
+    for (Index r = 0; r < count; ++r)
+      for (Index k = 0; k < count; ++k)
+        for (const Term& term : rows[found[r].row])
+          if (term.index == found[k].unknown) square(r, k) = term.coefficient;
+    EXPECT_LE((square.inverse().cwiseAbs().colwise().sum().array() > kMostMoved).count(), 0);
+  });
+}
+
+TEST(OwnUnknowns, RowsThatHaveOneAreInNoCircuit)
+{
+  forEachSetOfRows([](std::vector<RowTerms> rows) {
+    rows.push_back(rows[rows.size() / 2]);  // a circuit of two
+    const std::vector<Dependency> found = findDependencies(rows, kUnknowns);
+    std::vector<Dependency> expected;
+    for (const RowComponent& component : connectedRows(rows, kUnknowns))
+      std::ranges::move(sequentialDependencies(rows, component), std::back_inserter(expected));
+    std::ranges::sort(expected, {}, &Dependency::row);
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t k = 0; k < found.size(); ++k) EXPECT_EQ(found[k].row, expected[k].row);
+    for (const auto& [row, unknown] : ownUnknowns(rows, kUnknowns))
+      for (const Dependency& dependency : found)
+        EXPECT_TRUE(dependency.row != row && !names(dependency.terms, row)) << row;
+  });
+}
+
+TEST(SubstitutedRows, AreMetByTheBasisAndTheKeptOnesAreAllOthers)
+{
+  bool isAnyKept = false;
+  forEachSetOfRows([&](const std::vector<RowTerms>& rows) {
+    const SubstitutedRows result = substituted(rows, kUnknowns);
+    const Eigen::MatrixXd left = Eigen::MatrixXd(constraintMatrix(rows, kUnknowns)) * result.basis;
+    for (Index r = 0; r < left.rows(); ++r)
+      EXPECT_TRUE(std::ranges::binary_search(result.kept, r) || left.row(r).cwiseAbs().maxCoeff() < 1e-14) << r;
+    EXPECT_EQ(result.basis.cols(), kUnknowns - (left.rows() - static_cast<Index>(result.kept.size())));
+    EXPECT_EQ(Eigen::MatrixXd(result.basis).colPivHouseholderQr().rank(), result.basis.cols());
+    EXPECT_LE(Eigen::MatrixXd(result.basis).cwiseAbs().maxCoeff(), kLargestShare);
+    isAnyKept = isAnyKept || !result.kept.empty();
+  });
+  EXPECT_TRUE(isAnyKept);
+}
+
+TEST(SubstitutedRows, MayHoldAnUnknownWhereItIs)
+{
+  // What a pin leaves of a row: x_1 = 0, and then 2 x_0 + x_2 = 0.
+  const SubstitutedRows result = substituted({{{1, 0.5}}, {{0, 1}, {1, 1}, {2, 0.5}}}, 3);
+  EXPECT_TRUE(result.kept.empty());
+  EXPECT_EQ(result.basis.cols(), 1);
+  EXPECT_EQ(Eigen::MatrixXd(result.basis).row(1).norm(), 0);
+}
+
+}  // namespace
+}  // namespace holdfast
