@@ -14,8 +14,8 @@
 #include <holdfast/elimination/diagnosis.h>
 #include <holdfast/elimination/row_components.h>
 #include <holdfast/operators/operators.h>
-#include <holdfast/solve/bordered_problem.h>
 #include <holdfast/ordering/elimination_order.h>
+#include <holdfast/solve/bordered_problem.h>
 
 #include "bench/bumpy_mesh.h"
 #include "bench/measure.h"
@@ -35,8 +35,7 @@ constexpr std::size_t kLargestDense = 2500;
 struct Bumpy {
   Model model = makeModel(bench::bumpyMesh(kVertices));
   SparseMatrix A = weightedRows(makeOperators(model.solverMesh, Weights::Cotangent));
-  std::vector<int> ranks =
-      eliminationRanks(model.solverMesh.unknownCount(), model.solverMesh.triangles);
+  std::vector<int> ranks = eliminationRanks(model.solverMesh.unknownCount(), model.solverMesh.triangles);
   Columns3 rest = model.solverMesh.rest.rowwise() - model.solverMesh.rest.colwise().mean();
 };
 

@@ -6,7 +6,7 @@
 namespace holdfast {
 namespace {
 
-constexpr int kNone = -1;
+constexpr int kUnmatched = -1;
 
 std::vector<int> shuffled(int count, RandomNumbers& random)
 {
@@ -19,13 +19,13 @@ std::vector<int> shuffled(int count, RandomNumbers& random)
 /// Of each vertex: the one that it is joined with; itself where there is none.
 std::vector<int> heavyEdgeMatching(const Graph& graph, int mostWeight, RandomNumbers& random)
 {
-  std::vector<int> mate(static_cast<std::size_t>(graph.size()), kNone);
+  std::vector<int> mate(static_cast<std::size_t>(graph.size()), kUnmatched);
   for (const int vertex : shuffled(graph.size(), random)) {
-    if (mate[vertex] != kNone) continue;
+    if (mate[vertex] != kUnmatched) continue;
     int best = vertex;
     int heaviest = 0;
     graph.forEachEdge(vertex, [&](int other, int weight) {
-      if (weight <= heaviest || mate[other] != kNone) return;
+      if (weight <= heaviest || mate[other] != kUnmatched) return;
       if (graph.weight[vertex] + graph.weight[other] > mostWeight) return;
       heaviest = weight;
       best = other;
@@ -51,7 +51,7 @@ CoarserGraph coarsened(const Graph& graph, int mostWeight, RandomNumbers& random
   coarse.start.reserve(static_cast<std::size_t>(clusters) + 1);
   coarse.neighbour.reserve(graph.neighbour.size());
   coarse.edgeWeight.reserve(graph.neighbour.size());
-  std::vector<int> edgeTo(static_cast<std::size_t>(clusters), kNone);
+  std::vector<int> edgeTo(static_cast<std::size_t>(clusters), -1);
   for (int v = 0; v < graph.size(); ++v) {
     if (mate[v] < v) continue;
     const int own = result.clusterOf[v];

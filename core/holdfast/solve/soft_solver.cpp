@@ -1,8 +1,8 @@
 // Soft constraints by weighted least squares: equations (7) and (8), for comparison with hard ones.
 
+#include <holdfast/ordering/elimination_order.h>
 #include <holdfast/solve/bordered_problem.h>
 #include <holdfast/solve/constrained_solver.h>
-#include <holdfast/ordering/elimination_order.h>
 
 namespace holdfast {
 namespace {
