@@ -188,9 +188,12 @@ TEST_P(Factorize, OfSparseQrAloneSolvesToo)
 
 TEST_P(Factorize, IsTheSameBitForBitBesideAnother)
 {
-  ScaledColumns scaled = scaleColumns(cubeOfSprings(20)).value;
+  const ScaledColumns scaled = scaleColumns(cubeOfSprings(20)).value;
   const Columns3 g = Columns3::Ones(scaled.scale.size(), 3);
-  const auto solved = [&] { return cholesky(scaled.C, GetParam()).value->solve(g); };
+  const auto solved = [&] {
+    TwoWayMatrix C = scaled.C;
+    return cholesky(C, GetParam()).value->solve(g);
+  };
   const Columns3 alone = solved();
   std::future<Columns3> other = std::async(std::launch::async, solved);
   EXPECT_EQ(solved(), alone);
