@@ -209,7 +209,7 @@ void Bisection::move(const Graph& graph, int vertex)
 
 Bisection bisect(const Graph& graph)
 {
-  RandomNumbers random(1);
+  RandomNumbers random(2);
   const std::int64_t total = std::accumulate(graph.weight.begin(), graph.weight.end(), std::int64_t{0});
   const int mostWeight = static_cast<int>(1 + 3 * total / (2 * kCoarsest));
   std::vector<CoarserGraph> levels;
