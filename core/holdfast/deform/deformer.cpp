@@ -419,8 +419,9 @@ DeformResult Deformer::deform(const ConstraintList& constraints, const std::stri
   if (ranks_ == nullptr)
     ranks_ = std::make_unique<LongStep<std::vector<int>>>([isOurs = options_.solver.backend == Backend::Holdfast,
                                                            n = model_->solverMesh.unknownCount(),
-                                                           triangles = model_->solverMesh.triangles] {
-      return isOurs ? eliminationRanks(n, triangles) : std::vector<int>();
+                                                           triangles = model_->solverMesh.triangles]() mutable {
+      const std::vector<Triangle> own = std::move(triangles);  // not to be kept beside the order
+      return isOurs ? eliminationRanks(n, own) : std::vector<int>();
     });
   if (!ranks_->isDone()) progress.step(fmt::format("ordering {} unknowns", model_->solverMesh.unknownCount()));
   ranks_->start(progress);

@@ -14,7 +14,7 @@ namespace holdfast {
 /// unknown of its own (`ownUnknowns`), and the rest of them stay in the system.
 class BlockElimination {
  public:
-  /// One component of what pins leave of the rows.
+  /// One component of the rows that are left without pins.
   struct Block {
     std::vector<Index> rows;  ///< in the order of R1
     std::vector<Index> unknowns;
