@@ -125,7 +125,7 @@ EliminatedConstraints eliminate(const ConstraintSystem& system, const SolverMesh
 {
   std::vector<RowTerms> rows = termsOf(system);
   std::vector<bool> isHeld = unplacedUnknowns(rows, mesh);
-  // Rows of what stays at rest ask for a displacement of nothing: they hold if that is 0.
+  // Vertices at rest have no unknowns: their rows hold if the displacement that they ask for is 0.
   for (RowTerms& row : rows)
     if (!row.empty() && isHeld[row.front().index]) row.clear();
   std::vector<Dependency> dependencies = findDependencies(rows, mesh.unknownCount());

@@ -125,7 +125,7 @@ std::vector<RowTerms> contractedRows(const std::vector<RowTerms>& rows, const Me
   return result;
 }
 
-/// No row leads out of what is held: a group is held as a whole.
+/// A row joins held unknowns with held ones only, so a group is held as a whole or not at all.
 std::vector<bool> heldGroups(const std::vector<bool>& isHeld, const MergedUnknowns& groups)
 {
   std::vector<bool> result(static_cast<std::size_t>(groups.count()), false);

@@ -53,7 +53,7 @@ class Viewport : public VtkView {
   void setFirstTool(Tool* tool);
   /// What a click would take; tools call it.
   void setPreview(const std::optional<SurfacePick>& pick);
-  /// The mouse is over something in front of what the chosen tool works on.
+  /// To be called when the mouse is over an object that hides the surface from the chosen tool.
   void leaveTool();
   /// Takes back what is under way with the mouse; false if nothing is.
   bool cancelGesture();
