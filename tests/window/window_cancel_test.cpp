@@ -1,3 +1,4 @@
+#include <QLabel>
 #include <QPushButton>
 #include <memory>
 #include <numeric>
@@ -158,6 +159,15 @@ TEST_F(LargeDocument, NothingOfStoppedWorkIsShownLater)
   });
   hearTheRest();
   EXPECT_EQ(shown, 1) << "that of the edit after it";
+}
+
+TEST_F(LargeDocument, MayBeClosedDuringAFactorisation)
+{
+  holdMore(3);
+  ASSERT_TRUE(whileFactorising([this] { editor().close(); }));
+  EXPECT_FALSE(editor().isOpen());
+  EXPECT_EQ(editor().solveState(), SolveState::Nothing);
+  EXPECT_EQ(find<QLabel>("statusStage").text(), "");
 }
 
 TEST_F(LargeDocument, UndoWhileSolvingShowsAtOnceWhatWas)

@@ -119,8 +119,8 @@ void Editor::close()
   selectedConstraints_.clear();
   lastAnnotations_.reset();
   underCursor_ = {};
+  setSolveState(SolveState::Nothing, {});  // first: while one solves there is a document
   setStep({});
-  setSolveState(SolveState::Nothing, {});
   Q_EMIT opened();
 }
 
