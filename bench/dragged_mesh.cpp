@@ -3,8 +3,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include <holdfast/mesh/vertex_normals.h>
-
 #include "bench/measure.h"
 #include "bench/samples.h"
 #include "bench/scenes.h"
@@ -12,7 +10,7 @@
 namespace holdfast::bench {
 
 DraggedMesh::DraggedMesh(const std::shared_ptr<const Model>& model)
-    : deformer_(model), corners_(cornerVertices(model->mesh.faces)), normals_(model->mesh.vertexCount(), 3)
+    : deformer_(model), normals_(model->mesh.faces, cornerVertices(model->mesh.faces), model->mesh.vertexCount())
 {
 }
 
@@ -20,7 +18,7 @@ double DraggedMesh::deform(const ConstraintList& list)
 {
   const double seconds = secondsOf([&] {
     result_ = deformer_.deform(list);
-    areaWeightedNormals(result_.positions, deformer_.model().mesh.faces, corners_, normals_);
+    normals_.at(result_.positions);
   });
   if (report().status != SolveStatus::Ok) throw std::runtime_error(report().message);
   return seconds;

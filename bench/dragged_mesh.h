@@ -3,9 +3,9 @@
 /// A mesh that is deformed again and again, as the window does it.
 
 #include <memory>
-#include <vector>
 
 #include <holdfast/deform/deformer.h>
+#include <holdfast/mesh/vertex_normals.h>
 
 namespace holdfast::bench {
 
@@ -33,9 +33,8 @@ class DraggedMesh {
   double frames(ConstraintList list, const Change& change);
 
   Deformer deformer_;
-  std::vector<Index> corners_;
   DeformResult result_;
-  Positions normals_;
+  AreaWeightedNormals normals_;
 };
 
 }  // namespace holdfast::bench

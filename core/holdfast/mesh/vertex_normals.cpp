@@ -1,6 +1,10 @@
 #include "holdfast/mesh/vertex_normals.h"
 
+#include <numeric>
+
 #include <Eigen/Geometry>
+
+#include <holdfast/base/parallel.h>
 
 namespace holdfast {
 
@@ -25,26 +29,35 @@ Vector3 unitOrZero(const Vector3& vector)
   return (vector / scale).normalized();
 }
 
+AreaWeightedNormals::AreaWeightedNormals(const Polygons& faces, std::span<const Index> normalOfCorner, Index count)
+    : faces_(faces), start_(static_cast<std::size_t>(count) + 2), areas_(faces.size(), 3), normals_(count, 3)
+{
+  assert(static_cast<Index>(normalOfCorner.size()) == faces.cornerCount());
+  for (const Index normal : normalOfCorner)
+    if (normal >= 0) ++start_[normal + 2];
+  std::partial_sum(start_.begin(), start_.end(), start_.begin());
+  faceOf_.resize(static_cast<std::size_t>(start_.back()));
+  std::size_t corner = 0;
+  for (Index f = 0; f < faces.size(); ++f)
+    for (std::size_t k = 0; k < faces[f].size(); ++k, ++corner)
+      if (const Index normal = normalOfCorner[corner]; normal >= 0) faceOf_[start_[normal + 1]++] = static_cast<int>(f);
+}
+
+const Positions& AreaWeightedNormals::at(const Positions& positions)
+{
+  parallelBlocks(areas_.rows(), [&](Index f) { areas_.row(f) = areaVector(positions, faces_[f]); });
+  parallelBlocks(normals_.rows(), [&](Index n) {
+    Vector3 sum = Vector3::Zero();
+    for (int k = start_[n]; k < start_[n + 1]; ++k) sum += areas_.row(faceOf_[k]);
+    normals_.row(n) = unitOrZero(sum);
+  });
+  return normals_;
+}
+
 Positions areaWeightedNormals(const Positions& positions, const Polygons& faces, std::span<const Index> normalOfCorner,
                               Index count)
 {
-  Positions normals(count, 3);
-  areaWeightedNormals(positions, faces, normalOfCorner, normals);
-  return normals;
-}
-
-void areaWeightedNormals(const Positions& positions, const Polygons& faces, std::span<const Index> normalOfCorner,
-                         Positions& normals)
-{
-  assert(static_cast<Index>(normalOfCorner.size()) == faces.cornerCount());
-  normals.setZero();
-  std::size_t corner = 0;
-  for (Index f = 0; f < faces.size(); ++f) {
-    const Vector3 area = areaVector(positions, faces[f]);
-    for (std::size_t k = 0; k < faces[f].size(); ++k, ++corner)
-      if (normalOfCorner[corner] >= 0) normals.row(normalOfCorner[corner]) += area;
-  }
-  for (Index n = 0; n < normals.rows(); ++n) normals.row(n) = unitOrZero(normals.row(n));
+  return AreaWeightedNormals(faces, normalOfCorner, count).at(positions);
 }
 
 std::vector<Index> cornerVertices(const Polygons& faces)

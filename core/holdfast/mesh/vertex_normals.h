@@ -15,13 +15,28 @@ namespace holdfast {
 /// `vector` at unit length; zero where its length is zero or not finite.
 [[nodiscard]] Vector3 unitOrZero(const Vector3& vector);
 
-/// Row n is the sum of the area vectors of the faces at those corners that `normalOfCorner` (one entry a corner of
-/// `faces`, -1 for none) gives the number n, made a unit vector; zero where it vanishes or is not finite. O(corners).
+/// Normals of the same faces for changing positions: row n is the sum of the area vectors of the faces at those corners
+/// that `normalOfCorner` (one entry a corner of `faces`, -1 for none) gives the number n, made a unit vector; zero
+/// where it vanishes or is not finite. Over threads, with the same bits for any number of them.
+class AreaWeightedNormals {
+ public:
+  /// For `count` normals; `faces` are to outlive it. O(corners).
+  AreaWeightedNormals(const Polygons& faces, std::span<const Index> normalOfCorner, Index count);
+
+  /// What it returns is overwritten by the next call. O(corners).
+  const Positions& at(const Positions& positions);
+
+ private:
+  const Polygons& faces_;
+  std::vector<int> start_;   ///< of each normal: its first place in `faceOf_`
+  std::vector<int> faceOf_;  ///< the faces of each normal, one for each of their corners
+  Positions areas_;          ///< the area vector of each face
+  Positions normals_;
+};
+
+/// The same for one place.
 [[nodiscard]] Positions areaWeightedNormals(const Positions& positions, const Polygons& faces,
                                             std::span<const Index> normalOfCorner, Index count);
-/// The same into `normals`, one for each of its rows: again and again in the same memory.
-void areaWeightedNormals(const Positions& positions, const Polygons& faces, std::span<const Index> normalOfCorner,
-                         Positions& normals);
 
 /// The vertex at each corner, face after face: as `normalOfCorner`, it makes one normal a vertex.
 [[nodiscard]] std::vector<Index> cornerVertices(const Polygons& faces);

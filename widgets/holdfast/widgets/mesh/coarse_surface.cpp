@@ -163,12 +163,14 @@ CoarseSurface::CoarseSurface(const Model& model, const ShadedSurface& surface)
   };
   for (Index t = 0; t < coarse.size(); ++t)
     triangles_.add({newPoint(coarse[t][0]), newPoint(coarse[t][1]), newPoint(coarse[t][2])});
+  std::vector<Index> pointOfCorner;  // of the triangles around, if any
   for (Index t = 0; t < surface.triangles.size(); ++t) {
     const auto corners = surface.triangles[t];
     if (std::all_of(corners.begin(), corners.end(), [&](Index point) { return newPointOf[point] < 0; })) continue;
     around_.add(corners);
-    for (const Index point : corners) cornerOf_.push_back(newPointOf[point]);
+    for (const Index point : corners) pointOfCorner.push_back(newPointOf[point]);
   }
+  doubleNormals_.emplace(around_, pointOfCorner, static_cast<Index>(pointOf_.size()));
 
   const auto count = static_cast<vtkIdType>(pointOf_.size());
   places_->SetNumberOfComponents(3);
@@ -193,13 +195,12 @@ void CoarseSurface::setHidden(const std::vector<char>& isHidden)
 
 void CoarseSurface::follow(const Positions& places)
 {
-  doubleNormals_.resize(static_cast<Index>(pointOf_.size()), 3);
-  areaWeightedNormals(places, around_, cornerOf_, doubleNormals_);
+  const Positions& normals = doubleNormals_->at(places);
   for (std::size_t k = 0; k < pointOf_.size(); ++k)
     for (int axis = 0; axis < 3; ++axis) {
       const auto to = static_cast<Index>(k);
       places_->SetTypedComponent(to, axis, places(pointOf_[k], axis));
-      normals_->SetTypedComponent(to, axis, static_cast<float>(doubleNormals_(to, axis)));
+      normals_->SetTypedComponent(to, axis, static_cast<float>(normals(to, axis)));
     }
   places_->Modified();
   normals_->Modified();

@@ -1,6 +1,7 @@
 #pragma once
 /// A large mesh as it is drawn while it moves: fewer triangles.
 
+#include <optional>
 #include <vector>
 
 #include <vtkDoubleArray.h>
@@ -8,6 +9,7 @@
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 
+#include <holdfast/mesh/vertex_normals.h>
 #include <holdfast/widgets/mesh/shaded_surface.h>
 
 namespace holdfast {
@@ -57,9 +59,8 @@ class CoarseSurface {
   bool isSolid_;
   std::vector<Index> pointOf_;  // of the surface, for each point
   std::vector<Index> vertexOf_;
-  Polygons around_;              // the triangles of the surface at these points
-  std::vector<Index> cornerOf_;  // the point, if any, at each of their corners
-  Positions doubleNormals_;      // at the points: kept for the memory
+  Polygons around_;                                   // the triangles of the surface at these points
+  std::optional<AreaWeightedNormals> doubleNormals_;  // at these points
   vtkNew<vtkDoubleArray> places_;
   vtkNew<vtkFloatArray> normals_;
   vtkNew<vtkPolyData> data_;

@@ -61,7 +61,8 @@ MeshActor::MeshActor(const Model& model, std::shared_ptr<const ShadedSurface> sh
     : model_(model),
       shaded_(shaded ? std::move(shaded) : std::make_shared<const ShadedSurface>(cutAtSharpEdges(model))),
       drawn_(shaded_),
-      corners_(cornerVertices(shaded_->triangles))
+      doubleNormals_(shaded_->triangles, cornerVertices(shaded_->triangles),
+                     static_cast<Index>(shaded_->vertexOf.size()))
 {
   places_.resize(static_cast<Index>(shaded_->vertexOf.size()), 3);
   coordinates_->SetNumberOfComponents(3);
@@ -109,9 +110,8 @@ void MeshActor::setPositions(const Positions& positions)
 
 void MeshActor::updateNormals()
 {
-  doubleNormals_.resize(places_.rows(), 3);
-  areaWeightedNormals(places_, shaded_->triangles, corners_, doubleNormals_);
-  std::transform(doubleNormals_.data(), doubleNormals_.data() + doubleNormals_.size(), normals_->GetPointer(0),
+  const Positions& normals = doubleNormals_.at(places_);
+  std::transform(normals.data(), normals.data() + normals.size(), normals_->GetPointer(0),
                  [](double value) { return static_cast<float>(value); });
   normals_->Modified();
   areNormalsOld_ = false;

@@ -15,6 +15,7 @@
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 
+#include <holdfast/mesh/vertex_normals.h>
 #include <holdfast/widgets/color/color_map.h>
 #include <holdfast/widgets/mesh/actor_slices.h>
 #include <holdfast/widgets/mesh/actors.h>
@@ -123,9 +124,8 @@ class MeshActor {
   std::shared_ptr<const ShadedSurface> shaded_;
   std::shared_ptr<const ShadedSurface> drawn_;  // that, or without what is hidden
   std::vector<char> isHidden_;                  // of each triangle; empty where all are drawn
-  std::vector<Index> corners_;                  // the point at each corner of the triangles
   Positions places_;                            // of the points: what VTK draws lies here
-  Positions doubleNormals_;                     // at the points: kept for the memory
+  AreaWeightedNormals doubleNormals_;           // at the points
   MeshEdges meshEdgesShown_ = MeshEdges::Sharp;
   Detail detail_ = Detail::Full;
   std::optional<Vector3> eye_;
