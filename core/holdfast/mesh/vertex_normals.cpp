@@ -30,17 +30,18 @@ Vector3 unitOrZero(const Vector3& vector)
 }
 
 AreaWeightedNormals::AreaWeightedNormals(const Polygons& faces, std::span<const Index> normalOfCorner, Index count)
-    : faces_(faces), start_(static_cast<std::size_t>(count) + 2), areas_(faces.size(), 3), normals_(count, 3)
+    : faces_(faces), start_(static_cast<std::size_t>(count) + 1), areas_(faces.size(), 3), normals_(count, 3)
 {
   assert(static_cast<Index>(normalOfCorner.size()) == faces.cornerCount());
   for (const Index normal : normalOfCorner)
-    if (normal >= 0) ++start_[normal + 2];
+    if (normal >= 0) ++start_[normal + 1];
   std::partial_sum(start_.begin(), start_.end(), start_.begin());
   faceOf_.resize(static_cast<std::size_t>(start_.back()));
+  std::vector<int> next = start_;
   std::size_t corner = 0;
   for (Index f = 0; f < faces.size(); ++f)
     for (std::size_t k = 0; k < faces[f].size(); ++k, ++corner)
-      if (const Index normal = normalOfCorner[corner]; normal >= 0) faceOf_[start_[normal + 1]++] = static_cast<int>(f);
+      if (const Index normal = normalOfCorner[corner]; normal >= 0) faceOf_[next[normal]++] = static_cast<int>(f);
 }
 
 const Positions& AreaWeightedNormals::at(const Positions& positions)

@@ -28,13 +28,13 @@ class AreaWeightedNormals {
 
  private:
   const Polygons& faces_;
-  std::vector<int> start_;   ///< of each normal: its first place in `faceOf_`
+  std::vector<int> start_;   ///< of each normal, and the end: its first place in `faceOf_`
   std::vector<int> faceOf_;  ///< the faces of each normal, one for each of their corners
   Positions areas_;          ///< the area vector of each face
   Positions normals_;
 };
 
-/// The same for one place.
+/// The same for positions that do not change.
 [[nodiscard]] Positions areaWeightedNormals(const Positions& positions, const Polygons& faces,
                                             std::span<const Index> normalOfCorner, Index count);
 

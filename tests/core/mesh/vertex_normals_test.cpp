@@ -8,6 +8,7 @@
 #include <holdfast/mesh/vertex_normals.h>
 
 #include "support/meshes.h"
+#include "support/one_core.h"
 
 namespace holdfast {
 namespace {
@@ -59,6 +60,26 @@ TEST(VertexNormals, NeitherTinyNorHugeMeshesLoseThem)
   };
   EXPECT_TRUE(normalsAt(1e-140).isApprox(normalsAt(1), 1e-14));
   EXPECT_TRUE(normalsAt(1e140).isApprox(normalsAt(1), 1e-14));
+}
+
+TEST(VertexNormals, FollowPositionsWithTheSameBitsOnOneCore)
+{
+  const Mesh mesh = test::icosphere(5);  // 20,480 faces: several blocks of a loop over threads
+  std::vector<Index> normalOfCorner = cornerVertices(mesh.faces);
+  for (std::size_t corner = 0; corner < normalOfCorner.size(); corner += 7) normalOfCorner[corner] = -1;
+  AreaWeightedNormals normals(mesh.faces, normalOfCorner, mesh.vertexCount());
+  normals.at(mesh.positions);
+  const Positions moved = mesh.positions.array().cube();
+  const Positions onAll = normals.at(moved);
+
+  Positions sums = Positions::Zero(mesh.vertexCount(), 3);
+  std::size_t corner = 0;
+  for (Index f = 0; f < mesh.faces.size(); ++f)
+    for (std::size_t k = 0; k < mesh.faces[f].size(); ++k, ++corner)
+      if (normalOfCorner[corner] >= 0) sums.row(normalOfCorner[corner]) += areaVector(moved, mesh.faces[f]);
+  for (Index n = 0; n < sums.rows(); ++n) ASSERT_EQ(Vector3(onAll.row(n)), unitOrZero(sums.row(n))) << n;
+  const test::OneCore one;
+  EXPECT_EQ(normals.at(moved), onAll);
 }
 
 TEST(VertexNormals, AreZeroWhereNothingDefinesThem)

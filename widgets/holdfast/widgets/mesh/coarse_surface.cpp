@@ -163,14 +163,14 @@ CoarseSurface::CoarseSurface(const Model& model, const ShadedSurface& surface)
   };
   for (Index t = 0; t < coarse.size(); ++t)
     triangles_.add({newPoint(coarse[t][0]), newPoint(coarse[t][1]), newPoint(coarse[t][2])});
-  std::vector<Index> pointOfCorner;  // of the triangles around, if any
+  std::vector<Index> pointOfCorner;  // of the triangles around; -1 where it has none
   for (Index t = 0; t < surface.triangles.size(); ++t) {
     const auto corners = surface.triangles[t];
     if (std::all_of(corners.begin(), corners.end(), [&](Index point) { return newPointOf[point] < 0; })) continue;
     around_.add(corners);
     for (const Index point : corners) pointOfCorner.push_back(newPointOf[point]);
   }
-  doubleNormals_.emplace(around_, pointOfCorner, static_cast<Index>(pointOf_.size()));
+  doubleNormals_ = std::make_unique<AreaWeightedNormals>(around_, pointOfCorner, static_cast<Index>(pointOf_.size()));
 
   const auto count = static_cast<vtkIdType>(pointOf_.size());
   places_->SetNumberOfComponents(3);
@@ -184,6 +184,8 @@ CoarseSurface::CoarseSurface(const Model& model, const ShadedSurface& surface)
   data_->GetPointData()->SetNormals(normals_);
   setHidden({});
 }
+
+CoarseSurface::~CoarseSurface() = default;
 
 void CoarseSurface::setHidden(const std::vector<char>& isHidden)
 {

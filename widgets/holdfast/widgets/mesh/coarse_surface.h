@@ -1,7 +1,7 @@
 #pragma once
 /// A large mesh as it is drawn while it moves: fewer triangles.
 
-#include <optional>
+#include <memory>
 #include <vector>
 
 #include <vtkDoubleArray.h>
@@ -9,12 +9,13 @@
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 
-#include <holdfast/mesh/vertex_normals.h>
 #include <holdfast/widgets/mesh/shaded_surface.h>
 
 namespace holdfast {
 
-/// About how many triangles are drawn of what moves: as many as are drawn in a few milliseconds without a GPU.
+class AreaWeightedNormals;
+
+/// About so many triangles of a moving mesh are drawn. Without a GPU it takes a few milliseconds.
 inline constexpr Index kCoarseTriangles = 20'000;
 
 struct CoarseTriangles {
@@ -32,6 +33,7 @@ class CoarseSurface {
  public:
   /// O(T log T).
   CoarseSurface(const Model& model, const ShadedSurface& surface);
+  ~CoarseSurface();
 
   /// Moves it with the points of the surface, of which all triangles shape its normals.
   void follow(const Positions& places);
@@ -59,8 +61,8 @@ class CoarseSurface {
   bool isSolid_;
   std::vector<Index> pointOf_;  // of the surface, for each point
   std::vector<Index> vertexOf_;
-  Polygons around_;                                   // the triangles of the surface at these points
-  std::optional<AreaWeightedNormals> doubleNormals_;  // at these points
+  Polygons around_;                                     // the triangles of the surface at these points
+  std::unique_ptr<AreaWeightedNormals> doubleNormals_;  // at these points
   vtkNew<vtkDoubleArray> places_;
   vtkNew<vtkFloatArray> normals_;
   vtkNew<vtkPolyData> data_;

@@ -61,8 +61,8 @@ MeshActor::MeshActor(const Model& model, std::shared_ptr<const ShadedSurface> sh
     : model_(model),
       shaded_(shaded ? std::move(shaded) : std::make_shared<const ShadedSurface>(cutAtSharpEdges(model))),
       drawn_(shaded_),
-      doubleNormals_(shaded_->triangles, cornerVertices(shaded_->triangles),
-                     static_cast<Index>(shaded_->vertexOf.size()))
+      doubleNormals_(std::make_unique<AreaWeightedNormals>(shaded_->triangles, cornerVertices(shaded_->triangles),
+                                                           static_cast<Index>(shaded_->vertexOf.size())))
 {
   places_.resize(static_cast<Index>(shaded_->vertexOf.size()), 3);
   coordinates_->SetNumberOfComponents(3);
@@ -110,7 +110,7 @@ void MeshActor::setPositions(const Positions& positions)
 
 void MeshActor::updateNormals()
 {
-  const Positions& normals = doubleNormals_.at(places_);
+  const Positions& normals = doubleNormals_->at(places_);
   std::transform(normals.data(), normals.data() + normals.size(), normals_->GetPointer(0),
                  [](double value) { return static_cast<float>(value); });
   normals_->Modified();

@@ -15,7 +15,6 @@
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 
-#include <holdfast/mesh/vertex_normals.h>
 #include <holdfast/widgets/color/color_map.h>
 #include <holdfast/widgets/mesh/actor_slices.h>
 #include <holdfast/widgets/mesh/actors.h>
@@ -122,10 +121,10 @@ class MeshActor {
 
   const Model& model_;
   std::shared_ptr<const ShadedSurface> shaded_;
-  std::shared_ptr<const ShadedSurface> drawn_;  // that, or without what is hidden
-  std::vector<char> isHidden_;                  // of each triangle; empty where all are drawn
-  Positions places_;                            // of the points: what VTK draws lies here
-  AreaWeightedNormals doubleNormals_;           // at the points
+  std::shared_ptr<const ShadedSurface> drawn_;          // that, or without what is hidden
+  std::vector<char> isHidden_;                          // of each triangle; empty where all are drawn
+  Positions places_;                                    // of the points: what VTK draws lies here
+  std::unique_ptr<AreaWeightedNormals> doubleNormals_;  // at the points
   MeshEdges meshEdgesShown_ = MeshEdges::Sharp;
   Detail detail_ = Detail::Full;
   std::optional<Vector3> eye_;
