@@ -164,6 +164,24 @@ TEST_F(HandleOfLargeMesh, IsDrawnWhereItIsToBeBeforeTheRestIsSolved)
   EXPECT_EQ(early, solved);
 }
 
+TEST_F(HandleOfLargeMesh, PanelsFollowADragTogetherWithThePicture)
+{
+  constexpr int kPictures = 12;
+  int pictures = 0;
+  int shownTimes = 0;
+  QPointF at = onArrow(0);
+  test::pressMouse(viewport(), at);
+  QObject::connect(&viewport(), &Viewport::rendered, &viewport(), [&] { ++pictures; });
+  QObject::connect(&viewport(), &QOpenGLWidget::frameSwapped, &viewport(), [&] { ++shownTimes; });
+  EXPECT_TRUE(test::waitUntil([&] {
+    at += QPointF(0.5, 0);
+    test::moveMouse(viewport(), at, Qt::LeftButton);
+    return pictures >= kPictures;
+  }));
+  EXPECT_LE(shownTimes, kPictures + 3) << "that of the press is among them";
+  test::releaseMouse(viewport(), at);
+}
+
 TEST_F(HandleOfLargeMesh, EscapeTakesItAway)
 {
   const QPointF from = onArrow(0);

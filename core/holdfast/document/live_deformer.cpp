@@ -1,5 +1,6 @@
 #include "holdfast/document/live_deformer.h"
 
+#include <chrono>
 #include <condition_variable>
 #include <mutex>
 
@@ -16,6 +17,8 @@ constexpr Index kLarge = 20000;
 
 // So many take about as long as drawing the picture.
 constexpr int kIterationsOfFrame = 2;
+
+constexpr std::chrono::milliseconds kLongestUnseen(100);
 
 }  // namespace
 
@@ -43,10 +46,13 @@ struct LiveDeformer::Shared {
     deformer.reset();
   }
 
+  static bool isFrame(const Job& job) { return job.supersede == Supersede::WhenDone && !job.isCancelled; }
+
   std::optional<Job> nextJob()
   {
     std::unique_lock lock(mutex);
     changed.wait(lock, [this] { return isStopping || waiting; });
+    changed.wait_for(lock, kLongestUnseen, [this] { return isStopping || !isUnseen || !isFrame(*waiting); });
     if (isStopping) return std::nullopt;
     request = StopRequest::GoOn;
     return std::exchange(waiting, std::nullopt);
@@ -57,10 +63,17 @@ struct LiveDeformer::Shared {
     if (job.isCancelled) return tell({Kind::Cancelled, job.revision, "", nullptr});
     tell({Kind::Started, job.revision, "", nullptr});
     const LiveEvent end = endOf(job);
+    const StopRequest last = finish(job);
     // A superseded result must not appear, even where no step was left to stop it at.
-    const StopRequest last = stopRequest();
     if (last == StopRequest::GoOn) tell(end);
     if (last == StopRequest::GiveUpAndTell) tell({Kind::Cancelled, job.revision, "", nullptr});
+  }
+
+  StopRequest finish(const Job& job)
+  {
+    const std::scoped_lock lock(mutex);
+    isUnseen = isFrame(job);
+    return isStopping ? StopRequest::GiveUp : request;
   }
 
   LiveEvent endOf(const Job& job)
@@ -126,6 +139,7 @@ struct LiveDeformer::Shared {
   std::mutex mutex;  // guards what follows
   std::condition_variable changed;
   std::optional<Job> waiting;
+  bool isUnseen = false;                    // the last result is of a frame, and not seen
   bool isStopping = false;                  // the owner is gone
   StopRequest request = StopRequest::GoOn;  // of the work under way
 
@@ -176,6 +190,15 @@ void LiveDeformer::cancel()
   const std::scoped_lock lock(shared_->mutex);
   if (shared_->waiting) shared_->waiting->isCancelled = true;
   if (shared_->request == Shared::StopRequest::GoOn) shared_->request = Shared::StopRequest::GiveUpAndTell;
+}
+
+void LiveDeformer::resultIsSeen()
+{
+  {
+    const std::scoped_lock lock(shared_->mutex);
+    shared_->isUnseen = false;
+  }
+  shared_->changed.notify_all();
 }
 
 }  // namespace holdfast

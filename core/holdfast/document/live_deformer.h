@@ -56,6 +56,10 @@ class LiveDeformer {
   /// Gives up what is waiting and, at its next step or its end, what is under way. A `LongStep` goes on.
   void cancel();
 
+  /// What was reported last is seen. The next frame of a drag begins then, or after a tenth of a second: solved beside
+  /// the drawing of the last one, it would delay that and be seen later itself.
+  void resultIsSeen();
+
  private:
   struct Shared;
   std::shared_ptr<Shared> shared_;

@@ -1,6 +1,8 @@
+#include <chrono>
 #include <future>
 #include <memory>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -151,6 +153,28 @@ TEST(LiveDeformer, OfStatesThatWaitOnlyTheNewestIsDeformed)
   witness.openGate();
   EXPECT_THAT(witness.endsTo(9), ElementsAre(End(1, Kind::Done), End(9, Kind::Done)));
   for (const LiveEvent& event : witness.eventsTo(9)) EXPECT_TRUE(event.revision == 1 || event.revision == 9);
+}
+
+TEST(LiveDeformer, TheNextFrameOfADragIsOfWhatIsNewestWhenTheLastIsSeen)
+{
+  Witness witness;
+  LiveDeformer live(plateModel(), witness.listener());
+  std::uint64_t last = 1;
+  // Longer pauses than a frame waits for are no test.
+  for (std::chrono::steady_clock::duration taken = std::chrono::hours(1); taken > std::chrono::milliseconds(50);) {
+    live.submit(last, dragged(1), "list", Supersede::WhenDone);
+    EXPECT_EQ(witness.endsTo(last).back(), End(last, Kind::Done));
+    const auto start = std::chrono::steady_clock::now();
+    live.submit(last + 1, dragged(2), "list", Supersede::WhenDone);
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    last += 2;
+    live.submit(last, dragged(3), "list", Supersede::WhenDone);
+    live.resultIsSeen();
+    taken = std::chrono::steady_clock::now() - start;
+  }
+  const std::vector<End> ends = witness.endsTo(last);
+  EXPECT_EQ(ends.back(), End(last, Kind::Done));
+  EXPECT_EQ(ends.at(ends.size() - 2), End(last - 2, Kind::Done)) << "the state between was not asked for any more";
 }
 
 TEST(LiveDeformer, AnEditStandsWhereADragGoesOn)

@@ -139,6 +139,12 @@ class Editor : public QObject {
     if (isOpen()) submit(Supersede::AtNextStep);
   }
 
+  /// The deformation is in the picture: `LiveDeformer::resultIsSeen`.
+  void resultIsSeen()
+  {
+    if (isOpen()) worker_->resultIsSeen();
+  }
+
   /// Selected vertices of the file, ascending; and selected constraints by their place in the list, ascending.
   [[nodiscard]] const std::vector<Index>& selectedVertices() const noexcept { return selectedVertices_; }
   [[nodiscard]] const std::vector<Index>& selectedConstraints() const noexcept { return selectedConstraints_; }

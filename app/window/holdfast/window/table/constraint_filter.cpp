@@ -55,6 +55,7 @@ QVariant ConstraintFilter::headerData(int section, Qt::Orientation orientation, 
 bool ConstraintFilter::filterAcceptsRow(int row, const QModelIndex& /*parent*/) const
 {
   if (status_ != nullptr && model_.status(row) != *status_) return false;
+  if (words_.isEmpty()) return true;
   QString text;
   for (const int column : {Table::Name, Table::Kind, Table::Where}) text += model_.text(row, column) + '\n';
   return std::all_of(words_.begin(), words_.end(),

@@ -77,7 +77,7 @@ Viewport::Viewport(Editor& editor, QWidget* parent) : VtkView(parent), editor_(e
   connect(&restTimer_, &QTimer::timeout, this, &Viewport::renderInFull);
   drawnTimer_.setSingleShot(true);
   connect(&drawnTimer_, &QTimer::timeout, this, &Viewport::goOnWhenDrawn);
-  connect(this, &QOpenGLWidget::frameSwapped, this, [this] { waiting_.invalidate(); });
+  connect(this, &QOpenGLWidget::frameSwapped, this, &Viewport::noteSwap);
 
   connect(this, &VtkView::renderWanted, this, &Viewport::scheduleWidgets);
   connect(&editor_, &Editor::opened, this, &Viewport::openDocument);

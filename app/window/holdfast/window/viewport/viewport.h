@@ -190,6 +190,7 @@ class Viewport : public VtkView {
   void fitCamera(const ViewFrame& frame);
   void framePlaces(const Positions& places);
   void schedulePicture();
+  void noteSwap();
   /// Avoids work for a full picture that will not be drawn.
   void prepareToMove();
   void render();

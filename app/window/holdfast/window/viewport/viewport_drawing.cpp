@@ -19,7 +19,7 @@ constexpr const char* kDrawingThreads = "llvmpipe-";
 constexpr int kMillisecondsBetweenLooks = 1;
 
 // Since the last picture. A mesh of 173,000 vertices follows a drag within that time.
-constexpr int kMostMillisecondsUnsolved = 100;
+constexpr int kMostMillisecondsUnsolved = 200;
 
 // Longer than any picture takes.
 constexpr std::chrono::seconds kLongestWait(10);
@@ -43,6 +43,13 @@ void Viewport::paintGL()
   static_cast<void>(fence_->pass(kLongestWait));
   VtkView::paintGL();
   fence_->set();
+}
+
+void Viewport::noteSwap()
+{
+  waiting_.invalidate();
+  if (renderTimer_.isActive()) pause_.begin();
+  if (!isSceneDue_ && !drawnTimer_.isActive()) editor_.resultIsSeen();
 }
 
 void Viewport::schedulePicture()
@@ -72,9 +79,10 @@ void Viewport::render()
 {
   // A coarse picture under way is finished and shown first. Slices show the widgets, too.
   const bool isOneComing = (drawnTimer_.isActive() && (!slices_->isUnderWay() || !isSceneDue_)) || isUnseen();
-  if (!isOneComing) abandonDrawing();
+  if (isOneComing || isSolutionAwaited()) return renderTimer_.start(kMillisecondsBetweenLooks);
+  abandonDrawing();
   // The driver still draws what was abandoned, and the next picture would wait for it.
-  if (isOneComing || isSolutionAwaited() || !fence_->pass()) return renderTimer_.start(kMillisecondsBetweenLooks);
+  if (!fence_->pass()) return renderTimer_.start(kMillisecondsBetweenLooks);
   if (!isVisible()) return;
   // Where the cursor moves all the time, coarse pictures would follow one another for ever.
   if (std::exchange(isFullDue_, false) && !isSceneDue_) return renderInFull();
