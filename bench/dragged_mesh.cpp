@@ -12,6 +12,7 @@ namespace holdfast::bench {
 DraggedMesh::DraggedMesh(const std::shared_ptr<const Model>& model)
     : deformer_(model), normals_(model->mesh.faces, cornerVertices(model->mesh.faces), model->mesh.vertexCount())
 {
+  deformer_.answerEditsAtOnce(true);
 }
 
 double DraggedMesh::deform(const ConstraintList& list)

@@ -21,8 +21,6 @@ class DraggedMesh {
   /// The same for frames in which it moves on without turning.
   double movedFrame(ConstraintList list);
 
-  void answerEditsAtOnce() { deformer_.answerEditsAtOnce(true); }
-
   [[nodiscard]] const Model& model() const noexcept { return deformer_.model(); }
   [[nodiscard]] const SolveReport& report() const noexcept { return result_.report.solve; }
   [[nodiscard]] const Positions& positions() const noexcept { return result_.positions; }

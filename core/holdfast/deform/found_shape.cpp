@@ -147,7 +147,9 @@ FoundShape findShape(const FoundProblem& problem, ConstraintSystem system, Rotat
     if (turnsRows || shape.diagnosis.status.empty())
       shape.diagnosis = diagnose(problem.eliminated, shape.system, problem.mesh);
     shape.wanted = problem.energy.wanted(R);
-    return problem.solver.solve({shiftsOf(shape.system), shape.diagnosis.reconciled}, shape.wanted);
+    const RowTargets targets{shiftsOf(shape.system), shape.diagnosis.reconciled};
+    return shape.displacement.u.size() == 0 ? problem.solver.solve(targets, shape.wanted)
+                                            : problem.solver.solveFrom(shape.displacement, targets, shape.wanted);
   };
   shape.displacement = solved();
   Acceleration acceleration;

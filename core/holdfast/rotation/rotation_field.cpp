@@ -235,7 +235,7 @@ RotationField RotationFieldSolver::solve(const Columns3& values) const
   } else {
     response_ = {{}, pulled(values)};
   }
-  const auto& [z, corrections, accuracy] = response_.reach;
+  const auto& [z, corrections, accuracy, left] = response_.reach;
 
   const auto n = static_cast<Index>(unknowns_.givenOf.size());
   RotationField field{Columns3(n, 3), accuracy, rotationGaps(unknowns_, values)};

@@ -1,5 +1,6 @@
 #include "holdfast/solve/corrected_solve.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -11,7 +12,7 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 // A factor that leaves a share c of an error leaves c of the first correction, too: below this, c^2 is less than a
 // double holds, and another correction would only exchange one rounding for another.
 const double kLastCorrection = std::sqrt(kEpsilon);
-// The same where what another correction would take off is less than this share of the accuracy that is reached.
+// What another correction would take off is less than this share of the accuracy that is reached.
 constexpr double kNegligible = 1.0 / 64;
 // The first correction is one sample of what normal equations lose, and errors were up to 2.3 times what it tells.
 constexpr double kSampleFactor = 2.5;
@@ -22,6 +23,18 @@ template <class Matrix>
 double largest(const Eigen::MatrixBase<Matrix>& x)
 {
   return x.size() == 0 ? 0 : x.cwiseAbs().maxCoeff();
+}
+
+/// The normal equations lose cond^2 epsilon = `first`; what their corrections reach is cond epsilon.
+double reachedBy(double first)
+{
+  return std::sqrt(first * kEpsilon);
+}
+
+/// After one of that relative size.
+bool isLastCorrection(double first, double change)
+{
+  return first * change <= kNegligible * reachedBy(first);
 }
 
 /// What changes a solution and its multipliers when this is left of their equations: of C z = f (`left`), and in its
@@ -41,17 +54,22 @@ Columns3 solved(const LeastSquaresFactor& factor, const LinearMap& C, Columns3 l
 }  // namespace
 
 CorrectedSolution correctedSolve(const LeastSquaresFactor& factor, const LinearMap& C,
-                                 const Eigen::VectorXd& columnScale, const Columns3& f, Index kept)
+                                 const Eigen::VectorXd& columnScale, const Columns3& f, Index kept,
+                                 const KnownSolution& known)
 {
   const Index unknowns = columnScale.size();
-  if (f.isZero(0)) return {Columns3::Zero(unknowns, 3), 0, 0};
-  CorrectedSolution result{solved(factor, C, f, Columns3::Zero(kept, 3)), 0, 0};
+  if (f.isZero(0)) return {Columns3::Zero(unknowns, 3), 0, 0, known.left};
+  CorrectedSolution result{solved(factor, C, f, Columns3::Zero(kept, 3)), 0, 0, known.left};
   Columns3 multipliers = result.z.bottomRows(kept);
   result.z.conservativeResize(unknowns, 3);
-  double first = 0;
+  double& first = result.left;
+  if (first > 0 && isLastCorrection(first, largest(columnScale.asDiagonal() * result.z) / known.size)) {
+    result.accuracy = kSampleFactor * reachedBy(first);
+    return result;
+  }
   double last = std::numeric_limits<double>::infinity();
   while (result.corrections < kMaxCorrections) {
-    const double size = largest(columnScale.asDiagonal() * result.z);
+    const double size = std::max(known.size, largest(columnScale.asDiagonal() * result.z));
     if (size == 0) break;
     const Columns3 correction = solved(factor, C, C.residual(f, result.z), multipliers);
     const auto step = correction.topRows(unknowns);
@@ -59,11 +77,9 @@ CorrectedSolution correctedSolve(const LeastSquaresFactor& factor, const LinearM
     if (!(change < last)) break;
     result.z += step;
     multipliers += correction.bottomRows(kept);
-    if (result.corrections++ == 0) first = change;
-    // The normal equations lost cond^2 epsilon = first; what their corrections reach is cond epsilon.
-    const double reached = std::sqrt(first * kEpsilon);
-    const bool isLast = change <= kLastCorrection || first * change <= kNegligible * reached;
-    result.accuracy = isLast ? kSampleFactor * reached : change;
+    if (result.corrections++ == 0 && known.left == 0) first = change;
+    const bool isLast = change <= kLastCorrection || isLastCorrection(first, change);
+    result.accuracy = isLast ? kSampleFactor * reachedBy(first) : change;
     if (isLast || change > kStalled * last) break;
     last = change;
   }

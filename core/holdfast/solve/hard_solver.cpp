@@ -19,15 +19,16 @@ class HardSolver final : public ConstrainedSolver {
 
   [[nodiscard]] Displacement solve(const RowTargets& targets, const Columns3& f) const override
   {
-    Displacement result{particular(targets), 0, 0};
-    Columns3 missed = problem_.A->residual(f, result.u);
-    missed.conservativeResizeLike(Columns3::Zero(missed.rows() + reduced_->kept, 3));
-    const CorrectedSolution z = correctedSolve(*reduced_->factor, reduced_->C, reduced_->scale, missed, reduced_->kept);
-    parallelBlocks(result.u.rows(), [&](Index i) { result.u.row(i) += gathered(reduced_->scaledQ2, i, z.z); });
-    meet(targets, result.u);
-    result.corrections = z.corrections;
-    result.accuracy = z.accuracy;
-    return result;
+    return solved({particular(targets)}, f, {});
+  }
+
+  [[nodiscard]] Displacement solveFrom(Displacement near, const RowTargets& targets, const Columns3& f) const override
+  {
+    meet(targets, near.u);
+    // Multipliers of kept rows are of the whole solution, not of the difference.
+    const bool isKnown = reduced_->kept == 0 && near.u.size() > 0;
+    const KnownSolution known = isKnown ? KnownSolution{near.u.cwiseAbs().maxCoeff(), near.left} : KnownSolution();
+    return solved(std::move(near), f, known);
   }
 
   /// In the span of the rows; pins have nothing left.
@@ -50,6 +51,20 @@ class HardSolver final : public ConstrainedSolver {
   [[nodiscard]] std::string method() const override { return std::string(reduced_->factor->method()); }
 
  private:
+  /// `result` meets the rows, and goes on to do so.
+  [[nodiscard]] Displacement solved(Displacement result, const Columns3& f, const KnownSolution& known) const
+  {
+    Columns3 missed = problem_.A->residual(f, result.u);
+    missed.conservativeResizeLike(Columns3::Zero(missed.rows() + reduced_->kept, 3));
+    const CorrectedSolution z =
+        correctedSolve(*reduced_->factor, reduced_->C, reduced_->scale, missed, reduced_->kept, known);
+    parallelBlocks(result.u.rows(), [&](Index i) { result.u.row(i) += gathered(reduced_->scaledQ2, i, z.z); });
+    result.corrections = z.corrections;
+    result.accuracy = z.accuracy;
+    result.left = z.left;
+    return result;
+  }
+
   [[nodiscard]] Columns3 particular(const RowTargets& targets) const
   {
     return targets.reconciled.empty() ? problem_.eliminated->elimination.particular(targets.shifts)

@@ -11,7 +11,10 @@ namespace {
 
 constexpr int kGroups = 3;
 constexpr double kRoundings = 8;
-constexpr double kFar = 4;  // diagonals: larger differences would take digits
+constexpr Index kSampled = 1000;
+constexpr std::size_t kAnswers = 4;  // an angle changes them by smooth functions: a cubic one is left to solve for
+constexpr double kDependent = 1e-9;  // answers with a smaller share of their own would take digits
+constexpr double kFar = 4;           // diagonals: larger differences would take digits
 
 /// Rows that have moved by the same vector.
 struct Moves {
@@ -39,6 +42,20 @@ std::optional<Moves> movesOf(const Columns3& shifts, double rounding)
   return moves;
 }
 
+/// Some rows of f and of the shifts: enough to find what they are sums of.
+Eigen::VectorXd sampled(const RowTargets& targets, const Columns3& f)
+{
+  Eigen::VectorXd sample;
+  for (const Columns3* all : {&f, &targets.shifts}) {
+    const Index step = std::max<Index>(1, all->rows() / kSampled);
+    const Index before = sample.size();
+    const Index count = (all->rows() + step - 1) / step;
+    sample.conservativeResize(before + 3 * count);
+    for (Index k = 0; k < count; ++k) sample.segment<3>(before + 3 * k) = all->row(k * step);
+  }
+  return sample;
+}
+
 }  // namespace
 
 MovedSolutions::MovedSolutions(const SolverMesh& mesh)
@@ -55,8 +72,12 @@ const Displacement& MovedSolutions::solve(const ConstrainedSolver& solver, const
   if (!moves || !(moves->by.cwiseAbs().maxCoeff() <= farthest_)) {
     q_ = q;
     f_ = makeF();
+    if (targets_.reconciled != targets.reconciled) answers_.clear();
     targets_ = targets;
-    solution_ = solver.solve(targets, f_);
+    Eigen::VectorXd asked = sampled(targets, f_);
+    solution_ = answers_.empty() ? solver.solve(targets, f_) : solver.solveFrom(nearest(asked), targets, f_);
+    if (answers_.size() == kAnswers) answers_.pop_front();
+    answers_.push_back({std::move(asked), solution_.u});
     return solution_;
   }
   if (moves->by.isZero(0)) return solution_;
@@ -73,6 +94,22 @@ const Displacement& MovedSolutions::solve(const ConstrainedSolver& solver, const
   parallelBlocks(sum_.u.rows(), [&](Index i) { sum_.u.row(i) = solution_.u.row(i) + reach.u.row(i) * moves->by; });
   solver.meet(targets, sum_.u);
   return sum_;
+}
+
+/// The sum of earlier solutions that answers most of what is asked.
+Displacement MovedSolutions::nearest(const Eigen::VectorXd& asked) const
+{
+  Eigen::MatrixXd earlier(asked.size(), answers_.size());
+  for (std::size_t k = 0; k < answers_.size(); ++k) earlier.col(k) = answers_[k].asked;
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
+  decomposition.setThreshold(kDependent);
+  const Eigen::VectorXd shares = decomposition.compute(earlier).solve(asked);
+  Displacement sum = solution_;
+  parallelBlocks(sum.u.rows(), [&](Index i) {
+    sum.u.row(i).setZero();
+    for (std::size_t k = 0; k < answers_.size(); ++k) sum.u.row(i) += shares[k] * answers_[k].u.row(i);
+  });
+  return sum;
 }
 
 }  // namespace holdfast

@@ -1,7 +1,9 @@
 #pragma once
 /// Solutions of a drag. The displacement is linear in what the rows ask for: where few groups of rows have moved, each
-/// as a whole, since another solution, the difference is a sum of stored columns.
+/// as a whole, since another solution, the difference is a sum of stored columns. Where rotations change, the sum of
+/// earlier solutions whose f is nearest is corrected by one more, as successive right-hand sides are (Fischer, 1998).
 
+#include <deque>
 #include <functional>
 
 #include <holdfast/mesh/solver_mesh.h>
@@ -15,7 +17,7 @@ class MovedSolutions {
   explicit MovedSolutions(const SolverMesh& mesh);
 
   /// As `solver.solve(targets, makeF())`; `q` (n x 3) is all that `makeF` depends on. O(n) from the third solution of a
-  /// drag on, whose last digits then depend on those before. Valid until the next call.
+  /// drag on where it rotates nothing. Last digits depend on the solutions before. Valid until the next call.
   [[nodiscard]] const Displacement& solve(const ConstrainedSolver& solver, const RowTargets& targets, const Columns3& q,
                                           const std::function<Columns3()>& makeF);
 
@@ -29,6 +31,14 @@ class MovedSolutions {
     Displacement reach;
   };
 
+  /// What was asked for, in places, and what that led to.
+  struct Answer {
+    Eigen::VectorXd asked;
+    Columns3 u;
+  };
+
+  [[nodiscard]] Displacement nearest(const Eigen::VectorXd& asked) const;
+
   double rounding_ = 0;  // of shifts, model units
   double farthest_ = 0;  // that rows move from a solution until there is another one
 
@@ -37,6 +47,7 @@ class MovedSolutions {
   Columns3 f_;
   RowTargets targets_;
   Displacement solution_;
+  std::deque<Answer> answers_;  // solved for lately
   Response response_;
   Displacement sum_;
 };

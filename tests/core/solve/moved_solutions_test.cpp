@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -24,11 +25,18 @@ class Linear final : public ConstrainedSolver {
     ++solutions;
     return {map_ * targets.shifts + f, 1, 1e-14};
   }
+  [[nodiscard]] Displacement solveFrom(Displacement near, const RowTargets& targets, const Columns3& f) const override
+  {
+    Displacement result = solve(targets, f);
+    farthest = (near.u - result.u).cwiseAbs().maxCoeff();
+    return result;
+  }
   [[nodiscard]] Index unknowns() const override { return kUnknowns; }
   [[nodiscard]] Index factorNonzeros() const override { return 0; }
   [[nodiscard]] std::string method() const override { return "a product"; }
 
   mutable int solutions = 0;
+  mutable double farthest = 0;  // of the last solution from where it began
 
  private:
   Eigen::MatrixXd map_ = Eigen::MatrixXd::Random(kUnknowns, kRows);
@@ -87,6 +95,60 @@ TEST_F(MovedRows, AreSolvedForAgainWhereAnythingElseHasChanged)
   targets_.reconciled = {4};
   EXPECT_EQ(move(rows({0.1, 0, 0, 0, 0})), 1) << "another redundant row";
   EXPECT_EQ(move(rows({1e6, 0, 0, 0, 0})), 1) << "so far that digits would be lost";
+}
+
+TEST_F(MovedRows, WithOtherRotationsBeginAtTheSumOfEarlierSolutionsThatIsNearest)
+{
+  std::vector<Columns3> turns;
+  for (int k = 0; k < 3; ++k) turns.push_back(Columns3::Random(kUnknowns, 3));
+  const auto turnTo = [&](const Columns3& q, const Columns3& by) {
+    q_ = q;
+    EXPECT_EQ(move(by), 1);
+    return solver_.farthest;
+  };
+  const Columns3 rest = Columns3::Zero(kRows, 3);
+  for (const Columns3& q : turns) turnTo(q, rest);
+  EXPECT_LT(turnTo(2 * turns[0] - 3 * turns[1] + 2 * turns[2], rest), 1e-12);
+  EXPECT_GT(turnTo(Columns3::Random(kUnknowns, 3), rest), 0.1) << "nothing like any of them";
+  EXPECT_LT(turnTo(q_ * 1.5, 0.5 * targets_.shifts), 1e-12) << "half as much more of all";
+  targets_.reconciled = {4};
+  solver_.farthest = -1;
+  EXPECT_EQ(turnTo(q_ * 2, rest), -1) << "other rows are met: what was there is of no use";
+}
+
+/// A handle turns, in steps of a hand and far, for each solver.
+TEST(MovedSolutions, OfTurnsAreAsAccurateAsOthers)
+{
+  constexpr int kFrames = 20;
+  const Mesh mesh = test::plate(250, 4);
+  for (const SolverKind kind : {SolverKind::Hard, SolverKind::Soft, SolverKind::Lagrange}) {
+    const DeformOptions options{Weights::Cotangent, {kind, Backend::Holdfast, 100}};
+    test::Random random(7);
+    ConstraintList list = test::listOf({test::hold({0, 1, 2, 3})});
+    const Index last = mesh.vertexCount() - 1;
+    list.constraints.push_back({"handle", true, HandleConstraint{{VertexIds{{last, last - 1, last - 2}}}, {}, {}, {}}});
+    for (int k = 0; k < 3; ++k)
+      list.constraints.push_back(test::moveBy(test::randomPlace(random, mesh), Vector3::Zero()));
+    Deformer deformer(makeModel(mesh), options);
+    deformer.answerEditsAtOnce(true);
+    double degrees = 10;
+    int corrections = 0;
+    for (int k = 0; k < kFrames; ++k) {
+      degrees += random.uniform(0.5, 1.5);
+      if (k % 9 == 8) {
+        degrees += 50;
+        std::get<PointConstraint>(list.constraints[2].what).to = Move{Vector3(0, 0, random.uniform(-3, 3))};
+      }
+      std::get<HandleConstraint>(list.constraints[1].what).motion = AxisRotation{Vector3(1, 1, 0), degrees, {}};
+      const DeformResult result = deformer.deform(list);
+      const DeformResult fresh = test::deformed(mesh, list, options);
+      EXPECT_EQ(result.report.solve.status, SolveStatus::Ok) << result.report.solve.message;
+      EXPECT_LT(test::distance(result.positions, fresh.positions), 1e-12) << k;
+      EXPECT_LT(result.report.solve.accuracy, 1e-9);
+      corrections += result.report.solve.refinementSteps;
+    }
+    if (kind == SolverKind::Hard) EXPECT_LT(corrections, kFrames / 2) << "most frames need one solution";
+  }
 }
 
 /// A drag of a point and of a handle, for each solver.
