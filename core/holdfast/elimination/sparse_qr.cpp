@@ -83,8 +83,8 @@ void reflect(const Reflections& Q, Index j, Columns3& x)
 {
   Eigen::RowVector3d product = Eigen::RowVector3d::Zero();
   for (SparseMatrix::InnerIterator entry(Q.h, j); entry; ++entry) product += entry.value() * x.row(entry.row());
-  for (SparseMatrix::InnerIterator entry(Q.h, j); entry; ++entry)
-    x.row(entry.row()) -= Q.tau[j] * entry.value() * product;
+  product *= Q.tau[j];
+  for (SparseMatrix::InnerIterator entry(Q.h, j); entry; ++entry) x.row(entry.row()) -= entry.value() * product;
 }
 
 }  // namespace
