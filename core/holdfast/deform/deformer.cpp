@@ -186,6 +186,7 @@ class Solution {
     }
     addFindings(*factorization.eliminated);
     if (report().status != SolveStatus::Failed) solve(factorization, progress);
+    details_.diagnosis.particular = {};
     result_.details = std::make_shared<const DeformDetails>(std::move(details_));
     return std::move(result_);
   }
@@ -277,7 +278,11 @@ class Solution {
     report().seconds.solution += secondsSince(solution);
   }
 
-  [[nodiscard]] RowTargets targets() const { return {shiftsOf(details_.system), details_.diagnosis.reconciled}; }
+  [[nodiscard]] RowTargets targets()
+  {
+    Diagnosis& diagnosis = details_.diagnosis;
+    return {shiftsOf(details_.system), diagnosis.reconciled, std::move(diagnosis.particular)};
+  }
 
   [[nodiscard]] Columns3 makeF() const
   {

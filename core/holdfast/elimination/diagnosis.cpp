@@ -137,10 +137,9 @@ Diagnosis diagnose(const EliminatedConstraints& eliminated, const ConstraintSyst
 {
   Diagnosis diagnosis;
   diagnosis.status.assign(system.rows.size(), RowStatus::Independent);
-  Columns3 u;
-  if (!eliminated.dependencies.empty()) u = eliminated.elimination.particular(shiftsOf(system));
-  diagnosis.dependent = gapsOf(eliminated, system, u);
-  diagnosis.limits = residualLimits(mesh, system, diagnosis.dependent, u);
+  if (!eliminated.dependencies.empty()) diagnosis.particular = eliminated.elimination.particular(shiftsOf(system));
+  diagnosis.dependent = gapsOf(eliminated, system, diagnosis.particular);
+  diagnosis.limits = residualLimits(mesh, system, diagnosis.dependent, diagnosis.particular);
   bool isMissed = false;
   for (const auto& [dependency, gap] : diagnosis.dependent) {
     const double limit = kConsistentShare * diagnosis.limits[dependency.row];

@@ -52,8 +52,10 @@ class HardSolver final : public ConstrainedSolver {
  private:
   [[nodiscard]] Columns3 particular(const RowTargets& targets) const
   {
-    return targets.reconciled.empty() ? problem_.eliminated->elimination.particular(targets.shifts)
-                                      : reconciledParticular(*problem_.eliminated, targets.reconciled, targets.shifts);
+    if (!targets.reconciled.empty())
+      return reconciledParticular(*problem_.eliminated, targets.reconciled, targets.shifts);
+    if (targets.particular.rows() > 0) return targets.particular;
+    return problem_.eliminated->elimination.particular(targets.shifts);
   }
 
   ConstrainedProblem problem_;

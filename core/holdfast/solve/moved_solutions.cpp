@@ -55,7 +55,7 @@ const Displacement& MovedSolutions::solve(const ConstrainedSolver& solver, const
   if (!moves || !(moves->by.cwiseAbs().maxCoeff() <= farthest_)) {
     q_ = q;
     f_ = makeF();
-    targets_ = targets;
+    targets_ = {targets.shifts, targets.reconciled};
     solution_ = solver.solve(targets, f_);
     return solution_;
   }
