@@ -213,8 +213,8 @@ class Solution {
   void diagnoseRows(const ConstraintFactorization& factorization)
   {
     details_.diagnosis = diagnose(*factorization.eliminated, details_.system, model_.solverMesh);
-    result_.report.constraints = outcomes(constraints_, details_.system, details_.diagnosis);
-    setSensitivities(result_.report.constraints, details_.system, details_.diagnosis, factorization.sensitivities);
+    result_.report.constraints =
+        outcomes(constraints_, details_.system, details_.diagnosis, factorization.sensitivities);
   }
 
   /// Finds the rotations and what they make of the rows; the message where they cannot be found.
@@ -311,10 +311,12 @@ class Solution {
   /// The multiplier of a constraint is the sum of the lengths of those of its rows.
   void setMultipliers(Multipliers multipliers)
   {
-    for (std::size_t r = 0; r < details_.system.rows.size(); ++r) {
-      std::optional<double>& sum = result_.report.constraints[details_.system.rows[r].constraint].multiplier;
-      sum = sum.value_or(0) + multipliers.ofRows.row(static_cast<Index>(r)).stableNorm();
-    }
+    std::vector<ConstraintOutcome>& outcomes = result_.report.constraints;
+    forEachConstraint(details_.system, static_cast<Index>(outcomes.size()), [&](Index c, Index first, Index end) {
+      double sum = 0;
+      for (Index r = first; r < end; ++r) sum += multipliers.ofRows.row(r).stableNorm();
+      if (first < end) outcomes[c].multiplier = sum;
+    });
     result_.multipliers = std::move(multipliers.ofUnknowns);
   }
 
