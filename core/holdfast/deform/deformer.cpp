@@ -1,6 +1,8 @@
 #include "holdfast/deform/deformer.h"
 
 #include <chrono>
+#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -17,6 +19,22 @@
 #include <holdfast/surface/surface_locator.h>
 
 namespace holdfast {
+/// Where constraints act.
+struct ActedOn {
+  ActedOn(const TwoWayMatrix& A, const std::vector<RowTerms>& constraints)
+      : unknowns(static_cast<std::size_t>(A.columns().cols())), rows(static_cast<std::size_t>(A.rows().rows()))
+  {
+    for (const RowTerms& row : constraints)
+      for (const Term& term : row) {
+        if (std::exchange(unknowns[term.index], 1) != 0) continue;
+        for (SparseMatrix::InnerIterator entry(A.columns(), term.index); entry; ++entry) rows[entry.row()] = 1;
+      }
+  }
+
+  std::vector<char> unknowns;  // 1 where a constraint names the unknown
+  std::vector<char> rows;      // 1 where a row of A names one of those
+};
+
 /// All that the structure of a set of constraints costs, for any targets: the second of the three calls of section 6.
 /// The elimination and, once they are asked for, the factors of positions and rotations. A factorisation that is left
 /// behind (`LongStep`) does not need the model.
@@ -71,6 +89,7 @@ struct ConstraintFactorization {
   ConstraintSystem system;
   std::shared_ptr<const EliminatedConstraints> eliminated;
   std::vector<double> sensitivities;
+  std::optional<ActedOn> actedOn;  // made with the first forces
   std::shared_ptr<RotationFactorization> rotations;
   LongStep<SolverResult> positions;
   std::unique_ptr<MovedSolutions> moved;  // where solutions may be sums of earlier ones
@@ -97,24 +116,20 @@ struct Multipliers {
 };
 
 /// The forces that hold the displacement `u` (n x 3) against A u = f. O(entries of A where rows act).
-Multipliers multipliersOf(const TwoWayMatrix& A, const EliminatedConstraints& eliminated, const Columns3& u,
+Multipliers multipliersOf(const TwoWayMatrix& A, ConstraintFactorization& factorization, const Columns3& u,
                           const Columns3& f, double diagonal)
 {
-  std::vector<char> isHeld(static_cast<std::size_t>(u.rows()));
-  for (const RowTerms& row : eliminated.rows)
-    for (const Term& term : row) isHeld[term.index] = 1;
-  std::vector<char> isNear(static_cast<std::size_t>(f.rows()));  // of each row of A
-  for (Index k = 0; k < u.rows(); ++k)
-    if (isHeld[k] != 0)
-      for (SparseMatrix::InnerIterator entry(A.columns(), k); entry; ++entry) isNear[entry.row()] = 1;
+  const EliminatedConstraints& eliminated = *factorization.eliminated;
+  if (!factorization.actedOn) factorization.actedOn.emplace(A, eliminated.rows);
   // At the minimum the gradient of the energy is what the constraints hold: A^T (A u - f) = B^T l.
   Columns3 missed(f.rows(), 3);
   parallelBlocks(f.rows(), [&](Index k) {
-    if (isNear[k] != 0) missed.row(k) = f.row(k) - gathered(A.rows(), k, u);
+    if (factorization.actedOn->rows[k] != 0) missed.row(k) = f.row(k) - gathered(A.rows(), k, u);
   });
-  Columns3 gradient = Columns3::Zero(u.rows(), 3);
+  Columns3 gradient(u.rows(), 3);
   parallelBlocks(u.rows(), [&](Index k) {
-    if (isHeld[k] != 0) gradient.row(k) = gathered(A.columns(), k, missed) / -diagonal;
+    gradient.row(k).setZero();
+    if (factorization.actedOn->unknowns[k] != 0) gradient.row(k) = gathered(A.columns(), k, missed) / -diagonal;
   });
   Columns3 ofRows = eliminated.elimination.multipliers(gradient);
   return {std::move(ofRows), std::move(gradient)};
@@ -273,7 +288,7 @@ class Solution {
         moved == nullptr ? own : moved->solve(*result.value, targets(), result_.rotations, [this] { return makeF(); });
     accept(displacement);
     if (options_.solver.kind == SolverKind::Hard && report().status != SolveStatus::Failed)
-      setMultipliers(multipliersOf(A_, *factorization.eliminated, displacement.u, moved == nullptr ? f : moved->f(),
+      setMultipliers(multipliersOf(A_, factorization, displacement.u, moved == nullptr ? f : moved->f(),
                                    model_.solverMesh.diagonal));
     report().seconds.solution += secondsSince(solution);
   }
