@@ -61,11 +61,9 @@ double largestSum(const RowTerms& row, const Positions& rest, const Columns3& u)
   return largestCoordinate(sum);
 }
 
-/// The largest of each row's own numbers, see `residualLimits`.
-std::vector<double> magnitudes(const SolverMesh& mesh, const ConstraintSystem& system, const Columns3& u)
+/// The largest of each row's own numbers, see `residualLimits`; `asked` is the largest coordinate that is asked for.
+std::vector<double> magnitudes(const SolverMesh& mesh, const ConstraintSystem& system, const Columns3& u, double asked)
 {
-  double asked = 0;
-  for (const ConstraintRow& row : system.rows) asked = std::max(asked, largestCoordinate(row.target));
   std::vector<double> result(system.rows.size());
   parallelBlocks(static_cast<Index>(result.size()), [&](Index r) {
     const ConstraintRow& row = system.rows[r];
@@ -110,14 +108,19 @@ bool Diagnosis::hasConflicts() const
 std::vector<double> residualLimits(const SolverMesh& mesh, const ConstraintSystem& system,
                                    const std::vector<DependentRow>& dependent, const Columns3& u)
 {
-  const std::vector<double> own = magnitudes(mesh, system, u);
+  const double promised = kPromisedResidual * mesh.diagonal;
+  constexpr double kShare = kPromisedSpacings * std::numeric_limits<double>::epsilon();
+  double asked = 0;
+  for (const ConstraintRow& row : system.rows) asked = std::max(asked, largestCoordinate(row.target));
+  // The sizes of a row's weights sum to 2 at most: near the origin no sum is large enough to count.
+  if (kShare * std::max(asked, 2 * mesh.rest.cwiseAbs().maxCoeff()) <= promised)
+    return std::vector<double>(system.rows.size(), promised);
+  const std::vector<double> own = magnitudes(mesh, system, u, asked);
   std::vector<double> limits = own;
   for (const auto& [dependency, gap] : dependent)
     for (const Term& term : dependency.terms)
       limits[dependency.row] = std::max(limits[dependency.row], own[term.index]);
-  for (double& limit : limits)
-    limit =
-        std::max(kPromisedResidual * mesh.diagonal, kPromisedSpacings * std::numeric_limits<double>::epsilon() * limit);
+  for (double& limit : limits) limit = std::max(promised, kShare * limit);
   return limits;
 }
 
