@@ -50,7 +50,7 @@ double largestCoordinate(const Vector3& place)
 
 /// The largest coordinate of the sum of |w_i| |x_i|, of which the rounding of B x is a few epsilon; x is `rest`
 /// displaced by `u`, which may have no rows.
-double largestSum(const RowTerms& row, const Positions& rest, const Columns3& u)
+double largestSum(const FewTerms& row, const Positions& rest, const Columns3& u)
 {
   Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
   for (const Term& term : row) {
