@@ -164,9 +164,10 @@ Columns3 BlockElimination::particular(const Columns3& d) const
   Columns3 u = Columns3::Zero(Q2_.rows(), 3);
   for (const Pin& pin : pins_) u.row(pin.unknown) = d.row(pin.row) / pin.weight;
   Columns3 y(R1_.rows(), 3);  // of R1^T y = d, (18)
+  parallelBlocks(y.rows(), [&](Index k) { y.row(k) = d.row(rows_[k]) - gathered(pinnedTerms_.rows(), k, u); });
   forEachPart([&](Index first, Index end) {
     for (Index k = first; k < end; ++k) {
-      Eigen::RowVector3d left = d.row(rows_[k]) - gathered(pinnedTerms_.rows(), k, u);
+      Eigen::RowVector3d left = y.row(k);
       SparseMatrix::InnerIterator entry(R1_, k);
       for (; entry.row() < k; ++entry) left -= entry.value() * y.row(entry.row());
       y.row(k) = left / entry.value();
@@ -176,7 +177,7 @@ Columns3 BlockElimination::particular(const Columns3& d) const
   forEachLarge([&](const Block& block, Index first, Index count) {
     Columns3 padded = Columns3::Zero(static_cast<Index>(block.unknowns.size()), 3);
     padded.topRows(count) = y.middleRows(first, count);
-    u(block.unknowns, Eigen::all) = block.Q.times(padded);
+    u(block.unknowns, Eigen::all) = block.Q.times(std::move(padded));
   });
   return u;
 }
@@ -188,15 +189,15 @@ Columns3 BlockElimination::multipliers(const Columns3& gradient, Index rowCount)
   forEachLarge([&](const Block& block, Index first, Index count) {
     y.middleRows(first, count) = block.Q.transposeTimes(gradient(block.unknowns, Eigen::all)).topRows(count);
   });
-  Columns3 result = Columns3::Zero(rowCount, 3);
   forEachPart([&](Index first, Index end) {
     for (Index k = end - 1; k >= first; --k) {
       SparseMatrix::ReverseInnerIterator entry(R1_, k);
       y.row(k) /= entry.value();
       while (--entry) y.row(entry.row()) -= entry.value() * y.row(k);
-      result.row(rows_[k]) = y.row(k);
     }
   });
+  Columns3 result = Columns3::Zero(rowCount, 3);
+  parallelBlocks(y.rows(), [&](Index k) { result.row(rows_[k]) = y.row(k); });
   for (const Pin& pin : pins_)
     result.row(pin.row) = (gradient.row(pin.unknown) - gathered(pinnedTerms_.columns(), pin.unknown, y)) / pin.weight;
   return result;

@@ -89,11 +89,10 @@ void reflect(const Reflections& Q, Index j, Columns3& x)
 
 }  // namespace
 
-Columns3 Reflections::times(const Columns3& x) const
+Columns3 Reflections::times(Columns3 x) const
 {
-  Columns3 reflected = x;
-  for (Index j = h.cols() - 1; j >= 0; --j) reflect(*this, j, reflected);
-  return reflected(place, Eigen::all);
+  for (Index j = h.cols() - 1; j >= 0; --j) reflect(*this, j, x);
+  return x(place, Eigen::all);
 }
 
 Columns3 Reflections::transposeTimes(const Columns3& x) const

@@ -33,7 +33,8 @@ class HardSolver final : public ConstrainedSolver {
   /// In the span of the rows; pins have nothing left.
   void meet(const RowTargets& targets, Columns3& u) const override
   {
-    const Columns3 left = targets.shifts - B_ * u;
+    Columns3 left(B_.rows(), 3);
+    parallelBlocks(left.rows(), [&](Index r) { left.row(r) = targets.shifts.row(r) - gathered(B_, r, u); });
     if (!left.isZero(0)) u += particular({left, targets.reconciled});
   }
 
