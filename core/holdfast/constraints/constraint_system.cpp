@@ -36,12 +36,14 @@ class SystemBuilder {
         hasRotation_(static_cast<std::size_t>(solverMesh.unknownCount()), false)
   {
     system_.points.resize(list.constraints.size());
-    system_.rows.reserve(list.constraints.size());
   }
 
   ConstraintSystem build()
   {
     forEach([this](const auto& what) { selectFor(what); });
+    std::size_t rows = list_.constraints.size();
+    for (const std::vector<Index>& selected : selected_) rows += selected.size();
+    system_.rows.reserve(rows);
     surroundings_ = surroundings();
     forEach([this](const auto& what) { add(what); });
     rotateRegionsAsTheirFirst();
