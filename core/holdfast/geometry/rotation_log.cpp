@@ -75,7 +75,8 @@ Vector3 shiftByRotation(const Vector3& q, const Vector3& x)
   const Vector3 a = q / size;
   const auto [c, s] = cosineAndSine(size / pi * 360);
   const Vector3 across = a.cross(x);
-  return s * across + (1 - c) * a.cross(across);
+  const double versine = c > 0 ? s * s / (1 + c) : 1 - c;  // no digits cancel
+  return s * across + versine * a.cross(across);
 }
 
 Vector3 rotationLog(const Eigen::Quaterniond& rotation)
