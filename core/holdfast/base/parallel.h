@@ -17,7 +17,8 @@ namespace holdfast {
 [[nodiscard]] inline Index threadCount()
 {
   constexpr Index kMost = 8;
-  return std::clamp<Index>(static_cast<Index>(std::thread::hardware_concurrency()), 1, kMost);
+  static const Index count = std::clamp<Index>(static_cast<Index>(std::thread::hardware_concurrency()), 1, kMost);
+  return count;
 }
 
 /// Calls `work(k)`, or `work(k, thread)`, once for each k of 0 .. count - 1, on up to `threadCount()` threads, the

@@ -36,12 +36,14 @@ class SystemBuilder {
         hasRotation_(static_cast<std::size_t>(solverMesh.unknownCount()), false)
   {
     system_.points.resize(list.constraints.size());
-    system_.rows.reserve(list.constraints.size());
   }
 
   ConstraintSystem build()
   {
     forEach([this](const auto& what) { selectFor(what); });
+    std::size_t rows = list_.constraints.size();
+    for (const std::vector<Index>& selected : selected_) rows += selected.size();
+    system_.rows.reserve(rows);
     surroundings_ = surroundings();
     forEach([this](const auto& what) { add(what); });
     rotateRegionsAsTheirFirst();
@@ -89,7 +91,8 @@ class SystemBuilder {
   {
     std::vector<Index> fixed;
     for (std::size_t c = 0; c < selected_.size(); ++c)
-      if (list_.constraints[c].isEnabled && std::holds_alternative<FixedConstraint>(list_.constraints[c].what))
+      if (!selected_[c].empty() && list_.constraints[c].isEnabled &&
+          std::holds_alternative<FixedConstraint>(list_.constraints[c].what))
         fixed.insert(fixed.end(), selected_[c].begin(), selected_[c].end());
     if (fixed.empty()) return {std::nullopt, solverMesh_.diagonal};
     return {centroid(restOf(sortedOnce(std::move(fixed)))), solverMesh_.diagonal};
@@ -170,13 +173,13 @@ class SystemBuilder {
     addRow({{solverMesh_.weld.unknownOf[vertex], 1.0}}, target, target - mesh_.positions.row(vertex).transpose());
   }
 
-  void addRow(std::vector<Term> terms, const Vector3& target, const Vector3& shift)
+  void addRow(const FewTerms& terms, const Vector3& target, const Vector3& shift)
   {
     if (!isEnabled()) return;
-    ConstraintRow row{std::move(terms), target, shift, current_};
+    const ConstraintRow row{terms, target, shift, current_};
     if (isRepeatOfOwnPin(row)) return;
     if (row.isPin()) pinOf_[row.terms.front().index] = static_cast<Index>(system_.rows.size());
-    system_.rows.push_back(std::move(row));
+    system_.rows.push_back(row);
   }
 
   /// The row from - to whose d is what it is at rest, turned by the rotation of `rotation`.
@@ -228,10 +231,11 @@ class SystemBuilder {
     system_.notes.push_back({current_, std::move(kind), std::move(message)});
   }
 
-  [[nodiscard]] SurfacePoint overUnknowns(SurfacePoint point) const
+  [[nodiscard]] SurfacePoint overUnknowns(const SurfacePoint& point) const
   {
-    for (Term& term : point.terms) term.index = solverMesh_.weld.unknownOf[term.index];
-    return canonical(std::move(point.terms));
+    std::vector<Term> terms = point.terms;
+    for (Term& term : terms) term.index = solverMesh_.weld.unknownOf[term.index];
+    return canonical(std::move(terms));
   }
 
   [[nodiscard]] Vector3 restVector(const SurfacePoint& from, const SurfacePoint& to) const

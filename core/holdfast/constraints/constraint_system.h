@@ -21,7 +21,7 @@ enum class RowKind {
 struct ConstraintRow {
   /// Unknowns, ascending, with their coefficients. A pin is one term of weight 1. The coefficients of a difference sum
   /// to 0, and there are none at all where it is that of a point and itself.
-  std::vector<Term> terms;
+  FewTerms terms;
   Vector3 target;        ///< d, model units
   Vector3 shift;         ///< d - B p at rest: what the row asks of the displacement
   Index constraint = 0;  ///< place in the list of the constraint that it came from
@@ -72,9 +72,9 @@ class LocatedPoints {
  public:
   struct Entry {
     SurfaceLocation at;
-    SurfacePoint point;       ///< in file vertices
-    std::vector<Term> terms;  ///< over unknowns
-    Vector3 rest;             ///< model units
+    SurfacePoint point;  ///< in file vertices
+    FewTerms terms;      ///< over unknowns
+    Vector3 rest;        ///< model units
   };
 
   /// That of the constraint at this place in the list; `locate(at)` makes it where the last one was elsewhere.

@@ -1,6 +1,8 @@
 #include "holdfast/deform/deformer.h"
 
 #include <chrono>
+#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -17,6 +19,22 @@
 #include <holdfast/surface/surface_locator.h>
 
 namespace holdfast {
+/// Where constraints act.
+struct ActedOn {
+  ActedOn(const TwoWayMatrix& A, const std::vector<RowTerms>& constraints)
+      : unknowns(static_cast<std::size_t>(A.columns().cols())), rows(static_cast<std::size_t>(A.rows().rows()))
+  {
+    for (const RowTerms& row : constraints)
+      for (const Term& term : row) {
+        if (std::exchange(unknowns[term.index], 1) != 0) continue;
+        for (SparseMatrix::InnerIterator entry(A.columns(), term.index); entry; ++entry) rows[entry.row()] = 1;
+      }
+  }
+
+  std::vector<char> unknowns;  // 1 where a constraint names the unknown
+  std::vector<char> rows;      // 1 where a row of A names one of those
+};
+
 /// All that the structure of a set of constraints costs, for any targets: the second of the three calls of section 6.
 /// The elimination and, once they are asked for, the factors of positions and rotations. A factorisation that is left
 /// behind (`LongStep`) does not need the model.
@@ -71,6 +89,7 @@ struct ConstraintFactorization {
   ConstraintSystem system;
   std::shared_ptr<const EliminatedConstraints> eliminated;
   std::vector<double> sensitivities;
+  std::optional<ActedOn> actedOn;  // made with the first forces
   std::shared_ptr<RotationFactorization> rotations;
   LongStep<SolverResult> positions;
   std::unique_ptr<MovedSolutions> moved;  // where solutions may be sums of earlier ones
@@ -97,24 +116,20 @@ struct Multipliers {
 };
 
 /// The forces that hold the displacement `u` (n x 3) against A u = f. O(entries of A where rows act).
-Multipliers multipliersOf(const TwoWayMatrix& A, const EliminatedConstraints& eliminated, const Columns3& u,
+Multipliers multipliersOf(const TwoWayMatrix& A, ConstraintFactorization& factorization, const Columns3& u,
                           const Columns3& f, double diagonal)
 {
-  std::vector<char> isHeld(static_cast<std::size_t>(u.rows()));
-  for (const RowTerms& row : eliminated.rows)
-    for (const Term& term : row) isHeld[term.index] = 1;
-  std::vector<char> isNear(static_cast<std::size_t>(f.rows()));  // of each row of A
-  for (Index k = 0; k < u.rows(); ++k)
-    if (isHeld[k] != 0)
-      for (SparseMatrix::InnerIterator entry(A.columns(), k); entry; ++entry) isNear[entry.row()] = 1;
+  const EliminatedConstraints& eliminated = *factorization.eliminated;
+  if (!factorization.actedOn) factorization.actedOn.emplace(A, eliminated.rows);
   // At the minimum the gradient of the energy is what the constraints hold: A^T (A u - f) = B^T l.
   Columns3 missed(f.rows(), 3);
   parallelBlocks(f.rows(), [&](Index k) {
-    if (isNear[k] != 0) missed.row(k) = f.row(k) - gathered(A.rows(), k, u);
+    if (factorization.actedOn->rows[k] != 0) missed.row(k) = f.row(k) - gathered(A.rows(), k, u);
   });
-  Columns3 gradient = Columns3::Zero(u.rows(), 3);
+  Columns3 gradient(u.rows(), 3);
   parallelBlocks(u.rows(), [&](Index k) {
-    if (isHeld[k] != 0) gradient.row(k) = gathered(A.columns(), k, missed) / -diagonal;
+    gradient.row(k).setZero();
+    if (factorization.actedOn->unknowns[k] != 0) gradient.row(k) = gathered(A.columns(), k, missed) / -diagonal;
   });
   Columns3 ofRows = eliminated.elimination.multipliers(gradient);
   return {std::move(ofRows), std::move(gradient)};
@@ -186,6 +201,7 @@ class Solution {
     }
     addFindings(*factorization.eliminated);
     if (report().status != SolveStatus::Failed) solve(factorization, progress);
+    details_.diagnosis.particular = {};
     result_.details = std::make_shared<const DeformDetails>(std::move(details_));
     return std::move(result_);
   }
@@ -212,8 +228,8 @@ class Solution {
   void diagnoseRows(const ConstraintFactorization& factorization)
   {
     details_.diagnosis = diagnose(*factorization.eliminated, details_.system, model_.solverMesh);
-    result_.report.constraints = outcomes(constraints_, details_.system, details_.diagnosis);
-    setSensitivities(result_.report.constraints, details_.system, details_.diagnosis, factorization.sensitivities);
+    result_.report.constraints =
+        outcomes(constraints_, details_.system, details_.diagnosis, factorization.sensitivities);
   }
 
   /// Finds the rotations and what they make of the rows; the message where they cannot be found.
@@ -272,12 +288,16 @@ class Solution {
         moved == nullptr ? own : moved->solve(*result.value, targets(), result_.rotations, [this] { return makeF(); });
     accept(displacement);
     if (options_.solver.kind == SolverKind::Hard && report().status != SolveStatus::Failed)
-      setMultipliers(multipliersOf(A_, *factorization.eliminated, displacement.u, moved == nullptr ? f : moved->f(),
+      setMultipliers(multipliersOf(A_, factorization, displacement.u, moved == nullptr ? f : moved->f(),
                                    model_.solverMesh.diagonal));
     report().seconds.solution += secondsSince(solution);
   }
 
-  [[nodiscard]] RowTargets targets() const { return {shiftsOf(details_.system), details_.diagnosis.reconciled}; }
+  [[nodiscard]] RowTargets targets()
+  {
+    Diagnosis& diagnosis = details_.diagnosis;
+    return {shiftsOf(details_.system), diagnosis.reconciled, std::move(diagnosis.particular)};
+  }
 
   [[nodiscard]] Columns3 makeF() const
   {
@@ -306,10 +326,12 @@ class Solution {
   /// The multiplier of a constraint is the sum of the lengths of those of its rows.
   void setMultipliers(Multipliers multipliers)
   {
-    for (std::size_t r = 0; r < details_.system.rows.size(); ++r) {
-      std::optional<double>& sum = result_.report.constraints[details_.system.rows[r].constraint].multiplier;
-      sum = sum.value_or(0) + multipliers.ofRows.row(static_cast<Index>(r)).stableNorm();
-    }
+    std::vector<ConstraintOutcome>& outcomes = result_.report.constraints;
+    forEachConstraint(details_.system, static_cast<Index>(outcomes.size()), [&](Index c, Index first, Index end) {
+      double sum = 0;
+      for (Index r = first; r < end; ++r) sum += multipliers.ofRows.row(r).stableNorm();
+      if (first < end) outcomes[c].multiplier = sum;
+    });
     result_.multipliers = std::move(multipliers.ofUnknowns);
   }
 

@@ -142,12 +142,14 @@ FoundShape findShape(const FoundProblem& problem, ConstraintSystem system, Rotat
   UnknownRotations R(static_cast<std::size_t>(shape.q.rows()));
   parallelBlocks(shape.q.rows(), [&](Index i) { R[i] = rotationExp(Vector3(shape.q.row(i))); });
 
+  RowTargets targets;
   const auto solved = [&] {
     if (turnsRows) shape.system = rotated(std::move(shape.system), shape.q);
-    if (turnsRows || shape.diagnosis.status.empty())
-      shape.diagnosis = diagnose(problem.eliminated, shape.system, problem.mesh);
+    if (turnsRows || targets.shifts.rows() == 0) {
+      Diagnosis diagnosis = diagnose(problem.eliminated, shape.system, problem.mesh);
+      targets = {shiftsOf(shape.system), std::move(diagnosis.reconciled), std::move(diagnosis.particular)};
+    }
     shape.wanted = problem.energy.wanted(R);
-    const RowTargets targets{shiftsOf(shape.system), shape.diagnosis.reconciled};
     return shape.displacement.u.size() == 0 ? problem.solver.solve(targets, shape.wanted)
                                             : problem.solver.solveFrom(shape.displacement, targets, shape.wanted);
   };

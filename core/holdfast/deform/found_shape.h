@@ -22,7 +22,6 @@ struct FoundShape {
   Columns3 wanted;            ///< what A u was to be near in it
   Columns3 q;                 ///< n x 3, logs, the nearest to those of the start
   ConstraintSystem system;    ///< rotated by q
-  Diagnosis diagnosis;        ///< of `system`
   RotationIterations iterations;
 };
 

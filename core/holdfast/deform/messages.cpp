@@ -95,7 +95,7 @@ std::string solvedMessage(const Report& report, const std::optional<MissedRow>& 
   const SolverKind kind = report.solve.options.kind;
   const std::size_t count = report.constraints.size();
   const Index conflicting = countOf(report, ConstraintStatus::Conflicting);
-  const Index missed = countOf(report, ConstraintStatus::Missed);
+  const Index missed = worst ? countOf(report, ConstraintStatus::Missed) : 0;
   const std::string by = worst ? fmt::format(" ({})", missText(report, *worst)) : "";
   const std::string accuracy = "; " + accuracyText(report.solve.accuracy);
   if (kind == SolverKind::Soft && conflicting > 0)

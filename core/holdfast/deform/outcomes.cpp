@@ -4,7 +4,6 @@
 #include <set>
 #include <tuple>
 
-#include <holdfast/base/parallel.h>
 #include <holdfast/deform/deform_details.h>
 
 namespace holdfast {
@@ -23,11 +22,10 @@ struct DependencyGroup {
 
 using DependencyGroups = std::map<ConstraintSet, DependencyGroup>;
 
-/// The groups of every constraint, by the other constraints that they need.
-std::vector<DependencyGroups> dependencyGroupsOf(const ConstraintSystem& system, const Diagnosis& diagnosis,
-                                                 std::size_t constraintCount)
+/// The groups of every constraint with dependent rows, by the other constraints that they need.
+std::map<Index, DependencyGroups> dependencyGroupsOf(const ConstraintSystem& system, const Diagnosis& diagnosis)
 {
-  std::vector<DependencyGroups> result(constraintCount);
+  std::map<Index, DependencyGroups> result;
   for (const auto& [dependency, gap] : diagnosis.dependent) {
     const Index own = system.rows[dependency.row].constraint;
     ConstraintSet others;
@@ -60,11 +58,11 @@ void keepSmallest(DependencyGroups& groups)
 }
 
 /// How many conflicts each constraint takes part in.
-std::vector<Index> conflictCounts(const std::vector<DependencyGroups>& groups)
+std::map<Index, Index> conflictCounts(const std::map<Index, DependencyGroups>& groups)
 {
-  std::vector<Index> counts(groups.size(), 0);
-  for (std::size_t own = 0; own < groups.size(); ++own)
-    for (const auto& [others, group] : groups[own]) {
+  std::map<Index, Index> counts;
+  for (const auto& [own, its] : groups)
+    for (const auto& [others, group] : its) {
       if (!group.isConflict) continue;
       ++counts[own];
       for (const Index other : others) ++counts[other];
@@ -80,60 +78,63 @@ bool hasTarget(const Constraint& constraint)
 }
 
 /// The constraint whose end would end most conflicts, at the price of the fewest rows, the later one of equals.
-Index cheapest(Index own, const ConstraintSet& others, const std::vector<Index>& conflicts,
-               const std::vector<Index>& rows)
+Index cheapest(Index own, const ConstraintSet& others, const std::map<Index, Index>& conflicts,
+               const std::vector<ConstraintOutcome>& outcomes)
 {
-  const auto cost = [&](Index c) { return std::tuple(-conflicts[c], rows[c], -c); };
+  const auto cost = [&](Index c) { return std::tuple(-conflicts.at(c), outcomes[c].rows, -c); };
   Index best = own;
   for (const Index other : others)
     if (cost(other) < cost(best)) best = other;
   return best;
 }
 
-/// For each constraint of the list, the sets with which it conflicts or which it repeats, the largest gap first. A set
-/// that holds all constraints of another one and more is left out. O(dependent rows times terms).
-std::vector<std::vector<ConflictSet>> conflictSetsOf(const ConstraintList& list, const ConstraintSystem& system,
-                                                     std::vector<DependencyGroups> groups,
-                                                     const std::vector<Index>& rows)
+/// Sets the sets with which each constraint conflicts or which it repeats, the largest gap first. A set that holds all
+/// constraints of another one and more is left out. O(dependent rows times terms).
+void setConflictSets(std::vector<ConstraintOutcome>& outcomes, const ConstraintList& list,
+                     const ConstraintSystem& system, std::map<Index, DependencyGroups> groups)
 {
-  for (DependencyGroups& own : groups) keepSmallest(own);
-  const std::vector<Index> conflicts = conflictCounts(groups);
-  std::vector<std::vector<ConflictSet>> result(groups.size());
-  for (std::size_t own = 0; own < groups.size(); ++own) {
-    for (const auto& [others, group] : groups[own]) {
-      ConflictSet& set = result[own].emplace_back(ConflictSet{{}, group.rows, group.gap, group.isConflict, {}, {}});
+  for (auto& [own, its] : groups) keepSmallest(its);
+  const std::map<Index, Index> conflicts = conflictCounts(groups);
+  for (const auto& [own, its] : groups) {
+    std::vector<ConflictSet>& sets = outcomes[own].conflictSets;
+    for (const auto& [others, group] : its) {
+      ConflictSet& set = sets.emplace_back(ConflictSet{{}, group.rows, group.gap, group.isConflict, {}, {}});
       for (const Index other : others) set.with.push_back(list.constraints[other].name);
       if (!group.isConflict) continue;
-      set.disable = list.constraints[cheapest(static_cast<Index>(own), others, conflicts, rows)].name;
+      set.disable = list.constraints[cheapest(own, others, conflicts, outcomes)].name;
       if (hasTarget(list.constraints[own])) set.consistentTarget = system.rows[group.worstRow].target - group.gap;
     }
-    std::stable_sort(result[own].begin(), result[own].end(), [](const ConflictSet& x, const ConflictSet& y) {
+    std::stable_sort(sets.begin(), sets.end(), [](const ConflictSet& x, const ConflictSet& y) {
       return x.gap.stableNorm() > y.gap.stableNorm();
     });
   }
-  return result;
 }
 
-/// An enabled constraint without rows, as a rigid region of one vertex, asks for nothing and holds.
-ConstraintStatus statusOf(const DependencyGroups& groups, Index rows, bool isEnabled)
+/// The status, gap and names of a constraint with dependent rows.
+void setDependencies(ConstraintOutcome& outcome, Index own, const DependencyGroups& groups, const ConstraintList& list)
 {
-  if (!isEnabled) return ConstraintStatus::Disabled;
+  Index independent = outcome.rows;
+  bool isConflicting = false;
+  double gap = 0;
+  ConstraintSet terms;
   for (const auto& [others, group] : groups) {
-    if (group.isConflict) return ConstraintStatus::Conflicting;
-    rows -= group.rows;
+    independent -= group.rows;
+    isConflicting = isConflicting || group.isConflict;
+    gap = std::max(gap, group.gap.stableNorm());
+    terms.insert(others.begin(), others.end());
+    if (group.needsOwn) terms.insert(own);
   }
-  return rows == 0 ? ConstraintStatus::Redundant : ConstraintStatus::Independent;
+  if (!isConflicting && independent > 0) return;
+  outcome.status = isConflicting ? ConstraintStatus::Conflicting : ConstraintStatus::Redundant;
+  outcome.gap = gap;
+  for (const Index term : terms) outcome.dependsOn.push_back(list.constraints[term].name);
 }
 
-/// The limit of a constraint is the largest of its rows.
-void setLimits(std::vector<ConstraintOutcome>& outcomes, const ConstraintSystem& system,
-               const std::vector<double>& limits)
+/// The limit of a constraint is the largest of its rows; none without rows.
+std::optional<double> limitOf(const std::vector<double>& limits, Index first, Index end)
 {
-  for (ConstraintOutcome& outcome : outcomes) outcome.limit.reset();
-  for (std::size_t r = 0; r < limits.size(); ++r) {
-    std::optional<double>& limit = outcomes[system.rows[r].constraint].limit;
-    limit = std::max(limit.value_or(0), limits[r]);
-  }
+  if (first == end) return std::nullopt;
+  return *std::max_element(limits.begin() + first, limits.begin() + end);
 }
 
 }  // namespace
@@ -164,67 +165,60 @@ std::vector<double> rowResiduals(const ConstraintSystem& system, const Weld& wel
 }
 
 std::vector<ConstraintOutcome> outcomes(const ConstraintList& list, const ConstraintSystem& system,
-                                        const Diagnosis& diagnosis)
+                                        const Diagnosis& diagnosis, const std::vector<double>& sensitivities)
 {
-  const std::vector<DependencyGroups> groups = dependencyGroupsOf(system, diagnosis, list.constraints.size());
-  std::vector<Index> rows(groups.size(), 0);
-  for (const ConstraintRow& row : system.rows) ++rows[row.constraint];
-  std::vector<std::vector<ConflictSet>> conflictSets = conflictSetsOf(list, system, groups, rows);
-  std::vector<ConstraintOutcome> result(groups.size());
-  for (std::size_t c = 0; c < groups.size(); ++c) {
+  std::vector<ConstraintOutcome> result(list.constraints.size());
+  const auto raise = [&](ConstraintOutcome& outcome, double sensitivity) {
+    outcome.sensitivity = std::max(outcome.sensitivity.value_or(0), sensitivity);
+  };
+  forEachConstraint(system, static_cast<Index>(result.size()), [&](Index c, Index first, Index end) {
     ConstraintOutcome& outcome = result[c];
     outcome.name = list.constraints[c].name;
     outcome.type = typeName(list.constraints[c]);
-    outcome.rows = rows[c];
-    outcome.status = statusOf(groups[c], rows[c], list.constraints[c].isEnabled);
-    outcome.conflictSets = std::move(conflictSets[c]);
-    if (outcome.status == ConstraintStatus::Redundant || outcome.status == ConstraintStatus::Conflicting) {
-      outcome.gap = 0;
-      ConstraintSet terms;
-      for (const auto& [others, group] : groups[c]) {
-        outcome.gap = std::max(*outcome.gap, group.gap.stableNorm());
-        terms.insert(others.begin(), others.end());
-        if (group.needsOwn) terms.insert(static_cast<Index>(c));
-      }
-      for (const Index term : terms) outcome.dependsOn.push_back(list.constraints[term].name);
-    }
-  }
-  setLimits(result, system, diagnosis.limits);
-  return result;
-}
-
-void setSensitivities(std::vector<ConstraintOutcome>& outcomes, const ConstraintSystem& system,
-                      const Diagnosis& diagnosis, const std::vector<double>& ofRows)
-{
-  const auto raise = [&](Index row, double sensitivity) {
-    std::optional<double>& largest = outcomes[system.rows[row].constraint].sensitivity;
-    largest = std::max(largest.value_or(0), sensitivity);
-  };
-  for (std::size_t r = 0; r < ofRows.size(); ++r)
-    if (diagnosis.status[r] == RowStatus::Independent) raise(static_cast<Index>(r), ofRows[r]);
+    if (!list.constraints[c].isEnabled) return;
+    outcome.rows = end - first;
+    outcome.status = ConstraintStatus::Independent;
+    outcome.limit = limitOf(diagnosis.limits, first, end);
+    for (Index r = first; r < end; ++r)
+      if (diagnosis.status[r] == RowStatus::Independent) raise(outcome, sensitivities[r]);
+    // An enabled constraint without rows, as a rigid region of one vertex, asks for nothing and holds.
+    if (first == end) setDependencies(outcome, c, {}, list);
+  });
   for (const auto& [dependency, gap] : diagnosis.dependent) {
-    raise(dependency.row, 0);
-    for (const Term& term : dependency.terms) raise(dependency.row, ofRows[term.index]);
+    ConstraintOutcome& outcome = result[system.rows[dependency.row].constraint];
+    raise(outcome, 0);
+    for (const Term& term : dependency.terms) raise(outcome, sensitivities[term.index]);
   }
+  std::map<Index, DependencyGroups> groups = dependencyGroupsOf(system, diagnosis);
+  for (const auto& [own, its] : groups) setDependencies(result[own], own, its, list);
+  setConflictSets(result, list, system, std::move(groups));
+  return result;
 }
 
 std::optional<MissedRow> setResiduals(Report& report, const ConstraintSystem& system, const Diagnosis& diagnosis,
                                       const std::vector<double>& residuals)
 {
-  setLimits(report.constraints, system, diagnosis.limits);
+  const std::vector<double>& limits = diagnosis.limits;
+  forEachConstraint(system, static_cast<Index>(report.constraints.size()), [&](Index c, Index first, Index end) {
+    ConstraintOutcome& outcome = report.constraints[c];
+    outcome.limit = limitOf(limits, first, end);
+    for (Index r = first; r < end; ++r) {
+      outcome.residual = std::max(outcome.residual.value_or(0), residuals[r]);
+      if (diagnosis.status[r] == RowStatus::Conflicting) continue;
+      if (outcome.status == ConstraintStatus::Independent) outcome.status = ConstraintStatus::Met;
+      if (residuals[r] <= limits[r]) continue;
+      if (outcome.status != ConstraintStatus::Conflicting) outcome.status = ConstraintStatus::Missed;
+      outcome.limit = std::min(*outcome.limit, limits[r]);
+    }
+  });
   std::optional<MissedRow> worst;
   double largest = 0;
   for (std::size_t r = 0; r < residuals.size(); ++r) {
-    ConstraintOutcome& outcome = report.constraints[system.rows[r].constraint];
-    outcome.residual = std::max(outcome.residual.value_or(0), residuals[r]);
     if (diagnosis.status[r] == RowStatus::Conflicting) continue;
-    if (outcome.status == ConstraintStatus::Independent) outcome.status = ConstraintStatus::Met;
     largest = std::max(largest, residuals[r]);
-    const MissedRow row{system.rows[r].constraint, residuals[r], diagnosis.limits[r]};
-    if (row.residual <= row.limit) continue;
-    if (outcome.status != ConstraintStatus::Conflicting) outcome.status = ConstraintStatus::Missed;
-    outcome.limit = std::min(*outcome.limit, row.limit);
-    if (!worst || row.residual / row.limit > worst->residual / worst->limit) worst = row;
+    if (residuals[r] <= limits[r]) continue;
+    if (!worst || residuals[r] / limits[r] > worst->residual / worst->limit)
+      worst = MissedRow{system.rows[r].constraint, residuals[r], limits[r]};
   }
   report.solve.maxResidual = largest;
   report.solve.maxResidualRelative = largest / report.mesh.bboxDiagonal;

@@ -1,6 +1,9 @@
 #pragma once
 /// How each constraint fared, read off positions.
 
+#include <algorithm>
+
+#include <holdfast/base/parallel.h>
 #include <holdfast/constraints/constraint_system.h>
 #include <holdfast/deform/deform.h>
 #include <holdfast/elimination/diagnosis.h>
@@ -11,18 +14,32 @@ namespace holdfast {
 [[nodiscard]] std::vector<double> rowResiduals(const ConstraintSystem& system, const Weld& weld,
                                                const Positions& positions);
 
-/// One outcome for each constraint of the list, in order, before anything is solved:
-/// without residuals, and none of them met.
+/// One outcome for each constraint of the list, in order, before anything is solved: without residuals, and none of
+/// them met. `sensitivities` are those of `Elimination::sensitivities`: that of a constraint is the largest of its
+/// independent rows and of the terms of its dependent ones.
 [[nodiscard]] std::vector<ConstraintOutcome> outcomes(const ConstraintList& list, const ConstraintSystem& system,
-                                                      const Diagnosis& diagnosis);
-
-/// Sets the sensitivity of each constraint: the largest of its independent rows and of the terms of its dependent
-/// ones. `ofRows` are those of `Elimination::sensitivities`.
-void setSensitivities(std::vector<ConstraintOutcome>& outcomes, const ConstraintSystem& system,
-                      const Diagnosis& diagnosis, const std::vector<double>& ofRows);
+                                                      const Diagnosis& diagnosis,
+                                                      const std::vector<double>& sensitivities);
 
 /// Sensitivities above this are warned of: a millionth of the model's size in what is asked for moves it by its size.
 inline constexpr double kLargeSensitivity = 1e6;
+
+/// Calls `work(c, first, end)` for each of `count` constraints and its rows, over all cores.
+template <class Work>
+void forEachConstraint(const ConstraintSystem& system, Index count, const Work& work)
+{
+  constexpr Index kBlock = 1024;
+  const auto rows = static_cast<Index>(system.rows.size());
+  parallelFor((count + kBlock - 1) / kBlock, [&](Index block) {
+    Index c = block * kBlock;
+    Index row = std::ranges::lower_bound(system.rows, c, {}, &ConstraintRow::constraint) - system.rows.begin();
+    for (; c < std::min(count, (block + 1) * kBlock); ++c) {
+      const Index first = row;
+      while (row < rows && system.rows[row].constraint == c) ++row;
+      work(c, first, row);
+    }
+  });
+}
 
 /// A row that was solved and is not met.
 struct MissedRow {

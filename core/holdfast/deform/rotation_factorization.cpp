@@ -92,11 +92,7 @@ void takeOver(const Rotations& rotations, Report& report)
 Columns3 rotationOfDelta(const Columns3& delta, const Columns3& q)
 {
   Columns3 result(q.rows(), 3);
-  parallelBlocks(q.rows(), [&](Index i) {
-    const Vector3 atRest = delta.row(i);
-    const bool isTurned = !q.row(i).isZero(0);
-    result.row(i) = isTurned ? Vector3(rotationMatrix(Vector3(q.row(i))) * atRest - atRest) : Vector3::Zero().eval();
-  });
+  parallelBlocks(q.rows(), [&](Index i) { result.row(i) = shiftByRotation(q.row(i), delta.row(i)); });
   return result;
 }
 

@@ -1,6 +1,8 @@
 #include "holdfast/elimination/block_elimination.h"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <random>
 #include <utility>
@@ -19,6 +21,9 @@ constexpr Index kTaken = -2;
 // The inverse of a triangular matrix of this size is formed as it is; of larger ones the lengths of rows are estimated.
 constexpr Index kLargestInverse = 512;
 constexpr int kProbes = 16;
+
+// Rows of blocks that a thread takes at a time.
+constexpr Index kPart = 4096;
 
 /// R1^-1, or rows that have about its lengths, and so have their sums: what R1^-1 makes of vectors of random signs. The
 /// mean square of an entry is that of the row's length.
@@ -39,23 +44,9 @@ Eigen::MatrixXd inverseRows(const SparseMatrix& R1)
 
 }  // namespace
 
-Columns3 BlockElimination::Block::spanTimes(const Columns3& y) const
-{
-  if (!isLarge()) return Q1 * y;
-  Columns3 padded = Columns3::Zero(static_cast<Index>(unknowns.size()), 3);
-  padded.topRows(y.rows()) = y;
-  return Q.times(padded);
-}
-
-Columns3 BlockElimination::Block::spanTransposeTimes(const Columns3& x) const
-{
-  if (!isLarge()) return Q1.transpose() * x;
-  return Q.transposeTimes(x).topRows(static_cast<Index>(rows.size()));
-}
-
 BlockElimination::BlockElimination(const std::vector<RowTerms>& rows, const std::vector<Index>& independent,
                                    Index unknownCount, const std::vector<bool>& isHeld)
-    : pinnedTerms_(rows.size()), isHeld_(isHeld)
+    : isHeld_(isHeld)
 {
   std::vector<bool> isPinned(static_cast<std::size_t>(unknownCount), false);
   for (const Index row : independent)
@@ -64,41 +55,72 @@ BlockElimination::BlockElimination(const std::vector<RowTerms>& rows, const std:
       isPinned[rows[row].front().index] = true;
     }
   std::vector<RowTerms> left(rows.size());
+  std::vector<RowTerms> pinned(rows.size());
   for (const Index row : independent)
     if (rows[row].size() > 1)
-      for (const Term& term : rows[row]) (isPinned[term.index] ? pinnedTerms_ : left)[row].push_back(term);
-  for (const RowComponent& component : connectedRows(left, unknownCount))
-    blocks_.push_back(isDense(component) ? denseBlock(left, component) : sparseBlock(left, component));
+      for (const Term& term : rows[row]) (isPinned[term.index] ? pinned : left)[row].push_back(term);
+  std::vector<RowComponent> components = connectedRows(left, unknownCount);
+  std::ranges::stable_partition(components, std::not_fn(isDense));
+
+  Triplets ofR1;
+  Triplets ofQ1;
+  std::vector<RowTerms> atPins;
+  parts_.push_back(0);
+  for (const RowComponent& component : components) {
+    auto [block, factors] = isDense(component) ? denseBlock(left, component) : sparseBlock(left, component);
+    const auto first = static_cast<int>(rows_.size());
+    for (int k = 0; k < factors.R1.cols(); ++k) {
+      for (SparseMatrix::InnerIterator entry(factors.R1, k); entry; ++entry)
+        ofR1.emplace_back(first + static_cast<int>(entry.row()), first + k, entry.value());
+      if (!block.isLarge())
+        for (SparseMatrix::InnerIterator entry(factors.Q1, k); entry; ++entry)
+          ofQ1.emplace_back(static_cast<int>(block.unknowns[entry.row()]), first + k, entry.value());
+      rows_.push_back(block.rows[k]);
+      atPins.push_back(std::move(pinned[rows_.back()]));
+    }
+    blocks_.push_back(std::move(block));
+    if (static_cast<Index>(rows_.size()) - parts_.back() >= kPart) parts_.push_back(static_cast<Index>(rows_.size()));
+  }
+  parts_.push_back(static_cast<Index>(rows_.size()));
+  const auto count = static_cast<Index>(rows_.size());
+  R1_.resize(count, count);
+  R1_.setFromTriplets(ofR1.begin(), ofR1.end());
+  SparseMatrix Q1(unknownCount, count);
+  Q1.setFromTriplets(ofQ1.begin(), ofQ1.end());
+  Q1_ = TwoWayMatrix(std::move(Q1));
+  pinnedTerms_ = TwoWayMatrix(constraintMatrix(atPins, unknownCount));
   Q2_ = assembleQ2();
 }
 
-BlockElimination::Block BlockElimination::denseBlock(const std::vector<RowTerms>& rows, const RowComponent& component)
+std::pair<BlockElimination::Block, BlockElimination::Factors> BlockElimination::denseBlock(
+    const std::vector<RowTerms>& rows, const RowComponent& component)
 {
   const Eigen::MatrixXd BT = transposedBlock(rows, component);
   SequentialQr qr(BT.rows(), BT.cols());
-  Block block{{}, component.unknowns, {}, {}, {}, {}, {}};
+  Block block{{}, component.unknowns, {}, {}, {}};
   for (Index k = 0; k < BT.cols(); ++k)
     if (!qr.add(BT.col(k))) block.rows.push_back(component.rows[k]);
   const Eigen::MatrixXd Q = qr.applyQ(Eigen::MatrixXd::Identity(BT.rows(), BT.rows()));
-  block.Q1 = Q.leftCols(qr.rank()).sparseView(1, 0);
   block.Q2 = Q.rightCols(BT.rows() - qr.rank()).sparseView(1, 0);
-  block.R1 = qr.R().sparseView(1, 0);
-  return block;
+  return {std::move(block), {qr.R().sparseView(1, 0), Q.leftCols(qr.rank()).sparseView(1, 0)}};
 }
 
-BlockElimination::Block BlockElimination::sparseBlock(const std::vector<RowTerms>& rows, const RowComponent& component)
+std::pair<BlockElimination::Block, BlockElimination::Factors> BlockElimination::sparseBlock(
+    const std::vector<RowTerms>& rows, const RowComponent& component)
 {
   SparseMatrix BT = transposedBlock(rows, component);
   const Eigen::VectorXd lengths = normalizeColumns(BT);
   SparseQrResult qr = sparseQr(BT, kRankTolerance, WantQ::Yes);
-  Block block{{}, component.unknowns, qr.R.leftCols(qr.rank), {}, {}, std::move(qr.Q), {}};
+  Block block{{}, component.unknowns, {}, std::move(qr.Q), {}};
+  Factors factors{qr.R.leftCols(qr.rank), {}};
   for (Index k = 0; k < qr.rank; ++k) block.rows.push_back(component.rows[qr.columns[k]]);
-  for (Index k = 0; k < qr.rank; ++k) block.R1.col(k) *= lengths[qr.columns[k]];
-  if (block.rows.size() == block.unknowns.size()) return block;
-  SubstitutedRows left = substituted(localRows(rows, {block.rows, block.unknowns}), BT.rows());
-  for (const Index row : left.kept) block.kept.push_back(block.rows[row]);
-  block.Q2 = std::move(left.basis);
-  return block;
+  for (Index k = 0; k < qr.rank; ++k) factors.R1.col(k) *= lengths[qr.columns[k]];
+  if (block.rows.size() < block.unknowns.size()) {
+    SubstitutedRows left = substituted(localRows(rows, {block.rows, block.unknowns}), BT.rows());
+    for (const Index row : left.kept) block.kept.push_back(block.rows[row]);
+    block.Q2 = std::move(left.basis);
+  }
+  return {std::move(block), std::move(factors)};
 }
 
 SparseMatrix BlockElimination::wholeQ2() const
@@ -141,31 +163,43 @@ Columns3 BlockElimination::particular(const Columns3& d) const
 {
   Columns3 u = Columns3::Zero(Q2_.rows(), 3);
   for (const Pin& pin : pins_) u.row(pin.unknown) = d.row(pin.row) / pin.weight;
-  for (const Block& block : blocks_) {
-    Columns3 y(static_cast<Index>(block.rows.size()), 3);
-    for (std::size_t k = 0; k < block.rows.size(); ++k) {
-      y.row(k) = d.row(block.rows[k]);
-      for (const Term& term : pinnedTerms_[block.rows[k]]) y.row(k) -= term.coefficient * u.row(term.index);
+  Columns3 y(R1_.rows(), 3);  // of R1^T y = d, (18)
+  parallelBlocks(y.rows(), [&](Index k) { y.row(k) = d.row(rows_[k]) - gathered(pinnedTerms_.rows(), k, u); });
+  forEachPart([&](Index first, Index end) {
+    for (Index k = first; k < end; ++k) {
+      Eigen::RowVector3d left = y.row(k);
+      SparseMatrix::InnerIterator entry(R1_, k);
+      for (; entry.row() < k; ++entry) left -= entry.value() * y.row(entry.row());
+      y.row(k) = left / entry.value();
     }
-    block.R1.transpose().triangularView<Eigen::Lower>().solveInPlace(y);  // R1^T y = d, (18)
-    u(block.unknowns, Eigen::all) = block.spanTimes(y);
-  }
+  });
+  parallelBlocks(u.rows(), [&](Index i) { u.row(i) += gathered(Q1_.rows(), i, y); });
+  forEachLarge([&](const Block& block, Index first, Index count) {
+    Columns3 padded = Columns3::Zero(static_cast<Index>(block.unknowns.size()), 3);
+    padded.topRows(count) = y.middleRows(first, count);
+    u(block.unknowns, Eigen::all) = block.Q.times(std::move(padded));
+  });
   return u;
 }
 
 Columns3 BlockElimination::multipliers(const Columns3& gradient, Index rowCount) const
 {
-  Columns3 result = Columns3::Zero(rowCount, 3);
-  Columns3 left = gradient;
-  for (const Block& block : blocks_) {
-    Columns3 y = block.spanTransposeTimes(gradient(block.unknowns, Eigen::all));
-    block.R1.triangularView<Eigen::Upper>().solveInPlace(y);
-    for (std::size_t k = 0; k < block.rows.size(); ++k) {
-      result.row(block.rows[k]) = y.row(k);
-      for (const Term& term : pinnedTerms_[block.rows[k]]) left.row(term.index) -= term.coefficient * y.row(k);
+  Columns3 y(R1_.rows(), 3);  // Q1^T gradient
+  parallelBlocks(y.rows(), [&](Index k) { y.row(k) = gathered(Q1_.columns(), k, gradient); });
+  forEachLarge([&](const Block& block, Index first, Index count) {
+    y.middleRows(first, count) = block.Q.transposeTimes(gradient(block.unknowns, Eigen::all)).topRows(count);
+  });
+  forEachPart([&](Index first, Index end) {
+    for (Index k = end - 1; k >= first; --k) {
+      SparseMatrix::ReverseInnerIterator entry(R1_, k);
+      y.row(k) /= entry.value();
+      while (--entry) y.row(entry.row()) -= entry.value() * y.row(k);
     }
-  }
-  for (const Pin& pin : pins_) result.row(pin.row) = left.row(pin.unknown) / pin.weight;
+  });
+  Columns3 result = Columns3::Zero(rowCount, 3);
+  parallelBlocks(y.rows(), [&](Index k) { result.row(rows_[k]) = y.row(k); });
+  for (const Pin& pin : pins_)
+    result.row(pin.row) = (gradient.row(pin.unknown) - gathered(pinnedTerms_.columns(), pin.unknown, y)) / pin.weight;
   return result;
 }
 
@@ -175,16 +209,18 @@ std::vector<double> BlockElimination::sensitivities(std::size_t rowCount) const
   // blocks do when it moves.
   std::vector<double> result(rowCount, 0);
   std::vector<double> squaresOfPinned(static_cast<std::size_t>(Q2_.rows()), 1);
+  Index first = 0;
   for (const Block& block : blocks_) {
-    const Eigen::MatrixXd inverse = inverseRows(block.R1);
+    const auto count = static_cast<Index>(block.rows.size());
+    const Eigen::MatrixXd inverse = inverseRows(R1_.block(first, first, count, count));
     std::map<Index, Eigen::RowVectorXd> ofPinned;
     for (std::size_t k = 0; k < block.rows.size(); ++k) {
       const auto row = inverse.row(static_cast<Index>(k));
       result[block.rows[k]] = row.norm();
-      for (const Term& term : pinnedTerms_[block.rows[k]])
-        ofPinned.try_emplace(term.index, Eigen::RowVectorXd::Zero(inverse.cols())).first->second +=
-            term.coefficient * row;
+      for (SparseRows::InnerIterator term(pinnedTerms_.rows(), first + static_cast<Index>(k)); term; ++term)
+        ofPinned.try_emplace(term.col(), Eigen::RowVectorXd::Zero(inverse.cols())).first->second += term.value() * row;
     }
+    first += count;
     for (const auto& [unknown, moved] : ofPinned) squaresOfPinned[unknown] += moved.squaredNorm();
   }
   for (const Pin& pin : pins_) result[pin.row] = std::sqrt(squaresOfPinned[pin.unknown]) / std::abs(pin.weight);

@@ -1,8 +1,10 @@
 #pragma once
 /// The elimination of hard constraints: B^T = Q R for independent rows, (14), never as one matrix.
 
+#include <utility>
 #include <vector>
 
+#include <holdfast/base/sparse_products.h>
 #include <holdfast/elimination/row_components.h>
 #include <holdfast/elimination/sparse_qr.h>
 
@@ -18,17 +20,11 @@ class BlockElimination {
   struct Block {
     std::vector<Index> rows;  ///< in the order of R1
     std::vector<Index> unknowns;
-    SparseMatrix R1;  ///< upper triangular
-    SparseMatrix Q1;  ///< unknowns x rows; empty where Q is a product
     SparseMatrix Q2;  ///< unknowns x (unknowns - rows that are not kept)
     Reflections Q;    ///< of a large component
     std::vector<Index> kept;
 
     [[nodiscard]] bool isLarge() const { return Q.h.size() > 0; }
-    /// Q1 y.
-    [[nodiscard]] Columns3 spanTimes(const Columns3& y) const;
-    /// Q1^T x.
-    [[nodiscard]] Columns3 spanTransposeTimes(const Columns3& x) const;
   };
 
   BlockElimination(const std::vector<RowTerms>& rows, const std::vector<Index>& independent, Index unknownCount,
@@ -57,13 +53,44 @@ class BlockElimination {
     double weight;  // 1, but for what is left of relative rows and face points between groups
   };
 
-  [[nodiscard]] static Block denseBlock(const std::vector<RowTerms>& rows, const RowComponent& component);
-  [[nodiscard]] static Block sparseBlock(const std::vector<RowTerms>& rows, const RowComponent& component);
+  /// One block's part of the matrices below.
+  struct Factors {
+    SparseMatrix R1;
+    SparseMatrix Q1;  // unknowns x rows; empty where Q is a product
+  };
+
+  [[nodiscard]] static std::pair<Block, Factors> denseBlock(const std::vector<RowTerms>& rows,
+                                                            const RowComponent& component);
+  [[nodiscard]] static std::pair<Block, Factors> sparseBlock(const std::vector<RowTerms>& rows,
+                                                             const RowComponent& component);
   [[nodiscard]] SparseMatrix assembleQ2() const;
 
+  /// Calls `work(first, end)` for parts of `rows_` that are whole blocks, over all cores.
+  template <class Work>
+  void forEachPart(const Work& work) const
+  {
+    parallelFor(static_cast<Index>(parts_.size()) - 1, [&](Index k) { work(parts_[k], parts_[k + 1]); });
+  }
+  /// Calls `work(block, first, count)` for the large blocks and their places in `rows_`.
+  template <class Work>
+  void forEachLarge(const Work& work) const
+  {
+    Index first = 0;
+    for (const Block& block : blocks_) {
+      if (!block.isLarge()) return;
+      const auto count = static_cast<Index>(block.rows.size());
+      work(block, first, count);
+      first += count;
+    }
+  }
+
   std::vector<Pin> pins_;
-  std::vector<RowTerms> pinnedTerms_;  // of each row: its terms at pinned unknowns
-  std::vector<Block> blocks_;
+  std::vector<Block> blocks_;  // the large ones first
+  std::vector<Index> rows_;    // of all blocks, one after the other
+  SparseMatrix R1_;            // of all blocks: upper triangular, the diagonal last in each column
+  TwoWayMatrix Q1_;            // n x rows_; no entries in the columns of large blocks
+  TwoWayMatrix pinnedTerms_;   // rows_ x n: terms at pinned unknowns
+  std::vector<Index> parts_;   // where parts of `rows_` begin and end that are whole blocks
   std::vector<bool> isHeld_;
   SparseMatrix Q2_;
 };

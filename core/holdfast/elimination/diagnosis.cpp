@@ -50,7 +50,7 @@ double largestCoordinate(const Vector3& place)
 
 /// The largest coordinate of the sum of |w_i| |x_i|, of which the rounding of B x is a few epsilon; x is `rest`
 /// displaced by `u`, which may have no rows.
-double largestSum(const RowTerms& row, const Positions& rest, const Columns3& u)
+double largestSum(const FewTerms& row, const Positions& rest, const Columns3& u)
 {
   Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
   for (const Term& term : row) {
@@ -61,18 +61,17 @@ double largestSum(const RowTerms& row, const Positions& rest, const Columns3& u)
   return largestCoordinate(sum);
 }
 
-/// The largest of each row's own numbers, see `residualLimits`.
-std::vector<double> magnitudes(const SolverMesh& mesh, const ConstraintSystem& system, const Columns3& u)
+/// The largest of each row's own numbers, see `residualLimits`, from those of its target, of which `asked` is the
+/// largest.
+std::vector<double> magnitudes(const SolverMesh& mesh, const ConstraintSystem& system, const Columns3& u,
+                               std::vector<double> ofTargets, double asked)
 {
-  double asked = 0;
-  for (const ConstraintRow& row : system.rows) asked = std::max(asked, largestCoordinate(row.target));
-  std::vector<double> result(system.rows.size());
-  parallelBlocks(static_cast<Index>(result.size()), [&](Index r) {
-    const ConstraintRow& row = system.rows[r];
-    result[r] = std::max(largestCoordinate(row.target), largestSum(row.terms, mesh.rest, {}));
-    if (u.rows() > 0) result[r] = std::max(result[r], std::min(asked, largestSum(row.terms, mesh.rest, u)));
+  parallelBlocks(static_cast<Index>(ofTargets.size()), [&](Index r) {
+    const FewTerms& terms = system.rows[r].terms;
+    ofTargets[r] = std::max(ofTargets[r], largestSum(terms, mesh.rest, {}));
+    if (u.rows() > 0) ofTargets[r] = std::max(ofTargets[r], std::min(asked, largestSum(terms, mesh.rest, u)));
   });
-  return result;
+  return ofTargets;
 }
 
 /// How far the smallest change of targets that closes a gap is below the gap: |(1, -a)| of b_j = sum a_k b_k, over the
@@ -110,14 +109,20 @@ bool Diagnosis::hasConflicts() const
 std::vector<double> residualLimits(const SolverMesh& mesh, const ConstraintSystem& system,
                                    const std::vector<DependentRow>& dependent, const Columns3& u)
 {
-  const std::vector<double> own = magnitudes(mesh, system, u);
+  const double promised = kPromisedResidual * mesh.diagonal;
+  constexpr double kShare = kPromisedSpacings * std::numeric_limits<double>::epsilon();
+  std::vector<double> own(system.rows.size());
+  parallelBlocks(static_cast<Index>(own.size()), [&](Index r) { own[r] = largestCoordinate(system.rows[r].target); });
+  const double asked = own.empty() ? 0 : *std::ranges::max_element(own);
+  // The sizes of a row's weights sum to 2 at most: near the origin no sum is large enough to count.
+  if (kShare * std::max(asked, 2 * mesh.rest.cwiseAbs().maxCoeff()) <= promised)
+    return std::vector<double>(own.size(), promised);
+  own = magnitudes(mesh, system, u, std::move(own), asked);
   std::vector<double> limits = own;
   for (const auto& [dependency, gap] : dependent)
     for (const Term& term : dependency.terms)
       limits[dependency.row] = std::max(limits[dependency.row], own[term.index]);
-  for (double& limit : limits)
-    limit =
-        std::max(kPromisedResidual * mesh.diagonal, kPromisedSpacings * std::numeric_limits<double>::epsilon() * limit);
+  for (double& limit : limits) limit = std::max(promised, kShare * limit);
   return limits;
 }
 
@@ -137,10 +142,9 @@ Diagnosis diagnose(const EliminatedConstraints& eliminated, const ConstraintSyst
 {
   Diagnosis diagnosis;
   diagnosis.status.assign(system.rows.size(), RowStatus::Independent);
-  Columns3 u;
-  if (!eliminated.dependencies.empty()) u = eliminated.elimination.particular(shiftsOf(system));
-  diagnosis.dependent = gapsOf(eliminated, system, u);
-  diagnosis.limits = residualLimits(mesh, system, diagnosis.dependent, u);
+  if (!eliminated.dependencies.empty()) diagnosis.particular = eliminated.elimination.particular(shiftsOf(system));
+  diagnosis.dependent = gapsOf(eliminated, system, diagnosis.particular);
+  diagnosis.limits = residualLimits(mesh, system, diagnosis.dependent, diagnosis.particular);
   bool isMissed = false;
   for (const auto& [dependency, gap] : diagnosis.dependent) {
     const double limit = kConsistentShare * diagnosis.limits[dependency.row];
@@ -156,7 +160,7 @@ Diagnosis diagnose(const EliminatedConstraints& eliminated, const ConstraintSyst
 Columns3 shiftsOf(const ConstraintSystem& system)
 {
   Columns3 shifts(static_cast<Index>(system.rows.size()), 3);
-  for (std::size_t r = 0; r < system.rows.size(); ++r) shifts.row(r) = system.rows[r].shift.transpose();
+  parallelBlocks(shifts.rows(), [&](Index r) { shifts.row(r) = system.rows[r].shift; });
   return shifts;
 }
 

@@ -29,6 +29,7 @@ struct Diagnosis {
   /// The redundant rows, when the independent ones alone would miss some of them: see
   /// `reconciledParticular`.
   std::vector<Index> reconciled;
+  Columns3 particular;  ///< `Elimination::particular` of the shifts, where gaps were read off it; else no rows
 
   [[nodiscard]] bool hasConflicts() const;
 };

@@ -83,17 +83,16 @@ void reflect(const Reflections& Q, Index j, Columns3& x)
 {
   Eigen::RowVector3d product = Eigen::RowVector3d::Zero();
   for (SparseMatrix::InnerIterator entry(Q.h, j); entry; ++entry) product += entry.value() * x.row(entry.row());
-  for (SparseMatrix::InnerIterator entry(Q.h, j); entry; ++entry)
-    x.row(entry.row()) -= Q.tau[j] * entry.value() * product;
+  product *= Q.tau[j];
+  for (SparseMatrix::InnerIterator entry(Q.h, j); entry; ++entry) x.row(entry.row()) -= entry.value() * product;
 }
 
 }  // namespace
 
-Columns3 Reflections::times(const Columns3& x) const
+Columns3 Reflections::times(Columns3 x) const
 {
-  Columns3 reflected = x;
-  for (Index j = h.cols() - 1; j >= 0; --j) reflect(*this, j, reflected);
-  return reflected(place, Eigen::all);
+  for (Index j = h.cols() - 1; j >= 0; --j) reflect(*this, j, x);
+  return x(place, Eigen::all);
 }
 
 Columns3 Reflections::transposeTimes(const Columns3& x) const

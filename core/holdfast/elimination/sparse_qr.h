@@ -16,7 +16,7 @@ struct Reflections {
   std::vector<Index> place;  ///< m
 
   /// Q x. O(entries of h).
-  [[nodiscard]] Columns3 times(const Columns3& x) const;
+  [[nodiscard]] Columns3 times(Columns3 x) const;
   /// Q^T x. O(entries of h).
   [[nodiscard]] Columns3 transposeTimes(const Columns3& x) const;
   /// Columns of Q from `first` on. O(their entries), which may be as many as m^2.

@@ -15,7 +15,9 @@ constexpr double kWholeTurns = 8 * std::numeric_limits<double>::epsilon();
 /// The length, also where its square is no double.
 double length(const Vector3& v)
 {
-  return std::hypot(v.x(), v.y(), v.z());
+  const double square = v.squaredNorm();
+  const bool isNormal = square > 1e-280 && square < 1e280;
+  return isNormal ? std::sqrt(square) : std::hypot(v.x(), v.y(), v.z());
 }
 
 struct CosineAndSine {
@@ -64,6 +66,17 @@ Eigen::Matrix3d rotationMatrix(const Vector3& axis, double degrees)
   Eigen::Matrix3d cross;
   cross << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
   return c * Eigen::Matrix3d::Identity() + s * cross + (1 - c) * a * a.transpose();
+}
+
+Vector3 shiftByRotation(const Vector3& q, const Vector3& x)
+{
+  const double size = length(q);
+  if (size == 0) return Vector3::Zero();
+  const Vector3 a = q / size;
+  const auto [c, s] = cosineAndSine(size / pi * 360);
+  const Vector3 across = a.cross(x);
+  const double versine = c > 0 ? s * s / (1 + c) : 1 - c;  // no digits cancel
+  return s * across + versine * a.cross(across);
 }
 
 Vector3 rotationLog(const Eigen::Quaterniond& rotation)

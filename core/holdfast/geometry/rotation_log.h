@@ -23,6 +23,9 @@ inline constexpr double kDegree = std::numbers::pi / 180;
 /// Quarter turns about coordinate axes have entries that are exactly 0, 1 and -1.
 [[nodiscard]] Eigen::Matrix3d rotationMatrix(const Vector3& axis, double degrees);
 
+/// How far exp(q) takes `x`, with the digits of that: R x - x.
+[[nodiscard]] Vector3 shiftByRotation(const Vector3& q, const Vector3& x);
+
 /// The shortest log of a rotation, |q| <= pi / 2, also of a quaternion of other length than 1. Of the two logs of a
 /// half turn the one whose first component that is not zero is positive.
 [[nodiscard]] Vector3 rotationLog(const Eigen::Quaterniond& rotation);

@@ -212,6 +212,10 @@ RotationFieldSolver::RotationFieldSolver(RotationUnknowns unknowns, std::vector<
                                          ScaledColumns scaled, std::unique_ptr<const LeastSquaresFactor> factor)
     : unknowns_(std::move(unknowns)), pulls_(std::move(pulls)), scaled_(std::move(scaled)), factor_(std::move(factor))
 {
+  for (std::size_t i = 0; i < unknowns_.givenOf.size(); ++i) {
+    const Index column = unknowns_.columnOf[i];
+    baseOf_.push_back(static_cast<int>(column >= 0 ? unknowns_.referenceOf[column] : unknowns_.givenOf[i]));
+  }
 }
 
 RotationField RotationFieldSolver::solve(const Columns3& values) const
@@ -235,18 +239,11 @@ RotationField RotationFieldSolver::solve(const Columns3& values) const
   } else {
     response_ = {{}, pulled(values)};
   }
-  const auto& [z, corrections, accuracy, left] = response_.reach;
-
-  const auto n = static_cast<Index>(unknowns_.givenOf.size());
-  RotationField field{Columns3(n, 3), accuracy, rotationGaps(unknowns_, values)};
-  parallelBlocks(n, [&](Index i) {
-    const Index column = unknowns_.columnOf[i];
-    if (unknowns_.givenOf[i] >= 0)
-      field.q.row(i) = values.row(unknowns_.givenOf[i]);
-    else if (column >= 0)
-      field.q.row(i) = values.row(unknowns_.referenceOf[column]) + scaled_.scale[column] * z.row(column) * differences;
-    else
-      field.q.row(i).setZero();
+  const Columns3& reach = response_.reach.z;
+  RotationField field{Columns3(reach.rows(), 3), response_.reach.accuracy, rotationGaps(unknowns_, values)};
+  parallelBlocks(reach.rows(), [&](Index i) {
+    field.q.row(i).setZero();
+    if (baseOf_[i] >= 0) field.q.row(i) = values.row(baseOf_[i]) + reach.row(i) * differences;
   });
   return field;
 }
@@ -256,7 +253,15 @@ CorrectedSolution RotationFieldSolver::pulled(const Columns3& values) const
   Columns3 f = Columns3::Zero(scaled_.C.rows().rows(), 3);
   for (const auto& [row, weight, given, reference] : pulls_)
     f.row(row) += weight * (values.row(given) - values.row(reference));
-  return correctedSolve(*factor_, scaled_.C, scaled_.scale, f);
+  CorrectedSolution result = correctedSolve(*factor_, scaled_.C, scaled_.scale, f);
+  Columns3 ofUnknowns(static_cast<Index>(unknowns_.columnOf.size()), 3);
+  parallelBlocks(ofUnknowns.rows(), [&](Index i) {
+    const Index column = unknowns_.columnOf[i];
+    ofUnknowns.row(i).setZero();
+    if (column >= 0) ofUnknowns.row(i) = scaled_.scale[column] * result.z.row(column);
+  });
+  result.z = std::move(ofUnknowns);
+  return result;
 }
 
 RotationFieldResult makeRotationFieldSolver(const RotationProblem& problem, Backend backend)

@@ -66,7 +66,8 @@ class RotationFieldSolver {
   [[nodiscard]] RotationField solve(const Columns3& values) const;
 
  private:
-  /// What the pulls make of three numbers that are given at each place in `prescribed`.
+  /// What the pulls make of three numbers that are given at each place in `prescribed`: how far each unknown is from
+  /// its base, n x 3.
   [[nodiscard]] CorrectedSolution pulled(const Columns3& values) const;
 
   /// The last answer to distinct values: a column says how far one of them reaches.
@@ -76,6 +77,7 @@ class RotationFieldSolver {
   };
 
   RotationUnknowns unknowns_;
+  std::vector<int> baseOf_;  // of each unknown: place in `prescribed` of its value, or of its reference; -1
   std::vector<RotationPull> pulls_;
   ScaledColumns scaled_;
   std::unique_ptr<const LeastSquaresFactor> factor_;

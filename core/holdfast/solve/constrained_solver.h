@@ -13,6 +13,7 @@ namespace holdfast {
 struct RowTargets {
   Columns3 shifts;                ///< d of B u = d, for every row of the system
   std::vector<Index> reconciled;  ///< redundant rows that hard constraints meet by least squares: see `Diagnosis`
+  Columns3 particular = {};       ///< `Elimination::particular` of the shifts where that is known; else no rows
 };
 
 /// A displacement of the unknowns from rest. The paper solves for positions; the displacement is the same problem with

@@ -34,7 +34,8 @@ class HardSolver final : public ConstrainedSolver {
   /// In the span of the rows; pins have nothing left.
   void meet(const RowTargets& targets, Columns3& u) const override
   {
-    const Columns3 left = targets.shifts - B_ * u;
+    Columns3 left(B_.rows(), 3);
+    parallelBlocks(left.rows(), [&](Index r) { left.row(r) = targets.shifts.row(r) - gathered(B_, r, u); });
     if (!left.isZero(0)) u += particular({left, targets.reconciled});
   }
 
@@ -67,8 +68,10 @@ class HardSolver final : public ConstrainedSolver {
 
   [[nodiscard]] Columns3 particular(const RowTargets& targets) const
   {
-    return targets.reconciled.empty() ? problem_.eliminated->elimination.particular(targets.shifts)
-                                      : reconciledParticular(*problem_.eliminated, targets.reconciled, targets.shifts);
+    if (!targets.reconciled.empty())
+      return reconciledParticular(*problem_.eliminated, targets.reconciled, targets.shifts);
+    if (targets.particular.rows() > 0) return targets.particular;
+    return problem_.eliminated->elimination.particular(targets.shifts);
   }
 
   ConstrainedProblem problem_;

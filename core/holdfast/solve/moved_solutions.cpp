@@ -73,7 +73,7 @@ const Displacement& MovedSolutions::solve(const ConstrainedSolver& solver, const
     q_ = q;
     f_ = makeF();
     if (targets_.reconciled != targets.reconciled) answers_.clear();
-    targets_ = targets;
+    targets_ = {targets.shifts, targets.reconciled};
     Eigen::VectorXd asked = sampled(targets, f_);
     solution_ = answers_.empty() ? solver.solve(targets, f_) : solver.solveFrom(nearest(asked), targets, f_);
     if (answers_.size() == kAnswers) answers_.pop_front();

@@ -33,10 +33,10 @@ std::vector<Term> combined(const SurfacePoint& x, double ofX, const SurfacePoint
 
 SurfacePoint canonical(std::vector<Term> terms)
 {
-  SurfacePoint point{merged(std::move(terms))};
-  std::erase_if(point.terms, [](const Term& term) { return term.coefficient <= kVanishingWeight; });
-  if (point.terms.size() == 1) point.terms.front().coefficient = 1;
-  return point;
+  terms = merged(std::move(terms));
+  std::erase_if(terms, [](const Term& term) { return term.coefficient <= kVanishingWeight; });
+  if (terms.size() == 1) terms.front().coefficient = 1;
+  return {terms};
 }
 
 std::vector<Term> difference(const SurfacePoint& x, const SurfacePoint& y)

@@ -10,7 +10,7 @@ namespace holdfast {
 /// The sum of coefficient * p_index over vertices of the file. Canonical: vertices ascend and differ, every coefficient
 /// (weight) is larger than `kVanishingWeight`, and a single term has the weight 1 exactly.
 struct SurfacePoint {
-  std::vector<Term> terms;
+  FewTerms terms;
 
   friend bool operator==(const SurfacePoint&, const SurfacePoint&) = default;
 };

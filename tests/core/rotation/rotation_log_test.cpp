@@ -126,6 +126,21 @@ TEST(RotationMatrix, TakesAxesOfAnyLength)
   EXPECT_EQ(rotationMatrix(Vector3::Zero()), Eigen::Matrix3d::Identity());
 }
 
+TEST(ShiftByRotation, HasItsDigitsFromTheSmallestToManyTurns)
+{
+  const Vector3 x(0.3, -2, 1);
+  forEachRandomLog([&](const Vector3& q) {
+    const long double half = q.cast<long double>().norm();
+    const Long3 axis = q.cast<long double>() / half;
+    const Long3 across = axis.cross(x.cast<long double>());
+    const Long3 exact = 2 * std::sin(half) * (std::cos(half) * across + std::sin(half) * axis.cross(across));
+    EXPECT_LE((shiftByRotation(q, x) - exact.cast<double>()).stableNorm(), 16 * kEpsilon * q.stableNorm() * x.norm())
+        << q.transpose();
+  });
+  EXPECT_EQ(shiftByRotation(Vector3::Zero(), x), Vector3::Zero());
+  EXPECT_EQ(shiftByRotation(rotationLog(Vector3::UnitZ(), 90), x), Vector3(-x.y() - x.x(), x.x() - x.y(), 0));
+}
+
 TEST(RotationLog, UndoesTheExponential)
 {
   for (std::uint32_t seed = 0; seed < 500; ++seed) {
