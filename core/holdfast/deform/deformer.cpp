@@ -286,10 +286,15 @@ class Solution {
       own = result.value->solve(targets(), f = makeF());
     const Displacement& displacement =
         moved == nullptr ? own : moved->solve(*result.value, targets(), result_.rotations, [this] { return makeF(); });
-    accept(displacement);
-    if (options_.solver.kind == SolverKind::Hard && report().status != SolveStatus::Failed)
-      setMultipliers(multipliersOf(A_, factorization, displacement.u, moved == nullptr ? f : moved->f(),
-                                   model_.solverMesh.diagonal));
+    std::optional<Multipliers> multipliers;
+    parallelFor(options_.solver.kind == SolverKind::Hard ? 2 : 1, [&](Index k) {
+      if (k == 0)
+        accept(displacement);
+      else
+        multipliers = multipliersOf(A_, factorization, displacement.u, moved == nullptr ? f : moved->f(),
+                                    model_.solverMesh.diagonal);
+    });
+    if (multipliers && report().status != SolveStatus::Failed) setMultipliers(std::move(*multipliers));
     report().seconds.solution += secondsSince(solution);
   }
 

@@ -19,10 +19,11 @@ struct RowTargets {
 /// A displacement of the unknowns from rest. The paper solves for positions; the displacement is the same problem with
 /// the rest shape taken off both sides, and keeps the digits that positions would spend on it.
 struct Displacement {
-  Columns3 u;           ///< n x 3, model units
-  int corrections = 0;  ///< refinement steps
-  double accuracy = 0;  ///< estimated relative error, from residuals through A itself: see `correctedSolve`
-  double left = 0;      ///< of an error, by the factor: see `CorrectedSolution`; 0 where that is not known
+  Columns3 u;                 ///< n x 3, model units
+  int corrections = 0;        ///< refinement steps
+  double accuracy = 0;        ///< estimated relative error, from residuals through A itself: see `correctedSolve`
+  double left = 0;            ///< of an error, by the factor: see `CorrectedSolution`; 0 where that is not known
+  Columns3 multipliers = {};  ///< of rows that the solver keeps in its system, as linear in the targets as `u`
 };
 
 class ConstrainedSolver;

@@ -58,28 +58,30 @@ CorrectedSolution correctedSolve(const LeastSquaresFactor& factor, const LinearM
                                  const KnownSolution& known)
 {
   const Index unknowns = columnScale.size();
-  if (f.isZero(0)) return {Columns3::Zero(unknowns, 3), 0, 0, known.left};
-  CorrectedSolution result{solved(factor, C, f, Columns3::Zero(kept, 3)), 0, 0, known.left};
-  Columns3 multipliers = result.z.bottomRows(kept);
-  result.z.conservativeResize(unknowns, 3);
-  double& first = result.left;
-  if (first > 0 && isLastCorrection(first, largest(columnScale.asDiagonal() * result.z) / known.size)) {
-    result.accuracy = kSampleFactor * reachedBy(first);
+  const Columns3 none = Columns3::Zero(kept, 3);
+  if (f.isZero(0)) return {Columns3::Zero(unknowns, 3), none, 0, 0, known.left};
+  CorrectedSolution result{{}, known.multipliers.rows() == kept ? known.multipliers : none, 0, 0, known.left};
+  auto& [z, multipliers, corrections, accuracy, first] = result;
+  z = solved(factor, C, f, multipliers);
+  multipliers += z.bottomRows(kept);
+  z.conservativeResize(unknowns, 3);
+  if (first > 0 && isLastCorrection(first, largest(columnScale.asDiagonal() * z) / known.size)) {
+    accuracy = kSampleFactor * reachedBy(first);
     return result;
   }
   double last = std::numeric_limits<double>::infinity();
-  while (result.corrections < kMaxCorrections) {
-    const double size = std::max(known.size, largest(columnScale.asDiagonal() * result.z));
+  while (corrections < kMaxCorrections) {
+    const double size = std::max(known.size, largest(columnScale.asDiagonal() * z));
     if (size == 0) break;
-    const Columns3 correction = solved(factor, C, C.residual(f, result.z), multipliers);
+    const Columns3 correction = solved(factor, C, C.residual(f, z), multipliers);
     const auto step = correction.topRows(unknowns);
     const double change = largest(columnScale.asDiagonal() * step) / size;
     if (!(change < last)) break;
-    result.z += step;
+    z += step;
     multipliers += correction.bottomRows(kept);
-    if (result.corrections++ == 0 && known.left == 0) first = change;
+    if (corrections++ == 0 && known.left == 0) first = change;
     const bool isLast = change <= kLastCorrection || isLastCorrection(first, change);
-    result.accuracy = isLast ? kSampleFactor * reachedBy(first) : change;
+    accuracy = isLast ? kSampleFactor * reachedBy(first) : change;
     if (isLast || change > kStalled * last) break;
     last = change;
   }

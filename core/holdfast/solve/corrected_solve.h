@@ -27,16 +27,18 @@ struct LinearMap {
 };
 
 struct CorrectedSolution {
-  Columns3 z;           ///< k x 3
-  int corrections = 0;  ///< how many were needed
-  double accuracy = 0;  ///< estimated relative error, from the sizes of the corrections
-  double left = 0;      ///< share of an error that the factor leaves: the first correction; 0 where there was none
+  Columns3 z;            ///< k x 3
+  Columns3 multipliers;  ///< kept x 3
+  int corrections = 0;   ///< how many were needed
+  double accuracy = 0;   ///< estimated relative error, from the sizes of the corrections
+  double left = 0;       ///< share of an error that the factor leaves: the first correction; 0 where there was none
 };
 
-/// What is known where `z` is a small difference from a solution that is there.
+/// A solution that is there, where `z` is a small difference from it.
 struct KnownSolution {
-  double size = 0;  ///< largest absolute value of all of it
-  double left = 0;  ///< as in the `CorrectedSolution` of one with the same factor; 0 where that is not known
+  double size = 0;       ///< largest absolute value of all of it
+  Columns3 multipliers;  ///< its own, kept x 3; empty: zeros
+  double left = 0;       ///< as in the `CorrectedSolution` of one with the same factor; 0 where that is not known
 };
 
 /// Corrected semi-normal equations (Björck, 1987): the residual is computed through C itself, never through C^T C, and

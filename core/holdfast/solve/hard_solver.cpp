@@ -25,9 +25,7 @@ class HardSolver final : public ConstrainedSolver {
   [[nodiscard]] Displacement solveFrom(Displacement near, const RowTargets& targets, const Columns3& f) const override
   {
     meet(targets, near.u);
-    // Multipliers of kept rows are of the whole solution, not of the difference.
-    const bool isKnown = reduced_->kept == 0 && near.u.size() > 0;
-    const KnownSolution known = isKnown ? KnownSolution{near.u.cwiseAbs().maxCoeff(), near.left} : KnownSolution();
+    KnownSolution known{near.u.cwiseAbs().maxCoeff(), std::move(near.multipliers), near.left};
     return solved(std::move(near), f, known);
   }
 
@@ -57,12 +55,13 @@ class HardSolver final : public ConstrainedSolver {
   {
     Columns3 missed = problem_.A->residual(f, result.u);
     missed.conservativeResizeLike(Columns3::Zero(missed.rows() + reduced_->kept, 3));
-    const CorrectedSolution z =
+    CorrectedSolution z =
         correctedSolve(*reduced_->factor, reduced_->C, reduced_->scale, missed, reduced_->kept, known);
     parallelBlocks(result.u.rows(), [&](Index i) { result.u.row(i) += gathered(reduced_->scaledQ2, i, z.z); });
     result.corrections = z.corrections;
     result.accuracy = z.accuracy;
     result.left = z.left;
+    result.multipliers = std::move(z.multipliers);
     return result;
   }
 

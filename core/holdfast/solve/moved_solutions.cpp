@@ -77,7 +77,7 @@ const Displacement& MovedSolutions::solve(const ConstrainedSolver& solver, const
     Eigen::VectorXd asked = sampled(targets, f_);
     solution_ = answers_.empty() ? solver.solve(targets, f_) : solver.solveFrom(nearest(asked), targets, f_);
     if (answers_.size() == kAnswers) answers_.pop_front();
-    answers_.push_back({std::move(asked), solution_.u});
+    answers_.push_back({std::move(asked), solution_.u, solution_.multipliers});
     return solution_;
   }
   if (moves->by.isZero(0)) return solution_;
@@ -105,6 +105,8 @@ Displacement MovedSolutions::nearest(const Eigen::VectorXd& asked) const
   decomposition.setThreshold(kDependent);
   const Eigen::VectorXd shares = decomposition.compute(earlier).solve(asked);
   Displacement sum = solution_;
+  sum.multipliers.setZero();
+  for (std::size_t k = 0; k < answers_.size(); ++k) sum.multipliers += shares[k] * answers_[k].multipliers;
   parallelBlocks(sum.u.rows(), [&](Index i) {
     sum.u.row(i).setZero();
     for (std::size_t k = 0; k < answers_.size(); ++k) sum.u.row(i) += shares[k] * answers_[k].u.row(i);

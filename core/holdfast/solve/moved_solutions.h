@@ -35,6 +35,7 @@ class MovedSolutions {
   struct Answer {
     Eigen::VectorXd asked;
     Columns3 u;
+    Columns3 multipliers;
   };
 
   [[nodiscard]] Displacement nearest(const Eigen::VectorXd& asked) const;

@@ -116,40 +116,56 @@ TEST_F(MovedRows, WithOtherRotationsBeginAtTheSumOfEarlierSolutionsThatIsNearest
   EXPECT_EQ(turnTo(q_ * 2, rest), -1) << "other rows are met: what was there is of no use";
 }
 
-/// A handle turns, in steps of a hand and far, for each solver.
-TEST(MovedSolutions, OfTurnsAreAsAccurateAsOthers)
+/// A handle turns, in steps of a hand and far, beside points that stay.
+struct Turn {
+  Mesh mesh;
+  int points;
+  SolverKind kind;
+};
+
+class TurnOfAHandle : public testing::TestWithParam<Turn> {};
+
+TEST_P(TurnOfAHandle, IsAsAccurateAsFreshDeformations)
 {
   constexpr int kFrames = 20;
-  const Mesh mesh = test::plate(250, 4);
-  for (const SolverKind kind : {SolverKind::Hard, SolverKind::Soft, SolverKind::Lagrange}) {
-    const DeformOptions options{Weights::Cotangent, {kind, Backend::Holdfast, 100}};
-    test::Random random(7);
-    ConstraintList list = test::listOf({test::hold({0, 1, 2, 3})});
-    const Index last = mesh.vertexCount() - 1;
-    list.constraints.push_back({"handle", true, HandleConstraint{{VertexIds{{last, last - 1, last - 2}}}, {}, {}, {}}});
-    for (int k = 0; k < 3; ++k)
-      list.constraints.push_back(test::moveBy(test::randomPlace(random, mesh), Vector3::Zero()));
-    Deformer deformer(makeModel(mesh), options);
-    deformer.answerEditsAtOnce(true);
-    double degrees = 10;
-    int corrections = 0;
-    for (int k = 0; k < kFrames; ++k) {
-      degrees += random.uniform(0.5, 1.5);
-      if (k % 9 == 8) {
-        degrees += 50;
-        std::get<PointConstraint>(list.constraints[2].what).to = Move{Vector3(0, 0, random.uniform(-3, 3))};
-      }
-      std::get<HandleConstraint>(list.constraints[1].what).motion = AxisRotation{Vector3(1, 1, 0), degrees, {}};
-      const DeformResult result = deformer.deform(list);
-      const DeformResult fresh = test::deformed(mesh, list, options);
-      EXPECT_EQ(result.report.solve.status, SolveStatus::Ok) << result.report.solve.message;
-      EXPECT_LT(test::distance(result.positions, fresh.positions), 1e-12) << k;
-      EXPECT_LT(result.report.solve.accuracy, 1e-9);
-      corrections += result.report.solve.refinementSteps;
+  const auto& [mesh, points, kind] = GetParam();
+  const DeformOptions options{Weights::Cotangent, {kind, Backend::Holdfast, 100}};
+  test::Random random(7);
+  ConstraintList list = test::listOf({test::hold({0, 1, 2, 3})});
+  const Index last = mesh.vertexCount() - 1;
+  list.constraints.push_back({"handle", true, HandleConstraint{{VertexIds{{last, last - 10, last - 20}}}, {}, {}, {}}});
+  for (int k = 0; k < points; ++k)
+    list.constraints.push_back(test::moveBy(
+        AtFace{static_cast<Index>(random.integer(0, static_cast<int>(mesh.faces.size()) - 1)), {0.25, 0.125, 0.625}},
+        Vector3::Zero()));
+  auto& handle = std::get<HandleConstraint>(list.constraints[1].what);
+  Deformer deformer(makeModel(mesh), options);
+  deformer.answerEditsAtOnce(true);
+  double degrees = 10;
+  int corrections = 0;
+  for (int k = 0; k < kFrames; ++k) {
+    degrees += random.uniform(0.5, 1.5);
+    if (k % 9 == 8) {
+      degrees += 50;
+      handle.translate.z() = random.uniform(-3, 3);
     }
-    if (kind == SolverKind::Hard) EXPECT_LT(corrections, kFrames / 2) << "most frames need one solution";
+    handle.motion = AxisRotation{Vector3(1, 1, 0), degrees, {}};
+    const DeformResult result = deformer.deform(list);
+    const DeformResult fresh = test::deformed(mesh, list, options);
+    EXPECT_EQ(result.report.solve.status, SolveStatus::Ok) << result.report.solve.message;
+    EXPECT_LT(test::distance(result.positions, fresh.positions), 1e-12) << k;
+    EXPECT_LT(result.report.solve.accuracy, 1e-9);
+    corrections += result.report.solve.refinementSteps;
   }
+  if (kind == SolverKind::Hard) EXPECT_LT(corrections, kFrames / 2) << "most frames need one solution";
 }
+
+// A long strip takes many digits; of 420 points some rows are kept in the system, with multipliers.
+INSTANTIATE_TEST_SUITE_P(MovedSolutions, TurnOfAHandle,
+                         testing::Values(Turn{test::plate(250, 4), 3, SolverKind::Hard},
+                                         Turn{test::plate(250, 4), 3, SolverKind::Soft},
+                                         Turn{test::plate(250, 4), 3, SolverKind::Lagrange},
+                                         Turn{test::icosphere(3), 420, SolverKind::Hard}));
 
 /// A drag of a point and of a handle, for each solver.
 TEST(MovedSolutions, AreAsExactAsOthers)
