@@ -157,7 +157,9 @@ TEST_P(TurnOfAHandle, IsAsAccurateAsFreshDeformations)
     EXPECT_LT(result.report.solve.accuracy, 1e-9);
     corrections += result.report.solve.refinementSteps;
   }
-  if (kind == SolverKind::Hard) EXPECT_LT(corrections, kFrames / 2) << "most frames need one solution";
+  // The others correct as ever.
+  const int most = kind == SolverKind::Hard ? kFrames / 2 : 2 * kFrames;
+  EXPECT_LT(corrections, most) << "most frames need one solution";
 }
 
 // A long strip takes many digits; of 420 points some rows are kept in the system, with multipliers.
