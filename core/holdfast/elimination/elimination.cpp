@@ -142,10 +142,10 @@ Elimination::Elimination(const std::vector<RowTerms>& rows, const std::vector<In
       others_(filtered(independent, [&](Index row) { return !differenceOf(rows[row]); })),
       merged_(rows, filtered(independent, [&](Index row) { return differenceOf(rows[row]).has_value(); }),
               unknownCount),
-      membership_(merged_.membership()),
+      membership_(merged_.hasLinks() ? merged_.membership() : SparseMatrix()),
       contracted_(contractedRows(rows, merged_)),
       blocks_(contracted_, others_, merged_.count(), heldGroups(isHeld, merged_)),
-      Q2_(membership_ * blocks_.Q2())
+      Q2_(merged_.hasLinks() ? SparseMatrix(membership_ * blocks_.Q2()) : SparseMatrix())
 {
 }
 
@@ -170,7 +170,7 @@ std::vector<Index> Elimination::kept() const
 
 SparseMatrix Elimination::wholeQ2() const
 {
-  return membership_ * blocks_.wholeQ2();
+  return merged_.hasLinks() ? SparseMatrix(membership_ * blocks_.wholeQ2()) : blocks_.wholeQ2();
 }
 
 Columns3 Elimination::multipliers(const Columns3& gradient) const

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <numeric>
 
 #include <holdfast/base/sparse_products.h>
 
@@ -41,9 +42,14 @@ std::optional<Difference> differenceOf(const RowTerms& row)
 
 MergedUnknowns::MergedUnknowns(const std::vector<RowTerms>& rows, const std::vector<Index>& differences,
                                Index unknownCount)
-    : groupOf_(static_cast<std::size_t>(unknownCount), kNoGroup),
-      linkOf_(static_cast<std::size_t>(unknownCount), kNoLink)
+    : groupOf_(static_cast<std::size_t>(unknownCount), kNoGroup)
 {
+  if (differences.empty()) {
+    std::iota(groupOf_.begin(), groupOf_.end(), Index{0});
+    count_ = unknownCount;
+    return;
+  }
+  linkOf_.resize(groupOf_.size(), kNoLink);
   const std::vector<std::vector<Neighbour>> adjacent = neighbours(rows, differences, unknownCount);
   for (Index first = 0; first < unknownCount; ++first) {
     if (groupOf_[first] != kNoGroup) continue;
@@ -68,6 +74,7 @@ MergedUnknowns::MergedUnknowns(const std::vector<RowTerms>& rows, const std::vec
 std::span<const MergedUnknowns::Link> MergedUnknowns::linksOf(Index group) const
 {
   const std::span<const Link> links(links_);
+  if (links.empty()) return links;
   return links.subspan(firstLinkOf_[group], firstLinkOf_[group + 1] - firstLinkOf_[group]);
 }
 
@@ -100,6 +107,7 @@ Columns3 MergedUnknowns::offsets(const Columns3& d) const
 
 std::vector<Term> MergedUnknowns::combinationOf(const RowTerms& terms) const
 {
+  if (links_.empty()) return {};
   std::map<Index, double, std::greater<>> pending;  // by link: children before parents
   for (const Term& term : terms)
     if (linkOf_[term.index] != kNoLink) pending[linkOf_[term.index]] += term.coefficient;

@@ -67,7 +67,7 @@ class MergedUnknowns {
   std::vector<Index> groupOf_;
   std::vector<Link> links_;         // group by group, parents before children
   std::vector<Index> firstLinkOf_;  // of each group, and their number at the end
-  std::vector<Index> linkOf_;       // of each unknown, -1 for the first of a group
+  std::vector<Index> linkOf_;       // of each unknown, -1 for the first of a group; these two are empty without links
 };
 
 }  // namespace holdfast

@@ -187,16 +187,17 @@ class BorderedFactor final : public LeastSquaresFactor {
 
 }  // namespace
 
-Result<ReducedProblem> makeReducedProblem(const SparseMatrix& A, const SparseMatrix& Q2, const SparseMatrix& K,
+Result<ReducedProblem> makeReducedProblem(const SparseMatrix& A, SparseMatrix&& Q2, const SparseMatrix& K,
                                           Columns3 rest, Backend backend, EliminationOrder order)
 {
   Result<ScaledColumns> columns = scaleColumns(product(A, Q2), K);
   if (!columns) return {{}, std::move(columns.failure)};
   auto& [C, scale, kept] = columns.value;
   const Columns3 probe = scale.cwiseInverse().asDiagonal() * Columns3(Q2.transpose() * std::exchange(rest, {}));
+  SparseRows scaledQ2 = Q2 * scale.asDiagonal();
+  SparseMatrix().swap(Q2);  // not to be kept beside the factor
   FactorResult factor = kept == 0 ? factorize(C, backend, probe, order) : factorizeKept(C, kept, probe, order);
   if (!factor) return {{}, std::move(factor.failure)};
-  SparseRows scaledQ2 = Q2 * scale.asDiagonal();
   return {{std::make_shared<const TwoWayMatrix>(std::move(C)), std::move(scale), kept, std::move(scaledQ2),
            std::move(factor.value)}};
 }

@@ -17,11 +17,10 @@ struct ReducedProblem {
   std::shared_ptr<const LeastSquaresFactor> factor;
 };
 
-/// That of min |A Q2 y - f| with K y = 0 below it, a row for each that is kept; there may be none. `rest` (n x 3) is a
-/// typical solution to measure factors on. Only our own factorisation keeps rows.
-[[nodiscard]] Result<ReducedProblem> makeReducedProblem(const SparseMatrix& A, const SparseMatrix& Q2,
-                                                        const SparseMatrix& K, Columns3 rest, Backend backend,
-                                                        EliminationOrder order);
+/// That of min |A Q2 y - f| with K y = 0 below it, a row for each that is kept; there may be none. Q2 is empty
+/// afterwards. `rest` (n x 3) is a typical solution to measure factors on. Only our own factorisation keeps rows.
+[[nodiscard]] Result<ReducedProblem> makeReducedProblem(const SparseMatrix& A, SparseMatrix&& Q2, const SparseMatrix& K,
+                                                        Columns3 rest, Backend backend, EliminationOrder order);
 
 /// More rows take longer than another factorisation does.
 inline constexpr std::size_t kMostEdited = 300;

@@ -92,11 +92,13 @@ EliminationOrder orderFor(const ConstrainedProblem& problem, const SparseMatrix&
 SolverResult hardSolver(ConstrainedProblem problem, Backend backend, const SparseMatrix& wantedQ2,
                         const std::vector<Index>& kept)
 {
-  const SparseMatrix Q2 = orderedColumns(wantedQ2, problem.ranks);
+  SparseMatrix Q2 = orderedColumns(wantedQ2, problem.ranks);
   std::vector<RowTerms> rows;
   for (const Index row : kept) rows.push_back(problem.eliminated->rows[row]);
-  Result<ReducedProblem> reduced = makeReducedProblem(problem.A->columns(), Q2, constraintMatrix(rows, Q2.rows()) * Q2,
-                                                      std::move(problem.rest), backend, orderFor(problem, Q2));
+  const SparseMatrix K = constraintMatrix(rows, Q2.rows()) * Q2;
+  const EliminationOrder order = orderFor(problem, Q2);
+  Result<ReducedProblem> reduced =
+      makeReducedProblem(problem.A->columns(), std::move(Q2), K, std::move(problem.rest), backend, order);
   if (!reduced) return {nullptr, std::move(reduced.failure)};
   return {std::make_unique<HardSolver>(std::move(problem), std::move(reduced.value))};
 }

@@ -42,10 +42,10 @@ SolverResult makeSoftSolver(ConstrainedProblem problem, Backend backend, double 
 {
   const EliminatedConstraints& eliminated = *problem.eliminated;
   const SparseMatrix& A = problem.A->columns();
-  const SparseMatrix spread = orderedColumns(Elimination({}, {}, A.cols(), eliminated.isHeld).Q2(), problem.ranks);
+  SparseMatrix spread = orderedColumns(Elimination({}, {}, A.cols(), eliminated.isHeld).Q2(), problem.ranks);
   const SparseMatrix all = stacked(A, weight * constraintMatrix(eliminated.rows, A.cols()));
   Result<ReducedProblem> reduced =
-      makeReducedProblem(all, spread, {}, std::move(problem.rest), backend, problem.eliminationOrder());
+      makeReducedProblem(all, std::move(spread), {}, std::move(problem.rest), backend, problem.eliminationOrder());
   if (!reduced) return {nullptr, std::move(reduced.failure)};
   return {std::make_unique<SoftSolver>(weight, std::move(reduced.value))};
 }
