@@ -13,7 +13,7 @@ namespace holdfast {
 struct DeformDetails {
   ConstraintSystem system;  ///< the rows that were asked for, rotated by the rotations
   Diagnosis diagnosis;
-  std::shared_ptr<const Operators> operators;
+  std::shared_ptr<const Operators> operators;  ///< without L after `deform`
 };
 
 }  // namespace holdfast

@@ -459,10 +459,12 @@ DeformResult Deformer::deform(const ConstraintList& constraints, const std::stri
   if (isFound) system = withStatedRotations(std::move(system));
   if (operators_ == nullptr) {
     progress.step(fmt::format("building operators of {} vertices", model_->mesh.vertexCount()));
-    operators_ = std::make_shared<const Operators>(makeOperators(model_->solverMesh, options_.weights));
+    const auto operators = std::make_shared<Operators>(makeOperators(model_->solverMesh, options_.weights));
     if (isFound)
-      energy_ = std::make_shared<const RotationEnergy>(model_->solverMesh, *operators_, options_.rotations.source);
-    A_ = isFound ? energy_->A() : std::make_shared<const TwoWayMatrix>(weightedRows(*operators_));
+      energy_ = std::make_shared<const RotationEnergy>(model_->solverMesh, *operators, options_.rotations.source);
+    A_ = isFound ? energy_->A() : std::make_shared<const TwoWayMatrix>(weightedRows(*operators));
+    if (isForOneCall_) SparseMatrix().swap(operators->L);  // not to be kept beside the factor
+    operators_ = operators;
   }
   seconds.setup = secondsSince(setup);
 
