@@ -4,6 +4,7 @@
 #include <limits>
 
 #include <fmt/format.h>
+#include <malloc.h>
 
 namespace holdfast {
 
@@ -22,8 +23,16 @@ std::uint64_t availableMemory()
   return isFound ? sum : std::numeric_limits<std::uint64_t>::max();
 }
 
+void returnFreeMemory()
+{
+#ifdef __GLIBC__
+  ::malloc_trim(0);
+#endif
+}
+
 void requireMemory(std::uint64_t bytes, std::string_view user)
 {
+  returnFreeMemory();
   const std::uint64_t available = availableMemory();
   if (bytes <= available) return;
   constexpr double kGigabyte = 1e9;

@@ -23,7 +23,10 @@ class LackOfMemory : public std::bad_alloc {
 /// container are not seen.
 [[nodiscard]] std::uint64_t availableMemory();
 
-/// Throws `LackOfMemory` where `user` ("the factor of 1000 unknowns") needs more than is free.
+/// Gives the memory of the process that is free back to the system, where the allocator can do that.
+void returnFreeMemory();
+
+/// The same. Throws `LackOfMemory` where `user` ("the factor of 1000 unknowns") needs more than is free.
 void requireMemory(std::uint64_t bytes, std::string_view user);
 
 }  // namespace holdfast

@@ -100,7 +100,8 @@ std::size_t triangleColumn(int j, int size)
 struct FrontWorkspace {
   std::vector<int> placeOf;              // of a column: its row in the front
   std::vector<std::vector<int>> places;  // of the rows of each child: theirs
-  std::vector<double> panel;
+  std::unique_ptr<double[]> panel;       // memory comes with what is written: none above the diagonal of a large front
+  std::size_t panelSize = 0;
   std::vector<std::vector<double>> strips = std::vector<std::vector<double>>(threadCount());
 };
 
@@ -159,19 +160,31 @@ class Multifrontal {
   void factorize(int s, FrontWorkspace& work, const Loop& loop)
   {
     const Supernode& node = symbolic_.supernodes[s];
+    if (s >= symbolic_.top.begin) returnFreeMemory();  // of fronts, whose numbers L has now
     findPlaces(s, work);
-    work.panel.assign(static_cast<std::size_t>(node.height()) * static_cast<std::size_t>(node.width), 0);
+    clearPanel(node, work);
     addEntries(node, work);
-    addChildren(s, {work.panel.data(), node.height(), 0, node.width}, work, loop);
+    addChildren(s, {work.panel.get(), node.height(), 0, node.width}, work, loop);
     const int positive = node.width - node.multipliers;
-    if (const int bad = factorizePanel(loop, work.panel.data(), node.height(), node.width, positive); bad != 0) {
+    if (const int bad = factorizePanel(loop, work.panel.get(), node.height(), node.width, positive); bad != 0) {
       int none = kAllPositive;
       badPivot_.compare_exchange_strong(none, node.firstColumn + bad - 1);
       return;
     }
-    result_->store(s, work.panel.data());
+    result_->store(s, work.panel.get());
     keepUpdate(s, work, loop);
     for (const int child : symbolic_.children[s]) updates_[child].reset();
+  }
+
+  /// Zeros from the diagonal down.
+  static void clearPanel(const Supernode& node, FrontWorkspace& work)
+  {
+    if (const std::size_t needed = at(0, node.width, node.height()); work.panelSize < needed) {
+      work.panel.reset();
+      work.panel = std::make_unique_for_overwrite<double[]>(work.panelSize = needed);
+    }
+    for (int j = 0; j < node.width; ++j)
+      std::fill_n(work.panel.get() + at(j, j, node.height()), node.height() - j, 0.0);
   }
 
   /// What the supernode and those below it take off its parents, in strips that stay in the cache.
@@ -187,7 +200,7 @@ class Multifrontal {
       const int below = rows - first;
       std::vector<double>& strip = work.strips[thread];
       if (const std::size_t needed = at(0, width, below); strip.size() < needed) strip.resize(needed);
-      const double* const left = work.panel.data() + node.width + first;
+      const double* const left = work.panel.get() + node.width + first;
       updateColumns(below, width, positive, 1, left, node.height(), 0, strip.data());
       if (node.multipliers > 0)
         updateColumns(below, width, node.multipliers, -1, left + at(0, positive, node.height()), node.height(), 1,
@@ -255,6 +268,7 @@ class Multifrontal {
           for (int i = j; i < size; ++i) to[places[i] - part.first] += from[i];
         }
       });
+      if (symbolic_.supernodes[s].rowCount == 0) updates_[symbolic_.children[s][c]].reset();
     }
   }
 
