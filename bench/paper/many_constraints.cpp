@@ -111,8 +111,9 @@ struct Way {
 
 Result<ReducedProblem> reduced(const Bumpy& bumpy, const SparseMatrix& A, const SparseMatrix& Q2, const SparseMatrix& B)
 {
-  const SparseMatrix ordered = orderedColumns(Q2, bumpy.ranks);
-  return makeReducedProblem(A, ordered, B * ordered, bumpy.rest, Backend::Holdfast, EliminationOrder::OfColumns);
+  SparseMatrix ordered = orderedColumns(Q2, bumpy.ranks);
+  const SparseMatrix K = B * ordered;
+  return makeReducedProblem(A, std::move(ordered), K, bumpy.rest, Backend::Holdfast, EliminationOrder::OfColumns);
 }
 
 template <std::optional<SparseMatrix> (*kQ2)(const PointRows&)>
