@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
-#include <system_error>
+#include <functional>
 #include <thread>
 #include <type_traits>
 #include <vector>
@@ -20,6 +20,12 @@ namespace holdfast {
   static const Index count = std::clamp<Index>(static_cast<Index>(std::thread::hardware_concurrency()), 1, kMost);
   return count;
 }
+
+using ThreadWork = std::function<void(Index thread)>;
+
+/// Calls `work`, which must not throw, on up to `count` threads: the calling one as number 0, and others that it has
+/// for this as long as it lives, with its priority of when they were first needed.
+void runOnThreads(Index count, const ThreadWork& work);
 
 /// Calls `work(k)`, or `work(k, thread)`, once for each k of 0 .. count - 1, on up to `threadCount()` threads, the
 /// calling one among them as number 0. Which thread takes which k is left open: results must not depend on it. Throws
@@ -42,14 +48,10 @@ void parallelFor(Index count, const Work& work)
       next = count;
     }
   };
-  {
-    std::vector<std::jthread> threads;
-    try {
-      for (Index thread = 1; thread < threadsInAll; ++thread) threads.emplace_back(run, thread);
-    } catch (const std::system_error&) {  // no more threads are to be had: those that run do all
-    }
+  if (threadsInAll > 1)
+    runOnThreads(threadsInAll, run);
+  else
     run(0);
-  }
   for (const std::exception_ptr& error : errors)
     if (error) std::rethrow_exception(error);
 }

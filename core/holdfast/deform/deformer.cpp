@@ -306,8 +306,10 @@ class Solution {
 
   [[nodiscard]] Columns3 makeF() const
   {
-    return (model_.solverMesh.diagonal * details_.operators->rowWeights).asDiagonal() *
-           rotationOfDelta(details_.operators->delta, result_.rotations);
+    const Eigen::VectorXd& weights = details_.operators->rowWeights;
+    Columns3 f = rotationOfDelta(details_.operators->delta, result_.rotations);
+    parallelBlocks(f.rows(), [&](Index i) { f.row(i) *= model_.solverMesh.diagonal * weights[i]; });
+    return f;
   }
 
   Displacement find(const ConstrainedSolver& solver, const ConstraintFactorization& factorization, Columns3& f,

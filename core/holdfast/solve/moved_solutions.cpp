@@ -11,8 +11,8 @@ namespace {
 
 constexpr int kGroups = 3;
 constexpr double kRoundings = 8;
-constexpr Index kSampled = 1000;
-constexpr std::size_t kAnswers = 4;  // an angle changes them by smooth functions: a cubic one is left to solve for
+constexpr Index kSampled = 400;
+constexpr std::size_t kAnswers = 8;  // an angle changes them by smooth functions: a cubic one is left to solve for
 constexpr double kDependent = 1e-9;  // answers with a smaller share of their own would take digits
 constexpr double kFar = 4;           // diagonals: larger differences would take digits
 

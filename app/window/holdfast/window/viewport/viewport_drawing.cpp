@@ -49,7 +49,9 @@ void Viewport::noteSwap()
 {
   waiting_.invalidate();
   if (renderTimer_.isActive()) pause_.begin();
-  if (!isSceneDue_ && !drawnTimer_.isActive()) editor_.resultIsSeen();
+  if (isSceneDue_ || drawnTimer_.isActive()) return;
+  // What the mouse has done meanwhile comes first.
+  QTimer::singleShot(1, &editor_, [this] { editor_.resultIsSeen(); });
 }
 
 void Viewport::schedulePicture()

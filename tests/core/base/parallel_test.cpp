@@ -1,0 +1,64 @@
+#include <algorithm>
+#include <atomic>
+#include <stdexcept>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <holdfast/base/parallel.h>
+
+namespace holdfast {
+namespace {
+
+TEST(ParallelFor, TakesEveryTurnOnceInLoopsWithinLoops)
+{
+  constexpr Index kTurns = 50;
+  std::vector<std::atomic<int>> taken(static_cast<std::size_t>(kTurns * kTurns));
+  parallelFor(kTurns, [&](Index i) { parallelFor(kTurns, [&](Index k) { ++taken[i * kTurns + k]; }); });
+  EXPECT_TRUE(std::ranges::all_of(taken, [](int count) { return count == 1; }));
+}
+
+TEST(ParallelFor, NumbersItsThreadsAndKeepsThem)
+{
+  static std::atomic<Index> threads = 0;
+  thread_local bool isCounted = false;
+  std::atomic<bool> areNumbered = true;
+  for (int loop = 0; loop < 200; ++loop)
+    parallelFor(64, [&](Index, Index thread) {
+      if (!std::exchange(isCounted, true)) ++threads;
+      if (thread < 0 || thread >= threadCount()) areNumbered = false;
+    });
+  EXPECT_LE(threads, threadCount());
+  EXPECT_TRUE(areNumbered);
+}
+
+TEST(ParallelFor, ThrowsAfterAllThreadsHaveEndedAndGoesOnInTheNextLoop)
+{
+  for (int loop = 0; loop < 100; ++loop) {
+    std::atomic<int> under = 0;
+    EXPECT_THROW(parallelFor(64,
+                             [&](Index k) {
+                               ++under;
+                               std::this_thread::yield();
+                               --under;
+                               if (k == 7) throw std::runtime_error("turn 7");
+                             }),
+                 std::runtime_error);
+    EXPECT_EQ(under, 0);
+  }
+  std::atomic<Index> sum = 0;
+  parallelFor(64, [&](Index k) { sum += k; });
+  EXPECT_EQ(sum, 63 * 64 / 2);
+}
+
+TEST(ParallelFor, WorksOnThreadsThatComeAndGo)
+{
+  std::atomic<Index> sum = 0;
+  for (int k = 0; k < 50; ++k) std::jthread([&] { parallelFor(8, [&](Index turn) { sum += turn; }); }).join();
+  EXPECT_EQ(sum, 50 * 28);
+}
+
+}  // namespace
+}  // namespace holdfast
