@@ -143,19 +143,27 @@ SparseMatrix BlockElimination::assembleQ2() const
     role[blocks_[b].unknowns.front()] = static_cast<Index>(b);
   }
 
-  // Columns in the order of the unknowns, a block's at its first: neighbours on the surface stay neighbours.
-  Triplets entries;
-  int column = 0;
+  Index columns = 0;
+  for (const Index own : role) columns += own == kNotPivot ? 1 : own < 0 ? 0 : blocks_[own].Q2.cols();
+  SparseMatrix result(unknownCount, columns);
+  result.reserve(columns);
+  // In the order of the unknowns, a block's at its first: neighbours on the surface stay neighbours.
+  Index column = 0;
   for (Index u = 0; u < unknownCount; ++u) {
-    if (role[u] == kNotPivot) entries.emplace_back(static_cast<int>(u), column++, 1.0);
-    if (role[u] < 0) continue;
+    if (role[u] == kTaken) continue;
+    if (role[u] == kNotPivot) {
+      result.startVec(column);
+      result.insertBack(u, column++) = 1;
+      continue;
+    }
     const Block& block = blocks_[role[u]];
-    for (int k = 0; k < block.Q2.outerSize(); ++k, ++column)
+    for (Index k = 0; k < block.Q2.cols(); ++k, ++column) {
+      result.startVec(column);
       for (SparseMatrix::InnerIterator entry(block.Q2, k); entry; ++entry)
-        entries.emplace_back(static_cast<int>(block.unknowns[entry.row()]), column, entry.value());
+        result.insertBack(block.unknowns[entry.row()], column) = entry.value();
+    }
   }
-  SparseMatrix result(unknownCount, column);
-  result.setFromTriplets(entries.begin(), entries.end());
+  result.finalize();
   return result;
 }
 

@@ -2,19 +2,23 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <functional>
 #include <new>
 #include <utility>
 
 #include <sys/mman.h>
 
 #include <holdfast/base/parallel.h>
+#include <holdfast/base/sparse_products.h>
 #include <holdfast/factor/triangular_kernels.h>
 
 namespace holdfast {
 namespace {
 
-// So many numbers are in each row of what is solved on.
-constexpr Index kSolvedAtOnce = 4;
+// Columns with few entries are solved for so many at a time: L is read that much less often, and a chunk stays in the
+// cache for all of them.
+constexpr int kQuads = 4;
+constexpr Index kSolvedAtOnce = 4 * kQuads;
 
 /// Memory in pages of 2 MiB where the system has them: the solves walk through all of it, and would wait for the table
 /// of small pages.
@@ -26,6 +30,16 @@ double* allocate(std::size_t count)
   if (numbers == nullptr) throw std::bad_alloc();
   ::madvise(numbers, bytes, MADV_HUGEPAGE);
   return static_cast<double*>(numbers);
+}
+
+using Zeros = std::unique_ptr<double[], decltype([](double* numbers) { std::free(numbers); })>;
+
+/// They take memory where they are changed.
+Zeros zeros(std::size_t count)
+{
+  Zeros result(static_cast<double*>(std::calloc(count, sizeof(double))));
+  if (result == nullptr) throw std::bad_alloc();
+  return result;
 }
 
 }  // namespace
@@ -108,7 +122,7 @@ void PackedFactor::solve(std::vector<double>& x) const
 void PackedFactor::solveForward(std::vector<double>& x) const
 {
   const std::vector<SupernodeRange>& subtrees = symbolic_->subtrees;
-  const SolveView view = viewOf(x);
+  const SolveView view = viewOf(x.data());
   const auto topSize = static_cast<std::size_t>(x.data() + x.size() - view.top);
   std::vector<std::vector<double>> top(subtrees.size());
   parallelFor(static_cast<Index>(subtrees.size()), [&](Index k) {
@@ -124,7 +138,7 @@ void PackedFactor::solveForward(std::vector<double>& x) const
 
 void PackedFactor::solveBackward(std::vector<double>& x) const
 {
-  const SolveView view = viewOf(x);
+  const SolveView view = viewOf(x.data());
   for (const int column : negative_)
     for (std::size_t k = 0; k < 3; ++k) x[4 * static_cast<std::size_t>(column) + k] *= -1;
   holdfast::solveBackward(chunksOf(symbolic_->top), view);
@@ -147,44 +161,56 @@ SparseMatrix PackedFactor::solveForward(const SparseMatrix& b) const
   // Neighbours have most of their way up the tree in common.
   std::ranges::sort(columns, {}, &FewEntries::entries);
   const Index turns = (b.cols() + kSolvedAtOnce - 1) / kSolvedAtOnce;
-  std::vector<std::vector<double>> x(static_cast<std::size_t>(threadCount()));
-  std::vector<std::vector<Eigen::Triplet<double, int>>> found(static_cast<std::size_t>(turns));
+  std::vector<Zeros> x(static_cast<std::size_t>(threadCount()));
+  std::vector<SparseEntries> found(columns.size());
   parallelFor(turns, [&](Index k, Index thread) {
-    x[thread].resize(kSolvedAtOnce * place.size());
+    if (x[thread] == nullptr) x[thread] = zeros(kSolvedAtOnce * place.size());
     const auto rest = std::span<const FewEntries>(columns).subspan(static_cast<std::size_t>(k * kSolvedAtOnce));
-    solveForward(rest.first(std::min<std::size_t>(kSolvedAtOnce, rest.size())), x[thread], found[k]);
+    solveForward(rest.first(std::min<std::size_t>(kSolvedAtOnce, rest.size())), x[thread].get(), found);
   });
-  std::vector<Eigen::Triplet<double, int>> entries;
-  for (const auto& some : found) entries.insert(entries.end(), some.begin(), some.end());
   SparseMatrix result(b.rows(), b.cols());
-  result.setFromTriplets(entries.begin(), entries.end());
+  for (Index k = 0; k < b.cols(); ++k) {
+    result.startVec(k);
+    for (std::size_t e = 0; e < found[k].places.size(); ++e)
+      result.insertBack(found[k].places[e], k) = found[k].values[e];
+  }
+  result.finalize();
   return result;
 }
 
-void PackedFactor::solveForward(std::span<const FewEntries> columns, std::vector<double>& x,
-                                std::vector<Eigen::Triplet<double, int>>& found) const
+void PackedFactor::solveForward(std::span<const FewEntries> columns, double* x, std::vector<SparseEntries>& found) const
 {
+  const std::size_t size = 4 * symbolic_->order.size();
+  const auto at = [&](std::size_t column, int row) -> double& {
+    return x[column / 4 * size + 4 * static_cast<std::size_t>(row) + column % 4];
+  };
   std::vector<int> rows;
   for (std::size_t c = 0; c < columns.size(); ++c)
     for (const auto& [row, value] : columns[c].entries) {
-      x[4 * static_cast<std::size_t>(row) + c] = value;
+      at(c, row) = value;
       rows.push_back(row);
     }
-  const SolveView view = viewOf(x);
   for (const int node : symbolic_->withAncestors(rows)) {
-    holdfast::solveForward(chunksOf({node, node + 1}), view);
     const Supernode& own = symbolic_->supernodes[node];
-    for (int row = own.firstColumn; row < own.firstColumn + own.width; ++row)
-      for (std::size_t c = 0; c < columns.size(); ++c)
-        if (const double value = std::exchange(x[4 * static_cast<std::size_t>(row) + c], 0); value != 0)
-          found.emplace_back(row, columns[c].column, value);
+    std::vector<SolveView> views;
+    for (double* quad = x; quad < x + kQuads * size; quad += size)
+      if (std::any_of(quad + 4 * own.firstColumn, quad + 4 * (own.firstColumn + own.width), std::identity()))
+        views.push_back(viewOf(quad));
+    for (const FactorChunk& chunk : chunksOf({node, node + 1}))
+      for (const SolveView& view : views) holdfast::solveForward({&chunk, 1}, view);
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      for (int row = own.firstColumn; row < own.firstColumn + own.width; ++row)
+        if (const double value = std::exchange(at(c, row), 0); value != 0) {
+          found[columns[c].column].places.push_back(row);
+          found[columns[c].column].values.push_back(value);
+        }
   }
 }
 
-SolveView PackedFactor::viewOf(std::vector<double>& x) const
+SolveView PackedFactor::viewOf(double* x) const
 {
   const int topColumn = symbolic_->topColumn();
-  return {numbers_.get(), rows_.data(), x.data(), x.data() + 4 * static_cast<std::ptrdiff_t>(topColumn), topColumn};
+  return {numbers_.get(), rows_.data(), x, x + 4 * static_cast<std::ptrdiff_t>(topColumn), topColumn};
 }
 
 }  // namespace holdfast

@@ -26,6 +26,7 @@ struct FactorChunk {
 };
 
 struct SolveView;
+struct SparseEntries;
 
 /// L, by chunks. Memory is read once from front to back for the solve with L, and back for that with its transpose:
 /// both are bound by it.
@@ -69,11 +70,11 @@ class PackedFactor {
     std::vector<std::pair<int, double>> entries;
   };
 
-  /// L^-1 of up to four columns. `x` is n x 4, zero before and afterwards.
-  void solveForward(std::span<const FewEntries> columns, std::vector<double>& x,
-                    std::vector<Eigen::Triplet<double, int>>& found) const;
+  /// L^-1 of some columns, by the places of all, four of them in each n x 4 of `x`, which is zero before and
+  /// afterwards.
+  void solveForward(std::span<const FewEntries> columns, double* x, std::vector<SparseEntries>& found) const;
 
-  [[nodiscard]] SolveView viewOf(std::vector<double>& x) const;
+  [[nodiscard]] SolveView viewOf(double* x) const;
 
   /// The chunks of supernodes [begin, end).
   [[nodiscard]] std::span<const FactorChunk> chunksOf(const SupernodeRange& range) const;

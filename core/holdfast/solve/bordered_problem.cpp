@@ -63,17 +63,31 @@ void forEachThree(Index columns, const Use& use)
 /// n x removed: the displacements that meet every independent row with 0 but one of those removed, with 1.
 SparseMatrix released(const EliminatedConstraints& before, const std::vector<Index>& removed, Index unknownCount)
 {
+  std::vector<RowTerms> rows(before.rows.size());
+  for (const Index row : independentRows(before.dependencies, rows.size())) rows[row] = before.rows[row];
+  std::vector<Index> columnOf(rows.size(), -1);
+  for (std::size_t k = 0; k < removed.size(); ++k) columnOf[removed[k]] = static_cast<Index>(k);
   std::vector<Eigen::Triplet<double, int>> entries;
-  const auto columns = static_cast<Index>(removed.size());
-  forEachThree(columns, [&](Index first, Index count) {
-    Columns3 d = Columns3::Zero(static_cast<Index>(before.rows.size()), 3);
-    for (Index c = 0; c < count; ++c) d(removed[first + c], c) = 1;
-    const Columns3 u = before.elimination.particular(d);
-    for (Index i = 0; i < u.rows(); ++i)
-      for (Index c = 0; c < count; ++c)
-        if (u(i, c) != 0) entries.emplace_back(static_cast<int>(i), static_cast<int>(first + c), u(i, c));
-  });
-  SparseMatrix result(unknownCount, columns);
+  for (const RowComponent& component : connectedRows(rows, unknownCount)) {
+    std::vector<Index> places;
+    for (std::size_t k = 0; k < component.rows.size(); ++k)
+      if (columnOf[component.rows[k]] >= 0) places.push_back(static_cast<Index>(k));
+    if (places.empty()) continue;
+    const auto size = static_cast<Index>(component.unknowns.size());
+    const Elimination own(localRows(rows, component), independentRows({}, component.rows.size()), size,
+                          std::vector<bool>(component.unknowns.size(), false));
+    forEachThree(static_cast<Index>(places.size()), [&](Index first, Index count) {
+      Columns3 d = Columns3::Zero(static_cast<Index>(component.rows.size()), 3);
+      for (Index c = 0; c < count; ++c) d(places[first + c], c) = 1;
+      const Columns3 u = own.particular(d);
+      for (Index i = 0; i < size; ++i)
+        for (Index c = 0; c < count; ++c)
+          if (u(i, c) != 0)
+            entries.emplace_back(static_cast<int>(component.unknowns[i]),
+                                 static_cast<int>(columnOf[component.rows[places[first + c]]]), u(i, c));
+    });
+  }
+  SparseMatrix result(unknownCount, static_cast<Index>(removed.size()));
   result.setFromTriplets(entries.begin(), entries.end());
   return result;
 }
