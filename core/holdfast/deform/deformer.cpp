@@ -89,6 +89,7 @@ struct ConstraintFactorization {
   ConstraintSystem system;
   std::shared_ptr<const EliminatedConstraints> eliminated;
   std::vector<double> sensitivities;
+  KnownGaps knownGaps;
   std::optional<ActedOn> actedOn;  // made with the first forces
   std::shared_ptr<RotationFactorization> rotations;
   LongStep<SolverResult> positions;
@@ -225,9 +226,10 @@ class Solution {
     }
   }
 
-  void diagnoseRows(const ConstraintFactorization& factorization)
+  void diagnoseRows(ConstraintFactorization& factorization)
   {
-    details_.diagnosis = diagnose(*factorization.eliminated, details_.system, model_.solverMesh);
+    details_.diagnosis =
+        diagnose(*factorization.eliminated, details_.system, model_.solverMesh, factorization.knownGaps);
     result_.report.constraints =
         outcomes(constraints_, details_.system, details_.diagnosis, factorization.sensitivities);
   }
@@ -312,7 +314,7 @@ class Solution {
     return f;
   }
 
-  Displacement find(const ConstrainedSolver& solver, const ConstraintFactorization& factorization, Columns3& f,
+  Displacement find(const ConstrainedSolver& solver, ConstraintFactorization& factorization, Columns3& f,
                     Progress& progress)
   {
     const FoundProblem problem{*search_.energy, model_.solverMesh, *factorization.eliminated, solver};

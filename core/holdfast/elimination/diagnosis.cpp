@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <holdfast/base/disjoint_sets.h>
 #include <holdfast/base/parallel.h>
+#include <holdfast/mesh/index_lists.h>
 
 namespace holdfast {
 namespace {
@@ -43,6 +45,8 @@ std::vector<bool> unplacedUnknowns(const std::vector<RowTerms>& rows, const Solv
   return isHeld;
 }
 
+constexpr double kShare = kPromisedSpacings * std::numeric_limits<double>::epsilon();
+
 double largestCoordinate(const Vector3& place)
 {
   return place.cwiseAbs().maxCoeff();
@@ -61,17 +65,57 @@ double largestSum(const FewTerms& row, const Positions& rest, const Columns3& u)
   return largestCoordinate(sum);
 }
 
-/// The largest of each row's own numbers, see `residualLimits`, from those of its target, of which `asked` is the
-/// largest.
-std::vector<double> magnitudes(const SolverMesh& mesh, const ConstraintSystem& system, const Columns3& u,
-                               std::vector<double> ofTargets, double asked)
+/// The largest coordinate of the target of each row.
+std::vector<double> sizesOfTargets(const ConstraintSystem& system)
 {
+  std::vector<double> sizes(system.rows.size());
+  parallelBlocks(static_cast<Index>(sizes.size()),
+                 [&](Index r) { sizes[r] = largestCoordinate(system.rows[r].target); });
+  return sizes;
+}
+
+double largest(const std::vector<double>& sizes)
+{
+  return sizes.empty() ? 0 : *std::ranges::max_element(sizes);
+}
+
+/// Whether every limit is the promised residual. The sizes of a row's weights sum to 2 at most: near the origin no sum
+/// is large enough to count.
+bool isNearOrigin(const SolverMesh& mesh, const std::vector<double>& ofTargets)
+{
+  return kShare * std::max(largest(ofTargets), 2 * mesh.rest.cwiseAbs().maxCoeff()) <=
+         kPromisedResidual * mesh.diagonal;
+}
+
+/// The largest of each row's own numbers, see `residualLimits`, from those of its target.
+std::vector<double> magnitudes(const SolverMesh& mesh, const ConstraintSystem& system, const Columns3& u,
+                               std::vector<double> ofTargets)
+{
+  const double asked = largest(ofTargets);
   parallelBlocks(static_cast<Index>(ofTargets.size()), [&](Index r) {
     const FewTerms& terms = system.rows[r].terms;
     ofTargets[r] = std::max(ofTargets[r], largestSum(terms, mesh.rest, {}));
     if (u.rows() > 0) ofTargets[r] = std::max(ofTargets[r], std::min(asked, largestSum(terms, mesh.rest, u)));
   });
   return ofTargets;
+}
+
+/// The rows that dependent rows are and depend on, each once, ascending.
+std::vector<Index> rowsOf(const std::vector<Dependency>& dependencies)
+{
+  std::vector<Index> rows;
+  for (const Dependency& dependency : dependencies) {
+    rows.push_back(dependency.row);
+    for (const Term& term : dependency.terms) rows.push_back(term.index);
+  }
+  return sortedOnce(std::move(rows));
+}
+
+Columns3 shiftsOf(const ConstraintSystem& system, const std::vector<Index>& rows)
+{
+  Columns3 shifts(static_cast<Index>(rows.size()), 3);
+  parallelBlocks(shifts.rows(), [&](Index k) { shifts.row(k) = system.rows[rows[k]].shift; });
+  return shifts;
 }
 
 /// How far the smallest change of targets that closes a gap is below the gap: |(1, -a)| of b_j = sum a_k b_k, over the
@@ -110,14 +154,9 @@ std::vector<double> residualLimits(const SolverMesh& mesh, const ConstraintSyste
                                    const std::vector<DependentRow>& dependent, const Columns3& u)
 {
   const double promised = kPromisedResidual * mesh.diagonal;
-  constexpr double kShare = kPromisedSpacings * std::numeric_limits<double>::epsilon();
-  std::vector<double> own(system.rows.size());
-  parallelBlocks(static_cast<Index>(own.size()), [&](Index r) { own[r] = largestCoordinate(system.rows[r].target); });
-  const double asked = own.empty() ? 0 : *std::ranges::max_element(own);
-  // The sizes of a row's weights sum to 2 at most: near the origin no sum is large enough to count.
-  if (kShare * std::max(asked, 2 * mesh.rest.cwiseAbs().maxCoeff()) <= promised)
-    return std::vector<double>(own.size(), promised);
-  own = magnitudes(mesh, system, u, std::move(own), asked);
+  std::vector<double> own = sizesOfTargets(system);
+  if (isNearOrigin(mesh, own)) return std::vector<double>(own.size(), promised);
+  own = magnitudes(mesh, system, u, std::move(own));
   std::vector<double> limits = own;
   for (const auto& [dependency, gap] : dependent)
     for (const Term& term : dependency.terms)
@@ -138,12 +177,22 @@ EliminatedConstraints eliminate(const ConstraintSystem& system, const SolverMesh
   return {std::move(rows), std::move(dependencies), std::move(isHeld), std::move(elimination)};
 }
 
-Diagnosis diagnose(const EliminatedConstraints& eliminated, const ConstraintSystem& system, const SolverMesh& mesh)
+Diagnosis diagnose(const EliminatedConstraints& eliminated, const ConstraintSystem& system, const SolverMesh& mesh,
+                   KnownGaps& known)
 {
   Diagnosis diagnosis;
   diagnosis.status.assign(system.rows.size(), RowStatus::Independent);
-  if (!eliminated.dependencies.empty()) diagnosis.particular = eliminated.elimination.particular(shiftsOf(system));
-  diagnosis.dependent = gapsOf(eliminated, system, diagnosis.particular);
+  if (!eliminated.dependencies.empty()) {
+    if (known.rows.empty()) known.rows = rowsOf(eliminated.dependencies);
+    Columns3 shifts = shiftsOf(system, known.rows);
+    // Limits of other rows need the displacement.
+    if (known.gaps.empty() || known.shifts != shifts || !isNearOrigin(mesh, sizesOfTargets(system))) {
+      diagnosis.particular = eliminated.elimination.particular(shiftsOf(system));
+      known.shifts = std::move(shifts);
+      known.gaps = gapsOf(eliminated, system, diagnosis.particular);
+    }
+    diagnosis.dependent = known.gaps;
+  }
   diagnosis.limits = residualLimits(mesh, system, diagnosis.dependent, diagnosis.particular);
   bool isMissed = false;
   for (const auto& [dependency, gap] : diagnosis.dependent) {

@@ -64,9 +64,23 @@ struct EliminatedConstraints {
 
 [[nodiscard]] EliminatedConstraints eliminate(const ConstraintSystem& system, const SolverMesh& mesh);
 
+/// Gaps, and what the rows asked for that they depend on: in most frames of a drag both stay as they are.
+struct KnownGaps {
+  std::vector<Index> rows;
+  Columns3 shifts;
+  std::vector<DependentRow> gaps;
+};
+
 /// Classifies the dependent rows by their gaps at the targets of `system`, which has the rows that were eliminated.
+/// `known` is of an earlier call with the same `eliminated`, or empty, and becomes what was found now.
 [[nodiscard]] Diagnosis diagnose(const EliminatedConstraints& eliminated, const ConstraintSystem& system,
-                                 const SolverMesh& mesh);
+                                 const SolverMesh& mesh, KnownGaps& known);
+[[nodiscard]] inline Diagnosis diagnose(const EliminatedConstraints& eliminated, const ConstraintSystem& system,
+                                        const SolverMesh& mesh)
+{
+  KnownGaps none;
+  return diagnose(eliminated, system, mesh, none);
+}
 
 /// d - B p for every row, as the solver takes them: rows x 3.
 [[nodiscard]] Columns3 shiftsOf(const ConstraintSystem& system);

@@ -34,7 +34,9 @@ class HardSolver final : public ConstrainedSolver {
   {
     Columns3 left(B_.rows(), 3);
     parallelBlocks(left.rows(), [&](Index r) { left.row(r) = targets.shifts.row(r) - gathered(B_, r, u); });
-    if (!left.isZero(0)) u += particular({left, targets.reconciled});
+    if (left.isZero(0)) return;
+    const Columns3 step = particular({std::move(left), targets.reconciled});
+    parallelBlocks(u.rows(), [&](Index i) { u.row(i) += step.row(i); });
   }
 
   [[nodiscard]] SolverResult edited(std::shared_ptr<const EliminatedConstraints> others) const override
