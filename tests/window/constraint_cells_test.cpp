@@ -117,9 +117,9 @@ TEST_F(ConstraintPanelOfSheet, AShiftShowsItsTargetAndLandsWhereTyped)
 {
   // 0.1 above a point whose weights make it no round number.
   typeInto(3, Table::Z, "0.7");
-  const DeformResult& before = *editor.deformation();
-  const double rest = positionOf(before.details->system.points[3], editor.model()->mesh.positions).z();
   const PointConstraint& after = point("P3");
+  const Model& model = *editor.model();
+  const double rest = positionOf(model.locator().locate(after.at, {}), model.mesh.positions).z();
   const double lands = std::holds_alternative<Move>(after.to) ? rest + std::get<Move>(after.to).shift.z()
                                                               : std::get<Target>(after.to).place.z();
   EXPECT_TRUE(hasSameBits(lands, 0.7));

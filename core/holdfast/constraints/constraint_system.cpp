@@ -35,7 +35,6 @@ class SystemBuilder {
         pinOf_(static_cast<std::size_t>(solverMesh.unknownCount()), -1),
         hasRotation_(static_cast<std::size_t>(solverMesh.unknownCount()), false)
   {
-    system_.points.resize(list.constraints.size());
   }
 
   ConstraintSystem build()
@@ -128,13 +127,14 @@ class SystemBuilder {
   {
     const LocatedPoints::Entry& known = points_.entry(current_, point.at, [this](const SurfaceLocation& at) {
       const SurfacePoint found = located(at, ".at");
-      return LocatedPoints::Entry{at, found, overUnknowns(found).terms, positionOf(found, mesh_.positions)};
+      return LocatedPoints::Entry{at, overUnknowns(found).terms, positionOf(found, mesh_.positions),
+                                  static_cast<int>(found.terms.size())};
     });
-    system_.points[current_] = known.point;
-    if (const Target* target = std::get_if<Target>(&point.to))
-      addRow(known.terms, target->place, target->place - known.rest);
-    else
-      addRow(known.terms, known.rest + std::get<Move>(point.to).shift, std::get<Move>(point.to).shift);
+    if (!isEnabled()) return;
+    const auto* const target = std::get_if<Target>(&point.to);
+    const Vector3 shift = target == nullptr ? std::get<Move>(point.to).shift : target->place - known.rest;
+    system_.rows.push_back({known.terms, target == nullptr ? known.rest + shift : target->place, shift, current_,
+                            RowKind::Position, known.corners});
   }
 
   void add(const RigidConstraint& /*rigid*/)
@@ -170,16 +170,11 @@ class SystemBuilder {
   // A target of a vertex is taken as it is: it is what the written file must hold.
   void addPin(Index vertex, const Vector3& target)
   {
-    addRow({{solverMesh_.weld.unknownOf[vertex], 1.0}}, target, target - mesh_.positions.row(vertex).transpose());
-  }
-
-  void addRow(const FewTerms& terms, const Vector3& target, const Vector3& shift)
-  {
-    if (!isEnabled()) return;
-    const ConstraintRow row{terms, target, shift, current_};
-    if (isRepeatOfOwnPin(row)) return;
-    if (row.isPin()) pinOf_[row.terms.front().index] = static_cast<Index>(system_.rows.size());
-    system_.rows.push_back(row);
+    const Index unknown = solverMesh_.weld.unknownOf[vertex];
+    if (isRepeatOfOwnPin(unknown, target)) return;
+    pinOf_[unknown] = static_cast<Index>(system_.rows.size());
+    const Vector3 rest = mesh_.positions.row(vertex);
+    system_.rows.push_back({{{unknown, 1.0}}, target, target - rest, current_});
   }
 
   /// The row from - to whose d is what it is at rest, turned by the rotation of `rotation`.
@@ -244,10 +239,10 @@ class SystemBuilder {
   }
 
   /// Vertices of one selection that are one unknown ask for the same thing once.
-  [[nodiscard]] bool isRepeatOfOwnPin(const ConstraintRow& row) const
+  [[nodiscard]] bool isRepeatOfOwnPin(Index unknown, const Vector3& target) const
   {
-    const Index before = row.isPin() ? pinOf_[row.terms.front().index] : -1;
-    return before >= 0 && system_.rows[before].constraint == current_ && system_.rows[before].target == row.target;
+    const Index before = pinOf_[unknown];
+    return before >= 0 && system_.rows[before].constraint == current_ && system_.rows[before].target == target;
   }
 
   const ConstraintList& list_;
@@ -259,7 +254,7 @@ class SystemBuilder {
   Selector selector_;
   std::vector<std::vector<Index>> selected_;  // vertices of each constraint
   HandleSurroundings surroundings_;
-  std::vector<Index> pinOf_;       // of each unknown: the row that pinned it last
+  std::vector<Index> pinOf_;       // of each unknown: the row that pinned it last in a selection
   std::vector<bool> hasRotation_;  // of each unknown: its rotation is given
   Index current_ = 0;
   ConstraintSystem system_;

@@ -26,6 +26,7 @@ struct ConstraintRow {
   Vector3 shift;         ///< d - B p at rest: what the row asks of the displacement
   Index constraint = 0;  ///< place in the list of the constraint that it came from
   RowKind kind = RowKind::Position;
+  int corners = 0;  ///< vertices of the file that a single point hangs on; 0 for a vertex of a selection
 
   [[nodiscard]] bool isPin() const noexcept { return kind == RowKind::Position && terms.size() == 1; }
 };
@@ -59,7 +60,6 @@ inline constexpr double kUnsaidRotation = 0.25;
 /// All rows of the enabled constraints, in the user's order: unknowns in range, canonical terms, finite numbers.
 struct ConstraintSystem {
   std::vector<ConstraintRow> rows;
-  std::vector<SurfacePoint> points;              ///< of each constraint of type point: where it lies, in file vertices
   std::vector<RotatedVector> rotated;            ///< ascending by row; the rows are as at q = 0, see `rotated`
   std::vector<GivenRotation> rotations;          ///< in the user's order; each unknown once, because the first stands
   std::vector<std::vector<Index>> rigidRegions;  ///< unknowns of each, ascending; the rows refer to the first
@@ -72,9 +72,9 @@ class LocatedPoints {
  public:
   struct Entry {
     SurfaceLocation at;
-    SurfacePoint point;  ///< in file vertices
-    FewTerms terms;      ///< over unknowns
-    Vector3 rest;        ///< model units
+    FewTerms terms;   ///< over unknowns
+    Vector3 rest;     ///< model units
+    int corners = 0;  ///< see `ConstraintRow::corners`
   };
 
   /// That of the constraint at this place in the list; `locate(at)` makes it where the last one was elsewhere.

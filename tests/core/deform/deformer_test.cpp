@@ -54,11 +54,12 @@ TEST(Deformer, MakesOneTreeOfClosestPointsForAllFrames)
   const Constraint held = test::hold({0, 1, 2});
   const auto point = [](double height) { return test::moveTo(AtNear{Vector3(3.3, 2.6, 1)}, Vector3(3, 3, height)); };
   Deformer deformer(model);
-  const SurfacePoint first = deformer.deform(test::listOf({held, point(1)})).details->system.points[1];
+  const FewTerms first = deformer.deform(test::listOf({held, point(1)})).details->system.rows.back().terms;
   model->mesh.positions.rowwise() += Eigen::RowVector3d(50, 20, 0);
-  EXPECT_EQ(deformer.deform(test::listOf({point(2), held})).details->system.points[0], first);
+  EXPECT_EQ(deformer.deform(test::listOf({point(2), held})).details->system.rows.front().terms, first);
   const SurfaceLocator another(model->mesh, model->triangulation);
-  EXPECT_NE(another.locate(AtNear{Vector3(3.3, 2.6, 1)}, {}), first) << "a tree made now finds another point";
+  EXPECT_FALSE(another.locate(AtNear{Vector3(3.3, 2.6, 1)}, {}).terms == first)
+      << "a tree made now finds another point";
 }
 
 TEST(Deformer, FactorisesNothingWhenOnlyTargetsAndRotationsChange)
@@ -106,7 +107,6 @@ TEST(Deformer, HasTheRowsOfAFreshOneWhateverPointsChanged)
     const DeformResult result = deformer.deform(list);
     const DeformResult fresh = deform(model, list);
     EXPECT_EQ(result.positions, fresh.positions);
-    EXPECT_EQ(result.details->system.points, fresh.details->system.points);
     ASSERT_EQ(result.details->system.rows.size(), fresh.details->system.rows.size());
     for (std::size_t r = 0; r < fresh.details->system.rows.size(); ++r) {
       EXPECT_EQ(result.details->system.rows[r].terms, fresh.details->system.rows[r].terms);

@@ -22,16 +22,16 @@ ConstraintStatus statusOf(RowStatus row, double residual, double limit)
   return row == RowStatus::Redundant ? ConstraintStatus::Redundant : ConstraintStatus::Met;
 }
 
-MarkKind kindOf(const SurfacePoint& point)
+MarkKind kindOf(std::size_t corners)
 {
   constexpr std::array kKinds{MarkKind::Selection, MarkKind::Vertex, MarkKind::Edge, MarkKind::Face};
-  return kKinds[std::min(point.terms.size(), kKinds.size() - 1)];
+  return kKinds[std::min(corners, kKinds.size() - 1)];
 }
 
-MarkKind kindOf(const ConstraintRow& row, const SurfacePoint& point)
+MarkKind kindOf(const ConstraintRow& row)
 {
   if (row.kind == RowKind::Region) return MarkKind::Rigid;
-  return row.kind == RowKind::Relative ? MarkKind::Relative : kindOf(point);
+  return row.kind == RowKind::Relative ? MarkKind::Relative : kindOf(static_cast<std::size_t>(row.corners));
 }
 
 /// Sums of weighted positions over the terms of one sign: where a row acts, and what it refers to.
@@ -89,7 +89,7 @@ class DisabledMarks {
   {
     if (const auto* point = std::get_if<PointConstraint>(&constraint.what)) {
       const SurfacePoint at = located(point->at);
-      ConstraintMark mark = markAt(at, kindOf(at), place);
+      ConstraintMark mark = markAt(at, kindOf(at.terms.size()), place);
       const Target* const target = std::get_if<Target>(&point->to);
       mark.target = target != nullptr ? target->place : mark.rest + std::get<Move>(point->to).shift;
       return {mark};
@@ -167,7 +167,7 @@ std::vector<ConstraintMark> constraintMarks(const Model& model, const DeformResu
     ConstraintMark mark = markOf(row, model, deformation.positions);
     mark.status =
         statusOf(deformation.details->diagnosis.status[r], residuals[r], deformation.details->diagnosis.limits[r]);
-    mark.kind = kindOf(row, system.points[row.constraint]);
+    mark.kind = kindOf(row);
     mark.constraint = row.constraint;
     if (!isSinglePoint(mark.kind))
       for (const Term& term : row.terms) (term.coefficient < 0 ? mark.reference : mark.unknown) = term.index;
