@@ -1,5 +1,6 @@
 #include "holdfast/base/available_memory.h"
 
+#include <atomic>
 #include <fstream>
 #include <limits>
 
@@ -7,6 +8,28 @@
 #include <malloc.h>
 
 namespace holdfast {
+namespace {
+
+std::atomic<int> leastMemories = 0;
+
+void trim()
+{
+#ifdef __GLIBC__
+  ::malloc_trim(0);
+#endif
+}
+
+}  // namespace
+
+LeastMemory::LeastMemory() noexcept
+{
+  ++leastMemories;
+}
+
+LeastMemory::~LeastMemory()
+{
+  --leastMemories;
+}
 
 std::uint64_t availableMemory()
 {
@@ -25,14 +48,14 @@ std::uint64_t availableMemory()
 
 void returnFreeMemory()
 {
-#ifdef __GLIBC__
-  ::malloc_trim(0);
-#endif
+  if (leastMemories > 0) trim();
 }
 
 void requireMemory(std::uint64_t bytes, std::string_view user)
 {
   returnFreeMemory();
+  if (bytes <= availableMemory()) return;
+  trim();
   const std::uint64_t available = availableMemory();
   if (bytes <= available) return;
   constexpr double kGigabyte = 1e9;

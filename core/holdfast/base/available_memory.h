@@ -23,10 +23,19 @@ class LackOfMemory : public std::bad_alloc {
 /// container are not seen.
 [[nodiscard]] std::uint64_t availableMemory();
 
-/// Gives the memory of the process that is free back to the system, where the allocator can do that.
+/// While one lives, `returnFreeMemory` gives the memory of the process that is free back to the system, where the
+/// allocator can do that. Else it is kept: what is computed again and again would have to wait for it.
+class LeastMemory {
+ public:
+  LeastMemory() noexcept;
+  ~LeastMemory();
+  LeastMemory(const LeastMemory&) = delete;
+  LeastMemory& operator=(const LeastMemory&) = delete;
+};
+
 void returnFreeMemory();
 
-/// The same. Throws `LackOfMemory` where `user` ("the factor of 1000 unknowns") needs more than is free.
+/// Throws `LackOfMemory` where `user` ("the factor of 1000 unknowns") needs more than is free.
 void requireMemory(std::uint64_t bytes, std::string_view user);
 
 }  // namespace holdfast

@@ -1,5 +1,6 @@
 #include "holdfast/deform/deform.h"
 
+#include <holdfast/base/available_memory.h>
 #include <holdfast/deform/deformer.h>
 #include <holdfast/deform/messages.h>
 #include <holdfast/deform/rotation_factorization.h>
@@ -10,6 +11,7 @@ namespace holdfast {
 DeformResult deform(const Model& model, const ConstraintList& constraints, const std::string& source,
                     const DeformOptions& options, Progress& progress)
 {
+  const LeastMemory memory;
   // A pointer that owns nothing: the deformer is gone before the caller's model.
   Deformer deformer(std::shared_ptr<const Model>(std::shared_ptr<const Model>(), &model), options);
   deformer.isForOneCall_ = true;

@@ -42,7 +42,8 @@ class InspectorPanel final : public RefreshedPanel {
     for (const auto signal : {&Editor::stateChanged, &Editor::constraintSelectionChanged})
       connect(&editor, signal, this, [this] {
         reason_->setVisible(false);
-        refresh();
+        // The fields follow a drag together with the picture.
+        if (!editor_.isOpen() || !editor_.history().isInGesture()) refresh();
       });
     refresh();
   }
