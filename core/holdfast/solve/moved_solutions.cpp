@@ -75,12 +75,13 @@ const Displacement& MovedSolutions::solve(const ConstrainedSolver& solver, const
     if (targets_.reconciled != targets.reconciled) answers_.clear();
     targets_ = {targets.shifts, targets.reconciled};
     Eigen::VectorXd asked = sampled(targets, f_);
-    solution_ = answers_.empty() ? solver.solve(targets, f_) : solver.solveFrom(nearest(asked), targets, f_);
+    Displacement found = answers_.empty() ? solver.solve(targets, f_) : solver.solveFrom(nearest(asked), targets, f_);
     if (answers_.size() == kAnswers) answers_.pop_front();
-    answers_.push_back({std::move(asked), solution_.u, solution_.multipliers});
-    return solution_;
+    answers_.push_back({std::move(asked), std::move(found)});
+    return answers_.back().solution;
   }
-  if (moves->by.isZero(0)) return solution_;
+  const Displacement& solution = answers_.back().solution;
+  if (moves->by.isZero(0)) return solution;
   if (response_.groupOf != moves->groupOf) {
     Columns3 isMoved(targets.shifts.rows(), 3);
     for (Index r = 0; r < isMoved.rows(); ++r)
@@ -89,9 +90,9 @@ const Displacement& MovedSolutions::solve(const ConstrainedSolver& solver, const
   }
   const Displacement& reach = response_.reach;
   sum_.u.resize(reach.u.rows(), 3);
-  sum_.corrections = solution_.corrections;
-  sum_.accuracy = std::max(solution_.accuracy, reach.accuracy);
-  parallelBlocks(sum_.u.rows(), [&](Index i) { sum_.u.row(i) = solution_.u.row(i) + reach.u.row(i) * moves->by; });
+  sum_.corrections = solution.corrections;
+  sum_.accuracy = std::max(solution.accuracy, reach.accuracy);
+  parallelBlocks(sum_.u.rows(), [&](Index i) { sum_.u.row(i) = solution.u.row(i) + reach.u.row(i) * moves->by; });
   solver.meet(targets, sum_.u);
   return sum_;
 }
@@ -104,13 +105,17 @@ Displacement MovedSolutions::nearest(const Eigen::VectorXd& asked) const
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
   decomposition.setThreshold(kDependent);
   const Eigen::VectorXd shares = decomposition.compute(earlier).solve(asked);
-  Displacement sum = solution_;
-  sum.multipliers.setZero();
-  for (std::size_t k = 0; k < answers_.size(); ++k) sum.multipliers += shares[k] * answers_[k].multipliers;
-  parallelBlocks(sum.u.rows(), [&](Index i) {
-    sum.u.row(i).setZero();
-    for (std::size_t k = 0; k < answers_.size(); ++k) sum.u.row(i) += shares[k] * answers_[k].u.row(i);
-  });
+  Displacement sum;
+  sum.left = answers_.back().solution.left;
+  for (Columns3 Displacement::*numbers : {&Displacement::u, &Displacement::multipliers}) {
+    Columns3& all = sum.*numbers;
+    all.resize((answers_.back().solution.*numbers).rows(), 3);
+    parallelBlocks(all.rows(), [&](Index i) {
+      Eigen::RowVector3d row = Eigen::RowVector3d::Zero();
+      for (std::size_t k = 0; k < answers_.size(); ++k) row += shares[k] * (answers_[k].solution.*numbers).row(i);
+      all.row(i) = row;
+    });
+  }
   return sum;
 }
 

@@ -34,8 +34,7 @@ class MovedSolutions {
   /// What was asked for, in places, and what that led to.
   struct Answer {
     Eigen::VectorXd asked;
-    Columns3 u;
-    Columns3 multipliers;
+    Displacement solution;
   };
 
   [[nodiscard]] Displacement nearest(const Eigen::VectorXd& asked) const;
@@ -47,8 +46,7 @@ class MovedSolutions {
   Columns3 q_;
   Columns3 f_;
   RowTargets targets_;
-  Displacement solution_;
-  std::deque<Answer> answers_;  // solved for lately
+  std::deque<Answer> answers_;  // solved for lately, the last one last
   Response response_;
   Displacement sum_;
 };
