@@ -2,11 +2,14 @@
 /// \file
 /// As if the machine had one core.
 
+#include <filesystem>
+#include <string>
+
 #include <sched.h>
 
 namespace holdfast::test {
 
-/// Only one core is seen while this lives.
+/// All threads run on one core while this lives.
 class OneCore {
  public:
   OneCore()
@@ -17,13 +20,19 @@ class OneCore {
     cpu_set_t one;
     CPU_ZERO(&one);
     CPU_SET(core, &one);
-    sched_setaffinity(0, sizeof(one), &one);
+    runOn(one);
   }
-  ~OneCore() { sched_setaffinity(0, sizeof(before_), &before_); }
+  ~OneCore() { runOn(before_); }
   OneCore(const OneCore&) = delete;
   OneCore& operator=(const OneCore&) = delete;
 
  private:
+  static void runOn(const cpu_set_t& cores)
+  {
+    for (const auto& thread : std::filesystem::directory_iterator("/proc/self/task"))
+      sched_setaffinity(std::stoi(thread.path().filename()), sizeof(cores), &cores);
+  }
+
   cpu_set_t before_{};
 };
 

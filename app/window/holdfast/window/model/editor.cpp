@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <holdfast/base/long_step.h>
 #include <holdfast/widgets/files/any_mesh_file.h>
 #include <holdfast/widgets/mesh/coarse_surface.h>
 
@@ -97,7 +98,8 @@ void Editor::open(LoadedMesh mesh, DocumentState state)
   worker_ = std::make_unique<LiveDeformer>(mesh_.model, [this, prepared](const LiveEvent& event) mutable {
     const Solved solved = prepared(event);
     calls_.post([this, event, solved] { handle(event, solved); });
-    if (solved.surface) solved.surface->prepare();  // the picture does not wait for rays
+    // The picture does not wait for rays, nor does a drag.
+    if (solved.surface && !isDragging_) solved.surface->prepare();
   });
   Q_EMIT opened();
   stateBecame(Supersede::AtNextStep);
@@ -158,6 +160,7 @@ void Editor::setOptions(const QString& name, const DeformOptions& options)
 
 void Editor::updateGesture(ConstraintList after)
 {
+  isDragging_ = true;
   history_->updateGesture({std::move(after), state().options, state().annotations});
   stateBecame(Supersede::WhenDone);
 }
@@ -166,6 +169,8 @@ void Editor::endGesture()
 {
   if (!history_->isInGesture()) return;
   history_->endGesture();
+  isDragging_ = false;
+  if (shown_.surface) startBackgroundThread([surface = shown_.surface] { surface->prepare(); });
   // Rotations were found from frame to frame; the state has to have those that any other program finds for it.
   if (state().options.rotations.source != RotationSource::Given) submit(Supersede::AtNextStep);
   Q_EMIT stateChanged();
@@ -175,6 +180,7 @@ void Editor::cancelGesture()
 {
   if (!history_->isInGesture()) return;
   history_->cancelGesture();
+  isDragging_ = false;
   stateBecame(Supersede::AtNextStep);
 }
 

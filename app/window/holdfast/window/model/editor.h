@@ -4,6 +4,7 @@
 #include <QElapsedTimer>
 #include <QObject>
 #include <QString>
+#include <atomic>
 #include <cstdint>
 #include <deque>
 #include <filesystem>
@@ -197,7 +198,8 @@ class Editor : public QObject {
 
   LoadedMesh mesh_;
   std::unique_ptr<History> history_;
-  PostedCalls calls_;  // by the worker; outlives it
+  std::atomic<bool> isDragging_ = false;  // frames follow one another sooner than rays meet them
+  PostedCalls calls_;                     // by the worker; outlives it
   std::unique_ptr<LiveDeformer> worker_;
 
   std::uint64_t revision_ = 0;  // of the newest state that was submitted, of any document
