@@ -16,6 +16,7 @@ class Helper {
   Helper() : thread_([this] { serve(); }) {}
   ~Helper()
   {
+    wait();
     hand(nullptr);
     thread_.join();
   }

@@ -115,6 +115,33 @@ TEST(Deformer, HasTheRowsOfAFreshOneWhateverPointsChanged)
   }
 }
 
+TEST(Deformer, HasTheVerdictsOfAFreshOneWhateverTargetsChanged)
+{
+  const auto frame = [](double first, double repeated, double apart) {
+    const SurfaceLocation face = AtFace{9, {0.2, 0.3, 0.5}};
+    return test::listOf({test::hold({0, 1, 2}), test::moveBy(face, {0, 0, first}), test::moveBy(face, {0, 0, repeated}),
+                         test::moveBy(AtVertex{30}, {0, 0, apart})});
+  };
+  const std::vector<ConstraintList> frames{frame(1, 1, 1), frame(1, 1, 2), frame(1, 2, 2),
+                                           frame(1, 2, 3), frame(2, 2, 3), frame(3, 2, 3)};
+  for (const double place : {0.0, 1e6}) {  // limits depend on all targets far from the origin
+    Mesh mesh = test::plate(6, 5);
+    mesh.positions.array() += place;
+    const Model model = makeModel(mesh, "mesh");
+    Deformer deformer(model);
+    for (const ConstraintList& list : frames) {
+      const Report report = deformer.deform(list).report;
+      const Report fresh = deform(model, list).report;
+      ASSERT_EQ(report.constraints.size(), fresh.constraints.size());
+      for (std::size_t k = 0; k < fresh.constraints.size(); ++k) {
+        EXPECT_EQ(report.constraints[k].status, fresh.constraints[k].status);
+        EXPECT_EQ(report.constraints[k].gap, fresh.constraints[k].gap);
+        EXPECT_EQ(report.constraints[k].limit, fresh.constraints[k].limit);
+      }
+    }
+  }
+}
+
 TEST(Deformer, StartsAnewWhenTheStructureChanges)
 {
   const Model model = makeModel(test::plate(6, 5), "mesh");
