@@ -428,8 +428,8 @@ ConstraintFactorization& Deformer::factorizationFor(const ConstraintSystem& syst
     whole_ = factorization_;
   progress.step(fmt::format("eliminating {} rows of constraints", system.rows.size()));
   auto wanted = std::make_shared<ConstraintFactorization>(*model_, A_, ranks_->result(progress), system, options_);
+  if (factorization_ != nullptr && factorization_->turnsAs(system)) wanted->rotations = factorization_->rotations;
   if (answersEditsAtOnce_ && whole_ != nullptr && whole_->turnsAs(system)) {
-    wanted->rotations = whole_->rotations;
     auto bordered = std::make_shared<ConstraintFactorization>(*wanted, whole_);
     if (bordered->positions.result(progress)) {
       coming_ = std::move(wanted);
