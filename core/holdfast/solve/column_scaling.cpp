@@ -28,13 +28,15 @@ Result<ScaledColumns> scaleColumns(SparseMatrix M, const SparseMatrix& K)
 {
   ScaledColumns result;
   result.scale.resize(M.cols());
-  for (Index k = 0; k < M.cols(); ++k) {
-    const double length = M.col(k).norm();
-    if (!(length > 0) || !std::isfinite(length))
+  parallelBlocks(M.cols(), [&](Index k) {
+    double squares = 0;
+    for (SparseMatrix::InnerIterator entry(M, k); entry; ++entry) squares += entry.value() * entry.value();
+    result.scale[k] = 1 / std::sqrt(squares);
+    for (SparseMatrix::InnerIterator entry(M, k); entry; ++entry) entry.valueRef() *= result.scale[k];
+  });
+  for (Index k = 0; k < M.cols(); ++k)
+    if (!(result.scale[k] > 0) || !std::isfinite(result.scale[k]))
       return {{}, fmt::format("unknown {} of {} is in no equation, or in one that is not finite", k, M.cols())};
-    result.scale[k] = 1 / length;
-    M.col(k) *= result.scale[k];
-  }
   result.kept = K.rows();
   result.C = TwoWayMatrix(K.rows() == 0 ? std::move(M) : withKeptRows(M, K, result.scale));
   return {std::move(result)};
