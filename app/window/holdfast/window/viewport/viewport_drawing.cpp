@@ -51,7 +51,7 @@ void Viewport::noteSwap()
   if (renderTimer_.isActive()) pause_.begin();
   if (isSceneDue_ || drawnTimer_.isActive()) return;
   // What the mouse has done meanwhile comes first.
-  QTimer::singleShot(1, &editor_, [this] { editor_.resultIsSeen(); });
+  QTimer::singleShot(1, &editor_, &Editor::resultIsSeen);
 }
 
 void Viewport::schedulePicture()
