@@ -272,7 +272,7 @@ RotationFieldResult makeRotationFieldSolver(const RotationProblem& problem, Back
   const bool hasNegative =
       std::any_of(problem.weights.begin(), problem.weights.end(), [](const auto& edge) { return edge.weight < 0; });
   RotationSystem system = hasNegative ? balanceRows(problem.weights, unknowns) : energyRows(problem.weights, unknowns);
-  Result<ScaledColumns> columns = scaleColumns(system.C);
+  Result<ScaledColumns> columns = scaleColumns(std::move(system.C));
   if (!columns) return {nullptr, "the rotation field: " + columns.failure};
   ScaledColumns& scaled = columns.value;
   // A common rotation: what edges resist least, and so the hardest to find.

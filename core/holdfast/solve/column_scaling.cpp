@@ -24,7 +24,7 @@ SparseMatrix withKeptRows(const SparseMatrix& M, const SparseMatrix& K, const Ei
 
 }  // namespace
 
-Result<ScaledColumns> scaleColumns(SparseMatrix M, const SparseMatrix& K)
+Result<ScaledColumns> scaleColumns(SparseMatrix&& M, const SparseMatrix& K)
 {
   ScaledColumns result;
   result.scale.resize(M.cols());
@@ -38,7 +38,7 @@ Result<ScaledColumns> scaleColumns(SparseMatrix M, const SparseMatrix& K)
     if (!(result.scale[k] > 0) || !std::isfinite(result.scale[k]))
       return {{}, fmt::format("unknown {} of {} is in no equation, or in one that is not finite", k, M.cols())};
   result.kept = K.rows();
-  result.C = TwoWayMatrix(K.rows() == 0 ? std::move(M) : withKeptRows(M, K, result.scale));
+  result.C = K.rows() == 0 ? TwoWayMatrix(std::move(M)) : TwoWayMatrix(withKeptRows(M, K, result.scale));
   return {std::move(result)};
 }
 

@@ -14,6 +14,6 @@ struct ScaledColumns {
 };
 
 /// Fails for an empty or non-finite column of `M`. The rows `K` hold exactly.
-[[nodiscard]] Result<ScaledColumns> scaleColumns(SparseMatrix M, const SparseMatrix& K = {});
+[[nodiscard]] Result<ScaledColumns> scaleColumns(SparseMatrix&& M, const SparseMatrix& K = {});
 
 }  // namespace holdfast

@@ -14,7 +14,7 @@ TEST(ColumnScaling, MakesUnitColumns)
   test::Random random(8);
   const SparseMatrix M =
       Eigen::MatrixXd(Eigen::MatrixXd::NullaryExpr(7, 5, [&] { return random.uniform(-1e5, 1e5); })).sparseView();
-  const auto [scaled, failure] = scaleColumns(M);
+  const auto [scaled, failure] = scaleColumns(SparseMatrix(M));
   ASSERT_EQ(failure, "");
   for (Index k = 0; k < 5; ++k) EXPECT_NEAR(scaled.C.columns().col(k).norm(), 1, 1e-15);
   EXPECT_LT((Eigen::MatrixXd(scaled.C.columns()) - Eigen::MatrixXd(M) * scaled.scale.asDiagonal()).norm(), 1e-15);
