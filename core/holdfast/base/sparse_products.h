@@ -109,6 +109,7 @@ Eigen::RowVector3d gathered(const Matrix& M, Index k, const Columns3& x)
 class TwoWayMatrix {
  public:
   TwoWayMatrix() = default;
+  explicit TwoWayMatrix(const SparseMatrix& columns) : columns_(columns), rows_(columns_) {}
   explicit TwoWayMatrix(SparseMatrix&& columns)
   {
     columns_.swap(columns);

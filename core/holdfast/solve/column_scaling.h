@@ -13,7 +13,7 @@ struct ScaledColumns {
   Index kept = 0;  ///< how many rows hold exactly: see `LeastSquaresFactor`
 };
 
-/// Fails for an empty or non-finite column of `M`. The rows `K` hold exactly.
+/// Takes the memory of `M`. Fails for an empty or non-finite column. The rows `K` hold exactly. O(entries).
 [[nodiscard]] Result<ScaledColumns> scaleColumns(SparseMatrix&& M, const SparseMatrix& K = {});
 
 }  // namespace holdfast

@@ -12,7 +12,7 @@ namespace {
 constexpr int kGroups = 3;
 constexpr double kRoundings = 8;
 constexpr Index kSampled = 400;
-constexpr std::size_t kAnswers = 8;  // an angle changes them by smooth functions: a cubic one is left to solve for
+constexpr std::size_t kAnswers = 8;  // smooth functions of an angle: a hand that turns it fast stays near their span
 constexpr double kDependent = 1e-9;  // answers with a smaller share of their own would take digits
 constexpr double kFar = 4;           // diagonals: larger differences would take digits
 
@@ -97,7 +97,7 @@ const Displacement& MovedSolutions::solve(const ConstrainedSolver& solver, const
   return sum_;
 }
 
-/// The sum of earlier solutions that answers most of what is asked.
+/// The sum of earlier solutions whose right-hand sides come nearest to `asked`.
 Displacement MovedSolutions::nearest(const Eigen::VectorXd& asked) const
 {
   Eigen::MatrixXd earlier(asked.size(), answers_.size());

@@ -61,7 +61,7 @@ TEST(Gram, IsTheLowerTriangleOfTheProduct)
   for (std::uint32_t seed = 0; seed < 50; ++seed) {
     test::Random random(seed);
     const SparseMatrix C = test::randomSparse(random, random.integer(1, 20), random.integer(1, 20));
-    const SparseMatrix gram = gramLower(TwoWayMatrix(SparseMatrix(C)));
+    const SparseMatrix gram = gramLower(TwoWayMatrix(C));
     const Eigen::MatrixXd dense = C;
     const Eigen::MatrixXd product = dense.transpose() * dense;
     const Eigen::MatrixXd expected = product.triangularView<Eigen::Lower>();

@@ -152,11 +152,13 @@ TEST(ConstraintSystem, HandlesTranslateAfterTheirTurn)
   EXPECT_EQ(system.rows[1].target, Vector3(0 + 0.1, 1 + 0.2, 0.3));
 }
 
-TEST(ConstraintSystem, DisabledConstraintsMakeNoRows)
+TEST(ConstraintSystem, DisabledConstraintsMakeNoRowsYetTheirPlacesAreChecked)
 {
   ConstraintList list = listOf({moveTo(AtNear{{0.5, 1, 3}}, {9, 9, 9}), hold({0})});
   for (Constraint& constraint : list.constraints) constraint.isEnabled = false;
   EXPECT_TRUE(systemOf(test::grid(2, 2), list).rows.empty());
+  std::get<PointConstraint>(list.constraints[0].what).at = AtVertex{1000};
+  EXPECT_THROW(static_cast<void>(systemOf(test::grid(2, 2), list)), InputError);
 }
 
 TEST(ConstraintSystem, WeldedVerticesOfOneSelectionAskOnce)

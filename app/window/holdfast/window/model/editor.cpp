@@ -108,6 +108,7 @@ void Editor::open(LoadedMesh mesh, DocumentState state)
 void Editor::close()
 {
   if (!isOpen()) return;
+  isDragging_ = false;
   worker_.reset();
   history_.reset();
   isShowDue_ = false;
