@@ -76,7 +76,7 @@ std::optional<Columns3> augmentedSolution(const SparseMatrix& M, const Columns3&
     sum.addColumn(MT, j, rows);
   });
   const OneThread libraries;
-  Eigen::UmfPackLU<SparseMatrix> factor;
+  Eigen::UmfPackLU<Eigen::SparseMatrix<double>> factor;
   factor.umfpackControl()[UMFPACK_IRSTEP] = 0;
   factor.compute(K);
   if (factor.info() != Eigen::Success) return std::nullopt;

@@ -109,29 +109,13 @@ Eigen::RowVector3d gathered(const Matrix& M, Index k, const Columns3& x)
 class TwoWayMatrix {
  public:
   TwoWayMatrix() = default;
-  explicit TwoWayMatrix(const SparseMatrix& columns) : columns_(columns), rows_(columns_) {}
-  explicit TwoWayMatrix(SparseMatrix&& columns)
-  {
-    columns_.swap(columns);
-    makeRows();
-  }
-  TwoWayMatrix(const TwoWayMatrix&) = default;
-  TwoWayMatrix& operator=(const TwoWayMatrix&) = default;
-  // Eigen 3.4 copies sparse matrices that are moved.
-  TwoWayMatrix(TwoWayMatrix&& other) noexcept { *this = std::move(other); }
-  TwoWayMatrix& operator=(TwoWayMatrix&& other) noexcept
-  {
-    columns_.swap(other.columns_);
-    rows_.swap(other.rows_);
-    return *this;
-  }
-  ~TwoWayMatrix() = default;
+  explicit TwoWayMatrix(SparseMatrix columns) : columns_(std::move(columns)), rows_(columns_) {}
 
   [[nodiscard]] const SparseMatrix& columns() const noexcept { return columns_; }
   [[nodiscard]] const SparseRows& rows() const noexcept { return rows_; }
 
   /// Gives the memory of `rows` back until `makeRows`; meanwhile there are no products.
-  void dropRows() { SparseRows().swap(rows_); }
+  void dropRows() { rows_ = SparseRows(); }
   void makeRows() { rows_ = columns_; }
 
   /// C x.

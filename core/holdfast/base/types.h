@@ -1,6 +1,8 @@
 #pragma once
 /// The numbers and matrices that every part of Holdfast speaks in.
 
+#include <utility>
+
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
@@ -19,10 +21,31 @@ using Positions = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 /// n x 3: three right-hand sides or three solutions, side by side, so that a matrix is read once for all three.
 using Columns3 = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
-/// Column-major with 32-bit inner indices, as CHOLMOD and SPQR take them: no more than 2^31 - 1 non-zeros.
-using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
+/// Eigen's sparse matrix with 32-bit inner indices, as CHOLMOD and SPQR take them: no more than 2^31 - 1 non-zeros. One
+/// that is moved from is empty; Eigen 3.4 itself copies.
+template <int Order>
+class MovableSparse : public Eigen::SparseMatrix<double, Order, int> {
+  using Base = Eigen::SparseMatrix<double, Order, int>;
 
-/// The same by rows.
-using SparseRows = Eigen::SparseMatrix<double, Eigen::RowMajor, int>;
+ public:
+  using Base::Base;
+  using Base::operator=;
+  MovableSparse() = default;
+  MovableSparse(const MovableSparse&) = default;
+  MovableSparse& operator=(const MovableSparse&) = default;
+  MovableSparse(MovableSparse&& other) noexcept { this->swap(other); }
+  MovableSparse& operator=(MovableSparse&& other) noexcept
+  {
+    MovableSparse(std::move(other)).swap(*this);
+    return *this;
+  }
+  ~MovableSparse() = default;
+};
+
+/// By columns.
+using SparseMatrix = MovableSparse<Eigen::ColMajor>;
+
+/// By rows.
+using SparseRows = MovableSparse<Eigen::RowMajor>;
 
 }  // namespace holdfast

@@ -467,7 +467,7 @@ DeformResult Deformer::deform(const ConstraintList& constraints, const std::stri
     if (isFound)
       energy_ = std::make_shared<const RotationEnergy>(model_->solverMesh, *operators, options_.rotations.source);
     A_ = isFound ? energy_->A() : std::make_shared<const TwoWayMatrix>(weightedRows(*operators));
-    if (isForOneCall_) SparseMatrix().swap(operators->L);  // not to be kept beside the factor
+    if (isForOneCall_) operators->L = SparseMatrix();  // not to be kept beside the factor
     operators_ = operators;
   }
   seconds.setup = secondsSince(setup);

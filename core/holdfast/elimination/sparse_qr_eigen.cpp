@@ -14,7 +14,7 @@ namespace {
 
 /// Lets its reflections be seen.
 template <class Ordering>
-class ByEigen : public Eigen::SparseQR<SparseMatrix, Ordering> {
+class ByEigen : public Eigen::SparseQR<Eigen::SparseMatrix<double>, Ordering> {
  public:
   [[nodiscard]] Reflections reflections() const
   {

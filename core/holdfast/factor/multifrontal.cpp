@@ -14,6 +14,7 @@
 #include <holdfast/base/one_thread_internal.h>
 #include <holdfast/base/parallel.h>
 #include <holdfast/factor/dense_kernels_internal.h>
+#include <holdfast/factor/large_memory.h>
 
 namespace holdfast {
 namespace {
@@ -90,20 +91,37 @@ int factorizePanel(const Loop& loop, double* panel, int height, int width, int p
   return 0;
 }
 
-/// Where column j of a lower triangle without gaps has its row 0.
-std::size_t triangleColumn(int j, int size)
+/// An update is a lower triangle in strips of `kBlock` columns, each a matrix from the row of its first column down.
+/// Where a column begins in it; with `size`, the end.
+std::int64_t columnStart(std::int64_t column, std::int64_t size)
 {
-  return static_cast<std::size_t>(j) * static_cast<std::size_t>(2 * size - j - 1) / 2;
+  const std::int64_t first = column / kBlock * kBlock;
+  return first * size - first * (first - kBlock) / 2 + (column - first) * (size - first);
 }
 
 /// What a thread computes supernodes in.
 struct FrontWorkspace {
   std::vector<int> placeOf;              // of a column: its row in the front
   std::vector<std::vector<int>> places;  // of the rows of each child: theirs
-  std::unique_ptr<double[]> panel;       // memory comes with what is written: none above the diagonal of a large front
-  std::size_t panelSize = 0;
-  std::vector<std::vector<double>> strips = std::vector<std::vector<double>>(threadCount());
+  ReusedMemory::Array panel;
 };
+
+/// Entries of L, and of the updates that are kept at the same time at most where one thread works.
+std::int64_t mostNumbers(const SymbolicFactor& symbolic)
+{
+  std::int64_t kept = 0;
+  std::int64_t most = 0;
+  const auto updateOf = [&](std::size_t s) {
+    const int rows = symbolic.supernodes[s].rowCount;
+    return columnStart(rows, rows);
+  };
+  for (std::size_t s = 0; s < symbolic.supernodes.size(); ++s) {
+    kept += updateOf(s);
+    most = std::max(most, kept);
+    for (const int child : symbolic.children[s]) kept -= updateOf(child);
+  }
+  return symbolic.nonzeros() + most;
+}
 
 class Multifrontal {
  public:
@@ -162,7 +180,7 @@ class Multifrontal {
     const Supernode& node = symbolic_.supernodes[s];
     if (s >= symbolic_.top.begin) returnFreeMemory();  // of fronts, whose numbers L has now
     findPlaces(s, work);
-    clearPanel(node, work);
+    makePanel(node, work);
     addEntries(node, work);
     addChildren(s, {work.panel.get(), node.height(), 0, node.width}, work, loop);
     const int positive = node.width - node.multipliers;
@@ -173,42 +191,36 @@ class Multifrontal {
     }
     result_->store(s, work.panel.get());
     keepUpdate(s, work, loop);
+    work.panel.reset();
     for (const int child : symbolic_.children[s]) updates_[child].reset();
   }
 
   /// Zeros from the diagonal down.
-  static void clearPanel(const Supernode& node, FrontWorkspace& work)
+  void makePanel(const Supernode& node, FrontWorkspace& work)
   {
-    if (const std::size_t needed = at(0, node.width, node.height()); work.panelSize < needed) {
-      work.panel.reset();
-      work.panel = std::make_unique_for_overwrite<double[]>(work.panelSize = needed);
-    }
+    work.panel = memory_.take(at(0, node.width, node.height()));
     for (int j = 0; j < node.width; ++j)
       std::fill_n(work.panel.get() + at(j, j, node.height()), node.height() - j, 0.0);
   }
 
-  /// What the supernode and those below it take off its parents, in strips that stay in the cache.
+  /// What the supernode and those below it take off its parents. Strips stay in the cache.
   void keepUpdate(int s, FrontWorkspace& work, const Loop& loop)
   {
     const Supernode& node = symbolic_.supernodes[s];
     const int rows = node.rowCount;
-    updates_[s] = std::make_unique_for_overwrite<double[]>(static_cast<std::size_t>(triangleSize(rows)));
+    updates_[s] = memory_.take(static_cast<std::size_t>(columnStart(rows, rows)));
     const int positive = node.width - node.multipliers;
-    loop(blockCount(rows), [&](int block, Index thread) {
+    loop(blockCount(rows), [&](int block, Index /*thread*/) {
       const int first = block * kBlock;
       const int width = std::min(kBlock, rows - first);
       const int below = rows - first;
-      std::vector<double>& strip = work.strips[thread];
-      if (const std::size_t needed = at(0, width, below); strip.size() < needed) strip.resize(needed);
+      double* const strip = updates_[s].get() + columnStart(first, rows);
       const double* const left = work.panel.get() + node.width + first;
-      updateColumns(below, width, positive, 1, left, node.height(), 0, strip.data());
+      updateColumns(below, width, positive, 1, left, node.height(), 0, strip);
       if (node.multipliers > 0)
         updateColumns(below, width, node.multipliers, -1, left + at(0, positive, node.height()), node.height(), 1,
-                      strip.data());
-      addChildren(s, {strip.data(), below, node.width + first, node.width + first + width}, work, Loop(false));
-      for (int j = 0; j < width; ++j)
-        std::copy_n(strip.data() + at(j, j, below), below - j,
-                    updates_[s].get() + triangleColumn(first + j, rows) + first + j);
+                      strip);
+      addChildren(s, {strip, below, node.width + first, node.width + first + width}, work, Loop(false));
     });
   }
 
@@ -264,7 +276,8 @@ class Multifrontal {
         const int firstColumn = begin + block * kBlock;
         for (int j = firstColumn; j < std::min(end, firstColumn + kBlock); ++j) {
           double* const to = part.numbers + at(0, places[j] - part.first, part.height);
-          const double* const from = update + triangleColumn(j, size);
+          const int first = j / kBlock * kBlock;
+          const double* const from = update + columnStart(j, size) - first;
           for (int i = j; i < size; ++i) to[places[i] - part.first] += from[i];
         }
       });
@@ -275,8 +288,9 @@ class Multifrontal {
   const SymbolicFactor& symbolic_;
   const SparseMatrix& lower_;
   std::vector<double> diagonal_;
+  ReusedMemory memory_{static_cast<std::size_t>(mostNumbers(symbolic_))};
   /// What supernodes take off the rows below them, each a lower triangle, until their parents have added it.
-  std::vector<std::unique_ptr<double[]>> updates_;
+  std::vector<ReusedMemory::Array> updates_;
   std::unique_ptr<PackedFactor> result_;
   std::shared_ptr<StepState> step_ = currentStep();
   double flops_ = symbolic_.flops();
@@ -289,7 +303,7 @@ class Multifrontal {
 Result<std::unique_ptr<const PackedFactor>> factorizeMultifrontal(const std::shared_ptr<const SymbolicFactor>& symbolic,
                                                                   const SparseMatrix& lower)
 {
-  requireMemory(sizeof(double) * static_cast<std::uint64_t>(symbolic->mostNumbers()),
+  requireMemory(sizeof(double) * static_cast<std::uint64_t>(mostNumbers(*symbolic)),
                 fmt::format("the factor of {} unknowns", symbolic->size()));
   Multifrontal multifrontal(symbolic, lower);
   if (const int bad = multifrontal.run(); bad != kAllPositive)

@@ -6,8 +6,6 @@
 #include <new>
 #include <utility>
 
-#include <sys/mman.h>
-
 #include <holdfast/base/parallel.h>
 #include <holdfast/base/sparse_products.h>
 #include <holdfast/factor/triangular_kernels.h>
@@ -20,19 +18,7 @@ namespace {
 constexpr int kQuads = 4;
 constexpr Index kSolvedAtOnce = 4 * kQuads;
 
-/// Memory in pages of 2 MiB where the system has them: the solves walk through all of it, and would wait for the table
-/// of small pages.
-double* allocate(std::size_t count)
-{
-  constexpr std::size_t kPage = std::size_t{2} << 20U;
-  const std::size_t bytes = (count * sizeof(double) + kPage - 1) / kPage * kPage;
-  void* const numbers = std::aligned_alloc(kPage, std::max(bytes, kPage));
-  if (numbers == nullptr) throw std::bad_alloc();
-  ::madvise(numbers, bytes, MADV_HUGEPAGE);
-  return static_cast<double*>(numbers);
-}
-
-using Zeros = std::unique_ptr<double[], decltype([](double* numbers) { std::free(numbers); })>;
+using Zeros = std::unique_ptr<double[], FreeNumbers>;
 
 /// They take memory where they are changed.
 Zeros zeros(std::size_t count)
@@ -43,11 +29,6 @@ Zeros zeros(std::size_t count)
 }
 
 }  // namespace
-
-void PackedFactor::Free::operator()(double* numbers) const
-{
-  std::free(numbers);
-}
 
 PackedFactor::PackedFactor(std::shared_ptr<const SymbolicFactor> symbolic) : symbolic_(std::move(symbolic))
 {
@@ -72,7 +53,7 @@ PackedFactor::PackedFactor(std::shared_ptr<const SymbolicFactor> symbolic) : sym
     }
   }
   firstChunk_.push_back(static_cast<int>(chunks_.size()));
-  numbers_.reset(allocate(size_));
+  numbers_ = largeArray(size_);
 }
 
 void PackedFactor::store(int supernode, const double* panel)

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include <holdfast/factor/large_memory.h>
 #include <holdfast/factor/symbolic_factor.h>
 
 namespace holdfast {
@@ -60,10 +61,6 @@ class PackedFactor {
   [[nodiscard]] std::size_t bytes() const noexcept { return size_ * sizeof(double); }
 
  private:
-  struct Free {
-    void operator()(double* numbers) const;
-  };
-
   /// A column with few entries: pairs of row and value, in the order of elimination.
   struct FewEntries {
     int column = 0;
@@ -85,7 +82,7 @@ class PackedFactor {
   std::vector<int> negative_;
   std::vector<int> rows_;  // of chunks: the columns of the supernode behind them, then its rows
   std::size_t size_ = 0;
-  std::unique_ptr<double[], Free> numbers_;
+  LargeArray numbers_;
 };
 
 }  // namespace holdfast

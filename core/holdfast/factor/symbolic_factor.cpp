@@ -197,11 +197,6 @@ double flopsOf(double width, double rowCount)
   return width * width * width / 3 + width * rowCount * (width + rowCount);
 }
 
-std::int64_t triangleSize(std::int64_t size)
-{
-  return size * (size + 1) / 2;
-}
-
 std::vector<int> SymbolicFactor::withAncestors(const std::vector<int>& columns) const
 {
   std::set<int> nodes;
@@ -221,7 +216,8 @@ int SymbolicFactor::topColumn() const
 std::int64_t SymbolicFactor::nonzeros() const
 {
   std::int64_t sum = 0;
-  for (const Supernode& node : supernodes) sum += triangleSize(node.width) + std::int64_t{node.width} * node.rowCount;
+  for (const Supernode& node : supernodes)
+    sum += std::int64_t{node.width} * (node.width + 1) / 2 + std::int64_t{node.width} * node.rowCount;
   return sum;
 }
 
@@ -229,18 +225,6 @@ double SymbolicFactor::flops() const
 {
   return std::transform_reduce(supernodes.begin(), supernodes.end(), 0.0, std::plus(),
                                [](const Supernode& node) { return flopsOf(node.width, node.rowCount); });
-}
-
-std::int64_t SymbolicFactor::mostNumbers() const
-{
-  std::int64_t kept = 0;
-  std::int64_t most = 0;
-  for (std::size_t s = 0; s < supernodes.size(); ++s) {
-    kept += triangleSize(supernodes[s].rowCount);
-    most = std::max(most, kept);
-    for (const int child : children[s]) kept -= triangleSize(supernodes[child].rowCount);
-  }
-  return nonzeros() + most;
 }
 
 bool SymbolicFactor::hasMultipliers() const

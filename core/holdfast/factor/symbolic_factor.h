@@ -54,16 +54,11 @@ struct SymbolicFactor {
   [[nodiscard]] std::int64_t nonzeros() const;
   /// Of the factorisation.
   [[nodiscard]] double flops() const;
-  /// Entries of L, and of the updates that are kept at the same time at most where one thread works.
-  [[nodiscard]] std::int64_t mostNumbers() const;
   [[nodiscard]] bool hasMultipliers() const;
 };
 
 /// Of a supernode with so many columns and rows below them.
 [[nodiscard]] double flopsOf(double width, double rowCount);
-
-/// Numbers of a lower triangle, column by column without gaps.
-[[nodiscard]] std::int64_t triangleSize(std::int64_t size);
 
 /// Analyses the lower triangle `lower` for an order of elimination that keeps fill low: `order[k]` is the column that
 /// comes k-th. Columns are reordered among those that are equally good. O(entries + rows of supernodes).

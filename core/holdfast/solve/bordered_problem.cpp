@@ -209,7 +209,7 @@ Result<ReducedProblem> makeReducedProblem(const SparseMatrix& A, SparseMatrix&& 
   auto& [C, scale, kept] = columns.value;
   const Columns3 probe = scale.cwiseInverse().asDiagonal() * Columns3(Q2.transpose() * std::exchange(rest, {}));
   SparseRows scaledQ2 = Q2 * scale.asDiagonal();
-  SparseMatrix().swap(Q2);  // not to be kept beside the factor
+  Q2 = SparseMatrix();  // not to be kept beside the factor
   FactorResult factor = kept == 0 ? factorize(C, backend, probe, order) : factorizeKept(C, kept, probe, order);
   if (!factor) return {{}, std::move(factor.failure)};
   return {{std::make_shared<const TwoWayMatrix>(std::move(C)), std::move(scale), kept, std::move(scaledQ2),

@@ -18,7 +18,7 @@ class CholeskyByEigen final : public LeastSquaresFactor {
   [[nodiscard]] std::string_view method() const override { return "Cholesky factor of the normal equations (Eigen)"; }
 
  private:
-  Eigen::SimplicialLLT<SparseMatrix, Eigen::Lower, Eigen::AMDOrdering<int>> cholesky_;
+  Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::AMDOrdering<int>> cholesky_;
 };
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace holdfast {
 namespace {
 
 /// Eigen keeps UMFPACK's object to itself.
-class Umfpack : public Eigen::UmfPackLU<SparseMatrix> {
+class Umfpack : public Eigen::UmfPackLU<Eigen::SparseMatrix<double>> {
  public:
   explicit Umfpack(const SparseMatrix& K) : K_(K) { compute(K_); }
 
