@@ -46,9 +46,14 @@ std::uint64_t availableMemory()
   return isFound ? sum : std::numeric_limits<std::uint64_t>::max();
 }
 
+bool isLeastMemoryWanted() noexcept
+{
+  return leastMemories > 0;
+}
+
 void returnFreeMemory()
 {
-  if (leastMemories > 0) trim();
+  if (isLeastMemoryWanted()) trim();
 }
 
 void requireMemory(std::uint64_t bytes, std::string_view user)

@@ -33,6 +33,8 @@ class LeastMemory {
   LeastMemory& operator=(const LeastMemory&) = delete;
 };
 
+[[nodiscard]] bool isLeastMemoryWanted() noexcept;
+
 void returnFreeMemory();
 
 /// Throws `LackOfMemory` where `user` ("the factor of 1000 unknowns") needs more than is free.

@@ -1,13 +1,74 @@
 #include "holdfast/factor/large_memory.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstdlib>
 #include <iterator>
 #include <new>
+#include <utility>
 
 #include <sys/mman.h>
 
+#include <holdfast/base/available_memory.h>
+
 namespace holdfast {
 namespace {
+
+constexpr std::size_t kPage = std::size_t{2} << 20U;
+
+/// Memory of arrays that are gone.
+class Spares {
+ public:
+  ~Spares()
+  {
+    for (const Spare& spare : spares_) std::free(spare.numbers);
+  }
+
+  /// Null where there is none of this size.
+  double* take(std::size_t bytes)
+  {
+    const std::scoped_lock lock(mutex_);
+    const auto spare = std::ranges::find(spares_, bytes, &Spare::bytes);
+    if (spare == spares_.end()) return nullptr;
+    double* const numbers = spare->numbers;
+    spares_.erase(spare);
+    return numbers;
+  }
+
+  void keep(std::size_t bytes, double* numbers)
+  {
+    ::madvise(numbers, bytes, MADV_FREE);
+    const std::scoped_lock lock(mutex_);
+    spares_.push_back({bytes, numbers});
+    if (spares_.size() <= kMost) return;
+    std::free(spares_.front().numbers);
+    spares_.erase(spares_.begin());
+  }
+
+ private:
+  struct Spare {
+    std::size_t bytes;
+    double* numbers;
+  };
+
+  static constexpr std::size_t kMost = 4;  // two factors, and the fronts of two
+
+  std::vector<Spare> spares_;  // the oldest first
+  std::mutex mutex_;
+};
+
+Spares& spares()
+{
+  static Spares all;
+  return all;
+}
+
+/// Few sizes, so that the factors of a mesh often have the same.
+std::size_t roundedSize(std::size_t bytes)
+{
+  const std::size_t step = std::max(kPage, std::bit_ceil(bytes) / 16);
+  return std::max(step, (bytes + step - 1) / step * step);
+}
 
 /// Arrays do not share lines of the cache.
 std::size_t wholeLines(std::size_t count)
@@ -18,14 +79,22 @@ std::size_t wholeLines(std::size_t count)
 
 }  // namespace
 
+void FreePages::operator()(double* numbers) const noexcept
+{
+  if (isLeastMemoryWanted())
+    std::free(numbers);
+  else
+    spares().keep(bytes, numbers);
+}
+
 LargeArray largeArray(std::size_t count)
 {
-  constexpr std::size_t kPage = std::size_t{2} << 20U;
-  const std::size_t bytes = std::max(kPage, (count * sizeof(double) + kPage - 1) / kPage * kPage);
-  void* const numbers = std::aligned_alloc(kPage, bytes);
+  const std::size_t bytes = roundedSize(count * sizeof(double));
+  double* numbers = spares().take(bytes);
+  if (numbers == nullptr) numbers = static_cast<double*>(std::aligned_alloc(kPage, bytes));
   if (numbers == nullptr) throw std::bad_alloc();
   ::madvise(numbers, bytes, MADV_HUGEPAGE);
-  return LargeArray(static_cast<double*>(numbers));
+  return {numbers, {bytes}};
 }
 
 ReusedMemory::Array ReusedMemory::take(std::size_t count)

@@ -2,7 +2,6 @@
 /// Memory for many numbers.
 
 #include <cstddef>
-#include <cstdlib>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -10,18 +9,20 @@
 
 namespace holdfast {
 
-struct FreeNumbers {
-  void operator()(double* numbers) const noexcept { std::free(numbers); }
+/// Keeps the memory for another array of this size, but lets the system take it; frees it where `LeastMemory` lives.
+struct FreePages {
+  std::size_t bytes = 0;
+  void operator()(double* numbers) const noexcept;
 };
 
 /// In pages of 2 MiB where the system has them: a walk through all of it would wait for the table of small pages.
-using LargeArray = std::unique_ptr<double[], FreeNumbers>;
+using LargeArray = std::unique_ptr<double[], FreePages>;
 
-/// Any numbers. Pages are taken when something is written to them.
+/// Any numbers. New pages are taken where something is written first: that may cost more than to compute it.
 [[nodiscard]] LargeArray largeArray(std::size_t count);
 
-/// Arrays that come and go, on any threads. What is given back is taken again, the lowest place first, so that few pages
-/// are ever written: to take a page costs more than to compute what comes into it.
+/// Arrays that come and go, on any threads. What is given back is taken again, the lowest place first, so that few
+/// pages are ever written.
 class ReusedMemory {
   struct GiveBack {
     ReusedMemory* memory = nullptr;

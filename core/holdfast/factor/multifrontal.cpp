@@ -11,7 +11,6 @@
 #include <holdfast/base/available_memory.h>
 #include <holdfast/base/long_step.h>
 #include <holdfast/base/no_subnormals_internal.h>
-#include <holdfast/base/one_thread_internal.h>
 #include <holdfast/base/parallel.h>
 #include <holdfast/factor/dense_kernels_internal.h>
 #include <holdfast/factor/large_memory.h>
@@ -55,8 +54,8 @@ class Loop {
 /// C <- scale C - sign A A1^T for n rows of A, A1 the first `width` of them; above its diagonal C is not used.
 void updateColumns(int n, int width, int k, double sign, const double* A, int ldA, double scale, double* C)
 {
-  denseSymmetricUpdate(width, k, -sign, A, ldA, scale, C, n);
-  if (n > width) denseUpdate(n - width, width, k, -sign, A + width, A, ldA, scale, C + width, n);
+  denseKernels().symmetricUpdate(width, k, -sign, A, ldA, scale, C, n);
+  if (n > width) denseKernels().update(n - width, width, k, -sign, A + width, A, ldA, scale, C + width, n);
 }
 
 /// Factorises the columns of a panel (height x width), block by block; from column `positive` on with -1 in S. Returns
@@ -73,19 +72,21 @@ int factorizePanel(const Loop& loop, double* panel, int height, int width, int p
       for (int j = 0; j < columns; ++j)
         std::transform(corner + at(j, j, height), corner + at(height - first, j, height), corner + at(j, j, height),
                        std::negate());
-    if (const int bad = denseCholesky(columns, corner, height); bad != 0) return first + bad;
+    if (const int bad = denseKernels().cholesky(columns, corner, height); bad != 0) return first + bad;
     loop(blockCount(height - end), [&](int block, Index /*thread*/) {
       const int row = end + block * kBlock;
-      denseSolveRight(std::min(kBlock, height - row), columns, corner, height, panel + at(row, first, height), height);
+      denseKernels().solveRight(std::min(kBlock, height - row), columns, corner, height, panel + at(row, first, height),
+                                height);
     });
     loop(blockCount(width - end), [&](int block, Index /*thread*/) {
       const int column = end + block * kBlock;
       const int count = std::min(kBlock, width - column);
       const double* const left = panel + at(column, first, height);
-      denseSymmetricUpdate(count, columns, -sign, left, height, 1, panel + at(column, column, height), height);
+      denseKernels().symmetricUpdate(count, columns, -sign, left, height, 1, panel + at(column, column, height),
+                                     height);
       if (const int below = height - column - count; below > 0)
-        denseUpdate(below, count, columns, -sign, left + count, left, height, 1,
-                    panel + at(column + count, column, height), height);
+        denseKernels().update(below, count, columns, -sign, left + count, left, height, 1,
+                              panel + at(column + count, column, height), height);
     });
   }
   return 0;
@@ -137,11 +138,10 @@ class Multifrontal {
   /// The place of the first pivot that is not positive, or `kAllPositive`. Throws `LeftBehind`.
   int run()
   {
-    // One factorisation at a time: `OneThread` has taken memory for one thread a core.
+    // One factorisation at a time: each keeps all cores busy, and needs memory for its fronts.
     static std::mutex computing;
     const std::scoped_lock lock(computing);
     if (step_->isLeftBehind()) throw LeftBehind();
-    const OneThread libraries;
     const NoSubnormals arithmetic;  // L falls off exponentially where much is held
     findDiagonal();
     std::vector<FrontWorkspace> workspaces(static_cast<std::size_t>(threadCount()));

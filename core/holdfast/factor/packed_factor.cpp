@@ -18,7 +18,7 @@ namespace {
 constexpr int kQuads = 4;
 constexpr Index kSolvedAtOnce = 4 * kQuads;
 
-using Zeros = std::unique_ptr<double[], FreeNumbers>;
+using Zeros = std::unique_ptr<double[], decltype([](double* numbers) { std::free(numbers); })>;
 
 /// They take memory where they are changed.
 Zeros zeros(std::size_t count)
