@@ -7,7 +7,6 @@
 #include <system_error>
 
 #include <fmt/format.h>
-#include <malloc.h>
 
 #include <holdfast/base/available_memory.h>
 #include <holdfast/base/error.h>
@@ -81,8 +80,5 @@ void printMessage(std::string_view text) noexcept
 
 int main(int argc, char** argv)
 {
-#ifdef M_ARENA_MAX
-  ::mallopt(M_ARENA_MAX, 1);  // what one thread has freed serves all: with a heap for each, memory grows by an eighth
-#endif
   return holdfast::batch::run(argc, argv);
 }

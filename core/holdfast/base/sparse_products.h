@@ -96,6 +96,15 @@ Matrix assembled(Index rows, Index columns, const Fill& fill)
   });
 }
 
+/// diag(scale) M. O(entries).
+[[nodiscard]] inline SparseMatrix scaledRows(const Eigen::VectorXd& scale, SparseMatrix M)
+{
+  parallelBlocks(M.cols(), [&](Index k) {
+    for (SparseMatrix::InnerIterator entry(M, k); entry; ++entry) entry.valueRef() *= scale[entry.row()];
+  });
+  return M;
+}
+
 /// The sum of the k-th row of M (column where M is by columns) times the rows of x that it names.
 template <class Matrix>
 Eigen::RowVector3d gathered(const Matrix& M, Index k, const Columns3& x)

@@ -15,22 +15,28 @@ namespace avx512 {
 extern const DenseKernels kernels;
 }
 
-const DenseKernels& denseKernels()
+std::vector<const DenseKernels*> runnableDenseKernels()
 {
-  static const DenseKernels& best = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq")
-                                        ? avx512::kernels
-                                    : __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? avx2::kernels
-                                                                                                      : any::kernels;
-  return best;
+  std::vector<const DenseKernels*> kernels;
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq")) kernels.push_back(&avx512::kernels);
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) kernels.push_back(&avx2::kernels);
+  kernels.push_back(&any::kernels);
+  return kernels;
 }
 
 #else
 
-const DenseKernels& denseKernels()
+std::vector<const DenseKernels*> runnableDenseKernels()
 {
-  return any::kernels;
+  return {&any::kernels};
 }
 
 #endif
+
+const DenseKernels& denseKernels()
+{
+  static const DenseKernels& best = *runnableDenseKernels().front();
+  return best;
+}
 
 }  // namespace holdfast

@@ -2,6 +2,8 @@
 /// Dense matrices by Eigen, compiled for several processors. All are stored column by column, `ld` numbers apart; of
 /// symmetric ones only the lower triangle is looked at.
 
+#include <vector>
+
 namespace holdfast {
 
 struct DenseKernels {
@@ -20,7 +22,10 @@ struct DenseKernels {
                  double* C, int ldC);
 };
 
-/// Those for the processor that the program runs on.
+/// Those that the processor can run, the fastest first.
+[[nodiscard]] std::vector<const DenseKernels*> runnableDenseKernels();
+
+/// The fastest.
 [[nodiscard]] const DenseKernels& denseKernels();
 
 }  // namespace holdfast

@@ -19,11 +19,6 @@ constexpr std::size_t kPage = std::size_t{2} << 20U;
 /// Memory of arrays that are gone.
 class Spares {
  public:
-  ~Spares()
-  {
-    for (const Spare& spare : spares_) std::free(spare.numbers);
-  }
-
   /// Null where there is none of this size.
   double* take(std::size_t bytes)
   {
@@ -59,7 +54,7 @@ class Spares {
 
 Spares& spares()
 {
-  static Spares all;
+  static auto& all = *new Spares;  // threads may still compute when statics are gone
   return all;
 }
 
@@ -111,6 +106,17 @@ ReusedMemory::Array ReusedMemory::take(std::size_t count)
   gap = gaps_.erase(gap);
   if (size > count) gaps_.emplace_hint(gap, place + count, size - count);
   return {place, {this, count}};
+}
+
+void ReusedMemory::returnGaps()
+{
+  if (!isLeastMemoryWanted()) return;
+  const std::scoped_lock lock(mutex_);
+  for (const auto& [place, size] : gaps_) {
+    void* begin = place;
+    std::size_t bytes = size * sizeof(double);
+    if (std::align(kPage, kPage, begin, bytes) != nullptr) ::madvise(begin, bytes / kPage * kPage, MADV_DONTNEED);
+  }
 }
 
 void ReusedMemory::giveBack(double* numbers, std::size_t count)

@@ -40,6 +40,9 @@ class ReusedMemory {
   /// O(gaps).
   [[nodiscard]] Array take(std::size_t count);
 
+  /// Gives whole pages that are not taken back to the system while `LeastMemory` lives.
+  void returnGaps();
+
  private:
   void giveBack(double* numbers, std::size_t count);
 

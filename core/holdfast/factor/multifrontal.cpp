@@ -178,7 +178,7 @@ class Multifrontal {
   void factorize(int s, FrontWorkspace& work, const Loop& loop)
   {
     const Supernode& node = symbolic_.supernodes[s];
-    if (s >= symbolic_.top.begin) returnFreeMemory();  // of fronts, whose numbers L has now
+    if (s >= symbolic_.top.begin) memory_.returnGaps();  // of fronts, whose numbers L has now
     findPlaces(s, work);
     makePanel(node, work);
     addEntries(node, work);

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include <holdfast/base/sparse_products.h>
 #include <holdfast/operators/laplacian.h>
 
 namespace holdfast {
@@ -31,8 +33,9 @@ std::vector<Index> floorAreas(Eigen::VectorXd& areas, const std::vector<Index>& 
 
 void makeUniform(Operators& operators, const SolverMesh& mesh)
 {
-  const SparseMatrix S = stiffness(mesh.unknownCount(), unitEdgeWeights(mesh.triangles));
-  operators.L = reciprocal(S.diagonal()).asDiagonal() * S;
+  SparseMatrix S = stiffness(mesh.unknownCount(), unitEdgeWeights(mesh.triangles));
+  const Eigen::VectorXd diagonal = S.diagonal();
+  operators.L = scaledRows(reciprocal(diagonal), std::move(S));
   operators.rowWeights.setOnes(mesh.unknownCount());
 }
 
@@ -43,20 +46,20 @@ void makeCotangent(Operators& operators, const SolverMesh& mesh, const Positions
   operators.clampedCotangents = guardAll(cotangents, mesh.triangles);
   Eigen::VectorXd areas = mixedVoronoiAreas(rest, mesh.triangles);
   operators.flooredAreas = floorAreas(areas, mesh.componentOf);
-  const SparseMatrix S = stiffness(mesh.unknownCount(), cotangentEdgeWeights(mesh.triangles, cotangents));
-  operators.L = reciprocal(2 * areas).asDiagonal() * S;
+  SparseMatrix S = stiffness(mesh.unknownCount(), cotangentEdgeWeights(mesh.triangles, cotangents));
+  operators.L = scaledRows(reciprocal(2 * areas), std::move(S));
   operators.rowWeights = areas.cwiseSqrt();
 }
 
 void makeCotangentPaper(Operators& operators, const SolverMesh& mesh, const Positions& rest)
 {
   const std::vector<CornerCotangents> cotangents = cornerCotangents(rest, mesh.triangles);
-  const SparseMatrix S = stiffness(mesh.unknownCount(), cotangentEdgeWeights(mesh.triangles, cotangents));
+  SparseMatrix S = stiffness(mesh.unknownCount(), cotangentEdgeWeights(mesh.triangles, cotangents));
   const Eigen::VectorXd areas = literalVoronoiAreas(rest, mesh.triangles);
   for (Index i = 0; i < areas.size(); ++i)
     if (mesh.componentOf[i] >= 0 && (!std::isfinite(S.coeff(i, i)) || !std::isfinite(1 / areas[i])))
       operators.undefinedRows.push_back(i);
-  operators.L = reciprocal(2 * areas).asDiagonal() * S;
+  operators.L = scaledRows(reciprocal(2 * areas), std::move(S));
   operators.rowWeights.setOnes(mesh.unknownCount());
 }
 
@@ -93,7 +96,7 @@ Operators makeOperators(const SolverMesh& mesh, Weights weights)
 
 SparseMatrix weightedRows(const Operators& operators)
 {
-  return operators.rowWeights.asDiagonal() * operators.L;
+  return scaledRows(operators.rowWeights, operators.L);
 }
 
 }  // namespace holdfast

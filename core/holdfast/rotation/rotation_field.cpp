@@ -11,6 +11,7 @@
 
 #include <holdfast/base/disjoint_sets.h>
 #include <holdfast/base/parallel.h>
+#include <holdfast/base/sparse_products.h>
 
 namespace holdfast {
 namespace {
@@ -121,7 +122,7 @@ void scaleRows(RotationSystem& system)
     for (SparseMatrix::InnerIterator entry(system.C, k); entry; ++entry)
       size[entry.row()] = std::max(size[entry.row()], std::abs(entry.value()));
   const Eigen::VectorXd scale = size.unaryExpr([](double x) { return x > 0 ? 1 / x : 1.0; });
-  system.C = scale.asDiagonal() * system.C;
+  system.C = scaledRows(scale, std::move(system.C));
   for (RotationPull& pull : system.pulls) pull.weight *= scale[pull.row];
 }
 

@@ -1,0 +1,132 @@
+#include <algorithm>
+#include <cstddef>
+#include <fstream>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <holdfast/base/available_memory.h>
+#include <holdfast/base/parallel.h>
+#include <holdfast/factor/large_memory.h>
+
+namespace holdfast {
+namespace {
+
+constexpr std::size_t kMany = std::size_t{1} << 20U;
+
+std::size_t residentBytes()
+{
+  std::size_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages >> pages;
+  return pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+}
+
+TEST(LargeArray, TakesTheMemoryOfAnEarlierOneOfItsSize)
+{
+  LargeArray first = largeArray(kMany);
+  const double* const place = first.get();
+  first.reset();
+  const LargeArray larger = largeArray(16 * kMany);
+  EXPECT_NE(larger.get(), place);
+  EXPECT_EQ(largeArray(kMany - 1).get(), place);
+}
+
+#ifndef __SANITIZE_ADDRESS__  // the allocator of that keeps what is freed
+TEST(LargeArray, IsFreedWhereLeastMemoryIsWanted)
+{
+  const LeastMemory memory;
+  const std::size_t before = residentBytes();
+  LargeArray array = largeArray(8 * kMany);
+  std::fill_n(array.get(), 8 * kMany, 1.0);
+  EXPECT_GT(residentBytes(), before + 6 * kMany * sizeof(double));
+  array.reset();
+  EXPECT_LT(residentBytes(), before + 2 * kMany * sizeof(double));
+}
+#endif
+
+/// An array full of one number.
+class Marked {
+ public:
+  Marked(ReusedMemory& memory, std::size_t count, double mark) : array_(memory.take(count)), count_(count), mark_(mark)
+  {
+    std::fill_n(array_.get(), count_, mark_);
+  }
+
+  [[nodiscard]] bool isWhole() const
+  {
+    return std::all_of(array_.get(), array_.get() + count_, [&](double number) { return number == mark_; });
+  }
+
+ private:
+  ReusedMemory::Array array_;
+  std::size_t count_;
+  double mark_;
+};
+
+TEST(ReusedMemory, KeepsArraysApartHoweverTheyComeAndGo)
+{
+  ReusedMemory memory(5000);
+  std::minstd_rand random(1);
+  std::vector<Marked> arrays;
+  for (int step = 0; step < 5000; ++step) {
+    if (arrays.size() > 30 || (!arrays.empty() && random() % 2 == 0)) {
+      const std::size_t gone = random() % arrays.size();
+      ASSERT_TRUE(arrays[gone].isWhole()) << step;
+      std::swap(arrays[gone], arrays.back());
+      arrays.pop_back();
+    } else {
+      arrays.emplace_back(memory, random() % 1000, step);  // together more than was foreseen
+    }
+  }
+  for (const Marked& array : arrays) EXPECT_TRUE(array.isWhole());
+}
+
+TEST(ReusedMemory, TakesTheLowestPlaceAndJoinsGaps)
+{
+  ReusedMemory memory(1000);
+  ReusedMemory::Array a = memory.take(100);
+  ReusedMemory::Array b = memory.take(100);
+  ReusedMemory::Array c = memory.take(100);
+  const ReusedMemory::Array d = memory.take(100);
+  const double* const lowest = a.get();
+  c.reset();
+  a.reset();
+  b.reset();
+  EXPECT_EQ(memory.take(300).get(), lowest);
+}
+
+TEST(ReusedMemory, ServesThreads)
+{
+  ReusedMemory memory(10000);
+  std::vector<int> bad(8, 0);
+  parallelFor(8, [&](Index k) {
+    for (int step = 0; step < 500; ++step) {
+      const Marked one(memory, static_cast<std::size_t>(50 * k + step), static_cast<double>(k));
+      const Marked other(memory, 100, static_cast<double>(-k));
+      if (!one.isWhole() || !other.isWhole()) ++bad[k];
+    }
+  });
+  EXPECT_EQ(bad, std::vector<int>(8, 0));
+}
+
+TEST(ReusedMemory, ReturnsGapsWhereLeastMemoryIsWanted)
+{
+  const LeastMemory least;
+  ReusedMemory memory(16 * kMany);
+  const Marked kept(memory, 1000, 1);
+  ReusedMemory::Array large = memory.take(8 * kMany);
+  const Marked keptToo(memory, 1000, 2);
+  const std::size_t before = residentBytes();
+  std::fill_n(large.get(), 8 * kMany, 1.0);
+  large.reset();
+  memory.returnGaps();
+  EXPECT_LT(residentBytes(), before + 2 * kMany * sizeof(double));
+  EXPECT_TRUE(kept.isWhole());
+  EXPECT_TRUE(keptToo.isWhole());
+}
+
+}  // namespace
+}  // namespace holdfast
