@@ -1,4 +1,4 @@
-// Little address space: the program ends, and says why.
+// Little address space: the program ends, and says why. Large files: it begins anew, with large pages.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -68,6 +68,25 @@ TEST_F(LittleMemory, IsNamedWhereItIsNotEnough)
   }
   EXPECT_TRUE(isEnough);
   EXPECT_GT(refused, 0);
+}
+
+/// How often the program began: the loader shows each time what it begins with.
+Index timesBegun(const std::string& mesh)
+{
+  const ProcessResult result = runProcess({"env", "LD_SHOW_AUXV=1", HOLDFAST_BATCH_PROGRAM, "check", mesh});
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  constexpr std::string_view kShown = "AT_EXECFN:";
+  Index count = 0;
+  for (std::size_t at = result.out.find(kShown); at != std::string::npos; at = result.out.find(kShown, at + 1)) ++count;
+  return count;
+}
+
+using LargeFiles = BatchTest;
+
+TEST_F(LargeFiles, AreReadByAProgramThatBeganAnew)
+{
+  EXPECT_EQ(timesBegun(in_.file("small.obj", objText(grid(10, 10))).string()), 1);
+  EXPECT_EQ(timesBegun(in_.file("large.obj", objText(grid(300, 300))).string()), 2);
 }
 
 }  // namespace

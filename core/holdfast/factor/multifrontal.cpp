@@ -9,11 +9,11 @@
 #include <fmt/format.h>
 
 #include <holdfast/base/available_memory.h>
+#include <holdfast/base/large_memory.h>
 #include <holdfast/base/long_step.h>
 #include <holdfast/base/no_subnormals_internal.h>
 #include <holdfast/base/parallel.h>
 #include <holdfast/factor/dense_kernels_internal.h>
-#include <holdfast/factor/large_memory.h>
 
 namespace holdfast {
 namespace {

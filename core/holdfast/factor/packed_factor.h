@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include <holdfast/factor/large_memory.h>
+#include <holdfast/base/large_memory.h>
 #include <holdfast/factor/symbolic_factor.h>
 
 namespace holdfast {

@@ -10,7 +10,7 @@
 
 #include <holdfast/base/available_memory.h>
 #include <holdfast/base/parallel.h>
-#include <holdfast/factor/large_memory.h>
+#include <holdfast/base/large_memory.h>
 
 namespace holdfast {
 namespace {

@@ -1,4 +1,4 @@
-#include "holdfast/factor/large_memory.h"
+#include "holdfast/base/large_memory.h"
 
 #include <algorithm>
 #include <bit>
