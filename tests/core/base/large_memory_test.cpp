@@ -9,8 +9,8 @@
 #include <unistd.h>
 
 #include <holdfast/base/available_memory.h>
-#include <holdfast/base/parallel.h>
 #include <holdfast/base/large_memory.h>
+#include <holdfast/base/parallel.h>
 
 namespace holdfast {
 namespace {
