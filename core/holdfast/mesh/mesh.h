@@ -36,6 +36,11 @@ class Polygons {
     return {first, corners_.begin() + starts_[face + 1]};
   }
 
+  /// Where the corners of each face begin among `corners()`, and where those of the last one end.
+  [[nodiscard]] std::span<const Index> starts() const noexcept { return starts_; }
+  /// Of all faces, one face after the other.
+  [[nodiscard]] std::span<const Index> corners() const noexcept { return corners_; }
+
   void reserve(Index faces, Index corners)
   {
     starts_.reserve(faces + 1);

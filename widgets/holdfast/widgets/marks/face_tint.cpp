@@ -6,6 +6,8 @@
 #include <vtkPlaneCollection.h>
 #include <vtkPointData.h>
 
+#include <holdfast/widgets/mesh/poly_data.h>
+
 namespace holdfast {
 namespace {
 
@@ -59,7 +61,7 @@ void FaceTint::set(std::vector<char> isIn)
 
 void FaceTint::setOutline()
 {
-  const ShadedSurface& surface = *mesh_.drawn();
+  const ShadedSurface& surface = *mesh_.shaded();
   vtkNew<vtkCellArray> lines;
   tinted_ = 0;
   isCovered_.clear();
@@ -77,19 +79,6 @@ void FaceTint::setOutline()
   lineData_->SetLines(lines);
 }
 
-void FaceTint::setFaces(vtkPolyData& data, const Polygons& triangles, const std::vector<Index>& vertexOf) const
-{
-  vtkNew<vtkCellArray> cells;
-  // Fresh memory takes longer than what is written into it.
-  cells->Use32BitStorage();
-  cells->AllocateExact(tinted_, 3 * tinted_);
-  for (Index t = 0; t < triangles.size(); ++t) {
-    const auto corners = triangles[t];
-    if (isTinted(corners, vertexOf)) cells->InsertNextCell({corners[0], corners[1], corners[2]});
-  }
-  data.SetPolys(cells);
-}
-
 void FaceTint::setDetail(Detail detail)
 {
   detail_ = detail;
@@ -100,12 +89,15 @@ void FaceTint::updateFaces()
 {
   // Small tints would lose their shape.
   const bool isCoarse = detail_ == Detail::Coarse && tinted_ > kCoarseTriangles;
-  if (!isCoarse && data_->GetNumberOfPolys() < tinted_) setFaces(*data_, mesh_.drawn()->triangles, mesh_.vertexOf());
+  if (!isCoarse && data_->GetNumberOfPolys() < tinted_)
+    data_->SetPolys(toCells(mesh_.shaded()->triangles, tinted_, [this](Index triangle) { return isTinted(triangle); }));
   if (isCoarse && coarseData_->GetNumberOfPolys() == 0) {
     const CoarseSurface& coarse = mesh_.coarse();
     coarseData_->SetPoints(coarse.data().GetPoints());
     coarseData_->GetPointData()->SetNormals(coarse.data().GetPointData()->GetNormals());
-    setFaces(*coarseData_, coarse.triangles(), coarse.vertexOf());
+    coarseData_->SetPolys(toCells(coarse.triangles(), coarse.triangles().size(), [&](Index triangle) {
+      return isTinted(coarse.triangles()[triangle], coarse.vertexOf());
+    }));
   }
   faces_->SetMapper(isCoarse ? coarseMapper_ : mapper_);
 }

@@ -43,10 +43,9 @@ class FaceTint {
   }
   [[nodiscard]] bool isTinted(Index triangle) const
   {
-    return isTinted(mesh_.drawn()->triangles[triangle], mesh_.vertexOf());
+    return !mesh_.isHidden(triangle) && isTinted(mesh_.shaded()->triangles[triangle], mesh_.vertexOf());
   }
   void setOutline();
-  void setFaces(vtkPolyData& data, const Polygons& triangles, const std::vector<Index>& vertexOf) const;
   void updateFaces();
 
   const MeshActor& mesh_;

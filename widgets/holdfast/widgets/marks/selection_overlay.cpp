@@ -31,8 +31,10 @@ void SelectionOverlay::refresh()
   for (const Index vertex : selected_) isSelected[vertex] = 1;
   tint_.set(isSelected);
   std::vector<Index> pointOf(count, -1);
-  for (Index t = 0; count > 0 && t < mesh_.drawn()->triangles.size(); ++t)
-    for (const Index point : mesh_.drawn()->triangles[t]) pointOf[mesh_.vertexOf()[point]] = point;
+  const Polygons& triangles = mesh_.shaded()->triangles;
+  for (Index t = 0; count > 0 && t < triangles.size(); ++t)
+    for (const Index point : triangles[t])
+      if (!mesh_.isHidden(t)) pointOf[mesh_.vertexOf()[point]] = point;
   std::vector<Index> drawn;
   for (std::size_t vertex = 0; vertex < isSelected.size(); ++vertex)
     if (isSelected[vertex] != 0 && pointOf[vertex] >= 0 && !tint_.covers(static_cast<Index>(vertex)))

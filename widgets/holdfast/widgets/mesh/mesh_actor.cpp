@@ -60,7 +60,6 @@ void setEdgeLook(vtkActor& actor, double opacity, double pixels)
 MeshActor::MeshActor(const Model& model, std::shared_ptr<const ShadedSurface> shaded)
     : model_(model),
       shaded_(shaded ? std::move(shaded) : std::make_shared<const ShadedSurface>(cutAtSharpEdges(model))),
-      drawn_(shaded_),
       doubleNormals_(std::make_unique<AreaWeightedNormals>(shaded_->triangles, cornerVertices(shaded_->triangles),
                                                            static_cast<Index>(shaded_->vertexOf.size())))
 {
@@ -155,22 +154,20 @@ void MeshActor::setHidden(std::vector<char> isHidden)
 {
   if (isHidden_ == isHidden) return;
   isHidden_ = std::move(isHidden);
-  auto drawn =
-      isHidden_.empty() ? shaded_ : std::make_shared<const ShadedSurface>(without(*shaded_, model_, isHidden_));
-  const auto triangles = toCells(drawn->triangles);
-  const auto creases = linesOf(drawn->creases);
-  draw(std::move(drawn), triangles, creases);
+  if (isHidden_.empty()) return draw(toCells(shaded_->triangles), linesOf(shaded_->creases));
+  const auto triangles = toCells(shaded_->triangles, std::ranges::count(isHidden_, 0),
+                                 [this](Index triangle) { return !this->isHidden(triangle); });
+  draw(triangles, linesOf(shaded_->creasesWithout(isHidden_)));
 }
 
 void MeshActor::setHiddenAs(const MeshActor& other)
 {
   isHidden_ = other.isHidden_;
-  draw(other.drawn_, other.surfaceData_->GetPolys(), other.edgeData_->GetLines());
+  draw(other.surfaceData_->GetPolys(), other.edgeData_->GetLines());
 }
 
-void MeshActor::draw(std::shared_ptr<const ShadedSurface> surface, vtkCellArray* triangles, vtkCellArray* creases)
+void MeshActor::draw(vtkCellArray* triangles, vtkCellArray* creases)
 {
-  drawn_ = std::move(surface);
   surfaceData_->SetPolys(triangles);
   edgeData_->SetLines(creases);
   meshEdgeData_->SetLines(nullptr);

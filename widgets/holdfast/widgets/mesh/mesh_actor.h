@@ -95,9 +95,8 @@ class MeshActor {
   /// The file vertex of each point that is drawn.
   [[nodiscard]] const std::vector<Index>& vertexOf() const noexcept { return shaded_->vertexOf; }
   [[nodiscard]] const std::shared_ptr<const ShadedSurface>& shaded() const noexcept { return shaded_; }
-
-  /// What is drawn of it.
-  [[nodiscard]] const std::shared_ptr<const ShadedSurface>& drawn() const noexcept { return drawn_; }
+  /// Of its triangles.
+  [[nodiscard]] bool isHidden(Index triangle) const { return !isHidden_.empty() && isHidden_[triangle] != 0; }
 
   /// The points and normals that are drawn, for other actors on the mesh.
   [[nodiscard]] vtkPoints& points() const { return *points_; }
@@ -110,18 +109,17 @@ class MeshActor {
   [[nodiscard]] bool isCoarse() const
   {
     // A small part of a large mesh is drawn as it is.
-    return detail_ == Detail::Coarse && 2 * drawn_->triangles.size() > 3 * kCoarseTriangles &&
-           coarse().triangles().size() < drawn_->triangles.size();
+    const Index drawn = surfaceData_->GetNumberOfPolys();
+    return detail_ == Detail::Coarse && 2 * drawn > 3 * kCoarseTriangles && coarse().triangles().size() < drawn;
   }
   void update();
-  void draw(std::shared_ptr<const ShadedSurface> surface, vtkCellArray* triangles, vtkCellArray* creases);
+  void draw(vtkCellArray* triangles, vtkCellArray* creases);
   void updateNormals();
   void colorCoarse();
   [[nodiscard]] std::vector<std::array<Index, 2>> polygonEdges() const;
 
   const Model& model_;
   std::shared_ptr<const ShadedSurface> shaded_;
-  std::shared_ptr<const ShadedSurface> drawn_;          // that, or without what is hidden
   std::vector<char> isHidden_;                          // of each triangle; empty where all are drawn
   Positions places_;                                    // of the points: what VTK draws lies here
   std::unique_ptr<AreaWeightedNormals> doubleNormals_;  // at the points

@@ -1,10 +1,12 @@
 #include "holdfast/widgets/mesh/poly_data.h"
 
 #include <algorithm>
+#include <span>
 
 #include <fmt/format.h>
 #include <vtkDataArray.h>
 #include <vtkNew.h>
+#include <vtkTypeInt64Array.h>
 
 #include <holdfast/base/error.h>
 
@@ -55,6 +57,14 @@ vtkSmartPointer<vtkCellArray> addCells(vtkPolyData& data, const std::vector<std:
   return cells;
 }
 
+vtkNew<vtkTypeInt64Array> copyOf(std::span<const Index> numbers)
+{
+  vtkNew<vtkTypeInt64Array> copy;
+  copy->SetNumberOfValues(static_cast<vtkIdType>(numbers.size()));
+  std::ranges::copy(numbers, copy->GetPointer(0));
+  return copy;
+}
+
 }  // namespace
 
 vtkSmartPointer<vtkPoints> toPoints(const Positions& positions)
@@ -91,12 +101,7 @@ void setPolygons(vtkPolyData& data, const std::vector<std::vector<Vector3>>& pol
 vtkSmartPointer<vtkCellArray> toCells(const Polygons& polygons)
 {
   auto cells = vtkSmartPointer<vtkCellArray>::New();
-  cells->AllocateExact(polygons.size(), polygons.cornerCount());
-  for (Index f = 0; f < polygons.size(); ++f) {
-    const auto corners = polygons[f];
-    cells->InsertNextCell(static_cast<int>(corners.size()));
-    for (const Index corner : corners) cells->InsertCellPoint(corner);
-  }
+  cells->SetData(copyOf(polygons.starts()), copyOf(polygons.corners()));
   return cells;
 }
 

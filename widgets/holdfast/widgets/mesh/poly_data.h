@@ -25,6 +25,19 @@ void setPolygons(vtkPolyData& data, const std::vector<std::vector<Vector3>>& pol
 
 [[nodiscard]] vtkSmartPointer<vtkCellArray> toCells(const Polygons& polygons);
 
+/// The `count` triangles k among `triangles` for which `isIn(k)`.
+template <typename Predicate>
+[[nodiscard]] vtkSmartPointer<vtkCellArray> toCells(const Polygons& triangles, Index count, const Predicate& isIn)
+{
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  // Fresh memory takes longer than what is written into it, and OpenGL has no longer numbers.
+  cells->Use32BitStorage();
+  cells->AllocateExact(count, 3 * count);
+  for (Index k = 0; k < triangles.size(); ++k)
+    if (isIn(k)) cells->InsertNextCell({triangles[k][0], triangles[k][1], triangles[k][2]});
+  return cells;
+}
+
 /// The faces of `mesh` at `positions` (vertexCount x 3): polygons only, no attributes.
 [[nodiscard]] vtkSmartPointer<vtkPolyData> toPolyData(const Mesh& mesh, const Positions& positions);
 

@@ -65,46 +65,22 @@ struct Chain {
 std::vector<HalfEdge> drawnEdges(const std::vector<HalfEdge>& sharp, const SolverMesh& mesh)
 {
   DisjointSets sets(mesh.unknownCount());
-  for (const HalfEdge& edge : sharp) sets.unite(edge.a, edge.b);
+  for (const HalfEdge& half : sharp) sets.unite(half.a, half.b);
   std::map<Index, Chain> chains;
   std::set<Index> counted;
-  for (const HalfEdge& edge : sharp) {
+  forEachEdge(sharp, [&](std::span<const HalfEdge> halves) {
+    const HalfEdge& edge = halves[0];
     Chain& chain = chains[sets.find(edge.a)];
     ++chain.edges;
     chain.length += (mesh.rest.row(edge.a) - mesh.rest.row(edge.b)).stableNorm();
     for (const Index vertex : {edge.a, edge.b}) chain.vertices += counted.insert(vertex).second ? 1 : 0;
-  }
+  });
   std::vector<HalfEdge> drawn;
-  for (const HalfEdge& edge : sharp) {
-    const Chain& chain = chains[sets.find(edge.a)];
-    if (chain.edges >= chain.vertices || chain.length >= kLeastCreaseLength * mesh.diagonal) drawn.push_back(edge);
+  for (const HalfEdge& half : sharp) {
+    const Chain& chain = chains[sets.find(half.a)];
+    if (chain.edges >= chain.vertices || chain.length >= kLeastCreaseLength * mesh.diagonal) drawn.push_back(half);
   }
   return drawn;
-}
-
-/// Those of `creases` that are sides of triangles of `surface`.
-std::vector<std::array<Index, 2>> creasesOf(const ShadedSurface& surface,
-                                            const std::vector<std::array<Index, 2>>& creases, const SolverMesh& mesh)
-{
-  const auto sideOf = [&](Index a, Index b) {
-    const auto [low, high] =
-        std::minmax(mesh.weld.unknownOf[surface.vertexOf[a]], mesh.weld.unknownOf[surface.vertexOf[b]]);
-    return std::array{low, high};
-  };
-  std::map<std::array<Index, 2>, bool> isSide;
-  // Most sides do not begin where a crease does, and need no search.
-  std::vector<char> isAtCrease(static_cast<std::size_t>(mesh.unknownCount()), 0);
-  for (const auto& [a, b] : creases) isAtCrease[isSide.emplace(sideOf(a, b), false).first->first[0]] = 1;
-  for (Index t = 0; t < surface.triangles.size(); ++t)
-    for (int k = 0; k < 3; ++k) {
-      const auto side = sideOf(surface.triangles[t][k], surface.triangles[t][(k + 1) % 3]);
-      if (isAtCrease[side[0]] == 0) continue;
-      if (const auto found = isSide.find(side); found != isSide.end()) found->second = true;
-    }
-  std::vector<std::array<Index, 2>> found;
-  for (const auto& [a, b] : creases)
-    if (isSide.at(sideOf(a, b))) found.push_back({a, b});
-  return found;
 }
 
 }  // namespace
@@ -116,24 +92,15 @@ std::vector<Index> ShadedSurface::pointOf(Index vertexCount) const
   return points;
 }
 
-ShadedSurface without(const ShadedSurface& surface, const Model& model, const std::vector<char>& isHidden)
+std::vector<std::array<Index, 2>> ShadedSurface::creasesWithout(const std::vector<char>& isHidden) const
 {
-  ShadedSurface some;
-  some.vertexOf = surface.vertexOf;
-  std::vector<Index> numberOf(isHidden.size(), -1);
-  for (Index t = 0; t < surface.triangles.size(); ++t) {
-    if (isHidden[t] != 0) continue;
-    numberOf[t] = some.triangles.size();
-    some.triangles.add(surface.triangles[t]);
-  }
-  for (Index t = 0; t < surface.triangles.size(); ++t) {
-    if (isHidden[t] != 0) continue;
-    Triangle across = surface.across[t];
-    for (Index& other : across) other = other < 0 ? -1 : numberOf[other];
-    some.across.push_back(across);
-  }
-  some.creases = creasesOf(some, surface.creases, model.solverMesh);
-  return some;
+  std::vector<char> isSeen(creases.size(), 0);
+  for (const auto& [crease, triangle] : creaseSides)
+    if (isHidden[triangle] == 0) isSeen[crease] = 1;
+  std::vector<std::array<Index, 2>> seen;
+  for (std::size_t k = 0; k < creases.size(); ++k)
+    if (isSeen[k] != 0) seen.push_back(creases[k]);
+  return seen;
 }
 
 ShadedSurface cutAtSharpEdges(const Model& model)
@@ -145,16 +112,21 @@ ShadedSurface cutAtSharpEdges(const Model& model)
   forEachEdge(sortedHalfEdges(triangles), [&](std::span<const HalfEdge> halves) {
     if (halves.size() == 2)
       for (const int k : {0, 1}) across[halves[k].triangle][halves[k].side] = halves[1 - k].triangle;
-    if (!isSmooth(halves, model)) return sharp.push_back(halves[0]);
+    if (!isSmooth(halves, model)) {
+      sharp.insert(sharp.end(), halves.begin(), halves.end());
+      return;
+    }
     for (const Index vertex : {halves[0].a, halves[0].b})
       corners.unite(cornerOf(halves[0], triangles, vertex), cornerOf(halves[1], triangles, vertex));
   });
   ShadedSurface surface = numberPoints(model, corners);
   surface.across = std::move(across);
-  for (const HalfEdge& half : drawnEdges(sharp, model.solverMesh)) {
-    const auto points = surface.triangles[half.triangle];
-    surface.creases.push_back({points[half.side], points[(half.side + 1) % 3]});
-  }
+  forEachEdge(drawnEdges(sharp, model.solverMesh), [&](std::span<const HalfEdge> halves) {
+    for (const HalfEdge& half : halves)
+      surface.creaseSides.push_back({static_cast<Index>(surface.creases.size()), half.triangle});
+    const auto points = surface.triangles[halves[0].triangle];
+    surface.creases.push_back({points[halves[0].side], points[(halves[0].side + 1) % 3]});
+  });
   return surface;
 }
 

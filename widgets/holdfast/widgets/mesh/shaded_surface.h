@@ -14,15 +14,14 @@ struct ShadedSurface {
   std::vector<Index> vertexOf;                ///< file vertex of each point
   std::vector<Triangle> across;               ///< beyond each side of each triangle: another one; -1: none, or several
   std::vector<std::array<Index, 2>> creases;  ///< points at the ends of sharp edges and of borders that are drawn
+  std::vector<std::array<Index, 2>> creaseSides;  ///< each crease with each triangle at it
 
   /// The first point of each of `vertexCount` file vertices, -1 where no triangle uses it. O(points).
   [[nodiscard]] std::vector<Index> pointOf(Index vertexCount) const;
-};
 
-/// `surface`, which was cut from `model`, without the triangles for which `isHidden`, one for each: over the same
-/// points, with the creases at the triangles that are left. O(T).
-[[nodiscard]] ShadedSurface without(const ShadedSurface& surface, const Model& model,
-                                    const std::vector<char>& isHidden);
+  /// The creases at the triangles that are left without those for which `isHidden`, one for each. O(creases).
+  [[nodiscard]] std::vector<std::array<Index, 2>> creasesWithout(const std::vector<char>& isHidden) const;
+};
 
 /// Edges are sharp where the normals on both sides differ by more than this at rest.
 inline constexpr double kSharpDegrees = 42;
