@@ -1,11 +1,13 @@
 #include "holdfast/widgets/marks/face_tint.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <vtkCellArray.h>
 #include <vtkPlaneCollection.h>
 #include <vtkPointData.h>
 
+#include <holdfast/base/parallel.h>
 #include <holdfast/widgets/mesh/poly_data.h>
 
 namespace holdfast {
@@ -59,21 +61,28 @@ void FaceTint::set(std::vector<char> isIn)
   updateFaces();
 }
 
+bool FaceTint::isBetween(std::span<const Index> points, const std::vector<Index>& vertexOf) const
+{
+  return std::ranges::all_of(points, [&](Index point) { return isIn_[vertexOf[point]] != 0; });
+}
+
 void FaceTint::setOutline()
 {
   const ShadedSurface& surface = *mesh_.shaded();
+  isTinted_.assign(isIn_.empty() ? 0 : surface.triangles.size(), 0);
+  parallelBlocks(static_cast<Index>(isTinted_.size()), [&](Index t) {
+    isTinted_[t] = !mesh_.isHidden(t) && isBetween(surface.triangles[t], surface.vertexOf) ? 1 : 0;
+  });
+  tinted_ = std::ranges::count(isTinted_, 1);
+  isCovered_.assign(tinted_ > 0 ? isIn_.size() : 0, 0);
   vtkNew<vtkCellArray> lines;
-  tinted_ = 0;
-  isCovered_.clear();
-  for (Index t = 0; !isIn_.empty() && t < surface.triangles.size(); ++t) {
-    if (!isTinted(t)) continue;
-    isCovered_.resize(isIn_.size());
-    ++tinted_;
+  for (Index t = 0; tinted_ > 0 && t < surface.triangles.size(); ++t) {
+    if (isTinted_[t] == 0) continue;
     const auto points = surface.triangles[t];
     for (int side = 0; side < 3; ++side) {
       isCovered_[surface.vertexOf[points[side]]] = 1;
       const Index across = surface.across[t][side];
-      if (across < 0 || !isTinted(across)) lines->InsertNextCell({points[side], points[(side + 1) % 3]});
+      if (across < 0 || isTinted_[across] == 0) lines->InsertNextCell({points[side], points[(side + 1) % 3]});
     }
   }
   lineData_->SetLines(lines);
@@ -90,13 +99,13 @@ void FaceTint::updateFaces()
   // Small tints would lose their shape.
   const bool isCoarse = detail_ == Detail::Coarse && tinted_ > kCoarseTriangles;
   if (!isCoarse && data_->GetNumberOfPolys() < tinted_)
-    data_->SetPolys(toCells(mesh_.shaded()->triangles, tinted_, [this](Index triangle) { return isTinted(triangle); }));
+    data_->SetPolys(toCells(mesh_.shaded()->triangles, [this](Index triangle) { return isTinted_[triangle] != 0; }));
   if (isCoarse && coarseData_->GetNumberOfPolys() == 0) {
     const CoarseSurface& coarse = mesh_.coarse();
     coarseData_->SetPoints(coarse.data().GetPoints());
     coarseData_->GetPointData()->SetNormals(coarse.data().GetPointData()->GetNormals());
-    coarseData_->SetPolys(toCells(coarse.triangles(), coarse.triangles().size(), [&](Index triangle) {
-      return isTinted(coarse.triangles()[triangle], coarse.vertexOf());
+    coarseData_->SetPolys(toCells(coarse.triangles(), [&](Index triangle) {
+      return isBetween(coarse.triangles()[triangle], coarse.vertexOf());
     }));
   }
   faces_->SetMapper(isCoarse ? coarseMapper_ : mapper_);

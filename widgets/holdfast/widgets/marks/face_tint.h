@@ -1,7 +1,6 @@
 #pragma once
 /// Some vertices of the mesh that is drawn as tinted faces with an outline.
 
-#include <algorithm>
 #include <span>
 #include <utility>
 #include <vector>
@@ -37,19 +36,13 @@ class FaceTint {
   [[nodiscard]] bool covers(Index vertex) const { return !isCovered_.empty() && isCovered_[vertex] != 0; }
 
  private:
-  [[nodiscard]] bool isTinted(std::span<const Index> points, const std::vector<Index>& vertexOf) const
-  {
-    return std::ranges::all_of(points, [&](Index point) { return isIn_[vertexOf[point]] != 0; });
-  }
-  [[nodiscard]] bool isTinted(Index triangle) const
-  {
-    return !mesh_.isHidden(triangle) && isTinted(mesh_.shaded()->triangles[triangle], mesh_.vertexOf());
-  }
+  [[nodiscard]] bool isBetween(std::span<const Index> points, const std::vector<Index>& vertexOf) const;
   void setOutline();
   void updateFaces();
 
   const MeshActor& mesh_;
   std::vector<char> isIn_;       // of each file vertex
+  std::vector<char> isTinted_;   // each triangle of the mesh; empty where none is
   std::vector<char> isCovered_;  // by tinted triangles; empty where there are none
   Detail detail_ = Detail::Full;
   vtkIdType tinted_ = 0;  // of the triangles of the mesh

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 #include <vtkDataArray.h>
-#include <vtkNew.h>
 #include <vtkTypeInt64Array.h>
 
 #include <holdfast/base/error.h>

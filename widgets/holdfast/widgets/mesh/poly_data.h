@@ -1,14 +1,17 @@
 #pragma once
 /// Between Holdfast's meshes and VTK's.
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
+#include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
+#include <vtkTypeInt32Array.h>
 
 #include <holdfast/mesh/field.h>
 #include <holdfast/mesh/mesh.h>
@@ -25,16 +28,23 @@ void setPolygons(vtkPolyData& data, const std::vector<std::vector<Vector3>>& pol
 
 [[nodiscard]] vtkSmartPointer<vtkCellArray> toCells(const Polygons& polygons);
 
-/// The `count` triangles k among `triangles` for which `isIn(k)`.
+/// The triangles k among `triangles` for which `isIn(k)`, which is called twice for each.
 template <typename Predicate>
-[[nodiscard]] vtkSmartPointer<vtkCellArray> toCells(const Polygons& triangles, Index count, const Predicate& isIn)
+[[nodiscard]] vtkSmartPointer<vtkCellArray> toCells(const Polygons& triangles, const Predicate& isIn)
 {
-  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  vtkTypeInt32 count = 0;
+  for (Index k = 0; k < triangles.size(); ++k) count += isIn(k) ? 1 : 0;
   // Fresh memory takes longer than what is written into it, and OpenGL has no longer numbers.
-  cells->Use32BitStorage();
-  cells->AllocateExact(count, 3 * count);
+  vtkNew<vtkTypeInt32Array> starts;
+  vtkNew<vtkTypeInt32Array> corners;
+  starts->SetNumberOfValues(count + 1);
+  corners->SetNumberOfValues(3 * count);
+  for (vtkTypeInt32 k = 0; k <= count; ++k) starts->SetValue(k, 3 * k);
+  vtkTypeInt32* next = corners->GetPointer(0);
   for (Index k = 0; k < triangles.size(); ++k)
-    if (isIn(k)) cells->InsertNextCell({triangles[k][0], triangles[k][1], triangles[k][2]});
+    if (isIn(k)) next = std::ranges::copy(triangles[k], next).out;
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->SetData(starts, corners);
   return cells;
 }
 
