@@ -43,11 +43,9 @@ void removeRecentFile(const QString& path)
   if (all.removeAll(QFileInfo(path).absoluteFilePath()) > 0) QSettings().setValue(kKey, all);
 }
 
-QPixmap fitted(const QPixmap& picture)
+QImage fitted(const QImage& picture)
 {
-  // Most of a large picture is left out first: smoothing takes long.
-  const QPixmap rough = picture.scaled(4 * kRecentPictureSize, Qt::KeepAspectRatioByExpanding);
-  const QPixmap smooth = rough.scaled(kRecentPictureSize, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
+  const QImage smooth = picture.scaled(kRecentPictureSize, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
   const QSize margin = (smooth.size() - kRecentPictureSize) / 2;
   return smooth.copy(QRect({margin.width(), margin.height()}, kRecentPictureSize));
 }
@@ -58,7 +56,7 @@ QString recentPicture(const QString& path)
   return pictureFolder().filePath(name + ".png");
 }
 
-void keepRecentPicture(const QString& path, const QPixmap& picture)
+void keepRecentPicture(const QString& path, const QImage& picture)
 {
   const QStringList recent = recentFiles();
   if (!recent.contains(path)) return;

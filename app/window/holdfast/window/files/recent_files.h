@@ -1,8 +1,8 @@
 #pragma once
 /// The files that were open last, by their absolute paths, the latest first, in the user's settings.
 
+#include <QImage>
 #include <QMenu>
-#include <QPixmap>
 #include <functional>
 
 namespace holdfast {
@@ -16,11 +16,11 @@ void removeRecentFile(const QString& path);
 /// Twice as large as they are shown: for screens of high resolution.
 inline constexpr QSize kRecentPictureSize(320, 240);
 /// The middle of `picture` at that size.
-[[nodiscard]] QPixmap fitted(const QPixmap& picture);
+[[nodiscard]] QImage fitted(const QImage& picture);
 /// The file of the picture that was kept of a recent file; it need not exist.
 [[nodiscard]] QString recentPicture(const QString& path);
 /// Keeps what `path` looks like, and drops pictures of files that are not recent any more.
-void keepRecentPicture(const QString& path, const QPixmap& picture);
+void keepRecentPicture(const QString& path, const QImage& picture);
 
 /// The same name in the folder that was used last for this purpose ("export"); `suggestion` itself before the first.
 [[nodiscard]] QString inLastFolder(const QString& purpose, const QString& suggestion);

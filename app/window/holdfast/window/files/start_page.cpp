@@ -124,11 +124,11 @@ StartPage::StartPage(Editor& editor, DocumentFiles& files, QWidget* parent)
   column->addStretch(1);
   newLayout<QVBoxLayout>(this, 0, 0, {newScrollArea(content, tr("Start page"))});
   for (const Example& example : found) {
-    QPixmap picture(example.picture);
+    QImage picture(example.picture);
     // Its left part: the legend is at the right.
     picture = picture.copy(0, 0, picture.width() * 4 / 5, picture.height());
     examples_->add(example.title, QDir::toNativeSeparators(example.mesh),
-                   picture.isNull() ? blankPicture(example.mesh, palette()) : fitted(picture),
+                   picture.isNull() ? blankPicture(example.mesh, palette()) : QPixmap::fromImage(fitted(picture)),
                    [this, example] { files_.openExample(example); });
   }
   connect(&editor, &Editor::opened, this, [this, &editor] {

@@ -305,7 +305,7 @@ void MainWindow::keepPicture()
   if (!editor_.isOpen() || !isVisible()) return;
   if (editor_.solveState() == SolveState::Solving || viewport_->isRenderPending()) return pictureDelay_.start();
   const auto& session = files_.sessionPath();
-  QPixmap picture = QPixmap::fromImage(viewport_->grabFramebuffer());
+  QImage picture = viewport_->grabFramebuffer();
   // Without the axes in the corner.
   picture = picture.copy(0, 0, picture.width() * 4 / 5, picture.height());
   keepRecentPicture(textOf(session.empty() ? editor_.mesh().path : session), picture);
