@@ -14,23 +14,16 @@
 #include <holdfast/base/no_subnormals_internal.h>
 #include <holdfast/base/parallel.h>
 #include <holdfast/factor/dense_kernels_internal.h>
+#include <holdfast/factor/strips.h>
 
 namespace holdfast {
 namespace {
 
-// Blocks that dense matrices are taken apart into. They are fixed: which sums are formed must not depend on threads.
-constexpr int kBlock = 192;
-
 constexpr int kAllPositive = -1;
 
-std::size_t at(int row, int column, int height)
+int stripCount(int columns)
 {
-  return static_cast<std::size_t>(column) * static_cast<std::size_t>(height) + static_cast<std::size_t>(row);
-}
-
-int blockCount(int size)
-{
-  return (size + kBlock - 1) / kBlock;
+  return (columns + kStripWidth - 1) / kStripWidth;
 }
 
 /// Runs turns of a loop one after the other, or over all cores. `work` takes the turn and the number of the thread.
@@ -52,52 +45,57 @@ class Loop {
 };
 
 /// C <- scale C - sign A A1^T for n rows of A, A1 the first `width` of them; above its diagonal C is not used.
-void updateColumns(int n, int width, int k, double sign, const double* A, int ldA, double scale, double* C)
+void updateColumns(int n, int width, int k, double sign, const double* A, int ldA, double scale, double* C, int ldC)
 {
-  denseKernels().symmetricUpdate(width, k, -sign, A, ldA, scale, C, n);
-  if (n > width) denseKernels().update(n - width, width, k, -sign, A + width, A, ldA, scale, C + width, n);
+  denseKernels().symmetricUpdate(width, k, -sign, A, ldA, scale, C, ldC);
+  if (n > width) denseKernels().update(n - width, width, k, -sign, A + width, A, ldA, scale, C + width, ldC);
 }
 
-/// Factorises the columns of a panel (height x width), block by block; from column `positive` on with -1 in S. Returns
-/// the place of the first pivot of another sign, from 1; 0 where there is none.
-int factorizePanel(const Loop& loop, double* panel, int height, int width, int positive)
+/// The end of the block of columns of a panel that is factorised at once: in one strip, with one sign in S.
+int blockEnd(int first, const Supernode& node)
 {
+  const int positive = node.width - node.multipliers;
+  return std::min(stripOf(first) + kStripWidth, first < positive ? positive : node.width);
+}
+
+double signOf(int column, const Supernode& node)
+{
+  return column < node.width - node.multipliers ? 1 : -1;
+}
+
+/// Factorises the columns of a panel, block by block. Returns the place of the first pivot of another sign than S has,
+/// from 1; 0 where there is none.
+int factorizePanel(const Loop& loop, double* panel, const Supernode& node)
+{
+  const int height = node.height();
   int end = 0;
-  for (int first = 0; first < width; first = end) {
-    end = std::min(first + kBlock, first < positive ? positive : width);
+  for (int first = 0; first < node.width; first = end) {
+    end = blockEnd(first, node);
     const int columns = end - first;
-    const double sign = first < positive ? 1 : -1;
-    double* const corner = panel + at(first, first, height);
+    const int ld = height - stripOf(first);
+    const double sign = signOf(first, node);
+    double* const corner = panel + placeInStrips(first, first, height);
     if (sign < 0)  // L11 L11^T = -F11, L21 = -F21 L11^-T
-      for (int j = 0; j < columns; ++j)
-        std::transform(corner + at(j, j, height), corner + at(height - first, j, height), corner + at(j, j, height),
-                       std::negate());
-    if (const int bad = denseKernels().cholesky(columns, corner, height); bad != 0) return first + bad;
-    loop(blockCount(height - end), [&](int block, Index /*thread*/) {
-      const int row = end + block * kBlock;
-      denseKernels().solveRight(std::min(kBlock, height - row), columns, corner, height, panel + at(row, first, height),
-                                height);
+      for (int j = first; j < end; ++j) {
+        double* const column = panel + placeInStrips(j, j, height);
+        std::transform(column, column + (height - j), column, std::negate());
+      }
+    if (const int bad = denseKernels().cholesky(columns, corner, ld); bad != 0) return first + bad;
+    loop(stripCount(height - end), [&](int strip, Index /*thread*/) {
+      const int row = end + strip * kStripWidth;
+      denseKernels().solveRight(std::min(kStripWidth, height - row), columns, corner, ld,
+                                panel + placeInStrips(row, first, height), ld);
     });
-    loop(blockCount(width - end), [&](int block, Index /*thread*/) {
-      const int column = end + block * kBlock;
-      const int count = std::min(kBlock, width - column);
-      const double* const left = panel + at(column, first, height);
-      denseKernels().symmetricUpdate(count, columns, -sign, left, height, 1, panel + at(column, column, height),
-                                     height);
-      if (const int below = height - column - count; below > 0)
-        denseKernels().update(below, count, columns, -sign, left + count, left, height, 1,
-                              panel + at(column + count, column, height), height);
+    loop(stripCount(node.width - stripOf(end)), [&](int strip, Index /*thread*/) {
+      const int behind = stripOf(end) + strip * kStripWidth;
+      const int column = std::max(end, behind);
+      const int count = std::min(behind + kStripWidth, node.width) - column;
+      if (count <= 0) return;
+      updateColumns(height - column, count, columns, sign, panel + placeInStrips(column, first, height), ld, 1,
+                    panel + placeInStrips(column, column, height), height - behind);
     });
   }
   return 0;
-}
-
-/// An update is a lower triangle in strips of `kBlock` columns, each a matrix from the row of its first column down.
-/// Where a column begins in it; with `size`, the end.
-std::int64_t columnStart(std::int64_t column, std::int64_t size)
-{
-  const std::int64_t first = column / kBlock * kBlock;
-  return first * size - first * (first - kBlock) / 2 + (column - first) * (size - first);
 }
 
 /// What a thread computes supernodes in.
@@ -114,7 +112,7 @@ std::int64_t mostNumbers(const SymbolicFactor& symbolic)
   std::int64_t most = 0;
   const auto updateOf = [&](std::size_t s) {
     const int rows = symbolic.supernodes[s].rowCount;
-    return columnStart(rows, rows);
+    return numbersInStrips(rows, rows);
   };
   for (std::size_t s = 0; s < symbolic.supernodes.size(); ++s) {
     kept += updateOf(s);
@@ -178,13 +176,18 @@ class Multifrontal {
   void factorize(int s, FrontWorkspace& work, const Loop& loop)
   {
     const Supernode& node = symbolic_.supernodes[s];
-    if (s >= symbolic_.top.begin) memory_.returnGaps();  // of fronts, whose numbers L has now
     findPlaces(s, work);
     makePanel(node, work);
     addEntries(node, work);
-    addChildren(s, {work.panel.get(), node.height(), 0, node.width}, work, loop);
-    const int positive = node.width - node.multipliers;
-    if (const int bad = factorizePanel(loop, work.panel.get(), node.height(), node.width, positive); bad != 0) {
+    loop(stripCount(node.width), [&](int strip, Index /*thread*/) {
+      const int first = strip * kStripWidth;
+      addChildren(s,
+                  {work.panel.get() + placeInStrips(first, first, node.height()), node.height() - first, first,
+                   std::min(first + kStripWidth, node.width)},
+                  work);
+    });
+    if (node.rowCount == 0) dropChildren(s);
+    if (const int bad = factorizePanel(loop, work.panel.get(), node); bad != 0) {
       int none = kAllPositive;
       badPivot_.compare_exchange_strong(none, node.firstColumn + bad - 1);
       return;
@@ -192,15 +195,21 @@ class Multifrontal {
     result_->store(s, work.panel.get());
     keepUpdate(s, work, loop);
     work.panel.reset();
+    dropChildren(s);
+  }
+
+  void dropChildren(int s)
+  {
     for (const int child : symbolic_.children[s]) updates_[child].reset();
+    if (s >= symbolic_.top.begin) memory_.returnGaps();
   }
 
   /// Zeros from the diagonal down.
   void makePanel(const Supernode& node, FrontWorkspace& work)
   {
-    work.panel = memory_.take(at(0, node.width, node.height()));
-    for (int j = 0; j < node.width; ++j)
-      std::fill_n(work.panel.get() + at(j, j, node.height()), node.height() - j, 0.0);
+    const int height = node.height();
+    work.panel = memory_.take(static_cast<std::size_t>(numbersInStrips(node.width, height)));
+    for (int j = 0; j < node.width; ++j) std::fill_n(work.panel.get() + placeInStrips(j, j, height), height - j, 0.0);
   }
 
   /// What the supernode and those below it take off its parents. Strips stay in the cache.
@@ -208,19 +217,17 @@ class Multifrontal {
   {
     const Supernode& node = symbolic_.supernodes[s];
     const int rows = node.rowCount;
-    updates_[s] = memory_.take(static_cast<std::size_t>(columnStart(rows, rows)));
-    const int positive = node.width - node.multipliers;
-    loop(blockCount(rows), [&](int block, Index /*thread*/) {
-      const int first = block * kBlock;
-      const int width = std::min(kBlock, rows - first);
-      const int below = rows - first;
-      double* const strip = updates_[s].get() + columnStart(first, rows);
-      const double* const left = work.panel.get() + node.width + first;
-      updateColumns(below, width, positive, 1, left, node.height(), 0, strip);
-      if (node.multipliers > 0)
-        updateColumns(below, width, node.multipliers, -1, left + at(0, positive, node.height()), node.height(), 1,
-                      strip);
-      addChildren(s, {strip, below, node.width + first, node.width + first + width}, work, Loop(false));
+    updates_[s] = memory_.take(static_cast<std::size_t>(numbersInStrips(rows, rows)));
+    loop(stripCount(rows), [&](int strip, Index /*thread*/) {
+      const int first = strip * kStripWidth;
+      const int row = node.width + first;
+      const int width = std::min(kStripWidth, rows - first);
+      double* const numbers = updates_[s].get() + placeInStrips(first, first, rows);
+      for (int column = 0; column < node.width; column = blockEnd(column, node))
+        updateColumns(rows - first, width, blockEnd(column, node) - column, signOf(column, node),
+                      work.panel.get() + placeInStrips(row, column, node.height()), node.height() - stripOf(column),
+                      column == 0 ? 0 : 1, numbers, rows - first);
+      addChildren(s, {numbers, rows - first, row, row + width}, work);
     });
   }
 
@@ -229,9 +236,9 @@ class Multifrontal {
     const int height = node.height();
     for (int k = 0; k < node.width; ++k) {
       const int column = node.firstColumn + k;
-      work.panel[at(k, k, height)] += diagonal_[column];
+      work.panel[placeInStrips(k, k, height)] += diagonal_[column];
       for (int e = symbolic_.pattern.start[column]; e < symbolic_.pattern.start[column + 1]; ++e)
-        work.panel[at(work.placeOf[symbolic_.pattern.row[e]], k, height)] +=
+        work.panel[placeInStrips(work.placeOf[symbolic_.pattern.row[e]], k, height)] +=
             lower_.valuePtr()[symbolic_.pattern.source[e]];
     }
   }
@@ -264,24 +271,18 @@ class Multifrontal {
   };
 
   /// Adds what the children of a supernode have kept to a part of its front.
-  void addChildren(int s, const FrontPart& part, const FrontWorkspace& work, const Loop& loop)
+  void addChildren(int s, const FrontPart& part, const FrontWorkspace& work)
   {
     for (std::size_t c = 0; c < symbolic_.children[s].size(); ++c) {
       const std::vector<int>& places = work.places[c];
       const double* const update = updates_[symbolic_.children[s][c]].get();
       const int size = static_cast<int>(places.size());
       const int begin = static_cast<int>(std::ranges::lower_bound(places, part.first) - places.begin());
-      const int end = static_cast<int>(std::ranges::lower_bound(places, part.end) - places.begin());
-      loop(blockCount(end - begin), [&](int block, Index /*thread*/) {
-        const int firstColumn = begin + block * kBlock;
-        for (int j = firstColumn; j < std::min(end, firstColumn + kBlock); ++j) {
-          double* const to = part.numbers + at(0, places[j] - part.first, part.height);
-          const int first = j / kBlock * kBlock;
-          const double* const from = update + columnStart(j, size) - first;
-          for (int i = j; i < size; ++i) to[places[i] - part.first] += from[i];
-        }
-      });
-      if (symbolic_.supernodes[s].rowCount == 0) updates_[symbolic_.children[s][c]].reset();
+      for (int j = begin; j < size && places[j] < part.end; ++j) {
+        double* const to = part.numbers + static_cast<std::ptrdiff_t>(places[j] - part.first) * part.height;
+        const double* const from = update + placeInStrips(j, j, size) - j;
+        for (int i = j; i < size; ++i) to[places[i] - part.first] += from[i];
+      }
     }
   }
 

@@ -8,6 +8,7 @@
 
 #include <holdfast/base/parallel.h>
 #include <holdfast/base/sparse_products.h>
+#include <holdfast/factor/strips.h>
 #include <holdfast/factor/triangular_kernels.h>
 
 namespace holdfast {
@@ -59,15 +60,16 @@ PackedFactor::PackedFactor(std::shared_ptr<const SymbolicFactor> symbolic) : sym
 void PackedFactor::store(int supernode, const double* panel)
 {
   const Supernode& node = symbolic_->supernodes[supernode];
-  const auto height = static_cast<std::size_t>(node.height());
+  static_assert(kStripWidth % kChunkWidth == 0);
   for (int c = firstChunk_[supernode]; c < firstChunk_[supernode + 1]; ++c) {
     const FactorChunk& chunk = chunks_[c];
     const int first = chunk.firstColumn - node.firstColumn;
-    const double* const corner = panel + static_cast<std::size_t>(first) * height + static_cast<std::size_t>(first);
+    const double* const corner = panel + placeInStrips(first, first, node.height());
+    const auto apart = static_cast<std::size_t>(node.height() - stripOf(first));
     double* to = numbers_.get() + chunk.offset;
     for (int i = 0; i < chunk.width + chunk.rowCount; ++i)
       for (int j = 0; j < chunk.width; ++j, ++to) {
-        const double number = corner[static_cast<std::size_t>(j) * height + static_cast<std::size_t>(i)];
+        const double number = corner[static_cast<std::size_t>(j) * apart + static_cast<std::size_t>(i)];
         *to = i > j ? number : i == j ? 1 / number : 0;
       }
   }

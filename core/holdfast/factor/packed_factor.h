@@ -35,7 +35,7 @@ class PackedFactor {
  public:
   explicit PackedFactor(std::shared_ptr<const SymbolicFactor> symbolic);
 
-  /// Stores the columns of a supernode: `panel` is its height x width, column by column, `height` apart.
+  /// Stores the columns of a supernode: the first `width` of a triangle of `height` rows in strips.
   void store(int supernode, const double* panel);
 
   /// Puts the rows of `b` (n x 3) into the order of elimination: what `solve` takes.
