@@ -223,10 +223,12 @@ class Multifrontal {
       const int row = node.width + first;
       const int width = std::min(kStripWidth, rows - first);
       double* const numbers = updates_[s].get() + placeInStrips(first, first, rows);
-      for (int column = 0; column < node.width; column = blockEnd(column, node))
-        updateColumns(rows - first, width, blockEnd(column, node) - column, signOf(column, node),
+      for (int column = 0, end = 0; column < node.width; column = end) {
+        end = blockEnd(column, node);
+        updateColumns(rows - first, width, end - column, signOf(column, node),
                       work.panel.get() + placeInStrips(row, column, node.height()), node.height() - stripOf(column),
                       column == 0 ? 0 : 1, numbers, rows - first);
+      }
       addChildren(s, {numbers, rows - first, row, row + width}, work);
     });
   }

@@ -23,7 +23,7 @@ inline std::int64_t placeInStrips(std::int64_t row, int column, std::int64_t siz
   return first * size - first * (first - kStripWidth) / 2 + (column - first) * (size - first) + row - first;
 }
 
-/// Of the first `columns` columns of such a triangle.
+/// How many numbers the first `columns` columns of such a triangle take.
 inline std::int64_t numbersInStrips(int columns, std::int64_t size)
 {
   return placeInStrips(stripOf(columns), columns, size);

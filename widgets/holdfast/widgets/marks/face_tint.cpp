@@ -21,7 +21,7 @@ constexpr double kRimOpacity = 0.75;
 constexpr double kRimPixels = 3.6;
 constexpr double kLinePixels = 1.8;
 
-// Of what pushes the surface away: between it and the lines on it.
+// A share of the push of the surface: tints lie between it and the lines on it.
 constexpr double kPush = 0.5;
 
 }  // namespace

@@ -22,7 +22,7 @@ class FaceTint {
 
   /// Whether each file vertex is one of them; none where it is empty. O(T).
   void set(std::vector<char> isIn);
-  /// Of what is drawn of the mesh now: after `MeshActor::setHidden`. O(T).
+  /// Tints what is drawn of the mesh now; is called after `MeshActor::setHidden`. O(T).
   void refresh() { set(std::move(isIn_)); }
   /// That of the tint, where it covers many triangles.
   void setDetail(Detail detail);
@@ -37,6 +37,7 @@ class FaceTint {
 
  private:
   [[nodiscard]] bool isBetween(std::span<const Index> points, const std::vector<Index>& vertexOf) const;
+  /// Finds the tinted triangles as well.
   void setOutline();
   void updateFaces();
 

@@ -155,7 +155,7 @@ void MeshActor::setHidden(std::vector<char> isHidden)
   if (isHidden_ == isHidden) return;
   isHidden_ = std::move(isHidden);
   if (isHidden_.empty()) return draw(toCells(shaded_->triangles), linesOf(shaded_->creases));
-  const auto triangles = toCells(shaded_->triangles, [this](Index triangle) { return !this->isHidden(triangle); });
+  const auto triangles = toCells(shaded_->triangles, [this](Index triangle) { return isHidden_[triangle] == 0; });
   draw(triangles, linesOf(shaded_->creasesWithout(isHidden_)));
 }
 

@@ -95,7 +95,7 @@ class MeshActor {
   /// The file vertex of each point that is drawn.
   [[nodiscard]] const std::vector<Index>& vertexOf() const noexcept { return shaded_->vertexOf; }
   [[nodiscard]] const std::shared_ptr<const ShadedSurface>& shaded() const noexcept { return shaded_; }
-  /// Of its triangles.
+  /// Whether a triangle of `shaded` is left out.
   [[nodiscard]] bool isHidden(Index triangle) const { return !isHidden_.empty() && isHidden_[triangle] != 0; }
 
   /// The points and normals that are drawn, for other actors on the mesh.
