@@ -7,18 +7,30 @@
 namespace holdfast {
 namespace {
 
-/// The rows of the strict upper triangle by columns: of each column the earlier ones that it is tied to.
-OrderedPattern transposed(const OrderedPattern& lower)
+/// Of each column the earlier ones that it is tied to.
+struct UpperPattern {
+  std::vector<int> start;
+  std::vector<int> row;
+};
+
+/// Calls `visit(column, row)` for each entry below the diagonal.
+template <class Visit>
+void forEachBelow(const SparseMatrix& lower, const Visit& visit)
 {
-  OrderedPattern upper;
-  const int n = lower.size();
-  upper.start.assign(lower.start.size(), 0);
-  for (const int row : lower.row) ++upper.start[row + 1];
+  for (int column = 0; column < lower.cols(); ++column)
+    for (SparseMatrix::InnerIterator entry(lower, column); entry; ++entry)
+      if (entry.row() != column) visit(column, static_cast<int>(entry.row()));
+}
+
+UpperPattern transposed(const SparseMatrix& lower)
+{
+  UpperPattern upper;
+  upper.start.assign(static_cast<std::size_t>(lower.cols()) + 1, 0);
+  forEachBelow(lower, [&](int /*column*/, int row) { ++upper.start[row + 1]; });
   std::partial_sum(upper.start.begin(), upper.start.end(), upper.start.begin());
-  upper.row.resize(lower.row.size());
+  upper.row.resize(static_cast<std::size_t>(upper.start.back()));
   std::vector<int> next(upper.start.begin(), upper.start.end() - 1);
-  for (int column = 0; column < n; ++column)
-    for (int k = lower.start[column]; k < lower.start[column + 1]; ++k) upper.row[next[lower.row[k]]++] = column;
+  forEachBelow(lower, [&](int column, int row) { upper.row[next[row]++] = column; });
   return upper;
 }
 
@@ -33,45 +45,37 @@ int rootOf(int node, std::vector<int>& ancestor)
 
 }  // namespace
 
-std::vector<int> inverse(const std::vector<int>& permutation)
+SparseMatrix inOrder(const SparseMatrix& lower, const std::vector<int>& order)
 {
-  std::vector<int> result(permutation.size());
-  for (std::size_t k = 0; k < permutation.size(); ++k) result[permutation[k]] = static_cast<int>(k);
-  return result;
-}
-
-OrderedPattern orderedPattern(const SparseMatrix& lower, const std::vector<int>& order)
-{
-  const std::vector<int> place = inverse(order);
-  const int n = static_cast<int>(order.size());
-  OrderedPattern result;
-  result.start.assign(order.size() + 1, 0);
+  std::vector<int> place(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) place[order[k]] = static_cast<int>(k);
+  SparseMatrix result(lower.rows(), lower.cols());
+  int* const start = result.outerIndexPtr();
   const auto forEach = [&](auto&& visit) {
-    for (int column = 0; column < n; ++column)
-      for (int k = lower.outerIndexPtr()[column]; k < lower.outerIndexPtr()[column + 1]; ++k)
-        if (const int row = lower.innerIndexPtr()[k]; row != column) {
-          const auto [first, second] = std::minmax(place[row], place[column]);
-          visit(first, second, k);
-        }
+    for (const int column : order)
+      for (SparseMatrix::InnerIterator entry(lower, column); entry; ++entry) {
+        const auto [first, second] = std::minmax(place[column], place[entry.row()]);
+        visit(first, second, entry.value());
+      }
   };
-  forEach([&](int column, int /*row*/, int /*source*/) { ++result.start[column + 1]; });
-  std::partial_sum(result.start.begin(), result.start.end(), result.start.begin());
-  result.row.resize(static_cast<std::size_t>(result.start.back()));
-  result.source.resize(result.row.size());
-  std::vector<int> next(result.start.begin(), result.start.end() - 1);
-  forEach([&](int column, int row, int source) {
-    result.row[next[column]] = row;
-    result.source[next[column]++] = source;
+  forEach([&](int column, int /*row*/, double /*value*/) { ++start[column + 1]; });
+  std::partial_sum(start, start + order.size() + 1, start);
+  result.resizeNonZeros(start[order.size()]);
+  std::vector<int> next(start, start + order.size());
+  forEach([&](int column, int row, double value) {
+    const int entry = next[column]++;
+    result.innerIndexPtr()[entry] = row;
+    result.valuePtr()[entry] = value;
   });
   return result;
 }
 
-std::vector<int> eliminationTree(const OrderedPattern& pattern)
+std::vector<int> eliminationTree(const SparseMatrix& lower)
 {
-  const OrderedPattern upper = transposed(pattern);
-  std::vector<int> parent(static_cast<std::size_t>(pattern.size()), kNoParent);
+  const UpperPattern upper = transposed(lower);
+  std::vector<int> parent(static_cast<std::size_t>(lower.cols()), kNoParent);
   std::vector<int> ancestor = parent;
-  for (int column = 0; column < pattern.size(); ++column)
+  for (int column = 0; column < lower.cols(); ++column)
     for (int k = upper.start[column]; k < upper.start[column + 1]; ++k)
       for (int node = upper.row[k]; node != kNoParent && node != column;) {
         const int next = ancestor[node];
@@ -111,7 +115,7 @@ std::vector<int> postorder(const std::vector<int>& parent)
   return post;
 }
 
-std::vector<int> columnCounts(const OrderedPattern& pattern, const std::vector<int>& parent,
+std::vector<int> columnCounts(const SparseMatrix& lower, const std::vector<int>& parent,
                               const std::vector<int>& post)
 {
   constexpr int kNoColumn = -1;
@@ -135,10 +139,10 @@ std::vector<int> columnCounts(const OrderedPattern& pattern, const std::vector<i
   std::vector<Leaf> lastLeaf(n);  // of each row
   for (const int column : post) {
     if (parent[column] != kNoParent) --count[parent[column]];
-    for (int k = pattern.start[column]; k < pattern.start[column + 1]; ++k) {
-      const int row = pattern.row[k];
-      const int first = firstDescendant[column];
-      if (first <= lastLeaf[row].firstDescendant) continue;
+    const int first = firstDescendant[column];
+    for (SparseMatrix::InnerIterator entry(lower, column); entry; ++entry) {
+      const auto row = static_cast<int>(entry.row());
+      if (row == column || first <= lastLeaf[row].firstDescendant) continue;
       ++count[column];
       if (lastLeaf[row].column != kNoColumn) --count[rootOf(lastLeaf[row].column, ancestor)];
       lastLeaf[row] = {column, first};

@@ -124,10 +124,9 @@ std::int64_t mostNumbers(const SymbolicFactor& symbolic)
 
 class Multifrontal {
  public:
-  Multifrontal(const std::shared_ptr<const SymbolicFactor>& symbolic, const SparseMatrix& lower)
+  Multifrontal(const std::shared_ptr<const SymbolicFactor>& symbolic, SparseMatrix lower)
       : symbolic_(*symbolic),
-        lower_(lower),
-        diagonal_(symbolic->order.size()),
+        lower_(std::move(lower)),
         updates_(symbolic->supernodes.size()),
         result_(std::make_unique<PackedFactor>(symbolic))
   {
@@ -141,12 +140,13 @@ class Multifrontal {
     const std::scoped_lock lock(computing);
     if (step_->isLeftBehind()) throw LeftBehind();
     const NoSubnormals arithmetic;  // L falls off exponentially where much is held
-    findDiagonal();
     std::vector<FrontWorkspace> workspaces(static_cast<std::size_t>(threadCount()));
     const std::vector<SupernodeRange>& subtrees = symbolic_.subtrees;
     parallelFor(static_cast<Index>(subtrees.size()),
                 [&](Index k, Index thread) { factorize(subtrees[k], workspaces[thread], Loop(false)); });
     workspaces.resize(1);
+    firstKept_ = symbolic_.topColumn();
+    lower_ = SparseMatrix(lower_.rightCols(lower_.cols() - firstKept_));
     factorize(symbolic_.top, workspaces[0], Loop(true));
     if (step_->isLeftBehind()) throw LeftBehind();
     return badPivot_;
@@ -155,17 +155,9 @@ class Multifrontal {
   [[nodiscard]] std::unique_ptr<const PackedFactor> result() { return std::move(result_); }
 
  private:
-  void findDiagonal()
-  {
-    for (std::size_t k = 0; k < diagonal_.size(); ++k) {
-      const SparseMatrix::InnerIterator first(lower_, symbolic_.order[k]);
-      diagonal_[k] = first && first.row() == first.col() ? first.value() : 0;
-    }
-  }
-
   void factorize(const SupernodeRange& range, FrontWorkspace& work, const Loop& loop)
   {
-    work.placeOf.resize(diagonal_.size());
+    work.placeOf.resize(symbolic_.order.size());
     for (int s = range.begin; s < range.end && badPivot_ == kAllPositive && !step_->isLeftBehind(); ++s) {
       factorize(s, work, loop);
       done_ += flopsOf(symbolic_.supernodes[s].width, symbolic_.supernodes[s].rowCount);
@@ -236,13 +228,9 @@ class Multifrontal {
   void addEntries(const Supernode& node, FrontWorkspace& work)
   {
     const int height = node.height();
-    for (int k = 0; k < node.width; ++k) {
-      const int column = node.firstColumn + k;
-      work.panel[placeInStrips(k, k, height)] += diagonal_[column];
-      for (int e = symbolic_.pattern.start[column]; e < symbolic_.pattern.start[column + 1]; ++e)
-        work.panel[placeInStrips(work.placeOf[symbolic_.pattern.row[e]], k, height)] +=
-            lower_.valuePtr()[symbolic_.pattern.source[e]];
-    }
+    for (int k = 0; k < node.width; ++k)
+      for (SparseMatrix::InnerIterator entry(lower_, node.firstColumn + k - firstKept_); entry; ++entry)
+        work.panel[placeInStrips(work.placeOf[entry.row()], k, height)] += entry.value();
   }
 
   /// Where the rows of the front are in it, and those that its children have updated.
@@ -289,8 +277,8 @@ class Multifrontal {
   }
 
   const SymbolicFactor& symbolic_;
-  const SparseMatrix& lower_;
-  std::vector<double> diagonal_;
+  SparseMatrix lower_;  // columns that have not been added to a front yet, from `firstKept_` on
+  int firstKept_ = 0;
   ReusedMemory memory_{static_cast<std::size_t>(mostNumbers(symbolic_))};
   /// What supernodes take off the rows below them, each a lower triangle, until their parents have added it.
   std::vector<ReusedMemory::Array> updates_;
@@ -304,11 +292,11 @@ class Multifrontal {
 }  // namespace
 
 Result<std::unique_ptr<const PackedFactor>> factorizeMultifrontal(const std::shared_ptr<const SymbolicFactor>& symbolic,
-                                                                  const SparseMatrix& lower)
+                                                                  SparseMatrix lower)
 {
   requireMemory(sizeof(double) * static_cast<std::uint64_t>(mostNumbers(*symbolic)),
                 fmt::format("the factor of {} unknowns", symbolic->size()));
-  Multifrontal multifrontal(symbolic, lower);
+  Multifrontal multifrontal(symbolic, std::move(lower));
   if (const int bad = multifrontal.run(); bad != kAllPositive)
     return {nullptr, fmt::format("the normal equations are not positive definite in doubles (pivot {} of {})", bad + 1,
                                  symbolic->size())};

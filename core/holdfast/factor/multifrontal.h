@@ -8,10 +8,10 @@
 
 namespace holdfast {
 
-/// L of the matrix whose lower triangle is `lower`, which has the pattern that `symbolic` was made of. Fails where a
-/// pivot does not have the sign of its column. The same bits for any number of threads. O(sum of width times height
-/// squared of supernodes).
+/// L of the matrix whose lower triangle in the order of elimination is `lower`, with the pattern that `symbolic` was
+/// made of. Fails where a pivot does not have the sign of its column. The same bits for any number of threads. O(sum of
+/// width times height squared of supernodes).
 [[nodiscard]] Result<std::unique_ptr<const PackedFactor>> factorizeMultifrontal(
-    const std::shared_ptr<const SymbolicFactor>& symbolic, const SparseMatrix& lower);
+    const std::shared_ptr<const SymbolicFactor>& symbolic, SparseMatrix lower);
 
 }  // namespace holdfast

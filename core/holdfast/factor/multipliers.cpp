@@ -16,13 +16,12 @@ struct Entry {
 };
 using Row = std::vector<Entry>;  // ascending
 
-/// The rows of K, with columns by their places.
-std::vector<Row> rowsOf(const SymbolicFactor& ofM, const SparseMatrix& lower)
+/// The rows of K, below M in `lower`.
+std::vector<Row> rowsOf(const SparseMatrix& lower, int size)
 {
-  const int size = ofM.size();
   std::vector<Row> rows(static_cast<std::size_t>(lower.cols() - size));
   for (int k = 0; k < size; ++k)
-    for (SparseMatrix::InnerIterator entry(lower, ofM.order[k]); entry; ++entry)
+    for (SparseMatrix::InnerIterator entry(lower, k); entry; ++entry)
       if (entry.row() >= size) rows[entry.row() - size].push_back({k, entry.value()});
   return rows;
 }
@@ -84,21 +83,20 @@ std::vector<int> matchedColumns(std::vector<Row> rows, int columnCount)
 
 }  // namespace
 
-SymbolicFactor withMultipliers(const SymbolicFactor& ofM, const SparseMatrix& lower)
+SymbolicFactor withMultipliers(const SymbolicFactor& ofM, SparseMatrix& lower)
 {
   std::vector<int> supernodeOf;
   for (std::size_t s = 0; s < ofM.supernodes.size(); ++s)
     supernodeOf.insert(supernodeOf.end(), static_cast<std::size_t>(ofM.supernodes[s].width), static_cast<int>(s));
   std::vector<std::vector<int>> multipliersOf(ofM.supernodes.size());
-  const std::vector<int> matched = matchedColumns(rowsOf(ofM, lower), ofM.size());
+  const std::vector<int> matched = matchedColumns(rowsOf(lower, ofM.size()), ofM.size());
   for (std::size_t j = 0; j < matched.size(); ++j)
     multipliersOf[supernodeOf[matched[j]]].push_back(ofM.size() + static_cast<int>(j));
 
   SymbolicFactor factor;
   for (std::size_t s = 0; s < ofM.supernodes.size(); ++s) {
-    const auto columns = ofM.order.begin() + ofM.supernodes[s].firstColumn;
-    Supernode node{static_cast<int>(factor.order.size()), ofM.supernodes[s].width};
-    factor.order.insert(factor.order.end(), columns, columns + node.width);
+    Supernode node{factor.size(), ofM.supernodes[s].width};
+    for (int k = 0; k < node.width; ++k) factor.order.push_back(ofM.supernodes[s].firstColumn + k);
     factor.order.insert(factor.order.end(), multipliersOf[s].begin(), multipliersOf[s].end());
     node.multipliers = static_cast<int>(multipliersOf[s].size());
     node.width += node.multipliers;
@@ -106,7 +104,10 @@ SymbolicFactor withMultipliers(const SymbolicFactor& ofM, const SparseMatrix& lo
   }
   factor.subtrees = ofM.subtrees;
   factor.top = ofM.top;
+  lower = inOrder(lower, factor.order);
   complete(factor, lower);
+  for (int& column : factor.order)
+    if (column < ofM.size()) column = ofM.order[column];
   return factor;
 }
 

@@ -159,37 +159,6 @@ Layout layOut(const std::vector<Draft>& drafts)
   return layout;
 }
 
-/// The rows below each supernode: those of its columns in M, and those of its children. The first tells its parent.
-void findRows(SymbolicFactor& factor)
-{
-  std::vector<int> supernodeOf(static_cast<std::size_t>(factor.size()));
-  for (std::size_t s = 0; s < factor.supernodes.size(); ++s)
-    std::fill_n(supernodeOf.begin() + factor.supernodes[s].firstColumn, factor.supernodes[s].width,
-                static_cast<int>(s));
-  factor.children.resize(factor.supernodes.size());
-  std::vector<int> seenBy(supernodeOf.size(), kNoParent);
-  for (std::size_t s = 0; s < factor.supernodes.size(); ++s) {
-    Supernode& node = factor.supernodes[s];
-    node.firstRow = static_cast<std::int64_t>(factor.rows.size());
-    const int end = node.firstColumn + node.width;
-    const auto add = [&](int row) {
-      if (row < end || seenBy[row] == static_cast<int>(s)) return;
-      seenBy[row] = static_cast<int>(s);
-      factor.rows.push_back(row);
-    };
-    for (int k = factor.pattern.start[node.firstColumn]; k < factor.pattern.start[end]; ++k) add(factor.pattern.row[k]);
-    for (const int child : factor.children[s]) {
-      const Supernode& below = factor.supernodes[child];
-      for (int k = 0; k < below.rowCount; ++k) add(factor.rows[below.firstRow + k]);
-    }
-    std::sort(factor.rows.begin() + node.firstRow, factor.rows.end());
-    node.rowCount = static_cast<int>(static_cast<std::int64_t>(factor.rows.size()) - node.firstRow);
-    if (node.rowCount == 0) continue;
-    node.parent = supernodeOf[factor.rows[node.firstRow]];
-    factor.children[node.parent].push_back(static_cast<int>(s));
-  }
-}
-
 }  // namespace
 
 double flopsOf(double width, double rowCount)
@@ -232,30 +201,58 @@ bool SymbolicFactor::hasMultipliers() const
   return std::ranges::any_of(supernodes, [](const Supernode& node) { return node.multipliers > 0; });
 }
 
+// The rows below each supernode: those of its columns in M, and those of its children. The first tells its parent.
 void complete(SymbolicFactor& factor, const SparseMatrix& lower)
 {
-  factor.pattern = orderedPattern(lower, factor.order);
-  findRows(factor);
+  std::vector<int> supernodeOf(static_cast<std::size_t>(factor.size()));
+  for (std::size_t s = 0; s < factor.supernodes.size(); ++s)
+    std::fill_n(supernodeOf.begin() + factor.supernodes[s].firstColumn, factor.supernodes[s].width,
+                static_cast<int>(s));
+  factor.children.resize(factor.supernodes.size());
+  std::vector<int> seenBy(supernodeOf.size(), kNoParent);
+  for (std::size_t s = 0; s < factor.supernodes.size(); ++s) {
+    Supernode& node = factor.supernodes[s];
+    node.firstRow = static_cast<std::int64_t>(factor.rows.size());
+    const int end = node.firstColumn + node.width;
+    const auto add = [&](int row) {
+      if (row < end || seenBy[row] == static_cast<int>(s)) return;
+      seenBy[row] = static_cast<int>(s);
+      factor.rows.push_back(row);
+    };
+    const int* const rows = lower.innerIndexPtr();
+    std::for_each(rows + lower.outerIndexPtr()[node.firstColumn], rows + lower.outerIndexPtr()[end], add);
+    for (const int child : factor.children[s]) {
+      const Supernode& below = factor.supernodes[child];
+      for (int k = 0; k < below.rowCount; ++k) add(factor.rows[below.firstRow + k]);
+    }
+    std::sort(factor.rows.begin() + node.firstRow, factor.rows.end());
+    node.rowCount = static_cast<int>(static_cast<std::int64_t>(factor.rows.size()) - node.firstRow);
+    if (node.rowCount == 0) continue;
+    node.parent = supernodeOf[factor.rows[node.firstRow]];
+    factor.children[node.parent].push_back(static_cast<int>(s));
+  }
 }
 
-SymbolicFactor analyze(const SparseMatrix& lower, const std::vector<int>& order)
+SymbolicFactor analyze(SparseMatrix& lower, const std::vector<int>& order)
 {
-  const OrderedPattern given = orderedPattern(lower, order);
-  const std::vector<int> parent = eliminationTree(given);
+  if (!std::ranges::is_sorted(order)) lower = inOrder(lower, order);
+  const std::vector<int> parent = eliminationTree(lower);
   const std::vector<int> post = postorder(parent);
-  std::vector<Draft> drafts = fundamentalSupernodes(parent, post, columnCounts(given, parent, post));
+  std::vector<Draft> drafts = fundamentalSupernodes(parent, post, columnCounts(lower, parent, post));
   mergeSupernodes(drafts);
   const Layout layout = layOut(drafts);
 
   SymbolicFactor factor;
   for (const int draft : layout.drafts) {
-    factor.supernodes.push_back(
-        {static_cast<int>(factor.order.size()), static_cast<int>(drafts[draft].columns.size())});
-    for (const int column : drafts[draft].columns) factor.order.push_back(order[column]);
+    const std::vector<int>& columns = drafts[draft].columns;
+    factor.supernodes.push_back({factor.size(), static_cast<int>(columns.size())});
+    factor.order.insert(factor.order.end(), columns.begin(), columns.end());
   }
   factor.subtrees = layout.subtrees;
   factor.top = layout.top;
+  lower = inOrder(lower, factor.order);
   complete(factor, lower);
+  for (int& column : factor.order) column = order[column];
   return factor;
 }
 

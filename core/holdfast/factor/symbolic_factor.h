@@ -31,7 +31,6 @@ struct SupernodeRange {
 
 struct SymbolicFactor {
   std::vector<int> order;  ///< the column of M that is eliminated k-th
-  OrderedPattern pattern;  ///< of M in this order
   std::vector<Supernode> supernodes;
   std::vector<int> rows;                   ///< of all supernodes, ascending in each
   std::vector<std::vector<int>> children;  ///< of each supernode, ascending
@@ -41,7 +40,7 @@ struct SymbolicFactor {
   std::vector<SupernodeRange> subtrees;
   SupernodeRange top;
 
-  [[nodiscard]] int size() const noexcept { return pattern.size(); }
+  [[nodiscard]] int size() const noexcept { return static_cast<int>(order.size()); }
   [[nodiscard]] std::span<const int> rowsOf(const Supernode& supernode) const
   {
     return {rows.data() + supernode.firstRow, static_cast<std::size_t>(supernode.rowCount)};
@@ -61,10 +60,11 @@ struct SymbolicFactor {
 [[nodiscard]] double flopsOf(double width, double rowCount);
 
 /// Analyses the lower triangle `lower` for an order of elimination that keeps fill low: `order[k]` is the column that
-/// comes k-th. Columns are reordered among those that are equally good. O(entries + rows of supernodes).
-[[nodiscard]] SymbolicFactor analyze(const SparseMatrix& lower, const std::vector<int>& order);
+/// comes k-th. Columns are reordered among those that are equally good. `lower` is in that order afterwards.
+/// O(entries + rows of supernodes).
+[[nodiscard]] SymbolicFactor analyze(SparseMatrix& lower, const std::vector<int>& order);
 
-/// Finds all that follows from the order, the columns of supernodes and the ranges.
+/// Finds all that follows from `lower`, in the order of elimination, the columns of supernodes and the ranges.
 void complete(SymbolicFactor& factor, const SparseMatrix& lower);
 
 }  // namespace holdfast

@@ -35,15 +35,15 @@ class CholeskyMultifrontal final : public LeastSquaresFactor {
   mutable std::vector<double> x_;  // memory that every solution uses again
 };
 
-/// The lower triangle of [C^T C, K^T; K, 0], K the last `kept` rows of C, from that of C^T C.
-SparseMatrix withKeptRows(const SparseMatrix& lower, const TwoWayMatrix& C, Index kept)
+/// The lower triangle of [M, K^T; K, 0] from that of M: C^T C with columns in this order. K is the last `kept` rows of C.
+SparseMatrix withKeptRows(const SparseMatrix& lower, const std::vector<int>& order, const TwoWayMatrix& C, Index kept)
 {
   const Index size = lower.cols();
   const Index firstKept = C.columns().rows() - kept;
   return assembled<SparseMatrix>(size + kept, size + kept, [&](Index k, ColumnSum& sum) {
     if (k >= size) return;
     sum.addColumn(lower, k);
-    for (SparseMatrix::InnerIterator entry(C.columns(), k); entry; ++entry)
+    for (SparseMatrix::InnerIterator entry(C.columns(), order[k]); entry; ++entry)
       if (entry.row() >= firstKept) sum.add(static_cast<int>(size + entry.row() - firstKept), entry.value());
   });
 }
@@ -59,11 +59,11 @@ FactorResult choleskyMultifrontal(TwoWayMatrix& C, EliminationOrder wanted, Inde
   if (wanted == EliminationOrder::ToBeFound) order = minimumDegreeOrder(lower);
   SymbolicFactor structure = analyze(lower, order);
   if (kept > 0) {
-    lower = withKeptRows(lower, C, kept);
+    lower = withKeptRows(lower, structure.order, C, kept);
     structure = withMultipliers(structure, lower);
   }
   const auto symbolic = std::make_shared<const SymbolicFactor>(std::move(structure));
-  auto [factor, failure] = factorizeMultifrontal(symbolic, lower);
+  auto [factor, failure] = factorizeMultifrontal(symbolic, std::move(lower));
   C.makeRows();
   if (factor == nullptr) return {nullptr, std::move(failure)};
   return {std::make_unique<CholeskyMultifrontal>(std::move(factor))};

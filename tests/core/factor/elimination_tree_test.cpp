@@ -19,9 +19,9 @@ TEST(EliminationTree, AndLengthsOfColumnsAreThoseOfEliminationWrittenOut)
     std::iota(order.begin(), order.end(), 0);
     for (Index k = n - 1; k > 0; --k) std::swap(order[k], order[random.integer(0, k)]);
 
-    const OrderedPattern pattern = orderedPattern(test::lowerOf(M), order);
-    const std::vector<int> parent = eliminationTree(pattern);
-    const std::vector<int> counts = columnCounts(pattern, parent, postorder(parent));
+    const SparseMatrix lower = inOrder(test::lowerOf(M), order);
+    const std::vector<int> parent = eliminationTree(lower);
+    const std::vector<int> counts = columnCounts(lower, parent, postorder(parent));
     const std::vector<std::set<int>> expected = test::factorPattern(M, order);
     for (Index k = 0; k < n; ++k) {
       EXPECT_EQ(parent[k], expected[k].empty() ? kNoParent : *expected[k].begin());

@@ -15,6 +15,7 @@ namespace {
 /// [M, K^T; K, 0] and the structure of its factor.
 struct Saddle {
   SparseMatrix matrix;
+  SparseMatrix lower;  // in the order of elimination
   std::shared_ptr<const SymbolicFactor> symbolic;
 
   Saddle(const SparseMatrix& M, const SparseMatrix& K)
@@ -25,12 +26,14 @@ struct Saddle {
     whole.bottomLeftCorner(K.rows(), n) = K;
     whole.topRightCorner(n, K.rows()) = K.transpose();
     matrix = whole.sparseView();
-    const SparseMatrix lower = test::lowerOf(M);
-    symbolic = std::make_shared<const SymbolicFactor>(
-        withMultipliers(analyze(lower, test::minimumDegree(lower)), test::lowerOf(matrix)));
+    const test::Analysis ofM(M);
+    std::vector<int> order = ofM.symbolic->order;
+    for (Index r = 0; r < K.rows(); ++r) order.push_back(static_cast<int>(n + r));
+    lower = inOrder(test::lowerOf(matrix), order);
+    symbolic = std::make_shared<const SymbolicFactor>(withMultipliers(*ofM.symbolic, lower));
   }
 
-  [[nodiscard]] auto factorized() const { return factorizeMultifrontal(symbolic, test::lowerOf(matrix)); }
+  [[nodiscard]] auto factorized() const { return factorizeMultifrontal(symbolic, lower); }
 };
 
 /// Each row ties three neighbours in a chain of columns, every other column at most in several rows.

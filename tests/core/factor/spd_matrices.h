@@ -79,6 +79,17 @@ inline std::vector<std::set<int>> factorPattern(const SparseMatrix& M, const std
   return columns;
 }
 
+/// The lower triangle of M in an order of elimination, and the structure of its factor.
+struct Analysis {
+  SparseMatrix lower;
+  std::shared_ptr<const SymbolicFactor> symbolic;
+
+  explicit Analysis(const SparseMatrix& M)
+      : lower(lowerOf(M)), symbolic(std::make_shared<const SymbolicFactor>(analyze(lower, minimumDegree(lower))))
+  {
+  }
+};
+
 /// What the factor makes of b, in the order of the matrix.
 inline Columns3 solved(const PackedFactor& factor, const Columns3& b)
 {
