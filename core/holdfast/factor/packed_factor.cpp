@@ -1,9 +1,7 @@
 #include "holdfast/factor/packed_factor.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <functional>
-#include <new>
 #include <utility>
 
 #include <holdfast/base/parallel.h>
@@ -18,16 +16,6 @@ namespace {
 // cache for all of them.
 constexpr int kQuads = 4;
 constexpr Index kSolvedAtOnce = 4 * kQuads;
-
-using Zeros = std::unique_ptr<double[], decltype([](double* numbers) { std::free(numbers); })>;
-
-/// They take memory where they are changed.
-Zeros zeros(std::size_t count)
-{
-  Zeros result(static_cast<double*>(std::calloc(count, sizeof(double))));
-  if (result == nullptr) throw std::bad_alloc();
-  return result;
-}
 
 }  // namespace
 
@@ -143,13 +131,13 @@ SparseMatrix PackedFactor::solveForward(const SparseMatrix& b) const
   }
   // Neighbours have most of their way up the tree in common.
   std::ranges::sort(columns, {}, &FewEntries::entries);
-  const Index turns = (b.cols() + kSolvedAtOnce - 1) / kSolvedAtOnce;
-  std::vector<Zeros> x(static_cast<std::size_t>(threadCount()));
+  // As many turns on every thread, of few columns.
+  const Index rounds = (b.cols() + kSolvedAtOnce * threadCount() - 1) / (kSolvedAtOnce * threadCount());
+  const Index turns = rounds * threadCount();
   std::vector<SparseEntries> found(columns.size());
-  parallelFor(turns, [&](Index k, Index thread) {
-    if (x[thread] == nullptr) x[thread] = zeros(kSolvedAtOnce * place.size());
-    const auto rest = std::span<const FewEntries>(columns).subspan(static_cast<std::size_t>(k * kSolvedAtOnce));
-    solveForward(rest.first(std::min<std::size_t>(kSolvedAtOnce, rest.size())), x[thread].get(), found);
+  parallelFor(turns, [&](Index k) {
+    const auto firstOf = [&](Index turn) { return static_cast<std::size_t>(turn * b.cols() / turns); };
+    solveForward(std::span(columns).subspan(firstOf(k), firstOf(k + 1) - firstOf(k)), found);
   });
   SparseMatrix result(b.rows(), b.cols());
   for (Index k = 0; k < b.cols(); ++k) {
@@ -161,30 +149,53 @@ SparseMatrix PackedFactor::solveForward(const SparseMatrix& b) const
   return result;
 }
 
-void PackedFactor::solveForward(std::span<const FewEntries> columns, double* x, std::vector<SparseEntries>& found) const
+void PackedFactor::solveForward(std::span<const FewEntries> columns, std::vector<SparseEntries>& found) const
 {
-  const std::size_t size = 4 * symbolic_->order.size();
-  const auto at = [&](std::size_t column, int row) -> double& {
-    return x[column / 4 * size + 4 * static_cast<std::size_t>(row) + column % 4];
+  std::vector<int> named;
+  for (const FewEntries& column : columns)
+    for (const auto& [row, value] : column.entries) named.push_back(row);
+  const std::vector<int> nodes = symbolic_->withAncestors(named);
+  // The columns of these supernodes alone, which are few, one after the other: they stay in the cache.
+  std::vector<int> placeOf(symbolic_->supernodes.size());  // of the first column of each
+  std::size_t size = 0;
+  for (const int node : nodes) {
+    placeOf[node] = static_cast<int>(size);
+    size += static_cast<std::size_t>(symbolic_->supernodes[node].width);
+  }
+  std::vector<double> x(4 * kQuads * size);
+  const auto at = [&](std::size_t column, int place) -> double& {
+    return x[4 * (column / 4 * size + static_cast<std::size_t>(place)) + column % 4];
   };
-  std::vector<int> rows;
+  const auto placeIn = [&](int node, int row) { return placeOf[node] + row - symbolic_->supernodes[node].firstColumn; };
   for (std::size_t c = 0; c < columns.size(); ++c)
-    for (const auto& [row, value] : columns[c].entries) {
-      at(c, row) = value;
-      rows.push_back(row);
-    }
-  for (const int node : symbolic_->withAncestors(rows)) {
+    for (const auto& [row, value] : columns[c].entries) at(c, placeIn(symbolic_->supernodeOf(row), row)) = value;
+  std::vector<int> places;  // of the rows of a supernode, as in `rows_`
+  for (const int node : nodes) {
     const Supernode& own = symbolic_->supernodes[node];
     std::vector<SolveView> views;
-    for (double* quad = x; quad < x + kQuads * size; quad += size)
-      if (std::any_of(quad + 4 * own.firstColumn, quad + 4 * (own.firstColumn + own.width), std::identity()))
-        views.push_back(viewOf(quad));
-    for (const FactorChunk& chunk : chunksOf({node, node + 1}))
+    places.clear();
+    for (int k = 0; k < own.width; ++k) places.push_back(placeOf[node] + k);
+    int above = node;
+    for (const int row : symbolic_->rowsOf(own)) {
+      while (row >= symbolic_->supernodes[above].end()) above = symbolic_->supernodes[above].parent;
+      places.push_back(placeIn(above, row));
+    }
+    for (double* quad = x.data(); quad < x.data() + x.size(); quad += 4 * size) {
+      const double* const first = quad + 4 * static_cast<std::ptrdiff_t>(placeOf[node]);
+      if (std::any_of(first, first + 4 * static_cast<std::ptrdiff_t>(own.width), std::identity()))
+        views.push_back({numbers_.get(), places.data(), quad, quad, 0});
+    }
+    const std::span<const FactorChunk> chunks = chunksOf({node, node + 1});
+    const std::int64_t firstRow = chunks.front().firstRow - chunks.front().width;
+    for (FactorChunk chunk : chunks) {
+      chunk.firstColumn = placeIn(node, chunk.firstColumn);
+      chunk.firstRow -= firstRow;
       for (const SolveView& view : views) holdfast::solveForward({&chunk, 1}, view);
+    }
     for (std::size_t c = 0; c < columns.size(); ++c)
-      for (int row = own.firstColumn; row < own.firstColumn + own.width; ++row)
-        if (const double value = std::exchange(at(c, row), 0); value != 0) {
-          found[columns[c].column].places.push_back(row);
+      for (int k = 0; k < own.width; ++k)
+        if (const double value = at(c, placeOf[node] + k); value != 0) {
+          found[columns[c].column].places.push_back(own.firstColumn + k);
           found[columns[c].column].values.push_back(value);
         }
   }

@@ -67,9 +67,8 @@ class PackedFactor {
     std::vector<std::pair<int, double>> entries;
   };
 
-  /// L^-1 of some columns, by the places of all, four of them in each n x 4 of `x`, which is zero before and
-  /// afterwards.
-  void solveForward(std::span<const FewEntries> columns, double* x, std::vector<SparseEntries>& found) const;
+  /// L^-1 of some columns, `kSolvedAtOnce` at most, by the places of all.
+  void solveForward(std::span<const FewEntries> columns, std::vector<SparseEntries>& found) const;
 
   [[nodiscard]] SolveView viewOf(double* x) const;
 

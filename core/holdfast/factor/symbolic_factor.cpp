@@ -166,14 +166,18 @@ double flopsOf(double width, double rowCount)
   return width * width * width / 3 + width * rowCount * (width + rowCount);
 }
 
+int SymbolicFactor::supernodeOf(int column) const
+{
+  const auto behind = std::ranges::upper_bound(supernodes, column, {}, &Supernode::firstColumn);
+  return static_cast<int>(behind - supernodes.begin()) - 1;
+}
+
 std::vector<int> SymbolicFactor::withAncestors(const std::vector<int>& columns) const
 {
   std::set<int> nodes;
-  for (const int column : columns) {
-    const auto behind = std::ranges::upper_bound(supernodes, column, {}, &Supernode::firstColumn);
-    int node = static_cast<int>(behind - supernodes.begin()) - 1;
-    while (node != kNoParent && nodes.insert(node).second) node = supernodes[node].parent;
-  }
+  for (const int column : columns)
+    for (int node = supernodeOf(column); node != kNoParent && nodes.insert(node).second;)
+      node = supernodes[node].parent;
   return {nodes.begin(), nodes.end()};
 }
 

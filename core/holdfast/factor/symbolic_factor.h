@@ -21,6 +21,7 @@ struct Supernode {
   int multipliers = 0;        ///< its last columns, so many, have -1 in S
 
   [[nodiscard]] int height() const noexcept { return width + rowCount; }
+  [[nodiscard]] int end() const noexcept { return firstColumn + width; }
 };
 
 /// Supernodes that can be computed one after the other while others compute other ranges.
@@ -45,6 +46,8 @@ struct SymbolicFactor {
   {
     return {rows.data() + supernode.firstRow, static_cast<std::size_t>(supernode.rowCount)};
   }
+  /// The supernode of a column. O(log supernodes).
+  [[nodiscard]] int supernodeOf(int column) const;
   /// The supernodes of these columns and all their ancestors, ascending.
   [[nodiscard]] std::vector<int> withAncestors(const std::vector<int>& columns) const;
   /// The first column of `top`.
