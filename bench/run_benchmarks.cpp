@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include <holdfast/base/large_memory.h>
 #include <holdfast/io/mesh_file.h>
 
 #include "bench/bumpy_mesh.h"
@@ -36,6 +37,7 @@ void registerOne(const Benchmark& chosen, const std::string& mesh)
 
 int runBenchmarks(const std::vector<Benchmark>& all, int argc, char** argv)
 {
+  keepFreedMemory();  // as the window does
   benchmark::Initialize(&argc, argv);
   const std::vector<std::string> meshes(argv + 1, argv + argc);
   for (const Benchmark& chosen : all)

@@ -13,6 +13,7 @@
 #include <CLI/CLI.hpp>
 #include <QVTKOpenGLNativeWidget.h>
 
+#include <holdfast/base/large_memory.h>
 #include <holdfast/base/thread_priority.h>
 #include <holdfast/version.h>
 #include <holdfast/widgets/scene/display_check.h>
@@ -48,6 +49,7 @@ class Application : public QApplication {
 int run(int argc, char** argv)
 {
   letOthersComputeInBackground();
+  keepFreedMemory();
   std::string file;
   CLI::App app("Deforms triangle meshes under exact positional constraints.", "holdfast");
   app.set_version_flag("--version", "holdfast " HOLDFAST_VERSION);

@@ -4,9 +4,11 @@
 #include <bit>
 #include <cstdlib>
 #include <iterator>
+#include <limits>
 #include <new>
 #include <utility>
 
+#include <malloc.h>
 #include <sys/mman.h>
 
 #include <holdfast/base/available_memory.h>
@@ -73,6 +75,14 @@ std::size_t wholeLines(std::size_t count)
 }
 
 }  // namespace
+
+void keepFreedMemory() noexcept
+{
+  constexpr int kLargest = 32 << 20;  // that the C library allows
+  ::mallopt(M_ARENA_MAX, 1);
+  ::mallopt(M_MMAP_THRESHOLD, kLargest);
+  ::mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
+}
 
 void FreePages::operator()(double* numbers) const noexcept
 {

@@ -9,6 +9,10 @@
 
 namespace holdfast {
 
+/// Keeps what is freed for what is taken next, in one heap for all threads: up to a third of a decomposition is to take
+/// new pages. For the main function of a program that computes again and again.
+void keepFreedMemory() noexcept;
+
 /// Keeps the memory for another array of this size, but lets the system take it; frees it where `LeastMemory` lives.
 struct FreePages {
   std::size_t bytes = 0;

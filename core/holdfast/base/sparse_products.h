@@ -16,6 +16,15 @@ namespace holdfast {
 struct SparseEntries {
   std::vector<int> places;
   std::vector<double> values;
+
+  /// For `columns`, when the first `done` of them are there.
+  void reserve(Index done, Index columns)
+  {
+    const auto expected = static_cast<std::size_t>(1.05 * static_cast<double>(columns) / static_cast<double>(done) *
+                                                   static_cast<double>(places.size()));
+    places.reserve(expected);
+    values.reserve(expected);
+  }
 };
 
 /// Sums the entries of one column at a time.
@@ -66,6 +75,7 @@ template <class Matrix, class Fill>
 Matrix assembled(Index rows, Index columns, const Fill& fill)
 {
   Matrix result(rows, columns);
+  constexpr Index kSampled = 500;  // columns that tell how many entries there will be
   const Index count = result.outerSize();
   const Index parts = threadCount();
   const auto firstOf = [&](Index part) { return part * count / parts; };
@@ -73,9 +83,12 @@ Matrix assembled(Index rows, Index columns, const Fill& fill)
   int* const start = result.outerIndexPtr();
   parallelFor(parts, [&](Index part) {
     ColumnSum sum(result.innerSize());
-    for (Index k = firstOf(part); k < firstOf(part + 1); ++k) {
+    const Index first = firstOf(part);
+    const Index end = firstOf(part + 1);
+    for (Index k = first; k < end; ++k) {
       fill(k, sum);
       start[k + 1] = sum.moveTo(entries[part]);
+      if (k - first == kSampled) entries[part].reserve(kSampled + 1, end - first);
     }
   });
   std::partial_sum(start, start + count + 1, start);

@@ -2,6 +2,7 @@
 
 #include <numeric>
 
+#include <holdfast/base/available_memory.h>
 #include <holdfast/base/parallel.h>
 #include <holdfast/factor/multifrontal.h>
 #include <holdfast/factor/multipliers.h>
@@ -53,7 +54,8 @@ SparseMatrix withKeptRows(const SparseMatrix& lower, const std::vector<int>& ord
 FactorResult choleskyMultifrontal(TwoWayMatrix& C, EliminationOrder wanted, Index kept)
 {
   SparseMatrix lower = gramLower(C);
-  C.dropRows();  // not to be kept beside the numbers of fronts
+  const bool isShort = isLeastMemoryWanted();
+  if (isShort) C.dropRows();  // not to be kept beside the numbers of fronts
   std::vector<int> order(static_cast<std::size_t>(lower.cols()));
   std::iota(order.begin(), order.end(), 0);
   if (wanted == EliminationOrder::ToBeFound) order = minimumDegreeOrder(lower);
@@ -64,7 +66,7 @@ FactorResult choleskyMultifrontal(TwoWayMatrix& C, EliminationOrder wanted, Inde
   }
   const auto symbolic = std::make_shared<const SymbolicFactor>(std::move(structure));
   auto [factor, failure] = factorizeMultifrontal(symbolic, std::move(lower));
-  C.makeRows();
+  if (isShort) C.makeRows();
   if (factor == nullptr) return {nullptr, std::move(failure)};
   return {std::make_unique<CholeskyMultifrontal>(std::move(factor))};
 }

@@ -1,11 +1,15 @@
 #include <algorithm>
 #include <cstddef>
+#include <cstdlib>
 #include <fstream>
 #include <random>
+#include <thread>
 #include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <holdfast/base/available_memory.h>
@@ -44,6 +48,38 @@ TEST(LargeArray, IsFreedWhereLeastMemoryIsWanted)
   EXPECT_GT(residentBytes(), before + 6 * kMany * sizeof(double));
   array.reset();
   EXPECT_LT(residentBytes(), before + 2 * kMany * sizeof(double));
+}
+#endif
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // their allocators do otherwise
+long pageFaults()
+{
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_minflt;
+}
+
+/// Takes 64 MiB in four arrays twice; exits with how many pages in a hundred were new the second time.
+[[noreturn]] void exitWithNewPages()
+{
+  constexpr std::size_t kArrays = 4;
+  constexpr long kPages = 4 * 4096;  // of 4 KiB
+  long before = 0;
+  for (int turn = 0; turn < 2; ++turn) {
+    before = pageFaults();
+    std::vector<std::vector<double>> arrays;
+    std::thread([&] {
+      for (std::size_t k = 0; k < kArrays; ++k) arrays.emplace_back(2 * kMany, 1.0);
+    }).join();
+  }
+  std::_Exit(static_cast<int>(100 * (pageFaults() - before) / kPages));
+}
+
+TEST(KeepFreedMemory, LeavesPagesForWhatIsTakenNext)
+{
+  GTEST_FLAG_SET(death_test_style, "threadsafe");  // in a program that has not started threads
+  EXPECT_EXIT((keepFreedMemory(), exitWithNewPages()), testing::ExitedWithCode(0), "");
+  EXPECT_EXIT(exitWithNewPages(), [](int status) { return WIFEXITED(status) && WEXITSTATUS(status) > 50; }, "");
 }
 #endif
 
