@@ -18,7 +18,7 @@ foreach(layer IN LISTS holdfast_layers)
   install(EXPORT holdfast-${layer} NAMESPACE holdfast:: DESTINATION "${holdfast_package_dir}")
 endforeach()
 
-foreach(program IN ITEMS holdfast-batch holdfast)
+foreach(program IN ITEMS holdfast-batch holdfast-batch-vtk holdfast)
   if(TARGET ${program})
     install(TARGETS ${program} RUNTIME)
   endif()

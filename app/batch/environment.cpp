@@ -36,7 +36,7 @@ constexpr std::array kVariables{
 constexpr rlim_t kMebibyte = 1U << 20U;
 
 // Of a file. With less to read, what is won by pages of 2 MiB is lost by beginning anew.
-constexpr off_t kMuch = 2 * kMebibyte;
+constexpr off_t kMuch = kMebibyte / 2;
 
 // Two pieces of 128 MiB, which OpenBLAS 0.3.29 takes even for one thread, and what libraries need to begin with.
 constexpr rlim_t kRoom = 288 * kMebibyte;

@@ -25,11 +25,11 @@ std::string extensionOf(const std::filesystem::path& path)
   return lowerCase(path.extension().string());
 }
 
-void requireMeshExtension(const std::string& path, const auto& known)
+void requireMeshExtension(std::string_view option, const std::string& path, const auto& known)
 {
   if (!path.empty() && std::find(known.begin(), known.end(), extensionOf(path)) == known.end())
     throw UsageError(
-        fmt::format("--out: \"{}\" has none of the extensions {}", printable(path), fmt::join(known, ", ")));
+        fmt::format("{}: \"{}\" has none of the extensions {}", option, printable(path), fmt::join(known, ", ")));
 }
 
 #ifdef HOLDFAST_WITH_VTK
@@ -77,7 +77,7 @@ std::string knownColorings()
 void requireFormats(const Command& command)
 {
   const auto& [path, colorBy, size] = command.picture;
-  requireMeshExtension(command.out, anyOutputExtensions());
+  requireMeshExtension("--out", command.out, anyOutputExtensions());
   if (!command.fields.empty() && extensionOf(command.fields) != ".vtp")
     throw UsageError(fmt::format("--fields: \"{}\" does not end in .vtp", printable(command.fields)));
   if (path.empty()) return;
@@ -130,11 +130,14 @@ std::string knownColorings()
 
 void requireFormats(const Command& command)
 {
-  requireMeshExtension(command.out, meshExtensions());
+#ifdef HOLDFAST_VTK_PROGRAM
+  requireMeshExtension("mesh", command.mesh, meshExtensions());
+#endif
+  requireMeshExtension("--out", command.out, meshExtensions());
   if (!command.fields.empty())
-    throw UsageError("--fields: this build has no VTK to write \"" + command.fields + "\" with; leave the option out");
+    throw UsageError("--fields: there is no VTK to write \"" + command.fields + "\" with; leave the option out");
   if (!command.picture.path.empty())
-    throw UsageError("--snapshot: this build has no VTK to draw \"" + command.picture.path +
+    throw UsageError("--snapshot: there is no VTK to draw \"" + command.picture.path +
                      "\" with; leave the option out");
 }
 

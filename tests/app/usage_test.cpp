@@ -82,7 +82,7 @@ TEST_F(Usage, OutputsNeedAKnownExtension)
 
 TEST_F(Usage, FieldsAreVtp)
 {
-  const std::string message = kHasVtk ? "does not end in .vtp" : "this build has no VTK";
+  const std::string message = kHasVtk ? "does not end in .vtp" : "there is no VTK";
   expectRefusedWithoutTrace({"deform", mesh(), "--constraints", constraints(), "--fields", output("fields.obj")},
                             kUsage, {"--fields: ", message});
 }
@@ -145,6 +145,29 @@ TEST_F(Usage, AnInputIsNeverOverwritten)
   EXPECT_EQ(bytesOf(mesh()), meshBytes);
   EXPECT_EQ(bytesOf(constraints()), constraintBytes);
   EXPECT_THAT(in_.names(), testing::ElementsAre("constraints.json", "sphere.obj"));
+}
+
+/// Whether a run with these arguments loads a library of VTK.
+bool loadsVtk(const std::vector<std::string>& arguments)
+{
+  std::vector<std::string> command{"env", "LD_DEBUG=files", HOLDFAST_BATCH_PROGRAM};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  return runProcess(command).err.find("libvtk") != std::string::npos;
+}
+
+TEST_F(Usage, VtkIsLoadedWhereItIsNeededAlone)
+{
+  const std::vector<std::string> command{"deform", mesh(), "--constraints", constraints(), "--out", output("out.ply")};
+  EXPECT_FALSE(loadsVtk(command));
+  EXPECT_FALSE(loadsVtk({"check", mesh()}));
+  const std::vector<std::vector<std::string>> more{
+      {"--fields", output("fields.vtp")}, {"--out", output("out.vtp")}, {"--no-such-option"}, {"--help"}};
+  for (const std::vector<std::string>& options : more) {
+    std::vector<std::string> whole{"deform", mesh(), "--constraints", constraints()};
+    whole.insert(whole.end(), options.begin(), options.end());
+    EXPECT_EQ(loadsVtk(whole), kHasVtk) << options.front();
+  }
+  EXPECT_EQ(loadsVtk({"check", output("out.vtp")}), kHasVtk);
 }
 
 TEST_F(Usage, HelpIsAnAnswer)

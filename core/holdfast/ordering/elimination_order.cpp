@@ -4,26 +4,41 @@
 #include <numeric>
 
 #include <holdfast/base/sparse_products.h>
-#include <holdfast/operators/laplacian.h>
+#include <holdfast/mesh/edges.h>
 #include <holdfast/ordering/nested_dissection.h>
 
 namespace holdfast {
 
-std::vector<int> eliminationRanks(Index unknownCount, const std::vector<Triangle>& triangles)
+namespace {
+
+/// Vertices and edges of the mesh, neighbours ascending.
+Graph graphOf(Index unknownCount, const std::vector<Triangle>& triangles)
 {
-  const SparseMatrix edges = stiffness(unknownCount, unitEdgeWeights(triangles));
+  const std::vector<HalfEdge> halfEdges = sortedHalfEdges(triangles);
   Graph graph;
-  graph.start.reserve(static_cast<std::size_t>(unknownCount) + 1);
-  graph.neighbour.reserve(static_cast<std::size_t>(edges.nonZeros()));
-  for (Index v = 0; v < unknownCount; ++v) {
-    for (SparseMatrix::InnerIterator entry(edges, v); entry; ++entry)
-      if (entry.row() != v) graph.neighbour.push_back(static_cast<int>(entry.row()));
-    graph.degree.push_back(static_cast<int>(graph.neighbour.size()) - graph.start.back());
-    graph.start.push_back(static_cast<int>(graph.neighbour.size()));
-  }
+  graph.degree.resize(static_cast<std::size_t>(unknownCount));
+  forEachEdge(halfEdges, [&](std::span<const HalfEdge> edge) {
+    ++graph.degree[edge[0].a];
+    ++graph.degree[edge[0].b];
+  });
+  graph.start.resize(graph.degree.size() + 1);
+  std::partial_sum(graph.degree.begin(), graph.degree.end(), graph.start.begin() + 1);
+  graph.neighbour.resize(static_cast<std::size_t>(graph.start.back()));
+  std::vector<int> next(graph.start.begin(), graph.start.end() - 1);
+  forEachEdge(halfEdges, [&](std::span<const HalfEdge> edge) {
+    graph.neighbour[next[edge[0].a]++] = edge[0].b;
+    graph.neighbour[next[edge[0].b]++] = edge[0].a;
+  });
   graph.edgeWeight.assign(graph.neighbour.size(), 1);
   graph.weight.assign(graph.degree.size(), 1);
-  return nestedDissection(std::move(graph));
+  return graph;
+}
+
+}  // namespace
+
+std::vector<int> eliminationRanks(Index unknownCount, const std::vector<Triangle>& triangles)
+{
+  return nestedDissection(graphOf(unknownCount, triangles));
 }
 
 SparseMatrix orderedColumns(const SparseMatrix& Q, const std::vector<int>& ranks)
