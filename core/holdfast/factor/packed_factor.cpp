@@ -24,17 +24,12 @@ PackedFactor::PackedFactor(std::shared_ptr<const SymbolicFactor> symbolic) : sym
   const int topColumn = symbolic_->topColumn();
   for (const Supernode& node : symbolic_->supernodes) {
     firstChunk_.push_back(static_cast<int>(chunks_.size()));
-    const auto firstRow = static_cast<std::int64_t>(rows_.size());
-    for (int column = 0; column < node.width; ++column) {
-      rows_.push_back(node.firstColumn + column);
-      if (column >= node.width - node.multipliers) negative_.push_back(node.firstColumn + column);
-    }
-    const std::span<const int> below = symbolic_->rowsOf(node);
-    rows_.insert(rows_.end(), below.begin(), below.end());
-    const auto high = std::lower_bound(rows_.begin() + firstRow, rows_.end(), topColumn) - rows_.begin();
+    for (int column = node.end() - node.multipliers; column < node.end(); ++column) negative_.push_back(column);
+    const auto first = symbolic_->rows.begin() + node.firstRow;
+    const auto high = std::lower_bound(first, first + node.height(), topColumn) - symbolic_->rows.begin();
     for (int column = 0; column < node.width; column += kChunkWidth) {
       const int width = std::min(kChunkWidth, node.width - column);
-      const std::int64_t behind = firstRow + column + width;
+      const std::int64_t behind = node.firstRow + column + width;
       const int rowCount = node.height() - column - width;
       chunks_.push_back({size_, node.firstColumn + column, width, behind,
                          static_cast<int>(std::max<std::int64_t>(0, high - behind)), rowCount});
@@ -169,7 +164,7 @@ void PackedFactor::solveForward(std::span<const FewEntries> columns, std::vector
   const auto placeIn = [&](int node, int row) { return placeOf[node] + row - symbolic_->supernodes[node].firstColumn; };
   for (std::size_t c = 0; c < columns.size(); ++c)
     for (const auto& [row, value] : columns[c].entries) at(c, placeIn(symbolic_->supernodeOf(row), row)) = value;
-  std::vector<int> places;  // of the rows of a supernode, as in `rows_`
+  std::vector<int> places;  // of the rows of a supernode, as in `SymbolicFactor::rows`
   for (const int node : nodes) {
     const Supernode& own = symbolic_->supernodes[node];
     std::vector<SolveView> views;
@@ -185,11 +180,9 @@ void PackedFactor::solveForward(std::span<const FewEntries> columns, std::vector
       if (std::any_of(first, first + 4 * static_cast<std::ptrdiff_t>(own.width), std::identity()))
         views.push_back({numbers_.get(), places.data(), quad, quad, 0});
     }
-    const std::span<const FactorChunk> chunks = chunksOf({node, node + 1});
-    const std::int64_t firstRow = chunks.front().firstRow - chunks.front().width;
-    for (FactorChunk chunk : chunks) {
+    for (FactorChunk chunk : chunksOf({node, node + 1})) {
       chunk.firstColumn = placeIn(node, chunk.firstColumn);
-      chunk.firstRow -= firstRow;
+      chunk.firstRow -= own.firstRow;
       for (const SolveView& view : views) holdfast::solveForward({&chunk, 1}, view);
     }
     for (std::size_t c = 0; c < columns.size(); ++c)
@@ -204,7 +197,7 @@ void PackedFactor::solveForward(std::span<const FewEntries> columns, std::vector
 SolveView PackedFactor::viewOf(double* x) const
 {
   const int topColumn = symbolic_->topColumn();
-  return {numbers_.get(), rows_.data(), x, x + 4 * static_cast<std::ptrdiff_t>(topColumn), topColumn};
+  return {numbers_.get(), symbolic_->rows.data(), x, x + 4 * static_cast<std::ptrdiff_t>(topColumn), topColumn};
 }
 
 }  // namespace holdfast

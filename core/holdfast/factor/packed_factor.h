@@ -21,7 +21,7 @@ struct FactorChunk {
   std::size_t offset = 0;
   int firstColumn = 0;
   int width = 0;
-  std::int64_t firstRow = 0;  ///< in `PackedFactor::rows`: places in the order of elimination
+  std::int64_t firstRow = 0;  ///< in `SymbolicFactor::rows`
   int lowRows = 0;            ///< rows before the top of the tree
   int rowCount = 0;           ///< all rows
 };
@@ -79,7 +79,6 @@ class PackedFactor {
   std::vector<FactorChunk> chunks_;
   std::vector<int> firstChunk_;  // of each supernode, and the end
   std::vector<int> negative_;
-  std::vector<int> rows_;  // of chunks: the columns of the supernode behind them, then its rows
   std::size_t size_ = 0;
   LargeArray numbers_;
 };

@@ -217,22 +217,23 @@ void complete(SymbolicFactor& factor, const SparseMatrix& lower)
   for (std::size_t s = 0; s < factor.supernodes.size(); ++s) {
     Supernode& node = factor.supernodes[s];
     node.firstRow = static_cast<std::int64_t>(factor.rows.size());
-    const int end = node.firstColumn + node.width;
+    for (int column = node.firstColumn; column < node.end(); ++column) factor.rows.push_back(column);
     const auto add = [&](int row) {
-      if (row < end || seenBy[row] == static_cast<int>(s)) return;
+      if (row < node.end() || seenBy[row] == static_cast<int>(s)) return;
       seenBy[row] = static_cast<int>(s);
       factor.rows.push_back(row);
     };
     const int* const rows = lower.innerIndexPtr();
-    std::for_each(rows + lower.outerIndexPtr()[node.firstColumn], rows + lower.outerIndexPtr()[end], add);
+    std::for_each(rows + lower.outerIndexPtr()[node.firstColumn], rows + lower.outerIndexPtr()[node.end()], add);
     for (const int child : factor.children[s]) {
       const Supernode& below = factor.supernodes[child];
-      for (int k = 0; k < below.rowCount; ++k) add(factor.rows[below.firstRow + k]);
+      for (std::int64_t k = below.firstRow + below.width; k < below.firstRow + below.height(); ++k) add(factor.rows[k]);
     }
-    std::sort(factor.rows.begin() + node.firstRow, factor.rows.end());
-    node.rowCount = static_cast<int>(static_cast<std::int64_t>(factor.rows.size()) - node.firstRow);
+    const auto behind = factor.rows.begin() + node.firstRow + node.width;
+    std::sort(behind, factor.rows.end());
+    node.rowCount = static_cast<int>(factor.rows.end() - behind);
     if (node.rowCount == 0) continue;
-    node.parent = supernodeOf[factor.rows[node.firstRow]];
+    node.parent = supernodeOf[*behind];
     factor.children[node.parent].push_back(static_cast<int>(s));
   }
 }

@@ -15,7 +15,7 @@ namespace holdfast {
 struct Supernode {
   int firstColumn = 0;
   int width = 0;
-  std::int64_t firstRow = 0;  ///< in `SymbolicFactor::rows`
+  std::int64_t firstRow = 0;  ///< in `SymbolicFactor::rows`: its own columns, and behind them the rows below
   int rowCount = 0;           ///< rows below the triangle
   int parent = kNoParent;     ///< the supernode of the first of these rows
   int multipliers = 0;        ///< its last columns, so many, have -1 in S
@@ -33,7 +33,7 @@ struct SupernodeRange {
 struct SymbolicFactor {
   std::vector<int> order;  ///< the column of M that is eliminated k-th
   std::vector<Supernode> supernodes;
-  std::vector<int> rows;                   ///< of all supernodes, ascending in each
+  std::vector<int> rows;                   ///< of all supernodes, those of their columns first, ascending in each
   std::vector<std::vector<int>> children;  ///< of each supernode, ascending
 
   /// The supernodes in ranges that do not depend on one another, each a set of whole subtrees, and behind them the
@@ -42,9 +42,10 @@ struct SymbolicFactor {
   SupernodeRange top;
 
   [[nodiscard]] int size() const noexcept { return static_cast<int>(order.size()); }
+  /// Those below the triangle.
   [[nodiscard]] std::span<const int> rowsOf(const Supernode& supernode) const
   {
-    return {rows.data() + supernode.firstRow, static_cast<std::size_t>(supernode.rowCount)};
+    return {rows.data() + supernode.firstRow + supernode.width, static_cast<std::size_t>(supernode.rowCount)};
   }
   /// The supernode of a column. O(log supernodes).
   [[nodiscard]] int supernodeOf(int column) const;
