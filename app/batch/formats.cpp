@@ -137,8 +137,7 @@ void requireFormats(const Command& command)
   if (!command.fields.empty())
     throw UsageError("--fields: there is no VTK to write \"" + command.fields + "\" with; leave the option out");
   if (!command.picture.path.empty())
-    throw UsageError("--snapshot: there is no VTK to draw \"" + command.picture.path +
-                     "\" with; leave the option out");
+    throw UsageError("--snapshot: there is no VTK to draw \"" + command.picture.path + "\" with; leave the option out");
 }
 
 MeshDocument readMeshFile(const std::string& path)

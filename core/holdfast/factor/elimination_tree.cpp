@@ -115,8 +115,7 @@ std::vector<int> postorder(const std::vector<int>& parent)
   return post;
 }
 
-std::vector<int> columnCounts(const SparseMatrix& lower, const std::vector<int>& parent,
-                              const std::vector<int>& post)
+std::vector<int> columnCounts(const SparseMatrix& lower, const std::vector<int>& parent, const std::vector<int>& post)
 {
   constexpr int kNoColumn = -1;
   const std::size_t n = parent.size();

@@ -10,8 +10,8 @@ namespace holdfast {
 
 inline constexpr int kNoParent = -1;
 
-/// The lower triangle of P M P^T from that of M, where column `order[k]` of M comes k-th. The rows of a column are in any
-/// order. O(entries).
+/// The lower triangle of P M P^T from that of M, where column `order[k]` of M comes k-th. The rows of a column are in
+/// any order. O(entries).
 [[nodiscard]] SparseMatrix inOrder(const SparseMatrix& lower, const std::vector<int>& order);
 
 /// The elimination tree of the matrix with this lower triangle: of each column the first later one that its column of

@@ -36,7 +36,8 @@ class CholeskyMultifrontal final : public LeastSquaresFactor {
   mutable std::vector<double> x_;  // memory that every solution uses again
 };
 
-/// The lower triangle of [M, K^T; K, 0] from that of M: C^T C with columns in this order. K is the last `kept` rows of C.
+/// The lower triangle of [M, K^T; K, 0] from that of M: C^T C with columns in this order. K is the last `kept` rows of
+/// C.
 SparseMatrix withKeptRows(const SparseMatrix& lower, const std::vector<int>& order, const TwoWayMatrix& C, Index kept)
 {
   const Index size = lower.cols();

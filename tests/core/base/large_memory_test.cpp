@@ -79,7 +79,8 @@ TEST(KeepFreedMemory, LeavesPagesForWhatIsTakenNext)
 {
   GTEST_FLAG_SET(death_test_style, "threadsafe");  // in a program that has not started threads
   EXPECT_EXIT((keepFreedMemory(), exitWithNewPages()), testing::ExitedWithCode(0), "");
-  EXPECT_EXIT(exitWithNewPages(), [](int status) { return WIFEXITED(status) && WEXITSTATUS(status) > 50; }, "");
+  EXPECT_EXIT(
+      exitWithNewPages(), [](int status) { return WIFEXITED(status) && WEXITSTATUS(status) > 50; }, "");
 }
 #endif
 
