@@ -98,6 +98,18 @@ int factorizePanel(const Loop& loop, double* panel, const Supernode& node)
   return 0;
 }
 
+/// Eigen copies columns whose rows ascend.
+SparseMatrix columnsFrom(int first, const SparseMatrix& M)
+{
+  const int* const start = M.outerIndexPtr() + first;
+  SparseMatrix result(M.rows(), M.cols() - first);
+  std::transform(start, start + result.cols() + 1, result.outerIndexPtr(), [&](int entry) { return entry - *start; });
+  result.resizeNonZeros(result.outerIndexPtr()[result.cols()]);
+  std::copy_n(M.innerIndexPtr() + *start, result.nonZeros(), result.innerIndexPtr());
+  std::copy_n(M.valuePtr() + *start, result.nonZeros(), result.valuePtr());
+  return result;
+}
+
 /// What a thread computes supernodes in.
 struct FrontWorkspace {
   std::vector<int> placeOf;              // of a column: its row in the front
@@ -146,7 +158,7 @@ class Multifrontal {
                 [&](Index k, Index thread) { factorize(subtrees[k], workspaces[thread], Loop(false)); });
     workspaces.resize(1);
     firstKept_ = symbolic_.topColumn();
-    lower_ = SparseMatrix(lower_.rightCols(lower_.cols() - firstKept_));
+    lower_ = columnsFrom(firstKept_, lower_);
     factorize(symbolic_.top, workspaces[0], Loop(true));
     if (step_->isLeftBehind()) throw LeftBehind();
     return badPivot_;
