@@ -170,6 +170,15 @@ TEST_F(Usage, VtkIsLoadedWhereItIsNeededAlone)
   EXPECT_EQ(loadsVtk({"check", output("out.vtp")}), kHasVtk);
 }
 
+TEST_F(Usage, WithoutTheProgramBesideItThereIsNoVtk)
+{
+  const std::string alone = output("alone");
+  std::filesystem::copy_file(HOLDFAST_BATCH_PROGRAM, alone);
+  EXPECT_EQ(runProcess({alone, "check", mesh()}).exitCode, 0);
+  expectRefusal(runProcess({alone, "deform", mesh(), "--constraints", constraints(), "--fields", output("fields.vtp")}),
+                kUsage, {"--fields: there is no VTK to write"});
+}
+
 TEST_F(Usage, HelpIsAnAnswer)
 {
   const std::vector<std::vector<std::string>> questions{{"--help"}, {"deform", "--help"}, {"check", "--help"}};
