@@ -160,7 +160,7 @@ Figures takeOwnTurn(Samples& samples, const SparseMatrix& lower)
   Result<std::unique_ptr<const PackedFactor>> factor;
   const double factorize = shortest(kFactorizations, [&] {
     factor.value.reset();
-    factor = factorizeMultifrontal(symbolic, ordered);
+    factor = factorizeMultifrontal(symbolic, inOrder(lower, symbolic->order));
   });
   if (!factor) throw std::runtime_error(factor.failure);
   // As CHOLMOD's: right-hand sides and solutions are in the order of the matrix.
