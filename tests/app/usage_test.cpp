@@ -159,6 +159,7 @@ TEST_F(Usage, VtkIsLoadedWhereItIsNeededAlone)
 {
   const std::vector<std::string> command{"deform", mesh(), "--constraints", constraints(), "--out", output("out.ply")};
   EXPECT_FALSE(loadsVtk(command));
+  EXPECT_TRUE(std::filesystem::exists(output("out.ply")));
   EXPECT_FALSE(loadsVtk({"check", mesh()}));
   const std::vector<std::vector<std::string>> more{
       {"--fields", output("fields.vtp")}, {"--out", output("out.vtp")}, {"--no-such-option"}, {"--help"}};

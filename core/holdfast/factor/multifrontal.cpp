@@ -98,7 +98,7 @@ int factorizePanel(const Loop& loop, double* panel, const Supernode& node)
   return 0;
 }
 
-/// Eigen copies columns whose rows ascend.
+/// The columns of M from `first` on. Eigen's own copy needs rows that ascend.
 SparseMatrix columnsFrom(int first, const SparseMatrix& M)
 {
   const int* const start = M.outerIndexPtr() + first;

@@ -45,8 +45,8 @@ enum class EliminationOrder {
 
 using FactorResult = Result<std::unique_ptr<const LeastSquaresFactor>>;
 
-/// Each takes C (m x k) with columns of unit length. Those of SuiteSparse are defined where that is built. Our own is
-/// without the rows of C meanwhile while `LeastMemory` lives.
+/// Each takes C (m x k) with columns of unit length. Those of SuiteSparse are defined where that is built. Our own
+/// drops the rows of C while it computes, and makes them again, where `LeastMemory` lives.
 [[nodiscard]] FactorResult choleskyMultifrontal(TwoWayMatrix& C, EliminationOrder order = EliminationOrder::ToBeFound,
                                                 Index kept = 0);
 [[nodiscard]] FactorResult choleskyBySuiteSparse(const TwoWayMatrix& C);
