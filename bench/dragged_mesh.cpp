@@ -10,7 +10,7 @@
 namespace holdfast::bench {
 
 DraggedMesh::DraggedMesh(const std::shared_ptr<const Model>& model)
-    : deformer_(model), normals_(model->mesh.faces, cornerVertices(model->mesh.faces), model->mesh.vertexCount())
+    : deformer_(model), normals_(model->mesh.faces, model->mesh.faces.corners(), model->mesh.vertexCount())
 {
   deformer_.answerEditsAtOnce(true);
 }

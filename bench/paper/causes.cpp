@@ -137,7 +137,7 @@ CauseOutcome outcomeOf(const BentMesh& bent, const Recipe& recipe)
   Reference reference{Columns3::Constant(problem.f.rows(), 3, std::numeric_limits<double>::quiet_NaN())};
   if (const Result<ReducedProblem> reduced = reducedProblem(bent, problem, hard)) {
     reference = quadrupleSolution(bent, problem, reduced.value, hard);
-    outcome.condition = conditionOf(reduced.value, problem.f.rows());
+    outcome.condition = conditionOf(reduced.value);
   }
   outcome.printed = solvedInDouble(bent, problem, hard, reference.u);
   outcome.corrected = solvedByProduct(bent, problem, hard, reference.u);

@@ -42,13 +42,15 @@ std::string thousandth(double value)
 
 void addRows(Section& section, const std::string& mesh, const Counters& counters)
 {
-  for (const std::string step : {"set-up", "decomposition", "set-up and decomposition", "solution"}) {
-    const double soft = counters.at(step + "/s soft");
-    const double hard = counters.at(step + "/s hard");
+  const auto addRow = [&](const std::string& step, const std::string& unit) {
+    const double soft = counters.at(step + "/" + unit + " soft");
+    const double hard = counters.at(step + "/" + unit + " hard");
     section.numbers[mesh + "k " + step] = hard / soft;
     section.tables[0].rows.push_back(
-        {mesh + ",000", step, thousandth(soft), thousandth(hard), fmt::format("{:.2f}", hard / soft)});
-  }
+        {mesh + ",000", step + ", " + unit, thousandth(soft), thousandth(hard), fmt::format("{:.2f}", hard / soft)});
+  };
+  for (const char* step : {"set-up", "decomposition", "set-up and decomposition", "solution"}) addRow(step, "s");
+  addRow("factor", "MiB");
 }
 
 std::string rangeOfRatios(Section& section, const std::vector<std::string>& thousands)
@@ -71,7 +73,7 @@ Section costsOfMeshes(const Workbench& bench, const std::vector<std::string>& th
   section.method =
       "the benchmark on generated meshes: one end fixed, the other moved, and 300 points each on vertices, on edges "
       "and in faces. Medians over turns; both take turns in one process.";
-  section.tables = {{{"vertices", "step", "soft, s", "hard, s", "hard / soft"}, {}}};
+  section.tables = {{{"vertices", "step", "soft", "hard", "hard / soft"}, {}}};
   std::vector<Bar> bars;
   for (const std::string& mesh : thousands) {
     const Counters counters = measured(section, bench, mesh);

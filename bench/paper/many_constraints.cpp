@@ -35,7 +35,8 @@ constexpr std::size_t kLargestDense = 2500;
 /// What stays the same for all numbers of constraints.
 struct Bumpy {
   Model model = makeModel(bench::bumpyMesh(kVertices));
-  SparseMatrix A = weightedRows(makeOperators(model.solverMesh, Weights::Cotangent));
+  std::shared_ptr<const TwoWayMatrix> A =
+      std::make_shared<const TwoWayMatrix>(weightedRows(makeOperators(model.solverMesh, Weights::Cotangent)));
   std::vector<int> ranks = eliminationRanks(model.solverMesh.unknownCount(), model.solverMesh.triangles);
   Columns3 rest = model.solverMesh.rest.rowwise() - model.solverMesh.rest.colwise().mean();
 };
@@ -110,11 +111,13 @@ struct Way {
   std::optional<Result<ReducedProblem>> (*decomposed)(const Bumpy& bumpy, const PointRows& points);
 };
 
-Result<ReducedProblem> reduced(const Bumpy& bumpy, const SparseMatrix& A, const SparseMatrix& Q2, const SparseMatrix& B)
+/// With the rows B of the unknowns that Q2 has columns for, or without any.
+Result<ReducedProblem> reduced(const Bumpy& bumpy, const SparseMatrix& Q2, const SparseMatrix& B, RowsBelow below)
 {
   SparseMatrix ordered = orderedColumns(Q2, bumpy.ranks);
-  const SparseMatrix K = B * ordered;
-  return makeReducedProblem(A, std::move(ordered), K, bumpy.rest, Backend::Holdfast, EliminationOrder::OfColumns);
+  SparseRows K = B * ordered;
+  return makeReducedProblem(bumpy.A, std::move(ordered), std::move(K), below, bumpy.rest, Backend::Holdfast,
+                            EliminationOrder::OfColumns);
 }
 
 template <std::optional<SparseMatrix> (*kQ2)(const PointRows&)>
@@ -122,21 +125,17 @@ std::optional<Result<ReducedProblem>> eliminated(const Bumpy& bumpy, const Point
 {
   const std::optional<SparseMatrix> Q2 = kQ2(points);
   if (!Q2) return std::nullopt;
-  return reduced(bumpy, bumpy.A, product(points.F, *Q2), SparseMatrix(0, bumpy.A.cols()));
+  return reduced(bumpy, product(points.F, *Q2), SparseMatrix(0, points.F.rows()), RowsBelow::Kept);
 }
 
 std::optional<Result<ReducedProblem>> augmented(const Bumpy& bumpy, const PointRows& points)
 {
-  return reduced(bumpy, bumpy.A, points.F, points.B() * SparseMatrix(points.F.transpose()));
+  return reduced(bumpy, points.F, points.B() * SparseMatrix(points.F.transpose()), RowsBelow::Kept);
 }
 
 std::optional<Result<ReducedProblem>> soft(const Bumpy& bumpy, const PointRows& points)
 {
-  SparseRows stacked(bumpy.A.rows() + static_cast<Index>(points.rows.size()), bumpy.A.cols());
-  stacked.topRows(bumpy.A.rows()) = SparseRows(bumpy.A);
-  stacked.bottomRows(static_cast<Index>(points.rows.size())) =
-      SparseRows(kWeight * (points.B() * SparseMatrix(points.F.transpose())));
-  return reduced(bumpy, stacked, points.F, SparseMatrix(0, bumpy.A.cols()));
+  return reduced(bumpy, points.F, kWeight * (points.B() * SparseMatrix(points.F.transpose())), RowsBelow::Equations);
 }
 
 constexpr std::array kWays{Way{"block", eliminated<blockQ2>}, Way{"sparse", eliminated<sparseQ2>},

@@ -89,20 +89,19 @@ Result<ReducedProblem> reducedProblem(const BentMesh& bent, const BentProblem& p
   const ConstrainedProblem product = constrainedProblem(bent, problem);
   const Elimination& elimination = bent.eliminated->elimination;
   if (method.kind != SolverKind::Soft)
-    return makeReducedProblem(problem.A->columns(), orderedColumns(elimination.wholeQ2(), bent.ranks), {}, product.rest,
-                              Backend::Holdfast, EliminationOrder::OfColumns);
-  SparseRows stacked(problem.A->rows().rows() + problem.B.rows(), problem.B.cols());
-  stacked.topRows(problem.A->rows().rows()) = problem.A->rows();
-  stacked.bottomRows(problem.B.rows()) = method.weight * problem.B;
-  return makeReducedProblem(stacked, freeColumns(bent), {}, product.rest, Backend::Holdfast,
-                            EliminationOrder::OfColumns);
+    return makeReducedProblem(problem.A, orderedColumns(elimination.wholeQ2(), bent.ranks), {}, RowsBelow::Kept,
+                              product.rest, Backend::Holdfast, EliminationOrder::OfColumns);
+  SparseMatrix Q2 = freeColumns(bent);
+  SparseRows below = method.weight * SparseRows(problem.B * Q2);
+  return makeReducedProblem(problem.A, std::move(Q2), std::move(below), RowsBelow::Equations, product.rest,
+                            Backend::Holdfast, EliminationOrder::OfColumns);
 }
 
 Reference quadrupleSolution(const BentMesh& bent, const BentProblem& problem, const ReducedProblem& reduced,
                             const Method& method)
 {
   const SparseMatrix BT = problem.B.transpose();
-  const SparseMatrix Q2T = reduced.scaledQ2.transpose();
+  const SparseMatrix Q2T = reduced.C->Q2()->rows().transpose();
   const Columns3 none = Columns3::Zero(problem.A->columns().cols(), 3);
   const Elimination& elimination = bent.eliminated->elimination;
   QuadColumns u(static_cast<std::size_t>(none.rows()), QuadRow{});
@@ -110,7 +109,7 @@ Reference quadrupleSolution(const BentMesh& bent, const BentProblem& problem, co
   // A^T (A u - f): (M^T, -x) is subtracted from 0.
   const auto gradient = [&] { return residual(none, problem.A->columns(), residual(problem.f, problem.A->rows(), u)); };
   const auto reducedStep = [&](const QuadColumns& against) {
-    const Columns3 step = reduced.scaledQ2 * Columns3(reduced.factor->solve(Q2T * rounded(against)));
+    const Columns3 step = reduced.C->spread(reduced.factor->solve(Q2T * rounded(against)));
     add(u, -step);
     return largest(step);
   };
@@ -139,7 +138,7 @@ Reference quadrupleSolution(const BentMesh& bent, const BentProblem& problem, co
   });
 }
 
-double conditionOf(const ReducedProblem& reduced, Index equations)
+double conditionOf(const ReducedProblem& reduced)
 {
   constexpr int kIterations = 30;
   const Index size = reduced.scale.size();
@@ -152,10 +151,9 @@ double conditionOf(const ReducedProblem& reduced, Index equations)
     for (int k = 0; k < kIterations; ++k) x = times(Columns3(x.array().rowwise() / x.colwise().norm().array()));
     return x.colwise().norm().maxCoeff();
   };
-  const Columns3 none = Columns3::Zero(equations, 3);
   const double most = largestEigenvalue([&](const Columns3& x) -> Columns3 {
     const Columns3 scaled = reduced.scale.cwiseInverse().asDiagonal() * x;
-    return -(reduced.scale.cwiseInverse().asDiagonal() * reduced.C.transposeTimes(reduced.C.residual(none, scaled)));
+    return reduced.scale.cwiseInverse().asDiagonal() * reduced.C->transposeTimes(reduced.C->times(scaled));
   });
   const double inverse = largestEigenvalue([&](const Columns3& x) -> Columns3 {
     return reduced.scale.asDiagonal() * reduced.factor->solve(reduced.scale.asDiagonal() * x);

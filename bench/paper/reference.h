@@ -35,6 +35,6 @@ struct Reference {
 /// The condition number, in the 2-norm, of the normal equations as they are before columns are scaled. Estimated to
 /// some ten per cent by power iteration with the matrix and with the factor of `reduced`, which has so many
 /// `equations`.
-[[nodiscard]] double conditionOf(const ReducedProblem& reduced, Index equations);
+[[nodiscard]] double conditionOf(const ReducedProblem& reduced);
 
 }  // namespace holdfast::paper

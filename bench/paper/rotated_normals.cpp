@@ -62,7 +62,7 @@ ConstraintList bent(const Model& sheet, double degrees)
 
 Positions normalsOf(const Mesh& mesh, const Positions& positions)
 {
-  return areaWeightedNormals(positions, mesh.faces, cornerVertices(mesh.faces), positions.rows());
+  return areaWeightedNormals(positions, mesh.faces, mesh.faces.corners(), positions.rows());
 }
 
 /// The normals at rest, each rotated as the field rotates the detail there.

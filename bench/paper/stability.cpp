@@ -15,8 +15,7 @@ void measureOne(const BentMesh& bent, const BentProblem& problem, StabilityRow& 
   Reference reference{Columns3::Constant(problem.f.rows(), 3, std::numeric_limits<double>::quiet_NaN())};
   if (reduced) {
     reference = quadrupleSolution(bent, problem, reduced.value, row.method);
-    const Index weighted = row.method.kind == SolverKind::Soft ? problem.d.rows() : 0;
-    row.condition = conditionOf(reduced.value, problem.f.rows() + weighted);
+    row.condition = conditionOf(reduced.value);
   }
   row.referenceError = reference.lastCorrection;
   row.inSingle = solvedInSingle(bent, problem, row.method, reference.u);

@@ -111,7 +111,7 @@ void EnergyCheck::project(Columns3& gradient) const
 
 void EnergyCheck::projectPoint(Columns3& gradient, const Json& at) const
 {
-  const std::vector<Index>& unknownOf = model_.solverMesh.weld.unknownOf;
+  const std::vector<int>& unknownOf = model_.solverMesh.weld.unknownOf;
   Row row;
   if (at.contains("vertex")) row = {{unknownOf.at(at["vertex"]), 1}};
   if (at.contains("edge")) {

@@ -90,7 +90,7 @@ Mesh quadBox(const Vector3& size, Index divisions)
 
 Mesh soup(const Mesh& mesh)
 {
-  const std::vector<Index> vertexOf = cornerVertices(mesh.faces);
+  const std::span<const int> vertexOf = mesh.faces.corners();
   Mesh result{Positions(static_cast<Index>(vertexOf.size()), 3), {}};
   for (std::size_t k = 0; k < vertexOf.size(); ++k)
     result.positions.row(static_cast<Index>(k)) = mesh.positions.row(vertexOf[k]);

@@ -50,6 +50,27 @@ class ColumnSum {
       add(static_cast<int>(shift + entry.index()), entry.value());
   }
 
+  /// Adds the k-th column of M N.
+  template <class Matrix>
+  void addProduct(const Matrix& M, const Matrix& N, Index k)
+  {
+    for (typename Matrix::InnerIterator n(N, k); n; ++n)
+      for (typename Matrix::InnerIterator m(M, n.index()); m; ++m)
+        add(static_cast<int>(m.index()), m.value() * n.value());
+  }
+
+  /// The sum of the squares of the column; starts anew.
+  double takeSquares()
+  {
+    double squares = 0;
+    for (const int place : places_) {
+      squares += value_[place] * value_[place];
+      isNamed_[place] = 0;
+    }
+    places_.clear();
+    return squares;
+  }
+
   /// Appends the column to `entries`, places ascending, and starts anew. Returns how many entries it has.
   int moveTo(SparseEntries& entries)
   {
@@ -103,10 +124,7 @@ Matrix assembled(Index rows, Index columns, const Fill& fill)
 /// M N. O(multiplications).
 [[nodiscard]] inline SparseMatrix product(const SparseMatrix& M, const SparseMatrix& N)
 {
-  return assembled<SparseMatrix>(M.rows(), N.cols(), [&](Index k, ColumnSum& sum) {
-    for (SparseMatrix::InnerIterator n(N, k); n; ++n)
-      for (SparseMatrix::InnerIterator m(M, n.row()); m; ++m) sum.add(static_cast<int>(m.row()), m.value() * n.value());
-  });
+  return assembled<SparseMatrix>(M.rows(), N.cols(), [&](Index k, ColumnSum& sum) { sum.addProduct(M, N, k); });
 }
 
 /// diag(scale) M. O(entries).
@@ -135,10 +153,6 @@ class TwoWayMatrix {
 
   [[nodiscard]] const SparseMatrix& columns() const noexcept { return columns_; }
   [[nodiscard]] const SparseRows& rows() const noexcept { return rows_; }
-
-  /// Gives the memory of `rows` back until `makeRows`; meanwhile there are no products.
-  void dropRows() { rows_ = SparseRows(); }
-  void makeRows() { rows_ = columns_; }
 
   /// C x.
   [[nodiscard]] Columns3 times(const Columns3& x) const

@@ -70,6 +70,6 @@ struct Selection {
 /// `componentOf`: the connected part of each vertex, -1 for one that no face uses. Points on the boundary of a shape
 /// are inside. `AllOf` nothing is every vertex, `AnyOf` nothing is none. O(N) per node of the expression.
 [[nodiscard]] std::vector<Index> select(const Selection& selection, const Positions& positions,
-                                        const std::vector<Index>& componentOf);
+                                        const std::vector<int>& componentOf);
 
 }  // namespace holdfast

@@ -33,7 +33,7 @@ using VerticesWithin = std::function<std::vector<Index>(const InsideCurve&, cons
 /// Walks an expression: checks its ids, and makes a mask of each kind of selection.
 class MaskMaker {
  public:
-  MaskMaker(const Positions& positions, const std::vector<Index>& componentOf, Index componentCount,
+  MaskMaker(const Positions& positions, const std::vector<int>& componentOf, Index componentCount,
             VerticesWithin within)
       : positions_(positions), componentOf_(componentOf), componentCount_(componentCount), within_(std::move(within))
   {
@@ -131,14 +131,14 @@ class MaskMaker {
   }
 
   const Positions& positions_;
-  const std::vector<Index>& componentOf_;
+  const std::vector<int>& componentOf_;
   Index componentCount_;
   VerticesWithin within_;  // of a curve
 };
 
 }  // namespace
 
-std::vector<Index> select(const Selection& selection, const Positions& positions, const std::vector<Index>& componentOf)
+std::vector<Index> select(const Selection& selection, const Positions& positions, const std::vector<int>& componentOf)
 {
   return idsOf(MaskMaker(positions, componentOf, std::numeric_limits<Index>::max(), {}).mask(selection, {}));
 }

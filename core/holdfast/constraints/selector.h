@@ -30,7 +30,7 @@ class Selector {
 
   const Mesh& mesh_;
   const SolverMesh& solverMesh_;
-  std::vector<Index> componentOf_;  // of vertices
+  std::vector<int> componentOf_;  // of vertices
   SurfaceLocator locator_;
   std::optional<EdgeGraph> graph_;  // made for the first curve
 };

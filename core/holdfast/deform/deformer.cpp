@@ -140,7 +140,7 @@ Multipliers multipliersOf(const TwoWayMatrix& A, ConstraintFactorization& factor
 Positions deformedPositions(const Model& model, const ConstraintSystem& system, const Diagnosis& diagnosis,
                             const Columns3& u)
 {
-  const std::vector<Index>& unknownOf = model.solverMesh.weld.unknownOf;
+  const std::vector<int>& unknownOf = model.solverMesh.weld.unknownOf;
   std::vector<int> pinOf(static_cast<std::size_t>(model.solverMesh.unknownCount()), -1);
   for (Index r = static_cast<Index>(system.rows.size()) - 1; r >= 0; --r)
     if (system.rows[r].isPin() && diagnosis.status[r] != RowStatus::Conflicting)

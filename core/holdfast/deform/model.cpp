@@ -72,7 +72,7 @@ std::vector<Triangle> trianglesOverUnknowns(const Model& model)
 {
   std::vector<Triangle> triangles = model.triangulation.triangles;
   for (Triangle& triangle : triangles)
-    for (Index& vertex : triangle) vertex = model.solverMesh.weld.unknownOf[vertex];
+    for (int& vertex : triangle) vertex = model.solverMesh.weld.unknownOf[vertex];
   return triangles;
 }
 

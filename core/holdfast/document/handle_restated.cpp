@@ -52,7 +52,7 @@ std::optional<Vector3> centerOfFixed(const Model& model, const ConstraintList& l
 constexpr double kAlike = 0.05;
 
 /// Whether the face has every vertex that the point hangs on, or one in the same place.
-bool holds(const std::vector<Index>& unknownOf, std::span<const Index> face, const SurfacePoint& point)
+bool holds(const std::vector<int>& unknownOf, std::span<const int> face, const SurfacePoint& point)
 {
   return std::all_of(point.terms.begin(), point.terms.end(), [&](const Term& term) {
     return std::ranges::any_of(face, [&](Index corner) { return unknownOf[corner] == unknownOf[term.index]; });

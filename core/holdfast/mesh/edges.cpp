@@ -13,8 +13,8 @@ void forEachHalfEdge(const std::vector<Triangle>& triangles, Index first, Index 
 {
   for (std::size_t t = 0; t < triangles.size(); ++t)
     for (std::int8_t side = 0; side < 3; ++side) {
-      const auto from = static_cast<int>(triangles[t][side]);
-      const auto to = static_cast<int>(triangles[t][(side + 1) % 3]);
+      const int from = triangles[t][side];
+      const int to = triangles[t][(side + 1) % 3];
       const int a = std::min(from, to);
       if (from != to && first <= a && a < last)
         visit(HalfEdge{a, std::max(from, to), static_cast<int>(t), side, from < to});
@@ -25,7 +25,7 @@ void forEachHalfEdge(const std::vector<Triangle>& triangles, Index first, Index 
 
 std::vector<HalfEdge> sortedHalfEdges(const std::vector<Triangle>& triangles)
 {
-  Index vertexCount = 0;
+  int vertexCount = 0;
   for (const Triangle& triangle : triangles) vertexCount = std::max(vertexCount, 1 + std::ranges::max(triangle));
   const Index parts = threadCount();
   const auto forEachOfPart = [&](Index part, const auto& visit) {

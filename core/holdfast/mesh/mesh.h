@@ -3,7 +3,9 @@
 
 #include <cassert>
 #include <initializer_list>
+#include <ranges>
 #include <span>
+#include <stdexcept>
 #include <vector>
 
 #include <holdfast/base/types.h>
@@ -29,7 +31,7 @@ class Polygons {
   /// Corners of all faces together.
   [[nodiscard]] Index cornerCount() const noexcept { return static_cast<Index>(corners_.size()); }
 
-  [[nodiscard]] std::span<const Index> operator[](Index face) const
+  [[nodiscard]] std::span<const int> operator[](Index face) const
   {
     assert(face >= 0 && face < size());
     const auto first = corners_.begin() + starts_[face];
@@ -37,9 +39,9 @@ class Polygons {
   }
 
   /// Where the corners of each face begin among `corners()`, and where those of the last one end.
-  [[nodiscard]] std::span<const Index> starts() const noexcept { return starts_; }
+  [[nodiscard]] std::span<const int> starts() const noexcept { return starts_; }
   /// Of all faces, one face after the other.
-  [[nodiscard]] std::span<const Index> corners() const noexcept { return corners_; }
+  [[nodiscard]] std::span<const int> corners() const noexcept { return corners_; }
 
   void reserve(Index faces, Index corners)
   {
@@ -47,10 +49,12 @@ class Polygons {
     corners_.reserve(corners);
   }
 
-  void add(std::span<const Index> vertices)
+  /// Throws `std::length_error` for more than 2^31 - 1 corners, or a larger id.
+  template <std::ranges::sized_range Range>
+  void add(const Range& vertices)
   {
-    for (const Index vertex : vertices) corners_.push_back(vertex);
-    starts_.push_back(cornerCount());
+    for (const Index vertex : vertices) corners_.push_back(narrowed(vertex));
+    starts_.push_back(narrowed(cornerCount()));
   }
 
   void add(std::initializer_list<Index> vertices) { add(std::span<const Index>(vertices.begin(), vertices.size())); }
@@ -58,8 +62,14 @@ class Polygons {
   friend bool operator==(const Polygons&, const Polygons&) = default;
 
  private:
-  std::vector<Index> starts_{0};
-  std::vector<Index> corners_;
+  static int narrowed(Index number)
+  {
+    if (number != static_cast<int>(number)) throw std::length_error("a mesh may have 2,147,483,647 corners");
+    return static_cast<int>(number);
+  }
+
+  std::vector<int> starts_{0};
+  std::vector<int> corners_;
 };
 
 /// Positions and faces as in the file. Every corner is a valid vertex id and every face has at least three corners

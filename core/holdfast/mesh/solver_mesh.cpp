@@ -15,8 +15,8 @@ Weld numbered(DisjointSets& sets, Index vertexCount)
   weld.unknownOf.resize(static_cast<std::size_t>(vertexCount));
   for (Index v = 0; v < vertexCount; ++v) {
     const Index first = sets.find(v);  // the smallest of its set, so it has its number already unless it is v
-    if (first == v) weld.firstVertexOf.push_back(v);
-    weld.unknownOf[v] = first == v ? weld.unknownCount++ : weld.unknownOf[first];
+    if (first == v) weld.firstVertexOf.push_back(static_cast<int>(v));
+    weld.unknownOf[v] = first == v ? static_cast<int>(weld.unknownCount++) : weld.unknownOf[first];
   }
   weld.firstVertexOf.shrink_to_fit();
   return weld;
@@ -35,7 +35,7 @@ void findComponents(SolverMesh& mesh)
   for (Index v = 0; v < mesh.unknownCount(); ++v) {
     if (!isUsed[v]) continue;
     const Index first = sets.find(v);
-    mesh.componentOf[v] = first == v ? mesh.componentCount++ : mesh.componentOf[first];
+    mesh.componentOf[v] = first == v ? static_cast<int>(mesh.componentCount++) : mesh.componentOf[first];
   }
 }
 
@@ -45,7 +45,7 @@ void addTriangles(SolverMesh& mesh, const Triangulation& triangulation)
   mesh.faceOf.reserve(triangulation.triangles.size());
   for (std::size_t t = 0; t < triangulation.triangles.size(); ++t) {
     Triangle triangle = triangulation.triangles[t];
-    for (Index& v : triangle) v = mesh.weld.unknownOf[v];
+    for (int& v : triangle) v = mesh.weld.unknownOf[v];
     if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]) continue;
     mesh.triangles.push_back(triangle);
     mesh.faceOf.push_back(triangulation.faceOf[t]);
@@ -73,9 +73,9 @@ Positions restInDiagonals(const SolverMesh& mesh)
   return rest;
 }
 
-std::vector<Index> componentOfVertices(const SolverMesh& solverMesh)
+std::vector<int> componentOfVertices(const SolverMesh& solverMesh)
 {
-  std::vector<Index> result;
+  std::vector<int> result;
   result.reserve(solverMesh.weld.unknownOf.size());
   for (const Index unknown : solverMesh.weld.unknownOf) result.push_back(solverMesh.componentOf[unknown]);
   return result;

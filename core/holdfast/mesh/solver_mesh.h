@@ -9,9 +9,9 @@ namespace holdfast {
 
 /// unknownOf[v] is the unknown of file vertex v; unknowns are numbered by their first vertex.
 struct Weld {
-  std::vector<Index> unknownOf;
+  std::vector<int> unknownOf;
   Index unknownCount = 0;
-  std::vector<Index> firstVertexOf;  ///< one file vertex of each unknown, the one of smallest id
+  std::vector<int> firstVertexOf;  ///< one file vertex of each unknown, the one of smallest id
 };
 
 /// Ties the ends of open edges (edges of one triangle only) that lie exactly on one another, so that an unwelded file
@@ -24,8 +24,8 @@ struct Weld {
 struct SolverMesh {
   Positions rest;                   ///< n x 3, position of each unknown at rest, model units
   std::vector<Triangle> triangles;  ///< unknown ids; none names an unknown twice
-  std::vector<Index> faceOf;        ///< file face of each triangle
-  std::vector<Index> componentOf;   ///< connected part of each unknown; -1 where no triangle uses it
+  std::vector<int> faceOf;          ///< file face of each triangle
+  std::vector<int> componentOf;     ///< connected part of each unknown; -1 where no triangle uses it
   Index componentCount = 0;         ///< parts are numbered by their smallest unknown
   Weld weld;                        ///< file vertices to unknowns
   double diagonal = 0;              ///< of the bounding box, model units
@@ -41,6 +41,6 @@ struct SolverMesh {
 [[nodiscard]] Positions restInDiagonals(const SolverMesh& mesh);
 
 /// The connected part of each file vertex, -1 where no face uses it.
-[[nodiscard]] std::vector<Index> componentOfVertices(const SolverMesh& solverMesh);
+[[nodiscard]] std::vector<int> componentOfVertices(const SolverMesh& solverMesh);
 
 }  // namespace holdfast

@@ -290,7 +290,7 @@ class EarClipper {
 };
 
 /// The corners seen from the first one, no coordinate beyond 1: products of areas stay within the range of doubles.
-std::vector<Vector3> inUnitsOfItsSize(const Positions& positions, std::span<const Index> face)
+std::vector<Vector3> inUnitsOfItsSize(const Positions& positions, std::span<const int> face)
 {
   std::vector<Vector3> polygon;
   polygon.reserve(face.size());
@@ -304,7 +304,7 @@ std::vector<Vector3> inUnitsOfItsSize(const Positions& positions, std::span<cons
   return polygon;
 }
 
-std::vector<std::array<Index, 3>> cornersOfTriangles(const Positions& positions, std::span<const Index> face)
+std::vector<std::array<Index, 3>> cornersOfTriangles(const Positions& positions, std::span<const int> face)
 {
   if (face.size() == 3) return {{0, 1, 2}};
   return EarClipper(inUnitsOfItsSize(positions, face)).run();
@@ -325,7 +325,7 @@ Triangulation triangulate(const Mesh& mesh)
     for (const auto& corners : cornersOfTriangles(mesh.positions, face)) {
       result.triangles.push_back({face[corners[0]], face[corners[1]], face[corners[2]]});
       if (!areTriangles) result.corners.push_back(corners);
-      result.faceOf.push_back(f);
+      result.faceOf.push_back(static_cast<int>(f));
     }
   }
   return result;

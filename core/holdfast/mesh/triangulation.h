@@ -8,14 +8,14 @@
 
 namespace holdfast {
 
-/// Three vertex ids, in the orientation of the face.
-using Triangle = std::array<Index, 3>;
+/// Three vertex ids, in the orientation of the face. In 32 bits, as all ids that a large mesh has many of.
+using Triangle = std::array<int, 3>;
 
 /// The triangles of all faces, those of one face side by side, faces in file order.
 struct Triangulation {
   std::vector<Triangle> triangles;            ///< vertex ids
   std::vector<std::array<Index, 3>> corners;  ///< see `cornersOf`; empty where all faces are triangles
-  std::vector<Index> faceOf;                  ///< file face of each triangle
+  std::vector<int> faceOf;                    ///< file face of each triangle
 
   /// A triangle as corner numbers within its face.
   [[nodiscard]] std::array<Index, 3> cornersOf(Index triangle) const

@@ -8,7 +8,7 @@
 
 namespace holdfast {
 
-Vector3 areaVector(const Positions& positions, std::span<const Index> polygon)
+Vector3 areaVector(const Positions& positions, std::span<const int> polygon)
 {
   // Relative to the first corner: far from the origin the plain sum would cancel.
   const Vector3 origin = positions.row(polygon[0]);
@@ -29,7 +29,7 @@ Vector3 unitOrZero(const Vector3& vector)
   return (vector / scale).normalized();
 }
 
-AreaWeightedNormals::AreaWeightedNormals(const Polygons& faces, std::span<const Index> normalOfCorner, Index count)
+AreaWeightedNormals::AreaWeightedNormals(const Polygons& faces, std::span<const int> normalOfCorner, Index count)
     : faces_(faces), start_(static_cast<std::size_t>(count) + 1), areas_(faces.size(), 3), normals_(count, 3)
 {
   assert(static_cast<Index>(normalOfCorner.size()) == faces.cornerCount());
@@ -55,18 +55,10 @@ const Positions& AreaWeightedNormals::at(const Positions& positions)
   return normals_;
 }
 
-Positions areaWeightedNormals(const Positions& positions, const Polygons& faces, std::span<const Index> normalOfCorner,
+Positions areaWeightedNormals(const Positions& positions, const Polygons& faces, std::span<const int> normalOfCorner,
                               Index count)
 {
   return AreaWeightedNormals(faces, normalOfCorner, count).at(positions);
-}
-
-std::vector<Index> cornerVertices(const Polygons& faces)
-{
-  std::vector<Index> vertices;
-  vertices.reserve(faces.cornerCount());
-  for (Index f = 0; f < faces.size(); ++f) vertices.insert(vertices.end(), faces[f].begin(), faces[f].end());
-  return vertices;
 }
 
 }  // namespace holdfast

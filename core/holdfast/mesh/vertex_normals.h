@@ -10,7 +10,7 @@ namespace holdfast {
 
 /// Half the sum of p_i x p_(i+1) around `polygon`: its length is the area, its direction the normal by the right-hand
 /// rule. For a polygon that is not flat, that of its best-fitting plane.
-[[nodiscard]] Vector3 areaVector(const Positions& positions, std::span<const Index> polygon);
+[[nodiscard]] Vector3 areaVector(const Positions& positions, std::span<const int> polygon);
 
 /// `vector` at unit length; zero where its length is zero or not finite.
 [[nodiscard]] Vector3 unitOrZero(const Vector3& vector);
@@ -21,7 +21,7 @@ namespace holdfast {
 class AreaWeightedNormals {
  public:
   /// For `count` normals; `faces` are to outlive it. O(corners).
-  AreaWeightedNormals(const Polygons& faces, std::span<const Index> normalOfCorner, Index count);
+  AreaWeightedNormals(const Polygons& faces, std::span<const int> normalOfCorner, Index count);
 
   /// What it returns is overwritten by the next call. O(corners).
   const Positions& at(const Positions& positions);
@@ -36,9 +36,6 @@ class AreaWeightedNormals {
 
 /// The same for positions that do not change.
 [[nodiscard]] Positions areaWeightedNormals(const Positions& positions, const Polygons& faces,
-                                            std::span<const Index> normalOfCorner, Index count);
-
-/// The vertex at each corner, face after face: as `normalOfCorner`, it makes one normal a vertex.
-[[nodiscard]] std::vector<Index> cornerVertices(const Polygons& faces);
+                                            std::span<const int> normalOfCorner, Index count);
 
 }  // namespace holdfast

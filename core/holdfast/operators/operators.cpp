@@ -17,7 +17,7 @@ Eigen::VectorXd reciprocal(const Eigen::VectorXd& x)
 }
 
 /// Raises areas below the floor; returns the unknowns where that happened. Unknowns in no part keep their zero.
-std::vector<Index> floorAreas(Eigen::VectorXd& areas, const std::vector<Index>& componentOf)
+std::vector<Index> floorAreas(Eigen::VectorXd& areas, const std::vector<int>& componentOf)
 {
   const auto used =
       static_cast<double>(std::count_if(componentOf.begin(), componentOf.end(), [](Index c) { return c >= 0; }));

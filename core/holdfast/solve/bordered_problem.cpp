@@ -98,30 +98,59 @@ struct Border {
   SparseRows K;     // added x (k + removed), rows of length 1
 };
 
-SparseRows sideBySide(const SparseRows& left, const SparseRows& right)
+void scaleRows(SparseRows& K)
 {
-  return assembled<SparseRows>(left.rows(), left.cols() + right.cols(), [&](Index i, ColumnSum& sum) {
-    sum.addColumn(left, i);
-    sum.addColumn(right, i, left.cols());
-  });
+  for (Index r = 0; r < K.rows(); ++r) K.row(r) /= K.row(r).norm();
 }
 
-/// These rows over z, of length 1.
-SparseRows keptRows(const EliminatedConstraints& constraints, const std::vector<Index>& rows,
-                    const SparseRows& scaledQ2)
+/// These rows over the columns of Q2 and P, of length 1.
+SparseRows keptRows(const EliminatedConstraints& constraints, const std::vector<Index>& rows, const SparseRows& Q2,
+                    const SparseMatrix& P)
 {
   std::vector<RowTerms> terms;
   for (const Index row : rows) terms.push_back(constraints.rows[row]);
-  SparseRows K = SparseRows(constraintMatrix(terms, scaledQ2.rows())) * scaledQ2;
-  for (Index r = 0; r < K.rows(); ++r) K.row(r) /= K.row(r).norm();
+  const SparseRows B = constraintMatrix(terms, Q2.rows());
+  const SparseRows left = B * Q2;
+  const SparseRows right = B * SparseRows(P);
+  auto K = assembled<SparseRows>(B.rows(), Q2.cols() + P.cols(), [&](Index i, ColumnSum& sum) {
+    sum.addColumn(left, i);
+    sum.addColumn(right, i, Q2.cols());
+  });
+  scaleRows(K);
   return K;
 }
 
+/// The rows of `above`, which has fewer columns, and of `below`.
+SparseRows stacked(const SparseRows& above, const SparseRows& below)
+{
+  return assembled<SparseRows>(above.rows() + below.rows(), below.cols(), [&](Index i, ColumnSum& sum) {
+    i < above.rows() ? sum.addColumn(above, i) : sum.addColumn(below, i - above.rows());
+  });
+}
+
+/// What makes columns of A Q2, and of K below it, of length 1.
+Result<Eigen::VectorXd> columnScale(const SparseMatrix& A, const SparseMatrix& Q2, const SparseRows& K)
+{
+  Eigen::VectorXd squares(Q2.cols());
+  const Index parts = threadCount();
+  parallelFor(parts, [&](Index part) {
+    ColumnSum sum(A.rows());
+    for (Index k = part * Q2.cols() / parts; k < (part + 1) * Q2.cols() / parts; ++k) {
+      sum.addProduct(A, Q2, k);
+      squares[k] = sum.takeSquares();
+    }
+  });
+  for (Index r = 0; r < K.rows(); ++r)
+    for (SparseRows::InnerIterator entry(K, r); entry; ++entry) squares[entry.col()] += std::pow(entry.value(), 2);
+  return unitScale(squares);
+}
+
 /// W (N's size x released and added): how the border is tied to the system of `base`.
-SparseMatrix couplings(const ReducedProblem& base, const TwoWayMatrix& A, const Border& border)
+SparseMatrix couplings(const ReducedProblem& base, const Border& border)
 {
   const Index unknowns = base.scale.size();
-  const SparseMatrix ofReleased = base.scaledQ2.transpose() * SparseMatrix(A.rows().transpose() * border.AP);
+  const SparseMatrix ofReleased =
+      base.C->Q2()->rows().transpose() * SparseMatrix(base.C->A()->rows().transpose() * border.AP);
   const SparseMatrix ofAdded = border.K.leftCols(unknowns).transpose();
   return assembled<SparseMatrix>(unknowns + base.kept, ofReleased.cols() + ofAdded.cols(),
                                  [&](Index k, ColumnSum& sum) {
@@ -134,12 +163,12 @@ SparseMatrix couplings(const ReducedProblem& base, const TwoWayMatrix& A, const 
 class BorderedFactor final : public LeastSquaresFactor {
  public:
   /// `base` has our own factor.
-  BorderedFactor(std::shared_ptr<const ReducedProblem> base, const TwoWayMatrix& A, const Border& border)
+  BorderedFactor(std::shared_ptr<const ReducedProblem> base, const Border& border)
       : base_(std::move(base)),
         unknowns_(base_->scale.size()),
         released_(border.AP.cols()),
         added_(border.K.rows()),
-        V_(base_->factor->packed()->solveForward(couplings(*base_, A, border))),
+        V_(base_->factor->packed()->solveForward(couplings(*base_, border))),
         SV_(V_)
   {
     for (Index column = 0; column < SV_.cols(); ++column)
@@ -201,59 +230,47 @@ class BorderedFactor final : public LeastSquaresFactor {
 
 }  // namespace
 
-Result<ReducedProblem> makeReducedProblem(const SparseMatrix& A, SparseMatrix&& Q2, const SparseMatrix& K,
-                                          Columns3 rest, Backend backend, EliminationOrder order)
+Result<ReducedProblem> makeReducedProblem(std::shared_ptr<const TwoWayMatrix> A, SparseMatrix Q2, SparseRows K,
+                                          RowsBelow below, Columns3 rest, Backend backend, EliminationOrder order)
 {
-  Result<ScaledColumns> columns = scaleColumns(product(A, Q2), K);
-  if (!columns) return {{}, std::move(columns.failure)};
-  auto& [C, scale, kept] = columns.value;
+  const bool isKept = below == RowsBelow::Kept;
+  auto [scale, unscaled] = columnScale(A->columns(), Q2, isKept ? SparseRows() : K);
+  if (!unscaled.empty()) return {{}, std::move(unscaled)};
   const Columns3 probe = scale.cwiseInverse().asDiagonal() * Columns3(Q2.transpose() * std::exchange(rest, {}));
-  SparseRows scaledQ2 = Q2 * scale.asDiagonal();
-  Q2 = SparseMatrix();  // not to be kept beside the factor
-  FactorResult factor = kept == 0 ? factorize(C, backend, probe, order) : factorizeKept(C, kept, probe, order);
+  Q2 = Q2 * scale.asDiagonal();
+  K = K.rows() == 0 ? SparseRows(0, Q2.cols()) : SparseRows(K * scale.asDiagonal());
+  if (isKept) scaleRows(K);
+  const Index kept = isKept ? K.rows() : 0;
+  const auto C = std::make_shared<const ReducedMatrix>(
+      std::move(A), std::make_shared<const TwoWayMatrix>(std::move(Q2)), SparseMatrix(), std::move(K));
+  FactorResult factor = kept == 0 ? factorize(*C, backend, probe, order) : factorizeKept(*C, kept, probe, order);
   if (!factor) return {{}, std::move(factor.failure)};
-  return {{std::make_shared<const TwoWayMatrix>(std::move(C)), std::move(scale), kept, std::move(scaledQ2),
-           std::move(factor.value)}};
+  return {{C, std::move(scale), kept, std::move(factor.value)}};
 }
 
-Result<ReducedProblem> bordered(const std::shared_ptr<const ReducedProblem>& base, const TwoWayMatrix& A,
-                                const EliminatedConstraints& before, const EliminatedConstraints& now)
+Result<ReducedProblem> bordered(const std::shared_ptr<const ReducedProblem>& base, const EliminatedConstraints& before,
+                                const EliminatedConstraints& now)
 {
   if (before.isHeld != now.isHeld) return {{}, "other parts are held"};
   const Edit edit = editOf(before, now);
   if (edit.removed.size() + edit.added.size() > kMostEdited) return {{}, "too many rows differ"};
   if (base->factor->packed() == nullptr) return {{}, "the factor has no halves"};
 
-  const SparseMatrix P = released(before, edit.removed, A.columns().cols());
-  Result<ScaledColumns> columns = scaleColumns(product(A.columns(), P));
+  const SparseMatrix& A = base->C->A()->columns();
+  const std::shared_ptr<const TwoWayMatrix>& Q2 = base->C->Q2();
+  SparseMatrix P = released(before, edit.removed, A.cols());
+  Result<ScaledColumns> columns = scaleColumns(product(A, P));
   if (!columns) return {{}, std::move(columns.failure)};
-  const auto border = std::make_shared<Border>();
-  border->AP = columns.value.C.columns();
-  ReducedProblem result;
-  result.scaledQ2 = sideBySide(base->scaledQ2, SparseRows(P * columns.value.scale.asDiagonal()));
-  border->K = keptRows(now, edit.added, result.scaledQ2);
-  auto factor = std::make_shared<BorderedFactor>(base, A, *border);
+  P = P * columns.value.scale.asDiagonal();
+  const Border border{columns.value.C.columns(), keptRows(now, edit.added, Q2->rows(), P)};
+  auto factor = std::make_shared<BorderedFactor>(base, border);
   if (!factor->isRegular()) return {{}, "the Schur complement is singular in doubles"};
+  ReducedProblem result;
   result.factor = std::move(factor);
-  result.scale.resize(result.scaledQ2.cols());
+  result.scale.resize(base->scale.size() + P.cols());
   result.scale << base->scale, columns.value.scale;
-  result.kept = base->kept + border->K.rows();
-
-  const Index unknowns = base->scale.size();
-  const Index rows = A.rows().rows();
-  result.C.residual = [base, border, unknowns, rows](const Columns3& f, const Columns3& z) {
-    Columns3 left(f.rows(), 3);
-    left << base->C.residual(f.topRows(rows + base->kept), z.topRows(unknowns)),
-        f.bottomRows(border->K.rows()) - border->K * z;
-    left.topRows(rows) -= border->AP * z.bottomRows(border->AP.cols());
-    return left;
-  };
-  result.C.transposeTimes = [base, border, unknowns, rows](const Columns3& f) {
-    Columns3 g = border->K.transpose() * f.bottomRows(border->K.rows());
-    g.topRows(unknowns) += base->C.transposeTimes(f.topRows(rows + base->kept));
-    g.bottomRows(border->AP.cols()) += border->AP.transpose() * f.topRows(rows);
-    return g;
-  };
+  result.kept = base->kept + border.K.rows();
+  result.C = std::make_shared<const ReducedMatrix>(base->C->A(), Q2, std::move(P), stacked(base->C->K(), border.K));
   return {std::move(result)};
 }
 

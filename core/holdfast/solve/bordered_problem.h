@@ -5,22 +5,29 @@
 
 #include <holdfast/elimination/diagnosis.h>
 #include <holdfast/solve/corrected_solve.h>
+#include <holdfast/solve/reduced_matrix.h>
 
 namespace holdfast {
 
 /// Minimise |C z - f|, with u = Q2 diag(scale) z.
 struct ReducedProblem {
-  LinearMap C;  ///< columns of length 1, and kept rows of length 1 below
+  std::shared_ptr<const ReducedMatrix> C;  ///< of Q2 diag(scale): columns of length 1, and kept rows of length 1 below
   Eigen::VectorXd scale;
-  Index kept = 0;       ///< how many rows are kept
-  SparseRows scaledQ2;  ///< Q2 diag(scale)
+  Index kept = 0;  ///< how many rows are kept
   std::shared_ptr<const LeastSquaresFactor> factor;
 };
 
-/// That of min |A Q2 y - f| with K y = 0 below it, a row for each that is kept; there may be none. Q2 is empty
-/// afterwards. `rest` (n x 3) is a typical solution to measure factors on. Only our own factorisation keeps rows.
-[[nodiscard]] Result<ReducedProblem> makeReducedProblem(const SparseMatrix& A, SparseMatrix&& Q2, const SparseMatrix& K,
-                                                        Columns3 rest, Backend backend, EliminationOrder order);
+/// What rows below the equations are.
+enum class RowsBelow {
+  Kept,      ///< they hold exactly; none, or those of our own factorisation
+  Equations  ///< as those of A
+};
+
+/// That of min |A Q2 y - f| with K y below it; there may be no K. `rest` (n x 3) is a typical solution to measure
+/// factors on.
+[[nodiscard]] Result<ReducedProblem> makeReducedProblem(std::shared_ptr<const TwoWayMatrix> A, SparseMatrix Q2,
+                                                        SparseRows K, RowsBelow below, Columns3 rest, Backend backend,
+                                                        EliminationOrder order);
 
 /// More rows take longer than another factorisation does.
 inline constexpr std::size_t kMostEdited = 300;
@@ -29,7 +36,7 @@ inline constexpr std::size_t kMostEdited = 300;
 /// by which that row alone changes. A row more is kept, with a multiplier. With these borders W the system is solved by
 /// our own factor of `base`, N, and the Schur complement S_0 - W^T N^-1 W. Fails where the factor is another one, where
 /// more than `kMostEdited` rows differ, where other parts are held, and where the complement is singular in doubles.
-[[nodiscard]] Result<ReducedProblem> bordered(const std::shared_ptr<const ReducedProblem>& base, const TwoWayMatrix& A,
+[[nodiscard]] Result<ReducedProblem> bordered(const std::shared_ptr<const ReducedProblem>& base,
                                               const EliminatedConstraints& before, const EliminatedConstraints& now);
 
 }  // namespace holdfast

@@ -23,12 +23,13 @@ class CholeskyByEigen final : public LeastSquaresFactor {
 
 }  // namespace
 
-FactorResult choleskyByEigen(const TwoWayMatrix& C)
+FactorResult choleskyByEigen(const LinearMap& C)
 {
-  auto factor = std::make_unique<CholeskyByEigen>(gramLower(C));
+  const SparseMatrix lower = gramLower(*C.matrix());
+  auto factor = std::make_unique<CholeskyByEigen>(lower);
   if (factor->isRegular()) return {std::move(factor)};
   return {nullptr,
-          fmt::format("the normal equations of {} unknowns are not positive definite in doubles", C.columns().cols())};
+          fmt::format("the normal equations of {} unknowns are not positive definite in doubles", lower.cols())};
 }
 
 }  // namespace holdfast

@@ -2,7 +2,6 @@
 
 #include <numeric>
 
-#include <holdfast/base/available_memory.h>
 #include <holdfast/base/parallel.h>
 #include <holdfast/factor/multifrontal.h>
 #include <holdfast/factor/multipliers.h>
@@ -36,38 +35,35 @@ class CholeskyMultifrontal final : public LeastSquaresFactor {
   mutable std::vector<double> x_;  // memory that every solution uses again
 };
 
-/// The lower triangle of [M, K^T; K, 0] from that of M: C^T C with columns in this order. K is the last `kept` rows of
-/// C.
-SparseMatrix withKeptRows(const SparseMatrix& lower, const std::vector<int>& order, const TwoWayMatrix& C, Index kept)
+/// The lower triangle of [M, K^T; K, 0] from that of M, whose columns are in this order.
+SparseMatrix withKeptRows(const SparseMatrix& lower, const std::vector<int>& order, const SparseMatrix& K)
 {
   const Index size = lower.cols();
-  const Index firstKept = C.columns().rows() - kept;
-  return assembled<SparseMatrix>(size + kept, size + kept, [&](Index k, ColumnSum& sum) {
+  return assembled<SparseMatrix>(size + K.rows(), size + K.rows(), [&](Index k, ColumnSum& sum) {
     if (k >= size) return;
     sum.addColumn(lower, k);
-    for (SparseMatrix::InnerIterator entry(C.columns(), order[k]); entry; ++entry)
-      if (entry.row() >= firstKept) sum.add(static_cast<int>(size + entry.row() - firstKept), entry.value());
+    sum.addColumn(K, order[k], size);
   });
 }
 
 }  // namespace
 
-FactorResult choleskyMultifrontal(TwoWayMatrix& C, EliminationOrder wanted, Index kept)
+FactorResult choleskyMultifrontal(const LinearMap& map, EliminationOrder wanted, Index kept)
 {
-  SparseMatrix lower = gramLower(C);
-  const bool isShort = isLeastMemoryWanted();
-  if (isShort) C.dropRows();  // not to be kept beside the numbers of fronts
+  std::shared_ptr<const TwoWayMatrix> C = map.matrix();
+  SparseMatrix lower = gramLower(*C);
+  const SparseMatrix K = C->rows().bottomRows(kept);
+  C.reset();  // not to be kept beside the numbers of fronts
   std::vector<int> order(static_cast<std::size_t>(lower.cols()));
   std::iota(order.begin(), order.end(), 0);
   if (wanted == EliminationOrder::ToBeFound) order = minimumDegreeOrder(lower);
   SymbolicFactor structure = analyze(lower, order);
   if (kept > 0) {
-    lower = withKeptRows(lower, structure.order, C, kept);
+    lower = withKeptRows(lower, structure.order, K);
     structure = withMultipliers(structure, lower);
   }
   const auto symbolic = std::make_shared<const SymbolicFactor>(std::move(structure));
   auto [factor, failure] = factorizeMultifrontal(symbolic, std::move(lower));
-  if (isShort) C.makeRows();
   if (factor == nullptr) return {nullptr, std::move(failure)};
   return {std::make_unique<CholeskyMultifrontal>(std::move(factor))};
 }

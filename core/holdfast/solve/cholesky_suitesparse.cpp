@@ -96,10 +96,10 @@ class CholeskyBySuiteSparse final : public LeastSquaresFactor {
 
 }  // namespace
 
-FactorResult choleskyBySuiteSparse(const TwoWayMatrix& C)
+FactorResult choleskyBySuiteSparse(const LinearMap& C)
 {
   auto factor = std::make_unique<CholeskyBySuiteSparse>();
-  SparseMatrix lower = gramLower(C);
+  SparseMatrix lower = gramLower(*C.matrix());
   if (std::string failure = factor->factorize(lower); !failure.empty()) return {nullptr, std::move(failure)};
   return {std::move(factor)};
 }

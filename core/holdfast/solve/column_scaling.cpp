@@ -1,45 +1,31 @@
 #include "holdfast/solve/column_scaling.h"
 
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
 namespace holdfast {
 
-namespace {
-
-/// M with K diag(scale) below it, whose rows get length 1.
-SparseMatrix withKeptRows(const SparseMatrix& M, const SparseMatrix& K, const Eigen::VectorXd& scale)
+Result<Eigen::VectorXd> unitScale(const Eigen::VectorXd& squares)
 {
-  Eigen::VectorXd squares = Eigen::VectorXd::Zero(K.rows());
-  for (Index k = 0; k < K.cols(); ++k)
-    for (SparseMatrix::InnerIterator entry(K, k); entry; ++entry)
-      squares[entry.row()] += std::pow(scale[k] * entry.value(), 2);
-  return assembled<SparseMatrix>(M.rows() + K.rows(), M.cols(), [&](Index k, ColumnSum& sum) {
-    sum.addColumn(M, k);
-    for (SparseMatrix::InnerIterator entry(K, k); entry; ++entry)
-      sum.add(static_cast<int>(M.rows() + entry.row()), scale[k] * entry.value() / std::sqrt(squares[entry.row()]));
-  });
+  Eigen::VectorXd scale = squares.cwiseSqrt().cwiseInverse();
+  for (Index k = 0; k < scale.size(); ++k)
+    if (!(scale[k] > 0) || !std::isfinite(scale[k]))
+      return {{}, fmt::format("unknown {} of {} is in no equation, or in one that is not finite", k, scale.size())};
+  return {std::move(scale)};
 }
 
-}  // namespace
-
-Result<ScaledColumns> scaleColumns(SparseMatrix&& M, const SparseMatrix& K)
+Result<ScaledColumns> scaleColumns(SparseMatrix&& M)
 {
-  ScaledColumns result;
-  result.scale.resize(M.cols());
+  Eigen::VectorXd squares(M.cols());
+  parallelBlocks(M.cols(), [&](Index k) { squares[k] = M.col(k).squaredNorm(); });
+  auto [scale, failure] = unitScale(squares);
+  if (!failure.empty()) return {{}, std::move(failure)};
   parallelBlocks(M.cols(), [&](Index k) {
-    double squares = 0;
-    for (SparseMatrix::InnerIterator entry(M, k); entry; ++entry) squares += entry.value() * entry.value();
-    result.scale[k] = 1 / std::sqrt(squares);
-    for (SparseMatrix::InnerIterator entry(M, k); entry; ++entry) entry.valueRef() *= result.scale[k];
+    for (SparseMatrix::InnerIterator entry(M, k); entry; ++entry) entry.valueRef() *= scale[k];
   });
-  for (Index k = 0; k < M.cols(); ++k)
-    if (!(result.scale[k] > 0) || !std::isfinite(result.scale[k]))
-      return {{}, fmt::format("unknown {} of {} is in no equation, or in one that is not finite", k, M.cols())};
-  result.kept = K.rows();
-  result.C = K.rows() == 0 ? TwoWayMatrix(std::move(M)) : TwoWayMatrix(withKeptRows(M, K, result.scale));
-  return {std::move(result)};
+  return {{TwoWayMatrix(std::move(M)), std::move(scale)}};
 }
 
 }  // namespace holdfast

@@ -6,14 +6,16 @@
 
 namespace holdfast {
 
-/// C = M diag(scale) with columns of length 1; below it rows of length 1 that hold exactly.
+/// C = M diag(scale) with columns of length 1.
 struct ScaledColumns {
   TwoWayMatrix C;
   Eigen::VectorXd scale;
-  Index kept = 0;  ///< how many rows hold exactly: see `LeastSquaresFactor`
 };
 
-/// Takes the memory of `M`. Fails for an empty or non-finite column. The rows `K` hold exactly. O(entries).
-[[nodiscard]] Result<ScaledColumns> scaleColumns(SparseMatrix&& M, const SparseMatrix& K = {});
+/// Takes the memory of `M`. Fails for an empty or non-finite column. O(entries).
+[[nodiscard]] Result<ScaledColumns> scaleColumns(SparseMatrix&& M);
+
+/// By which columns with these sums of squares get length 1. Fails as `scaleColumns`.
+[[nodiscard]] Result<Eigen::VectorXd> unitScale(const Eigen::VectorXd& squares);
 
 }  // namespace holdfast

@@ -88,7 +88,7 @@ CorrectedSolution correctedSolve(const LeastSquaresFactor& factor, const LinearM
   return result;
 }
 
-double contraction(const LeastSquaresFactor& factor, const TwoWayMatrix& C, const Columns3& probe, Index kept)
+double contraction(const LeastSquaresFactor& factor, const LinearMap& C, const Columns3& probe, Index kept)
 {
   const Columns3 found = solved(factor, C, C.times(probe), Columns3::Zero(kept, 3)).topRows(probe.rows());
   return largest(probe) == 0 ? 0 : largest(found - probe) / largest(probe);

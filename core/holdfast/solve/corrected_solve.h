@@ -1,30 +1,12 @@
 #pragma once
 /// Least-squares solutions with all the digits of a double out of a factor that has half of them.
 
-#include <functional>
-#include <memory>
-
 #include <holdfast/solve/least_squares_factor.h>
 
 namespace holdfast {
 
 /// Factors that leave a larger share of an error are of no use: corrections do not converge, nor do they tell accuracy.
 inline constexpr double kUsableContraction = 0.5;
-
-/// C as corrections need it.
-struct LinearMap {
-  std::function<Columns3(const Columns3& f, const Columns3& z)> residual;  ///< f - C z
-  std::function<Columns3(const Columns3& f)> transposeTimes;               ///< C^T f
-
-  LinearMap() = default;
-  /// `C` stays alive as long as this.
-  LinearMap(const TwoWayMatrix& C) : LinearMap(std::shared_ptr<const TwoWayMatrix>(std::shared_ptr<void>(), &C)) {}
-  LinearMap(std::shared_ptr<const TwoWayMatrix> C)
-      : residual([C](const Columns3& f, const Columns3& z) { return C->residual(f, z); }),
-        transposeTimes([C](const Columns3& f) { return C->transposeTimes(f); })
-  {
-  }
-};
 
 struct CorrectedSolution {
   Columns3 z;            ///< k x 3
@@ -52,7 +34,7 @@ struct KnownSolution {
 
 /// How much of an error one correction leaves: 1e-8 for a good factor, 1 or more (or NaN) for a useless one. Measured
 /// on `probe`, a known solution.
-[[nodiscard]] double contraction(const LeastSquaresFactor& factor, const TwoWayMatrix& C, const Columns3& probe,
+[[nodiscard]] double contraction(const LeastSquaresFactor& factor, const LinearMap& C, const Columns3& probe,
                                  Index kept = 0);
 
 }  // namespace holdfast

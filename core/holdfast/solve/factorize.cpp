@@ -18,7 +18,7 @@ class NothingToSolve final : public LeastSquaresFactor {
   [[nodiscard]] std::string_view method() const override { return "nothing left to solve"; }
 };
 
-FactorResult cholesky(TwoWayMatrix& C, Backend backend, EliminationOrder order)
+FactorResult cholesky(const LinearMap& C, Backend backend, EliminationOrder order)
 {
   if (backend == Backend::Holdfast) return choleskyMultifrontal(C, order);
 #ifdef HOLDFAST_WITH_CHOLMOD
@@ -45,7 +45,7 @@ bool isBuilt(Backend backend)
 #endif
 }
 
-FactorResult factorizeKept(TwoWayMatrix& C, Index kept, const Columns3& probe, EliminationOrder order)
+FactorResult factorizeKept(const LinearMap& C, Index kept, const Columns3& probe, EliminationOrder order)
 {
   FactorResult result = choleskyMultifrontal(C, order, kept);
   if (!result) return result;
@@ -55,9 +55,9 @@ FactorResult factorizeKept(TwoWayMatrix& C, Index kept, const Columns3& probe, E
           fmt::format("the equations with multipliers keep no digits (a correction leaves {:.1g} of an error)", left)};
 }
 
-FactorResult factorize(TwoWayMatrix& C, Backend backend, const Columns3& probe, EliminationOrder order)
+FactorResult factorize(const LinearMap& C, Backend backend, const Columns3& probe, EliminationOrder order)
 {
-  if (C.columns().cols() == 0) return {std::make_unique<NothingToSolve>()};
+  if (probe.rows() == 0) return {std::make_unique<NothingToSolve>()};
   FactorResult first = cholesky(C, backend, order);
   double left = 0;
   if (first.value != nullptr) {

@@ -41,7 +41,7 @@ class HardSolver final : public ConstrainedSolver {
 
   [[nodiscard]] SolverResult edited(std::shared_ptr<const EliminatedConstraints> others) const override
   {
-    Result<ReducedProblem> result = bordered(reduced_, *problem_.A, *problem_.eliminated, *others);
+    Result<ReducedProblem> result = bordered(reduced_, *problem_.eliminated, *others);
     if (!result) return {nullptr, std::move(result.failure)};
     return {
         std::make_unique<HardSolver>(ConstrainedProblem{problem_.A, std::move(others), {}}, std::move(result.value))};
@@ -58,8 +58,9 @@ class HardSolver final : public ConstrainedSolver {
     Columns3 missed = problem_.A->residual(f, result.u);
     missed.conservativeResizeLike(Columns3::Zero(missed.rows() + reduced_->kept, 3));
     CorrectedSolution z =
-        correctedSolve(*reduced_->factor, reduced_->C, reduced_->scale, missed, reduced_->kept, known);
-    parallelBlocks(result.u.rows(), [&](Index i) { result.u.row(i) += gathered(reduced_->scaledQ2, i, z.z); });
+        correctedSolve(*reduced_->factor, *reduced_->C, reduced_->scale, missed, reduced_->kept, known);
+    const Columns3 step = reduced_->C->spread(z.z);
+    parallelBlocks(result.u.rows(), [&](Index i) { result.u.row(i) += step.row(i); });
     result.corrections = z.corrections;
     result.accuracy = z.accuracy;
     result.left = z.left;
@@ -97,10 +98,10 @@ SolverResult hardSolver(ConstrainedProblem problem, Backend backend, const Spars
   SparseMatrix Q2 = orderedColumns(wantedQ2, problem.ranks);
   std::vector<RowTerms> rows;
   for (const Index row : kept) rows.push_back(problem.eliminated->rows[row]);
-  const SparseMatrix K = constraintMatrix(rows, Q2.rows()) * Q2;
+  SparseRows K = constraintMatrix(rows, Q2.rows()) * Q2;
   const EliminationOrder order = orderFor(problem, Q2);
-  Result<ReducedProblem> reduced =
-      makeReducedProblem(problem.A->columns(), std::move(Q2), K, std::move(problem.rest), backend, order);
+  Result<ReducedProblem> reduced = makeReducedProblem(problem.A, std::move(Q2), std::move(K), RowsBelow::Kept,
+                                                      std::move(problem.rest), backend, order);
   if (!reduced) return {nullptr, std::move(reduced.failure)};
   return {std::make_unique<HardSolver>(std::move(problem), std::move(reduced.value))};
 }

@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include <holdfast/base/result.h>
-#include <holdfast/base/sparse_products.h>
 #include <holdfast/factor/packed_factor.h>
+#include <holdfast/solve/linear_map.h>
 #include <holdfast/solve/solver_options.h>
 
 namespace holdfast {
@@ -45,22 +45,21 @@ enum class EliminationOrder {
 
 using FactorResult = Result<std::unique_ptr<const LeastSquaresFactor>>;
 
-/// Each takes C (m x k) with columns of unit length. Those of SuiteSparse are defined where that is built. Our own
-/// drops the rows of C while it computes, and makes them again, where `LeastMemory` lives.
-[[nodiscard]] FactorResult choleskyMultifrontal(TwoWayMatrix& C, EliminationOrder order = EliminationOrder::ToBeFound,
-                                                Index kept = 0);
-[[nodiscard]] FactorResult choleskyBySuiteSparse(const TwoWayMatrix& C);
-[[nodiscard]] FactorResult choleskyByEigen(const TwoWayMatrix& C);
+/// Each takes C (m x k) with columns of unit length. Those of SuiteSparse are defined where that is built.
+[[nodiscard]] FactorResult choleskyMultifrontal(const LinearMap& C,
+                                                EliminationOrder order = EliminationOrder::ToBeFound, Index kept = 0);
+[[nodiscard]] FactorResult choleskyBySuiteSparse(const LinearMap& C);
+[[nodiscard]] FactorResult choleskyByEigen(const LinearMap& C);
 /// R of a sparse QR of C, Q not kept: R^T R z = C^T f (semi-normal equations; Björck, 1987).
-[[nodiscard]] FactorResult seminormalQr(const TwoWayMatrix& C, Backend backend);
+[[nodiscard]] FactorResult seminormalQr(const LinearMap& C, Backend backend);
 
 /// A factor that solves with the digits of a double after corrections: Cholesky of the normal equations, and where that
 /// meets a bad pivot or contracts too slowly, sparse QR of C. `probe` (k x 3) is any typical solution, by which
 /// factors are measured. A failure names both reasons. Other backends than our own find an order themselves.
-[[nodiscard]] FactorResult factorize(TwoWayMatrix& C, Backend backend, const Columns3& probe,
+[[nodiscard]] FactorResult factorize(const LinearMap& C, Backend backend, const Columns3& probe,
                                      EliminationOrder order = EliminationOrder::ToBeFound);
 
 /// Our own factor of a problem with kept rows, if corrections reach the digits of a double with it.
-[[nodiscard]] FactorResult factorizeKept(TwoWayMatrix& C, Index kept, const Columns3& probe, EliminationOrder order);
+[[nodiscard]] FactorResult factorizeKept(const LinearMap& C, Index kept, const Columns3& probe, EliminationOrder order);
 
 }  // namespace holdfast

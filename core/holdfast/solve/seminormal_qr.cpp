@@ -68,11 +68,13 @@ bool hasRegularDiagonal(const SparseMatrix& R)
 
 }  // namespace
 
-FactorResult seminormalQr(const TwoWayMatrix& C, Backend backend)
+FactorResult seminormalQr(const LinearMap& map, Backend backend)
 {
-  SparseQrResult qr = qrBy(backend, longestRowsFirst(C.rows()));
-  if (qr.rank < C.columns().cols() || qr.R.rows() < C.columns().cols() || !hasRegularDiagonal(qr.R))
-    return {nullptr, fmt::format("sparse QR finds rank {} for {} unknowns", qr.rank, C.columns().cols())};
+  const std::shared_ptr<const TwoWayMatrix> C = map.matrix();
+  const Index unknowns = C->columns().cols();
+  SparseQrResult qr = qrBy(backend, longestRowsFirst(C->rows()));
+  if (qr.rank < unknowns || qr.R.rows() < unknowns || !hasRegularDiagonal(qr.R))
+    return {nullptr, fmt::format("sparse QR finds rank {} for {} unknowns", qr.rank, unknowns)};
   return {std::make_unique<SeminormalQr>(std::move(qr), backend)};
 }
 

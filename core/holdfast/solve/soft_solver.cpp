@@ -7,14 +7,6 @@
 namespace holdfast {
 namespace {
 
-SparseMatrix stacked(const SparseMatrix& top, const SparseMatrix& bottom)
-{
-  SparseRows result(top.rows() + bottom.rows(), top.cols());
-  result.topRows(top.rows()) = top;
-  result.bottomRows(bottom.rows()) = bottom;
-  return result;
-}
-
 class SoftSolver final : public ConstrainedSolver {
  public:
   SoftSolver(double weight, ReducedProblem reduced) : weight_(weight), reduced_(std::move(reduced)) {}
@@ -23,8 +15,8 @@ class SoftSolver final : public ConstrainedSolver {
   {
     Columns3 rightSides(f.rows() + targets.shifts.rows(), 3);
     rightSides << f, weight_ * targets.shifts;
-    const CorrectedSolution z = correctedSolve(*reduced_.factor, reduced_.C, reduced_.scale, rightSides);
-    return {reduced_.scaledQ2 * z.z, z.corrections, z.accuracy};
+    const CorrectedSolution z = correctedSolve(*reduced_.factor, *reduced_.C, reduced_.scale, rightSides);
+    return {reduced_.C->spread(z.z), z.corrections, z.accuracy};
   }
 
   [[nodiscard]] Index unknowns() const override { return reduced_.scale.size(); }
@@ -41,11 +33,12 @@ class SoftSolver final : public ConstrainedSolver {
 SolverResult makeSoftSolver(ConstrainedProblem problem, Backend backend, double weight)
 {
   const EliminatedConstraints& eliminated = *problem.eliminated;
-  const SparseMatrix& A = problem.A->columns();
-  SparseMatrix spread = orderedColumns(Elimination({}, {}, A.cols(), eliminated.isHeld).Q2(), problem.ranks);
-  const SparseMatrix all = stacked(A, weight * constraintMatrix(eliminated.rows, A.cols()));
+  const Index size = problem.A->columns().cols();
+  SparseMatrix spread = orderedColumns(Elimination({}, {}, size, eliminated.isHeld).Q2(), problem.ranks);
+  SparseRows below = weight * (constraintMatrix(eliminated.rows, size) * spread);
   Result<ReducedProblem> reduced =
-      makeReducedProblem(all, std::move(spread), {}, std::move(problem.rest), backend, problem.eliminationOrder());
+      makeReducedProblem(problem.A, std::move(spread), std::move(below), RowsBelow::Equations, std::move(problem.rest),
+                         backend, problem.eliminationOrder());
   if (!reduced) return {nullptr, std::move(reduced.failure)};
   return {std::make_unique<SoftSolver>(weight, std::move(reduced.value))};
 }

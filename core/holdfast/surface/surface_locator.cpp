@@ -51,7 +51,7 @@ Lengths scaled(const Lengths& lengths, int exponent)
   return lengths.unaryExpr([exponent](double x) { return std::ldexp(x, exponent); });
 }
 
-using Corners = std::span<const Index>;
+using Corners = std::span<const int>;
 
 std::size_t cornerOf(Corners face, Index vertex)
 {

@@ -26,7 +26,7 @@ double angleDegrees(const Vector3& a, const Vector3& b)
 
 std::vector<Index> VertexRegions::connected(std::span<const Index> vertices) const
 {
-  const std::vector<Index>& partOf = solverMesh_.componentOf;
+  const std::vector<int>& partOf = solverMesh_.componentOf;
   std::vector<bool> isChosen = unknownsOf(vertices);
   std::vector<bool> isPart(static_cast<std::size_t>(solverMesh_.componentCount), false);
   for (std::size_t k = 0; k < partOf.size(); ++k)

@@ -29,17 +29,6 @@ TEST(SparseProducts, AreThoseOfDenseMatrices)
   }
 }
 
-TEST(SparseProducts, AreTheSameAfterRowsWereDropped)
-{
-  test::Random random(6);
-  TwoWayMatrix both(test::randomSparse(random, 40, 30));
-  const SparseRows rows = both.rows();
-  both.dropRows();
-  EXPECT_EQ(both.rows().size(), 0);
-  both.makeRows();
-  EXPECT_EQ(Eigen::MatrixXd(both.rows()), Eigen::MatrixXd(rows));
-}
-
 TEST(SparseProducts, AreAssembledWithAscendingPlaces)
 {
   const auto rows = assembled<SparseRows>(10000, 7, [](Index k, ColumnSum& sum) {

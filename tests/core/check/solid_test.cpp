@@ -16,7 +16,7 @@ bool isSolidMesh(const Mesh& mesh)
   return isSolid(test::solverMeshOf(mesh));
 }
 
-std::vector<Index> turnedRound(std::span<const Index> face)
+std::vector<Index> turnedRound(std::span<const int> face)
 {
   return {face.rbegin(), face.rend()};
 }

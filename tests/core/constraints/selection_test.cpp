@@ -26,7 +26,7 @@ Selection complement(Selection selection)
 /// A lattice of integer points, so that boundaries are met exactly, in three parts and some loose vertices.
 struct Scene {
   Positions positions{216, 3};
-  std::vector<Index> componentOf;
+  std::vector<int> componentOf;
 
   Scene()
   {
@@ -204,7 +204,7 @@ TEST(Selection, OppositeHalfSpacesShareTheirPlaneOnly)
 TEST(Selection, VertexThatNoFaceUsesIsInNoComponent)
 {
   const Positions positions = Positions::Zero(4, 3);
-  const std::vector<Index> componentOf{0, -1, 1, 0};
+  const std::vector<int> componentOf{0, -1, 1, 0};
   EXPECT_THAT(select({InComponent{0}}, positions, componentOf), ElementsAre(0, 3));
   EXPECT_THAT(select({InComponent{1}}, positions, componentOf), ElementsAre(2));
   EXPECT_THAT(select({InComponent{2}}, positions, componentOf), IsEmpty());

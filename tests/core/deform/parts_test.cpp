@@ -91,7 +91,7 @@ TEST(Parts, OfASoupDeformLikeTheWeldedMeshAndStayTogetherBitForBit)
 {
   for (const test::NamedMesh& named : test::lawMeshes()) {
     SCOPED_TRACE(named.name);
-    const std::vector<Index> vertexOf = cornerVertices(named.mesh.faces);
+    const std::span<const int> vertexOf = named.mesh.faces.corners();
     const Mesh soup = test::soup(named.mesh);
     const auto last = static_cast<Index>(vertexOf.size()) - 1;
     const Vector3 shift(0.1, 0.2, 0.3);

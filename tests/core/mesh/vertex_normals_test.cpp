@@ -30,14 +30,13 @@ TEST(VertexNormals, AreaOfAPolygonIsThatOfItsTriangles)
 {
   Positions positions(5, 3);
   positions << 0, 0, 7, 2, 0, 7, 1, 1, 7, 2, 2, 7, 0, 2, 7;  // a dent at (1, 1)
-  EXPECT_EQ(areaVector(positions, std::array<Index, 5>{0, 1, 2, 3, 4}), Vector3(0, 0, 3));
+  EXPECT_EQ(areaVector(positions, std::array{0, 1, 2, 3, 4}), Vector3(0, 0, 3));
 }
 
 TEST(VertexNormals, OfASpherePointOutwards)
 {
   const Mesh mesh = test::icosphere(3);
-  const Positions normals =
-      areaWeightedNormals(mesh.positions, mesh.faces, cornerVertices(mesh.faces), mesh.vertexCount());
+  const Positions normals = areaWeightedNormals(mesh.positions, mesh.faces, mesh.faces.corners(), mesh.vertexCount());
   for (Index v = 0; v < mesh.vertexCount(); ++v) EXPECT_GT(normals.row(v).dot(mesh.positions.row(v)), 0.999);
 }
 
@@ -48,7 +47,7 @@ TEST(VertexNormals, AreWeightedByArea)
   Polygons faces;
   faces.add({0, 1, 2});  // half a unit of area towards z
   faces.add({0, 2, 3});  // three halves towards x
-  const Positions normals = areaWeightedNormals(positions, faces, cornerVertices(faces), 4);
+  const Positions normals = areaWeightedNormals(positions, faces, faces.corners(), 4);
   EXPECT_LT((normals.row(0) - Eigen::RowVector3d(3, 0, 1).normalized()).norm(), 1e-15);
 }
 
@@ -56,7 +55,7 @@ TEST(VertexNormals, NeitherTinyNorHugeMeshesLoseThem)
 {
   const Mesh mesh = test::tetrahedron();
   const auto normalsAt = [&](double scale) {
-    return areaWeightedNormals(mesh.positions * scale, mesh.faces, cornerVertices(mesh.faces), 4);
+    return areaWeightedNormals(mesh.positions * scale, mesh.faces, mesh.faces.corners(), 4);
   };
   EXPECT_TRUE(normalsAt(1e-140).isApprox(normalsAt(1), 1e-14));
   EXPECT_TRUE(normalsAt(1e140).isApprox(normalsAt(1), 1e-14));
@@ -65,7 +64,7 @@ TEST(VertexNormals, NeitherTinyNorHugeMeshesLoseThem)
 TEST(VertexNormals, FollowPositionsWithTheSameBitsOnOneCore)
 {
   const Mesh mesh = test::icosphere(5);  // 20,480 faces: several blocks of a loop over threads
-  std::vector<Index> normalOfCorner = cornerVertices(mesh.faces);
+  std::vector<int> normalOfCorner(mesh.faces.corners().begin(), mesh.faces.corners().end());
   for (std::size_t corner = 0; corner < normalOfCorner.size(); corner += 7) normalOfCorner[corner] = -1;
   AreaWeightedNormals normals(mesh.faces, normalOfCorner, mesh.vertexCount());
   normals.at(mesh.positions);
@@ -88,7 +87,7 @@ TEST(VertexNormals, AreZeroWhereNothingDefinesThem)
   EXPECT_EQ(unitOrZero(Vector3(1, std::nan(""), 0)), Vector3::Zero());
   EXPECT_EQ(unitOrZero(Vector3(std::numeric_limits<double>::infinity(), 0, 0)), Vector3::Zero());
   const Mesh mesh = test::tetrahedron();
-  const std::vector<Index> none(mesh.faces.cornerCount(), -1);
+  const std::vector<int> none(mesh.faces.cornerCount(), -1);
   EXPECT_EQ(areaWeightedNormals(mesh.positions, mesh.faces, none, 2), Positions::Zero(2, 3));
 }
 

@@ -40,7 +40,7 @@ TEST(Weld, MakesOneSurfaceOfFacesWithVerticesOfTheirOwn)
   for (const test::NamedMesh& named : test::lawMeshes()) {
     SCOPED_TRACE(named.name);
     const Mesh apart = test::soup(named.mesh);
-    const std::vector<Index> vertexOf = cornerVertices(named.mesh.faces);
+    const std::span<const int> vertexOf = named.mesh.faces.corners();
     const Weld weld = weldOf(apart);
     ASSERT_EQ(weld.unknownCount, named.mesh.vertexCount());
     std::vector<Index> unknownOfVertex(static_cast<std::size_t>(named.mesh.vertexCount()), -1);
@@ -128,7 +128,7 @@ TEST(SolverMesh, ReportsPartsOfEveryVertexOfASoup)
   const Mesh mesh = test::soup(test::merged(test::tetrahedron(), test::moved(test::tetrahedron(), {9, 0, 0})));
   const SolverMesh solver = makeSolverMesh(mesh, triangulate(mesh));
   EXPECT_EQ(solver.componentCount, 2);
-  const std::vector<Index> parts = componentOfVertices(solver);
+  const std::vector<int> parts = componentOfVertices(solver);
   for (Index v = 0; v < mesh.vertexCount(); ++v) EXPECT_EQ(parts[v], v < 12 ? 0 : 1);
 }
 

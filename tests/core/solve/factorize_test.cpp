@@ -65,7 +65,7 @@ SparseMatrix cubeOfSprings(Index n)
   return M;
 }
 
-FactorResult cholesky(TwoWayMatrix& C, Backend backend)
+FactorResult cholesky(const TwoWayMatrix& C, Backend backend)
 {
   if (backend == Backend::Holdfast) return choleskyMultifrontal(C);
 #ifdef HOLDFAST_WITH_CHOLMOD
@@ -122,18 +122,9 @@ TEST_P(Factorize, GivesBothReasonsWhereNothingWorks)
   EXPECT_THAT(result.failure, HasSubstr("sparse QR finds rank 2 for 3 unknowns"));
 }
 
-TEST_P(Factorize, LeavesCAsItWas)
-{
-  ScaledColumns scaled = scaleColumns(chain(20, 3)).value;
-  const Columns3 probe = Columns3::Random(20, 3);
-  const Columns3 before = scaled.C.times(probe);
-  ASSERT_NE(factorize(scaled.C, GetParam(), probe).value, nullptr);
-  EXPECT_EQ(scaled.C.times(probe), before);
-}
-
 TEST_P(Factorize, OfNoUnknownsHasNothingToDo)
 {
-  TwoWayMatrix none(SparseMatrix(5, 0));
+  const TwoWayMatrix none(SparseMatrix(5, 0));
   const FactorResult result = factorize(none, GetParam(), Columns3(0, 3));
   ASSERT_NE(result.value, nullptr);
   EXPECT_EQ(result.value->solve(Columns3::Ones(5, 3)).rows(), 0);
@@ -190,10 +181,7 @@ TEST_P(Factorize, IsTheSameBitForBitBesideAnother)
 {
   const ScaledColumns scaled = scaleColumns(cubeOfSprings(20)).value;
   const Columns3 g = Columns3::Ones(scaled.scale.size(), 3);
-  const auto solved = [&] {
-    TwoWayMatrix C = scaled.C;
-    return cholesky(C, GetParam()).value->solve(g);
-  };
+  const auto solved = [&] { return cholesky(scaled.C, GetParam()).value->solve(g); };
   const Columns3 alone = solved();
   std::future<Columns3> other = std::async(std::launch::async, solved);
   EXPECT_EQ(solved(), alone);

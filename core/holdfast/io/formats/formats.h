@@ -68,9 +68,9 @@ struct FileLayout {
   std::optional<std::endian> byteOrder = {};  ///< none in a text
   std::array<NumberType, 3> coordinateTypes{NumberType::kDouble, NumberType::kDouble, NumberType::kDouble};
   std::array<NumberType, 3> normalTypes = coordinateTypes;
-  bool areTogether = true;                 ///< each place has three numbers; else one
-  std::vector<NumberPlace> numbers = {};   ///< ascending
-  std::vector<Index> normalOfCorner = {};  ///< of each corner of the faces: its stored normal, or -1
+  bool areTogether = true;                ///< each place has three numbers; else one
+  std::vector<NumberPlace> numbers = {};  ///< ascending
+  std::vector<int> normalOfCorner = {};   ///< of each corner of the faces: its stored normal, or -1
   Index normalCount = 0;
   std::vector<std::size_t> typeWords = {};      ///< where a header names types of coordinates that become double
   std::vector<std::string> notesOfMotion = {};  ///< what is to be said where a vertex moves

@@ -44,7 +44,7 @@ std::string stlBytes(const Vector3& vector)
   return bytes;
 }
 
-std::string stlFacet(const Positions& positions, const std::array<Index, 3>& corners)
+std::string stlFacet(const Positions& positions, const std::array<int, 3>& corners)
 {
   std::string bytes = stlBytes(unitOrZero(areaVector(positions, corners)));
   for (const Index corner : corners) bytes += stlBytes(positions.row(corner));

@@ -124,7 +124,7 @@ class ObjReader {
       if (second != std::string_view::npos && second + 1 < behind.size())
         normal = resolve(ObjList::kNormal, behind.substr(second + 1));
     }
-    layout_.normalOfCorner.push_back(normal);
+    layout_.normalOfCorner.push_back(static_cast<int>(normal));
   }
 
   Index resolve(ObjList list, std::string_view token)

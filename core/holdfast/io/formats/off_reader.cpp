@@ -69,7 +69,7 @@ class OffReader {
           faceCount_);
     if (form_.hasNormals) {
       layout_.extras.emplace_back("normals");
-      layout_.normalOfCorner = cornerVertices(mesh_.faces);
+      layout_.normalOfCorner.assign(mesh_.faces.corners().begin(), mesh_.faces.corners().end());
       layout_.normalCount = mesh_.vertexCount();
     }
     if (form_.hasColors) layout_.extras.emplace_back("vertex colours");

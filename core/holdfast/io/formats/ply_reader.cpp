@@ -166,7 +166,8 @@ class PlyReader {
     for (const PlyElement& element : header_.elements) readElement(element);
     scanner_.expectEnd();
     if (mesh_.faces.isEmpty()) failWithoutFaces();
-    if (layout_.normalCount > 0) layout_.normalOfCorner = cornerVertices(mesh_.faces);
+    if (layout_.normalCount > 0)
+      layout_.normalOfCorner.assign(mesh_.faces.corners().begin(), mesh_.faces.corners().end());
     return makeDocument(std::move(bytes_), std::move(layout_), std::move(mesh_));
   }
 

@@ -43,7 +43,7 @@ std::optional<Index> ConstraintMarkRepresentation::FindRegion(double displayX, d
   if (!pick) return std::nullopt;
   const Model& model = this->Surface->model();
   Triangle corners = model.triangulation.triangles[pick->triangle];
-  for (Index& corner : corners) corner = model.solverMesh.weld.unknownOf[corner];
+  for (int& corner : corners) corner = model.solverMesh.weld.unknownOf[corner];
   constexpr unsigned kAll = 0b111;
   std::map<Index, unsigned> held;  // the corners that a constraint has, as bits
   for (const ConstraintMark& mark : this->Marks->marks)

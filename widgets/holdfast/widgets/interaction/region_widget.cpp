@@ -360,8 +360,10 @@ bool RegionWidget::SelectPart()
   this->Cancel();
   if (!this->Surface || !this->Regions || !this->IsCursorInside()) return false;
   const auto pick = this->FaceAt(this->Cursor());
-  if (pick) this->SelectAtOnce(this->Regions->connected(this->Surface->model().mesh.faces[pick->face].first(1)));
-  return pick.has_value();
+  if (!pick) return false;
+  const Index vertex = this->Surface->model().mesh.faces[pick->face].front();
+  this->SelectAtOnce(this->Regions->connected({&vertex, 1}));
+  return true;
 }
 
 void RegionWidget::SelectAtOnce(std::vector<Index> reached)

@@ -212,7 +212,7 @@ int SurfaceCurveRepresentation::AddNodeOnContour(int x, int y)
 {
   const auto vertex = this->VertexAt(DisplayPoint(x, y));
   if (!vertex) return 0;
-  const std::vector<Index>& unknownOf = this->Surface->model().solverMesh.weld.unknownOf;
+  const std::vector<int>& unknownOf = this->Surface->model().solverMesh.weld.unknownOf;
   for (int n = 0; n < this->GetNumberOfNodes(); ++n)
     for (const vtkContourRepresentationPoint* point : this->GetNthNode(n)->Points)
       if (unknownOf[Index{point->PointId}] == unknownOf[*vertex]) return this->InsertPlace(n + 1, vertex);

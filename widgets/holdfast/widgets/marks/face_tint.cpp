@@ -61,7 +61,7 @@ void FaceTint::set(std::vector<char> isIn)
   updateFaces();
 }
 
-bool FaceTint::isBetween(std::span<const Index> points, const std::vector<Index>& vertexOf) const
+bool FaceTint::isBetween(std::span<const int> points, const std::vector<Index>& vertexOf) const
 {
   return std::ranges::all_of(points, [&](Index point) { return isIn_[vertexOf[point]] != 0; });
 }

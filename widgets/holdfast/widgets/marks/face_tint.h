@@ -36,7 +36,7 @@ class FaceTint {
   [[nodiscard]] bool covers(Index vertex) const { return !isCovered_.empty() && isCovered_[vertex] != 0; }
 
  private:
-  [[nodiscard]] bool isBetween(std::span<const Index> points, const std::vector<Index>& vertexOf) const;
+  [[nodiscard]] bool isBetween(std::span<const int> points, const std::vector<Index>& vertexOf) const;
   /// Finds the tinted triangles as well.
   void setOutline();
   void updateFaces();

@@ -152,10 +152,10 @@ CoarseSurface::CoarseSurface(const Model& model, const ShadedSurface& surface)
   CoarseTriangles chosen = coarseTriangles(model, surface, kCoarseTriangles);
   sources_ = std::move(chosen.sources);
   const Polygons& coarse = chosen.triangles;
-  std::vector<Index> newPointOf(surface.vertexOf.size(), -1);
+  std::vector<int> newPointOf(surface.vertexOf.size(), -1);
   const auto newPoint = [&](Index point) {
     if (newPointOf[point] < 0) {
-      newPointOf[point] = static_cast<Index>(pointOf_.size());
+      newPointOf[point] = static_cast<int>(pointOf_.size());
       pointOf_.push_back(point);
       vertexOf_.push_back(surface.vertexOf[point]);
     }
@@ -163,7 +163,7 @@ CoarseSurface::CoarseSurface(const Model& model, const ShadedSurface& surface)
   };
   for (Index t = 0; t < coarse.size(); ++t)
     triangles_.add({newPoint(coarse[t][0]), newPoint(coarse[t][1]), newPoint(coarse[t][2])});
-  std::vector<Index> pointOfCorner;  // of the triangles around; -1 where it has none
+  std::vector<int> pointOfCorner;  // of the triangles around; -1 where it has none
   for (Index t = 0; t < surface.triangles.size(); ++t) {
     const auto corners = surface.triangles[t];
     if (std::all_of(corners.begin(), corners.end(), [&](Index point) { return newPointOf[point] < 0; })) continue;

@@ -60,7 +60,7 @@ void setEdgeLook(vtkActor& actor, double opacity, double pixels)
 MeshActor::MeshActor(const Model& model, std::shared_ptr<const ShadedSurface> shaded)
     : model_(model),
       shaded_(shaded ? std::move(shaded) : std::make_shared<const ShadedSurface>(cutAtSharpEdges(model))),
-      doubleNormals_(std::make_unique<AreaWeightedNormals>(shaded_->triangles, cornerVertices(shaded_->triangles),
+      doubleNormals_(std::make_unique<AreaWeightedNormals>(shaded_->triangles, shaded_->triangles.corners(),
                                                            static_cast<Index>(shaded_->vertexOf.size())))
 {
   places_.resize(static_cast<Index>(shaded_->vertexOf.size()), 3);

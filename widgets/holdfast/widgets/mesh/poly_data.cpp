@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 #include <vtkDataArray.h>
-#include <vtkTypeInt64Array.h>
+#include <vtkTypeInt32Array.h>
 
 #include <holdfast/base/error.h>
 
@@ -56,9 +56,9 @@ vtkSmartPointer<vtkCellArray> addCells(vtkPolyData& data, const std::vector<std:
   return cells;
 }
 
-vtkNew<vtkTypeInt64Array> copyOf(std::span<const Index> numbers)
+vtkNew<vtkTypeInt32Array> copyOf(std::span<const int> numbers)
 {
-  vtkNew<vtkTypeInt64Array> copy;
+  vtkNew<vtkTypeInt32Array> copy;
   copy->SetNumberOfValues(static_cast<vtkIdType>(numbers.size()));
   std::ranges::copy(numbers, copy->GetPointer(0));
   return copy;

@@ -61,7 +61,7 @@ class Search {
   /// Those of the face under the cursor and of all that share a vertex with it.
   [[nodiscard]] std::vector<Index> trianglesAround() const
   {
-    const std::vector<Index>& faceOf = model_.triangulation.faceOf;
+    const std::vector<int>& faceOf = model_.triangulation.faceOf;
     std::vector<Index> faces;
     for (const Index vertex : model_.mesh.faces[faceOf[hit_->triangle]])
       for (const Index triangle : surface_.trianglesAt(vertex))
@@ -180,7 +180,7 @@ class Search {
   /// A triangle with both vertices: that under the cursor, or else one of the same face, or else the first.
   [[nodiscard]] Index triangleWith(Index i, Index j) const
   {
-    const std::vector<Index>& faceOf = model_.triangulation.faceOf;
+    const std::vector<int>& faceOf = model_.triangulation.faceOf;
     const auto rank = [&](Index t) {
       if (!hit_) return 2;
       return t == hit_->triangle ? 0 : faceOf[t] == faceOf[hit_->triangle] ? 1 : 2;

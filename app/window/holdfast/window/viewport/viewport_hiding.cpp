@@ -47,7 +47,7 @@ bool Viewport::hideToo(std::vector<char> triangles)
 std::vector<std::array<Index, 2>> Viewport::hiddenFaces() const
 {
   std::vector<std::array<Index, 2>> ranges;
-  const std::vector<Index>& faceOf = editor_.model()->triangulation.faceOf;
+  const std::vector<int>& faceOf = editor_.model()->triangulation.faceOf;
   for (std::size_t t = 0; hidden_ && t < faceOf.size(); ++t) {
     if ((*hidden_)[t] == 0) continue;
     if (ranges.empty() || ranges.back()[1] + 1 < faceOf[t]) ranges.push_back({faceOf[t], faceOf[t]});
@@ -59,7 +59,7 @@ std::vector<std::array<Index, 2>> Viewport::hiddenFaces() const
 void Viewport::hideFaces(const std::vector<std::array<Index, 2>>& ranges)
 {
   if (!editor_.isOpen()) return;
-  const std::vector<Index>& faceOf = editor_.model()->triangulation.faceOf;
+  const std::vector<int>& faceOf = editor_.model()->triangulation.faceOf;
   std::vector<char> triangles(faceOf.size(), 0);
   for (const auto& [first, last] : ranges)
     std::fill(triangles.begin() + (std::ranges::lower_bound(faceOf, first) - faceOf.begin()),
