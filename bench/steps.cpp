@@ -10,7 +10,7 @@ namespace holdfast::bench {
 SetUp setUp(const Model& model, const ConstraintList& constraints)
 {
   const SolverMesh& mesh = model.solverMesh;
-  return {std::make_shared<const TwoWayMatrix>(weightedRows(makeOperators(mesh, Weights::Cotangent))),
+  return {std::make_shared<const EnergyMatrix>(weightedRows(makeOperators(mesh, Weights::Cotangent))),
           eliminationRanks(mesh.unknownCount(), mesh.triangles),
           makeConstraintSystem(constraints, model.mesh, mesh, model.locator(), "benchmark")};
 }
@@ -29,7 +29,7 @@ std::unique_ptr<const ConstrainedSolver> factorized(const Model& model, const Se
 
 Displacement solution(const SetUp& setUp, const ConstrainedSolver& solver)
 {
-  return solver.solve({shiftsOf(setUp.system), {}}, Columns3::Zero(setUp.A->columns().rows(), 3));
+  return solver.solve({shiftsOf(setUp.system), {}}, Columns3::Zero(setUp.A->rows(), 3));
 }
 
 double factorMiB(const ConstrainedSolver& solver)
@@ -42,7 +42,7 @@ SparseMatrix normalEquations(const Model& model, const ConstraintList& constrain
   const SetUp made = setUp(model, constraints);
   const EliminatedConstraints eliminated = eliminate(made.system, model.solverMesh);
   return gramLower(
-      scaleColumns(product(made.A->columns(), orderedColumns(eliminated.elimination.Q2(), made.ranks))).value.C);
+      scaleColumns(product(*made.A, orderedColumns(eliminated.elimination.Q2(), made.ranks))).value.C);
 }
 
 }  // namespace holdfast::bench

@@ -15,7 +15,7 @@ namespace holdfast::bench {
 
 /// What set-up makes: nothing of it depends on the solver.
 struct SetUp {
-  std::shared_ptr<const TwoWayMatrix> A;
+  std::shared_ptr<const EnergyMatrix> A;
   std::vector<int> ranks;
   ConstraintSystem system;
 };

@@ -65,7 +65,7 @@ BentMesh bentByEnds(Mesh mesh)
 
 BentProblem bentProblem(const BentMesh& bent, Weights weights)
 {
-  return bentProblem(bent, weightedRows(makeOperators(bent.model.solverMesh, weights)));
+  return bentProblem(bent, weightedRows(makeOperators(bent.model.solverMesh, weights)).matrix());
 }
 
 BentProblem bentProblem(const BentMesh& bent, SparseMatrix A)
@@ -79,7 +79,7 @@ BentProblem bentProblem(const BentMesh& bent, SparseMatrix A)
   problem.f.resize(A.rows(), 3);
   for (Index i = 0; i < A.rows(); ++i)
     problem.f.row(i) = rotationMatrix(Vector3(bent.q.row(i))) * detail.row(i).transpose() - detail.row(i).transpose();
-  problem.A = std::make_shared<const TwoWayMatrix>(std::move(A));
+  problem.A = std::make_shared<const EnergyMatrix>(std::move(A));
   problem.B = constraintMatrix(bent.eliminated->rows, mesh.unknownCount());
   problem.d = shiftsOf(bent.system);
   return problem;

@@ -30,7 +30,7 @@ struct BentMesh {
 
 /// Minimise |A u - f| under B u = d, u being the displacement.
 struct BentProblem {
-  std::shared_ptr<const TwoWayMatrix> A;
+  std::shared_ptr<const EnergyMatrix> A;
   Columns3 f;
   SparseRows B;
   Columns3 d;

@@ -144,7 +144,7 @@ std::string drawing(const Ring& ring)
 /// The largest difference between (10), the cotangent weights of the ring, and the row of the Laplacian.
 double differenceFromLaplacian(const Model& model, const Ring& ring)
 {
-  const SparseMatrix L = makeOperators(model.solverMesh, Weights::CotangentPaper).L;
+  const SparseMatrix L = makeOperators(model.solverMesh, Weights::CotangentPaper).L();
   const double perSquaredLength = std::pow(model.solverMesh.diagonal, 2);  // L is in diagonals
   double difference = 0;
   for (std::size_t j = 0; j < ring.triangles.size(); ++j)

@@ -35,8 +35,8 @@ constexpr std::size_t kLargestDense = 2500;
 /// What stays the same for all numbers of constraints.
 struct Bumpy {
   Model model = makeModel(bench::bumpyMesh(kVertices));
-  std::shared_ptr<const TwoWayMatrix> A =
-      std::make_shared<const TwoWayMatrix>(weightedRows(makeOperators(model.solverMesh, Weights::Cotangent)));
+  std::shared_ptr<const EnergyMatrix> A =
+      std::make_shared<const EnergyMatrix>(weightedRows(makeOperators(model.solverMesh, Weights::Cotangent)));
   std::vector<int> ranks = eliminationRanks(model.solverMesh.unknownCount(), model.solverMesh.triangles);
   Columns3 rest = model.solverMesh.rest.rowwise() - model.solverMesh.rest.colwise().mean();
 };

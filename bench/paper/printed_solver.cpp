@@ -43,7 +43,7 @@ double processorSecondsOf(const Work& work)
 
 bool isFinite(const BentProblem& problem)
 {
-  return problem.A->columns().coeffs().isFinite().all();
+  return problem.A->matrix().coeffs().isFinite().all();
 }
 
 /// Of a solution.
@@ -137,7 +137,7 @@ Printed<Scalar> printed(const BentMesh& bent, const BentProblem& problem)
   const Positions& rest = bent.model.solverMesh.rest;
   const Columns3 c = problem.A->times(rest) + problem.f;
   const Columns3 d = problem.B * rest + problem.d;
-  return {problem.A->columns().cast<Scalar>(), c.cast<Scalar>(), SparseMatrix(problem.B).cast<Scalar>(),
+  return {problem.A->matrix().cast<Scalar>(), c.cast<Scalar>(), SparseMatrix(problem.B).cast<Scalar>(),
           d.cast<Scalar>(), rest.cast<Scalar>()};
 }
 

@@ -102,12 +102,13 @@ Reference quadrupleSolution(const BentMesh& bent, const BentProblem& problem, co
 {
   const SparseMatrix BT = problem.B.transpose();
   const SparseMatrix Q2T = reduced.C->Q2()->rows().transpose();
-  const Columns3 none = Columns3::Zero(problem.A->columns().cols(), 3);
+  const TwoWayMatrix A(problem.A->matrix());
+  const Columns3 none = Columns3::Zero(problem.A->cols(), 3);
   const Elimination& elimination = bent.eliminated->elimination;
   QuadColumns u(static_cast<std::size_t>(none.rows()), QuadRow{});
   QuadColumns multipliers(static_cast<std::size_t>(problem.d.rows()), QuadRow{});
   // A^T (A u - f): (M^T, -x) is subtracted from 0.
-  const auto gradient = [&] { return residual(none, problem.A->columns(), residual(problem.f, problem.A->rows(), u)); };
+  const auto gradient = [&] { return residual(none, A.columns(), residual(problem.f, A.rows(), u)); };
   const auto reducedStep = [&](const QuadColumns& against) {
     const Columns3 step = reduced.C->spread(reduced.factor->solve(Q2T * rounded(against)));
     add(u, -step);

@@ -33,12 +33,13 @@ void projectRow(Columns3& gradient, const Row& row)
 }
 
 /// The rotations of all unknowns.
-Columns3 rotationsOf(const Model& model, const std::filesystem::path& constraints, Weights weights)
+Columns3 rotationsOf(const Model& model, const std::filesystem::path& constraints,
+                     std::shared_ptr<const Operators> operators)
 {
   const ConstraintSystem system = makeConstraintSystem(readConstraints(constraints), model.mesh, model.solverMesh,
                                                        model.locator(), constraints.string());
   NoProgress progress;
-  return RotationFactorization(model.solverMesh, weights, Backend::Holdfast).solve(system, progress).q;
+  return RotationFactorization(model.solverMesh, operators, Backend::Holdfast).solve(system, progress).q;
 }
 
 /// The weighted difference of the turned detail and the detail, with lengths in diagonals.
@@ -61,9 +62,9 @@ EnergyCheck::EnergyCheck(const std::filesystem::path& rest, const std::filesyste
       rest_(readPlainMesh(rest)),
       constraints_(readPlainConstraints(constraints))
 {
-  const Operators operators = makeOperators(model_.solverMesh, weights);
-  A_ = weightedRows(operators);
-  f_ = askedOfDetail(operators, rotationsOf(model_, constraints, weights));
+  const auto operators = std::make_shared<const Operators>(makeOperators(model_.solverMesh, weights));
+  A_ = weightedRows(*operators).matrix();
+  f_ = askedOfDetail(*operators, rotationsOf(model_, constraints, operators));
 }
 
 FreeGradient EnergyCheck::freeGradient(const PlainMesh& written) const

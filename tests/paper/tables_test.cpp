@@ -114,7 +114,7 @@ TEST_F(PaperCause, DefaultAndPrintedAreThoseOfTheProduct)
 {
   const BentMesh bent = bentByEnds(badPlate(Cause::FlatAngle, 1e-2));
   const auto difference = [&](const char* recipe, Weights weights) {
-    const SparseMatrix rows = weightedRows(makeOperators(bent.model.solverMesh, weights));
+    const SparseMatrix rows = weightedRows(makeOperators(bent.model.solverMesh, weights)).matrix();
     for (const Recipe& candidate : allRecipes())
       if (candidate.name == std::string(recipe))
         return (laplacianRows(bent.model.solverMesh, candidate) - rows).norm() / rows.norm();

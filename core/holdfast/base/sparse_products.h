@@ -50,15 +50,6 @@ class ColumnSum {
       add(static_cast<int>(shift + entry.index()), entry.value());
   }
 
-  /// Adds the k-th column of M N.
-  template <class Matrix>
-  void addProduct(const Matrix& M, const Matrix& N, Index k)
-  {
-    for (typename Matrix::InnerIterator n(N, k); n; ++n)
-      for (typename Matrix::InnerIterator m(M, n.index()); m; ++m)
-        add(static_cast<int>(m.index()), m.value() * n.value());
-  }
-
   /// The sum of the squares of the column; starts anew.
   double takeSquares()
   {
@@ -124,7 +115,10 @@ Matrix assembled(Index rows, Index columns, const Fill& fill)
 /// M N. O(multiplications).
 [[nodiscard]] inline SparseMatrix product(const SparseMatrix& M, const SparseMatrix& N)
 {
-  return assembled<SparseMatrix>(M.rows(), N.cols(), [&](Index k, ColumnSum& sum) { sum.addProduct(M, N, k); });
+  return assembled<SparseMatrix>(M.rows(), N.cols(), [&](Index k, ColumnSum& sum) {
+    for (SparseMatrix::InnerIterator n(N, k); n; ++n)
+      for (SparseMatrix::InnerIterator m(M, n.row()); m; ++m) sum.add(static_cast<int>(m.row()), m.value() * n.value());
+  });
 }
 
 /// diag(scale) M. O(entries).

@@ -28,7 +28,10 @@ Report diagnoseConstraints(const Model& model, const ConstraintList& constraints
   ConstraintSystem system = makeConstraintSystem(constraints, model.mesh, model.solverMesh, model.locator(), source);
   const EliminatedConstraints eliminated = eliminate(system, model.solverMesh);
   const Rotations rotations =
-      RotationFactorization(model.solverMesh, options.weights, options.solver.backend).solve(system, noProgress());
+      RotationFactorization(model.solverMesh,
+                            std::make_shared<const Operators>(makeOperators(model.solverMesh, options.weights)),
+                            options.solver.backend)
+          .solve(system, noProgress());
   takeOver(rotations, report);
   if (rotations.failure.empty()) {
     system = rotated(std::move(system), rotations.q);

@@ -21,13 +21,13 @@
 namespace holdfast {
 /// Where constraints act.
 struct ActedOn {
-  ActedOn(const TwoWayMatrix& A, const std::vector<RowTerms>& constraints)
-      : unknowns(static_cast<std::size_t>(A.columns().cols())), rows(static_cast<std::size_t>(A.rows().rows()))
+  ActedOn(const EnergyMatrix& A, const std::vector<RowTerms>& constraints)
+      : unknowns(static_cast<std::size_t>(A.cols())), rows(static_cast<std::size_t>(A.rows()))
   {
     for (const RowTerms& row : constraints)
       for (const Term& term : row) {
         if (std::exchange(unknowns[term.index], 1) != 0) continue;
-        for (SparseMatrix::InnerIterator entry(A.columns(), term.index); entry; ++entry) rows[entry.row()] = 1;
+        A.forEachInColumn(term.index, [&](Index row, double /*value*/) { rows[row] = 1; });
       }
   }
 
@@ -39,14 +39,14 @@ struct ActedOn {
 /// The elimination and, once they are asked for, the factors of positions and rotations. A factorisation that is left
 /// behind (`LongStep`) does not need the model.
 struct ConstraintFactorization {
-  ConstraintFactorization(const Model& model, const std::shared_ptr<const TwoWayMatrix>& A,
-                          const std::vector<int>& ranks, const ConstraintSystem& itsSystem,
-                          const DeformOptions& options)
+  ConstraintFactorization(const Model& model, std::shared_ptr<const Operators> operators,
+                          const std::shared_ptr<const EnergyMatrix>& A, const std::vector<int>& ranks,
+                          const ConstraintSystem& itsSystem, const DeformOptions& options)
       : system(itsSystem),
         eliminated(std::make_shared<const EliminatedConstraints>(eliminate(system, model.solverMesh))),
         sensitivities(eliminated->elimination.sensitivities()),
         rotations(
-            std::make_shared<RotationFactorization>(model.solverMesh, options.weights, options.solver.backend, ranks)),
+            std::make_shared<RotationFactorization>(model.solverMesh, std::move(operators), options.solver.backend, ranks)),
         positions([A, eliminated = eliminated, ranks,
                    rest = Columns3(model.solverMesh.rest.rowwise() - model.solverMesh.rest.colwise().mean()),
                    options = options.solver]() mutable {
@@ -117,7 +117,7 @@ struct Multipliers {
 };
 
 /// The forces that hold the displacement `u` (n x 3) against A u = f. O(entries of A where rows act).
-Multipliers multipliersOf(const TwoWayMatrix& A, ConstraintFactorization& factorization, const Columns3& u,
+Multipliers multipliersOf(const EnergyMatrix& A, ConstraintFactorization& factorization, const Columns3& u,
                           const Columns3& f, double diagonal)
 {
   const EliminatedConstraints& eliminated = *factorization.eliminated;
@@ -125,12 +125,12 @@ Multipliers multipliersOf(const TwoWayMatrix& A, ConstraintFactorization& factor
   // At the minimum the gradient of the energy is what the constraints hold: A^T (A u - f) = B^T l.
   Columns3 missed(f.rows(), 3);
   parallelBlocks(f.rows(), [&](Index k) {
-    if (factorization.actedOn->rows[k] != 0) missed.row(k) = f.row(k) - gathered(A.rows(), k, u);
+    if (factorization.actedOn->rows[k] != 0) missed.row(k) = f.row(k) - A.rowTimes(k, u);
   });
   Columns3 gradient(u.rows(), 3);
   parallelBlocks(u.rows(), [&](Index k) {
     gradient.row(k).setZero();
-    if (factorization.actedOn->unknowns[k] != 0) gradient.row(k) = gathered(A.columns(), k, missed) / -diagonal;
+    if (factorization.actedOn->unknowns[k] != 0) gradient.row(k) = A.columnTimes(k, missed) / -diagonal;
   });
   Columns3 ofRows = eliminated.elimination.multipliers(gradient);
   return {std::move(ofRows), std::move(gradient)};
@@ -170,7 +170,7 @@ struct RotationSearch {
 class Solution {
  public:
   Solution(const Model& model, const ConstraintList& constraints, const DeformOptions& options,
-           std::shared_ptr<const Operators> operators, const TwoWayMatrix& A, const RotationSearch& search,
+           std::shared_ptr<const Operators> operators, const EnergyMatrix& A, const RotationSearch& search,
            ConstraintSystem system)
       : model_(model), constraints_(constraints), options_(options), A_(A), search_(search)
   {
@@ -375,7 +375,7 @@ class Solution {
   const Model& model_;
   const ConstraintList& constraints_;
   const DeformOptions& options_;
-  const TwoWayMatrix& A_;
+  const EnergyMatrix& A_;
   const RotationSearch& search_;
   DeformResult result_;
   DeformDetails details_;
@@ -427,7 +427,7 @@ ConstraintFactorization& Deformer::factorizationFor(const ConstraintSystem& syst
   if (answersEditsAtOnce_ && factorization_ != nullptr && !factorization_->isBordered && factorization_->isReady())
     whole_ = factorization_;
   progress.step(fmt::format("eliminating {} rows of constraints", system.rows.size()));
-  auto wanted = std::make_shared<ConstraintFactorization>(*model_, A_, ranks_->result(progress), system, options_);
+  auto wanted = std::make_shared<ConstraintFactorization>(*model_, operators_, A_, ranks_->result(progress), system, options_);
   if (factorization_ != nullptr && factorization_->turnsAs(system)) wanted->rotations = factorization_->rotations;
   if (answersEditsAtOnce_ && whole_ != nullptr && whole_->turnsAs(system)) {
     auto bordered = std::make_shared<ConstraintFactorization>(*wanted, whole_);
@@ -463,12 +463,10 @@ DeformResult Deformer::deform(const ConstraintList& constraints, const std::stri
   if (isFound) system = withStatedRotations(std::move(system));
   if (operators_ == nullptr) {
     progress.step(fmt::format("building operators of {} vertices", model_->mesh.vertexCount()));
-    const auto operators = std::make_shared<Operators>(makeOperators(model_->solverMesh, options_.weights));
+    operators_ = std::make_shared<const Operators>(makeOperators(model_->solverMesh, options_.weights));
     if (isFound)
-      energy_ = std::make_shared<const RotationEnergy>(model_->solverMesh, *operators, options_.rotations.source);
-    A_ = isFound ? energy_->A() : std::make_shared<const TwoWayMatrix>(weightedRows(*operators));
-    if (isForOneCall_) operators->L = SparseMatrix();  // not to be kept beside the factor
-    operators_ = operators;
+      energy_ = std::make_shared<const RotationEnergy>(model_->solverMesh, *operators_, options_.rotations.source);
+    A_ = isFound ? energy_->A() : std::make_shared<const EnergyMatrix>(weightedRows(*operators_));
   }
   seconds.setup = secondsSince(setup);
 

@@ -15,7 +15,7 @@ struct ConstraintSystem;
 struct Operators;
 class LocatedPoints;
 class RotationEnergy;
-class TwoWayMatrix;
+class EnergyMatrix;
 template <class Result>
 class LongStep;
 
@@ -65,7 +65,7 @@ class Deformer {
   std::unique_ptr<LocatedPoints> points_;
   std::shared_ptr<const Operators> operators_;
   std::shared_ptr<const RotationEnergy> energy_;  // where rotations are found
-  std::shared_ptr<const TwoWayMatrix> A_;
+  std::shared_ptr<const EnergyMatrix> A_;
   std::unique_ptr<LongStep<std::vector<int>>> ranks_;  // the order of elimination
   /// One that serves `system`: the one at hand, one that was made meanwhile, or a new one.
   [[nodiscard]] ConstraintFactorization& factorizationFor(const ConstraintSystem& system, Progress& progress);

@@ -82,9 +82,7 @@ Field detailField(const Model& model, const DeformResult& deformation)
   const Operators& operators = *deformation.details->operators;
   const Positions moved = deformation.positions - model.mesh.positions;
   const Columns3 u = moved(mesh.weld.firstVertexOf, Eigen::all) / mesh.diagonal;  // as L and delta are
-  const Columns3 Lu =
-      operators.L.size() > 0 ? Columns3(operators.L * u) : Columns3(makeOperators(mesh, operators.weights).L * u);
-  const Columns3 missed = Lu - rotationOfDelta(operators.delta, deformation.rotations);
+  const Columns3 missed = operators.laplacianOf(u) - rotationOfDelta(operators.delta, deformation.rotations);
   // L of cotangents is one over a squared length.
   const double unit = operators.weights == Weights::Uniform ? mesh.diagonal : 1 / mesh.diagonal;
   return scalarField("detail_residual", mesh.weld, [&](Index k) { return unit * missed.row(k).stableNorm(); });

@@ -61,7 +61,7 @@ Rotations RotationFactorization::solve(const ConstraintSystem& system, Progress&
 {
   if (!asksForRotation(system)) return {Columns3::Zero(mesh_.unknownCount(), 3), {}, {}, {}, {}};
   if (!field_) {
-    RotationWeights weights = rotationEdgeWeights(mesh_, weights_);
+    RotationWeights weights = rotationEdgeWeights(*operators_);
     guards_ = guardFindings(weights, mesh_);
     field_.emplace(
         [problem = problemOf(system, mesh_, std::move(weights.edges), ranks_), backend = backend_]() mutable {

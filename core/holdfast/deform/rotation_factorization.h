@@ -31,9 +31,10 @@ inline constexpr double kAgreeingRotations = 1e-12;
 /// Finds rotations for constraints of one structure. Nothing is factorised before a rotation is asked for.
 class RotationFactorization {
  public:
-  /// `mesh` stays alive as long as this. `ranks` may be empty, see `RotationProblem`.
-  RotationFactorization(const SolverMesh& mesh, Weights weights, Backend backend, std::vector<int> ranks = {})
-      : mesh_(mesh), weights_(weights), backend_(backend), ranks_(std::move(ranks))
+  /// `mesh` stays alive as long as this, and has the `operators`. `ranks` may be empty, see `RotationProblem`.
+  RotationFactorization(const SolverMesh& mesh, std::shared_ptr<const Operators> operators, Backend backend,
+                        std::vector<int> ranks = {})
+      : mesh_(mesh), operators_(std::move(operators)), backend_(backend), ranks_(std::move(ranks))
   {
   }
 
@@ -46,7 +47,7 @@ class RotationFactorization {
 
  private:
   const SolverMesh& mesh_;
-  Weights weights_;
+  std::shared_ptr<const Operators> operators_;
   Backend backend_;
   std::vector<int> ranks_;
   std::optional<LongStep<RotationFieldResult>> field_;

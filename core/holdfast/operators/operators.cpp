@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include <holdfast/base/sparse_products.h>
 #include <holdfast/operators/laplacian.h>
 
 namespace holdfast {
@@ -31,11 +30,15 @@ std::vector<Index> floorAreas(Eigen::VectorXd& areas, const std::vector<int>& co
   return touched;
 }
 
+void setStiffness(Operators& operators, const SolverMesh& mesh, const std::vector<EdgeWeight>& weights)
+{
+  operators.S = std::make_shared<const SparseMatrix>(stiffness(mesh.unknownCount(), weights));
+}
+
 void makeUniform(Operators& operators, const SolverMesh& mesh)
 {
-  SparseMatrix S = stiffness(mesh.unknownCount(), unitEdgeWeights(mesh.triangles));
-  const Eigen::VectorXd diagonal = S.diagonal();
-  operators.L = scaledRows(reciprocal(diagonal), std::move(S));
+  setStiffness(operators, mesh, unitEdgeWeights(mesh.triangles));
+  operators.rowFactors = reciprocal(operators.S->diagonal());
   operators.rowWeights.setOnes(mesh.unknownCount());
 }
 
@@ -46,30 +49,33 @@ void makeCotangent(Operators& operators, const SolverMesh& mesh, const Positions
   operators.clampedCotangents = guardAll(cotangents, mesh.triangles);
   Eigen::VectorXd areas = mixedVoronoiAreas(rest, mesh.triangles);
   operators.flooredAreas = floorAreas(areas, mesh.componentOf);
-  SparseMatrix S = stiffness(mesh.unknownCount(), cotangentEdgeWeights(mesh.triangles, cotangents));
-  operators.L = scaledRows(reciprocal(2 * areas), std::move(S));
+  setStiffness(operators, mesh, cotangentEdgeWeights(mesh.triangles, cotangents));
+  operators.rowFactors = reciprocal(2 * areas);
   operators.rowWeights = areas.cwiseSqrt();
 }
 
 void makeCotangentPaper(Operators& operators, const SolverMesh& mesh, const Positions& rest)
 {
   const std::vector<CornerCotangents> cotangents = cornerCotangents(rest, mesh.triangles);
-  SparseMatrix S = stiffness(mesh.unknownCount(), cotangentEdgeWeights(mesh.triangles, cotangents));
+  setStiffness(operators, mesh, cotangentEdgeWeights(mesh.triangles, cotangents));
   const Eigen::VectorXd areas = literalVoronoiAreas(rest, mesh.triangles);
   for (Index i = 0; i < areas.size(); ++i)
-    if (mesh.componentOf[i] >= 0 && (!std::isfinite(S.coeff(i, i)) || !std::isfinite(1 / areas[i])))
+    if (mesh.componentOf[i] >= 0 && (!std::isfinite(operators.S->coeff(i, i)) || !std::isfinite(1 / areas[i])))
       operators.undefinedRows.push_back(i);
-  operators.L = scaledRows(reciprocal(2 * areas), std::move(S));
+  operators.rowFactors = reciprocal(2 * areas);
   operators.rowWeights.setOnes(mesh.unknownCount());
 }
 
 /// L p by differences along edges, whose rounding is that of edges and not of places.
-Columns3 deltaOf(const SparseMatrix& L, const Positions& p)
+Columns3 deltaOf(const Operators& operators, const Positions& p)
 {
-  Columns3 delta = Columns3::Zero(L.rows(), 3);
-  for (int j = 0; j < L.outerSize(); ++j)
-    for (SparseMatrix::InnerIterator entry(L, j); entry; ++entry)
-      if (entry.row() != j) delta.row(entry.row()) += entry.value() * (p.row(j) - p.row(entry.row()));
+  Columns3 delta(p.rows(), 3);
+  parallelBlocks(p.rows(), [&](Index i) {
+    Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+    for (SparseMatrix::InnerIterator entry(*operators.S, i); entry; ++entry)
+      if (entry.row() != i) sum += entry.value() * (p.row(entry.row()) - p.row(i));
+    delta.row(i) = operators.rowFactors[i] * sum;
+  });
   return delta;
 }
 
@@ -90,13 +96,13 @@ Operators makeOperators(const SolverMesh& mesh, Weights weights)
   if (weights == Weights::Cotangent) makeCotangent(operators, mesh, rest);
   if (weights == Weights::CotangentPaper) makeCotangentPaper(operators, mesh, rest);
   if (weights == Weights::Uniform) makeUniform(operators, mesh);
-  operators.delta = deltaOf(operators.L, rest);
+  operators.delta = deltaOf(operators, rest);
   return operators;
 }
 
-SparseMatrix weightedRows(const Operators& operators)
+EnergyMatrix weightedRows(const Operators& operators)
 {
-  return scaledRows(operators.rowWeights, operators.L);
+  return {operators.rowWeights.cwiseProduct(operators.rowFactors), operators.S};
 }
 
 }  // namespace holdfast

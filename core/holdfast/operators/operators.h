@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <holdfast/mesh/solver_mesh.h>
+#include <holdfast/operators/energy_matrix.h>
 #include <holdfast/operators/weights.h>
 
 namespace holdfast {
@@ -13,9 +14,16 @@ namespace holdfast {
 /// scale of the model.
 struct Operators {
   Weights weights = Weights::Cotangent;
-  SparseMatrix L;              ///< n x n, rows of sum zero; empty rows for unknowns that no triangle uses
+  /// n x n, symmetric: each edge with the negative of its weight, rows of sum zero; empty rows for unknowns that no
+  /// triangle uses.
+  std::shared_ptr<const SparseMatrix> S;
+  Eigen::VectorXd rowFactors;  ///< n: L = diag(rowFactors) S
   Eigen::VectorXd rowWeights;  ///< n: minimised is the sum of (rowWeights_i |(L p)_i - delta_i|)^2
   Columns3 delta;              ///< n x 3, L p at rest
+
+  /// L u, and L itself. O(entries).
+  [[nodiscard]] Columns3 laplacianOf(const Columns3& u) const { return EnergyMatrix(rowFactors, S).times(u); }
+  [[nodiscard]] SparseMatrix L() const { return EnergyMatrix(rowFactors, S).matrix(); }
 
   /// Unknowns of triangles where a guard of `Weights::Cotangent` acted, ascending.
   std::vector<Index> clampedCotangents;
@@ -29,6 +37,6 @@ struct Operators {
 [[nodiscard]] Operators makeOperators(const SolverMesh& mesh, Weights weights);
 
 /// A = diag(rowWeights) L, n x n.
-[[nodiscard]] SparseMatrix weightedRows(const Operators& operators);
+[[nodiscard]] EnergyMatrix weightedRows(const Operators& operators);
 
 }  // namespace holdfast

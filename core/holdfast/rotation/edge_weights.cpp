@@ -1,7 +1,5 @@
 #include "holdfast/rotation/edge_weights.h"
 
-#include <utility>
-
 namespace holdfast {
 namespace {
 
@@ -18,23 +16,20 @@ std::vector<Index> floorWeights(std::vector<EdgeWeight>& edges)
   return ends;
 }
 
-RotationWeights guardedWeights(const SolverMesh& mesh, std::vector<CornerCotangents> cotangents)
-{
-  RotationWeights weights;
-  weights.capped = guardAll(cotangents, mesh.triangles);
-  weights.edges = cotangentEdgeWeights(mesh.triangles, cotangents);
-  weights.floored = floorWeights(weights.edges);
-  return weights;
-}
-
 }  // namespace
 
-RotationWeights rotationEdgeWeights(const SolverMesh& mesh, Weights weights)
+RotationWeights rotationEdgeWeights(const Operators& operators)
 {
-  if (weights == Weights::Uniform) return {unitEdgeWeights(mesh.triangles), {}, {}};
-  std::vector<CornerCotangents> cotangents = cornerCotangents(restInDiagonals(mesh), mesh.triangles);
-  if (weights == Weights::CotangentPaper) return {cotangentEdgeWeights(mesh.triangles, cotangents), {}, {}};
-  return guardedWeights(mesh, std::move(cotangents));
+  RotationWeights weights;
+  weights.edges.reserve(static_cast<std::size_t>(operators.S->nonZeros()) / 2);
+  for (int i = 0; i < operators.S->cols(); ++i)
+    for (SparseMatrix::InnerIterator entry(*operators.S, i); entry; ++entry)
+      if (i < entry.row()) weights.edges.push_back({i, static_cast<int>(entry.row()), -entry.value()});
+  if (operators.weights == Weights::Cotangent) {
+    weights.capped = operators.clampedCotangents;
+    weights.floored = floorWeights(weights.edges);
+  }
+  return weights;
 }
 
 }  // namespace holdfast

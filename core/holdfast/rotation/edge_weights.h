@@ -23,7 +23,7 @@ struct RotationWeights {
 /// Weights w_ij of the Dirichlet energy sum of w_ij |q_i - q_j|^2, on every edge of the mesh: 1 with
 /// `Weights::Uniform`; the sum of the guarded cotangents across the edge, not below `kRotationWeightFloor`, with
 /// `Weights::Cotangent`; and with `Weights::CotangentPaper` the cotangents of (10) as they are, negative across obtuse
-/// angles and not finite beside triangles without area. None depends on the scale of the model. O(T log T).
-[[nodiscard]] RotationWeights rotationEdgeWeights(const SolverMesh& mesh, Weights weights);
+/// angles and not finite beside triangles without area. None depends on the scale of the model. O(T).
+[[nodiscard]] RotationWeights rotationEdgeWeights(const Operators& operators);
 
 }  // namespace holdfast

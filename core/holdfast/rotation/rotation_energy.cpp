@@ -83,8 +83,9 @@ RotationEnergy::RotationEnergy(const SolverMesh& mesh, const Operators& operator
     : rest_(mesh.rest)
 {
   // Negative weights would leave no minimum, so cotangents are guarded whatever the Laplacian has.
-  const Weights weights = operators.weights == Weights::Uniform ? Weights::Uniform : Weights::Cotangent;
-  const std::vector<EdgeWeight> edges = rotationEdgeWeights(mesh, weights).edges;
+  const bool areGuarded = operators.weights != Weights::CotangentPaper;
+  const std::vector<EdgeWeight> edges =
+      rotationEdgeWeights(areGuarded ? operators : makeOperators(mesh, Weights::Cotangent)).edges;
   std::vector<Eigen::Triplet<double, int>> entries;
   for (const auto& [i, j, weight] : edges) {
     const auto row = static_cast<int>(unknownsOf_.size());
@@ -94,7 +95,7 @@ RotationEnergy::RotationEnergy(const SolverMesh& mesh, const Operators& operator
   }
   if (source == RotationSource::FoundSmooth) {
     const auto first = static_cast<int>(unknownsOf_.size());
-    const SparseMatrix rows = bendingWeight(mesh, edges, weights) * weightedRows(operators);
+    const SparseMatrix rows = bendingWeight(mesh, edges, operators.weights) * weightedRows(operators).matrix();
     for (int j = 0; j < rows.outerSize(); ++j)
       for (SparseMatrix::InnerIterator entry(rows, j); entry; ++entry)
         entries.emplace_back(first + static_cast<int>(entry.row()), j, entry.value());
@@ -102,7 +103,7 @@ RotationEnergy::RotationEnergy(const SolverMesh& mesh, const Operators& operator
   }
   SparseMatrix A(static_cast<Index>(unknownsOf_.size()), mesh.unknownCount());
   A.setFromTriplets(entries.begin(), entries.end());
-  A_ = std::make_shared<const TwoWayMatrix>(std::move(A));
+  A_ = std::make_shared<const EnergyMatrix>(std::move(A));
   v_ = A_->times(rest_.rowwise() - rest_.colwise().mean());
 }
 
@@ -123,12 +124,12 @@ UnknownRotations RotationEnergy::fitted(const Columns3& u, const FreeRotations& 
   parallelBlocks(u.rows(), [&](Index i) {
     if (free.kindOf[i] != FreeRotations::Kind::Own) return;
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-    for (SparseMatrix::InnerIterator entry(A_->columns(), i); entry; ++entry) {
-      const auto [a, b] = unknownsOf_[entry.row()];
-      if (a != i && b != i) continue;
+    A_->forEachInColumn(i, [&](Index row, double /*value*/) {
+      const auto [a, b] = unknownsOf_[row];
+      if (a != i && b != i) return;
       const double share = a == b ? 1 : 0.5;
-      covariance += (share * deformed.row(entry.row()).transpose()) * v_.row(entry.row());
-    }
+      covariance += (share * deformed.row(row).transpose()) * v_.row(row);
+    });
     R[i] = fittedRotation(covariance, R[i]);
   });
   for (const std::vector<Index>& region : free.regions) {
@@ -156,7 +157,7 @@ Eigen::Quaterniond RotationEnergy::fittedRegion(const std::vector<Index>& region
 {
   std::vector<Index> rows;
   for (const Index i : region)
-    for (SparseMatrix::InnerIterator entry(A_->columns(), i); entry; ++entry) rows.push_back(entry.row());
+    A_->forEachInColumn(i, [&](Index row, double /*value*/) { rows.push_back(row); });
   const auto isInside = [&](Index i) { return std::ranges::binary_search(region, i); };
   const Vector3 center = rest_.row(region.front());
   std::vector<RegionTerm> terms;
@@ -164,15 +165,14 @@ Eigen::Quaterniond RotationEnergy::fittedRegion(const std::vector<Index>& region
     RegionTerm inside;
     Vector3 outside = deformed.row(row);
     bool isWhole = true;
-    for (SparseRows::InnerIterator entry(A_->rows(), row); entry; ++entry) {
-      const Index i = entry.col();
+    A_->forEachInRow(row, [&](Index i, double value) {
       isWhole = isWhole && isInside(i);
-      if (!isInside(i)) continue;
+      if (!isInside(i)) return;
       const Vector3 s = rest_.row(i).transpose() - center;
-      inside.alpha += entry.value();
-      inside.s += entry.value() * s;
-      outside -= entry.value() * (s + u.row(i).transpose());
-    }
+      inside.alpha += value;
+      inside.s += value * s;
+      outside -= value * (s + u.row(i).transpose());
+    });
     if (isWhole) continue;
     const Vector3 v = v_.row(row);
     for (const int unknown : unknownsOf_[row]) {

@@ -7,7 +7,6 @@
 
 #include <Eigen/Geometry>
 
-#include <holdfast/base/sparse_products.h>
 #include <holdfast/constraints/constraint_system.h>
 #include <holdfast/operators/operators.h>
 #include <holdfast/rotation/rotation_options.h>
@@ -43,7 +42,7 @@ class RotationEnergy {
   RotationEnergy(const SolverMesh& mesh, const Operators& operators, RotationSource source);
 
   /// A: one for all u, factorised once.
-  [[nodiscard]] const std::shared_ptr<const TwoWayMatrix>& A() const noexcept { return A_; }
+  [[nodiscard]] const std::shared_ptr<const EnergyMatrix>& A() const noexcept { return A_; }
 
   /// For the rotations `R` the best u has A u nearest to this: the mean of R v_k, less v_k. Rows x 3, model units.
   [[nodiscard]] Columns3 wanted(const UnknownRotations& R) const;
@@ -61,7 +60,7 @@ class RotationEnergy {
 
   Positions rest_;
   std::vector<std::array<int, 2>> unknownsOf_;  // of each row: whose rotations it has; twice the same where it has one
-  std::shared_ptr<const TwoWayMatrix> A_;
+  std::shared_ptr<const EnergyMatrix> A_;
   Columns3 v_;
 };
 

@@ -129,14 +129,14 @@ SparseRows stacked(const SparseRows& above, const SparseRows& below)
 }
 
 /// What makes columns of A Q2, and of K below it, of length 1.
-Result<Eigen::VectorXd> columnScale(const SparseMatrix& A, const SparseMatrix& Q2, const SparseRows& K)
+Result<Eigen::VectorXd> columnScale(const EnergyMatrix& A, const SparseMatrix& Q2, const SparseRows& K)
 {
   Eigen::VectorXd squares(Q2.cols());
   const Index parts = threadCount();
   parallelFor(parts, [&](Index part) {
     ColumnSum sum(A.rows());
     for (Index k = part * Q2.cols() / parts; k < (part + 1) * Q2.cols() / parts; ++k) {
-      sum.addProduct(A, Q2, k);
+      addProduct(sum, A, Q2, k);
       squares[k] = sum.takeSquares();
     }
   });
@@ -150,7 +150,7 @@ SparseMatrix couplings(const ReducedProblem& base, const Border& border)
 {
   const Index unknowns = base.scale.size();
   const SparseMatrix ofReleased =
-      base.C->Q2()->rows().transpose() * SparseMatrix(base.C->A()->rows().transpose() * border.AP);
+      base.C->Q2()->rows().transpose() * transposeProduct(*base.C->A(), border.AP);
   const SparseMatrix ofAdded = border.K.leftCols(unknowns).transpose();
   return assembled<SparseMatrix>(unknowns + base.kept, ofReleased.cols() + ofAdded.cols(),
                                  [&](Index k, ColumnSum& sum) {
@@ -230,11 +230,11 @@ class BorderedFactor final : public LeastSquaresFactor {
 
 }  // namespace
 
-Result<ReducedProblem> makeReducedProblem(std::shared_ptr<const TwoWayMatrix> A, SparseMatrix Q2, SparseRows K,
+Result<ReducedProblem> makeReducedProblem(std::shared_ptr<const EnergyMatrix> A, SparseMatrix Q2, SparseRows K,
                                           RowsBelow below, Columns3 rest, Backend backend, EliminationOrder order)
 {
   const bool isKept = below == RowsBelow::Kept;
-  auto [scale, unscaled] = columnScale(A->columns(), Q2, isKept ? SparseRows() : K);
+  auto [scale, unscaled] = columnScale(*A, Q2, isKept ? SparseRows() : K);
   if (!unscaled.empty()) return {{}, std::move(unscaled)};
   const Columns3 probe = scale.cwiseInverse().asDiagonal() * Columns3(Q2.transpose() * std::exchange(rest, {}));
   Q2 = Q2 * scale.asDiagonal();
@@ -256,7 +256,7 @@ Result<ReducedProblem> bordered(const std::shared_ptr<const ReducedProblem>& bas
   if (edit.removed.size() + edit.added.size() > kMostEdited) return {{}, "too many rows differ"};
   if (base->factor->packed() == nullptr) return {{}, "the factor has no halves"};
 
-  const SparseMatrix& A = base->C->A()->columns();
+  const EnergyMatrix& A = *base->C->A();
   const std::shared_ptr<const TwoWayMatrix>& Q2 = base->C->Q2();
   SparseMatrix P = released(before, edit.removed, A.cols());
   Result<ScaledColumns> columns = scaleColumns(product(A, P));

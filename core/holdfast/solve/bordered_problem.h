@@ -25,7 +25,7 @@ enum class RowsBelow {
 
 /// That of min |A Q2 y - f| with K y below it; there may be no K. `rest` (n x 3) is a typical solution to measure
 /// factors on.
-[[nodiscard]] Result<ReducedProblem> makeReducedProblem(std::shared_ptr<const TwoWayMatrix> A, SparseMatrix Q2,
+[[nodiscard]] Result<ReducedProblem> makeReducedProblem(std::shared_ptr<const EnergyMatrix> A, SparseMatrix Q2,
                                                         SparseRows K, RowsBelow below, Columns3 rest, Backend backend,
                                                         EliminationOrder order);
 

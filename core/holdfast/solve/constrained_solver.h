@@ -5,6 +5,7 @@
 #include <string>
 
 #include <holdfast/elimination/diagnosis.h>
+#include <holdfast/operators/energy_matrix.h>
 #include <holdfast/solve/least_squares_factor.h>
 
 namespace holdfast {
@@ -66,7 +67,7 @@ class ConstrainedSolver {
 
 /// What the solvers are made of.
 struct ConstrainedProblem {
-  std::shared_ptr<const TwoWayMatrix> A;  ///< weighted rows, n x n
+  std::shared_ptr<const EnergyMatrix> A;  ///< weighted rows, n x n
   std::shared_ptr<const EliminatedConstraints> eliminated;
   Columns3 rest;                ///< n x 3, a typical solution to measure factors on
   std::vector<int> ranks = {};  ///< `eliminationRanks`; empty: the factorisation finds an order of its own

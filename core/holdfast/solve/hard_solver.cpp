@@ -12,7 +12,7 @@ class HardSolver final : public ConstrainedSolver {
  public:
   HardSolver(ConstrainedProblem problem, ReducedProblem reduced)
       : problem_(std::move(problem)),
-        B_(constraintMatrix(problem_.eliminated->rows, problem_.A->columns().cols())),
+        B_(constraintMatrix(problem_.eliminated->rows, problem_.A->cols())),
         reduced_(std::make_shared<const ReducedProblem>(std::move(reduced)))
   {
   }

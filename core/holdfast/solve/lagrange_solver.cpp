@@ -86,7 +86,7 @@ std::optional<SparseLu> factorLu(const SparseMatrix& K, Backend backend)
 SolverResult makeLagrangeSolver(ConstrainedProblem problem, Backend backend)
 {
   const EliminatedConstraints& eliminated = *problem.eliminated;
-  const SparseMatrix& whole = problem.A->columns();
+  const SparseMatrix whole = problem.A->matrix();
   SparseMatrix spread = Elimination({}, {}, whole.cols(), eliminated.isHeld).Q2();
   std::vector<Index> rows = independentRows(eliminated.dependencies, eliminated.rows.size());
   std::vector<RowTerms> terms;

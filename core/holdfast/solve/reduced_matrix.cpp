@@ -16,18 +16,18 @@ Columns3 ReducedMatrix::spread(const Columns3& z) const
 
 Columns3 ReducedMatrix::times(const Columns3& z) const
 {
-  Columns3 result(A_->rows().rows() + K_.rows(), 3);
+  Columns3 result(A_->rows() + K_.rows(), 3);
   result << A_->times(spread(z)), K_ * z;
   return result;
 }
 
 Columns3 ReducedMatrix::residual(const Columns3& f, const Columns3& z) const
 {
-  const Index equations = A_->rows().rows();
+  const Index equations = A_->rows();
   const Columns3 u = spread(z);
   Columns3 result(f.rows(), 3);
   parallelBlocks(f.rows(), [&](Index i) {
-    result.row(i) = f.row(i) - (i < equations ? gathered(A_->rows(), i, u) : gathered(K_, i - equations, z));
+    result.row(i) = f.row(i) - (i < equations ? A_->rowTimes(i, u) : gathered(K_, i - equations, z));
   });
   return result;
 }
@@ -46,11 +46,11 @@ Columns3 ReducedMatrix::transposeTimes(const Columns3& f) const
 std::shared_ptr<const TwoWayMatrix> ReducedMatrix::matrix() const
 {
   assert(P_.cols() == 0);
-  const Index equations = A_->rows().rows();
+  const Index equations = A_->rows();
   const SparseMatrix ofK = K_;
   return std::make_shared<const TwoWayMatrix>(
       assembled<SparseMatrix>(equations + K_.rows(), Q2_->columns().cols(), [&](Index k, ColumnSum& sum) {
-        sum.addProduct(A_->columns(), Q2_->columns(), k);
+        addProduct(sum, *A_, Q2_->columns(), k);
         sum.addColumn(ofK, k, equations);
       }));
 }

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include <holdfast/base/sparse_products.h>
+#include <holdfast/operators/energy_matrix.h>
 
 namespace holdfast {
 
@@ -12,13 +12,13 @@ namespace holdfast {
 class ReducedMatrix {
  public:
   /// `A` m x n, `Q2` n x k, `P` n x p, `K` over all k + p columns.
-  ReducedMatrix(std::shared_ptr<const TwoWayMatrix> A, std::shared_ptr<const TwoWayMatrix> Q2, SparseMatrix P,
+  ReducedMatrix(std::shared_ptr<const EnergyMatrix> A, std::shared_ptr<const TwoWayMatrix> Q2, SparseMatrix P,
                 SparseRows K)
       : A_(std::move(A)), Q2_(std::move(Q2)), P_(std::move(P)), K_(std::move(K))
   {
   }
 
-  [[nodiscard]] const std::shared_ptr<const TwoWayMatrix>& A() const noexcept { return A_; }
+  [[nodiscard]] const std::shared_ptr<const EnergyMatrix>& A() const noexcept { return A_; }
   [[nodiscard]] const std::shared_ptr<const TwoWayMatrix>& Q2() const noexcept { return Q2_; }
   [[nodiscard]] const SparseRows& K() const noexcept { return K_; }
 
@@ -34,7 +34,7 @@ class ReducedMatrix {
   [[nodiscard]] std::shared_ptr<const TwoWayMatrix> matrix() const;
 
  private:
-  std::shared_ptr<const TwoWayMatrix> A_;
+  std::shared_ptr<const EnergyMatrix> A_;
   std::shared_ptr<const TwoWayMatrix> Q2_;
   SparseMatrix P_;
   SparseRows K_;

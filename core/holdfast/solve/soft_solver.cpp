@@ -33,7 +33,7 @@ class SoftSolver final : public ConstrainedSolver {
 SolverResult makeSoftSolver(ConstrainedProblem problem, Backend backend, double weight)
 {
   const EliminatedConstraints& eliminated = *problem.eliminated;
-  const Index size = problem.A->columns().cols();
+  const Index size = problem.A->cols();
   SparseMatrix spread = orderedColumns(Elimination({}, {}, size, eliminated.isHeld).Q2(), problem.ranks);
   SparseRows below = weight * (constraintMatrix(eliminated.rows, size) * spread);
   Result<ReducedProblem> reduced =

@@ -186,7 +186,7 @@ TEST(DeformLaws, ASolverServesOtherTargetsAsAFreshOneWould)
   test::forEachSolveCase([](const Mesh& mesh, DeformOptions options) {
     const Triangulation triangulation = triangulate(mesh);
     const SolverMesh solverMesh = makeSolverMesh(mesh, triangulation);
-    const auto A = std::make_shared<const TwoWayMatrix>(weightedRows(makeOperators(solverMesh, options.weights)));
+    const auto A = std::make_shared<const EnergyMatrix>(weightedRows(makeOperators(solverMesh, options.weights)));
     const ConstraintSystem system =
         makeConstraintSystem(someMoves(mesh), mesh, solverMesh, SurfaceLocator(mesh, triangulation), "list");
     const auto eliminated = std::make_shared<const EliminatedConstraints>(eliminate(system, solverMesh));

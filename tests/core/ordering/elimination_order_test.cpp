@@ -26,8 +26,8 @@ ConstraintList someConstraints()
 
 struct ReducedPlate {
   Model model = makeModel(test::plate(40, 30));
-  std::shared_ptr<const TwoWayMatrix> A =
-      std::make_shared<const TwoWayMatrix>(weightedRows(makeOperators(model.solverMesh, Weights::Cotangent)));
+  std::shared_ptr<const EnergyMatrix> A =
+      std::make_shared<const EnergyMatrix>(weightedRows(makeOperators(model.solverMesh, Weights::Cotangent)));
   ConstraintSystem system =
       makeConstraintSystem(someConstraints(), model.mesh, model.solverMesh, model.locator(), "list");
   EliminatedConstraints eliminated = eliminate(system, model.solverMesh);
@@ -82,7 +82,7 @@ TEST(EliminationOrder, OfTheWholeMeshServesASetOfConstraintsAsWellAsOneOfItsOwn)
             1.25 * static_cast<double>(own->factorNonzeros()))
       << "the measure tells orders apart";
   const RowTargets targets{shiftsOf(reduced.system), {}};
-  const Columns3 f = Columns3::Zero(reduced.A->rows().rows(), 3);
+  const Columns3 f = Columns3::Zero(reduced.A->rows(), 3);
   EXPECT_LT((whole->solve(targets, f).u - own->solve(targets, f).u).cwiseAbs().maxCoeff(), 1e-11);
 }
 

@@ -16,7 +16,7 @@ using WeightOfEdge = std::map<std::pair<Index, Index>, double>;
 WeightOfEdge weightsOf(const SolverMesh& mesh, Weights weights)
 {
   WeightOfEdge result;
-  for (const auto& [i, j, weight] : rotationEdgeWeights(mesh, weights).edges) {
+  for (const auto& [i, j, weight] : rotationEdgeWeights(makeOperators(mesh, weights)).edges) {
     EXPECT_LT(i, j);
     EXPECT_TRUE(result.try_emplace({i, j}, weight).second) << "each edge once";
   }
@@ -86,7 +86,7 @@ TEST(RotationEdgeWeights, OfGoodTrianglesAreNotGuarded)
 {
   const SolverMesh mesh = solverMeshOf(test::icosphere(2));
   EXPECT_EQ(weightsOf(mesh, Weights::Cotangent), weightsOf(mesh, Weights::CotangentPaper));
-  const RotationWeights weights = rotationEdgeWeights(mesh, Weights::Cotangent);
+  const RotationWeights weights = rotationEdgeWeights(makeOperators(mesh, Weights::Cotangent));
   EXPECT_TRUE(weights.capped.empty());
   EXPECT_TRUE(weights.floored.empty());
 }
@@ -96,7 +96,7 @@ TEST(RotationEdgeWeights, TellWhereTheyWereGuarded)
   // The first triangle is obtuse across its edge from 0 to 1, the second has an angle of a tenth of a degree.
   Mesh mesh = test::merged(test::triangle({0, 0, 0}, {2, 0, 0}, {1, 0.5, 0}),
                            test::triangle({9, 0, 0}, {10, 0, 0}, {10, 0.002, 0}));
-  const RotationWeights weights = rotationEdgeWeights(solverMeshOf(mesh), Weights::Cotangent);
+  const RotationWeights weights = rotationEdgeWeights(makeOperators(solverMeshOf(mesh), Weights::Cotangent));
   EXPECT_EQ(weights.capped, (std::vector<Index>{3, 4, 5}));
   EXPECT_EQ(weights.floored, (std::vector<Index>{0, 1})) << "not the edge across the right angle";
 }

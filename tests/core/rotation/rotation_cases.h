@@ -76,7 +76,7 @@ void forEachGuardedCase(Check&& check)
 [[nodiscard]] inline RotationProblem problemOf(const SolverMesh& mesh, Weights weights, std::vector<Index> prescribed,
                                                std::vector<std::vector<Index>> rigidRegions = {})
 {
-  return {mesh.unknownCount(), rotationEdgeWeights(mesh, weights).edges, std::move(prescribed),
+  return {mesh.unknownCount(), rotationEdgeWeights(makeOperators(mesh, weights)).edges, std::move(prescribed),
           std::move(rigidRegions)};
 }
 

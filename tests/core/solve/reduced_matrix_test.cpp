@@ -19,7 +19,7 @@ TEST(ReducedMatrix, IsTheProductWithRowsBelow)
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
     SCOPED_TRACE(seed);
     test::Random random(seed);
-    const auto A = randomTwoWay(random, kEquations, kPlaces);
+    const auto A = std::make_shared<const EnergyMatrix>(test::randomSparse(random, kEquations, kPlaces));
     const auto Q2 = randomTwoWay(random, kPlaces, 12);
     for (const Index more : {0, 3}) {
       const SparseMatrix P = more == 0 ? SparseMatrix() : test::randomSparse(random, kPlaces, more);
@@ -30,7 +30,7 @@ TEST(ReducedMatrix, IsTheProductWithRowsBelow)
       basis.leftCols(12) = Eigen::MatrixXd(Q2->columns());
       if (more > 0) basis.rightCols(more) = Eigen::MatrixXd(P);
       Eigen::MatrixXd dense(kEquations + K.rows(), 12 + more);
-      dense << Eigen::MatrixXd(A->columns()) * basis, Eigen::MatrixXd(K);
+      dense << Eigen::MatrixXd(A->matrix()) * basis, Eigen::MatrixXd(K);
 
       const Columns3 z = Columns3::Random(dense.cols(), 3);
       const Columns3 f = Columns3::Random(dense.rows(), 3);
