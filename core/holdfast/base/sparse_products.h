@@ -112,6 +112,54 @@ Matrix assembled(Index rows, Index columns, const Fill& fill)
   return result;
 }
 
+/// The matrix of the entries that `forEachEntry(add)` passes to `add(row, column, value)`, those of each column with
+/// ascending rows. It is called twice, to count and to add.
+template <class ForEachEntry>
+SparseMatrix sparseMatrix(Index rows, Index columns, const ForEachEntry& forEachEntry)
+{
+  SparseMatrix result(rows, columns);
+  int* const start = result.outerIndexPtr();
+  forEachEntry([&](Index /*row*/, Index column, double /*value*/) { ++start[column + 1]; });
+  std::partial_sum(start, start + columns + 1, start);
+  result.resizeNonZeros(start[columns]);
+  std::vector<int> next(start, start + columns);
+  forEachEntry([&](Index row, Index column, double value) {
+    result.innerIndexPtr()[next[column]] = static_cast<int>(row);
+    result.valuePtr()[next[column]++] = value;
+  });
+  return result;
+}
+
+/// M by rows. O(entries).
+[[nodiscard]] inline SparseRows byRows(const SparseMatrix& M)
+{
+  SparseRows result(M.rows(), M.cols());
+  const Index parts = threadCount();
+  std::vector<std::vector<int>> next(static_cast<std::size_t>(parts));  // by row, for the columns of each part
+  const auto forEachEntry = [&](Index part, const auto& visit) {
+    for (Index k = part * M.cols() / parts; k < (part + 1) * M.cols() / parts; ++k)
+      for (SparseMatrix::InnerIterator entry(M, k); entry; ++entry) visit(entry.row(), k, entry.value());
+  };
+  parallelFor(parts, [&](Index part) {
+    next[part].assign(static_cast<std::size_t>(M.rows()), 0);
+    forEachEntry(part, [&](Index row, Index /*column*/, double /*value*/) { ++next[part][row]; });
+  });
+  int* const start = result.outerIndexPtr();
+  for (Index row = 0; row < M.rows(); ++row) {
+    start[row + 1] = start[row];
+    for (std::vector<int>& of : next) start[row + 1] += std::exchange(of[row], start[row + 1]);
+  }
+  result.resizeNonZeros(start[M.rows()]);
+  parallelFor(parts, [&](Index part) {
+    forEachEntry(part, [&](Index row, Index column, double value) {
+      const int place = next[part][row]++;
+      result.innerIndexPtr()[place] = static_cast<int>(column);
+      result.valuePtr()[place] = value;
+    });
+  });
+  return result;
+}
+
 /// M N. O(multiplications).
 [[nodiscard]] inline SparseMatrix product(const SparseMatrix& M, const SparseMatrix& N)
 {
@@ -143,7 +191,7 @@ Eigen::RowVector3d gathered(const Matrix& M, Index k, const Columns3& x)
 class TwoWayMatrix {
  public:
   TwoWayMatrix() = default;
-  explicit TwoWayMatrix(SparseMatrix columns) : columns_(std::move(columns)), rows_(columns_) {}
+  explicit TwoWayMatrix(SparseMatrix columns) : columns_(std::move(columns)), rows_(byRows(columns_)) {}
 
   [[nodiscard]] const SparseMatrix& columns() const noexcept { return columns_; }
   [[nodiscard]] const SparseRows& rows() const noexcept { return rows_; }

@@ -13,7 +13,7 @@ namespace holdfast {
 /// of a symmetric S is stored once; any other matrix twice, by columns and by rows.
 class EnergyMatrix {
  public:
-  explicit EnergyMatrix(SparseMatrix A) : columns_(std::make_shared<const SparseMatrix>(std::move(A))), rows_(*columns_)
+  explicit EnergyMatrix(SparseMatrix A) : columns_(std::make_shared<const SparseMatrix>(std::move(A))), rows_(byRows(*columns_))
   {
   }
   EnergyMatrix(Eigen::VectorXd scale, std::shared_ptr<const SparseMatrix> S)

@@ -41,15 +41,23 @@ std::vector<int> eliminationRanks(Index unknownCount, const std::vector<Triangle
   return nestedDissection(graphOf(unknownCount, triangles));
 }
 
+std::vector<int> ascending(const std::vector<int>& keys, int end)
+{
+  std::vector<int> next(static_cast<std::size_t>(end) + 2, 0);
+  for (const int key : keys) ++next[key + 2];
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  std::vector<int> order(keys.size());
+  for (std::size_t k = 0; k < keys.size(); ++k) order[next[keys[k] + 1]++] = static_cast<int>(k);
+  return order;
+}
+
 SparseMatrix orderedColumns(const SparseMatrix& Q, const std::vector<int>& ranks)
 {
   if (ranks.empty()) return Q;
   std::vector<int> last(static_cast<std::size_t>(Q.cols()), -1);
   for (Index k = 0; k < Q.cols(); ++k)
     for (SparseMatrix::InnerIterator entry(Q, k); entry; ++entry) last[k] = std::max(last[k], ranks[entry.row()]);
-  std::vector<int> order(last.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::ranges::stable_sort(order, {}, [&](int k) { return last[k]; });
+  const std::vector<int> order = ascending(last, static_cast<int>(ranks.size()));
   return assembled<SparseMatrix>(Q.rows(), Q.cols(), [&](Index k, ColumnSum& sum) { sum.addColumn(Q, order[k]); });
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -12,6 +11,7 @@
 #include <holdfast/base/disjoint_sets.h>
 #include <holdfast/base/parallel.h>
 #include <holdfast/base/sparse_products.h>
+#include <holdfast/ordering/elimination_order.h>
 
 namespace holdfast {
 namespace {
@@ -41,9 +41,7 @@ void orderColumns(RotationUnknowns& unknowns, const std::vector<int>& ranks)
   std::vector<int> last(unknowns.referenceOf.size(), -1);
   for (std::size_t i = 0; i < ranks.size(); ++i)
     if (const Index column = unknowns.columnOf[i]; column >= 0) last[column] = std::max(last[column], ranks[i]);
-  std::vector<Index> order(last.size());
-  std::iota(order.begin(), order.end(), Index{0});
-  std::ranges::sort(order, {}, [&](Index column) { return last[column]; });
+  const std::vector<int> order = ascending(last, static_cast<int>(ranks.size()));
   std::vector<Index> place(order.size());
   std::vector<Index> referenceOf(order.size());
   for (std::size_t k = 0; k < order.size(); ++k) {
@@ -89,31 +87,6 @@ struct RotationSystem {
   std::vector<RotationPull> pulls;
 };
 
-using Entries = std::vector<Eigen::Triplet<double, int>>;
-
-void addEntry(Entries& entries, Index row, Index column, double value)
-{
-  entries.emplace_back(static_cast<int>(row), static_cast<int>(column), value);
-}
-
-SparseMatrix matrixOf(const Entries& entries, Index rows, Index columns)
-{
-  SparseMatrix result(rows, columns);
-  result.setFromTriplets(entries.begin(), entries.end());
-  return result;
-}
-
-/// Adds `weight` times the end `j` of an edge, seen from the column `from`, to equation `row`: as an entry where it is
-/// free, as a pull where it is given.
-void addNeighbour(RotationSystem& system, Entries& entries, const RotationUnknowns& unknowns, Index row, Index from,
-                  Index j, double weight)
-{
-  if (unknowns.columnOf[j] >= 0)
-    addEntry(entries, row, unknowns.columnOf[j], -weight);
-  else
-    system.pulls.push_back({row, weight, unknowns.givenOf[j], unknowns.referenceOf[from]});
-}
-
 /// Rows by their largest coefficient: beside slivers they differ by many powers of ten.
 void scaleRows(RotationSystem& system)
 {
@@ -130,19 +103,27 @@ void scaleRows(RotationSystem& system)
 /// weight is negative.
 RotationSystem energyRows(const std::vector<EdgeWeight>& weights, const RotationUnknowns& unknowns)
 {
+  const auto forEachRow = [&](const auto& visit) {
+    Index row = 0;
+    for (auto [i, j, weight] : weights) {
+      if (unknowns.columnOf[i] < 0) std::swap(i, j);
+      const Index column = unknowns.columnOf[i];
+      if (column >= 0 && column != unknowns.columnOf[j] && weight != 0) visit(row++, column, j, std::sqrt(weight));
+    }
+  };
   RotationSystem system;
-  Entries entries;
-  entries.reserve(2 * weights.size());
-  Index row = 0;
-  for (auto [i, j, weight] : weights) {
-    if (unknowns.columnOf[i] < 0) std::swap(i, j);
-    const Index column = unknowns.columnOf[i];
-    if (column < 0 || column == unknowns.columnOf[j] || weight == 0) continue;
-    addEntry(entries, row, column, std::sqrt(weight));
-    addNeighbour(system, entries, unknowns, row, column, j, std::sqrt(weight));
-    ++row;
-  }
-  system.C = matrixOf(entries, row, unknowns.columnCount());
+  Index rows = 0;
+  forEachRow([&](Index row, Index column, Index j, double root) {
+    rows = row + 1;
+    if (unknowns.columnOf[j] < 0)
+      system.pulls.push_back({row, root, unknowns.givenOf[j], unknowns.referenceOf[column]});
+  });
+  system.C = sparseMatrix(rows, unknowns.columnCount(), [&](const auto& add) {
+    forEachRow([&](Index row, Index column, Index j, double root) {
+      add(row, column, root);
+      if (unknowns.columnOf[j] >= 0) add(row, unknowns.columnOf[j], -root);
+    });
+  });
   return system;
 }
 
@@ -151,20 +132,27 @@ RotationSystem energyRows(const std::vector<EdgeWeight>& weights, const Rotation
 RotationSystem balanceRows(const std::vector<EdgeWeight>& weights, const RotationUnknowns& unknowns)
 {
   RotationSystem system;
-  Entries entries;
+  std::vector<Eigen::Triplet<double, int>> entries;
   entries.reserve(4 * weights.size());
+  const auto add = [&](Index row, Index column, double value) {
+    entries.emplace_back(static_cast<int>(row), static_cast<int>(column), value);
+  };
   const auto addEnd = [&](Index i, Index j, double weight) {
     const Index column = unknowns.columnOf[i];
     if (column < 0) return;
-    addEntry(entries, column, column, weight);
-    addNeighbour(system, entries, unknowns, column, column, j, weight);
+    add(column, column, weight);
+    if (unknowns.columnOf[j] >= 0)
+      add(column, unknowns.columnOf[j], -weight);
+    else
+      system.pulls.push_back({column, weight, unknowns.givenOf[j], unknowns.referenceOf[column]});
   };
   for (const auto& [i, j, weight] : weights) {
     if (unknowns.columnOf[i] == unknowns.columnOf[j] || weight == 0) continue;
     addEnd(i, j, weight);
     addEnd(j, i, weight);
   }
-  system.C = matrixOf(entries, unknowns.columnCount(), unknowns.columnCount());
+  system.C.resize(unknowns.columnCount(), unknowns.columnCount());
+  system.C.setFromTriplets(entries.begin(), entries.end());
   scaleRows(system);
   return system;
 }
