@@ -90,9 +90,8 @@ Outcome solvedAugmented(const BentMesh& bent, const BentProblem& problem, const 
   const Elimination& elimination = bent.eliminated->elimination;
   Columns3 u = elimination.particular(problem.d);
   std::optional<Columns3> z;
-  const double seconds = bench::secondsOf([&] {
-    z = augmentedSolution(product(*problem.A, elimination.Q2()), problem.A->residual(problem.f, u));
-  });
+  const double seconds = bench::secondsOf(
+      [&] { z = augmentedSolution(product(*problem.A, elimination.Q2()), problem.A->residual(problem.f, u)); });
   if (!z) return {"fails", 0, 0, seconds};
   u += elimination.Q2() * *z;
   return judged(problem, u, reference, seconds);

@@ -112,8 +112,8 @@ Matrix assembled(Index rows, Index columns, const Fill& fill)
   return result;
 }
 
-/// The matrix of the entries that `forEachEntry(add)` passes to `add(row, column, value)`, those of each column with
-/// ascending rows. It is called twice, to count and to add.
+/// The matrix of the entries that `forEachEntry(add)` passes to `add(row, column, value)`, those of each column in that
+/// order, no place twice. It is called twice, to count and to add.
 template <class ForEachEntry>
 SparseMatrix sparseMatrix(Index rows, Index columns, const ForEachEntry& forEachEntry)
 {

@@ -45,8 +45,8 @@ struct ConstraintFactorization {
       : system(itsSystem),
         eliminated(std::make_shared<const EliminatedConstraints>(eliminate(system, model.solverMesh))),
         sensitivities(eliminated->elimination.sensitivities()),
-        rotations(
-            std::make_shared<RotationFactorization>(model.solverMesh, std::move(operators), options.solver.backend, ranks)),
+        rotations(std::make_shared<RotationFactorization>(model.solverMesh, std::move(operators),
+                                                          options.solver.backend, ranks)),
         positions([A, eliminated = eliminated, ranks,
                    rest = Columns3(model.solverMesh.rest.rowwise() - model.solverMesh.rest.colwise().mean()),
                    options = options.solver]() mutable {
@@ -427,7 +427,8 @@ ConstraintFactorization& Deformer::factorizationFor(const ConstraintSystem& syst
   if (answersEditsAtOnce_ && factorization_ != nullptr && !factorization_->isBordered && factorization_->isReady())
     whole_ = factorization_;
   progress.step(fmt::format("eliminating {} rows of constraints", system.rows.size()));
-  auto wanted = std::make_shared<ConstraintFactorization>(*model_, operators_, A_, ranks_->result(progress), system, options_);
+  auto wanted =
+      std::make_shared<ConstraintFactorization>(*model_, operators_, A_, ranks_->result(progress), system, options_);
   if (factorization_ != nullptr && factorization_->turnsAs(system)) wanted->rotations = factorization_->rotations;
   if (answersEditsAtOnce_ && whole_ != nullptr && whole_->turnsAs(system)) {
     auto bordered = std::make_shared<ConstraintFactorization>(*wanted, whole_);

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include <holdfast/factor/elimination_tree.h>
+#include <holdfast/ordering/elimination_tree.h>
 
 namespace holdfast {
 

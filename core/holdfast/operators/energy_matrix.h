@@ -13,7 +13,8 @@ namespace holdfast {
 /// of a symmetric S is stored once; any other matrix twice, by columns and by rows.
 class EnergyMatrix {
  public:
-  explicit EnergyMatrix(SparseMatrix A) : columns_(std::make_shared<const SparseMatrix>(std::move(A))), rows_(byRows(*columns_))
+  explicit EnergyMatrix(SparseMatrix A)
+      : columns_(std::make_shared<const SparseMatrix>(std::move(A))), rows_(byRows(*columns_))
   {
   }
   EnergyMatrix(Eigen::VectorXd scale, std::shared_ptr<const SparseMatrix> S)
@@ -101,7 +102,8 @@ inline void addProduct(ColumnSum& sum, const EnergyMatrix& A, const SparseMatrix
 {
   return assembled<SparseMatrix>(A.cols(), N.cols(), [&](Index k, ColumnSum& sum) {
     for (SparseMatrix::InnerIterator n(N, k); n; ++n)
-      A.forEachInRow(n.row(), [&](Index column, double value) { sum.add(static_cast<int>(column), value * n.value()); });
+      A.forEachInRow(n.row(),
+                     [&](Index column, double value) { sum.add(static_cast<int>(column), value * n.value()); });
   });
 }
 

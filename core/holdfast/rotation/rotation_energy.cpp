@@ -156,8 +156,7 @@ Eigen::Quaterniond RotationEnergy::fittedRegion(const std::vector<Index>& region
                                                 const Columns3& deformed, const UnknownRotations& R) const
 {
   std::vector<Index> rows;
-  for (const Index i : region)
-    A_->forEachInColumn(i, [&](Index row, double /*value*/) { rows.push_back(row); });
+  for (const Index i : region) A_->forEachInColumn(i, [&](Index row, double /*value*/) { rows.push_back(row); });
   const auto isInside = [&](Index i) { return std::ranges::binary_search(region, i); };
   const Vector3 center = rest_.row(region.front());
   std::vector<RegionTerm> terms;

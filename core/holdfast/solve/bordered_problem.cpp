@@ -149,8 +149,7 @@ Result<Eigen::VectorXd> columnScale(const EnergyMatrix& A, const SparseMatrix& Q
 SparseMatrix couplings(const ReducedProblem& base, const Border& border)
 {
   const Index unknowns = base.scale.size();
-  const SparseMatrix ofReleased =
-      base.C->Q2()->rows().transpose() * transposeProduct(*base.C->A(), border.AP);
+  const SparseMatrix ofReleased = base.C->Q2()->rows().transpose() * transposeProduct(*base.C->A(), border.AP);
   const SparseMatrix ofAdded = border.K.leftCols(unknowns).transpose();
   return assembled<SparseMatrix>(unknowns + base.kept, ofReleased.cols() + ofAdded.cols(),
                                  [&](Index k, ColumnSum& sum) {

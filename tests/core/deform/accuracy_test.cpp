@@ -69,8 +69,8 @@ Rotations rotationsOf(const SolverMesh& mesh)
   for (Index u = 0; u < mesh.unknownCount(); ++u)
     if (u != 5 && u != 6) system.rotations.push_back({u, {0, 0, 0.1 * static_cast<double>(u)}, 0});
   NoProgress progress;
-  return RotationFactorization(
-             mesh, std::make_shared<const Operators>(makeOperators(mesh, Weights::CotangentPaper)), Backend::Holdfast)
+  return RotationFactorization(mesh, std::make_shared<const Operators>(makeOperators(mesh, Weights::CotangentPaper)),
+                               Backend::Holdfast)
       .solve(system, progress);
 }
 

@@ -121,10 +121,10 @@ TEST(Operators, AreThoseOfTheDefinition)
     EXPECT_LT((difference.array() / rowSizes(L).array()).maxCoeff(), 1e-12);
     const Eigen::VectorXd rowWeights = test::denseRowWeights(mesh, triangles, operators.weights, unit);
     EXPECT_LT((operators.rowWeights - rowWeights).cwiseQuotient(rowWeights).cwiseAbs().maxCoeff(), 1e-13);
-    EXPECT_LT(
-        (Eigen::MatrixXd(weightedRows(operators).matrix()) - operators.rowWeights.asDiagonal() * Eigen::MatrixXd(operators.L()))
-            .norm(),
-        1e-14 * operators.L().norm());
+    EXPECT_LT((Eigen::MatrixXd(weightedRows(operators).matrix()) -
+               operators.rowWeights.asDiagonal() * Eigen::MatrixXd(operators.L()))
+                  .norm(),
+              1e-14 * operators.L().norm());
   });
 }
 

@@ -1,8 +1,10 @@
-#include "holdfast/factor/elimination_tree.h"
+#include "holdfast/ordering/elimination_tree.h"
 
 #include <algorithm>
 #include <numeric>
 #include <utility>
+
+#include <holdfast/base/sparse_products.h>
 
 namespace holdfast {
 namespace {
@@ -49,25 +51,13 @@ SparseMatrix inOrder(const SparseMatrix& lower, const std::vector<int>& order)
 {
   std::vector<int> place(order.size());
   for (std::size_t k = 0; k < order.size(); ++k) place[order[k]] = static_cast<int>(k);
-  SparseMatrix result(lower.rows(), lower.cols());
-  int* const start = result.outerIndexPtr();
-  const auto forEach = [&](auto&& visit) {
+  return sparseMatrix(lower.rows(), lower.cols(), [&](const auto& add) {
     for (const int column : order)
       for (SparseMatrix::InnerIterator entry(lower, column); entry; ++entry) {
         const auto [first, second] = std::minmax(place[column], place[entry.row()]);
-        visit(first, second, entry.value());
+        add(second, first, entry.value());
       }
-  };
-  forEach([&](int column, int /*row*/, double /*value*/) { ++start[column + 1]; });
-  std::partial_sum(start, start + order.size() + 1, start);
-  result.resizeNonZeros(start[order.size()]);
-  std::vector<int> next(start, start + order.size());
-  forEach([&](int column, int row, double value) {
-    const int entry = next[column]++;
-    result.innerIndexPtr()[entry] = row;
-    result.valuePtr()[entry] = value;
   });
-  return result;
 }
 
 std::vector<int> eliminationTree(const SparseMatrix& lower)

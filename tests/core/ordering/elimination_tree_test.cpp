@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <holdfast/factor/elimination_tree.h>
+#include <holdfast/ordering/elimination_tree.h>
 
 #include "core/factor/spd_matrices.h"
 
