@@ -31,7 +31,7 @@ struct CutTriangles {
   {
     const std::vector<Triangle>& all = model.triangulation.triangles;
     for (std::size_t t = 0; t < all.size(); ++t) {
-      const std::vector<Index> corners = cut(all[t], plane);
+      const std::vector<int> corners = cut(all[t], plane);
       for (std::size_t k = 2; k < corners.size(); ++k) {
         triangles.push_back({corners[0], corners[k - 1], corners[k]});
         source.push_back(static_cast<Index>(t));
@@ -44,20 +44,20 @@ struct CutTriangles {
   std::vector<Index> source;  // the triangle that each was cut from
 
  private:
-  std::vector<Index> cut(const Triangle& triangle, const SectionPlane& plane)
+  std::vector<int> cut(const Triangle& triangle, const SectionPlane& plane)
   {
     const auto height = [&](Index v) { return (positions.row(v).transpose() - plane.origin).dot(plane.normal); };
-    std::vector<Index> corners;
+    std::vector<int> corners;
     for (std::size_t k = 0; k < 3; ++k) {
-      const Index a = triangle[k];
-      const Index b = triangle[(k + 1) % 3];
+      const int a = triangle[k];
+      const int b = triangle[(k + 1) % 3];
       const double ha = height(a);
       const double hb = height(b);
       if (ha >= 0) corners.push_back(a);
       if ((ha < 0) == (hb < 0)) continue;
       positions.conservativeResize(positions.rows() + 1, 3);
       positions.bottomRows(1) = (hb * positions.row(a) - ha * positions.row(b)) / (hb - ha);
-      corners.push_back(positions.rows() - 1);
+      corners.push_back(static_cast<int>(positions.rows()) - 1);
     }
     return corners;
   }

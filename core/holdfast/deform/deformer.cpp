@@ -27,7 +27,7 @@ struct ActedOn {
     for (const RowTerms& row : constraints)
       for (const Term& term : row) {
         if (std::exchange(unknowns[term.index], 1) != 0) continue;
-        A.forEachInColumn(term.index, [&](Index row, double /*value*/) { rows[row] = 1; });
+        A.forEachInColumn(term.index, [&](Index k, double /*value*/) { rows[k] = 1; });
       }
   }
 

@@ -6,6 +6,7 @@
 #include <ranges>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include <holdfast/base/types.h>
@@ -49,7 +50,7 @@ class Polygons {
     corners_.reserve(corners);
   }
 
-  /// Throws `std::length_error` for more than 2^31 - 1 corners, or a larger id.
+  /// Throws `std::length_error` for an id, or a number of corners, of more than 32 bits.
   template <std::ranges::sized_range Range>
   void add(const Range& vertices)
   {
@@ -64,7 +65,8 @@ class Polygons {
  private:
   static int narrowed(Index number)
   {
-    if (number != static_cast<int>(number)) throw std::length_error("a mesh may have 2,147,483,647 corners");
+    if (number != static_cast<int>(number))
+      throw std::length_error(std::to_string(number) + ": vertices and corners of a mesh are numbered in 32 bits");
     return static_cast<int>(number);
   }
 

@@ -30,7 +30,7 @@ struct Scene {
 
   Scene()
   {
-    for (Index v = 0; v < 216; ++v) {
+    for (int v = 0; v < 216; ++v) {
       positions.row(v) << static_cast<double>(v % 6), static_cast<double>(v / 6 % 6), static_cast<double>(v / 36);
       componentOf.push_back(v % 7 == 0 ? -1 : v % 3);
     }

@@ -42,6 +42,12 @@ struct ReducedPlate {
   }
 };
 
+TEST(Ascending, KeepsTheOrderOfEqualKeys)
+{
+  EXPECT_EQ(ascending({3, 0, -1, 3, 1, 0, -1}, 4), (std::vector<int>{2, 6, 1, 5, 4, 0, 3}));
+  EXPECT_TRUE(ascending({}, 0).empty());
+}
+
 TEST(EliminationOrder, RanksEachUnknownOnce)
 {
   const ReducedPlate reduced;

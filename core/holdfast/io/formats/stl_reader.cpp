@@ -21,7 +21,7 @@ MeshDocument makeFacets(std::string bytes, FileLayout layout, Positions position
   faces.reserve(count, 3 * count);
   for (Index f = 0; f < count; ++f) {
     faces.add({3 * f, 3 * f + 1, 3 * f + 2});
-    layout.normalOfCorner.insert(layout.normalOfCorner.end(), 3, f);
+    layout.normalOfCorner.insert(layout.normalOfCorner.end(), 3, static_cast<int>(f));
   }
   layout.normalCount = count;
   return makeDocument(std::move(bytes), std::move(layout), {std::move(positions), std::move(faces)});

@@ -75,14 +75,14 @@ Index middleOf(const Positions& places, std::span<const std::pair<std::int64_t, 
   return nearest->second;
 }
 
-std::vector<Index> representatives(const Cloud& cloud, double cellSize)
+std::vector<int> representatives(const Cloud& cloud, double cellSize)
 {
   const auto cells = byCell(cloud, cellSize);
-  std::vector<Index> representativeOf(cells.size());
+  std::vector<int> representativeOf(cells.size());
   for (std::size_t first = 0; first < cells.size();) {
     std::size_t last = first + 1;
     while (last < cells.size() && cells[last].first == cells[first].first) ++last;
-    const Index middle = middleOf(cloud.places, std::span(cells).subspan(first, last - first));
+    const auto middle = static_cast<int>(middleOf(cloud.places, std::span(cells).subspan(first, last - first)));
     for (std::size_t k = first; k < last; ++k) representativeOf[cells[k].second] = middle;
     first = last;
   }
@@ -93,7 +93,7 @@ std::vector<Index> representatives(const Cloud& cloud, double cellSize)
 using Between = std::array<Index, 4>;
 
 /// The triangles between different representatives, each once, its smallest corner first.
-std::vector<Between> between(const std::vector<Triangle>& all, const std::vector<Index>& representativeOf)
+std::vector<Between> between(const std::vector<Triangle>& all, const std::vector<int>& representativeOf)
 {
   std::vector<Between> triangles;
   for (std::size_t t = 0; t < all.size(); ++t) {

@@ -38,13 +38,13 @@ ShadedSurface numberPoints(const Model& model, DisjointSets& corners)
 {
   const std::vector<Triangle>& triangles = model.triangulation.triangles;
   ShadedSurface surface;
-  std::vector<Index> pointOf(3 * triangles.size(), -1);
+  std::vector<int> pointOf(3 * triangles.size(), -1);
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     Triangle points{};
     for (int k = 0; k < 3; ++k) {
-      Index& point = pointOf[corners.find(3 * static_cast<Index>(t) + k)];
+      int& point = pointOf[corners.find(3 * static_cast<Index>(t) + k)];
       if (point < 0) {
-        point = static_cast<Index>(surface.vertexOf.size());
+        point = static_cast<int>(surface.vertexOf.size());
         surface.vertexOf.push_back(triangles[t][k]);
       }
       points[k] = point;
