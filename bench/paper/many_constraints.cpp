@@ -111,7 +111,7 @@ struct Way {
   std::optional<Result<ReducedProblem>> (*decomposed)(const Bumpy& bumpy, const PointRows& points);
 };
 
-/// With the rows B of the unknowns that Q2 has columns for, or without any.
+/// With rows B over all unknowns; there may be none.
 Result<ReducedProblem> reduced(const Bumpy& bumpy, const SparseMatrix& Q2, const SparseMatrix& B, RowsBelow below)
 {
   SparseMatrix ordered = orderedColumns(Q2, bumpy.ranks);

@@ -1,7 +1,6 @@
 #pragma once
 /// \file
-/// Solutions with many more digits than a double holds, and the condition of what is solved: what solvers are judged
-/// by.
+/// What solvers are judged by: solutions with many more digits than a double holds, and the condition of the problem.
 
 #include <holdfast/solve/bordered_problem.h>
 

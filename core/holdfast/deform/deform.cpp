@@ -27,11 +27,11 @@ Report diagnoseConstraints(const Model& model, const ConstraintList& constraints
   report.solve.options = options.solver;
   ConstraintSystem system = makeConstraintSystem(constraints, model.mesh, model.solverMesh, model.locator(), source);
   const EliminatedConstraints eliminated = eliminate(system, model.solverMesh);
+  std::shared_ptr<const Operators> operators;
+  if (asksForRotation(system))
+    operators = std::make_shared<const Operators>(makeOperators(model.solverMesh, options.weights));
   const Rotations rotations =
-      RotationFactorization(model.solverMesh,
-                            std::make_shared<const Operators>(makeOperators(model.solverMesh, options.weights)),
-                            options.solver.backend)
-          .solve(system, noProgress());
+      RotationFactorization(model.solverMesh, std::move(operators), options.solver.backend).solve(system, noProgress());
   takeOver(rotations, report);
   if (rotations.failure.empty()) {
     system = rotated(std::move(system), rotations.q);

@@ -11,11 +11,6 @@ namespace {
 
 const std::string kRefused = "the rotation field cannot be solved: ";
 
-bool asksForRotation(const ConstraintSystem& system)
-{
-  return std::ranges::any_of(system.rotations, [](const GivenRotation& given) { return !given.q.isZero(0); });
-}
-
 RotationProblem problemOf(const ConstraintSystem& system, const SolverMesh& mesh, std::vector<EdgeWeight> weights,
                           const std::vector<int>& ranks)
 {
@@ -56,6 +51,11 @@ Columns3 valuesOf(const ConstraintSystem& system)
 }
 
 }  // namespace
+
+bool asksForRotation(const ConstraintSystem& system)
+{
+  return std::ranges::any_of(system.rotations, [](const GivenRotation& given) { return !given.q.isZero(0); });
+}
 
 Rotations RotationFactorization::solve(const ConstraintSystem& system, Progress& progress)
 {

@@ -28,10 +28,14 @@ struct Rotations {
 /// residual is of a length.
 inline constexpr double kAgreeingRotations = 1e-12;
 
+/// Whether constraints give a rotation other than none.
+[[nodiscard]] bool asksForRotation(const ConstraintSystem& system);
+
 /// Finds rotations for constraints of one structure. Nothing is factorised before a rotation is asked for.
 class RotationFactorization {
  public:
-  /// `mesh` stays alive as long as this, and has the `operators`. `ranks` may be empty, see `RotationProblem`.
+  /// `mesh` stays alive as long as this, and has the `operators`: none where no rotation will be asked for. `ranks` may
+  /// be empty, see `RotationProblem`.
   RotationFactorization(const SolverMesh& mesh, std::shared_ptr<const Operators> operators, Backend backend,
                         std::vector<int> ranks = {})
       : mesh_(mesh), operators_(std::move(operators)), backend_(backend), ranks_(std::move(ranks))
