@@ -170,7 +170,8 @@ Figures takeOwnTurn(Samples& samples, const SparseMatrix& lower)
   const auto place = [&](Index k) { return Eigen::Map<Eigen::RowVector3d>(&x[4 * k]); };
   const double solve = shortest(kSolves, [&] {
     parallelBlocks(lower.cols(), [&](Index k) { place(k) = ones.row(symbolic->order[k]); });
-    factor.value->solve(x);
+    factor.value->solveForward(x);
+    factor.value->solveBackward(x);
     parallelBlocks(lower.cols(), [&](Index k) { solution.row(symbolic->order[k]) = place(k); });
   });
   const Figures own{factorize, solve, static_cast<double>(symbolic->nonzeros()), operationsOf(*symbolic)};

@@ -66,4 +66,35 @@ void parallelBlocks(Index count, const Work& work)
   });
 }
 
+/// Steps one after the other: `lead(step)` on the calling thread, then `share(step, part)`, once for each of its
+/// `partCount(step)` parts, on all threads. For steps of microseconds: threads do not sleep until the next one, and
+/// none waits for another that has not taken a part. Nothing may throw.
+template <class Lead, class PartCount, class Share>
+void leadSteps(Index steps, const Lead& lead, const PartCount& partCount, const Share& share)
+{
+  std::atomic<Index> led{0};
+  std::vector<std::atomic<Index>> taken(static_cast<std::size_t>(steps));
+  std::vector<std::atomic<Index>> done(taken.size());
+  const auto waitUntil = [](const auto& isSo) {
+    constexpr int kTries = 2000;
+    for (int tries = 0; !isSo(); ++tries)
+      if (tries > kTries) std::this_thread::yield();
+  };
+  runOnThreads(threadCount(), [&](Index thread) {
+    for (Index step = 0; step < steps; ++step) {
+      if (thread == 0) {
+        lead(step);
+        led = step + 1;
+      } else {
+        waitUntil([&] { return led > step; });
+      }
+      for (Index part = taken[step]++; part < partCount(step); part = taken[step]++) {
+        share(step, part);
+        ++done[step];
+      }
+      if (thread == 0) waitUntil([&] { return done[step] == partCount(step); });
+    }
+  });
+}
+
 }  // namespace holdfast

@@ -112,20 +112,31 @@ Matrix assembled(Index rows, Index columns, const Fill& fill)
   return result;
 }
 
-/// The matrix of the entries that `forEachEntry(add)` passes to `add(row, column, value)`, those of each column in that
-/// order, no place twice. It is called twice, to count and to add.
-template <class ForEachEntry>
-SparseMatrix sparseMatrix(Index rows, Index columns, const ForEachEntry& forEachEntry)
+/// The matrix of the entries that `forEachEntry(part, add)` passes to `add(row, column, value)`, no place twice; those
+/// of each column (row of a `SparseRows`) come part after part, and in that order. Each part is called twice, to count
+/// and to add, beside the others.
+template <class Matrix, class ForEachEntry>
+Matrix sparseMatrix(Index rows, Index columns, Index parts, const ForEachEntry& forEachEntry)
 {
-  SparseMatrix result(rows, columns);
+  Matrix result(rows, columns);
+  std::vector<std::vector<int>> next(static_cast<std::size_t>(parts));  // by column: where its entries of a part go
+  parallelFor(parts, [&](Index part) {
+    next[part].assign(static_cast<std::size_t>(result.outerSize()), 0);
+    forEachEntry(part,
+                 [&](Index row, Index column, double /*value*/) { ++next[part][Matrix::IsRowMajor ? row : column]; });
+  });
   int* const start = result.outerIndexPtr();
-  forEachEntry([&](Index /*row*/, Index column, double /*value*/) { ++start[column + 1]; });
-  std::partial_sum(start, start + columns + 1, start);
-  result.resizeNonZeros(start[columns]);
-  std::vector<int> next(start, start + columns);
-  forEachEntry([&](Index row, Index column, double value) {
-    result.innerIndexPtr()[next[column]] = static_cast<int>(row);
-    result.valuePtr()[next[column]++] = value;
+  for (Index k = 0; k < result.outerSize(); ++k) {
+    start[k + 1] = start[k];
+    for (std::vector<int>& of : next) start[k + 1] += std::exchange(of[k], start[k + 1]);
+  }
+  result.resizeNonZeros(start[result.outerSize()]);
+  parallelFor(parts, [&](Index part) {
+    forEachEntry(part, [&](Index row, Index column, double value) {
+      const int place = next[part][Matrix::IsRowMajor ? row : column]++;
+      result.innerIndexPtr()[place] = static_cast<int>(Matrix::IsRowMajor ? column : row);
+      result.valuePtr()[place] = value;
+    });
   });
   return result;
 }
@@ -133,31 +144,11 @@ SparseMatrix sparseMatrix(Index rows, Index columns, const ForEachEntry& forEach
 /// M by rows. O(entries).
 [[nodiscard]] inline SparseRows byRows(const SparseMatrix& M)
 {
-  SparseRows result(M.rows(), M.cols());
   const Index parts = threadCount();
-  std::vector<std::vector<int>> next(static_cast<std::size_t>(parts));  // by row, for the columns of each part
-  const auto forEachEntry = [&](Index part, const auto& visit) {
+  return sparseMatrix<SparseRows>(M.rows(), M.cols(), parts, [&](Index part, const auto& add) {
     for (Index k = part * M.cols() / parts; k < (part + 1) * M.cols() / parts; ++k)
-      for (SparseMatrix::InnerIterator entry(M, k); entry; ++entry) visit(entry.row(), k, entry.value());
-  };
-  parallelFor(parts, [&](Index part) {
-    next[part].assign(static_cast<std::size_t>(M.rows()), 0);
-    forEachEntry(part, [&](Index row, Index /*column*/, double /*value*/) { ++next[part][row]; });
+      for (SparseMatrix::InnerIterator entry(M, k); entry; ++entry) add(entry.row(), k, entry.value());
   });
-  int* const start = result.outerIndexPtr();
-  for (Index row = 0; row < M.rows(); ++row) {
-    start[row + 1] = start[row];
-    for (std::vector<int>& of : next) start[row + 1] += std::exchange(of[row], start[row + 1]);
-  }
-  result.resizeNonZeros(start[M.rows()]);
-  parallelFor(parts, [&](Index part) {
-    forEachEntry(part, [&](Index row, Index column, double value) {
-      const int place = next[part][row]++;
-      result.innerIndexPtr()[place] = static_cast<int>(column);
-      result.valuePtr()[place] = value;
-    });
-  });
-  return result;
 }
 
 /// M N. O(multiplications).

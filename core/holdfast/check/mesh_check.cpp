@@ -83,6 +83,16 @@ double smallestAngleDegrees(const Positions& positions, const Triangle& triangle
   return std::asin(std::min(1.0, sine)) * 180 / std::numbers::pi;
 }
 
+/// A quick look that passes most triangles: whether the smallest angle is certainly above 1.8 degrees.
+bool isFarFromANeedle(const Positions& positions, const Triangle& triangle)
+{
+  constexpr double kSquaredSine = 1e-3;
+  const Vector3 ab = positions.row(triangle[1]) - positions.row(triangle[0]);
+  const Vector3 ac = positions.row(triangle[2]) - positions.row(triangle[0]);
+  const double longest = std::max({ab.squaredNorm(), ac.squaredNorm(), (ac - ab).squaredNorm()});
+  return std::isfinite(longest * longest) && ab.cross(ac).squaredNorm() > kSquaredSine * longest * longest;
+}
+
 void addBadTriangles(Findings& findings, const Mesh& mesh, const Triangulation& triangulation)
 {
   // An angle of this size is rounding of the coordinates.
@@ -92,6 +102,7 @@ void addBadTriangles(Findings& findings, const Mesh& mesh, const Triangulation& 
   std::vector<Index> needles;
   for (std::size_t t = 0; t < triangulation.triangles.size(); ++t) {
     const Triangle& triangle = triangulation.triangles[t];
+    if (isFarFromANeedle(mesh.positions, triangle)) continue;
     const double angle = smallestAngleDegrees(mesh.positions, triangle);
     if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0])
       repeated.push_back(triangulation.faceOf[t]);
@@ -111,64 +122,76 @@ void addBadTriangles(Findings& findings, const Mesh& mesh, const Triangulation& 
        "faces have an angle below 1 degree; their cotangents are capped"});
 }
 
-/// What the edges of the welded mesh say; ids are faces and vertices of the file.
-struct EdgeCheck {
-  std::vector<Index> nonManifoldFaces;
-  std::vector<Index> flippedFaces;
-  std::vector<Index> boundaryVertices;  // one of each boundary
-  std::vector<Index> nonManifoldVertices;
-};
-
-EdgeCheck checkEdges(const SolverMesh& mesh)
+/// The unknowns at which corners of triangles do not all hang together across edges.
+std::vector<Index> unknownsOfSeveralFans(const SolverMesh& mesh, const std::vector<HalfEdge>& halfEdges)
 {
-  EdgeCheck result;
-  DisjointSets boundaries(mesh.unknownCount());
-  DisjointSets fans(3 * static_cast<Index>(mesh.triangles.size()));  // corners joined across edges
-  std::vector<bool> isBoundary(static_cast<std::size_t>(mesh.unknownCount()), false);
+  DisjointSets fans(3 * static_cast<Index>(mesh.triangles.size()));  // of corners
   const auto cornerAt = [&](const HalfEdge& half, Index v) {
     const int k = mesh.triangles[half.triangle][half.side] == v ? half.side : (half.side + 1) % 3;
     return 3 * half.triangle + k;
   };
-  forEachEdge(sortedHalfEdges(mesh.triangles), [&](std::span<const HalfEdge> edge) {
+  forEachEdge(halfEdges, [&](std::span<const HalfEdge> edge) {
     for (const HalfEdge& half : edge.subspan(1)) {
       fans.unite(cornerAt(edge[0], half.a), cornerAt(half, half.a));
       fans.unite(cornerAt(edge[0], half.b), cornerAt(half, half.b));
     }
-    if (edge.size() == 1) {
-      boundaries.unite(edge[0].a, edge[0].b);
-      isBoundary[edge[0].a] = true;
-    }
-    if (edge.size() > 2)
-      for (const HalfEdge& half : edge) result.nonManifoldFaces.push_back(mesh.faceOf[half.triangle]);
-    if (edge.size() == 2 && edge[0].isForward == edge[1].isForward)
-      for (const HalfEdge& half : edge) result.flippedFaces.push_back(mesh.faceOf[half.triangle]);
   });
-  for (Index u = 0; u < mesh.unknownCount(); ++u)
-    if (isBoundary[u] && boundaries.find(u) == u) result.boundaryVertices.push_back(u);
+  std::vector<Index> result;
   std::vector<Index> fanOf(static_cast<std::size_t>(mesh.unknownCount()), -1);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     for (int k = 0; k < 3; ++k) {
       const Index fan = fans.find(static_cast<Index>(3 * t) + k);
       Index& known = fanOf[mesh.triangles[t][k]];
       if (known < 0) known = fan;
-      if (known != fan) result.nonManifoldVertices.push_back(mesh.triangles[t][k]);
+      if (known != fan) result.push_back(mesh.triangles[t][k]);
     }
   return result;
 }
 
-void addEdges(Findings& findings, const SolverMesh& mesh)
+void addFans(Findings& findings, const SolverMesh& mesh, const std::vector<HalfEdge>& halfEdges)
 {
-  EdgeCheck edges = checkEdges(mesh);
-  add(findings, "non_manifold_edges", "face", std::move(edges.nonManifoldFaces),
-      {"face meets itself and others at an edge of more than two faces; all of them pull on it",
-       "faces meet at edges of more than two faces; all of them pull on such an edge"});
-  add(findings, "non_manifold_vertices", "vertex", fileVertices(mesh, edges.nonManifoldVertices),
+  add(findings, "non_manifold_vertices", "vertex", fileVertices(mesh, unknownsOfSeveralFans(mesh, halfEdges)),
       {"vertex joins fans of faces that share no edge; the fans stay joined there",
        "vertices join fans of faces that share no edge; the fans stay joined there"});
-  add(findings, "flipped_neighbours", "face", std::move(edges.flippedFaces),
+}
+
+void addNonManifoldEdges(Findings& findings, const SolverMesh& mesh, const std::vector<HalfEdge>& halfEdges)
+{
+  std::vector<Index> faces;
+  forEachEdge(halfEdges, [&](std::span<const HalfEdge> edge) {
+    if (edge.size() > 2)
+      for (const HalfEdge& half : edge) faces.push_back(mesh.faceOf[half.triangle]);
+  });
+  add(findings, "non_manifold_edges", "face", std::move(faces),
+      {"face meets itself and others at an edge of more than two faces; all of them pull on it",
+       "faces meet at edges of more than two faces; all of them pull on such an edge"});
+}
+
+void addFlippedNeighbours(Findings& findings, const SolverMesh& mesh, const std::vector<HalfEdge>& halfEdges)
+{
+  std::vector<Index> faces;
+  forEachEdge(halfEdges, [&](std::span<const HalfEdge> edge) {
+    if (edge.size() == 2 && edge[0].isForward == edge[1].isForward)
+      for (const HalfEdge& half : edge) faces.push_back(mesh.faceOf[half.triangle]);
+  });
+  add(findings, "flipped_neighbours", "face", std::move(faces),
       {"face disagrees with itself on which side is out; the shape is kept all the same, normals are not",
        "faces disagree with a neighbour on which side is out; the shape is kept all the same, normals are not"});
-  add(findings, "boundary_loops", "vertex", fileVertices(mesh, edges.boundaryVertices),
+}
+
+void addBoundaries(Findings& findings, const SolverMesh& mesh, const std::vector<HalfEdge>& halfEdges)
+{
+  DisjointSets boundaries(mesh.unknownCount());
+  std::vector<bool> isBoundary(static_cast<std::size_t>(mesh.unknownCount()), false);
+  forEachEdge(halfEdges, [&](std::span<const HalfEdge> edge) {
+    if (edge.size() > 1) return;
+    boundaries.unite(edge[0].a, edge[0].b);
+    isBoundary[edge[0].a] = true;
+  });
+  std::vector<Index> first;
+  for (Index u = 0; u < mesh.unknownCount(); ++u)
+    if (isBoundary[u] && boundaries.find(u) == u) first.push_back(u);
+  add(findings, "boundary_loops", "vertex", fileVertices(mesh, first),
       {"boundary (a vertex of it is named); the surface is open there",
        "boundaries (a vertex of each is named); the surface is open there"});
 }
@@ -189,13 +212,17 @@ std::vector<Finding> findNonFinite(const Mesh& mesh)
 
 std::vector<Finding> checkMesh(const Mesh& mesh, const Triangulation& triangulation, const SolverMesh& solverMesh)
 {
-  std::array<Findings, 5> parts;
-  parallelFor(5, [&](Index part) {
-    if (part == 0) addEdges(parts[4], solverMesh);  // takes the longest
+  const std::vector<HalfEdge> halfEdges = sortedHalfEdges(solverMesh.triangles);
+  std::array<Findings, 8> parts;
+  parallelFor(8, [&](Index part) {
+    if (part == 0) addFans(parts[5], solverMesh, halfEdges);  // takes the longest
     if (part == 1) addCoincident(parts[2], mesh, solverMesh);
-    if (part == 2) addBadTriangles(parts[3], mesh, triangulation);
-    if (part == 3) addUnreferenced(parts[1], solverMesh);
-    if (part == 4) addComponents(parts[0], solverMesh);
+    if (part == 2) addBoundaries(parts[7], solverMesh, halfEdges);
+    if (part == 3) addNonManifoldEdges(parts[4], solverMesh, halfEdges);
+    if (part == 4) addFlippedNeighbours(parts[6], solverMesh, halfEdges);
+    if (part == 5) addBadTriangles(parts[3], mesh, triangulation);
+    if (part == 6) addUnreferenced(parts[1], solverMesh);
+    if (part == 7) addComponents(parts[0], solverMesh);
   });
   Findings findings;
   for (Findings& part : parts) std::ranges::move(part, std::back_inserter(findings));

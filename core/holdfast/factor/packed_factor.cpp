@@ -7,7 +7,6 @@
 #include <holdfast/base/parallel.h>
 #include <holdfast/base/sparse_products.h>
 #include <holdfast/factor/strips.h>
-#include <holdfast/factor/triangular_kernels.h>
 
 namespace holdfast {
 namespace {
@@ -38,6 +37,7 @@ PackedFactor::PackedFactor(std::shared_ptr<const SymbolicFactor> symbolic) : sym
   }
   firstChunk_.push_back(static_cast<int>(chunks_.size()));
   numbers_ = largeArray(size_);
+  top_ = TopSolve(chunksOf(symbolic_->top));
 }
 
 void PackedFactor::store(int supernode, const double* panel)
@@ -64,27 +64,6 @@ std::span<const FactorChunk> PackedFactor::chunksOf(const SupernodeRange& range)
                                     static_cast<std::size_t>(firstChunk_[range.end] - firstChunk_[range.begin]));
 }
 
-void PackedFactor::gather(const Columns3& b, std::vector<double>& x) const
-{
-  const std::vector<int>& order = symbolic_->order;
-  x.resize(4 * order.size());
-  parallelBlocks(static_cast<Index>(order.size()), [&](Index k) { std::ranges::copy(b.row(order[k]), &x[4 * k]); });
-}
-
-Columns3 PackedFactor::scattered(const std::vector<double>& x) const
-{
-  const std::vector<int>& order = symbolic_->order;
-  Columns3 z(static_cast<Index>(order.size()), 3);
-  parallelBlocks(z.rows(), [&](Index k) { z.row(order[k]) = Eigen::Map<const Eigen::RowVector3d>(&x[4 * k]); });
-  return z;
-}
-
-void PackedFactor::solve(std::vector<double>& x) const
-{
-  solveForward(x);
-  solveBackward(x);
-}
-
 void PackedFactor::solveForward(std::vector<double>& x) const
 {
   const std::vector<SupernodeRange>& subtrees = symbolic_->subtrees;
@@ -99,7 +78,7 @@ void PackedFactor::solveForward(std::vector<double>& x) const
   });
   for (const std::vector<double>& sum : top)
     for (std::size_t k = 0; k < topSize; ++k) view.top[k] += sum[k];
-  holdfast::solveForward(chunksOf(symbolic_->top), view);
+  top_.forward(view);
 }
 
 void PackedFactor::solveBackward(std::vector<double>& x) const
@@ -107,7 +86,7 @@ void PackedFactor::solveBackward(std::vector<double>& x) const
   const SolveView view = viewOf(x.data());
   for (const int column : negative_)
     for (std::size_t k = 0; k < 3; ++k) x[4 * static_cast<std::size_t>(column) + k] *= -1;
-  holdfast::solveBackward(chunksOf(symbolic_->top), view);
+  top_.backward(view);
   const std::vector<SupernodeRange>& subtrees = symbolic_->subtrees;
   parallelFor(static_cast<Index>(subtrees.size()),
               [&](Index k) { holdfast::solveBackward(chunksOf(subtrees[k]), view); });

@@ -9,24 +9,10 @@
 
 #include <holdfast/base/large_memory.h>
 #include <holdfast/factor/symbolic_factor.h>
+#include <holdfast/factor/top_solve.h>
 
 namespace holdfast {
 
-/// So many columns at most are one chunk: what they need of the solution stays in registers.
-inline constexpr int kChunkWidth = 8;
-
-/// Neighbouring columns of one supernode. In memory: the triangle, by rows, `width` x `width`, with reciprocals on its
-/// diagonal; then the rows below, `width` numbers each.
-struct FactorChunk {
-  std::size_t offset = 0;
-  int firstColumn = 0;
-  int width = 0;
-  std::int64_t firstRow = 0;  ///< in `SymbolicFactor::rows`
-  int lowRows = 0;            ///< rows before the top of the tree
-  int rowCount = 0;           ///< all rows
-};
-
-struct SolveView;
 struct SparseEntries;
 
 /// L, by chunks. Memory is read once from front to back for the solve with L, and back for that with its transpose:
@@ -38,15 +24,8 @@ class PackedFactor {
   /// Stores the columns of a supernode: the first `width` of a triangle of `height` rows in strips.
   void store(int supernode, const double* panel);
 
-  /// Puts the rows of `b` (n x 3) into the order of elimination: what `solve` takes.
-  void gather(const Columns3& b, std::vector<double>& x) const;
-  /// The inverse.
-  [[nodiscard]] Columns3 scattered(const std::vector<double>& x) const;
-
-  /// Solves L S L^T z = b for three right-hand sides. `x` is n x 4, row by row in the order of elimination, b before
-  /// and z afterwards; the fourth number of each row is not used. The same bits for any number of threads. O(nonzeros).
-  void solve(std::vector<double>& x) const;
-  /// Its halves: L y = b, and S L^T z = y.
+  /// L y = b and then S L^T z = y solve L S L^T z = b for three right-hand sides. `x` is n x 4, row by row in the order
+  /// of elimination; the fourth number of each row is not used. The same bits for any number of threads. O(nonzeros).
   void solveForward(std::vector<double>& x) const;
   void solveBackward(std::vector<double>& x) const;
 
@@ -81,6 +60,7 @@ class PackedFactor {
   std::vector<int> negative_;
   std::size_t size_ = 0;
   LargeArray numbers_;
+  TopSolve top_;
 };
 
 }  // namespace holdfast

@@ -7,72 +7,13 @@
 #include <set>
 #include <utility>
 
+#include <holdfast/ordering/supernodes.h>
+
 namespace holdfast {
 namespace {
 
 // So many ranges keep so many threads busy. It is fixed: the order of sums must not depend on the machine.
 constexpr int kRanges = 8;
-
-/// A supernode while supernodes are still merged.
-struct Draft {
-  std::vector<int> columns;  // in the order that the tree was made in
-  std::int64_t rowCount = 0;
-  std::int64_t zeros = 0;  // stored entries that are none of L
-  std::vector<int> children;
-};
-
-/// Columns that have the same rows below them, one after the other on a path of the tree. Children come before parents.
-std::vector<Draft> fundamentalSupernodes(const std::vector<int>& parent, const std::vector<int>& post,
-                                         const std::vector<int>& count)
-{
-  std::vector<Draft> drafts;
-  std::vector<int> draftOf(parent.size());
-  for (std::size_t k = 0; k < post.size(); ++k) {
-    const int column = post[k];
-    const bool continues = k > 0 && parent[post[k - 1]] == column && count[post[k - 1]] == count[column] + 1;
-    if (!continues) drafts.emplace_back();
-    drafts.back().columns.push_back(column);
-    drafts.back().rowCount = count[column] - 1;
-    draftOf[column] = static_cast<int>(drafts.size()) - 1;
-  }
-  for (std::size_t s = 0; s < drafts.size(); ++s)
-    if (const int up = parent[drafts[s].columns.back()]; up != kNoParent)
-      drafts[draftOf[up]].children.push_back(static_cast<int>(s));
-  return drafts;
-}
-
-/// Narrow supernodes cost more to call than to compute: they may store many zeros, wide ones few.
-bool mayStore(std::int64_t zeros, std::int64_t width, std::int64_t rowCount)
-{
-  if (width <= 4) return true;
-  const std::int64_t entries = width * (width + 1) / 2 + width * rowCount;
-  const double share = static_cast<double>(zeros) / static_cast<double>(entries);
-  return share < (width <= 16 ? 0.5 : width <= 48 ? 0.1 : 0.05);
-}
-
-/// Merges children into their parents where that stores few zeros. Those that went have no columns left.
-void mergeSupernodes(std::vector<Draft>& drafts)
-{
-  for (Draft& node : drafts) {
-    std::vector<int> children = std::exchange(node.children, {});
-    std::stable_sort(children.begin(), children.end(),
-                     [&](int a, int b) { return drafts[a].rowCount > drafts[b].rowCount; });
-    for (const int c : children) {
-      Draft& child = drafts[c];
-      const auto width = static_cast<std::int64_t>(node.columns.size());
-      const auto childWidth = static_cast<std::int64_t>(child.columns.size());
-      const std::int64_t zeros = node.zeros + child.zeros + childWidth * (width + node.rowCount - child.rowCount);
-      if (!mayStore(zeros, width + childWidth, node.rowCount)) {
-        node.children.push_back(c);
-        continue;
-      }
-      node.zeros = zeros;
-      node.columns.insert(node.columns.begin(), child.columns.begin(), child.columns.end());
-      node.children.insert(node.children.end(), child.children.begin(), child.children.end());
-      child = {};
-    }
-  }
-}
 
 /// Supernodes in the order of elimination, by ranges.
 struct Layout {
@@ -82,12 +23,12 @@ struct Layout {
 };
 
 /// The work of the subtree of each.
-std::vector<double> subtreeWork(const std::vector<Draft>& drafts)
+std::vector<double> subtreeWork(const std::vector<SupernodeDraft>& drafts)
 {
   constexpr double kCall = 2000;  // flops that a supernode costs beside its own
   std::vector<double> work(drafts.size(), 0);
   for (std::size_t s = 0; s < drafts.size(); ++s) {
-    const Draft& draft = drafts[s];
+    const SupernodeDraft& draft = drafts[s];
     if (draft.columns.empty()) continue;
     work[s] = kCall + flopsOf(static_cast<double>(draft.columns.size()), static_cast<double>(draft.rowCount));
     for (const int child : draft.children) work[s] += work[child];
@@ -95,10 +36,10 @@ std::vector<double> subtreeWork(const std::vector<Draft>& drafts)
   return work;
 }
 
-std::vector<int> rootsOf(const std::vector<Draft>& drafts)
+std::vector<int> rootsOf(const std::vector<SupernodeDraft>& drafts)
 {
   std::vector<bool> isChild(drafts.size(), false);
-  for (const Draft& draft : drafts)
+  for (const SupernodeDraft& draft : drafts)
     for (const int child : draft.children) isChild[child] = true;
   std::vector<int> roots;
   for (std::size_t s = 0; s < drafts.size(); ++s)
@@ -107,7 +48,7 @@ std::vector<int> rootsOf(const std::vector<Draft>& drafts)
 }
 
 /// The subtree of `root`, children before parents.
-void appendSubtree(const std::vector<Draft>& drafts, int root, std::vector<int>& result)
+void appendSubtree(const std::vector<SupernodeDraft>& drafts, int root, std::vector<int>& result)
 {
   const auto begin = static_cast<std::ptrdiff_t>(result.size());
   std::vector<int> open{root};
@@ -122,7 +63,7 @@ void appendSubtree(const std::vector<Draft>& drafts, int root, std::vector<int>&
 
 /// Takes the heaviest subtrees apart until none is heavier than the share of a range, and deals them out to ranges, the
 /// heaviest first, each to the lightest range.
-Layout layOut(const std::vector<Draft>& drafts)
+Layout layOut(const std::vector<SupernodeDraft>& drafts)
 {
   const std::vector<double> work = subtreeWork(drafts);
   std::priority_queue<std::pair<double, int>> subtrees;
@@ -243,8 +184,7 @@ SymbolicFactor analyze(SparseMatrix& lower, const std::vector<int>& order)
   if (!std::ranges::is_sorted(order)) lower = inOrder(lower, order);
   const std::vector<int> parent = eliminationTree(lower);
   const std::vector<int> post = postorder(parent);
-  std::vector<Draft> drafts = fundamentalSupernodes(parent, post, columnCounts(lower, parent, post));
-  mergeSupernodes(drafts);
+  const std::vector<SupernodeDraft> drafts = supernodesOf(parent, post, columnCounts(lower, parent, post));
   const Layout layout = layOut(drafts);
 
   SymbolicFactor factor;

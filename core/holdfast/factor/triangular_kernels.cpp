@@ -1,6 +1,8 @@
 #include "holdfast/factor/triangular_kernels.h"
 
 #include <cstring>
+#include <type_traits>
+#include <utility>
 
 namespace holdfast {
 namespace {
@@ -21,12 +23,7 @@ HOLDFAST_INLINE void store(const Quad& quad, double* to)
   std::memcpy(to, &quad, sizeof(Quad));
 }
 
-/// The numbers that are asked for next lie far ahead: the hardware does not see where a chunk ends.
-HOLDFAST_INLINE void prefetch(const double* numbers)
-{
-  __builtin_prefetch(numbers);
-}
-
+// The numbers that are asked for next lie far ahead: the hardware does not see where a chunk ends.
 constexpr std::ptrdiff_t kAhead = 256;  // numbers
 constexpr std::ptrdiff_t kLine = 8;
 
@@ -38,8 +35,8 @@ HOLDFAST_INLINE void reduceRows(const double* L, const int* rows, int count, con
   for (; r + 1 < count; r += 2, L += 2 * W) {
     double* const first = x + 4 * static_cast<std::ptrdiff_t>(rows[r] - begin);
     double* const second = x + 4 * static_cast<std::ptrdiff_t>(rows[r + 1] - begin);
-    prefetch(L + kAhead);
-    prefetch(L + kAhead + kLine);
+    __builtin_prefetch(L + kAhead);
+    __builtin_prefetch(L + kAhead + kLine);
     Quad a;
     Quad b;
     load(a, first);
@@ -80,8 +77,8 @@ HOLDFAST_INLINE void gatherRows(const double* L, const int* rows, int count, Qua
     Quad b;
     load(a, x + 4 * static_cast<std::ptrdiff_t>(rows[r - 2]));
     load(b, x + 4 * static_cast<std::ptrdiff_t>(rows[r - 1]));
-    prefetch(L - kAhead);
-    prefetch(L - kAhead - kLine);
+    __builtin_prefetch(L - kAhead);
+    __builtin_prefetch(L - kAhead - kLine);
     for (int j = 0; j < W; ++j) {
       y[j] -= L[j] * a;
       y2[j] -= L[W + j] * b;
@@ -99,18 +96,19 @@ struct Forward {
   static HOLDFAST_INLINE void solve(const FactorChunk& chunk, const SolveView& view)
   {
     double* const own = view.x + 4 * static_cast<std::ptrdiff_t>(chunk.firstColumn);
-    const double* const triangle = view.numbers + chunk.offset;
+    const double* L = view.numbers + chunk.offset;
     Quad y[W];
-    for (int i = 0; i < W; ++i) {
-      load(y[i], own + 4 * i);
-      for (int j = 0; j < i; ++j) y[i] -= triangle[i * W + j] * y[j];
-      y[i] *= triangle[i * W + i];
-      store(y[i], own + 4 * i);
+    for (int i = 0; i < W; ++i) load(y[i], own + 4 * i);
+    if (chunk.hasTriangle) {
+      for (int i = 0; i < W; ++i, L += W) {
+        for (int j = 0; j < i; ++j) y[i] -= L[j] * y[j];
+        y[i] *= L[i];
+        store(y[i], own + 4 * i);
+      }
     }
-    const double* const below = triangle + W * W;
     const int* const rows = view.rows + chunk.firstRow;
-    reduceRows<W>(below, rows, chunk.lowRows, y, view.x);
-    reduceRows<W>(below + static_cast<std::ptrdiff_t>(chunk.lowRows) * W, rows + chunk.lowRows,
+    reduceRows<W>(L, rows, chunk.lowRows, y, view.x);
+    reduceRows<W>(L + static_cast<std::ptrdiff_t>(chunk.lowRows) * W, rows + chunk.lowRows,
                   chunk.rowCount - chunk.lowRows, y, view.top, view.topColumn);
   }
 };
@@ -123,60 +121,42 @@ struct Backward {
     const double* const triangle = view.numbers + chunk.offset;
     Quad y[W];
     for (int i = 0; i < W; ++i) load(y[i], own + 4 * i);
-    gatherRows<W>(triangle + W * W, view.rows + chunk.firstRow, chunk.rowCount, y, view.x);
+    gatherRows<W>(triangle + (chunk.hasTriangle ? W * W : 0), view.rows + chunk.firstRow, chunk.rowCount, y, view.x);
     for (int i = W - 1; i >= 0; --i) {
-      y[i] *= triangle[i * W + i];
-      for (int j = 0; j < i; ++j) y[j] -= triangle[i * W + j] * y[i];
+      if (chunk.hasTriangle) {
+        y[i] *= triangle[i * W + i];
+        for (int j = 0; j < i; ++j) y[j] -= triangle[i * W + j] * y[i];
+      }
       store(y[i], own + 4 * i);
     }
   }
 };
 
+/// Most chunks are as wide as they may be: that width is tried first.
+template <class Direction, int... Less>
+HOLDFAST_INLINE void solveChunk(const FactorChunk& chunk, const SolveView& view,
+                                std::integer_sequence<int, Less...> /*less*/)
+{
+  static_cast<void>(
+      ((chunk.width == kChunkWidth - Less && (Direction::template solve<kChunkWidth - Less>(chunk, view), true)) ||
+       ...));
+}
+
 template <class Direction>
-HOLDFAST_INLINE void solveChunk(const FactorChunk& chunk, const SolveView& view)
+HOLDFAST_INLINE void solveAll(std::span<const FactorChunk> chunks, const SolveView& view)
 {
-  static_assert(kChunkWidth == 8);
-  switch (chunk.width) {
-    case 1:
-      return Direction::template solve<1>(chunk, view);
-    case 2:
-      return Direction::template solve<2>(chunk, view);
-    case 3:
-      return Direction::template solve<3>(chunk, view);
-    case 4:
-      return Direction::template solve<4>(chunk, view);
-    case 5:
-      return Direction::template solve<5>(chunk, view);
-    case 6:
-      return Direction::template solve<6>(chunk, view);
-    case 7:
-      return Direction::template solve<7>(chunk, view);
-    default:
-      return Direction::template solve<8>(chunk, view);
-  }
-}
-
-HOLDFAST_INLINE void forwardAll(std::span<const FactorChunk> chunks, const SolveView& view)
-{
-  for (const FactorChunk& chunk : chunks) solveChunk<Forward>(chunk, view);
-}
-
-HOLDFAST_INLINE void backwardAll(std::span<const FactorChunk> chunks, const SolveView& view)
-{
-  for (std::size_t k = chunks.size(); k-- > 0;) solveChunk<Backward>(chunks[k], view);
+  constexpr std::make_integer_sequence<int, kChunkWidth> widths;
+  if constexpr (std::is_same_v<Direction, Forward>)
+    for (const FactorChunk& chunk : chunks) solveChunk<Direction>(chunk, view, widths);
+  else
+    for (std::size_t k = chunks.size(); k-- > 0;) solveChunk<Direction>(chunks[k], view, widths);
 }
 
 #if defined(__x86_64__)
-#define HOLDFAST_AVX2 __attribute__((target("avx2,fma")))
-
-HOLDFAST_AVX2 void forwardAvx2(std::span<const FactorChunk> chunks, const SolveView& view)
+template <class Direction>
+__attribute__((target("avx2,fma"))) void solveAvx2(std::span<const FactorChunk> chunks, const SolveView& view)
 {
-  forwardAll(chunks, view);
-}
-
-HOLDFAST_AVX2 void backwardAvx2(std::span<const FactorChunk> chunks, const SolveView& view)
-{
-  backwardAll(chunks, view);
+  solveAll<Direction>(chunks, view);
 }
 
 bool hasAvx2()
@@ -186,22 +166,25 @@ bool hasAvx2()
 }
 #endif
 
+template <class Direction>
+void solve(std::span<const FactorChunk> chunks, const SolveView& view)
+{
+#if defined(__x86_64__)
+  if (hasAvx2()) return solveAvx2<Direction>(chunks, view);
+#endif
+  solveAll<Direction>(chunks, view);
+}
+
 }  // namespace
 
 void solveForward(std::span<const FactorChunk> chunks, const SolveView& view)
 {
-#if defined(__x86_64__)
-  if (hasAvx2()) return forwardAvx2(chunks, view);
-#endif
-  forwardAll(chunks, view);
+  solve<Forward>(chunks, view);
 }
 
 void solveBackward(std::span<const FactorChunk> chunks, const SolveView& view)
 {
-#if defined(__x86_64__)
-  if (hasAvx2()) return backwardAvx2(chunks, view);
-#endif
-  backwardAll(chunks, view);
+  solve<Backward>(chunks, view);
 }
 
 }  // namespace holdfast

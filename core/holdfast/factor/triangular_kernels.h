@@ -1,11 +1,26 @@
 #pragma once
 /// The inner loops of triangular solves.
 
+#include <cstddef>
+#include <cstdint>
 #include <span>
 
-#include <holdfast/factor/packed_factor.h>
-
 namespace holdfast {
+
+/// So many columns at most are one chunk: what they need of the solution stays in registers.
+inline constexpr int kChunkWidth = 8;
+
+/// Neighbouring columns of one supernode. In memory: the triangle, by rows, `width` x `width`, with reciprocals on its
+/// diagonal; then the rows below, `width` numbers each.
+struct FactorChunk {
+  std::size_t offset = 0;
+  int firstColumn = 0;
+  int width = 0;
+  std::int64_t firstRow = 0;  ///< in `SymbolicFactor::rows`
+  int lowRows = 0;            ///< rows before the top of the tree
+  int rowCount = 0;           ///< all rows
+  bool hasTriangle = true;    ///< else its columns are solved with rows below alone
+};
 
 /// What chunks are solved on. Rows are four numbers each.
 struct SolveView {

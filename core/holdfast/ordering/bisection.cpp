@@ -11,8 +11,11 @@ namespace holdfast {
 namespace {
 
 // Found on generated and scanned meshes: more of each leaves the factor no smaller.
-constexpr int kCoarsest = 40;  // vertices of the coarsest graph
-constexpr int kTrials = 3;     // parts that grow there, of which the best counts
+constexpr int kCoarsest = 40;     // vertices of the coarsest graph
+constexpr int kTrials = 3;        // of which the best counts: of parts that grow there, and of ways down and up again
+constexpr int kLarge = 3000;      // vertices of graphs that are worth such ways ...
+constexpr int kMostTried = 3000;  // ... from a coarser graph, of so many vertices at most
+constexpr int kTriedShare = 16;   // and of a sixteenth of them
 constexpr int kPasses = 8;
 constexpr int kPatience = 60;  // moves of a pass that find nothing better, one after the other
 
@@ -165,17 +168,13 @@ Bisection grown(const Graph& graph, RandomNumbers& random)
   return parts;
 }
 
-Bisection bisectCoarsest(const Graph& graph, RandomNumbers& random)
+/// The best of so many that `make()` makes.
+template <class Make>
+Bisection bestOf(int trials, const Make& make)
 {
-  Bisection best;
-  double least = std::numeric_limits<double>::infinity();
-  for (int trial = 0; trial < kTrials; ++trial) {
-    Bisection parts = grown(graph, random);
-    Refinement(graph, parts).run();
-    if (cost(parts) >= least) continue;
-    least = cost(parts);
-    best = std::move(parts);
-  }
+  Bisection best = make();
+  for (int trial = 1; trial < trials; ++trial)
+    if (Bisection parts = make(); cost(parts) < cost(best)) best = std::move(parts);
   return best;
 }
 
@@ -192,6 +191,22 @@ Bisection refined(const Graph& graph, const CoarserGraph& coarser, const Bisecti
                         [&](int u, int weight) { parts.external[v] += parts.side[u] != parts.side[v] ? weight : 0; });
   Refinement(graph, parts).run();
   return parts;
+}
+
+/// Graphs of up to `tried` vertices are worth more than one trial.
+Bisection multilevel(const Graph& graph, int mostWeight, int tried, RandomNumbers& random)
+{
+  if (graph.size() <= tried) return bestOf(kTrials, [&] { return multilevel(graph, mostWeight, 0, random); });
+  if (graph.size() > kCoarsest) {
+    const CoarserGraph coarser = coarsened(graph, mostWeight, random);
+    if (20 * coarser.graph.size() <= 19 * graph.size())  // else hardly any vertex has found another
+      return refined(graph, coarser, multilevel(coarser.graph, mostWeight, tried, random));
+  }
+  return bestOf(kTrials, [&] {
+    Bisection parts = grown(graph, random);
+    Refinement(graph, parts).run();
+    return parts;
+  });
 }
 
 }  // namespace
@@ -212,17 +227,8 @@ Bisection bisect(const Graph& graph)
   RandomNumbers random(2);
   const std::int64_t total = std::accumulate(graph.weight.begin(), graph.weight.end(), std::int64_t{0});
   const int mostWeight = static_cast<int>(1 + 3 * total / (2 * kCoarsest));
-  std::vector<CoarserGraph> levels;
-  const auto last = [&]() -> const Graph& { return levels.empty() ? graph : levels.back().graph; };
-  while (last().size() > kCoarsest) {
-    const int size = last().size();
-    levels.push_back(coarsened(last(), mostWeight, random));
-    if (20 * levels.back().graph.size() > 19 * size) break;  // hardly any vertex finds another
-  }
-  Bisection parts = bisectCoarsest(last(), random);
-  for (; !levels.empty(); levels.pop_back())
-    parts = refined(levels.size() == 1 ? graph : levels[levels.size() - 2].graph, levels.back(), parts);
-  return parts;
+  const int tried = graph.size() < kLarge ? 0 : std::min(kMostTried, graph.size() / kTriedShare);
+  return multilevel(graph, mostWeight, tried, random);
 }
 
 }  // namespace holdfast

@@ -51,11 +51,12 @@ SparseMatrix inOrder(const SparseMatrix& lower, const std::vector<int>& order)
 {
   std::vector<int> place(order.size());
   for (std::size_t k = 0; k < order.size(); ++k) place[order[k]] = static_cast<int>(k);
-  return sparseMatrix(lower.rows(), lower.cols(), [&](const auto& add) {
-    for (const int column : order)
-      for (SparseMatrix::InnerIterator entry(lower, column); entry; ++entry) {
-        const auto [first, second] = std::minmax(place[column], place[entry.row()]);
-        add(second, first, entry.value());
+  const Index parts = threadCount();
+  return sparseMatrix<SparseMatrix>(lower.rows(), lower.cols(), parts, [&](Index part, const auto& add) {
+    for (Index k = part * lower.cols() / parts; k < (part + 1) * lower.cols() / parts; ++k)
+      for (SparseMatrix::InnerIterator entry(lower, order[k]); entry; ++entry) {
+        const Index other = place[entry.row()];
+        add(std::max(k, other), std::min(k, other), entry.value());
       }
   });
 }

@@ -118,7 +118,7 @@ RotationSystem energyRows(const std::vector<EdgeWeight>& weights, const Rotation
     if (unknowns.columnOf[j] < 0)
       system.pulls.push_back({row, root, unknowns.givenOf[j], unknowns.referenceOf[column]});
   });
-  system.C = sparseMatrix(rows, unknowns.columnCount(), [&](const auto& add) {
+  system.C = sparseMatrix<SparseMatrix>(rows, unknowns.columnCount(), 1, [&](Index /*part*/, const auto& add) {
     forEachRow([&](Index row, Index column, Index j, double root) {
       add(row, column, root);
       if (unknowns.columnOf[j] >= 0) add(row, unknowns.columnOf[j], -root);

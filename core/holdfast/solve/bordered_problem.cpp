@@ -7,6 +7,7 @@
 #include <Eigen/LU>
 
 #include <holdfast/solve/column_scaling.h>
+#include <holdfast/solve/interleaved_rows.h>
 
 namespace holdfast {
 namespace {
@@ -167,9 +168,12 @@ class BorderedFactor final : public LeastSquaresFactor {
         unknowns_(base_->scale.size()),
         released_(border.AP.cols()),
         added_(border.K.rows()),
+        rows_(base_->factor->packed()->symbolic().order),
         V_(base_->factor->packed()->solveForward(couplings(*base_, border))),
         SV_(V_)
   {
+    for (int& row : rows_)
+      if (row >= unknowns_) row += static_cast<int>(released_);
     for (Index column = 0; column < SV_.cols(); ++column)
       for (SparseMatrix::InnerIterator entry(SV_, column); entry; ++entry)
         if (std::ranges::binary_search(base_->factor->packed()->negative(), static_cast<int>(entry.row())))
@@ -188,11 +192,9 @@ class BorderedFactor final : public LeastSquaresFactor {
   [[nodiscard]] Columns3 solve(const Columns3& g) const override
   {
     const PackedFactor& factor = *base_->factor->packed();
-    Columns3 own(V_.rows(), 3);
-    own << g.topRows(unknowns_), g.middleRows(unknowns_ + released_, base_->kept);
     Columns3 ofBorder(V_.cols(), 3);
     ofBorder << g.middleRows(unknowns_, released_), g.bottomRows(added_);
-    factor.gather(own, x_);
+    gather(rows_, g, x_);
     factor.solveForward(x_);
     auto forward =
         Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>>(x_.data(), V_.rows(), 4).leftCols<3>();
@@ -201,11 +203,11 @@ class BorderedFactor final : public LeastSquaresFactor {
         schur_.solve(Eigen::MatrixX3d(weights_.asDiagonal() * Columns3(ofBorder - SV_.transpose() * forward)));
     forward -= V_ * s;
     factor.solveBackward(x_);
-    own = factor.scattered(x_);
     Columns3 result(g.rows(), 3);
+    scatter(rows_, x_, result);
+    result.middleRows(unknowns_, released_) = s.topRows(released_);
     // C^T C has the squares of kept rows in it; those added are not in the factor.
-    result << own.topRows(unknowns_), s.topRows(released_), own.bottomRows(base_->kept),
-        s.bottomRows(added_) - g.bottomRows(added_);
+    result.bottomRows(added_) = s.bottomRows(added_) - g.bottomRows(added_);
     return result;
   }
 
@@ -220,8 +222,9 @@ class BorderedFactor final : public LeastSquaresFactor {
   Index unknowns_;
   Index released_;
   Index added_;
-  SparseMatrix V_;   // L^-1 W
-  SparseMatrix SV_;  // S V, S with the signs of the factor
+  std::vector<int> rows_;  // of right sides and solutions: those of `base_`, in its order of elimination
+  SparseMatrix V_;         // L^-1 W
+  SparseMatrix SV_;        // S V, S with the signs of the factor
   Eigen::VectorXd weights_;
   Eigen::PartialPivLU<Eigen::MatrixXd> schur_;
   mutable std::vector<double> x_;  // memory that every solution uses again

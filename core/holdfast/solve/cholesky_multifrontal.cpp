@@ -6,6 +6,7 @@
 #include <holdfast/factor/multifrontal.h>
 #include <holdfast/factor/multipliers.h>
 #include <holdfast/ordering/minimum_degree.h>
+#include <holdfast/solve/interleaved_rows.h>
 #include <holdfast/solve/least_squares_factor.h>
 
 namespace holdfast {
@@ -17,9 +18,13 @@ class CholeskyMultifrontal final : public LeastSquaresFactor {
 
   [[nodiscard]] Columns3 solve(const Columns3& g) const override
   {
-    factor_->gather(g, x_);
-    factor_->solve(x_);
-    return factor_->scattered(x_);
+    const std::vector<int>& order = factor_->symbolic().order;
+    gather(order, g, x_);
+    factor_->solveForward(x_);
+    factor_->solveBackward(x_);
+    Columns3 z(g.rows(), 3);
+    scatter(order, x_, z);
+    return z;
   }
 
   [[nodiscard]] const PackedFactor* packed() const override { return factor_.get(); }

@@ -45,9 +45,9 @@ Columns3 solved(const LeastSquaresFactor& factor, const LinearMap& C, Columns3 l
   if (kept == 0) return factor.solve(C.transposeTimes(left));
   const Columns3 ofKept = left.bottomRows(kept);
   left.bottomRows(kept) -= multipliers;
-  const Columns3 ofUnknowns = C.transposeTimes(left);
-  Columns3 g(ofUnknowns.rows() + kept, 3);
-  g << ofUnknowns, ofKept;
+  Columns3 g = C.transposeTimes(left);
+  g.conservativeResize(g.rows() + kept, 3);
+  g.bottomRows(kept) = ofKept;
   return factor.solve(g);
 }
 

@@ -60,5 +60,34 @@ TEST(ParallelFor, WorksOnThreadsThatComeAndGo)
   EXPECT_EQ(sum, 50 * 28);
 }
 
+TEST(LeadSteps, LeadsAfterAllPartsOfTheStepBeforeAndSharesEachPartOnce)
+{
+  constexpr Index kSteps = 300;
+  const auto partCount = [](Index step) { return step % 7; };
+  std::vector<int> led;
+  std::vector<std::atomic<int>> taken(7 * kSteps);
+  std::atomic<Index> shared = 0;
+  Index expected = 0;
+  std::atomic<bool> isInOrder = true;
+  const std::thread::id caller = std::this_thread::get_id();
+  leadSteps(
+      kSteps,
+      [&](Index step) {
+        if (shared != expected || std::this_thread::get_id() != caller) isInOrder = false;
+        expected += partCount(step);
+        led.push_back(static_cast<int>(step));
+      },
+      partCount,
+      [&](Index step, Index part) {
+        if (led.back() != step) isInOrder = false;
+        ++taken[7 * step + part];
+        ++shared;
+      });
+  EXPECT_TRUE(isInOrder);
+  EXPECT_EQ(led.size(), kSteps);
+  for (Index step = 0; step < kSteps; ++step)
+    for (Index part = 0; part < 7; ++part) EXPECT_EQ(taken[7 * step + part], part < partCount(step) ? 1 : 0);
+}
+
 }  // namespace
 }  // namespace holdfast

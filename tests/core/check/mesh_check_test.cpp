@@ -115,6 +115,17 @@ TEST(CheckMesh, NamesNeedlesBelowOneDegree)
   EXPECT_EQ(findingsOf(sliver(0.0176)).count("needle_faces"), 0U);
 }
 
+TEST(CheckMesh, NamesNeedlesOfAnySizeAndShape)
+{
+  constexpr double kHalfDegree = 0.0087;
+  for (const double size : {1e-170, 1e-60, 1.0, 1e60, 1e140}) {
+    const Mesh flat = test::triangle({0, 0, 0}, {2 * size, 0, 0}, {size, kHalfDegree * size, 0});
+    EXPECT_THAT(findingsOf(flat)["needle_faces"], ElementsAre(0)) << size;
+    const Mesh wide = test::triangle({0, 0, 0}, {2 * size, 0, 0}, {size, 0.04 * size, 0});
+    EXPECT_EQ(findingsOf(wide).count("needle_faces"), 0U) << size;
+  }
+}
+
 TEST(CheckMesh, NamesFacesAtEdgesOfMoreThanTwo)
 {
   Mesh mesh = test::withVertex(test::grid(1, 1), {0.5, 0.5, 1});

@@ -97,7 +97,8 @@ inline Columns3 solved(const PackedFactor& factor, const Columns3& b)
   std::vector<double> x(4 * order.size());
   for (std::size_t k = 0; k < order.size(); ++k)
     for (int c = 0; c < 3; ++c) x[4 * k + static_cast<std::size_t>(c)] = b(order[k], c);
-  factor.solve(x);
+  factor.solveForward(x);
+  factor.solveBackward(x);
   Columns3 z(b.rows(), 3);
   for (std::size_t k = 0; k < order.size(); ++k)
     for (int c = 0; c < 3; ++c) z(order[k], c) = x[4 * k + static_cast<std::size_t>(c)];
