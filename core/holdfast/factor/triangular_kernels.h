@@ -19,7 +19,7 @@ struct FactorChunk {
   std::int64_t firstRow = 0;  ///< in `SymbolicFactor::rows`
   int lowRows = 0;            ///< rows before the top of the tree
   int rowCount = 0;           ///< all rows
-  bool hasTriangle = true;    ///< else its columns are solved with rows below alone
+  bool hasTriangle = true;    ///< else numbers begin with the rows: solves take columns off these, or these off columns
 };
 
 /// What chunks are solved on. Rows are four numbers each.
