@@ -16,6 +16,7 @@ class TopSolve {
   /// The chunks of the top, in the order of elimination.
   explicit TopSolve(std::span<const FactorChunk> chunks);
 
+  /// L y = b and L^T z = y in these columns, and in those alone; `view` is of all rows. O(their numbers).
   void forward(const SolveView& view) const;
   void backward(const SolveView& view) const;
 

@@ -12,10 +12,10 @@ namespace {
 
 // Found on generated and scanned meshes: more of each leaves the factor no smaller.
 constexpr int kCoarsest = 40;     // vertices of the coarsest graph
-constexpr int kTrials = 3;        // of which the best counts: of parts that grow there, and of ways down and up again
-constexpr int kLarge = 3000;      // vertices of graphs that are worth such ways ...
-constexpr int kMostTried = 3000;  // ... from a coarser graph, of so many vertices at most
-constexpr int kTriedShare = 16;   // and of a sixteenth of them
+constexpr int kTrials = 3;        // of which the best counts
+constexpr int kLarge = 3000;      // a graph of so many vertices is bisected by trials from a coarser one on, ...
+constexpr int kTriedShare = 16;   // ... which has this part of its vertices, ...
+constexpr int kMostTried = 3000;  // ... and so many at most
 constexpr int kPasses = 8;
 constexpr int kPatience = 60;  // moves of a pass that find nothing better, one after the other
 
@@ -168,12 +168,12 @@ Bisection grown(const Graph& graph, RandomNumbers& random)
   return parts;
 }
 
-/// The best of so many that `make()` makes.
+/// The best of `kTrials` that `make()` makes.
 template <class Make>
-Bisection bestOf(int trials, const Make& make)
+Bisection bestOf(const Make& make)
 {
   Bisection best = make();
-  for (int trial = 1; trial < trials; ++trial)
+  for (int trial = 1; trial < kTrials; ++trial)
     if (Bisection parts = make(); cost(parts) < cost(best)) best = std::move(parts);
   return best;
 }
@@ -193,16 +193,17 @@ Bisection refined(const Graph& graph, const CoarserGraph& coarser, const Bisecti
   return parts;
 }
 
-/// Graphs of up to `tried` vertices are worth more than one trial.
+/// Bisects a coarser graph and refines its parts. From the first graph with up to `tried` vertices on, the best of
+/// several trials counts.
 Bisection multilevel(const Graph& graph, int mostWeight, int tried, RandomNumbers& random)
 {
-  if (graph.size() <= tried) return bestOf(kTrials, [&] { return multilevel(graph, mostWeight, 0, random); });
+  if (graph.size() <= tried) return bestOf([&] { return multilevel(graph, mostWeight, 0, random); });
   if (graph.size() > kCoarsest) {
     const CoarserGraph coarser = coarsened(graph, mostWeight, random);
     if (20 * coarser.graph.size() <= 19 * graph.size())  // else hardly any vertex has found another
       return refined(graph, coarser, multilevel(coarser.graph, mostWeight, tried, random));
   }
-  return bestOf(kTrials, [&] {
+  return bestOf([&] {
     Bisection parts = grown(graph, random);
     Refinement(graph, parts).run();
     return parts;

@@ -14,7 +14,8 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 const double kLastCorrection = std::sqrt(kEpsilon);
 // What another correction would take off is less than this share of the accuracy that is reached.
 constexpr double kNegligible = 1.0 / 64;
-// The first correction is one sample of what normal equations lose, and errors were up to 2.3 times what it tells.
+// The size of the first correction estimates the error that the normal equations cause. Measured errors were up to 2.3
+// times as large as the estimate that follows from it.
 constexpr double kSampleFactor = 2.5;
 // A correction larger than this share of the one before has met rounding, or a factor that does not contract.
 constexpr double kStalled = 0.5;
