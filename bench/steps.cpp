@@ -41,7 +41,7 @@ SparseMatrix normalEquations(const Model& model, const ConstraintList& constrain
 {
   const SetUp made = setUp(model, constraints);
   const EliminatedConstraints eliminated = eliminate(made.system, model.solverMesh);
-  return gramLower(scaleColumns(product(*made.A, orderedColumns(eliminated.elimination.Q2(), made.ranks))).value.C);
+  return scaleColumns(product(*made.A, orderedColumns(eliminated.elimination.Q2(), made.ranks))).value.C.gramLower();
 }
 
 }  // namespace holdfast::bench

@@ -50,18 +50,6 @@ class ColumnSum {
       add(static_cast<int>(shift + entry.index()), entry.value());
   }
 
-  /// The sum of the squares of the column; starts anew.
-  double takeSquares()
-  {
-    double squares = 0;
-    for (const int place : places_) {
-      squares += value_[place] * value_[place];
-      isNamed_[place] = 0;
-    }
-    places_.clear();
-    return squares;
-  }
-
   /// Appends the column to `entries`, places ascending, and starts anew. Returns how many entries it has.
   int moveTo(SparseEntries& entries)
   {
@@ -209,24 +197,23 @@ class TwoWayMatrix {
     return result;
   }
 
+  /// The matrix of the normal equations: the lower triangle of C^T C, each column with ascending rows. O(sum of squares
+  /// of the row lengths).
+  [[nodiscard]] SparseMatrix gramLower() const
+  {
+    const int* const column = rows_.innerIndexPtr();
+    return assembled<SparseMatrix>(rows_.cols(), rows_.cols(), [&](Index j, ColumnSum& sum) {
+      for (SparseMatrix::InnerIterator entry(columns_, j); entry; ++entry) {
+        const int first = rows_.outerIndexPtr()[entry.row()];
+        for (int k = rows_.outerIndexPtr()[entry.row() + 1] - 1; k >= first && column[k] >= j; --k)
+          sum.add(column[k], entry.value() * rows_.valuePtr()[k]);
+      }
+    });
+  }
+
  private:
   SparseMatrix columns_;
   SparseRows rows_;
 };
-
-/// The matrix of the normal equations: the lower triangle of C^T C, each column with ascending rows. O(sum of squares
-/// of the row lengths of C).
-[[nodiscard]] inline SparseMatrix gramLower(const TwoWayMatrix& C)
-{
-  const SparseRows& rows = C.rows();
-  const int* const column = rows.innerIndexPtr();
-  return assembled<SparseMatrix>(rows.cols(), rows.cols(), [&](Index j, ColumnSum& sum) {
-    for (SparseMatrix::InnerIterator entry(C.columns(), j); entry; ++entry) {
-      const int first = rows.outerIndexPtr()[entry.row()];
-      for (int k = rows.outerIndexPtr()[entry.row() + 1] - 1; k >= first && column[k] >= j; --k)
-        sum.add(column[k], entry.value() * rows.valuePtr()[k]);
-    }
-  });
-}
 
 }  // namespace holdfast

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include <holdfast/base/parallel.h>
 #include <holdfast/ordering/supernodes.h>
 
 namespace holdfast {
@@ -154,29 +155,43 @@ void complete(SymbolicFactor& factor, const SparseMatrix& lower)
     std::fill_n(supernodeOf.begin() + factor.supernodes[s].firstColumn, factor.supernodes[s].width,
                 static_cast<int>(s));
   factor.children.resize(factor.supernodes.size());
-  std::vector<int> seenBy(supernodeOf.size(), kNoParent);
-  for (std::size_t s = 0; s < factor.supernodes.size(); ++s) {
-    Supernode& node = factor.supernodes[s];
-    node.firstRow = static_cast<std::int64_t>(factor.rows.size());
-    for (int column = node.firstColumn; column < node.end(); ++column) factor.rows.push_back(column);
-    const auto add = [&](int row) {
-      if (row < node.end() || seenBy[row] == static_cast<int>(s)) return;
-      seenBy[row] = static_cast<int>(s);
-      factor.rows.push_back(row);
-    };
-    const int* const rows = lower.innerIndexPtr();
-    std::for_each(rows + lower.outerIndexPtr()[node.firstColumn], rows + lower.outerIndexPtr()[node.end()], add);
-    for (const int child : factor.children[s]) {
-      const Supernode& below = factor.supernodes[child];
-      for (std::int64_t k = below.firstRow + below.width; k < below.firstRow + below.height(); ++k) add(factor.rows[k]);
+  // `all` holds the rows of the children, too.
+  const auto addRange = [&](const SupernodeRange& range, std::vector<int>& all, std::vector<int>& seenBy) {
+    seenBy.resize(supernodeOf.size(), kNoParent);
+    for (int s = range.begin; s < range.end; ++s) {
+      Supernode& node = factor.supernodes[s];
+      node.firstRow = static_cast<std::int64_t>(all.size());
+      for (int column = node.firstColumn; column < node.end(); ++column) all.push_back(column);
+      const auto add = [&](int row) {
+        if (row >= node.end() && std::exchange(seenBy[row], s) != s) all.push_back(row);
+      };
+      const int* const rows = lower.innerIndexPtr();
+      std::for_each(rows + lower.outerIndexPtr()[node.firstColumn], rows + lower.outerIndexPtr()[node.end()], add);
+      for (const int child : factor.children[s]) {
+        const Supernode& below = factor.supernodes[child];
+        for (std::int64_t k = below.firstRow + below.width; k < below.firstRow + below.height(); ++k) add(all[k]);
+      }
+      const auto behind = all.begin() + node.firstRow + node.width;
+      std::sort(behind, all.end());
+      node.rowCount = static_cast<int>(all.end() - behind);
+      if (node.rowCount == 0) continue;
+      node.parent = supernodeOf[*behind];
+      if (node.parent < range.end) factor.children[node.parent].push_back(s);
     }
-    const auto behind = factor.rows.begin() + node.firstRow + node.width;
-    std::sort(behind, factor.rows.end());
-    node.rowCount = static_cast<int>(factor.rows.end() - behind);
-    if (node.rowCount == 0) continue;
-    node.parent = supernodeOf[*behind];
-    factor.children[node.parent].push_back(static_cast<int>(s));
+  };
+  std::vector<std::vector<int>> rows(factor.subtrees.size());
+  std::vector<std::vector<int>> seenBy(static_cast<std::size_t>(threadCount()));
+  parallelFor(static_cast<Index>(rows.size()),
+              [&](Index k, Index thread) { addRange(factor.subtrees[k], rows[k], seenBy[thread]); });
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    for (int s = factor.subtrees[k].begin; s < factor.subtrees[k].end; ++s) {
+      Supernode& node = factor.supernodes[s];
+      node.firstRow += static_cast<std::int64_t>(factor.rows.size());
+      if (node.parent >= factor.top.begin) factor.children[node.parent].push_back(s);
+    }
+    factor.rows.insert(factor.rows.end(), rows[k].begin(), rows[k].end());
   }
+  addRange(factor.top, factor.rows, seenBy.front());
 }
 
 SymbolicFactor analyze(SparseMatrix& lower, const std::vector<int>& order)

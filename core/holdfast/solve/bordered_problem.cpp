@@ -133,13 +133,10 @@ SparseRows stacked(const SparseRows& above, const SparseRows& below)
 Result<Eigen::VectorXd> columnScale(const EnergyMatrix& A, const SparseMatrix& Q2, const SparseRows& K)
 {
   Eigen::VectorXd squares(Q2.cols());
-  const Index parts = threadCount();
-  parallelFor(parts, [&](Index part) {
-    ColumnSum sum(A.rows());
-    for (Index k = part * Q2.cols() / parts; k < (part + 1) * Q2.cols() / parts; ++k) {
-      addProduct(sum, A, Q2, k);
-      squares[k] = sum.takeSquares();
-    }
+  const ReducedColumns columns(A, Q2);
+  parallelBlocks(squares.size(), [&](Index k) {
+    squares[k] = 0;
+    columns.forEachInColumn(k, [&](Index /*row*/, double value) { squares[k] += value * value; });
   });
   for (Index r = 0; r < K.rows(); ++r)
     for (SparseRows::InnerIterator entry(K, r); entry; ++entry) squares[entry.col()] += std::pow(entry.value(), 2);
@@ -245,7 +242,7 @@ Result<ReducedProblem> makeReducedProblem(std::shared_ptr<const EnergyMatrix> A,
   const Index kept = isKept ? K.rows() : 0;
   const auto C = std::make_shared<const ReducedMatrix>(
       std::move(A), std::make_shared<const TwoWayMatrix>(std::move(Q2)), SparseMatrix(), std::move(K));
-  FactorResult factor = kept == 0 ? factorize(*C, backend, probe, order) : factorizeKept(*C, kept, probe, order);
+  FactorResult factor = kept == 0 ? factorize(*C, backend, probe, order) : factorizeKept(*C, C->K(), probe, order);
   if (!factor) return {{}, std::move(factor.failure)};
   return {{C, std::move(scale), kept, std::move(factor.value)}};
 }

@@ -25,7 +25,7 @@ class CholeskyByEigen final : public LeastSquaresFactor {
 
 FactorResult choleskyByEigen(const LinearMap& C)
 {
-  const SparseMatrix lower = gramLower(*C.matrix());
+  const SparseMatrix lower = C.gramLower();
   auto factor = std::make_unique<CholeskyByEigen>(lower);
   if (factor->isRegular()) return {std::move(factor)};
   return {nullptr,

@@ -53,18 +53,15 @@ SparseMatrix withKeptRows(const SparseMatrix& lower, const std::vector<int>& ord
 
 }  // namespace
 
-FactorResult choleskyMultifrontal(const LinearMap& map, EliminationOrder wanted, Index kept)
+FactorResult choleskyMultifrontal(const LinearMap& C, EliminationOrder wanted, const SparseMatrix& kept)
 {
-  std::shared_ptr<const TwoWayMatrix> C = map.matrix();
-  SparseMatrix lower = gramLower(*C);
-  const SparseMatrix K = C->rows().bottomRows(kept);
-  C.reset();  // not to be kept beside the numbers of fronts
+  SparseMatrix lower = C.gramLower();
   std::vector<int> order(static_cast<std::size_t>(lower.cols()));
   std::iota(order.begin(), order.end(), 0);
   if (wanted == EliminationOrder::ToBeFound) order = minimumDegreeOrder(lower);
   SymbolicFactor structure = analyze(lower, order);
-  if (kept > 0) {
-    lower = withKeptRows(lower, structure.order, K);
+  if (kept.rows() > 0) {
+    lower = withKeptRows(lower, structure.order, kept);
     structure = withMultipliers(structure, lower);
   }
   const auto symbolic = std::make_shared<const SymbolicFactor>(std::move(structure));

@@ -99,7 +99,7 @@ class CholeskyBySuiteSparse final : public LeastSquaresFactor {
 FactorResult choleskyBySuiteSparse(const LinearMap& C)
 {
   auto factor = std::make_unique<CholeskyBySuiteSparse>();
-  SparseMatrix lower = gramLower(*C.matrix());
+  SparseMatrix lower = C.gramLower();
   if (std::string failure = factor->factorize(lower); !failure.empty()) return {nullptr, std::move(failure)};
   return {std::move(factor)};
 }

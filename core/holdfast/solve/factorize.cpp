@@ -45,11 +45,11 @@ bool isBuilt(Backend backend)
 #endif
 }
 
-FactorResult factorizeKept(const LinearMap& C, Index kept, const Columns3& probe, EliminationOrder order)
+FactorResult factorizeKept(const LinearMap& C, const SparseMatrix& kept, const Columns3& probe, EliminationOrder order)
 {
   FactorResult result = choleskyMultifrontal(C, order, kept);
   if (!result) return result;
-  const double left = contraction(*result.value, C, probe, kept);
+  const double left = contraction(*result.value, C, probe, kept.rows());
   if (left <= kGoodContraction) return result;
   return {nullptr,
           fmt::format("the equations with multipliers keep no digits (a correction leaves {:.1g} of an error)", left)};

@@ -45,9 +45,11 @@ enum class EliminationOrder {
 
 using FactorResult = Result<std::unique_ptr<const LeastSquaresFactor>>;
 
-/// Each takes C (m x k) with columns of unit length. Those of SuiteSparse are defined where that is built.
+/// Each takes C (m x k) with columns of unit length, of which `kept` are the last rows. Those of SuiteSparse are
+/// defined where that is built.
 [[nodiscard]] FactorResult choleskyMultifrontal(const LinearMap& C,
-                                                EliminationOrder order = EliminationOrder::ToBeFound, Index kept = 0);
+                                                EliminationOrder order = EliminationOrder::ToBeFound,
+                                                const SparseMatrix& kept = {});
 [[nodiscard]] FactorResult choleskyBySuiteSparse(const LinearMap& C);
 [[nodiscard]] FactorResult choleskyByEigen(const LinearMap& C);
 /// R of a sparse QR of C, Q not kept: R^T R z = C^T f (semi-normal equations; Björck, 1987).
@@ -59,7 +61,8 @@ using FactorResult = Result<std::unique_ptr<const LeastSquaresFactor>>;
 [[nodiscard]] FactorResult factorize(const LinearMap& C, Backend backend, const Columns3& probe,
                                      EliminationOrder order = EliminationOrder::ToBeFound);
 
-/// Our own factor of a problem with kept rows, if corrections reach the digits of a double with it.
-[[nodiscard]] FactorResult factorizeKept(const LinearMap& C, Index kept, const Columns3& probe, EliminationOrder order);
+/// Our own factor of a problem with the last rows `kept`, if corrections reach the digits of a double with it.
+[[nodiscard]] FactorResult factorizeKept(const LinearMap& C, const SparseMatrix& kept, const Columns3& probe,
+                                         EliminationOrder order);
 
 }  // namespace holdfast

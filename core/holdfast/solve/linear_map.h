@@ -9,11 +9,12 @@
 
 namespace holdfast {
 
-/// A view of a matrix, or of a product of matrices that is made where it is factorised alone.
+/// A view of a matrix, or of a product of matrices that is made where it is factorised by QR alone.
 struct LinearMap {
   std::function<Columns3(const Columns3& z)> times;                        ///< C z
   std::function<Columns3(const Columns3& f, const Columns3& z)> residual;  ///< f - C z
   std::function<Columns3(const Columns3& f)> transposeTimes;               ///< C^T f
+  std::function<SparseMatrix()> gramLower;                                 ///< the lower triangle of C^T C
   std::function<std::shared_ptr<const TwoWayMatrix>()> matrix;             ///< C
 
   /// `C` stays alive as long as this. It has these functions, or is a matrix.
@@ -22,6 +23,7 @@ struct LinearMap {
       : times([&C](const Columns3& z) { return C.times(z); }),
         residual([&C](const Columns3& f, const Columns3& z) { return C.residual(f, z); }),
         transposeTimes([&C](const Columns3& f) { return C.transposeTimes(f); }),
+        gramLower([&C] { return C.gramLower(); }),
         matrix([&C]() -> std::shared_ptr<const TwoWayMatrix> {
           if constexpr (std::is_same_v<Map, TwoWayMatrix>)
             return {std::shared_ptr<void>(), &C};

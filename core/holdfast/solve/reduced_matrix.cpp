@@ -3,6 +3,7 @@
 #include <cassert>
 
 #include <holdfast/base/parallel.h>
+#include <holdfast/base/term.h>
 
 namespace holdfast {
 
@@ -43,15 +44,47 @@ Columns3 ReducedMatrix::transposeTimes(const Columns3& f) const
   return result;
 }
 
+SparseMatrix ReducedMatrix::gramLower() const
+{
+  assert(P_.cols() == 0);
+  const SparseRows& rows = Q2_->rows();
+  const ReducedColumns columns(*A_, Q2_->columns());
+  const SparseMatrix ofK = K_;
+  // Most rows of Q2 have one entry, which is found without a search.
+  constexpr Term kOthers{-1, 0};
+  std::vector<Term> only(static_cast<std::size_t>(rows.rows()), kOthers);
+  parallelBlocks(rows.rows(), [&](Index i) {
+    const int first = rows.outerIndexPtr()[i];
+    if (rows.outerIndexPtr()[i + 1] - first == 1) only[i] = {rows.innerIndexPtr()[first], rows.valuePtr()[first]};
+  });
+  return assembled<SparseMatrix>(rows.cols(), rows.cols(), [&](Index j, ColumnSum& sum) {
+    const auto add = [&](Index k, double value) {
+      if (k >= j) sum.add(static_cast<int>(k), value);
+    };
+    const auto addRow = [&](const SparseRows& M, Index r, double value) {
+      for (SparseRows::InnerIterator entry(M, r); entry; ++entry) add(entry.col(), value * entry.value());
+    };
+    columns.forEachInColumn(j, [&](Index r, double value) {
+      A_->forEachInRow(r, [&](Index i, double weight) {
+        if (only[i] == kOthers)
+          addRow(rows, i, value * weight);
+        else
+          add(only[i].index, value * weight * only[i].coefficient);
+      });
+    });
+    for (SparseMatrix::InnerIterator entry(ofK, j); entry; ++entry) addRow(K_, entry.row(), entry.value());
+  });
+}
+
 std::shared_ptr<const TwoWayMatrix> ReducedMatrix::matrix() const
 {
   assert(P_.cols() == 0);
-  const Index equations = A_->rows();
+  const ReducedColumns columns(*A_, Q2_->columns());
   const SparseMatrix ofK = K_;
   return std::make_shared<const TwoWayMatrix>(
-      assembled<SparseMatrix>(equations + K_.rows(), Q2_->columns().cols(), [&](Index k, ColumnSum& sum) {
-        addProduct(sum, *A_, Q2_->columns(), k);
-        sum.addColumn(ofK, k, equations);
+      assembled<SparseMatrix>(A_->rows() + K_.rows(), ofK.cols(), [&](Index k, ColumnSum& sum) {
+        columns.forEachInColumn(k, [&](Index row, double value) { sum.add(static_cast<int>(row), value); });
+        sum.addColumn(ofK, k, A_->rows());
       }));
 }
 

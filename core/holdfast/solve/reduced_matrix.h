@@ -7,6 +7,36 @@
 
 namespace holdfast {
 
+/// A Q2 by columns. Most are columns of A, scaled: they are not stored.
+class ReducedColumns {
+ public:
+  /// Both stay alive and in place as long as this. O(multiplications) for the others.
+  ReducedColumns(const EnergyMatrix& A, const SparseMatrix& Q2)
+      : A_(A), Q2_(Q2), sums_(assembled<SparseMatrix>(A.rows(), Q2.cols(), [&](Index k, ColumnSum& sum) {
+          if (isSum(k)) addProduct(sum, A, Q2, k);
+        }))
+  {
+  }
+
+  /// Calls `visit(row, value)` for each entry of the k-th column, rows ascending.
+  template <class Visit>
+  void forEachInColumn(Index k, const Visit& visit) const
+  {
+    for (SparseMatrix::InnerIterator entry(isSum(k) ? sums_ : Q2_, k); entry; ++entry)
+      if (isSum(k))
+        visit(entry.row(), entry.value());
+      else
+        A_.forEachInColumn(entry.row(), [&](Index row, double value) { visit(row, value * entry.value()); });
+  }
+
+ private:
+  [[nodiscard]] bool isSum(Index k) const { return Q2_.outerIndexPtr()[k + 1] - Q2_.outerIndexPtr()[k] > 1; }
+
+  const EnergyMatrix& A_;
+  const SparseMatrix& Q2_;
+  SparseMatrix sums_;
+};
+
 /// C = [A Q2; K], as a `LinearMap`: with u = Q2 z the equations of A, and rows K of their own. Columns of `P` may go
 /// on behind those of Q2.
 class ReducedMatrix {
@@ -30,6 +60,8 @@ class ReducedMatrix {
   [[nodiscard]] Columns3 residual(const Columns3& f, const Columns3& z) const;
   [[nodiscard]] Columns3 transposeTimes(const Columns3& f) const;
 
+  /// The lower triangle of C^T C, without columns of `P`. O(multiplications).
+  [[nodiscard]] SparseMatrix gramLower() const;
   /// C as one matrix, without columns of `P`. O(multiplications).
   [[nodiscard]] std::shared_ptr<const TwoWayMatrix> matrix() const;
 

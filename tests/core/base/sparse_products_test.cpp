@@ -50,7 +50,7 @@ TEST(Gram, IsTheLowerTriangleOfTheProduct)
   for (std::uint32_t seed = 0; seed < 50; ++seed) {
     test::Random random(seed);
     const SparseMatrix C = test::randomSparse(random, random.integer(1, 20), random.integer(1, 20));
-    const SparseMatrix gram = gramLower(TwoWayMatrix(C));
+    const SparseMatrix gram = TwoWayMatrix(C).gramLower();
     const Eigen::MatrixXd dense = C;
     const Eigen::MatrixXd product = dense.transpose() * dense;
     const Eigen::MatrixXd expected = product.triangularView<Eigen::Lower>();
@@ -61,7 +61,7 @@ TEST(Gram, IsTheLowerTriangleOfTheProduct)
 TEST(Gram, HasAscendingRowsInEachColumn)
 {
   test::Random random(3);
-  const SparseMatrix gram = gramLower(TwoWayMatrix(test::randomSparse(random, 40, 30)));
+  const SparseMatrix gram = TwoWayMatrix(test::randomSparse(random, 40, 30)).gramLower();
   for (Index j = 0; j < gram.cols(); ++j) {
     int last = -1;
     for (SparseMatrix::InnerIterator entry(gram, j); entry; ++entry) {

@@ -40,6 +40,8 @@ TEST(ReducedMatrix, IsTheProductWithRowsBelow)
       EXPECT_LT((C.transposeTimes(f) - dense.transpose() * f).cwiseAbs().maxCoeff(), 1e-13);
       if (more > 0) continue;
       EXPECT_LT((Eigen::MatrixXd(C.matrix()->rows()) - dense).cwiseAbs().maxCoeff(), 1e-13);
+      const Eigen::MatrixXd gram = (dense.transpose() * dense).triangularView<Eigen::Lower>();
+      EXPECT_LT((Eigen::MatrixXd(C.gramLower()) - gram).cwiseAbs().maxCoeff(), 1e-13);
     }
   }
 }
