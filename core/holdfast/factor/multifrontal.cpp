@@ -181,14 +181,13 @@ class Multifrontal {
   {
     const Supernode& node = symbolic_.supernodes[s];
     findPlaces(s, work);
-    makePanel(node, work);
-    addEntries(node, work);
+    work.panel = memory_.take(static_cast<std::size_t>(numbersInStrips(node.width, node.height())));
     loop(stripCount(node.width), [&](int strip, Index /*thread*/) {
       const int first = strip * kStripWidth;
-      addChildren(s,
-                  {work.panel.get() + placeInStrips(first, first, node.height()), node.height() - first, first,
-                   std::min(first + kStripWidth, node.width)},
-                  work);
+      const FrontPart part{work.panel.get() + placeInStrips(first, first, node.height()), node.height() - first, first,
+                           std::min(first + kStripWidth, node.width)};
+      addEntries(node, part, work);
+      addChildren(s, part, work);
     });
     if (node.rowCount == 0) dropChildren(s);
     if (const int bad = factorizePanel(loop, work.panel.get(), node); bad != 0) {
@@ -196,8 +195,7 @@ class Multifrontal {
       badPivot_.compare_exchange_strong(none, node.firstColumn + bad - 1);
       return;
     }
-    result_->store(s, work.panel.get());
-    keepUpdate(s, work, loop);
+    storeAndUpdate(s, work, loop);
     work.panel.reset();
     dropChildren(s);
   }
@@ -208,22 +206,16 @@ class Multifrontal {
     if (s >= symbolic_.top.begin) memory_.returnGaps();
   }
 
-  /// Zeros from the diagonal down.
-  void makePanel(const Supernode& node, FrontWorkspace& work)
-  {
-    const int height = node.height();
-    work.panel = memory_.take(static_cast<std::size_t>(numbersInStrips(node.width, height)));
-    for (int j = 0; j < node.width; ++j) std::fill_n(work.panel.get() + placeInStrips(j, j, height), height - j, 0.0);
-  }
-
-  /// What the supernode and those below it take off its parents. Strips stay in the cache.
-  void keepUpdate(int s, FrontWorkspace& work, const Loop& loop)
+  /// Stores the columns, and keeps what the supernode and those below it take off its parents. Strips stay in the
+  /// cache.
+  void storeAndUpdate(int s, FrontWorkspace& work, const Loop& loop)
   {
     const Supernode& node = symbolic_.supernodes[s];
     const int rows = node.rowCount;
     updates_[s] = memory_.take(static_cast<std::size_t>(numbersInStrips(rows, rows)));
-    loop(stripCount(rows), [&](int strip, Index /*thread*/) {
+    loop(stripCount(rows) + stripCount(node.width), [&](int strip, Index /*thread*/) {
       const int first = strip * kStripWidth;
+      if (first >= rows) return result_->store(s, strip - stripCount(rows), work.panel.get());
       const int row = node.width + first;
       const int width = std::min(kStripWidth, rows - first);
       double* const numbers = updates_[s].get() + placeInStrips(first, first, rows);
@@ -235,14 +227,6 @@ class Multifrontal {
       }
       addChildren(s, {numbers, rows - first, row, row + width}, work);
     });
-  }
-
-  void addEntries(const Supernode& node, FrontWorkspace& work)
-  {
-    const int height = node.height();
-    for (int k = 0; k < node.width; ++k)
-      for (SparseMatrix::InnerIterator entry(lower_, node.firstColumn + k - firstKept_); entry; ++entry)
-        work.panel[placeInStrips(work.placeOf[entry.row()], k, height)] += entry.value();
   }
 
   /// Where the rows of the front are in it, and those that its children have updated.
@@ -271,6 +255,17 @@ class Multifrontal {
     int first = 0;
     int end = 0;
   };
+
+  /// Makes the numbers of a part of a supernode's front: entries of M, and zeros.
+  void addEntries(const Supernode& node, const FrontPart& part, const FrontWorkspace& work)
+  {
+    double* column = part.numbers;
+    for (int k = part.first; k < part.end; ++k, column += part.height) {
+      std::fill_n(column + (k - part.first), part.height - (k - part.first), 0.0);
+      for (SparseMatrix::InnerIterator entry(lower_, node.firstColumn + k - firstKept_); entry; ++entry)
+        column[work.placeOf[entry.row()] - part.first] += entry.value();
+    }
+  }
 
   /// Adds what the children of a supernode have kept to a part of its front.
   void addChildren(int s, const FrontPart& part, const FrontWorkspace& work)

@@ -40,11 +40,13 @@ PackedFactor::PackedFactor(std::shared_ptr<const SymbolicFactor> symbolic) : sym
   top_ = TopSolve(chunksOf(symbolic_->top));
 }
 
-void PackedFactor::store(int supernode, const double* panel)
+void PackedFactor::store(int supernode, int strip, const double* panel)
 {
   const Supernode& node = symbolic_->supernodes[supernode];
   static_assert(kStripWidth % kChunkWidth == 0);
-  for (int c = firstChunk_[supernode]; c < firstChunk_[supernode + 1]; ++c) {
+  constexpr int kChunks = kStripWidth / kChunkWidth;
+  const int begin = firstChunk_[supernode] + strip * kChunks;
+  for (int c = begin; c < std::min(begin + kChunks, firstChunk_[supernode + 1]); ++c) {
     const FactorChunk& chunk = chunks_[c];
     const int first = chunk.firstColumn - node.firstColumn;
     const double* const corner = panel + placeInStrips(first, first, node.height());

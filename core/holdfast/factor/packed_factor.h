@@ -21,8 +21,9 @@ class PackedFactor {
  public:
   explicit PackedFactor(std::shared_ptr<const SymbolicFactor> symbolic);
 
-  /// Stores the columns of a supernode: the first `width` of a triangle of `height` rows in strips.
-  void store(int supernode, const double* panel);
+  /// Stores the columns of one strip of a supernode: its panel is the first `width` columns of a triangle of `height`
+  /// rows in strips.
+  void store(int supernode, int strip, const double* panel);
 
   /// L y = b and then S L^T z = y solve L S L^T z = b for three right-hand sides. `x` is n x 4, row by row in the order
   /// of elimination; the fourth number of each row is not used. The same bits for any number of threads. O(nonzeros).
