@@ -29,6 +29,7 @@ ConstraintList without(ConstraintList list, std::size_t count, std::size_t first
 void editsOfConstraints(benchmark::State& state, const Mesh& mesh)
 {
   constexpr std::size_t kEdited = 20;
+  constexpr char kAfterAnother[] = "20 others, right after another edit";
   const ConstraintList first = scene(mesh);
   const ConstraintList more = scene(mesh, 1);
   const ConstraintList other = without(more, kEdited, 0);
@@ -54,9 +55,12 @@ void editsOfConstraints(benchmark::State& state, const Mesh& mesh)
       add("frame after " + row, dragged->frame(edited), *dragged);
       dragged->deform(other);
     }
+    dragged->deform(without(other, kEdited, 2));
+    add(kAfterAnother, dragged->deform(without(other, kEdited, 3)), *dragged);
   }
   samples.addRatios("= of frame", {"moved frame", "ms"}, {"frame", "ms"});
-  samples.addRatios("= of nothing", {"another set", "ms"}, {"from nothing", "ms"});
+  for (const char* row : {"another set", kAfterAnother})
+    samples.addRatios("= of nothing", {row, "ms"}, {"from nothing", "ms"});
   for (const auto& [row, edited] : edits) {
     samples.addRatios("= of another set", {row, "ms"}, {"another set", "ms"});
     samples.addRatios("= of nothing", {row, "ms"}, {"from nothing", "ms"});

@@ -26,6 +26,11 @@ class StepState {
  public:
   /// Whether nobody waits any more. To be asked now and then by work that can end early.
   [[nodiscard]] bool isLeftBehind() const noexcept { return phase_ == Phase::LeftBehind; }
+  /// Throws `LeftBehind` then.
+  void stopIfLeftBehind() const
+  {
+    if (isLeftBehind()) throw LeftBehind();
+  }
   /// The share of the operations of the step, from 0 to 1.
   void setShare(double share) noexcept { share_ = share; }
   [[nodiscard]] double share() const noexcept { return share_; }
@@ -74,10 +79,19 @@ class LongStep {
 
   [[nodiscard]] bool isDone() const { return result_.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }
 
-  /// Begins the work, if it has not begun. `progress` may throw; nothing has begun then.
-  void start(Progress& progress)
+  /// Begins the work, if it has not begun, with a call of `prepare` on its thread. `progress` may throw; nothing has
+  /// begun then.
+  template <class Prepare = void (*)()>
+  void start(
+      Progress& progress, const Prepare& prepare = [] {})
   {
-    if (task_ != nullptr) thread_.start([task = task_] { (*task)(); }, progress);
+    if (task_ != nullptr)
+      thread_.start(
+          [task = task_, prepare] {
+            prepare();
+            (*task)();
+          },
+          progress);
     task_.reset();
   }
 

@@ -16,8 +16,8 @@
 namespace holdfast {
 namespace {
 
-// As `nice` counts: a tenth of the time of a core that a thread of the window needs as well.
-constexpr int kNiceness = 10;
+// As `nice` counts: a tenth of the time of a core that a thread of higher priority needs as well.
+constexpr int kSteps = 10;
 
 pid_t thisThread() noexcept
 {
@@ -27,7 +27,8 @@ pid_t thisThread() noexcept
 // On Linux a thread is what POSIX calls a process here.
 void lowerPriority(pid_t thread) noexcept
 {
-  ::setpriority(PRIO_PROCESS, static_cast<id_t>(thread), kNiceness);
+  const auto id = static_cast<id_t>(thread);
+  ::setpriority(PRIO_PROCESS, id, ::getpriority(PRIO_PROCESS, id) + kSteps);
 }
 
 /// All of this program, in the order in which they were started.

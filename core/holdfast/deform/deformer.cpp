@@ -8,6 +8,7 @@
 
 #include <holdfast/base/error.h>
 #include <holdfast/base/parallel.h>
+#include <holdfast/base/thread_priority.h>
 #include <holdfast/check/mesh_check.h>
 #include <holdfast/deform/deform_details.h>
 #include <holdfast/deform/found_shape.h>
@@ -427,6 +428,7 @@ ConstraintFactorization& Deformer::factorizationFor(const ConstraintSystem& syst
   if (answersEditsAtOnce_ && factorization_ != nullptr && !factorization_->isBordered && factorization_->isReady())
     whole_ = factorization_;
   progress.step(fmt::format("eliminating {} rows of constraints", system.rows.size()));
+  coming_ = nullptr;  // of other rows: it would take cores from what is wanted now
   auto wanted =
       std::make_shared<ConstraintFactorization>(*model_, operators_, A_, ranks_->result(progress), system, options_);
   if (factorization_ != nullptr && factorization_->turnsAs(system)) wanted->rotations = factorization_->rotations;
@@ -438,7 +440,6 @@ ConstraintFactorization& Deformer::factorizationFor(const ConstraintSystem& syst
       return *factorization_;
     }
   }
-  coming_ = nullptr;
   whole_ = nullptr;
   factorization_ = std::move(wanted);
   return *factorization_;
@@ -493,7 +494,7 @@ DeformResult Deformer::deform(const ConstraintList& constraints, const std::stri
     factorization_ = std::exchange(coming_, {});
     result = solved(*factorization_, std::move(again));
   }
-  if (coming_ != nullptr) coming_->positions.start(progress);
+  if (coming_ != nullptr) coming_->positions.start(progress, computeInBackground);
   if (isFound && result.report.solve.status != SolveStatus::Failed) lastRotations_ = result.rotations;
   result.report.solve.seconds.setup = seconds.setup;
   result.report.solve.seconds.factorization += seconds.factorization;

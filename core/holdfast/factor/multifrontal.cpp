@@ -150,7 +150,7 @@ class Multifrontal {
     // One factorisation at a time: each keeps all cores busy, and needs memory for its fronts.
     static std::mutex computing;
     const std::scoped_lock lock(computing);
-    if (step_->isLeftBehind()) throw LeftBehind();
+    step_->stopIfLeftBehind();
     const NoSubnormals arithmetic;  // L falls off exponentially where much is held
     std::vector<FrontWorkspace> workspaces(static_cast<std::size_t>(threadCount()));
     const std::vector<SupernodeRange>& subtrees = symbolic_.subtrees;
@@ -160,7 +160,7 @@ class Multifrontal {
     firstKept_ = symbolic_.topColumn();
     lower_ = columnsFrom(firstKept_, lower_);
     factorize(symbolic_.top, workspaces[0], Loop(true));
-    if (step_->isLeftBehind()) throw LeftBehind();
+    step_->stopIfLeftBehind();
     return badPivot_;
   }
 

@@ -2,7 +2,7 @@
 
 #include <numeric>
 
-#include <holdfast/base/parallel.h>
+#include <holdfast/base/long_step.h>
 #include <holdfast/factor/multifrontal.h>
 #include <holdfast/factor/multipliers.h>
 #include <holdfast/ordering/minimum_degree.h>
@@ -55,7 +55,10 @@ SparseMatrix withKeptRows(const SparseMatrix& lower, const std::vector<int>& ord
 
 FactorResult choleskyMultifrontal(const LinearMap& C, EliminationOrder wanted, const SparseMatrix& kept)
 {
+  const std::shared_ptr<const StepState> step = currentStep();
+  step->stopIfLeftBehind();
   SparseMatrix lower = C.gramLower();
+  step->stopIfLeftBehind();
   std::vector<int> order(static_cast<std::size_t>(lower.cols()));
   std::iota(order.begin(), order.end(), 0);
   if (wanted == EliminationOrder::ToBeFound) order = minimumDegreeOrder(lower);

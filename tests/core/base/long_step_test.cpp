@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -105,6 +106,15 @@ TEST(LongStep, LeavesBehindWhatItHolds)
   work.mayEnd->open();
 }
 
+TEST(LongStep, IsPreparedOnItsOwnThread)
+{
+  LongStep<std::thread::id> step([] { return std::this_thread::get_id(); });
+  std::thread::id prepared;
+  step.start(noProgress(), [&] { prepared = std::this_thread::get_id(); });
+  EXPECT_EQ(step.result(noProgress()), prepared);
+  EXPECT_NE(prepared, std::this_thread::get_id());
+}
+
 TEST(LongStep, TellsItsWorkWhenNobodyWaits)
 {
   EXPECT_FALSE(currentStep()->isLeftBehind()) << "no step at all";
@@ -114,8 +124,10 @@ TEST(LongStep, TellsItsWorkWhenNobodyWaits)
     LongStep<int> step([work, hasEnded] {
       const std::shared_ptr<const StepState> own = currentStep();
       EXPECT_FALSE(own->isLeftBehind());
+      EXPECT_NO_THROW(own->stopIfLeftBehind());
       const int result = work();
       EXPECT_TRUE(own->isLeftBehind());
+      EXPECT_THROW(own->stopIfLeftBehind(), LeftBehind);
       hasEnded->open();
       return result;
     });

@@ -76,6 +76,8 @@ TEST(ThreadPriority, IsLoweredForTheThreadThatAsks)
   std::thread([&] {
     computeInBackground();
     EXPECT_EQ(niceness(), 10);
+    computeInBackground();
+    EXPECT_EQ(niceness(), 19) << "as low as it goes";
   }).join();
   EXPECT_EQ(niceness(), before);
 }
