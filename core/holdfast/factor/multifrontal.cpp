@@ -122,14 +122,11 @@ std::int64_t mostNumbers(const SymbolicFactor& symbolic)
 {
   std::int64_t kept = 0;
   std::int64_t most = 0;
-  const auto updateOf = [&](std::size_t s) {
-    const int rows = symbolic.supernodes[s].rowCount;
-    return numbersInStrips(rows, rows);
-  };
+  const auto updateOf = [](const Supernode& node) { return numbersInStrips(node.rowCount, node.rowCount); };
   for (std::size_t s = 0; s < symbolic.supernodes.size(); ++s) {
-    kept += updateOf(s);
+    kept += updateOf(symbolic.supernodes[s]);
     most = std::max(most, kept);
-    for (const int child : symbolic.children[s]) kept -= updateOf(child);
+    for (const int child : symbolic.children[s]) kept -= updateOf(symbolic.supernodes[child]);
   }
   return symbolic.nonzeros() + most;
 }
@@ -234,10 +231,7 @@ class Multifrontal {
   {
     const Supernode& node = symbolic_.supernodes[s];
     int place = 0;
-    while (place < node.width) {
-      work.placeOf[node.firstColumn + place] = place;
-      ++place;
-    }
+    for (; place < node.width; ++place) work.placeOf[node.firstColumn + place] = place;
     for (const int row : symbolic_.rowsOf(node)) work.placeOf[row] = place++;
     const std::vector<int>& children = symbolic_.children[s];
     if (work.places.size() < children.size()) work.places.resize(children.size());

@@ -150,14 +150,10 @@ bool SymbolicFactor::hasMultipliers() const
 // The rows below each supernode: those of its columns in M, and those of its children. The first tells its parent.
 void complete(SymbolicFactor& factor, const SparseMatrix& lower)
 {
-  std::vector<int> supernodeOf(static_cast<std::size_t>(factor.size()));
-  for (std::size_t s = 0; s < factor.supernodes.size(); ++s)
-    std::fill_n(supernodeOf.begin() + factor.supernodes[s].firstColumn, factor.supernodes[s].width,
-                static_cast<int>(s));
   factor.children.resize(factor.supernodes.size());
   // `all` holds the rows of the children, too.
   const auto addRange = [&](const SupernodeRange& range, std::vector<int>& all, std::vector<int>& seenBy) {
-    seenBy.resize(supernodeOf.size(), kNoParent);
+    seenBy.resize(factor.order.size(), kNoParent);
     for (int s = range.begin; s < range.end; ++s) {
       Supernode& node = factor.supernodes[s];
       node.firstRow = static_cast<std::int64_t>(all.size());
@@ -175,7 +171,7 @@ void complete(SymbolicFactor& factor, const SparseMatrix& lower)
       std::sort(behind, all.end());
       node.rowCount = static_cast<int>(all.end() - behind);
       if (node.rowCount == 0) continue;
-      node.parent = supernodeOf[*behind];
+      node.parent = factor.supernodeOf(*behind);
       if (node.parent < range.end) factor.children[node.parent].push_back(s);
     }
   };
