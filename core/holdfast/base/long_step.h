@@ -79,19 +79,15 @@ class LongStep {
 
   [[nodiscard]] bool isDone() const { return result_.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }
 
-  /// Begins the work, if it has not begun, with a call of `prepare` on its thread. `progress` may throw; nothing has
+  /// Begins the work, if it has not begun, after a call of `prepare` on its thread. `progress` may throw; nothing has
   /// begun then.
-  template <class Prepare = void (*)()>
-  void start(
-      Progress& progress, const Prepare& prepare = [] {})
+  void start(Progress& progress, void (*prepare)() = nullptr)
   {
-    if (task_ != nullptr)
-      thread_.start(
-          [task = task_, prepare] {
-            prepare();
-            (*task)();
-          },
-          progress);
+    const auto work = [task = task_, prepare] {
+      if (prepare != nullptr) prepare();
+      (*task)();
+    };
+    if (task_ != nullptr) thread_.start(work, progress);
     task_.reset();
   }
 
