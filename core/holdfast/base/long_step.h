@@ -18,13 +18,13 @@ namespace holdfast {
 /// joined at the next call, so that a window that opens one mesh after another does not collect their stacks.
 void startBackgroundThread(std::function<void()> work);
 
-/// Thrown by work that nobody waits for any more.
+/// Thrown by work whose result is no longer wanted.
 class LeftBehind : public std::exception {};
 
 /// What the work of a step and those who wait for it tell each other. Any thread may call it.
 class StepState {
  public:
-  /// Whether nobody waits any more. To be asked now and then by work that can end early.
+  /// Whether the result is no longer wanted. To be asked now and then by work that can end early.
   [[nodiscard]] bool isLeftBehind() const noexcept { return phase_ == Phase::LeftBehind; }
   /// Throws `LeftBehind` then.
   void stopIfLeftBehind() const

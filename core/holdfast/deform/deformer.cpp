@@ -417,8 +417,17 @@ void Deformer::setTarget(std::string_view name, const Vector3& place)
 
 ConstraintFactorization& Deformer::factorizationFor(const ConstraintSystem& system, Progress& progress)
 {
+  const auto made = [&] {
+    auto result =
+        std::make_shared<ConstraintFactorization>(*model_, operators_, A_, ranks_->result(progress), system, options_);
+    if (factorization_ != nullptr && factorization_->turnsAs(system)) result->rotations = factorization_->rotations;
+    return result;
+  };
   if (coming_ != nullptr && coming_->serves(system) && coming_->isReady()) factorization_ = std::exchange(coming_, {});
-  if (factorization_ != nullptr && factorization_->serves(system)) return *factorization_;
+  if (factorization_ != nullptr && factorization_->serves(system)) {
+    if (factorization_->isBordered && coming_ == nullptr) coming_ = made();  // it was given up for a cancelled edit
+    return *factorization_;
+  }
 
   if (whole_ != nullptr && whole_->serves(system)) {  // back to where edits began
     coming_ = nullptr;
@@ -429,9 +438,7 @@ ConstraintFactorization& Deformer::factorizationFor(const ConstraintSystem& syst
     whole_ = factorization_;
   progress.step(fmt::format("eliminating {} rows of constraints", system.rows.size()));
   coming_ = nullptr;  // of other rows: it would take cores from what is wanted now
-  auto wanted =
-      std::make_shared<ConstraintFactorization>(*model_, operators_, A_, ranks_->result(progress), system, options_);
-  if (factorization_ != nullptr && factorization_->turnsAs(system)) wanted->rotations = factorization_->rotations;
+  std::shared_ptr<ConstraintFactorization> wanted = made();
   if (answersEditsAtOnce_ && whole_ != nullptr && whole_->turnsAs(system)) {
     auto bordered = std::make_shared<ConstraintFactorization>(*wanted, whole_);
     if (bordered->positions.result(progress)) {

@@ -15,8 +15,8 @@ struct SupernodeDraft {
 };
 
 /// All of them, children before parents: columns with the same rows below, and then children merged with their parents
-/// where that stores few zeros. Those that went to their parents have no columns left. Of what `eliminationTree`,
-/// `postorder` and `columnCounts` find. O(columns).
+/// where that stores few zeros. Merged children have no columns left. Takes what `eliminationTree`, `postorder` and
+/// `columnCounts` find. O(columns).
 [[nodiscard]] std::vector<SupernodeDraft> supernodesOf(const std::vector<int>& parent, const std::vector<int>& post,
                                                        const std::vector<int>& count);
 

@@ -75,9 +75,9 @@ TEST(ThreadPriority, IsLoweredForTheThreadThatAsks)
   const int before = niceness();
   std::thread([&] {
     computeInBackground();
-    EXPECT_EQ(niceness(), 10);
+    EXPECT_EQ(niceness(), std::min(before + 10, 19));
     computeInBackground();
-    EXPECT_EQ(niceness(), 19) << "as low as it goes";
+    EXPECT_EQ(niceness(), std::min(before + 20, 19)) << "19 is as low as it goes";
   }).join();
   EXPECT_EQ(niceness(), before);
 }

@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <chrono>
+#include <memory>
+#include <string_view>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <holdfast/base/long_step.h>
 #include <holdfast/deform/deformer.h>
 
+#include "support/latch.h"
 #include "support/meshes.h"
 #include "support/point_constraints.h"
 #include "support/solve_cases.h"
@@ -119,6 +123,38 @@ TEST(DeformerEdits, GetAFactorOfTheirOwnMeanwhile)
   DeformResult result = deformer.deform(list);
   EXPECT_EQ(result.report.solve.method, kBordered);
   const Patience patience;
+  while (result.report.solve.method == kBordered && patience.isLeft()) result = deformer.deform(list);
+  EXPECT_NE(result.report.solve.method, kBordered);
+  EXPECT_EQ(result.positions, test::deformed(mesh, list, {}).positions) << "bit for bit";
+}
+
+TEST(DeformerEdits, GetAFactorOfTheirOwnAfterAnotherOneWasCancelled)
+{
+  class Impatient final : public Progress {
+    void step(std::string_view /*description*/) override {}
+    void proceed(double /*share*/) override { throw Cancelled(); }
+  };
+  const Mesh mesh = test::plate(12, 10);
+  Deformer deformer(makeModel(mesh));
+  deformer.answerEditsAtOnce(true);
+  ConstraintList list = turnedEnd(mesh);
+  static_cast<void>(deformer.deform(list));
+  list.constraints.push_back(test::moveBy(AtVertex{60}, Vector3(0, 0, 0.1)));
+  EXPECT_EQ(deformer.deform(list).report.solve.method, kBordered);
+
+  const auto mayEnd = std::make_shared<test::Latch>();
+  for (int k = 0; k < 2; ++k) {
+    LongStep<bool> leftBehind([mayEnd] { return mayEnd->wait(); });
+    leftBehind.start(noProgress());
+  }
+  ConstraintList other = list;
+  other.constraints.push_back(test::moveBy(AtVertex{70}, Vector3(0, 0, 0.1)));
+  Impatient impatient;
+  EXPECT_THROW(static_cast<void>(deformer.deform(other, "list", impatient)), Cancelled);
+  mayEnd->open();
+
+  const Patience patience;
+  DeformResult result = deformer.deform(list);
   while (result.report.solve.method == kBordered && patience.isLeft()) result = deformer.deform(list);
   EXPECT_NE(result.report.solve.method, kBordered);
   EXPECT_EQ(result.positions, test::deformed(mesh, list, {}).positions) << "bit for bit";
