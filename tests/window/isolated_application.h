@@ -11,6 +11,7 @@
 
 #include <QVTKOpenGLNativeWidget.h>
 
+#include <holdfast/base/large_memory.h>
 #include <holdfast/base/thread_priority.h>
 
 namespace holdfast::test {
@@ -20,7 +21,8 @@ class IsolatedApplication {
  public:
   IsolatedApplication(int& argc, char** argv, const QString& name)
   {
-    letOthersComputeInBackground();
+    letOthersComputeInBackground();  // this and the next as the window does
+    keepFreedMemory();
     qputenv("XDG_STATE_HOME", home_.filePath("state").toUtf8());
     qputenv("XDG_CONFIG_HOME", home_.filePath("config").toUtf8());
     QStandardPaths::setTestModeEnabled(true);
