@@ -23,13 +23,13 @@ bool statesRotation(const HandleConstraint& handle)
 class SystemBuilder {
  public:
   SystemBuilder(const ConstraintList& list, const Mesh& mesh, const SolverMesh& solverMesh,
-                const SurfaceLocator& locator, const std::string& source, LocatedPoints& points)
+                const SurfaceLocator& locator, const std::string& source, KnownPlaces& places)
       : list_(list),
         mesh_(mesh),
         solverMesh_(solverMesh),
         source_(source),
         locator_(locator),
-        points_(points),
+        places_(places),
         selector_(mesh, solverMesh, locator_),
         selected_(list.constraints.size()),
         pinOf_(static_cast<std::size_t>(solverMesh.unknownCount()), -1),
@@ -41,7 +41,7 @@ class SystemBuilder {
   {
     forEach([this](const auto& what) { selectFor(what); });
     std::size_t rows = list_.constraints.size();
-    for (const std::vector<Index>& selected : selected_) rows += selected.size();
+    for (const std::span<const Index> selected : selected_) rows += selected.size();
     system_.rows.reserve(rows);
     surroundings_ = surroundings();
     forEach([this](const auto& what) { add(what); });
@@ -83,7 +83,9 @@ class SystemBuilder {
   template <class What>
   void selectFor(const What& what)
   {
-    if constexpr (requires { what.select; }) selected_[current_] = selector_.select(what.select, key(".select"));
+    if constexpr (requires { what.select; })
+      selected_[current_] =
+          places_.vertices(current_, what.select, [&] { return selector_.select(what.select, key(".select")); });
   }
 
   [[nodiscard]] HandleSurroundings surroundings() const
@@ -113,7 +115,8 @@ class SystemBuilder {
     if (!isEnabled()) return;
     // Vertices with entries of their own are taken in the order in which they are listed.
     const bool isListed = !handle.rotations.empty() || std::holds_alternative<VertexTargets>(handle.motion);
-    const std::vector<Index>& vertices = isListed ? std::get<VertexIds>(handle.select.what).ids : selected_[current_];
+    const std::span<const Index> vertices =
+        isListed ? std::span(std::get<VertexIds>(handle.select.what).ids) : selected_[current_];
     const HandleSetting setting{restOf(vertices), surroundings_, key("")};
     const HandlePlacement placement = placeHandle(handle, setting);
     for (std::size_t k = 0; k < vertices.size(); ++k) {
@@ -125,10 +128,10 @@ class SystemBuilder {
 
   void add(const PointConstraint& point)
   {
-    const LocatedPoints::Entry& known = points_.entry(current_, point.at, [this](const SurfaceLocation& at) {
-      const SurfacePoint found = located(at, ".at");
-      return LocatedPoints::Entry{at, overUnknowns(found).terms, positionOf(found, mesh_.positions),
-                                  static_cast<int>(found.terms.size())};
+    const KnownPlaces::Point& known = places_.point(current_, point.at, [&] {
+      const SurfacePoint found = located(point.at, ".at");
+      return KnownPlaces::Point{point.at, overUnknowns(found).terms, positionOf(found, mesh_.positions),
+                                static_cast<int>(found.terms.size())};
     });
     if (!isEnabled()) return;
     const auto* const target = std::get_if<Target>(&point.to);
@@ -140,7 +143,7 @@ class SystemBuilder {
   void add(const RigidConstraint& /*rigid*/)
   {
     if (!isEnabled()) return;
-    std::vector<Index> group = selected_[current_];
+    std::vector<Index> group(selected_[current_].begin(), selected_[current_].end());
     for (Index& v : group) v = solverMesh_.weld.unknownOf[v];
     group = sortedOnce(std::move(group));
     const SurfacePoint reference{{{group.front(), 1.0}}};
@@ -162,7 +165,7 @@ class SystemBuilder {
         {difference(from, to), *relative.offset, *relative.offset - rest, current_, RowKind::Relative});
   }
 
-  [[nodiscard]] Positions restOf(const std::vector<Index>& vertices) const
+  [[nodiscard]] Positions restOf(std::span<const Index> vertices) const
   {
     return mesh_.positions(vertices, Eigen::all);
   }
@@ -250,9 +253,9 @@ class SystemBuilder {
   const SolverMesh& solverMesh_;
   const std::string& source_;
   const SurfaceLocator& locator_;
-  LocatedPoints& points_;
+  KnownPlaces& places_;
   Selector selector_;
-  std::vector<std::vector<Index>> selected_;  // vertices of each constraint
+  std::vector<std::span<const Index>> selected_;  // vertices of each constraint
   HandleSurroundings surroundings_;
   std::vector<Index> pinOf_;       // of each unknown: the row that pinned it last in a selection
   std::vector<bool> hasRotation_;  // of each unknown: its rotation is given
@@ -263,16 +266,16 @@ class SystemBuilder {
 }  // namespace
 
 ConstraintSystem makeConstraintSystem(const ConstraintList& list, const Mesh& mesh, const SolverMesh& solverMesh,
-                                      const SurfaceLocator& locator, const std::string& source, LocatedPoints& points)
+                                      const SurfaceLocator& locator, const std::string& source, KnownPlaces& places)
 {
-  return SystemBuilder(list, mesh, solverMesh, locator, source, points).build();
+  return SystemBuilder(list, mesh, solverMesh, locator, source, places).build();
 }
 
 ConstraintSystem makeConstraintSystem(const ConstraintList& list, const Mesh& mesh, const SolverMesh& solverMesh,
                                       const SurfaceLocator& locator, const std::string& source)
 {
-  LocatedPoints points;
-  return makeConstraintSystem(list, mesh, solverMesh, locator, source, points);
+  KnownPlaces places;
+  return makeConstraintSystem(list, mesh, solverMesh, locator, source, places);
 }
 
 ConstraintSystem withStatedRotations(ConstraintSystem system)

@@ -1,7 +1,9 @@
 #pragma once
 /// Constraints as the solver sees them: the rows of B and d, in the user's order, over unknowns.
 
+#include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -66,37 +68,52 @@ struct ConstraintSystem {
   std::vector<ConstraintNote> notes;             ///< in the user's order
 };
 
-/// Where the points of lists lie that follow one another on one mesh: a point that stays at its location is not located
-/// again.
-class LocatedPoints {
+/// What lists that follow one another on one mesh name there: what stays as it was stated is not found again.
+class KnownPlaces {
  public:
-  struct Entry {
+  struct Point {
     SurfaceLocation at;
     FewTerms terms;   ///< over unknowns
     Vector3 rest;     ///< model units
     int corners = 0;  ///< see `ConstraintRow::corners`
   };
 
-  /// That of the constraint at this place in the list; `locate(at)` makes it where the last one was elsewhere.
-  template <class Locate>
-  [[nodiscard]] const Entry& entry(Index place, const SurfaceLocation& at, const Locate& locate)
+  /// That of the constraint at this place in the list; `find` makes it where the last one was elsewhere.
+  template <class Find>
+  [[nodiscard]] const Point& point(Index place, const SurfaceLocation& at, const Find& find)
   {
-    if (place >= static_cast<Index>(entries_.size())) entries_.resize(static_cast<std::size_t>(place) + 1);
-    std::optional<Entry>& known = entries_[place];
-    if (!known || known->at != at) known = locate(at);
+    if (place >= static_cast<Index>(points_.size())) points_.resize(static_cast<std::size_t>(place) + 1);
+    std::optional<Point>& known = points_[place];
+    if (!known || known->at != at) known = find();
     return *known;
   }
 
+  /// Those that the constraint at this place selects, until it selects otherwise; `find` finds them.
+  template <class Find>
+  [[nodiscard]] std::span<const Index> vertices(Index place, const Selection& selection, const Find& find)
+  {
+    auto known = selected_.find(place);
+    if (known == selected_.end() || !(known->second.by == selection))
+      known = selected_.insert_or_assign(place, Selected{selection, find()}).first;
+    return known->second.vertices;
+  }
+
  private:
-  std::vector<std::optional<Entry>> entries_;  // of each constraint
+  struct Selected {
+    Selection by;
+    std::vector<Index> vertices;
+  };
+
+  std::vector<std::optional<Point>> points_;  // of each constraint
+  std::map<Index, Selected> selected_;        // of those that select vertices
 };
 
-/// The rows of a list of constraints on a mesh of finite positions. `source` names the list in messages. `points` are
+/// The rows of a list of constraints on a mesh of finite positions. `source` names the list in messages. `places` are
 /// those of lists before this one on the same mesh. Throws `InputError` with the place in the list for what does not
 /// fit the mesh, and for what `validateHandle` or `placeHandle` refuses.
 [[nodiscard]] ConstraintSystem makeConstraintSystem(const ConstraintList& list, const Mesh& mesh,
                                                     const SolverMesh& solverMesh, const SurfaceLocator& locator,
-                                                    const std::string& source, LocatedPoints& points);
+                                                    const std::string& source, KnownPlaces& places);
 [[nodiscard]] ConstraintSystem makeConstraintSystem(const ConstraintList& list, const Mesh& mesh,
                                                     const SolverMesh& solverMesh, const SurfaceLocator& locator,
                                                     const std::string& source);

@@ -15,29 +15,39 @@ struct Selection;
 /// These vertices, by id.
 struct VertexIds {
   std::vector<Index> ids;
+
+  friend bool operator==(const VertexIds&, const VertexIds&) = default;
 };
 
 /// Vertices in the closed axis-aligned box, at rest.
 struct InBox {
   Vector3 min = Vector3::Zero();
   Vector3 max = Vector3::Zero();
+
+  friend bool operator==(const InBox&, const InBox&) = default;
 };
 
 /// Vertices in the closed ball, at rest.
 struct InSphere {
   Vector3 center = Vector3::Zero();
   double radius = 0;
+
+  friend bool operator==(const InSphere&, const InSphere&) = default;
 };
 
 /// Vertices with (p - point) . normal >= 0, at rest. The normal need not be of unit length.
 struct InHalfSpace {
   Vector3 point = Vector3::Zero();
   Vector3 normal = Vector3::UnitZ();
+
+  friend bool operator==(const InHalfSpace&, const InHalfSpace&) = default;
 };
 
 /// Vertices of one connected part of the mesh, numbered as `check` lists them (see `connectedComponents`).
 struct InComponent {
   Index component = 0;
+
+  friend bool operator==(const InComponent&, const InComponent&) = default;
 };
 
 /// The side of a closed curve with fewer vertices, or that with more.
@@ -49,21 +59,32 @@ enum class CurveSide { Smaller, Larger };
 struct InsideCurve {
   std::vector<SurfaceLocation> through;
   CurveSide side = CurveSide::Smaller;
+
+  friend bool operator==(const InsideCurve&, const InsideCurve&) = default;
 };
 
 /// Vertices in all / in any of the parts; in none of one part.
 struct AllOf {
   std::vector<Selection> parts;
+
+  friend bool operator==(const AllOf&, const AllOf&);
 };
 struct AnyOf {
   std::vector<Selection> parts;
+
+  friend bool operator==(const AnyOf&, const AnyOf&);
 };
 struct NotIn {
   std::shared_ptr<const Selection> part;
+
+  friend bool operator==(const NotIn&, const NotIn&);
 };
 
+/// Equal where both are stated alike; they may differ and name the same vertices.
 struct Selection {
   std::variant<VertexIds, InBox, InSphere, InHalfSpace, InComponent, InsideCurve, AllOf, AnyOf, NotIn> what;
+
+  friend bool operator==(const Selection&, const Selection&);
 };
 
 /// The ids that `selection` names, which has none out of range and no curves: ascending, each once; may be none.

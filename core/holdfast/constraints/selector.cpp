@@ -138,6 +138,26 @@ class MaskMaker {
 
 }  // namespace
 
+bool operator==(const AllOf& x, const AllOf& y)
+{
+  return x.parts == y.parts;
+}
+
+bool operator==(const AnyOf& x, const AnyOf& y)
+{
+  return x.parts == y.parts;
+}
+
+bool operator==(const NotIn& x, const NotIn& y)
+{
+  return x.part == y.part || *x.part == *y.part;
+}
+
+bool operator==(const Selection& x, const Selection& y)
+{
+  return x.what == y.what;
+}
+
 std::vector<Index> select(const Selection& selection, const Positions& positions, const std::vector<int>& componentOf)
 {
   return idsOf(MaskMaker(positions, componentOf, std::numeric_limits<Index>::max(), {}).mask(selection, {}));
@@ -145,6 +165,7 @@ std::vector<Index> select(const Selection& selection, const Positions& positions
 
 std::vector<Index> Selector::select(const Selection& selection, const InputLocation& where)
 {
+  if (componentOf_.empty()) componentOf_ = componentOfVertices(solverMesh_);
   const MaskMaker maker(mesh_.positions, componentOf_, solverMesh_.componentCount,
                         [this](const InsideCurve& curve, const InputLocation& place) { return within(curve, place); });
   std::vector<Index> vertices = idsOf(maker.mask(selection, where));

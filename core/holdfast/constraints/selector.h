@@ -11,10 +11,7 @@ namespace holdfast {
 class Selector {
  public:
   Selector(const Mesh& mesh, const SolverMesh& solverMesh, SurfaceLocator locator)
-      : mesh_(mesh),
-        solverMesh_(solverMesh),
-        componentOf_(componentOfVertices(solverMesh)),
-        locator_(std::move(locator))
+      : mesh_(mesh), solverMesh_(solverMesh), locator_(std::move(locator))
   {
   }
 
@@ -30,7 +27,7 @@ class Selector {
 
   const Mesh& mesh_;
   const SolverMesh& solverMesh_;
-  std::vector<int> componentOf_;  // of vertices
+  std::vector<int> componentOf_;  // of vertices; made for the first selection
   SurfaceLocator locator_;
   std::optional<EdgeGraph> graph_;  // made for the first curve
 };

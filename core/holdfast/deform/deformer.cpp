@@ -1,12 +1,15 @@
 #include "holdfast/deform/deformer.h"
 
+#include <atomic>
 #include <chrono>
+#include <cmath>
 #include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include <holdfast/base/error.h>
+#include <holdfast/base/largest_size.h>
 #include <holdfast/base/parallel.h>
 #include <holdfast/base/thread_priority.h>
 #include <holdfast/check/mesh_check.h>
@@ -72,8 +75,12 @@ struct ConstraintFactorization {
   /// Whether `other` has the rows, given rotations and rigid regions that this was made of. O(terms).
   [[nodiscard]] bool serves(const ConstraintSystem& other) const
   {
-    return std::ranges::equal(other.rows, system.rows, {}, &ConstraintRow::terms, &ConstraintRow::terms) &&
-           turnsAs(other);
+    std::atomic<bool> isSame = other.rows.size() == system.rows.size();
+    if (isSame)
+      parallelBlocks(static_cast<Index>(system.rows.size()), [&](Index r) {
+        if (!(other.rows[r].terms == system.rows[r].terms)) isSame = false;
+      });
+    return isSame && turnsAs(other);
   }
 
   /// Whether `other` has the same given rotations and rigid regions.
@@ -350,7 +357,7 @@ class Solution {
   {
     report().refinementSteps = displacement.corrections;
     report().accuracy = displacement.accuracy;
-    if (!displacement.u.allFinite()) return fail("the solution is not finite: the problem is singular in doubles");
+    if (!std::isfinite(largestSize(displacement.u))) return fail("the solution is not finite: the problem is singular in doubles");
     if (const std::string failure = accuracyFailure(displacement.accuracy); !failure.empty())
       return fail("the solution cannot be used: " + failure);
     if (const auto warning = accuracyWarning("low_accuracy", "the solution", displacement.accuracy))
@@ -390,7 +397,7 @@ Deformer::Deformer(Model model, const DeformOptions& options)
 }
 
 Deformer::Deformer(std::shared_ptr<const Model> model, const DeformOptions& options)
-    : model_(std::move(model)), options_(options), points_(std::make_unique<LocatedPoints>())
+    : model_(std::move(model)), options_(options), places_(std::make_unique<KnownPlaces>())
 {
 }
 
@@ -467,7 +474,7 @@ DeformResult Deformer::deform(const ConstraintList& constraints, const std::stri
   ranks_->start(progress);
   ConstraintSystem system = makeConstraintSystem(
       constraints, model_->mesh, model_->solverMesh,
-      isForOneCall_ ? SurfaceLocator(model_->mesh, model_->triangulation) : model_->locator(), source, *points_);
+      isForOneCall_ ? SurfaceLocator(model_->mesh, model_->triangulation) : model_->locator(), source, *places_);
   const bool isFound = options_.rotations.source != RotationSource::Given;
   if (isFound) system = withStatedRotations(std::move(system));
   if (operators_ == nullptr) {

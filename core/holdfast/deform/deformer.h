@@ -13,7 +13,7 @@ namespace holdfast {
 struct ConstraintFactorization;
 struct ConstraintSystem;
 struct Operators;
-class LocatedPoints;
+class KnownPlaces;
 class RotationEnergy;
 class EnergyMatrix;
 template <class Result>
@@ -62,7 +62,7 @@ class Deformer {
   std::shared_ptr<const Model> model_;
   DeformOptions options_;
   ConstraintList constraints_;
-  std::unique_ptr<LocatedPoints> points_;
+  std::unique_ptr<KnownPlaces> places_;
   std::shared_ptr<const Operators> operators_;
   std::shared_ptr<const RotationEnergy> energy_;  // where rotations are found
   std::shared_ptr<const EnergyMatrix> A_;

@@ -83,7 +83,7 @@ double largest(const std::vector<double>& sizes)
 /// is large enough to count.
 bool isNearOrigin(const SolverMesh& mesh, const std::vector<double>& ofTargets)
 {
-  return kShare * std::max(largest(ofTargets), 2 * mesh.rest.cwiseAbs().maxCoeff()) <=
+  return kShare * std::max(largest(ofTargets), 2 * mesh.largestCoordinate) <=
          kPromisedResidual * mesh.diagonal;
 }
 

@@ -3,6 +3,7 @@
 #include <bit>
 
 #include <holdfast/base/disjoint_sets.h>
+#include <holdfast/base/largest_size.h>
 #include <holdfast/geometry/bounding_box.h>
 #include <holdfast/mesh/edges.h>
 
@@ -60,6 +61,7 @@ SolverMesh makeSolverMesh(const Mesh& mesh, const Triangulation& triangulation)
   result.weld = weldOpenEdges(mesh.positions, triangulation.triangles);
   result.rest = mesh.positions(result.weld.firstVertexOf, Eigen::all);
   result.diagonal = boundingBoxDiagonal(mesh.positions);
+  result.largestCoordinate = largestSize(result.rest);
   addTriangles(result, triangulation);
   findComponents(result);
   return result;

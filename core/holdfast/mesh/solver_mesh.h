@@ -29,6 +29,7 @@ struct SolverMesh {
   Index componentCount = 0;         ///< parts are numbered by their smallest unknown
   Weld weld;                        ///< file vertices to unknowns
   double diagonal = 0;              ///< of the bounding box, model units
+  double largestCoordinate = 0;     ///< of `rest`, by size
 
   [[nodiscard]] Index unknownCount() const noexcept { return rest.rows(); }
 };

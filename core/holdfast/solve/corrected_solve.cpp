@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include <holdfast/base/largest_size.h>
+
 namespace holdfast {
 namespace {
 
@@ -19,12 +21,6 @@ constexpr double kNegligible = 1.0 / 64;
 constexpr double kSampleFactor = 2.5;
 // A correction larger than this share of the one before has met rounding, or a factor that does not contract.
 constexpr double kStalled = 0.5;
-
-template <class Matrix>
-double largest(const Eigen::MatrixBase<Matrix>& x)
-{
-  return x.size() == 0 ? 0 : x.cwiseAbs().maxCoeff();
-}
 
 /// The normal equations lose cond^2 epsilon = `first`; what their corrections reach is cond epsilon.
 double reachedBy(double first)
@@ -66,17 +62,17 @@ CorrectedSolution correctedSolve(const LeastSquaresFactor& factor, const LinearM
   z = solved(factor, C, f, multipliers);
   multipliers += z.bottomRows(kept);
   z.conservativeResize(unknowns, 3);
-  if (first > 0 && isLastCorrection(first, largest(columnScale.asDiagonal() * z) / known.size)) {
+  if (first > 0 && isLastCorrection(first, largestSize(columnScale, z) / known.size)) {
     accuracy = kSampleFactor * reachedBy(first);
     return result;
   }
   double last = std::numeric_limits<double>::infinity();
   while (corrections < kMaxCorrections) {
-    const double size = std::max(known.size, largest(columnScale.asDiagonal() * z));
+    const double size = std::max(known.size, largestSize(columnScale, z));
     if (size == 0) break;
     const Columns3 correction = solved(factor, C, C.residual(f, z), multipliers);
     const auto step = correction.topRows(unknowns);
-    const double change = largest(columnScale.asDiagonal() * step) / size;
+    const double change = largestSize(columnScale, step) / size;
     if (!(change < last)) break;
     z += step;
     multipliers += correction.bottomRows(kept);
@@ -92,7 +88,7 @@ CorrectedSolution correctedSolve(const LeastSquaresFactor& factor, const LinearM
 double contraction(const LeastSquaresFactor& factor, const LinearMap& C, const Columns3& probe, Index kept)
 {
   const Columns3 found = solved(factor, C, C.times(probe), Columns3::Zero(kept, 3)).topRows(probe.rows());
-  return largest(probe) == 0 ? 0 : largest(found - probe) / largest(probe);
+  return largestSize(probe) == 0 ? 0 : largestSize(found - probe) / largestSize(probe);
 }
 
 }  // namespace holdfast

@@ -1,5 +1,6 @@
 // Hard constraints by elimination: equations (11) to (21).
 
+#include <holdfast/base/largest_size.h>
 #include <holdfast/elimination/reconciliation.h>
 #include <holdfast/ordering/elimination_order.h>
 #include <holdfast/solve/bordered_problem.h>
@@ -25,7 +26,7 @@ class HardSolver final : public ConstrainedSolver {
   [[nodiscard]] Displacement solveFrom(Displacement near, const RowTargets& targets, const Columns3& f) const override
   {
     meet(targets, near.u);
-    KnownSolution known{near.u.cwiseAbs().maxCoeff(), std::move(near.multipliers), near.left};
+    KnownSolution known{largestSize(near.u), std::move(near.multipliers), near.left};
     return solved(std::move(near), f, known);
   }
 

@@ -59,7 +59,7 @@ Eigen::VectorXd sampled(const RowTargets& targets, const Columns3& f)
 }  // namespace
 
 MovedSolutions::MovedSolutions(const SolverMesh& mesh)
-    : rounding_(kRoundings * std::numeric_limits<double>::epsilon() * mesh.rest.cwiseAbs().maxCoeff()),
+    : rounding_(kRoundings * std::numeric_limits<double>::epsilon() * mesh.largestCoordinate),
       farthest_(kFar * mesh.diagonal)
 {
 }

@@ -62,6 +62,28 @@ TEST(Deformer, MakesOneTreeOfClosestPointsForAllFrames)
       << "a tree made now finds another point";
 }
 
+/// What is selected by places at rest: vertex 30, which moves up, is not.
+ConstraintList heldAndMoved(Selection selection)
+{
+  return test::listOf({{"", true, FixedConstraint{std::move(selection)}}, test::moveBy(AtVertex{30}, {0, 0, 1})});
+}
+
+Selection outside(const Selection& selection)
+{
+  return {NotIn{std::make_shared<const Selection>(selection)}};
+}
+
+TEST(Deformer, SelectsVerticesOnceForAllFrames)
+{
+  const auto model = std::make_shared<Model>(makeModel(test::plate(6, 5)));
+  const ConstraintList list = heldAndMoved({InBox{{-1, -1, -1}, {1.5, 9, 1}}});
+  Deformer deformer(model);
+  const std::size_t rows = deformer.deform(list).details->system.rows.size();
+  model->mesh.positions.rowwise() += Eigen::RowVector3d(50, 20, 0);
+  EXPECT_EQ(deformer.deform(list).details->system.rows.size(), rows);
+  EXPECT_THROW(Deformer(model).deform(list), InputError) << "none is selected there now";
+}
+
 TEST(Deformer, FactorisesNothingWhenOnlyTargetsAndRotationsChange)
 {
   const Model model = makeModel(test::plate(6, 5), "mesh");
@@ -99,11 +121,28 @@ std::vector<ConstraintList> changedFrames()
   return frames;
 }
 
-TEST(Deformer, HasTheRowsOfAFreshOneWhateverPointsChanged)
+/// Frames in which vertices are selected by other numbers, in another way, and as before.
+std::vector<ConstraintList> changedSelections()
+{
+  const Selection narrow{InBox{{-1, -1, -1}, {0.5, 9, 1}}};
+  const Selection wide{InBox{{-1, -1, -1}, {1.5, 9, 1}}};
+  const Selection low{InHalfSpace{{0, 0.5, 0}, {0, -1, 0}}};
+  const Selection ball{InSphere{{0, 0, 0}, 1.2}};
+  std::vector<ConstraintList> frames;
+  for (const Selection& selection :
+       {narrow, wide, wide, low, Selection{InHalfSpace{{0, 1.5, 0}, {0, -1, 0}}}, ball,
+        Selection{InSphere{{0, 0, 0}, 2.1}}, Selection{VertexIds{{0, 1}}}, Selection{VertexIds{{0, 2}}},
+        Selection{AnyOf{{narrow, low}}}, Selection{AnyOf{{wide, low}}}, Selection{AllOf{{wide, low}}},
+        outside(outside(narrow)), outside(outside(wide)), outside(outside(wide)), narrow})
+    frames.push_back(heldAndMoved(selection));
+  return frames;
+}
+
+void expectRowsOfFreshOnes(const std::vector<ConstraintList>& frames)
 {
   const Model model = makeModel(test::plate(6, 5), "mesh");
   Deformer deformer(model);
-  for (const ConstraintList& list : changedFrames()) {
+  for (const ConstraintList& list : frames) {
     const DeformResult result = deformer.deform(list);
     const DeformResult fresh = deform(model, list);
     EXPECT_EQ(result.positions, fresh.positions);
@@ -113,6 +152,12 @@ TEST(Deformer, HasTheRowsOfAFreshOneWhateverPointsChanged)
       EXPECT_EQ(result.details->system.rows[r].target, fresh.details->system.rows[r].target);
     }
   }
+}
+
+TEST(Deformer, HasTheRowsOfAFreshOneWhateverPointsAndSelectionsChanged)
+{
+  expectRowsOfFreshOnes(changedFrames());
+  expectRowsOfFreshOnes(changedSelections());
 }
 
 TEST(Deformer, HasTheVerdictsOfAFreshOneWhateverTargetsChanged)
