@@ -1,36 +1,41 @@
 #pragma once
 /// The sizes of the entries of matrices with many rows, over all cores.
 
-#include <cmath>
-#include <numeric>
-#include <vector>
+#include <algorithm>
 
 #include <holdfast/base/parallel.h>
 
 namespace holdfast {
 
-/// The largest of |scale_i x_ij|: 0 without rows, NaN where an entry is none.
-template <class Matrix>
-[[nodiscard]] double largestSize(const Eigen::VectorXd& scale, const Eigen::MatrixBase<Matrix>& x)
+/// The largest of `ofRows(first, count)`, none negative, over blocks of rows; NaN where one is NaN.
+template <class OfRows>
+[[nodiscard]] double largestOfBlocks(Index rows, const OfRows& ofRows)
 {
   constexpr Index kBlock = 4096;
-  const auto larger = [](double a, double b) { return b > a || std::isnan(b) ? b : a; };
-  std::vector<double> ofBlocks(static_cast<std::size_t>((x.rows() + kBlock - 1) / kBlock));
-  parallelFor(static_cast<Index>(ofBlocks.size()), [&](Index block) {
-    for (Index i = block * kBlock; i < std::min(x.rows(), (block + 1) * kBlock); ++i)
-      for (Index j = 0; j < x.cols(); ++j) {
-        const double size = std::abs(x(i, j));
-        ofBlocks[block] = larger(ofBlocks[block], scale.size() == 0 ? size : std::abs(scale[i]) * size);
-      }
-  });
-  return std::accumulate(ofBlocks.begin(), ofBlocks.end(), 0.0, larger);
+  Eigen::VectorXd ofBlocks = Eigen::VectorXd::Zero((rows + kBlock - 1) / kBlock + 1);
+  parallelFor(ofBlocks.size() - 1,
+              [&](Index block) { ofBlocks[block] = ofRows(block * kBlock, std::min(kBlock, rows - block * kBlock)); });
+  return ofBlocks.maxCoeff<Eigen::PropagateNaN>();
 }
 
-/// The largest of |x_ij|.
+/// The largest of |x_ij|: 0 without rows, NaN where an entry is none.
 template <class Matrix>
 [[nodiscard]] double largestSize(const Eigen::MatrixBase<Matrix>& x)
 {
-  return largestSize({}, x);
+  return largestOfBlocks(x.rows(), [&](Index first, Index count) {
+    return x.middleRows(first, count).cwiseAbs().template maxCoeff<Eigen::PropagateNaN>();
+  });
+}
+
+/// The largest of |scale_i x_ij|.
+template <class Matrix>
+[[nodiscard]] double largestSize(const Eigen::VectorXd& scale, const Eigen::MatrixBase<Matrix>& x)
+{
+  return largestOfBlocks(x.rows(), [&](Index first, Index count) {
+    return (scale.segment(first, count).asDiagonal() * x.middleRows(first, count))
+        .cwiseAbs()
+        .template maxCoeff<Eigen::PropagateNaN>();
+  });
 }
 
 }  // namespace holdfast

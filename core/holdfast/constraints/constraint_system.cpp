@@ -128,10 +128,10 @@ class SystemBuilder {
 
   void add(const PointConstraint& point)
   {
-    const KnownPlaces::Point& known = places_.point(current_, point.at, [&] {
+    const KnownPlaces::KnownPoint& known = places_.point(current_, point.at, [&] {
       const SurfacePoint found = located(point.at, ".at");
-      return KnownPlaces::Point{point.at, overUnknowns(found).terms, positionOf(found, mesh_.positions),
-                                static_cast<int>(found.terms.size())};
+      return KnownPlaces::KnownPoint{point.at, overUnknowns(found).terms, positionOf(found, mesh_.positions),
+                                     static_cast<int>(found.terms.size())};
     });
     if (!isEnabled()) return;
     const auto* const target = std::get_if<Target>(&point.to);

@@ -71,7 +71,7 @@ struct ConstraintSystem {
 /// What lists that follow one another on one mesh name there: what stays as it was stated is not found again.
 class KnownPlaces {
  public:
-  struct Point {
+  struct KnownPoint {
     SurfaceLocation at;
     FewTerms terms;   ///< over unknowns
     Vector3 rest;     ///< model units
@@ -80,10 +80,10 @@ class KnownPlaces {
 
   /// That of the constraint at this place in the list; `find` makes it where the last one was elsewhere.
   template <class Find>
-  [[nodiscard]] const Point& point(Index place, const SurfaceLocation& at, const Find& find)
+  [[nodiscard]] const KnownPoint& point(Index place, const SurfaceLocation& at, const Find& find)
   {
     if (place >= static_cast<Index>(points_.size())) points_.resize(static_cast<std::size_t>(place) + 1);
-    std::optional<Point>& known = points_[place];
+    std::optional<KnownPoint>& known = points_[place];
     if (!known || known->at != at) known = find();
     return *known;
   }
@@ -104,8 +104,8 @@ class KnownPlaces {
     std::vector<Index> vertices;
   };
 
-  std::vector<std::optional<Point>> points_;  // of each constraint
-  std::map<Index, Selected> selected_;        // of those that select vertices
+  std::vector<std::optional<KnownPoint>> points_;  // of each constraint
+  std::map<Index, Selected> selected_;             // of those that select vertices
 };
 
 /// The rows of a list of constraints on a mesh of finite positions. `source` names the list in messages. `places` are

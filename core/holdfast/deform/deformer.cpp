@@ -357,7 +357,8 @@ class Solution {
   {
     report().refinementSteps = displacement.corrections;
     report().accuracy = displacement.accuracy;
-    if (!std::isfinite(largestSize(displacement.u))) return fail("the solution is not finite: the problem is singular in doubles");
+    if (!std::isfinite(largestSize(displacement.u)))
+      return fail("the solution is not finite: the problem is singular in doubles");
     if (const std::string failure = accuracyFailure(displacement.accuracy); !failure.empty())
       return fail("the solution cannot be used: " + failure);
     if (const auto warning = accuracyWarning("low_accuracy", "the solution", displacement.accuracy))

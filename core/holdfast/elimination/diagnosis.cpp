@@ -83,8 +83,7 @@ double largest(const std::vector<double>& sizes)
 /// is large enough to count.
 bool isNearOrigin(const SolverMesh& mesh, const std::vector<double>& ofTargets)
 {
-  return kShare * std::max(largest(ofTargets), 2 * mesh.largestCoordinate) <=
-         kPromisedResidual * mesh.diagonal;
+  return kShare * std::max(largest(ofTargets), 2 * mesh.largestCoordinate) <= kPromisedResidual * mesh.diagonal;
 }
 
 /// The largest of each row's own numbers, see `residualLimits`, from those of its target.
