@@ -111,6 +111,23 @@ TEST(DisabledMarks, ComeAfterAllOthers)
   EXPECT_EQ(marks[1].constraint, 0);
 }
 
+TEST(DisabledMarks, AreSelectedAgainWhereTheSelectionChangesAlone)
+{
+  Model model = makeModel(test::grid(4, 4), "grid");
+  ConstraintList list = test::listOf({test::moveBy(AtVertex{7}, {0, 0, 1}), test::hold({0})});
+  list.constraints[1].isEnabled = false;
+  Selection& select = std::get<FixedConstraint>(list.constraints[1].what).select;
+  select = {InBox{{-1, -1, -1}, {0.5, 9, 1}}};
+  const DeformResult deformation = deform(model, list);
+  KnownPlaces places;
+  const std::size_t count = constraintMarks(model, list, deformation, places).size();
+  EXPECT_GT(count, 2u);
+  model.mesh.positions.array() += 50;
+  EXPECT_EQ(constraintMarks(model, list, deformation, places).size(), count);
+  select = {VertexIds{{0}}};
+  EXPECT_EQ(constraintMarks(model, list, deformation, places).size(), 2u);
+}
+
 ConstraintMark dot(double x, ConstraintStatus status)
 {
   ConstraintMark mark{{x, 0, 0}, {x, 0, 0}, status};

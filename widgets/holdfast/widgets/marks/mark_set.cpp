@@ -80,8 +80,12 @@ ConstraintMark markOf(const ConstraintRow& row, const Model& model, const Positi
 
 class DisabledMarks {
  public:
-  DisabledMarks(const Model& model, const Positions& positions)
-      : model_(model), positions_(positions), locator_(model.locator())
+  DisabledMarks(const Model& model, const Positions& positions, KnownPlaces& places)
+      : model_(model),
+        positions_(positions),
+        places_(places),
+        locator_(model.locator()),
+        selector_(model.mesh, model.solverMesh, locator_)
   {
   }
 
@@ -120,9 +124,9 @@ class DisabledMarks {
 
   std::vector<ConstraintMark> ofSelection(const Selection& selection, MarkKind kind, Index constraint)
   {
-    if (!selector_) selector_.emplace(model_.mesh, model_.solverMesh, locator_);
     std::vector<ConstraintMark> marks;
-    for (const Index vertex : selector_->select(selection, {})) {
+    for (const Index vertex :
+         places_.vertices(constraint, selection, [&] { return selector_.select(selection, {}); })) {
       marks.push_back(markAt(SurfacePoint{{{vertex, 1}}}, kind, constraint));
       marks.back().unknown = model_.solverMesh.weld.unknownOf[vertex];
     }
@@ -131,8 +135,9 @@ class DisabledMarks {
 
   const Model& model_;
   const Positions& positions_;
+  KnownPlaces& places_;
   SurfaceLocator locator_;
-  std::optional<Selector> selector_;
+  Selector selector_;
 };
 
 /// Those of `group` that are drawn where there are too many.
@@ -177,16 +182,23 @@ std::vector<ConstraintMark> constraintMarks(const Model& model, const DeformResu
 }
 
 std::vector<ConstraintMark> constraintMarks(const Model& model, const ConstraintList& list,
-                                            const DeformResult& deformation)
+                                            const DeformResult& deformation, KnownPlaces& places)
 {
   std::vector<ConstraintMark> marks = constraintMarks(model, deformation);
-  DisabledMarks disabled(model, deformation.positions);
+  DisabledMarks disabled(model, deformation.positions, places);
   for (std::size_t k = 0; k < list.constraints.size(); ++k) {
     if (list.constraints[k].isEnabled) continue;
     const std::vector<ConstraintMark> some = disabled.of(list.constraints[k], static_cast<Index>(k));
     marks.insert(marks.end(), some.begin(), some.end());
   }
   return marks;
+}
+
+std::vector<ConstraintMark> constraintMarks(const Model& model, const ConstraintList& list,
+                                            const DeformResult& deformation)
+{
+  KnownPlaces places;
+  return constraintMarks(model, list, deformation, places);
 }
 
 bool isOff(ConstraintStatus status)

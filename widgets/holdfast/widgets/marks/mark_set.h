@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include <holdfast/constraints/constraint_system.h>
 #include <holdfast/deform/deform.h>
 #include <holdfast/surface/surface_point.h>
 
@@ -45,7 +46,10 @@ struct ConstraintMark {
 /// relative constraint at the place that `from` names; both want to lie as they should to the other place. O(rows).
 [[nodiscard]] std::vector<ConstraintMark> constraintMarks(const Model& model, const DeformResult& deformation);
 
-/// The same, and where the disabled constraints of `list`, which `deformation` was made of, would act.
+/// The same, and where the disabled constraints of `list`, which `deformation` was made of, would act. `places` are
+/// those of lists before this one on the same model.
+[[nodiscard]] std::vector<ConstraintMark> constraintMarks(const Model& model, const ConstraintList& list,
+                                                          const DeformResult& deformation, KnownPlaces& places);
 [[nodiscard]] std::vector<ConstraintMark> constraintMarks(const Model& model, const ConstraintList& list,
                                                           const DeformResult& deformation);
 

@@ -87,10 +87,10 @@ void Editor::open(LoadedMesh mesh, DocumentState state)
   mesh_ = std::move(mesh);
   history_ = std::make_unique<History>(std::move(state));
   // The worker prepares the picture and picks, so that the window does not wait for them.
-  auto prepared = [atRest = mesh_.surface, model = mesh_.model,
+  auto prepared = [atRest = mesh_.surface, model = mesh_.model, places = KnownPlaces(),
                    marks = std::shared_ptr<const MarkSet>()](const LiveEvent& event) mutable -> Solved {
     if (event.deformation == nullptr) return {};
-    marks = markSet(*model, constraintMarks(*model, event.state->list, *event.deformation), marks);
+    marks = markSet(*model, constraintMarks(*model, event.state->list, *event.deformation, places), marks);
     auto surface =
         std::make_shared<const VisibleSurface>(atRest->movedTo({event.deformation, &event.deformation->positions}));
     return {event.state, event.deformation, std::move(surface), marks};
