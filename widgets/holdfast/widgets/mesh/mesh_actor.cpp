@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cassert>
 #include <cmath>
 #include <utility>
@@ -10,6 +11,7 @@
 #include <vtkLookupTable.h>
 #include <vtkPointData.h>
 
+#include <holdfast/base/parallel.h>
 #include <holdfast/mesh/index_lists.h>
 #include <holdfast/mesh/vertex_normals.h>
 #include <holdfast/widgets/mesh/poly_data.h>
@@ -99,7 +101,7 @@ MeshActor::~MeshActor()
 
 void MeshActor::setPositions(const Positions& positions)
 {
-  for (Index k = 0; k < places_.rows(); ++k) places_.row(k) = positions.row(shaded_->vertexOf[k]);
+  parallelBlocks(places_.rows(), [&](Index k) { places_.row(k) = positions.row(shaded_->vertexOf[k]); });
   coordinates_->Modified();
   points_->Modified();
   areNormalsOld_ = true;
@@ -247,13 +249,13 @@ void MeshActor::setColors(const std::vector<double>& values, const ColorScale& s
   vtkNew<vtkDoubleArray> shares;
   shares->SetName("shares of the scale");
   shares->SetNumberOfValues(static_cast<vtkIdType>(shaded_->vertexOf.size()));
-  bool isComplete = true;
-  for (std::size_t k = 0; k < shaded_->vertexOf.size(); ++k) {
+  std::atomic<bool> isComplete = true;
+  parallelBlocks(shares->GetNumberOfValues(), [&](Index k) {
     assert(shaded_->vertexOf[k] < static_cast<Index>(values.size()));
     const double share = shareOf(scale, values[shaded_->vertexOf[k]]);
-    isComplete = isComplete && !std::isnan(share);
-    shares->SetValue(static_cast<vtkIdType>(k), share);
-  }
+    if (std::isnan(share)) isComplete = false;
+    shares->SetValue(k, share);
+  });
   surfaceData_->GetPointData()->SetScalars(shares);
   surfaceMapper_->SetLookupTable(toLookupTable(scale));
   surfaceMapper_->UseLookupTableScalarRangeOn();
