@@ -1,13 +1,12 @@
 #pragma once
 /// Constraints as the solver sees them: the rows of B and d, in the user's order, over unknowns.
 
-#include <map>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
 #include <holdfast/constraints/constraint.h>
+#include <holdfast/constraints/known_places.h>
 #include <holdfast/mesh/solver_mesh.h>
 #include <holdfast/surface/surface_locator.h>
 
@@ -66,46 +65,6 @@ struct ConstraintSystem {
   std::vector<GivenRotation> rotations;          ///< in the user's order; each unknown once, because the first stands
   std::vector<std::vector<Index>> rigidRegions;  ///< unknowns of each, ascending; the rows refer to the first
   std::vector<ConstraintNote> notes;             ///< in the user's order
-};
-
-/// What lists that follow one another on one mesh name there: what stays as it was stated is not found again.
-class KnownPlaces {
- public:
-  struct KnownPoint {
-    SurfaceLocation at;
-    FewTerms terms;   ///< over unknowns
-    Vector3 rest;     ///< model units
-    int corners = 0;  ///< see `ConstraintRow::corners`
-  };
-
-  /// That of the constraint at this place in the list; `find` makes it where the last one was elsewhere.
-  template <class Find>
-  [[nodiscard]] const KnownPoint& point(Index place, const SurfaceLocation& at, const Find& find)
-  {
-    if (place >= static_cast<Index>(points_.size())) points_.resize(static_cast<std::size_t>(place) + 1);
-    std::optional<KnownPoint>& known = points_[place];
-    if (!known || known->at != at) known = find();
-    return *known;
-  }
-
-  /// Those that the constraint at this place selects, until it selects otherwise; `find` finds them.
-  template <class Find>
-  [[nodiscard]] std::span<const Index> vertices(Index place, const Selection& selection, const Find& find)
-  {
-    auto known = selected_.find(place);
-    if (known == selected_.end() || !(known->second.by == selection))
-      known = selected_.insert_or_assign(place, Selected{selection, find()}).first;
-    return known->second.vertices;
-  }
-
- private:
-  struct Selected {
-    Selection by;
-    std::vector<Index> vertices;
-  };
-
-  std::vector<std::optional<KnownPoint>> points_;  // of each constraint
-  std::map<Index, Selected> selected_;             // of those that select vertices
 };
 
 /// The rows of a list of constraints on a mesh of finite positions. `source` names the list in messages. `places` are

@@ -63,7 +63,7 @@ class MaskMaker {
 
   [[nodiscard]] Mask maskOf(const InSphere& sphere, const InputLocation& /*where*/) const
   {
-    // The root takes back half of what rounding the squares did, so that points meant to lie on the sphere do.
+    // Not by squares, which round twice as far: a point that is meant to lie on the sphere is inside.
     return inside([&](const Vector3& p) { return (p - sphere.center).norm() <= sphere.radius; });
   }
 

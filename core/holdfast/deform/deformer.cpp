@@ -78,7 +78,7 @@ struct ConstraintFactorization {
     std::atomic<bool> isSame = other.rows.size() == system.rows.size();
     if (isSame)
       parallelBlocks(static_cast<Index>(system.rows.size()), [&](Index r) {
-        if (!(other.rows[r].terms == system.rows[r].terms)) isSame = false;
+        if (other.rows[r].terms != system.rows[r].terms) isSame = false;
       });
     return isSame && turnsAs(other);
   }

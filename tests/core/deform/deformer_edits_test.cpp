@@ -112,20 +112,33 @@ TEST(DeformerEdits, MayTakeEveryRowOfAnEarlierPointAway)
   }
 }
 
+/// A plate to which one point was added.
+struct EditedPlate {
+  EditedPlate() : deformer(makeModel(mesh))
+  {
+    deformer.answerEditsAtOnce(true);
+    static_cast<void>(deformer.deform(list));
+    list.constraints.push_back(test::moveBy(AtVertex{60}, Vector3(0, 0, 0.1)));
+    EXPECT_EQ(deformer.deform(list).report.solve.method, kBordered);
+  }
+
+  void expectAFactorOfItsOwnSoon()
+  {
+    const Patience patience;
+    DeformResult result = deformer.deform(list);
+    while (result.report.solve.method == kBordered && patience.isLeft()) result = deformer.deform(list);
+    EXPECT_NE(result.report.solve.method, kBordered);
+    EXPECT_EQ(result.positions, test::deformed(mesh, list, {}).positions) << "bit for bit";
+  }
+
+  Mesh mesh = test::plate(12, 10);
+  ConstraintList list = turnedEnd(mesh);
+  Deformer deformer;
+};
+
 TEST(DeformerEdits, GetAFactorOfTheirOwnMeanwhile)
 {
-  const Mesh mesh = test::plate(12, 10);
-  Deformer deformer(makeModel(mesh));
-  deformer.answerEditsAtOnce(true);
-  ConstraintList list = turnedEnd(mesh);
-  static_cast<void>(deformer.deform(list));
-  list.constraints.push_back(test::moveBy(AtVertex{60}, Vector3(0, 0, 0.1)));
-  DeformResult result = deformer.deform(list);
-  EXPECT_EQ(result.report.solve.method, kBordered);
-  const Patience patience;
-  while (result.report.solve.method == kBordered && patience.isLeft()) result = deformer.deform(list);
-  EXPECT_NE(result.report.solve.method, kBordered);
-  EXPECT_EQ(result.positions, test::deformed(mesh, list, {}).positions) << "bit for bit";
+  EditedPlate().expectAFactorOfItsOwnSoon();
 }
 
 TEST(DeformerEdits, GetAFactorOfTheirOwnAfterAnotherOneWasCancelled)
@@ -134,30 +147,18 @@ TEST(DeformerEdits, GetAFactorOfTheirOwnAfterAnotherOneWasCancelled)
     void step(std::string_view /*description*/) override {}
     void proceed(double /*share*/) override { throw Cancelled(); }
   };
-  const Mesh mesh = test::plate(12, 10);
-  Deformer deformer(makeModel(mesh));
-  deformer.answerEditsAtOnce(true);
-  ConstraintList list = turnedEnd(mesh);
-  static_cast<void>(deformer.deform(list));
-  list.constraints.push_back(test::moveBy(AtVertex{60}, Vector3(0, 0, 0.1)));
-  EXPECT_EQ(deformer.deform(list).report.solve.method, kBordered);
-
+  EditedPlate plate;
   const auto mayEnd = std::make_shared<test::Latch>();
   for (int k = 0; k < 2; ++k) {
     LongStep<bool> leftBehind([mayEnd] { return mayEnd->wait(); });
     leftBehind.start(noProgress());
   }
-  ConstraintList other = list;
+  ConstraintList other = plate.list;
   other.constraints.push_back(test::moveBy(AtVertex{70}, Vector3(0, 0, 0.1)));
   Impatient impatient;
-  EXPECT_THROW(static_cast<void>(deformer.deform(other, "list", impatient)), Cancelled);
+  EXPECT_THROW(static_cast<void>(plate.deformer.deform(other, "list", impatient)), Cancelled);
   mayEnd->open();
-
-  const Patience patience;
-  DeformResult result = deformer.deform(list);
-  while (result.report.solve.method == kBordered && patience.isLeft()) result = deformer.deform(list);
-  EXPECT_NE(result.report.solve.method, kBordered);
-  EXPECT_EQ(result.positions, test::deformed(mesh, list, {}).positions) << "bit for bit";
+  plate.expectAFactorOfItsOwnSoon();
 }
 
 TEST(DeformerEdits, GoBackToTheFactorThatTheyBeganWith)

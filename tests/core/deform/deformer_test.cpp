@@ -133,7 +133,8 @@ std::vector<ConstraintList> changedSelections()
        {narrow, wide, wide, low, Selection{InHalfSpace{{0, 1.5, 0}, {0, -1, 0}}}, ball,
         Selection{InSphere{{0, 0, 0}, 2.1}}, Selection{VertexIds{{0, 1}}}, Selection{VertexIds{{0, 2}}},
         Selection{AnyOf{{narrow, low}}}, Selection{AnyOf{{wide, low}}}, Selection{AllOf{{wide, low}}},
-        outside(outside(narrow)), outside(outside(wide)), outside(outside(wide)), narrow})
+        Selection{AllOf{{narrow, low}}}, outside(outside(narrow)), outside(outside(wide)), outside(outside(wide)),
+        narrow})
     frames.push_back(heldAndMoved(selection));
   return frames;
 }

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include <holdfast/constraints/constraint_system.h>
+#include <holdfast/constraints/known_places.h>
 #include <holdfast/deform/deform.h>
 #include <holdfast/surface/surface_point.h>
 

@@ -1,0 +1,55 @@
+#pragma once
+/// What constraints name on a mesh, kept from one list to the next.
+
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <holdfast/base/term.h>
+#include <holdfast/constraints/selection.h>
+#include <holdfast/surface/surface_location.h>
+
+namespace holdfast {
+
+/// What lists that follow one another on one mesh name there: what stays as it was stated is not found again.
+class KnownPlaces {
+ public:
+  struct KnownPoint {
+    SurfaceLocation at;
+    FewTerms terms;   ///< over unknowns
+    Vector3 rest;     ///< model units
+    int corners = 0;  ///< see `ConstraintRow::corners`
+  };
+
+  /// That of the constraint at this place in the list; `find` makes it where the last one was elsewhere.
+  template <class Find>
+  [[nodiscard]] const KnownPoint& point(Index place, const SurfaceLocation& at, const Find& find)
+  {
+    if (place >= static_cast<Index>(points_.size())) points_.resize(static_cast<std::size_t>(place) + 1);
+    std::optional<KnownPoint>& known = points_[place];
+    if (!known || known->at != at) known = find();
+    return *known;
+  }
+
+  /// Those that the constraint at this place selects, until it selects otherwise; `find` finds them.
+  template <class Find>
+  [[nodiscard]] std::span<const Index> vertices(Index place, const Selection& selection, const Find& find)
+  {
+    auto known = selected_.find(place);
+    if (known == selected_.end() || known->second.by != selection)
+      known = selected_.insert_or_assign(place, Selected{selection, find()}).first;
+    return known->second.vertices;
+  }
+
+ private:
+  struct Selected {
+    Selection by;
+    std::vector<Index> vertices;
+  };
+
+  std::vector<std::optional<KnownPoint>> points_;  // of each constraint
+  std::map<Index, Selected> selected_;             // of those that select vertices
+};
+
+}  // namespace holdfast
