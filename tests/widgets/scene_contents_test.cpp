@@ -208,13 +208,14 @@ TEST(Detail, CoarseTrianglesHaveThePlacesNormalsAndColorsOfTheirVertices)
 TEST(Detail, LargeTintsAreCoarseAndSmallOnesAreNot)
 {
   const Model model = makeModel(test::icosphere(7), "sphere");
-  const MeshActor actor(model);
+  MeshActor actor(model);
   SelectionOverlay overlay(model, actor);
   std::vector<Index> all(static_cast<std::size_t>(model.mesh.vertexCount()));
   std::iota(all.begin(), all.end(), Index{0});
   overlay.set(all);
   EXPECT_EQ(drawnBy(overlay.tint().faces()).GetNumberOfPolys(), static_cast<vtkIdType>(model.mesh.faces.size()));
-  overlay.tint().setDetail(Detail::Coarse);
+  actor.setDetail(Detail::Coarse);
+  overlay.tint().updateDetail();
   EXPECT_EQ(drawnBy(overlay.tint().faces()).GetNumberOfPolys(),
             static_cast<vtkIdType>(actor.coarse().triangles().size()));
   EXPECT_EQ(drawnBy(overlay.tint().faces()).GetPoints(), actor.coarse().data().GetPoints());

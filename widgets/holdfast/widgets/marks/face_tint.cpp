@@ -24,6 +24,9 @@ constexpr double kLinePixels = 1.8;
 // A share of the push of the surface: tints lie between it and the lines on it.
 constexpr double kPush = 0.5;
 
+// Of a tint on a coarse mesh: with fewer triangles small tints would lose their shape.
+constexpr vtkIdType kMostTrianglesInFull = 2'000;
+
 }  // namespace
 
 FaceTint::FaceTint(const MeshActor& mesh, const Color& color, double opacity) : mesh_(mesh)
@@ -58,7 +61,7 @@ void FaceTint::set(std::vector<char> isIn)
   // Made when they are to be drawn.
   for (vtkPolyData* const data : {data_.Get(), coarseData_.Get()}) data->SetPolys(nullptr);
   for (vtkActor* const actor : std::initializer_list<vtkActor*>{faces_, rim_, line_}) actor->SetVisibility(tinted_ > 0);
-  updateFaces();
+  updateDetail();
 }
 
 bool FaceTint::isBetween(std::span<const int> points, const std::vector<Index>& vertexOf) const
@@ -88,16 +91,9 @@ void FaceTint::setOutline()
   lineData_->SetLines(lines);
 }
 
-void FaceTint::setDetail(Detail detail)
+void FaceTint::updateDetail()
 {
-  detail_ = detail;
-  updateFaces();
-}
-
-void FaceTint::updateFaces()
-{
-  // Small tints would lose their shape.
-  const bool isCoarse = detail_ == Detail::Coarse && tinted_ > kCoarseTriangles;
+  const bool isCoarse = mesh_.isCoarse() && tinted_ > kMostTrianglesInFull;
   if (!isCoarse && data_->GetNumberOfPolys() < tinted_)
     data_->SetPolys(toCells(mesh_.shaded()->triangles, [this](Index triangle) { return isTinted_[triangle] != 0; }));
   if (isCoarse && coarseData_->GetNumberOfPolys() == 0) {

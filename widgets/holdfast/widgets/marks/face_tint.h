@@ -24,13 +24,13 @@ class FaceTint {
   void set(std::vector<char> isIn);
   /// Tints what is drawn of the mesh now; is called after `MeshActor::setHidden`. O(T).
   void refresh() { set(std::move(isIn_)); }
-  /// That of the tint, where it covers many triangles.
-  void setDetail(Detail detail);
+  /// Is called after `MeshActor::setDetail`: large tints are as coarse as the mesh.
+  void updateDetail();
   void setPixelRatio(double ratio);
 
   [[nodiscard]] vtkActor& faces() const { return *faces_; }
   [[nodiscard]] std::vector<vtkActor*> outline() const { return {rim_, line_}; }
-  /// The faces in full detail, a part at a time, until the next `setDetail`.
+  /// The faces in full detail, a part at a time, until the next `updateDetail`.
   [[nodiscard]] ActorSlices& slices() { return slices_; }
   /// Whether a triangle at this file vertex is tinted.
   [[nodiscard]] bool covers(Index vertex) const { return !isCovered_.empty() && isCovered_[vertex] != 0; }
@@ -39,14 +39,12 @@ class FaceTint {
   [[nodiscard]] bool isBetween(std::span<const int> points, const std::vector<Index>& vertexOf) const;
   /// Finds the tinted triangles as well.
   void setOutline();
-  void updateFaces();
 
   const MeshActor& mesh_;
   std::vector<char> isIn_;       // of each file vertex
   std::vector<char> isTinted_;   // each triangle of the mesh; empty where none is
   std::vector<char> isCovered_;  // by tinted triangles; empty where there are none
-  Detail detail_ = Detail::Full;
-  vtkIdType tinted_ = 0;  // of the triangles of the mesh
+  vtkIdType tinted_ = 0;         // of the triangles of the mesh
   vtkNew<vtkPolyData> data_;
   vtkNew<vtkPolyData> coarseData_;
   vtkNew<vtkPolyData> lineData_;

@@ -192,6 +192,12 @@ void MeshActor::setDetail(Detail detail)
   update();
 }
 
+bool MeshActor::isCoarse() const
+{
+  const Index drawn = surfaceData_->GetNumberOfPolys();
+  return detail_ == Detail::Coarse && 2 * drawn > 3 * kCoarseTriangles && coarse().triangles().size() < drawn;
+}
+
 void MeshActor::lookFrom(const Vector3& eye)
 {
   eye_ = eye;

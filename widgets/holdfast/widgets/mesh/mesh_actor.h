@@ -63,6 +63,8 @@ class MeshActor {
   void setSurfaceDisplay(SurfaceDisplay display);
   /// Switching costs next to nothing once there are coarse triangles.
   void setDetail(Detail detail);
+  /// Whether the triangles of `coarse` are drawn. A small part of a large mesh is drawn as it is.
+  [[nodiscard]] bool isCoarse() const;
   /// In coarse detail the backs of a solid are not drawn while the eye is outside the box around it and no section
   /// opens it, which saves a third of the time without a GPU.
   void lookFrom(const Vector3& eye);
@@ -106,12 +108,6 @@ class MeshActor {
   [[nodiscard]] const CoarseSurface& coarse() const;
 
  private:
-  [[nodiscard]] bool isCoarse() const
-  {
-    // A small part of a large mesh is drawn as it is.
-    const Index drawn = surfaceData_->GetNumberOfPolys();
-    return detail_ == Detail::Coarse && 2 * drawn > 3 * kCoarseTriangles && coarse().triangles().size() < drawn;
-  }
   void update();
   void draw(vtkCellArray* triangles, vtkCellArray* creases);
   void updateNormals();

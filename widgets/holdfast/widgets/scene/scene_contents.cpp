@@ -199,7 +199,7 @@ void SceneContents::setDetail(Detail detail)
 void SceneContents::updateDetail()
 {
   mesh_.setDetail(detail_);
-  for (FaceTint* tint : tints()) tint->setDetail(detail_);
+  for (FaceTint* tint : tints()) tint->updateDetail();
   // The surface is too faint for its fewer triangles to be seen.
   if (ghost_ == RestGhost::Surface) rest_.setDetail(Detail::Coarse);
   restSurface_->SetMapper(rest_.surface().GetMapper());

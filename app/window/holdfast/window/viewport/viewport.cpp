@@ -225,7 +225,8 @@ void Viewport::showConstraints()
     contents_->showMarks(shownShare_ == 1 ? marks
                                           : markSet(*editor_.model(), marksAt(marks->marks, shownShare_), marks));
   arrange(*contents_, display_);
-  overlay_->update();
+  overlay_->followLegend();
+  overlay_->followState();
   scheduleRender();
   Q_EMIT marksChanged();
 }
@@ -237,7 +238,7 @@ void Viewport::showColors()
     coloring_ = coloringOf(*editor_.model(), *deformation, colors_, editor_.deformedState()->list.units);
   if (coloring_ && !saysAnything(*coloring_, colors_)) coloring_.reset();
   contents_->color(coloring_);
-  overlay_->update();
+  overlay_->followLegend();
   scheduleRender();
   Q_EMIT coloringChanged(coloring_);
 }

@@ -3,9 +3,11 @@
 #include <QCoreApplication>
 #include <QFontMetricsF>
 #include <QImage>
+#include <QMarginsF>
 #include <QPainter>
 #include <QPainterPath>
 #include <QPalette>
+#include <QPixmapCache>
 #include <algorithm>
 
 #include <holdfast/widgets/color/scalar_legend.h>
@@ -32,6 +34,27 @@ QImage pictureOf(const ColorScale& scale, int height)
   QImage image(1, height, QImage::Format_RGB32);
   for (int y = 0; y < height; ++y) image.setPixelColor(0, y, toQColor(colorAt(scale, 1 - (y + 0.5) / height)));
   return image;
+}
+
+/// The halo of a line of text in the painter's font. Few lines change from picture to picture, and a halo takes longer
+/// than all else that is painted: halos are kept.
+QPixmap haloOf(const QString& text, const QPainter& painter, const QFontMetricsF& metrics, const QColor& paper)
+{
+  const double scale = painter.combinedTransform().m11();
+  const QString key =
+      QString("halo %1 %2 %3 ").arg(scale).arg(paper.name(QColor::HexArgb), painter.font().key()) + text;
+  QPixmap halo;
+  if (QPixmapCache::find(key, &halo)) return halo;
+  halo = QPixmap((scale * QSizeF(metrics.horizontalAdvance(text) + 2 * kHalo, metrics.height() + 2 * kHalo)).toSize());
+  halo.setDevicePixelRatio(scale);
+  halo.fill(Qt::transparent);
+  QPainter once(&halo);
+  once.setRenderHint(QPainter::Antialiasing);
+  QPainterPath letters;
+  letters.addText(kHalo, kHalo + metrics.ascent(), painter.font(), text);
+  once.strokePath(letters, QPen(paper, kHalo, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  QPixmapCache::insert(key, halo);
+  return halo;
 }
 
 /// Where everything is; what is added is above what was added before.
@@ -84,9 +107,8 @@ class Layout {
   {
     QColor paper = palette.color(QPalette::Window);
     paper.setAlpha(kHaloOpacity);
-    QPainterPath letters;
-    for (const auto& [place, text] : words_) letters.addText(place, painter.font(), text);
-    painter.strokePath(letters, QPen(paper, kHalo, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    for (const auto& [place, text] : words_)
+      painter.drawPixmap(place - QPointF(kHalo, kHalo + metrics_.ascent()), haloOf(text, painter, metrics_, paper));
     painter.setPen(QPen(paper, kHalo));
     painter.drawLines(ticks_);
 
@@ -160,7 +182,7 @@ QRectF boxOf(const LegendContent& legend, const QFont& font, const QRectF& area)
 {
   if (legend.side == LegendSide::Hidden) return {};
   const QRectF box = layOut(legend, font, area).box();
-  return box.translated(shiftOf(legend, box, font, area));
+  return box.translated(shiftOf(legend, box, font, area)) + QMarginsF(kHalo, kHalo, kHalo, kHalo);
 }
 
 }  // namespace holdfast

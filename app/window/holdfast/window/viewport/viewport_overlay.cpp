@@ -84,10 +84,10 @@ ViewportOverlay::ViewportOverlay(Editor& editor, Viewport& viewport)
   setObjectName("overlay");
   setAttribute(Qt::WA_TransparentForMouseEvents);
   setAttribute(Qt::WA_NoSystemBackground);
-  for (const auto& signal : {&Editor::opened, &Editor::solveStateChanged, &Editor::stepChanged})
-    connect(&editor_, signal, this, qOverload<>(&QWidget::update));
+  connect(&editor_, &Editor::opened, this, qOverload<>(&QWidget::update));
+  connect(&editor_, &Editor::solveStateChanged, this, &ViewportOverlay::followState);
   clock_.setInterval(kMillisecondsBetweenTimes);
-  connect(&clock_, &QTimer::timeout, this, [this] { update(0, 0, width(), fontMetrics().height() * 3); });
+  connect(&clock_, &QTimer::timeout, this, &ViewportOverlay::followState);
   connect(&editor_, &Editor::solveStateChanged, &clock_,
           [this] { editor_.solveState() == SolveState::Solving ? clock_.start() : clock_.stop(); });
   connect(&editor_, &Editor::annotationsChanged, this, qOverload<>(&QWidget::update));
@@ -107,8 +107,8 @@ void ViewportOverlay::paintEvent(QPaintEvent* /*event*/)
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   if (!editor_.isOpen()) return;
-  paintLegend(painter);
-  paintSolveState(painter);
+  paint(legend(), painter, rect(), palette());
+  paintState(painter);
   paintProbes(painter);
   for (const auto& [place, text] : rulerLabels_) paintNote(painter, place, text);
   paintCursor(painter);
@@ -138,23 +138,7 @@ LegendContent ViewportOverlay::legend() const
   return legend;
 }
 
-void ViewportOverlay::paintLegend(QPainter& painter)
-{
-  const std::tuple key(legend(), palette(), font(), size() * devicePixelRatioF());
-  if (painted_ != key) {
-    painted_ = key;
-    legendPicture_ = QPixmap(size() * devicePixelRatioF());
-    legendPicture_.setDevicePixelRatio(devicePixelRatioF());
-    legendPicture_.fill(Qt::transparent);
-    QPainter once(&legendPicture_);
-    once.setRenderHint(QPainter::Antialiasing);
-    once.setFont(font());
-    paint(legend(), once, rect(), palette());
-  }
-  painter.drawPixmap(0, 0, legendPicture_);
-}
-
-void ViewportOverlay::paintSolveState(QPainter& painter) const
+QString ViewportOverlay::stateText() const
 {
   QString text = solveStateText(editor_);
   if (const double share = viewport_.shownShare(); share != 1) {
@@ -162,6 +146,12 @@ void ViewportOverlay::paintSolveState(QPainter& painter) const
     text += share == 0 ? tr("At rest") : tr("%1 % of the way from rest").arg(std::lround(100 * share));
   }
   if (viewport_.hidden()) text += (text.isEmpty() ? "" : "\n") + tr("Faces are hidden. Ctrl+Shift+H shows them.");
+  return text;
+}
+
+void ViewportOverlay::paintState(QPainter& painter) const
+{
+  const QString text = stateText();
   if (text.isEmpty()) return;
   const QRectF available(0, 0, width() - 4 * kNoteMargin, height());
   QRectF box = painter.fontMetrics().boundingRect(available.toRect(), Qt::AlignLeft | Qt::TextWordWrap, text);
@@ -204,15 +194,30 @@ QRectF ViewportOverlay::cursorNote() const
   return box;
 }
 
+void ViewportOverlay::followState()
+{
+  if (std::exchange(stateText_, stateText()) != stateText_) update();
+}
+
+void ViewportOverlay::followLegend()
+{
+  const LegendContent before = std::exchange(legend_, legend());
+  if (before == legend_) return;
+  for (const LegendContent* some : {&before, &std::as_const(legend_)})
+    update(boxOf(*some, font(), rect()).toAlignedRect());
+}
+
 void ViewportOverlay::followCursor()
 {
   const QRectF before = std::exchange(cursorNote_, cursorNote());
+  if (before.isEmpty() && cursorNote_.isEmpty()) return;
   update(((before | cursorNote_) + kNotePadding).toAlignedRect());
 }
 
 void ViewportOverlay::followPicture()
 {
   if (editor_.isOpen() && !editor_.measurements().probes.empty()) update();
+  followCursor();
   const RulerLabels before = std::exchange(rulerLabels_, currentRulerLabels());
   if (before == rulerLabels_) return;
   for (const RulerLabels* labels : {&before, &std::as_const(rulerLabels_)})

@@ -1,15 +1,10 @@
 #pragma once
 /// Over the picture: the legend, what tools paint, whether it is older than the document.
 
-#include <QFont>
-#include <QPalette>
-#include <QPixmap>
 #include <QPointF>
 #include <QRectF>
 #include <QTimer>
 #include <QWidget>
-#include <optional>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -32,6 +27,10 @@ class ViewportOverlay : public QWidget {
 
   [[nodiscard]] LegendContent legend() const;
 
+  /// Paint again what has changed. A drag changes little from picture to picture.
+  void followLegend();
+  void followState();
+
   /// What rulers and arrows in the layer of the widgets say, as in the latest picture, and where that is painted.
   using RulerLabels = std::vector<std::pair<QRectF, QString>>;
   [[nodiscard]] const RulerLabels& rulerLabels() const noexcept { return rulerLabels_; }
@@ -49,8 +48,7 @@ class ViewportOverlay : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  void paintLegend(QPainter& painter);
-  void paintSolveState(QPainter& painter) const;
+  void paintState(QPainter& painter) const;
   void followCursor();
   void followPicture();
   [[nodiscard]] RulerLabels currentRulerLabels() const;
@@ -62,15 +60,17 @@ class ViewportOverlay : public QWidget {
   /// In the lower left corner.
   [[nodiscard]] QRectF cursorNote() const;
   [[nodiscard]] QString cursorText() const;
+  /// In the upper left corner: why the picture is not that of the document.
+  [[nodiscard]] QString stateText() const;
 
   Editor& editor_;
   Viewport& viewport_;
   std::vector<const Tool*> tools_;
-  // The legend as painted last: halos take longer than most pictures.
-  std::optional<std::tuple<LegendContent, QPalette, QFont, QSize>> painted_;
-  QPixmap legendPicture_;
-  QTimer clock_;       // while the document is solved
-  QRectF cursorNote_;  // as it was last
+  QTimer clock_;  // while the document is solved
+  // As they were last:
+  LegendContent legend_;
+  QString stateText_;
+  QRectF cursorNote_;
   RulerLabels rulerLabels_;
 };
 
