@@ -1,6 +1,7 @@
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QImage>
+#include <QScreen>
 #include <QSpinBox>
 #include <QToolButton>
 #include <algorithm>
@@ -217,6 +218,32 @@ TEST_F(PictureOfBar, TheLegendHasAsManyColorsAsWanted)
   EXPECT_EQ(viewport().coloring()->scale.bands, 2);
   test::pressKey(bands, Qt::Key_Down);
   EXPECT_EQ(viewport().coloring()->scale.bands, 0) << "smooth again";
+}
+
+TEST_F(PictureOfBar, WhatHasChangedOverThePictureIsOnTheScreen)
+{
+  auto& overlay = find<QWidget>("overlay");
+  const auto onScreen = [&] {
+    EXPECT_TRUE(settle());
+    QCoreApplication::processEvents();
+    const QRect place(overlay.mapTo(overlay.window(), QPoint()), overlay.size());
+    return overlay.screen()
+        ->grabWindow(overlay.window()->winId(), place.x(), place.y(), place.width(), place.height())
+        .toImage();
+  };
+  const auto expectCurrent = [&](const char* what) {
+    const QImage shown = onScreen();
+    overlay.update();
+    EXPECT_EQ(shown, onScreen()) << what;
+    return shown;
+  };
+  const QImage displacements = expectCurrent("displacements");
+  viewport().setColors({ColorBy::Angle});
+  EXPECT_NE(expectCurrent("angles"), displacements);
+  viewport().setShownShare(0.5);
+  const QImage half = expectCurrent("half of the way");
+  viewport().setShownShare(0.25);
+  EXPECT_NE(expectCurrent("a quarter of it").copy(0, 0, 300, 40), half.copy(0, 0, 300, 40)) << "the note";
 }
 
 TEST_F(PictureOfBar, TheLegendIsWhereItIsWanted)
