@@ -40,8 +40,9 @@ Report diagnoseConstraints(const Model& model, const ConstraintList& constraints
     report.solve.message = failureMessage(options, rotations.failure);
   }
   const Diagnosis diagnosis = diagnose(eliminated, system, model.solverMesh);
-  report.constraints = outcomes(constraints, system, diagnosis, eliminated.elimination.sensitivities());
-  for (Finding& finding : constraintFindings(model, eliminated, system, report.constraints))
+  const std::vector<double> sensitivities = eliminated.elimination.sensitivities();
+  report.constraints = outcomes(constraints, system, diagnosis, sensitivities);
+  for (Finding& finding : constraintFindings(model, eliminated, system, report.constraints, sensitivities))
     report.mesh.findings.push_back(std::move(finding));
   return report;
 }

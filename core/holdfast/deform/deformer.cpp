@@ -208,7 +208,7 @@ class Solution {
       result_.rotations = Columns3::Zero(model_.solverMesh.unknownCount(), 3);
       refuse(refusal);
     }
-    addFindings(*factorization.eliminated);
+    addFindings(factorization);
     if (report().status != SolveStatus::Failed) solve(factorization, progress);
     details_.diagnosis.particular = {};
     result_.details = std::make_shared<const DeformDetails>(std::move(details_));
@@ -265,12 +265,13 @@ class Solution {
       progress.step(fmt::format("factorising {} unknowns", factorization.eliminated->elimination.Q2().cols()));
   }
 
-  void addFindings(const EliminatedConstraints& eliminated)
+  void addFindings(const ConstraintFactorization& factorization)
   {
     std::vector<Finding>& findings = result_.report.mesh.findings;
     for (Finding& finding : guardFindings(*details_.operators, model_.solverMesh))
       findings.push_back(std::move(finding));
-    for (Finding& finding : constraintFindings(model_, eliminated, details_.system, result_.report.constraints))
+    for (Finding& finding : constraintFindings(model_, *factorization.eliminated, details_.system,
+                                               result_.report.constraints, factorization.sensitivities))
       findings.push_back(std::move(finding));
   }
 
@@ -373,7 +374,8 @@ class Solution {
   void setVerdicts(const Columns3& u)
   {
     const SolverMesh& mesh = model_.solverMesh;
-    details_.diagnosis.limits = residualLimits(mesh, details_.system, details_.diagnosis.dependent, u);
+    if (!details_.diagnosis.isNearOrigin)
+      details_.diagnosis.limits = residualLimits(mesh, details_.system, details_.diagnosis.dependent, u);
     const std::optional<MissedRow> worst = setResiduals(result_.report, details_.system, details_.diagnosis,
                                                         rowResiduals(details_.system, mesh.weld, result_.positions));
     report().status = details_.diagnosis.hasConflicts() ? SolveStatus::Conflicts : SolveStatus::Ok;

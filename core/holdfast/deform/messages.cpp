@@ -1,5 +1,7 @@
 #include "holdfast/deform/messages.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include <holdfast/base/printable.h>
@@ -94,7 +96,8 @@ std::string solvedMessage(const Report& report, const std::optional<MissedRow>& 
 {
   const SolverKind kind = report.solve.options.kind;
   const std::size_t count = report.constraints.size();
-  const Index conflicting = countOf(report, ConstraintStatus::Conflicting);
+  const bool hasConflicts = report.solve.status == SolveStatus::Conflicts;
+  const Index conflicting = hasConflicts ? countOf(report, ConstraintStatus::Conflicting) : 0;
   const Index missed = worst ? countOf(report, ConstraintStatus::Missed) : 0;
   const std::string by = worst ? fmt::format(" ({})", missText(report, *worst)) : "";
   const std::string accuracy = "; " + accuracyText(report.solve.accuracy);
@@ -128,7 +131,8 @@ std::string missedMessage(const Report& report, const MissedRow& row)
 }
 
 std::vector<Finding> constraintFindings(const Model& model, const EliminatedConstraints& eliminated,
-                                        const ConstraintSystem& system, const std::vector<ConstraintOutcome>& outcomes)
+                                        const ConstraintSystem& system, const std::vector<ConstraintOutcome>& outcomes,
+                                        const std::vector<double>& sensitivities)
 {
   std::vector<Finding> findings;
   if (std::vector<Index> atRest = partsAtRest(model, eliminated); !atRest.empty())
@@ -136,14 +140,13 @@ std::vector<Finding> constraintFindings(const Model& model, const EliminatedCons
         makeFinding("parts_at_rest", "vertex", std::move(atRest),
                     {"connected part that no constraint places; it stays at rest (a vertex of it is named)",
                      "connected parts that no constraint places; they stay at rest (a vertex of each is named)"}));
-  std::vector<Index> spread;
-  double largest = 0;
-  for (std::size_t c = 0; c < outcomes.size(); ++c)
-    if (const double sensitivity = outcomes[c].sensitivity.value_or(0); sensitivity > kLargeSensitivity) {
-      spread.push_back(static_cast<Index>(c));
-      largest = std::max(largest, sensitivity);
-    }
-  if (!spread.empty()) findings.push_back(nearlyDependent(std::move(spread), largest));
+  const auto largest = std::ranges::max_element(sensitivities);
+  if (largest != sensitivities.end() && *largest > kLargeSensitivity) {
+    std::vector<Index> spread;
+    for (std::size_t c = 0; c < outcomes.size(); ++c)
+      if (outcomes[c].sensitivity.value_or(0) > kLargeSensitivity) spread.push_back(static_cast<Index>(c));
+    findings.push_back(nearlyDependent(std::move(spread), *largest));
+  }
   for (const ConstraintNote& note : system.notes)
     findings.push_back({note.kind,
                         1,

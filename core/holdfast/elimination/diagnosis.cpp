@@ -5,6 +5,7 @@
 #include <limits>
 
 #include <holdfast/base/disjoint_sets.h>
+#include <holdfast/base/largest_size.h>
 #include <holdfast/base/parallel.h>
 #include <holdfast/mesh/index_lists.h>
 
@@ -65,38 +66,33 @@ double largestSum(const FewTerms& row, const Positions& rest, const Columns3& u)
   return largestCoordinate(sum);
 }
 
-/// The largest coordinate of the target of each row.
-std::vector<double> sizesOfTargets(const ConstraintSystem& system)
+double largestTarget(const ConstraintSystem& system)
 {
-  std::vector<double> sizes(system.rows.size());
-  parallelBlocks(static_cast<Index>(sizes.size()),
-                 [&](Index r) { sizes[r] = largestCoordinate(system.rows[r].target); });
-  return sizes;
-}
-
-double largest(const std::vector<double>& sizes)
-{
-  return sizes.empty() ? 0 : *std::ranges::max_element(sizes);
+  return largestOfBlocks(static_cast<Index>(system.rows.size()), [&](Index first, Index count) {
+    double largest = 0;
+    for (Index r = first; r < first + count; ++r) largest = std::max(largest, largestCoordinate(system.rows[r].target));
+    return largest;
+  });
 }
 
 /// Whether every limit is the promised residual. The sizes of a row's weights sum to 2 at most: near the origin no sum
 /// is large enough to count.
-bool isNearOrigin(const SolverMesh& mesh, const std::vector<double>& ofTargets)
+bool isNearOrigin(const SolverMesh& mesh, const ConstraintSystem& system)
 {
-  return kShare * std::max(largest(ofTargets), 2 * mesh.largestCoordinate) <= kPromisedResidual * mesh.diagonal;
+  return kShare * std::max(largestTarget(system), 2 * mesh.largestCoordinate) <= kPromisedResidual * mesh.diagonal;
 }
 
-/// The largest of each row's own numbers, see `residualLimits`, from those of its target.
-std::vector<double> magnitudes(const SolverMesh& mesh, const ConstraintSystem& system, const Columns3& u,
-                               std::vector<double> ofTargets)
+/// The largest of each row's own numbers, see `residualLimits`.
+std::vector<double> magnitudes(const SolverMesh& mesh, const ConstraintSystem& system, const Columns3& u)
 {
-  const double asked = largest(ofTargets);
-  parallelBlocks(static_cast<Index>(ofTargets.size()), [&](Index r) {
-    const FewTerms& terms = system.rows[r].terms;
-    ofTargets[r] = std::max(ofTargets[r], largestSum(terms, mesh.rest, {}));
-    if (u.rows() > 0) ofTargets[r] = std::max(ofTargets[r], std::min(asked, largestSum(terms, mesh.rest, u)));
+  const double asked = largestTarget(system);
+  std::vector<double> sizes(system.rows.size());
+  parallelBlocks(static_cast<Index>(sizes.size()), [&](Index r) {
+    const ConstraintRow& row = system.rows[r];
+    sizes[r] = std::max(largestCoordinate(row.target), largestSum(row.terms, mesh.rest, {}));
+    if (u.rows() > 0) sizes[r] = std::max(sizes[r], std::min(asked, largestSum(row.terms, mesh.rest, u)));
   });
-  return ofTargets;
+  return sizes;
 }
 
 /// The rows that dependent rows are and depend on, each once, ascending.
@@ -152,15 +148,12 @@ bool Diagnosis::hasConflicts() const
 std::vector<double> residualLimits(const SolverMesh& mesh, const ConstraintSystem& system,
                                    const std::vector<DependentRow>& dependent, const Columns3& u)
 {
-  const double promised = kPromisedResidual * mesh.diagonal;
-  std::vector<double> own = sizesOfTargets(system);
-  if (isNearOrigin(mesh, own)) return std::vector<double>(own.size(), promised);
-  own = magnitudes(mesh, system, u, std::move(own));
+  const std::vector<double> own = magnitudes(mesh, system, u);
   std::vector<double> limits = own;
   for (const auto& [dependency, gap] : dependent)
     for (const Term& term : dependency.terms)
       limits[dependency.row] = std::max(limits[dependency.row], own[term.index]);
-  for (double& limit : limits) limit = std::max(promised, kShare * limit);
+  for (double& limit : limits) limit = std::max(kPromisedResidual * mesh.diagonal, kShare * limit);
   return limits;
 }
 
@@ -180,19 +173,21 @@ Diagnosis diagnose(const EliminatedConstraints& eliminated, const ConstraintSyst
                    KnownGaps& known)
 {
   Diagnosis diagnosis;
+  diagnosis.isNearOrigin = isNearOrigin(mesh, system);
   diagnosis.status.assign(system.rows.size(), RowStatus::Independent);
   if (!eliminated.dependencies.empty()) {
     if (known.rows.empty()) known.rows = rowsOf(eliminated.dependencies);
     Columns3 shifts = shiftsOf(system, known.rows);
     // Limits of other rows need the displacement.
-    if (known.gaps.empty() || known.shifts != shifts || !isNearOrigin(mesh, sizesOfTargets(system))) {
+    if (known.gaps.empty() || known.shifts != shifts || !diagnosis.isNearOrigin) {
       diagnosis.particular = eliminated.elimination.particular(shiftsOf(system));
       known.shifts = std::move(shifts);
       known.gaps = gapsOf(eliminated, system, diagnosis.particular);
     }
     diagnosis.dependent = known.gaps;
   }
-  diagnosis.limits = residualLimits(mesh, system, diagnosis.dependent, diagnosis.particular);
+  diagnosis.limits = diagnosis.isNearOrigin ? std::vector<double>(system.rows.size(), kPromisedResidual * mesh.diagonal)
+                                            : residualLimits(mesh, system, diagnosis.dependent, diagnosis.particular);
   bool isMissed = false;
   for (const auto& [dependency, gap] : diagnosis.dependent) {
     const double limit = kConsistentShare * diagnosis.limits[dependency.row];

@@ -26,6 +26,7 @@ struct Diagnosis {
   std::vector<RowStatus> status;        ///< of each row
   std::vector<DependentRow> dependent;  ///< ascending by row
   std::vector<double> limits;  ///< of each row: the largest residual with which it is met, see `residualLimits`
+  bool isNearOrigin = false;   ///< then they are the promised residual, whatever the displacement
   /// The redundant rows, when the independent ones alone would miss some of them: see
   /// `reconciledParticular`.
   std::vector<Index> reconciled;
