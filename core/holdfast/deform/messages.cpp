@@ -121,7 +121,7 @@ std::string missedMessage(const Report& report, const MissedRow& row)
   const double sensitivity = report.constraints[row.constraint].sensitivity.value_or(0);
   if (sensitivity > kLargeSensitivity)
     return fmt::format(
-        "{}: constraints beside it nearly repeat it, so that small differences of what they ask for move the mesh far "
+        "{}: other constraints nearly repeat it, and small differences between their targets move the mesh far "
         "(amplification {:.2g}); leave one of them out, or move them apart",
         missText(report, row), sensitivity);
   return fmt::format(

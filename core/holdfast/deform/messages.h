@@ -1,6 +1,6 @@
 #pragma once
 /// What a solve has to say, in sentences: what was wrong, where, and what to do. An accuracy is the estimated relative
-/// error of what constraints leave free.
+/// error of the unknowns that the constraints leave free.
 
 #include <holdfast/deform/outcomes.h>
 #include <holdfast/operators/operators.h>

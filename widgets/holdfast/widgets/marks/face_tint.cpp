@@ -24,8 +24,8 @@ constexpr double kLinePixels = 1.8;
 // A share of the push of the surface: tints lie between it and the lines on it.
 constexpr double kPush = 0.5;
 
-// Of a tint on a coarse mesh: with fewer triangles small tints would lose their shape.
-constexpr vtkIdType kMostTrianglesInFull = 2'000;
+// Of the triangles of a mesh. Smaller tints would lose their shape: of about a hundred coarse triangles or fewer.
+constexpr double kSmallShare = 0.005;
 
 }  // namespace
 
@@ -93,7 +93,8 @@ void FaceTint::setOutline()
 
 void FaceTint::updateDetail()
 {
-  const bool isCoarse = mesh_.isCoarse() && tinted_ > kMostTrianglesInFull;
+  const auto all = static_cast<double>(mesh_.shaded()->triangles.size());
+  const bool isCoarse = mesh_.isCoarse() && static_cast<double>(tinted_) > kSmallShare * all;
   if (!isCoarse && data_->GetNumberOfPolys() < tinted_)
     data_->SetPolys(toCells(mesh_.shaded()->triangles, [this](Index triangle) { return isTinted_[triangle] != 0; }));
   if (isCoarse && coarseData_->GetNumberOfPolys() == 0) {

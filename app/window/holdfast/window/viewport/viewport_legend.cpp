@@ -139,7 +139,7 @@ class Layout {
 
   QRectF area_;
   QFontMetricsF metrics_;
-  double top_;  // of what was added
+  double top_;  // the next line ends here
   QRectF bar_;
   QVector<QLineF> ticks_;
   std::vector<std::pair<QPointF, QString>> words_;  // by the beginnings of their baselines

@@ -91,7 +91,7 @@ ViewportOverlay::ViewportOverlay(Editor& editor, Viewport& viewport)
   connect(&editor_, &Editor::solveStateChanged, &clock_,
           [this] { editor_.solveState() == SolveState::Solving ? clock_.start() : clock_.stop(); });
   connect(&editor_, &Editor::annotationsChanged, this, qOverload<>(&QWidget::update));
-  connect(&viewport_, &Viewport::hiddenChanged, this, qOverload<>(&QWidget::update));
+  connect(&viewport_, &Viewport::hiddenChanged, this, &ViewportOverlay::followState);
   connect(&viewport_, &Viewport::rendered, this, &ViewportOverlay::followPicture);
   connect(&editor_, &Editor::underCursorChanged, this, &ViewportOverlay::followCursor);
 }
