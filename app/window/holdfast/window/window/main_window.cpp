@@ -357,7 +357,9 @@ void MainWindow::updateTitle()
 {
   const QString name = files_.name();
   setWindowTitle(name.isEmpty() ? tr("Holdfast") : tr("%1[*] – Holdfast").arg(name));
-  setWindowModified(editor_.isOpen() && !editor_.history().isSaved());
+  // Qt sets the title again each time, which every move of a drag would wait for.
+  if (const bool isModified = editor_.isOpen() && !editor_.history().isSaved(); isModified != isWindowModified())
+    setWindowModified(isModified);
 }
 
 void MainWindow::updateActions()
