@@ -42,12 +42,12 @@ class ColumnSum {
     value_[place] += value;
   }
 
-  /// Adds the k-th column of M (row of a matrix by rows), `shift` places further on.
+  /// Adds the k-th column of M (row of a matrix by rows) times `factor`, `shift` places further on.
   template <class Matrix>
-  void addColumn(const Matrix& M, Index k, Index shift = 0)
+  void addColumn(const Matrix& M, Index k, Index shift = 0, double factor = 1)
   {
     for (typename Matrix::InnerIterator entry(M, k); entry; ++entry)
-      add(static_cast<int>(shift + entry.index()), entry.value());
+      add(static_cast<int>(shift + entry.index()), factor * entry.value());
   }
 
   /// Appends the column to `entries`, places ascending, and starts anew. Returns how many entries it has.

@@ -40,21 +40,19 @@ struct ActedOn {
 };
 
 /// All that the structure of a set of constraints costs, for any targets: the second of the three calls of section 6.
-/// The elimination and, once they are asked for, the factors of positions and rotations. A factorisation that is left
-/// behind (`LongStep`) does not need the model.
+/// The elimination and, once they are asked for, the factors of positions and rotations.
 struct ConstraintFactorization {
-  ConstraintFactorization(const Model& model, std::shared_ptr<const Operators> operators,
+  ConstraintFactorization(std::shared_ptr<const Model> model, std::shared_ptr<const Operators> operators,
                           const std::shared_ptr<const EnergyMatrix>& A, const std::vector<int>& ranks,
                           const ConstraintSystem& itsSystem, const DeformOptions& options)
       : system(itsSystem),
-        eliminated(std::make_shared<const EliminatedConstraints>(eliminate(system, model.solverMesh))),
+        eliminated(std::make_shared<const EliminatedConstraints>(eliminate(system, model->solverMesh))),
         sensitivities(eliminated->elimination.sensitivities()),
-        rotations(std::make_shared<RotationFactorization>(model.solverMesh, std::move(operators),
+        rotations(std::make_shared<RotationFactorization>(model->solverMesh, std::move(operators),
                                                           options.solver.backend, ranks)),
-        positions([A, eliminated = eliminated, ranks,
-                   rest = Columns3(model.solverMesh.rest.rowwise() - model.solverMesh.rest.colwise().mean()),
-                   options = options.solver]() mutable {
-          return makeSolver({A, eliminated, std::move(rest), std::move(ranks)}, options);
+        positions([model = std::move(model), A, eliminated = eliminated, ranks, options = options.solver]() mutable {
+          const Columns3& rest = model->solverMesh.rest;
+          return makeSolver({A, eliminated, rest.rowwise() - rest.colwise().mean(), std::move(ranks)}, options);
         })
   {
   }
@@ -429,7 +427,7 @@ ConstraintFactorization& Deformer::factorizationFor(const ConstraintSystem& syst
 {
   const auto made = [&] {
     auto result =
-        std::make_shared<ConstraintFactorization>(*model_, operators_, A_, ranks_->result(progress), system, options_);
+        std::make_shared<ConstraintFactorization>(model_, operators_, A_, ranks_->result(progress), system, options_);
     if (factorization_ != nullptr && factorization_->turnsAs(system)) result->rotations = factorization_->rotations;
     return result;
   };

@@ -46,7 +46,7 @@ Eigen::MatrixXd inverseRows(const SparseMatrix& R1)
 
 BlockElimination::BlockElimination(const std::vector<RowTerms>& rows, const std::vector<Index>& independent,
                                    Index unknownCount, const std::vector<bool>& isHeld)
-    : isHeld_(isHeld)
+    : isHeld_(isHeld), rowCount_(rows.size())
 {
   std::vector<bool> isPinned(static_cast<std::size_t>(unknownCount), false);
   for (const Index row : independent)
@@ -89,7 +89,6 @@ BlockElimination::BlockElimination(const std::vector<RowTerms>& rows, const std:
   Q1.setFromTriplets(ofQ1.begin(), ofQ1.end());
   Q1_ = TwoWayMatrix(std::move(Q1));
   pinnedTerms_ = TwoWayMatrix(constraintMatrix(atPins, unknownCount));
-  Q2_ = assembleQ2();
 }
 
 std::pair<BlockElimination::Block, BlockElimination::Factors> BlockElimination::denseBlock(
@@ -128,10 +127,10 @@ SparseMatrix BlockElimination::wholeQ2() const
   BlockElimination whole = *this;
   for (Block& block : whole.blocks_)
     if (block.isLarge()) block.Q2 = block.Q.columnsFrom(static_cast<Index>(block.rows.size()));
-  return whole.assembleQ2();
+  return whole.Q2();
 }
 
-SparseMatrix BlockElimination::assembleQ2() const
+SparseMatrix BlockElimination::Q2() const
 {
   const auto unknownCount = static_cast<Index>(isHeld_.size());
   std::vector<Index> role(isHeld_.size(), kNotPivot);
@@ -169,7 +168,7 @@ SparseMatrix BlockElimination::assembleQ2() const
 
 Columns3 BlockElimination::particular(const Columns3& d) const
 {
-  Columns3 u = Columns3::Zero(Q2_.rows(), 3);
+  Columns3 u = Columns3::Zero(static_cast<Index>(isHeld_.size()), 3);
   for (const Pin& pin : pins_) u.row(pin.unknown) = d.row(pin.row) / pin.weight;
   Columns3 y(R1_.rows(), 3);  // of R1^T y = d, (18)
   parallelBlocks(y.rows(), [&](Index k) { y.row(k) = d.row(rows_[k]) - gathered(pinnedTerms_.rows(), k, u); });
@@ -190,7 +189,7 @@ Columns3 BlockElimination::particular(const Columns3& d) const
   return u;
 }
 
-Columns3 BlockElimination::multipliers(const Columns3& gradient, Index rowCount) const
+Columns3 BlockElimination::multipliers(const Columns3& gradient) const
 {
   Columns3 y(R1_.rows(), 3);  // Q1^T gradient
   parallelBlocks(y.rows(), [&](Index k) { y.row(k) = gathered(Q1_.columns(), k, gradient); });
@@ -204,19 +203,19 @@ Columns3 BlockElimination::multipliers(const Columns3& gradient, Index rowCount)
       while (--entry) y.row(entry.row()) -= entry.value() * y.row(k);
     }
   });
-  Columns3 result = Columns3::Zero(rowCount, 3);
+  Columns3 result = Columns3::Zero(static_cast<Index>(rowCount_), 3);
   parallelBlocks(y.rows(), [&](Index k) { result.row(rows_[k]) = y.row(k); });
   for (const Pin& pin : pins_)
     result.row(pin.row) = (gradient.row(pin.unknown) - gathered(pinnedTerms_.columns(), pin.unknown, y)) / pin.weight;
   return result;
 }
 
-std::vector<double> BlockElimination::sensitivities(std::size_t rowCount) const
+std::vector<double> BlockElimination::sensitivities() const
 {
   // The transpose of the pseudo-inverse, row by row: R1^-1 Q1^T at the rows of blocks, and at a pin 1, and what the
   // blocks do when it moves.
-  std::vector<double> result(rowCount, 0);
-  std::vector<double> squaresOfPinned(static_cast<std::size_t>(Q2_.rows()), 1);
+  std::vector<double> result(rowCount_, 0);
+  std::vector<double> squaresOfPinned(isHeld_.size(), 1);
   Index first = 0;
   for (const Block& block : blocks_) {
     const auto count = static_cast<Index>(block.rows.size());

@@ -31,7 +31,7 @@ class BlockElimination {
                    const std::vector<bool>& isHeld);
 
   /// Orthonormal but for large components; a free unknown has an identity column.
-  [[nodiscard]] const SparseMatrix& Q2() const noexcept { return Q2_; }
+  [[nodiscard]] SparseMatrix Q2() const;
 
   /// Orthonormal, with no row kept: see `Elimination::wholeQ2`.
   [[nodiscard]] SparseMatrix wholeQ2() const;
@@ -39,10 +39,10 @@ class BlockElimination {
   /// Q1 y with R1^T y = d, (18). Pins are copied bit for bit.
   [[nodiscard]] Columns3 particular(const Columns3& d) const;
 
-  [[nodiscard]] Columns3 multipliers(const Columns3& gradient, Index rowCount) const;
+  [[nodiscard]] Columns3 multipliers(const Columns3& gradient) const;
 
   /// Over these unknowns, which may be groups.
-  [[nodiscard]] std::vector<double> sensitivities(std::size_t rowCount) const;
+  [[nodiscard]] std::vector<double> sensitivities() const;
 
   [[nodiscard]] const std::vector<Block>& blocks() const noexcept { return blocks_; }
 
@@ -63,7 +63,6 @@ class BlockElimination {
                                                             const RowComponent& component);
   [[nodiscard]] static std::pair<Block, Factors> sparseBlock(const std::vector<RowTerms>& rows,
                                                              const RowComponent& component);
-  [[nodiscard]] SparseMatrix assembleQ2() const;
 
   /// Calls `work(first, end)` for parts of `rows_` that are whole blocks, over all cores.
   template <class Work>
@@ -92,7 +91,7 @@ class BlockElimination {
   TwoWayMatrix pinnedTerms_;   // rows_ x n: terms at pinned unknowns
   std::vector<Index> parts_;   // where parts of `rows_` begin and end that are whole blocks
   std::vector<bool> isHeld_;
-  SparseMatrix Q2_;
+  std::size_t rowCount_;
 };
 
 }  // namespace holdfast

@@ -64,7 +64,7 @@ void spreadOverComponent(std::vector<double>& sensitivities, const RowComponent&
   const BlockElimination elimination(scaled, independentRows({}, scaled.size()),
                                      static_cast<Index>(component.unknowns.size()),
                                      std::vector<bool>(component.unknowns.size(), false));
-  const std::vector<double> ofRows = elimination.sensitivities(scaled.size());
+  const std::vector<double> ofRows = elimination.sensitivities();
   for (std::size_t k = 0; k < ofRows.size(); ++k)
     sensitivities[component.rows[k]] = std::max(sensitivities[component.rows[k]], ofRows[k]);
 
@@ -138,15 +138,19 @@ std::vector<bool> heldGroups(const std::vector<bool>& isHeld, const MergedUnknow
 
 Elimination::Elimination(const std::vector<RowTerms>& rows, const std::vector<Index>& independent, Index unknownCount,
                          const std::vector<bool>& isHeld)
-    : rows_(rows),
-      others_(filtered(independent, [&](Index row) { return !differenceOf(rows[row]); })),
+    : others_(filtered(independent, [&](Index row) { return !differenceOf(rows[row]); })),
       merged_(rows, filtered(independent, [&](Index row) { return differenceOf(rows[row]).has_value(); }),
               unknownCount),
       membership_(merged_.hasLinks() ? merged_.membership() : SparseMatrix()),
-      contracted_(contractedRows(rows, merged_)),
-      blocks_(contracted_, others_, merged_.count(), heldGroups(isHeld, merged_)),
-      Q2_(merged_.hasLinks() ? SparseMatrix(membership_ * blocks_.Q2()) : SparseMatrix())
+      rows_(merged_.hasLinks() ? rows : std::vector<RowTerms>()),
+      contracted_(contractedRows(rows_, merged_)),
+      blocks_(merged_.hasLinks() ? contracted_ : rows, others_, merged_.count(), heldGroups(isHeld, merged_))
 {
+}
+
+SparseMatrix Elimination::Q2() const
+{
+  return merged_.hasLinks() ? SparseMatrix(membership_ * blocks_.Q2()) : blocks_.Q2();
 }
 
 Columns3 Elimination::particular(const Columns3& d) const
@@ -175,8 +179,8 @@ SparseMatrix Elimination::wholeQ2() const
 
 Columns3 Elimination::multipliers(const Columns3& gradient) const
 {
-  if (!merged_.hasLinks()) return blocks_.multipliers(gradient, static_cast<Index>(rows_.size()));
-  Columns3 result = blocks_.multipliers(membership_.transpose() * gradient, static_cast<Index>(rows_.size()));
+  if (!merged_.hasLinks()) return blocks_.multipliers(gradient);
+  Columns3 result = blocks_.multipliers(membership_.transpose() * gradient);
   Columns3 left = gradient;
   for (const Index row : others_)
     for (const Term& term : rows_[row]) left.row(term.index) -= term.coefficient * result.row(row);
@@ -185,8 +189,8 @@ Columns3 Elimination::multipliers(const Columns3& gradient) const
 
 std::vector<double> Elimination::sensitivities() const
 {
-  std::vector<double> result = blocks_.sensitivities(rows_.size());
-  spreadOverMerged(result, rows_, contracted_, others_, merged_);
+  std::vector<double> result = blocks_.sensitivities();
+  if (merged_.hasLinks()) spreadOverMerged(result, rows_, contracted_, others_, merged_);
   return result;
 }
 

@@ -19,7 +19,7 @@ class Elimination {
 
   /// n x k, orthogonal columns that span the displacements with B u = 0 in all rows that are not kept, and 0 where
   /// held. A free unknown has an identity column, a free group one of ones.
-  [[nodiscard]] const SparseMatrix& Q2() const noexcept { return merged_.hasLinks() ? Q2_ : blocks_.Q2(); }
+  [[nodiscard]] SparseMatrix Q2() const;
 
   /// The independent rows of large components, ascending. A basis of what they leave free would be nearly dense, so
   /// they stay in the system that is solved, with multipliers.
@@ -43,13 +43,13 @@ class Elimination {
   [[nodiscard]] std::vector<double> sensitivities() const;
 
  private:
-  std::vector<RowTerms> rows_;
   std::vector<Index> others_;  // the independent rows that are no differences
   MergedUnknowns merged_;
-  SparseMatrix membership_;           // empty without links, as Q2_
+  // Empty without links.
+  SparseMatrix membership_;
+  std::vector<RowTerms> rows_;
   std::vector<RowTerms> contracted_;  // every row, over groups
   BlockElimination blocks_;
-  SparseMatrix Q2_;
 };
 
 }  // namespace holdfast

@@ -108,14 +108,13 @@ void scaleRows(SparseRows& K)
 SparseRows keptRows(const EliminatedConstraints& constraints, const std::vector<Index>& rows, const SparseRows& Q2,
                     const SparseMatrix& P)
 {
-  std::vector<RowTerms> terms;
-  for (const Index row : rows) terms.push_back(constraints.rows[row]);
-  const SparseRows B = constraintMatrix(terms, Q2.rows());
-  const SparseRows left = B * Q2;
-  const SparseRows right = B * SparseRows(P);
-  auto K = assembled<SparseRows>(B.rows(), Q2.cols() + P.cols(), [&](Index i, ColumnSum& sum) {
-    sum.addColumn(left, i);
-    sum.addColumn(right, i, Q2.cols());
+  auto K = assembled<SparseRows>(static_cast<Index>(rows.size()), Q2.cols() + P.cols(), [&](Index i, ColumnSum& sum) {
+    for (const Term& term : constraints.rows[rows[i]]) {
+      sum.addColumn(Q2, term.index, 0, term.coefficient);
+      for (Index k = 0; k < P.cols(); ++k)
+        if (const double moved = P.coeff(term.index, k); moved != 0)
+          sum.add(static_cast<int>(Q2.cols() + k), term.coefficient * moved);
+    }
   });
   scaleRows(K);
   return K;
@@ -147,13 +146,17 @@ Result<Eigen::VectorXd> columnScale(const EnergyMatrix& A, const SparseMatrix& Q
 SparseMatrix couplings(const ReducedProblem& base, const Border& border)
 {
   const Index unknowns = base.scale.size();
-  const SparseMatrix ofReleased = base.C->Q2()->rows().transpose() * transposeProduct(*base.C->A(), border.AP);
-  const SparseMatrix ofAdded = border.K.leftCols(unknowns).transpose();
-  return assembled<SparseMatrix>(unknowns + base.kept, ofReleased.cols() + ofAdded.cols(),
-                                 [&](Index k, ColumnSum& sum) {
-                                   if (k < ofReleased.cols()) return sum.addColumn(ofReleased, k);
-                                   sum.addColumn(ofAdded, k - ofReleased.cols());
-                                 });
+  const SparseMatrix ofReleased = transposeProduct(*base.C->A(), border.AP);  // Q2^T of these
+  return assembled<SparseMatrix>(
+      unknowns + base.kept, ofReleased.cols() + border.K.rows(), [&](Index k, ColumnSum& sum) {
+        if (k < ofReleased.cols()) {
+          for (SparseMatrix::InnerIterator entry(ofReleased, k); entry; ++entry)
+            sum.addColumn(base.C->Q2()->rows(), entry.row(), 0, entry.value());
+          return;
+        }
+        for (SparseRows::InnerIterator entry(border.K, k - ofReleased.cols()); entry && entry.col() < unknowns; ++entry)
+          sum.add(static_cast<int>(entry.col()), entry.value());
+      });
 }
 
 /// Solves the bordered system. Layout of right sides and solutions: unknowns, those added; multipliers, those added.

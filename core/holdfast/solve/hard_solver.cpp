@@ -93,10 +93,9 @@ EliminationOrder orderFor(const ConstrainedProblem& problem, const SparseMatrix&
 }
 
 /// With the rows `kept` of the elimination in the system, or with none where that is empty.
-SolverResult hardSolver(ConstrainedProblem problem, Backend backend, const SparseMatrix& wantedQ2,
-                        const std::vector<Index>& kept)
+SolverResult hardSolver(ConstrainedProblem problem, Backend backend, SparseMatrix Q2, const std::vector<Index>& kept)
 {
-  SparseMatrix Q2 = orderedColumns(wantedQ2, problem.ranks);
+  Q2 = orderedColumns(Q2, problem.ranks);
   std::vector<RowTerms> rows;
   for (const Index row : kept) rows.push_back(problem.eliminated->rows[row]);
   SparseRows K = constraintMatrix(rows, Q2.rows()) * Q2;
