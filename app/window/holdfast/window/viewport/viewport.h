@@ -194,6 +194,7 @@ class Viewport : public VtkView {
   /// Avoids work for a full picture that will not be drawn.
   void prepareToMove();
   void render();
+  [[nodiscard]] bool movesCoarse() const;
   void prepareScene();
   void renderAtOnce();
   void renderInFull();

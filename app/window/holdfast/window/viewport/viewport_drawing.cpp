@@ -66,7 +66,7 @@ void Viewport::scheduleRender()
 {
   isSceneDue_ = true;
   schedulePicture();
-  if (fullMilliseconds_ > kFluentMilliseconds) restTimer_.start();
+  if (movesCoarse()) restTimer_.start();
 }
 
 void Viewport::scheduleWidgets()
@@ -110,10 +110,16 @@ bool Viewport::isSolutionAwaited() const
          drawing_.elapsed() < kMostMillisecondsUnsolved;
 }
 
-/// A large mesh is drawn with fewer triangles until the mouse rests.
+/// A large mesh is drawn with fewer triangles until the mouse rests. Of a small one, with as many of them, a picture at
+/// once is the full one.
+bool Viewport::movesCoarse() const
+{
+  return contents_ && isLarge(*editor_.model()) && fullMilliseconds_ > kFluentMilliseconds;
+}
+
 void Viewport::prepareScene()
 {
-  isCoarse_ = contents_ && fullMilliseconds_ > kFluentMilliseconds;
+  isCoarse_ = movesCoarse();
   if (isCoarse_ && !restTimer_.isActive()) restTimer_.start();
   kept_->setKeeping(!isCoarse_);
   noteView();
@@ -170,7 +176,7 @@ void Viewport::abandonDrawing()
 
 void Viewport::prepareToMove()
 {
-  if (fullMilliseconds_ <= kFluentMilliseconds) return;
+  if (!movesCoarse()) return;
   // A picture in slices is not shown before it is complete.
   if (slices_->isUnderWay()) abandonDrawing();
   contents_->setDetail(Detail::Coarse);
