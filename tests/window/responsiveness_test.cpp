@@ -33,8 +33,14 @@ constexpr double kPromisedMilliseconds = 50;
 // window computes for too long does not: only what is late every time is a failure.
 constexpr int kAttempts = 3;
 
-/// How long the thread of the window has computed at most while an event waited, by phase, in milliseconds.
+/// How long the thread of the window has computed at most while an event waited, by what went on, in milliseconds.
 using Computed = std::map<std::string, double>;
+
+bool isKept(const Computed& computed)
+{
+  return std::all_of(computed.begin(), computed.end(),
+                     [](const auto& entry) { return entry.second < kPromisedMilliseconds; });
+}
 
 // Of a hand that moves.
 constexpr int kMilliSecondsBetweenMoves = 8;
@@ -43,17 +49,21 @@ constexpr int kMilliSecondsBetweenMoves = 8;
 /// recorded with the test.
 class LargeMeshUser : public test::WindowUser {
  public:
-  /// Goes through everything once.
-  Computed computed()
+  /// Opens a document and goes through the phases in which something was late; where there are none yet, through all.
+  void lower(std::vector<Computed>& best)
   {
     SetUp();
-    if (!HasFatalFailure()) whileADocumentIsOpened();
-    for (const auto& phase : phases()) {
-      if (HasFatalFailure()) break;
-      lookFromTheFront();
-      phase();
+    const std::vector<Phase> all = phases();
+    best.resize(all.size());
+    for (std::size_t k = 0; k < all.size() && !HasFatalFailure(); ++k) {
+      const bool opensDocument = k == 0;
+      if (!opensDocument && !best[k].empty() && isKept(best[k])) continue;
+      if (!opensDocument) lookFromTheFront();
+      computed_.clear();
+      all[k]();
+      for (const auto& [what, milliseconds] : computed_)
+        best[k][what] = std::min(best[k].try_emplace(what, milliseconds).first->second, milliseconds);
     }
-    return computed_;
   }
 
  protected:
@@ -80,15 +90,18 @@ class LargeMeshUser : public test::WindowUser {
 
   [[nodiscard]] std::vector<Phase> phases()
   {
-    return {[this] { whileNothingIsDone(); },
+    return {[this] { whileADocumentIsOpened(); },
+            [this] { whileNothingIsDone(); },
             [this] { whileAnEditIsSolved(); },
             [this] { whileTheArrowsAreDragged("dragging the arrows"); },
             [this] { whileThePictureIsTurned(); },
             [this] { whileThePointToolHovers(); },
             [this] { whileItHoversAndAnEditIsSolved(); },
             [this] { whileConstraintsAreSelected(); },
-            [this] { whileVerticesAreSelected(); },
-            [this] { whileMuchIsFixedAndSaved(); },
+            [this] {
+              whileVerticesAreSelected();
+              whileMuchIsFixedAndSaved();
+            },
             [this] { whilePanelsAreOpened(); },
             [this] { whileAMatrixIsFactorised(); }};
   }
@@ -355,25 +368,15 @@ class LargeMeshUser : public test::WindowUser {
   Computed computed_;
 };
 
-/// The smaller of both figures of each phase.
-Computed least(Computed a, const Computed& b)
-{
-  for (auto& [phase, milliseconds] : a) milliseconds = std::min(milliseconds, b.at(phase));
-  return a;
-}
-
-bool isKept(const Computed& computed)
-{
-  return std::all_of(computed.begin(), computed.end(),
-                     [](const auto& phase) { return phase.second < kPromisedMilliseconds; });
-}
-
 TEST(Responsiveness, HoldsWhateverTheWindowDoes)
 {
-  Computed best = LargeMeshUser().computed();
-  for (int attempt = 1; attempt < kAttempts && !isKept(best) && !testing::Test::HasFatalFailure(); ++attempt)
-    best = least(best, LargeMeshUser().computed());
-  for (const auto& [phase, milliseconds] : best) EXPECT_LT(milliseconds, kPromisedMilliseconds) << phase;
+  std::vector<Computed> best;
+  for (int attempt = 0; attempt < kAttempts && !testing::Test::HasFatalFailure(); ++attempt) {
+    if (attempt > 0 && std::all_of(best.begin(), best.end(), isKept)) break;
+    LargeMeshUser().lower(best);
+  }
+  for (const Computed& computed : best)
+    for (const auto& [what, milliseconds] : computed) EXPECT_LT(milliseconds, kPromisedMilliseconds) << what;
 }
 
 }  // namespace
