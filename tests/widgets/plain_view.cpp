@@ -30,24 +30,32 @@ Frame frameOf(const PlainView& view)
   return {right, right.cross(forward), forward};
 }
 
-/// A triangle on the line through `point`: its depth there, and the weights of its corners in space.
+/// The line of sight through a point of the screen: from the place at depth 1 towards that at depth 2, depth grows
+/// evenly.
+struct Line {
+  Line(const PlainView& view, const Eigen::Vector2d& point)
+      : origin(view.placeAt(point, 1)), step(view.placeAt(point, 2) - origin)
+  {
+  }
+
+  Vector3 origin;
+  Vector3 step;
+};
+
+/// A triangle on such a line: its depth there, and the weights of its corners in space.
 struct Crossing {
   double depth = 0;
   Vector3 weights = Vector3::Zero();
 };
 
-Crossing crossingOf(const PlainView& view, const Eigen::Vector2d& point, const Positions& positions,
-                    const Triangle& triangle)
+Crossing crossingOf(const Line& line, const Positions& positions, const Triangle& triangle)
 {
-  // On the line from the place at depth 1 towards that at depth 2, depth grows evenly.
-  const Vector3 origin = view.placeAt(point, 1);
-  const Vector3 step = view.placeAt(point, 2) - origin;
   const Vector3 a = positions.row(triangle[0]);
   const Vector3 b = positions.row(triangle[1]);
   const Vector3 c = positions.row(triangle[2]);
   const Vector3 normal = (b - a).cross(c - a);
-  const double along = (a - origin).dot(normal) / step.dot(normal);
-  const Vector3 place = origin + along * step;
+  const double along = (a - line.origin).dot(normal) / line.step.dot(normal);
+  const Vector3 place = line.origin + along * line.step;
   const auto share = [&](const Vector3& from, const Vector3& to) {
     return (to - from).cross(place - from).dot(normal) / normal.squaredNorm();
   };
@@ -108,10 +116,11 @@ void look(vtkCamera& camera, const PlainView& view)
 PlainSight plainSight(const PlainView& view, const Eigen::Vector2d& point, const Positions& positions,
                       const std::vector<Triangle>& triangles)
 {
+  const Line line(view, point);
   PlainSight sight;
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t t = 0; t < triangles.size(); ++t) {
-    const auto [depth, weights] = crossingOf(view, point, positions, triangles[t]);
+    const auto [depth, weights] = crossingOf(line, positions, triangles[t]);
     const bool isEdge = std::abs(weights.minCoeff()) < kDoubt;
     if (isEdge && depth > 0) sight.isDoubtful = true;
     if (!(depth > 0) || weights.minCoeff() < 0 || depth >= nearest) continue;
@@ -127,12 +136,13 @@ std::optional<bool> isPlainlyVisible(const PlainView& view, const Vector3& place
 {
   const Vector3 shown = view.shown(place);
   if (shown[2] <= 0) return false;
+  const Line line(view, shown.head<2>());
   bool isDoubtful = false;
   for (const Triangle& triangle : triangles) {
     if (std::all_of(own.begin(), own.end(),
                     [&](Index v) { return std::find(triangle.begin(), triangle.end(), v) != triangle.end(); }))
       continue;
-    const auto [depth, weights] = crossingOf(view, shown.head<2>(), positions, triangle);
+    const auto [depth, weights] = crossingOf(line, positions, triangle);
     if (!(depth > 0) || weights.minCoeff() < -kDoubt || depth > shown[2] * (1 + kDoubt)) continue;
     if (weights.minCoeff() > kDoubt && depth < shown[2] * (1 - kDoubt)) return false;
     isDoubtful = true;
