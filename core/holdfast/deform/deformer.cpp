@@ -260,7 +260,7 @@ class Solution {
   static void announceFactorization(const ConstraintFactorization& factorization, Progress& progress)
   {
     if (!factorization.positions.isDone())
-      progress.step(fmt::format("factorising {} unknowns", factorization.eliminated->elimination.Q2().cols()));
+      progress.step(fmt::format("factorising {} unknowns", factorization.eliminated->elimination.freeCount()));
   }
 
   void addFindings(const ConstraintFactorization& factorization)

@@ -142,8 +142,7 @@ SparseMatrix BlockElimination::Q2() const
     role[blocks_[b].unknowns.front()] = static_cast<Index>(b);
   }
 
-  Index columns = 0;
-  for (const Index own : role) columns += own == kNotPivot ? 1 : own < 0 ? 0 : blocks_[own].Q2.cols();
+  const Index columns = freeCount();
   SparseMatrix result(unknownCount, columns);
   result.reserve(columns);
   // In the order of the unknowns, a block's at its first: neighbours on the surface stay neighbours.
@@ -164,6 +163,13 @@ SparseMatrix BlockElimination::Q2() const
   }
   result.finalize();
   return result;
+}
+
+Index BlockElimination::freeCount() const
+{
+  Index count = std::ranges::count(isHeld_, false) - static_cast<Index>(pins_.size());
+  for (const Block& block : blocks_) count -= static_cast<Index>(block.unknowns.size()) - block.Q2.cols();
+  return count;
 }
 
 Columns3 BlockElimination::particular(const Columns3& d) const

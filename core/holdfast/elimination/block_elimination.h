@@ -30,8 +30,11 @@ class BlockElimination {
   BlockElimination(const std::vector<RowTerms>& rows, const std::vector<Index>& independent, Index unknownCount,
                    const std::vector<bool>& isHeld);
 
-  /// Orthonormal but for large components; a free unknown has an identity column.
+  /// Orthonormal but for large components; a free unknown has an identity column. Made anew: O(n + its entries).
   [[nodiscard]] SparseMatrix Q2() const;
+
+  /// How many columns Q2 has. O(n).
+  [[nodiscard]] Index freeCount() const;
 
   /// Orthonormal, with no row kept: see `Elimination::wholeQ2`.
   [[nodiscard]] SparseMatrix wholeQ2() const;

@@ -18,8 +18,11 @@ class Elimination {
               const std::vector<bool>& isHeld);
 
   /// n x k, orthogonal columns that span the displacements with B u = 0 in all rows that are not kept, and 0 where
-  /// held. A free unknown has an identity column, a free group one of ones.
+  /// held. A free unknown has an identity column, a free group one of ones. Made anew: O(n + its entries).
   [[nodiscard]] SparseMatrix Q2() const;
+
+  /// k. O(n).
+  [[nodiscard]] Index freeCount() const { return blocks_.freeCount(); }
 
   /// The independent rows of large components, ascending. A basis of what they leave free would be nearly dense, so
   /// they stay in the system that is solved, with multipliers.

@@ -110,8 +110,8 @@ bool Viewport::isSolutionAwaited() const
          drawing_.elapsed() < kMostMillisecondsUnsolved;
 }
 
-/// A large mesh is drawn with fewer triangles until the mouse rests. Of a small one, with as many of them, a picture at
-/// once is the full one.
+/// Whether a picture is drawn with fewer triangles, and in full when the mouse rests. Fewer of a small mesh would save
+/// little.
 bool Viewport::movesCoarse() const
 {
   return contents_ && isLarge(*editor_.model()) && fullMilliseconds_ > kFluentMilliseconds;
