@@ -498,7 +498,10 @@ DeformResult Deformer::deform(const ConstraintList& constraints, const std::stri
     search.options.mostIterations = continued_;
   }
   const auto solved = [&](ConstraintFactorization& by, ConstraintSystem its) {
-    if (answersEditsAtOnce_ && by.moved == nullptr) by.moved = std::make_unique<MovedSolutions>(model_->solverMesh);
+    if (answersEditsAtOnce_ && by.moved == nullptr)
+      by.moved = by.isBordered && whole_->moved != nullptr
+                     ? std::make_unique<MovedSolutions>(model_->solverMesh, *whole_->moved)
+                     : std::make_unique<MovedSolutions>(model_->solverMesh);
     return Solution(*model_, constraints, options_, operators_, *A_, search, std::move(its)).by(by, progress);
   };
   ConstraintSystem again;

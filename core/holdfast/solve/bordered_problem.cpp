@@ -6,6 +6,7 @@
 
 #include <Eigen/LU>
 
+#include <holdfast/base/disjoint_sets.h>
 #include <holdfast/solve/column_scaling.h>
 #include <holdfast/solve/interleaved_rows.h>
 
@@ -61,11 +62,29 @@ void forEachThree(Index columns, const Use& use)
   for (Index first = 0; first < columns; first += 3) use(first, std::min<Index>(3, columns - first));
 }
 
+/// The rows of components that `some` are in; the others are empty.
+std::vector<RowTerms> connectedTo(const std::vector<Index>& some, const EliminatedConstraints& constraints,
+                                  Index unknownCount)
+{
+  const std::vector<RowTerms>& rows = constraints.rows;
+  const std::vector<Index> independent = independentRows(constraints.dependencies, rows.size());
+  DisjointSets sets(unknownCount);
+  for (const Index row : independent)
+    for (const Term& term : rows[row]) sets.unite(rows[row].front().index, term.index);
+  std::vector<Index> wanted;
+  for (const Index row : some) wanted.push_back(sets.find(rows[row].front().index));
+  std::ranges::sort(wanted);
+  std::vector<RowTerms> result(rows.size());
+  for (const Index row : independent)
+    if (!rows[row].empty() && std::ranges::binary_search(wanted, sets.find(rows[row].front().index)))
+      result[row] = rows[row];
+  return result;
+}
+
 /// n x removed: the displacements that meet every independent row with 0 but one of those removed, with 1.
 SparseMatrix released(const EliminatedConstraints& before, const std::vector<Index>& removed, Index unknownCount)
 {
-  std::vector<RowTerms> rows(before.rows.size());
-  for (const Index row : independentRows(before.dependencies, rows.size())) rows[row] = before.rows[row];
+  const std::vector<RowTerms> rows = connectedTo(removed, before, unknownCount);
   std::vector<Index> columnOf(rows.size(), -1);
   for (std::size_t k = 0; k < removed.size(); ++k) columnOf[removed[k]] = static_cast<Index>(k);
   std::vector<Eigen::Triplet<double, int>> entries;
@@ -95,20 +114,25 @@ SparseMatrix released(const EliminatedConstraints& before, const std::vector<Ind
 
 /// The border of a reduced problem of k unknowns.
 struct Border {
-  SparseMatrix AP;  // n x removed, columns of length 1
-  SparseRows K;     // added x (k + removed), rows of length 1
+  SparseMatrix AP;           // n x removed, columns of length 1
+  SparseRows K;              // added x (k + removed), rows of length 1
+  Eigen::VectorXd scale;     // of the rows of K
+  std::vector<Index> added;  // places of these in the list
 };
 
-void scaleRows(SparseRows& K)
+/// Makes rows of length 1; returns what they were multiplied by.
+Eigen::VectorXd scaleRows(SparseRows& K)
 {
-  for (Index r = 0; r < K.rows(); ++r) K.row(r) /= K.row(r).norm();
+  Eigen::VectorXd scale(K.rows());
+  for (Index r = 0; r < K.rows(); ++r) K.row(r) *= scale[r] = 1 / K.row(r).norm();
+  return scale;
 }
 
-/// These rows over the columns of Q2 and P, of length 1.
+/// These rows over the columns of Q2 and P.
 SparseRows keptRows(const EliminatedConstraints& constraints, const std::vector<Index>& rows, const SparseRows& Q2,
                     const SparseMatrix& P)
 {
-  auto K = assembled<SparseRows>(static_cast<Index>(rows.size()), Q2.cols() + P.cols(), [&](Index i, ColumnSum& sum) {
+  return assembled<SparseRows>(static_cast<Index>(rows.size()), Q2.cols() + P.cols(), [&](Index i, ColumnSum& sum) {
     for (const Term& term : constraints.rows[rows[i]]) {
       sum.addColumn(Q2, term.index, 0, term.coefficient);
       for (Index k = 0; k < P.cols(); ++k)
@@ -116,8 +140,6 @@ SparseRows keptRows(const EliminatedConstraints& constraints, const std::vector<
           sum.add(static_cast<int>(Q2.cols() + k), term.coefficient * moved);
     }
   });
-  scaleRows(K);
-  return K;
 }
 
 /// The rows of `above`, which has fewer columns, and of `below`.
@@ -160,16 +182,17 @@ SparseMatrix couplings(const ReducedProblem& base, const Border& border)
 }
 
 /// Solves the bordered system. Layout of right sides and solutions: unknowns, those added; multipliers, those added.
-class BorderedFactor final : public LeastSquaresFactor {
+class FactorAndBorder final : public BorderedFactor {
  public:
   /// `base` has our own factor.
-  BorderedFactor(std::shared_ptr<const ReducedProblem> base, const Border& border)
+  FactorAndBorder(std::shared_ptr<const ReducedProblem> base, Border border)
       : base_(std::move(base)),
+        border_(std::move(border)),
         unknowns_(base_->scale.size()),
-        released_(border.AP.cols()),
-        added_(border.K.rows()),
+        released_(border_.AP.cols()),
+        added_(border_.K.rows()),
         rows_(base_->factor->packed()->symbolic().order),
-        V_(base_->factor->packed()->solveForward(couplings(*base_, border))),
+        V_(base_->factor->packed()->solveForward(couplings(*base_, border_))),
         SV_(V_)
   {
     for (int& row : rows_)
@@ -179,8 +202,8 @@ class BorderedFactor final : public LeastSquaresFactor {
         if (std::ranges::binary_search(base_->factor->packed()->negative(), static_cast<int>(entry.row())))
           entry.valueRef() *= -1;
     Eigen::MatrixXd S = Eigen::MatrixXd::Zero(V_.cols(), V_.cols());
-    S.topLeftCorner(released_, released_) = SparseMatrix(border.AP.transpose() * border.AP);
-    S.bottomLeftCorner(added_, released_) = border.K.rightCols(released_);
+    S.topLeftCorner(released_, released_) = SparseMatrix(border_.AP.transpose() * border_.AP);
+    S.bottomLeftCorner(added_, released_) = border_.K.rightCols(released_);
     S.topRightCorner(released_, added_) = S.bottomLeftCorner(added_, released_).transpose();
     S -= SparseMatrix(SV_.transpose() * V_);
     weights_ = S.diagonal().cwiseAbs().cwiseSqrt().cwiseInverse();
@@ -191,25 +214,31 @@ class BorderedFactor final : public LeastSquaresFactor {
 
   [[nodiscard]] Columns3 solve(const Columns3& g) const override
   {
-    const PackedFactor& factor = *base_->factor->packed();
     Columns3 ofBorder(V_.cols(), 3);
     ofBorder << g.middleRows(unknowns_, released_), g.bottomRows(added_);
     gather(rows_, g, x_);
-    factor.solveForward(x_);
-    auto forward =
-        Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>>(x_.data(), V_.rows(), 4).leftCols<3>();
-    const Columns3 s =
-        weights_.asDiagonal() *
-        schur_.solve(Eigen::MatrixX3d(weights_.asDiagonal() * Columns3(ofBorder - SV_.transpose() * forward)));
-    forward -= V_ * s;
-    factor.solveBackward(x_);
-    Columns3 result(g.rows(), 3);
-    scatter(rows_, x_, result);
-    result.middleRows(unknowns_, released_) = s.topRows(released_);
+    base_->factor->packed()->solveForward(x_);
+    Columns3 result = solvedBackward(ofBorder - SV_.transpose() * forward());
     // C^T C has the squares of kept rows in it; those added are not in the factor.
-    result.bottomRows(added_) = s.bottomRows(added_) - g.bottomRows(added_);
+    result.bottomRows(added_) -= g.bottomRows(added_);
     return result;
   }
+
+  /// Of what the base has solved, nothing is left: see `stepFromBase`.
+  [[nodiscard]] Columns3 stepFromBase(const Columns3& u, const Columns3& f, const Columns3& missed) const override
+  {
+    const EnergyMatrix& A = *base_->C->A();
+    Columns3 ofBorder = Columns3::Zero(V_.cols(), 3);
+    for (Index k = 0; k < released_; ++k)
+      for (SparseMatrix::InnerIterator entry(border_.AP, k); entry; ++entry)
+        ofBorder.row(k) += entry.value() * (f.row(entry.row()) - A.rowTimes(entry.row(), u));
+    for (Index k = 0; k < added_; ++k) ofBorder.row(released_ + k) = border_.scale[k] * missed.row(border_.added[k]);
+    x_.assign(4 * rows_.size(), 0);
+    return solvedBackward(ofBorder);
+  }
+
+  [[nodiscard]] const std::vector<Index>& added() const override { return border_.added; }
+  [[nodiscard]] const SparseRows& K() const noexcept { return border_.K; }
 
   [[nodiscard]] Index nonzeros() const override { return base_->factor->nonzeros() + V_.nonZeros(); }
   [[nodiscard]] std::string_view method() const override
@@ -218,7 +247,27 @@ class BorderedFactor final : public LeastSquaresFactor {
   }
 
  private:
+  /// The numbers of `x_`, which solve with L once `PackedFactor::solveForward` has.
+  [[nodiscard]] Eigen::Map<Columns3, 0, Eigen::OuterStride<4>> forward() const
+  {
+    return {x_.data(), V_.rows(), 3, Eigen::OuterStride<4>()};
+  }
+
+  /// The rest of a solution: `left` is what `forward()` leaves of the border.
+  [[nodiscard]] Columns3 solvedBackward(const Columns3& left) const
+  {
+    const Columns3 s = weights_.asDiagonal() * schur_.solve(Eigen::MatrixX3d(weights_.asDiagonal() * left));
+    forward() -= V_ * s;
+    base_->factor->packed()->solveBackward(x_);
+    Columns3 result(static_cast<Index>(rows_.size()) + V_.cols(), 3);
+    scatter(rows_, x_, result);
+    result.middleRows(unknowns_, released_) = s.topRows(released_);
+    result.bottomRows(added_) = s.bottomRows(added_);
+    return result;
+  }
+
   std::shared_ptr<const ReducedProblem> base_;
+  Border border_;
   Index unknowns_;
   Index released_;
   Index added_;
@@ -247,7 +296,7 @@ Result<ReducedProblem> makeReducedProblem(std::shared_ptr<const EnergyMatrix> A,
       std::move(A), std::make_shared<const TwoWayMatrix>(std::move(Q2)), SparseMatrix(), std::move(K));
   FactorResult factor = kept == 0 ? factorize(*C, backend, probe, order) : factorizeKept(*C, C->K(), probe, order);
   if (!factor) return {{}, std::move(factor.failure)};
-  return {{C, std::move(scale), kept, std::move(factor.value)}};
+  return {{C, std::move(scale), kept, std::move(factor.value), nullptr}};
 }
 
 Result<ReducedProblem> bordered(const std::shared_ptr<const ReducedProblem>& base, const EliminatedConstraints& before,
@@ -264,15 +313,17 @@ Result<ReducedProblem> bordered(const std::shared_ptr<const ReducedProblem>& bas
   auto [scale, unscaled] = columnScale(A, P, {});
   if (!unscaled.empty()) return {{}, std::move(unscaled)};
   P = P * scale.asDiagonal();
-  const Border border{product(A, P), keptRows(now, edit.added, Q2->rows(), P)};
-  auto factor = std::make_shared<BorderedFactor>(base, border);
+  SparseRows K = keptRows(now, edit.added, Q2->rows(), P);
+  Eigen::VectorXd scaleOfK = scaleRows(K);
+  const auto factor = std::make_shared<const FactorAndBorder>(
+      base, Border{product(A, P), std::move(K), std::move(scaleOfK), edit.added});
   if (!factor->isRegular()) return {{}, "the Schur complement is singular in doubles"};
   ReducedProblem result;
-  result.factor = std::move(factor);
+  result.factor = result.border = factor;
   result.scale.resize(base->scale.size() + P.cols());
   result.scale << base->scale, scale;
-  result.kept = base->kept + border.K.rows();
-  result.C = std::make_shared<const ReducedMatrix>(base->C->A(), Q2, std::move(P), stacked(base->C->K(), border.K));
+  result.kept = base->kept + factor->K().rows();
+  result.C = std::make_shared<const ReducedMatrix>(base->C->A(), Q2, std::move(P), stacked(base->C->K(), factor->K()));
   return {std::move(result)};
 }
 

@@ -9,12 +9,25 @@
 
 namespace holdfast {
 
+/// The factor of a problem, its base, and what a border adds to that.
+class BorderedFactor : public LeastSquaresFactor {
+ public:
+  /// The rows that the border adds, by their places in the list.
+  [[nodiscard]] virtual const std::vector<Index>& added() const = 0;
+
+  /// What makes of a solution of the base one of the bordered problem, but for the share that the factor leaves of an
+  /// error: z, and the differences of multipliers below it. `u` (n x 3) solves the base for the same f, and `missed`
+  /// (rows x 3) is what it leaves of B u = d. O(half of the factor).
+  [[nodiscard]] virtual Columns3 stepFromBase(const Columns3& u, const Columns3& f, const Columns3& missed) const = 0;
+};
+
 /// Minimise |C z - f|, with u = Q2 diag(scale) z.
 struct ReducedProblem {
   std::shared_ptr<const ReducedMatrix> C;  ///< of Q2 diag(scale): columns of length 1, and kept rows of length 1 below
   Eigen::VectorXd scale;
   Index kept = 0;  ///< how many rows are kept
   std::shared_ptr<const LeastSquaresFactor> factor;
+  std::shared_ptr<const BorderedFactor> border;  ///< the same, of a problem that is bordered
 };
 
 /// What rows below the equations are.

@@ -62,7 +62,9 @@ CorrectedSolution correctedSolve(const LeastSquaresFactor& factor, const LinearM
   z = solved(factor, C, f, multipliers);
   multipliers += z.bottomRows(kept);
   z.conservativeResize(unknowns, 3);
-  if (first > 0 && isLastCorrection(first, largestSize(columnScale, z) / known.size)) {
+  const double taken = largestSize(columnScale, z);
+  if (known.isTelling()) first = std::max(first, taken / known.step);
+  if (first > 0 && isLastCorrection(first, taken / known.size)) {
     accuracy = kSampleFactor * reachedBy(first);
     return result;
   }
@@ -76,7 +78,7 @@ CorrectedSolution correctedSolve(const LeastSquaresFactor& factor, const LinearM
     if (!(change < last)) break;
     z += step;
     multipliers += correction.bottomRows(kept);
-    if (corrections++ == 0 && known.left == 0) first = change;
+    if (corrections++ == 0 && first == 0) first = change;
     const bool isLast = change <= kLastCorrection || isLastCorrection(first, change);
     accuracy = isLast ? kSampleFactor * reachedBy(first) : change;
     if (isLast || change > kStalled * last) break;

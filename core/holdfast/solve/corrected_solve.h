@@ -21,6 +21,10 @@ struct KnownSolution {
   double size = 0;       ///< largest absolute value of all of it
   Columns3 multipliers;  ///< its own, kept x 3; empty: zeros
   double left = 0;       ///< as in the `CorrectedSolution` of one with the same factor; 0 where that is not known
+  double step = 0;       ///< how far the factor has just taken it there, largest absolute value; 0 where it has not
+
+  /// Whether what is left of that step tells which share the factor leaves, and is not rounding of the whole.
+  [[nodiscard]] bool isTelling() const noexcept { return step > 1e-3 * size; }
 };
 
 /// Corrected semi-normal equations (Björck, 1987): the residual is computed through C itself, never through C^T C, and

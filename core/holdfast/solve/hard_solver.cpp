@@ -9,6 +9,9 @@
 namespace holdfast {
 namespace {
 
+// A solution leaves less of its rows than this share of its size.
+constexpr double kMetByBase = 1e-10;
+
 class HardSolver final : public ConstrainedSolver {
  public:
   HardSolver(ConstrainedProblem problem, ReducedProblem reduced)
@@ -25,16 +28,35 @@ class HardSolver final : public ConstrainedSolver {
 
   [[nodiscard]] Displacement solveFrom(Displacement near, const RowTargets& targets, const Columns3& f) const override
   {
+    if (near.left == 0) return solve(targets, f);  // a difference does not tell what is left of all
     meet(targets, near.u);
     KnownSolution known{largestSize(near.u), std::move(near.multipliers), near.left};
     return solved(std::move(near), f, known);
   }
 
+  [[nodiscard]] std::optional<Displacement> solveEdited(const Displacement& base, const RowTargets& targets,
+                                                        const Columns3& f) const override
+  {
+    const Columns3 missed = missedBy(base.u, targets);
+    if (!targets.reconciled.empty() || !isOfBase(base, missed)) return std::nullopt;
+    const Index unknowns = reduced_->scale.size();
+    const Columns3 z = reduced_->border->stepFromBase(base.u, f, missed);
+    Displacement near{reduced_->C->spread(z.topRows(unknowns))};
+    parallelBlocks(near.u.rows(), [&](Index i) { near.u.row(i) += base.u.row(i); });
+    KnownSolution known{largestSize(near.u), z.bottomRows(reduced_->kept), base.left,
+                        largestSize(reduced_->scale, z.topRows(unknowns))};
+    if (base.left == 0 && !known.isTelling()) return std::nullopt;
+    known.multipliers.topRows(base.multipliers.rows()) += base.multipliers;
+    meet(targets, near.u);
+    Displacement result = solved(std::move(near), f, known);
+    if (!known.isTelling()) result.left = 0;
+    return result;
+  }
+
   /// In the span of the rows; pins have nothing left.
   void meet(const RowTargets& targets, Columns3& u) const override
   {
-    Columns3 left(B_.rows(), 3);
-    parallelBlocks(left.rows(), [&](Index r) { left.row(r) = targets.shifts.row(r) - gathered(B_, r, u); });
+    Columns3 left = missedBy(u, targets);
     if (left.isZero(0)) return;
     const Columns3 step = particular({std::move(left), targets.reconciled});
     parallelBlocks(u.rows(), [&](Index i) { u.row(i) += step.row(i); });
@@ -53,6 +75,29 @@ class HardSolver final : public ConstrainedSolver {
   [[nodiscard]] std::string method() const override { return std::string(reduced_->factor->method()); }
 
  private:
+  /// d - B u.
+  [[nodiscard]] Columns3 missedBy(const Columns3& u, const RowTargets& targets) const
+  {
+    Columns3 missed(B_.rows(), 3);
+    parallelBlocks(missed.rows(), [&](Index r) { missed.row(r) = targets.shifts.row(r) - gathered(B_, r, u); });
+    return missed;
+  }
+
+  /// Whether `base` meets the rows that the base of this solver has as well: nothing else has changed.
+  [[nodiscard]] bool isOfBase(const Displacement& base, const Columns3& missed) const
+  {
+    if (reduced_->border == nullptr) return false;
+    const std::vector<Index>& added = reduced_->border->added();
+    if (base.multipliers.rows() + static_cast<Index>(added.size()) != reduced_->kept) return false;
+    std::vector<char> isOfBoth(problem_.eliminated->rows.size(), 0);
+    for (const Index row : independentRows(problem_.eliminated->dependencies, isOfBoth.size())) isOfBoth[row] = 1;
+    for (const Index row : added) isOfBoth[row] = 0;
+    const double rounding = kMetByBase * largestSize(base.u);
+    for (std::size_t r = 0; r < isOfBoth.size(); ++r)
+      if (isOfBoth[r] != 0 && !(missed.row(static_cast<Index>(r)).cwiseAbs().maxCoeff() <= rounding)) return false;
+    return true;
+  }
+
   /// `result` meets the rows, and goes on to do so.
   [[nodiscard]] Displacement solved(Displacement result, const Columns3& f, const KnownSolution& known) const
   {

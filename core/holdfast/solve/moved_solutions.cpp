@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include <holdfast/base/parallel.h>
 
@@ -64,37 +65,52 @@ MovedSolutions::MovedSolutions(const SolverMesh& mesh)
 {
 }
 
+MovedSolutions::MovedSolutions(const SolverMesh& mesh, const MovedSolutions& base) : MovedSolutions(mesh)
+{
+  wanted_ = base.wanted_;
+  base_ = base.last_;
+}
+
 const Displacement& MovedSolutions::solve(const ConstrainedSolver& solver, const RowTargets& targets, const Columns3& q,
                                           const std::function<Columns3()>& makeF)
 {
-  const bool isSame = q_.rows() == q.rows() && q_ == q && targets_.reconciled == targets.reconciled;
+  const bool isKnown = wanted_ != nullptr && wanted_->q.rows() == q.rows() && wanted_->q == q;
+  const bool isSame = isKnown && !answers_.empty() && targets_.reconciled == targets.reconciled;
   const auto moves = isSame ? movesOf(targets.shifts - targets_.shifts, rounding_) : std::nullopt;
   if (!moves || !(moves->by.cwiseAbs().maxCoeff() <= farthest_)) {
-    q_ = q;
-    f_ = makeF();
+    const Displacement* const base = std::exchange(base_, nullptr);
+    last_ = nullptr;
     if (targets_.reconciled != targets.reconciled) answers_.clear();
+    const std::shared_ptr<const Wanted> wanted = isKnown ? wanted_ : std::make_shared<const Wanted>(Wanted{q, makeF()});
+    Eigen::VectorXd asked = sampled(targets, wanted->f);
+    std::optional<Displacement> edited;
+    if (isKnown && base != nullptr) edited = solver.solveEdited(*base, targets, wanted->f);
+    Displacement found = edited             ? std::move(*edited)
+                         : answers_.empty() ? solver.solve(targets, wanted->f)
+                                            : solver.solveFrom(nearest(asked), targets, wanted->f);
+    wanted_ = wanted;
     targets_ = {targets.shifts, targets.reconciled};
-    Eigen::VectorXd asked = sampled(targets, f_);
-    Displacement found = answers_.empty() ? solver.solve(targets, f_) : solver.solveFrom(nearest(asked), targets, f_);
     if (answers_.size() == kAnswers) answers_.pop_front();
     answers_.push_back({std::move(asked), std::move(found)});
-    return answers_.back().solution;
+    return *(last_ = &answers_.back().solution);
   }
   const Displacement& solution = answers_.back().solution;
-  if (moves->by.isZero(0)) return solution;
+  if (moves->by.isZero(0)) return *(last_ = &solution);
   if (response_.groupOf != moves->groupOf) {
     Columns3 isMoved(targets.shifts.rows(), 3);
     for (Index r = 0; r < isMoved.rows(); ++r)
       for (int group = 0; group < kGroups; ++group) isMoved(r, group) = moves->groupOf[r] == group + 1;
-    response_ = {moves->groupOf, solver.solve({std::move(isMoved), targets.reconciled}, Columns3::Zero(f_.rows(), 3))};
+    response_ = {moves->groupOf, solver.solve({std::move(isMoved), targets.reconciled}, Columns3::Zero(f().rows(), 3))};
   }
   const Displacement& reach = response_.reach;
   sum_.u.resize(reach.u.rows(), 3);
+  sum_.left = solution.left;
+  sum_.multipliers = solution.multipliers + reach.multipliers * moves->by;
   sum_.corrections = solution.corrections;
   sum_.accuracy = std::max(solution.accuracy, reach.accuracy);
   parallelBlocks(sum_.u.rows(), [&](Index i) { sum_.u.row(i) = solution.u.row(i) + reach.u.row(i) * moves->by; });
   solver.meet(targets, sum_.u);
-  return sum_;
+  return *(last_ = &sum_);
 }
 
 /// The sum of earlier solutions whose right-hand sides come nearest to `asked`.

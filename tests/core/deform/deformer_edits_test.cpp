@@ -1,9 +1,11 @@
 // Edits that are answered by the factor of an earlier list, bordered by the rows that differ.
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <memory>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -92,6 +94,75 @@ TEST(DeformerEdits, AreAsExactAsFreshDeformations)
         EXPECT_GT(bordered, 15);
       else
         EXPECT_EQ(bordered, 0);
+    }
+}
+
+/// An edit of a drag.
+struct DragEdit {
+  const char* what;
+  void (*change)(ConstraintList& list, const Positions& before);
+  bool beginsBefore;  // at the solution before it, which one more corrects
+};
+
+void addPoint(ConstraintList& list, const Positions& /*before*/)
+{
+  list.constraints.push_back(test::moveBy(AtFace{301, {0.25, 0.25, 0.5}}, Vector3(0.1, 0, 0.2)));
+}
+
+void movePoints(ConstraintList& list, const Positions& before)
+{
+  addPoint(list, before);
+  list.constraints.erase(list.constraints.begin() + 2);
+}
+
+void moveHandleAsWell(ConstraintList& list, const Positions& before)
+{
+  movePoints(list, before);
+  std::get<HandleConstraint>(list.constraints[1].what).translate.x() += 0.5;
+}
+
+constexpr std::array kDragEdits{
+    DragEdit{"a point more", addPoint, true},
+    DragEdit{
+        "a point fewer",
+        [](ConstraintList& list, const Positions& /*before*/) { list.constraints.erase(list.constraints.begin() + 2); },
+        true},
+    DragEdit{"a point that moves nothing",
+             [](ConstraintList& list, const Positions& before) {
+               list.constraints.push_back({"there", true, PointConstraint{AtVertex{155}, Target{before.row(155)}}});
+             },
+             true},
+    DragEdit{"one more and one fewer", movePoints, true},
+    DragEdit{"the handle moves as well", moveHandleAsWell, false}};
+
+TEST(DeformerEdits, OfADragBeginAtTheSolutionBeforeThem)
+{
+  // A long strip takes many digits; of 420 points some rows are kept in the system, with multipliers.
+  for (const auto& [mesh, points] : {std::pair(test::plate(250, 4), 3), std::pair(test::icosphere(3), 420)})
+    for (const auto& [what, change, beginsBefore] : kDragEdits) {
+      SCOPED_TRACE(testing::Message() << points << " points, " << what);
+      test::Random random(7);
+      ConstraintList list = turnedEnd(mesh);
+      for (int k = 0; k < points; ++k)
+        list.constraints.push_back(
+            test::moveBy(AtFace{static_cast<Index>(random.integer(0, static_cast<int>(mesh.faces.size()) - 1)),
+                                {0.25, 0.125, 0.625}},
+                         Vector3::Zero()));
+      const auto handle = [&]() -> HandleConstraint& { return std::get<HandleConstraint>(list.constraints[1].what); };
+      Deformer deformer(makeModel(mesh));
+      deformer.answerEditsAtOnce(true);
+      static_cast<void>(deformer.deform(list));
+      handle().translate.z() += 0.5;  // the last solution is a sum
+      const DeformResult before = deformer.deform(list);
+      change(list, before.positions);
+      const DeformResult edited = deformer.deform(list);
+      EXPECT_EQ(edited.report.solve.method, kBordered);
+      EXPECT_EQ(edited.report.solve.refinementSteps == 0, beginsBefore);
+      expectAsFresh(edited, mesh, list, {});
+      for (int k = 0; k < 3; ++k) {
+        handle().motion = AxisRotation{Vector3(1, 1, 0), 41.0 + k, {}};
+        expectAsFresh(deformer.deform(list), mesh, list, {});
+      }
     }
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -31,12 +32,19 @@ class Linear final : public ConstrainedSolver {
     farthest = (near.u - result.u).cwiseAbs().maxCoeff();
     return result;
   }
+  [[nodiscard]] std::optional<Displacement> solveEdited(const Displacement& base, const RowTargets& targets,
+                                                        const Columns3& f) const override
+  {
+    edited = base.u;
+    return solve(targets, f);
+  }
   [[nodiscard]] Index unknowns() const override { return kUnknowns; }
   [[nodiscard]] Index factorNonzeros() const override { return 0; }
   [[nodiscard]] std::string method() const override { return "a product"; }
 
   mutable int solutions = 0;
   mutable double farthest = 0;  // of the last solution from where it began
+  mutable Columns3 edited;      // the solution of another list from which the last one began
 
  private:
   Eigen::MatrixXd map_ = Eigen::MatrixXd::Random(kUnknowns, kRows);
@@ -114,6 +122,31 @@ TEST_F(MovedRows, WithOtherRotationsBeginAtTheSumOfEarlierSolutionsThatIsNearest
   targets_.reconciled = {4};
   solver_.farthest = -1;
   EXPECT_EQ(turnTo(q_ * 2, rest), -1) << "other rows are met: what was there is of no use";
+}
+
+TEST_F(MovedRows, OfAnEditedListBeginAtTheLastSolutionOfTheOneBefore)
+{
+  const SolverMesh mesh = makeModel(test::plate(3, 4)).solverMesh;
+  int made = 0;
+  const auto edit = [&] {
+    made = 0;
+    solver_.edited.resize(0, 3);
+    MovedSolutions edited(mesh, moved_);
+    const auto makeF = [&]() -> Columns3 { return ++made, 2 * q_; };
+    EXPECT_EQ(edited.solve(solver_, targets_, q_, makeF).u, solver_.solve(targets_, 2 * q_).u);
+    EXPECT_EQ(edited.f(), 2 * q_);
+    return solver_.edited;
+  };
+  move(Columns3::Zero(kRows, 3));
+  EXPECT_EQ(edit(), solver_.solve(targets_, 2 * q_).u);
+  EXPECT_EQ(made, 0) << "f is as it was";
+  move(rows({0.1, 0, 0, 0, 0}));
+  EXPECT_LT((edit() - solver_.solve(targets_, 2 * q_).u).cwiseAbs().maxCoeff(), 1e-14) << "the sum, which is the last";
+  q_(0, 0) += 0.1;
+  EXPECT_EQ(edit().rows(), 0) << "f is another one";
+  EXPECT_EQ(made, 1);
+  moved_ = MovedSolutions(mesh);
+  EXPECT_EQ(edit().rows(), 0) << "nothing was solved for";
 }
 
 /// A handle turns, in steps of a hand and far, beside points that stay.
