@@ -116,18 +116,12 @@ double secondsSince(Clock::time_point start)
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// What the constraints do to the surface, with the energy |A u - f|^2 / 2 of lengths in diagonals: no units.
-struct Multipliers {
-  Columns3 ofRows;      ///< rows x 3: the pull along what the row holds; zero for rows that were left out
-  Columns3 ofUnknowns;  ///< n x 3: their sum where they act
-};
-
-/// The forces that hold the displacement `u` (n x 3) against A u = f. O(entries of A where rows act).
-Multipliers multipliersOf(const EnergyMatrix& A, ConstraintFactorization& factorization, const Columns3& u,
+/// The forces that hold the displacement `u` (n x 3) against A u = f at each unknown, with the energy |A u - f|^2 / 2
+/// of lengths in diagonals: no units. O(entries of A where rows act).
+Columns3 forcesAtUnknowns(const EnergyMatrix& A, ConstraintFactorization& factorization, const Columns3& u,
                           const Columns3& f, double diagonal)
 {
-  const EliminatedConstraints& eliminated = *factorization.eliminated;
-  if (!factorization.actedOn) factorization.actedOn.emplace(A, eliminated.rows);
+  if (!factorization.actedOn) factorization.actedOn.emplace(A, factorization.eliminated->rows);
   // At the minimum the gradient of the energy is what the constraints hold: A^T (A u - f) = B^T l.
   Columns3 missed(f.rows(), 3);
   parallelBlocks(f.rows(), [&](Index k) {
@@ -138,8 +132,7 @@ Multipliers multipliersOf(const EnergyMatrix& A, ConstraintFactorization& factor
     gradient.row(k).setZero();
     if (factorization.actedOn->unknowns[k] != 0) gradient.row(k) = A.columnTimes(k, missed) / -diagonal;
   });
-  Columns3 ofRows = eliminated.elimination.multipliers(gradient);
-  return {std::move(ofRows), std::move(gradient)};
+  return gradient;
 }
 
 /// The file's positions: pins as they were asked for, bit for bit, everything else displaced from rest.
@@ -295,15 +288,22 @@ class Solution {
       own = result.value->solve(targets(), f = makeF());
     const Displacement& displacement =
         moved == nullptr ? own : moved->solve(*result.value, targets(), result_.rotations, [this] { return makeF(); });
-    std::optional<Multipliers> multipliers;
-    parallelFor(options_.solver.kind == SolverKind::Hard ? 2 : 1, [&](Index k) {
+    const bool isHard = options_.solver.kind == SolverKind::Hard;
+    Columns3 forces;
+    if (isHard)
+      forces = forcesAtUnknowns(A_, factorization, displacement.u, moved == nullptr ? f : moved->f(),
+                                model_.solverMesh.diagonal);
+    Columns3 multipliers;
+    parallelFor(isHard ? 2 : 1, [&](Index k) {
       if (k == 0)
         accept(displacement);
       else
-        multipliers = multipliersOf(A_, factorization, displacement.u, moved == nullptr ? f : moved->f(),
-                                    model_.solverMesh.diagonal);
+        multipliers = factorization.eliminated->elimination.multipliers(forces);
     });
-    if (multipliers && report().status != SolveStatus::Failed) setMultipliers(std::move(*multipliers));
+    if (isHard && report().status != SolveStatus::Failed) {
+      setMultipliers(multipliers);
+      result_.multipliers = std::move(forces);
+    }
     report().seconds.solution += secondsSince(solution);
   }
 
@@ -340,15 +340,14 @@ class Solution {
   }
 
   /// The multiplier of a constraint is the sum of the lengths of those of its rows.
-  void setMultipliers(Multipliers multipliers)
+  void setMultipliers(const Columns3& ofRows)
   {
     std::vector<ConstraintOutcome>& outcomes = result_.report.constraints;
     forEachConstraint(details_.system, static_cast<Index>(outcomes.size()), [&](Index c, Index first, Index end) {
       double sum = 0;
-      for (Index r = first; r < end; ++r) sum += multipliers.ofRows.row(r).stableNorm();
+      for (Index r = first; r < end; ++r) sum += ofRows.row(r).stableNorm();
       if (first < end) outcomes[c].multiplier = sum;
     });
-    result_.multipliers = std::move(multipliers.ofUnknowns);
   }
 
   /// Takes the solution over when it is one.
