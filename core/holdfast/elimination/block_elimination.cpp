@@ -85,10 +85,15 @@ BlockElimination::BlockElimination(const std::vector<RowTerms>& rows, const std:
   const auto count = static_cast<Index>(rows_.size());
   R1_.resize(count, count);
   R1_.setFromTriplets(ofR1.begin(), ofR1.end());
-  SparseMatrix Q1(unknownCount, count);
-  Q1.setFromTriplets(ofQ1.begin(), ofQ1.end());
-  Q1_ = TwoWayMatrix(std::move(Q1));
-  pinnedTerms_ = TwoWayMatrix(constraintMatrix(atPins, unknownCount));
+  parallelFor(2, [&](Index k) {
+    if (k == 0) {
+      SparseMatrix Q1(unknownCount, count);
+      Q1.setFromTriplets(ofQ1.begin(), ofQ1.end());
+      Q1_ = TwoWayMatrix(std::move(Q1));
+    } else {
+      pinnedTerms_ = TwoWayMatrix(constraintMatrix(atPins, unknownCount));
+    }
+  });
 }
 
 std::pair<BlockElimination::Block, BlockElimination::Factors> BlockElimination::denseBlock(

@@ -257,7 +257,7 @@ class FactorAndBorder final : public BorderedFactor {
   [[nodiscard]] Columns3 solvedBackward(const Columns3& left) const
   {
     const Columns3 s = weights_.asDiagonal() * schur_.solve(Eigen::MatrixX3d(weights_.asDiagonal() * left));
-    forward() -= V_ * s;
+    forward().noalias() -= V_ * s;
     base_->factor->packed()->solveBackward(x_);
     Columns3 result(static_cast<Index>(rows_.size()) + V_.cols(), 3);
     scatter(rows_, x_, result);

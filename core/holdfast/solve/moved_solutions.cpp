@@ -1,6 +1,7 @@
 #include "holdfast/solve/moved_solutions.h"
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -57,6 +58,19 @@ Eigen::VectorXd sampled(const RowTargets& targets, const Columns3& f)
   return sample;
 }
 
+bool areSame(const Columns3& a, const Columns3& b)
+{
+  constexpr Index kBlock = 4096;
+  std::atomic<bool> isSame = a.rows() == b.rows();
+  if (isSame)
+    parallelFor((a.rows() + kBlock - 1) / kBlock, [&](Index block) {
+      const Index first = block * kBlock;
+      const Index count = std::min(kBlock, a.rows() - first);
+      if (isSame && a.middleRows(first, count) != b.middleRows(first, count)) isSame = false;
+    });
+  return isSame;
+}
+
 }  // namespace
 
 MovedSolutions::MovedSolutions(const SolverMesh& mesh)
@@ -74,7 +88,7 @@ MovedSolutions::MovedSolutions(const SolverMesh& mesh, const MovedSolutions& bas
 const Displacement& MovedSolutions::solve(const ConstrainedSolver& solver, const RowTargets& targets, const Columns3& q,
                                           const std::function<Columns3()>& makeF)
 {
-  const bool isKnown = wanted_ != nullptr && wanted_->q.rows() == q.rows() && wanted_->q == q;
+  const bool isKnown = wanted_ != nullptr && areSame(wanted_->q, q);
   const bool isSame = isKnown && !answers_.empty() && targets_.reconciled == targets.reconciled;
   const auto moves = isSame ? movesOf(targets.shifts - targets_.shifts, rounding_) : std::nullopt;
   if (!moves || !(moves->by.cwiseAbs().maxCoeff() <= farthest_)) {

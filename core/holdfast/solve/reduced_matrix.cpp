@@ -11,10 +11,7 @@ Columns3 ReducedMatrix::spread(const Columns3& z) const
 {
   Columns3 u(Q2_->rows().rows(), 3);
   parallelBlocks(u.rows(), [&](Index i) { u.row(i) = gathered(Q2_->rows(), i, z); });
-  // Few columns, which Eigen would add by way of a u of their own.
-  for (Index k = 0; k < P_.cols(); ++k)
-    for (SparseMatrix::InnerIterator entry(P_, k); entry; ++entry)
-      u.row(entry.row()) += entry.value() * z.row(Q2_->columns().cols() + k);
+  if (P_.cols() > 0) u.noalias() += P_ * z.bottomRows(P_.cols());
   return u;
 }
 
@@ -43,9 +40,7 @@ Columns3 ReducedMatrix::transposeTimes(const Columns3& f) const
   Columns3 result(own + P_.cols(), 3);
   parallelBlocks(result.rows(),
                  [&](Index k) { result.row(k) = k < own ? gathered(Q2_->columns(), k, g) : gathered(P_, k - own, g); });
-  for (Index r = 0; r < K_.rows(); ++r)
-    for (SparseRows::InnerIterator entry(K_, r); entry; ++entry)
-      result.row(entry.col()) += entry.value() * f.row(A_->rows() + r);
+  if (K_.rows() > 0) result.noalias() += K_.transpose() * f.bottomRows(K_.rows());
   return result;
 }
 
