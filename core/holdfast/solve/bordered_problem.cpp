@@ -7,6 +7,7 @@
 #include <Eigen/LU>
 
 #include <holdfast/base/disjoint_sets.h>
+#include <holdfast/base/long_step.h>
 #include <holdfast/solve/column_scaling.h>
 #include <holdfast/solve/interleaved_rows.h>
 
@@ -285,7 +286,10 @@ Result<ReducedProblem> makeReducedProblem(std::shared_ptr<const EnergyMatrix> A,
                                           RowsBelow below, Columns3 rest, Backend backend, EliminationOrder order)
 {
   const bool isKept = below == RowsBelow::Kept;
+  const std::shared_ptr<const StepState> step = currentStep();
+  step->stopIfLeftBehind();
   auto [scale, unscaled] = columnScale(*A, Q2, isKept ? SparseRows() : K);
+  step->stopIfLeftBehind();
   if (!unscaled.empty()) return {{}, std::move(unscaled)};
   const Columns3 probe = scale.cwiseInverse().asDiagonal() * Columns3(Q2.transpose() * std::exchange(rest, {}));
   Q2 = Q2 * scale.asDiagonal();

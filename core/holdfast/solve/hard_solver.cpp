@@ -1,6 +1,7 @@
 // Hard constraints by elimination: equations (11) to (21).
 
 #include <holdfast/base/largest_size.h>
+#include <holdfast/base/long_step.h>
 #include <holdfast/elimination/reconciliation.h>
 #include <holdfast/ordering/elimination_order.h>
 #include <holdfast/solve/bordered_problem.h>
@@ -140,6 +141,7 @@ EliminationOrder orderFor(const ConstrainedProblem& problem, const SparseMatrix&
 /// With the rows `kept` of the elimination in the system, or with none where that is empty.
 SolverResult hardSolver(ConstrainedProblem problem, Backend backend, SparseMatrix Q2, const std::vector<Index>& kept)
 {
+  currentStep()->stopIfLeftBehind();
   Q2 = orderedColumns(Q2, problem.ranks);
   std::vector<RowTerms> rows;
   for (const Index row : kept) rows.push_back(problem.eliminated->rows[row]);
