@@ -225,7 +225,7 @@ class FactorAndBorder final : public BorderedFactor {
     return result;
   }
 
-  /// Of what the base has solved, nothing is left: see `stepFromBase`.
+  /// The equations of the base hold already, so the pass through L would find zeros.
   [[nodiscard]] Columns3 stepFromBase(const Columns3& u, const Columns3& f, const Columns3& missed) const override
   {
     const EnergyMatrix& A = *base_->C->A();

@@ -30,7 +30,7 @@ struct KnownSolution {
 /// Corrected semi-normal equations (Björck, 1987): the residual is computed through C itself, never through C^T C, and
 /// solved for once more with the same factor, until what a correction leaves is far below the accuracy that is reached,
 /// or until corrections no longer shrink. `C` is what the factor was made of, its last `kept` rows hold exactly, `f` is
-/// 0 there. Sizes are measured after `columnScale` (k), that is in the units of what the user sees. Nothing is solved
+/// 0 there. Sizes are measured after `columnScale` (k), in the units that the user sees. Nothing is solved
 /// where `f` is zero, and nothing corrected where `known` tells that a correction would change no digit of the whole.
 [[nodiscard]] CorrectedSolution correctedSolve(const LeastSquaresFactor& factor, const LinearMap& C,
                                                const Eigen::VectorXd& columnScale, const Columns3& f, Index kept = 0,

@@ -60,13 +60,10 @@ Eigen::VectorXd sampled(const RowTargets& targets, const Columns3& f)
 
 bool areSame(const Columns3& a, const Columns3& b)
 {
-  constexpr Index kBlock = 4096;
   std::atomic<bool> isSame = a.rows() == b.rows();
   if (isSame)
-    parallelFor((a.rows() + kBlock - 1) / kBlock, [&](Index block) {
-      const Index first = block * kBlock;
-      const Index count = std::min(kBlock, a.rows() - first);
-      if (isSame && a.middleRows(first, count) != b.middleRows(first, count)) isSame = false;
+    parallelBlocks(a.rows(), [&](Index i) {
+      if (isSame && a.row(i) != b.row(i)) isSame = false;
     });
   return isSame;
 }
@@ -82,7 +79,7 @@ MovedSolutions::MovedSolutions(const SolverMesh& mesh)
 MovedSolutions::MovedSolutions(const SolverMesh& mesh, const MovedSolutions& base) : MovedSolutions(mesh)
 {
   wanted_ = base.wanted_;
-  base_ = base.last_;
+  base_ = base.last();
 }
 
 const Displacement& MovedSolutions::solve(const ConstrainedSolver& solver, const RowTargets& targets, const Columns3& q,
@@ -91,9 +88,9 @@ const Displacement& MovedSolutions::solve(const ConstrainedSolver& solver, const
   const bool isKnown = wanted_ != nullptr && areSame(wanted_->q, q);
   const bool isSame = isKnown && !answers_.empty() && targets_.reconciled == targets.reconciled;
   const auto moves = isSame ? movesOf(targets.shifts - targets_.shifts, rounding_) : std::nullopt;
+  isSum_ = false;
   if (!moves || !(moves->by.cwiseAbs().maxCoeff() <= farthest_)) {
     const Displacement* const base = std::exchange(base_, nullptr);
-    last_ = nullptr;
     if (targets_.reconciled != targets.reconciled) answers_.clear();
     const std::shared_ptr<const Wanted> wanted = isKnown ? wanted_ : std::make_shared<const Wanted>(Wanted{q, makeF()});
     Eigen::VectorXd asked = sampled(targets, wanted->f);
@@ -106,10 +103,10 @@ const Displacement& MovedSolutions::solve(const ConstrainedSolver& solver, const
     targets_ = {targets.shifts, targets.reconciled};
     if (answers_.size() == kAnswers) answers_.pop_front();
     answers_.push_back({std::move(asked), std::move(found)});
-    return *(last_ = &answers_.back().solution);
+    return *last();
   }
   const Displacement& solution = answers_.back().solution;
-  if (moves->by.isZero(0)) return *(last_ = &solution);
+  if (moves->by.isZero(0)) return solution;
   if (response_.groupOf != moves->groupOf) {
     Columns3 isMoved(targets.shifts.rows(), 3);
     for (Index r = 0; r < isMoved.rows(); ++r)
@@ -124,7 +121,14 @@ const Displacement& MovedSolutions::solve(const ConstrainedSolver& solver, const
   sum_.accuracy = std::max(solution.accuracy, reach.accuracy);
   parallelBlocks(sum_.u.rows(), [&](Index i) { sum_.u.row(i) = solution.u.row(i) + reach.u.row(i) * moves->by; });
   solver.meet(targets, sum_.u);
-  return *(last_ = &sum_);
+  isSum_ = true;
+  return sum_;
+}
+
+const Displacement* MovedSolutions::last() const
+{
+  if (isSum_) return &sum_;
+  return answers_.empty() ? nullptr : &answers_.back().solution;
 }
 
 /// The sum of earlier solutions whose right-hand sides come nearest to `asked`.

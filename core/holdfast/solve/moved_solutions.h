@@ -48,6 +48,8 @@ class MovedSolutions {
     Displacement solution;
   };
 
+  /// None before the first one.
+  [[nodiscard]] const Displacement* last() const;
   [[nodiscard]] Displacement nearest(const Eigen::VectorXd& asked) const;
 
   double rounding_ = 0;  // of shifts, model units
@@ -58,7 +60,7 @@ class MovedSolutions {
   std::deque<Answer> answers_;            // solved for lately, the last one last
   Response response_;
   Displacement sum_;
-  const Displacement* last_ = nullptr;  // one of `answers_`, or `sum_`
+  bool isSum_ = false;                  // the last solution is `sum_`, not that of the last answer
   const Displacement* base_ = nullptr;  // from which the first solution begins
 };
 
