@@ -40,7 +40,7 @@ std::string quotedNames(const std::vector<std::string>& names)
   return text;
 }
 
-std::string findingLine(const Finding& finding, const std::vector<ConstraintOutcome>& constraints)
+std::string findingLine(const Finding& finding, const ConstraintOutcomes& constraints)
 {
   std::vector<std::string> names;
   if (finding.idsOf == "constraint")
@@ -61,7 +61,7 @@ std::string constraintLine(const Report& report)
   return line + "\n";
 }
 
-std::string pullLine(const std::vector<ConstraintOutcome>& constraints)
+std::string pullLine(const ConstraintOutcomes& constraints)
 {
   std::vector<const ConstraintOutcome*> pulling;
   for (const ConstraintOutcome& outcome : constraints)

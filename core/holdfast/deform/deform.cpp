@@ -39,12 +39,21 @@ Report diagnoseConstraints(const Model& model, const ConstraintList& constraints
     report.solve.status = SolveStatus::Failed;
     report.solve.message = failureMessage(options, rotations.failure);
   }
-  const Diagnosis diagnosis = diagnose(eliminated, system, model.solverMesh);
-  const std::vector<double> sensitivities = eliminated.elimination.sensitivities();
-  report.constraints = outcomes(constraints, system, diagnosis, sensitivities);
-  for (Finding& finding : constraintFindings(model, eliminated, system, report.constraints, sensitivities))
+  DeformDetails details;
+  details.diagnosis = diagnose(eliminated, system, model.solverMesh);
+  details.system = std::move(system);
+  details.labels = labelsOf(constraints, nullptr);
+  details.sensitivities = std::make_shared<const std::vector<double>>(eliminated.elimination.sensitivities());
+  report.constraints = outcomes(details, {});
+  for (Finding& finding : constraintFindings(model, eliminated, details))
     report.mesh.findings.push_back(std::move(finding));
   return report;
+}
+
+const Columns3& DeformResult::multipliers() const
+{
+  static const Columns3 kEmpty;
+  return details != nullptr && details->multipliers.valid() ? details->multipliers.get().atUnknowns : kEmpty;
 }
 
 MeshReport describeMesh(const Model& model)

@@ -23,12 +23,14 @@ struct DeformOptions {
 
 /// A deformed mesh, or (status `Failed`) the mesh at rest with the reason in the report.
 struct DeformResult {
-  Positions positions;   ///< of the file's vertices
-  Columns3 rotations;    ///< q of every unknown, n x 3, logs
-  Columns3 multipliers;  ///< of the constraints, summed up at the unknowns that they name, n x 3; 0 at all others.
-                         ///< Empty but for hard constraints
+  Positions positions;  ///< of the file's vertices
+  Columns3 rotations;   ///< q of every unknown, n x 3, logs
   Report report;
-  std::shared_ptr<const DeformDetails> details;  ///< what `fieldsOf` and marks of constraints are made of
+  std::shared_ptr<const DeformDetails> details;  ///< what fields, multipliers and marks of constraints are made of
+
+  /// Those of the constraints, summed up at the unknowns that they name, n x 3; 0 at all others. No rows but for hard
+  /// constraints that were solved. Made when they are first asked for.
+  [[nodiscard]] const Columns3& multipliers() const;
 };
 
 /// Deforms `model` under `constraints`; `source` names the list in messages. Throws `InputError` for constraints that

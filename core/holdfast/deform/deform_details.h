@@ -1,8 +1,12 @@
 #pragma once
 /// \file
-/// What a deformation was computed from: the rows of its constraints, the verdict on them, and the operators.
+/// What a deformation was computed from, and what its report is made of where somebody looks at it.
 
+#include <future>
 #include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include <holdfast/constraints/constraint_system.h>
 #include <holdfast/elimination/diagnosis.h>
@@ -10,10 +14,32 @@
 
 namespace holdfast {
 
+/// What a report says of a constraint whatever becomes of it.
+struct ConstraintLabel {
+  std::string name;
+  std::string_view type;
+  bool isEnabled = true;
+  bool hasTarget = false;  ///< of its own, which can be another one: points and offsets
+
+  friend bool operator==(const ConstraintLabel&, const ConstraintLabel&) = default;
+};
+
+using ConstraintLabels = std::vector<ConstraintLabel>;
+
+/// Lagrange multipliers of hard constraints, with all lengths in diagonals.
+struct Multipliers {
+  Columns3 ofRows;
+  Columns3 atUnknowns;  ///< n x 3: summed up at the unknowns that constraints name; 0 at all others
+};
+
 struct DeformDetails {
   ConstraintSystem system;  ///< the rows that were asked for, rotated by the rotations
   Diagnosis diagnosis;
-  std::shared_ptr<const Operators> operators;  ///< without L after `deform`
+  std::shared_ptr<const Operators> operators;                ///< without L after `deform`
+  std::shared_ptr<const ConstraintLabels> labels;            ///< of the constraints in the list
+  std::shared_ptr<const std::vector<double>> sensitivities;  ///< of rows, see `Elimination::sensitivities`
+  std::vector<double> residuals;                             ///< of rows, model units; empty where nothing was solved
+  std::shared_future<Multipliers> multipliers;               ///< made on demand; none but for hard constraints
 };
 
 }  // namespace holdfast

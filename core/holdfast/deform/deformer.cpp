@@ -3,6 +3,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <future>
 #include <optional>
 #include <utility>
 
@@ -14,6 +15,7 @@
 #include <holdfast/base/thread_priority.h>
 #include <holdfast/check/mesh_check.h>
 #include <holdfast/deform/deform_details.h>
+#include <holdfast/deform/forces.h>
 #include <holdfast/deform/found_shape.h>
 #include <holdfast/deform/messages.h>
 #include <holdfast/deform/rotation_factorization.h>
@@ -23,22 +25,6 @@
 #include <holdfast/surface/surface_locator.h>
 
 namespace holdfast {
-/// Where constraints act.
-struct ActedOn {
-  ActedOn(const EnergyMatrix& A, const std::vector<RowTerms>& constraints)
-      : unknowns(static_cast<std::size_t>(A.cols())), rows(static_cast<std::size_t>(A.rows()))
-  {
-    for (const RowTerms& row : constraints)
-      for (const Term& term : row) {
-        if (std::exchange(unknowns[term.index], 1) != 0) continue;
-        A.forEachInColumn(term.index, [&](Index k, double /*value*/) { rows[k] = 1; });
-      }
-  }
-
-  std::vector<char> unknowns;  // 1 where a constraint names the unknown
-  std::vector<char> rows;      // 1 where a row of A names one of those
-};
-
 /// All that the structure of a set of constraints costs, for any targets: the second of the three calls of section 6.
 /// The elimination and, once they are asked for, the factors of positions and rotations.
 struct ConstraintFactorization {
@@ -47,7 +33,9 @@ struct ConstraintFactorization {
                           const ConstraintSystem& itsSystem, const DeformOptions& options)
       : system(itsSystem),
         eliminated(std::make_shared<const EliminatedConstraints>(eliminate(system, model->solverMesh))),
-        sensitivities(eliminated->elimination.sensitivities()),
+        sensitivities(std::make_shared<const std::vector<double>>(eliminated->elimination.sensitivities())),
+        actedOn(
+            std::async(std::launch::deferred, [A, eliminated = eliminated] { return ActedOn(*A, eliminated->rows); })),
         rotations(std::make_shared<RotationFactorization>(model->solverMesh, std::move(operators),
                                                           options.solver.backend, ranks)),
         positions([model = std::move(model), A, eliminated = eliminated, ranks, options = options.solver]() mutable {
@@ -62,6 +50,7 @@ struct ConstraintFactorization {
       : system(wanted.system),
         eliminated(wanted.eliminated),
         sensitivities(wanted.sensitivities),
+        actedOn(wanted.actedOn),
         rotations(wanted.rotations),
         positions([base = std::move(base), eliminated = eliminated] {
           return base->positions.result(noProgress()).value->edited(eliminated);
@@ -94,9 +83,9 @@ struct ConstraintFactorization {
 
   ConstraintSystem system;
   std::shared_ptr<const EliminatedConstraints> eliminated;
-  std::vector<double> sensitivities;
+  std::shared_ptr<const std::vector<double>> sensitivities;
   KnownGaps knownGaps;
-  std::optional<ActedOn> actedOn;  // made with the first forces
+  std::shared_future<ActedOn> actedOn;  // made with the first forces
   std::shared_ptr<RotationFactorization> rotations;
   LongStep<SolverResult> positions;
   std::unique_ptr<MovedSolutions> moved;  // where solutions may be sums of earlier ones
@@ -114,25 +103,6 @@ using Clock = std::chrono::steady_clock;
 double secondsSince(Clock::time_point start)
 {
   return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-/// The forces that hold the displacement `u` (n x 3) against A u = f at each unknown, with the energy |A u - f|^2 / 2
-/// of lengths in diagonals: no units. O(entries of A where rows act).
-Columns3 forcesAtUnknowns(const EnergyMatrix& A, ConstraintFactorization& factorization, const Columns3& u,
-                          const Columns3& f, double diagonal)
-{
-  if (!factorization.actedOn) factorization.actedOn.emplace(A, factorization.eliminated->rows);
-  // At the minimum the gradient of the energy is what the constraints hold: A^T (A u - f) = B^T l.
-  Columns3 missed(f.rows(), 3);
-  parallelBlocks(f.rows(), [&](Index k) {
-    if (factorization.actedOn->rows[k] != 0) missed.row(k) = f.row(k) - A.rowTimes(k, u);
-  });
-  Columns3 gradient(u.rows(), 3);
-  parallelBlocks(u.rows(), [&](Index k) {
-    gradient.row(k).setZero();
-    if (factorization.actedOn->unknowns[k] != 0) gradient.row(k) = A.columnTimes(k, missed) / -diagonal;
-  });
-  return gradient;
 }
 
 /// The file's positions: pins as they were asked for, bit for bit, everything else displaced from rest.
@@ -168,13 +138,15 @@ struct RotationSearch {
 /// One solution, and what is to be said of it.
 class Solution {
  public:
-  Solution(const Model& model, const ConstraintList& constraints, const DeformOptions& options,
-           std::shared_ptr<const Operators> operators, const EnergyMatrix& A, const RotationSearch& search,
-           ConstraintSystem system)
-      : model_(model), constraints_(constraints), options_(options), A_(A), search_(search)
+  Solution(const Model& model, std::shared_ptr<const ConstraintLabels> labels, const DeformOptions& options,
+           std::shared_ptr<const Operators> operators, std::shared_ptr<const EnergyMatrix> A,
+           const RotationSearch& search, ConstraintSystem system)
+      : model_(model), options_(options), A_(std::move(A)), search_(search)
   {
-    details_.operators = std::move(operators);
-    details_.system = std::move(system);
+    details_->labels = std::move(labels);
+    details_->operators = std::move(operators);
+    details_->system = std::move(system);
+    result_.details = details_;
     result_.report.mesh = describeMesh(model);
     report().weights = options.weights;
     report().options = options.solver;
@@ -185,15 +157,16 @@ class Solution {
   DeformResult by(ConstraintFactorization& factorization, Progress& progress)
   {
     std::string refusal;
-    if (details_.operators->undefinedRows.empty()) {
+    if (details_->operators->undefinedRows.empty()) {
       if (!factorization.isForOneCall) {
         announceFactorization(factorization, progress);
         factorization.positions.start(progress);  // beside the rotations
       }
       refusal = rotate(factorization, progress);
     } else {
-      refusal = undefinedRowsMessage(model_, *details_.operators);
+      refusal = undefinedRowsMessage(model_, *details_->operators);
     }
+    details_->sensitivities = factorization.sensitivities;
     diagnoseRows(factorization);
     if (!refusal.empty()) {
       result_.rotations = Columns3::Zero(model_.solverMesh.unknownCount(), 3);
@@ -201,8 +174,7 @@ class Solution {
     }
     addFindings(factorization);
     if (report().status != SolveStatus::Failed) solve(factorization, progress);
-    details_.diagnosis.particular = {};
-    result_.details = std::make_shared<const DeformDetails>(std::move(details_));
+    details_->diagnosis.particular = {};
     return std::move(result_);
   }
 
@@ -218,19 +190,22 @@ class Solution {
     report().message = message;
     result_.positions = model_.mesh.positions;
     // Residuals of positions that are discarded would mislead.
-    for (ConstraintOutcome& outcome : result_.report.constraints) {
-      outcome.residual.reset();
-      if (outcome.status == ConstraintStatus::Met || outcome.status == ConstraintStatus::Missed)
-        outcome.status = ConstraintStatus::Independent;
-    }
+    details_->residuals.clear();
+    details_->multipliers = {};
+    tellOutcomes();
   }
 
   void diagnoseRows(ConstraintFactorization& factorization)
   {
-    details_.diagnosis =
-        diagnose(*factorization.eliminated, details_.system, model_.solverMesh, factorization.knownGaps);
+    details_->diagnosis =
+        diagnose(*factorization.eliminated, details_->system, model_.solverMesh, factorization.knownGaps);
+  }
+
+  /// Of what is known by now.
+  void tellOutcomes()
+  {
     result_.report.constraints =
-        outcomes(constraints_, details_.system, details_.diagnosis, factorization.sensitivities);
+        ConstraintOutcomes([details = result_.details] { return outcomes(*details, details->residuals); });
   }
 
   /// Finds the rotations and what they make of the rows; the message where they cannot be found.
@@ -239,13 +214,13 @@ class Solution {
     const bool isFactorised = factorization.rotations->isReady();
     const auto start = Clock::now();
     if (!isFactorised) progress.step("solving the rotation field");
-    Rotations rotations = factorization.rotations->solve(details_.system, progress);
+    Rotations rotations = factorization.rotations->solve(details_->system, progress);
     Seconds& seconds = report().seconds;
     (isFactorised ? seconds.solution : seconds.factorization) += secondsSince(start);
     if (factorization.isForOneCall) factorization.rotations.reset();
     takeOver(rotations, result_.report);
     if (!rotations.failure.empty()) return failureMessage(options_, rotations.failure);
-    details_.system = rotated(std::move(details_.system), rotations.q);
+    details_->system = rotated(std::move(details_->system), rotations.q);
     result_.rotations = std::move(rotations.q);
     return {};
   }
@@ -259,10 +234,9 @@ class Solution {
   void addFindings(const ConstraintFactorization& factorization)
   {
     std::vector<Finding>& findings = result_.report.mesh.findings;
-    for (Finding& finding : guardFindings(*details_.operators, model_.solverMesh))
+    for (Finding& finding : guardFindings(*details_->operators, model_.solverMesh))
       findings.push_back(std::move(finding));
-    for (Finding& finding : constraintFindings(model_, *factorization.eliminated, details_.system,
-                                               result_.report.constraints, factorization.sensitivities))
+    for (Finding& finding : constraintFindings(model_, *factorization.eliminated, *details_))
       findings.push_back(std::move(finding));
   }
 
@@ -279,75 +253,67 @@ class Solution {
 
     progress.step("solving");
     const auto solution = Clock::now();
-    MovedSolutions* const moved = search_.energy == nullptr ? factorization.moved.get() : nullptr;
-    Columns3 f;
-    Displacement own;
+    SolvedDisplacement solved;
     if (search_.energy != nullptr)
-      own = find(*result.value, factorization, f, progress);
-    else if (moved == nullptr)
-      own = result.value->solve(targets(), f = makeF());
-    const Displacement& displacement =
-        moved == nullptr ? own : moved->solve(*result.value, targets(), result_.rotations, [this] { return makeF(); });
-    const bool isHard = options_.solver.kind == SolverKind::Hard;
-    Columns3 forces;
-    if (isHard)
-      forces = forcesAtUnknowns(A_, factorization, displacement.u, moved == nullptr ? f : moved->f(),
-                                model_.solverMesh.diagonal);
-    Columns3 multipliers;
-    parallelFor(isHard ? 2 : 1, [&](Index k) {
-      if (k == 0)
-        accept(displacement);
-      else
-        multipliers = factorization.eliminated->elimination.multipliers(forces);
-    });
-    if (isHard && report().status != SolveStatus::Failed) {
-      setMultipliers(multipliers);
-      result_.multipliers = std::move(forces);
-    }
+      solved = find(*result.value, factorization, progress);
+    else if (factorization.moved == nullptr)
+      solved = solve(*result.value);
+    else
+      solved = factorization.moved->solve(*result.value, targets(), result_.rotations, [this] { return makeF(); });
+    if (options_.solver.kind == SolverKind::Hard) details_->multipliers = multipliersOf(solved, factorization);
+    accept(*solved.displacement);
     report().seconds.solution += secondsSince(solution);
   }
 
   [[nodiscard]] RowTargets targets()
   {
-    Diagnosis& diagnosis = details_.diagnosis;
-    return {shiftsOf(details_.system), diagnosis.reconciled, std::move(diagnosis.particular)};
+    Diagnosis& diagnosis = details_->diagnosis;
+    return {shiftsOf(details_->system), diagnosis.reconciled, std::move(diagnosis.particular)};
   }
 
   [[nodiscard]] Columns3 makeF() const
   {
-    const Eigen::VectorXd& weights = details_.operators->rowWeights;
-    Columns3 f = rotationOfDelta(details_.operators->delta, result_.rotations);
+    const Eigen::VectorXd& weights = details_->operators->rowWeights;
+    Columns3 f = rotationOfDelta(details_->operators->delta, result_.rotations);
     parallelBlocks(f.rows(), [&](Index i) { f.row(i) *= model_.solverMesh.diagonal * weights[i]; });
     return f;
   }
 
-  Displacement find(const ConstrainedSolver& solver, ConstraintFactorization& factorization, Columns3& f,
-                    Progress& progress)
+  [[nodiscard]] SolvedDisplacement solve(const ConstrainedSolver& solver)
+  {
+    auto f = std::make_shared<const Columns3>(makeF());
+    auto displacement = std::make_shared<const Displacement>(solver.solve(targets(), *f));
+    return {std::move(displacement), std::move(f)};
+  }
+
+  SolvedDisplacement find(const ConstrainedSolver& solver, ConstraintFactorization& factorization, Progress& progress)
   {
     const FoundProblem problem{*search_.energy, model_.solverMesh, *factorization.eliminated, solver};
     FoundShape shape =
-        findShape(problem, std::move(details_.system),
+        findShape(problem, std::move(details_->system),
                   {std::move(result_.rotations), search_.before == nullptr ? Columns3() : *search_.before},
                   search_.options, progress);
     report().iterations = shape.iterations;
     if (!shape.iterations.isConverged && search_.before == nullptr)
       result_.report.mesh.findings.push_back(unconvergedWarning(shape.iterations, search_.options));
-    f = std::move(shape.wanted);
     result_.rotations = std::move(shape.q);
-    details_.system = std::move(shape.system);
+    details_->system = std::move(shape.system);
     diagnoseRows(factorization);
-    return std::move(shape.displacement);
+    return {std::make_shared<const Displacement>(std::move(shape.displacement)),
+            std::make_shared<const Columns3>(std::move(shape.wanted))};
   }
 
-  /// The multiplier of a constraint is the sum of the lengths of those of its rows.
-  void setMultipliers(const Columns3& ofRows)
+  /// Whenever somebody asks: nothing that they are made of changes.
+  [[nodiscard]] std::shared_future<Multipliers> multipliersOf(SolvedDisplacement solved,
+                                                              const ConstraintFactorization& factorization) const
   {
-    std::vector<ConstraintOutcome>& outcomes = result_.report.constraints;
-    forEachConstraint(details_.system, static_cast<Index>(outcomes.size()), [&](Index c, Index first, Index end) {
-      double sum = 0;
-      for (Index r = first; r < end; ++r) sum += ofRows.row(r).stableNorm();
-      if (first < end) outcomes[c].multiplier = sum;
-    });
+    return std::async(std::launch::deferred,
+                      [A = A_, actedOn = factorization.actedOn, eliminated = factorization.eliminated,
+                       diagonal = model_.solverMesh.diagonal, solved]() mutable {
+                        const SolvedDisplacement its = std::exchange(solved, {});  // not to be kept beside the forces
+                        Columns3 forces = forcesAtUnknowns(*A, actedOn.get(), its.displacement->u, *its.f, diagonal);
+                        return Multipliers{eliminated->elimination.multipliers(forces), std::move(forces)};
+                      });
   }
 
   /// Takes the solution over when it is one.
@@ -363,7 +329,7 @@ class Solution {
       result_.report.mesh.findings.push_back(*warning);
     // The elimination copies pins. What the other solvers find is measured as they find it.
     const bool isEliminated = options_.solver.kind == SolverKind::Hard;
-    result_.positions = isEliminated ? deformedPositions(model_, details_.system, details_.diagnosis, displacement.u)
+    result_.positions = isEliminated ? deformedPositions(model_, details_->system, details_->diagnosis, displacement.u)
                                      : deformedPositions(model_, {}, {}, displacement.u);
     setVerdicts(displacement.u);
   }
@@ -371,22 +337,22 @@ class Solution {
   void setVerdicts(const Columns3& u)
   {
     const SolverMesh& mesh = model_.solverMesh;
-    if (!details_.diagnosis.isNearOrigin)
-      details_.diagnosis.limits = residualLimits(mesh, details_.system, details_.diagnosis.dependent, u);
-    const std::optional<MissedRow> worst = setResiduals(result_.report, details_.system, details_.diagnosis,
-                                                        rowResiduals(details_.system, mesh.weld, result_.positions));
-    report().status = details_.diagnosis.hasConflicts() ? SolveStatus::Conflicts : SolveStatus::Ok;
+    Diagnosis& diagnosis = details_->diagnosis;
+    if (!diagnosis.isNearOrigin) diagnosis.limits = residualLimits(mesh, details_->system, diagnosis.dependent, u);
+    details_->residuals = rowResiduals(details_->system, mesh.weld, result_.positions);
+    tellOutcomes();
+    const std::optional<MissedRow> worst = setLargestResidual(result_.report, *details_, details_->residuals);
+    report().status = diagnosis.hasConflicts() ? SolveStatus::Conflicts : SolveStatus::Ok;
     report().message = solvedMessage(result_.report, worst);
     if (options_.solver.kind == SolverKind::Hard && worst) fail(missedMessage(result_.report, *worst));
   }
 
   const Model& model_;
-  const ConstraintList& constraints_;
   const DeformOptions& options_;
-  const EnergyMatrix& A_;
+  std::shared_ptr<const EnergyMatrix> A_;
   const RotationSearch& search_;
+  std::shared_ptr<DeformDetails> details_ = std::make_shared<DeformDetails>();
   DeformResult result_;
-  DeformDetails details_;
 };
 
 }  // namespace
@@ -475,6 +441,7 @@ DeformResult Deformer::deform(const ConstraintList& constraints, const std::stri
   ConstraintSystem system = makeConstraintSystem(
       constraints, model_->mesh, model_->solverMesh,
       isForOneCall_ ? SurfaceLocator(model_->mesh, model_->triangulation) : model_->locator(), source, *places_);
+  labels_ = labelsOf(constraints, std::move(labels_));
   const bool isFound = options_.rotations.source != RotationSource::Given;
   if (isFound) system = withStatedRotations(std::move(system));
   if (operators_ == nullptr) {
@@ -501,7 +468,7 @@ DeformResult Deformer::deform(const ConstraintList& constraints, const std::stri
       by.moved = by.isBordered && whole_->moved != nullptr
                      ? std::make_unique<MovedSolutions>(model_->solverMesh, *whole_->moved)
                      : std::make_unique<MovedSolutions>(model_->solverMesh);
-    return Solution(*model_, constraints, options_, operators_, *A_, search, std::move(its)).by(by, progress);
+    return Solution(*model_, labels_, options_, operators_, A_, search, std::move(its)).by(by, progress);
   };
   ConstraintSystem again;
   if (factorization.isBordered) again = system;

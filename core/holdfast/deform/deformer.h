@@ -11,6 +11,7 @@
 namespace holdfast {
 
 struct ConstraintFactorization;
+struct ConstraintLabel;
 struct ConstraintSystem;
 struct Operators;
 class KnownPlaces;
@@ -63,6 +64,7 @@ class Deformer {
   DeformOptions options_;
   ConstraintList constraints_;
   std::unique_ptr<KnownPlaces> places_;
+  std::shared_ptr<const std::vector<ConstraintLabel>> labels_;  // of the last list
   std::shared_ptr<const Operators> operators_;
   std::shared_ptr<const RotationEnergy> energy_;  // where rotations are found
   std::shared_ptr<const EnergyMatrix> A_;

@@ -70,9 +70,10 @@ Field multiplierField(const Model& model, const DeformResult& deformation)
 {
   std::vector<double> lengths(static_cast<std::size_t>(model.solverMesh.unknownCount()),
                               std::numeric_limits<double>::quiet_NaN());
-  if (deformation.multipliers.rows() > 0)
+  const Columns3& multipliers = deformation.multipliers();
+  if (multipliers.rows() > 0)
     for (const ConstraintRow& row : deformation.details->system.rows)
-      for (const Term& term : row.terms) lengths[term.index] = deformation.multipliers.row(term.index).stableNorm();
+      for (const Term& term : row.terms) lengths[term.index] = multipliers.row(term.index).stableNorm();
   return scalarField("constraint_force", model.solverMesh.weld, [&](Index u) { return lengths[u]; });
 }
 

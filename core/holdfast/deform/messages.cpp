@@ -94,13 +94,14 @@ std::string failureMessage(const DeformOptions& options, const std::string& reas
 
 std::string solvedMessage(const Report& report, const std::optional<MissedRow>& worst)
 {
+  const std::string accuracy = "; " + accuracyText(report.solve.accuracy);
+  const bool hasConflicts = report.solve.status == SolveStatus::Conflicts;
+  if (!hasConflicts && !worst) return "all constraints are met" + accuracy;
   const SolverKind kind = report.solve.options.kind;
   const std::size_t count = report.constraints.size();
-  const bool hasConflicts = report.solve.status == SolveStatus::Conflicts;
   const Index conflicting = hasConflicts ? countOf(report, ConstraintStatus::Conflicting) : 0;
   const Index missed = worst ? countOf(report, ConstraintStatus::Missed) : 0;
   const std::string by = worst ? fmt::format(" ({})", missText(report, *worst)) : "";
-  const std::string accuracy = "; " + accuracyText(report.solve.accuracy);
   if (kind == SolverKind::Soft && conflicting > 0)
     return fmt::format(
                "a compromise: {} of {} constraints conflict with earlier ones, and soft constraints pull towards all "
@@ -131,8 +132,7 @@ std::string missedMessage(const Report& report, const MissedRow& row)
 }
 
 std::vector<Finding> constraintFindings(const Model& model, const EliminatedConstraints& eliminated,
-                                        const ConstraintSystem& system, const std::vector<ConstraintOutcome>& outcomes,
-                                        const std::vector<double>& sensitivities)
+                                        const DeformDetails& details)
 {
   std::vector<Finding> findings;
   if (std::vector<Index> atRest = partsAtRest(model, eliminated); !atRest.empty())
@@ -140,19 +140,20 @@ std::vector<Finding> constraintFindings(const Model& model, const EliminatedCons
         makeFinding("parts_at_rest", "vertex", std::move(atRest),
                     {"connected part that no constraint places; it stays at rest (a vertex of it is named)",
                      "connected parts that no constraint places; they stay at rest (a vertex of each is named)"}));
-  const auto largest = std::ranges::max_element(sensitivities);
-  if (largest != sensitivities.end() && *largest > kLargeSensitivity) {
+  const auto largest = std::ranges::max_element(*details.sensitivities);
+  if (largest != details.sensitivities->end() && *largest > kLargeSensitivity) {
+    const std::vector<std::optional<double>> ofConstraints = constraintSensitivities(details);
     std::vector<Index> spread;
-    for (std::size_t c = 0; c < outcomes.size(); ++c)
-      if (outcomes[c].sensitivity.value_or(0) > kLargeSensitivity) spread.push_back(static_cast<Index>(c));
+    for (std::size_t c = 0; c < ofConstraints.size(); ++c)
+      if (ofConstraints[c].value_or(0) > kLargeSensitivity) spread.push_back(static_cast<Index>(c));
     findings.push_back(nearlyDependent(std::move(spread), *largest));
   }
-  for (const ConstraintNote& note : system.notes)
+  for (const ConstraintNote& note : details.system.notes)
     findings.push_back({note.kind,
                         1,
                         "constraint",
                         {note.constraint},
-                        fmt::format("{} {}", inQuotes(outcomes[note.constraint].name), note.message)});
+                        fmt::format("{} {}", inQuotes((*details.labels)[note.constraint].name), note.message)});
   return findings;
 }
 

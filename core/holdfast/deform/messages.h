@@ -34,11 +34,8 @@ inline constexpr double kDoubtfulAccuracy = 1e-9;
 /// Hard constraints miss `row`: by how much, why as far as that is known, and what to do.
 [[nodiscard]] std::string missedMessage(const Report& report, const MissedRow& row);
 
-/// Parts that stay at rest, constraints that nearly repeat others, and the notes of `system`. `outcomes` were made of
-/// `sensitivities`.
+/// Parts that stay at rest, constraints that nearly repeat others, and the notes of the system.
 [[nodiscard]] std::vector<Finding> constraintFindings(const Model& model, const EliminatedConstraints& eliminated,
-                                                      const ConstraintSystem& system,
-                                                      const std::vector<ConstraintOutcome>& outcomes,
-                                                      const std::vector<double>& sensitivities);
+                                                      const DeformDetails& details);
 
 }  // namespace holdfast

@@ -1,10 +1,9 @@
 #include "holdfast/deform/outcomes.h"
 
+#include <atomic>
 #include <map>
 #include <set>
 #include <tuple>
-
-#include <holdfast/deform/deform_details.h>
 
 namespace holdfast {
 namespace {
@@ -70,13 +69,6 @@ std::map<Index, Index> conflictCounts(const std::map<Index, DependencyGroups>& g
   return counts;
 }
 
-/// Points and offsets have a target of their own that can be another one.
-bool hasTarget(const Constraint& constraint)
-{
-  const RelativeConstraint* relative = std::get_if<RelativeConstraint>(&constraint.what);
-  return std::holds_alternative<PointConstraint>(constraint.what) || (relative != nullptr && relative->offset);
-}
-
 /// The constraint whose end would end most conflicts, at the price of the fewest rows, the later one of equals.
 Index cheapest(Index own, const ConstraintSet& others, const std::map<Index, Index>& conflicts,
                const std::vector<ConstraintOutcome>& outcomes)
@@ -90,7 +82,7 @@ Index cheapest(Index own, const ConstraintSet& others, const std::map<Index, Ind
 
 /// Sets the sets with which each constraint conflicts or which it repeats, the largest gap first. A set that holds all
 /// constraints of another one and more is left out. O(dependent rows times terms).
-void setConflictSets(std::vector<ConstraintOutcome>& outcomes, const ConstraintList& list,
+void setConflictSets(std::vector<ConstraintOutcome>& outcomes, const ConstraintLabels& labels,
                      const ConstraintSystem& system, std::map<Index, DependencyGroups> groups)
 {
   for (auto& [own, its] : groups) keepSmallest(its);
@@ -99,10 +91,10 @@ void setConflictSets(std::vector<ConstraintOutcome>& outcomes, const ConstraintL
     std::vector<ConflictSet>& sets = outcomes[own].conflictSets;
     for (const auto& [others, group] : its) {
       ConflictSet& set = sets.emplace_back(ConflictSet{{}, group.rows, group.gap, group.isConflict, {}, {}});
-      for (const Index other : others) set.with.push_back(list.constraints[other].name);
+      for (const Index other : others) set.with.push_back(labels[other].name);
       if (!group.isConflict) continue;
-      set.disable = list.constraints[cheapest(own, others, conflicts, outcomes)].name;
-      if (hasTarget(list.constraints[own])) set.consistentTarget = system.rows[group.worstRow].target - group.gap;
+      set.disable = labels[cheapest(own, others, conflicts, outcomes)].name;
+      if (labels[own].hasTarget) set.consistentTarget = system.rows[group.worstRow].target - group.gap;
     }
     std::stable_sort(sets.begin(), sets.end(), [](const ConflictSet& x, const ConflictSet& y) {
       return x.gap.stableNorm() > y.gap.stableNorm();
@@ -111,7 +103,8 @@ void setConflictSets(std::vector<ConstraintOutcome>& outcomes, const ConstraintL
 }
 
 /// The status, gap and names of a constraint with dependent rows.
-void setDependencies(ConstraintOutcome& outcome, Index own, const DependencyGroups& groups, const ConstraintList& list)
+void setDependencies(ConstraintOutcome& outcome, Index own, const DependencyGroups& groups,
+                     const ConstraintLabels& labels)
 {
   Index independent = outcome.rows;
   bool isConflicting = false;
@@ -127,7 +120,7 @@ void setDependencies(ConstraintOutcome& outcome, Index own, const DependencyGrou
   if (!isConflicting && independent > 0) return;
   outcome.status = isConflicting ? ConstraintStatus::Conflicting : ConstraintStatus::Redundant;
   outcome.gap = gap;
-  for (const Index term : terms) outcome.dependsOn.push_back(list.constraints[term].name);
+  for (const Index term : terms) outcome.dependsOn.push_back(labels[term].name);
 }
 
 /// The limit of a constraint is the largest of its rows; none without rows.
@@ -137,7 +130,90 @@ std::optional<double> limitOf(const std::vector<double>& limits, Index first, In
   return *std::max_element(limits.begin() + first, limits.begin() + end);
 }
 
+/// Before anything is solved: without residuals, and none of them met.
+std::vector<ConstraintOutcome> unsolvedOutcomes(const DeformDetails& details)
+{
+  const auto& [system, diagnosis, operators, labels, sensitivities, residuals, multipliers] = details;
+  std::vector<ConstraintOutcome> result(labels->size());
+  const std::vector<std::optional<double>> largest = constraintSensitivities(details);
+  forEachConstraint(system, static_cast<Index>(result.size()), [&](Index c, Index first, Index end) {
+    const ConstraintLabel& label = (*labels)[c];
+    ConstraintOutcome& outcome = result[c];
+    outcome.name = label.name;
+    outcome.type = label.type;
+    if (!label.isEnabled) return;
+    outcome.rows = end - first;
+    outcome.status = ConstraintStatus::Independent;
+    outcome.limit = limitOf(diagnosis.limits, first, end);
+    outcome.sensitivity = largest[c];
+    // An enabled constraint without rows, as a rigid region of one vertex, asks for nothing and holds.
+    if (first == end) setDependencies(outcome, c, {}, *labels);
+  });
+  std::map<Index, DependencyGroups> groups = dependencyGroupsOf(system, diagnosis);
+  for (const auto& [own, its] : groups) setDependencies(result[own], own, its, *labels);
+  setConflictSets(result, *labels, system, std::move(groups));
+  return result;
+}
+
+/// Sets the residuals, and the status of constraints that were solved.
+void setResiduals(std::vector<ConstraintOutcome>& outcomes, const DeformDetails& details,
+                  const std::vector<double>& residuals)
+{
+  const Diagnosis& diagnosis = details.diagnosis;
+  forEachConstraint(details.system, static_cast<Index>(outcomes.size()), [&](Index c, Index first, Index end) {
+    ConstraintOutcome& outcome = outcomes[c];
+    for (Index r = first; r < end; ++r) {
+      outcome.residual = std::max(outcome.residual.value_or(0), residuals[r]);
+      if (diagnosis.status[r] == RowStatus::Conflicting) continue;
+      if (outcome.status == ConstraintStatus::Independent) outcome.status = ConstraintStatus::Met;
+      if (residuals[r] <= diagnosis.limits[r]) continue;
+      if (outcome.status != ConstraintStatus::Conflicting) outcome.status = ConstraintStatus::Missed;
+      outcome.limit = std::min(*outcome.limit, diagnosis.limits[r]);
+    }
+  });
+}
+
+/// The multiplier of a constraint is the sum of the lengths of those of its rows.
+void setMultipliers(std::vector<ConstraintOutcome>& outcomes, const ConstraintSystem& system, const Columns3& ofRows)
+{
+  forEachConstraint(system, static_cast<Index>(outcomes.size()), [&](Index c, Index first, Index end) {
+    double sum = 0;
+    for (Index r = first; r < end; ++r) sum += ofRows.row(r).stableNorm();
+    if (first < end) outcomes[c].multiplier = sum;
+  });
+}
+
+/// Points and offsets have a target of their own that can be another one.
+bool hasTarget(const Constraint& constraint)
+{
+  const RelativeConstraint* relative = std::get_if<RelativeConstraint>(&constraint.what);
+  return std::holds_alternative<PointConstraint>(constraint.what) || (relative != nullptr && relative->offset);
+}
+
+ConstraintLabel labelOf(const Constraint& constraint)
+{
+  return {constraint.name, typeName(constraint), constraint.isEnabled, hasTarget(constraint)};
+}
+
+bool isLabelOf(const ConstraintLabel& label, const Constraint& constraint)
+{
+  return label.name == constraint.name && label.type == typeName(constraint) &&
+         label.isEnabled == constraint.isEnabled && label.hasTarget == hasTarget(constraint);
+}
+
 }  // namespace
+
+ConstraintOutcomes::ConstraintOutcomes(std::vector<ConstraintOutcome> outcomes)
+{
+  std::promise<std::vector<ConstraintOutcome>> made;
+  made.set_value(std::move(outcomes));
+  outcomes_ = made.get_future();
+}
+
+ConstraintOutcomes::ConstraintOutcomes(std::function<std::vector<ConstraintOutcome>()> make)
+    : outcomes_(std::async(std::launch::deferred, std::move(make)))
+{
+}
 
 std::string_view name(ConstraintStatus status)
 {
@@ -164,61 +240,61 @@ std::vector<double> rowResiduals(const ConstraintSystem& system, const Weld& wel
   return residuals;
 }
 
-std::vector<ConstraintOutcome> outcomes(const ConstraintList& list, const ConstraintSystem& system,
-                                        const Diagnosis& diagnosis, const std::vector<double>& sensitivities)
+std::shared_ptr<const ConstraintLabels> labelsOf(const ConstraintList& list,
+                                                 std::shared_ptr<const ConstraintLabels> known)
 {
-  std::vector<ConstraintOutcome> result(list.constraints.size());
-  const auto raise = [&](ConstraintOutcome& outcome, double sensitivity) {
-    outcome.sensitivity = std::max(outcome.sensitivity.value_or(0), sensitivity);
+  const std::vector<Constraint>& constraints = list.constraints;
+  std::atomic<bool> isKnown = known != nullptr && known->size() == constraints.size();
+  if (isKnown)
+    parallelBlocks(static_cast<Index>(constraints.size()), [&](Index c) {
+      if (!isLabelOf((*known)[c], constraints[c])) isKnown = false;
+    });
+  if (isKnown) return known;
+  ConstraintLabels labels;
+  labels.reserve(constraints.size());
+  for (const Constraint& constraint : constraints) labels.push_back(labelOf(constraint));
+  return std::make_shared<const ConstraintLabels>(std::move(labels));
+}
+
+std::vector<std::optional<double>> constraintSensitivities(const DeformDetails& details)
+{
+  const std::vector<ConstraintRow>& rows = details.system.rows;
+  std::vector<std::optional<double>> result(details.labels->size());
+  const auto raise = [&](Index row, double sensitivity) {
+    std::optional<double>& largest = result[rows[row].constraint];
+    largest = std::max(largest.value_or(0), sensitivity);
   };
-  forEachConstraint(system, static_cast<Index>(result.size()), [&](Index c, Index first, Index end) {
-    ConstraintOutcome& outcome = result[c];
-    outcome.name = list.constraints[c].name;
-    outcome.type = typeName(list.constraints[c]);
-    if (!list.constraints[c].isEnabled) return;
-    outcome.rows = end - first;
-    outcome.status = ConstraintStatus::Independent;
-    outcome.limit = limitOf(diagnosis.limits, first, end);
-    for (Index r = first; r < end; ++r)
-      if (diagnosis.status[r] == RowStatus::Independent) raise(outcome, sensitivities[r]);
-    // An enabled constraint without rows, as a rigid region of one vertex, asks for nothing and holds.
-    if (first == end) setDependencies(outcome, c, {}, list);
-  });
-  for (const auto& [dependency, gap] : diagnosis.dependent) {
-    ConstraintOutcome& outcome = result[system.rows[dependency.row].constraint];
-    raise(outcome, 0);
-    for (const Term& term : dependency.terms) raise(outcome, sensitivities[term.index]);
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    if (details.diagnosis.status[r] == RowStatus::Independent)
+      raise(static_cast<Index>(r), (*details.sensitivities)[r]);
+  for (const auto& [dependency, gap] : details.diagnosis.dependent) {
+    raise(dependency.row, 0);
+    for (const Term& term : dependency.terms) raise(dependency.row, (*details.sensitivities)[term.index]);
   }
-  std::map<Index, DependencyGroups> groups = dependencyGroupsOf(system, diagnosis);
-  for (const auto& [own, its] : groups) setDependencies(result[own], own, its, list);
-  setConflictSets(result, list, system, std::move(groups));
   return result;
 }
 
-std::optional<MissedRow> setResiduals(Report& report, const ConstraintSystem& system, const Diagnosis& diagnosis,
-                                      const std::vector<double>& residuals)
+std::vector<ConstraintOutcome> outcomes(const DeformDetails& details, const std::vector<double>& residuals)
 {
-  const std::vector<double>& limits = diagnosis.limits;
-  forEachConstraint(system, static_cast<Index>(report.constraints.size()), [&](Index c, Index first, Index end) {
-    ConstraintOutcome& outcome = report.constraints[c];
-    outcome.limit = limitOf(limits, first, end);
-    for (Index r = first; r < end; ++r) {
-      outcome.residual = std::max(outcome.residual.value_or(0), residuals[r]);
-      if (diagnosis.status[r] == RowStatus::Conflicting) continue;
-      if (outcome.status == ConstraintStatus::Independent) outcome.status = ConstraintStatus::Met;
-      if (residuals[r] <= limits[r]) continue;
-      if (outcome.status != ConstraintStatus::Conflicting) outcome.status = ConstraintStatus::Missed;
-      outcome.limit = std::min(*outcome.limit, limits[r]);
-    }
-  });
+  std::vector<ConstraintOutcome> result = unsolvedOutcomes(details);
+  if (residuals.empty()) return result;
+  setResiduals(result, details, residuals);
+  if (details.multipliers.valid()) setMultipliers(result, details.system, details.multipliers.get().ofRows);
+  return result;
+}
+
+std::optional<MissedRow> setLargestResidual(Report& report, const DeformDetails& details,
+                                            const std::vector<double>& residuals)
+{
+  const auto& [limits, status] = std::tie(details.diagnosis.limits, details.diagnosis.status);
   std::optional<MissedRow> worst;
   double largest = 0;
   for (std::size_t r = 0; r < residuals.size(); ++r) {
-    if (diagnosis.status[r] == RowStatus::Conflicting) continue;
+    if (status[r] == RowStatus::Conflicting) continue;
     largest = std::max(largest, residuals[r]);
     if (residuals[r] <= limits[r]) continue;
     if (!worst || residuals[r] / limits[r] > worst->residual / worst->limit)
-      worst = MissedRow{system.rows[r].constraint, residuals[r], limits[r]};
+      worst = MissedRow{details.system.rows[r].constraint, residuals[r], limits[r]};
   }
   report.solve.maxResidual = largest;
   report.solve.maxResidualRelative = largest / report.mesh.bboxDiagonal;
@@ -227,9 +303,10 @@ std::optional<MissedRow> setResiduals(Report& report, const ConstraintSystem& sy
 
 bool setRoundedResiduals(Report& report, const DeformResult& result, const Weld& weld)
 {
-  const auto& [system, diagnosis, operators] = *result.details;
   const Positions stored = result.positions.cast<float>().cast<double>();
-  return setResiduals(report, system, diagnosis, rowResiduals(system, weld, stored)).has_value();
+  const std::vector<double> residuals = rowResiduals(result.details->system, weld, stored);
+  report.constraints = outcomes(*result.details, residuals);
+  return setLargestResidual(report, *result.details, residuals).has_value();
 }
 
 Index countOf(const Report& report, ConstraintStatus status)

@@ -4,9 +4,8 @@
 #include <algorithm>
 
 #include <holdfast/base/parallel.h>
-#include <holdfast/constraints/constraint_system.h>
 #include <holdfast/deform/deform.h>
-#include <holdfast/elimination/diagnosis.h>
+#include <holdfast/deform/deform_details.h>
 
 namespace holdfast {
 
@@ -14,12 +13,18 @@ namespace holdfast {
 [[nodiscard]] std::vector<double> rowResiduals(const ConstraintSystem& system, const Weld& weld,
                                                const Positions& positions);
 
-/// One outcome for each constraint of the list, in order, before anything is solved: without residuals, and none of
-/// them met. `sensitivities` are those of `Elimination::sensitivities`: that of a constraint is the largest of its
-/// independent rows and of the terms of its dependent ones.
-[[nodiscard]] std::vector<ConstraintOutcome> outcomes(const ConstraintList& list, const ConstraintSystem& system,
-                                                      const Diagnosis& diagnosis,
-                                                      const std::vector<double>& sensitivities);
+/// The labels of a list: `known`, those of the list before it, where they are the same. O(constraints).
+[[nodiscard]] std::shared_ptr<const ConstraintLabels> labelsOf(const ConstraintList& list,
+                                                               std::shared_ptr<const ConstraintLabels> known);
+
+/// The largest sensitivity of each constraint's independent rows and of the terms of its dependent ones; none without
+/// rows.
+[[nodiscard]] std::vector<std::optional<double>> constraintSensitivities(const DeformDetails& details);
+
+/// One outcome for each constraint, in order, with the residuals of rows at positions as they are, or will be, stored:
+/// missed where one exceeds its limit, else met. Where `residuals` is empty nothing was solved.
+[[nodiscard]] std::vector<ConstraintOutcome> outcomes(const DeformDetails& details,
+                                                      const std::vector<double>& residuals);
 
 /// Sensitivities above this are warned of: a millionth of the model's size in what is asked for moves it by its size.
 inline constexpr double kLargeSensitivity = 1e6;
@@ -51,13 +56,12 @@ struct MissedRow {
 /// How many constraints have this status.
 [[nodiscard]] Index countOf(const Report& report, ConstraintStatus status);
 
-/// Sets the residuals in `report` from positions as they are, or will be, stored, and the status of constraints that
-/// were solved: missed where the residual of a row exceeds its limit in `diagnosis`, else met. Returns the row that
-/// exceeds its limit most, as a share of it, if any does.
-std::optional<MissedRow> setResiduals(Report& report, const ConstraintSystem& system, const Diagnosis& diagnosis,
-                                      const std::vector<double>& residuals);
+/// Sets the largest residual in `report`. Returns the row that exceeds its limit most, as a share of it, if any does.
+std::optional<MissedRow> setLargestResidual(Report& report, const DeformDetails& details,
+                                            const std::vector<double>& residuals);
 
-/// The same for a reader of a file that stores `result.positions` in single precision. Returns whether a row is missed.
+/// What is said of `result` for a reader of a file that stores its positions in single precision: residuals and what
+/// follows from them. Returns whether a row is missed.
 bool setRoundedResiduals(Report& report, const DeformResult& result, const Weld& weld);
 
 }  // namespace holdfast

@@ -1,6 +1,8 @@
 #pragma once
 /// What a deformation tells about itself. docs/formats.md describes the report file, `report_json.h` writes it.
 
+#include <functional>
+#include <future>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -62,6 +64,25 @@ struct ConstraintOutcome {
   std::optional<double> multiplier;  ///< how hard it pulls, without units: see docs/math.md; of solved hard constraints
 };
 
+/// The outcomes of all constraints, in the order of the list. They are made when somebody first looks at one of them,
+/// once for all copies; any thread may do so.
+class ConstraintOutcomes {
+ public:
+  ConstraintOutcomes(std::vector<ConstraintOutcome> outcomes = {});
+  explicit ConstraintOutcomes(std::function<std::vector<ConstraintOutcome>()> make);
+
+  [[nodiscard]] const std::vector<ConstraintOutcome>& all() const { return outcomes_.get(); }
+  [[nodiscard]] std::size_t size() const { return all().size(); }
+  [[nodiscard]] bool empty() const { return all().empty(); }
+  [[nodiscard]] const ConstraintOutcome& operator[](std::size_t place) const { return all()[place]; }
+  [[nodiscard]] const ConstraintOutcome& back() const { return all().back(); }
+  [[nodiscard]] auto begin() const { return all().begin(); }
+  [[nodiscard]] auto end() const { return all().end(); }
+
+ private:
+  std::shared_future<std::vector<ConstraintOutcome>> outcomes_;
+};
+
 enum class SolveStatus {
   NotRun,
   Ok,         ///< every constraint that can be met is met
@@ -105,7 +126,7 @@ struct SolveReport {
 
 struct Report {
   MeshReport mesh;
-  std::vector<ConstraintOutcome> constraints;
+  ConstraintOutcomes constraints;
   SolveReport solve;
 };
 

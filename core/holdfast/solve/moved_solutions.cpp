@@ -79,18 +79,17 @@ MovedSolutions::MovedSolutions(const SolverMesh& mesh)
 MovedSolutions::MovedSolutions(const SolverMesh& mesh, const MovedSolutions& base) : MovedSolutions(mesh)
 {
   wanted_ = base.wanted_;
-  base_ = base.last();
+  base_ = base.last_;
 }
 
-const Displacement& MovedSolutions::solve(const ConstrainedSolver& solver, const RowTargets& targets, const Columns3& q,
-                                          const std::function<Columns3()>& makeF)
+SolvedDisplacement MovedSolutions::solve(const ConstrainedSolver& solver, const RowTargets& targets, const Columns3& q,
+                                         const std::function<Columns3()>& makeF)
 {
   const bool isKnown = wanted_ != nullptr && areSame(wanted_->q, q);
   const bool isSame = isKnown && !answers_.empty() && targets_.reconciled == targets.reconciled;
   const auto moves = isSame ? movesOf(targets.shifts - targets_.shifts, rounding_) : std::nullopt;
-  isSum_ = false;
   if (!moves || !(moves->by.cwiseAbs().maxCoeff() <= farthest_)) {
-    const Displacement* const base = std::exchange(base_, nullptr);
+    const std::shared_ptr<const Displacement> base = std::exchange(base_, nullptr);
     if (targets_.reconciled != targets.reconciled) answers_.clear();
     const std::shared_ptr<const Wanted> wanted = isKnown ? wanted_ : std::make_shared<const Wanted>(Wanted{q, makeF()});
     Eigen::VectorXd asked = sampled(targets, wanted->f);
@@ -101,34 +100,31 @@ const Displacement& MovedSolutions::solve(const ConstrainedSolver& solver, const
                                             : solver.solveFrom(nearest(asked), targets, wanted->f);
     wanted_ = wanted;
     targets_ = {targets.shifts, targets.reconciled};
+    last_ = std::make_shared<const Displacement>(std::move(found));
     if (answers_.size() == kAnswers) answers_.pop_front();
-    answers_.push_back({std::move(asked), std::move(found)});
-    return *last();
+    answers_.push_back({std::move(asked), last_});
+    return {last_, f()};
   }
-  const Displacement& solution = answers_.back().solution;
-  if (moves->by.isZero(0)) return solution;
+  const Answer& answer = answers_.back();
+  if (moves->by.isZero(0)) {
+    last_ = answer.solution;
+    return {last_, f()};
+  }
   if (response_.groupOf != moves->groupOf) {
     Columns3 isMoved(targets.shifts.rows(), 3);
     for (Index r = 0; r < isMoved.rows(); ++r)
       for (int group = 0; group < kGroups; ++group) isMoved(r, group) = moves->groupOf[r] == group + 1;
-    response_ = {moves->groupOf, solver.solve({std::move(isMoved), targets.reconciled}, Columns3::Zero(f().rows(), 3))};
+    response_ = {moves->groupOf,
+                 solver.solve({std::move(isMoved), targets.reconciled}, Columns3::Zero(f()->rows(), 3))};
   }
   const Displacement& reach = response_.reach;
-  sum_.u.resize(reach.u.rows(), 3);
-  sum_.left = solution.left;
-  sum_.multipliers = solution.multipliers + reach.multipliers * moves->by;
-  sum_.corrections = solution.corrections;
-  sum_.accuracy = std::max(solution.accuracy, reach.accuracy);
-  parallelBlocks(sum_.u.rows(), [&](Index i) { sum_.u.row(i) = solution.u.row(i) + reach.u.row(i) * moves->by; });
-  solver.meet(targets, sum_.u);
-  isSum_ = true;
-  return sum_;
-}
-
-const Displacement* MovedSolutions::last() const
-{
-  if (isSum_) return &sum_;
-  return answers_.empty() ? nullptr : &answers_.back().solution;
+  Displacement sum{Columns3(reach.u.rows(), 3), answer.solution->corrections,
+                   std::max(answer.solution->accuracy, reach.accuracy), answer.solution->left,
+                   answer.solution->multipliers + reach.multipliers * moves->by};
+  parallelBlocks(sum.u.rows(), [&](Index i) { sum.u.row(i) = answer.solution->u.row(i) + reach.u.row(i) * moves->by; });
+  solver.meet(targets, sum.u);
+  last_ = std::make_shared<const Displacement>(std::move(sum));
+  return {last_, f()};
 }
 
 /// The sum of earlier solutions whose right-hand sides come nearest to `asked`.
@@ -139,14 +135,15 @@ Displacement MovedSolutions::nearest(const Eigen::VectorXd& asked) const
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
   decomposition.setThreshold(kDependent);
   const Eigen::VectorXd shares = decomposition.compute(earlier).solve(asked);
+  const Displacement& newest = *answers_.back().solution;
   Displacement sum;
-  sum.left = answers_.back().solution.left;
+  sum.left = newest.left;
   for (Columns3 Displacement::*numbers : {&Displacement::u, &Displacement::multipliers}) {
     Columns3& all = sum.*numbers;
-    all.resize((answers_.back().solution.*numbers).rows(), 3);
+    all.resize((newest.*numbers).rows(), 3);
     parallelBlocks(all.rows(), [&](Index i) {
       Eigen::RowVector3d row = Eigen::RowVector3d::Zero();
-      for (std::size_t k = 0; k < answers_.size(); ++k) row += shares[k] * (answers_[k].solution.*numbers).row(i);
+      for (std::size_t k = 0; k < answers_.size(); ++k) row += shares[k] * ((*answers_[k].solution).*numbers).row(i);
       all.row(i) = row;
     });
   }

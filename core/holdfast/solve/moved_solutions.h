@@ -12,22 +12,25 @@
 
 namespace holdfast {
 
+/// A displacement, and the f that A u is near to.
+struct SolvedDisplacement {
+  std::shared_ptr<const Displacement> displacement;
+  std::shared_ptr<const Columns3> f;
+};
+
 /// For one solver, which is the same at every call.
 class MovedSolutions {
  public:
   explicit MovedSolutions(const SolverMesh& mesh);
 
-  /// For a solver that was `edited` from that of `base`: the first solution is made of the last one of that, which is
-  /// not to change until then, where it can be.
+  /// For a solver that was `edited` from that of `base`: where it can be, the first solution is made of the last one of
+  /// that.
   MovedSolutions(const SolverMesh& mesh, const MovedSolutions& base);
 
   /// As `solver.solve(targets, makeF())`; `q` (n x 3) is all that `makeF` depends on. O(n) from the third solution of a
-  /// drag on where it rotates nothing. Last digits depend on the solutions before. Valid until the next call.
-  [[nodiscard]] const Displacement& solve(const ConstrainedSolver& solver, const RowTargets& targets, const Columns3& q,
-                                          const std::function<Columns3()>& makeF);
-
-  /// The f of the last solution.
-  [[nodiscard]] const Columns3& f() const noexcept { return wanted_->f; }
+  /// drag on where it rotates nothing. Last digits depend on the solutions before.
+  [[nodiscard]] SolvedDisplacement solve(const ConstrainedSolver& solver, const RowTargets& targets, const Columns3& q,
+                                         const std::function<Columns3()>& makeF);
 
  private:
   /// What a solution was made of.
@@ -45,11 +48,10 @@ class MovedSolutions {
   /// What was asked for, in places, and what that led to.
   struct Answer {
     Eigen::VectorXd asked;
-    Displacement solution;
+    std::shared_ptr<const Displacement> solution;
   };
 
-  /// None before the first one.
-  [[nodiscard]] const Displacement* last() const;
+  [[nodiscard]] std::shared_ptr<const Columns3> f() const { return {wanted_, &wanted_->f}; }
   [[nodiscard]] Displacement nearest(const Eigen::VectorXd& asked) const;
 
   double rounding_ = 0;  // of shifts, model units
@@ -59,9 +61,8 @@ class MovedSolutions {
   RowTargets targets_;                    // its own
   std::deque<Answer> answers_;            // solved for lately, the last one last
   Response response_;
-  Displacement sum_;
-  bool isSum_ = false;                  // the last solution is `sum_`, not that of the last answer
-  const Displacement* base_ = nullptr;  // from which the first solution begins
+  std::shared_ptr<const Displacement> last_;
+  std::shared_ptr<const Displacement> base_;  // from which the first solution begins
 };
 
 }  // namespace holdfast

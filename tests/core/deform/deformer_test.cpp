@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <atomic>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -186,6 +188,49 @@ TEST(Deformer, HasTheVerdictsOfAFreshOneWhateverTargetsChanged)
       }
     }
   }
+}
+
+/// Outcomes and forces are made when somebody looks at them, which may be after the next frame, or the end.
+TEST(Deformer, TellsOfEachFrameWhenAskedWhateverCameAfterIt)
+{
+  const auto model = std::make_shared<const Model>(makeModel(test::plate(6, 5)));
+  const auto listOf = [](int frame) { return dragged(10 * frame, Vector3(0, 0, 0.1 * frame)); };
+  std::vector<DeformResult> frames;
+  {
+    Deformer deformer(model);
+    deformer.answerEditsAtOnce(true);
+    for (int frame = 0; frame < 4; ++frame) frames.push_back(deformer.deform(listOf(frame)));
+    ConstraintList edited = listOf(4);
+    edited.constraints.erase(edited.constraints.begin() + 1);
+    frames.push_back(deformer.deform(edited));
+  }
+  for (int frame = 0; frame < 4; ++frame) {
+    const DeformResult fresh = Deformer(model).deform(listOf(frame));
+    const ConstraintOutcomes told = frames[frame].report.constraints;
+    ASSERT_EQ(told.size(), 3U);
+    for (std::size_t c = 0; c < told.size(); ++c) {
+      EXPECT_EQ(told[c].name, fresh.report.constraints[c].name);
+      EXPECT_EQ(told[c].status, ConstraintStatus::Met);
+      EXPECT_NEAR(*told[c].multiplier, *fresh.report.constraints[c].multiplier, 1e-12);
+    }
+    EXPECT_LT((frames[frame].multipliers() - fresh.multipliers()).norm(), 1e-12);
+  }
+  EXPECT_EQ(frames[4].report.constraints.size(), 2U);
+}
+
+TEST(ConstraintOutcomes, AreMadeOnceForAllCopiesWhereSomebodyLooks)
+{
+  std::atomic<int> made = 0;
+  const ConstraintOutcomes outcomes([&] {
+    ++made;
+    return std::vector<ConstraintOutcome>(2);
+  });
+  const ConstraintOutcomes copy = outcomes;
+  EXPECT_EQ(made, 0);
+  std::thread other([&] { EXPECT_EQ(copy.size(), 2U); });
+  EXPECT_EQ(&outcomes[1], &copy[1]);
+  other.join();
+  EXPECT_EQ(made, 1);
 }
 
 TEST(Deformer, StartsAnewWhenTheStructureChanges)

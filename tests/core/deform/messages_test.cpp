@@ -13,11 +13,12 @@ using testing::Not;
 
 Report reportOf(double sensitivity)
 {
+  std::vector<ConstraintOutcome> outcomes(2);
+  outcomes[1].name = "P1";
+  outcomes[1].status = ConstraintStatus::Missed;
+  outcomes[1].sensitivity = sensitivity;
   Report report;
-  report.constraints.resize(2);
-  report.constraints[1].name = "P1";
-  report.constraints[1].status = ConstraintStatus::Missed;
-  report.constraints[1].sensitivity = sensitivity;
+  report.constraints = outcomes;
   report.solve.accuracy = 3e-14;
   return report;
 }
@@ -45,9 +46,7 @@ TEST(MissedMessage, ElseSaysThatTheCauseIsNotKnownAndWhatIs)
 
 TEST(SolvedMessage, ShowsTheAccuracy)
 {
-  Report report = reportOf(1);
-  report.constraints[1].status = ConstraintStatus::Met;
-  EXPECT_EQ(solvedMessage(report, {}), "all constraints are met; accuracy 3e-14");
+  EXPECT_EQ(solvedMessage(reportOf(1), {}), "all constraints are met; accuracy 3e-14");
 }
 
 TEST(SolvedMessage, NamesTheConstraintThatIsMissedMost)

@@ -44,7 +44,8 @@ TEST(ReportCsv, QuotesNamesAndLeavesOutWhatWasNotComputed)
   outcome.conflictSets.resize(2);
   outcome.sensitivity = std::numeric_limits<double>::infinity();
   outcome.multiplier = 0.0;
-  report.constraints = {outcome, {" blank", "fixed", 0, ConstraintStatus::Disabled, {}, {}, {}, {}, {}, {}, {}}};
+  const ConstraintOutcome disabled{" blank", "fixed", 0, ConstraintStatus::Disabled, {}, {}, {}, {}, {}, {}, {}};
+  report.constraints = std::vector{outcome, disabled};
   const std::vector<CsvRecord> table = tableOf(report);
   ASSERT_EQ(table.size(), 3U);
   EXPECT_THAT(table[1].fields, ElementsAre("bolt \"A\", left\nrim", "point", "1", "conflicting", "0.1", "0.01",

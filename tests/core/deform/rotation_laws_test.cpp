@@ -278,10 +278,10 @@ TEST(RotationLaws, ForcesBalanceTheElasticForcesAndVanishAtRest)
   EXPECT_GT(*one.report.constraints[1].multiplier, 0);
   EXPECT_NEAR(*two.report.constraints[1].multiplier, 2 * *one.report.constraints[1].multiplier,
               1e-9 * *two.report.constraints[1].multiplier);
-  EXPECT_LT(one.multipliers.colwise().sum().norm(), 1e-9 * *one.report.constraints[1].multiplier)
-      << "action is reaction";
-  EXPECT_GT(one.multipliers.row(20).norm(), 0);
-  EXPECT_LT(one.multipliers.row(40).norm(), 1e-9 * one.multipliers.row(20).norm()) << "no constraint, no force";
+  const Columns3& forces = one.multipliers();
+  EXPECT_LT(forces.colwise().sum().norm(), 1e-9 * *one.report.constraints[1].multiplier) << "action is reaction";
+  EXPECT_GT(forces.row(20).norm(), 0);
+  EXPECT_LT(forces.row(40).norm(), 1e-9 * forces.row(20).norm()) << "no constraint, no force";
 }
 
 }  // namespace

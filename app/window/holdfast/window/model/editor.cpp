@@ -86,10 +86,11 @@ void Editor::open(LoadedMesh mesh, DocumentState state)
   close();
   mesh_ = std::move(mesh);
   history_ = std::make_unique<History>(std::move(state));
-  // The worker prepares the picture and picks, so that the window does not wait for them.
+  // The worker prepares the picture, picks and outcomes, so that the window does not wait for them.
   auto prepared = [atRest = mesh_.surface, model = mesh_.model, places = KnownPlaces(),
                    marks = std::shared_ptr<const MarkSet>()](const LiveEvent& event) mutable -> Solved {
     if (event.deformation == nullptr) return {};
+    static_cast<void>(event.deformation->report.constraints.all());
     marks = markSet(*model, constraintMarks(*model, event.state->list, *event.deformation, places), marks);
     auto surface =
         std::make_shared<const VisibleSurface>(atRest->movedTo({event.deformation, &event.deformation->positions}));
@@ -130,7 +131,7 @@ void Editor::close()
 const ConstraintOutcome* Editor::outcome(const std::string& name, Index row) const
 {
   if (deformation() == nullptr) return nullptr;
-  const std::vector<ConstraintOutcome>& outcomes = deformation()->report.constraints;
+  const ConstraintOutcomes& outcomes = deformation()->report.constraints;
   if (row < static_cast<Index>(outcomes.size()) && outcomes[row].name == name) return &outcomes[row];
   if (outcomeOf_.empty())
     for (const ConstraintOutcome& outcome : outcomes)

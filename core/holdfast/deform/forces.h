@@ -1,0 +1,24 @@
+#pragma once
+/// How hard constraints pull: what holds a displacement against its energy |A u - f|^2 / 2, at each unknown.
+
+#include <vector>
+
+#include <holdfast/base/term.h>
+#include <holdfast/operators/energy_matrix.h>
+
+namespace holdfast {
+
+/// Where constraints act.
+struct ActedOn {
+  ActedOn(const EnergyMatrix& A, const std::vector<RowTerms>& constraints);
+
+  std::vector<char> unknowns;  ///< 1 where a constraint names the unknown
+  std::vector<char> rows;      ///< 1 where a row of A names one of those
+};
+
+/// A^T (f - A u) at the unknowns that are acted on and 0 at all others, n x 3, with lengths in diagonals: no units.
+/// O(entries of A where constraints act).
+[[nodiscard]] Columns3 forcesAtUnknowns(const EnergyMatrix& A, const ActedOn& actedOn, const Columns3& u,
+                                        const Columns3& f, double diagonal);
+
+}  // namespace holdfast
