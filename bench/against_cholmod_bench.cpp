@@ -1,5 +1,5 @@
-// Our factorisation, solves and frames of a drag against CHOLMOD's factorisation and solves in its best order, and
-// against what the machine can read and multiply.
+// Our factorisation, solves and frames of a drag against CHOLMOD's factorisation and solves in its best order, beside
+// those of MUMPS, and against what the machine can read and multiply.
 
 #include <algorithm>
 #include <array>
@@ -22,6 +22,7 @@
 #include "bench/dragged_mesh.h"
 #include "bench/machine.h"
 #include "bench/measure.h"
+#include "bench/mumps_factor.h"
 #include "bench/samples.h"
 #include "bench/scenes.h"
 #include "bench/steps.h"
@@ -120,33 +121,40 @@ struct Figures {
   }
 };
 
-Figures figuresOf(CholmodFactor& factor)
+template <class Factor>
+Figures figuresOf(Factor& factor)
 {
   const double factorize = shortest(kFactorizations, [&] { factor.factorize(); });
   return {factorize, shortest(kSolves, [&] { factor.solve(); }), factor.entries(), factor.operations()};
 }
 
+/// The rows of a library's factorisation that `analyze` makes, and its shortest times.
+template <class Analyze>
+Figures takeLibrarysTurn(Samples& samples, const std::string& name, const Analyze& analyze)
+{
+  decltype(analyze()) factor;
+  samples.add(name + ", one thread", "s analyse", secondsOf([&] { factor = analyze(); }));
+  Figures one;
+  {
+    const OneThread libraries;
+    one = figuresOf(*factor);
+  }
+  const LibraryThreads libraries;
+  const Figures all = figuresOf(*factor);
+  one.addTo(samples, name + ", one thread");
+  all.addTo(samples, name + ", all threads");
+  return {std::min(one.factorize, all.factorize), std::min(one.solve, all.solve)};
+}
+
 /// CHOLMOD's rows of the table, and its shortest times.
 Figures takeCholmodsTurn(Samples& samples, SparseMatrix& lower)
 {
-  Figures best{1e300, 1e300};
-  const auto add = [&](const std::string& row, const Figures& figures) {
-    figures.addTo(samples, row);
-    best = {std::min(best.factorize, figures.factorize), std::min(best.solve, figures.solve)};
+  const auto turnOf = [&](const std::string& name, int ordering) {
+    return takeLibrarysTurn(samples, name, [&] { return std::make_unique<CholmodFactor>(lower, ordering); });
   };
-  for (const auto& [name, ordering] : {std::pair<std::string, int>{"AMD", CHOLMOD_AMD}, {"METIS", CHOLMOD_METIS}}) {
-    std::unique_ptr<CholmodFactor> factor;
-    const double analysis =
-        secondsOf([&, order = ordering] { factor = std::make_unique<CholmodFactor>(lower, order); });
-    samples.add(name + ", one thread", "s analyse", analysis);
-    {
-      const OneThread libraries;
-      add(name + ", one thread", figuresOf(*factor));
-    }
-    const LibraryThreads all;
-    add(name + ", all threads", figuresOf(*factor));
-  }
-  return best;
+  const Figures amd = turnOf("AMD", CHOLMOD_AMD);
+  const Figures metis = turnOf("METIS", CHOLMOD_METIS);
+  return {std::min(amd.factorize, metis.factorize), std::min(amd.solve, metis.solve)};
 }
 
 Figures takeOwnTurn(Samples& samples, const SparseMatrix& lower)
@@ -193,6 +201,7 @@ void againstCholmod(benchmark::State& state, const Mesh& mesh)
     const double read = bytesReadPerSecond();
     const double multiplied = operationsPerSecond();
     const Figures cholmod = takeCholmodsTurn(samples, lower);
+    takeLibrarysTurn(samples, "MUMPS", [&] { return std::make_unique<MumpsFactor>(lower); });
     const Figures own = takeOwnTurn(samples, lower);
     samples.add("own", "= GB/s", own.bytesPerSecond() / read);
     samples.add("own", "= GFlop/s", own.operationsPerSecond() / multiplied);

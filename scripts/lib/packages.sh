@@ -5,7 +5,7 @@ holdfast_packages=(
   libeigen3-dev libsuitesparse-dev libopenblas0-pthread
   nlohmann-json3-dev libfmt-dev libcli11-dev
   libvtk9-dev libvtk9-qt-dev qtbase5-dev
-  libgtest-dev libgmock-dev liblapacke-dev libbenchmark-dev
+  libgtest-dev libgmock-dev liblapacke-dev libbenchmark-dev libmumps-seq-dev
   xvfb libgl1-mesa-dri
 )
 
