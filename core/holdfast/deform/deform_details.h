@@ -20,8 +20,6 @@ struct ConstraintLabel {
   std::string_view type;
   bool isEnabled = true;
   bool hasTarget = false;  ///< of its own, which can be another one: points and offsets
-
-  friend bool operator==(const ConstraintLabel&, const ConstraintLabel&) = default;
 };
 
 using ConstraintLabels = std::vector<ConstraintLabel>;

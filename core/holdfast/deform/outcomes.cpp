@@ -133,25 +133,26 @@ std::optional<double> limitOf(const std::vector<double>& limits, Index first, In
 /// Before anything is solved: without residuals, and none of them met.
 std::vector<ConstraintOutcome> unsolvedOutcomes(const DeformDetails& details)
 {
-  const auto& [system, diagnosis, operators, labels, sensitivities, residuals, multipliers] = details;
-  std::vector<ConstraintOutcome> result(labels->size());
+  const ConstraintSystem& system = details.system;
+  const ConstraintLabels& labels = *details.labels;
+  std::vector<ConstraintOutcome> result(labels.size());
   const std::vector<std::optional<double>> largest = constraintSensitivities(details);
   forEachConstraint(system, static_cast<Index>(result.size()), [&](Index c, Index first, Index end) {
-    const ConstraintLabel& label = (*labels)[c];
+    const ConstraintLabel& label = labels[c];
     ConstraintOutcome& outcome = result[c];
     outcome.name = label.name;
     outcome.type = label.type;
     if (!label.isEnabled) return;
     outcome.rows = end - first;
     outcome.status = ConstraintStatus::Independent;
-    outcome.limit = limitOf(diagnosis.limits, first, end);
+    outcome.limit = limitOf(details.diagnosis.limits, first, end);
     outcome.sensitivity = largest[c];
     // An enabled constraint without rows, as a rigid region of one vertex, asks for nothing and holds.
-    if (first == end) setDependencies(outcome, c, {}, *labels);
+    if (first == end) setDependencies(outcome, c, {}, labels);
   });
-  std::map<Index, DependencyGroups> groups = dependencyGroupsOf(system, diagnosis);
-  for (const auto& [own, its] : groups) setDependencies(result[own], own, its, *labels);
-  setConflictSets(result, *labels, system, std::move(groups));
+  std::map<Index, DependencyGroups> groups = dependencyGroupsOf(system, details.diagnosis);
+  for (const auto& [own, its] : groups) setDependencies(result[own], own, its, labels);
+  setConflictSets(result, labels, system, std::move(groups));
   return result;
 }
 
