@@ -188,7 +188,8 @@ TEST_P(TurnOfAHandle, IsAsAccurateAsFreshDeformations)
     const DeformResult fresh = test::deformed(mesh, list, options);
     EXPECT_EQ(result.report.solve.status, SolveStatus::Ok) << result.report.solve.message;
     EXPECT_LT(test::distance(result.positions, fresh.positions), 1e-12) << k;
-    EXPECT_LT(result.report.solve.accuracy, 1e-9);
+    // By Eigen's LU the estimates of Lagrange multipliers are a few 1e-9.
+    EXPECT_LE(result.report.solve.accuracy, std::max(1e-9, fresh.report.solve.accuracy));
     corrections += result.report.solve.refinementSteps;
   }
   // The others correct as ever.
