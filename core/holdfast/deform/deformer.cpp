@@ -201,7 +201,7 @@ class Solution {
         diagnose(*factorization.eliminated, details_->system, model_.solverMesh, factorization.knownGaps);
   }
 
-  /// Of what is known by now.
+  /// They are made of the details as these are when somebody first looks.
   void tellOutcomes()
   {
     result_.report.constraints =
@@ -303,7 +303,7 @@ class Solution {
             std::make_shared<const Columns3>(std::move(shape.wanted))};
   }
 
-  /// Whenever somebody asks: nothing that they are made of changes.
+  /// They are made whenever somebody asks for them: nothing that they are made of changes.
   [[nodiscard]] std::shared_future<Multipliers> multipliersOf(SolvedDisplacement solved,
                                                               const ConstraintFactorization& factorization) const
   {

@@ -194,20 +194,19 @@ TEST(Deformer, HasTheVerdictsOfAFreshOneWhateverTargetsChanged)
 TEST(Deformer, TellsOfEachFrameWhenAskedWhateverCameAfterIt)
 {
   const auto model = std::make_shared<const Model>(makeModel(test::plate(6, 5)));
-  const auto listOf = [](int frame) { return dragged(10 * frame, Vector3(0, 0, 0.1 * frame)); };
+  std::vector<ConstraintList> lists;
+  for (int frame = 0; frame < 5; ++frame) lists.push_back(dragged(10 * frame, Vector3(0, 0, 0.1 * frame)));
+  lists.back().constraints.erase(lists.back().constraints.begin() + 1);
   std::vector<DeformResult> frames;
   {
     Deformer deformer(model);
     deformer.answerEditsAtOnce(true);
-    for (int frame = 0; frame < 4; ++frame) frames.push_back(deformer.deform(listOf(frame)));
-    ConstraintList edited = listOf(4);
-    edited.constraints.erase(edited.constraints.begin() + 1);
-    frames.push_back(deformer.deform(edited));
+    for (const ConstraintList& list : lists) frames.push_back(deformer.deform(list));
   }
-  for (int frame = 0; frame < 4; ++frame) {
-    const DeformResult fresh = Deformer(model).deform(listOf(frame));
+  for (std::size_t frame = 0; frame < frames.size(); ++frame) {
+    const DeformResult fresh = Deformer(model).deform(lists[frame]);
     const ConstraintOutcomes told = frames[frame].report.constraints;
-    ASSERT_EQ(told.size(), 3U);
+    ASSERT_EQ(told.size(), lists[frame].constraints.size());
     for (std::size_t c = 0; c < told.size(); ++c) {
       EXPECT_EQ(told[c].name, fresh.report.constraints[c].name);
       EXPECT_EQ(told[c].status, ConstraintStatus::Met);
@@ -215,7 +214,6 @@ TEST(Deformer, TellsOfEachFrameWhenAskedWhateverCameAfterIt)
     }
     EXPECT_LT((frames[frame].multipliers() - fresh.multipliers()).norm(), 1e-12);
   }
-  EXPECT_EQ(frames[4].report.constraints.size(), 2U);
 }
 
 TEST(ConstraintOutcomes, AreMadeOnceForAllCopiesWhereSomebodyLooks)
