@@ -1,14 +1,17 @@
 #!/usr/bin/env bash
 # What takes too long for every change, once a night: the tests of label `nightly` (meshes that are no part of the project,
-# the tour of the window, the core alone with all its tests), the window and the workers under sanitizers, the batch
-# program under valgrind, and the benchmarks. Installs what is missing first (apt). Goes on after a failure, says at the
+# the tour of the window, the core alone with all its tests), what other versions of VTK, Qt and Mesa may do differently on
+# both Debians, the window and the workers under sanitizers, the batch program under valgrind, and the benchmarks. Installs what is missing first (apt). Goes on after a failure, says at the
 # end which parts failed and how long each took, and ends with 1 if any did. docs/testing.md says more.
-#   scripts/nightly.sh [PART...]      PART: tests, window, threads, threads-window, valgrind, benchmarks; all if left out
+#   scripts/nightly.sh [PART...]      PART: tests, bookworm, trixie, window, threads, threads-window, valgrind, benchmarks; all if left out
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 . scripts/lib/packages.sh
+. scripts/lib/bare_system.sh
 
 run_tests() { scripts/test.sh --label-regex nightly; }
+run_bookworm() { in_bare_system bookworm scripts/test.sh --tests-regex "$by_version"; }
+run_trixie() { in_bare_system trixie scripts/test.sh --tests-regex "$by_version"; }
 run_window() { scripts/sanitize.sh --window; }
 run_threads() { scripts/sanitize.sh --threads; }
 run_threads_window() { scripts/sanitize.sh --threads --window; }
@@ -28,8 +31,11 @@ run_valgrind() {
   done
 }
 
+# Tests of what depends on the version of VTK, Qt or Mesa, and is quick: the filter, all pictures, what the window copies.
+by_version='^widgets/FilteredGrid|^render/|^window/PictureOfBar|^window/DocumentExports'
+
 parts=("$@")
-[ ${#parts[@]} -gt 0 ] || parts=(tests window threads threads-window valgrind benchmarks)
+[ ${#parts[@]} -gt 0 ] || parts=(tests bookworm trixie window threads threads-window valgrind benchmarks)
 failed=0
 summary=()
 for part in "${parts[@]}"; do

@@ -118,5 +118,13 @@ TEST_F(FilteredGrid, EndsWhenItIsAborted)
   EXPECT_EQ(positions().rows(), mesh.vertexCount());
 }
 
+TEST_F(FilteredGrid, ForgetsAnAbortThatCameAfterTheLastStep)
+{
+  filter->SetConstraints(lifted(1));
+  ASSERT_EQ(positions().rows(), mesh.vertexCount());
+  filter->SetAbortExecute(1);
+  EXPECT_EQ(positions().rows(), mesh.vertexCount());
+}
+
 }  // namespace
 }  // namespace holdfast

@@ -1,11 +1,13 @@
 #include "holdfast/widgets/mesh/deform_filter.h"
 
+#include <vtkCommand.h>
 #include <vtkDoubleArray.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkVersionMacros.h>
 
 #include <holdfast/base/error.h>
 #include <holdfast/deform/fields.h>
@@ -14,6 +16,26 @@
 namespace holdfast {
 
 vtkStandardNewMacro(DeformFilter);
+
+DeformFilter::DeformFilter()
+{
+  this->AddObserver(vtkCommand::StartEvent, this, &DeformFilter::ForgetAbort);
+}
+
+/// VTK 9.1 does it at each start; from 9.2 on an abort stays until it is taken back.
+void DeformFilter::ForgetAbort()
+{
+  this->SetAbortExecute(0);
+}
+
+bool DeformFilter::IsAborted()
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
+  return this->CheckAbort();  // marks the output for the filters behind it
+#else
+  return this->GetAbortExecute() != 0;
+#endif
+}
 
 void DeformFilter::SetConstraints(const ConstraintList& constraints)
 {
@@ -40,7 +62,7 @@ DeformResult DeformFilter::Deform(vtkPolyData& input)
     this->CurrentInput = &input;
     this->CurrentTime = input.GetMTime();
   }
-  StoppableProgress progress([this] { return this->GetAbortExecute() != 0; },
+  StoppableProgress progress([this] { return this->IsAborted(); },
                              [this](std::string_view step) {
                                this->SetProgressText(std::string(step).c_str());
                                this->UpdateProgress(this->GetProgress());

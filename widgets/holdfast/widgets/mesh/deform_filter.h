@@ -13,8 +13,9 @@ namespace holdfast {
 /// the fields of `fieldsOf` as arrays of its points. As long as only targets change, nothing is factorised again.
 ///
 /// Errors (an unusable mesh or list) are VTK errors with the sentence of the `InputError`; the output is empty then. A
-/// solution that cannot be used, and conflicts, are in the report. Progress events tell the steps (`GetProgressText`),
-/// `SetAbortExecute` ends at the next one.
+/// solution that cannot be used, and conflicts, are in the report. Progress events tell the steps (`GetProgressText`).
+/// `SetAbortExecute` ends the execution under way at its next step, and no later one; the output is empty then, until
+/// the filter or its input is modified.
 class DeformFilter : public vtkPolyDataAlgorithm {
  public:
   static DeformFilter* New();
@@ -35,13 +36,15 @@ class DeformFilter : public vtkPolyDataAlgorithm {
   DeformFilter& operator=(const DeformFilter&) = delete;
 
  protected:
-  DeformFilter() = default;
+  DeformFilter();
   ~DeformFilter() override = default;
 
   int RequestData(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
  private:
   [[nodiscard]] DeformResult Deform(vtkPolyData& input);
+  [[nodiscard]] bool IsAborted();
+  void ForgetAbort();
 
   ConstraintList Constraints;
   DeformOptions Options;
