@@ -111,15 +111,21 @@ TEST_F(PolyDataErrors, NameASurfaceWithoutPolygons)
   EXPECT_NE(errorOf("nothing.vtp", vtpBytes(*vtkNew<vtkPolyData>())), "no error");
 }
 
-TEST_F(PolyDataErrors, NameTriangleStrips)
+TEST_F(PolyDataErrors, NameStripsThatAreNoFaces)
 {
-  const auto strips = test::richPolyData();
-  vtkNew<vtkCellArray> strip;
-  strip->InsertNextCell({0, 1, 2, 3});
-  strips->SetStrips(strip);
-  strips->GetCellData()->Initialize();
-  EXPECT_THAT(errorOf("strips.vtp", vtpBytes(*strips)),
-              testing::AllOf(HasSubstr("triangle strips (1)"), HasSubstr("Triangulate")));
+  const auto stripsOf = [](std::initializer_list<vtkIdType> corners) {
+    auto strips = test::richPolyData();
+    vtkNew<vtkCellArray> strip;
+    strip->InsertNextCell(corners);
+    strips->SetStrips(strip);
+    strips->GetCellData()->Initialize();
+    return strips;
+  };
+  EXPECT_THAT(errorOf("strips.vtp", vtpBytes(*stripsOf({0, 1, 2, 77}))),
+              testing::AllOf(HasSubstr("strip 0"), HasSubstr("point 77")));
+  const auto flat = stripsOf({0, 1, 0, 1});
+  flat->SetPolys(vtkNew<vtkCellArray>());
+  EXPECT_THAT(errorOf("flat.vtp", vtpBytes(*flat)), HasSubstr("no strip has a triangle"));
 }
 
 TEST_F(PolyDataErrors, NameThePolygonThatIsNoFace)

@@ -92,8 +92,9 @@ TEST_F(PolyDataFormat, PolygonsAreTheFacesAndAllElseIsKept)
 TEST_F(PolyDataFormat, TheSameMeshGivesTheSameBytes)
 {
   const MeshDocument document = readBack(vtpBytes(*test::richPolyData()));
-  EXPECT_EQ(document.source->withPositions(document.mesh, document.mesh.positions).bytes,
-            document.source->withPositions(document.mesh, document.mesh.positions).bytes);
+  const Positions moved = 2 * document.mesh.positions;
+  EXPECT_EQ(document.source->withPositions(document.mesh, moved).bytes,
+            document.source->withPositions(document.mesh, moved).bytes);
   EXPECT_THAT(document.source->withPositions(document.mesh, document.mesh.positions).notes, IsEmpty());
 }
 
@@ -111,6 +112,98 @@ TEST_F(PolyDataFormat, SinglePrecisionIsWrittenAsDoubles)
   const Serialized result = document.source->withPositions(document.mesh, moved);
   EXPECT_TRUE(isSameBits(readBack(result.bytes).mesh.positions, moved));
   EXPECT_THAT(result.notes, ElementsAre(HasSubstr("single precision")));
+}
+
+/// A box of eight points in single precision; `surface` are its cells, `more` other elements of the piece.
+std::string boxText(const std::string& counts, const std::string& surface, const std::string& more = "",
+                    const std::string& before = "")
+{
+  return "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\">\n" + before +
+         "<PolyData><Piece NumberOfPoints=\"8\" " + counts + ">\n" + more +
+         "<Points><DataArray type=\"Float32\" NumberOfComponents=\"3\" format=\"ascii\">0 0 0 4.0 0 0 4 3 0 0 3 0 "
+         "0 0 2 4 0 2 4 3 2 0 3 2.0</DataArray></Points>\n" +
+         surface + "</Piece></PolyData>\n</VTKFile>\n";
+}
+
+std::string cellsText(const std::string& kind, const std::string& corners, const std::string& ends)
+{
+  return "<" + kind + "><DataArray type=\"Int32\" Name=\"connectivity\" format=\"ascii\">" + corners +
+         "</DataArray>\n<DataArray type=\"Int32\" Name=\"offsets\" format=\"ascii\">" + ends + "</DataArray></" + kind +
+         ">\n";
+}
+
+std::string boxWith(const std::string& more, const std::string& before = "")
+{
+  return boxText("NumberOfPolys=\"2\"", cellsText("Polys", "0 3 2 1 4 5 6 7", "4 8"), more, before);
+}
+
+std::string dataArray(const std::string& attributes, const std::string& values)
+{
+  return "<DataArray " + attributes + " format=\"ascii\">" + values + "</DataArray>\n";
+}
+
+TEST_F(PolyDataFormat, WhatDoesNotMoveIsTheFileItself)
+{
+  const std::string eight = "1 0 1 0 1 0 1 0";
+  for (const std::string& bytes :
+       {boxWith(""), boxWith("", "<!-- <AppendedData> none -->\n"),
+        boxWith("<!-- <AppendedData encoding=\"raw\"> _ -->"),
+        boxWith("<PointData>" + dataArray("type=\"Bit\" Name=\"sel\"", eight) + "</PointData>"),
+        boxWith("<PointData>" + dataArray("type=\"Int8\" Name=\"T\"", eight) +
+                dataArray("type=\"Float32\" Name=\"T\"", eight) + "</PointData>"),
+        boxWith("<PointData>" + dataArray("type=\"Float32\"", eight) + "</PointData>"),
+        boxText("NumberOfStrips=\"1\"", cellsText("Strips", "0 1 3 2 7 6 4 5", "8")),
+        vtpBytes(*test::richPolyData(), "vtkLZ4DataCompressor")}) {
+    SCOPED_TRACE(bytes.substr(0, 300));
+    const MeshDocument document = readBack(bytes);
+    const Serialized same = document.source->withPositions(document.mesh, document.mesh.positions);
+    EXPECT_EQ(same.bytes, bytes);
+    EXPECT_THAT(same.notes, IsEmpty());
+  }
+}
+
+TEST_F(PolyDataFormat, TrianglesOfStripsAreFacesOfOneSideAfterThePolygons)
+{
+  const MeshDocument strips =
+      readBack(boxText("NumberOfStrips=\"2\"", cellsText("Strips", "0 1 3 2 2 6 0 4 1", "6 9")));
+  ASSERT_EQ(strips.mesh.faces.size(), 3);
+  EXPECT_THAT(strips.mesh.faces[0], ElementsAre(0, 1, 3));
+  EXPECT_THAT(strips.mesh.faces[1], ElementsAre(1, 2, 3));
+  EXPECT_THAT(strips.mesh.faces[2], ElementsAre(0, 4, 1)) << "triangles that name a point twice are none";
+  const MeshDocument both = readBack(boxText("NumberOfPolys=\"1\" NumberOfStrips=\"1\"",
+                                             cellsText("Strips", "4 5 7", "3") + cellsText("Polys", "0 3 2 1", "4")));
+  ASSERT_EQ(both.mesh.faces.size(), 2);
+  EXPECT_THAT(both.mesh.faces[0], ElementsAre(0, 3, 2, 1));
+  const Positions moved = 2 * both.mesh.positions;
+  EXPECT_EQ(readBack(both.source->withPositions(both.mesh, moved).bytes).mesh.faces, both.mesh.faces);
+}
+
+TEST_F(PolyDataFormat, CompressionStaysWhereSomethingMoves)
+{
+  for (const char* const compressor : {"vtkZLibDataCompressor", "vtkLZ4DataCompressor", "vtkLZMADataCompressor"}) {
+    const MeshDocument document = readBack(vtpBytes(*test::richPolyData(), compressor));
+    const Positions moved = 2 * document.mesh.positions;
+    const std::string bytes = document.source->withPositions(document.mesh, moved).bytes;
+    EXPECT_THAT(bytes, HasSubstr("compressor=\"" + std::string(compressor) + "\""));
+    EXPECT_TRUE(isSameBits(readBack(bytes).mesh.positions, moved));
+  }
+}
+
+TEST_F(PolyDataFormat, ArraysWithoutANameOfTheirOwnGetOne)
+{
+  const std::string eight = "1 0 1 0 1 0 1 0";
+  const MeshDocument document = readBack(boxWith(
+      "<PointData>" + dataArray("type=\"Int8\" Name=\"T\"", eight) + dataArray("type=\"Bit\" Name=\"T\"", eight) +
+      dataArray("type=\"Int8\"", "1 2 3 4 5 6 7 8") + dataArray("type=\"Int8\"", eight) + "</PointData>"));
+  const Serialized result = document.source->withPositions(document.mesh, 2 * document.mesh.positions);
+  EXPECT_THAT(result.notes,
+              testing::IsSupersetOf({HasSubstr("\"T 2\""), HasSubstr("\"unnamed\""), HasSubstr("\"unnamed 2\"")}));
+  const auto back = readByVtk(result.bytes);
+  ASSERT_NE(back->GetPointData()->GetArray("T 2"), nullptr);
+  EXPECT_EQ(back->GetPointData()->GetArray("T 2")->GetDataType(), VTK_BIT);
+  EXPECT_EQ(back->GetPointData()->GetArray("T 2")->GetComponent(6, 0), 1);
+  ASSERT_NE(back->GetPointData()->GetArray("unnamed"), nullptr);
+  EXPECT_EQ(back->GetPointData()->GetArray("unnamed")->GetComponent(7, 0), 8);
 }
 
 TEST_F(PolyDataFormat, LegacyFilesHaveAllArraysAndEveryBit)

@@ -1,6 +1,7 @@
 #include <sstream>
 #include <string>
 #include <tuple>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -16,6 +17,7 @@
 #include <vtkTypeUInt8Array.h>
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLPolyDataWriter.h>
+#include <vtkZLibDataCompressor.h>
 
 #include <holdfast/base/error.h>
 #include <holdfast/widgets/files/vtp_reader.h>
@@ -180,11 +182,147 @@ TEST(VtpReader, NamesTextsThatAreNumbers)
               HasSubstr("it has 2 tuples where 3 must be"));
 }
 
-TEST(VtpReader, NamesArraysWithoutAName)
+TEST(VtpReader, ArraysWithoutANameGetOne)
 {
-  EXPECT_THAT(faultOf(triangle(pointData(R"(type="Int8" format="ascii")", "1 2 3"))), HasSubstr("no Name"));
-  EXPECT_THAT(faultOf(triangle("", R"(<FieldData><Array type="String" format="ascii">65 0</Array></FieldData>)")),
-              HasSubstr("no Name"));
+  EXPECT_THAT(readVtp(triangle(pointData(R"(type="Int8" format="ascii")", "1 2 3")), "f.vtp").newNames,
+              testing::ElementsAre("unnamed"));
+  const std::string texts = R"(<FieldData><Array type="String" format="ascii">65 0</Array></FieldData>)";
+  EXPECT_THAT(readVtp(triangle("", texts), "f.vtp").newNames, testing::ElementsAre("unnamed"));
+}
+
+/// 32 or 64 bits, the lowest byte first.
+std::string word(std::uint64_t value, int bytes = 8)
+{
+  std::string text;
+  for (int k = 0; k < bytes; ++k) text += static_cast<char>(value >> (8 * k));
+  return text;
+}
+
+/// A triangle whose field data are arrays in appended data, in 64-bit words, at these offsets.
+std::string withAppended(const std::string& data, const std::vector<std::size_t>& offsets, const std::string& more = "",
+                         const std::string& encoding = "raw")
+{
+  std::string arrays;
+  for (std::size_t k = 0; k < offsets.size(); ++k)
+    arrays += "<DataArray type=\"UInt8\" Name=\"a" + std::to_string(k) + "\" format=\"appended\" offset=\"" +
+              std::to_string(offsets[k]) + "\"/>";
+  std::string text = triangle("", "<FieldData>" + arrays + "</FieldData>");
+  text.replace(text.find("<VTKFile "), 9, "<VTKFile header_type=\"UInt64\" " + more + " ");
+  return text.replace(text.find("</VTKFile>"), 10,
+                      "<AppendedData encoding=\"" + encoding + "\">_" + data + "</AppendedData></VTKFile>");
+}
+
+constexpr const char* kByZlib = "compressor=\"vtkZLibDataCompressor\"";
+
+/// Blocks of zeros as they are stored: how many, their size and that of the last one, the sizes when compressed.
+std::string compressedZeros(std::size_t blocks, std::size_t size)
+{
+  const std::string zeros(size, '\0');
+  vtkNew<vtkZLibDataCompressor> compressor;
+  std::string block(compressor->GetMaximumCompressionSpace(size), '\0');
+  block.resize(compressor->Compress(reinterpret_cast<const unsigned char*>(zeros.data()), size,
+                                    reinterpret_cast<unsigned char*>(block.data()), block.size()));
+  std::string data = word(blocks) + word(size) + word(0);
+  for (std::size_t k = 0; k < blocks; ++k) data += word(block.size());
+  for (std::size_t k = 0; k < blocks; ++k) data += block;
+  return data;
+}
+
+TEST(VtpReader, WhatCompressionExplainsOnceIsRead)
+{
+  const auto contents = readVtp(withAppended(compressedZeros(3, 1 << 20), {0}, kByZlib), "f.vtp");
+  EXPECT_EQ(contents.polyData->GetFieldData()->GetArray("a0")->GetNumberOfValues(), 3 << 20);
+}
+
+TEST(VtpReader, ArraysThatShareOneBlockTakeNoMoreThanTheFileExplains)
+{
+  EXPECT_THAT(faultOf(withAppended(compressedZeros(2, 1 << 20), std::vector<std::size_t>(1000, 0), kByZlib)),
+              HasSubstr("share their data"));
+  EXPECT_THAT(faultOf(withAppended(word(1 << 20) + std::string(1 << 20, 'x'), std::vector<std::size_t>(200, 0))),
+              HasSubstr("share their data"));
+  EXPECT_EQ(faultOf(withAppended(word(3) + "abc", {0, 0, 0})), "no fault") << "they fit into the file";
+}
+
+TEST(VtpReader, EntitiesMakeNoTextLongerThanTheFile)
+{
+  std::string text = triangle(pointData(R"(type="Int8" Name="a")", "&b;&b;&b;&b;&b;&b;&b;&b;&b;&b;&b;&b;&b;&b;&b;"));
+  text = "<!DOCTYPE x [<!ENTITY b \"" + std::string(2000, ' ') + "\">]>" + text;
+  EXPECT_THAT(faultOf(text), HasSubstr("entities make it longer"));
+}
+
+TEST(VtpReader, EmptyPiecesTakeNoMemoryAndSmallOnesAreJoined)
+{
+  std::string pieces;
+  for (int k = 0; k < 20'000; ++k) pieces += "<Piece NumberOfPoints=\"0\"/>";
+  EXPECT_EQ(readVtp(triangle("", pieces), "f.vtp").polyData->GetNumberOfPoints(), 3);
+  std::string many = triangle();
+  const std::size_t begin = many.find("<Piece");
+  const std::string piece = many.substr(begin, many.find("</Piece>") + 8 - begin);
+  for (int k = 0; k < 999; ++k) many.insert(begin, piece);
+  const auto joined = readVtp(many, "f.vtp").polyData;
+  EXPECT_EQ(joined->GetNumberOfPoints(), 3000);
+  EXPECT_EQ(joined->GetNumberOfPolys(), 1000);
+}
+
+TEST(VtpReader, MoreArraysThanProgramsWriteAreRefused)
+{
+  std::string arrays;
+  for (int k = 0; k < 10'001; ++k) arrays += R"(<DataArray type="Int8" Name="a" format="ascii">1</DataArray>)";
+  EXPECT_THAT(faultOf(triangle("", "<FieldData>" + arrays + "</FieldData>")), HasSubstr("more than 10000 arrays"));
+}
+
+TEST(VtpReader, BlocksClaimNoMoreThanCompressionCanHold)
+{
+  const std::string block = word(1) + word(std::uint64_t{1} << 50) + word(0) + word(4) + "abcd";
+  EXPECT_THAT(faultOf(withAppended(block, {0}, kByZlib)), HasSubstr("claims too large a size"));
+}
+
+TEST(VtpReader, AnOffsetOnePastTheEndIsNone)
+{
+  const std::string data = word(2) + "ab";
+  const std::size_t end = data.size() + std::string("</AppendedData></VTKFile>\n").size();
+  EXPECT_THAT(faultOf(withAppended(data, {end})), HasSubstr("would begin where the file has none"));
+  EXPECT_THAT(faultOf(withAppended(data, {end - 1})), HasSubstr("cut short"));
+}
+
+TEST(VtpReader, EmptyArraysHaveFewComponents)
+{
+  const auto empty = [](const std::string& components) {
+    return "<FieldData><DataArray type=\"Int8\" Name=\"a\" NumberOfComponents=\"" + components +
+           "\" format=\"ascii\"></DataArray></FieldData>";
+  };
+  EXPECT_EQ(faultOf(triangle("", empty("1"))), "no fault");
+  EXPECT_EQ(faultOf(triangle("", empty("9"))), "no fault") << "tensors";
+  EXPECT_THAT(faultOf(triangle("", empty("10"))), HasSubstr("its 0 numbers are not whole tuples of 10"));
+  EXPECT_THAT(faultOf(triangle("", empty("0"))), HasSubstr("not whole tuples of 0"));
+}
+
+TEST(VtpReader, SizesThatWrapAreCutShort)
+{
+  const std::uint64_t wrapping = (std::uint64_t{1} << 61);  // so many words of 8 bytes are none
+  EXPECT_THAT(faultOf(withAppended(word(wrapping) + word(8) + word(0) + word(4), {0}, kByZlib)),
+              HasSubstr("cut short"));
+  EXPECT_THAT(faultOf(withAppended(word(wrapping - 3) + word(8) + word(0), {0}, kByZlib)), HasSubstr("cut short"));
+  EXPECT_THAT(faultOf(withAppended(word(~std::uint64_t{0} - 7) + word(1), {0})), HasSubstr("cut short"));
+  const std::string twoBlocks = word(2) + word(8) + word(0) + word(~std::uint64_t{0}) + word(3) + "ab";
+  EXPECT_THAT(faultOf(withAppended(twoBlocks, {0}, kByZlib)), HasSubstr("cut short")) << "their sum is 2";
+}
+
+TEST(VtpReader, BitsAreReadAsTextAndPacked)
+{
+  const auto bitsOf = [](const std::string& bytes) {
+    const VtpContents contents = readVtp(bytes, "f.vtp");
+    vtkDataArray* const array = contents.polyData->GetPointData()->GetArray("a");
+    EXPECT_EQ(array->GetDataType(), VTK_BIT);
+    std::string bits;
+    for (vtkIdType k = 0; k < array->GetNumberOfValues(); ++k) bits += array->GetComponent(k, 0) != 0 ? '1' : '0';
+    return bits;
+  };
+  EXPECT_EQ(bitsOf(triangle(pointData(R"(type="Bit" Name="a" format="ascii")", "1 0 1"))), "101");
+  // One byte, 0b01100000, after its size.
+  EXPECT_EQ(bitsOf(triangle(pointData(R"(type="Bit" Name="a" format="binary")", "AQAAAGA="))), "011");
+  EXPECT_THAT(faultOf(triangle(pointData(R"(type="Bit" Name="a" format="binary")", "AgAAAGBg"))), HasSubstr("3 bits"));
+  EXPECT_THAT(faultOf(triangle(pointData(R"(type="Bit" Name="a" format="ascii")", "1 0"))), HasSubstr("2 tuples"));
 }
 
 TEST(VtpReader, SeesWhatCommentsAndReferencesHide)

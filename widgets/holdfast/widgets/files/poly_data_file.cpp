@@ -13,9 +13,11 @@
 #include <vtkPointData.h>
 #include <vtkPolyDataWriter.h>
 #include <vtkXMLPolyDataWriter.h>
+#include <vtkXMLWriter.h>
 
 #include <holdfast/base/error.h>
 #include <holdfast/io/files/file_bytes.h>
+#include <holdfast/io/text/number_text.h>
 #include <holdfast/mesh/vertex_normals.h>
 #include <holdfast/widgets/files/vtk_error_log.h>
 #include <holdfast/widgets/files/vtp_reader.h>
@@ -47,16 +49,21 @@ std::string legacyBytes(vtkPolyData& polyData)
   return writer->GetOutputStdString();
 }
 
-std::string bytesOf(vtkPolyData& polyData, std::string_view extension)
+std::string bytesOf(vtkPolyData& polyData, std::string_view extension, std::string_view compressor = "")
 {
-  if (extension == ".vtp") return vtpBytes(polyData);
+  if (extension == ".vtp") return vtpBytes(polyData, compressor);
   if (extension == ".vtk") return legacyBytes(polyData);
   throw OutputError(std::string(extension), "this is no format of VTK's for surfaces; use .vtp or .vtk");
 }
 
+bool areSame(const Positions& a, const Positions& b)
+{
+  return std::equal(a.data(), a.data() + a.size(), b.data(), b.data() + b.size(), hasSameBits);
+}
+
 class PolyDataSource final : public MeshSource {
  public:
-  explicit PolyDataSource(VtpContents file) : file_(std::move(file)) {}
+  PolyDataSource(VtpContents file, std::string bytes) : file_(std::move(file)), bytes_(std::move(bytes)) {}
 
   [[nodiscard]] std::string extension() const override { return ".vtp"; }
 
@@ -79,14 +86,18 @@ class PolyDataSource final : public MeshSource {
   [[nodiscard]] Serialized withPositions(const Mesh& rest, const Positions& positions, std::string_view extension) const
   {
     assert(positions.rows() == rest.vertexCount());
+    if (extension == ".vtp" && areSame(positions, rest.positions)) return {bytes_, {}, false};
     vtkNew<vtkPolyData> moved;
     // Not a shallow copy: VTK writes notes of its own into arrays, and this document is const.
     moved->DeepCopy(file_.polyData);
     Serialized result{"", refreshNormals(*moved, rest, positions), false};
     moved->SetPoints(toPoints(positions));
-    result.bytes = bytesOf(*moved, extension);
+    result.bytes = bytesOf(*moved, extension, file_.compressor);
     if (file_.polyData->GetPoints()->GetDataType() != VTK_DOUBLE)
       result.notes.emplace_back("coordinates that were in single precision are written as doubles");
+    for (const std::string& name : file_.newNames)
+      result.notes.push_back(
+          fmt::format("an array without a name, or with that of another one, is written as \"{}\"", name));
     for (const std::string& key : file_.lostKeys)
       result.notes.push_back(fmt::format("the information key \"{}\" of an array is left out", key));
     return result;
@@ -94,6 +105,7 @@ class PolyDataSource final : public MeshSource {
 
  private:
   VtpContents file_;
+  std::string bytes_;  // the whole file
 };
 
 void addFields(vtkDataSetAttributes& attributes, std::span<const Field> fields, [[maybe_unused]] Index count)
@@ -146,15 +158,16 @@ vtkDataArray* storedNormals(vtkDataSetAttributes& attributes)
   return normals != nullptr && normals->GetNumberOfComponents() == 3 ? normals : nullptr;
 }
 
-/// In a copy: the original belongs to the file as it was read. The first one is tuple `first`. Returns how many.
-std::ptrdiff_t refresh(vtkDataSetAttributes& attributes, const NormalSides& sides, vtkIdType first)
+/// The `total` normals from tuple `first` on, in a copy: the original belongs to the file as it was read. Returns how
+/// many changed.
+std::ptrdiff_t refresh(vtkDataSetAttributes& attributes, const NormalSides& sides, vtkIdType first, Index total)
 {
-  const std::ptrdiff_t count = std::ranges::count(sides.isOutdated, 1);
+  const std::ptrdiff_t count = std::count(sides.isOutdated.begin(), sides.isOutdated.begin() + total, 1);
   if (count == 0) return 0;
   vtkDataArray& normals = *storedNormals(attributes);
   const auto result = vtkSmartPointer<vtkDataArray>::Take(normals.NewInstance());
   result->DeepCopy(&normals);
-  for (Index k = 0; k < sides.rest.rows(); ++k) {
+  for (Index k = 0; k < total; ++k) {
     if (sides.isOutdated[k] == 0) continue;
     Vector3 stored;
     result->GetTuple(first + k, stored.data());
@@ -171,9 +184,10 @@ std::ptrdiff_t refresh(vtkDataSetAttributes& attributes, const NormalSides& side
 
 MeshDocument readPolyData(const std::filesystem::path& path)
 {
-  VtpContents file = readVtp(readFileBytes(path), path.string());
+  std::string bytes = readFileBytes(path);
+  VtpContents file = readVtp(bytes, path.string());
   Mesh mesh{positionsOf(*file.polyData), polygonsOf(*file.polyData, path.string())};
-  return {std::move(mesh), std::make_shared<PolyDataSource>(std::move(file))};
+  return {std::move(mesh), std::make_shared<PolyDataSource>(std::move(file), std::move(bytes))};
 }
 
 Serialized serializePolyData(const MeshDocument& document, const Positions& positions, std::string_view extension)
@@ -187,12 +201,15 @@ Serialized serializePolyData(const MeshDocument& document, const Positions& posi
   return result;
 }
 
-std::string vtpBytes(vtkPolyData& polyData)
+std::string vtpBytes(vtkPolyData& polyData, std::string_view compressor)
 {
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetDataModeToAppended();
   writer->EncodeAppendedDataOff();
-  writer->SetCompressorTypeToNone();
+  writer->SetCompressorType(compressor == "vtkZLibDataCompressor"   ? vtkXMLWriter::ZLIB
+                            : compressor == "vtkLZ4DataCompressor"  ? vtkXMLWriter::LZ4
+                            : compressor == "vtkLZMADataCompressor" ? vtkXMLWriter::LZMA
+                                                                    : vtkXMLWriter::NONE);
   writer->SetHeaderTypeToUInt64();
   write(*writer, polyData, ".vtp");
   return writer->GetOutputString();
@@ -217,10 +234,13 @@ std::vector<std::string> refreshNormals(vtkPolyData& polyData, const Mesh& rest,
     if (count > 0) notes.push_back(fmt::format("{} normals of {} recomputed", count, where));
   };
   const NormalSides faces = sidesOfFaces(rest, positions);
-  if (storedNormals(*ofPoints) != nullptr) note(refresh(*ofPoints, sidesOfPoints(rest, faces), 0), "points");
+  if (storedNormals(*ofPoints) != nullptr)
+    note(refresh(*ofPoints, sidesOfPoints(rest, faces), 0, rest.vertexCount()), "points");
   // In VTK the cells of a surface are numbered through: vertices, lines, polygons.
   const vtkIdType firstPolygon = polyData.GetNumberOfVerts() + polyData.GetNumberOfLines();
-  if (storedNormals(*ofCells) != nullptr) note(refresh(*ofCells, faces, firstPolygon), "faces");
+  // A strip has one normal for all its triangles, which says little: it stays.
+  if (storedNormals(*ofCells) != nullptr)
+    note(refresh(*ofCells, faces, firstPolygon, polyData.GetNumberOfPolys()), "faces");
   return notes;
 }
 

@@ -1,74 +1,29 @@
 #include <algorithm>
 #include <cstring>
 #include <memory>
-#include <sstream>
 #include <type_traits>
 
 #include <fmt/format.h>
 #include <vtkBase64Utilities.h>
+#include <vtkBitArray.h>
 #include <vtkByteSwap.h>
 #include <vtkDataArray.h>
 #include <vtkIdTypeArray.h>
-#include <vtkNew.h>
-#include <vtkObjectFactory.h>
 #include <vtkStringArray.h>
-#include <vtkXMLParser.h>
 
-#include <holdfast/base/error.h>
 #include <holdfast/io/text/number_text.h>
-#include <holdfast/widgets/files/vtk_error_log.h>
 #include <holdfast/widgets/files/vtp_reader.h>
 
 namespace holdfast {
 namespace {
 
-/// VTK's parser, by expat. It throws nothing, for what it would throw would pass through functions of C.
-class XmlTreeBuilder final : public vtkXMLParser {
- public:
-  static XmlTreeBuilder* New();
-
-  [[nodiscard]] bool isTooDeep() const { return isTooDeep_; }
-  [[nodiscard]] XmlElement takeRoot() { return std::move(top_.children.at(0)); }
-
- private:
-  XmlTreeBuilder() { open_.push_back(&top_); }
-
-  void StartElement(const char* name, const char** attributes) override
-  {
-    constexpr std::size_t kMostLevels = 32;
-    isTooDeep_ = isTooDeep_ || open_.size() > kMostLevels;
-    if (isTooDeep_) return;
-    XmlElement& element = open_.back()->children.emplace_back();
-    element.name = name;
-    element.place = static_cast<std::size_t>(GetXMLByteIndex());
-    for (; *attributes != nullptr; attributes += 2) element.attributes.emplace(attributes[0], attributes[1]);
-    // An element has no new siblings while it is open, so that it stays where it is.
-    open_.push_back(&element);
-  }
-
-  void EndElement(const char* /*name*/) override
-  {
-    if (!isTooDeep_) open_.pop_back();
-  }
-
-  void CharacterDataHandler(const char* data, int length) override
-  {
-    open_.back()->text.append(data, static_cast<std::size_t>(length));
-  }
-
-  int ParsingComplete() override { return isTooDeep_ ? 1 : vtkXMLParser::ParsingComplete(); }
-
-  XmlElement top_;  // its child is the root
-  std::vector<XmlElement*> open_;
-  bool isTooDeep_ = false;
-};
-
-vtkStandardNewMacro(XmlTreeBuilder);
-
 constexpr std::string_view kXmlBlanks = " \t\r\n";
 
 /// No compressor of VTK's makes more bytes of one than this (LZMA, on zeros).
 constexpr std::uint64_t kBestCompression = 8192;
+
+/// An array of no tuples may say how many numbers each would have: as many as a tensor.
+constexpr Index kMostComponentsOfNothing = 9;
 
 [[noreturn]] void failCutShort()
 {
@@ -120,9 +75,9 @@ std::uint64_t wordSize(const VtpEncoding& encoding)
   return encoding.hasLongHeaders ? 8 : 4;
 }
 
+/// `count` is no more than the file has bytes: no size wraps.
 std::vector<std::uint64_t> words(const EncodedBytes& block, std::uint64_t count, const VtpEncoding& encoding)
 {
-  block.requireHeld(count);
   const std::uint64_t size = wordSize(encoding);
   const std::string bytes = block.first(count * size);
   std::vector<std::uint64_t> result;
@@ -132,11 +87,20 @@ std::vector<std::uint64_t> words(const EncodedBytes& block, std::uint64_t count,
   return result;
 }
 
+/// Counts what is taken of the file.
+void take(const VtpEncoding& encoding, std::uint64_t count)
+{
+  if (count > *encoding.bytesLeft)
+    throw VtpFault("the arrays share their data, and come to more than the file holds together");
+  *encoding.bytesLeft -= count;
+}
+
 /// The size, then the data.
 std::string plainData(const EncodedBytes& block, const VtpEncoding& encoding)
 {
   const std::uint64_t size = words(block, 1, encoding)[0];
   block.requireHeld(size);
+  take(encoding, size);
   return block.first(wordSize(encoding) + size).substr(wordSize(encoding));
 }
 
@@ -163,6 +127,7 @@ std::string compressedData(const EncodedBytes& block, const VtpEncoding& encodin
     block.requireHeld(header[kStart + k]);
     total += header[kStart + k];
   }
+  take(encoding, total);
   const std::string stored = block.after(header.size() * wordSize(encoding)).first(total);
   std::string result;
   std::string_view left = stored;
@@ -230,13 +195,19 @@ constexpr NumberType numberType(std::string_view name, int vtkType)
   return {name, vtkType, sizeof(Number), dataOfText<Number>};
 }
 
-constexpr std::array<NumberType, 11> kNumberTypes{
-    numberType<std::int8_t>("Int8", VTK_TYPE_INT8),    numberType<std::uint8_t>("UInt8", VTK_TYPE_UINT8),
-    numberType<std::int16_t>("Int16", VTK_TYPE_INT16), numberType<std::uint16_t>("UInt16", VTK_TYPE_UINT16),
-    numberType<std::int32_t>("Int32", VTK_TYPE_INT32), numberType<std::uint32_t>("UInt32", VTK_TYPE_UINT32),
-    numberType<std::int64_t>("Int64", VTK_TYPE_INT64), numberType<std::uint64_t>("UInt64", VTK_TYPE_UINT64),
-    numberType<float>("Float32", VTK_TYPE_FLOAT32),    numberType<double>("Float64", VTK_TYPE_FLOAT64),
-    numberType<std::int8_t>("String", VTK_STRING)};
+/// Bits are written as numbers in text, else eight to a byte, the first one highest.
+constexpr std::array<NumberType, 12> kNumberTypes{numberType<std::uint8_t>("Bit", VTK_BIT),
+                                                  numberType<std::int8_t>("Int8", VTK_TYPE_INT8),
+                                                  numberType<std::uint8_t>("UInt8", VTK_TYPE_UINT8),
+                                                  numberType<std::int16_t>("Int16", VTK_TYPE_INT16),
+                                                  numberType<std::uint16_t>("UInt16", VTK_TYPE_UINT16),
+                                                  numberType<std::int32_t>("Int32", VTK_TYPE_INT32),
+                                                  numberType<std::uint32_t>("UInt32", VTK_TYPE_UINT32),
+                                                  numberType<std::int64_t>("Int64", VTK_TYPE_INT64),
+                                                  numberType<std::uint64_t>("UInt64", VTK_TYPE_UINT64),
+                                                  numberType<float>("Float32", VTK_TYPE_FLOAT32),
+                                                  numberType<double>("Float64", VTK_TYPE_FLOAT64),
+                                                  numberType<std::int8_t>("String", VTK_STRING)};
 
 const NumberType& typeOf(const XmlElement& element)
 {
@@ -260,6 +231,22 @@ std::string dataOf(const XmlElement& element, const NumberType& type, const VtpE
   return data;
 }
 
+bool isText(const XmlElement& element)
+{
+  return element.attribute("format").value_or("ascii") == "ascii";
+}
+
+/// How many bits an array has, where its place or the file says so. No more than `data` can hold are believed.
+std::optional<Index> bitCount(const XmlElement& element, std::optional<Index> tuples, Index components,
+                              std::string_view data)
+{
+  const Index stated = tuples ? *tuples : wholeAttribute(element, "NumberOfTuples", -1);
+  if (stated < 0) return std::nullopt;
+  const auto most = static_cast<Index>(8 * data.size());
+  if (components > most + 1 || stated > most) return most + 1;
+  return stated * components;
+}
+
 /// Texts end with a byte 0 each.
 vtkSmartPointer<vtkAbstractArray> textsOf(std::string_view data)
 {
@@ -271,6 +258,21 @@ vtkSmartPointer<vtkAbstractArray> textsOf(std::string_view data)
     data.remove_prefix(end + 1);
   }
   return texts;
+}
+
+/// `data`: a byte for each bit in text, else eight bits in each. `count` are wanted where that is known.
+vtkSmartPointer<vtkAbstractArray> bitsOf(std::string_view data, bool isText, std::optional<Index> count)
+{
+  const auto held = static_cast<Index>(isText ? data.size() : 8 * data.size());
+  if (!isText && count && (*count + 7) / 8 != static_cast<Index>(data.size()))
+    throw VtpFault(fmt::format("its {} bytes do not hold {} bits", data.size(), *count));
+  auto bits = vtkSmartPointer<vtkBitArray>::New();
+  bits->SetNumberOfValues(isText ? held : count.value_or(held));
+  for (Index k = 0; k < bits->GetNumberOfValues(); ++k) {
+    const auto byte = static_cast<unsigned char>(data[isText ? k : k / 8]);
+    bits->SetValue(k, isText ? byte != 0 : (byte >> (7 - k % 8)) & 1);
+  }
+  return bits;
 }
 
 vtkSmartPointer<vtkAbstractArray> numbersOf(std::string_view data, const NumberType& type, bool areIds)
@@ -287,31 +289,6 @@ vtkSmartPointer<vtkAbstractArray> numbersOf(std::string_view data, const NumberT
 
 }  // namespace
 
-std::optional<std::string_view> XmlElement::attribute(std::string_view wanted) const
-{
-  const auto found = attributes.find(wanted);
-  return found == attributes.end() ? std::nullopt : std::optional<std::string_view>(found->second);
-}
-
-const XmlElement* XmlElement::child(std::string_view wanted) const
-{
-  const auto found = std::ranges::find(children, wanted, &XmlElement::name);
-  return found == children.end() ? nullptr : &*found;
-}
-
-XmlElement parseXml(const std::string& text, const std::string& file)
-{
-  VtkErrorLog log;
-  vtkNew<XmlTreeBuilder> builder;
-  log.watch(*builder);
-  std::istringstream stream(text);
-  builder->SetStream(&stream);
-  const bool isParsed = builder->Parse() != 0;
-  if (builder->isTooDeep()) throw InputError({file, 0, ""}, "its elements are nested too deep; the file is damaged");
-  if (!isParsed || !log.isEmpty()) throw InputError({file, 0, ""}, "this is no whole XML file: " + log.first());
-  return builder->takeRoot();
-}
-
 Index wholeAttribute(const XmlElement& element, std::string_view name, Index absent)
 {
   const auto text = element.attribute(name);
@@ -322,15 +299,18 @@ Index wholeAttribute(const XmlElement& element, std::string_view name, Index abs
   return number.value;
 }
 
-vtkSmartPointer<vtkAbstractArray> readVtpArray(const XmlElement& element, const VtpEncoding& encoding)
+vtkSmartPointer<vtkAbstractArray> readVtpArray(const XmlElement& element, const VtpEncoding& encoding,
+                                               std::optional<Index> tuples)
 {
   const NumberType& type = typeOf(element);
   const std::string data = dataOf(element, type, encoding);
   const bool areIds = type.vtkType == VTK_TYPE_INT64 && wholeAttribute(element, "IdType", 0) == 1;
-  auto array = type.vtkType == VTK_STRING ? textsOf(data) : numbersOf(data, type, areIds);
-  const Index values = array->GetNumberOfValues();
   const Index components = wholeAttribute(element, "NumberOfComponents", 1);
-  if (components < 1 || components > std::max<Index>(1, values) || values % components != 0)
+  auto array = type.vtkType == VTK_STRING ? textsOf(data)
+               : type.vtkType == VTK_BIT  ? bitsOf(data, isText(element), bitCount(element, tuples, components, data))
+                                          : numbersOf(data, type, areIds);
+  const Index values = array->GetNumberOfValues();
+  if (components < 1 || components > std::max<Index>(kMostComponentsOfNothing, values) || values % components != 0)
     throw VtpFault(fmt::format("its {} numbers are not whole tuples of {}", values, components));
   array->SetNumberOfComponents(static_cast<int>(components));
   if (const auto name = element.attribute("Name")) array->SetName(std::string(*name).c_str());

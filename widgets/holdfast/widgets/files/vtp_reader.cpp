@@ -1,5 +1,8 @@
 #include "holdfast/widgets/files/vtp_reader.h"
 
+#include <algorithm>
+#include <array>
+
 #include <fmt/format.h>
 #include <vtkAppendPolyData.h>
 #include <vtkCellData.h>
@@ -21,17 +24,36 @@ namespace {
 
 constexpr std::string_view kAppendedTag = "<AppendedData";
 
+/// VTK looks through all names for each array that it adds: this many take a second.
+constexpr std::size_t kMostArrays = 10'000;
+
 /// Where the XML of a file ends, and what follows it.
 struct Parts {
   std::string markup;  ///< whole XML, without appended data
   std::string_view appended;
 };
 
-/// Appended data need not be XML: expat does not get them. In whole XML the tag occurs elsewhere only in comments,
-/// which files with appended data do not have: programs write them.
+/// Where the tag of appended data begins, comments and sections of plain text aside.
+std::size_t appendedTagOf(std::string_view bytes)
+{
+  constexpr std::array<std::array<std::string_view, 2>, 2> kAsides{{{"<!--", "-->"}, {"<![CDATA[", "]]>"}}};
+  for (std::size_t place = bytes.find('<'); place != std::string_view::npos; place = bytes.find('<', place + 1)) {
+    const std::string_view rest = bytes.substr(place);
+    if (rest.starts_with(kAppendedTag)) return place;
+    for (const auto& [begin, end] : kAsides)
+      if (rest.starts_with(begin)) {
+        place = bytes.find(end, place + begin.size());
+        break;
+      }
+    if (place == std::string_view::npos) break;
+  }
+  return std::string_view::npos;
+}
+
+/// Appended data need not be XML: expat does not get them.
 Parts partsOf(const std::string& bytes)
 {
-  const std::size_t tag = bytes.find(kAppendedTag);
+  const std::size_t tag = appendedTagOf(bytes);
   if (tag == std::string::npos) return {bytes, {}};
   const std::size_t end = std::min(bytes.find('>', tag), bytes.size() - 1) + 1;
   const std::size_t underscore = std::min(bytes.find('_', end), bytes.size() - 1);
@@ -67,12 +89,9 @@ class VtpReader {
     if (surface == nullptr) fail(root, "there is no PolyData in it");
     if (surface->attribute("TimeValues"))
       throw InputError({file_, 0, ""}, "it holds several steps of time; write one of them to a file of its own");
-    std::vector<vtkSmartPointer<vtkPolyData>> pieces;
-    for (const XmlElement& child : surface->children)
-      if (child.name == "Piece") pieces.push_back(readPiece(child));
-    auto polyData = joined(pieces);
+    auto polyData = joined(readPieces(*surface));
     readFields(*surface, "FieldData", std::nullopt, *polyData->GetFieldData());
-    VtpContents contents{polyData, {}};
+    VtpContents contents{polyData, {}, newNames_, std::string(root.attribute("compressor").value_or(""))};
     addLostKeys(*surface, contents.lostKeys);
     return contents;
   }
@@ -97,12 +116,32 @@ class VtpReader {
       encoding_.compressor = vtkSmartPointer<vtkLZMADataCompressor>::New();
     else if (!compressor.empty())
       fail(root, fmt::format("compressor '{}' is not known", compressor));
+    encoding_.bytesLeft = std::make_shared<std::uint64_t>(bytes_.size());
     encoding_.appended = parts_.appended;
     if (const XmlElement* const appended = root.child("AppendedData"))
       encoding_.isAppendedBase64 = appended->attribute("encoding") == "base64";
   }
 
-  [[nodiscard]] vtkSmartPointer<vtkPolyData> readPiece(const XmlElement& piece) const
+  /// Few at a time: a surface of VTK takes a hundred times what a small piece takes in the file.
+  [[nodiscard]] std::vector<vtkSmartPointer<vtkPolyData>> readPieces(const XmlElement& surface)
+  {
+    constexpr std::size_t kMostPieces = 256;
+    std::vector<vtkSmartPointer<vtkPolyData>> pieces;
+    for (const XmlElement& child : surface.children) {
+      if (child.name != "Piece" || isEmptyPiece(child)) continue;
+      pieces.push_back(readPiece(child));
+      if (pieces.size() == kMostPieces) pieces = {joined(pieces)};
+    }
+    return pieces;
+  }
+
+  [[nodiscard]] bool isEmptyPiece(const XmlElement& piece) const
+  {
+    return std::ranges::all_of(std::array{"Points", "Verts", "Lines", "Strips", "Polys"},
+                               [&](const char* kind) { return count(piece, kind) == 0; });
+  }
+
+  [[nodiscard]] vtkSmartPointer<vtkPolyData> readPiece(const XmlElement& piece)
   {
     auto polyData = vtkSmartPointer<vtkPolyData>::New();
     polyData->SetPoints(readPoints(piece));
@@ -168,17 +207,25 @@ class VtpReader {
     return ids;
   }
 
-  /// `tuples`: of each array; what the file says where that is not given.
-  void readFields(const XmlElement& parent, const char* name, std::optional<Index> tuples, vtkFieldData& fields) const
+  /// `tuples`: of each array; what the file says where that is not given. VTK knows arrays by their names: those
+  /// without one, and those with that of another one, get one of their own.
+  void readFields(const XmlElement& parent, const char* name, std::optional<Index> tuples, vtkFieldData& fields)
   {
     const XmlElement* const element = parent.child(name);
     if (element == nullptr) return;
+    std::set<std::string> names;
+    std::map<std::string, int> lastNumber;  // of those that have wanted a name
     for (const XmlElement& child : element->children) {
       if (child.name != "DataArray" && child.name != "Array") fail(child, "this is no array");
+      if (names.size() == kMostArrays) fail(child, fmt::format("more than {} arrays are not read", kMostArrays));
       const auto array = readArray(child, tuples);
-      if (array->GetName() == nullptr) fail(child, "this array has no Name");
-      if (fields.GetAbstractArray(array->GetName()) != nullptr)
-        fail(child, fmt::format("two arrays have the name \"{}\"", array->GetName()));
+      const std::string stated = array->GetName() == nullptr ? "" : array->GetName();
+      const std::string wanted = stated.empty() ? "unnamed" : stated;
+      std::string own = wanted;
+      for (int& number = lastNumber[wanted]; !names.insert(own).second;)
+        own = fmt::format("{} {}", wanted, ++number + 1);
+      if (own != stated) newNames_.insert(own);
+      array->SetName(own.c_str());
       fields.AddArray(array);
     }
     if (auto* const attributes = vtkDataSetAttributes::SafeDownCast(&fields)) setActive(*element, *attributes);
@@ -188,7 +235,7 @@ class VtpReader {
                                                             std::optional<Index> tuples) const
   {
     try {
-      auto array = readVtpArray(element, encoding_);
+      auto array = readVtpArray(element, encoding_, tuples);
       const Index held = array->GetNumberOfTuples();
       const Index needed = tuples ? *tuples : wholeAttribute(element, "NumberOfTuples", held);
       if (held != needed) throw VtpFault(fmt::format("it has {} tuples where {} must be", held, needed));
@@ -234,6 +281,7 @@ class VtpReader {
   const std::string& file_;
   Parts parts_;
   VtpEncoding encoding_;
+  std::set<std::string> newNames_;
 };
 
 }  // namespace

@@ -2,8 +2,10 @@
 /// XML PolyData (.vtp). A reader of our own over VTK's XML parser, because VTK's reader believes types, counts, offsets
 /// and sizes that a file states, and ends the program where they are wrong.
 
+#include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -24,10 +26,15 @@ namespace holdfast {
 struct VtpContents {
   vtkSmartPointer<vtkPolyData> polyData;
   std::set<std::string> lostKeys;  ///< names of the information keys that are not in `polyData`
+  /// Names that arrays got in `polyData` because they had none, or that of another one.
+  std::set<std::string> newNames;
+  std::string compressor;  ///< as the file names it; empty where it compresses nothing
 };
 
 /// The surface in the bytes of a file, with all its arrays; pieces are joined. Throws `InputError` about `file`, with
-/// the line, where it is no PolyData, has steps of time, or where an array is not what its place needs. O(bytes).
+/// the line, where it is no PolyData, has steps of time, or where an array is not what its place needs. What arrays
+/// take of the file, and texts of elements, come to no more than the file: memory is bounded by what compression
+/// explains. O(bytes, uncompressed).
 [[nodiscard]] VtpContents readVtp(const std::string& bytes, const std::string& file);
 
 /// An element with all that is in it. References to entities are resolved.
@@ -43,7 +50,8 @@ struct XmlElement {
   [[nodiscard]] const XmlElement* child(std::string_view wanted) const;
 };
 
-/// The root of `text`. Throws `InputError` about `file` for what is no XML or nested more than 32 deep. O(text).
+/// The root of `text`. Throws `InputError` about `file` for what is no XML, nested more than 32 deep, or made longer by
+/// entities. O(text).
 [[nodiscard]] XmlElement parseXml(const std::string& text, const std::string& file);
 
 /// How a file stores the numbers of its arrays (VTK File Formats, "XML File Formats").
@@ -53,6 +61,8 @@ struct VtpEncoding {
   vtkSmartPointer<vtkDataCompressor> compressor;
   std::string_view appended;  ///< what follows the underscore of AppendedData
   bool isAppendedBase64 = false;
+  /// Bytes of the file that arrays may still take. Arrays may begin in one place, and then take what is there twice.
+  std::shared_ptr<std::uint64_t> bytesLeft;
 };
 
 /// A fault of an element; the caller knows its place.
@@ -64,8 +74,10 @@ class VtpFault : public std::runtime_error {
 /// An attribute as a whole number from 0, or `absent` where it is not there. Throws `VtpFault`.
 [[nodiscard]] Index wholeAttribute(const XmlElement& element, std::string_view name, Index absent);
 
-/// The array of a DataArray or Array element. Throws `VtpFault` where its type is not known, or its data are no whole
-/// tuples. Takes no memory for what the file only claims to hold. O(bytes of the array).
-[[nodiscard]] vtkSmartPointer<vtkAbstractArray> readVtpArray(const XmlElement& element, const VtpEncoding& encoding);
+/// The array of a DataArray or Array element. `tuples`: how many its place needs, where that is known. Throws
+/// `VtpFault` where its type is not known, its data are no whole tuples, or the file has no bytes left for it. Takes no
+/// memory for what the file only claims to hold. O(bytes of the array).
+[[nodiscard]] vtkSmartPointer<vtkAbstractArray> readVtpArray(const XmlElement& element, const VtpEncoding& encoding,
+                                                             std::optional<Index> tuples);
 
 }  // namespace holdfast

@@ -14,15 +14,41 @@ namespace {
 
 void requireSurface(vtkPolyData& polyData, const std::string& file)
 {
-  if (const auto strips = polyData.GetNumberOfStrips(); strips > 0)
-    throw InputError({file, 0, ""}, fmt::format("there are triangle strips ({}), whose triangles have no ids of their "
-                                                "own; turn them into polygons first (the filter Triangulate of "
-                                                "ParaView does)",
-                                                strips));
-  if (polyData.GetNumberOfPolys() == 0)
+  if (polyData.GetNumberOfPolys() == 0 && polyData.GetNumberOfStrips() == 0)
     throw InputError({file, 0, ""},
                      "there are no polygons, and only surfaces made of polygons can be deformed; give a file "
                      "with POLYGONS or Polys");
+}
+
+/// Calls `visit(cell, corners)` for each cell, whose corners are points.
+template <class Visit>
+void forEachCell(vtkPolyData& polyData, vtkCellArray& cells, const char* kind, const std::string& file,
+                 const Visit& visit)
+{
+  for (vtkIdType cell = 0; cell < cells.GetNumberOfCells(); ++cell) {
+    vtkIdType count = 0;
+    const vtkIdType* ids = nullptr;
+    cells.GetCellAtId(cell, count, ids);
+    const std::vector<Index> corners(ids, ids + count);
+    for (const Index corner : corners)
+      if (corner < 0 || corner >= polyData.GetNumberOfPoints())
+        throw InputError({file, 0, fmt::format("{} {}", kind, cell)},
+                         fmt::format("it refers to point {}, but the points are numbered from 0 to {}", corner,
+                                     polyData.GetNumberOfPoints() - 1));
+    visit(corners);
+  }
+}
+
+/// Every second triangle of a strip in reverse order, so that all have the same side up. Those that name a point twice
+/// only continue it.
+void addStrip(Polygons& polygons, const std::vector<Index>& strip)
+{
+  for (std::size_t k = 0; k + 2 < strip.size(); ++k) {
+    const Index a = strip[k];
+    const Index b = strip[k + 1 + k % 2];
+    const Index c = strip[k + 2 - k % 2];
+    if (a != b && b != c && c != a) polygons.add({a, b, c});
+  }
 }
 
 void requireSoundKind(vtkCellArray& cells, vtkIdType leastCorners, const char* kind, const std::string& file)
@@ -143,19 +169,10 @@ Polygons polygonsOf(vtkPolyData& polyData, const std::string& file)
   vtkCellArray& cells = *polyData.GetPolys();
   Polygons polygons;
   polygons.reserve(cells.GetNumberOfCells(), cells.GetNumberOfConnectivityIds());
-  std::vector<Index> corners;
-  for (vtkIdType face = 0; face < cells.GetNumberOfCells(); ++face) {
-    vtkIdType count = 0;
-    const vtkIdType* ids = nullptr;
-    cells.GetCellAtId(face, count, ids);
-    corners.assign(ids, ids + count);
-    for (const Index corner : corners)
-      if (corner < 0 || corner >= polyData.GetNumberOfPoints())
-        throw InputError({file, 0, fmt::format("polygon {}", face)},
-                         fmt::format("it refers to point {}, but the points are numbered from 0 to {}", corner,
-                                     polyData.GetNumberOfPoints() - 1));
-    polygons.add(corners);
-  }
+  forEachCell(polyData, cells, "polygon", file, [&](const std::vector<Index>& corners) { polygons.add(corners); });
+  forEachCell(polyData, *polyData.GetStrips(), "strip", file,
+              [&](const std::vector<Index>& strip) { addStrip(polygons, strip); });
+  if (polygons.isEmpty()) throw InputError({file, 0, ""}, "no strip has a triangle of three different points");
   return polygons;
 }
 

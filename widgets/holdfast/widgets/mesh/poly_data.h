@@ -60,8 +60,8 @@ template <typename Predicate>
 /// its kind needs: VTK would read past its buffers.
 void requireSoundCells(vtkPolyData& polyData, const std::string& file);
 
-/// The polygons of `polyData`, whose cells are sound: face f is its f-th polygon. Throws `InputError` about `file`
-/// where there is no polygon, where one has a corner that is no point, and where there are triangle strips.
+/// The faces of `polyData`, whose cells are sound: face f is its f-th polygon, and triangles of strips follow. Throws
+/// `InputError` about `file` where there is neither, and where a corner is no point.
 [[nodiscard]] Polygons polygonsOf(vtkPolyData& polyData, const std::string& file);
 
 }  // namespace holdfast
