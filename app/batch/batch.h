@@ -30,6 +30,7 @@ struct Command {
   std::string fields;
   PictureRequest picture;
   StatedOptions options;  ///< those of the command line
+  BadRows badRows = BadRows::Refuse;
   bool isQuiet = false;
 };
 
@@ -71,6 +72,9 @@ void requireDisplay(const PictureRequest& picture);
 
 /// The mesh and its findings, the constraints in numbers, the solve, and which constraints pull hardest.
 [[nodiscard]] std::string summary(const Report& report, const std::string& meshName, const std::string& units);
+
+/// For standard error: a line for each row of the point list `source` that was left out.
+[[nodiscard]] std::string skippedLines(const Report& report, const std::string& source);
 
 /// For standard error: doubtful findings, the first few conflict sets with gap and repairs, why solving failed.
 [[nodiscard]] std::string messageLines(const Report& report, const std::string& units);

@@ -38,7 +38,7 @@ ExitCode finish(Outputs& outputs, const Command& command, const Report& report, 
                 const std::string& options)
 {
   commit(outputs, true);
-  printMessage(messageLines(report, units));
+  printMessage(skippedLines(report, command.constraints) + messageLines(report, units));
   if (!command.isQuiet) printResult(summary(report, command.mesh, units) + options);
   commit(outputs, false);
   if (report.solve.status == SolveStatus::Failed) return kNumerical;
@@ -155,7 +155,7 @@ Outputs writeAll(const Command& command, const MeshDocument& document, const std
 
 ExitCode deformWith(const Command& command, Progress& progress)
 {
-  const auto [constraints, ofSession] = readStatedConstraints(command.constraints);
+  const auto [constraints, ofSession, skippedRows] = readStatedConstraints(command.constraints, command.badRows);
   const DeformOptions options = chosenOptions(command, ofSession);
   probeOutputs(command);
   progress.step(fmt::format("reading {}", printable(command.mesh)));
@@ -163,6 +163,7 @@ ExitCode deformWith(const Command& command, Progress& progress)
   progress.step(fmt::format("checking {} vertices", mesh.vertexCount()));
   const Model model = makeModel(std::move(mesh), command.mesh);
   DeformResult deformation = deform(model, constraints, command.constraints, options, progress);
+  deformation.report.skippedRows = skippedRows;
   Outputs outputs = writeAll(command, {model.mesh, meshSource}, constraints.units, model, deformation, progress);
   const ExitCode code = finish(outputs, command, deformation.report, constraints.units,
                                optionsLine(command.options, ofSession, command.constraints));
@@ -182,9 +183,10 @@ ExitCode runCheck(const Command& command)
   StatedConstraints stated;
   Report report{describeMesh(model), {}, {}};
   if (!command.constraints.empty()) {
-    stated = readStatedConstraints(command.constraints);
+    stated = readStatedConstraints(command.constraints, command.badRows);
     report = diagnoseConstraints(model, stated.list, command.constraints,
                                  withStated(withStated({}, stated.options), command.options));
+    report.skippedRows = stated.skippedRows;
   }
   Outputs outputs;
   addReport(outputs, command, report);

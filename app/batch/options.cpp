@@ -56,9 +56,14 @@ void describe(CLI::App& app, CLI::App& deformApp, CLI::App& checkApp, Command& a
     addChoice(*command, "--backend", asked.options.backend, kAllBackends, defaults.solver.backend);
     command
         ->add_option("--constraints", asked.constraints,
-                     "Constraint file (JSON), session (.holdfast) or point list (CSV)")
+                     "Constraint file (JSON), session (.holdfast) or point list (.csv, .tsv, .txt, .asc, .xyz)")
         ->required(command == &deformApp)
         ->type_name("C.json");
+    command
+        ->add_flag_callback(
+            "--skip-bad-rows", [&asked] { asked.badRows = BadRows::Skip; },
+            "Leave out rows of a point list that cannot be read; each is named on stderr and in the report")
+        ->needs("--constraints");
   }
   const auto add = [&](const char* option, std::string& value, const char* description, const char* type) {
     return deformApp.add_option(option, value, description)->type_name(type);

@@ -138,6 +138,9 @@ std::string summary(const Report& report, const std::string& meshName, const std
                   withUnits(report.mesh.bboxDiagonal, units));
   for (const Finding& finding : report.mesh.findings) text += findingLine(finding, report.constraints);
   if (!report.constraints.empty()) text += constraintLine(report);
+  if (!report.skippedRows.empty())
+    text += fmt::format("skipped      {} of the point list\n",
+                        counted(static_cast<Index>(report.skippedRows.size()), "bad row"));
   if (report.solve.status != SolveStatus::NotRun) text += solveLines(report.solve, units);
   return text + pullLine(report.constraints);
 }
@@ -154,6 +157,15 @@ std::string optionsLine(const StatedOptions& asked, const StatedOptions& session
     options.push_back(fmt::format("rotation change {}", *session.rotationChange));
   if (options.empty()) return "";
   return fmt::format("options      {}: taken from {}\n", fmt::join(options, ", "), printable(source));
+}
+
+std::string skippedLines(const Report& report, const std::string& source)
+{
+  std::string text;
+  for (const SkippedRow& row : report.skippedRows)
+    text += fmt::format("warning: {}:{}: {} is skipped: {}\n", printable(source), row.line, inQuotes(row.name),
+                        printable(row.fault));
+  return text;
 }
 
 std::string messageLines(const Report& report, const std::string& units)

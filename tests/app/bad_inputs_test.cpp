@@ -41,6 +41,26 @@ const std::string kPlyHeader =
 
 class BadMesh : public BatchTest, public testing::WithParamInterface<BadFile> {};
 
+TEST_F(BatchTest, SkippedRowsAreNamedInMessagesAndReport)
+{
+  const std::string list =
+      in_.file("list.csv",
+               "name;x;y;z;target_x;target_y;target_z\nA;1;0;0;1,5;0;0\nB;0;1;0;NaN;NaN;NaN\nC;0;0;1;0;0;1\n")
+          .string();
+  expectRefusedWithoutTrace(deform(mesh(), list), kInput, {"list.csv:3: column target_x: \"NaN\" is not a number"});
+  const ProcessResult result = runBatch(deform(mesh(), list, {"--skip-bad-rows"}));
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  const std::string fault = "column target_x: \"NaN\" is not a number; correct it";
+  EXPECT_THAT(result.err, testing::HasSubstr("list.csv:3: \"B\" is skipped: " + fault));
+  EXPECT_THAT(result.out, testing::HasSubstr("1 bad row of the point list"));
+  const auto report = nlohmann::json::parse(bytesOf(output("report.json")));
+  EXPECT_EQ(report["skipped_rows"], (nlohmann::json{{{"line", 3}, {"name", "B"}, {"fault", fault}}}));
+  EXPECT_EQ(report["constraints"].size(), 2U);
+  EXPECT_THAT(runBatch({"check", mesh(), "--constraints", list, "--skip-bad-rows"}).err,
+              testing::HasSubstr("\"B\" is skipped"));
+  expectRefusedWithoutTrace(deform(mesh(), constraints(), {"--skip-bad-rows"}), kInput, {"no point list"});
+}
+
 TEST_P(BadMesh, IsRefusedByName)
 {
   const std::string file = in_.file(GetParam().name, GetParam().bytes).string();

@@ -199,8 +199,11 @@ testing::AssertionResult isReport(const nlohmann::json& report, SolveState state
                     {"version", [](const Json& version) { return version == 1; }},
                     {"mesh", isObject},
                     {"constraints", isArray},
+                    {"skipped_rows", isArray},
                     {"solve", isObject}});
   checkMesh(complaints, report.value("mesh", Json::object()));
+  for (const Json& row : report.value("skipped_rows", Json::array()))
+    complaints.check(row, "skipped_rows[]", {{"line", isCount}, {"name", isText}, {"fault", isText}});
   for (const Json& constraint : report.value("constraints", Json::array()))
     checkConstraint(complaints, constraint, state);
   checkSolve(complaints, report.value("solve", Json::object()), state);

@@ -289,9 +289,11 @@ ConstraintList randomConstraintList(Random& random, int count)
   ConstraintList list{random.integer(0, 1) == 0 ? "mm" : "", {}};
   const std::array<std::string, 5> stems{"P", "hole \"A\"", "tab\tand\nline", "Bohrung \xC3\xA4\xE2\x82\xAC",
                                          "back\\slash"};
-  for (int i = 0; i < count; ++i)
+  for (int i = 0; i < count; ++i) {
     list.constraints.push_back(
         {stems[random.integer(0, 4)] + " " + std::to_string(i), random.integer(0, 3) > 0, randomWhat(random)});
+    if (i % 3 == 1) list.constraints.back().extra = {{stems[i % 5], "read by " + stems[i % 4]}, {"note", ""}};
+  }
   return list;
 }
 
@@ -303,7 +305,8 @@ testing::AssertionResult areSame(const ConstraintList& a, const ConstraintList& 
   for (std::size_t i = 0; i < a.constraints.size(); ++i) {
     const Constraint& left = a.constraints[i];
     const Constraint& right = b.constraints[i];
-    if (left.name != right.name || left.isEnabled != right.isEnabled || !Same{}(left.what, right.what))
+    if (left.name != right.name || left.isEnabled != right.isEnabled || left.extra != right.extra ||
+        !Same{}(left.what, right.what))
       return testing::AssertionFailure() << "constraint " << i << " (" << left.name << ") differs";
   }
   return testing::AssertionSuccess();

@@ -158,8 +158,8 @@ TEST_F(ImportDialogTest, RowsWithFaultsStandMarkedAndTheRestIsTaken)
   openDialog(w.folder.file("faults.csv", std::string(kHeader) + "A," + at + ",1,2,3\nB,0,0,zero,1,2,3\nA," + at +
                                              ",4,5,6\nC,1e4,0,0,1,2,3\nD," + at + ",7,8,9\n"));
   ASSERT_EQ(table().model()->rowCount(), 5);
-  EXPECT_EQ(cell(1, 5).toString(), "Line 3: z is \"zero\", which is not a number.");
-  EXPECT_EQ(cell(2, 5).toString(), "Line 4: its name is that of line 2, too.");
+  EXPECT_EQ(cell(1, 5).toString(), "Line 3: column z: \"zero\" is not a number; correct it.");
+  EXPECT_TRUE(cell(2, 5).toString().startsWith("Line 4: column name: \"A\" is the name of the point in line 2"));
   for (const int row : {1, 2, 3}) {
     EXPECT_TRUE(cell(row, 0, Qt::ForegroundRole).isValid()) << row;
     EXPECT_FALSE(isTicked(row)) << row;
@@ -192,7 +192,8 @@ TEST_F(ImportDialogTest, DecimalCommasSemicolonsAndOtherColumnsAreFound)
   choose("unit", 2);
   ASSERT_TRUE(test::waitUntil([&] { return cell(0, 2).toString() == "(15, 0, 0)"; }));
   choose("decimalSign", 0);
-  ASSERT_TRUE(test::waitUntil([&] { return cell(0, 5).toString().contains("\"1,5\", which is not a number"); }));
+  ASSERT_TRUE(test::waitUntil(
+      [&] { return cell(0, 5).toString().contains("\"1,5\" is not a number; the decimal sign is a point"); }));
 }
 
 TEST_F(ImportDialogTest, AFileThatIsNoTableIsRefusedWithItsLine)

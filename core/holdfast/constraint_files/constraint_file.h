@@ -1,25 +1,46 @@
 #pragma once
 /// Constraint files (JSON, version 1) and point lists (CSV) in and out. docs/formats.md describes every key.
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <holdfast/constraints/constraint.h>
+#include <holdfast/constraints/skipped_row.h>
 
 namespace holdfast {
 
-/// Reads a constraint file or a session, ".csv" as a point list and anything else as JSON; at most 256 MiB. Throws
+/// Reads a constraint file or a session as JSON, and as a point list what `isPointList` says; at most 256 MiB. Throws
 /// `InputError` with line (for syntax) or JSON path (for meaning) for all that docs/formats.md does not allow; what
 /// depends on the mesh is checked later. Constraints without a name get "type N", N their place from 1. O(size).
 [[nodiscard]] ConstraintList readConstraints(const std::filesystem::path& path);
 
+/// What names of point lists end in, in lower case. Files with other names than the first may also be JSON.
+inline constexpr std::array<std::string_view, 5> kPointListExtensions{".csv", ".tsv", ".txt", ".asc", ".xyz"};
+
+/// Whether the name is that of a point list, in any letter case, and the text is no JSON unless the name ends in .csv.
+[[nodiscard]] bool isPointList(const std::filesystem::path& path, std::string_view text);
+
 /// The same from text; `name` is that of the file in messages.
 [[nodiscard]] ConstraintList parseConstraintsJson(std::string_view text, const std::string& name);
 
-/// A CSV point list: header `name,x,y,z,target_x,target_y,target_z` (columns in any order, names may be empty), each
-/// row a `near` point with a target; cells of a spreadsheet have tabs as separators. Throws `InputError` with the line.
-[[nodiscard]] ConstraintList parsePointListCsv(std::string_view text, const std::string& name, char separator = ',');
+/// What becomes of rows that cannot be read.
+enum class BadRows { Refuse, Skip };
+
+struct PointList {
+  ConstraintList list;
+  std::vector<SkippedRow> skippedRows;  ///< none where bad rows are refused
+};
+
+/// A table of points: each row a `near` point with a target. docs/formats.md says what is understood. Throws
+/// `InputError` with the line for a table whose columns are not clear, for a bad row unless bad rows are skipped, and
+/// where no row is left.
+[[nodiscard]] PointList parsePointList(std::string_view text, const std::string& name, BadRows badRows);
+
+/// The list of one without bad rows.
+[[nodiscard]] ConstraintList parsePointListCsv(std::string_view text, const std::string& name);
 
 /// The text of a constraint file that reads back as `list`, every double in its shortest exact form. Throws
 /// `OutputError` where no file can say `list` (names that repeat or are empty, numbers that are not finite, ...).

@@ -18,8 +18,6 @@
 
 namespace holdfast {
 
-[[nodiscard]] bool isPointList(const std::filesystem::path& path);
-
 /// `text` without a byte order mark. Throws `InputError` with the line of the first byte that is not UTF-8.
 [[nodiscard]] std::string_view requireUtf8(std::string_view text, std::string_view file);
 
@@ -51,6 +49,8 @@ class JsonReader {
   void requireKeys(std::initializer_list<std::string_view> known) const { requireKeys(std::span(known)); }
 
   [[nodiscard]] bool has(std::string_view key) const;
+  /// The keys of this object, which do not repeat and may be any.
+  [[nodiscard]] std::vector<std::string_view> keys() const;
 
   /// The one of `choices` that this object has; both none and several are refused.
   [[nodiscard]] std::string_view oneKeyOf(std::span<const std::string_view> choices) const;

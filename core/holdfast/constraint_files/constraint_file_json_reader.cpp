@@ -198,11 +198,12 @@ struct Type {
   What (*read)(const JsonReader&);
 };
 
-constexpr std::array<std::string_view, 4> kRegionKeys{"type", "name", "enabled", "select"};
-constexpr std::array<std::string_view, 11> kHandleKeys{"type",  "name",    "enabled",   "select",    "rotate",   "turn",
-                                                       "frame", "targets", "translate", "turn_near", "rotations"};
-constexpr std::array<std::string_view, 6> kPointKeys{"type", "name", "enabled", "at", "target", "move"};
-constexpr std::array<std::string_view, 6> kRelativeKeys{"type", "name", "enabled", "from", "to", "offset"};
+constexpr std::array<std::string_view, 5> kRegionKeys{"type", "name", "enabled", "extra", "select"};
+constexpr std::array<std::string_view, 12> kHandleKeys{"type",    "name",      "enabled",   "extra",
+                                                       "select",  "rotate",    "turn",      "frame",
+                                                       "targets", "translate", "turn_near", "rotations"};
+constexpr std::array<std::string_view, 7> kPointKeys{"type", "name", "enabled", "extra", "at", "target", "move"};
+constexpr std::array<std::string_view, 7> kRelativeKeys{"type", "name", "enabled", "extra", "from", "to", "offset"};
 constexpr std::array<std::string_view, 2> kDestinations{"target", "move"};
 
 /// A constraint that is its selection alone.
@@ -252,12 +253,23 @@ std::string readName(const JsonReader& json, std::string_view type, std::size_t 
   return name.text();
 }
 
+std::vector<ExtraText> readExtra(const JsonReader& json)
+{
+  std::vector<ExtraText> extra;
+  for (const std::string_view title : json.keys()) {
+    if (title.empty()) json.fail("a title is empty; give each text one");
+    extra.push_back({std::string(title), json[title].text()});
+  }
+  return extra;
+}
+
 Constraint readConstraint(const JsonReader& json, std::size_t place)
 {
   const Type type = readType(json["type"]);
   json.requireKeys(type.keys);
   const bool isEnabled = !json.has("enabled") || json["enabled"].boolean();
-  return {readName(json, type.name, place), isEnabled, type.read(json)};
+  return {readName(json, type.name, place), isEnabled, type.read(json),
+          json.has("extra") ? readExtra(json["extra"]) : std::vector<ExtraText>{}};
 }
 
 void requireFormat(const JsonReader& document)
@@ -327,15 +339,18 @@ ConstraintList parseConstraintsJson(std::string_view text, const std::string& na
   return readConstraintDocument(JsonReader(root, name));
 }
 
-bool isPointList(const std::filesystem::path& path)
+bool isPointList(const std::filesystem::path& path, std::string_view text)
 {
-  return lowerCase(path.extension().string()) == ".csv";
+  const std::string extension = lowerCase(path.extension().string());
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  const bool isJson = first != std::string_view::npos && text[first] == '{';
+  return extension == kPointListExtensions[0] || (std::ranges::count(kPointListExtensions, extension) != 0 && !isJson);
 }
 
 ConstraintList readConstraints(const std::filesystem::path& path)
 {
   const std::string text = readTextFile(path);
-  return isPointList(path) ? parsePointListCsv(text, path.string()) : parseConstraintsJson(text, path.string());
+  return isPointList(path, text) ? parsePointListCsv(text, path.string()) : parseConstraintsJson(text, path.string());
 }
 
 }  // namespace holdfast

@@ -96,6 +96,7 @@ std::string constraintJson(const Constraint& constraint)
   Json json{{"type", typeName(constraint)}, {"name", constraint.name}};
   if (!constraint.isEnabled) json["enabled"] = false;
   std::visit(OwnKeys{json}, constraint.what);
+  for (const auto& [title, extra] : constraint.extra) json["extra"][title] = extra;
   const std::string text = jsonText(json);
   return "{ " + text.substr(1, text.size() - 2) + " }";
 }

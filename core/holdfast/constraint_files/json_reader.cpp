@@ -198,6 +198,8 @@ std::string_view requireUtf8(std::string_view text, std::string_view file)
 {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+    throw InputError({std::string(file), 1, ""}, "the text is UTF-16; save the file in the encoding UTF-8");
   for (std::size_t offset = 0; offset < text.size();) {
     const std::size_t length = utf8Length(text.substr(offset));
     if (length == 0)
@@ -242,6 +244,14 @@ void JsonReader::requireKeys(std::span<const std::string_view> known) const
       at().fail("unknown key {}{}", inQuotes(key), spellingHint(key, known));
     if (findMember(object(), key) != &member) at().fail("this key stands here more than once; keep one");
   }
+}
+
+std::vector<std::string_view> JsonReader::keys() const
+{
+  std::vector<std::string_view> keys;
+  for (const auto& member : object()) keys.emplace_back(member.first);
+  requireKeys(std::span<const std::string_view>(keys));
+  return keys;
 }
 
 bool JsonReader::has(std::string_view key) const

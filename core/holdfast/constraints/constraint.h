@@ -95,11 +95,20 @@ struct RelativeConstraint {
   std::optional<Vector3> offset;
 };
 
+/// Something that a file says of a constraint and that means nothing to the solution: a column of a point list.
+struct ExtraText {
+  std::string title;  ///< not empty
+  std::string text;
+
+  friend bool operator==(const ExtraText&, const ExtraText&) = default;
+};
+
 /// One entry of a constraint file.
 struct Constraint {
   std::string name;  ///< unique in its list
   bool isEnabled = true;
   std::variant<FixedConstraint, HandleConstraint, PointConstraint, RigidConstraint, RelativeConstraint> what;
+  std::vector<ExtraText> extra = {};  ///< kept for the files that are written from it; titles differ
 };
 
 /// The name of the constraint's type in files and reports: "fixed", "handle", "point", "rigid", "relative".

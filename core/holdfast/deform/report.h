@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <holdfast/check/finding.h>
+#include <holdfast/constraints/skipped_row.h>
 #include <holdfast/operators/weights.h>
 #include <holdfast/rotation/rotation_options.h>
 #include <holdfast/solve/solver_options.h>
@@ -128,6 +129,7 @@ struct Report {
   MeshReport mesh;
   ConstraintOutcomes constraints;
   SolveReport solve;
+  std::vector<SkippedRow> skippedRows = {};  ///< of the point list that the constraints come from; set by its reader
 };
 
 }  // namespace holdfast

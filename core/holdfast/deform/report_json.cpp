@@ -22,6 +22,11 @@ static void to_json(Json& json, const Finding& finding)
           {"message", finding.message}};
 }
 
+static void to_json(Json& json, const SkippedRow& row)
+{
+  json = {{"line", row.line}, {"name", row.name}, {"fault", row.fault}};
+}
+
 namespace {
 
 // A region that overlaps hundreds of points need not list them all with numbers.
@@ -130,11 +135,9 @@ std::string reportToJson(const Report& report)
 {
   Json constraints = Json::array();
   for (const ConstraintOutcome& outcome : report.constraints) constraints.push_back(toJson(outcome));
-  const Json json{{"format", "holdfast-report"},
-                  {"version", 1},
-                  {"mesh", toJson(report.mesh)},
-                  {"constraints", std::move(constraints)},
-                  {"solve", toJson(report.solve)}};
+  const Json json{{"format", "holdfast-report"},        {"version", 1},
+                  {"mesh", toJson(report.mesh)},        {"constraints", std::move(constraints)},
+                  {"skipped_rows", report.skippedRows}, {"solve", toJson(report.solve)}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

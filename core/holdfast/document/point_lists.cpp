@@ -13,7 +13,7 @@
 namespace holdfast {
 namespace {
 
-constexpr const char* kPointListHeader = "name,x,y,z,target_x,target_y,target_z\n";
+constexpr const char* kPointListHeader = "name,x,y,z,target_x,target_y,target_z";
 constexpr const char* kClipboard = "clipboard";
 
 std::string coordinates(const Vector3& place)
@@ -28,14 +28,28 @@ std::string row(const std::string& name, const PointConstraint& point, const Sur
   const Vector3 rest = positionOf(locator.locate(point.at, {name, 0, "at"}), model.mesh.positions);
   const AtNear* near = std::get_if<AtNear>(&point.at);
   const Target* target = std::get_if<Target>(&point.to);
-  return fmt::format("{},{},{}\n", csvField(name), coordinates(near == nullptr ? rest : near->place),
+  return fmt::format("{},{},{}", csvField(name), coordinates(near == nullptr ? rest : near->place),
                      coordinates(target == nullptr ? rest + std::get<Move>(point.to).shift : target->place));
 }
 
-bool hasTabs(std::string_view text)
+/// The titles of all that the constraints say besides, in the order in which they come.
+std::vector<std::string> extraTitles(const ConstraintList& list)
 {
-  const std::string_view firstLine = text.substr(0, text.find_first_of("\r\n"));
-  return firstLine.find('\t') != std::string_view::npos && firstLine.find(',') == std::string_view::npos;
+  std::vector<std::string> titles;
+  for (const Constraint& constraint : list.constraints)
+    for (const ExtraText& extra : constraint.extra)
+      if (std::ranges::count(titles, extra.title) == 0) titles.push_back(extra.title);
+  return titles;
+}
+
+std::string extraFields(const Constraint& constraint, const std::vector<std::string>& titles)
+{
+  std::string fields;
+  for (const std::string& title : titles) {
+    const auto found = std::ranges::find(constraint.extra, title, &ExtraText::title);
+    fields += ',' + csvField(found == constraint.extra.end() ? "" : found->text);
+  }
+  return fields;
 }
 
 const AtNear* nearPlaceOf(const Constraint& constraint)
@@ -67,10 +81,13 @@ std::string toClipboardText(const ConstraintList& list, const std::vector<Index>
   });
   if (!isPoints) return constraintsToJson(part);
   const SurfaceLocator locator = model.locator();
+  const std::vector<std::string> titles = extraTitles(part);
   std::string csv = kPointListHeader;
+  for (const std::string& title : titles) csv += ',' + csvField(title);
   for (const Constraint& constraint : part.constraints)
-    csv += row(constraint.name, std::get<PointConstraint>(constraint.what), locator, model);
-  return csv;
+    csv += '\n' + row(constraint.name, std::get<PointConstraint>(constraint.what), locator, model) +
+           extraFields(constraint, titles);
+  return csv + '\n';
 }
 
 ConstraintList fromClipboardText(std::string_view text)
@@ -79,7 +96,7 @@ ConstraintList fromClipboardText(std::string_view text)
   if (text.empty())
     throw InputError({kClipboard, 0, ""}, "there is no text to paste; copy constraints or a table of points first");
   if (text.starts_with('{')) return parseConstraintsJson(text, kClipboard);
-  return parsePointListCsv(text, kClipboard, hasTabs(text) ? '\t' : ',');
+  return parsePointListCsv(text, kClipboard);
 }
 
 ImportPreview previewImport(const ConstraintList& imported, const ConstraintList& present, const Model& model)

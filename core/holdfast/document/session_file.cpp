@@ -2,7 +2,6 @@
 
 #include <system_error>
 
-#include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/constraint_files/constraint_file_internal.h>
 #include <holdfast/io/files/file_bytes.h>
 #include <holdfast/io/files/output_file.h>
@@ -351,11 +350,17 @@ SessionFile readSession(const fs::path& path)
   return parseSession(readTextFile(path), path.string());
 }
 
-StatedConstraints readStatedConstraints(const fs::path& path)
+StatedConstraints readStatedConstraints(const fs::path& path, BadRows badRows)
 {
-  if (isPointList(path)) return {readConstraints(path), {}};
   const std::string name = path.string();
-  const JsonValue root = parseJson(readTextFile(path), name);
+  const std::string text = readTextFile(path);
+  if (isPointList(path, text)) {
+    PointList points = parsePointList(text, name, badRows);
+    return {std::move(points.list), {}, std::move(points.skippedRows)};
+  }
+  if (badRows == BadRows::Skip)
+    throw InputError({name, 0, ""}, "this is no point list, and rows can be skipped of point lists only");
+  const JsonValue root = parseJson(text, name);
   const JsonReader json(root, name);
   return {readConstraintDocument(json), json.has("options") ? readOptions(json["options"]) : StatedOptions{}};
 }

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/deform/deform.h>
 #include <holdfast/document/history.h>
 
@@ -126,9 +127,12 @@ struct StatedOptions {
 struct StatedConstraints {
   ConstraintList list;
   StatedOptions options;
+  std::vector<SkippedRow> skippedRows = {};  ///< of a point list
 };
 
-/// As `readConstraints`, with the options of a session.
-[[nodiscard]] StatedConstraints readStatedConstraints(const std::filesystem::path& path);
+/// As `readConstraints`, with the options of a session. Throws `InputError` where bad rows are to be skipped of what is
+/// no point list.
+[[nodiscard]] StatedConstraints readStatedConstraints(const std::filesystem::path& path,
+                                                      BadRows badRows = BadRows::Refuse);
 
 }  // namespace holdfast

@@ -309,7 +309,16 @@ TEST_F(ConstraintFileOnDisk, IsJsonOrCsvByItsExtensionInAnyCase)
   test::Random random(203);
   const ConstraintList list = test::randomConstraintList(random, 5);
   EXPECT_EQ(readConstraints(write("points.CSV", csv)).constraints.size(), 1U);
-  EXPECT_TRUE(test::areSame(readConstraints(write("constraints.txt", constraintsToJson(list))), list));
+  for (const char* const name : {"constraints.txt", "constraints.xyz", "constraints.json"})
+    EXPECT_TRUE(test::areSame(readConstraints(write(name, constraintsToJson(list))), list)) << name;
+}
+
+TEST_F(ConstraintFileOnDisk, TablesOfTextAndCloudsOfPointsArePointLists)
+{
+  const std::string table = "name x y z target_x target_y target_z\nA 1 2 3 4 5 6\n";
+  for (const char* const name : {"points.txt", "points.asc", "points.xyz", "points.tsv", "points.XYZ"})
+    EXPECT_EQ(readConstraints(write(name, table)).constraints.at(0).name, "A") << name;
+  EXPECT_EQ(readConstraints(write("cloud.xyz", "1 2 3\n4 5 6\n")).constraints.size(), 2U);
 }
 
 TEST_F(ConstraintFileOnDisk, MissingFileDirectoryAndEmptyFileAreSaidPlainly)

@@ -84,7 +84,9 @@ TEST(PointListText, TakesTheCellsOfASpreadsheet)
   EXPECT_EQ(list.constraints[2].name, "a\ttab, \"quoted\"");
   EXPECT_EQ(list.constraints[3].name, "point 4");
   EXPECT_EQ(std::get<AtNear>(std::get<PointConstraint>(list.constraints[1].what).at).place, Vector3(1, 2, 3));
-  expectPasteRefused(header + "A\t1,5\t2\t3\t4\t5\t6\r\n", "the decimal sign is a point");
+  const ConstraintList german = fromClipboardText(header + "A\t1,5\t2\t3\t4\t5\t6\r\n");
+  EXPECT_EQ(std::get<AtNear>(std::get<PointConstraint>(german.constraints[0].what).at).place, Vector3(1.5, 2, 3));
+  expectPasteRefused(header + "A\t1.5\t2\t3\t4\t5\t6\r\nB\t1,5\t2\t3\t4\t5\t6\r\n", "the decimal sign is a point");
 }
 
 TEST(PointListText, OtherTextIsRefused)

@@ -9,9 +9,10 @@ namespace {
 
 class Splitter {
  public:
-  Splitter(std::string_view text, std::string_view file, char separator)
-      : rest_(text), file_(file), ends_{separator, '\r', '\n'}
+  Splitter(std::string_view text, std::string_view file, char separator, Index firstLine)
+      : rest_(text), file_(file), ends_{separator, '\r', '\n'}, line_(firstLine)
   {
+    if (isByBlanks()) ends_ += '\t';
   }
 
   std::vector<CsvRecord> records()
@@ -30,14 +31,30 @@ class Splitter {
   }
 
  private:
+  [[nodiscard]] bool isByBlanks() const { return ends_[0] == ' '; }
+
   CsvRecord record()
   {
+    if (isByBlanks()) static_cast<void>(skipBlanks());
     CsvRecord record{line_, {field()}};
-    while (rest_.starts_with(ends_[0])) {
-      rest_.remove_prefix(1);
-      record.fields.push_back(field());
-    }
+    while (skipSeparator()) record.fields.push_back(field());
     return record;
+  }
+
+  bool skipBlanks()
+  {
+    const std::size_t count = std::min(rest_.find_first_not_of(" \t"), rest_.size());
+    rest_.remove_prefix(count);
+    return count > 0;
+  }
+
+  /// Whether another field follows. Blanks at the end of a line separate nothing.
+  bool skipSeparator()
+  {
+    if (isByBlanks()) return skipBlanks() && !rest_.empty() && rest_[0] != '\n' && rest_[0] != '\r';
+    if (!rest_.starts_with(ends_[0])) return false;
+    rest_.remove_prefix(1);
+    return true;
   }
 
   std::string field()
@@ -84,7 +101,7 @@ class Splitter {
   std::string_view rest_;
   std::string_view file_;
   std::string ends_;  // of a field: the separator and line ends
-  Index line_ = 1;
+  Index line_;
 };
 
 }  // namespace
@@ -99,9 +116,9 @@ std::string csvField(std::string_view text)
   return field + '"';
 }
 
-std::vector<CsvRecord> splitCsv(std::string_view text, std::string_view file, char separator)
+std::vector<CsvRecord> splitCsv(std::string_view text, std::string_view file, char separator, Index firstLine)
 {
-  return Splitter(text, file, separator).records();
+  return Splitter(text, file, separator, firstLine).records();
 }
 
 }  // namespace holdfast

@@ -17,9 +17,11 @@ struct CsvRecord {
   std::vector<std::string> fields;  ///< quotes taken off
 };
 
-/// Split at `separator` (a comma, a semicolon or a tab) and at line ends (LF, CRLF or CR); blank lines are skipped. A
-/// field in double quotes may hold separators, line ends, and quotes written twice; without commas other quotes are
-/// plain characters. Throws `InputError` with the line where quotes are used otherwise.
-[[nodiscard]] std::vector<CsvRecord> splitCsv(std::string_view text, std::string_view file, char separator = ',');
+/// Split at `separator` (a comma, a semicolon, a tab, or a blank for any number of blanks and tabs) and at line ends
+/// (LF, CRLF or CR); blank lines are skipped. A field in double quotes may hold separators, line ends, and quotes
+/// written twice; without commas other quotes are plain characters. `text` begins in line `firstLine` of the file.
+/// Throws `InputError` with the line where quotes are used otherwise.
+[[nodiscard]] std::vector<CsvRecord> splitCsv(std::string_view text, std::string_view file, char separator = ',',
+                                              Index firstLine = 1);
 
 }  // namespace holdfast

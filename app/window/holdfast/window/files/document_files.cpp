@@ -198,9 +198,10 @@ bool DocumentFiles::mayReplaceDocument()
 
 void DocumentFiles::importDialog()
 {
-  const QString path = askForFile(
-      tr("Import constraints"), inLastFolder("import", textOf(editor_.mesh().path.parent_path())),
-      {tr("Constraints and points (*.json *.csv *.holdfast)"), tr("Constraints (*.json)"), tr("Points (*.csv)")});
+  const QString path =
+      askForFile(tr("Import constraints"), inLastFolder("import", textOf(editor_.mesh().path.parent_path())),
+                 {tr("Constraints and points (*.json *.holdfast *.csv *.tsv *.txt *.asc *.xyz)"),
+                  tr("Constraints (*.json)"), tr("Points (*.csv *.tsv *.txt *.asc *.xyz)")});
   rememberFolder("import", path);
   if (!path.isEmpty()) importConstraints(path);
 }

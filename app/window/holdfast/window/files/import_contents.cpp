@@ -3,7 +3,6 @@
 #include <QObject>
 #include <utility>
 
-#include <holdfast/base/lower_case.h>
 #include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/document/list_edits.h>
 #include <holdfast/io/files/file_bytes.h>
@@ -20,13 +19,14 @@ ImportContents readImport(const std::filesystem::path& path, const std::optional
     contents.rows.push_back(std::move(row));
     contents.list.constraints.push_back(std::move(constraint));
   };
-  if (lowerCase(path.extension().string()) == ".csv") {
-    contents.table = readPointTable(readTextFile(path), path.string(), format);
+  if (const std::string text = readTextFile(path); isPointList(path, text)) {
+    contents.table = readPointTable(text, path.string(), format);
+    contents.list.units = contents.table->units;
     for (PointTableRow& row : std::exchange(contents.table->rows, {})) {
       const QString fault =
-          row.fault.empty() ? QString() : QObject::tr("Line %1: %2.").arg(row.line).arg(toText(row.fault));
+          row.fault.empty() ? QString() : QObject::tr("Line %1: %2.").arg(row.line).arg(toText(faultText(row)));
       if (row.point)
-        add({row.name, {}, fault}, {row.name, true, *row.point});
+        add({row.name, {}, fault}, {row.name, true, *row.point, row.extra});
       else
         contents.rows.push_back({row.name, {}, fault});
     }

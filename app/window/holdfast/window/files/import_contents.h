@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include <holdfast/constraint_files/point_tables.h>
 #include <holdfast/document/point_lists.h>
-#include <holdfast/document/point_tables.h>
 
 namespace holdfast {
 

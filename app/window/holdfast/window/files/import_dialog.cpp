@@ -32,7 +32,7 @@ constexpr std::array<std::pair<const char*, double>, 5> kUnits{
     {{"mm", 1}, {"cm", 10}, {"m", 1000}, {"in", 25.4}, {"µm", 1e-3}}};
 
 // In the order of the choices.
-constexpr std::array kSeparators{',', ';', '\t'};
+constexpr std::array kSeparatorChoices{',', ';', '\t', ' '};
 constexpr std::array kDecimalSigns{'.', ','};
 
 class ImportDialog : public QDialog {
@@ -119,7 +119,8 @@ class ImportDialog : public QDialog {
       return box;
     };
     auto* writing = newLayout<QHBoxLayout>(nullptr, 0, 6);
-    separator_ = addChoice(*writing, tr("&Separator"), "separator", {tr("comma"), tr("semicolon"), tr("tab")});
+    separator_ =
+        addChoice(*writing, tr("&Separator"), "separator", {tr("comma"), tr("semicolon"), tr("tab"), tr("blanks")});
     decimalSign_ = addChoice(*writing, tr("&Decimal sign"), "decimalSign", {tr("point"), tr("comma")});
     const auto ofModel = std::ranges::find(kUnits, editor_.list().units, &std::pair<const char*, double>::first);
     units_ = addChoice(*writing, tr("&Unit"), "unit", {tr("as the model")});
@@ -148,7 +149,7 @@ class ImportDialog : public QDialog {
     const auto placeOf = [](const auto& choices, char chosen) {
       return static_cast<int>(std::ranges::find(choices, chosen) - choices.begin());
     };
-    separator_->setCurrentIndex(placeOf(kSeparators, table->format.separator));
+    separator_->setCurrentIndex(placeOf(kSeparatorChoices, table->format.separator));
     decimalSign_->setCurrentIndex(placeOf(kDecimalSigns, table->format.decimalSign));
     for (std::size_t k = 0; k < columns_.size(); ++k) {
       columns_[k]->clear();
@@ -163,7 +164,7 @@ class ImportDialog : public QDialog {
   [[nodiscard]] std::optional<PointTableFormat> chosenFormat() const
   {
     PointTableFormat format = model_.contents().table->format;
-    const char separator = kSeparators[static_cast<std::size_t>(separator_->currentIndex())];
+    const char separator = kSeparatorChoices[static_cast<std::size_t>(separator_->currentIndex())];
     format.decimalSign = kDecimalSigns[static_cast<std::size_t>(decimalSign_->currentIndex())];
     format.scale = units_->currentData().toDouble();
     for (std::size_t k = 0; k < columns_.size(); ++k) {
@@ -236,6 +237,8 @@ class ImportDialog : public QDialog {
     const auto add = [&](Index count, const QString& one, const QString& several) {
       if (count > 0) parts << (count == 1 ? one : several.arg(count));
     };
+    if (const auto& table = model_.contents().table; table && table->doubt)
+      parts << tr("What the columns mean is not sure: %1.").arg(toText(table->doubt->reason));
     const QString reach = tr(", %1 from the surface at most and %2 on average.")
                               .arg(lengthText(preview.maxDistance, units), lengthText(preview.meanDistance, units));
     add(model_.faultyRows(), tr("One row has a fault: it is marked, and left out unless it is ticked."),

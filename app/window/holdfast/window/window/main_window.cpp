@@ -12,6 +12,7 @@
 #include <algorithm>
 
 #include <holdfast/base/error.h>
+#include <holdfast/constraint_files/constraint_file.h>
 #include <holdfast/widgets/camera/camera_state.h>
 #include <holdfast/window/controls/icons.h>
 #include <holdfast/window/controls/panel_parts.h>
@@ -51,7 +52,10 @@ QVariant settingOf(const ViewState& view)
 /// Of constraints or points.
 bool isListFile(const QString& path)
 {
-  return path.endsWith(".csv", Qt::CaseInsensitive) || path.endsWith(".json", Qt::CaseInsensitive);
+  const auto endsWith = [&](std::string_view end) {
+    return path.endsWith(QLatin1String(end.data(), static_cast<int>(end.size())), Qt::CaseInsensitive);
+  };
+  return endsWith(".json") || std::ranges::any_of(kPointListExtensions, endsWith);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 
 #include <holdfast/base/error.h>
 #include <holdfast/constraint_files/constraint_file.h>
-#include <holdfast/document/point_tables.h>
+#include <holdfast/constraint_files/point_tables.h>
 #include <holdfast/io/text/number_text.h>
 
 namespace holdfast {
@@ -64,12 +64,12 @@ TEST(PointTable, FaultsLeaveTheOtherRowsAlone)
       readPointTable("name,x,y,z\nA,1,2,3\nB,1,two,3\nA,4,5,6\nC,1,,3\nD,1,5,2,3\nE,7,8,9\n", "a.csv");
   ASSERT_EQ(table.rows.size(), 6u);
   EXPECT_EQ(table.rows[0].fault, "");
-  EXPECT_EQ(table.rows[1].fault, "y is \"two\", which is not a number");
+  EXPECT_EQ(faultText(table.rows[1]), "column y: \"two\" is not a number; correct it");
   EXPECT_EQ(table.rows[1].line, 3);
   EXPECT_FALSE(table.rows[1].point);
   EXPECT_THAT(table.rows[2].fault, HasSubstr("line 2"));
   EXPECT_TRUE(table.rows[2].point) << "another name makes it usable";
-  EXPECT_EQ(table.rows[3].fault, "y is missing");
+  EXPECT_EQ(faultText(table.rows[3]), "column y: a number is missing; every coordinate is needed");
   EXPECT_THAT(table.rows[4].fault, HasSubstr("5 fields"));
   EXPECT_EQ(placeOfRow(table.rows[5]), Vector3(7, 8, 9));
 }
