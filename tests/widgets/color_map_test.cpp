@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iomanip>
 #include <limits>
 #include <set>
 #include <string>
@@ -190,6 +191,68 @@ TEST(LegendTicks, AreRoundAndInside)
   EXPECT_EQ(ticks.back().text, "4");
   const auto fine = ticksOf({"", Scaling::Linear, 0, 0.0031, {}});
   EXPECT_EQ(fine[1].text, "0.001");
+}
+
+ColorScale linearScale(double low, double high)
+{
+  return {"", Scaling::Linear, low, high, {}};
+}
+
+/// Few, ascending, inside but for a thousandth of their distance, and none with the text of another.
+void expectTold(double low, double high)
+{
+  const auto ticks = ticksOf(linearScale(low, high));
+  SCOPED_TRACE(testing::Message() << std::setprecision(17) << low << " to " << high);
+  ASSERT_GE(ticks.size(), 2U);
+  EXPECT_LE(ticks.size(), 8U);
+  const double beside = 1e-3 * (ticks[1].value - ticks[0].value);
+  EXPECT_GE(ticks.front().value, low - beside);
+  EXPECT_LE(ticks.back().value, high + beside);
+  for (std::size_t k = 1; k < ticks.size(); ++k) {
+    EXPECT_GT(ticks[k].value, ticks[k - 1].value);
+    EXPECT_NE(ticks[k].text, ticks[k - 1].text);
+  }
+}
+
+TEST(LegendTicks, OfARangeOfOneUnitInTheLastPlaceAreItsEnds)
+{
+  for (const double low : {1.0, 3.0e5, -1.0, 1e300, -7e-300, 0.0, 5e-324, 360.0}) {
+    const double high = std::nextafter(low, std::numeric_limits<double>::infinity());
+    const auto ticks = ticksOf(linearScale(low, high));
+    ASSERT_EQ(ticks.size(), 2U) << low;
+    EXPECT_EQ(ticks[0].value, low);
+    EXPECT_EQ(ticks[1].value, high);
+    EXPECT_NE(ticks[0].text, ticks[1].text);
+    ColorScale degrees = linearScale(low, high);
+    degrees.steps = TickSteps::Degrees;
+    EXPECT_EQ(ticksOf(degrees).size(), 2U) << low;
+  }
+}
+
+TEST(LegendTicks, AreFewAndDifferHoweverNarrowTheRangeIs)
+{
+  for (const double low : {-1000.0, -1.0, 0.3, 1.0, 1e6})
+    for (double share = 1; share > 1e-17; share /= 7) {
+      const double high = low + share * std::abs(low);
+      if (high > low) expectTold(low, high);
+    }
+  expectTold(-1e308, 1e308);
+  expectTold(0, 1e-320);
+}
+
+TEST(LegendTicks, OfARangeBelowZeroMirrorThoseAboveIt)
+{
+  for (const auto& [low, high] :
+       {std::pair(1.0, 4.0), {0.1, 0.3}, {0.7, 0.8}, {0.6, 1.2}, {1000.0, 1000.001}, {3e-7, 9e-7}, {0.0, 4.37}}) {
+    const auto above = ticksOf(linearScale(low, high));
+    auto below = ticksOf(linearScale(-high, -low));
+    std::reverse(below.begin(), below.end());
+    ASSERT_EQ(above.size(), below.size()) << low << " to " << high;
+    for (std::size_t k = 0; k < above.size(); ++k) EXPECT_EQ(above[k].value, -below[k].value) << low << " to " << high;
+  }
+  const auto ticks = ticksOf(linearScale(-0.5, 0.5));
+  EXPECT_TRUE(std::any_of(ticks.begin(), ticks.end(), [](const Tick& tick) { return tick.text == "0"; })) << "no -0";
+  EXPECT_EQ(ticksOf(linearScale(-3, -1)).back().text, "-1");
 }
 
 TEST(LegendTicks, OfDegreesArePartsOfATurnOrTurns)

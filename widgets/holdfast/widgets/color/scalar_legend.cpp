@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -24,6 +25,14 @@ constexpr Color kInk{0.13, 0.15, 0.19};
 constexpr int kBarSteps = 256;
 constexpr int kDiscCorners = 48;
 constexpr int kMostTicks = 7;
+
+// So many roundings at most, each of the size of the ends, lie between a multiple of the step and the end that it is.
+constexpr double kRoundings = 4;
+// Seen on no screen: a share of the step.
+constexpr double kBesideEnd = 1e-9;
+constexpr double kLeastDigits = 6;
+// From 0 to an end. Rounding moves a tick by a thousandth of a step at most.
+constexpr double kMostStepsFromZero = 1e12;
 
 /// Shapes in pixels of the window, a colour a point.
 class Shape {
@@ -112,13 +121,30 @@ double degreeStep(double least)
   return 360 * roundStep(std::max(1.0, least / 360));
 }
 
+std::vector<Tick> endTicks(const ColorScale& scale)
+{
+  return {{scale.low, fmt::format("{}", scale.low)}, {scale.high, fmt::format("{}", scale.high)}};
+}
+
 std::vector<Tick> linearTicks(const ColorScale& scale)
 {
-  const double least = (scale.high - scale.low) / (kMostTicks - 1);
+  // One by one: the difference of the ends may be no number.
+  const double least = scale.high / (kMostTicks - 1) - scale.low / (kMostTicks - 1);
   const double step = scale.steps == TickSteps::Degrees ? degreeStep(least) : roundStep(least);
+  const double steps = std::max(std::abs(scale.low), std::abs(scale.high)) / step;
+  // No multiple of a finer step is rounder than the ends, and beyond 2^53 not every multiple is a number.
+  if (!(steps <= kMostStepsFromZero)) return endTicks(scale);
+  const double beside = std::max(kBesideEnd, kRoundings * std::numeric_limits<double>::epsilon() * steps);
+  const double first = std::ceil(scale.low / step - beside);
+  const double last = std::floor(scale.high / step + beside);
+  // Neighbours differ in their texts.
+  const int digits = static_cast<int>(std::max(kLeastDigits, std::ceil(std::log10(steps)) + 1));
   std::vector<Tick> ticks;
-  for (double k = std::ceil(scale.low / step); k * step <= scale.high * (1 + 1e-9); ++k)
-    ticks.push_back({k * step, fmt::format("{:.6g}", k * step)});
+  for (int k = 0; k <= last - first; ++k) {
+    // No sum is -0.
+    const double value = (first + k) * step + 0.0;
+    ticks.push_back({value, fmt::format("{:.{}g}", value, digits)});
+  }
   return ticks;
 }
 
