@@ -161,7 +161,7 @@ ExitCode deformWith(const Command& command, Progress& progress)
   progress.step(fmt::format("reading {}", printable(command.mesh)));
   auto [mesh, meshSource] = readMeshFile(command.mesh);
   progress.step(fmt::format("checking {} vertices", mesh.vertexCount()));
-  const Model model = makeModel(std::move(mesh), command.mesh);
+  const Model model = makeModel(std::move(mesh), command.mesh, options.weldTolerance);
   DeformResult deformation = deform(model, constraints, command.constraints, options, progress);
   deformation.report.skippedRows = skippedRows;
   Outputs outputs = writeAll(command, {model.mesh, meshSource}, constraints.units, model, deformation, progress);
@@ -179,13 +179,13 @@ ExitCode runCheck(const Command& command)
 {
   Mesh mesh = readMeshFile(command.mesh).mesh;
   refuseNonFinite(command, mesh);
-  const Model model = makeModel(std::move(mesh), command.mesh);
   StatedConstraints stated;
+  if (!command.constraints.empty()) stated = readStatedConstraints(command.constraints, command.badRows);
+  const DeformOptions options = withStated(withStated({}, stated.options), command.options);
+  const Model model = makeModel(std::move(mesh), command.mesh, options.weldTolerance);
   Report report{describeMesh(model), {}, {}};
   if (!command.constraints.empty()) {
-    stated = readStatedConstraints(command.constraints, command.badRows);
-    report = diagnoseConstraints(model, stated.list, command.constraints,
-                                 withStated(withStated({}, stated.options), command.options));
+    report = diagnoseConstraints(model, stated.list, command.constraints, options);
     report.skippedRows = stated.skippedRows;
   }
   Outputs outputs;

@@ -59,6 +59,15 @@ void describe(CLI::App& app, CLI::App& deformApp, CLI::App& checkApp, Command& a
                      "Constraint file (JSON), session (.holdfast) or point list (.csv, .tsv, .txt, .asc, .xyz)")
         ->required(command == &deformApp)
         ->type_name("C.json");
+    command->add_option(
+        "--near-limit", asked.options.nearLimit,
+        fmt::format(
+            "Warn of \"near\" places farther from the surface than this share of the diagonal; what the session "
+            "says if left out, else {}",
+            defaults.nearLimit));
+    command->add_option("--weld", asked.options.weldTolerance,
+                        "Deform vertices of open edges that lie within this length of one another as one; what the "
+                        "session says if left out, else those in one place");
     command
         ->add_flag_callback(
             "--skip-bad-rows", [&asked] { asked.badRows = BadRows::Skip; },
@@ -144,6 +153,8 @@ void check(const Command& asked)
   requireFormats(asked);
   requirePositive("--soft-weight", asked.options.softWeight);
   requirePositive("--rotation-change", asked.options.rotationChange);
+  requirePositive("--near-limit", asked.options.nearLimit);
+  requirePositive("--weld", asked.options.weldTolerance);
 }
 
 /// What is wrong with the first argument that means nothing; empty where there is none.

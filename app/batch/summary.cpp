@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -40,13 +41,26 @@ std::string quotedNames(const std::vector<std::string>& names)
   return text;
 }
 
-std::string findingLine(const Finding& finding, const ConstraintOutcomes& constraints)
+/// ": "A" and "B"" for a finding about constraints, else nothing.
+std::string namesAfter(const Finding& finding, const ConstraintOutcomes& constraints)
 {
   std::vector<std::string> names;
   if (finding.idsOf == "constraint")
     for (const Index c : finding.ids) names.push_back(constraints[c].name);
-  return fmt::format("  finding    {}{}{}\n", printable(finding.message), names.empty() ? "" : ": ",
-                     quotedNames(names));
+  return (names.empty() ? "" : ": ") + quotedNames(names);
+}
+
+std::string findingLine(const Finding& finding, const ConstraintOutcomes& constraints)
+{
+  return fmt::format("  finding    {}{}\n", printable(finding.message), namesAfter(finding, constraints));
+}
+
+/// What may make the result another one than was meant, and is easily passed over in a summary.
+bool isWarning(const Finding& finding)
+{
+  constexpr std::array<std::string_view, 4> kKinds{"places_off_surface", "places_in_one_spot", "places_between_sides",
+                                                   "nearly_coincident_vertices"};
+  return finding.idsOf == "solution" || std::ranges::count(kKinds, finding.kind) != 0;
 }
 
 std::string constraintLine(const Report& report)
@@ -59,6 +73,20 @@ std::string constraintLine(const Report& report)
         ConstraintStatus::Conflicting, ConstraintStatus::Missed, ConstraintStatus::Disabled})
     if (const Index count = countOf(report, status); count > 0) line += fmt::format(", {} {}", count, name(status));
   return line + "\n";
+}
+
+/// How far the places that constraints name by `near` lie off the surface.
+std::string placesLine(const ConstraintOutcomes& constraints, const std::string& units)
+{
+  Index count = 0;
+  double farthest = 0;
+  for (const ConstraintOutcome& outcome : constraints) {
+    if (outcome.nearDistance) ++count;
+    farthest = std::max(farthest, outcome.nearDistance.value_or(0));
+  }
+  if (count == 0) return "";
+  return fmt::format("places       {} by \"near\", at most {} from the surface\n", counted(count, "constraint"),
+                     withUnits(farthest, units));
 }
 
 std::string pullLine(const ConstraintOutcomes& constraints)
@@ -137,7 +165,7 @@ std::string summary(const Report& report, const std::string& meshName, const std
                   counted(report.mesh.faces, "face"), counted(report.mesh.components, "connected part"),
                   withUnits(report.mesh.bboxDiagonal, units));
   for (const Finding& finding : report.mesh.findings) text += findingLine(finding, report.constraints);
-  if (!report.constraints.empty()) text += constraintLine(report);
+  if (!report.constraints.empty()) text += constraintLine(report) + placesLine(report.constraints, units);
   if (!report.skippedRows.empty())
     text += fmt::format("skipped      {} of the point list\n",
                         counted(static_cast<Index>(report.skippedRows.size()), "bad row"));
@@ -155,6 +183,8 @@ std::string optionsLine(const StatedOptions& asked, const StatedOptions& session
   if (session.rotations && !asked.rotations) options.push_back(fmt::format("rotations {}", name(*session.rotations)));
   if (session.rotationChange && !asked.rotationChange)
     options.push_back(fmt::format("rotation change {}", *session.rotationChange));
+  if (session.nearLimit && !asked.nearLimit) options.push_back(fmt::format("near limit {}", *session.nearLimit));
+  if (session.weldTolerance && !asked.weldTolerance) options.push_back(fmt::format("weld {}", *session.weldTolerance));
   if (options.empty()) return "";
   return fmt::format("options      {}: taken from {}\n", fmt::join(options, ", "), printable(source));
 }
@@ -172,7 +202,8 @@ std::string messageLines(const Report& report, const std::string& units)
 {
   std::string text;
   for (const Finding& finding : report.mesh.findings)
-    if (finding.idsOf == "solution") text += fmt::format("warning: {}\n", printable(finding.message));
+    if (isWarning(finding))
+      text += fmt::format("warning: {}{}\n", printable(finding.message), namesAfter(finding, report.constraints));
   for (const ConstraintOutcome& outcome : report.constraints) text += conflictLinesOf(outcome, units);
   if (report.solve.status == SolveStatus::Failed) text += fmt::format("error: {}\n", printable(report.solve.message));
   return text;

@@ -54,6 +54,38 @@ TEST_F(SessionOptions, GiveTheMeshThatTheSameOptionsOnTheCommandLineGive)
   EXPECT_FALSE(bytesOf(output("out.obj")) == bySession);
 }
 
+TEST_F(SessionOptions, WeldAndTellWhichPlacesAreFar)
+{
+  const std::string seam = in_.file("seam.off",
+                                    "OFF\n8 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n1.000000001 0 0\n2 0 0\n2 1 0\n"
+                                    "1.000000001 1 0\n4 0 1 2 3\n4 4 5 6 7\n")
+                               .string();
+  const auto findingsOf = [&](const std::string& path, const std::vector<std::string>& more) {
+    std::vector<std::string> command{"check", seam, "--constraints", path, "--report", output("report.json")};
+    command.insert(command.end(), more.begin(), more.end());
+    const ProcessResult result = runBatch(command);
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    std::vector<std::string> kinds;
+    for (const Json& finding : Json::parse(bytesOf(output("report.json")))["mesh"]["findings"])
+      kinds.push_back(finding["kind"]);
+    return kinds;
+  };
+  const std::string list = constraintText({R"({"type": "point", "at": {"near": [0.5, 0.5, 0.2]}, "move": [0, 0, 0]})"});
+  const std::string plain = in_.file("near.json", list).string();
+  EXPECT_THAT(findingsOf(plain, {}), testing::IsSupersetOf({"nearly_coincident_vertices", "places_off_surface"}));
+  EXPECT_THAT(runBatch({"check", seam, "--constraints", plain}).err,
+              AllOf(HasSubstr("warning: 2 vertices at open edges nearly coincide"),
+                    HasSubstr("warning: 1 constraint names a place"), HasSubstr("\"point 1\"")));
+  EXPECT_THAT(runBatch({"check", seam, "--constraints", plain}).out, HasSubstr("at most 0.2 from the surface"));
+  const std::vector<std::string> good = findingsOf(plain, {"--weld", "1e-8", "--near-limit", "0.5"});
+  EXPECT_THAT(good, testing::Contains("welded_near_vertices"));
+  EXPECT_THAT(good, Not(testing::Contains("places_off_surface")));
+  Json json = Json::parse(list);
+  json["mesh"] = {{"path", "seam.off"}};
+  json["options"] = {{"weld", 1e-8}, {"near_limit", 0.5}};
+  EXPECT_EQ(findingsOf(in_.file("seam.holdfast", json.dump()).string(), {}), good);
+}
+
 TEST_F(SessionOptions, FindRotations)
 {
   const Json bySession = solved(session(R"({"rotations": "found", "rotation_change": 1e-7})"), {});

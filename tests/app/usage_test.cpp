@@ -64,6 +64,8 @@ TEST_F(Usage, SoftWeightsArePositiveNumbers)
     expectRefusedOptions({"--solver", "soft", "--soft-weight", value}, {"--soft-weight: ", "not a positive number"});
   expectRefusedOptions({"--soft-weight", "much"}, {"--soft-weight", "much"});
   expectRefusedOptions({"--rotation-change", "0"}, {"--rotation-change: ", "not a positive number"});
+  expectRefusedOptions({"--near-limit", "-1"}, {"--near-limit: ", "not a positive number"});
+  expectRefusedOptions({"--weld", "0"}, {"--weld: ", "not a positive number"});
   expectRefusedOptions({"--rotations", "guessed"}, {"--rotations: \"guessed\" is not one of given, found"});
 }
 

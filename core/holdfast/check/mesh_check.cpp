@@ -6,15 +6,23 @@
 #include <numbers>
 
 #include <Eigen/Geometry>
+#include <fmt/format.h>
 
 #include <holdfast/base/disjoint_sets.h>
 #include <holdfast/base/parallel.h>
 #include <holdfast/mesh/edges.h>
+#include <holdfast/mesh/near_pairs.h>
 
 namespace holdfast {
 namespace {
 
 using Findings = std::vector<Finding>;
+
+// As a share of the diagonal: far below any detail of a part, and above what writing with six digits loses.
+constexpr double kNearlyCoincident = 1e-6;
+
+// As a share of the largest coordinate: two places of single precision, which a corner may be off by each.
+constexpr double kRoundedToFloats = 0x1p-22;
 
 /// Adds a finding, unless it is about nothing.
 void add(Findings& findings, const char* kind, const char* idsOf, std::vector<Index> ids, const CountedWords& words)
@@ -55,18 +63,51 @@ void addCoincident(Findings& findings, const Mesh& mesh, const SolverMesh& solve
 {
   const std::vector<int> firstAt = firstAtPlaces(mesh.positions);
   std::vector<Index> tied;
+  std::vector<Index> tiedNear;
   std::vector<Index> apart;
   for (Index v = 0; v < mesh.vertexCount(); ++v)
-    if (solverMesh.weld.firstVertexOf[solverMesh.weld.unknownOf[v]] != v)
-      tied.push_back(v);
+    if (const Index first = solverMesh.weld.firstVertexOf[solverMesh.weld.unknownOf[v]]; first != v)
+      (firstAt[v] == firstAt[first] ? tied : tiedNear).push_back(v);
     else if (firstAt[v] != v)
       apart.push_back(v);
   add(findings, "welded_vertices", "vertex", std::move(tied),
       {"vertex repeats another one exactly along an open edge; they are deformed as one and written apart",
        "vertices repeat another one exactly along open edges; they are deformed as one and written apart"});
+  add(findings, "welded_near_vertices", "vertex", std::move(tiedNear),
+      {"vertex lies within the tolerance of another one along an open edge; they are deformed as one and written apart",
+       "vertices lie within the tolerance of others along open edges; they are deformed as one and written apart"});
   add(findings, "coincident_vertices", "vertex", std::move(apart),
       {"vertex lies exactly on another one without an open edge in common; they may move apart",
        "vertices lie exactly on another one without an open edge in common; they may move apart"});
+}
+
+/// Vertices of open edges that all but lie on others of which the surface is torn off.
+void addNearlyCoincident(Findings& findings, const SolverMesh& mesh, const std::vector<HalfEdge>& halfEdges)
+{
+  std::vector<int> ends;
+  forEachEdge(halfEdges, [&](std::span<const HalfEdge> edge) {
+    if (edge.size() == 1) ends.insert(ends.end(), {static_cast<int>(edge[0].a), static_cast<int>(edge[0].b)});
+  });
+  std::ranges::sort(ends);
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  const double distance = std::max(kNearlyCoincident * mesh.diagonal, kRoundedToFloats * mesh.largestCoordinate);
+  const auto isEdge = [&](Index a, Index b) {
+    const auto endsOf = [](const HalfEdge& half) { return std::pair<Index, Index>(half.a, half.b); };
+    return std::ranges::binary_search(halfEdges, std::pair(a, b), {}, endsOf);
+  };
+  std::vector<Index> near;
+  double widest = 0;
+  for (const auto& [a, b] : nearPairs(mesh.rest, ends, distance)) {
+    if (isEdge(a, b)) continue;
+    near.push_back(b);
+    widest = std::max(widest, (mesh.rest.row(a) - mesh.rest.row(b)).stableNorm());
+  }
+  const std::string rest = fmt::format(
+      " up to {:.2g} away, and may move apart: the surface tears there; weld it with a larger tolerance if it is one",
+      widest);
+  add(findings, "nearly_coincident_vertices", "vertex", fileVertices(mesh, near),
+      {"vertex at an open edge nearly coincides with another," + rest,
+       "vertices at open edges nearly coincide with others," + rest});
 }
 
 double smallestAngleDegrees(const Positions& positions, const Triangle& triangle)
@@ -213,8 +254,8 @@ std::vector<Finding> findNonFinite(const Mesh& mesh)
 std::vector<Finding> checkMesh(const Mesh& mesh, const Triangulation& triangulation, const SolverMesh& solverMesh)
 {
   const std::vector<HalfEdge> halfEdges = sortedHalfEdges(solverMesh.triangles);
-  std::array<Findings, 8> parts;
-  parallelFor(8, [&](Index part) {
+  std::array<Findings, 9> parts;
+  parallelFor(9, [&](Index part) {
     if (part == 0) addFans(parts[5], solverMesh, halfEdges);  // takes the longest
     if (part == 1) addCoincident(parts[2], mesh, solverMesh);
     if (part == 2) addBoundaries(parts[7], solverMesh, halfEdges);
@@ -223,6 +264,7 @@ std::vector<Finding> checkMesh(const Mesh& mesh, const Triangulation& triangulat
     if (part == 5) addBadTriangles(parts[3], mesh, triangulation);
     if (part == 6) addUnreferenced(parts[1], solverMesh);
     if (part == 7) addComponents(parts[0], solverMesh);
+    if (part == 8) addNearlyCoincident(parts[8], solverMesh, halfEdges);
   });
   Findings findings;
   for (Findings& part : parts) std::ranges::move(part, std::back_inserter(findings));

@@ -31,6 +31,8 @@ class SystemBuilder {
         locator_(locator),
         places_(places),
         selector_(mesh, solverMesh, locator_),
+        joinedRest_(solverMesh.weld.joinsApart ? restOfVertices(solverMesh) : Positions()),
+        rest_(solverMesh.weld.joinsApart ? joinedRest_ : mesh.positions),
         selected_(list.constraints.size()),
         pinOf_(static_cast<std::size_t>(solverMesh.unknownCount()), -1),
         hasRotation_(static_cast<std::size_t>(solverMesh.unknownCount()), false)
@@ -103,7 +105,7 @@ class SystemBuilder {
   {
     if (!isEnabled()) return;
     for (const Index v : selected_[current_]) {
-      addPin(v, mesh_.positions.row(v));
+      addPin(v, rest_.row(v));
       giveRotation(v, {});
     }
   }
@@ -130,10 +132,11 @@ class SystemBuilder {
   {
     const KnownPlaces::KnownPoint& known = places_.point(current_, point.at, [&] {
       const SurfacePoint found = located(point.at, ".at");
-      return KnownPlaces::KnownPoint{point.at, overUnknowns(found).terms, positionOf(found, mesh_.positions),
-                                     static_cast<int>(found.terms.size())};
+      return KnownPlaces::KnownPoint{point.at, overUnknowns(found).terms, positionOf(found, rest_),
+                                     static_cast<int>(found.terms.size()), nearness(point.at, found)};
     });
     if (!isEnabled()) return;
+    addNearPlace(point.at, known.nearness);
     const auto* const target = std::get_if<Target>(&point.to);
     const Vector3 shift = target == nullptr ? std::get<Move>(point.to).shift : target->place - known.rest;
     system_.rows.push_back({known.terms, target == nullptr ? known.rest + shift : target->place, shift, current_,
@@ -156,18 +159,32 @@ class SystemBuilder {
 
   void add(const RelativeConstraint& relative)
   {
-    const SurfacePoint from = overUnknowns(located(relative.from, ".from"));
-    const SurfacePoint to = overUnknowns(located(relative.to, ".to"));
+    const SurfacePoint fromVertices = located(relative.from, ".from");
+    const SurfacePoint toVertices = located(relative.to, ".to");
     if (!isEnabled()) return;
+    addNearPlace(relative.from, nearness(relative.from, fromVertices));
+    addNearPlace(relative.to, nearness(relative.to, toVertices));
+    const SurfacePoint from = overUnknowns(fromVertices);
+    const SurfacePoint to = overUnknowns(toVertices);
     if (!relative.offset) return addRotatedVector(RowKind::Relative, from, to, midpoint(from, to).terms);
     const Vector3 rest = restVector(from, to);
     system_.rows.push_back(
         {difference(from, to), *relative.offset, *relative.offset - rest, current_, RowKind::Relative});
   }
 
-  [[nodiscard]] Positions restOf(std::span<const Index> vertices) const
+  [[nodiscard]] Positions restOf(std::span<const Index> vertices) const { return rest_(vertices, Eigen::all); }
+
+  /// Of the place of a location that names one; `found` is the point there.
+  [[nodiscard]] std::optional<Nearness> nearness(const SurfaceLocation& location, const SurfacePoint& found) const
   {
-    return mesh_.positions(vertices, Eigen::all);
+    const AtNear* const near = std::get_if<AtNear>(&location);
+    if (near == nullptr) return std::nullopt;
+    return nearnessOf(near->place, positionOf(found, mesh_.positions), locator_, solverMesh_.diagonal);
+  }
+
+  void addNearPlace(const SurfaceLocation& location, const std::optional<Nearness>& nearness)
+  {
+    if (nearness) system_.nearPlaces.push_back({current_, std::get<AtNear>(location).place, *nearness});
   }
 
   // A target of a vertex is taken as it is: it is what the written file must hold.
@@ -176,7 +193,7 @@ class SystemBuilder {
     const Index unknown = solverMesh_.weld.unknownOf[vertex];
     if (isRepeatOfOwnPin(unknown, target)) return;
     pinOf_[unknown] = static_cast<Index>(system_.rows.size());
-    const Vector3 rest = mesh_.positions.row(vertex);
+    const Vector3 rest = rest_.row(vertex);
     system_.rows.push_back({{{unknown, 1.0}}, target, target - rest, current_});
   }
 
@@ -255,6 +272,8 @@ class SystemBuilder {
   const SurfaceLocator& locator_;
   KnownPlaces& places_;
   Selector selector_;
+  Positions joinedRest_;   // of vertices at their unknowns, where those join vertices at different places
+  const Positions& rest_;  // of vertices
   std::vector<std::span<const Index>> selected_;  // vertices of each constraint
   HandleSurroundings surroundings_;
   std::vector<Index> pinOf_;       // of each unknown: the row that pinned it last in a selection

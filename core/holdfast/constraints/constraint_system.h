@@ -65,6 +65,7 @@ struct ConstraintSystem {
   std::vector<GivenRotation> rotations;          ///< in the user's order; each unknown once, because the first stands
   std::vector<std::vector<Index>> rigidRegions;  ///< unknowns of each, ascending; the rows refer to the first
   std::vector<ConstraintNote> notes;             ///< in the user's order
+  std::vector<NearPlace> nearPlaces;             ///< of enabled constraints, in the user's order
 };
 
 /// The rows of a list of constraints on a mesh of finite positions. `source` names the list in messages. `places` are

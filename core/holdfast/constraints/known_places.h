@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <holdfast/base/term.h>
+#include <holdfast/constraints/near_places.h>
 #include <holdfast/constraints/selection.h>
 #include <holdfast/surface/surface_location.h>
 
@@ -17,9 +18,10 @@ class KnownPlaces {
  public:
   struct KnownPoint {
     SurfaceLocation at;
-    FewTerms terms;   ///< over unknowns
-    Vector3 rest;     ///< model units
-    int corners = 0;  ///< see `ConstraintRow::corners`
+    FewTerms terms;                         ///< over unknowns
+    Vector3 rest;                           ///< model units
+    int corners = 0;                        ///< see `ConstraintRow::corners`
+    std::optional<Nearness> nearness = {};  ///< of a `near` place
   };
 
   /// That of the constraint at this place in the list; `find` makes it where the last one was elsewhere.

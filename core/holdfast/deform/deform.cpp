@@ -3,6 +3,7 @@
 #include <holdfast/base/available_memory.h>
 #include <holdfast/deform/deformer.h>
 #include <holdfast/deform/messages.h>
+#include <holdfast/deform/place_findings.h>
 #include <holdfast/deform/rotation_factorization.h>
 #include <holdfast/surface/surface_locator.h>
 
@@ -26,6 +27,8 @@ Report diagnoseConstraints(const Model& model, const ConstraintList& constraints
   report.solve.weights = options.weights;
   report.solve.options = options.solver;
   ConstraintSystem system = makeConstraintSystem(constraints, model.mesh, model.solverMesh, model.locator(), source);
+  PlaceFindings placeFindings;
+  placeFindings.update(system.nearPlaces, model.locator(), options.nearLimit * model.solverMesh.diagonal);
   const EliminatedConstraints eliminated = eliminate(system, model.solverMesh);
   std::shared_ptr<const Operators> operators;
   if (asksForRotation(system))
@@ -47,6 +50,7 @@ Report diagnoseConstraints(const Model& model, const ConstraintList& constraints
   report.constraints = outcomes(details, {});
   for (Finding& finding : constraintFindings(model, eliminated, details))
     report.mesh.findings.push_back(std::move(finding));
+  placeFindings.addTo(report.mesh.findings);
   return report;
 }
 

@@ -13,10 +13,16 @@ namespace holdfast {
 
 struct DeformDetails;
 
+/// `near` places farther from the surface than this share of the diagonal are warned of: parts as measured are seldom
+/// off by more, and places in another unit or coordinate system are.
+inline constexpr double kNearLimit = 0.01;
+
 struct DeformOptions {
   Weights weights = Weights::Cotangent;
   SolverOptions solver;
   RotationOptions rotations = {};
+  double nearLimit = kNearLimit;  ///< share of the diagonal
+  double weldTolerance = 0;       ///< for `makeModel`, model units: a model that is there already was welded
 
   friend bool operator==(const DeformOptions&, const DeformOptions&) = default;
 };

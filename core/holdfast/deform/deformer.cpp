@@ -18,6 +18,7 @@
 #include <holdfast/deform/forces.h>
 #include <holdfast/deform/found_shape.h>
 #include <holdfast/deform/messages.h>
+#include <holdfast/deform/place_findings.h>
 #include <holdfast/deform/rotation_factorization.h>
 #include <holdfast/ordering/elimination_order.h>
 #include <holdfast/solve/constrained_solver.h>
@@ -115,10 +116,15 @@ Positions deformedPositions(const Model& model, const ConstraintSystem& system, 
     if (system.rows[r].isPin() && diagnosis.status[r] != RowStatus::Conflicting)
       pinOf[system.rows[r].terms.front().index] = static_cast<int>(r);
   const Positions& rest = model.mesh.positions;
+  const bool isApart = model.solverMesh.weld.joinsApart;
   Positions positions(rest.rows(), 3);
   parallelBlocks(rest.rows(), [&](Index v) {
     const Index unknown = unknownOf[v];
-    if (pinOf[unknown] >= 0)
+    const bool isPin = pinOf[unknown] >= 0;
+    const bool rests = isPin && isApart && system.rows[pinOf[unknown]].shift.isZero(0);
+    if (rests)
+      positions.row(v) = rest.row(v);  // vertices that are one unknown within a tolerance keep places of their own
+    else if (isPin)
       positions.row(v) = system.rows[pinOf[unknown]].target;
     else if (u.row(unknown).isZero(0))
       positions.row(v) = rest.row(v);  // -0 stays -0
@@ -363,7 +369,10 @@ Deformer::Deformer(Model model, const DeformOptions& options)
 }
 
 Deformer::Deformer(std::shared_ptr<const Model> model, const DeformOptions& options)
-    : model_(std::move(model)), options_(options), places_(std::make_unique<KnownPlaces>())
+    : model_(std::move(model)),
+      options_(options),
+      places_(std::make_unique<KnownPlaces>()),
+      placeFindings_(std::make_unique<PlaceFindings>())
 {
 }
 
@@ -386,6 +395,16 @@ void Deformer::setTarget(std::string_view name, const Vector3& place)
     throw InputError({"constraints", 0, std::string(name)},
                      "it is no point, so it has no target; give the name of a point");
   point->to = Target{place};
+}
+
+ConstraintSystem Deformer::systemOf(const ConstraintList& constraints, const std::string& source)
+{
+  const SurfaceLocator locator =
+      isForOneCall_ ? SurfaceLocator(model_->mesh, model_->triangulation) : model_->locator();
+  ConstraintSystem system =
+      makeConstraintSystem(constraints, model_->mesh, model_->solverMesh, locator, source, *places_);
+  placeFindings_->update(system.nearPlaces, locator, options_.nearLimit * model_->solverMesh.diagonal);
+  return system;
 }
 
 ConstraintFactorization& Deformer::factorizationFor(const ConstraintSystem& system, Progress& progress)
@@ -438,9 +457,7 @@ DeformResult Deformer::deform(const ConstraintList& constraints, const std::stri
     });
   if (!ranks_->isDone()) progress.step(fmt::format("ordering {} unknowns", model_->solverMesh.unknownCount()));
   ranks_->start(progress);
-  ConstraintSystem system = makeConstraintSystem(
-      constraints, model_->mesh, model_->solverMesh,
-      isForOneCall_ ? SurfaceLocator(model_->mesh, model_->triangulation) : model_->locator(), source, *places_);
+  ConstraintSystem system = systemOf(constraints, source);
   labels_ = labelsOf(constraints, std::move(labels_));
   const bool isFound = options_.rotations.source != RotationSource::Given;
   if (isFound) system = withStatedRotations(std::move(system));
@@ -480,6 +497,7 @@ DeformResult Deformer::deform(const ConstraintList& constraints, const std::stri
   }
   if (coming_ != nullptr) coming_->positions.start(progress, computeInBackground);
   if (isFound && result.report.solve.status != SolveStatus::Failed) lastRotations_ = result.rotations;
+  placeFindings_->addTo(result.report.mesh.findings);
   result.report.solve.seconds.setup = seconds.setup;
   result.report.solve.seconds.factorization += seconds.factorization;
   return result;

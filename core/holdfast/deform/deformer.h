@@ -15,6 +15,7 @@ struct ConstraintLabel;
 struct ConstraintSystem;
 struct Operators;
 class KnownPlaces;
+class PlaceFindings;
 class RotationEnergy;
 class EnergyMatrix;
 template <class Result>
@@ -64,11 +65,14 @@ class Deformer {
   DeformOptions options_;
   ConstraintList constraints_;
   std::unique_ptr<KnownPlaces> places_;
+  std::unique_ptr<PlaceFindings> placeFindings_;                // of the last list
   std::shared_ptr<const std::vector<ConstraintLabel>> labels_;  // of the last list
   std::shared_ptr<const Operators> operators_;
   std::shared_ptr<const RotationEnergy> energy_;  // where rotations are found
   std::shared_ptr<const EnergyMatrix> A_;
   std::unique_ptr<LongStep<std::vector<int>>> ranks_;  // the order of elimination
+  /// The rows of `constraints`, with findings about their places in `placeFindings_`.
+  [[nodiscard]] ConstraintSystem systemOf(const ConstraintList& constraints, const std::string& source);
   /// One that serves `system`: the one at hand, one that was made meanwhile, or a new one.
   [[nodiscard]] ConstraintFactorization& factorizationFor(const ConstraintSystem& system, Progress& progress);
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <holdfast/check/mesh_check.h>
+#include <holdfast/geometry/bounding_box.h>
 #include <holdfast/surface/surface_locator.h>
 
 namespace holdfast {
@@ -21,6 +22,16 @@ void requireUsableFaces(const Mesh& mesh, const std::string& source)
       if (vertex < 0 || vertex >= mesh.vertexCount())
         fail(fmt::format("vertex {} does not exist: the mesh has {}, numbered from 0", vertex, mesh.vertexCount()));
   }
+}
+
+void requireUsableWeld(const Mesh& mesh, const std::string& source, double tolerance)
+{
+  const double diagonal = boundingBoxDiagonal(mesh.positions);
+  if (tolerance <= kLargestWeld * diagonal || !(diagonal > 0)) return;
+  throw InputError({source, 0, ""},
+                   fmt::format("vertices cannot be welded within {:.3g}: that is more than {:g} of the diagonal of the "
+                               "mesh, {:.4g}; give a smaller tolerance",
+                               tolerance, kLargestWeld, diagonal));
 }
 
 void requireSparseRows(const SolverMesh& mesh, const std::string& source)
@@ -48,7 +59,7 @@ SurfaceLocator Model::locator() const
   return {mesh, triangulation, surface};
 }
 
-Model makeModel(Mesh mesh, const std::string& source)
+Model makeModel(Mesh mesh, const std::string& source, double weldTolerance)
 {
   if (mesh.faces.isEmpty()) throw InputError({source, 0, ""}, "the mesh has no faces; give a surface mesh");
   requireUsableFaces(mesh, source);
@@ -58,7 +69,8 @@ Model makeModel(Mesh mesh, const std::string& source)
   model.surface = std::make_shared<SurfaceIndex>();
   model.mesh = std::move(mesh);
   model.triangulation = triangulate(model.mesh);
-  model.solverMesh = makeSolverMesh(model.mesh, model.triangulation);
+  requireUsableWeld(model.mesh, source, weldTolerance);
+  model.solverMesh = makeSolverMesh(model.mesh, model.triangulation, weldTolerance);
   if (!std::isfinite(model.solverMesh.diagonal))
     throw InputError({source, 0, ""}, "the mesh is larger than a double can say; scale it down");
   if (!(model.solverMesh.diagonal > 0))

@@ -31,8 +31,13 @@ inline constexpr Index kMostTrianglesAtAVertex = 8000;
 /// Checks, triangulates and welds. `source` names the mesh in messages. Throws `InputError` for a face of fewer than
 /// three corners or with a corner that is no vertex, for coordinates that are not finite, for a mesh without a face or
 /// without a size that a double can hold, and for vertices of more than 1,000 triangles that come, by the sum of
-/// squares, to more than one of `kMostTrianglesAtAVertex`. O(T log T).
-[[nodiscard]] Model makeModel(Mesh mesh, const std::string& source = "mesh");
+/// squares, to more than one of `kMostTrianglesAtAVertex`. Ends of open edges within `weldTolerance` of one another are
+/// one unknown; 0: those in one place are. Throws `InputError` for one above `kLargestWeld` of the diagonal. O(T log
+/// T).
+[[nodiscard]] Model makeModel(Mesh mesh, const std::string& source = "mesh", double weldTolerance = 0);
+
+/// The largest tolerance of welding, as a share of the diagonal: more would join what was meant to be apart.
+inline constexpr double kLargestWeld = 0.01;
 
 /// Those of the triangulation, in its order and over unknowns; where vertices were welded, one may name an unknown
 /// twice.

@@ -150,6 +150,10 @@ std::vector<ConstraintOutcome> unsolvedOutcomes(const DeformDetails& details)
     // An enabled constraint without rows, as a rigid region of one vertex, asks for nothing and holds.
     if (first == end) setDependencies(outcome, c, {}, labels);
   });
+  for (const NearPlace& near : system.nearPlaces) {
+    std::optional<double>& distance = result[near.constraint].nearDistance;
+    distance = std::max(distance.value_or(0), near.nearness.distance);
+  }
   std::map<Index, DependencyGroups> groups = dependencyGroupsOf(system, details.diagnosis);
   for (const auto& [own, its] : groups) setDependencies(result[own], own, its, labels);
   setConflictSets(result, labels, system, std::move(groups));

@@ -62,6 +62,8 @@ struct ConstraintOutcome {
   std::vector<ConflictSet> conflictSets;  ///< the smallest sets that it conflicts with or repeats, and repairs
   /// How far vertices move, all together, for a unit of change in what one of its rows asks for; none when disabled.
   std::optional<double> sensitivity;
+  /// From its `near` places to the surface, the largest; none where it names none or is disabled. Model units.
+  std::optional<double> nearDistance;
   std::optional<double> multiplier;  ///< how hard it pulls, without units: see docs/math.md; of solved hard constraints
 };
 

@@ -80,7 +80,8 @@ Json toJson(const ConstraintOutcome& outcome)
           {"clashes", toJson(outcome.conflictSets)},
           {"clash_count", outcome.conflictSets.size()},
           {"amplification", orNull(outcome.sensitivity)},
-          {"force", orNull(outcome.multiplier)}};
+          {"force", orNull(outcome.multiplier)},
+          {"distance", orNull(outcome.nearDistance)}};
 }
 
 const char* stopName(const RotationIterations& iterations)
@@ -119,7 +120,7 @@ Json toJson(const SolveReport& solve)
 
 // Of a table: what the report file calls them.
 constexpr std::array kColumns{"name", "type",       "rows",        "status",        "residual", "limit",
-                              "gap",  "depends_on", "clash_count", "amplification", "force"};
+                              "gap",  "depends_on", "clash_count", "amplification", "force",    "distance"};
 
 std::string cellOf(const Json& value)
 {

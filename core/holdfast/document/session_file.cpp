@@ -77,7 +77,8 @@ Backend readBackend(const JsonReader& json)
 
 StatedOptions readOptions(const JsonReader& json)
 {
-  json.requireKeys({"weights", "solver", "soft_weight", "backend", "rotations", "rotation_change"});
+  json.requireKeys(
+      {"weights", "solver", "soft_weight", "backend", "rotations", "rotation_change", "near_limit", "weld"});
   StatedOptions options;
   if (json.has("weights")) options.weights = chosen(json["weights"], kAllWeights);
   if (json.has("solver")) options.solver = chosen(json["solver"], kAllSolvers);
@@ -85,6 +86,8 @@ StatedOptions readOptions(const JsonReader& json)
   if (json.has("backend")) options.backend = readBackend(json["backend"]);
   if (json.has("rotations")) options.rotations = chosen(json["rotations"], kAllRotations);
   if (json.has("rotation_change")) options.rotationChange = positive(json["rotation_change"]);
+  if (json.has("near_limit")) options.nearLimit = positive(json["near_limit"]);
+  if (json.has("weld")) options.weldTolerance = positive(json["weld"]);
   return options;
 }
 
@@ -241,6 +244,8 @@ Json optionsJson(const DeformOptions& options)
   if (options.solver.backend != Backend::Holdfast) json["backend"] = name(options.solver.backend);
   if (options.rotations.source != RotationSource::Given) json["rotations"] = name(options.rotations.source);
   if (options.rotations.change != kFoundChange) json["rotation_change"] = options.rotations.change;
+  if (options.nearLimit != kNearLimit) json["near_limit"] = options.nearLimit;
+  if (options.weldTolerance != 0) json["weld"] = options.weldTolerance;
   return json;
 }
 

@@ -110,6 +110,8 @@ struct StatedOptions {
   std::optional<Backend> backend;
   std::optional<RotationSource> rotations;
   std::optional<double> rotationChange;
+  std::optional<double> nearLimit;
+  std::optional<double> weldTolerance;
 };
 
 /// `options` with what is stated in place of their own.
@@ -121,6 +123,8 @@ struct StatedOptions {
   options.solver.backend = stated.backend.value_or(options.solver.backend);
   options.rotations.source = stated.rotations.value_or(options.rotations.source);
   options.rotations.change = stated.rotationChange.value_or(options.rotations.change);
+  options.nearLimit = stated.nearLimit.value_or(options.nearLimit);
+  options.weldTolerance = stated.weldTolerance.value_or(options.weldTolerance);
   return options;
 }
 

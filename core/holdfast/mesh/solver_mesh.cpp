@@ -6,6 +6,7 @@
 #include <holdfast/base/largest_size.h>
 #include <holdfast/geometry/bounding_box.h>
 #include <holdfast/mesh/edges.h>
+#include <holdfast/mesh/near_pairs.h>
 
 namespace holdfast {
 namespace {
@@ -21,6 +22,19 @@ Weld numbered(DisjointSets& sets, Index vertexCount)
   }
   weld.firstVertexOf.shrink_to_fit();
   return weld;
+}
+
+/// Makes one place of those of ends of `open` edges that lie within `tolerance` of one another.
+void joinNearPlaces(std::vector<int>& placeOf, const std::vector<HalfEdge>& open, const Positions& positions,
+                    double tolerance)
+{
+  std::vector<int> ends;
+  for (const HalfEdge& half : open) ends.insert(ends.end(), {placeOf[half.a], placeOf[half.b]});
+  std::ranges::sort(ends);
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  DisjointSets near(positions.rows());
+  for (const auto& [a, b] : nearPairs(positions, ends, tolerance)) near.unite(a, b);
+  for (int& place : placeOf) place = static_cast<int>(near.find(place));
 }
 
 void findComponents(SolverMesh& mesh)
@@ -55,16 +69,21 @@ void addTriangles(SolverMesh& mesh, const Triangulation& triangulation)
 
 }  // namespace
 
-SolverMesh makeSolverMesh(const Mesh& mesh, const Triangulation& triangulation)
+SolverMesh makeSolverMesh(const Mesh& mesh, const Triangulation& triangulation, double weldTolerance)
 {
   SolverMesh result;
-  result.weld = weldOpenEdges(mesh.positions, triangulation.triangles);
+  result.weld = weldOpenEdges(mesh.positions, triangulation.triangles, weldTolerance);
   result.rest = mesh.positions(result.weld.firstVertexOf, Eigen::all);
   result.diagonal = boundingBoxDiagonal(mesh.positions);
   result.largestCoordinate = largestSize(result.rest);
   addTriangles(result, triangulation);
   findComponents(result);
   return result;
+}
+
+Positions restOfVertices(const SolverMesh& mesh)
+{
+  return mesh.rest(mesh.weld.unknownOf, Eigen::all);
 }
 
 Positions restInDiagonals(const SolverMesh& mesh)
@@ -103,7 +122,7 @@ std::vector<int> firstAtPlaces(const Positions& positions)
   return first;
 }
 
-Weld weldOpenEdges(const Positions& positions, const std::vector<Triangle>& triangles)
+Weld weldOpenEdges(const Positions& positions, const std::vector<Triangle>& triangles, double tolerance)
 {
   std::vector<HalfEdge> open;
   forEachEdge(sortedHalfEdges(triangles), [&](std::span<const HalfEdge> edge) {
@@ -111,7 +130,8 @@ Weld weldOpenEdges(const Positions& positions, const std::vector<Triangle>& tria
   });
   DisjointSets sets(positions.rows());
   if (open.empty()) return numbered(sets, positions.rows());
-  const std::vector<int> placeOf = firstAtPlaces(positions);
+  std::vector<int> placeOf = firstAtPlaces(positions);
+  if (tolerance > 0) joinNearPlaces(placeOf, open, positions, tolerance);
   // Edges between places, as triangles that go there and back. Those without length are left out: they do not say which
   // of the vertices at their place belong together.
   std::vector<Triangle> overPlaces;
@@ -125,7 +145,10 @@ Weld weldOpenEdges(const Positions& positions, const std::vector<Triangle>& tria
     for (const HalfEdge& half : edge)
       for (const bool isLow : {true, false}) sets.unite(endOf(edge[0], isLow), endOf(half, isLow));
   });
-  return numbered(sets, positions.rows());
+  Weld weld = numbered(sets, positions.rows());
+  for (Index v = 0; v < positions.rows() && tolerance > 0 && !weld.joinsApart; ++v)
+    weld.joinsApart = positions.row(v) != positions.row(weld.firstVertexOf[weld.unknownOf[v]]);
+  return weld;
 }
 
 }  // namespace holdfast

@@ -12,11 +12,14 @@ struct Weld {
   std::vector<int> unknownOf;
   Index unknownCount = 0;
   std::vector<int> firstVertexOf;  ///< one file vertex of each unknown, the one of smallest id
+  bool joinsApart = false;         ///< whether vertices at different places are one unknown
 };
 
 /// Ties the ends of open edges (edges of one triangle only) that lie exactly on one another, so that an unwelded file
-/// deforms as the one surface that it shows. Closed parts that merely touch stay apart. O(T log T).
-[[nodiscard]] Weld weldOpenEdges(const Positions& positions, const std::vector<Triangle>& triangles);
+/// deforms as the one surface that it shows. Closed parts that merely touch stay apart. With a `tolerance`, a length,
+/// ends within it count as one place, as do those that others between them join. O(T log T).
+[[nodiscard]] Weld weldOpenEdges(const Positions& positions, const std::vector<Triangle>& triangles,
+                                 double tolerance = 0);
 
 /// For each vertex the one of smallest id at its place (-0 is 0). Positions must be finite. O(N).
 [[nodiscard]] std::vector<int> firstAtPlaces(const Positions& positions);
@@ -34,9 +37,12 @@ struct SolverMesh {
   [[nodiscard]] Index unknownCount() const noexcept { return rest.rows(); }
 };
 
-/// Welds open edges that coincide exactly and finds the connected parts. Vertices that no face uses are unknowns too
-/// (they can be pinned), in no part. Positions must be finite. O(T log T).
-[[nodiscard]] SolverMesh makeSolverMesh(const Mesh& mesh, const Triangulation& triangulation);
+/// Welds open edges that coincide, exactly or within `weldTolerance`, and finds the connected parts. Vertices that no
+/// face uses are unknowns too (they can be pinned), in no part. Positions must be finite. O(T log T).
+[[nodiscard]] SolverMesh makeSolverMesh(const Mesh& mesh, const Triangulation& triangulation, double weldTolerance = 0);
+
+/// Where the unknown of each file vertex is at rest, model units.
+[[nodiscard]] Positions restOfVertices(const SolverMesh& mesh);
 
 /// The rest positions about the first unknown, in units of the diagonal, whose squares stay in the range of doubles.
 [[nodiscard]] Positions restInDiagonals(const SolverMesh& mesh);

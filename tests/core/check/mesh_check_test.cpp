@@ -224,5 +224,33 @@ TEST(GuardFindings, SpeakOfSliversOnly)
                                                 Pair("floored_areas", ElementsAre(25))));
 }
 
+TEST(CheckMesh, CountsVerticesThatNearlyCoincideAtOpenEdges)
+{
+  const auto seamed = [](double gap) {
+    return test::merged(test::grid(2, 2), test::moved(test::grid(2, 2), {2 + gap, 0, 0}));
+  };
+  for (const double gap : {1e-9, 1e-7})
+    EXPECT_THAT(findingsOf(seamed(gap)).at("nearly_coincident_vertices"), ElementsAre(9, 12, 15)) << gap;
+  EXPECT_FALSE(findingsOf(seamed(0)).contains("nearly_coincident_vertices")) << "it is welded";
+  EXPECT_FALSE(findingsOf(seamed(1e-3)).contains("nearly_coincident_vertices")) << "a gap";
+  Mesh torn = test::soup(test::icosphere(1));
+  torn.positions(30, 0) = std::nextafter(torn.positions(30, 0), 9);
+  EXPECT_EQ(findingsOf(torn).at("nearly_coincident_vertices").size(), 1U);
+  const Mesh far = test::moved(seamed(1e-4), {5000, 0, 0});
+  EXPECT_TRUE(findingsOf(far).contains("nearly_coincident_vertices")) << "single precision says no more there";
+}
+
+TEST(CheckMesh, TellsVerticesThatAreWeldedWithinATolerance)
+{
+  const Mesh mesh = test::merged(test::grid(2, 2), test::moved(test::grid(2, 2), {2 + 1e-9, 0, 0}));
+  const Triangulation triangulation = triangulate(mesh);
+  IdsByKind found;
+  for (const Finding& finding : checkMesh(mesh, triangulation, makeSolverMesh(mesh, triangulation, 1e-8)))
+    found[finding.kind] = finding.ids;
+  EXPECT_THAT(found.at("welded_near_vertices"), ElementsAre(9, 12, 15));
+  EXPECT_FALSE(found.contains("nearly_coincident_vertices"));
+  EXPECT_FALSE(found.contains("components"));
+}
+
 }  // namespace
 }  // namespace holdfast

@@ -31,26 +31,28 @@ std::optional<double> numberIn(const std::string& field)
 
 TEST(ReportCsv, IsAHeaderAloneWithoutConstraints)
 {
-  EXPECT_EQ(reportToCsv({}), "name,type,rows,status,residual,limit,gap,depends_on,clash_count,amplification,force\n");
+  EXPECT_EQ(reportToCsv({}),
+            "name,type,rows,status,residual,limit,gap,depends_on,clash_count,amplification,force,distance\n");
 }
 
 TEST(ReportCsv, QuotesNamesAndLeavesOutWhatWasNotComputed)
 {
   Report report;
   ConstraintOutcome outcome{
-      "bolt \"A\", left\nrim", "point", 1, ConstraintStatus::Conflicting, 0.1, 0.01, {}, {}, {}, {}, {}};
+      "bolt \"A\", left\nrim", "point", 1, ConstraintStatus::Conflicting, 0.1, 0.01, {}, {}, {}, {}, {}, {}};
   outcome.dependsOn = {"base", "P1, lower"};
   outcome.gap = 1.0 / 3;
   outcome.conflictSets.resize(2);
   outcome.sensitivity = std::numeric_limits<double>::infinity();
   outcome.multiplier = 0.0;
-  const ConstraintOutcome disabled{" blank", "fixed", 0, ConstraintStatus::Disabled, {}, {}, {}, {}, {}, {}, {}};
+  outcome.nearDistance = 0.25;
+  const ConstraintOutcome disabled{" blank", "fixed", 0, ConstraintStatus::Disabled, {}, {}, {}, {}, {}, {}, {}, {}};
   report.constraints = std::vector{outcome, disabled};
   const std::vector<CsvRecord> table = tableOf(report);
   ASSERT_EQ(table.size(), 3U);
   EXPECT_THAT(table[1].fields, ElementsAre("bolt \"A\", left\nrim", "point", "1", "conflicting", "0.1", "0.01",
-                                           "0.3333333333333333", "base; P1, lower", "2", "", "0"));
-  EXPECT_THAT(table[2].fields, ElementsAre(" blank", "fixed", "0", "disabled", "", "", "", "", "0", "", ""));
+                                           "0.3333333333333333", "base; P1, lower", "2", "", "0", "0.25"));
+  EXPECT_THAT(table[2].fields, ElementsAre(" blank", "fixed", "0", "disabled", "", "", "", "", "0", "", "", ""));
 }
 
 TEST(ReportCsv, SaysWhatTheReportSays)

@@ -121,6 +121,8 @@ TEST(SessionFile, LeavesTheDefaultBackendToTheBuild)
   session.mesh.path = "part.ply";
   EXPECT_THAT(sessionToJson(session), testing::Not(HasSubstr("backend")));
   session.document.options.solver.backend = Backend::Eigen;
+  session.document.options.nearLimit = 0.25;
+  session.document.options.weldTolerance = 1e-7;
   EXPECT_EQ(parseSession(sessionToJson(session), "s").document.options, session.document.options);
 }
 
@@ -175,6 +177,8 @@ TEST(SessionFile, MistakesOfTheOptionsAreRefused)
   expectSessionRefused(head + R"({"soft_weight": 0}})", "options.soft_weight", "not above 0");
   expectSessionRefused(head + R"({"rotations": "fund"}})", "options.rotations", R"(did you mean "found"?)");
   expectSessionRefused(head + R"({"rotation_change": -1}})", "options.rotation_change", "not above 0");
+  expectSessionRefused(head + R"({"weld": -1}})", "options.weld", "not above 0");
+  expectSessionRefused(head + R"({"near_limit": 0}})", "options.near_limit", "not above 0");
   expectSessionRefused(head + R"({"backend": 1}})", "options.backend", "text in double quotes");
 }
 

@@ -1,14 +1,17 @@
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <holdfast/mesh/near_pairs.h>
 #include <holdfast/mesh/solver_mesh.h>
 #include <holdfast/mesh/vertex_normals.h>
 
 #include "support/law_meshes.h"
 #include "support/meshes.h"
+#include "support/point_constraints.h"
 
 namespace holdfast {
 namespace {
@@ -130,6 +133,65 @@ TEST(SolverMesh, ReportsPartsOfEveryVertexOfASoup)
   EXPECT_EQ(solver.componentCount, 2);
   const std::vector<int> parts = componentOfVertices(solver);
   for (Index v = 0; v < mesh.vertexCount(); ++v) EXPECT_EQ(parts[v], v < 12 ? 0 : 1);
+}
+
+/// Two rows of faces with a seam at x = 2, whose right side lies `gap` beside it.
+Mesh seamed(double gap)
+{
+  Mesh right = test::moved(test::grid(2, 2), {2 + gap, 0, 0});
+  return test::merged(test::grid(2, 2), right);
+}
+
+Weld weldWithin(const Mesh& mesh, double tolerance)
+{
+  return weldOpenEdges(mesh.positions, triangulate(mesh).triangles, tolerance);
+}
+
+TEST(Weld, ToleranceClosesSeamsThatAreNoWider)
+{
+  for (const double gap : {1e-9, 1e-3, 0.1}) {
+    EXPECT_FALSE(isWelded(weldOf(seamed(gap))));
+    EXPECT_FALSE(isWelded(weldWithin(seamed(gap), 0.9 * gap)));
+    const Weld weld = weldWithin(seamed(gap), 1.1 * gap);
+    EXPECT_EQ(weld.unknownCount, 15) << "three of 18 vertices are joined";
+    EXPECT_TRUE(weld.joinsApart);
+  }
+  const Weld exact = weldWithin(seamed(0), 1e-6);
+  EXPECT_EQ(exact.unknownOf, weldOf(seamed(0)).unknownOf);
+  EXPECT_FALSE(exact.joinsApart);
+}
+
+TEST(Weld, ToleranceMendsCornersThatAreOffByRounding)
+{
+  Mesh apart = test::soup(test::icosphere(2));
+  const Index joined = weldOf(apart).unknownCount;
+  for (Index v = 0; v < apart.vertexCount(); v += 97) apart.positions(v, 1) *= 1 + 1e-7;
+  EXPECT_GT(weldOf(apart).unknownCount, joined);
+  EXPECT_EQ(weldWithin(apart, 1e-6).unknownCount, joined);
+}
+
+TEST(Weld, ToleranceJoinsOpenEdgesAlone)
+{
+  const Mesh cubes =
+      test::merged(test::box(Vector3(1, 1, 1), 1), test::moved(test::box(Vector3(1, 1, 1), 1), {1 + 1e-9, 0, 0}));
+  EXPECT_FALSE(isWelded(weldWithin(cubes, 1e-6))) << "closed parts that merely touch";
+  EXPECT_FALSE(isWelded(weldWithin(test::grid(3, 3), 0.5))) << "no two ends are that near";
+}
+
+TEST(NearPairs, AreThoseThatTryingAllPairsFinds)
+{
+  test::Random random(77);
+  Positions positions(200, 3);
+  for (Index v = 0; v < positions.rows(); ++v) positions.row(v) = test::randomVector(random, 1);
+  std::vector<int> vertices(200);
+  std::iota(vertices.begin(), vertices.end(), 0);
+  for (const double distance : {1e-12, 0.1, 0.3, 5.0}) {
+    std::vector<std::array<int, 2>> expected;
+    for (int a = 0; a < 200; ++a)
+      for (int b = a + 1; b < 200; ++b)
+        if ((positions.row(a) - positions.row(b)).norm() <= distance) expected.push_back({a, b});
+    EXPECT_EQ(nearPairs(positions, vertices, distance), expected) << distance;
+  }
 }
 
 }  // namespace

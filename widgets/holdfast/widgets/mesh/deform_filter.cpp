@@ -57,8 +57,8 @@ DeformResult DeformFilter::Deform(vtkPolyData& input)
   if (this->Current == nullptr || this->CurrentInput != &input || this->CurrentTime != input.GetMTime()) {
     requireSoundCells(input, kInput);
     this->Current.reset();
-    this->Current =
-        std::make_unique<Deformer>(makeModel({positionsOf(input), polygonsOf(input, kInput)}, kInput), this->Options);
+    this->Current = std::make_unique<Deformer>(
+        makeModel({positionsOf(input), polygonsOf(input, kInput)}, kInput, this->Options.weldTolerance), this->Options);
     this->CurrentInput = &input;
     this->CurrentTime = input.GetMTime();
   }

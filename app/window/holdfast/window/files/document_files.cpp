@@ -118,7 +118,7 @@ void DocumentFiles::Opening::read(Progress& progress)
   progress.step("looking for the mesh");
   resolved = isSessionFile(path) ? resolveMesh(*session, path) : ResolvedMesh{path, MeshState::Same, ""};
   if (resolved.state != MeshState::Same) return;
-  mesh = loadMesh(resolved.path, progress);
+  mesh = loadMesh(resolved.path, progress, session->document.options.weldTolerance);
   keepMeasurements();
   progress.step("remembering which mesh it is");
   meshChecksum = checksumOfFile(resolved.path);

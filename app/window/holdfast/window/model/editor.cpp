@@ -49,19 +49,20 @@ bool hasSinglePrecision(const Positions& positions, bool isText)
 
 }  // namespace
 
-LoadedMesh loadMesh(const std::filesystem::path& path, Progress& progress)
+LoadedMesh loadMesh(const std::filesystem::path& path, Progress& progress, double weldTolerance)
 {
   progress.step(fmt::format("reading {}", path.filename().string()));
-  return prepareMesh(readAnyMesh(path), path, progress);
+  return prepareMesh(readAnyMesh(path), path, progress, weldTolerance);
 }
 
-LoadedMesh prepareMesh(MeshDocument document, const std::filesystem::path& path, Progress& progress)
+LoadedMesh prepareMesh(MeshDocument document, const std::filesystem::path& path, Progress& progress,
+                       double weldTolerance)
 {
   progress.step(fmt::format("preparing {} vertices", document.mesh.vertexCount()));
   LoadedMesh loaded;
   loaded.path = path;
   loaded.document = std::move(document);
-  loaded.model = std::make_shared<const Model>(makeModel(loaded.document.mesh, path.string()));
+  loaded.model = std::make_shared<const Model>(makeModel(loaded.document.mesh, path.string(), weldTolerance));
   const Model& model = *loaded.model;
   loaded.selector = std::make_shared<Selector>(model.mesh, model.solverMesh, model.locator());
   loaded.regions = std::make_shared<VertexRegions>(model.mesh, model.solverMesh);

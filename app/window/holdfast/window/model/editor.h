@@ -42,10 +42,11 @@ struct LoadedMesh {
 };
 
 /// Throws as `readAnyMesh` and `makeModel` do, and what `progress` throws.
-[[nodiscard]] LoadedMesh loadMesh(const std::filesystem::path& path, Progress& progress);
+[[nodiscard]] LoadedMesh loadMesh(const std::filesystem::path& path, Progress& progress, double weldTolerance = 0);
 
 /// The same for a mesh in memory; `path` names it.
-[[nodiscard]] LoadedMesh prepareMesh(MeshDocument document, const std::filesystem::path& path, Progress& progress);
+[[nodiscard]] LoadedMesh prepareMesh(MeshDocument document, const std::filesystem::path& path, Progress& progress,
+                                     double weldTolerance = 0);
 
 /// Whether a full picture of it may take too long for a movement.
 [[nodiscard]] bool isLarge(const Model& model);
