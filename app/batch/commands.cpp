@@ -159,12 +159,12 @@ ExitCode deformWith(const Command& command, Progress& progress)
   const DeformOptions options = chosenOptions(command, ofSession);
   probeOutputs(command);
   progress.step(fmt::format("reading {}", printable(command.mesh)));
-  auto [mesh, meshSource] = readMeshFile(command.mesh);
-  progress.step(fmt::format("checking {} vertices", mesh.vertexCount()));
-  const Model model = makeModel(std::move(mesh), command.mesh, options.weldTolerance);
+  const MeshDocument document = readMeshFile(command.mesh);
+  progress.step(fmt::format("checking {} vertices", document.mesh.vertexCount()));
+  const Model model = makeModelOfFile(document, command.mesh, options.weldTolerance);
   DeformResult deformation = deform(model, constraints, command.constraints, options, progress);
   deformation.report.skippedRows = skippedRows;
-  Outputs outputs = writeAll(command, {model.mesh, meshSource}, constraints.units, model, deformation, progress);
+  Outputs outputs = writeAll(command, document, constraints.units, model, deformation, progress);
   const ExitCode code = finish(outputs, command, deformation.report, constraints.units,
                                optionsLine(command.options, ofSession, command.constraints));
   if (!command.isQuiet)
@@ -177,12 +177,12 @@ ExitCode deformWith(const Command& command, Progress& progress)
 
 ExitCode runCheck(const Command& command)
 {
-  Mesh mesh = readMeshFile(command.mesh).mesh;
-  refuseNonFinite(command, mesh);
+  const MeshDocument document = readMeshFile(command.mesh);
+  refuseNonFinite(command, document.mesh);
   StatedConstraints stated;
   if (!command.constraints.empty()) stated = readStatedConstraints(command.constraints, command.badRows);
   const DeformOptions options = withStated(withStated({}, stated.options), command.options);
-  const Model model = makeModel(std::move(mesh), command.mesh, options.weldTolerance);
+  const Model model = makeModelOfFile(document, command.mesh, options.weldTolerance);
   Report report{describeMesh(model), {}, {}};
   if (!command.constraints.empty()) {
     report = diagnoseConstraints(model, stated.list, command.constraints, options);

@@ -107,7 +107,7 @@ void checkMesh(Complaints& complaints, const Json& mesh)
     complaints.check(finding, "mesh.findings[]",
                      {{"kind", isText},
                       {"count", isCount},
-                      {"ids_of", isOneOf({"vertex", "face", "constraint", "solution"})},
+                      {"ids_of", isOneOf({"vertex", "face", "constraint", "file", "solution"})},
                       {"ids", isIds},
                       {"message", isText}});
 }

@@ -14,7 +14,7 @@ struct Finding {
   std::string kind;        ///< stable name for programs: "zero_area_faces"
   Index count = 0;         ///< of all, not only of those named
   std::string idsOf;       ///< what the ids are: "vertex", "face" or "constraint", numbered from 0 in file order;
-                           ///< "solution", which has no ids, warns of all that was solved
+                           ///< "file" and "solution" have no ids; the latter warns of all that was solved
   std::vector<Index> ids;  ///< the first `kMaxFindingIds`, ascending
   std::string message;     ///< one sentence: what was found and what the solver does about it
 };

@@ -12,6 +12,7 @@
 #include <holdfast/base/parallel.h>
 #include <holdfast/mesh/edges.h>
 #include <holdfast/mesh/near_pairs.h>
+#include <holdfast/mesh/stated_places.h>
 
 namespace holdfast {
 namespace {
@@ -48,11 +49,30 @@ void addComponents(Findings& findings, const SolverMesh& mesh)
       {{}, "connected parts (a vertex of each is named); a part without a constraint stays at rest"});
 }
 
+bool isWithoutPlace(const SolverMesh& mesh, Index vertex)
+{
+  return std::ranges::binary_search(mesh.withoutPlace, vertex);
+}
+
+/// Faces and vertices of the file that are no part of the surface.
+void addStated(Findings& findings, const Mesh& mesh, const SolverMesh& solverMesh)
+{
+  add(findings, "faces_of_few_corners", "face", facesWithoutSurface(mesh.faces),
+      {"face has fewer than three corners; it stays in the file and holds nothing together",
+       "faces have fewer than three corners; they stay in the file and hold nothing together"});
+  add(findings, "non_finite_unused_vertices", "vertex", solverMesh.withoutPlace,
+      {"vertex that no face uses has a coordinate that is not a finite number; it stays as the file has it, and no "
+       "constraint can hold it",
+       "vertices that no face uses have a coordinate that is not a finite number; they stay as the file has them, and "
+       "no constraint can hold them"});
+}
+
 void addUnreferenced(Findings& findings, const SolverMesh& mesh)
 {
   std::vector<Index> vertices;
   for (std::size_t v = 0; v < mesh.weld.unknownOf.size(); ++v)
-    if (mesh.componentOf[mesh.weld.unknownOf[v]] < 0) vertices.push_back(static_cast<Index>(v));
+    if (mesh.componentOf[mesh.weld.unknownOf[v]] < 0 && !isWithoutPlace(mesh, static_cast<Index>(v)))
+      vertices.push_back(static_cast<Index>(v));
   add(findings, "unreferenced_vertices", "vertex", std::move(vertices),
       {"vertex that no face uses; it stays where it is unless pinned",
        "vertices that no face uses; they stay where they are unless pinned"});
@@ -68,7 +88,7 @@ void addCoincident(Findings& findings, const Mesh& mesh, const SolverMesh& solve
   for (Index v = 0; v < mesh.vertexCount(); ++v)
     if (const Index first = solverMesh.weld.firstVertexOf[solverMesh.weld.unknownOf[v]]; first != v)
       (firstAt[v] == firstAt[first] ? tied : tiedNear).push_back(v);
-    else if (firstAt[v] != v)
+    else if (firstAt[v] != v && !isWithoutPlace(solverMesh, v))
       apart.push_back(v);
   add(findings, "welded_vertices", "vertex", std::move(tied),
       {"vertex repeats another one exactly along an open edge; they are deformed as one and written apart",
@@ -241,11 +261,8 @@ void addBoundaries(Findings& findings, const SolverMesh& mesh, const std::vector
 
 std::vector<Finding> findNonFinite(const Mesh& mesh)
 {
-  std::vector<Index> vertices;
-  for (Index v = 0; v < mesh.vertexCount(); ++v)
-    if (!mesh.positions.row(v).allFinite()) vertices.push_back(v);
   Findings findings;
-  add(findings, "non_finite_coordinates", "vertex", std::move(vertices),
+  add(findings, "non_finite_coordinates", "vertex", nonFiniteVertices(mesh).ofSurface,
       {"vertex has a coordinate that is not a finite number; repair it, nothing can be solved",
        "vertices have a coordinate that is not a finite number; repair them, nothing can be solved"});
   return findings;
@@ -267,6 +284,7 @@ std::vector<Finding> checkMesh(const Mesh& mesh, const Triangulation& triangulat
     if (part == 8) addNearlyCoincident(parts[8], solverMesh, halfEdges);
   });
   Findings findings;
+  addStated(findings, mesh, solverMesh);
   for (Findings& part : parts) std::ranges::move(part, std::back_inserter(findings));
   return findings;
 }

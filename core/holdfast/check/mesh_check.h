@@ -13,7 +13,8 @@ namespace holdfast {
 /// A smallest angle below this makes a triangle a needle.
 inline constexpr double kNeedleDegrees = 1;
 
-/// Vertices with a coordinate that is NaN or infinite; nothing else may be asked of a mesh that has such. O(N).
+/// Vertices of the surface with a coordinate that is NaN or infinite; nothing else may be asked of a mesh that has
+/// such. O(N + corners).
 [[nodiscard]] std::vector<Finding> findNonFinite(const Mesh& mesh);
 
 /// Everything else, in a fixed order.

@@ -74,7 +74,9 @@ class SystemBuilder {
   [[nodiscard]] SurfacePoint located(const SurfaceLocation& location, const char* name) const
   {
     try {
-      return locator_.locate(location, {});
+      const SurfacePoint point = locator_.locate(location, {});
+      for (const Term& term : point.terms) requirePlace(solverMesh_.withoutPlace, term.index, {}, ".vertex");
+      return point;
     } catch (const InputError& error) {
       throw InputError(key(name + error.location().element), error.reason());
     }

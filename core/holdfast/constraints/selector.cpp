@@ -34,14 +34,21 @@ using VerticesWithin = std::function<std::vector<Index>(const InsideCurve&, cons
 class MaskMaker {
  public:
   MaskMaker(const Positions& positions, const std::vector<int>& componentOf, Index componentCount,
-            VerticesWithin within)
-      : positions_(positions), componentOf_(componentOf), componentCount_(componentCount), within_(std::move(within))
+            const std::vector<Index>& withoutPlace, VerticesWithin within)
+      : positions_(positions),
+        componentOf_(componentOf),
+        componentCount_(componentCount),
+        withoutPlace_(withoutPlace),
+        within_(std::move(within))
   {
   }
 
+  /// Vertices without a place are in none.
   [[nodiscard]] Mask mask(const Selection& selection, const InputLocation& where) const
   {
-    return std::visit([&](const auto& what) { return maskOf(what, where); }, selection.what);
+    Mask selected = std::visit([&](const auto& what) { return maskOf(what, where); }, selection.what);
+    for (const Index v : withoutPlace_) selected[v] = 0;
+    return selected;
   }
 
  private:
@@ -50,6 +57,7 @@ class MaskMaker {
     Mask selected(positions_.rows(), 0);
     for (const Index id : vertices.ids) {
       requireVertex(positions_.rows(), id, where, ".vertices");
+      requirePlace(withoutPlace_, id, where, ".vertices");
       selected[id] = 1;
     }
     return selected;
@@ -133,6 +141,7 @@ class MaskMaker {
   const Positions& positions_;
   const std::vector<int>& componentOf_;
   Index componentCount_;
+  const std::vector<Index>& withoutPlace_;
   VerticesWithin within_;  // of a curve
 };
 
@@ -160,13 +169,13 @@ bool operator==(const Selection& x, const Selection& y)
 
 std::vector<Index> select(const Selection& selection, const Positions& positions, const std::vector<int>& componentOf)
 {
-  return idsOf(MaskMaker(positions, componentOf, std::numeric_limits<Index>::max(), {}).mask(selection, {}));
+  return idsOf(MaskMaker(positions, componentOf, std::numeric_limits<Index>::max(), {}, {}).mask(selection, {}));
 }
 
 std::vector<Index> Selector::select(const Selection& selection, const InputLocation& where)
 {
   if (componentOf_.empty()) componentOf_ = componentOfVertices(solverMesh_);
-  const MaskMaker maker(mesh_.positions, componentOf_, solverMesh_.componentCount,
+  const MaskMaker maker(mesh_.positions, componentOf_, solverMesh_.componentCount, solverMesh_.withoutPlace,
                         [this](const InsideCurve& curve, const InputLocation& place) { return within(curve, place); });
   std::vector<Index> vertices = idsOf(maker.mask(selection, where));
   if (vertices.empty())

@@ -106,6 +106,25 @@ double secondsSince(Clock::time_point start)
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+/// For each unknown, whether it is several vertices of the file.
+std::vector<char> sharedUnknowns(const Weld& weld)
+{
+  std::vector<char> isShared(static_cast<std::size_t>(weld.unknownCount), 0);
+  if (weld.unknownCount == static_cast<Index>(weld.unknownOf.size())) return isShared;
+  for (std::size_t v = 0; v < weld.unknownOf.size(); ++v)
+    if (weld.firstVertexOf[weld.unknownOf[v]] != static_cast<int>(v)) isShared[weld.unknownOf[v]] = 1;
+  return isShared;
+}
+
+/// `target`; but at rest the coordinates of the file, of which vertices that are one unknown may have 0 and -0.
+Eigen::RowVector3d pinned(const Vector3& target, const Eigen::RowVector3d& rest, bool isShared)
+{
+  Eigen::RowVector3d place = target;
+  for (Index k = 0; k < 3; ++k)
+    if (isShared && place[k] == rest[k]) place[k] = rest[k];
+  return place;
+}
+
 /// The file's positions: pins as they were asked for, bit for bit, everything else displaced from rest.
 Positions deformedPositions(const Model& model, const ConstraintSystem& system, const Diagnosis& diagnosis,
                             const Columns3& u)
@@ -115,6 +134,7 @@ Positions deformedPositions(const Model& model, const ConstraintSystem& system, 
   for (Index r = static_cast<Index>(system.rows.size()) - 1; r >= 0; --r)
     if (system.rows[r].isPin() && diagnosis.status[r] != RowStatus::Conflicting)
       pinOf[system.rows[r].terms.front().index] = static_cast<int>(r);
+  const std::vector<char> isShared = sharedUnknowns(model.solverMesh.weld);
   const Positions& rest = model.mesh.positions;
   const bool isApart = model.solverMesh.weld.joinsApart;
   Positions positions(rest.rows(), 3);
@@ -125,7 +145,7 @@ Positions deformedPositions(const Model& model, const ConstraintSystem& system, 
     if (rests)
       positions.row(v) = rest.row(v);  // vertices that are one unknown within a tolerance keep places of their own
     else if (isPin)
-      positions.row(v) = system.rows[pinOf[unknown]].target;
+      positions.row(v) = pinned(system.rows[pinOf[unknown]].target, rest.row(v), isShared[unknown] != 0);
     else if (u.row(unknown).isZero(0))
       positions.row(v) = rest.row(v);  // -0 stays -0
     else

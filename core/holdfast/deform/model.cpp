@@ -6,6 +6,7 @@
 
 #include <holdfast/check/mesh_check.h>
 #include <holdfast/geometry/bounding_box.h>
+#include <holdfast/mesh/stated_places.h>
 #include <holdfast/surface/surface_locator.h>
 
 namespace holdfast {
@@ -17,7 +18,6 @@ void requireUsableFaces(const Mesh& mesh, const std::string& source)
     const auto fail = [&](const std::string& reason) {
       throw InputError({source, 0, fmt::format("face {}", f)}, reason);
     };
-    if (mesh.faces[f].size() < 3) fail(fmt::format("it has {} corners; give three or more", mesh.faces[f].size()));
     for (const Index vertex : mesh.faces[f])
       if (vertex < 0 || vertex >= mesh.vertexCount())
         fail(fmt::format("vertex {} does not exist: the mesh has {}, numbered from 0", vertex, mesh.vertexCount()));
@@ -32,6 +32,16 @@ void requireUsableWeld(const Mesh& mesh, const std::string& source, double toler
                    fmt::format("vertices cannot be welded within {:.3g}: that is more than {:g} of the diagonal of the "
                                "mesh, {:.4g}; give a smaller tolerance",
                                tolerance, kLargestWeld, diagonal));
+}
+
+/// Returns the vertices without a place, which get one: that of a vertex of the surface.
+std::vector<Index> givePlaces(Mesh& mesh)
+{
+  std::vector<Index> withoutPlace = nonFiniteVertices(mesh).unused;
+  Index f = 0;
+  while (!mesh.faces.isSurface(f)) ++f;
+  for (const Index v : withoutPlace) mesh.positions.row(v) = mesh.positions.row(mesh.faces[f].front());
+  return withoutPlace;
 }
 
 void requireSparseRows(const SolverMesh& mesh, const std::string& source)
@@ -61,22 +71,31 @@ SurfaceLocator Model::locator() const
 
 Model makeModel(Mesh mesh, const std::string& source, double weldTolerance)
 {
-  if (mesh.faces.isEmpty()) throw InputError({source, 0, ""}, "the mesh has no faces; give a surface mesh");
+  if (static_cast<Index>(facesWithoutSurface(mesh.faces).size()) == mesh.faces.size())
+    throw InputError({source, 0, ""}, "the mesh has no faces of three corners or more; give a surface mesh");
   requireUsableFaces(mesh, source);
   if (const std::vector<Finding> broken = findNonFinite(mesh); !broken.empty())
     throw InputError({source, 0, fmt::format("vertex {}", broken.front().ids.front())}, broken.front().message);
   Model model;
   model.surface = std::make_shared<SurfaceIndex>();
+  const std::vector<Index> withoutPlace = givePlaces(mesh);
   model.mesh = std::move(mesh);
   model.triangulation = triangulate(model.mesh);
   requireUsableWeld(model.mesh, source, weldTolerance);
-  model.solverMesh = makeSolverMesh(model.mesh, model.triangulation, weldTolerance);
+  model.solverMesh = makeSolverMesh(model.mesh, model.triangulation, weldTolerance, withoutPlace);
   if (!std::isfinite(model.solverMesh.diagonal))
     throw InputError({source, 0, ""}, "the mesh is larger than a double can say; scale it down");
   if (!(model.solverMesh.diagonal > 0))
     throw InputError({source, 0, ""}, "all vertices lie in one place; the mesh has no size to deform");
   requireSparseRows(model.solverMesh, source);
   model.findings = checkMesh(model.mesh, model.triangulation, model.solverMesh);
+  return model;
+}
+
+Model makeModelOfFile(const MeshDocument& document, const std::string& source, double weldTolerance)
+{
+  Model model = makeModel(document.mesh, source, weldTolerance);
+  for (const std::string& remark : document.remarks) model.findings.push_back({"unusual_file", 1, "file", {}, remark});
   return model;
 }
 

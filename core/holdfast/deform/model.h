@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <holdfast/check/finding.h>
+#include <holdfast/io/mesh_document.h>
 #include <holdfast/mesh/solver_mesh.h>
 
 namespace holdfast {
@@ -14,6 +15,7 @@ class SurfaceIndex;
 class SurfaceLocator;
 
 struct Model {
+  /// As it was given, but for the positions of `SolverMesh::withoutPlace`, which are those of a vertex of the surface.
   Mesh mesh;
   Triangulation triangulation;
   SolverMesh solverMesh;
@@ -28,16 +30,19 @@ struct Model {
 /// 8,000 take up to 2 GB and 13 s of a core, and both grow at least with the square.
 inline constexpr Index kMostTrianglesAtAVertex = 8000;
 
-/// Checks, triangulates and welds. `source` names the mesh in messages. Throws `InputError` for a face of fewer than
-/// three corners or with a corner that is no vertex, for coordinates that are not finite, for a mesh without a face or
-/// without a size that a double can hold, and for vertices of more than 1,000 triangles that come, by the sum of
-/// squares, to more than one of `kMostTrianglesAtAVertex`. Ends of open edges within `weldTolerance` of one another are
-/// one unknown; 0: those in one place are. Throws `InputError` for one above `kLargestWeld` of the diagonal. O(T log
-/// T).
+/// Checks, triangulates and welds. `source` names the mesh in messages. Throws `InputError` for a corner that is no
+/// vertex, for coordinates of the surface that are not finite, for a mesh without a face of three corners or without a
+/// size that a double can hold, and for vertices of more than 1,000 triangles that come, by the sum of squares, to more
+/// than one of `kMostTrianglesAtAVertex`. Ends of open edges within `weldTolerance` of one another are one unknown; 0:
+/// those in one place are. Throws `InputError` for one above `kLargestWeld` of the diagonal. O(T log T).
 [[nodiscard]] Model makeModel(Mesh mesh, const std::string& source = "mesh", double weldTolerance = 0);
 
 /// The largest tolerance of welding, as a share of the diagonal: more would join what was meant to be apart.
 inline constexpr double kLargestWeld = 0.01;
+
+/// The same of a file, with findings about what is odd in it.
+[[nodiscard]] Model makeModelOfFile(const MeshDocument& document, const std::string& source,
+                                    double weldTolerance = 0);
 
 /// Those of the triangulation, in its order and over unknowns; where vertices were welded, one may name an unknown
 /// twice.

@@ -29,7 +29,7 @@ class MeshSource {
   [[nodiscard]] virtual bool isText() const { return false; }
 
   /// The file as it was read, with `positions` (as many rows) in place of its own, which `rest` has with its faces.
-  /// Normals are kept where none of their vertices moved; elsewhere they are recomputed or dropped, and a note says
+  /// Normals are kept at corners of faces that did not move; elsewhere they are recomputed or dropped, and a note says
   /// which. Doubles read back bit for bit in formats that can hold them. Throws `OutputError` where a coordinate is too
   /// large for the format.
   [[nodiscard]] virtual Serialized withPositions(const Mesh& rest, const Positions& positions) const = 0;
@@ -47,6 +47,9 @@ class MeshSource {
 struct MeshDocument {
   Mesh mesh;
   std::shared_ptr<const MeshSource> source;
+  /// Sentences about what is odd in the file, what was made of it, and what to look at. The file is written back with
+  /// all of it.
+  std::vector<std::string> remarks = {};
 };
 
 }  // namespace holdfast

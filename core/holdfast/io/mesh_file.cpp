@@ -4,21 +4,49 @@
 
 #include <holdfast/base/error.h>
 #include <holdfast/base/lower_case.h>
+#include <holdfast/base/printable.h>
 #include <holdfast/io/files/file_bytes.h>
 #include <holdfast/io/files/output_file.h>
 #include <holdfast/io/formats/formats.h>
+#include <holdfast/io/text/encoding.h>
+#include <holdfast/mesh/stated_places.h>
 
 namespace holdfast {
 namespace {
 
+BlockCheck checkText(const std::string& file, std::uintmax_t /*size*/)
+{
+  return [blocks = TextBlocks(file)](std::string_view block) mutable { blocks.take(block); };
+}
+
+/// Looks at the first block alone.
+BlockCheck checkHead(std::function<void(std::string_view)> check)
+{
+  return [check = std::move(check), isFirst = true](std::string_view block) mutable {
+    if (std::exchange(isFirst, false)) check(block);
+  };
+}
+
+BlockCheck checkPly(const std::string& file, std::uintmax_t /*size*/)
+{
+  return checkHead([file](std::string_view head) { checkPlyHead(head, file); });
+}
+
+BlockCheck checkStl(const std::string& file, std::uintmax_t size)
+{
+  return checkHead([file, size](std::string_view head) { checkStlHead(head, size, file); });
+}
+
 struct Format {
   std::string_view extension;
   MeshDocument (*read)(std::string bytes, const std::string& file);
-  Serialized (*write)(const Positions& positions, const Polygons& faces);
+  Serialized (*write)(const Mesh& rest, const Positions& positions);
+  BlockCheck (*check)(const std::string& file, std::uintmax_t size);
 };
 
-constexpr std::array kFormats{Format{".obj", readObj, writeObj}, Format{".ply", readPly, writePly},
-                              Format{".off", readOff, writeOff}, Format{".stl", readStl, writeStl}};
+constexpr std::array kFormats{Format{".obj", readObj, writeObj, checkText}, Format{".ply", readPly, writePly, checkPly},
+                              Format{".off", readOff, writeOff, checkText},
+                              Format{".stl", readStl, writeStl, checkStl}};
 
 constexpr std::array<std::string_view, kFormats.size()> kExtensions{".obj", ".ply", ".off", ".stl"};
 
@@ -27,6 +55,16 @@ const Format* findFormat(std::string_view extension)
 {
   const auto* const format = std::ranges::find(kFormats, lowerCase(std::string(extension)), &Format::extension);
   return format == kFormats.end() ? nullptr : &*format;
+}
+
+/// The surface in another format: not all of them have faces of fewer than three corners.
+Serialized surfaceIn(const Format& format, const Mesh& mesh, const Positions& positions)
+{
+  const auto leftOut = static_cast<Index>(facesWithoutSurface(mesh.faces).size());
+  if (leftOut == 0) return format.write(mesh, positions);
+  Serialized result = format.write(surfaceOf(mesh), positions);
+  result.notes.push_back(counted(leftOut, "face") + " of fewer than three corners left behind");
+  return result;
 }
 
 std::string unknownFormat(std::string_view extension, std::span<const std::string_view> known)
@@ -46,11 +84,17 @@ std::span<const std::string_view> meshExtensions()
 
 MeshDocument readMesh(const std::filesystem::path& path, std::span<const std::string_view> known)
 {
-  std::string bytes = readFileBytes(path);
   const std::string extension = path.extension().string();
   const Format* const format = findFormat(extension);
-  if (format == nullptr) throw InputError({path.string(), 0, {}}, unknownFormat(extension, known));
-  return format->read(std::move(bytes), path.string());
+  if (format == nullptr) {
+    static_cast<void>(readFileBytes(path, [&](std::string_view /*block*/) {
+      throw InputError({path.string(), 0, {}}, unknownFormat(extension, known));
+    }));
+    return {};
+  }
+  std::error_code unknown;  // the reading that follows says what is wrong
+  const std::uintmax_t size = std::filesystem::file_size(path, unknown);
+  return format->read(readFileBytes(path, format->check(path.string(), size)), path.string());
 }
 
 Serialized serializeMesh(const MeshDocument& document, const Positions& positions, std::string_view extension)
@@ -60,9 +104,10 @@ Serialized serializeMesh(const MeshDocument& document, const Positions& position
   if (format == nullptr)
     throw OutputError(extension.empty() ? "(no extension)" : std::string(extension),
                       unknownFormat(extension, kExtensions));
+  const Positions stated = withStatedPlaces(document.mesh.positions, positions);
   if (document.source && document.source->extension() == format->extension)
-    return document.source->withPositions(document.mesh, positions);
-  Serialized result = format->write(positions, document.mesh.faces);
+    return document.source->withPositions(document.mesh, stated);
+  Serialized result = surfaceIn(*format, document.mesh, stated);
   const std::vector<std::string> lost = document.source ? document.source->extras() : std::vector<std::string>{};
   if (!lost.empty())
     result.notes.push_back(fmt::format("left behind, because the format changes from {} to {}: {}",

@@ -39,6 +39,9 @@ class Polygons {
     return {first, corners_.begin() + starts_[face + 1]};
   }
 
+  /// Whether `face` has three corners or more.
+  [[nodiscard]] bool isSurface(Index face) const { return (*this)[face].size() >= 3; }
+
   /// Where the corners of each face begin among `corners()`, and where those of the last one end.
   [[nodiscard]] std::span<const int> starts() const noexcept { return starts_; }
   /// Of all faces, one face after the other.
@@ -74,8 +77,8 @@ class Polygons {
   std::vector<int> corners_;
 };
 
-/// Positions and faces as in the file. Every corner is a valid vertex id and every face has at least three corners
-/// (readers guarantee both, `makeModel` refuses others); nothing else is promised.
+/// Positions and faces as in the file. Every corner is a valid vertex id (readers guarantee it, `makeModel` refuses
+/// others); nothing else is promised. Faces of fewer than three corners keep their number and are no surface.
 struct Mesh {
   Positions positions;
   Polygons faces;

@@ -69,9 +69,11 @@ void addTriangles(SolverMesh& mesh, const Triangulation& triangulation)
 
 }  // namespace
 
-SolverMesh makeSolverMesh(const Mesh& mesh, const Triangulation& triangulation, double weldTolerance)
+SolverMesh makeSolverMesh(const Mesh& mesh, const Triangulation& triangulation, double weldTolerance,
+                          std::vector<Index> withoutPlace)
 {
   SolverMesh result;
+  result.withoutPlace = std::move(withoutPlace);
   result.weld = weldOpenEdges(mesh.positions, triangulation.triangles, weldTolerance);
   result.rest = mesh.positions(result.weld.firstVertexOf, Eigen::all);
   result.diagonal = boundingBoxDiagonal(mesh.positions);

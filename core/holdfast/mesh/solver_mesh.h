@@ -33,13 +33,18 @@ struct SolverMesh {
   Weld weld;                        ///< file vertices to unknowns
   double diagonal = 0;              ///< of the bounding box, model units
   double largestCoordinate = 0;     ///< of `rest`, by size
+  /// Vertices of the file, ascending, that no face uses and whose coordinates there are not finite. `rest` has a place
+  /// for them that means nothing: nothing may be asked of them.
+  std::vector<Index> withoutPlace;
 
   [[nodiscard]] Index unknownCount() const noexcept { return rest.rows(); }
 };
 
 /// Welds open edges that coincide, exactly or within `weldTolerance`, and finds the connected parts. Vertices that no
-/// face uses are unknowns too (they can be pinned), in no part. Positions must be finite. O(T log T).
-[[nodiscard]] SolverMesh makeSolverMesh(const Mesh& mesh, const Triangulation& triangulation, double weldTolerance = 0);
+/// face uses are unknowns too (they can be pinned), in no part. Positions must be finite, those of vertices
+/// `withoutPlace` too. O(T log T).
+[[nodiscard]] SolverMesh makeSolverMesh(const Mesh& mesh, const Triangulation& triangulation, double weldTolerance = 0,
+                                        std::vector<Index> withoutPlace = {});
 
 /// Where the unknown of each file vertex is at rest, model units.
 [[nodiscard]] Positions restOfVertices(const SolverMesh& mesh);

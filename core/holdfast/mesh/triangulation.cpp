@@ -306,6 +306,7 @@ std::vector<Vector3> inUnitsOfItsSize(const Positions& positions, std::span<cons
 
 std::vector<std::array<Index, 3>> cornersOfTriangles(const Positions& positions, std::span<const int> face)
 {
+  if (face.size() < 3) return {};
   if (face.size() == 3) return {{0, 1, 2}};
   return EarClipper(inUnitsOfItsSize(positions, face)).run();
 }
@@ -315,9 +316,14 @@ std::vector<std::array<Index, 3>> cornersOfTriangles(const Positions& positions,
 Triangulation triangulate(const Mesh& mesh)
 {
   Triangulation result;
-  const auto expected = static_cast<std::size_t>(mesh.faces.cornerCount() - 2 * mesh.faces.size());
+  std::size_t expected = 0;
+  bool areTriangles = true;
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    const std::size_t corners = mesh.faces[f].size();
+    expected += corners < 3 ? 0 : corners - 2;
+    areTriangles = areTriangles && corners <= 3;
+  }
   result.triangles.reserve(expected);
-  const bool areTriangles = mesh.faces.cornerCount() == 3 * mesh.faces.size();  // none has fewer corners
   if (!areTriangles) result.corners.reserve(expected);
   result.faceOf.reserve(expected);
   for (Index f = 0; f < mesh.faces.size(); ++f) {

@@ -14,7 +14,7 @@ using Triangle = std::array<int, 3>;
 /// The triangles of all faces, those of one face side by side, faces in file order.
 struct Triangulation {
   std::vector<Triangle> triangles;            ///< vertex ids
-  std::vector<std::array<Index, 3>> corners;  ///< see `cornersOf`; empty where all faces are triangles
+  std::vector<std::array<Index, 3>> corners;  ///< see `cornersOf`; empty where no face has more than three corners
   std::vector<int> faceOf;                    ///< file face of each triangle
 
   /// A triangle as corner numbers within its face.
@@ -24,9 +24,9 @@ struct Triangulation {
   }
 };
 
-/// Triangulates every face without new vertices: n - 2 triangles for n corners. Of the ears that can be cut off, the
-/// best shaped goes first. A polygon that winds about itself or has no area falls back to whatever ears are left.
-/// O(n log n) in the corners of one face, for polygons that do not wind about themselves.
+/// Triangulates every face without new vertices: n - 2 triangles for n corners, none for fewer than three. Of the ears
+/// that can be cut off, the best shaped goes first. A polygon that winds about itself or has no area falls back to
+/// whatever ears are left. O(n log n) in the corners of one face, for polygons that do not wind about themselves.
 [[nodiscard]] Triangulation triangulate(const Mesh& mesh);
 
 }  // namespace holdfast

@@ -10,6 +10,7 @@ namespace holdfast {
 
 Vector3 areaVector(const Positions& positions, std::span<const int> polygon)
 {
+  if (polygon.size() < 3) return Vector3::Zero();
   // Relative to the first corner: far from the origin the plain sum would cancel.
   const Vector3 origin = positions.row(polygon[0]);
   Vector3 sum = Vector3::Zero();

@@ -9,7 +9,7 @@
 namespace holdfast {
 
 /// Half the sum of p_i x p_(i+1) around `polygon`: its length is the area, its direction the normal by the right-hand
-/// rule. For a polygon that is not flat, that of its best-fitting plane.
+/// rule. For a polygon that is not flat, that of its best-fitting plane; zero for fewer than three corners.
 [[nodiscard]] Vector3 areaVector(const Positions& positions, std::span<const int> polygon);
 
 /// `vector` at unit length; zero where its length is zero or not finite.

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <holdfast/base/printable.h>
+
 namespace holdfast {
 namespace {
 
@@ -69,7 +71,8 @@ Index hostFaceOf(const SurfaceLocation& location, const std::vector<Term>& terms
 {
   if (const auto* face = std::get_if<AtFace>(&location)) return face->face;
   for (Index f = 0; f < faces.size(); ++f)
-    if (std::ranges::all_of(terms, [&](const Term& t) { return cornerOf(faces[f], t.index) < faces[f].size(); }))
+    if (faces.isSurface(f) &&
+        std::ranges::all_of(terms, [&](const Term& t) { return cornerOf(faces[f], t.index) < faces[f].size(); }))
       return f;
   throw InputError(
       {}, fmt::format("no face uses vertex {}, so a point there can only be that vertex; choose another vertex first",
@@ -105,7 +108,7 @@ AtEdge nearestSide(Corners face, const Vector3& place, const Positions& rest)
 AtEdge firstEdgeAt(Index vertex, const Polygons& faces)
 {
   for (Index f = 0; f < faces.size(); ++f)
-    for (std::size_t k = 0; k < faces[f].size(); ++k) {
+    for (std::size_t k = 0; faces.isSurface(f) && k < faces[f].size(); ++k) {
       const Index i = faces[f][k];
       const Index j = faces[f][(k + 1) % faces[f].size()];
       if (i != j && (i == vertex || j == vertex)) return {vertex, i == vertex ? j : i, 1};
@@ -218,6 +221,10 @@ SurfacePoint SurfaceLocator::at(const AtFace& face, const InputLocation& where) 
     throw InputError(below(where, ".face"), fmt::format("there is no face {}; the mesh has {} faces, numbered from 0",
                                                         face.face, mesh_.faces.size()));
   const auto corners = mesh_.faces[face.face];
+  if (!mesh_.faces.isSurface(face.face))
+    throw InputError(below(where, ".face"),
+                     fmt::format("face {} has {} and is no surface; name a face of three corners or more", face.face,
+                                 counted(static_cast<Index>(corners.size()), "corner")));
   if (corners.size() != face.weights.size())
     throw InputError(
         below(where, ".weights"),
@@ -275,6 +282,15 @@ void requireVertex(Index vertexCount, Index vertex, const InputLocation& where, 
   if (vertex < 0 || vertex >= vertexCount)
     throw InputError(below(where, key), fmt::format("there is no vertex {}; the mesh has {} vertices, numbered from 0",
                                                     vertex, vertexCount));
+}
+
+void requirePlace(const std::vector<Index>& withoutPlace, Index vertex, const InputLocation& where,
+                  const std::string& key)
+{
+  if (std::ranges::binary_search(withoutPlace, vertex))
+    throw InputError(below(where, key), fmt::format("vertex {} has no place: no face uses it, and its coordinates in "
+                                                    "the file are not finite numbers; name another",
+                                                    vertex));
 }
 
 InputLocation below(const InputLocation& where, const std::string& key)

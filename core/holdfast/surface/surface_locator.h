@@ -118,6 +118,10 @@ enum class LocationKind { Vertex, Edge, Face, Near };
 /// Throws `InputError` at `where`, its element followed by `key`, unless a mesh of so many vertices has the vertex.
 void requireVertex(Index vertexCount, Index vertex, const InputLocation& where, const std::string& key);
 
+/// The same where `vertex` is one of those of `SolverMesh::withoutPlace`, which are ascending.
+void requirePlace(const std::vector<Index>& withoutPlace, Index vertex, const InputLocation& where,
+                  const std::string& key);
+
 /// `where` with `key` after its element.
 [[nodiscard]] InputLocation below(const InputLocation& where, const std::string& key);
 

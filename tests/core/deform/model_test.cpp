@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <gmock/gmock.h>
@@ -62,8 +63,63 @@ TEST(Model, RefusesFacesThatAreNone)
   mesh.faces.add({0, 1, 6});
   EXPECT_THAT(refusal(mesh), testing::HasSubstr("face 5: vertex 6 does not exist: the mesh has 6, numbered from 0"));
   mesh = cones(1, 5);
+  mesh.faces = {};
   mesh.faces.add({0, 1});
-  EXPECT_THAT(refusal(mesh), testing::HasSubstr("face 5: it has 2 corners; give three or more"));
+  EXPECT_THAT(refusal(mesh), testing::HasSubstr("the mesh has no faces of three corners or more"));
+}
+
+TEST(Model, KeepsFacesOfFewCorners)
+{
+  Mesh mesh = cones(1, 5);
+  mesh.faces.add({0, 1});
+  mesh.faces.add(std::vector<Index>{});
+  mesh.faces.add({0, 1, 2});
+  const Model model = makeModel(mesh);
+  EXPECT_EQ(model.mesh.faces, mesh.faces);
+  EXPECT_EQ(model.triangulation.faceOf.back(), 7);
+  const auto finding = std::ranges::find(model.findings, "faces_of_few_corners", &Finding::kind);
+  ASSERT_NE(finding, model.findings.end());
+  EXPECT_THAT(finding->ids, testing::ElementsAre(5, 6));
+}
+
+TEST(Model, APolygonBesideAFaceOfTwoCornersKeepsItsOwn)
+{
+  Mesh mesh{Positions(4, 3), {}};
+  mesh.positions << 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0;
+  mesh.faces.add({0, 1});
+  mesh.faces.add({0, 1, 2, 3});  // as many corners as two triangles
+  const Model model = makeModel(mesh);
+  ASSERT_EQ(model.triangulation.triangles.size(), 2U);
+  for (Index t = 0; t < 2; ++t)
+    for (std::size_t k = 0; k < 3; ++k)
+      EXPECT_EQ(model.triangulation.triangles[t][k], model.triangulation.cornersOf(t)[k]);
+}
+
+TEST(Model, GivesAPlaceToVerticesThatNeedNone)
+{
+  Mesh mesh = test::withVertex(cones(1, 5), {std::numeric_limits<double>::quiet_NaN(), 0, 0});
+  mesh = test::withVertex(mesh, {0, -std::numeric_limits<double>::infinity(), 0});
+  mesh.faces.add({6, 7});
+  const Model model = makeModel(mesh);
+  EXPECT_TRUE(model.mesh.positions.allFinite());
+  EXPECT_EQ(model.solverMesh.diagonal, makeModel(cones(1, 5)).solverMesh.diagonal);
+  EXPECT_THAT(model.solverMesh.withoutPlace, testing::ElementsAre(6, 7));
+  const auto finding = std::ranges::find(model.findings, "non_finite_unused_vertices", &Finding::kind);
+  ASSERT_NE(finding, model.findings.end());
+  EXPECT_THAT(finding->ids, testing::ElementsAre(6, 7));
+  for (const char* kind : {"coincident_vertices", "unreferenced_vertices"})
+    EXPECT_EQ(std::ranges::find(model.findings, kind, &Finding::kind), model.findings.end()) << kind;
+}
+
+TEST(Model, OfAFileSaysWhatIsOddInIt)
+{
+  const Model model = makeModelOfFile({cones(1, 5), nullptr, {"one", "two"}}, "file");
+  ASSERT_GE(model.findings.size(), 2U);
+  const Finding& last = model.findings.back();
+  EXPECT_EQ(last.kind, "unusual_file");
+  EXPECT_EQ(last.message, "two");
+  EXPECT_EQ(last.idsOf, "file");
+  EXPECT_THAT(last.ids, testing::IsEmpty());
 }
 
 TEST(Model, IsMadeOfMatrices)

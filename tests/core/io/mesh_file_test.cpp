@@ -1,11 +1,14 @@
+#include <array>
 #include <cmath>
 #include <filesystem>
 
+#include <Eigen/Geometry>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <holdfast/base/error.h>
 #include <holdfast/io/mesh_file.h>
+#include <holdfast/mesh/triangulation.h>
 
 #include "support/meshes.h"
 #include "support/temporary_folder.h"
@@ -74,11 +77,99 @@ TEST_F(MeshFile, StlGetsTrianglesInSinglePrecisionAndSaysSo)
   const Serialized written = serializeMesh(document, positions, ".stl");
   const Mesh mesh = readBack(written, ".stl").mesh;
   EXPECT_EQ(mesh.faces.size(), 3);
-  EXPECT_EQ(mesh.positions(2, 0), static_cast<double>(1.1F));
+  EXPECT_EQ(mesh.positions(4, 0), static_cast<double>(1.1F));
   EXPECT_EQ(mesh.positions.row(5).transpose(), Vector3(0, 1, 0));
   EXPECT_THAT(written.notes,
               ElementsAre(HasSubstr("1 coordinate rounded, off by at most 2.38e-08"), "1 polygon split into triangles",
                           "left behind, because the format changes from .obj to .stl: texture coordinates, groups"));
+}
+
+/// Half the sum of the triangles' cross products along z, and the least of them.
+std::pair<double, double> areaAndLeast(const Mesh& mesh)
+{
+  double sum = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (Index f = 0; f < mesh.faces.size(); ++f) {
+    const auto corner = [&](std::size_t k) -> Vector3 { return mesh.positions.row(mesh.faces[f][k]).transpose(); };
+    const double area = (corner(1) - corner(0)).cross(corner(2) - corner(0)).z() / 2;
+    sum += area;
+    least = std::min(least, area);
+  }
+  return {sum, least};
+}
+
+struct Outline {
+  std::string name;
+  std::vector<std::array<double, 2>> places;
+  double area;
+};
+
+class ConcavePolygons : public MeshFile, public testing::WithParamInterface<Outline> {};
+
+TEST_P(ConcavePolygons, KeepTheirAreaInStl)
+{
+  Mesh mesh{Positions::Zero(std::ssize(GetParam().places), 3), {}};
+  std::vector<Index> corners;
+  for (const auto& [x, y] : GetParam().places) {
+    mesh.positions.row(std::ssize(corners)) << x, y, 0;
+    corners.push_back(std::ssize(corners));
+  }
+  mesh.faces.add(corners);
+  const Mesh written = readBack(serializeMesh({mesh, nullptr}, mesh.positions, ".stl"), ".stl").mesh;
+  const auto [area, least] = areaAndLeast(written);
+  EXPECT_DOUBLE_EQ(area, GetParam().area);
+  EXPECT_GT(least, 0);
+}
+
+TEST_P(ConcavePolygons, AreDividedInStlAsForTheSolverAtRest)
+{
+  Mesh mesh{Positions::Zero(std::ssize(GetParam().places), 3), {}};
+  std::vector<Index> corners;
+  for (const auto& [x, y] : GetParam().places) {
+    mesh.positions.row(std::ssize(corners)) << x, y, 0;
+    corners.push_back(std::ssize(corners));
+  }
+  mesh.faces.add(corners);
+  const Positions mirrored = mesh.positions.rowwise().reverse();
+  const Mesh written = readBack(serializeMesh({mesh, nullptr}, mirrored, ".stl"), ".stl").mesh;
+  const std::vector<Triangle> triangles = triangulate(mesh).triangles;
+  ASSERT_EQ(written.faces.size(), std::ssize(triangles));
+  for (Index t = 0; t < written.faces.size(); ++t)
+    for (Index k = 0; k < 3; ++k) EXPECT_EQ(written.positions.row(3 * t + k), mirrored.row(triangles[t][k]));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Outlines, ConcavePolygons,
+    testing::Values(
+        Outline{"Notch", {{0, 0}, {4, 0}, {4, 4}, {2, 0.5}, {0, 4}}, 9},
+        Outline{"Angle", {{3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}, {0, 0}}, 5},
+        Outline{"Dart", {{0, 0}, {2, 1}, {0, 2}, {0.5, 1}}, 1.5},
+        Outline{"Comb",
+                {{0, 0}, {5, 0}, {5, 3}, {4, 3}, {4, 1}, {3, 1}, {3, 3}, {2, 3}, {2, 1}, {1, 1}, {1, 3}, {0, 3}},
+                11}),
+    [](const auto& info) { return info.param.name; });
+
+TEST_F(MeshFile, FacesOfFewCornersStayInTheirFormatAndAreLeftBehindInOthers)
+{
+  const std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\nf 1 2 3\nf 3\n";
+  const MeshDocument document = readMesh(folder_.file("a.obj", text));
+  EXPECT_EQ(document.mesh.faces.size(), 3);
+  for (const std::string extension : {".ply", ".off", ".stl"}) {
+    const Serialized written = serializeMesh(document, document.mesh.positions, extension);
+    EXPECT_EQ(readBack(written, extension).mesh.faces.size(), 1) << extension;
+    EXPECT_THAT(written.notes, ElementsAre("2 faces of fewer than three corners left behind"));
+  }
+}
+
+TEST_F(MeshFile, VerticesWithoutAPlaceStayAsTheFileHasThem)
+{
+  const std::string text = "v 0 0 0\nv 1 0 0\nv NaN 1.#INF 0\nv 0 1 0\nf 1 2 4\n";
+  const MeshDocument document = readMesh(folder_.file("a.obj", text));
+  Positions positions = document.mesh.positions;
+  positions.row(2) = Vector3(7, 7, 7);
+  positions(0, 2) = 0.5;
+  EXPECT_EQ(serializeMesh(document, positions, ".obj").bytes, "v 0 0 0.5\nv 1 0 0\nv NaN 1.#INF 0\nv 0 1 0\nf 1 2 4\n");
+  EXPECT_THAT(serializeMesh(document, positions, ".off").bytes, HasSubstr("1 0 0\nnan inf 0\n0 1 0\n"));
 }
 
 TEST_F(MeshFile, ABinaryStlThatIsWrittenBackSaysWhatItLoses)

@@ -26,6 +26,67 @@ TEST(TextCursor, TokensKnowTheirLine)
   EXPECT_EQ(seen, "a1 b1 c4 d5 f6 ");
 }
 
+/// The tokens of a text, each with its line.
+std::string tokensAndLines(std::string_view text)
+{
+  TextCursor cursor(text, "file", kDialect);
+  std::string seen;
+  while (cursor.findToken()) {
+    const std::string_view token = cursor.token();
+    seen += std::string(token) + std::to_string(cursor.line()) + " ";
+  }
+  return seen;
+}
+
+TEST(TextCursor, LinesEndInAnyWay)
+{
+  for (const char* text : {"a\n# x\nb \\\nc\n\nd", "a\r# x\rb \\\rc\r\rd", "a\r\n# x\r\nb \\\r\nc\r\n\r\nd",
+                           "a\r\r\n# x\r\r\nb \\\r\r\nc\r\r\n\r\r\nd", "a\n# x\rb \\ \t\r\nc\n\rd"})
+    EXPECT_EQ(tokensAndLines(text), "a1 b3 c4 d6 ") << testing::PrintToString(text);
+}
+
+TEST(TextCursor, SkippedLinesEndInAnyWay)
+{
+  for (const char* text : {"a x\nb", "a x\rb", "a x\r\nb", "a x # \\\nb", "a # x \\\rb"}) {
+    TextCursor cursor(text, "file", kDialect);
+    EXPECT_EQ(cursor.token(), "a");
+    cursor.skipLine();
+    EXPECT_EQ(cursor.token(), "b") << testing::PrintToString(text);
+    EXPECT_EQ(cursor.line(), 2);
+  }
+}
+
+TEST(TextCursor, ABackslashBehindANameMayEndIt)
+{
+  for (const auto& [glued, next] : {std::pair(GluedBackslash::EndsAName, "b"), {GluedBackslash::Continues, "c"}}) {
+    TextCursor cursor("name a\\\nb\nc", "file", kDialect);
+    cursor.skipLine(glued);
+    EXPECT_EQ(cursor.token(), next);
+  }
+  TextCursor cursor("name a \\\nb\nc", "file", kDialect);
+  cursor.skipLine(GluedBackslash::EndsAName);
+  EXPECT_EQ(cursor.token(), "c");
+}
+
+TEST(TextCursor, MarksAtTheBeginningOfLinesArePassedOver)
+{
+  EXPECT_EQ(tokensAndLines("\xEF\xBB\xBF"
+                           "a\n\xEF\xBB\xBF"
+                           "b\n \xEF\xBB\xBF c"),
+            "a1 b2 c3 ");
+}
+
+TEST(TextCursor, AHashInANumberOfWindowsBeginsNoComment)
+{
+  EXPECT_EQ(tokensAndLines("-1.#IND 1.#INF#comment\n1.#a 1#INF"), "-1.#IND1 1.#INF1 1.2 ");
+}
+
+TEST(TextCursor, PaddingBehindATextIsNoPartOfIt)
+{
+  EXPECT_EQ(withoutPadding(std::string_view("a\0b\x1A\0\0", 6)), std::string_view("a\0b", 3));
+  EXPECT_EQ(withoutPadding(std::string_view("\0\0", 2)), "");
+}
+
 TEST(TextCursor, ALineEndsItsTokens)
 {
   TextCursor cursor("a\nb", "file");

@@ -30,7 +30,7 @@ fs::file_status checkedStatus(const fs::path& path)
   return status;
 }
 
-std::string contents(const fs::path& path, std::size_t most)
+std::string contents(const fs::path& path, std::size_t most, const BlockCheck& check)
 {
   const auto failToRead = [&] {
     fail(path, fmt::format("cannot be read ({}): check its permissions",
@@ -40,10 +40,13 @@ std::string contents(const fs::path& path, std::size_t most)
   if (!stream) failToRead();
   std::string bytes;
   std::error_code unknown;  // a pipe has no size
-  if (const std::uintmax_t size = fs::file_size(path, unknown); !unknown) bytes.reserve(std::min(size, most));
-  std::array<char, 65536> block{};
-  while (stream.read(block.data(), block.size()) || stream.gcount() > 0) {
-    bytes.append(block.data(), static_cast<std::size_t>(stream.gcount()));
+  const std::uintmax_t size = fs::file_size(path, unknown);
+  std::array<char, 65536> buffer{};
+  while (stream.read(buffer.data(), buffer.size()) || stream.gcount() > 0) {
+    const std::string_view block(buffer.data(), static_cast<std::size_t>(stream.gcount()));
+    if (check) check(block);
+    if (bytes.empty() && !unknown) bytes.reserve(std::min(size, most));
+    bytes.append(block);
     if (bytes.size() > most)
       fail(path, fmt::format("larger than {} MiB; split it, or check that this is the right file", most >> 20U));
   }
@@ -53,11 +56,11 @@ std::string contents(const fs::path& path, std::size_t most)
 
 }  // namespace
 
-std::string readFileBytes(const fs::path& path)
+std::string readFileBytes(const fs::path& path, const BlockCheck& check)
 {
   // Pipes and devices may never end.
   if (!fs::is_regular_file(checkedStatus(path))) fail(path, "is not a regular file: copy its contents to one");
-  std::string bytes = contents(path, std::string::npos);
+  std::string bytes = contents(path, std::string::npos, check);
   if (bytes.empty()) fail(path, "the file is empty: export the mesh again");
   return bytes;
 }
@@ -67,7 +70,7 @@ std::string readTextFile(const fs::path& path)
   // A device that never ends must not fill the memory. A point takes about 100 bytes: room for two million.
   constexpr std::size_t kMaximumBytes = std::size_t{1} << 28U;
   static_cast<void>(checkedStatus(path));
-  return contents(path, kMaximumBytes);
+  return contents(path, kMaximumBytes, {});
 }
 
 }  // namespace holdfast

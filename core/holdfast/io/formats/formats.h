@@ -11,7 +11,7 @@ namespace holdfast {
 /// Wavefront OBJ.
 [[nodiscard]] MeshDocument readObj(std::string bytes, const std::string& file);
 
-/// Object File Format (OFF, COFF, NOFF, CNOFF, STOFF and so on), one vertex or face a line.
+/// Object File Format (OFF, COFF, NOFF, CNOFF, STOFF and so on, in any case, or no keyword), one vertex or face a line.
 [[nodiscard]] MeshDocument readOff(std::string bytes, const std::string& file);
 
 /// PLY, text and binary of either byte order. Where there are no faces, they are the triangles of the strips in
@@ -19,15 +19,24 @@ namespace holdfast {
 [[nodiscard]] MeshDocument readPly(std::string bytes, const std::string& file);
 
 /// STL: three vertices for each facet. Binary if the size is what the count of facets calls for, whatever the first
-/// bytes say.
+/// bytes say. Where the count was never filled in (0 or 2^32 - 1) the size gives it. Facets may have payloads of as
+/// many bytes as their attributes say.
 [[nodiscard]] MeshDocument readStl(std::string bytes, const std::string& file);
 
-/// Files made of positions and faces alone. PLY is binary little-endian with doubles. STL is binary, with polygons
-/// split into triangles that share their first corner; notes say what was rounded and split.
-[[nodiscard]] Serialized writeObj(const Positions& positions, const Polygons& faces);
-[[nodiscard]] Serialized writeOff(const Positions& positions, const Polygons& faces);
-[[nodiscard]] Serialized writePly(const Positions& positions, const Polygons& faces);
-[[nodiscard]] Serialized writeStl(const Positions& positions, const Polygons& faces);
+/// Throws the `InputError` of `readStl` where `head`, the beginning of a file of `size` bytes, shows already that the
+/// file cannot be STL. O(size of `head`).
+void checkStlHead(std::string_view head, std::uintmax_t size, const std::string& file);
+
+/// The same of `readPly`.
+void checkPlyHead(std::string_view head, const std::string& file);
+
+/// Files made of the faces of `rest` and of other positions alone. PLY is binary little-endian with doubles. STL is
+/// binary, of the triangles that `triangulate` makes of `rest`, which are those that the solver sees; notes say what
+/// was rounded and split. Every face has three corners or more.
+[[nodiscard]] Serialized writeObj(const Mesh& rest, const Positions& positions);
+[[nodiscard]] Serialized writeOff(const Mesh& rest, const Positions& positions);
+[[nodiscard]] Serialized writePly(const Mesh& rest, const Positions& positions);
+[[nodiscard]] Serialized writeStl(const Mesh& rest, const Positions& positions);
 
 /// Adds a note on what floats lose of `positions`. Throws `OutputError` where a coordinate is too large for one.
 void noteStlRounding(const Positions& positions, std::vector<std::string>& notes);
@@ -60,6 +69,14 @@ struct NumberPlace {
   return -1 - (3 * n + k);
 }
 
+/// Where a corner of a face names its normal.
+struct NormalReference {
+  std::size_t offset = 0;
+  std::size_t size = 0;     ///< 0 where it names none
+  bool isRelative = false;  ///< it counts back from its line
+  Index above = 0;          ///< how many normals the file has before its line
+};
+
 /// Where a file says what may change.
 struct FileLayout {
   std::string extension;
@@ -71,9 +88,12 @@ struct FileLayout {
   bool areTogether = true;                ///< each place has three numbers; else one
   std::vector<NumberPlace> numbers = {};  ///< ascending
   std::vector<int> normalOfCorner = {};   ///< of each corner of the faces: its stored normal, or -1
+  /// Of each corner of the faces of a file, in their order; null where the format has no such references.
+  std::vector<NormalReference> (*referencesIn)(std::string_view bytes) = nullptr;
   Index normalCount = 0;
   std::vector<std::size_t> typeWords = {};      ///< where a header names types of coordinates that become double
   std::vector<std::string> notesOfMotion = {};  ///< what is to be said where a vertex moves
+  std::vector<std::string> remarks = {};        ///< see `MeshDocument::remarks`
   /// Coordinates are written as floats: notes what that loses.
   void (*noteRounding)(const Positions& positions, std::vector<std::string>& notes) = nullptr;
 };

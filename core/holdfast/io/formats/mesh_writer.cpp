@@ -7,6 +7,7 @@
 #include <holdfast/base/printable.h>
 #include <holdfast/io/formats/formats.h>
 #include <holdfast/io/text/number_text.h>
+#include <holdfast/mesh/triangulation.h>
 #include <holdfast/mesh/vertex_normals.h>
 
 namespace holdfast {
@@ -27,6 +28,14 @@ Index largestFace(const Polygons& faces)
   return static_cast<Index>(largest);
 }
 
+/// How many have more than three corners.
+Index polygonsIn(const Polygons& faces)
+{
+  Index count = 0;
+  for (Index f = 0; f < faces.size(); ++f) count += faces[f].size() > 3 ? 1 : 0;
+  return count;
+}
+
 /// Throws `OutputError` where `count` is more than a file with 32-bit numbers can say.
 template <class Number>
 Number narrowed(Index count, const std::string& extension)
@@ -44,7 +53,7 @@ std::string stlBytes(const Vector3& vector)
   return bytes;
 }
 
-std::string stlFacet(const Positions& positions, const std::array<int, 3>& corners)
+std::string stlFacet(const Positions& positions, const Triangle& corners)
 {
   std::string bytes = stlBytes(unitOrZero(areaVector(positions, corners)));
   for (const Index corner : corners) bytes += stlBytes(positions.row(corner));
@@ -53,8 +62,9 @@ std::string stlFacet(const Positions& positions, const std::array<int, 3>& corne
 
 }  // namespace
 
-Serialized writeObj(const Positions& positions, const Polygons& faces)
+Serialized writeObj(const Mesh& rest, const Positions& positions)
 {
+  const Polygons& faces = rest.faces;
   std::string text;
   for (Index v = 0; v < positions.rows(); ++v) text += "v " + joined(positions.row(v)) + '\n';
   for (Index f = 0; f < faces.size(); ++f)
@@ -62,16 +72,18 @@ Serialized writeObj(const Positions& positions, const Polygons& faces)
   return {std::move(text), {}};
 }
 
-Serialized writeOff(const Positions& positions, const Polygons& faces)
+Serialized writeOff(const Mesh& rest, const Positions& positions)
 {
+  const Polygons& faces = rest.faces;
   std::string text = fmt::format("OFF\n{} {} 0\n", positions.rows(), faces.size());
   for (Index v = 0; v < positions.rows(); ++v) text += joined(positions.row(v)) + '\n';
   for (Index f = 0; f < faces.size(); ++f) text += fmt::format("{} {}\n", faces[f].size(), joined(faces[f]));
   return {std::move(text), {}};
 }
 
-Serialized writePly(const Positions& positions, const Polygons& faces)
+Serialized writePly(const Mesh& rest, const Positions& positions)
 {
+  const Polygons& faces = rest.faces;
   static_cast<void>(narrowed<std::int32_t>(positions.rows(), ".ply"));
   const bool isCountInt = largestFace(faces) > std::numeric_limits<std::uint8_t>::max();
   std::string bytes = fmt::format(
@@ -90,7 +102,7 @@ Serialized writePly(const Positions& positions, const Polygons& faces)
   return {std::move(bytes), {}};
 }
 
-Serialized writeStl(const Positions& positions, const Polygons& faces)
+Serialized writeStl(const Mesh& rest, const Positions& positions)
 {
   constexpr std::size_t kStlHeaderBytes = 80;
   Serialized result;
@@ -98,14 +110,10 @@ Serialized writeStl(const Positions& positions, const Polygons& faces)
   result.isSinglePrecision = true;
   result.bytes = "Holdfast";
   result.bytes.resize(kStlHeaderBytes, ' ');
-  result.bytes += toBytes(narrowed<std::uint32_t>(faces.cornerCount() - 2 * faces.size(), ".stl"), std::endian::little);
-  Index split = 0;
-  for (Index f = 0; f < faces.size(); ++f) {
-    const auto polygon = faces[f];
-    if (polygon.size() > 3) ++split;
-    for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
-      result.bytes += stlFacet(positions, {polygon[0], polygon[k], polygon[k + 1]});
-  }
+  const std::vector<Triangle> triangles = triangulate(rest).triangles;
+  result.bytes += toBytes(narrowed<std::uint32_t>(std::ssize(triangles), ".stl"), std::endian::little);
+  for (const Triangle& triangle : triangles) result.bytes += stlFacet(positions, triangle);
+  const Index split = polygonsIn(rest.faces);
   if (split > 0) result.notes.push_back(counted(split, "polygon") + " split into triangles");
   return result;
 }

@@ -4,24 +4,12 @@
 #include <holdfast/base/error.h>
 #include <holdfast/base/printable.h>
 #include <holdfast/io/formats/formats.h>
+#include <holdfast/io/formats/obj_statements.h>
+#include <holdfast/io/text/encoding.h>
 #include <holdfast/io/text/number_text.h>
 
 namespace holdfast {
 namespace {
-
-/// Statements that are kept as text: what they are for (`MeshSource::extras`), and their keywords.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 8> kKeptStatements{
-    {{"groups", " g "},
-     {"objects", " o "},
-     {"smoothing groups", " s mg "},
-     {"materials", " usemtl mtllib usemap maplib "},
-     {"lines", " l "},
-     {"points", " p "},
-     {"free-form curves and surfaces", " vp cstype deg bmat step curv curv2 surf parm trim hole scrv sp end con "},
-     {"rendering attributes", " bevel c_interp d_interp lod shadow_obj trace_obj ctech stech "}}};
-
-// '#' begins a comment, '\\' at the end of a line continues it.
-constexpr TextDialect kObjDialect{'#', '\\'};
 
 /// The three lists that a corner of a face refers to.
 enum class ObjList { kVertex, kTexture, kNormal };
@@ -34,13 +22,29 @@ struct ForwardReference {
   ObjList list;
   Index id;
   Index line;
+  std::size_t corner;  // among those of all faces
+};
+
+/// Something that occurs in several lines, for a remark.
+struct Occurrences {
+  Index count = 0;
+  Index line = 0;  // the first
+  std::string example;
+
+  void add(Index where, std::string_view what)
+  {
+    if (count++ > 0) return;
+    line = where;
+    example = quotedToken(what);
+  }
 };
 
 class ObjReader {
  public:
   ObjReader(std::string bytes, const std::string& file)
-      : bytes_(std::move(bytes)), file_(file), cursor_(bytes_, file, kObjDialect)
+      : bytes_(std::move(bytes)), file_(file), cursor_(withoutPadding(bytes_), file, kObjDialect)
   {
+    refuseWideText(bytes_, file);
   }
 
   MeshDocument read()
@@ -48,14 +52,19 @@ class ObjReader {
     while (cursor_.findToken()) readStatement();
     checkForwardReferences();
     if (coordinates_.empty())
-      throw InputError({file_, 0, {}}, "the mesh has no vertices: an OBJ file needs 'v' lines; export the mesh again");
-    if (faces_.isEmpty())
       throw InputError({file_, 0, {}},
-                       "the mesh has no faces: an OBJ file needs 'f' lines; export it as a polygon mesh");
+                       "the mesh has no vertices: an OBJ file needs 'v' lines; export the mesh again" + unknownHint());
+    if (faces_.isEmpty())
+      throw InputError(
+          {file_, 0, {}},
+          "the mesh has no faces: an OBJ file needs 'f' lines; export it as a polygon mesh" + unknownHint());
+    remark();
+    layout_.referencesIn = normalReferencesOfObj;
     if (textureCount_ > 0) layout_.extras.emplace_back("texture coordinates");
     if (layout_.normalCount > 0) layout_.extras.emplace_back("normals");
     if (hasColors_) layout_.extras.emplace_back("vertex colours");
     layout_.extras.insert(layout_.extras.end(), keptPurposes_.begin(), keptPurposes_.end());
+    if (unknown_.count > 0) layout_.extras.emplace_back("statements that OBJ does not have");
     Mesh mesh{Eigen::Map<const Positions>(coordinates_.data(), count(ObjList::kVertex), 3), std::move(faces_)};
     return makeDocument(std::move(bytes_), std::move(layout_), std::move(mesh));
   }
@@ -66,7 +75,7 @@ class ObjReader {
     const std::string_view keyword = cursor_.token();
     if (keyword == "v")
       readVertex();
-    else if (keyword == "f" || keyword == "fo")
+    else if (isObjFace(keyword))
       readFace();
     else if (keyword == "vn")
       readNormal();
@@ -89,7 +98,7 @@ class ObjReader {
 
   void readTextureCoordinate()
   {
-    static_cast<void>(cursor_.number("texture coordinate u"));
+    cursor_.expectNumber(cursor_.token(), "texture coordinate u");
     cursor_.skipNumbers("a texture coordinate");
     ++textureCount_;
   }
@@ -97,7 +106,7 @@ class ObjReader {
   void readNormal()
   {
     layout_.numbers.push_back({cursor_.offset(), normalNumber(layout_.normalCount++)});
-    for (int k = 0; k < 3; ++k) static_cast<void>(cursor_.number("a component of the normal"));
+    for (int k = 0; k < 3; ++k) cursor_.expectNumber(cursor_.token(), "a component of the normal");
     cursor_.expectLineEnd("a normal has three numbers");
   }
 
@@ -105,9 +114,6 @@ class ObjReader {
   {
     polygon_.clear();
     for (std::string_view token = cursor_.token(); !token.empty(); token = cursor_.token()) readCorner(token);
-    if (polygon_.size() < 3)
-      cursor_.fail("the face has {}: it needs three or more, or write 'l' or 'p'",
-                   counted(static_cast<Index>(polygon_.size()), "corner"));
     faces_.add(polygon_);
   }
 
@@ -120,9 +126,9 @@ class ObjReader {
       const std::string_view behind = token.substr(first + 1);
       const std::size_t second = behind.find('/');
       const std::string_view texture = behind.substr(0, second);
-      if (!texture.empty()) resolve(ObjList::kTexture, texture);
+      if (!texture.empty()) static_cast<void>(resolveOrMiss(ObjList::kTexture, texture));
       if (second != std::string_view::npos && second + 1 < behind.size())
-        normal = resolve(ObjList::kNormal, behind.substr(second + 1));
+        normal = resolveOrMiss(ObjList::kNormal, behind.substr(second + 1));
     }
     layout_.normalOfCorner.push_back(static_cast<int>(normal));
   }
@@ -135,21 +141,64 @@ class ObjReader {
     if (number == 0) cursor_.fail("{} 0 does not exist: OBJ counts from 1 (and back from -1)", name);
     if (number < -count(list))
       cursor_.fail("{} {} does not exist: only {} stand above this line", name, number, count(list));
+    return resolved(list, number);
+  }
+
+  /// -1 where the file has no such entry: faces need their vertices only.
+  Index resolveOrMiss(ObjList list, std::string_view token)
+  {
+    const Index number = cursor_.integerOf(token, kListNames[static_cast<std::size_t>(list)]);
+    if (number != 0 && number >= -count(list)) return resolved(list, number);
+    missing_[static_cast<std::size_t>(list)].add(cursor_.line(), token);
+    return -1;
+  }
+
+  Index resolved(ObjList list, Index number)
+  {
     if (number < 0) return count(list) + number;
-    if (number > count(list)) forward_.push_back({list, number - 1, cursor_.line()});
+    if (number > count(list)) forward_.push_back({list, number - 1, cursor_.line(), layout_.normalOfCorner.size()});
     return number - 1;
   }
 
-  void checkForwardReferences() const
+  void checkForwardReferences()
   {
-    for (const auto& [list, id, line] : forward_) {
+    for (const auto& [list, id, line, corner] : forward_) {
       if (id < count(list)) continue;
       const auto which = static_cast<std::size_t>(list);
-      throw InputError(
-          {file_, line, {}},
-          fmt::format("{} {} does not exist: the file has {} '{}' lines; correct the face or add what it refers to",
-                      kListNames[which], id + 1, count(list), kListKeywords[which]));
+      if (list == ObjList::kVertex)
+        throw InputError(
+            {file_, line, {}},
+            fmt::format("{} {} does not exist: the file has {} '{}' lines; correct the face or add what it refers to",
+                        kListNames[which], id + 1, count(list), kListKeywords[which]));
+      if (list == ObjList::kNormal) layout_.normalOfCorner[corner] = -1;
+      missing_[which].add(line, std::to_string(id + 1));
     }
+  }
+
+  void remark()
+  {
+    for (const ObjList list : {ObjList::kTexture, ObjList::kNormal}) {
+      const auto which = static_cast<std::size_t>(list);
+      const auto& [missed, line, example] = missing_[which];
+      if (missed > 0)
+        layout_.remarks.push_back(fmt::format(
+            "{} of a {} that the file does not have (the first is {} in line {}; there are {} '{}' lines); "
+            "they are kept as they are",
+            counted(missed, "reference"), kListNames[which], example, line, count(list), kListKeywords[which]));
+    }
+    if (unknown_.count > 0)
+      layout_.remarks.push_back(
+          fmt::format("{} that OBJ does not have (the first is {} in line {}); the file keeps "
+                      "them, and nothing of them is read",
+                      counted(unknown_.count, "statement"), unknown_.example, unknown_.line));
+  }
+
+  /// Where there is no mesh: what may be the reason.
+  [[nodiscard]] std::string unknownHint() const
+  {
+    if (unknown_.count == 0) return {};
+    return fmt::format("; line {} begins with {}, which OBJ does not have: is it another format?", unknown_.line,
+                       unknown_.example);
   }
 
   [[nodiscard]] Index count(ObjList list) const
@@ -160,13 +209,15 @@ class ObjReader {
 
   void keepStatement(std::string_view keyword)
   {
-    const auto* const kept = std::ranges::find_if(kKeptStatements, [&](const auto& statements) {
-      return statements.second.find(fmt::format(" {} ", keyword)) != std::string::npos;
-    });
-    if (kept == kKeptStatements.end())
-      cursor_.fail("{} is not an OBJ statement: correct it, or make the line a comment with #", quotedToken(keyword));
-    keptPurposes_.insert(kept->first);
-    cursor_.skipLine();
+    const auto isControl = [](char c) { return static_cast<unsigned char>(c) < ' '; };
+    if (std::ranges::any_of(keyword, isControl))
+      cursor_.fail("{} is not an OBJ statement: the file is no text, or it is damaged; export it again",
+                   quotedToken(keyword));
+    if (const std::string_view purpose = purposeOfObjStatement(keyword); !purpose.empty())
+      keptPurposes_.insert(purpose);
+    else
+      unknown_.add(cursor_.line(), keyword);
+    skipObjStatement(cursor_, keyword);
   }
 
   std::string bytes_;
@@ -179,6 +230,8 @@ class ObjReader {
   bool hasColors_ = false;
   std::set<std::string_view> keptPurposes_;
   std::vector<ForwardReference> forward_;
+  std::array<Occurrences, 3> missing_;  // references to what the file does not have, by list
+  Occurrences unknown_;                 // statements
   std::vector<Index> polygon_;
 };
 

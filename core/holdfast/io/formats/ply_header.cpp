@@ -19,9 +19,8 @@ class HeaderParser {
 
   PlyHeader parse()
   {
-    const std::string_view magic = cursor_.token();
-    if (magic != "ply")
-      cursor_.fail("the file begins with {}, not with 'ply': is it another format?", quotedToken(magic));
+    requirePlyMagic(cursor_);
+    static_cast<void>(cursor_.token());
     cursor_.expectLineEnd("'ply' stands on a line of its own");
     while (parseLine()) {
     }
@@ -139,6 +138,12 @@ const PlyElement* PlyHeader::surface() const
   const PlyElement* const face = find("face");
   const PlyElement* const strips = find("tristrips");
   return strips != nullptr && (face == nullptr || face->count == 0) ? strips : face;
+}
+
+void requirePlyMagic(TextCursor cursor)
+{
+  const std::string_view magic = cursor.token();
+  if (magic != "ply") cursor.fail("the file begins with {}, not with 'ply': is it another format?", quotedToken(magic));
 }
 
 PlyHeader parsePlyHeader(std::string_view bytes, const std::string& file)

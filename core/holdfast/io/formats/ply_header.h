@@ -39,6 +39,9 @@ struct PlyHeader {
   [[nodiscard]] const PlyElement* surface() const;
 };
 
+/// Reads the first word of a PLY file. Throws `InputError` where it is another.
+void requirePlyMagic(TextCursor cursor);
+
 /// Reads the header at the beginning of `bytes`; `file` names it in errors. Counts are as the file claims, not
 /// negative. Throws `InputError` with the line.
 [[nodiscard]] PlyHeader parsePlyHeader(std::string_view bytes, const std::string& file);

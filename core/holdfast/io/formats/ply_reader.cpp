@@ -4,7 +4,8 @@
 
 #include <holdfast/base/error.h>
 #include <holdfast/base/printable.h>
-#include <holdfast/io/formats/ply_header.h>
+#include <holdfast/io/formats/ply_scanner.h>
+#include <holdfast/io/text/encoding.h>
 #include <holdfast/mesh/vertex_normals.h>
 
 namespace holdfast {
@@ -14,121 +15,6 @@ using ThreeNames = std::array<std::string_view, 3>;
 
 constexpr ThreeNames kCoordinates{"x", "y", "z"};
 constexpr ThreeNames kNormals{"nx", "ny", "nz"};
-
-template <class Number>
-double numberFromBytes(std::string_view bytes, std::endian order)
-{
-  return static_cast<double>(fromBytes<Number>(bytes, order));
-}
-
-/// In the order of `NumberType`. A double holds each of them exactly.
-constexpr std::array kNumberFromBytes{numberFromBytes<std::int8_t>,  numberFromBytes<std::uint8_t>,
-                                      numberFromBytes<std::int16_t>, numberFromBytes<std::uint16_t>,
-                                      numberFromBytes<std::int32_t>, numberFromBytes<std::uint32_t>,
-                                      numberFromBytes<float>,        numberFromBytes<double>};
-
-/// The values in the body, one after the other: written as text, one row of an element a line, or as bytes of one
-/// order. Every call throws `InputError` with the line, or with the offset of the byte in the file.
-class PlyScanner {
- public:
-  PlyScanner(std::string_view bytes, const std::string& file, const PlyHeader& header)
-      : cursor_(bytes, file),
-        bytes_(bytes),
-        file_(file),
-        isText_(!header.byteOrder),
-        order_(header.byteOrder.value_or(std::endian::little)),
-        valueAt_(header.bodyOffset)
-  {
-    cursor_.seek(header.bodyOffset, header.bodyLine);
-  }
-
-  void beginRow(const PlyElement& element, Index row)
-  {
-    valueAt_ = cursor_.offset();
-    if (isText_ ? cursor_.findToken() : cursor_.remaining() > 0) return;
-    fail("the file ends after {} of {} rows of element {}: it is truncated, or the count in the header is wrong", row,
-         element.count, quotedToken(element.name));
-  }
-
-  void endRow()
-  {
-    if (isText_) cursor_.expectLineEnd("the properties in the header call for fewer values a line");
-  }
-
-  [[nodiscard]] double number(const PlyProperty& property)
-  {
-    return isText_ ? cursor_.number(property.name) : taken(property.type);
-  }
-
-  [[nodiscard]] Index integer(NumberType type, std::string_view what)
-  {
-    return isText_ ? cursor_.integer(what) : static_cast<Index>(taken(type));
-  }
-
-  void skip(NumberType type, Index count)
-  {
-    if (isText_) {
-      for (Index i = 0; i < count; ++i) static_cast<void>(cursor_.number("a value of the line"));
-      return;
-    }
-    // Compared by division: the product may overflow.
-    if (static_cast<std::size_t>(count) > cursor_.remaining() / sizeOf(type))
-      fail("{} values are to follow, but only {} bytes do: the file is truncated, or a count is wrong", count,
-           cursor_.remaining());
-    valueAt_ = cursor_.offset();
-    cursor_.seek(valueAt_ + sizeOf(type) * count, 1);
-  }
-
-  /// Throws where the rest of the file is too short for the rows of `element`, `rowBytes` each at least.
-  void expectRoom(const PlyElement& element, std::size_t rowBytes) const
-  {
-    // The last value of a text may lack what separates it from a next one.
-    const std::size_t room = cursor_.remaining() + (isText_ ? 1 : 0);
-    if (rowBytes == 0 || static_cast<std::size_t>(element.count) <= room / rowBytes) return;
-    fail(
-        "the header promises {} rows of element {}, of {} bytes at least, but only {} bytes follow: the file is "
-        "truncated, or the count is wrong",
-        element.count, quotedToken(element.name), rowBytes, cursor_.remaining());
-  }
-
-  /// Throws unless nothing, or in a text nothing but blanks, is left.
-  void expectEnd()
-  {
-    valueAt_ = cursor_.offset();
-    if (isText_ ? !cursor_.findToken() : cursor_.remaining() == 0) return;
-    const std::string rest = isText_ ? "there is more text behind the last element"
-                                     : fmt::format("{} bytes follow the last element", cursor_.remaining());
-    fail("{}: correct the counts in the header, or remove what follows", rest);
-  }
-
-  template <class... Args>
-  [[noreturn]] void fail(fmt::format_string<Args...> reason, Args&&... args) const
-  {
-    const std::string text = fmt::format(reason, std::forward<Args>(args)...);
-    if (isText_) cursor_.fail("{}", text);
-    throw InputError({file_, 0, fmt::format("byte {}", valueAt_)}, text);
-  }
-
-  [[nodiscard]] std::size_t offset() const { return cursor_.offset(); }
-  /// Bytes that a value takes at least, with what separates it from the next.
-  [[nodiscard]] std::size_t leastBytes(NumberType type) const { return isText_ ? 2 : sizeOf(type); }
-
- private:
-  double taken(NumberType type)
-  {
-    valueAt_ = cursor_.offset();
-    if (sizeOf(type) > cursor_.remaining()) fail("the file ends inside this value: it is truncated; export it again");
-    cursor_.seek(valueAt_ + sizeOf(type), 1);
-    return kNumberFromBytes[static_cast<std::size_t>(type)](bytes_.substr(valueAt_, sizeOf(type)), order_);
-  }
-
-  TextCursor cursor_;
-  std::string_view bytes_;
-  std::string file_;
-  bool isText_;
-  std::endian order_;
-  std::size_t valueAt_;  // where the binary value read last begins, for errors
-};
 
 /// The places in `element` of the numbers `names`; nothing where one is missing or a list.
 std::optional<std::array<Index, 3>> placesOf(const PlyElement& element, const ThreeNames& names)
@@ -164,7 +50,8 @@ class PlyReader {
     findVertex();
     findSurface();
     for (const PlyElement& element : header_.elements) readElement(element);
-    scanner_.expectEnd();
+    if (std::optional<std::string> remark = scanner_.endRemark()) layout_.remarks.push_back(*std::move(remark));
+    remarkStrips();
     if (mesh_.faces.isEmpty()) failWithoutFaces();
     if (layout_.normalCount > 0)
       layout_.normalOfCorner.assign(mesh_.faces.corners().begin(), mesh_.faces.corners().end());
@@ -238,7 +125,9 @@ class PlyReader {
       mesh_.positions.resize(element.count, 3);
       layout_.numbers.reserve(element.count);
     }
-    if (&element == surface_) mesh_.faces.reserve(element.count, 3 * element.count);
+    if (&element == surface_)
+      mesh_.faces.reserve(element.count,
+                          std::min(3 * element.count, scanner_.mostValues(element.properties[corners_])));
     noteExtras(element);
     if (element.properties.empty()) return;  // rows of nothing, however many
     for (Index row = 0; row < element.count; ++row) {
@@ -263,8 +152,6 @@ class PlyReader {
     std::size_t bytes = 0;
     for (const PlyProperty& property : element.properties)
       bytes += scanner_.leastBytes(property.countType.value_or(property.type));
-    if (&element == surface_ && !element.hasStrips())
-      bytes += 3 * scanner_.leastBytes(element.properties[corners_].type);
     return bytes;
   }
 
@@ -299,7 +186,6 @@ class PlyReader {
 
   void readCorners(const PlyProperty& property, Index size, Index face)
   {
-    if (size < 3) scanner_.fail("face {} has {} corners: it needs three or more; remove it", face, size);
     polygon_.clear();
     for (Index k = 0; k < size; ++k) {
       const Index vertex = scanner_.integer(property.type, "a corner of the face");
@@ -328,9 +214,7 @@ class PlyReader {
   void addStrip()
   {
     if (polygon_.empty()) return;
-    if (polygon_.size() < 3)
-      scanner_.fail("strip {} has {}: it needs three or more; remove it", strip_,
-                    counted(static_cast<Index>(polygon_.size()), "corner"));
+    shortStrips_ += polygon_.size() < 3 ? 1 : 0;
     for (std::size_t k = 0; k + 2 < polygon_.size(); ++k) {
       const Index a = polygon_[k + k % 2];
       const Index b = polygon_[k + 1 - k % 2];
@@ -339,6 +223,13 @@ class PlyReader {
     }
     polygon_.clear();
     ++strip_;
+  }
+
+  void remarkStrips()
+  {
+    if (shortStrips_ > 0)
+      layout_.remarks.push_back(counted(shortStrips_, "strip") +
+                                " of fewer than three corners; the file keeps what makes no triangle");
   }
 
   void requireVertex(Index vertex, std::string_view owner, Index id) const
@@ -360,12 +251,20 @@ class PlyReader {
   FileLayout layout_{".ply", {}, {}};
   std::vector<Index> polygon_;  // the face or the strip that is being read
   Index strip_ = 0;
+  Index shortStrips_ = 0;
 };
 
 }  // namespace
 
+void checkPlyHead(std::string_view head, const std::string& file)
+{
+  refuseWideText(head, file);
+  requirePlyMagic(TextCursor(head, file));
+}
+
 MeshDocument readPly(std::string bytes, const std::string& file)
 {
+  refuseWideText(bytes, file);
   return PlyReader(std::move(bytes), file).read();
 }
 

@@ -1,60 +1,32 @@
 #include <algorithm>
 #include <cassert>
 
-#include <holdfast/base/printable.h>
+#include <holdfast/io/formats/added_normals.h>
+#include <holdfast/io/formats/formats.h>
+#include <holdfast/io/formats/stored_normals.h>
 #include <holdfast/io/text/number_text.h>
-#include <holdfast/mesh/vertex_normals.h>
-
-#include "holdfast/io/formats/formats.h"
 
 namespace holdfast {
 namespace {
 
-bool hasSameRow(const Positions& a, const Positions& b, Index v)
-{
-  return hasSameBits(a(v, 0), b(v, 0)) && hasSameBits(a(v, 1), b(v, 1)) && hasSameBits(a(v, 2), b(v, 2));
-}
+/// Copies a file with other texts in some places, which come in ascending order.
+class Splicer {
+ public:
+  explicit Splicer(std::string_view bytes) : bytes_(bytes) { result_.reserve(bytes.size()); }
 
-/// For each normal, whether a face that uses it has a moved vertex.
-std::vector<bool> affectedNormals(const Mesh& rest, const FileLayout& layout, const Positions& after)
-{
-  std::vector<bool> isAffected(layout.normalCount, false);
-  auto normal = layout.normalOfCorner.begin();
-  for (Index f = 0; f < rest.faces.size(); ++f) {
-    const auto polygon = rest.faces[f];
-    const bool hasMoved = std::ranges::any_of(polygon, [&](Index v) { return !hasSameRow(rest.positions, after, v); });
-    for (std::size_t k = 0; k < polygon.size(); ++k, ++normal)
-      if (hasMoved && *normal >= 0) isAffected[*normal] = true;
+  void replace(std::size_t offset, std::size_t size, std::string_view replacement)
+  {
+    result_.append(bytes_.substr(copied_, offset - copied_)).append(replacement);
+    copied_ = offset + size;
   }
-  return isAffected;
-}
 
-/// New values for stored normals.
-struct NormalUpdate {
-  Positions normals;               // one row a stored normal; meaningful where `isNew`
-  std::vector<bool> isNew;         // the others keep the value in the file
-  std::vector<std::string> notes;  // how many were recomputed, and how many could not be
+  std::string finish() { return std::move(result_.append(bytes_.substr(copied_))); }
+
+ private:
+  std::string_view bytes_;
+  std::string result_;
+  std::size_t copied_ = 0;
 };
-
-/// Area-weighted normals, for those with a moved vertex in one of the faces that use them. Where the area around a
-/// normal vanishes, it keeps its old value.
-NormalUpdate updateNormals(const Mesh& rest, const FileLayout& layout, const Positions& after)
-{
-  NormalUpdate update{areaWeightedNormals(after, rest.faces, layout.normalOfCorner, layout.normalCount),
-                      affectedNormals(rest, layout, after),
-                      {}};
-  Index recomputed = 0;
-  Index kept = 0;
-  for (Index n = 0; n < layout.normalCount; ++n) {
-    if (!update.isNew[n]) continue;
-    update.isNew[n] = !update.normals.row(n).isZero(0);
-    ++(update.isNew[n] ? recomputed : kept);
-  }
-  if (recomputed > 0) update.notes.push_back(counted(recomputed, "normal") + " recomputed");
-  if (kept > 0)
-    update.notes.push_back(counted(kept, "normal") + " kept from before: the faces around have no area now");
-  return update;
-}
 
 class SpliceSource final : public MeshSource {
  public:
@@ -71,8 +43,7 @@ class SpliceSource final : public MeshSource {
     Index v = 0;
     while (v < positions.rows() && hasSameRow(rest.positions, positions, v)) ++v;
     if (v == positions.rows()) return {bytes_, {}, isSinglePrecision};
-    NormalUpdate update;
-    if (layout_.normalCount > 0) update = updateNormals(rest, layout_, positions);
+    NormalUpdate update = updateNormals(rest, layout_, positions);
     update.notes.insert(update.notes.end(), layout_.notesOfMotion.begin(), layout_.notesOfMotion.end());
     if (isSinglePrecision) layout_.noteRounding(positions, update.notes);
     return {spliced(rest.positions, positions, update), std::move(update.notes), isSinglePrecision};
@@ -82,13 +53,14 @@ class SpliceSource final : public MeshSource {
   [[nodiscard]] std::string spliced(const Positions& rest, const Positions& positions, const NormalUpdate& update) const
   {
     TextCursor cursor(bytes_, {}, layout_.dialect);
-    std::string result;
-    result.reserve(bytes_.size());
-    std::size_t copied = 0;
+    Splicer splicer(bytes_);
+    const std::vector<TextEdit> edits = editsOfReferences(bytes_, layout_, update);
+    auto edit = edits.begin();
     const auto replace = [&](std::string_view part, std::string_view replacement) {
-      const auto first = static_cast<std::size_t>(part.data() - bytes_.data());
-      result.append(bytes_, copied, first - copied).append(replacement);
-      copied = first + part.size();
+      const auto offset = static_cast<std::size_t>(part.data() - bytes_.data());
+      for (; edit != edits.end() && edit->offset < offset; ++edit)
+        splicer.replace(edit->offset, edit->size, edit->replacement);
+      splicer.replace(offset, part.size(), replacement);
     };
     for (const std::size_t offset : layout_.typeWords) {
       cursor.seek(offset, 1);
@@ -107,7 +79,8 @@ class SpliceSource final : public MeshSource {
         }
       }
     }
-    return result.append(bytes_, copied);
+    for (; edit != edits.end(); ++edit) splicer.replace(edit->offset, edit->size, edit->replacement);
+    return splicer.finish();
   }
 
   /// The part of the file that says the number at the cursor.
@@ -150,7 +123,9 @@ class SpliceSource final : public MeshSource {
 
 MeshDocument makeDocument(std::string bytes, FileLayout layout, Mesh mesh)
 {
-  return {std::move(mesh), std::make_shared<const SpliceSource>(std::move(bytes), std::move(layout))};
+  std::vector<std::string> remarks = std::move(layout.remarks);
+  auto source = std::make_shared<const SpliceSource>(std::move(bytes), std::move(layout));
+  return {std::move(mesh), std::move(source), std::move(remarks)};
 }
 
 }  // namespace holdfast

@@ -18,8 +18,14 @@ struct TextDialect {
   std::optional<char> continuation;  ///< at the end of a line joins the next one to it
 };
 
-/// Walks over a text, which must outlive it. Blanks, line ends, comments and continuations separate tokens. A byte
-/// order mark is passed over.
+/// What a backslash means that ends a line and has no blank before it.
+enum class GluedBackslash {
+  Continues,  ///< the statement goes on in the next line
+  EndsAName,  ///< it is the end of a name, as of a folder on Windows
+};
+
+/// Walks over a text, which must outlive it. Blanks, line ends, comments and continuations separate tokens. Lines end
+/// in LF, CR LF or CR alone. Byte order marks at the beginning of lines are passed over: joined files have several.
 class TextCursor {
  public:
   /// `file` names the text in errors.
@@ -32,9 +38,10 @@ class TextCursor {
   [[nodiscard]] bool findToken();
 
   /// Goes to the next line that does not continue this one, or to the end.
-  void skipLine();
+  void skipLine(GluedBackslash glued = GluedBackslash::Continues);
 
-  /// The next token of this line as a number. Throws `InputError` where there is none ("`what` is missing") or another.
+  /// The next token of this line as a number, see `parseLooseNumber`. Throws `InputError` where there is none ("`what`
+  /// is missing") or another.
   [[nodiscard]] double number(std::string_view what) { return numberOf(token(), what); }
   [[nodiscard]] Index integer(std::string_view what) { return integerOf(token(), what); }
 
@@ -42,7 +49,10 @@ class TextCursor {
   [[nodiscard]] double numberOf(std::string_view token, std::string_view what) const;
   [[nodiscard]] Index integerOf(std::string_view token, std::string_view what) const;
 
-  /// Passes over the other numbers of this line and returns how many they are. Throws as `number`.
+  /// Throws as `numberOf`, save for a number that is merely too large: it is kept as text and never computed with.
+  void expectNumber(std::string_view token, std::string_view what) const;
+
+  /// Passes over the other numbers of this line and returns how many they are. Throws as `expectNumber`.
   Index skipNumbers(std::string_view what);
 
   /// Throws `InputError` where the line has another token; `remedy` completes "'...' is too much here: ".
@@ -70,16 +80,25 @@ class TextCursor {
  private:
   void skipBlanks();
   [[nodiscard]] bool mayEndAt(std::size_t at) const { return mayEnd_[static_cast<unsigned char>(text_[at])]; }
-  /// Where the line that ends in a continuation at `at` goes on.
+  /// Whether a token ends before `at`, where it may end.
+  [[nodiscard]] bool endsAt(std::size_t at) const;
+  /// Where the line that ends in a continuation at `at` goes on. Blanks may stand behind the continuation.
   [[nodiscard]] std::optional<std::size_t> continued(std::size_t at) const;
+  /// Where the next line begins if one ends at `at`.
+  [[nodiscard]] std::optional<std::size_t> behindLineEnd(std::size_t at) const;
+  void skipComment();
 
   std::string_view text_;
   std::string file_;
   TextDialect dialect_;
+  bool hasLoneReturns_ = false;     // the first line ends in CR alone: LF behind CR begins a binary body
   std::array<bool, 256> mayEnd_{};  // for each byte: whether tokens end before it, or may (continuations)
   std::size_t at_ = 0;
   Index line_ = 1;
 };
+
+/// `bytes` without the zeros and end-of-file marks (Ctrl-Z) that some programs leave behind a text.
+[[nodiscard]] std::string_view withoutPadding(std::string_view bytes);
 
 /// `token` in quotes for a message: cut where long, see `printable`.
 [[nodiscard]] std::string quotedToken(std::string_view token);

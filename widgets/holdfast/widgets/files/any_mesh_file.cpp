@@ -3,6 +3,7 @@
 #include <holdfast/base/error.h>
 #include <holdfast/base/lower_case.h>
 #include <holdfast/io/mesh_file.h>
+#include <holdfast/mesh/stated_places.h>
 #include <holdfast/widgets/files/poly_data_file.h>
 
 namespace holdfast {
@@ -36,7 +37,8 @@ Serialized serializeAnyMesh(const MeshDocument& document, const Positions& posit
   const std::string extension = lowerCase(path.extension().string());
   const bool isVtks = extension == ".vtp" || extension == ".vtk";
   try {
-    return isVtks ? serializePolyData(document, positions, extension) : serializeMesh(document, positions, extension);
+    if (!isVtks) return serializeMesh(document, positions, extension);
+    return serializePolyData(document, withStatedPlaces(document.mesh.positions, positions), extension);
   } catch (const OutputError& error) {
     throw OutputError(path.string(), error.reason());
   }

@@ -11,6 +11,7 @@
 
 #include <holdfast/base/error.h>
 #include <holdfast/deform/fields.h>
+#include <holdfast/mesh/stated_places.h>
 #include <holdfast/widgets/mesh/poly_data.h>
 
 namespace holdfast {
@@ -79,7 +80,7 @@ int DeformFilter::RequestData(vtkInformation* /*request*/, vtkInformationVector*
     const DeformResult result = this->Deform(*input);
     this->LastReport = result.report;
     output->ShallowCopy(input);
-    output->SetPoints(toPoints(result.positions));
+    output->SetPoints(toPoints(withStatedPlaces(positionsOf(*input), result.positions)));
     for (const Field& field : fieldsOf(this->Current->model(), result))
       output->GetPointData()->AddArray(toArray(field));
   } catch (const Cancelled&) {

@@ -62,7 +62,7 @@ LoadedMesh prepareMesh(MeshDocument document, const std::filesystem::path& path,
   LoadedMesh loaded;
   loaded.path = path;
   loaded.document = std::move(document);
-  loaded.model = std::make_shared<const Model>(makeModel(loaded.document.mesh, path.string(), weldTolerance));
+  loaded.model = std::make_shared<const Model>(makeModelOfFile(loaded.document, path.string(), weldTolerance));
   const Model& model = *loaded.model;
   loaded.selector = std::make_shared<Selector>(model.mesh, model.solverMesh, model.locator());
   loaded.regions = std::make_shared<VertexRegions>(model.mesh, model.solverMesh);
