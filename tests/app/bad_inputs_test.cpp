@@ -84,7 +84,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{"IndexOutOfRange", "m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", {"m.obj:4: ", "4"}},
         BadFile{"IndexZero", "m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n", {"m.obj:4: ", "1"}},
         BadFile{"IndexOutOfRangeInOff", "m.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", {"m.off:6: ", "3"}},
-        BadFile{"FaceOfTwoCorners", "m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\n", {"m.obj:4: "}},
+        BadFile{"OnlyFacesOfTwoCorners", "m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\n", {"no faces of three corners"}},
         BadFile{"NotANumber", "m.obj", "v 0 0 zero\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", {"m.obj:1: ", "zero"}},
         BadFile{"EmptyFile", "m.obj", "", {"the file is empty"}},
         BadFile{"NoFaces", "m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n", {"no faces"}},
