@@ -41,8 +41,7 @@ inline constexpr Index kMostTrianglesAtAVertex = 8000;
 inline constexpr double kLargestWeld = 0.01;
 
 /// The same of a file, with findings about what is odd in it.
-[[nodiscard]] Model makeModelOfFile(const MeshDocument& document, const std::string& source,
-                                    double weldTolerance = 0);
+[[nodiscard]] Model makeModelOfFile(const MeshDocument& document, const std::string& source, double weldTolerance = 0);
 
 /// Those of the triangulation, in its order and over unknowns; where vertices were welded, one may name an unknown
 /// twice.
