@@ -18,32 +18,6 @@ constexpr std::size_t kAnswers = 8;  // smooth functions of an angle: a hand tha
 constexpr double kDependent = 1e-9;  // answers with a smaller share of their own would take digits
 constexpr double kFar = 4;           // diagonals: larger differences would take digits
 
-/// Rows that have moved by the same vector.
-struct Moves {
-  std::vector<int> groupOf;  // of each row, from 1 in the order of rows; 0 where it stays
-  Eigen::Matrix3d by = Eigen::Matrix3d::Zero();
-};
-
-/// Nothing where there are more than `kGroups`. Differences up to `rounding` are none.
-std::optional<Moves> movesOf(const Columns3& shifts, double rounding)
-{
-  Moves moves;
-  int groups = 0;
-  moves.groupOf.reserve(static_cast<std::size_t>(shifts.rows()));
-  for (Index r = 0; r < shifts.rows(); ++r) {
-    const auto isAlike = [&](const auto& other) { return (shifts.row(r) - other).cwiseAbs().maxCoeff() <= rounding; };
-    int group = 0;
-    if (!isAlike(Eigen::RowVector3d::Zero())) {
-      group = 1;
-      while (group <= groups && !isAlike(moves.by.row(group - 1))) ++group;
-      if (group > kGroups) return std::nullopt;
-      if (group > groups) moves.by.row(groups++) = shifts.row(r);
-    }
-    moves.groupOf.push_back(group);
-  }
-  return moves;
-}
-
 /// Some rows of f and of the shifts: enough to find what they are sums of.
 Eigen::VectorXd sampled(const RowTargets& targets, const Columns3& f)
 {
@@ -82,49 +56,76 @@ MovedSolutions::MovedSolutions(const SolverMesh& mesh, const MovedSolutions& bas
   base_ = base.last_;
 }
 
+std::optional<MovedSolutions::Moves> MovedSolutions::movesOf(const Columns3& asked, double rounding)
+{
+  Moves moves;
+  int groups = 0;
+  moves.groupOf.reserve(static_cast<std::size_t>(asked.rows()));
+  for (Index r = 0; r < asked.rows(); ++r) {
+    const auto isAlike = [&](const auto& other) { return (asked.row(r) - other).cwiseAbs().maxCoeff() <= rounding; };
+    int group = 0;
+    if (!isAlike(Eigen::RowVector3d::Zero())) {
+      group = 1;
+      while (group <= groups && !isAlike(moves.by.row(group - 1))) ++group;
+      if (group > kGroups) return std::nullopt;
+      if (group > groups) moves.by.row(groups++) = asked.row(r);
+    }
+    moves.groupOf.push_back(group);
+  }
+  return moves;
+}
+
 SolvedDisplacement MovedSolutions::solve(const ConstrainedSolver& solver, const RowTargets& targets, const Columns3& q,
                                          const std::function<Columns3()>& makeF)
 {
   const bool isKnown = wanted_ != nullptr && areSame(wanted_->q, q);
   const bool isSame = isKnown && !answers_.empty() && targets_.reconciled == targets.reconciled;
-  const auto moves = isSame ? movesOf(targets.shifts - targets_.shifts, rounding_) : std::nullopt;
+  const Columns3 asked = isSame ? Columns3(targets.shifts - targets_.shifts) : Columns3();
+  const auto moves = isSame ? movesOf(asked, rounding_) : std::nullopt;
   if (!moves || !(moves->by.cwiseAbs().maxCoeff() <= farthest_)) {
     const std::shared_ptr<const Displacement> base = std::exchange(base_, nullptr);
     if (targets_.reconciled != targets.reconciled) answers_.clear();
     const std::shared_ptr<const Wanted> wanted = isKnown ? wanted_ : std::make_shared<const Wanted>(Wanted{q, makeF()});
-    Eigen::VectorXd asked = sampled(targets, wanted->f);
+    Eigen::VectorXd sample = sampled(targets, wanted->f);
     std::optional<Displacement> edited;
     if (isKnown && base != nullptr) edited = solver.solveEdited(*base, targets, wanted->f);
     Displacement found = edited             ? std::move(*edited)
                          : answers_.empty() ? solver.solve(targets, wanted->f)
-                                            : solver.solveFrom(nearest(asked), targets, wanted->f);
+                                            : solver.solveFrom(nearest(sample), targets, wanted->f);
     wanted_ = wanted;
     targets_ = {targets.shifts, targets.reconciled};
     last_ = std::make_shared<const Displacement>(std::move(found));
     if (answers_.size() == kAnswers) answers_.pop_front();
-    answers_.push_back({std::move(asked), last_});
+    answers_.push_back({std::move(sample), last_});
     return {last_, f()};
   }
-  const Answer& answer = answers_.back();
-  if (moves->by.isZero(0)) {
-    last_ = answer.solution;
+  if (asked.isZero(0)) {
+    last_ = answers_.back().solution;
     return {last_, f()};
   }
-  if (response_.groupOf != moves->groupOf) {
-    Columns3 isMoved(targets.shifts.rows(), 3);
-    for (Index r = 0; r < isMoved.rows(); ++r)
-      for (int group = 0; group < kGroups; ++group) isMoved(r, group) = moves->groupOf[r] == group + 1;
-    response_ = {moves->groupOf,
-                 solver.solve({std::move(isMoved), targets.reconciled}, Columns3::Zero(f()->rows(), 3))};
-  }
-  const Displacement& reach = response_.reach;
-  Displacement sum{Columns3(reach.u.rows(), 3), answer.solution->corrections,
-                   std::max(answer.solution->accuracy, reach.accuracy), answer.solution->left,
-                   answer.solution->multipliers + reach.multipliers * moves->by};
-  parallelBlocks(sum.u.rows(), [&](Index i) { sum.u.row(i) = answer.solution->u.row(i) + reach.u.row(i) * moves->by; });
-  solver.meet(targets, sum.u);
+  Displacement sum = moves->by.isZero(0) ? *answers_.back().solution : moved(solver, *moves);
+  solver.meet(targets, sum.u);  // moves that are no more than rounding as well
   last_ = std::make_shared<const Displacement>(std::move(sum));
   return {last_, f()};
+}
+
+Displacement MovedSolutions::moved(const ConstrainedSolver& solver, const Moves& moves)
+{
+  if (response_.groupOf != moves.groupOf) {
+    Columns3 isMoved(targets_.shifts.rows(), 3);
+    for (Index r = 0; r < isMoved.rows(); ++r)
+      for (int group = 0; group < kGroups; ++group) isMoved(r, group) = moves.groupOf[r] == group + 1;
+    response_ = {moves.groupOf,
+                 solver.solve({std::move(isMoved), targets_.reconciled}, Columns3::Zero(f()->rows(), 3))};
+  }
+  const Displacement& reach = response_.reach;
+  const Displacement& last = *answers_.back().solution;
+  Displacement sum{Columns3(reach.u.rows(), 3), last.corrections, std::max(last.accuracy, reach.accuracy), last.left};
+  // The solver may have gone on without multipliers meanwhile.
+  if (last.multipliers.rows() == reach.multipliers.rows())
+    sum.multipliers = last.multipliers + reach.multipliers * moves.by;
+  parallelBlocks(sum.u.rows(), [&](Index i) { sum.u.row(i) = last.u.row(i) + reach.u.row(i) * moves.by; });
+  return sum;
 }
 
 /// The sum of earlier solutions whose right-hand sides come nearest to `asked`.

@@ -6,6 +6,7 @@
 #include <deque>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include <holdfast/mesh/solver_mesh.h>
 #include <holdfast/solve/constrained_solver.h>
@@ -39,6 +40,12 @@ class MovedSolutions {
     Columns3 f;
   };
 
+  /// Rows that have moved by the same vector since the last solution that was solved for.
+  struct Moves {
+    std::vector<int> groupOf;  // of each row, from 1 in the order of rows; 0 where it stays
+    Eigen::Matrix3d by = Eigen::Matrix3d::Zero();
+  };
+
   /// How far it reaches, n x 3, when the rows of groups 1, 2 and 3 move by 1: a column for each.
   struct Response {
     std::vector<int> groupOf;  // of each row; 0 where it stays
@@ -52,6 +59,11 @@ class MovedSolutions {
   };
 
   [[nodiscard]] std::shared_ptr<const Columns3> f() const { return {wanted_, &wanted_->f}; }
+  /// The groups of rows that move; none where there are more than three. Differences up to `rounding` count as none:
+  /// what they ask for is left to `ConstrainedSolver::meet`.
+  [[nodiscard]] static std::optional<Moves> movesOf(const Columns3& asked, double rounding);
+  /// The last solution that was solved for, and what the moves add to it.
+  [[nodiscard]] Displacement moved(const ConstrainedSolver& solver, const Moves& moves);
   [[nodiscard]] Displacement nearest(const Eigen::VectorXd& asked) const;
 
   double rounding_ = 0;  // of shifts, model units

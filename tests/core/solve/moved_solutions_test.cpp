@@ -86,6 +86,13 @@ TEST_F(MovedRows, TakeOneSolutionForAllMovesOfADrag)
   EXPECT_EQ(move(rows({0, 1e-16, -1e-16, 0, 0})), 0) << "rounding";
 }
 
+TEST_F(MovedRows, AreAnsweredWhereTheyMoveByLittleMoreThanRounding)
+{
+  EXPECT_EQ(move(Columns3::Zero(kRows, 3)), 1);
+  EXPECT_EQ(move(rows({0, 2e-13, 0, 0, 0})), 1);
+  EXPECT_EQ(move(rows({0, 2e-13, 2e-13, 0, 0})), 1) << "two groups: a move twice as far is no rounding of the other";
+}
+
 TEST_F(MovedRows, MayMoveInThreeWays)
 {
   EXPECT_EQ(move(Columns3::Zero(kRows, 3)), 1);
