@@ -217,7 +217,9 @@ class VtpReader {
     std::map<std::string, int> lastNumber;  // of those that have wanted a name
     for (const XmlElement& child : element->children) {
       if (child.name != "DataArray" && child.name != "Array") fail(child, "this is no array");
-      if (names.size() == kMostArrays) fail(child, fmt::format("more than {} arrays are not read", kMostArrays));
+      if (names.size() == kMostArrays)
+        throw InputError({file_, 0, name},
+                         fmt::format("more than {} arrays are not read; leave some out", kMostArrays));
       const auto array = readArray(child, tuples);
       const std::string stated = array->GetName() == nullptr ? "" : array->GetName();
       const std::string wanted = stated.empty() ? "unnamed" : stated;
