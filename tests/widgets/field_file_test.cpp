@@ -1,6 +1,7 @@
 #include <cmath>
 #include <limits>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
@@ -9,6 +10,7 @@
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataReader.h>
 
+#include <holdfast/widgets/files/any_mesh_file.h>
 #include <holdfast/widgets/files/poly_data_file.h>
 #include <holdfast/widgets/mesh/poly_data.h>
 
@@ -41,6 +43,25 @@ TEST(FieldFile, HoldsTheMeshAtTheGivenPositions)
   const auto result = readByVtk(fieldsToVtp(mesh, moved, {}, {}).bytes);
   EXPECT_TRUE(test::isSameBits(positionsOf(*result), moved));
   EXPECT_EQ(polygonsOf(*result, "fields.vtp"), mesh.faces);
+}
+
+TEST(FieldFile, LeavesFacesOfFewCornersOut)
+{
+  Mesh mesh = test::tetrahedron();
+  const Polygons surface = mesh.faces;
+  mesh.faces.add({0, 1});
+  mesh.faces.add(std::vector<Index>{});
+  EXPECT_EQ(polygonsOf(*readByVtk(fieldsToVtp(mesh, mesh.positions, {}, {}).bytes), "fields.vtp"), surface);
+}
+
+TEST(AnyMeshFile, VtkGetsNoFacesOfFewCornersAndANoteSaysSo)
+{
+  Mesh mesh = test::tetrahedron();
+  mesh.faces.add({0, 1});
+  for (const char* name : {"a.vtp", "a.vtk", "a.ply"})
+    EXPECT_THAT(serializeAnyMesh({mesh, nullptr}, mesh.positions, name).notes,
+                testing::ElementsAre("1 face of fewer than three corners left behind"))
+        << name;
 }
 
 TEST(FieldFile, KeepsEveryNumberOfItsFields)

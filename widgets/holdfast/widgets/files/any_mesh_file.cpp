@@ -2,11 +2,25 @@
 
 #include <holdfast/base/error.h>
 #include <holdfast/base/lower_case.h>
+#include <holdfast/base/printable.h>
 #include <holdfast/io/mesh_file.h>
 #include <holdfast/mesh/stated_places.h>
 #include <holdfast/widgets/files/poly_data_file.h>
 
 namespace holdfast {
+
+namespace {
+
+/// Polygons of VTK have three corners or more.
+Serialized serializeByVtk(const MeshDocument& document, const Positions& positions, const std::string& extension)
+{
+  Serialized result = serializePolyData(document, positions, extension);
+  const auto leftOut = static_cast<Index>(facesWithoutSurface(document.mesh.faces).size());
+  if (leftOut > 0) result.notes.push_back(counted(leftOut, "face") + " of fewer than three corners left behind");
+  return result;
+}
+
+}  // namespace
 
 std::vector<std::string_view> anyMeshExtensions()
 {
@@ -38,7 +52,7 @@ Serialized serializeAnyMesh(const MeshDocument& document, const Positions& posit
   const bool isVtks = extension == ".vtp" || extension == ".vtk";
   try {
     if (!isVtks) return serializeMesh(document, positions, extension);
-    return serializePolyData(document, withStatedPlaces(document.mesh.positions, positions), extension);
+    return serializeByVtk(document, withStatedPlaces(document.mesh.positions, positions), extension);
   } catch (const OutputError& error) {
     throw OutputError(path.string(), error.reason());
   }

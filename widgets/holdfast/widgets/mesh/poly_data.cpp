@@ -8,6 +8,7 @@
 #include <vtkTypeInt32Array.h>
 
 #include <holdfast/base/error.h>
+#include <holdfast/mesh/stated_places.h>
 
 namespace holdfast {
 namespace {
@@ -134,7 +135,10 @@ vtkSmartPointer<vtkPolyData> toPolyData(const Mesh& mesh, const Positions& posit
 {
   auto polyData = vtkSmartPointer<vtkPolyData>::New();
   polyData->SetPoints(toPoints(positions));
-  polyData->SetPolys(toCells(mesh.faces));
+  if (facesWithoutSurface(mesh.faces).empty())
+    polyData->SetPolys(toCells(mesh.faces));
+  else
+    polyData->SetPolys(toCells(surfaceOf(mesh).faces));
   return polyData;
 }
 
