@@ -48,8 +48,8 @@ template <typename Predicate>
   return cells;
 }
 
-/// The faces of `mesh` at `positions` (vertexCount x 3): polygons only, no attributes. Faces of fewer than three corners
-/// are left out.
+/// The faces of `mesh` at `positions` (vertexCount x 3): polygons only, no attributes. Faces of fewer than three
+/// corners are left out.
 [[nodiscard]] vtkSmartPointer<vtkPolyData> toPolyData(const Mesh& mesh, const Positions& positions);
 
 /// A copy, called as the field.
