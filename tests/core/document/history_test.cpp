@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
 #include <holdfast/document/history.h>
+#include <holdfast/surface/surface_locator.h>
 
 #include "support/law_meshes.h"
+#include "support/meshes.h"
 
 namespace holdfast {
 namespace {

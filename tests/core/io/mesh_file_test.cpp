@@ -147,7 +147,7 @@ INSTANTIATE_TEST_SUITE_P(
         Outline{"Comb",
                 {{0, 0}, {5, 0}, {5, 3}, {4, 3}, {4, 1}, {3, 1}, {3, 3}, {2, 3}, {2, 1}, {1, 1}, {1, 3}, {0, 3}},
                 11}),
-    [](const auto& info) { return info.param.name; });
+    [](const auto& some) { return some.param.name; });
 
 TEST_F(MeshFile, FacesOfFewCornersStayInTheirFormatAndAreLeftBehindInOthers)
 {
