@@ -199,7 +199,7 @@ std::string_view requireUtf8(std::string_view text, std::string_view file)
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
-    throw InputError({std::string(file), 1, ""}, "the text is UTF-16; save the file in the encoding UTF-8");
+    throw InputError({std::string(file), 1, ""}, "not UTF-8 text but UTF-16; save the file in the encoding UTF-8");
   for (std::size_t offset = 0; offset < text.size();) {
     const std::size_t length = utf8Length(text.substr(offset));
     if (length == 0)

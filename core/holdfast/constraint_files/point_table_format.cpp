@@ -159,9 +159,9 @@ void setColumnsWithoutTitles(FoundFormat& found, const std::vector<CsvRecord>& r
   setColumns(found.format, hasNames, hasTargets);
   const bool isClear = count == 3 || count == 4 || count == 6 || (count == 7 && beginsWithNames(records, sign));
   if (!isClear)
-    found.doubt = {"", fmt::format("the table has no titles and {} columns, whose meaning is not clear; begin it with "
+    found.doubt = {"", fmt::format("the table has no titles and {}, whose meaning is not clear; begin it with "
                                    "a line of titles: {}, and others where there are more columns",
-                                   count, headerText())};
+                                   counted(static_cast<Index>(count), "column"), headerText())};
 }
 
 /// Units of the columns that are used. Where they differ nothing says which of them is that of the mesh.

@@ -113,7 +113,7 @@ TEST(ConstraintFileErrors, UnknownKeysNameTheKnownOnesAndTheClosest)
   expectFileRefused(kConstraintsHead + "[], \"unit\": \"mm\"}", "unit",
                     R"(unknown key "unit"; did you mean "units"? Known here: )");
   expectConstraintRefused(R"({"type": "fixed", "selct": {}})", ".selct",
-                          R"(did you mean "select"? Known here: "type", "name", "enabled", "select")");
+                          R"(did you mean "select"? Known here: "type", "name", "enabled", "extra", "select")");
   expectConstraintRefused(R"({"type": "fixed", "select": {"component": 0}, "Name": "A"})", ".Name",
                           R"(did you mean "name"?)");
   expectConstraintRefused(
