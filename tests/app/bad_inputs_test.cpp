@@ -48,6 +48,7 @@ TEST_F(BatchTest, SkippedRowsAreNamedInMessagesAndReport)
                "name;x;y;z;target_x;target_y;target_z\nA;1;0;0;1,5;0;0\nB;0;1;0;NaN;NaN;NaN\nC;0;0;1;0;0;1\n")
           .string();
   expectRefusedWithoutTrace(deform(mesh(), list), kInput, {"list.csv:3: column target_x: \"NaN\" is not a number"});
+  expectRefusedWithoutTrace(deform(mesh(), constraints(), {"--skip-bad-rows"}), kInput, {"no point list"});
   const ProcessResult result = runBatch(deform(mesh(), list, {"--skip-bad-rows"}));
   EXPECT_EQ(result.exitCode, 0) << result.err;
   const std::string fault = "column target_x: \"NaN\" is not a number; correct it";
@@ -58,7 +59,6 @@ TEST_F(BatchTest, SkippedRowsAreNamedInMessagesAndReport)
   EXPECT_EQ(report["constraints"].size(), 2U);
   EXPECT_THAT(runBatch({"check", mesh(), "--constraints", list, "--skip-bad-rows"}).err,
               testing::HasSubstr("\"B\" is skipped"));
-  expectRefusedWithoutTrace(deform(mesh(), constraints(), {"--skip-bad-rows"}), kInput, {"no point list"});
 }
 
 TEST_P(BadMesh, IsRefusedByName)

@@ -66,8 +66,8 @@ TEST_F(SessionOptions, WeldAndTellWhichPlacesAreFar)
     const ProcessResult result = runBatch(command);
     EXPECT_EQ(result.exitCode, 0) << result.err;
     std::vector<std::string> kinds;
-    for (const Json& finding : Json::parse(bytesOf(output("report.json")))["mesh"]["findings"])
-      kinds.push_back(finding["kind"]);
+    const Json report = Json::parse(bytesOf(output("report.json")));
+    for (const Json& finding : report["mesh"]["findings"]) kinds.push_back(finding["kind"]);
     return kinds;
   };
   const std::string list = constraintText({R"({"type": "point", "at": {"near": [0.5, 0.5, 0.2]}, "move": [0, 0, 0]})"});
@@ -76,7 +76,7 @@ TEST_F(SessionOptions, WeldAndTellWhichPlacesAreFar)
   EXPECT_THAT(runBatch({"check", seam, "--constraints", plain}).err,
               AllOf(HasSubstr("warning: 2 vertices at open edges nearly coincide"),
                     HasSubstr("warning: 1 constraint names a place"), HasSubstr("\"point 1\"")));
-  EXPECT_THAT(runBatch({"check", seam, "--constraints", plain}).out, HasSubstr("at most 0.2 from the surface"));
+  EXPECT_THAT(runBatch({"check", seam, "--constraints", plain}).out, HasSubstr("at most 0.2 mm from the surface"));
   const std::vector<std::string> good = findingsOf(plain, {"--weld", "1e-8", "--near-limit", "0.5"});
   EXPECT_THAT(good, testing::Contains("welded_near_vertices"));
   EXPECT_THAT(good, Not(testing::Contains("places_off_surface")));
