@@ -100,7 +100,9 @@ class SystemBuilder {
           std::holds_alternative<FixedConstraint>(list_.constraints[c].what))
         fixed.insert(fixed.end(), selected_[c].begin(), selected_[c].end());
     if (fixed.empty()) return {std::nullopt, solverMesh_.diagonal};
-    return {centroid(restOf(sortedOnce(std::move(fixed)))), solverMesh_.diagonal};
+    for (Index& v : fixed) v = solverMesh_.weld.unknownOf[v];
+    const Positions places = solverMesh_.rest(sortedOnce(std::move(fixed)), Eigen::all);
+    return {centroid(places), solverMesh_.diagonal};
   }
 
   void add(const FixedConstraint& /*fixed*/)
@@ -121,7 +123,8 @@ class SystemBuilder {
     const bool isListed = !handle.rotations.empty() || std::holds_alternative<VertexTargets>(handle.motion);
     const std::span<const Index> vertices =
         isListed ? std::span(std::get<VertexIds>(handle.select.what).ids) : selected_[current_];
-    const HandleSetting setting{restOf(vertices), surroundings_, key("")};
+    const HandleSetting setting{
+        restOf(vertices), surroundings_, key(""), {}, firstOfUnknowns(vertices, solverMesh_.weld.unknownOf)};
     const HandlePlacement placement = placeHandle(handle, setting);
     for (std::size_t k = 0; k < vertices.size(); ++k) {
       addPin(vertices[k], placement.places.row(k));

@@ -72,7 +72,7 @@ Vector3 swing(const RigidIncrement& increment, const Vector3& from)
 struct Rotator {
   HandleConstraint& handle;
   const RigidIncrement& increment;
-  const Positions& rest;
+  const HandleSetting& setting;
   const AxisAngle& before;
 
   void operator()(std::monostate) const
@@ -86,7 +86,7 @@ struct Rotator {
 
   void operator()(const FrameMotion& motion) const
   {
-    const Vector3 from = motion.from.origin.value_or(centroid(rest));
+    const Vector3 from = motion.from.origin.value_or(centroid(setting));
     const Vector3 origin = motion.to.origin.value_or(from);
     const Eigen::Matrix3d R = rotationMatrix(increment.axis, increment.degrees);
     FrameMotion moved = motion;
@@ -118,7 +118,7 @@ struct Rotator {
   void rotateAbout(const std::optional<Vector3>& center) const
   {
     const AxisAngle turn = after();
-    handle.translate += swing(increment, center.value_or(centroid(rest)) + handle.translate);
+    handle.translate += swing(increment, center.value_or(centroid(setting)) + handle.translate);
     handle.motion = AxisRotation{turn.axis, turn.degrees, center};
   }
 };
@@ -168,7 +168,7 @@ HandleConstraint composed(const HandleConstraint& handle, const RigidIncrement& 
   if (!isNone(next)) {
     const AxisAngle before = rotationOfMotion(handle, setting);
     for (AxisAngle& turn : result.rotations) turn = composed(turn, next);
-    std::visit(Rotator{result, increment, setting.rest, before}, handle.motion);
+    std::visit(Rotator{result, increment, setting, before}, handle.motion);
   }
   if (!increment.translation.isZero(0)) result.translate += increment.translation;
   return result;

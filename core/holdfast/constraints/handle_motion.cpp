@@ -58,7 +58,7 @@ struct Placer {
 
   HandlePlacement operator()(const AxisRotation& turn) const
   {
-    const Vector3 center = turn.center.value_or(centroid(rest));
+    const Vector3 center = turn.center.value_or(centroid(setting));
     const RigidMotion motion{rotationMatrix(turn.axis, turn.degrees), rotationLog(turn.axis, turn.degrees), center,
                              center};
     return motion.place(rest, translate);
@@ -66,7 +66,7 @@ struct Placer {
 
   HandlePlacement operator()(const RotationAboutFixed& turn) const
   {
-    const Vector3 own = centroid(rest);
+    const Vector3 own = centroid(setting);
     const Vector3 before = own - fixedCenter();
     const Vector3 after = before + translate;
     requireDirection(before, "at rest");
@@ -85,7 +85,7 @@ struct Placer {
         motion.turns == 0
             ? shortest
             : Vector3(shortest + shortest.normalized() * std::numbers::pi * static_cast<double>(motion.turns));
-    const Vector3 from = motion.from.origin.value_or(centroid(rest));
+    const Vector3 from = motion.from.origin.value_or(centroid(setting));
     return RigidMotion{R, q, from, motion.to.origin.value_or(from)}.place(rest, translate);
   }
 
@@ -94,7 +94,7 @@ struct Placer {
     Positions places(rest.rows(), 3);
     for (Index k = 0; k < places.rows(); ++k) places.row(k) = (targets.places[k] + translate).transpose();
     requireRange(places);
-    const RotationFit fit = fitRotation(rest, places);
+    const RotationFit fit = fitRotation(setting.once(rest), setting.once(places));
     return {places, rotationLog(fit.R).transpose().replicate(places.rows(), 1), fit.isDetermined};
   }
 
@@ -242,7 +242,7 @@ double shareMoved(const HandleConstraint& handle, const HandleSetting& setting)
 {
   const auto& [fixedCenter, diagonal] = setting.surroundings;
   if (!fixedCenter) return 0;
-  const double distance = (centroid(setting.rest) - *fixedCenter).stableNorm();
+  const double distance = (centroid(setting) - *fixedCenter).stableNorm();
   return distance <= kNoDirection * diagonal ? 0 : handle.translate.stableNorm() / distance;
 }
 
@@ -250,6 +250,30 @@ Vector3 centroid(const Positions& points)
 {
   assert(points.rows() > 0);
   return points.colwise().mean().transpose();
+}
+
+std::vector<Index> firstOfUnknowns(std::span<const Index> vertices, const std::vector<int>& unknownOf)
+{
+  std::vector<std::pair<int, Index>> places;  // of each unknown
+  places.reserve(vertices.size());
+  for (const Index vertex : vertices) places.emplace_back(unknownOf[vertex], static_cast<Index>(places.size()));
+  std::ranges::sort(places);
+  const auto repeated = std::ranges::unique(places, {}, &std::pair<int, Index>::first);
+  places.erase(repeated.begin(), repeated.end());
+  std::vector<Index> result;
+  for (const auto& [unknown, place] : places) result.push_back(place);
+  std::ranges::sort(result);
+  return result;
+}
+
+Positions HandleSetting::once(const Positions& ofVertices) const
+{
+  return counted.empty() ? ofVertices : Positions(ofVertices(counted, Eigen::all));
+}
+
+Vector3 centroid(const HandleSetting& setting)
+{
+  return centroid(setting.once(setting.rest));
 }
 
 std::optional<HandleError> validateHandle(const HandleConstraint& handle)

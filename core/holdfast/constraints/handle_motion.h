@@ -2,6 +2,7 @@
 /// Where a handle goes and how it turns: both ways of section 3.3 of the paper to give it its rotation, and more.
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,11 @@ struct HandleError {
 /// The mean of the rows of `points`, one at least.
 [[nodiscard]] Vector3 centroid(const Positions& points);
 
+/// The places in `vertices` where an unknown is named first, ascending; `unknownOf` is `Weld::unknownOf`.
+[[nodiscard]] std::vector<Index> firstOfUnknowns(std::span<const Index> vertices, const std::vector<int>& unknownOf);
+
 struct HandleSurroundings {
-  std::optional<Vector3> fixedCenter;  ///< centroid of all vertices that are fixed, at rest; none where there are none
+  std::optional<Vector3> fixedCenter;  ///< centroid of all unknowns that are fixed, at rest; none where there are none
   double diagonal = 0;                 ///< of the bounding box of the mesh, model units
 };
 
@@ -36,7 +40,16 @@ struct HandleSetting {
   HandleSurroundings surroundings;
   InputLocation where;               ///< the handle's, for errors
   std::vector<Index> vertices = {};  ///< of the file, in the order of `rest`; may be empty
+  /// The rows of `rest` that count in means: one for each unknown, so that copies of a corner change nothing. Empty:
+  /// all.
+  std::vector<Index> counted = {};
+
+  /// The rows of `ofVertices`, one for each vertex, that count in means.
+  [[nodiscard]] Positions once(const Positions& ofVertices) const;
 };
+
+/// The mean of the handle's vertices at rest.
+[[nodiscard]] Vector3 centroid(const HandleSetting& setting);
 
 /// One row for each vertex of a handle.
 struct HandlePlacement {

@@ -36,7 +36,7 @@ ConstraintDrag::ConstraintDrag(const Model& model, const ConstraintList& list, s
   std::vector<HandleSetting> settings = settingsOf(model, list, handles, source);
   for (std::size_t k = 0; k < handles.size(); ++k) {
     DraggedHandle handle{handles[k], std::move(settings[k]), Vector3::Zero(), {}};
-    handle.center = centroid(placeHandle(startOf(handle), handle.setting).places);
+    handle.center = centroid(handle.setting.once(placeHandle(startOf(handle), handle.setting).places));
     handle.turn = rotationOfMotion(startOf(handle), handle.setting);
     handles_.push_back(std::move(handle));
   }
@@ -59,7 +59,8 @@ Eigen::Matrix3d ConstraintDrag::axes(const Positions& positions) const
   if (isPoint) return surfaceAxes(*model_, points_.front().point, positions);
   const DraggedHandle& dragged = handles_.front();
   if (const auto* motion = std::get_if<FrameMotion>(&startOf(dragged).motion)) return axesOf(motion->to);
-  return rotationMatrix(dragged.turn.axis, dragged.turn.degrees) * principalAxes(dragged.setting.rest);
+  return rotationMatrix(dragged.turn.axis, dragged.turn.degrees) *
+         principalAxes(dragged.setting.once(dragged.setting.rest));
 }
 
 const HandleConstraint& ConstraintDrag::startOf(const DraggedHandle& dragged) const

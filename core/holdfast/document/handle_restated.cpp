@@ -22,16 +22,17 @@ HandleConstraint validated(HandleConstraint handle, const HandleSetting& setting
 }
 
 /// Where the motion takes the centroid, before the translation; none where it stays.
-std::optional<Vector3> centroidAfter(const HandleConstraint& handle, const Eigen::Matrix3d& R, const Positions& rest)
+std::optional<Vector3> centroidAfter(const HandleConstraint& handle, const Eigen::Matrix3d& R,
+                                     const HandleSetting& setting)
 {
   if (const auto* targets = std::get_if<VertexTargets>(&handle.motion)) {
     Positions places(static_cast<Index>(targets->places.size()), 3);
     for (Index k = 0; k < places.rows(); ++k) places.row(k) = targets->places[k].transpose();
-    return centroid(places);
+    return centroid(setting.once(places));
   }
   const auto* turn = std::get_if<AxisRotation>(&handle.motion);
   if (turn == nullptr || !turn->center) return std::nullopt;
-  return Vector3(*turn->center + R * (centroid(rest) - *turn->center));
+  return Vector3(*turn->center + R * (centroid(setting) - *turn->center));
 }
 
 std::optional<Vector3> centerOfFixed(const Model& model, const ConstraintList& list, Selector& selector,
@@ -45,7 +46,9 @@ std::optional<Vector3> centerOfFixed(const Model& model, const ConstraintList& l
     fixed.insert(fixed.end(), selected.begin(), selected.end());
   }
   if (fixed.empty()) return std::nullopt;
-  return centroid(model.mesh.positions(sortedOnce(std::move(fixed)), Eigen::all));
+  for (Index& v : fixed) v = model.solverMesh.weld.unknownOf[v];
+  const Positions places = model.solverMesh.rest(sortedOnce(std::move(fixed)), Eigen::all);
+  return centroid(places);
 }
 
 // Variances that differ by less than this share of the largest have no axis that a user would expect.
@@ -66,10 +69,10 @@ HandleConstraint byFrames(const HandleConstraint& handle, const HandleSetting& s
   if (std::holds_alternative<FrameMotion>(handle.motion)) return handle;
   const AxisAngle turn = rotationOfMotion(handle, setting);
   const Eigen::Matrix3d R = rotationMatrix(turn.axis, turn.degrees);
-  const Eigen::Matrix3d from = principalAxes(setting.rest);
+  const Eigen::Matrix3d from = principalAxes(setting.once(setting.rest));
   const Eigen::Matrix3d to = R * from;
   FrameMotion frames{
-      {std::nullopt, from.col(0), from.col(1)}, {centroidAfter(handle, R, setting.rest), to.col(0), to.col(1)}, 0};
+      {std::nullopt, from.col(0), from.col(1)}, {centroidAfter(handle, R, setting), to.col(0), to.col(1)}, 0};
   const std::optional<Index> turns = wholeTurns(frames, rotationLog(turn.axis, turn.degrees));
   if (!turns)
     throw InputError(
@@ -118,7 +121,8 @@ std::vector<HandleSetting> settingsOf(const Model& model, const ConstraintList& 
     std::vector<Index> vertices = selector.select(select, below(where, ".select"));
     const auto* listed = std::get_if<VertexIds>(&select.what);
     if (listed != nullptr && listed->ids.size() == vertices.size()) vertices = listed->ids;
-    settings.push_back({model.mesh.positions(vertices, Eigen::all), surroundings, where, vertices});
+    settings.push_back({model.mesh.positions(vertices, Eigen::all), surroundings, where, vertices,
+                        firstOfUnknowns(vertices, model.solverMesh.weld.unknownOf)});
   }
   return settings;
 }

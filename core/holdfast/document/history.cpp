@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <holdfast/base/error.h>
+#include <holdfast/surface/surface_locator.h>
 
 namespace holdfast {
 namespace {

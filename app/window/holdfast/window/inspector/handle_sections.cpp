@@ -125,7 +125,10 @@ class HandleSection : public SectionOf<HandleConstraint> {
   {
     const std::vector<Index> vertices = findVertices(editor(), handle.select).vertices;
     if (vertices.empty()) return Vector3::Zero();
-    return centroid(editor().model()->mesh.positions(vertices, Eigen::all));
+    const std::vector<Index> counted = firstOfUnknowns(vertices, editor().model()->solverMesh.weld.unknownOf);
+    const Positions rest = editor().model()->mesh.positions(vertices, Eigen::all);
+    const Positions places = rest(counted, Eigen::all);
+    return centroid(places);
   }
 };
 
@@ -218,7 +221,7 @@ class FrameSection : public SectionOf<HandleConstraint> {
       if (choice == 0)
         frame.origin.reset();
       else
-        frame.origin = framesOf(handle).from.origin.value_or(centroid(settingOf(editor(), constraint).rest));
+        frame.origin = framesOf(handle).from.origin.value_or(centroid(settingOf(editor(), constraint)));
       requireValid(handle);
       return constraint;
     });
