@@ -62,11 +62,10 @@ Section rotationSpheres(const Workbench& bench)
   Section section;
   section.paper =
       "rotations of the free vertices on the sphere of unit quaternions: on an arc between two boundary rotations, in "
-      "a "
-      "triangle of three, in a tetrahedron of four.";
+      "a triangle of three.";
   section.method =
-      "the plate with discs that rotate about different axes. Each logarithm q is written as a mean of the "
-      "given ones: weights of sum 1, none of them negative inside.";
+      "the plate with discs that rotate about different axes, also four of them, which span a tetrahedron. Each "
+      "logarithm q is written as a mean of the given ones: weights of sum 1, none of them negative inside.";
   Table table{{"given rotations", "least weight of any vertex", "off their arc, plane or space, radians"}, {}};
   std::vector<Picture> tiles;
   std::vector<Picture> spheres;

@@ -143,8 +143,8 @@ Section stabilityOf(const std::vector<NamedMesh>& meshes)
   const std::vector<Method> methods = allMethods();
   Section section;
   section.paper =
-      "which of soft constraints with the weights 1 and 5 and hard constraints solve which models, with uniform and "
-      "with cotangent weights, and what residuals are left.";
+      "circles and crosses: which models are solved by soft constraints, with the weight 1 for normals and 5 for "
+      "constraints, and by hard ones, with uniform and with cotangent weights. It has no numbers.";
   section.method = fmt::format(
       "one end of each mesh is fixed, the other one moved and turned by 60 degrees, and points on vertices, on edges "
       "and in faces are moved. \"As printed\" solves for positions by the normal equations as they stand, with a "

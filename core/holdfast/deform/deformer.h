@@ -36,8 +36,9 @@ class Deformer {
   /// Whether a list whose rows differ in few places from those that were factorised is answered by the factor that is
   /// there, bordered, while another is made beside the next calls (for hard constraints and our own factor), and one
   /// whose points and handles have moved in at most three ways, with the same rotations, by a sum of solutions; turns
-  /// begin at the sum of earlier solutions that is nearest (`MovedSolutions`). As exact, in a fraction of the time, but
-  /// the last digits depend on what was there. Up to two factors are in memory. Off at first.
+  /// begin at the sum of earlier solutions that is nearest (`MovedSolutions`). Constraints are held to the same limits,
+  /// in a fraction of the time; the last digits depend on what was there. Up to two factors are in memory. Off at
+  /// first.
   void answerEditsAtOnce(bool isWanted) noexcept { answersEditsAtOnce_ = isWanted; }
 
   /// Rotations are found from those of the last call on, by up to so many iterations in a call: the frames of a drag.
