@@ -1,5 +1,9 @@
 // Hard constraints by elimination: equations (11) to (21).
 
+#include <algorithm>
+#include <utility>
+
+#include <holdfast/base/disjoint_sets.h>
 #include <holdfast/base/largest_size.h>
 #include <holdfast/base/long_step.h>
 #include <holdfast/elimination/reconciliation.h>
@@ -12,6 +16,20 @@ namespace {
 
 // A solution leaves less of its rows than this share of its size.
 constexpr double kMetByBase = 1e-10;
+
+// Solutions by multipliers that are less accurate than this are made by another basis where that is small.
+constexpr double kSufficientAccuracy = 1e-12;
+// A basis with so many numbers is made and factorised in seconds.
+constexpr double kMostNumbersOfQ2 = 2e7;
+
+/// For each of `columns` sets of columns: in how many rows one of a set is the first.
+Eigen::VectorXd rowsOfSets(const SparseRows& rows, DisjointSets& columns)
+{
+  Eigen::VectorXd counts = Eigen::VectorXd::Zero(rows.cols());
+  for (Index r = 0; r < rows.rows(); ++r)
+    if (const SparseRows::InnerIterator first(rows, r); first) ++counts[columns.find(first.col())];
+  return counts;
+}
 
 class HardSolver final : public ConstrainedSolver {
  public:
@@ -69,6 +87,32 @@ class HardSolver final : public ConstrainedSolver {
     if (!result) return {nullptr, std::move(result.failure)};
     return {
         std::make_unique<HardSolver>(ConstrainedProblem{problem_.A, std::move(others), {}}, std::move(result.value))};
+  }
+
+  /// The largest coordinate of what `u` leaves of the rows that hold.
+  [[nodiscard]] double mostMissed(const Columns3& u, const RowTargets& targets) const
+  {
+    const Columns3 missed = missedBy(u, targets);
+    double most = 0;
+    for (const Index row : independentRows(problem_.eliminated->dependencies, problem_.eliminated->rows.size()))
+      most = std::max(most, missed.row(row).cwiseAbs().maxCoeff());
+    return most;
+  }
+
+  /// How many numbers the columns of large components have at most in a basis that meets all rows. Rows of Q2 and kept
+  /// rows tie the columns of a component. O(entries).
+  [[nodiscard]] double mostNumbersOfWholeQ2() const
+  {
+    const SparseRows& Q2 = reduced_->C->Q2()->rows();
+    DisjointSets sets(Q2.cols());
+    for (const SparseRows* rows : {&Q2, &reduced_->C->K()})
+      for (Index r = 0; r < rows->rows(); ++r)
+        for (SparseRows::InnerIterator entry(*rows, r); entry; ++entry)
+          sets.unite(rows->innerIndexPtr()[rows->outerIndexPtr()[r]], entry.col());
+    Eigen::VectorXd columns = Eigen::VectorXd::Zero(Q2.cols());
+    for (Index k = 0; k < Q2.cols(); ++k) ++columns[sets.find(k)];
+    const Eigen::ArrayXd kept = rowsOfSets(reduced_->C->K(), sets);
+    return (kept > 0).select(rowsOfSets(Q2, sets).array() * (columns.array() - kept), 0).sum();
   }
 
   [[nodiscard]] Index unknowns() const override { return reduced_->scale.size() + reduced_->kept; }
@@ -138,8 +182,10 @@ EliminationOrder orderFor(const ConstrainedProblem& problem, const SparseMatrix&
   return 2 * sums > Q2.cols() ? EliminationOrder::ToBeFound : problem.eliminationOrder();
 }
 
+using OwnSolver = Result<std::unique_ptr<const HardSolver>>;
+
 /// With the rows `kept` of the elimination in the system, or with none where that is empty.
-SolverResult hardSolver(ConstrainedProblem problem, Backend backend, SparseMatrix Q2, const std::vector<Index>& kept)
+OwnSolver hardSolver(ConstrainedProblem problem, Backend backend, SparseMatrix Q2, const std::vector<Index>& kept)
 {
   currentStep()->stopIfLeftBehind();
   Q2 = orderedColumns(Q2, problem.ranks);
@@ -153,17 +199,84 @@ SolverResult hardSolver(ConstrainedProblem problem, Backend backend, SparseMatri
   return {std::make_unique<HardSolver>(std::move(problem), std::move(reduced.value))};
 }
 
+/// By a basis of what all rows leave free.
+OwnSolver solverByWholeQ2(ConstrainedProblem problem, Backend backend)
+{
+  SparseMatrix Q2 = problem.eliminated->elimination.wholeQ2();
+  return hardSolver(std::move(problem), backend, std::move(Q2), {});
+}
+
+/// The rows of large components have multipliers, until a solution shows that these take digits: nearly dependent rows
+/// do. From then on it solves by the basis of all rows.
+class MultipliersFirst final : public ConstrainedSolver {
+ public:
+  MultipliersFirst(ConstrainedProblem problem, std::unique_ptr<const HardSolver> byMultipliers)
+      : problem_(std::move(problem)),
+        mostMissed_(kPromisedResidual / 2 * largestSize(problem_.rest)),
+        solver_(std::move(byMultipliers))
+  {
+  }
+
+  [[nodiscard]] Displacement solve(const RowTargets& targets, const Columns3& f) const override
+  {
+    return sufficient(solver_->solve(targets, f), targets, f);
+  }
+
+  [[nodiscard]] Displacement solveFrom(Displacement near, const RowTargets& targets, const Columns3& f) const override
+  {
+    return sufficient(solver_->solveFrom(std::move(near), targets, f), targets, f);
+  }
+
+  void meet(const RowTargets& targets, Columns3& u) const override { solver_->meet(targets, u); }
+  [[nodiscard]] SolverResult edited(std::shared_ptr<const EliminatedConstraints> others) const override
+  {
+    return solver_->edited(std::move(others));
+  }
+
+  [[nodiscard]] Index unknowns() const override { return solver_->unknowns(); }
+  [[nodiscard]] Index factorNonzeros() const override { return solver_->factorNonzeros(); }
+  [[nodiscard]] std::string method() const override { return solver_->method(); }
+
+ private:
+  /// `result`, or the solution by the other basis.
+  [[nodiscard]] Displacement sufficient(Displacement result, const RowTargets& targets, const Columns3& f) const
+  {
+    if (isDecided_ || !wantsWholeQ2(result, targets)) return result;
+    isDecided_ = true;
+    OwnSolver whole = solverByWholeQ2(problem_, Backend::Holdfast);
+    if (!whole) return result;
+    solver_ = std::move(whole.value);
+    return solver_->solve(targets, f);
+  }
+
+  [[nodiscard]] bool wantsWholeQ2(const Displacement& result, const RowTargets& targets) const
+  {
+    if (!(solver_->mostMissed(result.u, targets) <= mostMissed_)) return true;
+    return result.accuracy > kSufficientAccuracy && solver_->mostNumbersOfWholeQ2() <= kMostNumbersOfQ2;
+  }
+
+  ConstrainedProblem problem_;
+  double mostMissed_;  // half of what is promised, or less: positions are rounded
+  mutable std::unique_ptr<const HardSolver> solver_;
+  mutable bool isDecided_ = false;
+};
+
 }  // namespace
 
 SolverResult makeHardSolver(ConstrainedProblem problem, Backend backend)
 {
   const Elimination& elimination = problem.eliminated->elimination;
   const std::vector<Index> kept = elimination.kept();
-  if (kept.empty()) return hardSolver(std::move(problem), backend, elimination.Q2(), kept);
+  if (kept.empty()) {
+    OwnSolver result = hardSolver(std::move(problem), backend, elimination.Q2(), kept);
+    return {std::move(result.value), std::move(result.failure)};
+  }
   // Only our own factorisation has multipliers.
   if (backend == Backend::Holdfast)
-    if (SolverResult result = hardSolver(problem, backend, elimination.Q2(), kept)) return result;
-  return hardSolver(std::move(problem), backend, elimination.wholeQ2(), {});
+    if (OwnSolver result = hardSolver(problem, backend, elimination.Q2(), kept))
+      return {std::make_unique<MultipliersFirst>(std::move(problem), std::move(result.value))};
+  OwnSolver result = solverByWholeQ2(std::move(problem), backend);
+  return {std::move(result.value), std::move(result.failure)};
 }
 
 }  // namespace holdfast
