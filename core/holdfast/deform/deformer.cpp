@@ -15,6 +15,7 @@
 #include <holdfast/base/thread_priority.h>
 #include <holdfast/check/mesh_check.h>
 #include <holdfast/deform/deform_details.h>
+#include <holdfast/deform/determined_part.h>
 #include <holdfast/deform/forces.h>
 #include <holdfast/deform/found_shape.h>
 #include <holdfast/deform/messages.h>
@@ -273,10 +274,6 @@ class Solution {
     const SolverResult& result = factorization.positions.result(progress);
     report().seconds.factorization += secondsSince(start);
     if (!result) return fail(result.failure);
-    report().unknowns = result.value->unknowns();
-    report().factorNonzeros = result.value->factorNonzeros();
-    report().method = result.value->method();
-
     progress.step("solving");
     const auto solution = Clock::now();
     SolvedDisplacement solved;
@@ -286,8 +283,13 @@ class Solution {
       solved = solve(*result.value);
     else
       solved = factorization.moved->solve(*result.value, targets(), result_.rotations, [this] { return makeF(); });
+    report().unknowns = result.value->unknowns();
+    report().factorNonzeros = result.value->factorNonzeros();
+    report().method = result.value->method();
     if (options_.solver.kind == SolverKind::Hard) details_->multipliers = multipliersOf(solved, factorization);
-    accept(*solved.displacement);
+    if (factorization.isBordered && solved.displacement->accuracy > kBorderedAccuracy)
+      return fail("the border leaves too few digits");
+    accept(*result.value, *solved.displacement);
     report().seconds.solution += secondsSince(solution);
   }
 
@@ -343,21 +345,35 @@ class Solution {
   }
 
   /// Takes the solution over when it is one.
-  void accept(const Displacement& displacement)
+  void accept(const ConstrainedSolver& solver, const Displacement& displacement)
   {
     report().refinementSteps = displacement.corrections;
-    report().accuracy = displacement.accuracy;
     if (!std::isfinite(largestSize(displacement.u)))
       return fail("the solution is not finite: the problem is singular in doubles");
-    if (const std::string failure = accuracyFailure(displacement.accuracy); !failure.empty())
+    if (const std::string failure = judgeAccuracy(solver, displacement); !failure.empty())
       return fail("the solution cannot be used: " + failure);
-    if (const auto warning = accuracyWarning("low_accuracy", "the solution", displacement.accuracy))
-      result_.report.mesh.findings.push_back(*warning);
     // The elimination copies pins. What the other solvers find is measured as they find it.
     const bool isEliminated = options_.solver.kind == SolverKind::Hard;
     result_.positions = isEliminated ? deformedPositions(model_, details_->system, details_->diagnosis, displacement.u)
                                      : deformedPositions(model_, {}, {}, displacement.u);
     setVerdicts(displacement.u);
+  }
+
+  /// Sets the accuracy of both parts, what constraints determine and what they leave free, and warns of the worse one.
+  /// Returns why it is refused; nothing where it is not. Other solvers than `Hard` do not tell the parts apart.
+  std::string judgeAccuracy(const ConstrainedSolver& solver, const Displacement& displacement)
+  {
+    const DeterminedPart determined = options_.solver.kind == SolverKind::Hard
+                                          ? determinedPart(details_->system, *details_->sensitivities, solver,
+                                                           details_->diagnosis.reconciled, displacement.u)
+                                          : DeterminedPart{};
+    report().accuracy = std::max(displacement.accuracy, determined.accuracy);
+    const bool isOfRows = determined.accuracy > displacement.accuracy;
+    const std::optional<Finding> warning = isOfRows
+                                               ? determinedWarning(*details_, determined)
+                                               : accuracyWarning("low_accuracy", "the solution", displacement.accuracy);
+    if (warning) result_.report.mesh.findings.push_back(*warning);
+    return isOfRows ? determinedFailure(*details_, determined) : accuracyFailure(displacement.accuracy);
   }
 
   void setVerdicts(const Columns3& u)
@@ -510,8 +526,7 @@ DeformResult Deformer::deform(const ConstraintList& constraints, const std::stri
   ConstraintSystem again;
   if (factorization.isBordered) again = system;
   DeformResult result = solved(factorization, std::move(system));
-  const SolveReport& report = result.report.solve;
-  if (factorization.isBordered && (report.status == SolveStatus::Failed || report.accuracy > kBorderedAccuracy)) {
+  if (factorization.isBordered && result.report.solve.status == SolveStatus::Failed) {
     factorization_ = std::exchange(coming_, {});
     result = solved(*factorization_, std::move(again));
   }

@@ -41,6 +41,21 @@ std::string accuracyText(double accuracy)
   return fmt::format("accuracy {:.2g}", accuracy);
 }
 
+bool isDoubtful(double accuracy)
+{
+  return accuracy > kDoubtfulAccuracy && accuracy <= kUsableAccuracy;
+}
+
+/// The row that loses most, why, and what to do.
+std::string lossText(const DeformDetails& details, const DeterminedPart& part)
+{
+  const Index constraint = details.system.rows[part.row].constraint;
+  return fmt::format(
+      "{} nearly follows from other constraints, which multiplies rounding (amplification {:.2g}); leave one of them "
+      "out, or move their points apart",
+      inQuotes((*details.labels)[constraint].name), (*details.sensitivities)[part.row]);
+}
+
 }  // namespace
 
 std::string accuracyFailure(double accuracy)
@@ -52,7 +67,7 @@ std::string accuracyFailure(double accuracy)
 
 std::optional<Finding> accuracyWarning(const std::string& kind, const std::string& what, double accuracy)
 {
-  if (accuracy <= kDoubtfulAccuracy || accuracy > kUsableAccuracy) return std::nullopt;
+  if (!isDoubtful(accuracy)) return std::nullopt;
   return Finding{kind,
                  1,
                  "solution",
@@ -60,6 +75,23 @@ std::optional<Finding> accuracyWarning(const std::string& kind, const std::strin
                  fmt::format("{} is accurate to {:.2g} only where constraints leave it free: the problem is nearly "
                              "singular; hold more places, or repair thin triangles",
                              what, accuracy)};
+}
+
+std::string determinedFailure(const DeformDetails& details, const DeterminedPart& part)
+{
+  if (part.accuracy <= kUsableAccuracy) return "";
+  return fmt::format("it is accurate to {:.1g} only, and {:g} is needed: {}", part.accuracy, kUsableAccuracy,
+                     lossText(details, part));
+}
+
+std::optional<Finding> determinedWarning(const DeformDetails& details, const DeterminedPart& part)
+{
+  if (!isDoubtful(part.accuracy)) return std::nullopt;
+  return Finding{"low_accuracy",
+                 1,
+                 "solution",
+                 {},
+                 fmt::format("the solution is accurate to {:.2g} only: {}", part.accuracy, lossText(details, part))};
 }
 
 Finding unconvergedWarning(const RotationIterations& iterations, const RotationOptions& options)

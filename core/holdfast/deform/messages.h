@@ -1,7 +1,8 @@
 #pragma once
-/// What a solve has to say, in sentences: what was wrong, where, and what to do. An accuracy is the estimated relative
-/// error of the unknowns that the constraints leave free.
+/// What a solve has to say, in sentences: what was wrong, where, and what to do. An accuracy is an estimated relative
+/// error: of the unknowns that the constraints leave free, or of what the constraints determine.
 
+#include <holdfast/deform/determined_part.h>
 #include <holdfast/deform/outcomes.h>
 #include <holdfast/operators/operators.h>
 
@@ -18,6 +19,12 @@ inline constexpr double kDoubtfulAccuracy = 1e-9;
 
 /// The warning of `what` ("the solution"), of the kind `kind`, where it is usable and doubtful.
 [[nodiscard]] std::optional<Finding> accuracyWarning(const std::string& kind, const std::string& what, double accuracy);
+
+/// Why a solution is refused of which the rows determine a part that accurately; empty where it is usable.
+[[nodiscard]] std::string determinedFailure(const DeformDetails& details, const DeterminedPart& part);
+
+/// The warning of such a part, of the kind "low_accuracy", where it is usable and doubtful.
+[[nodiscard]] std::optional<Finding> determinedWarning(const DeformDetails& details, const DeterminedPart& part);
 
 /// The warning that rotations were not found within the iterations of `options`.
 [[nodiscard]] Finding unconvergedWarning(const RotationIterations& iterations, const RotationOptions& options);

@@ -1,5 +1,8 @@
 // Solutions and rotation fields tell how accurate they are, warn, and are refused.
 
+#include <algorithm>
+#include <utility>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -51,6 +54,102 @@ TEST(Accuracy, OfALongStripIsWarnedOfWhereItIsDoubtful)
     EXPECT_EQ(test::findingOf(report, "low_accuracy") != nullptr, isDoubtful) << length;
   }
   EXPECT_GT(doubtful, 0) << "the test has met no doubtful solution";
+}
+
+/// A list whose rows nearly depend on one another, the more the smaller `apart` is, and that a shift of the whole
+/// meets.
+struct NearlyDependentCase {
+  const char* name;
+  ConstraintList (*list)(double apart);
+};
+
+const Vector3 kShift(0.3, 0.1, 0.7);
+
+ConstraintList pairInAFace(double apart)
+{
+  return test::listOf({test::moveBy(AtVertex{24}, kShift), test::moveBy(AtFace{0, {0.25, 0.5, 0.25}}, kShift),
+                       test::moveBy(AtFace{0, {0.25 + apart, 0.5 - apart, 0.25}}, kShift)});
+}
+
+ConstraintList pointBesideACorner(double apart)
+{
+  return test::listOf({test::moveBy(AtVertex{0}, kShift), test::moveBy(AtEdge{0, 1, 1 - apart}, kShift)});
+}
+
+ConstraintList fourInAFace(double apart)
+{
+  ConstraintList list = test::listOf({test::moveBy(AtVertex{24}, kShift)});
+  for (const auto& [a, b] : {std::pair(0.0, 0.0), std::pair(apart, 0.0), std::pair(0.0, apart)})
+    list.constraints.push_back(test::moveBy(AtFace{7, {0.25 + a, 0.25 + b, 0.5 - a - b}}, kShift));
+  return test::listOf(list.constraints);
+}
+
+ConstraintList pairOfTwoKinds(double apart)
+{
+  return test::listOf({test::handle({18, 19, 23, 24}, {}, kShift), test::moveBy(AtEdge{6, 7, 0.5}, kShift),
+                       test::moveBy(AtFace{10, {0.5 - apart, 0.5 + apart, 0}}, kShift)});
+}
+
+class NearlyDependentRows : public testing::TestWithParam<NearlyDependentCase> {};
+
+TEST_P(NearlyDependentRows, AreWarnedOfAndRefusedByWhatTheyLose)
+{
+  const Mesh plate = test::grid(4, 4);
+  for (double apart = 1e-2; apart > 3e-12; apart /= 3) {
+    SCOPED_TRACE(apart);
+    const Report report = test::deformed(plate, GetParam().list(apart), {}).report;
+    const bool isRefused = report.solve.accuracy > 1e-6;
+    EXPECT_EQ(report.solve.status, isRefused ? SolveStatus::Failed : SolveStatus::Ok) << report.solve.message;
+    EXPECT_EQ(test::findingOf(report, "low_accuracy") != nullptr, report.solve.accuracy > 1e-9 && !isRefused);
+    double amplification = 0;
+    for (const ConstraintOutcome& outcome : report.constraints)
+      amplification = std::max(amplification, outcome.sensitivity.value_or(0));
+    EXPECT_LT(report.solve.accuracy, 2e-15 * amplification + 1e-12);
+  }
+}
+
+TEST_P(NearlyDependentRows, LoseNoMoreThanTheAccuracyTells)
+{
+  const Mesh plate =
+      test::transformed(test::grid(4, 4), Eigen::Affine3d(Eigen::AngleAxisd(0.7, Vector3(1, 2, 3).normalized())));
+  for (double apart = 1e-2; apart > 1e-9; apart /= 3) {
+    SCOPED_TRACE(apart);
+    const DeformResult result = test::deformed(plate, GetParam().list(apart), {});
+    if (result.report.solve.status == SolveStatus::Failed) continue;
+    const Positions error = result.positions - test::moved(plate, kShift).positions;
+    // Positions are rounded themselves.
+    EXPECT_LE(error.cwiseAbs().maxCoeff(), result.report.solve.accuracy * kShift.cwiseAbs().maxCoeff() + 4e-15);
+  }
+}
+
+TEST_P(NearlyDependentRows, AreNamedWithWhatHelpsWhereTheSolutionIsDoubtfulOrRefused)
+{
+  const Mesh plate = test::grid(4, 4);
+  const Report doubtful = test::deformed(plate, GetParam().list(1e-8), {}).report;
+  ASSERT_NE(test::findingOf(doubtful, "low_accuracy"), nullptr) << doubtful.solve.message;
+  EXPECT_THAT(test::findingOf(doubtful, "low_accuracy")->message, HasSubstr("nearly follows from other constraints"));
+  const Report refused = test::deformed(plate, GetParam().list(4e-12), {}).report;
+  EXPECT_EQ(refused.solve.status, SolveStatus::Failed);
+  EXPECT_THAT(refused.solve.message, HasSubstr("1e-06 is needed: \"P"));
+  EXPECT_THAT(refused.solve.message, HasSubstr("leave one of them out, or move their points apart"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, NearlyDependentRows,
+                         testing::Values(NearlyDependentCase{"PairInAFace", pairInAFace},
+                                         NearlyDependentCase{"PointBesideACorner", pointBesideACorner},
+                                         NearlyDependentCase{"FourInAFace", fourInAFace},
+                                         NearlyDependentCase{"PairOfTwoKinds", pairOfTwoKinds}),
+                         [](const auto& what) { return what.param.name; });
+
+TEST(Accuracy, OfNearlyDependentRowsThatStayAtRestIsFull)
+{
+  ConstraintList list = pairInAFace(1e-11);
+  for (Constraint& constraint : list.constraints) std::get<PointConstraint>(constraint.what).to = Move{Vector3::Zero()};
+  list.constraints.push_back(test::moveBy(AtVertex{24 + 3}, kShift));
+  const Mesh plates = test::merged(test::grid(4, 4), test::moved(test::grid(4, 4), {6, 0, 0}));
+  const Report report = test::deformed(plates, list, {}).report;
+  EXPECT_EQ(report.solve.status, SolveStatus::Ok) << report.solve.message;
+  EXPECT_LT(report.solve.accuracy, 1e-13);
 }
 
 /// A plate whose two inner vertices, 5 and 6, lie `apart`: the closer, the stronger the edge between them, and the less

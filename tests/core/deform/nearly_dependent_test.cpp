@@ -36,7 +36,9 @@ TEST(NearlyDependent, ConstraintsAmplifyByTheInverseOfTheirDistance)
     }
     EXPECT_EQ(result.report.constraints[0].sensitivity, 1);
     EXPECT_EQ(isWarnedOf(result.report), apart < 1e-6);
-    EXPECT_EQ(result.report.solve.status, SolveStatus::Ok) << result.report.solve.message;
+    // What doubles lose by so much is refused.
+    EXPECT_EQ(result.report.solve.status, result.report.solve.accuracy > 1e-6 ? SolveStatus::Failed : SolveStatus::Ok)
+        << result.report.solve.message;
     EXPECT_LE(result.report.solve.maxResidualRelative, 1e-12);
   }
 }

@@ -1,0 +1,26 @@
+#pragma once
+/// What rounding loses of the part of a displacement that constraints determine.
+
+#include <vector>
+
+#include <holdfast/constraints/constraint_system.h>
+#include <holdfast/solve/constrained_solver.h>
+
+namespace holdfast {
+
+/// The relative error of a displacement that follows from its rows, and the row that may lose most.
+struct DeterminedPart {
+  double accuracy = 0;  ///< estimated, relative to the largest displacement; 0 where nothing moves
+  Index row = -1;       ///< place in the system; none where the accuracy is 0
+};
+
+/// Rows that nearly depend on one another multiply the rounding of what they ask for and of what their unknowns move
+/// by: each by its sensitivity (`Elimination::sensitivities`, 0 for rows that are left out). Where that bound exceeds
+/// 1e-12 the error is measured: `solver` takes off what is left of the rows at `u` (n x 3), and the size of that step
+/// counts. `reconciled` is that of the diagnosis. Targets are taken as they are stated. O(terms), and beyond the bound
+/// as `ConstrainedSolver::meet`.
+[[nodiscard]] DeterminedPart determinedPart(const ConstraintSystem& system, const std::vector<double>& sensitivities,
+                                            const ConstrainedSolver& solver, const std::vector<Index>& reconciled,
+                                            const Columns3& u);
+
+}  // namespace holdfast
