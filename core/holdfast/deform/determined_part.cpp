@@ -12,7 +12,7 @@ namespace {
 
 // A row rounds each of its sums by about an epsilon. Measured errors of rows with sensitivities of 10 to 1e12 were up
 // to 2.7 times the sensitivity times that; the sensitivities of large blocks are estimates themselves.
-constexpr double kRoundings = 5;
+constexpr double kSumRoundings = 5;
 
 // Where many rows are nearly dependent the bound is far above the errors: up to this it is no matter.
 constexpr double kBoundIsEnough = 1e-12;
@@ -22,7 +22,7 @@ constexpr double kBoundIsEnough = 1e-12;
 constexpr double kStepFactor = 8;
 
 /// The largest coordinate of what a row asks for, and of what its unknowns move by, whatever cancels.
-double sizeOf(const ConstraintRow& row, const Columns3& u)
+double sizeOfRow(const ConstraintRow& row, const Columns3& u)
 {
   Eigen::RowVector3d moved = Eigen::RowVector3d::Zero();
   for (const Term& term : row.terms) moved += std::abs(term.coefficient) * u.row(term.index).cwiseAbs();
@@ -30,7 +30,7 @@ double sizeOf(const ConstraintRow& row, const Columns3& u)
 }
 
 /// d - B u. With more digits than the rows are met with, where the machine has them: in doubles it may well be zero.
-Columns3 restOf(const ConstraintSystem& system, const Columns3& u)
+Columns3 leftOfRows(const ConstraintSystem& system, const Columns3& u)
 {
   Columns3 rest(static_cast<Index>(system.rows.size()), 3);
   parallelBlocks(rest.rows(), [&](Index r) {
@@ -50,11 +50,12 @@ DeterminedPart boundOf(const ConstraintSystem& system, const std::vector<double>
                        double size)
 {
   Eigen::VectorXd lost(static_cast<Index>(system.rows.size()));
-  parallelBlocks(lost.size(),
-                 [&](Index r) { lost[r] = sensitivities[r] == 0 ? 0 : sensitivities[r] * sizeOf(system.rows[r], u); });
+  parallelBlocks(lost.size(), [&](Index r) {
+    lost[r] = sensitivities[r] == 0 ? 0 : sensitivities[r] * sizeOfRow(system.rows[r], u);
+  });
   DeterminedPart part;
   if (lost.size() == 0 || !(lost.maxCoeff(&part.row) > 0)) return {};
-  part.accuracy = kRoundings * std::numeric_limits<double>::epsilon() * lost[part.row] / size;
+  part.accuracy = kSumRoundings * std::numeric_limits<double>::epsilon() * lost[part.row] / size;
   return part;
 }
 
@@ -68,7 +69,7 @@ DeterminedPart determinedPart(const ConstraintSystem& system, const std::vector<
   DeterminedPart part = boundOf(system, sensitivities, u, size);
   if (part.accuracy <= kBoundIsEnough) return part;
   Columns3 step = Columns3::Zero(u.rows(), 3);
-  solver.meet({restOf(system, u), reconciled}, step);
+  solver.meet({leftOfRows(system, u), reconciled}, step);
   part.accuracy = std::clamp(kStepFactor * largestSize(step) / size, kBoundIsEnough, part.accuracy);
   return part;
 }

@@ -63,31 +63,31 @@ struct NearlyDependentCase {
   ConstraintList (*list)(double apart);
 };
 
-const Vector3 kShift(0.3, 0.1, 0.7);
+const Vector3 kShiftOfAll(0.3, 0.1, 0.7);
 
 ConstraintList pairInAFace(double apart)
 {
-  return test::listOf({test::moveBy(AtVertex{24}, kShift), test::moveBy(AtFace{0, {0.25, 0.5, 0.25}}, kShift),
-                       test::moveBy(AtFace{0, {0.25 + apart, 0.5 - apart, 0.25}}, kShift)});
+  return test::listOf({test::moveBy(AtVertex{24}, kShiftOfAll), test::moveBy(AtFace{0, {0.25, 0.5, 0.25}}, kShiftOfAll),
+                       test::moveBy(AtFace{0, {0.25 + apart, 0.5 - apart, 0.25}}, kShiftOfAll)});
 }
 
 ConstraintList pointBesideACorner(double apart)
 {
-  return test::listOf({test::moveBy(AtVertex{0}, kShift), test::moveBy(AtEdge{0, 1, 1 - apart}, kShift)});
+  return test::listOf({test::moveBy(AtVertex{0}, kShiftOfAll), test::moveBy(AtEdge{0, 1, 1 - apart}, kShiftOfAll)});
 }
 
 ConstraintList fourInAFace(double apart)
 {
-  ConstraintList list = test::listOf({test::moveBy(AtVertex{24}, kShift)});
+  ConstraintList list = test::listOf({test::moveBy(AtVertex{24}, kShiftOfAll)});
   for (const auto& [a, b] : {std::pair(0.0, 0.0), std::pair(apart, 0.0), std::pair(0.0, apart)})
-    list.constraints.push_back(test::moveBy(AtFace{7, {0.25 + a, 0.25 + b, 0.5 - a - b}}, kShift));
+    list.constraints.push_back(test::moveBy(AtFace{7, {0.25 + a, 0.25 + b, 0.5 - a - b}}, kShiftOfAll));
   return test::listOf(list.constraints);
 }
 
 ConstraintList pairOfTwoKinds(double apart)
 {
-  return test::listOf({test::handle({18, 19, 23, 24}, {}, kShift), test::moveBy(AtEdge{6, 7, 0.5}, kShift),
-                       test::moveBy(AtFace{10, {0.5 - apart, 0.5 + apart, 0}}, kShift)});
+  return test::listOf({test::handle({18, 19, 23, 24}, {}, kShiftOfAll), test::moveBy(AtEdge{6, 7, 0.5}, kShiftOfAll),
+                       test::moveBy(AtFace{10, {0.5 - apart, 0.5 + apart, 0}}, kShiftOfAll)});
 }
 
 class NearlyDependentRows : public testing::TestWithParam<NearlyDependentCase> {};
@@ -116,9 +116,9 @@ TEST_P(NearlyDependentRows, LoseNoMoreThanTheAccuracyTells)
     SCOPED_TRACE(apart);
     const DeformResult result = test::deformed(plate, GetParam().list(apart), {});
     if (result.report.solve.status == SolveStatus::Failed) continue;
-    const Positions error = result.positions - test::moved(plate, kShift).positions;
+    const Positions error = result.positions - test::moved(plate, kShiftOfAll).positions;
     // Positions are rounded themselves.
-    EXPECT_LE(error.cwiseAbs().maxCoeff(), result.report.solve.accuracy * kShift.cwiseAbs().maxCoeff() + 4e-15);
+    EXPECT_LE(error.cwiseAbs().maxCoeff(), result.report.solve.accuracy * kShiftOfAll.cwiseAbs().maxCoeff() + 4e-15);
   }
 }
 
@@ -145,7 +145,7 @@ TEST(Accuracy, OfNearlyDependentRowsThatStayAtRestIsFull)
 {
   ConstraintList list = pairInAFace(1e-11);
   for (Constraint& constraint : list.constraints) std::get<PointConstraint>(constraint.what).to = Move{Vector3::Zero()};
-  list.constraints.push_back(test::moveBy(AtVertex{24 + 3}, kShift));
+  list.constraints.push_back(test::moveBy(AtVertex{24 + 3}, kShiftOfAll));
   const Mesh plates = test::merged(test::grid(4, 4), test::moved(test::grid(4, 4), {6, 0, 0}));
   const Report report = test::deformed(plates, list, {}).report;
   EXPECT_EQ(report.solve.status, SolveStatus::Ok) << report.solve.message;

@@ -17,7 +17,7 @@
 namespace holdfast {
 namespace {
 
-constexpr int kFrames = 40;
+constexpr int kFarFrames = 40;
 
 /// A sphere `diagonals` of its own away from the origin.
 Mesh sphereAway(double diagonals)
@@ -35,7 +35,7 @@ Vector3 fewSpacings(test::Random& random, const Mesh& mesh)
   return step;
 }
 
-Vector3 placeOf(const Mesh& mesh, const SurfaceLocation& at)
+Vector3 restPlaceOf(const Mesh& mesh, const SurfaceLocation& at)
 {
   if (const auto* vertex = std::get_if<AtVertex>(&at)) return mesh.positions.row(vertex->vertex);
   const auto& face = std::get<AtFace>(at);
@@ -53,12 +53,12 @@ ConstraintList scatteredPoints(test::Random& random, const Mesh& mesh)
     const Index face = 25 * k + random.integer(0, 20);
     const SurfaceLocation at =
         k % 3 == 0 ? SurfaceLocation(AtVertex{mesh.faces[face][0]}) : SurfaceLocation(AtFace{face, {0.25, 0.25, 0.5}});
-    points.push_back(test::moveTo(at, placeOf(mesh, at) + test::randomVector(random, 0.05)));
+    points.push_back(test::moveTo(at, restPlaceOf(mesh, at) + test::randomVector(random, 0.05)));
   }
   return test::listOf(std::move(points));
 }
 
-Vector3& targetOf(Constraint& constraint)
+Vector3& targetOfPoint(Constraint& constraint)
 {
   return std::get<Target>(std::get<PointConstraint>(constraint.what).to).place;
 }
@@ -66,12 +66,12 @@ Vector3& targetOf(Constraint& constraint)
 void moveSomeTargets(test::Random& random, const Mesh& mesh, ConstraintList& list)
 {
   for (long k = random.integer(1, 3); k > 0; --k)
-    targetOf(list.constraints[random.integer(0, 11)]) += fewSpacings(random, mesh);
+    targetOfPoint(list.constraints[random.integer(0, 11)]) += fewSpacings(random, mesh);
 }
 
 void moveAllTargets(test::Random& random, const Mesh& mesh, ConstraintList& list)
 {
-  for (Constraint& constraint : list.constraints) targetOf(constraint) += fewSpacings(random, mesh);
+  for (Constraint& constraint : list.constraints) targetOfPoint(constraint) += fewSpacings(random, mesh);
 }
 
 /// Points, each repeated: redundant rows that go on to agree.
@@ -86,8 +86,8 @@ ConstraintList repeatedPoints(test::Random& random, const Mesh& mesh)
 void moveBothOfSome(test::Random& random, const Mesh& mesh, ConstraintList& list)
 {
   const Index place = random.integer(0, 11);
-  targetOf(list.constraints[place]) += fewSpacings(random, mesh);
-  targetOf(list.constraints[place + 12]) = targetOf(list.constraints[place]);
+  targetOfPoint(list.constraints[place]) += fewSpacings(random, mesh);
+  targetOfPoint(list.constraints[place + 12]) = targetOfPoint(list.constraints[place]);
 }
 
 /// A handle, a rigid region, a kept vector and a point.
@@ -97,7 +97,7 @@ ConstraintList mixedConstraints(test::Random& random, const Mesh& mesh)
   return test::listOf({test::handle({0, 1, 2}, std::monostate(), test::randomVector(random, 0.1)),
                        test::rigid({20, 21, 22, 23}),
                        {"", true, RelativeConstraint{AtVertex{40}, AtFace{100, {0.25, 0.25, 0.5}}, {}}},
-                       test::moveTo(at, placeOf(mesh, at))});
+                       test::moveTo(at, restPlaceOf(mesh, at))});
 }
 
 void moveHandleOrPoint(test::Random& random, const Mesh& mesh, ConstraintList& list)
@@ -105,7 +105,7 @@ void moveHandleOrPoint(test::Random& random, const Mesh& mesh, ConstraintList& l
   if (random.integer(0, 1) == 0)
     std::get<HandleConstraint>(list.constraints[0].what).translate += fewSpacings(random, mesh);
   else
-    targetOf(list.constraints[3]) += fewSpacings(random, mesh);
+    targetOfPoint(list.constraints[3]) += fewSpacings(random, mesh);
 }
 
 struct FarDrag {
@@ -119,7 +119,7 @@ constexpr std::array kDrags{FarDrag{"SomePoints", scatteredPoints, moveSomeTarge
                             FarDrag{"RepeatedPoints", repeatedPoints, moveBothOfSome},
                             FarDrag{"HandlesAndVectors", mixedConstraints, moveHandleOrPoint}};
 
-void expectAsFresh(const DeformResult& dragged, const DeformResult& fresh, const ConstraintList& list)
+void expectMetAsFresh(const DeformResult& dragged, const DeformResult& fresh, const ConstraintList& list)
 {
   ASSERT_EQ(dragged.report.solve.status, fresh.report.solve.status) << dragged.report.solve.message;
   for (std::size_t c = 0; c < list.constraints.size(); ++c) {
@@ -142,10 +142,10 @@ TEST_P(FarDrags, MeetWhatFreshDeformationsMeet)
     Deformer deformer(makeModel(mesh));
     deformer.answerEditsAtOnce(true);
     static_cast<void>(deformer.deform(list));
-    for (int k = 0; k < kFrames; ++k) {
+    for (int k = 0; k < kFarFrames; ++k) {
       SCOPED_TRACE(k);
       GetParam().move(random, mesh, list);
-      expectAsFresh(deformer.deform(list), test::deformed(mesh, list, {}), list);
+      expectMetAsFresh(deformer.deform(list), test::deformed(mesh, list, {}), list);
     }
   }
 }

@@ -46,7 +46,7 @@ ConstraintList densePoints(const Mesh& mesh, double share, double off, std::uint
   return test::listOf(std::move(points));
 }
 
-DeformResult deformedBy(Backend backend, const Mesh& mesh, const ConstraintList& list)
+DeformResult deformedOn(Backend backend, const Mesh& mesh, const ConstraintList& list)
 {
   return test::deformed(mesh, list, {Weights::Cotangent, {SolverKind::Hard, backend, 5}});
 }
@@ -74,8 +74,8 @@ class DensePoints : public testing::TestWithParam<Density> {
 TEST_P(DensePoints, AreMetWhereOtherBackendsMeetThem)
 {
   forEachList([&](const ConstraintList& list) {
-    const DeformResult own = deformedBy(Backend::Holdfast, mesh_, list);
-    const DeformResult other = deformedBy(Backend::Eigen, mesh_, list);
+    const DeformResult own = deformedOn(Backend::Holdfast, mesh_, list);
+    const DeformResult other = deformedOn(Backend::Eigen, mesh_, list);
     if (other.report.solve.status == SolveStatus::Failed) return;
     ASSERT_EQ(own.report.solve.status, other.report.solve.status) << own.report.solve.message;
     EXPECT_LE(own.report.solve.maxResidualRelative, std::max(1e-14, 2 * other.report.solve.maxResidualRelative));
@@ -92,7 +92,7 @@ TEST_P(DensePoints, AreMetInDragsAsWell)
     for (Constraint& constraint : list.constraints)
       std::get<Move>(std::get<PointConstraint>(constraint.what).to).shift.z() += 0.01;
     const DeformResult dragged = deformer.deform(list);
-    const SolveStatus other = deformedBy(Backend::Eigen, mesh_, list).report.solve.status;
+    const SolveStatus other = deformedOn(Backend::Eigen, mesh_, list).report.solve.status;
     if (other != SolveStatus::Failed) {
       EXPECT_EQ(dragged.report.solve.status, other) << dragged.report.solve.message;
     }
@@ -106,7 +106,7 @@ INSTANTIATE_TEST_SUITE_P(Cases, DensePoints,
 TEST(FewPoints, OfOneComponentKeepTheirMultipliers)
 {
   const Mesh mesh = test::icosphere(3);
-  const DeformResult result = deformedBy(Backend::Holdfast, mesh, densePoints(mesh, 0.33, 0.02, 3));
+  const DeformResult result = deformedOn(Backend::Holdfast, mesh, densePoints(mesh, 0.33, 0.02, 3));
   EXPECT_EQ(result.report.solve.status, SolveStatus::Ok) << result.report.solve.message;
   EXPECT_THAT(result.report.solve.method, testing::HasSubstr("multipliers"));
 }
