@@ -1,8 +1,11 @@
-#include <random>
+#include <cstdint>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include <holdfast/window/viewport/label_place.h>
+
+#include "support/random.h"
 
 namespace holdfast {
 namespace {
@@ -26,15 +29,13 @@ TEST(LabelPlace, WhatReachesPastAnEdgeTouchesIt)
 
 TEST(LabelPlace, ManyStayInsideAndApartWhileThereIsRoom)
 {
-  const unsigned seed = std::random_device{}();
-  SCOPED_TRACE(seed);
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> x(-50, 450);
-  std::uniform_real_distribution<double> y(-50, 350);
-  for (int round = 0; round < 100; ++round) {
+  for (std::uint32_t seed = 0; seed < 100; ++seed) {
+    test::Random random(seed);
     std::vector<QRectF> placed;
     for (int k = 0; k < 6; ++k) {
-      const QRectF place = movedClear({x(random), y(random), 90, 22}, kRoom, placed);
+      const double x = random.uniform(-50, 450);
+      const double y = random.uniform(-50, 350);
+      const QRectF place = movedClear({x, y, 90, 22}, kRoom, placed);
       EXPECT_TRUE(kRoom.contains(place));
       for (const QRectF& other : placed) EXPECT_FALSE(place.intersects(other));
       placed.push_back(place);

@@ -141,7 +141,10 @@ TEST(DeformLaws, ConstraintsAreMetFarFromTheOrigin)
     const ConstraintList list = someMoves(away);
     const DeformResult result = deformed(away, list, options);
     ASSERT_NE(result.report.solve.status, SolveStatus::Failed) << result.report.solve.message;
-    for (const ConstraintOutcome& outcome : result.report.constraints) EXPECT_LE(outcome.residual, outcome.limit);
+    for (const ConstraintOutcome& outcome : result.report.constraints) {
+      ASSERT_TRUE(outcome.residual && outcome.limit);
+      EXPECT_LE(*outcome.residual, *outcome.limit);
+    }
     EXPECT_LE(result.report.solve.maxResidual, 64 * test::kEpsilon * far);
     // The shape as it was rounded there, deformed here.
     const DeformResult here = deformed(test::moved(away, {-far, far, -far}), list, options);

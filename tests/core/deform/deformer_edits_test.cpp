@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <memory>
+#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -164,6 +165,38 @@ TEST(DeformerEdits, OfADragBeginAtTheSolutionBeforeThem)
         expectAsFresh(deformer.deform(list), mesh, list, {});
       }
     }
+}
+
+/// A point that an edit takes from one place to another near it: the new row names vertices that the old one frees.
+struct ShiftedPoint {
+  const char* what;
+  SurfaceLocation from;
+  SurfaceLocation to;
+};
+
+TEST(DeformerEdits, OfPointsThatAreTakenToPlacesNearByKeepTheFactor)
+{
+  const Mesh mesh = test::plate(16, 12);
+  const std::span<const int> corners = mesh.faces[201];
+  const std::vector<ShiftedPoint> shifted{
+      {"inside its face", AtFace{201, {0.25, 0.25, 0.5}}, AtFace{201, {0.5, 0.25, 0.25}}},
+      {"a little", AtFace{201, {0.25, 0.25, 0.5}}, AtFace{201, {0.2501, 0.2499, 0.5}}},
+      {"to a corner", AtFace{201, {0.25, 0.25, 0.5}}, AtVertex{corners[1]}},
+      {"from a corner", AtVertex{corners[2]}, AtFace{201, {0.125, 0.25, 0.625}}},
+      {"to an edge", AtFace{201, {0.25, 0.25, 0.5}}, AtEdge{corners[0], corners[1], 0.25}}};
+  for (const auto& [what, from, to] : shifted) {
+    SCOPED_TRACE(what);
+    ConstraintList list = turnedEnd(mesh);
+    list.constraints.push_back(test::moveBy(from, Vector3(0.1, 0, 0.2)));
+    list.constraints.push_back(test::moveBy(AtFace{100, {0.25, 0.25, 0.5}}, Vector3(0, 0, 0.1)));
+    Deformer deformer(makeModel(mesh));
+    deformer.answerEditsAtOnce(true);
+    static_cast<void>(deformer.deform(list));
+    std::get<PointConstraint>(list.constraints[2].what).at = to;
+    const DeformResult edited = deformer.deform(list);
+    EXPECT_EQ(edited.report.solve.method, kBordered);
+    expectAsFresh(edited, mesh, list, {});
+  }
 }
 
 TEST(DeformerEdits, MayTakeEveryRowOfAnEarlierPointAway)

@@ -1,5 +1,9 @@
 // With which residual a constraint is met: by its own numbers, whatever others ask for.
 
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "support/meshes.h"
@@ -55,6 +59,49 @@ TEST(ResidualLimit, AConstraintThatIsMissedIsMissedBesideAnAbsurdTarget)
   EXPECT_EQ(beside.constraints[1].status, ConstraintStatus::Missed);
 }
 
+TEST(ResidualLimit, OfAConstraintThatIsMissedIsTheSmallestOfTheRowsThatAre)
+{
+  // Vertex 24 is asked for near the origin, vertex 40 a billion diagonals away: soft constraints miss both.
+  const double far = kFar * diagonal();
+  const DeformOptions soft{Weights::Cotangent, {SolverKind::Soft, Backend::Holdfast, 1e4}};
+  for (const std::vector<Index>& order : {std::vector<Index>{24, 40, 20}, std::vector<Index>{40, 24, 20}}) {
+    std::vector<Vector3> targets;
+    for (const Index vertex : order) targets.push_back(vertex == 40 ? Vector3(0, far, 0) : Vector3(4, 4, 1));
+    const ConstraintList list = test::listOf(
+        {test::hold({0, 1}), test::hold({25}), test::handle(order, VertexTargets{targets}, Vector3::Zero())});
+    const Report report = test::deformed(twoPlates(), list, soft).report;
+    ASSERT_EQ(report.constraints[2].status, ConstraintStatus::Missed);
+    EXPECT_DOUBLE_EQ(*report.constraints[2].limit, 1e-12 * diagonal());
+  }
+}
+
+TEST(ResidualLimit, OfAConstraintThatIsMetIsTheLargestOfItsRows)
+{
+  const double far = kFar * diagonal();
+  const VertexTargets targets{{Vector3(4, 4, 1), Vector3(0, far, 0), Vector3(0, 4, 1)}};
+  const ConstraintList list = test::listOf({test::hold({0, 1}), test::handle({24, 40, 20}, targets, Vector3::Zero())});
+  const Report report = test::deformed(twoPlates(), list, {}).report;
+  ASSERT_EQ(report.constraints[1].status, ConstraintStatus::Met);
+  EXPECT_DOUBLE_EQ(*report.constraints[1].limit, 8 * kEpsilon * far);
+}
+
+TEST(ResidualLimit, OfTheRowThatIsMissedMostIsInTheMessage)
+{
+  // All are missed, those near the origin by less, and by more beside their limits.
+  const double far = kFar * diagonal();
+  const ConstraintList list =
+      test::listOf({test::hold({0, 1}), test::moveTo(AtVertex{25}, Vector3(0, far + 1000 * diagonal(), 0)),
+                    test::moveTo(AtVertex{40}, Vector3(0, far, 0)), test::moveBy(AtVertex{24}, {0, 0, 1})});
+  const DeformOptions soft{Weights::Cotangent, {SolverKind::Soft, Backend::Holdfast, 1e4}};
+  const Report report = test::deformed(twoPlates(), list, soft).report;
+  const auto excess = [](const ConstraintOutcome& outcome) { return *outcome.residual / *outcome.limit; };
+  const auto worst = std::ranges::max_element(report.constraints.all(), {}, excess);
+  ASSERT_GT(*report.constraints[2].residual, *worst->residual);
+  EXPECT_THAT(report.solve.message,
+              testing::HasSubstr(fmt::format("\"{}\" is missed by {:.3g}, more than the promised {:.3g}", worst->name,
+                                             *worst->residual, *worst->limit)));
+}
+
 TEST(ResidualLimit, AGapSlightlyBeyondItIsAConflictBesideAnAbsurdTarget)
 {
   for (const double share : {0.4, 1.1}) {
@@ -91,7 +138,10 @@ TEST(ResidualLimit, OfAKeptVectorGrowsWithThePlacesThatItIsTakenTo)
                     test::rigid({11, 12, 13})});
   const DeformResult result = test::deformed(twoPlates(), list, {});
   ASSERT_EQ(result.report.solve.status, SolveStatus::Ok) << result.report.solve.message;
-  for (const ConstraintOutcome& outcome : result.report.constraints) EXPECT_LE(outcome.residual, outcome.limit);
+  for (const ConstraintOutcome& outcome : result.report.constraints) {
+    ASSERT_TRUE(outcome.residual && outcome.limit);
+    EXPECT_LE(*outcome.residual, *outcome.limit);
+  }
   EXPECT_LE(*result.report.constraints[1].limit, 32 * kEpsilon * far.x());
 }
 

@@ -117,5 +117,52 @@ TEST(Multipliers, HaveNegativePivotsAndComeAfterTheColumnsTheyAreMatchedWith)
   EXPECT_EQ(multipliers, 30);
 }
 
+/// Rows in pairs of which the second differs from a multiple of the first in one or two entries far from the others, so
+/// that leading parts of the pair are dependent.
+SparseMatrix pairedRows(test::Random& random, Index pairs, Index columns)
+{
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(2 * pairs, columns);
+  for (Index p = 0; p < pairs; ++p) {
+    for (int k = 0; k < 3; ++k) K(2 * p, random.integer(0, columns - 1)) = random.uniform(0.3, 1);
+    K.row(2 * p + 1) = random.uniform(0.5, 1) * K.row(2 * p);
+    for (int k = 0; k < 2; ++k) K(2 * p + 1, random.integer(0, columns - 1)) += random.uniform(0.3, 1);
+  }
+  return K.sparseView();
+}
+
+/// How nearly dependent rows of K are, whose multipliers are in a leading part of whole supernodes, on the columns that
+/// are in it: the least pivot of a QR, over all such parts.
+double leastOfLeadingParts(const SymbolicFactor& symbolic, const Eigen::MatrixXd& K)
+{
+  double least = 1;
+  std::vector<Index> columns;
+  std::vector<Index> rows;
+  for (const Supernode& node : symbolic.supernodes) {
+    for (int k = node.firstColumn; k < node.end(); ++k) {
+      const Index column = symbolic.order[k];
+      column < K.cols() ? columns.push_back(column) : rows.push_back(column - K.cols());
+    }
+    if (rows.empty() || node.multipliers == 0) continue;
+    const Eigen::MatrixXd part = K(rows, columns);
+    if (part.rows() > part.cols()) return 0;
+    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(part.transpose());
+    least = std::min(least, qr.matrixR().diagonal().cwiseAbs().minCoeff());
+  }
+  return least;
+}
+
+TEST(Multipliers, OfALeadingPartHaveIndependentRowsOnTheColumnsInIt)
+{
+  for (std::uint32_t seed = 0; seed < 20; ++seed) {
+    test::Random random(seed);
+    const Index n = random.integer(80, 160);
+    const SparseMatrix K = pairedRows(random, n / 8, n);
+    if (Eigen::MatrixXd(K).colPivHouseholderQr().rank() < K.rows()) continue;
+    const Saddle saddle(SparseMatrix(test::randomSpd(random, n, 2) + K.transpose() * K), K);
+    EXPECT_GT(leastOfLeadingParts(*saddle.symbolic, K), 1e-6);
+    EXPECT_TRUE(saddle.factorized());
+  }
+}
+
 }  // namespace
 }  // namespace holdfast

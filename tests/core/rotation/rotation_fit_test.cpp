@@ -251,6 +251,49 @@ TEST(FittedRotation, FindsTheBestRotationFromOneNearIt)
   }
 }
 
+/// The most that trace(R^T H) can be: the sum of the singular values, the least with the sign of the determinant.
+double mostTrace(const Eigen::Matrix3d& H)
+{
+  const Vector3 s = Eigen::JacobiSVD<Eigen::Matrix3d>(H).singularValues();
+  return s[0] + s[1] + (H.determinant() < 0 ? -s[2] : s[2]);
+}
+
+/// Symmetric, with these eigenvalues of trace(M) I - M along random axes.
+Eigen::Matrix3d withCurvatures(Random& random, const Vector3& k)
+{
+  const Eigen::Matrix3d axes = randomRotation(random);
+  const Vector3 m = Vector3::Constant(k.sum() / 2) - k;
+  return axes * m.asDiagonal() * axes.transpose();
+}
+
+TEST(FittedRotation, LeavesASaddleWithTwoFallingDirections)
+{
+  // K has a positive trace and determinant there, and is not definite: Newton's method would stay, or come nearer.
+  Random random(8);
+  for (int k = 0; k < 300; ++k) {
+    const Vector3 curvatures(random.uniform(4, 8), -random.uniform(0.1, 1.5), -random.uniform(0.1, 1.5));
+    const Eigen::Quaterniond near = rotationExp(randomVector(random, 2));
+    const Eigen::Quaterniond off = rotationExp(randomVector(random, k % 3 == 0 ? 0 : 1e-3 * k));
+    const Eigen::Matrix3d H = (near * off).toRotationMatrix() * withCurvatures(random, curvatures);
+    const Eigen::Matrix3d R = fittedRotation(H, near).toRotationMatrix();
+    EXPECT_NEAR((R.transpose() * H).trace(), mostTrace(H), 1e-12 * mostTrace(H)) << k;
+  }
+}
+
+TEST(FittedRotation, LeavesASaddleWithOneFallingDirectionAndLeastValues)
+{
+  Random random(9);
+  for (int k = 0; k < 300; ++k) {
+    const bool isLeast = k % 2 == 0;
+    const Vector3 curvatures(isLeast ? -random.uniform(1, 2) : random.uniform(1, 3),
+                             isLeast ? -random.uniform(1, 2) : random.uniform(1, 3), -random.uniform(0.1, 0.9));
+    const Eigen::Quaterniond near = rotationExp(randomVector(random, 2));
+    const Eigen::Matrix3d H = near.toRotationMatrix() * withCurvatures(random, curvatures);
+    const Eigen::Matrix3d R = fittedRotation(H, near).toRotationMatrix();
+    EXPECT_NEAR((R.transpose() * H).trace(), mostTrace(H), 1e-12 * H.norm()) << k;
+  }
+}
+
 TEST(FittedRotation, StaysWhereItIsWhereNothingIsBetter)
 {
   const Eigen::Quaterniond near = rotationExp(Vector3(0.3, -0.2, 0.5));
