@@ -31,13 +31,14 @@ std::string gapText(const Vector3& gap)
   return fmt::format("({:.4g}, {:.4g}, {:.4g})", shown(gap.x()), shown(gap.y()), shown(gap.z()));
 }
 
-std::string quotedNames(const std::vector<std::string>& names)
+/// The first of `count` names.
+std::string quotedNames(const std::vector<std::string>& names, std::size_t count)
 {
   constexpr std::size_t kMostNames = 8;
   std::string text;
   for (std::size_t k = 0; k < std::min(names.size(), kMostNames); ++k)
-    text.append(k == 0 ? "" : k + 1 == names.size() ? " and " : ", ").append(inQuotes(names[k]));
-  if (names.size() > kMostNames) text += fmt::format(" and {} more", names.size() - kMostNames);
+    text.append(k == 0 ? "" : k + 1 == count ? " and " : ", ").append(inQuotes(names[k]));
+  if (count > kMostNames) text += fmt::format(" and {} more", count - kMostNames);
   return text;
 }
 
@@ -47,7 +48,7 @@ std::string namesAfter(const Finding& finding, const ConstraintOutcomes& constra
   std::vector<std::string> names;
   if (finding.idsOf == "constraint")
     for (const Index c : finding.ids) names.push_back(constraints[c].name);
-  return (names.empty() ? "" : ": ") + quotedNames(names);
+  return (names.empty() ? "" : ": ") + quotedNames(names, names.size());
 }
 
 std::string findingLine(const Finding& finding, const ConstraintOutcomes& constraints)
@@ -135,7 +136,10 @@ std::string repairText(const ConstraintOutcome& outcome, const ConflictSet& conf
 
 std::string conflictLine(const ConstraintOutcome& outcome, const ConflictSet& conflictSet, const std::string& units)
 {
-  const std::string partners = conflictSet.with.empty() ? "on its own" : "with " + quotedNames(conflictSet.with);
+  const std::string partners =
+      conflictSet.with.empty()
+          ? "on its own"
+          : "with " + quotedNames(conflictSet.with, static_cast<std::size_t>(conflictSet.withCount));
   const std::string where =
       outcome.rows > 1 ? fmt::format(" in {} of its {} rows", conflictSet.rows, outcome.rows) : "";
   return fmt::format("conflict: {} cannot hold {}{}: off by {}{} {}; {}\n", inQuotes(outcome.name), partners, where,
@@ -154,6 +158,14 @@ std::string conflictLinesOf(const ConstraintOutcome& outcome, const std::string&
     text += fmt::format("conflict: {} cannot hold in {}; the report lists them\n", inQuotes(outcome.name),
                         counted(static_cast<Index>(count - kMostConflictLines), "more way"));
   return text;
+}
+
+/// What ends all conflicts at a time: following what each one names may take several rounds.
+std::string endOfAllLine(const Report& report)
+{
+  const Index count = countOf(report, ConstraintStatus::Conflicting);
+  if (count < 2) return "";
+  return fmt::format("conflict: {} constraints in all; with all of them disabled no conflict is left\n", count);
 }
 
 }  // namespace
@@ -205,6 +217,7 @@ std::string messageLines(const Report& report, const std::string& units)
     if (isWarning(finding))
       text += fmt::format("warning: {}{}\n", printable(finding.message), namesAfter(finding, report.constraints));
   for (const ConstraintOutcome& outcome : report.constraints) text += conflictLinesOf(outcome, units);
+  text += endOfAllLine(report);
   if (report.solve.status == SolveStatus::Failed) text += fmt::format("error: {}\n", printable(report.solve.message));
   return text;
 }

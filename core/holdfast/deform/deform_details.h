@@ -37,7 +37,10 @@ struct DeformDetails {
   std::shared_ptr<const ConstraintLabels> labels;            ///< of the constraints in the list
   std::shared_ptr<const std::vector<double>> sensitivities;  ///< of rows, see `Elimination::sensitivities`
   std::vector<double> residuals;                             ///< of rows, model units; empty where nothing was solved
-  std::shared_future<Multipliers> multipliers;               ///< made on demand; none but for hard constraints
+  /// The distance from the others that constraints need so that hard ones can be met, see `kRankTolerance`; 0 where
+  /// they are.
+  double neededDistance = 0;
+  std::shared_future<Multipliers> multipliers;  ///< made on demand; none but for hard constraints
 };
 
 }  // namespace holdfast

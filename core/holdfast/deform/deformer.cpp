@@ -27,15 +27,40 @@
 #include <holdfast/surface/surface_locator.h>
 
 namespace holdfast {
+namespace {
+
+// Where rows that nearly depend on others keep a solution from meeting all of them, those closer than this many times
+// the distance before are left out, and so on up to the largest one: it keeps amplification below some thousands.
+constexpr double kDistanceStep = 100;
+constexpr double kLargestNeededDistance = 1e-3;
+
+// Of fewer points that nearly follow from one another a person can choose: that they cannot be held is an error.
+constexpr std::ptrdiff_t kManyPoints = 32;
+
+double largestOf(const std::vector<double>& values)
+{
+  return values.empty() ? 1 : *std::ranges::max_element(values);
+}
+
+/// Whether there are many points off the vertices.
+bool hasManyPoints(const std::vector<ConstraintRow>& rows)
+{
+  return std::ranges::count_if(rows, [](const ConstraintRow& row) { return row.terms.size() > 1; }) > kManyPoints;
+}
+
+}  // namespace
+
 /// All that the structure of a set of constraints costs, for any targets: the second of the three calls of section 6.
 /// The elimination and, once they are asked for, the factors of positions and rotations.
 struct ConstraintFactorization {
   ConstraintFactorization(std::shared_ptr<const Model> model, std::shared_ptr<const Operators> operators,
                           const std::shared_ptr<const EnergyMatrix>& A, const std::vector<int>& ranks,
-                          const ConstraintSystem& itsSystem, const DeformOptions& options)
+                          const ConstraintSystem& itsSystem, const DeformOptions& options, double itsTolerance)
       : system(itsSystem),
-        eliminated(std::make_shared<const EliminatedConstraints>(eliminate(system, model->solverMesh))),
+        tolerance(itsTolerance),
+        eliminated(std::make_shared<const EliminatedConstraints>(eliminate(system, model->solverMesh, tolerance))),
         sensitivities(std::make_shared<const std::vector<double>>(eliminated->elimination.sensitivities())),
+        mayHaveFewerRows(hasManyPoints(system.rows) && !(largestOf(*sensitivities) < 1 / kLargestNeededDistance)),
         actedOn(
             std::async(std::launch::deferred, [A, eliminated = eliminated] { return ActedOn(*A, eliminated->rows); })),
         rotations(std::make_shared<RotationFactorization>(model->solverMesh, std::move(operators),
@@ -50,8 +75,10 @@ struct ConstraintFactorization {
   /// The same under the constraints of `wanted`, by the factor of `base`.
   ConstraintFactorization(const ConstraintFactorization& wanted, std::shared_ptr<ConstraintFactorization> base)
       : system(wanted.system),
+        tolerance(wanted.tolerance),
         eliminated(wanted.eliminated),
         sensitivities(wanted.sensitivities),
+        mayHaveFewerRows(wanted.mayHaveFewerRows),
         actedOn(wanted.actedOn),
         rotations(wanted.rotations),
         positions([base = std::move(base), eliminated = eliminated] {
@@ -80,12 +107,21 @@ struct ConstraintFactorization {
            other.rigidRegions == system.rigidRegions;
   }
 
+  /// Whether the same rows stand in both.
+  [[nodiscard]] bool standsOn(const ConstraintFactorization& other) const
+  {
+    return std::ranges::equal(eliminated->dependencies, other.eliminated->dependencies, {}, &Dependency::row,
+                              &Dependency::row);
+  }
+
   /// Whether it has a factor, and it can be used.
   [[nodiscard]] bool isReady() { return positions.isDone() && positions.result(noProgress()); }
 
   ConstraintSystem system;
+  double tolerance;  // rows closer to those before them are left out
   std::shared_ptr<const EliminatedConstraints> eliminated;
   std::shared_ptr<const std::vector<double>> sensitivities;
+  bool mayHaveFewerRows;  // where they cannot be met, by a larger tolerance
   KnownGaps knownGaps;
   std::shared_future<ActedOn> actedOn;  // made with the first forces
   std::shared_ptr<RotationFactorization> rotations;
@@ -99,6 +135,9 @@ namespace {
 
 // A border by which fewer digits are left is not used.
 constexpr double kBorderedAccuracy = 1e-8;
+
+// Vertices that move by fewer diagonals leave doubles with the digits that the promised residual takes.
+constexpr double kFarMove = 100;
 
 using Clock = std::chrono::steady_clock;
 
@@ -210,6 +249,22 @@ class Solution {
 
   /// Numbers went wrong, and other options may help.
   void fail(const std::string& reason) { refuse(failureMessage(options_, reason)); }
+
+  /// The same where it may be that rows nearly depend on others: what distance would keep `u` near.
+  void failNearby(const Columns3& u, const std::string& reason)
+  {
+    if (options_.solver.kind == SolverKind::Hard) details_->neededDistance = neededDistance(largestSize(u));
+    fail(reason);
+  }
+
+  /// An inconsistency moves vertices by its size times the largest sensitivity: this many diagonals now.
+  [[nodiscard]] double neededDistance(double largestMove) const
+  {
+    const double moved = largestMove / model_.solverMesh.diagonal;
+    const double spread = largestOf(*details_->sensitivities);
+    const double distance = moved / (kFarMove * spread);
+    return std::isfinite(distance) ? std::max(distance, kRankTolerance) : kRankTolerance;
+  }
 
   void refuse(const std::string& message)
   {
@@ -349,9 +404,9 @@ class Solution {
   {
     report().refinementSteps = displacement.corrections;
     if (!std::isfinite(largestSize(displacement.u)))
-      return fail("the solution is not finite: the problem is singular in doubles");
+      return failNearby(displacement.u, "the solution is not finite: the problem is singular in doubles");
     if (const std::string failure = judgeAccuracy(solver, displacement); !failure.empty())
-      return fail("the solution cannot be used: " + failure);
+      return failNearby(displacement.u, "the solution cannot be used: " + failure);
     // The elimination copies pins. What the other solvers find is measured as they find it.
     const bool isEliminated = options_.solver.kind == SolverKind::Hard;
     result_.positions = isEliminated ? deformedPositions(model_, details_->system, details_->diagnosis, displacement.u)
@@ -386,7 +441,7 @@ class Solution {
     const std::optional<MissedRow> worst = setLargestResidual(result_.report, *details_, details_->residuals);
     report().status = diagnosis.hasConflicts() ? SolveStatus::Conflicts : SolveStatus::Ok;
     report().message = solvedMessage(result_.report, worst);
-    if (options_.solver.kind == SolverKind::Hard && worst) fail(missedMessage(result_.report, *worst));
+    if (options_.solver.kind == SolverKind::Hard && worst) failNearby(u, missedMessage(result_.report, *worst));
   }
 
   const Model& model_;
@@ -443,14 +498,38 @@ ConstraintSystem Deformer::systemOf(const ConstraintList& constraints, const std
   return system;
 }
 
+std::shared_ptr<ConstraintFactorization> Deformer::factorizationBy(const ConstraintSystem& system, double tolerance,
+                                                                   Progress& progress)
+{
+  auto result = std::make_shared<ConstraintFactorization>(model_, operators_, A_, ranks_->result(progress), system,
+                                                          options_, tolerance);
+  if (factorization_ != nullptr && factorization_->rotations != nullptr && factorization_->turnsAs(system))
+    result->rotations = factorization_->rotations;
+  return result;
+}
+
+ConstraintFactorization* Deformer::withFewerRows(const ConstraintSystem& system, double neededDistance,
+                                                 Progress& progress)
+{
+  if (neededDistance == 0 || !factorization_->mayHaveFewerRows) return nullptr;
+  progress.step("leaving out constraints that nearly follow from others");
+  double tolerance = factorization_->tolerance;
+  while (tolerance < kLargestNeededDistance) {
+    tolerance = std::min(kLargestNeededDistance, std::max(kDistanceStep * tolerance, neededDistance));
+    std::shared_ptr<ConstraintFactorization> fewer = factorizationBy(system, tolerance, progress);
+    if (fewer->standsOn(*factorization_)) continue;
+    coming_ = nullptr;
+    whole_ = nullptr;
+    fewer->isForOneCall = factorization_->isForOneCall;
+    factorization_ = std::move(fewer);
+    return factorization_.get();
+  }
+  return nullptr;
+}
+
 ConstraintFactorization& Deformer::factorizationFor(const ConstraintSystem& system, Progress& progress)
 {
-  const auto made = [&] {
-    auto result =
-        std::make_shared<ConstraintFactorization>(model_, operators_, A_, ranks_->result(progress), system, options_);
-    if (factorization_ != nullptr && factorization_->turnsAs(system)) result->rotations = factorization_->rotations;
-    return result;
-  };
+  const auto made = [&] { return factorizationBy(system, kRankTolerance, progress); };
   if (coming_ != nullptr && coming_->serves(system) && coming_->isReady()) factorization_ = std::exchange(coming_, {});
   if (factorization_ != nullptr && factorization_->serves(system)) {
     if (factorization_->isBordered && coming_ == nullptr) coming_ = made();  // it was given up for a cancelled edit
@@ -524,12 +603,14 @@ DeformResult Deformer::deform(const ConstraintList& constraints, const std::stri
     return Solution(*model_, labels_, options_, operators_, A_, search, std::move(its)).by(by, progress);
   };
   ConstraintSystem again;
-  if (factorization.isBordered) again = system;
+  if (factorization.isBordered || factorization.mayHaveFewerRows) again = system;
   DeformResult result = solved(factorization, std::move(system));
   if (factorization.isBordered && result.report.solve.status == SolveStatus::Failed) {
     factorization_ = std::exchange(coming_, {});
-    result = solved(*factorization_, std::move(again));
+    result = solved(*factorization_, again);
   }
+  while (ConstraintFactorization* fewer = withFewerRows(again, result.details->neededDistance, progress))
+    result = solved(*fewer, again);
   if (coming_ != nullptr) coming_->positions.start(progress, computeInBackground);
   if (isFound && result.report.solve.status != SolveStatus::Failed) lastRotations_ = result.rotations;
   placeFindings_->addTo(result.report.mesh.findings);

@@ -76,6 +76,13 @@ class Deformer {
   [[nodiscard]] ConstraintSystem systemOf(const ConstraintList& constraints, const std::string& source);
   /// One that serves `system`: the one at hand, one that was made meanwhile, or a new one.
   [[nodiscard]] ConstraintFactorization& factorizationFor(const ConstraintSystem& system, Progress& progress);
+  /// A new one without the rows that are closer to those before them than `tolerance`.
+  [[nodiscard]] std::shared_ptr<ConstraintFactorization> factorizationBy(const ConstraintSystem& system,
+                                                                         double tolerance, Progress& progress);
+  /// One with fewer rows than that at hand, which did not meet all: without those that are closer to others than
+  /// `neededDistance`, or than more. It is at hand then. Null where no row goes, or it is 0.
+  [[nodiscard]] ConstraintFactorization* withFewerRows(const ConstraintSystem& system, double neededDistance,
+                                                       Progress& progress);
 
   friend DeformResult deform(const Model&, const ConstraintList&, const std::string&, const DeformOptions&, Progress&);
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <holdfast/base/printable.h>
+#include <holdfast/mesh/index_lists.h>
 
 namespace holdfast {
 namespace {
@@ -27,6 +28,67 @@ Finding nearlyDependent(std::vector<Index> spread, double largest)
       "nearly_dependent_constraints", "constraint", std::move(spread),
       {"constraint nearly follows from others: " + amount + "move its points apart, or leave it out",
        "constraints nearly follow from others: " + amount + "move their points apart, or leave some out"});
+}
+
+/// Constraints with rows that were left out, too close to a combination of others to be told from it.
+std::vector<Index> undecidedConstraints(const DeformDetails& details)
+{
+  std::vector<Index> result;
+  for (const auto& [dependency, gap] : details.diagnosis.dependent)
+    if (dependency.distance > kRoundingDistance) result.push_back(details.system.rows[dependency.row].constraint);
+  return sortedOnce(std::move(result));
+}
+
+Finding undecided(std::vector<Index> constraints)
+{
+  const std::string what =
+      ", so closely that it could not be held with them; left out as if it did: move its point, or leave it out";
+  return makeFinding("undecided_constraints", "constraint", std::move(constraints),
+                     {"constraint nearly follows from constraints before it" + what,
+                      "constraints nearly follow from constraints before them, so closely that they could not be held "
+                      "with them; left out as if they did: move their points, or leave some out"});
+}
+
+/// Constraints with rows in whose place rows of constraints behind them stand, though doubles tell them well.
+std::vector<Index> constraintsThatGaveWay(const DeformDetails& details)
+{
+  std::vector<Index> result;
+  for (const auto& [dependency, gap] : details.diagnosis.dependent)
+    if (!dependency.terms.empty() && dependency.terms.back().index > dependency.row &&
+        dependency.distance <= kRoundingDistance)
+      result.push_back(details.system.rows[dependency.row].constraint);
+  return sortedOnce(std::move(result));
+}
+
+Finding gaveWay(std::vector<Index> constraints)
+{
+  const std::string why =
+      ", since their order takes more digits than doubles have: they were taken in strides; list points in a random "
+      "order to have it kept";
+  return makeFinding(
+      "later_constraints_stand", "constraint", std::move(constraints),
+      {"constraint gave way to constraints behind it" + why, "constraints gave way to constraints behind them" + why});
+}
+
+// Fewer are named one by one, and may be mended so.
+constexpr Index kCrowd = 100;
+
+std::vector<Index> conflictingConstraints(const DeformDetails& details)
+{
+  std::vector<Index> result;
+  for (const auto& [dependency, gap] : details.diagnosis.dependent)
+    if (details.diagnosis.status[dependency.row] == RowStatus::Conflicting)
+      result.push_back(details.system.rows[dependency.row].constraint);
+  return sortedOnce(std::move(result));
+}
+
+Finding crowded(std::vector<Index> constraints)
+{
+  const std::string what =
+      " contradict constraints before them: there are more of them than the vertices that they name can follow; give "
+      "fewer points, or let the solver \"soft\" share their errors out";
+  return makeFinding("crowded_constraints", "constraint", std::move(constraints),
+                     {"constraint" + what, "constraints" + what});
 }
 
 /// The residual of a row and its limit.
@@ -180,6 +242,12 @@ std::vector<Finding> constraintFindings(const Model& model, const EliminatedCons
       if (ofConstraints[c].value_or(0) > kLargeSensitivity) spread.push_back(static_cast<Index>(c));
     findings.push_back(nearlyDependent(std::move(spread), *largest));
   }
+  if (std::vector<Index> left = undecidedConstraints(details); !left.empty())
+    findings.push_back(undecided(std::move(left)));
+  if (std::vector<Index> behind = constraintsThatGaveWay(details); !behind.empty())
+    findings.push_back(gaveWay(std::move(behind)));
+  if (std::vector<Index> many = conflictingConstraints(details); static_cast<Index>(many.size()) > kCrowd)
+    findings.push_back(crowded(std::move(many)));
   for (const ConstraintNote& note : details.system.notes)
     findings.push_back({note.kind,
                         1,

@@ -2,13 +2,14 @@
 
 #include <atomic>
 #include <map>
-#include <set>
 #include <tuple>
+
+#include <holdfast/mesh/index_lists.h>
 
 namespace holdfast {
 namespace {
 
-using ConstraintSet = std::set<Index>;
+using ConstraintSet = std::vector<Index>;  // ascending
 
 /// Rows of one constraint that depend on the same other constraints.
 struct DependencyGroup {
@@ -28,8 +29,9 @@ std::map<Index, DependencyGroups> dependencyGroupsOf(const ConstraintSystem& sys
   for (const auto& [dependency, gap] : diagnosis.dependent) {
     const Index own = system.rows[dependency.row].constraint;
     ConstraintSet others;
-    for (const Term& term : dependency.terms) others.insert(system.rows[term.index].constraint);
-    const bool needsOwn = others.erase(own) > 0;
+    for (const Term& term : dependency.terms) others.push_back(system.rows[term.index].constraint);
+    others = sortedOnce(std::move(others));
+    const bool needsOwn = std::erase(others, own) > 0;
     DependencyGroup& group = result[own][others];
     group.needsOwn = group.needsOwn || needsOwn;
     if (group.rows++ == 0 || gap.stableNorm() > group.gap.stableNorm()) {
@@ -80,6 +82,20 @@ Index cheapest(Index own, const ConstraintSet& others, const std::map<Index, Ind
   return best;
 }
 
+/// The first names of `constraints`, no more than `most`.
+std::vector<std::string> namesOf(const ConstraintSet& constraints, const ConstraintLabels& labels, std::size_t most)
+{
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < std::min(constraints.size(), most); ++k) names.push_back(labels[constraints[k]].name);
+  return names;
+}
+
+/// How many names are listed for each next constraint that follows from others.
+std::size_t mostNames(std::size_t before)
+{
+  return before < kMostWithManyPartners ? kMostNamedPartners : kFewPartners;
+}
+
 /// Sets the sets with which each constraint conflicts or which it repeats, the largest gap first. A set that holds all
 /// constraints of another one and more is left out. O(dependent rows times terms).
 void setConflictSets(std::vector<ConstraintOutcome>& outcomes, const ConstraintLabels& labels,
@@ -87,11 +103,17 @@ void setConflictSets(std::vector<ConstraintOutcome>& outcomes, const ConstraintL
 {
   for (auto& [own, its] : groups) keepSmallest(its);
   const std::map<Index, Index> conflicts = conflictCounts(groups);
+  std::size_t count = 0;
   for (const auto& [own, its] : groups) {
+    const std::size_t most = mostNames(count++);
     std::vector<ConflictSet>& sets = outcomes[own].conflictSets;
     for (const auto& [others, group] : its) {
-      ConflictSet& set = sets.emplace_back(ConflictSet{{}, group.rows, group.gap, group.isConflict, {}, {}});
-      for (const Index other : others) set.with.push_back(labels[other].name);
+      ConflictSet& set = sets.emplace_back();
+      set.with = namesOf(others, labels, most);
+      set.withCount = static_cast<Index>(others.size());
+      set.rows = group.rows;
+      set.gap = group.gap;
+      set.isConflict = group.isConflict;
       if (!group.isConflict) continue;
       set.disable = labels[cheapest(own, others, conflicts, outcomes)].name;
       if (labels[own].hasTarget) set.consistentTarget = system.rows[group.worstRow].target - group.gap;
@@ -102,9 +124,9 @@ void setConflictSets(std::vector<ConstraintOutcome>& outcomes, const ConstraintL
   }
 }
 
-/// The status, gap and names of a constraint with dependent rows.
+/// The status, gap and names, no more than `most`, of a constraint with dependent rows.
 void setDependencies(ConstraintOutcome& outcome, Index own, const DependencyGroups& groups,
-                     const ConstraintLabels& labels)
+                     const ConstraintLabels& labels, std::size_t most)
 {
   Index independent = outcome.rows;
   bool isConflicting = false;
@@ -114,13 +136,15 @@ void setDependencies(ConstraintOutcome& outcome, Index own, const DependencyGrou
     independent -= group.rows;
     isConflicting = isConflicting || group.isConflict;
     gap = std::max(gap, group.gap.stableNorm());
-    terms.insert(others.begin(), others.end());
-    if (group.needsOwn) terms.insert(own);
+    terms.insert(terms.end(), others.begin(), others.end());
+    if (group.needsOwn) terms.push_back(own);
   }
   if (!isConflicting && independent > 0) return;
   outcome.status = isConflicting ? ConstraintStatus::Conflicting : ConstraintStatus::Redundant;
   outcome.gap = gap;
-  for (const Index term : terms) outcome.dependsOn.push_back(labels[term].name);
+  terms = sortedOnce(std::move(terms));
+  outcome.dependsOn = namesOf(terms, labels, most);
+  outcome.dependsOnCount = static_cast<Index>(terms.size());
 }
 
 /// The limit of a constraint is the largest of its rows; none without rows.
@@ -148,14 +172,15 @@ std::vector<ConstraintOutcome> unsolvedOutcomes(const DeformDetails& details)
     outcome.limit = limitOf(details.diagnosis.limits, first, end);
     outcome.sensitivity = largest[c];
     // An enabled constraint without rows, as a rigid region of one vertex, asks for nothing and holds.
-    if (first == end) setDependencies(outcome, c, {}, labels);
+    if (first == end) setDependencies(outcome, c, {}, labels, 0);
   });
   for (const NearPlace& near : system.nearPlaces) {
     std::optional<double>& distance = result[near.constraint].nearDistance;
     distance = std::max(distance.value_or(0), near.nearness.distance);
   }
   std::map<Index, DependencyGroups> groups = dependencyGroupsOf(system, details.diagnosis);
-  for (const auto& [own, its] : groups) setDependencies(result[own], own, its, labels);
+  std::size_t count = 0;
+  for (const auto& [own, its] : groups) setDependencies(result[own], own, its, labels, mostNames(count++));
   setConflictSets(result, labels, system, std::move(groups));
   return result;
 }

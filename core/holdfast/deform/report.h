@@ -36,9 +36,17 @@ enum class ConstraintStatus {
 /// The name in reports: "independent", "met", "redundant", ...
 [[nodiscard]] std::string_view name(ConstraintStatus status);
 
+/// How many names are listed of the constraints that one follows from: `kMostNamedPartners` for the first
+/// `kMostWithManyPartners` constraints that follow from others, `kFewPartners` for all behind them. In a patch with
+/// more points than vertices thousands of constraints follow from dozens of others each.
+inline constexpr std::size_t kMostNamedPartners = 100;
+inline constexpr std::size_t kFewPartners = 16;
+inline constexpr std::size_t kMostWithManyPartners = 100;
+
 /// One way in which a constraint follows from others: none of them can be left out.
 struct ConflictSet {
-  std::vector<std::string> with;  ///< names of constraints before it, in their order; none: its part stays at rest
+  /// Names of constraints before it, in their order, as many as are listed; none: its part stays at rest.
+  std::vector<std::string> with;
   Index rows = 0;                 ///< how many of its rows depend on just these
   Vector3 gap = Vector3::Zero();  ///< what it asks for less what they imply, model units: the largest of those rows
   bool isConflict = false;        ///< beyond the promise; else it only repeats them
@@ -46,6 +54,7 @@ struct ConflictSet {
   /// later one of equals; and, for a point or an offset, the target that agrees with all of `with`.
   std::string disable;
   std::optional<Vector3> consistentTarget;
+  Index withCount = 0;  ///< how many constraints there are in `with`, listed or not
 };
 
 struct ConstraintOutcome {
@@ -57,14 +66,16 @@ struct ConstraintOutcome {
   /// The residual up to which it is met, see `residualLimits`: of a missed row where there is one, else the largest of
   /// its rows; none when disabled.
   std::optional<double> limit;
-  std::vector<std::string> dependsOn;  ///< names of the constraints that a redundant or conflicting one follows from
-  std::optional<double> gap;           ///< how far it contradicts them, model units; of redundant and conflicting ones
+  /// Names of the constraints that a redundant or conflicting one follows from, as many as are listed.
+  std::vector<std::string> dependsOn;
+  std::optional<double> gap;  ///< how far it contradicts them, model units; of redundant and conflicting ones
   std::vector<ConflictSet> conflictSets;  ///< the smallest sets that it conflicts with or repeats, and repairs
   /// How far vertices move, all together, for a unit of change in what one of its rows asks for; none when disabled.
   std::optional<double> sensitivity;
   /// From its `near` places to the surface, the largest; none where it names none or is disabled. Model units.
   std::optional<double> nearDistance;
   std::optional<double> multiplier;  ///< how hard it pulls, without units: see docs/math.md; of solved hard constraints
+  Index dependsOnCount = 0;          ///< how many constraints there are in `dependsOn`, listed or not
 };
 
 /// The outcomes of all constraints, in the order of the list. They are made when somebody first looks at one of them,

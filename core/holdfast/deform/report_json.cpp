@@ -48,11 +48,9 @@ Json toJson(const MeshReport& mesh)
 
 Json toJson(const ConflictSet& conflictSet)
 {
-  Json json{{"with", conflictSet.with},
-            {"rows", conflictSet.rows},
-            {"conflict", conflictSet.isConflict},
-            {"gap", conflictSet.gap},
-            {"length", conflictSet.gap.stableNorm()}};
+  Json json{{"with", conflictSet.with}, {"with_count", conflictSet.withCount},
+            {"rows", conflictSet.rows}, {"conflict", conflictSet.isConflict},
+            {"gap", conflictSet.gap},   {"length", conflictSet.gap.stableNorm()}};
   if (conflictSet.isConflict) json["repair"] = {{"disable", conflictSet.disable}};
   if (conflictSet.consistentTarget) json["repair"]["consistent_target"] = *conflictSet.consistentTarget;
   return json;
@@ -76,6 +74,7 @@ Json toJson(const ConstraintOutcome& outcome)
           {"residual", orNull(outcome.residual)},
           {"limit", orNull(outcome.limit)},
           {"depends_on", outcome.dependsOn},
+          {"depends_on_count", outcome.dependsOnCount},
           {"gap", orNull(outcome.gap)},
           {"clashes", toJson(outcome.conflictSets)},
           {"clash_count", outcome.conflictSets.size()},

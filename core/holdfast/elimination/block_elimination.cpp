@@ -103,7 +103,7 @@ std::pair<BlockElimination::Block, BlockElimination::Factors> BlockElimination::
   SequentialQr qr(BT.rows(), BT.cols());
   Block block{{}, component.unknowns, {}, {}, {}};
   for (Index k = 0; k < BT.cols(); ++k)
-    if (!qr.add(BT.col(k))) block.rows.push_back(component.rows[k]);
+    if (qr.append(BT.col(k))) block.rows.push_back(component.rows[k]);
   const Eigen::MatrixXd Q = qr.applyQ(Eigen::MatrixXd::Identity(BT.rows(), BT.rows()));
   block.Q2 = Q.rightCols(BT.rows() - qr.rank()).sparseView(1, 0);
   return {std::move(block), {qr.R().sparseView(1, 0), Q.leftCols(qr.rank()).sparseView(1, 0)}};
@@ -114,7 +114,8 @@ std::pair<BlockElimination::Block, BlockElimination::Factors> BlockElimination::
 {
   SparseMatrix BT = transposedBlock(rows, component);
   const Eigen::VectorXd lengths = normalizeColumns(BT);
-  SparseQrResult qr = sparseQr(BT, kRankTolerance, WantQ::Yes);
+  constexpr double kAcceptAll = -1;
+  SparseQrResult qr = sparseQr(BT, kAcceptAll, WantQ::Yes);
   Block block{{}, component.unknowns, {}, std::move(qr.Q), {}};
   Factors factors{qr.R.leftCols(qr.rank), {}};
   for (Index k = 0; k < qr.rank; ++k) block.rows.push_back(component.rows[qr.columns[k]]);

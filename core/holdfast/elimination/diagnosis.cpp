@@ -46,6 +46,9 @@ std::vector<bool> unplacedUnknowns(const std::vector<RowTerms>& rows, const Solv
   return isHeld;
 }
 
+// Redundant rows with a smaller share of their limit missing are met without being reconciled.
+constexpr double kToldShare = 0.01;
+
 constexpr double kShare = kPromisedSpacings * std::numeric_limits<double>::epsilon();
 
 double largestCoordinate(const Vector3& place)
@@ -157,14 +160,14 @@ std::vector<double> residualLimits(const SolverMesh& mesh, const ConstraintSyste
   return limits;
 }
 
-EliminatedConstraints eliminate(const ConstraintSystem& system, const SolverMesh& mesh)
+EliminatedConstraints eliminate(const ConstraintSystem& system, const SolverMesh& mesh, double tolerance)
 {
   std::vector<RowTerms> rows = termsOf(system);
   std::vector<bool> isHeld = unplacedUnknowns(rows, mesh);
   // Vertices at rest have no unknowns: their rows hold if the displacement that they ask for is 0.
   for (RowTerms& row : rows)
     if (!row.empty() && isHeld[row.front().index]) row.clear();
-  std::vector<Dependency> dependencies = findDependencies(rows, mesh.unknownCount());
+  std::vector<Dependency> dependencies = findDependencies(rows, mesh.unknownCount(), tolerance);
   Elimination elimination(rows, independentRows(dependencies, rows.size()), mesh.unknownCount(), isHeld);
   return {std::move(rows), std::move(dependencies), std::move(isHeld), std::move(elimination)};
 }
@@ -193,7 +196,7 @@ Diagnosis diagnose(const EliminatedConstraints& eliminated, const ConstraintSyst
     const double limit = kConsistentShare * diagnosis.limits[dependency.row];
     const bool agrees = gap.stableNorm() <= limit * gapPerChange(eliminated, dependency);
     diagnosis.status[dependency.row] = agrees ? RowStatus::Redundant : RowStatus::Conflicting;
-    if (agrees) diagnosis.reconciled.push_back(dependency.row);
+    if (agrees && gap.stableNorm() > kToldShare * limit) diagnosis.reconciled.push_back(dependency.row);
     isMissed = isMissed || (agrees && gap.stableNorm() > limit);
   }
   if (!isMissed) diagnosis.reconciled.clear();

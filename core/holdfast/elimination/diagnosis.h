@@ -27,8 +27,8 @@ struct Diagnosis {
   std::vector<DependentRow> dependent;  ///< ascending by row
   std::vector<double> limits;  ///< of each row: the largest residual with which it is met, see `residualLimits`
   bool isNearOrigin = false;   ///< then they are the promised residual, whatever the displacement
-  /// The redundant rows, when the independent ones alone would miss some of them: see
-  /// `reconciledParticular`.
+  /// The redundant rows that the independent ones alone miss by more than rounding, when they would miss some of them
+  /// by more than their limits: see `reconciledParticular`.
   std::vector<Index> reconciled;
   Columns3 particular;  ///< `Elimination::particular` of the shifts, where gaps were read off it; else no rows
 
@@ -63,7 +63,9 @@ struct EliminatedConstraints {
   Elimination elimination;               ///< of the independent rows
 };
 
-[[nodiscard]] EliminatedConstraints eliminate(const ConstraintSystem& system, const SolverMesh& mesh);
+/// Rows closer to the rows before them than `tolerance` are left out, see `kRankTolerance`.
+[[nodiscard]] EliminatedConstraints eliminate(const ConstraintSystem& system, const SolverMesh& mesh,
+                                              double tolerance = kRankTolerance);
 
 /// Gaps, and what the rows asked for that they depend on: in most frames of a drag both stay as they are.
 struct KnownGaps {

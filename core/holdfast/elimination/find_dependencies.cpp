@@ -6,13 +6,11 @@
 #include <optional>
 #include <ranges>
 
-#include <Eigen/OrderingMethods>
-
 #include <holdfast/base/disjoint_sets.h>
+#include <holdfast/elimination/large_component.h>
 #include <holdfast/elimination/merged_unknowns.h>
 #include <holdfast/elimination/own_unknowns.h>
 #include <holdfast/elimination/sequential_qr.h>
-#include <holdfast/elimination/sparse_qr.h>
 
 namespace holdfast {
 namespace {
@@ -20,6 +18,35 @@ namespace {
 /// The basis is not exchanged for one in which a coefficient is larger than this: circuits that lead through many faces
 /// grow like powers, and with them the rounding of all that is said of them.
 constexpr double kLargestCoefficient = 1e6;
+
+// A dense QR of so many rows takes some tenths of a second.
+constexpr std::size_t kMostSequentialRows = 512;
+constexpr std::size_t kMostSequentialUnknowns = 512;
+
+/// Larger components are judged by sparse matrices. So are those of which no row is to be close to all others: the
+/// sequential method compares with rows before it only.
+bool isJudgedInOrder(const RowComponent& component, double tolerance)
+{
+  return tolerance <= kRankTolerance && component.rows.size() <= kMostSequentialRows &&
+         component.unknowns.size() <= kMostSequentialUnknowns;
+}
+
+/// Whether other rows would better stand in the places of some.
+bool leadsFar(const Dependency& dependency)
+{
+  return std::ranges::any_of(dependency.terms,
+                             [](const Term& term) { return std::abs(term.coefficient) > 1 / kWaitingDistance; });
+}
+
+std::vector<Dependency> dependenciesOf(const RowComponent& component, const std::vector<RowTerms>& rows,
+                                       double tolerance)
+{
+  if (isJudgedInOrder(component, tolerance)) {
+    std::vector<Dependency> found = sequentialDependencies(rows, component, tolerance);
+    if (std::ranges::none_of(found, leadsFar)) return found;
+  }
+  return sparseDependencies(rows, component, tolerance);
+}
 
 /// A dependent row that takes the place of a row of the basis.
 struct Exchange {
@@ -71,9 +98,12 @@ Combination sum(const Combination& x, double share, const Combination& y, Index 
 /// dependencies.
 class Tableau {
  public:
-  explicit Tableau(const std::vector<Dependency>& dependencies)
+  explicit Tableau(std::vector<Dependency> dependencies)
   {
-    for (const Dependency& dependency : dependencies) dependent_[dependency.row] = dependency.terms;
+    for (Dependency& dependency : dependencies) {
+      dependent_[dependency.row] = std::move(dependency.terms);
+      distances_[dependency.row] = dependency.distance;
+    }
   }
 
   /// Takes the rows in their order: a dependent one with a term that comes after it goes into the basis, and nothing
@@ -88,7 +118,7 @@ class Tableau {
       place = dependent_.upper_bound(row);
     }
     std::vector<Dependency> result;
-    for (auto& [row, combination] : dependent_) result.push_back({row, std::move(combination)});
+    for (auto& [row, combination] : dependent_) result.push_back({row, std::move(combination), distances_.at(row)});
     return result;
   }
 
@@ -128,67 +158,13 @@ class Tableau {
   void commit(const Exchange& pair, Changes changes)
   {
     dependent_.erase(pair.entering);
+    distances_[pair.leaving] = distances_[pair.entering];
     for (auto& [row, combination] : changes) dependent_[row] = std::move(combination);
   }
 
   std::map<Index, Combination> dependent_;
+  std::map<Index, double> distances_;
 };
-
-/// Where the largest coefficient is, if it exceeds `kLargestCoefficient`.
-std::optional<Exchange> largestCoefficient(const std::vector<Dependency>& dependencies)
-{
-  std::optional<Exchange> result;
-  double largest = kLargestCoefficient;
-  for (const Dependency& dependency : dependencies)
-    for (const Term& term : dependency.terms)
-      if (std::abs(term.coefficient) > largest) {
-        largest = std::abs(term.coefficient);
-        result = Exchange{dependency.row, term.index};
-      }
-  return result;
-}
-
-// The second finds what rounding hid from the first.
-constexpr int kMaxRounds = 2;
-// One or two are the rule where there is any; a basis that needs more is as badly conditioned after them.
-constexpr int kMaxReductions = 64;
-
-/// The dependency of `row` by coefficients over some rows, tiny ones left out.
-Dependency dependency(Index row, const std::vector<Index>& basis, const Eigen::VectorXd& coefficients)
-{
-  Dependency result{row, {}};
-  const double vanishing = kCoefficientThreshold * std::max(1.0, coefficients.cwiseAbs().maxCoeff());
-  for (Index k = 0; k < coefficients.size(); ++k)
-    if (std::abs(coefficients[k]) > vanishing) result.terms.push_back({basis[k], coefficients[k]});
-  std::ranges::sort(result.terms, {}, &Term::index);
-  return result;
-}
-
-/// The dependencies that a QR of the component's block shows: of its R = [R11, R12] the coefficients are R11^-1 R12. Q
-/// is not needed. Without `basisSize` the rank tells how large R11 is.
-std::vector<Dependency> dependenciesByQr(const std::vector<RowTerms>& all, const RowComponent& component,
-                                         ColumnOrder order, std::optional<std::size_t> basisSize = {})
-{
-  constexpr double kAcceptAll = -1;
-  SparseMatrix block = transposedBlock(all, component);
-  const Eigen::VectorXd lengths = normalizeColumns(block);
-  const SparseQrResult qr = sparseQr(block, basisSize ? kAcceptAll : kRankTolerance, WantQ::No, order);
-  const Index rank = basisSize ? static_cast<Index>(*basisSize) : qr.rank;
-  const SparseMatrix top = SparseRows(SparseRows(qr.R).topRows(rank));
-  const SparseMatrix R11 = top.leftCols(rank);
-  std::vector<Index> basis;
-  for (Index k = 0; k < rank; ++k) basis.push_back(component.rows[qr.columns[k]]);
-  std::vector<Dependency> result;
-  for (Index k = rank; k < top.cols(); ++k) {
-    Eigen::VectorXd coefficients = top.col(k);
-    R11.triangularView<Eigen::Upper>().solveInPlace(coefficients);
-    const Index column = qr.columns[k];
-    for (Index j = 0; j < rank; ++j) coefficients[j] *= lengths[column] / lengths[qr.columns[j]];
-    result.push_back(dependency(component.rows[column], basis, coefficients));
-  }
-  std::ranges::sort(result, {}, &Dependency::row);
-  return result;
-}
 
 /// Those of `rows`, ascending, that depend on none.
 template <class Rows>
@@ -197,43 +173,6 @@ std::vector<Index> independentOf(const Rows& rows, const std::vector<Dependency>
   std::vector<Index> result;
   std::ranges::set_difference(rows, dependencies | std::views::transform(&Dependency::row), std::back_inserter(result));
   return result;
-}
-
-/// The basis in an order in which its QR fills in little.
-std::vector<Index> inFillReducingOrder(const std::vector<RowTerms>& rows, const RowComponent& component,
-                                       const std::vector<Index>& basis)
-{
-  const SparseMatrix block = transposedBlock(rows, {basis, component.unknowns});
-  Eigen::COLAMDOrdering<int>::PermutationType placeOf;
-  Eigen::COLAMDOrdering<int>()(block, placeOf);
-  std::vector<Index> result(basis.size());
-  for (std::size_t k = 0; k < basis.size(); ++k) result[placeOf.indices()[static_cast<Index>(k)]] = basis[k];
-  return result;
-}
-
-/// The dependencies by a given basis of the component's rows, ascending: a QR of the basis with the others behind it.
-std::vector<Dependency> byBasis(const std::vector<RowTerms>& rows, const RowComponent& component,
-                                const std::vector<Index>& basis)
-{
-  std::vector<Index> order = inFillReducingOrder(rows, component, basis);
-  std::ranges::set_difference(component.rows, basis, std::back_inserter(order));
-  return dependenciesByQr(rows, {std::move(order), component.unknowns}, ColumnOrder::AsGiven, basis.size());
-}
-
-/// `found`, by a basis in which no coefficient exceeds `kLargestCoefficient`. A factorisation for each exchange: where
-/// coefficients are large, those that one leaves small are rounding.
-std::vector<Dependency> bounded(std::vector<Dependency> found, const std::vector<RowTerms>& rows,
-                                const RowComponent& component)
-{
-  for (int exchange = 0; exchange < kMaxReductions; ++exchange) {
-    const auto pair = largestCoefficient(found);
-    if (!pair) break;
-    std::vector<Index> basis = independentOf(component.rows, found);
-    basis.erase(std::find(basis.begin(), basis.end(), pair->leaving));
-    basis.insert(std::lower_bound(basis.begin(), basis.end(), pair->entering), pair->entering);
-    found = byBasis(rows, component, basis);
-  }
-  return found;
 }
 
 /// Difference rows that close no loop, in the user's order, and all other rows.
@@ -271,7 +210,8 @@ void addTermsInside(const MergedUnknowns& groups, const std::vector<RowTerms>& r
 
 }  // namespace
 
-std::vector<Dependency> sequentialDependencies(const std::vector<RowTerms>& rows, const RowComponent& component)
+std::vector<Dependency> sequentialDependencies(const std::vector<RowTerms>& rows, const RowComponent& component,
+                                               double tolerance)
 {
   const Eigen::MatrixXd block = transposedBlock(rows, component);
   SequentialQr qr(block.rows(), block.cols());
@@ -279,28 +219,15 @@ std::vector<Dependency> sequentialDependencies(const std::vector<RowTerms>& rows
   std::vector<Dependency> result;
   for (Index k = 0; k < block.cols(); ++k) {
     const Index row = component.rows[k];
-    if (const auto coefficients = qr.add(block.col(k)))
-      result.push_back(dependency(row, accepted, *coefficients));
+    if (const auto coefficients = qr.add(block.col(k), tolerance))
+      result.push_back(dependencyOf(row, accepted, *coefficients, qr.distance()));
     else
       accepted.push_back(row);
   }
   return result;
 }
 
-std::vector<Dependency> sparseDependencies(const std::vector<RowTerms>& rows, const RowComponent& component)
-{
-  std::vector<Dependency> found =
-      bounded(dependenciesByQr(rows, component, ColumnOrder::FillReducing), rows, component);
-  // Each exchange adds rounding: what they lead to is factorised anew, and exchanged again where that tells more.
-  for (int round = 0; round < kMaxRounds; ++round) {
-    const std::vector<Index> basis = independentOf(component.rows, Tableau(found).byEarliestBasis());
-    if (basis == independentOf(component.rows, found)) break;
-    found = bounded(byBasis(rows, component, basis), rows, component);
-  }
-  return found;
-}
-
-std::vector<Dependency> findDependencies(const std::vector<RowTerms>& rows, Index unknownCount)
+std::vector<Dependency> findDependencies(const std::vector<RowTerms>& rows, Index unknownCount, double tolerance)
 {
   const Forest forest = forestOf(rows, unknownCount);
   const MergedUnknowns groups(rows, forest.differences, unknownCount);
@@ -310,16 +237,16 @@ std::vector<Dependency> findDependencies(const std::vector<RowTerms>& rows, Inde
   std::vector<Dependency> all;
   for (const Index row : forest.others)
     if (contracted[row].empty()) all.push_back({row, {}});
-  for (const OwnUnknown& own : ownUnknowns(contracted, groups.count())) contracted[own.row].clear();  // independent
+  if (tolerance * kMostMoved < 1)  // they are independent
+    for (const OwnUnknown& own : ownUnknowns(contracted, groups.count())) contracted[own.row].clear();
   for (const RowComponent& component : connectedRows(contracted, groups.count())) {
     if (component.rows.size() == 1) continue;
-    std::vector<Dependency> found =
-        isDense(component) ? sequentialDependencies(contracted, component) : sparseDependencies(contracted, component);
+    std::vector<Dependency> found = dependenciesOf(component, contracted, tolerance);
     std::move(found.begin(), found.end(), std::back_inserter(all));
   }
   for (Dependency& dependency : all) addTermsInside(groups, rows, dependency);
   std::ranges::sort(all, {}, &Dependency::row);
-  return forest.differences.empty() ? all : Tableau(all).byEarliestBasis();
+  return forest.differences.empty() ? all : Tableau(std::move(all)).byEarliestBasis();
 }
 
 std::vector<Index> independentRows(const std::vector<Dependency>& dependencies, std::size_t rowCount)

@@ -7,6 +7,7 @@
 
 #include <holdfast/elimination/diagnosis.h>
 #include <holdfast/elimination/find_dependencies.h>
+#include <holdfast/elimination/large_component.h>
 
 #include "support/circuits.h"
 #include "support/dense_operators.h"
@@ -105,13 +106,13 @@ void expectSame(const std::vector<Dependency>& found, const std::vector<Dependen
   }
 }
 
-using OfComponent = std::vector<Dependency> (*)(const std::vector<RowTerms>&, const RowComponent&);
+using OfComponent = std::vector<Dependency> (*)(const std::vector<RowTerms>&, const RowComponent&, double);
 
 std::vector<Dependency> bySolverOfComponents(OfComponent method, const std::vector<RowTerms>& rows, Index unknowns)
 {
   std::vector<Dependency> all;
   for (const RowComponent& component : connectedRows(rows, unknowns))
-    for (Dependency& dependency : method(rows, component)) all.push_back(std::move(dependency));
+    for (Dependency& dependency : method(rows, component, kRankTolerance)) all.push_back(std::move(dependency));
   std::sort(all.begin(), all.end(), [](const Dependency& a, const Dependency& b) { return a.row < b.row; });
   return all;
 }

@@ -7,6 +7,7 @@
 
 #include <holdfast/constraints/constraint_system.h>
 #include <holdfast/elimination/find_dependencies.h>
+#include <holdfast/elimination/large_component.h>
 
 #include "support/meshes.h"
 #include "support/point_constraints.h"

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include <holdfast/elimination/sequential_qr.h>
@@ -64,6 +66,52 @@ TEST(SequentialQr, TellsDirectionsApartDownToTheSinePromised)
     EXPECT_FALSE(qr.add(Eigen::Vector2d(1, 0)).has_value());
     EXPECT_EQ(qr.add(Eigen::Vector2d(7, 7 * sine)).has_value(), sine < 1e-12) << sine;
   }
+}
+
+/// Edges of a chain between two pins, one after the other; circuits through it grow by `growth` with every edge.
+std::vector<Eigen::VectorXd> closedChain(Index edges, double growth)
+{
+  std::vector<Eigen::VectorXd> columns{Eigen::VectorXd::Unit(edges + 1, 0)};
+  for (Index k = 0; k < edges; ++k)
+    columns.emplace_back((growth * Eigen::VectorXd::Unit(edges + 1, k) + Eigen::VectorXd::Unit(edges + 1, k + 1)) /
+                         (1 + growth));
+  columns.emplace_back(Eigen::VectorXd::Unit(edges + 1, edges));
+  return columns;
+}
+
+TEST(SequentialQr, TellsDependentColumnsWhoseCoefficientsAreLarge)
+{
+  // What is left of the last one is rounding times the largest coefficient: more than 1e-12 of its length.
+  for (const double growth : {2.0, 3.0, 5.0})
+    for (const Index edges : {8, 12, 16}) {
+      SCOPED_TRACE(testing::Message() << edges << " edges, growth " << growth);
+      const std::vector<Eigen::VectorXd> columns = closedChain(edges, growth);
+      SequentialQr qr(edges + 1, edges + 2);
+      for (Index k = 0; k <= edges; ++k) ASSERT_FALSE(qr.add(columns[k]).has_value()) << k;
+      const auto found = qr.add(columns.back());
+      ASSERT_TRUE(found.has_value());
+      EXPECT_LT(qr.distance(), kRoundingDistance);
+      EXPECT_NEAR(found->head(1)[0], std::pow(-growth, edges), 1e-6 * std::pow(growth, edges));
+    }
+}
+
+TEST(SequentialQr, SaysHowFarAColumnIsFromTheOthers)
+{
+  for (const double sine : {1e-3, 1e-7, 1e-11}) {
+    SequentialQr qr(2, 2);
+    EXPECT_FALSE(qr.add(Eigen::Vector2d(3, 0)).has_value());
+    EXPECT_FALSE(qr.add(Eigen::Vector2d(7, 7 * sine)).has_value());
+    EXPECT_NEAR(qr.distance(), sine / std::sqrt(2), 1e-3 * sine);
+  }
+}
+
+TEST(SequentialQr, AppendsWhatIsKnownToBeIndependentHoweverCloseItIs)
+{
+  SequentialQr qr(2, 2);
+  EXPECT_TRUE(qr.append(Eigen::Vector2d(1, 0)));
+  EXPECT_FALSE(qr.append(Eigen::Vector2d(2, 0))) << "nothing is left of it";
+  EXPECT_TRUE(qr.append(Eigen::Vector2d(1, 1e-15)));
+  EXPECT_EQ(qr.rank(), 2);
 }
 
 TEST(SequentialQr, DoesNotLookAtLengths)
