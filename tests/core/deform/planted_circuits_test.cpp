@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <holdfast/deform/outcomes.h>
+
 #include "support/law_meshes.h"
 #include "support/meshes.h"
 #include "support/point_constraints.h"
@@ -195,6 +197,35 @@ TEST(PlantedCircuits, EndWhereTheProposedRepairIsFollowed)
   for (const ConstraintList& list : {disabled, retargeted})
     for (const ConstraintOutcome& outcome : diagnoseConstraints(model, list, "list").constraints)
       EXPECT_NE(outcome.status, ConstraintStatus::Conflicting) << outcome.name;
+}
+
+/// What each conflict names may bring others forward: points at random, a third of them off.
+ConstraintList arguingPoints(const Mesh& mesh, std::uint32_t seed)
+{
+  test::Random random(seed);
+  std::vector<Constraint> constraints;
+  for (int k = 0; k < 120; ++k) {
+    const double a = random.uniform(0.1, 0.8);
+    const double b = random.uniform(0.1, 0.9 - a);
+    const Vector3 error = k % 3 == 0 ? test::randomVector(random, 0.1) : Vector3(0, 0, 0);
+    constraints.push_back(
+        test::moveBy(AtFace{random.integer(0, mesh.faces.size() - 1), {a, b, 1 - a - b}}, kShift + error));
+  }
+  return test::listOf(std::move(constraints));
+}
+
+TEST(PlantedCircuits, EndAtATimeWhereAllThatConflictAreDisabled)
+{
+  const Mesh mesh = test::plate(8, 8);
+  const Model model = makeModel(mesh, "mesh");
+  for (std::uint32_t seed = 0; seed < 4; ++seed) {
+    ConstraintList list = arguingPoints(mesh, seed);
+    const Report report = diagnoseConstraints(model, list, "list");
+    ASSERT_GT(countOf(report, ConstraintStatus::Conflicting), 1);
+    for (std::size_t c = 0; c < list.constraints.size(); ++c)
+      if (report.constraints[c].status == ConstraintStatus::Conflicting) list.constraints[c].isEnabled = false;
+    EXPECT_EQ(countOf(diagnoseConstraints(model, list, "list"), ConstraintStatus::Conflicting), 0);
+  }
 }
 
 }  // namespace
