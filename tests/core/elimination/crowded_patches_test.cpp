@@ -8,7 +8,7 @@
 #include <holdfast/elimination/large_component.h>
 #include <holdfast/elimination/row_matching.h>
 
-#include "support/meshes.h"
+#include "support/law_meshes.h"
 #include "support/random.h"
 
 namespace holdfast {
