@@ -42,26 +42,23 @@ std::string quotedNames(const std::vector<std::string>& names, std::size_t count
   return text;
 }
 
-/// ": "A" and "B"" for a finding about constraints, else nothing.
-std::string namesAfter(const Finding& finding, const ConstraintOutcomes& constraints)
+/// The message, with the names of constraints that it is about.
+std::string findingText(const Finding& finding, const ConstraintOutcomes& constraints)
 {
   std::vector<std::string> names;
   if (finding.idsOf == "constraint")
     for (const Index c : finding.ids) names.push_back(constraints[c].name);
-  return (names.empty() ? "" : ": ") + quotedNames(names, names.size());
+  return fmt::format("{}{}{}", printable(finding.message), names.empty() ? "" : ": ",
+                     quotedNames(names, names.size()));
 }
 
-std::string findingLine(const Finding& finding, const ConstraintOutcomes& constraints)
-{
-  return fmt::format("  finding    {}{}\n", printable(finding.message), namesAfter(finding, constraints));
-}
-
-/// What may make the result another one than was meant, and is easily passed over in a summary.
-bool isWarning(const Finding& finding)
+/// Whether it is about the solution or what that made of the part, or may make the result another one than was meant.
+bool isWarning(const Finding& finding, const ResultVerdict& result)
 {
   constexpr std::array<std::string_view, 4> kKinds{"places_off_surface", "places_in_one_spot", "places_between_sides",
                                                    "nearly_coincident_vertices"};
-  return finding.idsOf == "solution" || std::ranges::count(kKinds, finding.kind) != 0;
+  return finding.idsOf == "solution" || std::ranges::count(kKinds, finding.kind) != 0 ||
+         std::ranges::count(result.warnings, finding.kind) != 0;
 }
 
 std::string constraintLine(const Report& report)
@@ -122,6 +119,22 @@ std::string solveLines(const SolveReport& solve, const std::string& units)
   return lines;
 }
 
+/// Ratios of one kind: "0.98 to 1.2".
+std::string rangeText(const RatioVerdict& ratios)
+{
+  return fmt::format("{:.3g} to {:.3g}", ratios.least, ratios.most);
+}
+
+std::string resultLine(const ResultVerdict& result)
+{
+  if (result.status == ResultStatus::NotMeasured) return "";
+  std::vector<std::string> kinds = result.warnings;
+  for (std::string& kind : kinds) std::ranges::replace(kind, '_', ' ');
+  return fmt::format("result       {}{}{}; edges {} of their lengths, areas {}, volumes {}\n", name(result.status),
+                     kinds.empty() ? "" : ": ", fmt::join(kinds, ", "), rangeText(result.edges),
+                     rangeText(result.areas), rangeText(result.volumes));
+}
+
 std::string repairText(const ConstraintOutcome& outcome, const ConflictSet& conflictSet)
 {
   std::string text = fmt::format("disable {}", inQuotes(conflictSet.disable));
@@ -176,13 +189,14 @@ std::string summary(const Report& report, const std::string& meshName, const std
       fmt::format("mesh         {}: {} vertices, {}, {}, diagonal {}\n", printable(meshName), report.mesh.vertices,
                   counted(report.mesh.faces, "face"), counted(report.mesh.components, "connected part"),
                   withUnits(report.mesh.bboxDiagonal, units));
-  for (const Finding& finding : report.mesh.findings) text += findingLine(finding, report.constraints);
+  for (const Finding& finding : report.mesh.findings)
+    text += fmt::format("  finding    {}\n", findingText(finding, report.constraints));
   if (!report.constraints.empty()) text += constraintLine(report) + placesLine(report.constraints, units);
   if (!report.skippedRows.empty())
     text += fmt::format("skipped      {} of the point list\n",
                         counted(static_cast<Index>(report.skippedRows.size()), "bad row"));
   if (report.solve.status != SolveStatus::NotRun) text += solveLines(report.solve, units);
-  return text + pullLine(report.constraints);
+  return text + resultLine(report.result) + pullLine(report.constraints);
 }
 
 std::string optionsLine(const StatedOptions& asked, const StatedOptions& session, const std::string& source)
@@ -214,8 +228,8 @@ std::string messageLines(const Report& report, const std::string& units)
 {
   std::string text;
   for (const Finding& finding : report.mesh.findings)
-    if (isWarning(finding))
-      text += fmt::format("warning: {}{}\n", printable(finding.message), namesAfter(finding, report.constraints));
+    if (isWarning(finding, report.result))
+      text += fmt::format("warning: {}\n", findingText(finding, report.constraints));
   for (const ConstraintOutcome& outcome : report.constraints) text += conflictLinesOf(outcome, units);
   text += endOfAllLine(report);
   if (report.solve.status == SolveStatus::Failed) text += fmt::format("error: {}\n", printable(report.solve.message));

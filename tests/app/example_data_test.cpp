@@ -80,6 +80,7 @@ TEST_P(ExampleData, IsMet)
 
   const Json report = Json::parse(bytesOf(reportFile));
   EXPECT_TRUE(isReport(report, SolveState::kSolved));
+  EXPECT_EQ(report["result"]["status"], "fine") << report["result"];
   const std::set<std::string> leftOut = conflicting(report);
   EXPECT_EQ(leftOut.empty(), !hasConflicts);
   EXPECT_TRUE(meetsConstraints(mesh, out, constraints, leftOut));

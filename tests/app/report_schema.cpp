@@ -189,6 +189,44 @@ void checkSolve(Complaints& complaints, const Json& solve, SolveState state)
                    {{"setup", isLength}, {"decomposition", isLength}, {"solution", isLength}});
 }
 
+bool isNumber(const Json& value)
+{
+  return value.is_number();
+}
+
+void checkRatios(Complaints& complaints, const Json& ratios, const std::string& path)
+{
+  complaints.check(ratios, path, {{"least", isNumber}, {"most", isNumber}, {"shrunk", isCount}, {"grown", isCount}});
+}
+
+void checkResult(Complaints& complaints, const Json& result, SolveState state)
+{
+  const bool isSolved = state == SolveState::kSolved;
+  complaints.check(result, "result",
+                   {{"status", isOneOf(isSolved ? std::set<std::string>{"fine", "doubtful"}
+                                                : std::set<std::string>{"not measured"})},
+                    {"warnings", isNames},
+                    {"target_motions", isArray}});
+  for (const Json& motion : result.value("target_motions", Json::array()))
+    complaints.check(motion, "result.target_motions[]",
+                     {{"degrees", isLength},
+                      {"axis", isVector},
+                      {"scale", isNumber},
+                      {"shift", isVector},
+                      {"moved", isLength},
+                      {"left", isLength}});
+  if (!isSolved) return;
+  complaints.check(
+      result, "result",
+      {{"folds", isObject}, {"inverted_faces", isCount}, {"crossing_faces", isCount}, {"overshoot", isObject}});
+  complaints.check(result.value("folds", Json::object()), "result.folds",
+                   {{"faces", isCount}, {"largest_degrees", isLength}});
+  complaints.check(result.value("overshoot", Json::object()), "result.overshoot",
+                   {{"vertices", isCount}, {"largest", isLength}, {"asked", isLength}});
+  for (const char* key : {"edges", "areas", "volumes"})
+    checkRatios(complaints, result.value(key, Json::object()), std::string("result.") + key);
+}
+
 }  // namespace
 
 testing::AssertionResult isReport(const nlohmann::json& report, SolveState state)
@@ -200,13 +238,15 @@ testing::AssertionResult isReport(const nlohmann::json& report, SolveState state
                     {"mesh", isObject},
                     {"constraints", isArray},
                     {"skipped_rows", isArray},
-                    {"solve", isObject}});
+                    {"solve", isObject},
+                    {"result", isObject}});
   checkMesh(complaints, report.value("mesh", Json::object()));
   for (const Json& row : report.value("skipped_rows", Json::array()))
     complaints.check(row, "skipped_rows[]", {{"line", isCount}, {"name", isText}, {"fault", isText}});
   for (const Json& constraint : report.value("constraints", Json::array()))
     checkConstraint(complaints, constraint, state);
   checkSolve(complaints, report.value("solve", Json::object()), state);
+  checkResult(complaints, report.value("result", Json::object()), state);
   if (complaints.text().empty()) return testing::AssertionSuccess();
   return testing::AssertionFailure() << complaints.text();
 }

@@ -19,6 +19,8 @@ struct Finding {
   std::string message;     ///< one sentence: what was found and what the solver does about it
 };
 
+using Findings = std::vector<Finding>;
+
 inline constexpr std::size_t kMaxFindingIds = 20;
 
 /// What follows a count in a sentence: "1 " + one, "12 " + many.

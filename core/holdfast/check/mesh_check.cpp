@@ -17,8 +17,6 @@
 namespace holdfast {
 namespace {
 
-using Findings = std::vector<Finding>;
-
 // As a share of the diagonal: far below any detail of a part, and above what writing with six digits loses.
 constexpr double kNearlyCoincident = 1e-6;
 

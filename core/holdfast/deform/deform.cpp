@@ -6,8 +6,24 @@
 #include <holdfast/deform/place_findings.h>
 #include <holdfast/deform/rotation_factorization.h>
 #include <holdfast/surface/surface_locator.h>
+#include <holdfast/verdict/result_check.h>
 
 namespace holdfast {
+namespace {
+
+/// What targets say together, which needs no solution.
+void addTargets(Report& report, const Model& model, const ConstraintSystem& system, RotationSource rotations)
+{
+  Findings findings;
+  addTargetFindings(findings, model.solverMesh, system, rotations);
+  for (Finding& finding : findings) {
+    report.result.warnings.push_back(finding.kind);
+    report.mesh.findings.push_back(std::move(finding));
+  }
+  report.result.targetMotions = targetMotionsOf(wholeMotions(system, model.solverMesh));
+}
+
+}  // namespace
 
 DeformResult deform(const Model& model, const ConstraintList& constraints, const std::string& source,
                     const DeformOptions& options, Progress& progress)
@@ -16,7 +32,9 @@ DeformResult deform(const Model& model, const ConstraintList& constraints, const
   // A pointer that owns nothing: the deformer is gone before the caller's model.
   Deformer deformer(std::shared_ptr<const Model>(std::shared_ptr<const Model>(), &model), options);
   deformer.isForOneCall_ = true;
-  return deformer.deform(constraints, source, progress);
+  DeformResult result = deformer.deform(constraints, source, progress);
+  result.report = deformer.examined(result, progress);
+  return result;
 }
 
 Report diagnoseConstraints(const Model& model, const ConstraintList& constraints, const std::string& source,
@@ -51,6 +69,7 @@ Report diagnoseConstraints(const Model& model, const ConstraintList& constraints
   for (Finding& finding : constraintFindings(model, eliminated, details))
     report.mesh.findings.push_back(std::move(finding));
   placeFindings.addTo(report.mesh.findings);
+  addTargets(report, model, details.system, options.rotations.source);
   return report;
 }
 

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <future>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -25,6 +26,7 @@
 #include <holdfast/solve/constrained_solver.h>
 #include <holdfast/solve/moved_solutions.h>
 #include <holdfast/surface/surface_locator.h>
+#include <holdfast/verdict/result_check.h>
 
 namespace holdfast {
 namespace {
@@ -617,6 +619,28 @@ DeformResult Deformer::deform(const ConstraintList& constraints, const std::stri
   result.report.solve.seconds.setup = seconds.setup;
   result.report.solve.seconds.factorization += seconds.factorization;
   return result;
+}
+
+Report Deformer::checked(const DeformResult& result)
+{
+  Report report = result.report;
+  if (report.solve.status == SolveStatus::Failed) return report;
+  if (check_ == nullptr) check_ = std::make_unique<ResultCheck>(model_->solverMesh, model_->mesh.positions);
+  CheckedResult checked = check_->ofFrame(result.positions, result.details->system);
+  report.result = std::move(checked.verdict);
+  std::ranges::move(checked.findings, std::back_inserter(report.mesh.findings));
+  return report;
+}
+
+Report Deformer::examined(const DeformResult& result, Progress& progress)
+{
+  progress.step("looking at the result");
+  Report report = checked(result);
+  if (report.solve.status == SolveStatus::Failed) return report;
+  std::ranges::move(
+      check_->addRest(report.result, result.positions, result.details->system, report.solve.rotations, progress),
+      std::back_inserter(report.mesh.findings));
+  return report;
 }
 
 }  // namespace holdfast

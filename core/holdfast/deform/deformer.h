@@ -18,6 +18,7 @@ class KnownPlaces;
 class PlaceFindings;
 class RotationEnergy;
 class EnergyMatrix;
+class ResultCheck;
 template <class Result>
 class LongStep;
 
@@ -48,6 +49,15 @@ class Deformer {
   /// As the function `deform`. When `progress` or an unusable list throws, this is as if it had not been called.
   [[nodiscard]] DeformResult deform(const ConstraintList& constraints, const std::string& source = "constraints",
                                     Progress& progress = noProgress());
+
+  /// The report of `result`, which `deform` gave, with what can be said of each frame of a drag: folds, edges, areas,
+  /// volumes and vertices that overshoot. `deform` leaves that out, as a frame need not wait for it. The result is not
+  /// changed. O(T + rows).
+  [[nodiscard]] Report checked(const DeformResult& result);
+
+  /// The same with what takes longer to look for: faces that are inverted or cross others, targets that are their
+  /// points turned, scaled, shifted or swapped, and regions that stay level. O(T log T). Throws what `progress` throws.
+  [[nodiscard]] Report examined(const DeformResult& result, Progress& progress = noProgress());
 
   /// The constraints of `deform()`.
   void setConstraints(ConstraintList constraints) { constraints_ = std::move(constraints); }
@@ -90,6 +100,7 @@ class Deformer {
   bool answersEditsAtOnce_ = false;
   int continued_ = 0;
   Columns3 lastRotations_;
+  std::unique_ptr<ResultCheck> check_;
   std::shared_ptr<ConstraintFactorization> factorization_;
   std::shared_ptr<ConstraintFactorization> whole_;   // the last one with a factor of its own that is done
   std::shared_ptr<ConstraintFactorization> coming_;  // what takes the place of a bordered one

@@ -13,6 +13,7 @@
 #include <holdfast/operators/weights.h>
 #include <holdfast/rotation/rotation_options.h>
 #include <holdfast/solve/solver_options.h>
+#include <holdfast/verdict/result_verdict.h>
 
 namespace holdfast {
 
@@ -143,6 +144,7 @@ struct Report {
   ConstraintOutcomes constraints;
   SolveReport solve;
   std::vector<SkippedRow> skippedRows = {};  ///< of the point list that the constraints come from; set by its reader
+  ResultVerdict result = {};  ///< what the solution made of the part
 };
 
 }  // namespace holdfast

@@ -117,6 +117,42 @@ Json toJson(const SolveReport& solve)
   return json;
 }
 
+Json toJson(const RatioVerdict& ratios)
+{
+  return {{"least", ratios.least}, {"most", ratios.most}, {"shrunk", ratios.shrunk}, {"grown", ratios.grown}};
+}
+
+Json toJson(const TargetMotion& motion)
+{
+  return {{"degrees", motion.degrees}, {"axis", motion.axis},   {"scale", motion.scale},
+          {"shift", motion.shift},     {"moved", motion.moved}, {"left", motion.left}};
+}
+
+Json orNull(const std::optional<Index>& count)
+{
+  return count ? Json(*count) : Json(nullptr);
+}
+
+Json toJson(const ResultVerdict& result)
+{
+  Json motions = Json::array();
+  for (const TargetMotion& motion : result.targetMotions) motions.push_back(toJson(motion));
+  Json json{{"status", name(result.status)}, {"warnings", result.warnings}};
+  if (result.status != ResultStatus::NotMeasured) {
+    json["folds"] = {{"faces", result.foldedFaces}, {"largest_degrees", result.foldDegrees}};
+    json["inverted_faces"] = orNull(result.invertedFaces);
+    json["crossing_faces"] = orNull(result.crossingFaces);
+    json["edges"] = toJson(result.edges);
+    json["areas"] = toJson(result.areas);
+    json["volumes"] = toJson(result.volumes);
+    json["overshoot"] = {{"vertices", result.overshoot.vertices},
+                         {"largest", result.overshoot.largest},
+                         {"asked", result.overshoot.asked}};
+  }
+  json["target_motions"] = std::move(motions);
+  return json;
+}
+
 // Of a table: what the report file calls them.
 constexpr std::array kColumns{"name", "type",       "rows",        "status",        "residual", "limit",
                               "gap",  "depends_on", "clash_count", "amplification", "force",    "distance"};
@@ -137,7 +173,8 @@ std::string reportToJson(const Report& report)
   for (const ConstraintOutcome& outcome : report.constraints) constraints.push_back(toJson(outcome));
   const Json json{{"format", "holdfast-report"},        {"version", 1},
                   {"mesh", toJson(report.mesh)},        {"constraints", std::move(constraints)},
-                  {"skipped_rows", report.skippedRows}, {"solve", toJson(report.solve)}};
+                  {"skipped_rows", report.skippedRows}, {"solve", toJson(report.solve)},
+                  {"result", toJson(report.result)}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

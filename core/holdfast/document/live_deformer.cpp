@@ -20,6 +20,9 @@ constexpr int kIterationsOfFrame = 2;
 
 constexpr std::chrono::milliseconds kLongestUnseen(100);
 
+// A hand that drags makes a longer pause only where it rests.
+constexpr std::chrono::milliseconds kRest(200);
+
 }  // namespace
 
 struct LiveDeformer::Shared {
@@ -42,7 +45,7 @@ struct LiveDeformer::Shared {
 
   void run()
   {
-    while (const auto job = nextJob()) work(*job);
+    while (const auto job = nextJob()) lookAt(work(*job));
     deformer.reset();
   }
 
@@ -58,15 +61,21 @@ struct LiveDeformer::Shared {
     return std::exchange(waiting, std::nullopt);
   }
 
-  void work(const Job& job)
+  /// Returns the result that was told, if there is one.
+  LiveEvent work(const Job& job)
   {
-    if (job.isCancelled) return tell({Kind::Cancelled, job.revision, "", nullptr});
+    if (job.isCancelled) {
+      tell({Kind::Cancelled, job.revision, "", nullptr});
+      return {};
+    }
     tell({Kind::Started, job.revision, "", nullptr});
-    const LiveEvent end = endOf(job);
+    LiveEvent end = endOf(job);
     const StopRequest last = finish(job);
     // A superseded result must not appear, even where no step was left to stop it at.
-    if (last == StopRequest::GoOn) tell(end);
-    if (last == StopRequest::GiveUpAndTell) tell({Kind::Cancelled, job.revision, "", nullptr});
+    if (last == StopRequest::GiveUpAndTell) end = {Kind::Cancelled, job.revision, "", nullptr};
+    if (last == StopRequest::GiveUp) end = {};
+    if (last != StopRequest::GiveUp) tell(end);
+    return end;
   }
 
   StopRequest finish(const Job& job)
@@ -111,6 +120,34 @@ struct LiveDeformer::Shared {
       result = deformer->deform(job.state->list, job.source, progress);
     }
     return result;
+  }
+
+  /// Looks at a result while its picture is drawn, and once more, with care, if nothing newer comes for a while.
+  void lookAt(const LiveEvent& result)
+  {
+    if (result.deformation == nullptr) return;
+    StoppableProgress progress([this] { return isWantedBefore(std::chrono::milliseconds(0)); },
+                               [](std::string_view) {});
+    try {
+      tellReport(result.revision, deformer->checked(*result.deformation));
+      if (!isWantedBefore(kRest)) tellReport(result.revision, deformer->examined(*result.deformation, progress));
+    } catch (const Cancelled&) {
+      return;
+    } catch (const std::exception&) {
+      deformer.reset();  // in whatever state it was left; the result is as good as before
+    }
+  }
+
+  void tellReport(std::uint64_t revision, Report report)
+  {
+    tell({Kind::Examined, revision, "", nullptr, nullptr, std::make_shared<const Report>(std::move(report))});
+  }
+
+  /// Whether there is other work, or comes within `time`.
+  bool isWantedBefore(std::chrono::milliseconds time)
+  {
+    std::unique_lock lock(mutex);
+    return changed.wait_for(lock, time, [this] { return isStopping || waiting.has_value(); });
   }
 
   /// Whether more iterations make the result of a frame better, and nothing newer waits.

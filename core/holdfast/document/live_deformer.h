@@ -11,11 +11,14 @@
 
 namespace holdfast {
 
-/// What the worker reports. Each revision ends once, not by one of the first three, unless a newer one replaced it.
+/// What the worker reports. Each revision ends once, not by one of the first four, unless a newer one replaced it.
+/// `Examined` may follow `Done` twice: with what is found while the picture is drawn, and with what a rest has time
+/// for.
 struct LiveEvent {
   enum class Kind {
     Started,    ///< work on a revision begins
     Step,       ///< `message` says what is being done now
+    Examined,   ///< `report` says more of the result of the revision, which was done before
     Iterate,    ///< `deformation` meets the constraints, and its rotations are still being found: a drag that rests
     Done,       ///< `deformation` is what the state asks for, or the rest shape with the reason in its report
     Unusable,   ///< the constraints do not fit the mesh; `message` says why and where
@@ -27,6 +30,7 @@ struct LiveEvent {
   std::string message;
   std::shared_ptr<const DeformResult> deformation;
   std::shared_ptr<const DocumentState> state = nullptr;  ///< with `Iterate` and `Done`: what `deformation` is of
+  std::shared_ptr<const Report> report = nullptr;        ///< with `Examined`
 };
 
 /// What a newer state does to the work that is under way.
@@ -37,7 +41,9 @@ enum class Supersede {
   WhenDone
 };
 
-/// Deforms one model on a thread of its own. Calls may come from one thread, the owner's.
+/// Deforms one model on a thread of its own. It looks at each result after it was told (`Deformer::checked`), and where
+/// nothing newer comes for a while with the care that a drag has no time for (`Deformer::examined`). Calls may come
+/// from one thread, the owner's.
 class LiveDeformer {
  public:
   /// Called on the worker's thread, never after the destructor has returned, which waits for it. Does not throw.

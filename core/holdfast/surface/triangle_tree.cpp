@@ -59,6 +59,42 @@ TriangleTree::Boxes TriangleTree::boxesAt(const Positions& positions) const
   return boxes;
 }
 
+void TriangleTree::split(const Boxes& boxes, NodePair pair, std::vector<NodePair>& pairs) const
+{
+  const auto push = [&](Index a, Index b) {
+    if (a == b || boxes[a].intersects(boxes[b])) pairs.emplace_back(a, b);
+  };
+  auto [a, b] = pair;
+  if (a == b) {
+    push(a + 1, a + 1);
+    push(nodes_[a].second, nodes_[a].second);
+    push(a + 1, nodes_[a].second);
+    return;
+  }
+  const auto size = [&](Index node) { return nodes_[node].last - nodes_[node].first; };
+  const bool isFirstSplit = nodes_[a].second != 0 && (nodes_[b].second == 0 || size(a) >= size(b));
+  if (!isFirstSplit) std::swap(a, b);
+  push(a + 1, b);
+  push(nodes_[a].second, b);
+}
+
+std::vector<TriangleTree::NodePair> TriangleTree::sharesOfPairs(const Boxes& boxes, std::size_t wanted) const
+{
+  std::vector<NodePair> shares;
+  if (!nodes_.empty()) shares.emplace_back(0, 0);
+  for (std::size_t before = 0; shares.size() < wanted && shares.size() != before;) {
+    before = shares.size();
+    std::vector<NodePair> next;
+    for (const NodePair& pair : shares)
+      if (areLeaves(pair))
+        next.push_back(pair);
+      else
+        split(boxes, pair, next);
+    shares = std::move(next);
+  }
+  return shares;
+}
+
 Eigen::AlignedBox3d TriangleTree::boxOf(Index triangle, const Positions& positions) const
 {
   Eigen::AlignedBox3d box;

@@ -68,11 +68,43 @@ class TriangleTree {
     }
   }
 
+  /// Two nodes whose triangles are to be compared, or one whose triangles are to be compared with one another.
+  using NodePair = std::pair<Index, Index>;
+
+  /// Pairs of nodes that cover all pairs of triangles whose boxes may meet, about as many as `wanted`: shares of the
+  /// work for `visitPairs`, the same on every run. None for an empty tree.
+  [[nodiscard]] std::vector<NodePair> sharesOfPairs(const Boxes& boxes, std::size_t wanted) const;
+
+  /// Calls `visit(s, t)` once for each two triangles below `pair` that lie in leaves whose boxes meet.
+  template <class Visitor>
+  void visitPairs(const Boxes& boxes, NodePair pair, Visitor&& visit) const
+  {
+    std::vector<NodePair> waiting{pair};
+    while (!waiting.empty()) {
+      const NodePair next = waiting.back();
+      waiting.pop_back();
+      if (!areLeaves(next)) {
+        split(boxes, next, waiting);
+        continue;
+      }
+      const Node& a = nodes_[next.first];
+      const Node& b = nodes_[next.second];
+      for (Index k = a.first; k < a.last; ++k)
+        for (Index l = next.first == next.second ? k + 1 : b.first; l < b.last; ++l) visit(order_[k], order_[l]);
+    }
+  }
+
  private:
   // Halves of halves of all triangles that an index can count.
   static constexpr std::size_t kDeepest = 64;
 
   Index addNode(Index first, Index last, const Positions& centers);
+  [[nodiscard]] bool areLeaves(NodePair pair) const
+  {
+    return nodes_[pair.first].second == 0 && nodes_[pair.second].second == 0;
+  }
+  /// Adds to `pairs` those that `pair`, not two leaves, falls apart into, if their boxes meet.
+  void split(const Boxes& boxes, NodePair pair, std::vector<NodePair>& pairs) const;
 
   std::vector<Triangle> triangles_;
   std::vector<Index> order_;  // triangles as the leaves hold them

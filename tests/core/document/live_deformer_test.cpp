@@ -70,6 +70,19 @@ TEST(LiveDeformer, GivesTheDeformationThatIsAskedFor)
   EXPECT_EQ(events.back().deformation->positions, freshly(*model, *dragged(0.5)));
 }
 
+TEST(LiveDeformer, LooksAtAResultThatNothingNewerFollows)
+{
+  const auto model = plateModel();
+  Witness witness;
+  LiveDeformer live(model, witness.listener());
+  live.submit(1, dragged(0.5), "list", Supersede::AtNextStep);
+  const std::shared_ptr<const Report> report = witness.examined(1);
+  ASSERT_NE(report, nullptr);
+  EXPECT_EQ(report->result.crossingFaces, 0);
+  const LiveEvent done = witness.eventsTo(1).back();
+  EXPECT_EQ(done.deformation->report.result.status, ResultStatus::NotMeasured) << "what was done is not changed";
+}
+
 TEST(LiveDeformer, FindsRotationsFrameByFrameWhileADragRestsAndAnewForAnEdit)
 {
   const auto model = plateModel();

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <condition_variable>
+#include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -74,6 +76,16 @@ class Witness {
     });
   }
 
+  /// The report of `revision` with all that is looked for at rest; null where it does not come in time. It is not among
+  /// the events: it comes after some time.
+  [[nodiscard]] std::shared_ptr<const Report> examined(std::uint64_t revision)
+  {
+    static_cast<void>(waitUntil(
+        [&] { return reports_.contains(revision) && reports_.at(revision)->result.crossingFaces.has_value(); }));
+    const std::scoped_lock lock(mutex_);
+    return reports_[revision];
+  }
+
   [[nodiscard]] std::vector<End> endsTo(std::uint64_t revision)
   {
     std::vector<End> ends;
@@ -96,6 +108,10 @@ class Witness {
     bool isAtGate = false;
     {
       const std::scoped_lock lock(mutex_);
+      if (event.kind == LiveEvent::Kind::Examined) {
+        reports_[event.revision] = event.report;
+        return changed_.notify_all();
+      }
       events_.push_back(event);
       events_.back().state = nullptr;  // its owner is to see when the worker lets go of it
       isAtGate = gate_ && gate_->isMetBy(event);
@@ -118,6 +134,7 @@ class Witness {
   std::condition_variable changed_;
   std::optional<Gate> gate_;
   std::vector<LiveEvent> events_;
+  std::map<std::uint64_t, std::shared_ptr<const Report>> reports_;  // of results that were looked at
 
   Latch reached_;
   Latch gateway_;

@@ -1,0 +1,39 @@
+#pragma once
+/// Faces of a deformed surface that cross others and did not at rest.
+
+#include <optional>
+#include <vector>
+
+#include <holdfast/base/progress.h>
+#include <holdfast/surface/triangle_tree.h>
+#include <holdfast/verdict/shape_change.h>
+
+namespace holdfast {
+
+/// Whether an edge of one triangle runs through the inside of the other, by more than `touch` on both sides of it.
+/// Triangles that share a vertex may cross elsewhere; those that share an edge, or lie in one plane, do not.
+[[nodiscard]] bool areCrossing(const Triangle& a, const Triangle& b, const Positions& positions, double touch);
+
+/// Finds them for one surface again and again: the tree is that of the surface at rest.
+class CrossingSearch {
+ public:
+  /// O(T log T). The rest stays alive as long as this.
+  CrossingSearch(const RestSurface& rest, const Positions& atRest);
+
+  /// The triangles that cross others, ascending. Those that cross others at rest are left out with their neighbours:
+  /// where a surface passes through itself already, it says nothing of the deformation. O(T log T), over all cores.
+  /// Throws what `progress` throws.
+  [[nodiscard]] std::vector<int> find(const Positions& now, Progress& progress = noProgress());
+
+ private:
+  using Pairs = std::vector<std::pair<int, int>>;
+  [[nodiscard]] Pairs pairsAt(const Positions& places, Progress& progress) const;
+  void markCrossedAtRest(Progress& progress);
+
+  const RestSurface& rest_;
+  const Positions& atRest_;
+  TriangleTree tree_;
+  std::optional<std::vector<bool>> isCrossedAtRest_;  // vertices of such triangles; made when it is first needed
+};
+
+}  // namespace holdfast

@@ -1,0 +1,50 @@
+#pragma once
+/// What targets say together: that they are the points turned, shifted or scaled as a whole, that two of them were
+/// swapped, or that a region is to stay level where the surface around it tilts.
+
+#include <optional>
+#include <vector>
+
+#include <holdfast/constraints/constraint_system.h>
+#include <holdfast/verdict/shape_change.h>
+
+namespace holdfast {
+
+/// The motion that takes points of one part to their targets as nearly as a rotation, a factor and a shift can.
+struct WholeMotion {
+  int part = 0;
+  Vector3 q = Vector3::Zero();      ///< log of the rotation
+  double scale = 1;                 ///< about the mean of the points
+  Vector3 shift = Vector3::Zero();  ///< of the mean of the points, model units
+  double moved = 0;                 ///< how far targets lie from points without the mean shift, root of the mean square
+  double left = 0;                  ///< how far they lie from what the motion makes of the points, the same
+  std::vector<Index> constraints;   ///< places in the list, ascending
+
+  /// Whether it is what targets say, and what is left is a deformation.
+  [[nodiscard]] bool explainsTargets() const;
+};
+
+/// A detail that is off by a tenth of its own size is seen. A rotation of 5.7 degrees and a factor of 1.1 do that.
+inline constexpr double kVisibleDetail = 0.1;
+
+/// Where what is left of the distances is more than this share, targets say more than one motion.
+inline constexpr double kLargestShareLeft = 0.25;
+
+/// Of each part with three points or more that are not on a line. O(rows).
+[[nodiscard]] std::vector<WholeMotion> wholeMotions(const ConstraintSystem& system, const SolverMesh& mesh);
+
+/// Places in the list of points whose targets would be met far better by each other, in pairs, and of vectors that are
+/// the opposite of what they are at rest. O(rows log rows).
+[[nodiscard]] std::vector<Index> swappedTargets(const ConstraintSystem& system, const SolverMesh& mesh);
+
+/// A region that goes where the surface moves it and does not turn with it.
+struct LevelRegion {
+  Index constraint = 0;  ///< place in the list
+  double degrees = 0;    ///< between its rotation and that of the surface around it
+};
+
+/// Rigid regions, and handles that state no rotation, that turn otherwise than the surface around them by an angle that
+/// is seen. O(rows + vertices times regions).
+[[nodiscard]] std::vector<LevelRegion> levelRegions(const DeformedSurface& surface, const ConstraintSystem& system);
+
+}  // namespace holdfast
